@@ -1,0 +1,60 @@
+//! Exact derivatives of maps between vector spaces, by dual numbers.
+
+use crate::{DualNumber, Real, Vector};
+
+/// z + ε v: the point at which to evaluate a map to get its derivative along v.
+#[inline]
+pub fn seed<V, W>(z: &V, v: &V) -> W
+where
+    V: Vector,
+    W: Vector<Scalar = DualNumber<V::Scalar>>,
+{
+    W::from_coordinates(|i| DualNumber { value: z.coordinate(i), derivative: v.coordinate(i) })
+}
+
+/// The ε-part of w: the derivative, once the map is evaluated.
+#[inline]
+pub fn derivative_part<T, W, V>(w: &W) -> V
+where
+    T: Real,
+    W: Vector<Scalar = DualNumber<T>>,
+    V: Vector<Scalar = T>,
+{
+    V::from_coordinates(|i| w.coordinate(i).derivative)
+}
+
+/// The differential df(z) ∈ V*, coordinate by coordinate: DIM evaluations of `f`.
+///
+/// # Example
+/// ```
+/// use lie_poisson::{Covector, DualNumber, differential};
+/// use nalgebra::Vector2;
+/// // f(x, y) = x² y, df = (2xy, x²)
+/// let f = |v: &Vector2<DualNumber>| v.x * v.x * v.y;
+/// assert_eq!(differential(f, &Vector2::new(3.0, 5.0)), Covector(Vector2::new(30.0, 9.0)));
+/// ```
+#[inline]
+pub fn differential<V, W>(f: impl Fn(&W) -> DualNumber<V::Scalar>, z: &V) -> V::Dual
+where
+    V: Vector,
+    W: Vector<Scalar = DualNumber<V::Scalar>>,
+{
+    V::Dual::from_coordinates(|i| f(&seed(z, &V::basis(i))).derivative)
+}
+
+/// The transposed tangent map (T_z f)ᵀ α ∈ V* of f: V → W at a covector α ∈ W*.
+///
+/// `A` is the type of α; `V2` and `W2` are V and W over dual numbers.
+#[inline]
+pub fn transposed_tangent<V, V2, A, W2>(f: impl Fn(&V2) -> W2, z: &V, alpha: &A) -> V::Dual
+where
+    V: Vector,
+    V2: Vector<Scalar = DualNumber<V::Scalar>>,
+    A: Vector<Scalar = V::Scalar>,
+    W2: Vector<Scalar = DualNumber<V::Scalar>>,
+{
+    V::Dual::from_coordinates(|i| {
+        let column: A::Dual = derivative_part(&f(&seed(z, &V::basis(i))));
+        alpha.pairing(&column)
+    })
+}

@@ -1,0 +1,151 @@
+//! Hamiltonians and their differentials.
+
+use crate::{Differential, DualNumber, Point, PoissonSpace, Real, differential};
+use core::marker::PhantomData;
+
+/// A function h: P → R with its differential, over the scalar `T`.
+///
+/// On P = 𝔤* the differential dh(μ) lies in 𝔤: a velocity. There are three ways to get one:
+///
+/// * implement [`Energy`] and wrap it in [`Automatic`]: one generic formula, differentiated by
+///   dual numbers, at work over every scalar;
+/// * pass closures to [`from_closure`] (differentiated automatically) or [`from_closures`]
+///   (differential by hand), over `f64`;
+/// * implement this trait, with the differential by hand, which is the fastest.
+pub trait Hamiltonian<P: PoissonSpace, T: Real = f64> {
+    /// h(z)
+    fn value(&self, z: &Point<P, T>) -> T;
+
+    /// dh(z) ∈ T*_z P
+    fn differential(&self, z: &Point<P, T>) -> Differential<P, T>;
+}
+
+/// An energy as one formula, written once for all scalars.
+///
+/// # Example
+/// ```
+/// use lie_poisson::*;
+/// use nalgebra::Vector3;
+///
+/// struct FreeBody {
+///     inertia: Vector3<f64>,
+/// }
+/// impl Energy for FreeBody {
+///     type Space = LiePoisson<So3>;
+///     fn energy<T: Real>(&self, Covector(pi): &Covector<Vector3<T>>) -> T {
+///         let term = |pi: T, inertia: f64| pi * pi / inertia * 0.5;
+///         term(pi.x, self.inertia.x) + term(pi.y, self.inertia.y) + term(pi.z, self.inertia.z)
+///     }
+/// }
+///
+/// let h = Automatic(FreeBody { inertia: Vector3::new(1.0, 2.0, 4.0) });
+/// // dh = I⁻¹ Π, the angular velocity
+/// let omega = h.differential(&Covector(Vector3::new(1.0, 1.0, 1.0)));
+/// assert_eq!(omega, Vector3::new(1.0, 0.5, 0.25));
+/// ```
+pub trait Energy {
+    /// The space on which it is defined.
+    type Space: PoissonSpace;
+
+    /// h(z)
+    fn energy<T: Real>(&self, z: &Point<Self::Space, T>) -> T;
+}
+
+/// The [`Hamiltonian`] of an [`Energy`], with its exact differential by dual numbers.
+#[derive(Clone, Copy, Debug, Default)]
+pub struct Automatic<E>(pub E);
+
+impl<E: Energy, T: Real> Hamiltonian<E::Space, T> for Automatic<E> {
+    #[inline]
+    fn value(&self, z: &Point<E::Space, T>) -> T {
+        self.0.energy::<T>(z)
+    }
+
+    #[inline]
+    fn differential(&self, z: &Point<E::Space, T>) -> Differential<E::Space, T> {
+        differential(|z: &Point<E::Space, DualNumber<T>>| self.0.energy::<DualNumber<T>>(z), z)
+    }
+}
+
+/// The Hamiltonian of a closure over dual numbers, differentiated automatically.
+///
+/// # Example
+/// ```
+/// use lie_poisson::*;
+/// use nalgebra::Vector3;
+/// let h = from_closure::<LiePoisson<So3>, _>(|Covector(pi)| pi.x * pi.y);
+/// let dh = h.differential(&Covector(Vector3::new(2.0, 3.0, 0.0)));
+/// assert_eq!(dh, Vector3::new(3.0, 2.0, 0.0));
+/// ```
+pub fn from_closure<P, F>(energy: F) -> Closure<P, F>
+where
+    P: PoissonSpace,
+    F: Fn(&Point<P, DualNumber>) -> DualNumber,
+{
+    Closure { energy, space: PhantomData }
+}
+
+/// See [`from_closure`].
+#[derive(Clone, Copy, Debug)]
+pub struct Closure<P, F> {
+    energy: F,
+    space: PhantomData<fn() -> P>,
+}
+
+impl<P, F> Hamiltonian<P> for Closure<P, F>
+where
+    P: PoissonSpace,
+    F: Fn(&Point<P, DualNumber>) -> DualNumber,
+{
+    fn value(&self, z: &Point<P>) -> f64 {
+        (self.energy)(&crate::map_coordinates(z, DualNumber::constant)).value
+    }
+
+    fn differential(&self, z: &Point<P>) -> Differential<P> {
+        differential(&self.energy, z)
+    }
+}
+
+/// The Hamiltonian of two closures: the value, and the differential by hand.
+///
+/// # Example
+/// ```
+/// use lie_poisson::*;
+/// use nalgebra::Vector3;
+/// let h = from_closures::<LiePoisson<So3>, _, _>(
+///     |Covector(pi)| 0.5 * pi.dot(pi),
+///     |Covector(pi)| *pi,
+/// );
+/// assert_eq!(h.differential(&Covector(Vector3::x())), Vector3::x());
+/// ```
+pub fn from_closures<P, F, D>(value: F, differential: D) -> Closures<P, F, D>
+where
+    P: PoissonSpace,
+    F: Fn(&Point<P>) -> f64,
+    D: Fn(&Point<P>) -> Differential<P>,
+{
+    Closures { value, differential, space: PhantomData }
+}
+
+/// See [`from_closures`].
+#[derive(Clone, Copy, Debug)]
+pub struct Closures<P, F, D> {
+    value: F,
+    differential: D,
+    space: PhantomData<fn() -> P>,
+}
+
+impl<P, F, D> Hamiltonian<P> for Closures<P, F, D>
+where
+    P: PoissonSpace,
+    F: Fn(&Point<P>) -> f64,
+    D: Fn(&Point<P>) -> Differential<P>,
+{
+    fn value(&self, z: &Point<P>) -> f64 {
+        (self.value)(z)
+    }
+
+    fn differential(&self, z: &Point<P>) -> Differential<P> {
+        (self.differential)(z)
+    }
+}

@@ -1,0 +1,101 @@
+//! Direct sums V ⊕ W.
+
+use crate::{Covector, Real, Vector};
+use core::ops::{Add, AddAssign, Neg, Sub, SubAssign};
+
+/// (v, w) ∈ V ⊕ W; the coordinates of v come first.
+///
+/// It holds the elements of direct products and of semidirect products (ξ, φ) ∈ 𝔤 ⋉ V, and of
+/// their groups.
+///
+/// ```
+/// use lie_poisson::Pair;
+/// use nalgebra::{Vector2, Vector3};
+/// let Pair(angular, linear) = Pair(Vector3::new(1.0, 0.0, 0.0), Vector2::new(0.0, 1.0));
+/// assert_eq!(angular.x, linear.y);
+/// ```
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Pair<A, B>(pub A, pub B);
+
+impl<T: Real, A: Vector<Scalar = T>, B: Vector<Scalar = T>> Vector for Pair<A, B> {
+    type Scalar = T;
+    type Dual = Covector<Self>;
+    const DIM: usize = A::DIM + B::DIM;
+
+    #[inline]
+    fn from_coordinates(mut f: impl FnMut(usize) -> T) -> Self {
+        let first = A::from_coordinates(&mut f);
+        Self(first, B::from_coordinates(|i| f(A::DIM + i)))
+    }
+
+    #[inline]
+    fn coordinate(&self, i: usize) -> T {
+        if i < A::DIM { self.0.coordinate(i) } else { self.1.coordinate(i - A::DIM) }
+    }
+
+    #[inline]
+    fn scaled(&self, s: T) -> Self {
+        Self(self.0.scaled(s), self.1.scaled(s))
+    }
+}
+
+impl<A: Vector, B: Vector<Scalar = A::Scalar>> Covector<Pair<A, B>> {
+    /// The covector (α, β) of a direct sum from its two parts.
+    #[inline]
+    pub fn from_parts(alpha: A::Dual, beta: B::Dual) -> Self {
+        Self(Pair(
+            A::from_coordinates(|i| alpha.coordinate(i)),
+            B::from_coordinates(|i| beta.coordinate(i)),
+        ))
+    }
+
+    /// The two parts (α, β), each with its own pairing.
+    #[inline]
+    pub fn parts(&self) -> (A::Dual, B::Dual) {
+        let Self(Pair(a, b)) = self;
+        (
+            A::Dual::from_coordinates(|i| a.coordinate(i)),
+            B::Dual::from_coordinates(|i| b.coordinate(i)),
+        )
+    }
+}
+
+impl<A: Add<Output = A>, B: Add<Output = B>> Add for Pair<A, B> {
+    type Output = Self;
+    #[inline]
+    fn add(self, rhs: Self) -> Self {
+        Self(self.0 + rhs.0, self.1 + rhs.1)
+    }
+}
+
+impl<A: Sub<Output = A>, B: Sub<Output = B>> Sub for Pair<A, B> {
+    type Output = Self;
+    #[inline]
+    fn sub(self, rhs: Self) -> Self {
+        Self(self.0 - rhs.0, self.1 - rhs.1)
+    }
+}
+
+impl<A: Neg<Output = A>, B: Neg<Output = B>> Neg for Pair<A, B> {
+    type Output = Self;
+    #[inline]
+    fn neg(self) -> Self {
+        Self(-self.0, -self.1)
+    }
+}
+
+impl<A: AddAssign, B: AddAssign> AddAssign for Pair<A, B> {
+    #[inline]
+    fn add_assign(&mut self, rhs: Self) {
+        self.0 += rhs.0;
+        self.1 += rhs.1;
+    }
+}
+
+impl<A: SubAssign, B: SubAssign> SubAssign for Pair<A, B> {
+    #[inline]
+    fn sub_assign(&mut self, rhs: Self) {
+        self.0 -= rhs.0;
+        self.1 -= rhs.1;
+    }
+}

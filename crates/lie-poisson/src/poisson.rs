@@ -1,0 +1,117 @@
+//! Poisson vector spaces and the Lie–Poisson bracket.
+
+use crate::{Differential, LieAlgebra, Momentum, Point, Real, Vector, VectorSpace};
+use nalgebra::DMatrix;
+
+/// A vector space P with a Poisson bracket, given by its Poisson tensor Λ(z): T*P → TP:
+///
+/// ```text
+/// {f, h}(z) = ⟨df(z), Λ(z) dh(z)⟩,    X_h(z) = Λ(z) dh(z),    ḟ = {f, h}
+/// ```
+///
+/// Source: Marsden & Ratiu, *Introduction to Mechanics and Symmetry*, 2nd ed., §10.4.
+pub trait PoissonSpace: VectorSpace {
+    /// Λ(z) α, the Hamiltonian vector field at z of any function with differential α there.
+    fn hamiltonian_vector<T: Real>(
+        &self,
+        z: &Point<Self, T>,
+        alpha: &Differential<Self, T>,
+    ) -> Point<Self, T>;
+
+    /// {f, h}(z) for functions with differentials `df` and `dh` at z.
+    #[inline]
+    fn bracket<T: Real>(
+        &self,
+        z: &Point<Self, T>,
+        df: &Differential<Self, T>,
+        dh: &Differential<Self, T>,
+    ) -> T {
+        df.pairing(&self.hamiltonian_vector::<T>(z, dh))
+    }
+
+    /// The matrix Λ_ij(z) = {z_i, z_j} of the Poisson tensor, DIM × DIM.
+    fn poisson_tensor<T: Real>(&self, z: &Point<Self, T>) -> DMatrix<T> {
+        let n = Point::<Self, T>::DIM;
+        let columns = (0..n).map(|j| self.hamiltonian_vector::<T>(z, &Vector::basis(j)));
+        DMatrix::from_iterator(n, n, columns.flat_map(|x| (0..n).map(move |i| x.coordinate(i))))
+    }
+}
+
+/// The sign of a Lie–Poisson bracket.
+///
+/// Momentum maps of right actions go to 𝔤* with the minus sign, those of left actions to 𝔤* with
+/// the plus sign; body-frame dynamics has the minus sign.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Sign {
+    /// {f, h}(μ) = +⟨μ, [df, dh]⟩, so that μ̇ = −ad*_{dh} μ.
+    Plus,
+    /// {f, h}(μ) = −⟨μ, [df, dh]⟩, so that μ̇ = +ad*_{dh} μ.
+    Minus,
+}
+
+/// 𝔤* with a (±)-Lie–Poisson bracket {f, h}±(μ) = ±⟨μ, [df(μ), dh(μ)]⟩.
+///
+/// Source: Marsden & Ratiu, *Introduction to Mechanics and Symmetry*, 2nd ed., §13.1; Ohsawa
+/// 2019, eqs. (1.2), (2.3) and (3.3) for the minus sign.
+///
+/// # Example
+/// The free rigid body Π̇ = Π × Ω is Hamiltonian for the minus sign:
+/// ```
+/// use lie_poisson::{Covector, LiePoisson, PoissonSpace, So3};
+/// use nalgebra::Vector3;
+/// let (pi, omega) = (Vector3::new(1.0, 2.0, 3.0), Vector3::new(0.5, 1.0, 3.0));
+/// let rate = LiePoisson::minus(So3).hamiltonian_vector(&Covector(pi), &omega);
+/// assert_eq!(rate, Covector(pi.cross(&omega)));
+/// ```
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub struct LiePoisson<A> {
+    algebra: A,
+    sign: Sign,
+}
+
+impl<A: LieAlgebra> LiePoisson<A> {
+    /// 𝔤* with the bracket of the given sign.
+    pub const fn new(algebra: A, sign: Sign) -> Self {
+        Self { algebra, sign }
+    }
+
+    /// 𝔤* with the minus bracket.
+    pub const fn minus(algebra: A) -> Self {
+        Self::new(algebra, Sign::Minus)
+    }
+
+    /// 𝔤* with the plus bracket.
+    pub const fn plus(algebra: A) -> Self {
+        Self::new(algebra, Sign::Plus)
+    }
+
+    /// 𝔤
+    pub const fn algebra(&self) -> &A {
+        &self.algebra
+    }
+
+    /// The sign of the bracket.
+    pub const fn sign(&self) -> Sign {
+        self.sign
+    }
+}
+
+impl<A: LieAlgebra> VectorSpace for LiePoisson<A> {
+    type Point<T: Real> = Momentum<A, T>;
+}
+
+impl<A: LieAlgebra> PoissonSpace for LiePoisson<A> {
+    /// ∓ad*_{dh} μ for the (±)-bracket.
+    #[inline]
+    fn hamiltonian_vector<T: Real>(
+        &self,
+        mu: &Momentum<A, T>,
+        dh: &A::Element<T>,
+    ) -> Momentum<A, T> {
+        let rate = self.algebra.coadjoint::<T>(dh, mu);
+        match self.sign {
+            Sign::Plus => -rate,
+            Sign::Minus => rate,
+        }
+    }
+}

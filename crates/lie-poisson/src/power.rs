@@ -1,0 +1,79 @@
+//! Powers Vⁿ.
+
+use crate::{Covector, Vector};
+use core::array::from_fn;
+use core::ops::{Add, AddAssign, Neg, Sub, SubAssign};
+
+/// (v₁, …, v_N) ∈ V^N: the state of N spins, of N vortices.
+///
+/// ```
+/// use lie_poisson::{Power, Vector};
+/// use nalgebra::Vector3;
+/// let spins = Power([Vector3::new(0.0, 0.0, 1.0); 10]);
+/// assert_eq!(spins.0.iter().sum::<Vector3<f64>>().z, 10.0);
+/// assert_eq!(spins.max_abs(), 1.0);
+/// ```
+#[derive(Clone, Copy, Debug, PartialEq)]
+#[repr(transparent)]
+pub struct Power<V, const N: usize>(pub [V; N]);
+
+impl<V: Vector, const N: usize> Vector for Power<V, N> {
+    type Scalar = V::Scalar;
+    type Dual = Covector<Self>;
+    const DIM: usize = N * V::DIM;
+
+    #[inline]
+    fn from_coordinates(mut f: impl FnMut(usize) -> V::Scalar) -> Self {
+        Self(from_fn(|n| V::from_coordinates(|i| f(n * V::DIM + i))))
+    }
+
+    #[inline]
+    fn coordinate(&self, i: usize) -> V::Scalar {
+        // A factor of dimension 0 has no coordinates, and must not divide.
+        let width = V::DIM.max(1);
+        self.0.get(i / width).map_or_else(num_traits::zero, |v| v.coordinate(i % width))
+    }
+
+    #[inline]
+    fn scaled(&self, s: V::Scalar) -> Self {
+        Self(from_fn(|n| self.0[n].scaled(s)))
+    }
+}
+
+impl<V: Copy + Add<Output = V>, const N: usize> Add for Power<V, N> {
+    type Output = Self;
+    #[inline]
+    fn add(self, rhs: Self) -> Self {
+        Self(from_fn(|n| self.0[n] + rhs.0[n]))
+    }
+}
+
+impl<V: Copy + Sub<Output = V>, const N: usize> Sub for Power<V, N> {
+    type Output = Self;
+    #[inline]
+    fn sub(self, rhs: Self) -> Self {
+        Self(from_fn(|n| self.0[n] - rhs.0[n]))
+    }
+}
+
+impl<V: Neg<Output = V>, const N: usize> Neg for Power<V, N> {
+    type Output = Self;
+    #[inline]
+    fn neg(self) -> Self {
+        Self(self.0.map(V::neg))
+    }
+}
+
+impl<V: Copy + AddAssign, const N: usize> AddAssign for Power<V, N> {
+    #[inline]
+    fn add_assign(&mut self, rhs: Self) {
+        self.0.iter_mut().zip(rhs.0).for_each(|(v, w)| *v += w);
+    }
+}
+
+impl<V: Copy + SubAssign, const N: usize> SubAssign for Power<V, N> {
+    #[inline]
+    fn sub_assign(&mut self, rhs: Self) {
+        self.0.iter_mut().zip(rhs.0).for_each(|(v, w)| *v -= w);
+    }
+}

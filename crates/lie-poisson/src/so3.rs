@@ -1,0 +1,103 @@
+//! so(3) and SO(3).
+
+use crate::{Covector, LieAlgebra, LieGroup, Real};
+use nalgebra::{Matrix3, Vector3};
+
+/// The Lie algebra so(3) ≅ R³ with [ξ, η] = ξ × η.
+///
+/// The coordinates are those of the basis ê₁, ê₂, ê₃ with (ê_i) v = e_i × v; the dot product of
+/// coordinates is ⟨ξ̂, η̂⟩ = ½ tr(ξ̂ᵀ η̂).
+///
+/// Source: Ohsawa 2019, Appendix A.1 and eq. (A.2).
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+pub struct So3;
+
+impl So3 {
+    /// The hat map ξ ↦ ξ̂ with ξ̂ v = ξ × v. Source: Ohsawa 2019, Appendix A.1.
+    ///
+    /// ```
+    /// use lie_poisson::So3;
+    /// use nalgebra::Vector3;
+    /// let (xi, v) = (Vector3::new(1.0, 2.0, 3.0), Vector3::new(-1.0, 0.5, 2.0));
+    /// assert_eq!(So3.hat(&xi) * v, xi.cross(&v));
+    /// ```
+    #[inline]
+    #[rustfmt::skip]
+    pub fn hat<T: Real>(&self, xi: &Vector3<T>) -> Matrix3<T> {
+        let zero = T::zero();
+        Matrix3::new( zero, -xi.z,  xi.y,
+                      xi.z,  zero, -xi.x,
+                     -xi.y,  xi.x,  zero)
+    }
+}
+
+impl LieAlgebra for So3 {
+    type Element<T: Real> = Vector3<T>;
+
+    #[inline]
+    fn bracket<T: Real>(&self, xi: &Vector3<T>, eta: &Vector3<T>) -> Vector3<T> {
+        xi.cross(eta)
+    }
+
+    /// ad*_ξ μ = μ × ξ
+    #[inline]
+    fn coadjoint<T: Real>(
+        &self,
+        xi: &Vector3<T>,
+        mu: &Covector<Vector3<T>>,
+    ) -> Covector<Vector3<T>> {
+        Covector(mu.0.cross(xi))
+    }
+}
+
+/// The rotation group SO(3), by its matrices.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+pub struct SO3;
+
+impl LieGroup for SO3 {
+    type Algebra = So3;
+    type Element<T: Real> = Matrix3<T>;
+
+    fn algebra(&self) -> So3 {
+        So3
+    }
+
+    #[inline]
+    fn identity<T: Real>(&self) -> Matrix3<T> {
+        Matrix3::identity()
+    }
+
+    #[inline]
+    fn compose<T: Real>(&self, g: &Matrix3<T>, h: &Matrix3<T>) -> Matrix3<T> {
+        g * h
+    }
+
+    #[inline]
+    fn inverse<T: Real>(&self, g: &Matrix3<T>) -> Matrix3<T> {
+        g.transpose()
+    }
+
+    /// Rodrigues' formula exp ξ̂ = I + c₁(|ξ|²) ξ̂ + c₂(|ξ|²) ξ̂² with the
+    /// [Stumpff functions](Real::stumpff). Angles in radians.
+    #[inline]
+    fn exp<T: Real>(&self, xi: &Vector3<T>) -> Matrix3<T> {
+        let (hat, x) = (So3.hat(xi), xi.dot(xi));
+        Matrix3::identity() + hat * x.stumpff(1) + hat * hat * x.stumpff(2)
+    }
+
+    /// Ad_R ξ = R ξ
+    #[inline]
+    fn adjoint<T: Real>(&self, g: &Matrix3<T>, xi: &Vector3<T>) -> Vector3<T> {
+        g * xi
+    }
+
+    /// Ad*_R μ = Rᵀ μ
+    #[inline]
+    fn coadjoint<T: Real>(
+        &self,
+        g: &Matrix3<T>,
+        mu: &Covector<Vector3<T>>,
+    ) -> Covector<Vector3<T>> {
+        Covector(g.tr_mul(&mu.0))
+    }
+}

@@ -1,0 +1,199 @@
+//! Finite-dimensional real vector spaces, by their coordinates.
+
+use crate::{Covector, Real, larger};
+use core::fmt::Debug;
+use core::ops::{Add, AddAssign, Neg, Sub, SubAssign};
+use nalgebra::SMatrix;
+use num_complex::Complex;
+
+/// A vector of a real vector space V of fixed dimension, with a standard basis e₀, …, e_{DIM−1}.
+///
+/// Elements of a Lie algebra, momenta in its dual, points of a phase space and group elements
+/// (which live in a space of matrices) are all vectors in this sense. Implemented for nalgebra's
+/// statically sized matrices over [`Real`] and over `Complex<Real>` (real and imaginary parts
+/// alternate, so that C² ≅ R⁴ is χ = (q₁+iq₂, q₃+iq₄)), for [`Covector`], [`Pair`](crate::Pair)
+/// and [`Power`](crate::Power).
+///
+/// The dual V* is a different type, paired by coordinates: ⟨α, v⟩ = Σ αᵢ vᵢ.
+///
+/// # Example
+/// ```
+/// use lie_poisson::{Covector, Vector};
+/// use nalgebra::Vector3;
+/// let velocity = Vector3::new(1.0, 2.0, 3.0);
+/// let momentum = Covector(Vector3::new(0.0, 0.5, 1.0));
+/// assert_eq!(momentum.pairing(&velocity), 4.0);
+/// ```
+pub trait Vector:
+    Copy
+    + Debug
+    + PartialEq
+    + Send
+    + Sync
+    + 'static
+    + Add<Output = Self>
+    + Sub<Output = Self>
+    + Neg<Output = Self>
+    + AddAssign
+    + SubAssign
+{
+    /// The real numbers in use.
+    type Scalar: Real;
+
+    /// The dual space V*; V** = V.
+    type Dual: Vector<Scalar = Self::Scalar, Dual = Self>;
+
+    /// dim V over the reals.
+    const DIM: usize;
+
+    /// Σ f(i) eᵢ. `f` is called once for each i = 0, …, DIM−1, in this order.
+    fn from_coordinates(f: impl FnMut(usize) -> Self::Scalar) -> Self;
+
+    /// The i-th coordinate; zero for i ≥ DIM.
+    fn coordinate(&self, i: usize) -> Self::Scalar;
+
+    /// s v.
+    #[must_use]
+    fn scaled(&self, s: Self::Scalar) -> Self;
+
+    /// 0 ∈ V.
+    #[must_use]
+    #[inline]
+    fn zero() -> Self {
+        Self::from_coordinates(|_| num_traits::zero())
+    }
+
+    /// The basis vector eᵢ; zero for i ≥ DIM.
+    #[must_use]
+    #[inline]
+    fn basis(i: usize) -> Self {
+        Self::from_coordinates(|j| if i == j { num_traits::one() } else { num_traits::zero() })
+    }
+
+    /// v ← v + s x.
+    #[inline]
+    fn add_scaled(&mut self, s: Self::Scalar, x: &Self) {
+        *self += x.scaled(s);
+    }
+
+    /// The natural pairing ⟨α, v⟩ = Σ αᵢ vᵢ, which is symmetric in the roles of V and V*.
+    #[inline]
+    fn pairing(&self, dual: &Self::Dual) -> Self::Scalar {
+        let mut sum: Self::Scalar = num_traits::zero();
+        for i in 0..Self::DIM {
+            sum += self.coordinate(i) * dual.coordinate(i);
+        }
+        sum
+    }
+
+    /// max |vᵢ| over coordinates and lanes; NaN if any is NaN.
+    #[inline]
+    fn max_abs(&self) -> f64 {
+        (0..Self::DIM).fold(0.0, |m, i| larger(m, self.coordinate(i).max_abs()))
+    }
+
+    /// Whether every coordinate is a finite number, in every lane.
+    #[inline]
+    fn is_finite(&self) -> bool {
+        self.max_abs().is_finite()
+    }
+}
+
+/// The vector of `W` with coordinates f(v₀), f(v₁), …: a change of scalar or of type that
+/// respects the bases. Missing coordinates are zero, surplus ones are dropped.
+///
+/// # Example
+/// ```
+/// use lie_poisson::{DualNumber, map_coordinates};
+/// use nalgebra::Vector2;
+/// let x: Vector2<DualNumber> = map_coordinates(&Vector2::new(1.0, 2.0), DualNumber::constant);
+/// assert_eq!(x.y.value, 2.0);
+/// ```
+#[inline]
+pub fn map_coordinates<V: Vector, W: Vector>(v: &V, f: impl Fn(V::Scalar) -> W::Scalar) -> W {
+    W::from_coordinates(|i| f(v.coordinate(i)))
+}
+
+impl<T: Real, const R: usize, const C: usize> Vector for SMatrix<T, R, C> {
+    type Scalar = T;
+    type Dual = Covector<Self>;
+    const DIM: usize = R * C;
+
+    #[inline]
+    fn from_coordinates(mut f: impl FnMut(usize) -> T) -> Self {
+        // nalgebra fills by columns, which is the order of the coordinates.
+        Self::from_fn(|i, j| f(i + R * j))
+    }
+
+    #[inline]
+    fn coordinate(&self, i: usize) -> T {
+        self.as_slice().get(i).copied().unwrap_or_else(T::zero)
+    }
+
+    #[inline]
+    fn scaled(&self, s: T) -> Self {
+        self.map(|x| x * s)
+    }
+}
+
+impl<T: Real, const R: usize, const C: usize> Vector for SMatrix<Complex<T>, R, C> {
+    type Scalar = T;
+    type Dual = Covector<Self>;
+    const DIM: usize = 2 * R * C;
+
+    #[inline]
+    fn from_coordinates(mut f: impl FnMut(usize) -> T) -> Self {
+        Self::from_fn(|i, j| {
+            let k = 2 * (i + R * j);
+            Complex { re: f(k), im: f(k + 1) }
+        })
+    }
+
+    #[inline]
+    fn coordinate(&self, i: usize) -> T {
+        let z = self.as_slice().get(i / 2);
+        z.map_or_else(T::zero, |z| if i % 2 == 0 { z.re } else { z.im })
+    }
+
+    #[inline]
+    fn scaled(&self, s: T) -> Self {
+        self.map(|z| Complex { re: z.re * s, im: z.im * s })
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::{Pair, Power};
+    use nalgebra::{Matrix2, Vector2, Vector3};
+
+    fn coordinates_are_a_basis<V: Vector<Scalar = f64>>() {
+        let v = V::from_coordinates(|i| i as f64 + 1.0);
+        let mut sum = V::zero();
+        for i in 0..V::DIM {
+            assert_eq!(v.coordinate(i), i as f64 + 1.0);
+            assert_eq!(V::basis(i).pairing(&V::Dual::basis(i)), 1.0);
+            sum.add_scaled(v.coordinate(i), &V::basis(i));
+        }
+        assert_eq!(sum, v);
+        assert_eq!(v.coordinate(V::DIM), 0.0);
+        assert_eq!(v.scaled(2.0) - v, v);
+        assert_eq!((-v).max_abs(), V::DIM as f64);
+        assert!(!v.scaled(f64::NAN).is_finite());
+    }
+
+    #[test]
+    fn every_vector_type_is_its_coordinates() {
+        coordinates_are_a_basis::<Vector3<f64>>();
+        coordinates_are_a_basis::<Matrix2<Complex<f64>>>();
+        coordinates_are_a_basis::<Covector<Vector3<f64>>>();
+        coordinates_are_a_basis::<Pair<Vector2<Complex<f64>>, Covector<Vector3<f64>>>>();
+        coordinates_are_a_basis::<Power<Vector3<f64>, 4>>();
+    }
+
+    #[test]
+    fn complex_coordinates_alternate() {
+        let chi = Vector2::new(Complex::new(1.0, 2.0), Complex::new(3.0, 4.0));
+        assert_eq!([0, 1, 2, 3].map(|i| chi.coordinate(i)), [1.0, 2.0, 3.0, 4.0]);
+    }
+}

@@ -1,0 +1,139 @@
+//! Cotangent bundles of vector spaces.
+
+use core::ops::{Add, AddAssign, Neg, Sub, SubAssign};
+use lie_poisson::{
+    Covector, Differential, Point, PoissonSpace, Real, Vector, VectorSpace, map_coordinates,
+};
+
+/// (q, p) ∈ T*Q = Q × Q*; the coordinates of q come first.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Cotangent<Q: Vector> {
+    /// The configuration.
+    pub q: Q,
+    /// The momentum conjugate to it.
+    pub p: Q::Dual,
+}
+
+impl<Q: Vector> Cotangent<Q> {
+    /// (q, p)
+    #[inline]
+    pub fn new(q: Q, p: Q::Dual) -> Self {
+        Self { q, p }
+    }
+}
+
+impl<Q: Vector> Vector for Cotangent<Q> {
+    type Scalar = Q::Scalar;
+    type Dual = Covector<Self>;
+    const DIM: usize = 2 * Q::DIM;
+
+    #[inline]
+    fn from_coordinates(mut f: impl FnMut(usize) -> Q::Scalar) -> Self {
+        let q = Q::from_coordinates(&mut f);
+        Self { q, p: Q::Dual::from_coordinates(|i| f(Q::DIM + i)) }
+    }
+
+    #[inline]
+    fn coordinate(&self, i: usize) -> Q::Scalar {
+        if i < Q::DIM { self.q.coordinate(i) } else { self.p.coordinate(i - Q::DIM) }
+    }
+
+    #[inline]
+    fn scaled(&self, s: Q::Scalar) -> Self {
+        Self { q: self.q.scaled(s), p: self.p.scaled(s) }
+    }
+}
+
+impl<Q: Vector> Add for Cotangent<Q> {
+    type Output = Self;
+    #[inline]
+    fn add(self, rhs: Self) -> Self {
+        Self { q: self.q + rhs.q, p: self.p + rhs.p }
+    }
+}
+
+impl<Q: Vector> Sub for Cotangent<Q> {
+    type Output = Self;
+    #[inline]
+    fn sub(self, rhs: Self) -> Self {
+        Self { q: self.q - rhs.q, p: self.p - rhs.p }
+    }
+}
+
+impl<Q: Vector> Neg for Cotangent<Q> {
+    type Output = Self;
+    #[inline]
+    fn neg(self) -> Self {
+        Self { q: -self.q, p: -self.p }
+    }
+}
+
+impl<Q: Vector> AddAssign for Cotangent<Q> {
+    #[inline]
+    fn add_assign(&mut self, rhs: Self) {
+        self.q += rhs.q;
+        self.p += rhs.p;
+    }
+}
+
+impl<Q: Vector> SubAssign for Cotangent<Q> {
+    #[inline]
+    fn sub_assign(&mut self, rhs: Self) {
+        self.q -= rhs.q;
+        self.p -= rhs.p;
+    }
+}
+
+/// T*Q with its canonical structure:
+///
+/// ```text
+/// Θ = p dq,   Ω = −dΘ = dq ∧ dp,   {F, H} = ∂F/∂q·∂H/∂p − ∂F/∂p·∂H/∂q,
+/// q̇ = ∂H/∂p,  ṗ = −∂H/∂q
+/// ```
+///
+/// Source: Ohsawa 2019, §2.1, eqs. (2.2) and (4.4).
+///
+/// # Example
+/// ```
+/// use lie_poisson::{Covector, PoissonSpace, RealSpace};
+/// use momentum_map::{Cotangent, CotangentBundle};
+/// use nalgebra::Vector1;
+/// // the oscillator H = (q² + p²)/2 at (q, p) = (1, 2): dH = (1, 2), X_H = (2, −1)
+/// let z = Cotangent::new(Vector1::new(1.0), Covector(Vector1::new(2.0)));
+/// let x = CotangentBundle(RealSpace::<1>).hamiltonian_vector(&z, &Covector(z));
+/// assert_eq!((x.q.x, x.p.0.x), (2.0, -1.0));
+/// ```
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+pub struct CotangentBundle<Q>(pub Q);
+
+impl<Q: VectorSpace> VectorSpace for CotangentBundle<Q> {
+    type Point<T: Real> = Cotangent<Point<Q, T>>;
+}
+
+impl<Q: VectorSpace> PoissonSpace for CotangentBundle<Q> {
+    /// (∂H/∂p, −∂H/∂q)
+    #[inline]
+    fn hamiltonian_vector<T: Real>(
+        &self,
+        _: &Point<Self, T>,
+        dh: &Differential<Self, T>,
+    ) -> Point<Self, T> {
+        let Covector(Cotangent { q: by_q, p: by_p }) = dh;
+        Cotangent { q: map_coordinates(by_p, |x| x), p: map_coordinates(by_q, |x: T| -x) }
+    }
+}
+
+impl<Q: VectorSpace> CotangentBundle<Q> {
+    /// The canonical symplectic form Ω(u, v) = ⟨v.p, u.q⟩ − ⟨u.p, v.q⟩, that is dq ∧ dp.
+    #[inline]
+    pub fn symplectic_form<T: Real>(&self, u: &Point<Self, T>, v: &Point<Self, T>) -> T {
+        u.q.pairing(&v.p) - v.q.pairing(&u.p)
+    }
+
+    /// The covector i_X Ω = Ω(X, ·), which is dH if X = X_H: the inverse of
+    /// [`hamiltonian_vector`](PoissonSpace::hamiltonian_vector). Source: Ohsawa 2019, eq. (4.3).
+    #[inline]
+    pub fn flat<T: Real>(&self, x: &Point<Self, T>) -> Differential<Self, T> {
+        Covector(Cotangent { q: map_coordinates(&x.p, |x: T| -x), p: map_coordinates(&x.q, |x| x) })
+    }
+}
