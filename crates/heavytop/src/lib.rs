@@ -1,1 +1,61 @@
-//! x
+//! Collective heavy top dynamics: the system of T. Ohsawa, *Collective Heavy Top Dynamics*,
+//! SIGMA 15 (2019) 083.
+//!
+//! The modules in dependency order:
+//!
+//! | object | item |
+//! |---|---|
+//! | SU(2) ⋉ C² acting on C², and L, derived from it | [`SpinorMotions`], [`SpinorMomentum`] |
+//! | the Hopf map and ϖ | [`hopf_map`], [`Varpi`] |
+//! | M = ϖ∘L: T*C² → se(3)*, its lifts and fibres | [`SpinorRealisation`] |
+//! | C² → so(3)*, by the same Hopf map | [`HopfRealisation`] |
+//! | the heavy top: general, free, Lagrange, Kovalevskaya, Goryachev–Chaplygin | [`HeavyTop`], [`Body`], [`RigidBody`] |
+//! | h, f₁, f₂, f₃, K, G | [`Invariant`] |
+//! | closed forms | [`jacobi_elliptic`] |
+//!
+//! # Example
+//! The paper's experiment, over 200 steps:
+//! ```
+//! use collective_integrators::{Collective, RungeKutta, Start};
+//! use heavytop::{HeavyTop, Invariant, SpinorRealisation};
+//! use lie_poisson::Se3Dual;
+//! use nalgebra::Vector3;
+//!
+//! let top = HeavyTop::kovalevskaya(1.0, 1.0)?;
+//! let start = Se3Dual::new(Vector3::new(2.0, 3.0, 4.0), Vector3::new(0.5, 0.0, 0.75_f64.sqrt()));
+//! let midpoint = Collective::new(RungeKutta::implicit_midpoint(), SpinorRealisation, top);
+//! for sample in midpoint.trajectory(&start, 0.02)?.take(200) {
+//!     let mu = sample?.momentum;
+//!     let deviation = |i: Invariant| (i.value(&top, &mu) - i.value(&top, &start)).abs();
+//!     assert!(deviation(Invariant::Energy) < 1e-3);
+//!     assert!(deviation(Invariant::VerticalSquared) < 1e-13);
+//!     assert!(deviation(Invariant::VerticalMomentum) < 1e-13);
+//! }
+//! # Ok::<(), Box<dyn std::error::Error>>(())
+//! ```
+
+mod error;
+mod spinor_motions;
+mod hopf;
+mod varpi;
+mod spinor_realisation;
+mod hopf_realisation;
+mod top;
+mod rigid_body;
+mod invariants;
+mod elliptic;
+
+pub use elliptic::jacobi_elliptic;
+pub use error::{TopError, UNIT_TOLERANCE, require_unit};
+pub use hopf::{hopf_map, hopf_pull_back};
+pub use hopf_realisation::{HopfPoint, HopfRealisation};
+pub use invariants::Invariant;
+pub use rigid_body::RigidBody;
+pub use spinor_motions::{SpinorAlgebra, SpinorGroup, SpinorMomentum, SpinorMotions};
+pub use spinor_realisation::{SpinorPoint, SpinorRealisation};
+pub use top::{Body, HeavyTop, HeavyTopSpace};
+pub use varpi::Varpi;
+
+pub use collective_integrators;
+pub use lie_poisson;
+pub use momentum_map;

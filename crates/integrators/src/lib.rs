@@ -1,1 +1,38 @@
-//! x
+//! Schemes that know nothing of 𝔤, and the collective integrator that brings them to 𝔤*.
+//!
+//! The modules in dependency order:
+//!
+//! | object | item |
+//! |---|---|
+//! | vector fields ż = X(z) | [`VectorField`], [`HamiltonianField`], [`from_fn`] |
+//! | Runge–Kutta coefficients and their properties | [`Tableau`] |
+//! | stage equations | [`StageSolver`] |
+//! | one-step methods, and which of them descend | [`Scheme`], [`Equivariant`], [`RungeKutta`] |
+//! | integrators on 𝔤* | [`Integrator`], [`Collective`], [`Direct`] |
+//! | trajectories | [`Trajectory`] |
+//! | diagnostics | [`fitted_order`] |
+
+mod error;
+mod vector_field;
+mod tableau;
+mod order_conditions;
+mod gauss;
+mod stage_solver;
+mod scheme;
+mod runge_kutta;
+mod integrator;
+mod trajectory;
+mod order_fit;
+
+pub use error::{IntegrationError, SchemeError, StepError};
+pub use integrator::{Collective, Direct, Integrator, Start};
+pub use order_fit::{OrderFitError, fitted_order};
+pub use runge_kutta::RungeKutta;
+pub use scheme::{Equivariant, Scheme, Step};
+pub use stage_solver::StageSolver;
+pub use tableau::Tableau;
+pub use trajectory::{Sample, SampleOf, Trajectory};
+pub use vector_field::{FromFn, HamiltonianField, VectorField, from_fn};
+
+pub use lie_poisson;
+pub use momentum_map;

@@ -52,7 +52,7 @@ pub enum Sign {
 /// 𝔤* with a (±)-Lie–Poisson bracket {f, h}±(μ) = ±⟨μ, [df(μ), dh(μ)]⟩.
 ///
 /// Source: Marsden & Ratiu, *Introduction to Mechanics and Symmetry*, 2nd ed., §13.1; Ohsawa
-/// 2019, eqs. (1.2), (2.3) and (3.3) for the minus sign.
+/// 2019, eqs. (1.2), (2.4) and (3.3) for the minus sign.
 ///
 /// # Example
 /// The free rigid body Π̇ = Π × Ω is Hamiltonian for the minus sign:

@@ -17,7 +17,7 @@ type Element<R, T> = Pair<RepresentedElement<R, T>, <R as Representation>::Space
 /// ```
 ///
 /// Source: Marsden, Ratiu & Weinstein, *Semidirect products and reduction in mechanics*, Trans.
-/// AMS 281 (1984), §2; Ohsawa 2019, eq. (2.3).
+/// AMS 281 (1984), §2; Ohsawa 2019, eq. (2.4).
 ///
 /// # Example
 /// ```

@@ -5,7 +5,7 @@ use lie_poisson::{Differential, Hamiltonian, Real};
 
 /// H = h ∘ M: P → R, with its exact differential dH(z) = (T_z M)ᵀ dh(M(z)).
 ///
-/// Source: Ohsawa 2019, §1.3 and eq. (4.2).
+/// Source: Ohsawa 2019, §1.3 and §4.1.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub struct CollectiveHamiltonian<M, H> {
     /// M

@@ -1,0 +1,182 @@
+//! M = ϖ ∘ L: T*C² → se(3)*.
+
+use crate::hopf::{hopf_map, hopf_section, sigma};
+use lie_poisson::{
+    ComplexSpace, Covector, LiePoisson, Pair, Real, SO3OnR3, Se3, Se3Dual, SemidirectAlgebra,
+};
+use momentum_map::{Cotangent, CotangentBundle, FibreSymmetry, Lift, LiftError, PoissonMap};
+use nalgebra::{Vector2, Vector3};
+use num_complex::Complex;
+
+/// A point (χ, ψ) ∈ T*C² ≅ T*R⁴, χ = (q₁+iq₂, q₃+iq₄) and ψ = (p₁+ip₂, p₃+ip₄).
+pub type SpinorPoint<T = f64> = Cotangent<Vector2<Complex<T>>>;
+
+/// The Poisson map M = ϖ ∘ L from T*C² to se(3)* with the minus bracket, in closed form:
+///
+/// ```text
+/// Π = ½ ( −Im(χ₁ψ̄₂ + χ₂ψ̄₁), Re(χ₂ψ̄₁ − χ₁ψ̄₂), Im(χ₂ψ̄₂ − χ₁ψ̄₁) )
+/// Γ = ( 2 Re ψ̄₁ψ₂, 2 Im ψ̄₁ψ₂, |ψ₁|² − |ψ₂|² )
+/// ```
+///
+/// Its generator for (Ω, γ) = dh(Π, Γ) gives collective dynamics without a Jacobian:
+///
+/// ```text
+/// χ̇ = (i/2)(Ω·σ) χ + 2 (γ·σ) ψ,    ψ̇ = (i/2)(Ω·σ) ψ
+/// ```
+///
+/// The fibre through (χ, ψ), ψ ≠ 0, is {(e^{iθ}(χ + bψ), e^{iθ}ψ)}: the orbit of two one-parameter
+/// groups, index 0 for b with momentum J₁ = ‖ψ‖²/2 and index 1 for θ with J₂ = −Im(ψ*χ). The
+/// Casimirs are f₁ = |Γ|² = 4J₁² and f₂ = Π·Γ = J₁J₂.
+///
+/// Source: Ohsawa 2019, eq. (4.1) in its complex form (the real form has Γ misprinted), Cor. 3.2,
+/// §4.2.
+///
+/// # Example
+/// ```
+/// use heavytop::SpinorRealisation;
+/// use lie_poisson::Se3Dual;
+/// use momentum_map::{Lift, PoissonMap};
+/// use nalgebra::Vector3;
+/// let mu = Se3Dual::new(Vector3::new(2.0, 3.0, 4.0), Vector3::new(0.0, 0.0, -1.0));
+/// let z = SpinorRealisation.lift(&mu)?;
+/// assert!(((SpinorRealisation.apply(&z) - mu).0.0).norm() < 1e-14);
+/// # Ok::<(), momentum_map::LiftError>(())
+/// ```
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+pub struct SpinorRealisation;
+
+impl PoissonMap for SpinorRealisation {
+    type Source = CotangentBundle<ComplexSpace<2>>;
+    type Target = LiePoisson<Se3>;
+
+    fn source(&self) -> Self::Source {
+        CotangentBundle(ComplexSpace)
+    }
+
+    fn target(&self) -> Self::Target {
+        LiePoisson::minus(SemidirectAlgebra(SO3OnR3))
+    }
+
+    #[inline]
+    fn apply<T: Real>(&self, z: &SpinorPoint<T>) -> Se3Dual<T> {
+        let (chi, psi) = (&z.q, &z.p.0);
+        let (a, b) = (chi.x * psi.y.conj(), chi.y * psi.x.conj());
+        let (c, d) = (chi.x * psi.x.conj(), chi.y * psi.y.conj());
+        let pi = Vector3::new(-(a.im + b.im), b.re - a.re, d.im - c.im);
+        Se3Dual::new(pi * T::from_f64(0.5), hopf_map(psi))
+    }
+
+    #[inline]
+    fn generator<T: Real>(
+        &self,
+        dh: &Pair<Vector3<T>, Vector3<T>>,
+        z: &SpinorPoint<T>,
+    ) -> SpinorPoint<T> {
+        let Pair(omega, gamma) = dh;
+        let (chi, psi) = (&z.q, &z.p.0);
+        let half = omega * T::from_f64(0.5);
+        let turn = |spinor| sigma(&half, spinor).map(|z| Complex { re: -z.im, im: z.re });
+        Cotangent::new(turn(chi) + sigma(&(gamma + gamma), psi), Covector(turn(psi)))
+    }
+}
+
+impl Lift for SpinorRealisation {
+    /// The lift of least norm: ψ by a section of the Hopf fibration with two charts, and
+    ///
+    /// ```text
+    /// q = (4/‖p‖²) A(p)ᵀ Π,    ⟨p, q⟩ = 0
+    /// ```
+    ///
+    /// where Π = A(p) q and A Aᵀ = (‖p‖²/4) I; in complex form χ = −(2i/|Γ|) (Π·σ) ψ.
+    ///
+    /// Source: Ohsawa 2019, Prop. 2.2 and Thm. 4.1(i).
+    ///
+    /// # Errors
+    /// If Γ = 0, or a coordinate is not finite.
+    #[inline]
+    fn lift<T: Real>(&self, mu: &Se3Dual<T>) -> Result<SpinorPoint<T>, LiftError> {
+        let Covector(Pair(pi, gamma)) = mu;
+        let size = gamma.dot(gamma).sqrt();
+        let psi = hopf_section(gamma);
+        let scaled = pi * (T::from_f64(-2.0) / size);
+        let chi = sigma(&scaled, &psi).map(|z| Complex { re: -z.im, im: z.re });
+        let lifted = Cotangent::new(chi, Covector(psi));
+        if lie_poisson::Vector::is_finite(&lifted) {
+            Ok(lifted)
+        } else {
+            let reason = "Γ must be different from 0, and Π and Γ finite";
+            Err(LiftError { quantity: "Γ", value: size.max_abs(), reason })
+        }
+    }
+}
+
+impl SpinorRealisation {
+    /// The lift with Re χ₁ = `re_chi1` and ψ₁ > 0; for Γ₂ = 0 it has ψ real.
+    ///
+    /// With `re_chi1` = 1 and Γ₂ = 0 this is the initial condition of Ohsawa 2019, §5.2, which
+    /// asks for Re χ₁ = 1 and takes ψ real. It is longer than the [minimal lift](Lift::lift).
+    ///
+    /// # Errors
+    /// As the minimal lift; and if Γ points straight down, where ψ₁ = 0.
+    pub fn lift_with<T: Real>(
+        &self,
+        mu: &Se3Dual<T>,
+        re_chi1: T,
+    ) -> Result<SpinorPoint<T>, LiftError> {
+        let z = self.lift::<T>(mu)?;
+        let first = z.p.0.x;
+        let length = first.norm_sqr().sqrt();
+        // e^{iθ} = ψ̄₁/|ψ₁| turns ψ₁ to the positive axis.
+        let phase = first.conj().unscale(length);
+        let (chi, psi) = (z.q.map(|x| x * phase), z.p.0.map(|x| x * phase));
+        let along = (re_chi1 - chi.x.re) / length;
+        let lifted = Cotangent::new(chi + psi.map(|x| x.scale(along)), Covector(psi));
+        if lie_poisson::Vector::is_finite(&lifted) {
+            Ok(lifted)
+        } else {
+            let reason = "ψ₁ must be different from 0: Γ must not point along −e₃";
+            Err(LiftError { quantity: "ψ₁", value: length.max_abs(), reason })
+        }
+    }
+
+    /// The point of least ‖χ‖ on the line χ + bψ of the fibre: χ − (Re(ψ*χ)/‖ψ‖²) ψ.
+    ///
+    /// M is unchanged. Along collective dynamics d/dt Re(ψ*χ) = 2γ·Γ, so that χ may grow linearly
+    /// along ψ, which costs digits in a long run; sliding back undoes it.
+    #[inline]
+    pub fn slide<T: Real>(&self, z: &SpinorPoint<T>) -> SpinorPoint<T> {
+        let (chi, psi) = (&z.q, &z.p.0);
+        let overlap = (psi.x.conj() * chi.x + psi.y.conj() * chi.y).re;
+        self.flow(0, -overlap / (psi.x.norm_sqr() + psi.y.norm_sqr()), z)
+    }
+}
+
+impl FibreSymmetry for SpinorRealisation {
+    const COUNT: usize = 2;
+
+    /// (χ + sψ, ψ) for index 0, (e^{is}χ, e^{is}ψ) for index 1. Source: Ohsawa 2019, §4.2.
+    #[inline]
+    fn flow<T: Real>(&self, index: usize, s: T, z: &SpinorPoint<T>) -> SpinorPoint<T> {
+        match index {
+            0 => Cotangent { q: z.q + z.p.0.map(|x| x.scale(s)), ..*z },
+            1 => {
+                let square = s * s;
+                let phase = Complex { re: square.stumpff(0), im: s * square.stumpff(1) };
+                let turn = |spinor: &Vector2<Complex<T>>| spinor.map(|x| x * phase);
+                Cotangent::new(turn(&z.q), Covector(turn(&z.p.0)))
+            }
+            _ => *z,
+        }
+    }
+
+    /// J₁ = ‖ψ‖²/2 for index 0, J₂ = −Im(ψ*χ) for index 1. Source: Ohsawa 2019, §4.2.
+    #[inline]
+    fn momentum<T: Real>(&self, index: usize, z: &SpinorPoint<T>) -> T {
+        let (chi, psi) = (&z.q, &z.p.0);
+        match index {
+            0 => (psi.x.norm_sqr() + psi.y.norm_sqr()) * 0.5,
+            1 => -(psi.x.conj() * chi.x + psi.y.conj() * chi.y).im,
+            _ => T::zero(),
+        }
+    }
+}

@@ -1,0 +1,179 @@
+//! The heavy top.
+
+use crate::error::{TopError, require_not_negative, require_positive, require_unit};
+use lie_poisson::{Covector, Hamiltonian, LiePoisson, Pair, Real, Se3, Se3Dual};
+use nalgebra::Vector3;
+
+/// se(3)* with the minus bracket: the phase space of the heavy top, eq. (1.2) of Ohsawa 2019.
+pub type HeavyTopSpace = LiePoisson<Se3>;
+
+/// The parameters of a rigid body with a fixed point in a gravitational field, in SI units.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Body {
+    /// The principal moments I₁, I₂, I₃ with respect to the point of support, kg m².
+    pub inertia: Vector3<f64>,
+    /// m, kg.
+    pub mass: f64,
+    /// g, m/s²; 0 for the free rigid body.
+    pub gravity: f64,
+    /// l, the distance from the point of support to the centre of mass, m.
+    pub length: f64,
+    /// c, the unit vector from the point of support towards the centre of mass, body frame.
+    pub center_of_mass: Vector3<f64>,
+}
+
+/// The heavy top: the Hamiltonian on se(3)*
+///
+/// ```text
+/// h(Π, Γ) = ½ Π·(I⁻¹Π) + m g l Γ·c,    dh = (Ω, γ) = (I⁻¹Π, m g l c)
+/// ```
+///
+/// in the body frame, with the angular momentum Π (kg m²/s) and Γ = R⁻¹e₃, the upward vertical
+/// seen from the body. Its equations on se(3)* with the minus bracket are
+///
+/// ```text
+/// Π̇ = Π × Ω + m g l Γ × c,    Γ̇ = Γ × Ω
+/// ```
+///
+/// Source: Ohsawa 2019, eqs. (1.1) and (1.3).
+///
+/// # Example
+/// ```
+/// use heavytop::HeavyTop;
+/// use lie_poisson::{Hamiltonian, LiePoisson, PoissonSpace, Se3, Se3Dual};
+/// use nalgebra::Vector3;
+/// let top = HeavyTop::kovalevskaya(1.0, 1.0)?;
+/// let (pi, gamma) = (Vector3::new(2.0, 3.0, 4.0), Vector3::new(0.6, 0.0, 0.8));
+/// let mu = Se3Dual::new(pi, gamma);
+/// let omega = Vector3::new(1.0, 1.5, 4.0);
+/// let rate = LiePoisson::minus(Se3::default()).hamiltonian_vector(&mu, &top.differential(&mu));
+/// assert_eq!(rate, Se3Dual::new(pi.cross(&omega) + gamma.cross(&Vector3::x()), gamma.cross(&omega)));
+/// # Ok::<(), heavytop::TopError>(())
+/// ```
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct HeavyTop {
+    inertia: Vector3<f64>,
+    inverse_inertia: Vector3<f64>,
+    weight_moment: f64,
+    center_of_mass: Vector3<f64>,
+}
+
+impl HeavyTop {
+    /// The top with the given parameters.
+    ///
+    /// # Errors
+    /// Unless the moments are positive and obey the triangle inequality, the mass is positive,
+    /// gravity and length are not negative, and the direction of the centre of mass is a unit
+    /// vector.
+    pub fn new(body: &Body) -> Result<Self, TopError> {
+        require_positive("mass", body.mass)?;
+        require_not_negative("gravity", body.gravity)?;
+        require_not_negative("length", body.length)?;
+        Self::from_moment(body.inertia, body.mass * body.gravity * body.length, body.center_of_mass)
+    }
+
+    fn from_moment(
+        inertia: Vector3<f64>,
+        weight_moment: f64,
+        center_of_mass: Vector3<f64>,
+    ) -> Result<Self, TopError> {
+        for (name, &value) in ["inertia[0]", "inertia[1]", "inertia[2]"].iter().zip(&inertia) {
+            require_positive(name, value)?;
+        }
+        require_triangle(&inertia)?;
+        require_not_negative("mass·gravity·length", weight_moment)?;
+        require_unit("center_of_mass", &center_of_mass)?;
+        let inverse_inertia = inertia.map(|i| 1.0 / i);
+        Ok(Self { inertia, inverse_inertia, weight_moment, center_of_mass })
+    }
+
+    /// The free rigid body: no gravity.
+    ///
+    /// # Errors
+    /// Unless the moments (kg m²) are positive and obey the triangle inequality.
+    pub fn free_rigid_body(inertia: Vector3<f64>) -> Result<Self, TopError> {
+        Self::from_moment(inertia, 0.0, Vector3::z())
+    }
+
+    /// Lagrange's top: I₁ = I₂, c = e₃. Π₃ is conserved.
+    ///
+    /// `weight_moment` is m g l in N m.
+    ///
+    /// # Errors
+    /// As [`HeavyTop::new`].
+    pub fn lagrange(transverse: f64, axial: f64, weight_moment: f64) -> Result<Self, TopError> {
+        let inertia = Vector3::new(transverse, transverse, axial);
+        Self::from_moment(inertia, weight_moment, Vector3::z())
+    }
+
+    /// Kovalevskaya's top: I₁ = I₂ = 2I₃, c = e₁. The paper's experiment has I₃ = m g l = 1.
+    ///
+    /// Source: Ohsawa 2019, §5.2.
+    ///
+    /// # Errors
+    /// As [`HeavyTop::new`].
+    pub fn kovalevskaya(axial: f64, weight_moment: f64) -> Result<Self, TopError> {
+        let inertia = Vector3::new(2.0 * axial, 2.0 * axial, axial);
+        Self::from_moment(inertia, weight_moment, Vector3::x())
+    }
+
+    /// Goryachev and Chaplygin's top: I₁ = I₂ = 4I₃, c = e₁; integrable on Π·Γ = 0.
+    ///
+    /// # Errors
+    /// As [`HeavyTop::new`].
+    pub fn goryachev_chaplygin(axial: f64, weight_moment: f64) -> Result<Self, TopError> {
+        let inertia = Vector3::new(4.0 * axial, 4.0 * axial, axial);
+        Self::from_moment(inertia, weight_moment, Vector3::x())
+    }
+
+    /// The principal moments I₁, I₂, I₃, kg m².
+    #[must_use]
+    pub fn inertia(&self) -> Vector3<f64> {
+        self.inertia
+    }
+
+    /// m g l, N m.
+    #[must_use]
+    pub fn weight_moment(&self) -> f64 {
+        self.weight_moment
+    }
+
+    /// c, a unit vector of the body frame.
+    #[must_use]
+    pub fn center_of_mass(&self) -> Vector3<f64> {
+        self.center_of_mass
+    }
+
+    /// The angular velocity Ω = I⁻¹Π in the body frame, rad/s.
+    #[inline]
+    pub fn angular_velocity<T: Real>(&self, pi: &Vector3<T>) -> Vector3<T> {
+        pi.zip_map(&self.inverse_inertia, |pi, inverse| pi * inverse)
+    }
+}
+
+impl<T: Real> Hamiltonian<HeavyTopSpace, T> for HeavyTop {
+    #[inline]
+    fn value(&self, mu: &Se3Dual<T>) -> T {
+        let Covector(Pair(pi, gamma)) = mu;
+        let height = gamma.dot(&self.center_of_mass.map(T::from_f64));
+        pi.dot(&self.angular_velocity(pi)) * 0.5 + height * self.weight_moment
+    }
+
+    #[inline]
+    fn differential(&self, mu: &Se3Dual<T>) -> Pair<Vector3<T>, Vector3<T>> {
+        let force = self.center_of_mass.map(|c| T::from_f64(self.weight_moment * c));
+        Pair(self.angular_velocity(&mu.0.0), force)
+    }
+}
+
+fn require_triangle(inertia: &Vector3<f64>) -> Result<(), TopError> {
+    // A flat body has I₁ + I₂ = I₃, which rounding may break by a few units.
+    const SLACK: f64 = 1.0 + 1e-12;
+    for i in 0..3 {
+        let (largest, first, second) = (inertia[i], inertia[(i + 1) % 3], inertia[(i + 2) % 3]);
+        if largest > (first + second) * SLACK {
+            return Err(TopError::Triangle { largest, first, second });
+        }
+    }
+    Ok(())
+}

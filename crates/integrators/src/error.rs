@@ -1,0 +1,59 @@
+//! What can go wrong in a step, in a run, and in making a scheme.
+
+use thiserror::Error;
+
+/// A step that has no result.
+#[derive(Clone, Copy, Debug, PartialEq, Error)]
+pub enum StepError {
+    /// The stage equations were not solved.
+    #[error(
+        "the stage equations did not converge: residual {residual:e} after {iterations} \
+         iterations (required {required:e})"
+    )]
+    NotConverged {
+        /// h max |change of a stage derivative| in the last iteration; NaN or ∞ if it blew up.
+        residual: f64,
+        /// The residual that would have been accepted.
+        required: f64,
+        /// Iterations made.
+        iterations: usize,
+    },
+    /// The result of the step has a coordinate that is infinite or not a number.
+    #[error("the state is not finite after the step")]
+    NotFinite,
+}
+
+/// A run that could not go on.
+#[derive(Clone, Copy, Debug, PartialEq, Error)]
+#[error("step {step} at t = {time}: {source}")]
+pub struct IntegrationError {
+    /// The number of the step that failed; the first is 1.
+    pub step: u64,
+    /// The time at which it started.
+    pub time: f64,
+    /// Why it failed.
+    pub source: StepError,
+}
+
+/// A scheme that does not exist.
+#[derive(Clone, Debug, PartialEq, Error)]
+pub enum SchemeError {
+    /// A method needs at least one stage.
+    #[error("a Runge–Kutta method needs at least one stage, 0 were asked for")]
+    NoStages,
+    /// The coefficients do not form a tableau.
+    #[error(
+        "a tableau with {stages} stages needs {stages}×{stages} coefficients a and {stages} weights b; got {a} and {b}"
+    )]
+    Shape {
+        /// The number of nodes.
+        stages: usize,
+        /// The number of coefficients a.
+        a: usize,
+        /// The number of weights b.
+        b: usize,
+    },
+    /// A coefficient is infinite or not a number.
+    #[error("a coefficient of the tableau is not finite")]
+    NotFinite,
+}

@@ -1,0 +1,131 @@
+//! Runge–Kutta methods.
+
+use crate::stage_solver::stage_point;
+use crate::{Equivariant, Scheme, SchemeError, StageSolver, Step, StepError, Tableau, VectorField};
+use lie_poisson::{Real, Vector};
+
+/// A Runge–Kutta method: a [`Tableau`], and a solver for its stages if it is implicit.
+///
+/// # Example
+/// One step of the two-stage Gauss method (order 4) for the harmonic oscillator conserves the
+/// energy, a quadratic invariant:
+/// ```
+/// use collective_integrators::{RungeKutta, Scheme, from_fn};
+/// use nalgebra::Vector2;
+/// let gauss = RungeKutta::gauss(2)?;
+/// let oscillator = from_fn(|z: &Vector2<f64>| Vector2::new(z.y, -z.x));
+/// let step = gauss.step(&oscillator, &Vector2::new(1.0, 0.0), 0.5, &mut gauss.workspace())?;
+/// assert!((step.point.norm() - 1.0).abs() < 1e-15);
+/// assert!((step.point.x - 0.5_f64.cos()).abs() < 1e-4);
+/// # Ok::<(), Box<dyn std::error::Error>>(())
+/// ```
+#[derive(Clone, Debug, PartialEq)]
+pub struct RungeKutta {
+    tableau: Tableau,
+    solver: StageSolver,
+}
+
+impl RungeKutta {
+    /// The method with the given coefficients, solved to the round-off floor if implicit.
+    #[must_use]
+    pub fn new(tableau: Tableau) -> Self {
+        Self { tableau, solver: StageSolver::default() }
+    }
+
+    /// The same method with another stage solver.
+    #[must_use]
+    pub fn with_solver(self, solver: StageSolver) -> Self {
+        Self { solver, ..self }
+    }
+
+    /// The coefficients.
+    #[must_use]
+    pub fn tableau(&self) -> &Tableau {
+        &self.tableau
+    }
+
+    /// The implicit midpoint rule z₁ = z + h X((z + z₁)/2): order 2, symplectic, symmetric.
+    #[must_use]
+    pub fn implicit_midpoint() -> Self {
+        Self::literal(&[0.5], &[1.0])
+    }
+
+    /// The explicit midpoint rule z₁ = z + h X(z + (h/2) X(z)) (Runge): order 2.
+    #[must_use]
+    pub fn explicit_midpoint() -> Self {
+        Self::literal(&[0.0, 0.0, 0.5, 0.0], &[0.0, 1.0])
+    }
+
+    /// The classical fourth-order method of Runge and Kutta.
+    #[must_use]
+    #[rustfmt::skip]
+    pub fn rk4() -> Self {
+        let (third, sixth) = (1.0 / 3.0, 1.0 / 6.0);
+        Self::literal(
+            &[0.0, 0.0, 0.0, 0.0,
+              0.5, 0.0, 0.0, 0.0,
+              0.0, 0.5, 0.0, 0.0,
+              0.0, 0.0, 1.0, 0.0],
+            &[sixth, third, third, sixth],
+        )
+    }
+
+    /// Gauss–Legendre collocation with `stages` stages: order 2s, symplectic, symmetric.
+    ///
+    /// # Errors
+    /// If `stages` is 0.
+    pub fn gauss(stages: usize) -> Result<Self, SchemeError> {
+        Tableau::gauss(stages).map(Self::new)
+    }
+
+    /// From coefficients in this file, whose shape is seen on the line.
+    #[allow(clippy::expect_used)]
+    fn literal(a: &[f64], b: &[f64]) -> Self {
+        Self::new(Tableau::new(a, b).expect("s² finite coefficients and s weights"))
+    }
+}
+
+impl Equivariant for RungeKutta {}
+
+impl Scheme for RungeKutta {
+    /// The stage derivatives.
+    type Workspace<V: Vector> = Vec<V>;
+
+    fn workspace<V: Vector>(&self) -> Vec<V> {
+        vec![V::zero(); self.tableau.stages()]
+    }
+
+    #[inline]
+    fn step<T: Real, F: VectorField<T>>(
+        &self,
+        field: &F,
+        z: &F::Point,
+        step: f64,
+        k: &mut Vec<F::Point>,
+    ) -> Result<Step<F::Point>, StepError> {
+        // A workspace from another method still gives the right result.
+        k.resize(self.tableau.stages(), F::Point::zero());
+        let iterations = if self.tableau.is_explicit() {
+            for (i, row) in self.tableau.rows().enumerate() {
+                k[i] = field.at(&stage_point(z, step, &row[..i], k));
+            }
+            0
+        } else {
+            self.solver.solve(field, z, step, &self.tableau, k)?
+        };
+        let point = stage_point(z, step, self.tableau.weights(), k);
+        if point.is_finite() { Ok(Step { point, iterations }) } else { Err(StepError::NotFinite) }
+    }
+
+    fn order(&self) -> usize {
+        self.tableau.order()
+    }
+
+    fn is_symplectic(&self) -> bool {
+        self.tableau.is_symplectic()
+    }
+
+    fn is_symmetric(&self) -> bool {
+        self.tableau.is_symmetric()
+    }
+}

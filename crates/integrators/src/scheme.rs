@@ -1,0 +1,57 @@
+//! What a one-step method is.
+
+use crate::{StepError, VectorField};
+use lie_poisson::{Real, Vector};
+
+/// The result of a step.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Step<V> {
+    /// The state after the step.
+    pub point: V,
+    /// Iterations of the stage solver; 0 for explicit methods.
+    pub iterations: usize,
+}
+
+/// A one-step method z ↦ Φ_h(z) for ż = X(z).
+///
+/// A scheme knows nothing of where the vector field comes from, and works over every scalar.
+pub trait Scheme: Clone {
+    /// The storage that a step needs, allocated once per run.
+    type Workspace<V: Vector>;
+
+    /// Allocates it.
+    fn workspace<V: Vector>(&self) -> Self::Workspace<V>;
+
+    /// Φ_h(z). Allocates nothing.
+    ///
+    /// # Errors
+    /// If stage equations are not solved, or the result is not finite. Nothing is changed then,
+    /// except in the workspace.
+    fn step<T: Real, F: VectorField<T>>(
+        &self,
+        field: &F,
+        z: &F::Point,
+        step: f64,
+        workspace: &mut Self::Workspace<F::Point>,
+    ) -> Result<Step<F::Point>, StepError>;
+
+    /// The order of convergence.
+    fn order(&self) -> usize;
+
+    /// Whether Φ_h is symplectic for every Hamiltonian vector field on a symplectic vector space.
+    fn is_symplectic(&self) -> bool;
+
+    /// Whether Φ_{−h} ∘ Φ_h = id.
+    fn is_symmetric(&self) -> bool;
+}
+
+/// Promise: the scheme commutes with linear (indeed affine) changes of variable, A∘Φ_X = Φ_{A*X}∘A.
+///
+/// Fibre symmetries act linearly. A scheme that commutes with them carries fibres of M to fibres,
+/// so that M∘Φ is a map of 𝔤*; if it is symplectic too, that map is Poisson. Runge–Kutta methods
+/// keep the promise. Partitioned methods, which treat q and p differently, do not: they are
+/// symplectic on P, but their images are not maps of 𝔤* at all.
+///
+/// Source: McLachlan, Modin & Verdier, *Collective symplectic integrators*, Nonlinearity 27
+/// (2014), Thm. 3.2; Hairer, Lubich & Wanner, *Geometric Numerical Integration*, §VI.4.
+pub trait Equivariant: Scheme {}

@@ -1,0 +1,118 @@
+//! Butcher tableaux.
+
+use crate::{SchemeError, order_conditions::order_of};
+
+/// How far a computed algebraic condition on rounded coefficients may be from zero.
+///
+/// A condition sums up to s² products of coefficients of size 1, each rounded to 2⁻⁵³.
+const COEFFICIENT_TOLERANCE: f64 = 1e-13;
+
+/// The coefficients of a Runge–Kutta method,
+///
+/// ```text
+/// k_i = X(z + h Σ_j a_ij k_j),    z₁ = z + h Σ_i b_i k_i,    c_i = Σ_j a_ij
+/// ```
+///
+/// All properties are computed from the coefficients.
+///
+/// Source: Hairer, Lubich & Wanner, *Geometric Numerical Integration*, 2nd ed. (2006), Def. II.1.1.
+///
+/// # Example
+/// ```
+/// use collective_integrators::Tableau;
+/// let midpoint = Tableau::new(&[0.5], &[1.0]).unwrap();
+/// assert_eq!(midpoint.order(), 2);
+/// assert!(midpoint.is_symplectic() && midpoint.is_symmetric() && !midpoint.is_explicit());
+/// ```
+#[derive(Clone, Debug, PartialEq)]
+pub struct Tableau {
+    a: Vec<f64>,
+    b: Vec<f64>,
+    c: Vec<f64>,
+    order: usize,
+}
+
+impl Tableau {
+    /// From the matrix a, row by row, and the weights b.
+    ///
+    /// # Errors
+    /// If there is no stage, if a is not square of the size of b, or a coefficient is not finite.
+    pub fn new(a: &[f64], b: &[f64]) -> Result<Self, SchemeError> {
+        let stages = b.len();
+        if stages == 0 {
+            return Err(SchemeError::NoStages);
+        }
+        if a.len() != stages * stages {
+            return Err(SchemeError::Shape { stages, a: a.len(), b: b.len() });
+        }
+        if a.iter().chain(b).any(|x| !x.is_finite()) {
+            return Err(SchemeError::NotFinite);
+        }
+        let c: Vec<f64> = a.chunks_exact(stages).map(|row| row.iter().sum()).collect();
+        let order = order_of(a, b, &c);
+        Ok(Self { a: a.to_vec(), b: b.to_vec(), c, order })
+    }
+
+    /// The number s of stages.
+    #[must_use]
+    pub fn stages(&self) -> usize {
+        self.b.len()
+    }
+
+    /// The rows (a_i1, …, a_is) of the matrix.
+    pub fn rows(&self) -> impl Iterator<Item = &[f64]> {
+        self.a.chunks_exact(self.stages())
+    }
+
+    /// The weights b.
+    #[must_use]
+    pub fn weights(&self) -> &[f64] {
+        &self.b
+    }
+
+    /// The nodes c.
+    #[must_use]
+    pub fn nodes(&self) -> &[f64] {
+        &self.c
+    }
+
+    /// The order of convergence, from the order conditions; 0 if the method is not consistent.
+    #[must_use]
+    pub fn order(&self) -> usize {
+        self.order
+    }
+
+    /// Whether a is strictly lower triangular, so that the stages follow one from the other.
+    #[must_use]
+    pub fn is_explicit(&self) -> bool {
+        self.rows().enumerate().all(|(i, row)| row[i..].iter().all(|&x| x == 0.0))
+    }
+
+    /// Whether b_i a_ij + b_j a_ji = b_i b_j: the method is symplectic, and conserves every
+    /// quadratic invariant.
+    ///
+    /// Source: Hairer, Lubich & Wanner, Thm. IV.2.2 and Thm. VI.4.3.
+    #[must_use]
+    pub fn is_symplectic(&self) -> bool {
+        self.all_pairs(|i, j| {
+            let (b, s) = (&self.b, self.stages());
+            b[i] * self.a[i * s + j] + b[j] * self.a[j * s + i] - b[i] * b[j]
+        })
+    }
+
+    /// Whether a_{s+1−i, s+1−j} + a_ij = b_j: the method is its own adjoint, Φ_{−h} ∘ Φ_h = id.
+    ///
+    /// Source: Hairer, Lubich & Wanner, Thm. V.2.3.
+    #[must_use]
+    pub fn is_symmetric(&self) -> bool {
+        self.all_pairs(|i, j| {
+            let s = self.stages();
+            self.a[(s - 1 - i) * s + (s - 1 - j)] + self.a[i * s + j] - self.b[j]
+        })
+    }
+
+    fn all_pairs(&self, defect: impl Fn(usize, usize) -> f64) -> bool {
+        let s = self.stages();
+        (0..s).all(|i| (0..s).all(|j| defect(i, j).abs() <= COEFFICIENT_TOLERANCE))
+    }
+}
