@@ -1,6 +1,11 @@
 //! Casimir functions.
 
-use crate::{DualNumber, LieAlgebra, Momentum, Real, Se3, So3, Su2, differential};
+use crate::{
+    Covector, DualNumber, LieAlgebra, Momentum, PowerAlgebra, ProductAlgebra, Real, RealSpace, Se2,
+    Se3, Sl2, So2, So3, Su2, UnitaryAlgebra, Vector, differential,
+};
+use nalgebra::SMatrix;
+use num_complex::Complex;
 
 /// The Casimirs of the Lie–Poisson bracket on 𝔤*: functions c with {c, f} = 0 for every f, so
 /// that every Hamiltonian flow conserves them. They are the same for both signs.
@@ -69,5 +74,86 @@ impl Casimirs for Se3 {
             1 => pi.dot(&gamma),
             _ => T::zero(),
         }
+    }
+}
+
+impl Casimirs for Se2 {
+    const COUNT: usize = 1;
+
+    /// |Γ|², for (Π, Γ) ∈ R × R².
+    #[inline]
+    fn casimir<T: Real>(&self, index: usize, mu: &Momentum<Self, T>) -> T {
+        let gamma = mu.0.1;
+        if index == 0 { gamma.dot(&gamma) } else { T::zero() }
+    }
+}
+
+impl Casimirs for Sl2 {
+    const COUNT: usize = 1;
+
+    /// ¼α² + βγ for μ = (α, β, γ), which is −det of the matrix that represents μ by the trace
+    /// form ⟨μ, ξ⟩ = tr(mξ). Negative on the elliptic orbits, positive on the hyperbolic ones.
+    #[inline]
+    fn casimir<T: Real>(&self, index: usize, mu: &Momentum<Self, T>) -> T {
+        let m = mu.0;
+        if index == 0 { m.x * m.x * 0.25 + m.y * m.z } else { T::zero() }
+    }
+}
+
+impl Casimirs for So2 {
+    const COUNT: usize = 1;
+
+    /// The momentum itself: the algebra is abelian.
+    #[inline]
+    fn casimir<T: Real>(&self, index: usize, mu: &Momentum<Self, T>) -> T {
+        mu.coordinate(index)
+    }
+}
+
+impl<const N: usize> Casimirs for RealSpace<N> {
+    const COUNT: usize = N;
+
+    /// The coordinates: the algebra is abelian.
+    #[inline]
+    fn casimir<T: Real>(&self, index: usize, mu: &Momentum<Self, T>) -> T {
+        mu.coordinate(index)
+    }
+}
+
+impl<const N: usize> Casimirs for UnitaryAlgebra<N> {
+    const COUNT: usize = N;
+
+    /// tr H, tr H², …, tr Hᴺ of the Hermitian matrix H of μ.
+    fn casimir<T: Real>(&self, index: usize, mu: &Momentum<Self, T>) -> T {
+        let h = self.hermitian(mu);
+        let one = SMatrix::<Complex<T>, N, N>::identity();
+        let power = (0..=index.min(N)).fold(one, |power, _| power * h);
+        if index < N { power.trace().re } else { T::zero() }
+    }
+}
+
+impl<A: Casimirs, B: Casimirs> Casimirs for ProductAlgebra<A, B> {
+    const COUNT: usize = A::COUNT + B::COUNT;
+
+    /// Those of the first factor, then those of the second.
+    #[inline]
+    fn casimir<T: Real>(&self, index: usize, mu: &Momentum<Self, T>) -> T {
+        if index < A::COUNT {
+            self.0.casimir::<T>(index, &Covector(mu.0.0))
+        } else {
+            self.1.casimir::<T>(index - A::COUNT, &Covector(mu.0.1))
+        }
+    }
+}
+
+impl<A: Casimirs, const N: usize> Casimirs for PowerAlgebra<A, N> {
+    const COUNT: usize = N * A::COUNT;
+
+    /// Those of the first factor, then those of the second, and so on.
+    #[inline]
+    fn casimir<T: Real>(&self, index: usize, mu: &Momentum<Self, T>) -> T {
+        let count = A::COUNT.max(1);
+        let factor = mu.0.0.get(index / count);
+        factor.map_or_else(T::zero, |factor| self.0.casimir::<T>(index % count, &Covector(*factor)))
     }
 }

@@ -172,6 +172,14 @@ impl<T: Real> Real for DualNumber<T> {
         self.chain(self.value.ln(), self.value.recip())
     }
 
+    fn atan2(self, x: Self) -> Self {
+        let turned = x.value * self.derivative - self.value * x.derivative;
+        Self {
+            value: self.value.atan2(x.value),
+            derivative: turned / (x.value * x.value + self.value * self.value),
+        }
+    }
+
     fn stumpff(self, order: u32) -> Self {
         let x = self.value;
         let slope = (x.stumpff(order + 2) * f64::from(order) - x.stumpff(order + 1)) * 0.5;
@@ -223,6 +231,7 @@ mod tests {
             check(|x| x * x + x * 3.0 - x / (x + 1.0) + (-x) * 0.5 - 2.0, x);
             check(Real::sqrt, x);
             check(Real::ln, x);
+            check(|x| (x + 1.0).atan2(x * x - 2.0), x);
             check(|x| (x * 5.0) % DualNumber::from_f64(0.7), x);
             for order in 0..5 {
                 check(|x| x.stumpff(order), x);

@@ -107,6 +107,10 @@ impl<const N: usize> Real for Lanes<N> {
         self.map(f64::ln)
     }
 
+    fn atan2(self, x: Self) -> Self {
+        self.zip(x, f64::atan2)
+    }
+
     fn stumpff(self, order: u32) -> Self {
         self.map(|x| x.stumpff(order))
     }
@@ -141,8 +145,8 @@ mod tests {
         #[test]
         fn each_lane_has_the_bits_of_f64(x in [-9.0..9.0, -9.0..9.0, -9.0..9.0f64], y in 0.0..9.0f64) {
             let together = formula(Lanes(x), Lanes::from_f64(y));
-            for lane in 0..3 {
-                prop_assert_eq!(together.0[lane].to_bits(), formula(x[lane], y).to_bits());
+            for (lane, x) in together.0.iter().zip(x) {
+                prop_assert_eq!(lane.to_bits(), formula(x, y).to_bits());
             }
         }
 

@@ -7,10 +7,14 @@
 //! | scalars: numbers, dual numbers, lanes | [`Real`], [`DualNumber`], [`Lanes`] |
 //! | vector spaces V and their duals V* | [`Vector`], [`Covector`], [`Pair`], [`Power`], [`VectorSpace`] |
 //! | exact derivatives | [`differential`], [`transposed_tangent`] |
-//! | Lie algebras 𝔤 and groups G | [`LieAlgebra`], [`LieGroup`]: [`So3`], [`SO3`], [`Su2`], [`SU2`] |
-//! | representations, semidirect products | [`Representation`], [`SemidirectAlgebra`], [`SemidirectGroup`]: [`Se3`], [`SE3`] |
+//! | Lie algebras 𝔤 and groups G | [`LieAlgebra`], [`LieGroup`]: [`RealSpace`], [`SO2`], [`SO3`], [`SU2`], [`SL2`], [`UnitaryGroup`] |
+//! | algebras by structure constants | [`StructureConstants`] |
+//! | direct products and powers | [`ProductAlgebra`], [`ProductGroup`], [`PowerAlgebra`], [`PowerGroup`] |
+//! | representations, semidirect products | [`Representation`], [`GroupRepresentation`], [`SemidirectAlgebra`], [`SemidirectGroup`]: [`SE2`], [`SE3`] |
+//! | log and Cayley maps | [`Logarithm`], [`Cayley`] |
 //! | Poisson brackets, (±)-Lie–Poisson | [`PoissonSpace`], [`LiePoisson`], [`Casimirs`] |
 //! | Hamiltonians h and dh | [`Hamiltonian`], [`Energy`], [`Automatic`], [`from_closure`] |
+//! | the axioms as residuals (feature `laws`) | `laws` |
 //!
 //! The conventions are fixed in one place: ⟨ad*_ξ μ, η⟩ = ⟨μ, [ξ, η]⟩, and on 𝔤* with the
 //! minus bracket μ̇ = ad*_{dh(μ)} μ.
@@ -23,15 +27,28 @@ mod vector;
 mod covector;
 mod pair;
 mod power;
+mod quaternion;
 mod space;
 mod derivative;
 
 mod algebra;
 mod group;
+mod abelian;
+mod so2;
 mod so3;
 mod su2;
+mod sl2;
+mod unitary;
+mod structure_constants;
+mod product;
+
 mod representation;
 mod semidirect;
+mod standard_representations;
+mod derived_representations;
+mod euclidean;
+mod logarithm;
+mod cayley;
 
 mod poisson;
 mod casimirs;
@@ -39,23 +56,36 @@ mod hamiltonian;
 
 pub use dual_number::DualNumber;
 pub use lanes::Lanes;
+#[cfg(feature = "laws")]
+pub mod laws;
+
 pub use real::{Real, larger};
 
 pub use covector::Covector;
 pub use derivative::{derivative_part, differential, seed, transposed_tangent};
 pub use pair::Pair;
 pub use power::Power;
+pub use quaternion::Quaternion;
 pub use space::{ComplexSpace, Differential, Point, RealSpace, VectorSpace};
 pub use vector::{Vector, map_coordinates};
 
 pub use algebra::{LieAlgebra, Momentum};
 pub use group::{AlgebraElement, GroupMomentum, LieGroup};
-pub use representation::{
-    GroupRepresentation, Representation, RepresentedElement, SO3OnR3, SU2OnC2,
-};
-pub use semidirect::{SE3, Se3, Se3Dual, SemidirectAlgebra, SemidirectGroup};
+pub use product::{PowerAlgebra, PowerGroup, ProductAlgebra, ProductGroup};
+pub use sl2::{SL2, Sl2};
+pub use so2::{SO2, So2};
 pub use so3::{SO3, So3};
+pub use structure_constants::{StructureConstants, StructureError};
 pub use su2::{SU2, Su2};
+pub use unitary::{SkewHermitian, UnitaryAlgebra, UnitaryGroup};
+
+pub use cayley::Cayley;
+pub use derived_representations::{Adjoint, Diagonal, Inherited, Sum};
+pub use euclidean::{SE2, SE3, Se2, Se3, Se3Dual};
+pub use logarithm::{Logarithm, LogarithmError};
+pub use representation::{GroupRepresentation, Representation, RepresentedElement};
+pub use semidirect::{SemidirectAlgebra, SemidirectGroup};
+pub use standard_representations::{SL2OnR2, SO2OnR2, SO3OnR3, SU2OnC2, UnitaryOnComplexSpace};
 
 pub use casimirs::Casimirs;
 pub use hamiltonian::{

@@ -51,6 +51,9 @@ pub trait Real:
     /// The natural logarithm ln x.
     fn ln(self) -> Self;
 
+    /// The angle of the point (x, y), y = `self`, in (−π, π].
+    fn atan2(self, x: Self) -> Self;
+
     /// The Stumpff function of order k,
     ///
     /// ```text
@@ -99,6 +102,10 @@ impl Real for f64 {
         self.ln()
     }
 
+    fn atan2(self, x: Self) -> Self {
+        self.atan2(x)
+    }
+
     fn stumpff(self, order: u32) -> Self {
         let k = f64::from(order);
         // Inside this disc the terms of the series decrease from the first on.
@@ -139,7 +146,7 @@ fn stumpff_series(x: f64, order: u32) -> f64 {
 
 fn stumpff_recursion(x: f64, order: u32) -> f64 {
     let root = x.abs().sqrt();
-    let mut value = match (order % 2 == 0, x > 0.0) {
+    let mut value = match (order.is_multiple_of(2), x > 0.0) {
         (true, true) => root.cos(),
         (true, false) => root.cosh(),
         (false, true) => root.sin() / root,

@@ -2,9 +2,8 @@
 
 use crate::{
     AlgebraElement, Covector, GroupRepresentation, LieAlgebra, LieGroup, Pair, Real,
-    Representation, RepresentedElement, SO3OnR3, Vector,
+    Representation, RepresentedElement, Vector,
 };
-use nalgebra::Vector3;
 
 /// The element (ξ, φ) ∈ 𝔤 ⋉ V.
 type Element<R, T> = Pair<RepresentedElement<R, T>, <R as Representation>::Space<T>>;
@@ -22,8 +21,7 @@ type Element<R, T> = Pair<RepresentedElement<R, T>, <R as Representation>::Space
 /// # Example
 /// ```
 /// use lie_poisson::{LieAlgebra, Pair, Se3, Se3Dual};
-/// use nalgebra::Vector3;
-/// let (omega, force) = (Vector3::new(1.0, 2.0, 3.0), Vector3::new(0.0, 1.0, 0.0));
+/// /// let (omega, force) = (Vector3::new(1.0, 2.0, 3.0), Vector3::new(0.0, 1.0, 0.0));
 /// let (pi, gamma) = (Vector3::new(2.0, 3.0, 4.0), Vector3::new(0.0, 0.6, 0.8));
 /// // ad*_(Ω,γ) (Π,Γ) = (Π×Ω + Γ×γ, Γ×Ω)
 /// let rate = Se3::default().coadjoint(&Pair(omega, force), &Se3Dual::new(pi, gamma));
@@ -104,22 +102,5 @@ impl<R: GroupRepresentation> LieGroup for SemidirectGroup<R> {
     ) -> AlgebraElement<Self, T> {
         let turned = self.0.group().adjoint::<T>(&g.0, &xi.0);
         Pair(turned, self.0.transform::<T>(&g.0, &xi.1) - self.0.act::<T>(&turned, &g.1))
-    }
-}
-
-/// The Lie algebra se(3) = so(3) ⋉ R³.
-pub type Se3 = SemidirectAlgebra<SO3OnR3>;
-
-/// The special Euclidean group SE(3) = SO(3) ⋉ R³.
-pub type SE3 = SemidirectGroup<SO3OnR3>;
-
-/// An element (Π, Γ) of se(3)*.
-pub type Se3Dual<T = f64> = Covector<Pair<Vector3<T>, Vector3<T>>>;
-
-impl<T: Real> Se3Dual<T> {
-    /// (Π, Γ) from its two vectors: the angular part and the part dual to translations.
-    #[inline]
-    pub fn new(pi: Vector3<T>, gamma: Vector3<T>) -> Self {
-        Self(Pair(pi, gamma))
     }
 }

@@ -152,7 +152,7 @@ impl<T: Real, const R: usize, const C: usize> Vector for SMatrix<Complex<T>, R, 
     #[inline]
     fn coordinate(&self, i: usize) -> T {
         let z = self.as_slice().get(i / 2);
-        z.map_or_else(T::zero, |z| if i % 2 == 0 { z.re } else { z.im })
+        z.map_or_else(T::zero, |z| if i.is_multiple_of(2) { z.re } else { z.im })
     }
 
     #[inline]

@@ -1,0 +1,51 @@
+//! R^N as an abelian Lie algebra and group.
+
+use crate::{LieAlgebra, LieGroup, Real, RealSpace, Vector};
+use nalgebra::SVector;
+
+/// The abelian Lie algebra R^N: [ξ, η] = 0.
+impl<const N: usize> LieAlgebra for RealSpace<N> {
+    type Element<T: Real> = SVector<T, N>;
+
+    #[inline]
+    fn bracket<T: Real>(&self, _: &SVector<T, N>, _: &SVector<T, N>) -> SVector<T, N> {
+        Vector::zero()
+    }
+}
+
+/// The group of translations R^N.
+impl<const N: usize> LieGroup for RealSpace<N> {
+    type Algebra = Self;
+    type Element<T: Real> = SVector<T, N>;
+
+    fn algebra(&self) -> Self {
+        *self
+    }
+
+    #[inline]
+    fn identity<T: Real>(&self) -> SVector<T, N> {
+        Vector::zero()
+    }
+
+    #[inline]
+    fn compose<T: Real>(&self, g: &SVector<T, N>, h: &SVector<T, N>) -> SVector<T, N> {
+        g + h
+    }
+
+    #[inline]
+    fn inverse<T: Real>(&self, g: &SVector<T, N>) -> SVector<T, N> {
+        -g
+    }
+
+    /// exp = id
+    #[inline]
+    fn exp<T: Real>(&self, xi: &SVector<T, N>) -> SVector<T, N> {
+        *xi
+    }
+
+    /// Ad = id
+    #[inline]
+    fn adjoint<T: Real>(&self, _: &SVector<T, N>, xi: &SVector<T, N>) -> SVector<T, N> {
+        *xi
+    }
+}

@@ -1,0 +1,72 @@
+//! Cayley maps.
+
+use crate::{AlgebraElement, LieGroup, Pair, Real, SE3, SL2, SO2, SO3, SU2, Sl2, So3, Su2};
+use nalgebra::{Matrix2, Matrix3, Vector1, Vector3};
+use num_complex::Complex;
+
+/// Matrix groups with the Cayley map cay ξ = (I − ξ/2)⁻¹ (I + ξ/2), which agrees with exp to
+/// second order and needs no transcendental function.
+///
+/// Source: Hairer, Lubich & Wanner, *Geometric Numerical Integration*, 2nd ed., §IV.8.3.
+///
+/// # Example
+/// ```
+/// use lie_poisson::{Cayley, SO3, So3};
+/// use nalgebra::{Matrix3, Vector3};
+/// let xi = Vector3::new(0.3, -1.1, 0.4);
+/// let half = So3.hat(&xi) / 2.0;
+/// let residual = (Matrix3::identity() - half) * SO3.cayley(&xi) - (Matrix3::identity() + half);
+/// assert!(residual.norm() < 1e-15);
+/// ```
+pub trait Cayley: LieGroup {
+    /// cay ξ
+    fn cayley<T: Real>(&self, xi: &AlgebraElement<Self, T>) -> Self::Element<T>;
+}
+
+impl Cayley for SO2 {
+    /// A rotation by 2 arctan(ω/2).
+    fn cayley<T: Real>(&self, xi: &Vector1<T>) -> Matrix2<T> {
+        let x = xi.x * xi.x * 0.25;
+        let (cosine, sine) = (-x + 1.0, xi.x);
+        Matrix2::new(cosine, -sine, sine, cosine) / (x + 1.0)
+    }
+}
+
+impl Cayley for SO3 {
+    /// I + (ξ̂ + ½ξ̂²)/(1 + ¼|ξ|²)
+    #[inline]
+    fn cayley<T: Real>(&self, xi: &Vector3<T>) -> Matrix3<T> {
+        let (hat, x) = (So3.hat(xi), xi.dot(xi) * 0.25);
+        Matrix3::identity() + (hat + hat * hat * T::from_f64(0.5)) / (x + 1.0)
+    }
+}
+
+impl Cayley for SU2 {
+    /// ((1 − |ξ|²/16) I + ξ)/(1 + |ξ|²/16)
+    #[inline]
+    fn cayley<T: Real>(&self, xi: &Vector3<T>) -> Matrix2<Complex<T>> {
+        let x = xi.dot(xi) * 0.0625;
+        let (one, scale) = (-x + 1.0, T::one() / (x + 1.0));
+        let matrix =
+            Su2.matrix(xi) + Matrix2::from_diagonal_element(Complex { re: one, im: T::zero() });
+        matrix.map(|z| z.scale(scale))
+    }
+}
+
+impl Cayley for SL2 {
+    /// ((1 − d/4) I + ξ)/(1 + d/4), d = det ξ. Not finite where d = −4, when I − ξ/2 is singular.
+    #[inline]
+    fn cayley<T: Real>(&self, xi: &Vector3<T>) -> Matrix2<T> {
+        let d = Sl2.determinant(xi) * 0.25;
+        (Sl2.matrix(xi) + Matrix2::from_diagonal_element(-d + 1.0)) / (d + 1.0)
+    }
+}
+
+impl Cayley for SE3 {
+    /// (cay ξ, (I − ½ξ̂)⁻¹ φ), with (I − ½ξ̂)⁻¹ = ½(I + cay ξ).
+    #[inline]
+    fn cayley<T: Real>(&self, xi: &Pair<Vector3<T>, Vector3<T>>) -> Pair<Matrix3<T>, Vector3<T>> {
+        let turn = SO3.cayley(&xi.0);
+        Pair(turn, (turn * xi.1 + xi.1) * T::from_f64(0.5))
+    }
+}

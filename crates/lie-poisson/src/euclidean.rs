@@ -1,0 +1,27 @@
+//! The Euclidean groups SE(2) and SE(3).
+
+use crate::{Covector, Pair, Real, SO2OnR2, SO3OnR3, SemidirectAlgebra, SemidirectGroup};
+use nalgebra::Vector3;
+
+/// The Lie algebra se(2) = so(2) ⋉ R².
+pub type Se2 = SemidirectAlgebra<SO2OnR2>;
+
+/// The special Euclidean group SE(2) = SO(2) ⋉ R² of the plane.
+pub type SE2 = SemidirectGroup<SO2OnR2>;
+
+/// The Lie algebra se(3) = so(3) ⋉ R³.
+pub type Se3 = SemidirectAlgebra<SO3OnR3>;
+
+/// The special Euclidean group SE(3) = SO(3) ⋉ R³.
+pub type SE3 = SemidirectGroup<SO3OnR3>;
+
+/// An element (Π, Γ) of se(3)*.
+pub type Se3Dual<T = f64> = Covector<Pair<Vector3<T>, Vector3<T>>>;
+
+impl<T: Real> Se3Dual<T> {
+    /// (Π, Γ) from its two vectors: the angular part and the part dual to translations.
+    #[inline]
+    pub fn new(pi: Vector3<T>, gamma: Vector3<T>) -> Self {
+        Self(Pair(pi, gamma))
+    }
+}

@@ -1,0 +1,131 @@
+use super::{NoSamples, Report, regimes};
+use crate::{
+    AlgebraElement, Cayley, DualNumber, GroupMomentum, LieAlgebra, LieGroup, Logarithm, Vector,
+    derivative_part, map_coordinates,
+};
+
+type Dual<G> = AlgebraElement<G, DualNumber>;
+
+/// sξ at s = 0 + ε.
+fn along<G: LieGroup>(xi: &AlgebraElement<G>) -> Dual<G> {
+    map_coordinates(xi, |x| DualNumber { value: 0.0, derivative: x })
+}
+
+/// The laws of a Lie group on samples of its algebra, from which elements are made by exp:
+///
+/// * `identity`, `inverse`, `associativity`;
+/// * `one-parameter group` exp(2ξ) = exp(ξ)², and `exp is Ad-equivariant` g exp(η) g⁻¹ = exp(Ad_g η);
+/// * `Ad is a homomorphism`, `Ad preserves brackets`, `ad is the derivative of Ad`;
+/// * `Ad* is the transpose of Ad`.
+///
+/// # Errors
+/// If there are no samples.
+pub fn lie_group<G: LieGroup>(
+    group: &G,
+    samples: &[AlgebraElement<G>],
+) -> Result<Report, NoSamples> {
+    let elements = regimes("algebra elements", samples)?;
+    let mut report = Report::default();
+    let e = group.identity::<f64>();
+    let exp = |xi: &AlgebraElement<G>| group.exp::<f64>(xi);
+    let product = |g: &G::Element<f64>, h: &G::Element<f64>| group.compose::<f64>(g, h);
+    for xi in &elements {
+        let (g, back) = (exp(xi), group.inverse::<f64>(&exp(xi)));
+        let size = g.max_abs().max(1.0) * back.max_abs().max(1.0);
+        report.note("identity", (product(&g, &e) - g).max_abs(), size);
+        report.note("identity", (product(&e, &g) - g).max_abs(), size);
+        report.note("inverse", (product(&g, &back) - e).max_abs(), size);
+        report.note("inverse", (product(&back, &g) - e).max_abs(), size);
+        let twice = exp(&xi.scaled(2.0)) - product(&g, &g);
+        report.note("one-parameter group", twice.max_abs(), size * size);
+        for eta in &elements {
+            let h = exp(eta);
+            let scale = size * size * h.max_abs().max(1.0);
+            let moved = group.adjoint::<f64>(&g, eta);
+            let conjugate = product(&product(&g, &h), &back) - exp(&moved);
+            report.note(
+                "exp is Ad-equivariant",
+                conjugate.max_abs(),
+                scale * (1.0 + eta.max_abs()),
+            );
+            for zeta in samples {
+                two_elements(group, &mut report, (&g, &h), (eta, zeta), scale);
+            }
+            let slope: AlgebraElement<G> = derivative_part(&group.adjoint::<DualNumber>(
+                &group.exp::<DualNumber>(&along::<G>(xi)),
+                &map_coordinates(eta, DualNumber::constant),
+            ));
+            let ad = group.algebra().bracket::<f64>(xi, eta);
+            let law = "ad is the derivative of Ad";
+            report.note(law, (slope - ad).max_abs(), xi.max_abs() * eta.max_abs());
+        }
+    }
+    Ok(report)
+}
+
+fn two_elements<G: LieGroup>(
+    group: &G,
+    report: &mut Report,
+    (g, h): (&G::Element<f64>, &G::Element<f64>),
+    (eta, zeta): (&AlgebraElement<G>, &AlgebraElement<G>),
+    scale: f64,
+) {
+    let ad = |g: &G::Element<f64>, xi: &AlgebraElement<G>| group.adjoint::<f64>(g, xi);
+    let algebra = group.algebra();
+    let k = group.exp::<f64>(zeta);
+    let gh = group.compose::<f64>(g, h);
+    let left = group.compose::<f64>(&gh, &k);
+    let right = group.compose::<f64>(g, &group.compose::<f64>(h, &k));
+    report.note("associativity", (left - right).max_abs(), scale * k.max_abs().max(1.0));
+    let twice = ad(&gh, zeta) - ad(g, &ad(h, zeta));
+    let size = scale * scale * zeta.max_abs();
+    report.note("Ad is a homomorphism", twice.max_abs(), size);
+    let moved = algebra.bracket::<f64>(&ad(g, eta), &ad(g, zeta));
+    let brackets = moved - ad(g, &algebra.bracket::<f64>(eta, zeta));
+    report.note("Ad preserves brackets", brackets.max_abs(), size * eta.max_abs());
+    let mu: GroupMomentum<G> = map_coordinates(zeta, |x| x);
+    let pairing = group.coadjoint::<f64>(g, &mu).pairing(eta) - mu.pairing(&ad(g, eta));
+    report.note("Ad* is the transpose of Ad", pairing.abs(), size * eta.max_abs());
+}
+
+/// `log after exp` and `exp after log`, on samples of the algebra inside the domain of log.
+///
+/// # Errors
+/// If there are no samples. An element without logarithm gives a residual of NaN.
+pub fn logarithm<G: Logarithm>(
+    group: &G,
+    samples: &[AlgebraElement<G>],
+) -> Result<Report, NoSamples> {
+    let mut report = Report::default();
+    for xi in regimes("algebra elements", samples)? {
+        let g = group.exp::<f64>(&xi);
+        let (back, again) = match group.log::<f64>(&g) {
+            Ok(log) => ((log - xi).max_abs(), (group.exp::<f64>(&log) - g).max_abs()),
+            Err(_) => (f64::NAN, f64::NAN),
+        };
+        // Next to the identity ξ is known to the rounding of a matrix near 1.
+        report.note("log after exp", back, xi.max_abs().max(1.0));
+        report.note("exp after log", again, g.max_abs());
+    }
+    Ok(report)
+}
+
+/// `cay agrees with exp to first order` and `cay(−ξ) is the inverse`, on samples of the algebra.
+///
+/// # Errors
+/// If there are no samples.
+pub fn cayley<G: Cayley>(group: &G, samples: &[AlgebraElement<G>]) -> Result<Report, NoSamples> {
+    let mut report = Report::default();
+    for xi in regimes("algebra elements", samples)? {
+        let (cay, exp) = (
+            group.cayley::<DualNumber>(&along::<G>(&xi)),
+            group.exp::<DualNumber>(&along::<G>(&xi)),
+        );
+        let law = "cay agrees with exp to first order";
+        report.note(law, (cay - exp).max_abs(), xi.max_abs().max(1.0));
+        let (there, back) = (group.cayley::<f64>(&xi), group.cayley::<f64>(&-xi));
+        let product = group.compose::<f64>(&there, &back) - group.identity::<f64>();
+        report.note("cay(−ξ) is the inverse", product.max_abs(), there.max_abs() * back.max_abs());
+    }
+    Ok(report)
+}

@@ -1,0 +1,144 @@
+//! Quaternions over any scalar.
+
+use crate::{Covector, Real, Vector};
+use core::ops::{Add, AddAssign, Mul, Neg, Sub, SubAssign};
+use nalgebra::Vector3;
+
+/// s + v₁i + v₂j + v₃k ∈ H, with Hamilton's product ij = k.
+///
+/// Its coordinates are (s, v₁, v₂, v₃), and ⟨p, q⟩ = Re(p̄q). nalgebra's own quaternions ask more
+/// of their scalar than [`Real`] gives.
+///
+/// # Example
+/// ```
+/// use lie_poisson::{Quaternion, Real};
+/// use nalgebra::Vector3;
+/// let pure = |v| Quaternion { scalar: 0.0, vector: v };
+/// let (u, v) = (Vector3::new(1.0, 2.0, 3.0), Vector3::new(-1.0, 0.5, 2.0));
+/// // uv = −u·v + u×v
+/// assert_eq!(pure(u) * pure(v), Quaternion { scalar: -u.dot(&v), vector: u.cross(&v) });
+/// ```
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Quaternion<T = f64> {
+    /// The real part s.
+    pub scalar: T,
+    /// The imaginary part v.
+    pub vector: Vector3<T>,
+}
+
+impl<T: Real> Quaternion<T> {
+    /// 1
+    #[must_use]
+    #[inline]
+    pub fn one() -> Self {
+        Self { scalar: T::one(), vector: Vector3::zeros() }
+    }
+
+    /// s − v
+    #[must_use]
+    #[inline]
+    pub fn conjugate(&self) -> Self {
+        Self { scalar: self.scalar, vector: -self.vector }
+    }
+
+    /// |q|² = s² + |v|²
+    #[inline]
+    pub fn norm_squared(&self) -> T {
+        self.scalar * self.scalar + self.vector.dot(&self.vector)
+    }
+
+    /// The imaginary part of q v q̄ for imaginary v: |q|² times a rotation of v.
+    #[inline]
+    pub fn sandwich(&self, v: &Vector3<T>) -> Vector3<T> {
+        let (s, u) = (self.scalar, &self.vector);
+        let turned = u.cross(v) + v * s;
+        u * u.dot(v) + turned * s + u.cross(&turned)
+    }
+}
+
+impl<T: Real> Vector for Quaternion<T> {
+    type Scalar = T;
+    type Dual = Covector<Self>;
+    const DIM: usize = 4;
+
+    #[inline]
+    fn from_coordinates(mut f: impl FnMut(usize) -> T) -> Self {
+        let scalar = f(0);
+        Self { scalar, vector: Vector3::from_fn(|i, _| f(i + 1)) }
+    }
+
+    #[inline]
+    fn coordinate(&self, i: usize) -> T {
+        if i == 0 { self.scalar } else { self.vector.coordinate(i - 1) }
+    }
+
+    #[inline]
+    fn scaled(&self, s: T) -> Self {
+        Self { scalar: self.scalar * s, vector: self.vector * s }
+    }
+}
+
+impl<T: Real> Mul for Quaternion<T> {
+    type Output = Self;
+    #[inline]
+    fn mul(self, rhs: Self) -> Self {
+        Self {
+            scalar: self.scalar * rhs.scalar - self.vector.dot(&rhs.vector),
+            vector: rhs.vector * self.scalar
+                + self.vector * rhs.scalar
+                + self.vector.cross(&rhs.vector),
+        }
+    }
+}
+
+impl<T: Real> Add for Quaternion<T> {
+    type Output = Self;
+    #[inline]
+    fn add(self, rhs: Self) -> Self {
+        Self { scalar: self.scalar + rhs.scalar, vector: self.vector + rhs.vector }
+    }
+}
+
+impl<T: Real> Sub for Quaternion<T> {
+    type Output = Self;
+    #[inline]
+    fn sub(self, rhs: Self) -> Self {
+        Self { scalar: self.scalar - rhs.scalar, vector: self.vector - rhs.vector }
+    }
+}
+
+impl<T: Real> Neg for Quaternion<T> {
+    type Output = Self;
+    #[inline]
+    fn neg(self) -> Self {
+        Self { scalar: -self.scalar, vector: -self.vector }
+    }
+}
+
+impl<T: Real> AddAssign for Quaternion<T> {
+    #[inline]
+    fn add_assign(&mut self, rhs: Self) {
+        *self = *self + rhs;
+    }
+}
+
+impl<T: Real> SubAssign for Quaternion<T> {
+    #[inline]
+    fn sub_assign(&mut self, rhs: Self) {
+        *self = *self - rhs;
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn the_sandwich_is_a_product() {
+        let q = Quaternion { scalar: 0.5, vector: Vector3::new(1.0, -2.0, 0.25) };
+        let v = Vector3::new(3.0, 1.0, -1.0);
+        let product = q * Quaternion { scalar: 0.0, vector: v } * q.conjugate();
+        assert!((product.vector - q.sandwich(&v)).norm() < 1e-14 && product.scalar.abs() < 1e-14);
+        assert!((q.sandwich(&v).norm() - q.norm_squared() * v.norm()).abs() < 1e-13);
+    }
+}

@@ -1,0 +1,59 @@
+//! so(2) and SO(2).
+
+use crate::{LieAlgebra, LieGroup, Real, Vector};
+use nalgebra::{Matrix2, Vector1};
+
+/// The Lie algebra so(2) ≅ R; ω stands for the matrix [0 −ω; ω 0]. Abelian.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+pub struct So2;
+
+impl LieAlgebra for So2 {
+    type Element<T: Real> = Vector1<T>;
+
+    #[inline]
+    fn bracket<T: Real>(&self, _: &Vector1<T>, _: &Vector1<T>) -> Vector1<T> {
+        Vector::zero()
+    }
+}
+
+/// The group SO(2) of rotations of the plane, by their matrices.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+pub struct SO2;
+
+impl LieGroup for SO2 {
+    type Algebra = So2;
+    type Element<T: Real> = Matrix2<T>;
+
+    fn algebra(&self) -> So2 {
+        So2
+    }
+
+    #[inline]
+    fn identity<T: Real>(&self) -> Matrix2<T> {
+        Matrix2::identity()
+    }
+
+    #[inline]
+    fn compose<T: Real>(&self, g: &Matrix2<T>, h: &Matrix2<T>) -> Matrix2<T> {
+        g * h
+    }
+
+    #[inline]
+    fn inverse<T: Real>(&self, g: &Matrix2<T>) -> Matrix2<T> {
+        g.transpose()
+    }
+
+    /// [cos ω −sin ω; sin ω cos ω], ω in radians.
+    #[inline]
+    fn exp<T: Real>(&self, xi: &Vector1<T>) -> Matrix2<T> {
+        let x = xi.x * xi.x;
+        let (cosine, sine) = (x.stumpff(0), xi.x * x.stumpff(1));
+        Matrix2::new(cosine, -sine, sine, cosine)
+    }
+
+    /// Ad = id
+    #[inline]
+    fn adjoint<T: Real>(&self, _: &Matrix2<T>, xi: &Vector1<T>) -> Vector1<T> {
+        *xi
+    }
+}

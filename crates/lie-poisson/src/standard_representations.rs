@@ -1,0 +1,230 @@
+//! The defining representations of the classical groups.
+
+use crate::{
+    Covector, GroupRepresentation, Real, Representation, SL2, SO2, SO3, SU2, SkewHermitian, Sl2,
+    So2, So3, Su2, UnitaryAlgebra, UnitaryGroup, Vector,
+};
+use nalgebra::{Matrix2, Matrix3, SMatrix, SVector, Vector1, Vector2, Vector3};
+use num_complex::Complex;
+
+/// SO(3) on R³ by rotation: ξ v = ξ × v.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+pub struct SO3OnR3;
+
+impl Representation for SO3OnR3 {
+    type Algebra = So3;
+    type Space<T: Real> = Vector3<T>;
+
+    fn algebra(&self) -> So3 {
+        So3
+    }
+
+    #[inline]
+    fn act<T: Real>(&self, xi: &Vector3<T>, v: &Vector3<T>) -> Vector3<T> {
+        xi.cross(v)
+    }
+
+    /// ξᵀ α = α × ξ
+    #[inline]
+    fn transpose_act<T: Real>(
+        &self,
+        xi: &Vector3<T>,
+        alpha: &Covector<Vector3<T>>,
+    ) -> Covector<Vector3<T>> {
+        Covector(alpha.0.cross(xi))
+    }
+
+    /// v ◇ α = v × α
+    #[inline]
+    fn diamond<T: Real>(
+        &self,
+        v: &Vector3<T>,
+        alpha: &Covector<Vector3<T>>,
+    ) -> Covector<Vector3<T>> {
+        Covector(v.cross(&alpha.0))
+    }
+}
+
+impl GroupRepresentation for SO3OnR3 {
+    type Group = SO3;
+
+    fn group(&self) -> SO3 {
+        SO3
+    }
+
+    #[inline]
+    fn transform<T: Real>(&self, g: &Matrix3<T>, v: &Vector3<T>) -> Vector3<T> {
+        g * v
+    }
+
+    /// φ + c₂ ξ×φ + c₃ ξ×(ξ×φ), Stumpff functions of |ξ|².
+    #[inline]
+    fn exp_integral<T: Real>(&self, xi: &Vector3<T>, phi: &Vector3<T>) -> Vector3<T> {
+        let (x, turned) = (xi.dot(xi), xi.cross(phi));
+        phi + turned * x.stumpff(2) + xi.cross(&turned) * x.stumpff(3)
+    }
+}
+
+/// SU(2) on C² by matrix multiplication.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+pub struct SU2OnC2;
+
+impl Representation for SU2OnC2 {
+    type Algebra = Su2;
+    type Space<T: Real> = Vector2<Complex<T>>;
+
+    fn algebra(&self) -> Su2 {
+        Su2
+    }
+
+    #[inline]
+    fn act<T: Real>(&self, xi: &Vector3<T>, v: &Vector2<Complex<T>>) -> Vector2<Complex<T>> {
+        Su2.matrix(xi) * v
+    }
+
+    /// ξᵀ α = ξ* α = −ξ α in coordinates.
+    #[inline]
+    fn transpose_act<T: Real>(
+        &self,
+        xi: &Vector3<T>,
+        alpha: &Covector<Vector2<Complex<T>>>,
+    ) -> Covector<Vector2<Complex<T>>> {
+        Covector(-(Su2.matrix(xi) * alpha.0))
+    }
+}
+
+impl GroupRepresentation for SU2OnC2 {
+    type Group = SU2;
+
+    fn group(&self) -> SU2 {
+        SU2
+    }
+
+    #[inline]
+    fn transform<T: Real>(
+        &self,
+        g: &Matrix2<Complex<T>>,
+        v: &Vector2<Complex<T>>,
+    ) -> Vector2<Complex<T>> {
+        g * v
+    }
+
+    /// c₁(y) φ + c₂(y) ξφ with y = |ξ|²/4, since ξ² = −y I.
+    #[inline]
+    fn exp_integral<T: Real>(
+        &self,
+        xi: &Vector3<T>,
+        phi: &Vector2<Complex<T>>,
+    ) -> Vector2<Complex<T>> {
+        let y = xi.dot(xi) * 0.25;
+        phi.scaled(y.stumpff(1)) + self.act(xi, phi).scaled(y.stumpff(2))
+    }
+}
+
+/// SO(2) on R² by rotation: ω v = ω (−v₂, v₁).
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+pub struct SO2OnR2;
+
+impl Representation for SO2OnR2 {
+    type Algebra = So2;
+    type Space<T: Real> = Vector2<T>;
+
+    fn algebra(&self) -> So2 {
+        So2
+    }
+
+    #[inline]
+    fn act<T: Real>(&self, xi: &Vector1<T>, v: &Vector2<T>) -> Vector2<T> {
+        Vector2::new(-v.y, v.x) * xi.x
+    }
+}
+
+impl GroupRepresentation for SO2OnR2 {
+    type Group = SO2;
+
+    fn group(&self) -> SO2 {
+        SO2
+    }
+
+    #[inline]
+    fn transform<T: Real>(&self, g: &Matrix2<T>, v: &Vector2<T>) -> Vector2<T> {
+        g * v
+    }
+
+    /// c₁(ω²) φ + c₂(ω²) ω (−φ₂, φ₁)
+    #[inline]
+    fn exp_integral<T: Real>(&self, xi: &Vector1<T>, phi: &Vector2<T>) -> Vector2<T> {
+        let x = xi.x * xi.x;
+        phi * x.stumpff(1) + self.act(xi, phi) * x.stumpff(2)
+    }
+}
+
+/// SL(2, R) on R² by matrix multiplication.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+pub struct SL2OnR2;
+
+impl Representation for SL2OnR2 {
+    type Algebra = Sl2;
+    type Space<T: Real> = Vector2<T>;
+
+    fn algebra(&self) -> Sl2 {
+        Sl2
+    }
+
+    #[inline]
+    fn act<T: Real>(&self, xi: &Vector3<T>, v: &Vector2<T>) -> Vector2<T> {
+        Sl2.matrix(xi) * v
+    }
+}
+
+impl GroupRepresentation for SL2OnR2 {
+    type Group = SL2;
+
+    fn group(&self) -> SL2 {
+        SL2
+    }
+
+    #[inline]
+    fn transform<T: Real>(&self, g: &Matrix2<T>, v: &Vector2<T>) -> Vector2<T> {
+        g * v
+    }
+}
+
+/// U(N) on C^N by matrix multiplication.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+pub struct UnitaryOnComplexSpace<const N: usize>;
+
+impl<const N: usize> Representation for UnitaryOnComplexSpace<N> {
+    type Algebra = UnitaryAlgebra<N>;
+    type Space<T: Real> = SVector<Complex<T>, N>;
+
+    fn algebra(&self) -> UnitaryAlgebra<N> {
+        UnitaryAlgebra
+    }
+
+    #[inline]
+    fn act<T: Real>(
+        &self,
+        xi: &SkewHermitian<T, N>,
+        v: &SVector<Complex<T>, N>,
+    ) -> SVector<Complex<T>, N> {
+        xi.matrix() * v
+    }
+}
+
+impl<const N: usize> GroupRepresentation for UnitaryOnComplexSpace<N> {
+    type Group = UnitaryGroup<N>;
+
+    fn group(&self) -> UnitaryGroup<N> {
+        UnitaryGroup
+    }
+
+    #[inline]
+    fn transform<T: Real>(
+        &self,
+        g: &SMatrix<Complex<T>, N, N>,
+        v: &SVector<Complex<T>, N>,
+    ) -> SVector<Complex<T>, N> {
+        g * v
+    }
+}

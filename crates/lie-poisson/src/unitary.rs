@@ -1,0 +1,199 @@
+//! u(N) and U(N).
+
+use crate::{Covector, LieAlgebra, LieGroup, Real, Vector};
+use core::ops::{Add, AddAssign, Neg, Sub, SubAssign};
+use nalgebra::SMatrix;
+use num_complex::Complex;
+
+/// A skew-Hermitian matrix ξ* = −ξ, an element of u(N).
+///
+/// Its N² coordinates run through the matrix by columns: −i ξ_jj on the diagonal, and for j > k
+/// Re ξ_jk below it and Im ξ_jk = Im ξ_kj above it. A momentum μ ∈ u(N)* is a covector of these.
+#[derive(Clone, Copy, Debug, PartialEq)]
+#[repr(transparent)]
+pub struct SkewHermitian<T, const N: usize>(SMatrix<Complex<T>, N, N>);
+
+impl<T: Real, const N: usize> SkewHermitian<T, N> {
+    /// The skew-Hermitian part ½(A − A*) of a matrix.
+    #[inline]
+    pub fn part_of(a: &SMatrix<Complex<T>, N, N>) -> Self {
+        let half = |z: Complex<T>| Complex { re: z.re * 0.5, im: z.im * 0.5 };
+        Self((a - adjoint(a)).map(half))
+    }
+
+    /// The matrix.
+    #[inline]
+    pub fn matrix(&self) -> &SMatrix<Complex<T>, N, N> {
+        &self.0
+    }
+}
+
+/// A*
+fn adjoint<T: Real, const N: usize>(a: &SMatrix<Complex<T>, N, N>) -> SMatrix<Complex<T>, N, N> {
+    a.transpose().map(|z| z.conj())
+}
+
+impl<T: Real, const N: usize> Vector for SkewHermitian<T, N> {
+    type Scalar = T;
+    type Dual = Covector<Self>;
+    const DIM: usize = N * N;
+
+    #[inline]
+    fn from_coordinates(mut f: impl FnMut(usize) -> T) -> Self {
+        let x = SMatrix::<T, N, N>::from_fn(|j, k| f(j + N * k));
+        Self(SMatrix::from_fn(|j, k| match j.cmp(&k) {
+            core::cmp::Ordering::Equal => Complex { re: T::zero(), im: x[(j, j)] },
+            core::cmp::Ordering::Greater => Complex { re: x[(j, k)], im: x[(k, j)] },
+            core::cmp::Ordering::Less => Complex { re: -x[(k, j)], im: x[(j, k)] },
+        }))
+    }
+
+    #[inline]
+    fn coordinate(&self, i: usize) -> T {
+        let (j, k) = (i % N.max(1), i / N.max(1));
+        self.0.get((j, k)).map_or_else(T::zero, |z| if j > k { z.re } else { z.im })
+    }
+
+    #[inline]
+    fn scaled(&self, s: T) -> Self {
+        Self(self.0.scaled(s))
+    }
+}
+
+macro_rules! operators {
+    ($($trait:ident $method:ident $assign:ident $assign_method:ident $operator:tt),*) => {$(
+        impl<T: Real, const N: usize> $trait for SkewHermitian<T, N> {
+            type Output = Self;
+            #[inline]
+            fn $method(self, rhs: Self) -> Self {
+                Self(self.0 $operator rhs.0)
+            }
+        }
+        impl<T: Real, const N: usize> $assign for SkewHermitian<T, N> {
+            #[inline]
+            fn $assign_method(&mut self, rhs: Self) {
+                *self = *self $operator rhs;
+            }
+        }
+    )*};
+}
+operators!(Add add AddAssign add_assign +, Sub sub SubAssign sub_assign -);
+
+impl<T: Real, const N: usize> Neg for SkewHermitian<T, N> {
+    type Output = Self;
+    #[inline]
+    fn neg(self) -> Self {
+        Self(-self.0)
+    }
+}
+
+/// The Lie algebra u(N) of skew-Hermitian matrices with the commutator.
+///
+/// ```
+/// use lie_poisson::{LieAlgebra, SkewHermitian, UnitaryAlgebra, Vector};
+/// let xi = SkewHermitian::<f64, 3>::from_coordinates(|i| i as f64);
+/// let eta = SkewHermitian::from_coordinates(|i| (i * i) as f64 - 4.0);
+/// let bracket = UnitaryAlgebra.bracket(&xi, &eta);
+/// assert_eq!(*bracket.matrix(), xi.matrix() * eta.matrix() - eta.matrix() * xi.matrix());
+/// ```
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+pub struct UnitaryAlgebra<const N: usize>;
+
+impl<const N: usize> LieAlgebra for UnitaryAlgebra<N> {
+    type Element<T: Real> = SkewHermitian<T, N>;
+
+    #[inline]
+    fn bracket<T: Real>(
+        &self,
+        xi: &SkewHermitian<T, N>,
+        eta: &SkewHermitian<T, N>,
+    ) -> SkewHermitian<T, N> {
+        SkewHermitian(xi.0 * eta.0 - eta.0 * xi.0)
+    }
+}
+
+impl<const N: usize> UnitaryAlgebra<N> {
+    /// The Hermitian matrix H of a momentum: ⟨μ, ξ⟩ = Re tr((iH)* ξ) = Im tr(Hξ).
+    ///
+    /// Under it ad*_ξ μ becomes Hξ − ξH and Ad*_U μ becomes U*HU.
+    #[inline]
+    pub fn hermitian<T: Real>(
+        &self,
+        mu: &Covector<SkewHermitian<T, N>>,
+    ) -> SMatrix<Complex<T>, N, N> {
+        let m = mu.0.matrix();
+        SMatrix::from_fn(|j, k| {
+            let share = if j == k { 1.0 } else { 0.5 };
+            Complex { re: m[(j, k)].im * share, im: -m[(j, k)].re * share }
+        })
+    }
+
+    /// The momentum of a Hermitian matrix, inverse to [`hermitian`](Self::hermitian); of any
+    /// other, that of its Hermitian part.
+    #[inline]
+    pub fn momentum<T: Real>(
+        &self,
+        h: &SMatrix<Complex<T>, N, N>,
+    ) -> Covector<SkewHermitian<T, N>> {
+        let m = SMatrix::from_fn(|j, k| {
+            let share = if j == k { 1.0 } else { 2.0 };
+            Complex { re: -h[(j, k)].im * share, im: h[(j, k)].re * share }
+        });
+        Covector(SkewHermitian::part_of(&m))
+    }
+}
+
+/// The group U(N) of unitary matrices.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+pub struct UnitaryGroup<const N: usize>;
+
+impl<const N: usize> LieGroup for UnitaryGroup<N> {
+    type Algebra = UnitaryAlgebra<N>;
+    type Element<T: Real> = SMatrix<Complex<T>, N, N>;
+
+    fn algebra(&self) -> UnitaryAlgebra<N> {
+        UnitaryAlgebra
+    }
+
+    #[inline]
+    fn identity<T: Real>(&self) -> SMatrix<Complex<T>, N, N> {
+        SMatrix::identity()
+    }
+
+    #[inline]
+    fn compose<T: Real>(
+        &self,
+        g: &SMatrix<Complex<T>, N, N>,
+        h: &SMatrix<Complex<T>, N, N>,
+    ) -> SMatrix<Complex<T>, N, N> {
+        g * h
+    }
+
+    /// U*
+    #[inline]
+    fn inverse<T: Real>(&self, g: &SMatrix<Complex<T>, N, N>) -> SMatrix<Complex<T>, N, N> {
+        adjoint(g)
+    }
+
+    /// The matrix exponential, by its series on ξ/2ᵐ with |ξ/2ᵐ| ≤ ¼, squared m times.
+    fn exp<T: Real>(&self, xi: &SkewHermitian<T, N>) -> SMatrix<Complex<T>, N, N> {
+        let size = xi.max_abs() * N as f64;
+        let halvings = if size > 0.25 { (size * 4.0).log2().ceil().min(1000.0) } else { 0.0 };
+        let small = xi.0.scaled(T::from_f64((-halvings).exp2()));
+        // 0.25¹⁵/15! < 2⁻⁶⁰
+        let series = (1..=14).rev().fold(SMatrix::identity(), |tail, k| {
+            SMatrix::identity() + (small * tail).scaled(T::from_f64(1.0 / f64::from(k)))
+        });
+        (0..halvings as usize).fold(series, |g, _| g * g)
+    }
+
+    /// Ad_U ξ = U ξ U*
+    #[inline]
+    fn adjoint<T: Real>(
+        &self,
+        g: &SMatrix<Complex<T>, N, N>,
+        xi: &SkewHermitian<T, N>,
+    ) -> SkewHermitian<T, N> {
+        SkewHermitian::part_of(&(g * xi.0 * adjoint(g)))
+    }
+}

@@ -1,0 +1,254 @@
+//! Every algebra, group and representation of the crate obeys its laws, and each law rejects
+//! something that breaks it.
+#![cfg(feature = "laws")]
+#![allow(clippy::unwrap_used)]
+
+use lie_poisson::laws::{self, Report};
+use lie_poisson::*;
+use nalgebra::{SVector, Vector2, Vector3};
+
+/// Rounding of the few dozen operations in a law, relative to the sizes that enter it.
+const TOLERANCE: f64 = 1e-13;
+
+/// Four generic vectors, with coordinates in (−1, 1).
+fn samples<V: Vector<Scalar = f64>>() -> Vec<V> {
+    let mut seed = 12.0_f64;
+    let mut next = move || {
+        seed = (seed * 16_807.0) % 2_147_483_647.0;
+        2.0 * seed / 2_147_483_647.0 - 1.0
+    };
+    (0..4).map(|_| V::from_coordinates(|_| next())).collect()
+}
+
+fn holds(report: Report) {
+    report.check(TOLERANCE).unwrap();
+}
+
+fn group_laws<G: LieGroup>(group: &G) {
+    holds(laws::lie_algebra(&group.algebra(), &samples()).unwrap());
+    holds(laws::lie_group(group, &samples()).unwrap());
+    let momenta = samples();
+    holds(laws::poisson_space(&LiePoisson::minus(group.algebra()), &momenta).unwrap());
+    holds(laws::poisson_space(&LiePoisson::plus(group.algebra()), &momenta).unwrap());
+}
+
+fn representation_laws<R: GroupRepresentation>(representation: R) {
+    holds(laws::representation(&representation, &samples(), &samples()).unwrap());
+    holds(laws::group_representation(&representation, &samples(), &samples()).unwrap());
+    group_laws(&SemidirectGroup(representation));
+}
+
+#[test]
+fn groups() {
+    group_laws(&RealSpace::<3>);
+    group_laws(&SO2);
+    group_laws(&SO3);
+    group_laws(&SU2);
+    group_laws(&SL2);
+    group_laws(&UnitaryGroup::<2>);
+    group_laws(&UnitaryGroup::<3>);
+    group_laws(&ProductGroup(SO3, SL2));
+    group_laws(&PowerGroup::<_, 3>(SU2));
+}
+
+#[test]
+fn representations_and_their_semidirect_products() {
+    representation_laws(SO2OnR2);
+    representation_laws(SO3OnR3);
+    representation_laws(SU2OnC2);
+    representation_laws(SL2OnR2);
+    representation_laws(UnitaryOnComplexSpace::<2>);
+    representation_laws(Adjoint(SO3));
+    representation_laws(Adjoint(SL2));
+    representation_laws(Diagonal::<_, 2>(SO3OnR3));
+    representation_laws(Sum(SU2OnC2, Adjoint(SU2)));
+    // (se(3) ⋉ R³), the heavy top on a movable base
+    representation_laws(Inherited { quotient: SO3OnR3, representation: SO3OnR3 });
+}
+
+#[test]
+fn casimirs() {
+    fn check<A: Casimirs>(algebra: &A) {
+        assert!(A::COUNT > 0);
+        holds(laws::casimirs(algebra, &samples()).unwrap());
+    }
+    check(&RealSpace::<2>);
+    check(&So2);
+    check(&So3);
+    check(&Su2);
+    check(&Sl2);
+    check(&Se2::default());
+    check(&Se3::default());
+    check(&UnitaryAlgebra::<3>);
+    check(&ProductAlgebra(So3, Se3::default()));
+    check(&PowerAlgebra::<_, 3>(So3));
+}
+
+#[test]
+fn logarithms_and_cayley_maps() {
+    fn check<G: Logarithm>(group: &G) {
+        holds(laws::logarithm(group, &samples()).unwrap());
+    }
+    check(&RealSpace::<3>);
+    check(&SO2);
+    check(&SO3);
+    check(&SU2);
+    check(&SL2);
+    check(&SE2::default());
+    check(&SE3::default());
+    holds(laws::cayley(&SO2, &samples()).unwrap());
+    holds(laws::cayley(&SO3, &samples()).unwrap());
+    holds(laws::cayley(&SU2, &samples()).unwrap());
+    holds(laws::cayley(&SL2, &samples()).unwrap());
+    holds(laws::cayley(&SE3::default(), &samples()).unwrap());
+}
+
+/// so(3) with the sign of ad* turned round.
+#[derive(Clone)]
+struct WrongCoadjoint;
+
+impl LieAlgebra for WrongCoadjoint {
+    type Element<T: Real> = Vector3<T>;
+    fn bracket<T: Real>(&self, xi: &Vector3<T>, eta: &Vector3<T>) -> Vector3<T> {
+        xi.cross(eta)
+    }
+    fn coadjoint<T: Real>(
+        &self,
+        xi: &Vector3<T>,
+        mu: &Covector<Vector3<T>>,
+    ) -> Covector<Vector3<T>> {
+        Covector(xi.cross(&mu.0))
+    }
+}
+
+#[test]
+fn a_wrong_sign_in_the_coadjoint_is_rejected() {
+    let report = laws::lie_algebra(&WrongCoadjoint, &samples()).unwrap();
+    assert!(report.residual("pairing").unwrap() > 0.1);
+    assert!(report.residual("Jacobi").unwrap() < TOLERANCE);
+}
+
+/// SO(3) over an algebra whose bracket has the wrong sign.
+#[derive(Clone)]
+struct WrongSign;
+
+impl LieAlgebra for WrongSign {
+    type Element<T: Real> = Vector3<T>;
+    fn bracket<T: Real>(&self, xi: &Vector3<T>, eta: &Vector3<T>) -> Vector3<T> {
+        eta.cross(xi)
+    }
+}
+
+impl LieGroup for WrongSign {
+    type Algebra = WrongSign;
+    type Element<T: Real> = nalgebra::Matrix3<T>;
+    fn algebra(&self) -> WrongSign {
+        WrongSign
+    }
+    fn identity<T: Real>(&self) -> Self::Element<T> {
+        SO3.identity()
+    }
+    fn compose<T: Real>(&self, g: &Self::Element<T>, h: &Self::Element<T>) -> Self::Element<T> {
+        SO3.compose(g, h)
+    }
+    fn inverse<T: Real>(&self, g: &Self::Element<T>) -> Self::Element<T> {
+        SO3.inverse(g)
+    }
+    fn exp<T: Real>(&self, xi: &Vector3<T>) -> Self::Element<T> {
+        SO3.exp(xi)
+    }
+    fn adjoint<T: Real>(&self, g: &Self::Element<T>, xi: &Vector3<T>) -> Vector3<T> {
+        SO3.adjoint(g, xi)
+    }
+}
+
+#[test]
+fn a_wrong_sign_of_the_bracket_is_rejected() {
+    // It is a Lie algebra, but not that of the group.
+    let report = laws::lie_group(&WrongSign, &samples()).unwrap();
+    assert!(report.residual("ad is the derivative of Ad").unwrap() > 0.1);
+    holds(laws::lie_algebra(&WrongSign, &samples()).unwrap());
+}
+
+/// An antisymmetric bracket on R⁵ that is not Lie.
+#[derive(Clone)]
+struct NotLie;
+
+fn not_lie(i: usize, j: usize, k: usize) -> f64 {
+    let value = |i: usize, j: usize| ((7 * i + 3 * j + 5 * k) % 11) as f64 - 5.0;
+    if i < j { value(i, j) } else { if j < i { -value(j, i) } else { 0.0 } }
+}
+
+impl LieAlgebra for NotLie {
+    type Element<T: Real> = SVector<T, 5>;
+    fn bracket<T: Real>(&self, xi: &SVector<T, 5>, eta: &SVector<T, 5>) -> SVector<T, 5> {
+        SVector::from_fn(|k, _| {
+            let terms = (0..25).map(|n| (n / 5, n % 5));
+            terms.fold(T::zero(), |sum, (i, j)| sum + xi[i] * eta[j] * not_lie(i, j, k))
+        })
+    }
+}
+
+#[test]
+fn an_antisymmetric_bracket_that_is_not_lie_is_rejected() {
+    let report = laws::lie_algebra(&NotLie, &samples()).unwrap();
+    assert!(report.residual("antisymmetry").unwrap() < TOLERANCE);
+    assert!(report.residual("Jacobi").unwrap() > 1.0);
+    let space = LiePoisson::minus(NotLie);
+    let report = laws::poisson_space(&space, &samples()).unwrap();
+    assert!(report.residual("Jacobi").unwrap() > 1e-2);
+    assert!(matches!(
+        StructureConstants::<5>::new(not_lie),
+        Err(StructureError::Jacobi { residual, .. }) if residual > 1.0
+    ));
+}
+
+/// Rotations of the plane by twice the angle: its derivative is claimed to be the plain one.
+#[derive(Clone)]
+struct WrongDerivative;
+
+impl Representation for WrongDerivative {
+    type Algebra = So2;
+    type Space<T: Real> = Vector2<T>;
+    fn algebra(&self) -> So2 {
+        So2
+    }
+    fn act<T: Real>(&self, xi: &nalgebra::Vector1<T>, v: &Vector2<T>) -> Vector2<T> {
+        SO2OnR2.act(xi, v)
+    }
+}
+
+impl GroupRepresentation for WrongDerivative {
+    type Group = SO2;
+    fn group(&self) -> SO2 {
+        SO2
+    }
+    fn transform<T: Real>(&self, g: &nalgebra::Matrix2<T>, v: &Vector2<T>) -> Vector2<T> {
+        g * (g * v)
+    }
+}
+
+#[test]
+fn a_wrong_derivative_of_a_representation_is_rejected() {
+    let report = laws::group_representation(&WrongDerivative, &samples(), &samples()).unwrap();
+    assert!(report.residual("homomorphism").unwrap() < TOLERANCE);
+    assert!(report.residual("derivative").unwrap() > 0.1);
+    assert!(report.residual("exp integral").unwrap() > 0.01);
+}
+
+#[test]
+fn no_samples_no_report() {
+    assert!(laws::lie_algebra(&So3, &[]).is_err());
+    assert!(laws::lie_group(&SO3, &[]).is_err());
+    assert!(laws::representation(&SO3OnR3, &[], &samples()).is_err());
+    assert!(laws::representation(&SO3OnR3, &samples(), &[]).is_err());
+    assert!(laws::casimirs(&So3, &[]).is_err());
+    assert!(laws::logarithm(&SO3, &[]).is_err());
+}
+
+#[test]
+fn nan_breaks_every_law() {
+    let broken = [Vector3::new(f64::NAN, 0.0, 0.0)];
+    assert!(laws::lie_algebra(&So3, &broken).unwrap().check(f64::INFINITY).is_err());
+    assert!(laws::logarithm(&SO3, &broken).unwrap().check(f64::INFINITY).is_err());
+}
