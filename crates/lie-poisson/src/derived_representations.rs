@@ -20,7 +20,7 @@ use core::array::from_fn;
 /// // [((x,0),0), ((0,y),y)] = ((0, x×y), x×y)
 /// let zero = Vector3::zeros();
 /// assert_eq!(
-///     nested.bracket(&element(x, zero, zero), &element(zero, y, y)),
+///     nested.bracket::<f64>(&element(x, zero, zero), &element(zero, y, y)),
 ///     element(zero, z, z),
 /// );
 /// ```

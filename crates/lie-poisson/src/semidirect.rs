@@ -21,7 +21,8 @@ type Element<R, T> = Pair<RepresentedElement<R, T>, <R as Representation>::Space
 /// # Example
 /// ```
 /// use lie_poisson::{LieAlgebra, Pair, Se3, Se3Dual};
-/// /// let (omega, force) = (Vector3::new(1.0, 2.0, 3.0), Vector3::new(0.0, 1.0, 0.0));
+/// use nalgebra::Vector3;
+/// let (omega, force) = (Vector3::new(1.0, 2.0, 3.0), Vector3::new(0.0, 1.0, 0.0));
 /// let (pi, gamma) = (Vector3::new(2.0, 3.0, 4.0), Vector3::new(0.0, 0.6, 0.8));
 /// // ad*_(Ω,γ) (Π,Γ) = (Π×Ω + Γ×γ, Γ×Ω)
 /// let rate = Se3::default().coadjoint(&Pair(omega, force), &Se3Dual::new(pi, gamma));
