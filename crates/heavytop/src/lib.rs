@@ -6,9 +6,8 @@
 //! | object | item |
 //! |---|---|
 //! | SU(2) ⋉ C² acting on C², and L, derived from it | [`SpinorMotions`], [`SpinorMomentum`] |
-//! | the Hopf map and ϖ | [`hopf_map`], [`Varpi`] |
+//! | ϖ, by the Hopf map | [`Varpi`] |
 //! | M = ϖ∘L: T*C² → se(3)*, its lifts and fibres | [`SpinorRealisation`] |
-//! | C² → so(3)*, by the same Hopf map | [`HopfRealisation`] |
 //! | the heavy top: general, free, Lagrange, Kovalevskaya, Goryachev–Chaplygin | [`HeavyTop`], [`Body`], [`RigidBody`] |
 //! | h, f₁, f₂, f₃, K, G | [`Invariant`] |
 //! | closed forms | [`jacobi_elliptic`] |
@@ -36,10 +35,8 @@
 
 mod error;
 mod spinor_motions;
-mod hopf;
 mod varpi;
 mod spinor_realisation;
-mod hopf_realisation;
 mod top;
 mod rigid_body;
 mod invariants;
@@ -47,8 +44,6 @@ mod elliptic;
 
 pub use elliptic::jacobi_elliptic;
 pub use error::{TopError, UNIT_TOLERANCE, require_unit};
-pub use hopf::{hopf_map, hopf_pull_back};
-pub use hopf_realisation::{HopfPoint, HopfRealisation};
 pub use invariants::Invariant;
 pub use rigid_body::RigidBody;
 pub use spinor_motions::{SpinorAlgebra, SpinorGroup, SpinorMomentum, SpinorMotions};

@@ -1,10 +1,12 @@
 //! M = ϖ ∘ L: T*C² → se(3)*.
 
-use crate::hopf::{hopf_map, hopf_section, sigma};
 use lie_poisson::{
     ComplexSpace, Covector, LiePoisson, Pair, Real, SO3OnR3, Se3, Se3Dual, SemidirectAlgebra,
 };
-use momentum_map::{Cotangent, CotangentBundle, FibreSymmetry, Lift, LiftError, PoissonMap};
+use momentum_map::{
+    Cotangent, CotangentBundle, FibreSymmetry, Lift, LiftError, PoissonMap, hopf_map, hopf_section,
+    pauli,
+};
 use nalgebra::{Vector2, Vector3};
 use num_complex::Complex;
 
@@ -75,8 +77,8 @@ impl PoissonMap for SpinorRealisation {
         let Pair(omega, gamma) = dh;
         let (chi, psi) = (&z.q, &z.p.0);
         let half = omega * T::from_f64(0.5);
-        let turn = |spinor| sigma(&half, spinor).map(|z| Complex { re: -z.im, im: z.re });
-        Cotangent::new(turn(chi) + sigma(&(gamma + gamma), psi), Covector(turn(psi)))
+        let turn = |spinor| pauli(&half, spinor).map(|z| Complex { re: -z.im, im: z.re });
+        Cotangent::new(turn(chi) + pauli(&(gamma + gamma), psi), Covector(turn(psi)))
     }
 }
 
@@ -99,14 +101,10 @@ impl Lift for SpinorRealisation {
         let size = gamma.dot(gamma).sqrt();
         let psi = hopf_section(gamma);
         let scaled = pi * (T::from_f64(-2.0) / size);
-        let chi = sigma(&scaled, &psi).map(|z| Complex { re: -z.im, im: z.re });
+        let chi = pauli(&scaled, &psi).map(|z| Complex { re: -z.im, im: z.re });
         let lifted = Cotangent::new(chi, Covector(psi));
-        if lie_poisson::Vector::is_finite(&lifted) {
-            Ok(lifted)
-        } else {
-            let reason = "Γ must be different from 0, and Π and Γ finite";
-            Err(LiftError { quantity: "Γ", value: size.max_abs(), reason })
-        }
+        let reason = "Γ must be different from 0, and Π and Γ finite";
+        LiftError::unless_finite(lifted, "Γ", size.max_abs(), reason)
     }
 }
 
@@ -131,12 +129,8 @@ impl SpinorRealisation {
         let (chi, psi) = (z.q.map(|x| x * phase), z.p.0.map(|x| x * phase));
         let along = (re_chi1 - chi.x.re) / length;
         let lifted = Cotangent::new(chi + psi.map(|x| x.scale(along)), Covector(psi));
-        if lie_poisson::Vector::is_finite(&lifted) {
-            Ok(lifted)
-        } else {
-            let reason = "ψ₁ must be different from 0: Γ must not point along −e₃";
-            Err(LiftError { quantity: "ψ₁", value: length.max_abs(), reason })
-        }
+        let reason = "ψ₁ must be different from 0: Γ must not point along −e₃";
+        LiftError::unless_finite(lifted, "ψ₁", length.max_abs(), reason)
     }
 
     /// The point of least ‖χ‖ on the line χ + bψ of the fibre: χ − (Re(ψ*χ)/‖ψ‖²) ψ.

@@ -1,12 +1,11 @@
 //! ϖ: (su(2) ⋉ C²)* → se(3)*.
 
-use crate::hopf::{hopf_map, hopf_pull_back};
 use crate::spinor_motions::SpinorAlgebra;
 use lie_poisson::{
     Covector, Differential, LiePoisson, Pair, Real, SO3OnR3, SU2OnC2, Se3, Se3Dual,
     SemidirectAlgebra,
 };
-use momentum_map::{PoissonMap, SourcePoint, TargetDifferential};
+use momentum_map::{PoissonMap, SourcePoint, TargetDifferential, hopf_map, hopf_pull_back};
 
 /// The Poisson map
 ///

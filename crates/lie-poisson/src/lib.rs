@@ -7,12 +7,12 @@
 //! | scalars: numbers, dual numbers, lanes | [`Real`], [`DualNumber`], [`Lanes`] |
 //! | vector spaces V and their duals V* | [`Vector`], [`Covector`], [`Pair`], [`Power`], [`VectorSpace`] |
 //! | exact derivatives | [`differential`], [`transposed_tangent`] |
-//! | Lie algebras 𝔤 and groups G | [`LieAlgebra`], [`LieGroup`]: [`RealSpace`], [`SO2`], [`SO3`], [`SU2`], [`SL2`], [`UnitaryGroup`] |
+//! | Lie algebras 𝔤 and groups G | [`LieAlgebra`], [`LieGroup`]: [`RealSpace`], [`SO2`], [`SO3`], [`SU2`], [`SP1`], [`SL2`], [`UnitaryGroup`] |
 //! | algebras by structure constants | [`StructureConstants`] |
 //! | direct products and powers | [`ProductAlgebra`], [`ProductGroup`], [`PowerAlgebra`], [`PowerGroup`] |
 //! | representations, semidirect products | [`Representation`], [`GroupRepresentation`], [`SemidirectAlgebra`], [`SemidirectGroup`]: [`SE2`], [`SE3`] |
 //! | log and Cayley maps | [`Logarithm`], [`Cayley`] |
-//! | Poisson brackets, (±)-Lie–Poisson | [`PoissonSpace`], [`LiePoisson`], [`Casimirs`] |
+//! | Poisson brackets, (±)-Lie–Poisson | [`PoissonSpace`], [`LiePoisson`], [`ProductSpace`], [`PowerSpace`], [`Casimirs`] |
 //! | Hamiltonians h and dh | [`Hamiltonian`], [`Energy`], [`Automatic`], [`from_closure`] |
 //! | the axioms as residuals (feature `laws`) | `laws` |
 //!
@@ -47,10 +47,12 @@ mod semidirect;
 mod standard_representations;
 mod derived_representations;
 mod euclidean;
+mod sp1;
 mod logarithm;
 mod cayley;
 
 mod poisson;
+mod product_space;
 mod casimirs;
 mod hamiltonian;
 
@@ -85,6 +87,7 @@ pub use euclidean::{SE2, SE3, Se2, Se3, Se3Dual};
 pub use logarithm::{Logarithm, LogarithmError};
 pub use representation::{GroupRepresentation, Representation, RepresentedElement};
 pub use semidirect::{SemidirectAlgebra, SemidirectGroup};
+pub use sp1::{QuaternionSpace, SP1, SP1OnQuaternions};
 pub use standard_representations::{SL2OnR2, SO2OnR2, SO3OnR3, SU2OnC2, UnitaryOnComplexSpace};
 
 pub use casimirs::Casimirs;
@@ -92,6 +95,7 @@ pub use hamiltonian::{
     Automatic, Closure, Closures, Energy, Hamiltonian, from_closure, from_closures,
 };
 pub use poisson::{LiePoisson, PoissonSpace, Sign};
+pub use product_space::{PowerSpace, ProductSpace, from_parts, parts};
 
 pub use nalgebra;
 pub use num_complex;

@@ -39,27 +39,6 @@ impl<T: Real, A: Vector<Scalar = T>, B: Vector<Scalar = T>> Vector for Pair<A, B
     }
 }
 
-impl<A: Vector, B: Vector<Scalar = A::Scalar>> Covector<Pair<A, B>> {
-    /// The covector (α, β) of a direct sum from its two parts.
-    #[inline]
-    pub fn from_parts(alpha: A::Dual, beta: B::Dual) -> Self {
-        Self(Pair(
-            A::from_coordinates(|i| alpha.coordinate(i)),
-            B::from_coordinates(|i| beta.coordinate(i)),
-        ))
-    }
-
-    /// The two parts (α, β), each with its own pairing.
-    #[inline]
-    pub fn parts(&self) -> (A::Dual, B::Dual) {
-        let Self(Pair(a, b)) = self;
-        (
-            A::Dual::from_coordinates(|i| a.coordinate(i)),
-            B::Dual::from_coordinates(|i| b.coordinate(i)),
-        )
-    }
-}
-
 impl<A: Add<Output = A>, B: Add<Output = B>> Add for Pair<A, B> {
     type Output = Self;
     #[inline]

@@ -44,6 +44,7 @@ fn groups() {
     group_laws(&SO2);
     group_laws(&SO3);
     group_laws(&SU2);
+    group_laws(&SP1);
     group_laws(&SL2);
     group_laws(&UnitaryGroup::<2>);
     group_laws(&UnitaryGroup::<3>);
@@ -58,6 +59,7 @@ fn representations_and_their_semidirect_products() {
     representation_laws(SU2OnC2);
     representation_laws(SL2OnR2);
     representation_laws(UnitaryOnComplexSpace::<2>);
+    representation_laws(SP1OnQuaternions::<2>);
     representation_laws(Adjoint(SO3));
     representation_laws(Adjoint(SL2));
     representation_laws(Diagonal::<_, 2>(SO3OnR3));

@@ -26,6 +26,29 @@ impl Side {
             Self::Right => Sign::Minus,
         }
     }
+
+    /// The other side.
+    #[must_use]
+    pub const fn opposite(self) -> Self {
+        match self {
+            Self::Left => Self::Right,
+            Self::Right => Self::Left,
+        }
+    }
+
+    /// This side, for two actions that must be on the same one.
+    ///
+    /// # Panics
+    /// If they are not; as the side of an action is a constant, this stops the compiler, never a
+    /// running program.
+    #[must_use]
+    #[allow(clippy::panic)]
+    pub const fn same_as(self, other: Self) -> Self {
+        match (self, other) {
+            (Self::Left, Self::Left) | (Self::Right, Self::Right) => self,
+            _ => panic!("the two actions are on different sides"),
+        }
+    }
 }
 
 /// A point of the space that a group acts on, over the scalar `T`.

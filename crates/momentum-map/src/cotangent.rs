@@ -1,5 +1,6 @@
 //! Cotangent bundles of vector spaces.
 
+use crate::SymplecticSpace;
 use core::ops::{Add, AddAssign, Neg, Sub, SubAssign};
 use lie_poisson::{
     Covector, Differential, Point, PoissonSpace, Real, Vector, VectorSpace, map_coordinates,
@@ -123,17 +124,10 @@ impl<Q: VectorSpace> PoissonSpace for CotangentBundle<Q> {
     }
 }
 
-impl<Q: VectorSpace> CotangentBundle<Q> {
-    /// The canonical symplectic form Ω(u, v) = ⟨v.p, u.q⟩ − ⟨u.p, v.q⟩, that is dq ∧ dp.
+impl<Q: VectorSpace> SymplecticSpace for CotangentBundle<Q> {
+    /// Ω(u, v) = ⟨v.p, u.q⟩ − ⟨u.p, v.q⟩
     #[inline]
-    pub fn symplectic_form<T: Real>(&self, u: &Point<Self, T>, v: &Point<Self, T>) -> T {
+    fn symplectic_form<T: Real>(&self, u: &Point<Self, T>, v: &Point<Self, T>) -> T {
         u.q.pairing(&v.p) - v.q.pairing(&u.p)
-    }
-
-    /// The covector i_X Ω = Ω(X, ·), which is dH if X = X_H: the inverse of
-    /// [`hamiltonian_vector`](PoissonSpace::hamiltonian_vector). Source: Ohsawa 2019, eq. (4.3).
-    #[inline]
-    pub fn flat<T: Real>(&self, x: &Point<Self, T>) -> Differential<Self, T> {
-        Covector(Cotangent { q: map_coordinates(&x.p, |x: T| -x), p: map_coordinates(&x.q, |x| x) })
     }
 }

@@ -1,7 +1,7 @@
 //! Fibres of a Poisson map: the symmetry along them, and sections across them.
 
-use crate::poisson_map::{PoissonMap, SourcePoint, TargetPoint};
-use lie_poisson::Real;
+use crate::poisson_map::{Identity, PoissonMap, SourcePoint, TargetPoint};
+use lie_poisson::{Point, PoissonSpace, Real, Vector};
 use thiserror::Error;
 
 /// A point has no pre-image, or none that is finite.
@@ -14,6 +14,21 @@ pub struct LiftError {
     pub value: f64,
     /// The condition that it breaks.
     pub reason: &'static str,
+}
+
+impl LiftError {
+    /// `lifted` if all of its coordinates are finite, the error otherwise: how lifts are checked.
+    ///
+    /// # Errors
+    /// If a coordinate is infinite or not a number, in any lane.
+    pub fn unless_finite<V: Vector>(
+        lifted: V,
+        quantity: &'static str,
+        value: f64,
+        reason: &'static str,
+    ) -> Result<V, Self> {
+        if lifted.is_finite() { Ok(lifted) } else { Err(Self { quantity, value, reason }) }
+    }
 }
 
 /// A section of M: a choice of z with M(z) = μ.
@@ -45,4 +60,22 @@ pub trait FibreSymmetry: PoissonMap {
     /// Its momentum J: P → R, whose Hamiltonian vector field generates the flow; zero for
     /// `index` ≥ `COUNT`.
     fn momentum<T: Real>(&self, index: usize, z: &SourcePoint<Self, T>) -> T;
+}
+
+impl<P: PoissonSpace> Lift for Identity<P> {
+    fn lift<T: Real>(&self, mu: &Point<P, T>) -> Result<Point<P, T>, LiftError> {
+        Ok(*mu)
+    }
+}
+
+impl<P: PoissonSpace> FibreSymmetry for Identity<P> {
+    const COUNT: usize = 0;
+
+    fn flow<T: Real>(&self, _: usize, _: T, z: &Point<P, T>) -> Point<P, T> {
+        *z
+    }
+
+    fn momentum<T: Real>(&self, _: usize, _: &Point<P, T>) -> T {
+        T::zero()
+    }
 }

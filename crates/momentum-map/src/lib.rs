@@ -4,28 +4,58 @@
 //!
 //! | object | item |
 //! |---|---|
-//! | T*Q with dq ∧ dp | [`Cotangent`], [`CotangentBundle`] |
+//! | symplectic spaces: T*Q with dq ∧ dp, C^N | [`SymplecticSpace`], [`Cotangent`], [`CotangentBundle`], [`SymplecticComplexSpace`] |
 //! | actions Φ of a group on Q, their side and generators | [`GroupAction`], [`Side`] |
+//! | linear and affine actions, the other side, products | [`LinearAction`], [`AffineAction`], [`Opposite`], [`JointAction`], [`ProductAction`] |
 //! | the cotangent lift, derived | [`CotangentLift`] |
-//! | Poisson maps M: P → 𝔤* and their compositions | [`PoissonMap`], [`Composition`] |
-//! | the momentum map, derived | [`MomentumMap`] |
+//! | Poisson maps M: P → Q and their compositions | [`PoissonMap`], [`Composition`], [`Identity`] |
+//! | momentum maps, derived: of cotangent lifts, of linear symplectic actions | [`MomentumMap`], [`QuadraticMomentumMap`] |
 //! | fibres of M: symmetry and sections | [`FibreSymmetry`], [`Lift`] |
-//! | H = h∘M and its vector field | [`CollectiveHamiltonian`] |
+//! | products and powers of maps | [`ProductMap`], [`PowerMap`] |
+//! | H = h∘M and its vector field, Noether's quantities | [`CollectiveHamiltonian`], [`NoetherQuantity`] |
+//! | so(3)* and sl(2, R)* from R⁴, u(N)* from C^N, se(3)* from T*R³ | [`HOPF`], [`Sl2Realisation`], [`unitary_realisation`], [`PARTICLE`] |
+//! | the laws as residuals (feature `laws`) | `laws` |
 
+mod symplectic;
 mod cotangent;
 mod action;
+mod actions;
 mod cotangent_lift;
 mod poisson_map;
 mod momentum_map;
+mod symplectic_representation;
 mod fibre;
+mod product_map;
 mod collective;
+mod noether;
+mod hopf;
+mod realisations;
+
+#[cfg(feature = "laws")]
+pub mod laws;
 
 pub use action::{ActingElement, ActionPoint, Generator, GroupAction, Side};
+pub use actions::{
+    AffineAction, JointAction, LinearAction, Opposite, ProductAction, RepresentationSpace,
+};
 pub use collective::CollectiveHamiltonian;
 pub use cotangent::{Cotangent, CotangentBundle};
 pub use cotangent_lift::CotangentLift;
 pub use fibre::{FibreSymmetry, Lift, LiftError};
+pub use hopf::{hopf_map, hopf_pull_back, hopf_section, pauli};
 pub use momentum_map::MomentumMap;
-pub use poisson_map::{Composition, PoissonMap, SourcePoint, TargetDifferential, TargetPoint};
+pub use noether::NoetherQuantity;
+pub use poisson_map::{
+    Composition, Identity, PoissonMap, SourcePoint, TargetDifferential, TargetPoint,
+};
+pub use product_map::{PowerMap, ProductMap};
+pub use realisations::{
+    HOPF, HopfRealisation, PARTICLE, ParticleRealisation, PlaneForm, Sl2Realisation,
+    UnitaryRealisation, unitary_realisation,
+};
+pub use symplectic::{SymplecticComplexSpace, SymplecticSpace};
+pub use symplectic_representation::{
+    QuadraticMomentumMap, Reversed, So3OnC2, Symplectic, SymplecticRepresentation,
+};
 
 pub use lie_poisson;

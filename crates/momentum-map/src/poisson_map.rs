@@ -119,3 +119,34 @@ where
         self.inner.generator::<T>(&middle, z)
     }
 }
+
+/// The identity of P.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+pub struct Identity<P>(pub P);
+
+impl<P: PoissonSpace> PoissonMap for Identity<P> {
+    type Source = P;
+    type Target = P;
+
+    fn source(&self) -> P {
+        self.0.clone()
+    }
+
+    fn target(&self) -> P {
+        self.0.clone()
+    }
+
+    #[inline]
+    fn apply<T: Real>(&self, z: &Point<P, T>) -> Point<P, T> {
+        *z
+    }
+
+    #[inline]
+    fn pull_back<T: Real>(
+        &self,
+        alpha: &Differential<P, T>,
+        _: &Point<P, T>,
+    ) -> Differential<P, T> {
+        *alpha
+    }
+}

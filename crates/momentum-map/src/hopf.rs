@@ -10,7 +10,7 @@ use num_complex::Complex;
 /// e^{iθ}α as fibres, and is even: ϖ₂(−α) = ϖ₂(α). Source: Ohsawa 2019, eq. (3.1b).
 ///
 /// ```
-/// use heavytop::hopf_map;
+/// use momentum_map::hopf_map;
 /// use nalgebra::{Vector2, Vector3};
 /// use num_complex::Complex;
 /// let north = Vector2::new(Complex::new(0.6, 0.8), Complex::new(0.0, 0.0));
@@ -34,12 +34,12 @@ pub fn hopf_pull_back<T: Real>(
     gamma: &Vector3<T>,
     alpha: &Vector2<Complex<T>>,
 ) -> Vector2<Complex<T>> {
-    sigma(&(gamma + gamma), alpha)
+    pauli(&(gamma + gamma), alpha)
 }
 
-/// (v·σ) χ with the Pauli matrices σ.
+/// (v·σ) χ with the Pauli matrices σ = (σ₁, σ₂, σ₃).
 #[inline]
-pub(crate) fn sigma<T: Real>(v: &Vector3<T>, chi: &Vector2<Complex<T>>) -> Vector2<Complex<T>> {
+pub fn pauli<T: Real>(v: &Vector3<T>, chi: &Vector2<Complex<T>>) -> Vector2<Complex<T>> {
     let (a, b) = (chi.x, chi.y);
     Vector2::new(
         Complex {
@@ -53,12 +53,20 @@ pub(crate) fn sigma<T: Real>(v: &Vector3<T>, chi: &Vector2<Complex<T>>) -> Vecto
     )
 }
 
-/// A point ψ of the Hopf fibre over Γ ≠ 0: ϖ₂(ψ) = Γ, ‖ψ‖² = |Γ|.
+/// A point ψ of the Hopf fibre over Γ: ϖ₂(ψ) = Γ, ‖ψ‖² = |Γ|. Not finite for Γ = 0.
 ///
 /// Two charts, ψ₁ > 0 on the upper half space and ψ₂ > 0 on the lower, so that no direction of Γ
 /// is singular.
+///
+/// ```
+/// use momentum_map::{hopf_map, hopf_section};
+/// use nalgebra::Vector3;
+/// for gamma in [Vector3::z(), -Vector3::z(), Vector3::new(0.6, 0.0, -0.8)] {
+///     assert!((hopf_map(&hopf_section(&gamma)) - gamma).norm() < 1e-15);
+/// }
+/// ```
 #[inline]
-pub(crate) fn hopf_section<T: Real>(gamma: &Vector3<T>) -> Vector2<Complex<T>> {
+pub fn hopf_section<T: Real>(gamma: &Vector3<T>) -> Vector2<Complex<T>> {
     let size = gamma.dot(gamma).sqrt();
     let large = ((size + gamma.z.select_nonnegative(gamma.z, -gamma.z)) * 0.5).sqrt();
     let small = |im: T| Complex { re: gamma.x / (large + large), im: im / (large + large) };

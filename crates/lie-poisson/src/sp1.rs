@@ -1,0 +1,99 @@
+//! Sp(1): unit quaternions.
+
+use crate::{
+    Covector, GroupRepresentation, LieGroup, Power, Quaternion, Real, Representation, Su2, Vector,
+    VectorSpace,
+};
+use core::array::from_fn;
+use nalgebra::Vector3;
+
+/// H^N as a real vector space of dimension 4N, with ⟨p, q⟩ = Re Σ p̄q.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+pub struct QuaternionSpace<const N: usize>;
+
+impl<const N: usize> VectorSpace for QuaternionSpace<N> {
+    type Point<T: Real> = Power<Quaternion<T>, N>;
+}
+
+/// The group Sp(1) ≅ SU(2) of unit quaternions; its Lie algebra su(2) ≅ R³ sits in H as ξ ↦ ½ξ,
+/// so that the bracket is the cross product.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+pub struct SP1;
+
+impl LieGroup for SP1 {
+    type Algebra = Su2;
+    type Element<T: Real> = Quaternion<T>;
+
+    fn algebra(&self) -> Su2 {
+        Su2
+    }
+
+    #[inline]
+    fn identity<T: Real>(&self) -> Quaternion<T> {
+        Quaternion::one()
+    }
+
+    #[inline]
+    fn compose<T: Real>(&self, g: &Quaternion<T>, h: &Quaternion<T>) -> Quaternion<T> {
+        *g * *h
+    }
+
+    #[inline]
+    fn inverse<T: Real>(&self, g: &Quaternion<T>) -> Quaternion<T> {
+        g.conjugate()
+    }
+
+    /// cos(|ξ|/2) + sin(|ξ|/2) ξ/|ξ|
+    #[inline]
+    fn exp<T: Real>(&self, xi: &Vector3<T>) -> Quaternion<T> {
+        let x = xi.dot(xi) * 0.25;
+        Quaternion { scalar: x.stumpff(0), vector: xi * (x.stumpff(1) * 0.5) }
+    }
+
+    /// q ξ q̄
+    #[inline]
+    fn adjoint<T: Real>(&self, g: &Quaternion<T>, xi: &Vector3<T>) -> Vector3<T> {
+        g.sandwich(xi)
+    }
+
+    #[inline]
+    fn coadjoint<T: Real>(
+        &self,
+        g: &Quaternion<T>,
+        mu: &Covector<Vector3<T>>,
+    ) -> Covector<Vector3<T>> {
+        Covector(g.conjugate().sandwich(&mu.0))
+    }
+}
+
+/// Sp(1) on H^N by multiplication from the left: ξ v = ½ξ v.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+pub struct SP1OnQuaternions<const N: usize>;
+
+impl<const N: usize> Representation for SP1OnQuaternions<N> {
+    type Algebra = Su2;
+    type Space<T: Real> = Power<Quaternion<T>, N>;
+
+    fn algebra(&self) -> Su2 {
+        Su2
+    }
+
+    #[inline]
+    fn act<T: Real>(&self, xi: &Vector3<T>, v: &Self::Space<T>) -> Self::Space<T> {
+        let half = Quaternion { scalar: T::zero(), vector: xi.scaled(T::from_f64(0.5)) };
+        Power(from_fn(|n| half * v.0[n]))
+    }
+}
+
+impl<const N: usize> GroupRepresentation for SP1OnQuaternions<N> {
+    type Group = SP1;
+
+    fn group(&self) -> SP1 {
+        SP1
+    }
+
+    #[inline]
+    fn transform<T: Real>(&self, g: &Quaternion<T>, v: &Self::Space<T>) -> Self::Space<T> {
+        Power(from_fn(|n| *g * v.0[n]))
+    }
+}

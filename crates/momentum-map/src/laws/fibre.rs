@@ -1,0 +1,71 @@
+use super::{NoSamples, Report, regimes};
+use crate::{FibreSymmetry, Lift, SourcePoint, TargetPoint};
+use lie_poisson::{
+    DualNumber, PoissonSpace, Vector, derivative_part, differential, map_coordinates,
+};
+
+/// The laws of a fibre symmetry on samples of points and of parameters s:
+///
+/// * `invariance` M ∘ flow = M, and `one-parameter group`;
+/// * `commuting flows`;
+/// * `momentum`: its Hamiltonian vector field generates the flow.
+///
+/// # Errors
+/// If there are no samples of one kind.
+pub fn fibre_symmetry<M: FibreSymmetry>(
+    map: &M,
+    points: &[SourcePoint<M>],
+    parameters: &[f64],
+) -> Result<Report, NoSamples> {
+    if parameters.is_empty() {
+        return Err(NoSamples { what: "parameters" });
+    }
+    let mut report = Report::default();
+    for z in regimes("points", points)? {
+        let mu = map.apply::<f64>(&z);
+        for index in 0..M::COUNT {
+            generates(map, index, &z, &mut report);
+            for &s in parameters {
+                let moved = map.flow::<f64>(index, s, &z);
+                let scale = 1e-300 + z.max_abs().max(moved.max_abs()).powi(2);
+                let image = map.apply::<f64>(&moved);
+                report.note("invariance", (image - mu).max_abs(), scale);
+                let twice = map.flow::<f64>(index, s, &moved);
+                let at_once = map.flow::<f64>(index, 2.0 * s, &z);
+                let size = 1e-300 + twice.max_abs().max(z.max_abs());
+                report.note("one-parameter group", (twice - at_once).max_abs(), size);
+                for other in 0..index {
+                    let one = map.flow::<f64>(other, s, &moved);
+                    let two = map.flow::<f64>(index, s, &map.flow::<f64>(other, s, &z));
+                    let size = 1e-300 + one.max_abs().max(z.max_abs());
+                    report.note("commuting flows", (one - two).max_abs(), size);
+                }
+            }
+        }
+    }
+    Ok(report)
+}
+
+fn generates<M: FibreSymmetry>(map: &M, index: usize, z: &SourcePoint<M>, report: &mut Report) {
+    let dj = differential(|z: &SourcePoint<M, DualNumber>| map.momentum::<DualNumber>(index, z), z);
+    let vector = map.source().hamiltonian_vector::<f64>(z, &dj);
+    let constant = map_coordinates(z, DualNumber::constant);
+    let along = map.flow::<DualNumber>(index, DualNumber::variable(0.0), &constant);
+    let velocity: SourcePoint<M> = derivative_part(&along);
+    report.note("momentum", (velocity - vector).max_abs(), z.max_abs().max(1e-300));
+}
+
+/// `section`: M(lift μ) = μ on samples of momenta of the image; the regime at 0 is left out, since
+/// fibres degenerate there. A momentum without lift gives a residual of NaN.
+///
+/// # Errors
+/// If there are no samples.
+pub fn lift<M: Lift>(map: &M, samples: &[TargetPoint<M>]) -> Result<Report, NoSamples> {
+    let mut report = Report::default();
+    for mu in regimes("momenta", samples)?.into_iter().filter(|mu| mu.max_abs() != 0.0) {
+        let residual =
+            map.lift::<f64>(&mu).map_or(f64::NAN, |z| (map.apply::<f64>(&z) - mu).max_abs());
+        report.note("section", residual, mu.max_abs());
+    }
+    Ok(report)
+}

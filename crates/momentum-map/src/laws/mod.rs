@@ -1,0 +1,29 @@
+//! The laws of actions, momentum maps, Poisson maps, fibres and lifts, as residuals (feature
+//! `laws`).
+//!
+//! As in [`lie_poisson::laws`]: each suite needs samples, covers three regimes of them, and
+//! returns a [`Report`] of relative residuals.
+//!
+//! # Example
+//! ```
+//! use momentum_map::{HOPF, laws};
+//! use nalgebra::Vector2;
+//! use num_complex::Complex;
+//! let c = Complex::new;
+//! let samples = [
+//!     Vector2::new(c(1.0, 2.0), c(0.5, -1.0)),
+//!     Vector2::new(c(-0.3, 0.1), c(2.0, 0.7)),
+//! ];
+//! laws::poisson_map(&HOPF, &samples)?.check(1e-13)?;
+//! laws::fibre_symmetry(&HOPF, &samples, &[0.3, 2.0])?.check(1e-13)?;
+//! # Ok::<(), Box<dyn std::error::Error>>(())
+//! ```
+
+mod action;
+mod fibre;
+mod poisson_map;
+
+pub use action::{cotangent_lift, equivariance, group_action};
+pub use fibre::{fibre_symmetry, lift};
+pub use lie_poisson::laws::{BrokenLaw, NoSamples, Report, regimes};
+pub use poisson_map::{poisson_map, symplectic_space};

@@ -1,0 +1,72 @@
+//! so(3)* from C² by the Hopf map.
+
+use crate::{
+    FibreSymmetry, Lift, LiftError, QuadraticMomentumMap, Side, So3OnC2, SourcePoint, TargetPoint,
+    hopf_section,
+};
+use lie_poisson::{Real, Vector};
+use nalgebra::Vector2;
+use num_complex::Complex;
+
+/// The momentum map of SU(2) on C² = {z = q + ip} with dq ∧ dp, as a map to so(3)* ≅ su(2)*:
+///
+/// ```text
+/// J(z) = ∓¼ (2 Re z̄₁z₂, 2 Im z̄₁z₂, |z₁|² − |z₂|²),    |J(z)| = ¼ ‖z‖²
+/// ż = ±(i/2)(Ω·σ) z    for Ω = dh(Π)
+/// ```
+///
+/// Upper signs for the right action z ↦ U*z, to the minus bracket ([`HOPF`]); lower signs for the
+/// left one. The fibres are the circles e^{is}z, with momentum −½‖z‖².
+///
+/// Source: McLachlan, Modin & Verdier, *Collective Lie–Poisson integrators on R³*, IMA J. Numer.
+/// Anal. 35 (2015), §2.
+///
+/// # Example
+/// ```
+/// use lie_poisson::Covector;
+/// use momentum_map::{HOPF, Lift, PoissonMap};
+/// use nalgebra::Vector3;
+/// let pi = Covector(Vector3::new(0.3, 0.4, -1.2));
+/// let z = HOPF.lift(&pi)?;
+/// assert!((HOPF.apply(&z) - pi).0.norm() < 1e-15);
+/// assert!((z.norm_squared() / 4.0 - 1.3).abs() < 1e-15);
+/// # Ok::<(), momentum_map::LiftError>(())
+/// ```
+pub type HopfRealisation = QuadraticMomentumMap<So3OnC2>;
+
+/// The Hopf realisation of so(3)* with the minus bracket.
+pub const HOPF: HopfRealisation = QuadraticMomentumMap::new(So3OnC2, Side::Right);
+
+impl Lift for HopfRealisation {
+    /// A section of the Hopf fibration with two charts.
+    ///
+    /// # Errors
+    /// If Π = 0, where the fibre degenerates to a point, or Π is not finite.
+    fn lift<T: Real>(&self, mu: &TargetPoint<Self, T>) -> Result<SourcePoint<Self, T>, LiftError> {
+        let scale = match self.side() {
+            Side::Left => 4.0,
+            Side::Right => -4.0,
+        };
+        let z = hopf_section(&(mu.0 * T::from_f64(scale)));
+        LiftError::unless_finite(z, "Π", mu.max_abs(), "Π must be finite and different from 0")
+    }
+}
+
+impl FibreSymmetry for HopfRealisation {
+    const COUNT: usize = 1;
+
+    /// e^{is} z
+    fn flow<T: Real>(&self, index: usize, s: T, z: &Vector2<Complex<T>>) -> Vector2<Complex<T>> {
+        if index > 0 {
+            return *z;
+        }
+        let square = s * s;
+        let phase = Complex { re: square.stumpff(0), im: s * square.stumpff(1) };
+        z.map(|z| z * phase)
+    }
+
+    /// −½‖z‖²
+    fn momentum<T: Real>(&self, index: usize, z: &Vector2<Complex<T>>) -> T {
+        if index > 0 { T::zero() } else { (z.x.norm_sqr() + z.y.norm_sqr()) * -0.5 }
+    }
+}

@@ -1,0 +1,12 @@
+//! Realisations of duals of Lie algebras: Poisson maps from symplectic spaces, with their lifts
+//! and the symmetries of their fibres.
+
+mod hopf;
+mod particle;
+mod sl2;
+mod unitary;
+
+pub use hopf::{HOPF, HopfRealisation};
+pub use particle::{PARTICLE, ParticleRealisation};
+pub use sl2::{PlaneForm, Sl2Realisation};
+pub use unitary::{UnitaryRealisation, unitary_realisation};

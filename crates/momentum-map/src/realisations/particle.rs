@@ -1,0 +1,67 @@
+//! se(3)* from T*R³, which does not reach all of it.
+
+use crate::{
+    AffineAction, Cotangent, FibreSymmetry, Lift, LiftError, MomentumMap, Opposite, SourcePoint,
+    TargetPoint,
+};
+use lie_poisson::{Covector, Pair, Real, SO3OnR3, Vector};
+
+/// The momentum map of the right action q ↦ Rᵀ(q − a) of SE(3) on R³, lifted to T*R³:
+///
+/// ```text
+/// M̃(q, p) = −(q × p, p),    so that Π ⊥ Γ
+/// ```
+///
+/// The image is only the level Π·Γ = 0, which rules it out for the heavy top. Its fibres are the
+/// lines q + sp, with momentum ½|p|².
+///
+/// Source: Ohsawa 2019, Remark 2.1.
+///
+/// # Example
+/// ```
+/// use lie_poisson::Se3Dual;
+/// use momentum_map::{Lift, PARTICLE};
+/// use nalgebra::Vector3;
+/// // the top spinning upright has no lift
+/// assert!(PARTICLE.lift::<f64>(&Se3Dual::new(Vector3::z(), Vector3::z())).is_err());
+/// assert!(PARTICLE.lift::<f64>(&Se3Dual::new(Vector3::x(), Vector3::z())).is_ok());
+/// ```
+pub type ParticleRealisation = MomentumMap<Opposite<AffineAction<SO3OnR3>>>;
+
+/// The realisation of the level Π·Γ = 0 of se(3)* with the minus bracket.
+pub const PARTICLE: ParticleRealisation = MomentumMap(Opposite(AffineAction(SO3OnR3)));
+
+/// How far from a right angle Π and Γ may be.
+const RIGHT_ANGLE_TOLERANCE: f64 = 1e-12;
+
+impl Lift for ParticleRealisation {
+    /// (q, p) = (Γ × Π/|Γ|², −Γ), the point of the fibre next to the origin.
+    ///
+    /// # Errors
+    /// Unless Π ⊥ Γ to within 10⁻¹² and Γ ≠ 0, and both are finite.
+    fn lift<T: Real>(&self, mu: &TargetPoint<Self, T>) -> Result<SourcePoint<Self, T>, LiftError> {
+        let Covector(Pair(pi, gamma)) = mu;
+        let angle = pi.dot(gamma).max_abs();
+        if angle > RIGHT_ANGLE_TOLERANCE * pi.max_abs() * gamma.max_abs() {
+            let reason = "Π and Γ must be perpendicular";
+            return Err(LiftError { quantity: "Π·Γ", value: angle, reason });
+        }
+        let q = gamma.cross(pi) / gamma.dot(gamma);
+        let reason = "Γ must be different from 0, and Π and Γ finite";
+        LiftError::unless_finite(Cotangent::new(q, Covector(-gamma)), "Γ", gamma.max_abs(), reason)
+    }
+}
+
+impl FibreSymmetry for ParticleRealisation {
+    const COUNT: usize = 1;
+
+    /// (q + sp, p)
+    fn flow<T: Real>(&self, index: usize, s: T, z: &SourcePoint<Self, T>) -> SourcePoint<Self, T> {
+        if index > 0 { *z } else { Cotangent { q: z.q + z.p.0 * s, ..*z } }
+    }
+
+    /// ½|p|²
+    fn momentum<T: Real>(&self, index: usize, z: &SourcePoint<Self, T>) -> T {
+        if index > 0 { T::zero() } else { z.p.0.dot(&z.p.0) * 0.5 }
+    }
+}

@@ -1,0 +1,116 @@
+//! sl(2, R)* ≅ so(2, 1)* from R⁴.
+
+use crate::{
+    FibreSymmetry, Lift, LiftError, QuadraticMomentumMap, Reversed, Side, SourcePoint,
+    SymplecticRepresentation, TargetPoint,
+};
+use lie_poisson::{Pair, Real, SL2OnR2, Sl2, Sum, Vector, map_coordinates};
+use nalgebra::Vector2;
+
+/// SL(2, R) on R² with the form ±(dq ∧ dp).
+pub trait PlaneForm: SymplecticRepresentation<Algebra = Sl2> {
+    /// The sign of the form.
+    const SIGN: f64;
+}
+
+impl PlaneForm for SL2OnR2 {
+    const SIGN: f64 = 1.0;
+}
+
+impl PlaneForm for Reversed<SL2OnR2> {
+    const SIGN: f64 = -1.0;
+}
+
+/// The momentum map of SL(2, R) on two copies of R², with the forms s₁Ω and s₂Ω:
+///
+/// ```text
+/// J(z₁, z₂) = ± Σ_a s_a (q_a p_a, ½p_a², −½q_a²),    z_a = (q_a, p_a)
+/// ```
+///
+/// upper sign for the left action. In terms of the symmetric matrix S = ±[−2J₃ J₁; J₁ 2J₂] it is
+/// S = s₁ z₁z₁ᵀ + s₂ z₂z₂ᵀ, and −det S/4 is the Casimir. Equal forms (`Sum<SL2OnR2, SL2OnR2>`, or
+/// both [`Reversed`]) reach one sheet of the elliptic orbits each, opposite forms
+/// (`Sum<SL2OnR2, Reversed<SL2OnR2>>`) the hyperbolic ones. The fibres are the orbits of SO(2) and
+/// of SO(1, 1).
+///
+/// Source: the dual pairs (Sp(2, R), O(2)) and (Sp(2, R), O(1, 1)), R. Howe, *Remarks on classical
+/// invariant theory*, Trans. AMS 313 (1989).
+///
+/// # Example
+/// ```
+/// use lie_poisson::{Casimirs, Covector, SL2OnR2, Sl2, Sum};
+/// use momentum_map::{Lift, PoissonMap, QuadraticMomentumMap, Reversed, Side};
+/// use nalgebra::Vector3;
+/// let hyperbolic = Covector(Vector3::new(1.0, 2.0, 3.0));
+/// assert!(Sl2.casimir(0, &hyperbolic) > 0.0);
+/// let map = QuadraticMomentumMap::new(Sum(SL2OnR2, Reversed(SL2OnR2)), Side::Right);
+/// assert!((map.apply(&map.lift(&hyperbolic)?) - hyperbolic).0.norm() < 1e-14);
+/// // the definite form does not reach it
+/// let map = QuadraticMomentumMap::new(Sum(SL2OnR2, SL2OnR2), Side::Right);
+/// assert!(map.lift(&hyperbolic).is_err());
+/// # Ok::<(), momentum_map::LiftError>(())
+/// ```
+pub type Sl2Realisation<R, S> = QuadraticMomentumMap<Sum<R, S>>;
+
+impl<R: PlaneForm, S: PlaneForm> Lift for Sl2Realisation<R, S> {
+    /// z₁ and z₂ along the eigenvectors of S.
+    ///
+    /// # Errors
+    /// If the eigenvalues of S do not have the signs s₁ and s₂, or μ is not finite.
+    fn lift<T: Real>(&self, mu: &TargetPoint<Self, T>) -> Result<SourcePoint<Self, T>, LiftError> {
+        let sign = T::from_f64(match self.side() {
+            Side::Left => 1.0,
+            Side::Right => -1.0,
+        });
+        let j = mu.0 * sign;
+        let (mean, half_difference) = (j.y - j.z, -(j.y + j.z));
+        let radius = (half_difference * half_difference + j.x * j.x).sqrt();
+        let axis = half_angle(half_difference, j.x, radius);
+        let first = ((mean + radius) * R::SIGN).sqrt();
+        let second = ((mean - radius) * S::SIGN).sqrt();
+        let z: Pair<Vector2<T>, Vector2<T>> =
+            Pair(axis * first, Vector2::new(-axis.y, axis.x) * second);
+        let z: SourcePoint<Self, T> =
+            Pair(map_coordinates(&z.0, |x| x), map_coordinates(&z.1, |x| x));
+        let reason = "the orbit is not of the kind of this realisation, or μ is not finite";
+        LiftError::unless_finite(z, "μ", mu.max_abs(), reason)
+    }
+}
+
+/// (cos φ, sin φ) of an angle with (cos 2φ, sin 2φ) = (x, y)/r; φ = 0 for r = 0.
+fn half_angle<T: Real>(x: T, y: T, r: T) -> Vector2<T> {
+    let size = x.select_nonnegative(x, -x);
+    let large = ((r + size) / (r + r)).sqrt();
+    let small = y / ((r + r) * large);
+    let (cosine, sine) = (x.select_nonnegative(large, small), x.select_nonnegative(small, large));
+    // r ≥ 0, so −r ≥ 0 says that r = 0.
+    Vector2::new(
+        (-r).select_nonnegative(T::one(), cosine),
+        (-r).select_nonnegative(T::zero(), sine),
+    )
+}
+
+impl<R: PlaneForm, S: PlaneForm> FibreSymmetry for Sl2Realisation<R, S> {
+    const COUNT: usize = 1;
+
+    /// (z₁, z₂) ↦ (c₀ z₁ + s c₁ z₂, c₀ z₂ − s₁s₂ s c₁ z₁), Stumpff functions of s₁s₂s²: circular
+    /// for equal forms, hyperbolic for opposite ones.
+    fn flow<T: Real>(&self, index: usize, s: T, z: &SourcePoint<Self, T>) -> SourcePoint<Self, T> {
+        if index > 0 {
+            return *z;
+        }
+        let signs = R::SIGN * S::SIGN;
+        let x = s * s * signs;
+        let (cosine, sine) = (x.stumpff(0), s * x.stumpff(1));
+        let (first, second): (Vector2<T>, Vector2<T>) =
+            (map_coordinates(&z.0, |x| x), map_coordinates(&z.1, |x| x));
+        let turned = (first * cosine + second * sine, second * cosine - first * (sine * signs));
+        Pair(map_coordinates(&turned.0, |x| x), map_coordinates(&turned.1, |x| x))
+    }
+
+    /// s₁ Ω(z₂, z₁), the area that the two vectors span.
+    fn momentum<T: Real>(&self, index: usize, z: &SourcePoint<Self, T>) -> T {
+        let area = z.1.coordinate(0) * z.0.coordinate(1) - z.1.coordinate(1) * z.0.coordinate(0);
+        if index > 0 { T::zero() } else { area * R::SIGN }
+    }
+}

@@ -1,0 +1,97 @@
+//! u(N)* from C^N by outer products.
+
+use crate::{
+    FibreSymmetry, Lift, LiftError, PoissonMap, QuadraticMomentumMap, Side, SourcePoint,
+    TargetPoint,
+};
+use lie_poisson::{Real, UnitaryAlgebra, UnitaryOnComplexSpace, Vector};
+use nalgebra::SVector;
+use num_complex::Complex;
+
+/// The momentum map of U(N) on C^N with Ω(u, v) = Im(u*v): in terms of the Hermitian matrix H of
+/// a momentum ([`UnitaryAlgebra::hermitian`]),
+///
+/// ```text
+/// J(z): H = ±½ z z*,    ż = −ξz (right action, upper sign, minus bracket) or ξz (left)
+/// ```
+///
+/// Its image is the matrices of rank one: coherent states of SU(N), the spins of generalised spin
+/// dynamics.
+///
+/// Source: H. Zhang & C. D. Batista, *Classical spin dynamics based on SU(N) coherent states*,
+/// Phys. Rev. B 104 (2021) 104409; D. Dahlbom et al., *Geometric integration of classical spin
+/// dynamics via a mean-field Schrödinger equation*, Phys. Rev. B 106 (2022) 054423.
+///
+/// # Example
+/// ```
+/// use lie_poisson::UnitaryAlgebra;
+/// use momentum_map::{PoissonMap, unitary_realisation};
+/// use nalgebra::Vector3;
+/// use num_complex::Complex;
+/// let c = Complex::new;
+/// let z = Vector3::new(c(1.0, 2.0), c(0.0, -1.0), c(0.5, 0.0));
+/// let h = UnitaryAlgebra.hermitian(&unitary_realisation::<3>().apply(&z));
+/// assert!((h - z * z.adjoint() * c(0.5, 0.0)).norm() < 1e-15);
+/// ```
+pub type UnitaryRealisation<const N: usize> = QuadraticMomentumMap<UnitaryOnComplexSpace<N>>;
+
+/// The realisation of u(N)* with the minus bracket.
+#[must_use]
+pub const fn unitary_realisation<const N: usize>() -> UnitaryRealisation<N> {
+    QuadraticMomentumMap::new(UnitaryOnComplexSpace, Side::Right)
+}
+
+/// How far, relative to its size, H may be from ±½ z z*.
+const RANK_ONE_TOLERANCE: f64 = 1e-10;
+
+impl<const N: usize> Lift for UnitaryRealisation<N> {
+    /// z from the column of H with the largest diagonal entry.
+    ///
+    /// # Errors
+    /// If ±H is not positive semi-definite of rank one, or not finite.
+    fn lift<T: Real>(&self, mu: &TargetPoint<Self, T>) -> Result<SourcePoint<Self, T>, LiftError> {
+        let sign = match self.side() {
+            Side::Left => -2.0,
+            Side::Right => 2.0,
+        };
+        let twice = UnitaryAlgebra.hermitian(mu).map(|z| z.scale(T::from_f64(sign)));
+        let mut column: SVector<Complex<T>, N> = twice.column(0).into();
+        let mut largest = twice[(0, 0)].re;
+        for k in 1..N {
+            let better = twice[(k, k)].re - largest;
+            largest = better.select_nonnegative(twice[(k, k)].re, largest);
+            column = column.zip_map(&twice.column(k), |old, new| Complex {
+                re: better.select_nonnegative(new.re, old.re),
+                im: better.select_nonnegative(new.im, old.im),
+            });
+        }
+        let z = column.map(|z| z.unscale(largest.sqrt()));
+        let residual = (self.apply::<T>(&z) - *mu).max_abs() / mu.max_abs();
+        if residual <= RANK_ONE_TOLERANCE {
+            Ok(z)
+        } else {
+            let reason = "the Hermitian matrix must be finite, definite and of rank one";
+            Err(LiftError { quantity: "H ∓ ½zz*", value: residual, reason })
+        }
+    }
+}
+
+impl<const N: usize> FibreSymmetry for UnitaryRealisation<N> {
+    const COUNT: usize = 1;
+
+    /// e^{is} z
+    fn flow<T: Real>(&self, index: usize, s: T, z: &SourcePoint<Self, T>) -> SourcePoint<Self, T> {
+        if index > 0 {
+            return *z;
+        }
+        let square = s * s;
+        let phase = Complex { re: square.stumpff(0), im: s * square.stumpff(1) };
+        z.map(|z| z * phase)
+    }
+
+    /// −½‖z‖²
+    fn momentum<T: Real>(&self, index: usize, z: &SourcePoint<Self, T>) -> T {
+        let norm = z.iter().fold(T::zero(), |sum, z| sum + z.norm_sqr());
+        if index > 0 { T::zero() } else { norm * -0.5 }
+    }
+}

@@ -1,0 +1,56 @@
+//! Symplectic vector spaces.
+
+use lie_poisson::{Covector, Differential, Point, PoissonSpace, Real, Vector, VectorSpace};
+use nalgebra::SVector;
+use num_complex::Complex;
+
+/// A Poisson space whose tensor is constant and invertible: a symplectic vector space (P, Ω).
+///
+/// ```text
+/// i_X Ω = dH for X = X_H,    {F, H} = Ω(X_F, X_H)
+/// ```
+///
+/// Source: Marsden & Ratiu, *Introduction to Mechanics and Symmetry*, 2nd ed., §2.2; Ohsawa 2019,
+/// eq. (4.3).
+pub trait SymplecticSpace: PoissonSpace {
+    /// Ω(u, v)
+    fn symplectic_form<T: Real>(&self, u: &Point<Self, T>, v: &Point<Self, T>) -> T;
+
+    /// The covector i_x Ω = Ω(x, ·): the inverse of
+    /// [`hamiltonian_vector`](PoissonSpace::hamiltonian_vector).
+    #[inline]
+    fn flat<T: Real>(&self, x: &Point<Self, T>) -> Differential<Self, T> {
+        Vector::from_coordinates(|i| self.symplectic_form::<T>(x, &Vector::basis(i)))
+    }
+}
+
+/// C^N with z = q + ip and Ω(u, v) = Im(u*v), that is dq ∧ dp; X_H = ∂H/∂p − i ∂H/∂q.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+pub struct SymplecticComplexSpace<const N: usize>;
+
+impl<const N: usize> VectorSpace for SymplecticComplexSpace<N> {
+    type Point<T: Real> = SVector<Complex<T>, N>;
+}
+
+impl<const N: usize> PoissonSpace for SymplecticComplexSpace<N> {
+    #[inline]
+    fn hamiltonian_vector<T: Real>(
+        &self,
+        _: &SVector<Complex<T>, N>,
+        dh: &Covector<SVector<Complex<T>, N>>,
+    ) -> SVector<Complex<T>, N> {
+        dh.0.map(|by| Complex { re: by.im, im: -by.re })
+    }
+}
+
+impl<const N: usize> SymplecticSpace for SymplecticComplexSpace<N> {
+    #[inline]
+    fn symplectic_form<T: Real>(
+        &self,
+        u: &SVector<Complex<T>, N>,
+        v: &SVector<Complex<T>, N>,
+    ) -> T {
+        let terms = u.iter().zip(v.iter());
+        terms.fold(T::zero(), |sum, (u, v)| sum + u.re * v.im - u.im * v.re)
+    }
+}
