@@ -42,6 +42,23 @@ pub enum TopError {
         /// The remaining moment.
         second: f64,
     },
+    /// A matrix is not symmetric.
+    #[error("{name} must be symmetric, it differs from its transpose by {defect:e}")]
+    NotSymmetric {
+        /// The matrix.
+        name: &'static str,
+        /// The largest difference.
+        defect: f64,
+    },
+    /// A number is zero.
+    #[error("{name} must not be zero")]
+    Zero {
+        /// The parameter.
+        name: &'static str,
+    },
+    /// The closed form asked for is that of another top.
+    #[error("the top must be Lagrange's: I₁ = I₂, centre of mass on +e₃, gravity at work")]
+    NotLagrange,
     /// A direction is not a unit vector.
     #[error("{name} must be a unit vector to within {tolerance:e}, its length is {length}")]
     NotUnit {
@@ -79,11 +96,10 @@ pub(crate) fn require_positive(name: &'static str, value: f64) -> Result<(), Top
 }
 
 pub(crate) fn require_not_negative(name: &'static str, value: f64) -> Result<(), TopError> {
-    if !value.is_finite() {
-        Err(TopError::NotFinite { name, value })
-    } else if value < 0.0 {
-        Err(TopError::Negative { name, value })
-    } else {
-        Ok(())
-    }
+    require_finite(name, value)?;
+    if value < 0.0 { Err(TopError::Negative { name, value }) } else { Ok(()) }
+}
+
+pub(crate) fn require_finite(name: &'static str, value: f64) -> Result<(), TopError> {
+    if value.is_finite() { Ok(()) } else { Err(TopError::NotFinite { name, value }) }
 }

@@ -10,7 +10,9 @@
 //! | M = ϖ∘L: T*C² → se(3)*, its lifts and fibres | [`SpinorRealisation`] |
 //! | the heavy top: general, free, Lagrange, Kovalevskaya, Goryachev–Chaplygin | [`HeavyTop`], [`Body`], [`RigidBody`] |
 //! | h, f₁, f₂, f₃, K, G | [`Invariant`] |
-//! | closed forms | [`jacobi_elliptic`] |
+//! | other systems on se(3)*: gyrostat, body in a fluid | [`Gyrostat`], [`Kirchhoff`] |
+//! | systems on (so(3)*)ᴺ: vortices, spins, spins on a lattice | [`PointVortices`], [`HeisenbergChain`], [`SpinLattice`] |
+//! | closed forms: Euler's and Lagrange's tops | [`EulerSolution`], [`LagrangeNutation`], [`jacobi_elliptic`] |
 //!
 //! # Example
 //! The paper's experiment, over 200 steps:
@@ -39,14 +41,30 @@ mod varpi;
 mod spinor_realisation;
 mod top;
 mod rigid_body;
+mod gyrostat;
+mod kirchhoff;
+mod point_vortices;
+mod spin_chain;
+mod spin_lattice;
 mod invariants;
 mod elliptic;
+mod euler_top;
+mod lagrange_nutation;
 
 pub use elliptic::jacobi_elliptic;
 pub use error::{TopError, UNIT_TOLERANCE, require_unit};
+pub use euler_top::EulerSolution;
+pub use gyrostat::Gyrostat;
 pub use invariants::Invariant;
+pub use kirchhoff::Kirchhoff;
+pub use lagrange_nutation::LagrangeNutation;
+pub use point_vortices::{PointVortices, SpinSpace, Spins};
 pub use rigid_body::RigidBody;
-pub use spinor_motions::{SpinorAlgebra, SpinorGroup, SpinorMomentum, SpinorMotions};
+pub use spin_chain::HeisenbergChain;
+pub use spin_lattice::{SpinLattice, SpinLatticeSpace};
+pub use spinor_motions::{
+    SPINOR_MOTIONS, SpinorAlgebra, SpinorGroup, SpinorMomentum, SpinorMotions,
+};
 pub use spinor_realisation::{SpinorPoint, SpinorRealisation};
 pub use top::{Body, HeavyTop, HeavyTopSpace};
 pub use varpi::Varpi;

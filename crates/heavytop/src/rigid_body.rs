@@ -9,13 +9,20 @@ use nalgebra::Vector3;
 /// Units as for the [heavy top](HeavyTop), of which it is the case without gravity.
 ///
 /// # Example
+/// Collectively on C², by the Hopf map: the Casimir |Π|² is conserved to round-off.
 /// ```
+/// use collective_integrators::{Collective, RungeKutta, Start};
 /// use heavytop::RigidBody;
-/// use lie_poisson::{Covector, Hamiltonian};
+/// use lie_poisson::Covector;
+/// use momentum_map::HOPF;
 /// use nalgebra::Vector3;
 /// let body = RigidBody::new(Vector3::new(1.0, 2.0, 2.5))?;
-/// assert_eq!(body.value(&Covector(Vector3::new(1.0, 2.0, 0.0))), 1.5);
-/// # Ok::<(), heavytop::TopError>(())
+/// let midpoint = Collective::new(RungeKutta::implicit_midpoint(), HOPF, body);
+/// let pi = Covector(Vector3::new(0.3, 0.4, 1.2));
+/// for sample in midpoint.trajectory(&pi, 0.1)?.take(1000) {
+///     assert!((sample?.momentum.0.norm() - 1.3).abs() < 1e-13);
+/// }
+/// # Ok::<(), Box<dyn std::error::Error>>(())
 /// ```
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct RigidBody(HeavyTop);
@@ -27,6 +34,12 @@ impl RigidBody {
     /// Unless they are positive and obey the triangle inequality.
     pub fn new(inertia: Vector3<f64>) -> Result<Self, TopError> {
         HeavyTop::free_rigid_body(inertia).map(Self)
+    }
+
+    /// The principal moments I₁, I₂, I₃, kg m².
+    #[must_use]
+    pub fn inertia(&self) -> Vector3<f64> {
+        self.0.inertia()
     }
 }
 

@@ -1,9 +1,7 @@
 //! SU(2) ⋉ C² and its action on C².
 
-use lie_poisson::{
-    ComplexSpace, LieGroup, Pair, Real, SU2, SU2OnC2, SemidirectAlgebra, SemidirectGroup,
-};
-use momentum_map::{ActingElement, ActionPoint, GroupAction, MomentumMap, Side};
+use lie_poisson::{SU2OnC2, SemidirectAlgebra, SemidirectGroup};
+use momentum_map::{AffineAction, MomentumMap, Opposite};
 
 /// The group SU(2) ⋉ C², (U, ρ)·(W, ϑ) = (UW, Uϑ + ρ). Source: Ohsawa 2019, §2.2.
 pub type SpinorGroup = SemidirectGroup<SU2OnC2>;
@@ -21,7 +19,7 @@ pub type SpinorAlgebra = SemidirectAlgebra<SU2OnC2>;
 ///
 /// # Example
 /// ```
-/// use heavytop::SpinorMotions;
+/// use heavytop::SPINOR_MOTIONS;
 /// use lie_poisson::{Pair, Su2};
 /// use momentum_map::GroupAction;
 /// use nalgebra::{Vector2, Vector3};
@@ -29,34 +27,13 @@ pub type SpinorAlgebra = SemidirectAlgebra<SU2OnC2>;
 /// let c = Complex::new;
 /// let (xi, phi) = (Vector3::new(0.1, 0.2, 0.3), Vector2::new(c(1.0, 2.0), c(3.0, 4.0)));
 /// let chi = Vector2::new(c(0.5, 0.0), c(0.0, -1.0));
-/// let velocity = SpinorMotions.infinitesimal_generator(&Pair(xi, phi), &chi);
+/// let velocity = SPINOR_MOTIONS.infinitesimal_generator(&Pair(xi, phi), &chi);
 /// assert!((velocity + Su2.matrix(&xi) * chi + phi).norm() < 1e-15);
 /// ```
-#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
-pub struct SpinorMotions;
+pub type SpinorMotions = Opposite<AffineAction<SU2OnC2>>;
 
-impl GroupAction for SpinorMotions {
-    type Group = SpinorGroup;
-    type Space = ComplexSpace<2>;
-    const SIDE: Side = Side::Right;
-
-    fn group(&self) -> SpinorGroup {
-        SemidirectGroup(SU2OnC2)
-    }
-
-    fn space(&self) -> ComplexSpace<2> {
-        ComplexSpace
-    }
-
-    fn act<T: Real>(
-        &self,
-        g: &ActingElement<Self, T>,
-        chi: &ActionPoint<Self, T>,
-    ) -> ActionPoint<Self, T> {
-        let Pair(u, rho) = g;
-        SU2.inverse(u) * (chi - rho)
-    }
-}
+/// The action [`SpinorMotions`] as a value.
+pub const SPINOR_MOTIONS: SpinorMotions = Opposite(AffineAction(SU2OnC2));
 
 /// The momentum map L: T*C² → (su(2) ⋉ C²)* of the cotangent lift of [`SpinorMotions`], derived
 /// from the action:

@@ -1,0 +1,108 @@
+//! Point vortices on the sphere.
+
+use crate::error::{TopError, require_finite};
+use core::array::from_fn;
+use core::f64::consts::PI;
+use lie_poisson::{
+    Covector, Hamiltonian, LiePoisson, Momentum, Power, PowerAlgebra, Real, So3, Vector,
+};
+use nalgebra::Vector3;
+
+/// (so(3)*)ᴺ: N spins, or N vortices.
+pub type SpinSpace<const N: usize> = LiePoisson<PowerAlgebra<So3, N>>;
+
+/// A point of (so(3)*)ᴺ.
+pub type Spins<const N: usize, T = f64> = Momentum<PowerAlgebra<So3, N>, T>;
+
+/// N point vortices of strengths k_i at x_i on the unit sphere,
+///
+/// ```text
+/// ẋ_i = (1/4π) Σ_{j≠i} k_j (x_j × x_i)/(1 − x_i·x_j)
+/// ```
+///
+/// as a Lie–Poisson system on (so(3)*)ᴺ with the minus bracket, in terms of m_i = k_i x_i:
+///
+/// ```text
+/// h(m) = (1/4π) Σ_{i<j} k_i k_j ln(2 − 2 x_i·x_j)
+/// ```
+///
+/// (the negative of the usual energy, for the sign of the bracket). Conserved: h, |m_i|, and the
+/// moment of vorticity Σ m_i = Σ k_i x_i.
+///
+/// Source: V. A. Bogomolov, *Dynamics of vorticity at a sphere*, Fluid Dyn. 12 (1977); P. K.
+/// Newton, *The N-Vortex Problem* (2001), §4.2.
+///
+/// # Example
+/// ```
+/// use heavytop::PointVortices;
+/// use lie_poisson::{LiePoisson, PoissonSpace, PowerAlgebra, So3, Hamiltonian};
+/// use nalgebra::Vector3;
+/// // two equal vortices turn about the point between them
+/// let vortices = PointVortices::new([1.0, 1.0])?;
+/// let m = vortices.momentum(&[Vector3::x(), Vector3::y()]);
+/// let space = LiePoisson::minus(PowerAlgebra::<_, 2>(So3));
+/// let rate = space.hamiltonian_vector(&m, &vortices.differential(&m)).0.0;
+/// assert!((rate[0] + rate[1]).norm() < 1e-15); // Σ k_i x_i is conserved
+/// assert!((rate[0] + Vector3::z() / (4.0 * std::f64::consts::PI)).norm() < 1e-15);
+/// # Ok::<(), heavytop::TopError>(())
+/// ```
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct PointVortices<const N: usize> {
+    strengths: [f64; N],
+}
+
+impl<const N: usize> PointVortices<N> {
+    /// Vortices of the given strengths.
+    ///
+    /// # Errors
+    /// If a strength is zero or not finite.
+    pub fn new(strengths: [f64; N]) -> Result<Self, TopError> {
+        for value in strengths {
+            require_finite("strength", value)?;
+            if value == 0.0 {
+                return Err(TopError::Zero { name: "strength" });
+            }
+        }
+        Ok(Self { strengths })
+    }
+
+    /// m_i = k_i x_i
+    #[must_use]
+    pub fn momentum(&self, positions: &[Vector3<f64>; N]) -> Spins<N> {
+        Covector(Power(from_fn(|i| positions[i] * self.strengths[i])))
+    }
+
+    /// x_i = m_i/k_i
+    #[must_use]
+    pub fn positions<T: Real>(&self, m: &Spins<N, T>) -> [Vector3<T>; N] {
+        from_fn(|i| m.0.0[i].scaled(T::from_f64(1.0 / self.strengths[i])))
+    }
+}
+
+impl<const N: usize, T: Real> Hamiltonian<SpinSpace<N>, T> for PointVortices<N> {
+    fn value(&self, m: &Spins<N, T>) -> T {
+        let x = self.positions(m);
+        let mut sum = T::zero();
+        for i in 0..N {
+            for j in 0..i {
+                let product = self.strengths[i] * self.strengths[j];
+                sum += (-x[i].dot(&x[j]) * 2.0 + 2.0).ln() * product;
+            }
+        }
+        sum / (4.0 * PI)
+    }
+
+    /// dh/dm_i = −(1/4π) Σ_j k_j x_j/(1 − x_i·x_j)
+    fn differential(&self, m: &Spins<N, T>) -> Power<Vector3<T>, N> {
+        let x = self.positions(m);
+        let mut velocity = [Vector3::zeros(); N];
+        for i in 0..N {
+            for j in 0..i {
+                let inverse = T::from_f64(-0.25 / PI) / (-x[i].dot(&x[j]) + 1.0);
+                velocity[i].add_scaled(inverse * self.strengths[j], &x[j]);
+                velocity[j].add_scaled(inverse * self.strengths[i], &x[i]);
+            }
+        }
+        Power(velocity)
+    }
+}

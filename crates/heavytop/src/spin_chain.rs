@@ -1,0 +1,66 @@
+//! A chain of classical spins.
+
+use crate::error::{TopError, require_finite};
+use crate::{SpinSpace, Spins};
+use core::array::from_fn;
+use lie_poisson::{Hamiltonian, Power, Real, Vector};
+use nalgebra::Vector3;
+
+/// A periodic Heisenberg chain of N classical spins s_i in a magnetic field B,
+///
+/// ```text
+/// h(s) = −J Σ_i s_i·s_{i+1} − B·Σ_i s_i,    s_{N+1} = s_1
+/// ```
+///
+/// With the plus bracket {s_a, s_b} = ε_abc s_c on each factor, ṡ_i = ∂h/∂s_i × s_i. Conserved:
+/// h, |s_i|, and without field the total spin Σ s_i; with it, the component along B.
+///
+/// Source: M. Lakshmanan, *The fascinating world of the Landau–Lifshitz–Gilbert equation*, Phil.
+/// Trans. R. Soc. A 369 (2011), §4.
+///
+/// # Example
+/// ```
+/// use heavytop::HeisenbergChain;
+/// use lie_poisson::{Covector, Hamiltonian, Power};
+/// use nalgebra::Vector3;
+/// let chain = HeisenbergChain::new(1.0, Vector3::zeros())?;
+/// // the ferromagnetic ground state
+/// let up = Covector(Power([Vector3::<f64>::z(); 8]));
+/// assert_eq!(chain.value(&up), -8.0);
+/// # Ok::<(), heavytop::TopError>(())
+/// ```
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct HeisenbergChain<const N: usize> {
+    exchange: f64,
+    field: Vector3<f64>,
+}
+
+impl<const N: usize> HeisenbergChain<N> {
+    /// From the exchange constant J (positive: ferromagnetic) and the field B.
+    ///
+    /// # Errors
+    /// If a number is not finite.
+    pub fn new(exchange: f64, field: Vector3<f64>) -> Result<Self, TopError> {
+        require_finite("exchange", exchange)?;
+        for &component in &field {
+            require_finite("field", component)?;
+        }
+        Ok(Self { exchange, field })
+    }
+}
+
+impl<const N: usize, T: Real> Hamiltonian<SpinSpace<N>, T> for HeisenbergChain<N> {
+    fn value(&self, s: &Spins<N, T>) -> T {
+        let (spins, field) = (&s.0.0, self.field.map(T::from_f64));
+        let bond = |i: usize| spins[i].dot(&spins[(i + 1) % N]) * self.exchange;
+        (0..N).fold(T::zero(), |sum, i| sum - bond(i) - field.dot(&spins[i]))
+    }
+
+    fn differential(&self, s: &Spins<N, T>) -> Power<Vector3<T>, N> {
+        let (spins, field) = (&s.0.0, self.field.map(T::from_f64));
+        Power(from_fn(|i| {
+            let neighbours = spins[(i + 1) % N] + spins[(i + N - 1) % N];
+            neighbours.scaled(T::from_f64(-self.exchange)) - field
+        }))
+    }
+}
