@@ -42,12 +42,15 @@ impl Output {
         Ok(Self { path: place, partial, writer: BufWriter::new(file) })
     }
 
-    /// Writes a whole file.
+    /// Writes a whole file at the end of a run.
     ///
     /// # Errors
-    /// If it cannot be created or written.
+    /// [`Error::Write`] if it cannot be created or written: at the end it is too late to refuse.
     pub fn whole(path: &Path, contents: &[u8]) -> Result<(), Error> {
-        let mut output = Self::create(path)?;
+        let mut output = Self::create(path).map_err(|error| match error {
+            Error::Create { path, source } => Error::Write { path, source },
+            other => other,
+        })?;
         output.write(|writer| writer.write_all(contents))?;
         output.complete()
     }

@@ -24,6 +24,7 @@ const WRONG: &[(&str, &str)] = &[
     ("initial.vertical = [0.5, 0.0, 0.8]", "[initial] vertical must be a unit vector"),
     ("initial.vertical = [nan, 0.0, 1.0]", "[initial] vertical must be a unit vector"),
     ("initial.angular_momentum = [1, inf, 0]", "angular_momentum must be finite, got inf"),
+    ("initial.angular_momentum = [1e308, 1e308, 1e308]", "[initial] no lift"),
     ("body.center_of_mass = [1, 1, 0]", "[body] center_of_mass must be a unit vector"),
     ("body.inertia = [2, -2, 1]", "[body] inertia[1] must not be negative, got -2"),
     ("body.inertia = [2, 2, 0]", "[body] inertia[2] must be positive, got 0"),

@@ -92,6 +92,9 @@ fn figures_need_no_font_and_have_the_paper_s_colours() {
     ] {
         let svg = folder.read(&format!("{name}.svg"));
         assert!(!svg.contains("<text") && !svg.contains("font-family"), "{name} has text");
+        let letters = svg.matches("<path fill=\"#000000\" stroke=\"none\"").count();
+        // two titles, a legend, and some ticks
+        assert!(letters >= 12, "{name} has {letters} outlines of text");
         for colour in colours {
             // the curve and its sample in the legend
             assert_eq!(svg.matches(&format!("stroke=\"{colour}\"")).count(), 2, "{name} {colour}");
@@ -121,6 +124,20 @@ fn a_wrong_request_makes_not_even_the_folder() {
         assert!(run.stderr().contains(message), "{arguments:?}: {}", run.stderr());
         assert!(folder.names().is_empty());
     }
+}
+
+#[test]
+fn a_place_is_refused_before_the_run_and_fails_after_it() {
+    let folder = Folder::new();
+    folder.write("file", "");
+    let run = folder.heavytop(&["reproduce", "--out", "file"]);
+    assert_eq!(run.code(), 2, "{}", run.stderr());
+    assert_eq!(folder.names(), ["file"]);
+
+    std::fs::create_dir_all(folder.path("figures/fig1a.svg")).unwrap();
+    let run = folder.heavytop(&["reproduce", "--end", "2"]);
+    assert_eq!(run.code(), 1);
+    assert!(run.stderr().contains("cannot write figures/fig1a.svg: is a directory"));
 }
 
 #[test]
