@@ -1,0 +1,174 @@
+//! The configuration file.
+
+use crate::Error;
+use crate::method::{Formulation, Scheme};
+use crate::run::Experiment;
+use crate::schedule::Schedule;
+use heavytop::{Body, HeavyTop, require_unit};
+use lie_poisson::Se3Dual;
+use nalgebra::Vector3;
+use serde::Deserialize;
+use std::path::Path;
+
+/// A configuration; what is left out is the paper's Kovalevskaya top.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Deserialize)]
+#[serde(default, deny_unknown_fields)]
+pub struct Config {
+    /// `[body]`
+    pub body: BodyConfig,
+    /// `[initial]`
+    pub initial: InitialConfig,
+    /// `[integrator]`
+    pub integrator: IntegratorConfig,
+    /// `[output]`
+    pub output: OutputConfig,
+}
+
+/// `[body]`: the parameters of the top.
+#[derive(Clone, Copy, Debug, PartialEq, Deserialize)]
+#[serde(default, deny_unknown_fields)]
+pub struct BodyConfig {
+    /// Principal moments, kg m².
+    pub inertia: [f64; 3],
+    /// Mass, kg.
+    pub mass: f64,
+    /// Gravity, m/s²; 0 gives the free rigid body.
+    pub gravity: f64,
+    /// From the support to the centre of mass, m.
+    pub length: f64,
+    /// The direction from the support to the centre of mass in the body frame, a unit vector.
+    pub center_of_mass: [f64; 3],
+}
+
+/// `[initial]`: the state at t = 0, in the body frame.
+#[derive(Clone, Copy, Debug, PartialEq, Deserialize)]
+#[serde(default, deny_unknown_fields)]
+pub struct InitialConfig {
+    /// Π(0), kg m²/s.
+    pub angular_momentum: [f64; 3],
+    /// Γ(0), a unit vector.
+    pub vertical: [f64; 3],
+}
+
+/// `[integrator]`: the method and its steps.
+#[derive(Clone, Copy, Debug, PartialEq, Deserialize)]
+#[serde(default, deny_unknown_fields)]
+pub struct IntegratorConfig {
+    /// Where the scheme is applied.
+    pub formulation: Formulation,
+    /// The scheme.
+    pub scheme: Scheme,
+    /// The time step, s.
+    pub step: f64,
+    /// The time to stop at, s: a whole number of steps.
+    pub end: f64,
+    /// For the stage equations; 0 iterates to the round-off floor.
+    pub tolerance: f64,
+}
+
+/// `[output]`: what is kept.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Deserialize)]
+#[serde(default, deny_unknown_fields)]
+pub struct OutputConfig {
+    /// Every n-th step is kept, and the last.
+    pub every: u64,
+}
+
+impl Default for BodyConfig {
+    fn default() -> Self {
+        Self {
+            inertia: [2.0, 2.0, 1.0],
+            mass: 1.0,
+            gravity: 1.0,
+            length: 1.0,
+            center_of_mass: [1.0, 0.0, 0.0],
+        }
+    }
+}
+
+impl Default for InitialConfig {
+    fn default() -> Self {
+        Self { angular_momentum: [2.0, 3.0, 4.0], vertical: [0.5, 0.0, 0.75_f64.sqrt()] }
+    }
+}
+
+impl Default for IntegratorConfig {
+    fn default() -> Self {
+        Self {
+            formulation: Formulation::default(),
+            scheme: Scheme::default(),
+            step: 0.02,
+            end: 100.0,
+            tolerance: 0.0,
+        }
+    }
+}
+
+impl Default for OutputConfig {
+    fn default() -> Self {
+        Self { every: 1 }
+    }
+}
+
+impl Config {
+    /// Reads a configuration file.
+    ///
+    /// # Errors
+    /// If it cannot be read, is not TOML, or has unknown keys or wrong types; the error names the
+    /// line.
+    pub fn read(path: &Path) -> Result<Self, Error> {
+        let text = std::fs::read_to_string(path)
+            .map_err(|source| Error::Read { path: path.into(), source })?;
+        toml::from_str(&text).map_err(|error| {
+            let before = text.get(..error.span().map_or(0, |span| span.start)).unwrap_or(&text);
+            let line_start = before.rfind('\n').map_or(0, |newline| newline + 1);
+            Error::Configuration {
+                path: path.into(),
+                line: before.matches('\n').count() + 1,
+                column: before[line_start..].chars().count() + 1,
+                message: error
+                    .message()
+                    .replace("unknown field", "unknown key")
+                    .replace('\n', "; "),
+            }
+        })
+    }
+
+    /// The experiment that the configuration asks for.
+    ///
+    /// # Errors
+    /// If there is no such experiment.
+    pub fn experiment(&self) -> Result<Experiment, Error> {
+        let Self { body, initial, integrator, output } = self;
+        let top = HeavyTop::new(&Body {
+            inertia: body.inertia.into(),
+            mass: body.mass,
+            gravity: body.gravity,
+            length: body.length,
+            center_of_mass: body.center_of_mass.into(),
+        })
+        .map_err(Error::Body)?;
+        let vertical = Vector3::from(initial.vertical);
+        require_unit("vertical", &vertical).map_err(Error::Vertical)?;
+        if let Some(&value) = initial.angular_momentum.iter().find(|x| !x.is_finite()) {
+            return Err(Error::OutOfRange { name: "angular_momentum", range: "finite", value });
+        }
+        let tolerance = integrator.tolerance;
+        if !(tolerance >= 0.0 && tolerance.is_finite()) {
+            let range = "finite and not negative";
+            return Err(Error::OutOfRange { name: "tolerance", range, value: tolerance });
+        }
+        if output.every == 0 {
+            return Err(Error::OutOfRange { name: "every", range: "at least 1", value: 0.0 });
+        }
+        Ok(Experiment {
+            top,
+            start: Se3Dual::new(initial.angular_momentum.into(), vertical),
+            formulation: integrator.formulation,
+            scheme: integrator.scheme,
+            tolerance,
+            schedule: Schedule::new(integrator.step, integrator.end)?,
+            every: output.every,
+        })
+    }
+}

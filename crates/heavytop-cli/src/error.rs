@@ -1,0 +1,140 @@
+//! What can go wrong, and the exit codes.
+
+use collective_integrators::IntegrationError;
+use heavytop::TopError;
+use momentum_map::LiftError;
+use std::io;
+use std::path::PathBuf;
+use thiserror::Error;
+
+/// Why a command did not do what it was asked.
+#[derive(Debug, Error)]
+pub enum Error {
+    /// The configuration file could not be read.
+    #[error("cannot read the configuration {}: {source}", path.display())]
+    Read {
+        /// The file.
+        path: PathBuf,
+        /// Why.
+        source: io::Error,
+    },
+    /// The configuration file is not TOML, or has unknown keys or wrong types.
+    #[error("{}, line {line}, column {column}: {message}", path.display())]
+    Configuration {
+        /// The file.
+        path: PathBuf,
+        /// The line, from 1.
+        line: usize,
+        /// The column in characters, from 1.
+        column: usize,
+        /// What is wrong there.
+        message: String,
+    },
+    /// No top has these parameters.
+    #[error("[body] {0}")]
+    Body(#[source] TopError),
+    /// Γ(0) is not a unit vector.
+    #[error("[initial] {0}")]
+    Vertical(#[source] TopError),
+    /// The initial state has no lift.
+    #[error("[initial] {0}")]
+    Lift(#[from] LiftError),
+    /// A number is out of its range.
+    #[error("{name} must be {range}, got {value}")]
+    OutOfRange {
+        /// The number.
+        name: &'static str,
+        /// Its range.
+        range: &'static str,
+        /// Its value.
+        value: f64,
+    },
+    /// The run has more steps than a lifetime has.
+    #[error(
+        "the run would take {steps:e} steps, more than {most:e}: raise the step or lower the end"
+    )]
+    TooManySteps {
+        /// The number of steps.
+        steps: f64,
+        /// The most that is allowed.
+        most: f64,
+    },
+    /// The end is not a whole number of steps.
+    #[error(
+        "end = {end} is not a whole number of steps of {step}; the nearest ends are {before} and \
+         {after}"
+    )]
+    BrokenStep {
+        /// The end asked for.
+        end: f64,
+        /// The step.
+        step: f64,
+        /// The last end before it that can be reached.
+        before: f64,
+        /// The first end after it that can be reached.
+        after: f64,
+    },
+    /// The output's name asks for a format that there is not.
+    #[error("cannot write {}: {}", path.display(), format_advice(path))]
+    Format {
+        /// The file.
+        path: PathBuf,
+    },
+    /// An output file or folder could not be made.
+    #[error("cannot create {}: {source}", path.display())]
+    Create {
+        /// The file or folder.
+        path: PathBuf,
+        /// Why.
+        source: io::Error,
+    },
+    /// Writing failed while the numbers came in.
+    #[error("cannot write {}: {source}", path.display())]
+    Write {
+        /// The file.
+        path: PathBuf,
+        /// Why.
+        source: io::Error,
+    },
+    /// The numbers failed: a stage equation did not converge, or a state is not finite.
+    #[error("{formulation}, {scheme}: {source}")]
+    Integration {
+        /// The formulation's name.
+        formulation: &'static str,
+        /// The scheme's name.
+        scheme: &'static str,
+        /// The step, the time and the reason.
+        source: IntegrationError,
+    },
+    /// A figure could not be drawn.
+    #[error("cannot draw the figure: {0}")]
+    Figure(String),
+    /// A run failed, and what it had computed was kept.
+    #[error("{source}; what was computed until then is in {}", partial.display())]
+    Kept {
+        /// Where.
+        partial: PathBuf,
+        /// Why it failed.
+        source: Box<Error>,
+    },
+}
+
+impl Error {
+    /// 2 if the request is wrong, and nothing was written; 1 if it failed underway.
+    #[must_use]
+    pub fn exit_code(&self) -> u8 {
+        match self {
+            Self::Write { .. } | Self::Integration { .. } | Self::Figure(_) | Self::Kept { .. } => {
+                1
+            }
+            _ => 2,
+        }
+    }
+}
+
+fn format_advice(path: &std::path::Path) -> String {
+    match path.extension().and_then(|e| e.to_str()) {
+        Some(known @ ("npz" | "parquet")) => format!(".{known} is not supported yet: use .csv"),
+        _ => "the name must end in .csv".into(),
+    }
+}

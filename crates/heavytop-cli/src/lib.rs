@@ -1,0 +1,36 @@
+//! The program `heavytop`: configuration, output files, figures and progress bars around the
+//! crate [`heavytop`], which has the mathematics.
+//!
+//! The modules in dependency order:
+//!
+//! | object | module |
+//! |---|---|
+//! | what can go wrong, and the exit codes | [`error`] |
+//! | formulations and schemes by name | [`method`] |
+//! | the number of steps of a run | [`schedule`] |
+//! | the configuration file | [`config`] |
+//! | a run, sample by sample | [`run`] |
+//! | files that appear when they are complete | [`output`] |
+//! | rows of numbers | [`table`] |
+//! | the progress bar | [`progress`] |
+//! | `heavytop simulate` | [`simulate`] |
+//! | `heavytop reproduce` | [`reproduce`] |
+//! | the command line | [`cli`] |
+//!
+//! The names of commands, keys, columns and files and the exit codes are a contract with the
+//! scripts that call the program; this library's items are not.
+
+pub mod error;
+pub mod method;
+pub mod schedule;
+pub mod config;
+pub mod run;
+pub mod output;
+pub mod table;
+pub mod progress;
+pub mod simulate;
+pub mod reproduce;
+pub mod cli;
+
+pub use cli::main;
+pub use error::Error;

@@ -1,0 +1,7 @@
+//! The program `heavytop`. Everything is in the library, so that tests can reach it.
+
+use std::process::ExitCode;
+
+fn main() -> ExitCode {
+    heavytop_cli::main()
+}

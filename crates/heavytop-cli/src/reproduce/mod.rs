@@ -1,0 +1,83 @@
+//! `heavytop reproduce`: the paper's experiment (Ohsawa 2019, §5.2), its figures and its numbers.
+
+mod axis;
+mod figures;
+mod plot;
+mod record;
+mod render;
+mod summary;
+
+use crate::Error;
+use crate::config::Config;
+use crate::method::{Formulation, Scheme};
+use crate::output::Output;
+use crate::progress::Progress;
+use crate::run::Experiment;
+use crate::table::{STATE_COLUMNS, write_row};
+use record::{QUANTITIES, Record};
+use std::io::Write;
+use std::path::Path;
+
+/// The four integrators, in the order of the tables.
+const METHODS: [(Formulation, Scheme); 4] = [
+    (Formulation::Collective, Scheme::ImplicitMidpoint),
+    (Formulation::Collective, Scheme::ExplicitMidpoint),
+    (Formulation::Direct, Scheme::ExplicitMidpoint),
+    (Formulation::Direct, Scheme::ImplicitMidpoint),
+];
+
+/// Runs the paper's top with the four integrators, writes figures and tables into the folder
+/// `out`, and prints the summary.
+///
+/// # Errors
+/// If the request is wrong, in which case nothing is written; or a run fails, in which case
+/// `trajectories.csv.partial` is kept.
+pub fn reproduce(out: &Path, step: f64, end: f64, quiet: bool) -> Result<(), Error> {
+    let mut config = Config::default();
+    (config.integrator.step, config.integrator.end) = (step, end);
+    let mut experiments = Vec::with_capacity(METHODS.len());
+    for (formulation, scheme) in METHODS {
+        (config.integrator.formulation, config.integrator.scheme) = (formulation, scheme);
+        experiments.push(config.experiment()?);
+    }
+    std::fs::create_dir_all(out).map_err(|source| Error::Create { path: out.into(), source })?;
+
+    let mut trajectories = Output::create(&out.join("trajectories.csv"))?;
+    let outcome = run(&experiments, &mut trajectories, quiet);
+    let records = trajectories.conclude(outcome)?;
+    for figure in figures::all(&records) {
+        let (svg, png) = render::render(&plot::plot(&figure)?)?;
+        Output::whole(&out.join(figure.name).with_extension("svg"), svg.as_bytes())?;
+        Output::whole(&out.join(figure.name).with_extension("png"), &png)?;
+    }
+    Output::whole(&out.join("summary.csv"), summary::csv(&records).as_bytes())?;
+    summary::print(&records, out)
+}
+
+/// Runs all experiments, writing every state and recording what the figures and tables need.
+fn run(
+    experiments: &[Experiment],
+    trajectories: &mut Output,
+    quiet: bool,
+) -> Result<Vec<Record>, Error> {
+    let names = QUANTITIES.map(heavytop::Invariant::symbol).join(",");
+    trajectories.write(|to| writeln!(to, "formulation,scheme,{STATE_COLUMNS},{names}"))?;
+    experiments
+        .iter()
+        .map(|experiment| {
+            let mut record = Record::new(experiment);
+            let (formulation, scheme) = (experiment.formulation.name(), experiment.scheme.name());
+            let progress = Progress::new(experiment, quiet);
+            experiment.run(|step, time, mu| {
+                progress.at(step);
+                let values = QUANTITIES.map(|quantity| quantity.value(&experiment.top, mu));
+                record.add(step, time, values);
+                trajectories.write(|to| {
+                    write!(to, "{formulation},{scheme},")?;
+                    write_row(to, time, mu, values)
+                })
+            })?;
+            Ok(record)
+        })
+        .collect()
+}

@@ -1,0 +1,152 @@
+//! `heavytop simulate`: what it refuses, and how runs fail.
+#![allow(clippy::unwrap_used)]
+
+mod program;
+use program::{Folder, numbers};
+
+/// Configurations that are wrong, and what is said about them.
+const WRONG: &[(&str, &str)] = &[
+    ("[body]\nmass = 1.0\nmas = 2.0", "a.toml, line 3, column 1: unknown key `mas`"),
+    ("\n[bodi]", "a.toml, line 2, column 2: unknown key `bodi`"),
+    ("[body]\n\nmass = 'heavy'", "a.toml, line 3, column 8: invalid type: string \"heavy\""),
+    ("[body]\ninertia = [1.0, 1.0]", "a.toml, line 2, column 11: invalid length 2"),
+    ("[output]\nevery = 1.5", "a.toml, line 2, column 9: invalid type"),
+    ("[output]\nevery = -1", "a.toml, line 2, column 9: invalid value"),
+    ("[body\nmass = 1", "a.toml, line 1, column 6: "),
+    (
+        "[integrator]\nscheme = 'euler'",
+        "line 2, column 10: unknown scheme `euler`; there are implicit-midpoint, gauss-4, gauss-6, gauss-8, gauss-10, gauss-12, gauss-16, explicit-midpoint, rk4",
+    ),
+    (
+        "integrator.formulation = 'x'",
+        "line 1, column 26: unknown formulation `x`; there are collective, direct",
+    ),
+    ("initial.vertical = [0.5, 0.0, 0.8]", "[initial] vertical must be a unit vector"),
+    ("initial.vertical = [nan, 0.0, 1.0]", "[initial] vertical must be a unit vector"),
+    ("initial.angular_momentum = [1, inf, 0]", "angular_momentum must be finite, got inf"),
+    ("initial.angular_momentum = [1e308, 1e308, 1e308]", "[initial] no lift"),
+    ("body.center_of_mass = [1, 1, 0]", "[body] center_of_mass must be a unit vector"),
+    ("body.inertia = [2, -2, 1]", "[body] inertia[1] must not be negative, got -2"),
+    ("body.inertia = [2, 2, 0]", "[body] inertia[2] must be positive, got 0"),
+    ("body.inertia = [2, 2, 5]", "[body] principal moments must obey the triangle inequality: 5"),
+    ("body.mass = 0", "[body] mass must be positive, got 0"),
+    ("body.gravity = -9.81", "[body] gravity must not be negative, got -9.81"),
+    ("integrator.step = 0", "step must be positive and finite, got 0"),
+    ("integrator.step = -0.02", "step must be positive and finite, got -0.02"),
+    ("integrator.step = nan", "step must be positive and finite, got NaN"),
+    ("integrator.end = -1", "end must be positive and finite, got -1"),
+    ("integrator.step = 1e-300", "more than 1e12"),
+    ("integrator.step = 0.03", "the nearest ends are 99.99 and 100.02"),
+    ("integrator = { step = 0.5, end = 1.0000001 }", "the nearest ends are 1 and 1.5"),
+    ("integrator.tolerance = -1e-9", "tolerance must be finite and not negative"),
+    ("output.every = 0", "every must be at least 1, got 0"),
+];
+
+#[test]
+fn what_is_wrong_is_said_in_one_line_and_nothing_is_written() {
+    for (text, message) in WRONG {
+        let folder = Folder::new();
+        folder.write("a.toml", text);
+        let run = folder.heavytop(&["simulate", "a.toml", "--out", "a.csv"]);
+        let said = run.stderr();
+        assert_eq!(run.code(), 2, "{text}: {said}");
+        assert!(said.contains(message), "{text}: {said}");
+        assert_eq!(said.lines().count(), 1, "{text}: {said}");
+        assert_eq!(folder.names(), ["a.toml"], "{text}");
+    }
+}
+
+#[test]
+fn an_end_that_is_whole_to_nine_digits_is_accepted() {
+    let folder = Folder::new();
+    folder.write("a.toml", "integrator = { step = 0.5, end = 1.0000000005 }");
+    assert_eq!(folder.heavytop(&["simulate", "a.toml", "--out", "a.csv"]).code(), 0);
+    assert_eq!(numbers(&folder.read("a.csv")).1.len(), 3);
+}
+
+#[test]
+fn names_that_cannot_be_written_are_refused_before_the_run() {
+    for (out, message) in [
+        ("missing/a.csv", "cannot create missing/a.csv: No such file"),
+        ("a.npz", "cannot write a.npz: .npz is not supported yet: use .csv"),
+        ("a.parquet", "cannot write a.parquet: .parquet is not supported yet: use .csv"),
+        ("a", "cannot write a: the name must end in .csv"),
+        (".", "the name must end in .csv"),
+        ("folder.csv", "cannot create folder.csv: is a directory"),
+    ] {
+        let folder = Folder::new();
+        std::fs::create_dir(folder.path("folder.csv")).unwrap();
+        let run = folder.heavytop(&["simulate", "--out", out]);
+        assert_eq!(run.code(), 2, "{out}");
+        assert!(run.stderr().contains(message), "{out}: {}", run.stderr());
+        assert_eq!(folder.names(), ["folder.csv"], "{out}");
+    }
+}
+
+#[test]
+fn a_missing_configuration_and_wrong_arguments_are_refused() {
+    for arguments in [
+        &["simulate", "missing.toml", "--out", "a.csv"][..],
+        &["simulate"],
+        &["simulate", "--out", "a.csv", "--fast"],
+        &["levitate"],
+        &[],
+    ] {
+        let folder = Folder::new();
+        let run = folder.heavytop(arguments);
+        assert_eq!(run.code(), 2, "{arguments:?}");
+        assert!(!run.stderr().is_empty());
+        assert!(folder.names().is_empty());
+    }
+}
+
+#[test]
+fn stages_that_do_not_converge_end_the_run_and_keep_what_there_is() {
+    let folder = Folder::new();
+    folder.write("a.toml", "integrator = { step = 0.5, end = 10.0 }");
+    folder.write("a.csv", "old");
+    let run = folder.heavytop(&["simulate", "a.toml", "--out", "a.csv"]);
+    assert_eq!(run.code(), 1);
+    let said = run.stderr();
+    for part in ["step 5 at t = 2: ", "did not converge: residual ", "is in ", "a.csv.partial"] {
+        assert!(said.contains(part), "{said}");
+    }
+    assert_eq!(said.lines().count(), 1);
+    assert_eq!(folder.names(), ["a.csv", "a.csv.partial", "a.toml"]);
+    assert_eq!(folder.read("a.csv"), "old");
+    assert_eq!(numbers(&folder.read("a.csv.partial")).1.len(), 5);
+}
+
+#[test]
+fn a_state_that_is_not_finite_ends_the_run_and_keeps_what_there_is() {
+    let folder = Folder::new();
+    let integrator = "step = 2.0\nend = 100.0\nformulation = 'direct'\nscheme = 'rk4'";
+    folder.write("a.toml", &format!("[integrator]\n{integrator}"));
+    let run = folder.heavytop(&["simulate", "a.toml", "--out", "a.csv"]);
+    assert_eq!(run.code(), 1);
+    assert!(run.stderr().contains("the state is not finite after the step"), "{}", run.stderr());
+    assert_eq!(folder.names(), ["a.csv.partial", "a.toml"]);
+    let (_, rows) = numbers(&folder.read("a.csv.partial"));
+    assert!(!rows.is_empty() && rows.iter().all(|row| row[1..7].iter().all(|x| x.is_finite())));
+}
+
+#[test]
+#[cfg(target_os = "linux")]
+fn a_full_disk_is_reported() {
+    let folder = Folder::new();
+    let run = folder.heavytop(&["simulate", "--out", "/dev/full"]);
+    assert_eq!(run.code(), 1);
+    assert!(run.stderr().contains("cannot write /dev/full: No space left on device"));
+}
+
+#[test]
+fn help_and_version_are_there() {
+    let folder = Folder::new();
+    for arguments in
+        [&["--help"][..], &["--version"], &["reproduce", "--help"], &["simulate", "--help"]]
+    {
+        let run = folder.heavytop(arguments);
+        assert_eq!((run.code(), run.stderr()), (0, String::new()), "{arguments:?}");
+        assert!(!run.stdout().is_empty());
+    }
+}
