@@ -8,7 +8,7 @@
 //! | Runge–Kutta coefficients and their properties | [`Tableau`] |
 //! | stage equations | [`StageSolver`] |
 //! | one-step methods, and which of them descend | [`Scheme`], [`Equivariant`], [`RungeKutta`] |
-//! | integrators on 𝔤* | [`Integrator`], [`Collective`], [`Direct`] |
+//! | integrators on 𝔤* | [`Integrator`], [`Collective`], [`LiftFree`], [`Direct`] |
 //! | trajectories | [`Trajectory`] |
 //! | diagnostics | [`fitted_order`] |
 
@@ -21,11 +21,13 @@ mod stage_solver;
 mod scheme;
 mod runge_kutta;
 mod integrator;
+mod lift_free;
 mod trajectory;
 mod order_fit;
 
 pub use error::{IntegrationError, SchemeError, StepError};
 pub use integrator::{Collective, Direct, Integrator, Start};
+pub use lift_free::LiftFree;
 pub use order_fit::{OrderFitError, fitted_order};
 pub use runge_kutta::RungeKutta;
 pub use scheme::{Equivariant, Scheme, Step};

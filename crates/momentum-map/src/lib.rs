@@ -13,6 +13,7 @@
 //! | fibres of M: symmetry and sections | [`FibreSymmetry`], [`Lift`] |
 //! | products and powers of maps | [`ProductMap`], [`PowerMap`] |
 //! | H = h∘M and its vector field, Noether's quantities | [`CollectiveHamiltonian`], [`NoetherQuantity`] |
+//! | linear collective systems without a lift | [`Multipliers`]: [`Quaternions`], [`DualQuaternions`], [`ComplexMatrices`] |
 //! | so(3)* and sl(2, R)* from R⁴, u(N)* from C^N, se(3)* from T*R³ | [`HOPF`], [`Sl2Realisation`], [`unitary_realisation`], [`PARTICLE`] |
 //! | the laws as residuals (feature `laws`) | `laws` |
 
@@ -27,6 +28,7 @@ mod symplectic_representation;
 mod fibre;
 mod product_map;
 mod collective;
+mod multiplier;
 mod noether;
 mod hopf;
 mod realisations;
@@ -44,6 +46,10 @@ pub use cotangent_lift::CotangentLift;
 pub use fibre::{FibreSymmetry, Lift, LiftError};
 pub use hopf::{hopf_map, hopf_pull_back, hopf_section, pauli};
 pub use momentum_map::MomentumMap;
+pub use multiplier::{
+    ComplexMatrices, DualQuaternions, Multiplier, Multipliers, PowerMultipliers,
+    ProductMultipliers, Quaternions,
+};
 pub use noether::NoetherQuantity;
 pub use poisson_map::{
     Composition, Identity, PoissonMap, SourcePoint, TargetDifferential, TargetPoint,

@@ -1,0 +1,152 @@
+//! Collective Runge–Kutta methods without a lift.
+
+use crate::{Equivariant, Integrator, Start, Step, StepError, VectorField};
+use lie_poisson::{Hamiltonian, Point, Real, Vector};
+use momentum_map::{LiftError, Multiplier, Multipliers};
+
+/// The collective integrator of a linear collective system, on 𝔤* itself: the scheme solves
+///
+/// ```text
+/// Q̇ = dh(transport(Q, μ₀)) Q,    Q(0) = 1
+/// ```
+///
+/// for the [multiplier](Multipliers) Q over one step, and μ₁ = transport(Q₁, μ₀).
+///
+/// For a scheme that commutes with linear maps ([`Equivariant`]) it equals the
+/// [`Collective`](crate::Collective) integrator with the same scheme to round-off. There is no lift
+/// to choose, no fibre to drift along, and Casimirs are conserved to the last bit or two of each
+/// step: after the step Q is normalised.
+///
+/// The general case of the closed form of the collective midpoint rule; it answers, for every
+/// Runge–Kutta method, the question that Ohsawa 2019, §5.1 leaves open (an integrator defined on
+/// the symplectic leaves).
+///
+/// # Example
+/// ```
+/// use collective_integrators::{LiftFree, RungeKutta, Start};
+/// use lie_poisson::{Covector, LiePoisson, So3, from_closure};
+/// use momentum_map::Quaternions;
+/// use nalgebra::Vector3;
+/// let h = from_closure::<LiePoisson<So3>, _>(|Covector(pi)| pi.x * pi.x * 0.5 + pi.y * pi.y);
+/// let gauss = LiftFree::new(RungeKutta::gauss(2)?, Quaternions, h);
+/// let start = Covector(Vector3::new(1.0, 1.0, 1.0));
+/// for sample in gauss.trajectory(&start, 0.1)?.take(1000) {
+///     assert!((sample?.momentum.0.norm_squared() - 3.0).abs() < 1e-13);
+/// }
+/// # Ok::<(), Box<dyn std::error::Error>>(())
+/// ```
+#[derive(Clone, Debug, PartialEq)]
+pub struct LiftFree<S, M, H> {
+    scheme: S,
+    multipliers: M,
+    hamiltonian: H,
+}
+
+impl<S: Equivariant, M: Multipliers, H> LiftFree<S, M, H> {
+    /// The scheme applied to the multipliers.
+    pub fn new(scheme: S, multipliers: M, hamiltonian: H) -> Self {
+        Self { scheme, multipliers, hamiltonian }
+    }
+
+    /// The scheme.
+    pub fn scheme(&self) -> &S {
+        &self.scheme
+    }
+
+    /// h
+    pub fn hamiltonian(&self) -> &H {
+        &self.hamiltonian
+    }
+
+    /// The multiplier Q₁ of one step from μ: the motion of the group that the step makes, and with
+    /// it the increment of the attitude.
+    ///
+    /// # Errors
+    /// If the step has no result.
+    #[inline]
+    pub fn multiplier<T: Real>(
+        &self,
+        mu: &Point<M::Space, T>,
+        step: f64,
+        workspace: &mut S::Workspace<Multiplier<M, T>>,
+    ) -> Result<Step<Multiplier<M, T>>, StepError>
+    where
+        H: Hamiltonian<M::Space, T>,
+    {
+        let field = MultiplierField {
+            multipliers: &self.multipliers,
+            hamiltonian: &self.hamiltonian,
+            start: *mu,
+        };
+        let one = self.multipliers.one::<T>();
+        let step = self.scheme.step::<T, _>(&field, &one, step, workspace)?;
+        Ok(Step { point: self.multipliers.normalise::<T>(&step.point), ..step })
+    }
+}
+
+/// Q ↦ dh(transport(Q, μ₀)) Q
+struct MultiplierField<'a, M, H, V> {
+    multipliers: &'a M,
+    hamiltonian: &'a H,
+    start: V,
+}
+
+impl<M, H, T> VectorField<T> for MultiplierField<'_, M, H, Point<M::Space, T>>
+where
+    M: Multipliers,
+    H: Hamiltonian<M::Space, T>,
+    T: Real,
+{
+    type Point = Multiplier<M, T>;
+
+    #[inline]
+    fn at(&self, q: &Multiplier<M, T>) -> Multiplier<M, T> {
+        let mu = self.multipliers.transport::<T>(q, &self.start);
+        self.multipliers.generate::<T>(&self.hamiltonian.differential(&mu), q)
+    }
+}
+
+impl<S, M, H, T> Integrator<T> for LiftFree<S, M, H>
+where
+    S: Equivariant,
+    M: Multipliers,
+    H: Hamiltonian<M::Space, T>,
+    T: Real,
+{
+    type State = Point<M::Space, T>;
+    type Momentum = Point<M::Space, T>;
+    type Workspace = S::Workspace<Multiplier<M, T>>;
+
+    fn workspace(&self) -> Self::Workspace {
+        self.scheme.workspace()
+    }
+
+    #[inline]
+    fn step(
+        &self,
+        mu: &Self::State,
+        step: f64,
+        workspace: &mut Self::Workspace,
+    ) -> Result<Step<Self::State>, StepError> {
+        let Step { point, iterations } = self.multiplier::<T>(mu, step, workspace)?;
+        let point = self.multipliers.transport::<T>(&point, mu);
+        if point.is_finite() { Ok(Step { point, iterations }) } else { Err(StepError::NotFinite) }
+    }
+
+    #[inline]
+    fn momentum(&self, mu: &Self::State) -> Self::Momentum {
+        *mu
+    }
+}
+
+impl<S, M, H, T> Start<T> for LiftFree<S, M, H>
+where
+    S: Equivariant,
+    M: Multipliers,
+    H: Hamiltonian<M::Space, T>,
+    T: Real,
+{
+    fn start(&self, mu: &Self::Momentum) -> Result<Self::State, LiftError> {
+        Ok(*mu)
+    }
+}

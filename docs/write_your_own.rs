@@ -1,0 +1,114 @@
+//! Write your own collective integrator: an algebra, an action, a Hamiltonian.
+//!
+//! The Poincaré group of space-time with one space dimension acts on R² ∋ (t, x); from that alone
+//! we get Lie–Poisson integrators on the dual of its algebra, for any energy h(K, H, P) of boost
+//! momentum K, energy H and momentum P. The Casimir is the mass H² − P². Run with
+//! `cargo test --test write_your_own`.
+
+use collective_integrators::{Collective, RungeKutta, Start};
+use lie_poisson::*;
+use momentum_map::*;
+use nalgebra::{Vector2, Vector3};
+
+/// The algebra, its group and the action, all in one: a unit struct is enough.
+#[derive(Clone)]
+struct Poincare;
+
+/// Boosts commute with each other, and mix the two translations: [K, H] = P, [K, P] = H.
+impl LieAlgebra for Poincare {
+    type Element<T: Real> = Vector3<T>; // (boost, time translation, space translation)
+    fn bracket<T: Real>(&self, xi: &Vector3<T>, eta: &Vector3<T>) -> Vector3<T> {
+        Vector3::new(T::zero(), xi.x * eta.z - eta.x * xi.z, xi.x * eta.y - eta.x * xi.y)
+    }
+}
+
+/// A Lorentz boost by the rapidity θ. Stumpff functions at −θ² are hyperbolic functions of θ.
+fn boost<T: Real>(theta: T, v: Vector2<T>) -> Vector2<T> {
+    let (cosh, sinh) = ((-theta * theta).stumpff(0), theta * (-theta * theta).stumpff(1));
+    Vector2::new(v.x * cosh + v.y * sinh, v.x * sinh + v.y * cosh)
+}
+
+/// (θ, a): the map q ↦ Λ(θ) q + a.
+impl LieGroup for Poincare {
+    type Algebra = Self;
+    type Element<T: Real> = Vector3<T>;
+    fn algebra(&self) -> Self {
+        Poincare
+    }
+    fn identity<T: Real>(&self) -> Vector3<T> {
+        Vector3::zeros()
+    }
+    fn compose<T: Real>(&self, g: &Vector3<T>, h: &Vector3<T>) -> Vector3<T> {
+        let moved = boost(g.x, h.yz());
+        Vector3::new(g.x + h.x, g.y + moved.x, g.z + moved.y)
+    }
+    fn inverse<T: Real>(&self, g: &Vector3<T>) -> Vector3<T> {
+        let back = boost(-g.x, g.yz());
+        Vector3::new(-g.x, -back.x, -back.y)
+    }
+    fn exp<T: Real>(&self, xi: &Vector3<T>) -> Vector3<T> {
+        let x = -xi.x * xi.x;
+        let (even, odd) = (x.stumpff(1), xi.x * x.stumpff(2));
+        Vector3::new(xi.x, xi.y * even + xi.z * odd, xi.y * odd + xi.z * even)
+    }
+    fn adjoint<T: Real>(&self, g: &Vector3<T>, xi: &Vector3<T>) -> Vector3<T> {
+        let moved = boost(g.x, xi.yz());
+        Vector3::new(xi.x, moved.x - xi.x * g.z, moved.y - xi.x * g.y)
+    }
+}
+
+/// The right action q ↦ Λ(−θ)(q − a). Its generators, its cotangent lift and its momentum map
+/// need not be written.
+impl GroupAction for Poincare {
+    type Group = Self;
+    type Space = RealSpace<2>;
+    const SIDE: Side = Side::Right;
+    fn group(&self) -> Self {
+        Poincare
+    }
+    fn space(&self) -> RealSpace<2> {
+        RealSpace
+    }
+    fn act<T: Real>(&self, g: &Vector3<T>, q: &Vector2<T>) -> Vector2<T> {
+        boost(-g.x, q - g.yz())
+    }
+}
+
+/// An energy, one formula for all scalars; its differential is taken by dual numbers.
+struct Rotor;
+
+impl Energy for Rotor {
+    type Space = LiePoisson<Poincare>;
+    fn energy<T: Real>(&self, Covector(j): &Covector<Vector3<T>>) -> T {
+        j.x * j.x * 0.5 + j.y * j.y + j.z * j.z * j.z * 0.25 + j.y
+    }
+}
+
+#[test]
+fn the_laws_hold() -> Result<(), Box<dyn std::error::Error>> {
+    let samples = [Vector3::new(0.3, -0.7, 0.5), Vector3::new(-0.6, 0.2, 0.9)];
+    let points = samples.map(|s| Cotangent::new(s.xy(), Covector(s.zx())));
+    lie_poisson::laws::lie_algebra(&Poincare, &samples)?.check(1e-14)?;
+    lie_poisson::laws::lie_group(&Poincare, &samples)?.check(1e-14)?;
+    let positions = samples.map(|s| s.xy());
+    momentum_map::laws::group_action(&Poincare, &samples, &positions)?.check(1e-14)?;
+    momentum_map::laws::equivariance(&Poincare, &samples, &points)?.check(1e-14)?;
+    momentum_map::laws::poisson_map(&MomentumMap(Poincare), &points)?.check(1e-14)?;
+    Ok(())
+}
+
+#[test]
+fn the_mass_is_conserved_to_round_off() -> Result<(), Box<dyn std::error::Error>> {
+    let gauss = Collective::new(RungeKutta::gauss(3)?, MomentumMap(Poincare), Automatic(Rotor));
+    let start = Cotangent::new(Vector2::new(0.4, -0.2), Covector(Vector2::new(0.3, 0.8)));
+    let mass = |j: &Vector3<f64>| j.y * j.y - j.z * j.z;
+    let samples: Vec<_> = gauss.trajectory_from(start, 0.05).take(1001).collect::<Result<_, _>>()?;
+    let (first, last) = (samples[0].momentum, samples[1000].momentum);
+    assert!((first - last).0.norm() > 0.1, "it moves");
+    for sample in &samples {
+        assert!((mass(&sample.momentum.0) - mass(&first.0)).abs() < 1e-13);
+    }
+    let h = |j: &Covector<Vector3<f64>>| Rotor.energy(j);
+    assert!((h(&last) - h(&first)).abs() < 1e-8); // near-conservation, of order 6
+    Ok(())
+}
