@@ -1,0 +1,40 @@
+//! How far a map is from being Poisson, with exact derivatives.
+
+use lie_poisson::{
+    DualNumber, Point, PoissonSpace, Vector, derivative_part, map_coordinates, seed,
+};
+use momentum_map::{PoissonMap, SourcePoint};
+use nalgebra::DMatrix;
+
+/// The matrix {w_i∘f, w_j∘f}(z) − {w_i, w_j}(f(z)) over all coordinates w of the target.
+///
+/// It vanishes if and only if f: P → Q respects the brackets at z, for brackets are determined by
+/// the coordinates. Derivatives of `f` are taken by dual numbers, one evaluation per direction.
+pub fn bracket_defects<P: PoissonSpace, Q: PoissonSpace>(
+    source: &P,
+    target: &Q,
+    f: impl Fn(&Point<P, DualNumber>) -> Point<Q, DualNumber>,
+    z: &Point<P>,
+) -> DMatrix<f64> {
+    let columns: Vec<Point<Q>> = (0..Point::<P>::DIM)
+        .map(|k| {
+            let along: Point<P> = Vector::basis(k);
+            derivative_part(&f(&seed(z, &along)))
+        })
+        .collect();
+    let constant: Point<P, DualNumber> = map_coordinates(z, DualNumber::constant);
+    let image: Point<Q> = map_coordinates(&f(&constant), |x: DualNumber| x.value);
+    let expected = target.poisson_tensor::<f64>(&image);
+    let gradient = |i: usize| Vector::from_coordinates(|k| columns[k].coordinate(i));
+    let n = Point::<Q>::DIM;
+    DMatrix::from_fn(n, n, |i, j| {
+        source.bracket::<f64>(z, &gradient(i), &gradient(j)) - expected[(i, j)]
+    })
+}
+
+/// The largest of the [`bracket_defects`] of a map that claims to be Poisson. Only its `apply` is
+/// looked at.
+pub fn map_defect<M: PoissonMap>(map: &M, z: &SourcePoint<M>) -> f64 {
+    let apply = |z: &SourcePoint<M, DualNumber>| map.apply::<DualNumber>(z);
+    bracket_defects(&map.source(), &map.target(), apply, z).amax()
+}
