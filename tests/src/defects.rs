@@ -1,7 +1,7 @@
 //! How far a map is from being Poisson, with exact derivatives.
 
 use lie_poisson::{
-    DualNumber, Point, PoissonSpace, Vector, derivative_part, map_coordinates, seed,
+    DualNumber, Point, PoissonSpace, Vector, derivative_part, larger, map_coordinates, seed,
 };
 use momentum_map::{PoissonMap, SourcePoint};
 use nalgebra::DMatrix;
@@ -36,5 +36,23 @@ pub fn bracket_defects<P: PoissonSpace, Q: PoissonSpace>(
 /// looked at.
 pub fn map_defect<M: PoissonMap>(map: &M, z: &SourcePoint<M>) -> f64 {
     let apply = |z: &SourcePoint<M, DualNumber>| map.apply::<DualNumber>(z);
-    bracket_defects(&map.source(), &map.target(), apply, z).amax()
+    largest(&bracket_defects(&map.source(), &map.target(), apply, z))
+}
+
+/// max |entry|; NaN if one is NaN, where nalgebra's `amax` would drop it.
+pub fn largest(matrix: &DMatrix<f64>) -> f64 {
+    matrix.iter().fold(0.0, |m, x| larger(m, x.abs()))
+}
+
+#[cfg(test)]
+mod tests {
+    use super::largest;
+    use nalgebra::dmatrix;
+
+    #[test]
+    fn a_nan_is_the_largest() {
+        assert_eq!(largest(&dmatrix![1.0, -3.0; 2.0, 0.5]), 3.0);
+        assert!(largest(&dmatrix![1.0, f64::NAN; 2.0, 0.5]).is_nan());
+        assert!(largest(&dmatrix![f64::NAN, 1.0; 2.0, 0.5]).is_nan());
+    }
 }

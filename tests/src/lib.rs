@@ -5,7 +5,7 @@
 //! | points and group elements at three regimes | [`point`], [`element`], [`momentum_with_vertical`] |
 //! | comparison of numbers and vectors | [`assert_near`], [`assert_close`], [`relative_error`] |
 //! | the promises of a trait without its shortcuts | [`Derived`] |
-//! | is a map Poisson, is a form conserved | [`bracket_defects`], [`map_defect`], [`OneForm`] |
+//! | is a map Poisson, is a form conserved | [`bracket_defects`], [`map_defect`], [`largest`], [`OneForm`] |
 //! | tops and runs | [`tops`], [`advance`], [`largest_deviation`] |
 //!
 //! The checks themselves are in `tests/tests`, one subject per file.
@@ -19,7 +19,7 @@ mod strategies;
 pub mod tops;
 
 pub use compare::{assert_close, assert_near, relative_error};
-pub use defects::{bracket_defects, map_defect};
+pub use defects::{bracket_defects, largest, map_defect};
 pub use derived::Derived;
 pub use forms::OneForm;
 pub use runs::{advance, largest_deviation};
