@@ -2,7 +2,7 @@
 //!
 //! | need | item |
 //! |---|---|
-//! | points and group elements at three regimes | [`point`], [`element`], [`momentum_with_vertical`] |
+//! | points and group elements at three regimes | [`point`], [`element`], [`momentum_with_vertical`], [`persistent`] |
 //! | comparison of numbers and vectors | [`assert_near`], [`assert_close`], [`relative_error`] |
 //! | the promises of a trait without its shortcuts | [`Derived`] |
 //! | is a map Poisson, is a form conserved | [`bracket_defects`], [`map_defect`], [`largest`], [`OneForm`] |
@@ -23,4 +23,4 @@ pub use defects::{bracket_defects, largest, map_defect};
 pub use derived::Derived;
 pub use forms::OneForm;
 pub use runs::{advance, largest_deviation};
-pub use strategies::{element, momentum_with_vertical, point};
+pub use strategies::{element, momentum_with_vertical, persistent, point};

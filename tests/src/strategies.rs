@@ -8,6 +8,7 @@ use lie_poisson::{AlgebraElement, LieGroup, Se3Dual, Vector};
 use nalgebra::Vector3;
 use proptest::collection::vec;
 use proptest::prelude::*;
+use proptest::test_runner::FileFailurePersistence;
 
 /// 0, a basis vector, or coordinates in {0, ±½, ±1}.
 fn special<V: Vector<Scalar = f64>>() -> impl Strategy<Value = V> {
@@ -53,4 +54,10 @@ pub fn momentum_with_vertical() -> impl Strategy<Value = Se3Dual> {
     let size = prop_oneof![2 => Just(1.0), 1 => (-100..=100_i32).prop_map(|k| 10.0_f64.powi(k))];
     (point::<Vector3<f64>>(), direction, size)
         .prop_map(|(pi, gamma, size)| Se3Dual::new(pi, gamma * size))
+}
+
+/// The configuration of every property: the default, with failing cases kept next to the file of
+/// the property (the default place is looked for in `src`).
+pub fn persistent() -> ProptestConfig {
+    ProptestConfig::with_failure_persistence(FileFailurePersistence::WithSource("regressions"))
 }

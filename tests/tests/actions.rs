@@ -8,7 +8,7 @@ use momentum_map::{CotangentLift, GroupAction, Side};
 use nalgebra::{Matrix2, Vector2};
 use num_complex::Complex;
 use proptest::prelude::*;
-use workspace_tests::{OneForm, assert_near, element, point};
+use workspace_tests::{OneForm, assert_near, element, persistent, point};
 
 type Spinor<T = f64> = Vector2<Complex<T>>;
 type Motion<T = f64> = Pair<Matrix2<Complex<T>>, Spinor<T>>;
@@ -43,6 +43,8 @@ fn axioms<A: GroupAction>(
 }
 
 proptest! {
+    #![proptest_config(persistent())]
+
     #[test]
     fn psi_is_a_right_action(g in element(GROUP), h in element(GROUP), chi in point::<Spinor>()) {
         axioms(&SpinorMotions, &g, &h, &chi);

@@ -9,7 +9,7 @@ use lie_poisson::{
 use nalgebra::{Matrix2, Matrix3, Vector2, Vector3};
 use num_complex::Complex;
 use proptest::prelude::*;
-use workspace_tests::{Derived, assert_close, assert_near, point};
+use workspace_tests::{Derived, assert_close, assert_near, persistent, point};
 
 const SPINORS: SpinorAlgebra = SemidirectAlgebra(SU2OnC2);
 
@@ -61,7 +61,9 @@ fn casimirs<A: Casimirs>(algebra: &A, mu: &Momentum<A>) {
 }
 
 macro_rules! algebra_laws {
-    ($($name:ident: $algebra:expr, $type:ty;)*) => { proptest! { $(
+    ($($name:ident: $algebra:expr, $type:ty;)*) => { proptest! {
+        #![proptest_config(persistent())]
+        $(
         #[test]
         fn $name(
             xi in point::<Element<$type>>(), eta in point::<Element<$type>>(),
@@ -79,6 +81,8 @@ algebra_laws! {
 }
 
 proptest! {
+    #![proptest_config(persistent())]
+
     #[test]
     fn casimirs_annihilate_ad_star(mu in point::<Momentum<Se3>>()) {
         casimirs(&So3, &Covector(mu.0.0));

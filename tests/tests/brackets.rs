@@ -10,7 +10,7 @@ use momentum_map::CotangentBundle;
 use nalgebra::{Vector2, Vector3};
 use num_complex::Complex;
 use proptest::prelude::*;
-use workspace_tests::{assert_close, assert_near, point, tops};
+use workspace_tests::{assert_close, assert_near, persistent, point, tops};
 
 /// A dozen products of three numbers up to 3.
 const ROUND_OFF: f64 = 1e-13;
@@ -47,6 +47,8 @@ fn fail(top: Result<HeavyTop, TopError>) -> Result<HeavyTop, TestCaseError> {
 }
 
 proptest! {
+    #![proptest_config(persistent())]
+
     /// (1.2) = (3.3) = the Lie–Poisson bracket of se(3), as numbers and as a tensor.
     #[test]
     fn the_heavy_top_bracket(

@@ -31,7 +31,7 @@ fn collective(
 /// The paper's experiment after one time unit, from 30-digit integration.
 fn exact_after_one() -> Se3Dual {
     Se3Dual::new(
-        Vector3::new(2.611_034_121_401_548, -2.670_466_863_410_763_8, 3.844_759_745_406_407_6),
+        Vector3::new(2.611_034_121_401_548, -2.670_466_863_410_764, 3.844_759_745_406_407_6),
         Vector3::new(0.871_688_137_126_708_8, -0.145_727_408_391_562_16, 0.467_892_417_160_234_5),
     )
 }

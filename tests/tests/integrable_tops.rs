@@ -10,7 +10,7 @@ use nalgebra::Vector3;
 use num_complex::Complex;
 use proptest::prelude::*;
 use std::error::Error;
-use workspace_tests::{assert_close, largest_deviation, point, tops};
+use workspace_tests::{assert_close, largest_deviation, persistent, point, tops};
 
 /// d/dt of an invariant along the heavy top equations, {f, h}(μ), by dual numbers.
 fn rate(invariant: Invariant, top: &HeavyTop, mu: &Se3Dual) -> f64 {
@@ -64,6 +64,8 @@ fn the_values_at_the_start() -> Result<(), TopError> {
 }
 
 proptest! {
+    #![proptest_config(persistent())]
+
     /// {K, h} = 0 for I₁ = I₂ = 2I₃ and c anywhere on the equator.
     #[test]
     fn k_is_conserved_by_kovalevskaya_s_top(

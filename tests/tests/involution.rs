@@ -6,7 +6,7 @@ use lie_poisson::{DualNumber, LiePoisson, PoissonSpace, Se3, Se3Dual, Vector, di
 use momentum_map::PoissonMap;
 use nalgebra::DMatrix;
 use proptest::prelude::*;
-use workspace_tests::{assert_close, largest, point, tops};
+use workspace_tests::{assert_close, largest, persistent, point, tops};
 
 const FOUR: [Invariant; 4] = [
     Invariant::Energy,
@@ -65,6 +65,8 @@ fn expanded_lagrange(top: &HeavyTop, z: &SpinorPoint, sign: f64) -> f64 {
 }
 
 proptest! {
+    #![proptest_config(persistent())]
+
     #[test]
     fn a_lagrange_top_is_in_involution(mu in point::<Se3Dual>()) {
         // sums of a dozen products of four numbers up to 3

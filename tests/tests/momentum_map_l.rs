@@ -12,7 +12,7 @@ use momentum_map::{
 use nalgebra::{Matrix2, Matrix3, Vector3};
 use num_complex::Complex;
 use proptest::prelude::*;
-use workspace_tests::{Derived, assert_close, assert_near, element, map_defect, point};
+use workspace_tests::{Derived, assert_close, assert_near, element, map_defect, persistent, point};
 
 const GROUP: SpinorGroup = SemidirectGroup(SU2OnC2);
 const L: MomentumMap<SpinorMotions> = MomentumMap(SpinorMotions);
@@ -29,6 +29,8 @@ fn closed_form(z: &SpinorPoint) -> SpinorMomentum {
 }
 
 proptest! {
+    #![proptest_config(persistent())]
+
     #[test]
     fn l_has_the_closed_form(z in point::<SpinorPoint>()) {
         assert_near(&L.apply::<f64>(&z), &closed_form(&z), 1e-15);
@@ -113,6 +115,8 @@ impl GroupAction for RigidMotions {
 type Phase = Point<CotangentBundle<RealSpace<3>>>;
 
 proptest! {
+    #![proptest_config(persistent())]
+
     /// Remark 2.1: M̃(q, p) = −(q × p, p), Poisson and equivariant, but with Π ⊥ Γ always.
     #[test]
     fn rigid_motions_reach_only_perpendicular_pairs(

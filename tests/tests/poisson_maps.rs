@@ -9,7 +9,7 @@ use lie_poisson::{
 use momentum_map::{Composition, Cotangent, CotangentBundle, MomentumMap, PoissonMap, SourcePoint};
 use nalgebra::{SVector, Vector3};
 use proptest::prelude::*;
-use workspace_tests::{assert_near, bracket_defects, largest, map_defect, point};
+use workspace_tests::{assert_near, bracket_defects, largest, map_defect, persistent, point};
 
 /// Brackets of quadratic maps are sums of at most 16 products of coordinates up to 3; 1e-13 is
 /// their round-off with a factor 3 in hand.
@@ -35,6 +35,8 @@ fn real_form<T: Real>(z: &SpinorPoint<T>, printed: bool) -> Se3Dual<T> {
 }
 
 proptest! {
+    #![proptest_config(persistent())]
+
     #[test]
     fn m_is_poisson(z in point::<SpinorPoint>()) {
         prop_assert!(map_defect(&SpinorRealisation, &z) <= ROUND_OFF);

@@ -9,7 +9,7 @@ use lie_poisson::{
 use nalgebra::{Matrix2, Matrix3, Vector2, Vector3};
 use num_complex::Complex;
 use proptest::prelude::*;
-use workspace_tests::{Derived, assert_near, element, point};
+use workspace_tests::{Derived, assert_near, element, persistent, point};
 
 type Complex3 = Matrix3<Complex<f64>>;
 type Motion = Pair<Matrix2<Complex<f64>>, Vector2<Complex<f64>>>;
@@ -109,7 +109,9 @@ fn laws<G: LieGroup>(
 }
 
 macro_rules! group_laws {
-    ($($name:ident: $group:expr, $type:ty;)*) => { proptest! { $(
+    ($($name:ident: $group:expr, $type:ty;)*) => { proptest! {
+        #![proptest_config(persistent())]
+        $(
         #[test]
         fn $name(
             g in element($group), h in element($group), k in element($group),
@@ -127,6 +129,8 @@ group_laws! {
 }
 
 proptest! {
+    #![proptest_config(persistent())]
+
     /// (U, ρ)·(W, ϑ) = (UW, Uϑ + ρ) is the product of the matrices (U ρ; 0 1).
     #[test]
     fn the_product_is_that_of_matrices(g in element(GROUP), h in element(GROUP)) {

@@ -8,7 +8,7 @@ use momentum_map::{
 use nalgebra::{Matrix2, Vector2, Vector3};
 use num_complex::Complex;
 use proptest::prelude::*;
-use workspace_tests::{Derived, assert_close, assert_near, point, tops};
+use workspace_tests::{Derived, assert_close, assert_near, persistent, point, tops};
 
 const COMPOSED: Composition<Varpi, MomentumMap<SpinorMotions>> =
     Composition { outer: Varpi, inner: MomentumMap(SpinorMotions) };
@@ -25,6 +25,8 @@ fn pauli(v: &Vector3<f64>) -> Matrix2<Complex<f64>> {
 }
 
 proptest! {
+    #![proptest_config(persistent())]
+
     /// Eq. (3.2), M = ϖ∘L, against eq. (4.1), its expression.
     #[test]
     fn the_closed_form_is_the_composition(z in point::<SpinorPoint>(), dh in point::<Covector6>()) {

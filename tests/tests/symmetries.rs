@@ -9,7 +9,7 @@ use momentum_map::{CotangentLift, FibreSymmetry, GroupAction, MomentumMap, Poiss
 use nalgebra::{Vector1, Vector2, Vector3};
 use num_complex::Complex;
 use proptest::prelude::*;
-use workspace_tests::{OneForm, assert_close, assert_near, point, tops};
+use workspace_tests::{OneForm, assert_close, assert_near, persistent, point, tops};
 
 /// A few products of numbers up to 20.
 const ROUND_OFF: f64 = 1e-14;
@@ -126,6 +126,8 @@ fn top(
 }
 
 proptest! {
+    #![proptest_config(persistent())]
+
     /// M, and with it H of any top, is invariant under χ + bψ and under the common phase.
     #[test]
     fn the_fibre_flows_leave_m_alone(z in point::<SpinorPoint>(), s in -3.0..3.0_f64) {

@@ -6,7 +6,7 @@ use momentum_map::PoissonMap;
 use nalgebra::{Vector2, Vector3};
 use num_complex::Complex;
 use proptest::prelude::*;
-use workspace_tests::{Derived, assert_close, assert_near, point};
+use workspace_tests::{Derived, assert_close, assert_near, persistent, point};
 
 type Spinor = Vector2<Complex<f64>>;
 
@@ -51,6 +51,8 @@ fn quarter_commutator(alpha: &Spinor, beta: &Spinor) -> Vector3<f64> {
 }
 
 proptest! {
+    #![proptest_config(persistent())]
+
     /// |ϖ₂(α)| = ‖α‖²: spheres of radius √R go to spheres of radius R.
     #[test]
     fn spheres_go_to_spheres(alpha in point::<Spinor>(), phase in -4.0..4.0_f64) {
