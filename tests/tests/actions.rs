@@ -1,6 +1,6 @@
 //! §2.2–2.3: the action of SU(2) ⋉ C² on C², its generator and its cotangent lift.
 
-use heavytop::{SpinorGroup, SpinorMotions, SpinorPoint};
+use heavytop::{SPINOR_MOTIONS, SpinorGroup, SpinorPoint};
 use lie_poisson::{
     AlgebraElement, Covector, DualNumber, LieGroup, Pair, Point, Real, SU2, Su2, map_coordinates,
 };
@@ -47,21 +47,21 @@ proptest! {
 
     #[test]
     fn psi_is_a_right_action(g in element(GROUP), h in element(GROUP), chi in point::<Spinor>()) {
-        axioms(&SpinorMotions, &g, &h, &chi);
+        axioms(&SPINOR_MOTIONS, &g, &h, &chi);
     }
 
     #[test]
     fn the_cotangent_lift_is_a_right_action(
         g in element(GROUP), h in element(GROUP), z in point::<SpinorPoint>(),
     ) {
-        axioms(&CotangentLift(SpinorMotions), &g, &h, &z);
+        axioms(&CotangentLift(SPINOR_MOTIONS), &g, &h, &z);
     }
 
     /// Ψ_(U,ρ)(χ) = U*(χ − ρ), in the paper's matrix form as well: (U ρ; 0 1)⁻¹ (χ; 1).
     #[test]
     fn psi_is_the_inverse_affine_map(g in element(GROUP), chi in point::<Spinor>()) {
         let Pair(u, rho) = g;
-        let image = SpinorMotions.act::<f64>(&g, &chi);
+        let image = SPINOR_MOTIONS.act::<f64>(&g, &chi);
         assert_near(&image, &(u.adjoint() * (chi - rho)), ROUND_OFF);
         assert_near(&(u * image + rho), &chi, ROUND_OFF);
     }
@@ -73,13 +73,13 @@ proptest! {
     ) {
         let Pair(xi, phi) = x;
         let expected = -(Su2.matrix(&xi) * chi) - phi;
-        assert_near(&SpinorMotions.infinitesimal_generator::<f64>(&x, &chi), &expected, 1e-15);
+        assert_near(&SPINOR_MOTIONS.infinitesimal_generator::<f64>(&x, &chi), &expected, 1e-15);
     }
 
     /// T*Ψ_{(U,ρ)⁻¹}(χ, ψ) = (U*(χ − ρ), U*ψ): derived against the paper's form.
     #[test]
     fn the_cotangent_lift_has_the_closed_form(g in element(GROUP), z in point::<SpinorPoint>()) {
-        let lifted = CotangentLift(SpinorMotions).act::<f64>(&g, &z);
+        let lifted = CotangentLift(SPINOR_MOTIONS).act::<f64>(&g, &z);
         let Pair(u, rho) = g;
         assert_near(&lifted.q, &(u.adjoint() * (z.q - rho)), ROUND_OFF);
         assert_near(&lifted.p.0, &(u.adjoint() * z.p.0), ROUND_OFF);
@@ -90,7 +90,7 @@ proptest! {
     fn the_lifted_generator_has_the_closed_form(
         x in point::<AlgebraElement<SpinorGroup>>(), z in point::<SpinorPoint>(),
     ) {
-        let lift = CotangentLift(SpinorMotions);
+        let lift = CotangentLift(SPINOR_MOTIONS);
         let velocity = lift.infinitesimal_generator::<f64>(&x, &z);
         let xi = Su2.matrix(&x.0);
         assert_near(&velocity.q, &(-(xi * z.q) - x.1), 1e-15);
@@ -109,7 +109,7 @@ proptest! {
     #[test]
     fn the_cotangent_lift_conserves_theta_1(g in element(GROUP), z in point::<SpinorPoint>()) {
         let g: Motion<DualNumber> = map_coordinates(&g, DualNumber::constant);
-        let lift = CotangentLift(SpinorMotions);
+        let lift = CotangentLift(SPINOR_MOTIONS);
         let defect = OneForm::Theta1.defect(|z| lift.act::<DualNumber>(&g, z), &z);
         prop_assert!(defect <= ROUND_OFF, "{defect:e}");
     }
@@ -130,13 +130,13 @@ fn generic() -> (Motion, Motion, SpinorPoint) {
 #[test]
 fn wrong_sides_and_wrong_lifts_are_seen() {
     let (g, h, z) = generic();
-    let twice = SpinorMotions.act::<f64>(&g, &SpinorMotions.act::<f64>(&h, &z.q));
-    let wrong = SpinorMotions.act::<f64>(&GROUP.compose::<f64>(&g, &h), &z.q);
-    let right = SpinorMotions.act::<f64>(&GROUP.compose::<f64>(&h, &g), &z.q);
+    let twice = SPINOR_MOTIONS.act::<f64>(&g, &SPINOR_MOTIONS.act::<f64>(&h, &z.q));
+    let wrong = SPINOR_MOTIONS.act::<f64>(&GROUP.compose::<f64>(&g, &h), &z.q);
+    let right = SPINOR_MOTIONS.act::<f64>(&GROUP.compose::<f64>(&h, &g), &z.q);
     assert!(same(&twice, &right) && !same(&twice, &wrong));
 
     let g: Motion<DualNumber> = map_coordinates(&g, DualNumber::constant);
-    let lift = CotangentLift(SpinorMotions);
+    let lift = CotangentLift(SPINOR_MOTIONS);
     let broken = |z: &SpinorPoint<DualNumber>| {
         let mut lifted = lift.act::<DualNumber>(&g, z);
         lifted.p = Covector(SU2.compose(&g.0, &Matrix2::identity()) * z.p.0);

@@ -6,7 +6,7 @@ use lie_poisson::{
     PoissonSpace, SU2OnC2, Se3, Se3Dual, SemidirectAlgebra, So3, Su2, Vector, derivative_part,
     differential, seed,
 };
-use momentum_map::CotangentBundle;
+use momentum_map::{CotangentBundle, SymplecticSpace};
 use nalgebra::{Vector2, Vector3};
 use num_complex::Complex;
 use proptest::prelude::*;

@@ -1,8 +1,8 @@
 //! Proposition 2.2 and Theorem 4.1(i): every (Π, Γ) with Γ ≠ 0 has a lift; §5.2: the paper's own.
 
-use heavytop::{HopfRealisation, SpinorPoint, SpinorRealisation};
+use heavytop::{SpinorPoint, SpinorRealisation};
 use lie_poisson::{Covector, Lanes, Pair, Se3Dual, Vector, map_coordinates};
-use momentum_map::{Cotangent, FibreSymmetry, Lift, LiftError, PoissonMap, SourcePoint};
+use momentum_map::{Cotangent, FibreSymmetry, HOPF, Lift, LiftError, PoissonMap, SourcePoint};
 use nalgebra::{Matrix3, Matrix3x4, Vector2, Vector3, Vector4};
 use num_complex::Complex;
 use proptest::prelude::*;
@@ -94,8 +94,8 @@ proptest! {
     #[test]
     fn the_hopf_lift_is_a_section(pi in momentum_with_vertical()) {
         let pi = Covector(pi.0.1);
-        let z = HopfRealisation.lift(&pi).map_err(|e| TestCaseError::fail(e.to_string()))?;
-        prop_assert!(relative_error(&HopfRealisation.apply(&z), &pi) <= ROUND_OFF);
+        let z = HOPF.lift(&pi).map_err(|e| TestCaseError::fail(e.to_string()))?;
+        prop_assert!(relative_error(&HOPF.apply(&z), &pi) <= ROUND_OFF);
     }
 }
 
@@ -129,7 +129,7 @@ fn what_has_no_lift_is_an_error() {
         assert!(SpinorRealisation.lift_with(&mu, 1.0).is_err(), "{mu:?}");
     }
     for pi in [Vector3::zeros(), nan, infinite] {
-        assert!(HopfRealisation.lift(&Covector(pi)).is_err());
+        assert!(HOPF.lift(&Covector(pi)).is_err());
     }
     let down = Se3Dual::new(pi, -Vector3::z());
     assert!(SpinorRealisation.lift(&down).is_ok());

@@ -1,13 +1,14 @@
 //! §2.3: the momentum map L, derived from the action, against the paper's closed form; its
 //! equivariance; and Remark 2.1, what SE(3) acting on R³ would give instead.
 
-use heavytop::{SpinorGroup, SpinorMotions, SpinorPoint, SpinorRealisation};
+use heavytop::{SPINOR_MOTIONS, SpinorGroup, SpinorMotions, SpinorPoint, SpinorRealisation};
 use lie_poisson::{
     AlgebraElement, Covector, LieGroup, Momentum, Pair, Point, Real, RealSpace, SE3, SU2OnC2,
     Se3Dual, SemidirectGroup, Su2, Vector,
 };
 use momentum_map::{
-    Cotangent, CotangentBundle, CotangentLift, GroupAction, Lift, MomentumMap, PoissonMap, Side,
+    Cotangent, CotangentBundle, CotangentLift, GroupAction, Lift, MomentumMap, PARTICLE,
+    PoissonMap, Side,
 };
 use nalgebra::{Matrix2, Matrix3, Vector3};
 use num_complex::Complex;
@@ -15,7 +16,7 @@ use proptest::prelude::*;
 use workspace_tests::{Derived, assert_close, assert_near, element, map_defect, persistent, point};
 
 const GROUP: SpinorGroup = SemidirectGroup(SU2OnC2);
-const L: MomentumMap<SpinorMotions> = MomentumMap(SpinorMotions);
+const L: MomentumMap<SpinorMotions> = MomentumMap(SPINOR_MOTIONS);
 
 type SpinorMomentum = Momentum<heavytop::SpinorAlgebra>;
 
@@ -55,7 +56,7 @@ proptest! {
     /// L ∘ T*Ψ_{(U,ρ)⁻¹} = Ad*_{(U,ρ)} ∘ L.
     #[test]
     fn l_is_equivariant(z in point::<SpinorPoint>(), g in element(GROUP)) {
-        let moved = CotangentLift(SpinorMotions).act::<f64>(&g, &z);
+        let moved = CotangentLift(SPINOR_MOTIONS).act::<f64>(&g, &z);
         let expected = GROUP.coadjoint::<f64>(&g, &L.apply::<f64>(&z));
         assert_near(&L.apply::<f64>(&moved), &expected, 1e-14);
     }
@@ -71,7 +72,7 @@ fn generic() -> SpinorPoint {
 fn the_side_of_the_coadjoint_action_matters() {
     let x = [0.4, -1.3, 0.7, 0.2, 1.1, -0.6, 0.9];
     let g = GROUP.exp::<f64>(&Vector::from_coordinates(|i| x[i]));
-    let moved = L.apply::<f64>(&CotangentLift(SpinorMotions).act::<f64>(&g, &generic()));
+    let moved = L.apply::<f64>(&CotangentLift(SPINOR_MOTIONS).act::<f64>(&g, &generic()));
     let right = GROUP.coadjoint::<f64>(&g, &L.apply::<f64>(&generic()));
     let inverse = GROUP.inverse::<f64>(&g);
     let wrong = GROUP.coadjoint::<f64>(&inverse, &L.apply::<f64>(&generic()));
@@ -124,6 +125,7 @@ proptest! {
     ) {
         let map = MomentumMap(RigidMotions);
         let image = map.apply::<f64>(&z);
+        assert_near(&image, &PARTICLE.apply::<f64>(&z), 1e-15);
         let (q, p) = (z.q, z.p.0);
         assert_near(&image, &Se3Dual::new(-q.cross(&p), -p), 1e-15);
         let Covector(Pair(pi, gamma)) = image;
@@ -143,6 +145,7 @@ fn the_upright_top_is_in_the_image_of_m_alone() -> Result<(), momentum_map::Lift
     let upright = Se3Dual::new(Vector3::z() * 3.0, Vector3::z());
     assert_near(&SpinorRealisation.apply(&SpinorRealisation.lift(&upright)?), &upright, 1e-15);
     assert_eq!(upright.0.0.dot(&upright.0.1), 3.0);
+    assert!(PARTICLE.lift::<f64>(&upright).is_err());
     // The only candidate has p = −Γ; every choice of q misses Π by |Π| at least.
     for q in [Vector3::zeros(), Vector3::x(), Vector3::new(5.0, -2.0, 1.0)] {
         let z = Cotangent::new(q, Covector(-Vector3::z()));

@@ -7,7 +7,7 @@
 use collective_integrators::{Collective, Integrator, RungeKutta};
 use heavytop::{HeavyTop, Invariant, SpinorPoint, SpinorRealisation};
 use lie_poisson::{DualNumber, Real, Vector, derivative_part, seed};
-use momentum_map::{CollectiveHamiltonian, Cotangent, FibreSymmetry, PoissonMap};
+use momentum_map::{CollectiveHamiltonian, Cotangent, FibreSymmetry, PoissonMap, SymplecticSpace};
 use std::error::Error;
 use workspace_tests::{assert_close, tops};
 

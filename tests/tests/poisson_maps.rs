@@ -1,12 +1,13 @@
 //! Corollary 3.2: M is a Poisson map, and so are the maps it is made of.
 
-use heavytop::{
-    HeavyTopSpace, HopfRealisation, SpinorMotions, SpinorPoint, SpinorRealisation, Varpi,
-};
+use heavytop::{HeavyTopSpace, SPINOR_MOTIONS, SpinorPoint, SpinorRealisation, Varpi};
 use lie_poisson::{
     ComplexSpace, DualNumber, LiePoisson, Real, Se3, Se3Dual, Sign, Vector, map_coordinates,
 };
-use momentum_map::{Composition, Cotangent, CotangentBundle, MomentumMap, PoissonMap, SourcePoint};
+use momentum_map::{
+    Composition, Cotangent, CotangentBundle, HOPF, HopfRealisation, MomentumMap, PoissonMap,
+    SourcePoint,
+};
 use nalgebra::{SVector, Vector3};
 use proptest::prelude::*;
 use workspace_tests::{assert_near, bracket_defects, largest, map_defect, persistent, point};
@@ -44,7 +45,7 @@ proptest! {
 
     #[test]
     fn the_momentum_map_l_is_poisson(z in point::<SpinorPoint>()) {
-        prop_assert!(map_defect(&MomentumMap(SpinorMotions), &z) <= ROUND_OFF);
+        prop_assert!(map_defect(&MomentumMap(SPINOR_MOTIONS), &z) <= ROUND_OFF);
     }
 
     #[test]
@@ -54,13 +55,13 @@ proptest! {
 
     #[test]
     fn the_composition_of_both_is_poisson(z in point::<SpinorPoint>()) {
-        let m = Composition { outer: Varpi, inner: MomentumMap(SpinorMotions) };
+        let m = Composition { outer: Varpi, inner: MomentumMap(SPINOR_MOTIONS) };
         prop_assert!(map_defect(&m, &z) <= ROUND_OFF);
     }
 
     #[test]
     fn the_hopf_realisation_is_poisson(z in point::<SourcePoint<HopfRealisation>>()) {
-        prop_assert!(map_defect(&HopfRealisation, &z) <= ROUND_OFF);
+        prop_assert!(map_defect(&HOPF, &z) <= ROUND_OFF);
     }
 
     /// The complex form of eq. (4.1) against its real form with Γ corrected.

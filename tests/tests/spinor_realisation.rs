@@ -1,9 +1,10 @@
 //! §4.1: M in closed form is the composition ϖ∘L, and its generator is a Hamiltonian vector field.
 
-use heavytop::{HopfRealisation, SpinorMotions, SpinorPoint, SpinorRealisation, Varpi};
+use heavytop::{SPINOR_MOTIONS, SpinorMotions, SpinorPoint, SpinorRealisation, Varpi};
 use lie_poisson::{Covector, Hamiltonian, Pair, PoissonSpace, Vector, differential, from_closure};
 use momentum_map::{
-    CollectiveHamiltonian, Composition, Cotangent, MomentumMap, PoissonMap, SourcePoint,
+    CollectiveHamiltonian, Composition, Cotangent, HOPF, HopfRealisation, MomentumMap, PoissonMap,
+    SourcePoint, SymplecticSpace,
 };
 use nalgebra::{Matrix2, Vector2, Vector3};
 use num_complex::Complex;
@@ -11,7 +12,7 @@ use proptest::prelude::*;
 use workspace_tests::{Derived, assert_close, assert_near, persistent, point, tops};
 
 const COMPOSED: Composition<Varpi, MomentumMap<SpinorMotions>> =
-    Composition { outer: Varpi, inner: MomentumMap(SpinorMotions) };
+    Composition { outer: Varpi, inner: MomentumMap(SPINOR_MOTIONS) };
 
 /// Sums of up to eight products of three numbers up to 3.
 const ROUND_OFF: f64 = 1e-14;
@@ -58,8 +59,8 @@ proptest! {
             .hamiltonian_vector::<f64>(&z, &SpinorRealisation.pull_back::<f64>(&dh, &z));
         assert_near(&by_hand, &expected, ROUND_OFF);
         assert_near(
-            &HopfRealisation.generator::<f64>(&dh.0, &w),
-            &Derived(HopfRealisation).generator::<f64>(&dh.0, &w),
+            &HOPF.generator::<f64>(&dh.0, &w),
+            &Derived(HOPF).generator::<f64>(&dh.0, &w),
             ROUND_OFF,
         );
     }

@@ -1,8 +1,8 @@
 //! §3 and Appendix B: the Hopf map ϖ₂, its tangent map, and why ϖ is Poisson.
 
-use heavytop::{SpinorAlgebra, Varpi, hopf_map, hopf_pull_back};
+use heavytop::{SpinorAlgebra, Varpi};
 use lie_poisson::{Covector, DualNumber, Momentum, Pair, Se3Dual, So3, Su2, derivative_part, seed};
-use momentum_map::PoissonMap;
+use momentum_map::{PoissonMap, hopf_map, hopf_pull_back};
 use nalgebra::{Vector2, Vector3};
 use num_complex::Complex;
 use proptest::prelude::*;
