@@ -5,8 +5,10 @@
 //! momentum K, energy H and momentum P. The Casimir is the mass H² − P². Run with
 //! `cargo test --test write_your_own`.
 
-use collective_integrators::{Collective, RungeKutta, Start};
+use collective_integrators::{Collective, Integrator, RungeKutta};
+use lie_poisson::laws::{lie_algebra, lie_group};
 use lie_poisson::*;
+use momentum_map::laws::{equivariance, group_action, poisson_map};
 use momentum_map::*;
 use nalgebra::{Vector2, Vector3};
 
@@ -88,12 +90,12 @@ impl Energy for Rotor {
 fn the_laws_hold() -> Result<(), Box<dyn std::error::Error>> {
     let samples = [Vector3::new(0.3, -0.7, 0.5), Vector3::new(-0.6, 0.2, 0.9)];
     let points = samples.map(|s| Cotangent::new(s.xy(), Covector(s.zx())));
-    lie_poisson::laws::lie_algebra(&Poincare, &samples)?.check(1e-14)?;
-    lie_poisson::laws::lie_group(&Poincare, &samples)?.check(1e-14)?;
+    lie_algebra(&Poincare, &samples)?.check(1e-14)?;
+    lie_group(&Poincare, &samples)?.check(1e-14)?;
     let positions = samples.map(|s| s.xy());
-    momentum_map::laws::group_action(&Poincare, &samples, &positions)?.check(1e-14)?;
-    momentum_map::laws::equivariance(&Poincare, &samples, &points)?.check(1e-14)?;
-    momentum_map::laws::poisson_map(&MomentumMap(Poincare), &points)?.check(1e-14)?;
+    group_action(&Poincare, &samples, &positions)?.check(1e-14)?;
+    equivariance(&Poincare, &samples, &points)?.check(1e-14)?;
+    poisson_map(&MomentumMap(Poincare), &points)?.check(1e-14)?;
     Ok(())
 }
 
@@ -102,7 +104,8 @@ fn the_mass_is_conserved_to_round_off() -> Result<(), Box<dyn std::error::Error>
     let gauss = Collective::new(RungeKutta::gauss(3)?, MomentumMap(Poincare), Automatic(Rotor));
     let start = Cotangent::new(Vector2::new(0.4, -0.2), Covector(Vector2::new(0.3, 0.8)));
     let mass = |j: &Vector3<f64>| j.y * j.y - j.z * j.z;
-    let samples: Vec<_> = gauss.trajectory_from(start, 0.05).take(1001).collect::<Result<_, _>>()?;
+    let samples: Vec<_> =
+        gauss.trajectory_from(start, 0.05).take(1001).collect::<Result<_, _>>()?;
     let (first, last) = (samples[0].momentum, samples[1000].momentum);
     assert!((first - last).0.norm() > 0.1, "it moves");
     for sample in &samples {

@@ -80,6 +80,16 @@ impl PoissonMap for SpinorRealisation {
         let turn = |spinor| pauli(&half, spinor).map(|z| Complex { re: -z.im, im: z.re });
         Cotangent::new(turn(chi) + pauli(&(gamma + gamma), psi), Covector(turn(psi)))
     }
+
+    /// The point of least ‖χ‖ on the line χ + bψ of the fibre: χ − (Re(ψ*χ)/‖ψ‖²) ψ.
+    ///
+    /// Along collective dynamics d/dt Re(ψ*χ) = 2γ·Γ, so that χ may grow linearly along ψ.
+    #[inline]
+    fn gauge<T: Real>(&self, z: &SpinorPoint<T>) -> SpinorPoint<T> {
+        let (chi, psi) = (&z.q, &z.p.0);
+        let overlap = (psi.x.conj() * chi.x + psi.y.conj() * chi.y).re;
+        self.flow(0, -overlap / (psi.x.norm_sqr() + psi.y.norm_sqr()), z)
+    }
 }
 
 impl Lift for SpinorRealisation {
@@ -131,17 +141,6 @@ impl SpinorRealisation {
         let lifted = Cotangent::new(chi + psi.map(|x| x.scale(along)), Covector(psi));
         let reason = "ψ₁ must be different from 0: Γ must not point along −e₃";
         LiftError::unless_finite(lifted, "ψ₁", length.max_abs(), reason)
-    }
-
-    /// The point of least ‖χ‖ on the line χ + bψ of the fibre: χ − (Re(ψ*χ)/‖ψ‖²) ψ.
-    ///
-    /// M is unchanged. Along collective dynamics d/dt Re(ψ*χ) = 2γ·Γ, so that χ may grow linearly
-    /// along ψ, which costs digits in a long run; sliding back undoes it.
-    #[inline]
-    pub fn slide<T: Real>(&self, z: &SpinorPoint<T>) -> SpinorPoint<T> {
-        let (chi, psi) = (&z.q, &z.p.0);
-        let overlap = (psi.x.conj() * chi.x + psi.y.conj() * chi.y).re;
-        self.flow(0, -overlap / (psi.x.norm_sqr() + psi.y.norm_sqr()), z)
     }
 }
 

@@ -153,7 +153,8 @@ where
         step: f64,
         workspace: &mut Self::Workspace,
     ) -> Result<Step<Self::State>, StepError> {
-        self.scheme.step::<T, _>(&self.system, state, step, workspace)
+        let next = self.scheme.step::<T, _>(&self.system, state, step, workspace)?;
+        Ok(Step { point: self.system.map.gauge::<T>(&next.point), ..next })
     }
 
     #[inline]

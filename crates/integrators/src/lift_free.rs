@@ -10,12 +10,12 @@ use momentum_map::{LiftError, Multiplier, Multipliers};
 /// Q̇ = dh(transport(Q, μ₀)) Q,    Q(0) = 1
 /// ```
 ///
-/// for the [multiplier](Multipliers) Q over one step, and μ₁ = transport(Q₁, μ₀).
+/// for the [multiplier](Multipliers) Q over one step, and μ₁ is μ₀ moved by Q₁.
 ///
 /// For a scheme that commutes with linear maps ([`Equivariant`]) it equals the
 /// [`Collective`](crate::Collective) integrator with the same scheme to round-off. There is no lift
-/// to choose, no fibre to drift along, and Casimirs are conserved to the last bit or two of each
-/// step: after the step Q is normalised.
+/// to choose, no fibre to drift along, and for symplectic schemes Casimirs are conserved to a
+/// rounding without bias per step: Q moves μ by its normalised part.
 ///
 /// The general case of the closed form of the collective midpoint rule; it answers, for every
 /// Runge–Kutta method, the question that Ohsawa 2019, §5.1 leaves open (an integrator defined on
@@ -79,8 +79,7 @@ impl<S: Equivariant, M: Multipliers, H> LiftFree<S, M, H> {
             start: *mu,
         };
         let one = self.multipliers.one::<T>();
-        let step = self.scheme.step::<T, _>(&field, &one, step, workspace)?;
-        Ok(Step { point: self.multipliers.normalise::<T>(&step.point), ..step })
+        self.scheme.step::<T, _>(&field, &one, step, workspace)
     }
 }
 
@@ -129,7 +128,7 @@ where
         workspace: &mut Self::Workspace,
     ) -> Result<Step<Self::State>, StepError> {
         let Step { point, iterations } = self.multiplier::<T>(mu, step, workspace)?;
-        let point = self.multipliers.transport::<T>(&point, mu);
+        let point = self.multipliers.coadjoint_motion::<T>(&point, mu);
         if point.is_finite() { Ok(Step { point, iterations }) } else { Err(StepError::NotFinite) }
     }
 

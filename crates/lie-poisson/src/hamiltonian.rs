@@ -20,6 +20,19 @@ pub trait Hamiltonian<P: PoissonSpace, T: Real = f64> {
     fn differential(&self, z: &Point<P, T>) -> Differential<P, T>;
 }
 
+/// A borrowed Hamiltonian is one.
+impl<P: PoissonSpace, T: Real, H: Hamiltonian<P, T> + ?Sized> Hamiltonian<P, T> for &H {
+    #[inline]
+    fn value(&self, z: &Point<P, T>) -> T {
+        (**self).value(z)
+    }
+
+    #[inline]
+    fn differential(&self, z: &Point<P, T>) -> Differential<P, T> {
+        (**self).differential(z)
+    }
+}
+
 /// An energy as one formula, written once for all scalars.
 ///
 /// # Example

@@ -52,11 +52,16 @@ pub trait Multipliers: Clone {
         mu: &Point<Self::Space, T>,
     ) -> Point<Self::Space, T>;
 
-    /// Q with its quadratic invariants restored, which a step has changed by round-off only. By
-    /// default Q itself.
+    /// The coadjoint motion that Q makes of μ once its quadratic invariants are restored, which a
+    /// step has changed by round-off only: Casimirs of μ are conserved to a rounding without bias.
+    /// By default `transport`.
     #[inline]
-    fn normalise<T: Real>(&self, q: &Self::Multiplier<T>) -> Self::Multiplier<T> {
-        *q
+    fn coadjoint_motion<T: Real>(
+        &self,
+        q: &Self::Multiplier<T>,
+        mu: &Point<Self::Space, T>,
+    ) -> Point<Self::Space, T> {
+        self.transport::<T>(q, mu)
     }
 }
 
@@ -100,10 +105,14 @@ impl Multipliers for Quaternions {
         Covector(q.sandwich(&mu.0))
     }
 
-    /// Q/|Q|
+    /// The rotation of Π₀ by Q/|Q|.
     #[inline]
-    fn normalise<T: Real>(&self, q: &Quaternion<T>) -> Quaternion<T> {
-        q.scaled(T::one() / q.norm_squared().sqrt())
+    fn coadjoint_motion<T: Real>(
+        &self,
+        q: &Quaternion<T>,
+        mu: &Covector<Vector3<T>>,
+    ) -> Covector<Vector3<T>> {
+        Covector(q.rotate(&mu.0))
     }
 }
 
@@ -160,14 +169,13 @@ impl Multipliers for DualQuaternions {
         Se3Dual::new(q.sandwich(pi) + shift * scale, turned)
     }
 
-    /// Q/|Q|, and N without its part along Q.
+    /// The motion of the unit dual quaternion next to Q + εN: |Q|² = 1 and x₀ = 0.
     #[inline]
-    fn normalise<T: Real>(&self, q: &Self::Multiplier<T>) -> Self::Multiplier<T> {
-        let Pair(q, n) = *q;
-        let square = q.norm_squared();
-        let along = (n * q.conjugate()).scalar / square;
-        let scale = T::one() / square.sqrt();
-        Pair(q.scaled(scale), (n - q.scaled(along)).scaled(scale))
+    fn coadjoint_motion<T: Real>(&self, q: &Self::Multiplier<T>, mu: &Se3Dual<T>) -> Se3Dual<T> {
+        let (Pair(q, n), Covector(Pair(pi, gamma))) = (q, mu);
+        let turned = q.rotate(gamma);
+        let x = (*n * q.conjugate()).vector * (T::from_f64(0.5) / q.norm_squared());
+        Se3Dual::new(q.rotate(pi) + x.cross(&turned), turned)
     }
 }
 
@@ -260,8 +268,13 @@ where
     }
 
     #[inline]
-    fn normalise<T: Real>(&self, q: &Self::Multiplier<T>) -> Self::Multiplier<T> {
-        Power(from_fn(|n| self.0.normalise::<T>(&q.0[n])))
+    fn coadjoint_motion<T: Real>(
+        &self,
+        q: &Self::Multiplier<T>,
+        mu: &Point<Self::Space, T>,
+    ) -> Point<Self::Space, T> {
+        let factor = |n: usize| self.0.coadjoint_motion::<T>(&q.0[n], &Covector(mu.0.0[n])).0;
+        Covector(Power(from_fn(factor)))
     }
 }
 
@@ -302,7 +315,11 @@ impl<M: Multipliers, N: Multipliers> Multipliers for ProductMultipliers<M, N> {
     }
 
     #[inline]
-    fn normalise<T: Real>(&self, q: &Self::Multiplier<T>) -> Self::Multiplier<T> {
-        Pair(self.0.normalise::<T>(&q.0), self.1.normalise::<T>(&q.1))
+    fn coadjoint_motion<T: Real>(
+        &self,
+        q: &Self::Multiplier<T>,
+        mu: &Point<Self::Space, T>,
+    ) -> Point<Self::Space, T> {
+        Pair(self.0.coadjoint_motion::<T>(&q.0, &mu.0), self.1.coadjoint_motion::<T>(&q.1, &mu.1))
     }
 }

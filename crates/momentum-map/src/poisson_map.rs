@@ -65,6 +65,15 @@ pub trait PoissonMap: Clone {
     ) -> SourcePoint<Self, T> {
         self.source().hamiltonian_vector::<T>(z, &self.pull_back::<T>(alpha, z))
     }
+
+    /// A point of the fibre through z that does not run away: M(gauge(z)) = M(z).
+    ///
+    /// Along collective dynamics z may drift along its fibre, which is invisible in M(z) but costs
+    /// digits. Collective integrators pass to gauge(z) after each step. By default z itself.
+    #[inline]
+    fn gauge<T: Real>(&self, z: &SourcePoint<Self, T>) -> SourcePoint<Self, T> {
+        *z
+    }
 }
 
 /// The composition `outer` ∘ `inner` of two Poisson maps, which is Poisson.

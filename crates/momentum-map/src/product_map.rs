@@ -42,6 +42,11 @@ impl<M: PoissonMap, N: PoissonMap> PoissonMap for ProductMap<M, N> {
         let (first, second) = parts(alpha);
         Pair(self.0.generator::<T>(&first, &z.0), self.1.generator::<T>(&second, &z.1))
     }
+
+    #[inline]
+    fn gauge<T: Real>(&self, z: &SourcePoint<Self, T>) -> SourcePoint<Self, T> {
+        Pair(self.0.gauge::<T>(&z.0), self.1.gauge::<T>(&z.1))
+    }
 }
 
 impl<M: Lift, N: Lift> Lift for ProductMap<M, N> {
@@ -105,6 +110,11 @@ where
         z: &SourcePoint<Self, T>,
     ) -> SourcePoint<Self, T> {
         Power(from_fn(|n| self.0.generator::<T>(&alpha.0[n], &z.0[n])))
+    }
+
+    #[inline]
+    fn gauge<T: Real>(&self, z: &SourcePoint<Self, T>) -> SourcePoint<Self, T> {
+        Power(from_fn(|n| self.0.gauge::<T>(&z.0[n])))
     }
 }
 

@@ -8,7 +8,8 @@ use lie_poisson::{
 ///
 /// * `invariance` M ∘ flow = M, and `one-parameter group`;
 /// * `commuting flows`;
-/// * `momentum`: its Hamiltonian vector field generates the flow.
+/// * `momentum`: its Hamiltonian vector field generates the flow;
+/// * `gauge`: M ∘ gauge = M.
 ///
 /// # Errors
 /// If there are no samples of one kind.
@@ -23,6 +24,10 @@ pub fn fibre_symmetry<M: FibreSymmetry>(
     let mut report = Report::default();
     for z in regimes("points", points)? {
         let mu = map.apply::<f64>(&z);
+        let gauged = map.apply::<f64>(&map.gauge::<f64>(&z)) - mu;
+        if z.max_abs() != 0.0 {
+            report.note("gauge", gauged.max_abs(), z.max_abs().powi(2));
+        }
         for index in 0..M::COUNT {
             generates(map, index, &z, &mut report);
             for &s in parameters {

@@ -1,0 +1,29 @@
+//! What the checks across the crates share.
+//!
+//! | need | item |
+//! |---|---|
+//! | points and group elements at three regimes | [`point`], [`element`], [`momentum_with_vertical`], [`persistent`] |
+//! | comparison of numbers and vectors | [`assert_near`], [`assert_close`], [`relative_error`] |
+//! | the promises of a trait without its shortcuts | [`Derived`] |
+//! | is a map Poisson, is a form conserved | [`bracket_defects`], [`map_defect`], [`largest`], [`OneForm`] |
+//! | rational arithmetic | [`Rational`], [`rational_samples`] |
+//! | tops and runs | [`tops`], [`advance`], [`largest_deviation`] |
+//!
+//! The checks themselves are in `tests/tests`, one subject per file.
+
+mod compare;
+mod defects;
+mod derived;
+mod forms;
+mod rational;
+mod runs;
+mod strategies;
+pub mod tops;
+
+pub use compare::{assert_close, assert_near, relative_error};
+pub use defects::{bracket_defects, largest, map_defect};
+pub use derived::Derived;
+pub use forms::OneForm;
+pub use rational::{Rational, rational_samples};
+pub use runs::{advance, largest_deviation};
+pub use strategies::{element, momentum_with_vertical, persistent, point};

@@ -1,0 +1,37 @@
+//! Tops and starting points.
+
+use heavytop::{Body, HeavyTop, TopError};
+use lie_poisson::Se3Dual;
+use nalgebra::Vector3;
+
+/// The Kovalevskaya top of the paper's experiment, m = g = l = I₃ = 1. Source: Ohsawa 2019, §5.2.
+///
+/// # Errors
+/// Never, with these parameters.
+pub fn paper() -> Result<HeavyTop, TopError> {
+    HeavyTop::kovalevskaya(1.0, 1.0)
+}
+
+/// Its initial condition Π = (2, 3, 4), Γ = (1/2, 0, √3/2). Source: Ohsawa 2019, §5.2.
+pub fn paper_start() -> Se3Dual {
+    Se3Dual::new(Vector3::new(2.0, 3.0, 4.0), Vector3::new(0.5, 0.0, 0.75_f64.sqrt()))
+}
+
+/// A top without any symmetry: three different moments, c in no coordinate plane.
+///
+/// # Errors
+/// Never, with these parameters.
+pub fn generic() -> Result<HeavyTop, TopError> {
+    HeavyTop::new(&Body {
+        inertia: Vector3::new(1.0, 1.4, 2.1),
+        mass: 0.7,
+        gravity: 9.81,
+        length: 0.2,
+        center_of_mass: Vector3::new(2.0, -3.0, 6.0) / 7.0,
+    })
+}
+
+/// A state for it, in general position.
+pub fn generic_start() -> Se3Dual {
+    Se3Dual::new(Vector3::new(1.2, -0.7, 2.3), Vector3::new(2.0, 6.0, -3.0) / 7.0)
+}

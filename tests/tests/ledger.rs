@@ -1,0 +1,80 @@
+//! docs/paper.md names tests; here is the test that they exist.
+
+use std::collections::BTreeMap;
+use std::error::Error;
+use std::fs;
+use std::path::Path;
+
+/// The names of functions in each file of `tests/tests`.
+fn functions() -> Result<BTreeMap<String, String>, Box<dyn Error>> {
+    let mut files = BTreeMap::new();
+    for entry in fs::read_dir(Path::new(env!("CARGO_MANIFEST_DIR")).join("tests"))? {
+        let path = entry?.path();
+        if path.extension().is_some_and(|extension| extension == "rs") {
+            let stem = path.file_stem().unwrap_or_default().to_string_lossy().into_owned();
+            files.insert(stem, fs::read_to_string(path)?);
+        }
+    }
+    Ok(files)
+}
+
+/// Whether the text defines the function, also through a macro that is given `name:`.
+fn defines(text: &str, name: &str) -> bool {
+    text.contains(&format!("fn {name}(")) || text.contains(&format!("    {name}: "))
+}
+
+/// The `file::name` of a cell in backquotes, where both are lower case: an item has capitals.
+fn named(text: &str) -> impl Iterator<Item = (&str, &str)> {
+    let lower = |s: &str| !s.is_empty() && !s.chars().any(|c| c.is_uppercase() || c == ' ');
+    let quoted = text.split('`').skip(1).step_by(2);
+    quoted.filter_map(|s| s.split_once("::")).filter(move |(file, name)| lower(file) && lower(name))
+}
+
+#[test]
+fn every_test_named_in_the_ledger_exists() -> Result<(), Box<dyn Error>> {
+    let root = Path::new(env!("CARGO_MANIFEST_DIR")).join("..");
+    let ledger = fs::read_to_string(root.join("docs/paper.md"))?;
+    let files = functions()?;
+    let mut count = 0;
+    for (file, name) in named(&ledger).filter(|pair| *pair != ("file", "name")) {
+        let found = files.get(file).is_some_and(|text| defines(text, name));
+        assert!(found, "{file}::{name} is named in docs/paper.md and does not exist");
+        count += 1;
+    }
+    assert!(count > 80, "only {count} tests were found in the ledger");
+    // Negative control: a name that no file defines.
+    assert!(!files.values().any(|text| defines(text, concat!("no_such", "_test"))));
+    Ok(())
+}
+
+/// Every numbered equation and statement has a row.
+#[test]
+fn every_numbered_statement_has_a_row() -> Result<(), Box<dyn Error>> {
+    let root = Path::new(env!("CARGO_MANIFEST_DIR")).join("..");
+    let ledger = fs::read_to_string(root.join("docs/paper.md"))?;
+    let equations = [
+        "(1.1)", "(1.2)", "(1.3)", "(2.1)", "(2.2)", "(2.3)", "(2.4)", "(2.5)", "(3.1a)", "(3.1b)",
+        "(3.2)", "(3.3)", "(4.1)", "(4.2)", "(4.3)", "(4.4a)", "(4.4b)", "(4.5)", "(A.1)", "(A.2)",
+        "(B.1)", "(B.2)",
+    ];
+    let statements = [
+        "Remark 2.1",
+        "Proposition 2.2",
+        "Remark 2.3",
+        "Proposition 3.1",
+        "Corollary 3.2",
+        "Theorem 4.1(i)",
+        "Theorem 4.1(ii)",
+        "Remark 4.2",
+        "Remark 4.3",
+        "Figure 1",
+        "Figure 2",
+    ];
+    for number in equations.iter().chain(&statements) {
+        assert!(ledger.contains(&format!("\n| {number} |")), "{number} has no row");
+    }
+    for erratum in 1..=6 {
+        assert!(ledger.contains(&format!("\n| {erratum} |")), "erratum {erratum} has no row");
+    }
+    Ok(())
+}
