@@ -27,3 +27,8 @@ pub use forms::OneForm;
 pub use rational::{Rational, rational_samples};
 pub use runs::{advance, largest_deviation};
 pub use strategies::{element, momentum_with_vertical, persistent, point};
+
+/// The example of the README runs.
+#[cfg(doctest)]
+#[doc = include_str!("../../README.md")]
+struct Readme;

@@ -1,10 +1,10 @@
 //! Erratum 6 to §5.1: a symplectic scheme that treats q and p differently is not equivariant
 //! under χ ↦ χ + bψ. It neither descends to se(3)* nor conserves f₁.
 //!
-//! The schemes are written here as plain maps of T*C²; [`Collective::new`] takes them only if
+//! The schemes are written here as plain maps of T*C²; [`Collective::new`](collective_integrators::Collective::new) takes them only if
 //! someone promises that they are [`Equivariant`](collective_integrators::Equivariant).
 
-use collective_integrators::{Collective, Integrator, RungeKutta};
+use collective_integrators::{RungeKutta, Scheme};
 use heavytop::{HeavyTop, Invariant, SpinorPoint, SpinorRealisation};
 use lie_poisson::{DualNumber, Real, Vector, derivative_part, seed};
 use momentum_map::{CollectiveHamiltonian, Cotangent, FibreSymmetry, PoissonMap, SymplecticSpace};
@@ -50,10 +50,9 @@ fn stoermer_verlet<T: Real>(system: &System, z: &SpinorPoint<T>, h: f64) -> Spin
 }
 
 fn midpoint<T: Real>(system: &System, z: &SpinorPoint<T>, h: f64) -> SpinorPoint<T> {
-    let integrator =
-        Collective::new(RungeKutta::implicit_midpoint(), SpinorRealisation, system.hamiltonian);
-    let mut workspace = Integrator::<T>::workspace(&integrator);
-    let step = Integrator::<T>::step(&integrator, z, h, &mut workspace);
+    // The scheme on T*C² itself: the collective integrator also moves along the fibre.
+    let scheme = RungeKutta::implicit_midpoint();
+    let step = scheme.step::<T, _>(system, z, h, &mut scheme.workspace());
     step.map_or_else(|_| z.scaled(T::from_f64(f64::NAN)), |step| step.point)
 }
 

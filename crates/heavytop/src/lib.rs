@@ -72,3 +72,8 @@ pub use varpi::Varpi;
 pub use collective_integrators;
 pub use lie_poisson;
 pub use momentum_map;
+
+/// The examples of the README run.
+#[cfg(doctest)]
+#[doc = include_str!("../README.md")]
+struct Readme;

@@ -38,3 +38,8 @@ pub use vector_field::{FromFn, HamiltonianField, VectorField, from_fn};
 
 pub use lie_poisson;
 pub use momentum_map;
+
+/// The examples of the README run.
+#[cfg(doctest)]
+#[doc = include_str!("../README.md")]
+struct Readme;

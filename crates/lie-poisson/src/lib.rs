@@ -100,3 +100,8 @@ pub use product_space::{PowerSpace, ProductSpace, from_parts, parts};
 pub use nalgebra;
 pub use num_complex;
 pub use num_traits;
+
+/// The examples of the README run.
+#[cfg(doctest)]
+#[doc = include_str!("../README.md")]
+struct Readme;

@@ -65,3 +65,8 @@ pub use symplectic_representation::{
 };
 
 pub use lie_poisson;
+
+/// The examples of the README run.
+#[cfg(doctest)]
+#[doc = include_str!("../README.md")]
+struct Readme;
