@@ -7,11 +7,14 @@ use lie_poisson::{
     DualNumber, LieAlgebra, LieGroup, Vector, derivative_part, map_coordinates, seed,
 };
 
+/// ξ and exp ξ.
+type Moved<A> = (Generator<A>, ActingElement<A>);
+
 /// The group elements of a suite, by exp.
 fn group_elements<A: GroupAction>(
     action: &A,
     samples: &[Generator<A>],
-) -> Result<Vec<(Generator<A>, ActingElement<A>)>, NoSamples> {
+) -> Result<Vec<Moved<A>>, NoSamples> {
     let elements = regimes("algebra elements", samples)?;
     Ok(elements.into_iter().map(|xi| (xi, action.group().exp::<f64>(&xi))).collect())
 }
