@@ -1,14 +1,14 @@
-//! The canonical one-forms of T*C².
+//! The canonical one-forms of T∗C².
 
 use heavytop::SpinorPoint;
 use lie_poisson::{DualNumber, Vector, derivative_part, map_coordinates, seed};
 
-/// A one-form on T*C² whose exterior derivative is −Ω.
+/// A one-form on T∗C² whose exterior derivative is −Ω.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum OneForm {
-    /// Θ₁ = Re(ψ* dχ) = p dq. Source: Ohsawa 2019, §2.1.
+    /// Θ₁ = Re(ψ∗ dχ) = p dq. Source: Ohsawa 2019, §2.1.
     Theta1,
-    /// Θ₂ = ½ Re(ψ* dχ − χ* dψ) = ½ (p dq − q dp). Source: Ohsawa 2019, eq. (2.3).
+    /// Θ₂ = ½ Re(ψ∗ dχ − χ∗ dψ) = ½ (p dq − q dp). Source: Ohsawa 2019, eq. (2.3).
     Theta2,
 }
 

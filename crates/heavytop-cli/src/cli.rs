@@ -10,7 +10,7 @@ use std::process::ExitCode;
 /// Simulates heavy tops with collective Lie–Poisson integrators.
 ///
 /// The method is of T. Ohsawa, "Collective Heavy Top Dynamics", SIGMA 15 (2019) 083: a symplectic
-/// scheme on T*C², mapped to the phase space of the top, conserves the Casimirs f1 = |Γ|² and
+/// scheme on T∗C², mapped to the phase space of the top, conserves the Casimirs f1 = |Γ|² and
 /// f2 = Π·Γ exactly.
 #[derive(Debug, Parser)]
 #[command(name = "heavytop", version, after_long_help = EXIT_CODES)]

@@ -7,7 +7,7 @@ use serde::Deserialize;
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Deserialize)]
 #[serde(try_from = "String")]
 pub enum Formulation {
-    /// On T*C², read through M: T*C² → se(3)*.
+    /// On T∗C², read through M: T∗C² → se(3)∗.
     #[default]
     Collective,
     /// On the six equations of the heavy top.

@@ -5,7 +5,7 @@ use crate::error::{TopError, require_finite};
 use lie_poisson::{Covector, Hamiltonian, Pair, Real, Se3Dual};
 use nalgebra::{Matrix3, Vector3};
 
-/// A rigid body in an ideal fluid at rest at infinity (Kirchhoff): on se(3)* with the minus
+/// A rigid body in an ideal fluid at rest at infinity (Kirchhoff): on se(3)∗ with the minus
 /// bracket, with the impulsive couple Π (kg m²/s) and the impulse P (kg m/s),
 ///
 /// ```text

@@ -7,11 +7,11 @@
 //! |---|---|
 //! | SU(2) ⋉ C² acting on C², and L, derived from it | [`SpinorMotions`], [`SpinorMomentum`] |
 //! | ϖ, by the Hopf map | [`Varpi`] |
-//! | M = ϖ∘L: T*C² → se(3)*, its lifts and fibres | [`SpinorRealisation`] |
+//! | M = ϖ∘L: T∗C² → se(3)∗, its lifts and fibres | [`SpinorRealisation`] |
 //! | the heavy top: general, free, Lagrange, Kovalevskaya, Goryachev–Chaplygin | [`HeavyTop`], [`Body`], [`RigidBody`] |
 //! | h, f₁, f₂, f₃, K, G | [`Invariant`] |
-//! | other systems on se(3)*: gyrostat, body in a fluid | [`Gyrostat`], [`Kirchhoff`] |
-//! | systems on (so(3)*)ᴺ: vortices, spins, spins on a lattice | [`PointVortices`], [`HeisenbergChain`], [`SpinLattice`] |
+//! | other systems on se(3)∗: gyrostat, body in a fluid | [`Gyrostat`], [`Kirchhoff`] |
+//! | systems on (so(3)∗)ᴺ: vortices, spins, spins on a lattice | [`PointVortices`], [`HeisenbergChain`], [`SpinLattice`] |
 //! | closed forms: Euler's and Lagrange's tops | [`EulerSolution`], [`LagrangeNutation`], [`jacobi_elliptic`] |
 //!
 //! # Example

@@ -8,10 +8,10 @@ use lie_poisson::{
 };
 use nalgebra::Vector3;
 
-/// (so(3)*)ᴺ: N spins, or N vortices.
+/// (so(3)∗)ᴺ: N spins, or N vortices.
 pub type SpinSpace<const N: usize> = LiePoisson<PowerAlgebra<So3, N>>;
 
-/// A point of (so(3)*)ᴺ.
+/// A point of (so(3)∗)ᴺ.
 pub type Spins<const N: usize, T = f64> = Momentum<PowerAlgebra<So3, N>, T>;
 
 /// N point vortices of strengths k_i at x_i on the unit sphere,
@@ -20,7 +20,7 @@ pub type Spins<const N: usize, T = f64> = Momentum<PowerAlgebra<So3, N>, T>;
 /// ẋ_i = (1/4π) Σ_{j≠i} k_j (x_j × x_i)/(1 − x_i·x_j)
 /// ```
 ///
-/// as a Lie–Poisson system on (so(3)*)ᴺ with the minus bracket, in terms of m_i = k_i x_i:
+/// as a Lie–Poisson system on (so(3)∗)ᴺ with the minus bracket, in terms of m_i = k_i x_i:
 ///
 /// ```text
 /// h(m) = (1/4π) Σ_{i<j} k_i k_j ln(2 − 2 x_i·x_j)

@@ -5,7 +5,7 @@ use crate::error::{TopError, require_finite, require_positive};
 use lie_poisson::{Covector, Energy, Pair, Point, Power, ProductSpace, Real, RealSpace};
 use momentum_map::CotangentBundle;
 
-/// (so(3)*)ᴺ × T*Rᴺ: spins s_i and displacements q_i with momenta p_i.
+/// (so(3)∗)ᴺ × T∗Rᴺ: spins s_i and displacements q_i with momenta p_i.
 pub type SpinLatticeSpace<const N: usize> =
     ProductSpace<SpinSpace<N>, CotangentBundle<RealSpace<N>>>;
 
@@ -18,7 +18,7 @@ pub type SpinLatticeSpace<const N: usize> =
 /// The differential is taken by dual numbers ([`lie_poisson::Automatic`]). Conserved: h, |s_i|,
 /// the total spin Σ s_i and the total momentum Σ p_i.
 ///
-/// Source: the model class of G. Bogfjellmo, *Collective symplectic integrators on S₂ⁿ × T*R^m*,
+/// Source: the model class of G. Bogfjellmo, *Collective symplectic integrators on S₂ⁿ × T∗R^m*,
 /// arXiv:1809.06231 (2018).
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct SpinLattice<const N: usize> {

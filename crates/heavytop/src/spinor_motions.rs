@@ -15,7 +15,7 @@ pub type SpinorAlgebra = SemidirectAlgebra<SU2OnC2>;
 /// Ψ_(U,ρ)(χ) = U*(χ − ρ),    (ξ,φ)_{C²}(χ) = −ξχ − φ
 /// ```
 ///
-/// Its cotangent lift is (U*(χ − ρ), U*ψ). Source: Ohsawa 2019, §2.2 and §2.3.
+/// Its cotangent lift is (U∗(χ − ρ), U∗ψ). Source: Ohsawa 2019, §2.2 and §2.3.
 ///
 /// # Example
 /// ```
@@ -35,7 +35,7 @@ pub type SpinorMotions = Opposite<AffineAction<SU2OnC2>>;
 /// The action [`SpinorMotions`] as a value.
 pub const SPINOR_MOTIONS: SpinorMotions = Opposite(AffineAction(SU2OnC2));
 
-/// The momentum map L: T*C² → (su(2) ⋉ C²)* of the cotangent lift of [`SpinorMotions`], derived
+/// The momentum map L: T∗C² → (su(2) ⋉ C²)∗ of the cotangent lift of [`SpinorMotions`], derived
 /// from the action:
 ///
 /// ```text

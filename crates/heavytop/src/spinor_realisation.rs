@@ -1,4 +1,4 @@
-//! M = ϖ ∘ L: T*C² → se(3)*.
+//! M = ϖ ∘ L: T∗C² → se(3)∗.
 
 use lie_poisson::{
     ComplexSpace, Covector, LiePoisson, Pair, Real, SO3OnR3, Se3, Se3Dual, SemidirectAlgebra,
@@ -10,10 +10,10 @@ use momentum_map::{
 use nalgebra::{Vector2, Vector3};
 use num_complex::Complex;
 
-/// A point (χ, ψ) ∈ T*C² ≅ T*R⁴, χ = (q₁+iq₂, q₃+iq₄) and ψ = (p₁+ip₂, p₃+ip₄).
+/// A point (χ, ψ) ∈ T∗C² ≅ T∗R⁴, χ = (q₁+iq₂, q₃+iq₄) and ψ = (p₁+ip₂, p₃+ip₄).
 pub type SpinorPoint<T = f64> = Cotangent<Vector2<Complex<T>>>;
 
-/// The Poisson map M = ϖ ∘ L from T*C² to se(3)* with the minus bracket, in closed form:
+/// The Poisson map M = ϖ ∘ L from T∗C² to se(3)∗ with the minus bracket, in closed form:
 ///
 /// ```text
 /// Π = ½ ( −Im(χ₁ψ̄₂ + χ₂ψ̄₁), Re(χ₂ψ̄₁ − χ₁ψ̄₂), Im(χ₂ψ̄₂ − χ₁ψ̄₁) )
@@ -27,7 +27,7 @@ pub type SpinorPoint<T = f64> = Cotangent<Vector2<Complex<T>>>;
 /// ```
 ///
 /// The fibre through (χ, ψ), ψ ≠ 0, is {(e^{iθ}(χ + bψ), e^{iθ}ψ)}: the orbit of two one-parameter
-/// groups, index 0 for b with momentum J₁ = ‖ψ‖²/2 and index 1 for θ with J₂ = −Im(ψ*χ). The
+/// groups, index 0 for b with momentum J₁ = ‖ψ‖²/2 and index 1 for θ with J₂ = −Im(ψ∗χ). The
 /// Casimirs are f₁ = |Γ|² = 4J₁² and f₂ = Π·Γ = J₁J₂.
 ///
 /// Source: Ohsawa 2019, eq. (4.1) in its complex form (the real form has Γ misprinted), Cor. 3.2,
@@ -81,9 +81,9 @@ impl PoissonMap for SpinorRealisation {
         Cotangent::new(turn(chi) + pauli(&(gamma + gamma), psi), Covector(turn(psi)))
     }
 
-    /// The point of least ‖χ‖ on the line χ + bψ of the fibre: χ − (Re(ψ*χ)/‖ψ‖²) ψ.
+    /// The point of least ‖χ‖ on the line χ + bψ of the fibre: χ − (Re(ψ∗χ)/‖ψ‖²) ψ.
     ///
-    /// Along collective dynamics d/dt Re(ψ*χ) = 2γ·Γ, so that χ may grow linearly along ψ.
+    /// Along collective dynamics d/dt Re(ψ∗χ) = 2γ·Γ, so that χ may grow linearly along ψ.
     #[inline]
     fn gauge<T: Real>(&self, z: &SpinorPoint<T>) -> SpinorPoint<T> {
         let (chi, psi) = (&z.q, &z.p.0);
@@ -162,7 +162,7 @@ impl FibreSymmetry for SpinorRealisation {
         }
     }
 
-    /// J₁ = ‖ψ‖²/2 for index 0, J₂ = −Im(ψ*χ) for index 1. Source: Ohsawa 2019, §4.2.
+    /// J₁ = ‖ψ‖²/2 for index 0, J₂ = −Im(ψ∗χ) for index 1. Source: Ohsawa 2019, §4.2.
     #[inline]
     fn momentum<T: Real>(&self, index: usize, z: &SpinorPoint<T>) -> T {
         let (chi, psi) = (&z.q, &z.p.0);

@@ -4,7 +4,7 @@ use crate::error::{TopError, require_not_negative, require_positive, require_uni
 use lie_poisson::{Covector, Hamiltonian, LiePoisson, Pair, Real, Se3, Se3Dual};
 use nalgebra::Vector3;
 
-/// se(3)* with the minus bracket: the phase space of the heavy top, eq. (1.2) of Ohsawa 2019.
+/// se(3)∗ with the minus bracket: the phase space of the heavy top, eq. (1.2) of Ohsawa 2019.
 pub type HeavyTopSpace = LiePoisson<Se3>;
 
 /// The parameters of a rigid body with a fixed point in a gravitational field, in SI units.
@@ -22,14 +22,14 @@ pub struct Body {
     pub center_of_mass: Vector3<f64>,
 }
 
-/// The heavy top: the Hamiltonian on se(3)*
+/// The heavy top: the Hamiltonian on se(3)∗
 ///
 /// ```text
 /// h(Π, Γ) = ½ Π·(I⁻¹Π) + m g l Γ·c,    dh = (Ω, γ) = (I⁻¹Π, m g l c)
 /// ```
 ///
 /// in the body frame, with the angular momentum Π (kg m²/s) and Γ = R⁻¹e₃, the upward vertical
-/// seen from the body. Its equations on se(3)* with the minus bracket are
+/// seen from the body. Its equations on se(3)∗ with the minus bracket are
 ///
 /// ```text
 /// Π̇ = Π × Ω + m g l Γ × c,    Γ̇ = Γ × Ω

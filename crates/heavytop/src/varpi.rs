@@ -1,4 +1,4 @@
-//! ϖ: (su(2) ⋉ C²)* → se(3)*.
+//! ϖ: (su(2) ⋉ C²)∗ → se(3)∗.
 
 use crate::spinor_motions::SpinorAlgebra;
 use lie_poisson::{

@@ -1,4 +1,4 @@
-//! Integrators on 𝔤*: a scheme, where it runs, and how its state is read.
+//! Integrators on 𝔤∗: a scheme, where it runs, and how its state is read.
 
 use crate::{Equivariant, Scheme, Step, StepError, Trajectory, VectorField};
 use lie_poisson::{Hamiltonian, Real, Vector};
@@ -12,7 +12,7 @@ pub trait Integrator<T: Real = f64> {
     /// What is advanced: z ∈ P, or μ itself.
     type State: Vector<Scalar = T>;
 
-    /// What is simulated: μ ∈ 𝔤*.
+    /// What is simulated: μ ∈ 𝔤∗.
     type Momentum: Vector<Scalar = T>;
 
     /// The storage of a step.
@@ -68,17 +68,17 @@ pub trait Start<T: Real = f64>: Integrator<T> {
     }
 }
 
-/// The collective integrator: a scheme on the source P of a realisation M: P → 𝔤*, for the
+/// The collective integrator: a scheme on the source P of a realisation M: P → 𝔤∗, for the
 /// Hamiltonian h∘M, read through M.
 ///
-/// With a symplectic scheme μ ↦ M(Φ_h(z)), M(z) = μ, is a Poisson map of 𝔤* that does not depend
+/// With a symplectic scheme μ ↦ M(Φ_h(z)), M(z) = μ, is a Poisson map of 𝔤∗ that does not depend
 /// on the lift z: a *collective Lie–Poisson integrator*. It conserves the Casimirs.
 ///
 /// Source: McLachlan, Modin & Verdier, *Collective symplectic integrators*, Nonlinearity 27
 /// (2014); Ohsawa 2019, §5.1.
 ///
 /// # Example
-/// A realisation of so(3)* by angular momentum, L = q × p:
+/// A realisation of so(3)∗ by angular momentum, L = q × p:
 /// ```
 /// use collective_integrators::{Collective, Integrator, RungeKutta};
 /// use lie_poisson::{Covector, LiePoisson, Point, RealSpace, Real, So3, from_closure};
@@ -113,7 +113,7 @@ pub struct Collective<S, M, H> {
 }
 
 impl<S: Equivariant, M: PoissonMap, H> Collective<S, M, H> {
-    /// The scheme applied to X_{h∘M}. The bound [`Equivariant`] says that it descends to 𝔤*.
+    /// The scheme applied to X_{h∘M}. The bound [`Equivariant`] says that it descends to 𝔤∗.
     pub fn new(scheme: S, map: M, hamiltonian: H) -> Self {
         Self { scheme, system: CollectiveHamiltonian::new(map, hamiltonian) }
     }
@@ -177,9 +177,9 @@ where
 }
 
 /// A scheme applied to a vector field as it stands, such as the Lie–Poisson equations
-/// μ̇ = X_h(μ) on 𝔤*.
+/// μ̇ = X_h(μ) on 𝔤∗.
 ///
-/// Not a Poisson integrator on 𝔤*, whatever the scheme; it is here to be compared with.
+/// Not a Poisson integrator on 𝔤∗, whatever the scheme; it is here to be compared with.
 ///
 /// Source: Austin, Krishnaprasad & Wang, *Almost Poisson integration of rigid body systems*,
 /// J. Comput. Phys. 107 (1993); Ohsawa 2019, §5.2.

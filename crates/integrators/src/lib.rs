@@ -1,4 +1,4 @@
-//! Schemes that know nothing of 𝔤, and the collective integrator that brings them to 𝔤*.
+//! Schemes that know nothing of 𝔤, and the collective integrator that brings them to 𝔤∗.
 //!
 //! The modules in dependency order:
 //!
@@ -8,7 +8,7 @@
 //! | Runge–Kutta coefficients and their properties | [`Tableau`] |
 //! | stage equations | [`StageSolver`] |
 //! | one-step methods, and which of them descend | [`Scheme`], [`Equivariant`], [`RungeKutta`] |
-//! | integrators on 𝔤* | [`Integrator`], [`Collective`], [`LiftFree`], [`Direct`] |
+//! | integrators on 𝔤∗ | [`Integrator`], [`Collective`], [`LiftFree`], [`Direct`] |
 //! | trajectories | [`Trajectory`] |
 //! | diagnostics | [`fitted_order`] |
 

@@ -4,7 +4,7 @@ use crate::{Equivariant, Integrator, Start, Step, StepError, VectorField};
 use lie_poisson::{Hamiltonian, Point, Real, Vector};
 use momentum_map::{LiftError, Multiplier, Multipliers};
 
-/// The collective integrator of a linear collective system, on 𝔤* itself: the scheme solves
+/// The collective integrator of a linear collective system, on 𝔤∗ itself: the scheme solves
 ///
 /// ```text
 /// Q̇ = dh(transport(Q, μ₀)) Q,    Q(0) = 1

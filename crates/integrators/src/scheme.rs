@@ -45,12 +45,12 @@ pub trait Scheme: Clone {
     fn is_symmetric(&self) -> bool;
 }
 
-/// Promise: the scheme commutes with linear (indeed affine) changes of variable, A∘Φ_X = Φ_{A*X}∘A.
+/// Promise: the scheme commutes with linear (indeed affine) changes of variable, A∘Φ_X = Φ_{A∗X}∘A.
 ///
 /// Fibre symmetries act linearly. A scheme that commutes with them carries fibres of M to fibres,
-/// so that M∘Φ is a map of 𝔤*; if it is symplectic too, that map is Poisson. Runge–Kutta methods
+/// so that M∘Φ is a map of 𝔤∗; if it is symplectic too, that map is Poisson. Runge–Kutta methods
 /// keep the promise. Partitioned methods, which treat q and p differently, do not: they are
-/// symplectic on P, but their images are not maps of 𝔤* at all.
+/// symplectic on P, but their images are not maps of 𝔤∗ at all.
 ///
 /// Source: McLachlan, Modin & Verdier, *Collective symplectic integrators*, Nonlinearity 27
 /// (2014), Thm. 3.2; Hairer, Lubich & Wanner, *Geometric Numerical Integration*, §VI.4.

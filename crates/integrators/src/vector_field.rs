@@ -29,7 +29,7 @@ where
 }
 
 /// The Hamiltonian vector field X_h = Λ dh on a Poisson space, such as the Lie–Poisson equations
-/// μ̇ = ad*_{dh} μ on 𝔤* with the minus bracket.
+/// μ̇ = ad∗_{dh} μ on 𝔤∗ with the minus bracket.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub struct HamiltonianField<P, H> {
     /// The space with its bracket.

@@ -2,13 +2,13 @@
 
 use crate::{Covector, Real, Vector};
 
-/// A momentum μ ∈ 𝔤*, over the scalar `T`.
+/// A momentum μ ∈ 𝔤∗, over the scalar `T`.
 pub type Momentum<A, T = f64> = Covector<<A as LieAlgebra>::Element<T>>;
 
 /// A real Lie algebra 𝔤 with a standard basis.
 ///
 /// An algebra is a value (often of a unit struct), its elements are vectors over any scalar.
-/// Only the bracket is asked for; ad* follows from it, and is worth writing down where it sits
+/// Only the bracket is asked for; ad∗ follows from it, and is worth writing down where it sits
 /// in a hot loop.
 ///
 /// # Example
@@ -40,13 +40,13 @@ pub trait LieAlgebra: Clone {
     /// The Lie bracket [ξ, η] = ad_ξ η: bilinear, antisymmetric, with the Jacobi identity.
     fn bracket<T: Real>(&self, xi: &Self::Element<T>, eta: &Self::Element<T>) -> Self::Element<T>;
 
-    /// The coadjoint operator ad*_ξ: 𝔤* → 𝔤*, the transpose of ad_ξ:
+    /// The coadjoint operator ad∗_ξ: 𝔤∗ → 𝔤∗, the transpose of ad_ξ:
     ///
     /// ```text
     /// ⟨ad*_ξ μ, η⟩ = ⟨μ, [ξ, η]⟩
     /// ```
     ///
-    /// No sign is put in: ad* is an antirepresentation, ad*_{[ξ,η]} = −[ad*_ξ, ad*_η].
+    /// No sign is put in: ad∗ is an antirepresentation, `ad*_{[ξ,η]} = −[ad*_ξ, ad*_η]`.
     /// Source: Marsden & Ratiu, *Introduction to Mechanics and Symmetry*, 2nd ed., §9.3.
     #[inline]
     fn coadjoint<T: Real>(

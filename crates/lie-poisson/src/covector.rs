@@ -3,9 +3,9 @@
 use crate::Vector;
 use core::ops::{Add, AddAssign, Neg, Sub, SubAssign};
 
-/// An element of V*, stored by its coordinates in the dual basis.
+/// An element of V∗, stored by its coordinates in the dual basis.
 ///
-/// A momentum in 𝔤* is a `Covector` of the algebra's element and is not interchangeable with a
+/// A momentum in 𝔤∗ is a `Covector` of the algebra's element and is not interchangeable with a
 /// velocity in 𝔤, though both may hold three numbers. Pattern matching opens it:
 ///
 /// ```

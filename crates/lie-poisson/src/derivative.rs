@@ -23,7 +23,7 @@ where
     V::from_coordinates(|i| w.coordinate(i).derivative)
 }
 
-/// The differential df(z) ∈ V*, coordinate by coordinate: DIM evaluations of `f`.
+/// The differential df(z) ∈ V∗, coordinate by coordinate: DIM evaluations of `f`.
 ///
 /// # Example
 /// ```
@@ -42,7 +42,7 @@ where
     V::Dual::from_coordinates(|i| f(&seed(z, &V::basis(i))).derivative)
 }
 
-/// The transposed tangent map (T_z f)ᵀ α ∈ V* of f: V → W at a covector α ∈ W*.
+/// The transposed tangent map (T_z f)ᵀ α ∈ V∗ of f: V → W at a covector α ∈ W∗.
 ///
 /// `A` is the type of α; `V2` and `W2` are V and W over dual numbers.
 #[inline]

@@ -15,7 +15,7 @@ pub type Se3 = SemidirectAlgebra<SO3OnR3>;
 /// The special Euclidean group SE(3) = SO(3) ⋉ R³.
 pub type SE3 = SemidirectGroup<SO3OnR3>;
 
-/// An element (Π, Γ) of se(3)*.
+/// An element (Π, Γ) of se(3)∗.
 pub type Se3Dual<T = f64> = Covector<Pair<Vector3<T>, Vector3<T>>>;
 
 impl<T: Real> Se3Dual<T> {

@@ -5,7 +5,7 @@ use crate::{LieAlgebra, Momentum, Real, Vector};
 /// ξ ∈ 𝔤 of a group, over the scalar `T`.
 pub type AlgebraElement<G, T = f64> = <<G as LieGroup>::Algebra as LieAlgebra>::Element<T>;
 
-/// μ ∈ 𝔤* of a group, over the scalar `T`.
+/// μ ∈ 𝔤∗ of a group, over the scalar `T`.
 pub type GroupMomentum<G, T = f64> = Momentum<<G as LieGroup>::Algebra, T>;
 
 /// A Lie group G with Lie algebra 𝔤 = T_e G.
@@ -44,8 +44,8 @@ pub trait LieGroup: Clone {
         xi: &AlgebraElement<Self, T>,
     ) -> AlgebraElement<Self, T>;
 
-    /// Ad*_g μ, the transpose of Ad_g: ⟨Ad*_g μ, ξ⟩ = ⟨μ, Ad_g ξ⟩. A right action of G on 𝔤*:
-    /// Ad*_{gh} = Ad*_h Ad*_g.
+    /// Ad∗_g μ, the transpose of Ad_g: ⟨Ad∗_g μ, ξ⟩ = ⟨μ, Ad_g ξ⟩. A right action of G on 𝔤∗:
+    /// Ad∗_{gh} = Ad∗_h Ad∗_g.
     #[inline]
     fn coadjoint<T: Real>(
         &self,

@@ -5,7 +5,7 @@ use core::marker::PhantomData;
 
 /// A function h: P → R with its differential, over the scalar `T`.
 ///
-/// On P = 𝔤* the differential dh(μ) lies in 𝔤: a velocity. There are three ways to get one:
+/// On P = 𝔤∗ the differential dh(μ) lies in 𝔤: a velocity. There are three ways to get one:
 ///
 /// * implement [`Energy`] and wrap it in [`Automatic`]: one generic formula, differentiated by
 ///   dual numbers, at work over every scalar;
@@ -16,7 +16,7 @@ pub trait Hamiltonian<P: PoissonSpace, T: Real = f64> {
     /// h(z)
     fn value(&self, z: &Point<P, T>) -> T;
 
-    /// dh(z) ∈ T*_z P
+    /// dh(z) ∈ T∗_z P
     fn differential(&self, z: &Point<P, T>) -> Differential<P, T>;
 }
 

@@ -5,7 +5,7 @@
 //! | object | item |
 //! |---|---|
 //! | scalars: numbers, dual numbers, lanes | [`Real`], [`DualNumber`], [`Lanes`] |
-//! | vector spaces V and their duals V* | [`Vector`], [`Covector`], [`Pair`], [`Power`], [`VectorSpace`] |
+//! | vector spaces V and their duals V∗ | [`Vector`], [`Covector`], [`Pair`], [`Power`], [`VectorSpace`] |
 //! | exact derivatives | [`differential`], [`transposed_tangent`] |
 //! | Lie algebras 𝔤 and groups G | [`LieAlgebra`], [`LieGroup`]: [`RealSpace`], [`SO2`], [`SO3`], [`SU2`], [`SP1`], [`SL2`], [`UnitaryGroup`] |
 //! | algebras by structure constants | [`StructureConstants`] |
@@ -16,8 +16,8 @@
 //! | Hamiltonians h and dh | [`Hamiltonian`], [`Energy`], [`Automatic`], [`from_closure`] |
 //! | the axioms as residuals (feature `laws`) | `laws` |
 //!
-//! The conventions are fixed in one place: ⟨ad*_ξ μ, η⟩ = ⟨μ, [ξ, η]⟩, and on 𝔤* with the
-//! minus bracket μ̇ = ad*_{dh(μ)} μ.
+//! The conventions are fixed in one place: ⟨ad∗_ξ μ, η⟩ = ⟨μ, [ξ, η]⟩, and on 𝔤∗ with the
+//! minus bracket μ̇ = ad∗_{dh(μ)} μ.
 
 mod real;
 mod dual_number;

@@ -3,7 +3,7 @@
 use crate::{Differential, LieAlgebra, Momentum, Point, Real, Vector, VectorSpace};
 use nalgebra::DMatrix;
 
-/// A vector space P with a Poisson bracket, given by its Poisson tensor Λ(z): T*P → TP:
+/// A vector space P with a Poisson bracket, given by its Poisson tensor Λ(z): T∗P → TP:
 ///
 /// ```text
 /// {f, h}(z) = ⟨df(z), Λ(z) dh(z)⟩,    X_h(z) = Λ(z) dh(z),    ḟ = {f, h}
@@ -39,17 +39,17 @@ pub trait PoissonSpace: VectorSpace {
 
 /// The sign of a Lie–Poisson bracket.
 ///
-/// Momentum maps of right actions go to 𝔤* with the minus sign, those of left actions to 𝔤* with
+/// Momentum maps of right actions go to 𝔤∗ with the minus sign, those of left actions to 𝔤∗ with
 /// the plus sign; body-frame dynamics has the minus sign.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Sign {
-    /// {f, h}(μ) = +⟨μ, [df, dh]⟩, so that μ̇ = −ad*_{dh} μ.
+    /// {f, h}(μ) = +⟨μ, [df, dh]⟩, so that μ̇ = −ad∗_{dh} μ.
     Plus,
-    /// {f, h}(μ) = −⟨μ, [df, dh]⟩, so that μ̇ = +ad*_{dh} μ.
+    /// {f, h}(μ) = −⟨μ, [df, dh]⟩, so that μ̇ = +ad∗_{dh} μ.
     Minus,
 }
 
-/// 𝔤* with a (±)-Lie–Poisson bracket {f, h}±(μ) = ±⟨μ, [df(μ), dh(μ)]⟩.
+/// 𝔤∗ with a (±)-Lie–Poisson bracket {f, h}±(μ) = ±⟨μ, [df(μ), dh(μ)]⟩.
 ///
 /// Source: Marsden & Ratiu, *Introduction to Mechanics and Symmetry*, 2nd ed., §13.1; Ohsawa
 /// 2019, eqs. (1.2), (2.4) and (3.3) for the minus sign.
@@ -70,17 +70,17 @@ pub struct LiePoisson<A> {
 }
 
 impl<A: LieAlgebra> LiePoisson<A> {
-    /// 𝔤* with the bracket of the given sign.
+    /// 𝔤∗ with the bracket of the given sign.
     pub const fn new(algebra: A, sign: Sign) -> Self {
         Self { algebra, sign }
     }
 
-    /// 𝔤* with the minus bracket.
+    /// 𝔤∗ with the minus bracket.
     pub const fn minus(algebra: A) -> Self {
         Self::new(algebra, Sign::Minus)
     }
 
-    /// 𝔤* with the plus bracket.
+    /// 𝔤∗ with the plus bracket.
     pub const fn plus(algebra: A) -> Self {
         Self::new(algebra, Sign::Plus)
     }
@@ -101,7 +101,7 @@ impl<A: LieAlgebra> VectorSpace for LiePoisson<A> {
 }
 
 impl<A: LieAlgebra> PoissonSpace for LiePoisson<A> {
-    /// ∓ad*_{dh} μ for the (±)-bracket.
+    /// ∓ad∗_{dh} μ for the (±)-bracket.
     #[inline]
     fn hamiltonian_vector<T: Real>(
         &self,

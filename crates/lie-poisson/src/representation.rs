@@ -20,7 +20,7 @@ pub trait Representation: Clone {
     /// ξ v
     fn act<T: Real>(&self, xi: &RepresentedElement<Self, T>, v: &Self::Space<T>) -> Self::Space<T>;
 
-    /// ξᵀ α ∈ V*, the transpose: ⟨ξᵀα, v⟩ = ⟨α, ξv⟩.
+    /// ξᵀ α ∈ V∗, the transpose: ⟨ξᵀα, v⟩ = ⟨α, ξv⟩.
     #[inline]
     fn transpose_act<T: Real>(
         &self,
@@ -30,7 +30,7 @@ pub trait Representation: Clone {
         Covector::from_coordinates(|i| alpha.pairing(&self.act::<T>(xi, &Vector::basis(i))))
     }
 
-    /// v ◇ α ∈ 𝔤*, the momentum of the action on V: ⟨v ◇ α, η⟩ = ⟨α, ηv⟩.
+    /// v ◇ α ∈ 𝔤∗, the momentum of the action on V: ⟨v ◇ α, η⟩ = ⟨α, ηv⟩.
     ///
     /// Source: Holm, Marsden & Ratiu, *The Euler–Poincaré equations and semidirect products*,
     /// Adv. Math. 137 (1998), eq. (1.2).

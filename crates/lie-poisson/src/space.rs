@@ -32,7 +32,7 @@ impl<const N: usize> VectorSpace for RealSpace<N> {
     type Point<T: Real> = SVector<T, N>;
 }
 
-/// C^N as a real vector space of dimension 2N, with ⟨ψ, χ⟩ = Re(ψ*χ).
+/// C^N as a real vector space of dimension 2N, with ⟨ψ, χ⟩ = Re(ψ∗χ).
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub struct ComplexSpace<const N: usize>;
 

@@ -82,7 +82,7 @@ impl Representation for SU2OnC2 {
         Su2.matrix(xi) * v
     }
 
-    /// ξᵀ α = ξ* α = −ξ α in coordinates.
+    /// ξᵀ α = ξ∗ α = −ξ α in coordinates.
     #[inline]
     fn transpose_act<T: Real>(
         &self,

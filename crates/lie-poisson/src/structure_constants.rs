@@ -50,7 +50,7 @@ pub enum StructureError {
     },
 }
 
-/// The Lie algebra with [e_i, e_j] = Σ_k c[i][j][k] e_k, of dimension N.
+/// The Lie algebra with `[e_i, e_j] = Σ_k c[i][j][k] e_k`, of dimension N.
 ///
 /// # Example
 /// ```
@@ -74,7 +74,7 @@ pub struct StructureConstants<const N: usize> {
 }
 
 impl<const N: usize> StructureConstants<N> {
-    /// From c(i, j, k) = c[i][j][k], the k-th coordinate of [e_i, e_j].
+    /// From `c(i, j, k) = c[i][j][k]`, the k-th coordinate of `[e_i, e_j]`.
     ///
     /// # Errors
     /// If a constant is not finite, the bracket is not antisymmetric (exactly), or the Jacobi
@@ -98,7 +98,7 @@ impl<const N: usize> StructureConstants<N> {
         Ok(Self { constants: Arc::new(constants) })
     }
 
-    /// c[i][j][k]; zero beyond the dimension.
+    /// `c[i][j][k]`; zero beyond the dimension.
     #[must_use]
     pub fn constant(&self, i: usize, j: usize, k: usize) -> f64 {
         let row = self.constants.get(i).and_then(|rows| rows.get(j));

@@ -7,7 +7,7 @@ use num_complex::Complex;
 /// The Lie algebra su(2) ≅ R³ with the basis e_j = −(i/2) σ_j, in which the bracket is the cross
 /// product.
 ///
-/// The dot product of coordinates is ⟨ξ, η⟩ = 2 tr(ξ* η), which also identifies su(2)* with
+/// The dot product of coordinates is ⟨ξ, η⟩ = 2 tr(ξ∗ η), which also identifies su(2)∗ with
 /// su(2). Source: Ohsawa 2019, Appendix A.1 and eq. (A.1).
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub struct Su2;
@@ -37,7 +37,7 @@ impl Su2 {
         )
     }
 
-    /// The coordinates ξ_j = ⟨e_j, ξ⟩ = 2 tr(e_j* ξ) of a matrix; for one outside su(2), of its
+    /// The coordinates ξ_j = ⟨e_j, ξ⟩ = 2 tr(e_j∗ ξ) of a matrix; for one outside su(2), of its
     /// orthogonal projection to su(2).
     ///
     /// ```
@@ -75,7 +75,7 @@ impl LieAlgebra for Su2 {
 pub struct SU2;
 
 impl SU2 {
-    /// The double cover SU(2) → SO(3), U ↦ R with U (v·e) U* = (Rv)·e.
+    /// The double cover SU(2) → SO(3), U ↦ R with U (v·e) U∗ = (Rv)·e.
     ///
     /// ```
     /// use lie_poisson::{LieGroup, SO3, SU2};
@@ -113,7 +113,7 @@ impl LieGroup for SU2 {
         g * h
     }
 
-    /// U*
+    /// U∗
     #[inline]
     fn inverse<T: Real>(&self, g: &Matrix2<Complex<T>>) -> Matrix2<Complex<T>> {
         g.map(|z| z.conj()).transpose()
@@ -128,13 +128,13 @@ impl LieGroup for SU2 {
         Matrix2::from_diagonal_element(cosine) + Su2.matrix(&(xi * x.stumpff(1)))
     }
 
-    /// Ad_U ξ = U ξ U*
+    /// Ad_U ξ = U ξ U∗
     #[inline]
     fn adjoint<T: Real>(&self, g: &Matrix2<Complex<T>>, xi: &Vector3<T>) -> Vector3<T> {
         Su2.coordinates(&(g * Su2.matrix(xi) * self.inverse(g)))
     }
 
-    /// Ad*_U μ = U* μ U
+    /// Ad∗_U μ = U∗ μ U
     #[inline]
     fn coadjoint<T: Real>(
         &self,

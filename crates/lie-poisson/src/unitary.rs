@@ -5,16 +5,16 @@ use core::ops::{Add, AddAssign, Neg, Sub, SubAssign};
 use nalgebra::SMatrix;
 use num_complex::Complex;
 
-/// A skew-Hermitian matrix ξ* = −ξ, an element of u(N).
+/// A skew-Hermitian matrix ξ∗ = −ξ, an element of u(N).
 ///
 /// Its N² coordinates run through the matrix by columns: −i ξ_jj on the diagonal, and for j > k
-/// Re ξ_jk below it and Im ξ_jk = Im ξ_kj above it. A momentum μ ∈ u(N)* is a covector of these.
+/// Re ξ_jk below it and Im ξ_jk = Im ξ_kj above it. A momentum μ ∈ u(N)∗ is a covector of these.
 #[derive(Clone, Copy, Debug, PartialEq)]
 #[repr(transparent)]
 pub struct SkewHermitian<T, const N: usize>(SMatrix<Complex<T>, N, N>);
 
 impl<T: Real, const N: usize> SkewHermitian<T, N> {
-    /// The skew-Hermitian part ½(A − A*) of a matrix.
+    /// The skew-Hermitian part ½(A − A∗) of a matrix.
     #[inline]
     pub fn part_of(a: &SMatrix<Complex<T>, N, N>) -> Self {
         let half = |z: Complex<T>| Complex { re: z.re * 0.5, im: z.im * 0.5 };
@@ -28,7 +28,7 @@ impl<T: Real, const N: usize> SkewHermitian<T, N> {
     }
 }
 
-/// A*
+/// A∗
 fn adjoint<T: Real, const N: usize>(a: &SMatrix<Complex<T>, N, N>) -> SMatrix<Complex<T>, N, N> {
     a.transpose().map(|z| z.conj())
 }
@@ -113,9 +113,9 @@ impl<const N: usize> LieAlgebra for UnitaryAlgebra<N> {
 }
 
 impl<const N: usize> UnitaryAlgebra<N> {
-    /// The Hermitian matrix H of a momentum: ⟨μ, ξ⟩ = Re tr((iH)* ξ) = Im tr(Hξ).
+    /// The Hermitian matrix H of a momentum: ⟨μ, ξ⟩ = Re tr((iH)∗ ξ) = Im tr(Hξ).
     ///
-    /// Under it ad*_ξ μ becomes Hξ − ξH and Ad*_U μ becomes U*HU.
+    /// Under it ad∗_ξ μ becomes Hξ − ξH and Ad∗_U μ becomes U∗HU.
     #[inline]
     pub fn hermitian<T: Real>(
         &self,
@@ -169,7 +169,7 @@ impl<const N: usize> LieGroup for UnitaryGroup<N> {
         g * h
     }
 
-    /// U*
+    /// U∗
     #[inline]
     fn inverse<T: Real>(&self, g: &SMatrix<Complex<T>, N, N>) -> SMatrix<Complex<T>, N, N> {
         adjoint(g)
@@ -187,7 +187,7 @@ impl<const N: usize> LieGroup for UnitaryGroup<N> {
         (0..halvings as usize).fold(series, |g, _| g * g)
     }
 
-    /// Ad_U ξ = U ξ U*
+    /// Ad_U ξ = U ξ U∗
     #[inline]
     fn adjoint<T: Real>(
         &self,

@@ -14,7 +14,7 @@ use num_complex::Complex;
 /// alternate, so that C² ≅ R⁴ is χ = (q₁+iq₂, q₃+iq₄)), for [`Covector`], [`Pair`](crate::Pair)
 /// and [`Power`](crate::Power).
 ///
-/// The dual V* is a different type, paired by coordinates: ⟨α, v⟩ = Σ αᵢ vᵢ.
+/// The dual V∗ is a different type, paired by coordinates: ⟨α, v⟩ = Σ αᵢ vᵢ.
 ///
 /// # Example
 /// ```
@@ -40,7 +40,7 @@ pub trait Vector:
     /// The real numbers in use.
     type Scalar: Real;
 
-    /// The dual space V*; V** = V.
+    /// The dual space V∗; V∗∗ = V.
     type Dual: Vector<Scalar = Self::Scalar, Dual = Self>;
 
     /// dim V over the reals.
@@ -76,7 +76,7 @@ pub trait Vector:
         *self += x.scaled(s);
     }
 
-    /// The natural pairing ⟨α, v⟩ = Σ αᵢ vᵢ, which is symmetric in the roles of V and V*.
+    /// The natural pairing ⟨α, v⟩ = Σ αᵢ vᵢ, which is symmetric in the roles of V and V∗.
     #[inline]
     fn pairing(&self, dual: &Self::Dual) -> Self::Scalar {
         let mut sum: Self::Scalar = num_traits::zero();

@@ -6,7 +6,7 @@ use lie_poisson::{
     Covector, Differential, Point, PoissonSpace, Real, Vector, VectorSpace, map_coordinates,
 };
 
-/// (q, p) ∈ T*Q = Q × Q*; the coordinates of q come first.
+/// (q, p) ∈ T∗Q = Q × Q∗; the coordinates of q come first.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Cotangent<Q: Vector> {
     /// The configuration.
@@ -85,7 +85,7 @@ impl<Q: Vector> SubAssign for Cotangent<Q> {
     }
 }
 
-/// T*Q with its canonical structure:
+/// T∗Q with its canonical structure:
 ///
 /// ```text
 /// Θ = p dq,   Ω = −dΘ = dq ∧ dp,   {F, H} = ∂F/∂q·∂H/∂p − ∂F/∂p·∂H/∂q,

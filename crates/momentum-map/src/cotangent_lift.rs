@@ -3,7 +3,7 @@
 use crate::{ActingElement, ActionPoint, Cotangent, CotangentBundle, Generator, GroupAction, Side};
 use lie_poisson::{DualNumber, LieGroup, Real, map_coordinates, transposed_tangent};
 
-/// The cotangent lift of an action on Q to T*Q, derived from the action:
+/// The cotangent lift of an action on Q to T∗Q, derived from the action:
 ///
 /// ```text
 /// T*Φ_{g⁻¹}(q, p) = (Φ_g(q), p ∘ T Φ_{g⁻¹})

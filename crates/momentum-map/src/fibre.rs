@@ -44,7 +44,7 @@ pub trait Lift: PoissonMap {
 ///
 /// Every collective Hamiltonian h∘M is invariant under it, so its momenta are conserved
 /// (Noether); they are the pull-backs of the Casimirs, up to a function. A scheme on P descends to
-/// a map of 𝔤* if and only if it maps fibres to fibres, for which it suffices to commute with
+/// a map of 𝔤∗ if and only if it maps fibres to fibres, for which it suffices to commute with
 /// these flows.
 ///
 /// Source: Ohsawa 2019, §4.2; McLachlan, Modin & Verdier, *Collective symplectic integrators*,

@@ -4,7 +4,7 @@
 //!
 //! | object | item |
 //! |---|---|
-//! | symplectic spaces: T*Q with dq ∧ dp, C^N | [`SymplecticSpace`], [`Cotangent`], [`CotangentBundle`], [`SymplecticComplexSpace`] |
+//! | symplectic spaces: T∗Q with dq ∧ dp, C^N | [`SymplecticSpace`], [`Cotangent`], [`CotangentBundle`], [`SymplecticComplexSpace`] |
 //! | actions Φ of a group on Q, their side and generators | [`GroupAction`], [`Side`] |
 //! | linear and affine actions, the other side, products | [`LinearAction`], [`AffineAction`], [`Opposite`], [`JointAction`], [`ProductAction`] |
 //! | the cotangent lift, derived | [`CotangentLift`] |
@@ -14,7 +14,7 @@
 //! | products and powers of maps | [`ProductMap`], [`PowerMap`] |
 //! | H = h∘M and its vector field, Noether's quantities | [`CollectiveHamiltonian`], [`NoetherQuantity`] |
 //! | linear collective systems without a lift | [`Multipliers`]: [`Quaternions`], [`DualQuaternions`], [`ComplexMatrices`] |
-//! | so(3)* and sl(2, R)* from R⁴, u(N)* from C^N, se(3)* from T*R³ | [`HOPF`], [`Sl2Realisation`], [`unitary_realisation`], [`PARTICLE`] |
+//! | so(3)∗ and sl(2, R)∗ from R⁴, u(N)∗ from C^N, se(3)∗ from T∗R³ | [`HOPF`], [`Sl2Realisation`], [`unitary_realisation`], [`PARTICLE`] |
 //! | the laws as residuals (feature `laws`) | `laws` |
 
 mod symplectic;

@@ -6,14 +6,14 @@ use crate::{
 };
 use lie_poisson::{LieGroup, LiePoisson, Real, Vector};
 
-/// The momentum map J: T*Q → 𝔤* of the cotangent lift of an action, derived from the action:
+/// The momentum map J: T∗Q → 𝔤∗ of the cotangent lift of an action, derived from the action:
 ///
 /// ```text
 /// ⟨J(q, p), ξ⟩ = ⟨p, ξ_Q(q)⟩
 /// ```
 ///
-/// Equivariant: J ∘ T*Φ_{g⁻¹} = Ad*_g ∘ J for a right action, Ad*_{g⁻¹} ∘ J for a left one; hence
-/// Poisson to 𝔤* with the [sign](crate::Side::lie_poisson_sign) of the side.
+/// Equivariant: J ∘ T∗Φ_{g⁻¹} = Ad∗_g ∘ J for a right action, Ad∗_{g⁻¹} ∘ J for a left one; hence
+/// Poisson to 𝔤∗ with the [sign](crate::Side::lie_poisson_sign) of the side.
 ///
 /// Source: Marsden & Ratiu, *Introduction to Mechanics and Symmetry*, 2nd ed., Thm. 12.1.4 and
 /// Thm. 12.4.1; Ohsawa 2019, §2.3.
@@ -68,7 +68,7 @@ impl<A: GroupAction> PoissonMap for MomentumMap<A> {
         })
     }
 
-    /// The generator ξ_{T*Q}(z) of the cotangent lift.
+    /// The generator ξ_{T∗Q}(z) of the cotangent lift.
     fn generator<T: Real>(
         &self,
         xi: &TargetDifferential<Self, T>,

@@ -10,7 +10,7 @@ use nalgebra::{SMatrix, Vector3};
 use num_complex::Complex;
 
 /// An associative algebra 𝔄 ∋ Q of linear maps of P that contains the generators of a linear
-/// collective system, and acts on 𝔤* in such a way that J(Qz) depends on J(z) and Q alone.
+/// collective system, and acts on 𝔤∗ in such a way that J(Qz) depends on J(z) and Q alone.
 ///
 /// Collective dynamics ż = ξ(J(z)) z, ξ = dh, keeps the form z = Q z₀, where Q obeys
 ///
@@ -19,20 +19,20 @@ use num_complex::Complex;
 /// ```
 ///
 /// which mentions z₀ only through μ₀ = J(z₀). A Runge–Kutta method commutes with the linear map
-/// Q ↦ Qz₀, so the collective method on P *is* the same method for Q: a map of 𝔤* in closed form,
-/// without a lift, without a fibre to drift along, and on all of 𝔤*, image of J or not.
+/// Q ↦ Qz₀, so the collective method on P *is* the same method for Q: a map of 𝔤∗ in closed form,
+/// without a lift, without a fibre to drift along, and on all of 𝔤∗, image of J or not.
 ///
 /// A multiplier is determined up to what `transport` does not see; the flow conserves quadratic
 /// invariants of Q (|Q|² = 1 for quaternions) that make `transport` a coadjoint motion, and so
 /// does every Gauss method.
 pub trait Multipliers: Clone {
-    /// 𝔤*, or a product of such spaces.
+    /// 𝔤∗, or a product of such spaces.
     type Space: PoissonSpace;
 
     /// Q ∈ 𝔄 over the scalar `T`.
     type Multiplier<T: Real>: Vector<Scalar = T>;
 
-    /// 𝔤* as a value.
+    /// 𝔤∗ as a value.
     fn space(&self) -> Self::Space;
 
     /// 1 ∈ 𝔄
@@ -68,7 +68,7 @@ pub trait Multipliers: Clone {
 /// A multiplier of a collective system, over the scalar `T`.
 pub type Multiplier<M, T = f64> = <M as Multipliers>::Multiplier<T>;
 
-/// Quaternions, for so(3)* with the minus bracket and the Hopf map:
+/// Quaternions, for so(3)∗ with the minus bracket and the Hopf map:
 ///
 /// ```text
 /// Q̇ = −½ Ω Q,    Π = Q Π₀ Q̄
@@ -122,7 +122,7 @@ fn imaginary<T: Real>(v: &Vector3<T>, s: f64) -> Quaternion<T> {
     Quaternion { scalar: T::zero(), vector: v * T::from_f64(s) }
 }
 
-/// Dual quaternions Q + εN, for se(3)* with the minus bracket and M: T*C² → se(3)*. With
+/// Dual quaternions Q + εN, for se(3)∗ with the minus bracket and M: T∗C² → se(3)∗. With
 /// (Ω, γ) = dh,
 ///
 /// ```text
@@ -179,7 +179,7 @@ impl Multipliers for DualQuaternions {
     }
 }
 
-/// Complex N×N matrices, for u(N)* with the minus bracket: in terms of the Hermitian matrix H of
+/// Complex N×N matrices, for u(N)∗ with the minus bracket: in terms of the Hermitian matrix H of
 /// a momentum,
 ///
 /// ```text

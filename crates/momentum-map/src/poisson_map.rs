@@ -8,14 +8,14 @@ pub type SourcePoint<M, T = f64> = Point<<M as PoissonMap>::Source, T>;
 /// A point in the target of a map, over the scalar `T`.
 pub type TargetPoint<M, T = f64> = Point<<M as PoissonMap>::Target, T>;
 
-/// A covector on the target of a map, over the scalar `T`; an element of 𝔤 if the target is 𝔤*.
+/// A covector on the target of a map, over the scalar `T`; an element of 𝔤 if the target is 𝔤∗.
 pub type TargetDifferential<M, T = f64> = Differential<<M as PoissonMap>::Target, T>;
 
 /// A smooth map M: P → Q with {f ∘ M, h ∘ M}_P = {f, h}_Q ∘ M.
 ///
 /// Only `apply` is asked for; that the map is Poisson is a promise that the law suite checks.
-/// From P canonical to Q = 𝔤* it is a *realisation* of 𝔤*, and lifts every Hamiltonian system
-/// on 𝔤* to a canonical one, its *collective* dynamics:
+/// From P canonical to Q = 𝔤∗ it is a *realisation* of 𝔤∗, and lifts every Hamiltonian system
+/// on 𝔤∗ to a canonical one, its *collective* dynamics:
 ///
 /// ```text
 /// X_{h∘M}(z) = generator(dh(M(z)), z)

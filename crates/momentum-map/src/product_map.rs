@@ -11,7 +11,7 @@ use lie_poisson::{
 /// The product (M, N): P₁ × P₂ → Q₁ × Q₂ of two Poisson maps.
 ///
 /// With [`Identity`](crate::Identity) for N it couples spins or vortices to canonical variables:
-/// (S²)ⁿ × T*R^m. Source: Bogfjellmo, *Collective symplectic integrators on S₂ⁿ × T*R^m*,
+/// (S²)ⁿ × T∗R^m. Source: Bogfjellmo, *Collective symplectic integrators on S₂ⁿ × T∗R^m*,
 /// arXiv:1809.06231 (2018).
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub struct ProductMap<M, N>(pub M, pub N);
@@ -77,7 +77,7 @@ impl<M: FibreSymmetry, N: FibreSymmetry> FibreSymmetry for ProductMap<M, N> {
     }
 }
 
-/// The power Mᴺ: Pᴺ → (𝔤ᴺ)* of a realisation M: P → 𝔤*: N spins, N vortices.
+/// The power Mᴺ: Pᴺ → (𝔤ᴺ)∗ of a realisation M: P → 𝔤∗: N spins, N vortices.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub struct PowerMap<M, const N: usize>(pub M);
 

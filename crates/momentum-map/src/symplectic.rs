@@ -24,7 +24,7 @@ pub trait SymplecticSpace: PoissonSpace {
     }
 }
 
-/// C^N with z = q + ip and Ω(u, v) = Im(u*v), that is dq ∧ dp; X_H = ∂H/∂p − i ∂H/∂q.
+/// C^N with z = q + ip and Ω(u, v) = Im(u∗v), that is dq ∧ dp; X_H = ∂H/∂p − i ∂H/∂q.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub struct SymplecticComplexSpace<const N: usize>;
 

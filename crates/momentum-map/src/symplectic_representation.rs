@@ -55,7 +55,7 @@ impl<R: SymplecticRepresentation> SymplecticSpace for Symplectic<R> {
 ///
 /// with its generator ξ_P z, both from the representation alone.
 ///
-/// so(3)* from C² by the Hopf map, sl(2, R)* from R²ⁿ and u(N)* by outer products are all of this
+/// so(3)∗ from C² by the Hopf map, sl(2, R)∗ from R²ⁿ and u(N)∗ by outer products are all of this
 /// kind: one code path.
 ///
 /// Source: Marsden & Ratiu, *Introduction to Mechanics and Symmetry*, 2nd ed., Ex. 12.4(c)
@@ -63,7 +63,7 @@ impl<R: SymplecticRepresentation> SymplecticSpace for Symplectic<R> {
 /// Nonlinearity 27 (2014), §4.
 ///
 /// # Example
-/// SL(2, R) on the plane: J = (qp, ½p², −½q²), up to sign, a cone in sl(2, R)*.
+/// SL(2, R) on the plane: J = (qp, ½p², −½q²), up to sign, a cone in sl(2, R)∗.
 /// ```
 /// use lie_poisson::{Casimirs, SL2OnR2, Sl2};
 /// use momentum_map::{PoissonMap, QuadraticMomentumMap, Side};
@@ -147,7 +147,7 @@ impl Representation for So3OnC2 {
     }
 }
 
-/// Representations on C^N by skew-Hermitian matrices preserve Ω(u, v) = Im(u*v).
+/// Representations on C^N by skew-Hermitian matrices preserve Ω(u, v) = Im(u∗v).
 macro_rules! unitary {
     ($($representation:ty, $n:expr, [$($generic:tt)*]);*) => {$(
         impl<$($generic)*> SymplecticRepresentation for $representation {

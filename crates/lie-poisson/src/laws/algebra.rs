@@ -2,7 +2,7 @@ use super::{NoSamples, Report, regimes};
 use crate::{LieAlgebra, Momentum, Vector, map_coordinates};
 
 /// The laws of a Lie algebra on samples of elements: `bilinearity`, `antisymmetry`, `Jacobi` and
-/// `pairing` ⟨ad*_ξ μ, η⟩ = ⟨μ, [ξ, η]⟩.
+/// `pairing` ⟨ad∗_ξ μ, η⟩ = ⟨μ, [ξ, η]⟩.
 ///
 /// # Errors
 /// If there are no samples.

@@ -117,8 +117,8 @@ pub fn cotangent_lift<A: GroupAction>(
     Ok(report)
 }
 
-/// `equivariance` of the momentum map of a cotangent-lifted action: J(g·z) = Ad*_{g⁻¹} J(z) for
-/// left actions, Ad*_g J(z) for right ones.
+/// `equivariance` of the momentum map of a cotangent-lifted action: J(g·z) = Ad∗_{g⁻¹} J(z) for
+/// left actions, Ad∗_g J(z) for right ones.
 ///
 /// # Errors
 /// If there are no samples of one kind.

@@ -1,4 +1,4 @@
-//! so(3)* from C² by the Hopf map.
+//! so(3)∗ from C² by the Hopf map.
 
 use crate::{
     FibreSymmetry, Lift, LiftError, QuadraticMomentumMap, Side, So3OnC2, SourcePoint, TargetPoint,
@@ -8,14 +8,14 @@ use lie_poisson::{Real, Vector};
 use nalgebra::Vector2;
 use num_complex::Complex;
 
-/// The momentum map of SU(2) on C² = {z = q + ip} with dq ∧ dp, as a map to so(3)* ≅ su(2)*:
+/// The momentum map of SU(2) on C² = {z = q + ip} with dq ∧ dp, as a map to so(3)∗ ≅ su(2)∗:
 ///
 /// ```text
 /// J(z) = ∓¼ (2 Re z̄₁z₂, 2 Im z̄₁z₂, |z₁|² − |z₂|²),    |J(z)| = ¼ ‖z‖²
 /// ż = ±(i/2)(Ω·σ) z    for Ω = dh(Π)
 /// ```
 ///
-/// Upper signs for the right action z ↦ U*z, to the minus bracket ([`HOPF`]); lower signs for the
+/// Upper signs for the right action z ↦ U∗z, to the minus bracket ([`HOPF`]); lower signs for the
 /// left one. The fibres are the circles e^{is}z, with momentum −½‖z‖².
 ///
 /// Source: McLachlan, Modin & Verdier, *Collective Lie–Poisson integrators on R³*, IMA J. Numer.
@@ -34,7 +34,7 @@ use num_complex::Complex;
 /// ```
 pub type HopfRealisation = QuadraticMomentumMap<So3OnC2>;
 
-/// The Hopf realisation of so(3)* with the minus bracket.
+/// The Hopf realisation of so(3)∗ with the minus bracket.
 pub const HOPF: HopfRealisation = QuadraticMomentumMap::new(So3OnC2, Side::Right);
 
 impl Lift for HopfRealisation {

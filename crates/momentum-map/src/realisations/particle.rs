@@ -1,4 +1,4 @@
-//! se(3)* from T*R³, which does not reach all of it.
+//! se(3)∗ from T∗R³, which does not reach all of it.
 
 use crate::{
     AffineAction, Cotangent, FibreSymmetry, Lift, LiftError, MomentumMap, Opposite, SourcePoint,
@@ -6,7 +6,7 @@ use crate::{
 };
 use lie_poisson::{Covector, Pair, Real, SO3OnR3, Vector};
 
-/// The momentum map of the right action q ↦ Rᵀ(q − a) of SE(3) on R³, lifted to T*R³:
+/// The momentum map of the right action q ↦ Rᵀ(q − a) of SE(3) on R³, lifted to T∗R³:
 ///
 /// ```text
 /// M̃(q, p) = −(q × p, p),    so that Π ⊥ Γ
@@ -28,7 +28,7 @@ use lie_poisson::{Covector, Pair, Real, SO3OnR3, Vector};
 /// ```
 pub type ParticleRealisation = MomentumMap<Opposite<AffineAction<SO3OnR3>>>;
 
-/// The realisation of the level Π·Γ = 0 of se(3)* with the minus bracket.
+/// The realisation of the level Π·Γ = 0 of se(3)∗ with the minus bracket.
 pub const PARTICLE: ParticleRealisation = MomentumMap(Opposite(AffineAction(SO3OnR3)));
 
 /// How far from a right angle Π and Γ may be.

@@ -1,4 +1,4 @@
-//! sl(2, R)* ≅ so(2, 1)* from R⁴.
+//! sl(2, R)∗ ≅ so(2, 1)∗ from R⁴.
 
 use crate::{
     FibreSymmetry, Lift, LiftError, QuadraticMomentumMap, Reversed, Side, SourcePoint,

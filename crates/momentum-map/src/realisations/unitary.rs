@@ -1,4 +1,4 @@
-//! u(N)* from C^N by outer products.
+//! u(N)∗ from C^N by outer products.
 
 use crate::{
     FibreSymmetry, Lift, LiftError, PoissonMap, QuadraticMomentumMap, Side, SourcePoint,
@@ -8,7 +8,7 @@ use lie_poisson::{Real, UnitaryAlgebra, UnitaryOnComplexSpace, Vector};
 use nalgebra::SVector;
 use num_complex::Complex;
 
-/// The momentum map of U(N) on C^N with Ω(u, v) = Im(u*v): in terms of the Hermitian matrix H of
+/// The momentum map of U(N) on C^N with Ω(u, v) = Im(u∗v): in terms of the Hermitian matrix H of
 /// a momentum ([`UnitaryAlgebra::hermitian`]),
 ///
 /// ```text
@@ -35,13 +35,13 @@ use num_complex::Complex;
 /// ```
 pub type UnitaryRealisation<const N: usize> = QuadraticMomentumMap<UnitaryOnComplexSpace<N>>;
 
-/// The realisation of u(N)* with the minus bracket.
+/// The realisation of u(N)∗ with the minus bracket.
 #[must_use]
 pub const fn unitary_realisation<const N: usize>() -> UnitaryRealisation<N> {
     QuadraticMomentumMap::new(UnitaryOnComplexSpace, Side::Right)
 }
 
-/// How far, relative to its size, H may be from ±½ z z*.
+/// How far, relative to its size, H may be from ±½ z z∗.
 const RANK_ONE_TOLERANCE: f64 = 1e-10;
 
 impl<const N: usize> Lift for UnitaryRealisation<N> {
