@@ -2,7 +2,7 @@
 
 use crate::error::{TopError, require_finite};
 use crate::{HeavyTop, HeavyTopSpace};
-use lie_poisson::{Hamiltonian, Pair, Real, Se3Dual};
+use lie_poisson::{Hamiltonian, Pair, Real, Se3Dual, hessian_by_dual_numbers};
 use nalgebra::Vector3;
 
 /// A heavy top with a rotor inside that spins at constant relative angular momentum ℓ:
@@ -62,5 +62,10 @@ impl<T: Real> Hamiltonian<HeavyTopSpace, T> for Gyrostat {
     #[inline]
     fn differential(&self, mu: &Se3Dual<T>) -> Pair<Vector3<T>, Vector3<T>> {
         self.top.differential(&self.relative(mu))
+    }
+
+    #[inline]
+    fn hessian(&self, mu: &Se3Dual<T>, v: &Se3Dual<T>) -> Option<Pair<Vector3<T>, Vector3<T>>> {
+        Some(hessian_by_dual_numbers::<HeavyTopSpace, T, _>(self, mu, v))
     }
 }

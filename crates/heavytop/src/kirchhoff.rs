@@ -2,7 +2,7 @@
 
 use crate::HeavyTopSpace;
 use crate::error::{TopError, require_finite};
-use lie_poisson::{Covector, Hamiltonian, Pair, Real, Se3Dual};
+use lie_poisson::{Covector, Hamiltonian, Pair, Real, Se3Dual, hessian_by_dual_numbers};
 use nalgebra::{Matrix3, Vector3};
 
 /// A rigid body in an ideal fluid at rest at infinity (Kirchhoff): on se(3)∗ with the minus
@@ -99,5 +99,10 @@ impl<T: Real> Hamiltonian<HeavyTopSpace, T> for Kirchhoff {
         let Covector(Pair(pi, p)) = mu;
         let [a, b, c] = [&self.a, &self.b, &self.c].map(|m| m.map(T::from_f64));
         Pair(a * pi + b * p, b.tr_mul(pi) + c * p)
+    }
+
+    #[inline]
+    fn hessian(&self, mu: &Se3Dual<T>, v: &Se3Dual<T>) -> Option<Pair<Vector3<T>, Vector3<T>>> {
+        Some(hessian_by_dual_numbers::<HeavyTopSpace, T, _>(self, mu, v))
     }
 }

@@ -5,6 +5,7 @@ use core::array::from_fn;
 use core::f64::consts::PI;
 use lie_poisson::{
     Covector, Hamiltonian, LiePoisson, Momentum, Power, PowerAlgebra, Real, So3, Vector,
+    hessian_by_dual_numbers,
 };
 use nalgebra::Vector3;
 
@@ -104,5 +105,9 @@ impl<const N: usize, T: Real> Hamiltonian<SpinSpace<N>, T> for PointVortices<N> 
             }
         }
         Power(velocity)
+    }
+
+    fn hessian(&self, m: &Spins<N, T>, v: &Spins<N, T>) -> Option<Power<Vector3<T>, N>> {
+        Some(hessian_by_dual_numbers::<SpinSpace<N>, T, _>(self, m, v))
     }
 }

@@ -53,4 +53,13 @@ impl<T: Real> Hamiltonian<LiePoisson<So3>, T> for RigidBody {
     fn differential(&self, Covector(pi): &Covector<Vector3<T>>) -> Vector3<T> {
         self.0.angular_velocity(pi)
     }
+
+    #[inline]
+    fn hessian(
+        &self,
+        _: &Covector<Vector3<T>>,
+        Covector(v): &Covector<Vector3<T>>,
+    ) -> Option<Vector3<T>> {
+        Some(self.0.angular_velocity(v))
+    }
 }

@@ -3,7 +3,7 @@
 use crate::error::{TopError, require_finite};
 use crate::{SpinSpace, Spins};
 use core::array::from_fn;
-use lie_poisson::{Hamiltonian, Power, Real, Vector};
+use lie_poisson::{Hamiltonian, Power, Real, Vector, hessian_by_dual_numbers};
 use nalgebra::Vector3;
 
 /// A periodic Heisenberg chain of N classical spins s_i in a magnetic field B,
@@ -62,5 +62,9 @@ impl<const N: usize, T: Real> Hamiltonian<SpinSpace<N>, T> for HeisenbergChain<N
             let neighbours = spins[(i + 1) % N] + spins[(i + N - 1) % N];
             neighbours.scaled(T::from_f64(-self.exchange)) - field
         }))
+    }
+
+    fn hessian(&self, s: &Spins<N, T>, v: &Spins<N, T>) -> Option<Power<Vector3<T>, N>> {
+        Some(hessian_by_dual_numbers::<SpinSpace<N>, T, _>(self, s, v))
     }
 }

@@ -1,7 +1,9 @@
 //! The heavy top.
 
 use crate::error::{TopError, require_not_negative, require_positive, require_unit};
-use lie_poisson::{Covector, Hamiltonian, LiePoisson, Pair, Real, Se3, Se3Dual};
+use lie_poisson::{
+    Covector, Hamiltonian, LiePoisson, Pair, Real, Se3, Se3Dual, hessian_by_dual_numbers,
+};
 use nalgebra::Vector3;
 
 /// se(3)∗ with the minus bracket: the phase space of the heavy top, eq. (1.2) of Ohsawa 2019.
@@ -163,6 +165,11 @@ impl<T: Real> Hamiltonian<HeavyTopSpace, T> for HeavyTop {
     fn differential(&self, mu: &Se3Dual<T>) -> Pair<Vector3<T>, Vector3<T>> {
         let force = self.center_of_mass.map(|c| T::from_f64(self.weight_moment * c));
         Pair(self.angular_velocity(&mu.0.0), force)
+    }
+
+    #[inline]
+    fn hessian(&self, mu: &Se3Dual<T>, v: &Se3Dual<T>) -> Option<Pair<Vector3<T>, Vector3<T>>> {
+        Some(hessian_by_dual_numbers::<HeavyTopSpace, T, _>(self, mu, v))
     }
 }
 

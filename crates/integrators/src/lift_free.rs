@@ -1,7 +1,10 @@
 //! Collective Runge–Kutta methods without a lift.
 
 use crate::{Equivariant, Integrator, Start, Step, StepError, VectorField};
-use lie_poisson::{Hamiltonian, Point, Real, Vector};
+use lie_poisson::{
+    Differential, DualNumber, Hamiltonian, Point, Real, Vector, derivative_part, map_coordinates,
+    seed,
+};
 use momentum_map::{LiftError, Multiplier, Multipliers};
 
 /// The collective integrator of a linear collective system, on 𝔤∗ itself: the scheme solves
@@ -102,6 +105,18 @@ where
     fn at(&self, q: &Multiplier<M, T>) -> Multiplier<M, T> {
         let mu = self.multipliers.transport::<T>(q, &self.start);
         self.multipliers.generate::<T>(&self.hamiltonian.differential(&mu), q)
+    }
+
+    fn derivative(&self, q: &Multiplier<M, T>, v: &Multiplier<M, T>) -> Option<Multiplier<M, T>> {
+        let moved: Multiplier<M, DualNumber<T>> = seed(q, v);
+        let start: Point<M::Space, DualNumber<T>> =
+            map_coordinates(&self.start, DualNumber::constant);
+        let image = self.multipliers.transport::<DualNumber<T>>(&moved, &start);
+        let mu: Point<M::Space, T> = map_coordinates(&image, |x| x.value);
+        let hessian = self.hamiltonian.hessian(&mu, &derivative_part(&image))?;
+        let dh: Differential<M::Space, DualNumber<T>> =
+            seed(&self.hamiltonian.differential(&mu), &hessian);
+        Some(derivative_part(&self.multipliers.generate::<DualNumber<T>>(&dh, &moved)))
     }
 }
 

@@ -1,5 +1,6 @@
 //! Runge–Kutta methods.
 
+use crate::newton::NewtonSpace;
 use crate::stage_solver::stage_point;
 use crate::{Equivariant, Scheme, SchemeError, StageSolver, Step, StepError, Tableau, VectorField};
 use lie_poisson::{Real, Vector};
@@ -85,14 +86,21 @@ impl RungeKutta {
     }
 }
 
+/// The storage of a Runge–Kutta step: its stage derivatives, and the matrix of Newton's iteration
+/// once a step has needed it.
+#[derive(Clone, Debug)]
+pub struct StageSpace<V: Vector> {
+    k: Vec<V>,
+    newton: NewtonSpace<V::Scalar>,
+}
+
 impl Equivariant for RungeKutta {}
 
 impl Scheme for RungeKutta {
-    /// The stage derivatives.
-    type Workspace<V: Vector> = Vec<V>;
+    type Workspace<V: Vector> = StageSpace<V>;
 
-    fn workspace<V: Vector>(&self) -> Vec<V> {
-        vec![V::zero(); self.tableau.stages()]
+    fn workspace<V: Vector>(&self) -> StageSpace<V> {
+        StageSpace { k: vec![V::zero(); self.tableau.stages()], newton: NewtonSpace::default() }
     }
 
     #[inline]
@@ -101,8 +109,9 @@ impl Scheme for RungeKutta {
         field: &F,
         z: &F::Point,
         step: f64,
-        k: &mut Vec<F::Point>,
+        workspace: &mut StageSpace<F::Point>,
     ) -> Result<Step<F::Point>, StepError> {
+        let StageSpace { k, newton } = workspace;
         // A workspace from another method still gives the right result.
         k.resize(self.tableau.stages(), F::Point::zero());
         let iterations = if self.tableau.is_explicit() {
@@ -111,7 +120,7 @@ impl Scheme for RungeKutta {
             }
             0
         } else {
-            self.solver.solve(field, z, step, &self.tableau, k)?
+            self.solver.solve(field, z, step, &self.tableau, k, newton)?
         };
         let point = stage_point(z, step, self.tableau.weights(), k);
         if point.is_finite() { Ok(Step { point, iterations }) } else { Err(StepError::NotFinite) }

@@ -1,5 +1,6 @@
-//! Fixed-point iteration for the stage equations, to the round-off floor.
+//! Iterations for the stage equations, to the round-off floor.
 
+use crate::newton::{NewtonSpace, newton_step};
 use crate::{StepError, Tableau, VectorField};
 use lie_poisson::{Real, Vector, larger};
 
@@ -10,17 +11,25 @@ const FEW_ROUNDINGS: f64 = 8.0 * f64::EPSILON;
 /// An iteration that no longer gets better is accepted below this multiple of the size of the
 /// stage derivatives: the round-off of evaluating a vector field, with room for cancellation in
 /// it.
-const ROUND_OFF: f64 = 1024.0 * f64::EPSILON;
+pub(crate) const ROUND_OFF: f64 = 1024.0 * f64::EPSILON;
 
 /// Sweeps without a new least change after which an iteration no longer gets better. Changes of a
 /// converging iteration go up and down where q feeds p and p feeds q with different strengths, so
 /// that one larger change alone says nothing.
 const PATIENCE: usize = 4;
 
+/// Sweeps after which a fixed-point iteration that has not settled gives way to Newton's.
+const SLOW: usize = 60;
+
+/// Newton iterations after which the stage equations count as not solved.
+const NEWTON_ITERATIONS: usize = 50;
+
 /// How to solve the stage equations k_i = X(z + h Σ_j a_ij k_j).
 ///
-/// The iteration is of Gauss–Seidel kind and starts from k_i = X(z), so that a step depends on
-/// its starting point alone.
+/// First a fixed-point iteration of Gauss–Seidel kind from k_i = X(z), so that a step depends on
+/// its starting point alone. Where it is slow or diverges, for large steps, Newton's iteration
+/// takes over, with the exact derivative of the field if it is known
+/// ([`VectorField::derivative`]).
 ///
 /// Source of the stopping rule: Hairer, McLachlan & Razakarivony, *Achieving Brouwer's law with
 /// implicit Runge–Kutta methods*, BIT 48 (2008), §2.
@@ -29,14 +38,42 @@ pub struct StageSolver {
     /// Accept when h max |Δk| is at most this. 0 iterates to the round-off floor: until nothing
     /// changes, or the changes stop shrinking at the size of round-off.
     pub tolerance: f64,
-    /// Give up after this many iterations.
+    /// Give up the fixed-point iteration after this many sweeps.
     pub max_iterations: usize,
+    /// Whether Newton's iteration may follow.
+    pub newton: bool,
 }
 
 impl Default for StageSolver {
-    /// To the round-off floor, within 200 iterations.
+    /// To the round-off floor, within 60 sweeps, then by Newton's iteration.
     fn default() -> Self {
-        Self { tolerance: 0.0, max_iterations: 200 }
+        Self { tolerance: 0.0, max_iterations: SLOW, newton: true }
+    }
+}
+
+/// The changes of an iteration, watched for the moment at which they are round-off.
+struct Watch {
+    previous: f64,
+    least: f64,
+    stalled: usize,
+}
+
+impl Watch {
+    fn new() -> Self {
+        Self { previous: f64::INFINITY, least: f64::INFINITY, stalled: 0 }
+    }
+
+    /// Whether a change is the last that means anything, for stages of the given size.
+    fn settled(&mut self, change: f64, size: f64) -> bool {
+        self.stalled = if change < self.least { 0 } else { self.stalled + 1 };
+        self.least = self.least.min(change);
+        // ∞ ≤ ∞ would pass for round-off.
+        let settled = change == 0.0
+            || (change >= self.previous && change <= FEW_ROUNDINGS * size)
+            || (self.stalled >= PATIENCE && change <= ROUND_OFF * size);
+        let settled = settled && change.is_finite() && size.is_finite();
+        self.previous = change;
+        settled
     }
 }
 
@@ -53,34 +90,50 @@ impl StageSolver {
         step: f64,
         tableau: &Tableau,
         k: &mut [F::Point],
+        space: &mut NewtonSpace<T>,
     ) -> Result<usize, StepError> {
-        k.fill(field.at(z));
-        let (mut previous, mut least, mut stalled) = (f64::INFINITY, f64::INFINITY, 0);
-        for iteration in 1..=self.max_iterations {
-            let (change, size) = sweep(field, z, step, tableau, k);
-            let floor = ROUND_OFF * size;
-            stalled = if change < least { 0 } else { stalled + 1 };
-            least = least.min(change);
-            let settled = change == 0.0
-                || (change >= previous && change <= FEW_ROUNDINGS * size)
-                || (stalled >= PATIENCE && change <= floor);
-            if settled || change * step.abs() <= self.tolerance {
-                return Ok(iteration);
-            }
-            if !change.is_finite() || iteration == self.max_iterations {
-                return Err(StepError::NotConverged {
-                    residual: change * step.abs(),
-                    required: self.tolerance.max(floor * step.abs()),
-                    iterations: iteration,
+        let start = field.at(z);
+        k.fill(start);
+        let sweeps =
+            self.iterate(self.max_iterations, step, || Some(sweep(field, z, step, tableau, k)));
+        match sweeps {
+            Err(StepError::NotConverged { iterations, .. }) if self.newton => {
+                k.fill(start);
+                let newton = self.iterate(NEWTON_ITERATIONS, step, || {
+                    newton_step(field, z, step, tableau, k, space)
                 });
+                newton.map(|more| iterations + more)
             }
-            previous = change;
+            outcome => outcome,
         }
-        Err(StepError::NotConverged {
+    }
+
+    /// Iterates until the change settles; `advance` returns it with the size of the stages.
+    fn iterate(
+        &self,
+        most: usize,
+        step: f64,
+        mut advance: impl FnMut() -> Option<(f64, f64)>,
+    ) -> Result<usize, StepError> {
+        let mut watch = Watch::new();
+        let mut failure = StepError::NotConverged {
             residual: f64::INFINITY,
             required: self.tolerance,
             iterations: 0,
-        })
+        };
+        for iterations in 1..=most {
+            let (change, size) = advance().unwrap_or((f64::INFINITY, f64::INFINITY));
+            if watch.settled(change, size) || change * step.abs() <= self.tolerance {
+                return Ok(iterations);
+            }
+            let required = self.tolerance.max(ROUND_OFF * size * step.abs());
+            failure =
+                StepError::NotConverged { residual: change * step.abs(), required, iterations };
+            if !change.is_finite() {
+                break;
+            }
+        }
+        Err(failure)
     }
 }
 

@@ -1,8 +1,13 @@
 //! Vector fields: what a scheme integrates.
 
 use core::marker::PhantomData;
-use lie_poisson::{Hamiltonian, Point, PoissonSpace, Real, Vector};
-use momentum_map::{CollectiveHamiltonian, PoissonMap, SourcePoint};
+use lie_poisson::{
+    Differential, DualNumber, Hamiltonian, Point, PoissonSpace, Real, Vector, derivative_part,
+    map_coordinates, seed,
+};
+use momentum_map::{
+    CollectiveHamiltonian, PoissonMap, SourcePoint, TargetDifferential, TargetPoint,
+};
 
 /// An autonomous vector field ż = X(z), over the scalar `T`.
 pub trait VectorField<T: Real = f64> {
@@ -11,6 +16,15 @@ pub trait VectorField<T: Real = f64> {
 
     /// X(z)
     fn at(&self, z: &Self::Point) -> Self::Point;
+
+    /// The derivative DX(z)·v, exact; `None` if it is not known.
+    ///
+    /// Newton's iteration for the stages of an implicit method asks for it, and takes difference
+    /// quotients in its place.
+    #[inline]
+    fn derivative(&self, _z: &Self::Point, _v: &Self::Point) -> Option<Self::Point> {
+        None
+    }
 }
 
 /// The collective vector field X_{h∘M} on the source of M.
@@ -25,6 +39,16 @@ where
     #[inline]
     fn at(&self, z: &Self::Point) -> Self::Point {
         self.vector_field(z)
+    }
+
+    fn derivative(&self, z: &Self::Point, v: &Self::Point) -> Option<Self::Point> {
+        let moved: SourcePoint<M, DualNumber<T>> = seed(z, v);
+        let image = self.map.apply::<DualNumber<T>>(&moved);
+        let mu: TargetPoint<M, T> = map_coordinates(&image, |x| x.value);
+        let hessian = self.hamiltonian.hessian(&mu, &derivative_part(&image))?;
+        let dh: TargetDifferential<M, DualNumber<T>> =
+            seed(&self.hamiltonian.differential(&mu), &hessian);
+        Some(derivative_part(&self.map.generator::<DualNumber<T>>(&dh, &moved)))
     }
 }
 
@@ -49,6 +73,13 @@ where
     #[inline]
     fn at(&self, z: &Self::Point) -> Self::Point {
         self.space.hamiltonian_vector::<T>(z, &self.hamiltonian.differential(z))
+    }
+
+    fn derivative(&self, z: &Self::Point, v: &Self::Point) -> Option<Self::Point> {
+        let hessian = self.hamiltonian.hessian(z, v)?;
+        let dh: Differential<P, DualNumber<T>> = seed(&self.hamiltonian.differential(z), &hessian);
+        let rate = self.space.hamiltonian_vector::<DualNumber<T>>(&seed(z, v), &dh);
+        Some(derivative_part(&rate))
     }
 }
 

@@ -1,6 +1,8 @@
 //! Hamiltonians and their differentials.
 
-use crate::{Differential, DualNumber, Point, PoissonSpace, Real, differential};
+use crate::{
+    Differential, DualNumber, Point, PoissonSpace, Real, derivative_part, differential, seed,
+};
 use core::marker::PhantomData;
 
 /// A function h: P → R with its differential, over the scalar `T`.
@@ -18,6 +20,31 @@ pub trait Hamiltonian<P: PoissonSpace, T: Real = f64> {
 
     /// dh(z) ∈ T∗_z P
     fn differential(&self, z: &Point<P, T>) -> Differential<P, T>;
+
+    /// The derivative of dh at z along v, D²h(z)·v; `None` if it is not known, as for closures.
+    ///
+    /// Newton's iteration for the stages of an implicit method asks for it. A Hamiltonian over all
+    /// scalars has it by [`hessian_by_dual_numbers`].
+    #[inline]
+    fn hessian(&self, _z: &Point<P, T>, _v: &Point<P, T>) -> Option<Differential<P, T>> {
+        None
+    }
+}
+
+/// D²h(z)·v by dual numbers, exact: the body of [`Hamiltonian::hessian`] for a Hamiltonian that
+/// is implemented over every scalar.
+#[inline]
+pub fn hessian_by_dual_numbers<P, T, H>(
+    h: &H,
+    z: &Point<P, T>,
+    v: &Point<P, T>,
+) -> Differential<P, T>
+where
+    P: PoissonSpace,
+    T: Real,
+    H: Hamiltonian<P, DualNumber<T>>,
+{
+    derivative_part(&h.differential(&seed(z, v)))
 }
 
 /// A borrowed Hamiltonian is one.
@@ -30,6 +57,11 @@ impl<P: PoissonSpace, T: Real, H: Hamiltonian<P, T> + ?Sized> Hamiltonian<P, T> 
     #[inline]
     fn differential(&self, z: &Point<P, T>) -> Differential<P, T> {
         (**self).differential(z)
+    }
+
+    #[inline]
+    fn hessian(&self, z: &Point<P, T>, v: &Point<P, T>) -> Option<Differential<P, T>> {
+        (**self).hessian(z, v)
     }
 }
 
@@ -77,6 +109,15 @@ impl<E: Energy, T: Real> Hamiltonian<E::Space, T> for Automatic<E> {
     #[inline]
     fn differential(&self, z: &Point<E::Space, T>) -> Differential<E::Space, T> {
         differential(|z: &Point<E::Space, DualNumber<T>>| self.0.energy::<DualNumber<T>>(z), z)
+    }
+
+    #[inline]
+    fn hessian(
+        &self,
+        z: &Point<E::Space, T>,
+        v: &Point<E::Space, T>,
+    ) -> Option<Differential<E::Space, T>> {
+        Some(hessian_by_dual_numbers::<E::Space, T, _>(self, z, v))
     }
 }
 

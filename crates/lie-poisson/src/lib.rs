@@ -93,6 +93,7 @@ pub use standard_representations::{SL2OnR2, SO2OnR2, SO3OnR3, SU2OnC2, UnitaryOn
 pub use casimirs::Casimirs;
 pub use hamiltonian::{
     Automatic, Closure, Closures, Energy, Hamiltonian, from_closure, from_closures,
+    hessian_by_dual_numbers,
 };
 pub use poisson::{LiePoisson, PoissonSpace, Sign};
 pub use product_space::{PowerSpace, ProductSpace, from_parts, parts};
