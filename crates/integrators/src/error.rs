@@ -54,6 +54,12 @@ pub enum SchemeError {
         b: usize,
     },
     /// A coefficient is infinite or not a number.
-    #[error("a coefficient of the tableau is not finite")]
+    #[error("a coefficient of the method is not finite")]
     NotFinite,
+    /// The substeps of a composition do not add up to the step.
+    #[error("the fractions of a step must add up to 1, their sum is {sum}")]
+    SubstepSum {
+        /// Their sum.
+        sum: f64,
+    },
 }

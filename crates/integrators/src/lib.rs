@@ -8,6 +8,7 @@
 //! | Runge–Kutta coefficients and their properties | [`Tableau`] |
 //! | stage equations | [`StageSolver`] |
 //! | one-step methods, and which of them descend | [`Scheme`], [`Equivariant`], [`RungeKutta`] |
+//! | compositions of a method with itself | [`Composition`], [`Substeps`] |
 //! | integrators on 𝔤* | [`Integrator`], [`Collective`], [`Direct`] |
 //! | trajectories | [`Trajectory`] |
 //! | diagnostics | [`fitted_order`] |
@@ -20,16 +21,21 @@ mod gauss;
 mod stage_solver;
 mod scheme;
 mod runge_kutta;
+mod composition_conditions;
+mod substeps;
 mod integrator;
+mod composition;
 mod trajectory;
 mod order_fit;
 
+pub use composition::Composition;
 pub use error::{IntegrationError, SchemeError, StepError};
 pub use integrator::{Collective, Direct, Integrator, Start};
 pub use order_fit::{OrderFitError, fitted_order};
 pub use runge_kutta::RungeKutta;
 pub use scheme::{Equivariant, Scheme, Step};
 pub use stage_solver::StageSolver;
+pub use substeps::Substeps;
 pub use tableau::Tableau;
 pub use trajectory::{Sample, SampleOf, Trajectory};
 pub use vector_field::{FromFn, HamiltonianField, VectorField, from_fn};

@@ -111,7 +111,9 @@ impl Scheme for RungeKutta {
             }
             0
         } else {
-            self.solver.solve(field, z, step, &self.tableau, k)?
+            let derivative =
+                |i: usize, k: &[F::Point]| field.at(&stage_point(z, step, self.tableau.row(i), k));
+            self.solver.solve(field.at(z), step, k, derivative)?
         };
         let point = stage_point(z, step, self.tableau.weights(), k);
         if point.is_finite() { Ok(Step { point, iterations }) } else { Err(StepError::NotFinite) }
@@ -127,5 +129,10 @@ impl Scheme for RungeKutta {
 
     fn is_symmetric(&self) -> bool {
         self.tableau.is_symmetric()
+    }
+
+    /// The condition of [`Tableau::is_symplectic`].
+    fn preserves_quadratic_invariants(&self) -> bool {
+        self.tableau.is_symplectic()
     }
 }

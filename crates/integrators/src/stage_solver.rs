@@ -1,6 +1,6 @@
 //! Fixed-point iteration for the stage equations, to the round-off floor.
 
-use crate::{StepError, Tableau, VectorField};
+use crate::StepError;
 use lie_poisson::{Real, Vector, larger};
 
 /// A change that grows again is at the floor at once below this multiple of the size of the stage
@@ -41,40 +41,35 @@ impl Default for StageSolver {
 }
 
 impl StageSolver {
-    /// Solves for the stages `k`, of which there must be as many as rows; returns the number of
-    /// iterations.
+    /// Solves k_i = `derivative`(i, k) for the stages `k`, all of which start from `start`;
+    /// returns the number of iterations. `derivative` computes X at the i-th stage.
     ///
     /// # Errors
     /// [`StepError::NotConverged`] if the iteration blows up or does not settle.
-    pub(crate) fn solve<T: Real, F: VectorField<T>>(
+    #[inline]
+    pub(crate) fn solve<V: Vector>(
         &self,
-        field: &F,
-        z: &F::Point,
+        start: V,
         step: f64,
-        tableau: &Tableau,
-        k: &mut [F::Point],
+        k: &mut [V],
+        derivative: impl Fn(usize, &[V]) -> V,
     ) -> Result<usize, StepError> {
-        k.fill(field.at(z));
-        let (mut previous, mut least, mut stalled) = (f64::INFINITY, f64::INFINITY, 0);
+        k.fill(start);
+        let mut stopping = Stopping::default();
         for iteration in 1..=self.max_iterations {
-            let (change, size) = sweep(field, z, step, tableau, k);
-            let floor = ROUND_OFF * size;
-            stalled = if change < least { 0 } else { stalled + 1 };
-            least = least.min(change);
-            let settled = change == 0.0
-                || (change >= previous && change <= FEW_ROUNDINGS * size)
-                || (stalled >= PATIENCE && change <= floor);
-            if settled || change * step.abs() <= self.tolerance {
+            let (change, size) = sweep(k, &derivative);
+            let settled = stopping.settled(change, size) || change * step.abs() <= self.tolerance;
+            // First, since an infinite change is not above an infinite floor.
+            if change.is_finite() && settled {
                 return Ok(iteration);
             }
             if !change.is_finite() || iteration == self.max_iterations {
                 return Err(StepError::NotConverged {
                     residual: change * step.abs(),
-                    required: self.tolerance.max(floor * step.abs()),
+                    required: self.tolerance.max(ROUND_OFF * size * step.abs()),
                     iterations: iteration,
                 });
             }
-            previous = change;
         }
         Err(StepError::NotConverged {
             residual: f64::INFINITY,
@@ -84,21 +79,42 @@ impl StageSolver {
     }
 }
 
+/// Whether an iteration has reached the round-off floor.
+struct Stopping {
+    previous: f64,
+    least: f64,
+    stalled: usize,
+}
+
+impl Default for Stopping {
+    fn default() -> Self {
+        Self { previous: f64::INFINITY, least: f64::INFINITY, stalled: 0 }
+    }
+}
+
+impl Stopping {
+    /// Takes note of the change in one more iteration.
+    #[inline]
+    fn settled(&mut self, change: f64, size: f64) -> bool {
+        self.stalled = if change < self.least { 0 } else { self.stalled + 1 };
+        self.least = self.least.min(change);
+        let grows = change >= self.previous;
+        self.previous = change;
+        change == 0.0
+            || (grows && change <= FEW_ROUNDINGS * size)
+            || (self.stalled >= PATIENCE && change <= ROUND_OFF * size)
+    }
+}
+
 /// One sweep over all stages; returns the largest change and the largest stage derivative.
 #[inline]
-fn sweep<T: Real, F: VectorField<T>>(
-    field: &F,
-    z: &F::Point,
-    step: f64,
-    tableau: &Tableau,
-    k: &mut [F::Point],
-) -> (f64, f64) {
+fn sweep<V: Vector>(k: &mut [V], derivative: &impl Fn(usize, &[V]) -> V) -> (f64, f64) {
     let (mut change, mut size) = (0.0, 0.0);
-    for (i, row) in tableau.rows().enumerate() {
-        let derivative = field.at(&stage_point(z, step, row, k));
-        change = larger(change, (derivative - k[i]).max_abs());
-        size = larger(size, derivative.max_abs());
-        k[i] = derivative;
+    for i in 0..k.len() {
+        let value = derivative(i, k);
+        change = larger(change, (value - k[i]).max_abs());
+        size = larger(size, value.max_abs());
+        k[i] = value;
     }
     (change, size)
 }
@@ -115,8 +131,16 @@ pub(crate) fn stage_point<V: Vector>(z: &V, step: f64, row: &[f64], k: &[V]) -> 
 
 #[cfg(test)]
 mod tests {
-    use crate::{RungeKutta, Scheme, from_fn};
-    use nalgebra::Vector2;
+    use crate::{RungeKutta, Scheme, StepError, from_fn};
+    use nalgebra::{Vector1, Vector2};
+
+    #[test]
+    fn an_iteration_that_blows_up_is_refused() {
+        let field = from_fn(|z: &Vector1<f64>| z.map(|x| x * x * 1e6));
+        let midpoint = RungeKutta::implicit_midpoint();
+        let step = midpoint.step(&field, &Vector1::new(1.0), 1.0, &mut midpoint.workspace());
+        assert!(matches!(step, Err(StepError::NotConverged { .. })));
+    }
 
     /// ẋ = 16 y, ẏ = −x/2 with h = ½: one sweep multiplies the change by 4 and the next by ⅛, in one
     /// or the other order. The midpoint rule is x₁ = (x/2 + 8y)/c, y₁ = (y/2 − x/4)/c, c = 3/2.

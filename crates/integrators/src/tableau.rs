@@ -64,6 +64,13 @@ impl Tableau {
         self.a.chunks_exact(self.stages())
     }
 
+    /// The row (a_i1, …, a_is); empty for i ≥ s.
+    #[inline]
+    #[must_use]
+    pub fn row(&self, i: usize) -> &[f64] {
+        self.a.chunks_exact(self.stages()).nth(i).unwrap_or_default()
+    }
+
     /// The weights b.
     #[must_use]
     pub fn weights(&self) -> &[f64] {
