@@ -62,4 +62,24 @@ pub enum SchemeError {
         /// Their sum.
         sum: f64,
     },
+    /// The two tableaux of a partitioned method have different numbers of stages.
+    #[error("a partitioned method needs two tableaux of the same size, got {q} and {p} stages")]
+    Stages {
+        /// The stages for q.
+        q: usize,
+        /// The stages for p.
+        p: usize,
+    },
+    /// The coefficients of a member of a family are not here.
+    #[error("{family} has coefficients here for {least} to {most} stages, {stages} were asked for")]
+    Family {
+        /// The family.
+        family: &'static str,
+        /// The smallest number of stages.
+        least: usize,
+        /// The largest number of stages.
+        most: usize,
+        /// The number asked for.
+        stages: usize,
+    },
 }

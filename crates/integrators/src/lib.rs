@@ -8,6 +8,7 @@
 //! | Runge–Kutta coefficients and their properties | [`Tableau`] |
 //! | stage equations | [`StageSolver`] |
 //! | one-step methods, and which of them descend | [`Scheme`], [`Equivariant`], [`RungeKutta`] |
+//! | partitioned methods, which do not descend | [`Polarisation`], [`PartitionedRungeKutta`] |
 //! | compositions of a method with itself | [`Composition`], [`Substeps`] |
 //! | integrators on 𝔤* | [`Integrator`], [`Collective`], [`Direct`] |
 //! | trajectories | [`Trajectory`] |
@@ -21,6 +22,9 @@ mod gauss;
 mod stage_solver;
 mod scheme;
 mod runge_kutta;
+mod lobatto;
+mod polarisation;
+mod partitioned;
 mod composition_conditions;
 mod substeps;
 mod integrator;
@@ -32,6 +36,8 @@ pub use composition::Composition;
 pub use error::{IntegrationError, SchemeError, StepError};
 pub use integrator::{Collective, Direct, Integrator, Start};
 pub use order_fit::{OrderFitError, fitted_order};
+pub use partitioned::PartitionedRungeKutta;
+pub use polarisation::{Alternating, FirstHalf, Polarisation};
 pub use runge_kutta::RungeKutta;
 pub use scheme::{Equivariant, Scheme, Step};
 pub use stage_solver::StageSolver;

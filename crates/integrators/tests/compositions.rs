@@ -1,5 +1,7 @@
 //! Compositions: order, symplecticity, symmetry, quadratic invariants, each measured.
 
+#![allow(clippy::unwrap_used)]
+
 mod support;
 
 use collective_integrators::*;
