@@ -8,7 +8,7 @@ use momentum_map::LiftError;
 ///
 /// It is symplectic, equivariant, a Poisson map, or conserves an invariant if Φ does, and has a
 /// higher order if the [`Substeps`] are right for Φ. Φ may be a [`Scheme`], or an [`Integrator`] that
-/// is none, such as a splitting.
+/// is none, such as a [`Splitting`](crate::Splitting).
 ///
 /// Source: Hairer, Lubich & Wanner, *Geometric Numerical Integration*, 2nd ed. (2006), §II.4 and
 /// §V.3.

@@ -11,6 +11,7 @@
 //! | partitioned methods, which do not descend | [`Polarisation`], [`PartitionedRungeKutta`] |
 //! | compositions of a method with itself | [`Composition`], [`Substeps`] |
 //! | integrators on 𝔤* | [`Integrator`], [`Collective`], [`Direct`] |
+//! | splitting into exact flows | [`ExactFlows`], [`Splitting`] |
 //! | trajectories | [`Trajectory`] |
 //! | diagnostics | [`fitted_order`] |
 
@@ -29,6 +30,7 @@ mod composition_conditions;
 mod substeps;
 mod integrator;
 mod composition;
+mod splitting;
 mod trajectory;
 mod order_fit;
 
@@ -40,6 +42,7 @@ pub use partitioned::PartitionedRungeKutta;
 pub use polarisation::{Alternating, FirstHalf, Polarisation};
 pub use runge_kutta::RungeKutta;
 pub use scheme::{Equivariant, Scheme, Step};
+pub use splitting::{ExactFlows, Splitting};
 pub use stage_solver::StageSolver;
 pub use substeps::Substeps;
 pub use tableau::Tableau;
