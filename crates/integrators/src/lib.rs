@@ -12,6 +12,7 @@
 //! | compositions of a method with itself | [`Composition`], [`Substeps`] |
 //! | integrators on 𝔤* | [`Integrator`], [`Collective`], [`Direct`] |
 //! | splitting into exact flows | [`ExactFlows`], [`Splitting`] |
+//! | the spherical midpoint method | [`SphericalMidpoint`] |
 //! | trajectories | [`Trajectory`] |
 //! | diagnostics | [`fitted_order`] |
 
@@ -20,6 +21,8 @@ mod vector_field;
 mod tableau;
 mod order_conditions;
 mod gauss;
+mod dirk;
+mod dop853;
 mod stage_solver;
 mod scheme;
 mod runge_kutta;
@@ -31,6 +34,7 @@ mod substeps;
 mod integrator;
 mod composition;
 mod splitting;
+mod spherical_midpoint;
 mod trajectory;
 mod order_fit;
 
@@ -42,6 +46,7 @@ pub use partitioned::PartitionedRungeKutta;
 pub use polarisation::{Alternating, FirstHalf, Polarisation};
 pub use runge_kutta::RungeKutta;
 pub use scheme::{Equivariant, Scheme, Step};
+pub use spherical_midpoint::SphericalMidpoint;
 pub use splitting::{ExactFlows, Splitting};
 pub use stage_solver::StageSolver;
 pub use substeps::Substeps;
