@@ -78,6 +78,8 @@ fn equivariant_schemes_descend() {
     }
     check(RungeKutta::implicit_midpoint());
     check(RungeKutta::gauss(3).unwrap());
+    check(RungeKutta::sanz_serna_abia());
+    check(RungeKutta::new(Tableau::semiexplicit(&Substeps::yoshida4()).unwrap()));
     for substeps in [Substeps::suzuki4(), Substeps::kahan_li6(), Substeps::kahan_li8()] {
         check(Composition::new(RungeKutta::implicit_midpoint(), substeps));
     }

@@ -12,6 +12,7 @@
 //! | compositions of a method with itself | [`Composition`], [`Substeps`] |
 //! | integrators on 𝔤* | [`Integrator`], [`Collective`], [`Direct`] |
 //! | splitting into exact flows | [`ExactFlows`], [`Splitting`] |
+//! | doubled phase spaces: Tao's method; the semiexplicit one is a [`Tableau::semiexplicit`] | [`TaoFlows`] |
 //! | the spherical midpoint method | [`SphericalMidpoint`] |
 //! | trajectories | [`Trajectory`] |
 //! | diagnostics | [`fitted_order`] |
@@ -34,6 +35,8 @@ mod substeps;
 mod integrator;
 mod composition;
 mod splitting;
+mod semiexplicit;
+mod tao;
 mod spherical_midpoint;
 mod trajectory;
 mod order_fit;
@@ -51,6 +54,7 @@ pub use splitting::{ExactFlows, Splitting};
 pub use stage_solver::StageSolver;
 pub use substeps::Substeps;
 pub use tableau::Tableau;
+pub use tao::TaoFlows;
 pub use trajectory::{Sample, SampleOf, Trajectory};
 pub use vector_field::{FromFn, HamiltonianField, VectorField, from_fn};
 

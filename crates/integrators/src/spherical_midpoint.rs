@@ -18,7 +18,7 @@ use nalgebra::Vector3;
 /// through the Hopf map, with no lift.
 ///
 /// Source: McLachlan, Modin & Verdier, *A minimal-variable symplectic integrator on spheres*, Math.
-/// Comp. 86 (2017), eq. (3) and Thm. 1.
+/// Comp. 86 (2017).
 ///
 /// # Example
 /// ```

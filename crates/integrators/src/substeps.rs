@@ -84,7 +84,8 @@ impl Substeps {
     /// ```
     ///
     /// Source: Creutz & Gocksch, Phys. Rev. Lett. 63 (1989); Yoshida, *Construction of higher order
-    /// symplectic integrators*, Phys. Lett. A 150 (1990), eq. (4.4).
+    /// symplectic integrators*, Phys. Lett. A 150 (1990); Hairer, Lubich &
+    /// Wanner, eq. (II.4.4).
     #[must_use]
     pub fn triple_jump(order: usize) -> Self {
         let root = 2.0_f64.powf(1.0 / (order as f64 + 1.0));
