@@ -55,7 +55,7 @@ fn a_pair_is_not_symplectic_by_being_a_pair() {
     let iiia = Method::new(iiia.clone(), iiia).unwrap();
     assert_eq!((iiia.order(), iiia.is_symplectic(), iiia.is_symmetric()), (4, false, true));
     keeps_its_promises(&iiia, &[10, 15, 20, 30], "Lobatto IIIA twice");
-    // each has order 4, both together do not
+    // order 4 alone and together, symmetric or symplectic in neither way
     let mixed = Method::new(
         Tableau::lobatto_iiia(3).unwrap(),
         Tableau::new(
@@ -75,6 +75,7 @@ fn a_pair_is_not_symplectic_by_being_a_pair() {
         .unwrap(),
     )
     .unwrap();
+    assert_eq!((mixed.order(), mixed.is_symplectic(), mixed.is_symmetric()), (4, false, false));
     keeps_its_promises(&mixed, &[20, 30, 40, 60], "Lobatto IIIA with IIIC");
     let gauss = |s| Tableau::gauss(s).unwrap();
     assert_eq!(Method::new(gauss(1), gauss(2)), Err(SchemeError::Stages { q: 1, p: 2 }));
