@@ -103,18 +103,18 @@ fn a_missing_configuration_and_wrong_arguments_are_refused() {
 #[test]
 fn stages_that_do_not_converge_end_the_run_and_keep_what_there_is() {
     let folder = Folder::new();
-    folder.write("a.toml", "integrator = { step = 0.5, end = 10.0 }");
+    folder.write("a.toml", "integrator = { step = 1e6, end = 1e7 }");
     folder.write("a.csv", "old");
     let run = folder.heavytop(&["simulate", "a.toml", "--out", "a.csv"]);
     assert_eq!(run.code(), 1);
     let said = run.stderr();
-    for part in ["step 5 at t = 2: ", "did not converge: residual ", "is in ", "a.csv.partial"] {
+    for part in ["step 1 at t = 0: ", "did not converge: residual ", "is in ", "a.csv.partial"] {
         assert!(said.contains(part), "{said}");
     }
     assert_eq!(said.lines().count(), 1);
     assert_eq!(folder.names(), ["a.csv", "a.csv.partial", "a.toml"]);
     assert_eq!(folder.read("a.csv"), "old");
-    assert_eq!(numbers(&folder.read("a.csv.partial")).1.len(), 5);
+    assert_eq!(numbers(&folder.read("a.csv.partial")).1.len(), 1);
 }
 
 #[test]

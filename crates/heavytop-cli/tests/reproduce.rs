@@ -146,6 +146,6 @@ fn a_run_that_fails_leaves_its_numbers_and_no_figure() {
     let run = folder.heavytop(&["reproduce", "--out", ".", "--step", "0.5"]);
     assert_eq!(run.code(), 1);
     let said = run.stderr();
-    assert!(said.contains("collective, implicit-midpoint: step 5 at t = 2: "), "{said}");
+    assert!(said.contains("collective, explicit-midpoint: step 5 at t = 2: "), "{said}");
     assert_eq!(folder.names(), ["trajectories.csv.partial"]);
 }

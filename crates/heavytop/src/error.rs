@@ -59,6 +59,14 @@ pub enum TopError {
     /// The closed form asked for is that of another top.
     #[error("the top must be Lagrange's: I₁ = I₂, centre of mass on +e₃, gravity at work")]
     NotLagrange,
+    /// The top has no axis of symmetry e₃.
+    #[error("the top must be symmetric about e₃: I₁ = {first} is not I₂ = {second}")]
+    NotSymmetricTop {
+        /// I₁
+        first: f64,
+        /// I₂
+        second: f64,
+    },
     /// A direction is not a unit vector.
     #[error("{name} must be a unit vector to within {tolerance:e}, its length is {length}")]
     NotUnit {

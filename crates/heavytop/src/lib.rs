@@ -10,6 +10,7 @@
 //! | M = ϖ∘L: T∗C² → se(3)∗, its lifts and fibres | [`SpinorRealisation`] |
 //! | the heavy top: general, free, Lagrange, Kovalevskaya, Goryachev–Chaplygin | [`HeavyTop`], [`Body`], [`RigidBody`] |
 //! | h, f₁, f₂, f₃, K, G | [`Invariant`] |
+//! | splittings of tops into exact rotations and kicks | [`RotorSplitting`], [`SymmetricTopSplitting`] |
 //! | other systems on se(3)∗: gyrostat, body in a fluid | [`Gyrostat`], [`Kirchhoff`] |
 //! | systems on (so(3)∗)ᴺ: vortices, spins, spins on a lattice | [`PointVortices`], [`HeisenbergChain`], [`SpinLattice`] |
 //! | closed forms: Euler's and Lagrange's tops | [`EulerSolution`], [`LagrangeNutation`], [`jacobi_elliptic`] |
@@ -41,6 +42,8 @@ mod varpi;
 mod spinor_realisation;
 mod top;
 mod rigid_body;
+mod rotor_splitting;
+mod symmetric_splitting;
 mod gyrostat;
 mod kirchhoff;
 mod point_vortices;
@@ -60,12 +63,14 @@ pub use kirchhoff::Kirchhoff;
 pub use lagrange_nutation::LagrangeNutation;
 pub use point_vortices::{PointVortices, SpinSpace, Spins};
 pub use rigid_body::RigidBody;
+pub use rotor_splitting::RotorSplitting;
 pub use spin_chain::HeisenbergChain;
 pub use spin_lattice::{SpinLattice, SpinLatticeSpace};
 pub use spinor_motions::{
     SPINOR_MOTIONS, SpinorAlgebra, SpinorGroup, SpinorMomentum, SpinorMotions,
 };
 pub use spinor_realisation::{SpinorPoint, SpinorRealisation};
+pub use symmetric_splitting::SymmetricTopSplitting;
 pub use top::{Body, HeavyTop, HeavyTopSpace};
 pub use varpi::Varpi;
 

@@ -54,6 +54,32 @@ pub enum SchemeError {
         b: usize,
     },
     /// A coefficient is infinite or not a number.
-    #[error("a coefficient of the tableau is not finite")]
+    #[error("a coefficient of the method is not finite")]
     NotFinite,
+    /// The substeps of a composition do not add up to the step.
+    #[error("the fractions of a step must add up to 1, their sum is {sum}")]
+    SubstepSum {
+        /// Their sum.
+        sum: f64,
+    },
+    /// The two tableaux of a partitioned method have different numbers of stages.
+    #[error("a partitioned method needs two tableaux of the same size, got {q} and {p} stages")]
+    Stages {
+        /// The stages for q.
+        q: usize,
+        /// The stages for p.
+        p: usize,
+    },
+    /// The coefficients of a member of a family are not here.
+    #[error("{family} has coefficients here for {least} to {most} stages, {stages} were asked for")]
+    Family {
+        /// The family.
+        family: &'static str,
+        /// The smallest number of stages.
+        least: usize,
+        /// The largest number of stages.
+        most: usize,
+        /// The number asked for.
+        stages: usize,
+    },
 }

@@ -8,7 +8,12 @@
 //! | Runge–Kutta coefficients and their properties | [`Tableau`] |
 //! | stage equations | [`StageSolver`] |
 //! | one-step methods, and which of them descend | [`Scheme`], [`Equivariant`], [`RungeKutta`] |
+//! | partitioned methods, which do not descend | [`Polarisation`], [`PartitionedRungeKutta`] |
+//! | compositions of a method with itself | [`Composition`], [`Substeps`] |
 //! | integrators on 𝔤∗ | [`Integrator`], [`Collective`], [`LiftFree`], [`Direct`] |
+//! | splitting into exact flows | [`ExactFlows`], [`Splitting`] |
+//! | doubled phase spaces: Tao's method; the semiexplicit one is a [`Tableau::semiexplicit`] | [`TaoFlows`] |
+//! | the spherical midpoint method | [`SphericalMidpoint`] |
 //! | trajectories | [`Trajectory`] |
 //! | diagnostics | [`fitted_order`] |
 
@@ -19,22 +24,41 @@ mod order_conditions;
 mod gauss;
 mod linear_solve;
 mod newton;
+mod dirk;
+mod dop853;
 mod stage_solver;
 mod scheme;
 mod runge_kutta;
+mod lobatto;
+mod polarisation;
+mod partitioned;
+mod composition_conditions;
+mod substeps;
 mod integrator;
 mod lift_free;
+mod composition;
+mod splitting;
+mod semiexplicit;
+mod tao;
+mod spherical_midpoint;
 mod trajectory;
 mod order_fit;
 
+pub use composition::Composition;
 pub use error::{IntegrationError, SchemeError, StepError};
 pub use integrator::{Collective, Direct, Integrator, Start};
 pub use lift_free::LiftFree;
 pub use order_fit::{OrderFitError, fitted_order};
+pub use partitioned::PartitionedRungeKutta;
+pub use polarisation::{Alternating, FirstHalf, Polarisation};
 pub use runge_kutta::{RungeKutta, StageSpace};
 pub use scheme::{Equivariant, Scheme, Step};
+pub use spherical_midpoint::SphericalMidpoint;
+pub use splitting::{ExactFlows, Splitting};
 pub use stage_solver::StageSolver;
+pub use substeps::Substeps;
 pub use tableau::Tableau;
+pub use tao::TaoFlows;
 pub use trajectory::{Sample, SampleOf, Trajectory};
 pub use vector_field::{FromFn, HamiltonianField, VectorField, from_fn};
 

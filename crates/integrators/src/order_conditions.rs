@@ -15,26 +15,36 @@ const TOLERANCE: f64 = 1e-12;
 /// Source: Hairer, Lubich & Wanner, *Geometric Numerical Integration*, 2nd ed., Thm. III.1.5;
 /// Hairer & Wanner, *Solving Ordinary Differential Equations II*, Thm. IV.5.1.
 pub(crate) fn order_of(a: &[f64], b: &[f64], c: &[f64]) -> usize {
-    match tree_order(a, b) {
+    match tree_order(&[(a, b)]) {
         TREE_ORDERS => TREE_ORDERS.max(simplified_order(a, b, c)),
         order => order,
     }
 }
 
-/// A rooted tree with its density γ and the vector Φ_i of its elementary weights at the stages.
+/// The coefficients (a, b) of a Runge–Kutta method.
+type Coefficients<'a> = (&'a [f64], &'a [f64]);
+
+/// A rooted tree with its density γ and the vector of its elementary weights at the stages.
 struct Tree {
     order: usize,
     density: f64,
-    /// Σ_j a_ij Φ_j: the factor that the tree gives to a parent at stage i.
+    /// Σ_j a_ij Φ_j, with the a of the root's colour: the factor that the tree gives to a parent at
+    /// stage i.
     as_branch: Vec<f64>,
 }
 
-fn tree_order(a: &[f64], b: &[f64]) -> usize {
+/// The order of a partitioned method, one Runge–Kutta method with the same number of stages for
+/// each part of the variables, by the conditions of all trees whose vertices are coloured by the
+/// parts. Orders above 8 are not looked for.
+///
+/// Source: Hairer, Lubich & Wanner, Thm. III.2.5.
+pub(crate) fn tree_order(parts: &[Coefficients<'_>]) -> usize {
+    let stages = parts.first().map_or(0, |(_, b)| b.len());
     let mut trees: Vec<Tree> = Vec::new();
     for order in 1..=TREE_ORDERS {
         let mut grown = Vec::new();
-        let stem = (1.0, vec![1.0; b.len()]);
-        if !grow(&trees, order, order - 1, trees.len(), &stem, a, b, &mut grown) {
+        let stem = Stem { missing: order - 1, last: trees.len(), density: order as f64 };
+        if !grow(&trees, order, &stem, &vec![1.0; stages], parts, &mut grown) {
             return order - 1;
         }
         trees.append(&mut grown);
@@ -42,32 +52,37 @@ fn tree_order(a: &[f64], b: &[f64]) -> usize {
     TREE_ORDERS
 }
 
-/// Adds branches from `trees[..last]` until `missing` vertices are used up; false as soon as a
-/// finished tree breaks its order condition.
-#[allow(clippy::too_many_arguments)]
+/// A root to which branches from `trees[..last]` are to be added.
+struct Stem {
+    missing: usize,
+    last: usize,
+    density: f64,
+}
+
+/// Adds branches until no vertex is missing; false as soon as a finished tree breaks an order
+/// condition. The weights at the stages do not depend on the colour of the root.
 fn grow(
     trees: &[Tree],
     order: usize,
-    missing: usize,
-    last: usize,
-    (density, weights): &(f64, Vec<f64>),
-    a: &[f64],
-    b: &[f64],
+    stem: &Stem,
+    weights: &[f64],
+    parts: &[Coefficients<'_>],
     grown: &mut Vec<Tree>,
 ) -> bool {
-    if missing == 0 {
-        let density = density * order as f64;
-        let sum: f64 = b.iter().zip(weights).map(|(b, w)| b * w).sum();
-        let branch = |row: &[f64]| row.iter().zip(weights).map(|(a, w)| a * w).sum();
-        let as_branch = a.chunks_exact(b.len()).map(branch).collect();
-        grown.push(Tree { order, density, as_branch });
-        return (sum * density - 1.0).abs() <= TOLERANCE;
+    let dot = |x: &[f64]| -> f64 { x.iter().zip(weights).map(|(x, w)| x * w).sum() };
+    if stem.missing == 0 {
+        return parts.iter().all(|(a, b)| {
+            let as_branch = a.chunks_exact(b.len()).map(dot).collect();
+            grown.push(Tree { order, density: stem.density, as_branch });
+            (dot(b) * stem.density - 1.0).abs() <= TOLERANCE
+        });
     }
-    (0..last).filter(|&n| trees[n].order <= missing).all(|n| {
+    (0..stem.last).filter(|&n| trees[n].order <= stem.missing).all(|n| {
         let tree = &trees[n];
-        let product = weights.iter().zip(&tree.as_branch).map(|(w, t)| w * t).collect();
-        let stem = (density * tree.density, product);
-        grow(trees, order, missing - tree.order, n + 1, &stem, a, b, grown)
+        let product: Vec<f64> = weights.iter().zip(&tree.as_branch).map(|(w, t)| w * t).collect();
+        let missing = stem.missing - tree.order;
+        let stem = Stem { missing, last: n + 1, density: stem.density * tree.density };
+        grow(trees, order, &stem, &product, parts, grown)
     })
 }
 

@@ -1,8 +1,11 @@
 //! Runge–Kutta methods.
 
-use crate::newton::NewtonSpace;
+use crate::dop853;
+use crate::newton::{NewtonSpace, newton_step};
 use crate::stage_solver::stage_point;
-use crate::{Equivariant, Scheme, SchemeError, StageSolver, Step, StepError, Tableau, VectorField};
+use crate::{
+    Equivariant, Scheme, SchemeError, StageSolver, Step, StepError, Substeps, Tableau, VectorField,
+};
 use lie_poisson::{Real, Vector};
 
 /// A Runge–Kutta method: a [`Tableau`], and a solver for its stages if it is implicit.
@@ -71,6 +74,55 @@ impl RungeKutta {
         )
     }
 
+    /// The method of order 8 of Dormand and Prince, explicit, with 12 stages, at fixed step: the
+    /// propagated solution of the code DOP853, without its error estimate. A reference for runs in
+    /// which structure does not matter.
+    ///
+    /// Source: Hairer, Nørsett & Wanner, *Solving Ordinary Differential Equations I*, 2nd ed.
+    /// (1993), §II.5 and Appendix.
+    #[must_use]
+    pub fn dop853() -> Self {
+        let stages = dop853::B.len();
+        let mut a = vec![0.0; stages * stages];
+        for (row, entries) in a.chunks_exact_mut(stages).skip(1).zip(dop853::A) {
+            row[..entries.len()].copy_from_slice(entries);
+        }
+        Self::literal(&a, &dop853::B)
+    }
+
+    /// The symplectic diagonally implicit method with weights b: see
+    /// [`Tableau::symplectic_dirk`]. Its stages are solved together; the
+    /// [`Composition`](crate::Composition) of midpoint rules, the same map, solves one after the
+    /// other.
+    ///
+    /// # Errors
+    /// If there is no weight, or one is not finite.
+    pub fn symplectic_dirk(b: &[f64]) -> Result<Self, SchemeError> {
+        Tableau::symplectic_dirk(b).map(Self::new)
+    }
+
+    /// The symplectic diagonally implicit method of Qin and Zhang: order 2, 2 stages,
+    /// b = (½, ½).
+    ///
+    /// Source: Qin & Zhang, *Symplectic Runge–Kutta schemes for Hamiltonian systems*, J. Comput.
+    /// Math. 10 (1992).
+    #[must_use]
+    pub fn qin_zhang() -> Self {
+        Self::literal(&[0.25, 0.0, 0.5, 0.25], &[0.5, 0.5])
+    }
+
+    /// The symplectic diagonally implicit method of Sanz-Serna and Abia: order 4, 3 stages, with
+    /// the weights of the [triple jump](crate::Substeps::triple_jump).
+    ///
+    /// Source: Sanz-Serna & Abia, SIAM J. Numer. Anal. 28 (1991).
+    #[must_use]
+    pub fn sanz_serna_abia() -> Self {
+        let substeps = Substeps::yoshida4();
+        let (b1, b2) = (substeps.fractions()[0], substeps.fractions()[1]);
+        let a = [0.5 * b1, 0.0, 0.0, b1, 0.5 * b2, 0.0, b1, b2, 0.5 * b1];
+        Self::literal(&a, &[b1, b2, b1])
+    }
+
     /// Gauss–Legendre collocation with `stages` stages: order 2s, symplectic, symmetric.
     ///
     /// # Errors
@@ -79,10 +131,8 @@ impl RungeKutta {
         Tableau::gauss(stages).map(Self::new)
     }
 
-    /// From coefficients in this file, whose shape is seen on the line.
-    #[allow(clippy::expect_used)]
     fn literal(a: &[f64], b: &[f64]) -> Self {
-        Self::new(Tableau::new(a, b).expect("s² finite coefficients and s weights"))
+        Self::new(Tableau::literal(a, b))
     }
 }
 
@@ -120,7 +170,11 @@ impl Scheme for RungeKutta {
             }
             0
         } else {
-            self.solver.solve(field, z, step, &self.tableau, k, newton)?
+            let derivative =
+                |i: usize, k: &[F::Point]| field.at(&stage_point(z, step, self.tableau.row(i), k));
+            self.solver.solve_by_newton(field.at(z), step, k, derivative, |k| {
+                newton_step(field, z, step, &self.tableau, k, newton)
+            })?
         };
         let point = stage_point(z, step, self.tableau.weights(), k);
         if point.is_finite() { Ok(Step { point, iterations }) } else { Err(StepError::NotFinite) }
@@ -136,5 +190,10 @@ impl Scheme for RungeKutta {
 
     fn is_symmetric(&self) -> bool {
         self.tableau.is_symmetric()
+    }
+
+    /// The condition of [`Tableau::is_symplectic`].
+    fn preserves_quadratic_invariants(&self) -> bool {
+        self.tableau.is_symplectic()
     }
 }

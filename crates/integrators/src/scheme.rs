@@ -43,6 +43,19 @@ pub trait Scheme: Clone {
 
     /// Whether Φ_{−h} ∘ Φ_h = id.
     fn is_symmetric(&self) -> bool;
+
+    /// Whether Φ_h conserves every quadratic function that the exact flow conserves, for every
+    /// vector field.
+    ///
+    /// For a Runge–Kutta method this is the same condition as symplecticity. For a partitioned
+    /// method it is not: a symplectic one conserves the invariants qᵀDp that are bilinear in q and
+    /// p, not those that mix them otherwise. Nothing is promised unless a scheme says so.
+    ///
+    /// Source: Bochev & Scovel, *On quadratic invariants and symplectic structure*, BIT 34 (1994);
+    /// Hairer, Lubich & Wanner, Thms. IV.2.2, IV.2.3 and VI.4.3.
+    fn preserves_quadratic_invariants(&self) -> bool {
+        false
+    }
 }
 
 /// Promise: the scheme commutes with linear (indeed affine) changes of variable, A∘Φ_X = Φ_{A∗X}∘A.

@@ -1,7 +1,6 @@
 //! Iterations for the stage equations, to the round-off floor.
 
-use crate::newton::{NewtonSpace, newton_step};
-use crate::{StepError, Tableau, VectorField};
+use crate::StepError;
 use lie_poisson::{Real, Vector, larger};
 
 /// A change that grows again is at the floor at once below this multiple of the size of the stage
@@ -29,7 +28,7 @@ const NEWTON_ITERATIONS: usize = 50;
 /// First a fixed-point iteration of Gauss–Seidel kind from k_i = X(z), so that a step depends on
 /// its starting point alone. Where it is slow or diverges, for large steps, Newton's iteration
 /// takes over, with the exact derivative of the field if it is known
-/// ([`VectorField::derivative`]).
+/// ([`VectorField::derivative`](crate::VectorField::derivative)).
 ///
 /// Source of the stopping rule: Hairer, McLachlan & Razakarivony, *Achieving Brouwer's law with
 /// implicit Runge–Kutta methods*, BIT 48 (2008), §2.
@@ -67,7 +66,7 @@ impl Watch {
     fn settled(&mut self, change: f64, size: f64) -> bool {
         self.stalled = if change < self.least { 0 } else { self.stalled + 1 };
         self.least = self.least.min(change);
-        // ∞ ≤ ∞ would pass for round-off.
+        // An infinite change is not above an infinite floor, and not at it either.
         let settled = change == 0.0
             || (change >= self.previous && change <= FEW_ROUNDINGS * size)
             || (self.stalled >= PATIENCE && change <= ROUND_OFF * size);
@@ -78,31 +77,43 @@ impl Watch {
 }
 
 impl StageSolver {
-    /// Solves for the stages `k`, of which there must be as many as rows; returns the number of
-    /// iterations.
+    /// Solves k_i = `derivative`(i, k) for the stages `k`, all of which start from `start`, by
+    /// fixed-point iteration; returns the number of iterations. `derivative` computes X at the
+    /// i-th stage.
     ///
     /// # Errors
     /// [`StepError::NotConverged`] if the iteration blows up or does not settle.
-    pub(crate) fn solve<T: Real, F: VectorField<T>>(
+    #[inline]
+    pub(crate) fn solve<V: Vector>(
         &self,
-        field: &F,
-        z: &F::Point,
+        start: V,
         step: f64,
-        tableau: &Tableau,
-        k: &mut [F::Point],
-        space: &mut NewtonSpace<T>,
+        k: &mut [V],
+        derivative: impl Fn(usize, &[V]) -> V,
     ) -> Result<usize, StepError> {
-        let start = field.at(z);
         k.fill(start);
-        let sweeps =
-            self.iterate(self.max_iterations, step, || Some(sweep(field, z, step, tableau, k)));
-        match sweeps {
+        self.iterate(self.max_iterations, step, || Some(sweep(k, &derivative)))
+    }
+
+    /// The same, followed by Newton's iteration from `start` if it fails and Newton's is allowed.
+    /// `newton` makes one iteration and returns its change and the size of the stages.
+    ///
+    /// # Errors
+    /// [`StepError::NotConverged`] if neither iteration settles.
+    #[inline]
+    pub(crate) fn solve_by_newton<V: Vector>(
+        &self,
+        start: V,
+        step: f64,
+        k: &mut [V],
+        derivative: impl Fn(usize, &[V]) -> V,
+        mut newton: impl FnMut(&mut [V]) -> Option<(f64, f64)>,
+    ) -> Result<usize, StepError> {
+        match self.solve(start, step, k, derivative) {
             Err(StepError::NotConverged { iterations, .. }) if self.newton => {
                 k.fill(start);
-                let newton = self.iterate(NEWTON_ITERATIONS, step, || {
-                    newton_step(field, z, step, tableau, k, space)
-                });
-                newton.map(|more| iterations + more)
+                let more = self.iterate(NEWTON_ITERATIONS, step, || newton(k))?;
+                Ok(iterations + more)
             }
             outcome => outcome,
         }
@@ -139,19 +150,13 @@ impl StageSolver {
 
 /// One sweep over all stages; returns the largest change and the largest stage derivative.
 #[inline]
-fn sweep<T: Real, F: VectorField<T>>(
-    field: &F,
-    z: &F::Point,
-    step: f64,
-    tableau: &Tableau,
-    k: &mut [F::Point],
-) -> (f64, f64) {
+fn sweep<V: Vector>(k: &mut [V], derivative: &impl Fn(usize, &[V]) -> V) -> (f64, f64) {
     let (mut change, mut size) = (0.0, 0.0);
-    for (i, row) in tableau.rows().enumerate() {
-        let derivative = field.at(&stage_point(z, step, row, k));
-        change = larger(change, (derivative - k[i]).max_abs());
-        size = larger(size, derivative.max_abs());
-        k[i] = derivative;
+    for i in 0..k.len() {
+        let value = derivative(i, k);
+        change = larger(change, (value - k[i]).max_abs());
+        size = larger(size, value.max_abs());
+        k[i] = value;
     }
     (change, size)
 }
@@ -168,8 +173,16 @@ pub(crate) fn stage_point<V: Vector>(z: &V, step: f64, row: &[f64], k: &[V]) -> 
 
 #[cfg(test)]
 mod tests {
-    use crate::{RungeKutta, Scheme, from_fn};
-    use nalgebra::Vector2;
+    use crate::{RungeKutta, Scheme, StepError, from_fn};
+    use nalgebra::{Vector1, Vector2};
+
+    #[test]
+    fn an_iteration_that_blows_up_is_refused() {
+        let field = from_fn(|z: &Vector1<f64>| z.map(|x| x * x * 1e6));
+        let midpoint = RungeKutta::implicit_midpoint();
+        let step = midpoint.step(&field, &Vector1::new(1.0), 1.0, &mut midpoint.workspace());
+        assert!(matches!(step, Err(StepError::NotConverged { .. })));
+    }
 
     /// ẋ = 16 y, ẏ = −x/2 with h = ½: one sweep multiplies the change by 4 and the next by ⅛, in one
     /// or the other order. The midpoint rule is x₁ = (x/2 + 8y)/c, y₁ = (y/2 − x/4)/c, c = 3/2.

@@ -5,7 +5,7 @@ use crate::{SchemeError, order_conditions::order_of};
 /// How far a computed algebraic condition on rounded coefficients may be from zero.
 ///
 /// A condition sums up to s² products of coefficients of size 1, each rounded to 2⁻⁵³.
-const COEFFICIENT_TOLERANCE: f64 = 1e-13;
+pub(crate) const COEFFICIENT_TOLERANCE: f64 = 1e-13;
 
 /// The coefficients of a Runge–Kutta method,
 ///
@@ -64,6 +64,13 @@ impl Tableau {
         self.a.chunks_exact(self.stages())
     }
 
+    /// The row (a_i1, …, a_is); empty for i ≥ s.
+    #[inline]
+    #[must_use]
+    pub fn row(&self, i: usize) -> &[f64] {
+        self.a.chunks_exact(self.stages()).nth(i).unwrap_or_default()
+    }
+
     /// The weights b.
     #[must_use]
     pub fn weights(&self) -> &[f64] {
@@ -109,6 +116,38 @@ impl Tableau {
             let s = self.stages();
             self.a[(s - 1 - i) * s + (s - 1 - j)] + self.a[i * s + j] - self.b[j]
         })
+    }
+
+    /// The tableau â that makes the pair (a, â) a symplectic partitioned method,
+    ///
+    /// ```text
+    /// â_ij = b_j − b_j a_ji / b_i,    b̂ = b
+    /// ```
+    ///
+    /// Its own conjugate is the first one; symplectic tableaux are conjugate to themselves.
+    ///
+    /// Source: Hairer, Lubich & Wanner, Thm. VI.4.6.
+    ///
+    /// # Errors
+    /// If a weight is zero.
+    pub fn symplectic_conjugate(&self) -> Result<Self, SchemeError> {
+        let (b, s) = (&self.b, self.stages());
+        let entry = |n: usize| {
+            let (i, j) = (n / s, n % s);
+            b[j] - b[j] * self.a[j * s + i] / b[i]
+        };
+        Self::new(&(0..s * s).map(entry).collect::<Vec<f64>>(), b)
+    }
+
+    /// From coefficients in this crate, whose shape is seen on the line.
+    #[allow(clippy::expect_used)]
+    pub(crate) fn literal(a: &[f64], b: &[f64]) -> Self {
+        Self::new(a, b).expect("s² finite coefficients and s weights")
+    }
+
+    /// The matrix a, row by row.
+    pub(crate) fn matrix(&self) -> &[f64] {
+        &self.a
     }
 
     fn all_pairs(&self, defect: impl Fn(usize, usize) -> f64) -> bool {

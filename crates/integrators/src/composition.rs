@@ -1,0 +1,133 @@
+//! Composition methods.
+
+use crate::{Equivariant, Integrator, Scheme, Start, Step, StepError, Substeps, VectorField};
+use lie_poisson::{Real, Vector};
+use momentum_map::LiftError;
+
+/// The composition Ψ_h = Φ_{γ_s h} ∘ … ∘ Φ_{γ_1 h} of a method with itself.
+///
+/// It is symplectic, equivariant, a Poisson map, or conserves an invariant if Φ does, and has a
+/// higher order if the [`Substeps`] are right for Φ. Φ may be a [`Scheme`], or an [`Integrator`] that
+/// is none, such as a [`Splitting`](crate::Splitting).
+///
+/// Source: Hairer, Lubich & Wanner, *Geometric Numerical Integration*, 2nd ed. (2006), §II.4 and
+/// §V.3.
+///
+/// # Example
+/// ```
+/// use collective_integrators::{Composition, RungeKutta, Scheme, Substeps, from_fn};
+/// use nalgebra::Vector2;
+/// let scheme = Composition::new(RungeKutta::implicit_midpoint(), Substeps::kahan_li8());
+/// assert_eq!(scheme.order(), 8);
+/// assert!(scheme.is_symplectic() && scheme.is_symmetric());
+/// let oscillator = from_fn(|z: &Vector2<f64>| Vector2::new(z.y, -z.x));
+/// let step = scheme.step(&oscillator, &Vector2::new(1.0, 0.0), 0.1, &mut scheme.workspace())?;
+/// assert!((step.point.x - 0.1_f64.cos()).abs() < 1e-13);
+/// # Ok::<(), collective_integrators::StepError>(())
+/// ```
+#[derive(Clone, Debug, PartialEq)]
+pub struct Composition<S> {
+    base: S,
+    substeps: Substeps,
+}
+
+impl<S> Composition<S> {
+    /// Φ = `base`, applied with the given substeps.
+    pub fn new(base: S, substeps: Substeps) -> Self {
+        Self { base, substeps }
+    }
+
+    /// Φ
+    pub fn base(&self) -> &S {
+        &self.base
+    }
+
+    /// γ
+    pub fn substeps(&self) -> &Substeps {
+        &self.substeps
+    }
+
+    /// One substep after the other, until one fails.
+    #[inline]
+    fn chain<V: Copy>(
+        &self,
+        start: &V,
+        step: f64,
+        mut substep: impl FnMut(&V, f64) -> Result<Step<V>, StepError>,
+    ) -> Result<Step<V>, StepError> {
+        let mut total = Step { point: *start, iterations: 0 };
+        for gamma in self.substeps.fractions() {
+            let next = substep(&total.point, gamma * step)?;
+            total = Step { point: next.point, iterations: total.iterations + next.iterations };
+        }
+        Ok(total)
+    }
+}
+
+impl<S: Equivariant> Equivariant for Composition<S> {}
+
+impl<S: Scheme> Scheme for Composition<S> {
+    type Workspace<V: Vector> = S::Workspace<V>;
+
+    fn workspace<V: Vector>(&self) -> Self::Workspace<V> {
+        self.base.workspace()
+    }
+
+    #[inline]
+    fn step<T: Real, F: VectorField<T>>(
+        &self,
+        field: &F,
+        z: &F::Point,
+        step: f64,
+        workspace: &mut Self::Workspace<F::Point>,
+    ) -> Result<Step<F::Point>, StepError> {
+        self.chain(z, step, |z, step| self.base.step::<T, F>(field, z, step, workspace))
+    }
+
+    /// [`Substeps::order_over`] what the base has.
+    fn order(&self) -> usize {
+        self.substeps.order_over(self.base.order(), self.base.is_symmetric())
+    }
+
+    fn is_symplectic(&self) -> bool {
+        self.base.is_symplectic()
+    }
+
+    fn is_symmetric(&self) -> bool {
+        self.base.is_symmetric() && self.substeps.is_symmetric()
+    }
+
+    fn preserves_quadratic_invariants(&self) -> bool {
+        self.base.preserves_quadratic_invariants()
+    }
+}
+
+impl<T: Real, I: Integrator<T>> Integrator<T> for Composition<I> {
+    type State = I::State;
+    type Momentum = I::Momentum;
+    type Workspace = I::Workspace;
+
+    fn workspace(&self) -> I::Workspace {
+        self.base.workspace()
+    }
+
+    #[inline]
+    fn step(
+        &self,
+        state: &I::State,
+        step: f64,
+        workspace: &mut I::Workspace,
+    ) -> Result<Step<I::State>, StepError> {
+        self.chain(state, step, |state, step| self.base.step(state, step, workspace))
+    }
+
+    fn momentum(&self, state: &I::State) -> I::Momentum {
+        self.base.momentum(state)
+    }
+}
+
+impl<T: Real, I: Start<T>> Start<T> for Composition<I> {
+    fn start(&self, mu: &I::Momentum) -> Result<I::State, LiftError> {
+        self.base.start(mu)
+    }
+}
