@@ -82,7 +82,7 @@ struct Rotor;
 impl Energy for Rotor {
     type Space = LiePoisson<Poincare>;
     fn energy<T: Real>(&self, Covector(j): &Covector<Vector3<T>>) -> T {
-        j.x * j.x * 0.5 + j.y * j.y + j.z * j.z * j.z * 0.25 + j.y
+        j.x * j.x * 0.5 + j.y * j.y + j.z * j.z * 0.5 + j.x * j.z * 0.3 + j.y
     }
 }
 
