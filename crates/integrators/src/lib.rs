@@ -10,7 +10,7 @@
 //! | one-step methods, and which of them descend | [`Scheme`], [`Equivariant`], [`RungeKutta`] |
 //! | partitioned methods, which do not descend | [`Polarisation`], [`PartitionedRungeKutta`] |
 //! | compositions of a method with itself | [`Composition`], [`Substeps`] |
-//! | integrators on 𝔤∗ | [`Integrator`], [`Collective`], [`LiftFree`], [`Direct`] |
+//! | integrators on 𝔤∗ | [`Integrator`], [`Collective`], [`LiftFree`], [`Compensated`], [`Direct`] |
 //! | splitting into exact flows | [`ExactFlows`], [`Splitting`] |
 //! | doubled phase spaces: Tao's method; the semiexplicit one is a [`Tableau::semiexplicit`] | [`TaoFlows`] |
 //! | the spherical midpoint method | [`SphericalMidpoint`] |
@@ -36,6 +36,7 @@ mod composition_conditions;
 mod substeps;
 mod integrator;
 mod lift_free;
+mod compensated;
 mod composition;
 mod splitting;
 mod semiexplicit;
@@ -44,6 +45,7 @@ mod spherical_midpoint;
 mod trajectory;
 mod order_fit;
 
+pub use compensated::Compensated;
 pub use composition::Composition;
 pub use error::{IntegrationError, SchemeError, StepError};
 pub use integrator::{Collective, Direct, Integrator, Start};

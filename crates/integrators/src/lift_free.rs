@@ -1,6 +1,6 @@
 //! Collective Runge–Kutta methods without a lift.
 
-use crate::{Equivariant, Integrator, Start, Step, StepError, VectorField};
+use crate::{Compensated, Equivariant, Integrator, Start, Step, StepError, VectorField};
 use lie_poisson::{
     Differential, DualNumber, Hamiltonian, Point, Real, Vector, derivative_part, map_coordinates,
     seed,
@@ -49,6 +49,16 @@ impl<S: Equivariant, M: Multipliers, H> LiftFree<S, M, H> {
     /// The scheme applied to the multipliers.
     pub fn new(scheme: S, multipliers: M, hamiltonian: H) -> Self {
         Self { scheme, multipliers, hamiltonian }
+    }
+
+    /// The same with compensated summation of μ.
+    pub fn compensated(self) -> Compensated<Self> {
+        Compensated(self)
+    }
+
+    /// The algebra of multipliers.
+    pub fn multipliers(&self) -> &M {
+        &self.multipliers
     }
 
     /// The scheme.
@@ -142,8 +152,8 @@ where
         step: f64,
         workspace: &mut Self::Workspace,
     ) -> Result<Step<Self::State>, StepError> {
-        let Step { point, iterations } = self.multiplier::<T>(mu, step, workspace)?;
-        let point = self.multipliers.coadjoint_motion::<T>(&point, mu);
+        let Step { point: q, iterations } = self.multiplier::<T>(mu, step, workspace)?;
+        let point = *mu + self.multipliers.coadjoint_change::<T>(&q, mu);
         if point.is_finite() { Ok(Step { point, iterations }) } else { Err(StepError::NotFinite) }
     }
 

@@ -52,16 +52,17 @@ pub trait Multipliers: Clone {
         mu: &Point<Self::Space, T>,
     ) -> Point<Self::Space, T>;
 
-    /// The coadjoint motion that Q makes of μ once its quadratic invariants are restored, which a
-    /// step has changed by round-off only: Casimirs of μ are conserved to a rounding without bias.
-    /// By default `transport`.
+    /// The change that the coadjoint motion by Q makes of μ, once the quadratic invariants of Q are
+    /// restored, which a step has changed by round-off only. Where it is computed without
+    /// cancellation, it is exact to a few roundings of its own size, and Casimirs of μ are conserved
+    /// to a rounding without bias. By default transport(Q, μ) − μ.
     #[inline]
-    fn coadjoint_motion<T: Real>(
+    fn coadjoint_change<T: Real>(
         &self,
         q: &Self::Multiplier<T>,
         mu: &Point<Self::Space, T>,
     ) -> Point<Self::Space, T> {
-        self.transport::<T>(q, mu)
+        self.transport::<T>(q, mu) - *mu
     }
 }
 
@@ -105,14 +106,14 @@ impl Multipliers for Quaternions {
         Covector(q.sandwich(&mu.0))
     }
 
-    /// The rotation of Π₀ by Q/|Q|.
+    /// Of the rotation by Q/|Q|.
     #[inline]
-    fn coadjoint_motion<T: Real>(
+    fn coadjoint_change<T: Real>(
         &self,
         q: &Quaternion<T>,
         mu: &Covector<Vector3<T>>,
     ) -> Covector<Vector3<T>> {
-        Covector(q.rotate(&mu.0))
+        Covector(q.rotation_change(&mu.0))
     }
 }
 
@@ -169,13 +170,13 @@ impl Multipliers for DualQuaternions {
         Se3Dual::new(q.sandwich(pi) + shift * scale, turned)
     }
 
-    /// The motion of the unit dual quaternion next to Q + εN: |Q|² = 1 and x₀ = 0.
+    /// Of the motion by the unit dual quaternion next to Q + εN: |Q|² = 1 and x₀ = 0.
     #[inline]
-    fn coadjoint_motion<T: Real>(&self, q: &Self::Multiplier<T>, mu: &Se3Dual<T>) -> Se3Dual<T> {
+    fn coadjoint_change<T: Real>(&self, q: &Self::Multiplier<T>, mu: &Se3Dual<T>) -> Se3Dual<T> {
         let (Pair(q, n), Covector(Pair(pi, gamma))) = (q, mu);
-        let turned = q.rotate(gamma);
+        let change = q.rotation_change(gamma);
         let x = (*n * q.conjugate()).vector * (T::from_f64(0.5) / q.norm_squared());
-        Se3Dual::new(q.rotate(pi) + x.cross(&turned), turned)
+        Se3Dual::new(q.rotation_change(pi) + x.cross(&(gamma + change)), change)
     }
 }
 
@@ -268,12 +269,12 @@ where
     }
 
     #[inline]
-    fn coadjoint_motion<T: Real>(
+    fn coadjoint_change<T: Real>(
         &self,
         q: &Self::Multiplier<T>,
         mu: &Point<Self::Space, T>,
     ) -> Point<Self::Space, T> {
-        let factor = |n: usize| self.0.coadjoint_motion::<T>(&q.0[n], &Covector(mu.0.0[n])).0;
+        let factor = |n: usize| self.0.coadjoint_change::<T>(&q.0[n], &Covector(mu.0.0[n])).0;
         Covector(Power(from_fn(factor)))
     }
 }
@@ -315,11 +316,11 @@ impl<M: Multipliers, N: Multipliers> Multipliers for ProductMultipliers<M, N> {
     }
 
     #[inline]
-    fn coadjoint_motion<T: Real>(
+    fn coadjoint_change<T: Real>(
         &self,
         q: &Self::Multiplier<T>,
         mu: &Point<Self::Space, T>,
     ) -> Point<Self::Space, T> {
-        Pair(self.0.coadjoint_motion::<T>(&q.0, &mu.0), self.1.coadjoint_motion::<T>(&q.1, &mu.1))
+        Pair(self.0.coadjoint_change::<T>(&q.0, &mu.0), self.1.coadjoint_change::<T>(&q.1, &mu.1))
     }
 }

@@ -1,0 +1,108 @@
+//! Round-off over a long run: how f₁, f₂ and h wander, with and without compensated summation.
+//!
+//! `cargo run --release -p workspace-tests --example long_run -- [steps] [starts]`
+//!
+//! For an ensemble of starts of a generic top it prints the root mean square of each deviation at
+//! geometrically growing times, its mean, and the slope of ln(rms) against ln(t): ½ for a random
+//! walk, 1 for a drift.
+
+use collective_integrators::{Integrator, LiftFree, RungeKutta, Start, fitted_order};
+use heavytop::{Body, HeavyTop};
+use lie_poisson::nalgebra::Vector3;
+use lie_poisson::{Hamiltonian, Se3Dual};
+use momentum_map::DualQuaternions;
+use std::error::Error;
+
+const STEP: f64 = 0.05;
+
+/// The deviations (f₁, f₂, h) of one run at 2⁰, 2¹, 2², … steps, from the exact values of the
+/// start.
+fn deviations<I>(
+    integrator: &I,
+    top: &HeavyTop,
+    start: &Se3Dual,
+    steps: u64,
+) -> Result<Vec<[f64; 3]>, Box<dyn Error>>
+where
+    I: Start<f64, Momentum = Se3Dual>,
+{
+    let values = |mu: &Se3Dual| [mu.0.1.dot(&mu.0.1), mu.0.0.dot(&mu.0.1), top.value(mu)];
+    let first = values(start);
+    let mut state = integrator.start(start)?;
+    let mut workspace = integrator.workspace();
+    let mut rows = Vec::new();
+    let mut next = 1;
+    for step in 1..=steps {
+        state = integrator.step(&state, STEP, &mut workspace)?.point;
+        if step == next {
+            let now = values(&integrator.momentum(&state));
+            rows.push([0, 1, 2].map(|k| now[k] - first[k]));
+            next *= 2;
+        }
+    }
+    Ok(rows)
+}
+
+fn report<I>(
+    name: &str,
+    integrator: &I,
+    top: &HeavyTop,
+    starts: &[Se3Dual],
+    steps: u64,
+) -> Result<(), Box<dyn Error>>
+where
+    I: Start<f64, Momentum = Se3Dual> + Integrator<f64>,
+{
+    let clock = std::time::Instant::now();
+    let runs = starts
+        .iter()
+        .map(|start| deviations(integrator, top, start, steps))
+        .collect::<Result<Vec<_>, _>>()?;
+    let count = runs.len() as f64;
+    println!("{name}: {} runs of {steps} steps of {STEP}, {:.0?}", runs.len(), clock.elapsed());
+    for (k, quantity) in ["f1", "f2", "h"].iter().enumerate() {
+        let moment = |row: usize, power: i32| {
+            runs.iter().map(|run| run[row][k].powi(power)).sum::<f64>() / count
+        };
+        let rms: Vec<(f64, f64)> = (0..runs[0].len())
+            .map(|row| (STEP * 2_f64.powi(row as i32), moment(row, 2).sqrt()))
+            .collect();
+        // The first rows show single roundings of the quantity itself, which are no walk yet.
+        let walk: Vec<(f64, f64)> = rms.iter().copied().skip(rms.len() / 2).collect();
+        let slope = fitted_order(&walk, 0.0).map_or("-".to_owned(), |slope| format!("{slope:.2}"));
+        let last = rms.len() - 1;
+        println!(
+            "  {quantity}: rms {:.2e} at t = {:.3e}, mean {:+.2e}, slope {slope}",
+            rms[last].1,
+            rms[last].0,
+            moment(last, 1)
+        );
+    }
+    Ok(())
+}
+
+fn main() -> Result<(), Box<dyn Error>> {
+    let mut arguments = std::env::args().skip(1);
+    let mut number = |default: u64| arguments.next().map_or(Ok(default), |text| text.parse());
+    let (steps, starts) = (number(1 << 16)?, number(16)?);
+    let top = HeavyTop::new(&Body {
+        inertia: Vector3::new(2.1, 1.7, 1.0),
+        mass: 1.0,
+        gravity: 1.0,
+        length: 0.3,
+        center_of_mass: Vector3::new(0.48, -0.64, 0.6),
+    })?;
+    let start = |n: u64| {
+        let turn = 0.7 * n as f64;
+        let gamma = Vector3::new(turn.cos(), (1.3 * turn).sin(), 0.4 + turn.sin()).normalize();
+        Se3Dual::new(Vector3::new(0.3, -0.4, 2.0 + 0.1 * turn.cos()), gamma)
+    };
+    let starts: Vec<Se3Dual> = (0..starts).map(start).collect();
+    let lift_free = |scheme| LiftFree::new(scheme, DualQuaternions, top);
+    let midpoint = lift_free(RungeKutta::implicit_midpoint());
+    report("midpoint", &midpoint, &top, &starts, steps)?;
+    report("midpoint, compensated", &midpoint.compensated(), &top, &starts, steps)?;
+    let gauss = lift_free(RungeKutta::gauss(6)?);
+    report("gauss-12", &gauss, &top, &starts, steps)?;
+    report("gauss-12, compensated", &gauss.compensated(), &top, &starts, steps)
+}
