@@ -39,7 +39,7 @@ pub struct EulerSolution {
 }
 
 impl EulerSolution {
-    /// The solution through `start`, kg m²/s.
+    /// The solution through `start`, kg m²/s; a start that is not finite stays as it is.
     #[must_use]
     pub fn new(body: &RigidBody, start: Vector3<f64>) -> Self {
         let inertia = body.inertia();
@@ -53,7 +53,7 @@ impl EulerSolution {
             axes.swap(0, 2);
         }
         let [i1, i2, i3] = axes.map(|axis| inertia[axis]);
-        if i3 == i1 || start == Vector3::zeros() {
+        if i3 == i1 || start == Vector3::zeros() || !square.is_finite() {
             return Self::at_rest(start);
         }
         // Products of Π² with differences of moments, which do not cancel.

@@ -52,6 +52,10 @@ impl LagrangeNutation {
         let Covector(Pair(pi, gamma)) = start;
         let i1 = top.inertia().x;
         let roots = turning_points(top, start, weight)?;
+        if is_equilibrium(roots, gamma.z) {
+            let rest = Self { lowest: gamma.z, range: 0.0, rate: 1.0, phase: 0.0, parameter: 0.0 };
+            return Ok(rest);
+        }
         let [lowest, highest, outside] = roots;
         let range = highest - lowest;
         let parameter = (range / (outside - lowest)).clamp(0.0, 1.0);
@@ -72,7 +76,8 @@ impl LagrangeNutation {
         self.lowest + self.range * sn * sn
     }
 
-    /// The period of the nutation, 2K(m)/ν, in seconds; infinite on the separatrix.
+    /// The period of the nutation, 2K(m)/ν, in seconds. It grows without bound towards the separatrix,
+    /// as far as m next to 1 can tell; where the height is constant it has no meaning.
     #[must_use]
     pub fn period(&self) -> f64 {
         2.0 * incomplete_elliptic(core::f64::consts::FRAC_PI_2, self.parameter) / self.rate
@@ -83,6 +88,13 @@ impl LagrangeNutation {
     pub fn turning_points(&self) -> (f64, f64) {
         (self.lowest, self.lowest + self.range)
     }
+}
+
+/// Whether Γ₃ is a double root of the cubic, where u̇ = ü = 0: regular precession, and the top that
+/// spins upright, stable or not. A double root is known to the square root of round-off.
+fn is_equilibrium(roots: [f64; 3], height: f64) -> bool {
+    let near = roots.iter().filter(|root| (*root - height).abs() <= 4.0 * f64::EPSILON.sqrt());
+    near.count() >= 2
 }
 
 /// The roots u₁ ≤ u₂ ≤ u₃ of the cubic.

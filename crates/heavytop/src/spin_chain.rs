@@ -15,6 +15,9 @@ use nalgebra::Vector3;
 /// With the plus bracket {s_a, s_b} = ε_abc s_c on each factor, ṡ_i = ∂h/∂s_i × s_i. Conserved:
 /// h, |s_i|, and without field the total spin Σ s_i; with it, the component along B.
 ///
+/// In units in which spins, J and B are numbers; for N = 2 the one bond counts twice, and N = 1 adds a
+/// constant.
+///
 /// Source: M. Lakshmanan, *The fascinating world of the Landau–Lifshitz–Gilbert equation*, Phil.
 /// Trans. R. Soc. A 369 (2011), §4.
 ///

@@ -18,6 +18,8 @@ pub type SpinLatticeSpace<const N: usize> =
 /// The differential is taken by dual numbers ([`lie_poisson::Automatic`]). Conserved: h, |s_i|,
 /// the total spin Σ s_i and the total momentum Σ p_i.
 ///
+/// In units in which all parameters are numbers; for N = 2 the one bond counts twice.
+///
 /// Source: the model class of G. Bogfjellmo, *Collective symplectic integrators on S₂ⁿ × T∗R^m*,
 /// arXiv:1809.06231 (2018).
 #[derive(Clone, Copy, Debug, PartialEq)]

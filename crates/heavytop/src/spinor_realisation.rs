@@ -4,8 +4,8 @@ use lie_poisson::{
     ComplexSpace, Covector, LiePoisson, Pair, Real, SO3OnR3, Se3, Se3Dual, SemidirectAlgebra,
 };
 use momentum_map::{
-    Cotangent, CotangentBundle, FibreSymmetry, Lift, LiftError, PoissonMap, hopf_map, hopf_section,
-    pauli,
+    Cotangent, CotangentBundle, FibreSymmetry, Lift, LiftError, PoissonMap, euclidean_norm,
+    hopf_map, hopf_section, pauli,
 };
 use nalgebra::{Vector2, Vector3};
 use num_complex::Complex;
@@ -88,7 +88,10 @@ impl PoissonMap for SpinorRealisation {
     fn gauge<T: Real>(&self, z: &SpinorPoint<T>) -> SpinorPoint<T> {
         let (chi, psi) = (&z.q, &z.p.0);
         let overlap = (psi.x.conj() * chi.x + psi.y.conj() * chi.y).re;
-        self.flow(0, -overlap / (psi.x.norm_sqr() + psi.y.norm_sqr()), z)
+        let square = psi.x.norm_sqr() + psi.y.norm_sqr();
+        // For ψ = 0 the fibre is no line, and z stays.
+        let along = (-square).select_nonnegative(T::zero(), -overlap / square);
+        self.flow(0, along, z)
     }
 }
 
@@ -108,7 +111,7 @@ impl Lift for SpinorRealisation {
     #[inline]
     fn lift<T: Real>(&self, mu: &Se3Dual<T>) -> Result<SpinorPoint<T>, LiftError> {
         let Covector(Pair(pi, gamma)) = mu;
-        let size = gamma.dot(gamma).sqrt();
+        let size = euclidean_norm(gamma);
         let psi = hopf_section(gamma);
         let scaled = pi * (T::from_f64(-2.0) / size);
         let chi = pauli(&scaled, &psi).map(|z| Complex { re: -z.im, im: z.re });

@@ -1,6 +1,8 @@
 //! The heavy top.
 
-use crate::error::{TopError, require_not_negative, require_positive, require_unit};
+use crate::error::{
+    TopError, require_finite, require_not_negative, require_positive, require_unit,
+};
 use lie_poisson::{
     Covector, Hamiltonian, LiePoisson, Pair, Real, Se3, Se3Dual, hessian_by_dual_numbers,
 };
@@ -86,6 +88,11 @@ impl HeavyTop {
         require_not_negative("mass·gravity·length", weight_moment)?;
         require_unit("center_of_mass", &center_of_mass)?;
         let inverse_inertia = inertia.map(|i| 1.0 / i);
+        for (name, &inverse) in
+            ["1/inertia[0]", "1/inertia[1]", "1/inertia[2]"].iter().zip(&inverse_inertia)
+        {
+            require_finite(name, inverse)?;
+        }
         Ok(Self { inertia, inverse_inertia, weight_moment, center_of_mass })
     }
 

@@ -3,7 +3,7 @@
 
 use collective_integrators::{Collective, RungeKutta, Start};
 use heavytop::{EulerSolution, HeavyTop, LagrangeNutation, RigidBody, SpinorRealisation};
-use lie_poisson::{Covector, Se3Dual};
+use lie_poisson::{Covector, Se3Dual, larger};
 use momentum_map::HOPF;
 use nalgebra::Vector3;
 use proptest::prelude::*;
@@ -20,7 +20,7 @@ fn euler_error(inertia: Vector3<f64>, start: Vector3<f64>) -> f64 {
     let trajectory = gauss.trajectory(&Covector(start), 0.05).unwrap().take(201).step_by(4);
     trajectory.fold(0.0, |worst: f64, sample| {
         let sample = sample.unwrap();
-        worst.max((sample.momentum.0 - exact.at(sample.time)).norm())
+        larger(worst, (sample.momentum.0 - exact.at(sample.time)).norm())
     })
 }
 
@@ -102,6 +102,19 @@ fn lagrange_top_at_a_generic_start_to_round_off() {
         }
         let (low, high) = nutation.turning_points();
         assert!(-1.0 <= low && low < high && high <= 1.0);
+    }
+}
+
+#[test]
+fn the_upright_top_stays_upright() {
+    // Stable or not: Γ₃ = 1 is a double root of the cubic.
+    let top = HeavyTop::lagrange(2.0, 1.0, 1.0).unwrap();
+    for spin in [1.0, 5.0] {
+        let start = Se3Dual::new(Vector3::z() * spin, Vector3::z());
+        let nutation = LagrangeNutation::new(&top, &start).unwrap();
+        for time in [0.0, 1.0, 17.0] {
+            assert!((nutation.height(time) - 1.0).abs() < 1e-15);
+        }
     }
 }
 

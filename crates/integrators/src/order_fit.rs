@@ -18,7 +18,7 @@ pub struct OrderFitError {
 /// that are not finite.
 ///
 /// # Errors
-/// If fewer than three points remain.
+/// If fewer than three points remain, or their steps are all the same.
 ///
 /// # Example
 /// ```
@@ -43,5 +43,9 @@ pub fn fitted_order(steps_and_errors: &[(f64, f64)], plateau: f64) -> Result<f64
     let (x, y) = (mean(&|p| p.0), mean(&|p| p.1));
     let covariance = mean(&|p| (p.0 - x) * (p.1 - y));
     let variance = mean(&|p| (p.0 - x) * (p.0 - x));
-    Ok(covariance / variance)
+    if variance > 0.0 && variance.is_finite() {
+        Ok(covariance / variance)
+    } else {
+        Err(OrderFitError { usable: 1, plateau })
+    }
 }

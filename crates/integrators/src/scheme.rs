@@ -60,9 +60,9 @@ pub trait Scheme: Clone {
 
 /// Promise: the scheme commutes with linear (indeed affine) changes of variable, A∘Φ_X = Φ_{A∗X}∘A.
 ///
-/// Fibre symmetries act linearly. A scheme that commutes with them carries fibres of M to fibres,
-/// so that M∘Φ is a map of 𝔤∗; if it is symplectic too, that map is Poisson. Runge–Kutta methods
-/// keep the promise. Partitioned methods, which treat q and p differently, do not: they are
+/// Where the symmetry along the fibres of M acts affinely, as it does for every realisation of these
+/// crates, such a scheme carries fibres of M to fibres, so that M∘Φ is a map of 𝔤∗; if it is
+/// symplectic too, that map is Poisson. Runge–Kutta methods keep the promise. Partitioned methods, which treat q and p differently, do not: they are
 /// symplectic on P, but their images are not maps of 𝔤∗ at all.
 ///
 /// Source: McLachlan, Modin & Verdier, *Collective symplectic integrators*, Nonlinearity 27

@@ -137,7 +137,7 @@ impl StageSolver {
             if watch.settled(change, size) || change * step.abs() <= self.tolerance {
                 return Ok(iterations);
             }
-            let required = self.tolerance.max(ROUND_OFF * size * step.abs());
+            let required = larger(self.tolerance, ROUND_OFF * size * step.abs());
             failure =
                 StepError::NotConverged { residual: change * step.abs(), required, iterations };
             if !change.is_finite() {

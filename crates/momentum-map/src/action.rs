@@ -66,7 +66,7 @@ pub type Generator<A, T = f64> = AlgebraElement<<A as GroupAction>::Group, T>;
 /// [cotangent lift](crate::CotangentLift) and the [momentum map](crate::MomentumMap) from them.
 ///
 /// # Example
-/// Rotations of the plane R³ ∋ q ↦ Rᵀq, a right action of SO(3):
+/// Rotations of space, R³ ∋ q ↦ Rᵀq, a right action of SO(3):
 /// ```
 /// use lie_poisson::{LieGroup, Real, RealSpace, SO3};
 /// use momentum_map::{GroupAction, Side};

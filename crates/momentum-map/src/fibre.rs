@@ -40,7 +40,8 @@ pub trait Lift: PoissonMap {
     fn lift<T: Real>(&self, mu: &TargetPoint<Self, T>) -> Result<SourcePoint<Self, T>, LiftError>;
 }
 
-/// A symmetry of P whose orbits are the fibres of M, as commuting one-parameter groups.
+/// A symmetry of P whose orbits are the connected components of the regular fibres of M, as
+/// commuting one-parameter groups.
 ///
 /// Every collective Hamiltonian h∘M is invariant under it, so its momenta are conserved
 /// (Noether); they are the pull-backs of the Casimirs, up to a function. A scheme on P descends to

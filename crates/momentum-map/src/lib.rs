@@ -44,7 +44,7 @@ pub use collective::CollectiveHamiltonian;
 pub use cotangent::{Cotangent, CotangentBundle};
 pub use cotangent_lift::CotangentLift;
 pub use fibre::{FibreSymmetry, Lift, LiftError};
-pub use hopf::{hopf_map, hopf_pull_back, hopf_section, pauli};
+pub use hopf::{euclidean_norm, hopf_map, hopf_pull_back, hopf_section, pauli};
 pub use momentum_map::MomentumMap;
 pub use multiplier::{
     ComplexMatrices, DualQuaternions, Multiplier, Multipliers, PowerMultipliers,

@@ -12,14 +12,15 @@ use lie_poisson::{LieGroup, LiePoisson, Real, Vector};
 /// ⟨J(q, p), ξ⟩ = ⟨p, ξ_Q(q)⟩
 /// ```
 ///
-/// Equivariant: J ∘ T∗Φ_{g⁻¹} = Ad∗_g ∘ J for a right action, Ad∗_{g⁻¹} ∘ J for a left one; hence
+/// Equivariant: `J ∘ T*Φ_{g⁻¹} = Ad*_g ∘ J` for a right action, `Ad*_{g⁻¹} ∘ J` for a left one; hence
 /// Poisson to 𝔤∗ with the [sign](crate::Side::lie_poisson_sign) of the side.
 ///
 /// Source: Marsden & Ratiu, *Introduction to Mechanics and Symmetry*, 2nd ed., Thm. 12.1.4 and
 /// Thm. 12.4.1; Ohsawa 2019, §2.3.
 ///
 /// # Example
-/// Translations of the line: the momentum map is the linear momentum.
+/// Rigid motions of R³: the momentum map is the angular and the linear momentum, with the signs of
+/// a right action.
 /// ```
 /// use lie_poisson::{Covector, Pair, Real, RealSpace, SE3, Se3Dual};
 /// use momentum_map::{Cotangent, GroupAction, MomentumMap, PoissonMap, Side};

@@ -21,6 +21,10 @@ pub type TargetDifferential<M, T = f64> = Differential<<M as PoissonMap>::Target
 /// X_{h∘M}(z) = generator(dh(M(z)), z)
 /// ```
 ///
+/// A scheme that commutes with affine maps descends to Q if the symmetry along the fibres of M acts
+/// affinely, as it does for every realisation of this crate; it conserves Casimirs whose
+/// pull-backs are functions of quadratic invariants.
+///
 /// If M is the momentum map of an action, `generator` is its infinitesimal generator ξ_P(z).
 /// Written down by hand, it gives collective dynamics without any Jacobian.
 ///
@@ -126,6 +130,11 @@ where
     ) -> SourcePoint<Self, T> {
         let middle = self.outer.pull_back::<T>(alpha, &self.inner.apply::<T>(z));
         self.inner.generator::<T>(&middle, z)
+    }
+
+    #[inline]
+    fn gauge<T: Real>(&self, z: &SourcePoint<Self, T>) -> SourcePoint<Self, T> {
+        self.inner.gauge::<T>(z)
     }
 }
 

@@ -22,6 +22,9 @@ pub trait SymplecticRepresentation: Representation {
 }
 
 /// The symplectic vector space of a representation.
+///
+/// [`SymplecticComplexSpace`] is the same space as that of U(N) on C^N, but another type: maps
+/// compose where the types agree.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub struct Symplectic<R>(pub R);
 
@@ -58,7 +61,7 @@ impl<R: SymplecticRepresentation> SymplecticSpace for Symplectic<R> {
 /// so(3)∗ from C² by the Hopf map, sl(2, R)∗ from R²ⁿ and u(N)∗ by outer products are all of this
 /// kind: one code path.
 ///
-/// Source: Marsden & Ratiu, *Introduction to Mechanics and Symmetry*, 2nd ed., Ex. 12.4(c)
+/// Source: Marsden & Ratiu, *Introduction to Mechanics and Symmetry*, 2nd ed., Ch. 12
 /// (linear symplectic actions); McLachlan, Modin & Verdier, *Collective symplectic integrators*,
 /// Nonlinearity 27 (2014), §4.
 ///

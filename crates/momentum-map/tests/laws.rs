@@ -139,6 +139,28 @@ fn momenta_outside_the_image_have_no_lift() {
     assert!((definite.apply::<f64>(&lifted) - elliptic).max_abs() < 1e-15);
 }
 
+#[test]
+fn lifts_reach_the_whole_range_of_numbers() {
+    let direction = Vector3::new(0.36, -0.48, -0.8);
+    for size in [1e-300, 1e-170, 1e-155, 1.0, 1e155, 1e170, 1e300] {
+        let mu = Covector(direction * size);
+        let residual = (HOPF.apply::<f64>(&HOPF.lift::<f64>(&mu).unwrap()) - mu).max_abs();
+        assert!(residual < 1e-15 * size, "{size:e}: {residual:e}");
+    }
+    let nothing = Covector(SkewHermitian::<f64, 0>::zero());
+    assert!(unitary_realisation::<0>().lift::<f64>(&nothing).is_err());
+}
+
+#[test]
+fn momenta_on_the_cone_of_sl2_have_a_lift() {
+    let definite = QuadraticMomentumMap::new(Sum(SL2OnR2, SL2OnR2), Side::Left);
+    for z in samples::<Vector2<f64>>() {
+        let mu = definite.apply::<f64>(&Pair(z, Vector2::zeros()));
+        let lifted = definite.lift::<f64>(&mu).unwrap();
+        assert!((definite.apply::<f64>(&lifted) - mu).max_abs() < 1e-15);
+    }
+}
+
 /// The Hopf map with a coordinate turned round: not Poisson, not equivariant.
 #[derive(Clone)]
 struct Mirrored;

@@ -31,7 +31,7 @@ pub type ParticleRealisation = MomentumMap<Opposite<AffineAction<SO3OnR3>>>;
 /// The realisation of the level Π·Γ = 0 of se(3)∗ with the minus bracket.
 pub const PARTICLE: ParticleRealisation = MomentumMap(Opposite(AffineAction(SO3OnR3)));
 
-/// How far from a right angle Π and Γ may be.
+/// How far from a right angle, in radians, Π and Γ may be: the round-off of a few thousand steps.
 const RIGHT_ANGLE_TOLERANCE: f64 = 1e-12;
 
 impl Lift for ParticleRealisation {

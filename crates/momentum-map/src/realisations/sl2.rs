@@ -30,8 +30,8 @@ impl PlaneForm for Reversed<SL2OnR2> {
 /// upper sign for the left action. In terms of the symmetric matrix S = ±[−2J₃ J₁; J₁ 2J₂] it is
 /// S = s₁ z₁z₁ᵀ + s₂ z₂z₂ᵀ, and −det S/4 is the Casimir. Equal forms (`Sum<SL2OnR2, SL2OnR2>`, or
 /// both [`Reversed`]) reach one sheet of the elliptic orbits each, opposite forms
-/// (`Sum<SL2OnR2, Reversed<SL2OnR2>>`) the hyperbolic ones. The fibres are the orbits of SO(2) and
-/// of SO(1, 1).
+/// (`Sum<SL2OnR2, Reversed<SL2OnR2>>`) the hyperbolic ones. The fibres are the orbits of O(2) and
+/// of O(1, 1); the flow stays in a component.
 ///
 /// Source: the dual pairs (Sp(2, R), O(2)) and (Sp(2, R), O(1, 1)), R. Howe, *Remarks on classical
 /// invariant theory*, Trans. AMS 313 (1989).
@@ -66,8 +66,14 @@ impl<R: PlaneForm, S: PlaneForm> Lift for Sl2Realisation<R, S> {
         let (mean, half_difference) = (j.y - j.z, -(j.y + j.z));
         let radius = (half_difference * half_difference + j.x * j.x).sqrt();
         let axis = half_angle(half_difference, j.x, radius);
-        let first = ((mean + radius) * R::SIGN).sqrt();
-        let second = ((mean - radius) * S::SIGN).sqrt();
+        // The smaller eigenvalue from the determinant: next to the cone the difference would cancel.
+        let size = mean.select_nonnegative(mean + radius, mean - radius);
+        let determinant = -(j.y * j.z * 4.0 + j.x * j.x);
+        let other = determinant / size;
+        let large = mean.select_nonnegative(size, other);
+        let small = mean.select_nonnegative(other, size);
+        let first = round_off_to_zero(large * R::SIGN, radius).sqrt();
+        let second = round_off_to_zero(small * S::SIGN, radius).sqrt();
         let z: Pair<Vector2<T>, Vector2<T>> =
             Pair(axis * first, Vector2::new(-axis.y, axis.x) * second);
         let z: SourcePoint<Self, T> =
@@ -75,6 +81,12 @@ impl<R: PlaneForm, S: PlaneForm> Lift for Sl2Realisation<R, S> {
         let reason = "the orbit is not of the kind of this realisation, or μ is not finite";
         LiftError::unless_finite(z, "μ", mu.max_abs(), reason)
     }
+}
+
+/// x, or 0 if it is negative by no more than the round-off of numbers of the given size.
+fn round_off_to_zero<T: Real>(x: T, size: T) -> T {
+    let negative = (x + size * (8.0 * f64::EPSILON)).select_nonnegative(T::zero(), x);
+    x.select_nonnegative(x, negative)
 }
 
 /// (cos φ, sin φ) of an angle with (cos 2φ, sin 2φ) = (x, y)/r; φ = 0 for r = 0.

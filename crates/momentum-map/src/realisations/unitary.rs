@@ -41,7 +41,8 @@ pub const fn unitary_realisation<const N: usize>() -> UnitaryRealisation<N> {
     QuadraticMomentumMap::new(UnitaryOnComplexSpace, Side::Right)
 }
 
-/// How far, relative to its size, H may be from ±½ z z∗.
+/// How far, relative to its size, H may be from ±½ z z∗: far above the round-off of a momentum that
+/// was computed, far below a second eigenvalue that was meant.
 const RANK_ONE_TOLERANCE: f64 = 1e-10;
 
 impl<const N: usize> Lift for UnitaryRealisation<N> {
@@ -55,9 +56,9 @@ impl<const N: usize> Lift for UnitaryRealisation<N> {
             Side::Right => 2.0,
         };
         let twice = UnitaryAlgebra.hermitian(mu).map(|z| z.scale(T::from_f64(sign)));
-        let mut column: SVector<Complex<T>, N> = twice.column(0).into();
-        let mut largest = twice[(0, 0)].re;
-        for k in 1..N {
+        let mut column: SVector<Complex<T>, N> = Vector::zero();
+        let mut largest = T::zero();
+        for k in 0..N {
             let better = twice[(k, k)].re - largest;
             largest = better.select_nonnegative(twice[(k, k)].re, largest);
             column = column.zip_map(&twice.column(k), |old, new| Complex {
