@@ -10,7 +10,7 @@
 //! | one-step methods, and which of them descend | [`Scheme`], [`Equivariant`], [`RungeKutta`] |
 //! | integrators on 𝔤* | [`Integrator`], [`Collective`], [`LiftFree`], [`Direct`] |
 //! | trajectories | [`Trajectory`] |
-//! | diagnostics | [`fitted_order`] |
+//! | order, symplecticity, Poisson property, symmetry, descent, drift: measured | [`diagnostics`] |
 
 mod error;
 mod vector_field;
@@ -23,12 +23,13 @@ mod runge_kutta;
 mod integrator;
 mod lift_free;
 mod trajectory;
-mod order_fit;
 
+pub mod diagnostics;
+
+pub use diagnostics::{OrderFitError, fitted_order};
 pub use error::{IntegrationError, SchemeError, StepError};
 pub use integrator::{Collective, Direct, Integrator, Start};
 pub use lift_free::LiftFree;
-pub use order_fit::{OrderFitError, fitted_order};
 pub use runge_kutta::RungeKutta;
 pub use scheme::{Equivariant, Scheme, Step};
 pub use stage_solver::StageSolver;

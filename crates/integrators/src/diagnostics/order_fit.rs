@@ -22,12 +22,12 @@ pub struct OrderFitError {
 ///
 /// # Example
 /// ```
-/// use collective_integrators::fitted_order;
+/// use collective_integrators::diagnostics::{OrderFitError, fitted_order};
 /// let points = [0.4, 0.2, 0.1, 0.05].map(|h: f64| (h, 3.0 * h.powi(4)));
 /// assert!((fitted_order(&points, 1e-13)? - 4.0).abs() < 1e-12);
 /// // two of the four are below the plateau: nothing is claimed
 /// assert!(fitted_order(&points, 1e-3).is_err());
-/// # Ok::<(), collective_integrators::OrderFitError>(())
+/// # Ok::<(), OrderFitError>(())
 /// ```
 pub fn fitted_order(steps_and_errors: &[(f64, f64)], plateau: f64) -> Result<f64, OrderFitError> {
     let points: Vec<(f64, f64)> = steps_and_errors
