@@ -40,8 +40,8 @@ pub enum DriftError {
 
 /// How a quantity f that should be conserved changes over a run.
 ///
-/// A symplectic method lets the energy oscillate: `largest` is of the size h^p and `slope` is round-off
-/// or a remainder of the oscillation, of the size `largest` over the length of the run.
+/// A symplectic method of order p lets the energy oscillate: `largest` is of the size hᵖ and
+/// `slope` is a remainder of the oscillation, no larger than `largest` over the length of the run.
 ///
 /// # Example
 /// ```

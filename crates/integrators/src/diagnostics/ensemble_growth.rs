@@ -31,11 +31,12 @@ pub struct EnsembleGrowth {
 }
 
 impl EnsembleGrowth {
-    /// Adds a run, as pairs (t, f(t)) of which the first is the start. The first run sets the times. Allocates
-    /// one vector.
+    /// Adds a run, as pairs (t, f(t)) of which the first is the start. The first run sets the
+    /// times. Allocates one vector.
     ///
     /// # Errors
-    /// If a value is not finite, or the times are not those of the first run. Nothing is added then.
+    /// If a value is not finite, or the times are not those of the first run. Nothing is added
+    /// then.
     pub fn add(&mut self, run: impl IntoIterator<Item = (f64, f64)>) -> Result<(), DriftError> {
         let mut values = Vec::with_capacity(self.times.len());
         for (time, value) in run {

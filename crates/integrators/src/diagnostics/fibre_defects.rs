@@ -16,9 +16,9 @@ pub struct FibreDefects {
     pub descent: f64,
 }
 
-/// The [`FibreDefects`] at z of a scheme applied to X_{h∘M}, each the largest over the one-parameter
-/// groups of the [symmetry](FibreSymmetry), with parameter `s`. NaN if a coordinate is NaN; 0 if
-/// there is no group.
+/// The [`FibreDefects`] at z of a scheme applied to X_{h∘M}, each the largest over the
+/// one-parameter groups of the [symmetry](FibreSymmetry), with parameter `s`. NaN if a coordinate
+/// is NaN; 0 if there is no group.
 ///
 /// Source: Ohsawa 2019, §5.1; McLachlan, Modin & Verdier, *Collective symplectic integrators*,
 /// Nonlinearity 27 (2014), Thm. 3.2.

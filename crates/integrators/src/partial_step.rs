@@ -1,0 +1,38 @@
+//! States between the samples of a trajectory.
+
+use crate::{IntegrationError, Integrator, Sample, SampleOf};
+
+/// The state a time τ after a sample: one step of the size τ from it.
+///
+/// Its error is that of one step of the integrator, for any τ up to the step size; it keeps what
+/// every step keeps (Casimirs, with a collective integrator), as no polynomial between samples
+/// would.
+pub(crate) struct PartialStep<'a, I: Integrator> {
+    integrator: &'a I,
+    workspace: I::Workspace,
+}
+
+impl<'a, I: Integrator> PartialStep<'a, I> {
+    pub(crate) fn new(integrator: &'a I) -> Self {
+        Self { integrator, workspace: integrator.workspace() }
+    }
+
+    /// The sample after `from`, with the number of the latter.
+    pub(crate) fn after(
+        &mut self,
+        from: &SampleOf<I>,
+        tau: f64,
+    ) -> Result<SampleOf<I>, IntegrationError> {
+        let Sample { step, time, .. } = *from;
+        match self.integrator.step(&from.state, tau, &mut self.workspace) {
+            Ok(next) => Ok(Sample {
+                step,
+                time: time + tau,
+                state: next.point,
+                momentum: self.integrator.momentum(&next.point),
+                iterations: next.iterations,
+            }),
+            Err(source) => Err(IntegrationError { step: step + 1, time, source }),
+        }
+    }
+}
