@@ -47,6 +47,7 @@ pub enum DenseOutputError {
 /// assert!(run.at(1.0).is_err());
 /// # Ok::<(), Box<dyn std::error::Error>>(())
 /// ```
+#[derive(Debug)]
 pub struct DenseOutput<'a, I: Integrator, J> {
     partial: PartialStep<'a, I>,
     samples: J,

@@ -77,6 +77,7 @@ impl Direction {
 /// }
 /// # Ok::<(), Box<dyn std::error::Error>>(())
 /// ```
+#[derive(Debug)]
 pub struct Events<'a, I: Integrator, J, G> {
     partial: PartialStep<'a, I>,
     samples: J,

@@ -1,6 +1,7 @@
 //! States between the samples of a trajectory.
 
 use crate::{IntegrationError, Integrator, Sample, SampleOf};
+use core::fmt;
 
 /// The state a time τ after a sample: one step of the size τ from it.
 ///
@@ -34,5 +35,12 @@ impl<'a, I: Integrator> PartialStep<'a, I> {
             }),
             Err(source) => Err(IntegrationError { step: step + 1, time, source }),
         }
+    }
+}
+
+/// Without the workspace, whose contents mean nothing between steps.
+impl<I: Integrator + fmt::Debug> fmt::Debug for PartialStep<'_, I> {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        f.debug_tuple("PartialStep").field(&self.integrator).finish()
     }
 }

@@ -115,7 +115,7 @@ mod tests {
         }
         // the rms over 400 runs is known to 1/√800 = 3.5 %, over 7 octaves
         assert!(growth.exponent(1.5).is_ok_and(|a| (a - 0.5).abs() < 0.04), "{growth:?}");
-        assert!(matches!(growth.exponent(40.0), Err(DriftError::Exponent(e)) if e.usable < 3));
+        assert!(matches!(growth.exponent(40.0), Err(DriftError::Exponent(_))));
     }
 
     #[test]
