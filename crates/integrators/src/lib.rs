@@ -15,7 +15,9 @@
 //! | doubled phase spaces: Tao's method; the semiexplicit one is a [`Tableau::semiexplicit`] | [`TaoFlows`] |
 //! | the spherical midpoint method | [`SphericalMidpoint`] |
 //! | trajectories | [`Trajectory`] |
-//! | diagnostics | [`fitted_order`] |
+//! | between samples: any time, Poincaré sections | [`DenseOutput`], [`Events`] |
+//! | tangent vectors along a trajectory, Lyapunov exponents | [`VariationalFlow`], [`LyapunovExponents`] |
+//! | order, symplecticity, Poisson property, symmetry, descent, drift: measured | [`diagnostics`] |
 
 mod error;
 mod vector_field;
@@ -43,14 +45,24 @@ mod semiexplicit;
 mod tao;
 mod spherical_midpoint;
 mod trajectory;
-mod order_fit;
+mod partial_step;
+mod dense_output;
+mod chandrupatla;
+mod events;
+mod variational_flow;
+mod lyapunov;
+
+pub mod diagnostics;
 
 pub use compensated::Compensated;
 pub use composition::Composition;
+pub use dense_output::{DenseOutput, DenseOutputError};
+pub use diagnostics::{OrderFitError, fitted_order};
 pub use error::{IntegrationError, SchemeError, StepError};
+pub use events::{Direction, EventError, Events};
 pub use integrator::{Collective, Direct, Integrator, Start};
 pub use lift_free::LiftFree;
-pub use order_fit::{OrderFitError, fitted_order};
+pub use lyapunov::{Exponents, LyapunovExponents, MaximalLyapunovExponent};
 pub use partitioned::PartitionedRungeKutta;
 pub use polarisation::{Alternating, FirstHalf, Polarisation};
 pub use runge_kutta::{RungeKutta, StageSpace};
@@ -62,6 +74,7 @@ pub use substeps::Substeps;
 pub use tableau::Tableau;
 pub use tao::TaoFlows;
 pub use trajectory::{Sample, SampleOf, Trajectory};
+pub use variational_flow::{VariationalError, VariationalFlow};
 pub use vector_field::{FromFn, HamiltonianField, VectorField, from_fn};
 
 pub use lie_poisson;

@@ -1,0 +1,34 @@
+//! What a method promises, measured.
+//!
+//! Each promise is a number that vanishes if the promise is kept, to round-off: derivatives are
+//! exact (dual numbers), so that no difference quotient hides a small defect, and a NaN comes out
+//! as NaN, which fails every comparison `defect <= tolerance`.
+//!
+//! | promise | number |
+//! |---|---|
+//! | the order of convergence | [`fitted_order`] |
+//! | the derivative of a map | [`tangent_map`] |
+//! | Φ on (P, Ω) is symplectic | [`symplecticity_defect`], [`step_symplecticity_defect`] |
+//! | φ on a Poisson space is a Poisson map | [`poisson_defect`], [`step_poisson_defect`] |
+//! | Φ_{−h} ∘ Φ_h = id | [`reversibility_defect`] |
+//! | Φ descends to 𝔤∗ | [`fibre_defects`] |
+//! | an invariant does not drift | [`Drift`] |
+//! | round-off grows as a random walk | [`EnsembleGrowth`] |
+
+mod order_fit;
+mod tangent;
+mod form_defects;
+mod step_map;
+mod reversibility;
+mod fibre_defects;
+mod drift;
+mod ensemble_growth;
+
+pub use drift::{Drift, DriftError};
+pub use ensemble_growth::EnsembleGrowth;
+pub use fibre_defects::{FibreDefects, fibre_defects};
+pub use form_defects::{poisson_defect, symplecticity_defect};
+pub use order_fit::{OrderFitError, fitted_order};
+pub use reversibility::reversibility_defect;
+pub use step_map::{StepMapError, step_map, step_poisson_defect, step_symplecticity_defect};
+pub use tangent::tangent_map;

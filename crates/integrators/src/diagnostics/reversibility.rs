@@ -1,0 +1,38 @@
+//! Symmetry in time.
+
+use crate::{Integrator, StepError};
+use lie_poisson::{Real, Vector};
+
+/// max |Φ_{−h}∘Φ_h(z) − z|, in the coordinates of the momentum: a step forth and a step back.
+///
+/// Round-off for symmetric methods; of order h^{p+1} for others of order p. NaN if a difference is
+/// NaN. What is compared is μ, since states are defined up to a motion along fibres only; for
+/// [`Direct`](crate::Direct) integrators μ is the state. In the units of μ, over the largest of the
+/// lanes.
+///
+/// Source: Hairer, Lubich & Wanner, *Geometric Numerical Integration*, 2nd ed., Def. V.1.4.
+///
+/// # Errors
+/// If one of the two steps fails.
+///
+/// # Example
+/// ```
+/// use collective_integrators::diagnostics::reversibility_defect;
+/// use collective_integrators::{Direct, RungeKutta, from_fn};
+/// use nalgebra::Vector2;
+/// let pendulum = from_fn(|z: &Vector2<f64>| Vector2::new(z.y, -z.x.sin()));
+/// let defect = |s| reversibility_defect(&Direct::new(s, pendulum), &Vector2::new(1.0, 0.5), 0.1);
+/// assert!(defect(RungeKutta::implicit_midpoint())? < 1e-15);
+/// assert!(defect(RungeKutta::rk4())? > 1e-9);
+/// # Ok::<(), collective_integrators::StepError>(())
+/// ```
+pub fn reversibility_defect<T: Real, I: Integrator<T>>(
+    integrator: &I,
+    state: &I::State,
+    step: f64,
+) -> Result<f64, StepError> {
+    let mut workspace = integrator.workspace();
+    let there = integrator.step(state, step, &mut workspace)?.point;
+    let back = integrator.step(&there, -step, &mut workspace)?.point;
+    Ok((integrator.momentum(&back) - integrator.momentum(state)).max_abs())
+}

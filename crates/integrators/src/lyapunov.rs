@@ -1,0 +1,178 @@
+//! Lyapunov exponents.
+
+use crate::{Integrator, VariationalError, VariationalFlow};
+use lie_poisson::{DualNumber, Vector};
+
+/// The first K Lyapunov exponents of a trajectory up to the time t, in decreasing order in the
+/// limit:
+///
+/// ```text
+/// λ_i(t) = (1/|t − t₀|) Σ ln r_ii
+/// ```
+///
+/// over the steps from t₀ on, r_ii being the stretch of the i-th tangent vector beyond those before
+/// it.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Exponents<S, const K: usize> {
+    /// The number of steps made.
+    pub step: u64,
+    /// t = step · h
+    pub time: f64,
+    /// z(t)
+    pub state: S,
+    /// λ_i(t), per unit of time.
+    pub exponents: [f64; K],
+}
+
+/// The Lyapunov exponents of a trajectory as an endless iterator, with one item per step; it ends
+/// with an error if a step fails. `nth`, `step_by` and `take` choose.
+///
+/// They are exponents of the discrete map, divided by |h|. They converge slowly, at best as 1/t,
+/// and as (ln t)/t for an integrable system, where they vanish. With DIM exponents their sum is
+/// ln |det DΦ|/t: zero for a Poisson integrator that conserves the Casimirs of a unimodular 𝔤∗,
+/// such as so(3)∗ or se(3)∗. For negative steps they are exponents of the reversed motion.
+/// Allocates nothing after it is made.
+///
+/// Source: G. Benettin, L. Galgani, A. Giorgilli & J.-M. Strelcyn, *Lyapunov characteristic
+/// exponents for smooth dynamical systems and for Hamiltonian systems; a method for computing all
+/// of them*, Meccanica 15 (1980).
+///
+/// # Example
+/// A saddle ẋ = x, ẏ = −2y:
+/// ```
+/// use collective_integrators::{Direct, LyapunovExponents, RungeKutta, VectorField};
+/// use lie_poisson::Real;
+/// use nalgebra::Vector2;
+/// struct Saddle;
+/// impl<T: Real> VectorField<T> for Saddle {
+///     type Point = Vector2<T>;
+///     fn at(&self, z: &Vector2<T>) -> Vector2<T> {
+///         Vector2::new(z.x, z.y * -2.0)
+///     }
+/// }
+/// let rk4 = Direct::new(RungeKutta::rk4(), Saddle);
+/// let mut spectrum = LyapunovExponents::<_, 2>::new(&rk4, Vector2::new(1e-3, 1.0), 0.01);
+/// if let Some(last) = spectrum.nth(499) {
+///     let [first, second] = last?.exponents;
+///     assert!((first - 1.0).abs() < 1e-8 && (second + 2.0).abs() < 1e-8);
+/// }
+/// # Ok::<(), collective_integrators::VariationalError>(())
+/// ```
+pub struct LyapunovExponents<'a, I, const K: usize>
+where
+    I: Integrator + Integrator<DualNumber>,
+{
+    flow: VariationalFlow<'a, I, K>,
+    start: f64,
+    sums: [f64; K],
+    upcoming: Upcoming,
+}
+
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+enum Upcoming {
+    First,
+    Next,
+    Nothing,
+}
+
+/// The largest Lyapunov exponent alone: [`LyapunovExponents`] with one tangent vector.
+pub type MaximalLyapunovExponent<'a, I> = LyapunovExponents<'a, I, 1>;
+
+impl<'a, I, const K: usize> LyapunovExponents<'a, I, K>
+where
+    I: Integrator + Integrator<DualNumber>,
+{
+    /// From the first K basis vectors at a state. If these are special for the system, take others
+    /// by [`from_flow`](Self::from_flow).
+    pub fn new(integrator: &'a I, state: <I as Integrator>::State, step: f64) -> Self {
+        let tangents = core::array::from_fn(Vector::basis);
+        Self::from_flow(VariationalFlow::new(integrator, state, tangents, step))
+    }
+
+    /// From a state with independent tangent vectors. The stretches count from here on: a flow that
+    /// has come far leaves its transient out.
+    pub fn from_flow(flow: VariationalFlow<'a, I, K>) -> Self {
+        let start = flow.time();
+        Self { flow, start, sums: [0.0; K], upcoming: Upcoming::First }
+    }
+
+    /// The state with its tangent vectors.
+    pub fn flow(&self) -> &VariationalFlow<'a, I, K> {
+        &self.flow
+    }
+
+    fn advance(&mut self) -> Result<Exponents<<I as Integrator>::State, K>, VariationalError> {
+        if self.upcoming == Upcoming::First {
+            // Lengths at the start are no stretches.
+            self.flow.orthonormalise()?;
+        }
+        self.flow.advance()?;
+        for (sum, length) in self.sums.iter_mut().zip(self.flow.orthonormalise()?) {
+            *sum += length.ln();
+        }
+        let time = self.flow.time();
+        let elapsed = (time - self.start).abs();
+        let exponents = self.sums.map(|sum| sum / elapsed);
+        Ok(Exponents { step: self.flow.steps(), time, state: *self.flow.state(), exponents })
+    }
+}
+
+impl<I, const K: usize> Iterator for LyapunovExponents<'_, I, K>
+where
+    I: Integrator + Integrator<DualNumber>,
+{
+    type Item = Result<Exponents<<I as Integrator>::State, K>, VariationalError>;
+
+    fn next(&mut self) -> Option<Self::Item> {
+        if self.upcoming == Upcoming::Nothing {
+            return None;
+        }
+        let item = self.advance();
+        self.upcoming = if item.is_ok() { Upcoming::Next } else { Upcoming::Nothing };
+        Some(item)
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::{Direct, RungeKutta, VectorField};
+    use lie_poisson::Real;
+    use nalgebra::Vector2;
+
+    /// ẋ = a y, ẏ = a x: exponents ±a.
+    struct Hyperbolic(f64);
+
+    impl<T: Real> VectorField<T> for Hyperbolic {
+        type Point = Vector2<T>;
+
+        fn at(&self, z: &Vector2<T>) -> Vector2<T> {
+            Vector2::new(z.y * self.0, z.x * self.0)
+        }
+    }
+
+    #[test]
+    fn the_spectrum_of_a_linear_map_is_that_of_its_matrix() {
+        // one step of the midpoint rule multiplies by (1 ± ah/2)/(1 ∓ ah/2), forth and back
+        let midpoint = Direct::new(RungeKutta::implicit_midpoint(), Hyperbolic(0.8));
+        let start = Vector2::new(1e-200, 0.0);
+        for step in [0.25, -0.25] {
+            let mut spectrum = LyapunovExponents::<_, 2>::new(&midpoint, start, step);
+            let last = spectrum.nth(999);
+            let exact = (1.1_f64 / 0.9).ln() / 0.25;
+            // the direction of growth is found within ln √2 of it
+            let near = |e: [f64; 2]| (e[0] - exact).abs() < 2e-3 && (e[0] + e[1]).abs() < 1e-13;
+            assert!(last.is_some_and(|l| l.is_ok_and(|l| near(l.exponents))));
+        }
+    }
+
+    #[test]
+    fn more_vectors_than_dimensions_end_the_iterator() {
+        let midpoint = Direct::new(RungeKutta::implicit_midpoint(), Hyperbolic(0.8));
+        let mut spectrum = LyapunovExponents::<_, 3>::new(&midpoint, Vector2::x(), 0.1);
+        let dependent = |e| matches!(e, Err(VariationalError::Dependent { index: 2, .. }));
+        assert!(spectrum.next().is_some_and(dependent) && spectrum.next().is_none());
+        let mut nan = MaximalLyapunovExponent::new(&midpoint, Vector2::x() * f64::NAN, 0.1);
+        assert!(nan.next().is_some_and(|e| e.is_err()) && nan.next().is_none());
+    }
+}

@@ -1,0 +1,241 @@
+//! Trajectories with their tangent vectors.
+
+use crate::{IntegrationError, Integrator, StepError};
+use lie_poisson::{DualNumber, Vector, derivative_part, seed};
+use thiserror::Error;
+
+/// A state of `I`.
+type State<I> = <I as Integrator>::State;
+
+/// Tangent vectors that cannot be advanced.
+#[derive(Clone, Copy, Debug, PartialEq, Error)]
+pub enum VariationalError {
+    /// The run failed, for the state or for a tangent vector.
+    #[error(transparent)]
+    Integration(#[from] IntegrationError),
+    /// A tangent vector lies in the span of those before it, to round-off, or is not finite.
+    #[error(
+        "tangent vector {index} has the length {length:e} beyond those before it, at t = {time}"
+    )]
+    Dependent {
+        /// The number of the vector; the first is 0.
+        index: usize,
+        /// The length of its part that is orthogonal to those before it.
+        length: f64,
+        /// When.
+        time: f64,
+    },
+}
+
+/// A state z with K tangent vectors v, advanced by the integrator and by its exact tangent map:
+///
+/// ```text
+/// z ← Φ_h(z),    v ← DΦ_h(z) v
+/// ```
+///
+/// DΦ_h is that of the discrete map, by dual numbers; with a Poisson integrator it preserves the
+/// Poisson tensor. The state advances exactly as in [`Trajectory`](crate::Trajectory), to the bit.
+/// One step costs one step over `f64` and K over dual numbers, and allocates nothing.
+///
+/// The tangent vectors are those of the *state*: of 𝔤∗ for [`LiftFree`](crate::LiftFree) and
+/// [`Direct`](crate::Direct), of P for [`Collective`](crate::Collective), fibres included.
+///
+/// # Example
+/// The tangent map of a linear flow is the flow:
+/// ```
+/// use collective_integrators::{Direct, RungeKutta, VariationalFlow, VectorField};
+/// use lie_poisson::Real;
+/// use nalgebra::Vector2;
+/// struct Oscillator;
+/// impl<T: Real> VectorField<T> for Oscillator {
+///     type Point = Vector2<T>;
+///     fn at(&self, z: &Vector2<T>) -> Vector2<T> {
+///         Vector2::new(z.y, -z.x)
+///     }
+/// }
+/// let midpoint = Direct::new(RungeKutta::implicit_midpoint(), Oscillator);
+/// let z = Vector2::new(1.0, 2.0);
+/// let mut flow = VariationalFlow::new(&midpoint, z, [z], 0.1);
+/// for _ in 0..10 {
+///     flow.advance()?;
+/// }
+/// assert!((flow.tangents()[0] - flow.state()).norm() < 1e-14);
+/// # Ok::<(), collective_integrators::VariationalError>(())
+/// ```
+pub struct VariationalFlow<'a, I, const K: usize>
+where
+    I: Integrator + Integrator<DualNumber>,
+{
+    integrator: &'a I,
+    workspace: <I as Integrator>::Workspace,
+    dual_workspace: <I as Integrator<DualNumber>>::Workspace,
+    size: f64,
+    steps: u64,
+    state: State<I>,
+    tangents: [State<I>; K],
+}
+
+impl<'a, I, const K: usize> VariationalFlow<'a, I, K>
+where
+    I: Integrator + Integrator<DualNumber>,
+{
+    /// From a state and its tangent vectors at t = 0, with steps of size `step`.
+    pub fn new(integrator: &'a I, state: State<I>, tangents: [State<I>; K], step: f64) -> Self {
+        Self {
+            integrator,
+            workspace: Integrator::<f64>::workspace(integrator),
+            dual_workspace: Integrator::<DualNumber>::workspace(integrator),
+            size: step,
+            steps: 0,
+            state,
+            tangents,
+        }
+    }
+
+    /// The number of steps made.
+    #[must_use]
+    pub fn steps(&self) -> u64 {
+        self.steps
+    }
+
+    /// t = steps · h
+    #[must_use]
+    pub fn time(&self) -> f64 {
+        self.steps as f64 * self.size
+    }
+
+    /// z
+    #[must_use]
+    pub fn state(&self) -> &State<I> {
+        &self.state
+    }
+
+    /// μ
+    #[must_use]
+    pub fn momentum(&self) -> <I as Integrator>::Momentum {
+        Integrator::<f64>::momentum(self.integrator, &self.state)
+    }
+
+    /// The tangent vectors v at z.
+    #[must_use]
+    pub fn tangents(&self) -> &[State<I>; K] {
+        &self.tangents
+    }
+
+    /// One step.
+    ///
+    /// # Errors
+    /// If the step fails for the state or for a tangent vector. Nothing is changed then.
+    pub fn advance(&mut self) -> Result<(), VariationalError> {
+        let (step, time) = (self.steps + 1, self.time());
+        let fail = |source: StepError| IntegrationError { step, time, source };
+        let mut tangents = self.tangents;
+        for v in &mut tangents {
+            let along: <I as Integrator<DualNumber>>::State = seed(&self.state, v);
+            let next = Integrator::<DualNumber>::step(
+                self.integrator,
+                &along,
+                self.size,
+                &mut self.dual_workspace,
+            );
+            *v = derivative_part::<f64, _, _>(&next.map_err(fail)?.point);
+        }
+        let next =
+            Integrator::<f64>::step(self.integrator, &self.state, self.size, &mut self.workspace);
+        self.state = next.map_err(fail)?.point;
+        self.tangents = tangents;
+        self.steps = step;
+        Ok(())
+    }
+
+    /// Replaces the tangent vectors by the orthonormal ones of Gram and Schmidt,
+    /// v_i = Σ_{j≤i} r_ji e_j in the Euclidean product of coordinates; returns the lengths
+    /// r_ii > 0.
+    ///
+    /// # Errors
+    /// [`VariationalError::Dependent`] if a vector is, to round-off, a combination of those before
+    /// it, or not finite: more than DIM vectors always are. The vectors before it are orthonormal
+    /// then.
+    pub fn orthonormalise(&mut self) -> Result<[f64; K], VariationalError> {
+        let time = self.time();
+        let mut lengths = [0.0; K];
+        for (index, stretch) in lengths.iter_mut().enumerate() {
+            let (before, rest) = self.tangents.split_at_mut(index);
+            let Some(v) = rest.first_mut() else { break };
+            let size = dot(v, v).sqrt();
+            for e in before.iter() {
+                v.add_scaled(-dot(e, v), e);
+            }
+            let length = dot(v, v).sqrt();
+            // Written so that a NaN is an error.
+            let independent = length > ROUND_OFF * size && length.is_finite();
+            if !independent {
+                return Err(VariationalError::Dependent { index, length, time });
+            }
+            *v = v.scaled(length.recip());
+            *stretch = length;
+        }
+        Ok(lengths)
+    }
+}
+
+/// What remains, relatively, of a vector that is a combination of others.
+const ROUND_OFF: f64 = 64.0 * f64::EPSILON;
+
+/// Σ u_i v_i
+fn dot<V: Vector<Scalar = f64>>(u: &V, v: &V) -> f64 {
+    (0..V::DIM).map(|i| u.coordinate(i) * v.coordinate(i)).sum()
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::{Direct, RungeKutta, VectorField};
+    use lie_poisson::Real;
+    use nalgebra::Vector2;
+
+    /// ẋ = x², ẏ = −y: the flow x/(1 − tx), y e^{−t}.
+    struct Field;
+
+    impl<T: Real> VectorField<T> for Field {
+        type Point = Vector2<T>;
+
+        fn at(&self, z: &Vector2<T>) -> Vector2<T> {
+            Vector2::new(z.x * z.x, -z.y)
+        }
+    }
+
+    #[test]
+    fn tangents_are_those_of_the_flow() {
+        let gauss = Direct::new(RungeKutta::rk4(), Field);
+        let start = Vector2::new(0.5, 1.0);
+        let mut flow = VariationalFlow::new(&gauss, start, [Vector2::x(), Vector2::y()], 0.01);
+        for sample in gauss.trajectory_from(start, 0.01).take(101) {
+            assert!(sample.is_ok_and(|s| s.state == *flow.state() && s.time == flow.time()));
+            assert!(flow.advance().is_ok());
+        }
+        let t = flow.time();
+        let expected = [Vector2::new((1.0 - 0.5 * t).powi(-2), 0.0), Vector2::y() * (-t).exp()];
+        for (v, w) in flow.tangents().iter().zip(expected) {
+            assert!((v - w).norm() < 1e-8, "{v} {w}");
+        }
+        assert!(flow.orthonormalise().is_ok_and(|r| (r[1] - (-t).exp()).abs() < 1e-9));
+        assert_eq!(flow.tangents(), &[Vector2::x(), Vector2::y()]);
+    }
+
+    #[test]
+    fn what_has_no_value_is_an_error() {
+        let midpoint = Direct::new(RungeKutta::implicit_midpoint(), Field);
+        let flow = |x: f64, tangents| {
+            VariationalFlow::<_, 3>::new(&midpoint, Vector2::new(x, 1.0), tangents, 0.1)
+        };
+        let (x, y) = (Vector2::x(), Vector2::y());
+        let dependent = |error| matches!(error, Err(VariationalError::Dependent { index: 2, .. }));
+        assert!(dependent(flow(0.5, [x, y, x + y]).orthonormalise()));
+        assert!(dependent(flow(0.5, [x, y, x * f64::NAN]).orthonormalise()));
+        assert!(flow(0.5, [x, y, x * f64::NAN]).advance().is_err());
+        let mut flow = flow(1e9, [x, y, x]);
+        assert!(matches!(flow.advance(), Err(VariationalError::Integration(_))));
+        assert_eq!((flow.steps(), flow.state().x, flow.tangents()[0]), (0, 1e9, x));
+    }
+}

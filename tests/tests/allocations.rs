@@ -1,0 +1,73 @@
+//! What goes along a trajectory allocates nothing per step.
+
+use collective_integrators::{
+    Collective, DenseOutput, Direction, Events, LiftFree, LyapunovExponents, RungeKutta, Start,
+};
+use heavytop::SpinorRealisation;
+use lie_poisson::Se3Dual;
+use momentum_map::DualQuaternions;
+use std::alloc::{GlobalAlloc, Layout, System};
+use std::cell::Cell;
+use std::error::Error;
+use workspace_tests::tops;
+
+/// The system's allocator, counting per thread.
+struct Counting;
+
+thread_local! {
+    static ALLOCATIONS: Cell<usize> = const { Cell::new(0) };
+}
+
+// SAFETY: every call is passed on to the system's allocator as it comes.
+unsafe impl GlobalAlloc for Counting {
+    unsafe fn alloc(&self, layout: Layout) -> *mut u8 {
+        ALLOCATIONS.with(|n| n.set(n.get() + 1));
+        // SAFETY: the caller's promises are those that `System` asks for.
+        unsafe { System.alloc(layout) }
+    }
+
+    unsafe fn dealloc(&self, pointer: *mut u8, layout: Layout) {
+        // SAFETY: as above.
+        unsafe { System.dealloc(pointer, layout) }
+    }
+}
+
+#[global_allocator]
+static ALLOCATOR: Counting = Counting;
+
+/// The allocations that `f` makes.
+fn allocations(f: impl FnOnce() -> Result<(), Box<dyn Error>>) -> Result<usize, Box<dyn Error>> {
+    let before = ALLOCATIONS.with(Cell::get);
+    f()?;
+    Ok(ALLOCATIONS.with(Cell::get) - before)
+}
+
+#[test]
+fn no_step_allocates() -> Result<(), Box<dyn Error>> {
+    let (top, start) = (tops::paper()?, tops::paper_start());
+    let free = LiftFree::new(RungeKutta::gauss(2)?, DualQuaternions, top);
+    let lifted = Collective::new(RungeKutta::gauss(2)?, SpinorRealisation, top);
+
+    let mut run = lifted.trajectory(&start, 0.05)?.take(200);
+    assert_eq!(allocations(|| Ok(run.try_for_each(|sample| sample.map(drop))?))?, 0);
+
+    let run = lifted.trajectory(&start, 0.05)?.take(200);
+    let mut events = Events::new(&lifted, run, |mu: &Se3Dual| mu.0.1.x, Direction::Both);
+    assert_eq!(allocations(|| Ok(events.try_for_each(|event| event.map(drop))?))?, 0);
+
+    let mut dense = DenseOutput::new(&free, free.trajectory(&start, 0.05)?);
+    let at = |n: u32| 0.07 * f64::from(n);
+    let count = allocations(|| Ok((0..100).try_for_each(|n| dense.at(at(n)).map(drop))?))?;
+    assert_eq!(count, 0);
+
+    let mut spectrum = LyapunovExponents::<_, 6>::new(&free, start, 0.05).take(100);
+    assert_eq!(allocations(|| Ok(spectrum.try_for_each(|item| item.map(drop))?))?, 0);
+
+    // Negative control: the counter counts.
+    let boxed = || {
+        drop(std::hint::black_box(Box::new(1)));
+        Ok(())
+    };
+    assert_eq!(allocations(boxed)?, 1);
+    Ok(())
+}
