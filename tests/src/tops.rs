@@ -17,6 +17,15 @@ pub fn paper_start() -> Se3Dual {
     Se3Dual::new(Vector3::new(2.0, 3.0, 4.0), Vector3::new(0.5, 0.0, 0.75_f64.sqrt()))
 }
 
+/// (Π, Γ) of the paper's experiment at t = 1, computed with 25 digits.
+#[must_use]
+pub fn paper_exact() -> Se3Dual {
+    Se3Dual::new(
+        Vector3::new(2.611_034_121_401_548, -2.670_466_863_410_763_8, 3.844_759_745_406_407_6),
+        Vector3::new(0.871_688_137_126_708_8, -0.145_727_408_391_562_16, 0.467_892_417_160_234_5),
+    )
+}
+
 /// A top without any symmetry: three different moments, c in no coordinate plane.
 ///
 /// # Errors

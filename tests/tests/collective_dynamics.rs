@@ -28,14 +28,6 @@ fn collective(
     Ok(Collective::new(RungeKutta::gauss(stages)?, SpinorRealisation, top))
 }
 
-/// The paper's experiment after one time unit, from 30-digit integration.
-fn exact_after_one() -> Se3Dual {
-    Se3Dual::new(
-        Vector3::new(2.611_034_121_401_548, -2.670_466_863_410_764, 3.844_759_745_406_407_6),
-        Vector3::new(0.871_688_137_126_708_8, -0.145_727_408_391_562_16, 0.467_892_417_160_234_5),
-    )
-}
-
 /// At order 12 and steps of 1/50 the truncation error is far below round-off, of which 50 steps
 /// gather a few units of 4e-16 each.
 const AFTER_ONE: f64 = 2e-14;
@@ -43,7 +35,7 @@ const AFTER_ONE: f64 = 2e-14;
 #[test]
 fn the_exact_solution_after_one_time_unit() -> Outcome {
     let (top, start) = (tops::paper()?, tops::paper_start());
-    let end = exact_after_one();
+    let end = tops::paper_exact();
     assert_near(&advance(&collective(6, top)?, &start, 0.02, 50)?, &end, AFTER_ONE);
     assert_near(&advance(&direct(6, top)?, &start, 0.02, 50)?, &end, AFTER_ONE);
     // Negative control: the implicit midpoint rule is nowhere near with the same steps.

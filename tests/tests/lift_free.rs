@@ -1,11 +1,12 @@
 //! Collective methods without a lift equal those with one, and keep their promises.
 #![allow(clippy::unwrap_used)]
 
+use collective_integrators::diagnostics::step_poisson_defect;
 use collective_integrators::{Collective, Integrator, LiftFree, RungeKutta, Start};
 use heavytop::{Body, HeavyTop, Kirchhoff, RigidBody, SpinorRealisation};
 use lie_poisson::{
-    Covector, DualNumber, Hamiltonian, LiePoisson, PoissonSpace, Se3Dual, SkewHermitian,
-    UnitaryAlgebra, Vector, derivative_part, from_closure, seed,
+    Covector, DualNumber, Hamiltonian, LiePoisson, Se3, Se3Dual, SkewHermitian, UnitaryAlgebra,
+    Vector, from_closure,
 };
 use momentum_map::{
     ComplexMatrices, DualQuaternions, HOPF, PowerMap, PowerMultipliers, Quaternions,
@@ -40,7 +41,7 @@ fn vehicle() -> Kirchhoff {
 /// The distance of the two forms after `steps` steps, relative to the size of the start.
 fn distance<H>(scheme: &RungeKutta, h: &H, start: &Se3Dual, step: f64, steps: usize) -> f64
 where
-    H: Hamiltonian<LiePoisson<lie_poisson::Se3>> + Clone,
+    H: Hamiltonian<LiePoisson<Se3>> + Clone,
 {
     let lifted = Collective::new(scheme.clone(), SpinorRealisation, h.clone());
     let free = LiftFree::new(scheme.clone(), DualQuaternions, h.clone());
@@ -154,22 +155,9 @@ fn complex_matrices_are_outer_products_and_go_beyond_rank_one() {
     }
 }
 
-/// ‖Dφ Λ Dφᵀ − Λ∘φ‖ of one step, with the exact tangent map.
 fn poisson_defect(free: &LiftFree<RungeKutta, DualQuaternions, HeavyTop>, step: f64) -> f64 {
-    let space = LiePoisson::minus(lie_poisson::Se3::default());
     let start = Se3Dual::new(Vector3::new(1.0, -2.0, 0.5), Vector3::new(0.6, 0.0, 0.8));
-    let columns = (0..6).map(|i| {
-        let start: Se3Dual<DualNumber> = seed(&start, &Se3Dual::basis(i));
-        let mut workspace = Integrator::<DualNumber>::workspace(free);
-        let end = Integrator::<DualNumber>::step(free, &start, step, &mut workspace).unwrap().point;
-        let column: Se3Dual = derivative_part(&end);
-        nalgebra::Vector6::from_fn(|k, _| column.coordinate(k))
-    });
-    let tangent = nalgebra::Matrix6::from_columns(&columns.collect::<Vec<_>>());
-    let mut workspace = Integrator::<f64>::workspace(free);
-    let end = Integrator::<f64>::step(free, &start, step, &mut workspace).unwrap().point;
-    let (before, after) = (space.poisson_tensor(&start), space.poisson_tensor(&end));
-    (tangent * before * tangent.transpose() - after).amax()
+    step_poisson_defect(&LiePoisson::minus(Se3::default()), free, &start, step).unwrap()
 }
 
 #[test]
