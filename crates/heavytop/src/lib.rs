@@ -11,6 +11,7 @@
 //! | the heavy top: general, free, Lagrange, Kovalevskaya, Goryachev–Chaplygin | [`HeavyTop`], [`Body`], [`RigidBody`] |
 //! | h, f₁, f₂, f₃, K, G | [`Invariant`] |
 //! | splittings of tops into exact rotations and kicks | [`RotorSplitting`], [`SymmetricTopSplitting`] |
+//! | the midpoint rule on se(3)∗ in closed form; the attitude | [`ReducedMidpoint`], [`WithAttitude`] |
 //! | other systems on se(3)∗: gyrostat, body in a fluid | [`Gyrostat`], [`Kirchhoff`] |
 //! | systems on (so(3)∗)ᴺ: vortices, spins, spins on a lattice | [`PointVortices`], [`HeisenbergChain`], [`SpinLattice`] |
 //! | closed forms: Euler's and Lagrange's tops | [`EulerSolution`], [`LagrangeNutation`], [`jacobi_elliptic`] |
@@ -44,6 +45,8 @@ mod top;
 mod rigid_body;
 mod rotor_splitting;
 mod symmetric_splitting;
+mod reduced_midpoint;
+mod attitude;
 mod gyrostat;
 mod kirchhoff;
 mod point_vortices;
@@ -54,6 +57,7 @@ mod elliptic;
 mod euler_top;
 mod lagrange_nutation;
 
+pub use attitude::{WithAttitude, attitude_of_vertical};
 pub use elliptic::jacobi_elliptic;
 pub use error::{TopError, UNIT_TOLERANCE, require_unit};
 pub use euler_top::EulerSolution;
@@ -62,6 +66,7 @@ pub use invariants::Invariant;
 pub use kirchhoff::Kirchhoff;
 pub use lagrange_nutation::LagrangeNutation;
 pub use point_vortices::{PointVortices, SpinSpace, Spins};
+pub use reduced_midpoint::ReducedMidpoint;
 pub use rigid_body::RigidBody;
 pub use rotor_splitting::RotorSplitting;
 pub use spin_chain::HeisenbergChain;

@@ -58,7 +58,7 @@ where
     ) -> Result<Step<Self::State>, StepError> {
         let Pair(mu, carry) = state;
         let Step { point: q, iterations } = self.0.multiplier::<T>(mu, step, workspace)?;
-        let change = self.0.multipliers().coadjoint_change::<T>(&q, mu) + *carry;
+        let change = self.0.change::<T>(&q, mu) + *carry;
         let next = *mu + change;
         let point = Pair(next, change - (next - *mu));
         if point.is_finite() { Ok(Step { point, iterations }) } else { Err(StepError::NotFinite) }

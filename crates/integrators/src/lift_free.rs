@@ -56,11 +56,6 @@ impl<S: Equivariant, M: Multipliers, H> LiftFree<S, M, H> {
         Compensated(self)
     }
 
-    /// The algebra of multipliers.
-    pub fn multipliers(&self) -> &M {
-        &self.multipliers
-    }
-
     /// The scheme.
     pub fn scheme(&self) -> &S {
         &self.scheme
@@ -69,6 +64,16 @@ impl<S: Equivariant, M: Multipliers, H> LiftFree<S, M, H> {
     /// h
     pub fn hamiltonian(&self) -> &H {
         &self.hamiltonian
+    }
+
+    /// The change that the motion by a multiplier makes of μ.
+    #[inline]
+    pub fn change<T: Real>(
+        &self,
+        q: &Multiplier<M, T>,
+        mu: &Point<M::Space, T>,
+    ) -> Point<M::Space, T> {
+        self.multipliers.coadjoint_change::<T>(q, mu)
     }
 
     /// The multiplier Q₁ of one step from μ: the motion of the group that the step makes, and with
@@ -153,7 +158,7 @@ where
         workspace: &mut Self::Workspace,
     ) -> Result<Step<Self::State>, StepError> {
         let Step { point: q, iterations } = self.multiplier::<T>(mu, step, workspace)?;
-        let point = *mu + self.multipliers.coadjoint_change::<T>(&q, mu);
+        let point = *mu + self.change::<T>(&q, mu);
         if point.is_finite() { Ok(Step { point, iterations }) } else { Err(StepError::NotFinite) }
     }
 

@@ -79,12 +79,12 @@ impl Watch {
 impl StageSolver {
     /// Solves k_i = `derivative`(i, k) for the stages `k`, all of which start from `start`, by
     /// fixed-point iteration; returns the number of iterations. `derivative` computes X at the
-    /// i-th stage.
+    /// i-th stage; `step` only turns changes into the residuals h |Δk| of messages and tolerance.
     ///
     /// # Errors
     /// [`StepError::NotConverged`] if the iteration blows up or does not settle.
     #[inline]
-    pub(crate) fn solve<V: Vector>(
+    pub fn solve<V: Vector>(
         &self,
         start: V,
         step: f64,
