@@ -196,6 +196,11 @@ fn an_antisymmetric_bracket_that_is_not_lie_is_rejected() {
     let report = laws::lie_algebra(&NotLie, &samples()).unwrap();
     assert!(report.residual("antisymmetry").unwrap() < TOLERANCE);
     assert!(report.residual("Jacobi").unwrap() > 1.0);
+    // Fewer than three vectors cannot break the identity, but the basis does.
+    for count in [1, 2] {
+        let report = laws::lie_algebra(&NotLie, &samples()[..count]).unwrap();
+        assert!(report.residual("Jacobi").unwrap() > 1.0);
+    }
     let space = LiePoisson::minus(NotLie);
     let report = laws::poisson_space(&space, &samples()).unwrap();
     assert!(report.residual("Jacobi").unwrap() > 1e-2);
