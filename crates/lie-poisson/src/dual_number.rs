@@ -165,11 +165,11 @@ impl<T: Real> Real for DualNumber<T> {
 
     fn sqrt(self) -> Self {
         let root = self.value.sqrt();
-        self.chain(root, (root + root).recip())
+        self.chain(root, reciprocal(root + root))
     }
 
     fn ln(self) -> Self {
-        self.chain(self.value.ln(), self.value.recip())
+        self.chain(self.value.ln(), reciprocal(self.value))
     }
 
     fn atan2(self, x: Self) -> Self {
@@ -203,13 +203,9 @@ impl<T: Real> Real for DualNumber<T> {
 }
 
 /// 1/x, which `num_traits` offers on `Float` alone.
-trait Reciprocal: Real {
-    fn recip(self) -> Self {
-        Self::one() / self
-    }
+fn reciprocal<T: Real>(x: T) -> T {
+    T::one() / x
 }
-
-impl<T: Real> Reciprocal for T {}
 
 #[cfg(test)]
 mod tests {
