@@ -69,6 +69,22 @@ fn representations_and_their_semidirect_products() {
 }
 
 #[test]
+fn the_integral_of_a_large_exponential() {
+    let representation = UnitaryOnComplexSpace::<2>;
+    for (xi, phi) in samples::<SkewHermitian<f64, 2>>().iter().zip(samples()) {
+        for size in [3.0, 1e3, 1e5] {
+            let xi = xi.scaled(size / xi.max_abs());
+            let integral = representation.exp_integral(&xi, &phi);
+            // ξ ∫₀¹ exp(σξ) φ dσ = (exp ξ − 1) φ
+            let moved = representation.transform(&UnitaryGroup.exp(&xi), &phi) - phi;
+            let error = (representation.act(&xi, &integral) - moved).max_abs();
+            // Every doubling doubles the rounding.
+            assert!(error < 16.0 * f64::EPSILON * size, "{size}: {error:e}");
+        }
+    }
+}
+
+#[test]
 fn casimirs() {
     fn check<A: Casimirs>(algebra: &A) {
         assert!(A::COUNT > 0);
@@ -204,10 +220,26 @@ fn an_antisymmetric_bracket_that_is_not_lie_is_rejected() {
     let space = LiePoisson::minus(NotLie);
     let report = laws::poisson_space(&space, &samples()).unwrap();
     assert!(report.residual("Jacobi").unwrap() > 1e-2);
-    assert!(matches!(
-        StructureConstants::<5>::new(not_lie),
-        Err(StructureError::Jacobi { residual, .. }) if residual > 1.0
-    ));
+    // Whatever the size: products of the constants overflow for one, underflow for another.
+    for size in [1.0, 1e160, 1e307, 1e-170, 1e-320] {
+        assert!(matches!(
+            StructureConstants::<5>::new(|i, j, k| size * not_lie(i, j, k)),
+            Err(StructureError::Jacobi { residual, .. }) if residual > 1.0
+        ));
+        let rotations = |i: usize, j: usize, k: usize| {
+            size * So3.bracket::<f64>(&Vector3::basis(i), &Vector3::basis(j))[k]
+        };
+        assert!(StructureConstants::<3>::new(rotations).is_ok());
+    }
+}
+
+#[test]
+fn many_structure_constants_stay_off_the_stack() {
+    // 200³ numbers are 64 MB, more than any stack of a thread.
+    let abelian = StructureConstants::<200>::new(|_, _, _| 0.0).unwrap();
+    assert_eq!(abelian.constant(0, 200, 0), 0.0);
+    let zero = SVector::<f64, 200>::zeros();
+    assert_eq!(abelian.bracket(&zero, &zero), zero);
 }
 
 /// Rotations of the plane by twice the angle: its derivative is claimed to be the plain one.
