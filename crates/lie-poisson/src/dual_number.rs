@@ -182,7 +182,9 @@ impl<T: Real> Real for DualNumber<T> {
 
     fn stumpff(self, order: u32) -> Self {
         let x = self.value;
-        let slope = (x.stumpff(order + 2) * f64::from(order) - x.stumpff(order + 1)) * 0.5;
+        let (next, second) =
+            (x.stumpff(order.saturating_add(1)), x.stumpff(order.saturating_add(2)));
+        let slope = (second * f64::from(order) - next) * 0.5;
         self.chain(x.stumpff(order), slope)
     }
 

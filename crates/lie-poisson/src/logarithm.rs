@@ -1,8 +1,8 @@
 //! Logarithms, where they have a closed form.
 
 use crate::{
-    AlgebraElement, LieGroup, Pair, Quaternion, Real, RealSpace, SE2, SE3, SL2, SO2, SO3, SU2, Sl2,
-    So3, Su2, Vector,
+    AlgebraElement, LieGroup, Pair, Power, PowerGroup, ProductGroup, Quaternion, Real, RealSpace,
+    SE2, SE3, SL2, SO2, SO3, SP1, SU2, Sl2, So3, Su2, Vector,
 };
 use nalgebra::{Matrix2, Matrix3, SVector, Vector1, Vector2, Vector3};
 use num_complex::Complex;
@@ -79,6 +79,14 @@ impl Logarithm for SU2 {
         let sine = Su2.coordinates(g);
         let cosine = (g.m11.re + g.m22.re) * 0.5;
         finite(sine * angle_over_sine(sine.dot(&sine) * 0.25, cosine))
+    }
+}
+
+impl Logarithm for SP1 {
+    fn log<T: Real>(&self, g: &Quaternion<T>) -> Result<Vector3<T>, LogarithmError> {
+        // q = cos(θ/2) + (sin(θ/2)/(θ/2)) ½ξ, |ξ| = θ.
+        let sine = g.vector + g.vector;
+        finite(sine * angle_over_sine(g.vector.dot(&g.vector), g.scalar))
     }
 }
 
@@ -160,6 +168,30 @@ impl Logarithm for SE2 {
         let (re, im) = (x.stumpff(1), omega.x * x.stumpff(2));
         let back = Vector2::new(g.1.x * re + g.1.y * im, g.1.y * re - g.1.x * im);
         finite(Pair(omega, back / (re * re + im * im)))
+    }
+}
+
+impl<G: Logarithm, H: Logarithm> Logarithm for ProductGroup<G, H> {
+    /// (log g, log h)
+    fn log<T: Real>(
+        &self,
+        g: &Self::Element<T>,
+    ) -> Result<AlgebraElement<Self, T>, LogarithmError> {
+        Ok(Pair(self.0.log::<T>(&g.0)?, self.1.log::<T>(&g.1)?))
+    }
+}
+
+impl<G: Logarithm, const N: usize> Logarithm for PowerGroup<G, N> {
+    /// (log g₁, …, log g_N)
+    fn log<T: Real>(
+        &self,
+        g: &Self::Element<T>,
+    ) -> Result<AlgebraElement<Self, T>, LogarithmError> {
+        let mut logs = [Vector::zero(); N];
+        for (log, g) in logs.iter_mut().zip(&g.0) {
+            *log = self.0.log::<T>(g)?;
+        }
+        Ok(Power(logs))
     }
 }
 
