@@ -10,7 +10,7 @@ use num_complex::Complex;
 /// The Casimirs of the Lie–Poisson bracket on 𝔤∗: functions c with {c, f} = 0 for every f, so
 /// that every Hamiltonian flow conserves them. They are the same for both signs.
 ///
-/// In terms of ad∗: ad∗_{dc(μ)} μ = 0.
+/// In terms of ad∗: `ad∗_{dc(μ)} μ = 0`.
 ///
 /// # Example
 /// ```
