@@ -37,10 +37,10 @@ pub trait LieAlgebra: Clone {
     /// ξ ∈ 𝔤 over the scalar `T`.
     type Element<T: Real>: Vector<Scalar = T, Dual = Covector<Self::Element<T>>>;
 
-    /// The Lie bracket [ξ, η] = ad_ξ η: bilinear, antisymmetric, with the Jacobi identity.
+    /// The Lie bracket `[ξ, η] = ad_ξ η`: bilinear, antisymmetric, with the Jacobi identity.
     fn bracket<T: Real>(&self, xi: &Self::Element<T>, eta: &Self::Element<T>) -> Self::Element<T>;
 
-    /// The coadjoint operator ad∗_ξ: 𝔤∗ → 𝔤∗, the transpose of ad_ξ:
+    /// The coadjoint operator `ad∗_ξ: 𝔤∗ → 𝔤∗`, the transpose of `ad_ξ`:
     ///
     /// ```text
     /// ⟨ad*_ξ μ, η⟩ = ⟨μ, [ξ, η]⟩

@@ -1,8 +1,8 @@
 //! Casimir functions.
 
 use crate::{
-    Covector, DualNumber, LieAlgebra, Momentum, PowerAlgebra, ProductAlgebra, Real, RealSpace, Se2,
-    Se3, Sl2, So2, So3, Su2, UnitaryAlgebra, Vector, differential,
+    Covector, DualNumber, LieAlgebra, Momentum, PowerAlgebra, ProductAlgebra, Real, RealSpace,
+    SU2OnC2, Se2, Se3, SemidirectAlgebra, Sl2, So2, So3, Su2, UnitaryAlgebra, Vector, differential,
 };
 use nalgebra::SMatrix;
 use num_complex::Complex;
@@ -10,7 +10,7 @@ use num_complex::Complex;
 /// The Casimirs of the Lie–Poisson bracket on 𝔤∗: functions c with {c, f} = 0 for every f, so
 /// that every Hamiltonian flow conserves them. They are the same for both signs.
 ///
-/// In terms of ad∗: ad∗_{dc(μ)} μ = 0.
+/// In terms of ad∗: `ad∗_{dc(μ)} μ = 0`.
 ///
 /// # Example
 /// ```
@@ -85,6 +85,17 @@ impl Casimirs for Se2 {
     fn casimir<T: Real>(&self, index: usize, mu: &Momentum<Self, T>) -> T {
         let gamma = mu.0.1;
         if index == 0 { gamma.dot(&gamma) } else { T::zero() }
+    }
+}
+
+impl Casimirs for SemidirectAlgebra<SU2OnC2> {
+    const COUNT: usize = 1;
+
+    /// ‖α‖² for (μ, α) ∈ su(2)∗ × (C²)∗: SU(2) is transitive on the spheres of C².
+    #[inline]
+    fn casimir<T: Real>(&self, index: usize, mu: &Momentum<Self, T>) -> T {
+        let alpha = mu.0.1;
+        if index == 0 { alpha.pairing(&Covector(alpha)) } else { T::zero() }
     }
 }
 

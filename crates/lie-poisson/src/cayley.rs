@@ -1,11 +1,16 @@
 //! Cayley maps.
 
-use crate::{AlgebraElement, LieGroup, Pair, Real, SE3, SL2, SO2, SO3, SU2, Sl2, So3, Su2};
-use nalgebra::{Matrix2, Matrix3, Vector1, Vector3};
+use crate::{
+    AlgebraElement, LieGroup, Pair, Power, PowerGroup, ProductGroup, Quaternion, Real, RealSpace,
+    SE2, SE3, SL2, SO2, SO3, SP1, SU2, Sl2, So3, Su2,
+};
+use core::array::from_fn;
+use nalgebra::{Matrix2, Matrix3, SVector, Vector1, Vector2, Vector3};
 use num_complex::Complex;
 
 /// Matrix groups with the Cayley map cay ξ = (I − ξ/2)⁻¹ (I + ξ/2), which agrees with exp to
-/// second order and needs no transcendental function.
+/// second order, cay ξ = exp ξ + O(|ξ|³), and needs no transcendental function. Translations
+/// x ↦ x + v are matrices too, for which cay and exp are the same.
 ///
 /// Source: Hairer, Lubich & Wanner, *Geometric Numerical Integration*, 2nd ed., §IV.8.3.
 ///
@@ -21,6 +26,14 @@ use num_complex::Complex;
 pub trait Cayley: LieGroup {
     /// cay ξ
     fn cayley<T: Real>(&self, xi: &AlgebraElement<Self, T>) -> Self::Element<T>;
+}
+
+impl<const N: usize> Cayley for RealSpace<N> {
+    /// The translation by ξ.
+    #[inline]
+    fn cayley<T: Real>(&self, xi: &SVector<T, N>) -> SVector<T, N> {
+        *xi
+    }
 }
 
 impl Cayley for SO2 {
@@ -53,6 +66,16 @@ impl Cayley for SU2 {
     }
 }
 
+impl Cayley for SP1 {
+    /// (1 − |ξ|²/16 + ½ξ)/(1 + |ξ|²/16)
+    #[inline]
+    fn cayley<T: Real>(&self, xi: &Vector3<T>) -> Quaternion<T> {
+        let x = xi.dot(xi) * 0.0625;
+        let size = x + 1.0;
+        Quaternion { scalar: (-x + 1.0) / size, vector: xi * T::from_f64(0.5) / size }
+    }
+}
+
 impl Cayley for SL2 {
     /// ((1 − d/4) I + ξ)/(1 + d/4), d = det ξ. Not finite where d = −4, when I − ξ/2 is singular.
     #[inline]
@@ -62,11 +85,36 @@ impl Cayley for SL2 {
     }
 }
 
+impl Cayley for SE2 {
+    /// (cay ω, (I − ½ωJ)⁻¹ φ), with (I − ½ωJ)⁻¹ = ½(I + cay ω).
+    #[inline]
+    fn cayley<T: Real>(&self, xi: &Pair<Vector1<T>, Vector2<T>>) -> Pair<Matrix2<T>, Vector2<T>> {
+        let turn = SO2.cayley(&xi.0);
+        Pair(turn, (turn * xi.1 + xi.1) * T::from_f64(0.5))
+    }
+}
+
 impl Cayley for SE3 {
     /// (cay ξ, (I − ½ξ̂)⁻¹ φ), with (I − ½ξ̂)⁻¹ = ½(I + cay ξ).
     #[inline]
     fn cayley<T: Real>(&self, xi: &Pair<Vector3<T>, Vector3<T>>) -> Pair<Matrix3<T>, Vector3<T>> {
         let turn = SO3.cayley(&xi.0);
         Pair(turn, (turn * xi.1 + xi.1) * T::from_f64(0.5))
+    }
+}
+
+impl<G: Cayley, H: Cayley> Cayley for ProductGroup<G, H> {
+    /// (cay ξ, cay η)
+    #[inline]
+    fn cayley<T: Real>(&self, xi: &AlgebraElement<Self, T>) -> Self::Element<T> {
+        Pair(self.0.cayley::<T>(&xi.0), self.1.cayley::<T>(&xi.1))
+    }
+}
+
+impl<G: Cayley, const N: usize> Cayley for PowerGroup<G, N> {
+    /// (cay ξ₁, …, cay ξ_N)
+    #[inline]
+    fn cayley<T: Real>(&self, xi: &AlgebraElement<Self, T>) -> Self::Element<T> {
+        Power(from_fn(|n| self.0.cayley::<T>(&xi.0[n])))
     }
 }

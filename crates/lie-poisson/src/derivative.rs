@@ -42,7 +42,7 @@ where
     V::Dual::from_coordinates(|i| f(&seed(z, &V::basis(i))).derivative)
 }
 
-/// The transposed tangent map (T_z f)ᵀ α ∈ V∗ of f: V → W at a covector α ∈ W∗.
+/// The transposed tangent map `(T_z f)ᵀ α ∈ V∗` of f: V → W at a covector α ∈ W∗.
 ///
 /// `A` is the type of α; `V2` and `W2` are V and W over dual numbers.
 #[inline]

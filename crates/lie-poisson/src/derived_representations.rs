@@ -1,8 +1,9 @@
 //! Representations made from others.
 
 use crate::{
-    AlgebraElement, Covector, GroupRepresentation, LieAlgebra, LieGroup, Pair, Power, Real,
-    Representation, RepresentedElement, SemidirectAlgebra, SemidirectGroup,
+    AlgebraElement, Covector, GroupMomentum, GroupRepresentation, LieAlgebra, LieGroup, Momentum,
+    Pair, Power, Real, Representation, RepresentedElement, SemidirectAlgebra, SemidirectGroup,
+    Vector,
 };
 use core::array::from_fn;
 
@@ -57,6 +58,16 @@ where
     ) -> Covector<R::Space<T>> {
         self.representation.transpose_act::<T>(&xi.0, alpha)
     }
+
+    /// (v ◇ α, 0): V of G ⋉ V acts trivially.
+    #[inline]
+    fn diamond<T: Real>(
+        &self,
+        v: &R::Space<T>,
+        alpha: &Covector<R::Space<T>>,
+    ) -> Momentum<SemidirectAlgebra<Q>, T> {
+        Covector(Pair(self.representation.diamond::<T>(v, alpha).0, Vector::zero()))
+    }
 }
 
 impl<Q, R> GroupRepresentation for Inherited<Q, R>
@@ -107,6 +118,28 @@ impl<R: Representation, const N: usize> Representation for Diagonal<R, N> {
     fn act<T: Real>(&self, xi: &RepresentedElement<R, T>, v: &Self::Space<T>) -> Self::Space<T> {
         Power(from_fn(|n| self.0.act::<T>(xi, &v.0[n])))
     }
+
+    #[inline]
+    fn transpose_act<T: Real>(
+        &self,
+        xi: &RepresentedElement<R, T>,
+        alpha: &Covector<Self::Space<T>>,
+    ) -> Covector<Self::Space<T>> {
+        let part = |n: usize| self.0.transpose_act::<T>(xi, &Covector(alpha.0.0[n])).0;
+        Covector(Power(from_fn(part)))
+    }
+
+    /// Σ vₙ ◇ αₙ
+    #[inline]
+    fn diamond<T: Real>(
+        &self,
+        v: &Self::Space<T>,
+        alpha: &Covector<Self::Space<T>>,
+    ) -> Momentum<R::Algebra, T> {
+        v.0.iter().zip(&alpha.0.0).fold(Vector::zero(), |sum: Momentum<R::Algebra, T>, (v, a)| {
+            sum + self.0.diamond::<T>(v, &Covector(*a))
+        })
+    }
 }
 
 impl<R: GroupRepresentation, const N: usize> GroupRepresentation for Diagonal<R, N> {
@@ -123,6 +156,15 @@ impl<R: GroupRepresentation, const N: usize> GroupRepresentation for Diagonal<R,
         v: &Self::Space<T>,
     ) -> Self::Space<T> {
         Power(from_fn(|n| self.0.transform::<T>(g, &v.0[n])))
+    }
+
+    #[inline]
+    fn exp_integral<T: Real>(
+        &self,
+        xi: &AlgebraElement<R::Group, T>,
+        phi: &Self::Space<T>,
+    ) -> Self::Space<T> {
+        Power(from_fn(|n| self.0.exp_integral::<T>(xi, &phi.0[n])))
     }
 }
 
@@ -145,6 +187,26 @@ impl<G: LieGroup> Representation for Adjoint<G> {
         v: &AlgebraElement<G, T>,
     ) -> AlgebraElement<G, T> {
         self.0.algebra().bracket::<T>(xi, v)
+    }
+
+    /// `ξᵀ α = ad*_ξ α`
+    #[inline]
+    fn transpose_act<T: Real>(
+        &self,
+        xi: &AlgebraElement<G, T>,
+        alpha: &GroupMomentum<G, T>,
+    ) -> GroupMomentum<G, T> {
+        self.0.algebra().coadjoint::<T>(xi, alpha)
+    }
+
+    /// `v ◇ α = −ad*_v α`
+    #[inline]
+    fn diamond<T: Real>(
+        &self,
+        v: &AlgebraElement<G, T>,
+        alpha: &GroupMomentum<G, T>,
+    ) -> GroupMomentum<G, T> {
+        -self.0.algebra().coadjoint::<T>(v, alpha)
     }
 }
 
@@ -185,6 +247,30 @@ where
     fn act<T: Real>(&self, xi: &RepresentedElement<R, T>, v: &Self::Space<T>) -> Self::Space<T> {
         Pair(self.0.act::<T>(xi, &v.0), self.1.act::<T>(xi, &v.1))
     }
+
+    #[inline]
+    fn transpose_act<T: Real>(
+        &self,
+        xi: &RepresentedElement<R, T>,
+        alpha: &Covector<Self::Space<T>>,
+    ) -> Covector<Self::Space<T>> {
+        let Covector(Pair(first, second)) = *alpha;
+        Covector(Pair(
+            self.0.transpose_act::<T>(xi, &Covector(first)).0,
+            self.1.transpose_act::<T>(xi, &Covector(second)).0,
+        ))
+    }
+
+    /// v ◇ α + w ◇ β
+    #[inline]
+    fn diamond<T: Real>(
+        &self,
+        v: &Self::Space<T>,
+        alpha: &Covector<Self::Space<T>>,
+    ) -> Momentum<R::Algebra, T> {
+        let Covector(Pair(first, second)) = *alpha;
+        self.0.diamond::<T>(&v.0, &Covector(first)) + self.1.diamond::<T>(&v.1, &Covector(second))
+    }
 }
 
 impl<R, S> GroupRepresentation for Sum<R, S>
@@ -205,5 +291,14 @@ where
         v: &Self::Space<T>,
     ) -> Self::Space<T> {
         Pair(self.0.transform::<T>(g, &v.0), self.1.transform::<T>(g, &v.1))
+    }
+
+    #[inline]
+    fn exp_integral<T: Real>(
+        &self,
+        xi: &AlgebraElement<R::Group, T>,
+        phi: &Self::Space<T>,
+    ) -> Self::Space<T> {
+        Pair(self.0.exp_integral::<T>(xi, &phi.0), self.1.exp_integral::<T>(xi, &phi.1))
     }
 }

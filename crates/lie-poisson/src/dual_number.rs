@@ -165,11 +165,11 @@ impl<T: Real> Real for DualNumber<T> {
 
     fn sqrt(self) -> Self {
         let root = self.value.sqrt();
-        self.chain(root, (root + root).recip())
+        self.chain(root, reciprocal(root + root))
     }
 
     fn ln(self) -> Self {
-        self.chain(self.value.ln(), self.value.recip())
+        self.chain(self.value.ln(), reciprocal(self.value))
     }
 
     fn atan2(self, x: Self) -> Self {
@@ -182,7 +182,9 @@ impl<T: Real> Real for DualNumber<T> {
 
     fn stumpff(self, order: u32) -> Self {
         let x = self.value;
-        let slope = (x.stumpff(order + 2) * f64::from(order) - x.stumpff(order + 1)) * 0.5;
+        let (next, second) =
+            (x.stumpff(order.saturating_add(1)), x.stumpff(order.saturating_add(2)));
+        let slope = (second * f64::from(order) - next) * 0.5;
         self.chain(x.stumpff(order), slope)
     }
 
@@ -203,13 +205,9 @@ impl<T: Real> Real for DualNumber<T> {
 }
 
 /// 1/x, which `num_traits` offers on `Float` alone.
-trait Reciprocal: Real {
-    fn recip(self) -> Self {
-        Self::one() / self
-    }
+fn reciprocal<T: Real>(x: T) -> T {
+    T::one() / x
 }
-
-impl<T: Real> Reciprocal for T {}
 
 #[cfg(test)]
 mod tests {

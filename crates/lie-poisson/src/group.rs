@@ -37,15 +37,19 @@ pub trait LieGroup: Clone {
     /// exp: 𝔤 → G, with d/ds exp(sξ) = ξ at s = 0.
     fn exp<T: Real>(&self, xi: &AlgebraElement<Self, T>) -> Self::Element<T>;
 
-    /// Ad_g ξ = d/ds g exp(sξ) g⁻¹ at s = 0.
+    /// `Ad_g ξ = d/ds g exp(sξ) g⁻¹` at s = 0.
     fn adjoint<T: Real>(
         &self,
         g: &Self::Element<T>,
         xi: &AlgebraElement<Self, T>,
     ) -> AlgebraElement<Self, T>;
 
-    /// Ad∗_g μ, the transpose of Ad_g: ⟨Ad∗_g μ, ξ⟩ = ⟨μ, Ad_g ξ⟩. A right action of G on 𝔤∗:
-    /// Ad∗_{gh} = Ad∗_h Ad∗_g.
+    /// `Ad∗_g μ`, the transpose of `Ad_g`, a right action of G on 𝔤∗:
+    ///
+    /// ```text
+    /// ⟨Ad*_g μ, ξ⟩ = ⟨μ, Ad_g ξ⟩
+    /// Ad*_{gh} = Ad*_h Ad*_g
+    /// ```
     #[inline]
     fn coadjoint<T: Real>(
         &self,

@@ -18,7 +18,7 @@ pub trait Hamiltonian<P: PoissonSpace, T: Real = f64> {
     /// h(z)
     fn value(&self, z: &Point<P, T>) -> T;
 
-    /// dh(z) ∈ T∗_z P
+    /// `dh(z) ∈ T∗_z P`
     fn differential(&self, z: &Point<P, T>) -> Differential<P, T>;
 
     /// The derivative of dh at z along v, D²h(z)·v; `None` if it is not known, as for closures.

@@ -5,19 +5,26 @@
 //! | object | item |
 //! |---|---|
 //! | scalars: numbers, dual numbers, lanes | [`Real`], [`DualNumber`], [`Lanes`] |
-//! | vector spaces V and their duals V∗ | [`Vector`], [`Covector`], [`Pair`], [`Power`], [`VectorSpace`] |
+//! | vector spaces V and their duals V∗ | [`Vector`], [`Covector`], [`Pair`], [`Power`], [`Quaternion`] |
+//! | spaces over every scalar at once | [`VectorSpace`]: [`RealSpace`], [`ComplexSpace`], [`QuaternionSpace`] |
 //! | exact derivatives | [`differential`], [`transposed_tangent`] |
 //! | Lie algebras 𝔤 and groups G | [`LieAlgebra`], [`LieGroup`]: [`RealSpace`], [`SO2`], [`SO3`], [`SU2`], [`SP1`], [`SL2`], [`UnitaryGroup`] |
 //! | algebras by structure constants | [`StructureConstants`] |
 //! | direct products and powers | [`ProductAlgebra`], [`ProductGroup`], [`PowerAlgebra`], [`PowerGroup`] |
 //! | representations, semidirect products | [`Representation`], [`GroupRepresentation`], [`SemidirectAlgebra`], [`SemidirectGroup`]: [`SE2`], [`SE3`] |
+//! | representations from others | [`Adjoint`], [`Inherited`], [`Diagonal`], [`Sum`] |
 //! | log and Cayley maps | [`Logarithm`], [`Cayley`] |
 //! | Poisson brackets, (±)-Lie–Poisson | [`PoissonSpace`], [`LiePoisson`], [`ProductSpace`], [`PowerSpace`], [`Casimirs`] |
-//! | Hamiltonians h and dh | [`Hamiltonian`], [`Energy`], [`Automatic`], [`from_closure`] |
+//! | Hamiltonians h and dh | [`Hamiltonian`], [`Energy`], [`Automatic`], [`from_closure`], [`hessian_by_dual_numbers`] |
 //! | the axioms as residuals (feature `laws`) | `laws` |
 //!
-//! The conventions are fixed in one place: ⟨ad∗_ξ μ, η⟩ = ⟨μ, [ξ, η]⟩, and on 𝔤∗ with the
-//! minus bracket μ̇ = ad∗_{dh(μ)} μ.
+//! The conventions are fixed in one place, the second line being the equation of motion on 𝔤∗ with
+//! the minus bracket:
+//!
+//! ```text
+//! ⟨ad*_ξ μ, η⟩ = ⟨μ, [ξ, η]⟩
+//! dμ/dt = ad*_{dh(μ)} μ
+//! ```
 
 mod real;
 mod dual_number;

@@ -1,8 +1,8 @@
 //! Logarithms, where they have a closed form.
 
 use crate::{
-    AlgebraElement, LieGroup, Pair, Quaternion, Real, RealSpace, SE2, SE3, SL2, SO2, SO3, SU2, Sl2,
-    So3, Su2, Vector,
+    AlgebraElement, LieGroup, Pair, Power, PowerGroup, ProductGroup, Quaternion, Real, RealSpace,
+    SE2, SE3, SL2, SO2, SO3, SP1, SU2, Sl2, So3, Su2, Vector,
 };
 use nalgebra::{Matrix2, Matrix3, SVector, Vector1, Vector2, Vector3};
 use num_complex::Complex;
@@ -14,6 +14,9 @@ use thiserror::Error;
 pub struct LogarithmError;
 
 /// Groups with a closed logarithm: log(exp ξ) = ξ for ξ near 0, exp(log g) = g.
+///
+/// The argument of `log` must be an element of the group, up to rounding. That is a precondition
+/// which is not checked: the logarithm of any other matrix has no meaning.
 ///
 /// # Example
 /// ```
@@ -27,8 +30,8 @@ pub trait Logarithm: LieGroup {
     /// The principal logarithm.
     ///
     /// # Errors
-    /// If there is none: −I in SU(2) and SL(2, R), an element of SL(2, R) of trace ≤ −2, and
-    /// whatever is not finite. Rotations by π do have one in SO(3), the choice between its two
+    /// If there is none: −I in SU(2) and SL(2, R), −1 in Sp(1), an element of SL(2, R) of trace
+    /// ≤ −2, and whatever is not finite. Rotations by π do have one in SO(3), the choice between its two
     /// signs being arbitrary.
     fn log<T: Real>(&self, g: &Self::Element<T>)
     -> Result<AlgebraElement<Self, T>, LogarithmError>;
@@ -44,8 +47,10 @@ fn angle_over_sine<T: Real>(sine_squared: T, cosine: T) -> T {
     }) / cosine;
     let (sine, sinh) = (sine_squared.sqrt(), (-sine_squared).sqrt());
     let circular = sine.atan2(cosine) / sine;
-    // Not a number for negative cosine, where there is no real logarithm.
-    let hyperbolic = (cosine + sinh).ln() / sinh;
+    // No real logarithm for negative cosine: cosine + sinh, which should be negative, may round
+    // to a small positive number, so that ln alone would not tell.
+    let none = T::from_f64(f64::NAN);
+    let hyperbolic = cosine.select_nonnegative((cosine + sinh).ln() / sinh, none);
     let closed = sine_squared.select_nonnegative(circular, hyperbolic);
     let size = tangent_squared.select_nonnegative(tangent_squared, -tangent_squared);
     let near = (-size + 0.04).select_nonnegative(series, closed);
@@ -74,6 +79,14 @@ impl Logarithm for SU2 {
         let sine = Su2.coordinates(g);
         let cosine = (g.m11.re + g.m22.re) * 0.5;
         finite(sine * angle_over_sine(sine.dot(&sine) * 0.25, cosine))
+    }
+}
+
+impl Logarithm for SP1 {
+    fn log<T: Real>(&self, g: &Quaternion<T>) -> Result<Vector3<T>, LogarithmError> {
+        // q = cos(θ/2) + (sin(θ/2)/(θ/2)) ½ξ, |ξ| = θ.
+        let sine = g.vector + g.vector;
+        finite(sine * angle_over_sine(g.vector.dot(&g.vector), g.scalar))
     }
 }
 
@@ -109,24 +122,23 @@ fn rotation_quaternion<T: Real>(r: &Matrix3<T>) -> Quaternion<T> {
         }
         size = better.select_nonnegative(*other, size);
     }
-    let scale = (size.sqrt() * 2.0).select_sign(rows[0]);
+    let scale = with_sign(size.sqrt() * 2.0, rows[0]);
     Quaternion::from_coordinates(|i| rows[i] / scale)
 }
 
 /// The size with the sign of another number.
-trait SelectSign: Real {
-    fn select_sign(self, sign: Self) -> Self {
-        sign.select_nonnegative(self, -self)
-    }
+fn with_sign<T: Real>(size: T, sign: T) -> T {
+    sign.select_nonnegative(size, -size)
 }
-
-impl<T: Real> SelectSign for T {}
 
 impl Logarithm for SL2 {
     fn log<T: Real>(&self, g: &Matrix2<T>) -> Result<Vector3<T>, LogarithmError> {
         let sine = Sl2.coordinates(g);
         let cosine = (g.m11 + g.m22) * 0.5;
-        finite(sine * angle_over_sine(Sl2.determinant(&sine), cosine))
+        let factor = angle_over_sine(Sl2.determinant(&sine), cosine);
+        // Of trace ≤ −2 whatever the sign that rounding gives to the determinant.
+        let none = T::from_f64(f64::NAN);
+        finite(sine * (-cosine - 1.0).select_nonnegative(none, factor))
     }
 }
 
@@ -159,6 +171,30 @@ impl Logarithm for SE2 {
     }
 }
 
+impl<G: Logarithm, H: Logarithm> Logarithm for ProductGroup<G, H> {
+    /// (log g, log h)
+    fn log<T: Real>(
+        &self,
+        g: &Self::Element<T>,
+    ) -> Result<AlgebraElement<Self, T>, LogarithmError> {
+        Ok(Pair(self.0.log::<T>(&g.0)?, self.1.log::<T>(&g.1)?))
+    }
+}
+
+impl<G: Logarithm, const N: usize> Logarithm for PowerGroup<G, N> {
+    /// (log g₁, …, log g_N)
+    fn log<T: Real>(
+        &self,
+        g: &Self::Element<T>,
+    ) -> Result<AlgebraElement<Self, T>, LogarithmError> {
+        let mut logs = [Vector::zero(); N];
+        for (log, g) in logs.iter_mut().zip(&g.0) {
+            *log = self.0.log::<T>(g)?;
+        }
+        Ok(Power(logs))
+    }
+}
+
 #[cfg(test)]
 mod tests {
     use super::*;
@@ -186,6 +222,18 @@ mod tests {
         assert_eq!(SL2.log(&(-SL2.identity::<f64>())), Err(LogarithmError));
         assert_eq!(SL2.log(&Matrix2::new(-2.0, 0.0, 0.0, -0.5)), Err(LogarithmError));
         assert_eq!(SO3.log(&Matrix3::from_element(f64::NAN)), Err(LogarithmError));
+    }
+
+    #[test]
+    fn minus_a_hyperbolic_element_has_no_logarithm_however_large() {
+        for n in 0..400 {
+            let t = f64::from(n);
+            let xi = Vector3::new((t * 0.7).sin(), (t * 1.3).cos(), 1.0 + t.sin()) * (0.05 * t);
+            let g = -SL2.exp(&xi);
+            if g.trace() <= -2.0 {
+                assert_eq!(SL2.log(&g), Err(LogarithmError), "{xi}");
+            }
+        }
     }
 
     #[test]

@@ -43,9 +43,9 @@ pub trait PoissonSpace: VectorSpace {
 /// the plus sign; body-frame dynamics has the minus sign.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Sign {
-    /// {f, h}(μ) = +⟨μ, [df, dh]⟩, so that μ̇ = −ad∗_{dh} μ.
+    /// {f, h}(μ) = +⟨μ, [df, dh]⟩, so that `μ̇ = −ad∗_{dh} μ`.
     Plus,
-    /// {f, h}(μ) = −⟨μ, [df, dh]⟩, so that μ̇ = +ad∗_{dh} μ.
+    /// {f, h}(μ) = −⟨μ, [df, dh]⟩, so that `μ̇ = +ad∗_{dh} μ`.
     Minus,
 }
 
@@ -101,7 +101,7 @@ impl<A: LieAlgebra> VectorSpace for LiePoisson<A> {
 }
 
 impl<A: LieAlgebra> PoissonSpace for LiePoisson<A> {
-    /// ∓ad∗_{dh} μ for the (±)-bracket.
+    /// `∓ad∗_{dh} μ` for the (±)-bracket.
     #[inline]
     fn hamiltonian_vector<T: Real>(
         &self,

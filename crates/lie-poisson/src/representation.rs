@@ -63,8 +63,14 @@ pub trait GroupRepresentation: Representation {
 
     /// ∫₀¹ exp(σξ) φ dσ, the translation part of the exponential of (ξ, φ) ∈ 𝔤 ⋉ V.
     ///
-    /// By default the series Σ ξᵏφ/(k+1)! on a fraction ξ/n of the way, carried on by
-    /// ∫₀¹ exp(σξ) φ dσ = (1/n) Σ_{j<n} exp(jξ/n) ∫₀¹ exp(σξ/n) φ dσ.
+    /// By default the series Σ ξᵏφ/(k+1)! on a fraction ξ/2ᵐ with |ξ/2ᵐ| ≤ ¼ in coordinates, and
+    /// m doublings
+    ///
+    /// ```text
+    /// ∫₀¹ exp(2σξ) φ dσ = ½ (1 + exp ξ) ∫₀¹ exp(σξ) φ dσ
+    /// ```
+    ///
+    /// which lose about |ξ| units of round-off, as the exponential of ξ itself does.
     ///
     /// Source: Ohsawa 2019, §2.3.
     fn exp_integral<T: Real>(
@@ -72,27 +78,29 @@ pub trait GroupRepresentation: Representation {
         xi: &AlgebraElement<Self::Group, T>,
         phi: &Self::Space<T>,
     ) -> Self::Space<T> {
-        let pieces = xi.max_abs().ceil().clamp(1.0, 4096.0);
-        let fraction = xi.scaled(T::from_f64(1.0 / pieces));
+        let size = xi.max_abs();
+        // At most 1026 for a finite ξ.
+        let doublings = if size > 0.25 { (size * 4.0).log2().ceil().min(1026.0) } else { 0.0 };
+        let fraction = xi.scaled(T::from_f64((-doublings).exp2()));
         let mut term = *phi;
-        let mut piece = *phi;
+        let mut integral = *phi;
         let mut k = 1.0;
-        // |ξ/n| ≤ 1 in coordinates: 200 terms are out of reach of any representation in use.
-        while k < 200.0 && !term.max_abs().eq(&0.0) {
+        // 200 terms are out of reach of any representation in use.
+        while k < 200.0 && term.max_abs() > 0.0 {
             k += 1.0;
             term = self.act::<T>(&fraction, &term).scaled(T::from_f64(1.0 / k));
-            let previous = piece;
-            piece += term;
-            if piece == previous {
+            let previous = integral;
+            integral += term;
+            if integral == previous {
                 break;
             }
         }
-        let turn = self.group().exp::<T>(&fraction);
-        let mut sum = piece;
-        for _ in 1..(pieces as usize) {
-            piece = self.transform::<T>(&turn, &piece);
-            sum += piece;
+        let mut turn = self.group().exp::<T>(&fraction);
+        for _ in 0..(doublings as usize) {
+            let turned = self.transform::<T>(&turn, &integral);
+            integral = (integral + turned).scaled(T::from_f64(0.5));
+            turn = self.group().compose::<T>(&turn, &turn);
         }
-        sum.scaled(T::from_f64(1.0 / pieces))
+        integral
     }
 }

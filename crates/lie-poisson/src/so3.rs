@@ -39,7 +39,7 @@ impl LieAlgebra for So3 {
         xi.cross(eta)
     }
 
-    /// ad∗_ξ μ = μ × ξ
+    /// `ad∗_ξ μ = μ × ξ`
     #[inline]
     fn coadjoint<T: Real>(
         &self,
@@ -91,7 +91,7 @@ impl LieGroup for SO3 {
         g * xi
     }
 
-    /// Ad∗_R μ = Rᵀ μ
+    /// `Ad∗_R μ = Rᵀ μ`
     #[inline]
     fn coadjoint<T: Real>(
         &self,

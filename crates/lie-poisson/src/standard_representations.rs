@@ -188,6 +188,13 @@ impl GroupRepresentation for SL2OnR2 {
     fn transform<T: Real>(&self, g: &Matrix2<T>, v: &Vector2<T>) -> Vector2<T> {
         g * v
     }
+
+    /// c₁(det ξ) φ + c₂(det ξ) ξφ, since ξ² = −(det ξ) I.
+    #[inline]
+    fn exp_integral<T: Real>(&self, xi: &Vector3<T>, phi: &Vector2<T>) -> Vector2<T> {
+        let x = Sl2.determinant(xi);
+        phi * x.stumpff(1) + self.act(xi, phi) * x.stumpff(2)
+    }
 }
 
 /// U(N) on C^N by matrix multiplication.

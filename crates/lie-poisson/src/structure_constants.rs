@@ -1,6 +1,6 @@
 //! Lie algebras given by structure constants.
 
-use crate::{LieAlgebra, Real};
+use crate::{LieAlgebra, Real, larger};
 use nalgebra::SVector;
 use std::sync::Arc;
 use thiserror::Error;
@@ -34,7 +34,8 @@ pub enum StructureError {
         /// The sum that should be zero.
         residual: f64,
     },
-    /// The cyclic sum of [e_i, [e_j, e_k]] is not zero.
+    /// The cyclic sum of [e_i, [e_j, e_k]] is not zero, once the constants are divided by the
+    /// largest of them.
     #[error("the Jacobi identity fails by {residual:e} for e{i}, e{j}, e{k} (allowed {allowed:e})")]
     Jacobi {
         /// First basis vector.
@@ -70,7 +71,8 @@ pub enum StructureError {
 /// ```
 #[derive(Clone, Debug, PartialEq)]
 pub struct StructureConstants<const N: usize> {
-    constants: Arc<[[[f64; N]; N]; N]>,
+    /// `c[i][j][k]` at (i N + j) N + k.
+    constants: Arc<[f64]>,
 }
 
 impl<const N: usize> StructureConstants<N> {
@@ -80,29 +82,28 @@ impl<const N: usize> StructureConstants<N> {
     /// If a constant is not finite, the bracket is not antisymmetric (exactly), or the Jacobi
     /// identity fails by more than the rounding of the sums in it.
     pub fn new(c: impl Fn(usize, usize, usize) -> f64) -> Result<Self, StructureError> {
-        let mut constants = [[[0.0; N]; N]; N];
+        let constants: Arc<[f64]> = indices::<N>().map(|(i, j, k)| c(i, j, k)).collect();
+        let at = |i: usize, j: usize, k: usize| entry::<N>(&constants, i, j, k);
         for (i, j, k) in indices::<N>() {
-            let value = c(i, j, k);
+            let value = at(i, j, k);
             if !value.is_finite() {
                 return Err(StructureError::NotFinite { i, j, k, value });
             }
-            constants[i][j][k] = value;
         }
         for (i, j, k) in indices::<N>() {
-            let residual = constants[i][j][k] + constants[j][i][k];
+            let residual = at(i, j, k) + at(j, i, k);
             if residual != 0.0 {
                 return Err(StructureError::NotAntisymmetric { i, j, k, residual });
             }
         }
-        check_jacobi(&constants)?;
-        Ok(Self { constants: Arc::new(constants) })
+        check_jacobi::<N>(&constants)?;
+        Ok(Self { constants })
     }
 
     /// `c[i][j][k]`; zero beyond the dimension.
     #[must_use]
     pub fn constant(&self, i: usize, j: usize, k: usize) -> f64 {
-        let row = self.constants.get(i).and_then(|rows| rows.get(j));
-        row.and_then(|row| row.get(k)).copied().unwrap_or(0.0)
+        if i.max(j).max(k) < N { entry::<N>(&self.constants, i, j, k) } else { 0.0 }
     }
 }
 
@@ -110,18 +111,28 @@ fn indices<const N: usize>() -> impl Iterator<Item = (usize, usize, usize)> {
     (0..N * N * N).map(|n| (n / (N * N), n / N % N, n % N))
 }
 
-fn check_jacobi<const N: usize>(c: &[[[f64; N]; N]; N]) -> Result<(), StructureError> {
-    let largest = c.iter().flatten().flatten().fold(0.0, |m: f64, x| m.max(x.abs()));
-    // 3N products of two constants, each rounded once, and their sum.
-    let allowed = 6.0 * N as f64 * f64::EPSILON * largest * largest;
-    for (i, j, k) in indices::<N>() {
+/// `c[i][j][k]` for indices below N.
+#[inline]
+fn entry<const N: usize>(constants: &[f64], i: usize, j: usize, k: usize) -> f64 {
+    constants[(i * N + j) * N + k]
+}
+
+fn check_jacobi<const N: usize>(constants: &[f64]) -> Result<(), StructureError> {
+    let largest = constants.iter().fold(0.0, |m, x| larger(m, x.abs()));
+    // Normalised, so that no product overflows and none that matters underflows.
+    let constants: Vec<f64> = constants.iter().map(|x| x / largest).collect();
+    let c = |i: usize, j: usize, k: usize| entry::<N>(&constants, i, j, k);
+    // 3N products of two constants, each rounded three times, and their sum.
+    let allowed = 12.0 * N as f64 * f64::EPSILON;
+    // The cyclic sum of an antisymmetric bracket is alternating.
+    for (i, j, k) in indices::<N>().filter(|&(i, j, k)| largest > 0.0 && i < j && j < k) {
         let nested = |a: usize, b: usize, d: usize, m: usize| -> f64 {
-            (0..N).map(|l| c[b][d][l] * c[a][l][m]).sum()
+            (0..N).map(|l| c(b, d, l) * c(a, l, m)).sum()
         };
         let residual = (0..N)
             .map(|m| (nested(i, j, k, m) + nested(j, k, i, m) + nested(k, i, j, m)).abs())
-            .fold(0.0, f64::max);
-        if residual > allowed {
+            .fold(0.0, larger);
+        if residual.is_nan() || residual > allowed {
             return Err(StructureError::Jacobi { i, j, k, residual, allowed });
         }
     }
@@ -132,12 +143,15 @@ impl<const N: usize> LieAlgebra for StructureConstants<N> {
     type Element<T: Real> = SVector<T, N>;
 
     fn bracket<T: Real>(&self, xi: &SVector<T, N>, eta: &SVector<T, N>) -> SVector<T, N> {
-        SVector::from_fn(|k, _| {
-            let mut sum = T::zero();
-            for (i, j, _) in indices::<N>().filter(|&(_, _, l)| l == k) {
-                sum += xi[i] * eta[j] * self.constants[i][j][k];
+        let mut bracket = SVector::zeros();
+        for i in 0..N {
+            for j in 0..N {
+                let weight = xi[i] * eta[j];
+                for k in 0..N {
+                    bracket[k] += weight * entry::<N>(&self.constants, i, j, k);
+                }
             }
-            sum
-        })
+        }
+        bracket
     }
 }

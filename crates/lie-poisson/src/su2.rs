@@ -37,7 +37,7 @@ impl Su2 {
         )
     }
 
-    /// The coordinates ξ_j = ⟨e_j, ξ⟩ = 2 tr(e_j∗ ξ) of a matrix; for one outside su(2), of its
+    /// The coordinates `ξ_j = ⟨e_j, ξ⟩ = 2 tr(e_j∗ ξ)` of a matrix; for one outside su(2), of its
     /// orthogonal projection to su(2).
     ///
     /// ```
@@ -134,7 +134,7 @@ impl LieGroup for SU2 {
         Su2.coordinates(&(g * Su2.matrix(xi) * self.inverse(g)))
     }
 
-    /// Ad∗_U μ = U∗ μ U
+    /// `Ad∗_U μ = U∗ μ U`
     #[inline]
     fn coadjoint<T: Real>(
         &self,

@@ -7,8 +7,8 @@ use num_complex::Complex;
 
 /// A skew-Hermitian matrix ξ∗ = −ξ, an element of u(N).
 ///
-/// Its N² coordinates run through the matrix by columns: −i ξ_jj on the diagonal, and for j > k
-/// Re ξ_jk below it and Im ξ_jk = Im ξ_kj above it. A momentum μ ∈ u(N)∗ is a covector of these.
+/// Its N² coordinates run through the matrix by columns: `−i ξ_jj` on the diagonal, and for j > k
+/// `Re ξ_jk` below it and `Im ξ_jk = Im ξ_kj` above it. A momentum μ ∈ u(N)∗ is a covector of these.
 #[derive(Clone, Copy, Debug, PartialEq)]
 #[repr(transparent)]
 pub struct SkewHermitian<T, const N: usize>(SMatrix<Complex<T>, N, N>);
@@ -115,7 +115,7 @@ impl<const N: usize> LieAlgebra for UnitaryAlgebra<N> {
 impl<const N: usize> UnitaryAlgebra<N> {
     /// The Hermitian matrix H of a momentum: ⟨μ, ξ⟩ = Re tr((iH)∗ ξ) = Im tr(Hξ).
     ///
-    /// Under it ad∗_ξ μ becomes Hξ − ξH and Ad∗_U μ becomes U∗HU.
+    /// Under it `ad∗_ξ μ` becomes Hξ − ξH and `Ad∗_U μ` becomes U∗HU.
     #[inline]
     pub fn hermitian<T: Real>(
         &self,

@@ -11,8 +11,9 @@ use num_complex::Complex;
 /// Elements of a Lie algebra, momenta in its dual, points of a phase space and group elements
 /// (which live in a space of matrices) are all vectors in this sense. Implemented for nalgebra's
 /// statically sized matrices over [`Real`] and over `Complex<Real>` (real and imaginary parts
-/// alternate, so that C² ≅ R⁴ is χ = (q₁+iq₂, q₃+iq₄)), for [`Covector`], [`Pair`](crate::Pair)
-/// and [`Power`](crate::Power).
+/// alternate, so that C² ≅ R⁴ is χ = (q₁+iq₂, q₃+iq₄)), for [`Covector`], [`Pair`](crate::Pair),
+/// [`Power`](crate::Power), [`Quaternion`](crate::Quaternion) and
+/// [`SkewHermitian`](crate::SkewHermitian).
 ///
 /// The dual V∗ is a different type, paired by coordinates: ⟨α, v⟩ = Σ αᵢ vᵢ.
 ///

@@ -69,6 +69,39 @@ fn representations_and_their_semidirect_products() {
 }
 
 #[test]
+fn the_integral_of_a_large_exponential() {
+    let representation = UnitaryOnComplexSpace::<2>;
+    for (xi, phi) in samples::<SkewHermitian<f64, 2>>().iter().zip(samples()) {
+        for size in [3.0, 1e3, 1e5] {
+            let xi = xi.scaled(size / xi.max_abs());
+            let integral = representation.exp_integral(&xi, &phi);
+            // ξ ∫₀¹ exp(σξ) φ dσ = (exp ξ − 1) φ
+            let moved = representation.transform(&UnitaryGroup.exp(&xi), &phi) - phi;
+            let error = (representation.act(&xi, &integral) - moved).max_abs();
+            // Every doubling doubles the rounding.
+            assert!(error < 16.0 * f64::EPSILON * size, "{size}: {error:e}");
+        }
+    }
+}
+
+#[test]
+fn composed_representations_use_the_closed_forms_of_their_parts() {
+    let (xi, v, w) = (samples::<Vector3<f64>>()[0] * 1e3, samples(), samples());
+    let (v, w): (Vec<Vector3<f64>>, Vec<Vector2<num_complex::Complex<f64>>>) = (v, w);
+    let powers = Diagonal::<_, 2>(SO3OnR3).exp_integral(&xi, &Power([v[0], v[1]]));
+    assert_eq!(powers, Power([0, 1].map(|n| SO3OnR3.exp_integral(&xi, &v[n]))));
+    let pairs = Sum(SU2OnC2, SU2OnC2).exp_integral(&xi, &Pair(w[0], w[1]));
+    assert_eq!(pairs, Pair(SU2OnC2.exp_integral(&xi, &w[0]), SU2OnC2.exp_integral(&xi, &w[1])));
+    let inherited = Inherited { quotient: SO3OnR3, representation: SO3OnR3 };
+    let diamond = inherited.diamond(&v[0], &Covector(v[1]));
+    assert_eq!(diamond, Covector(Pair(v[0].cross(&v[1]), Vector3::zeros())));
+    // det ξ = 10⁸, elliptic: ξ ∫₀¹ exp(σξ) φ dσ = (exp ξ − 1) φ without loss.
+    let (xi, phi) = (Vector3::new(0.0, -1e4, 1e4), Vector2::new(0.3, -0.7));
+    let moved = SL2OnR2.act(&xi, &SL2OnR2.exp_integral(&xi, &phi));
+    assert!((moved - (SL2.exp(&xi) * phi - phi)).norm() < 1e-15);
+}
+
+#[test]
 fn casimirs() {
     fn check<A: Casimirs>(algebra: &A) {
         assert!(A::COUNT > 0);
@@ -81,6 +114,7 @@ fn casimirs() {
     check(&Sl2);
     check(&Se2::default());
     check(&Se3::default());
+    check(&SemidirectAlgebra(SU2OnC2));
     check(&UnitaryAlgebra::<3>);
     check(&ProductAlgebra(So3, Se3::default()));
     check(&PowerAlgebra::<_, 3>(So3));
@@ -98,11 +132,22 @@ fn logarithms_and_cayley_maps() {
     check(&SL2);
     check(&SE2::default());
     check(&SE3::default());
-    holds(laws::cayley(&SO2, &samples()).unwrap());
-    holds(laws::cayley(&SO3, &samples()).unwrap());
-    holds(laws::cayley(&SU2, &samples()).unwrap());
-    holds(laws::cayley(&SL2, &samples()).unwrap());
-    holds(laws::cayley(&SE3::default(), &samples()).unwrap());
+    check(&SP1);
+    check(&ProductGroup(SP1, SE3::default()));
+    check(&PowerGroup::<_, 3>(SU2));
+    fn check_cayley<G: Cayley>(group: &G) {
+        holds(laws::cayley(group, &samples()).unwrap());
+    }
+    check_cayley(&RealSpace::<3>);
+    check_cayley(&SO2);
+    check_cayley(&SO3);
+    check_cayley(&SU2);
+    check_cayley(&SP1);
+    check_cayley(&SL2);
+    check_cayley(&SE2::default());
+    check_cayley(&SE3::default());
+    check_cayley(&ProductGroup(SP1, SE2::default()));
+    check_cayley(&PowerGroup::<_, 3>(SU2));
 }
 
 /// so(3) with the sign of ad* turned round.
@@ -172,6 +217,20 @@ fn a_wrong_sign_of_the_bracket_is_rejected() {
     holds(laws::lie_algebra(&WrongSign, &samples()).unwrap());
 }
 
+/// The Cayley map with a quadratic term that is wrong by a factor of 2.
+impl Cayley for WrongSign {
+    fn cayley<T: Real>(&self, xi: &Vector3<T>) -> Self::Element<T> {
+        let hat = So3.hat(xi);
+        SO3.cayley(xi) + hat * hat * T::from_f64(0.5)
+    }
+}
+
+#[test]
+fn a_cayley_map_of_first_order_is_rejected() {
+    let report = laws::cayley(&WrongSign, &samples()).unwrap();
+    assert!(report.residual("cay agrees with exp to second order").unwrap() > 0.1);
+}
+
 /// An antisymmetric bracket on R⁵ that is not Lie.
 #[derive(Clone)]
 struct NotLie;
@@ -196,13 +255,34 @@ fn an_antisymmetric_bracket_that_is_not_lie_is_rejected() {
     let report = laws::lie_algebra(&NotLie, &samples()).unwrap();
     assert!(report.residual("antisymmetry").unwrap() < TOLERANCE);
     assert!(report.residual("Jacobi").unwrap() > 1.0);
+    // Fewer than three vectors cannot break the identity, but the basis does.
+    for count in [1, 2] {
+        let report = laws::lie_algebra(&NotLie, &samples()[..count]).unwrap();
+        assert!(report.residual("Jacobi").unwrap() > 1.0);
+    }
     let space = LiePoisson::minus(NotLie);
     let report = laws::poisson_space(&space, &samples()).unwrap();
     assert!(report.residual("Jacobi").unwrap() > 1e-2);
-    assert!(matches!(
-        StructureConstants::<5>::new(not_lie),
-        Err(StructureError::Jacobi { residual, .. }) if residual > 1.0
-    ));
+    // Whatever the size: products of the constants overflow for one, underflow for another.
+    for size in [1.0, 1e160, 1e307, 1e-170, 1e-320] {
+        assert!(matches!(
+            StructureConstants::<5>::new(|i, j, k| size * not_lie(i, j, k)),
+            Err(StructureError::Jacobi { residual, .. }) if residual > 1.0
+        ));
+        let rotations = |i: usize, j: usize, k: usize| {
+            size * So3.bracket::<f64>(&Vector3::basis(i), &Vector3::basis(j))[k]
+        };
+        assert!(StructureConstants::<3>::new(rotations).is_ok());
+    }
+}
+
+#[test]
+fn many_structure_constants_stay_off_the_stack() {
+    // 200³ numbers are 64 MB, more than any stack of a thread.
+    let abelian = StructureConstants::<200>::new(|_, _, _| 0.0).unwrap();
+    assert_eq!(abelian.constant(0, 200, 0), 0.0);
+    let zero = SVector::<f64, 200>::zeros();
+    assert_eq!(abelian.bracket(&zero, &zero), zero);
 }
 
 /// Rotations of the plane by twice the angle: its derivative is claimed to be the plain one.

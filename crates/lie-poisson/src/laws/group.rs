@@ -11,6 +11,14 @@ fn along<G: LieGroup>(xi: &AlgebraElement<G>) -> Dual<G> {
     map_coordinates(xi, |x| DualNumber { value: 0.0, derivative: x })
 }
 
+/// sξ at s = 0 + ε + ε′, of which εε′ gives second derivatives.
+fn along_twice<G: LieGroup>(xi: &AlgebraElement<G>) -> AlgebraElement<G, DualNumber<DualNumber>> {
+    map_coordinates(xi, |x| DualNumber {
+        value: DualNumber { value: 0.0, derivative: x },
+        derivative: DualNumber::constant(x),
+    })
+}
+
 /// The laws of a Lie group on samples of its algebra, from which elements are made by exp:
 ///
 /// * `identity`, `inverse`, `associativity`;
@@ -110,7 +118,7 @@ pub fn logarithm<G: Logarithm>(
     Ok(report)
 }
 
-/// `cay agrees with exp to first order` and `cay(−ξ) is the inverse`, on samples of the algebra.
+/// `cay agrees with exp to second order` and `cay(−ξ) is the inverse`, on samples of the algebra.
 ///
 /// # Errors
 /// If there are no samples.
@@ -118,11 +126,12 @@ pub fn cayley<G: Cayley>(group: &G, samples: &[AlgebraElement<G>]) -> Result<Rep
     let mut report = Report::default();
     for xi in regimes("algebra elements", samples)? {
         let (cay, exp) = (
-            group.cayley::<DualNumber>(&along::<G>(&xi)),
-            group.exp::<DualNumber>(&along::<G>(&xi)),
+            group.cayley::<DualNumber<DualNumber>>(&along_twice::<G>(&xi)),
+            group.exp::<DualNumber<DualNumber>>(&along_twice::<G>(&xi)),
         );
-        let law = "cay agrees with exp to first order";
-        report.note(law, (cay - exp).max_abs(), xi.max_abs().max(1.0));
+        let law = "cay agrees with exp to second order";
+        let size = xi.max_abs().max(1.0);
+        report.note(law, (cay - exp).max_abs(), size * size);
         let (there, back) = (group.cayley::<f64>(&xi), group.cayley::<f64>(&-xi));
         let product = group.compose::<f64>(&there, &back) - group.identity::<f64>();
         report.note("cay(−ξ) is the inverse", product.max_abs(), there.max_abs() * back.max_abs());

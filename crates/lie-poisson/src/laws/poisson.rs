@@ -44,7 +44,7 @@ pub fn poisson_space<P: PoissonSpace>(
     Ok(report)
 }
 
-/// `Casimir`, ad∗_{dc(μ)} μ = 0, for every Casimir on samples of momenta.
+/// `Casimir`, `ad∗_{dc(μ)} μ = 0`, for every Casimir on samples of momenta.
 ///
 /// # Errors
 /// If there are no samples.
