@@ -127,15 +127,32 @@ Configuration: every key may be left out, and has then the value below.
   vertical = [0.5, 0.0, 0.8660254037844386]     # Γ(0), body frame; a unit vector
 
   [integrator]
-  formulation = \"collective\"         # collective: on T*C²; direct: on the top's six equations
-  scheme = \"implicit-midpoint\"       # or gauss-4, gauss-6, gauss-8, gauss-10, gauss-12, gauss-16
-                                     # (the number is the order), explicit-midpoint, rk4
+  formulation = \"collective\"         # or reduced, direct, splitting; see below
+  scheme = \"implicit-midpoint\"       # see below
   step = 0.02                        # s
   end = 100.0                        # s; a whole number of steps
   tolerance = 0.0                    # of the stage equations; 0 iterates to the round-off floor
 
   [output]
   every = 1                          # keep every n-th step; the last step is always kept
+
+Formulations:
+  collective   on T*C², read through M: T*C² → se(3)*
+  reduced      the same maps without a lift, on se(3)* itself
+  direct       on the six equations of the top: not Poisson, whatever the scheme
+  splitting    exact flows of the free top and of its weight, explicit and Poisson; of the free top
+               as three rotors unless I1 = I2
+
+Schemes; the number is the order:
+  implicit-midpoint, gauss-4, gauss-6, gauss-8, gauss-10, gauss-12, gauss-16
+                                        collective, reduced, direct
+  explicit-midpoint, rk4                collective, direct
+  symplectic-euler, stormer-verlet, lobatto-iiia-iiib-4
+                                        collective, with a warning: they do not descend to se(3)*
+  strang, yoshida-4, suzuki-4, yoshida-6, kahan-li-6, kahan-li-8
+                                        all: compositions of Strang's splitting under splitting, of
+                                        the implicit midpoint rule elsewhere, where strang is that
+                                        rule itself
 
 Examples:
   heavytop simulate --out kovalevskaya.csv        # the paper's top

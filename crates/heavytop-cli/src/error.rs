@@ -1,6 +1,7 @@
 //! What can go wrong, and the exit codes.
 
-use collective_integrators::IntegrationError;
+use crate::method::{Formulation, Scheme};
+use collective_integrators::{IntegrationError, SchemeError};
 use heavytop::TopError;
 use momentum_map::LiftError;
 use std::io;
@@ -39,6 +40,24 @@ pub enum Error {
     /// The initial state has no lift.
     #[error("[initial] {0}")]
     Lift(#[from] LiftError),
+    /// The formulation does not have the scheme.
+    #[error(
+        "{} has no scheme {}; it has {}", formulation.name(), scheme.name(), scheme_names(*formulation)
+    )]
+    NoSuchPair {
+        /// The formulation.
+        formulation: Formulation,
+        /// The scheme.
+        scheme: Scheme,
+    },
+    /// The scheme could not be made.
+    #[error("{scheme}: {source}")]
+    Scheme {
+        /// Its name.
+        scheme: &'static str,
+        /// Why.
+        source: SchemeError,
+    },
     /// A number is out of its range.
     #[error("{name} must be {range}, got {value}")]
     OutOfRange {
@@ -130,6 +149,10 @@ impl Error {
             _ => 2,
         }
     }
+}
+
+fn scheme_names(formulation: Formulation) -> String {
+    formulation.schemes().map(Scheme::name).collect::<Vec<_>>().join(", ")
 }
 
 fn format_advice(path: &std::path::Path) -> String {

@@ -6,7 +6,8 @@
 //! | object | module |
 //! |---|---|
 //! | what can go wrong, and the exit codes | [`error`] |
-//! | formulations and schemes by name | [`method`] |
+//! | formulations and schemes by name, and which go together | [`method`] |
+//! | the integrator of a formulation and a scheme | [`integrators`] |
 //! | the number of steps of a run | [`schedule`] |
 //! | the configuration file | [`config`] |
 //! | a run, sample by sample | [`run`] |
@@ -22,6 +23,7 @@
 
 pub mod error;
 pub mod method;
+pub mod integrators;
 pub mod schedule;
 pub mod config;
 pub mod run;

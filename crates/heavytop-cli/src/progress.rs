@@ -22,9 +22,10 @@ impl Progress {
     /// A bar for a run, which `quiet` hides for good.
     #[must_use]
     pub fn new(experiment: &Experiment, quiet: bool) -> Self {
+        let method = &experiment.method;
         let steps = Some(experiment.schedule.steps);
         let bar = ProgressBar::with_draw_target(steps, ProgressDrawTarget::hidden());
-        bar.set_message(format!("{}, {}", experiment.formulation.name(), experiment.scheme.name()));
+        bar.set_message(format!("{}, {}", method.formulation().name(), method.scheme().name()));
         let template = "{msg} {wide_bar} {percent:>3} %  {pos}/{len} steps  {eta} left";
         if let Ok(style) = ProgressStyle::with_template(template) {
             bar.set_style(style.progress_chars("━╸─"));

@@ -66,7 +66,8 @@ fn run(
         .iter()
         .map(|experiment| {
             let mut record = Record::new(experiment);
-            let (formulation, scheme) = (experiment.formulation.name(), experiment.scheme.name());
+            let method = &experiment.method;
+            let (formulation, scheme) = (method.formulation().name(), method.scheme().name());
             let progress = Progress::new(experiment, quiet);
             experiment.run(|step, time, mu| {
                 progress.at(step);
