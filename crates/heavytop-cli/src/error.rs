@@ -125,6 +125,17 @@ pub enum Error {
         /// The step, the time and the reason.
         source: IntegrationError,
     },
+    /// Two reference solutions differ.
+    #[error(
+        "the reference solution is certain to {uncertainty:.1e} of its size only, not to {most:e}: \
+         lower [integrator] step, or the end"
+    )]
+    Reference {
+        /// How far they are from each other, relative to their size.
+        uncertainty: f64,
+        /// How far they may be.
+        most: f64,
+    },
     /// A figure could not be drawn.
     #[error("cannot draw the figure: {0}")]
     Figure(String),
@@ -143,9 +154,11 @@ impl Error {
     #[must_use]
     pub fn exit_code(&self) -> u8 {
         match self {
-            Self::Write { .. } | Self::Integration { .. } | Self::Figure(_) | Self::Kept { .. } => {
-                1
-            }
+            Self::Reference { .. }
+            | Self::Write { .. }
+            | Self::Integration { .. }
+            | Self::Figure(_)
+            | Self::Kept { .. } => 1,
             _ => 2,
         }
     }

@@ -13,9 +13,12 @@
 //! | a run, sample by sample | [`run`] |
 //! | files that appear when they are complete | [`output`] |
 //! | rows of numbers | [`table`] |
+//! | text to outlines, and SVG to PNG | `render` |
 //! | the progress bar | [`progress`] |
 //! | `heavytop simulate` | [`simulate`] |
 //! | `heavytop reproduce` | [`reproduce`] |
+//! | `heavytop compare` | [`compare`] |
+//! | what `--help` says | `help` |
 //! | the command line | [`cli`] |
 //!
 //! The names of commands, keys, columns and files and the exit codes are a contract with the
@@ -29,9 +32,12 @@ pub mod config;
 pub mod run;
 pub mod output;
 pub mod table;
+mod render;
 pub mod progress;
 pub mod simulate;
 pub mod reproduce;
+pub mod compare;
+mod help;
 pub mod cli;
 
 pub use cli::main;

@@ -146,9 +146,13 @@ fn a_full_disk_is_reported() {
 #[test]
 fn help_and_version_are_there() {
     let folder = Folder::new();
-    for arguments in
-        [&["--help"][..], &["--version"], &["reproduce", "--help"], &["simulate", "--help"]]
-    {
+    for arguments in [
+        &["--help"][..],
+        &["--version"],
+        &["reproduce", "--help"],
+        &["simulate", "--help"],
+        &["compare", "--help"],
+    ] {
         let run = folder.heavytop(arguments);
         assert_eq!((run.code(), run.stderr()), (0, String::new()), "{arguments:?}");
         assert!(!run.stdout().is_empty());
