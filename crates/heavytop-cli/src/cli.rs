@@ -1,6 +1,11 @@
 //! The command line.
 
 use crate::Error;
+use crate::compare::compare;
+use crate::help::{
+    COMPARE, COMPARE_EXAMPLES, EXIT_CODES, REPRODUCE, REPRODUCE_EXAMPLES, SIMULATE,
+    SIMULATE_EXAMPLES,
+};
 use crate::reproduce::reproduce;
 use crate::simulate::simulate;
 use clap::{Parser, Subcommand};
@@ -52,6 +57,15 @@ enum Command {
         #[arg(long, value_name = "FILE")]
         out: PathBuf,
     },
+    /// Measure work against precision, for every formulation and scheme.
+    #[command(long_about = COMPARE, after_long_help = COMPARE_EXAMPLES)]
+    Compare {
+        /// The configuration, in TOML, as of simulate. Without it the paper's Kovalevskaya top is run.
+        config: Option<PathBuf>,
+        /// The folder for the figure and the table; made if it is not there.
+        #[arg(long, value_name = "DIR")]
+        out: PathBuf,
+    },
 }
 
 /// Runs the program with the arguments of the process.
@@ -61,6 +75,7 @@ pub fn main() -> ExitCode {
     let done = match command {
         Command::Reproduce { out, end, step } => reproduce(&out, step, end, quiet),
         Command::Simulate { config, out } => simulate(config.as_deref(), &out, quiet),
+        Command::Compare { config, out } => compare(config.as_deref(), &out, quiet),
     };
     match done {
         Ok(()) => ExitCode::SUCCESS,
@@ -74,70 +89,3 @@ fn report(error: &Error) -> ExitCode {
     let _ = writeln!(std::io::stderr(), "heavytop: {error}");
     error.exit_code().into()
 }
-
-const EXIT_CODES: &str = "\
-Exit codes:
-  0  done
-  1  the run failed: a stage equation did not converge, a state is not finite, or the disk is full;
-     what was computed until then is kept as FILE.partial
-  2  the request is wrong; nothing was written
-
-Files appear under their name only when they are complete.";
-
-const REPRODUCE: &str = "\
-Reproduce the paper's figures: Kovalevskaya's top with four integrators.
-
-The top has m = g = l = I3 = 1, I1 = I2 = 2 and its centre of mass along e1 (SI units throughout);
-Π(0) = (2, 3, 4) and Γ(0) = (1/2, 0, √3/2). It is followed by the implicit and by the explicit
-midpoint rule, each applied collectively, on T*C², and directly, to the six equations of the top.
-
-Written into the folder, the figures each as .svg and .png:
-  fig1a fig1b fig1c fig1d  h, f1, f2 and K: explicit midpoint collectively (blue) and directly
-                           (green), implicit midpoint collectively (red)
-  fig2a fig2b              h and K: implicit midpoint directly (gray) and collectively (red)
-  trajectories.csv         all states: formulation,scheme,t,Pi1,...,Gamma3,h,f1,f2,K
-  summary.csv              the largest deviation of h, f1, f2 and K from the initial value over all
-                           steps; also printed";
-
-const REPRODUCE_EXAMPLES: &str = "\
-Examples:
-  heavytop reproduce                              # the paper's Figures 1 and 2, in ./figures
-  heavytop reproduce --out half --step 0.01       # half the step
-  heavytop reproduce --out long --end 1000        # ten times as long";
-
-const SIMULATE: &str = "\
-Simulate a top and write its states and invariants.
-
-Columns: t (s), Pi1,Pi2,Pi3 (kg m²/s, body frame), Gamma1,Gamma2,Gamma3 (the upward vertical, body
-frame), h (J), f1 = |Γ|², f2 = Π·Γ (kg m²/s), then K ((kg m²/s)⁴) for a Kovalevskaya top, G
-((kg m²/s)³) for a Goryachev–Chaplygin top. Row 0 is the initial state. Each number reads back as
-the same 64-bit number.";
-
-const SIMULATE_EXAMPLES: &str = "\
-Configuration: every key may be left out, and has then the value below.
-  [body]
-  inertia = [2.0, 2.0, 1.0]          # principal moments, kg m²
-  mass = 1.0                         # kg
-  gravity = 1.0                      # m/s²; 0 gives the free rigid body
-  length = 1.0                       # m, support to centre of mass
-  center_of_mass = [1.0, 0.0, 0.0]   # direction in the body frame; a unit vector
-
-  [initial]
-  angular_momentum = [2.0, 3.0, 4.0]            # Π(0), kg m²/s, body frame
-  vertical = [0.5, 0.0, 0.8660254037844386]     # Γ(0), body frame; a unit vector
-
-  [integrator]
-  formulation = \"collective\"         # collective: on T*C²; direct: on the top's six equations
-  scheme = \"implicit-midpoint\"       # or gauss-4, gauss-6, gauss-8, gauss-10, gauss-12, gauss-16
-                                     # (the number is the order), explicit-midpoint, rk4
-  step = 0.02                        # s
-  end = 100.0                        # s; a whole number of steps
-  tolerance = 0.0                    # of the stage equations; 0 iterates to the round-off floor
-
-  [output]
-  every = 1                          # keep every n-th step; the last step is always kept
-
-Examples:
-  heavytop simulate --out kovalevskaya.csv        # the paper's top
-  heavytop simulate top.toml --out top.csv
-  heavytop simulate top.toml --out /dev/stdout | gzip > top.csv.gz";

@@ -1,6 +1,7 @@
 //! The configuration file.
 
 use crate::Error;
+use crate::integrators::Method;
 use crate::method::{Formulation, Scheme};
 use crate::run::Experiment;
 use crate::schedule::Schedule;
@@ -153,21 +154,16 @@ impl Config {
         if let Some(&value) = initial.angular_momentum.iter().find(|x| !x.is_finite()) {
             return Err(Error::OutOfRange { name: "angular_momentum", range: "finite", value });
         }
-        let tolerance = integrator.tolerance;
-        if !(tolerance >= 0.0 && tolerance.is_finite()) {
-            let range = "finite and not negative";
-            return Err(Error::OutOfRange { name: "tolerance", range, value: tolerance });
-        }
+        let IntegratorConfig { formulation, scheme, step, end, tolerance } = *integrator;
+        let method = Method::new(formulation, scheme, tolerance)?;
         if output.every == 0 {
             return Err(Error::OutOfRange { name: "every", range: "at least 1", value: 0.0 });
         }
         Ok(Experiment {
             top,
             start: Se3Dual::new(initial.angular_momentum.into(), vertical),
-            formulation: integrator.formulation,
-            scheme: integrator.scheme,
-            tolerance,
-            schedule: Schedule::new(integrator.step, integrator.end)?,
+            method,
+            schedule: Schedule::new(step, end)?,
             every: output.every,
         })
     }

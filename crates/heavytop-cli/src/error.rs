@@ -1,6 +1,7 @@
 //! What can go wrong, and the exit codes.
 
-use collective_integrators::IntegrationError;
+use crate::method::{Formulation, Scheme};
+use collective_integrators::{IntegrationError, SchemeError};
 use heavytop::TopError;
 use momentum_map::LiftError;
 use std::io;
@@ -39,6 +40,24 @@ pub enum Error {
     /// The initial state has no lift.
     #[error("[initial] {0}")]
     Lift(#[from] LiftError),
+    /// The formulation does not have the scheme.
+    #[error(
+        "{} has no scheme {}; it has {}", formulation.name(), scheme.name(), scheme_names(*formulation)
+    )]
+    NoSuchPair {
+        /// The formulation.
+        formulation: Formulation,
+        /// The scheme.
+        scheme: Scheme,
+    },
+    /// The scheme could not be made.
+    #[error("{scheme}: {source}")]
+    Scheme {
+        /// Its name.
+        scheme: &'static str,
+        /// Why.
+        source: SchemeError,
+    },
     /// A number is out of its range.
     #[error("{name} must be {range}, got {value}")]
     OutOfRange {
@@ -106,6 +125,17 @@ pub enum Error {
         /// The step, the time and the reason.
         source: IntegrationError,
     },
+    /// Two reference solutions differ.
+    #[error(
+        "the reference solution is certain to {uncertainty:.1e} of its size only, not to {most:e}: \
+         lower [integrator] step, or the end"
+    )]
+    Reference {
+        /// How far they are from each other, relative to their size.
+        uncertainty: f64,
+        /// How far they may be.
+        most: f64,
+    },
     /// A figure could not be drawn.
     #[error("cannot draw the figure: {0}")]
     Figure(String),
@@ -124,12 +154,18 @@ impl Error {
     #[must_use]
     pub fn exit_code(&self) -> u8 {
         match self {
-            Self::Write { .. } | Self::Integration { .. } | Self::Figure(_) | Self::Kept { .. } => {
-                1
-            }
+            Self::Reference { .. }
+            | Self::Write { .. }
+            | Self::Integration { .. }
+            | Self::Figure(_)
+            | Self::Kept { .. } => 1,
             _ => 2,
         }
     }
+}
+
+fn scheme_names(formulation: Formulation) -> String {
+    formulation.schemes().map(Scheme::name).collect::<Vec<_>>().join(", ")
 }
 
 fn format_advice(path: &std::path::Path) -> String {

@@ -6,15 +6,19 @@
 //! | object | module |
 //! |---|---|
 //! | what can go wrong, and the exit codes | [`error`] |
-//! | formulations and schemes by name | [`method`] |
+//! | formulations and schemes by name, and which go together | [`method`] |
+//! | the integrator of a formulation and a scheme | [`integrators`] |
 //! | the number of steps of a run | [`schedule`] |
 //! | the configuration file | [`config`] |
 //! | a run, sample by sample | [`run`] |
 //! | files that appear when they are complete | [`output`] |
 //! | rows of numbers | [`table`] |
+//! | text to outlines, and SVG to PNG | `render` |
 //! | the progress bar | [`progress`] |
 //! | `heavytop simulate` | [`simulate`] |
 //! | `heavytop reproduce` | [`reproduce`] |
+//! | `heavytop compare` | [`compare`] |
+//! | what `--help` says | `help` |
 //! | the command line | [`cli`] |
 //!
 //! The names of commands, keys, columns and files and the exit codes are a contract with the
@@ -22,14 +26,18 @@
 
 pub mod error;
 pub mod method;
+pub mod integrators;
 pub mod schedule;
 pub mod config;
 pub mod run;
 pub mod output;
 pub mod table;
+mod render;
 pub mod progress;
 pub mod simulate;
 pub mod reproduce;
+pub mod compare;
+mod help;
 pub mod cli;
 
 pub use cli::main;

@@ -1,6 +1,6 @@
-//! Formulations and schemes by name.
+//! Formulations and schemes by name, and which go together.
 
-use collective_integrators::{RungeKutta, StageSolver};
+use collective_integrators::{SchemeError, Substeps};
 use serde::Deserialize;
 
 /// Where a scheme is applied.
@@ -10,8 +10,12 @@ pub enum Formulation {
     /// On T∗C², read through M: T∗C² → se(3)∗.
     #[default]
     Collective,
+    /// The same maps without a lift, on se(3)∗ itself.
+    Reduced,
     /// On the six equations of the heavy top.
     Direct,
+    /// Exact flows of parts of h, on se(3)∗.
+    Splitting,
 }
 
 /// A one-step method.
@@ -27,20 +31,87 @@ pub enum Scheme {
     ExplicitMidpoint,
     /// The classical method of Runge and Kutta.
     Rk4,
+    /// A method that treats q and p differently.
+    Partitioned(Pair),
+    /// A composition of the implicit midpoint rule, or of Strang's splitting.
+    Composed(Raise),
+}
+
+/// The partitioned methods.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Pair {
+    /// Symplectic Euler, implicit in p.
+    SymplecticEuler,
+    /// Störmer–Verlet that moves p first.
+    StormerVerlet,
+    /// Lobatto IIIA–IIIB with 3 stages.
+    Lobatto,
+}
+
+/// The substeps of compositions.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Raise {
+    /// One whole step, order 2.
+    Strang,
+    /// Order 4 with 3 substeps.
+    Yoshida4,
+    /// Order 4 with 5 substeps.
+    Suzuki4,
+    /// Order 6 with 7 substeps.
+    Yoshida6,
+    /// Order 6 with 9 substeps.
+    KahanLi6,
+    /// Order 8 with 17 substeps.
+    KahanLi8,
 }
 
 impl Formulation {
-    const NAMES: &[(&str, Self)] = &[("collective", Self::Collective), ("direct", Self::Direct)];
+    /// All of them, by name.
+    pub const NAMES: &[(&str, Self)] = &[
+        ("collective", Self::Collective),
+        ("reduced", Self::Reduced),
+        ("direct", Self::Direct),
+        ("splitting", Self::Splitting),
+    ];
 
     /// Its name in configurations and tables.
     #[must_use]
     pub fn name(self) -> &'static str {
         name_of(Self::NAMES, self)
     }
+
+    /// Whether the scheme makes sense here.
+    #[must_use]
+    pub fn offers(self, scheme: Scheme) -> bool {
+        let composed = matches!(scheme, Scheme::Composed(_));
+        let symplectic = composed || matches!(scheme, Scheme::ImplicitMidpoint | Scheme::Gauss(_));
+        match self {
+            Self::Collective => true,
+            Self::Reduced => symplectic,
+            Self::Direct => !matches!(scheme, Scheme::Partitioned(_)),
+            Self::Splitting => composed,
+        }
+    }
+
+    /// The schemes that make sense here.
+    pub fn schemes(self) -> impl Iterator<Item = Scheme> {
+        Scheme::NAMES.iter().map(|(_, scheme)| *scheme).filter(move |&scheme| self.offers(scheme))
+    }
+
+    /// Whether the scheme, which is offered here, is a Poisson map of se(3)∗ at every step size.
+    #[must_use]
+    pub fn is_poisson(self, scheme: Scheme) -> bool {
+        match self {
+            Self::Collective | Self::Reduced => Self::Reduced.offers(scheme),
+            Self::Direct => false,
+            Self::Splitting => true,
+        }
+    }
 }
 
 impl Scheme {
-    const NAMES: &[(&str, Self)] = &[
+    /// All of them, by name.
+    pub const NAMES: &[(&str, Self)] = &[
         ("implicit-midpoint", Self::ImplicitMidpoint),
         ("gauss-4", Self::Gauss(2)),
         ("gauss-6", Self::Gauss(3)),
@@ -50,6 +121,15 @@ impl Scheme {
         ("gauss-16", Self::Gauss(8)),
         ("explicit-midpoint", Self::ExplicitMidpoint),
         ("rk4", Self::Rk4),
+        ("symplectic-euler", Self::Partitioned(Pair::SymplecticEuler)),
+        ("stormer-verlet", Self::Partitioned(Pair::StormerVerlet)),
+        ("lobatto-iiia-iiib-4", Self::Partitioned(Pair::Lobatto)),
+        ("strang", Self::Composed(Raise::Strang)),
+        ("yoshida-4", Self::Composed(Raise::Yoshida4)),
+        ("suzuki-4", Self::Composed(Raise::Suzuki4)),
+        ("yoshida-6", Self::Composed(Raise::Yoshida6)),
+        ("kahan-li-6", Self::Composed(Raise::KahanLi6)),
+        ("kahan-li-8", Self::Composed(Raise::KahanLi8)),
     ];
 
     /// Its name in configurations and tables.
@@ -57,20 +137,22 @@ impl Scheme {
     pub fn name(self) -> &'static str {
         name_of(Self::NAMES, self)
     }
+}
 
-    /// The method, with stages solved to `tolerance`; 0 iterates to the round-off floor.
-    #[must_use]
-    pub fn method(self, tolerance: f64) -> RungeKutta {
-        let method = match self {
-            Self::ImplicitMidpoint => RungeKutta::implicit_midpoint(),
-            // `gauss` refuses 0 stages alone, which no name asks for; one stage is the midpoint.
-            Self::Gauss(stages) => {
-                RungeKutta::gauss(stages.into()).unwrap_or_else(|_| RungeKutta::implicit_midpoint())
-            }
-            Self::ExplicitMidpoint => RungeKutta::explicit_midpoint(),
-            Self::Rk4 => RungeKutta::rk4(),
-        };
-        method.with_solver(StageSolver { tolerance, ..StageSolver::default() })
+impl Raise {
+    /// The fractions of a step.
+    ///
+    /// # Errors
+    /// None: all the fractions add up to 1.
+    pub fn substeps(self) -> Result<Substeps, SchemeError> {
+        Ok(match self {
+            Self::Strang => Substeps::new(&[1.0])?,
+            Self::Yoshida4 => Substeps::yoshida4(),
+            Self::Suzuki4 => Substeps::suzuki4(),
+            Self::Yoshida6 => Substeps::yoshida6(),
+            Self::KahanLi6 => Substeps::kahan_li6(),
+            Self::KahanLi8 => Substeps::kahan_li8(),
+        })
     }
 }
 

@@ -22,11 +22,20 @@ impl Progress {
     /// A bar for a run, which `quiet` hides for good.
     #[must_use]
     pub fn new(experiment: &Experiment, quiet: bool) -> Self {
-        let steps = Some(experiment.schedule.steps);
-        let bar = ProgressBar::with_draw_target(steps, ProgressDrawTarget::hidden());
-        bar.set_message(format!("{}, {}", experiment.formulation.name(), experiment.scheme.name()));
-        let template = "{msg} {wide_bar} {percent:>3} %  {pos}/{len} steps  {eta} left";
-        if let Ok(style) = ProgressStyle::with_template(template) {
+        let method = &experiment.method;
+        let progress = Self::of(experiment.schedule.steps, "steps", quiet);
+        let message = format!("{}, {}", method.formulation().name(), method.scheme().name());
+        progress.bar.set_message(message);
+        progress
+    }
+
+    /// A bar for so many items of the kind, which `quiet` hides for good.
+    #[must_use]
+    pub fn of(items: u64, kind: &str, quiet: bool) -> Self {
+        let bar = ProgressBar::with_draw_target(Some(items), ProgressDrawTarget::hidden());
+        let template =
+            format!("{{msg}} {{wide_bar}} {{percent:>3}} %  {{pos}}/{{len}} {kind}  {{eta}} left");
+        if let Ok(style) = ProgressStyle::with_template(&template) {
             bar.set_style(style.progress_chars("━╸─"));
         }
         Self { bar, started: Instant::now(), quiet }
@@ -34,14 +43,26 @@ impl Progress {
 
     /// Reports the number of steps made.
     pub fn at(&self, step: u64) {
-        if self.quiet || !step.is_multiple_of(STRIDE) {
+        if step.is_multiple_of(STRIDE) {
+            self.show(step);
+        }
+    }
+
+    /// Reports the number of items done, and which is next.
+    pub fn now(&self, item: u64, message: String) {
+        self.bar.set_message(message);
+        self.show(item);
+    }
+
+    fn show(&self, position: u64) {
+        if self.quiet {
             return;
         }
         if self.bar.is_hidden() && self.started.elapsed() > PATIENCE {
             // Stays hidden unless stderr is a terminal.
             self.bar.set_draw_target(ProgressDrawTarget::stderr());
         }
-        self.bar.set_position(step);
+        self.bar.set_position(position);
     }
 }
 

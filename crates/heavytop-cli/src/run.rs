@@ -1,11 +1,11 @@
 //! A run, sample by sample.
 
 use crate::Error;
-use crate::method::{Formulation, Scheme};
+use crate::integrators::{Method, Task};
 use crate::schedule::Schedule;
-use collective_integrators::{Collective, Direct, HamiltonianField, Start};
-use heavytop::{HeavyTop, SpinorRealisation};
-use lie_poisson::{LiePoisson, Se3, Se3Dual};
+use collective_integrators::Start;
+use heavytop::HeavyTop;
+use lie_poisson::Se3Dual;
 
 /// A top, its initial state, and how to follow it.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -14,12 +14,8 @@ pub struct Experiment {
     pub top: HeavyTop,
     /// (Π(0), Γ(0))
     pub start: Se3Dual,
-    /// Where the scheme is applied.
-    pub formulation: Formulation,
-    /// The scheme.
-    pub scheme: Scheme,
-    /// For the stage equations; 0 iterates to the round-off floor.
-    pub tolerance: f64,
+    /// The integrator.
+    pub method: Method,
     /// The steps.
     pub schedule: Schedule,
     /// Every n-th step is written, and the last.
@@ -35,17 +31,7 @@ impl Experiment {
     where
         V: FnMut(u64, f64, &Se3Dual) -> Result<(), Error>,
     {
-        let scheme = self.scheme.method(self.tolerance);
-        match self.formulation {
-            Formulation::Collective => {
-                self.follow(&Collective::new(scheme, SpinorRealisation, self.top), visit)
-            }
-            Formulation::Direct => {
-                let space = LiePoisson::minus(Se3::default());
-                let field = HamiltonianField { space, hamiltonian: self.top };
-                self.follow(&Direct::new(scheme, field), visit)
-            }
-        }
+        self.method.integrate(&self.top, Follow { experiment: self, visit })
     }
 
     /// Whether the sample after this step is written.
@@ -53,22 +39,32 @@ impl Experiment {
     pub fn keeps(&self, step: u64) -> bool {
         step.is_multiple_of(self.every) || step == self.schedule.steps
     }
+}
 
-    fn follow<I, V>(&self, integrator: &I, mut visit: V) -> Result<(), Error>
-    where
-        I: Start<Momentum = Se3Dual>,
-        V: FnMut(u64, f64, &Se3Dual) -> Result<(), Error>,
-    {
-        for sample in integrator.trajectory(&self.start, self.schedule.step)? {
+/// The task of following an experiment.
+struct Follow<'a, V> {
+    experiment: &'a Experiment,
+    visit: V,
+}
+
+impl<V> Task for Follow<'_, V>
+where
+    V: FnMut(u64, f64, &Se3Dual) -> Result<(), Error>,
+{
+    type Output = ();
+
+    fn perform<I: Start<Momentum = Se3Dual>>(mut self, integrator: &I) -> Result<(), Error> {
+        let Experiment { start, method, schedule, .. } = self.experiment;
+        for sample in integrator.trajectory(start, schedule.step)? {
             let sample = sample.map_err(|source| Error::Integration {
-                formulation: self.formulation.name(),
-                scheme: self.scheme.name(),
+                formulation: method.formulation().name(),
+                scheme: method.scheme().name(),
                 source,
             })?;
             // M of the lift of the start is the start up to rounding; say what was asked for.
-            let mu = if sample.step == 0 { &self.start } else { &sample.momentum };
-            visit(sample.step, sample.time, mu)?;
-            if sample.step >= self.schedule.steps {
+            let mu = if sample.step == 0 { start } else { &sample.momentum };
+            (self.visit)(sample.step, sample.time, mu)?;
+            if sample.step >= schedule.steps {
                 break;
             }
         }

@@ -6,6 +6,7 @@ use crate::output::Output;
 use crate::progress::Progress;
 use crate::run::Experiment;
 use crate::table;
+use std::io::Write;
 use std::path::Path;
 
 /// Runs the configuration, or the paper's Kovalevskaya top if there is none, and writes `out`.
@@ -17,6 +18,10 @@ pub fn simulate(config: Option<&Path>, out: &Path, quiet: bool) -> Result<(), Er
     let experiment = config.map_or_else(|| Ok(Config::default()), Config::read)?.experiment()?;
     require_csv(out)?;
     let mut output = Output::create(out)?;
+    if let Some(warning) = experiment.method.warning() {
+        // Where stderr is closed nobody can be warned.
+        let _ = writeln!(std::io::stderr(), "heavytop: {warning}");
+    }
     let outcome = write(&experiment, &mut output, quiet);
     output.conclude(outcome)
 }

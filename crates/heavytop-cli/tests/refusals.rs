@@ -19,7 +19,11 @@ const WRONG: &[(&str, &str)] = &[
     ),
     (
         "integrator.formulation = 'x'",
-        "line 1, column 26: unknown formulation `x`; there are collective, direct",
+        "line 1, column 26: unknown formulation `x`; there are collective, reduced, direct, splitting",
+    ),
+    (
+        "integrator.formulation = 'splitting'",
+        "splitting has no scheme implicit-midpoint; it has strang, yoshida-4, suzuki-4, yoshida-6, kahan-li-6, kahan-li-8",
     ),
     ("initial.vertical = [0.5, 0.0, 0.8]", "[initial] vertical must be a unit vector"),
     ("initial.vertical = [nan, 0.0, 1.0]", "[initial] vertical must be a unit vector"),
@@ -142,9 +146,13 @@ fn a_full_disk_is_reported() {
 #[test]
 fn help_and_version_are_there() {
     let folder = Folder::new();
-    for arguments in
-        [&["--help"][..], &["--version"], &["reproduce", "--help"], &["simulate", "--help"]]
-    {
+    for arguments in [
+        &["--help"][..],
+        &["--version"],
+        &["reproduce", "--help"],
+        &["simulate", "--help"],
+        &["compare", "--help"],
+    ] {
         let run = folder.heavytop(arguments);
         assert_eq!((run.code(), run.stderr()), (0, String::new()), "{arguments:?}");
         assert!(!run.stdout().is_empty());

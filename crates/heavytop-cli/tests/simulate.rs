@@ -28,7 +28,7 @@ fn an_empty_configuration_is_the_same_as_none_and_as_the_one_in_the_help() {
     let folder = Folder::new();
     let help = folder.heavytop(&["simulate", "--help"]).stdout();
     let (_, configuration) = help.split_once("value below.\n").unwrap();
-    folder.write("full.toml", configuration.split_once("Examples:").unwrap().0);
+    folder.write("full.toml", configuration.split_once("Formulations:").unwrap().0);
     folder.write("empty.toml", "");
     folder.write("part.toml", "body.mass = 1\n[output]\n");
     assert_eq!(folder.heavytop(&["simulate", "--out", "none.csv"]).code(), 0);

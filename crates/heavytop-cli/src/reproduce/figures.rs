@@ -1,6 +1,7 @@
 //! Which curves are in which figure.
 
 use super::record::{QUANTITIES, Record};
+use crate::integrators::Method;
 use crate::method::{Formulation, Scheme};
 use heavytop::Invariant;
 use plotters::style::RGBColor;
@@ -76,9 +77,8 @@ pub(super) fn all(records: &[Record]) -> Vec<Figure<'_>> {
 fn curve<'a>(records: &'a [Record], quantity: Invariant, line: &Line) -> Option<Curve<'a>> {
     let &(formulation, scheme, colour) = line;
     let column = QUANTITIES.iter().position(|&q| q == quantity)?;
-    let of_line =
-        |r: &&Record| r.experiment.formulation == formulation && r.experiment.scheme == scheme;
-    let points = &records.iter().find(of_line)?.curves[column];
+    let of_line = |m: &Method| m.formulation() == formulation && m.scheme() == scheme;
+    let points = &records.iter().find(|r| of_line(&r.experiment.method))?.curves[column];
     let name = format!("{}, {}", scheme.name().replace('-', " "), formulation.name());
     Some(Curve { name, colour, points })
 }

@@ -4,7 +4,6 @@ mod axis;
 mod figures;
 mod plot;
 mod record;
-mod render;
 mod summary;
 
 use crate::Error;
@@ -12,6 +11,7 @@ use crate::config::Config;
 use crate::method::{Formulation, Scheme};
 use crate::output::Output;
 use crate::progress::Progress;
+use crate::render;
 use crate::run::Experiment;
 use crate::table::{STATE_COLUMNS, write_row};
 use record::{QUANTITIES, Record};
@@ -25,6 +25,9 @@ const METHODS: [(Formulation, Scheme); 4] = [
     (Formulation::Direct, Scheme::ExplicitMidpoint),
     (Formulation::Direct, Scheme::ImplicitMidpoint),
 ];
+
+/// Pixels per CSS pixel: 576 dots per inch at the figures' own size.
+const SCALE: f32 = 6.0;
 
 /// Runs the paper's top with the four integrators, writes figures and tables into the folder
 /// `out`, and prints the summary.
@@ -46,7 +49,7 @@ pub fn reproduce(out: &Path, step: f64, end: f64, quiet: bool) -> Result<(), Err
     let outcome = run(&experiments, &mut trajectories, quiet);
     let records = trajectories.conclude(outcome)?;
     for figure in figures::all(&records) {
-        let (svg, png) = render::render(&plot::plot(&figure)?)?;
+        let (svg, png) = render::render(&plot::plot(&figure)?, SCALE)?;
         Output::whole(&out.join(figure.name).with_extension("svg"), svg.as_bytes())?;
         Output::whole(&out.join(figure.name).with_extension("png"), &png)?;
     }
@@ -66,7 +69,8 @@ fn run(
         .iter()
         .map(|experiment| {
             let mut record = Record::new(experiment);
-            let (formulation, scheme) = (experiment.formulation.name(), experiment.scheme.name());
+            let method = &experiment.method;
+            let (formulation, scheme) = (method.formulation().name(), method.scheme().name());
             let progress = Progress::new(experiment, quiet);
             experiment.run(|step, time, mu| {
                 progress.at(step);

@@ -2,8 +2,8 @@
 
 use super::axis::Axis;
 use super::figures::Figure;
-use super::render::FONT;
 use crate::Error;
+use crate::render::FONT;
 use plotters::prelude::*;
 use std::fmt::Write;
 

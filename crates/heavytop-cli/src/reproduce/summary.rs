@@ -14,7 +14,7 @@ pub(super) fn csv(records: &[Record]) -> String {
     text.push('\n');
     for record in records {
         let run = &record.experiment;
-        let (formulation, scheme) = (run.formulation.name(), run.scheme.name());
+        let (formulation, scheme) = (run.method.formulation().name(), run.method.scheme().name());
         let (step, end) = (run.schedule.step, run.schedule.end());
         text += &format!("{formulation},{scheme},{step:?},{end:?}");
         for deviation in record.deviations {
@@ -44,7 +44,7 @@ fn write(records: &[Record], out: &Path, to: &mut impl Write) -> io::Result<()> 
     writeln!(to)?;
     for record in records {
         let run = &record.experiment;
-        let (formulation, scheme) = (run.formulation.name(), run.scheme.name());
+        let (formulation, scheme) = (run.method.formulation().name(), run.method.scheme().name());
         let (step, end) = (run.schedule.step, run.schedule.end());
         write!(to, "{formulation:<12}{scheme:<19}{step:>8} {end:>9}")?;
         for deviation in record.deviations {

@@ -6,13 +6,10 @@ use resvg::usvg::{Options, Tree, WriteOptions, fontdb::Database};
 use std::sync::Arc;
 
 /// The font family of all text; the program brings it along.
-pub(super) const FONT: &str = "DejaVu Sans";
+pub(crate) const FONT: &str = "DejaVu Sans";
 
-/// Pixels per CSS pixel: 576 dots per inch at the figure's own size.
-const SCALE: f32 = 6.0;
-
-/// The drawing with its text as outlines, and the same as PNG.
-pub(super) fn render(drawing: &str) -> Result<(String, Vec<u8>), Error> {
+/// The drawing with its text as outlines, and the same as PNG with `scale` pixels per CSS pixel.
+pub(crate) fn render(drawing: &str, scale: f32) -> Result<(String, Vec<u8>), Error> {
     let mut fonts = Database::new();
     fonts.load_font_data(dejavu::sans::regular().to_vec());
     fonts.load_font_data(dejavu::sans::oblique().to_vec());
@@ -22,10 +19,10 @@ pub(super) fn render(drawing: &str) -> Result<(String, Vec<u8>), Error> {
     let writing = WriteOptions { coordinates_precision: 2, ..WriteOptions::default() };
     let svg = tree.to_string(&writing);
 
-    let size = tree.size().to_int_size().scale_by(SCALE).ok_or_else(|| failed("no size"))?;
+    let size = tree.size().to_int_size().scale_by(scale).ok_or_else(|| failed("no size"))?;
     let mut pixels =
         Pixmap::new(size.width(), size.height()).ok_or_else(|| failed("too many pixels"))?;
-    resvg::render(&tree, Transform::from_scale(SCALE, SCALE), &mut pixels.as_mut());
+    resvg::render(&tree, Transform::from_scale(scale, scale), &mut pixels.as_mut());
     let png = pixels.encode_png().map_err(failed)?;
     Ok((svg, png))
 }

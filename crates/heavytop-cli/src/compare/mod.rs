@@ -1,0 +1,128 @@
+//! `heavytop compare`: work against precision, for every formulation and scheme.
+
+mod axes;
+mod chart;
+mod measure;
+mod report;
+mod style;
+
+use crate::Error;
+use crate::config::Config;
+use crate::integrators::Method;
+use crate::method::{Formulation, Raise, Scheme};
+use crate::output::Output;
+use crate::progress::Progress;
+use crate::render;
+use crate::run::Experiment;
+use measure::{Measure, Measurement, Reference};
+use std::path::Path;
+
+/// The interval is this many of the configured steps, unless the run ends earlier: later errors of
+/// a chaotic top say more of it than of the integrators.
+const INTERVAL: u64 = 500;
+
+/// The ladder has this many rungs for each factor of ten in the step,
+const RUNGS: i32 = 4;
+
+/// so many above the configured step, for high orders are at their best with long steps,
+const ABOVE: i32 = 7;
+
+/// and so many below.
+const BELOW: i32 = 4;
+
+/// All is timed so often: what disturbs a machine for a while disturbs one pass only.
+const PASSES: u32 = 3;
+
+/// Pixels per CSS pixel: 168 dots per inch.
+const SCALE: f32 = 1.75;
+
+/// Measures every formulation and scheme on the top of the configuration, or on the paper's; writes
+/// `work-precision.csv`, `.svg` and `.png` into the folder `out`, and prints recommendations.
+///
+/// # Errors
+/// If the request is wrong, in which case nothing is written; or the reference solution is not
+/// certain.
+pub fn compare(config: Option<&Path>, out: &Path, quiet: bool) -> Result<(), Error> {
+    let config = config.map_or_else(|| Ok(Config::default()), Config::read)?;
+    let experiment = config.experiment()?;
+    let methods = methods(config.integrator.tolerance)?;
+    std::fs::create_dir_all(out).map_err(|source| Error::Create { path: out.into(), source })?;
+
+    let steps = experiment.schedule.steps.min(INTERVAL);
+    let reference = Reference::new(&experiment, steps)?;
+    let ladder = ladder(steps);
+    let grid: Vec<(Method, u64)> =
+        methods.iter().flat_map(|&method| ladder.iter().map(move |&n| (method, n))).collect();
+    let progress = Progress::of(u64::from(PASSES) * grid.len() as u64, "runs", quiet);
+    let (mut measurements, mut done) = (Vec::<Measurement>::with_capacity(grid.len()), 0);
+    for pass in 0..PASSES {
+        for (i, &(method, steps)) in grid.iter().enumerate() {
+            progress.now(done, label(&method));
+            let measurement = measure(&experiment, method, steps, &reference)?;
+            done += 1;
+            if pass == 0 {
+                measurements.push(measurement);
+            } else {
+                measurements[i].outcome.refine(&measurement.outcome);
+            }
+        }
+    }
+    drop(progress);
+
+    let file = |ending| out.join("work-precision").with_extension(ending);
+    Output::whole(&file("csv"), report::csv(&measurements).as_bytes())?;
+    let chart = chart::chart(&measurements, experiment.schedule.step, reference.end);
+    let (svg, png) = render::render(&chart, SCALE)?;
+    Output::whole(&file("svg"), svg.as_bytes())?;
+    Output::whole(&file("png"), &png)?;
+    report::print(&measurements, &reference, out)
+}
+
+/// Every formulation with every scheme that makes sense in it, save those that are there already:
+/// `strang` of the midpoint rule is the midpoint rule.
+fn methods(tolerance: f64) -> Result<Vec<Method>, Error> {
+    let mut methods = Vec::new();
+    for &(_, formulation) in Formulation::NAMES {
+        for scheme in formulation.schemes() {
+            let again = scheme == Scheme::Composed(Raise::Strang);
+            if !again || formulation == Formulation::Splitting {
+                methods.push(Method::new(formulation, scheme, tolerance)?);
+            }
+        }
+    }
+    Ok(methods)
+}
+
+/// Numbers of steps, from a fiftieth to ten times as many as `steps`.
+fn ladder(steps: u64) -> Vec<u64> {
+    let rung = |k: i32| steps as f64 * 10_f64.powf(f64::from(k) / f64::from(RUNGS));
+    let mut ladder: Vec<u64> = (-ABOVE..=BELOW).map(|k| rung(k).round().max(1.0) as u64).collect();
+    ladder.dedup();
+    ladder
+}
+
+fn measure(
+    experiment: &Experiment,
+    method: Method,
+    steps: u64,
+    reference: &Reference,
+) -> Result<Measurement, Error> {
+    let task = Measure { top: &experiment.top, start: &experiment.start, steps, reference };
+    let outcome = method.integrate(&experiment.top, task)?;
+    Ok(Measurement { method, step: reference.end / steps as f64, end: reference.end, outcome })
+}
+
+fn label(method: &Method) -> String {
+    format!("{}, {}", method.formulation().name(), method.scheme().name())
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn the_ladder_goes_through_the_configured_step() {
+        assert_eq!(ladder(500), [9, 16, 28, 50, 89, 158, 281, 500, 889, 1581, 2812, 5000]);
+        assert_eq!(ladder(1), [1, 2, 3, 6, 10]);
+    }
+}

@@ -1,0 +1,111 @@
+//! What `--help` says at length.
+
+pub(crate) const EXIT_CODES: &str = "\
+Exit codes:
+  0  done
+  1  the run failed: a stage equation did not converge, a state is not finite, or the disk is full;
+     what was computed until then is kept as FILE.partial
+  2  the request is wrong; nothing was written
+
+Files appear under their name only when they are complete.";
+
+pub(crate) const REPRODUCE: &str = "\
+Reproduce the paper's figures: Kovalevskaya's top with four integrators.
+
+The top has m = g = l = I3 = 1, I1 = I2 = 2 and its centre of mass along e1 (SI units throughout);
+Π(0) = (2, 3, 4) and Γ(0) = (1/2, 0, √3/2). It is followed by the implicit and by the explicit
+midpoint rule, each applied collectively, on T*C², and directly, to the six equations of the top.
+
+Written into the folder, the figures each as .svg and .png:
+  fig1a fig1b fig1c fig1d  h, f1, f2 and K: explicit midpoint collectively (blue) and directly
+                           (green), implicit midpoint collectively (red)
+  fig2a fig2b              h and K: implicit midpoint directly (gray) and collectively (red)
+  trajectories.csv         all states: formulation,scheme,t,Pi1,...,Gamma3,h,f1,f2,K
+  summary.csv              the largest deviation of h, f1, f2 and K from the initial value over all
+                           steps; also printed";
+
+pub(crate) const REPRODUCE_EXAMPLES: &str = "\
+Examples:
+  heavytop reproduce                              # the paper's Figures 1 and 2, in ./figures
+  heavytop reproduce --out half --step 0.01       # half the step
+  heavytop reproduce --out long --end 1000        # ten times as long";
+
+pub(crate) const SIMULATE: &str = "\
+Simulate a top and write its states and invariants.
+
+Columns: t (s), Pi1,Pi2,Pi3 (kg m²/s, body frame), Gamma1,Gamma2,Gamma3 (the upward vertical, body
+frame), h (J), f1 = |Γ|², f2 = Π·Γ (kg m²/s), then K ((kg m²/s)⁴) for a Kovalevskaya top, G
+((kg m²/s)³) for a Goryachev–Chaplygin top. Row 0 is the initial state. Each number reads back as
+the same 64-bit number.";
+
+pub(crate) const SIMULATE_EXAMPLES: &str = "\
+Configuration: every key may be left out, and has then the value below.
+  [body]
+  inertia = [2.0, 2.0, 1.0]          # principal moments, kg m²
+  mass = 1.0                         # kg
+  gravity = 1.0                      # m/s²; 0 gives the free rigid body
+  length = 1.0                       # m, support to centre of mass
+  center_of_mass = [1.0, 0.0, 0.0]   # direction in the body frame; a unit vector
+
+  [initial]
+  angular_momentum = [2.0, 3.0, 4.0]            # Π(0), kg m²/s, body frame
+  vertical = [0.5, 0.0, 0.8660254037844386]     # Γ(0), body frame; a unit vector
+
+  [integrator]
+  formulation = \"collective\"         # or reduced, direct, splitting; see below
+  scheme = \"implicit-midpoint\"       # see below
+  step = 0.02                        # s
+  end = 100.0                        # s; a whole number of steps
+  tolerance = 0.0                    # of the stage equations; 0 iterates to the round-off floor
+
+  [output]
+  every = 1                          # keep every n-th step; the last step is always kept
+
+Formulations:
+  collective   on T*C², read through M: T*C² → se(3)*
+  reduced      the same maps without a lift, on se(3)* itself
+  direct       on the six equations of the top: not Poisson, whatever the scheme
+  splitting    exact flows of the free top and of its weight, explicit and Poisson; of the free top
+               as three rotors unless I1 = I2
+
+Schemes; the number is the order:
+  implicit-midpoint, gauss-4, gauss-6, gauss-8, gauss-10, gauss-12, gauss-16
+                                        collective, reduced, direct
+  explicit-midpoint, rk4                collective, direct
+  symplectic-euler, stormer-verlet, lobatto-iiia-iiib-4
+                                        collective, with a warning: they do not descend to se(3)*
+  strang, yoshida-4, suzuki-4, yoshida-6, kahan-li-6, kahan-li-8
+                                        all: compositions of Strang's splitting under splitting, of
+                                        the implicit midpoint rule elsewhere, where strang is that
+                                        rule itself
+
+Examples:
+  heavytop simulate --out kovalevskaya.csv        # the paper's top
+  heavytop simulate top.toml --out top.csv
+  heavytop simulate top.toml --out /dev/stdout | gzip > top.csv.gz";
+
+pub(crate) const COMPARE: &str = "\
+Measure work against precision, for every formulation and scheme.
+
+The top of the configuration is followed by each of them with twelve steps, from fifty times the
+configured one to a tenth of it. The interval is 500 configured steps, or ends with the run if that
+is earlier: over longer times errors of a chaotic top say more of it than of the integrators.
+formulation, scheme and output of the configuration play no part; tolerance does.
+
+The error is the 2-norm of that of (Π, Γ) at the end, against a Gauss method of order 16 without a
+lift at half the configured step; if that with the whole step differs by more than 1e-11 of its
+size, the command fails. The time is the wall-clock time for one simulated second, (Π, Γ) read after
+each step, the best of at least three repetitions; it is of your machine, so let it rest meanwhile.
+
+Written into the folder:
+  work-precision.svg .png  error against time, a panel for each formulation
+  work-precision.csv       formulation,scheme,step,end,error,seconds,h,f1,f2, the last three the
+                           largest deviations; NaN where a step had no result
+Printed: for some accuracies the fastest method that reaches them, and the fastest Poisson one.
+
+Of the midpoint rule strang is the rule itself, and is listed as implicit-midpoint.";
+
+pub(crate) const COMPARE_EXAMPLES: &str = "\
+Examples:
+  heavytop compare --out comparison               # the paper's top
+  heavytop compare top.toml --out comparison";
