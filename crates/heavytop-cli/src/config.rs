@@ -159,12 +159,28 @@ impl Config {
         if output.every == 0 {
             return Err(Error::OutOfRange { name: "every", range: "at least 1", value: 0.0 });
         }
+        let start = Se3Dual::new(initial.angular_momentum.into(), vertical);
+        require_sane_step(&top, &start, step)?;
         Ok(Experiment {
             top,
-            start: Se3Dual::new(initial.angular_momentum.into(), vertical),
+            start,
             method,
             schedule: Schedule::new(step, end)?,
             every: output.every,
         })
+    }
+}
+
+/// The most that a body may turn in one step, rad: sixteen times around.
+const MOST_TURN: f64 = 100.0;
+
+/// Checks that h (|Ω(0)| + √(m g l/I)), I the least moment, is an angle that a step may have.
+fn require_sane_step(top: &HeavyTop, start: &Se3Dual, step: f64) -> Result<(), Error> {
+    let spin = top.angular_velocity(&start.0.0).norm();
+    let angle = step * (spin + (top.weight_moment() / top.inertia().min()).sqrt());
+    if angle <= MOST_TURN || step <= 0.0 || step.is_nan() {
+        Ok(())
+    } else {
+        Err(Error::AbsurdStep { step, angle, most: MOST_TURN })
     }
 }

@@ -68,6 +68,18 @@ pub enum Error {
         /// Its value.
         value: f64,
     },
+    /// The body turns too far in one step for any method to mean anything.
+    #[error(
+        "a step of {step} s turns the body by about {angle:.3e} rad; it must be at most {most}"
+    )]
+    AbsurdStep {
+        /// The step, s.
+        step: f64,
+        /// The angle, rad.
+        angle: f64,
+        /// The most that is allowed, rad.
+        most: f64,
+    },
     /// The run has more steps than a lifetime has.
     #[error(
         "the run would take {steps:e} steps, more than {most:e}: raise the step or lower the end"
