@@ -177,7 +177,7 @@ fn main() -> Outcome {
     audit.row(["splitting, symmetric top", "Strang"], 2, &symmetric, None)?;
     for (name, substeps) in compositions() {
         let order = substeps.order_over(2, true);
-        let integrator = Composition::new(symmetric.clone(), substeps);
+        let integrator = Composition::new(symmetric, substeps);
         audit.row(["splitting, symmetric top", name], order, &integrator, None)?;
     }
     Ok(())
