@@ -172,3 +172,25 @@ fn lift_free_gauss_methods_are_poisson_and_rk4_is_not() {
     let rk4 = LiftFree::new(RungeKutta::rk4(), DualQuaternions, generic_top());
     assert!(poisson_defect(&rk4, 0.5) > 1e-4);
 }
+
+/// The largest |χ| over a run of the collective midpoint rule, with and without the gauge.
+#[test]
+fn the_gauge_keeps_chi_bounded_and_the_momentum_as_it_is() {
+    let top = HeavyTop::lagrange(2.0, 1.0, 1.0).unwrap();
+    // Upright, γ·Γ = m g l for ever: Re(ψ*χ) grows by 2 per unit of time.
+    let start = Se3Dual::new(Vector3::new(0.01, 0.0, 6.0), Vector3::z());
+    let scheme = RungeKutta::implicit_midpoint();
+    let gauged = Collective::new(scheme.clone(), SpinorRealisation, top);
+    let free = Collective::that_does_not_descend(scheme, SpinorRealisation, top);
+    let run = |integrator: &Collective<RungeKutta, SpinorRealisation, HeavyTop>| {
+        let samples = integrator.trajectory(&start, 0.05).unwrap().take(5001);
+        samples.map(Result::unwrap).fold((0.0, start), |(size, _), sample| {
+            (lie_poisson::larger(size, sample.state.q.norm()), sample.momentum)
+        })
+    };
+    let ((bounded, a), (growing, b)) = (run(&gauged), run(&free));
+    assert!(bounded < 13.0, "{bounded}");
+    assert!(growing > 400.0, "{growing}");
+    // The long χ has cost the other run digits.
+    assert!((a - b).max_abs() < 1e-9, "{:e}", (a - b).max_abs());
+}

@@ -13,7 +13,8 @@ impl Tableau {
     /// a_ij = b_j Σ_{k<s} (2k+1) P_k(x_j) ∫₀^{c_i} P_k(2τ−1) dτ
     /// ```
     ///
-    /// All of it is computed with 106 bits and rounded once.
+    /// All of it is computed with 106 bits and rounded once; what is rounded away is kept as
+    /// [low parts](Self::with_low_parts).
     ///
     /// Source: Hairer & Wanner, *Solving Ordinary Differential Equations II*, §IV.5.
     ///
@@ -27,11 +28,17 @@ impl Tableau {
             let term = |k: usize| values[j][k] * integral(k, nodes[i], &values[i]);
             weights[j] * (0..stages).map(term).fold(TwoFloat::from(0.0), |sum, x| sum + x)
         };
-        let a: Vec<f64> =
-            (0..stages * stages).map(|n| f64::from(entry(n / stages, n % stages))).collect();
-        let b: Vec<f64> = weights.into_iter().map(f64::from).collect();
-        Self::new(&a, &b)
+        let entries = (0..stages * stages).map(|n| entry(n / stages, n % stages));
+        let (a, a_low): (Vec<f64>, Vec<f64>) = entries.map(split).unzip();
+        let (b, b_low): (Vec<f64>, Vec<f64>) = weights.iter().copied().map(split).unzip();
+        Ok(Self::new(&a, &b)?.with_low_parts(&a_low, &b_low))
     }
+}
+
+/// A number to 53 bits, and what is left of it.
+fn split(x: TwoFloat) -> (f64, f64) {
+    let high = f64::from(x);
+    (high, f64::from(x - high))
 }
 
 /// P_0(x), …, P_n(x) by the three-term recurrence.
@@ -83,6 +90,7 @@ fn integral(k: usize, x: TwoFloat, values: &[TwoFloat]) -> TwoFloat {
 }
 
 #[cfg(test)]
+#[allow(clippy::unwrap_used)]
 mod tests {
     use super::*;
 
@@ -111,6 +119,18 @@ mod tests {
             ])
         );
         assert_eq!(Tableau::gauss(3).map(|t| t.weights()[0]), Ok(5.0 / 18.0));
+    }
+
+    #[test]
+    fn low_parts_restore_symplecticity_beyond_a_double() {
+        let square = |x: (f64, f64)| TwoFloat::from(x.0) + x.1;
+        let gauss = Tableau::gauss(6).unwrap();
+        let a = |i: usize, j: usize| square((gauss.row(i)[j], gauss.row_low(i)[j]));
+        let b = |i: usize| square((gauss.weights()[i], gauss.weights_low()[i]));
+        for (i, j) in (0..36).map(|n| (n / 6, n % 6)) {
+            let defect = b(i) * a(i, j) + b(j) * a(j, i) - b(i) * b(j);
+            assert!(f64::from(defect).abs() < 1e-30, "{i} {j} {:e}", f64::from(defect));
+        }
     }
 
     #[test]

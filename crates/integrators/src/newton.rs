@@ -38,7 +38,7 @@ pub(crate) fn newton_step<T: Real, F: VectorField<T>>(
     space.residual.clear();
     let mut unexplained = 0.0;
     for (i, row) in tableau.rows().enumerate() {
-        let point = stage_point(z, step, row, k);
+        let point = stage_point(z, step, row, tableau.row_low(i), k);
         let value = field.at(&point);
         let residual = k[i] - value;
         space.residual.extend((0..dimension).map(|d| residual.coordinate(d)));

@@ -166,17 +166,20 @@ impl Scheme for RungeKutta {
         k.resize(self.tableau.stages(), F::Point::zero());
         let iterations = if self.tableau.is_explicit() {
             for (i, row) in self.tableau.rows().enumerate() {
-                k[i] = field.at(&stage_point(z, step, &row[..i], k));
+                k[i] = field.at(&stage_point(z, step, &row[..i], &[], k));
             }
             0
         } else {
-            let derivative =
-                |i: usize, k: &[F::Point]| field.at(&stage_point(z, step, self.tableau.row(i), k));
+            let derivative = |i: usize, k: &[F::Point]| {
+                let (row, low) = (self.tableau.row(i), self.tableau.row_low(i));
+                field.at(&stage_point(z, step, row, low, k))
+            };
             self.solver.solve_by_newton(field.at(z), step, k, derivative, |k| {
                 newton_step(field, z, step, &self.tableau, k, newton)
             })?
         };
-        let point = stage_point(z, step, self.tableau.weights(), k);
+        let (weights, low) = (self.tableau.weights(), self.tableau.weights_low());
+        let point = stage_point(z, step, weights, low, k);
         if point.is_finite() { Ok(Step { point, iterations }) } else { Err(StepError::NotFinite) }
     }
 

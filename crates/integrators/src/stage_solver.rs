@@ -161,12 +161,19 @@ fn sweep<V: Vector>(k: &mut [V], derivative: &impl Fn(usize, &[V]) -> V) -> (f64
     (change, size)
 }
 
-/// z + h Σ_j a_j k_j, the small sum first.
+/// z + h Σ_j (a_j + low_j) k_j, the small sums first; `low` may be empty.
 #[inline]
-pub(crate) fn stage_point<V: Vector>(z: &V, step: f64, row: &[f64], k: &[V]) -> V {
+pub(crate) fn stage_point<V: Vector>(z: &V, step: f64, row: &[f64], low: &[f64], k: &[V]) -> V {
     let mut sum = V::zero();
     for (&a, k) in row.iter().zip(k) {
         sum.add_scaled(V::Scalar::from_f64(a), k);
+    }
+    if !low.is_empty() {
+        let mut small = V::zero();
+        for (&a, k) in low.iter().zip(k) {
+            small.add_scaled(V::Scalar::from_f64(a), k);
+        }
+        sum += small;
     }
     *z + sum.scaled(V::Scalar::from_f64(step))
 }
