@@ -10,7 +10,7 @@ use nalgebra::Vector3;
 /// quaternion A with R v = A v Ā:
 ///
 /// ```text
-/// Aₙ₊₁ = Aₙ Q̄ₙ,    Γₙ = Rₙᵀ e₃
+/// Aₙ₊₁ = Aₙ conj(Qₙ),    Γₙ = Rₙᵀ e₃
 /// ```
 ///
 /// where Qₙ is the [multiplier](LiftFree::multiplier) of the step, which turns Γₙ to Γₙ₊₁. The

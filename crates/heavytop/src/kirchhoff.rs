@@ -10,7 +10,7 @@ use nalgebra::{Matrix3, Vector3};
 ///
 /// ```text
 /// h(Π, P) = ½ Π·AΠ + Π·BP + ½ P·CP,    dh = (AΠ + BP, BᵀΠ + CP)
-/// Π̇ = Π × Ω + P × v,    Ṗ = P × Ω,    (Ω, v) = dh
+/// dΠ/dt = Π × Ω + P × v,    dP/dt = P × Ω,    (Ω, v) = dh
 /// ```
 ///
 /// The Casimirs are |P|² and Π·P. A heavy underwater vehicle, a torpedo or a falling card without

@@ -9,7 +9,7 @@ use nalgebra::Vector3;
 /// f₁ = |Γ|² and E′ = h − Π₃²/2I₃ it obeys
 ///
 /// ```text
-/// u̇² = [2I₁(E′ − Wu)(f₁ − u²) − (b − Π₃u)²]/I₁² = (2W/I₁)(u − u₁)(u − u₂)(u − u₃)
+/// (du/dt)² = [2I₁(E′ − Wu)(f₁ − u²) − (b − Π₃u)²]/I₁² = (2W/I₁)(u − u₁)(u − u₂)(u − u₃)
 /// Γ₃ = u₁ + (u₂ − u₁) sn²(νt + δ | m),  ν² = W(u₃ − u₁)/2I₁,  m = (u₂ − u₁)/(u₃ − u₁)
 /// ```
 ///

@@ -18,7 +18,7 @@ pub type Spins<const N: usize, T = f64> = Momentum<PowerAlgebra<So3, N>, T>;
 /// N point vortices of strengths k_i at x_i on the unit sphere,
 ///
 /// ```text
-/// ẋ_i = (1/4π) Σ_{j≠i} k_j (x_j × x_i)/(1 − x_i·x_j)
+/// dx_i/dt = (1/4π) Σ_{j≠i} k_j (x_j × x_i)/(1 − x_i·x_j)
 /// ```
 ///
 /// as a Lie–Poisson system on (so(3)∗)ᴺ with the minus bracket, in terms of m_i = k_i x_i:

@@ -16,14 +16,14 @@ pub type SpinorPoint<T = f64> = Cotangent<Vector2<Complex<T>>>;
 /// The Poisson map M = ϖ ∘ L from T∗C² to se(3)∗ with the minus bracket, in closed form:
 ///
 /// ```text
-/// Π = ½ ( −Im(χ₁ψ̄₂ + χ₂ψ̄₁), Re(χ₂ψ̄₁ − χ₁ψ̄₂), Im(χ₂ψ̄₂ − χ₁ψ̄₁) )
-/// Γ = ( 2 Re ψ̄₁ψ₂, 2 Im ψ̄₁ψ₂, |ψ₁|² − |ψ₂|² )
+/// Π = ½ ( −Im(χ₁ψ₂* + χ₂ψ₁*), Re(χ₂ψ₁* − χ₁ψ₂*), Im(χ₂ψ₂* − χ₁ψ₁*) )
+/// Γ = ( 2 Re ψ₁*ψ₂, 2 Im ψ₁*ψ₂, |ψ₁|² − |ψ₂|² )
 /// ```
 ///
 /// Its generator for (Ω, γ) = dh(Π, Γ) gives collective dynamics without a Jacobian:
 ///
 /// ```text
-/// χ̇ = (i/2)(Ω·σ) χ + 2 (γ·σ) ψ,    ψ̇ = (i/2)(Ω·σ) ψ
+/// dχ/dt = (i/2)(Ω·σ) χ + 2 (γ·σ) ψ,    dψ/dt = (i/2)(Ω·σ) ψ
 /// ```
 ///
 /// The fibre through (χ, ψ), ψ ≠ 0, is {(e^{iθ}(χ + bψ), e^{iθ}ψ)}: the orbit of two one-parameter

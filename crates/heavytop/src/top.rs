@@ -36,7 +36,7 @@ pub struct Body {
 /// seen from the body. Its equations on se(3)∗ with the minus bracket are
 ///
 /// ```text
-/// Π̇ = Π × Ω + m g l Γ × c,    Γ̇ = Γ × Ω
+/// dΠ/dt = Π × Ω + m g l Γ × c,    dΓ/dt = Γ × Ω
 /// ```
 ///
 /// Source: Ohsawa 2019, eqs. (1.1) and (1.3).

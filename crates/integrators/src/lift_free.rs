@@ -10,7 +10,7 @@ use momentum_map::{LiftError, Multiplier, Multipliers};
 /// The collective integrator of a linear collective system, on 𝔤∗ itself: the scheme solves
 ///
 /// ```text
-/// Q̇ = dh(transport(Q, μ₀)) Q,    Q(0) = 1
+/// dQ/dt = dh(transport(Q, μ₀)) Q,    Q(0) = 1
 /// ```
 ///
 /// for the [multiplier](Multipliers) Q over one step, and μ₁ is μ₀ moved by Q₁.

@@ -11,8 +11,8 @@ use lie_poisson::{Real, Vector};
 /// A partitioned Runge–Kutta method: one tableau for q, another for p,
 ///
 /// ```text
-/// Q_i = q + h Σ_j a_ij q̇_j,    P_i = p + h Σ_j â_ij ṗ_j,    (q̇_j, ṗ_j) = X(Q_j, P_j)
-/// q₁ = q + h Σ_j b_j q̇_j,      p₁ = p + h Σ_j b̂_j ṗ_j
+/// Q_i = q + h Σ_j a_ij dq_j/dt,    P_i = p + h Σ_j â_ij dp_j/dt,    (dq_j/dt, dp_j/dt) = X(Q_j, P_j)
+/// q₁ = q + h Σ_j b_j dq_j/dt,      p₁ = p + h Σ_j b̂_j dp_j/dt
 /// ```
 ///
 /// for any field X, separable or not. The stages are solved together, by the iteration of

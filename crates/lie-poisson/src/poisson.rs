@@ -6,7 +6,7 @@ use nalgebra::DMatrix;
 /// A vector space P with a Poisson bracket, given by its Poisson tensor Λ(z): T∗P → TP:
 ///
 /// ```text
-/// {f, h}(z) = ⟨df(z), Λ(z) dh(z)⟩,    X_h(z) = Λ(z) dh(z),    ḟ = {f, h}
+/// {f, h}(z) = ⟨df(z), Λ(z) dh(z)⟩,    X_h(z) = Λ(z) dh(z),    df/dt = {f, h}
 /// ```
 ///
 /// Source: Marsden & Ratiu, *Introduction to Mechanics and Symmetry*, 2nd ed., §10.4.

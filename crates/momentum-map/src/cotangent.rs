@@ -89,7 +89,7 @@ impl<Q: Vector> SubAssign for Cotangent<Q> {
 ///
 /// ```text
 /// Θ = p dq,   Ω = −dΘ = dq ∧ dp,   {F, H} = ∂F/∂q·∂H/∂p − ∂F/∂p·∂H/∂q,
-/// q̇ = ∂H/∂p,  ṗ = −∂H/∂q
+/// dq/dt = ∂H/∂p,  dp/dt = −∂H/∂q
 /// ```
 ///
 /// Source: Ohsawa 2019, §2.1, eqs. (2.2) and (4.4).

@@ -15,7 +15,7 @@ use num_complex::Complex;
 /// Collective dynamics ż = ξ(J(z)) z, ξ = dh, keeps the form z = Q z₀, where Q obeys
 ///
 /// ```text
-/// Q̇ = ξ(J(Qz₀)) Q,    Q(0) = 1,    J(Qz₀) = transport(Q, J(z₀))
+/// dQ/dt = ξ(J(Qz₀)) Q,    Q(0) = 1,    J(Qz₀) = transport(Q, J(z₀))
 /// ```
 ///
 /// which mentions z₀ only through μ₀ = J(z₀). A Runge–Kutta method commutes with the linear map
@@ -72,7 +72,7 @@ pub type Multiplier<M, T = f64> = <M as Multipliers>::Multiplier<T>;
 /// Quaternions, for so(3)∗ with the minus bracket and the Hopf map:
 ///
 /// ```text
-/// Q̇ = −½ Ω Q,    Π = Q Π₀ Q̄
+/// dQ/dt = −½ Ω Q,    Π = Q Π₀ conj(Q)
 /// ```
 ///
 /// Unit quaternions turn Π₀; the body's attitude is Rₙ₊₁ = Rₙ R_Qᵀ.
@@ -127,8 +127,8 @@ fn imaginary<T: Real>(v: &Vector3<T>, s: f64) -> Quaternion<T> {
 /// (Ω, γ) = dh,
 ///
 /// ```text
-/// Q̇ = −½ Ω Q,    Ṅ = −½ Ω N − 2γ Q,    N Q̄ = x₀ + x
-/// Γ = Q Γ₀ Q̄,    Π = Q Π₀ Q̄ + (x × Γ + x₀ Γ)/(2|Q|²)
+/// dQ/dt = −½ Ω Q,    dN/dt = −½ Ω N − 2γ Q,    N conj(Q) = x₀ + x
+/// Γ = Q Γ₀ conj(Q),    Π = Q Π₀ conj(Q) + (x × Γ + x₀ Γ)/(2|Q|²)
 /// ```
 ///
 /// where χ = Qχ₀ − iNψ₀ and ψ = Qψ₀ (quaternions act on C² by u ↦ −i u·σ). |Q|² = 1 and x₀ = 0 are
@@ -184,7 +184,7 @@ impl Multipliers for DualQuaternions {
 /// a momentum,
 ///
 /// ```text
-/// Q̇ = −ξ Q,    H = Q H₀ Q*
+/// dQ/dt = −ξ Q,    H = Q H₀ Q*
 /// ```
 ///
 /// for H₀ of any rank: with Gauss methods an isospectral integrator.

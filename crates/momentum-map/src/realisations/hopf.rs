@@ -11,8 +11,8 @@ use num_complex::Complex;
 /// The momentum map of SU(2) on C² = {z = q + ip} with dq ∧ dp, as a map to so(3)∗ ≅ su(2)∗:
 ///
 /// ```text
-/// J(z) = ∓¼ (2 Re z̄₁z₂, 2 Im z̄₁z₂, |z₁|² − |z₂|²),    |J(z)| = ¼ ‖z‖²
-/// ż = ±(i/2)(Ω·σ) z    for Ω = dh(Π)
+/// J(z) = ∓¼ (2 Re z₁*z₂, 2 Im z₁*z₂, |z₁|² − |z₂|²),    |J(z)| = ¼ ‖z‖²
+/// dz/dt = ±(i/2)(Ω·σ) z    for Ω = dh(Π)
 /// ```
 ///
 /// Upper signs for the right action z ↦ U∗z, to the minus bracket ([`HOPF`]); lower signs for the

@@ -12,7 +12,7 @@ use num_complex::Complex;
 /// a momentum ([`UnitaryAlgebra::hermitian`]),
 ///
 /// ```text
-/// J(z): H = ±½ z z*,    ż = −ξz (right action, upper sign, minus bracket) or ξz (left)
+/// J(z): H = ±½ z z*,    dz/dt = −ξz (right action, upper sign, minus bracket) or ξz (left)
 /// ```
 ///
 /// Its image is the matrices of rank one: coherent states of SU(N), the spins of generalised spin
