@@ -41,9 +41,8 @@ impl Side {
     /// # Panics
     /// If they are not; as the side of an action is a constant, this stops the compiler, never a
     /// running program.
-    #[must_use]
     #[allow(clippy::panic)]
-    pub const fn same_as(self, other: Self) -> Self {
+    pub(crate) const fn same_as(self, other: Self) -> Self {
         match (self, other) {
             (Self::Left, Self::Left) | (Self::Right, Self::Right) => self,
             _ => panic!("the two actions are on different sides"),
