@@ -61,8 +61,15 @@ impl Audit {
         let casimirs = |mu: &Se3Dual| [mu.0.1.dot(&mu.0.1), mu.0.0.dot(&mu.0.1)];
         let (first, mut worst, mut energies) = (casimirs(&start), [0.0; 2], Vec::new());
         let run = Start::<f64>::trajectory(integrator, &start, 0.02)?;
+        let mut ended = String::new();
         for sample in run.take(self.steps + 1) {
-            let Ok(sample) = sample else { break };
+            let sample = match sample {
+                Ok(sample) => sample,
+                Err(error) => {
+                    ended = format!(" (fails at step {})", error.step);
+                    break;
+                }
+            };
             let now = casimirs(&sample.momentum);
             worst = [0, 1].map(|k| larger(worst[k], (now[k] - first[k]).abs()));
             if sample.step % 100 == 0 {
@@ -72,7 +79,7 @@ impl Audit {
         let drift = Drift::of(energies)?;
         let descent = descent.map_or("—".into(), |defect| format!("{defect:.1e}"));
         println!(
-            "| {formulation} | {scheme} | {claimed} | {} | {poisson:.1e} | {:.1e}, {:.1e} | {:.1e} | {:.1e} | {descent} |",
+            "| {formulation} | {scheme}{ended} | {claimed} | {} | {poisson:.1e} | {:.1e}, {:.1e} | {:.1e} | {:.1e} | {descent} |",
             self.order(integrator)?,
             worst[0],
             worst[1],

@@ -43,15 +43,20 @@ fn large_steps_keep_what_the_method_promises_or_fail() {
         for h in [0.2, 0.5, 1.0, 2.0, 10.0, 1e3, 1e6, 1e12, 1e30, 1e150, 1e300] {
             let lifted = step(&Collective::new(scheme.clone(), SpinorRealisation, top()), h);
             let free = step(&LiftFree::new(scheme.clone(), DualQuaternions, top()), h);
+            // The lift-free form keeps the Casimirs whatever its stages are: they must be right
+            // too. Beyond a turn or two the equations have several solutions.
+            if h <= 1.0 {
+                let ((a, _), (b, _)) = (lifted.clone().unwrap(), free.clone().unwrap());
+                assert!((a - b).max_abs() < 1e-12, "{h}: {:e}", (a - b).max_abs());
+            }
             for outcome in [lifted, free] {
                 match outcome {
                     Ok((mu, _)) => {
                         solved += 1;
                         let [g1, g2] = casimirs(&mu);
-                        // The stages carry a round-off that grows with h.
-                        let tolerance = 1e-12 * (1.0 + h);
-                        assert!((g1 - f1).abs() < tolerance, "{h}: {g1}");
-                        assert!((g2 - f2).abs() < tolerance, "{h}: {g2}");
+                        // A few roundings of f₂ = 4.5, whatever the step.
+                        assert!((g1 - f1).abs() < 2e-14, "{h}: {g1}");
+                        assert!((g2 - f2).abs() < 2e-14, "{h}: {g2}");
                     }
                     Err(StepError::NotConverged { residual, required, .. }) => {
                         assert!(residual.is_nan() || residual >= required, "{residual} {required}");
@@ -61,7 +66,7 @@ fn large_steps_keep_what_the_method_promises_or_fail() {
             }
         }
     }
-    assert!(solved >= 20, "only {solved} steps were solved");
+    assert_eq!(solved, 36, "those up to 10³, of 66");
 }
 
 #[test]
