@@ -46,7 +46,7 @@ fn large_steps_keep_what_the_method_promises_or_fail() {
             // The lift-free form keeps the Casimirs whatever its stages are: they must be right
             // too. Beyond a turn or two the equations have several solutions.
             if h <= 1.0 {
-                let ((a, _), (b, _)) = (lifted.clone().unwrap(), free.clone().unwrap());
+                let ((a, _), (b, _)) = (lifted.unwrap(), free.unwrap());
                 assert!((a - b).max_abs() < 1e-12, "{h}: {:e}", (a - b).max_abs());
             }
             for outcome in [lifted, free] {
