@@ -90,6 +90,8 @@ impl Num for Rational {
 }
 
 impl Real for Rational {
+    type Mask = bool;
+
     fn from_f64(x: f64) -> Self {
         Self(exact(x))
     }
@@ -112,12 +114,16 @@ impl Real for Rational {
         Self(Ratio::new(1, (1..=i128::from(order)).product()))
     }
 
-    fn select_nonnegative(self, yes: Self, no: Self) -> Self {
-        if self.0.is_negative() { no } else { yes }
+    fn at_most(self, bound: Self) -> bool {
+        self.0 <= bound.0
     }
 
-    fn all_below(self, bound: f64) -> bool {
-        self.max_abs() <= bound
+    fn select(mask: bool, yes: Self, no: Self) -> Self {
+        if mask { yes } else { no }
+    }
+
+    fn magnitude(self) -> Self {
+        Self(self.0.abs())
     }
 
     fn max_abs(self) -> f64 {

@@ -1,4 +1,5 @@
 //! What goes along a trajectory allocates nothing per step.
+#![allow(unsafe_code)] // the allocator that counts
 
 use collective_integrators::{
     Collective, DenseOutput, Direction, Events, LiftFree, LyapunovExponents, RungeKutta, Start,

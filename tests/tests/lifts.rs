@@ -1,7 +1,7 @@
 //! Proposition 2.2 and Theorem 4.1(i): every (Π, Γ) with Γ ≠ 0 has a lift; §5.2: the paper's own.
 
 use heavytop::{SpinorPoint, SpinorRealisation};
-use lie_poisson::{Covector, Lanes, Pair, Se3Dual, Vector, map_coordinates};
+use lie_poisson::{Covector, DefaultLanes, Lanes, Pair, Real, Se3Dual, Vector, map_coordinates};
 use momentum_map::{Cotangent, FibreSymmetry, HOPF, Lift, LiftError, PoissonMap, SourcePoint};
 use nalgebra::{Matrix3, Matrix3x4, Vector2, Vector3, Vector4};
 use num_complex::Complex;
@@ -135,8 +135,8 @@ fn what_has_no_lift_is_an_error() {
     assert!(SpinorRealisation.lift(&down).is_ok());
     assert!(SpinorRealisation.lift_with(&down, 1.0).is_err());
 
-    let lanes = |third: f64| Lanes([1.0, 0.5, third, -1.0]);
-    let zero = Vector3::from_element(Lanes([0.0; 4]));
+    let lanes = |third: f64| DefaultLanes::load(&[1.0, 0.5, third, -1.0]);
+    let zero = Vector3::from_element(DefaultLanes::from_f64(0.0));
     let gamma = |third| Vector3::new(zero.x, zero.x, lanes(third));
     assert!(SpinorRealisation.lift(&Se3Dual::new(zero, gamma(2.0))).is_ok());
     assert!(SpinorRealisation.lift(&Se3Dual::new(zero, gamma(0.0))).is_err());

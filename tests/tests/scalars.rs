@@ -5,8 +5,8 @@ use collective_integrators::{
 };
 use heavytop::{HeavyTop, SpinorPoint, SpinorRealisation};
 use lie_poisson::{
-    DualNumber, Lanes, LiePoisson, Real, Se3, Se3Dual, Vector, derivative_part, map_coordinates,
-    seed,
+    DefaultLanes, DualNumber, Lanes, LiePoisson, Real, Se3, Se3Dual, Vector, derivative_part,
+    map_coordinates, seed,
 };
 use momentum_map::Lift;
 use std::error::Error;
@@ -48,16 +48,17 @@ fn states() -> [Se3Dual; 4] {
 #[test]
 fn lanes_are_four_separate_runs() -> Outcome {
     let top = tops::generic()?;
-    let together =
-        Se3Dual::<Lanes<4>>::from_coordinates(|i| Lanes(states().map(|mu| mu.coordinate(i))));
+    let together = Se3Dual::<DefaultLanes>::from_coordinates(|i| {
+        DefaultLanes::load(&states().map(|mu| mu.coordinate(i)))
+    });
     for scheme in schemes()? {
         let lifted = SpinorRealisation.lift(&together)?;
         let stepped = step(&scheme, top, &lifted, 0.05)?;
         let integrator = Collective::new(scheme.clone(), SpinorRealisation, top);
-        let mut all = Start::<Lanes<4>>::trajectory(&integrator, &together, 0.05)?;
+        let mut all = Start::<DefaultLanes>::trajectory(&integrator, &together, 0.05)?;
         let last = all.nth(20).ok_or("no sample")??.momentum;
         for (lane, mu) in states().iter().enumerate() {
-            let pick = |x: Lanes<4>| x.0[lane];
+            let pick = |x: DefaultLanes| x.lane(lane);
             let z: SpinorPoint = map_coordinates(&lifted, pick);
             // the lift and explicit steps are the same operations, hence the same bits
             assert_eq!(z, SpinorRealisation.lift(mu)?);
@@ -132,14 +133,14 @@ fn derivatives_of_four_steps_at_once() -> Outcome {
         let mut workspace = RungeKutta::implicit_midpoint().workspace();
         Ok(Integrator::<T>::step(direct, mu, 0.05, &mut workspace)?.point)
     }
-    let together = Se3Dual::<DualNumber<Lanes<4>>>::from_coordinates(|i| DualNumber {
-        value: Lanes(states().map(|mu| mu.coordinate(i))),
-        derivative: Lanes([if i == 2 { 1.0 } else { 0.0 }; 4]),
+    let together = Se3Dual::<DualNumber<DefaultLanes>>::from_coordinates(|i| DualNumber {
+        value: DefaultLanes::load(&states().map(|mu| mu.coordinate(i))),
+        derivative: DefaultLanes::from_f64(if i == 2 { 1.0 } else { 0.0 }),
     });
     let stepped = one(&direct, &together)?;
     for (lane, mu) in states().iter().enumerate() {
         let alone: Se3Dual<DualNumber> = one(&direct, &seed(mu, &Se3Dual::basis(2)))?;
-        let pick = |x: DualNumber<Lanes<4>>| x.derivative.0[lane];
+        let pick = |x: DualNumber<DefaultLanes>| x.derivative.lane(lane);
         let derivative: Se3Dual = derivative_part(&alone);
         assert_near(&map_coordinates::<_, Se3Dual>(&stepped, pick), &derivative, ROUND_OFF);
     }

@@ -44,7 +44,7 @@ pub(crate) fn solve<T: Real>(a: &mut [T], b: &mut [T]) -> bool {
 #[cfg(test)]
 mod tests {
     use super::solve;
-    use lie_poisson::Lanes;
+    use lie_poisson::{DefaultLanes, Lanes, Real};
 
     #[test]
     fn equations_are_solved_and_singular_ones_refused() {
@@ -56,7 +56,7 @@ mod tests {
         assert!(b.iter().zip(x).all(|(b, x)| (b - x).abs() < 1e-15));
         assert!(!solve(&mut [1.0, 2.0, 2.0, 4.0], &mut [1.0, 1.0]));
         assert!(!solve(&mut [f64::NAN], &mut [1.0]));
-        let one_lane_singular = [Lanes([1.0, 0.0])];
-        assert!(!solve(&mut one_lane_singular.clone(), &mut [Lanes([1.0, 1.0])]));
+        let mut one_lane_singular = [DefaultLanes::load(&[1.0, 0.0, 1.0, 1.0])];
+        assert!(!solve(&mut one_lane_singular, &mut [DefaultLanes::from_f64(1.0)]));
     }
 }

@@ -9,7 +9,7 @@ use num_traits::{Num, One, Zero};
 /// x + ε x′ with ε² = 0.
 ///
 /// Evaluating a function at `x + ε v` gives f(x) + ε Df(x)·v, exact to round-off. Dual numbers
-/// nest (second derivatives) and sit over [`Lanes`](crate::Lanes).
+/// nest (second derivatives) and sit over [`DefaultLanes`](crate::DefaultLanes).
 ///
 /// Two dual numbers are equal when both parts are.
 ///
@@ -159,6 +159,8 @@ impl<T: Real> Num for DualNumber<T> {
 }
 
 impl<T: Real> Real for DualNumber<T> {
+    type Mask = T::Mask;
+
     fn from_f64(x: f64) -> Self {
         Self::constant(T::from_f64(x))
     }
@@ -188,15 +190,19 @@ impl<T: Real> Real for DualNumber<T> {
         self.chain(x.stumpff(order), slope)
     }
 
-    fn select_nonnegative(self, yes: Self, no: Self) -> Self {
+    fn at_most(self, bound: Self) -> T::Mask {
+        self.value.at_most(bound.value)
+    }
+
+    fn select(mask: T::Mask, yes: Self, no: Self) -> Self {
         Self {
-            value: self.value.select_nonnegative(yes.value, no.value),
-            derivative: self.value.select_nonnegative(yes.derivative, no.derivative),
+            value: T::select(mask, yes.value, no.value),
+            derivative: T::select(mask, yes.derivative, no.derivative),
         }
     }
 
-    fn all_below(self, bound: f64) -> bool {
-        self.value.all_below(bound) && self.derivative.all_below(bound)
+    fn magnitude(self) -> Self {
+        Self::constant(self.value.magnitude().larger(self.derivative.magnitude()))
     }
 
     fn max_abs(self) -> f64 {
@@ -249,5 +255,6 @@ mod tests {
     fn a_nan_derivative_is_seen() {
         let x = DualNumber { value: 0.0, derivative: f64::NAN };
         assert!(!x.all_below(1.0) && x.max_abs().is_nan());
+        assert!(x.magnitude().value.is_nan() && x.at_most(DualNumber::constant(0.0)));
     }
 }

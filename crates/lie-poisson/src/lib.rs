@@ -4,7 +4,8 @@
 //!
 //! | object | item |
 //! |---|---|
-//! | scalars: numbers, dual numbers, lanes | [`Real`], [`DualNumber`], [`Lanes`] |
+//! | scalars: numbers, dual numbers, lanes | [`Real`], [`DualNumber`], [`Lanes`]: [`DefaultLanes`] |
+//! | lanes as wide as the processor's | [`dispatch`], [`LaneTask`], [`InstructionSet`], [`Width`] |
 //! | vector spaces V and their duals V∗ | [`Vector`], [`Covector`], [`Pair`], [`Power`], [`Quaternion`] |
 //! | spaces over every scalar at once | [`VectorSpace`]: [`RealSpace`], [`ComplexSpace`], [`QuaternionSpace`] |
 //! | exact derivatives | [`differential`], [`transposed_tangent`] |
@@ -26,6 +27,7 @@
 //! dμ/dt = ad*_{dh(μ)} μ
 //! ```
 
+mod mask;
 mod real;
 mod dual_number;
 mod lanes;
@@ -63,11 +65,14 @@ mod product_space;
 mod casimirs;
 mod hamiltonian;
 
-pub use dual_number::DualNumber;
-pub use lanes::Lanes;
 #[cfg(feature = "laws")]
 pub mod laws;
 
+pub use dual_number::DualNumber;
+pub use lanes::{
+    DefaultLanes, InstructionSet, LaneTask, Lanes, MissingInstructions, Width, dispatch,
+};
+pub use mask::Mask;
 pub use real::{Real, larger};
 
 pub use covector::Covector;

@@ -1,5 +1,6 @@
 //! The scalar: [`Real`], implemented by `f64`, dual numbers and lanes.
 
+use crate::Mask;
 use core::fmt::Debug;
 use core::ops::{Add, Div, Mul, Neg, Sub};
 use num_traits::NumAssign;
@@ -12,11 +13,15 @@ use num_traits::NumAssign;
 /// * `f64`: one trajectory;
 /// * [`DualNumber`](crate::DualNumber): exact derivatives, for differentials, tangent maps and
 ///   Poisson defects;
-/// * [`Lanes`](crate::Lanes): several trajectories at once.
+/// * [`DefaultLanes`](crate::DefaultLanes) and the other [`Lanes`](crate::Lanes): several
+///   trajectories at once.
 ///
-/// There is no `mul_add`: fused and unfused results differ, and each operation on lanes must
-/// return the same bits as on `f64`. (An iteration that stops by a maximum over the lanes may do
-/// more of them than one trajectory would.)
+/// A branch is taken lane by lane: [`at_most`](Self::at_most) compares,
+/// [`select`](Self::select) chooses.
+///
+/// There is no fused multiply-add: fused and unfused results differ, and each operation on lanes
+/// must return the same bits as on `f64`. [`Lanes`](crate::Lanes) has one. (An iteration that stops
+/// by a maximum over the lanes may do more of them than one trajectory would.)
 ///
 /// # Example
 /// ```
@@ -43,6 +48,9 @@ pub trait Real:
     + Mul<f64, Output = Self>
     + Div<f64, Output = Self>
 {
+    /// What a comparison returns, a truth value for each lane.
+    type Mask: Mask;
+
     /// The constant `x`.
     fn from_f64(x: f64) -> Self;
 
@@ -73,16 +81,43 @@ pub trait Real:
     /// Source: K. Stumpff, *Himmelsmechanik* I (1959), §41.
     fn stumpff(self, order: u32) -> Self;
 
-    /// `yes` where x ≥ 0, `no` elsewhere, lane by lane; by the value alone for dual numbers. The
-    /// one branch that a formula over all scalars can take.
-    #[must_use]
-    fn select_nonnegative(self, yes: Self, no: Self) -> Self;
+    /// Where x ≤ `bound`, lane by lane; false where either is NaN. By the values alone for dual
+    /// numbers.
+    fn at_most(self, bound: Self) -> Self::Mask;
 
-    /// Whether |x| ≤ `bound` in every lane and every part. False as soon as one of them is NaN.
-    fn all_below(self, bound: f64) -> bool;
+    /// `yes` where the mask is true, `no` elsewhere, bit for bit. The one branch that a formula
+    /// over all scalars can take.
+    #[must_use]
+    fn select(mask: Self::Mask, yes: Self, no: Self) -> Self;
+
+    /// |x|, lane by lane; for a dual number the larger of |x| and |x′|, as a constant.
+    #[must_use]
+    fn magnitude(self) -> Self;
 
     /// The largest |x| over all lanes and parts; NaN as soon as one of them is NaN.
     fn max_abs(self) -> f64;
+
+    /// The larger of two, lane by lane; NaN where either is NaN. By the values alone for dual
+    /// numbers.
+    #[must_use]
+    #[inline(always)]
+    fn larger(self, other: Self) -> Self {
+        let unless_other_is_nan = Self::select(self.at_most(other), other, self);
+        Self::select(other.at_most(other), unless_other_is_nan, other)
+    }
+
+    /// `yes` where x ≥ 0, `no` elsewhere, also where x is NaN; lane by lane.
+    #[must_use]
+    #[inline(always)]
+    fn select_nonnegative(self, yes: Self, no: Self) -> Self {
+        Self::select(Self::from_f64(0.0).at_most(self), yes, no)
+    }
+
+    /// Whether |x| ≤ `bound` in every lane and every part. False as soon as one of them is NaN.
+    #[inline(always)]
+    fn all_below(self, bound: f64) -> bool {
+        self.magnitude().at_most(Self::from_f64(bound)).all()
+    }
 }
 
 /// The larger of two numbers, NaN if either is: `f64::max` and `a > b` would drop it.
@@ -93,6 +128,8 @@ pub fn larger(a: f64, b: f64) -> f64 {
 }
 
 impl Real for f64 {
+    type Mask = bool;
+
     #[inline]
     fn from_f64(x: f64) -> Self {
         x
@@ -122,13 +159,18 @@ impl Real for f64 {
     }
 
     #[inline]
-    fn select_nonnegative(self, yes: Self, no: Self) -> Self {
-        if self >= 0.0 { yes } else { no }
+    fn at_most(self, bound: Self) -> bool {
+        self <= bound
     }
 
     #[inline]
-    fn all_below(self, bound: f64) -> bool {
-        self.abs() <= bound
+    fn select(mask: bool, yes: Self, no: Self) -> Self {
+        if mask { yes } else { no }
+    }
+
+    #[inline]
+    fn magnitude(self) -> Self {
+        self.abs()
     }
 
     #[inline]

@@ -1,6 +1,6 @@
 //! Finite-dimensional real vector spaces, by their coordinates.
 
-use crate::{Covector, Real, larger};
+use crate::{Covector, Real};
 use core::fmt::Debug;
 use core::ops::{Add, AddAssign, Neg, Sub, SubAssign};
 use nalgebra::SMatrix;
@@ -90,7 +90,8 @@ pub trait Vector:
     /// max |vᵢ| over coordinates and lanes; NaN if any is NaN.
     #[inline]
     fn max_abs(&self) -> f64 {
-        (0..Self::DIM).fold(0.0, |m, i| larger(m, self.coordinate(i).max_abs()))
+        let zero: Self::Scalar = num_traits::zero();
+        (0..Self::DIM).fold(zero, |m, i| m.larger(self.coordinate(i).magnitude())).max_abs()
     }
 
     /// Whether every coordinate is a finite number, in every lane.

@@ -1,0 +1,210 @@
+//! From a set of instructions to lanes: [`dispatch`].
+
+use super::packed::Packed;
+use super::register::Two;
+use super::single::FusedSingle;
+use super::{Baseline, Lanes};
+use core::fmt;
+use thiserror::Error;
+
+#[cfg(target_arch = "x86_64")]
+use super::{avx2::Avx2, avx512::Avx512};
+
+/// A set of vector instructions, which the processor has or has not.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord, Hash)]
+#[non_exhaustive]
+pub enum InstructionSet {
+    /// What every processor of the architecture has; not fused.
+    Portable,
+    /// AVX2 and FMA of x86-64: registers of 4 lanes, fused.
+    Avx2,
+    /// AVX-512 F, DQ and VL of x86-64: registers of 8 lanes, fused.
+    Avx512,
+}
+
+impl InstructionSet {
+    /// Every set, the widest last.
+    pub const ALL: [Self; 3] = [Self::Portable, Self::Avx2, Self::Avx512];
+
+    /// Whether this processor, and its operating system, have it.
+    #[must_use]
+    pub fn is_available(self) -> bool {
+        #[cfg(target_arch = "x86_64")]
+        {
+            let avx2 = || is_x86_feature_detected!("avx2") && is_x86_feature_detected!("fma");
+            match self {
+                Self::Portable => true,
+                Self::Avx2 => avx2(),
+                Self::Avx512 => {
+                    avx2()
+                        && is_x86_feature_detected!("avx512f")
+                        && is_x86_feature_detected!("avx512dq")
+                        && is_x86_feature_detected!("avx512vl")
+                }
+            }
+        }
+        #[cfg(not(target_arch = "x86_64"))]
+        {
+            self == Self::Portable
+        }
+    }
+
+    /// The sets that this processor has, the widest last.
+    pub fn available() -> impl Iterator<Item = Self> {
+        Self::ALL.into_iter().filter(|set| set.is_available())
+    }
+
+    /// The widest set that this processor has.
+    #[must_use]
+    pub fn detected() -> Self {
+        Self::available().last().unwrap_or(Self::Portable)
+    }
+}
+
+impl fmt::Display for InstructionSet {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        f.write_str(match self {
+            Self::Portable => "portable",
+            Self::Avx2 => "AVX2 with FMA",
+            Self::Avx512 => "AVX-512 (F, DQ, VL)",
+        })
+    }
+}
+
+/// How many lanes a value has.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord, Hash)]
+pub enum Width {
+    /// One lane: `f64` on [`InstructionSet::Portable`], elsewhere the same with fused multiply-add.
+    Single,
+    /// One register: 2, 4 or 8 lanes.
+    Register,
+    /// Two registers, worked on by turns: 4, 8 or 16 lanes. A long chain of operations, each
+    /// waiting for the one before, keeps the processor busy with two registers, not with one.
+    TwoRegisters,
+}
+
+impl Width {
+    /// Every width, the widest last.
+    pub const ALL: [Self; 3] = [Self::Single, Self::Register, Self::TwoRegisters];
+}
+
+/// A set of instructions that was asked for and is not there.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Error)]
+#[error("this processor lacks the instructions: {set}")]
+pub struct MissingInstructions {
+    /// What was asked for.
+    pub set: InstructionSet,
+}
+
+/// A computation on lanes of any type and width, to be run by [`dispatch`].
+///
+/// # Speed
+/// `run`, and every function below it that takes or returns `T`, must be `#[inline(always)]`: what
+/// the compiler leaves outside of the function that has the processor's features is correct, and
+/// five to ten times slower. Registers above 128 bits do not inline across that boundary where the
+/// function is merely `#[inline]`, as are closures, iterators and the operators of nalgebra and
+/// num-complex. So compute with components, in plain loops; on [`DefaultLanes`](super::DefaultLanes)
+/// anything goes.
+pub trait LaneTask {
+    /// What comes out.
+    type Output;
+
+    /// The computation. Mark it `#[inline(always)]`.
+    fn run<T: Lanes>(self) -> Self::Output;
+}
+
+/// Runs the task on lanes of the given instructions and width.
+///
+/// | | `Single` | `Register` | `TwoRegisters` | fused |
+/// |---|---|---|---|---|
+/// | `Portable` | `f64` | 2 lanes | [`DefaultLanes`](super::DefaultLanes), 4 lanes | no |
+/// | `Avx2` | 1 lane | 4 lanes | 8 lanes | yes |
+/// | `Avx512` | 1 lane | 8 lanes | 16 lanes | yes |
+///
+/// # Soundness
+/// The types of the last two rows have no name outside of this crate, and no function, conversion
+/// or trait of a type with a name mentions them. Safe code can reach them in one way, as the `T` of
+/// [`LaneTask::run`], and this function calls that only once the processor is known to have the
+/// instructions; what it has then, it has as long as the program runs, in every thread.
+///
+/// # Errors
+/// If the processor lacks the instructions.
+///
+/// # Example
+/// ```
+/// use lie_poisson::{InstructionSet, LaneTask, Lanes, Width, dispatch};
+///
+/// /// x ← x² + x for each number.
+/// struct SquareAndAdd<'a>(&'a mut [f64]);
+///
+/// impl LaneTask for SquareAndAdd<'_> {
+///     type Output = ();
+///
+///     #[inline(always)]
+///     fn run<T: Lanes>(self) {
+///         for chunk in self.0.chunks_mut(T::COUNT) {
+///             let x = T::load(chunk);
+///             x.multiply_add(x, x).store(chunk);
+///         }
+///     }
+/// }
+///
+/// for set in InstructionSet::available() {
+///     let mut values: Vec<f64> = (0..19).map(f64::from).collect();
+///     dispatch(SquareAndAdd(&mut values), set, Width::TwoRegisters)?;
+///     assert_eq!(values[18], 342.0);
+/// }
+/// # Ok::<(), lie_poisson::MissingInstructions>(())
+/// ```
+#[allow(unsafe_code)] // calls into functions compiled for more than the baseline
+#[inline]
+pub fn dispatch<K: LaneTask>(
+    task: K,
+    set: InstructionSet,
+    width: Width,
+) -> Result<K::Output, MissingInstructions> {
+    if !set.is_available() {
+        return Err(MissingInstructions { set });
+    }
+    match (set, width) {
+        (InstructionSet::Portable, Width::Single) => Ok(task.run::<f64>()),
+        (InstructionSet::Portable, Width::Register) => Ok(task.run::<Packed<Baseline>>()),
+        (InstructionSet::Portable, Width::TwoRegisters) => Ok(task.run::<Packed<Two<Baseline>>>()),
+        // SAFETY: the processor has AVX2 and FMA, as was checked above.
+        #[cfg(target_arch = "x86_64")]
+        (InstructionSet::Avx2, width) => Ok(unsafe { with_avx2(task, width) }),
+        // SAFETY: the processor has AVX-512 F, DQ and VL, AVX2 and FMA, as was checked above.
+        #[cfg(target_arch = "x86_64")]
+        (InstructionSet::Avx512, width) => Ok(unsafe { with_avx512(task, width) }),
+        #[cfg(not(target_arch = "x86_64"))]
+        (set, _) => Err(MissingInstructions { set }),
+    }
+}
+
+#[cfg(target_arch = "x86_64")]
+#[target_feature(enable = "avx2,fma")]
+fn with_avx2<K: LaneTask>(task: K, width: Width) -> K::Output {
+    #[target_feature(enable = "avx2,fma")]
+    fn run<K: LaneTask, T: Lanes>(task: K) -> K::Output {
+        task.run::<T>()
+    }
+    match width {
+        Width::Single => run::<K, Packed<FusedSingle>>(task),
+        Width::Register => run::<K, Packed<Avx2>>(task),
+        Width::TwoRegisters => run::<K, Packed<Two<Avx2>>>(task),
+    }
+}
+
+#[cfg(target_arch = "x86_64")]
+#[target_feature(enable = "avx512f,avx512dq,avx512vl,avx2,fma")]
+fn with_avx512<K: LaneTask>(task: K, width: Width) -> K::Output {
+    #[target_feature(enable = "avx512f,avx512dq,avx512vl,avx2,fma")]
+    fn run<K: LaneTask, T: Lanes>(task: K) -> K::Output {
+        task.run::<T>()
+    }
+    match width {
+        Width::Single => run::<K, Packed<FusedSingle>>(task),
+        Width::Register => run::<K, Packed<Avx512>>(task),
+        Width::TwoRegisters => run::<K, Packed<Two<Avx512>>>(task),
+    }
+}

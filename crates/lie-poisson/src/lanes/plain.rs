@@ -1,0 +1,155 @@
+//! Two lanes where no registers are known.
+
+use super::register::Register;
+use crate::Mask;
+
+/// Two numbers. Products and sums are rounded each on its own, as those of `f64`.
+#[derive(Clone, Copy)]
+pub struct Plain(f64, f64);
+
+/// Two truth values.
+#[derive(Clone, Copy, Debug)]
+pub struct PlainMask(bool, bool);
+
+macro_rules! formulas {
+    ($($name:ident($($argument:ident),*) = $formula:expr;)*) => {$(
+        #[inline(always)]
+        fn $name($($argument: Self),*) -> Self {
+            let one = |$($argument: f64),*| $formula;
+            Self(one($($argument.0),*), one($($argument.1),*))
+        }
+    )*};
+}
+
+impl Register for Plain {
+    const COUNT: usize = 2;
+    const FUSED: bool = false;
+    type Mask = PlainMask;
+
+    formulas! {
+        add(a, b) = a + b;
+        subtract(a, b) = a - b;
+        multiply(a, b) = a * b;
+        divide(a, b) = a / b;
+        negate(a) = -a;
+        root(a) = a.sqrt();
+        magnitude(a) = a.abs();
+        multiply_add(a, b, c) = a * b + c;
+        multiply_subtract(a, b, c) = a * b - c;
+        negative_multiply_add(a, b, c) = c - a * b;
+    }
+
+    #[inline(always)]
+    fn splat(x: f64) -> Self {
+        Self(x, x)
+    }
+
+    #[inline(always)]
+    fn from_lanes(f: &mut impl FnMut(usize) -> f64) -> Self {
+        Self(f(0), f(1))
+    }
+
+    #[inline(always)]
+    fn load(values: &[f64]) -> Option<Self> {
+        let [first, second] = *values.first_chunk()?;
+        Some(Self(first, second))
+    }
+
+    #[inline(always)]
+    fn store(a: Self, values: &mut [f64]) -> Option<()> {
+        *values.first_chunk_mut()? = [a.0, a.1];
+        Some(())
+    }
+
+    #[inline(always)]
+    fn lane(a: Self, i: usize) -> f64 {
+        match i {
+            0 => a.0,
+            1 => a.1,
+            _ => f64::NAN,
+        }
+    }
+
+    #[inline(always)]
+    fn at_most(a: Self, b: Self) -> PlainMask {
+        PlainMask(a.0 <= b.0, a.1 <= b.1)
+    }
+
+    #[inline(always)]
+    fn select(mask: PlainMask, yes: Self, no: Self) -> Self {
+        Self(if mask.0 { yes.0 } else { no.0 }, if mask.1 { yes.1 } else { no.1 })
+    }
+}
+
+impl Mask for PlainMask {
+    const COUNT: usize = 2;
+
+    #[inline(always)]
+    fn from_bool(truth: bool) -> Self {
+        Self(truth, truth)
+    }
+
+    #[inline(always)]
+    fn and(self, other: Self) -> Self {
+        Self(self.0 & other.0, self.1 & other.1)
+    }
+
+    #[inline(always)]
+    fn or(self, other: Self) -> Self {
+        Self(self.0 | other.0, self.1 | other.1)
+    }
+
+    #[inline(always)]
+    fn not(self) -> Self {
+        Self(!self.0, !self.1)
+    }
+
+    #[inline(always)]
+    fn all(self) -> bool {
+        self.0 & self.1
+    }
+
+    #[inline(always)]
+    fn lane(self, i: usize) -> bool {
+        (i == 0 && self.0) || (i == 1 && self.1)
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::Plain;
+    use crate::lanes::packed::Packed;
+    use crate::lanes::register::Two;
+    use crate::{DefaultLanes, Lanes, Mask, Real};
+    use proptest::prelude::*;
+
+    /// Every operation, its results as bits.
+    fn everything<T: Lanes>(x: &[f64; 4], y: &[f64; 4]) -> Vec<u64> {
+        let (a, b) = (T::load(x), T::load(y));
+        let below = a.at_most(b).and(b.at_most(T::one()).not()).or(b.at_most(-a));
+        let fractions = [a / b, a % b, (a * a).sqrt(), a.multiply_add(b, a)];
+        let others = [a.multiply_subtract(b, a), a.negative_multiply_add(b, a), a.magnitude()];
+        let both = [T::select(below, a, b), T::select(T::Mask::from_bool(true), -a, a)];
+        let mut bits = vec![u64::from(below.all()), u64::from(below.any()), a.max_abs().to_bits()];
+        for result in fractions.into_iter().chain(others).chain(both) {
+            let mut stored = [0.0; 4];
+            result.store(&mut stored);
+            assert_eq!(stored, [0, 1, 2, 3].map(|i| result.lane(i)));
+            bits.extend(stored.map(f64::to_bits));
+        }
+        bits.extend((0..5).map(|i| u64::from(below.lane(i))));
+        bits
+    }
+
+    proptest! {
+        #[test]
+        fn lanes_of_other_processors_compute_as_these_do(
+            x in [-2.0..2.0, -2.0..2.0, -2.0..2.0, -2.0..2.0f64],
+            y in [-2.0..2.0, -2.0..2.0, -2.0..2.0, -2.0..2.0f64],
+        ) {
+            let plain = everything::<Packed<Two<Plain>>>(&x, &y);
+            prop_assert_eq!(&plain, &everything::<DefaultLanes>(&x, &y));
+            prop_assert_ne!(plain, everything::<DefaultLanes>(&y, &x));
+        }
+    }
+}

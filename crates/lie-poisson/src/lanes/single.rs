@@ -1,0 +1,74 @@
+//! One lane with fused multiply-add.
+
+use super::register::Register;
+
+/// One number, whose products and sums are rounded once, together: what one lane of AVX2 and of
+/// AVX-512 computes, bit for bit.
+///
+/// Any processor can run it, those without the instruction by a slow library function.
+#[derive(Clone, Copy)]
+pub struct FusedSingle(f64);
+
+macro_rules! formulas {
+    ($($name:ident($($argument:ident),*) = $formula:expr;)*) => {$(
+        #[inline(always)]
+        fn $name($(Self($argument): Self),*) -> Self {
+            Self($formula)
+        }
+    )*};
+}
+
+impl Register for FusedSingle {
+    const COUNT: usize = 1;
+    const FUSED: bool = true;
+    type Mask = bool;
+
+    formulas! {
+        add(a, b) = a + b;
+        subtract(a, b) = a - b;
+        multiply(a, b) = a * b;
+        divide(a, b) = a / b;
+        negate(a) = -a;
+        root(a) = a.sqrt();
+        magnitude(a) = a.abs();
+        multiply_add(a, b, c) = a.mul_add(b, c);
+        multiply_subtract(a, b, c) = a.mul_add(b, -c);
+        negative_multiply_add(a, b, c) = (-a).mul_add(b, c);
+    }
+
+    #[inline(always)]
+    fn splat(x: f64) -> Self {
+        Self(x)
+    }
+
+    #[inline(always)]
+    fn from_lanes(f: &mut impl FnMut(usize) -> f64) -> Self {
+        Self(f(0))
+    }
+
+    #[inline(always)]
+    fn load(values: &[f64]) -> Option<Self> {
+        values.first().map(|&x| Self(x))
+    }
+
+    #[inline(always)]
+    fn store(a: Self, values: &mut [f64]) -> Option<()> {
+        *values.first_mut()? = a.0;
+        Some(())
+    }
+
+    #[inline(always)]
+    fn lane(a: Self, i: usize) -> f64 {
+        if i == 0 { a.0 } else { f64::NAN }
+    }
+
+    #[inline(always)]
+    fn at_most(a: Self, b: Self) -> bool {
+        a.0 <= b.0
+    }
+
+    #[inline(always)]
+    fn select(mask: bool, yes: Self, no: Self) -> Self {
+        if mask { yes } else { no }
+    }
+}
