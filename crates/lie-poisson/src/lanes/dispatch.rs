@@ -2,13 +2,12 @@
 
 use super::packed::Packed;
 use super::register::Two;
-use super::single::FusedSingle;
 use super::{Baseline, Lanes};
 use core::fmt;
 use thiserror::Error;
 
 #[cfg(target_arch = "x86_64")]
-use super::{avx2::Avx2, avx512::Avx512};
+use super::{avx2::Avx2, avx512::Avx512, single::FusedSingle};
 
 /// A set of vector instructions, which the processor has or has not.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord, Hash)]

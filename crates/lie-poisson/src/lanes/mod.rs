@@ -12,6 +12,7 @@ mod packed;
 #[cfg(any(test, not(all(target_arch = "x86_64", target_feature = "sse2"))))]
 mod plain;
 mod register;
+#[cfg(target_arch = "x86_64")]
 mod single;
 #[cfg(all(target_arch = "x86_64", target_feature = "sse2"))]
 mod sse2;

@@ -120,7 +120,7 @@ mod tests {
     use super::Plain;
     use crate::lanes::packed::Packed;
     use crate::lanes::register::Two;
-    use crate::{DefaultLanes, Lanes, Mask, Real};
+    use crate::{DefaultLanes, Lanes, Mask};
     use proptest::prelude::*;
 
     /// Every operation, its results as bits.

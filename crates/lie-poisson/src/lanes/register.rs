@@ -60,6 +60,7 @@ pub trait Register: Copy + Send + Sync + 'static {
 }
 
 /// Functions that are one instruction each.
+#[cfg(target_arch = "x86_64")]
 macro_rules! intrinsics {
     ($($name:ident($($argument:ident),*) = $intrinsic:ident;)*) => {$(
         #[inline(always)]
