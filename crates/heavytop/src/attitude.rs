@@ -3,7 +3,7 @@
 use crate::HeavyTopSpace;
 use collective_integrators::{Equivariant, Integrator, LiftFree, Start, Step, StepError};
 use lie_poisson::{Hamiltonian, Pair, Quaternion, Real, Se3Dual, Vector};
-use momentum_map::{DualQuaternions, LiftError, Multiplier};
+use momentum_map::{DualQuaternions, LiftError};
 use nalgebra::Vector3;
 
 /// A lift-free integrator on se(3)* that carries the attitude R ∈ SO(3) of the body along, as a unit
@@ -66,10 +66,15 @@ where
 {
     type State = Pair<Se3Dual<T>, Quaternion<T>>;
     type Momentum = Se3Dual<T>;
-    type Workspace = S::Workspace<Multiplier<DualQuaternions, T>>;
+    type Workspace = <LiftFree<S, DualQuaternions, H> as Integrator<T>>::Workspace;
 
     fn workspace(&self) -> Self::Workspace {
-        self.0.scheme().workspace()
+        self.0.workspace()
+    }
+
+    #[inline]
+    fn forget(&self, workspace: &mut Self::Workspace) {
+        self.0.forget(workspace);
     }
 
     #[inline]

@@ -81,17 +81,22 @@ impl PoissonMap for SpinorRealisation {
         Cotangent::new(turn(chi) + pauli(&(gamma + gamma), psi), Covector(turn(psi)))
     }
 
-    /// The point of least ‖χ‖ on the line χ + bψ of the fibre: χ − (Re(ψ∗χ)/‖ψ‖²) ψ.
+    /// The point of least ‖χ‖ on the line χ + bψ of the fibre, χ − (Re(ψ∗χ)/‖ψ‖²) ψ, if ‖χ‖ has
+    /// grown beyond √2 of that; else z itself.
     ///
-    /// Along collective dynamics d/dt Re(ψ∗χ) = 2γ·Γ, so that χ may grow linearly along ψ.
+    /// Along collective dynamics d/dt Re(ψ∗χ) = 2γ·Γ, so that χ may grow linearly along ψ. Sliding
+    /// back breaks the sequence of stages from which a scheme guesses the next ones
+    /// ([`StageSolver`](collective_integrators::StageSolver)), and is therefore put off.
     #[inline]
     fn gauge<T: Real>(&self, z: &SpinorPoint<T>) -> SpinorPoint<T> {
         let (chi, psi) = (&z.q, &z.p.0);
         let overlap = (psi.x.conj() * chi.x + psi.y.conj() * chi.y).re;
         let square = psi.x.norm_sqr() + psi.y.norm_sqr();
+        let least = (chi.x.norm_sqr() + chi.y.norm_sqr()) * square - overlap * overlap;
+        let long = overlap * overlap - least;
+        let along = long.select_nonnegative(-overlap / square, T::zero());
         // For ψ = 0 the fibre is no line, and z stays.
-        let along = (-square).select_nonnegative(T::zero(), -overlap / square);
-        self.flow(0, along, z)
+        self.flow(0, (-square).select_nonnegative(T::zero(), along), z)
     }
 }
 

@@ -2,7 +2,7 @@
 
 use crate::{Equivariant, Integrator, LiftFree, Start, Step, StepError};
 use lie_poisson::{Hamiltonian, Pair, Point, Real, Vector};
-use momentum_map::{LiftError, Multiplier, Multipliers};
+use momentum_map::{LiftError, Multipliers};
 
 /// A lift-free integrator that carries along what each addition μ + δμ rounds away:
 ///
@@ -43,10 +43,15 @@ where
 {
     type State = Pair<Point<M::Space, T>, Point<M::Space, T>>;
     type Momentum = Point<M::Space, T>;
-    type Workspace = S::Workspace<Multiplier<M, T>>;
+    type Workspace = <LiftFree<S, M, H> as Integrator<T>>::Workspace;
 
     fn workspace(&self) -> Self::Workspace {
-        self.0.scheme().workspace()
+        self.0.workspace()
+    }
+
+    #[inline]
+    fn forget(&self, workspace: &mut Self::Workspace) {
+        self.0.forget(workspace);
     }
 
     #[inline]

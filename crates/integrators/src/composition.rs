@@ -84,6 +84,21 @@ impl<S: Scheme> Scheme for Composition<S> {
         self.chain(z, step, |z, step| self.base.step::<T, F>(field, z, step, workspace))
     }
 
+    #[inline]
+    fn forget<V: Vector>(&self, workspace: &mut Self::Workspace<V>) {
+        self.base.forget(workspace);
+    }
+
+    #[inline]
+    fn move_memory<V: Vector>(
+        &self,
+        workspace: &mut Self::Workspace<V>,
+        start: &V,
+        motion: impl Fn(&V) -> Option<V>,
+    ) {
+        self.base.move_memory(workspace, start, motion);
+    }
+
     /// [`Substeps::order_over`] what the base has.
     fn order(&self) -> usize {
         self.substeps.order_over(self.base.order(), self.base.is_symmetric())
@@ -119,6 +134,11 @@ impl<T: Real, I: Integrator<T>> Integrator<T> for Composition<I> {
         workspace: &mut I::Workspace,
     ) -> Result<Step<I::State>, StepError> {
         self.chain(state, step, |state, step| self.base.step(state, step, workspace))
+    }
+
+    #[inline]
+    fn forget(&self, workspace: &mut I::Workspace) {
+        self.base.forget(workspace);
     }
 
     fn momentum(&self, state: &I::State) -> I::Momentum {

@@ -32,6 +32,11 @@ pub trait Integrator<T: Real = f64> {
         workspace: &mut Self::Workspace,
     ) -> Result<Step<Self::State>, StepError>;
 
+    /// Drops what the workspace remembers of the steps before: the next one depends on its starting
+    /// point alone, to the last bit. By default nothing, for methods that remember nothing.
+    #[inline]
+    fn forget(&self, _workspace: &mut Self::Workspace) {}
+
     /// μ of a state.
     fn momentum(&self, state: &Self::State) -> Self::Momentum;
 
@@ -40,7 +45,24 @@ pub trait Integrator<T: Real = f64> {
     where
         Self: Sized,
     {
-        Trajectory::new(self, state, step)
+        Trajectory::new(self, state, 0, step)
+    }
+
+    /// The trajectory that has made `made` steps of size `step` and come to a state: what goes on
+    /// from a sample of another run, with its numbers and times.
+    ///
+    /// If `made` is a multiple of [`CHECKPOINT`](crate::CHECKPOINT), it equals the run that was not
+    /// interrupted to the last bit.
+    fn trajectory_resumed(
+        &self,
+        state: Self::State,
+        made: u64,
+        step: f64,
+    ) -> Trajectory<'_, Self, T>
+    where
+        Self: Sized,
+    {
+        Trajectory::new(self, state, made, step)
     }
 }
 
@@ -207,6 +229,11 @@ where
     }
 
     #[inline]
+    fn forget(&self, workspace: &mut Self::Workspace) {
+        self.scheme.forget(workspace);
+    }
+
+    #[inline]
     fn momentum(&self, state: &Self::State) -> Self::Momentum {
         self.system.map.apply::<T>(state)
     }
@@ -285,6 +312,11 @@ where
         workspace: &mut Self::Workspace,
     ) -> Result<Step<F::Point>, StepError> {
         self.scheme.step(&self.field, state, step, workspace)
+    }
+
+    #[inline]
+    fn forget(&self, workspace: &mut Self::Workspace) {
+        self.scheme.forget(workspace);
     }
 
     #[inline]

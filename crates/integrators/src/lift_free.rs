@@ -1,5 +1,6 @@
 //! Collective Runge–Kutta methods without a lift.
 
+use crate::predictor::near;
 use crate::{Compensated, Equivariant, Integrator, Start, Step, StepError, VectorField};
 use lie_poisson::{
     Differential, DualNumber, Hamiltonian, Point, Real, Vector, derivative_part, map_coordinates,
@@ -86,7 +87,7 @@ impl<S: Equivariant, M: Multipliers, H> LiftFree<S, M, H> {
         &self,
         mu: &Point<M::Space, T>,
         step: f64,
-        workspace: &mut S::Workspace<Multiplier<M, T>>,
+        workspace: &mut MultiplierSpace<S::Workspace<Multiplier<M, T>>, Point<M::Space, T>>,
     ) -> Result<Step<Multiplier<M, T>>, StepError>
     where
         H: Hamiltonian<M::Space, T>,
@@ -96,9 +97,26 @@ impl<S: Equivariant, M: Multipliers, H> LiftFree<S, M, H> {
             hamiltonian: &self.hamiltonian,
             start: *mu,
         };
+        let MultiplierSpace { scheme: storage, end } = workspace;
+        if !end.is_some_and(|end| near(mu, &end)) {
+            self.scheme.forget(storage);
+        }
         let one = self.multipliers.one::<T>();
-        self.scheme.step::<T, _>(&field, &one, step, workspace)
+        let next = self.scheme.step::<T, _>(&field, &one, step, storage)?;
+        // The next step begins at Q = 1 too: Q(t) of this one continues as Q(t) Q₁⁻¹.
+        let motion = |k: &_| self.multipliers.right_quotient::<T>(k, &next.point);
+        self.scheme.move_memory(storage, &one, motion);
+        *end = Some(*mu + self.change::<T>(&next.point, mu));
+        Ok(next)
     }
+}
+
+/// The storage of a lift-free step: that of the scheme, for multipliers, and the μ at which the last
+/// step ended, to tell whether the next one goes on from there.
+#[derive(Clone, Copy, Debug)]
+pub struct MultiplierSpace<W, V> {
+    scheme: W,
+    end: Option<V>,
 }
 
 /// Q ↦ dh(transport(Q, μ₀)) Q
@@ -144,10 +162,15 @@ where
 {
     type State = Point<M::Space, T>;
     type Momentum = Point<M::Space, T>;
-    type Workspace = S::Workspace<Multiplier<M, T>>;
+    type Workspace = MultiplierSpace<S::Workspace<Multiplier<M, T>>, Point<M::Space, T>>;
 
     fn workspace(&self) -> Self::Workspace {
-        self.scheme.workspace()
+        MultiplierSpace { scheme: self.scheme.workspace(), end: None }
+    }
+
+    #[inline]
+    fn forget(&self, workspace: &mut Self::Workspace) {
+        workspace.end = None;
     }
 
     #[inline]

@@ -1,6 +1,7 @@
 //! Partitioned Runge–Kutta methods.
 
 use crate::order_conditions::tree_order;
+use crate::predictor::{Memory, Predictor};
 use crate::tableau::COEFFICIENT_TOLERANCE;
 use crate::{
     Polarisation, Scheme, SchemeError, StageSolver, Step, StepError, Tableau, VectorField,
@@ -43,6 +44,7 @@ pub struct PartitionedRungeKutta<P> {
     p: Tableau,
     order: usize,
     solver: StageSolver,
+    predictor: Predictor,
     polarisation: PhantomData<P>,
 }
 
@@ -65,7 +67,10 @@ impl<P: Polarisation> PartitionedRungeKutta<P> {
             tree_order(&[(q.matrix(), q.weights()), (p.matrix(), p.weights())])
         };
         let solver = StageSolver::default();
-        Self { q, p, order, solver, polarisation: PhantomData }
+        let same_times =
+            q.nodes().iter().zip(p.nodes()).all(|(c, d)| (c - d).abs() <= COEFFICIENT_TOLERANCE);
+        let predictor = if same_times { Predictor::new(q.nodes()) } else { Predictor::none() };
+        Self { q, p, order, solver, predictor, polarisation: PhantomData }
     }
 
     /// The same method with another stage solver.
@@ -154,12 +159,20 @@ impl<P: Polarisation> PartitionedRungeKutta<P> {
     }
 }
 
-impl<P: Polarisation> Scheme for PartitionedRungeKutta<P> {
-    /// The stage derivatives.
-    type Workspace<V: Vector> = Vec<V>;
+/// The storage of a partitioned step: its stage derivatives, and those of the last steps, from
+/// which they are guessed where q and p have their stages at the same times.
+#[derive(Clone, Debug)]
+pub struct PartitionedSpace<V: Vector> {
+    k: Vec<V>,
+    memory: Memory<V>,
+}
 
-    fn workspace<V: Vector>(&self) -> Vec<V> {
-        vec![V::zero(); self.q.stages()]
+impl<P: Polarisation> Scheme for PartitionedRungeKutta<P> {
+    type Workspace<V: Vector> = PartitionedSpace<V>;
+
+    fn workspace<V: Vector>(&self) -> PartitionedSpace<V> {
+        let k = vec![V::zero(); self.q.stages()];
+        PartitionedSpace { k, memory: Memory::new(&self.predictor) }
     }
 
     #[inline]
@@ -168,16 +181,25 @@ impl<P: Polarisation> Scheme for PartitionedRungeKutta<P> {
         field: &F,
         z: &F::Point,
         step: f64,
-        k: &mut Vec<F::Point>,
+        workspace: &mut PartitionedSpace<F::Point>,
     ) -> Result<Step<F::Point>, StepError> {
+        let PartitionedSpace { k, memory } = workspace;
         // A workspace from another method still gives the right result.
         k.resize(self.q.stages(), F::Point::zero());
+        let start = || field.at(z);
         let derivative = |i: usize, k: &[F::Point]| {
             field.at(&Self::advanced(z, step, (self.q.row(i), self.p.row(i)), k))
         };
-        let iterations = self.solver.solve(field.at(z), step, k, derivative)?;
+        let iterations =
+            memory.solve(&self.predictor, &self.solver, (z, step), k, start, derivative)?;
         let point = Self::advanced(z, step, (self.q.weights(), self.p.weights()), k);
+        memory.end_at(&point);
         if point.is_finite() { Ok(Step { point, iterations }) } else { Err(StepError::NotFinite) }
+    }
+
+    #[inline]
+    fn forget<V: Vector>(&self, workspace: &mut PartitionedSpace<V>) {
+        workspace.memory.forget();
     }
 
     /// From the order conditions of two-coloured trees; orders above 8 are not looked for.

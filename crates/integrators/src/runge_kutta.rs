@@ -2,6 +2,7 @@
 
 use crate::dop853;
 use crate::newton::{NewtonSpace, newton_step};
+use crate::predictor::{Memory, Predictor};
 use crate::stage_solver::stage_point;
 use crate::{
     Equivariant, Scheme, SchemeError, StageSolver, Step, StepError, Substeps, Tableau, VectorField,
@@ -27,13 +28,16 @@ use lie_poisson::{Real, Vector};
 pub struct RungeKutta {
     tableau: Tableau,
     solver: StageSolver,
+    predictor: Predictor,
 }
 
 impl RungeKutta {
     /// The method with the given coefficients, solved to the round-off floor if implicit.
     #[must_use]
     pub fn new(tableau: Tableau) -> Self {
-        Self { tableau, solver: StageSolver::default() }
+        let predictor =
+            if tableau.is_explicit() { Predictor::none() } else { Predictor::new(tableau.nodes()) };
+        Self { tableau, solver: StageSolver::default(), predictor }
     }
 
     /// The same method with another stage solver.
@@ -134,13 +138,41 @@ impl RungeKutta {
     fn literal(a: &[f64], b: &[f64]) -> Self {
         Self::new(Tableau::literal(a, b))
     }
+
+    /// Solves for the stage derivatives: from a guess if the workspace has one; if not, or if that
+    /// fails, from X(z); then by Newton's iteration, whose results are no good to guess from. Returns
+    /// the number of iterations.
+    #[inline]
+    fn solve_stages<T: Real, F: VectorField<T>>(
+        &self,
+        field: &F,
+        z: &F::Point,
+        step: f64,
+        workspace: &mut StageSpace<F::Point>,
+    ) -> Result<usize, StepError> {
+        let StageSpace { k, memory, newton } = workspace;
+        let derivative = |i: usize, k: &[F::Point]| {
+            let (row, low) = (self.tableau.row(i), self.tableau.row_low(i));
+            field.at(&stage_point(z, step, row, low, k))
+        };
+        let start = || field.at(z);
+        match memory.solve(&self.predictor, &self.solver, (z, step), k, start, derivative) {
+            Err(StepError::NotConverged { iterations, .. }) if self.solver.newton => {
+                let advance =
+                    |k: &mut [F::Point]| newton_step(field, z, step, &self.tableau, k, newton);
+                Ok(iterations + self.solver.newton(start(), step, k, advance)?)
+            }
+            outcome => outcome,
+        }
+    }
 }
 
-/// The storage of a Runge–Kutta step: its stage derivatives, and the matrix of Newton's iteration
-/// once a step has needed it.
+/// The storage of a Runge–Kutta step: its stage derivatives, those of the last steps, from which an
+/// implicit method guesses them, and the matrix of Newton's iteration once a step has needed it.
 #[derive(Clone, Debug)]
 pub struct StageSpace<V: Vector> {
     k: Vec<V>,
+    memory: Memory<V>,
     newton: NewtonSpace<V::Scalar>,
 }
 
@@ -150,7 +182,11 @@ impl Scheme for RungeKutta {
     type Workspace<V: Vector> = StageSpace<V>;
 
     fn workspace<V: Vector>(&self) -> StageSpace<V> {
-        StageSpace { k: vec![V::zero(); self.tableau.stages()], newton: NewtonSpace::default() }
+        StageSpace {
+            k: vec![V::zero(); self.tableau.stages()],
+            memory: Memory::new(&self.predictor),
+            newton: NewtonSpace::default(),
+        }
     }
 
     #[inline]
@@ -161,26 +197,36 @@ impl Scheme for RungeKutta {
         step: f64,
         workspace: &mut StageSpace<F::Point>,
     ) -> Result<Step<F::Point>, StepError> {
-        let StageSpace { k, newton } = workspace;
         // A workspace from another method still gives the right result.
-        k.resize(self.tableau.stages(), F::Point::zero());
+        workspace.k.resize(self.tableau.stages(), F::Point::zero());
         let iterations = if self.tableau.is_explicit() {
+            let k = &mut workspace.k;
             for (i, row) in self.tableau.rows().enumerate() {
                 k[i] = field.at(&stage_point(z, step, &row[..i], &[], k));
             }
             0
         } else {
-            let derivative = |i: usize, k: &[F::Point]| {
-                let (row, low) = (self.tableau.row(i), self.tableau.row_low(i));
-                field.at(&stage_point(z, step, row, low, k))
-            };
-            self.solver.solve_by_newton(field.at(z), step, k, derivative, |k| {
-                newton_step(field, z, step, &self.tableau, k, newton)
-            })?
+            self.solve_stages(field, z, step, workspace)?
         };
         let (weights, low) = (self.tableau.weights(), self.tableau.weights_low());
-        let point = stage_point(z, step, weights, low, k);
+        let point = stage_point(z, step, weights, low, &workspace.k);
+        workspace.memory.end_at(&point);
         if point.is_finite() { Ok(Step { point, iterations }) } else { Err(StepError::NotFinite) }
+    }
+
+    #[inline]
+    fn forget<V: Vector>(&self, workspace: &mut StageSpace<V>) {
+        workspace.memory.forget();
+    }
+
+    #[inline]
+    fn move_memory<V: Vector>(
+        &self,
+        workspace: &mut StageSpace<V>,
+        start: &V,
+        motion: impl Fn(&V) -> Option<V>,
+    ) {
+        workspace.memory.move_by(self.tableau.stages(), start, motion);
     }
 
     fn order(&self) -> usize {

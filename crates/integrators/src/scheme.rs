@@ -35,6 +35,23 @@ pub trait Scheme: Clone {
         workspace: &mut Self::Workspace<F::Point>,
     ) -> Result<Step<F::Point>, StepError>;
 
+    /// Drops what the workspace remembers of the steps before, from which an implicit method guesses
+    /// its stages: the next step depends on its starting point alone. By default nothing.
+    #[inline]
+    fn forget<V: Vector>(&self, _workspace: &mut Self::Workspace<V>) {}
+
+    /// Moves what the workspace remembers by a linear map that takes the end of the last step to
+    /// `start`, so that a step from there goes on from it; drops it where the map has no value. By
+    /// default nothing.
+    #[inline]
+    fn move_memory<V: Vector>(
+        &self,
+        _workspace: &mut Self::Workspace<V>,
+        _start: &V,
+        _motion: impl Fn(&V) -> Option<V>,
+    ) {
+    }
+
     /// The order of convergence.
     fn order(&self) -> usize;
 

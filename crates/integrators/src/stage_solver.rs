@@ -25,9 +25,11 @@ const NEWTON_ITERATIONS: usize = 50;
 
 /// How to solve the stage equations k_i = X(z + h Σ_j a_ij k_j).
 ///
-/// First a fixed-point iteration of Gauss–Seidel kind from k_i = X(z), so that a step depends on
-/// its starting point alone. Where it is slow or diverges, for large steps, Newton's iteration
-/// takes over, with the exact derivative of the field if it is known
+/// First a fixed-point iteration of Gauss–Seidel kind. In a step that goes on from steps of the same
+/// size it begins with the polynomial through their stage derivatives, else with k_i = X(z): where
+/// it begins shows in the last bits of a result, which [`Scheme::forget`](crate::Scheme::forget)
+/// makes independent of the steps before. Where it is slow or diverges, for large steps, Newton's
+/// iteration takes over, with the exact derivative of the field if it is known
 /// ([`VectorField::derivative`](crate::VectorField::derivative)).
 ///
 /// Source of the stopping rule: Hairer, McLachlan & Razakarivony, *Achieving Brouwer's law with
@@ -92,31 +94,35 @@ impl StageSolver {
         derivative: impl Fn(usize, &[V]) -> V,
     ) -> Result<usize, StepError> {
         k.fill(start);
+        self.solve_from(step, k, derivative)
+    }
+
+    /// The same from the guess that `k` holds.
+    #[inline]
+    pub(crate) fn solve_from<V: Vector>(
+        &self,
+        step: f64,
+        k: &mut [V],
+        derivative: impl Fn(usize, &[V]) -> V,
+    ) -> Result<usize, StepError> {
         self.iterate(self.max_iterations, step, || Some(sweep(k, &derivative)))
     }
 
-    /// The same, followed by Newton's iteration from `start` if it fails and Newton's is allowed.
-    /// `newton` makes one iteration and returns its change and the size of the stages.
+    /// Newton's iteration from k_i = `start`; `advance` makes one iteration and returns its change and
+    /// the size of the stages. Returns the number of iterations.
     ///
     /// # Errors
-    /// [`StepError::NotConverged`] if neither iteration settles.
+    /// [`StepError::NotConverged`] if it does not settle.
     #[inline]
-    pub(crate) fn solve_by_newton<V: Vector>(
+    pub(crate) fn newton<V: Vector>(
         &self,
         start: V,
         step: f64,
         k: &mut [V],
-        derivative: impl Fn(usize, &[V]) -> V,
-        mut newton: impl FnMut(&mut [V]) -> Option<(f64, f64)>,
+        mut advance: impl FnMut(&mut [V]) -> Option<(f64, f64)>,
     ) -> Result<usize, StepError> {
-        match self.solve(start, step, k, derivative) {
-            Err(StepError::NotConverged { iterations, .. }) if self.newton => {
-                k.fill(start);
-                let more = self.iterate(NEWTON_ITERATIONS, step, || newton(k))?;
-                Ok(iterations + more)
-            }
-            outcome => outcome,
-        }
+        k.fill(start);
+        self.iterate(NEWTON_ITERATIONS, step, || advance(k))
     }
 
     /// Iterates until the change settles; `advance` returns it with the size of the stages.

@@ -1,6 +1,6 @@
 //! Trajectories with their tangent vectors.
 
-use crate::{IntegrationError, Integrator, StepError};
+use crate::{CHECKPOINT, IntegrationError, Integrator, StepError};
 use lie_poisson::{DualNumber, Vector, derivative_part, seed};
 use thiserror::Error;
 
@@ -129,6 +129,9 @@ where
     pub fn advance(&mut self) -> Result<(), VariationalError> {
         let (step, time) = (self.steps + 1, self.time());
         let fail = |source: StepError| IntegrationError { step, time, source };
+        if self.steps.is_multiple_of(CHECKPOINT) {
+            Integrator::<f64>::forget(self.integrator, &mut self.workspace);
+        }
         let mut tangents = self.tangents;
         for v in &mut tangents {
             let along: <I as Integrator<DualNumber>>::State = seed(&self.state, v);

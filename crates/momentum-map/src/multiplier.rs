@@ -64,6 +64,18 @@ pub trait Multipliers: Clone {
     ) -> Point<Self::Space, T> {
         self.transport::<T>(q, mu) - *mu
     }
+
+    /// Q B⁻¹, by which a step that starts at 1 continues one that ended at B; for a B whose quadratic
+    /// invariants hold, and where they are only near, next to it: good for a guess. By default
+    /// `None`: there is no guess, and nothing else is lost.
+    #[inline]
+    fn right_quotient<T: Real>(
+        &self,
+        _q: &Self::Multiplier<T>,
+        _by: &Self::Multiplier<T>,
+    ) -> Option<Self::Multiplier<T>> {
+        None
+    }
 }
 
 /// A multiplier of a collective system, over the scalar `T`.
@@ -115,12 +127,27 @@ impl Multipliers for Quaternions {
     ) -> Covector<Vector3<T>> {
         Covector(q.rotation_change(&mu.0))
     }
+
+    #[inline]
+    fn right_quotient<T: Real>(
+        &self,
+        q: &Quaternion<T>,
+        by: &Quaternion<T>,
+    ) -> Option<Quaternion<T>> {
+        Some(*q * inverse(by))
+    }
 }
 
 /// s v as an imaginary quaternion.
 #[inline]
 fn imaginary<T: Real>(v: &Vector3<T>, s: f64) -> Quaternion<T> {
     Quaternion { scalar: T::zero(), vector: v * T::from_f64(s) }
+}
+
+/// q̄/|q|²
+#[inline]
+fn inverse<T: Real>(q: &Quaternion<T>) -> Quaternion<T> {
+    q.conjugate().scaled(T::one() / q.norm_squared())
 }
 
 /// Dual quaternions Q + εN, for se(3)∗ with the minus bracket and M: T∗C² → se(3)∗. With
@@ -178,6 +205,18 @@ impl Multipliers for DualQuaternions {
         let x = (*n * q.conjugate()).vector * (T::from_f64(0.5) / q.norm_squared());
         Se3Dual::new(q.rotation_change(pi) + x.cross(&(gamma + change)), change)
     }
+
+    /// (Q + εN)(A + εB)⁻¹ = R + ε(N A⁻¹ − R B A⁻¹), R = Q A⁻¹.
+    #[inline]
+    fn right_quotient<T: Real>(
+        &self,
+        q: &Self::Multiplier<T>,
+        by: &Self::Multiplier<T>,
+    ) -> Option<Self::Multiplier<T>> {
+        let inverse = inverse(&by.0);
+        let turn = q.0 * inverse;
+        Some(Pair(turn, q.1 * inverse - turn * (by.1 * inverse)))
+    }
 }
 
 /// Complex N×N matrices, for u(N)∗ with the minus bracket: in terms of the Hermitian matrix H of
@@ -224,6 +263,16 @@ impl<const N: usize> Multipliers for ComplexMatrices<N> {
     ) -> Covector<SkewHermitian<T, N>> {
         let moved = q * UnitaryAlgebra.hermitian(mu) * q.transpose().map(|z| z.conj());
         UnitaryAlgebra.momentum(&moved)
+    }
+
+    /// Q B∗, for unitary B.
+    #[inline]
+    fn right_quotient<T: Real>(
+        &self,
+        q: &SMatrix<Complex<T>, N, N>,
+        by: &SMatrix<Complex<T>, N, N>,
+    ) -> Option<SMatrix<Complex<T>, N, N>> {
+        Some(q * by.transpose().map(|z| z.conj()))
     }
 }
 
@@ -277,6 +326,19 @@ where
         let factor = |n: usize| self.0.coadjoint_change::<T>(&q.0[n], &Covector(mu.0.0[n])).0;
         Covector(Power(from_fn(factor)))
     }
+
+    #[inline]
+    fn right_quotient<T: Real>(
+        &self,
+        q: &Self::Multiplier<T>,
+        by: &Self::Multiplier<T>,
+    ) -> Option<Self::Multiplier<T>> {
+        let mut quotient = *q;
+        for (q, by) in quotient.0.iter_mut().zip(&by.0) {
+            *q = self.0.right_quotient::<T>(q, by)?;
+        }
+        Some(quotient)
+    }
 }
 
 /// The product of two algebras of multipliers.
@@ -322,5 +384,15 @@ impl<M: Multipliers, N: Multipliers> Multipliers for ProductMultipliers<M, N> {
         mu: &Point<Self::Space, T>,
     ) -> Point<Self::Space, T> {
         Pair(self.0.coadjoint_change::<T>(&q.0, &mu.0), self.1.coadjoint_change::<T>(&q.1, &mu.1))
+    }
+
+    #[inline]
+    fn right_quotient<T: Real>(
+        &self,
+        q: &Self::Multiplier<T>,
+        by: &Self::Multiplier<T>,
+    ) -> Option<Self::Multiplier<T>> {
+        let first = self.0.right_quotient::<T>(&q.0, &by.0)?;
+        Some(Pair(first, self.1.right_quotient::<T>(&q.1, &by.1)?))
     }
 }
