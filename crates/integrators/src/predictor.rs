@@ -4,10 +4,6 @@ use crate::stage_solver::ROUND_OFF;
 use crate::{StageSolver, StepError};
 use lie_poisson::{Real, Vector, larger};
 
-/// The degree of the polynomial that is extended is below this. Higher degrees gain no iteration:
-/// extended by a step, the polynomial multiplies the round-off of what it goes through.
-const MOST_NODES: usize = 8;
-
 /// Nodes nearer than this to each other, in steps, carry no polynomial.
 const LEAST_DISTANCE: f64 = 1e-3;
 
@@ -49,15 +45,14 @@ impl Predictor {
     }
 }
 
-/// How many steps are remembered: measured, see `docs/audit.md`.
+/// How many steps are remembered: what saves the most iterations. The stages of methods with few
+/// stages are of low order, and differ from the solution by errors that a polynomial of high degree
+/// would enlarge; one stage alone has the same error at every step.
 fn most_steps(stages: usize) -> usize {
-    if let Some(m) = std::env::var("M").ok().and_then(|m| m.parse().ok()) { return m; }
     match stages {
-        1 => 4,
-        2 => 3,
-        3 => 2,
-        4..=MOST_NODES => 1,
-        _ => 0,
+        1 => 8,
+        2 | 3 => 2,
+        _ => 1,
     }
 }
 
