@@ -115,25 +115,26 @@ impl<V: Vector> Memory<V> {
         derivative: impl Fn(usize, &[V]) -> V,
     ) -> Result<usize, StepError> {
         self.keep_if(self.size == size && near(z, &self.end), predictor);
+        let mut guessed = self.guess(predictor, k);
         let mut lost = 0;
-        if self.guess(predictor, k) {
+        loop {
+            if !guessed {
+                k.fill(start());
+            }
             match solver.solve_from(size, k, &derivative) {
-                Err(StepError::NotConverged { iterations, .. }) => {
-                    self.forget();
-                    lost = iterations;
+                Err(StepError::NotConverged { iterations, .. }) if guessed => {
+                    (guessed, lost) = (false, iterations);
                 }
-                settled => {
+                Ok(iterations) => {
                     self.remember(predictor, size, k);
-                    return settled;
+                    return Ok(lost + iterations);
+                }
+                failure => {
+                    self.forget();
+                    return failure;
                 }
             }
         }
-        let cold = solver.solve(start(), size, k, derivative);
-        match cold {
-            Ok(_) => self.remember(predictor, size, k),
-            Err(_) => self.forget(),
-        }
-        cold.map(|iterations| lost + iterations)
     }
 
     /// Where the step ended that was solved last.
