@@ -189,7 +189,8 @@ fn the_gauge_keeps_chi_bounded_and_the_momentum_as_it_is() {
         })
     };
     let ((bounded, a), (growing, b)) = (run(&gauged), run(&free));
-    assert!(bounded < 13.0, "{bounded}");
+    // The least χ is 12.0 long all along; it grows to √2 of that before it is shortened.
+    assert!(bounded < 17.5, "{bounded}");
     assert!(growing > 400.0, "{growing}");
     // The long χ has cost the other run digits.
     assert!((a - b).max_abs() < 1e-9, "{:e}", (a - b).max_abs());

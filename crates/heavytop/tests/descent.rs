@@ -4,7 +4,7 @@
 use collective_integrators::*;
 use heavytop::{HeavyTop, Invariant, SpinorPoint, SpinorRealisation};
 use lie_poisson::{Se3Dual, Vector};
-use momentum_map::{FibreSymmetry, PoissonMap};
+use momentum_map::{FibreSymmetry, Lift, PoissonMap};
 use nalgebra::Vector3;
 
 type Partitioned = PartitionedRungeKutta<FirstHalf>;
@@ -39,7 +39,7 @@ fn disagreement<S: Scheme>(scheme: S) -> f64 {
         let after = Integrator::<f64>::step(&integrator, &z, STEP, &mut workspace).unwrap().point;
         SpinorRealisation.apply(&after)
     };
-    let minimal = SpinorRealisation.gauge(&start());
+    let minimal = SpinorRealisation.lift(&SpinorRealisation.apply(&start())).unwrap();
     let difference = image(minimal) - image(SpinorRealisation.flow(0, -2.5, &minimal));
     difference.pairing(&difference.0).sqrt()
 }

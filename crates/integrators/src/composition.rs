@@ -10,6 +10,9 @@ use momentum_map::LiftError;
 /// higher order if the [`Substeps`] are right for Φ. Φ may be a [`Scheme`], or an [`Integrator`] that
 /// is none, such as a [`Splitting`](crate::Splitting).
 ///
+/// Stages are guessed from the substeps before where these have the same size, as in Suzuki's
+/// compositions; elsewhere substeps start from the field alone.
+///
 /// Source: Hairer, Lubich & Wanner, *Geometric Numerical Integration*, 2nd ed. (2006), §II.4 and
 /// §V.3.
 ///

@@ -6,7 +6,7 @@
 //! |---|---|
 //! | vector fields ż = X(z) | [`VectorField`], [`HamiltonianField`], [`from_fn`] |
 //! | Runge–Kutta coefficients and their properties | [`Tableau`] |
-//! | stage equations | [`StageSolver`] |
+//! | stage equations, guessed from the steps before and solved | [`StageSolver`] |
 //! | one-step methods, and which of them descend | [`Scheme`], [`Equivariant`], [`RungeKutta`] |
 //! | partitioned methods, which do not descend | [`Polarisation`], [`PartitionedRungeKutta`] |
 //! | compositions of a method with itself | [`Composition`], [`Substeps`] |

@@ -34,7 +34,8 @@ pub enum VariationalError {
 /// ```
 ///
 /// DΦ_h is that of the discrete map, by dual numbers; with a Poisson integrator it preserves the
-/// Poisson tensor. The state advances exactly as in [`Trajectory`](crate::Trajectory), to the bit.
+/// Poisson tensor. The state advances exactly as in a [`Trajectory`](crate::Trajectory) from the
+/// same start, to the bit.
 /// One step costs one step over `f64` and K over dual numbers, and allocates nothing.
 ///
 /// The tangent vectors are those of the *state*: of 𝔤∗ for [`LiftFree`](crate::LiftFree) and

@@ -73,7 +73,8 @@ pub trait PoissonMap: Clone {
     /// A point of the fibre through z that does not run away: M(gauge(z)) = M(z).
     ///
     /// Along collective dynamics z may drift along its fibre, which is invisible in M(z) but costs
-    /// digits. Collective integrators pass to gauge(z) after each step. By default z itself.
+    /// digits. Collective integrators pass to gauge(z) after each step; it should mostly be z itself,
+    /// since stages are guessed from those of steps that follow each other. By default z itself.
     #[inline]
     fn gauge<T: Real>(&self, z: &SourcePoint<Self, T>) -> SourcePoint<Self, T> {
         *z
