@@ -1,7 +1,9 @@
 //! The attitude of the body, with its motion.
 
 use crate::HeavyTopSpace;
-use collective_integrators::{Equivariant, Integrator, LiftFree, Start, Step, StepError};
+use collective_integrators::{
+    Equivariant, Integrator, LiftFree, MultiplierSpace, Start, Step, StepError,
+};
 use lie_poisson::{Hamiltonian, Pair, Quaternion, Real, Se3Dual, Vector};
 use momentum_map::{DualQuaternions, LiftError};
 use nalgebra::Vector3;
@@ -66,7 +68,7 @@ where
 {
     type State = Pair<Se3Dual<T>, Quaternion<T>>;
     type Momentum = Se3Dual<T>;
-    type Workspace = <LiftFree<S, DualQuaternions, H> as Integrator<T>>::Workspace;
+    type Workspace = MultiplierSpace<S, DualQuaternions, T>;
 
     fn workspace(&self) -> Self::Workspace {
         self.0.workspace()

@@ -1,6 +1,6 @@
 //! Compensated summation: steps whose rounding is not lost.
 
-use crate::{Equivariant, Integrator, LiftFree, Start, Step, StepError};
+use crate::{Equivariant, Integrator, LiftFree, MultiplierSpace, Start, Step, StepError};
 use lie_poisson::{Hamiltonian, Pair, Point, Real, Vector};
 use momentum_map::{LiftError, Multipliers};
 
@@ -43,7 +43,7 @@ where
 {
     type State = Pair<Point<M::Space, T>, Point<M::Space, T>>;
     type Momentum = Point<M::Space, T>;
-    type Workspace = <LiftFree<S, M, H> as Integrator<T>>::Workspace;
+    type Workspace = MultiplierSpace<S, M, T>;
 
     fn workspace(&self) -> Self::Workspace {
         self.0.workspace()

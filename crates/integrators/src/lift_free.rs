@@ -1,7 +1,7 @@
 //! Collective Runge–Kutta methods without a lift.
 
 use crate::predictor::near;
-use crate::{Compensated, Equivariant, Integrator, Start, Step, StepError, VectorField};
+use crate::{Compensated, Equivariant, Integrator, Scheme, Start, Step, StepError, VectorField};
 use lie_poisson::{
     Differential, DualNumber, Hamiltonian, Point, Real, Vector, derivative_part, map_coordinates,
     seed,
@@ -87,7 +87,7 @@ impl<S: Equivariant, M: Multipliers, H> LiftFree<S, M, H> {
         &self,
         mu: &Point<M::Space, T>,
         step: f64,
-        workspace: &mut MultiplierSpace<S::Workspace<Multiplier<M, T>>, Point<M::Space, T>>,
+        workspace: &mut MultiplierSpace<S, M, T>,
     ) -> Result<Step<Multiplier<M, T>>, StepError>
     where
         H: Hamiltonian<M::Space, T>,
@@ -113,10 +113,10 @@ impl<S: Equivariant, M: Multipliers, H> LiftFree<S, M, H> {
 
 /// The storage of a lift-free step: that of the scheme, for multipliers, and the μ at which the last
 /// step ended, to tell whether the next one goes on from there.
-#[derive(Clone, Copy, Debug)]
-pub struct MultiplierSpace<W, V> {
-    scheme: W,
-    end: Option<V>,
+#[derive(Debug)]
+pub struct MultiplierSpace<S: Scheme, M: Multipliers, T: Real = f64> {
+    scheme: S::Workspace<Multiplier<M, T>>,
+    end: Option<Point<M::Space, T>>,
 }
 
 /// Q ↦ dh(transport(Q, μ₀)) Q
@@ -162,7 +162,7 @@ where
 {
     type State = Point<M::Space, T>;
     type Momentum = Point<M::Space, T>;
-    type Workspace = MultiplierSpace<S::Workspace<Multiplier<M, T>>, Point<M::Space, T>>;
+    type Workspace = MultiplierSpace<S, M, T>;
 
     fn workspace(&self) -> Self::Workspace {
         MultiplierSpace { scheme: self.scheme.workspace(), end: None }
