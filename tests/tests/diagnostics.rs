@@ -168,15 +168,16 @@ impl Scheme for Stretched {
         self.0.workspace()
     }
 
-    fn step<T: Real, F: VectorField<T>>(
+    fn increment<T: Real, F: VectorField<T>>(
         &self,
         field: &F,
         z: &F::Point,
         step: f64,
         workspace: &mut StageSpace<F::Point>,
     ) -> Result<Step<F::Point>, StepError> {
-        let mut next = self.0.step(field, z, step, workspace)?;
-        next.point.add_scaled(next.point.coordinate(0) * step, &Vector::basis(0));
+        let mut next = self.0.increment(field, z, step, workspace)?;
+        let end = *z + next.point;
+        next.point.add_scaled(end.coordinate(0) * step, &Vector::basis(0));
         Ok(next)
     }
 

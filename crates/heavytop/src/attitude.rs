@@ -1,35 +1,36 @@
 //! The attitude of the body, with its motion.
 
-use crate::HeavyTopSpace;
-use collective_integrators::{
-    Equivariant, Integrator, LiftFree, MultiplierSpace, Start, Step, StepError,
-};
-use lie_poisson::{Hamiltonian, Pair, Quaternion, Real, Se3Dual, Vector};
-use momentum_map::{DualQuaternions, LiftError};
+use crate::Turning;
+use crate::turning::unit;
+use collective_integrators::{Integrator, Start, Step, StepError};
+use lie_poisson::{Pair, Quaternion, Real, Se3Dual, Vector};
+use momentum_map::LiftError;
 use nalgebra::Vector3;
 
-/// A lift-free integrator on se(3)* that carries the attitude R ∈ SO(3) of the body along, as a unit
-/// quaternion A with R v = A v Ā:
+/// An integrator on se(3)∗ that carries the attitude R ∈ SO(3) of the body along, as a unit quaternion
+/// A with R v = A v Ā:
 ///
 /// ```text
-/// Aₙ₊₁ = Aₙ conj(Qₙ),    Γₙ = Rₙᵀ e₃
+/// Aₙ₊₁ = Aₙ conj(Qₙ),    Γₙ/|Γₙ| = Rₙᵀ e₃
 /// ```
 ///
-/// where Qₙ is the [multiplier](LiftFree::multiplier) of the step, which turns Γₙ to Γₙ₊₁. The
-/// state is (μ, A); R maps the body frame to the spatial one. It is determined up to a rotation
-/// about the vertical, which the start chooses.
+/// where Qₙ is the rotation of the step that [`Turning`] gives. The state is that of the integrator
+/// and A; R maps the body frame to the spatial one. It is determined up to a rotation about the
+/// vertical, which the start chooses. It solves Ṙ = R Ω̂ with the order of the integrator.
+///
+/// Every formulation has an attitude but one: the six [direct](collective_integrators::Direct)
+/// equations do not determine it.
 ///
 /// Source: Ohsawa 2019, §1.1 for R and Γ.
 ///
 /// # Example
 /// ```
-/// use collective_integrators::{LiftFree, RungeKutta, Start};
-/// use heavytop::{HeavyTop, WithAttitude};
+/// use collective_integrators::{Collective, RungeKutta, Start};
+/// use heavytop::{HeavyTop, SpinorRealisation, WithAttitude};
 /// use lie_poisson::Se3Dual;
-/// use momentum_map::DualQuaternions;
 /// use nalgebra::Vector3;
 /// let top = HeavyTop::kovalevskaya(1.0, 1.0)?;
-/// let gauss = WithAttitude(LiftFree::new(RungeKutta::gauss(2)?, DualQuaternions, top));
+/// let gauss = WithAttitude(Collective::new(RungeKutta::gauss(2)?, SpinorRealisation, top));
 /// let start = Se3Dual::new(Vector3::new(2.0, 3.0, 4.0), Vector3::new(0.6, 0.0, 0.8));
 /// for sample in gauss.trajectory(&start, 0.02)?.take(1000) {
 ///     let sample = sample?;
@@ -60,15 +61,10 @@ pub fn attitude_of_vertical<T: Real>(gamma: &Vector3<T>) -> Quaternion<T> {
     Vector::from_coordinates(|i| gamma.z.select_nonnegative(up.coordinate(i), down.coordinate(i)))
 }
 
-impl<S, H, T> Integrator<T> for WithAttitude<LiftFree<S, DualQuaternions, H>>
-where
-    S: Equivariant,
-    H: Hamiltonian<HeavyTopSpace, T>,
-    T: Real,
-{
-    type State = Pair<Se3Dual<T>, Quaternion<T>>;
+impl<I: Turning<T>, T: Real> Integrator<T> for WithAttitude<I> {
+    type State = Pair<I::State, Quaternion<T>>;
     type Momentum = Se3Dual<T>;
-    type Workspace = MultiplierSpace<S, DualQuaternions, T>;
+    type Workspace = I::Workspace;
 
     fn workspace(&self) -> Self::Workspace {
         self.0.workspace()
@@ -82,36 +78,28 @@ where
     #[inline]
     fn step(
         &self,
-        Pair(mu, attitude): &Self::State,
+        Pair(state, attitude): &Self::State,
         step: f64,
         workspace: &mut Self::Workspace,
     ) -> Result<Step<Self::State>, StepError> {
-        let Step { point: multiplier, iterations } = self.0.multiplier::<T>(mu, step, workspace)?;
-        let turned = *attitude * multiplier.0.conjugate();
-        let unit = turned.scaled(T::one() / turned.norm_squared().sqrt());
-        let next = *mu + self.0.change::<T>(&multiplier, mu);
-        let point = Pair(next, unit);
-        if point.is_finite() { Ok(Step { point, iterations }) } else { Err(StepError::NotFinite) }
+        let (next, turn) = self.0.turn(state, step, workspace)?;
+        let turned = unit(*attitude * turn.conjugate());
+        Step { point: Pair(next.point, turned), iterations: next.iterations }.finite()
     }
 
     #[inline]
     fn momentum(&self, state: &Self::State) -> Se3Dual<T> {
-        state.0
+        self.0.momentum(&state.0)
     }
 }
 
-impl<S, H, T> Start<T> for WithAttitude<LiftFree<S, DualQuaternions, H>>
-where
-    S: Equivariant,
-    H: Hamiltonian<HeavyTopSpace, T>,
-    T: Real,
-{
-    /// μ with the shortest attitude.
+impl<I: Turning<T> + Start<T>, T: Real> Start<T> for WithAttitude<I> {
+    /// The start of the integrator, with the [shortest attitude](attitude_of_vertical).
     ///
     /// # Errors
-    /// If Γ = 0, or μ is not finite.
+    /// If Γ = 0, or μ is not finite, or the integrator has no state for μ.
     fn start(&self, mu: &Se3Dual<T>) -> Result<Self::State, LiftError> {
-        let state = Pair(*mu, attitude_of_vertical(&mu.0.1));
+        let state = Pair(self.0.start(mu)?, attitude_of_vertical(&mu.0.1));
         let reason = "Γ must be different from 0, and Π and Γ finite";
         LiftError::unless_finite(state, "Γ", mu.0.1.max_abs(), reason)
     }

@@ -10,8 +10,10 @@
 //! | M = ϖ∘L: T∗C² → se(3)∗, its lifts and fibres | [`SpinorRealisation`] |
 //! | the heavy top: general, free, Lagrange, Kovalevskaya, Goryachev–Chaplygin | [`HeavyTop`], [`Body`], [`RigidBody`] |
 //! | h, f₁, f₂, f₃, K, G | [`Invariant`] |
+//! | the rotation of the body in a step | [`Turning`], [`TurningFlows`] |
 //! | splittings of tops into exact rotations and kicks | [`RotorSplitting`], [`SymmetricTopSplitting`] |
-//! | the midpoint rule on se(3)∗ in closed form; the attitude | [`ReducedMidpoint`], [`WithAttitude`] |
+//! | the midpoint rule on se(3)∗ in closed form | [`ReducedMidpoint`] |
+//! | the attitude, in every formulation that has one | [`WithAttitude`] |
 //! | other systems on se(3)∗: gyrostat, body in a fluid | [`Gyrostat`], [`Kirchhoff`] |
 //! | systems on (so(3)∗)ᴺ: vortices, spins, spins on a lattice | [`PointVortices`], [`HeisenbergChain`], [`SpinLattice`] |
 //! | closed forms: Euler's and Lagrange's tops | [`EulerSolution`], [`LagrangeNutation`], [`jacobi_elliptic`] |
@@ -43,6 +45,7 @@ mod varpi;
 mod spinor_realisation;
 mod top;
 mod rigid_body;
+mod turning;
 mod rotor_splitting;
 mod symmetric_splitting;
 mod reduced_midpoint;
@@ -77,6 +80,7 @@ pub use spinor_motions::{
 pub use spinor_realisation::{SpinorPoint, SpinorRealisation};
 pub use symmetric_splitting::SymmetricTopSplitting;
 pub use top::{Body, HeavyTop, HeavyTopSpace};
+pub use turning::{Turned, Turning, TurningFlows};
 pub use varpi::Varpi;
 
 pub use collective_integrators;

@@ -1,8 +1,9 @@
 //! The collective midpoint rule in closed form on se(3)*.
 
-use crate::HeavyTopSpace;
+use crate::turning::unit;
+use crate::{HeavyTopSpace, Turned, Turning};
 use collective_integrators::{Integrator, StageSolver, Start, Step, StepError};
-use lie_poisson::{Covector, Hamiltonian, Pair, Real, Se3Dual, Vector};
+use lie_poisson::{Covector, Hamiltonian, Pair, Quaternion, Real, Se3Dual, Vector};
 use momentum_map::LiftError;
 use nalgebra::Vector3;
 
@@ -64,6 +65,25 @@ impl<H> ReducedMidpoint<H> {
     pub fn hamiltonian(&self) -> &H {
         &self.hamiltonian
     }
+
+    /// One step, and a = (h/4) Ω̄.
+    #[inline]
+    fn advance<T: Real>(
+        &self,
+        mu: &Se3Dual<T>,
+        step: f64,
+    ) -> Result<(Step<Se3Dual<T>>, Vector3<T>), StepError>
+    where
+        H: Hamiltonian<HeavyTopSpace, T>,
+    {
+        let mut velocity = [Vector::zero()];
+        let first = self.hamiltonian.differential(mu);
+        let iterations = self.solver.solve(first, step, &mut velocity, |_, velocity| {
+            self.hamiltonian.differential(&middle(mu, &velocity[0], step))
+        })?;
+        let next = Step { point: end(mu, &velocity[0], step), iterations }.finite()?;
+        Ok((next, velocity[0].0 * T::from_f64(0.25 * step)))
+    }
 }
 
 /// R_a v
@@ -108,18 +128,27 @@ where
 
     #[inline]
     fn step(&self, mu: &Se3Dual<T>, step: f64, (): &mut ()) -> Result<Step<Se3Dual<T>>, StepError> {
-        let mut velocity = [Vector::zero()];
-        let first = self.hamiltonian.differential(mu);
-        let iterations = self.solver.solve(first, step, &mut velocity, |_, velocity| {
-            self.hamiltonian.differential(&middle(mu, &velocity[0], step))
-        })?;
-        let point = end(mu, &velocity[0], step);
-        if point.is_finite() { Ok(Step { point, iterations }) } else { Err(StepError::NotFinite) }
+        self.advance(mu, step).map(|(next, _)| next)
     }
 
     #[inline]
     fn momentum(&self, mu: &Se3Dual<T>) -> Se3Dual<T> {
         *mu
+    }
+}
+
+/// R_a R_a
+impl<H, T> Turning<T> for ReducedMidpoint<H>
+where
+    H: Hamiltonian<HeavyTopSpace, T>,
+    T: Real,
+{
+    #[inline]
+    fn turn(&self, mu: &Se3Dual<T>, step: f64, (): &mut ()) -> Turned<Se3Dual<T>, T> {
+        let (next, a) = self.advance(mu, step)?;
+        // R_a is the rotation by 1 − a.
+        let half = Quaternion { scalar: T::one(), vector: -a };
+        Ok((next, unit(half * half)))
     }
 }
 

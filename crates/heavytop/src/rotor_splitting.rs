@@ -1,8 +1,8 @@
 //! A top as four exactly solvable parts.
 
-use crate::{HeavyTop, RigidBody};
+use crate::{HeavyTop, RigidBody, TurningFlows};
 use collective_integrators::ExactFlows;
-use lie_poisson::{Covector, Pair, Real, Se3Dual};
+use lie_poisson::{Covector, LieGroup, Pair, Quaternion, Real, SP1, Se3Dual, Vector};
 use nalgebra::Vector3;
 
 /// The kinetic energy as three rotors, one for each principal axis, and the weight:
@@ -41,6 +41,14 @@ use nalgebra::Vector3;
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct RotorSplitting<B>(pub B);
 
+impl RotorSplitting<HeavyTop> {
+    /// −tΠ_i/I_i
+    #[inline]
+    fn angle<T: Real>(&self, index: usize, time: f64, pi: &Vector3<T>) -> T {
+        pi[index] * (-time / self.0.inertia()[index])
+    }
+}
+
 impl<T: Real> ExactFlows<T> for RotorSplitting<HeavyTop> {
     type Point = Se3Dual<T>;
     const COUNT: usize = 4;
@@ -49,12 +57,23 @@ impl<T: Real> ExactFlows<T> for RotorSplitting<HeavyTop> {
     fn flow(&self, index: usize, time: f64, mu: &Se3Dual<T>) -> Se3Dual<T> {
         let Covector(Pair(pi, gamma)) = mu;
         if index < 3 {
-            let angle = pi[index] * (-time / self.0.inertia()[index]);
+            let angle = self.angle(index, time, pi);
             Se3Dual::new(turn(index, angle, pi), turn(index, angle, gamma))
         } else if index == 3 {
             kick(&self.0, time, mu)
         } else {
             *mu
+        }
+    }
+}
+
+impl<T: Real> TurningFlows<T> for RotorSplitting<HeavyTop> {
+    #[inline]
+    fn flow_turn(&self, index: usize, time: f64, mu: &Se3Dual<T>) -> Quaternion<T> {
+        if index < 3 {
+            axial_turn(index, self.angle(index, time, &mu.0.0))
+        } else {
+            Quaternion::one()
         }
     }
 }
@@ -83,6 +102,12 @@ pub(crate) fn turn<T: Real>(axis: usize, angle: T, v: &Vector3<T>) -> Vector3<T>
     turned[i] = cos * v[i] - sin * v[j];
     turned[j] = sin * v[i] + cos * v[j];
     turned
+}
+
+/// The unit quaternion of [`turn`].
+#[inline]
+pub(crate) fn axial_turn<T: Real>(axis: usize, angle: T) -> Quaternion<T> {
+    SP1.exp(&Vector3::basis(axis).scaled(angle))
 }
 
 /// The flow of m g l Γ·c.

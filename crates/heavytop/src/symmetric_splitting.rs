@@ -1,9 +1,10 @@
 //! A symmetric top as the free symmetric top and its weight.
 
-use crate::rotor_splitting::{kick, turn};
-use crate::{HeavyTop, TopError};
+use crate::rotor_splitting::{axial_turn, kick, turn};
+use crate::{HeavyTop, TopError, TurningFlows};
 use collective_integrators::ExactFlows;
-use lie_poisson::{Covector, LieGroup, Pair, Real, SO3, Se3Dual};
+use lie_poisson::{Covector, LieGroup, Pair, Quaternion, Real, SO3, SP1, Se3Dual};
+use nalgebra::Vector3;
 
 /// A top with I₁ = I₂ in two parts: the free symmetric top, solved exactly, and the weight,
 ///
@@ -59,6 +60,14 @@ impl SymmetricTopSplitting {
     pub fn top(&self) -> &HeavyTop {
         &self.top
     }
+
+    /// −tΠ/I₁, and −t(1/I₃ − 1/I₁)Π₃ about e₃.
+    #[inline]
+    fn free_turns<T: Real>(&self, time: f64, pi: &Vector3<T>) -> (Vector3<T>, T) {
+        let inertia = self.top.inertia();
+        let about_axis = -time * (1.0 / inertia.z - 1.0 / inertia.x);
+        (pi * T::from_f64(-time / inertia.x), pi.z * about_axis)
+    }
 }
 
 impl<T: Real> ExactFlows<T> for SymmetricTopSplitting {
@@ -68,15 +77,25 @@ impl<T: Real> ExactFlows<T> for SymmetricTopSplitting {
     #[inline]
     fn flow(&self, index: usize, time: f64, mu: &Se3Dual<T>) -> Se3Dual<T> {
         let Covector(Pair(pi, gamma)) = mu;
-        let inertia = self.top.inertia();
         match index {
             0 => {
-                let gamma = SO3.exp(&(pi * T::from_f64(-time / inertia.x))) * gamma;
-                let angle = pi.z * (-time * (1.0 / inertia.z - 1.0 / inertia.x));
+                let (about_pi, angle) = self.free_turns(time, pi);
+                let gamma = SO3.exp(&about_pi) * gamma;
                 Se3Dual::new(turn(2, angle, pi), turn(2, angle, &gamma))
             }
             1 => kick(&self.top, time, mu),
             _ => *mu,
         }
+    }
+}
+
+impl<T: Real> TurningFlows<T> for SymmetricTopSplitting {
+    #[inline]
+    fn flow_turn(&self, index: usize, time: f64, mu: &Se3Dual<T>) -> Quaternion<T> {
+        if index > 0 {
+            return Quaternion::one();
+        }
+        let (about_pi, angle) = self.free_turns(time, &mu.0.0);
+        axial_turn(2, angle) * SP1.exp(&about_pi)
     }
 }

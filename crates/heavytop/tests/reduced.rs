@@ -1,9 +1,9 @@
-//! The closed form of the midpoint rule on se(3)*, and the attitude that comes with a motion.
+//! The closed form of the midpoint rule on se(3)*.
 #![allow(clippy::unwrap_used)]
 
 use collective_integrators::diagnostics::step_poisson_defect;
 use collective_integrators::{Composition, LiftFree, RungeKutta, Start, Substeps, fitted_order};
-use heavytop::{HeavyTop, Kirchhoff, ReducedMidpoint, WithAttitude, attitude_of_vertical};
+use heavytop::{HeavyTop, Kirchhoff, ReducedMidpoint};
 use lie_poisson::{Hamiltonian, LiePoisson, Se3, Se3Dual, Vector};
 use momentum_map::DualQuaternions;
 use nalgebra::{Matrix3, Vector3};
@@ -66,47 +66,4 @@ fn it_is_poisson_and_its_compositions_are_of_their_order() {
         let slope = fitted_order(&errors, 1e-13).unwrap();
         assert!((slope - order).abs() < 0.4, "{slope}");
     }
-}
-
-#[test]
-fn the_attitude_turns_the_vertical_to_gamma() {
-    for scheme in [RungeKutta::implicit_midpoint(), RungeKutta::gauss(3).unwrap()] {
-        let integrator = WithAttitude(LiftFree::new(scheme, DualQuaternions, top()));
-        for sample in integrator.trajectory(&start(), 0.02).unwrap().take(5000) {
-            let sample = sample.unwrap();
-            let seen = sample.state.1.conjugate().rotate(&Vector3::z());
-            assert!((seen - sample.momentum.0.1).norm() < 1e-12);
-            assert!((sample.state.1.norm_squared() - 1.0).abs() < 1e-15);
-        }
-    }
-}
-
-#[test]
-fn the_attitude_obeys_its_equation() {
-    // Ṙ = R Ω̂: over a short step the body turns by hΩ.
-    let integrator =
-        WithAttitude(LiftFree::new(RungeKutta::gauss(3).unwrap(), DualQuaternions, top()));
-    let step = 1e-4;
-    let mut run = integrator.trajectory(&start(), step).unwrap();
-    let [before, after] = [(); 2].map(|()| run.next().unwrap().unwrap().state.1);
-    let turn = (before.conjugate() * after).vector * (2.0 / step);
-    let omega = top().angular_velocity(&start().0.0);
-    // exact to the first order in the step
-    assert!((turn - omega).norm() < 2.0 * step, "{turn} {omega}");
-    assert!((turn + omega).norm() > 1.0);
-}
-
-#[test]
-fn every_vertical_has_an_attitude() {
-    let mut verticals = vec![Vector3::z(), -Vector3::z(), Vector3::x(), -Vector3::y()];
-    verticals.push(Vector3::new(1e-9, 0.0, -1.0).normalize());
-    verticals.push(Vector3::new(0.0, 1e-9, 1.0).normalize());
-    verticals.push(Vector3::new(0.36, 0.48, -0.8) * 3.0);
-    for gamma in verticals {
-        let attitude = attitude_of_vertical(&gamma);
-        let seen = attitude.conjugate().rotate(&Vector3::z()) * gamma.norm();
-        assert!((seen - gamma).norm() < 1e-15 * (1.0 + gamma.norm()), "{gamma} {seen}");
-        assert!((attitude.norm_squared() - 1.0).abs() < 1e-15);
-    }
-    assert!(!attitude_of_vertical(&Vector3::<f64>::zeros()).is_finite());
 }

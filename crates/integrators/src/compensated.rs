@@ -1,17 +1,45 @@
 //! Compensated summation: steps whose rounding is not lost.
 
-use crate::{Equivariant, Integrator, LiftFree, MultiplierSpace, Start, Step, StepError};
-use lie_poisson::{Hamiltonian, Pair, Point, Real, Vector};
-use momentum_map::{LiftError, Multipliers};
+use crate::{Integrator, Start, Step, StepError};
+use lie_poisson::{Pair, Real, Vector};
+use momentum_map::LiftError;
 
-/// A lift-free integrator that carries along what each addition μ + δμ rounds away:
+/// An integrator that adds a small increment to its state in each step.
+///
+/// # Example
+/// See [`Compensated`].
+pub trait Increments<T: Real = f64>: Integrator<T> {
+    /// The change of the state in one step, with the accuracy of its own size, before the state is
+    /// [`settled`](Self::settled).
+    ///
+    /// # Errors
+    /// If the step has no result. That it is finite is left to who adds it.
+    fn increment(
+        &self,
+        state: &Self::State,
+        step: f64,
+        workspace: &mut Self::Workspace,
+    ) -> Result<Step<Self::State>, StepError>;
+
+    /// The state that is gone on from in the place of this one, with the same momentum. By default
+    /// itself.
+    #[inline]
+    fn settled(&self, state: &Self::State) -> Self::State {
+        *state
+    }
+}
+
+/// An integrator that carries along what each addition z + δz rounds away:
 ///
 /// ```text
-/// y = δμ + e,    μ₁ = μ + y,    e₁ = y − (μ₁ − μ)
+/// y = δz + e,    z₁ = z + y,    e₁ = y − (z₁ − z)
 /// ```
 ///
-/// so that the errors of a step have the size of the roundings of δμ, a factor h|Ω| below those
-/// of μ. The state is (μ, e).
+/// so that the errors of a step have the size of the roundings of δz, a factor h|Ω| below those
+/// of z. The state is (z, e); of a [`LiftFree`](crate::LiftFree) integrator z is μ.
+///
+/// Where a [`Collective`](crate::Collective) integrator slides z along its fibre, which it does
+/// rarely, e stays: that costs one rounding of z.
 ///
 /// Source: W. Kahan, *Further remarks on reducing truncation errors*, Comm. ACM 8 (1965); Hairer,
 /// McLachlan & Razakarivony, *Achieving Brouwer's law with implicit Runge–Kutta methods*, BIT 48
@@ -34,16 +62,35 @@ use momentum_map::{LiftError, Multipliers};
 #[derive(Clone, Debug, PartialEq)]
 pub struct Compensated<I>(pub(crate) I);
 
-impl<S, M, H, T> Integrator<T> for Compensated<LiftFree<S, M, H>>
-where
-    S: Equivariant,
-    M: Multipliers,
-    H: Hamiltonian<M::Space, T>,
-    T: Real,
-{
-    type State = Pair<Point<M::Space, T>, Point<M::Space, T>>;
-    type Momentum = Point<M::Space, T>;
-    type Workspace = MultiplierSpace<S, M, T>;
+impl<I> Compensated<I> {
+    /// The integrator whose increments are added.
+    pub fn base(&self) -> &I {
+        &self.0
+    }
+}
+
+/// (z₁, e₁) from (z, e) and δz: one addition of [`Compensated`] summation.
+///
+/// ```
+/// use collective_integrators::compensated_sum;
+/// use lie_poisson::{Pair, nalgebra::Vector1};
+/// let (one, tiny) = (Vector1::new(1.0), Vector1::new(f64::EPSILON / 8.0));
+/// let sum = (0..8).fold(Pair(one, Vector1::zeros()), |sum, _| compensated_sum(&sum, tiny));
+/// assert_eq!(sum.0[0], 1.0 + f64::EPSILON);
+/// // without e nothing would have come of it
+/// assert_eq!(one + tiny, one);
+/// ```
+#[inline]
+pub fn compensated_sum<V: Vector>(Pair(z, carry): &Pair<V, V>, increment: V) -> Pair<V, V> {
+    let change = increment + *carry;
+    let next = *z + change;
+    Pair(next, change - (next - *z))
+}
+
+impl<I: Increments<T>, T: Real> Integrator<T> for Compensated<I> {
+    type State = Pair<I::State, I::State>;
+    type Momentum = I::Momentum;
+    type Workspace = I::Workspace;
 
     fn workspace(&self) -> Self::Workspace {
         self.0.workspace()
@@ -61,29 +108,20 @@ where
         step: f64,
         workspace: &mut Self::Workspace,
     ) -> Result<Step<Self::State>, StepError> {
-        let Pair(mu, carry) = state;
-        let Step { point: q, iterations } = self.0.multiplier::<T>(mu, step, workspace)?;
-        let change = self.0.change::<T>(&q, mu) + *carry;
-        let next = *mu + change;
-        let point = Pair(next, change - (next - *mu));
-        if point.is_finite() { Ok(Step { point, iterations }) } else { Err(StepError::NotFinite) }
+        let Step { point, iterations } = self.0.increment(&state.0, step, workspace)?;
+        let Pair(next, carry) = compensated_sum(state, point);
+        Step { point: Pair(self.0.settled(&next), carry), iterations }.finite()
     }
 
     #[inline]
     fn momentum(&self, state: &Self::State) -> Self::Momentum {
-        state.0
+        self.0.momentum(&state.0)
     }
 }
 
-impl<S, M, H, T> Start<T> for Compensated<LiftFree<S, M, H>>
-where
-    S: Equivariant,
-    M: Multipliers,
-    H: Hamiltonian<M::Space, T>,
-    T: Real,
-{
-    /// (μ, 0)
+impl<I: Increments<T> + Start<T>, T: Real> Start<T> for Compensated<I> {
+    /// (z, 0)
     fn start(&self, mu: &Self::Momentum) -> Result<Self::State, LiftError> {
-        Ok(Pair(*mu, Vector::zero()))
+        Ok(Pair(self.0.start(mu)?, Vector::zero()))
     }
 }

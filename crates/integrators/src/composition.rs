@@ -76,15 +76,20 @@ impl<S: Scheme> Scheme for Composition<S> {
         self.base.workspace()
     }
 
+    /// The sum of the increments of the substeps.
     #[inline]
-    fn step<T: Real, F: VectorField<T>>(
+    fn increment<T: Real, F: VectorField<T>>(
         &self,
         field: &F,
         z: &F::Point,
         step: f64,
         workspace: &mut Self::Workspace<F::Point>,
     ) -> Result<Step<F::Point>, StepError> {
-        self.chain(z, step, |z, step| self.base.step::<T, F>(field, z, step, workspace))
+        self.chain(&Vector::zero(), step, |sum: &F::Point, step| {
+            let from = *z + *sum;
+            let Step { point, iterations } = self.base.increment(field, &from, step, workspace)?;
+            Ok(Step { point: *sum + point, iterations })
+        })
     }
 
     #[inline]

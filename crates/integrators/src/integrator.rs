@@ -1,6 +1,8 @@
 //! Integrators on 𝔤∗: a scheme, where it runs, and how its state is read.
 
-use crate::{Equivariant, Scheme, Step, StepError, Trajectory, VectorField};
+use crate::{
+    Compensated, Equivariant, Increments, Scheme, Step, StepError, Trajectory, VectorField,
+};
 use lie_poisson::{Hamiltonian, Real, Vector};
 use momentum_map::{CollectiveHamiltonian, Lift, LiftError, PoissonMap, SourcePoint, TargetPoint};
 
@@ -200,6 +202,19 @@ impl<S, M, H> Collective<S, M, H> {
     }
 }
 
+impl<S, M: PoissonMap, H> Collective<S, M, H> {
+    /// The same with compensated summation of z.
+    pub fn compensated(self) -> Compensated<Self> {
+        Compensated(self)
+    }
+
+    /// The point of the fibre through z to go on from.
+    #[inline]
+    fn gauged<T: Real>(&self, z: &SourcePoint<M, T>) -> SourcePoint<M, T> {
+        if self.descends { self.system.map.gauge::<T>(z) } else { *z }
+    }
+}
+
 impl<S, M, H, T> Integrator<T> for Collective<S, M, H>
 where
     S: Scheme,
@@ -223,9 +238,7 @@ where
         workspace: &mut Self::Workspace,
     ) -> Result<Step<Self::State>, StepError> {
         let next = self.scheme.step::<T, _>(&self.system, state, step, workspace)?;
-        let gauged =
-            if self.descends { self.system.map.gauge::<T>(&next.point) } else { next.point };
-        Ok(Step { point: gauged, ..next })
+        Ok(Step { point: self.gauged::<T>(&next.point), ..next })
     }
 
     #[inline]
@@ -236,6 +249,29 @@ where
     #[inline]
     fn momentum(&self, state: &Self::State) -> Self::Momentum {
         self.system.map.apply::<T>(state)
+    }
+}
+
+impl<S, M, H, T> Increments<T> for Collective<S, M, H>
+where
+    S: Scheme,
+    M: PoissonMap,
+    H: Hamiltonian<M::Target, T>,
+    T: Real,
+{
+    #[inline]
+    fn increment(
+        &self,
+        state: &Self::State,
+        step: f64,
+        workspace: &mut Self::Workspace,
+    ) -> Result<Step<Self::State>, StepError> {
+        self.scheme.increment::<T, _>(&self.system, state, step, workspace)
+    }
+
+    #[inline]
+    fn settled(&self, state: &Self::State) -> Self::State {
+        self.gauged::<T>(state)
     }
 }
 
@@ -288,6 +324,11 @@ impl<S: Scheme, F> Direct<S, F> {
     pub fn new(scheme: S, field: F) -> Self {
         Self { scheme, field }
     }
+
+    /// The same with compensated summation.
+    pub fn compensated(self) -> Compensated<Self> {
+        Compensated(self)
+    }
 }
 
 impl<S, F, T> Integrator<T> for Direct<S, F>
@@ -322,6 +363,23 @@ where
     #[inline]
     fn momentum(&self, state: &F::Point) -> F::Point {
         *state
+    }
+}
+
+impl<S, F, T> Increments<T> for Direct<S, F>
+where
+    S: Scheme,
+    F: VectorField<T>,
+    T: Real,
+{
+    #[inline]
+    fn increment(
+        &self,
+        state: &F::Point,
+        step: f64,
+        workspace: &mut Self::Workspace,
+    ) -> Result<Step<F::Point>, StepError> {
+        self.scheme.increment(&self.field, state, step, workspace)
     }
 }
 

@@ -10,7 +10,8 @@
 //! | one-step methods, and which of them descend | [`Scheme`], [`Equivariant`], [`RungeKutta`] |
 //! | partitioned methods, which do not descend | [`Polarisation`], [`PartitionedRungeKutta`] |
 //! | compositions of a method with itself | [`Composition`], [`Substeps`] |
-//! | integrators on 𝔤∗ | [`Integrator`], [`Collective`], [`LiftFree`], [`Compensated`], [`Direct`] |
+//! | integrators on 𝔤∗ | [`Integrator`], [`Collective`], [`LiftFree`], [`Direct`] |
+//! | compensated summation | [`Compensated`], [`Increments`] |
 //! | splitting into exact flows | [`ExactFlows`], [`Splitting`] |
 //! | doubled phase spaces: Tao's method; the semiexplicit one is a [`Tableau::semiexplicit`] | [`TaoFlows`] |
 //! | the spherical midpoint method | [`SphericalMidpoint`] |
@@ -55,7 +56,7 @@ mod lyapunov;
 
 pub mod diagnostics;
 
-pub use compensated::Compensated;
+pub use compensated::{Compensated, Increments, compensated_sum};
 pub use composition::Composition;
 pub use dense_output::{DenseOutput, DenseOutputError};
 pub use diagnostics::{OrderFitError, fitted_order};

@@ -1,10 +1,11 @@
 //! Collective Runge–Kutta methods without a lift.
 
 use crate::predictor::near;
-use crate::{Compensated, Equivariant, Integrator, Scheme, Start, Step, StepError, VectorField};
+use crate::{
+    Compensated, Equivariant, Increments, Integrator, Scheme, Start, Step, StepError, VectorField,
+};
 use lie_poisson::{
-    Differential, DualNumber, Hamiltonian, Point, Real, Vector, derivative_part, map_coordinates,
-    seed,
+    Differential, DualNumber, Hamiltonian, Point, Real, derivative_part, map_coordinates, seed,
 };
 use momentum_map::{LiftError, Multiplier, Multipliers};
 
@@ -181,13 +182,31 @@ where
         workspace: &mut Self::Workspace,
     ) -> Result<Step<Self::State>, StepError> {
         let Step { point: q, iterations } = self.multiplier::<T>(mu, step, workspace)?;
-        let point = *mu + self.change::<T>(&q, mu);
-        if point.is_finite() { Ok(Step { point, iterations }) } else { Err(StepError::NotFinite) }
+        Step { point: *mu + self.change::<T>(&q, mu), iterations }.finite()
     }
 
     #[inline]
     fn momentum(&self, mu: &Self::State) -> Self::Momentum {
         *mu
+    }
+}
+
+impl<S, M, H, T> Increments<T> for LiftFree<S, M, H>
+where
+    S: Equivariant,
+    M: Multipliers,
+    H: Hamiltonian<M::Space, T>,
+    T: Real,
+{
+    #[inline]
+    fn increment(
+        &self,
+        mu: &Self::State,
+        step: f64,
+        workspace: &mut Self::Workspace,
+    ) -> Result<Step<Self::State>, StepError> {
+        let Step { point: q, iterations } = self.multiplier::<T>(mu, step, workspace)?;
+        Ok(Step { point: self.change::<T>(&q, mu), iterations })
     }
 }
 

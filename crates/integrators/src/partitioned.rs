@@ -147,15 +147,15 @@ impl<P: Polarisation> PartitionedRungeKutta<P> {
         Ok(Self::of_equal_stages(q, p))
     }
 
-    /// z + h (Σ a_j q̇_j, Σ â_j ṗ_j), the small sums first.
+    /// h (Σ a_j q̇_j, Σ â_j ṗ_j)
     #[inline]
-    fn advanced<V: Vector>(z: &V, step: f64, (a, a_hat): (&[f64], &[f64]), k: &[V]) -> V {
+    fn sum<V: Vector>(step: f64, (a, a_hat): (&[f64], &[f64]), k: &[V]) -> V {
         let (mut q, mut p) = (V::zero(), V::zero());
         for ((&a, &a_hat), k) in a.iter().zip(a_hat).zip(k) {
             q.add_scaled(V::Scalar::from_f64(a), k);
             p.add_scaled(V::Scalar::from_f64(a_hat), k);
         }
-        *z + P::splice(&q, &p).scaled(V::Scalar::from_f64(step))
+        P::splice(&q, &p).scaled(V::Scalar::from_f64(step))
     }
 }
 
@@ -176,7 +176,7 @@ impl<P: Polarisation> Scheme for PartitionedRungeKutta<P> {
     }
 
     #[inline]
-    fn step<T: Real, F: VectorField<T>>(
+    fn increment<T: Real, F: VectorField<T>>(
         &self,
         field: &F,
         z: &F::Point,
@@ -188,13 +188,13 @@ impl<P: Polarisation> Scheme for PartitionedRungeKutta<P> {
         k.resize(self.q.stages(), F::Point::zero());
         let start = || field.at(z);
         let derivative = |i: usize, k: &[F::Point]| {
-            field.at(&Self::advanced(z, step, (self.q.row(i), self.p.row(i)), k))
+            field.at(&(*z + Self::sum(step, (self.q.row(i), self.p.row(i)), k)))
         };
         let iterations =
             memory.solve(&self.predictor, &self.solver, (z, step), k, start, derivative)?;
-        let point = Self::advanced(z, step, (self.q.weights(), self.p.weights()), k);
-        memory.end_at(&point);
-        if point.is_finite() { Ok(Step { point, iterations }) } else { Err(StepError::NotFinite) }
+        let point = Self::sum(step, (self.q.weights(), self.p.weights()), k);
+        memory.end_at(&(*z + point));
+        Ok(Step { point, iterations })
     }
 
     #[inline]

@@ -3,7 +3,7 @@
 use crate::dop853;
 use crate::newton::{NewtonSpace, newton_step};
 use crate::predictor::{Memory, Predictor};
-use crate::stage_solver::stage_point;
+use crate::stage_solver::{stage_point, stage_sum};
 use crate::{
     Equivariant, Scheme, SchemeError, StageSolver, Step, StepError, Substeps, Tableau, VectorField,
 };
@@ -190,7 +190,7 @@ impl Scheme for RungeKutta {
     }
 
     #[inline]
-    fn step<T: Real, F: VectorField<T>>(
+    fn increment<T: Real, F: VectorField<T>>(
         &self,
         field: &F,
         z: &F::Point,
@@ -209,9 +209,9 @@ impl Scheme for RungeKutta {
             self.solve_stages(field, z, step, workspace)?
         };
         let (weights, low) = (self.tableau.weights(), self.tableau.weights_low());
-        let point = stage_point(z, step, weights, low, &workspace.k);
-        workspace.memory.end_at(&point);
-        if point.is_finite() { Ok(Step { point, iterations }) } else { Err(StepError::NotFinite) }
+        let point = stage_sum(step, weights, low, &workspace.k);
+        workspace.memory.end_at(&(*z + point));
+        Ok(Step { point, iterations })
     }
 
     #[inline]

@@ -6,10 +6,21 @@ use lie_poisson::{Real, Vector};
 /// The result of a step.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Step<V> {
-    /// The state after the step.
+    /// The state after the step, or its change.
     pub point: V,
     /// Iterations of the stage solver; 0 for explicit methods.
     pub iterations: usize,
+}
+
+impl<V: Vector> Step<V> {
+    /// The result itself, if it is one.
+    ///
+    /// # Errors
+    /// [`StepError::NotFinite`] if a coordinate is infinite or not a number, in any lane.
+    #[inline]
+    pub fn finite(self) -> Result<Self, StepError> {
+        if self.point.is_finite() { Ok(self) } else { Err(StepError::NotFinite) }
+    }
 }
 
 /// A one-step method z ↦ Φ_h(z) for ż = X(z).
@@ -22,18 +33,35 @@ pub trait Scheme: Clone {
     /// Allocates it.
     fn workspace<V: Vector>(&self) -> Self::Workspace<V>;
 
-    /// Φ_h(z). Allocates nothing.
+    /// Φ_h(z) − z, with the accuracy of its own size: [`Compensated`](crate::Compensated) summation
+    /// lives on it. Allocates nothing. That it is finite is left to who adds it.
     ///
     /// # Errors
-    /// If stage equations are not solved, or the result is not finite. Nothing is changed then,
-    /// except in the workspace.
-    fn step<T: Real, F: VectorField<T>>(
+    /// If stage equations are not solved. Nothing is changed then, except in the workspace.
+    fn increment<T: Real, F: VectorField<T>>(
         &self,
         field: &F,
         z: &F::Point,
         step: f64,
         workspace: &mut Self::Workspace<F::Point>,
     ) -> Result<Step<F::Point>, StepError>;
+
+    /// Φ_h(z). Allocates nothing.
+    ///
+    /// # Errors
+    /// If stage equations are not solved, or the result is not finite. Nothing is changed then,
+    /// except in the workspace.
+    #[inline]
+    fn step<T: Real, F: VectorField<T>>(
+        &self,
+        field: &F,
+        z: &F::Point,
+        step: f64,
+        workspace: &mut Self::Workspace<F::Point>,
+    ) -> Result<Step<F::Point>, StepError> {
+        let Step { point, iterations } = self.increment(field, z, step, workspace)?;
+        Step { point: *z + point, iterations }.finite()
+    }
 
     /// Drops what the workspace remembers of the steps before, from which an implicit method guesses
     /// its stages: the next step depends on its starting point alone. By default nothing.

@@ -170,6 +170,12 @@ fn sweep<V: Vector>(k: &mut [V], derivative: &impl Fn(usize, &[V]) -> V) -> (f64
 /// z + h Σ_j (a_j + low_j) k_j, the small sums first; `low` may be empty.
 #[inline]
 pub(crate) fn stage_point<V: Vector>(z: &V, step: f64, row: &[f64], low: &[f64], k: &[V]) -> V {
+    *z + stage_sum(step, row, low, k)
+}
+
+/// h Σ_j (a_j + low_j) k_j
+#[inline]
+pub(crate) fn stage_sum<V: Vector>(step: f64, row: &[f64], low: &[f64], k: &[V]) -> V {
     let mut sum = V::zero();
     for (&a, k) in row.iter().zip(k) {
         sum.add_scaled(V::Scalar::from_f64(a), k);
@@ -181,7 +187,7 @@ pub(crate) fn stage_point<V: Vector>(z: &V, step: f64, row: &[f64], low: &[f64],
         }
         sum += small;
     }
-    *z + sum.scaled(V::Scalar::from_f64(step))
+    sum.scaled(V::Scalar::from_f64(step))
 }
 
 #[cfg(test)]
