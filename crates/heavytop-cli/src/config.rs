@@ -73,6 +73,8 @@ pub struct IntegratorConfig {
 pub struct OutputConfig {
     /// Every n-th step is kept, and the last.
     pub every: u64,
+    /// Whether the attitude is written.
+    pub attitude: bool,
 }
 
 impl Default for BodyConfig {
@@ -107,7 +109,7 @@ impl Default for IntegratorConfig {
 
 impl Default for OutputConfig {
     fn default() -> Self {
-        Self { every: 1 }
+        Self { every: 1, attitude: false }
     }
 }
 
@@ -159,6 +161,9 @@ impl Config {
         if output.every == 0 {
             return Err(Error::OutOfRange { name: "every", range: "at least 1", value: 0.0 });
         }
+        if output.attitude && formulation == Formulation::Direct {
+            return Err(Error::NoAttitude { formulation });
+        }
         let start = Se3Dual::new(initial.angular_momentum.into(), vertical);
         require_sane_step(&top, &start, step)?;
         Ok(Experiment {
@@ -167,6 +172,7 @@ impl Config {
             method,
             schedule: Schedule::new(step, end)?,
             every: output.every,
+            attitude: output.attitude,
         })
     }
 }

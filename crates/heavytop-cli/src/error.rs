@@ -50,6 +50,15 @@ pub enum Error {
         /// The scheme.
         scheme: Scheme,
     },
+    /// The formulation has no attitude.
+    #[error(
+        "{} has no attitude: its six equations do not determine it; collective, reduced and \
+         splitting have one", formulation.name()
+    )]
+    NoAttitude {
+        /// The formulation.
+        formulation: Formulation,
+    },
     /// The scheme could not be made.
     #[error("{scheme}: {source}")]
     Scheme {

@@ -35,8 +35,10 @@ Simulate a top and write its states and invariants.
 
 Columns: t (s), Pi1,Pi2,Pi3 (kg m²/s, body frame), Gamma1,Gamma2,Gamma3 (the upward vertical, body
 frame), h (J), f1 = |Γ|², f2 = Π·Γ (kg m²/s), then K ((kg m²/s)⁴) for a Kovalevskaya top, G
-((kg m²/s)³) for a Goryachev–Chaplygin top. Row 0 is the initial state. Each number reads back as
-the same 64-bit number.";
+((kg m²/s)³) for a Goryachev–Chaplygin top, then where asked for the attitude qw,qx,qy,qz: the unit
+quaternion of the rotation R from the body frame to the spatial one, Γ = Rᵀe3, which starts with the
+shortest rotation that has it. Row 0 is the initial state. Each number reads back as the same 64-bit
+number.";
 
 pub(crate) const SIMULATE_EXAMPLES: &str = "\
 Configuration: every key may be left out, and has then the value below.
@@ -60,6 +62,7 @@ Configuration: every key may be left out, and has then the value below.
 
   [output]
   every = 1                          # keep every n-th step; the last step is always kept
+  attitude = false                   # whether to write the attitude; direct has none
 
 Formulations:
   collective   on T*C², read through M: T*C² → se(3)*

@@ -6,7 +6,7 @@ use collective_integrators::{
     Collective, Composition, Direct, Equivariant, FirstHalf, HamiltonianField, LiftFree,
     PartitionedRungeKutta, RungeKutta, SchemeError, Splitting, StageSolver, Start,
 };
-use heavytop::{HeavyTop, RotorSplitting, SpinorRealisation, SymmetricTopSplitting};
+use heavytop::{HeavyTop, RotorSplitting, SpinorRealisation, SymmetricTopSplitting, Turning};
 use lie_poisson::{LiePoisson, Se3, Se3Dual};
 use momentum_map::DualQuaternions;
 
@@ -20,6 +20,17 @@ pub trait Task {
     /// # Errors
     /// If it fails.
     fn perform<I: Start<Momentum = Se3Dual>>(self, integrator: &I) -> Result<Self::Output, Error>;
+
+    /// Does it with an integrator that can carry the attitude along. By default without the attitude.
+    ///
+    /// # Errors
+    /// If it fails.
+    fn perform_turning<I: Turning + Start>(self, integrator: I) -> Result<Self::Output, Error>
+    where
+        Self: Sized,
+    {
+        self.perform(&integrator)
+    }
 }
 
 /// A formulation, a scheme, and how well stage equations are solved.
@@ -105,9 +116,11 @@ impl Method {
     ) -> Result<K::Output, Error> {
         match self.formulation {
             Formulation::Collective => {
-                task.perform(&Collective::new(scheme, SpinorRealisation, *top))
+                task.perform_turning(Collective::new(scheme, SpinorRealisation, *top))
             }
-            Formulation::Reduced => task.perform(&LiftFree::new(scheme, DualQuaternions, *top)),
+            Formulation::Reduced => {
+                task.perform_turning(LiftFree::new(scheme, DualQuaternions, *top))
+            }
             Formulation::Direct => {
                 let space = LiePoisson::minus(Se3::default());
                 task.perform(&Direct::new(scheme, HamiltonianField { space, hamiltonian: *top }))
@@ -133,7 +146,7 @@ impl Method {
             }
         };
         let scheme = scheme.with_solver(self.solver());
-        task.perform(&Collective::that_does_not_descend(scheme, SpinorRealisation, *top))
+        task.perform_turning(Collective::that_does_not_descend(scheme, SpinorRealisation, *top))
     }
 
     fn splitting<K: Task>(
@@ -145,10 +158,10 @@ impl Method {
         let substeps = raise.substeps().map_err(|e| self.failed(e))?;
         // Refused unless I₁ = I₂; the rotors suit every top.
         match SymmetricTopSplitting::new(*top) {
-            Ok(flows) => task.perform(&Composition::new(Splitting::strang(flows), substeps)),
+            Ok(flows) => task.perform_turning(Composition::new(Splitting::strang(flows), substeps)),
             Err(_) => {
                 let flows = RotorSplitting(*top);
-                task.perform(&Composition::new(Splitting::strang(flows), substeps))
+                task.perform_turning(Composition::new(Splitting::strang(flows), substeps))
             }
         }
     }

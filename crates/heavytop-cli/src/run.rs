@@ -4,8 +4,8 @@ use crate::Error;
 use crate::integrators::{Method, Task};
 use crate::schedule::Schedule;
 use collective_integrators::Start;
-use heavytop::HeavyTop;
-use lie_poisson::Se3Dual;
+use heavytop::{HeavyTop, Turning, WithAttitude};
+use lie_poisson::{Quaternion, Se3Dual};
 
 /// A top, its initial state, and how to follow it.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -20,16 +20,20 @@ pub struct Experiment {
     pub schedule: Schedule,
     /// Every n-th step is written, and the last.
     pub every: u64,
+    /// Whether the attitude is followed.
+    pub attitude: bool,
 }
 
 impl Experiment {
-    /// Hands step number, time (s) and (Π, Γ) of each sample to `visit`, the initial state first.
+    /// Hands step number, time (s), (Π, Γ) and the attitude if it is followed of each sample to
+    /// `visit`, the initial state first.
     ///
     /// # Errors
-    /// If the initial state has no lift, a step fails, or `visit` does.
+    /// If the initial state has no lift, a step fails, `visit` does, or the attitude is asked of a
+    /// formulation that has none.
     pub fn run<V>(&self, visit: V) -> Result<(), Error>
     where
-        V: FnMut(u64, f64, &Se3Dual) -> Result<(), Error>,
+        V: FnMut(u64, f64, &Se3Dual, Option<&Quaternion>) -> Result<(), Error>,
     {
         self.method.integrate(&self.top, Follow { experiment: self, visit })
     }
@@ -47,13 +51,16 @@ struct Follow<'a, V> {
     visit: V,
 }
 
-impl<V> Task for Follow<'_, V>
+impl<V> Follow<'_, V>
 where
-    V: FnMut(u64, f64, &Se3Dual) -> Result<(), Error>,
+    V: FnMut(u64, f64, &Se3Dual, Option<&Quaternion>) -> Result<(), Error>,
 {
-    type Output = ();
-
-    fn perform<I: Start<Momentum = Se3Dual>>(mut self, integrator: &I) -> Result<(), Error> {
+    /// Follows an integrator; `attitude` reads it off the state.
+    fn follow<I: Start<Momentum = Se3Dual>>(
+        mut self,
+        integrator: &I,
+        attitude: impl Fn(&I::State) -> Option<&Quaternion>,
+    ) -> Result<(), Error> {
         let Experiment { start, method, schedule, .. } = self.experiment;
         for sample in integrator.trajectory(start, schedule.step)? {
             let sample = sample.map_err(|source| Error::Integration {
@@ -63,11 +70,34 @@ where
             })?;
             // M of the lift of the start is the start up to rounding; say what was asked for.
             let mu = if sample.step == 0 { start } else { &sample.momentum };
-            (self.visit)(sample.step, sample.time, mu)?;
+            (self.visit)(sample.step, sample.time, mu, attitude(&sample.state))?;
             if sample.step >= schedule.steps {
                 break;
             }
         }
         Ok(())
+    }
+}
+
+impl<V> Task for Follow<'_, V>
+where
+    V: FnMut(u64, f64, &Se3Dual, Option<&Quaternion>) -> Result<(), Error>,
+{
+    type Output = ();
+
+    fn perform<I: Start<Momentum = Se3Dual>>(self, integrator: &I) -> Result<(), Error> {
+        if self.experiment.attitude {
+            let formulation = self.experiment.method.formulation();
+            return Err(Error::NoAttitude { formulation });
+        }
+        self.follow(integrator, |_| None)
+    }
+
+    fn perform_turning<I: Turning + Start>(self, integrator: I) -> Result<(), Error> {
+        if self.experiment.attitude {
+            self.follow(&WithAttitude(integrator), |state| Some(&state.1))
+        } else {
+            self.follow(&integrator, |_| None)
+        }
     }
 }

@@ -29,12 +29,13 @@ pub fn simulate(config: Option<&Path>, out: &Path, quiet: bool) -> Result<(), Er
 fn write(experiment: &Experiment, output: &mut Output, quiet: bool) -> Result<(), Error> {
     let top = &experiment.top;
     let invariants = table::columns(top);
-    output.write(|to| table::write_header(to, &invariants))?;
+    output.write(|to| table::write_header(to, &invariants, experiment.attitude))?;
     let progress = Progress::new(experiment, quiet);
-    experiment.run(|step, time, mu| {
+    experiment.run(|step, time, mu, attitude| {
         progress.at(step);
         if experiment.keeps(step) {
             let values = invariants.iter().map(|invariant| invariant.value(top, mu));
+            let values = values.chain(attitude.into_iter().flat_map(table::attitude_values));
             output.write(|to| table::write_row(to, time, mu, values))?;
         }
         Ok(())

@@ -1,11 +1,21 @@
 //! Rows of numbers.
 
 use heavytop::{HeavyTop, Invariant};
-use lie_poisson::{Covector, Pair, Se3Dual};
+use lie_poisson::{Covector, Pair, Quaternion, Se3Dual};
 use std::io::{self, Write};
 
 /// The columns of a state.
 pub const STATE_COLUMNS: &str = "t,Pi1,Pi2,Pi3,Gamma1,Gamma2,Gamma3";
+
+/// The columns of the attitude.
+pub const ATTITUDE_COLUMNS: &str = "qw,qx,qy,qz";
+
+/// The attitude, in the order of its columns.
+#[must_use]
+pub fn attitude_values(attitude: &Quaternion) -> [f64; 4] {
+    let vector = &attitude.vector;
+    [attitude.scalar, vector.x, vector.y, vector.z]
+}
 
 /// The invariants that have a column: h, f₁, f₂, and K or G.
 #[must_use]
@@ -16,19 +26,26 @@ pub fn columns(top: &HeavyTop) -> Vec<Invariant> {
     invariants
 }
 
-/// Writes the line of column names.
+/// Writes the line of column names, with the attitude or without.
 ///
 /// # Errors
 /// Of the writer.
-pub fn write_header(to: &mut impl Write, invariants: &[Invariant]) -> io::Result<()> {
+pub fn write_header(
+    to: &mut impl Write,
+    invariants: &[Invariant],
+    attitude: bool,
+) -> io::Result<()> {
     to.write_all(STATE_COLUMNS.as_bytes())?;
     for invariant in invariants {
         write!(to, ",{invariant}")?;
     }
+    if attitude {
+        write!(to, ",{ATTITUDE_COLUMNS}")?;
+    }
     writeln!(to)
 }
 
-/// Writes a row: the time, the state, and the values of the invariants.
+/// Writes a row: the time, the state, and the values of the invariants and of the attitude.
 ///
 /// Each number has the fewest digits that read back as the same `f64`.
 ///
@@ -38,11 +55,11 @@ pub fn write_row(
     to: &mut impl Write,
     time: f64,
     mu: &Se3Dual,
-    invariants: impl IntoIterator<Item = f64>,
+    values: impl IntoIterator<Item = f64>,
 ) -> io::Result<()> {
     let Covector(Pair(pi, gamma)) = mu;
     write!(to, "{time:?}")?;
-    for value in pi.iter().chain(gamma).copied().chain(invariants) {
+    for value in pi.iter().chain(gamma).copied().chain(values) {
         write!(to, ",{value:?}")?;
     }
     writeln!(to)

@@ -46,6 +46,11 @@ const WRONG: &[(&str, &str)] = &[
     ("integrator = { step = 0.5, end = 1.0000001 }", "the nearest ends are 1 and 1.5"),
     ("integrator.tolerance = -1e-9", "tolerance must be finite and not negative"),
     ("output.every = 0", "every must be at least 1, got 0"),
+    ("output.attitude = 1", "line 1, column 19: invalid type: integer `1`, expected a boolean"),
+    (
+        "integrator.formulation = 'direct'\noutput.attitude = true",
+        "direct has no attitude: its six equations do not determine it; collective, reduced and splitting have one",
+    ),
 ];
 
 #[test]

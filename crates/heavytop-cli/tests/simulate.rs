@@ -163,3 +163,53 @@ fn a_device_is_written_to_and_a_link_stays() {
     assert!(folder.path("link.csv").is_symlink());
     assert_eq!(numbers(&folder.read("real.csv")).1.len(), 6);
 }
+
+/// Rᵀe₃ for the unit quaternion (w, x, y, z) of R: the last row of its matrix.
+fn vertical(q: &[f64]) -> [f64; 3] {
+    let [w, x, y, z] = [q[0], q[1], q[2], q[3]];
+    [2.0 * (x * z - w * y), 2.0 * (y * z + w * x), w * w - x * x - y * y + z * z]
+}
+
+#[test]
+fn the_attitude_is_written_where_asked() {
+    let mut ends = Vec::new();
+    for (formulation, scheme) in [
+        ("collective", "gauss-8"),
+        ("collective", "yoshida-6"),
+        ("reduced", "gauss-8"),
+        ("reduced", "kahan-li-8"),
+        ("splitting", "kahan-li-8"),
+    ] {
+        let folder = Folder::new();
+        let integrator =
+            format!("[integrator]\nformulation = '{formulation}'\nscheme = '{scheme}'\nend = 4\n");
+        folder.write("plain.toml", &integrator);
+        folder.write("a.toml", &format!("{integrator}[output]\nattitude = true\nevery = 10"));
+        for name in ["plain", "a"] {
+            let (config, out) = (format!("{name}.toml"), format!("{name}.csv"));
+            assert_eq!(folder.heavytop(&["simulate", &config, "--out", &out]).code(), 0);
+        }
+        let (header, rows) = numbers(&folder.read("a.csv"));
+        assert!(header.join(",").ends_with(",K,qw,qx,qy,qz"), "{header:?}");
+        for row in &rows {
+            let (gamma, seen) = (&row[4..7], vertical(&row[11..]));
+            for i in 0..3 {
+                assert!((gamma[i] - seen[i]).abs() < 1e-13, "{formulation} {scheme}: {row:?}");
+            }
+        }
+        // the shortest rotation that takes Γ(0) = (1/2, 0, √3/2) to e₃: by 30° about −e₂
+        let start =
+            [(0.5 + 0.75_f64.sqrt() / 2.0).sqrt(), 0.0, -(0.5 - 0.75_f64.sqrt() / 2.0).sqrt(), 0.0];
+        assert!(rows[0][11..].iter().zip(start).all(|(x, y)| (x - y).abs() < 1e-15));
+        // the rest is what it is without the attitude, to the last bit
+        let (_, plain) = numbers(&folder.read("plain.csv"));
+        for (row, plain) in rows.iter().zip(plain.iter().step_by(10)) {
+            assert_eq!(row[..11], plain[..]);
+        }
+        ends.push(rows[20][11..].to_vec());
+    }
+    // Γ alone leaves a rotation about the vertical open: all formulations come to the same one
+    for end in &ends {
+        assert!(end.iter().zip(&ends[2]).all(|(x, y)| (x - y).abs() < 1e-6), "{ends:?}");
+    }
+}

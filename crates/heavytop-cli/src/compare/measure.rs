@@ -77,10 +77,11 @@ impl Reference {
         let end = |halvings: u64| {
             let mut experiment = *experiment;
             experiment.method = gauss;
+            experiment.attitude = false;
             experiment.schedule.step = step / halvings as f64;
             experiment.schedule.steps = steps * halvings;
             let mut end = experiment.start;
-            experiment.run(|_, _, mu| {
+            experiment.run(|_, _, mu, _| {
                 end = *mu;
                 Ok(())
             })?;

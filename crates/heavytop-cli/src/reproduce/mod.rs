@@ -72,7 +72,7 @@ fn run(
             let method = &experiment.method;
             let (formulation, scheme) = (method.formulation().name(), method.scheme().name());
             let progress = Progress::new(experiment, quiet);
-            experiment.run(|step, time, mu| {
+            experiment.run(|step, time, mu, _| {
                 progress.at(step);
                 let values = QUANTITIES.map(|quantity| quantity.value(&experiment.top, mu));
                 record.add(step, time, values);
