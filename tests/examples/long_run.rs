@@ -6,10 +6,12 @@
 //! geometrically growing times, its mean, and the slope of ln(rms) against ln(t): ½ for a random
 //! walk, 1 for a drift.
 
-use collective_integrators::{Integrator, LiftFree, RungeKutta, Start, fitted_order};
-use heavytop::{Body, HeavyTop};
+use collective_integrators::{
+    Collective, Direct, HamiltonianField, LiftFree, RungeKutta, Start, fitted_order,
+};
+use heavytop::{Body, HeavyTop, SpinorRealisation};
 use lie_poisson::nalgebra::Vector3;
-use lie_poisson::{Hamiltonian, Se3Dual};
+use lie_poisson::{Hamiltonian, LiePoisson, Se3, Se3Dual};
 use momentum_map::DualQuaternions;
 use std::error::Error;
 
@@ -43,6 +45,35 @@ where
     Ok(rows)
 }
 
+/// What is run.
+struct Run<'a> {
+    top: &'a HeavyTop,
+    starts: &'a [Se3Dual],
+    steps: u64,
+    /// The only method that is asked for, if there is one.
+    wanted: Option<&'a str>,
+}
+
+impl Run<'_> {
+    /// Reports on a method without and with compensation.
+    fn compare(
+        &self,
+        name: &str,
+        plain: &impl Start<f64, Momentum = Se3Dual>,
+        compensated: &impl Start<f64, Momentum = Se3Dual>,
+    ) -> Result<(), Box<dyn Error>> {
+        let asked = |name: &str| self.wanted.is_none_or(|wanted| wanted == name);
+        if asked(name) {
+            report(name, plain, self.top, self.starts, self.steps)?;
+        }
+        let name = format!("{name}, compensated");
+        if asked(&name) {
+            report(&name, compensated, self.top, self.starts, self.steps)?;
+        }
+        Ok(())
+    }
+}
+
 fn report<I>(
     name: &str,
     integrator: &I,
@@ -51,7 +82,7 @@ fn report<I>(
     steps: u64,
 ) -> Result<(), Box<dyn Error>>
 where
-    I: Start<f64, Momentum = Se3Dual> + Integrator<f64>,
+    I: Start<f64, Momentum = Se3Dual>,
 {
     let clock = std::time::Instant::now();
     let runs = starts
@@ -99,18 +130,18 @@ fn main() -> Result<(), Box<dyn Error>> {
     };
     let starts: Vec<Se3Dual> = (0..starts).map(start).collect();
     let wanted = std::env::args().nth(3);
-    let asked = |name: &str| wanted.as_deref().is_none_or(|wanted| wanted == name);
+    let run = Run { top: &top, starts: &starts, steps, wanted: wanted.as_deref() };
     let schemes =
         [("midpoint", RungeKutta::implicit_midpoint()), ("gauss-12", RungeKutta::gauss(6)?)];
     for (name, scheme) in schemes {
-        let integrator = LiftFree::new(scheme, DualQuaternions, top);
-        if asked(name) {
-            report(name, &integrator, &top, &starts, steps)?;
-        }
-        let name = format!("{name}, compensated");
-        if asked(&name) {
-            report(&name, &integrator.compensated(), &top, &starts, steps)?;
-        }
+        let free = LiftFree::new(scheme.clone(), DualQuaternions, top);
+        run.compare(name, &free, &free.clone().compensated())?;
+        let collective = Collective::new(scheme.clone(), SpinorRealisation, top);
+        let lifted = format!("collective {name}");
+        run.compare(&lifted, &collective, &collective.clone().compensated())?;
+        let space = LiePoisson::minus(Se3::default());
+        let direct = Direct::new(scheme, HamiltonianField { space, hamiltonian: top });
+        run.compare(&format!("direct {name}"), &direct, &direct.clone().compensated())?;
     }
     Ok(())
 }

@@ -4,7 +4,7 @@
 use collective_integrators::{
     Collective, DenseOutput, Direction, Events, LiftFree, LyapunovExponents, RungeKutta, Start,
 };
-use heavytop::SpinorRealisation;
+use heavytop::{SpinorRealisation, WithAttitude};
 use lie_poisson::Se3Dual;
 use momentum_map::DualQuaternions;
 use std::alloc::{GlobalAlloc, Layout, System};
@@ -50,6 +50,10 @@ fn no_step_allocates() -> Result<(), Box<dyn Error>> {
     let lifted = Collective::new(RungeKutta::gauss(2)?, SpinorRealisation, top);
 
     let mut run = lifted.trajectory(&start, 0.05)?.take(200);
+    assert_eq!(allocations(|| Ok(run.try_for_each(|sample| sample.map(drop))?))?, 0);
+
+    let compensated = WithAttitude(lifted.clone().compensated());
+    let mut run = compensated.trajectory(&start, 0.05)?.take(200);
     assert_eq!(allocations(|| Ok(run.try_for_each(|sample| sample.map(drop))?))?, 0);
 
     let run = lifted.trajectory(&start, 0.05)?.take(200);

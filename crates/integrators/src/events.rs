@@ -1,6 +1,7 @@
 //! Events along a trajectory: Poincaré sections.
 
 use crate::chandrupatla::Bracket;
+use crate::minimum::Minimum;
 use crate::partial_step::PartialStep;
 use crate::{IntegrationError, Integrator, SampleOf};
 use thiserror::Error;
@@ -50,10 +51,21 @@ impl Direction {
 /// the integrator, and lies on the same level sets of what the integrator conserves. Its `step`
 /// counts the whole steps before it.
 ///
-/// Two crossings within one step are not seen. A sample with g = 0 exactly ends a crossing and
-/// begins none, so that each crossing is found once. The adaptor asks for samples until there is
-/// an event or none are left: bound the run by `take`. After `new` nothing is allocated; an event
-/// costs about ten steps.
+/// Two crossings within one step leave the sign at the samples as it is. Where |g| is least at a
+/// sample among three of one sign, g is therefore followed to its extremum near that sample by steps
+/// of partial size; if it has the other sign there, the crossings on both sides are located. What is
+/// guaranteed:
+///
+/// * one crossing in a step is found;
+/// * two crossings in a step are found if g has no extremum in this step and the two next to it but
+///   the one between the crossings, and they are farther apart than about 1e-6 steps. The first and
+///   the last step of a run lack a neighbour: there two crossings may be missed.
+/// * Of crossings that are denser, some are missed: choose a step that resolves g.
+///
+/// A sample with g = 0 exactly ends a crossing and begins none, so that each crossing is found once.
+/// The adaptor asks for samples until there is an event or none are left: bound the run by `take`.
+/// After `new` nothing is allocated; an event costs about ten steps, and so does an extremum at
+/// which |g| is least without a crossing.
 ///
 /// Source of the idea: M. Hénon, *On the numerical computation of Poincaré maps*, Physica D 5
 /// (1982), who changes the independent variable for the last step; here, the size of the last step
@@ -83,7 +95,10 @@ pub struct Events<'a, I: Integrator, J, G> {
     samples: J,
     g: G,
     direction: Direction,
-    left: Option<(SampleOf<I>, f64)>,
+    /// The last two samples with their g, the last one first.
+    last: [Option<(SampleOf<I>, f64)>; 2],
+    /// The second of two crossings within one step.
+    second: Option<SampleOf<I>>,
     failed: bool,
 }
 
@@ -96,7 +111,7 @@ where
     /// The samples must come from this integrator.
     pub fn new(integrator: &'a I, samples: J, g: G, direction: Direction) -> Self {
         let partial = PartialStep::new(integrator);
-        Self { partial, samples, g, direction, left: None, failed: false }
+        Self { partial, samples, g, direction, last: [None; 2], second: None, failed: false }
     }
 
     /// g at a sample, which must be a number.
@@ -106,33 +121,83 @@ where
         if value.is_nan() { Err(EventError::NotANumber { time }) } else { Ok(value) }
     }
 
-    /// Goes on by one sample; the event in between, if there is one.
+    /// Goes on by one sample; the first event that this brings, if there is one.
     fn advance(
         &mut self,
         right: Result<SampleOf<I>, IntegrationError>,
     ) -> Result<Option<SampleOf<I>>, EventError> {
         let right = right?;
-        let after = self.value(&right)?;
-        match self.left.replace((right, after)) {
-            Some((left, before)) if self.direction.crosses(before, after) => {
-                self.locate(&left, before, &right, after).map(Some)
+        let right = (right, self.value(&right)?);
+        let [middle, left] = self.last;
+        self.last = [Some(right), middle];
+        match (left, middle) {
+            (_, Some(middle)) if self.direction.crosses(middle.1, right.1) => {
+                self.locate(&middle.0, &middle, &right).map(Some)
+            }
+            (Some(left), Some(middle)) if is_least(left.1, middle.1, right.1) => {
+                self.locate_two(&left, &middle, &right)
             }
             _ => Ok(None),
         }
     }
 
+    /// The first of two crossings around the extremum of g near the middle one of three samples of
+    /// one sign, if g has the other sign there and the direction is asked for; the second is kept.
+    fn locate_two(
+        &mut self,
+        left: &(SampleOf<I>, f64),
+        middle: &(SampleOf<I>, f64),
+        right: &(SampleOf<I>, f64),
+    ) -> Result<Option<SampleOf<I>>, EventError> {
+        let sign = middle.1.signum();
+        let lengths = [middle.0.time - left.0.time, right.0.time - middle.0.time];
+        // In units of the step: from the left sample before 0, from the middle one after it.
+        let mut minimum = Minimum::new(-1.0, (0.0, middle.1.abs()), 1.0);
+        while let Some(x) = minimum.next() {
+            let (from, to, tau) = if x < 0.0 {
+                (left, middle, (1.0 + x) * lengths[0])
+            } else {
+                (middle, right, x * lengths[1])
+            };
+            let sample = self.partial.after(&from.0, tau)?;
+            let beyond = (sample, self.value(&sample)?);
+            if beyond.1 * sign < 0.0 {
+                return self.both(from, &beyond, to);
+            }
+            minimum.insert(x, beyond.1 * sign);
+        }
+        Ok(None)
+    }
+
+    /// The crossings before and after a point within the step from `from` to `to`.
+    fn both(
+        &mut self,
+        from: &(SampleOf<I>, f64),
+        beyond: &(SampleOf<I>, f64),
+        to: &(SampleOf<I>, f64),
+    ) -> Result<Option<SampleOf<I>>, EventError> {
+        let there = self.direction.crosses(from.1, beyond.1);
+        let back = self.direction.crosses(beyond.1, to.1);
+        let second = if back { Some(self.locate(&from.0, beyond, to)?) } else { None };
+        if !there {
+            return Ok(second);
+        }
+        self.second = second;
+        self.locate(&from.0, from, beyond).map(Some)
+    }
+
+    /// The zero between two points of different signs, by steps from the sample before them.
     fn locate(
         &mut self,
-        left: &SampleOf<I>,
-        before: f64,
-        right: &SampleOf<I>,
-        after: f64,
+        from: &SampleOf<I>,
+        left: &(SampleOf<I>, f64),
+        right: &(SampleOf<I>, f64),
     ) -> Result<SampleOf<I>, EventError> {
-        let length = right.time - left.time;
-        let mut bracket = Bracket::new(before, length, after);
-        let mut best = if after.abs() < before.abs() { (*right, after) } else { (*left, before) };
+        let offset = left.0.time - from.time;
+        let mut bracket = Bracket::new(left.1, right.0.time - left.0.time, right.1);
+        let mut best = if right.1.abs() < left.1.abs() { *right } else { *left };
         while let Some(tau) = bracket.next() {
-            let sample = self.partial.after(left, tau)?;
+            let sample = self.partial.after(from, offset + tau)?;
             let value = self.value(&sample)?;
             if value.abs() <= best.1.abs() {
                 best = (sample, value);
@@ -141,6 +206,12 @@ where
         }
         Ok(best.0)
     }
+}
+
+/// Whether |g| is least at the middle one of three samples at which g has one sign.
+fn is_least(left: f64, middle: f64, right: f64) -> bool {
+    let (above, below) = (middle > 0.0, middle < 0.0);
+    (above && left >= middle && right >= middle) || (below && left <= middle && right <= middle)
 }
 
 impl<I, J, G> Iterator for Events<'_, I, J, G>
@@ -152,6 +223,9 @@ where
     type Item = Result<SampleOf<I>, EventError>;
 
     fn next(&mut self) -> Option<Self::Item> {
+        if let Some(event) = self.second.take() {
+            return Some(Ok(event));
+        }
         while !self.failed {
             let right = self.samples.next()?;
             match self.advance(right) {
@@ -193,6 +267,41 @@ mod tests {
         assert_eq!(times(Direction::Both), [0.3, 1.0, 1.6]);
         // g = 0 at the start is no event
         assert_eq!(events(|x| x, Direction::Both), []);
+    }
+
+    /// Between the samples at 1 and 1.25 a parabola dips below zero and comes back.
+    #[test]
+    fn two_crossings_in_one_step_are_found() {
+        let dip = |from: f64, to: f64| move |x: f64| (x - from) * (x - to);
+        // near the left sample, near the right one, as far apart as a step has room, close together
+        for (from, to) in [(1.02, 1.08), (1.19, 1.23), (1.001, 1.249), (1.1, 1.1 + 2.5e-7)] {
+            for sign in [1.0, -1.0] {
+                let g = move |x: f64| sign * dip(from, to)(x);
+                let times = |direction| {
+                    let found = events(g, direction);
+                    found.into_iter().map(|t| t.unwrap_or(f64::NAN)).collect::<Vec<_>>()
+                };
+                let is = |found: &[f64], zeros: &[f64]| {
+                    // g has rounding errors of ε, and slope ±|to − from| at its zeros
+                    let tolerance = 1e-15 / (to - from) + 1e-15;
+                    let near = |(t, zero): (&f64, &f64)| (t - zero).abs() < tolerance;
+                    found.len() == zeros.len() && found.iter().zip(zeros).all(near)
+                };
+                assert!(is(&times(Direction::Both), &[from, to]), "{from} {to} {sign}");
+                let (first, second) = if sign > 0.0 {
+                    (Direction::Down, Direction::Up)
+                } else {
+                    (Direction::Up, Direction::Down)
+                };
+                assert!(is(&times(first), &[from]) && is(&times(second), &[to]));
+            }
+        }
+        // the control: the samples alone change no sign
+        let samples = (0..9).map(|n| dip(1.02, 1.08)(0.25 * f64::from(n)));
+        assert!(samples.into_iter().all(|g| g > 0.0));
+        // a dip that ends above zero is no event, and in the first step none is looked for
+        assert_eq!(events(|x| dip(1.02, 1.08)(x) + 1e-3, Direction::Both), []);
+        assert_eq!(events(|x| dip(0.02, 0.08)(x), Direction::Both), []);
     }
 
     #[test]

@@ -50,6 +50,7 @@ mod trajectory;
 mod partial_step;
 mod dense_output;
 mod chandrupatla;
+mod minimum;
 mod events;
 mod variational_flow;
 mod lyapunov;

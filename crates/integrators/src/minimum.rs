@@ -1,0 +1,114 @@
+//! Minima of a function of one variable, bracketed, without derivatives.
+
+/// A minimum between two ends that lie higher than a point between them, by parabolas where they
+/// are safe and the golden section where they are not.
+///
+/// The caller evaluates the function, which may fail, at [`next`](Minimum::next) and hands the value
+/// to [`insert`](Minimum::insert).
+///
+/// Source: R. P. Brent, *Algorithms for Minimization without Derivatives* (1973), ch. 5.
+#[derive(Clone, Copy, Debug)]
+pub(crate) struct Minimum {
+    low: f64,
+    high: f64,
+    /// The three best points with their values, the best first.
+    best: [(f64, f64); 3],
+    /// The last step and the one before it.
+    moves: [f64; 2],
+}
+
+/// The part of an interval that a golden section cuts off: (3 − √5)/2.
+const GOLDEN: f64 = 0.381_966_011_250_105_1;
+
+impl Minimum {
+    /// In [low, high], from the value at a point between them.
+    pub(crate) fn new(low: f64, (x, value): (f64, f64), high: f64) -> Self {
+        Self { low, high, best: [(x, value); 3], moves: [0.0; 2] }
+    }
+
+    /// Below this distance values differ by rounding only: √ε of the interval's extent.
+    fn resolution(&self) -> f64 {
+        f64::EPSILON.sqrt() * self.best[0].0.abs().max(self.high - self.low).max(1e-3)
+    }
+
+    /// Where to evaluate next; `None` once the minimum is known to √ε.
+    pub(crate) fn next(&mut self) -> Option<f64> {
+        let (x, least) = (self.best[0].0, self.resolution());
+        let middle = 0.5 * (self.low + self.high);
+        if (x - middle).abs() + 0.5 * (self.high - self.low) <= 2.0 * least {
+            return None;
+        }
+        let step = self.parabolic().unwrap_or_else(|| {
+            let far = if x < middle { self.high - x } else { self.low - x };
+            // So that a parabola may follow.
+            self.moves[0] = far;
+            GOLDEN * far
+        });
+        self.moves = [step, self.moves[0]];
+        Some(x + if step.abs() < least { least.copysign(step) } else { step })
+    }
+
+    /// The step to the vertex of the parabola through the three best points, if it lies inside and
+    /// is less than half of the step before the last.
+    fn parabolic(&self) -> Option<f64> {
+        let [(x, fx), (w, fw), (v, fv)] = self.best;
+        let (r, q) = ((x - w) * (fx - fv), (x - v) * (fx - fw));
+        let step = ((x - w) * r - (x - v) * q) / (2.0 * (q - r));
+        let inside = self.low < x + step && x + step < self.high;
+        (inside && step.abs() < 0.5 * self.moves[1].abs()).then_some(step)
+    }
+
+    /// The value at the point of [`next`](Minimum::next).
+    pub(crate) fn insert(&mut self, u: f64, value: f64) {
+        let [first, second, third] = self.best;
+        let (worse, better) = if value <= first.1 { (first.0, u) } else { (u, first.0) };
+        // The minimum lies on the better one's side of the worse.
+        if worse < better {
+            self.low = worse
+        } else {
+            self.high = worse
+        }
+        if value <= first.1 {
+            self.best = [(u, value), first, second];
+        } else if value <= second.1 || second.0 == first.0 {
+            self.best = [first, (u, value), second];
+        } else if value <= third.1 || third.0 == first.0 || third.0 == second.0 {
+            self.best[2] = (u, value);
+        }
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    /// The minimum of f in [−1, 1], from 0, and the number of evaluations.
+    fn minimum(f: impl Fn(f64) -> f64) -> (f64, u32) {
+        let mut minimum = Minimum::new(-1.0, (0.0, f(0.0)), 1.0);
+        let mut evaluations = 0;
+        while let Some(x) = minimum.next() {
+            minimum.insert(x, f(x));
+            evaluations += 1;
+            assert!(evaluations < 200);
+        }
+        (minimum.best[0].0, evaluations)
+    }
+
+    #[test]
+    fn minima_to_half_of_the_digits_in_a_few_evaluations() {
+        for (f, place, most) in [
+            ((|x| (x - 0.3) * (x - 0.3)) as fn(f64) -> f64, 0.3, 12),
+            (|x: f64| -(x + 0.4).cos(), -0.4, 15),
+            (|x: f64| (x - 0.25).powi(4), 0.25, 80),
+            (|x: f64| (x + 0.7).abs(), -0.7, 80),
+            (|x: f64| if x < 0.5 { 1.0 - x } else { x + 5.0 }, 0.5, 80),
+            (|x: f64| x * x, 0.0, 12),
+        ] {
+            let (found, evaluations) = minimum(f);
+            // a parabola of fourth order is flat to ε over ε^¼
+            let tolerance = if place == 0.25 { 1e-3 } else { 1e-7 };
+            assert!((found - place).abs() < tolerance, "{found} {place}");
+            assert!(evaluations <= most, "{place}: {evaluations}");
+        }
+    }
+}
