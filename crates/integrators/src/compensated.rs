@@ -38,8 +38,12 @@ pub trait Increments<T: Real = f64>: Integrator<T> {
 /// so that the errors of a step have the size of the roundings of δz, a factor h|Ω| below those
 /// of z. The state is (z, e); of a [`LiftFree`](crate::LiftFree) integrator z is μ.
 ///
-/// Where a [`Collective`](crate::Collective) integrator slides z along its fibre, which it does
-/// rarely, e stays: that costs one rounding of z.
+/// Where a [`Collective`](crate::Collective) integrator slides z along its fibre, e stays: that costs
+/// one rounding of z.
+///
+/// What a step conserves at z it conserves at z + e to a rounding of δz. Over a million steps
+/// in which a body turns by a tenth of a radian each, a bias of these roundings shows in the Casimirs
+/// of the collective and the direct form. The lift-free form has none: its δμ is that of a rotation.
 ///
 /// Source: W. Kahan, *Further remarks on reducing truncation errors*, Comm. ACM 8 (1965); Hairer,
 /// McLachlan & Razakarivony, *Achieving Brouwer's law with implicit Runge–Kutta methods*, BIT 48
