@@ -89,8 +89,10 @@ impl Task for Vertical {
             assert!((attitude.norm_squared() - 1.0).abs() < 4.0 * f64::EPSILON, "{name}");
             most = f64::max(most, gap(&attitude, &sample.momentum.0.1));
             most_of_wrong = f64::max(most_of_wrong, gap(&wrong, &sample.momentum.0.1));
+            integrator.0.forget(&mut workspace);
             let (next, turn) = integrator.0.turn(&state, 0.02, &mut workspace).unwrap();
             // the rotation is that of the very step
+            integrator.0.forget(&mut workspace);
             let plain = integrator.0.step(&state, 0.02, &mut workspace).unwrap();
             assert_eq!(plain.point, next.point, "{name}");
             state = next.point;
