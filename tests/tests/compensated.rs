@@ -64,14 +64,14 @@ fn compensation_makes_round_off_smaller_in_every_formulation() -> Result<(), Box
     let top = tops::generic()?;
     for scheme in [RungeKutta::implicit_midpoint(), RungeKutta::gauss(2)?] {
         let collective = Collective::new(scheme.clone(), SpinorRealisation, top);
-        gains("collective", &collective, &collective.clone().compensated(), 2.0)?;
+        gains("collective", &collective, &collective.clone().compensated(), 5.0)?;
         let field = HamiltonianField { space: LiePoisson::minus(Se3::default()), hamiltonian: top };
         let direct = Direct::new(scheme.clone(), field);
-        gains("direct", &direct, &direct.clone().compensated(), 2.0)?;
+        gains("direct", &direct, &direct.clone().compensated(), 5.0)?;
         let free = LiftFree::new(scheme, DualQuaternions, top);
-        gains("lift-free", &free, &free.clone().compensated(), 2.0)?;
+        gains("lift-free", &free, &free.clone().compensated(), 5.0)?;
     }
     let composed = Composition::new(RungeKutta::implicit_midpoint(), Substeps::yoshida4());
     let collective = Collective::new(composed, SpinorRealisation, top);
-    gains("composition", &collective, &collective.clone().compensated(), 2.0)
+    gains("composition", &collective, &collective.clone().compensated(), 5.0)
 }
