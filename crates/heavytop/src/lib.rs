@@ -11,6 +11,7 @@
 //! | the heavy top: general, free, Lagrange, Kovalevskaya, Goryachev–Chaplygin | [`HeavyTop`], [`Body`], [`RigidBody`] |
 //! | h, f₁, f₂, f₃, K, G | [`Invariant`] |
 //! | the rotation of the body in a step | [`Turning`], [`TurningFlows`] |
+//! | Poincaré sections: the energy level, the surface, the starts, the returns | [`EnergyLevel`], [`Coordinate`], [`Surface`], [`Section`] |
 //! | splittings of tops into exact rotations and kicks | [`RotorSplitting`], [`SymmetricTopSplitting`] |
 //! | the midpoint rule on se(3)∗ in closed form | [`ReducedMidpoint`] |
 //! | the attitude, in every formulation that has one | [`WithAttitude`] |
@@ -56,13 +57,19 @@ mod point_vortices;
 mod spin_chain;
 mod spin_lattice;
 mod invariants;
+mod coordinate;
+mod energy_level;
+mod section_level;
+mod section;
 mod elliptic;
 mod euler_top;
 mod lagrange_nutation;
 
 pub use attitude::{WithAttitude, attitude_of_vertical};
+pub use coordinate::Coordinate;
 pub use elliptic::jacobi_elliptic;
-pub use error::{TopError, UNIT_TOLERANCE, require_unit};
+pub use energy_level::EnergyLevel;
+pub use error::{SectionError, TopError, UNIT_TOLERANCE, require_unit};
 pub use euler_top::EulerSolution;
 pub use gyrostat::Gyrostat;
 pub use invariants::Invariant;
@@ -72,6 +79,7 @@ pub use point_vortices::{PointVortices, SpinSpace, Spins};
 pub use reduced_midpoint::ReducedMidpoint;
 pub use rigid_body::RigidBody;
 pub use rotor_splitting::RotorSplitting;
+pub use section::{Section, Surface};
 pub use spin_chain::HeisenbergChain;
 pub use spin_lattice::{SpinLattice, SpinLatticeSpace};
 pub use spinor_motions::{

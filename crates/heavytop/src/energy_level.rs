@@ -1,0 +1,106 @@
+//! The states of a top with given energy and vertical angular momentum.
+
+use crate::HeavyTop;
+use lie_poisson::Se3Dual;
+use nalgebra::Vector3;
+
+/// The level set h = E, Π·Γ = c, |Γ| = 1 of a top in se(3)∗, of dimension 3.
+///
+/// Over each Γ lies an ellipse. With the slowest momentum that has Π·Γ = c,
+///
+/// ```text
+/// Π = c IΓ/(Γ·IΓ) + p,  p·Γ = 0:    h = U_c(Γ) + ½ p·I⁻¹p,    U_c(Γ) = m g l Γ·c + c²/(2 Γ·IΓ)
+/// ```
+///
+/// where the *amended potential* U_c must not exceed E. Where also Π_i is given, i = 1, 2, 3, two
+/// states are left: along u = e_i × Γ, and along w = Γ × I⁻¹u with w·I⁻¹u = 0,
+///
+/// ```text
+/// p = αw ± βu,   α = (Π_i − c (IΓ)_i/(Γ·IΓ))/(u·I⁻¹u),   β = √(2(E − U_c − ½α² w·I⁻¹w)/(u·I⁻¹u)),
+/// Γ̇_i = ±β u·I⁻¹u.
+/// ```
+///
+/// Source: S. Smale, *Topology and mechanics*, Invent. Math. 10 (1970), for the amended potential;
+/// the rest is linear algebra.
+///
+/// # Example
+/// ```
+/// use heavytop::{EnergyLevel, HeavyTop, Invariant};
+/// use nalgebra::Vector3;
+/// let top = HeavyTop::kovalevskaya(1.0, 1.0)?;
+/// let level = EnergyLevel { top, energy: 2.0, vertical_momentum: 0.3 };
+/// for mu in level.states(&Vector3::new(0.6, 0.0, 0.8), 2, 0.5).ok_or("not accessible")? {
+///     assert!((Invariant::Energy.value(&top, &mu) - 2.0).abs() < 1e-15);
+///     assert!((Invariant::VerticalMomentum.value(&top, &mu) - 0.3).abs() < 1e-15);
+///     assert!((mu.0.0.z - 0.5).abs() < 1e-15);
+/// }
+/// // 9 kg m²/s about e₃ take more energy than that
+/// assert_eq!(level.states(&Vector3::new(0.6, 0.0, 0.8), 2, 9.0), None);
+/// # Ok::<(), Box<dyn std::error::Error>>(())
+/// ```
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct EnergyLevel {
+    /// The top.
+    pub top: HeavyTop,
+    /// E, J.
+    pub energy: f64,
+    /// c = Π·Γ, kg m²/s.
+    pub vertical_momentum: f64,
+}
+
+/// The states over Γ with a given Π_i, without the component along u.
+struct Slowest {
+    /// Π without ±βu.
+    pi: Vector3<f64>,
+    /// u
+    along: Vector3<f64>,
+    /// u·I⁻¹u
+    mobility: f64,
+    /// The energy of (Π, Γ) with β = 0.
+    energy: f64,
+}
+
+impl EnergyLevel {
+    /// The two states over a unit vector Γ in which Π has the component `momentum` (kg m²/s) along
+    /// the principal axis 0, 1 or 2; the first with Γ̇ ≥ 0 along that axis, the other with Γ̇ ≤ 0.
+    ///
+    /// None where the energy does not suffice, nor where Γ is that axis.
+    #[must_use]
+    pub fn states(&self, gamma: &Vector3<f64>, axis: usize, momentum: f64) -> Option<[Se3Dual; 2]> {
+        let Slowest { pi, along, mobility, energy } = self.slowest(gamma, axis, momentum)?;
+        let square = 2.0 * (self.energy - energy) / mobility;
+        // Not for NaN either.
+        (square >= 0.0).then(|| {
+            [square.sqrt(), -square.sqrt()].map(|beta| Se3Dual::new(pi + along * beta, *gamma))
+        })
+    }
+
+    /// U_c(Γ), J: the least energy over Γ on Π·Γ = c.
+    #[must_use]
+    pub fn amended_potential(&self, gamma: &Vector3<f64>) -> f64 {
+        let height = self.top.weight_moment() * gamma.dot(&self.top.center_of_mass());
+        let moment = self.top.inertia().component_mul(gamma).dot(gamma);
+        height + self.vertical_momentum * self.vertical_momentum / (2.0 * moment)
+    }
+
+    /// The least energy over Γ on Π·Γ = c where Π has the component `momentum` along the axis.
+    pub(crate) fn least_energy(&self, gamma: &Vector3<f64>, axis: usize, momentum: f64) -> f64 {
+        self.slowest(gamma, axis, momentum).map_or(f64::INFINITY, |slowest| slowest.energy)
+    }
+
+    fn slowest(&self, gamma: &Vector3<f64>, axis: usize, momentum: f64) -> Option<Slowest> {
+        let top = &self.top;
+        let along = Vector3::ith(axis.min(2), 1.0).cross(gamma);
+        let mobility = along.dot(&top.angular_velocity(&along));
+        if mobility <= 0.0 {
+            return None;
+        }
+        let moments = top.inertia().component_mul(gamma);
+        let rotation = moments * (self.vertical_momentum / moments.dot(gamma));
+        let across = gamma.cross(&top.angular_velocity(&along));
+        let across = across * ((momentum - rotation[axis.min(2)]) / mobility);
+        let kinetic = 0.5 * across.dot(&top.angular_velocity(&across));
+        let energy = self.amended_potential(gamma) + kinetic;
+        Some(Slowest { pi: rotation + across, along, mobility, energy })
+    }
+}
