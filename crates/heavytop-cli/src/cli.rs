@@ -3,10 +3,11 @@
 use crate::Error;
 use crate::compare::compare;
 use crate::help::{
-    COMPARE, COMPARE_EXAMPLES, EXIT_CODES, REPRODUCE, REPRODUCE_EXAMPLES, SIMULATE,
-    SIMULATE_EXAMPLES,
+    COMPARE, COMPARE_EXAMPLES, EXIT_CODES, REPRODUCE, REPRODUCE_EXAMPLES, SECTION,
+    SECTION_EXAMPLES, SIMULATE, SIMULATE_EXAMPLES,
 };
 use crate::reproduce::reproduce;
+use crate::section::section;
 use crate::simulate::simulate;
 use clap::{Parser, Subcommand};
 use std::path::PathBuf;
@@ -66,6 +67,15 @@ enum Command {
         #[arg(long, value_name = "DIR")]
         out: PathBuf,
     },
+    /// Draw a Poincaré section of a top.
+    #[command(long_about = SECTION, after_long_help = SECTION_EXAMPLES)]
+    Section {
+        /// The configuration, in TOML, as of simulate. Without it the paper's Kovalevskaya top is run.
+        config: Option<PathBuf>,
+        /// The folder for the figure and the table; made if it is not there.
+        #[arg(long, value_name = "DIR")]
+        out: PathBuf,
+    },
 }
 
 /// Runs the program with the arguments of the process.
@@ -76,6 +86,7 @@ pub fn main() -> ExitCode {
         Command::Reproduce { out, end, step } => reproduce(&out, step, end, quiet),
         Command::Simulate { config, out } => simulate(config.as_deref(), &out, quiet),
         Command::Compare { config, out } => compare(config.as_deref(), &out, quiet),
+        Command::Section { config, out } => section(config.as_deref(), &out, quiet),
     };
     match done {
         Ok(()) => ExitCode::SUCCESS,

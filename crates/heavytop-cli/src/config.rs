@@ -5,6 +5,7 @@ use crate::integrators::Method;
 use crate::method::{Formulation, Scheme};
 use crate::run::Experiment;
 use crate::schedule::Schedule;
+use crate::section::SectionConfig;
 use heavytop::{Body, HeavyTop, require_unit};
 use lie_poisson::Se3Dual;
 use nalgebra::Vector3;
@@ -19,10 +20,12 @@ pub struct Config {
     pub body: BodyConfig,
     /// `[initial]`
     pub initial: InitialConfig,
-    /// `[integrator]`
-    pub integrator: IntegratorConfig,
+    /// `[integrator]`; what is left out depends on the command.
+    pub integrator: Option<IntegratorConfig>,
     /// `[output]`
     pub output: OutputConfig,
+    /// `[section]`
+    pub section: SectionConfig,
 }
 
 /// `[body]`: the parameters of the top.
@@ -142,43 +145,49 @@ impl Config {
     /// # Errors
     /// If there is no such experiment.
     pub fn experiment(&self) -> Result<Experiment, Error> {
-        let Self { body, initial, integrator, output } = self;
-        let top = HeavyTop::new(&Body {
-            inertia: body.inertia.into(),
-            mass: body.mass,
-            gravity: body.gravity,
-            length: body.length,
-            center_of_mass: body.center_of_mass.into(),
-        })
-        .map_err(Error::Body)?;
-        let vertical = Vector3::from(initial.vertical);
-        require_unit("vertical", &vertical).map_err(Error::Vertical)?;
-        if let Some(&value) = initial.angular_momentum.iter().find(|x| !x.is_finite()) {
-            return Err(Error::OutOfRange { name: "angular_momentum", range: "finite", value });
-        }
-        let IntegratorConfig { formulation, scheme, step, end, tolerance } = *integrator;
+        let (top, start) = (self.top()?, self.start()?);
+        let IntegratorConfig { formulation, scheme, step, end, tolerance } =
+            self.integrator.unwrap_or_default();
         let method = Method::new(formulation, scheme, tolerance)?;
-        if output.every == 0 {
+        let OutputConfig { every, attitude } = self.output;
+        if every == 0 {
             return Err(Error::OutOfRange { name: "every", range: "at least 1", value: 0.0 });
         }
-        if output.attitude && formulation == Formulation::Direct {
+        if attitude && formulation == Formulation::Direct {
             return Err(Error::NoAttitude { formulation });
         }
-        let start = Se3Dual::new(initial.angular_momentum.into(), vertical);
         require_sane_step(&top, &start, step)?;
-        Ok(Experiment {
-            top,
-            start,
-            method,
-            schedule: Schedule::new(step, end)?,
-            every: output.every,
-            attitude: output.attitude,
-        })
+        let schedule = Schedule::new(step, end)?;
+        Ok(Experiment { top, start, method, schedule, every, attitude })
+    }
+
+    /// The top of `[body]`.
+    ///
+    /// # Errors
+    /// If there is no such top.
+    pub fn top(&self) -> Result<HeavyTop, Error> {
+        let BodyConfig { inertia, mass, gravity, length, center_of_mass } = self.body;
+        let (inertia, center_of_mass) = (inertia.into(), center_of_mass.into());
+        HeavyTop::new(&Body { inertia, mass, gravity, length, center_of_mass }).map_err(Error::Body)
+    }
+
+    /// The state of `[initial]`.
+    ///
+    /// # Errors
+    /// If Π is not finite or Γ is no unit vector.
+    pub fn start(&self) -> Result<Se3Dual, Error> {
+        let InitialConfig { angular_momentum, vertical } = self.initial;
+        let vertical = Vector3::from(vertical);
+        require_unit("vertical", &vertical).map_err(Error::Vertical)?;
+        if let Some(&value) = angular_momentum.iter().find(|x| !x.is_finite()) {
+            return Err(Error::OutOfRange { name: "angular_momentum", range: "finite", value });
+        }
+        Ok(Se3Dual::new(angular_momentum.into(), vertical))
     }
 }
 
 /// The most that a body may turn in one step, rad: sixteen times around.
-const MOST_TURN: f64 = 100.0;
+pub(crate) const MOST_TURN: f64 = 100.0;
 
 /// Checks that h (|Ω(0)| + √(m g l/I)), I the least moment, is an angle that a step may have.
 fn require_sane_step(top: &HeavyTop, start: &Se3Dual, step: f64) -> Result<(), Error> {

@@ -1,8 +1,8 @@
 //! What can go wrong, and the exit codes.
 
 use crate::method::{Formulation, Scheme};
-use collective_integrators::{IntegrationError, SchemeError};
-use heavytop::TopError;
+use collective_integrators::{EventError, IntegrationError, SchemeError};
+use heavytop::{SectionError, TopError};
 use momentum_map::LiftError;
 use std::io;
 use std::path::PathBuf;
@@ -146,6 +146,21 @@ pub enum Error {
         /// The step, the time and the reason.
         source: IntegrationError,
     },
+    /// There is no such section.
+    #[error("[section] {0}")]
+    Section(#[from] SectionError),
+    /// The motion through a start of a section could not be followed.
+    #[error("{formulation}, {scheme}, start {start}: {source}")]
+    Crossing {
+        /// The formulation's name.
+        formulation: &'static str,
+        /// The scheme's name.
+        scheme: &'static str,
+        /// The number of the start, from 1.
+        start: usize,
+        /// The step, the time and the reason.
+        source: EventError,
+    },
     /// Two reference solutions differ.
     #[error(
         "the reference solution is certain to {uncertainty:.1e} of its size only, not to {most:e}: \
@@ -178,6 +193,7 @@ impl Error {
             Self::Reference { .. }
             | Self::Write { .. }
             | Self::Integration { .. }
+            | Self::Crossing { .. }
             | Self::Figure(_)
             | Self::Kept { .. } => 1,
             _ => 2,

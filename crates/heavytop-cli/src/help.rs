@@ -112,3 +112,45 @@ pub(crate) const COMPARE_EXAMPLES: &str = "\
 Examples:
   heavytop compare --out comparison               # the paper's top
   heavytop compare top.toml --out comparison";
+
+pub(crate) const SECTION: &str = "\
+Draw a Poincaré section of a top.
+
+On the states with h = energy, Π·Γ = vertical_momentum and |Γ| = 1 starts are spread evenly over a
+surface, and followed from crossing to crossing. The surface fixes one coordinate, Γ_i or Π_i; the
+section is drawn over
+
+  x   the angle of Γ about e_i, rad
+  y   Π_i (kg m²/s) where Γ_i is fixed, Γ_i where Π_i is fixed
+
+Where Γ_i is fixed these are canonical: areas are conserved from crossing to crossing. Starts are
+coloured by the mean of |y| over their points, which is the same all over an invariant curve or a
+chaotic sea.
+
+Crossings are located to the accuracy of the integrator; those in the first step after a start are
+not seen. Starts are followed in parallel; no bit depends on the number of threads (RAYON_NUM_THREADS).
+
+Written into the folder:
+  section.svg .png  the picture
+  section.csv       start,crossing,t,Pi1,...,Gamma3,x,y; crossing 0 is the start itself";
+
+pub(crate) const SECTION_EXAMPLES: &str = "\
+Configuration: [body] and [initial] as of simulate, and
+  [section]
+  energy = 11.75                     # h, J; without it that of [initial]
+  vertical_momentum = 4.46           # Π·Γ, kg m²/s; without it that of [initial]
+  surface = \"Gamma3\"                 # or Gamma1, Gamma2, Pi1, Pi2, Pi3
+  level = 0.0                        # its value on the surface
+  direction = \"up\"                   # the crossings that count: up, down or both
+  starts = 60                        # 1 or more
+  crossings = 500                    # of each start, 1 or more
+  longest = 10000.0                  # s; no start is followed longer
+  seed = 0                           # which starts
+
+  [integrator]                       # as of simulate; end plays no part
+Without the table [integrator]: reduced, gauss-8, with a step in which no body on the energy level
+turns by more than 0.25 rad.
+
+Examples:
+  heavytop section --out section                  # the paper's top
+  heavytop section top.toml --out section";

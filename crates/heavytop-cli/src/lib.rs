@@ -13,11 +13,13 @@
 //! | a run, sample by sample | [`run`] |
 //! | files that appear when they are complete | [`output`] |
 //! | rows of numbers | [`table`] |
+//! | ranges, ticks and tick labels | `axis` |
 //! | text to outlines, and SVG to PNG | `render` |
 //! | the progress bar | [`progress`] |
 //! | `heavytop simulate` | [`simulate`] |
 //! | `heavytop reproduce` | [`reproduce`] |
 //! | `heavytop compare` | [`compare`] |
+//! | `heavytop section` | [`section`] |
 //! | what `--help` says | `help` |
 //! | the command line | [`cli`] |
 //!
@@ -32,11 +34,13 @@ pub mod config;
 pub mod run;
 pub mod output;
 pub mod table;
+mod axis;
 mod render;
 pub mod progress;
 pub mod simulate;
 pub mod reproduce;
 pub mod compare;
+pub mod section;
 mod help;
 pub mod cli;
 

@@ -176,7 +176,8 @@ fn name_of<T: Copy + PartialEq>(names: &[(&'static str, T)], item: T) -> &'stati
     names.iter().find(|(_, other)| *other == item).map_or("", |(name, _)| name)
 }
 
-fn by_name<T: Copy>(kind: &str, names: &[(&str, T)], name: &str) -> Result<T, String> {
+/// The item of that name; the error lists all names.
+pub(crate) fn by_name<T: Copy>(kind: &str, names: &[(&str, T)], name: &str) -> Result<T, String> {
     let found = names.iter().find(|(known, _)| *known == name).map(|(_, item)| *item);
     found.ok_or_else(|| {
         let known: Vec<&str> = names.iter().map(|(known, _)| *known).collect();

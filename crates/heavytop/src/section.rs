@@ -3,6 +3,7 @@
 use crate::section_level::{least_energy, quasi_random};
 use crate::{Coordinate, EnergyLevel, HeavyTopSpace, SectionError};
 use collective_integrators::{Direction, EventError, Events, SampleOf, Start};
+use core::f64::consts::TAU;
 use lie_poisson::{Covector, Hamiltonian, LiePoisson, Pair, PoissonSpace, Se3, Se3Dual};
 use momentum_map::LiftError;
 use nalgebra::{Vector2, Vector3};
@@ -28,7 +29,7 @@ pub struct Surface {
 /// coordinates
 ///
 /// ```text
-/// x = atan2(Γ_k, Γ_j), (i, j, k) cyclic: the angle of Γ about e_i, rad
+/// x = atan2(Γ_k, Γ_j) in [0, 2π], (i, j, k) cyclic: the angle of Γ about e_i, rad
 /// y = Π_i (kg m²/s) where the surface fixes Γ_i; Γ_i where it fixes Π_i
 /// ```
 ///
@@ -121,7 +122,7 @@ impl Section {
     pub fn plane(&self, mu: &Se3Dual) -> Vector2<f64> {
         let Covector(Pair(pi, gamma)) = mu;
         let axis = self.axis();
-        let x = gamma[(axis + 2) % 3].atan2(gamma[(axis + 1) % 3]);
+        let x = gamma[(axis + 2) % 3].atan2(gamma[(axis + 1) % 3]).rem_euclid(TAU);
         let other = if self.surface.coordinate.is_momentum() { gamma } else { pi };
         Vector2::new(x, other[axis])
     }
@@ -149,9 +150,8 @@ impl Section {
     /// If among ten million points too few are accessible: the energy is next to the least one.
     pub fn starts(&self, count: usize, seed: u64) -> Result<Vec<Se3Dual>, SectionError> {
         let bound = self.bound();
-        let candidates = quasi_random(seed).take(CANDIDATES as usize).map(|[s, t]| {
-            Vector2::new((2.0 * s - 1.0) * core::f64::consts::PI, (2.0 * t - 1.0) * bound)
-        });
+        let candidates = quasi_random(seed).take(CANDIDATES as usize);
+        let candidates = candidates.map(|[s, t]| Vector2::new(TAU * s, (2.0 * t - 1.0) * bound));
         let starts: Vec<Se3Dual> =
             candidates.flat_map(|plane| self.states(&plane)).take(count).collect();
         match starts.len() {

@@ -45,7 +45,7 @@ const SCALE: f32 = 1.75;
 pub fn compare(config: Option<&Path>, out: &Path, quiet: bool) -> Result<(), Error> {
     let config = config.map_or_else(|| Ok(Config::default()), Config::read)?;
     let experiment = config.experiment()?;
-    let methods = methods(config.integrator.tolerance)?;
+    let methods = methods(config.integrator.unwrap_or_default().tolerance)?;
     std::fs::create_dir_all(out).map_err(|source| Error::Create { path: out.into(), source })?;
 
     let steps = experiment.schedule.steps.min(INTERVAL);

@@ -1,13 +1,12 @@
 //! `heavytop reproduce`: the paper's experiment (Ohsawa 2019, §5.2), its figures and its numbers.
 
-mod axis;
 mod figures;
 mod plot;
 mod record;
 mod summary;
 
 use crate::Error;
-use crate::config::Config;
+use crate::config::{Config, IntegratorConfig};
 use crate::method::{Formulation, Scheme};
 use crate::output::Output;
 use crate::progress::Progress;
@@ -37,10 +36,11 @@ const SCALE: f32 = 6.0;
 /// `trajectories.csv.partial` is kept.
 pub fn reproduce(out: &Path, step: f64, end: f64, quiet: bool) -> Result<(), Error> {
     let mut config = Config::default();
-    (config.integrator.step, config.integrator.end) = (step, end);
+    let mut integrator = IntegratorConfig { step, end, ..IntegratorConfig::default() };
     let mut experiments = Vec::with_capacity(METHODS.len());
     for (formulation, scheme) in METHODS {
-        (config.integrator.formulation, config.integrator.scheme) = (formulation, scheme);
+        (integrator.formulation, integrator.scheme) = (formulation, scheme);
+        config.integrator = Some(integrator);
         experiments.push(config.experiment()?);
     }
     std::fs::create_dir_all(out).map_err(|source| Error::Create { path: out.into(), source })?;

@@ -1,8 +1,8 @@
 //! Draws a figure as SVG, with text still text.
 
-use super::axis::Axis;
 use super::figures::Figure;
 use crate::Error;
+use crate::axis::Axis;
 use crate::render::FONT;
 use plotters::prelude::*;
 use std::fmt::Write;

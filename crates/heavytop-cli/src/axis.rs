@@ -5,7 +5,7 @@ use std::ops::Range;
 
 /// A range with round ticks in it.
 #[derive(Clone, Debug, PartialEq)]
-pub(super) struct Axis {
+pub(crate) struct Axis {
     from: f64,
     to: f64,
     ticks: Vec<f64>,
@@ -26,9 +26,19 @@ impl Axis {
         Self { from: low, to: high, ticks, decimals }
     }
 
+    /// Where a value lies: 0 at the lower end, 1 at the upper end.
+    pub fn along(&self, value: f64) -> f64 {
+        (value - self.from) / (self.to - self.from)
+    }
+
+    /// The ticks and their labels.
+    pub fn labels(&self) -> impl Iterator<Item = (f64, String)> {
+        self.ticks.iter().map(|tick| (*tick, self.format_ext(tick)))
+    }
+
     /// The number of characters of the longest label.
     pub fn label_length(&self) -> u32 {
-        let lengths = self.ticks.iter().map(|tick| self.format_ext(tick).chars().count());
+        let lengths = self.labels().map(|(_, label)| label.chars().count());
         lengths.max().map_or(0, |length| length as u32)
     }
 
@@ -52,8 +62,7 @@ impl Ranged for Axis {
     type ValueType = f64;
 
     fn map(&self, value: &f64, (start, end): (i32, i32)) -> i32 {
-        let along = (value - self.from) / (self.to - self.from);
-        start + (along * f64::from(end - start)).round() as i32
+        start + (self.along(*value) * f64::from(end - start)).round() as i32
     }
 
     fn key_points<Hint: KeyPointHint>(&self, hint: Hint) -> Vec<f64> {

@@ -1,0 +1,151 @@
+//! `[section]`: which section, and how many points.
+
+use crate::Error;
+use crate::config::{Config, IntegratorConfig, MOST_TURN};
+use crate::integrators::Method;
+use crate::method::{Formulation, Scheme, by_name};
+use collective_integrators::Direction;
+use heavytop::{Coordinate, EnergyLevel, HeavyTop, Invariant, Section, Surface};
+use serde::de::Error as _;
+use serde::{Deserialize, Deserializer};
+
+/// Without `[integrator]` no body on the energy level turns further in a step, rad. With Gauss's
+/// method of order 8 the energy is then certain to some 1e-10 of itself.
+const TURN: f64 = 0.25;
+
+/// More points than this are a typing error.
+const MOST_POINTS: f64 = 1e7;
+
+/// More steps than this for each start are a typing error.
+const MOST_STEPS: f64 = 1e12;
+
+/// `[section]`
+#[derive(Clone, Copy, Debug, PartialEq, Deserialize)]
+#[serde(default, deny_unknown_fields)]
+pub struct SectionConfig {
+    /// h, J; that of `[initial]` where it is left out.
+    pub energy: Option<f64>,
+    /// Π·Γ, kg m²/s; that of `[initial]` where it is left out.
+    pub vertical_momentum: Option<f64>,
+    /// The coordinate that the surface fixes.
+    #[serde(deserialize_with = "surface")]
+    pub surface: Coordinate,
+    /// Its value on the surface.
+    pub level: f64,
+    /// The direction in which the surface is crossed.
+    #[serde(deserialize_with = "direction")]
+    pub direction: Direction,
+    /// The number of starts.
+    pub starts: u32,
+    /// The number of returns of each start.
+    pub crossings: u32,
+    /// How long a start is followed at most, s.
+    pub longest: f64,
+    /// Which starts.
+    pub seed: u64,
+}
+
+impl Default for SectionConfig {
+    fn default() -> Self {
+        Self {
+            energy: None,
+            vertical_momentum: None,
+            surface: Coordinate::Gamma3,
+            level: 0.0,
+            direction: Direction::Up,
+            starts: 60,
+            crossings: 500,
+            longest: 10_000.0,
+            seed: 0,
+        }
+    }
+}
+
+fn surface<'de, D: Deserializer<'de>>(from: D) -> Result<Coordinate, D::Error> {
+    let names = Coordinate::ALL.map(|coordinate| (coordinate.name(), coordinate));
+    by_name("surface", &names, &String::deserialize(from)?).map_err(D::Error::custom)
+}
+
+fn direction<'de, D: Deserializer<'de>>(from: D) -> Result<Direction, D::Error> {
+    let names = [("up", Direction::Up), ("down", Direction::Down), ("both", Direction::Both)];
+    by_name("direction", &names, &String::deserialize(from)?).map_err(D::Error::custom)
+}
+
+/// A section, and how its points are found.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub(super) struct Settings {
+    pub section: Section,
+    pub method: Method,
+    /// The time step, s.
+    pub step: f64,
+    /// The number of steps for each start.
+    pub steps: usize,
+    /// The number of returns of each start.
+    pub crossings: usize,
+    /// The number of starts.
+    pub starts: usize,
+    pub seed: u64,
+}
+
+impl Settings {
+    /// What the configuration asks for.
+    ///
+    /// # Errors
+    /// If there is no such section.
+    pub fn new(config: &Config) -> Result<Self, Error> {
+        let (top, initial, settings) = (config.top()?, config.start()?, config.section);
+        let of_initial = |invariant: Invariant| invariant.value(&top, &initial);
+        let level = EnergyLevel {
+            top,
+            energy: settings.energy.unwrap_or(of_initial(Invariant::Energy)),
+            vertical_momentum: settings
+                .vertical_momentum
+                .unwrap_or(of_initial(Invariant::VerticalMomentum)),
+        };
+        let SectionConfig { surface: coordinate, level: value, direction, seed, .. } = settings;
+        let section = Section::new(level, Surface { coordinate, level: value, direction })?;
+
+        let rate = fastest(&top, level.energy);
+        let IntegratorConfig { formulation, scheme, step, tolerance, .. } =
+            config.integrator.unwrap_or(IntegratorConfig {
+                formulation: Formulation::Reduced,
+                scheme: Scheme::Gauss(4),
+                step: TURN / rate,
+                ..IntegratorConfig::default()
+            });
+        let method = Method::new(formulation, scheme, tolerance)?;
+        for (name, value) in [("step", step), ("longest", settings.longest)] {
+            if !(value > 0.0 && value.is_finite()) {
+                return Err(Error::OutOfRange { name, range: "positive and finite", value });
+            }
+        }
+        if step * rate > MOST_TURN {
+            return Err(Error::AbsurdStep { step, angle: step * rate, most: MOST_TURN });
+        }
+        let steps = (settings.longest / step).ceil();
+        if steps > MOST_STEPS {
+            return Err(Error::TooManySteps { steps, most: MOST_STEPS });
+        }
+        let (starts, crossings) = (settings.starts, settings.crossings);
+        for (name, value) in [("starts", starts), ("crossings", crossings)] {
+            if value == 0 {
+                return Err(Error::OutOfRange { name, range: "at least 1", value: 0.0 });
+            }
+        }
+        let points = f64::from(starts) * f64::from(crossings);
+        if points > MOST_POINTS {
+            let (name, range) = ("starts × crossings", "at most 1e7");
+            return Err(Error::OutOfRange { name, range, value: points });
+        }
+        let (starts, crossings, steps) = (starts as usize, crossings as usize, steps as usize);
+        Ok(Self { section, method, step, steps, crossings, starts, seed })
+    }
+}
+
+/// More than the angular velocity anywhere on the energy level, and the frequency of a pendulum:
+/// √(2(E + m g l)/I) + √(m g l/I), I the least moment, 1/s.
+fn fastest(top: &HeavyTop, energy: f64) -> f64 {
+    let (weight, moment) = (top.weight_moment(), top.inertia().min());
+    let kinetic = (energy + weight).max(0.0);
+    (2.0 * kinetic / moment).sqrt() + (weight / moment).sqrt()
+}
