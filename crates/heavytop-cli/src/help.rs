@@ -149,7 +149,7 @@ Configuration: [body] and [initial] as of simulate, and
 
   [integrator]                       # as of simulate; end plays no part
 Without the table [integrator]: reduced, gauss-8, with a step in which no body on the energy level
-turns by more than 0.25 rad.
+turns by more than 0.5 rad.
 
 Examples:
   heavytop section --out section                  # the paper's top

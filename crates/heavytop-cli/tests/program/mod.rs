@@ -36,8 +36,18 @@ impl Folder {
 
     /// Runs `heavytop` with these arguments in the folder.
     pub fn heavytop(&self, arguments: &[&str]) -> Finished {
+        Finished(self.command(arguments).output().unwrap())
+    }
+
+    /// The same on so many threads.
+    pub fn heavytop_on(&self, threads: &str, arguments: &[&str]) -> Finished {
+        Finished(self.command(arguments).env("RAYON_NUM_THREADS", threads).output().unwrap())
+    }
+
+    fn command(&self, arguments: &[&str]) -> Command {
         let mut command = Command::new(env!("CARGO_BIN_EXE_heavytop"));
-        Finished(command.args(arguments).current_dir(self.0.path()).output().unwrap())
+        command.args(arguments).current_dir(self.0.path());
+        command
     }
 }
 

@@ -1,0 +1,211 @@
+//! Poincaré sections of tops.
+
+use collective_integrators::{Direction, EventError, LiftFree, RungeKutta};
+use heavytop::{
+    Body, Coordinate, EnergyLevel, HeavyTop, HeavyTopSpace, Invariant, Section, SectionError,
+    Surface,
+};
+use lie_poisson::{Hamiltonian, LiePoisson, PoissonSpace, Se3, Se3Dual};
+use momentum_map::DualQuaternions;
+use nalgebra::{Matrix2, Vector2, Vector3};
+use std::error::Error;
+
+type Outcome<T = ()> = Result<T, Box<dyn Error>>;
+
+fn generic() -> Outcome<HeavyTop> {
+    let body = Body {
+        inertia: Vector3::new(2.0, 1.5, 1.0),
+        mass: 1.0,
+        gravity: 1.0,
+        length: 1.0,
+        center_of_mass: Vector3::new(0.6, 0.0, 0.8),
+    };
+    Ok(HeavyTop::new(&body)?)
+}
+
+fn surface(coordinate: Coordinate, level: f64, direction: Direction) -> Surface {
+    Surface { coordinate, level, direction }
+}
+
+fn on(top: HeavyTop, vertical_momentum: f64, surface: Surface) -> Outcome<Section> {
+    Ok(Section::new(EnergyLevel { top, energy: 1.7, vertical_momentum }, surface)?)
+}
+
+/// Gauss's method of order 10 with steps of 0.1: its error is round-off here.
+fn gauss(top: HeavyTop) -> Outcome<LiftFree<RungeKutta, DualQuaternions, HeavyTop>> {
+    Ok(LiftFree::new(RungeKutta::gauss(5)?, DualQuaternions, top))
+}
+
+fn returns(section: &Section, start: &Se3Dual, count: usize) -> Outcome<Vec<Se3Dual>> {
+    let integrator = gauss(section.level().top)?;
+    let crossings = section.crossings(&integrator, start, 0.1, 100_000)?.take(count);
+    let found: Result<Vec<Se3Dual>, EventError> =
+        crossings.map(|crossing| Ok(crossing?.momentum)).collect();
+    Ok(found?)
+}
+
+#[test]
+fn starts_are_on_level_and_surface_and_cross_it_in_its_direction() -> Outcome {
+    let (top, space) = (generic()?, LiePoisson::minus(Se3::default()));
+    for coordinate in Coordinate::ALL {
+        for (direction, sides) in [
+            (Direction::Up, [true, false]),
+            (Direction::Down, [false, true]),
+            (Direction::Both, [true; 2]),
+        ] {
+            let section = on(top, 0.4, surface(coordinate, 0.2, direction))?;
+            let starts = section.starts(50, 7)?;
+            let mut seen = [false; 2];
+            for mu in &starts {
+                assert!(section.value(mu).abs() < 1e-15);
+                assert!((Invariant::Energy.value(&top, mu) - 1.7).abs() < 1e-13);
+                assert!((Invariant::VerticalMomentum.value(&top, mu) - 0.4).abs() < 1e-14);
+                assert!((Invariant::VerticalSquared.value(&top, mu) - 1.0).abs() < 1e-14);
+                let differential = Hamiltonian::<HeavyTopSpace>::differential(&top, mu);
+                let rate = coordinate.of(&space.hamiltonian_vector(mu, &differential));
+                seen[usize::from(rate < 0.0)] = true;
+                // (x, y) and back
+                let near =
+                    |other: Se3Dual| (other - *mu).0.0.norm() + (other - *mu).0.1.norm() < 1e-6;
+                assert!(section.states(&section.plane(mu)).any(near));
+            }
+            assert_eq!(seen, sides, "{coordinate} {direction:?}");
+            assert_eq!(section.starts(20, 7)?, starts[..20]);
+            assert_ne!(section.starts(20, 8)?, starts[..20]);
+        }
+    }
+    Ok(())
+}
+
+/// The tangent map of the first return in the plane, by central differences.
+fn tangent(section: &Section, at: &Vector2<f64>) -> Outcome<Matrix2<f64>> {
+    const STEP: f64 = 2e-5;
+    let image = |plane: Vector2<f64>| -> Outcome<Vector2<f64>> {
+        let start = section.states(&plane).next().ok_or("not accessible")?;
+        let first = returns(section, &start, 1)?;
+        Ok(section.plane(first.first().ok_or("no return")?))
+    };
+    let column = |offset: Vector2<f64>| -> Outcome<Vector2<f64>> {
+        Ok((image(at + offset)? - image(at - offset)?) / (2.0 * STEP))
+    };
+    Ok(Matrix2::from_columns(&[column(Vector2::x() * STEP)?, column(Vector2::y() * STEP)?]))
+}
+
+/// To 1e-5: differences of second order with steps of 2e-5, of maps with third derivatives up to some 1e4.
+#[test]
+fn the_return_map_conserves_area_where_the_coordinates_are_canonical() -> Outcome {
+    for (coordinate, canonical) in [
+        (Coordinate::Gamma1, true),
+        (Coordinate::Gamma2, true),
+        (Coordinate::Gamma3, true),
+        // Control: (angle, Γ₃) are not canonical on Π₃ = 0.
+        (Coordinate::Pi3, false),
+    ] {
+        let section = on(generic()?, 0.4, surface(coordinate, 0.1, Direction::Up))?;
+        let mut worst: f64 = 0.0;
+        for start in section.starts(6, 3)? {
+            let area = tangent(&section, &section.plane(&start))?.determinant();
+            worst = worst.max((area - 1.0).abs());
+        }
+        assert_eq!(worst < 1e-5, canonical, "{coordinate}: {worst:e}");
+    }
+    Ok(())
+}
+
+#[test]
+fn sections_of_integrable_tops_lie_on_curves() -> Outcome {
+    for (top, vertical_momentum, coordinate, invariant, curves) in [
+        (HeavyTop::kovalevskaya(1.0, 1.0)?, 0.5, Coordinate::Gamma3, Invariant::Kovalevskaya, true),
+        (
+            HeavyTop::lagrange(2.0, 1.0, 1.0)?,
+            0.5,
+            Coordinate::Gamma1,
+            Invariant::AxialMomentum,
+            true,
+        ),
+        (
+            HeavyTop::goryachev_chaplygin(1.0, 1.0)?,
+            0.0,
+            Coordinate::Gamma3,
+            Invariant::GoryachevChaplygin,
+            true,
+        ),
+        // Controls: off the level of Goryachev and Chaplygin, and no invariant of this top.
+        (
+            HeavyTop::goryachev_chaplygin(1.0, 1.0)?,
+            0.5,
+            Coordinate::Gamma3,
+            Invariant::GoryachevChaplygin,
+            false,
+        ),
+        (generic()?, 0.5, Coordinate::Gamma3, Invariant::Kovalevskaya, false),
+    ] {
+        let section = on(top, vertical_momentum, surface(coordinate, 0.0, Direction::Up))?;
+        let mut worst: f64 = 0.0;
+        for start in section.starts(4, 0)? {
+            let found = returns(&section, &start, 50)?;
+            assert_eq!(found.len(), 50);
+            for mu in found {
+                assert!(section.value(&mu).abs() < 1e-15);
+                let deviation = |f: Invariant| (f.value(&top, &mu) - f.value(&top, &start)).abs();
+                for conserved in [Invariant::Energy, Invariant::VerticalMomentum] {
+                    assert!(deviation(conserved) < 1e-11);
+                }
+                worst = worst.max(deviation(invariant));
+            }
+        }
+        assert_eq!(worst < 1e-10, curves, "{invariant}: {worst:e}");
+    }
+    Ok(())
+}
+
+#[test]
+fn the_least_energy_is_that_of_closed_forms() -> Outcome {
+    let kovalevskaya = HeavyTop::kovalevskaya(1.0, 1.0)?;
+    for (top, vertical_momentum, coordinate, level, least) in [
+        // hanging at rest
+        (kovalevskaya, 0.0, Coordinate::Gamma3, 0.0, -1.0),
+        // on Γ₃ = ½ as low as it can be, at rest
+        (kovalevskaya, 0.0, Coordinate::Gamma3, 0.5, -0.75_f64.sqrt()),
+        // hanging, turning about e₁ with I₁ = 2
+        (kovalevskaya, 0.5, Coordinate::Gamma3, 0.0, -1.0 + 0.25 / 4.0),
+        // hanging, turning about e₃ with I₃ = 1
+        (kovalevskaya, 0.0, Coordinate::Pi3, 2.0, -1.0 + 2.0),
+        // a free body about its largest axis
+        (
+            HeavyTop::free_rigid_body(Vector3::new(1.0, 2.0, 3.0))?,
+            3.0,
+            Coordinate::Gamma1,
+            0.0,
+            1.5,
+        ),
+    ] {
+        let surface = surface(coordinate, level, Direction::Up);
+        let at = |energy| Section::new(EnergyLevel { top, energy, vertical_momentum }, surface);
+        let Err(SectionError::Empty { least: found, .. }) = at(least - 1e-9) else {
+            return Err(format!("{coordinate}: not refused").into());
+        };
+        assert!((found - least).abs() < 1e-12, "{coordinate}: {found} {least}");
+        assert!(at(least + 1e-9).is_ok());
+    }
+    Ok(())
+}
+
+#[test]
+fn sections_that_are_not_there_are_refused() -> Outcome {
+    let top = HeavyTop::kovalevskaya(1.0, 1.0)?;
+    let make = |energy, vertical_momentum, level| {
+        let surface = surface(Coordinate::Gamma3, level, Direction::Up);
+        Section::new(EnergyLevel { top, energy, vertical_momentum }, surface)
+    };
+    assert!(matches!(
+        make(f64::NAN, 0.0, 0.0),
+        Err(SectionError::NotFinite { name: "energy", .. })
+    ));
+    assert!(matches!(make(1.0, f64::INFINITY, 0.0), Err(SectionError::NotFinite { .. })));
+    assert!(matches!(make(1.0, 0.0, -1.0), Err(SectionError::NoSuchVertical { .. })));
+    let tiny = make(-1.0 + 1e-13, 0.0, 0.0)?;
+    assert!(matches!(tiny.starts(1000, 0), Err(SectionError::TooSmall { count: 1000, .. })));
+    assert_eq!(tiny.starts(0, 0)?, []);
+    Ok(())
+}
