@@ -68,11 +68,11 @@ impl Record {
 #[allow(clippy::unwrap_used)]
 mod tests {
     use super::*;
-    use crate::config::Config;
+    use crate::config::{Config, IntegratorConfig};
 
     fn record(end: f64) -> Record {
-        let mut config = Config::default();
-        (config.integrator.step, config.integrator.end) = (1.0, end);
+        let integrator = IntegratorConfig { step: 1.0, end, ..IntegratorConfig::default() };
+        let config = Config { integrator: Some(integrator), ..Config::default() };
         Record::new(&config.experiment().unwrap())
     }
 
