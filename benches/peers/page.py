@@ -1,0 +1,154 @@
+"""Writes what was measured into docs/performance.md, between its markers, and draws docs/performance.png."""
+
+import platform
+import statistics
+import subprocess
+from importlib.metadata import PackageNotFoundError, version
+from pathlib import Path
+
+BEGIN, END = "<!-- measured: begin -->", "<!-- measured: end -->"
+OURS = "heavytop"  # our names start with it
+
+TITLES = {
+    "kovalevskaya": "One Kovalevskaya top to t = 1000",
+    "generic": "One generic top to t = 1000",
+    "kovalevskaya-ensemble": "10⁴ Kovalevskaya tops to t = 20, one thread",
+    "generic-ensemble": "10⁴ generic tops to t = 20, one thread",
+}
+
+# What is promised: (text, problem, ours, theirs, bound), ours and theirs each (beginning of the name, setting or None,
+# largest error at 10); of the rows that fit, the fastest. The ratio is of seconds, ours by theirs.
+ANY = float("inf")
+HEYOKA, RK8 = ("heyoka", "tolerance 1e-16", ANY), ("C++ RK8", "h = 0.025", ANY)
+GAUSS, MIDPOINT = ("heavytop collective Gauss", None, 2e-14), ("heavytop lift-free midpoint", "h = 0.01", ANY)
+ENSEMBLE = ("heavytop", None, 3e-13)
+SIMD_RK8, SIMD_MIDPOINT = ("C++ SIMD RK8", None, 3e-13), ("C++ SIMD implicit midpoint", "h = 0.01", ANY)
+PROMISES = [
+    ("collective Gauss by heyoka at tolerance 1e-16", "kovalevskaya", GAUSS, HEYOKA, 0.25),
+    ("the same, generic top", "generic", GAUSS, HEYOKA, 0.25),
+    ("collective Gauss by RK8, h = 0.025", "kovalevskaya", GAUSS, RK8, 0.35),
+    ("the same, generic top", "generic", GAUSS, RK8, 0.35),
+    ("midpoint by the hand-written one", "kovalevskaya", MIDPOINT, ("C++ implicit midpoint", "h = 0.01", ANY), 0.8),
+    ("midpoint by GSL's", "kovalevskaya", MIDPOINT, ("GSL rk2imp", "h = 0.01", ANY), 1 / 60),
+    ("ensemble, midpoint by the hand-written one", "generic-ensemble", MIDPOINT, SIMD_MIDPOINT, 1 / 1.7),
+    ("ensemble at 3e-13 by RK8, axisymmetric", "kovalevskaya-ensemble", ENSEMBLE, SIMD_RK8, 1 / 1.5),
+    ("ensemble at 3e-13 by RK8, generic", "generic-ensemble", ENSEMBLE, SIMD_RK8, 1 / 0.95),
+    ("ensemble at 3e-13 by heyoka at 1e-13, axisymmetric", "kovalevskaya-ensemble", ENSEMBLE,
+     ("heyoka", "tolerance 1e-13", ANY), 1 / 2),
+    ("ensemble at 3e-13 by heyoka at 1e-13, generic", "generic-ensemble", ENSEMBLE,
+     ("heyoka", "tolerance 1e-13", ANY), 1 / 2),
+    ("ensemble at 1e-8 by RK8, axisymmetric", "kovalevskaya-ensemble", ("heavytop", None, 1e-8),
+     ("C++ SIMD RK8", None, 1e-8), 1 / 1.5),
+]
+
+
+def final_error(row):
+    return next(value for key, value in row.items() if key.startswith("error_") and key != "error_10")
+
+
+def table(problem, rows):
+    ensemble = problem.endswith("ensemble")
+    rows = [row for row in rows if row["problem"] == problem]
+    head = ("| who | setting | million time units/s | ns per top and step | error at 10 | at 20 | spread |" if ensemble
+            else "| who | setting | ms | ns per step | error at 10 | at 1000 | spread |")
+    lines = [f"### {TITLES[problem]}", "", head, "|---|---|--:|--:|--:|--:|--:|"]
+    for row in rows:
+        seconds, steps, tops = row["seconds"], row["steps"], 10**4 if ensemble else 1
+        main = f"{tops * 20 / seconds * 1e-6:.2f}" if ensemble else f"{seconds * 1e3:.2f}"
+        name = f"**{row['name']}**" if row["name"].startswith(OURS) else row["name"]
+        spread = max(row["rounds"].values()) / min(row["rounds"].values()) - 1
+        lines.append(f"| {name} | {row['setting']} | {main} | {seconds / steps / tops * 1e9:.1f} | "
+                     f"{row['error_10']:.1e} | {final_error(row):.1e} | {spread:.0%} |")
+    return lines + [""]
+
+
+def fastest(rows, problem, wanted):
+    beginning, setting, error = wanted
+    fitting = [row for row in rows if row["problem"] == problem and row["name"].startswith(beginning)
+               and setting in (None, row["setting"]) and row["error_10"] <= error]
+    return min(fitting, key=lambda row: row["seconds"], default=None)
+
+
+def promises(rows):
+    lines = ["### Ratios of times, ours by theirs", "",
+             "Medians over the rounds of the ratio within a round.", "",
+             "| what | top | ours | theirs | ratio | to reach |", "|---|---|---|---|--:|--:|"]
+    for text, problem, ours, theirs, bound in PROMISES:
+        a, b = fastest(rows, problem, ours), fastest(rows, problem, theirs)
+        if a is None or b is None:
+            continue
+        ratio = statistics.median(a["rounds"][n] / b["rounds"][n] for n in a["rounds"] if n in b["rounds"])
+        lines.append(f"| {text} | {problem} | {a['name']}, {a['setting']} | {b['name']}, {b['setting']} | "
+                     f"{ratio:.3f} | ≤ {bound:.3f}{'' if ratio <= bound else ', missed'} |")
+    return lines + [""] if len(lines) > 6 else []
+
+
+def machine():
+    def first_line(*command):
+        try:
+            return subprocess.run(command, capture_output=True, text=True).stdout.splitlines()[0]
+        except (OSError, IndexError):
+            return f"no {command[0]}"
+
+    names = [line.split(":")[1].strip() for line in Path("/proc/cpuinfo").read_text().splitlines()
+             if line.startswith("model name")] if Path("/proc/cpuinfo").exists() else []
+    packages = []
+    for package in ("heyoka", "scipy", "numpy"):
+        try:
+            packages.append(f"{package} {version(package)}")
+        except PackageNotFoundError:
+            pass
+    return [f"{names[0] if names else platform.machine()}, {len(names)} cores; {first_line('g++', '--version')}; "
+            f"{first_line('rustc', '--version')}; Python {platform.python_version()}, {', '.join(packages)}.", ""]
+
+
+def peak(rows):
+    found = [f"{row['gflops']:.0f} with {row['setting']}" for row in rows if row["problem"] == "peak"]
+    return [f"One core's peak in fused multiply-adds, GFLOP/s: {', '.join(found)}.", ""] if found else []
+
+
+def generated(rows, missing, rounds):
+    lines = machine() + peak(rows)
+    lines += [f"Medians of {rounds} rounds; spread: the slowest round against the fastest.", ""]
+    if missing:
+        lines += ["Did not run here:", ""] + [f"* `{name}`: {why}" for name, why in missing.items()] + [""]
+    for problem in TITLES:
+        lines += table(problem, rows)
+    return lines + promises(rows)
+
+
+def draw(path, rows):
+    try:
+        import matplotlib
+    except ImportError:
+        print("no Matplotlib: no chart")
+        return
+    matplotlib.use("Agg")
+    from matplotlib import pyplot
+
+    figure, panels = pyplot.subplots(2, 2, figsize=(13, 10), layout="constrained")
+    for panel, (problem, title) in zip(panels.flat, TITLES.items()):
+        ensemble = problem.endswith("ensemble")
+        series = {}
+        for row in rows:
+            if row["problem"] == problem:
+                units = 20e4 if ensemble else 1000
+                series.setdefault(row["name"], []).append((row["error_10"], row["seconds"] / units * 1e6))
+        for name, points in series.items():
+            ours = name.startswith(OURS)
+            panel.loglog(*zip(*sorted(points)), marker="o" if ours else "s", linewidth=2.5 if ours else 1, label=name)
+        panel.set(title=title, xlabel="error of (Π, Γ) at t = 10, 2-norm" + (", mean" if ensemble else ""),
+                  ylabel="µs for one time unit" + (" of one top" if ensemble else ""))
+        panel.grid(alpha=0.3)
+        panel.legend(fontsize="small")
+    figure.savefig(path, dpi=110)
+
+
+def write(docs, rows, missing, rounds):
+    page = docs / "performance.md"
+    before, rest = page.read_text().split(BEGIN)
+    after = rest.split(END)[1]
+    text = "\n".join(["", ""] + generated(rows, missing, rounds))
+    page.write_text(before + BEGIN + text + END + after)
+    draw(docs / "performance.png", rows)
+    print(f"wrote {page}")
