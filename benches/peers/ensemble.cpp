@@ -1,55 +1,31 @@
-// Measures an ensemble of tops on one thread, hand-written: two registers of tops, interleaved operation by operation,
-// under DOP853's method of order 8 and the implicit midpoint rule on the six equations (not a Poisson map).
+// Measures an ensemble of tops on one thread, hand-written: a register of tops at a time, under DOP853's method of
+// order 8 and the implicit midpoint rule on the six equations (not a Poisson map). Two registers, interleaved operation
+// by operation, are slower: their stages do not fit the register file.
 //
 //     ensemble PROBLEM
 #include "kernels.hpp"
+#include <immintrin.h>
 
 #ifdef __AVX512F__
-constexpr int BYTES = 64;
+typedef double Register __attribute__((vector_size(64)));
+static INLINE bool all_below(Register a, double bound) { // false for NaN
+  return _mm512_cmp_pd_mask(a, _mm512_set1_pd(bound), _CMP_LE_OQ) == 0xff;
+}
 #else
-constexpr int BYTES = 32;
+typedef double Register __attribute__((vector_size(32)));
+static INLINE bool all_below(Register a, double bound) {
+  return _mm256_movemask_pd(_mm256_cmp_pd(a, _mm256_set1_pd(bound), _CMP_LE_OQ)) == 0xf;
+}
 #endif
-typedef double Register __attribute__((vector_size(BYTES)));
-constexpr int REGISTERS = 2, WIDTH = REGISTERS * BYTES / 8;
+constexpr int WIDTH = sizeof(Register) / sizeof(double);
+using Lanes = Components<Register>;
 
-struct Lanes {
-  Register r[REGISTERS];
-
-  INLINE Lanes() : r{} {}
-  INLINE double &operator[](int lane) { return reinterpret_cast<double *>(r)[lane]; }
-};
-#define LANES_OPERATOR(OP)                                                                                             \
-  INLINE Lanes operator OP(const Lanes &a, const Lanes &b) {                                                           \
-    Lanes c;                                                                                                           \
-    unrolled<REGISTERS>([&](auto i) __attribute__((always_inline)) { c.r[i] = a.r[i] OP b.r[i]; });                    \
-    return c;                                                                                                          \
-  }                                                                                                                    \
-  INLINE Lanes operator OP(double a, const Lanes &b) {                                                                 \
-    Lanes c;                                                                                                           \
-    unrolled<REGISTERS>([&](auto i) __attribute__((always_inline)) { c.r[i] = a OP b.r[i]; });                         \
-    return c;                                                                                                          \
-  }
-LANES_OPERATOR(+)
-LANES_OPERATOR(-)
-LANES_OPERATOR(*)
-INLINE Lanes operator+(const Lanes &a, double b) { return b + a; }
-
-static INLINE bool all_within(const State6<Lanes> &a, const State6<Lanes> &b, double tolerance) {
-  typedef long Mask __attribute__((vector_size(BYTES)));
-  Mask within = Mask{} - 1;
-  unrolled<6>([&](auto i) __attribute__((always_inline)) {
-    unrolled<REGISTERS>([&](auto j) __attribute__((always_inline)) {
-      const Register difference = a.x[i].r[j] - b.x[i].r[j];
-      within &= (difference <= tolerance) & (difference >= -tolerance); // false for NaN
-    });
-  });
-  long all = -1;
-  for (int lane = 0; lane < BYTES / 8; ++lane) all &= within[lane];
-  return all;
+static INLINE bool all_within(const Lanes &a, const Lanes &b, double tolerance) {
+  return all_below(square_distance(a, b), tolerance * tolerance);
 }
 
-template <class Method> __attribute__((noinline)) bool advance(Method &method, State6<Lanes> &state, long steps) {
-  State6<Lanes> y = state;
+template <class Method> __attribute__((noinline)) bool advance(Method &method, Lanes &state, long steps) {
+  Lanes y = state;
   bool converged = true;
   for (long n = 0; n < steps; ++n) converged &= method.step(y);
   state = y;
@@ -63,7 +39,7 @@ template <template <class> class Method> void compete(const char *name, const Pr
     const long steps = std::lround(end / h);
     for (size_t first = 0; first < states.size(); first += WIDTH) {
       const auto top = [&](int lane) -> State & { return states[std::min(first + lane, states.size() - 1)]; };
-      State6<Lanes> y;
+      Lanes y;
       for (int i = 0; i < 6; ++i)
         for (int lane = 0; lane < WIDTH; ++lane)
           y.x[i][lane] = top(lane)[i] * (i < 3 ? h / problem.top.inertia[i] : 1);

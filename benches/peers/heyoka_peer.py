@@ -43,8 +43,8 @@ def one_top(problem, parameters, tolerance):
 
 
 def ensemble(problem, parameters, tolerance, batch):
-    tops = len(problem.start) // batch * batch  # the file's tops are a multiple of the batch
-    assert tops == len(problem.start)
+    tops = len(problem.start)
+    assert tops % batch == 0
     integrator = heyoka.taylor_adaptive_batch(heavy_top(), problem.start[:batch].T.copy(), tol=tolerance,
                                               pars=np.repeat(parameters[:, np.newaxis], batch, axis=1))
 
@@ -54,6 +54,7 @@ def ensemble(problem, parameters, tolerance, batch):
             integrator.set_time(0.0)
             integrator.state[:] = start[first:first + batch].T
             integrator.propagate_until(end)
+            assert all(result[0] == heyoka.taylor_outcome.time_limit for result in integrator.propagate_res)
             states[first:first + batch] = integrator.state.T
             steps += sum(result[3] for result in integrator.propagate_res)
         return states, round(steps / tops)

@@ -6,7 +6,8 @@ A contestant is a command that prints one line of JSON for each setting,
 
 with seconds for the whole problem (for all tops of an ensemble), steps of one top, and the 2-norm of the error of the
 state (Π, Γ), its arithmetic mean over an ensemble, at t = 10 and at the end (an ensemble ends at t = 20: "error_20").
-In each round every contestant runs once, on each problem; the next round starts with another one.
+The names of ours begin with "heavytop"; `page.PROMISES` asks for "heavytop collective Gauss" and "heavytop lift-free
+midpoint". In each round every contestant runs once, on each problem; the next round starts with another one.
 """
 
 import argparse
@@ -48,13 +49,16 @@ class Results:
         if "gflops" in line:
             row["gflops"] = max(row["gflops"], line["gflops"])
 
-    def run(self, command, problem, round_number):
+    def run(self, words, problem, round_number):
+        command = " ".join(Path(word).name for word in words)
         try:
-            done = subprocess.run(command.split(), capture_output=True, text=True, timeout=600)
+            done = subprocess.run(words, capture_output=True, text=True, timeout=600)
             lines = [json.loads(line) for line in done.stdout.splitlines()]
             error = done.stderr.strip().splitlines()[-1:] if done.returncode else []
             if done.returncode:
                 self.missing[command] = " ".join([f"exit status {done.returncode}", *error])
+        except FileNotFoundError:
+            lines, self.missing[command] = [], "not built"
         except (OSError, ValueError, subprocess.TimeoutExpired) as failure:
             lines, self.missing[command] = [], str(failure)
         for line in lines:
@@ -95,14 +99,14 @@ def main():
         print(f"== round {round_number + 1} of {options.rounds}", flush=True)
         first = round_number * len(schedule) // options.rounds
         for command, problem in schedule[first:] + schedule[:first]:
-            filled = command.format(heavytop=options.heavytop, folder=options.folder, python=sys.executable,
-                                    peers=Path(__file__).parent, problem=options.folder / f"{problem}.txt")
-            results.run(filled, problem, round_number)
+            words = [word.format(heavytop=options.heavytop, folder=options.folder, python=sys.executable,
+                                 peers=Path(__file__).parent, problem=options.folder / f"{problem}.txt")
+                     for word in command.split()]
+            results.run(words, problem, round_number)
 
     rows = [{"problem": problem, **row} for (problem, _, _), row in results.rows.items()]
-    missing = {" ".join(Path(word).name for word in command.split()): why for command, why in results.missing.items()}
-    (options.folder / "results.json").write_text(json.dumps({"rows": rows, "missing": missing}, indent=1))
-    page.write(options.root / "docs", rows, missing, options.rounds)
+    (options.folder / "results.json").write_text(json.dumps({"rows": rows, "missing": results.missing}, indent=1))
+    page.write(options.root / "docs", rows, results.missing, options.rounds)
 
 
 if __name__ == "__main__":

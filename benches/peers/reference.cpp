@@ -12,7 +12,7 @@
 #include <cstdio>
 #include <cstdlib>
 
-constexpr double TOLERANCE = 1e-16;
+constexpr double TOLERANCE = 1e-15;
 
 template <class R> struct Top {
   R inertia[3], gravity[3];
