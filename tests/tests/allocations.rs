@@ -4,7 +4,7 @@
 use collective_integrators::{
     Collective, DenseOutput, Direction, Events, LiftFree, LyapunovExponents, RungeKutta, Start,
 };
-use heavytop::{SpinorRealisation, WithAttitude};
+use heavytop::{CollectiveGauss, SpinorRealisation, WithAttitude};
 use lie_poisson::Se3Dual;
 use momentum_map::DualQuaternions;
 use std::alloc::{GlobalAlloc, Layout, System};
@@ -50,6 +50,10 @@ fn no_step_allocates() -> Result<(), Box<dyn Error>> {
     let lifted = Collective::new(RungeKutta::gauss(2)?, SpinorRealisation, top);
 
     let mut run = lifted.trajectory(&start, 0.05)?.take(200);
+    assert_eq!(allocations(|| Ok(run.try_for_each(|sample| sample.map(drop))?))?, 0);
+
+    let kernel = CollectiveGauss::new(8, top)?;
+    let mut run = kernel.trajectory(&start, 0.05)?.take(200);
     assert_eq!(allocations(|| Ok(run.try_for_each(|sample| sample.map(drop))?))?, 0);
 
     let compensated = WithAttitude(lifted.clone().compensated());

@@ -13,6 +13,7 @@
 //! | the rotation of the body in a step | [`Turning`], [`TurningFlows`] |
 //! | Poincaré sections: the energy level, the surface, the starts, the returns | [`EnergyLevel`], [`Coordinate`], [`Surface`], [`Section`] |
 //! | splittings of tops into exact rotations and kicks | [`RotorSplitting`], [`SymmetricTopSplitting`] |
+//! | collective Gauss methods of one top, by the registers of the processor | [`CollectiveGauss`] |
 //! | the midpoint rule on se(3)∗ in closed form | [`ReducedMidpoint`] |
 //! | the attitude, in every formulation that has one | [`WithAttitude`] |
 //! | other systems on se(3)∗: gyrostat, body in a fluid | [`Gyrostat`], [`Kirchhoff`] |
@@ -49,6 +50,7 @@ mod rigid_body;
 mod turning;
 mod rotor_splitting;
 mod symmetric_splitting;
+mod collective_gauss;
 mod reduced_midpoint;
 mod attitude;
 mod gyrostat;
@@ -66,6 +68,7 @@ mod euler_top;
 mod lagrange_nutation;
 
 pub use attitude::{WithAttitude, attitude_of_vertical};
+pub use collective_gauss::{CollectiveGauss, CollectiveGaussSpace};
 pub use coordinate::Coordinate;
 pub use elliptic::jacobi_elliptic;
 pub use energy_level::EnergyLevel;

@@ -1,6 +1,6 @@
 //! The rotation that a step makes of the vertical.
 
-use crate::{HeavyTopSpace, SpinorPoint, SpinorRealisation};
+use crate::{CollectiveGauss, HeavyTopSpace, SpinorPoint, SpinorRealisation};
 use collective_integrators::{
     Collective, Compensated, Composition, Equivariant, ExactFlows, Integrator, LiftFree, Scheme,
     Splitting, Step, StepError, compensated_sum,
@@ -105,6 +105,21 @@ where
         step: f64,
         workspace: &mut Self::Workspace,
     ) -> Turned<Self::State, T> {
+        let next = self.step(state, step, workspace)?;
+        let turn = spinor_turn(&state.0, &next.point.0);
+        Ok((next, turn))
+    }
+}
+
+/// By ψₙ₊₁ = Q ψₙ.
+impl Turning for CollectiveGauss {
+    #[inline]
+    fn turn(
+        &self,
+        state: &Self::State,
+        step: f64,
+        workspace: &mut Self::Workspace,
+    ) -> Turned<Self::State, f64> {
         let next = self.step(state, step, workspace)?;
         let turn = spinor_turn(&state.0, &next.point.0);
         Ok((next, turn))
