@@ -14,6 +14,7 @@
 //! | Poincaré sections: the energy level, the surface, the starts, the returns | [`EnergyLevel`], [`Coordinate`], [`Surface`], [`Section`] |
 //! | splittings of tops into exact rotations and kicks | [`RotorSplitting`], [`SymmetricTopSplitting`] |
 //! | collective Gauss methods of one top, by the registers of the processor | [`CollectiveGauss`] |
+//! | many tops at once | [`ReducedMidpoint::advance`], [`MidpointSweep`] |
 //! | the midpoint rule on se(3)∗ in closed form | [`ReducedMidpoint`] |
 //! | the attitude, in every formulation that has one | [`WithAttitude`] |
 //! | other systems on se(3)∗: gyrostat, body in a fluid | [`Gyrostat`], [`Kirchhoff`] |
@@ -51,7 +52,9 @@ mod turning;
 mod rotor_splitting;
 mod symmetric_splitting;
 mod collective_gauss;
+mod midpoint_kernel;
 mod reduced_midpoint;
+mod midpoint_ensemble;
 mod attitude;
 mod gyrostat;
 mod kirchhoff;
@@ -78,8 +81,9 @@ pub use gyrostat::Gyrostat;
 pub use invariants::Invariant;
 pub use kirchhoff::Kirchhoff;
 pub use lagrange_nutation::LagrangeNutation;
+pub use midpoint_ensemble::MidpointSweep;
 pub use point_vortices::{PointVortices, SpinSpace, Spins};
-pub use reduced_midpoint::ReducedMidpoint;
+pub use reduced_midpoint::{ReducedMidpoint, ReducedMidpointSpace};
 pub use rigid_body::RigidBody;
 pub use rotor_splitting::RotorSplitting;
 pub use section::{Section, Surface};

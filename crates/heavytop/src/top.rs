@@ -158,7 +158,16 @@ impl HeavyTop {
     pub fn angular_velocity<T: Real>(&self, pi: &Vector3<T>) -> Vector3<T> {
         pi.zip_map(&self.inverse_inertia, |pi, inverse| pi * inverse)
     }
+
+    /// γ = m g l c
+    #[inline]
+    fn force<T: Real>(&self) -> Vector3<T> {
+        self.center_of_mass.map(|c| T::from_f64(self.weight_moment * c))
+    }
 }
+
+/// An element of se(3): dh.
+type Velocity<T> = Pair<Vector3<T>, Vector3<T>>;
 
 impl<T: Real> Hamiltonian<HeavyTopSpace, T> for HeavyTop {
     #[inline]
@@ -169,14 +178,20 @@ impl<T: Real> Hamiltonian<HeavyTopSpace, T> for HeavyTop {
     }
 
     #[inline]
-    fn differential(&self, mu: &Se3Dual<T>) -> Pair<Vector3<T>, Vector3<T>> {
-        let force = self.center_of_mass.map(|c| T::from_f64(self.weight_moment * c));
-        Pair(self.angular_velocity(&mu.0.0), force)
+    fn differential(&self, mu: &Se3Dual<T>) -> Velocity<T> {
+        Pair(self.angular_velocity(&mu.0.0), self.force())
     }
 
     #[inline]
-    fn hessian(&self, mu: &Se3Dual<T>, v: &Se3Dual<T>) -> Option<Pair<Vector3<T>, Vector3<T>>> {
+    fn hessian(&self, mu: &Se3Dual<T>, v: &Se3Dual<T>) -> Option<Velocity<T>> {
         Some(hessian_by_dual_numbers::<HeavyTopSpace, T, _>(self, mu, v))
+    }
+
+    /// dh = (I⁻¹, 0) (Π, Γ) + (0, m g l c)
+    #[inline]
+    fn affine_differential(&self) -> Option<(Velocity<T>, Velocity<T>)> {
+        let diagonal = Pair(self.inverse_inertia.map(T::from_f64), Vector3::zeros());
+        Some((diagonal, Pair(Vector3::zeros(), self.force())))
     }
 }
 

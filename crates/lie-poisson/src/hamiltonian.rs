@@ -29,6 +29,15 @@ pub trait Hamiltonian<P: PoissonSpace, T: Real = f64> {
     fn hessian(&self, _z: &Point<P, T>, _v: &Point<P, T>) -> Option<Differential<P, T>> {
         None
     }
+
+    /// (A, b) where dh(z) = A z + b with a constant b and a constant diagonal matrix A, given by
+    /// its diagonal; `None` if h is of another form or it is not known.
+    ///
+    /// An integrator with formulas of its own for such functions recognises them by this.
+    #[inline]
+    fn affine_differential(&self) -> Option<(Differential<P, T>, Differential<P, T>)> {
+        None
+    }
 }
 
 /// D²h(z)·v by dual numbers, exact: the body of [`Hamiltonian::hessian`] for a Hamiltonian that
@@ -62,6 +71,11 @@ impl<P: PoissonSpace, T: Real, H: Hamiltonian<P, T> + ?Sized> Hamiltonian<P, T> 
     #[inline]
     fn hessian(&self, z: &Point<P, T>, v: &Point<P, T>) -> Option<Differential<P, T>> {
         (**self).hessian(z, v)
+    }
+
+    #[inline]
+    fn affine_differential(&self) -> Option<(Differential<P, T>, Differential<P, T>)> {
+        (**self).affine_differential()
     }
 }
 

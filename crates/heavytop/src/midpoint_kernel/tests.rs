@@ -1,0 +1,125 @@
+//! Lanes against each other, and the bound that the stopping rule lives on.
+#![allow(clippy::unwrap_used)]
+
+use super::components::{State, dot, each};
+use super::guess::Guess;
+use super::parameters::{Parameters, Top};
+use super::{ManyTops, Member};
+use lie_poisson::{InstructionSet, Se3Dual, Width, dispatch};
+use nalgebra::Vector3;
+use proptest::prelude::*;
+
+#[derive(Clone, Copy)]
+struct OneOfMany(Top, Se3Dual);
+
+impl Member for OneOfMany {
+    fn state(&self) -> &Se3Dual {
+        &self.1
+    }
+    fn state_mut(&mut self) -> &mut Se3Dual {
+        &mut self.1
+    }
+}
+
+/// Tops of different shapes and starts, as many as leave a ragged end at every width.
+fn members() -> Vec<OneOfMany> {
+    let member = |i: usize| {
+        let x = i as f64;
+        let moments = Vector3::new(2.0 + 0.01 * x, 2.0, 1.0 + 0.02 * x);
+        let force = Vector3::new(0.8, 0.1 * x.sin(), 0.6);
+        let start =
+            Se3Dual::new(Vector3::new(2.0, 3.0 * x.cos(), 4.0), Vector3::new(0.6, 0.0, 0.8));
+        OneOfMany(Top { inverse_inertia: moments.map(|i| 1.0 / i), force }, start)
+    };
+    (0..19).map(member).collect()
+}
+
+/// The ends after 1500 steps, and who left when.
+fn run(
+    mut members: Vec<OneOfMany>,
+    set: InstructionSet,
+    width: Width,
+) -> (Vec<[u64; 6]>, Vec<(usize, u64)>) {
+    let mut gone = Vec::new();
+    let left = &mut |i: usize, made: u64, _: &mut OneOfMany| gone.push((i, made));
+    let top = |member: &OneOfMany| member.0;
+    let task = ManyTops { top, members: &mut members, step: 0.01, steps: 0..1500, left };
+    dispatch(task, set, width).unwrap();
+    let bits = |x: f64| x.to_bits();
+    let ends = members.iter().map(|OneOfMany(_, mu)| {
+        let (pi, gamma) = (mu.0.0.map(bits), mu.0.1.map(bits));
+        [pi.x, pi.y, pi.z, gamma.x, gamma.y, gamma.z]
+    });
+    (ends.collect(), gone)
+}
+
+fn everywhere() -> impl Iterator<Item = (InstructionSet, Width)> {
+    InstructionSet::available().flat_map(|set| Width::ALL.map(|width| (set, width)))
+}
+
+#[test]
+fn a_lane_has_the_same_bits_at_every_width() {
+    let alone = |set| run(members(), set, Width::Single).0;
+    let unfused = alone(InstructionSet::Portable);
+    for (set, width) in everywhere() {
+        let expected =
+            if set == InstructionSet::Portable { &unfused } else { &alone(InstructionSet::Avx2) };
+        let (ends, gone) = run(members(), set, width);
+        assert_eq!((&ends, gone), (expected, vec![]), "{set} {width:?}");
+        // the control: other tops have other bits
+        assert_ne!(ends[0], ends[1]);
+        assert!(set == InstructionSet::Portable || ends != unfused);
+    }
+}
+
+#[test]
+fn a_lane_that_fails_harms_no_other() {
+    for (set, width) in everywhere() {
+        let whole = run(members(), set, width).0;
+        for at in 0..19 {
+            for (what, made) in [(f64::NAN, 0), (1e6, 0), (f64::INFINITY, 0)] {
+                let mut spoiled = members();
+                spoiled[at].1.0.0.y = what;
+                let (ends, gone) = run(spoiled, set, width);
+                assert_eq!(gone, [(at, made)], "{set} {width:?} {what}");
+                for i in (0..19).filter(|&i| i != at) {
+                    assert_eq!(ends[i], whole[i], "{i} beside {at}");
+                }
+                assert_ne!(ends[at], whole[at]);
+            }
+        }
+    }
+}
+
+proptest! {
+    /// κ = √2 max(6ρ|a|², ⅛h²|γ||Γ|/I_min) bounds what a correction leaves of an error.
+    #[test]
+    fn a_correction_leaves_less_than_the_bound(
+        sides in [0.1..1.0, 0.1..1.0, 0.1..1.0f64],
+        pi in [-1.0..1.0, -1.0..1.0, -1.0..1.0f64],
+        force in [-2.0..2.0, -2.0..2.0, -2.0..2.0f64],
+        error in [-1.0..1.0, -1.0..1.0, -1.0..1.0f64],
+        step in 0.01..0.1f64,
+    ) {
+        let [x, y, z] = sides;
+        let inverse_inertia = Vector3::new(y + z, z + x, x + y).map(|i| 1.0 / i);
+        let top = Top { inverse_inertia, force: force.into() };
+        let parameters = Parameters::<f64>::gather(|_| top, |_| 1.0, step);
+        let start = State { momentum: pi, vertical: [0.6, 0.0, 0.8] };
+        let mut a = [0.0; 3];
+        for _ in 0..100 {
+            a = Guess::new(&parameters, &start, a).corrected();
+        }
+        let nearby = each!(i => a[i] + 1e-6 * error[i]);
+        let guess = Guess::new(&parameters, &start, nearby);
+        let left = each!(i => guess.corrected()[i] - a[i]);
+        let square = dot(&a, &a);
+        let bound = parameters.turning_rate * square * square + parameters.kick_rate;
+        // round-off of a, and the second order of the error
+        let least = (1e-16 + 1e-12 * dot(&error, &error)).powi(2);
+        let size = 1e-12 * dot(&error, &error);
+        prop_assert!(dot(&left, &left) <= 1.01 * bound * size + least, "{left:?}");
+        // the control: the error was there, and the correction is what removes it
+        prop_assert!(guess.change() > 0.5 * size);
+    }
+}
