@@ -14,8 +14,8 @@
 //! | Poincaré sections: the energy level, the surface, the starts, the returns | [`EnergyLevel`], [`Coordinate`], [`Surface`], [`Section`] |
 //! | splittings of tops into exact rotations and kicks | [`RotorSplitting`], [`SymmetricTopSplitting`] |
 //! | collective Gauss methods of one top, by the registers of the processor | [`CollectiveGauss`] |
-//! | many tops at once | [`ReducedMidpoint::advance`], [`MidpointSweep`] |
 //! | the midpoint rule on se(3)∗ in closed form | [`ReducedMidpoint`] |
+//! | the same for many tops at once | [`ReducedMidpoint::advance`], [`MidpointSweep`] |
 //! | the attitude, in every formulation that has one | [`WithAttitude`] |
 //! | other systems on se(3)∗: gyrostat, body in a fluid | [`Gyrostat`], [`Kirchhoff`] |
 //! | systems on (so(3)∗)ᴺ: vortices, spins, spins on a lattice | [`PointVortices`], [`HeisenbergChain`], [`SpinLattice`] |
