@@ -4,7 +4,7 @@
 use collective_integrators::{
     Collective, DenseOutput, Direction, Events, LiftFree, LyapunovExponents, RungeKutta, Start,
 };
-use heavytop::{CollectiveGauss, SpinorRealisation, WithAttitude};
+use heavytop::{CollectiveGauss, ReducedMidpoint, SpinorRealisation, WithAttitude};
 use lie_poisson::Se3Dual;
 use momentum_map::DualQuaternions;
 use std::alloc::{GlobalAlloc, Layout, System};
