@@ -12,7 +12,7 @@
 //! | compositions of a method with itself | [`Composition`], [`Substeps`] |
 //! | integrators on 𝔤∗ | [`Integrator`], [`Collective`], [`LiftFree`], [`Direct`] |
 //! | compensated summation | [`Compensated`], [`Increments`] |
-//! | splitting into exact flows | [`ExactFlows`], [`Splitting`] |
+//! | splitting into exact flows | [`ExactFlows`], [`Splitting`], [`AlternatingSplitting`], [`AlternatingSubsteps`] |
 //! | doubled phase spaces: Tao's method; the semiexplicit one is a [`Tableau::semiexplicit`] | [`TaoFlows`] |
 //! | the spherical midpoint method | [`SphericalMidpoint`] |
 //! | trajectories | [`Trajectory`] |
@@ -38,11 +38,14 @@ mod polarisation;
 mod partitioned;
 mod composition_conditions;
 mod substeps;
+mod alternating_conditions;
+mod alternating_substeps;
 mod integrator;
 mod lift_free;
 mod compensated;
 mod composition;
 mod splitting;
+mod alternating_splitting;
 mod semiexplicit;
 mod tao;
 mod spherical_midpoint;
@@ -57,6 +60,8 @@ mod lyapunov;
 
 pub mod diagnostics;
 
+pub use alternating_splitting::AlternatingSplitting;
+pub use alternating_substeps::AlternatingSubsteps;
 pub use compensated::{Compensated, Increments, compensated_sum};
 pub use composition::Composition;
 pub use dense_output::{DenseOutput, DenseOutputError};

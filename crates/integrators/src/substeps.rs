@@ -227,6 +227,34 @@ impl Substeps {
         ])
     }
 
+    /// Order 10 with 35 substeps.
+    ///
+    /// Source: Sofroniou & Spaletta, *Derivation of symmetric composition constants for symmetric
+    /// integrators*, Optim. Methods Softw. 20 (2005); Hairer, Lubich & Wanner, eq. (V.3.15).
+    #[must_use]
+    pub fn sofroniou_spaletta10() -> Self {
+        Self::palindrome(&[
+            0.078_795_722_521_686_42,
+            0.313_096_103_415_108_53,
+            0.027_918_383_235_078_067,
+            -0.229_592_841_593_907_1,
+            0.130_962_061_077_164_86,
+            -0.269_733_405_654_510_7,
+            0.074_973_343_155_891_44,
+            0.111_993_423_999_810_2,
+            0.366_133_449_546_226_77,
+            -0.399_105_630_136_035_9,
+            0.103_087_398_527_471_07,
+            0.411_430_873_955_890_24,
+            -0.004_866_360_583_135_262,
+            -0.392_033_353_708_639_9,
+            0.051_942_502_962_449_65,
+            0.050_665_090_759_924_5,
+            0.049_674_370_639_729_88,
+            0.049_317_735_759_594_54,
+        ])
+    }
+
     /// γ₁, …, γ_m, …, γ₁ from the first half and the middle one.
     fn palindrome(half: &[f64]) -> Self {
         let mirrored = half.iter().rev().skip(1);
@@ -250,6 +278,7 @@ mod tests {
             (Substeps::yoshida8(), 15, 8),
             (Substeps::mclachlan8(), 15, 8),
             (Substeps::kahan_li8(), 17, 8),
+            (Substeps::sofroniou_spaletta10(), 35, 10),
         ];
         for (substeps, stages, order) in orders {
             assert_eq!(substeps.fractions().len(), stages);

@@ -1,0 +1,170 @@
+//! The order of a splitting into two parts, from its coefficients.
+
+/// Orders are looked for up to this one.
+const ORDERS: usize = 12;
+
+/// How far a condition on rounded coefficients may be from zero, in units of its terms' sizes.
+const TOLERANCE: f64 = 64.0 * f64::EPSILON;
+
+/// The order for any two parts.
+///
+/// In the free associative algebra of two letters A and B the splitting is the product of the
+/// exponentials exp(a_i A) and exp(b_i B); its order is the length of the words up to which it
+/// agrees with exp(A + B), in which a word of n letters has the coefficient 1/n!.
+pub(crate) fn order_of_words(first: &[f64], second: &[f64]) -> usize {
+    // A word is written in binary after a leading 1, so that a letter more doubles the index.
+    let one = |i: usize| if i == 1 { 1.0 } else { 0.0 };
+    let mut series: Vec<f64> = (0..2 << ORDERS).map(one).collect();
+    let mut sizes = series.clone();
+    for (&a, &b) in first.iter().zip(second) {
+        for (letter, time) in [(0, a), (1, b)] {
+            times_exponential(&mut series, letter, time);
+            times_exponential(&mut sizes, letter, time.abs());
+        }
+    }
+    let mut factorial = 1.0;
+    for n in 1..=ORDERS {
+        factorial *= n as f64;
+        let holds = |i: usize| (series[i] - 1.0 / factorial).abs() <= TOLERANCE * sizes[i];
+        if !(1 << n..2 << n).all(holds) {
+            return n - 1;
+        }
+    }
+    ORDERS
+}
+
+/// The series times exp(time · letter), in place: from the long words to the short, since a word
+/// takes only from its beginnings.
+fn times_exponential(series: &mut [f64], letter: usize, time: f64) {
+    for word in (1..series.len()).rev() {
+        let (mut beginning, mut weight, mut power) = (word, 1.0, 0.0);
+        while beginning > 1 && beginning & 1 == letter {
+            beginning >>= 1;
+            power += 1.0;
+            weight *= time / power;
+            series[word] += weight * series[beginning];
+        }
+    }
+}
+
+/// The order for q̈ = f(q), of which part 1 moves q and part 2 kicks dq/dt.
+///
+/// The splitting is the Runge–Kutta–Nyström method with a stage at each kick,
+///
+/// ```text
+/// g_i = f(q + c_i h v + h² Σ_j ā_ij g_j),    v₁ = v + h Σ b_i g_i
+/// c_i = a_1 + … + a_i,    ā_ij = b_j (c_i − c_j) for j < i
+/// ```
+///
+/// and its order is that up to which Σ_i b_i Φ_i(τ) γ(τ) = 1 for every tree. The conditions on q₁
+/// follow, since its weights are b_i (1 − c_i).
+pub(crate) fn nystrom_order(first: &[f64], second: &[f64]) -> usize {
+    let nodes: Vec<f64> = first
+        .iter()
+        .scan(0.0, |sum, a| {
+            *sum += a;
+            Some(*sum)
+        })
+        .collect();
+    let method = Method { weights: second, nodes: &nodes };
+    // The leaf: q moved by v alone.
+    let mut branches = vec![Branch { order: 1, density: 1.0, at_stages: method.leaf() }];
+    for order in 1..=ORDERS {
+        let stem = Stem { missing: order - 1, last: branches.len(), density: order as f64 };
+        let mut grown = Vec::new();
+        let bare = vec![Term { value: 1.0, size: 1.0 }; nodes.len()];
+        if !grow(&method, &branches, order, &stem, &bare, &mut grown) {
+            return order - 1;
+        }
+        branches.append(&mut grown);
+    }
+    ORDERS
+}
+
+struct Method<'a> {
+    weights: &'a [f64],
+    nodes: &'a [f64],
+}
+
+/// A sum, and the sum of its terms' sizes.
+#[derive(Clone, Copy)]
+struct Term {
+    value: f64,
+    size: f64,
+}
+
+/// What hangs on a vertex f: a vertex of q, which is a leaf or carries one more vertex f.
+struct Branch {
+    /// The number of vertices.
+    order: usize,
+    density: f64,
+    /// The elementary weight at each stage.
+    at_stages: Vec<Term>,
+}
+
+/// A root f to which branches from `branches[..last]` are to be added.
+struct Stem {
+    missing: usize,
+    last: usize,
+    density: f64,
+}
+
+impl Method<'_> {
+    fn leaf(&self) -> Vec<Term> {
+        self.nodes.iter().map(|&c| Term { value: c, size: c.abs() }).collect()
+    }
+
+    /// Σ_i b_i Φ_i
+    fn sum(&self, weights: &[Term]) -> Term {
+        let zero = Term { value: 0.0, size: 0.0 };
+        self.weights.iter().zip(weights).fold(zero, |sum, (b, phi)| Term {
+            value: sum.value + b * phi.value,
+            size: sum.size + b.abs() * phi.size,
+        })
+    }
+
+    /// Σ_j ā_ij Φ_j
+    fn as_branch(&self, weights: &[Term]) -> Vec<Term> {
+        let at_stage = |i: usize| {
+            let zero = Term { value: 0.0, size: 0.0 };
+            (0..i).fold(zero, |sum, j| {
+                let a = self.weights[j] * (self.nodes[i] - self.nodes[j]);
+                Term {
+                    value: sum.value + a * weights[j].value,
+                    size: sum.size + a.abs() * weights[j].size,
+                }
+            })
+        };
+        (0..self.nodes.len()).map(at_stage).collect()
+    }
+}
+
+/// Adds branches until no vertex is missing; false as soon as a finished tree breaks its condition.
+fn grow(
+    method: &Method<'_>,
+    branches: &[Branch],
+    order: usize,
+    stem: &Stem,
+    weights: &[Term],
+    grown: &mut Vec<Branch>,
+) -> bool {
+    if stem.missing == 0 {
+        let sum = method.sum(weights);
+        grown.push(Branch {
+            order: order + 1,
+            density: stem.density * (order as f64 + 1.0),
+            at_stages: method.as_branch(weights),
+        });
+        let defect = sum.value * stem.density - 1.0;
+        return defect.abs() <= TOLERANCE * (sum.size * stem.density + 1.0);
+    }
+    (0..stem.last).filter(|&n| branches[n].order <= stem.missing).all(|n| {
+        let branch = &branches[n];
+        let product =
+            |(w, x): (&Term, &Term)| Term { value: w.value * x.value, size: w.size * x.size };
+        let product: Vec<Term> = weights.iter().zip(&branch.at_stages).map(product).collect();
+        let missing = stem.missing - branch.order;
+        let stem = Stem { missing, last: n + 1, density: stem.density * branch.density };
+        grow(method, branches, order, &stem, &product, grown)
+    })
+}
