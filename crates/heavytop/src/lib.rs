@@ -13,6 +13,7 @@
 //! | the rotation of the body in a step | [`Turning`], [`TurningFlows`] |
 //! | Poincaré sections: the energy level, the surface, the starts, the returns | [`EnergyLevel`], [`Coordinate`], [`Surface`], [`Section`] |
 //! | splittings of tops into exact rotations and kicks | [`RotorSplitting`], [`SymmetricTopSplitting`] |
+//! | many symmetric tops at once | [`SymmetricTopEnsemble`] |
 //! | collective Gauss methods of one top, by the registers of the processor | [`CollectiveGauss`] |
 //! | the midpoint rule on se(3)∗ in closed form | [`ReducedMidpoint`] |
 //! | the same for many tops at once | [`ReducedMidpoint::advance`], [`MidpointSweep`] |
@@ -53,6 +54,9 @@ mod rotor_splitting;
 mod symmetric_splitting;
 mod collective_gauss;
 mod midpoint_kernel;
+mod ensemble_path;
+mod symmetric_kernel;
+mod symmetric_ensemble;
 mod reduced_midpoint;
 mod midpoint_ensemble;
 mod attitude;
@@ -93,6 +97,7 @@ pub use spinor_motions::{
     SPINOR_MOTIONS, SpinorAlgebra, SpinorGroup, SpinorMomentum, SpinorMotions,
 };
 pub use spinor_realisation::{SpinorPoint, SpinorRealisation};
+pub use symmetric_ensemble::SymmetricTopEnsemble;
 pub use symmetric_splitting::SymmetricTopSplitting;
 pub use top::{Body, HeavyTop, HeavyTopSpace};
 pub use turning::{Turned, Turning, TurningFlows};

@@ -1,0 +1,205 @@
+//! Ensembles on lanes: the same as one top after the other, and none the worse for its neighbours.
+#![allow(clippy::unwrap_used)]
+
+use collective_integrators::*;
+use heavytop::*;
+use lie_poisson::*;
+use nalgebra::Vector3;
+
+/// Tops that differ in every parameter, symmetric about e₃.
+fn tops() -> Vec<SymmetricTopSplitting> {
+    let top = |i: usize| {
+        let x = i as f64 / 7.0;
+        let body = Body {
+            inertia: Vector3::new(1.5 + x, 1.5 + x, 1.0 + 0.5 * x),
+            mass: 1.0,
+            gravity: 1.0 + x,
+            length: 0.6,
+            center_of_mass: Vector3::new(0.6, 0.48 - x, 0.64 + x).normalize(),
+        };
+        SymmetricTopSplitting::new(HeavyTop::new(&body).unwrap()).unwrap()
+    };
+    (0..7).map(top).collect()
+}
+
+/// More than two groups of sixteen, and no multiple of any number of lanes.
+const COUNT: usize = 37;
+
+fn starts() -> Vec<Se3Dual> {
+    let start = |i: usize| {
+        let x = i as f64 / COUNT as f64;
+        Se3Dual::new(
+            Vector3::new(2.0 - x, 0.5 + 2.0 * x, 3.0 * x - 1.0),
+            Vector3::new(0.6, -0.8 * x, 0.8 - x),
+        )
+    };
+    (0..COUNT).map(start).collect()
+}
+
+fn sets() -> [AlternatingSubsteps; 4] {
+    [
+        AlternatingSubsteps::blanes_moan4(),
+        AlternatingSubsteps::blanes_moan6(),
+        AlternatingSubsteps::composed(&Substeps::sofroniou_spaletta10()),
+        AlternatingSubsteps::new(&[0.5, 0.5], &[0.25, 0.75]).unwrap(), // no neighbours to merge
+    ]
+}
+
+fn no_failure(index: usize, error: IntegrationError) {
+    panic!("{index}: {error}");
+}
+
+fn difference(a: &Se3Dual, b: &Se3Dual) -> f64 {
+    let Covector(Pair(pi, gamma)) = *a - *b;
+    larger(pi.amax(), gamma.amax())
+}
+
+fn one_by_one(substeps: &AlternatingSubsteps, step: f64, steps: usize) -> Vec<Se3Dual> {
+    let tops = tops();
+    let end = |(i, z): (usize, Se3Dual)| {
+        let integrator = AlternatingSplitting::new(tops[i % tops.len()], substeps.clone());
+        (0..steps).fold(z, |z, _| integrator.step(&z, step, &mut ()).unwrap().point)
+    };
+    starts().into_iter().enumerate().map(end).collect()
+}
+
+#[test]
+fn symmetric_tops_move_as_one_by_one() {
+    for substeps in sets() {
+        let (step, steps) = (0.1, 50);
+        let expected = one_by_one(&substeps, step, steps);
+        for set in InstructionSet::available() {
+            let ensemble = SymmetricTopEnsemble::new(&tops(), &substeps);
+            let ensemble = ensemble.on(set, Width::TwoRegisters).unwrap();
+            let mut states = starts();
+            ensemble.advance(&mut states, step, steps as u64, &mut no_failure);
+            for (state, expected) in states.iter().zip(&expected) {
+                // 50 steps of up to 35 stages with some roundings of numbers up to 3 in each, at
+                // random, doubled a few times by the motion; 2e-14 were seen.
+                assert!(difference(state, expected) < 2e-13, "{set}");
+            }
+            // Negative control: with a top taken for its neighbour they differ.
+            assert!(difference(&states[0], &expected[1]) > 1e-3);
+        }
+    }
+}
+
+fn bits(states: &[Se3Dual]) -> Vec<[u64; 6]> {
+    let coordinates = |z: &Se3Dual| [z.0.0.x, z.0.0.y, z.0.0.z, z.0.1.x, z.0.1.y, z.0.1.z];
+    states.iter().map(|z| coordinates(z).map(f64::to_bits)).collect()
+}
+
+#[test]
+fn bits_depend_on_fusion_alone() {
+    let substeps = AlternatingSubsteps::blanes_moan6();
+    let ensemble = SymmetricTopEnsemble::new(&tops(), &substeps);
+    let run = |set, width| {
+        let mut states = starts();
+        let ensemble = ensemble.clone().on(set, width).unwrap();
+        ensemble.advance(&mut states, 0.1, 20, &mut no_failure);
+        bits(&states)
+    };
+    let mut fused = None;
+    for set in InstructionSet::available() {
+        for width in Width::ALL {
+            let found = run(set, width);
+            if set == InstructionSet::Portable {
+                assert_eq!(found, run(set, Width::Single));
+            } else {
+                let first = fused.get_or_insert_with(|| found.clone());
+                assert_eq!(&found, first, "{set}, {width:?}");
+                // Negative control: bits are compared that rounding does change.
+                assert_ne!(found, run(InstructionSet::Portable, width));
+            }
+        }
+    }
+}
+
+/// In each position: what is not a number is reported, and the others do not notice.
+#[test]
+fn a_top_that_is_not_a_number_harms_no_other() {
+    let substeps = AlternatingSubsteps::blanes_moan4();
+    let ensemble = SymmetricTopEnsemble::new(&tops(), &substeps);
+    let mut healthy = starts();
+    ensemble.advance(&mut healthy, 0.1, 10, &mut no_failure);
+    for position in 0..COUNT {
+        let mut states = starts();
+        states[position].0.0.y = f64::NAN;
+        let mut failures = Vec::new();
+        ensemble.advance(&mut states, 0.1, 10, &mut |i, error| failures.push((i, error)));
+        let error = IntegrationError { step: 1, time: 0.0, source: StepError::NotFinite };
+        assert_eq!(failures, [(position, error)]);
+        assert!(states[position].0.0.y.is_nan() && states[position].0.0.x.is_finite());
+        states[position] = healthy[position];
+        assert_eq!(bits(&states), bits(&healthy), "{position}");
+    }
+}
+
+#[test]
+fn a_top_that_turns_too_fast_goes_alone() {
+    let substeps = AlternatingSubsteps::blanes_moan4();
+    let flows = tops()[0];
+    let mut states = starts();
+    states[5].0.0 = Vector3::new(3.0, 200.0, 100.0);
+    let alone = AlternatingSplitting::new(flows, substeps.clone());
+    let expected = (0..10).fold(states[5], |z, _| alone.step(&z, 0.1, &mut ()).unwrap().point);
+    let ensemble = SymmetricTopEnsemble::new(&[flows], &substeps);
+    ensemble.advance(&mut states, 0.1, 10, &mut no_failure);
+    assert_eq!(bits(&states[5..6]), bits(&[expected]));
+}
+
+#[test]
+fn casimirs_of_symmetric_tops_hold_to_round_off() {
+    let casimirs = |z: &Se3Dual| [z.0.1.norm_squared(), z.0.0.dot(&z.0.1)];
+    let ensemble = SymmetricTopEnsemble::new(&tops(), &AlternatingSubsteps::blanes_moan6());
+    let mut states = starts();
+    ensemble.advance(&mut states, 0.1, 2000, &mut no_failure);
+    for (end, start) in states.iter().zip(&starts()) {
+        for (end, start) in casimirs(end).iter().zip(casimirs(start)) {
+            // 2000 steps of 14 stages, each of which rounds to 1e-16 at random: 2e-14; rounding
+            // has a small bias besides.
+            assert!((end - start).abs() < 5e-13, "{:e}", end - start);
+        }
+    }
+}
+
+#[test]
+fn orders_of_the_symmetric_ensemble() {
+    let flows = tops();
+    let (time, count) = (2.0, 5);
+    let error = |substeps: &AlternatingSubsteps, steps: u32| {
+        let mut worst = 0.0;
+        let ensemble = SymmetricTopEnsemble::new(&flows, substeps);
+        let mut states = starts()[..count].to_vec();
+        let step = time / f64::from(steps);
+        ensemble.advance(&mut states, step, u64::from(steps), &mut no_failure);
+        for (i, (state, start)) in states.iter().zip(starts()).enumerate() {
+            let field = HamiltonianField {
+                space: LiePoisson::minus(Se3::default()),
+                hamiltonian: *flows[i].top(),
+            };
+            let exact = Direct::new(RungeKutta::gauss(8).unwrap(), field);
+            let mut workspace = exact.workspace();
+            let advance = |z, _| exact.step(&z, 0.1, &mut workspace).unwrap().point;
+            worst = larger(worst, difference(state, &(0..20).fold(start, advance)));
+        }
+        (step, worst)
+    };
+    let fit = |substeps: &AlternatingSubsteps, counts: &[u32]| {
+        let errors: Vec<(f64, f64)> = counts.iter().map(|&n| error(substeps, n)).collect();
+        fitted_order(&errors, 1e-13).unwrap()
+    };
+    let [four, six, ten, _] = sets();
+    for (substeps, order, counts) in
+        [(&four, 4.0, [20, 30, 40, 60]), (&six, 6.0, [6, 8, 12, 16]), (&ten, 10.0, [5, 6, 7, 8])]
+    {
+        let found = fit(substeps, &counts);
+        assert!((found - order).abs() < 0.4, "{found} instead of {order}");
+    }
+    // Negative control: a coefficient moved by 1e-3, and another so that the sum holds.
+    let mut wrong = six.first().to_vec();
+    wrong[1] += 1e-3;
+    wrong[2] -= 1e-3;
+    let wrong = AlternatingSubsteps::new(&wrong, six.second()).unwrap();
+    assert!(fit(&wrong, &[6, 8, 12, 16]) < 3.0);
+}
