@@ -13,7 +13,7 @@
 //! | the rotation of the body in a step | [`Turning`], [`TurningFlows`] |
 //! | Poincaré sections: the energy level, the surface, the starts, the returns | [`EnergyLevel`], [`Coordinate`], [`Surface`], [`Section`] |
 //! | splittings of tops into exact rotations and kicks | [`RotorSplitting`], [`SymmetricTopSplitting`] |
-//! | many symmetric tops at once | [`SymmetricTopEnsemble`] |
+//! | many tops at once: symmetric ones by splitting, any by Gauss methods | [`SymmetricTopEnsemble`], [`GaussEnsemble`] |
 //! | collective Gauss methods of one top, by the registers of the processor | [`CollectiveGauss`] |
 //! | the midpoint rule on se(3)∗ in closed form | [`ReducedMidpoint`] |
 //! | the same for many tops at once | [`ReducedMidpoint::advance`], [`MidpointSweep`] |
@@ -57,6 +57,8 @@ mod midpoint_kernel;
 mod ensemble_path;
 mod symmetric_kernel;
 mod symmetric_ensemble;
+mod spinor_kernel;
+mod gauss_ensemble;
 mod reduced_midpoint;
 mod midpoint_ensemble;
 mod attitude;
@@ -81,6 +83,7 @@ pub use elliptic::jacobi_elliptic;
 pub use energy_level::EnergyLevel;
 pub use error::{SectionError, TopError, UNIT_TOLERANCE, require_unit};
 pub use euler_top::EulerSolution;
+pub use gauss_ensemble::GaussEnsemble;
 pub use gyrostat::Gyrostat;
 pub use invariants::Invariant;
 pub use kirchhoff::Kirchhoff;
