@@ -1,11 +1,12 @@
 //! Many tops at once, by collective Gauss methods.
 
 use crate::HeavyTop;
-use crate::ensemble_path::advance_one;
+use crate::ensemble_path::{Place, advance_one, segments};
 use crate::spinor_kernel::{Coefficients, Motion, Parameters};
 use collective_integrators::{IntegrationError, LiftFree, RungeKutta, SchemeError, Tableau};
+use core::ops::Range;
 use lie_poisson::{
-    InstructionSet, LaneTask, Lanes, Mask, MissingInstructions, Se3Dual, Vector, Width, dispatch,
+    InstructionSet, LaneTask, Lanes, Mask, MissingInstructions, Se3Dual, Vector, Width,
 };
 use momentum_map::DualQuaternions;
 
@@ -20,8 +21,7 @@ use momentum_map::DualQuaternions;
 ///
 /// What becomes of a top does not depend on the others, nor on the number of lanes: it has the same
 /// bits at every [`Width`], and on all instruction sets that fuse products with sums; those of
-/// [`InstructionSet::Portable`], which does not, differ by rounding. The first step of each call has
-/// no step before it, so that n steps in one call and n calls differ by rounding.
+/// [`InstructionSet::Portable`], which does not, differ by rounding.
 ///
 /// # Example
 /// ```
@@ -39,39 +39,30 @@ use momentum_map::DualQuaternions;
 /// let start = |i: u32| {
 ///     Se3Dual::new(Vector3::new(1.0, 0.5, f64::from(i) / 50.0), Vector3::new(0.6, 0.0, 0.8))
 /// };
-/// let mut tops: Vec<Se3Dual> = (0..100).map(start).collect();
-/// let ensemble = GaussEnsemble::<8>::new(&[top])?;
-/// ensemble.advance(&mut tops, 0.25, 40, &mut |index, error| panic!("{index}: {error}"));
-/// for (i, mu) in (0..).zip(&tops) {
-///     let change = Invariant::Energy.value(&top, mu) - Invariant::Energy.value(&top, &start(i));
-///     assert!(change.abs() < 1e-12);
+/// let mut tops: Vec<_> = (0..100).map(|i| (top, start(i))).collect();
+/// let ensemble = GaussEnsemble::<8>::new()?;
+/// ensemble.advance(&mut tops, 0.25, 0..40, &mut |index, error| panic!("{index}: {error}"));
+/// let energy = |mu: &Se3Dual| Invariant::Energy.value(&top, mu);
+/// for (i, (_, mu)) in (0..).zip(&tops) {
+///     assert!((energy(mu) - energy(&start(i))).abs() < 1e-12);
 /// }
 /// # Ok::<(), Box<dyn std::error::Error>>(())
 /// ```
 #[derive(Clone, Debug, PartialEq)]
 pub struct GaussEnsemble<const S: usize> {
-    tops: Vec<HeavyTop>,
     scheme: RungeKutta,
     coefficients: Coefficients<S>,
-    instructions: InstructionSet,
-    width: Width,
+    place: Place,
 }
 
 impl<const S: usize> GaussEnsemble<S> {
-    /// The tops, repeated as often as there are states: one for all of them, or one for each.
-    /// Without any, nothing is advanced.
+    /// On the widest lanes that the processor has.
     ///
     /// # Errors
     /// If S = 0.
-    pub fn new(tops: &[HeavyTop]) -> Result<Self, SchemeError> {
+    pub fn new() -> Result<Self, SchemeError> {
         let scheme = RungeKutta::gauss(S)?;
-        Ok(Self {
-            tops: tops.to_vec(),
-            coefficients: coefficients(scheme.tableau()),
-            scheme,
-            instructions: InstructionSet::detected(),
-            width: Width::TwoRegisters,
-        })
+        Ok(Self { coefficients: coefficients(scheme.tableau()), scheme, place: Place::widest() })
     }
 
     /// The same on the given instructions and width; without this call, on the widest there are.
@@ -83,36 +74,34 @@ impl<const S: usize> GaussEnsemble<S> {
         instructions: InstructionSet,
         width: Width,
     ) -> Result<Self, MissingInstructions> {
-        if instructions.is_available() {
-            Ok(Self { instructions, width, ..self })
-        } else {
-            Err(MissingInstructions { set: instructions })
-        }
+        Ok(Self { place: Place::new(instructions, width)?, ..self })
     }
 
-    /// Every state by `steps` steps of length `step`. `failure` is told the index of each state that
-    /// has no result; the state is left where its last good step ended.
+    /// Advances each member, a top and its state, from where `steps.start` steps have led it to where
+    /// `steps.end` will.
+    ///
+    /// A member that cannot go on keeps the state before the step that failed, and `failed` is told
+    /// its index, with the number and the time of that step. Runs in several calls that meet at
+    /// multiples of [`CHECKPOINT`](collective_integrators::CHECKPOINT) have the bits of one run; others
+    /// differ by rounding.
     pub fn advance(
         &self,
-        states: &mut [Se3Dual],
+        members: &mut [(HeavyTop, Se3Dual)],
         step: f64,
-        steps: u64,
-        failure: &mut impl FnMut(usize, IntegrationError),
+        steps: Range<u64>,
+        failed: &mut dyn FnMut(usize, IntegrationError),
     ) {
-        if self.tops.is_empty() || steps == 0 {
-            return;
-        }
-        let mut one = |index: usize, state: &mut Se3Dual| {
-            let top = self.tops[index % self.tops.len()];
-            let integrator = LiftFree::new(self.scheme.clone(), DualQuaternions, top);
-            if let Err(error) = advance_one(&integrator, state, step, steps) {
-                failure(index, error);
-            }
-        };
-        let (tops, coefficients) = (&self.tops, &self.coefficients.scaled(step));
-        let task = Advance { tops, coefficients, states, step, steps, one: &mut one };
-        if let Err(MissingInstructions { .. }) = dispatch(task, self.instructions, self.width) {
-            // `on` has asked the processor; it has not changed.
+        let coefficients = &self.coefficients.scaled(step);
+        let mut lost: Vec<usize> = Vec::new();
+        for steps in segments(steps) {
+            let alone = |index: usize, (top, state): &mut (HeavyTop, Se3Dual)| {
+                let integrator = LiftFree::new(self.scheme.clone(), DualQuaternions, *top);
+                let ended = advance_one(&integrator, state, step, steps.clone());
+                ended.map_err(|error| failed(index, error)).is_ok()
+            };
+            let count = steps.end - steps.start;
+            let lost = &mut lost;
+            self.place.run(Advance { coefficients, members, step, count, lost, alone });
         }
     }
 }
@@ -133,36 +122,40 @@ fn coefficients<const S: usize>(gauss: &Tableau) -> Coefficients<S> {
     }
 }
 
-/// All states on lanes; `one` advances what the lanes cannot.
+/// All members on lanes; `alone` advances those that the lanes cannot.
 struct Advance<'a, F, const S: usize> {
-    tops: &'a [HeavyTop],
     coefficients: &'a Coefficients<S>,
-    states: &'a mut [Se3Dual],
+    members: &'a mut [(HeavyTop, Se3Dual)],
     step: f64,
-    steps: u64,
-    one: &'a mut F,
+    count: u64,
+    /// The indices of those that have failed.
+    lost: &'a mut Vec<usize>,
+    alone: F,
 }
 
-impl<F: FnMut(usize, &mut Se3Dual), const S: usize> LaneTask for Advance<'_, F, S> {
+impl<F: FnMut(usize, &mut (HeavyTop, Se3Dual)) -> bool, const S: usize> LaneTask
+    for Advance<'_, F, S>
+{
     type Output = ();
 
     #[inline(always)]
     fn run<T: Lanes>(self) {
-        let Self { tops, coefficients, states, step, steps, one } = self;
-        for (n, group) in states.chunks_mut(T::COUNT).enumerate() {
-            let first = n * T::COUNT;
+        let Self { coefficients, members, step, count, lost, mut alone } = self;
+        for (n, group) in members.chunks_mut(T::COUNT).enumerate() {
             let last = group.len() - 1;
-            let top = Parameters::<T>::from_lanes(|i| &tops[(first + i.min(last)) % tops.len()]);
-            let mut motion = Motion::<T, S>::lift(|i| &group[i.min(last)]);
-            for n in 0..steps {
+            let top = Parameters::<T>::from_lanes(|i| &group[i.min(last)].0);
+            let mut motion = Motion::<T, S>::lift(|i| &group[i.min(last)].1);
+            for n in 0..count {
                 motion.step(&top, coefficients, step, n == 0);
             }
-            for (i, state) in group.iter_mut().enumerate() {
-                let end = motion.momentum(i);
-                if motion.alive.lane(i) && end.is_finite() {
-                    *state = end;
-                } else {
-                    one(first + i, state);
+            for (i, member) in group.iter_mut().enumerate() {
+                let (index, end) = (n * T::COUNT + i, motion.momentum(i));
+                if lost.contains(&index) {
+                    // It stays where it was.
+                } else if motion.alive.lane(i) && end.is_finite() {
+                    member.1 = end;
+                } else if !alone(index, member) {
+                    lost.push(index);
                 }
             }
         }

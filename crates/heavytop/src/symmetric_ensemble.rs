@@ -1,11 +1,12 @@
 //! Many symmetric tops at once, by splitting.
 
 use crate::SymmetricTopSplitting;
-use crate::ensemble_path::advance_one;
+use crate::ensemble_path::{Place, advance_one, segments};
 use crate::symmetric_kernel::{Momenta, Parameters, everywhere};
 use collective_integrators::{AlternatingSplitting, AlternatingSubsteps, IntegrationError};
+use core::ops::Range;
 use lie_poisson::{
-    InstructionSet, LaneTask, Lanes, Mask, MissingInstructions, Se3Dual, Vector, Width, dispatch,
+    InstructionSet, LaneTask, Lanes, Mask, MissingInstructions, Se3Dual, Vector, Width,
 };
 
 /// Many tops with I₁ = I₂, advanced side by side in the lanes of the processor's registers.
@@ -27,41 +28,32 @@ use lie_poisson::{
 /// use heavytop::{HeavyTop, Invariant, SymmetricTopEnsemble, SymmetricTopSplitting};
 /// use lie_poisson::Se3Dual;
 /// use nalgebra::Vector3;
-/// let top = HeavyTop::kovalevskaya(1.0, 1.0)?;
+/// let top = SymmetricTopSplitting::new(HeavyTop::kovalevskaya(1.0, 1.0)?)?;
 /// let start = |i: u32| {
 ///     Se3Dual::new(Vector3::new(2.0, 3.0, f64::from(i) / 250.0), Vector3::new(0.6, 0.0, 0.8))
 /// };
-/// let mut tops: Vec<Se3Dual> = (0..1000).map(start).collect();
+/// let mut tops: Vec<_> = (0..1000).map(|i| (top, start(i))).collect();
 /// let substeps = AlternatingSubsteps::composed(&Substeps::sofroniou_spaletta10());
-/// let ensemble = SymmetricTopEnsemble::new(&[SymmetricTopSplitting::new(top)?], &substeps);
-/// ensemble.advance(&mut tops, 0.25, 40, &mut |index, error| panic!("{index}: {error}"));
-/// for (i, mu) in (0..).zip(&tops) {
-///     let change = Invariant::Energy.value(&top, mu) - Invariant::Energy.value(&top, &start(i));
-///     assert!(change.abs() < 1e-12);
+/// let ensemble = SymmetricTopEnsemble::new(substeps);
+/// ensemble.advance(&mut tops, 0.2, 0..50, &mut |index, error| panic!("{index}: {error}"));
+/// let energy = |mu: &Se3Dual| Invariant::Energy.value(top.top(), mu);
+/// for (i, (_, mu)) in (0..).zip(&tops) {
+///     assert!((energy(mu) - energy(&start(i))).abs() < 1e-11);
 /// }
 /// # Ok::<(), Box<dyn std::error::Error>>(())
 /// ```
 #[derive(Clone, Debug, PartialEq)]
 pub struct SymmetricTopEnsemble {
-    tops: Vec<SymmetricTopSplitting>,
     substeps: AlternatingSubsteps,
     flows: Flows,
-    instructions: InstructionSet,
-    width: Width,
+    place: Place,
 }
 
 impl SymmetricTopEnsemble {
-    /// The tops, repeated as often as there are states: one for all of them, or one for each.
-    /// Without any, nothing is advanced.
+    /// The splitting with these coefficients, on the widest lanes that the processor has.
     #[must_use]
-    pub fn new(tops: &[SymmetricTopSplitting], substeps: &AlternatingSubsteps) -> Self {
-        Self {
-            tops: tops.to_vec(),
-            substeps: substeps.clone(),
-            flows: Flows::new(substeps),
-            instructions: InstructionSet::detected(),
-            width: Width::TwoRegisters,
-        }
+    pub fn new(substeps: AlternatingSubsteps) -> Self {
+        Self { flows: Flows::new(&substeps), substeps, place: Place::widest() }
     }
 
     /// The same on the given instructions and width; without this call, on the widest there are.
@@ -73,36 +65,34 @@ impl SymmetricTopEnsemble {
         instructions: InstructionSet,
         width: Width,
     ) -> Result<Self, MissingInstructions> {
-        if instructions.is_available() {
-            Ok(Self { instructions, width, ..self })
-        } else {
-            Err(MissingInstructions { set: instructions })
-        }
+        Ok(Self { place: Place::new(instructions, width)?, ..self })
     }
 
-    /// Every state by `steps` steps of length `step`. `failure` is told the index of each state that
-    /// has no result; the state is left where its last good step ended.
+    /// Advances each member, a top and its state, from where `steps.start` steps have led it to where
+    /// `steps.end` will.
+    ///
+    /// A member that cannot go on keeps the state before the step that failed, and `failed` is told
+    /// its index, with the number and the time of that step. Runs in several calls that meet at
+    /// multiples of [`CHECKPOINT`](collective_integrators::CHECKPOINT) have the bits of one run; others
+    /// differ by rounding.
     pub fn advance(
         &self,
-        states: &mut [Se3Dual],
+        members: &mut [(SymmetricTopSplitting, Se3Dual)],
         step: f64,
-        steps: u64,
-        failure: &mut impl FnMut(usize, IntegrationError),
+        steps: Range<u64>,
+        failed: &mut dyn FnMut(usize, IntegrationError),
     ) {
-        if self.tops.is_empty() || steps == 0 {
-            return;
-        }
-        let mut one = |index: usize, state: &mut Se3Dual| {
-            let flows = self.tops[index % self.tops.len()];
-            let integrator = AlternatingSplitting::new(flows, self.substeps.clone());
-            if let Err(error) = advance_one(&integrator, state, step, steps) {
-                failure(index, error);
-            }
-        };
-        let Self { tops, flows, .. } = self;
-        let task = Advance { tops, flows, states, step, steps, one: &mut one };
-        if let Err(MissingInstructions { .. }) = dispatch(task, self.instructions, self.width) {
-            // `on` has asked the processor; it has not changed.
+        let flows = &self.flows;
+        let mut lost: Vec<usize> = Vec::new();
+        for steps in segments(steps) {
+            let alone = |index: usize, (top, state): &mut (SymmetricTopSplitting, Se3Dual)| {
+                let integrator = AlternatingSplitting::new(*top, self.substeps.clone());
+                let ended = advance_one(&integrator, state, step, steps.clone());
+                ended.map_err(|error| failed(index, error)).is_ok()
+            };
+            let count = steps.end - steps.start;
+            let lost = &mut lost;
+            self.place.run(Advance { flows, members, step, count, lost, alone });
         }
     }
 }
@@ -152,34 +142,36 @@ impl Flows {
     }
 }
 
-/// All states on lanes; `one` advances what the lanes cannot.
+/// All members on lanes; `alone` advances those that the lanes cannot.
 struct Advance<'a, F> {
-    tops: &'a [SymmetricTopSplitting],
     flows: &'a Flows,
-    states: &'a mut [Se3Dual],
+    members: &'a mut [(SymmetricTopSplitting, Se3Dual)],
     step: f64,
-    steps: u64,
-    one: &'a mut F,
+    count: u64,
+    /// The indices of those that have failed.
+    lost: &'a mut Vec<usize>,
+    alone: F,
 }
 
-impl<F: FnMut(usize, &mut Se3Dual)> LaneTask for Advance<'_, F> {
+impl<F: FnMut(usize, &mut (SymmetricTopSplitting, Se3Dual)) -> bool> LaneTask for Advance<'_, F> {
     type Output = ();
 
     #[inline(always)]
     fn run<T: Lanes>(self) {
-        let Self { tops, flows, states, step, steps, one } = self;
-        for (n, group) in states.chunks_mut(T::COUNT).enumerate() {
-            let first = n * T::COUNT;
+        let Self { flows, members, step, count, lost, mut alone } = self;
+        for (n, group) in members.chunks_mut(T::COUNT).enumerate() {
             let last = group.len() - 1;
-            let top = Parameters::<T>::from_lanes(|i| &tops[(first + i.min(last)) % tops.len()]);
-            let mut momenta = Momenta::<T>::from_lanes(|i| &group[i.min(last)]);
-            let settled = advance(&mut momenta, &top, flows, step, steps);
-            for (i, state) in group.iter_mut().enumerate() {
-                let end = momenta.lane(i);
-                if settled.lane(i) && end.is_finite() {
-                    *state = end;
-                } else {
-                    one(first + i, state);
+            let top = Parameters::<T>::from_lanes(|i| &group[i.min(last)].0);
+            let mut momenta = Momenta::<T>::from_lanes(|i| &group[i.min(last)].1);
+            let settled = advance(&mut momenta, &top, flows, step, count);
+            for (i, member) in group.iter_mut().enumerate() {
+                let (index, end) = (n * T::COUNT + i, momenta.lane(i));
+                if lost.contains(&index) {
+                    // It stays where it was.
+                } else if settled.lane(i) && end.is_finite() {
+                    member.1 = end;
+                } else if !alone(index, member) {
+                    lost.push(index);
                 }
             }
         }

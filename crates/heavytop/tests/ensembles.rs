@@ -46,6 +46,11 @@ fn sets() -> [AlternatingSubsteps; 4] {
     ]
 }
 
+/// The tops by turns, each with its start.
+fn members<B: Copy>(tops: &[B]) -> Vec<(B, Se3Dual)> {
+    tops.iter().copied().cycle().zip(starts()).collect()
+}
+
 fn no_failure(index: usize, error: IntegrationError) {
     panic!("{index}: {error}");
 }
@@ -70,34 +75,34 @@ fn symmetric_tops_move_as_one_by_one() {
         let (step, steps) = (0.1, 50);
         let expected = one_by_one(&substeps, step, steps);
         for set in InstructionSet::available() {
-            let ensemble = SymmetricTopEnsemble::new(&tops(), &substeps);
+            let ensemble = SymmetricTopEnsemble::new(substeps.clone());
             let ensemble = ensemble.on(set, Width::TwoRegisters).unwrap();
-            let mut states = starts();
-            ensemble.advance(&mut states, step, steps as u64, &mut no_failure);
-            for (state, expected) in states.iter().zip(&expected) {
+            let mut states = members(&tops());
+            ensemble.advance(&mut states, step, 0..steps as u64, &mut no_failure);
+            for ((_, state), expected) in states.iter().zip(&expected) {
                 // 50 steps of up to 35 stages with some roundings of numbers up to 3 in each, at
                 // random, doubled a few times by the motion; 2e-14 were seen.
                 assert!(difference(state, expected) < 2e-13, "{set}");
             }
             // Negative control: with a top taken for its neighbour they differ.
-            assert!(difference(&states[0], &expected[1]) > 1e-3);
+            assert!(difference(&states[0].1, &expected[1]) > 1e-3);
         }
     }
 }
 
-fn bits(states: &[Se3Dual]) -> Vec<[u64; 6]> {
+fn bits<B>(members: &[(B, Se3Dual)]) -> Vec<[u64; 6]> {
     let coordinates = |z: &Se3Dual| [z.0.0.x, z.0.0.y, z.0.0.z, z.0.1.x, z.0.1.y, z.0.1.z];
-    states.iter().map(|z| coordinates(z).map(f64::to_bits)).collect()
+    members.iter().map(|(_, z)| coordinates(z).map(f64::to_bits)).collect()
 }
 
 #[test]
 fn bits_depend_on_fusion_alone() {
     let substeps = AlternatingSubsteps::blanes_moan6();
-    let ensemble = SymmetricTopEnsemble::new(&tops(), &substeps);
+    let ensemble = SymmetricTopEnsemble::new(substeps.clone());
     let run = |set, width| {
-        let mut states = starts();
+        let mut states = members(&tops());
         let ensemble = ensemble.clone().on(set, width).unwrap();
-        ensemble.advance(&mut states, 0.1, 20, &mut no_failure);
+        ensemble.advance(&mut states, 0.1, 0..20, &mut no_failure);
         bits(&states)
     };
     let mut fused = None;
@@ -120,17 +125,17 @@ fn bits_depend_on_fusion_alone() {
 #[test]
 fn a_top_that_is_not_a_number_harms_no_other() {
     let substeps = AlternatingSubsteps::blanes_moan4();
-    let ensemble = SymmetricTopEnsemble::new(&tops(), &substeps);
-    let mut healthy = starts();
-    ensemble.advance(&mut healthy, 0.1, 10, &mut no_failure);
+    let ensemble = SymmetricTopEnsemble::new(substeps.clone());
+    let mut healthy = members(&tops());
+    ensemble.advance(&mut healthy, 0.1, 0..10, &mut no_failure);
     for position in 0..COUNT {
-        let mut states = starts();
-        states[position].0.0.y = f64::NAN;
+        let mut states = members(&tops());
+        states[position].1.0.0.y = f64::NAN;
         let mut failures = Vec::new();
-        ensemble.advance(&mut states, 0.1, 10, &mut |i, error| failures.push((i, error)));
+        ensemble.advance(&mut states, 0.1, 0..10, &mut |i, error| failures.push((i, error)));
         let error = IntegrationError { step: 1, time: 0.0, source: StepError::NotFinite };
         assert_eq!(failures, [(position, error)]);
-        assert!(states[position].0.0.y.is_nan() && states[position].0.0.x.is_finite());
+        assert!(states[position].1.0.0.y.is_nan() && states[position].1.0.0.x.is_finite());
         states[position] = healthy[position];
         assert_eq!(bits(&states), bits(&healthy), "{position}");
     }
@@ -140,22 +145,22 @@ fn a_top_that_is_not_a_number_harms_no_other() {
 fn a_top_that_turns_too_fast_goes_alone() {
     let substeps = AlternatingSubsteps::blanes_moan4();
     let flows = tops()[0];
-    let mut states = starts();
-    states[5].0.0 = Vector3::new(3.0, 200.0, 100.0);
+    let mut states = members(&[flows]);
+    states[5].1.0.0 = Vector3::new(3.0, 200.0, 100.0);
     let alone = AlternatingSplitting::new(flows, substeps.clone());
-    let expected = (0..10).fold(states[5], |z, _| alone.step(&z, 0.1, &mut ()).unwrap().point);
-    let ensemble = SymmetricTopEnsemble::new(&[flows], &substeps);
-    ensemble.advance(&mut states, 0.1, 10, &mut no_failure);
-    assert_eq!(bits(&states[5..6]), bits(&[expected]));
+    let expected = (0..10).fold(states[5].1, |z, _| alone.step(&z, 0.1, &mut ()).unwrap().point);
+    let ensemble = SymmetricTopEnsemble::new(substeps);
+    ensemble.advance(&mut states, 0.1, 0..10, &mut no_failure);
+    assert_eq!(bits(&states[5..6]), bits(&[(flows, expected)]));
 }
 
 #[test]
 fn casimirs_of_symmetric_tops_hold_to_round_off() {
     let casimirs = |z: &Se3Dual| [z.0.1.norm_squared(), z.0.0.dot(&z.0.1)];
-    let ensemble = SymmetricTopEnsemble::new(&tops(), &AlternatingSubsteps::blanes_moan6());
-    let mut states = starts();
-    ensemble.advance(&mut states, 0.1, 2000, &mut no_failure);
-    for (end, start) in states.iter().zip(&starts()) {
+    let ensemble = SymmetricTopEnsemble::new(AlternatingSubsteps::blanes_moan6());
+    let mut states = members(&tops());
+    ensemble.advance(&mut states, 0.1, 0..2000, &mut no_failure);
+    for ((_, end), start) in states.iter().zip(&starts()) {
         for (end, start) in casimirs(end).iter().zip(casimirs(start)) {
             // 2000 steps of 14 stages, each of which rounds to 1e-16 at random: 2e-14; rounding
             // has a small bias besides.
@@ -170,11 +175,11 @@ fn orders_of_the_symmetric_ensemble() {
     let (time, count) = (2.0, 5);
     let error = |substeps: &AlternatingSubsteps, steps: u32| {
         let mut worst = 0.0;
-        let ensemble = SymmetricTopEnsemble::new(&flows, substeps);
-        let mut states = starts()[..count].to_vec();
+        let ensemble = SymmetricTopEnsemble::new(substeps.clone());
+        let mut states = members(&flows)[..count].to_vec();
         let step = time / f64::from(steps);
-        ensemble.advance(&mut states, step, u64::from(steps), &mut no_failure);
-        for (i, (state, start)) in states.iter().zip(starts()).enumerate() {
+        ensemble.advance(&mut states, step, 0..u64::from(steps), &mut no_failure);
+        for (i, ((_, state), start)) in states.iter().zip(starts()).enumerate() {
             let field = HamiltonianField {
                 space: LiePoisson::minus(Se3::default()),
                 hamiltonian: *flows[i].top(),
@@ -233,15 +238,15 @@ fn gauss_moves_as_lift_free<const S: usize>(step: f64) {
     };
     let expected: Vec<Se3Dual> = starts().into_iter().enumerate().map(end).collect();
     for set in InstructionSet::available() {
-        let ensemble = GaussEnsemble::<S>::new(&tops).unwrap().on(set, Width::Register).unwrap();
-        let mut states = starts();
-        ensemble.advance(&mut states, step, steps, &mut no_failure);
-        for (state, expected) in states.iter().zip(&expected) {
+        let ensemble = GaussEnsemble::<S>::new().unwrap().on(set, Width::Register).unwrap();
+        let mut states = members(&tops);
+        ensemble.advance(&mut states, step, 0..steps, &mut no_failure);
+        for ((_, state), expected) in states.iter().zip(&expected) {
             // 40 steps with some roundings of numbers up to 10 on T∗C² in each, grown by the motion.
             assert!(difference(state, expected) < 3e-13, "{S}: {:e}", difference(state, expected));
         }
         // Negative control: with a top taken for its neighbour they differ.
-        assert!(difference(&states[0], &expected[1]) > 1e-3);
+        assert!(difference(&states[0].1, &expected[1]) > 1e-3);
     }
 }
 
@@ -254,11 +259,11 @@ fn gauss_ensembles_move_as_without_a_lift() {
 
 #[test]
 fn bits_of_gauss_ensembles_depend_on_fusion_alone() {
-    let ensemble = GaussEnsemble::<4>::new(&any_tops()).unwrap();
+    let ensemble = GaussEnsemble::<4>::new().unwrap();
     let run = |set, width| {
-        let mut states = starts();
+        let mut states = members(&any_tops());
         let ensemble = ensemble.clone().on(set, width).unwrap();
-        ensemble.advance(&mut states, 0.2, 10, &mut no_failure);
+        ensemble.advance(&mut states, 0.2, 0..10, &mut no_failure);
         bits(&states)
     };
     for set in InstructionSet::available() {
@@ -278,15 +283,15 @@ fn bits_of_gauss_ensembles_depend_on_fusion_alone() {
 #[test]
 fn no_top_of_a_gauss_ensemble_harms_another() {
     let tops = any_tops();
-    let ensemble = GaussEnsemble::<4>::new(&tops).unwrap();
-    let mut healthy = starts();
-    ensemble.advance(&mut healthy, 0.2, 5, &mut no_failure);
+    let ensemble = GaussEnsemble::<4>::new().unwrap();
+    let mut healthy = members(&tops);
+    ensemble.advance(&mut healthy, 0.2, 0..5, &mut no_failure);
     let count = |start: Se3Dual, position: usize| {
-        let mut states = starts();
-        states[position] = start;
+        let mut states = members(&tops);
+        states[position].1 = start;
         let mut failures = Vec::new();
-        ensemble.advance(&mut states, 0.2, 5, &mut |i, error| failures.push((i, error.step)));
-        let end = core::mem::replace(&mut states[position], healthy[position]);
+        ensemble.advance(&mut states, 0.2, 0..5, &mut |i, error| failures.push((i, error.step)));
+        let end = core::mem::replace(&mut states[position], healthy[position]).1;
         assert_eq!(bits(&states), bits(&healthy), "{position}");
         (failures, end)
     };
@@ -312,10 +317,10 @@ fn no_top_of_a_gauss_ensemble_harms_another() {
 #[test]
 fn casimirs_of_gauss_ensembles_hold_to_round_off() {
     let casimirs = |z: &Se3Dual| [z.0.1.norm_squared(), z.0.0.dot(&z.0.1)];
-    let ensemble = GaussEnsemble::<6>::new(&any_tops()).unwrap();
-    let mut states = starts();
-    ensemble.advance(&mut states, 0.2, 2000, &mut no_failure);
-    for (end, start) in states.iter().zip(&starts()) {
+    let ensemble = GaussEnsemble::<6>::new().unwrap();
+    let mut states = members(&any_tops());
+    ensemble.advance(&mut states, 0.2, 0..2000, &mut no_failure);
+    for ((_, end), start) in states.iter().zip(&starts()) {
         for (end, start) in casimirs(end).iter().zip(casimirs(start)) {
             // ‖ψ‖² and Im ψ∗χ are restored at each step: what rounds is the last one, and M.
             assert!((end - start).abs() < 1e-14, "{:e}", end - start);
@@ -328,16 +333,16 @@ fn orders_of_gauss_ensembles() {
     fn errors<const S: usize>(counts: &[u64]) -> f64 {
         let top = any_tops()[1];
         let end = |steps: u64, s8: bool| {
-            let mut states = [starts()[20]];
+            let mut states = [(top, starts()[20])];
             let step = 2.0 / steps as f64;
             if s8 {
-                let ensemble = GaussEnsemble::<8>::new(&[top]).unwrap();
-                ensemble.advance(&mut states, step, steps, &mut no_failure);
+                let ensemble = GaussEnsemble::<8>::new().unwrap();
+                ensemble.advance(&mut states, step, 0..steps, &mut no_failure);
             } else {
-                let ensemble = GaussEnsemble::<S>::new(&[top]).unwrap();
-                ensemble.advance(&mut states, step, steps, &mut no_failure);
+                let ensemble = GaussEnsemble::<S>::new().unwrap();
+                ensemble.advance(&mut states, step, 0..steps, &mut no_failure);
             }
-            states[0]
+            states[0].1
         };
         let exact = end(20, true);
         let point = |&n: &u64| (2.0 / n as f64, difference(&end(n, false), &exact));
@@ -345,4 +350,29 @@ fn orders_of_gauss_ensembles() {
     }
     let (four, eight) = (errors::<2>(&[20, 30, 40, 60]), errors::<4>(&[6, 8, 10, 14]));
     assert!((four - 4.0).abs() < 0.3 && (eight - 8.0).abs() < 0.5, "{four} {eight}");
+}
+
+/// A run in two calls, and a member that fails on the way.
+#[test]
+fn calls_that_meet_at_checkpoints_are_one_run() {
+    let ensemble = GaussEnsemble::<2>::new().unwrap();
+    let mut whole = members(&any_tops());
+    let mut failures = Vec::new();
+    // It turns too far in one step for any iteration, and is not tried again.
+    whole[7].1.0.0 *= 1e150;
+    let start = whole[7].1;
+    let mut parts = whole.clone();
+    let end = CHECKPOINT + 5;
+    ensemble.advance(&mut whole, 0.1, 0..end, &mut |i, error| failures.push((i, error.step)));
+    assert_eq!((failures.as_slice(), whole[7].1), (&[(7, 1)][..], start));
+    for steps in [0..CHECKPOINT, CHECKPOINT..end] {
+        ensemble.advance(&mut parts, 0.1, steps, &mut |_, _| ());
+    }
+    assert_eq!(bits(&whole), bits(&parts));
+    // Negative control: elsewhere the seam shows.
+    let mut parts = members(&any_tops());
+    for steps in [0..10, 10..end] {
+        ensemble.advance(&mut parts, 0.1, steps, &mut no_failure);
+    }
+    assert_ne!(bits(&whole[..7]), bits(&parts[..7]));
 }
