@@ -1,5 +1,8 @@
 //! A Gauss step on T∗C² in components, as many tops at once as there are lanes.
 
+// Plain loops: iterators over lanes do not inline, see `LaneTask`.
+#![allow(clippy::needless_range_loop)]
+
 use crate::{HeavyTop, SpinorPoint, SpinorRealisation};
 use lie_poisson::{Covector, Lanes, Mask, Se3Dual};
 use momentum_map::{Lift, PoissonMap};
@@ -128,16 +131,14 @@ impl<T: Lanes, const S: usize> Motion<T, S> {
     /// The minimal lifts of the states f(i). What cannot be lifted is not alive.
     #[inline(always)]
     pub(crate) fn lift<'a>(f: impl Fn(usize) -> &'a Se3Dual) -> Self {
-        let mut components = [[f64::NAN; 16]; 8];
-        for i in 0..T::COUNT.min(16) {
-            let lifted = lift(f(i));
-            for c in 0..8 {
-                components[c][i] = lifted[c];
-            }
+        // The widest type has sixteen lanes.
+        let mut lifted = [[f64::NAN; 8]; 16];
+        for (i, lane) in lifted.iter_mut().enumerate().take(T::COUNT) {
+            *lane = lift(f(i));
         }
         let mut z = [T::from_f64(0.0); 8];
         for c in 0..8 {
-            z[c] = T::from_lanes(|i| components[c].get(i).copied().unwrap_or(f64::NAN));
+            z[c] = T::from_lanes(|i| lifted.get(i).map_or(f64::NAN, |lane| lane[c]));
         }
         let square = square(&z);
         Self {
