@@ -1,5 +1,5 @@
 //! Ensembles on lanes: the same as one top after the other, and none the worse for its neighbours.
-#![allow(clippy::unwrap_used)]
+#![allow(clippy::unwrap_used, clippy::panic)]
 
 use collective_integrators::*;
 use heavytop::*;
