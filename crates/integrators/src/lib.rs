@@ -50,6 +50,7 @@ mod semiexplicit;
 mod tao;
 mod spherical_midpoint;
 mod trajectory;
+mod batch_integrator;
 mod partial_step;
 mod dense_output;
 mod chandrupatla;
@@ -62,6 +63,7 @@ pub mod diagnostics;
 
 pub use alternating_splitting::AlternatingSplitting;
 pub use alternating_substeps::AlternatingSubsteps;
+pub use batch_integrator::BatchIntegrator;
 pub use compensated::{Compensated, Increments, compensated_sum};
 pub use composition::Composition;
 pub use dense_output::{DenseOutput, DenseOutputError};
