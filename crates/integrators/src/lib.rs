@@ -29,6 +29,7 @@ mod linear_solve;
 mod newton;
 mod dirk;
 mod dop853;
+mod settling;
 mod stage_solver;
 mod predictor;
 mod scheme;

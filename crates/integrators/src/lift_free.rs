@@ -5,7 +5,8 @@ use crate::{
     Compensated, Equivariant, Increments, Integrator, Scheme, Start, Step, StepError, VectorField,
 };
 use lie_poisson::{
-    Differential, DualNumber, Hamiltonian, Point, Real, derivative_part, map_coordinates, seed,
+    Differential, DualNumber, Hamiltonian, Mask, Point, Real, derivative_part, map_coordinates,
+    seed,
 };
 use momentum_map::{LiftError, Multiplier, Multipliers};
 
@@ -99,7 +100,7 @@ impl<S: Equivariant, M: Multipliers, H> LiftFree<S, M, H> {
             start: *mu,
         };
         let MultiplierSpace { scheme: storage, end } = workspace;
-        if !end.is_some_and(|end| near(mu, &end)) {
+        if !end.is_some_and(|end| near(mu, &end).all()) {
             self.scheme.forget(storage);
         }
         let one = self.multipliers.one::<T>();

@@ -1,26 +1,29 @@
 //! Dense linear equations over any scalar.
 
-use lie_poisson::Real;
+use crate::settling::is_finite;
+use lie_poisson::{Mask, Real};
 
 /// Solves A x = b in place by elimination with partial pivoting; `a` holds the rows of the n × n
-/// matrix, `b` becomes x. False if a pivot is zero or not a number, in any lane.
+/// matrix, `b` becomes x. Returns where that is possible: false in lanes where a pivot is zero or
+/// not a number.
 ///
-/// A matrix library would ask more of its scalar than dual numbers and lanes have.
-pub(crate) fn solve<T: Real>(a: &mut [T], b: &mut [T]) -> bool {
+/// Each lane chooses its own pivots: its x is that of the same equations alone, bit for bit. A
+/// matrix library would ask more of its scalar than dual numbers and lanes have.
+pub(crate) fn solve<T: Real>(a: &mut [T], b: &mut [T]) -> T::Mask {
     let n = b.len();
+    let mut regular = T::Mask::from_bool(true);
     for k in 0..n {
-        let size = |row: usize| a[row * n + k].max_abs();
-        let pivot = (k..n).max_by(|&i, &j| size(i).total_cmp(&size(j))).unwrap_or(k);
-        if pivot != k {
-            for column in k..n {
-                a.swap(pivot * n + column, k * n + column);
+        for row in k + 1..n {
+            let larger = a[row * n + k].magnitude().at_most(a[k * n + k].magnitude()).not();
+            if larger.any() {
+                for column in k..n {
+                    swap_where(larger, a, row * n + column, k * n + column);
+                }
+                swap_where(larger, b, row, k);
             }
-            b.swap(pivot, k);
         }
         let inverse = T::one() / a[k * n + k];
-        if !inverse.max_abs().is_finite() {
-            return false;
-        }
+        regular = regular.and(is_finite(inverse.magnitude()));
         for row in k + 1..n {
             let factor = a[row * n + k] * inverse;
             for column in k..n {
@@ -38,13 +41,19 @@ pub(crate) fn solve<T: Real>(a: &mut [T], b: &mut [T]) -> bool {
         }
         b[k] = sum / a[k * n + k];
     }
-    true
+    regular
+}
+
+/// Exchanges two numbers in the lanes in which the mask is true.
+#[inline]
+fn swap_where<T: Real>(mask: T::Mask, x: &mut [T], i: usize, j: usize) {
+    (x[i], x[j]) = (T::select(mask, x[j], x[i]), T::select(mask, x[i], x[j]));
 }
 
 #[cfg(test)]
 mod tests {
     use super::solve;
-    use lie_poisson::{DefaultLanes, Lanes, Real};
+    use lie_poisson::{DefaultLanes, Lanes, Mask, Real};
 
     #[test]
     fn equations_are_solved_and_singular_ones_refused() {
@@ -56,7 +65,28 @@ mod tests {
         assert!(b.iter().zip(x).all(|(b, x)| (b - x).abs() < 1e-15));
         assert!(!solve(&mut [1.0, 2.0, 2.0, 4.0], &mut [1.0, 1.0]));
         assert!(!solve(&mut [f64::NAN], &mut [1.0]));
-        let mut one_lane_singular = [DefaultLanes::load(&[1.0, 0.0, 1.0, 1.0])];
-        assert!(!solve(&mut one_lane_singular, &mut [DefaultLanes::from_f64(1.0)]));
+    }
+
+    #[test]
+    fn each_lane_is_solved_as_if_alone() {
+        // The lanes need different pivots; the second is singular, the last is not a number.
+        let columns = [
+            [0.0, 1.0, -2.0, f64::NAN],
+            [2.0, 2.0, 1.0, 1.0],
+            [3.0, 2.0, 0.1, 1.0],
+            [1.0, 4.0, 0.3, 1.0],
+        ];
+        let mut a = columns.map(|lanes| DefaultLanes::load(&lanes));
+        let mut b = [DefaultLanes::load(&[1.0, 1.0, 0.7, 1.0]), DefaultLanes::from_f64(0.3)];
+        let before = (a, b);
+        let regular = solve(&mut a, &mut b);
+        for lane in 0..4 {
+            let mut b_alone = before.1.map(|x| x.lane(lane));
+            let possible = solve(&mut before.0.map(|x| x.lane(lane)), &mut b_alone);
+            assert_eq!((regular.lane(lane), possible), (lane % 2 == 0, lane % 2 == 0));
+            if possible {
+                assert_eq!(b.map(|x| x.lane(lane)), b_alone);
+            }
+        }
     }
 }

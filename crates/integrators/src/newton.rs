@@ -1,9 +1,10 @@
 //! Newton's iteration for the stage equations.
 
 use crate::linear_solve::solve;
-use crate::stage_solver::{ROUND_OFF, stage_point};
+use crate::settling::ROUND_OFF;
+use crate::stage_solver::stage_point;
 use crate::{Tableau, VectorField};
-use lie_poisson::{Real, Vector, larger};
+use lie_poisson::{Real, Vector};
 
 /// Storage of the iteration, empty until a step first needs it.
 #[derive(Clone, Debug)]
@@ -18,34 +19,56 @@ impl<T> Default for NewtonSpace<T> {
     }
 }
 
-/// One iteration k ← k − (1 − h A ⊗ DX)⁻¹ (k − X(z + h A k)) for the stage derivatives; returns
-/// the largest change and the largest stage derivative, `None` if the matrix is singular.
+/// One iteration k ← k − (1 − h A ⊗ DX)⁻¹ (k − X(z + h A k)) for the stage derivatives, in the lanes
+/// that are not `done`; returns the largest change, infinite where the matrix is singular, and the
+/// largest stage derivative.
 ///
 /// For a large step the change may be small while the residual k − X(…) is not. A residual above
 /// its own round-off, which is that of X at its argument, therefore counts as a change.
 pub(crate) fn newton_step<T: Real, F: VectorField<T>>(
     field: &F,
-    z: &F::Point,
-    step: f64,
+    (z, step): (&F::Point, f64),
     tableau: &Tableau,
+    done: T::Mask,
     k: &mut [F::Point],
     space: &mut NewtonSpace<T>,
-) -> Option<(f64, f64)> {
+) -> (T, T) {
+    let unexplained = assemble(field, (z, step), tableau, k, space);
+    let regular = solve(&mut space.matrix, &mut space.residual);
+    let (mut change, mut largest) = (unexplained, T::zero());
+    for (stage, part) in k.iter_mut().zip(space.residual.chunks_exact(F::Point::DIM)) {
+        let correction = F::Point::from_coordinates(|d| part[d]);
+        change = change.larger(correction.max_norm());
+        *stage = F::Point::select(done, stage, &(*stage - correction));
+        largest = largest.larger(stage.max_norm());
+    }
+    (T::select(regular, change, T::from_f64(f64::INFINITY)), largest)
+}
+
+/// Writes the matrix 1 − h A ⊗ DX and the residual k − X(z + h A k); returns the largest residual
+/// that is above its round-off.
+fn assemble<T: Real, F: VectorField<T>>(
+    field: &F,
+    (z, step): (&F::Point, f64),
+    tableau: &Tableau,
+    k: &[F::Point],
+    space: &mut NewtonSpace<T>,
+) -> T {
     let dimension = F::Point::DIM;
     let size = k.len() * dimension;
     space.matrix.clear();
     space.matrix.resize(size * size, T::zero());
     space.residual.clear();
-    let mut unexplained = 0.0;
+    let mut unexplained = T::zero();
     for (i, row) in tableau.rows().enumerate() {
         let point = stage_point(z, step, row, tableau.row_low(i), k);
         let value = field.at(&point);
         let residual = k[i] - value;
         space.residual.extend((0..dimension).map(|d| residual.coordinate(d)));
-        let mut noise = value.max_abs();
+        let mut noise = value.max_norm();
         for column in 0..dimension {
             let slope = derivative(field, &point, &value, &F::Point::basis(column));
-            noise += slope.max_abs() * point.coordinate(column).max_abs();
+            noise += slope.max_norm() * point.coordinate(column).magnitude();
             for (j, &a) in row.iter().enumerate() {
                 for d in 0..dimension {
                     let at = (i * dimension + d) * size + j * dimension + column;
@@ -53,24 +76,14 @@ pub(crate) fn newton_step<T: Real, F: VectorField<T>>(
                 }
             }
         }
-        if residual.max_abs().is_nan() || residual.max_abs() > ROUND_OFF * noise {
-            unexplained = larger(unexplained, residual.max_abs());
-        }
+        let residual = residual.max_norm();
+        let explained = residual.at_most(noise * ROUND_OFF);
+        unexplained = unexplained.larger(T::select(explained, T::zero(), residual));
     }
     for n in 0..size {
         space.matrix[n * size + n] += T::one();
     }
-    if !solve(&mut space.matrix, &mut space.residual) {
-        return None;
-    }
-    let (mut change, mut largest) = (unexplained, 0.0);
-    for (stage, part) in k.iter_mut().zip(space.residual.chunks_exact(dimension)) {
-        let correction = F::Point::from_coordinates(|d| part[d]);
-        change = larger(change, correction.max_abs());
-        *stage -= correction;
-        largest = larger(largest, stage.max_abs());
-    }
-    Some((change, largest))
+    unexplained
 }
 
 /// DX(z)·v, by a difference quotient where the field does not know it: the iteration then
@@ -82,9 +95,9 @@ fn derivative<T: Real, F: VectorField<T>>(
     v: &F::Point,
 ) -> F::Point {
     field.derivative(z, v).unwrap_or_else(|| {
-        let width = f64::EPSILON.sqrt() * z.max_abs().max(1.0);
+        let width = z.max_norm().larger(T::one()) * f64::EPSILON.sqrt();
         let mut moved = *z;
-        moved.add_scaled(T::from_f64(width), v);
-        (field.at(&moved) - *value).scaled(T::from_f64(1.0 / width))
+        moved.add_scaled(width, v);
+        (field.at(&moved) - *value).scaled(T::one() / width)
     })
 }

@@ -190,8 +190,9 @@ impl<P: Polarisation> Scheme for PartitionedRungeKutta<P> {
         let derivative = |i: usize, k: &[F::Point]| {
             field.at(&(*z + Self::sum(step, (self.q.row(i), self.p.row(i)), k)))
         };
-        let iterations =
-            memory.solve(&self.predictor, &self.solver, (z, step), k, start, derivative)?;
+        let iterations = memory
+            .solve(&self.predictor, &self.solver, (z, step), k, start, derivative)
+            .map_err(|unsettled| unsettled.error)?;
         let point = Self::sum(step, (self.q.weights(), self.p.weights()), k);
         memory.end_at(&(*z + point));
         Ok(Step { point, iterations })

@@ -1,8 +1,9 @@
 //! Guesses of stage derivatives, from those of the steps before.
 
-use crate::stage_solver::ROUND_OFF;
-use crate::{StageSolver, StepError};
-use lie_poisson::{Real, Vector, larger};
+use crate::StageSolver;
+use crate::settling::ROUND_OFF;
+use crate::stage_solver::{MaskOf, Unsettled, fill_unless};
+use lie_poisson::{Mask, Real, Vector};
 
 /// Nodes nearer than this to each other, in steps, carry no polynomial.
 const LEAST_DISTANCE: f64 = 1e-3;
@@ -73,13 +74,14 @@ fn weights(nodes: &[f64], steps: usize) -> Option<Vec<f64>> {
 }
 
 /// The stage derivatives of the last steps of equal size, each of which began where the one before
-/// it ended.
+/// it ended. Each lane remembers by itself.
 #[derive(Clone, Debug)]
-pub(crate) struct Memory<V> {
+pub(crate) struct Memory<V: Vector> {
     /// Oldest first; those that mean something are at the end.
     past: Vec<V>,
-    /// How many steps are remembered.
-    steps: usize,
+    /// How many steps are remembered, lane by lane; and the most in any lane.
+    steps: V::Scalar,
+    most: usize,
     /// Their size.
     size: f64,
     /// Where the last one ended.
@@ -90,20 +92,22 @@ impl<V: Vector> Memory<V> {
     /// Empty, with room for what a predictor needs.
     pub(crate) fn new(predictor: &Predictor) -> Self {
         let past = vec![V::zero(); predictor.capacity()];
-        Self { past, steps: 0, size: 0.0, end: V::zero() }
+        let steps = V::Scalar::from_f64(0.0);
+        Self { past, steps, most: 0, size: 0.0, end: V::zero() }
     }
 
     /// Forgets everything.
     pub(crate) fn forget(&mut self) {
-        self.steps = 0;
+        self.steps = V::Scalar::from_f64(0.0);
+        self.most = 0;
     }
 
     /// Solves for the stage derivatives k of a step of the given size from z by fixed-point
-    /// iteration, from a guess if there is one; if not, or if that fails, from `start`(), X(z).
-    /// Remembers them. Returns the number of iterations.
+    /// iteration, from a guess where there is one; where not, or where that fails, from `start`(),
+    /// X(z). Remembers them. Returns the number of iterations.
     ///
     /// # Errors
-    /// [`StepError::NotConverged`] if the iteration fails; nothing is remembered then.
+    /// Where the iteration fails; nothing is remembered there.
     #[inline]
     pub(crate) fn solve(
         &mut self,
@@ -113,28 +117,25 @@ impl<V: Vector> Memory<V> {
         k: &mut [V],
         start: impl Fn() -> V,
         derivative: impl Fn(usize, &[V]) -> V,
-    ) -> Result<usize, StepError> {
-        self.keep_if(self.size == size && near(z, &self.end), predictor);
-        let mut guessed = self.guess(predictor, k);
-        let mut lost = 0;
-        loop {
-            if !guessed {
-                k.fill(start());
-            }
-            match solver.solve_from(size, k, &derivative) {
-                Err(StepError::NotConverged { iterations, .. }) if guessed => {
-                    (guessed, lost) = (false, iterations);
-                }
-                Ok(iterations) => {
-                    self.remember(predictor, size, k);
-                    return Ok(lost + iterations);
-                }
-                failure => {
-                    self.forget();
-                    return failure;
-                }
+    ) -> Result<usize, Unsettled<MaskOf<V>>> {
+        self.keep_where(z, size, predictor);
+        let guessed = self.guess(predictor, k);
+        if !guessed.all() {
+            fill_unless(guessed, k, &start());
+        }
+        let none = MaskOf::<V>::from_bool(false);
+        let mut outcome = solver.solve_from(none, size, k, &derivative);
+        if let Err(first) = &outcome {
+            let misled = guessed.and(first.settled.not());
+            if misled.any() {
+                fill_unless(misled.not(), k, &start());
+                let second = solver.solve_from(misled.not(), size, k, &derivative);
+                outcome = retried(first, guessed, second);
             }
         }
+        let settled = outcome.as_ref().map_or_else(|e| e.settled, |_| none.not());
+        self.remember(predictor, size, k, settled);
+        outcome
     }
 
     /// Where the step ended that was solved last.
@@ -143,40 +144,56 @@ impl<V: Vector> Memory<V> {
         self.end = *z;
     }
 
-    /// Forgets everything if a step does not go on from what is remembered, or if that comes from
-    /// another method.
+    /// Forgets everything where a step does not go on from what is remembered, or if that comes
+    /// from another method.
     #[inline]
-    fn keep_if(&mut self, continues: bool, predictor: &Predictor) {
+    fn keep_where(&mut self, z: &V, size: f64, predictor: &Predictor) {
         if self.past.len() != predictor.capacity() {
             self.past.resize(predictor.capacity(), V::zero());
             self.forget();
         }
-        if !continues {
+        if self.size != size {
             self.forget();
         }
-    }
-
-    /// Writes a guess. Returns whether there is one.
-    #[inline]
-    fn guess(&self, predictor: &Predictor, k: &mut [V]) -> bool {
-        let weights = self.steps.checked_sub(1).and_then(|n| predictor.weights.get(n));
-        let remembered = self.steps * predictor.stages;
-        let (Some(weights), 2..) = (weights, remembered) else {
-            // The one stage of one step is a worse guess than X(z).
-            return false;
-        };
-        let past = &self.past[self.past.len() - remembered..];
-        for (k, row) in k.iter_mut().zip(weights.chunks_exact(remembered)) {
-            *k = V::zero();
-            for (&w, past) in row.iter().zip(past) {
-                k.add_scaled(V::Scalar::from_f64(w), past);
-            }
+        if self.most > 0 {
+            self.steps = Real::select(near(z, &self.end), self.steps, V::Scalar::from_f64(0.0));
         }
-        largest(k) <= LARGEST_GROWTH * largest(past)
     }
 
+    /// Writes a guess. Returns where there is one.
     #[inline]
-    fn remember(&mut self, predictor: &Predictor, size: f64, k: &[V]) {
+    fn guess(&self, predictor: &Predictor, k: &mut [V]) -> MaskOf<V> {
+        let mut guessed = MaskOf::<V>::from_bool(false);
+        for (n, weights) in (1..=self.most).zip(&predictor.weights) {
+            let here = self.remembers(n);
+            // The one stage of one step is a worse guess than X(z).
+            if !here.any() || n * predictor.stages < 2 {
+                continue;
+            }
+            let past = &self.past[self.past.len() - n * predictor.stages..];
+            for (k, row) in k.iter_mut().zip(weights.chunks_exact(past.len())) {
+                let mut sum = V::zero();
+                for (&w, past) in row.iter().zip(past) {
+                    sum.add_scaled(V::Scalar::from_f64(w), past);
+                }
+                *k = V::select(here, &sum, k);
+            }
+            let modest = largest(k).at_most(largest(past) * LARGEST_GROWTH);
+            guessed = guessed.or(here.and(modest));
+        }
+        guessed
+    }
+
+    /// Where n steps are remembered.
+    #[inline]
+    fn remembers(&self, n: usize) -> MaskOf<V> {
+        let n = V::Scalar::from_f64(n as f64);
+        self.steps.at_most(n).and(n.at_most(self.steps))
+    }
+
+    /// One more step where it is settled, nothing elsewhere.
+    #[inline]
+    fn remember(&mut self, predictor: &Predictor, size: f64, k: &[V], settled: MaskOf<V>) {
         if self.past.is_empty() {
             return;
         }
@@ -184,32 +201,57 @@ impl<V: Vector> Memory<V> {
         let newest = self.past.len() - k.len();
         self.past[newest..].copy_from_slice(k);
         self.size = size;
-        self.steps = (self.steps + 1).min(predictor.weights.len());
+        let full = self.remembers(predictor.weights.len());
+        let steps = Real::select(full, self.steps, self.steps + 1.0);
+        self.steps = Real::select(settled, steps, V::Scalar::from_f64(0.0));
+        self.most = (self.most + 1).min(predictor.weights.len());
     }
 
     /// Applies a linear map that takes the end of the last step to `end`; forgets everything where
     /// it has no value.
     #[inline]
     pub(crate) fn move_by(&mut self, stages: usize, end: &V, motion: impl Fn(&V) -> Option<V>) {
-        let first = self.past.len().saturating_sub(self.steps * stages);
-        for k in &mut self.past[first..] {
-            match motion(k) {
-                Some(moved) => *k = moved,
-                None => self.steps = 0,
-            }
+        let first = self.past.len().saturating_sub(self.most * stages);
+        let moved = self.past[first..].iter_mut().try_for_each(|k| {
+            *k = motion(k)?;
+            Some(())
+        });
+        if moved.is_none() {
+            self.forget();
         }
         self.end = *end;
     }
 }
 
-/// Whether two points are equal to round-off, in every coordinate and lane.
+/// What comes of a second attempt, in the lanes that a guess had misled, after the first.
+fn retried<M: Mask>(
+    first: &Unsettled<M>,
+    guessed: M,
+    second: Result<usize, Unsettled<M>>,
+) -> Result<usize, Unsettled<M>> {
+    let failed = guessed.or(first.settled).not();
+    let lost = first.iterations;
+    match second {
+        Ok(iterations) if !failed.any() => Ok(lost + iterations),
+        Ok(iterations) => {
+            let settled = failed.not();
+            Err(Unsettled { settled, iterations: lost + iterations, error: first.error })
+        }
+        Err(second) => {
+            let settled = second.settled.and(failed.not());
+            Err(Unsettled { settled, iterations: lost + second.iterations, ..second })
+        }
+    }
+}
+
+/// Where two points are equal to round-off, in every coordinate.
 #[inline]
-pub(crate) fn near<V: Vector>(a: &V, b: &V) -> bool {
-    (*a - *b).max_abs() <= ROUND_OFF * b.max_abs()
+pub(crate) fn near<V: Vector>(a: &V, b: &V) -> MaskOf<V> {
+    (*a - *b).max_norm().at_most(b.max_norm() * ROUND_OFF)
 }
 
 /// The largest coordinate.
 #[inline]
-fn largest<V: Vector>(k: &[V]) -> f64 {
-    k.iter().fold(0.0, |size, k| larger(size, k.max_abs()))
+fn largest<V: Vector>(k: &[V]) -> V::Scalar {
+    k.iter().fold(V::Scalar::from_f64(0.0), |size, k| size.larger(k.max_norm()))
 }

@@ -3,7 +3,7 @@
 use crate::dop853;
 use crate::newton::{NewtonSpace, newton_step};
 use crate::predictor::{Memory, Predictor};
-use crate::stage_solver::{stage_point, stage_sum};
+use crate::stage_solver::{Unsettled, stage_point, stage_sum};
 use crate::{
     Equivariant, Scheme, SchemeError, StageSolver, Step, StepError, Substeps, Tableau, VectorField,
 };
@@ -157,12 +157,13 @@ impl RungeKutta {
         };
         let start = || field.at(z);
         match memory.solve(&self.predictor, &self.solver, (z, step), k, start, derivative) {
-            Err(StepError::NotConverged { iterations, .. }) if self.solver.newton => {
-                let advance =
-                    |k: &mut [F::Point]| newton_step(field, z, step, &self.tableau, k, newton);
-                Ok(iterations + self.solver.newton(start(), step, k, advance)?)
+            Err(Unsettled { settled, iterations, .. }) if self.solver.newton => {
+                let advance = |done: T::Mask, k: &mut [F::Point]| {
+                    newton_step(field, (z, step), &self.tableau, done, k, newton)
+                };
+                Ok(iterations + self.solver.newton(settled, &start(), step, k, advance)?)
             }
-            outcome => outcome,
+            outcome => outcome.map_err(|unsettled| unsettled.error),
         }
     }
 }

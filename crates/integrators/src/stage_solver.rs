@@ -1,21 +1,8 @@
 //! Iterations for the stage equations, to the round-off floor.
 
 use crate::StepError;
-use lie_poisson::{Real, Vector, larger};
-
-/// A change that grows again is at the floor at once below this multiple of the size of the stage
-/// derivatives: a few roundings.
-const FEW_ROUNDINGS: f64 = 8.0 * f64::EPSILON;
-
-/// An iteration that no longer gets better is accepted below this multiple of the size of the
-/// stage derivatives: the round-off of evaluating a vector field, with room for cancellation in
-/// it.
-pub(crate) const ROUND_OFF: f64 = 1024.0 * f64::EPSILON;
-
-/// Sweeps without a new least change after which an iteration no longer gets better. Changes of a
-/// converging iteration go up and down where q feeds p and p feeds q with different strengths, so
-/// that one larger change alone says nothing.
-const PATIENCE: usize = 4;
+use crate::settling::{ROUND_OFF, Watch, is_finite};
+use lie_poisson::{Mask, Real, Vector, larger};
 
 /// Sweeps after which a fixed-point iteration that has not settled gives way to Newton's.
 const SLOW: usize = 60;
@@ -52,39 +39,28 @@ impl Default for StageSolver {
     }
 }
 
-/// The changes of an iteration, watched for the moment at which they are round-off.
-struct Watch {
-    previous: f64,
-    least: f64,
-    stalled: usize,
+/// An iteration that has not settled in every lane.
+pub(crate) struct Unsettled<M> {
+    /// Where it has.
+    pub(crate) settled: M,
+    /// The iterations made.
+    pub(crate) iterations: usize,
+    /// What the other lanes are left with.
+    pub(crate) error: StepError,
 }
 
-impl Watch {
-    fn new() -> Self {
-        Self { previous: f64::INFINITY, least: f64::INFINITY, stalled: 0 }
-    }
-
-    /// Whether a change is the last that means anything, for stages of the given size.
-    fn settled(&mut self, change: f64, size: f64) -> bool {
-        self.stalled = if change < self.least { 0 } else { self.stalled + 1 };
-        self.least = self.least.min(change);
-        // An infinite change is not above an infinite floor, and not at it either.
-        let settled = change == 0.0
-            || (change >= self.previous && change <= FEW_ROUNDINGS * size)
-            || (self.stalled >= PATIENCE && change <= ROUND_OFF * size);
-        let settled = settled && change.is_finite() && size.is_finite();
-        self.previous = change;
-        settled
-    }
-}
+/// The lanes of the scalar of a vector.
+pub(crate) type MaskOf<V> = <<V as Vector>::Scalar as Real>::Mask;
 
 impl StageSolver {
     /// Solves k_i = `derivative`(i, k) for the stages `k`, all of which start from `start`, by
     /// fixed-point iteration; returns the number of iterations. `derivative` computes X at the
     /// i-th stage; `step` only turns changes into the residuals h |Δk| of messages and tolerance.
     ///
+    /// Over lanes each stops by itself, at the stages that it would have alone.
+    ///
     /// # Errors
-    /// [`StepError::NotConverged`] if the iteration blows up or does not settle.
+    /// [`StepError::NotConverged`] if the iteration blows up or does not settle, in some lane.
     #[inline]
     pub fn solve<V: Vector>(
         &self,
@@ -94,77 +70,99 @@ impl StageSolver {
         derivative: impl Fn(usize, &[V]) -> V,
     ) -> Result<usize, StepError> {
         k.fill(start);
-        self.solve_from(step, k, derivative)
+        let none = MaskOf::<V>::from_bool(false);
+        self.solve_from(none, step, k, derivative).map_err(|unsettled| unsettled.error)
     }
 
-    /// The same from the guess that `k` holds.
+    /// The same from the guess that `k` holds. Lanes that are `done` stay as they are.
     #[inline]
     pub(crate) fn solve_from<V: Vector>(
         &self,
+        done: MaskOf<V>,
         step: f64,
         k: &mut [V],
         derivative: impl Fn(usize, &[V]) -> V,
-    ) -> Result<usize, StepError> {
-        self.iterate(self.max_iterations, step, || Some(sweep(k, &derivative)))
+    ) -> Result<usize, Unsettled<MaskOf<V>>> {
+        self.iterate(self.max_iterations, done, step, |done| sweep(done, k, &derivative))
     }
 
-    /// Newton's iteration from k_i = `start`; `advance` makes one iteration and returns its change and
-    /// the size of the stages. Returns the number of iterations.
+    /// Newton's iteration, in the lanes that are not `done`, from k_i = `start`; `advance` makes one
+    /// iteration in those lanes and returns its change and the size of the stages. Returns the number
+    /// of iterations.
     ///
     /// # Errors
-    /// [`StepError::NotConverged`] if it does not settle.
+    /// [`StepError::NotConverged`] if it does not settle, in some lane.
     #[inline]
     pub(crate) fn newton<V: Vector>(
         &self,
-        start: V,
+        done: MaskOf<V>,
+        start: &V,
         step: f64,
         k: &mut [V],
-        mut advance: impl FnMut(&mut [V]) -> Option<(f64, f64)>,
+        mut advance: impl FnMut(MaskOf<V>, &mut [V]) -> (V::Scalar, V::Scalar),
     ) -> Result<usize, StepError> {
-        k.fill(start);
-        self.iterate(NEWTON_ITERATIONS, step, || advance(k))
+        fill_unless(done, k, start);
+        self.iterate(NEWTON_ITERATIONS, done, step, |done| advance(done, k))
+            .map_err(|unsettled| unsettled.error)
     }
 
-    /// Iterates until the change settles; `advance` returns it with the size of the stages.
-    fn iterate(
+    /// Iterates until the change settles in every lane that is not `done`, or has blown up there;
+    /// `advance` is given the lanes that are to stay as they are, and returns the change and the
+    /// size of the stages in the others.
+    fn iterate<T: Real>(
         &self,
         most: usize,
+        done: T::Mask,
         step: f64,
-        mut advance: impl FnMut() -> Option<(f64, f64)>,
-    ) -> Result<usize, StepError> {
+        mut advance: impl FnMut(T::Mask) -> (T, T),
+    ) -> Result<usize, Unsettled<T::Mask>> {
+        let length = step.abs();
         let mut watch = Watch::new();
-        let mut failure = StepError::NotConverged {
-            residual: f64::INFINITY,
-            required: self.tolerance,
-            iterations: 0,
-        };
-        for iterations in 1..=most {
-            let (change, size) = advance().unwrap_or((f64::INFINITY, f64::INFINITY));
-            if watch.settled(change, size) || change * step.abs() <= self.tolerance {
+        let (mut settled, mut lost) = (done, T::Mask::from_bool(false));
+        let (mut change, mut size) = (T::from_f64(f64::INFINITY), T::zero());
+        let mut iterations = 0;
+        while iterations < most && !settled.or(lost).all() {
+            iterations += 1;
+            (change, size) = advance(settled.or(lost));
+            let accepted = (change * length).at_most(T::from_f64(self.tolerance));
+            let now = watch.settled(change, size).or(accepted);
+            settled = settled.or(now.and(lost.not()));
+            if settled.all() {
                 return Ok(iterations);
             }
-            let required = larger(self.tolerance, ROUND_OFF * size * step.abs());
-            failure =
-                StepError::NotConverged { residual: change * step.abs(), required, iterations };
-            if !change.is_finite() {
-                break;
-            }
+            lost = lost.or(is_finite(change).or(settled).not());
         }
-        Err(failure)
+        let worst = |x: T| T::select(settled, T::zero(), x * length).max_abs();
+        let required = larger(self.tolerance, ROUND_OFF * worst(size));
+        let error = StepError::NotConverged { residual: worst(change), required, iterations };
+        Err(Unsettled { settled, iterations, error })
     }
 }
 
-/// One sweep over all stages; returns the largest change and the largest stage derivative.
+/// One sweep over all stages, in the lanes that are not `done`; returns the largest change and the
+/// largest stage derivative.
 #[inline]
-fn sweep<V: Vector>(k: &mut [V], derivative: &impl Fn(usize, &[V]) -> V) -> (f64, f64) {
-    let (mut change, mut size) = (0.0, 0.0);
+fn sweep<V: Vector>(
+    done: MaskOf<V>,
+    k: &mut [V],
+    derivative: &impl Fn(usize, &[V]) -> V,
+) -> (V::Scalar, V::Scalar) {
+    let (mut change, mut size) = (V::Scalar::from_f64(0.0), V::Scalar::from_f64(0.0));
     for i in 0..k.len() {
         let value = derivative(i, k);
-        change = larger(change, (value - k[i]).max_abs());
-        size = larger(size, value.max_abs());
-        k[i] = value;
+        change = change.larger((value - k[i]).max_norm());
+        size = size.larger(value.max_norm());
+        k[i] = if done.any() { V::select(done, &k[i], &value) } else { value };
     }
     (change, size)
+}
+
+/// k_i = `value` in the lanes that are not `done`.
+#[inline]
+pub(crate) fn fill_unless<V: Vector>(done: MaskOf<V>, k: &mut [V], value: &V) {
+    for k in k {
+        *k = V::select(done, k, value);
+    }
 }
 
 /// z + h Σ_j (a_j + low_j) k_j, the small sums first; `low` may be empty.

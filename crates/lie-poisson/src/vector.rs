@@ -87,11 +87,24 @@ pub trait Vector:
         sum
     }
 
+    /// The maximum norm ‖v‖_∞ = max |vᵢ|, lane by lane; NaN where any coordinate is.
+    #[inline]
+    fn max_norm(&self) -> Self::Scalar {
+        let zero: Self::Scalar = num_traits::zero();
+        (0..Self::DIM).fold(zero, |m, i| m.larger(self.coordinate(i).magnitude()))
+    }
+
     /// max |vᵢ| over coordinates and lanes; NaN if any is NaN.
     #[inline]
     fn max_abs(&self) -> f64 {
-        let zero: Self::Scalar = num_traits::zero();
-        (0..Self::DIM).fold(zero, |m, i| m.larger(self.coordinate(i).magnitude())).max_abs()
+        self.max_norm().max_abs()
+    }
+
+    /// `yes` in the lanes in which the mask is true, `no` in the others, bit for bit.
+    #[must_use]
+    #[inline]
+    fn select(mask: <Self::Scalar as Real>::Mask, yes: &Self, no: &Self) -> Self {
+        Self::from_coordinates(|i| Real::select(mask, yes.coordinate(i), no.coordinate(i)))
     }
 
     /// Whether every coordinate is a finite number, in every lane.

@@ -1,0 +1,84 @@
+//! When an iteration has settled, lane by lane.
+
+use lie_poisson::{Mask, Real};
+
+/// A change that grows again is at the floor at once below this multiple of the size of the stage
+/// derivatives: a few roundings.
+const FEW_ROUNDINGS: f64 = 8.0 * f64::EPSILON;
+
+/// An iteration that no longer gets better is accepted below this multiple of the size of the
+/// stage derivatives: the round-off of evaluating a vector field, with room for cancellation in
+/// it.
+pub(crate) const ROUND_OFF: f64 = 1024.0 * f64::EPSILON;
+
+/// Sweeps without a new least change after which an iteration no longer gets better. Changes of a
+/// converging iteration go up and down where q feeds p and p feeds q with different strengths, so
+/// that one larger change alone says nothing.
+const PATIENCE: f64 = 4.0;
+
+/// The changes of an iteration, watched for the moment at which they are round-off: in each lane by
+/// itself, as if there were no others.
+pub(crate) struct Watch<T> {
+    previous: T,
+    least: T,
+    /// Sweeps since the least change.
+    stalled: T,
+}
+
+impl<T: Real> Watch<T> {
+    pub(crate) fn new() -> Self {
+        let infinity = T::from_f64(f64::INFINITY);
+        Self { previous: infinity, least: infinity, stalled: T::zero() }
+    }
+
+    /// Where a change is the last that means anything, for stages of the given size.
+    #[inline]
+    pub(crate) fn settled(&mut self, change: T, size: T) -> T::Mask {
+        let better = change.at_most(self.least).and(self.least.at_most(change).not());
+        self.stalled = T::select(better, T::zero(), self.stalled + 1.0);
+        self.least = T::select(better, change, self.least);
+        let unchanged = change.at_most(T::zero());
+        let grows = self.previous.at_most(change).and(change.at_most(size * FEW_ROUNDINGS));
+        let stalls = T::from_f64(PATIENCE).at_most(self.stalled);
+        let at_floor = stalls.and(change.at_most(size * ROUND_OFF));
+        self.previous = change;
+        // An infinite change is not above an infinite floor, and not at it either.
+        unchanged.or(grows).or(at_floor).and(is_finite(change)).and(is_finite(size))
+    }
+}
+
+/// Where a magnitude is a finite number.
+#[inline]
+pub(crate) fn is_finite<T: Real>(magnitude: T) -> T::Mask {
+    magnitude.at_most(T::from_f64(f64::MAX))
+}
+
+#[cfg(test)]
+mod tests {
+    use super::Watch;
+    use lie_poisson::{DefaultLanes, Lanes, Mask, Real};
+
+    /// Four ways to end, or not to: no change, growing at the floor, stalling, NaN.
+    #[test]
+    fn each_lane_is_watched_by_itself() {
+        let changes = [
+            [1.0, 1e-16, 1e-14, f64::NAN],
+            [0.0, 1e-15, 2e-14, 0.0],
+            [1.0, 1e-3, 2e-14, 1.0],
+            [1.0, 1e-3, 2e-14, 1.0],
+        ];
+        let expected = [[false; 4], [true, true, false, true], [false; 4], [false; 4]];
+        let mut together = Watch::new();
+        let mut alone = [0, 1, 2, 3].map(|_| Watch::new());
+        for (n, changes) in changes.iter().enumerate() {
+            let settled =
+                together.settled(DefaultLanes::load(changes), DefaultLanes::from_f64(1.0));
+            for (lane, watch) in alone.iter_mut().enumerate() {
+                assert_eq!(settled.lane(lane), watch.settled(changes[lane], 1.0));
+                assert_eq!(settled.lane(lane), expected[n][lane], "{n} {lane}");
+            }
+        }
+        // the fourth sweep without a better change
+        assert!(alone[2].settled(1.5e-14, 1.0) && !alone[3].settled(1.5e-3, 1.0));
+    }
+}
