@@ -16,6 +16,7 @@
 //! | doubled phase spaces: Tao's method; the semiexplicit one is a [`Tableau::semiexplicit`] | [`TaoFlows`] |
 //! | the spherical midpoint method | [`SphericalMidpoint`] |
 //! | trajectories | [`Trajectory`] |
+//! | many trajectories: in lanes, on threads | [`BatchIntegrator`], [`Laned`], [`Ensemble`] |
 //! | between samples: any time, Poincaré sections | [`DenseOutput`], [`Events`] |
 //! | tangent vectors along a trajectory, Lyapunov exponents | [`VariationalFlow`], [`LyapunovExponents`] |
 //! | order, symplecticity, Poisson property, symmetry, descent, drift: measured | [`diagnostics`] |
@@ -52,6 +53,8 @@ mod tao;
 mod spherical_midpoint;
 mod trajectory;
 mod batch_integrator;
+mod laned;
+mod ensemble;
 mod partial_step;
 mod dense_output;
 mod chandrupatla;
@@ -69,9 +72,11 @@ pub use compensated::{Compensated, Increments, compensated_sum};
 pub use composition::Composition;
 pub use dense_output::{DenseOutput, DenseOutputError};
 pub use diagnostics::{OrderFitError, fitted_order};
+pub use ensemble::{Chunk, Ensemble, MemberError};
 pub use error::{IntegrationError, SchemeError, StepError};
 pub use events::{Direction, EventError, Events};
 pub use integrator::{Collective, Direct, Integrator, Start};
+pub use laned::{Laned, LanedSpace};
 pub use lift_free::{LiftFree, MultiplierSpace};
 pub use lyapunov::{Exponents, LyapunovExponents, MaximalLyapunovExponent};
 pub use partitioned::{PartitionedRungeKutta, PartitionedSpace};

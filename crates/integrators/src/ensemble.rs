@@ -1,0 +1,164 @@
+//! Ensembles: many initial states, on all threads.
+
+use crate::{BatchIntegrator, IntegrationError};
+use core::ops::Range;
+use rayon::prelude::*;
+use thiserror::Error;
+
+/// The size of the members that a thread works on at a time, small enough for its second cache.
+const CHUNK_BYTES: usize = 64 * 1024;
+
+/// Chunks are divided into lanes without remainder for every number of lanes up to this.
+const MOST_LANES: usize = 32;
+
+/// Many independent members of one system, advanced side by side: in lanes by a
+/// [`BatchIntegrator`], and on all threads of rayon's current pool.
+///
+/// # Reproducibility
+/// A member's result does not depend on the other members, on how many threads there are, or on which
+/// of them does the work. As for the lanes:
+///
+/// * [`Laned`](crate::Laned) integrators, and kernels without fused multiply-add, return the same
+///   bits at every width, `f64` included;
+/// * kernels with fused multiply-add return the same bits at every width that fuses. They differ from
+///   the others in rounding, since a fused multiply-add rounds a product and a sum once, together.
+///
+/// # Example
+/// Pendulums of ten thousand amplitudes, streamed: no more of them are in memory at a time than the
+/// threads work on. The observer may be called from several threads at once, in any order.
+/// ```
+/// use collective_integrators::{Direct, Ensemble, Laned, RungeKutta, VectorField};
+/// use lie_poisson::Real;
+/// use nalgebra::Vector2;
+/// use std::sync::atomic::{AtomicU64, Ordering};
+///
+/// struct Oscillator;
+/// impl<T: Real> VectorField<T> for Oscillator {
+///     type Point = Vector2<T>;
+///     fn at(&self, z: &Vector2<T>) -> Vector2<T> {
+///         Vector2::new(z.y, -z.x)
+///     }
+/// }
+/// let ensemble = Ensemble::new(Laned::new(Direct::new(RungeKutta::rk4(), Oscillator)));
+/// let amplitude = |index: u64| 1.0 + index as f64 / 1e4;
+/// let seen = AtomicU64::new(0);
+/// ensemble.stream(10_000, |index| Vector2::new(amplitude(index), 0.0), 0.05, 20, |chunk| {
+///     assert!(chunk.failures.is_empty());
+///     for (index, z) in (chunk.first..).zip(chunk.members) {
+///         assert!((z.x - amplitude(index) * 1.0_f64.cos()).abs() < 1e-6);
+///     }
+///     seen.fetch_add(chunk.members.len() as u64, Ordering::Relaxed);
+/// });
+/// assert_eq!(seen.into_inner(), 10_000);
+/// ```
+#[derive(Clone, Copy, Debug)]
+pub struct Ensemble<B> {
+    integrator: B,
+}
+
+/// A member that could not go on.
+#[derive(Clone, Copy, Debug, PartialEq, Error)]
+#[error("member {index}: {source}")]
+pub struct MemberError {
+    /// Its index in the ensemble.
+    pub index: u64,
+    /// The step that failed, and why.
+    pub source: IntegrationError,
+}
+
+/// Members with successive indices, at the end of their steps.
+#[derive(Clone, Copy, Debug)]
+pub struct Chunk<'a, M> {
+    /// The index of the first.
+    pub first: u64,
+    /// The members. One that failed has the state before the step that failed.
+    pub members: &'a [M],
+    /// Those that failed, by increasing index.
+    pub failures: &'a [MemberError],
+}
+
+impl<B: BatchIntegrator> Ensemble<B> {
+    /// An ensemble for the integrator.
+    pub fn new(integrator: B) -> Self {
+        Self { integrator }
+    }
+
+    /// The integrator.
+    pub fn integrator(&self) -> &B {
+        &self.integrator
+    }
+
+    /// Starts member i = 0, …, `count` − 1 at `start`(i), makes the given number of steps, and shows
+    /// the results to the observer, chunk by chunk, each member once.
+    ///
+    /// Memory is taken for the chunks that are worked on, whatever the count. What the observer adds
+    /// up over chunks comes in no fixed order: where the last bits matter, keep one sum for each
+    /// [`Chunk::first`], and add these by index.
+    pub fn stream(
+        &self,
+        count: u64,
+        start: impl Fn(u64) -> B::Member + Sync,
+        step: f64,
+        steps: u64,
+        observe: impl Fn(Chunk<'_, B::Member>) + Sync,
+    ) {
+        let length = chunk_length::<B::Member>() as u64;
+        let storage = || (self.integrator.workspace(), Vec::new(), Vec::new());
+        (0..count.div_ceil(length)).into_par_iter().for_each_init(
+            storage,
+            |(workspace, members, failures), n| {
+                let first = n * length;
+                members.clear();
+                members.extend((first..count.min(first.saturating_add(length))).map(&start));
+                failures.clear();
+                self.advance_chunk(first, members, step, 0..steps, workspace, failures);
+                observe(Chunk { first, members, failures });
+            },
+        );
+    }
+
+    /// Advances members that are in memory, from where `steps.start` steps have led them to where
+    /// `steps.end` will. Returns those that failed, by increasing index; they keep the state before
+    /// the step that failed.
+    ///
+    /// A run in several calls has the bits of one run if calls meet at multiples of
+    /// [`CHECKPOINT`](crate::CHECKPOINT).
+    pub fn advance(
+        &self,
+        members: &mut [B::Member],
+        step: f64,
+        steps: Range<u64>,
+    ) -> Vec<MemberError> {
+        let length = chunk_length::<B::Member>();
+        let chunks = members.par_chunks_mut(length).enumerate();
+        let advance = |workspace: &mut B::Workspace, (n, chunk): (usize, &mut [B::Member])| {
+            let mut failures = Vec::new();
+            let first = (n * length) as u64;
+            self.advance_chunk(first, chunk, step, steps.clone(), workspace, &mut failures);
+            failures
+        };
+        chunks.map_init(|| self.integrator.workspace(), advance).flatten_iter().collect()
+    }
+
+    fn advance_chunk(
+        &self,
+        first: u64,
+        members: &mut [B::Member],
+        step: f64,
+        steps: Range<u64>,
+        workspace: &mut B::Workspace,
+        failures: &mut Vec<MemberError>,
+    ) {
+        let mut failed = |i: usize, source| {
+            failures.push(MemberError { index: first + i as u64, source });
+        };
+        self.integrator.advance(members, step, steps, workspace, &mut failed);
+        failures.sort_unstable_by_key(|failure| failure.index);
+    }
+}
+
+/// How many members a thread works on at a time.
+fn chunk_length<M>() -> usize {
+    let members = CHUNK_BYTES / size_of::<M>().max(1);
+    members.next_multiple_of(MOST_LANES).max(MOST_LANES)
+}
