@@ -2,7 +2,8 @@
 #![allow(unsafe_code)] // the allocator that counts
 
 use collective_integrators::{
-    Collective, DenseOutput, Direction, Events, LiftFree, LyapunovExponents, RungeKutta, Start,
+    BatchIntegrator, Collective, DenseOutput, Direction, Events, Laned, LiftFree,
+    LyapunovExponents, RungeKutta, Start,
 };
 use heavytop::{CollectiveGauss, ReducedMidpoint, SpinorRealisation, WithAttitude};
 use lie_poisson::Se3Dual;
@@ -79,6 +80,16 @@ fn no_step_allocates() -> Result<(), Box<dyn Error>> {
 
     let mut spectrum = LyapunovExponents::<_, 6>::new(&free, start, 0.05).take(100);
     assert_eq!(allocations(|| Ok(spectrum.try_for_each(|item| item.map(drop))?))?, 0);
+
+    let laned = Laned::new(free);
+    let (mut members, mut space) = ([start; 7], laned.workspace());
+    let mut run = |steps| {
+        let mut failures = 0;
+        laned.advance(&mut members, 0.05, steps, &mut space, &mut |_, _| failures += 1);
+        assert_eq!(failures, 0);
+        Ok(())
+    };
+    assert_eq!(allocations(|| run(0..100))?, 0);
 
     // Negative control: the counter counts.
     let boxed = || {

@@ -5,11 +5,9 @@ use core::ops::Range;
 use rayon::prelude::*;
 use thiserror::Error;
 
-/// The size of the members that a thread works on at a time, small enough for its second cache.
-const CHUNK_BYTES: usize = 64 * 1024;
-
-/// Chunks are divided into lanes without remainder for every number of lanes up to this.
-const MOST_LANES: usize = 32;
+/// How many members a thread works on at a time: a multiple of every number of lanes, few enough
+/// for its second cache and for threads to share a thousand members evenly.
+const CHUNK: usize = 128;
 
 /// Many independent members of one system, advanced side by side: in lanes by a
 /// [`BatchIntegrator`], and on all threads of rayon's current pool.
@@ -102,7 +100,7 @@ impl<B: BatchIntegrator> Ensemble<B> {
         steps: u64,
         observe: impl Fn(Chunk<'_, B::Member>) + Sync,
     ) {
-        let length = chunk_length::<B::Member>() as u64;
+        let length = CHUNK as u64;
         let storage = || (self.integrator.workspace(), Vec::new(), Vec::new());
         (0..count.div_ceil(length)).into_par_iter().for_each_init(
             storage,
@@ -129,11 +127,10 @@ impl<B: BatchIntegrator> Ensemble<B> {
         step: f64,
         steps: Range<u64>,
     ) -> Vec<MemberError> {
-        let length = chunk_length::<B::Member>();
-        let chunks = members.par_chunks_mut(length).enumerate();
+        let chunks = members.par_chunks_mut(CHUNK).enumerate();
         let advance = |workspace: &mut B::Workspace, (n, chunk): (usize, &mut [B::Member])| {
             let mut failures = Vec::new();
-            let first = (n * length) as u64;
+            let first = (n * CHUNK) as u64;
             self.advance_chunk(first, chunk, step, steps.clone(), workspace, &mut failures);
             failures
         };
@@ -155,10 +152,4 @@ impl<B: BatchIntegrator> Ensemble<B> {
         self.integrator.advance(members, step, steps, workspace, &mut failed);
         failures.sort_unstable_by_key(|failure| failure.index);
     }
-}
-
-/// How many members a thread works on at a time.
-fn chunk_length<M>() -> usize {
-    let members = CHUNK_BYTES / size_of::<M>().max(1);
-    members.next_multiple_of(MOST_LANES).max(MOST_LANES)
 }

@@ -20,8 +20,8 @@ impl<T> Default for NewtonSpace<T> {
 }
 
 /// One iteration k ← k − (1 − h A ⊗ DX)⁻¹ (k − X(z + h A k)) for the stage derivatives, in the lanes
-/// that are not `done`; returns the largest change, infinite where the matrix is singular, and the
-/// largest stage derivative.
+/// that are not `done`; returns the largest change and the largest stage derivative, both infinite
+/// where the matrix is singular.
 ///
 /// For a large step the change may be small while the residual k − X(…) is not. A residual above
 /// its own round-off, which is that of X at its argument, therefore counts as a change.
@@ -42,7 +42,8 @@ pub(crate) fn newton_step<T: Real, F: VectorField<T>>(
         *stage = F::Point::select(done, stage, &(*stage - correction));
         largest = largest.larger(stage.max_norm());
     }
-    (T::select(regular, change, T::from_f64(f64::INFINITY)), largest)
+    let infinity = T::from_f64(f64::INFINITY);
+    (T::select(regular, change, infinity), T::select(regular, largest, infinity))
 }
 
 /// Writes the matrix 1 − h A ⊗ DX and the residual k − X(z + h A k); returns the largest residual

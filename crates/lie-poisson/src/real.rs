@@ -20,8 +20,7 @@ use num_traits::NumAssign;
 /// [`select`](Self::select) chooses.
 ///
 /// There is no fused multiply-add: fused and unfused results differ, and each operation on lanes
-/// must return the same bits as on `f64`. [`Lanes`](crate::Lanes) has one. (An iteration that stops
-/// by a maximum over the lanes may do more of them than one trajectory would.)
+/// must return the same bits as on `f64`. [`Lanes`](crate::Lanes) has one.
 ///
 /// # Example
 /// ```
