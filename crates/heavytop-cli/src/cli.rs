@@ -1,10 +1,11 @@
 //! The command line.
 
 use crate::Error;
+use crate::animate::animate;
 use crate::compare::compare;
 use crate::help::{
-    COMPARE, COMPARE_EXAMPLES, EXIT_CODES, REPRODUCE, REPRODUCE_EXAMPLES, SECTION,
-    SECTION_EXAMPLES, SIMULATE, SIMULATE_EXAMPLES,
+    ANIMATE, ANIMATE_EXAMPLES, COMPARE, COMPARE_EXAMPLES, EXIT_CODES, REPRODUCE,
+    REPRODUCE_EXAMPLES, SECTION, SECTION_EXAMPLES, SIMULATE, SIMULATE_EXAMPLES,
 };
 use crate::reproduce::reproduce;
 use crate::section::section;
@@ -76,6 +77,15 @@ enum Command {
         #[arg(long, value_name = "DIR")]
         out: PathBuf,
     },
+    /// Show a top in motion, on a page for a browser.
+    #[command(long_about = ANIMATE, after_long_help = ANIMATE_EXAMPLES)]
+    Animate {
+        /// The configuration, in TOML, as of simulate. Without it the paper's Kovalevskaya top is run.
+        config: Option<PathBuf>,
+        /// The page to write; its name ends in .html.
+        #[arg(long, value_name = "FILE")]
+        out: PathBuf,
+    },
 }
 
 /// Runs the program with the arguments of the process.
@@ -87,6 +97,7 @@ pub fn main() -> ExitCode {
         Command::Simulate { config, out } => simulate(config.as_deref(), &out, quiet),
         Command::Compare { config, out } => compare(config.as_deref(), &out, quiet),
         Command::Section { config, out } => section(config.as_deref(), &out, quiet),
+        Command::Animate { config, out } => animate(config.as_deref(), &out, quiet),
     };
     match done {
         Ok(()) => ExitCode::SUCCESS,

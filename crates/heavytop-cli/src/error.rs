@@ -120,6 +120,12 @@ pub enum Error {
         /// The file.
         path: PathBuf,
     },
+    /// The output's name is not that of a page.
+    #[error("cannot write {}: the name must end in .html", path.display())]
+    NoPage {
+        /// The file.
+        path: PathBuf,
+    },
     /// An output file or folder could not be made.
     #[error("cannot create {}: {source}", path.display())]
     Create {

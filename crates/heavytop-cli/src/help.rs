@@ -154,3 +154,25 @@ turns by more than 0.5 rad.
 Examples:
   heavytop section --out section                  # the paper's top
   heavytop section top.toml --out section";
+
+pub(crate) const ANIMATE: &str = "\
+Show a top in motion, on a page for a browser.
+
+The page is one file, which needs neither others nor a network. It shows in space the body, as the
+homogeneous ellipsoid about the support that has its principal moments, its principal axes, the
+centre of mass with the trace of its direction on the sphere, the angular momentum and the vertical;
+and below h, f1, f2 and, where the top has them, f3, K and G against time. Play, pause, go anywhere
+in time, choose the speed, drag to turn the view; the page says which keys do it.
+
+The attitude is followed along with (Π, Γ); the direct equations have none. It starts with the shortest
+rotation R for which Γ = Rᵀe3.
+
+Every n-th step is a frame, and the last; n is [output] every, or the least multiple of it that gives
+at most 20000 frames, some 3.5 MB. Between frames the page interpolates, and there is a warning where
+the body turns by more than 1 rad from one to the next.";
+
+pub(crate) const ANIMATE_EXAMPLES: &str = "\
+Examples:
+  heavytop animate --out kovalevskaya.html        # the paper's top
+  heavytop animate top.toml --out top.html
+Open the page in a browser; top.html#t=12.5 shows the moment t = 12.5 s.";

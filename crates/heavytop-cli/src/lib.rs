@@ -20,6 +20,7 @@
 //! | `heavytop reproduce` | [`reproduce`] |
 //! | `heavytop compare` | [`compare`] |
 //! | `heavytop section` | [`section`] |
+//! | `heavytop animate` | [`animate`] |
 //! | what `--help` says | `help` |
 //! | the command line | [`cli`] |
 //!
@@ -41,6 +42,7 @@ pub mod simulate;
 pub mod reproduce;
 pub mod compare;
 pub mod section;
+pub mod animate;
 mod help;
 pub mod cli;
 

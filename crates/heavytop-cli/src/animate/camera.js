@@ -1,0 +1,44 @@
+// Where the scene is seen from: about the support, e₃ upwards.
+
+class Camera {
+  constructor() {
+    this.reset();
+  }
+
+  reset() {
+    [this.azimuth, this.elevation, this.zoom] = [-0.95, 0.32, 1];
+  }
+
+  turn(azimuth, elevation) {
+    this.azimuth += azimuth;
+    this.elevation = Math.min(Math.max(this.elevation + elevation, -1.5), 1.5);
+  }
+
+  enlarge(factor) {
+    this.zoom = Math.min(Math.max(this.zoom * factor, 0.4), 5);
+  }
+
+  /** Prepares a projection onto a picture of this size, in pixels. */
+  look(width, height) {
+    const [ca, sa] = [Math.cos(this.azimuth), Math.sin(this.azimuth)];
+    const [ce, se] = [Math.cos(this.elevation), Math.sin(this.elevation)];
+    this.towards = [ce * ca, ce * sa, se];
+    this.right = [-sa, ca, 0];
+    this.up = [-se * ca, -se * sa, ce];
+    this.center = [width / 2, height / 2];
+    this.scale = 0.355 * Math.min(width, height) * this.zoom;
+  }
+
+  /** The point's place in the picture, its nearness (larger is nearer), and pixels per unit there. */
+  project(point) {
+    const distance = 7;
+    const near = dot(point, this.towards);
+    const scale = this.scale * distance / (distance - near);
+    return {
+      x: this.center[0] + scale * dot(point, this.right),
+      y: this.center[1] - scale * dot(point, this.up),
+      near,
+      scale,
+    };
+  }
+}

@@ -1,0 +1,179 @@
+// Playing, and what keys and pointers do.
+
+const SPEEDS = [0.01, 0.02, 0.05, 0.1, 0.25, 0.5, 1, 2, 5, 10];
+const PLAY = "M7 4v16l13-8z";
+const PAUSE = "M6 4h4v16H6zm8 0h4v16h-4z";
+
+class Player {
+  constructor(motion) {
+    this.motion = motion;
+    this.scene = new Scene(byId("scene"), motion);
+    this.strip = new Strip(byId("strip"), motion);
+    [this.time, this.playing, this.pending] = [0, false, false];
+    byId("description").textContent = motion.description;
+    byId("time").max = motion.end;
+    // So fast that an eye can follow.
+    const calm = SPEEDS.findLastIndex((speed) => speed <= 1 && speed * motion.meanRate() <= 6);
+    byId("speed").replaceChildren(...SPEEDS.map((speed) => new Option(`${speed} ×`, speed)));
+    byId("speed").selectedIndex = Math.max(calm, 0);
+    const traces = [["short", 1], ["long", 8], ["all", Infinity]];
+    byId("trace").replaceChildren(...traces.map(([name, seconds]) => new Option(name, seconds)));
+    byId("trace").selectedIndex = 1;
+    this.show();
+  }
+
+  get speed() {
+    return Number(byId("speed").value);
+  }
+
+  /** The frames of the trace: so many seconds of watching. */
+  get traceFrames() {
+    const seconds = Number(byId("trace").value) * this.speed;
+    return seconds >= this.motion.end ? Infinity : Math.ceil(seconds * this.motion.frames / this.motion.end);
+  }
+
+  go(time) {
+    this.time = Math.min(Math.max(time, 0), this.motion.end);
+    this.show();
+  }
+
+  toggle(playing = !this.playing) {
+    if (playing && this.time >= this.motion.end) this.time = 0;
+    this.playing = playing;
+    this.last = undefined;
+    this.show();
+  }
+
+  /** Draws once, before the screen is next refreshed; while it plays, again and again. */
+  show() {
+    if (this.pending) return;
+    this.pending = true;
+    requestAnimationFrame((now) => {
+      this.pending = false;
+      if (this.playing) {
+        // A page that was hidden goes on where it was.
+        const passed = Math.min((now - (this.last ?? now)) / 1000, 0.1);
+        this.last = now;
+        this.time = Math.min(this.time + passed * this.speed, this.motion.end);
+        if (this.time >= this.motion.end) this.playing = false;
+      }
+      this.draw();
+      if (this.playing) this.show();
+    });
+  }
+
+  draw() {
+    const state = this.motion.at(this.time);
+    this.scene.draw(state, this.traceFrames);
+    this.strip.draw(state);
+    const clock = `${this.time.toFixed(2)} s`;
+    byId("time").value = this.time;
+    byId("time").setAttribute("aria-valuetext", clock);
+    byId("clock").textContent = `${clock} of ${Number(this.motion.end.toPrecision(6))} s`;
+    byId("play").setAttribute("aria-label", this.playing ? "Pause" : "Play");
+    byId("play").querySelector("path").setAttribute("d", this.playing ? PAUSE : PLAY);
+    this.table(state);
+  }
+
+  /** The state in numbers, in the body frame. */
+  table({ pi, gamma, invariants }) {
+    const rows = [
+      ...pi.map((value, i) => [`Π${"₁₂₃"[i]}`, value.toFixed(4), "kg m²/s"]),
+      ...gamma.map((value, i) => [`Γ${"₁₂₃"[i]}`, value.toFixed(4), i === 0 ? "body frame" : ""]),
+      ...invariants.map((value, i) => {
+        const { symbol, unit } = this.motion.invariants[i];
+        return [pretty(symbol), String(Number(value.toPrecision(9))), unit];
+      }),
+    ];
+    const table = byId("now");
+    while (table.rows.length < rows.length) {
+      const row = table.insertRow();
+      row.append(document.createElement("th"), document.createElement("td"), document.createElement("td"));
+      row.cells[0].scope = "row";
+    }
+    rows.forEach((texts, i) => texts.forEach((text, k) => {
+      table.rows[i].cells[k].textContent = text.replace("-", "−");
+    }));
+  }
+
+  /** What a key does; nothing for most. */
+  action({ key, shiftKey }) {
+    const { motion, scene: { camera } } = this;
+    const frame = (by) => motion.time(Math.min(Math.max(motion.frameAt(this.time) + by, 0), motion.frames - 1));
+    const skip = (sign) => () => {
+      if (shiftKey) return this.go(this.time + sign * this.speed);
+      this.toggle(false);
+      this.go(frame(sign));
+    };
+    const faster = (by) => () => {
+      const select = byId("speed");
+      select.selectedIndex = Math.min(Math.max(select.selectedIndex + by, 0), SPEEDS.length - 1);
+      this.show();
+    };
+    const view = (change) => () => {
+      change();
+      this.show();
+    };
+    const actions = {
+      " ": () => this.toggle(), ArrowRight: skip(1), ArrowLeft: skip(-1), ArrowUp: faster(1), ArrowDown: faster(-1),
+      Home: () => this.go(0), End: () => this.go(motion.end),
+      a: view(() => camera.turn(0.1, 0)), d: view(() => camera.turn(-0.1, 0)),
+      w: view(() => camera.turn(0, 0.1)), s: view(() => camera.turn(0, -0.1)),
+      "+": view(() => camera.enlarge(1.1)), "-": view(() => camera.enlarge(1 / 1.1)), "0": view(() => camera.reset()),
+    };
+    return actions[key.length === 1 ? key.toLowerCase() : key];
+  }
+
+  listen() {
+    byId("play").addEventListener("click", () => this.toggle());
+    byId("time").addEventListener("input", (event) => this.go(Number(event.target.value)));
+    for (const id of ["speed", "trace"]) byId(id).addEventListener("change", () => this.show());
+    document.addEventListener("keydown", (event) => {
+      const { target } = event;
+      // Lists have their own keys, and so has the button for the space bar.
+      const taken = target.tagName === "SELECT" || (target.tagName === "BUTTON" && event.key === " ");
+      const action = taken || event.ctrlKey || event.altKey || event.metaKey ? undefined : this.action(event);
+      if (action) {
+        event.preventDefault();
+        action();
+      }
+    });
+
+    const { canvas, camera } = this.scene;
+    drag(canvas, (event) => {
+      camera.turn(-0.008 * event.movementX, 0.008 * event.movementY);
+      this.show();
+    });
+    canvas.addEventListener("wheel", (event) => {
+      event.preventDefault();
+      camera.enlarge(Math.exp(-0.001 * event.deltaY));
+      this.show();
+    }, { passive: false });
+    const seek = (event) => this.go(this.strip.timeAt(event.offsetX));
+    this.strip.canvas.addEventListener("pointerdown", seek);
+    drag(this.strip.canvas, seek);
+
+    new ResizeObserver(() => this.show()).observe(canvas);
+    matchMedia("(prefers-color-scheme: dark)").addEventListener("change", () => {
+      this.strip.prepare();
+      this.show();
+    });
+  }
+}
+
+const byId = (id) => document.getElementById(id);
+
+/** Calls back while the pointer, pressed on the element, moves. */
+function drag(element, moved) {
+  element.addEventListener("pointerdown", (event) => element.setPointerCapture(event.pointerId));
+  element.addEventListener("pointermove", (event) => {
+    if (element.hasPointerCapture(event.pointerId)) moved(event);
+  });
+}
+
+const player = new Player(new Motion(JSON.parse(byId("motion").textContent)));
+player.listen();
+// page.html#t=12.5 shows that moment.
+const asked = /^#t=([0-9.]+)$/.exec(location.hash);
+if (asked) player.go(Number(asked[1]));
+else if (!matchMedia("(prefers-reduced-motion: reduce)").matches) player.toggle(true);

@@ -1,0 +1,83 @@
+// The frames, and the motion between them.
+
+class Motion {
+  constructor({ description, inertia, centerOfMass, weightMoment, invariants, numbers }) {
+    Object.assign(this, { description, inertia, centerOfMass, weightMoment });
+    this.invariants = invariants.map(([symbol, unit]) => ({ symbol, unit }));
+    this.width = 11 + invariants.length;
+    const bytes = Uint8Array.from(atob(numbers), (character) => character.charCodeAt(0));
+    const view = new DataView(bytes.buffer);
+    this.numbers = Float64Array.from({ length: bytes.length / 8 }, (_, i) => view.getFloat64(8 * i, true));
+    this.frames = this.numbers.length / this.width;
+    this.end = this.number(this.frames - 1, 0);
+  }
+
+  number(frame, column) {
+    return this.numbers[frame * this.width + column];
+  }
+
+  columns(frame, from, to) {
+    return Array.from(this.numbers.subarray(frame * this.width + from, frame * this.width + to));
+  }
+
+  time(frame) {
+    return this.number(frame, 0);
+  }
+
+  attitude(frame) {
+    return this.columns(frame, 7, 11);
+  }
+
+  /** The last frame that is not after the time. */
+  frameAt(time) {
+    let [low, high] = [0, this.frames];
+    while (high - low > 1) {
+      const middle = (low + high) >> 1;
+      if (this.time(middle) <= time) low = middle;
+      else high = middle;
+    }
+    return low;
+  }
+
+  /** The state at a time, between frames interpolated. */
+  at(time) {
+    const frame = this.frameAt(time);
+    const next = Math.min(frame + 1, this.frames - 1);
+    const gap = this.time(next) - this.time(frame);
+    const share = gap > 0 ? Math.min((time - this.time(frame)) / gap, 1) : 0;
+    const state = mix(this.columns(frame, 1, 7), this.columns(next, 1, 7), share);
+    const attitude = slerp(this.attitude(frame), this.attitude(next), share);
+    const pi = state.slice(0, 3);
+    return {
+      time,
+      frame,
+      attitude,
+      pi,
+      gamma: state.slice(3),
+      momentum: rotate(attitude, pi),
+      tip: rotate(attitude, this.centerOfMass),
+      invariants: mix(this.columns(frame, 11, this.width), this.columns(next, 11, this.width), share),
+    };
+  }
+
+  tip(frame) {
+    return rotate(this.attitude(frame), this.centerOfMass);
+  }
+
+  deviation(frame, index) {
+    return this.number(frame, 11 + index) - this.number(0, 11 + index);
+  }
+
+  largestMomentum() {
+    let largest = 0;
+    for (let i = 0; i < this.frames; i++) largest = Math.max(largest, norm(this.columns(i, 1, 4)));
+    return largest;
+  }
+
+  /** How fast the body turns, in the mean, rad/s. */
+  meanRate() {
+    let angle = 0;
+    for (let i = 1; i < this.frames; i++) angle += angleBetween(this.attitude(i - 1), this.attitude(i));
+    return this.end > 0 ? angle / this.end : 0;
+  }
+}

@@ -1,0 +1,223 @@
+// The top in space: strokes, faces and balls, drawn from the farthest to the nearest.
+
+const AXES = [[1, 0, 0], [0, 1, 0], [0, 0, 1]];
+const AXIS_NAMES = ["e₁", "e₂", "e₃"];
+const FLOOR = -1.22;
+const LIGHT = unit([0.35, -0.5, 0.8]);
+
+class Scene {
+  constructor(canvas, motion) {
+    Object.assign(this, { canvas, motion });
+    this.camera = new Camera();
+    this.paint = canvas.getContext("2d");
+    this.faces = ellipsoid(motion.inertia);
+    this.momentumScale = 1.3 / (motion.largestMomentum() || 1);
+  }
+
+  draw(state, traceFrames) {
+    const { paint, canvas, camera } = this;
+    const ratio = window.devicePixelRatio || 1;
+    const { clientWidth: width, clientHeight: height } = canvas;
+    if (canvas.width !== Math.round(width * ratio) || canvas.height !== Math.round(height * ratio)) {
+      canvas.width = Math.round(width * ratio);
+      canvas.height = Math.round(height * ratio);
+    }
+    paint.setTransform(ratio, 0, 0, ratio, 0, 0);
+    paint.clearRect(0, 0, width, height);
+    paint.lineCap = paint.lineJoin = "round";
+    this.colors = getComputedStyle(document.documentElement);
+    camera.look(width, height);
+    this.items = [];
+    this.labels = [];
+
+    this.surroundings();
+    this.body(state);
+    this.trace(state, traceFrames);
+    this.arrow([0, 0, 1.3 * norm(state.gamma)], "--ink", "Γ", 3);
+    this.arrow(times(this.momentumScale, state.momentum), "--momentum", "Π", 3.5);
+
+    this.items.sort((a, b) => a.near - b.near);
+    for (const item of this.items) item.draw();
+    for (const label of this.labels) label();
+    paint.globalAlpha = 1;
+  }
+
+  color(name) {
+    return this.colors.getPropertyValue(name).trim();
+  }
+
+  /** A polyline in space. Each piece has a nearness and an opacity of its own. */
+  stroke(points, name, thickness, opacity) {
+    const color = this.color(name);
+    const places = points.map((point) => this.camera.project(point));
+    for (let i = 1; i < places.length; i++) {
+      const [a, b] = [places[i - 1], places[i]];
+      const near = (a.near + b.near) / 2;
+      this.items.push({
+        near,
+        draw: () => {
+          const { paint } = this;
+          paint.globalAlpha = typeof opacity === "function" ? opacity(near, i / (places.length - 1)) : opacity;
+          paint.strokeStyle = color;
+          paint.lineWidth = thickness;
+          paint.beginPath();
+          paint.moveTo(a.x, a.y);
+          paint.lineTo(b.x, b.y);
+          paint.stroke();
+        },
+      });
+    }
+  }
+
+  /** The sphere of directions with meridians and parallels, the support and the floor. */
+  surroundings() {
+    const circle = (f, pieces = 72) => Array.from({ length: pieces + 1 }, (_, i) => f(2 * Math.PI * i / pieces));
+    const faint = (near) => (near > 0 ? 0.3 : 0.13);
+    for (let k = 0; k < 6; k++) {
+      const [c, s] = [Math.cos(k * Math.PI / 6), Math.sin(k * Math.PI / 6)];
+      this.stroke(circle((a) => [c * Math.cos(a), s * Math.cos(a), Math.sin(a)]), "--sphere", 1, faint);
+    }
+    for (let k = -2; k <= 2; k++) {
+      const [r, z] = [Math.cos(k * Math.PI / 6), Math.sin(k * Math.PI / 6)];
+      this.stroke(circle((a) => [r * Math.cos(a), r * Math.sin(a), z]), "--sphere", k === 0 ? 1.4 : 1, faint);
+    }
+    for (const r of [0.2, 0.5]) {
+      this.stroke(circle((a) => [r * Math.cos(a), r * Math.sin(a), FLOOR]), "--quiet", 1.2, 0.45);
+    }
+    this.stroke(pieces([0, 0, FLOOR], [0, 0, 0]), "--quiet", 2.5, 0.75);
+  }
+
+  /** The ellipsoid, the principal axes, and the rod to the centre of mass. */
+  body({ attitude, tip }) {
+    const tints = [this.color("--body"), this.color("--body-other")].map(channels);
+    for (const face of this.faces) {
+      const places = face.corners.map((corner) => this.camera.project(rotate(attitude, corner)));
+      const light = 0.62 + 0.38 * dot(rotate(attitude, face.normal), LIGHT);
+      const color = `rgb(${tints[face.tint].map((channel) => Math.round(channel * light)).join(",")})`;
+      const near = places.reduce((sum, place) => sum + place.near, 0) / places.length;
+      this.items.push({ near, draw: () => this.fill(places, color) });
+    }
+    AXES.forEach((axis, i) => {
+      const name = ["--first", "--second", "--third"][i];
+      this.arrow(times(0.86, rotate(attitude, axis)), name, AXIS_NAMES[i], 2.5);
+    });
+    this.stroke(pieces([0, 0, 0], tip), "--tip", 3, 0.9);
+    this.ball(tip, 0.05, "--tip");
+    this.label(tip, "c", "--tip");
+    this.ball([0, 0, 0], 0.028, "--ink");
+  }
+
+  fill(places, color) {
+    const { paint } = this;
+    paint.globalAlpha = 0.93;
+    paint.fillStyle = paint.strokeStyle = color;
+    // The stroke closes the seams between faces.
+    paint.lineWidth = 0.7;
+    paint.beginPath();
+    for (const { x, y } of places) paint.lineTo(x, y);
+    paint.closePath();
+    paint.fill();
+    paint.stroke();
+  }
+
+  /** The way of the tip on the sphere, up to now. */
+  trace({ frame, tip }, frames) {
+    const first = Math.max(0, frame - frames);
+    // Long traces are thinned to what an eye can tell apart; the same frames at all times, or they would flicker.
+    const every = Math.max(1, Math.ceil(Math.min(frames, this.motion.frames) / 4000));
+    const points = [];
+    for (let i = Math.ceil(first / every) * every; i <= frame; i += every) points.push(this.motion.tip(i));
+    points.push(tip);
+    const fades = frames < this.motion.frames;
+    const opacity = (near, share) => (near > 0 ? 1 : 0.4) * (fades ? share ** 0.8 : 0.8);
+    this.stroke(points, "--tip", fades ? 2.2 : 1.5, opacity);
+  }
+
+  /** A vector at the support. */
+  arrow(vector, name, text, thickness) {
+    const [from, to] = [this.camera.project([0, 0, 0]), this.camera.project(vector)];
+    this.stroke(pieces([0, 0, 0], vector), name, thickness, 1);
+    const length = Math.hypot(to.x - from.x, to.y - from.y);
+    if (length > 3) {
+      const [ux, uy] = [(to.x - from.x) / length, (to.y - from.y) / length];
+      const [long, broad] = [Math.min(4 * thickness, length), 1.55 * thickness];
+      const corner = (along, across) => ({ x: to.x + along * ux - across * uy, y: to.y + along * uy + across * ux });
+      const corners = [corner(0.3 * long, 0), corner(-long, broad), corner(-long, -broad)];
+      const color = this.color(name);
+      this.items.push({ near: to.near, draw: () => this.fill(corners, color) });
+    }
+    this.label(vector, text, name);
+  }
+
+  ball(center, radius, name) {
+    const place = this.camera.project(center);
+    const color = this.color(name);
+    const draw = () => {
+      const { paint } = this;
+      paint.globalAlpha = 1;
+      paint.fillStyle = color;
+      paint.beginPath();
+      paint.arc(place.x, place.y, radius * place.scale, 0, 2 * Math.PI);
+      paint.fill();
+    };
+    // In front of what is inside it.
+    this.items.push({ near: place.near + radius, draw });
+  }
+
+  /** A name beyond the end of a vector, over everything. */
+  label(vector, text, name) {
+    const [from, to] = [this.camera.project([0, 0, 0]), this.camera.project(vector)];
+    const length = Math.hypot(to.x - from.x, to.y - from.y) || 1;
+    const [x, y] = [to.x + 17 * (to.x - from.x) / length, to.y + 17 * (to.y - from.y) / length];
+    const [color, halo] = [this.color(name), this.color("--card")];
+    this.labels.push(() => {
+      const { paint } = this;
+      paint.globalAlpha = 1;
+      paint.font = "600 16px system-ui, 'Segoe UI', 'DejaVu Sans', sans-serif";
+      paint.textAlign = "center";
+      paint.textBaseline = "middle";
+      paint.lineWidth = 4;
+      paint.strokeStyle = halo;
+      paint.strokeText(text, x, y);
+      paint.fillStyle = color;
+      paint.fillText(text, x, y);
+    });
+  }
+}
+
+/** A straight line in pieces, each of which can be behind something or before it. */
+function pieces(from, to, count = 24) {
+  return Array.from({ length: count + 1 }, (_, i) => mix(from, to, i / count));
+}
+
+/** Red, green and blue of #rrggbb. */
+function channels(color) {
+  return [1, 3, 5].map((i) => parseInt(color.slice(i, i + 2), 16));
+}
+
+/** The faces of the homogeneous ellipsoid with these moments, its largest semi-axis 0.62. */
+function ellipsoid([first, second, third]) {
+  const squares = [second + third - first, third + first - second, first + second - third];
+  const largest = Math.max(...squares);
+  // A plate has some thickness to be seen.
+  const axes = squares.map((square) => 0.62 * Math.max(Math.sqrt(Math.max(square, 0) / largest), 0.05));
+  const [around, across] = [40, 20];
+  const direction = (i, j) => {
+    const [a, b] = [2 * Math.PI * i / around, Math.PI * j / across];
+    return [Math.sin(b) * Math.cos(a), Math.sin(b) * Math.sin(a), Math.cos(b)];
+  };
+  const faces = [];
+  for (let i = 0; i < around; i++) {
+    for (let j = 0; j < across; j++) {
+      const corners = [[i, j], [i + 1, j], [i + 1, j + 1], [i, j + 1]];
+      const middle = direction(i + 0.5, j + 0.5);
+      faces.push({
+        corners: corners.map(([k, l]) => direction(k, l).map((x, axis) => axes[axis] * x)),
+        normal: unit(middle.map((x, axis) => x / axes[axis])),
+        // Octants, so that one sees it turn about each axis.
+        tint: middle[0] * middle[1] * middle[2] > 0 ? 1 : 0,
+      });
+    }
+  }
+  return faces;
+}
