@@ -26,7 +26,7 @@ class Camera {
     this.right = [-sa, ca, 0];
     this.up = [-se * ca, -se * sa, ce];
     this.center = [width / 2, height / 2];
-    this.scale = 0.355 * Math.min(width, height) * this.zoom;
+    this.scale = 0.33 * Math.min(width, height) * this.zoom;
   }
 
   /** The point's place in the picture, its nearness (larger is nearer), and pixels per unit there. */

@@ -16,7 +16,7 @@ class Player {
     const calm = SPEEDS.findLastIndex((speed) => speed <= 1 && speed * motion.meanRate() <= 6);
     byId("speed").replaceChildren(...SPEEDS.map((speed) => new Option(`${speed} ×`, speed)));
     byId("speed").selectedIndex = Math.max(calm, 0);
-    const traces = [["short", 1], ["long", 8], ["all", Infinity]];
+    const traces = [["short", 2], ["long", 15], ["all", Infinity]];
     byId("trace").replaceChildren(...traces.map(([name, seconds]) => new Option(name, seconds)));
     byId("trace").selectedIndex = 1;
     this.show();

@@ -24,7 +24,7 @@ class Scene {
     }
     paint.setTransform(ratio, 0, 0, ratio, 0, 0);
     paint.clearRect(0, 0, width, height);
-    paint.lineCap = paint.lineJoin = "round";
+    paint.lineJoin = "round";
     this.colors = getComputedStyle(document.documentElement);
     camera.look(width, height);
     this.items = [];
@@ -61,8 +61,10 @@ class Scene {
           paint.strokeStyle = color;
           paint.lineWidth = thickness;
           paint.beginPath();
-          paint.moveTo(a.x, a.y);
-          paint.lineTo(b.x, b.y);
+          // A bit longer than it is, which closes the seams between pieces.
+          const seam = 0.3 / (Math.hypot(b.x - a.x, b.y - a.y) || 1);
+          paint.moveTo(a.x - seam * (b.x - a.x), a.y - seam * (b.y - a.y));
+          paint.lineTo(b.x + seam * (b.x - a.x), b.y + seam * (b.y - a.y));
           paint.stroke();
         },
       });
@@ -103,13 +105,13 @@ class Scene {
     });
     this.stroke(pieces([0, 0, 0], tip), "--tip", 3, 0.9);
     this.ball(tip, 0.05, "--tip");
-    this.label(tip, "c", "--tip");
+    this.label(tip, "c", "--tip", true);
     this.ball([0, 0, 0], 0.028, "--ink");
   }
 
   fill(places, color) {
     const { paint } = this;
-    paint.globalAlpha = 0.93;
+    paint.globalAlpha = 1;
     paint.fillStyle = paint.strokeStyle = color;
     // The stroke closes the seams between faces.
     paint.lineWidth = 0.7;
@@ -164,11 +166,12 @@ class Scene {
     this.items.push({ near: place.near + radius, draw });
   }
 
-  /** A name beyond the end of a vector, over everything. */
-  label(vector, text, name) {
+  /** A name beyond the end of a vector, or beside it, over everything. */
+  label(vector, text, name, beside = false) {
     const [from, to] = [this.camera.project([0, 0, 0]), this.camera.project(vector)];
     const length = Math.hypot(to.x - from.x, to.y - from.y) || 1;
-    const [x, y] = [to.x + 17 * (to.x - from.x) / length, to.y + 17 * (to.y - from.y) / length];
+    const [ux, uy] = [(to.x - from.x) / length, (to.y - from.y) / length];
+    const [x, y] = beside ? [to.x - 20 * uy, to.y + 20 * ux] : [to.x + 17 * ux, to.y + 17 * uy];
     const [color, halo] = [this.color(name), this.color("--card")];
     this.labels.push(() => {
       const { paint } = this;
