@@ -43,9 +43,7 @@ fn the_page_is_complete_loads_nothing_and_has_every_frame() {
     assert_eq!(page.matches("</script>").count(), 2);
     for loading in ["{{", "http:", "https:", "//cdn", " src=", "href=", "@import", "url(", "fetch("]
     {
-        // The scripts may use braces, but no two begin a placeholder of the page.
-        let found = page.matches(loading).count();
-        assert_eq!(found, 0, "{loading}");
+        assert_eq!(page.matches(loading).count(), 0, "{loading}");
     }
     // Control: what is looked for is found where it is.
     assert!(page.replace("<style>", "<style>@import").contains("@import"));
@@ -64,8 +62,8 @@ fn the_page_is_complete_loads_nothing_and_has_every_frame() {
     assert_eq!((frames[0][0], frames[5000][0]), (0.0, 100.0));
     let top = HeavyTop::kovalevskaya(1.0, 1.0).unwrap();
     for frame in &frames {
-        // Rounding over 5000 steps, which |Γ|² shows too.
-        assert!(vertical_error(frame) < 1e-12, "{frame:?}");
+        // Rounding over 5000 steps: |Γ|² is 1.6e-14 off, and R is kept orthogonal.
+        assert!(vertical_error(frame) < 1e-13, "{frame:?}");
         let mu = Se3Dual::new(vector(&frame[1..4]), vector(&frame[4..7]));
         assert_eq!(frame[11], Invariant::Energy.value(&top, &mu));
         assert_eq!(frame[14], Invariant::Kovalevskaya.value(&top, &mu));

@@ -162,6 +162,7 @@ fn help_and_version_are_there() {
         &["simulate", "--help"],
         &["compare", "--help"],
         &["section", "--help"],
+        &["animate", "--help"],
     ] {
         let run = folder.heavytop(arguments);
         assert_eq!((run.code(), run.stderr()), (0, String::new()), "{arguments:?}");

@@ -75,8 +75,6 @@ struct Motion<'a> {
     description: &'a str,
     inertia: [f64; 3],
     center_of_mass: [f64; 3],
-    /// m g l, J
-    weight_moment: f64,
     /// Symbols and units.
     invariants: Vec<[&'static str; 2]>,
     numbers: String,
@@ -108,13 +106,19 @@ impl Animation {
         }
     }
 
+    /// Whether there is no frame yet.
+    #[must_use]
+    pub fn is_empty(&self) -> bool {
+        self.numbers.is_empty()
+    }
+
     /// The largest angle between the attitudes of a frame and the next, in [0, π] rad.
     #[must_use]
     pub fn largest_turn(&self) -> f64 {
         self.largest_turn
     }
 
-    /// Writes the page.
+    /// Writes the page. One without frames says so, and shows nothing.
     ///
     /// # Errors
     /// Of the writer.
@@ -124,7 +128,6 @@ impl Animation {
             description: &self.description,
             inertia: self.top.inertia().into(),
             center_of_mass: self.top.center_of_mass().into(),
-            weight_moment: self.top.weight_moment(),
             invariants: self.invariants.iter().map(|i| [i.symbol(), unit(*i)]).collect(),
             numbers: BASE64_STANDARD.encode(bytes),
         };

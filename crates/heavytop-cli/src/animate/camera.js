@@ -1,5 +1,8 @@
 // Where the scene is seen from: about the support, e₃ upwards.
 
+/** From the support to the eye; the sphere of directions has the radius 1. */
+const DISTANCE = 7;
+
 class Camera {
   constructor() {
     this.reset();
@@ -23,6 +26,7 @@ class Camera {
     const [ca, sa] = [Math.cos(this.azimuth), Math.sin(this.azimuth)];
     const [ce, se] = [Math.cos(this.elevation), Math.sin(this.elevation)];
     this.towards = [ce * ca, ce * sa, se];
+    this.place = times(DISTANCE, this.towards);
     this.right = [-sa, ca, 0];
     this.up = [-se * ca, -se * sa, ce];
     this.center = [width / 2, height / 2];
@@ -31,9 +35,8 @@ class Camera {
 
   /** The point's place in the picture, its nearness (larger is nearer), and pixels per unit there. */
   project(point) {
-    const distance = 7;
     const near = dot(point, this.towards);
-    const scale = this.scale * distance / (distance - near);
+    const scale = this.scale * DISTANCE / (DISTANCE - near);
     return {
       x: this.center[0] + scale * dot(point, this.right),
       y: this.center[1] - scale * dot(point, this.up),

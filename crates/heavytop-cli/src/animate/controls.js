@@ -1,6 +1,7 @@
 // Playing, and what keys and pointers do.
 
 const SPEEDS = [0.01, 0.02, 0.05, 0.1, 0.25, 0.5, 1, 2, 5, 10];
+const MOST_TRACE = 6000;
 const PLAY = "M7 4v16l13-8z";
 const PAUSE = "M6 4h4v16H6zm8 0h4v16h-4z";
 
@@ -12,11 +13,13 @@ class Player {
     [this.time, this.playing, this.pending] = [0, false, false];
     byId("description").textContent = motion.description;
     byId("time").max = motion.end;
+    // Four digits, at least two of them decimals.
+    this.decimals = Math.min(Math.max(4 - Math.ceil(Math.log10(motion.end || 1)), 2), 12);
     // So fast that an eye can follow.
     const calm = SPEEDS.findLastIndex((speed) => speed <= 1 && speed * motion.meanRate() <= 6);
     byId("speed").replaceChildren(...SPEEDS.map((speed) => new Option(`${speed} ×`, speed)));
     byId("speed").selectedIndex = Math.max(calm, 0);
-    const traces = [["short", 2], ["long", 15], ["all", Infinity]];
+    const traces = [["short", 2], ["long", 15], ["longest", Infinity]];
     byId("trace").replaceChildren(...traces.map(([name, seconds]) => new Option(name, seconds)));
     byId("trace").selectedIndex = 1;
     this.show();
@@ -26,10 +29,10 @@ class Player {
     return Number(byId("speed").value);
   }
 
-  /** The frames of the trace: so many seconds of watching. */
+  /** The frames of the trace: so many seconds of watching, and no more than are drawn in time. */
   get traceFrames() {
     const seconds = Number(byId("trace").value) * this.speed;
-    return seconds >= this.motion.end ? Infinity : Math.ceil(seconds * this.motion.frames / this.motion.end);
+    return Math.min(Math.ceil(seconds * this.motion.frames / (this.motion.end || 1)), MOST_TRACE);
   }
 
   go(time) {
@@ -66,7 +69,7 @@ class Player {
     const state = this.motion.at(this.time);
     this.scene.draw(state, this.traceFrames);
     this.strip.draw(state);
-    const clock = `${this.time.toFixed(2)} s`;
+    const clock = `${this.time.toFixed(this.decimals)} s`;
     byId("time").value = this.time;
     byId("time").setAttribute("aria-valuetext", clock);
     byId("clock").textContent = `${clock} of ${Number(this.motion.end.toPrecision(6))} s`;
@@ -75,11 +78,11 @@ class Player {
     this.table(state);
   }
 
-  /** The state in numbers, in the body frame. */
+  /** The state in numbers, Π and Γ in the body frame. */
   table({ pi, gamma, invariants }) {
     const rows = [
       ...pi.map((value, i) => [`Π${"₁₂₃"[i]}`, value.toFixed(4), "kg m²/s"]),
-      ...gamma.map((value, i) => [`Γ${"₁₂₃"[i]}`, value.toFixed(4), i === 0 ? "body frame" : ""]),
+      ...gamma.map((value, i) => [`Γ${"₁₂₃"[i]}`, value.toFixed(4), ""]),
       ...invariants.map((value, i) => {
         const { symbol, unit } = this.motion.invariants[i];
         return [pretty(symbol), String(Number(value.toPrecision(9))), unit];
@@ -171,9 +174,17 @@ function drag(element, moved) {
   });
 }
 
-const player = new Player(new Motion(JSON.parse(byId("motion").textContent)));
-player.listen();
-// page.html#t=12.5 shows that moment.
-const asked = /^#t=([0-9.]+)$/.exec(location.hash);
-if (asked) player.go(Number(asked[1]));
-else if (!matchMedia("(prefers-reduced-motion: reduce)").matches) player.toggle(true);
+function start(motion) {
+  if (motion.frames === 0) {
+    byId("description").textContent = "There are no frames.";
+    return;
+  }
+  const player = new Player(motion);
+  player.listen();
+  // page.html#t=12.5 shows that moment.
+  const asked = /^#t=([0-9.]+)$/.exec(location.hash);
+  if (asked) player.go(Number(asked[1]));
+  else if (!matchMedia("(prefers-reduced-motion: reduce)").matches) player.toggle(true);
+}
+
+start(new Motion(JSON.parse(byId("motion").textContent)));

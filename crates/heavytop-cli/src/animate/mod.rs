@@ -41,7 +41,10 @@ pub fn animate(config: Option<&Path>, out: &Path, quiet: bool) -> Result<(), Err
 
     let mut animation = Animation::new(experiment.top, &description(&experiment));
     let outcome = record(&experiment, &mut animation, quiet);
-    let written = output.write(|to| animation.write(to));
+    let written = match animation.is_empty() {
+        true => Ok(()),
+        false => output.write(|to| animation.write(to)),
+    };
     // Why a run failed comes before what could not be written of it.
     output.conclude(outcome.and(written))?;
     let turn = animation.largest_turn();

@@ -1,15 +1,15 @@
 // The frames, and the motion between them.
 
 class Motion {
-  constructor({ description, inertia, centerOfMass, weightMoment, invariants, numbers }) {
-    Object.assign(this, { description, inertia, centerOfMass, weightMoment });
+  constructor({ description, inertia, centerOfMass, invariants, numbers }) {
+    Object.assign(this, { description, inertia, centerOfMass });
     this.invariants = invariants.map(([symbol, unit]) => ({ symbol, unit }));
     this.width = 11 + invariants.length;
     const bytes = Uint8Array.from(atob(numbers), (character) => character.charCodeAt(0));
     const view = new DataView(bytes.buffer);
     this.numbers = Float64Array.from({ length: bytes.length / 8 }, (_, i) => view.getFloat64(8 * i, true));
     this.frames = this.numbers.length / this.width;
-    this.end = this.number(this.frames - 1, 0);
+    this.end = this.frames > 0 ? this.number(this.frames - 1, 0) : 0;
   }
 
   number(frame, column) {

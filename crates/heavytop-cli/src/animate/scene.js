@@ -73,7 +73,7 @@ class Scene {
 
   /** The sphere of directions with meridians and parallels, the support and the floor. */
   surroundings() {
-    const circle = (f, pieces = 72) => Array.from({ length: pieces + 1 }, (_, i) => f(2 * Math.PI * i / pieces));
+    const circle = (f) => Array.from({ length: 61 }, (_, i) => f(2 * Math.PI * i / 60));
     const faint = (near) => (near > 0 ? 0.3 : 0.13);
     for (let k = 0; k < 6; k++) {
       const [c, s] = [Math.cos(k * Math.PI / 6), Math.sin(k * Math.PI / 6)];
@@ -93,15 +93,19 @@ class Scene {
   body({ attitude, tip }) {
     const tints = [this.color("--body"), this.color("--body-other")].map(channels);
     for (const face of this.faces) {
-      const places = face.corners.map((corner) => this.camera.project(rotate(attitude, corner)));
-      const light = 0.62 + 0.38 * dot(rotate(attitude, face.normal), LIGHT);
+      const corners = face.corners.map((corner) => rotate(attitude, corner));
+      const normal = rotate(attitude, face.normal);
+      // What looks away is hidden by what does not.
+      if (dot(normal, this.camera.place) < dot(normal, corners[1])) continue;
+      const places = corners.map((corner) => this.camera.project(corner));
+      const light = 0.62 + 0.38 * dot(normal, LIGHT);
       const color = `rgb(${tints[face.tint].map((channel) => Math.round(channel * light)).join(",")})`;
       const near = places.reduce((sum, place) => sum + place.near, 0) / places.length;
       this.items.push({ near, draw: () => this.fill(places, color) });
     }
     AXES.forEach((axis, i) => {
       const name = ["--first", "--second", "--third"][i];
-      this.arrow(times(0.86, rotate(attitude, axis)), name, AXIS_NAMES[i], 2.5);
+      this.arrow(times(0.76, rotate(attitude, axis)), name, AXIS_NAMES[i], 2.5);
     });
     this.stroke(pieces([0, 0, 0], tip), "--tip", 3, 0.9);
     this.ball(tip, 0.05, "--tip");
@@ -125,10 +129,8 @@ class Scene {
   /** The way of the tip on the sphere, up to now. */
   trace({ frame, tip }, frames) {
     const first = Math.max(0, frame - frames);
-    // Long traces are thinned to what an eye can tell apart; the same frames at all times, or they would flicker.
-    const every = Math.max(1, Math.ceil(Math.min(frames, this.motion.frames) / 4000));
     const points = [];
-    for (let i = Math.ceil(first / every) * every; i <= frame; i += every) points.push(this.motion.tip(i));
+    for (let i = first; i <= frame; i++) points.push(this.motion.tip(i));
     points.push(tip);
     const fades = frames < this.motion.frames;
     const opacity = (near, share) => (near > 0 ? 1 : 0.4) * (fades ? share ** 0.8 : 0.8);
@@ -171,7 +173,7 @@ class Scene {
     const [from, to] = [this.camera.project([0, 0, 0]), this.camera.project(vector)];
     const length = Math.hypot(to.x - from.x, to.y - from.y) || 1;
     const [ux, uy] = [(to.x - from.x) / length, (to.y - from.y) / length];
-    const [x, y] = beside ? [to.x - 20 * uy, to.y + 20 * ux] : [to.x + 17 * ux, to.y + 17 * uy];
+    const [x, y] = beside ? [to.x - 20 * uy, to.y + 20 * ux] : [to.x + 15 * ux, to.y + 15 * uy];
     const [color, halo] = [this.color(name), this.color("--card")];
     this.labels.push(() => {
       const { paint } = this;
