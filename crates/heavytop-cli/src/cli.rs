@@ -3,16 +3,24 @@
 use crate::Error;
 use crate::animate::animate;
 use crate::compare::compare;
+use crate::config::Config;
 use crate::help::{
-    ANIMATE, ANIMATE_EXAMPLES, COMPARE, COMPARE_EXAMPLES, EXIT_CODES, REPRODUCE,
-    REPRODUCE_EXAMPLES, SECTION, SECTION_EXAMPLES, SIMULATE, SIMULATE_EXAMPLES,
+    ANIMATE, ANIMATE_EXAMPLES, COMPARE, COMPARE_EXAMPLES, COMPLETIONS_EXAMPLES, EXIT_CODES,
+    REPRODUCE, REPRODUCE_EXAMPLES, SECTION, SECTION_EXAMPLES, SIMULATE, SIMULATE_EXAMPLES,
 };
+use crate::preset::Preset;
 use crate::reproduce::reproduce;
 use crate::section::section;
-use crate::simulate::simulate;
-use clap::{Parser, Subcommand};
-use std::path::PathBuf;
+use crate::simulate::{Checkpoint, Options, Summary, simulate};
+use clap::{Args, CommandFactory, Parser, Subcommand};
+use clap_complete::Shell;
+use serde::Serialize;
+use std::fmt::Display;
+use std::io::{self, Write};
+use std::path::{Path, PathBuf};
 use std::process::ExitCode;
+use std::sync::atomic::{AtomicBool, Ordering};
+use std::time::Duration;
 
 /// Simulates heavy tops with collective Lie–Poisson integrators.
 ///
@@ -25,6 +33,10 @@ struct Arguments {
     /// Show no progress bar. (It shows on a terminal only, in long runs.)
     #[arg(long, global = true, display_order = 100)]
     quiet: bool,
+
+    /// Print the summary as JSON, for machines.
+    #[arg(long, global = true, display_order = 101)]
+    json: bool,
 
     #[command(subcommand)]
     command: Command,
@@ -53,17 +65,23 @@ enum Command {
     /// Simulate a top and write its states and invariants.
     #[command(long_about = SIMULATE, after_long_help = SIMULATE_EXAMPLES)]
     Simulate {
-        /// The configuration, in TOML. Without it the paper's Kovalevskaya top is run.
-        config: Option<PathBuf>,
-        /// The file to write; its name ends in .csv.
+        #[command(flatten)]
+        top: Top,
+        /// The file to write; its name ends in .csv, .npz (NumPy) or .parquet.
         #[arg(long, value_name = "FILE")]
         out: PathBuf,
+        /// Go on from FILE.checkpoint, which an interrupted run has left.
+        #[arg(long, value_name = "CHECKPOINT")]
+        resume: Option<PathBuf>,
+        /// Renew the checkpoint whenever so much time has passed, in seconds.
+        #[arg(long, value_name = "SECONDS", default_value_t = 60.0, allow_negative_numbers = true)]
+        checkpoint_interval: f64,
     },
     /// Measure work against precision, for every formulation and scheme.
     #[command(long_about = COMPARE, after_long_help = COMPARE_EXAMPLES)]
     Compare {
-        /// The configuration, in TOML, as of simulate. Without it the paper's Kovalevskaya top is run.
-        config: Option<PathBuf>,
+        #[command(flatten)]
+        top: Top,
         /// The folder for the figure and the table; made if it is not there.
         #[arg(long, value_name = "DIR")]
         out: PathBuf,
@@ -71,8 +89,8 @@ enum Command {
     /// Draw a Poincaré section of a top.
     #[command(long_about = SECTION, after_long_help = SECTION_EXAMPLES)]
     Section {
-        /// The configuration, in TOML, as of simulate. Without it the paper's Kovalevskaya top is run.
-        config: Option<PathBuf>,
+        #[command(flatten)]
+        top: Top,
         /// The folder for the figure and the table; made if it is not there.
         #[arg(long, value_name = "DIR")]
         out: PathBuf,
@@ -80,24 +98,65 @@ enum Command {
     /// Show a top in motion, on a page for a browser.
     #[command(long_about = ANIMATE, after_long_help = ANIMATE_EXAMPLES)]
     Animate {
-        /// The configuration, in TOML, as of simulate. Without it the paper's Kovalevskaya top is run.
-        config: Option<PathBuf>,
+        #[command(flatten)]
+        top: Top,
         /// The page to write; its name ends in .html.
         #[arg(long, value_name = "FILE")]
         out: PathBuf,
     },
+    /// Print the completions of a shell, to be put where it looks for them.
+    #[command(after_long_help = COMPLETIONS_EXAMPLES)]
+    Completions {
+        /// The shell.
+        shell: Shell,
+    },
+}
+
+/// Which top, and how to follow it.
+#[derive(Debug, Args)]
+struct Top {
+    /// The configuration, in TOML; what it leaves out is as in the preset.
+    config: Option<PathBuf>,
+    /// A top by name; without it the paper's Kovalevskaya top.
+    #[arg(long)]
+    preset: Option<Preset>,
+}
+
+impl Top {
+    fn is_default(&self) -> bool {
+        self.config.is_none() && self.preset.is_none()
+    }
+
+    fn config(&self) -> Result<Config, Error> {
+        Config::load(self.preset, self.config.as_deref())
+    }
 }
 
 /// Runs the program with the arguments of the process.
 #[must_use]
 pub fn main() -> ExitCode {
-    let Arguments { quiet, command } = Arguments::parse();
+    let Arguments { quiet, json, command } = Arguments::parse();
     let done = match command {
-        Command::Reproduce { out, end, step } => reproduce(&out, step, end, quiet),
-        Command::Simulate { config, out } => simulate(config.as_deref(), &out, quiet),
-        Command::Compare { config, out } => compare(config.as_deref(), &out, quiet),
-        Command::Section { config, out } => section(config.as_deref(), &out, quiet),
-        Command::Animate { config, out } => animate(config.as_deref(), &out, quiet),
+        Command::Reproduce { out, end, step } => {
+            reproduce(&out, step, end, quiet).and_then(|done| print(&done, json))
+        }
+        Command::Simulate { top, out, resume, checkpoint_interval } => {
+            let done = run_simulate(&top, &out, resume.as_deref(), checkpoint_interval, quiet);
+            // Its numbers are in the file; there is nothing else to say.
+            done.and_then(|summary| if json { print(&summary, json) } else { Ok(()) })
+        }
+        Command::Compare { top, out } => top
+            .config()
+            .and_then(|config| compare(&config, &out, quiet))
+            .and_then(|done| print(&done, json)),
+        Command::Section { top, out } => top
+            .config()
+            .and_then(|config| section(&config, &out, quiet))
+            .and_then(|done| print(&done, json)),
+        Command::Animate { top, out } => {
+            top.config().and_then(|config| animate(config, &out, quiet))
+        }
+        Command::Completions { shell } => completions(shell),
     };
     match done {
         Ok(()) => ExitCode::SUCCESS,
@@ -105,9 +164,73 @@ pub fn main() -> ExitCode {
     }
 }
 
+/// Prints a summary, as text or as JSON.
+fn print(summary: &(impl Display + Serialize), json: bool) -> Result<(), Error> {
+    let written = if json {
+        serde_json::to_string_pretty(summary).map_err(Into::into)
+    } else {
+        Ok(summary.to_string())
+    };
+    to_stdout(written.and_then(|text| writeln!(io::stdout().lock(), "{text}")))
+}
+
+fn completions(shell: Shell) -> Result<(), Error> {
+    let mut script = Vec::new();
+    clap_complete::generate(shell, &mut Arguments::command(), "heavytop", &mut script);
+    to_stdout(io::stdout().lock().write_all(&script))
+}
+
+fn to_stdout(written: io::Result<()>) -> Result<(), Error> {
+    match written {
+        // Whoever closed the pipe has read enough.
+        Err(source) if source.kind() != io::ErrorKind::BrokenPipe => {
+            Err(Error::Write { path: "the summary".into(), source })
+        }
+        _ => Ok(()),
+    }
+}
+
+fn run_simulate(
+    top: &Top,
+    out: &Path,
+    resume: Option<&Path>,
+    interval: f64,
+    quiet: bool,
+) -> Result<Summary, Error> {
+    let resume = resume.map(Checkpoint::read).transpose()?;
+    let config = match &resume {
+        // The checkpoint has its own.
+        Some(checkpoint) if top.is_default() => *checkpoint.configuration(),
+        _ => top.config()?,
+    };
+    let range = "not negative, and at most 1e9";
+    let interval = Duration::try_from_secs_f64(interval)
+        .ok()
+        .filter(|interval| interval.as_secs_f64() <= 1e9)
+        .ok_or(Error::OutOfRange { name: "checkpoint-interval", range, value: interval })?;
+    let method = config.experiment()?.method;
+    if let Some(warning) = method.warning() {
+        // Where stderr is closed nobody can be warned.
+        let _ = writeln!(io::stderr(), "heavytop: {warning}");
+    }
+    let stop = Some(interrupted());
+    simulate(&config, out, &Options { resume: resume.as_ref(), interval, stop, quiet })
+}
+
+/// What Ctrl-C, and the signals that ask a program to end, make true. A second one ends it at once.
+fn interrupted() -> &'static AtomicBool {
+    static INTERRUPTED: AtomicBool = AtomicBool::new(false);
+    // Where there is no handler such a signal ends the program, as ever.
+    let _ = ctrlc::set_handler(|| {
+        if INTERRUPTED.swap(true, Ordering::Relaxed) {
+            std::process::exit(130);
+        }
+    });
+    &INTERRUPTED
+}
+
 fn report(error: &Error) -> ExitCode {
-    use std::io::Write;
     // Where stderr is closed the exit code has to do.
-    let _ = writeln!(std::io::stderr(), "heavytop: {error}");
+    let _ = writeln!(io::stderr(), "heavytop: {error}");
     error.exit_code().into()
 }

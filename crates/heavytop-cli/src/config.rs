@@ -9,11 +9,10 @@ use crate::section::SectionConfig;
 use heavytop::{Body, HeavyTop, require_unit};
 use lie_poisson::Se3Dual;
 use nalgebra::Vector3;
-use serde::Deserialize;
-use std::path::Path;
+use serde::{Deserialize, Serialize};
 
 /// A configuration; what is left out is the paper's Kovalevskaya top.
-#[derive(Clone, Copy, Debug, Default, PartialEq, Deserialize)]
+#[derive(Clone, Copy, Debug, Default, PartialEq, Deserialize, Serialize)]
 #[serde(default, deny_unknown_fields)]
 pub struct Config {
     /// `[body]`
@@ -24,12 +23,13 @@ pub struct Config {
     pub integrator: Option<IntegratorConfig>,
     /// `[output]`
     pub output: OutputConfig,
-    /// `[section]`
+    /// `[section]`; not written, for it plays no part in what says its configuration.
+    #[serde(skip_serializing)]
     pub section: SectionConfig,
 }
 
 /// `[body]`: the parameters of the top.
-#[derive(Clone, Copy, Debug, PartialEq, Deserialize)]
+#[derive(Clone, Copy, Debug, PartialEq, Deserialize, Serialize)]
 #[serde(default, deny_unknown_fields)]
 pub struct BodyConfig {
     /// Principal moments, kg m².
@@ -45,7 +45,7 @@ pub struct BodyConfig {
 }
 
 /// `[initial]`: the state at t = 0, in the body frame.
-#[derive(Clone, Copy, Debug, PartialEq, Deserialize)]
+#[derive(Clone, Copy, Debug, PartialEq, Deserialize, Serialize)]
 #[serde(default, deny_unknown_fields)]
 pub struct InitialConfig {
     /// Π(0), kg m²/s.
@@ -55,7 +55,7 @@ pub struct InitialConfig {
 }
 
 /// `[integrator]`: the method and its steps.
-#[derive(Clone, Copy, Debug, PartialEq, Deserialize)]
+#[derive(Clone, Copy, Debug, PartialEq, Deserialize, Serialize)]
 #[serde(default, deny_unknown_fields)]
 pub struct IntegratorConfig {
     /// Where the scheme is applied.
@@ -71,7 +71,7 @@ pub struct IntegratorConfig {
 }
 
 /// `[output]`: what is kept.
-#[derive(Clone, Copy, Debug, PartialEq, Eq, Deserialize)]
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Deserialize, Serialize)]
 #[serde(default, deny_unknown_fields)]
 pub struct OutputConfig {
     /// Every n-th step is kept, and the last.
@@ -117,29 +117,6 @@ impl Default for OutputConfig {
 }
 
 impl Config {
-    /// Reads a configuration file.
-    ///
-    /// # Errors
-    /// If it cannot be read, is not TOML, or has unknown keys or wrong types; the error names the
-    /// line.
-    pub fn read(path: &Path) -> Result<Self, Error> {
-        let text = std::fs::read_to_string(path)
-            .map_err(|source| Error::Read { path: path.into(), source })?;
-        toml::from_str(&text).map_err(|error| {
-            let before = text.get(..error.span().map_or(0, |span| span.start)).unwrap_or(&text);
-            let line_start = before.rfind('\n').map_or(0, |newline| newline + 1);
-            Error::Configuration {
-                path: path.into(),
-                line: before.matches('\n').count() + 1,
-                column: before[line_start..].chars().count() + 1,
-                message: error
-                    .message()
-                    .replace("unknown field", "unknown key")
-                    .replace('\n', "; "),
-            }
-        })
-    }
-
     /// The experiment that the configuration asks for.
     ///
     /// # Errors

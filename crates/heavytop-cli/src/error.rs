@@ -1,11 +1,12 @@
 //! What can go wrong, and the exit codes.
 
 use crate::method::{Formulation, Scheme};
+use crate::simulate::CheckpointError;
 use collective_integrators::{EventError, IntegrationError, SchemeError};
 use heavytop::{SectionError, TopError};
 use momentum_map::LiftError;
 use std::io;
-use std::path::PathBuf;
+use std::path::{Path, PathBuf};
 use thiserror::Error;
 
 /// Why a command did not do what it was asked.
@@ -30,6 +31,25 @@ pub enum Error {
         column: usize,
         /// What is wrong there.
         message: String,
+    },
+    /// The configuration has no TOML.
+    #[error("the configuration cannot be written as TOML: {0}")]
+    Unwritable(#[source] toml::ser::Error),
+    /// The run cannot go on from a checkpoint.
+    #[error("cannot go on from {}: {source}", path.display())]
+    Checkpoint {
+        /// The checkpoint.
+        path: PathBuf,
+        /// Why.
+        source: CheckpointError,
+    },
+    /// A saved state is not one of this experiment's integrator.
+    #[error("the saved state has {found} numbers, that of the integrator {expected}")]
+    SavedState {
+        /// How many the integrator's has.
+        expected: usize,
+        /// How many it has.
+        found: usize,
     },
     /// No top has these parameters.
     #[error("[body] {0}")]
@@ -115,7 +135,7 @@ pub enum Error {
         after: f64,
     },
     /// The output's name asks for a format that there is not.
-    #[error("cannot write {}: {}", path.display(), format_advice(path))]
+    #[error("cannot write {}: the name must end in .csv, .npz or .parquet", path.display())]
     Format {
         /// The file.
         path: PathBuf,
@@ -181,6 +201,20 @@ pub enum Error {
     /// A figure could not be drawn.
     #[error("cannot draw the figure: {0}")]
     Figure(String),
+    /// A run was stopped.
+    #[error("interrupted{}", .checkpoint.as_deref().map_or_else(String::new, resumption))]
+    Interrupted {
+        /// What it can go on from, if there is something.
+        checkpoint: Option<PathBuf>,
+    },
+    /// A run failed for want of something outside it, and can go on.
+    #[error("{source}{}", resumption(checkpoint))]
+    Resumable {
+        /// From here.
+        checkpoint: PathBuf,
+        /// Why it failed.
+        source: Box<Error>,
+    },
     /// A run failed, and what it had computed was kept.
     #[error("{source}; what was computed until then is in {}", partial.display())]
     Kept {
@@ -192,7 +226,16 @@ pub enum Error {
 }
 
 impl Error {
-    /// 2 if the request is wrong, and nothing was written; 1 if it failed underway.
+    /// That a file cannot be created, when it is too late to refuse the request.
+    pub(crate) fn too_late(self) -> Self {
+        match self {
+            Self::Create { path, source } => Self::Write { path, source },
+            other => other,
+        }
+    }
+
+    /// 2 if the request is wrong, and nothing was written; 1 if it failed underway; 130 if it was
+    /// interrupted, as shells have it.
     #[must_use]
     pub fn exit_code(&self) -> u8 {
         match self {
@@ -201,19 +244,18 @@ impl Error {
             | Self::Integration { .. }
             | Self::Crossing { .. }
             | Self::Figure(_)
+            | Self::Resumable { .. }
             | Self::Kept { .. } => 1,
+            Self::Interrupted { .. } => 130,
             _ => 2,
         }
     }
 }
 
-fn scheme_names(formulation: Formulation) -> String {
-    formulation.schemes().map(Scheme::name).collect::<Vec<_>>().join(", ")
+fn resumption(checkpoint: &Path) -> String {
+    format!("; go on by the same command with --resume {}", checkpoint.display())
 }
 
-fn format_advice(path: &std::path::Path) -> String {
-    match path.extension().and_then(|e| e.to_str()) {
-        Some(known @ ("npz" | "parquet")) => format!(".{known} is not supported yet: use .csv"),
-        _ => "the name must end in .csv".into(),
-    }
+fn scheme_names(formulation: Formulation) -> String {
+    formulation.schemes().map(Scheme::name).collect::<Vec<_>>().join(", ")
 }

@@ -4,8 +4,10 @@ pub(crate) const EXIT_CODES: &str = "\
 Exit codes:
   0  done
   1  the run failed: a stage equation did not converge, a state is not finite, or the disk is full;
-     what was computed until then is kept as FILE.partial
+     what was computed until then is kept as FILE.partial, or, where there is a FILE.checkpoint or
+     no room, as the run had it; the message says where
   2  the request is wrong; nothing was written
+  130  interrupted by Ctrl-C, or asked to end by SIGTERM; simulate goes on with --resume
 
 Files appear under their name only when they are complete.";
 
@@ -38,9 +40,31 @@ frame), h (J), f1 = |Γ|², f2 = Π·Γ (kg m²/s), then K ((kg m²/s)⁴) for a
 ((kg m²/s)³) for a Goryachev–Chaplygin top, then where asked for the attitude qw,qx,qy,qz: the unit
 quaternion of the rotation R from the body frame to the spatial one, Γ = Rᵀe3, which starts with the
 shortest rotation that has it. Row 0 is the initial state. Each number reads back as the same 64-bit
-number.";
+number.
+
+Formats, by the file's ending:
+  .csv      text
+  .npz      for NumPy, the arrays t, Pi, Gamma, h, f1, f2, ... with a row for each time, q for the
+            attitude, and the string metadata, in JSON: version and configuration
+  .parquet  the columns of the CSV; version and configuration are in its key-value metadata
+Memory does not grow with the run. While it goes on the rows are in FILE.partial for .csv, and in
+FILE.rows for the others, 8 bytes for each number, until the file is made of them at the end.
+
+A run that is interrupted, by Ctrl-C (which needs a moment) or by a power cut, leaves
+FILE.checkpoint; with --resume FILE.checkpoint it goes on, and the file equals that of an
+uninterrupted run byte for byte. A configuration need not be given again; if it is, it must be the
+same, as must the version of the program. Without --resume a run starts anew. A checkpoint is
+possible after every 1024th step.";
 
 pub(crate) const SIMULATE_EXAMPLES: &str = "\
+Presets, for --preset; a configuration given as well is put over it, key by key:
+  kovalevskaya         the paper's top, the values below
+  lagrange             a symmetric top let go while it spins: its nutation has cusps
+  euler                a free body that turns nearly about its middle axis, and tumbles
+  goryachev-chaplygin  I1 = I2 = 4 I3, centre of mass on e1, Π·Γ = 0
+  multibody-benchmark  the fast top on which multibody codes are compared: 15 kg, 150 rad/s, 2 s;
+                       the height of its centre of mass at the end, Gamma2, is -0.67302226956 m
+
 Configuration: every key may be left out, and has then the value below.
   [body]
   inertia = [2.0, 2.0, 1.0]          # principal moments, kg m²
@@ -85,6 +109,10 @@ Schemes; the number is the order:
 Examples:
   heavytop simulate --out kovalevskaya.csv        # the paper's top
   heavytop simulate top.toml --out top.csv
+  heavytop simulate --preset multibody-benchmark --out benchmark.npz
+  heavytop simulate --preset lagrange top.toml --out top.parquet   # the preset but for top.toml
+  heavytop simulate top.toml --out top.csv --resume top.csv.checkpoint
+  heavytop simulate top.toml --out top.csv --json                  # a summary on stdout
   heavytop simulate top.toml --out /dev/stdout | gzip > top.csv.gz";
 
 pub(crate) const COMPARE: &str = "\
@@ -111,7 +139,8 @@ Of the midpoint rule strang is the rule itself, and is listed as implicit-midpoi
 pub(crate) const COMPARE_EXAMPLES: &str = "\
 Examples:
   heavytop compare --out comparison               # the paper's top
-  heavytop compare top.toml --out comparison";
+  heavytop compare --preset lagrange --out comparison
+  heavytop compare top.toml --out comparison --json";
 
 pub(crate) const SECTION: &str = "\
 Draw a Poincaré section of a top.
@@ -176,3 +205,8 @@ Examples:
   heavytop animate --out kovalevskaya.html        # the paper's top
   heavytop animate top.toml --out top.html
 Open the page in a browser; top.html#t=12.5 shows the moment t = 12.5 s.";
+pub(crate) const COMPLETIONS_EXAMPLES: &str = "\
+Examples:
+  heavytop completions bash > ~/.local/share/bash-completion/completions/heavytop
+  heavytop completions zsh > ~/.zfunc/_heavytop
+  heavytop completions fish > ~/.config/fish/completions/heavytop.fish";

@@ -9,11 +9,15 @@
 //! | formulations and schemes by name, and which go together | [`method`] |
 //! | the integrator of a formulation and a scheme | [`integrators`] |
 //! | the number of steps of a run | [`schedule`] |
-//! | the configuration file | [`config`] |
+//! | the configuration | [`config`] |
+//! | tops by name | [`preset`] |
+//! | configurations from text and as text | `reading` |
+//! | what a misspelt name may have meant | `suggestion` |
 //! | a run, sample by sample | [`run`] |
 //! | files that appear when they are complete | [`output`] |
 //! | rows of numbers | [`table`] |
 //! | ranges, ticks and tick labels | `axis` |
+//! | CSV, NumPy's npz, Parquet | [`formats`] |
 //! | text to outlines, and SVG to PNG | `render` |
 //! | the progress bar | [`progress`] |
 //! | `heavytop simulate` | [`simulate`] |
@@ -32,10 +36,14 @@ pub mod method;
 pub mod integrators;
 pub mod schedule;
 pub mod config;
+pub mod preset;
+mod reading;
+mod suggestion;
 pub mod run;
 pub mod output;
 pub mod table;
 mod axis;
+pub mod formats;
 mod render;
 pub mod progress;
 pub mod simulate;

@@ -1,11 +1,12 @@
 //! Formulations and schemes by name, and which go together.
 
+use crate::suggestion::suggestion;
 use collective_integrators::{SchemeError, Substeps};
-use serde::Deserialize;
+use serde::{Deserialize, Serialize};
 
 /// Where a scheme is applied.
-#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Deserialize)]
-#[serde(try_from = "String")]
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Deserialize, Serialize)]
+#[serde(try_from = "String", into = "&'static str")]
 pub enum Formulation {
     /// On T∗C², read through M: T∗C² → se(3)∗.
     #[default]
@@ -19,8 +20,8 @@ pub enum Formulation {
 }
 
 /// A one-step method.
-#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Deserialize)]
-#[serde(try_from = "String")]
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Deserialize, Serialize)]
+#[serde(try_from = "String", into = "&'static str")]
 pub enum Scheme {
     /// The implicit midpoint rule.
     #[default]
@@ -172,6 +173,18 @@ impl TryFrom<String> for Scheme {
     }
 }
 
+impl From<Formulation> for &'static str {
+    fn from(formulation: Formulation) -> Self {
+        formulation.name()
+    }
+}
+
+impl From<Scheme> for &'static str {
+    fn from(scheme: Scheme) -> Self {
+        scheme.name()
+    }
+}
+
 fn name_of<T: Copy + PartialEq>(names: &[(&'static str, T)], item: T) -> &'static str {
     names.iter().find(|(_, other)| *other == item).map_or("", |(name, _)| name)
 }
@@ -181,6 +194,7 @@ pub(crate) fn by_name<T: Copy>(kind: &str, names: &[(&str, T)], name: &str) -> R
     let found = names.iter().find(|(known, _)| *known == name).map(|(_, item)| *item);
     found.ok_or_else(|| {
         let known: Vec<&str> = names.iter().map(|(known, _)| *known).collect();
-        format!("unknown {kind} `{name}`; there are {}", known.join(", "))
+        let suggested = suggestion(name, known.iter().copied());
+        format!("unknown {kind} `{name}`; there are {}{suggested}", known.join(", "))
     })
 }

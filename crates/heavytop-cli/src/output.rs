@@ -5,6 +5,51 @@ use std::fs::{self, File};
 use std::io::{self, BufWriter, Write};
 use std::path::{Path, PathBuf};
 
+/// Where an output shall be.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub struct Place {
+    /// The file; if a symbolic link was asked for, that which it points to, so that the link stays.
+    pub path: PathBuf,
+    /// Whether it is there and no regular file, such as `/dev/stdout`.
+    pub is_device: bool,
+}
+
+impl Place {
+    /// The place of the output that shall be at `path`.
+    ///
+    /// # Errors
+    /// If that is a folder.
+    pub fn of(path: &Path) -> Result<Self, Error> {
+        let existing = fs::metadata(path);
+        if existing.as_ref().is_ok_and(fs::Metadata::is_dir) {
+            let source = io::ErrorKind::IsADirectory.into();
+            return Err(Error::Create { path: path.into(), source });
+        }
+        let path = fs::canonicalize(path).unwrap_or_else(|_| path.into());
+        let is_device = existing.is_ok_and(|existing| !existing.is_file());
+        Ok(Self { path, is_device })
+    }
+
+    /// The file `NAME.ENDING` beside it.
+    #[must_use]
+    pub fn beside(&self, ending: &str) -> PathBuf {
+        let mut name = self.path.clone().into_os_string();
+        name.push(".");
+        name.push(ending);
+        name.into()
+    }
+
+    /// Creates a file for it, or opens the device.
+    ///
+    /// # Errors
+    /// If that cannot be; the error names the place.
+    pub(crate) fn create(&self, file: &Path) -> Result<File, Error> {
+        let mut options = File::options();
+        let options = options.write(true).create(!self.is_device).truncate(!self.is_device);
+        options.open(file).map_err(|source| Error::Create { path: self.path.clone(), source })
+    }
+}
+
 /// A file that is written as `NAME.partial` beside its place and then renamed.
 ///
 /// Unless it is completed or concluded, the partial file is removed. A place that is no regular file,
@@ -23,23 +68,10 @@ impl Output {
     /// # Errors
     /// If the partial file cannot be created, or `path` is a folder.
     pub fn create(path: &Path) -> Result<Self, Error> {
-        let refused = |source| Error::Create { path: path.into(), source };
-        // A symbolic link stays, and the file that it points to is replaced.
-        let place = fs::canonicalize(path).unwrap_or_else(|_| path.into());
-        let (file, partial) = match fs::metadata(&place) {
-            Ok(existing) if existing.is_dir() => {
-                return Err(refused(io::ErrorKind::IsADirectory.into()));
-            }
-            Ok(existing) if !existing.is_file() => {
-                (File::options().write(true).open(&place).map_err(refused)?, None)
-            }
-            _ => {
-                let mut name = place.clone().into_os_string();
-                name.push(".partial");
-                (File::create(&name).map_err(refused)?, Some(PathBuf::from(name)))
-            }
-        };
-        Ok(Self { path: place, partial, writer: BufWriter::new(file) })
+        let place = Place::of(path)?;
+        let partial = (!place.is_device).then(|| place.beside("partial"));
+        let file = place.create(partial.as_deref().unwrap_or(&place.path))?;
+        Ok(Self { path: place.path, partial, writer: BufWriter::new(file) })
     }
 
     /// Writes a whole file at the end of a run.
@@ -47,10 +79,7 @@ impl Output {
     /// # Errors
     /// [`Error::Write`] if it cannot be created or written: at the end it is too late to refuse.
     pub fn whole(path: &Path, contents: &[u8]) -> Result<(), Error> {
-        let mut output = Self::create(path).map_err(|error| match error {
-            Error::Create { path, source } => Error::Write { path, source },
-            other => other,
-        })?;
+        let mut output = Self::create(path).map_err(Error::too_late)?;
         output.write(|writer| writer.write_all(contents))?;
         output.complete()
     }
@@ -86,19 +115,29 @@ impl Output {
     ///
     /// # Errors
     /// Why the run or the completion failed, and where the partial file is.
-    pub fn conclude<T>(mut self, outcome: Result<T, Error>) -> Result<T, Error> {
+    pub fn conclude<T>(self, outcome: Result<T, Error>) -> Result<T, Error> {
         match outcome {
             Ok(value) => self.complete().map(|()| value),
             Err(failure) if failure.exit_code() == 1 => {
+                let partial = self.partial.clone();
                 // What cannot be written any more is lost; the failure says what came first.
-                let _ = self.writer.flush();
-                Err(match self.partial.take() {
+                let _ = self.keep();
+                Err(match partial {
                     Some(partial) => Error::Kept { partial, source: Box::new(failure) },
                     None => failure,
                 })
             }
             Err(refusal) => Err(refusal),
         }
+    }
+
+    /// Leaves the file as `NAME.partial`.
+    ///
+    /// # Errors
+    /// If the last bytes cannot be written.
+    pub fn keep(mut self) -> Result<(), Error> {
+        self.partial = None;
+        self.write(Write::flush)
     }
 
     fn failed(&self, source: io::Error) -> Error {

@@ -33,12 +33,19 @@ impl Progress {
     #[must_use]
     pub fn of(items: u64, kind: &str, quiet: bool) -> Self {
         let bar = ProgressBar::with_draw_target(Some(items), ProgressDrawTarget::hidden());
-        let template =
-            format!("{{msg}} {{wide_bar}} {{percent:>3}} %  {{pos}}/{{len}} {kind}  {{eta}} left");
+        let template = format!(
+            "{{msg}} {{wide_bar}} {{percent:>3}} %  {{pos}}/{{len}} {kind}  {{per_sec}}  {{eta}} left"
+        );
         if let Ok(style) = ProgressStyle::with_template(&template) {
             bar.set_style(style.progress_chars("━╸─"));
         }
         Self { bar, started: Instant::now(), quiet }
+    }
+
+    /// Says that so many steps were made before: rate and time left are of those to come.
+    pub fn begin(&self, step: u64) {
+        self.bar.set_position(step);
+        self.bar.reset_eta();
     }
 
     /// Reports the number of steps made.

@@ -5,7 +5,7 @@ use crate::integrators::{Method, Task};
 use crate::schedule::Schedule;
 use collective_integrators::Start;
 use heavytop::{HeavyTop, Turning, WithAttitude};
-use lie_poisson::{Quaternion, Se3Dual};
+use lie_poisson::{Quaternion, Se3Dual, Vector};
 
 /// A top, its initial state, and how to follow it.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -24,18 +24,93 @@ pub struct Experiment {
     pub attitude: bool,
 }
 
+/// Where a run is.
+#[derive(Clone, Copy)]
+pub struct Moment<'a> {
+    /// The number of steps made.
+    pub step: u64,
+    /// The time, s.
+    pub time: f64,
+    /// (Π, Γ)
+    pub momentum: &'a Se3Dual,
+    /// The attitude, if it is followed.
+    pub attitude: Option<&'a Quaternion>,
+    state: &'a dyn Coordinates,
+}
+
+/// All that a run needs to go on.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Saved {
+    /// The number of steps made.
+    pub step: u64,
+    /// The coordinates of the state that the integrator advances.
+    pub state: Vec<f64>,
+}
+
+impl Moment<'_> {
+    /// What the run needs to go on from here.
+    #[must_use]
+    pub fn saved(&self) -> Saved {
+        Saved { step: self.step, state: self.state.coordinates() }
+    }
+}
+
+/// The states of all integrators alike.
+trait Coordinates {
+    fn coordinates(&self) -> Vec<f64>;
+}
+
+impl<S: Vector<Scalar = f64>> Coordinates for S {
+    fn coordinates(&self) -> Vec<f64> {
+        (0..S::DIM).map(|i| self.coordinate(i)).collect()
+    }
+}
+
 impl Experiment {
     /// Hands step number, time (s), (Π, Γ) and the attitude if it is followed of each sample to
     /// `visit`, the initial state first.
     ///
     /// # Errors
-    /// If the initial state has no lift, a step fails, `visit` does, or the attitude is asked of a
-    /// formulation that has none.
-    pub fn run<V>(&self, visit: V) -> Result<(), Error>
+    /// As [`Experiment::follow`].
+    pub fn run<V>(&self, mut visit: V) -> Result<(), Error>
     where
         V: FnMut(u64, f64, &Se3Dual, Option<&Quaternion>) -> Result<(), Error>,
     {
-        self.method.integrate(&self.top, Follow { experiment: self, visit })
+        self.follow(None, |m| visit(m.step, m.time, m.momentum, m.attitude))
+    }
+
+    /// Hands each moment to `visit`, the initial one first, or those after a saved one.
+    ///
+    /// A run that goes on from a step whose number is a multiple of
+    /// [`CHECKPOINT`](collective_integrators::CHECKPOINT) equals the run that was not interrupted
+    /// to the last bit.
+    ///
+    /// # Errors
+    /// If the initial state has no lift, a step fails, `visit` does, the attitude is asked of a
+    /// formulation that has none, or the saved state is not one of this experiment's.
+    ///
+    /// # Example
+    /// ```
+    /// use heavytop_cli::config::Config;
+    /// let experiment = Config::default().experiment()?;
+    /// let (mut saved, mut last) = (None, None);
+    /// experiment.follow(None, |moment| {
+    ///     if moment.step == 1024 {
+    ///         saved = Some(moment.saved());
+    ///     }
+    ///     last = Some(*moment.momentum);
+    ///     Ok(())
+    /// })?;
+    /// let mut again = None;
+    /// experiment.follow(saved.as_ref(), |moment| Ok(again = Some(*moment.momentum)))?;
+    /// assert_eq!(last, again);
+    /// # Ok::<(), heavytop_cli::Error>(())
+    /// ```
+    pub fn follow<V>(&self, from: Option<&Saved>, visit: V) -> Result<(), Error>
+    where
+        V: FnMut(&Moment<'_>) -> Result<(), Error>,
+    {
+        self.method.integrate(&self.top, Follow { experiment: self, from, visit })
     }
 
     /// Whether the sample after this step is written.
@@ -48,13 +123,11 @@ impl Experiment {
 /// The task of following an experiment.
 struct Follow<'a, V> {
     experiment: &'a Experiment,
+    from: Option<&'a Saved>,
     visit: V,
 }
 
-impl<V> Follow<'_, V>
-where
-    V: FnMut(u64, f64, &Se3Dual, Option<&Quaternion>) -> Result<(), Error>,
-{
+impl<V: FnMut(&Moment<'_>) -> Result<(), Error>> Follow<'_, V> {
     /// Follows an integrator; `attitude` reads it off the state.
     fn follow<I: Start<Momentum = Se3Dual>>(
         mut self,
@@ -62,16 +135,28 @@ where
         attitude: impl Fn(&I::State) -> Option<&Quaternion>,
     ) -> Result<(), Error> {
         let Experiment { start, method, schedule, .. } = self.experiment;
-        for sample in integrator.trajectory(start, schedule.step)? {
+        let (trajectory, seen) = match self.from {
+            None => (integrator.trajectory(start, schedule.step)?, 0),
+            Some(Saved { step, state }) => {
+                let (expected, found) = (I::State::DIM, state.len());
+                if expected != found {
+                    return Err(Error::SavedState { expected, found });
+                }
+                let state = I::State::from_coordinates(|i| state[i]);
+                (integrator.trajectory_resumed(state, *step, schedule.step), 1)
+            }
+        };
+        for sample in trajectory.skip(seen) {
             let sample = sample.map_err(|source| Error::Integration {
                 formulation: method.formulation().name(),
                 scheme: method.scheme().name(),
                 source,
             })?;
+            let (step, time, state) = (sample.step, sample.time, &sample.state);
             // M of the lift of the start is the start up to rounding; say what was asked for.
-            let mu = if sample.step == 0 { start } else { &sample.momentum };
-            (self.visit)(sample.step, sample.time, mu, attitude(&sample.state))?;
-            if sample.step >= schedule.steps {
+            let momentum = if step == 0 { start } else { &sample.momentum };
+            (self.visit)(&Moment { step, time, momentum, attitude: attitude(state), state })?;
+            if step >= schedule.steps {
                 break;
             }
         }
@@ -79,10 +164,7 @@ where
     }
 }
 
-impl<V> Task for Follow<'_, V>
-where
-    V: FnMut(u64, f64, &Se3Dual, Option<&Quaternion>) -> Result<(), Error>,
-{
+impl<V: FnMut(&Moment<'_>) -> Result<(), Error>> Task for Follow<'_, V> {
     type Output = ();
 
     fn perform<I: Start<Momentum = Se3Dual>>(self, integrator: &I) -> Result<(), Error> {

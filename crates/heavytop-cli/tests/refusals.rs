@@ -7,6 +7,9 @@ use program::{Folder, numbers};
 /// Configurations that are wrong, and what is said about them.
 const WRONG: &[(&str, &str)] = &[
     ("[body]\nmass = 1.0\nmas = 2.0", "a.toml, line 3, column 1: unknown key `mas`"),
+    ("[body]\nmas = 2.0", "; did you mean `mass`?"),
+    ("[body]\nintertia = 2.0", "; did you mean `inertia`?"),
+    ("[integrator]\nscheme = 'gaus-4'", "; did you mean `gauss-4`?"),
     ("\n[bodi]", "a.toml, line 2, column 2: unknown key `bodi`"),
     ("[body]\n\nmass = 'heavy'", "a.toml, line 3, column 8: invalid type: string \"heavy\""),
     ("[body]\ninertia = [1.0, 1.0]", "a.toml, line 2, column 11: invalid length 2"),
@@ -79,8 +82,8 @@ fn an_end_that_is_whole_to_nine_digits_is_accepted() {
 fn names_that_cannot_be_written_are_refused_before_the_run() {
     for (out, message) in [
         ("missing/a.csv", "cannot create missing/a.csv: No such file"),
-        ("a.npz", "cannot write a.npz: .npz is not supported yet: use .csv"),
-        ("a.parquet", "cannot write a.parquet: .parquet is not supported yet: use .csv"),
+        ("missing/a.npz", "cannot create missing/a.npz: No such file"),
+        ("a.xlsx", "cannot write a.xlsx: the name must end in .csv, .npz or .parquet"),
         ("a", "cannot write a: the name must end in .csv"),
         (".", "the name must end in .csv"),
         ("folder.csv", "cannot create folder.csv: is a directory"),
@@ -100,6 +103,11 @@ fn a_missing_configuration_and_wrong_arguments_are_refused() {
         &["simulate", "missing.toml", "--out", "a.csv"][..],
         &["simulate"],
         &["simulate", "--out", "a.csv", "--fast"],
+        &["simulate", "--out", "a.csv", "--preset", "kovalevski"],
+        &["simulate", "--out", "a.csv", "--checkpoint-interval", "-1"],
+        &["simulate", "--out", "a.csv", "--checkpoint-interval", "nan"],
+        &["simulate", "--out", "a.csv", "--resume", "a.csv.checkpoint"],
+        &["completions", "tcl"],
         &["levitate"],
         &[],
     ] {
@@ -163,6 +171,10 @@ fn help_and_version_are_there() {
         &["compare", "--help"],
         &["section", "--help"],
         &["animate", "--help"],
+        &["completions", "--help"],
+        &["completions", "bash"],
+        &["completions", "zsh"],
+        &["completions", "fish"],
     ] {
         let run = folder.heavytop(arguments);
         assert_eq!((run.code(), run.stderr()), (0, String::new()), "{arguments:?}");

@@ -18,8 +18,7 @@ pub const MOST_FRAMES: u64 = 20_000;
 /// Between frames that are further apart, in rad, the page's interpolation would not look right.
 const MOST_TURN: f64 = 1.0;
 
-/// Runs the configuration, or the paper's Kovalevskaya top if there is none, with the attitude, and
-/// writes the page `out`.
+/// Runs the configuration with the attitude, and writes the page `out`.
 ///
 /// Every n-th step is a frame, n the least multiple of `[output] every` that gives at most
 /// [`MOST_FRAMES`]; and so is the last step.
@@ -27,8 +26,7 @@ const MOST_TURN: f64 = 1.0;
 /// # Errors
 /// If the request is wrong, in which case nothing is written; or the run fails, in which case a
 /// page of what was computed until then is kept as `OUT.partial`.
-pub fn animate(config: Option<&Path>, out: &Path, quiet: bool) -> Result<(), Error> {
-    let mut config = config.map_or_else(|| Ok(Config::default()), Config::read)?;
+pub fn animate(mut config: Config, out: &Path, quiet: bool) -> Result<(), Error> {
     config.output.attitude = true;
     let mut experiment = config.experiment()?;
     experiment.every = frame_every(&experiment);

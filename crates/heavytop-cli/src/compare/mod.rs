@@ -17,6 +17,8 @@ use crate::run::Experiment;
 use measure::{Measure, Measurement, Reference};
 use std::path::Path;
 
+pub use report::{Choice, Comparison, Recommendation};
+
 /// The interval is this many of the configured steps, unless the run ends earlier: later errors of
 /// a chaotic top say more of it than of the integrators.
 const INTERVAL: u64 = 500;
@@ -36,14 +38,27 @@ const PASSES: u32 = 3;
 /// Pixels per CSS pixel: 168 dots per inch.
 const SCALE: f32 = 1.75;
 
-/// Measures every formulation and scheme on the top of the configuration, or on the paper's; writes
-/// `work-precision.csv`, `.svg` and `.png` into the folder `out`, and prints recommendations.
+/// Measures every formulation and scheme on the top of the configuration; writes
+/// `work-precision.csv`, `.svg` and `.png` into the folder `out`, and recommends methods.
 ///
 /// # Errors
 /// If the request is wrong, in which case nothing is written; or the reference solution is not
 /// certain.
-pub fn compare(config: Option<&Path>, out: &Path, quiet: bool) -> Result<(), Error> {
-    let config = config.map_or_else(|| Ok(Config::default()), Config::read)?;
+///
+/// # Example
+/// ```
+/// use heavytop_cli::compare::compare;
+/// use heavytop_cli::config::IntegratorConfig;
+/// use heavytop_cli::preset::Preset;
+/// let folder = tempfile::tempdir()?;
+/// let mut config = Preset::Lagrange.config();
+/// config.integrator = Some(IntegratorConfig { step: 0.1, end: 0.5, ..Default::default() });
+/// let comparison = compare(&config, folder.path(), true)?;
+/// let fastest = comparison.recommendations[0].fastest.as_ref().unwrap();
+/// assert!(fastest.error <= 1e-3);
+/// # Ok::<(), Box<dyn std::error::Error>>(())
+/// ```
+pub fn compare(config: &Config, out: &Path, quiet: bool) -> Result<Comparison, Error> {
     let experiment = config.experiment()?;
     let methods = methods(config.integrator.unwrap_or_default().tolerance)?;
     std::fs::create_dir_all(out).map_err(|source| Error::Create { path: out.into(), source })?;
@@ -75,7 +90,7 @@ pub fn compare(config: Option<&Path>, out: &Path, quiet: bool) -> Result<(), Err
     let (svg, png) = render::render(&chart, SCALE)?;
     Output::whole(&file("svg"), svg.as_bytes())?;
     Output::whole(&file("png"), &png)?;
-    report::print(&measurements, &reference, out)
+    Ok(Comparison::new(&measurements, &reference, out))
 }
 
 /// Every formulation with every scheme that makes sense in it, save those that are there already:

@@ -1,10 +1,9 @@
 //! The table, and what to take for which accuracy.
 
-use super::label;
 use super::measure::{Measurement, Reference};
-use crate::Error;
-use std::io::{self, Write};
-use std::path::Path;
+use serde::Serialize;
+use std::fmt;
+use std::path::{Path, PathBuf};
 
 const TARGETS: [f64; 4] = [1e-3, 1e-6, 1e-9, 1e-12];
 
@@ -22,52 +21,66 @@ pub(super) fn csv(measurements: &[Measurement]) -> String {
     text
 }
 
-/// Prints a line for each target accuracy, and where the files are.
-pub(super) fn print(
-    measurements: &[Measurement],
-    reference: &Reference,
-    out: &Path,
-) -> Result<(), Error> {
-    match write(measurements, reference, out, &mut io::stdout().lock()) {
-        // Whoever closed the pipe has read enough.
-        Err(source) if source.kind() != io::ErrorKind::BrokenPipe => {
-            Err(Error::Write { path: "the recommendations".into(), source })
-        }
-        _ => Ok(()),
+/// Which methods to take; its text is a line for each accuracy.
+#[derive(Clone, Debug, PartialEq, Serialize)]
+pub struct Comparison {
+    /// The folder of the figure and the table.
+    pub out: PathBuf,
+    /// The time at which errors are taken, s.
+    pub end: f64,
+    /// How far the reference solution is certain.
+    pub uncertainty: f64,
+    /// For some accuracies.
+    pub recommendations: Vec<Recommendation>,
+}
+
+/// The fastest runs whose errors are at most so large.
+#[derive(Clone, Debug, PartialEq, Serialize)]
+pub struct Recommendation {
+    /// The largest error allowed: the 2-norm of that of (Π, Γ).
+    pub error: f64,
+    /// The fastest of all; none if none reaches it, or the reference is not as certain.
+    pub fastest: Option<Choice>,
+    /// The fastest Poisson map.
+    pub fastest_poisson: Option<Choice>,
+}
+
+/// A method with its step.
+#[derive(Clone, Debug, PartialEq, Serialize)]
+pub struct Choice {
+    /// The formulation's name.
+    pub formulation: &'static str,
+    /// The scheme's name.
+    pub scheme: &'static str,
+    /// The time step, s.
+    pub step: f64,
+    /// Its error.
+    pub error: f64,
+    /// Computing time for a simulated second, s.
+    pub seconds: f64,
+}
+
+impl Comparison {
+    pub(super) fn new(measurements: &[Measurement], reference: &Reference, out: &Path) -> Self {
+        let uncertainty = reference.uncertainty;
+        let recommendation = |error| {
+            let fastest = |poisson| {
+                let certain = error >= uncertainty;
+                certain.then(|| fastest(measurements, error, poisson)).flatten().map(Choice::of)
+            };
+            Recommendation { error, fastest: fastest(false), fastest_poisson: fastest(true) }
+        };
+        let recommendations = TARGETS.map(recommendation).into();
+        Self { out: out.into(), end: reference.end, uncertainty, recommendations }
     }
 }
 
-fn write(
-    measurements: &[Measurement],
-    reference: &Reference,
-    out: &Path,
-    to: &mut impl Write,
-) -> io::Result<()> {
-    for target in TARGETS {
-        write!(to, "error {target:e}: ")?;
-        if target < reference.uncertainty {
-            writeln!(to, "the reference is not as certain")?;
-            continue;
-        }
-        match (fastest(measurements, target, false), fastest(measurements, target, true)) {
-            (None, _) => writeln!(to, "none reaches it with these steps")?,
-            (Some(any), Some(poisson)) if any == poisson => {
-                writeln!(to, "fastest {}, which is Poisson", describe(any))?;
-            }
-            (Some(any), poisson) => {
-                let poisson = poisson.map_or_else(|| "none".into(), describe);
-                writeln!(to, "fastest {}; fastest Poisson {poisson}", describe(any))?;
-            }
-        }
+impl Choice {
+    fn of(Measurement { method, step, outcome, .. }: &Measurement) -> Self {
+        let (formulation, scheme) = (method.formulation().name(), method.scheme().name());
+        let (error, seconds) = (outcome.error, outcome.seconds);
+        Self { formulation, scheme, step: *step, error, seconds }
     }
-    writeln!(
-        to,
-        "error: 2-norm of that of (Pi, Gamma) at t = {} s; the reference is certain to {:.0e}\n\
-         time: computing time per simulated second; figure and table are in {}",
-        reference.end,
-        reference.uncertainty,
-        out.display()
-    )
 }
 
 /// The fastest run whose error is at most `target`; of Poisson maps alone, if asked for.
@@ -80,7 +93,36 @@ fn fastest(measurements: &[Measurement], target: f64, poisson: bool) -> Option<&
     measurements.iter().filter(eligible).min_by(|a, b| seconds(a).total_cmp(&seconds(b)))
 }
 
-fn describe(measurement: &Measurement) -> String {
-    let Measurement { method, step, outcome, .. } = measurement;
-    format!("{} at step {step:.3}, {:.2} µs", label(method), outcome.seconds * 1e6)
+impl fmt::Display for Comparison {
+    fn fmt(&self, to: &mut fmt::Formatter<'_>) -> fmt::Result {
+        for Recommendation { error, fastest, fastest_poisson } in &self.recommendations {
+            write!(to, "error {error:e}: ")?;
+            match (fastest, fastest_poisson) {
+                _ if *error < self.uncertainty => writeln!(to, "the reference is not as certain")?,
+                (None, _) => writeln!(to, "none reaches it with these steps")?,
+                (Some(any), Some(poisson)) if any == poisson => {
+                    writeln!(to, "fastest {any}, which is Poisson")?;
+                }
+                (Some(any), None) => writeln!(to, "fastest {any}; fastest Poisson none")?,
+                (Some(any), Some(poisson)) => {
+                    writeln!(to, "fastest {any}; fastest Poisson {poisson}")?;
+                }
+            }
+        }
+        write!(
+            to,
+            "error: 2-norm of that of (Pi, Gamma) at t = {} s; the reference is certain to {:.0e}\n\
+             time: computing time per simulated second; figure and table are in {}",
+            self.end,
+            self.uncertainty,
+            self.out.display()
+        )
+    }
+}
+
+impl fmt::Display for Choice {
+    fn fmt(&self, to: &mut fmt::Formatter<'_>) -> fmt::Result {
+        let Self { formulation, scheme, step, seconds, .. } = self;
+        write!(to, "{formulation}, {scheme} at step {step:.3}, {:.2} µs", seconds * 1e6)
+    }
 }

@@ -12,10 +12,12 @@ use crate::output::Output;
 use crate::progress::Progress;
 use crate::render;
 use crate::run::Experiment;
-use crate::table::{STATE_COLUMNS, write_row};
+use crate::table::{STATE_COLUMNS, state_values, write_row};
 use record::{QUANTITIES, Record};
 use std::io::Write;
 use std::path::Path;
+
+pub use summary::{Drift, Reproduction};
 
 /// The four integrators, in the order of the tables.
 const METHODS: [(Formulation, Scheme); 4] = [
@@ -28,13 +30,23 @@ const METHODS: [(Formulation, Scheme); 4] = [
 /// Pixels per CSS pixel: 576 dots per inch at the figures' own size.
 const SCALE: f32 = 6.0;
 
-/// Runs the paper's top with the four integrators, writes figures and tables into the folder
-/// `out`, and prints the summary.
+/// Runs the paper's top with the four integrators and writes figures and tables into the folder
+/// `out`.
 ///
 /// # Errors
 /// If the request is wrong, in which case nothing is written; or a run fails, in which case
 /// `trajectories.csv.partial` is kept.
-pub fn reproduce(out: &Path, step: f64, end: f64, quiet: bool) -> Result<(), Error> {
+///
+/// # Example
+/// ```
+/// let folder = tempfile::tempdir()?;
+/// let (step, end, quiet) = (0.02, 1.0, true);
+/// let done = heavytop_cli::reproduce::reproduce(folder.path(), step, end, quiet)?;
+/// assert!(done.runs[0].f1 < 1e-14 && done.runs[1].f1 > 1e-6);
+/// assert!(folder.path().join("fig1a.svg").exists());
+/// # Ok::<(), Box<dyn std::error::Error>>(())
+/// ```
+pub fn reproduce(out: &Path, step: f64, end: f64, quiet: bool) -> Result<Reproduction, Error> {
     let mut config = Config::default();
     let mut integrator = IntegratorConfig { step, end, ..IntegratorConfig::default() };
     let mut experiments = Vec::with_capacity(METHODS.len());
@@ -53,8 +65,10 @@ pub fn reproduce(out: &Path, step: f64, end: f64, quiet: bool) -> Result<(), Err
         Output::whole(&out.join(figure.name).with_extension("svg"), svg.as_bytes())?;
         Output::whole(&out.join(figure.name).with_extension("png"), &png)?;
     }
-    Output::whole(&out.join("summary.csv"), summary::csv(&records).as_bytes())?;
-    summary::print(&records, out)
+    let runs = records.iter().map(Drift::of).collect();
+    let reproduction = Reproduction { out: out.into(), runs };
+    Output::whole(&out.join("summary.csv"), reproduction.csv().as_bytes())?;
+    Ok(reproduction)
 }
 
 /// Runs all experiments, writing every state and recording what the figures and tables need.
@@ -78,7 +92,7 @@ fn run(
                 record.add(step, time, values);
                 trajectories.write(|to| {
                     write!(to, "{formulation},{scheme},")?;
-                    write_row(to, time, mu, values)
+                    write_row(to, state_values(time, mu).into_iter().chain(values))
                 })
             })?;
             Ok(record)

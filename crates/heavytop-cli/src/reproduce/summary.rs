@@ -1,60 +1,95 @@
 //! The table of largest deviations.
 
 use super::record::{QUANTITIES, Record};
-use crate::Error;
-use std::io::{self, Write};
-use std::path::Path;
+use serde::Serialize;
+use std::fmt;
+use std::path::PathBuf;
 
-/// `summary.csv`.
-pub(super) fn csv(records: &[Record]) -> String {
-    let mut text = String::from("formulation,scheme,step,end");
-    for quantity in QUANTITIES {
-        text += &format!(",{quantity}");
-    }
-    text.push('\n');
-    for record in records {
+/// What came of the paper's experiment; its text is the table.
+#[derive(Clone, Debug, PartialEq, Serialize)]
+pub struct Reproduction {
+    /// The folder of the figures and tables.
+    pub out: PathBuf,
+    /// The runs, in the order of the tables.
+    pub runs: Vec<Drift>,
+}
+
+/// How far the invariants of a run went: max |quantity − initial value| over all steps, NaN if the
+/// quantity ever was.
+#[derive(Clone, Debug, PartialEq, Serialize)]
+pub struct Drift {
+    /// The formulation's name.
+    pub formulation: &'static str,
+    /// The scheme's name.
+    pub scheme: &'static str,
+    /// The time step, s.
+    pub step: f64,
+    /// The time after the last step, s.
+    pub end: f64,
+    /// Of h, J.
+    pub h: f64,
+    /// Of f₁ = |Γ|².
+    pub f1: f64,
+    /// Of f₂ = Π·Γ, kg m²/s.
+    pub f2: f64,
+    /// Of K, (kg m²/s)⁴.
+    #[serde(rename = "K")]
+    pub k: f64,
+}
+
+impl Drift {
+    pub(super) fn of(record: &Record) -> Self {
         let run = &record.experiment;
         let (formulation, scheme) = (run.method.formulation().name(), run.method.scheme().name());
         let (step, end) = (run.schedule.step, run.schedule.end());
-        text += &format!("{formulation},{scheme},{step:?},{end:?}");
-        for deviation in record.deviations {
-            text += &format!(",{deviation:?}");
+        let [h, f1, f2, k] = record.deviations;
+        Self { formulation, scheme, step, end, h, f1, f2, k }
+    }
+
+    fn deviations(&self) -> [f64; 4] {
+        [self.h, self.f1, self.f2, self.k]
+    }
+}
+
+impl Reproduction {
+    /// `summary.csv`.
+    pub(super) fn csv(&self) -> String {
+        let mut text = String::from("formulation,scheme,step,end");
+        for quantity in QUANTITIES {
+            text += &format!(",{quantity}");
         }
         text.push('\n');
-    }
-    text
-}
-
-/// Prints the table, and where the files are.
-pub(super) fn print(records: &[Record], out: &Path) -> Result<(), Error> {
-    match write(records, out, &mut io::stdout().lock()) {
-        // Whoever closed the pipe has read enough.
-        Err(source) if source.kind() != io::ErrorKind::BrokenPipe => {
-            Err(Error::Write { path: "the summary".into(), source })
+        for run in &self.runs {
+            let Drift { formulation, scheme, step, end, .. } = run;
+            text += &format!("{formulation},{scheme},{step:?},{end:?}");
+            for deviation in run.deviations() {
+                text += &format!(",{deviation:?}");
+            }
+            text.push('\n');
         }
-        _ => Ok(()),
+        text
     }
 }
 
-fn write(records: &[Record], out: &Path, to: &mut impl Write) -> io::Result<()> {
-    write!(to, "{:<12}{:<19}{:>8} {:>9}", "formulation", "scheme", "step", "end")?;
-    for quantity in QUANTITIES {
-        write!(to, "{:>12}", quantity.symbol())?;
-    }
-    writeln!(to)?;
-    for record in records {
-        let run = &record.experiment;
-        let (formulation, scheme) = (run.method.formulation().name(), run.method.scheme().name());
-        let (step, end) = (run.schedule.step, run.schedule.end());
-        write!(to, "{formulation:<12}{scheme:<19}{step:>8} {end:>9}")?;
-        for deviation in record.deviations {
-            write!(to, "{deviation:>12.3e}")?;
+impl fmt::Display for Reproduction {
+    fn fmt(&self, to: &mut fmt::Formatter<'_>) -> fmt::Result {
+        write!(to, "{:<12}{:<19}{:>8} {:>9}", "formulation", "scheme", "step", "end")?;
+        for quantity in QUANTITIES {
+            write!(to, "{:>12}", quantity.symbol())?;
         }
         writeln!(to)?;
+        for run in &self.runs {
+            let Drift { formulation, scheme, step, end, .. } = run;
+            write!(to, "{formulation:<12}{scheme:<19}{step:>8} {end:>9}")?;
+            for deviation in run.deviations() {
+                write!(to, "{deviation:>12.3e}")?;
+            }
+            writeln!(to)?;
+        }
+        write!(
+            to,
+            "max |quantity - initial value| over all steps; figures and tables are in {}",
+            self.out.display()
+        )
     }
-    writeln!(
-        to,
-        "max |quantity - initial value| over all steps; figures and tables are in {}",
-        out.display()
-    )
 }

@@ -15,19 +15,33 @@ use std::io::Write;
 use std::path::Path;
 use std::sync::atomic::{AtomicU64, Ordering};
 
+pub use report::Summary;
 pub use settings::SectionConfig;
 
 /// Pixels per CSS pixel: 288 dots per inch.
 const SCALE: f32 = 3.0;
 
-/// Finds the section of the configuration, or of the paper's Kovalevskaya top; writes `section.csv`,
-/// `.svg` and `.png` into the folder `out`, and prints what they hold.
+/// Finds the section of the configuration, and writes `section.csv`, `.svg` and `.png` into the
+/// folder `out`.
 ///
 /// # Errors
 /// If the request is wrong, in which case nothing is written; or a start cannot be followed, in
 /// which case `section.csv.partial` is kept.
-pub fn section(config: Option<&Path>, out: &Path, quiet: bool) -> Result<(), Error> {
-    let settings = Settings::new(&config.map_or_else(|| Ok(Config::default()), Config::read)?)?;
+///
+/// # Example
+/// ```
+/// use heavytop_cli::config::Config;
+/// use heavytop_cli::section::section;
+/// let folder = tempfile::tempdir()?;
+/// let mut config = Config::default();
+/// (config.section.starts, config.section.crossings) = (3, 5);
+/// let summary = section(&config, folder.path(), true)?;
+/// assert_eq!(summary.points, 3 * (1 + 5));
+/// assert!(summary.h < 1e-9);
+/// # Ok::<(), Box<dyn std::error::Error>>(())
+/// ```
+pub fn section(config: &Config, out: &Path, quiet: bool) -> Result<Summary, Error> {
+    let settings = Settings::new(config)?;
     let starts = settings.section.starts(settings.starts, settings.seed)?;
     std::fs::create_dir_all(out).map_err(|source| Error::Create { path: out.into(), source })?;
     let file = |ending| out.join("section").with_extension(ending);
@@ -49,5 +63,5 @@ pub fn section(config: Option<&Path>, out: &Path, quiet: bool) -> Result<(), Err
     let (svg, png) = render::render(&picture::picture(&settings.section, &orbits), SCALE)?;
     Output::whole(&file("svg"), svg.as_bytes())?;
     Output::whole(&file("png"), &png)?;
-    report::print(&settings, &orbits, out)
+    Ok(Summary::new(&settings, &orbits, out))
 }

@@ -2,7 +2,7 @@
 #![allow(dead_code)]
 
 use std::path::PathBuf;
-use std::process::{Command, Output};
+use std::process::{Child, Command, Output, Stdio};
 use tempfile::TempDir;
 
 /// A folder that is removed afterwards.
@@ -42,6 +42,11 @@ impl Folder {
     /// The same on so many threads.
     pub fn heavytop_on(&self, threads: &str, arguments: &[&str]) -> Finished {
         Finished(self.command(arguments).env("RAYON_NUM_THREADS", threads).output().unwrap())
+    }
+
+    /// Starts `heavytop` with these arguments in the folder.
+    pub fn start(&self, arguments: &[&str]) -> Child {
+        self.command(arguments).stderr(Stdio::piped()).spawn().unwrap()
     }
 
     fn command(&self, arguments: &[&str]) -> Command {

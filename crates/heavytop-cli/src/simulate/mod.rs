@@ -1,0 +1,134 @@
+//! `heavytop simulate`: one top to one file.
+
+mod checkpoint;
+mod growing;
+mod recording;
+mod summary;
+
+use crate::Error;
+use crate::config::Config;
+use crate::progress::Progress;
+use crate::run::{Experiment, Moment};
+use crate::table::Table;
+use collective_integrators::CHECKPOINT;
+use lie_poisson::Se3Dual;
+use recording::Recording;
+use std::path::Path;
+use std::sync::atomic::{AtomicBool, Ordering};
+use std::time::{Duration, Instant};
+use summary::Deviations;
+
+pub use checkpoint::{Checkpoint, CheckpointError};
+pub use summary::Summary;
+
+/// How a run is accompanied.
+#[derive(Clone, Copy, Debug)]
+pub struct Options<'a> {
+    /// What it goes on from.
+    pub resume: Option<&'a Checkpoint>,
+    /// After this time a checkpoint is renewed, at the next step that can have one.
+    pub interval: Duration,
+    /// Once this is true the run ends with a checkpoint.
+    pub stop: Option<&'a AtomicBool>,
+    /// Whether to show no progress bar.
+    pub quiet: bool,
+}
+
+/// From the first step, with a checkpoint each minute, and quietly.
+impl Default for Options<'_> {
+    fn default() -> Self {
+        Self { resume: None, interval: Duration::from_secs(60), stop: None, quiet: true }
+    }
+}
+
+/// Runs the configuration and writes `out`, in the format of its ending.
+///
+/// Until it is complete the rows are in `OUT.partial` for CSV, and as 64-bit numbers in `OUT.rows`
+/// otherwise, which takes as much disk again as the output does; the run goes on from
+/// `OUT.checkpoint`, to a file that equals that of an uninterrupted run byte for byte.
+///
+/// # Errors
+/// If the request is wrong, in which case nothing is written; or the run fails, in which case
+/// what was computed until then is kept as `OUT.partial`; or it was stopped, or the disk is full,
+/// in which case it can go on from its checkpoint.
+///
+/// # Example
+/// ```
+/// use heavytop_cli::config::Config;
+/// use heavytop_cli::simulate::{Options, simulate};
+/// let folder = tempfile::tempdir()?;
+/// let out = folder.path().join("kovalevskaya.npz");
+/// let summary = simulate(&Config::default(), &out, &Options::default())?;
+/// assert_eq!((summary.steps, summary.end), (5000, 100.0));
+/// assert!(summary.deviations["f1"].as_f64() < Some(1e-12));
+/// assert!(out.exists());
+/// # Ok::<(), Box<dyn std::error::Error>>(())
+/// ```
+pub fn simulate(config: &Config, out: &Path, options: &Options<'_>) -> Result<Summary, Error> {
+    let experiment = config.experiment()?;
+    let table = Table::new(&experiment);
+    // With all that was left out, to be written.
+    let config = Config { integrator: Some(config.integrator.unwrap_or_default()), ..*config };
+    let mut recording = Recording::begin(out, &config, &table, options.resume)?;
+    let deviations = Deviations::new(&table, &experiment, options.resume);
+    let progress = Progress::new(&experiment, options.quiet);
+    let saved = options.resume.map(Checkpoint::saved);
+    progress.begin(saved.as_ref().map_or(0, |saved| saved.step));
+    let mut run = Run {
+        experiment: &experiment,
+        table: &table,
+        options,
+        recording: &mut recording,
+        progress,
+        deviations,
+        row: Vec::with_capacity(table.width()),
+        last: experiment.start,
+        renewed: Instant::now(),
+    };
+    let outcome = experiment.follow(saved.as_ref(), |moment| run.visit(moment));
+    let summary = Summary::new(out.into(), &experiment, &run.last, &run.deviations, &table);
+    drop(run);
+    recording.conclude(outcome)?;
+    Ok(summary)
+}
+
+/// A run underway.
+struct Run<'a> {
+    experiment: &'a Experiment,
+    table: &'a Table,
+    options: &'a Options<'a>,
+    recording: &'a mut Recording,
+    progress: Progress,
+    deviations: Deviations,
+    row: Vec<f64>,
+    last: Se3Dual,
+    /// When the checkpoint was made.
+    renewed: Instant,
+}
+
+impl Run<'_> {
+    fn visit(&mut self, moment: &Moment<'_>) -> Result<(), Error> {
+        self.progress.at(moment.step);
+        self.last = *moment.momentum;
+        if self.experiment.keeps(moment.step) {
+            self.table.fill(&mut self.row, moment);
+            self.deviations.add(self.table.invariant_values(&self.row));
+            self.recording.append(&self.row)?;
+        }
+        if moment.step.is_multiple_of(CHECKPOINT) && moment.step < self.experiment.schedule.steps {
+            self.pause(moment)?;
+        }
+        Ok(())
+    }
+
+    /// Makes a checkpoint when it is time, and ends the run when it shall stop.
+    fn pause(&mut self, moment: &Moment<'_>) -> Result<(), Error> {
+        let stop = self.options.stop.is_some_and(|stop| stop.load(Ordering::Relaxed));
+        if !stop && self.renewed.elapsed() < self.options.interval {
+            return Ok(());
+        }
+        let checkpoint = self.recording.save(moment.saved(), &self.deviations.largest)?;
+        self.renewed = Instant::now();
+        if stop { Err(Error::Interrupted { checkpoint }) } else { Ok(()) }
+    }
+}

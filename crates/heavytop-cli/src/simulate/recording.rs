@@ -1,0 +1,180 @@
+//! The rows of a run on their way to its output.
+
+use super::checkpoint::{Checkpoint, CheckpointError};
+use super::growing::Growing;
+use crate::Error;
+use crate::config::Config;
+use crate::formats::{Format, Metadata};
+use crate::output::{Output, Place};
+use crate::run::Saved;
+use crate::table::Table;
+use std::fs;
+use std::path::{Path, PathBuf};
+
+/// The file that grows: `NAME.partial` for CSV, `NAME.rows` for what is made of the rows at the
+/// end, and the output itself if that is a device.
+pub(super) struct Recording {
+    place: Place,
+    format: Format,
+    table: Table,
+    config: Config,
+    metadata: Metadata,
+    rows: Growing,
+    bytes: Vec<u8>,
+}
+
+impl Recording {
+    /// A recording from the first row, or from a checkpoint.
+    pub fn begin(
+        out: &Path,
+        config: &Config,
+        table: &Table,
+        from: Option<&Checkpoint>,
+    ) -> Result<Self, Error> {
+        let (format, place) = (Format::of(out)?, Place::of(out)?);
+        let metadata = Metadata::new(config)?;
+        let path = match format {
+            _ if place.is_device => place.path.clone(),
+            Format::Csv => place.beside("partial"),
+            Format::Npz | Format::Parquet => place.beside("rows"),
+        };
+        let rows = match from {
+            Some(checkpoint) => checkpoint
+                .require(config, format, out)
+                .and_then(|()| reopen(path, checkpoint))
+                .map_err(|source| Error::Checkpoint { path: place.beside("checkpoint"), source })?,
+            None => {
+                let file = place.create(&path)?;
+                // It would be of another run.
+                remove_checkpoint(&place);
+                let mut rows = Growing::new(path, file);
+                rows.append(format.start(table).as_bytes())?;
+                rows
+            }
+        };
+        let (table, config) = (table.clone(), *config);
+        Ok(Self { place, format, table, config, metadata, rows, bytes: Vec::new() })
+    }
+
+    /// Makes a checkpoint, and says where; a device has none.
+    pub fn save(&mut self, saved: Saved, deviations: &[f64]) -> Result<Option<PathBuf>, Error> {
+        let Some(path) = self.checkpoint() else { return Ok(None) };
+        let rows = self.rows.mark()?;
+        Checkpoint::new(&self.config, self.format, saved, deviations, rows).write(&path)?;
+        Ok(Some(path))
+    }
+
+    fn checkpoint(&self) -> Option<PathBuf> {
+        (!self.place.is_device).then(|| self.place.beside("checkpoint"))
+    }
+
+    pub fn append(&mut self, row: &[f64]) -> Result<(), Error> {
+        let encoded = self.format.encode(row, &mut self.bytes);
+        encoded.map_err(|source| Error::Write { path: self.place.path.clone(), source })?;
+        self.rows.append(&self.bytes)
+    }
+
+    /// Gives the output its name if the run did well. If it failed, what there is is kept as
+    /// `NAME.partial`; if it can go on from a checkpoint, the rows are kept for that; if it was
+    /// refused, nothing is.
+    pub fn conclude(mut self, outcome: Result<(), Error>) -> Result<(), Error> {
+        let checkpoint = self.checkpoint().filter(|path| path.exists());
+        let concluded = match outcome {
+            Ok(()) => self.complete(),
+            // A run that failed would fail there again.
+            Err(failure @ Error::Integration { .. }) => {
+                let kept = self.keep(failure);
+                remove_checkpoint(&self.place);
+                return Err(kept);
+            }
+            Err(failure) => Err(failure),
+        };
+        match (concluded, checkpoint) {
+            (Ok(()), _) => {
+                remove_checkpoint(&self.place);
+                Ok(())
+            }
+            (Err(interrupted @ Error::Interrupted { .. }), _) => Err(interrupted),
+            (Err(failure), Some(checkpoint)) => {
+                Err(Error::Resumable { checkpoint, source: Box::new(failure) })
+            }
+            (Err(failure), None) if failure.exit_code() == 1 => Err(self.keep(failure)),
+            (Err(refusal), None) => {
+                self.discard();
+                Err(refusal)
+            }
+        }
+    }
+
+    fn complete(&mut self) -> Result<(), Error> {
+        if self.place.is_device {
+            return self.rows.flush();
+        }
+        self.rows.mark()?;
+        if self.format == Format::Csv {
+            let renamed = fs::rename(self.rows.path(), &self.place.path);
+            return renamed.map_err(|source| self.unwritten(source));
+        }
+        self.converted()?.complete()?;
+        self.discard();
+        Ok(())
+    }
+
+    /// Makes `NAME.partial` of the rows that there are; where the disk is too full for it, the
+    /// rows stay as they are.
+    fn keep(&mut self, failure: Error) -> Error {
+        if self.place.is_device {
+            return failure;
+        }
+        // What cannot be written any more is lost; the failure says what came first.
+        let _ = self.rows.flush();
+        let mut partial = self.place.beside("partial");
+        if self.format != Format::Csv {
+            match self.converted().and_then(Output::keep) {
+                Ok(()) => self.discard(),
+                Err(_) => partial = self.rows.path().into(),
+            }
+        }
+        Error::Kept { partial, source: Box::new(failure) }
+    }
+
+    /// The output made of the rows, before it has its name.
+    fn converted(&self) -> Result<Output, Error> {
+        let mut output = Output::create(&self.place.path).map_err(Error::too_late)?;
+        self.format.convert(self.rows.path(), &self.table, &self.metadata, &mut output)?;
+        Ok(output)
+    }
+
+    /// Removes the file that grows, unless it is a device.
+    fn discard(&self) {
+        if !self.place.is_device {
+            remove(self.rows.path());
+        }
+    }
+
+    fn unwritten(&self, source: std::io::Error) -> Error {
+        Error::Write { path: self.place.path.clone(), source }
+    }
+}
+
+/// Removes the checkpoint, and what is left of one if a run was killed while it made it.
+fn remove_checkpoint(place: &Place) {
+    if !place.is_device {
+        remove(&place.beside("checkpoint"));
+        remove(&place.beside("checkpoint.partial"));
+    }
+}
+
+/// Removes a file that is of no use any more, if it is there; that it stays does no harm.
+fn remove(path: &Path) {
+    let _ = fs::remove_file(path);
+}
+
+/// The rows before a checkpoint, to be gone on with.
+fn reopen(path: PathBuf, checkpoint: &Checkpoint) -> Result<Growing, CheckpointError> {
+    match Growing::reopen(path.clone(), &checkpoint.rows) {
+        Ok(Some(rows)) => Ok(rows),
+        Ok(None) => Err(CheckpointError::OtherRows { path }),
+        Err(source) => Err(CheckpointError::Rows { path, source }),
+    }
+}

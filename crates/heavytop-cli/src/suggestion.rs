@@ -1,0 +1,24 @@
+//! What somebody who misspelt a name may have meant.
+
+/// Names that are less alike than this, from 0 to 1, are not suggested.
+const ALIKE: f64 = 0.7;
+
+/// "; did you mean `…`?" with the name most like the one typed, or nothing if none is like it.
+pub(crate) fn suggestion<'a>(typed: &str, names: impl IntoIterator<Item = &'a str>) -> String {
+    let scored = names.into_iter().map(|name| (strsim::jaro(typed, name), name));
+    let best = scored.filter(|(alike, _)| *alike > ALIKE).max_by(|a, b| a.0.total_cmp(&b.0));
+    best.map_or_else(String::new, |(_, name)| format!("; did you mean `{name}`?"))
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn the_nearest_name_is_suggested_if_it_is_near() {
+        let names = ["inertia", "mass", "gravity"];
+        assert_eq!(suggestion("mas", names), "; did you mean `mass`?");
+        assert_eq!(suggestion("intertia", names), "; did you mean `inertia`?");
+        assert_eq!(suggestion("colour", names), "");
+    }
+}
