@@ -182,7 +182,8 @@ turns by more than 0.5 rad.
 
 Examples:
   heavytop section --out section                  # the paper's top
-  heavytop section top.toml --out section";
+  heavytop section --preset euler --out section
+  heavytop section top.toml --out section --json";
 
 pub(crate) const ANIMATE: &str = "\
 Show a top in motion, on a page for a browser.

@@ -64,6 +64,20 @@ fn the_paper_is_reproduced() {
 }
 
 #[test]
+fn the_summary_in_json_is_that_of_the_table() {
+    let folder = Folder::new();
+    let run = folder.heavytop(&["reproduce", "--out", ".", "--end", "1", "--json"]);
+    let summary: serde_json::Value = serde_json::from_str(&run.stdout()).unwrap();
+    let table = folder.read("summary.csv");
+    for (row, run) in table.lines().skip(1).zip(summary["runs"].as_array().unwrap()) {
+        let cells: Vec<&str> = row.split(',').collect();
+        assert_eq!((&run["formulation"], &run["scheme"]), (&cells[0].into(), &cells[1].into()));
+        assert_eq!(run["K"].as_f64(), cells[7].parse().ok());
+    }
+    assert_eq!(summary["runs"].as_array().unwrap().len(), 4);
+}
+
+#[test]
 fn trajectories_hold_every_step_of_every_integrator() {
     let folder = Folder::new();
     let run = folder.heavytop(&["reproduce", "--out", "a/b", "--end", "1", "--step", "0.1"]);
