@@ -1,7 +1,8 @@
 //! The progress bar.
 
 use crate::run::Experiment;
-use indicatif::{ProgressBar, ProgressDrawTarget, ProgressStyle};
+use indicatif::{ProgressBar, ProgressDrawTarget, ProgressState, ProgressStyle};
+use std::fmt::Write;
 use std::time::{Duration, Instant};
 
 /// Runs that are shorter show no bar.
@@ -34,10 +35,10 @@ impl Progress {
     pub fn of(items: u64, kind: &str, quiet: bool) -> Self {
         let bar = ProgressBar::with_draw_target(Some(items), ProgressDrawTarget::hidden());
         let template = format!(
-            "{{msg}} {{wide_bar}} {{percent:>3}} %  {{pos}}/{{len}} {kind}  {{per_sec}}  {{eta}} left"
+            "{{msg}} {{wide_bar}} {{percent:>3}} %  {{pos}}/{{len}} {kind}  {{rate}}  {{eta}} left"
         );
         if let Ok(style) = ProgressStyle::with_template(&template) {
-            bar.set_style(style.progress_chars("━╸─"));
+            bar.set_style(style.with_key("rate", rate).progress_chars("━╸─"));
         }
         Self { bar, started: Instant::now(), quiet }
     }
@@ -71,6 +72,12 @@ impl Progress {
         }
         self.bar.set_position(position);
     }
+}
+
+/// Items per second.
+fn rate(state: &ProgressState, to: &mut dyn Write) {
+    // A bar without a rate is no reason to fail.
+    let _ = write!(to, "{:.0}/s", state.per_sec());
 }
 
 impl Drop for Progress {
