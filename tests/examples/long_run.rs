@@ -9,7 +9,7 @@
 use collective_integrators::{
     Collective, Direct, HamiltonianField, LiftFree, RungeKutta, Start, fitted_order,
 };
-use heavytop::{Body, HeavyTop, SpinorRealisation};
+use heavytop::{Body, CollectiveGauss, HeavyTop, SpinorRealisation};
 use lie_poisson::nalgebra::Vector3;
 use lie_poisson::{Hamiltonian, LiePoisson, Se3, Se3Dual};
 use momentum_map::DualQuaternions;
@@ -62,13 +62,17 @@ impl Run<'_> {
         plain: &impl Start<f64, Momentum = Se3Dual>,
         compensated: &impl Start<f64, Momentum = Se3Dual>,
     ) -> Result<(), Box<dyn Error>> {
-        let asked = |name: &str| self.wanted.is_none_or(|wanted| wanted == name);
-        if asked(name) {
-            report(name, plain, self.top, self.starts, self.steps)?;
-        }
-        let name = format!("{name}, compensated");
-        if asked(&name) {
-            report(&name, compensated, self.top, self.starts, self.steps)?;
+        self.one(name, plain)?;
+        self.one(&format!("{name}, compensated"), compensated)
+    }
+
+    fn one(
+        &self,
+        name: &str,
+        integrator: &impl Start<f64, Momentum = Se3Dual>,
+    ) -> Result<(), Box<dyn Error>> {
+        if self.wanted.is_none_or(|wanted| wanted == name) {
+            report(name, integrator, self.top, self.starts, self.steps)?;
         }
         Ok(())
     }
@@ -103,10 +107,11 @@ where
         let slope = fitted_order(&walk, 0.0).map_or("-".to_owned(), |slope| format!("{slope:.2}"));
         let last = rms.len() - 1;
         println!(
-            "  {quantity}: rms {:.2e} at t = {:.3e}, mean {:+.2e}, slope {slope}",
+            "  {quantity}: rms {:.2e} at t = {:.3e}, mean {:+.2e} ± {:.1e}, slope {slope}",
             rms[last].1,
             rms[last].0,
-            moment(last, 1)
+            moment(last, 1),
+            rms[last].1 / count.sqrt()
         );
     }
     Ok(())
@@ -131,6 +136,8 @@ fn main() -> Result<(), Box<dyn Error>> {
     let starts: Vec<Se3Dual> = (0..starts).map(start).collect();
     let wanted = std::env::args().nth(3);
     let run = Run { top: &top, starts: &starts, steps, wanted: wanted.as_deref() };
+    let gauss = CollectiveGauss::new(6, top)?;
+    run.one("kernel gauss-12, compensated", &gauss)?;
     let schemes =
         [("midpoint", RungeKutta::implicit_midpoint()), ("gauss-12", RungeKutta::gauss(6)?)];
     for (name, scheme) in schemes {

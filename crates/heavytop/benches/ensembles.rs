@@ -5,7 +5,8 @@
 #![allow(clippy::unwrap_used, missing_docs)]
 
 use collective_integrators::{
-    AlternatingSubsteps, Direct, HamiltonianField, Integrator, RungeKutta, Substeps,
+    AlternatingSubsteps, BatchIntegrator, Direct, HamiltonianField, Integrator, RungeKutta,
+    Substeps,
 };
 use criterion::{Criterion, Throughput, criterion_group, criterion_main};
 use heavytop::{GaussEnsemble, HeavyTop, SymmetricTopEnsemble, SymmetricTopSplitting};
@@ -47,7 +48,13 @@ fn ensembles(criterion: &mut Criterion) {
             group.bench_function(format!("{name}, h = {step}, {set}"), |bencher| {
                 bencher.iter(|| {
                     let mut members: Vec<_> = (0..COUNT).map(|i| (symmetric, start(i))).collect();
-                    ensemble.advance(&mut members, *step, 0..steps(*step), &mut |_, _| ());
+                    ensemble.advance(
+                        &mut members,
+                        *step,
+                        0..steps(*step),
+                        &mut Vec::new(),
+                        &mut |_, _| (),
+                    );
                     black_box(members)
                 });
             });
@@ -57,7 +64,13 @@ fn ensembles(criterion: &mut Criterion) {
         group.bench_function(format!("Gauss 16, h = 1/3, {set}"), |bencher| {
             bencher.iter(|| {
                 let mut members: Vec<_> = (0..COUNT).map(|i| (top, start(i))).collect();
-                ensemble.advance(&mut members, step, 0..steps(step), &mut |_, _| ());
+                ensemble.advance(
+                    &mut members,
+                    step,
+                    0..steps(step),
+                    &mut Vec::new(),
+                    &mut |_, _| (),
+                );
                 black_box(members)
             });
         });

@@ -2,7 +2,7 @@
 //! iteration for any system, beside the fourth-order method of Runge and Kutta in plain Rust.
 #![allow(missing_docs, clippy::unwrap_used, clippy::panic)]
 
-use collective_integrators::{Integrator, StageSolver};
+use collective_integrators::{BatchIntegrator, Integrator, StageSolver};
 use criterion::{Criterion, Throughput, criterion_group, criterion_main};
 use heavytop::{HeavyTop, ReducedMidpoint};
 use lie_poisson::{InstructionSet, Se3Dual};
@@ -83,7 +83,9 @@ fn many_tops(c: &mut Criterion) {
         group.bench_function(set.to_string(), |b| {
             b.iter(|| {
                 let mut states: Vec<_> = (0..TOPS).map(start).collect();
-                midpoint.advance(&mut states, STEP, 0..STEPS, &mut |i, e| panic!("{i}: {e}"));
+                let mut space = BatchIntegrator::workspace(&midpoint);
+                let failed = &mut |i, e| panic!("{i}: {e}");
+                midpoint.advance(&mut states, STEP, 0..STEPS, &mut space, failed);
                 states
             });
         });

@@ -3,7 +3,9 @@
 use crate::HeavyTop;
 use crate::ensemble_path::{Place, advance_one, segments};
 use crate::spinor_kernel::{Coefficients, Motion, Parameters};
-use collective_integrators::{IntegrationError, LiftFree, RungeKutta, SchemeError, Tableau};
+use collective_integrators::{
+    BatchIntegrator, IntegrationError, LiftFree, RungeKutta, SchemeError, Tableau,
+};
 use core::ops::Range;
 use lie_poisson::{
     InstructionSet, LaneTask, Lanes, Mask, MissingInstructions, Se3Dual, Vector, Width,
@@ -25,6 +27,7 @@ use momentum_map::DualQuaternions;
 ///
 /// # Example
 /// ```
+/// use collective_integrators::Ensemble;
 /// use heavytop::{Body, GaussEnsemble, HeavyTop, Invariant};
 /// use lie_poisson::Se3Dual;
 /// use nalgebra::Vector3;
@@ -40,8 +43,8 @@ use momentum_map::DualQuaternions;
 ///     Se3Dual::new(Vector3::new(1.0, 0.5, f64::from(i) / 50.0), Vector3::new(0.6, 0.0, 0.8))
 /// };
 /// let mut tops: Vec<_> = (0..100).map(|i| (top, start(i))).collect();
-/// let ensemble = GaussEnsemble::<8>::new()?;
-/// ensemble.advance(&mut tops, 0.25, 0..40, &mut |index, error| panic!("{index}: {error}"));
+/// let ensemble = Ensemble::new(GaussEnsemble::<8>::new()?);
+/// assert!(ensemble.advance(&mut tops, 0.25, 0..40).is_empty());
 /// let energy = |mu: &Se3Dual| Invariant::Energy.value(&top, mu);
 /// for (i, (_, mu)) in (0..).zip(&tops) {
 ///     assert!((energy(mu) - energy(&start(i))).abs() < 1e-12);
@@ -76,23 +79,30 @@ impl<const S: usize> GaussEnsemble<S> {
     ) -> Result<Self, MissingInstructions> {
         Ok(Self { place: Place::new(instructions, width)?, ..self })
     }
+}
 
-    /// Advances each member, a top and its state, from where `steps.start` steps have led it to where
-    /// `steps.end` will.
-    ///
-    /// A member that cannot go on keeps the state before the step that failed, and `failed` is told
-    /// its index, with the number and the time of that step. Runs in several calls that meet at
-    /// multiples of [`CHECKPOINT`](collective_integrators::CHECKPOINT) have the bits of one run; others
-    /// differ by rounding.
-    pub fn advance(
+/// Runs in several calls that meet at multiples of [`CHECKPOINT`](collective_integrators::CHECKPOINT)
+/// have the bits of one run; others differ by rounding.
+impl<const S: usize> BatchIntegrator for GaussEnsemble<S> {
+    type Member = (HeavyTop, Se3Dual);
+
+    /// The members that have failed.
+    type Workspace = Vec<usize>;
+
+    fn workspace(&self) -> Vec<usize> {
+        Vec::new()
+    }
+
+    fn advance(
         &self,
         members: &mut [(HeavyTop, Se3Dual)],
         step: f64,
         steps: Range<u64>,
+        lost: &mut Vec<usize>,
         failed: &mut dyn FnMut(usize, IntegrationError),
     ) {
         let coefficients = &self.coefficients.scaled(step);
-        let mut lost: Vec<usize> = Vec::new();
+        lost.clear();
         for steps in segments(steps) {
             let alone = |index: usize, (top, state): &mut (HeavyTop, Se3Dual)| {
                 let integrator = LiftFree::new(self.scheme.clone(), DualQuaternions, *top);
@@ -100,7 +110,7 @@ impl<const S: usize> GaussEnsemble<S> {
                 ended.map_err(|error| failed(index, error)).is_ok()
             };
             let count = steps.end - steps.start;
-            let lost = &mut lost;
+            let lost = &mut *lost;
             self.place.run(Advance { coefficients, members, step, count, lost, alone });
         }
     }

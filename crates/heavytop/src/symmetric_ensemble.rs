@@ -3,7 +3,9 @@
 use crate::SymmetricTopSplitting;
 use crate::ensemble_path::{Place, advance_one, segments};
 use crate::symmetric_kernel::{Momenta, Parameters, everywhere};
-use collective_integrators::{AlternatingSplitting, AlternatingSubsteps, IntegrationError};
+use collective_integrators::{
+    AlternatingSplitting, AlternatingSubsteps, BatchIntegrator, IntegrationError,
+};
 use core::ops::Range;
 use lie_poisson::{
     InstructionSet, LaneTask, Lanes, Mask, MissingInstructions, Se3Dual, Vector, Width,
@@ -24,7 +26,7 @@ use lie_poisson::{
 /// # Example
 /// A thousand of Kovalevskaya's tops, at round-off accuracy:
 /// ```
-/// use collective_integrators::{AlternatingSubsteps, Substeps};
+/// use collective_integrators::{AlternatingSubsteps, Ensemble, Substeps};
 /// use heavytop::{HeavyTop, Invariant, SymmetricTopEnsemble, SymmetricTopSplitting};
 /// use lie_poisson::Se3Dual;
 /// use nalgebra::Vector3;
@@ -34,8 +36,8 @@ use lie_poisson::{
 /// };
 /// let mut tops: Vec<_> = (0..1000).map(|i| (top, start(i))).collect();
 /// let substeps = AlternatingSubsteps::composed(&Substeps::sofroniou_spaletta10());
-/// let ensemble = SymmetricTopEnsemble::new(substeps);
-/// ensemble.advance(&mut tops, 0.2, 0..50, &mut |index, error| panic!("{index}: {error}"));
+/// let ensemble = Ensemble::new(SymmetricTopEnsemble::new(substeps));
+/// assert!(ensemble.advance(&mut tops, 0.2, 0..50).is_empty());
 /// let energy = |mu: &Se3Dual| Invariant::Energy.value(top.top(), mu);
 /// for (i, (_, mu)) in (0..).zip(&tops) {
 ///     assert!((energy(mu) - energy(&start(i))).abs() < 1e-11);
@@ -67,23 +69,30 @@ impl SymmetricTopEnsemble {
     ) -> Result<Self, MissingInstructions> {
         Ok(Self { place: Place::new(instructions, width)?, ..self })
     }
+}
 
-    /// Advances each member, a top and its state, from where `steps.start` steps have led it to where
-    /// `steps.end` will.
-    ///
-    /// A member that cannot go on keeps the state before the step that failed, and `failed` is told
-    /// its index, with the number and the time of that step. Runs in several calls that meet at
-    /// multiples of [`CHECKPOINT`](collective_integrators::CHECKPOINT) have the bits of one run; others
-    /// differ by rounding.
-    pub fn advance(
+/// Runs in several calls that meet at multiples of [`CHECKPOINT`](collective_integrators::CHECKPOINT)
+/// have the bits of one run; others differ by rounding.
+impl BatchIntegrator for SymmetricTopEnsemble {
+    type Member = (SymmetricTopSplitting, Se3Dual);
+
+    /// The members that have failed.
+    type Workspace = Vec<usize>;
+
+    fn workspace(&self) -> Vec<usize> {
+        Vec::new()
+    }
+
+    fn advance(
         &self,
         members: &mut [(SymmetricTopSplitting, Se3Dual)],
         step: f64,
         steps: Range<u64>,
+        lost: &mut Vec<usize>,
         failed: &mut dyn FnMut(usize, IntegrationError),
     ) {
         let flows = &self.flows;
-        let mut lost: Vec<usize> = Vec::new();
+        lost.clear();
         for steps in segments(steps) {
             let alone = |index: usize, (top, state): &mut (SymmetricTopSplitting, Se3Dual)| {
                 let integrator = AlternatingSplitting::new(*top, self.substeps.clone());
@@ -91,7 +100,7 @@ impl SymmetricTopEnsemble {
                 ended.map_err(|error| failed(index, error)).is_ok()
             };
             let count = steps.end - steps.start;
-            let lost = &mut lost;
+            let lost = &mut *lost;
             self.place.run(Advance { flows, members, step, count, lost, alone });
         }
     }
