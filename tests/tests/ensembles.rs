@@ -6,14 +6,15 @@ use collective_integrators::{
     Ensemble, HamiltonianField, Integrator, Laned, LiftFree, MemberError, PartitionedRungeKutta,
     RungeKutta, StageSolver, Start, StepError, Substeps, VectorField,
 };
-use heavytop::{HeavyTop, ReducedMidpoint, SpinorRealisation};
+use heavytop::{HeavyTop, HeavyTopSpace, MidpointSweep, ReducedMidpoint, SpinorRealisation};
 use lie_poisson::{
-    Automatic, Covector, DefaultLanes, Energy, InstructionSet, LaneTask, Lanes, LiePoisson, Point,
-    Real, RealSpace, Se3, Se3Dual, So3, Vector, Width, dispatch,
+    Automatic, Covector, DefaultLanes, Energy, InstructionSet, LaneTask, Lanes, LiePoisson, Pair,
+    Point, Real, RealSpace, Se3, Se3Dual, So3, Vector, Width, dispatch,
 };
 use momentum_map::{Cotangent, CotangentBundle, DualQuaternions, Lift, PoissonMap};
 use nalgebra::{Vector1, Vector3};
 use std::collections::BTreeSet;
+use std::slice;
 use std::sync::Mutex;
 use workspace_tests::tops;
 
@@ -156,7 +157,51 @@ same_bits_at_every_width! {
         Collective::that_does_not_descend(
             PartitionedRungeKutta::lobatto_iiia_iiib(3).unwrap(), SpinorRealisation, top(),
         ), 0.02, 100, true;
-    reduced_steps: ReducedMidpoint<HeavyTop> = ReducedMidpoint::new(top()), 0.05, 100, true;
+    // For a HeavyTop this integrator has a kernel over f64.
+    reduced_steps: ReducedMidpoint<Automatic<Body>> =
+        ReducedMidpoint::new(Automatic(Body)), 0.05, 100, true;
+}
+
+/// A top by its formula.
+#[derive(Clone)]
+struct Body;
+
+impl Energy for Body {
+    type Space = HeavyTopSpace;
+    fn energy<T: Real>(&self, Covector(Pair(pi, gamma)): &Se3Dual<T>) -> T {
+        pi.x * pi.x * 0.5 + pi.y * pi.y * 0.4 + pi.z * pi.z * 0.3 + gamma.x * 0.2 - gamma.z
+    }
+}
+
+/// Kernels go on threads by the same call, and know a member by nothing but itself.
+#[test]
+fn kernels_are_run_by_the_same_call() {
+    let members: Vec<_> = momenta(300).iter().map(|mu| (top(), *mu)).collect();
+    let run = |sweep: MidpointSweep, threads| {
+        let mut members = members.clone();
+        members[71].1.0.0.z = f64::NAN;
+        let ensemble = Ensemble::new(sweep);
+        let failures = pool(threads).install(|| ensemble.advance(&mut members, 0.01, 0..50));
+        assert_eq!(failures.iter().map(|failure| failure.index).collect::<Vec<_>>(), [71]);
+        members.iter().map(|(_, mu)| bits(mu)).collect::<Vec<_>>()
+    };
+    let one = run(MidpointSweep::new(), 1);
+    assert_eq!(one, run(MidpointSweep::new(), 2));
+    let integrator = ReducedMidpoint::new(top());
+    let mut singly: Vec<_> = members.iter().map(|(_, mu)| *mu).collect();
+    for mu in &mut singly {
+        assert!(
+            Ensemble::new(integrator.clone()).advance(slice::from_mut(mu), 0.01, 0..50).is_empty()
+        );
+    }
+    assert_eq!(
+        singly.iter().map(bits).enumerate().find(|(i, mu)| *i != 71 && mu != &one[*i]),
+        None
+    );
+    // Negative control: without fused multiply-add other bits come out.
+    let unfused = MidpointSweep::with_instructions(InstructionSet::Portable).unwrap();
+    let fused = InstructionSet::detected() != InstructionSet::Portable;
+    assert_eq!(run(unfused, 1) != one, fused);
 }
 
 /// The widths above are those of this machine; elsewhere there may be fewer.
@@ -219,11 +264,14 @@ fn members_fail_at_the_step_and_state_of_their_trajectories() {
     }
 }
 
+fn pool(threads: usize) -> rayon::ThreadPool {
+    rayon::ThreadPoolBuilder::new().num_threads(threads).build().unwrap()
+}
+
 #[test]
 fn threads_do_not_matter() {
     let members = momenta(5000);
     let ensemble = Ensemble::new(Laned::new(ReducedMidpoint::new(top())));
-    let pool = |n| rayon::ThreadPoolBuilder::new().num_threads(n).build().unwrap();
     let run = |threads: usize| -> (Vec<Se3Dual>, Vec<MemberError>) {
         let mut members = members.clone();
         members[4321].0.0.x = f64::NAN;

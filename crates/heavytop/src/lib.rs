@@ -16,7 +16,8 @@
 //! | many tops at once: symmetric ones by splitting, any by Gauss methods | [`SymmetricTopEnsemble`], [`GaussEnsemble`] |
 //! | collective Gauss methods of one top, by the registers of the processor | [`CollectiveGauss`] |
 //! | the midpoint rule on se(3)∗ in closed form | [`ReducedMidpoint`] |
-//! | the same for many tops at once | [`ReducedMidpoint::advance`], [`MidpointSweep`] |
+//! | the same for many tops at once | [`ReducedMidpoint`], [`MidpointSweep`] |
+//! | these on all threads | [`Ensemble`](collective_integrators::Ensemble) of any of them |
 //! | the attitude, in every formulation that has one | [`WithAttitude`] |
 //! | other systems on se(3)∗: gyrostat, body in a fluid | [`Gyrostat`], [`Kirchhoff`] |
 //! | systems on (so(3)∗)ᴺ: vortices, spins, spins on a lattice | [`PointVortices`], [`HeisenbergChain`], [`SpinLattice`] |

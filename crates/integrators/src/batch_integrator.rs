@@ -23,7 +23,7 @@ pub trait BatchIntegrator: Sync {
     fn workspace(&self) -> Self::Workspace;
 
     /// Advances each member, from where `steps.start` steps have led it to where `steps.end` will,
-    /// with steps of size `step`, which may be negative. Allocates nothing.
+    /// with steps of size `step`, which may be negative. No step allocates.
     ///
     /// A method that remembers the steps before, to guess from them, remembers nothing at the start
     /// of a call, and forgets at every multiple of [`CHECKPOINT`](crate::CHECKPOINT), as a

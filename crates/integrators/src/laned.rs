@@ -10,11 +10,12 @@ use lie_poisson::{DefaultLanes, Lanes, Vector};
 /// Every integrator whose formulas are written over all scalars will do. Each member comes out with
 /// the bits of its [trajectory](Integrator::trajectory_from) over `f64`, whatever the lanes and the
 /// neighbours: operations on lanes round as those of `f64` do, iterations stop in each lane by
-/// itself. (For an integrator that compares lanes with each other, that is not so.)
+/// itself. (An integrator that computes otherwise over `f64`, by a fused kernel say, differs from its
+/// lanes by rounding; the neighbours do not matter then either.)
 ///
 /// Steps come in blocks that end at the multiples of [`CHECKPOINT`]. A block in which a step of some
-/// lane fails is made again member by member over `f64`, from its start; a member that fails there
-/// too is given up, and a neighbour fills its lane.
+/// lane fails is made again from its start, with one member at a time in all lanes; a member that
+/// fails there too is given up, and a neighbour fills its lane.
 ///
 /// # Example
 /// Six pendulums; the last but one starts nowhere:
@@ -66,15 +67,11 @@ impl<I, T> Laned<I, T> {
     }
 }
 
-/// The storage of an integrator over `T`.
-type Storage<I, T> = <I as Integrator<T>>::Workspace;
-
-/// The storage of [`Laned`]: that of a step over lanes, that of a step over `f64`, and which lanes
-/// hold a member that can go on.
+/// The storage of [`Laned`]: that of a step over lanes, and which lanes hold a member that can go
+/// on.
 #[derive(Debug)]
-pub struct LanedSpace<S, R> {
-    lanes: S,
-    single: R,
+pub struct LanedSpace<S> {
+    storage: S,
     alive: Vec<bool>,
 }
 
@@ -84,12 +81,11 @@ where
     T: Lanes,
 {
     type Member = <I as Integrator<f64>>::State;
-    type Workspace = LanedSpace<Storage<I, T>, Storage<I, f64>>;
+    type Workspace = LanedSpace<<I as Integrator<T>>::Workspace>;
 
     fn workspace(&self) -> Self::Workspace {
         LanedSpace {
-            lanes: Integrator::<T>::workspace(&self.integrator),
-            single: Integrator::<f64>::workspace(&self.integrator),
+            storage: Integrator::<T>::workspace(&self.integrator),
             alive: vec![false; T::COUNT],
         }
     }
@@ -125,7 +121,7 @@ where
         group: &mut [<I as Integrator<f64>>::State],
         step: f64,
         block: Range<u64>,
-        space: &mut LanedSpace<Storage<I, T>, Storage<I, f64>>,
+        space: &mut LanedSpace<<I as Integrator<T>>::Workspace>,
     ) -> bool {
         let Some(healthy) = group.iter().zip(&space.alive).position(|(_, &alive)| alive) else {
             return true;
@@ -137,12 +133,8 @@ where
         let mut state = <I as Integrator<T>>::State::from_coordinates(|i| {
             T::from_lanes(|lane| member(lane).coordinate(i))
         });
-        Integrator::<T>::forget(&self.integrator, &mut space.lanes);
-        for _ in block {
-            match Integrator::<T>::step(&self.integrator, &state, step, &mut space.lanes) {
-                Ok(next) => state = next.point,
-                Err(_) => return false,
-            }
+        if self.steps(&mut state, step, block, &mut space.storage).is_err() {
+            return false;
         }
         for (lane, member) in group.iter_mut().enumerate() {
             if space.alive.get(lane) == Some(&true) {
@@ -152,30 +144,49 @@ where
         true
     }
 
-    /// The same over `f64`. What fails is reported, by its lane, and given up.
+    /// The same with one member at a time, in all lanes. What fails is reported, by its lane, and
+    /// given up.
     fn advance_one_by_one(
         &self,
         group: &mut [<I as Integrator<f64>>::State],
         step: f64,
         block: Range<u64>,
-        space: &mut LanedSpace<Storage<I, T>, Storage<I, f64>>,
+        space: &mut LanedSpace<<I as Integrator<T>>::Workspace>,
         report: &mut dyn FnMut(usize, IntegrationError),
     ) {
         let lanes = group.iter_mut().zip(&mut space.alive).enumerate();
         for (lane, (member, alive)) in lanes.filter(|(_, (_, alive))| **alive) {
-            Integrator::<f64>::forget(&self.integrator, &mut space.single);
-            for made in block.clone() {
-                match Integrator::<f64>::step(&self.integrator, member, step, &mut space.single) {
-                    Ok(next) => *member = next.point,
-                    Err(source) => {
-                        *alive = false;
-                        let time = made as f64 * step;
-                        report(lane, IntegrationError { step: made + 1, time, source });
-                        break;
-                    }
+            let mut state = <I as Integrator<T>>::State::from_coordinates(|i| {
+                T::from_f64(member.coordinate(i))
+            });
+            if let Err(error) = self.steps(&mut state, step, block.clone(), &mut space.storage) {
+                *alive = false;
+                report(lane, error);
+            }
+            *member = Vector::from_coordinates(|i| state.coordinate(i).lane(0));
+        }
+    }
+
+    /// Steps that know nothing of those before the first of them. Where one fails, the state is that
+    /// before it.
+    fn steps(
+        &self,
+        state: &mut <I as Integrator<T>>::State,
+        step: f64,
+        block: Range<u64>,
+        storage: &mut <I as Integrator<T>>::Workspace,
+    ) -> Result<(), IntegrationError> {
+        Integrator::<T>::forget(&self.integrator, storage);
+        for made in block {
+            match Integrator::<T>::step(&self.integrator, state, step, storage) {
+                Ok(next) => *state = next.point,
+                Err(source) => {
+                    let time = made as f64 * step;
+                    return Err(IntegrationError { step: made + 1, time, source });
                 }
             }
         }
+        Ok(())
     }
 }
 
