@@ -28,11 +28,17 @@ PROBLEMS = {
 }
 
 # What runs. {heavytop}, {folder}, {peers}, {python} and {problem} are filled in.
-OURS = ["{heavytop} bench --json {problem}"]
+OURS = ["{heavytop} bench --json --problem {problem}"]
 ONE_TOP = ["{folder}/single {problem}", "{folder}/gsl {problem}", "{folder}/odeint {problem}",
            "{python} -B {peers}/heyoka_peer.py {problem}", "{python} -B {peers}/scipy_peer.py {problem}"]
 ENSEMBLE = ["{folder}/ensemble {problem}", "{python} -B {peers}/heyoka_peer.py {problem}"]
 PEAK = "{folder}/peak"
+
+
+def ours(text):
+    """The lines of a contestant from the summary of `heavytop bench --json`; nothing where it failed."""
+    return [{key: run[key] for key in ("name", "setting", "seconds", "steps", "error_10")}
+            | {f"error_{run['end']:.0f}": run["error_end"]} for run in json.loads(text or '{"runs": []}')["runs"]]
 
 
 class Results:
@@ -53,7 +59,7 @@ class Results:
         command = " ".join(Path(word).name for word in words)
         try:
             done = subprocess.run(words, capture_output=True, text=True, timeout=600)
-            lines = [json.loads(line) for line in done.stdout.splitlines()]
+            lines = ours(done.stdout) if words[1:2] == ["bench"] else [json.loads(line) for line in done.stdout.splitlines()]
             error = done.stderr.strip().splitlines()[-1:] if done.returncode else []
             if done.returncode:
                 self.missing[command] = " ".join([f"exit status {done.returncode}", *error])

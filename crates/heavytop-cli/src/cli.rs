@@ -2,11 +2,13 @@
 
 use crate::Error;
 use crate::animate::animate;
+use crate::bench::{Options as BenchOptions, bench};
 use crate::compare::compare;
 use crate::config::Config;
 use crate::help::{
-    ANIMATE, ANIMATE_EXAMPLES, COMPARE, COMPARE_EXAMPLES, COMPLETIONS_EXAMPLES, EXIT_CODES,
-    REPRODUCE, REPRODUCE_EXAMPLES, SECTION, SECTION_EXAMPLES, SIMULATE, SIMULATE_EXAMPLES,
+    ANIMATE, ANIMATE_EXAMPLES, BENCH, BENCH_EXAMPLES, COMPARE, COMPARE_EXAMPLES,
+    COMPLETIONS_EXAMPLES, EXIT_CODES, REPRODUCE, REPRODUCE_EXAMPLES, SECTION, SECTION_EXAMPLES,
+    SIMULATE, SIMULATE_EXAMPLES,
 };
 use crate::preset::Preset;
 use crate::reproduce::reproduce;
@@ -104,6 +106,21 @@ enum Command {
         #[arg(long, value_name = "FILE")]
         out: PathBuf,
     },
+    /// Time the integrators on one top and on many.
+    #[command(long_about = BENCH, after_long_help = BENCH_EXAMPLES)]
+    Bench {
+        #[command(flatten)]
+        top: Top,
+        /// The tops of this file, with references, instead of the configured top and tops about it.
+        #[arg(long, value_name = "FILE")]
+        problem: Option<PathBuf>,
+        /// The number of tops in the ensemble.
+        #[arg(long, value_name = "COUNT", default_value_t = 10_000)]
+        tops: u64,
+        /// The number of threads for the ensemble.
+        #[arg(long, value_name = "COUNT", default_value_t = 1)]
+        threads: usize,
+    },
     /// Print the completions of a shell, to be put where it looks for them.
     #[command(after_long_help = COMPLETIONS_EXAMPLES)]
     Completions {
@@ -156,6 +173,13 @@ pub fn main() -> ExitCode {
         Command::Animate { top, out } => {
             top.config().and_then(|config| animate(config, &out, quiet))
         }
+        Command::Bench { top, problem, tops, threads } => top
+            .config()
+            .and_then(|config| {
+                let options = BenchOptions { tops, threads };
+                bench(&config, problem.as_deref(), options, quiet)
+            })
+            .and_then(|done| print(&done, json)),
         Command::Completions { shell } => completions(shell),
     };
     match done {

@@ -172,6 +172,22 @@ pub enum Error {
         /// The step, the time and the reason.
         source: IntegrationError,
     },
+    /// An integrator that was to be timed failed.
+    #[error("{name}: {source}")]
+    Timed {
+        /// The integrator.
+        name: String,
+        /// The step, the time and the reason.
+        source: IntegrationError,
+    },
+    /// The system refuses so many threads.
+    #[error("cannot start {threads} thread(s): {source}")]
+    Threads {
+        /// Their number.
+        threads: usize,
+        /// Why.
+        source: rayon::ThreadPoolBuildError,
+    },
     /// There is no such section.
     #[error("[section] {0}")]
     Section(#[from] SectionError),
@@ -242,6 +258,7 @@ impl Error {
             Self::Reference { .. }
             | Self::Write { .. }
             | Self::Integration { .. }
+            | Self::Timed { .. }
             | Self::Crossing { .. }
             | Self::Figure(_)
             | Self::Resumable { .. }

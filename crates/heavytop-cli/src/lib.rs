@@ -25,6 +25,7 @@
 //! | `heavytop compare` | [`compare`] |
 //! | `heavytop section` | [`section`] |
 //! | `heavytop animate` | [`animate`] |
+//! | `heavytop bench` | [`bench`] |
 //! | what `--help` says | `help` |
 //! | the command line | [`cli`] |
 //!
@@ -51,6 +52,7 @@ pub mod reproduce;
 pub mod compare;
 pub mod section;
 pub mod animate;
+pub mod bench;
 mod help;
 pub mod cli;
 
