@@ -8,12 +8,13 @@ use crate::config::Config;
 use crate::help::{
     ANIMATE, ANIMATE_EXAMPLES, BENCH, BENCH_EXAMPLES, COMPARE, COMPARE_EXAMPLES,
     COMPLETIONS_EXAMPLES, EXIT_CODES, REPRODUCE, REPRODUCE_EXAMPLES, SECTION, SECTION_EXAMPLES,
-    SIMULATE, SIMULATE_EXAMPLES,
+    SIMULATE, SIMULATE_EXAMPLES, SWEEP, SWEEP_EXAMPLES,
 };
 use crate::preset::Preset;
 use crate::reproduce::reproduce;
 use crate::section::section;
 use crate::simulate::{Checkpoint, Options, Summary, simulate};
+use crate::sweep::sweep;
 use clap::{Args, CommandFactory, Parser, Subcommand};
 use clap_complete::Shell;
 use serde::Serialize;
@@ -97,6 +98,18 @@ enum Command {
         #[arg(long, value_name = "DIR")]
         out: PathBuf,
     },
+    /// Follow many tops at once, and map what becomes of them.
+    #[command(long_about = SWEEP, after_long_help = SWEEP_EXAMPLES)]
+    Sweep {
+        #[command(flatten)]
+        top: Top,
+        /// The folder for the table and the heat maps; made if it is not there.
+        #[arg(long, value_name = "DIR")]
+        out: PathBuf,
+        /// Go on from the finished tiles that an interrupted sweep has left in the folder.
+        #[arg(long)]
+        resume: bool,
+    },
     /// Show a top in motion, on a page for a browser.
     #[command(long_about = ANIMATE, after_long_help = ANIMATE_EXAMPLES)]
     Animate {
@@ -170,6 +183,10 @@ pub fn main() -> ExitCode {
             .config()
             .and_then(|config| section(&config, &out, quiet))
             .and_then(|done| print(&done, json)),
+        Command::Sweep { top, out, resume } => top
+            .config()
+            .and_then(|config| sweep(&config, &out, resume, quiet))
+            .and_then(|done| done.map_or(Ok(()), |done| print(&done, json))),
         Command::Animate { top, out } => {
             top.config().and_then(|config| animate(config, &out, quiet))
         }
@@ -224,7 +241,7 @@ fn run_simulate(
     let resume = resume.map(Checkpoint::read).transpose()?;
     let config = match &resume {
         // The checkpoint has its own.
-        Some(checkpoint) if top.is_default() => *checkpoint.configuration(),
+        Some(checkpoint) if top.is_default() => checkpoint.configuration().clone(),
         _ => top.config()?,
     };
     let range = "not negative, and at most 1e9";

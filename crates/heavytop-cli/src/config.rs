@@ -6,13 +6,14 @@ use crate::method::{Formulation, Scheme};
 use crate::run::Experiment;
 use crate::schedule::Schedule;
 use crate::section::SectionConfig;
+use crate::sweep::SweepConfig;
 use heavytop::{Body, HeavyTop, require_unit};
 use lie_poisson::Se3Dual;
 use nalgebra::Vector3;
 use serde::{Deserialize, Serialize};
 
 /// A configuration; what is left out is the paper's Kovalevskaya top.
-#[derive(Clone, Copy, Debug, Default, PartialEq, Deserialize, Serialize)]
+#[derive(Clone, Debug, Default, PartialEq, Deserialize, Serialize)]
 #[serde(default, deny_unknown_fields)]
 pub struct Config {
     /// `[body]`
@@ -26,6 +27,8 @@ pub struct Config {
     /// `[section]`; not written, for it plays no part in what says its configuration.
     #[serde(skip_serializing)]
     pub section: SectionConfig,
+    /// `[sweep]`; without it a small sweep over angular momenta.
+    pub sweep: Option<SweepConfig>,
 }
 
 /// `[body]`: the parameters of the top.
@@ -167,7 +170,7 @@ impl Config {
 pub(crate) const MOST_TURN: f64 = 100.0;
 
 /// Checks that h (|Ω(0)| + √(m g l/I)), I the least moment, is an angle that a step may have.
-fn require_sane_step(top: &HeavyTop, start: &Se3Dual, step: f64) -> Result<(), Error> {
+pub(crate) fn require_sane_step(top: &HeavyTop, start: &Se3Dual, step: f64) -> Result<(), Error> {
     let spin = top.angular_velocity(&start.0.0).norm();
     let angle = step * (spin + (top.weight_moment() / top.inertia().min()).sqrt());
     if angle <= MOST_TURN || step <= 0.0 || step.is_nan() {

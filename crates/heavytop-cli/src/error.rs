@@ -2,7 +2,8 @@
 
 use crate::method::{Formulation, Scheme};
 use crate::simulate::CheckpointError;
-use collective_integrators::{EventError, IntegrationError, SchemeError};
+use crate::sweep::SweepError;
+use collective_integrators::{EventError, IntegrationError, SchemeError, VariationalError};
 use heavytop::{SectionError, TopError};
 use momentum_map::LiftError;
 use std::io;
@@ -203,6 +204,31 @@ pub enum Error {
         /// The step, the time and the reason.
         source: EventError,
     },
+    /// There is no such sweep.
+    #[error("[sweep] {0}")]
+    Sweep(#[from] SweepError),
+    /// Tangent vectors of a top in a sweep have no direction any more.
+    #[error("{0}")]
+    Tangent(#[source] VariationalError),
+    /// What a sweep has finished cannot be read.
+    #[error("cannot read {}: {source}", path.display())]
+    Tile {
+        /// The file.
+        path: PathBuf,
+        /// Why.
+        source: io::Error,
+    },
+    /// A tile that another process should have finished is not there.
+    #[error(
+        "tile {tile} is missing: {} must be on a file system that all processes see",
+        folder.display()
+    )]
+    MissingTile {
+        /// Its number.
+        tile: u64,
+        /// The folder of the sweep.
+        folder: PathBuf,
+    },
     /// Two reference solutions differ.
     #[error(
         "the reference solution is certain to {uncertainty:.1e} of its size only, not to {most:e}: \
@@ -260,6 +286,9 @@ impl Error {
             | Self::Integration { .. }
             | Self::Timed { .. }
             | Self::Crossing { .. }
+            | Self::Tangent(_)
+            | Self::Tile { .. }
+            | Self::MissingTile { .. }
             | Self::Figure(_)
             | Self::Resumable { .. }
             | Self::Kept { .. } => 1,

@@ -206,6 +206,7 @@ Examples:
   heavytop animate --out kovalevskaya.html        # the paper's top
   heavytop animate top.toml --out top.html
 Open the page in a browser; top.html#t=12.5 shows the moment t = 12.5 s.";
+
 pub(crate) const COMPLETIONS_EXAMPLES: &str = "\
 Examples:
   heavytop completions bash > ~/.local/share/bash-completion/completions/heavytop
@@ -229,3 +230,69 @@ Examples:
   heavytop bench                                  # the paper's top
   heavytop bench top.toml --threads 2
   heavytop bench --tops 1000000 --json";
+
+pub(crate) const SWEEP: &str = "\
+Follow many tops at once, and map what becomes of them.
+
+Each axis varies one number of [body] or [initial], over a grid or at random; the observables are
+
+  final-state         (Π, Γ) at the end: Pi1,Pi2,Pi3 (kg m²/s), Gamma1,Gamma2,Gamma3
+  invariant-drift     largest deviations over all steps: drift_h (J), drift_f1, drift_f2 (kg m²/s)
+  lyapunov            the maximal Lyapunov exponent so far, 1/s
+  megno               mean exponential growth factor of nearby orbits: about 2 in order, λt/2 in chaos
+  sali                smaller alignment index of two tangent vectors: round-off in chaos
+  rotation-number     mean advance of Γ about the centre of mass's line, seen from the body, from one
+                      maximum of its height to the next, in turns; null with fewer than two maxima
+  nutation-amplitude  range of the angle between that line and the vertical, rad
+
+Tangent vectors are those of the states that the integrator advances: under collective those of
+T*C², fibres included; use reduced.
+
+Written into the folder:
+  sweep.parquet   a row for each top: index, the parameters by their paths, the observables, failure;
+                  a top that could not be followed has nulls and the reason there, and harms no other
+  NAME.svg .png   for a grid with two axes, a map of each column: the first axis is the abscissa; the
+                  colours span all values but half a percent at either end; gray has no value
+
+Tops are followed in parallel (RAYON_NUM_THREADS threads); top number n depends on the configuration
+and n alone, so that no bit depends on the number of threads, processes or tops. What is finished is
+kept, 256 tops at a time, in DIR/sweep.partial until all is; after an interruption --resume goes on
+from there. It is refused with another configuration.
+
+A program built with the feature mpi shares the work among the processes of an MPI job. DIR must be
+on a file system that all of them see. A process that fails says why and ends the job.";
+
+pub(crate) const SWEEP_EXAMPLES: &str = "\
+Configuration: [body] and [initial] as of simulate, and
+  [sweep]
+  observables = [\"megno\"]            # one or more
+  count = 10000                      # how many tops; where the axes are random, and only there
+  seed = 0                           # which random numbers
+
+  [[sweep.axes]]                     # a grid; where there are several the last one runs fastest
+  parameter = \"body.inertia[1]\"     # see below
+  from = 1.0
+  to = 3.0
+  count = 512
+
+  [[sweep.axes]]                     # or random: the axes are all grids or all random
+  parameter = \"initial.vertical[0]\"
+  uniform = [-1.0, 1.0]              # least and largest value; or
+  # normal = [0.0, 0.5]              # mean and standard deviation
+  normalise = true                   # scale the unit vector to length 1 afterwards; default false
+
+  [integrator]                       # as of simulate
+Without the table [integrator]: reduced, gauss-8, step 0.1 s, end 100 s.
+
+Parameters:
+  body.inertia[i], body.mass, body.gravity, body.length, body.center_of_mass[i],
+  initial.angular_momentum[i], initial.vertical[i]                    i = 0, 1, 2
+  body.center_of_mass.inclination, body.center_of_mass.azimuth,
+  initial.vertical.inclination, initial.vertical.azimuth              rad
+with the unit vector (sin i cos a, sin i sin a, cos i) of inclination i and azimuth a.
+
+Examples:
+  heavytop sweep --out sweep                      # a small map about the paper's top
+  heavytop sweep map.toml --out map
+  heavytop sweep map.toml --out map --resume      # after an interruption
+  mpirun -n 4 heavytop sweep map.toml --out map   # built with --features mpi";

@@ -3,14 +3,14 @@
 use crate::Error;
 use crate::method::{Formulation, Pair, Raise, Scheme};
 use collective_integrators::{
-    Collective, Composition, Direct, Equivariant, FirstHalf, HamiltonianField, LiftFree,
-    PartitionedRungeKutta, RungeKutta, SchemeError, Splitting, StageSolver, Start,
+    Collective, Composition, Direct, Equivariant, FirstHalf, HamiltonianField, Integrator,
+    LiftFree, PartitionedRungeKutta, RungeKutta, SchemeError, Splitting, StageSolver, Start,
 };
 use heavytop::{
     CollectiveGauss, HeavyTop, ReducedMidpoint, RotorSplitting, SpinorRealisation,
     SymmetricTopSplitting, Turning,
 };
-use lie_poisson::{LiePoisson, Se3, Se3Dual};
+use lie_poisson::{DualNumber, LiePoisson, Se3, Se3Dual};
 use momentum_map::DualQuaternions;
 
 /// Something to do with an integrator of the heavy top, whichever type it has.
@@ -33,6 +33,47 @@ pub trait Task {
         Self: Sized,
     {
         self.perform(&integrator)
+    }
+}
+
+/// Something to do with an integrator that has tangent maps, by dual numbers.
+pub trait TangentTask {
+    /// What comes of it.
+    type Output;
+
+    /// Does it.
+    ///
+    /// # Errors
+    /// If it fails.
+    fn perform<I>(self, integrator: &I) -> Result<Self::Output, Error>
+    where
+        I: Start<Momentum = Se3Dual> + Integrator<DualNumber>;
+
+    /// Does it with an integrator that can carry the attitude along. By default without the attitude.
+    ///
+    /// # Errors
+    /// If it fails.
+    fn perform_turning<I>(self, integrator: I) -> Result<Self::Output, Error>
+    where
+        I: Turning + Start + Integrator<DualNumber>,
+        Self: Sized,
+    {
+        self.perform(&integrator)
+    }
+}
+
+/// A task that has no use for tangent maps.
+struct Plain<K>(K);
+
+impl<K: Task> TangentTask for Plain<K> {
+    type Output = K::Output;
+
+    fn perform<I: Start<Momentum = Se3Dual>>(self, integrator: &I) -> Result<K::Output, Error> {
+        self.0.perform(integrator)
+    }
+
+    fn perform_turning<I: Turning + Start>(self, integrator: I) -> Result<K::Output, Error> {
+        self.0.perform_turning(integrator)
     }
 }
 
@@ -100,6 +141,20 @@ impl Method {
             Scheme::ImplicitMidpoint if formulation == Formulation::Reduced && to_the_floor => {
                 task.perform_turning(ReducedMidpoint::new(*top))
             }
+            _ => self.differentiate(top, Plain(task)),
+        }
+    }
+
+    /// Does the task with the integrator for this top that has tangent maps.
+    ///
+    /// # Errors
+    /// If the task fails.
+    pub fn differentiate<K: TangentTask>(
+        &self,
+        top: &HeavyTop,
+        task: K,
+    ) -> Result<K::Output, Error> {
+        match self.scheme {
             Scheme::ImplicitMidpoint => self.equivariant(self.midpoint(), top, task),
             Scheme::Gauss(stages) => {
                 let gauss = RungeKutta::gauss(stages.into()).map_err(|e| self.failed(e))?;
@@ -120,7 +175,7 @@ impl Method {
         }
     }
 
-    fn equivariant<S: Equivariant, K: Task>(
+    fn equivariant<S: Equivariant, K: TangentTask>(
         &self,
         scheme: S,
         top: &HeavyTop,
@@ -142,7 +197,7 @@ impl Method {
         }
     }
 
-    fn partitioned<K: Task>(
+    fn partitioned<K: TangentTask>(
         &self,
         pair: Pair,
         top: &HeavyTop,
@@ -161,7 +216,7 @@ impl Method {
         task.perform_turning(Collective::that_does_not_descend(scheme, SpinorRealisation, *top))
     }
 
-    fn splitting<K: Task>(
+    fn splitting<K: TangentTask>(
         &self,
         raise: Raise,
         top: &HeavyTop,

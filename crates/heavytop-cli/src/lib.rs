@@ -26,6 +26,7 @@
 //! | `heavytop section` | [`section`] |
 //! | `heavytop animate` | [`animate`] |
 //! | `heavytop bench` | [`bench`] |
+//! | `heavytop sweep` | [`sweep`] |
 //! | what `--help` says | `help` |
 //! | the command line | [`cli`] |
 //!
@@ -53,6 +54,7 @@ pub mod compare;
 pub mod section;
 pub mod animate;
 pub mod bench;
+pub mod sweep;
 mod help;
 pub mod cli;
 

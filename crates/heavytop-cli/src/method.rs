@@ -185,7 +185,8 @@ impl From<Scheme> for &'static str {
     }
 }
 
-fn name_of<T: Copy + PartialEq>(names: &[(&'static str, T)], item: T) -> &'static str {
+/// The name of an item.
+pub(crate) fn name_of<T: Copy + PartialEq>(names: &[(&'static str, T)], item: T) -> &'static str {
     names.iter().find(|(_, other)| *other == item).map_or("", |(name, _)| name)
 }
 

@@ -14,7 +14,10 @@ impl Config {
     /// As [`Config::read_over`].
     pub fn load(preset: Option<Preset>, file: Option<&Path>) -> Result<Self, Error> {
         let base = preset.map_or_else(Self::default, Preset::config);
-        file.map_or(Ok(base), |path| base.read_over(path))
+        match file {
+            Some(path) => base.read_over(path),
+            None => Ok(base),
+        }
     }
 
     /// The configuration of a file; keys that it leaves out are as by default.

@@ -12,6 +12,7 @@
 //! | h, f₁, f₂, f₃, K, G | [`Invariant`] |
 //! | the rotation of the body in a step | [`Turning`], [`TurningFlows`] |
 //! | Poincaré sections: the energy level, the surface, the starts, the returns | [`EnergyLevel`], [`Coordinate`], [`Surface`], [`Section`] |
+//! | nutation of any top: amplitude, rotation number | [`Nutation`] |
 //! | splittings of tops into exact rotations and kicks | [`RotorSplitting`], [`SymmetricTopSplitting`] |
 //! | many tops at once: symmetric ones by splitting, any by Gauss methods | [`SymmetricTopEnsemble`], [`GaussEnsemble`] |
 //! | collective Gauss methods of one top, by the registers of the processor | [`CollectiveGauss`] |
@@ -73,6 +74,7 @@ mod coordinate;
 mod energy_level;
 mod section_level;
 mod section;
+mod nutation;
 mod elliptic;
 mod euler_top;
 mod lagrange_nutation;
@@ -90,6 +92,7 @@ pub use invariants::Invariant;
 pub use kirchhoff::Kirchhoff;
 pub use lagrange_nutation::LagrangeNutation;
 pub use midpoint_ensemble::MidpointSweep;
+pub use nutation::Nutation;
 pub use point_vortices::{PointVortices, SpinSpace, Spins};
 pub use reduced_midpoint::{ReducedMidpoint, ReducedMidpointSpace};
 pub use rigid_body::RigidBody;

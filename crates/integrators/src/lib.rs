@@ -19,6 +19,7 @@
 //! | many trajectories: in lanes, on threads | [`BatchIntegrator`], [`Laned`], [`Ensemble`] |
 //! | between samples: any time, Poincaré sections | [`DenseOutput`], [`Events`] |
 //! | tangent vectors along a trajectory, Lyapunov exponents | [`VariationalFlow`], [`LyapunovExponents`] |
+//! | order or chaos sooner: MEGNO, SALI | [`Megno`], [`smaller_alignment_index`] |
 //! | order, symplecticity, Poisson property, symmetry, descent, drift: measured | [`diagnostics`] |
 
 mod error;
@@ -62,9 +63,12 @@ mod minimum;
 mod events;
 mod variational_flow;
 mod lyapunov;
+mod megno;
+mod alignment;
 
 pub mod diagnostics;
 
+pub use alignment::smaller_alignment_index;
 pub use alternating_splitting::AlternatingSplitting;
 pub use alternating_substeps::AlternatingSubsteps;
 pub use batch_integrator::BatchIntegrator;
@@ -79,6 +83,7 @@ pub use integrator::{Collective, Direct, Integrator, Start};
 pub use laned::{Laned, LanedSpace};
 pub use lift_free::{LiftFree, MultiplierSpace};
 pub use lyapunov::{Exponents, LyapunovExponents, MaximalLyapunovExponent};
+pub use megno::Megno;
 pub use partitioned::{PartitionedRungeKutta, PartitionedSpace};
 pub use polarisation::{Alternating, FirstHalf, Polarisation};
 pub use runge_kutta::{RungeKutta, StageSpace};

@@ -181,6 +181,28 @@ where
         }
         Ok(lengths)
     }
+
+    /// Scales each tangent vector by itself to length 1; returns the lengths that they had, in the
+    /// Euclidean product of coordinates. Directions are kept: vectors that align stay aligned.
+    ///
+    /// # Errors
+    /// [`VariationalError::Dependent`] if a length is zero or not finite. The vectors before it are
+    /// scaled then.
+    pub fn normalise(&mut self) -> Result<[f64; K], VariationalError> {
+        let time = self.time();
+        let mut lengths = [0.0; K];
+        for (index, (v, stretch)) in self.tangents.iter_mut().zip(&mut lengths).enumerate() {
+            let length = dot(v, v).sqrt();
+            // Written so that a NaN is an error.
+            let has_direction = length > 0.0 && length.is_finite();
+            if !has_direction {
+                return Err(VariationalError::Dependent { index, length, time });
+            }
+            *v = v.scaled(length.recip());
+            *stretch = length;
+        }
+        Ok(lengths)
+    }
 }
 
 /// What remains, relatively, of a vector that is a combination of others.
@@ -237,6 +259,10 @@ mod tests {
         let dependent = |error| matches!(error, Err(VariationalError::Dependent { index: 2, .. }));
         assert!(dependent(flow(0.5, [x, y, x + y]).orthonormalise()));
         assert!(dependent(flow(0.5, [x, y, x * f64::NAN]).orthonormalise()));
+        assert!(dependent(flow(0.5, [x, y, x * f64::NAN]).normalise()));
+        assert!(dependent(flow(0.5, [x, y, x * 0.0]).normalise()));
+        let mut aligned = flow(0.5, [x * 2.0, y, x * 3.0]);
+        assert_eq!((aligned.normalise(), aligned.tangents()), (Ok([2.0, 1.0, 3.0]), &[x, y, x]));
         assert!(flow(0.5, [x, y, x * f64::NAN]).advance().is_err());
         let mut flow = flow(1e9, [x, y, x]);
         assert!(matches!(flow.advance(), Err(VariationalError::Integration(_))));

@@ -85,7 +85,7 @@ impl Checkpoint {
     ) -> Self {
         let Saved { step, state } = saved;
         let (version, deviations) = (env!("CARGO_PKG_VERSION").into(), deviations.into());
-        Self { version, format, step, state, deviations, rows, configuration: *config }
+        Self { version, format, step, state, deviations, rows, configuration: config.clone() }
     }
 
     /// Reads a checkpoint.

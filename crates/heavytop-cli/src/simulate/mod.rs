@@ -68,7 +68,8 @@ pub fn simulate(config: &Config, out: &Path, options: &Options<'_>) -> Result<Su
     let experiment = config.experiment()?;
     let table = Table::new(&experiment);
     // With all that was left out, to be written.
-    let config = Config { integrator: Some(config.integrator.unwrap_or_default()), ..*config };
+    let integrator = Some(config.integrator.unwrap_or_default());
+    let config = Config { integrator, ..config.clone() };
     let mut recording = Recording::begin(out, &config, &table, options.resume)?;
     let deviations = Deviations::new(&table, &experiment, options.resume);
     let progress = Progress::new(&experiment, options.quiet);

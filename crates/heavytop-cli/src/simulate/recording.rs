@@ -52,7 +52,7 @@ impl Recording {
                 rows
             }
         };
-        let (table, config) = (table.clone(), *config);
+        let (table, config) = (table.clone(), config.clone());
         Ok(Self { place, format, table, config, metadata, rows, bytes: Vec::new() })
     }
 

@@ -1,0 +1,238 @@
+//! The heat map of a grid with two axes, as SVG.
+
+use super::observable::Column;
+use super::plan::Plan;
+use super::settings::{Axis as SweepAxis, Spread};
+use crate::Error;
+use crate::axis::Axis;
+use crate::render::FONT;
+use base64::Engine;
+use base64::engine::general_purpose::STANDARD;
+use resvg::tiny_skia::{ColorU8, Pixmap};
+use std::fmt::Write;
+
+/// In units of 0.01 mm.
+const WIDTH: f64 = 12_000.0;
+const HEIGHT: f64 = 10_000.0;
+const LEFT: f64 = 1500.0;
+const TOP: f64 = 500.0;
+const RIGHT: f64 = WIDTH - 2700.0;
+const BOTTOM: f64 = HEIGHT - 1100.0;
+/// The bar of colours.
+const BAR: (f64, f64) = (RIGHT + 350.0, RIGHT + 650.0);
+
+/// 8 pt
+const TEXT: f64 = 282.0;
+const RULE: f64 = 14.0;
+
+/// From dark to light.
+const COLOURS: [[f64; 3]; 6] = [
+    [20.0, 20.0, 60.0],
+    [60.0, 40.0, 130.0],
+    [150.0, 50.0, 130.0],
+    [225.0, 90.0, 80.0],
+    [250.0, 170.0, 70.0],
+    [250.0, 245.0, 190.0],
+];
+
+/// Of tops without a value.
+const NONE: [f64; 3] = [190.0; 3];
+
+/// The logarithms of smaller numbers are of no interest.
+const SMALLEST: f64 = 1e-16;
+
+/// So many of the values, at either end, may lie outside the colours.
+const OUTLIERS: f64 = 0.005;
+
+/// The values over the plane of the two axes; none if the sweep is not a grid with two axes.
+///
+/// # Errors
+/// If there are too many tops for a picture.
+pub(super) fn heat_map(
+    plan: &Plan,
+    column: &Column,
+    values: &[Option<f64>],
+) -> Result<Option<String>, Error> {
+    let [first, second] = plan.axes.as_slice() else { return Ok(None) };
+    let (Spread::Grid { count: columns, .. }, Spread::Grid { count: rows, .. }) =
+        (first.spread, second.spread)
+    else {
+        return Ok(None);
+    };
+    let scaled =
+        |value: f64| if column.is_logarithmic { value.max(SMALLEST).log10() } else { value };
+    let scaled: Vec<Option<f64>> = values.iter().map(|value| value.map(scaled)).collect();
+    let range = range(&scaled);
+    let bar = (1..=256).map(|n| Some(range[1] + (range[0] - range[1]) * f64::from(n) / 256.0));
+    let bar: Vec<Option<f64>> = bar.collect();
+    // The first axis is the abscissa, and the top row has the largest value of the second.
+    let (width, height) = (columns as usize, rows as usize);
+    let from_top = (0..height).rev().flat_map(|y| (0..width).map(move |x| x * height + y));
+    let cells: Vec<Option<f64>> =
+        from_top.map(|index| scaled.get(index).copied().flatten()).collect();
+
+    let mut svg = format!(
+        "<svg xmlns=\"http://www.w3.org/2000/svg\" width=\"{}mm\" height=\"{}mm\" \
+         viewBox=\"0 0 {WIDTH} {HEIGHT}\" font-family=\"{FONT}\" font-size=\"{TEXT}\">\
+         <rect width=\"{WIDTH}\" height=\"{HEIGHT}\" fill=\"white\"/>",
+        WIDTH / 100.0,
+        HEIGHT / 100.0
+    );
+    image(&mut svg, (LEFT, RIGHT), &pixels(columns, rows, &cells, range)?);
+    image(&mut svg, BAR, &pixels(1, 256, &bar, range)?);
+    frame(&mut svg, &Marks::of(first), &Marks::of(second));
+    legend(&mut svg, column, range);
+    Ok(Some(svg + "</svg>"))
+}
+
+/// The range of the colours: all values but outliers.
+fn range(values: &[Option<f64>]) -> [f64; 2] {
+    let mut sorted: Vec<f64> = values.iter().copied().flatten().collect();
+    sorted.sort_by(f64::total_cmp);
+    let outliers = (sorted.len() as f64 * OUTLIERS) as usize;
+    let least = sorted.get(outliers).copied().unwrap_or(0.0);
+    let most = sorted.iter().rev().nth(outliers).copied().unwrap_or(0.0);
+    // Round-off looks like what it is.
+    let room = (1e-9 * least.abs()).max(1e-12);
+    if most - least > room { [least, most] } else { [least - room, least + room] }
+}
+
+/// The values as a PNG, a pixel each.
+fn pixels(
+    width: u32,
+    height: u32,
+    values: &[Option<f64>],
+    [least, most]: [f64; 2],
+) -> Result<Vec<u8>, Error> {
+    let mut picture = Pixmap::new(width, height)
+        .ok_or_else(|| Error::Figure(format!("{width} × {height} tops are too many")))?;
+    for (pixel, value) in picture.pixels_mut().iter_mut().zip(values) {
+        let [red, green, blue] =
+            value.map_or(NONE, |value| colour((value - least) / (most - least)));
+        *pixel = ColorU8::from_rgba(red as u8, green as u8, blue as u8, 255).premultiply();
+    }
+    picture.encode_png().map_err(|error| Error::Figure(error.to_string()))
+}
+
+/// From 0 to 1; what lies outside has the colour of the nearer end.
+fn colour(along: f64) -> [f64; 3] {
+    let last = COLOURS.len() - 1;
+    let position = along.clamp(0.0, 1.0) * last as f64;
+    let index = (position as usize).min(last - 1);
+    let part = position - index as f64;
+    [0, 1, 2].map(|i| (COLOURS[index][i] * (1.0 - part) + COLOURS[index + 1][i] * part).round())
+}
+
+// Writing to a string does not fail.
+
+fn image(svg: &mut String, (left, right): (f64, f64), png: &[u8]) {
+    let (width, height) = (right - left, BOTTOM - TOP);
+    let _ = write!(
+        svg,
+        "<image x=\"{left}\" y=\"{TOP}\" width=\"{width}\" height=\"{height}\" \
+         preserveAspectRatio=\"none\" image-rendering=\"optimizeSpeed\" \
+         href=\"data:image/png;base64,{}\"/>\
+         <rect x=\"{left}\" y=\"{TOP}\" width=\"{width}\" height=\"{height}\" fill=\"none\" \
+         stroke=\"black\" stroke-width=\"{RULE}\"/>",
+        STANDARD.encode(png)
+    );
+}
+
+/// Where the values of an axis lie, and what they are.
+struct Marks {
+    axis: Axis,
+    label: String,
+    reversed: bool,
+}
+
+impl Marks {
+    fn of(axis: &SweepAxis) -> Self {
+        let (from, to, count) = match axis.spread {
+            Spread::Grid { from, to, count } => (from, to, count),
+            Spread::Uniform { from, to } => (from, to, 2),
+            Spread::Normal { mean, deviation } => (mean - deviation, mean + deviation, 2),
+        };
+        // Values are in the middle of their pixels.
+        let half = (to - from).abs() / f64::from(2 * count.max(2) - 2);
+        let (low, high) = (from.min(to) - half, from.max(to) + half);
+        let room = (1e-9 * low.abs()).max(1e-12);
+        let high = if high - low > room { high } else { low + room };
+        Self { axis: Axis::new(low, high, 5), label: axis.parameter.label(), reversed: from > to }
+    }
+
+    /// Places from 0 to 1, and labels.
+    fn ticks(&self) -> impl Iterator<Item = (f64, String)> {
+        let turned = |along: f64| if self.reversed { 1.0 - along } else { along };
+        self.axis.labels().map(move |(value, label)| (turned(self.axis.along(value)), label))
+    }
+}
+
+fn frame(svg: &mut String, first: &Marks, second: &Marks) {
+    let (width, height) = (RIGHT - LEFT, BOTTOM - TOP);
+    let mut ticks = String::new();
+    svg.push_str("<g text-anchor=\"middle\">");
+    for (along, label) in first.ticks() {
+        let x = LEFT + width * along;
+        let _ = write!(ticks, "M{x:.0} {BOTTOM}v90");
+        let _ = write!(svg, "<text x=\"{x:.0}\" y=\"{}\">{label}</text>", BOTTOM + 400.0);
+    }
+    let _ = write!(
+        svg,
+        "<text x=\"{}\" y=\"{}\">{}</text><text transform=\"translate(400 {}) rotate(-90)\">{}</text>\
+         </g><g text-anchor=\"end\">",
+        (LEFT + RIGHT) / 2.0,
+        HEIGHT - 240.0,
+        first.label,
+        (TOP + BOTTOM) / 2.0,
+        second.label,
+    );
+    for (along, label) in second.ticks() {
+        let y = BOTTOM - height * along;
+        let _ = write!(ticks, "M{LEFT} {y:.0}h-90");
+        let _ = write!(svg, "<text x=\"{}\" y=\"{:.0}\">{label}</text>", LEFT - 150.0, y + 100.0);
+    }
+    let _ = write!(svg, "</g><path d=\"{ticks}\" stroke=\"black\" stroke-width=\"{RULE}\"/>");
+}
+
+fn legend(svg: &mut String, column: &Column, range: [f64; 2]) {
+    let (from, right) = (BAR.1, BAR.1 + 150.0);
+    let mut ticks = String::new();
+    for (along, label) in marks(column, range) {
+        let y = BOTTOM - (BOTTOM - TOP) * along;
+        let _ = write!(ticks, "M{from} {y:.0}h90");
+        let _ = write!(svg, "<text x=\"{right}\" y=\"{:.0}\">{label}</text>", y + 100.0);
+    }
+    let _ = write!(
+        svg,
+        "<path d=\"{ticks}\" stroke=\"black\" stroke-width=\"{RULE}\"/>\
+         <text transform=\"translate({} {}) rotate(-90)\" text-anchor=\"middle\">{}</text>",
+        WIDTH - 250.0,
+        (TOP + BOTTOM) / 2.0,
+        column.label
+    );
+}
+
+/// The ticks of the bar, from 0 to 1. Of logarithms they are 1, 2 and 5 times powers of ten, or
+/// powers of ten alone if that would be many.
+fn marks(column: &Column, [least, most]: [f64; 2]) -> Vec<(f64, String)> {
+    if !column.is_logarithmic {
+        let axis = Axis::new(least, most, 6);
+        return axis.labels().map(|(value, label)| (axis.along(value), label)).collect();
+    }
+    let decades = least.floor() as i32..=most.ceil() as i32;
+    let digits: &[f64] = if most - least > 3.0 { &[1.0] } else { &[1.0, 2.0, 5.0] };
+    let every = if most - least > 8.0 { 2 } else { 1 };
+    let ticks = decades.filter(|decade| decade % every == 0);
+    let ticks = ticks.flat_map(|decade| digits.iter().map(move |digit| (decade, digit)));
+    let along = |(decade, digit): (i32, &f64)| {
+        let along = (f64::from(decade) + digit.log10() - least) / (most - least);
+        let value = digit * 10_f64.powi(decade);
+        let label = if (-2..4).contains(&decade) {
+            format!("{value:.*}", usize::try_from(-decade).unwrap_or(0))
+        } else {
+            format!("{value:.0e}").replace('-', "−")
+        };
+        (0.0..=1.0).contains(&along).then_some((along, label))
+    };
+    ticks.filter_map(along).collect()
+}

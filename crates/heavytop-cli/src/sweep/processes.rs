@@ -1,0 +1,62 @@
+//! The processes that share a sweep: one, or those of an MPI job.
+
+use crate::Error;
+
+/// This process among those that work together.
+pub(super) struct Processes {
+    #[cfg(feature = "mpi")]
+    universe: Option<mpi::environment::Universe>,
+}
+
+impl Processes {
+    /// Joins the others. A program that was not started by `mpirun` is alone.
+    pub fn join() -> Self {
+        Self {
+            // Only the main thread of a process talks to the others.
+            #[cfg(feature = "mpi")]
+            universe: mpi::initialize_with_threading(mpi::Threading::Funneled)
+                .map(|(universe, _)| universe),
+        }
+    }
+
+    /// The number of this process, from 0, and how many there are.
+    #[cfg(feature = "mpi")]
+    pub fn place(&self) -> (u64, u64) {
+        use mpi::traits::Communicator;
+        self.universe.as_ref().map_or((0, 1), |universe| {
+            let world = universe.world();
+            (u64::try_from(world.rank()).unwrap_or(0), u64::try_from(world.size()).unwrap_or(1))
+        })
+    }
+
+    /// The number of this process, from 0, and how many there are.
+    #[cfg(not(feature = "mpi"))]
+    pub fn place(&self) -> (u64, u64) {
+        (0, 1)
+    }
+
+    /// Waits until all have come here.
+    pub fn wait_for_all(&self) {
+        #[cfg(feature = "mpi")]
+        if let Some(universe) = &self.universe {
+            use mpi::traits::CommunicatorCollectives;
+            universe.world().barrier();
+        }
+    }
+
+    /// Passes the outcome on. A failure of one of many ends them all, after it has said why: the
+    /// others wait for what will not come.
+    pub fn conclude<T>(&self, outcome: Result<T, Error>) -> Result<T, Error> {
+        #[cfg(feature = "mpi")]
+        if let (Err(error), Some(universe)) = (&outcome, &self.universe) {
+            use mpi::traits::Communicator;
+            use std::io::Write;
+            let (rank, size) = self.place();
+            if size > 1 {
+                let _ = writeln!(std::io::stderr(), "heavytop: process {rank} of {size}: {error}");
+                universe.world().abort(error.exit_code().into());
+            }
+        }
+        outcome
+    }
+}

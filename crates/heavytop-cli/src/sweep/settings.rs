@@ -1,0 +1,190 @@
+//! `[sweep]`: which tops, and what is found out about them.
+
+use super::observable::Observable;
+use super::parameter::{Parameter, Part};
+use serde::{Deserialize, Serialize};
+use std::path::PathBuf;
+use thiserror::Error;
+
+/// `[sweep]`
+#[derive(Clone, Debug, PartialEq, Deserialize, Serialize)]
+#[serde(default, deny_unknown_fields)]
+pub struct SweepConfig {
+    /// What is found out about each top.
+    pub observables: Vec<Observable>,
+    /// How many tops there are, where axes are random.
+    pub count: Option<u32>,
+    /// Which random numbers.
+    pub seed: u64,
+    /// What is varied, and how.
+    pub axes: Vec<AxisConfig>,
+}
+
+/// `[[sweep.axes]]`: a grid by `from`, `to` and `count`, or random by `uniform` or `normal`.
+#[derive(Clone, Copy, Debug, PartialEq, Deserialize, Serialize)]
+#[serde(deny_unknown_fields)]
+pub struct AxisConfig {
+    /// What is varied.
+    pub parameter: Parameter,
+    /// The first value of a grid.
+    pub from: Option<f64>,
+    /// The last value of a grid.
+    pub to: Option<f64>,
+    /// The number of values of a grid.
+    pub count: Option<u32>,
+    /// The least and the largest random value.
+    pub uniform: Option<[f64; 2]>,
+    /// The mean and the standard deviation of random values.
+    pub normal: Option<[f64; 2]>,
+    /// Whether the vector of which the parameter is a component is scaled to length 1 afterwards.
+    #[serde(default)]
+    pub normalise: bool,
+}
+
+/// A grid of 32 × 32 angular momenta.
+impl Default for SweepConfig {
+    fn default() -> Self {
+        let axis = |i| AxisConfig {
+            parameter: Parameter::AngularMomentum(i),
+            from: Some(-4.0),
+            to: Some(4.0),
+            count: Some(32),
+            uniform: None,
+            normal: None,
+            normalise: false,
+        };
+        let axes = vec![axis(0), axis(2)];
+        Self { observables: vec![Observable::Megno], count: None, seed: 0, axes }
+    }
+}
+
+/// How the values of an axis are chosen.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub(super) enum Spread {
+    Grid { from: f64, to: f64, count: u32 },
+    Uniform { from: f64, to: f64 },
+    Normal { mean: f64, deviation: f64 },
+}
+
+/// An axis that makes sense.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub(super) struct Axis {
+    pub parameter: Parameter,
+    pub spread: Spread,
+    pub normalise: bool,
+}
+
+impl AxisConfig {
+    /// The axis.
+    ///
+    /// # Errors
+    /// Unless it has the keys of one kind, with finite numbers.
+    pub(super) fn axis(&self) -> Result<Axis, SweepError> {
+        let Self { parameter, from, to, count, uniform, normal, normalise } = *self;
+        let wrong = |needs| SweepError::Axis { parameter: parameter.name(), needs };
+        let spread = match (from, to, count, uniform, normal) {
+            (Some(from), Some(to), Some(count), None, None) => Spread::Grid { from, to, count },
+            (None, None, None, Some([from, to]), None) => Spread::Uniform { from, to },
+            (None, None, None, None, Some([mean, deviation])) => Spread::Normal { mean, deviation },
+            _ => return Err(wrong("either from, to and count, or uniform, or normal")),
+        };
+        let numbers = [from, to].into_iter().flatten();
+        let numbers = numbers.chain(uniform.into_iter().chain(normal).flatten());
+        if !numbers.into_iter().all(f64::is_finite) {
+            return Err(wrong("finite numbers"));
+        }
+        match spread {
+            Spread::Grid { count: 0, .. } => return Err(wrong("a count of at least 1")),
+            Spread::Normal { deviation, .. } if deviation < 0.0 => {
+                return Err(wrong("a standard deviation that is not negative"));
+            }
+            _ => {}
+        }
+        if normalise && !parameter.is_component() {
+            return Err(wrong("no normalise: it is not a component of a unit vector"));
+        }
+        Ok(Axis { parameter, spread, normalise })
+    }
+}
+
+impl Axis {
+    /// Whether the values are a grid.
+    pub fn is_grid(&self) -> bool {
+        matches!(self.spread, Spread::Grid { .. })
+    }
+
+    /// Whether two axes contradict each other: an angle of a vector, and one of its components.
+    pub fn clashes(&self, other: &Self) -> bool {
+        let components = |one, other| {
+            matches!((one, other), (Part::Component(_), Part::Inclination | Part::Azimuth))
+        };
+        let either = |a, b| components(a, b) || components(b, a);
+        self.parameter == other.parameter
+            || match (self.parameter, other.parameter) {
+                (Parameter::CenterOfMass(a), Parameter::CenterOfMass(b))
+                | (Parameter::Vertical(a), Parameter::Vertical(b)) => either(a, b),
+                _ => false,
+            }
+    }
+}
+
+/// A sweep that cannot be.
+#[derive(Clone, Debug, PartialEq, Error)]
+pub enum SweepError {
+    /// There is nothing to vary.
+    #[error("axes must have at least one axis")]
+    NoAxes,
+    /// There is nothing to find out.
+    #[error("observables must name at least one")]
+    NoObservables,
+    /// An observable is named twice.
+    #[error("observables must not name one twice")]
+    Twice,
+    /// An axis does not say how its values are chosen.
+    #[error("the axis {parameter} needs {needs}")]
+    Axis {
+        /// Its parameter.
+        parameter: &'static str,
+        /// What it needs.
+        needs: &'static str,
+    },
+    /// Two axes set the same number.
+    #[error("the axes {first} and {second} set the same thing")]
+    Clash {
+        /// One parameter.
+        first: &'static str,
+        /// The other.
+        second: &'static str,
+    },
+    /// Some axes are grids, others are random.
+    #[error("the axes must be all grids or all random")]
+    Mixed,
+    /// Random axes without a number of tops, or grids with one.
+    #[error("count is needed where the axes are random, and only there; at least 1")]
+    Count,
+    /// There are too many tops.
+    #[error("the sweep has {tops:e} tops, more than {most:e}")]
+    TooMany {
+        /// How many.
+        tops: f64,
+        /// The most that there may be.
+        most: f64,
+    },
+    /// There are tiles of an unfinished sweep.
+    #[error(
+        "{} has the finished tiles of an interrupted sweep: go on with --resume, or delete it",
+        folder.display()
+    )]
+    Unfinished {
+        /// Where.
+        folder: PathBuf,
+    },
+    /// The tiles are of another sweep.
+    #[error(
+        "cannot go on from {}: its tiles are of another configuration or version", folder.display()
+    )]
+    Foreign {
+        /// Where.
+        folder: PathBuf,
+    },
+}

@@ -1,0 +1,55 @@
+//! A sweep in numbers.
+
+use super::measure::Row;
+use super::plan::Plan;
+use serde::Serialize;
+use std::fmt;
+use std::path::{Path, PathBuf};
+
+/// A sweep in numbers.
+#[derive(Clone, Debug, PartialEq, Serialize)]
+pub struct Summary {
+    /// The folder of the table and the heat maps.
+    pub out: PathBuf,
+    /// The number of tops.
+    pub tops: u64,
+    /// The formulation's name.
+    pub formulation: &'static str,
+    /// The scheme's name.
+    pub scheme: &'static str,
+    /// The time step, s.
+    pub step: f64,
+    /// How long each was followed, s.
+    pub end: f64,
+    /// The number of tops that could not be followed.
+    pub failed: usize,
+    /// Why the first of them could not.
+    pub first_failure: Option<String>,
+}
+
+impl Summary {
+    pub(super) fn new(plan: &Plan, rows: &[Row], out: &Path) -> Self {
+        let mut failures = rows.iter().filter_map(|row| row.failure.as_ref());
+        Self {
+            out: out.into(),
+            tops: plan.tops,
+            formulation: plan.method.formulation().name(),
+            scheme: plan.method.scheme().name(),
+            step: plan.schedule.step,
+            end: plan.schedule.end(),
+            failed: failures.clone().count(),
+            first_failure: failures.next().cloned(),
+        }
+    }
+}
+
+impl fmt::Display for Summary {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        let Self { out, tops, formulation, scheme, step, end, failed, first_failure } = self;
+        writeln!(f, "{tops} tops, each by {formulation}, {scheme}, step {step} s, to {end} s")?;
+        if let Some(reason) = first_failure {
+            writeln!(f, "{failed} failed, see the column failure; the first: {reason}")?;
+        }
+        write!(f, "table and heat maps are in {}", out.display())
+    }
+}

@@ -1,0 +1,243 @@
+//! `heavytop sweep`
+#![allow(clippy::unwrap_used, clippy::panic)]
+
+mod program;
+use parquet::file::reader::{FileReader, SerializedFileReader};
+use parquet::record::{Field, Row};
+use program::Folder;
+
+/// 24 × 25 tops: three tiles.
+const GRID: &str = "\
+    [sweep]\nobservables = ['megno', 'sali', 'lyapunov', 'final-state', 'invariant-drift', \
+    'rotation-number', 'nutation-amplitude']\n\
+    axes = [{ parameter = 'body.inertia[1]', from = 1, to = 3, count = 24 }, \
+    { parameter = 'initial.angular_momentum[2]', from = 0, to = 4, count = 25 }]\n\
+    [integrator]\nformulation = 'reduced'\nscheme = 'gauss-4'\nstep = 0.1\nend = 4.0";
+
+fn rows(folder: &Folder, file: &str) -> Vec<Row> {
+    let file = std::fs::File::open(folder.path(file)).unwrap();
+    let reader = SerializedFileReader::new(file).unwrap();
+    reader.get_row_iter(None).unwrap().map(Result::unwrap).collect()
+}
+
+/// A column; none where it is null.
+fn column(rows: &[Row], name: &str) -> Vec<Option<f64>> {
+    let cell = |row: &Row| match row.get_column_iter().find(|(key, _)| *key == name).unwrap().1 {
+        Field::Double(value) => Some(*value),
+        Field::Null => None,
+        other => panic!("{other:?}"),
+    };
+    rows.iter().map(cell).collect()
+}
+
+fn failures(rows: &[Row]) -> Vec<Option<String>> {
+    let cell = |row: &Row| match row.get_column_iter().last().unwrap().1 {
+        Field::Str(reason) => Some(reason.clone()),
+        _ => None,
+    };
+    rows.iter().map(cell).collect()
+}
+
+#[test]
+fn no_bit_depends_on_the_number_of_threads_and_maps_are_drawn() {
+    let folder = Folder::new();
+    folder.write("a.toml", GRID);
+    for threads in ["1", "2", "5"] {
+        let run = folder.heavytop_on(threads, &["sweep", "a.toml", "--out", threads]);
+        assert_eq!((run.code(), run.stderr().as_str()), (0, ""));
+        assert!(run.stdout().contains("600 tops, each by reduced, gauss-4"), "{}", run.stdout());
+    }
+    folder.write("b.toml", &GRID.replace("to = 4,", "to = 4.1,"));
+    assert_eq!(folder.heavytop(&["sweep", "b.toml", "--out", "other"]).code(), 0);
+    for file in ["sweep.parquet", "megno.svg", "megno.png", "drift_h.png", "Gamma3.svg"] {
+        let read = |name: &str| std::fs::read(folder.path(name).join(file)).unwrap();
+        assert!(read("1") == read("2") && read("1") == read("5"), "{file}");
+        // Control: other tops, other bytes.
+        assert!(read("1") != read("other"), "{file}");
+    }
+    assert!(!folder.path("1/sweep.partial").exists());
+    let rows = rows(&folder, "1/sweep.parquet");
+    assert_eq!(rows.len(), 600);
+    assert!(failures(&rows).iter().all(Option::is_none));
+    assert_eq!(column(&rows, "body.inertia[1]")[24..26], [Some(1.0), Some(1.0 + 2.0 / 23.0)]);
+    // Casimirs by round-off, the energy by the method's error
+    let drift = |name: &str| column(&rows, name).into_iter().flatten().fold(0.0, f64::max);
+    assert!(drift("drift_f1") < 1e-13 && drift("drift_f2") < 1e-12);
+    assert!(drift("drift_h") > 1e-9 && drift("drift_h") < 1e-2);
+}
+
+/// The last row of `simulate` is the final state.
+#[test]
+fn a_top_ends_where_simulate_ends() {
+    let folder = Folder::new();
+    folder.write("a.toml", GRID);
+    let integrator = GRID.split_once("[integrator]").unwrap().1;
+    let top = "body.inertia = [2, 3, 1]\ninitial.angular_momentum = [2, 3, 4]";
+    folder.write("b.toml", &format!("{top}\n[integrator]{integrator}"));
+    assert_eq!(folder.heavytop(&["sweep", "a.toml", "--out", "."]).code(), 0);
+    let run = folder.heavytop(&["simulate", "b.toml", "--out", "b.csv"]);
+    assert_eq!(run.code(), 0, "{}", run.stderr());
+    let (_, single) = program::numbers(&folder.read("b.csv"));
+    let rows = rows(&folder, "sweep.parquet");
+    let names = ["Pi1", "Pi2", "Pi3", "Gamma1", "Gamma2", "Gamma3"];
+    for (name, expected) in names.iter().zip(&single.last().unwrap()[1..7]) {
+        let of_sweep = column(&rows, name);
+        assert_eq!(of_sweep[599], Some(*expected), "{name}");
+        // Control: another top ends elsewhere.
+        assert_ne!(of_sweep[598], Some(*expected), "{name}");
+    }
+}
+
+#[test]
+fn what_is_finished_survives_and_resuming_gives_the_same_bytes() {
+    let folder = Folder::new();
+    folder.write("a.toml", GRID);
+    folder.write("b.toml", &GRID.replace("end = 4.0", "end = 5.0"));
+    assert_eq!(folder.heavytop(&["sweep", "a.toml", "--out", "whole"]).code(), 0);
+    // Killed as soon as a tile is there; a machine may be so fast that it has finished by then.
+    let arguments = ["sweep", "a.toml", "--out", "cut"];
+    let mut run = folder.start(&arguments);
+    let tile = folder.path("cut/sweep.partial/0000000");
+    while !tile.exists() && run.try_wait().unwrap().is_none() {
+        std::thread::sleep(std::time::Duration::from_millis(1));
+    }
+    let _ = run.kill();
+    run.wait().unwrap();
+    if tile.exists() {
+        let refused = folder.heavytop(&arguments);
+        assert_eq!(refused.code(), 2);
+        assert!(refused.stderr().contains("go on with --resume"), "{}", refused.stderr());
+        let other = folder.heavytop(&["sweep", "b.toml", "--out", "cut", "--resume"]);
+        assert_eq!(other.code(), 2);
+        assert!(other.stderr().contains("another configuration"), "{}", other.stderr());
+        let finished = std::fs::metadata(&tile).unwrap().modified().unwrap();
+        let resumed = folder.heavytop(&["sweep", "a.toml", "--out", "cut", "--resume"]);
+        assert_eq!(resumed.code(), 0, "{}", resumed.stderr());
+        assert!(finished < std::time::SystemTime::now() && !tile.exists());
+    }
+    let bytes = |name: &str| std::fs::read(folder.path(name).join("sweep.parquet")).unwrap();
+    assert!(bytes("whole") == bytes("cut"));
+}
+
+#[test]
+fn tiles_that_are_there_are_used_and_torn_ones_made_again() {
+    let folder = Folder::new();
+    folder.write("a.toml", GRID);
+    assert_eq!(folder.heavytop(&["sweep", "a.toml", "--out", "whole"]).code(), 0);
+    // A file in the way of a map: all tiles are finished, and stay.
+    std::fs::create_dir_all(folder.path("cut/megno.svg")).unwrap();
+    let stopped = folder.heavytop(&["sweep", "a.toml", "--out", "cut"]);
+    assert_eq!(stopped.code(), 1, "{}", stopped.stderr());
+    std::fs::remove_dir(folder.path("cut/megno.svg")).unwrap();
+    let tile = |n: u32| folder.path(&format!("cut/sweep.partial/000000{n}"));
+    let second = std::fs::read_to_string(tile(1)).unwrap();
+    std::fs::write(tile(1), &second[..second.len() / 2]).unwrap();
+    let first = std::fs::read_to_string(tile(0)).unwrap();
+    let (row, rest) = first.split_once('\n').unwrap();
+    std::fs::write(tile(0), format!("7.0{}\n{rest}", &row[row.find(',').unwrap()..])).unwrap();
+    assert_eq!(folder.heavytop(&["sweep", "a.toml", "--out", "cut", "--resume"]).code(), 0);
+    let megno = |name: &str| column(&rows(&folder, &format!("{name}/sweep.parquet")), "megno");
+    let (whole, cut) = (megno("whole"), megno("cut"));
+    assert_eq!((cut[0], &cut[1..]), (Some(7.0), &whole[1..]));
+}
+
+#[test]
+fn tops_that_fail_say_so_and_harm_no_other() {
+    let folder = Folder::new();
+    let axis = |to: f64, count: u32| {
+        format!(
+            "sweep.observables = ['final-state', 'rotation-number']\nsweep.axes = [\
+             {{ parameter = 'body.inertia[2]', from = 1, to = {to}, count = {count} }}]\n\
+             [integrator]\nend = 2.0\nstep = 0.02"
+        )
+    };
+    // I₃ = 1, 2, 3, 4, and 5, 6, 7 against the triangle inequality
+    folder.write("a.toml", &axis(7.0, 7));
+    folder.write("b.toml", &axis(4.0, 4));
+    let run = folder.heavytop(&["sweep", "a.toml", "--out", "a"]);
+    assert_eq!(run.code(), 0, "{}", run.stderr());
+    assert!(run.stdout().contains("3 failed"), "{}", run.stdout());
+    assert_eq!(folder.heavytop(&["sweep", "b.toml", "--out", "b"]).code(), 0);
+    let (a, b) = (rows(&folder, "a/sweep.parquet"), rows(&folder, "b/sweep.parquet"));
+    let (pi, alone) = (column(&a, "Pi1"), column(&b, "Pi1"));
+    assert_eq!((&pi[..4], &pi[4..]), (alone.as_slice(), [None; 3].as_slice()));
+    assert!(alone.iter().all(Option::is_some));
+    let reasons = failures(&a);
+    assert!(reasons[..4].iter().all(Option::is_none));
+    assert!(reasons[4..].iter().flatten().filter(|r| r.contains("[body]")).count() == 3);
+
+    // A step that does not converge, and one that turns too far.
+    folder.write(
+        "c.toml",
+        "sweep.observables = ['megno']\nsweep.axes = [{ parameter = 'initial.angular_momentum[0]', \
+         from = 1, to = 1e4, count = 2 }]\nintegrator = { step = 0.5, end = 5.0 }",
+    );
+    assert_eq!(folder.heavytop(&["sweep", "c.toml", "--out", "c"]).code(), 0);
+    let reasons = failures(&rows(&folder, "c/sweep.parquet"));
+    assert!(reasons[1].as_ref().is_some_and(|r| r.contains("turns the body")), "{reasons:?}");
+}
+
+#[test]
+fn random_tops_are_the_same_in_a_longer_sweep() {
+    let folder = Folder::new();
+    let text = |count: u32| {
+        format!(
+            "[sweep]\nobservables = ['nutation-amplitude']\ncount = {count}\nseed = 3\naxes = [\
+             {{ parameter = 'initial.vertical[0]', normal = [0, 1], normalise = true }}, \
+             {{ parameter = 'body.mass', uniform = [1, 2] }}]\n[integrator]\nstep = 0.05\nend = 1.0"
+        )
+    };
+    for count in [5, 300] {
+        folder.write("a.toml", &text(count));
+        let run = folder.heavytop(&["sweep", "a.toml", "--out", &count.to_string()]);
+        assert_eq!(run.code(), 0, "{}", run.stderr());
+    }
+    let (few, many) = (rows(&folder, "5/sweep.parquet"), rows(&folder, "300/sweep.parquet"));
+    assert_eq!(few[..], many[..5]);
+    assert_ne!(column(&many, "body.mass")[5], column(&many, "body.mass")[6]);
+    assert!(failures(&many).iter().all(Option::is_none));
+    // No plane, no map.
+    assert!(!folder.path("5/nutation_amplitude.svg").exists());
+}
+
+#[test]
+fn wrong_requests_are_refused_and_nothing_is_written() {
+    let axis = "parameter = 'body.mass', from = 1, to = 2, count = 3";
+    let axes = |axes: &str| format!("sweep.axes = [{axes}]");
+    for (text, message) in [
+        (axes(""), "[sweep] axes must have at least one axis"),
+        (
+            axes("{ parameter = 'body.weight', uniform = [1, 2] }"),
+            "unknown parameter `body.weight`",
+        ),
+        (axes("{ parameter = 'body.mass', from = 1, to = 2 }"), "needs either from, to and count"),
+        (axes("{ parameter = 'body.mass', from = 1, to = nan, count = 3 }"), "finite numbers"),
+        (axes("{ parameter = 'body.mass', from = 1, to = 2, count = 0 }"), "a count of at least 1"),
+        (axes("{ parameter = 'body.mass', normal = [1, -2] }"), "not negative"),
+        (axes("{ parameter = 'body.mass', uniform = [1, 2] }"), "count is needed"),
+        (axes(&format!("{{ {axis}, normalise = true }}")), "no normalise"),
+        (axes(&format!("{{ {axis} }}, {{ {axis} }}")), "set the same thing"),
+        (format!("sweep.count = 2\n{}", axes(&format!("{{ {axis} }}"))), "count is needed"),
+        (
+            axes(&format!("{{ {axis} }}, {{ parameter = 'body.length', uniform = [1, 2] }}")),
+            "all grids or all random",
+        ),
+        (
+            axes(&format!("{{ {} }}", axis.replace("count = 3", "count = 4000000000"))),
+            "more than 1e9",
+        ),
+        ("sweep.observables = []".into(), "observables must name at least one"),
+        ("sweep.observables = ['megno', 'megno']".into(), "must not name one twice"),
+        ("sweep.observables = ['chaos']".into(), "unknown observable `chaos`"),
+        ("sweep.axis = 3".into(), "unknown key `axis`"),
+        ("body.mass = 0".into(), "[body] mass must be positive"),
+        ("integrator = { step = 0.03 }".into(), "not a whole number of steps"),
+    ] {
+        let folder = Folder::new();
+        folder.write("a.toml", &text);
+        let run = folder.heavytop(&["sweep", "a.toml", "--out", "made"]);
+        assert_eq!(run.code(), 2, "{text}: {}", run.stderr());
+        assert!(run.stderr().contains(message), "{text}: {}", run.stderr());
+        assert_eq!((run.stderr().lines().count(), folder.names()), (1, vec!["a.toml".into()]));
+    }
+}
