@@ -19,7 +19,8 @@ impl Axis {
         let mut ticks = Vec::new();
         let mut index = (low / spacing).ceil();
         while index * spacing <= high && ticks.len() < 100 {
-            ticks.push(index * spacing);
+            // Not −0.
+            ticks.push(index * spacing + 0.0);
             index += 1.0;
         }
         let decimals = (-(spacing * 1.001).log10().floor()).clamp(0.0, 15.0) as usize;
@@ -102,6 +103,12 @@ mod tests {
         let axis = Axis::new(-0.013, 0.011, 4);
         let labels: Vec<String> = axis.ticks.iter().map(|t| axis.format_ext(t)).collect();
         assert_eq!(labels, ["−0.010", "−0.005", "0.000", "0.005", "0.010"]);
+    }
+
+    #[test]
+    fn zero_has_no_sign() {
+        let axis = Axis::new(-0.1, 1.0, 4);
+        assert_eq!(axis.labels().next().map(|(_, label)| label), Some("0.0".into()));
     }
 
     #[test]

@@ -206,7 +206,7 @@ fn legend(svg: &mut String, column: &Column, range: [f64; 2]) {
         svg,
         "<path d=\"{ticks}\" stroke=\"black\" stroke-width=\"{RULE}\"/>\
          <text transform=\"translate({} {}) rotate(-90)\" text-anchor=\"middle\">{}</text>",
-        WIDTH - 250.0,
+        BAR.1 + 1250.0,
         (TOP + BOTTOM) / 2.0,
         column.label
     );
