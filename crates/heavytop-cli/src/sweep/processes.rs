@@ -2,6 +2,10 @@
 
 use crate::Error;
 
+/// Variables that launchers set: Open MPI's, those of PMIx and those of PMI (MPICH, Slurm).
+#[cfg(feature = "mpi")]
+const LAUNCHED: [&str; 3] = ["OMPI_COMM_WORLD_SIZE", "PMIX_RANK", "PMI_RANK"];
+
 /// This process among those that work together.
 pub(super) struct Processes {
     #[cfg(feature = "mpi")]
@@ -12,9 +16,14 @@ impl Processes {
     /// Joins the others. A program that was not started by `mpirun` is alone.
     pub fn join() -> Self {
         Self {
-            // Only the main thread of a process talks to the others.
+            // Only the main thread of a process talks to the others. To initialise MPI outside a job
+            // would start a daemon.
             #[cfg(feature = "mpi")]
-            universe: mpi::initialize_with_threading(mpi::Threading::Funneled)
+            universe: LAUNCHED
+                .iter()
+                .any(|name| std::env::var_os(name).is_some())
+                .then(|| mpi::initialize_with_threading(mpi::Threading::Funneled))
+                .flatten()
                 .map(|(universe, _)| universe),
         }
     }
