@@ -137,7 +137,7 @@ fn main() -> Result<(), Box<dyn Error>> {
     let wanted = std::env::args().nth(3);
     let run = Run { top: &top, starts: &starts, steps, wanted: wanted.as_deref() };
     let gauss = CollectiveGauss::new(6, top)?;
-    run.one("kernel gauss-12, compensated", &gauss)?;
+    run.one("CollectiveGauss, 6 stages", &gauss)?;
     let schemes =
         [("midpoint", RungeKutta::implicit_midpoint()), ("gauss-12", RungeKutta::gauss(6)?)];
     for (name, scheme) in schemes {
