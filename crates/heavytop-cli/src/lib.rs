@@ -25,7 +25,7 @@
 //! | `heavytop compare` | [`compare`] |
 //! | `heavytop section` | [`section`] |
 //! | `heavytop animate` | [`animate`] |
-//! | `heavytop bench` | [`bench`] |
+//! | `heavytop bench` | [`mod@bench`] |
 //! | `heavytop sweep` | [`sweep`] |
 //! | what `--help` says | `help` |
 //! | the command line | [`cli`] |

@@ -37,8 +37,8 @@ type Velocity<T> = Pair<Vector3<T>, Vector3<T>>;
 /// their own solve for a, the only unknown, to the same round-off about ten times faster. They
 /// extrapolate a from the last ten steps, if a step has their size and starts where they ended, bit
 /// for bit; and they use the widest [instructions](InstructionSet) of the processor, on which the
-/// rounding depends. [`advance`](Self::advance) and [`MidpointSweep`](crate::MidpointSweep) carry
-/// many tops along at once.
+/// rounding depends. As a [`BatchIntegrator`](collective_integrators::BatchIntegrator) it carries many
+/// tops along at once, as does [`MidpointSweep`](crate::MidpointSweep).
 ///
 /// Where that does not settle, as for every other system, a fixed-point iteration solves for
 /// (Ω̄, γ̄); where that fails, for large steps, Newton's iteration for the multiplier does.
