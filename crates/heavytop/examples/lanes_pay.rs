@@ -1,0 +1,216 @@
+//! Times every path over lanes against the same method over `f64`, top by top, and fails if one is slower:
+//!
+//! ```text
+//! cargo run --release -p heavytop --example lanes_pay
+//! ```
+//!
+//! In each round every path runs once, and what counts is the best time of each over the rounds. A
+//! machine that has other things to do makes both sides slower, not only one, and the more rounds,
+//! the less of it is left: rounds are added until every path pays, [`MOST_ROUNDS`] at most.
+
+use collective_integrators::{
+    AlternatingSubsteps, BatchIntegrator, IntegrationError, Laned, LiftFree, RungeKutta, Start,
+    Substeps,
+};
+use heavytop::{
+    CollectiveGauss, GaussEnsemble, HeavyTop, MidpointSweep, ReducedMidpoint, SymmetricTopEnsemble,
+    SymmetricTopSplitting,
+};
+use lie_poisson::{InstructionSet, Se3Dual, Width};
+use momentum_map::DualQuaternions;
+use nalgebra::Vector3;
+use std::error::Error;
+use std::hint::black_box;
+use std::process::ExitCode;
+use std::time::{Duration, Instant};
+
+/// The time of a path over lanes, in that of `f64`, from which on it does not pay.
+const MARGIN: f64 = 1.05;
+/// The rounds before the first verdict.
+const LEAST_ROUNDS: usize = 5;
+/// The rounds after which the verdict stands.
+const MOST_ROUNDS: usize = 40;
+/// Full registers at every width.
+const COUNT: u32 = 64;
+
+/// One run of a path.
+type Run = Box<dyn FnMut() -> Result<(), IntegrationError>>;
+
+/// A way to make the steps, with its best time so far.
+struct Path {
+    name: String,
+    run: Run,
+    best: Duration,
+}
+
+/// A method over `f64` and over lanes.
+struct Method {
+    name: String,
+    single: Path,
+    lanes: Vec<Path>,
+}
+
+impl Path {
+    /// Time after time the same steps of the same members.
+    fn new<B>(name: String, batch: B, members: &[B::Member], step: f64, steps: u64) -> Self
+    where
+        B: BatchIntegrator<Member: 'static> + 'static,
+    {
+        let (members, mut workspace) = (members.to_vec(), batch.workspace());
+        let run = move || {
+            let (mut ends, mut failure) = (black_box(members.clone()), Ok(()));
+            let mut failed = |_, error| failure = Err(error);
+            batch.advance(&mut ends, step, 0..steps, &mut workspace, &mut failed);
+            black_box(ends);
+            failure
+        };
+        Self { name, run: Box::new(run), best: Duration::MAX }
+    }
+
+    fn time(&mut self) -> Result<(), IntegrationError> {
+        let clock = Instant::now();
+        (self.run)()?;
+        self.best = self.best.min(clock.elapsed());
+        Ok(())
+    }
+}
+
+impl Method {
+    fn round(&mut self) -> Result<(), IntegrationError> {
+        self.single.time()?;
+        self.lanes.iter_mut().try_for_each(Path::time)
+    }
+
+    /// The times of the paths over lanes in that of `f64`.
+    fn ratios(&self) -> impl Iterator<Item = (&Path, f64)> {
+        let single = self.single.best.as_secs_f64();
+        self.lanes.iter().map(move |path| (path, path.best.as_secs_f64() / single))
+    }
+
+    fn pays(&self) -> bool {
+        self.ratios().all(|(_, ratio)| ratio <= MARGIN)
+    }
+
+    fn print(&self) {
+        println!("{}: {:.2?} over f64", self.name, self.single.best);
+        for (path, ratio) in self.ratios() {
+            let verdict = if ratio <= MARGIN { "" } else { "  slower than f64" };
+            println!("    {ratio:6.3}  {}{verdict}", path.name);
+        }
+    }
+}
+
+/// Tops near the paper's start.
+fn start(i: u32) -> Se3Dual {
+    let x = f64::from(i) / f64::from(COUNT) - 0.5;
+    let vertical = Vector3::new(0.5 + 0.1 * x, 0.2 * x, 0.75_f64.sqrt()).normalize();
+    Se3Dual::new(Vector3::new(2.0 + 0.2 * x, 3.0 - 0.1 * x, 4.0), vertical)
+}
+
+fn members<P: Copy>(parameters: P) -> Vec<(P, Se3Dual)> {
+    (0..COUNT).map(|i| (parameters, start(i))).collect()
+}
+
+/// A kernel that takes any lanes, on one and on all of one and of two registers.
+fn kernel<B, E>(
+    name: &str,
+    on: impl Fn(InstructionSet, Width) -> Result<B, E>,
+    members: &[B::Member],
+    step: f64,
+    steps: u64,
+) -> Result<Method, E>
+where
+    B: BatchIntegrator<Member: 'static> + 'static,
+{
+    let path = |set: InstructionSet, width| {
+        Ok(Path::new(format!("{set}, {width:?}"), on(set, width)?, members, step, steps))
+    };
+    let widths = [Width::Register, Width::TwoRegisters];
+    let places = InstructionSet::available().flat_map(|set| widths.map(|width| (set, width)));
+    Ok(Method {
+        name: name.to_owned(),
+        single: path(InstructionSet::Portable, Width::Single)?,
+        lanes: places.map(|(set, width)| path(set, width)).collect::<Result<_, E>>()?,
+    })
+}
+
+/// The midpoint rule: top by top over `f64`, and many with a choice of instructions alone.
+fn midpoint(top: HeavyTop) -> Result<[Method; 2], Box<dyn Error>> {
+    let (step, steps) = (0.01, 1000);
+    let states: Vec<_> = (0..COUNT).map(start).collect();
+    let rule = |set| ReducedMidpoint::new(top).with_instructions(set);
+    let single = || -> Result<Path, Box<dyn Error>> {
+        let one_by_one = Laned::<_, f64>::with_lanes(rule(InstructionSet::Portable)?);
+        Ok(Path::new("f64".to_owned(), one_by_one, &states, step, steps))
+    };
+    let mut one_system =
+        Method { name: "ReducedMidpoint".to_owned(), single: single()?, lanes: vec![] };
+    let mut sweep = Method { name: "MidpointSweep".to_owned(), single: single()?, lanes: vec![] };
+    for set in InstructionSet::available() {
+        let name = format!("{set}, {:?}", Width::TwoRegisters);
+        one_system.lanes.push(Path::new(name.clone(), rule(set)?, &states, step, steps));
+        let many = MidpointSweep::with_instructions(set)?;
+        sweep.lanes.push(Path::new(name, many, &members(top), step, steps));
+    }
+    Ok([one_system, sweep])
+}
+
+/// One top with its stages in the lanes, beside the general integrator.
+fn stages(top: HeavyTop) -> Result<Method, Box<dyn Error>> {
+    let (step, steps) = (0.25, 1000);
+    let gauss = CollectiveGauss::new(8, top)?;
+    let state = [gauss.start(&start(0))?];
+    let alone = Laned::<_, f64>::with_lanes(gauss.general().clone());
+    let path = |set: InstructionSet| -> Result<Path, Box<dyn Error>> {
+        let gauss = Laned::<_, f64>::with_lanes(gauss.clone().with_instructions(set)?);
+        Ok(Path::new(set.to_string(), gauss, &state, step, steps))
+    };
+    Ok(Method {
+        name: "CollectiveGauss, 8 stages, one top".to_owned(),
+        single: Path::new("f64".to_owned(), alone, &state, step, steps),
+        lanes: InstructionSet::available().map(path).collect::<Result<_, _>>()?,
+    })
+}
+
+/// A method without a kernel, on the lanes that every processor has.
+fn without_kernel(top: HeavyTop) -> Result<Method, Box<dyn Error>> {
+    let (step, steps) = (0.1, 20);
+    let states: Vec<_> = (0..COUNT).map(start).collect();
+    let gauss = LiftFree::new(RungeKutta::gauss(4)?, DualQuaternions, top);
+    let single = Laned::<_, f64>::with_lanes(gauss.clone());
+    let lanes = Laned::new(gauss);
+    Ok(Method {
+        name: "Laned<LiftFree>, Gauss, 4 stages".to_owned(),
+        single: Path::new("f64".to_owned(), single, &states, step, steps),
+        lanes: vec![Path::new("DefaultLanes".to_owned(), lanes, &states, step, steps)],
+    })
+}
+
+fn methods() -> Result<Vec<Method>, Box<dyn Error>> {
+    let top = HeavyTop::kovalevskaya(1.0, 1.0)?;
+    let gauss = GaussEnsemble::<8>::new()?;
+    let substeps = AlternatingSubsteps::composed(&Substeps::sofroniou_spaletta10());
+    let splitting = SymmetricTopEnsemble::new(substeps);
+    let symmetric = members(SymmetricTopSplitting::new(top)?);
+    let on = |set, width| gauss.clone().on(set, width);
+    let mut methods = vec![kernel("GaussEnsemble, 8 stages", on, &members(top), 0.25, 40)?];
+    let on = |set, width| splitting.clone().on(set, width);
+    methods.push(kernel("SymmetricTopEnsemble, order 10", on, &symmetric, 0.125, 80)?);
+    methods.extend(midpoint(top)?);
+    methods.push(stages(top)?);
+    methods.push(without_kernel(top)?);
+    Ok(methods)
+}
+
+fn main() -> Result<ExitCode, Box<dyn Error>> {
+    let mut methods = methods()?;
+    let mut rounds = 0;
+    while rounds < LEAST_ROUNDS || (rounds < MOST_ROUNDS && !methods.iter().all(Method::pays)) {
+        methods.iter_mut().try_for_each(Method::round)?;
+        rounds += 1;
+    }
+    println!("Time in that of f64, the best of {rounds} rounds each; more than {MARGIN} fails.");
+    methods.iter().for_each(Method::print);
+    let all_pay = methods.iter().all(Method::pays);
+    Ok(if all_pay { ExitCode::SUCCESS } else { ExitCode::FAILURE })
+}

@@ -1,0 +1,78 @@
+//! Makes steps of one kernel, for `benches/instructions` to count its instructions:
+//!
+//! ```text
+//! cargo run --release -p heavytop --example steps -- KERNEL (avx2 | portable) STEPS
+//! ```
+
+use collective_integrators::{
+    AlternatingSubsteps, BatchIntegrator, IntegrationError, Integrator, Start,
+};
+use heavytop::{
+    CollectiveGauss, HeavyTop, MidpointSweep, ReducedMidpoint, SymmetricTopEnsemble,
+    SymmetricTopSplitting,
+};
+use lie_poisson::{InstructionSet, Se3Dual, Width};
+use nalgebra::Vector3;
+use std::error::Error;
+use std::hint::black_box;
+
+/// The members of an ensemble: full registers on all instructions.
+const COUNT: u32 = 64;
+
+/// The paper's start.
+fn start() -> Se3Dual {
+    Se3Dual::new(Vector3::new(2.0, 3.0, 4.0), Vector3::new(0.5, 0.0, 0.75_f64.sqrt()))
+}
+
+/// The steps of one top.
+fn one<I: Start>(integrator: &I, step: f64, steps: u64) -> Result<(), Box<dyn Error>>
+where
+    I: Integrator<Momentum = Se3Dual>,
+{
+    let (mut state, mut workspace) = (integrator.start(&start())?, integrator.workspace());
+    for _ in 0..steps {
+        state = integrator.step(&state, step, &mut workspace)?.point;
+    }
+    black_box(state);
+    Ok(())
+}
+
+/// The steps of many tops.
+fn many<B, P: Copy>(batch: &B, parameters: P, step: f64, steps: u64) -> Result<(), Box<dyn Error>>
+where
+    B: BatchIntegrator<Member = (P, Se3Dual)>,
+{
+    let mut members = vec![(parameters, start()); COUNT as usize];
+    for (i, (_, mu)) in (0..COUNT).zip(&mut members) {
+        mu.0.0.x += 0.01 * f64::from(i);
+    }
+    let mut failure: Result<(), IntegrationError> = Ok(());
+    let mut failed = |_, error| failure = Err(error);
+    batch.advance(&mut members, step, 0..steps, &mut batch.workspace(), &mut failed);
+    black_box(members);
+    Ok(failure?)
+}
+
+fn main() -> Result<(), Box<dyn Error>> {
+    let arguments: Vec<_> = std::env::args().skip(1).collect();
+    let [kernel, set, steps] = arguments.as_slice() else {
+        return Err("three arguments: KERNEL (avx2 | portable) STEPS".into());
+    };
+    let set = match set.as_str() {
+        "avx2" => InstructionSet::Avx2,
+        "portable" => InstructionSet::Portable,
+        other => return Err(format!("no instructions called {other}").into()),
+    };
+    let (top, steps) = (HeavyTop::kovalevskaya(1.0, 1.0)?, steps.parse()?);
+    match kernel.as_str() {
+        "gauss-8" => one(&CollectiveGauss::new(8, top)?.with_instructions(set)?, 0.25, steps),
+        "midpoint" => one(&ReducedMidpoint::new(top).with_instructions(set)?, 0.01, steps),
+        "midpoint-ensemble" => many(&MidpointSweep::with_instructions(set)?, top, 0.01, steps),
+        "splitting-ensemble" => {
+            let splitting = SymmetricTopEnsemble::new(AlternatingSubsteps::blanes_moan6());
+            let splitting = splitting.on(set, Width::TwoRegisters)?;
+            many(&splitting, SymmetricTopSplitting::new(top)?, 0.2, steps)
+        }
+        other => Err(format!("no kernel called {other}").into()),
+    }
+}
