@@ -25,9 +25,9 @@ fn start() -> Se3Dual {
 }
 
 /// The steps of one top.
-fn one<I: Start>(integrator: &I, step: f64, steps: u64) -> Result<(), Box<dyn Error>>
+fn one<I>(integrator: &I, step: f64, steps: u64) -> Result<(), Box<dyn Error>>
 where
-    I: Integrator<Momentum = Se3Dual>,
+    I: Start + Integrator<Momentum = Se3Dual>,
 {
     let (mut state, mut workspace) = (integrator.start(&start())?, integrator.workspace());
     for _ in 0..steps {
