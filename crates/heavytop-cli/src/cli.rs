@@ -127,6 +127,9 @@ enum Command {
         /// The tops of this file, with references, instead of the configured top and tops about it.
         #[arg(long, value_name = "FILE")]
         problem: Option<PathBuf>,
+        /// Time only integrators with this in their names.
+        #[arg(long, value_name = "PART")]
+        only: Option<String>,
         /// The number of tops in the ensemble.
         #[arg(long, value_name = "COUNT", default_value_t = 10_000)]
         tops: u64,
@@ -190,10 +193,10 @@ pub fn main() -> ExitCode {
         Command::Animate { top, out } => {
             top.config().and_then(|config| animate(config, &out, quiet))
         }
-        Command::Bench { top, problem, tops, threads } => top
+        Command::Bench { top, problem, only, tops, threads } => top
             .config()
             .and_then(|config| {
-                let options = BenchOptions { tops, threads };
+                let options = BenchOptions { only, tops, threads };
                 bench(&config, problem.as_deref(), options, quiet)
             })
             .and_then(|done| print(&done, json)),

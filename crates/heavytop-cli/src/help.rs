@@ -229,7 +229,8 @@ pub(crate) const BENCH_EXAMPLES: &str = "\
 Examples:
   heavytop bench                                  # the paper's top
   heavytop bench top.toml --threads 2
-  heavytop bench --tops 1000000 --json";
+  heavytop bench --only midpoint --json
+  heavytop bench --only \"splitting of order 4\" --tops 10000000";
 
 pub(crate) const SWEEP: &str = "\
 Follow many tops at once, and map what becomes of them.

@@ -16,67 +16,136 @@ use lie_poisson::{LiePoisson, Se3, Se3Dual};
 use momentum_map::DualQuaternions;
 use std::sync::{Mutex, PoisonError};
 
-/// Times all integrators that suit the problem; `done` is told of each.
-///
-/// # Errors
-/// If a step of one fails.
-pub(super) fn run(problem: &Problem, mut done: impl FnMut(Run)) -> Result<(), Error> {
-    if problem.tops == 1 { one_top(problem, &mut done) } else { many_tops(problem, &mut done) }
+/// Who is timed on what.
+pub(super) struct Contest<'a, D> {
+    /// The tops.
+    pub problem: &'a Problem,
+    /// Part of the names of those who are timed; without it all are.
+    pub only: Option<&'a str>,
+    /// Is told of each.
+    pub done: D,
 }
 
-fn one_top(problem: &Problem, done: &mut impl FnMut(Run)) -> Result<(), Error> {
-    let top = problem.top;
+impl<D: FnMut(Run)> Contest<'_, D> {
+    /// Times the integrators that suit the problem.
+    ///
+    /// # Errors
+    /// If a step of one fails.
+    pub(super) fn run(&mut self) -> Result<(), Error> {
+        if self.problem.tops == 1 { one_top(self) } else { many_tops(self) }
+    }
+
+    fn wants(&self, name: &str) -> bool {
+        self.only.is_none_or(|part| name.contains(part))
+    }
+
+    fn single<I: Start<Momentum = Se3Dual>>(
+        &mut self,
+        name: &str,
+        step: f64,
+        integrator: &I,
+    ) -> Result<(), Error> {
+        if !self.wants(name) {
+            return Ok(());
+        }
+        let problem = self.problem;
+        let run = measure(name, step, problem, |steps| {
+            let mut state = integrator.start(&problem.start(0))?;
+            let mut workspace = integrator.workspace();
+            for n in 0..steps {
+                let next = integrator.step(&state, step, &mut workspace).map_err(|source| {
+                    failed(name, IntegrationError { step: n + 1, time: n as f64 * step, source })
+                })?;
+                state = next.point;
+            }
+            Ok(vec![integrator.momentum(&state)])
+        })?;
+        (self.done)(run);
+        Ok(())
+    }
+
+    fn many<B: BatchIntegrator>(
+        &mut self,
+        name: &str,
+        step: f64,
+        integrator: B,
+        member: impl Fn(Se3Dual) -> B::Member + Sync,
+        state: impl Fn(&B::Member) -> Se3Dual + Sync,
+    ) -> Result<(), Error> {
+        if !self.wants(name) {
+            return Ok(());
+        }
+        let (problem, ensemble) = (self.problem, Ensemble::new(integrator));
+        let run = measure(name, step, problem, |steps| {
+            let results = Mutex::new((problem.starts.clone(), None));
+            let start = |index| member(problem.start(index));
+            ensemble.stream(problem.tops, start, step, steps, |chunk: Chunk<'_, B::Member>| {
+                let mut results = results.lock().unwrap_or_else(PoisonError::into_inner);
+                let wanted = results.0.iter_mut().skip(chunk.first as usize);
+                wanted.zip(chunk.members).for_each(|(mu, member)| *mu = state(member));
+                results.1 = results.1.or(chunk.failures.first().copied());
+            });
+            let (states, failure) = results.into_inner().unwrap_or_else(PoisonError::into_inner);
+            failure.map_or(Ok(states), |failure| Err(failed(name, failure.source)))
+        })?;
+        (self.done)(run);
+        Ok(())
+    }
+}
+
+fn one_top(contest: &mut Contest<'_, impl FnMut(Run)>) -> Result<(), Error> {
+    let top = contest.problem.top;
     for (stages, step) in [(8, 0.3125), (8, 0.25), (8, 0.2), (6, 0.125), (4, 0.0625), (4, 0.02)] {
         let gauss = CollectiveGauss::new(stages, top).map_err(refused)?;
         let name = format!("heavytop collective Gauss-{}", 2 * stages);
-        done(single(&name, step, problem, &gauss)?);
+        contest.single(&name, step, &gauss)?;
     }
     if let Ok(flows) = SymmetricTopSplitting::new(top) {
         for (name, step, substeps) in splittings() {
             let name = format!("heavytop {name}, one top");
-            done(single(&name, step, problem, &AlternatingSplitting::new(flows, substeps))?);
+            contest.single(&name, step, &AlternatingSplitting::new(flows, substeps))?;
         }
     }
     let midpoint = ReducedMidpoint::new(top);
-    done(single("heavytop lift-free midpoint", 0.01, problem, &midpoint)?);
+    contest.single("heavytop lift-free midpoint", 0.01, &midpoint)?;
 
     let gauss = RungeKutta::gauss(8).map_err(refused)?;
     let general = Collective::new(gauss, SpinorRealisation, top).compensated();
-    done(single("heavytop any system: Gauss-16", 0.25, problem, &general)?);
+    contest.single("heavytop any system: Gauss-16", 0.25, &general)?;
     let general = LiftFree::new(RungeKutta::implicit_midpoint(), DualQuaternions, top);
-    done(single("heavytop any system: lift-free midpoint", 0.01, problem, &general)?);
+    contest.single("heavytop any system: lift-free midpoint", 0.01, &general)?;
     let field = HamiltonianField { space: LiePoisson::minus(Se3::default()), hamiltonian: top };
     let direct = Direct::new(RungeKutta::rk4(), field);
-    done(single("heavytop any system: RK4, direct", 0.01, problem, &direct)?);
+    contest.single("heavytop any system: RK4, direct", 0.01, &direct)?;
     Ok(())
 }
 
-fn many_tops(problem: &Problem, done: &mut impl FnMut(Run)) -> Result<(), Error> {
-    let top = problem.top;
+fn many_tops(contest: &mut Contest<'_, impl FnMut(Run)>) -> Result<(), Error> {
+    let top = contest.problem.top;
     for step in [0.4, 1.0 / 3.0, 0.25] {
         let gauss = GaussEnsemble::<8>::new().map_err(refused)?;
         let member = |mu| (top, mu);
-        done(many("heavytop Gauss-16", step, problem, gauss, member, |(_, mu)| *mu)?);
+        contest.many("heavytop Gauss-16", step, gauss, member, |(_, mu)| *mu)?;
     }
     if let Ok(flows) = SymmetricTopSplitting::new(top) {
         for (name, step, substeps) in splittings() {
             let splitting = SymmetricTopEnsemble::new(substeps);
             let (name, member) = (format!("heavytop {name}"), |mu| (flows, mu));
-            done(many(&name, step, problem, splitting, member, |(_, mu)| *mu)?);
+            contest.many(&name, step, splitting, member, |(_, mu)| *mu)?;
         }
     }
     let (name, midpoint) = ("heavytop lift-free midpoint", ReducedMidpoint::new(top));
-    done(many(name, 0.01, problem, midpoint, |mu| mu, |mu| *mu)?);
+    contest.many(name, 0.01, midpoint, |mu| mu, |mu| *mu)?;
     let (name, sweep) = ("heavytop lift-free midpoint, a top each", MidpointSweep::new());
-    done(many(name, 0.01, problem, sweep, |mu| (top, mu), |(_, mu)| *mu)?);
+    contest.many(name, 0.01, sweep, |mu| (top, mu), |(_, mu)| *mu)?;
 
     let gauss = RungeKutta::gauss(8).map_err(refused)?;
     let general = Laned::new(LiftFree::new(gauss, DualQuaternions, top));
     let name = "heavytop any system: Gauss-16";
-    done(many(name, 1.0 / 3.0, problem, general, |mu| mu, |mu| *mu)?);
+    contest.many(name, 1.0 / 3.0, general, |mu| mu, |mu| *mu)?;
     let midpoint = LiftFree::new(RungeKutta::implicit_midpoint(), DualQuaternions, top);
     let (name, general) = ("heavytop any system: lift-free midpoint", Laned::new(midpoint));
-    done(many(name, 0.02, problem, general, |mu| mu, |mu| *mu)?);
+    contest.many(name, 0.02, general, |mu| mu, |mu| *mu)?;
     Ok(())
 }
 
@@ -92,48 +161,6 @@ fn splittings() -> [(&'static str, f64, AlternatingSubsteps); 6] {
         ("splitting of order 4", 0.2, four.clone()),
         ("splitting of order 4", 0.05, four),
     ]
-}
-
-fn single<I: Start<Momentum = Se3Dual>>(
-    name: &str,
-    step: f64,
-    problem: &Problem,
-    integrator: &I,
-) -> Result<Run, Error> {
-    measure(name, step, problem, |steps| {
-        let mut state = integrator.start(&problem.start(0))?;
-        let mut workspace = integrator.workspace();
-        for n in 0..steps {
-            let next = integrator.step(&state, step, &mut workspace).map_err(|source| {
-                failed(name, IntegrationError { step: n + 1, time: n as f64 * step, source })
-            })?;
-            state = next.point;
-        }
-        Ok(vec![integrator.momentum(&state)])
-    })
-}
-
-fn many<B: BatchIntegrator>(
-    name: &str,
-    step: f64,
-    problem: &Problem,
-    integrator: B,
-    member: impl Fn(Se3Dual) -> B::Member + Sync,
-    state: impl Fn(&B::Member) -> Se3Dual + Sync,
-) -> Result<Run, Error> {
-    let ensemble = Ensemble::new(integrator);
-    measure(name, step, problem, |steps| {
-        let results = Mutex::new((problem.starts.clone(), None));
-        let start = |index| member(problem.start(index));
-        ensemble.stream(problem.tops, start, step, steps, |chunk: Chunk<'_, B::Member>| {
-            let mut results = results.lock().unwrap_or_else(PoisonError::into_inner);
-            let wanted = results.0.iter_mut().skip(chunk.first as usize);
-            wanted.zip(chunk.members).for_each(|(mu, member)| *mu = state(member));
-            results.1 = results.1.or(chunk.failures.first().copied());
-        });
-        let (states, failure) = results.into_inner().unwrap_or_else(PoisonError::into_inner);
-        failure.map_or(Ok(states), |failure| Err(failed(name, failure.source)))
-    })
 }
 
 fn failed(name: &str, source: IntegrationError) -> Error {

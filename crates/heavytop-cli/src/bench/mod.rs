@@ -7,6 +7,7 @@ mod problem;
 use crate::Error;
 use crate::config::Config;
 use crate::progress::Progress;
+use contestants::Contest;
 use lie_poisson::Covector;
 use lie_poisson::{Pair, Se3Dual};
 use nalgebra::{Rotation3, Vector3};
@@ -27,8 +28,10 @@ const SHORT: f64 = 20.0;
 const REFERENCES: u64 = 10_000;
 
 /// What to time.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+#[derive(Clone, Debug, PartialEq, Eq)]
 pub struct Options {
+    /// Part of the names of the integrators to time; without it all are.
+    pub only: Option<String>,
     /// The number of tops in the ensemble.
     pub tops: u64,
     /// The number of threads for it.
@@ -54,7 +57,7 @@ pub struct Bench {
 /// ```no_run
 /// use heavytop_cli::bench::{Options, bench};
 /// use heavytop_cli::config::Config;
-/// let bench = bench(&Config::default(), None, Options { tops: 1000, threads: 1 }, true)?;
+/// let bench = bench(&Config::default(), None, Options { only: None, tops: 1000, threads: 1 }, true)?;
 /// println!("{bench}");
 /// # Ok::<(), heavytop_cli::Error>(())
 /// ```
@@ -77,10 +80,11 @@ pub fn bench(
     let mut runs = Vec::new();
     for problem in &problems {
         pool.install(|| {
-            contestants::run(problem, |run| {
+            let done = |run: Run| {
                 progress.now(runs.len() as u64, run.name.clone());
                 runs.push(run);
-            })
+            };
+            Contest { problem, only: options.only.as_deref(), done }.run()
         })?;
     }
     Ok(Bench { threads, runs })
