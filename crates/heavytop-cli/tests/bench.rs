@@ -24,8 +24,8 @@ fn a_problem_in_a_file_has_its_own_references() {
     // A sleeping top of Lagrange's stays where it is; the second reference says otherwise.
     let problem = "2 2 1 1 0 0 1 20\n0 0 4 0 0 1 0 0 4 0 0 1 0 0 4 0 0 1.5\n";
     folder.write("sleeping.txt", problem);
-    let run = folder
-        .heavytop(&["bench", "--problem", "sleeping.txt", "--only", "Gauss-12", "--json"]);
+    let run =
+        folder.heavytop(&["bench", "--problem", "sleeping.txt", "--only", "Gauss-12", "--json"]);
     let told: serde_json::Value = serde_json::from_str(&run.stdout()).unwrap();
     assert!(told["runs"][0]["error_10"].as_f64().unwrap() < 1e-14, "{told}");
     assert!((told["runs"][0]["error_end"].as_f64().unwrap() - 0.5).abs() < 1e-14, "{told}");

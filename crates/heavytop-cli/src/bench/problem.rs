@@ -101,6 +101,21 @@ impl Problem {
         Ok(Self { top, end, tops, starts, early, late })
     }
 
+    /// The same for the first `count` tops at most.
+    pub(super) fn first(&self, count: usize) -> Self {
+        let first = |states: &[Se3Dual]| states.iter().take(count).copied().collect();
+        let [starts, early, late] =
+            [&self.starts, &self.early, &self.late].map(|states| first(states));
+        Self {
+            top: self.top,
+            end: self.end,
+            tops: self.tops.min(count as u64),
+            starts,
+            early,
+            late,
+        }
+    }
+
     /// Where top number `index` starts.
     #[must_use]
     pub fn start(&self, index: u64) -> Se3Dual {
