@@ -129,7 +129,8 @@ def draw(path, rows):
     matplotlib.use("Agg")
     from matplotlib import pyplot
 
-    figure, panels = pyplot.subplots(2, 2, figsize=(13, 10), layout="constrained")
+    figure, panels = pyplot.subplots(2, 2, figsize=(15, 13), layout="constrained")
+    colours = pyplot.get_cmap("tab20").colors
     for panel, (problem, title) in zip(panels.flat, TITLES.items()):
         ensemble = problem.endswith("ensemble")
         series = {}
@@ -137,13 +138,14 @@ def draw(path, rows):
             if row["problem"] == problem:
                 units = 20e4 if ensemble else 1000
                 series.setdefault(row["name"], []).append((row["error_10"], row["seconds"] / units * 1e6))
-        for name, points in series.items():
+        for number, (name, points) in enumerate(series.items()):
             ours = name.startswith(OURS)
-            panel.loglog(*zip(*points), marker="o" if ours else "s", linewidth=2.5 if ours else 1, label=name)
+            panel.loglog(*zip(*sorted(points)), marker="o" if ours else "s", linewidth=2.5 if ours else 1, label=name,
+                         color=colours[number % len(colours)])
         panel.set(title=title, xlabel="error of (Π, Γ) at t = 10, 2-norm" + (", mean" if ensemble else ""),
                   ylabel="µs for one time unit" + (" of one top" if ensemble else ""))
         panel.grid(alpha=0.3)
-        panel.legend(fontsize="small")
+        panel.legend(fontsize="x-small", ncols=3, loc="upper center", bbox_to_anchor=(0.5, -0.1))
     figure.savefig(path, dpi=110)
 
 
