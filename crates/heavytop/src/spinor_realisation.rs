@@ -1,7 +1,8 @@
 //! M = ϖ ∘ L: T∗C² → se(3)∗.
 
 use lie_poisson::{
-    ComplexSpace, Covector, LiePoisson, Pair, Real, SO3OnR3, Se3, Se3Dual, SemidirectAlgebra,
+    ComplexSpace, Covector, LiePoisson, Mask, Pair, Real, SO3OnR3, Se3, Se3Dual, SemidirectAlgebra,
+    Vector,
 };
 use momentum_map::{
     Cotangent, CotangentBundle, FibreSymmetry, Lift, LiftError, PoissonMap, euclidean_norm,
@@ -81,8 +82,9 @@ impl PoissonMap for SpinorRealisation {
         Cotangent::new(turn(chi) + pauli(&(gamma + gamma), psi), Covector(turn(psi)))
     }
 
-    /// The point of least ‖χ‖ on the line χ + bψ of the fibre, χ − (Re(ψ∗χ)/‖ψ‖²) ψ, if ‖χ‖ has
-    /// grown beyond √2 of that; else z itself.
+    /// (bψ, 0) where ‖χ‖ has grown beyond √2 of its least on the line χ + bψ of the fibre; else 0. b is
+    /// the power of two next to −Re(ψ∗χ)/‖ψ‖², so that bψ is not rounded, and leaves at most a third
+    /// of Re(ψ∗χ).
     ///
     /// Along collective dynamics d/dt Re(ψ∗χ) = 2γ·Γ, so that χ may grow linearly along ψ. Sliding
     /// back breaks the sequence of stages from which a scheme guesses the next ones
@@ -93,11 +95,24 @@ impl PoissonMap for SpinorRealisation {
         let overlap = (psi.x.conj() * chi.x + psi.y.conj() * chi.y).re;
         let square = psi.x.norm_sqr() + psi.y.norm_sqr();
         let least = (chi.x.norm_sqr() + chi.y.norm_sqr()) * square - overlap * overlap;
-        let long = overlap * overlap - least;
-        let along = long.select_nonnegative(-overlap / square, T::zero());
+        let short = (overlap * overlap).at_most(least);
         // For ψ = 0 the fibre is no line, and z stays.
-        self.flow(0, (-square).select_nonnegative(T::zero(), along), z)
+        let line = (overlap / square).magnitude().at_most(T::from_f64(LONGEST));
+        let along = T::select(line.and(short.not()), power_of_two(-overlap / square), T::zero());
+        Cotangent { q: psi.map(|x| x.scale(along)), ..Vector::zero() }
     }
+}
+
+/// A slide by more than this many ψ is none.
+const LONGEST: f64 = 1e100;
+
+/// ±2ᵏ with ¾ 2ᵏ ≤ |x| ≤ 3/2 2ᵏ: the leading bit of 4x/3, for any scalar. Its derivative means nothing.
+///
+/// Source: S. M. Rump, *Ultimately fast accurate summation*, SIAM J. Sci. Comput. 31 (2009), Alg. 3.5.
+#[inline]
+fn power_of_two<T: Real>(x: T) -> T {
+    let q = x * (4.0 / 3.0 * (1.0 + 1.0 / f64::EPSILON));
+    q - q * (1.0 - 0.5 * f64::EPSILON)
 }
 
 impl Lift for SpinorRealisation {

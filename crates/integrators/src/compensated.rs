@@ -21,11 +21,11 @@ pub trait Increments<T: Real = f64>: Integrator<T> {
         workspace: &mut Self::Workspace,
     ) -> Result<Step<Self::State>, StepError>;
 
-    /// The state that is gone on from in the place of this one, with the same momentum. By default
+    /// The state that is gone on from in the place of this z + e, with the same momentum. By default
     /// itself.
     #[inline]
-    fn settled(&self, state: &Self::State) -> Self::State {
-        *state
+    fn settled(&self, state: Pair<Self::State, Self::State>) -> Pair<Self::State, Self::State> {
+        state
     }
 }
 
@@ -38,12 +38,9 @@ pub trait Increments<T: Real = f64>: Integrator<T> {
 /// so that the errors of a step have the size of the roundings of δz, a factor h|Ω| below those
 /// of z. The state is (z, e); of a [`LiftFree`](crate::LiftFree) integrator z is μ.
 ///
-/// Where a [`Collective`](crate::Collective) integrator slides z along its fibre, e stays: that costs
-/// one rounding of z.
-///
-/// What a step conserves at z it conserves at z + e to a rounding of δz. Over a million steps
-/// in which a body turns by a tenth of a radian each, a bias of these roundings shows in the Casimirs
-/// of the collective and the direct form. The lift-free form has none: its δμ is that of a rotation.
+/// The stages of δz are unrounded ([`Scheme::refined_increment`](crate::Scheme::refined_increment)), and where a
+/// [`Collective`](crate::Collective) integrator slides z along its fibre, e slides along. What is left are
+/// the roundings of the field, which have no mean: invariants wander as t^½.
 ///
 /// Source: W. Kahan, *Further remarks on reducing truncation errors*, Comm. ACM 8 (1965); Hairer,
 /// McLachlan & Razakarivony, *Achieving Brouwer's law with implicit Runge–Kutta methods*, BIT 48
@@ -91,6 +88,16 @@ pub fn compensated_sum<V: Vector>(Pair(z, carry): &Pair<V, V>, increment: V) -> 
     Pair(next, change - (next - *z))
 }
 
+/// a + b as its rounded value and what is rounded away, whichever is the larger.
+///
+/// Source: D. E. Knuth, *The Art of Computer Programming*, vol. 2, §4.2.2, Thm. B.
+#[inline]
+pub(crate) fn two_sum<V: Vector>(a: &V, b: &V) -> Pair<V, V> {
+    let sum = *a + *b;
+    let change = sum - *a;
+    Pair(sum, (*a - (sum - change)) + (*b - change))
+}
+
 impl<I: Increments<T>, T: Real> Integrator<T> for Compensated<I> {
     type State = Pair<I::State, I::State>;
     type Momentum = I::Momentum;
@@ -113,8 +120,7 @@ impl<I: Increments<T>, T: Real> Integrator<T> for Compensated<I> {
         workspace: &mut Self::Workspace,
     ) -> Result<Step<Self::State>, StepError> {
         let Step { point, iterations } = self.0.increment(&state.0, step, workspace)?;
-        let Pair(next, carry) = compensated_sum(state, point);
-        Step { point: Pair(self.0.settled(&next), carry), iterations }.finite()
+        Step { point: self.0.settled(compensated_sum(state, point)), iterations }.finite()
     }
 
     #[inline]

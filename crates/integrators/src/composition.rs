@@ -65,6 +65,20 @@ impl<S> Composition<S> {
         }
         Ok(total)
     }
+
+    /// The sum of the increments of the substeps, each from where the one before it ends.
+    #[inline]
+    fn sum<V: Vector>(
+        &self,
+        z: &V,
+        step: f64,
+        mut increment: impl FnMut(&V, f64) -> Result<Step<V>, StepError>,
+    ) -> Result<Step<V>, StepError> {
+        self.chain(&V::zero(), step, |sum, step| {
+            let Step { point, iterations } = increment(&(*z + *sum), step)?;
+            Ok(Step { point: *sum + point, iterations })
+        })
+    }
 }
 
 impl<S: Equivariant> Equivariant for Composition<S> {}
@@ -85,11 +99,18 @@ impl<S: Scheme> Scheme for Composition<S> {
         step: f64,
         workspace: &mut Self::Workspace<F::Point>,
     ) -> Result<Step<F::Point>, StepError> {
-        self.chain(&Vector::zero(), step, |sum: &F::Point, step| {
-            let from = *z + *sum;
-            let Step { point, iterations } = self.base.increment(field, &from, step, workspace)?;
-            Ok(Step { point: *sum + point, iterations })
-        })
+        self.sum(z, step, |from, step| self.base.increment(field, from, step, workspace))
+    }
+
+    #[inline]
+    fn refined_increment<T: Real, F: VectorField<T>>(
+        &self,
+        field: &F,
+        z: &F::Point,
+        step: f64,
+        workspace: &mut Self::Workspace<F::Point>,
+    ) -> Result<Step<F::Point>, StepError> {
+        self.sum(z, step, |from, step| self.base.refined_increment(field, from, step, workspace))
     }
 
     #[inline]

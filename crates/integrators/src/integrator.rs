@@ -1,9 +1,10 @@
 //! Integrators on 𝔤∗: a scheme, where it runs, and how its state is read.
 
+use crate::compensated::two_sum;
 use crate::{
     Compensated, Equivariant, Increments, Scheme, Step, StepError, Trajectory, VectorField,
 };
-use lie_poisson::{Hamiltonian, Real, Vector};
+use lie_poisson::{DualNumber, Hamiltonian, Mask, Pair, Real, Vector, derivative_part, seed};
 use momentum_map::{CollectiveHamiltonian, Lift, LiftError, PoissonMap, SourcePoint, TargetPoint};
 
 /// A method that advances a state and reads a momentum μ off it.
@@ -208,10 +209,10 @@ impl<S, M: PoissonMap, H> Collective<S, M, H> {
         Compensated(self)
     }
 
-    /// The point of the fibre through z to go on from.
+    /// What leads from z to the point of its fibre to go on from.
     #[inline]
-    fn gauged<T: Real>(&self, z: &SourcePoint<M, T>) -> SourcePoint<M, T> {
-        if self.descends { self.system.map.gauge::<T>(z) } else { *z }
+    fn gauge<T: Real>(&self, z: &SourcePoint<M, T>) -> SourcePoint<M, T> {
+        if self.descends { self.system.map.gauge::<T>(z) } else { Vector::zero() }
     }
 }
 
@@ -238,7 +239,7 @@ where
         workspace: &mut Self::Workspace,
     ) -> Result<Step<Self::State>, StepError> {
         let next = self.scheme.step::<T, _>(&self.system, state, step, workspace)?;
-        Ok(Step { point: self.gauged::<T>(&next.point), ..next })
+        Ok(Step { point: next.point + self.gauge::<T>(&next.point), ..next })
     }
 
     #[inline]
@@ -266,12 +267,22 @@ where
         step: f64,
         workspace: &mut Self::Workspace,
     ) -> Result<Step<Self::State>, StepError> {
-        self.scheme.increment::<T, _>(&self.system, state, step, workspace)
+        self.scheme.refined_increment::<T, _>(&self.system, state, step, workspace)
     }
 
+    /// z + e + gauge(z + e), to first order in e.
     #[inline]
-    fn settled(&self, state: &Self::State) -> Self::State {
-        self.gauged::<T>(state)
+    fn settled(&self, state: Pair<Self::State, Self::State>) -> Pair<Self::State, Self::State> {
+        let Pair(z, carry) = state;
+        let slide = self.gauge::<T>(&z);
+        let still = slide.max_norm().at_most(T::zero());
+        if still.all() {
+            return state;
+        }
+        let slides: SourcePoint<M, DualNumber<T>> = self.gauge::<DualNumber<T>>(&seed(&z, &carry));
+        let along: SourcePoint<M, T> = derivative_part(&slides);
+        let Pair(slid, rounding) = two_sum(&z, &slide);
+        Vector::select(still, &state, &Pair(slid, carry + along + rounding))
     }
 }
 
@@ -379,7 +390,7 @@ where
         step: f64,
         workspace: &mut Self::Workspace,
     ) -> Result<Step<F::Point>, StepError> {
-        self.scheme.increment(&self.field, state, step, workspace)
+        self.scheme.refined_increment(&self.field, state, step, workspace)
     }
 }
 

@@ -34,6 +34,7 @@ mod dop853;
 mod settling;
 mod stage_solver;
 mod predictor;
+mod refinement;
 mod scheme;
 mod runge_kutta;
 mod lobatto;

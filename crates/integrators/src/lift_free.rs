@@ -94,6 +94,26 @@ impl<S: Equivariant, M: Multipliers, H> LiftFree<S, M, H> {
     where
         H: Hamiltonian<M::Space, T>,
     {
+        self.motion(mu, workspace, |field, one, storage| {
+            self.scheme.step::<T, _>(field, one, step, storage)
+        })
+    }
+
+    /// Q₁ by what the scheme makes of Q = 1 in one step.
+    #[inline]
+    fn motion<T: Real>(
+        &self,
+        mu: &Point<M::Space, T>,
+        workspace: &mut MultiplierSpace<S, M, T>,
+        make: impl FnOnce(
+            &MultiplierField<'_, M, H, Point<M::Space, T>>,
+            &Multiplier<M, T>,
+            &mut S::Workspace<Multiplier<M, T>>,
+        ) -> Result<Step<Multiplier<M, T>>, StepError>,
+    ) -> Result<Step<Multiplier<M, T>>, StepError>
+    where
+        H: Hamiltonian<M::Space, T>,
+    {
         let field = MultiplierField {
             multipliers: &self.multipliers,
             hamiltonian: &self.hamiltonian,
@@ -104,7 +124,7 @@ impl<S: Equivariant, M: Multipliers, H> LiftFree<S, M, H> {
             self.scheme.forget(storage);
         }
         let one = self.multipliers.one::<T>();
-        let next = self.scheme.step::<T, _>(&field, &one, step, storage)?;
+        let next = make(&field, &one, storage)?;
         // The next step begins at Q = 1 too: Q(t) of this one continues as Q(t) Q₁⁻¹.
         let motion = |k: &_| self.multipliers.right_quotient::<T>(k, &next.point);
         self.scheme.move_memory(storage, &one, motion);
@@ -206,7 +226,11 @@ where
         step: f64,
         workspace: &mut Self::Workspace,
     ) -> Result<Step<Self::State>, StepError> {
-        let Step { point: q, iterations } = self.multiplier::<T>(mu, step, workspace)?;
+        let refined = self.motion::<T>(mu, workspace, |field, one, storage| {
+            let change = self.scheme.refined_increment::<T, _>(field, one, step, storage)?;
+            Step { point: *one + change.point, ..change }.finite()
+        });
+        let Step { point: q, iterations } = refined?;
         Ok(Step { point: self.change::<T>(&q, mu), iterations })
     }
 }

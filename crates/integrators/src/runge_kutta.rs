@@ -3,11 +3,12 @@
 use crate::dop853;
 use crate::newton::{NewtonSpace, newton_step};
 use crate::predictor::{Memory, Predictor};
-use crate::stage_solver::{Unsettled, stage_point, stage_sum};
+use crate::refinement::refine;
+use crate::stage_solver::{Unsettled, even_stage_sum, stage_point};
 use crate::{
     Equivariant, Scheme, SchemeError, StageSolver, Step, StepError, Substeps, Tableau, VectorField,
 };
-use lie_poisson::{Real, Vector};
+use lie_poisson::{Mask, Real, Vector};
 
 /// A Runge–Kutta method: a [`Tableau`], and a solver for its stages if it is implicit.
 ///
@@ -141,7 +142,7 @@ impl RungeKutta {
 
     /// Solves for the stage derivatives: from a guess if the workspace has one; if not, or if that
     /// fails, from X(z); then by Newton's iteration, whose results are no good to guess from. Returns
-    /// the number of iterations.
+    /// the number of iterations, and where those of the fixed point were enough.
     #[inline]
     fn solve_stages<T: Real, F: VectorField<T>>(
         &self,
@@ -149,7 +150,7 @@ impl RungeKutta {
         z: &F::Point,
         step: f64,
         workspace: &mut StageSpace<F::Point>,
-    ) -> Result<usize, StepError> {
+    ) -> Result<(usize, T::Mask), StepError> {
         let StageSpace { k, memory, newton } = workspace;
         let derivative = |i: usize, k: &[F::Point]| {
             let (row, low) = (self.tableau.row(i), self.tableau.row_low(i));
@@ -161,10 +162,43 @@ impl RungeKutta {
                 let advance = |done: T::Mask, k: &mut [F::Point]| {
                     newton_step(field, (z, step), &self.tableau, done, k, newton)
                 };
-                Ok(iterations + self.solver.newton(settled, &start(), step, k, advance)?)
+                let more = self.solver.newton(settled, &start(), step, k, advance)?;
+                Ok((iterations + more, settled))
             }
-            outcome => outcome.map_err(|unsettled| unsettled.error),
+            Ok(iterations) => Ok((iterations, T::Mask::from_bool(true))),
+            Err(unsettled) => Err(unsettled.error),
         }
+    }
+
+    /// The stage derivatives of a step, in the workspace. Returns the number of iterations, and where they
+    /// were those of the fixed point.
+    #[inline]
+    fn stages<T: Real, F: VectorField<T>>(
+        &self,
+        field: &F,
+        z: &F::Point,
+        step: f64,
+        workspace: &mut StageSpace<F::Point>,
+    ) -> Result<(usize, T::Mask), StepError> {
+        // A workspace from another method still gives the right result.
+        workspace.k.resize(self.tableau.stages(), F::Point::zero());
+        if !self.tableau.is_explicit() {
+            return self.solve_stages(field, z, step, workspace);
+        }
+        let k = &mut workspace.k;
+        for (i, row) in self.tableau.rows().enumerate() {
+            k[i] = field.at(&stage_point(z, step, &row[..i], &[], k));
+        }
+        Ok((0, T::Mask::from_bool(true)))
+    }
+
+    /// h Σ_i (b_i + low_i) k_i for the stage derivatives in the workspace, which ends its step there.
+    #[inline]
+    fn end<V: Vector>(&self, z: &V, step: f64, workspace: &mut StageSpace<V>) -> V {
+        let (weights, low) = (self.tableau.weights(), self.tableau.weights_low());
+        let change = even_stage_sum(step, weights, low, &workspace.k);
+        workspace.memory.end_at(&(*z + change));
+        change
     }
 }
 
@@ -198,21 +232,25 @@ impl Scheme for RungeKutta {
         step: f64,
         workspace: &mut StageSpace<F::Point>,
     ) -> Result<Step<F::Point>, StepError> {
-        // A workspace from another method still gives the right result.
-        workspace.k.resize(self.tableau.stages(), F::Point::zero());
-        let iterations = if self.tableau.is_explicit() {
-            let k = &mut workspace.k;
-            for (i, row) in self.tableau.rows().enumerate() {
-                k[i] = field.at(&stage_point(z, step, &row[..i], &[], k));
-            }
-            0
-        } else {
-            self.solve_stages(field, z, step, workspace)?
-        };
-        let (weights, low) = (self.tableau.weights(), self.tableau.weights_low());
-        let point = stage_sum(step, weights, low, &workspace.k);
-        workspace.memory.end_at(&(*z + point));
-        Ok(Step { point, iterations })
+        let (iterations, _) = self.stages(field, z, step, workspace)?;
+        Ok(Step { point: self.end(z, step, workspace), iterations })
+    }
+
+    /// With the stages of an implicit method unrounded, which takes six more evaluations of the field for
+    /// each stage.
+    #[inline]
+    fn refined_increment<T: Real, F: VectorField<T>>(
+        &self,
+        field: &F,
+        z: &F::Point,
+        step: f64,
+        workspace: &mut StageSpace<F::Point>,
+    ) -> Result<Step<F::Point>, StepError> {
+        let (iterations, contracting) = self.stages(field, z, step, workspace)?;
+        if !self.tableau.is_explicit() {
+            refine(field, (z, step), &self.tableau, contracting, &mut workspace.k);
+        }
+        Ok(Step { point: self.end(z, step, workspace), iterations })
     }
 
     #[inline]

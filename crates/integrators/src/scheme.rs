@@ -33,8 +33,8 @@ pub trait Scheme: Clone {
     /// Allocates it.
     fn workspace<V: Vector>(&self) -> Self::Workspace<V>;
 
-    /// Φ_h(z) − z, with the accuracy of its own size: [`Compensated`](crate::Compensated) summation
-    /// lives on it. Allocates nothing. That it is finite is left to who adds it.
+    /// Φ_h(z) − z, with roundings of its own size: those of a sum h Σ b_i k_i, and h times those of the
+    /// stages. Allocates nothing. That it is finite is left to who adds it.
     ///
     /// # Errors
     /// If stage equations are not solved. Nothing is changed then, except in the workspace.
@@ -45,6 +45,22 @@ pub trait Scheme: Clone {
         step: f64,
         workspace: &mut Self::Workspace<F::Point>,
     ) -> Result<Step<F::Point>, StepError>;
+
+    /// The same with roundings that have no mean: [`Compensated`](crate::Compensated) summation lives on
+    /// it. By default [`increment`](Self::increment).
+    ///
+    /// # Errors
+    /// As that.
+    #[inline]
+    fn refined_increment<T: Real, F: VectorField<T>>(
+        &self,
+        field: &F,
+        z: &F::Point,
+        step: f64,
+        workspace: &mut Self::Workspace<F::Point>,
+    ) -> Result<Step<F::Point>, StepError> {
+        self.increment(field, z, step, workspace)
+    }
 
     /// Φ_h(z). Allocates nothing.
     ///

@@ -1,6 +1,8 @@
 //! Poisson maps.
 
-use lie_poisson::{Differential, DualNumber, Point, PoissonSpace, Real, transposed_tangent};
+use lie_poisson::{
+    Differential, DualNumber, Point, PoissonSpace, Real, Vector, transposed_tangent,
+};
 
 /// z in the source of a map, over the scalar `T`.
 pub type SourcePoint<M, T = f64> = Point<<M as PoissonMap>::Source, T>;
@@ -70,14 +72,15 @@ pub trait PoissonMap: Clone {
         self.source().hamiltonian_vector::<T>(z, &self.pull_back::<T>(alpha, z))
     }
 
-    /// A point of the fibre through z that does not run away: M(gauge(z)) = M(z).
+    /// A displacement along the fibre that keeps z from running away: M(z + gauge(z)) = M(z).
     ///
     /// Along collective dynamics z may drift along its fibre, which is invisible in M(z) but costs
-    /// digits. Collective integrators pass to gauge(z) after each step; it should mostly be z itself,
-    /// since stages are guessed from those of steps that follow each other. By default z itself.
+    /// digits. Collective integrators pass to z + gauge(z) after each step; it should mostly be 0,
+    /// since stages are guessed from those of steps that follow each other, and itself free of rounding
+    /// if it can. By default 0.
     #[inline]
-    fn gauge<T: Real>(&self, z: &SourcePoint<Self, T>) -> SourcePoint<Self, T> {
-        *z
+    fn gauge<T: Real>(&self, _z: &SourcePoint<Self, T>) -> SourcePoint<Self, T> {
+        Vector::zero()
     }
 }
 

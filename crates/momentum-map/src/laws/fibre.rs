@@ -9,7 +9,7 @@ use lie_poisson::{
 /// * `invariance` M ∘ flow = M, and `one-parameter group`;
 /// * `commuting flows`;
 /// * `momentum`: its Hamiltonian vector field generates the flow;
-/// * `gauge`: M ∘ gauge = M.
+/// * `gauge`: M(z + gauge(z)) = M(z).
 ///
 /// # Errors
 /// If there are no samples of one kind.
@@ -24,7 +24,7 @@ pub fn fibre_symmetry<M: FibreSymmetry>(
     let mut report = Report::default();
     for z in regimes("points", points)? {
         let mu = map.apply::<f64>(&z);
-        let gauged = map.apply::<f64>(&map.gauge::<f64>(&z)) - mu;
+        let gauged = map.apply::<f64>(&(z + map.gauge::<f64>(&z))) - mu;
         if z.max_abs() != 0.0 {
             report.note("gauge", gauged.max_abs(), z.max_abs().powi(2));
         }
