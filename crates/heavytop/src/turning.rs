@@ -112,7 +112,7 @@ where
 }
 
 /// By ψₙ₊₁ = Q ψₙ.
-impl Turning for CollectiveGauss {
+impl<H: Hamiltonian<HeavyTopSpace>> Turning for CollectiveGauss<H> {
     #[inline]
     fn turn(
         &self,

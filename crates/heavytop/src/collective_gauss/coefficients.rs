@@ -1,7 +1,7 @@
 //! A Gauss method and a top in the form that the kernel uses.
 
 use super::row::{Row, WIDTH};
-use crate::HeavyTop;
+use crate::midpoint_kernel::Top;
 use collective_integrators::Tableau;
 use core::array::from_fn;
 use core::cmp::Ordering;
@@ -33,7 +33,7 @@ pub(super) struct Coefficients {
 impl Coefficients {
     /// From the tableau of a Gauss method with at most [`WIDTH`] stages; the columns and rows of
     /// stages that it does not have are 0.
-    pub(super) fn new(gauss: &Tableau, top: &HeavyTop) -> Self {
+    pub(super) fn new(gauss: &Tableau, top: &Top) -> Self {
         let (s, b, c) = (gauss.stages(), gauss.weights(), gauss.nodes());
         let a = |i: usize, j: usize| gauss.row(i)[j];
         let ratio = |i: usize, j: usize| match i.cmp(&j) {
@@ -49,13 +49,12 @@ impl Coefficients {
             terms.sum::<f64>() / b[l]
         };
         let weighted = |x: f64| Row(from_fn(|j| if j < s { b[j] * x } else { 0.0 }));
-        let (inertia, force) = (top.inertia(), top.center_of_mass() * top.weight_moment());
         Self {
             stages: s,
             columns: columns(s, ratio),
             guess: columns(s, guess),
-            turn: from_fn(|k| weighted(0.25 / inertia[k])),
-            pull: from_fn(|k| weighted(2.0 * force[k])),
+            turn: from_fn(|k| weighted(0.25 * top.inverse_inertia[k])),
+            pull: from_fn(|k| weighted(2.0 * top.force[k])),
         }
     }
 }
@@ -77,8 +76,8 @@ mod tests {
     use super::*;
 
     fn coefficients(s: usize) -> (Tableau, Coefficients) {
-        let (gauss, top) = (Tableau::gauss(s).unwrap(), HeavyTop::kovalevskaya(1.0, 1.0).unwrap());
-        let coefficients = Coefficients::new(&gauss, &top);
+        let gauss = Tableau::gauss(s).unwrap();
+        let coefficients = Coefficients::new(&gauss, &Top::NONE);
         (gauss, coefficients)
     }
 

@@ -6,29 +6,35 @@ mod memory;
 mod coefficients;
 mod kernel;
 
-use crate::{HeavyTop, SpinorPoint, SpinorRealisation};
+use crate::reduced_midpoint::top_of;
+use crate::{HeavyTop, HeavyTopSpace, SpinorPoint, SpinorRealisation};
 use coefficients::Coefficients;
 use collective_integrators::{
-    Collective, Compensated, Integrator, RungeKutta, SchemeError, Start, Step, StepError,
+    Collective, Compensated, Integrator, RungeKutta, SchemeError, StageSpace, Start, Step,
+    StepError,
 };
 use kernel::{Attempt, MOST};
-use lie_poisson::{InstructionSet, MissingInstructions, Pair, Se3Dual, Width, dispatch};
+use lie_poisson::{
+    Hamiltonian, InstructionSet, MissingInstructions, Pair, Se3Dual, Width, dispatch,
+};
 use memory::Memory;
 use momentum_map::LiftError;
 use point::Point;
 use row::WIDTH;
 
 /// The general integrator.
-type General = Compensated<Collective<RungeKutta, SpinorRealisation, HeavyTop>>;
+type General<H> = Compensated<Collective<RungeKutta, SpinorRealisation, H>>;
 
-/// The collective Gauss method with 1 to 8 stages of a heavy top: the map of
-/// [`Collective`]`::new(`[`RungeKutta::gauss`]`(s)?, `[`SpinorRealisation`]`, top).compensated()` to
-/// round-off, at a fraction of its cost.
+/// The collective Gauss method with any number of stages, for any h(Π, Γ): the map of
+/// [`Collective`]`::new(`[`RungeKutta::gauss`]`(s)?, `[`SpinorRealisation`]`, h).compensated()`. For tops
+/// it has a kernel of its own, which makes the same steps to round-off at a fraction of the cost.
 ///
 /// The state is (z, e): the lift z = (χ, ψ) ∈ T∗C², and e, what the last addition z + δz rounded
 /// away. μ = **M**(z).
 ///
-/// The stage equations
+/// # Tops
+/// Where dh = (I⁻¹Π, γ) with a diagonal I⁻¹ and a constant γ ([`Hamiltonian::affine_differential`]), as
+/// for the [`HeavyTop`], and there are at most 8 stages, the stage equations
 ///
 /// ```text
 /// Z_i = z + Σ_j μ_ij ℓ_j,    ℓ_j = h b_j X(Z_j),    μ_ij = a_ij / b_j,    z₁ = z + Σ_j ℓ_j
@@ -73,9 +79,10 @@ type General = Compensated<Collective<RungeKutta, SpinorRealisation, HeavyTop>>;
 /// # Ok::<(), Box<dyn std::error::Error>>(())
 /// ```
 #[derive(Clone, Debug, PartialEq)]
-pub struct CollectiveGauss {
-    general: General,
-    coefficients: Coefficients,
+pub struct CollectiveGauss<H = HeavyTop> {
+    general: General<H>,
+    /// What the kernel needs, if it applies.
+    coefficients: Option<Coefficients>,
     instructions: InstructionSet,
 }
 
@@ -83,26 +90,25 @@ pub struct CollectiveGauss {
 #[derive(Clone, Debug)]
 pub struct CollectiveGaussSpace {
     memory: Memory,
-    general: <General as Integrator>::Workspace,
+    general: StageSpace<SpinorPoint>,
 }
 
-impl CollectiveGauss {
+impl<H: Hamiltonian<HeavyTopSpace>> CollectiveGauss<H> {
     /// The method with the given number of stages, of order twice as much.
     ///
     /// # Errors
-    /// Unless there are 1 to 8 stages.
-    pub fn new(stages: usize, top: HeavyTop) -> Result<Self, SchemeError> {
-        if stages > WIDTH {
-            let family = "CollectiveGauss";
-            return Err(SchemeError::Family { family, least: 1, most: WIDTH, stages });
-        }
+    /// If there is no stage.
+    pub fn new(stages: usize, hamiltonian: H) -> Result<Self, SchemeError> {
         let gauss = RungeKutta::gauss(stages)?;
-        let coefficients = Coefficients::new(gauss.tableau(), &top);
-        let general = Collective::new(gauss, SpinorRealisation, top).compensated();
+        let top = top_of::<_, f64>(&hamiltonian).filter(|_| stages <= WIDTH);
+        let coefficients = top.map(|top| Coefficients::new(gauss.tableau(), &top));
+        let general = Collective::new(gauss, SpinorRealisation, hamiltonian).compensated();
         Ok(Self { general, coefficients, instructions: fastest(stages) })
     }
+}
 
-    /// The same by other instructions; steps differ by round-off.
+impl<H> CollectiveGauss<H> {
+    /// The same by other instructions, for tops; steps differ by round-off.
     ///
     /// # Errors
     /// If the processor lacks them.
@@ -114,20 +120,26 @@ impl CollectiveGauss {
         }
     }
 
-    /// The instructions in use.
+    /// The instructions for tops.
     #[must_use]
     pub fn instructions(&self) -> InstructionSet {
         self.instructions
     }
 
+    /// Whether the kernel makes the steps, as it does for tops.
+    #[must_use]
+    pub fn has_kernel(&self) -> bool {
+        self.coefficients.is_some()
+    }
+
     /// What makes the steps that the kernel leaves: the same method by the general integrator.
     #[must_use]
-    pub fn general(&self) -> &General {
+    pub fn general(&self) -> &General<H> {
         &self.general
     }
 }
 
-impl Integrator for CollectiveGauss {
+impl<H: Hamiltonian<HeavyTopSpace>> Integrator for CollectiveGauss<H> {
     type State = Pair<SpinorPoint, SpinorPoint>;
     type Momentum = Se3Dual;
     type Workspace = CollectiveGaussSpace;
@@ -143,15 +155,18 @@ impl Integrator for CollectiveGauss {
         step: f64,
         workspace: &mut CollectiveGaussSpace,
     ) -> Result<Step<Self::State>, StepError> {
+        let Some(coefficients) = &self.coefficients else {
+            return self.general.step(state, step, &mut workspace.general);
+        };
         let (start, memory) = (Point::from_state(state), &mut workspace.memory);
-        let attempt = match self.coefficients.stages {
-            ..=4 => self.attempt::<4>(step, &start, memory),
-            5 | 6 => self.attempt::<6>(step, &start, memory),
-            _ => self.attempt::<8>(step, &start, memory),
+        let attempt = match coefficients.stages {
+            ..=4 => self.attempt::<4>(coefficients, step, &start, memory),
+            5 | 6 => self.attempt::<6>(coefficients, step, &start, memory),
+            _ => self.attempt::<8>(coefficients, step, &start, memory),
         };
         match attempt {
             Some((end, iterations)) => Ok(Step { point: end.state(), iterations }),
-            None => self.general_step(state, step, workspace),
+            None => self.rescue(state, step, workspace),
         }
     }
 
@@ -174,21 +189,23 @@ fn fastest(stages: usize) -> InstructionSet {
     }
 }
 
-impl CollectiveGauss {
+impl<H: Hamiltonian<HeavyTopSpace>> CollectiveGauss<H> {
     /// A step of the kernel with room for S stages.
     #[inline]
     fn attempt<const S: usize>(
         &self,
+        coefficients: &Coefficients,
         step: f64,
         start: &Point,
         memory: &mut Memory,
     ) -> Option<(Point, usize)> {
-        let task = Attempt::<S> { coefficients: &self.coefficients, step, start, memory };
+        let task = Attempt::<S> { coefficients, step, start, memory };
         dispatch(task, self.instructions, Width::Register).ok().flatten()
     }
 
+    /// A step that the kernel has not made.
     #[cold]
-    fn general_step(
+    fn rescue(
         &self,
         state: &Pair<SpinorPoint, SpinorPoint>,
         step: f64,
@@ -200,7 +217,7 @@ impl CollectiveGauss {
     }
 }
 
-impl Start for CollectiveGauss {
+impl<H: Hamiltonian<HeavyTopSpace>> Start for CollectiveGauss<H> {
     /// (z, 0) with the lift z of least norm.
     fn start(&self, mu: &Se3Dual) -> Result<Self::State, LiftError> {
         self.general.start(mu)
