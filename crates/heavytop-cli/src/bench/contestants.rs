@@ -98,7 +98,16 @@ impl<D: FnMut(Run)> Contest<'_, D> {
 
 fn one_top(contest: &mut Contest<'_, impl FnMut(Run)>) -> Result<(), Error> {
     let top = contest.problem.top;
-    for (stages, step) in [(8, 0.3125), (8, 0.25), (8, 0.2), (6, 0.125), (4, 0.0625), (4, 0.02)] {
+    for (stages, step) in [
+        (8, 1.0 / 3.0),
+        (8, 0.3125),
+        (8, 2.0 / 7.0),
+        (8, 0.25),
+        (8, 0.2),
+        (6, 0.125),
+        (4, 0.0625),
+        (4, 0.02),
+    ] {
         let gauss = CollectiveGauss::new(stages, top).map_err(refused)?;
         let name = format!("heavytop collective Gauss-{}", 2 * stages);
         contest.single(&name, step, &gauss)?;
