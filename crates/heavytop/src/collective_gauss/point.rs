@@ -94,11 +94,12 @@ impl Point {
         }
         let (z, carry) = (&mut self.z.0, &mut self.carry.0);
         for c in 0..4 {
-            let change = along * z[c + 4] + (along * carry[c + 4] + carry[c]);
+            let change = along * z[c + 4];
             let moved = z[c] + change;
             // Either of the two numbers may be the larger one.
             let part = moved - z[c];
-            carry[c] = (z[c] - (moved - part)) + (change - part);
+            let rounding = (z[c] - (moved - part)) + (change - part);
+            carry[c] += along * carry[c + 4] + rounding;
             z[c] = moved;
         }
         along
