@@ -60,6 +60,18 @@ where
     })
 }
 
+/// What the motion makes of an error of the start, 1e-9 in every coordinate, over some steps; at least 1.
+fn growth<A>(a: &A, start: &Se3Dual, step: f64, steps: usize) -> f64
+where
+    A: Start<Momentum = Se3Dual>,
+{
+    let aside = *start + Vector::from_coordinates(|_| 1e-9);
+    let (near, far) = (a.trajectory(start, step).unwrap(), a.trajectory(&aside, step).unwrap());
+    near.zip(far).take(steps + 1).fold(1.0, |most, (near, far)| {
+        larger(most, (near.unwrap().momentum - far.unwrap().momentum).max_abs() / 1e-9)
+    })
+}
+
 proptest! {
     #![proptest_config(ProptestConfig { failure_persistence: None, ..ProptestConfig::with_cases(96) })]
 
@@ -76,10 +88,14 @@ proptest! {
         prop_assume!(c.norm() > 0.2 && gamma.norm() > 0.1);
         let top = top(inertia, weight, c.normalize());
         let start = Se3Dual::new(pi, gamma);
+        let reference = general(stages, top);
+        // Roundings grow as an error of the start does. Of 9000 runs one half is below 1, one in a
+        // thousand above 40, the largest at 95: fixed points that are approached slowly.
+        let rounding = f64::EPSILON * (1.0 + start.max_abs());
+        let bound = 500.0 * rounding * growth(&reference, &start, step, 20);
         for gauss in everywhere(&kernel(stages, top)) {
-            // Roundings of ‖Π‖ ≤ 7, which 20 steps of up to 1/4 double a few times.
-            let error = distance(&gauss, &general(stages, top), &start, step, 20);
-            prop_assert!(error < 4e-13, "{}: {error:e}", gauss.instructions());
+            let error = distance(&gauss, &reference, &start, step, 20);
+            prop_assert!(error < bound, "{}: {error:e} {bound:e}", gauss.instructions());
         }
     }
 }
