@@ -3,6 +3,7 @@
 // Plain loops: iterators over lanes do not inline, see `LaneTask`.
 #![allow(clippy::needless_range_loop)]
 
+use crate::ensemble_path::MOST_LANES;
 use crate::{HeavyTop, SpinorPoint, SpinorRealisation};
 use lie_poisson::{Covector, Lanes, Mask, Se3Dual};
 use momentum_map::{Lift, PoissonMap};
@@ -131,8 +132,7 @@ impl<T: Lanes, const S: usize> Motion<T, S> {
     /// The minimal lifts of the states f(i). What cannot be lifted is not alive.
     #[inline(always)]
     pub(crate) fn lift<'a>(f: impl Fn(usize) -> &'a Se3Dual) -> Self {
-        // The widest type has sixteen lanes.
-        let mut lifted = [[f64::NAN; 8]; 16];
+        let mut lifted = [[f64::NAN; 8]; MOST_LANES];
         for (i, lane) in lifted.iter_mut().enumerate().take(T::COUNT) {
             *lane = lift(f(i));
         }
