@@ -2,7 +2,8 @@
 
 use crate::HeavyTop;
 use crate::ensemble_path::{LaneKernel, MOST_LANES, Place};
-use crate::spinor_kernel::{Coefficients, Motion, Parameters};
+use crate::spinor_field::Parameters;
+use crate::spinor_kernel::{Coefficients, Motion};
 use collective_integrators::{
     BatchIntegrator, IntegrationError, LiftFree, RungeKutta, SchemeError, Start, Tableau,
 };

@@ -59,6 +59,7 @@ mod midpoint_kernel;
 mod ensemble_path;
 mod symmetric_kernel;
 mod symmetric_ensemble;
+mod spinor_field;
 mod spinor_kernel;
 mod gauss_ensemble;
 mod reduced_midpoint;
