@@ -9,9 +9,9 @@
 //! | stage equations, guessed from the steps before and solved | [`StageSolver`] |
 //! | one-step methods, and which of them descend | [`Scheme`], [`Equivariant`], [`RungeKutta`] |
 //! | partitioned methods, which do not descend | [`Polarisation`], [`PartitionedRungeKutta`] |
-//! | compositions of a method with itself | [`Composition`], [`Substeps`] |
-//! | integrators on 𝔤∗ | [`Integrator`], [`Collective`], [`LiftFree`], [`Direct`] |
+//! | integrators on 𝔤∗ | [`Integrator`], [`Start`], [`Collective`], [`Direct`], [`LiftFree`] |
 //! | compensated summation | [`Compensated`], [`Increments`] |
+//! | compositions of a method with itself | [`Composition`], [`Substeps`] |
 //! | splitting into exact flows | [`ExactFlows`], [`Splitting`], [`AlternatingSplitting`], [`AlternatingSubsteps`] |
 //! | doubled phase spaces: Tao's method; the semiexplicit one is a [`Tableau::semiexplicit`] | [`TaoFlows`] |
 //! | the spherical midpoint method | [`SphericalMidpoint`] |
@@ -27,28 +27,28 @@ mod vector_field;
 mod tableau;
 mod order_conditions;
 mod gauss;
+mod settling;
 mod linear_solve;
-mod newton;
 mod dirk;
 mod dop853;
-mod settling;
 mod stage_solver;
+mod newton;
 mod predictor;
 mod scheme;
+mod composition_conditions;
+mod substeps;
+mod named_substeps;
 mod runge_kutta;
 mod lobatto;
 mod polarisation;
 mod partitioned;
-mod composition_conditions;
-mod substeps;
-mod named_substeps;
 mod alternating_conditions;
 mod alternating_substeps;
 mod integrator;
+mod compensated;
 mod collective;
 mod direct;
 mod lift_free;
-mod compensated;
 mod composition;
 mod splitting;
 mod alternating_splitting;
