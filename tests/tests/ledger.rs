@@ -1,4 +1,5 @@
-//! docs/paper.md and docs/audit.md name tests; here is the test that they exist.
+//! docs/paper.md and docs/audit.md name tests, docs/notation.md and docs/paper.md items; here is the
+//! test that they exist.
 
 use std::collections::BTreeMap;
 use std::error::Error;
@@ -78,5 +79,58 @@ fn every_numbered_statement_has_a_row() -> Result<(), Box<dyn Error>> {
     for erratum in 1..=6 {
         assert!(ledger.contains(&format!("\n| {erratum} |")), "erratum {erratum} has no row");
     }
+    Ok(())
+}
+
+/// The text of all files of the crates and of these tests' library.
+fn sources(folder: &Path, text: &mut String) -> Result<(), Box<dyn Error>> {
+    for entry in fs::read_dir(folder)? {
+        let path = entry?.path();
+        if path.is_dir() {
+            sources(&path, text)?;
+        } else if path.extension().is_some_and(|extension| extension == "rs") {
+            text.push_str(&fs::read_to_string(path)?);
+        }
+    }
+    Ok(())
+}
+
+/// Whether a type, trait, constant, function, or variant without fields has this name.
+fn is_item(text: &str, name: &str) -> bool {
+    let ends = |rest: &str| !rest.starts_with(|c: char| c.is_alphanumeric() || c == '_');
+    let keywords = ["struct", "enum", "trait", "type", "const", "fn"];
+    keywords.iter().any(|keyword| {
+        let start = format!("{keyword} {name}");
+        text.match_indices(&start).any(|(i, _)| ends(&text[i + start.len()..]))
+    }) || text.contains(&format!("\n    {name},\n"))
+}
+
+#[test]
+fn every_item_named_in_the_notation_and_the_ledger_exists() -> Result<(), Box<dyn Error>> {
+    let root = Path::new(env!("CARGO_MANIFEST_DIR")).join("..");
+    let mut text = String::new();
+    for layer in ["lie-poisson", "momentum-map", "integrators", "heavytop"] {
+        sources(&root.join("crates").join(layer).join("src"), &mut text)?;
+    }
+    sources(&root.join("tests/src"), &mut text)?;
+    let foreign = ["Complex", "SMatrix", "Vector2", "Vector3", "f64", "for"];
+    for (page, least) in [("docs/notation.md", 150), ("docs/paper.md", 60)] {
+        let page_text = fs::read_to_string(root.join(page))?;
+        let quoted = page_text.split('`').skip(1).step_by(2);
+        // Of the ledger only what has a capital: the rest are tests and commands.
+        let items = quoted.filter(|s| page != "docs/paper.md" || s.contains(char::is_uppercase));
+        let words = items.flat_map(|s| s.split(|c: char| !c.is_alphanumeric() && c != '_'));
+        // One letter is a parameter, a digit the value of one.
+        let names = words.filter(|w| w.len() > 1 && w.is_ascii() && !foreign.contains(w));
+        let mut count = 0;
+        for name in names {
+            assert!(is_item(&text, name), "{name} is named in {page} and does not exist");
+            count += 1;
+        }
+        assert!(count > least, "only {count} items were found in {page}");
+    }
+    // Negative control: a name of which another is the beginning, and the other way round.
+    assert!(is_item(&text, "SpinorMotions") && !is_item(&text, "SpinorMotion"));
+    assert!(!is_item(&text, "SpinorMotionsOfC2"));
     Ok(())
 }

@@ -48,13 +48,7 @@ fn ensembles(criterion: &mut Criterion) {
             group.bench_function(format!("{name}, h = {step}, {set}"), |bencher| {
                 bencher.iter(|| {
                     let mut members: Vec<_> = (0..COUNT).map(|i| (symmetric, start(i))).collect();
-                    ensemble.advance(
-                        &mut members,
-                        *step,
-                        0..steps(*step),
-                        &mut Vec::new(),
-                        &mut |_, _| (),
-                    );
+                    ensemble.advance(&mut members, *step, 0..steps(*step), &mut (), &mut |_, _| ());
                     black_box(members)
                 });
             });
@@ -64,13 +58,7 @@ fn ensembles(criterion: &mut Criterion) {
         group.bench_function(format!("Gauss 16, h = 1/3, {set}"), |bencher| {
             bencher.iter(|| {
                 let mut members: Vec<_> = (0..COUNT).map(|i| (top, start(i))).collect();
-                ensemble.advance(
-                    &mut members,
-                    step,
-                    0..steps(step),
-                    &mut Vec::new(),
-                    &mut |_, _| (),
-                );
+                ensemble.advance(&mut members, step, 0..steps(step), &mut (), &mut |_, _| ());
                 black_box(members)
             });
         });

@@ -1,15 +1,14 @@
 //! Many tops at once, by collective Gauss methods.
 
 use crate::HeavyTop;
-use crate::ensemble_path::{Place, advance_one, segments};
-use crate::spinor_kernel::{Coefficients, Motion, Parameters};
+use crate::ensemble_path::{LaneKernel, MOST_LANES, Place};
+use crate::spinor_field::Parameters;
+use crate::spinor_kernel::{Coefficients, Motion};
 use collective_integrators::{
-    BatchIntegrator, IntegrationError, LiftFree, RungeKutta, SchemeError, Tableau,
+    BatchIntegrator, IntegrationError, LiftFree, RungeKutta, SchemeError, Start, Tableau,
 };
 use core::ops::Range;
-use lie_poisson::{
-    InstructionSet, LaneTask, Lanes, Mask, MissingInstructions, Se3Dual, Vector, Width,
-};
+use lie_poisson::{InstructionSet, Lanes, Mask, MissingInstructions, Se3Dual, Width};
 use momentum_map::DualQuaternions;
 
 /// Many tops, advanced side by side in the lanes of the processor's registers by the collective
@@ -85,34 +84,21 @@ impl<const S: usize> GaussEnsemble<S> {
 /// have the bits of one run; others differ by rounding.
 impl<const S: usize> BatchIntegrator for GaussEnsemble<S> {
     type Member = (HeavyTop, Se3Dual);
+    type Workspace = ();
 
-    /// The members that have failed.
-    type Workspace = Vec<usize>;
-
-    fn workspace(&self) -> Vec<usize> {
-        Vec::new()
-    }
+    fn workspace(&self) {}
 
     fn advance(
         &self,
         members: &mut [(HeavyTop, Se3Dual)],
         step: f64,
         steps: Range<u64>,
-        lost: &mut Vec<usize>,
+        (): &mut (),
         failed: &mut dyn FnMut(usize, IntegrationError),
     ) {
-        let coefficients = &self.coefficients.scaled(step);
-        lost.clear();
-        for steps in segments(steps) {
-            let alone = |index: usize, (top, state): &mut (HeavyTop, Se3Dual)| {
-                let integrator = LiftFree::new(self.scheme.clone(), DualQuaternions, *top);
-                let ended = advance_one(&integrator, state, step, steps.clone());
-                ended.map_err(|error| failed(index, error)).is_ok()
-            };
-            let count = steps.end - steps.start;
-            let lost = &mut *lost;
-            self.place.run(Advance { coefficients, members, step, count, lost, alone });
-        }
+        let coefficients = self.coefficients.scaled(step);
+        let kernel = Kernel { scheme: &self.scheme, coefficients };
+        self.place.advance(&kernel, members, step, steps, failed);
     }
 }
 
@@ -132,42 +118,38 @@ fn coefficients<const S: usize>(gauss: &Tableau) -> Coefficients<S> {
     }
 }
 
-/// All members on lanes; `alone` advances those that the lanes cannot.
-struct Advance<'a, F, const S: usize> {
-    coefficients: &'a Coefficients<S>,
-    members: &'a mut [(HeavyTop, Se3Dual)],
-    step: f64,
-    count: u64,
-    /// The indices of those that have failed.
-    lost: &'a mut Vec<usize>,
-    alone: F,
+/// The coefficients are those of the scheme, times the step.
+struct Kernel<'a, const S: usize> {
+    scheme: &'a RungeKutta,
+    coefficients: Coefficients<S>,
 }
 
-impl<F: FnMut(usize, &mut (HeavyTop, Se3Dual)) -> bool, const S: usize> LaneTask
-    for Advance<'_, F, S>
-{
-    type Output = ();
+impl<const S: usize> LaneKernel for Kernel<'_, S> {
+    type Top = HeavyTop;
 
     #[inline(always)]
-    fn run<T: Lanes>(self) {
-        let Self { coefficients, members, step, count, lost, mut alone } = self;
-        for (n, group) in members.chunks_mut(T::COUNT).enumerate() {
-            let last = group.len() - 1;
-            let top = Parameters::<T>::from_lanes(|i| &group[i.min(last)].0);
-            let mut motion = Motion::<T, S>::lift(|i| &group[i.min(last)].1);
-            for n in 0..count {
-                motion.step(&top, coefficients, step, n == 0);
-            }
-            for (i, member) in group.iter_mut().enumerate() {
-                let (index, end) = (n * T::COUNT + i, motion.momentum(i));
-                if lost.contains(&index) {
-                    // It stays where it was.
-                } else if motion.alive.lane(i) && end.is_finite() {
-                    member.1 = end;
-                } else if !alone(index, member) {
-                    lost.push(index);
-                }
+    fn ends<T: Lanes>(
+        &self,
+        group: &[(HeavyTop, Se3Dual)],
+        step: f64,
+        count: u64,
+    ) -> [Option<Se3Dual>; MOST_LANES] {
+        let last = group.len() - 1;
+        let top = Parameters::<T>::from_lanes(|i| &group[i.min(last)].0);
+        let mut motion = Motion::<T, S>::lift(|i| &group[i.min(last)].1);
+        for n in 0..count {
+            motion.step(&top, &self.coefficients, step, n == 0);
+        }
+        let mut ends = [None; MOST_LANES];
+        for (i, end) in ends.iter_mut().enumerate().take(group.len()) {
+            if motion.alive.lane(i) {
+                *end = Some(motion.momentum(i));
             }
         }
+        ends
+    }
+
+    fn alone(&self, top: &HeavyTop) -> impl Start<State = Se3Dual, Momentum = Se3Dual> {
+        LiftFree::new(self.scheme.clone(), DualQuaternions, *top)
     }
 }

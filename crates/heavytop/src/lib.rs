@@ -10,18 +10,18 @@
 //! | M = ϖ∘L: T∗C² → se(3)∗, its lifts and fibres | [`SpinorRealisation`] |
 //! | the heavy top: general, free, Lagrange, Kovalevskaya, Goryachev–Chaplygin | [`HeavyTop`], [`Body`], [`RigidBody`] |
 //! | h, f₁, f₂, f₃, K, G | [`Invariant`] |
+//! | collective Gauss methods of one top, by the registers of the processor | [`CollectiveGauss`] |
 //! | the rotation of the body in a step | [`Turning`], [`TurningFlows`] |
-//! | Poincaré sections: the energy level, the surface, the starts, the returns | [`EnergyLevel`], [`Coordinate`], [`Surface`], [`Section`] |
-//! | nutation of any top: amplitude, rotation number | [`Nutation`] |
 //! | splittings of tops into exact rotations and kicks | [`RotorSplitting`], [`SymmetricTopSplitting`] |
 //! | many tops at once: symmetric ones by splitting, any by Gauss methods | [`SymmetricTopEnsemble`], [`GaussEnsemble`] |
-//! | collective Gauss methods of one top, by the registers of the processor | [`CollectiveGauss`] |
 //! | the midpoint rule on se(3)∗ in closed form | [`ReducedMidpoint`] |
 //! | the same for many tops at once | [`ReducedMidpoint`], [`MidpointSweep`] |
 //! | these on all threads | [`Ensemble`](collective_integrators::Ensemble) of any of them |
 //! | the attitude, in every formulation that has one | [`WithAttitude`] |
 //! | other systems on se(3)∗: gyrostat, body in a fluid | [`Gyrostat`], [`Kirchhoff`] |
 //! | systems on (so(3)∗)ᴺ: vortices, spins, spins on a lattice | [`PointVortices`], [`HeisenbergChain`], [`SpinLattice`] |
+//! | Poincaré sections: the energy level, the surface, the starts, the returns | [`EnergyLevel`], [`Coordinate`], [`Surface`], [`Section`] |
+//! | nutation of any top: amplitude, rotation number | [`Nutation`] |
 //! | closed forms: Euler's and Lagrange's tops | [`EulerSolution`], [`LagrangeNutation`], [`jacobi_elliptic`] |
 //!
 //! # Example
@@ -45,20 +45,23 @@
 //! # Ok::<(), Box<dyn std::error::Error>>(())
 //! ```
 
+mod coordinate;
 mod error;
 mod spinor_motions;
 mod varpi;
 mod spinor_realisation;
 mod top;
 mod rigid_body;
+mod invariants;
+mod collective_gauss;
 mod turning;
 mod rotor_splitting;
 mod symmetric_splitting;
-mod collective_gauss;
 mod midpoint_kernel;
 mod ensemble_path;
 mod symmetric_kernel;
 mod symmetric_ensemble;
+mod spinor_field;
 mod spinor_kernel;
 mod gauss_ensemble;
 mod reduced_midpoint;
@@ -69,8 +72,6 @@ mod kirchhoff;
 mod point_vortices;
 mod spin_chain;
 mod spin_lattice;
-mod invariants;
-mod coordinate;
 mod energy_level;
 mod section_level;
 mod section;

@@ -3,7 +3,9 @@
 // Plain loops: iterators over lanes do not inline, see `LaneTask`.
 #![allow(clippy::needless_range_loop)]
 
-use crate::{HeavyTop, SpinorPoint, SpinorRealisation};
+use crate::ensemble_path::MOST_LANES;
+use crate::spinor_field::{Parameters, Spinors, imaginary_overlap, real_overlap, square};
+use crate::{SpinorPoint, SpinorRealisation};
 use lie_poisson::{Covector, Lanes, Mask, Se3Dual};
 use momentum_map::{Lift, PoissonMap};
 use nalgebra::Vector2;
@@ -18,18 +20,6 @@ const NEXT: f64 = 1.0 / (1_u64 << 53) as f64;
 
 /// What has not settled after so many sweeps is left to other methods.
 const SWEEPS: usize = 40;
-
-/// q₁, …, q₄, p₁, …, p₄ with χ = (q₁ + iq₂, q₃ + iq₄) and ψ = (p₁ + ip₂, p₃ + ip₄).
-pub(crate) type Spinors<T> = [T; 8];
-
-/// What the field needs of a top.
-#[derive(Clone, Copy)]
-pub(crate) struct Parameters<T> {
-    /// ¼ I⁻¹
-    quarter_inverse: [T; 3],
-    /// 2 m g l c
-    force: [T; 3],
-}
 
 /// The coefficients of a Gauss method with S stages, or these times the step.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -62,77 +52,11 @@ pub(crate) struct Motion<T: Lanes, const S: usize> {
     pub(crate) alive: T::Mask,
 }
 
-impl<T: Lanes> Parameters<T> {
-    /// Lane i from f(i).
-    #[inline(always)]
-    pub(crate) fn from_lanes<'a>(f: impl Fn(usize) -> &'a HeavyTop) -> Self {
-        let quarter = |k: usize| T::from_lanes(|i| 0.25 / f(i).inertia()[k]);
-        let force =
-            |k: usize| T::from_lanes(|i| 2.0 * f(i).weight_moment() * f(i).center_of_mass()[k]);
-        Self {
-            quarter_inverse: [quarter(0), quarter(1), quarter(2)],
-            force: [force(0), force(1), force(2)],
-        }
-    }
-
-    /// ½Ω = ½I⁻¹Π(z)
-    #[inline(always)]
-    fn half_velocity(&self, z: &Spinors<T>) -> [T; 3] {
-        let [q1, q2, q3, q4, p1, p2, p3, p4] = *z;
-        let four = |a: T, b: T, c: T, d: T, e: T, f: T, g: T, h: T| {
-            let first = a.multiply_subtract(b, c * d);
-            let second = e.multiply_subtract(f, g * h);
-            first + second
-        };
-        let [x, y, z] = self.quarter_inverse;
-        [
-            x * four(q1, p4, q4, p1, q3, p2, q2, p3),
-            y * four(q3, p1, q1, p3, q4, p2, q2, p4),
-            z * four(q1, p2, q2, p1, q4, p3, q3, p4),
-        ]
-    }
-
-    /// dχ/dt = (i/2)(Ω·σ)χ + 2(γ·σ)ψ, dψ/dt = (i/2)(Ω·σ)ψ.
-    #[inline(always)]
-    fn field(&self, v: &[T; 3], z: &Spinors<T>) -> Spinors<T> {
-        let [q1, q2, q3, q4, p1, p2, p3, p4] = *z;
-        let f = &self.force;
-        let chi = turned(v, q1, q2, q3, q4);
-        let psi = turned(v, p1, p2, p3, p4);
-        let pushed = |start: T, a: (T, T), b: (T, T), c: (T, T)| {
-            c.0.multiply_add(c.1, b.0.multiply_add(b.1, a.0.multiply_add(a.1, start)))
-        };
-        [
-            pushed(chi[0], (f[2], p1), (f[0], p3), (f[1], p4)),
-            pushed(chi[1], (f[2], p2), (f[0], p4), (-f[1], p3)),
-            pushed(chi[2], (f[0], p1), (-f[1], p2), (-f[2], p3)),
-            pushed(chi[3], (f[0], p2), (f[1], p1), (-f[2], p4)),
-            psi[0],
-            psi[1],
-            psi[2],
-            psi[3],
-        ]
-    }
-}
-
-/// i (v·σ) of the spinor (a + ib, c + id), in components.
-#[inline(always)]
-fn turned<T: Lanes>(v: &[T; 3], a: T, b: T, c: T, d: T) -> [T; 4] {
-    let [x, y, z] = *v;
-    [
-        y.multiply_subtract(c, x.multiply_add(d, z * b)),
-        z.multiply_add(a, x.multiply_add(c, y * d)),
-        z.multiply_subtract(d, x.multiply_add(b, y * a)),
-        x.multiply_subtract(a, y.multiply_add(b, z * c)),
-    ]
-}
-
 impl<T: Lanes, const S: usize> Motion<T, S> {
     /// The minimal lifts of the states f(i). What cannot be lifted is not alive.
     #[inline(always)]
     pub(crate) fn lift<'a>(f: impl Fn(usize) -> &'a Se3Dual) -> Self {
-        // The widest type has sixteen lanes.
-        let mut lifted = [[f64::NAN; 8]; 16];
+        let mut lifted = [[f64::NAN; 8]; MOST_LANES];
         for (i, lane) in lifted.iter_mut().enumerate().take(T::COUNT) {
             *lane = lift(f(i));
         }
@@ -278,27 +202,6 @@ fn combine<T: Lanes, const S: usize>(
         }
     }
     sum
-}
-
-/// ‖ψ‖²
-#[inline(always)]
-fn square<T: Lanes>(z: &Spinors<T>) -> T {
-    let [.., a, b, c, d] = *z;
-    a.multiply_add(a, b * b) + c.multiply_add(c, d * d)
-}
-
-/// Re ψ∗χ
-#[inline(always)]
-fn real_overlap<T: Lanes>(z: &Spinors<T>) -> T {
-    let [q1, q2, q3, q4, p1, p2, p3, p4] = *z;
-    p1.multiply_add(q1, p2 * q2) + p3.multiply_add(q3, p4 * q4)
-}
-
-/// Im ψ∗χ
-#[inline(always)]
-fn imaginary_overlap<T: Lanes>(z: &Spinors<T>) -> T {
-    let [q1, q2, q3, q4, p1, p2, p3, p4] = *z;
-    p1.multiply_subtract(q2, p2 * q1) + p3.multiply_subtract(q4, p4 * q3)
 }
 
 /// The minimal lift in components, NaN where there is none.

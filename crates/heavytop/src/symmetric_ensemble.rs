@@ -1,15 +1,13 @@
 //! Many symmetric tops at once, by splitting.
 
 use crate::SymmetricTopSplitting;
-use crate::ensemble_path::{Place, advance_one, segments};
+use crate::ensemble_path::{LaneKernel, MOST_LANES, Place};
 use crate::symmetric_kernel::{Momenta, Parameters, everywhere};
 use collective_integrators::{
-    AlternatingSplitting, AlternatingSubsteps, BatchIntegrator, IntegrationError,
+    AlternatingSplitting, AlternatingSubsteps, BatchIntegrator, IntegrationError, Start,
 };
 use core::ops::Range;
-use lie_poisson::{
-    InstructionSet, LaneTask, Lanes, Mask, MissingInstructions, Se3Dual, Vector, Width,
-};
+use lie_poisson::{InstructionSet, Lanes, Mask, MissingInstructions, Se3Dual, Width};
 
 /// Many tops with I₁ = I₂, advanced side by side in the lanes of the processor's registers.
 ///
@@ -75,34 +73,50 @@ impl SymmetricTopEnsemble {
 /// have the bits of one run; others differ by rounding.
 impl BatchIntegrator for SymmetricTopEnsemble {
     type Member = (SymmetricTopSplitting, Se3Dual);
+    type Workspace = ();
 
-    /// The members that have failed.
-    type Workspace = Vec<usize>;
-
-    fn workspace(&self) -> Vec<usize> {
-        Vec::new()
-    }
+    fn workspace(&self) {}
 
     fn advance(
         &self,
         members: &mut [(SymmetricTopSplitting, Se3Dual)],
         step: f64,
         steps: Range<u64>,
-        lost: &mut Vec<usize>,
+        (): &mut (),
         failed: &mut dyn FnMut(usize, IntegrationError),
     ) {
-        let flows = &self.flows;
-        lost.clear();
-        for steps in segments(steps) {
-            let alone = |index: usize, (top, state): &mut (SymmetricTopSplitting, Se3Dual)| {
-                let integrator = AlternatingSplitting::new(*top, self.substeps.clone());
-                let ended = advance_one(&integrator, state, step, steps.clone());
-                ended.map_err(|error| failed(index, error)).is_ok()
-            };
-            let count = steps.end - steps.start;
-            let lost = &mut *lost;
-            self.place.run(Advance { flows, members, step, count, lost, alone });
+        self.place.advance(self, members, step, steps, failed);
+    }
+}
+
+impl LaneKernel for SymmetricTopEnsemble {
+    type Top = SymmetricTopSplitting;
+
+    #[inline(always)]
+    fn ends<T: Lanes>(
+        &self,
+        group: &[(SymmetricTopSplitting, Se3Dual)],
+        step: f64,
+        count: u64,
+    ) -> [Option<Se3Dual>; MOST_LANES] {
+        let last = group.len() - 1;
+        let top = Parameters::<T>::from_lanes(|i| &group[i.min(last)].0);
+        let mut momenta = Momenta::<T>::from_lanes(|i| &group[i.min(last)].1);
+        let settled = advance(&mut momenta, &top, &self.flows, step, count);
+        let mut ends = [None; MOST_LANES];
+        for (i, end) in ends.iter_mut().enumerate().take(group.len()) {
+            if settled.lane(i) {
+                *end = Some(momenta.lane(i));
+            }
         }
+        ends
+    }
+
+    fn alone(
+        &self,
+        top: &SymmetricTopSplitting,
+    ) -> impl Start<State = Se3Dual, Momentum = Se3Dual> {
+        AlternatingSplitting::new(*top, self.substeps.clone())
     }
 }
 
@@ -148,42 +162,6 @@ impl Flows {
         }
         flows.pairs = pairs;
         flows
-    }
-}
-
-/// All members on lanes; `alone` advances those that the lanes cannot.
-struct Advance<'a, F> {
-    flows: &'a Flows,
-    members: &'a mut [(SymmetricTopSplitting, Se3Dual)],
-    step: f64,
-    count: u64,
-    /// The indices of those that have failed.
-    lost: &'a mut Vec<usize>,
-    alone: F,
-}
-
-impl<F: FnMut(usize, &mut (SymmetricTopSplitting, Se3Dual)) -> bool> LaneTask for Advance<'_, F> {
-    type Output = ();
-
-    #[inline(always)]
-    fn run<T: Lanes>(self) {
-        let Self { flows, members, step, count, lost, mut alone } = self;
-        for (n, group) in members.chunks_mut(T::COUNT).enumerate() {
-            let last = group.len() - 1;
-            let top = Parameters::<T>::from_lanes(|i| &group[i.min(last)].0);
-            let mut momenta = Momenta::<T>::from_lanes(|i| &group[i.min(last)].1);
-            let settled = advance(&mut momenta, &top, flows, step, count);
-            for (i, member) in group.iter_mut().enumerate() {
-                let (index, end) = (n * T::COUNT + i, momenta.lane(i));
-                if lost.contains(&index) {
-                    // It stays where it was.
-                } else if settled.lane(i) && end.is_finite() {
-                    member.1 = end;
-                } else if !alone(index, member) {
-                    lost.push(index);
-                }
-            }
-        }
     }
 }
 

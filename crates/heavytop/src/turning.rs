@@ -85,9 +85,7 @@ where
         step: f64,
         workspace: &mut Self::Workspace,
     ) -> Turned<SpinorPoint<T>, T> {
-        let next = self.step(z, step, workspace)?;
-        let turn = spinor_turn(z, &next.point);
-        Ok((next, turn))
+        turned_by_spinors(self, z, step, workspace, |z| z)
     }
 }
 
@@ -105,9 +103,7 @@ where
         step: f64,
         workspace: &mut Self::Workspace,
     ) -> Turned<Self::State, T> {
-        let next = self.step(state, step, workspace)?;
-        let turn = spinor_turn(&state.0, &next.point.0);
-        Ok((next, turn))
+        turned_by_spinors(self, state, step, workspace, |state| &state.0)
     }
 }
 
@@ -120,9 +116,7 @@ impl<H: Hamiltonian<HeavyTopSpace>> Turning for CollectiveGauss<H> {
         step: f64,
         workspace: &mut Self::Workspace,
     ) -> Turned<Self::State, f64> {
-        let next = self.step(state, step, workspace)?;
-        let turn = spinor_turn(&state.0, &next.point.0);
-        Ok((next, turn))
+        turned_by_spinors(self, state, step, workspace, |state| &state.0)
     }
 }
 
@@ -130,6 +124,20 @@ impl<H: Hamiltonian<HeavyTopSpace>> Turning for CollectiveGauss<H> {
 #[inline]
 pub(crate) fn unit<T: Real>(q: Quaternion<T>) -> Quaternion<T> {
     q.scaled(T::one() / q.norm_squared().sqrt())
+}
+
+/// One step, and its Q by the spinors of the states.
+#[inline]
+fn turned_by_spinors<I: Integrator<T>, T: Real>(
+    integrator: &I,
+    state: &I::State,
+    step: f64,
+    workspace: &mut I::Workspace,
+    spinors: impl Fn(&I::State) -> &SpinorPoint<T>,
+) -> Turned<I::State, T> {
+    let next = integrator.step(state, step, workspace)?;
+    let turn = spinor_turn(spinors(state), spinors(&next.point));
+    Ok((next, turn))
 }
 
 /// The unit quaternion Q = s + u, as the matrix s − i u·σ of SU(2), with ψ₁/|ψ₁| = Q ψ₀/|ψ₀|.

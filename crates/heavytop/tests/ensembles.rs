@@ -78,7 +78,7 @@ fn symmetric_tops_move_as_one_by_one() {
             let ensemble = SymmetricTopEnsemble::new(substeps.clone());
             let ensemble = ensemble.on(set, Width::TwoRegisters).unwrap();
             let mut states = members(&tops());
-            ensemble.advance(&mut states, step, 0..steps as u64, &mut Vec::new(), &mut no_failure);
+            ensemble.advance(&mut states, step, 0..steps as u64, &mut (), &mut no_failure);
             for ((_, state), expected) in states.iter().zip(&expected) {
                 // 50 steps of up to 35 stages with some roundings of numbers up to 3 in each, at
                 // random, doubled a few times by the motion; 2e-14 were seen.
@@ -102,7 +102,7 @@ fn bits_depend_on_fusion_alone() {
     let run = |set, width| {
         let mut states = members(&tops());
         let ensemble = ensemble.clone().on(set, width).unwrap();
-        ensemble.advance(&mut states, 0.1, 0..20, &mut Vec::new(), &mut no_failure);
+        ensemble.advance(&mut states, 0.1, 0..20, &mut (), &mut no_failure);
         bits(&states)
     };
     let mut fused = None;
@@ -127,14 +127,13 @@ fn a_top_that_is_not_a_number_harms_no_other() {
     let substeps = AlternatingSubsteps::blanes_moan4();
     let ensemble = SymmetricTopEnsemble::new(substeps.clone());
     let mut healthy = members(&tops());
-    ensemble.advance(&mut healthy, 0.1, 0..10, &mut Vec::new(), &mut no_failure);
+    ensemble.advance(&mut healthy, 0.1, 0..10, &mut (), &mut no_failure);
     for position in 0..COUNT {
         let mut states = members(&tops());
         states[position].1.0.0.y = f64::NAN;
         let mut failures = Vec::new();
-        ensemble.advance(&mut states, 0.1, 0..10, &mut Vec::new(), &mut |i, error| {
-            failures.push((i, error))
-        });
+        ensemble
+            .advance(&mut states, 0.1, 0..10, &mut (), &mut |i, error| failures.push((i, error)));
         let error = IntegrationError { step: 1, time: 0.0, source: StepError::NotFinite };
         assert_eq!(failures, [(position, error)]);
         assert!(states[position].1.0.0.y.is_nan() && states[position].1.0.0.x.is_finite());
@@ -152,7 +151,7 @@ fn a_top_that_turns_too_fast_goes_alone() {
     let alone = AlternatingSplitting::new(flows, substeps.clone());
     let expected = (0..10).fold(states[5].1, |z, _| alone.step(&z, 0.1, &mut ()).unwrap().point);
     let ensemble = SymmetricTopEnsemble::new(substeps);
-    ensemble.advance(&mut states, 0.1, 0..10, &mut Vec::new(), &mut no_failure);
+    ensemble.advance(&mut states, 0.1, 0..10, &mut (), &mut no_failure);
     assert_eq!(bits(&states[5..6]), bits(&[(flows, expected)]));
 }
 
@@ -161,7 +160,7 @@ fn casimirs_of_symmetric_tops_hold_to_round_off() {
     let casimirs = |z: &Se3Dual| [z.0.1.norm_squared(), z.0.0.dot(&z.0.1)];
     let ensemble = SymmetricTopEnsemble::new(AlternatingSubsteps::blanes_moan6());
     let mut states = members(&tops());
-    ensemble.advance(&mut states, 0.1, 0..2000, &mut Vec::new(), &mut no_failure);
+    ensemble.advance(&mut states, 0.1, 0..2000, &mut (), &mut no_failure);
     for ((_, end), start) in states.iter().zip(&starts()) {
         for (end, start) in casimirs(end).iter().zip(casimirs(start)) {
             // 2000 steps of 14 stages, each of which rounds to 1e-16 at random: 2e-14; rounding
@@ -180,7 +179,7 @@ fn orders_of_the_symmetric_ensemble() {
         let ensemble = SymmetricTopEnsemble::new(substeps.clone());
         let mut states = members(&flows)[..count].to_vec();
         let step = time / f64::from(steps);
-        ensemble.advance(&mut states, step, 0..u64::from(steps), &mut Vec::new(), &mut no_failure);
+        ensemble.advance(&mut states, step, 0..u64::from(steps), &mut (), &mut no_failure);
         for (i, ((_, state), start)) in states.iter().zip(starts()).enumerate() {
             let field = HamiltonianField {
                 space: LiePoisson::minus(Se3::default()),
@@ -242,7 +241,7 @@ fn gauss_moves_as_lift_free<const S: usize>(step: f64) {
     for set in InstructionSet::available() {
         let ensemble = GaussEnsemble::<S>::new().unwrap().on(set, Width::Register).unwrap();
         let mut states = members(&tops);
-        ensemble.advance(&mut states, step, 0..steps, &mut Vec::new(), &mut no_failure);
+        ensemble.advance(&mut states, step, 0..steps, &mut (), &mut no_failure);
         for ((_, state), expected) in states.iter().zip(&expected) {
             // 40 steps with some roundings of numbers up to 10 on T∗C² in each, grown by the motion.
             assert!(difference(state, expected) < 3e-13, "{S}: {:e}", difference(state, expected));
@@ -265,7 +264,7 @@ fn bits_of_gauss_ensembles_depend_on_fusion_alone() {
     let run = |set, width| {
         let mut states = members(&any_tops());
         let ensemble = ensemble.clone().on(set, width).unwrap();
-        ensemble.advance(&mut states, 0.2, 0..10, &mut Vec::new(), &mut no_failure);
+        ensemble.advance(&mut states, 0.2, 0..10, &mut (), &mut no_failure);
         bits(&states)
     };
     for set in InstructionSet::available() {
@@ -287,12 +286,12 @@ fn no_top_of_a_gauss_ensemble_harms_another() {
     let tops = any_tops();
     let ensemble = GaussEnsemble::<4>::new().unwrap();
     let mut healthy = members(&tops);
-    ensemble.advance(&mut healthy, 0.2, 0..5, &mut Vec::new(), &mut no_failure);
+    ensemble.advance(&mut healthy, 0.2, 0..5, &mut (), &mut no_failure);
     let count = |start: Se3Dual, position: usize| {
         let mut states = members(&tops);
         states[position].1 = start;
         let mut failures = Vec::new();
-        ensemble.advance(&mut states, 0.2, 0..5, &mut Vec::new(), &mut |i, error| {
+        ensemble.advance(&mut states, 0.2, 0..5, &mut (), &mut |i, error| {
             failures.push((i, error.step))
         });
         let end = core::mem::replace(&mut states[position], healthy[position]).1;
@@ -323,7 +322,7 @@ fn casimirs_of_gauss_ensembles_hold_to_round_off() {
     let casimirs = |z: &Se3Dual| [z.0.1.norm_squared(), z.0.0.dot(&z.0.1)];
     let ensemble = GaussEnsemble::<6>::new().unwrap();
     let mut states = members(&any_tops());
-    ensemble.advance(&mut states, 0.2, 0..2000, &mut Vec::new(), &mut no_failure);
+    ensemble.advance(&mut states, 0.2, 0..2000, &mut (), &mut no_failure);
     for ((_, end), start) in states.iter().zip(&starts()) {
         for (end, start) in casimirs(end).iter().zip(casimirs(start)) {
             // ‖ψ‖² and Im ψ∗χ are restored at each step: what rounds is the last one, and M.
@@ -341,10 +340,10 @@ fn orders_of_gauss_ensembles() {
             let step = 2.0 / steps as f64;
             if s8 {
                 let ensemble = GaussEnsemble::<8>::new().unwrap();
-                ensemble.advance(&mut states, step, 0..steps, &mut Vec::new(), &mut no_failure);
+                ensemble.advance(&mut states, step, 0..steps, &mut (), &mut no_failure);
             } else {
                 let ensemble = GaussEnsemble::<S>::new().unwrap();
-                ensemble.advance(&mut states, step, 0..steps, &mut Vec::new(), &mut no_failure);
+                ensemble.advance(&mut states, step, 0..steps, &mut (), &mut no_failure);
             }
             states[0].1
         };
@@ -367,18 +366,59 @@ fn calls_that_meet_at_checkpoints_are_one_run() {
     let start = whole[7].1;
     let mut parts = whole.clone();
     let end = CHECKPOINT + 5;
-    ensemble.advance(&mut whole, 0.1, 0..end, &mut Vec::new(), &mut |i, error| {
-        failures.push((i, error.step))
-    });
+    ensemble
+        .advance(&mut whole, 0.1, 0..end, &mut (), &mut |i, error| failures.push((i, error.step)));
     assert_eq!((failures.as_slice(), whole[7].1), (&[(7, 1)][..], start));
     for steps in [0..CHECKPOINT, CHECKPOINT..end] {
-        ensemble.advance(&mut parts, 0.1, steps, &mut Vec::new(), &mut |_, _| ());
+        ensemble.advance(&mut parts, 0.1, steps, &mut (), &mut |_, _| ());
     }
     assert_eq!(bits(&whole), bits(&parts));
     // Negative control: elsewhere the seam shows.
     let mut parts = members(&any_tops());
     for steps in [0..10, 10..end] {
-        ensemble.advance(&mut parts, 0.1, steps, &mut Vec::new(), &mut no_failure);
+        ensemble.advance(&mut parts, 0.1, steps, &mut (), &mut no_failure);
     }
     assert_ne!(bits(&whole[..7]), bits(&parts[..7]));
+}
+
+/// Two of three members have no result; the run crosses a checkpoint, where all of the others begin
+/// anew.
+fn of_many_failures_each_is_reported_once<K, B>(ensemble: &K, tops: &[B])
+where
+    K: BatchIntegrator<Member = (B, Se3Dual)>,
+    B: Copy,
+{
+    let cycle = || tops.iter().copied().cycle().zip(starts().into_iter().cycle());
+    let run = |spoilt: &dyn Fn(usize) -> bool| {
+        let mut states: Vec<(B, Se3Dual)> = cycle().take(600).collect();
+        for (_, (_, start)) in states.iter_mut().enumerate().filter(|&(i, _)| spoilt(i)) {
+            start.0.0.y = f64::NAN;
+        }
+        let mut failures = Vec::new();
+        let steps = CHECKPOINT - 2..CHECKPOINT + 2;
+        let mut workspace = ensemble.workspace();
+        ensemble.advance(&mut states, 0.1, steps, &mut workspace, &mut |i, error| {
+            failures.push((i, error.step))
+        });
+        failures.sort_unstable();
+        (failures, bits(&states))
+    };
+    let spoilt = |i: usize| !i.is_multiple_of(3);
+    let (failures, ends) = run(&spoilt);
+    let expected: Vec<_> = (0..600).filter(|&i| spoilt(i)).map(|i| (i, CHECKPOINT - 1)).collect();
+    assert_eq!(failures, expected);
+    let (none, healthy) = run(&|_| false);
+    assert_eq!(none, []);
+    for (i, (end, healthy)) in ends.iter().zip(&healthy).enumerate() {
+        // Negative control: what has failed did not move, and has other bits than what did.
+        assert_eq!(end != healthy, spoilt(i), "{i}");
+    }
+}
+
+#[test]
+fn many_failures_are_reported_once() {
+    let gauss = GaussEnsemble::<2>::new().unwrap();
+    of_many_failures_each_is_reported_once(&gauss, &any_tops());
+    let splitting = SymmetricTopEnsemble::new(AlternatingSubsteps::blanes_moan4());
+    of_many_failures_each_is_reported_once(&splitting, &tops());
 }

@@ -1,7 +1,7 @@
 //! Two exact flows by turns, with any coefficients.
 
 use crate::{AlternatingSubsteps, ExactFlows, Integrator, Start, Step, StepError};
-use lie_poisson::{Real, Vector};
+use lie_poisson::Real;
 use momentum_map::LiftError;
 
 /// The exact flows of two parts, run by turns for the fractions of the step that
@@ -76,11 +76,7 @@ impl<T: Real, E: ExactFlows<T>> Integrator<T> for AlternatingSplitting<E> {
         };
         let (a, b) = (self.substeps.first(), self.substeps.second());
         let point = a.iter().zip(b).fold(*z, |z, (&a, &b)| flow(1, b, flow(0, a, z)));
-        if point.is_finite() {
-            Ok(Step { point, iterations: 0 })
-        } else {
-            Err(StepError::NotFinite)
-        }
+        Step { point, iterations: 0 }.finite()
     }
 
     fn momentum(&self, z: &E::Point) -> E::Point {

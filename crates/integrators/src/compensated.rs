@@ -88,16 +88,6 @@ pub fn compensated_sum<V: Vector>(Pair(z, carry): &Pair<V, V>, increment: V) -> 
     Pair(next, change - (next - *z))
 }
 
-/// a + b as its rounded value and what is rounded away, whichever is the larger.
-///
-/// Source: D. E. Knuth, *The Art of Computer Programming*, vol. 2, §4.2.2, Thm. B.
-#[inline]
-pub(crate) fn two_sum<V: Vector>(a: &V, b: &V) -> Pair<V, V> {
-    let sum = *a + *b;
-    let change = sum - *a;
-    Pair(sum, (*a - (sum - change)) + (*b - change))
-}
-
 impl<I: Increments<T>, T: Real> Integrator<T> for Compensated<I> {
     type State = Pair<I::State, I::State>;
     type Momentum = I::Momentum;

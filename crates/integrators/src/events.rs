@@ -1,48 +1,7 @@
 //! Events along a trajectory: Poincaré sections.
 
-use crate::chandrupatla::Bracket;
-use crate::minimum::Minimum;
-use crate::partial_step::PartialStep;
-use crate::{IntegrationError, Integrator, SampleOf};
-use thiserror::Error;
-
-/// An event that cannot be located.
-#[derive(Clone, Copy, Debug, PartialEq, Error)]
-pub enum EventError {
-    /// The run failed.
-    #[error(transparent)]
-    Integration(#[from] IntegrationError),
-    /// g is not a number, so that it may or may not have crossed zero.
-    #[error("the event function is not a number at t = {time}")]
-    NotANumber {
-        /// When.
-        time: f64,
-    },
-}
-
-/// The direction in which g crosses zero, along the trajectory as it is traversed (backwards in
-/// time for negative steps).
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub enum Direction {
-    /// From g < 0 to g ≥ 0.
-    Up,
-    /// From g > 0 to g ≤ 0.
-    Down,
-    /// Either.
-    Both,
-}
-
-impl Direction {
-    fn crosses(self, before: f64, after: f64) -> bool {
-        let up = before < 0.0 && after >= 0.0;
-        let down = before > 0.0 && after <= 0.0;
-        match self {
-            Self::Up => up,
-            Self::Down => down,
-            Self::Both => up || down,
-        }
-    }
-}
+use crate::crossing::Crossings;
+use crate::{Direction, EventError, IntegrationError, Integrator, SampleOf};
 
 /// The points of a trajectory where g(μ) crosses zero: an iterator adaptor.
 ///
@@ -91,10 +50,8 @@ impl Direction {
 /// ```
 #[derive(Debug)]
 pub struct Events<'a, I: Integrator, J, G> {
-    partial: PartialStep<'a, I>,
+    crossings: Crossings<'a, I, G>,
     samples: J,
-    g: G,
-    direction: Direction,
     /// The last two samples with their g, the last one first.
     last: [Option<(SampleOf<I>, f64)>; 2],
     /// The second of two crossings within one step.
@@ -110,15 +67,8 @@ where
 {
     /// The samples must come from this integrator.
     pub fn new(integrator: &'a I, samples: J, g: G, direction: Direction) -> Self {
-        let partial = PartialStep::new(integrator);
-        Self { partial, samples, g, direction, last: [None; 2], second: None, failed: false }
-    }
-
-    /// g at a sample, which must be a number.
-    fn value(&self, sample: &SampleOf<I>) -> Result<f64, EventError> {
-        let value = (self.g)(&sample.momentum);
-        let time = sample.time;
-        if value.is_nan() { Err(EventError::NotANumber { time }) } else { Ok(value) }
+        let crossings = Crossings::new(integrator, g, direction);
+        Self { crossings, samples, last: [None; 2], second: None, failed: false }
     }
 
     /// Goes on by one sample; the first event that this brings, if there is one.
@@ -127,91 +77,18 @@ where
         right: Result<SampleOf<I>, IntegrationError>,
     ) -> Result<Option<SampleOf<I>>, EventError> {
         let right = right?;
-        let right = (right, self.value(&right)?);
+        let right = (right, self.crossings.value(&right)?);
         let [middle, left] = self.last;
         self.last = [Some(right), middle];
-        match (left, middle) {
-            (_, Some(middle)) if self.direction.crosses(middle.1, right.1) => {
-                self.locate(&middle.0, &middle, &right).map(Some)
-            }
-            (Some(left), Some(middle)) if is_least(left.1, middle.1, right.1) => {
-                self.locate_two(&left, &middle, &right)
-            }
-            _ => Ok(None),
+        let Some(middle) = middle else { return Ok(None) };
+        if let Some(event) = self.crossings.between(&middle, &right)? {
+            return Ok(Some(event));
         }
-    }
-
-    /// The first of two crossings around the extremum of g near the middle one of three samples of
-    /// one sign, if g has the other sign there and the direction is asked for; the second is kept.
-    fn locate_two(
-        &mut self,
-        left: &(SampleOf<I>, f64),
-        middle: &(SampleOf<I>, f64),
-        right: &(SampleOf<I>, f64),
-    ) -> Result<Option<SampleOf<I>>, EventError> {
-        let sign = middle.1.signum();
-        let lengths = [middle.0.time - left.0.time, right.0.time - middle.0.time];
-        // In units of the step: from the left sample before 0, from the middle one after it.
-        let mut minimum = Minimum::new(-1.0, (0.0, middle.1.abs()), 1.0);
-        while let Some(x) = minimum.next() {
-            let (from, to, tau) = if x < 0.0 {
-                (left, middle, (1.0 + x) * lengths[0])
-            } else {
-                (middle, right, x * lengths[1])
-            };
-            let sample = self.partial.after(&from.0, tau)?;
-            let beyond = (sample, self.value(&sample)?);
-            if beyond.1 * sign < 0.0 {
-                return self.both(from, &beyond, to);
-            }
-            minimum.insert(x, beyond.1 * sign);
-        }
-        Ok(None)
-    }
-
-    /// The crossings before and after a point within the step from `from` to `to`.
-    fn both(
-        &mut self,
-        from: &(SampleOf<I>, f64),
-        beyond: &(SampleOf<I>, f64),
-        to: &(SampleOf<I>, f64),
-    ) -> Result<Option<SampleOf<I>>, EventError> {
-        let there = self.direction.crosses(from.1, beyond.1);
-        let back = self.direction.crosses(beyond.1, to.1);
-        let second = if back { Some(self.locate(&from.0, beyond, to)?) } else { None };
-        if !there {
-            return Ok(second);
-        }
+        let Some(left) = left else { return Ok(None) };
+        let [first, second] = self.crossings.near(&left, &middle, &right)?;
         self.second = second;
-        self.locate(&from.0, from, beyond).map(Some)
+        Ok(first)
     }
-
-    /// The zero between two points of different signs, by steps from the sample before them.
-    fn locate(
-        &mut self,
-        from: &SampleOf<I>,
-        left: &(SampleOf<I>, f64),
-        right: &(SampleOf<I>, f64),
-    ) -> Result<SampleOf<I>, EventError> {
-        let offset = left.0.time - from.time;
-        let mut bracket = Bracket::new(left.1, right.0.time - left.0.time, right.1);
-        let mut best = if right.1.abs() < left.1.abs() { *right } else { *left };
-        while let Some(tau) = bracket.next() {
-            let sample = self.partial.after(from, offset + tau)?;
-            let value = self.value(&sample)?;
-            if value.abs() <= best.1.abs() {
-                best = (sample, value);
-            }
-            bracket.insert(tau, value);
-        }
-        Ok(best.0)
-    }
-}
-
-/// Whether |g| is least at the middle one of three samples at which g has one sign.
-fn is_least(left: f64, middle: f64, right: f64) -> bool {
-    let (above, below) = (middle > 0.0, middle < 0.0);
-    (above && left >= middle && right >= middle) || (below && left <= middle && right <= middle)
 }
 
 impl<I, J, G> Iterator for Events<'_, I, J, G>

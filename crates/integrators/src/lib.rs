@@ -9,9 +9,9 @@
 //! | stage equations, guessed from the steps before and solved | [`StageSolver`] |
 //! | one-step methods, and which of them descend | [`Scheme`], [`Equivariant`], [`RungeKutta`] |
 //! | partitioned methods, which do not descend | [`Polarisation`], [`PartitionedRungeKutta`] |
-//! | compositions of a method with itself | [`Composition`], [`Substeps`] |
-//! | integrators on 𝔤∗ | [`Integrator`], [`Collective`], [`LiftFree`], [`Direct`] |
+//! | integrators on 𝔤∗ | [`Integrator`], [`Start`], [`Collective`], [`Direct`], [`LiftFree`] |
 //! | compensated summation | [`Compensated`], [`Increments`] |
+//! | compositions of a method with itself | [`Composition`], [`Substeps`] |
 //! | splitting into exact flows | [`ExactFlows`], [`Splitting`], [`AlternatingSplitting`], [`AlternatingSubsteps`] |
 //! | doubled phase spaces: Tao's method; the semiexplicit one is a [`Tableau::semiexplicit`] | [`TaoFlows`] |
 //! | the spherical midpoint method | [`SphericalMidpoint`] |
@@ -27,26 +27,30 @@ mod vector_field;
 mod tableau;
 mod order_conditions;
 mod gauss;
+mod settling;
+mod two_sum;
 mod linear_solve;
-mod newton;
 mod dirk;
 mod dop853;
-mod settling;
 mod stage_solver;
+mod newton;
 mod predictor;
 mod refinement;
 mod scheme;
+mod composition_conditions;
+mod substeps;
+mod named_substeps;
 mod runge_kutta;
 mod lobatto;
 mod polarisation;
 mod partitioned;
-mod composition_conditions;
-mod substeps;
 mod alternating_conditions;
 mod alternating_substeps;
 mod integrator;
-mod lift_free;
 mod compensated;
+mod collective;
+mod direct;
+mod lift_free;
 mod composition;
 mod splitting;
 mod alternating_splitting;
@@ -61,6 +65,7 @@ mod partial_step;
 mod dense_output;
 mod chandrupatla;
 mod minimum;
+mod crossing;
 mod events;
 mod variational_flow;
 mod lyapunov;
@@ -73,14 +78,17 @@ pub use alignment::smaller_alignment_index;
 pub use alternating_splitting::AlternatingSplitting;
 pub use alternating_substeps::AlternatingSubsteps;
 pub use batch_integrator::BatchIntegrator;
+pub use collective::Collective;
 pub use compensated::{Compensated, Increments, compensated_sum};
 pub use composition::Composition;
+pub use crossing::{Direction, EventError};
 pub use dense_output::{DenseOutput, DenseOutputError};
 pub use diagnostics::{OrderFitError, fitted_order};
+pub use direct::Direct;
 pub use ensemble::{Chunk, Ensemble, MemberError};
 pub use error::{IntegrationError, SchemeError, StepError};
-pub use events::{Direction, EventError, Events};
-pub use integrator::{Collective, Direct, Integrator, Start};
+pub use events::Events;
+pub use integrator::{Integrator, Start};
 pub use laned::{Laned, LanedSpace};
 pub use lift_free::{LiftFree, MultiplierSpace};
 pub use lyapunov::{Exponents, LyapunovExponents, MaximalLyapunovExponent};

@@ -1,7 +1,7 @@
 //! Stage derivatives of an accuracy beyond that of the rounded stages.
 
-use crate::compensated::two_sum;
 use crate::stage_solver::{MaskOf, even_stage_sum};
+use crate::two_sum::two_sum;
 use crate::{Tableau, VectorField};
 use lie_poisson::{Mask, Pair, Real, Vector};
 

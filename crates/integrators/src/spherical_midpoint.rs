@@ -93,7 +93,7 @@ where
         };
         let iterations = self.solver.solve(self.field.at(w), step, &mut k, derivative)?;
         let point = moved(w, &k[0], step);
-        if point.is_finite() { Ok(Step { point, iterations }) } else { Err(StepError::NotFinite) }
+        Step { point, iterations }.finite()
     }
 
     fn momentum(&self, w: &Spheres<T, N>) -> Spheres<T, N> {

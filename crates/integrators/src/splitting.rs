@@ -115,11 +115,7 @@ impl<T: Real, E: ExactFlows<T>> Integrator<T> for Splitting<E> {
         } else {
             (0..E::COUNT).fold(*z, flow(step))
         };
-        if point.is_finite() {
-            Ok(Step { point, iterations: 0 })
-        } else {
-            Err(StepError::NotFinite)
-        }
+        Step { point, iterations: 0 }.finite()
     }
 
     fn momentum(&self, z: &E::Point) -> E::Point {

@@ -28,6 +28,7 @@
 //! ```
 
 mod mask;
+mod stumpff;
 mod real;
 mod dual_number;
 mod lanes;

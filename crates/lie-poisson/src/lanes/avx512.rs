@@ -1,20 +1,20 @@
 //! Eight lanes of 512 bits, with fused multiply-add and masks in registers of their own.
 #![allow(unsafe_code)] // the intrinsics
 
-use super::register::{Register, intrinsics};
+use super::intrinsics::{intrinsics, register};
+use super::register::Register;
 use crate::Mask;
 use core::arch::x86_64::{
     __m512d, __mmask8, _CMP_LE_OQ, _mm512_abs_pd, _mm512_add_pd, _mm512_cmp_pd_mask, _mm512_div_pd,
     _mm512_fmadd_pd, _mm512_fmsub_pd, _mm512_fnmadd_pd, _mm512_mask_blend_pd, _mm512_mul_pd,
     _mm512_set1_pd, _mm512_sqrt_pd, _mm512_sub_pd, _mm512_xor_pd,
 };
-use core::mem::transmute;
 
 /// One register of AVX-512 (F and DQ).
 ///
-/// What makes the `unsafe` blocks of this file sound: other crates cannot name this type, and this
+/// What makes the `unsafe` blocks of this type sound: other crates cannot name this type, and this
 /// crate hands it out in [`dispatch`](super::dispatch()) alone, once the processor was found to
-/// have AVX-512. Where a function of this file runs, the instructions are there.
+/// have AVX-512. Where a function of this type runs, the instructions are there.
 #[derive(Clone, Copy)]
 pub struct Avx512(__m512d);
 
@@ -22,79 +22,37 @@ pub struct Avx512(__m512d);
 #[derive(Clone, Copy, Debug)]
 pub struct Avx512Mask(__mmask8);
 
-impl Register for Avx512 {
-    const COUNT: usize = 8;
-    const FUSED: bool = true;
-    type Mask = Avx512Mask;
+register! {
+    Avx512(__m512d), lanes [0, 1, 2, 3, 4, 5, 6, 7],
+    splat = _mm512_set1_pd, exclusive_or = _mm512_xor_pd,
+    {
+        const FUSED: bool = true;
+        type Mask = Avx512Mask;
 
-    intrinsics! {
-        add(a, b) = _mm512_add_pd;
-        subtract(a, b) = _mm512_sub_pd;
-        multiply(a, b) = _mm512_mul_pd;
-        divide(a, b) = _mm512_div_pd;
-        root(a) = _mm512_sqrt_pd;
-        magnitude(a) = _mm512_abs_pd;
-        multiply_add(a, b, c) = _mm512_fmadd_pd;
-        multiply_subtract(a, b, c) = _mm512_fmsub_pd;
-        negative_multiply_add(a, b, c) = _mm512_fnmadd_pd;
+        intrinsics! {
+            add(a, b) = _mm512_add_pd;
+            subtract(a, b) = _mm512_sub_pd;
+            multiply(a, b) = _mm512_mul_pd;
+            divide(a, b) = _mm512_div_pd;
+            root(a) = _mm512_sqrt_pd;
+            magnitude(a) = _mm512_abs_pd;
+            multiply_add(a, b, c) = _mm512_fmadd_pd;
+            multiply_subtract(a, b, c) = _mm512_fmsub_pd;
+            negative_multiply_add(a, b, c) = _mm512_fnmadd_pd;
+        }
+
+        #[inline(always)]
+        fn at_most(a: Self, b: Self) -> Avx512Mask {
+            // SAFETY: the processor has AVX-512 where the type is in use, see `Avx512`.
+            Avx512Mask(unsafe { _mm512_cmp_pd_mask::<_CMP_LE_OQ>(a.0, b.0) })
+        }
+
+        #[inline(always)]
+        fn select(mask: Avx512Mask, yes: Self, no: Self) -> Self {
+            // SAFETY: the processor has AVX-512 where the type is in use, see `Avx512`.
+            Self(unsafe { _mm512_mask_blend_pd(mask.0, no.0, yes.0) })
+        }
     }
-
-    #[inline(always)]
-    fn splat(x: f64) -> Self {
-        // SAFETY: the processor has AVX-512 where the type is in use, see `Avx512`.
-        Self(unsafe { _mm512_set1_pd(x) })
-    }
-
-    #[inline(always)]
-    fn from_lanes(f: &mut impl FnMut(usize) -> f64) -> Self {
-        from_array([f(0), f(1), f(2), f(3), f(4), f(5), f(6), f(7)])
-    }
-
-    #[inline(always)]
-    fn load(values: &[f64]) -> Option<Self> {
-        Some(from_array(*values.first_chunk()?))
-    }
-
-    #[inline(always)]
-    fn store(a: Self, values: &mut [f64]) -> Option<()> {
-        *values.first_chunk_mut()? = to_array(a);
-        Some(())
-    }
-
-    #[inline(always)]
-    fn lane(a: Self, i: usize) -> f64 {
-        if i < Self::COUNT { to_array(a)[i] } else { f64::NAN }
-    }
-
-    #[inline(always)]
-    fn negate(a: Self) -> Self {
-        // SAFETY: the processor has AVX-512 where the type is in use, see `Avx512`.
-        Self(unsafe { _mm512_xor_pd(a.0, Self::splat(-0.0).0) })
-    }
-
-    #[inline(always)]
-    fn at_most(a: Self, b: Self) -> Avx512Mask {
-        // SAFETY: the processor has AVX-512 where the type is in use, see `Avx512`.
-        Avx512Mask(unsafe { _mm512_cmp_pd_mask::<_CMP_LE_OQ>(a.0, b.0) })
-    }
-
-    #[inline(always)]
-    fn select(mask: Avx512Mask, yes: Self, no: Self) -> Self {
-        // SAFETY: the processor has AVX-512 where the type is in use, see `Avx512`.
-        Self(unsafe { _mm512_mask_blend_pd(mask.0, no.0, yes.0) })
-    }
-}
-
-#[inline(always)]
-fn from_array(lanes: [f64; 8]) -> Avx512 {
-    // SAFETY: both types are eight numbers of 64 bits, in the same order.
-    Avx512(unsafe { transmute::<[f64; 8], __m512d>(lanes) })
-}
-
-#[inline(always)]
-fn to_array(a: Avx512) -> [f64; 8] {
-    // SAFETY: both types are eight numbers of 64 bits, in the same order.
-    unsafe { transmute::<__m512d, [f64; 8]>(a.0) }
 }
 
 impl Mask for Avx512Mask {

@@ -34,9 +34,6 @@ impl Register for Plain {
         negate(a) = -a;
         root(a) = a.sqrt();
         magnitude(a) = a.abs();
-        multiply_add(a, b, c) = a * b + c;
-        multiply_subtract(a, b, c) = a * b - c;
-        negative_multiply_add(a, b, c) = c - a * b;
     }
 
     #[inline(always)]

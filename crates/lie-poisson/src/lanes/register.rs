@@ -46,33 +46,27 @@ pub trait Register: Copy + Send + Sync + 'static {
     fn root(a: Self) -> Self;
     /// |a|
     fn magnitude(a: Self) -> Self;
-    /// a b + c
-    fn multiply_add(a: Self, b: Self, c: Self) -> Self;
-    /// a b − c
-    fn multiply_subtract(a: Self, b: Self, c: Self) -> Self;
-    /// c − a b
-    fn negative_multiply_add(a: Self, b: Self, c: Self) -> Self;
+    /// a b + c; rounded twice, unless the type is `FUSED` and says how.
+    #[inline(always)]
+    fn multiply_add(a: Self, b: Self, c: Self) -> Self {
+        Self::add(Self::multiply(a, b), c)
+    }
+    /// a b − c, likewise.
+    #[inline(always)]
+    fn multiply_subtract(a: Self, b: Self, c: Self) -> Self {
+        Self::subtract(Self::multiply(a, b), c)
+    }
+    /// c − a b, likewise.
+    #[inline(always)]
+    fn negative_multiply_add(a: Self, b: Self, c: Self) -> Self {
+        Self::subtract(c, Self::multiply(a, b))
+    }
 
     /// a ≤ b
     fn at_most(a: Self, b: Self) -> Self::Mask;
     /// `yes` where the mask is true.
     fn select(mask: Self::Mask, yes: Self, no: Self) -> Self;
 }
-
-/// Functions that are one instruction each.
-#[cfg(target_arch = "x86_64")]
-macro_rules! intrinsics {
-    ($($name:ident($($argument:ident),*) = $intrinsic:ident;)*) => {$(
-        #[inline(always)]
-        fn $name($($argument: Self),*) -> Self {
-            // SAFETY: where the type is in use the processor has its instructions, for the reason
-            // that the type's documentation gives.
-            Self(unsafe { $intrinsic($($argument.0),*) })
-        }
-    )*};
-}
-#[cfg(target_arch = "x86_64")]
-pub(super) use intrinsics;
 
 /// Two registers, or two masks of registers, worked on by turns: while the first waits for its
 /// result, the second computes.

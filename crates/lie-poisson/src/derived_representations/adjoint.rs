@@ -1,0 +1,64 @@
+//! The adjoint representation.
+
+use crate::{
+    AlgebraElement, GroupMomentum, GroupRepresentation, LieAlgebra, LieGroup, Real, Representation,
+};
+
+/// The adjoint representation of a group on its Lie algebra: g ξ = Ad_g ξ, ad_ξ η = [ξ, η].
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+pub struct Adjoint<G>(pub G);
+
+impl<G: LieGroup> Representation for Adjoint<G> {
+    type Algebra = G::Algebra;
+    type Space<T: Real> = AlgebraElement<G, T>;
+
+    fn algebra(&self) -> G::Algebra {
+        self.0.algebra()
+    }
+
+    #[inline]
+    fn act<T: Real>(
+        &self,
+        xi: &AlgebraElement<G, T>,
+        v: &AlgebraElement<G, T>,
+    ) -> AlgebraElement<G, T> {
+        self.0.algebra().bracket::<T>(xi, v)
+    }
+
+    /// `ξᵀ α = ad*_ξ α`
+    #[inline]
+    fn transpose_act<T: Real>(
+        &self,
+        xi: &AlgebraElement<G, T>,
+        alpha: &GroupMomentum<G, T>,
+    ) -> GroupMomentum<G, T> {
+        self.0.algebra().coadjoint::<T>(xi, alpha)
+    }
+
+    /// `v ◇ α = −ad*_v α`
+    #[inline]
+    fn diamond<T: Real>(
+        &self,
+        v: &AlgebraElement<G, T>,
+        alpha: &GroupMomentum<G, T>,
+    ) -> GroupMomentum<G, T> {
+        -self.0.algebra().coadjoint::<T>(v, alpha)
+    }
+}
+
+impl<G: LieGroup> GroupRepresentation for Adjoint<G> {
+    type Group = G;
+
+    fn group(&self) -> G {
+        self.0.clone()
+    }
+
+    #[inline]
+    fn transform<T: Real>(
+        &self,
+        g: &G::Element<T>,
+        v: &AlgebraElement<G, T>,
+    ) -> AlgebraElement<G, T> {
+        self.0.adjoint::<T>(g, v)
+    }
+}

@@ -1,0 +1,75 @@
+//! Many copies of a representation.
+
+use crate::{
+    AlgebraElement, Covector, GroupRepresentation, LieGroup, Momentum, Power, Real, Representation,
+    RepresentedElement, Vector,
+};
+use core::array::from_fn;
+
+/// The diagonal representation on Vᴺ: ξ (v₁, …, v_N) = (ξv₁, …, ξv_N).
+///
+/// so(3) ⋉ (R³)ᴺ, for example, is the algebra of a body in N constant fields.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+pub struct Diagonal<R, const N: usize>(pub R);
+
+impl<R: Representation, const N: usize> Representation for Diagonal<R, N> {
+    type Algebra = R::Algebra;
+    type Space<T: Real> = Power<R::Space<T>, N>;
+
+    fn algebra(&self) -> R::Algebra {
+        self.0.algebra()
+    }
+
+    #[inline]
+    fn act<T: Real>(&self, xi: &RepresentedElement<R, T>, v: &Self::Space<T>) -> Self::Space<T> {
+        Power(from_fn(|n| self.0.act::<T>(xi, &v.0[n])))
+    }
+
+    #[inline]
+    fn transpose_act<T: Real>(
+        &self,
+        xi: &RepresentedElement<R, T>,
+        alpha: &Covector<Self::Space<T>>,
+    ) -> Covector<Self::Space<T>> {
+        let part = |n: usize| self.0.transpose_act::<T>(xi, &Covector(alpha.0.0[n])).0;
+        Covector(Power(from_fn(part)))
+    }
+
+    /// Σ vₙ ◇ αₙ
+    #[inline]
+    fn diamond<T: Real>(
+        &self,
+        v: &Self::Space<T>,
+        alpha: &Covector<Self::Space<T>>,
+    ) -> Momentum<R::Algebra, T> {
+        v.0.iter().zip(&alpha.0.0).fold(Vector::zero(), |sum: Momentum<R::Algebra, T>, (v, a)| {
+            sum + self.0.diamond::<T>(v, &Covector(*a))
+        })
+    }
+}
+
+impl<R: GroupRepresentation, const N: usize> GroupRepresentation for Diagonal<R, N> {
+    type Group = R::Group;
+
+    fn group(&self) -> R::Group {
+        self.0.group()
+    }
+
+    #[inline]
+    fn transform<T: Real>(
+        &self,
+        g: &<R::Group as LieGroup>::Element<T>,
+        v: &Self::Space<T>,
+    ) -> Self::Space<T> {
+        Power(from_fn(|n| self.0.transform::<T>(g, &v.0[n])))
+    }
+
+    #[inline]
+    fn exp_integral<T: Real>(
+        &self,
+        xi: &AlgebraElement<R::Group, T>,
+        phi: &Self::Space<T>,
+    ) -> Self::Space<T> {
+        Power(from_fn(|n| self.0.exp_integral::<T>(xi, &phi.0[n])))
+    }
+}

@@ -1,0 +1,127 @@
+//! What the registers of x86-64 have in common: all but the names of the intrinsics.
+//!
+//! An intrinsic is safe where the processor has its instruction. For each type that these macros
+//! are used on, its documentation says why it has, wherever code of the type runs.
+
+/// Functions that are one instruction each.
+macro_rules! intrinsics {
+    ($($name:ident($($argument:ident),*) = $intrinsic:ident;)*) => {$(
+        #[inline(always)]
+        fn $name($($argument: Self),*) -> Self {
+            // SAFETY: the processor has the instruction, see the type.
+            Self(unsafe { $intrinsic($($argument.0),*) })
+        }
+    )*};
+}
+pub(super) use intrinsics;
+
+/// [`Register`](super::register::Register) for a type around one register with these lanes, which
+/// has the same x everywhere by `splat(x)`; and what the braces add to it.
+macro_rules! register {
+    (
+        $register:ident($raw:ident), lanes [$($lane:literal),*],
+        splat = $splat:ident, exclusive_or = $exclusive_or:ident, { $($own:tt)* }
+    ) => {
+        impl Register for $register {
+            const COUNT: usize = [$($lane),*].len();
+            $($own)*
+
+            #[inline(always)]
+            fn splat(x: f64) -> Self {
+                // SAFETY: the processor has the instruction, see the type.
+                Self(unsafe { $splat(x) })
+            }
+
+            #[inline(always)]
+            fn from_lanes(f: &mut impl FnMut(usize) -> f64) -> Self {
+                Self::from_array([$(f($lane)),*])
+            }
+
+            #[inline(always)]
+            fn load(values: &[f64]) -> Option<Self> {
+                Some(Self::from_array(*values.first_chunk()?))
+            }
+
+            #[inline(always)]
+            fn store(a: Self, values: &mut [f64]) -> Option<()> {
+                *values.first_chunk_mut()? = a.to_array();
+                Some(())
+            }
+
+            #[inline(always)]
+            fn lane(a: Self, i: usize) -> f64 {
+                if i < Self::COUNT { a.to_array()[i] } else { f64::NAN }
+            }
+
+            #[inline(always)]
+            fn negate(a: Self) -> Self {
+                // SAFETY: the processor has the instruction, see the type.
+                Self(unsafe { $exclusive_or(a.0, Self::splat(-0.0).0) })
+            }
+        }
+
+        impl $register {
+            #[inline(always)]
+            fn from_array(lanes: [f64; Self::COUNT]) -> Self {
+                // SAFETY: both types are as many numbers of 64 bits, in the same order.
+                Self(unsafe { core::mem::transmute::<[f64; Self::COUNT], $raw>(lanes) })
+            }
+
+            #[inline(always)]
+            fn to_array(self) -> [f64; Self::COUNT] {
+                // SAFETY: both types are as many numbers of 64 bits, in the same order.
+                unsafe { core::mem::transmute::<$raw, [f64; Self::COUNT]>(self.0) }
+            }
+        }
+    };
+}
+pub(super) use register;
+
+/// [`Mask`](crate::Mask) for a type around a register, all bits of a lane set where it is true;
+/// `signs` gathers one bit of each lane.
+macro_rules! mask_of_bits {
+    (
+        $mask:ident of $register:ident,
+        and = $and:ident, or = $or:ident, exclusive_or = $exclusive_or:ident, signs = $signs:ident
+    ) => {
+        impl Mask for $mask {
+            const COUNT: usize = $register::COUNT;
+
+            intrinsics! {
+                and(self, other) = $and;
+                or(self, other) = $or;
+            }
+
+            #[inline(always)]
+            fn from_bool(truth: bool) -> Self {
+                Self($register::splat(f64::from_bits(if truth { u64::MAX } else { 0 })).0)
+            }
+
+            #[inline(always)]
+            fn not(self) -> Self {
+                // SAFETY: the processor has the instruction, see the type.
+                Self(unsafe { $exclusive_or(self.0, Self::from_bool(true).0) })
+            }
+
+            #[inline(always)]
+            fn all(self) -> bool {
+                self.bits() == (1 << Self::COUNT) - 1
+            }
+
+            #[inline(always)]
+            fn lane(self, i: usize) -> bool {
+                i < Self::COUNT && self.bits() >> i & 1 == 1
+            }
+        }
+
+        impl $mask {
+            /// One bit for each lane.
+            #[inline(always)]
+            fn bits(self) -> i32 {
+                // SAFETY: the processor has the instruction, see the type.
+                unsafe { $signs(self.0) }
+            }
+        }
+    };
+}
+pub(super) use mask_of_bits;
