@@ -65,8 +65,9 @@ where
         workspace: &mut Self::Workspace,
     ) -> Turned<Self::State, T> {
         let (mu, base) = (&state.0, self.base());
-        let Step { point: q, iterations } = base.multiplier::<T>(mu, step, workspace)?;
-        let point = compensated_sum(state, base.change::<T>(&q, mu));
+        let Step { point: q, iterations } = base.refined_multiplier::<T>(mu, step, workspace)?;
+        let increment = Pair(base.change::<T>(&q, mu), Vector::zero());
+        let point = compensated_sum(state, &increment);
         Ok((Step { point, iterations }.finite()?, unit(q.0)))
     }
 }

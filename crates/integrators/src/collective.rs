@@ -1,7 +1,9 @@
 //! The collective integrator.
 
 use crate::two_sum::two_sum;
-use crate::{Compensated, Equivariant, Increments, Integrator, Scheme, Start, Step, StepError};
+use crate::{
+    Compensated, Equivariant, Increment, Increments, Integrator, Scheme, Start, Step, StepError,
+};
 use lie_poisson::{DualNumber, Hamiltonian, Mask, Pair, Real, Vector, derivative_part, seed};
 use momentum_map::{CollectiveHamiltonian, Lift, LiftError, PoissonMap, SourcePoint, TargetPoint};
 
@@ -178,7 +180,7 @@ where
         state: &Self::State,
         step: f64,
         workspace: &mut Self::Workspace,
-    ) -> Result<Step<Self::State>, StepError> {
+    ) -> Result<Increment<Self::State>, StepError> {
         self.scheme.refined_increment::<T, _>(&self.system, state, step, workspace)
     }
 

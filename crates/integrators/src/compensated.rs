@@ -1,6 +1,7 @@
 //! Compensated summation: steps whose rounding is not lost.
 
-use crate::{Integrator, Start, Step, StepError};
+use crate::two_sum::two_sum;
+use crate::{Increment, Integrator, Start, Step, StepError};
 use lie_poisson::{Pair, Real, Vector};
 use momentum_map::LiftError;
 
@@ -9,8 +10,8 @@ use momentum_map::LiftError;
 /// # Example
 /// See [`Compensated`].
 pub trait Increments<T: Real = f64>: Integrator<T> {
-    /// The change of the state in one step, with the accuracy of its own size, before the state is
-    /// [`settled`](Self::settled).
+    /// The change δz + δe of the state in one step, unrounded, before the state is
+    /// [`settled`](Self::settled); δe has the size of the roundings of δz.
     ///
     /// # Errors
     /// If the step has no result. That it is finite is left to who adds it.
@@ -19,7 +20,7 @@ pub trait Increments<T: Real = f64>: Integrator<T> {
         state: &Self::State,
         step: f64,
         workspace: &mut Self::Workspace,
-    ) -> Result<Step<Self::State>, StepError>;
+    ) -> Result<Increment<Self::State>, StepError>;
 
     /// The state that is gone on from in the place of this z + e, with the same momentum. By default
     /// itself.
@@ -32,7 +33,7 @@ pub trait Increments<T: Real = f64>: Integrator<T> {
 /// An integrator that carries along what each addition z + δz rounds away:
 ///
 /// ```text
-/// y = δz + e,    z₁ = z + y,    e₁ = y − (z₁ − z)
+/// z₁ + e₁ = (z + e) + (δz + δe)
 /// ```
 ///
 /// so that the errors of a step have the size of the roundings of δz, a factor h|Ω| below those
@@ -70,22 +71,23 @@ impl<I> Compensated<I> {
     }
 }
 
-/// (z₁, e₁) from (z, e) and δz: one addition of [`Compensated`] summation.
+/// (z₁, e₁) from (z, e) and (δz, δe): one addition of [`Compensated`] summation.
 ///
 /// ```
 /// use collective_integrators::compensated_sum;
 /// use lie_poisson::{Pair, nalgebra::Vector1};
-/// let (one, tiny) = (Vector1::new(1.0), Vector1::new(f64::EPSILON / 8.0));
-/// let sum = (0..8).fold(Pair(one, Vector1::zeros()), |sum, _| compensated_sum(&sum, tiny));
-/// assert_eq!(sum.0[0], 1.0 + f64::EPSILON);
+/// let (one, zero) = (Vector1::new(1.0), Vector1::zeros());
+/// let tiny = Pair(Vector1::new(f64::EPSILON / 8.0), zero);
+/// let sum = (0..8).fold(Pair(one, zero), |sum, _| compensated_sum(&sum, &tiny));
+/// assert_eq!(sum, Pair(Vector1::new(1.0 + f64::EPSILON), zero));
 /// // without e nothing would have come of it
-/// assert_eq!(one + tiny, one);
+/// assert_eq!(one + tiny.0, one);
 /// ```
 #[inline]
-pub fn compensated_sum<V: Vector>(Pair(z, carry): &Pair<V, V>, increment: V) -> Pair<V, V> {
-    let change = increment + *carry;
-    let next = *z + change;
-    Pair(next, change - (next - *z))
+pub fn compensated_sum<V: Vector>(sum: &Pair<V, V>, increment: &Pair<V, V>) -> Pair<V, V> {
+    let Pair(change, lost) = two_sum(&increment.0, &sum.1);
+    let next = sum.0 + change;
+    Pair(next, (change - (next - sum.0)) + (lost + increment.1))
 }
 
 impl<I: Increments<T>, T: Real> Integrator<T> for Compensated<I> {
@@ -110,7 +112,7 @@ impl<I: Increments<T>, T: Real> Integrator<T> for Compensated<I> {
         workspace: &mut Self::Workspace,
     ) -> Result<Step<Self::State>, StepError> {
         let Step { point, iterations } = self.0.increment(&state.0, step, workspace)?;
-        Step { point: self.0.settled(compensated_sum(state, point)), iterations }.finite()
+        Step { point: self.0.settled(compensated_sum(state, &point)), iterations }.finite()
     }
 
     #[inline]

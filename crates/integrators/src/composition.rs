@@ -1,7 +1,10 @@
 //! Composition methods.
 
-use crate::{Equivariant, Integrator, Scheme, Start, Step, StepError, Substeps, VectorField};
-use lie_poisson::{Real, Vector};
+use crate::{
+    Equivariant, Increment, Integrator, Scheme, Start, Step, StepError, Substeps, VectorField,
+    compensated_sum,
+};
+use lie_poisson::{Pair, Real, Vector};
 use momentum_map::LiftError;
 
 /// The composition Ψ_h = Φ_{γ_s h} ∘ … ∘ Φ_{γ_1 h} of a method with itself.
@@ -65,20 +68,6 @@ impl<S> Composition<S> {
         }
         Ok(total)
     }
-
-    /// The sum of the increments of the substeps, each from where the one before it ends.
-    #[inline]
-    fn sum<V: Vector>(
-        &self,
-        z: &V,
-        step: f64,
-        mut increment: impl FnMut(&V, f64) -> Result<Step<V>, StepError>,
-    ) -> Result<Step<V>, StepError> {
-        self.chain(&V::zero(), step, |sum, step| {
-            let Step { point, iterations } = increment(&(*z + *sum), step)?;
-            Ok(Step { point: *sum + point, iterations })
-        })
-    }
 }
 
 impl<S: Equivariant> Equivariant for Composition<S> {}
@@ -99,7 +88,11 @@ impl<S: Scheme> Scheme for Composition<S> {
         step: f64,
         workspace: &mut Self::Workspace<F::Point>,
     ) -> Result<Step<F::Point>, StepError> {
-        self.sum(z, step, |from, step| self.base.increment(field, from, step, workspace))
+        self.chain(&Vector::zero(), step, |sum: &F::Point, step| {
+            let from = *z + *sum;
+            let Step { point, iterations } = self.base.increment(field, &from, step, workspace)?;
+            Ok(Step { point: *sum + point, iterations })
+        })
     }
 
     #[inline]
@@ -109,8 +102,12 @@ impl<S: Scheme> Scheme for Composition<S> {
         z: &F::Point,
         step: f64,
         workspace: &mut Self::Workspace<F::Point>,
-    ) -> Result<Step<F::Point>, StepError> {
-        self.sum(z, step, |from, step| self.base.refined_increment(field, from, step, workspace))
+    ) -> Result<Increment<F::Point>, StepError> {
+        self.chain(&Vector::zero(), step, |sum: &Pair<F::Point, F::Point>, step| {
+            let from = *z + sum.0;
+            let next = self.base.refined_increment(field, &from, step, workspace)?;
+            Ok(Step { point: compensated_sum(sum, &next.point), ..next })
+        })
     }
 
     #[inline]

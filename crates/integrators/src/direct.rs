@@ -1,6 +1,8 @@
 //! Schemes on the equations as they stand.
 
-use crate::{Compensated, Increments, Integrator, Scheme, Start, Step, StepError, VectorField};
+use crate::{
+    Compensated, Increment, Increments, Integrator, Scheme, Start, Step, StepError, VectorField,
+};
 use lie_poisson::Real;
 use momentum_map::LiftError;
 
@@ -94,7 +96,7 @@ where
         state: &F::Point,
         step: f64,
         workspace: &mut Self::Workspace,
-    ) -> Result<Step<F::Point>, StepError> {
+    ) -> Result<Increment<Self::State>, StepError> {
         self.scheme.refined_increment(&self.field, state, step, workspace)
     }
 }

@@ -96,7 +96,7 @@ pub use megno::Megno;
 pub use partitioned::{PartitionedRungeKutta, PartitionedSpace};
 pub use polarisation::{Alternating, FirstHalf, Polarisation};
 pub use runge_kutta::{RungeKutta, StageSpace};
-pub use scheme::{Equivariant, Scheme, Step};
+pub use scheme::{Equivariant, Increment, Scheme, Step};
 pub use spherical_midpoint::SphericalMidpoint;
 pub use splitting::{ExactFlows, Splitting};
 pub use stage_solver::StageSolver;

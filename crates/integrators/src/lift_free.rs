@@ -2,11 +2,12 @@
 
 use crate::predictor::near;
 use crate::{
-    Compensated, Equivariant, Increments, Integrator, Scheme, Start, Step, StepError, VectorField,
+    Compensated, Equivariant, Increment, Increments, Integrator, Scheme, Start, Step, StepError,
+    VectorField,
 };
 use lie_poisson::{
-    Differential, DualNumber, Hamiltonian, Mask, Point, Real, derivative_part, map_coordinates,
-    seed,
+    Differential, DualNumber, Hamiltonian, Mask, Pair, Point, Real, Vector, derivative_part,
+    map_coordinates, seed,
 };
 use momentum_map::{LiftError, Multiplier, Multipliers};
 
@@ -96,6 +97,28 @@ impl<S: Equivariant, M: Multipliers, H> LiftFree<S, M, H> {
     {
         self.motion(mu, workspace, |field, one, storage| {
             self.scheme.step::<T, _>(field, one, step, storage)
+        })
+    }
+
+    /// The same with roundings that have no mean ([`Scheme::refined_increment`]), for
+    /// [`Compensated`] summation.
+    ///
+    /// # Errors
+    /// If the step has no result.
+    #[inline]
+    pub fn refined_multiplier<T: Real>(
+        &self,
+        mu: &Point<M::Space, T>,
+        step: f64,
+        workspace: &mut MultiplierSpace<S, M, T>,
+    ) -> Result<Step<Multiplier<M, T>>, StepError>
+    where
+        H: Hamiltonian<M::Space, T>,
+    {
+        self.motion(mu, workspace, |field, one, storage| {
+            let next = self.scheme.refined_increment::<T, _>(field, one, step, storage)?;
+            let Pair(change, rest) = next.point;
+            Step { point: *one + (change + rest), iterations: next.iterations }.finite()
         })
     }
 
@@ -219,19 +242,16 @@ where
     H: Hamiltonian<M::Space, T>,
     T: Real,
 {
+    /// δμ is that of a motion by Q₁; its Casimirs do not depend on the roundings of Q₁.
     #[inline]
     fn increment(
         &self,
         mu: &Self::State,
         step: f64,
         workspace: &mut Self::Workspace,
-    ) -> Result<Step<Self::State>, StepError> {
-        let refined = self.motion::<T>(mu, workspace, |field, one, storage| {
-            let change = self.scheme.refined_increment::<T, _>(field, one, step, storage)?;
-            Step { point: *one + change.point, ..change }.finite()
-        });
-        let Step { point: q, iterations } = refined?;
-        Ok(Step { point: self.change::<T>(&q, mu), iterations })
+    ) -> Result<Increment<Self::State>, StepError> {
+        let Step { point: q, iterations } = self.refined_multiplier::<T>(mu, step, workspace)?;
+        Ok(Step { point: Pair(self.change::<T>(&q, mu), Vector::zero()), iterations })
     }
 }
 

@@ -1,6 +1,6 @@
 //! Stage derivatives of an accuracy beyond that of the rounded stages.
 
-use crate::stage_solver::{MaskOf, even_stage_sum};
+use crate::stage_solver::{MaskOf, even_stage_sum, stage_sum};
 use crate::two_sum::two_sum;
 use crate::{Tableau, VectorField};
 use lie_poisson::{Mask, Pair, Real, Vector};
@@ -14,8 +14,9 @@ const ENLARGEMENT: f64 = 67_108_864.0;
 /// fixed-point iteration; what is left after two is lost among the roundings of the field.
 const SWEEPS: usize = 3;
 
-/// Replaces k_i by X(z + h Σ_j (a_ij + low_ij) k_j), in the chosen lanes, with the sum z + … of unrounded
-/// stages: what its rounding takes from X, δX = X′·δZ, is put back.
+/// Makes k_i + δk_i, in the chosen lanes, of k_i: X at the unrounded stage z + h Σ_j a_ij (k_j + δk_j). δk_i is
+/// what the rounding δZ of the stage takes from X, X′·δZ; it is less than a rounding of k_i and would be
+/// lost there. In other lanes it is 0.
 ///
 /// An iteration to the floor ends at one of several neighbouring fixed points in floating-point
 /// arithmetic, always the one on the side from which it comes. The roundings δZ therefore have a mean: of
@@ -28,7 +29,9 @@ pub(crate) fn refine<T: Real, F: VectorField<T>>(
     tableau: &Tableau,
     chosen: MaskOf<F::Point>,
     k: &mut [F::Point],
+    rest: &mut [F::Point],
 ) {
+    rest.fill(F::Point::zero());
     if !chosen.any() {
         return;
     }
@@ -36,9 +39,11 @@ pub(crate) fn refine<T: Real, F: VectorField<T>>(
         let i = n % k.len();
         let sum = even_stage_sum(step, tableau.row(i), tableau.row_low(i), k);
         let Pair(stage, rounding) = two_sum(z, &sum);
+        let lost = rounding + stage_sum(step, tableau.row(i), &[], rest);
         let value = field.at(&stage);
-        let moved = field.at(&(stage + rounding.scaled(T::from_f64(ENLARGEMENT))));
-        let refined = value + (moved - value).scaled(T::from_f64(1.0 / ENLARGEMENT));
-        k[i] = F::Point::select(chosen, &refined, &k[i]);
+        let moved = field.at(&(stage + lost.scaled(T::from_f64(ENLARGEMENT))));
+        let correction = (moved - value).scaled(T::from_f64(1.0 / ENLARGEMENT));
+        k[i] = F::Point::select(chosen, &value, &k[i]);
+        rest[i] = F::Point::select(chosen, &correction, &rest[i]);
     }
 }

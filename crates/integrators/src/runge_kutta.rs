@@ -4,11 +4,12 @@ use crate::dop853;
 use crate::newton::{NewtonSpace, newton_step};
 use crate::predictor::{Memory, Predictor};
 use crate::refinement::refine;
-use crate::stage_solver::{Unsettled, even_stage_sum, stage_point};
+use crate::stage_solver::{Unsettled, even_stage_sum, stage_point, stage_sum};
 use crate::{
-    Equivariant, Scheme, SchemeError, StageSolver, Step, StepError, Substeps, Tableau, VectorField,
+    Equivariant, Increment, Scheme, SchemeError, StageSolver, Step, StepError, Substeps, Tableau,
+    VectorField,
 };
-use lie_poisson::{Mask, Real, Vector};
+use lie_poisson::{Mask, Pair, Real, Vector};
 
 /// A Runge–Kutta method: a [`Tableau`], and a solver for its stages if it is implicit.
 ///
@@ -151,7 +152,7 @@ impl RungeKutta {
         step: f64,
         workspace: &mut StageSpace<F::Point>,
     ) -> Result<(usize, T::Mask), StepError> {
-        let StageSpace { k, memory, newton } = workspace;
+        let StageSpace { k, memory, newton, .. } = workspace;
         let derivative = |i: usize, k: &[F::Point]| {
             let (row, low) = (self.tableau.row(i), self.tableau.row_low(i));
             field.at(&stage_point(z, step, row, low, k))
@@ -207,6 +208,8 @@ impl RungeKutta {
 #[derive(Clone, Debug)]
 pub struct StageSpace<V: Vector> {
     k: Vec<V>,
+    /// What refinement adds to k.
+    rest: Vec<V>,
     memory: Memory<V>,
     newton: NewtonSpace<V::Scalar>,
 }
@@ -219,6 +222,7 @@ impl Scheme for RungeKutta {
     fn workspace<V: Vector>(&self) -> StageSpace<V> {
         StageSpace {
             k: vec![V::zero(); self.tableau.stages()],
+            rest: vec![V::zero(); self.tableau.stages()],
             memory: Memory::new(&self.predictor),
             newton: NewtonSpace::default(),
         }
@@ -245,12 +249,16 @@ impl Scheme for RungeKutta {
         z: &F::Point,
         step: f64,
         workspace: &mut StageSpace<F::Point>,
-    ) -> Result<Step<F::Point>, StepError> {
+    ) -> Result<Increment<F::Point>, StepError> {
         let (iterations, contracting) = self.stages(field, z, step, workspace)?;
+        let mut rest = F::Point::zero();
         if !self.tableau.is_explicit() {
-            refine(field, (z, step), &self.tableau, contracting, &mut workspace.k);
+            let StageSpace { k, rest: parts, .. } = workspace;
+            parts.resize(k.len(), rest);
+            refine(field, (z, step), &self.tableau, contracting, k, parts);
+            rest = stage_sum(step, self.tableau.weights(), &[], parts);
         }
-        Ok(Step { point: self.end(z, step, workspace), iterations })
+        Ok(Step { point: Pair(self.end(z, step, workspace), rest), iterations })
     }
 
     #[inline]

@@ -1,7 +1,7 @@
 //! What a one-step method is.
 
 use crate::{StepError, VectorField};
-use lie_poisson::{Real, Vector};
+use lie_poisson::{Pair, Real, Vector};
 
 /// The result of a step.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -11,6 +11,9 @@ pub struct Step<V> {
     /// Iterations of the stage solver; 0 for explicit methods.
     pub iterations: usize,
 }
+
+/// The change δz + δe of a state in a step, where δe has the size of the roundings of δz.
+pub type Increment<V> = Step<Pair<V, V>>;
 
 impl<V: Vector> Step<V> {
     /// The result itself, if it is one.
@@ -46,8 +49,9 @@ pub trait Scheme: Clone {
         workspace: &mut Self::Workspace<F::Point>,
     ) -> Result<Step<F::Point>, StepError>;
 
-    /// The same with roundings that have no mean: [`Compensated`](crate::Compensated) summation lives on
-    /// it. By default [`increment`](Self::increment).
+    /// The same, δz + δe, with roundings that have no mean: [`Compensated`](crate::Compensated) summation
+    /// lives on it. δe has the size of the roundings of δz. By default (δz, 0) with
+    /// [`increment`](Self::increment).
     ///
     /// # Errors
     /// As that.
@@ -58,8 +62,9 @@ pub trait Scheme: Clone {
         z: &F::Point,
         step: f64,
         workspace: &mut Self::Workspace<F::Point>,
-    ) -> Result<Step<F::Point>, StepError> {
-        self.increment(field, z, step, workspace)
+    ) -> Result<Increment<F::Point>, StepError> {
+        let Step { point, iterations } = self.increment(field, z, step, workspace)?;
+        Ok(Step { point: Pair(point, Vector::zero()), iterations })
     }
 
     /// Φ_h(z). Allocates nothing.
