@@ -15,6 +15,7 @@ use crate::reproduce::reproduce;
 use crate::section::section;
 use crate::simulate::{Checkpoint, Options, Summary, simulate};
 use crate::sweep::sweep;
+use crate::tiles::Options as InTiles;
 use clap::{Args, CommandFactory, Parser, Subcommand};
 use clap_complete::Shell;
 use serde::Serialize;
@@ -97,6 +98,9 @@ enum Command {
         /// The folder for the figure and the table; made if it is not there.
         #[arg(long, value_name = "DIR")]
         out: PathBuf,
+        /// Go on from the finished starts that an interrupted section has left in the folder.
+        #[arg(long)]
+        resume: bool,
     },
     /// Follow many tops at once, and map what becomes of them.
     #[command(long_about = SWEEP, after_long_help = SWEEP_EXAMPLES)]
@@ -182,13 +186,13 @@ pub fn main() -> ExitCode {
             .config()
             .and_then(|config| compare(&config, &out, quiet))
             .and_then(|done| print(&done, json)),
-        Command::Section { top, out } => top
+        Command::Section { top, out, resume } => top
             .config()
-            .and_then(|config| section(&config, &out, quiet))
+            .and_then(|config| section(&config, &out, &in_tiles(resume, quiet)))
             .and_then(|done| print(&done, json)),
         Command::Sweep { top, out, resume } => top
             .config()
-            .and_then(|config| sweep(&config, &out, resume, quiet))
+            .and_then(|config| sweep(&config, &out, &in_tiles(resume, quiet)))
             .and_then(|done| done.map_or(Ok(()), |done| print(&done, json))),
         Command::Animate { top, out } => {
             top.config().and_then(|config| animate(config, &out, quiet))
@@ -259,6 +263,11 @@ fn run_simulate(
     }
     let stop = Some(interrupted());
     simulate(&config, out, &Options { resume: resume.as_ref(), interval, stop, quiet })
+}
+
+/// How a command is accompanied whose finished parts are kept.
+fn in_tiles(resume: bool, quiet: bool) -> InTiles<'static> {
+    InTiles { resume, stop: Some(interrupted()), quiet }
 }
 
 /// What Ctrl-C, and the signals that ask a program to end, make true. A second one ends it at once.

@@ -1,13 +1,13 @@
 //! What can go wrong, and the exit codes.
 
 use crate::method::{Formulation, Scheme};
-use crate::simulate::CheckpointError;
+use crate::sealed::CheckpointError;
 use crate::sweep::SweepError;
 use collective_integrators::{EventError, IntegrationError, SchemeError, VariationalError};
 use heavytop::{SectionError, TopError};
 use momentum_map::LiftError;
 use std::io;
-use std::path::{Path, PathBuf};
+use std::path::PathBuf;
 use thiserror::Error;
 
 /// Why a command did not do what it was asked.
@@ -210,7 +210,16 @@ pub enum Error {
     /// Tangent vectors of a top in a sweep have no direction any more.
     #[error("{0}")]
     Tangent(#[source] VariationalError),
-    /// What a sweep has finished cannot be read.
+    /// There are tiles of an unfinished run.
+    #[error(
+        "{} has what an interrupted run has finished: go on with --resume, or delete it",
+        folder.display()
+    )]
+    Unfinished {
+        /// Where.
+        folder: PathBuf,
+    },
+    /// What an interrupted run has finished cannot be read.
     #[error("cannot read {}: {source}", path.display())]
     Tile {
         /// The file.
@@ -218,15 +227,15 @@ pub enum Error {
         /// Why.
         source: io::Error,
     },
-    /// A tile that another process should have finished is not there.
+    /// A tile that should have been finished is not there.
     #[error(
-        "tile {tile} is missing: {} must be on a file system that all processes see",
+        "tile {tile} is missing in {}, which must be on a file system that all processes see",
         folder.display()
     )]
     MissingTile {
         /// Its number.
         tile: u64,
-        /// The folder of the sweep.
+        /// The folder of the tiles.
         folder: PathBuf,
     },
     /// Two reference solutions differ.
@@ -244,16 +253,16 @@ pub enum Error {
     #[error("cannot draw the figure: {0}")]
     Figure(String),
     /// A run was stopped.
-    #[error("interrupted{}", .checkpoint.as_deref().map_or_else(String::new, resumption))]
+    #[error("interrupted{}", .resume.as_deref().map_or_else(String::new, resumption))]
     Interrupted {
-        /// What it can go on from, if there is something.
-        checkpoint: Option<PathBuf>,
+        /// The argument by which it goes on, if it can.
+        resume: Option<String>,
     },
     /// A run failed for want of something outside it, and can go on.
-    #[error("{source}{}", resumption(checkpoint))]
+    #[error("{source}{}", resumption(resume))]
     Resumable {
-        /// From here.
-        checkpoint: PathBuf,
+        /// The argument by which it does.
+        resume: String,
         /// Why it failed.
         source: Box<Error>,
     },
@@ -298,8 +307,8 @@ impl Error {
     }
 }
 
-fn resumption(checkpoint: &Path) -> String {
-    format!("; go on by the same command with --resume {}", checkpoint.display())
+fn resumption(argument: &str) -> String {
+    format!("; go on by the same command with {argument}")
 }
 
 fn scheme_names(formulation: Formulation) -> String {

@@ -140,8 +140,20 @@ impl Output {
         self.write(Write::flush)
     }
 
-    fn failed(&self, source: io::Error) -> Error {
+    /// That it cannot be written.
+    pub(crate) fn failed(&self, source: io::Error) -> Error {
         Error::Write { path: self.path.clone(), source }
+    }
+}
+
+/// For what writes by itself; errors do not name the file.
+impl Write for Output {
+    fn write(&mut self, bytes: &[u8]) -> io::Result<usize> {
+        self.writer.write(bytes)
+    }
+
+    fn flush(&mut self) -> io::Result<()> {
+        self.writer.flush()
     }
 }
 

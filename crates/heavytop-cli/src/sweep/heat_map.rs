@@ -44,21 +44,32 @@ const SMALLEST: f64 = 1e-16;
 /// So many of the values, at either end, may lie outside the colours.
 const OUTLIERS: f64 = 0.005;
 
-/// The values over the plane of the two axes; none if the sweep is not a grid with two axes.
+/// Of more tops no map is drawn: it would have more pixels than a screen, and take gigabytes.
+const MOST_TOPS: u64 = 1 << 24;
+
+/// The number of columns and rows of a sweep's maps; none unless it is a grid with two axes.
+pub(super) fn size(plan: &Plan) -> Option<[u32; 2]> {
+    let [first, second] = plan.axes.as_slice() else { return None };
+    match (first.spread, second.spread) {
+        (Spread::Grid { count: columns, .. }, Spread::Grid { count: rows, .. })
+            if plan.tops <= MOST_TOPS =>
+        {
+            Some([columns, rows])
+        }
+        _ => None,
+    }
+}
+
+/// The values over the plane of the two axes, of a sweep that has maps of this size.
 ///
 /// # Errors
-/// If there are too many tops for a picture.
+/// If it cannot be drawn.
 pub(super) fn heat_map(
     plan: &Plan,
+    [columns, rows]: [u32; 2],
     column: &Column,
     values: &[Option<f64>],
-) -> Result<Option<String>, Error> {
-    let [first, second] = plan.axes.as_slice() else { return Ok(None) };
-    let (Spread::Grid { count: columns, .. }, Spread::Grid { count: rows, .. }) =
-        (first.spread, second.spread)
-    else {
-        return Ok(None);
-    };
+) -> Result<String, Error> {
     let scaled =
         |value: f64| if column.is_logarithmic { value.max(SMALLEST).log10() } else { value };
     let scaled: Vec<Option<f64>> = values.iter().map(|value| value.map(scaled)).collect();
@@ -80,9 +91,9 @@ pub(super) fn heat_map(
     );
     image(&mut svg, (LEFT, RIGHT), &pixels(columns, rows, &cells, range)?);
     image(&mut svg, BAR, &pixels(1, 256, &bar, range)?);
-    frame(&mut svg, &Marks::of(first), &Marks::of(second));
+    frame(&mut svg, &plan.axes);
     legend(&mut svg, column, range);
-    Ok(Some(svg + "</svg>"))
+    Ok(svg + "</svg>")
 }
 
 /// The range of the colours: all values but outliers.
@@ -167,7 +178,9 @@ impl Marks {
     }
 }
 
-fn frame(svg: &mut String, first: &Marks, second: &Marks) {
+fn frame(svg: &mut String, axes: &[SweepAxis]) {
+    let marks: Vec<Marks> = axes.iter().map(Marks::of).collect();
+    let [first, second] = marks.as_slice() else { return };
     let (width, height) = (RIGHT - LEFT, BOTTOM - TOP);
     let mut ticks = String::new();
     svg.push_str("<g text-anchor=\"middle\">");

@@ -3,7 +3,6 @@
 use super::observable::Observable;
 use super::parameter::{Parameter, Part};
 use serde::{Deserialize, Serialize};
-use std::path::PathBuf;
 use thiserror::Error;
 
 /// `[sweep]`
@@ -169,22 +168,5 @@ pub enum SweepError {
         tops: f64,
         /// The most that there may be.
         most: f64,
-    },
-    /// There are tiles of an unfinished sweep.
-    #[error(
-        "{} has the finished tiles of an interrupted sweep: go on with --resume, or delete it",
-        folder.display()
-    )]
-    Unfinished {
-        /// Where.
-        folder: PathBuf,
-    },
-    /// The tiles are of another sweep.
-    #[error(
-        "cannot go on from {}: its tiles are of another configuration or version", folder.display()
-    )]
-    Foreign {
-        /// Where.
-        folder: PathBuf,
     },
 }
