@@ -194,9 +194,11 @@ pub fn main() -> ExitCode {
             .config()
             .and_then(|config| sweep(&config, &out, &in_tiles(resume, quiet)))
             .and_then(|done| done.map_or(Ok(()), |done| print(&done, json))),
-        Command::Animate { top, out } => {
-            top.config().and_then(|config| animate(config, &out, quiet))
-        }
+        Command::Animate { top, out } => top
+            .config()
+            .and_then(|config| animate(config, &out, quiet))
+            // The page says the same.
+            .and_then(|summary| if json { print(&summary, json) } else { Ok(()) }),
         Command::Bench { top, problem, only, tops, threads } => top
             .config()
             .and_then(|config| {

@@ -214,6 +214,7 @@ pub(crate) const ANIMATE_EXAMPLES: &str = "\
 Examples:
   heavytop animate --out kovalevskaya.html        # the paper's top
   heavytop animate top.toml --out top.html
+  heavytop animate --preset lagrange --out lagrange.html --json   # a summary on stdout
 Open the page in a browser; top.html#t=12.5 shows the moment t = 12.5 s.";
 
 pub(crate) const COMPLETIONS_EXAMPLES: &str = "\
