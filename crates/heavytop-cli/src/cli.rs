@@ -135,10 +135,10 @@ enum Command {
         #[arg(long, value_name = "PART")]
         only: Option<String>,
         /// The number of tops in the ensemble.
-        #[arg(long, value_name = "COUNT", default_value_t = 10_000)]
+        #[arg(long, value_name = "COUNT", default_value_t = 10_000, allow_negative_numbers = true)]
         tops: u64,
         /// The number of threads for the ensemble.
-        #[arg(long, value_name = "COUNT", default_value_t = 1)]
+        #[arg(long, value_name = "COUNT", default_value_t = 1, allow_negative_numbers = true)]
         threads: usize,
     },
     /// Print the completions of a shell, to be put where it looks for them.

@@ -89,7 +89,7 @@ pub enum Error {
         source: SchemeError,
     },
     /// A number is out of its range.
-    #[error("{name} must be {range}, got {value}")]
+    #[error("{name} must be {range}, got {}", number(*value))]
     OutOfRange {
         /// The number.
         name: &'static str,
@@ -100,7 +100,8 @@ pub enum Error {
     },
     /// The body turns too far in one step for any method to mean anything.
     #[error(
-        "a step of {step} s turns the body by about {angle:.3e} rad; it must be at most {most}"
+        "a step of {} s turns the body by about {angle:.3e} rad; it must be at most {most}",
+        number(*step)
     )]
     AbsurdStep {
         /// The step, s.
@@ -122,8 +123,8 @@ pub enum Error {
     },
     /// The end is not a whole number of steps.
     #[error(
-        "end = {end} is not a whole number of steps of {step}; the nearest ends are {before} and \
-         {after}"
+        "end = {} is not a whole number of steps of {}; the nearest ends are {} and {}",
+        number(*end), number(*step), number(*before), number(*after)
     )]
     BrokenStep {
         /// The end asked for.
@@ -180,6 +181,14 @@ pub enum Error {
         name: String,
         /// The step, the time and the reason.
         source: IntegrationError,
+    },
+    /// No integrator has this in its name.
+    #[error("no integrator has `{only}` in its name; there are {}", names.join(", "))]
+    NoContestant {
+        /// What was asked for.
+        only: String,
+        /// Their names.
+        names: Vec<String>,
     },
     /// The system refuses so many threads.
     #[error("cannot start {threads} thread(s): {source}")]
@@ -309,6 +318,11 @@ impl Error {
 
 fn resumption(argument: &str) -> String {
     format!("; go on by the same command with {argument}")
+}
+
+/// The number, without hundreds of digits.
+fn number(x: f64) -> String {
+    if x == 0.0 || (1e-6..1e16).contains(&x.abs()) { x.to_string() } else { format!("{x:e}") }
 }
 
 fn scheme_names(formulation: Formulation) -> String {

@@ -50,6 +50,14 @@ impl Place {
     }
 }
 
+/// Checks that no folder is where these files shall be, before there is any work.
+///
+/// # Errors
+/// If one is.
+pub(crate) fn require_no_folders(out: &Path, names: &[&str]) -> Result<(), Error> {
+    names.iter().try_for_each(|name| Place::of(&out.join(name)).map(|_| ()))
+}
+
 /// A file that is written as `NAME.partial` beside its place and then renamed.
 ///
 /// Unless it is completed or concluded, the partial file is removed. A place that is no regular file,

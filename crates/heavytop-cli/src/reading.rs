@@ -117,9 +117,17 @@ fn located(path: &Path, text: &str, error: &toml::de::Error) -> Error {
     }
 }
 
+/// What Rust calls a number, and what everybody does.
+const TYPES: [(&str, &str); 3] = [
+    ("expected f64", "expected a number"),
+    ("expected u32", "expected a whole number from 0 to 4294967295"),
+    ("expected u64", "expected a whole number from 0 to 9223372036854775807"),
+];
+
 /// In our words, on one line, and with a suggestion for a misspelt key.
 fn message(original: &str) -> String {
-    let line = original.replace('\n', "; ");
+    let line = original.replace('\n', "; ").replace(" as i128", "");
+    let line = TYPES.iter().fold(line, |line, (rust, plain)| line.replace(rust, plain));
     let Some(unknown) = line.strip_prefix("unknown field") else { return line };
     let mut quoted = unknown.split('`').skip(1).step_by(2);
     let suggested = quoted.next().map_or_else(String::new, |typed| suggestion(typed, quoted));

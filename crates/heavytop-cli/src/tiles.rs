@@ -7,7 +7,7 @@ use crate::sealed::{CheckpointError, damaged, of_this_version, open, seal};
 use serde::{Deserialize, Serialize};
 use std::fs;
 use std::io;
-use std::path::{Path, PathBuf};
+use std::path::PathBuf;
 use std::sync::atomic::{AtomicBool, Ordering};
 
 /// The first word of the file that says of which run the tiles are.
@@ -84,7 +84,11 @@ impl Tiles {
             Ok(found) => {
                 self.require(&found).map_err(|source| Error::Checkpoint { path: folder(), source })
             }
-            Err(error) if error.kind() == io::ErrorKind::NotFound => {
+            // That a file is where a folder should be is found when the folder is made.
+            Err(error)
+                if [io::ErrorKind::NotFound, io::ErrorKind::NotADirectory]
+                    .contains(&error.kind()) =>
+            {
                 let refused = |source| Error::Create { path: folder(), source };
                 fs::create_dir_all(&self.folder).map_err(refused)?;
                 Output::whole(&path, self.identity.as_bytes()).inspect_err(|_| {
@@ -174,12 +178,4 @@ pub(crate) fn resumable(failure: Error) -> Error {
         }
         other => other,
     }
-}
-
-/// Checks that no folder is where these files shall be, before there is any work.
-///
-/// # Errors
-/// If one is.
-pub(crate) fn require_no_folders(out: &Path, names: &[&str]) -> Result<(), Error> {
-    names.iter().try_for_each(|name| crate::output::Place::of(&out.join(name)).map(|_| ()))
 }

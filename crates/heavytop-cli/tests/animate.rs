@@ -184,3 +184,18 @@ fn of_a_run_that_fails_a_page_of_its_beginning_is_kept() {
     let (_, frames) = motion(&folder.read("a.html.partial"));
     assert!(!frames.is_empty() && frames.len() < 20);
 }
+
+#[test]
+#[cfg(unix)]
+fn no_half_page_is_kept_where_there_is_no_room() {
+    let folder = Folder::new();
+    // Files of at most 40 or 20 KB: shells count in blocks of 1024 or of 512 bytes.
+    let heavytop = env!("CARGO_BIN_EXE_heavytop");
+    let script = format!("trap '' XFSZ; ulimit -f 40; exec {heavytop} animate --out a.html");
+    let mut command = std::process::Command::new("sh");
+    let done = command.args(["-c", &script]).current_dir(folder.path(".")).output().unwrap();
+    let said = String::from_utf8(done.stderr).unwrap();
+    assert_eq!(done.status.code(), Some(1), "{said}");
+    assert!(said.starts_with("heavytop: cannot write a.html: File too large"), "{said}");
+    assert!(folder.names().is_empty(), "{:?}", folder.names());
+}

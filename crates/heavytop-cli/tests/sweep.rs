@@ -223,9 +223,15 @@ fn wrong_requests_are_refused_and_nothing_is_written() {
             "unknown parameter `body.weight`",
         ),
         (axes("{ parameter = 'body.mass', from = 1, to = 2 }"), "needs either from, to and count"),
-        (axes("{ parameter = 'body.mass', from = 1, to = nan, count = 3 }"), "finite numbers"),
-        (axes("{ parameter = 'body.mass', from = 1, to = 2, count = 0 }"), "a count of at least 1"),
-        (axes("{ parameter = 'body.mass', normal = [1, -2] }"), "not negative"),
+        (
+            axes("{ parameter = 'body.mass', from = 1, to = nan, count = 3 }"),
+            "finite numbers, got NaN",
+        ),
+        (
+            axes("{ parameter = 'body.mass', from = 1, to = 2, count = 0 }"),
+            "a count of at least 1, got 0",
+        ),
+        (axes("{ parameter = 'body.mass', normal = [1, -2] }"), "not negative, got -2"),
         (axes("{ parameter = 'body.mass', uniform = [1, 2] }"), "count is needed"),
         (axes(&format!("{{ {axis}, normalise = true }}")), "no normalise"),
         (axes(&format!("{{ {axis} }}, {{ {axis} }}")), "set the same thing"),

@@ -227,3 +227,21 @@ fn a_damaged_identity_is_refused() {
         }
     }
 }
+
+#[test]
+fn a_file_where_the_folder_should_be_is_refused() {
+    for case in [SECTION, SWEEP] {
+        let folder = Folder::new();
+        folder.write("taken", "");
+        for out in ["taken", "taken/below"] {
+            let run = folder.heavytop(&[case.command, "--out", out]);
+            assert_eq!(run.code(), 2, "{}", run.stderr());
+            let message = format!("cannot create {out}/{}.partial: ", case.command);
+            assert!(run.stderr().contains(&message), "{}", run.stderr());
+            assert_eq!(
+                (folder.names(), folder.read("taken")),
+                (vec!["taken".into()], String::new())
+            );
+        }
+    }
+}

@@ -55,8 +55,11 @@ pub fn animate(mut config: Config, out: &Path, quiet: bool) -> Result<Summary, E
         true => Ok(()),
         false => output.write(|to| animation.write(to)),
     };
-    // Why a run failed comes before what could not be written of it.
-    output.conclude(outcome.and(written))?;
+    if let Err(unwritten) = written {
+        // Half a page is of no use. Why a run failed comes before what could not be written of it.
+        return Err(outcome.err().unwrap_or(unwritten));
+    }
+    output.conclude(outcome)?;
     let turn = animation.largest_turn();
     if turn > MOST_TURN {
         let _ = writeln!(

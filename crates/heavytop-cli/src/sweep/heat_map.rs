@@ -41,6 +41,9 @@ const NONE: [f64; 3] = [190.0; 3];
 /// The logarithms of smaller numbers are of no interest.
 const SMALLEST: f64 = 1e-16;
 
+/// Fewer ticks do not tell a scale.
+const FEW: usize = 3;
+
 /// So many of the values, at either end, may lie outside the colours.
 const OUTLIERS: f64 = 0.005;
 
@@ -226,7 +229,7 @@ fn legend(svg: &mut String, column: &Column, range: [f64; 2]) {
 }
 
 /// The ticks of the bar, from 0 to 1. Of logarithms they are 1, 2 and 5 times powers of ten, or
-/// powers of ten alone if that would be many.
+/// powers of ten alone if that would be many, or as round as can be if that would be few.
 fn marks(column: &Column, [least, most]: [f64; 2]) -> Vec<(f64, String)> {
     if !column.is_logarithmic {
         let axis = Axis::new(least, most, 6);
@@ -247,5 +250,32 @@ fn marks(column: &Column, [least, most]: [f64; 2]) -> Vec<(f64, String)> {
         };
         (0.0..=1.0).contains(&along).then_some((along, label))
     };
-    ticks.filter_map(along).collect()
+    let ticks: Vec<(f64, String)> = ticks.filter_map(along).collect();
+    if ticks.len() >= FEW {
+        return ticks;
+    }
+    let axis = Axis::new(10_f64.powf(least), 10_f64.powf(most), 4);
+    let along = |value: f64| (value.log10() - least) / (most - least);
+    axis.labels().map(|(value, label)| (along(value), label)).collect()
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::sweep::Observable;
+
+    #[test]
+    fn a_bar_of_logarithms_has_ticks_enough_and_in_order() {
+        let [megno] = Observable::Megno.columns() else { return };
+        let labels = |least: f64, most: f64| -> Vec<String> {
+            let marks = marks(megno, [least.log10(), most.log10()]);
+            assert!(marks.is_sorted_by(|a, b| a.0 < b.0), "{marks:?}");
+            assert!(marks.iter().all(|(along, _)| (0.0..=1.0).contains(along)), "{marks:?}");
+            marks.into_iter().map(|(_, label)| label).collect()
+        };
+        // Between 1 and 5 there is only 2 among 1, 2 and 5 times powers of ten.
+        assert_eq!(labels(1.45, 2.35), ["1.6", "1.8", "2.0", "2.2"]);
+        assert_eq!(labels(0.9, 11.0), ["1", "2", "5", "10"]);
+        assert_eq!(labels(1e-3, 50.0), ["1e−3", "0.01", "0.1", "1", "10"]);
+    }
 }

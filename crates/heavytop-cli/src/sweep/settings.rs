@@ -80,27 +80,31 @@ impl AxisConfig {
     /// Unless it has the keys of one kind, with finite numbers.
     pub(super) fn axis(&self) -> Result<Axis, SweepError> {
         let Self { parameter, from, to, count, uniform, normal, normalise } = *self;
-        let wrong = |needs| SweepError::Axis { parameter: parameter.name(), needs };
+        let wrong = |needs: String| SweepError::Axis { parameter: parameter.name(), needs };
         let spread = match (from, to, count, uniform, normal) {
             (Some(from), Some(to), Some(count), None, None) => Spread::Grid { from, to, count },
             (None, None, None, Some([from, to]), None) => Spread::Uniform { from, to },
             (None, None, None, None, Some([mean, deviation])) => Spread::Normal { mean, deviation },
-            _ => return Err(wrong("either from, to and count, or uniform, or normal")),
+            _ => return Err(wrong("either from, to and count, or uniform, or normal".into())),
         };
         let numbers = [from, to].into_iter().flatten();
-        let numbers = numbers.chain(uniform.into_iter().chain(normal).flatten());
-        if !numbers.into_iter().all(f64::is_finite) {
-            return Err(wrong("finite numbers"));
+        let mut numbers = numbers.chain(uniform.into_iter().chain(normal).flatten());
+        if let Some(value) = numbers.find(|value| !value.is_finite()) {
+            return Err(wrong(format!("finite numbers, got {value}")));
         }
         match spread {
-            Spread::Grid { count: 0, .. } => return Err(wrong("a count of at least 1")),
+            Spread::Grid { count: 0, .. } => {
+                return Err(wrong("a count of at least 1, got 0".into()));
+            }
             Spread::Normal { deviation, .. } if deviation < 0.0 => {
-                return Err(wrong("a standard deviation that is not negative"));
+                return Err(wrong(format!(
+                    "a standard deviation that is not negative, got {deviation}"
+                )));
             }
             _ => {}
         }
         if normalise && !parameter.is_component() {
-            return Err(wrong("no normalise: it is not a component of a unit vector"));
+            return Err(wrong("no normalise: it is not a component of a unit vector".into()));
         }
         Ok(Axis { parameter, spread, normalise })
     }
@@ -144,8 +148,8 @@ pub enum SweepError {
     Axis {
         /// Its parameter.
         parameter: &'static str,
-        /// What it needs.
-        needs: &'static str,
+        /// What it needs, and has.
+        needs: String,
     },
     /// Two axes set the same number.
     #[error("the axes {first} and {second} set the same thing")]
