@@ -24,7 +24,7 @@ use std::io::{self, Write};
 use std::path::{Path, PathBuf};
 use std::process::ExitCode;
 use std::sync::atomic::{AtomicBool, Ordering};
-use std::time::Duration;
+use std::time::{Duration, Instant};
 
 /// Simulates heavy tops with collective Lie–Poisson integrators.
 ///
@@ -272,14 +272,20 @@ fn in_tiles(resume: bool, quiet: bool) -> InTiles<'static> {
     InTiles { resume, stop: Some(interrupted()), quiet }
 }
 
-/// What Ctrl-C, and the signals that ask a program to end, make true. A second one ends it at once.
+/// Signals that come together are one: launchers send them to a process and to its group.
+const TOGETHER: Duration = Duration::from_millis(500);
+
+/// What Ctrl-C, and the signals that ask a program to end, make true. A second one, later, ends it at
+/// once.
 fn interrupted() -> &'static AtomicBool {
     static INTERRUPTED: AtomicBool = AtomicBool::new(false);
+    let mut first: Option<Instant> = None;
     // Where there is no handler such a signal ends the program, as ever.
-    let _ = ctrlc::set_handler(|| {
-        if INTERRUPTED.swap(true, Ordering::Relaxed) {
+    let _ = ctrlc::set_handler(move || {
+        if first.get_or_insert_with(Instant::now).elapsed() > TOGETHER {
             std::process::exit(130);
         }
+        INTERRUPTED.store(true, Ordering::Relaxed);
     });
     &INTERRUPTED
 }

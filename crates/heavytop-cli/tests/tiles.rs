@@ -125,7 +125,8 @@ fn ctrl_c_ends_a_run_whose_tiles_stay_also_twice() {
             let child = case.start(&folder, arguments, 0);
             let id = child.id().to_string();
             // Of a run that is over nobody is left to be told.
-            let _ = Command::new("kill").args(["-INT", &id]).status().unwrap();
+            // Twice, as by a launcher that tells the process and its group, is once.
+            let _ = Command::new("kill").args(["-INT", &id, &id]).status().unwrap();
             let done = child.wait_with_output().unwrap();
             let said = String::from_utf8(done.stderr).unwrap();
             if done.status.code() == Some(0) {
