@@ -15,6 +15,7 @@ use crate::reproduce::reproduce;
 use crate::section::section;
 use crate::simulate::{Checkpoint, Options, Summary, simulate};
 use crate::sweep::sweep;
+use crate::tiles::Options as InTiles;
 use clap::{Args, CommandFactory, Parser, Subcommand};
 use clap_complete::Shell;
 use serde::Serialize;
@@ -23,7 +24,7 @@ use std::io::{self, Write};
 use std::path::{Path, PathBuf};
 use std::process::ExitCode;
 use std::sync::atomic::{AtomicBool, Ordering};
-use std::time::Duration;
+use std::time::{Duration, Instant};
 
 /// Simulates heavy tops with collective Lie–Poisson integrators.
 ///
@@ -97,6 +98,9 @@ enum Command {
         /// The folder for the figure and the table; made if it is not there.
         #[arg(long, value_name = "DIR")]
         out: PathBuf,
+        /// Go on from the finished starts that an interrupted section has left in the folder.
+        #[arg(long)]
+        resume: bool,
     },
     /// Follow many tops at once, and map what becomes of them.
     #[command(long_about = SWEEP, after_long_help = SWEEP_EXAMPLES)]
@@ -131,10 +135,10 @@ enum Command {
         #[arg(long, value_name = "PART")]
         only: Option<String>,
         /// The number of tops in the ensemble.
-        #[arg(long, value_name = "COUNT", default_value_t = 10_000)]
+        #[arg(long, value_name = "COUNT", default_value_t = 10_000, allow_negative_numbers = true)]
         tops: u64,
         /// The number of threads for the ensemble.
-        #[arg(long, value_name = "COUNT", default_value_t = 1)]
+        #[arg(long, value_name = "COUNT", default_value_t = 1, allow_negative_numbers = true)]
         threads: usize,
     },
     /// Print the completions of a shell, to be put where it looks for them.
@@ -182,17 +186,19 @@ pub fn main() -> ExitCode {
             .config()
             .and_then(|config| compare(&config, &out, quiet))
             .and_then(|done| print(&done, json)),
-        Command::Section { top, out } => top
+        Command::Section { top, out, resume } => top
             .config()
-            .and_then(|config| section(&config, &out, quiet))
+            .and_then(|config| section(&config, &out, &in_tiles(resume, quiet)))
             .and_then(|done| print(&done, json)),
         Command::Sweep { top, out, resume } => top
             .config()
-            .and_then(|config| sweep(&config, &out, resume, quiet))
+            .and_then(|config| sweep(&config, &out, &in_tiles(resume, quiet)))
             .and_then(|done| done.map_or(Ok(()), |done| print(&done, json))),
-        Command::Animate { top, out } => {
-            top.config().and_then(|config| animate(config, &out, quiet))
-        }
+        Command::Animate { top, out } => top
+            .config()
+            .and_then(|config| animate(config, &out, quiet))
+            // The page says the same.
+            .and_then(|summary| if json { print(&summary, json) } else { Ok(()) }),
         Command::Bench { top, problem, only, tops, threads } => top
             .config()
             .and_then(|config| {
@@ -261,14 +267,25 @@ fn run_simulate(
     simulate(&config, out, &Options { resume: resume.as_ref(), interval, stop, quiet })
 }
 
-/// What Ctrl-C, and the signals that ask a program to end, make true. A second one ends it at once.
+/// How a command is accompanied whose finished parts are kept.
+fn in_tiles(resume: bool, quiet: bool) -> InTiles<'static> {
+    InTiles { resume, stop: Some(interrupted()), quiet }
+}
+
+/// Signals that come together are one: launchers send them to a process and to its group.
+const TOGETHER: Duration = Duration::from_millis(500);
+
+/// What Ctrl-C, and the signals that ask a program to end, make true. A second one, later, ends it at
+/// once.
 fn interrupted() -> &'static AtomicBool {
     static INTERRUPTED: AtomicBool = AtomicBool::new(false);
+    let mut first: Option<Instant> = None;
     // Where there is no handler such a signal ends the program, as ever.
-    let _ = ctrlc::set_handler(|| {
-        if INTERRUPTED.swap(true, Ordering::Relaxed) {
+    let _ = ctrlc::set_handler(move || {
+        if first.get_or_insert_with(Instant::now).elapsed() > TOGETHER {
             std::process::exit(130);
         }
+        INTERRUPTED.store(true, Ordering::Relaxed);
     });
     &INTERRUPTED
 }

@@ -24,9 +24,8 @@ pub struct Config {
     pub integrator: Option<IntegratorConfig>,
     /// `[output]`
     pub output: OutputConfig,
-    /// `[section]`; not written, for it plays no part in what says its configuration.
-    #[serde(skip_serializing)]
-    pub section: SectionConfig,
+    /// `[section]`; without it that of the energy and vertical momentum of `[initial]`.
+    pub section: Option<SectionConfig>,
     /// `[sweep]`; without it a small sweep over angular momenta.
     pub sweep: Option<SweepConfig>,
 }

@@ -1,13 +1,13 @@
 //! What can go wrong, and the exit codes.
 
 use crate::method::{Formulation, Scheme};
-use crate::simulate::CheckpointError;
+use crate::sealed::CheckpointError;
 use crate::sweep::SweepError;
 use collective_integrators::{EventError, IntegrationError, SchemeError, VariationalError};
 use heavytop::{SectionError, TopError};
 use momentum_map::LiftError;
 use std::io;
-use std::path::{Path, PathBuf};
+use std::path::PathBuf;
 use thiserror::Error;
 
 /// Why a command did not do what it was asked.
@@ -89,7 +89,7 @@ pub enum Error {
         source: SchemeError,
     },
     /// A number is out of its range.
-    #[error("{name} must be {range}, got {value}")]
+    #[error("{name} must be {range}, got {}", number(*value))]
     OutOfRange {
         /// The number.
         name: &'static str,
@@ -100,7 +100,8 @@ pub enum Error {
     },
     /// The body turns too far in one step for any method to mean anything.
     #[error(
-        "a step of {step} s turns the body by about {angle:.3e} rad; it must be at most {most}"
+        "a step of {} s turns the body by about {angle:.3e} rad; it must be at most {most}",
+        number(*step)
     )]
     AbsurdStep {
         /// The step, s.
@@ -122,8 +123,8 @@ pub enum Error {
     },
     /// The end is not a whole number of steps.
     #[error(
-        "end = {end} is not a whole number of steps of {step}; the nearest ends are {before} and \
-         {after}"
+        "end = {} is not a whole number of steps of {}; the nearest ends are {} and {}",
+        number(*end), number(*step), number(*before), number(*after)
     )]
     BrokenStep {
         /// The end asked for.
@@ -181,6 +182,14 @@ pub enum Error {
         /// The step, the time and the reason.
         source: IntegrationError,
     },
+    /// No integrator has this in its name.
+    #[error("no integrator has `{only}` in its name; there are {}", names.join(", "))]
+    NoContestant {
+        /// What was asked for.
+        only: String,
+        /// Their names.
+        names: Vec<String>,
+    },
     /// The system refuses so many threads.
     #[error("cannot start {threads} thread(s): {source}")]
     Threads {
@@ -210,7 +219,16 @@ pub enum Error {
     /// Tangent vectors of a top in a sweep have no direction any more.
     #[error("{0}")]
     Tangent(#[source] VariationalError),
-    /// What a sweep has finished cannot be read.
+    /// There are tiles of an unfinished run.
+    #[error(
+        "{} has what an interrupted run has finished: go on with --resume, or delete it",
+        folder.display()
+    )]
+    Unfinished {
+        /// Where.
+        folder: PathBuf,
+    },
+    /// What an interrupted run has finished cannot be read.
     #[error("cannot read {}: {source}", path.display())]
     Tile {
         /// The file.
@@ -218,15 +236,15 @@ pub enum Error {
         /// Why.
         source: io::Error,
     },
-    /// A tile that another process should have finished is not there.
+    /// A tile that should have been finished is not there.
     #[error(
-        "tile {tile} is missing: {} must be on a file system that all processes see",
+        "tile {tile} is missing in {}, which must be on a file system that all processes see",
         folder.display()
     )]
     MissingTile {
         /// Its number.
         tile: u64,
-        /// The folder of the sweep.
+        /// The folder of the tiles.
         folder: PathBuf,
     },
     /// Two reference solutions differ.
@@ -244,16 +262,16 @@ pub enum Error {
     #[error("cannot draw the figure: {0}")]
     Figure(String),
     /// A run was stopped.
-    #[error("interrupted{}", .checkpoint.as_deref().map_or_else(String::new, resumption))]
+    #[error("interrupted{}", .resume.as_deref().map_or_else(String::new, resumption))]
     Interrupted {
-        /// What it can go on from, if there is something.
-        checkpoint: Option<PathBuf>,
+        /// The argument by which it goes on, if it can.
+        resume: Option<String>,
     },
     /// A run failed for want of something outside it, and can go on.
-    #[error("{source}{}", resumption(checkpoint))]
+    #[error("{source}{}", resumption(resume))]
     Resumable {
-        /// From here.
-        checkpoint: PathBuf,
+        /// The argument by which it does.
+        resume: String,
         /// Why it failed.
         source: Box<Error>,
     },
@@ -298,8 +316,13 @@ impl Error {
     }
 }
 
-fn resumption(checkpoint: &Path) -> String {
-    format!("; go on by the same command with --resume {}", checkpoint.display())
+fn resumption(argument: &str) -> String {
+    format!("; go on by the same command with {argument}")
+}
+
+/// The number, without hundreds of digits.
+fn number(x: f64) -> String {
+    if x == 0.0 || (1e-6..1e16).contains(&x.abs()) { x.to_string() } else { format!("{x:e}") }
 }
 
 fn scheme_names(formulation: Formulation) -> String {

@@ -7,7 +7,8 @@ Exit codes:
      what was computed until then is kept as FILE.partial, or, where there is a FILE.checkpoint or
      no room, as the run had it; the message says where
   2  the request is wrong; nothing was written
-  130  interrupted by Ctrl-C, or asked to end by SIGTERM; simulate goes on with --resume
+  130  interrupted by Ctrl-C, or asked to end by SIGTERM; simulate, section and sweep go on with
+     --resume
 
 Files appear under their name only when they are complete.";
 
@@ -161,7 +162,14 @@ not seen. Starts are followed in parallel; no bit depends on the number of threa
 
 Written into the folder:
   section.svg .png  the picture
-  section.csv       start,crossing,t,Pi1,...,Gamma3,x,y; crossing 0 is the start itself";
+  section.csv       start,crossing,t,Pi1,...,Gamma3,x,y; crossing 0 is the start itself
+  section.parquet   the same columns; version and configuration, with all that was left out, are in
+                    its key-value metadata
+
+What is finished, a start or some 256 points at a time, is kept in DIR/section.partial until all is.
+After an interruption, by Ctrl-C (which needs a moment; a second one ends at once), a kill or a full
+disk, --resume goes on from there, to the same bytes. It is refused with another configuration or
+version. No more points are held than those of the picture.";
 
 pub(crate) const SECTION_EXAMPLES: &str = "\
 Configuration: [body] and [initial] as of simulate, and
@@ -183,7 +191,8 @@ turns by more than 0.5 rad.
 Examples:
   heavytop section --out section                  # the paper's top
   heavytop section --preset euler --out section
-  heavytop section top.toml --out section --json";
+  heavytop section top.toml --out section --json
+  heavytop section top.toml --out section --resume   # after an interruption";
 
 pub(crate) const ANIMATE: &str = "\
 Show a top in motion, on a page for a browser.
@@ -205,6 +214,7 @@ pub(crate) const ANIMATE_EXAMPLES: &str = "\
 Examples:
   heavytop animate --out kovalevskaya.html        # the paper's top
   heavytop animate top.toml --out top.html
+  heavytop animate --preset lagrange --out lagrange.html --json   # a summary on stdout
 Open the page in a browser; top.html#t=12.5 shows the moment t = 12.5 s.";
 
 pub(crate) const COMPLETIONS_EXAMPLES: &str = "\
@@ -252,13 +262,15 @@ T*C², fibres included; use reduced.
 Written into the folder:
   sweep.parquet   a row for each top: index, the parameters by their paths, the observables, failure;
                   a top that could not be followed has nulls and the reason there, and harms no other
-  NAME.svg .png   for a grid with two axes, a map of each column: the first axis is the abscissa; the
-                  colours span all values but half a percent at either end; gray has no value
+  NAME.svg .png   for a grid with two axes and at most 4096 × 4096 tops, a map of each column: the
+                  first axis is the abscissa; the colours span all values but half a percent at
+                  either end; gray has no value
 
 Tops are followed in parallel (RAYON_NUM_THREADS threads); top number n depends on the configuration
 and n alone, so that no bit depends on the number of threads, processes or tops. What is finished is
-kept, 256 tops at a time, in DIR/sweep.partial until all is; after an interruption --resume goes on
-from there. It is refused with another configuration.
+kept, 256 tops at a time, in DIR/sweep.partial until all is; after an interruption, by Ctrl-C (a second
+one ends at once), a kill or a full disk, --resume goes on from there, to the same bytes. It is refused
+with another configuration or version. But for the maps memory does not grow with the number of tops.
 
 A program built with the feature mpi shares the work among the processes of an MPI job. DIR must be
 on a file system that all of them see. A process that fails says why and ends the job.";

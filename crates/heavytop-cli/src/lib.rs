@@ -18,6 +18,8 @@
 //! | rows of numbers | [`table`] |
 //! | ranges, ticks and tick labels | `axis` |
 //! | CSV, NumPy's npz, Parquet | [`formats`] |
+//! | what an interrupted run leaves, and whether it is whole | `sealed` |
+//! | finished parts of a run | [`tiles`] |
 //! | text to outlines, and SVG to PNG | `render` |
 //! | the progress bar | [`progress`] |
 //! | `heavytop simulate` | [`simulate`] |
@@ -46,6 +48,8 @@ pub mod output;
 pub mod table;
 mod axis;
 pub mod formats;
+mod sealed;
+pub mod tiles;
 mod render;
 pub mod progress;
 pub mod simulate;

@@ -50,6 +50,14 @@ impl Place {
     }
 }
 
+/// Checks that no folder is where these files shall be, before there is any work.
+///
+/// # Errors
+/// If one is.
+pub(crate) fn require_no_folders(out: &Path, names: &[&str]) -> Result<(), Error> {
+    names.iter().try_for_each(|name| Place::of(&out.join(name)).map(|_| ()))
+}
+
 /// A file that is written as `NAME.partial` beside its place and then renamed.
 ///
 /// Unless it is completed or concluded, the partial file is removed. A place that is no regular file,
@@ -140,8 +148,20 @@ impl Output {
         self.write(Write::flush)
     }
 
-    fn failed(&self, source: io::Error) -> Error {
+    /// That it cannot be written.
+    pub(crate) fn failed(&self, source: io::Error) -> Error {
         Error::Write { path: self.path.clone(), source }
+    }
+}
+
+/// For what writes by itself; errors do not name the file.
+impl Write for Output {
+    fn write(&mut self, bytes: &[u8]) -> io::Result<usize> {
+        self.writer.write(bytes)
+    }
+
+    fn flush(&mut self) -> io::Result<()> {
+        self.writer.flush()
     }
 }
 

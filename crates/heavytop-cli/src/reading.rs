@@ -4,6 +4,7 @@ use crate::Error;
 use crate::config::Config;
 use crate::preset::Preset;
 use crate::suggestion::suggestion;
+use std::collections::BTreeSet;
 use std::path::Path;
 use toml::{Table, Value};
 
@@ -44,7 +45,7 @@ impl Config {
         table.try_into().map_err(located)
     }
 
-    /// The configuration as TOML, but for `[section]`, which reads back as the same configuration.
+    /// The configuration as TOML, which reads back as the same configuration.
     ///
     /// # Errors
     /// If it has a number that TOML has not: an integer of more than 63 bits.
@@ -68,17 +69,28 @@ impl Config {
         let table = |config: &Self| Table::try_from(config).map_err(Error::Unwritable);
         let (here, there) = (table(self)?, table(other)?);
         let mut differences = Vec::new();
-        for (section, keys) in &here {
-            for (key, value) in keys.as_table().into_iter().flatten() {
-                let other = there.get(section).and_then(|keys| keys.get(key));
-                if other != Some(value) {
-                    let other = other.map_or_else(|| "nothing".into(), Value::to_string);
-                    differences.push(format!("[{section}] {key}: {value} against {other}"));
+        for section in union(&here, &there) {
+            let keys = |table: &Table| {
+                table.get(section).and_then(Value::as_table).cloned().unwrap_or_default()
+            };
+            let (here, there) = (keys(&here), keys(&there));
+            for key in union(&here, &there) {
+                let text = |table: &Table| {
+                    table.get(key).map_or_else(|| "nothing".into(), Value::to_string)
+                };
+                let (here, there) = (text(&here), text(&there));
+                if here != there {
+                    differences.push(format!("[{section}] {key}: {here} against {there}"));
                 }
             }
         }
         Ok(differences)
     }
+}
+
+/// The keys of both tables.
+fn union<'a>(one: &'a Table, other: &'a Table) -> BTreeSet<&'a String> {
+    one.keys().chain(other.keys()).collect()
 }
 
 /// Puts the keys of one table over those of another, in tables within tables as well.
@@ -105,9 +117,17 @@ fn located(path: &Path, text: &str, error: &toml::de::Error) -> Error {
     }
 }
 
+/// What Rust calls a number, and what everybody does.
+const TYPES: [(&str, &str); 3] = [
+    ("expected f64", "expected a number"),
+    ("expected u32", "expected a whole number from 0 to 4294967295"),
+    ("expected u64", "expected a whole number from 0 to 9223372036854775807"),
+];
+
 /// In our words, on one line, and with a suggestion for a misspelt key.
 fn message(original: &str) -> String {
-    let line = original.replace('\n', "; ");
+    let line = original.replace('\n', "; ").replace(" as i128", "");
+    let line = TYPES.iter().fold(line, |line, (rust, plain)| line.replace(rust, plain));
     let Some(unknown) = line.strip_prefix("unknown field") else { return line };
     let mut quoted = unknown.split('`').skip(1).step_by(2);
     let suggested = quoted.next().map_or_else(String::new, |typed| suggestion(typed, quoted));
@@ -118,6 +138,7 @@ fn message(original: &str) -> String {
 #[allow(clippy::unwrap_used)]
 mod tests {
     use super::*;
+    use crate::section::SectionConfig;
 
     #[test]
     fn a_configuration_reads_back_as_it_was_written() {
@@ -131,5 +152,11 @@ mod tests {
             Config::default().differences(&Preset::GoryachevChaplygin.config()).unwrap();
         assert_eq!(differences.len(), 3, "{differences:?}");
         assert_eq!(differences[0], "[body] inertia: [2.0, 2.0, 1.0] against [4.0, 4.0, 1.0]");
+        // What one of them has alone is a difference, either way.
+        let section = Some(SectionConfig { energy: Some(1.5), ..SectionConfig::default() });
+        let other = Config { section, ..Config::default() };
+        let energy = |differences: Vec<String>| differences.join("; ").contains("[section] energy");
+        assert!(energy(Config::default().differences(&other).unwrap()));
+        assert!(energy(other.differences(&Config::default()).unwrap()));
     }
 }

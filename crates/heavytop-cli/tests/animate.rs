@@ -113,6 +113,37 @@ fn many_steps_are_thinned_out_and_the_last_is_kept() {
 }
 
 #[test]
+fn the_summary_in_json_is_that_of_the_page() {
+    let folder = Folder::new();
+    folder.write("a.toml", "integrator = { end = 2.0, scheme = 'gauss-6' }\noutput.every = 7");
+    let run = folder.heavytop(&["animate", "a.toml", "--out", "a.html", "--json"]);
+    assert_eq!((run.code(), run.stderr()), (0, String::new()));
+    let summary: Value = serde_json::from_str(&run.stdout()).unwrap();
+    let (_, frames) = motion(&folder.read("a.html"));
+    for (key, value) in [
+        ("out", serde_json::json!("a.html")),
+        ("formulation", serde_json::json!("collective")),
+        ("scheme", serde_json::json!("gauss-6")),
+        ("step", serde_json::json!(0.02)),
+        ("steps", serde_json::json!(100)),
+        ("end", serde_json::json!(2.0)),
+        ("frames", serde_json::json!(frames.len())),
+        ("steps_per_frame", serde_json::json!(7)),
+    ] {
+        assert_eq!(summary[key], value, "{key}");
+    }
+    // 2 arccos|q₀·q₁|, as accurate as the square root of rounding
+    let q = |frame: &[f64]| nalgebra::Vector4::from_row_slice(&frame[7..11]);
+    let turns = frames.windows(2).map(|pair| 2.0 * q(&pair[0]).dot(&q(&pair[1])).abs().acos());
+    let largest = turns.fold(0.0, f64::max);
+    assert!((summary["largest_turn"].as_f64().unwrap() - largest).abs() < 1e-7, "{summary}");
+    assert!(largest > 0.1, "{largest}");
+    // Without --json there is nothing to say.
+    let silent = folder.heavytop(&["animate", "a.toml", "--out", "a.html"]);
+    assert_eq!((silent.code(), silent.stdout()), (0, String::new()));
+}
+
+#[test]
 fn frames_that_are_far_apart_are_warned_of() {
     let folder = Folder::new();
     folder.write("a.toml", "integrator.end = 10.0\noutput.every = 50");
@@ -152,4 +183,19 @@ fn of_a_run_that_fails_a_page_of_its_beginning_is_kept() {
     assert_eq!(folder.names(), ["a.html.partial", "a.toml"]);
     let (_, frames) = motion(&folder.read("a.html.partial"));
     assert!(!frames.is_empty() && frames.len() < 20);
+}
+
+#[test]
+#[cfg(unix)]
+fn no_half_page_is_kept_where_there_is_no_room() {
+    let folder = Folder::new();
+    // Files of at most 40 or 20 KB: shells count in blocks of 1024 or of 512 bytes.
+    let heavytop = env!("CARGO_BIN_EXE_heavytop");
+    let script = format!("trap '' XFSZ; ulimit -f 40; exec {heavytop} animate --out a.html");
+    let mut command = std::process::Command::new("sh");
+    let done = command.args(["-c", &script]).current_dir(folder.path(".")).output().unwrap();
+    let said = String::from_utf8(done.stderr).unwrap();
+    assert_eq!(done.status.code(), Some(1), "{said}");
+    assert!(said.starts_with("heavytop: cannot write a.html: File too large"), "{said}");
+    assert!(folder.names().is_empty(), "{:?}", folder.names());
 }

@@ -42,3 +42,27 @@ fn a_problem_in_a_file_has_its_own_references() {
         assert!(run.stderr().contains(why), "{}", run.stderr());
     }
 }
+
+#[test]
+fn wrong_requests_are_refused() {
+    let folder = Folder::new();
+    for (arguments, message) in [
+        (
+            &["--only", "Gaus-12", "--tops", "2"][..],
+            "no integrator has `Gaus-12` in its name; there are",
+        ),
+        (&["--only", "Gaus-12", "--tops", "2"], "heavytop collective Gauss-12, "),
+        (&["--tops", "1"], "tops must be at least 2 and at most 1e9, got 1"),
+        (
+            &["--tops", "1000000000001"],
+            "tops must be at least 2 and at most 1e9, got 1000000000001",
+        ),
+        (&["--tops", "-1"], "invalid value '-1' for '--tops <COUNT>'"),
+        (&["--threads", "0"], "threads must be at least 1 and at most 1024, got 0"),
+        (&["--threads", "1025"], "threads must be at least 1 and at most 1024, got 1025"),
+    ] {
+        let run = folder.heavytop(&[&["bench"], arguments].concat());
+        assert_eq!((run.code(), run.stdout()), (2, String::new()), "{arguments:?}");
+        assert!(run.stderr().contains(message), "{arguments:?}: {}", run.stderr());
+    }
+}

@@ -95,3 +95,16 @@ fn wrong_requests_are_refused() {
     }
     assert_eq!(folder.names(), ["file", "wrong.toml"]);
 }
+
+#[test]
+fn what_cannot_be_written_is_found_before_there_is_any_work() {
+    // The partial file of the table, and the pictures.
+    for name in ["work-precision.csv.partial", "work-precision.svg", "work-precision.png"] {
+        let folder = Folder::new();
+        std::fs::create_dir_all(folder.path(name)).unwrap();
+        let run = folder.heavytop(&["compare", "--out", "."]);
+        assert_eq!(run.code(), 2, "{}", run.stderr());
+        assert!(run.stderr().contains("cannot create ./work-precision."), "{}", run.stderr());
+        assert_eq!(folder.names(), [name]);
+    }
+}

@@ -12,6 +12,21 @@ use std::io::Read;
 const CONFIGURATION: &str =
     "[integrator]\nscheme = 'gauss-4'\nend = 4\n[output]\nevery = 3\nattitude = true\n";
 
+/// Those that have an attitude, each in its own way.
+const METHODS: [(&str, &str); 5] = [
+    ("collective", "gauss-4"),
+    ("collective", "kahan-li-6"),
+    ("reduced", "implicit-midpoint"),
+    ("reduced", "gauss-8"),
+    ("splitting", "strang"),
+];
+
+/// The configuration with another method.
+fn by(formulation: &str, scheme: &str) -> String {
+    let method = format!("formulation = '{formulation}'\nscheme = '{scheme}'");
+    CONFIGURATION.replace("scheme = 'gauss-4'", &method)
+}
+
 /// A folder with the same run in the three formats, and its table.
 fn written(configuration: &str) -> (Folder, Vec<String>, Vec<Vec<f64>>) {
     let folder = Folder::new();
@@ -44,8 +59,17 @@ fn arrays(folder: &Folder, name: &str) -> BTreeMap<String, (String, Vec<u8>)> {
 }
 
 #[test]
-fn npz_has_the_numbers_of_the_csv() {
-    let (folder, _, rows) = written(CONFIGURATION);
+fn npz_has_the_numbers_of_the_csv_by_every_kind_of_method() {
+    let attitudes: Vec<_> = METHODS.map(|(f, s)| npz_has_the_numbers_of(&by(f, s))).into();
+    // Control: another method, another attitude.
+    for (n, attitude) in attitudes.iter().enumerate() {
+        assert!(!attitudes[..n].contains(attitude), "{:?}", METHODS[n]);
+    }
+}
+
+/// The bytes of the attitude, which are compared with the others.
+fn npz_has_the_numbers_of(configuration: &str) -> Vec<u8> {
+    let (folder, _, rows) = written(configuration);
     let arrays = arrays(&folder, "a.npz");
     let n = rows.len();
     for (name, columns) in [
@@ -78,11 +102,19 @@ fn npz_has_the_numbers_of_the_csv() {
     let metadata: serde_json::Value = serde_json::from_str(&text).unwrap();
     assert_eq!(metadata["version"], env!("CARGO_PKG_VERSION"));
     again(&folder, metadata["configuration"].as_str().unwrap());
+    arrays["q"].1.clone()
 }
 
 #[test]
-fn parquet_has_the_numbers_of_the_csv() {
-    let (folder, header, rows) = written(CONFIGURATION);
+fn parquet_has_the_numbers_of_the_csv_by_every_kind_of_method() {
+    for (formulation, scheme) in METHODS {
+        parquet_has_the_numbers_of(&by(formulation, scheme));
+    }
+}
+
+fn parquet_has_the_numbers_of(configuration: &str) {
+    let (folder, header, rows) = written(configuration);
+    assert!(header.ends_with(&["qw", "qx", "qy", "qz"].map(String::from)));
     let reader = SerializedFileReader::new(File::open(folder.path("a.parquet")).unwrap()).unwrap();
     let about = reader.metadata().file_metadata();
     let names: Vec<&str> = about.schema_descr().columns().iter().map(|c| c.name()).collect();

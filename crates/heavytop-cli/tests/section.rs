@@ -5,6 +5,8 @@ mod program;
 use heavytop::{HeavyTop, Invariant};
 use lie_poisson::Se3Dual;
 use nalgebra::Vector3;
+use parquet::file::reader::{FileReader, SerializedFileReader};
+use parquet::record::RowAccessor;
 use program::{Folder, numbers};
 
 const SMALL: &str = "[section]\nenergy = 1.5\nvertical_momentum = 0.5\nstarts = 5\ncrossings = 20";
@@ -154,4 +156,53 @@ fn a_step_that_fails_ends_the_run_and_keeps_what_there_is() {
     }
     assert_eq!(folder.names(), ["a.toml", "section.csv.partial"]);
     assert!(!numbers(&folder.read("section.csv.partial")).1.is_empty());
+}
+
+#[test]
+fn parquet_has_the_numbers_of_the_csv_and_the_configuration_makes_them_again() {
+    let folder = Folder::new();
+    // Neither [integrator] nor the energy: what is left out is in the file nevertheless.
+    folder.write("a.toml", "section = { starts = 40, crossings = 4, direction = 'both' }");
+    assert_eq!(folder.heavytop(&["section", "a.toml", "--out", "a"]).code(), 0);
+    let (header, expected) = numbers(&folder.read("a/section.csv"));
+    let file = std::fs::File::open(folder.path("a/section.parquet")).unwrap();
+    let reader = SerializedFileReader::new(file).unwrap();
+    let about = reader.metadata().file_metadata();
+    let names: Vec<&str> = about.schema_descr().columns().iter().map(|c| c.name()).collect();
+    assert_eq!((names.join(","), about.num_rows()), (header.join(","), 200));
+    for (row, expected) in reader.get_row_iter(None).unwrap().zip(&expected) {
+        let row = row.unwrap();
+        let indices = [0, 1].map(|i| row.get_long(i).unwrap() as f64);
+        assert_eq!(indices[..], expected[..2]);
+        for (i, number) in expected.iter().enumerate().skip(2) {
+            assert_eq!(row.get_double(i).unwrap().to_bits(), number.to_bits());
+        }
+    }
+    let pairs = about.key_value_metadata().unwrap();
+    let value = |key: &str| pairs.iter().find(|p| p.key == key).unwrap().value.as_deref().unwrap();
+    assert_eq!(value("version"), env!("CARGO_PKG_VERSION"));
+    let configuration = value("configuration");
+    for part in
+        ["energy = 11.75\n", "direction = \"both\"\n", "scheme = \"gauss-8\"\n", "seed = 0\n"]
+    {
+        assert!(configuration.contains(part), "{configuration}");
+    }
+    folder.write("again.toml", configuration);
+    assert_eq!(folder.heavytop(&["section", "again.toml", "--out", "again"]).code(), 0);
+    for file in ["section.csv", "section.parquet", "section.svg", "section.png"] {
+        let read = |name: &str| std::fs::read(folder.path(name).join(file)).unwrap();
+        assert!(read("a") == read("again"), "{file}");
+    }
+}
+
+#[test]
+fn a_folder_in_the_way_is_refused_before_there_is_any_work() {
+    for name in ["section.csv", "section.parquet", "section.svg", "section.png"] {
+        let folder = Folder::new();
+        std::fs::create_dir_all(folder.path(name)).unwrap();
+        let run = folder.heavytop(&["section", "--out", "."]);
+        assert_eq!(run.code(), 2);
+        assert!(run.stderr().contains(&format!("cannot create ./{name}: ")), "{}", run.stderr());
+        assert_eq!(folder.names(), [name]);
+    }
 }

@@ -3,7 +3,7 @@
 
 mod program;
 use parquet::file::reader::{FileReader, SerializedFileReader};
-use parquet::record::{Field, Row};
+use parquet::record::{Field, Row, RowAccessor};
 use program::Folder;
 
 /// 24 × 25 tops: three tiles.
@@ -89,37 +89,6 @@ fn a_top_ends_where_simulate_ends() {
 }
 
 #[test]
-fn what_is_finished_survives_and_resuming_gives_the_same_bytes() {
-    let folder = Folder::new();
-    folder.write("a.toml", GRID);
-    folder.write("b.toml", &GRID.replace("end = 4.0", "end = 5.0"));
-    assert_eq!(folder.heavytop(&["sweep", "a.toml", "--out", "whole"]).code(), 0);
-    // Killed as soon as a tile is there; a machine may be so fast that it has finished by then.
-    let arguments = ["sweep", "a.toml", "--out", "cut"];
-    let mut run = folder.start(&arguments);
-    let tile = folder.path("cut/sweep.partial/0000000");
-    while !tile.exists() && run.try_wait().unwrap().is_none() {
-        std::thread::sleep(std::time::Duration::from_millis(1));
-    }
-    let _ = run.kill();
-    run.wait().unwrap();
-    if tile.exists() {
-        let refused = folder.heavytop(&arguments);
-        assert_eq!(refused.code(), 2);
-        assert!(refused.stderr().contains("go on with --resume"), "{}", refused.stderr());
-        let other = folder.heavytop(&["sweep", "b.toml", "--out", "cut", "--resume"]);
-        assert_eq!(other.code(), 2);
-        assert!(other.stderr().contains("another configuration"), "{}", other.stderr());
-        let finished = std::fs::metadata(&tile).unwrap().modified().unwrap();
-        let resumed = folder.heavytop(&["sweep", "a.toml", "--out", "cut", "--resume"]);
-        assert_eq!(resumed.code(), 0, "{}", resumed.stderr());
-        assert!(finished < std::time::SystemTime::now() && !tile.exists());
-    }
-    let bytes = |name: &str| std::fs::read(folder.path(name).join("sweep.parquet")).unwrap();
-    assert!(bytes("whole") == bytes("cut"));
-}
-
-#[test]
 fn tiles_that_are_there_are_used_and_torn_ones_made_again() {
     let folder = Folder::new();
     folder.write("a.toml", GRID);
@@ -132,13 +101,56 @@ fn tiles_that_are_there_are_used_and_torn_ones_made_again() {
     let tile = |n: u32| folder.path(&format!("cut/sweep.partial/000000{n}"));
     let second = std::fs::read_to_string(tile(1)).unwrap();
     std::fs::write(tile(1), &second[..second.len() / 2]).unwrap();
-    let first = std::fs::read_to_string(tile(0)).unwrap();
-    let (row, rest) = first.split_once('\n').unwrap();
-    std::fs::write(tile(0), format!("7.0{}\n{rest}", &row[row.find(',').unwrap()..])).unwrap();
+    // Another number, with the checksum that belongs to it, is taken; without it, it is not.
+    let changed = |n: u32| {
+        let text = std::fs::read_to_string(tile(n)).unwrap();
+        let (title, rows) = text.split_once('\n').unwrap();
+        let rows = format!("7.0{}", &rows[rows.find(',').unwrap()..]);
+        (title[..title.len() - 8].to_string(), title.to_string(), rows)
+    };
+    let (title, _, rows_0) = changed(0);
+    let checksum = crc32fast::hash(rows_0.as_bytes());
+    std::fs::write(tile(0), format!("{title}{checksum:08x}\n{rows_0}")).unwrap();
+    let (_, line, rows_2) = changed(2);
+    std::fs::write(tile(2), format!("{line}\n{rows_2}")).unwrap();
     assert_eq!(folder.heavytop(&["sweep", "a.toml", "--out", "cut", "--resume"]).code(), 0);
     let megno = |name: &str| column(&rows(&folder, &format!("{name}/sweep.parquet")), "megno");
     let (whole, cut) = (megno("whole"), megno("cut"));
     assert_eq!((cut[0], &cut[1..]), (Some(7.0), &whole[1..]));
+}
+
+/// One top more than a group of rows; a test of what is written, not of the tops.
+#[test]
+fn the_table_goes_by_groups_of_rows() {
+    let folder = Folder::new();
+    let text = |from: f64, count: u32| {
+        format!(
+            "sweep.observables = ['final-state']\nsweep.axes = [{{ parameter = \
+             'initial.angular_momentum[0]', from = {from}, to = 65536, count = {count} }}]\n\
+             [integrator]\nformulation = 'direct'\nscheme = 'explicit-midpoint'\n\
+             step = 1e-3\nend = 1e-3"
+        )
+    };
+    folder.write("a.toml", &text(0.0, 65_537));
+    let run = folder.heavytop(&["sweep", "a.toml", "--out", "."]);
+    assert_eq!((run.code(), run.stderr().as_str()), (0, ""));
+    let file = std::fs::File::open(folder.path("sweep.parquet")).unwrap();
+    let reader = SerializedFileReader::new(file).unwrap();
+    let groups = reader.metadata().row_groups();
+    let counts: Vec<i64> = groups.iter().map(|group| group.num_rows()).collect();
+    assert_eq!(counts, [1 << 16, 1]);
+    // The last top, alone in its group, is that of a sweep in which it is alone.
+    folder.write("b.toml", &text(65_536.0, 1));
+    assert_eq!(folder.heavytop(&["sweep", "b.toml", "--out", "b"]).code(), 0);
+    let alone = &rows(&folder, "b/sweep.parquet")[0];
+    let last = reader.get_row_group(1).unwrap().get_row_iter(None).unwrap().next().unwrap();
+    let last = last.unwrap();
+    assert_eq!((last.get_long(0).unwrap(), alone.get_long(0).unwrap()), (65_536, 0));
+    let values = |row: &Row| (1..8).map(|i| row.get_double(i).unwrap()).collect::<Vec<_>>();
+    assert_eq!(values(&last), values(alone));
+    // Control: the first top has other values.
+    let first = reader.get_row_group(0).unwrap().get_row_iter(None).unwrap().next().unwrap();
+    assert_ne!(values(&first.unwrap()), values(alone));
 }
 
 #[test]
@@ -211,9 +223,15 @@ fn wrong_requests_are_refused_and_nothing_is_written() {
             "unknown parameter `body.weight`",
         ),
         (axes("{ parameter = 'body.mass', from = 1, to = 2 }"), "needs either from, to and count"),
-        (axes("{ parameter = 'body.mass', from = 1, to = nan, count = 3 }"), "finite numbers"),
-        (axes("{ parameter = 'body.mass', from = 1, to = 2, count = 0 }"), "a count of at least 1"),
-        (axes("{ parameter = 'body.mass', normal = [1, -2] }"), "not negative"),
+        (
+            axes("{ parameter = 'body.mass', from = 1, to = nan, count = 3 }"),
+            "finite numbers, got NaN",
+        ),
+        (
+            axes("{ parameter = 'body.mass', from = 1, to = 2, count = 0 }"),
+            "a count of at least 1, got 0",
+        ),
+        (axes("{ parameter = 'body.mass', normal = [1, -2] }"), "not negative, got -2"),
         (axes("{ parameter = 'body.mass', uniform = [1, 2] }"), "count is needed"),
         (axes(&format!("{{ {axis}, normalise = true }}")), "no normalise"),
         (axes(&format!("{{ {axis} }}, {{ {axis} }}")), "set the same thing"),

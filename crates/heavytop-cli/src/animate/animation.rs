@@ -106,6 +106,12 @@ impl Animation {
         }
     }
 
+    /// The number of frames.
+    #[must_use]
+    pub fn len(&self) -> usize {
+        self.numbers.len() / (1 + 3 + 3 + 4 + self.invariants.len())
+    }
+
     /// Whether there is no frame yet.
     #[must_use]
     pub fn is_empty(&self) -> bool {

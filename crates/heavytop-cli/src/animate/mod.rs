@@ -1,6 +1,7 @@
 //! `heavytop animate`: the top in motion, as a page for a browser.
 
 mod animation;
+mod summary;
 
 use crate::Error;
 use crate::config::Config;
@@ -11,6 +12,7 @@ use std::io::Write;
 use std::path::Path;
 
 pub use animation::Animation;
+pub use summary::Summary;
 
 /// More frames than this are thinned out: a page of some 3.5 MB.
 pub const MOST_FRAMES: u64 = 20_000;
@@ -26,7 +28,17 @@ const MOST_TURN: f64 = 1.0;
 /// # Errors
 /// If the request is wrong, in which case nothing is written; or the run fails, in which case a
 /// page of what was computed until then is kept as `OUT.partial`.
-pub fn animate(mut config: Config, out: &Path, quiet: bool) -> Result<(), Error> {
+///
+/// # Example
+/// ```
+/// use heavytop_cli::animate::animate;
+/// use heavytop_cli::config::Config;
+/// let folder = tempfile::tempdir()?;
+/// let summary = animate(Config::default(), &folder.path().join("top.html"), true)?;
+/// assert_eq!((summary.frames, summary.steps_per_frame, summary.end), (5001, 1, 100.0));
+/// # Ok::<(), Box<dyn std::error::Error>>(())
+/// ```
+pub fn animate(mut config: Config, out: &Path, quiet: bool) -> Result<Summary, Error> {
     config.output.attitude = true;
     let mut experiment = config.experiment()?;
     experiment.every = frame_every(&experiment);
@@ -43,8 +55,11 @@ pub fn animate(mut config: Config, out: &Path, quiet: bool) -> Result<(), Error>
         true => Ok(()),
         false => output.write(|to| animation.write(to)),
     };
-    // Why a run failed comes before what could not be written of it.
-    output.conclude(outcome.and(written))?;
+    if let Err(unwritten) = written {
+        // Half a page is of no use. Why a run failed comes before what could not be written of it.
+        return Err(outcome.err().unwrap_or(unwritten));
+    }
+    output.conclude(outcome)?;
     let turn = animation.largest_turn();
     if turn > MOST_TURN {
         let _ = writeln!(
@@ -53,7 +68,7 @@ pub fn animate(mut config: Config, out: &Path, quiet: bool) -> Result<(), Error>
              motion between them is guessed; lower the end, the step or [output] every"
         );
     }
-    Ok(())
+    Ok(Summary::new(&experiment, &animation, out))
 }
 
 fn record(experiment: &Experiment, animation: &mut Animation, quiet: bool) -> Result<(), Error> {

@@ -14,6 +14,7 @@ use heavytop::{
 };
 use lie_poisson::{LiePoisson, Se3, Se3Dual};
 use momentum_map::DualQuaternions;
+use std::collections::BTreeSet;
 use std::sync::{Mutex, PoisonError};
 
 /// So many tops of an ensemble are followed by integrators for any system.
@@ -25,6 +26,8 @@ pub(super) struct Contest<'a, D> {
     pub problem: &'a Problem,
     /// Part of the names of those who are timed; without it all are.
     pub only: Option<&'a str>,
+    /// The names of the others.
+    pub others: &'a mut BTreeSet<String>,
     /// Is told of each.
     pub done: D,
 }
@@ -38,8 +41,12 @@ impl<D: FnMut(Run)> Contest<'_, D> {
         if self.problem.tops == 1 { one_top(self) } else { many_tops(self) }
     }
 
-    fn wants(&self, name: &str) -> bool {
-        self.only.is_none_or(|part| name.contains(part))
+    fn wants(&mut self, name: &str) -> bool {
+        let wanted = self.only.is_none_or(|part| name.contains(part));
+        if !wanted {
+            self.others.insert(name.into());
+        }
+        wanted
     }
 
     fn single<I: Start<Momentum = Se3Dual>>(
@@ -153,7 +160,8 @@ fn many_tops(contest: &mut Contest<'_, impl FnMut(Run)>) -> Result<(), Error> {
 
     // Slower by much; what a top costs does not depend on their number.
     let few = contest.problem.first(FEW);
-    let mut contest = Contest { problem: &few, only: contest.only, done: &mut contest.done };
+    let Contest { only, others, done, .. } = contest;
+    let mut contest = Contest { problem: &few, only: *only, others, done };
     let gauss = RungeKutta::gauss(8).map_err(refused)?;
     let general = Laned::new(LiftFree::new(gauss, DualQuaternions, top));
     let name = "heavytop any system: Gauss-16";

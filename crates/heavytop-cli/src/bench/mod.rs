@@ -12,6 +12,7 @@ use lie_poisson::Covector;
 use lie_poisson::{Pair, Se3Dual};
 use nalgebra::{Rotation3, Vector3};
 use serde::Serialize;
+use std::collections::BTreeSet;
 use std::fmt;
 use std::path::Path;
 
@@ -67,32 +68,40 @@ pub fn bench(
     options: Options,
     quiet: bool,
 ) -> Result<Bench, Error> {
+    let Options { only, tops, threads } = options;
+    let range = "at least 1 and at most 1024";
+    if !(1..=1024).contains(&threads) {
+        return Err(Error::OutOfRange { name: "threads", range, value: threads as f64 });
+    }
     let problems = match problem {
         Some(path) => vec![Problem::read(path)?],
-        None => own(config, options.tops)?,
+        None => own(config, tops)?,
     };
-    let threads = options.threads;
     let pool = rayon::ThreadPoolBuilder::new()
         .num_threads(threads)
         .build()
         .map_err(|source| Error::Threads { threads, source })?;
     let progress = Progress::of(0, "runs", quiet);
-    let mut runs = Vec::new();
+    let (mut runs, mut others) = (Vec::new(), BTreeSet::new());
     for problem in &problems {
         pool.install(|| {
             let done = |run: Run| {
                 progress.now(runs.len() as u64, run.name.clone());
                 runs.push(run);
             };
-            Contest { problem, only: options.only.as_deref(), done }.run()
+            Contest { problem, only: only.as_deref(), others: &mut others, done }.run()
         })?;
+    }
+    if let (Some(only), true) = (only, runs.is_empty()) {
+        return Err(Error::NoContestant { only, names: others.into_iter().collect() });
     }
     Ok(Bench { threads, runs })
 }
 
 fn own(config: &Config, tops: u64) -> Result<Vec<Problem>, Error> {
-    if tops < 2 {
-        return Err(Error::OutOfRange { name: "tops", range: "at least 2", value: tops as f64 });
+    if !(2..=1_000_000_000).contains(&tops) {
+        let range = "at least 2 and at most 1e9";
+        return Err(Error::OutOfRange { name: "tops", range, value: tops as f64 });
     }
     let (top, start) = (config.top()?, config.start()?);
     let one = Problem::with_references(top, LONG, vec![start])?;

@@ -10,11 +10,12 @@ use crate::Error;
 use crate::config::Config;
 use crate::integrators::Method;
 use crate::method::{Formulation, Raise, Scheme};
-use crate::output::Output;
+use crate::output::{Output, require_no_folders};
 use crate::progress::Progress;
 use crate::render;
 use crate::run::Experiment;
 use measure::{Measure, Measurement, Reference};
+use std::io::Write;
 use std::path::Path;
 
 pub use report::{Choice, Comparison, Recommendation};
@@ -62,6 +63,10 @@ pub fn compare(config: &Config, out: &Path, quiet: bool) -> Result<Comparison, E
     let experiment = config.experiment()?;
     let methods = methods(config.integrator.unwrap_or_default().tolerance)?;
     std::fs::create_dir_all(out).map_err(|source| Error::Create { path: out.into(), source })?;
+    let names = ["work-precision.csv", "work-precision.svg", "work-precision.png"];
+    require_no_folders(out, &names)?;
+    let [csv, svg, png] = names.map(|name| out.join(name));
+    let mut table = Output::create(&csv)?;
 
     let steps = experiment.schedule.steps.min(INTERVAL);
     let reference = Reference::new(&experiment, steps)?;
@@ -84,12 +89,12 @@ pub fn compare(config: &Config, out: &Path, quiet: bool) -> Result<Comparison, E
     }
     drop(progress);
 
-    let file = |ending| out.join("work-precision").with_extension(ending);
-    Output::whole(&file("csv"), report::csv(&measurements).as_bytes())?;
+    table.write(|to| to.write_all(report::csv(&measurements).as_bytes()))?;
+    table.complete()?;
     let chart = chart::chart(&measurements, experiment.schedule.step, reference.end);
-    let (svg, png) = render::render(&chart, SCALE)?;
-    Output::whole(&file("svg"), svg.as_bytes())?;
-    Output::whole(&file("png"), &png)?;
+    let (drawing, pixels) = render::render(&chart, SCALE)?;
+    Output::whole(&svg, drawing.as_bytes())?;
+    Output::whole(&png, &pixels)?;
     Ok(Comparison::new(&measurements, &reference, out))
 }
 

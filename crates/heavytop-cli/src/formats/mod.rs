@@ -5,7 +5,7 @@
 //! end, in a pass for each array, by blocks: memory does not grow with the run.
 
 mod npz;
-mod parquet;
+pub(crate) mod parquet;
 mod rows;
 
 use crate::Error;

@@ -4,17 +4,17 @@ use super::Metadata;
 use super::rows::Rows;
 use crate::table::Table;
 use parquet::basic::{Repetition, Type as PhysicalType};
-use parquet::data_type::DoubleType;
-use parquet::errors::Result;
+use parquet::data_type::{DataType, DoubleType};
+use parquet::errors::{ParquetError, Result};
 use parquet::file::metadata::KeyValue;
 use parquet::file::properties::WriterProperties;
-use parquet::file::writer::SerializedFileWriter;
+use parquet::file::writer::{SerializedFileWriter, SerializedRowGroupWriter};
 use parquet::schema::types::Type;
 use std::io::{self, Write};
 use std::sync::Arc;
 
 /// The rows of a group, the last one excepted: 11 columns of them take 6 MB.
-const GROUP: usize = 1 << 16;
+pub(crate) const GROUP: usize = 1 << 16;
 
 pub(super) fn write<W: Write + Send>(
     rows: &Rows,
@@ -22,7 +22,10 @@ pub(super) fn write<W: Write + Send>(
     metadata: &Metadata,
     to: &mut W,
 ) -> io::Result<()> {
-    let mut file = begin(table, metadata, to)?;
+    let header = table.header();
+    let fields = header.split(',').map(|name| required(name, PhysicalType::DOUBLE));
+    // Numbers of a motion hardly ever occur twice.
+    let mut file = begin("run", fields.collect::<Result<_>>()?, metadata, false, to)?;
     let mut columns = vec![Vec::with_capacity(GROUP); table.width()];
     rows.each(|row| {
         for (column, number) in columns.iter_mut().zip(row.as_chunks().0) {
@@ -40,28 +43,45 @@ pub(super) fn write<W: Write + Send>(
     Ok(())
 }
 
-fn begin<'a, W: Write + Send>(
-    table: &Table,
+/// Begins a file with these fields and key–value metadata; where values occur again and again a
+/// dictionary of them makes it smaller.
+pub(crate) fn begin<W: Write + Send>(
+    name: &str,
+    fields: Vec<Type>,
     metadata: &Metadata,
-    to: &'a mut W,
-) -> Result<SerializedFileWriter<&'a mut W>> {
-    let header = table.header();
-    let fields = header.split(',').map(|name| {
-        let field = Type::primitive_type_builder(name, PhysicalType::DOUBLE);
-        Ok(Arc::new(field.with_repetition(Repetition::REQUIRED).build()?))
-    });
-    let fields = fields.collect::<Result<Vec<_>>>()?;
-    let schema = Type::group_type_builder("run").with_fields(fields).build()?;
+    dictionary: bool,
+    to: W,
+) -> Result<SerializedFileWriter<W>> {
+    let fields = fields.into_iter().map(Arc::new).collect();
+    let schema = Type::group_type_builder(name).with_fields(fields).build()?;
     let Metadata { program, version, configuration } = metadata;
     let pairs = [("program", *program), ("version", version), ("configuration", configuration)];
     let pairs = pairs.map(|(key, value)| KeyValue::new(key.into(), value.to_string()));
     let properties = WriterProperties::builder()
         .set_created_by(format!("{program} version {version}"))
         .set_key_value_metadata(Some(pairs.into()))
-        // Numbers of a motion hardly ever occur twice.
-        .set_dictionary_enabled(false)
+        .set_dictionary_enabled(dictionary)
         .build();
     SerializedFileWriter::new(to, Arc::new(schema), Arc::new(properties))
+}
+
+/// A column without nulls.
+pub(crate) fn required(name: &str, kind: PhysicalType) -> Result<Type> {
+    let field = Type::primitive_type_builder(name, kind);
+    field.with_repetition(Repetition::REQUIRED).build()
+}
+
+/// Writes the next column of a row group: the values that are present, and, unless the column is
+/// required, 1 for each value and 0 for each null.
+pub(crate) fn write_column<T: DataType>(
+    group: &mut SerializedRowGroupWriter<'_, impl Write + Send>,
+    values: &[T::T],
+    present: Option<&[i16]>,
+) -> Result<()> {
+    let column = group.next_column()?;
+    let mut column = column.ok_or_else(|| ParquetError::General("one column too many".into()))?;
+    column.typed::<T>().write_batch(values, present, None)?;
+    column.close()
 }
 
 /// Writes the columns as a row group, and empties them.
@@ -71,10 +91,7 @@ fn write_group<W: Write + Send>(
 ) -> Result<()> {
     let mut group = file.next_row_group()?;
     for column in columns {
-        if let Some(mut writer) = group.next_column()? {
-            writer.typed::<DoubleType>().write_batch(column, None, None)?;
-            writer.close()?;
-        }
+        write_column::<DoubleType>(&mut group, column, None)?;
         column.clear();
     }
     group.close()?;

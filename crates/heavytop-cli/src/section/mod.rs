@@ -4,16 +4,25 @@ mod orbit;
 mod picture;
 mod report;
 mod settings;
+mod survey;
+mod table;
+mod tiles;
 
 use crate::Error;
 use crate::config::Config;
-use crate::output::Output;
+use crate::formats::Metadata;
+use crate::output::{Output, Place, require_no_folders};
 use crate::progress::Progress;
 use crate::render;
+use crate::tiles::{Options, resumable};
+use picture::Picture;
 use settings::Settings;
 use std::io::Write;
-use std::path::Path;
+use std::path::{Path, PathBuf};
 use std::sync::atomic::{AtomicU64, Ordering};
+use survey::Survey;
+use table::Table;
+use tiles::{Orbits, Stuck, header};
 
 pub use report::Summary;
 pub use settings::SectionConfig;
@@ -21,47 +30,127 @@ pub use settings::SectionConfig;
 /// Pixels per CSS pixel: 288 dots per inch.
 const SCALE: f32 = 3.0;
 
-/// Finds the section of the configuration, and writes `section.csv`, `.svg` and `.png` into the
-/// folder `out`.
+/// Finds the section of the configuration, and writes `section.csv`, `.parquet`, `.svg` and `.png`
+/// into the folder `out`. It goes on from the finished starts of an interrupted section if it shall.
 ///
 /// # Errors
 /// If the request is wrong, in which case nothing is written; or a start cannot be followed, in
-/// which case `section.csv.partial` is kept.
+/// which case `section.csv.partial` is kept; or it was stopped, or a file cannot be written, in
+/// which case it can go on.
 ///
 /// # Example
 /// ```
 /// use heavytop_cli::config::Config;
-/// use heavytop_cli::section::section;
+/// use heavytop_cli::section::{SectionConfig, section};
+/// use heavytop_cli::tiles::Options;
 /// let folder = tempfile::tempdir()?;
-/// let mut config = Config::default();
-/// (config.section.starts, config.section.crossings) = (3, 5);
-/// let summary = section(&config, folder.path(), true)?;
+/// let small = SectionConfig { starts: 3, crossings: 5, ..SectionConfig::default() };
+/// let config = Config { section: Some(small), ..Config::default() };
+/// let summary = section(&config, folder.path(), &Options::default())?;
 /// assert_eq!(summary.points, 3 * (1 + 5));
 /// assert!(summary.h < 1e-9);
 /// # Ok::<(), Box<dyn std::error::Error>>(())
 /// ```
-pub fn section(config: &Config, out: &Path, quiet: bool) -> Result<Summary, Error> {
+pub fn section(config: &Config, out: &Path, options: &Options<'_>) -> Result<Summary, Error> {
     let settings = Settings::new(config)?;
-    let starts = settings.section.starts(settings.starts, settings.seed)?;
-    std::fs::create_dir_all(out).map_err(|source| Error::Create { path: out.into(), source })?;
-    let file = |ending| out.join("section").with_extension(ending);
-    let mut table = Output::create(&file("csv"))?;
+    let config = settings.complete(config);
+    let metadata = Metadata::new(&config)?;
+    let orbits = Orbits::new(&settings, &config, out)?;
+    let names = ["section.csv", "section.parquet", "section.svg", "section.png"];
+    require_no_folders(out, &names)?;
+    orbits.tiles.prepare(options.resume)?;
     if let Some(warning) = settings.method.warning() {
         // Where stderr is closed nobody can be warned.
         let _ = writeln!(std::io::stderr(), "heavytop: {warning}");
     }
 
-    let progress = Progress::of(starts.len() as u64, "starts", quiet);
+    let progress = Progress::of(settings.starts as u64, "starts", options.quiet);
     let done = AtomicU64::new(0);
-    let mut orbits = orbit::orbits(&settings, &starts, || {
-        progress.now(done.fetch_add(1, Ordering::Relaxed) + 1, String::new());
-    })?;
+    let finished = orbits.finish(options, |starts| {
+        let starts = starts as u64;
+        progress.now(done.fetch_add(starts, Ordering::Relaxed) + starts, String::new());
+    });
     drop(progress);
 
-    let written = report::write_table(&mut orbits, &mut table);
-    table.conclude(written)?;
-    let (svg, png) = render::render(&picture::picture(&settings.section, &orbits), SCALE)?;
-    Output::whole(&file("svg"), svg.as_bytes())?;
-    Output::whole(&file("png"), &png)?;
-    Ok(Summary::new(&settings, &orbits, out))
+    let [csv, parquet, svg, png] = names.map(|name| out.join(name));
+    if let Err(stuck) = finished {
+        return Err(give_up(&orbits, stuck, &csv));
+    }
+    let written = write_points(&settings, &orbits, &metadata, [&csv, &parquet]);
+    let survey = written.map_err(resumable)?;
+    let drawing = draw(&settings, &orbits, &survey).map_err(resumable)?;
+    let (drawing, pixels) = render::render(&drawing, SCALE)?;
+    let drawn = Output::whole(&svg, drawing.as_bytes()).and_then(|()| Output::whole(&png, &pixels));
+    drawn.map_err(resumable)?;
+    orbits.tiles.remove()?;
+    Ok(Summary::new(&settings, &survey, out))
+}
+
+/// Writes the table, as CSV and as Parquet.
+fn write_points(
+    settings: &Settings,
+    orbits: &Orbits<'_>,
+    metadata: &Metadata,
+    [csv, parquet]: [&Path; 2],
+) -> Result<Survey, Error> {
+    let mut survey = Survey::new();
+    let mut text = Output::create(csv).map_err(Error::too_late)?;
+    let mut table = Table::begin(metadata, parquet)?;
+    text.write(|to| writeln!(to, "{}", header()))?;
+    for tile in 0..orbits.count() {
+        let lines = orbits.lines(tile)?;
+        text.write(|to| to.write_all(lines.as_bytes()))?;
+        for orbit in orbits.parse(tile, &lines)? {
+            survey.add(settings, &orbit);
+            table.add(&orbit)?;
+        }
+    }
+    text.complete()?;
+    table.complete()?;
+    Ok(survey)
+}
+
+fn draw(settings: &Settings, orbits: &Orbits<'_>, survey: &Survey) -> Result<String, Error> {
+    let mut picture = Picture::begin(&settings.section, survey);
+    for tile in 0..orbits.count() {
+        orbits.parse(tile, &orbits.lines(tile)?)?.iter().for_each(|orbit| picture.add(orbit));
+    }
+    Ok(picture.complete())
+}
+
+/// What a section ends with that could not be finished. What failed for want of something outside
+/// it goes on from its tiles; what failed by its numbers would do so again, and has none.
+fn give_up(orbits: &Orbits<'_>, stuck: Stuck, csv: &Path) -> Error {
+    let kept = match &stuck.failure {
+        Error::Interrupted { .. } | Error::Write { .. } | Error::Tile { .. } => {
+            return resumable(stuck.failure);
+        }
+        Error::Crossing { .. } => keep(orbits, &stuck, csv).map(Some),
+        _ => Ok(None),
+    };
+    match kept {
+        Ok(partial) => {
+            // That they stay does no harm.
+            let _ = orbits.tiles.remove();
+            match partial {
+                Some(partial) => Error::Kept { partial, source: Box::new(stuck.failure) },
+                None => stuck.failure,
+            }
+        }
+        // What cannot be written is lost; the failure says what came first.
+        Err(_) => stuck.failure,
+    }
+}
+
+/// Keeps the points up to one that could not be reached as `section.csv.partial`.
+fn keep(orbits: &Orbits<'_>, stuck: &Stuck, csv: &Path) -> Result<PathBuf, Error> {
+    let mut text = Output::create(csv)?;
+    text.write(|to| writeln!(to, "{}", header()))?;
+    for tile in 0..stuck.tile {
+        let lines = orbits.lines(tile)?;
+        text.write(|to| to.write_all(lines.as_bytes()))?;
+    }
+    text.write(|to| to.write_all(stuck.lines.as_bytes()))?;
+    text.keep()?;
+    Ok(Place::of(csv)?.beside("partial"))
 }

@@ -3,10 +3,10 @@
 use super::settings::Settings;
 use crate::Error;
 use crate::integrators::Task;
+use crate::tiles::{Options, interrupted};
 use collective_integrators::Start;
 use lie_poisson::Se3Dual;
 use nalgebra::Vector2;
-use rayon::prelude::*;
 
 /// A point of a section.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -20,59 +20,58 @@ pub(super) struct Crossing {
 }
 
 /// A start and its returns.
-#[derive(Debug)]
+#[derive(Clone, Debug, PartialEq)]
 pub(super) struct Orbit {
+    /// The number of the start, from 1.
+    pub number: usize,
     /// The start comes first.
     pub crossings: Vec<Crossing>,
-    /// Why it could not be followed further.
-    pub failure: Option<Error>,
 }
 
-/// All starts with their returns, in order; `done` is told of each, on any thread.
+/// A start with its returns, and why it could not be followed further if it could not.
 ///
 /// Starts know nothing of each other, so that no bit depends on the number of threads.
-pub(super) fn orbits(
+pub(super) fn orbit(
     settings: &Settings,
-    starts: &[Se3Dual],
-    done: impl Fn() + Sync,
-) -> Result<Vec<Orbit>, Error> {
-    let follow = |(index, start): (usize, &Se3Dual)| {
-        let task = Follow { settings, number: index + 1, start };
-        let orbit = settings.method.integrate(&settings.section.level().top, task);
-        done();
-        orbit
-    };
-    let orbits: Vec<Result<Orbit, Error>> = starts.par_iter().enumerate().map(follow).collect();
-    orbits.into_iter().collect()
+    options: &Options<'_>,
+    number: usize,
+    start: &Se3Dual,
+) -> (Orbit, Option<Error>) {
+    let mut orbit = Orbit { number, crossings: Vec::new() };
+    let task = Follow { settings, options, start, orbit: &mut orbit };
+    let failure = settings.method.integrate(&settings.section.level().top, task).err();
+    (orbit, failure)
 }
 
 /// The task of following a start.
 struct Follow<'a> {
     settings: &'a Settings,
-    /// From 1.
-    number: usize,
+    options: &'a Options<'a>,
     start: &'a Se3Dual,
+    orbit: &'a mut Orbit,
 }
 
 impl Task for Follow<'_> {
-    type Output = Orbit;
+    type Output = ();
 
-    fn perform<I: Start<Momentum = Se3Dual>>(self, integrator: &I) -> Result<Orbit, Error> {
-        let Self { settings: Settings { section, method, step, steps, .. }, number, start } = self;
+    fn perform<I: Start<Momentum = Se3Dual>>(self, integrator: &I) -> Result<(), Error> {
+        let Self { settings: Settings { section, method, step, steps, .. }, start, .. } = self;
+        let Orbit { number, crossings } = self.orbit;
         let crossing = |time: f64, mu: Se3Dual| Crossing { time, mu, plane: section.plane(&mu) };
-        let mut crossings = vec![crossing(0.0, *start)];
+        crossings.push(crossing(0.0, *start));
         let returns = section.crossings(integrator, start, *step, *steps)?;
         for event in returns.take(self.settings.crossings) {
-            match event {
-                Ok(sample) => crossings.push(crossing(sample.time, sample.momentum)),
-                Err(source) => {
-                    let formulation = method.formulation().name();
-                    let scheme = method.scheme().name();
-                    let failure = Error::Crossing { formulation, scheme, start: number, source };
-                    return Ok(Orbit { crossings, failure: Some(failure) });
-                }
+            if self.options.stopped() {
+                return Err(interrupted());
             }
+            let sample = event.map_err(|source| Error::Crossing {
+                formulation: method.formulation().name(),
+                scheme: method.scheme().name(),
+                start: *number,
+                source,
+            })?;
+            crossings.push(crossing(sample.time, sample.momentum));
         }
-        Ok(Orbit { crossings, failure: None })
+        Ok(())
     }
 }

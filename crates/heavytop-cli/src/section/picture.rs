@@ -1,6 +1,7 @@
 //! The picture of a section, as SVG.
 
 use super::orbit::Orbit;
+use super::survey::Survey;
 use crate::axis::Axis;
 use crate::render::FONT;
 use collective_integrators::Direction;
@@ -41,42 +42,55 @@ const COLOURS: [[f64; 3]; 6] = [
 /// chaotic sea, have the same mean, and neighbours have similar ones.
 ///
 /// Source: Z. Levnajić & I. Mezić, *Ergodic theory and visualization. I*, Chaos 20 (2010).
-pub(super) fn picture(section: &Section, orbits: &[Orbit]) -> String {
-    let heights = orbits.iter().flat_map(|orbit| &orbit.crossings).map(|point| point.plane.y);
-    let axis = Axis::around(heights, 6);
-    let points: usize = orbits.iter().map(|orbit| orbit.crossings.len()).sum();
-    let diameter = (INK / points.max(1) as f64).sqrt().min(LARGEST);
-
-    let mut svg = format!(
-        "<svg xmlns=\"http://www.w3.org/2000/svg\" width=\"{}mm\" height=\"{}mm\" \
-         viewBox=\"0 0 {WIDTH} {HEIGHT}\" font-family=\"{FONT}\" font-size=\"{TEXT}\">\
-         <rect width=\"{WIDTH}\" height=\"{HEIGHT}\" fill=\"white\"/>\
-         <g fill=\"none\" stroke-linecap=\"round\" stroke-width=\"{diameter:.1}\">",
-        WIDTH / 100.0,
-        HEIGHT / 100.0
-    );
-    let means: Vec<f64> = orbits.iter().map(mean).collect();
-    let (low, high) = means
-        .iter()
-        .fold((f64::INFINITY, 0.0), |(low, high), &mean| (mean.min(low), mean.max(high)));
-    for (orbit, mean) in orbits.iter().zip(means) {
-        let _ = write!(svg, "<path stroke=\"{}\" d=\"", colour((mean - low) / (high - low)));
-        for point in &orbit.crossings {
-            let x = LEFT + (RIGHT - LEFT) * point.plane.x / TAU;
-            let y = BOTTOM - (BOTTOM - TOP) * axis.along(point.plane.y);
-            // A line of no length may be dropped.
-            let _ = write!(svg, "M{x:.0} {y:.0}h.1");
-        }
-        svg += "\"/>";
-    }
-    svg += "</g>";
-    frame(&mut svg, section, &axis);
-    svg + "</svg>"
+pub(super) struct Picture<'a> {
+    section: &'a Section,
+    means: &'a [f64],
+    /// The least and the largest of them.
+    range: [f64; 2],
+    axis: Axis,
+    svg: String,
 }
 
-fn mean(orbit: &Orbit) -> f64 {
-    let sum: f64 = orbit.crossings.iter().map(|point| point.plane.y.abs()).sum();
-    sum / orbit.crossings.len().max(1) as f64
+impl<'a> Picture<'a> {
+    /// The picture without points.
+    pub fn begin(section: &'a Section, survey: &'a Survey) -> Self {
+        let axis = Axis::around(survey.heights.into_iter(), 6);
+        let diameter = (INK / survey.points.max(1) as f64).sqrt().min(LARGEST);
+        let svg = format!(
+            "<svg xmlns=\"http://www.w3.org/2000/svg\" width=\"{}mm\" height=\"{}mm\" \
+             viewBox=\"0 0 {WIDTH} {HEIGHT}\" font-family=\"{FONT}\" font-size=\"{TEXT}\">\
+             <rect width=\"{WIDTH}\" height=\"{HEIGHT}\" fill=\"white\"/>\
+             <g fill=\"none\" stroke-linecap=\"round\" stroke-width=\"{diameter:.1}\">",
+            WIDTH / 100.0,
+            HEIGHT / 100.0
+        );
+        let means = &survey.means;
+        let range = means
+            .iter()
+            .fold([f64::INFINITY, 0.0], |[low, high], &mean| [mean.min(low), mean.max(high)]);
+        Self { section, means, range, axis, svg }
+    }
+
+    /// Adds the points of an orbit.
+    pub fn add(&mut self, orbit: &Orbit) {
+        let mean = self.means.get(orbit.number.saturating_sub(1)).copied().unwrap_or_default();
+        let [low, high] = self.range;
+        let _ = write!(self.svg, "<path stroke=\"{}\" d=\"", colour((mean - low) / (high - low)));
+        for point in &orbit.crossings {
+            let x = LEFT + (RIGHT - LEFT) * point.plane.x / TAU;
+            let y = BOTTOM - (BOTTOM - TOP) * self.axis.along(point.plane.y);
+            // A line of no length may be dropped.
+            let _ = write!(self.svg, "M{x:.0} {y:.0}h.1");
+        }
+        self.svg += "\"/>";
+    }
+
+    /// The picture as SVG.
+    pub fn complete(mut self) -> String {
+        self.svg += "</g>";
+        frame(&mut self.svg, self.section, &self.axis);
+        self.svg + "</svg>"
+    }
 }
 
 /// From 0 to 1; anything else is the first.

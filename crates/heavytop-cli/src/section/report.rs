@@ -1,38 +1,10 @@
-//! The table of points, and what is said about them.
+//! What is said about a section.
 
-use super::orbit::Orbit;
 use super::settings::Settings;
-use crate::Error;
-use crate::output::Output;
-use crate::table::{STATE_COLUMNS, state_values, write_row};
-use heavytop::{EnergyLevel, Invariant};
-use lie_poisson::larger;
+use super::survey::Survey;
 use serde::Serialize;
 use std::fmt;
-use std::io::Write;
 use std::path::{Path, PathBuf};
-
-/// Writes `section.csv`, up to the point that could not be reached.
-///
-/// # Errors
-/// The failure of the first start that could not be followed, or that of writing.
-pub(super) fn write_table(orbits: &mut [Orbit], output: &mut Output) -> Result<(), Error> {
-    output.write(|to| writeln!(to, "start,crossing,{STATE_COLUMNS},x,y"))?;
-    for (index, orbit) in orbits.iter_mut().enumerate() {
-        output.write(|to| {
-            for (number, crossing) in orbit.crossings.iter().enumerate() {
-                write!(to, "{},{number},", index + 1)?;
-                let state = state_values(crossing.time, &crossing.mu);
-                write_row(to, state.into_iter().chain(crossing.plane.iter().copied()))?;
-            }
-            Ok(())
-        })?;
-        if let Some(failure) = orbit.failure.take() {
-            return Err(failure);
-        }
-    }
-    Ok(())
-}
 
 /// A section in numbers.
 #[derive(Clone, Debug, PartialEq, Serialize)]
@@ -68,10 +40,10 @@ pub struct Summary {
 }
 
 impl Summary {
-    pub(super) fn new(settings: &Settings, orbits: &[Orbit], out: &Path) -> Self {
+    pub(super) fn new(settings: &Settings, survey: &Survey, out: &Path) -> Self {
         let Settings { section, method, step, steps, crossings, .. } = *settings;
         let level = section.level();
-        let [h, f1, f2] = deviations(level, orbits);
+        let [h, f1, f2] = survey.deviations;
         Self {
             out: out.into(),
             energy: level.energy,
@@ -79,10 +51,10 @@ impl Summary {
             formulation: method.formulation().name(),
             scheme: method.scheme().name(),
             step,
-            starts: orbits.len(),
-            points: orbits.iter().map(|orbit| orbit.crossings.len()).sum(),
+            starts: survey.means.len(),
+            points: survey.points,
             crossings,
-            short: orbits.iter().filter(|orbit| orbit.crossings.len() <= crossings).count(),
+            short: survey.short,
             longest: steps as f64 * step,
             h,
             f1,
@@ -106,17 +78,4 @@ impl fmt::Display for Summary {
         writeln!(to, "largest deviations from the level: h {h:.1e}, f1 {f1:.1e}, f2 {f2:.1e}")?;
         write!(to, "picture and table are in {}", self.out.display())
     }
-}
-
-/// Of h, f₁ and f₂, over all points.
-fn deviations(level: &EnergyLevel, orbits: &[Orbit]) -> [f64; 3] {
-    let expected = [
-        (Invariant::Energy, level.energy),
-        (Invariant::VerticalSquared, 1.0),
-        (Invariant::VerticalMomentum, level.vertical_momentum),
-    ];
-    expected.map(|(invariant, value)| {
-        let points = orbits.iter().flat_map(|orbit| &orbit.crossings);
-        points.map(|point| (invariant.value(&level.top, &point.mu) - value).abs()).fold(0.0, larger)
-    })
 }

@@ -3,11 +3,11 @@
 use crate::Error;
 use crate::config::{Config, IntegratorConfig, MOST_TURN};
 use crate::integrators::Method;
-use crate::method::{Formulation, Scheme, by_name};
+use crate::method::{Formulation, Scheme, by_name, name_of};
 use collective_integrators::Direction;
 use heavytop::{Coordinate, EnergyLevel, HeavyTop, Invariant, Section, Surface};
 use serde::de::Error as _;
-use serde::{Deserialize, Deserializer};
+use serde::{Deserialize, Deserializer, Serialize, Serializer};
 
 /// Without `[integrator]` no body on the energy level turns further in a step, rad. With Gauss's
 /// method of order 8 the energy is then certain to some 1e-11 of itself.
@@ -20,7 +20,7 @@ const MOST_POINTS: f64 = 1e7;
 const MOST_STEPS: f64 = 1e12;
 
 /// `[section]`
-#[derive(Clone, Copy, Debug, PartialEq, Deserialize)]
+#[derive(Clone, Copy, Debug, PartialEq, Deserialize, Serialize)]
 #[serde(default, deny_unknown_fields)]
 pub struct SectionConfig {
     /// h, J; that of `[initial]` where it is left out.
@@ -28,12 +28,12 @@ pub struct SectionConfig {
     /// Π·Γ, kg m²/s; that of `[initial]` where it is left out.
     pub vertical_momentum: Option<f64>,
     /// The coordinate that the surface fixes.
-    #[serde(deserialize_with = "surface")]
+    #[serde(deserialize_with = "surface", serialize_with = "surface_name")]
     pub surface: Coordinate,
     /// Its value on the surface.
     pub level: f64,
     /// The direction in which the surface is crossed.
-    #[serde(deserialize_with = "direction")]
+    #[serde(deserialize_with = "direction", serialize_with = "direction_name")]
     pub direction: Direction,
     /// The number of starts.
     pub starts: u32,
@@ -66,9 +66,19 @@ fn surface<'de, D: Deserializer<'de>>(from: D) -> Result<Coordinate, D::Error> {
     by_name("surface", &names, &String::deserialize(from)?).map_err(D::Error::custom)
 }
 
+fn surface_name<S: Serializer>(surface: &Coordinate, to: S) -> Result<S::Ok, S::Error> {
+    to.serialize_str(surface.name())
+}
+
+const DIRECTIONS: &[(&str, Direction)] =
+    &[("up", Direction::Up), ("down", Direction::Down), ("both", Direction::Both)];
+
 fn direction<'de, D: Deserializer<'de>>(from: D) -> Result<Direction, D::Error> {
-    let names = [("up", Direction::Up), ("down", Direction::Down), ("both", Direction::Both)];
-    by_name("direction", &names, &String::deserialize(from)?).map_err(D::Error::custom)
+    by_name("direction", DIRECTIONS, &String::deserialize(from)?).map_err(D::Error::custom)
+}
+
+fn direction_name<S: Serializer>(direction: &Direction, to: S) -> Result<S::Ok, S::Error> {
+    to.serialize_str(name_of(DIRECTIONS, *direction))
 }
 
 /// A section, and how its points are found.
@@ -93,7 +103,8 @@ impl Settings {
     /// # Errors
     /// If there is no such section.
     pub fn new(config: &Config) -> Result<Self, Error> {
-        let (top, initial, settings) = (config.top()?, config.start()?, config.section);
+        let (top, initial) = (config.top()?, config.start()?);
+        let settings = config.section.unwrap_or_default();
         let of_initial = |invariant: Invariant| invariant.value(&top, &initial);
         let level = EnergyLevel {
             top,
@@ -139,6 +150,20 @@ impl Settings {
         }
         let (starts, crossings, steps) = (starts as usize, crossings as usize, steps as usize);
         Ok(Self { section, method, step, steps, crossings, starts, seed })
+    }
+
+    /// The configuration with all that was left out and plays a part.
+    pub fn complete(&self, config: &Config) -> Config {
+        let Self { section, method, step, .. } = self;
+        let (formulation, scheme) = (method.formulation(), method.scheme());
+        let default = IntegratorConfig { formulation, scheme, step: *step, ..Default::default() };
+        let section = SectionConfig {
+            energy: Some(section.level().energy),
+            vertical_momentum: Some(section.level().vertical_momentum),
+            ..config.section.unwrap_or_default()
+        };
+        let integrator = Some(config.integrator.unwrap_or(default));
+        Config { integrator, section: Some(section), ..config.clone() }
     }
 }
 

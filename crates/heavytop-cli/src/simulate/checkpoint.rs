@@ -6,57 +6,12 @@ use crate::config::Config;
 use crate::formats::Format;
 use crate::output::Output;
 use crate::run::Saved;
+use crate::sealed::{CheckpointError, damaged, of_this_version, open, seal};
 use serde::{Deserialize, Serialize};
-use std::io;
-use std::path::{Path, PathBuf};
-use thiserror::Error;
+use std::path::Path;
 
 /// The first word of the file, before the checksum of what follows its first line.
 const TITLE: &str = "heavytop-checkpoint ";
-
-/// Why a run cannot go on from a checkpoint.
-#[derive(Debug, Error)]
-pub enum CheckpointError {
-    /// It could not be read.
-    #[error("{0}")]
-    Read(#[source] io::Error),
-    /// It is not a checkpoint, or not a whole one.
-    #[error("it is damaged, or no checkpoint: {0}")]
-    Damaged(String),
-    /// Another version made it, which need not compute the same bits.
-    #[error("version {there} made it, and this is {here}")]
-    Version {
-        /// The version that made it.
-        there: String,
-        /// This version.
-        here: &'static str,
-    },
-    /// It is of another configuration.
-    #[error("it is of another configuration: {}", .0.join("; "))]
-    Configuration(Vec<String>),
-    /// It is of an output of another format.
-    #[error("it is of an output in {there}, and {} is not", out.display())]
-    Format {
-        /// The format of its output.
-        there: Format,
-        /// The output asked for.
-        out: PathBuf,
-    },
-    /// The rows could not be read.
-    #[error("the rows in {}: {source}", path.display())]
-    Rows {
-        /// Their file.
-        path: PathBuf,
-        /// Why.
-        source: io::Error,
-    },
-    /// The rows are not those that were written before the checkpoint.
-    #[error("the rows in {} are not those that belong to it", path.display())]
-    OtherRows {
-        /// Their file.
-        path: PathBuf,
-    },
-}
 
 /// A step of a run, from which it can go on.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
@@ -99,27 +54,13 @@ impl Checkpoint {
     }
 
     fn parse(text: &str) -> Result<Self, CheckpointError> {
-        let damaged = |what: &str| CheckpointError::Damaged(what.into());
-        let (title, contents) = text.split_once('\n').ok_or_else(|| damaged("it ends early"))?;
-        let checksum = title.strip_prefix(TITLE).ok_or_else(|| damaged("it has no title"))?;
-        if checksum != self::checksum(contents) {
-            return Err(damaged("its checksum is not that of its contents"));
-        }
-        // Of the version first: that of another one may have other keys.
-        let table: toml::Table =
-            contents.parse().map_err(|e: toml::de::Error| damaged(e.message()))?;
-        let (there, here) = (table.get("version"), env!("CARGO_PKG_VERSION"));
-        if let Some(there) = there.and_then(|there| there.as_str()).filter(|&there| there != here) {
-            return Err(CheckpointError::Version { there: there.into(), here });
-        }
-        table.try_into().map_err(|e: toml::de::Error| damaged(e.message()))
+        of_this_version(open(TITLE, text)?)?.try_into().map_err(damaged)
     }
 
     /// Writes it, whole or not at all.
     pub(super) fn write(&self, path: &Path) -> Result<(), Error> {
         let contents = toml::to_string(self).map_err(Error::Unwritable)?;
-        let title = format!("{TITLE}{}\n", checksum(&contents));
-        Output::whole(path, (title + &contents).as_bytes())
+        Output::whole(path, seal(TITLE, &contents).as_bytes())
     }
 
     /// The configuration of the run.
@@ -153,6 +94,7 @@ impl Checkpoint {
     }
 }
 
-fn checksum(contents: &str) -> String {
-    format!("{:08x}", crc32fast::hash(contents.as_bytes()))
+/// The argument by which a run goes on from the checkpoint.
+pub(super) fn argument(path: &Path) -> String {
+    format!("--resume {}", path.display())
 }

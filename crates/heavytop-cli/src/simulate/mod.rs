@@ -18,7 +18,8 @@ use std::sync::atomic::{AtomicBool, Ordering};
 use std::time::{Duration, Instant};
 use summary::Deviations;
 
-pub use checkpoint::{Checkpoint, CheckpointError};
+pub use crate::sealed::CheckpointError;
+pub use checkpoint::Checkpoint;
 pub use summary::Summary;
 
 /// How a run is accompanied.
@@ -130,6 +131,10 @@ impl Run<'_> {
         }
         let checkpoint = self.recording.save(moment.saved(), &self.deviations.largest)?;
         self.renewed = Instant::now();
-        if stop { Err(Error::Interrupted { checkpoint }) } else { Ok(()) }
+        if stop {
+            Err(Error::Interrupted { resume: checkpoint.as_deref().map(checkpoint::argument) })
+        } else {
+            Ok(())
+        }
     }
 }

@@ -1,12 +1,13 @@
 //! The rows of a run on their way to its output.
 
-use super::checkpoint::{Checkpoint, CheckpointError};
+use super::checkpoint::{Checkpoint, argument};
 use super::growing::Growing;
 use crate::Error;
 use crate::config::Config;
 use crate::formats::{Format, Metadata};
 use crate::output::{Output, Place};
 use crate::run::Saved;
+use crate::sealed::CheckpointError;
 use crate::table::Table;
 use std::fs;
 use std::path::{Path, PathBuf};
@@ -96,7 +97,7 @@ impl Recording {
             }
             (Err(interrupted @ Error::Interrupted { .. }), _) => Err(interrupted),
             (Err(failure), Some(checkpoint)) => {
-                Err(Error::Resumable { checkpoint, source: Box::new(failure) })
+                Err(Error::Resumable { resume: argument(&checkpoint), source: Box::new(failure) })
             }
             (Err(failure), None) if failure.exit_code() == 1 => Err(self.keep(failure)),
             (Err(refusal), None) => {

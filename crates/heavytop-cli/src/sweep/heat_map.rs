@@ -41,24 +41,38 @@ const NONE: [f64; 3] = [190.0; 3];
 /// The logarithms of smaller numbers are of no interest.
 const SMALLEST: f64 = 1e-16;
 
+/// Fewer ticks do not tell a scale.
+const FEW: usize = 3;
+
 /// So many of the values, at either end, may lie outside the colours.
 const OUTLIERS: f64 = 0.005;
 
-/// The values over the plane of the two axes; none if the sweep is not a grid with two axes.
+/// Of more tops no map is drawn: it would have more pixels than a screen, and take gigabytes.
+const MOST_TOPS: u64 = 1 << 24;
+
+/// The number of columns and rows of a sweep's maps; none unless it is a grid with two axes.
+pub(super) fn size(plan: &Plan) -> Option<[u32; 2]> {
+    let [first, second] = plan.axes.as_slice() else { return None };
+    match (first.spread, second.spread) {
+        (Spread::Grid { count: columns, .. }, Spread::Grid { count: rows, .. })
+            if plan.tops <= MOST_TOPS =>
+        {
+            Some([columns, rows])
+        }
+        _ => None,
+    }
+}
+
+/// The values over the plane of the two axes, of a sweep that has maps of this size.
 ///
 /// # Errors
-/// If there are too many tops for a picture.
+/// If it cannot be drawn.
 pub(super) fn heat_map(
     plan: &Plan,
+    [columns, rows]: [u32; 2],
     column: &Column,
     values: &[Option<f64>],
-) -> Result<Option<String>, Error> {
-    let [first, second] = plan.axes.as_slice() else { return Ok(None) };
-    let (Spread::Grid { count: columns, .. }, Spread::Grid { count: rows, .. }) =
-        (first.spread, second.spread)
-    else {
-        return Ok(None);
-    };
+) -> Result<String, Error> {
     let scaled =
         |value: f64| if column.is_logarithmic { value.max(SMALLEST).log10() } else { value };
     let scaled: Vec<Option<f64>> = values.iter().map(|value| value.map(scaled)).collect();
@@ -80,9 +94,9 @@ pub(super) fn heat_map(
     );
     image(&mut svg, (LEFT, RIGHT), &pixels(columns, rows, &cells, range)?);
     image(&mut svg, BAR, &pixels(1, 256, &bar, range)?);
-    frame(&mut svg, &Marks::of(first), &Marks::of(second));
+    frame(&mut svg, &plan.axes);
     legend(&mut svg, column, range);
-    Ok(Some(svg + "</svg>"))
+    Ok(svg + "</svg>")
 }
 
 /// The range of the colours: all values but outliers.
@@ -167,7 +181,9 @@ impl Marks {
     }
 }
 
-fn frame(svg: &mut String, first: &Marks, second: &Marks) {
+fn frame(svg: &mut String, axes: &[SweepAxis]) {
+    let marks: Vec<Marks> = axes.iter().map(Marks::of).collect();
+    let [first, second] = marks.as_slice() else { return };
     let (width, height) = (RIGHT - LEFT, BOTTOM - TOP);
     let mut ticks = String::new();
     svg.push_str("<g text-anchor=\"middle\">");
@@ -213,7 +229,7 @@ fn legend(svg: &mut String, column: &Column, range: [f64; 2]) {
 }
 
 /// The ticks of the bar, from 0 to 1. Of logarithms they are 1, 2 and 5 times powers of ten, or
-/// powers of ten alone if that would be many.
+/// powers of ten alone if that would be many, or as round as can be if that would be few.
 fn marks(column: &Column, [least, most]: [f64; 2]) -> Vec<(f64, String)> {
     if !column.is_logarithmic {
         let axis = Axis::new(least, most, 6);
@@ -234,5 +250,32 @@ fn marks(column: &Column, [least, most]: [f64; 2]) -> Vec<(f64, String)> {
         };
         (0.0..=1.0).contains(&along).then_some((along, label))
     };
-    ticks.filter_map(along).collect()
+    let ticks: Vec<(f64, String)> = ticks.filter_map(along).collect();
+    if ticks.len() >= FEW {
+        return ticks;
+    }
+    let axis = Axis::new(10_f64.powf(least), 10_f64.powf(most), 4);
+    let along = |value: f64| (value.log10() - least) / (most - least);
+    axis.labels().map(|(value, label)| (along(value), label)).collect()
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::sweep::Observable;
+
+    #[test]
+    fn a_bar_of_logarithms_has_ticks_enough_and_in_order() {
+        let [megno] = Observable::Megno.columns() else { return };
+        let labels = |least: f64, most: f64| -> Vec<String> {
+            let marks = marks(megno, [least.log10(), most.log10()]);
+            assert!(marks.is_sorted_by(|a, b| a.0 < b.0), "{marks:?}");
+            assert!(marks.iter().all(|(along, _)| (0.0..=1.0).contains(along)), "{marks:?}");
+            marks.into_iter().map(|(_, label)| label).collect()
+        };
+        // Between 1 and 5 there is only 2 among 1, 2 and 5 times powers of ten.
+        assert_eq!(labels(1.45, 2.35), ["1.6", "1.8", "2.0", "2.2"]);
+        assert_eq!(labels(0.9, 11.0), ["1", "2", "5", "10"]);
+        assert_eq!(labels(1e-3, 50.0), ["1e−3", "0.01", "0.1", "1", "10"]);
+    }
 }

@@ -19,6 +19,13 @@ pub(super) struct Row {
     pub failure: Option<String>,
 }
 
+impl Row {
+    /// The value in a column, if there is one.
+    pub fn value(&self, column: usize) -> Option<f64> {
+        self.values.get(column).copied().flatten()
+    }
+}
+
 /// Follows the top with this number. What it becomes depends on nothing but the plan.
 pub(super) fn measure(plan: &Plan, number: u64) -> Row {
     let values = plan.top(&plan.parameters(number)).and_then(|(top, start)| {

@@ -17,12 +17,13 @@ use crate::formats::Metadata;
 use crate::output::Output;
 use crate::progress::Progress;
 use crate::render;
-use measure::Row;
+use crate::tiles::{Options, resumable};
 use plan::Plan;
 use processes::Processes;
 use std::io::{self, Write};
 use std::path::Path;
-use tiles::Tiles;
+use table::Table;
+use tiles::Tops;
 
 pub use observable::{Column, Observable};
 pub use parameter::{Parameter, Part};
@@ -33,39 +34,35 @@ pub use summary::Summary;
 const SCALE: f32 = 3.0;
 
 /// Follows all tops of the configuration; writes `sweep.parquet` into the folder `out`, with a heat map of
-/// each column for a grid with two axes. With `resume` it goes on from the finished tiles of an
-/// interrupted sweep.
+/// each column for a grid with two axes. It goes on from the finished tiles of an interrupted sweep
+/// if it shall.
 ///
 /// Processes of an MPI job (feature `mpi`) share the work; `out` must be on a file system that all
 /// of them see, and the first of them alone has the summary. No bit depends on the number of threads
-/// or processes.
+/// or processes. Memory does not grow with the number of tops, but for the heat maps.
 ///
 /// # Errors
-/// If the request is wrong, in which case nothing is written, or a file cannot be written. A top that
-/// fails is no error: its row says why.
+/// If the request is wrong, in which case nothing is written; or it was stopped, or a file cannot be
+/// written, in which case it can go on. A top that fails is no error: its row says why.
 ///
 /// # Example
 /// ```
 /// use heavytop_cli::config::{Config, IntegratorConfig};
 /// use heavytop_cli::sweep::{Observable, SweepConfig, sweep};
+/// use heavytop_cli::tiles::Options;
 /// let folder = tempfile::tempdir()?;
 /// let mut map = SweepConfig { observables: vec![Observable::Sali], ..SweepConfig::default() };
 /// map.axes.iter_mut().for_each(|axis| axis.count = Some(3));
 /// let integrator = Some(IntegratorConfig { end: 1.0, ..IntegratorConfig::default() });
 /// let config = Config { sweep: Some(map), integrator, ..Config::default() };
-/// let summary = sweep(&config, folder.path(), false, true)?.ok_or("not the first process")?;
+/// let summary = sweep(&config, folder.path(), &Options::default())?.ok_or("not the first process")?;
 /// assert_eq!((summary.tops, summary.failed), (9, 0));
 /// assert!(folder.path().join("sali.png").exists());
 /// # Ok::<(), Box<dyn std::error::Error>>(())
 /// ```
-pub fn sweep(
-    config: &Config,
-    out: &Path,
-    resume: bool,
-    quiet: bool,
-) -> Result<Option<Summary>, Error> {
+pub fn sweep(config: &Config, out: &Path, options: &Options<'_>) -> Result<Option<Summary>, Error> {
     let processes = Processes::join();
-    let outcome = run(&processes, config, out, resume, quiet);
+    let outcome = run(&processes, config, out, options);
     processes.conclude(outcome)
 }
 
@@ -73,58 +70,55 @@ fn run(
     processes: &Processes,
     config: &Config,
     out: &Path,
-    resume: bool,
-    quiet: bool,
+    options: &Options<'_>,
 ) -> Result<Option<Summary>, Error> {
     let (rank, size) = processes.place();
-    let (plan, metadata) = (Plan::new(config)?, Metadata::new(config)?);
-    let tiles = Tiles::new(&plan, out);
+    let config = Plan::complete(config);
+    let (plan, metadata) = (Plan::new(&config)?, Metadata::new(&config)?);
+    let tops = Tops::new(&plan, &config, out)?;
     if rank == 0 {
-        tiles.prepare(resume)?;
+        tops.tiles.prepare(options.resume)?;
         if let Some(warning) = plan.method.warning() {
             // Where stderr is closed nobody can be warned.
             let _ = writeln!(io::stderr(), "heavytop: {warning}");
         }
     }
     processes.wait_for_all();
-    let progress = Progress::of(plan.tops, "tops", quiet || rank > 0);
-    for tile in (rank..tiles.count()).step_by(size as usize) {
-        if tiles.read(tile)?.is_none() {
-            tiles.finish(tile)?;
-        }
-        progress.now(tiles.tops(tile).end, String::new());
+    let progress = Progress::of(plan.tops, "tops", options.quiet || rank > 0);
+    for tile in (rank..tops.count()).step_by(size as usize) {
+        tops.finish(tile, options).map_err(resumable)?;
+        progress.now(tops.tops(tile).end, String::new());
     }
     drop(progress);
     processes.wait_for_all();
     if rank > 0 {
         return Ok(None);
     }
-    let rows = assemble(&plan, &tiles, &metadata, out)?;
-    Ok(Some(Summary::new(&plan, &rows, out)))
+    let summary = assemble(&plan, &tops, &metadata, out).map_err(resumable)?;
+    tops.tiles.remove()?;
+    Ok(Some(summary))
 }
 
 /// Makes the files of all tiles.
-fn assemble(
-    plan: &Plan,
-    tiles: &Tiles,
-    metadata: &Metadata,
-    out: &Path,
-) -> Result<Vec<Row>, Error> {
-    let mut rows: Vec<Row> = Vec::new();
-    for tile in 0..tiles.count() {
-        let of_tile = tiles.read(tile)?;
-        rows.extend(of_tile.ok_or_else(|| Error::MissingTile { tile, folder: out.into() })?);
-    }
-    table::write(plan, &rows, metadata, &out.join("sweep.parquet"))?;
+fn assemble(plan: &Plan, tops: &Tops, metadata: &Metadata, out: &Path) -> Result<Summary, Error> {
+    let mut summary = Summary::new(plan, out);
+    let mut table = Table::begin(plan, metadata, &out.join("sweep.parquet"))?;
+    tops.each(|rows| {
+        summary.add(&rows);
+        table.add(rows)
+    })?;
+    table.complete()?;
+    let Some(size) = heat_map::size(plan) else { return Ok(summary) };
     for (index, column) in plan.columns().enumerate() {
-        let values: Vec<Option<f64>> =
-            rows.iter().map(|row| row.values.get(index).copied().flatten()).collect();
-        if let Some(drawing) = heat_map::heat_map(plan, column, &values)? {
-            let (svg, png) = render::render(&drawing, SCALE)?;
-            Output::whole(&out.join(column.name).with_extension("svg"), svg.as_bytes())?;
-            Output::whole(&out.join(column.name).with_extension("png"), &png)?;
-        }
+        let mut values: Vec<Option<f64>> = Vec::new();
+        tops.each(|rows| {
+            values.extend(rows.iter().map(|row| row.value(index)));
+            Ok(())
+        })?;
+        let drawing = heat_map::heat_map(plan, size, column, &values)?;
+        let (svg, png) = render::render(&drawing, SCALE)?;
+        Output::whole(&out.join(column.name).with_extension("svg"), svg.as_bytes())?;
+        Output::whole(&out.join(column.name).with_extension("png"), &png)?;
     }
-    tiles.remove()?;
-    Ok(rows)
+    Ok(summary)
 }

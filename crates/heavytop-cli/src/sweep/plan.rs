@@ -31,7 +31,19 @@ pub(super) struct Plan {
 }
 
 impl Plan {
-    /// What the configuration asks for.
+    /// The configuration with all that was left out and plays a part.
+    pub fn complete(config: &Config) -> Config {
+        let integrator = config.integrator.unwrap_or(IntegratorConfig {
+            formulation: Formulation::Reduced,
+            scheme: Scheme::Gauss(4),
+            step: 0.1,
+            ..IntegratorConfig::default()
+        });
+        let sweep = config.sweep.clone().unwrap_or_default();
+        Config { integrator: Some(integrator), sweep: Some(sweep), ..config.clone() }
+    }
+
+    /// What the configuration asks for; it is complete.
     ///
     /// # Errors
     /// If it makes no sense for any top.
@@ -48,12 +60,7 @@ impl Plan {
             config.start()?;
         }
         let IntegratorConfig { formulation, scheme, step, end, tolerance } =
-            config.integrator.unwrap_or(IntegratorConfig {
-                formulation: Formulation::Reduced,
-                scheme: Scheme::Gauss(4),
-                step: 0.1,
-                ..IntegratorConfig::default()
-            });
+            config.integrator.unwrap_or_default();
         Ok(Self {
             body: config.body,
             initial: config.initial,
@@ -117,11 +124,6 @@ impl Plan {
         let (top, start) = (config.top()?, config.start()?);
         crate::config::require_sane_step(&top, &start, self.schedule.step)?;
         Ok((top, start))
-    }
-
-    /// What decides about the numbers, as text.
-    pub fn identity(&self) -> String {
-        format!("heavytop {} {self:?}\n", env!("CARGO_PKG_VERSION"))
     }
 }
 

@@ -3,7 +3,6 @@
 use super::observable::Observable;
 use super::parameter::{Parameter, Part};
 use serde::{Deserialize, Serialize};
-use std::path::PathBuf;
 use thiserror::Error;
 
 /// `[sweep]`
@@ -81,27 +80,31 @@ impl AxisConfig {
     /// Unless it has the keys of one kind, with finite numbers.
     pub(super) fn axis(&self) -> Result<Axis, SweepError> {
         let Self { parameter, from, to, count, uniform, normal, normalise } = *self;
-        let wrong = |needs| SweepError::Axis { parameter: parameter.name(), needs };
+        let wrong = |needs: String| SweepError::Axis { parameter: parameter.name(), needs };
         let spread = match (from, to, count, uniform, normal) {
             (Some(from), Some(to), Some(count), None, None) => Spread::Grid { from, to, count },
             (None, None, None, Some([from, to]), None) => Spread::Uniform { from, to },
             (None, None, None, None, Some([mean, deviation])) => Spread::Normal { mean, deviation },
-            _ => return Err(wrong("either from, to and count, or uniform, or normal")),
+            _ => return Err(wrong("either from, to and count, or uniform, or normal".into())),
         };
         let numbers = [from, to].into_iter().flatten();
-        let numbers = numbers.chain(uniform.into_iter().chain(normal).flatten());
-        if !numbers.into_iter().all(f64::is_finite) {
-            return Err(wrong("finite numbers"));
+        let mut numbers = numbers.chain(uniform.into_iter().chain(normal).flatten());
+        if let Some(value) = numbers.find(|value| !value.is_finite()) {
+            return Err(wrong(format!("finite numbers, got {value}")));
         }
         match spread {
-            Spread::Grid { count: 0, .. } => return Err(wrong("a count of at least 1")),
+            Spread::Grid { count: 0, .. } => {
+                return Err(wrong("a count of at least 1, got 0".into()));
+            }
             Spread::Normal { deviation, .. } if deviation < 0.0 => {
-                return Err(wrong("a standard deviation that is not negative"));
+                return Err(wrong(format!(
+                    "a standard deviation that is not negative, got {deviation}"
+                )));
             }
             _ => {}
         }
         if normalise && !parameter.is_component() {
-            return Err(wrong("no normalise: it is not a component of a unit vector"));
+            return Err(wrong("no normalise: it is not a component of a unit vector".into()));
         }
         Ok(Axis { parameter, spread, normalise })
     }
@@ -145,8 +148,8 @@ pub enum SweepError {
     Axis {
         /// Its parameter.
         parameter: &'static str,
-        /// What it needs.
-        needs: &'static str,
+        /// What it needs, and has.
+        needs: String,
     },
     /// Two axes set the same number.
     #[error("the axes {first} and {second} set the same thing")]
@@ -169,22 +172,5 @@ pub enum SweepError {
         tops: f64,
         /// The most that there may be.
         most: f64,
-    },
-    /// There are tiles of an unfinished sweep.
-    #[error(
-        "{} has the finished tiles of an interrupted sweep: go on with --resume, or delete it",
-        folder.display()
-    )]
-    Unfinished {
-        /// Where.
-        folder: PathBuf,
-    },
-    /// The tiles are of another sweep.
-    #[error(
-        "cannot go on from {}: its tiles are of another configuration or version", folder.display()
-    )]
-    Foreign {
-        /// Where.
-        folder: PathBuf,
     },
 }

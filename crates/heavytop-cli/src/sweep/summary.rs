@@ -28,8 +28,8 @@ pub struct Summary {
 }
 
 impl Summary {
-    pub(super) fn new(plan: &Plan, rows: &[Row], out: &Path) -> Self {
-        let mut failures = rows.iter().filter_map(|row| row.failure.as_ref());
+    /// That of tops of which none has failed yet.
+    pub(super) fn new(plan: &Plan, out: &Path) -> Self {
         Self {
             out: out.into(),
             tops: plan.tops,
@@ -37,8 +37,16 @@ impl Summary {
             scheme: plan.method.scheme().name(),
             step: plan.schedule.step,
             end: plan.schedule.end(),
-            failed: failures.clone().count(),
-            first_failure: failures.next().cloned(),
+            failed: 0,
+            first_failure: None,
+        }
+    }
+
+    /// Counts those that failed.
+    pub(super) fn add(&mut self, rows: &[Row]) {
+        for failure in rows.iter().filter_map(|row| row.failure.as_ref()) {
+            self.failed += 1;
+            self.first_failure.get_or_insert_with(|| failure.clone());
         }
     }
 }

@@ -4,97 +4,109 @@ use super::measure::Row;
 use super::plan::Plan;
 use crate::Error;
 use crate::formats::Metadata;
+use crate::formats::parquet::{GROUP, begin, required, write_column};
 use crate::output::Output;
-use parquet::basic::{LogicalType, Repetition, Type as PhysicalType};
+use parquet::basic::{LogicalType, Type as PhysicalType};
 use parquet::data_type::{ByteArray, ByteArrayType, DoubleType, Int64Type};
 use parquet::errors::Result;
-use parquet::file::metadata::KeyValue;
-use parquet::file::properties::WriterProperties;
 use parquet::file::writer::SerializedFileWriter;
 use parquet::schema::types::Type;
-use std::io::Write;
-use std::path::Path;
-use std::sync::Arc;
+use std::path::{Path, PathBuf};
 
-/// Writes `index`, the parameters, the observables and `failure` of each top; the last two may be
-/// null. The configuration is in the file's metadata.
+/// `index`, the parameters, the observables and `failure` of each top; the last two may be null. The
+/// configuration is in the file's metadata.
 ///
-/// # Errors
-/// If the file cannot be written.
-pub(super) fn write(
-    plan: &Plan,
-    rows: &[Row],
-    metadata: &Metadata,
-    path: &Path,
-) -> std::result::Result<(), Error> {
-    let mut output = Output::create(path)?;
-    output.write(|to| Ok(write_table(plan, rows, metadata, to)?))?;
-    output.complete()
+/// Rows are written in groups, and no more than a group of them is held.
+pub(super) struct Table<'a> {
+    plan: &'a Plan,
+    path: PathBuf,
+    file: SerializedFileWriter<Output>,
+    /// The number of the first of the rows that are held.
+    first: u64,
+    rows: Vec<Row>,
 }
 
-fn write_table<W: Write + Send>(
-    plan: &Plan,
-    rows: &[Row],
-    metadata: &Metadata,
-    to: &mut W,
-) -> Result<()> {
-    let Metadata { program, version, configuration } = metadata;
-    let pairs = [("program", *program), ("version", version), ("configuration", configuration)];
-    let pairs = pairs.map(|(key, value)| KeyValue::new(key.into(), value.to_string()));
-    let properties = WriterProperties::builder()
-        .set_created_by(format!("{program} version {version}"))
-        .set_key_value_metadata(Some(pairs.into()))
-        .build();
-    let mut file = SerializedFileWriter::new(to, Arc::new(schema(plan)?), Arc::new(properties))?;
-    let mut group = file.next_row_group()?;
-    if let Some(mut column) = group.next_column()? {
-        let indices: Vec<i64> = (0..rows.len() as i64).collect();
-        column.typed::<Int64Type>().write_batch(&indices, None, None)?;
-        column.close()?;
+impl<'a> Table<'a> {
+    /// The table without rows.
+    ///
+    /// # Errors
+    /// If the file cannot be made.
+    pub fn begin(
+        plan: &'a Plan,
+        metadata: &Metadata,
+        path: &Path,
+    ) -> std::result::Result<Self, Error> {
+        let output = Output::create(path).map_err(Error::too_late)?;
+        let file = fields(plan).and_then(|fields| begin("sweep", fields, metadata, true, output));
+        let file = file.map_err(|source| failed(path, source.into()))?;
+        Ok(Self { plan, path: path.into(), file, first: 0, rows: Vec::new() })
     }
-    for axis in 0..plan.axes.len() {
-        if let Some(mut column) = group.next_column()? {
-            let values: Vec<f64> =
-                (0..plan.tops).filter_map(|n| plan.parameters(n).get(axis).copied()).collect();
-            column.typed::<DoubleType>().write_batch(&values, None, None)?;
-            column.close()?;
+
+    /// Adds the next rows.
+    ///
+    /// # Errors
+    /// If they cannot be written.
+    pub fn add(&mut self, rows: Vec<Row>) -> std::result::Result<(), Error> {
+        self.rows.extend(rows);
+        if self.rows.len() < GROUP { Ok(()) } else { self.write() }
+    }
+
+    /// Gives the file its name.
+    ///
+    /// # Errors
+    /// If it cannot be completed.
+    pub fn complete(mut self) -> std::result::Result<(), Error> {
+        if !self.rows.is_empty() {
+            self.write()?;
         }
+        let output = self.file.into_inner().map_err(|source| failed(&self.path, source.into()))?;
+        output.complete()
     }
-    for index in 0..plan.columns().count() {
-        if let Some(mut column) = group.next_column()? {
-            let cells = || rows.iter().map(|row| row.values.get(index).copied().flatten());
+
+    fn write(&mut self) -> std::result::Result<(), Error> {
+        self.write_group().map_err(|source| failed(&self.path, source.into()))?;
+        self.first += self.rows.len() as u64;
+        self.rows.clear();
+        Ok(())
+    }
+
+    fn write_group(&mut self) -> Result<()> {
+        let Self { plan, file, first, rows, .. } = self;
+        let mut group = file.next_row_group()?;
+        let indices = *first..*first + rows.len() as u64;
+        let numbers: Vec<i64> = indices.clone().map(|index| index as i64).collect();
+        write_column::<Int64Type>(&mut group, &numbers, None)?;
+        for axis in 0..plan.axes.len() {
+            let value = |index| plan.parameters(index).get(axis).copied();
+            let values: Vec<f64> = indices.clone().filter_map(value).collect();
+            write_column::<DoubleType>(&mut group, &values, None)?;
+        }
+        for column in 0..plan.columns().count() {
+            let cells = || rows.iter().map(|row| row.value(column));
             let values: Vec<f64> = cells().flatten().collect();
             let present: Vec<i16> = cells().map(|cell| i16::from(cell.is_some())).collect();
-            column.typed::<DoubleType>().write_batch(&values, Some(&present), None)?;
-            column.close()?;
+            write_column::<DoubleType>(&mut group, &values, Some(&present))?;
         }
-    }
-    if let Some(mut column) = group.next_column()? {
         let failures = rows.iter().filter_map(|row| row.failure.as_deref());
         let failures: Vec<ByteArray> = failures.map(ByteArray::from).collect();
         let present: Vec<i16> = rows.iter().map(|row| i16::from(row.failure.is_some())).collect();
-        column.typed::<ByteArrayType>().write_batch(&failures, Some(&present), None)?;
-        column.close()?;
+        write_column::<ByteArrayType>(&mut group, &failures, Some(&present))?;
+        group.close()?;
+        Ok(())
     }
-    group.close()?;
-    file.close()?;
-    Ok(())
 }
 
-fn schema(plan: &Plan) -> Result<Type> {
-    let field = |name: &str, kind, repetition, logical| {
-        let field = Type::primitive_type_builder(name, kind).with_repetition(repetition);
-        Ok::<_, parquet::errors::ParquetError>(Arc::new(field.with_logical_type(logical).build()?))
-    };
-    let mut fields = vec![field("index", PhysicalType::INT64, Repetition::REQUIRED, None)?];
-    for axis in &plan.axes {
-        let name = axis.parameter.name();
-        fields.push(field(name, PhysicalType::DOUBLE, Repetition::REQUIRED, None)?);
-    }
-    for column in plan.columns() {
-        fields.push(field(column.name, PhysicalType::DOUBLE, Repetition::OPTIONAL, None)?);
-    }
-    let text = Some(LogicalType::String);
-    fields.push(field("failure", PhysicalType::BYTE_ARRAY, Repetition::OPTIONAL, text)?);
-    Type::group_type_builder("sweep").with_fields(fields).build()
+fn failed(path: &Path, source: std::io::Error) -> Error {
+    Error::Write { path: path.into(), source }
+}
+
+fn fields(plan: &Plan) -> Result<Vec<Type>> {
+    let axes = plan.axes.iter().map(|axis| required(axis.parameter.name(), PhysicalType::DOUBLE));
+    // A column that may have nulls is what there is without more words.
+    let optional = |name, kind| Type::primitive_type_builder(name, kind);
+    let columns = plan.columns().map(|column| optional(column.name, PhysicalType::DOUBLE).build());
+    let failure = optional("failure", PhysicalType::BYTE_ARRAY);
+    let failure = failure.with_logical_type(Some(LogicalType::String)).build();
+    let index = required("index", PhysicalType::INT64);
+    [index].into_iter().chain(axes).chain(columns).chain([failure]).collect()
 }

@@ -1,0 +1,89 @@
+//! Files that an interrupted run has left for the one that goes on: whole, and of this version.
+
+use std::io;
+use std::path::PathBuf;
+use thiserror::Error;
+use toml::Table;
+
+use crate::formats::Format;
+
+/// Why a run cannot go on from what an interrupted one has left.
+#[derive(Debug, Error)]
+pub enum CheckpointError {
+    /// It could not be read.
+    #[error("{0}")]
+    Read(#[source] io::Error),
+    /// It is not a checkpoint, or not a whole one.
+    #[error("it is damaged, or no checkpoint: {0}")]
+    Damaged(String),
+    /// Another version made it, which need not compute the same bits.
+    #[error("version {there} made it, and this is {here}")]
+    Version {
+        /// The version that made it.
+        there: String,
+        /// This version.
+        here: &'static str,
+    },
+    /// It is of another configuration.
+    #[error("it is of another configuration: {}", .0.join("; "))]
+    Configuration(Vec<String>),
+    /// It is of an output of another format.
+    #[error("it is of an output in {there}, and {} is not", out.display())]
+    Format {
+        /// The format of its output.
+        there: Format,
+        /// The output asked for.
+        out: PathBuf,
+    },
+    /// The rows could not be read.
+    #[error("the rows in {}: {source}", path.display())]
+    Rows {
+        /// Their file.
+        path: PathBuf,
+        /// Why.
+        source: io::Error,
+    },
+    /// The rows are not those that were written before the checkpoint.
+    #[error("the rows in {} are not those that belong to it", path.display())]
+    OtherRows {
+        /// Their file.
+        path: PathBuf,
+    },
+}
+
+/// The contents after a line of the title and their checksum.
+pub(crate) fn seal(title: &str, contents: &str) -> String {
+    format!("{title}{:08x}\n{contents}", crc32fast::hash(contents.as_bytes()))
+}
+
+/// The contents of what was sealed under this title.
+///
+/// # Errors
+/// If it was not, or is not whole.
+pub(crate) fn open<'a>(title: &str, text: &'a str) -> Result<&'a str, CheckpointError> {
+    let damaged = |what: &str| CheckpointError::Damaged(what.into());
+    let (line, contents) = text.split_once('\n').ok_or_else(|| damaged("it ends early"))?;
+    let checksum = line.strip_prefix(title).ok_or_else(|| damaged("it has no title"))?;
+    if checksum != format!("{:08x}", crc32fast::hash(contents.as_bytes())) {
+        return Err(damaged("its checksum is not that of its contents"));
+    }
+    Ok(contents)
+}
+
+/// The TOML of a checkpoint that this version has made.
+///
+/// # Errors
+/// If it is not TOML, or of another version, whose keys may be others.
+pub(crate) fn of_this_version(contents: &str) -> Result<Table, CheckpointError> {
+    let table: Table = contents.parse().map_err(damaged)?;
+    let (there, here) = (table.get("version"), env!("CARGO_PKG_VERSION"));
+    match there.and_then(|there| there.as_str()).filter(|&there| there != here) {
+        Some(there) => Err(CheckpointError::Version { there: there.into(), here }),
+        None => Ok(table),
+    }
+}
+
+/// That it is no TOML, or has other keys.
+pub(crate) fn damaged(error: toml::de::Error) -> CheckpointError {
+    CheckpointError::Damaged(error.message().into())
+}

@@ -1,0 +1,248 @@
+//! Sections and sweeps that are interrupted, and go on.
+#![allow(clippy::unwrap_used)]
+#![cfg(unix)]
+
+mod program;
+use program::Folder;
+use std::path::PathBuf;
+use std::process::{Child, Command};
+use std::thread::sleep;
+use std::time::{Duration, SystemTime};
+
+/// A command whose finished parts are kept.
+struct Case {
+    command: &'static str,
+    /// Twelve tiles or so, of which each takes some hundredths of a second.
+    configuration: &'static str,
+    files: &'static [&'static str],
+    /// A key's value and another one, and what is said of them.
+    other: [&'static str; 3],
+}
+
+const SECTION: Case = Case {
+    command: "section",
+    configuration: "[section]\nenergy = 1.5\nvertical_momentum = 0.5\nstarts = 12\ncrossings = 150",
+    files: &["section.csv", "section.parquet", "section.svg", "section.png"],
+    other: ["energy = 1.5", "energy = 1.6", "[section] energy: 1.5 against 1.6"],
+};
+
+const SWEEP: Case = Case {
+    command: "sweep",
+    configuration: "[sweep]\nobservables = ['megno']\naxes = [\
+        { parameter = 'body.inertia[1]', from = 1, to = 3, count = 48 }, \
+        { parameter = 'initial.angular_momentum[2]', from = 0, to = 4, count = 64 }]\n\
+        [integrator]\nformulation = 'splitting'\nscheme = 'strang'\nstep = 0.1\nend = 2.0",
+    files: &["sweep.parquet", "megno.svg", "megno.png"],
+    other: ["end = 2.0", "end = 3.0", "[integrator] end: 2.0 against 3.0"],
+};
+
+impl Case {
+    /// A folder with the configuration, another one, and the files of an uninterrupted run.
+    fn folder(&self) -> Folder {
+        let folder = Folder::new();
+        folder.write("a.toml", self.configuration);
+        folder.write("b.toml", &self.configuration.replace(self.other[0], self.other[1]));
+        let run = folder.heavytop(&[self.command, "a.toml", "--out", "whole"]);
+        assert_eq!((run.code(), run.stderr().as_str()), (0, ""));
+        folder
+    }
+
+    fn tiles(&self, folder: &Folder) -> PathBuf {
+        folder.path("cut").join(format!("{}.partial", self.command))
+    }
+
+    /// Starts the command, and waits until it has finished a tile or two, and for some
+    /// milliseconds more.
+    fn start(&self, folder: &Folder, arguments: &[&str], milliseconds: u64) -> Child {
+        let tiles = self.tiles(folder);
+        // The identity is one of the files; another may have its name not yet.
+        let count = || std::fs::read_dir(&tiles).map_or(0, |files| files.count());
+        let before = count();
+        let first = [self.command, "a.toml", "--out", "cut"];
+        let mut child = folder.start(&[&first, arguments].concat());
+        while count() < before + 3 && child.try_wait().unwrap().is_none() {
+            sleep(Duration::from_millis(1));
+        }
+        sleep(Duration::from_millis(milliseconds));
+        child
+    }
+
+    fn assert_same_bytes(&self, folder: &Folder) {
+        for file in self.files {
+            let read = |out: &str| std::fs::read(folder.path(out).join(file)).unwrap();
+            assert!(read("cut") == read("whole"), "{file}");
+        }
+        let count = std::fs::read_dir(folder.path("cut")).unwrap().count();
+        assert_eq!(count, self.files.len(), "something is left in the folder");
+    }
+}
+
+#[test]
+fn a_killed_run_goes_on_to_the_same_bytes() {
+    for case in [SECTION, SWEEP] {
+        let folder = case.folder();
+        let mut interrupted = 0;
+        for time in [0, 10, 30] {
+            let mut child = case.start(&folder, &[], time);
+            let _ = child.kill();
+            child.wait().unwrap();
+            let tile = case.tiles(&folder).join("0000000");
+            if !tile.exists() {
+                // The machine was so fast that it had finished, or the other tiles come first.
+                let _ = std::fs::remove_dir_all(folder.path("cut"));
+                continue;
+            }
+            interrupted += 1;
+            let modified = |tile: &PathBuf| std::fs::metadata(tile).unwrap().modified().unwrap();
+            let before: SystemTime = modified(&tile);
+
+            let refused = folder.heavytop(&[case.command, "a.toml", "--out", "cut"]);
+            assert_eq!(refused.code(), 2);
+            assert!(refused.stderr().contains("go on with --resume"), "{}", refused.stderr());
+            let other = folder.heavytop(&[case.command, "b.toml", "--out", "cut", "--resume"]);
+            assert_eq!(other.code(), 2);
+            let said = other.stderr();
+            assert!(said.contains(".partial: it is of another configuration: "), "{said}");
+            assert!(said.contains(case.other[2]), "{said}");
+            // Neither has touched what is finished.
+            assert_eq!(modified(&tile), before);
+
+            let resumed = folder.heavytop(&[case.command, "a.toml", "--out", "cut", "--resume"]);
+            assert_eq!((resumed.code(), resumed.stderr().as_str()), (0, ""));
+            case.assert_same_bytes(&folder);
+            std::fs::remove_dir_all(folder.path("cut")).unwrap();
+        }
+        assert!(interrupted > 0, "{}: no run was killed before its end", case.command);
+    }
+}
+
+#[test]
+fn ctrl_c_ends_a_run_whose_tiles_stay_also_twice() {
+    for case in [SECTION, SWEEP] {
+        let folder = case.folder();
+        let mut interrupted = 0;
+        for arguments in [&[][..], &["--resume"]] {
+            let child = case.start(&folder, arguments, 0);
+            let id = child.id().to_string();
+            // Of a run that is over nobody is left to be told.
+            // Twice, as by a launcher that tells the process and its group, is once.
+            let _ = Command::new("kill").args(["-INT", &id, &id]).status().unwrap();
+            let done = child.wait_with_output().unwrap();
+            let said = String::from_utf8(done.stderr).unwrap();
+            if done.status.code() == Some(0) {
+                continue;
+            }
+            interrupted += 1;
+            let expected = "heavytop: interrupted; go on by the same command with --resume\n";
+            assert_eq!((done.status.code(), said.as_str()), (Some(130), expected));
+            let names: Vec<_> = std::fs::read_dir(folder.path("cut")).unwrap().collect();
+            assert_eq!(names.len(), 1, "{names:?}");
+            // No tile is half there.
+            for file in std::fs::read_dir(case.tiles(&folder)).unwrap() {
+                let name = file.unwrap().file_name().into_string().unwrap();
+                assert!(!name.ends_with(".partial"), "{name}");
+            }
+        }
+        assert!(interrupted > 0, "{}: no run was interrupted", case.command);
+        if case.tiles(&folder).exists() {
+            let resumed = folder.heavytop(&[case.command, "a.toml", "--out", "cut", "--resume"]);
+            assert_eq!((resumed.code(), resumed.stderr().as_str()), (0, ""));
+        }
+        case.assert_same_bytes(&folder);
+    }
+}
+
+#[test]
+fn a_run_without_room_goes_on_once_there_is_some() {
+    for case in [SECTION, SWEEP] {
+        let folder = case.folder();
+        let heavytop = env!("CARGO_BIN_EXE_heavytop");
+        // Room for the identity, and for tiles, but not for the table: files of 40 or 20 KB, for
+        // shells count in blocks of 1024 or of 512 bytes.
+        let run = format!("{heavytop} {} a.toml --out cut", case.command);
+        let script = format!("trap '' XFSZ; ulimit -f 40; exec {run}");
+        let mut command = Command::new("sh");
+        let done = command.args(["-c", &script]).current_dir(folder.path(".")).output().unwrap();
+        let said = String::from_utf8(done.stderr).unwrap();
+        assert_eq!(done.status.code(), Some(1), "{said}");
+        assert!(said.contains("File too large"), "{said}");
+        assert!(said.ends_with("; go on by the same command with --resume\n"), "{said}");
+        assert_eq!(said.lines().count(), 1, "{said}");
+        let resumed = folder.heavytop(&[case.command, "a.toml", "--out", "cut", "--resume"]);
+        assert_eq!((resumed.code(), resumed.stderr().as_str()), (0, ""));
+        case.assert_same_bytes(&folder);
+    }
+}
+
+/// A run that was killed while it removed its tiles may have left some.
+#[test]
+fn tiles_of_another_run_are_not_taken() {
+    for case in [SECTION, SWEEP] {
+        let folder = case.folder();
+        let mut child = folder.start(&[case.command, "b.toml", "--out", "cut"]);
+        let tile = case.tiles(&folder).join("0000001");
+        while !tile.exists() && child.try_wait().unwrap().is_none() {
+            sleep(Duration::from_millis(1));
+        }
+        let _ = child.kill();
+        child.wait().unwrap();
+        if !tile.exists() {
+            continue;
+        }
+        std::fs::remove_file(case.tiles(&folder).join("identity")).unwrap();
+        let run = folder.heavytop(&[case.command, "a.toml", "--out", "cut"]);
+        assert_eq!((run.code(), run.stderr().as_str()), (0, ""));
+        case.assert_same_bytes(&folder);
+    }
+}
+
+#[test]
+fn a_damaged_identity_is_refused() {
+    for case in [SECTION, SWEEP] {
+        let folder = case.folder();
+        let title = "heavytop-tiles 00000000\n";
+        std::fs::create_dir_all(case.tiles(&folder)).unwrap();
+        for (identity, message) in [
+            ("", "it is damaged, or no checkpoint: it ends early"),
+            (title, "it is damaged, or no checkpoint: "),
+            (
+                "heavytop-tiles 6c0d35ab\nversion = \"0.0.1\"\n",
+                "version 0.0.1 made it, and this is ",
+            ),
+        ] {
+            let path = case.tiles(&folder).join("identity");
+            let sealed = match identity.split_once('\n') {
+                Some((_, contents)) if !contents.is_empty() => {
+                    format!(
+                        "heavytop-tiles {:08x}\n{contents}",
+                        crc32fast::hash(contents.as_bytes())
+                    )
+                }
+                _ => identity.into(),
+            };
+            std::fs::write(&path, &sealed).unwrap();
+            let run = folder.heavytop(&[case.command, "a.toml", "--out", "cut", "--resume"]);
+            assert_eq!(run.code(), 2, "{}", run.stderr());
+            assert!(run.stderr().contains(message), "{}", run.stderr());
+            assert_eq!(std::fs::read_to_string(&path).unwrap(), sealed);
+        }
+    }
+}
+
+#[test]
+fn a_file_where_the_folder_should_be_is_refused() {
+    for case in [SECTION, SWEEP] {
+        let folder = Folder::new();
+        folder.write("taken", "");
+        for out in ["taken", "taken/below"] {
+            let run = folder.heavytop(&[case.command, "--out", out]);
+            assert_eq!(run.code(), 2, "{}", run.stderr());
+            let message = format!("cannot create {out}/{}.partial: ", case.command);
+            assert!(run.stderr().contains(&message), "{}", run.stderr());
+            assert_eq!(
+                (folder.names(), folder.read("taken")),
+                (vec!["taken".into()], String::new())
+            );
+        }
+    }
+}
