@@ -94,6 +94,20 @@ impl<S: Equivariant, M: Multipliers, H> LiftFree<S, M, H> {
     where
         H: Hamiltonian<M::Space, T>,
     {
+        Ok(self.motion::<T>(mu, step, workspace)?.0)
+    }
+
+    /// The multiplier Q₁ of one step from μ, and the change that it makes of μ.
+    #[inline]
+    fn motion<T: Real>(
+        &self,
+        mu: &Point<M::Space, T>,
+        step: f64,
+        workspace: &mut MultiplierSpace<S, M, T>,
+    ) -> Result<(Step<Multiplier<M, T>>, Point<M::Space, T>), StepError>
+    where
+        H: Hamiltonian<M::Space, T>,
+    {
         let field = MultiplierField {
             multipliers: &self.multipliers,
             hamiltonian: &self.hamiltonian,
@@ -108,8 +122,9 @@ impl<S: Equivariant, M: Multipliers, H> LiftFree<S, M, H> {
         // The next step begins at Q = 1 too: Q(t) of this one continues as Q(t) Q₁⁻¹.
         let motion = |k: &_| self.multipliers.right_quotient::<T>(k, &next.point);
         self.scheme.move_memory(storage, &one, motion);
-        *end = Some(*mu + self.change::<T>(&next.point, mu));
-        Ok(next)
+        let change = self.change::<T>(&next.point, mu);
+        *end = Some(*mu + change);
+        Ok((next, change))
     }
 }
 
@@ -182,8 +197,8 @@ where
         step: f64,
         workspace: &mut Self::Workspace,
     ) -> Result<Step<Self::State>, StepError> {
-        let Step { point: q, iterations } = self.multiplier::<T>(mu, step, workspace)?;
-        Step { point: *mu + self.change::<T>(&q, mu), iterations }.finite()
+        let (Step { iterations, .. }, change) = self.motion::<T>(mu, step, workspace)?;
+        Step { point: *mu + change, iterations }.finite()
     }
 
     #[inline]
@@ -206,8 +221,8 @@ where
         step: f64,
         workspace: &mut Self::Workspace,
     ) -> Result<Step<Self::State>, StepError> {
-        let Step { point: q, iterations } = self.multiplier::<T>(mu, step, workspace)?;
-        Ok(Step { point: self.change::<T>(&q, mu), iterations })
+        let (Step { iterations, .. }, change) = self.motion::<T>(mu, step, workspace)?;
+        Ok(Step { point: change, iterations })
     }
 }
 

@@ -116,7 +116,7 @@ impl<V: Vector> Memory<V> {
         (z, size): (&V, f64),
         k: &mut [V],
         start: impl Fn() -> V,
-        derivative: impl Fn(usize, &[V]) -> V,
+        mut derivative: impl FnMut(usize, &[V], MaskOf<V>) -> V,
     ) -> Result<usize, Unsettled<MaskOf<V>>> {
         self.keep_where(z, size, predictor);
         let guessed = self.guess(predictor, k);
@@ -124,12 +124,12 @@ impl<V: Vector> Memory<V> {
             fill_unless(guessed, k, &start());
         }
         let none = MaskOf::<V>::from_bool(false);
-        let mut outcome = solver.solve_from(none, size, k, &derivative);
+        let mut outcome = solver.solve_from(none, size, k, &mut derivative);
         if let Err(first) = &outcome {
             let misled = guessed.and(first.settled.not());
             if misled.any() {
                 fill_unless(misled.not(), k, &start());
-                let second = solver.solve_from(misled.not(), size, k, &derivative);
+                let second = solver.solve_from(misled.not(), size, k, &mut derivative);
                 outcome = retried(first, guessed, second);
             }
         }

@@ -3,11 +3,11 @@
 use crate::dop853;
 use crate::newton::{NewtonSpace, newton_step};
 use crate::predictor::{Memory, Predictor};
-use crate::stage_solver::{Unsettled, stage_point, stage_sum};
+use crate::stage_solver::{MaskOf, Unsettled, combination, plus_combination};
 use crate::{
     Equivariant, Scheme, SchemeError, StageSolver, Step, StepError, Substeps, Tableau, VectorField,
 };
-use lie_poisson::{Real, Vector};
+use lie_poisson::{Mask, Real, Vector};
 
 /// A Runge–Kutta method: a [`Tableau`], and a solver for its stages if it is implicit.
 ///
@@ -150,10 +150,18 @@ impl RungeKutta {
         step: f64,
         workspace: &mut StageSpace<F::Point>,
     ) -> Result<usize, StepError> {
-        let StageSpace { k, memory, newton } = workspace;
-        let derivative = |i: usize, k: &[F::Point]| {
-            let (row, low) = (self.tableau.row(i), self.tableau.row_low(i));
-            field.at(&stage_point(z, step, row, low, k))
+        let StageSpace { k, small, memory, newton } = workspace;
+        small.fill(F::Point::zero());
+        let h = T::from_f64(step);
+        let derivative = |i: usize, k: &[F::Point], near: MaskOf<F::Point>| {
+            if near.any() {
+                small[i] =
+                    F::Point::select(near, &combination(self.tableau.row_low(i), k), &small[i]);
+            }
+            let (before, after) = self.tableau.row(i).split_at(i);
+            // The newest stage last: what is computed first need not wait for it.
+            let sum = plus_combination(small[i], after, &k[i..]);
+            field.at(&(*z + plus_combination(sum, before, k).scaled(h)))
         };
         let start = || field.at(z);
         match memory.solve(&self.predictor, &self.solver, (z, step), k, start, derivative) {
@@ -173,6 +181,8 @@ impl RungeKutta {
 #[derive(Clone, Debug)]
 pub struct StageSpace<V: Vector> {
     k: Vec<V>,
+    /// Σ_j low_ij k_j with the low parts of the coefficients, once the stages are near.
+    small: Vec<V>,
     memory: Memory<V>,
     newton: NewtonSpace<V::Scalar>,
 }
@@ -185,6 +195,7 @@ impl Scheme for RungeKutta {
     fn workspace<V: Vector>(&self) -> StageSpace<V> {
         StageSpace {
             k: vec![V::zero(); self.tableau.stages()],
+            small: vec![V::zero(); self.tableau.stages()],
             memory: Memory::new(&self.predictor),
             newton: NewtonSpace::default(),
         }
@@ -200,17 +211,19 @@ impl Scheme for RungeKutta {
     ) -> Result<Step<F::Point>, StepError> {
         // A workspace from another method still gives the right result.
         workspace.k.resize(self.tableau.stages(), F::Point::zero());
+        workspace.small.resize(self.tableau.stages(), F::Point::zero());
+        let h = T::from_f64(step);
         let iterations = if self.tableau.is_explicit() {
             let k = &mut workspace.k;
             for (i, row) in self.tableau.rows().enumerate() {
-                k[i] = field.at(&stage_point(z, step, &row[..i], &[], k));
+                k[i] = field.at(&(*z + combination(&row[..i], k).scaled(h)));
             }
             0
         } else {
             self.solve_stages(field, z, step, workspace)?
         };
-        let (weights, low) = (self.tableau.weights(), self.tableau.weights_low());
-        let point = stage_sum(step, weights, low, &workspace.k);
+        let small = combination(self.tableau.weights_low(), &workspace.k);
+        let point = plus_combination(small, self.tableau.weights(), &workspace.k).scaled(h);
         workspace.memory.end_at(&(*z + point));
         Ok(Step { point, iterations })
     }

@@ -77,7 +77,7 @@ impl Tableau {
     /// The low parts of a row of a; empty if there are none.
     #[inline]
     pub(crate) fn row_low(&self, i: usize) -> &[f64] {
-        self.a_low.chunks_exact(self.stages()).nth(i).unwrap_or_default()
+        part(&self.a_low, i, self.b.len())
     }
 
     /// The low parts of b; empty if there are none.
@@ -101,7 +101,7 @@ impl Tableau {
     #[inline]
     #[must_use]
     pub fn row(&self, i: usize) -> &[f64] {
-        self.a.chunks_exact(self.stages()).nth(i).unwrap_or_default()
+        part(&self.a, i, self.b.len())
     }
 
     /// The weights b.
@@ -187,4 +187,11 @@ impl Tableau {
         let s = self.stages();
         (0..s).all(|i| (0..s).all(|j| defect(i, j).abs() <= COEFFICIENT_TOLERANCE))
     }
+}
+
+/// Entries i s, …, i s + s − 1, or none; without the division of `chunks_exact`.
+#[inline]
+fn part(entries: &[f64], i: usize, stages: usize) -> &[f64] {
+    let rest = entries.get(i.saturating_mul(stages)..);
+    rest.and_then(|rest| rest.get(..stages)).unwrap_or_default()
 }

@@ -47,6 +47,24 @@ impl<T: Real> Quaternion<T> {
         self.scalar * self.scalar + self.vector.dot(&self.vector)
     }
 
+    /// The product q v with imaginary v, without the products by zero.
+    #[inline]
+    pub fn times_imaginary(&self, v: &Vector3<T>) -> Self {
+        Self { scalar: -self.vector.dot(v), vector: v * self.scalar + self.vector.cross(v) }
+    }
+
+    /// The product v q with imaginary v, without the products by zero.
+    #[inline]
+    pub fn imaginary_times(v: &Vector3<T>, q: &Self) -> Self {
+        Self { scalar: -v.dot(&q.vector), vector: v * q.scalar + v.cross(&q.vector) }
+    }
+
+    /// The imaginary part of p q̄.
+    #[inline]
+    pub fn imaginary_part_by_conjugate(&self, q: &Self) -> Vector3<T> {
+        self.vector * q.scalar - q.vector * self.scalar - self.vector.cross(&q.vector)
+    }
+
     /// The imaginary part of q v q̄ for imaginary v: |q|² times a rotation of v.
     #[inline]
     pub fn sandwich(&self, v: &Vector3<T>) -> Vector3<T> {

@@ -90,8 +90,15 @@ pub trait Vector:
     /// The maximum norm ‖v‖_∞ = max |vᵢ|, lane by lane; NaN where any coordinate is.
     #[inline]
     fn max_norm(&self) -> Self::Scalar {
-        let zero: Self::Scalar = num_traits::zero();
-        (0..Self::DIM).fold(zero, |m, i| m.larger(self.coordinate(i).magnitude()))
+        let (mut most, mut sum): (Self::Scalar, Self::Scalar) =
+            (num_traits::zero(), num_traits::zero());
+        for i in 0..Self::DIM {
+            let size = self.coordinate(i).magnitude();
+            most = size.maximum(most);
+            sum += size;
+        }
+        // The sum keeps a NaN that the maximum loses.
+        Real::select(sum.at_most(sum), most, sum)
     }
 
     /// max |vᵢ| over coordinates and lanes; NaN if any is NaN.

@@ -34,6 +34,7 @@ impl Register for Plain {
         negate(a) = -a;
         root(a) = a.sqrt();
         magnitude(a) = a.abs();
+        maximum(a, b) = if a > b { a } else { b };
         multiply_add(a, b, c) = a * b + c;
         multiply_subtract(a, b, c) = a * b - c;
         negative_multiply_add(a, b, c) = c - a * b;

@@ -4,8 +4,8 @@
 use super::register::{Register, intrinsics};
 use crate::Mask;
 use core::arch::x86_64::{
-    __m128d, _mm_add_pd, _mm_and_pd, _mm_andnot_pd, _mm_cmple_pd, _mm_div_pd, _mm_movemask_pd,
-    _mm_mul_pd, _mm_or_pd, _mm_set1_pd, _mm_sqrt_pd, _mm_sub_pd, _mm_xor_pd,
+    __m128d, _mm_add_pd, _mm_and_pd, _mm_andnot_pd, _mm_cmple_pd, _mm_div_pd, _mm_max_pd,
+    _mm_movemask_pd, _mm_mul_pd, _mm_or_pd, _mm_set1_pd, _mm_sqrt_pd, _mm_sub_pd, _mm_xor_pd,
 };
 use core::mem::transmute;
 
@@ -31,6 +31,7 @@ impl Register for Sse2 {
         multiply(a, b) = _mm_mul_pd;
         divide(a, b) = _mm_div_pd;
         root(a) = _mm_sqrt_pd;
+        maximum(a, b) = _mm_max_pd;
     }
 
     #[inline(always)]
