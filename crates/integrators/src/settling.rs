@@ -5,7 +5,11 @@ use lie_poisson::{Mask, Real, Vector};
 /// A change is the last if the next one is expected below this multiple of the size of the stage
 /// derivatives. What is left of an iteration has the same sign in every step: a hundred-thousandth of a
 /// rounding shows in runs of 10⁸ steps.
-const EXPECTED: f64 = f64::EPSILON / 64.0;
+const EXPECTED: f64 = f64::EPSILON / 32.0;
+
+/// Ratios of changes below this multiple of the size of the stage derivatives are those of round-off,
+/// and say nothing of how fast an iteration converges.
+const NOISE: f64 = 4.0 * f64::EPSILON;
 
 /// A change that grows again is at the floor at once below this multiple of the size of the stage
 /// derivatives: a few roundings.
@@ -26,8 +30,10 @@ const PATIENCE: f64 = 4.0;
 pub(crate) struct Watch<T> {
     previous: T,
     least: T,
-    /// The last change by the one before it.
-    ratio: T,
+    /// The last two ratios of a change to the one before it, above round-off.
+    ratios: [T; 2],
+    /// What the last change should have been.
+    expected: T,
     /// Sweeps since the least change.
     stalled: T,
 }
@@ -35,7 +41,13 @@ pub(crate) struct Watch<T> {
 impl<T: Real> Watch<T> {
     pub(crate) fn new() -> Self {
         let infinity = T::from_f64(f64::INFINITY);
-        Self { previous: infinity, least: infinity, ratio: infinity, stalled: T::zero() }
+        Self {
+            previous: infinity,
+            least: infinity,
+            ratios: [infinity; 2],
+            expected: infinity,
+            stalled: T::zero(),
+        }
     }
 
     /// Where a change is the last that means anything, for stages of the given size.
@@ -44,14 +56,19 @@ impl<T: Real> Watch<T> {
         let better = change.at_most(self.least).and(self.least.at_most(change).not());
         self.stalled = T::select(better, T::zero(), self.stalled + 1.0);
         self.least = T::select(better, change, self.least);
+        let says = is_finite(self.previous).and((size * NOISE).at_most(change));
+        let ratio = change / self.previous;
+        self.ratios = [
+            T::select(says, self.ratios[1], self.ratios[0]),
+            T::select(says, ratio, self.ratios[1]),
+        ];
         // The worse of two ratios, for changes that go up and down.
-        let first = self.previous.at_most(T::from_f64(f64::MAX)).not();
-        let ratio = T::select(first, self.ratio, change / self.previous);
-        let expected = change * ratio.larger(self.ratio);
-        let last = expected.at_most(size * EXPECTED);
-        self.ratio = ratio;
+        let least = T::select(self.expected.at_most(change), self.expected, change);
+        self.expected = least * self.ratios[0].larger(self.ratios[1]);
+        let small = change.at_most(size * FEW_ROUNDINGS);
+        let last = small.and(self.expected.at_most(size * EXPECTED));
         let unchanged = change.at_most(T::zero());
-        let grows = self.previous.at_most(change).and(change.at_most(size * FEW_ROUNDINGS));
+        let grows = self.previous.at_most(change).and(small);
         let stalls = T::from_f64(PATIENCE).at_most(self.stalled);
         let at_floor = stalls.and(change.at_most(size * ROUND_OFF));
         self.previous = change;
