@@ -104,7 +104,7 @@ impl<S: Equivariant, M: Multipliers, H> LiftFree<S, M, H> {
         mu: &Point<M::Space, T>,
         step: f64,
         workspace: &mut MultiplierSpace<S, M, T>,
-    ) -> Result<(Step<Multiplier<M, T>>, Point<M::Space, T>), StepError>
+    ) -> Result<Motion<M, T>, StepError>
     where
         H: Hamiltonian<M::Space, T>,
     {
@@ -127,6 +127,9 @@ impl<S: Equivariant, M: Multipliers, H> LiftFree<S, M, H> {
         Ok((next, change))
     }
 }
+
+/// The multiplier of a step, and the change that it makes of μ.
+type Motion<M, T> = (Step<Multiplier<M, T>>, Point<<M as Multipliers>::Space, T>);
 
 /// The storage of a lift-free step: that of the scheme, for multipliers, and the μ at which the last
 /// step ended, to tell whether the next one goes on from there.

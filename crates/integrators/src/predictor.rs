@@ -1,7 +1,7 @@
 //! Guesses of stage derivatives, from those of the steps before.
 
 use crate::StageSolver;
-use crate::settling::ROUND_OFF;
+use crate::settling::{Largest, ROUND_OFF};
 use crate::stage_solver::{MaskOf, Unsettled, fill_unless};
 use lie_poisson::{Mask, Real, Vector};
 
@@ -253,5 +253,7 @@ pub(crate) fn near<V: Vector>(a: &V, b: &V) -> MaskOf<V> {
 /// The largest coordinate.
 #[inline]
 fn largest<V: Vector>(k: &[V]) -> V::Scalar {
-    k.iter().fold(V::Scalar::from_f64(0.0), |size, k| size.larger(k.max_norm()))
+    let mut largest = Largest::zero();
+    k.iter().for_each(|k| largest.include(k));
+    largest.value()
 }

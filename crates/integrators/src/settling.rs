@@ -15,10 +15,13 @@ const NOISE: f64 = 4.0 * f64::EPSILON;
 /// derivatives: a few roundings.
 const FEW_ROUNDINGS: f64 = 8.0 * f64::EPSILON;
 
-/// An iteration that no longer gets better is accepted below this multiple of the size of the
-/// stage derivatives: the round-off of evaluating a vector field, with room for cancellation in
-/// it.
+/// The round-off of evaluating a vector field by its size, with room for cancellation in it.
 pub(crate) const ROUND_OFF: f64 = 1024.0 * f64::EPSILON;
+
+/// An iteration that no longer gets better is accepted below this multiple of the size of the stage
+/// derivatives: the round-off of a vector field, and that of its argument, which may be large where
+/// the field is small.
+pub(crate) const FLOOR: f64 = 8.0 * ROUND_OFF;
 
 /// Sweeps without a new least change after which an iteration no longer gets better. Changes of a
 /// converging iteration go up and down where q feeds p and p feeds q with different strengths, so
@@ -70,7 +73,7 @@ impl<T: Real> Watch<T> {
         let unchanged = change.at_most(T::zero());
         let grows = self.previous.at_most(change).and(small);
         let stalls = T::from_f64(PATIENCE).at_most(self.stalled);
-        let at_floor = stalls.and(change.at_most(size * ROUND_OFF));
+        let at_floor = stalls.and(change.at_most(size * FLOOR));
         self.previous = change;
         // An infinite change is not above an infinite floor, and not at it either.
         unchanged.or(last).or(grows).or(at_floor).and(is_finite(change)).and(is_finite(size))
@@ -113,8 +116,51 @@ pub(crate) fn is_finite<T: Real>(magnitude: T) -> T::Mask {
 
 #[cfg(test)]
 mod tests {
-    use super::Watch;
+    use super::{Largest, Watch};
     use lie_poisson::{DefaultLanes, Lanes, Mask, Real};
+    use nalgebra::Vector2;
+
+    /// The number of the first change at which an iteration settles.
+    fn last(changes: impl IntoIterator<Item = f64>) -> Option<usize> {
+        let mut watch = Watch::new();
+        changes.into_iter().position(|change| watch.settled(change * f64::EPSILON, 1.0))
+    }
+
+    #[test]
+    fn the_last_change_is_told_by_those_above_round_off() {
+        let geometric = |ratio: f64| (0..).map(move |n| 1e6 * ratio.powi(n));
+        // The next one would be 1e-2 roundings; not so where the changes shrink more slowly.
+        assert_eq!(last(geometric(0.1).take(9)), Some(7));
+        assert_eq!(last(geometric(0.5).take(25)), Some(24));
+        assert_eq!(last(geometric(0.5).take(24)), None);
+        // Round-off of one or two units hides the end.
+        assert_eq!(last([1e6, 1e4, 100.0, 1.5, 1.2]), Some(3));
+        // One ratio alone says nothing, nor do changes that go up and down.
+        assert_eq!(last([1e6, 1.0]), None);
+        assert_eq!(last([1e3, 4e3, 500.0, 2e3, 250.0, 1e3, 125.0, 500.0, 62.0, 250.0, 1.0]), None);
+    }
+
+    /// As where the argument of a field is a thousand times larger than the field.
+    #[test]
+    fn an_iteration_that_stalls_is_at_the_floor_or_lost() {
+        let stalls = |floor: f64| [1e9, 1.0, 1.1, 1.0, 1.1, 1.0].map(|x| x * floor);
+        assert_eq!(last(stalls(3e3)), Some(5));
+        assert_eq!(last(stalls(3e4)), None);
+    }
+
+    #[test]
+    fn a_nan_is_never_lost() {
+        let largest = |vectors: &[Vector2<f64>]| {
+            let mut largest = Largest::zero();
+            vectors.iter().for_each(|v| largest.include(v));
+            largest.value()
+        };
+        let (small, large) = (Vector2::new(1.0, -2.0), Vector2::new(-7.0, 0.0));
+        let nan = Vector2::new(f64::NAN, 1.0);
+        assert_eq!(largest(&[small, large]), 7.0);
+        assert!([[nan, small], [small, nan]].iter().all(|vectors| largest(vectors).is_nan()));
+        assert_eq!(largest(&[Vector2::repeat(f64::MAX), Vector2::repeat(-f64::MAX)]), f64::MAX);
+    }
 
     /// Four ways to end, or not to: no change, growing at the floor, stalling, NaN.
     #[test]

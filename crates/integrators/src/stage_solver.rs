@@ -1,7 +1,7 @@
 //! Iterations for the stage equations, to the round-off floor.
 
 use crate::StepError;
-use crate::settling::{Largest, ROUND_OFF, Watch, is_finite};
+use crate::settling::{FLOOR, Largest, Watch, is_finite};
 use lie_poisson::{Mask, Real, Vector, larger};
 
 /// Sweeps after which a fixed-point iteration that has not settled gives way to Newton's.
@@ -144,7 +144,7 @@ impl StageSolver {
             lost = lost.or(is_finite(change).or(settled).not());
         }
         let worst = |x: T| T::select(settled, T::zero(), x * length).max_abs();
-        let required = larger(self.tolerance, ROUND_OFF * worst(size));
+        let required = larger(self.tolerance, FLOOR * worst(size));
         let error = StepError::NotConverged { residual: worst(change), required, iterations };
         Err(Unsettled { settled, iterations, error })
     }

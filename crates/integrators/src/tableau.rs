@@ -195,3 +195,18 @@ fn part(entries: &[f64], i: usize, stages: usize) -> &[f64] {
     let rest = entries.get(i.saturating_mul(stages)..);
     rest.and_then(|rest| rest.get(..stages)).unwrap_or_default()
 }
+
+#[cfg(test)]
+mod tests {
+    use crate::Tableau;
+
+    #[test]
+    fn there_is_no_row_beyond_the_last() {
+        let a = [0.25, 0.0, 0.5, 0.25];
+        let tableau = Tableau::literal(&a, &[0.5, 0.5]).with_low_parts(&a, &[0.5, 0.5]);
+        assert!(tableau.rows().eq([0, 1].map(|i| tableau.row(i))));
+        assert_eq!(tableau.row_low(1), [0.5, 0.25]);
+        assert!([2, usize::MAX].iter().all(|&i| tableau.row(i).is_empty()));
+        assert!(Tableau::literal(&a, &[0.5, 0.5]).row_low(0).is_empty());
+    }
+}

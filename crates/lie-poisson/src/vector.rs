@@ -202,6 +202,11 @@ mod tests {
         assert_eq!(v.scaled(2.0) - v, v);
         assert_eq!((-v).max_abs(), V::DIM as f64);
         assert!(!v.scaled(f64::NAN).is_finite());
+        for i in 0..V::DIM {
+            // a maximum alone would lose all but the last
+            let spoilt = V::from_coordinates(|j| if i == j { f64::NAN } else { v.coordinate(j) });
+            assert!(spoilt.max_abs().is_nan());
+        }
     }
 
     #[test]
