@@ -95,9 +95,7 @@ impl<S: Equivariant, M: Multipliers, H> LiftFree<S, M, H> {
     where
         H: Hamiltonian<M::Space, T>,
     {
-        self.motion(mu, workspace, |field, one, storage| {
-            self.scheme.step::<T, _>(field, one, step, storage)
-        })
+        Ok(self.motion::<T>(mu, step, workspace)?.0)
     }
 
     /// The same with roundings that have no mean ([`Scheme::refined_increment`]), for
@@ -115,16 +113,44 @@ impl<S: Equivariant, M: Multipliers, H> LiftFree<S, M, H> {
     where
         H: Hamiltonian<M::Space, T>,
     {
-        self.motion(mu, workspace, |field, one, storage| {
+        Ok(self.refined_motion::<T>(mu, step, workspace)?.0)
+    }
+
+    #[inline]
+    fn motion<T: Real>(
+        &self,
+        mu: &Point<M::Space, T>,
+        step: f64,
+        workspace: &mut MultiplierSpace<S, M, T>,
+    ) -> Result<Motion<M, T>, StepError>
+    where
+        H: Hamiltonian<M::Space, T>,
+    {
+        self.motion_by(mu, workspace, |field, one, storage| {
+            self.scheme.step::<T, _>(field, one, step, storage)
+        })
+    }
+
+    #[inline]
+    fn refined_motion<T: Real>(
+        &self,
+        mu: &Point<M::Space, T>,
+        step: f64,
+        workspace: &mut MultiplierSpace<S, M, T>,
+    ) -> Result<Motion<M, T>, StepError>
+    where
+        H: Hamiltonian<M::Space, T>,
+    {
+        self.motion_by(mu, workspace, |field, one, storage| {
             let next = self.scheme.refined_increment::<T, _>(field, one, step, storage)?;
             let Pair(change, rest) = next.point;
             Step { point: *one + (change + rest), iterations: next.iterations }.finite()
         })
     }
 
-    /// Q₁ by what the scheme makes of Q = 1 in one step.
+    /// What the scheme makes of Q = 1 in one step from μ.
     #[inline]
-    fn motion<T: Real>(
+    fn motion_by<T: Real>(
         &self,
         mu: &Point<M::Space, T>,
         workspace: &mut MultiplierSpace<S, M, T>,
@@ -133,7 +159,7 @@ impl<S: Equivariant, M: Multipliers, H> LiftFree<S, M, H> {
             &Multiplier<M, T>,
             &mut S::Workspace<Multiplier<M, T>>,
         ) -> Result<Step<Multiplier<M, T>>, StepError>,
-    ) -> Result<Step<Multiplier<M, T>>, StepError>
+    ) -> Result<Motion<M, T>, StepError>
     where
         H: Hamiltonian<M::Space, T>,
     {
@@ -151,10 +177,14 @@ impl<S: Equivariant, M: Multipliers, H> LiftFree<S, M, H> {
         // The next step begins at Q = 1 too: Q(t) of this one continues as Q(t) Q₁⁻¹.
         let motion = |k: &_| self.multipliers.right_quotient::<T>(k, &next.point);
         self.scheme.move_memory(storage, &one, motion);
-        *end = Some(*mu + self.change::<T>(&next.point, mu));
-        Ok(next)
+        let change = self.change::<T>(&next.point, mu);
+        *end = Some(*mu + change);
+        Ok((next, change))
     }
 }
+
+/// The multiplier of a step, and the change that it makes of μ.
+type Motion<M, T> = (Step<Multiplier<M, T>>, Point<<M as Multipliers>::Space, T>);
 
 /// The storage of a lift-free step: that of the scheme, for multipliers, and the μ at which the last
 /// step ended, to tell whether the next one goes on from there.
@@ -225,8 +255,8 @@ where
         step: f64,
         workspace: &mut Self::Workspace,
     ) -> Result<Step<Self::State>, StepError> {
-        let Step { point: q, iterations } = self.multiplier::<T>(mu, step, workspace)?;
-        Step { point: *mu + self.change::<T>(&q, mu), iterations }.finite()
+        let (Step { iterations, .. }, change) = self.motion::<T>(mu, step, workspace)?;
+        Step { point: *mu + change, iterations }.finite()
     }
 
     #[inline]
@@ -250,8 +280,8 @@ where
         step: f64,
         workspace: &mut Self::Workspace,
     ) -> Result<Increment<Self::State>, StepError> {
-        let Step { point: q, iterations } = self.refined_multiplier::<T>(mu, step, workspace)?;
-        Ok(Step { point: Pair(self.change::<T>(&q, mu), Vector::zero()), iterations })
+        let (Step { iterations, .. }, change) = self.refined_motion::<T>(mu, step, workspace)?;
+        Ok(Step { point: Pair(change, Vector::zero()), iterations })
     }
 }
 

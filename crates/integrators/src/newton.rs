@@ -2,7 +2,7 @@
 
 use crate::linear_solve::solve;
 use crate::settling::ROUND_OFF;
-use crate::stage_solver::stage_point;
+use crate::stage_solver::{combination, plus_combination};
 use crate::{Tableau, VectorField};
 use lie_poisson::{Real, Vector};
 
@@ -62,7 +62,8 @@ fn assemble<T: Real, F: VectorField<T>>(
     space.residual.clear();
     let mut unexplained = T::zero();
     for (i, row) in tableau.rows().enumerate() {
-        let point = stage_point(z, step, row, tableau.row_low(i), k);
+        let small = combination(tableau.row_low(i), k);
+        let point = *z + plus_combination(small, row, k).scaled(T::from_f64(step));
         let value = field.at(&point);
         let residual = k[i] - value;
         space.residual.extend((0..dimension).map(|d| residual.coordinate(d)));

@@ -2,6 +2,7 @@
 
 use crate::order_conditions::tree_order;
 use crate::predictor::{Memory, Predictor};
+use crate::stage_solver::MaskOf;
 use crate::tableau::COEFFICIENT_TOLERANCE;
 use crate::{
     Polarisation, Scheme, SchemeError, StageSolver, Step, StepError, Tableau, VectorField,
@@ -187,7 +188,7 @@ impl<P: Polarisation> Scheme for PartitionedRungeKutta<P> {
         // A workspace from another method still gives the right result.
         k.resize(self.q.stages(), F::Point::zero());
         let start = || field.at(z);
-        let derivative = |i: usize, k: &[F::Point]| {
+        let derivative = |i: usize, k: &[F::Point], _: MaskOf<F::Point>| {
             field.at(&(*z + Self::sum(step, (self.q.row(i), self.p.row(i)), k)))
         };
         let iterations = memory

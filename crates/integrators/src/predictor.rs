@@ -1,7 +1,7 @@
 //! Guesses of stage derivatives, from those of the steps before.
 
 use crate::StageSolver;
-use crate::settling::ROUND_OFF;
+use crate::settling::{Largest, ROUND_OFF};
 use crate::stage_solver::{MaskOf, Unsettled, fill_unless};
 use lie_poisson::{Mask, Real, Vector};
 
@@ -116,7 +116,7 @@ impl<V: Vector> Memory<V> {
         (z, size): (&V, f64),
         k: &mut [V],
         start: impl Fn() -> V,
-        derivative: impl Fn(usize, &[V]) -> V,
+        mut derivative: impl FnMut(usize, &[V], MaskOf<V>) -> V,
     ) -> Result<usize, Unsettled<MaskOf<V>>> {
         self.keep_where(z, size, predictor);
         let guessed = self.guess(predictor, k);
@@ -124,12 +124,12 @@ impl<V: Vector> Memory<V> {
             fill_unless(guessed, k, &start());
         }
         let none = MaskOf::<V>::from_bool(false);
-        let mut outcome = solver.solve_from(none, size, k, &derivative);
+        let mut outcome = solver.solve_from(none, size, k, &mut derivative);
         if let Err(first) = &outcome {
             let misled = guessed.and(first.settled.not());
             if misled.any() {
                 fill_unless(misled.not(), k, &start());
-                let second = solver.solve_from(misled.not(), size, k, &derivative);
+                let second = solver.solve_from(misled.not(), size, k, &mut derivative);
                 outcome = retried(first, guessed, second);
             }
         }
@@ -253,5 +253,7 @@ pub(crate) fn near<V: Vector>(a: &V, b: &V) -> MaskOf<V> {
 /// The largest coordinate.
 #[inline]
 fn largest<V: Vector>(k: &[V]) -> V::Scalar {
-    k.iter().fold(V::Scalar::from_f64(0.0), |size, k| size.larger(k.max_norm()))
+    let mut largest = Largest::zero();
+    k.iter().for_each(|k| largest.include(k));
+    largest.value()
 }

@@ -1,6 +1,6 @@
 //! Stage derivatives of an accuracy beyond that of the rounded stages.
 
-use crate::stage_solver::{MaskOf, even_stage_sum, stage_sum};
+use crate::stage_solver::{MaskOf, combination, evenly_scaled, plus_combination};
 use crate::two_sum::two_sum;
 use crate::{Tableau, VectorField};
 use lie_poisson::{Mask, Pair, Real, Vector};
@@ -37,9 +37,10 @@ pub(crate) fn refine<T: Real, F: VectorField<T>>(
     }
     for n in 0..SWEEPS * k.len() {
         let i = n % k.len();
-        let sum = even_stage_sum(step, tableau.row(i), tableau.row_low(i), k);
-        let Pair(stage, rounding) = two_sum(z, &sum);
-        let lost = rounding + stage_sum(step, tableau.row(i), &[], rest);
+        let small = combination(tableau.row_low(i), k);
+        let sum = plus_combination(small, tableau.row(i), k);
+        let Pair(stage, rounding) = two_sum(z, &evenly_scaled(&sum, step));
+        let lost = rounding + combination(tableau.row(i), rest).scaled(T::from_f64(step));
         let value = field.at(&stage);
         let moved = field.at(&(stage + lost.scaled(T::from_f64(ENLARGEMENT))));
         let correction = (moved - value).scaled(T::from_f64(1.0 / ENLARGEMENT));

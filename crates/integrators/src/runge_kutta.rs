@@ -4,7 +4,7 @@ use crate::dop853;
 use crate::newton::{NewtonSpace, newton_step};
 use crate::predictor::{Memory, Predictor};
 use crate::refinement::refine;
-use crate::stage_solver::{Unsettled, even_stage_sum, stage_point, stage_sum};
+use crate::stage_solver::{MaskOf, Unsettled, combination, evenly_scaled, plus_combination};
 use crate::{
     Equivariant, Increment, Scheme, SchemeError, StageSolver, Step, StepError, Substeps, Tableau,
     VectorField,
@@ -152,10 +152,18 @@ impl RungeKutta {
         step: f64,
         workspace: &mut StageSpace<F::Point>,
     ) -> Result<(usize, T::Mask), StepError> {
-        let StageSpace { k, memory, newton, .. } = workspace;
-        let derivative = |i: usize, k: &[F::Point]| {
-            let (row, low) = (self.tableau.row(i), self.tableau.row_low(i));
-            field.at(&stage_point(z, step, row, low, k))
+        let StageSpace { k, small, memory, newton, .. } = workspace;
+        small.fill(F::Point::zero());
+        let h = T::from_f64(step);
+        let derivative = |i: usize, k: &[F::Point], near: MaskOf<F::Point>| {
+            if near.any() {
+                small[i] =
+                    F::Point::select(near, &combination(self.tableau.row_low(i), k), &small[i]);
+            }
+            let (before, after) = self.tableau.row(i).split_at(i);
+            // The newest stage last: what is computed first need not wait for it.
+            let sum = plus_combination(small[i], after, &k[i..]);
+            field.at(&(*z + plus_combination(sum, before, k).scaled(h)))
         };
         let start = || field.at(z);
         match memory.solve(&self.predictor, &self.solver, (z, step), k, start, derivative) {
@@ -183,12 +191,13 @@ impl RungeKutta {
     ) -> Result<(usize, T::Mask), StepError> {
         // A workspace from another method still gives the right result.
         workspace.k.resize(self.tableau.stages(), F::Point::zero());
+        workspace.small.resize(self.tableau.stages(), F::Point::zero());
         if !self.tableau.is_explicit() {
             return self.solve_stages(field, z, step, workspace);
         }
-        let k = &mut workspace.k;
+        let (k, h) = (&mut workspace.k, T::from_f64(step));
         for (i, row) in self.tableau.rows().enumerate() {
-            k[i] = field.at(&stage_point(z, step, &row[..i], &[], k));
+            k[i] = field.at(&(*z + combination(&row[..i], k).scaled(h)));
         }
         Ok((0, T::Mask::from_bool(true)))
     }
@@ -196,8 +205,9 @@ impl RungeKutta {
     /// h Σ_i (b_i + low_i) k_i for the stage derivatives in the workspace, which ends its step there.
     #[inline]
     fn end<V: Vector>(&self, z: &V, step: f64, workspace: &mut StageSpace<V>) -> V {
-        let (weights, low) = (self.tableau.weights(), self.tableau.weights_low());
-        let change = even_stage_sum(step, weights, low, &workspace.k);
+        let small = combination(self.tableau.weights_low(), &workspace.k);
+        let sum = plus_combination(small, self.tableau.weights(), &workspace.k);
+        let change = evenly_scaled(&sum, step);
         workspace.memory.end_at(&(*z + change));
         change
     }
@@ -210,6 +220,8 @@ pub struct StageSpace<V: Vector> {
     k: Vec<V>,
     /// What refinement adds to k.
     rest: Vec<V>,
+    /// Σ_j low_ij k_j with the low parts of the coefficients, once the stages are near.
+    small: Vec<V>,
     memory: Memory<V>,
     newton: NewtonSpace<V::Scalar>,
 }
@@ -223,6 +235,7 @@ impl Scheme for RungeKutta {
         StageSpace {
             k: vec![V::zero(); self.tableau.stages()],
             rest: vec![V::zero(); self.tableau.stages()],
+            small: vec![V::zero(); self.tableau.stages()],
             memory: Memory::new(&self.predictor),
             newton: NewtonSpace::default(),
         }
@@ -256,7 +269,7 @@ impl Scheme for RungeKutta {
             let StageSpace { k, rest: parts, .. } = workspace;
             parts.resize(k.len(), rest);
             refine(field, (z, step), &self.tableau, contracting, k, parts);
-            rest = stage_sum(step, self.tableau.weights(), &[], parts);
+            rest = combination(self.tableau.weights(), parts).scaled(T::from_f64(step));
         }
         Ok(Step { point: Pair(self.end(z, step, workspace), rest), iterations })
     }

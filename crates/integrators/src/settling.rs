@@ -1,15 +1,27 @@
 //! When an iteration has settled, lane by lane.
 
-use lie_poisson::{Mask, Real};
+use lie_poisson::{Mask, Real, Vector};
+
+/// A change is the last if the next one is expected below this multiple of the size of the stage
+/// derivatives. What is left of an iteration has the same sign in every step: a hundred-thousandth of a
+/// rounding shows in runs of 10⁸ steps.
+const EXPECTED: f64 = f64::EPSILON / 32.0;
+
+/// Ratios of changes below this multiple of the size of the stage derivatives are those of round-off,
+/// and say nothing of how fast an iteration converges.
+const NOISE: f64 = 4.0 * f64::EPSILON;
 
 /// A change that grows again is at the floor at once below this multiple of the size of the stage
 /// derivatives: a few roundings.
 const FEW_ROUNDINGS: f64 = 8.0 * f64::EPSILON;
 
-/// An iteration that no longer gets better is accepted below this multiple of the size of the
-/// stage derivatives: the round-off of evaluating a vector field, with room for cancellation in
-/// it.
+/// The round-off of evaluating a vector field by its size, with room for cancellation in it.
 pub(crate) const ROUND_OFF: f64 = 1024.0 * f64::EPSILON;
+
+/// An iteration that no longer gets better is accepted below this multiple of the size of the stage
+/// derivatives: the round-off of a vector field, and that of its argument, which may be large where
+/// the field is small.
+pub(crate) const FLOOR: f64 = 8.0 * ROUND_OFF;
 
 /// Sweeps without a new least change after which an iteration no longer gets better. Changes of a
 /// converging iteration go up and down where q feeds p and p feeds q with different strengths, so
@@ -21,6 +33,10 @@ const PATIENCE: f64 = 4.0;
 pub(crate) struct Watch<T> {
     previous: T,
     least: T,
+    /// The last two ratios of a change to the one before it, above round-off.
+    ratios: [T; 2],
+    /// What the last change should have been.
+    expected: T,
     /// Sweeps since the least change.
     stalled: T,
 }
@@ -28,7 +44,13 @@ pub(crate) struct Watch<T> {
 impl<T: Real> Watch<T> {
     pub(crate) fn new() -> Self {
         let infinity = T::from_f64(f64::INFINITY);
-        Self { previous: infinity, least: infinity, stalled: T::zero() }
+        Self {
+            previous: infinity,
+            least: infinity,
+            ratios: [infinity; 2],
+            expected: infinity,
+            stalled: T::zero(),
+        }
     }
 
     /// Where a change is the last that means anything, for stages of the given size.
@@ -37,13 +59,52 @@ impl<T: Real> Watch<T> {
         let better = change.at_most(self.least).and(self.least.at_most(change).not());
         self.stalled = T::select(better, T::zero(), self.stalled + 1.0);
         self.least = T::select(better, change, self.least);
+        let says = is_finite(self.previous).and((size * NOISE).at_most(change));
+        let ratio = change / self.previous;
+        self.ratios = [
+            T::select(says, self.ratios[1], self.ratios[0]),
+            T::select(says, ratio, self.ratios[1]),
+        ];
+        // The worse of two ratios, for changes that go up and down.
+        let least = T::select(self.expected.at_most(change), self.expected, change);
+        self.expected = least * self.ratios[0].larger(self.ratios[1]);
+        let small = change.at_most(size * FEW_ROUNDINGS);
+        let last = small.and(self.expected.at_most(size * EXPECTED));
         let unchanged = change.at_most(T::zero());
-        let grows = self.previous.at_most(change).and(change.at_most(size * FEW_ROUNDINGS));
+        let grows = self.previous.at_most(change).and(small);
         let stalls = T::from_f64(PATIENCE).at_most(self.stalled);
-        let at_floor = stalls.and(change.at_most(size * ROUND_OFF));
+        let at_floor = stalls.and(change.at_most(size * FLOOR));
         self.previous = change;
         // An infinite change is not above an infinite floor, and not at it either.
-        unchanged.or(grows).or(at_floor).and(is_finite(change)).and(is_finite(size))
+        unchanged.or(last).or(grows).or(at_floor).and(is_finite(change)).and(is_finite(size))
+    }
+}
+
+/// The largest coordinate of several vectors; NaN where any coordinate is.
+#[derive(Clone, Copy)]
+pub(crate) struct Largest<T> {
+    most: T,
+    /// Of all magnitudes: it keeps a NaN that the maximum loses.
+    sum: T,
+}
+
+impl<T: Real> Largest<T> {
+    pub(crate) fn zero() -> Self {
+        Self { most: T::zero(), sum: T::zero() }
+    }
+
+    #[inline]
+    pub(crate) fn include<V: Vector<Scalar = T>>(&mut self, v: &V) {
+        for i in 0..V::DIM {
+            let size = v.coordinate(i).magnitude();
+            self.most = size.maximum(self.most);
+            self.sum += size;
+        }
+    }
+
+    #[inline]
+    pub(crate) fn value(&self) -> T {
+        T::select(self.sum.at_most(self.sum), self.most, self.sum)
     }
 }
 
@@ -55,8 +116,51 @@ pub(crate) fn is_finite<T: Real>(magnitude: T) -> T::Mask {
 
 #[cfg(test)]
 mod tests {
-    use super::Watch;
+    use super::{Largest, Watch};
     use lie_poisson::{DefaultLanes, Lanes, Mask, Real};
+    use nalgebra::Vector2;
+
+    /// The number of the first change at which an iteration settles.
+    fn last(changes: impl IntoIterator<Item = f64>) -> Option<usize> {
+        let mut watch = Watch::new();
+        changes.into_iter().position(|change| watch.settled(change * f64::EPSILON, 1.0))
+    }
+
+    #[test]
+    fn the_last_change_is_told_by_those_above_round_off() {
+        let geometric = |ratio: f64| (0..).map(move |n| 1e6 * ratio.powi(n));
+        // The next one would be 1e-2 roundings; not so where the changes shrink more slowly.
+        assert_eq!(last(geometric(0.1).take(9)), Some(7));
+        assert_eq!(last(geometric(0.5).take(25)), Some(24));
+        assert_eq!(last(geometric(0.5).take(24)), None);
+        // Round-off of one or two units hides the end.
+        assert_eq!(last([1e6, 1e4, 100.0, 1.5, 1.2]), Some(3));
+        // One ratio alone says nothing, nor do changes that go up and down.
+        assert_eq!(last([1e6, 1.0]), None);
+        assert_eq!(last([1e3, 4e3, 500.0, 2e3, 250.0, 1e3, 125.0, 500.0, 62.0, 250.0, 1.0]), None);
+    }
+
+    /// As where the argument of a field is a thousand times larger than the field.
+    #[test]
+    fn an_iteration_that_stalls_is_at_the_floor_or_lost() {
+        let stalls = |floor: f64| [1e9, 1.0, 1.1, 1.0, 1.1, 1.0].map(|x| x * floor);
+        assert_eq!(last(stalls(3e3)), Some(5));
+        assert_eq!(last(stalls(3e4)), None);
+    }
+
+    #[test]
+    fn a_nan_is_never_lost() {
+        let largest = |vectors: &[Vector2<f64>]| {
+            let mut largest = Largest::zero();
+            vectors.iter().for_each(|v| largest.include(v));
+            largest.value()
+        };
+        let (small, large) = (Vector2::new(1.0, -2.0), Vector2::new(-7.0, 0.0));
+        let nan = Vector2::new(f64::NAN, 1.0);
+        assert_eq!(largest(&[small, large]), 7.0);
+        assert!([[nan, small], [small, nan]].iter().all(|vectors| largest(vectors).is_nan()));
+        assert_eq!(largest(&[Vector2::repeat(f64::MAX), Vector2::repeat(-f64::MAX)]), f64::MAX);
+    }
 
     /// Four ways to end, or not to: no change, growing at the floor, stalling, NaN.
     #[test]

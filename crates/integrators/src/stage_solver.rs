@@ -1,11 +1,15 @@
 //! Iterations for the stage equations, to the round-off floor.
 
 use crate::StepError;
-use crate::settling::{ROUND_OFF, Watch, is_finite};
+use crate::settling::{FLOOR, Largest, Watch, is_finite};
 use lie_poisson::{Mask, Real, Vector, larger};
 
 /// Sweeps after which a fixed-point iteration that has not settled gives way to Newton's.
 const SLOW: usize = 60;
+
+/// A change below this multiple of the size of the stage derivatives, √ε, leaves what is rounded off
+/// the coefficients of a method as it is, to ε of its own size: it has to be computed once.
+const CLOSE: f64 = 1.0 / (1 << 26) as f64;
 
 /// Newton iterations after which the stage equations count as not solved.
 const NEWTON_ITERATIONS: usize = 50;
@@ -71,19 +75,22 @@ impl StageSolver {
     ) -> Result<usize, StepError> {
         k.fill(start);
         let none = MaskOf::<V>::from_bool(false);
-        self.solve_from(none, step, k, derivative).map_err(|unsettled| unsettled.error)
+        self.solve_from(none, step, k, &mut |i, k: &[V], _| derivative(i, k))
+            .map_err(|unsettled| unsettled.error)
     }
 
-    /// The same from the guess that `k` holds. Lanes that are `done` stay as they are.
+    /// The same from the guess that `k` holds. Lanes that are `done` stay as they are. `derivative`
+    /// is told too in which lanes `k` has just come [close](CLOSE) to the solution.
     #[inline]
     pub(crate) fn solve_from<V: Vector>(
         &self,
         done: MaskOf<V>,
         step: f64,
         k: &mut [V],
-        derivative: impl Fn(usize, &[V]) -> V,
+        derivative: &mut impl FnMut(usize, &[V], MaskOf<V>) -> V,
     ) -> Result<usize, Unsettled<MaskOf<V>>> {
-        self.iterate(self.max_iterations, done, step, |done| sweep(done, k, &derivative))
+        let advance = |done, near| sweep(done, k, |i, k| derivative(i, k, near));
+        self.iterate(self.max_iterations, done, step, advance)
     }
 
     /// Newton's iteration, in the lanes that are not `done`, from k_i = `start`; `advance` makes one
@@ -102,28 +109,32 @@ impl StageSolver {
         mut advance: impl FnMut(MaskOf<V>, &mut [V]) -> (V::Scalar, V::Scalar),
     ) -> Result<usize, StepError> {
         fill_unless(done, k, start);
-        self.iterate(NEWTON_ITERATIONS, done, step, |done| advance(done, k))
+        self.iterate(NEWTON_ITERATIONS, done, step, |done, _| advance(done, k))
             .map_err(|unsettled| unsettled.error)
     }
 
     /// Iterates until the change settles in every lane that is not `done`, or has blown up there;
-    /// `advance` is given the lanes that are to stay as they are, and returns the change and the
-    /// size of the stages in the others.
+    /// `advance` is given the lanes that are to stay as they are and those that have just come
+    /// close, and returns the change and the size of the stages.
+    #[inline]
     fn iterate<T: Real>(
         &self,
         most: usize,
         done: T::Mask,
         step: f64,
-        mut advance: impl FnMut(T::Mask) -> (T, T),
+        mut advance: impl FnMut(T::Mask, T::Mask) -> (T, T),
     ) -> Result<usize, Unsettled<T::Mask>> {
         let length = step.abs();
         let mut watch = Watch::new();
-        let (mut settled, mut lost) = (done, T::Mask::from_bool(false));
+        let none = T::Mask::from_bool(false);
+        let (mut settled, mut lost, mut near, mut close) = (done, none, none, none);
         let (mut change, mut size) = (T::from_f64(f64::INFINITY), T::zero());
         let mut iterations = 0;
         while iterations < most && !settled.or(lost).all() {
             iterations += 1;
-            (change, size) = advance(settled.or(lost));
+            (change, size) = advance(settled.or(lost), near);
+            near = change.at_most(size * CLOSE).and(close.not());
+            close = close.or(near);
             let accepted = (change * length).at_most(T::from_f64(self.tolerance));
             let now = watch.settled(change, size).or(accepted);
             settled = settled.or(now.and(lost.not()));
@@ -133,7 +144,7 @@ impl StageSolver {
             lost = lost.or(is_finite(change).or(settled).not());
         }
         let worst = |x: T| T::select(settled, T::zero(), x * length).max_abs();
-        let required = larger(self.tolerance, ROUND_OFF * worst(size));
+        let required = larger(self.tolerance, FLOOR * worst(size));
         let error = StepError::NotConverged { residual: worst(change), required, iterations };
         Err(Unsettled { settled, iterations, error })
     }
@@ -145,16 +156,16 @@ impl StageSolver {
 fn sweep<V: Vector>(
     done: MaskOf<V>,
     k: &mut [V],
-    derivative: &impl Fn(usize, &[V]) -> V,
+    mut derivative: impl FnMut(usize, &[V]) -> V,
 ) -> (V::Scalar, V::Scalar) {
-    let (mut change, mut size) = (V::Scalar::from_f64(0.0), V::Scalar::from_f64(0.0));
+    let (mut change, mut size) = (Largest::zero(), Largest::zero());
     for i in 0..k.len() {
         let value = derivative(i, k);
-        change = change.larger((value - k[i]).max_norm());
-        size = size.larger(value.max_norm());
+        change.include(&(value - k[i]));
+        size.include(&value);
         k[i] = if done.any() { V::select(done, &k[i], &value) } else { value };
     }
-    (change, size)
+    (change.value(), size.value())
 }
 
 /// k_i = `value` in the lanes that are not `done`.
@@ -165,49 +176,34 @@ pub(crate) fn fill_unless<V: Vector>(done: MaskOf<V>, k: &mut [V], value: &V) {
     }
 }
 
-/// z + h Σ_j (a_j + low_j) k_j, the small sums first; `low` may be empty.
+/// Σ_j a_j k_j
 #[inline]
-pub(crate) fn stage_point<V: Vector>(z: &V, step: f64, row: &[f64], low: &[f64], k: &[V]) -> V {
-    *z + stage_sum(step, row, low, k)
+pub(crate) fn combination<V: Vector>(row: &[f64], k: &[V]) -> V {
+    plus_combination(V::zero(), row, k)
 }
 
-/// h Σ_j (a_j + low_j) k_j
+/// sum + Σ_j a_j k_j
 #[inline]
-pub(crate) fn stage_sum<V: Vector>(step: f64, row: &[f64], low: &[f64], k: &[V]) -> V {
-    weighted_sum(row, low, k).scaled(V::Scalar::from_f64(step))
+pub(crate) fn plus_combination<V: Vector>(mut sum: V, row: &[f64], k: &[V]) -> V {
+    for (&a, k) in row.iter().zip(k) {
+        sum.add_scaled(V::Scalar::from_f64(a), k);
+    }
+    sum
 }
 
-/// The same with products by h whose rounding has no mean. Where h is near a fraction of small
-/// denominator, as 1/20 is near, roundings of h x with neighbouring x are all alike; those of the
-/// product with the upper half of the bits of h are not.
+/// h v, with roundings that have no mean. Where h is near a fraction of small denominator, as 1/20 is
+/// near, roundings of h x with neighbouring x are all alike; those of the product with the upper half of
+/// the bits of h are not.
 #[inline]
-pub(crate) fn even_stage_sum<V: Vector>(step: f64, row: &[f64], low: &[f64], k: &[V]) -> V {
+pub(crate) fn evenly_scaled<V: Vector>(v: &V, step: f64) -> V {
     let upper = f64::from_bits(step.to_bits() & UPPER_HALF);
-    let sum = weighted_sum(row, low, k);
-    let mut product = sum.scaled(V::Scalar::from_f64(upper));
-    product.add_scaled(V::Scalar::from_f64(step - upper), &sum);
+    let mut product = v.scaled(V::Scalar::from_f64(upper));
+    product.add_scaled(V::Scalar::from_f64(step - upper), v);
     product
 }
 
 /// Sign, exponent and the upper 26 of the 53 bits of a number.
 const UPPER_HALF: u64 = !0 << 27;
-
-/// Σ_j (a_j + low_j) k_j
-#[inline]
-fn weighted_sum<V: Vector>(row: &[f64], low: &[f64], k: &[V]) -> V {
-    let mut sum = V::zero();
-    for (&a, k) in row.iter().zip(k) {
-        sum.add_scaled(V::Scalar::from_f64(a), k);
-    }
-    if !low.is_empty() {
-        let mut small = V::zero();
-        for (&a, k) in low.iter().zip(k) {
-            small.add_scaled(V::Scalar::from_f64(a), k);
-        }
-        sum += small;
-    }
-    sum
-}
 
 #[cfg(test)]
 mod tests {

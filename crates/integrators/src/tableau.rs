@@ -77,7 +77,7 @@ impl Tableau {
     /// The low parts of a row of a; empty if there are none.
     #[inline]
     pub(crate) fn row_low(&self, i: usize) -> &[f64] {
-        self.a_low.chunks_exact(self.stages()).nth(i).unwrap_or_default()
+        part(&self.a_low, i, self.b.len())
     }
 
     /// The low parts of b; empty if there are none.
@@ -101,7 +101,7 @@ impl Tableau {
     #[inline]
     #[must_use]
     pub fn row(&self, i: usize) -> &[f64] {
-        self.a.chunks_exact(self.stages()).nth(i).unwrap_or_default()
+        part(&self.a, i, self.b.len())
     }
 
     /// The weights b.
@@ -186,5 +186,27 @@ impl Tableau {
     fn all_pairs(&self, defect: impl Fn(usize, usize) -> f64) -> bool {
         let s = self.stages();
         (0..s).all(|i| (0..s).all(|j| defect(i, j).abs() <= COEFFICIENT_TOLERANCE))
+    }
+}
+
+/// Entries i s, …, i s + s − 1, or none; without the division of `chunks_exact`.
+#[inline]
+fn part(entries: &[f64], i: usize, stages: usize) -> &[f64] {
+    let rest = entries.get(i.saturating_mul(stages)..);
+    rest.and_then(|rest| rest.get(..stages)).unwrap_or_default()
+}
+
+#[cfg(test)]
+mod tests {
+    use crate::Tableau;
+
+    #[test]
+    fn there_is_no_row_beyond_the_last() {
+        let a = [0.25, 0.0, 0.5, 0.25];
+        let tableau = Tableau::literal(&a, &[0.5, 0.5]).with_low_parts(&a, &[0.5, 0.5]);
+        assert!(tableau.rows().eq([0, 1].map(|i| tableau.row(i))));
+        assert_eq!(tableau.row_low(1), [0.5, 0.25]);
+        assert!([2, usize::MAX].iter().all(|&i| tableau.row(i).is_empty()));
+        assert!(Tableau::literal(&a, &[0.5, 0.5]).row_low(0).is_empty());
     }
 }

@@ -47,6 +47,53 @@ impl<T: Real> Quaternion<T> {
         self.scalar * self.scalar + self.vector.dot(&self.vector)
     }
 
+    /// The product q v with imaginary v, −u·v + (s v + u×v) for q = s + u: the products by zero are
+    /// left out.
+    ///
+    /// ```
+    /// use lie_poisson::Quaternion;
+    /// use nalgebra::Vector3;
+    /// let q = Quaternion { scalar: 2.0, vector: Vector3::new(1.0, 0.0, -1.0) };
+    /// let v = Vector3::new(3.0, 1.0, 0.5);
+    /// assert_eq!(q.times_imaginary(&v), q * Quaternion { scalar: 0.0, vector: v });
+    /// ```
+    #[must_use]
+    #[inline]
+    pub fn times_imaginary(&self, v: &Vector3<T>) -> Self {
+        Self { scalar: -self.vector.dot(v), vector: v * self.scalar + self.vector.cross(v) }
+    }
+
+    /// The product v q with imaginary v, −v·u + (s v + v×u) for q = s + u: the products by zero are
+    /// left out.
+    ///
+    /// ```
+    /// use lie_poisson::Quaternion;
+    /// use nalgebra::Vector3;
+    /// let q = Quaternion { scalar: 2.0, vector: Vector3::new(1.0, 0.0, -1.0) };
+    /// let v = Vector3::new(3.0, 1.0, 0.5);
+    /// assert_eq!(Quaternion::imaginary_times(&v, &q), Quaternion { scalar: 0.0, vector: v } * q);
+    /// ```
+    #[must_use]
+    #[inline]
+    pub fn imaginary_times(v: &Vector3<T>, q: &Self) -> Self {
+        Self { scalar: -v.dot(&q.vector), vector: v * q.scalar + v.cross(&q.vector) }
+    }
+
+    /// The imaginary part t u − s w − u×w of p q̄, for p = s + u and q = t + w.
+    ///
+    /// ```
+    /// use lie_poisson::Quaternion;
+    /// use nalgebra::Vector3;
+    /// let p = Quaternion { scalar: 2.0, vector: Vector3::new(1.0, 0.0, -1.0) };
+    /// let q = Quaternion { scalar: 0.5, vector: Vector3::new(3.0, 1.0, 0.5) };
+    /// assert_eq!(p.imaginary_part_by_conjugate(&q), (p * q.conjugate()).vector);
+    /// ```
+    #[must_use]
+    #[inline]
+    pub fn imaginary_part_by_conjugate(&self, q: &Self) -> Vector3<T> {
+        self.vector * q.scalar - q.vector * self.scalar - self.vector.cross(&q.vector)
+    }
+
     /// The imaginary part of q v q̄ for imaginary v: |q|² times a rotation of v.
     #[inline]
     pub fn sandwich(&self, v: &Vector3<T>) -> Vector3<T> {
@@ -156,6 +203,19 @@ impl<T: Real> SubAssign for Quaternion<T> {
 #[cfg(test)]
 mod tests {
     use super::*;
+
+    #[test]
+    fn products_without_zeros_are_products() {
+        let q = Quaternion { scalar: 0.5, vector: Vector3::new(1.0, -2.0, 0.25) };
+        let p = Quaternion { scalar: -1.5, vector: Vector3::new(0.5, 4.0, -1.0) };
+        let v = Vector3::new(3.0, 1.0, -1.0);
+        let pure = Quaternion { scalar: 0.0, vector: v };
+        // binary fractions: no rounding
+        assert_eq!(q.times_imaginary(&v), q * pure);
+        assert_eq!(Quaternion::imaginary_times(&v, &q), pure * q);
+        assert_ne!(q.times_imaginary(&v), Quaternion::imaginary_times(&v, &q));
+        assert_eq!(p.imaginary_part_by_conjugate(&q), (p * q.conjugate()).vector);
+    }
 
     #[test]
     fn the_sandwich_is_a_product() {

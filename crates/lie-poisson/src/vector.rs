@@ -90,8 +90,15 @@ pub trait Vector:
     /// The maximum norm ‖v‖_∞ = max |vᵢ|, lane by lane; NaN where any coordinate is.
     #[inline]
     fn max_norm(&self) -> Self::Scalar {
-        let zero: Self::Scalar = num_traits::zero();
-        (0..Self::DIM).fold(zero, |m, i| m.larger(self.coordinate(i).magnitude()))
+        let (mut most, mut sum): (Self::Scalar, Self::Scalar) =
+            (num_traits::zero(), num_traits::zero());
+        for i in 0..Self::DIM {
+            let size = self.coordinate(i).magnitude();
+            most = size.maximum(most);
+            sum += size;
+        }
+        // The sum keeps a NaN that the maximum loses.
+        Real::select(sum.at_most(sum), most, sum)
     }
 
     /// max |vᵢ| over coordinates and lanes; NaN if any is NaN.
@@ -195,6 +202,11 @@ mod tests {
         assert_eq!(v.scaled(2.0) - v, v);
         assert_eq!((-v).max_abs(), V::DIM as f64);
         assert!(!v.scaled(f64::NAN).is_finite());
+        for i in 0..V::DIM {
+            // a maximum alone would lose all but the last
+            let spoilt = V::from_coordinates(|j| if i == j { f64::NAN } else { v.coordinate(j) });
+            assert!(spoilt.max_abs().is_nan());
+        }
     }
 
     #[test]

@@ -48,7 +48,7 @@ type Case<T> = (&'static str, T, fn(f64, f64, f64) -> f64);
 
 /// What every type computes as `f64` does.
 #[inline(always)]
-fn operations<T: Lanes>(a: T, b: T, c: T) -> [Case<T>; 20] {
+fn operations<T: Lanes>(a: T, b: T, c: T) -> [Case<T>; 21] {
     let mut assigned = a;
     assigned += b;
     assigned *= c;
@@ -73,6 +73,7 @@ fn operations<T: Lanes>(a: T, b: T, c: T) -> [Case<T>; 20] {
         ("Stumpff", (one / (one + a * a)).stumpff(2), |a, _, _| (1.0 / (1.0 + a * a)).stumpff(2)),
         ("magnitude", a.magnitude(), |a, _, _| a.abs()),
         ("larger", a.larger(b), |a, b, _| larger(a, b)),
+        ("maximum", a.maximum(b), |a, b, _| if a > b { a } else { b }),
         ("select", T::select(a.at_most(b), c, a), |a, b, c| if a <= b { c } else { a }),
         ("nonnegative", a.select_nonnegative(b, c), |a, b, c| if a >= 0.0 { b } else { c }),
         ("constant", T::from_f64(0.1) + T::zero() + one, |_, _, _| 0.1 + 0.0 + 1.0),

@@ -106,7 +106,7 @@ impl Multipliers for Quaternions {
 
     #[inline]
     fn generate<T: Real>(&self, omega: &Vector3<T>, q: &Quaternion<T>) -> Quaternion<T> {
-        imaginary(omega, -0.5) * *q
+        Quaternion::imaginary_times(&(omega * T::from_f64(-0.5)), q)
     }
 
     #[inline]
@@ -138,12 +138,6 @@ impl Multipliers for Quaternions {
     }
 }
 
-/// s v as an imaginary quaternion.
-#[inline]
-fn imaginary<T: Real>(v: &Vector3<T>, s: f64) -> Quaternion<T> {
-    Quaternion { scalar: T::zero(), vector: v * T::from_f64(s) }
-}
-
 /// q̄/|q|²
 #[inline]
 fn inverse<T: Real>(q: &Quaternion<T>) -> Quaternion<T> {
@@ -155,7 +149,7 @@ fn inverse<T: Real>(q: &Quaternion<T>) -> Quaternion<T> {
 ///
 /// ```text
 /// dQ/dt = −½ Ω Q,    dN/dt = −½ Ω N − 2γ Q,    N conj(Q) = x₀ + x
-/// Γ = Q Γ₀ conj(Q),    Π = Q Π₀ conj(Q) + (x × Γ + x₀ Γ)/(2|Q|²)
+/// Γ = Q Γ₀ conj(Q),    Π = Q Π₀ conj(Q) + (x × Γ + x₀ Γ)/(2|Q|²) = Im((Q Π₀ + ½ N Γ₀) conj(Q))
 /// ```
 ///
 /// where χ = Qχ₀ − iNψ₀ and ψ = Qψ₀ (quaternions act on C² by u ↦ −i u·σ). |Q|² = 1 and x₀ = 0 are
@@ -184,17 +178,19 @@ impl Multipliers for DualQuaternions {
         dh: &Pair<Vector3<T>, Vector3<T>>,
         q: &Self::Multiplier<T>,
     ) -> Self::Multiplier<T> {
-        let turn = imaginary(&dh.0, -0.5);
-        Pair(turn * q.0, turn * q.1 + imaginary(&dh.1, -2.0) * q.0)
+        let turn = dh.0 * T::from_f64(-0.5);
+        let push = dh.1 * T::from_f64(-2.0);
+        let times = Quaternion::imaginary_times;
+        Pair(times(&turn, &q.0), times(&turn, &q.1) + times(&push, &q.0))
     }
 
     #[inline]
     fn transport<T: Real>(&self, q: &Self::Multiplier<T>, mu: &Se3Dual<T>) -> Se3Dual<T> {
         let (Pair(q, n), Covector(Pair(pi, gamma))) = (q, mu);
-        let (x, turned) = (*n * q.conjugate(), q.sandwich(gamma));
-        let shift = x.vector.cross(&turned) + turned * x.scalar;
-        let scale = T::from_f64(0.5) / q.norm_squared();
-        Se3Dual::new(q.sandwich(pi) + shift * scale, turned)
+        let half = gamma * T::from_f64(0.5);
+        let moved = q.times_imaginary(pi) + n.times_imaginary(&half);
+        let turned = q.times_imaginary(gamma);
+        Se3Dual::new(moved.imaginary_part_by_conjugate(q), turned.imaginary_part_by_conjugate(q))
     }
 
     /// Of the motion by the unit dual quaternion next to Q + εN: |Q|² = 1 and x₀ = 0.

@@ -7,8 +7,8 @@ use crate::Mask;
 use core::arch::x86_64::{
     __m256d, _CMP_LE_OQ, _mm256_add_pd, _mm256_and_pd, _mm256_andnot_pd, _mm256_blendv_pd,
     _mm256_cmp_pd, _mm256_div_pd, _mm256_fmadd_pd, _mm256_fmsub_pd, _mm256_fnmadd_pd,
-    _mm256_movemask_pd, _mm256_mul_pd, _mm256_or_pd, _mm256_set1_pd, _mm256_sqrt_pd, _mm256_sub_pd,
-    _mm256_xor_pd,
+    _mm256_max_pd, _mm256_movemask_pd, _mm256_mul_pd, _mm256_or_pd, _mm256_set1_pd, _mm256_sqrt_pd,
+    _mm256_sub_pd, _mm256_xor_pd,
 };
 
 /// One register of AVX2 with FMA.
@@ -36,6 +36,7 @@ register! {
             multiply(a, b) = _mm256_mul_pd;
             divide(a, b) = _mm256_div_pd;
             root(a) = _mm256_sqrt_pd;
+            maximum(a, b) = _mm256_max_pd;
             multiply_add(a, b, c) = _mm256_fmadd_pd;
             multiply_subtract(a, b, c) = _mm256_fmsub_pd;
             negative_multiply_add(a, b, c) = _mm256_fnmadd_pd;

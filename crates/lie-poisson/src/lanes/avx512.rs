@@ -6,8 +6,8 @@ use super::register::Register;
 use crate::Mask;
 use core::arch::x86_64::{
     __m512d, __mmask8, _CMP_LE_OQ, _mm512_abs_pd, _mm512_add_pd, _mm512_cmp_pd_mask, _mm512_div_pd,
-    _mm512_fmadd_pd, _mm512_fmsub_pd, _mm512_fnmadd_pd, _mm512_mask_blend_pd, _mm512_mul_pd,
-    _mm512_set1_pd, _mm512_sqrt_pd, _mm512_sub_pd, _mm512_xor_pd,
+    _mm512_fmadd_pd, _mm512_fmsub_pd, _mm512_fnmadd_pd, _mm512_mask_blend_pd, _mm512_max_pd,
+    _mm512_mul_pd, _mm512_set1_pd, _mm512_sqrt_pd, _mm512_sub_pd, _mm512_xor_pd,
 };
 
 /// One register of AVX-512 (F and DQ).
@@ -35,6 +35,7 @@ register! {
             multiply(a, b) = _mm512_mul_pd;
             divide(a, b) = _mm512_div_pd;
             root(a) = _mm512_sqrt_pd;
+            maximum(a, b) = _mm512_max_pd;
             magnitude(a) = _mm512_abs_pd;
             multiply_add(a, b, c) = _mm512_fmadd_pd;
             multiply_subtract(a, b, c) = _mm512_fmsub_pd;

@@ -136,6 +136,11 @@ impl<R: Register> Real for Packed<R> {
     }
 
     #[inline(always)]
+    fn maximum(self, other: Self) -> Self {
+        Self(R::maximum(self.0, other.0))
+    }
+
+    #[inline(always)]
     fn max_abs(self) -> f64 {
         let sizes = self.magnitude();
         let mut largest = 0.0;

@@ -34,6 +34,7 @@ impl Register for Plain {
         negate(a) = -a;
         root(a) = a.sqrt();
         magnitude(a) = a.abs();
+        maximum(a, b) = if a > b { a } else { b };
     }
 
     #[inline(always)]

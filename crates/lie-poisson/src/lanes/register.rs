@@ -46,6 +46,8 @@ pub trait Register: Copy + Send + Sync + 'static {
     fn root(a: Self) -> Self;
     /// |a|
     fn magnitude(a: Self) -> Self;
+    /// a where a > b, else b
+    fn maximum(a: Self, b: Self) -> Self;
     /// a b + c; rounded twice, unless the type is `FUSED` and says how.
     #[inline(always)]
     fn multiply_add(a: Self, b: Self, c: Self) -> Self {
@@ -96,6 +98,7 @@ impl<R: Register> Register for Two<R> {
         negate(a);
         root(a);
         magnitude(a);
+        maximum(a, b);
         multiply_add(a, b, c);
         multiply_subtract(a, b, c);
         negative_multiply_add(a, b, c);

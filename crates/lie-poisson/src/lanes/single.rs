@@ -31,6 +31,7 @@ impl Register for FusedSingle {
         negate(a) = -a;
         root(a) = a.sqrt();
         magnitude(a) = a.abs();
+        maximum(a, b) = if a > b { a } else { b };
         multiply_add(a, b, c) = a.mul_add(b, c);
         multiply_subtract(a, b, c) = a.mul_add(b, -c);
         negative_multiply_add(a, b, c) = (-a).mul_add(b, c);

@@ -5,8 +5,8 @@ use super::intrinsics::{intrinsics, mask_of_bits, register};
 use super::register::Register;
 use crate::Mask;
 use core::arch::x86_64::{
-    __m128d, _mm_add_pd, _mm_and_pd, _mm_andnot_pd, _mm_cmple_pd, _mm_div_pd, _mm_movemask_pd,
-    _mm_mul_pd, _mm_or_pd, _mm_set1_pd, _mm_sqrt_pd, _mm_sub_pd, _mm_xor_pd,
+    __m128d, _mm_add_pd, _mm_and_pd, _mm_andnot_pd, _mm_cmple_pd, _mm_div_pd, _mm_max_pd,
+    _mm_movemask_pd, _mm_mul_pd, _mm_or_pd, _mm_set1_pd, _mm_sqrt_pd, _mm_sub_pd, _mm_xor_pd,
 };
 
 /// One register of SSE2. Products and sums are rounded each on its own, as those of `f64`.
@@ -33,6 +33,7 @@ register! {
             multiply(a, b) = _mm_mul_pd;
             divide(a, b) = _mm_div_pd;
             root(a) = _mm_sqrt_pd;
+            maximum(a, b) = _mm_max_pd;
         }
 
         #[inline(always)]
