@@ -147,6 +147,10 @@ same_bits_at_every_width! {
     gauss_steps: Lifted<RungeKutta> = lifted(gauss(4)), 0.2, 300, true;
     lift_free_steps: Free<RungeKutta> = free(gauss(2)), 0.05, 300, true;
     compensated_steps: Compensated<Free<RungeKutta>> = free(gauss(3)).compensated(), 0.05, 100, true;
+    compensated_lifted_steps: Compensated<Lifted<RungeKutta>> =
+        lifted(gauss(2)).compensated(), 0.05, CHECKPOINT + 30, true;
+    large_compensated_steps: Compensated<Lifted<RungeKutta>> =
+        lifted(gauss(2)).compensated(), 1.0, 20, true;
     // Newton's iteration takes over in some lanes, with exact derivatives and with quotients.
     large_lift_free_steps: Free<RungeKutta> = free(gauss(2)), 2.0, 20, true;
     large_direct_steps: Direct<RungeKutta, Equations> =

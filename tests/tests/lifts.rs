@@ -75,7 +75,7 @@ proptest! {
         }
         prop_assume!(length > 1.001 * least);
         prop_assert!((back.q - z.q).norm() <= length / 3.0 + ROUND_OFF * moved.q.norm());
-        prop_assert!((SpinorRealisation.apply(&back) - mu).max_abs() <= ROUND_OFF * (1.0 + length * z.p.0.norm()));
+        prop_assert!((SpinorRealisation.apply(&back) - mu).max_abs() <= ROUND_OFF * (1.0 + mu.max_abs() + length * z.p.0.norm()));
     }
 
     #[test]

@@ -106,11 +106,12 @@ impl PoissonMap for SpinorRealisation {
 /// A slide by more than this many ψ is none.
 const LONGEST: f64 = 1e100;
 
-/// ±2ᵏ with ¾ 2ᵏ ≤ |x| ≤ 3/2 2ᵏ: the leading bit of 4x/3, for any scalar. Its derivative means nothing.
+/// ±2ᵏ with ¾ 2ᵏ ≤ |x| ≤ 3/2 2ᵏ: the leading bit of 4x/3, for any scalar. Over dual numbers the derivative is
+/// not that of a constant, but some multiple of that of x.
 ///
 /// Source: S. M. Rump, *Ultimately fast accurate summation*, SIAM J. Sci. Comput. 31 (2009), Alg. 3.5.
 #[inline]
-fn power_of_two<T: Real>(x: T) -> T {
+pub(crate) fn power_of_two<T: Real>(x: T) -> T {
     let q = x * (4.0 / 3.0 * (1.0 + 1.0 / f64::EPSILON));
     q - q * (1.0 - 0.5 * f64::EPSILON)
 }

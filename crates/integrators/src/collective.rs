@@ -153,7 +153,7 @@ where
         workspace: &mut Self::Workspace,
     ) -> Result<Step<Self::State>, StepError> {
         let next = self.scheme.step::<T, _>(&self.system, state, step, workspace)?;
-        Ok(Step { point: next.point + self.gauge::<T>(&next.point), ..next })
+        Step { point: next.point + self.gauge::<T>(&next.point), ..next }.finite()
     }
 
     #[inline]
@@ -184,7 +184,8 @@ where
         self.scheme.refined_increment::<T, _>(&self.system, state, step, workspace)
     }
 
-    /// z + e + gauge(z + e), to first order in e.
+    /// z + e + gauge(z + e), to first order in e. Where the derivative of a gauge means nothing but goes along
+    /// the fibre, as that of a power of two, M does not see it.
     #[inline]
     fn settled(&self, state: Pair<Self::State, Self::State>) -> Pair<Self::State, Self::State> {
         let Pair(z, carry) = state;

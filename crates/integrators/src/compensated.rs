@@ -10,7 +10,7 @@ use momentum_map::LiftError;
 /// # Example
 /// See [`Compensated`].
 pub trait Increments<T: Real = f64>: Integrator<T> {
-    /// The change δz + δe of the state in one step, unrounded, before the state is
+    /// The change δz + δe of the state in one step, before the state is
     /// [`settled`](Self::settled); δe has the size of the roundings of δz.
     ///
     /// # Errors
@@ -39,9 +39,11 @@ pub trait Increments<T: Real = f64>: Integrator<T> {
 /// so that the errors of a step have the size of the roundings of δz, a factor h|Ω| below those
 /// of z. The state is (z, e); of a [`LiftFree`](crate::LiftFree) integrator z is μ.
 ///
-/// The stages of δz are unrounded ([`Scheme::refined_increment`](crate::Scheme::refined_increment)), and where a
-/// [`Collective`](crate::Collective) integrator slides z along its fibre, e slides along. What is left are
-/// the roundings of the field, which have no mean: invariants wander as t^½.
+/// Where the fixed-point iteration solves the stages of an implicit Runge–Kutta method, what their
+/// rounding takes from the field is added back ([`Scheme::refined_increment`](crate::Scheme::refined_increment)), and
+/// where a [`Collective`](crate::Collective) integrator slides z along its fibre, e slides along. What is left
+/// are the roundings of the field, and invariants wander as t^½. Other methods, and steps that need Newton's
+/// iteration, keep roundings with a mean, and may drift.
 ///
 /// Source: W. Kahan, *Further remarks on reducing truncation errors*, Comm. ACM 8 (1965); Hairer,
 /// McLachlan & Razakarivony, *Achieving Brouwer's law with implicit Runge–Kutta methods*, BIT 48
@@ -86,8 +88,8 @@ impl<I> Compensated<I> {
 #[inline]
 pub fn compensated_sum<V: Vector>(sum: &Pair<V, V>, increment: &Pair<V, V>) -> Pair<V, V> {
     let Pair(change, lost) = two_sum(&increment.0, &sum.1);
-    let next = sum.0 + change;
-    Pair(next, (change - (next - sum.0)) + (lost + increment.1))
+    let Pair(next, rounded) = two_sum(&sum.0, &change);
+    Pair(next, rounded + (lost + increment.1))
 }
 
 impl<I: Increments<T>, T: Real> Integrator<T> for Compensated<I> {

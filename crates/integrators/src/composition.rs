@@ -95,6 +95,7 @@ impl<S: Scheme> Scheme for Composition<S> {
         })
     }
 
+    /// The sum of those of the substeps, each from the rounded z + Σ δz, without what is carried.
     #[inline]
     fn refined_increment<T: Real, F: VectorField<T>>(
         &self,

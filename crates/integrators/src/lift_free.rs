@@ -272,7 +272,8 @@ where
     H: Hamiltonian<M::Space, T>,
     T: Real,
 {
-    /// δμ is that of a motion by Q₁; its Casimirs do not depend on the roundings of Q₁.
+    /// δμ is that of a motion by Q₁, and conserves Casimirs whatever the roundings of Q₁. Of Q₁ = 1 + … only
+    /// the real part is rounded at size 1, which changes the motion by h times a rounding.
     #[inline]
     fn increment(
         &self,

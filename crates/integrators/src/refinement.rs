@@ -10,18 +10,19 @@ use lie_poisson::{Mask, Pair, Real, Vector};
 /// little, by a relative 1e-8.
 const ENLARGEMENT: f64 = 67_108_864.0;
 
-/// Sweeps of refinement. Each multiplies what is left of an error by the contraction of the
-/// fixed-point iteration; what is left after two is lost among the roundings of the field.
+/// Sweeps of refinement. The first makes δk; each further one multiplies what is missing by the
+/// contraction of the fixed-point iteration, and after two of these it is lost among the roundings of the
+/// field.
 const SWEEPS: usize = 3;
 
-/// Makes k_i + δk_i, in the chosen lanes, of k_i: X at the unrounded stage z + h Σ_j a_ij (k_j + δk_j). δk_i is
-/// what the rounding δZ of the stage takes from X, X′·δZ; it is less than a rounding of k_i and would be
-/// lost there. In other lanes it is 0.
+/// Replaces k_i by X at the rounded stage Z_i, and writes to `rest` the δk_i = X′·δZ_i for which k_i + δk_i is
+/// X at the unrounded stage Z_i + δZ_i = z + h Σ_j a_ij (k_j + δk_j); less than a rounding of k_i, it would be
+/// lost there. Only in the chosen lanes; in the others δk_i = 0.
 ///
 /// An iteration to the floor ends at one of several neighbouring fixed points in floating-point
 /// arithmetic, always the one on the side from which it comes. The roundings δZ therefore have a mean: of
-/// some hundredth of a rounding, which in a long run is a drift of the invariants, as 2 Σ_i b_i k_i·δZ_i
-/// of |z|².
+/// some hundredths of a rounding, which in a long run is a drift of the invariants: of |z|² by
+/// 2h Σ_i b_i k_i·δZ_i in a step, if it conserves |z|².
 #[inline]
 pub(crate) fn refine<T: Real, F: VectorField<T>>(
     field: &F,

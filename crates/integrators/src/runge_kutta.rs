@@ -253,8 +253,8 @@ impl Scheme for RungeKutta {
         Ok(Step { point: self.end(z, step, workspace), iterations })
     }
 
-    /// With the stages of an implicit method unrounded, which takes six more evaluations of the field for
-    /// each stage.
+    /// With the stages of an implicit method unrounded where the fixed-point iteration has found them, which
+    /// takes six more evaluations of the field for each stage.
     #[inline]
     fn refined_increment<T: Real, F: VectorField<T>>(
         &self,

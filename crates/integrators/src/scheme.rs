@@ -49,12 +49,12 @@ pub trait Scheme: Clone {
         workspace: &mut Self::Workspace<F::Point>,
     ) -> Result<Step<F::Point>, StepError>;
 
-    /// The same, δz + δe, with roundings that have no mean: [`Compensated`](crate::Compensated) summation
-    /// lives on it. δe has the size of the roundings of δz. By default (δz, 0) with
-    /// [`increment`](Self::increment).
+    /// The same as δz + δe, for [`Compensated`](crate::Compensated) summation; δe has the size of the
+    /// roundings of δz. A scheme that can makes its roundings free of a mean. The default is
+    /// ([`increment`](Self::increment), 0), whose are not.
     ///
     /// # Errors
-    /// As that.
+    /// As for [`increment`](Self::increment).
     #[inline]
     fn refined_increment<T: Real, F: VectorField<T>>(
         &self,

@@ -3,8 +3,8 @@
 use lie_poisson::{Mask, Real, Vector};
 
 /// A change is the last if the next one is expected below this multiple of the size of the stage
-/// derivatives. What is left of an iteration has the same sign in every step: a hundred-thousandth of a
-/// rounding shows in runs of 10⁸ steps.
+/// derivatives, if the ratios seen go on. What is left has the same sign in every step; compensated steps,
+/// in which it would show in runs of 10⁸, take it away by refinement.
 const EXPECTED: f64 = f64::EPSILON / 32.0;
 
 /// Ratios of changes below this multiple of the size of the stage derivatives are those of round-off,

@@ -23,12 +23,15 @@ const NEWTON_ITERATIONS: usize = 50;
 /// iteration takes over, with the exact derivative of the field if it is known
 /// ([`VectorField::derivative`](crate::VectorField::derivative)).
 ///
-/// Source of the stopping rule: Hairer, McLachlan & Razakarivony, *Achieving Brouwer's law with
+/// To the round-off floor means: until nothing changes, the change that comes next is expected below a
+/// thirty-second of a rounding from the ratios of those before, or the changes no longer shrink at the size of
+/// round-off. The low parts of coefficients enter once k is within √ε.
+///
+/// Source of the last rule: Hairer, McLachlan & Razakarivony, *Achieving Brouwer's law with
 /// implicit Runge–Kutta methods*, BIT 48 (2008), §2.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct StageSolver {
-    /// Accept when h max |Δk| is at most this. 0 iterates to the round-off floor: until nothing
-    /// changes, or the changes stop shrinking at the size of round-off.
+    /// Accept when h max |Δk| is at most this. 0 iterates to the round-off floor.
     pub tolerance: f64,
     /// Give up the fixed-point iteration after this many sweeps.
     pub max_iterations: usize,
@@ -133,8 +136,6 @@ impl StageSolver {
         while iterations < most && !settled.or(lost).all() {
             iterations += 1;
             (change, size) = advance(settled.or(lost), near);
-            near = change.at_most(size * CLOSE).and(close.not());
-            close = close.or(near);
             let accepted = (change * length).at_most(T::from_f64(self.tolerance));
             let now = watch.settled(change, size).or(accepted);
             settled = settled.or(now.and(lost.not()));
@@ -142,6 +143,9 @@ impl StageSolver {
                 return Ok(iterations);
             }
             lost = lost.or(is_finite(change).or(settled).not());
+            // Of a lane that has ended nothing changes any more, whatever the others do.
+            near = change.at_most(size * CLOSE).and(close.or(settled).or(lost).not());
+            close = close.or(near);
         }
         let worst = |x: T| T::select(settled, T::zero(), x * length).max_abs();
         let required = larger(self.tolerance, FLOOR * worst(size));
@@ -191,9 +195,9 @@ pub(crate) fn plus_combination<V: Vector>(mut sum: V, row: &[f64], k: &[V]) -> V
     sum
 }
 
-/// h v, with roundings that have no mean. Where h is near a fraction of small denominator, as 1/20 is
-/// near, roundings of h x with neighbouring x are all alike; those of the product with the upper half of
-/// the bits of h are not.
+/// h v, with roundings that have no mean. If h is within a few roundings of a fraction of small
+/// denominator, as 0.05 = 8/5 · 2⁻⁵, the products h x with neighbouring x round alike; those with the upper
+/// 26 bits of h do not, and what the lower bits add is small. An infinite h x becomes NaN.
 #[inline]
 pub(crate) fn evenly_scaled<V: Vector>(v: &V, step: f64) -> V {
     let upper = f64::from_bits(step.to_bits() & UPPER_HALF);

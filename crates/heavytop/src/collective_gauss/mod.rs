@@ -46,7 +46,7 @@ type General<H> = Compensated<Collective<RungeKutta, SpinorRealisation, H>>;
 /// the same size, from where it ended. A step therefore depends on the one before, by round-off;
 /// [`forget`](Integrator::forget) removes that. μ_ij + μ_ji = 1 holds to the last bit, so that
 /// rounding of coefficients makes no Casimir drift. When |Re(ψ∗χ)| has grown past ‖ψ‖², χ slides
-/// back along the fibre by a whole multiple of ψ.
+/// back along the fibre by a power of two times ψ.
 ///
 /// Where the iteration does not settle, for large steps, the general method makes the step, by
 /// Newton's iteration if it must.

@@ -3,6 +3,7 @@
 use super::memory::Stages;
 use super::row::{Row, WIDTH};
 use crate::SpinorPoint;
+use crate::spinor_realisation::power_of_two;
 use core::hint::black_box;
 use lie_poisson::{Covector, Pair};
 use momentum_map::Cotangent;
@@ -84,11 +85,11 @@ impl Point {
         self.overlap().abs() > self.square()
     }
 
-    /// Slides back along the fibre, to χ + bψ, and returns b: a whole number, ±1 as a rule, so
-    /// that bψ is not rounded.
+    /// Slides back along the fibre, to χ + bψ, and returns b: a power of two, ±1 as a rule, so that bψ
+    /// is not rounded.
     #[cold]
     pub(super) fn slide(&mut self) -> f64 {
-        let along = -(self.overlap() / self.square()).round();
+        let along = power_of_two(-self.overlap() / self.square());
         if !along.is_finite() {
             return 0.0;
         }
