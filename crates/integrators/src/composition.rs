@@ -117,13 +117,8 @@ impl<S: Scheme> Scheme for Composition<S> {
     }
 
     #[inline]
-    fn move_memory<V: Vector>(
-        &self,
-        workspace: &mut Self::Workspace<V>,
-        start: &V,
-        motion: impl Fn(&V) -> Option<V>,
-    ) {
-        self.base.move_memory(workspace, start, motion);
+    fn continue_from<V: Vector>(&self, workspace: &mut Self::Workspace<V>, start: &V) {
+        self.base.continue_from(workspace, start);
     }
 
     /// [`Substeps::order_over`] what the base has.

@@ -6,7 +6,7 @@
 //! |---|---|
 //! | vector fields ż = X(z) | [`VectorField`], [`HamiltonianField`], [`from_fn`] |
 //! | Runge–Kutta coefficients and their properties | [`Tableau`] |
-//! | stage equations, guessed from the steps before and solved | [`StageSolver`] |
+//! | stage equations, guessed from the steps before and solved | [`StageSolver`], [`StageMemory`] |
 //! | one-step methods, and which of them descend | [`Scheme`], [`Equivariant`], [`RungeKutta`] |
 //! | partitioned methods, which do not descend | [`Polarisation`], [`PartitionedRungeKutta`] |
 //! | integrators on 𝔤∗ | [`Integrator`], [`Start`], [`Collective`], [`Direct`], [`LiftFree`] |
@@ -35,6 +35,8 @@ mod dop853;
 mod stage_solver;
 mod newton;
 mod predictor;
+mod memory;
+mod stage_memory;
 mod refinement;
 mod scheme;
 mod composition_conditions;
@@ -50,6 +52,7 @@ mod integrator;
 mod compensated;
 mod collective;
 mod direct;
+mod multiplier_field;
 mod lift_free;
 mod composition;
 mod splitting;
@@ -99,6 +102,7 @@ pub use runge_kutta::{RungeKutta, StageSpace};
 pub use scheme::{Equivariant, Increment, Scheme, Step};
 pub use spherical_midpoint::SphericalMidpoint;
 pub use splitting::{ExactFlows, Splitting};
+pub use stage_memory::StageMemory;
 pub use stage_solver::StageSolver;
 pub use substeps::Substeps;
 pub use tableau::Tableau;

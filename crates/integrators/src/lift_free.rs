@@ -1,14 +1,10 @@
 //! Collective Runge–Kutta methods without a lift.
 
-use crate::predictor::near;
+use crate::multiplier_field::{Course, MultiplierField};
 use crate::{
     Compensated, Equivariant, Increment, Increments, Integrator, Scheme, Start, Step, StepError,
-    VectorField,
 };
-use lie_poisson::{
-    Differential, DualNumber, Hamiltonian, Mask, Pair, Point, Real, Vector, derivative_part,
-    map_coordinates, seed,
-};
+use lie_poisson::{Hamiltonian, Pair, Point, Real, Vector};
 use momentum_map::{LiftError, Multiplier, Multipliers};
 
 /// The collective integrator of a linear collective system, on 𝔤∗ itself: the scheme solves
@@ -95,7 +91,7 @@ impl<S: Equivariant, M: Multipliers, H> LiftFree<S, M, H> {
     where
         H: Hamiltonian<M::Space, T>,
     {
-        Ok(self.motion::<T>(mu, step, workspace)?.0)
+        self.motion::<T>(mu, step, workspace)?.0.finite()
     }
 
     /// The same with roundings that have no mean ([`Scheme::refined_increment`]), for
@@ -113,7 +109,7 @@ impl<S: Equivariant, M: Multipliers, H> LiftFree<S, M, H> {
     where
         H: Hamiltonian<M::Space, T>,
     {
-        Ok(self.refined_motion::<T>(mu, step, workspace)?.0)
+        self.refined_motion::<T>(mu, step, workspace)?.0.finite()
     }
 
     #[inline]
@@ -127,7 +123,8 @@ impl<S: Equivariant, M: Multipliers, H> LiftFree<S, M, H> {
         H: Hamiltonian<M::Space, T>,
     {
         self.motion_by(mu, workspace, |field, one, storage| {
-            self.scheme.step::<T, _>(field, one, step, storage)
+            let next = self.scheme.increment::<T, _>(field, one, step, storage)?;
+            Ok(Step { point: *one + next.point, iterations: next.iterations })
         })
     }
 
@@ -144,7 +141,7 @@ impl<S: Equivariant, M: Multipliers, H> LiftFree<S, M, H> {
         self.motion_by(mu, workspace, |field, one, storage| {
             let next = self.scheme.refined_increment::<T, _>(field, one, step, storage)?;
             let Pair(change, rest) = next.point;
-            Step { point: *one + (change + rest), iterations: next.iterations }.finite()
+            Ok(Step { point: *one + (change + rest), iterations: next.iterations })
         })
     }
 
@@ -155,7 +152,7 @@ impl<S: Equivariant, M: Multipliers, H> LiftFree<S, M, H> {
         mu: &Point<M::Space, T>,
         workspace: &mut MultiplierSpace<S, M, T>,
         make: impl FnOnce(
-            &MultiplierField<'_, M, H, Point<M::Space, T>>,
+            &MultiplierField<'_, M, H, T>,
             &Multiplier<M, T>,
             &mut S::Workspace<Multiplier<M, T>>,
         ) -> Result<Step<Multiplier<M, T>>, StepError>,
@@ -163,69 +160,41 @@ impl<S: Equivariant, M: Multipliers, H> LiftFree<S, M, H> {
     where
         H: Hamiltonian<M::Space, T>,
     {
-        let field = MultiplierField {
-            multipliers: &self.multipliers,
-            hamiltonian: &self.hamiltonian,
-            start: *mu,
-        };
-        let MultiplierSpace { scheme: storage, end } = workspace;
-        if !end.is_some_and(|end| near(mu, &end).all()) {
+        let one = self.multipliers.one::<T>();
+        let MultiplierSpace { scheme: storage, course } = workspace;
+        let here = course.take().filter(|course| course.goes_on_from(mu));
+        let (moved, steps) = here.map_or((one, 0), |course| (course.moved, course.steps));
+        if steps == 0 {
             self.scheme.forget(storage);
         }
-        let one = self.multipliers.one::<T>();
+        let back = self.multipliers.inverse::<T>(&moved);
+        let frame = back.map(|back| (moved, back));
+        let (multipliers, hamiltonian) = (&self.multipliers, &self.hamiltonian);
+        let field = MultiplierField { multipliers, hamiltonian, start: *mu, frame };
         let next = make(&field, &one, storage)?;
-        // The next step begins at Q = 1 too: Q(t) of this one continues as Q(t) Q₁⁻¹.
-        let motion = |k: &_| self.multipliers.right_quotient::<T>(k, &next.point);
-        self.scheme.move_memory(storage, &one, motion);
         let change = self.change::<T>(&next.point, mu);
-        *end = Some(*mu + change);
+        self.scheme.continue_from(storage, &one);
+        *course = frame.map(|(moved, _)| Course {
+            end: *mu + change,
+            moved: self.multipliers.product::<T>(&next.point, &moved),
+            steps: steps + 1,
+        });
         Ok((next, change))
     }
 }
 
+/// The steps of a multiplier in a row.
+type CourseOf<M, T> = Course<Point<<M as Multipliers>::Space, T>, Multiplier<M, T>>;
+
 /// The multiplier of a step, and the change that it makes of μ.
 type Motion<M, T> = (Step<Multiplier<M, T>>, Point<<M as Multipliers>::Space, T>);
 
-/// The storage of a lift-free step: that of the scheme, for multipliers, and the μ at which the last
-/// step ended, to tell whether the next one goes on from there.
+/// The storage of a lift-free step: that of the scheme, for multipliers, and the steps that it
+/// remembers.
 #[derive(Debug)]
 pub struct MultiplierSpace<S: Scheme, M: Multipliers, T: Real = f64> {
     scheme: S::Workspace<Multiplier<M, T>>,
-    end: Option<Point<M::Space, T>>,
-}
-
-/// Q ↦ dh(transport(Q, μ₀)) Q
-struct MultiplierField<'a, M, H, V> {
-    multipliers: &'a M,
-    hamiltonian: &'a H,
-    start: V,
-}
-
-impl<M, H, T> VectorField<T> for MultiplierField<'_, M, H, Point<M::Space, T>>
-where
-    M: Multipliers,
-    H: Hamiltonian<M::Space, T>,
-    T: Real,
-{
-    type Point = Multiplier<M, T>;
-
-    #[inline]
-    fn at(&self, q: &Multiplier<M, T>) -> Multiplier<M, T> {
-        let mu = self.multipliers.transport::<T>(q, &self.start);
-        self.multipliers.generate::<T>(&self.hamiltonian.differential(&mu), q)
-    }
-
-    fn derivative(&self, q: &Multiplier<M, T>, v: &Multiplier<M, T>) -> Option<Multiplier<M, T>> {
-        let moved: Multiplier<M, DualNumber<T>> = seed(q, v);
-        let start: Point<M::Space, DualNumber<T>> =
-            map_coordinates(&self.start, DualNumber::constant);
-        let image = self.multipliers.transport::<DualNumber<T>>(&moved, &start);
-        let mu: Point<M::Space, T> = map_coordinates(&image, |x| x.value);
-        let hessian = self.hamiltonian.hessian(&mu, &derivative_part(&image))?;
-        let dh: Differential<M::Space, DualNumber<T>> =
-            seed(&self.hamiltonian.differential(&mu), &hessian);
-        Some(derivative_part(&self.multipliers.generate::<DualNumber<T>>(&dh, &moved)))
-    }
+    course: Option<CourseOf<M, T>>,
 }
 
 impl<S, M, H, T> Integrator<T> for LiftFree<S, M, H>
@@ -240,12 +209,12 @@ where
     type Workspace = MultiplierSpace<S, M, T>;
 
     fn workspace(&self) -> Self::Workspace {
-        MultiplierSpace { scheme: self.scheme.workspace(), end: None }
+        MultiplierSpace { scheme: self.scheme.workspace(), course: None }
     }
 
     #[inline]
     fn forget(&self, workspace: &mut Self::Workspace) {
-        workspace.end = None;
+        workspace.course = None;
     }
 
     #[inline]

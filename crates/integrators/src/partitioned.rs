@@ -1,7 +1,8 @@
 //! Partitioned Runge–Kutta methods.
 
+use crate::memory::Memory;
 use crate::order_conditions::tree_order;
-use crate::predictor::{Memory, Predictor};
+use crate::predictor::Predictor;
 use crate::stage_solver::MaskOf;
 use crate::tableau::COEFFICIENT_TOLERANCE;
 use crate::{
@@ -187,12 +188,11 @@ impl<P: Polarisation> Scheme for PartitionedRungeKutta<P> {
         let PartitionedSpace { k, memory } = workspace;
         // A workspace from another method still gives the right result.
         k.resize(self.q.stages(), F::Point::zero());
-        let start = || field.at(z);
         let derivative = |i: usize, k: &[F::Point], _: MaskOf<F::Point>| {
             field.at(&(*z + Self::sum(step, (self.q.row(i), self.p.row(i)), k)))
         };
         let iterations = memory
-            .solve(&self.predictor, &self.solver, (z, step), k, start, derivative)
+            .solve(&self.predictor, &self.solver, field, (z, step), k, derivative)
             .map_err(|unsettled| unsettled.error)?;
         let point = Self::sum(step, (self.q.weights(), self.p.weights()), k);
         memory.end_at(&(*z + point));

@@ -1,8 +1,9 @@
 //! Runge–Kutta methods.
 
 use crate::dop853;
+use crate::memory::Memory;
 use crate::newton::{NewtonSpace, newton_step};
-use crate::predictor::{Memory, Predictor};
+use crate::predictor::Predictor;
 use crate::refinement::refine;
 use crate::stage_solver::{MaskOf, Unsettled, combination, evenly_scaled, plus_combination};
 use crate::{
@@ -165,13 +166,12 @@ impl RungeKutta {
             let sum = plus_combination(small[i], after, &k[i..]);
             field.at(&(*z + plus_combination(sum, before, k).scaled(h)))
         };
-        let start = || field.at(z);
-        match memory.solve(&self.predictor, &self.solver, (z, step), k, start, derivative) {
+        match memory.solve(&self.predictor, &self.solver, field, (z, step), k, derivative) {
             Err(Unsettled { settled, iterations, .. }) if self.solver.newton => {
                 let advance = |done: T::Mask, k: &mut [F::Point]| {
                     newton_step(field, (z, step), &self.tableau, done, k, newton)
                 };
-                let more = self.solver.newton(settled, &start(), step, k, advance)?;
+                let more = self.solver.newton(settled, &field.at(z), step, k, advance)?;
                 Ok((iterations + more, settled))
             }
             Ok(iterations) => Ok((iterations, T::Mask::from_bool(true))),
@@ -280,13 +280,8 @@ impl Scheme for RungeKutta {
     }
 
     #[inline]
-    fn move_memory<V: Vector>(
-        &self,
-        workspace: &mut StageSpace<V>,
-        start: &V,
-        motion: impl Fn(&V) -> Option<V>,
-    ) {
-        workspace.memory.move_by(self.tableau.stages(), start, motion);
+    fn continue_from<V: Vector>(&self, workspace: &mut StageSpace<V>, start: &V) {
+        workspace.memory.end_at(start);
     }
 
     fn order(&self) -> usize {

@@ -89,17 +89,9 @@ pub trait Scheme: Clone {
     #[inline]
     fn forget<V: Vector>(&self, _workspace: &mut Self::Workspace<V>) {}
 
-    /// Moves what the workspace remembers by a linear map that takes the end of the last step to
-    /// `start`, so that a step from there goes on from it; drops it where the map has no value. By
-    /// default nothing.
+    /// Lets a step from `start` go on from the last one, wherever that ended. By default nothing.
     #[inline]
-    fn move_memory<V: Vector>(
-        &self,
-        _workspace: &mut Self::Workspace<V>,
-        _start: &V,
-        _motion: impl Fn(&V) -> Option<V>,
-    ) {
-    }
+    fn continue_from<V: Vector>(&self, _workspace: &mut Self::Workspace<V>, _start: &V) {}
 
     /// The order of convergence.
     fn order(&self) -> usize;

@@ -34,23 +34,34 @@ pub(crate) struct Watch<T> {
     previous: T,
     least: T,
     /// The last two ratios of a change to the one before it, above round-off.
-    ratios: [T; 2],
+    ratios: Ratios<T>,
     /// What the last change should have been.
     expected: T,
     /// Sweeps since the least change.
     stalled: T,
 }
 
+/// The last two ratios of changes that an iteration has seen.
+pub(crate) type Ratios<T> = [T; 2];
+
+/// Those of an iteration of which nothing is known.
+#[inline]
+pub(crate) fn unknown<T: Real>() -> Ratios<T> {
+    [T::from_f64(f64::INFINITY); 2]
+}
+
 impl<T: Real> Watch<T> {
-    pub(crate) fn new() -> Self {
+    /// Of an iteration that goes on at the pace of one before it.
+    #[inline]
+    pub(crate) fn new(ratios: Ratios<T>) -> Self {
         let infinity = T::from_f64(f64::INFINITY);
-        Self {
-            previous: infinity,
-            least: infinity,
-            ratios: [infinity; 2],
-            expected: infinity,
-            stalled: T::zero(),
-        }
+        Self { previous: infinity, least: infinity, ratios, expected: infinity, stalled: T::zero() }
+    }
+
+    /// The last two ratios.
+    #[inline]
+    pub(crate) fn ratios(&self) -> Ratios<T> {
+        self.ratios
     }
 
     /// Where a change is the last that means anything, for stages of the given size.
@@ -116,13 +127,13 @@ pub(crate) fn is_finite<T: Real>(magnitude: T) -> T::Mask {
 
 #[cfg(test)]
 mod tests {
-    use super::{Largest, Watch};
+    use super::{Largest, Watch, unknown};
     use lie_poisson::{DefaultLanes, Lanes, Mask, Real};
     use nalgebra::Vector2;
 
     /// The number of the first change at which an iteration settles.
     fn last(changes: impl IntoIterator<Item = f64>) -> Option<usize> {
-        let mut watch = Watch::new();
+        let mut watch = Watch::new(unknown());
         changes.into_iter().position(|change| watch.settled(change * f64::EPSILON, 1.0))
     }
 
@@ -135,6 +146,14 @@ mod tests {
         assert_eq!(last(geometric(0.5).take(24)), None);
         // Round-off of one or two units hides the end.
         assert_eq!(last([1e6, 1e4, 100.0, 1.5, 1.2]), Some(3));
+        // What the iteration before has shown is believed, but less than what is seen now.
+        let after = |ratio: f64, changes: [f64; 2]| {
+            let mut watch = Watch::new([ratio; 2]);
+            changes.map(|change| watch.settled(change * f64::EPSILON, 1.0))
+        };
+        assert_eq!(after(0.03, [100.0, 3.0]), [false, false]);
+        assert_eq!(after(0.01, [100.0, 1.0]), [false, true]);
+        assert_eq!(after(0.01, [20.0, 6.0]), [false, false]);
         // One ratio alone says nothing, nor do changes that go up and down.
         assert_eq!(last([1e6, 1.0]), None);
         assert_eq!(last([1e3, 4e3, 500.0, 2e3, 250.0, 1e3, 125.0, 500.0, 62.0, 250.0, 1.0]), None);
@@ -172,8 +191,8 @@ mod tests {
             [1.0, 1e-3, 2e-14, 1.0],
         ];
         let expected = [[false; 4], [true, true, false, true], [false; 4], [false; 4]];
-        let mut together = Watch::new();
-        let mut alone = [0, 1, 2, 3].map(|_| Watch::new());
+        let mut together = Watch::new(unknown());
+        let mut alone = [0, 1, 2, 3].map(|_| Watch::new(unknown()));
         for (n, changes) in changes.iter().enumerate() {
             let settled =
                 together.settled(DefaultLanes::load(changes), DefaultLanes::from_f64(1.0));

@@ -1,7 +1,7 @@
 //! Iterations for the stage equations, to the round-off floor.
 
 use crate::StepError;
-use crate::settling::{FLOOR, Largest, Watch, is_finite};
+use crate::settling::{FLOOR, Largest, Ratios, Watch, is_finite, unknown};
 use lie_poisson::{Mask, Real, Vector, larger};
 
 /// Sweeps after which a fixed-point iteration that has not settled gives way to Newton's.
@@ -78,22 +78,24 @@ impl StageSolver {
     ) -> Result<usize, StepError> {
         k.fill(start);
         let none = MaskOf::<V>::from_bool(false);
-        self.solve_from(none, step, k, &mut |i, k: &[V], _| derivative(i, k))
+        self.solve_from(none, step, k, &mut unknown(), &mut |i, k: &[V], _| derivative(i, k))
             .map_err(|unsettled| unsettled.error)
     }
 
-    /// The same from the guess that `k` holds. Lanes that are `done` stay as they are. `derivative`
-    /// is told too in which lanes `k` has just come [close](CLOSE) to the solution.
+    /// The same from the guess that `k` holds, at the pace of the iteration before. Lanes that are
+    /// `done` stay as they are. `derivative` is told too in which lanes `k` has just come
+    /// [close](CLOSE) to the solution.
     #[inline]
     pub(crate) fn solve_from<V: Vector>(
         &self,
         done: MaskOf<V>,
         step: f64,
         k: &mut [V],
+        pace: &mut Ratios<V::Scalar>,
         derivative: &mut impl FnMut(usize, &[V], MaskOf<V>) -> V,
     ) -> Result<usize, Unsettled<MaskOf<V>>> {
         let advance = |done, near| sweep(done, k, |i, k| derivative(i, k, near));
-        self.iterate(self.max_iterations, done, step, advance)
+        self.iterate(self.max_iterations, done, step, pace, advance)
     }
 
     /// Newton's iteration, in the lanes that are not `done`, from k_i = `start`; `advance` makes one
@@ -112,7 +114,7 @@ impl StageSolver {
         mut advance: impl FnMut(MaskOf<V>, &mut [V]) -> (V::Scalar, V::Scalar),
     ) -> Result<usize, StepError> {
         fill_unless(done, k, start);
-        self.iterate(NEWTON_ITERATIONS, done, step, |done, _| advance(done, k))
+        self.iterate(NEWTON_ITERATIONS, done, step, &mut unknown(), |done, _| advance(done, k))
             .map_err(|unsettled| unsettled.error)
     }
 
@@ -125,19 +127,22 @@ impl StageSolver {
         most: usize,
         done: T::Mask,
         step: f64,
+        pace: &mut Ratios<T>,
         mut advance: impl FnMut(T::Mask, T::Mask) -> (T, T),
     ) -> Result<usize, Unsettled<T::Mask>> {
         let length = step.abs();
-        let mut watch = Watch::new();
+        let mut watch = Watch::new(*pace);
         let none = T::Mask::from_bool(false);
         let (mut settled, mut lost, mut near, mut close) = (done, none, none, none);
         let (mut change, mut size) = (T::from_f64(f64::INFINITY), T::zero());
         let mut iterations = 0;
         while iterations < most && !settled.or(lost).all() {
             iterations += 1;
-            (change, size) = advance(settled.or(lost), near);
+            let ended = settled.or(lost);
+            (change, size) = advance(ended, near);
             let accepted = (change * length).at_most(T::from_f64(self.tolerance));
             let now = watch.settled(change, size).or(accepted);
+            *pace = keep(ended, *pace, watch.ratios());
             settled = settled.or(now.and(lost.not()));
             if settled.all() {
                 return Ok(iterations);
@@ -152,6 +157,12 @@ impl StageSolver {
         let error = StepError::NotConverged { residual: worst(change), required, iterations };
         Err(Unsettled { settled, iterations, error })
     }
+}
+
+/// The ratios that a lane had when it ended.
+#[inline]
+fn keep<T: Real>(ended: T::Mask, [a, b]: Ratios<T>, [c, d]: Ratios<T>) -> Ratios<T> {
+    [T::select(ended, a, c), T::select(ended, b, d)]
 }
 
 /// One sweep over all stages, in the lanes that are not `done`; returns the largest change and the

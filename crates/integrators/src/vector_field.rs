@@ -25,6 +25,20 @@ pub trait VectorField<T: Real = f64> {
     fn derivative(&self, _z: &Self::Point, _v: &Self::Point) -> Option<Self::Point> {
         None
     }
+
+    /// What an implicit method remembers of a stage derivative k, to guess those of the steps that
+    /// follow: by default k. A field with coordinates of its own for every step, as where each
+    /// begins at Q = 1, takes k to coordinates in which all steps are one curve, by a linear map.
+    #[inline]
+    fn remembered(&self, k: &Self::Point) -> Self::Point {
+        *k
+    }
+
+    /// The inverse of [`remembered`](Self::remembered), for the coordinates of this step.
+    #[inline]
+    fn recalled(&self, k: &Self::Point) -> Self::Point {
+        *k
+    }
 }
 
 /// The collective vector field X_{h∘M} on the source of M.

@@ -65,15 +65,18 @@ pub trait Multipliers: Clone {
         self.transport::<T>(q, mu) - *mu
     }
 
-    /// Q B⁻¹, by which a step that starts at 1 continues one that ended at B; for a B whose quadratic
-    /// invariants hold, and where they are only near, next to it: good for a guess. By default
-    /// `None`: there is no guess, and nothing else is lost.
-    #[inline]
-    fn right_quotient<T: Real>(
+    /// The product Q B in 𝔄.
+    fn product<T: Real>(
         &self,
-        _q: &Self::Multiplier<T>,
-        _by: &Self::Multiplier<T>,
-    ) -> Option<Self::Multiplier<T>> {
+        q: &Self::Multiplier<T>,
+        b: &Self::Multiplier<T>,
+    ) -> Self::Multiplier<T>;
+
+    /// B⁻¹, for a B whose quadratic invariants hold; where they are only near, next to it: good for
+    /// a guess. With it a step that begins at 1 continues one that ended at B. By default `None`:
+    /// there is no guess, and nothing else is lost.
+    #[inline]
+    fn inverse<T: Real>(&self, _b: &Self::Multiplier<T>) -> Option<Self::Multiplier<T>> {
         None
     }
 }
@@ -129,12 +132,13 @@ impl Multipliers for Quaternions {
     }
 
     #[inline]
-    fn right_quotient<T: Real>(
-        &self,
-        q: &Quaternion<T>,
-        by: &Quaternion<T>,
-    ) -> Option<Quaternion<T>> {
-        Some(*q * inverse(by))
+    fn product<T: Real>(&self, q: &Quaternion<T>, b: &Quaternion<T>) -> Quaternion<T> {
+        *q * *b
+    }
+
+    #[inline]
+    fn inverse<T: Real>(&self, b: &Quaternion<T>) -> Option<Quaternion<T>> {
+        Some(inverse(b))
     }
 }
 
@@ -202,16 +206,24 @@ impl Multipliers for DualQuaternions {
         Se3Dual::new(q.rotation_change(pi) + x.cross(&(gamma + change)), change)
     }
 
-    /// (Q + εN)(A + εB)⁻¹ = R + ε(N A⁻¹ − R B A⁻¹), R = Q A⁻¹.
+    /// (Q + εN)(A + εB) = QA + ε(QB + NA)
     #[inline]
-    fn right_quotient<T: Real>(
+    fn product<T: Real>(
         &self,
         q: &Self::Multiplier<T>,
-        by: &Self::Multiplier<T>,
-    ) -> Option<Self::Multiplier<T>> {
-        let inverse = inverse(&by.0);
-        let turn = q.0 * inverse;
-        Some(Pair(turn, q.1 * inverse - turn * (by.1 * inverse)))
+        b: &Self::Multiplier<T>,
+    ) -> Self::Multiplier<T> {
+        Pair(q.0 * b.0, q.0 * b.1 + q.1 * b.0)
+    }
+
+    /// (A + εB)⁻¹ = Ā/|A|² + ε (B̄ − 2 ⟨A, B⟩ Ā/|A|²)/|A|², of any with A ≠ 0.
+    #[inline]
+    fn inverse<T: Real>(&self, b: &Self::Multiplier<T>) -> Option<Self::Multiplier<T>> {
+        let Pair(a, b) = b;
+        let scale = T::one() / a.norm_squared();
+        let turn = a.conjugate().scaled(scale);
+        let along = a.scalar * b.scalar + a.vector.dot(&b.vector);
+        Some(Pair(turn, b.conjugate().scaled(scale) - turn.scaled((along + along) * scale)))
     }
 }
 
@@ -261,14 +273,19 @@ impl<const N: usize> Multipliers for ComplexMatrices<N> {
         UnitaryAlgebra.momentum(&moved)
     }
 
-    /// Q B∗, for unitary B.
     #[inline]
-    fn right_quotient<T: Real>(
+    fn product<T: Real>(
         &self,
         q: &SMatrix<Complex<T>, N, N>,
-        by: &SMatrix<Complex<T>, N, N>,
-    ) -> Option<SMatrix<Complex<T>, N, N>> {
-        Some(q * by.transpose().map(|z| z.conj()))
+        b: &SMatrix<Complex<T>, N, N>,
+    ) -> SMatrix<Complex<T>, N, N> {
+        q * b
+    }
+
+    /// B∗, of unitary B.
+    #[inline]
+    fn inverse<T: Real>(&self, b: &SMatrix<Complex<T>, N, N>) -> Option<SMatrix<Complex<T>, N, N>> {
+        Some(b.transpose().map(|z| z.conj()))
     }
 }
 
@@ -324,16 +341,21 @@ where
     }
 
     #[inline]
-    fn right_quotient<T: Real>(
+    fn product<T: Real>(
         &self,
         q: &Self::Multiplier<T>,
-        by: &Self::Multiplier<T>,
-    ) -> Option<Self::Multiplier<T>> {
-        let mut quotient = *q;
-        for (q, by) in quotient.0.iter_mut().zip(&by.0) {
-            *q = self.0.right_quotient::<T>(q, by)?;
+        b: &Self::Multiplier<T>,
+    ) -> Self::Multiplier<T> {
+        Power(from_fn(|n| self.0.product::<T>(&q.0[n], &b.0[n])))
+    }
+
+    #[inline]
+    fn inverse<T: Real>(&self, b: &Self::Multiplier<T>) -> Option<Self::Multiplier<T>> {
+        let mut inverse = *b;
+        for b in &mut inverse.0 {
+            *b = self.0.inverse::<T>(b)?;
         }
-        Some(quotient)
+        Some(inverse)
     }
 }
 
@@ -383,12 +405,16 @@ impl<M: Multipliers, N: Multipliers> Multipliers for ProductMultipliers<M, N> {
     }
 
     #[inline]
-    fn right_quotient<T: Real>(
+    fn product<T: Real>(
         &self,
         q: &Self::Multiplier<T>,
-        by: &Self::Multiplier<T>,
-    ) -> Option<Self::Multiplier<T>> {
-        let first = self.0.right_quotient::<T>(&q.0, &by.0)?;
-        Some(Pair(first, self.1.right_quotient::<T>(&q.1, &by.1)?))
+        b: &Self::Multiplier<T>,
+    ) -> Self::Multiplier<T> {
+        Pair(self.0.product::<T>(&q.0, &b.0), self.1.product::<T>(&q.1, &b.1))
+    }
+
+    #[inline]
+    fn inverse<T: Real>(&self, b: &Self::Multiplier<T>) -> Option<Self::Multiplier<T>> {
+        Some(Pair(self.0.inverse::<T>(&b.0)?, self.1.inverse::<T>(&b.1)?))
     }
 }

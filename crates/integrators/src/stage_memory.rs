@@ -1,0 +1,105 @@
+//! Guesses for integrators with stage equations of their own.
+
+use crate::memory::Memory;
+use crate::predictor::Predictor;
+use crate::{StageSolver, StepError, from_fn};
+use lie_poisson::Vector;
+
+/// What an integrator with stage equations k_i = f_i(k) of its own remembers of the last steps: the
+/// next one of equal size begins its iteration with the polynomial through their k, as
+/// [`RungeKutta`](crate::RungeKutta) methods do.
+///
+/// A guess shows in the last bits of a result, which [`forget`](Self::forget) makes independent of the
+/// steps before.
+///
+/// # Example
+/// The midpoint rule for a pendulum, with the velocity (q̇, ṗ) = (p, −sin q) at the midpoint as unknown:
+/// ```
+/// use collective_integrators::{StageMemory, StageSolver};
+/// use nalgebra::Vector2;
+/// let rate = |z: Vector2<f64>| Vector2::new(z.y, -z.x.sin());
+/// let (h, solver) = (0.05, StageSolver::default());
+/// let (mut z, mut memory) = (Vector2::new(1.0, 0.0), StageMemory::new(&[0.5]));
+/// let mut sweeps = Vec::new();
+/// for _ in 0..1000 {
+///     let mut k = [Vector2::zeros()];
+///     let solve = |_, k: &[Vector2<f64>]| rate(z + k[0] * (h / 2.0));
+///     sweeps.push(memory.solve(&solver, &z, h, &mut k, || rate(z), solve)?);
+///     z += k[0] * h;
+///     memory.end_at(&z);
+/// }
+/// assert!((z.y * z.y / 2.0 - z.x.cos() + 1.0_f64.cos()).abs() < 1e-3);
+/// assert!(sweeps.iter().skip(8).all(|n| n < &sweeps[0]));
+/// # Ok::<(), collective_integrators::StepError>(())
+/// ```
+#[derive(Clone, Debug)]
+pub struct StageMemory<V: Vector> {
+    predictor: Predictor,
+    memory: Memory<V>,
+}
+
+impl<V: Vector> StageMemory<V> {
+    /// Of nothing, for stages at the times c, in steps. Where two of them coincide nothing is guessed.
+    #[must_use]
+    pub fn new(nodes: &[f64]) -> Self {
+        let predictor = Predictor::new(nodes);
+        Self { memory: Memory::new(&predictor), predictor }
+    }
+
+    /// Solves k_i = `stage`(i, k) as [`StageSolver::solve`] does, for a step of the given size from z:
+    /// from a guess, if z is where the last step ended; else, or where that fails, from k_i =
+    /// `first`(). Without a panic, whatever the length of `k`; another one than that of the nodes is
+    /// solved without a guess. Returns the number of iterations.
+    ///
+    /// # Errors
+    /// [`StepError::NotConverged`] if the iteration blows up or does not settle, in some lane.
+    #[inline]
+    pub fn solve(
+        &mut self,
+        solver: &StageSolver,
+        z: &V,
+        step: f64,
+        k: &mut [V],
+        first: impl Fn() -> V,
+        stage: impl Fn(usize, &[V]) -> V,
+    ) -> Result<usize, StepError> {
+        if k.len() != self.predictor.stages {
+            return solver.solve(first(), step, k, stage);
+        }
+        let field = from_fn(|_: &V| first());
+        self.memory
+            .solve(&self.predictor, solver, &field, (z, step), k, |i, k, _| stage(i, k))
+            .map_err(|unsettled| unsettled.error)
+    }
+
+    /// Where the step that was solved last has ended.
+    #[inline]
+    pub fn end_at(&mut self, z: &V) {
+        self.memory.end_at(z);
+    }
+
+    /// Forgets the steps before.
+    #[inline]
+    pub fn forget(&mut self) {
+        self.memory.forget();
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use nalgebra::Vector1;
+
+    #[test]
+    fn other_numbers_of_stages_are_solved_without_a_guess() {
+        let mut memory = StageMemory::new(&[0.25, 0.75]);
+        for stages in [0, 1, 2, 3, 2] {
+            let mut k = vec![Vector1::new(0.0); stages];
+            let z = Vector1::new(1.0);
+            let solve = |i: usize, k: &[Vector1<f64>]| (k[i] + z) * 0.5;
+            let solved = memory.solve(&StageSolver::default(), &z, 0.1, &mut k, || z, solve);
+            assert!(solved.is_ok());
+            assert!(k.iter().all(|k| (k.x - 1.0).abs() < 1e-15));
+        }
+    }
+}
