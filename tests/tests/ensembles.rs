@@ -146,6 +146,8 @@ same_bits_at_every_width! {
         lifted(RungeKutta::implicit_midpoint()), 0.05, CHECKPOINT + 30, true;
     gauss_steps: Lifted<RungeKutta> = lifted(gauss(4)), 0.2, 300, true;
     lift_free_steps: Free<RungeKutta> = free(gauss(2)), 0.05, 300, true;
+    lift_free_steps_beyond_a_checkpoint: Free<RungeKutta> =
+        free(gauss(1)), 0.05, CHECKPOINT + 30, true;
     compensated_steps: Compensated<Free<RungeKutta>> = free(gauss(3)).compensated(), 0.05, 100, true;
     compensated_lifted_steps: Compensated<Lifted<RungeKutta>> =
         lifted(gauss(2)).compensated(), 0.05, CHECKPOINT + 30, true;
@@ -163,7 +165,7 @@ same_bits_at_every_width! {
         ), 0.02, 100, true;
     // For a HeavyTop this integrator has a kernel over f64.
     reduced_steps: ReducedMidpoint<Automatic<Body>> =
-        ReducedMidpoint::new(Automatic(Body)), 0.05, 100, true;
+        ReducedMidpoint::new(Automatic(Body)), 0.05, CHECKPOINT + 30, true;
 }
 
 /// A top by its formula.

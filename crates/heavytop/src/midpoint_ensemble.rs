@@ -1,9 +1,9 @@
 //! The collective midpoint rule for many tops at once.
 
 use crate::midpoint_kernel::{ManyTops, Member, Top};
-use crate::reduced_midpoint::{NewtonSpace, top_of};
+use crate::reduced_midpoint::{AnySpace, top_of};
 use crate::{HeavyTop, HeavyTopSpace, ReducedMidpoint};
-use collective_integrators::{BatchIntegrator, IntegrationError, Integrator};
+use collective_integrators::{BatchIntegrator, CHECKPOINT, IntegrationError};
 use core::marker::PhantomData;
 use core::ops::Range;
 use lie_poisson::{Hamiltonian, InstructionSet, MissingInstructions, Se3Dual, Width, dispatch};
@@ -36,11 +36,11 @@ use lie_poisson::{Hamiltonian, InstructionSet, MissingInstructions, Se3Dual, Wid
 impl<H: Hamiltonian<HeavyTopSpace> + Sync> BatchIntegrator for ReducedMidpoint<H> {
     type Member = Se3Dual;
 
-    /// That of Newton's iteration.
-    type Workspace = NewtonSpace<H, f64>;
+    /// That of steps of any system.
+    type Workspace = AnySpace<H>;
 
     fn workspace(&self) -> Self::Workspace {
-        Integrator::<f64>::workspace(self).newton
+        self.any_space()
     }
 
     fn advance(
@@ -48,13 +48,13 @@ impl<H: Hamiltonian<HeavyTopSpace> + Sync> BatchIntegrator for ReducedMidpoint<H
         states: &mut [Se3Dual],
         step: f64,
         steps: Range<u64>,
-        newton: &mut Self::Workspace,
+        space: &mut Self::Workspace,
         failed: &mut dyn FnMut(usize, IntegrationError),
     ) {
         let top = self.top::<f64>().unwrap_or(Top::NONE);
         let until = steps.end;
         let left = &mut |i: usize, made: u64, state: &mut Se3Dual| {
-            if let Err(failure) = self.go_on(state, step, made..until, newton) {
+            if let Err(failure) = self.go_on(state, step, made..until, space) {
                 failed(i, failure);
             }
         };
@@ -70,10 +70,14 @@ impl<H: Hamiltonian<HeavyTopSpace>> ReducedMidpoint<H> {
         state: &mut Se3Dual,
         step: f64,
         steps: Range<u64>,
-        newton: &mut NewtonSpace<H, f64>,
+        space: &mut AnySpace<H>,
     ) -> Result<(), IntegrationError> {
+        space.forget();
         for made in steps {
-            let next = self.step_of_any(state, step, newton);
+            if made.is_multiple_of(CHECKPOINT) {
+                space.forget();
+            }
+            let next = self.step_of_any(state, step, space);
             let failure =
                 |source| IntegrationError { step: made + 1, time: made as f64 * step, source };
             *state = next.map_err(failure)?.0.point;
@@ -150,8 +154,8 @@ impl<H: Hamiltonian<HeavyTopSpace> + Copy + Send + Sync> BatchIntegrator for Mid
         let until = steps.end;
         let left = &mut |i: usize, made: u64, (top, state): &mut (H, Se3Dual)| {
             let midpoint = ReducedMidpoint::new(*top);
-            let mut newton = BatchIntegrator::workspace(&midpoint);
-            if let Err(failure) = midpoint.go_on(state, step, made..until, &mut newton) {
+            let mut space = midpoint.any_space();
+            if let Err(failure) = midpoint.go_on(state, step, made..until, &mut space) {
                 failed(i, failure);
             }
         };

@@ -4,7 +4,7 @@ use crate::midpoint_kernel::{Memory, Top};
 use crate::turning::unit;
 use crate::{HeavyTopSpace, Turned, Turning};
 use collective_integrators::{
-    Integrator, LiftFree, RungeKutta, StageSolver, Start, Step, StepError,
+    Integrator, LiftFree, RungeKutta, StageMemory, StageSolver, Start, Step, StepError,
 };
 use core::any::Any;
 use lie_poisson::{
@@ -41,7 +41,9 @@ type Velocity<T> = Pair<Vector3<T>, Vector3<T>>;
 /// tops along at once, as does [`MidpointSweep`](crate::MidpointSweep).
 ///
 /// Where that does not settle, as for every other system, a fixed-point iteration solves for
-/// (Ω̄, γ̄); where that fails, for large steps, Newton's iteration for the multiplier does.
+/// (Ω̄, γ̄), guessed from the steps before ([`StageMemory`]); where that fails, for large steps,
+/// Newton's iteration for the multiplier does. Over lanes ([`Laned`](collective_integrators::Laned))
+/// that is how many states of any system go side by side.
 ///
 /// Source: it answers, for this setting, the question of Ohsawa 2019, §5.1; the closed form is
 /// that of the one-stage method on dual quaternions.
@@ -70,6 +72,9 @@ pub struct ReducedMidpoint<H> {
 
 /// A fixed-point iteration long enough for every step for which it converges at all fast.
 const FIXED_POINT: StageSolver = StageSolver { tolerance: 0.0, max_iterations: 200, newton: true };
+
+/// The time of the one stage, in steps.
+const MIDPOINT: [f64; 1] = [0.5];
 
 impl<H> ReducedMidpoint<H> {
     /// The rule for h, solved to the round-off floor.
@@ -117,29 +122,40 @@ impl<H> ReducedMidpoint<H> {
         if self.solver == FIXED_POINT { top_of(self.hamiltonian()) } else { None }
     }
 
-    /// One step of any system, from its starting point alone, and a = (h/4) Ω̄.
+    /// The storage for steps of any system.
+    pub(crate) fn any_space<T: Real>(&self) -> AnySpace<H, T>
+    where
+        H: Hamiltonian<HeavyTopSpace, T>,
+    {
+        let velocities = StageMemory::new(&MIDPOINT);
+        AnySpace { velocities, newton: Integrator::<T>::workspace(&self.lift_free) }
+    }
+
+    /// One step of any system, and a = (h/4) Ω̄.
+    #[inline]
     pub(crate) fn step_of_any<T: Real>(
         &self,
         mu: &Se3Dual<T>,
         step: f64,
-        newton: &mut NewtonSpace<H, T>,
+        space: &mut AnySpace<H, T>,
     ) -> Result<(Step<Se3Dual<T>>, Vector3<T>), StepError>
     where
         H: Hamiltonian<HeavyTopSpace, T>,
     {
         let mut velocity = [Vector::zero()];
-        let first = self.hamiltonian().differential(mu);
-        let solution = self.solver.solve(first, step, &mut velocity, |_, velocity| {
+        let first = || self.hamiltonian().differential(mu);
+        let solve = |_, velocity: &[Velocity<T>]| {
             self.hamiltonian().differential(&middle(mu, &velocity[0], step))
-        });
-        match solution {
+        };
+        match space.velocities.solve(&self.solver, &mu.0, step, &mut velocity, first, solve) {
             Ok(iterations) => {
                 let next = Step { point: end(mu, &velocity[0], step), iterations }.finite()?;
+                space.velocities.end_at(&next.point.0);
                 Ok((next, velocity[0].0 * T::from_f64(0.25 * step)))
             }
             Err(_) if self.solver.newton => {
-                Integrator::<T>::forget(&self.lift_free, newton);
-                let (next, turn) = self.lift_free.turn(mu, step, newton)?;
+                Integrator::<T>::forget(&self.lift_free, &mut space.newton);
+                let (next, turn) = self.lift_free.turn(mu, step, &mut space.newton)?;
                 // the quaternion of R_a R_a is (1 − |a|² − 2a)/(1 + |a|²)
                 Ok((next, turn.vector * (-T::one() / (turn.scalar + 1.0))))
             }
@@ -165,17 +181,32 @@ impl<H> ReducedMidpoint<H> {
 }
 
 /// The storage of a step of [`ReducedMidpoint`].
-#[derive(Clone, Debug)]
-pub struct ReducedMidpointSpace<N> {
+#[derive(Debug)]
+pub struct ReducedMidpointSpace<H: Hamiltonian<HeavyTopSpace, T>, T: Real = f64> {
     /// The last steps of a top.
     memory: Memory,
+    any: AnySpace<H, T>,
+}
+
+/// The storage of a step of any system by [`ReducedMidpoint`].
+#[derive(Debug)]
+pub struct AnySpace<H: Hamiltonian<HeavyTopSpace, T>, T: Real = f64> {
+    /// (Ω̄, γ̄) of the last steps.
+    velocities: StageMemory<Velocity<T>>,
     /// The storage of Newton's iteration.
-    pub(crate) newton: N,
+    newton: NewtonSpace<H, T>,
+}
+
+impl<H: Hamiltonian<HeavyTopSpace, T>, T: Real> AnySpace<H, T> {
+    /// Forgets the steps before.
+    #[inline]
+    pub(crate) fn forget(&mut self) {
+        self.velocities.forget();
+    }
 }
 
 /// The storage of Newton's iteration.
-pub(crate) type NewtonSpace<H, T> =
-    <LiftFree<RungeKutta, DualQuaternions, H> as Integrator<T>>::Workspace;
+type NewtonSpace<H, T> = <LiftFree<RungeKutta, DualQuaternions, H> as Integrator<T>>::Workspace;
 
 /// `x`, if `A` and `B` are the same type.
 #[inline]
@@ -194,33 +225,40 @@ pub(crate) fn top_of<H: Hamiltonian<HeavyTopSpace, T>, T: Real>(hamiltonian: &H)
     (stiffness == zero && spin == zero).then_some(Top { inverse_inertia, force })
 }
 
-/// R_a v
+/// R_a v, for n = 1/(1+|a|²).
 #[inline]
-fn half_turn<T: Real>(a: &Vector3<T>, v: &Vector3<T>) -> Vector3<T> {
+fn half_turn<T: Real>(a: &Vector3<T>, n: T, v: &Vector3<T>) -> Vector3<T> {
     let turned = v.cross(a);
-    v + (turned + turned.cross(a)) * (T::from_f64(2.0) / (a.dot(a) + 1.0))
+    v + (turned + turned.cross(a)) * (n + n)
+}
+
+/// a and 1/(1+|a|²)
+#[inline]
+fn angle<T: Real>(omega: &Vector3<T>, step: f64) -> (Vector3<T>, T) {
+    let a = omega * T::from_f64(0.25 * step);
+    (a, T::one() / (a.dot(&a) + 1.0))
 }
 
 /// (Π̄, Γ̄)
 #[inline]
 fn middle<T: Real>(start: &Se3Dual<T>, velocity: &Velocity<T>, step: f64) -> Se3Dual<T> {
     let (Covector(Pair(pi, gamma)), Pair(omega, force)) = (start, velocity);
-    let a = omega * T::from_f64(0.25 * step);
-    let scale = T::one() / (a.dot(&a) + 1.0);
-    let vertical = half_turn(&a, gamma) * scale;
-    let torque = vertical.cross(force) - vertical * a.dot(force) - vertical.cross(&a.cross(force));
-    let pi = half_turn(&a, pi) + torque * T::from_f64(0.5 * step);
-    Se3Dual::new(pi * scale, vertical)
+    let (a, n) = angle(omega, step);
+    let vertical = half_turn(&a, n, gamma) * n;
+    let torque = vertical.cross(&(force + force.cross(&a))) - vertical * a.dot(force);
+    let pi = half_turn(&a, n, pi) + torque * T::from_f64(0.5 * step);
+    Se3Dual::new(pi * n, vertical)
 }
 
 /// (Π₁, Γ₁)
 #[inline]
 fn end<T: Real>(start: &Se3Dual<T>, velocity: &Velocity<T>, step: f64) -> Se3Dual<T> {
     let (Covector(Pair(pi, gamma)), Pair(omega, force)) = (start, velocity);
-    let a = omega * T::from_f64(0.25 * step);
-    let half = half_turn(&a, gamma);
-    let torque = half.cross(force) * (T::from_f64(step) / (a.dot(&a) + 1.0));
-    Se3Dual::new(half_turn(&a, &(half_turn(&a, pi) + torque)), half_turn(&a, &half))
+    let (a, n) = angle(omega, step);
+    let half = half_turn(&a, n, gamma);
+    let torque = half.cross(force) * (n * T::from_f64(step));
+    let pi = half_turn(&a, n, &(half_turn(&a, n, pi) + torque));
+    Se3Dual::new(pi, half_turn(&a, n, &half))
 }
 
 impl<H, T> Integrator<T> for ReducedMidpoint<H>
@@ -230,11 +268,10 @@ where
 {
     type State = Se3Dual<T>;
     type Momentum = Se3Dual<T>;
-    type Workspace = ReducedMidpointSpace<NewtonSpace<H, T>>;
+    type Workspace = ReducedMidpointSpace<H, T>;
 
     fn workspace(&self) -> Self::Workspace {
-        let newton = Integrator::<T>::workspace(&self.lift_free);
-        ReducedMidpointSpace { memory: Memory::new(), newton }
+        ReducedMidpointSpace { memory: Memory::new(), any: self.any_space() }
     }
 
     #[inline]
@@ -246,13 +283,14 @@ where
     ) -> Result<Step<Se3Dual<T>>, StepError> {
         match self.step_of_top(mu, step, &mut workspace.memory) {
             Some(next) => Ok(next),
-            None => self.step_of_any(mu, step, &mut workspace.newton).map(|(next, _)| next),
+            None => self.step_of_any(mu, step, &mut workspace.any).map(|(next, _)| next),
         }
     }
 
     #[inline]
     fn forget(&self, workspace: &mut Self::Workspace) {
         workspace.memory.forget();
+        workspace.any.forget();
     }
 
     #[inline]
@@ -276,7 +314,7 @@ where
     ) -> Turned<Se3Dual<T>, T> {
         let (next, a) = match self.step_of_top(mu, step, &mut workspace.memory) {
             Some(next) => (next, workspace.memory.newest().map(T::from_f64)),
-            None => self.step_of_any(mu, step, &mut workspace.newton)?,
+            None => self.step_of_any(mu, step, &mut workspace.any)?,
         };
         // R_a is the rotation by 1 − a.
         let half = Quaternion { scalar: T::one(), vector: -a };
