@@ -55,6 +55,6 @@ template <template <class> class Method> void compete(const char *name, const Pr
 
 int main(int, char **arguments) {
   const Problem problem = read_problem(arguments[1]);
-  for (double h : {0.02, 0.025, 0.04, 0.05, 0.0625, 0.1}) compete<RungeKutta8>("C++ SIMD RK8", problem, h);
+  for (double h : {0.02, 0.025, 1.0 / 36, 1.0 / 32, 0.04, 0.05, 0.0625, 0.1, 10.0 / 96}) compete<RungeKutta8>("C++ SIMD RK8", problem, h);
   compete<ImplicitMidpoint>("C++ SIMD implicit midpoint", problem, 0.01);
 }

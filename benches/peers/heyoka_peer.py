@@ -69,7 +69,7 @@ def main():
         for tolerance in (1e-9, 1e-13, 1e-15, 1e-16):
             one_top(problem, parameters, tolerance)
     else:
-        for tolerance in (1e-10, 1e-13, 1e-16):
+        for tolerance in (1e-10, 1e-11, 1e-12, 1e-13, 1e-16):
             ensemble(problem, parameters, tolerance, BATCH)
 
 

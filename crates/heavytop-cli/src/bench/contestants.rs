@@ -9,10 +9,10 @@ use collective_integrators::{
     Substeps,
 };
 use heavytop::{
-    CollectiveGauss, GaussEnsemble, MidpointSweep, ReducedMidpoint, SpinorRealisation,
-    SymmetricTopEnsemble, SymmetricTopSplitting,
+    CollectiveGauss, GaussEnsemble, HeavyTop, HeavyTopSpace, MidpointSweep, ReducedMidpoint,
+    SpinorRealisation, SymmetricTopEnsemble, SymmetricTopSplitting,
 };
-use lie_poisson::{LiePoisson, Se3, Se3Dual};
+use lie_poisson::{Differential, Hamiltonian, LiePoisson, Real, Se3, Se3Dual};
 use momentum_map::DualQuaternions;
 use std::collections::BTreeSet;
 use std::sync::{Mutex, PoisonError};
@@ -135,6 +135,8 @@ fn one_top(contest: &mut Contest<'_, impl FnMut(Run)>) -> Result<(), Error> {
     contest.single("heavytop any system: Gauss-16, compensated", 0.25, &compensated)?;
     let general = LiftFree::new(RungeKutta::implicit_midpoint(), DualQuaternions, top);
     contest.single("heavytop any system: lift-free midpoint", 0.01, &general)?;
+    let closed = ReducedMidpoint::new(AnyHamiltonian(top));
+    contest.single("heavytop any Hamiltonian: midpoint", 0.01, &closed)?;
     let field = HamiltonianField { space: LiePoisson::minus(Se3::default()), hamiltonian: top };
     let direct = Direct::new(RungeKutta::rk4(), field);
     contest.single("heavytop any system: RK4, direct", 0.01, &direct)?;
@@ -170,8 +172,24 @@ fn many_tops(contest: &mut Contest<'_, impl FnMut(Run)>) -> Result<(), Error> {
     contest.many(name, 1.0 / 3.0, general, |mu| mu, |mu| *mu)?;
     let midpoint = LiftFree::new(RungeKutta::implicit_midpoint(), DualQuaternions, top);
     let (name, general) = ("heavytop any system: lift-free midpoint", Laned::new(midpoint));
-    contest.many(name, 0.02, general, |mu| mu, |mu| *mu)?;
+    contest.many(name, 0.01, general, |mu| mu, |mu| *mu)?;
+    let closed = Laned::new(ReducedMidpoint::new(AnyHamiltonian(top)));
+    contest.many("heavytop any Hamiltonian: midpoint", 0.01, closed, |mu| mu, |mu| *mu)?;
     Ok(())
+}
+
+/// A top that does not say that it is one, and is given no formulas of its own.
+struct AnyHamiltonian(HeavyTop);
+
+impl<T: Real> Hamiltonian<HeavyTopSpace, T> for AnyHamiltonian {
+    fn value(&self, mu: &Se3Dual<T>) -> T {
+        self.0.value(mu)
+    }
+
+    #[inline]
+    fn differential(&self, mu: &Se3Dual<T>) -> Differential<HeavyTopSpace, T> {
+        self.0.differential(mu)
+    }
 }
 
 /// Splittings of symmetric tops into drift and kick, with steps that divide 10 s.
