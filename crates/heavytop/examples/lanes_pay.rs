@@ -10,16 +10,16 @@
 //! the less of it is left: rounds are added until every path pays, [`MOST_ROUNDS`] at most.
 
 use collective_integrators::{
-    AlternatingSubsteps, BatchIntegrator, IntegrationError, Laned, LiftFree, RungeKutta, Start,
-    Substeps,
+    AlternatingSubsteps, BatchIntegrator, IntegrationError, Integrator, Laned, LiftFree,
+    RungeKutta, Start, Substeps,
 };
 use heavytop::{
-    CollectiveGauss, GaussEnsemble, HeavyTop, MidpointSweep, ReducedMidpoint, SymmetricTopEnsemble,
-    SymmetricTopSplitting,
+    CollectiveGauss, GaussEnsemble, HeavyTop, Kirchhoff, MidpointSweep, ReducedMidpoint,
+    SymmetricTopEnsemble, SymmetricTopSplitting, TopError,
 };
-use lie_poisson::{InstructionSet, Se3Dual, Width};
+use lie_poisson::{DefaultLanes, InstructionSet, Se3Dual, Width};
 use momentum_map::DualQuaternions;
-use nalgebra::Vector3;
+use nalgebra::{Matrix3, Vector3};
 use std::error::Error;
 use std::hint::black_box;
 use std::process::ExitCode;
@@ -174,17 +174,24 @@ fn stages(top: HeavyTop) -> Result<Method, Box<dyn Error>> {
 }
 
 /// A method without a kernel, on the lanes that every processor has.
-fn without_kernel(top: HeavyTop) -> Result<Method, Box<dyn Error>> {
-    let (step, steps) = (0.1, 20);
+fn without_kernel<I>(name: &str, integrator: I, step: f64, steps: u64) -> Method
+where
+    I: Integrator<f64, State = Se3Dual> + Integrator<DefaultLanes> + Clone + Sync + 'static,
+{
     let states: Vec<_> = (0..COUNT).map(start).collect();
-    let gauss = LiftFree::new(RungeKutta::gauss(4)?, DualQuaternions, top);
-    let single = Laned::<_, f64>::with_lanes(gauss.clone());
-    let lanes = Laned::new(gauss);
-    Ok(Method {
-        name: "Laned<LiftFree>, Gauss, 4 stages".to_owned(),
+    let single = Laned::<_, f64>::with_lanes(integrator.clone());
+    let lanes = Laned::new(integrator);
+    Method {
+        name: format!("Laned, {name}"),
         single: Path::new("f64".to_owned(), single, &states, step, steps),
         lanes: vec![Path::new("DefaultLanes".to_owned(), lanes, &states, step, steps)],
-    })
+    }
+}
+
+/// A body in an ideal fluid, which has no kernel.
+fn body() -> Result<Kirchhoff, TopError> {
+    let diagonal = |x, y, z| Matrix3::from_diagonal(&Vector3::new(x, y, z));
+    Kirchhoff::new(diagonal(0.5, 0.4, 0.9), diagonal(0.1, 0.0, -0.1), diagonal(0.3, 0.6, 0.4))
 }
 
 /// The negative control: a path that makes every step twice, which must not pass.
@@ -210,7 +217,11 @@ fn methods() -> Result<Vec<Method>, Box<dyn Error>> {
     methods.push(kernel("SymmetricTopEnsemble, order 10", on, &symmetric, 0.125, 80)?);
     methods.extend(midpoint(top)?);
     methods.push(stages(top)?);
-    methods.push(without_kernel(top)?);
+    let free = |scheme| LiftFree::new(scheme, DualQuaternions, top);
+    let (four, one) = (free(RungeKutta::gauss(4)?), free(RungeKutta::implicit_midpoint()));
+    methods.push(without_kernel("LiftFree, Gauss, 4 stages", four, 0.1, 20));
+    methods.push(without_kernel("LiftFree, midpoint", one, 0.01, 200));
+    methods.push(without_kernel("ReducedMidpoint", ReducedMidpoint::new(body()?), 0.01, 200));
     Ok(methods)
 }
 
