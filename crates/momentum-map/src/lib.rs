@@ -29,6 +29,11 @@ mod fibre;
 mod product_map;
 mod collective;
 mod multiplier;
+mod quaternion_multipliers;
+mod dual_quaternions;
+mod complex_matrices;
+mod power_multipliers;
+mod product_multipliers;
 mod noether;
 mod hopf;
 mod realisations;
@@ -41,20 +46,22 @@ pub use actions::{
     AffineAction, JointAction, LinearAction, Opposite, ProductAction, RepresentationSpace,
 };
 pub use collective::CollectiveHamiltonian;
+pub use complex_matrices::ComplexMatrices;
 pub use cotangent::{Cotangent, CotangentBundle};
 pub use cotangent_lift::CotangentLift;
+pub use dual_quaternions::DualQuaternions;
 pub use fibre::{FibreSymmetry, Lift, LiftError};
 pub use hopf::{euclidean_norm, hopf_map, hopf_pull_back, hopf_section, pauli};
 pub use momentum_map::MomentumMap;
-pub use multiplier::{
-    ComplexMatrices, DualQuaternions, Multiplier, Multipliers, PowerMultipliers,
-    ProductMultipliers, Quaternions,
-};
+pub use multiplier::{Multiplier, Multipliers};
 pub use noether::NoetherQuantity;
 pub use poisson_map::{
     Composition, Identity, PoissonMap, SourcePoint, TargetDifferential, TargetPoint,
 };
+pub use power_multipliers::PowerMultipliers;
 pub use product_map::{PowerMap, ProductMap};
+pub use product_multipliers::ProductMultipliers;
+pub use quaternion_multipliers::Quaternions;
 pub use realisations::{
     HOPF, HopfRealisation, PARTICLE, ParticleRealisation, PlaneForm, Sl2Realisation,
     UnitaryRealisation, unitary_realisation,

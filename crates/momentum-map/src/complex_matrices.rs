@@ -1,0 +1,68 @@
+//! Complex matrices as multipliers.
+
+use crate::Multipliers;
+use lie_poisson::{Covector, LiePoisson, Real, SkewHermitian, UnitaryAlgebra};
+use nalgebra::SMatrix;
+use num_complex::Complex;
+
+/// Complex N×N matrices, for u(N)∗ with the minus bracket: in terms of the Hermitian matrix H of
+/// a momentum,
+///
+/// ```text
+/// dQ/dt = −ξ Q,    H = Q H₀ Q*
+/// ```
+///
+/// for H₀ of any rank: with Gauss methods an isospectral integrator.
+///
+/// Source: K. Modin & M. Viviani, *Lie–Poisson methods for isospectral flows*, Found. Comput. Math.
+/// 20 (2020).
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+pub struct ComplexMatrices<const N: usize>;
+
+impl<const N: usize> Multipliers for ComplexMatrices<N> {
+    type Space = LiePoisson<UnitaryAlgebra<N>>;
+    type Multiplier<T: Real> = SMatrix<Complex<T>, N, N>;
+
+    fn space(&self) -> Self::Space {
+        LiePoisson::minus(UnitaryAlgebra)
+    }
+
+    #[inline]
+    fn one<T: Real>(&self) -> SMatrix<Complex<T>, N, N> {
+        SMatrix::identity()
+    }
+
+    #[inline]
+    fn generate<T: Real>(
+        &self,
+        xi: &SkewHermitian<T, N>,
+        q: &SMatrix<Complex<T>, N, N>,
+    ) -> SMatrix<Complex<T>, N, N> {
+        -(xi.matrix() * q)
+    }
+
+    #[inline]
+    fn transport<T: Real>(
+        &self,
+        q: &SMatrix<Complex<T>, N, N>,
+        mu: &Covector<SkewHermitian<T, N>>,
+    ) -> Covector<SkewHermitian<T, N>> {
+        let moved = q * UnitaryAlgebra.hermitian(mu) * q.transpose().map(|z| z.conj());
+        UnitaryAlgebra.momentum(&moved)
+    }
+
+    #[inline]
+    fn product<T: Real>(
+        &self,
+        q: &SMatrix<Complex<T>, N, N>,
+        b: &SMatrix<Complex<T>, N, N>,
+    ) -> SMatrix<Complex<T>, N, N> {
+        q * b
+    }
+
+    /// B∗, of unitary B.
+    #[inline]
+    fn inverse<T: Real>(&self, b: &SMatrix<Complex<T>, N, N>) -> Option<SMatrix<Complex<T>, N, N>> {
+        Some(b.transpose().map(|z| z.conj()))
+    }
+}

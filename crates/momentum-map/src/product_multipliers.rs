@@ -1,0 +1,64 @@
+//! Products of algebras of multipliers.
+
+use crate::Multipliers;
+use lie_poisson::{Differential, Pair, Point, ProductSpace, Real, parts};
+
+/// The product of two algebras of multipliers.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+pub struct ProductMultipliers<M, N>(pub M, pub N);
+
+impl<M: Multipliers, N: Multipliers> Multipliers for ProductMultipliers<M, N> {
+    type Space = ProductSpace<M::Space, N::Space>;
+    type Multiplier<T: Real> = Pair<M::Multiplier<T>, N::Multiplier<T>>;
+
+    fn space(&self) -> Self::Space {
+        ProductSpace(self.0.space(), self.1.space())
+    }
+
+    #[inline]
+    fn one<T: Real>(&self) -> Self::Multiplier<T> {
+        Pair(self.0.one::<T>(), self.1.one::<T>())
+    }
+
+    #[inline]
+    fn generate<T: Real>(
+        &self,
+        xi: &Differential<Self::Space, T>,
+        q: &Self::Multiplier<T>,
+    ) -> Self::Multiplier<T> {
+        let (first, second) = parts(xi);
+        Pair(self.0.generate::<T>(&first, &q.0), self.1.generate::<T>(&second, &q.1))
+    }
+
+    #[inline]
+    fn transport<T: Real>(
+        &self,
+        q: &Self::Multiplier<T>,
+        mu: &Point<Self::Space, T>,
+    ) -> Point<Self::Space, T> {
+        Pair(self.0.transport::<T>(&q.0, &mu.0), self.1.transport::<T>(&q.1, &mu.1))
+    }
+
+    #[inline]
+    fn coadjoint_change<T: Real>(
+        &self,
+        q: &Self::Multiplier<T>,
+        mu: &Point<Self::Space, T>,
+    ) -> Point<Self::Space, T> {
+        Pair(self.0.coadjoint_change::<T>(&q.0, &mu.0), self.1.coadjoint_change::<T>(&q.1, &mu.1))
+    }
+
+    #[inline]
+    fn product<T: Real>(
+        &self,
+        q: &Self::Multiplier<T>,
+        b: &Self::Multiplier<T>,
+    ) -> Self::Multiplier<T> {
+        Pair(self.0.product::<T>(&q.0, &b.0), self.1.product::<T>(&q.1, &b.1))
+    }
+
+    #[inline]
+    fn inverse<T: Real>(&self, b: &Self::Multiplier<T>) -> Option<Self::Multiplier<T>> {
+        Some(Pair(self.0.inverse::<T>(&b.0)?, self.1.inverse::<T>(&b.1)?))
+    }
+}

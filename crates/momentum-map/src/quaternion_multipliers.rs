@@ -1,0 +1,64 @@
+//! Quaternions as multipliers.
+
+use crate::Multipliers;
+use lie_poisson::{Covector, LiePoisson, Quaternion, Real, So3, Vector};
+use nalgebra::Vector3;
+
+/// Quaternions, for so(3)∗ with the minus bracket and the Hopf map:
+///
+/// ```text
+/// dQ/dt = −½ Ω Q,    Π = Q Π₀ conj(Q)
+/// ```
+///
+/// Unit quaternions turn Π₀; the body's attitude is Rₙ₊₁ = Rₙ R_Qᵀ.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+pub struct Quaternions;
+
+impl Multipliers for Quaternions {
+    type Space = LiePoisson<So3>;
+    type Multiplier<T: Real> = Quaternion<T>;
+
+    fn space(&self) -> LiePoisson<So3> {
+        LiePoisson::minus(So3)
+    }
+
+    #[inline]
+    fn one<T: Real>(&self) -> Quaternion<T> {
+        Quaternion::one()
+    }
+
+    #[inline]
+    fn generate<T: Real>(&self, omega: &Vector3<T>, q: &Quaternion<T>) -> Quaternion<T> {
+        Quaternion::imaginary_times(&(omega * T::from_f64(-0.5)), q)
+    }
+
+    #[inline]
+    fn transport<T: Real>(
+        &self,
+        q: &Quaternion<T>,
+        mu: &Covector<Vector3<T>>,
+    ) -> Covector<Vector3<T>> {
+        Covector(q.sandwich(&mu.0))
+    }
+
+    /// Of the rotation by Q/|Q|.
+    #[inline]
+    fn coadjoint_change<T: Real>(
+        &self,
+        q: &Quaternion<T>,
+        mu: &Covector<Vector3<T>>,
+    ) -> Covector<Vector3<T>> {
+        Covector(q.rotation_change(&mu.0))
+    }
+
+    #[inline]
+    fn product<T: Real>(&self, q: &Quaternion<T>, b: &Quaternion<T>) -> Quaternion<T> {
+        *q * *b
+    }
+
+    /// B̄/|B|², of any B ≠ 0.
+    #[inline]
+    fn inverse<T: Real>(&self, b: &Quaternion<T>) -> Option<Quaternion<T>> {
+        Some(b.conjugate().scaled(T::one() / b.norm_squared()))
+    }
+}
