@@ -1,0 +1,184 @@
+//! Stumpff functions c₁ and c₂ as polynomials, by the range on which they are needed.
+
+/// c₁ and c₂ on [0, `range`], to 1.5e-16:
+///
+/// ```text
+/// c₁(θ²) = sin θ/θ,  c₂(θ²) = (1 − cos θ)/θ²
+/// ```
+///
+/// c₂ is interpolated at Chebyshev's nodes, shifted so that one of them is 0. c₁ interpolates
+/// √(c₂(2 − x c₂)) with that polynomial for c₂: what is lost in one place is made good in the
+/// other, and cosine and sine are on the unit circle to 7e-19, but for the rounding of the
+/// coefficients.
+pub(crate) struct StumpffPolynomials {
+    pub(crate) range: f64,
+    pub(crate) first: &'static [f64],
+    pub(crate) second: &'static [f64],
+}
+
+/// The shortest polynomials last.
+pub(crate) const STUMPFF: [StumpffPolynomials; 5] = [
+    StumpffPolynomials {
+        range: 2.0,
+        first: &[
+            1.0,
+            -0.166_666_666_666_666_63,
+            0.008_333_333_333_332_81,
+            -0.000_198_412_698_410_484_23,
+            2.755_731_917_901_746e-6,
+            -2.505_210_342_414_128_4e-8,
+            1.605_873_544_102_307_9e-10,
+            -7.636_703_163_729_302e-13,
+            2.642_594_662_333_099e-15,
+        ],
+        second: &[
+            0.5,
+            -0.041_666_666_666_666_616,
+            0.001_388_888_888_888_219_8,
+            -2.480_158_729_869_779_8e-5,
+            2.755_731_863_233_564_6e-7,
+            -2.087_669_217_053_116_5e-9,
+            1.146_683_995_656_349e-11,
+            -4.657_258_655_232_234_4e-14,
+        ],
+    },
+    StumpffPolynomials {
+        range: 0.7,
+        first: &[
+            1.0,
+            -0.166_666_666_666_666_63,
+            0.008_333_333_333_332_143,
+            -0.000_198_412_698_401_731_17,
+            2.755_731_875_708_125_3e-6,
+            -2.505_200_711_246_362_2e-8,
+            1.604_805_994_885_621e-10,
+            -7.153_523_229_434_529e-13,
+        ],
+        second: &[
+            0.5,
+            -0.041_666_666_666_666_62,
+            0.001_388_888_888_887_605_2,
+            -2.480_158_728_971_253e-5,
+            2.755_731_417_317_85e-7,
+            -2.087_567_052_229_883_7e-9,
+            1.135_568_983_418_209_7e-11,
+        ],
+    },
+    StumpffPolynomials {
+        range: 0.3,
+        first: &[
+            1.0,
+            -0.166_666_666_666_666,
+            0.008_333_333_333_301_957,
+            -0.000_198_412_697_931_507_72,
+            2.755_728_690_438_811_6e-6,
+            -2.504_218_481_128_118_8e-8,
+            1.489_652_473_258_302_2e-10,
+        ],
+        second: &[
+            0.5,
+            -0.041_666_666_666_665_984,
+            0.001_388_888_888_856_516_6,
+            -2.480_158_680_481_447_2e-5,
+            2.755_698_647_801_558_4e-7,
+            -2.077_554_403_584_540_7e-9,
+        ],
+    },
+    StumpffPolynomials {
+        range: 0.125,
+        first: &[
+            1.0,
+            -0.166_666_666_666_631_57,
+            0.008_333_333_330_607_932,
+            -0.000_198_412_632_512_641_81,
+            2.755_101_991_224_45e-6,
+            -2.295_410_884_666_931_8e-8,
+        ],
+        second: &[
+            0.5,
+            -0.041_666_666_666_631_16,
+            0.001_388_888_886_128_523_9,
+            -2.480_152_060_002_264e-5,
+            2.749_378_566_040_617_6e-7,
+        ],
+    },
+    StumpffPolynomials {
+        range: 0.015_625,
+        first: &[
+            1.0,
+            -0.166_666_666_666_474_12,
+            0.008_333_333_258_549_796,
+            -0.000_198_404_438_274_648_78,
+            2.480_025_791_587_22e-6,
+        ],
+        second: &[
+            0.5,
+            -0.041_666_666_666_473_826,
+            0.001_388_888_813_991_381,
+            -2.479_331_768_242_987_3e-5,
+        ],
+    },
+];
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use lie_poisson::Real;
+
+    fn value(coefficients: &[f64], x: f64) -> f64 {
+        coefficients.iter().rev().fold(0.0, |sum, c| sum * x + c)
+    }
+
+    /// The worst errors of c₁ and c₂ on [from, to].
+    fn worst(polynomials: &StumpffPolynomials, from: f64, to: f64) -> f64 {
+        (0..=1000).fold(0.0, |worst: f64, n| {
+            let x = from + (to - from) * f64::from(n) / 1000.0;
+            let first = value(polynomials.first, x) - x.stumpff(1);
+            let second = value(polynomials.second, x) - x.stumpff(2);
+            worst.max(first.abs()).max(second.abs())
+        })
+    }
+
+    #[test]
+    fn polynomials_are_stumpff_functions_on_their_range() {
+        for polynomials in &STUMPFF {
+            let range = polynomials.range;
+            // 1.5e-16 of the polynomials, and some roundings of sums up to 1 here and there.
+            assert!(worst(polynomials, 0.0, range) <= 2.0 * f64::EPSILON, "{range}");
+            // Beyond it they are not, so that the range is needed.
+            assert!(worst(polynomials, range, 4.0 * range) > 16.0 * f64::EPSILON, "{range}");
+        }
+    }
+
+    #[test]
+    fn leading_coefficients_are_exact() {
+        for polynomials in &STUMPFF {
+            assert_eq!([polynomials.first[0], polynomials.second[0]], [1.0, 0.5]);
+            assert_eq!(polynomials.first.len(), polynomials.second.len() + 1);
+        }
+        assert!(STUMPFF.is_sorted_by(|a, b| a.range > b.range));
+    }
+
+    /// The mean over the range of cos² + sin² − 1.
+    fn stretching(polynomials: &StumpffPolynomials) -> f64 {
+        let defect = |n: u32| {
+            let x = polynomials.range * f64::from(n) / 1000.0;
+            let cosine = 1.0 - x * value(polynomials.second, x);
+            let first = value(polynomials.first, x);
+            cosine.mul_add(cosine, -1.0) + x * first * first
+        };
+        (1..=1000).map(defect).sum::<f64>() / 1000.0
+    }
+
+    #[test]
+    fn cosine_and_sine_stay_on_the_unit_circle() {
+        for polynomials in &STUMPFF[1..] {
+            // 1000 points, each with a few roundings of 1e-16 at random.
+            assert!(stretching(polynomials).abs() < 2e-17);
+            // Negative control: without the last coefficient they do not.
+            let [shorter @ .., _] = polynomials.first else { continue };
+            let shorter = StumpffPolynomials { first: shorter, ..*polynomials };
+            assert!(stretching(&shorter).abs() > 1e-16);
+        }
+    }
+}
