@@ -193,13 +193,15 @@ impl<T: Real> Hamiltonian<HeavyTopSpace, T> for AnyHamiltonian {
 }
 
 /// Splittings of symmetric tops into drift and kick, with steps that divide 10 s.
-fn splittings() -> [(&'static str, f64, AlternatingSubsteps); 6] {
+fn splittings() -> [(&'static str, f64, AlternatingSubsteps); 8] {
     let sofroniou = AlternatingSubsteps::composed(&Substeps::sofroniou_spaletta10());
     let (six, four) = (AlternatingSubsteps::blanes_moan6(), AlternatingSubsteps::blanes_moan4());
     [
         ("splitting of order 10", 10.0 / 75.0, sofroniou.clone()),
+        ("splitting of order 10", 10.0 / 76.0, sofroniou.clone()),
         ("splitting of order 10", 0.125, sofroniou),
         ("splitting of order 6", 0.25, six.clone()),
+        ("splitting of order 6", 10.0 / 44.0, six.clone()),
         ("splitting of order 6", 0.2, six),
         ("splitting of order 4", 0.2, four.clone()),
         ("splitting of order 4", 0.05, four),
