@@ -76,16 +76,6 @@ pub(super) fn dot<T: Lanes>(u: &Components<T>, v: &Components<T>) -> T {
     u[0].multiply_add(v[0], u[1].multiply_add(v[1], u[2] * v[2]))
 }
 
-/// u×v
-#[inline(always)]
-pub(super) fn cross<T: Lanes>(u: &Components<T>, v: &Components<T>) -> Components<T> {
-    [
-        u[1].multiply_subtract(v[2], u[2] * v[1]),
-        u[2].multiply_subtract(v[0], u[0] * v[2]),
-        u[0].multiply_subtract(v[1], u[1] * v[0]),
-    ]
-}
-
 /// x + u×v
 #[inline(always)]
 pub(super) fn add_cross<T: Lanes>(

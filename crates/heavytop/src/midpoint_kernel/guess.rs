@@ -1,6 +1,6 @@
 //! Half a step of the collective midpoint rule for tops, from a guess of a = (h/4) Ω̄.
 
-use super::components::{Components, State, add_cross, cross, dot, each};
+use super::components::{Components, State, add_cross, dot, each};
 use super::parameters::Parameters;
 use lie_poisson::{Lanes, Mask};
 
@@ -14,20 +14,18 @@ const ROUND_OFF: f64 = 128.0 * f64::EPSILON;
 /// rounding is small against that of the vectors which it turns.
 struct HalfTurn<T> {
     rows: [Components<T>; 3],
-    /// n = 1/(1+|a|²)
+    /// 2n, n = 1/(1+|a|²)
     scale: T,
-    /// 2n a
-    axis: Components<T>,
 }
 
 impl<T: Lanes> HalfTurn<T> {
     /// R_a − 1 = 2n (a aᵀ − |a|² − [a]×), where [a]× v = a×v.
     #[inline(always)]
     fn new(a: &Components<T>, square: T) -> Self {
-        let scale = T::one() / (square + 1.0);
-        let twice = scale + scale;
-        let b = each!(i => twice * a[i]);
-        let diagonal = twice * square;
+        let half = T::from_f64(0.5);
+        let scale = T::one() / half.multiply_add(square, half);
+        let b = each!(i => scale * a[i]);
+        let diagonal = scale * square;
         let rows = [
             [
                 b[0].multiply_subtract(a[0], diagonal),
@@ -45,22 +43,16 @@ impl<T: Lanes> HalfTurn<T> {
                 b[2].multiply_subtract(a[2], diagonal),
             ],
         ];
-        Self { rows, scale, axis: b }
-    }
-
-    /// x + (R_a − 1) v
-    #[inline(always)]
-    fn add(&self, x: &Components<T>, v: &Components<T>) -> Components<T> {
-        each!(i => {
-            let row = &self.rows[i];
-            row[0].multiply_add(v[0], row[1].multiply_add(v[1], row[2].multiply_add(v[2], x[i])))
-        })
+        Self { rows, scale }
     }
 
     /// R_a v
     #[inline(always)]
     fn apply(&self, v: &Components<T>) -> Components<T> {
-        self.add(v, v)
+        each!(i => {
+            let row = &self.rows[i];
+            row[0].multiply_add(v[0], row[1].multiply_add(v[1], row[2].multiply_add(v[2], v[i])))
+        })
     }
 }
 
@@ -70,46 +62,47 @@ pub(super) struct Guess<T> {
     /// |a|²
     square: T,
     half_turn: HalfTurn<T>,
-    /// G = R_a Γ₀
-    vertical: Components<T>,
-    /// R_a Π₀
-    momentum: Components<T>,
+    /// F
+    force: Components<T>,
+    /// α
+    along: T,
+    /// X
+    middle: Components<T>,
     /// d, where a − d is nearer to the solution.
     correction: Components<T>,
 }
 
 impl<T: Lanes> Guess<T> {
-    /// The residual r = a − (h/4) I⁻¹Π̄, with G = R_a Γ₀ and n = 1/(1+|a|²),
+    /// The residual r = a − (h/4) I⁻¹Π̄. In terms of Π₀ and Γ₀, with n = 1/(1+|a|²),
     ///
     /// ```text
-    /// Π̄ = n ( R_a Π₀ + ½ h n ( G×(γ + γ×a) − (a·γ) G ) ),
+    /// F = ½ h n (γ − γ×a),  α = ½ h n a·γ
+    /// X = R_a ( Π₀ + Γ₀×F − α Γ₀ ),  Π̄ = n X,
     /// ```
     ///
-    /// and the correction d = (1 − M)⁻¹r ≈ r + M r by the leading part 1 − M of its derivative,
+    /// and the correction is d = (1 − M)⁻¹r ≈ r + M r by the leading part 1 − M of the derivative,
     /// M r = (h/4) I⁻¹ (2 Π̄×r) = 2 I⁻¹((I a)×r).
     #[inline(always)]
     pub fn new(top: &Parameters<T>, start: &State<T>, a: Components<T>) -> Self {
         let square = dot(&a, &a);
         let half_turn = HalfTurn::new(&a, square);
-        let half_kick = top.half_step * half_turn.scale;
-        let force = add_cross(&top.force, &top.force, &a);
-        let force = each!(i => half_kick * force[i]);
-        let along = half_kick * dot(&a, &top.force);
-        let vertical = half_turn.apply(&start.vertical);
-        let momentum = half_turn.apply(&start.momentum);
-        let middle = add_cross(&momentum, &vertical, &force);
-        let middle = each!(i => along.negative_multiply_add(vertical[i], middle[i]));
-        let residual =
-            each!(i => (top.rate[i] * half_turn.scale).negative_multiply_add(middle[i], a[i]));
-        let spin = each!(i => top.inertia[i] * a[i]);
+        let scale = half_turn.scale;
+        let force = add_cross(&top.force, &a, &top.force);
+        let force = each!(i => scale * force[i]);
+        let along = scale * dot(&a, &top.force);
+        let gamma = &start.vertical;
+        let kicked = add_cross(&start.momentum, gamma, &force);
+        let kicked = each!(i => along.negative_multiply_add(gamma[i], kicked[i]));
+        let middle = half_turn.apply(&kicked);
+        let residual = each!(i => (top.rate[i] * scale).negative_multiply_add(middle[i], a[i]));
         let [x, y, z] = residual;
-        let [u, v, w] = top.twice_inverse;
+        let (next, previous) = (&top.next_ratio, &top.previous_ratio);
         let correction = [
-            (u * spin[1]).multiply_add(z, (u * spin[2]).negative_multiply_add(y, x)),
-            (v * spin[2]).multiply_add(x, (v * spin[0]).negative_multiply_add(z, y)),
-            (w * spin[0]).multiply_add(y, (w * spin[1]).negative_multiply_add(x, z)),
+            (next[0] * a[1]).multiply_add(z, (previous[0] * a[2]).negative_multiply_add(y, x)),
+            (next[1] * a[2]).multiply_add(x, (previous[1] * a[0]).negative_multiply_add(z, y)),
+            (next[2] * a[0]).multiply_add(y, (previous[2] * a[1]).negative_multiply_add(x, z)),
         ];
-        Self { a, square, half_turn, vertical, momentum, correction }
+        Self { a, square, half_turn, force, along, middle, correction }
     }
 
     /// |d|²
@@ -140,35 +133,31 @@ impl<T: Lanes> Guess<T> {
         each!(i => self.a[i] - self.correction[i])
     }
 
-    /// The end of the step with the rotation R_{a−d} = R_ε R_a, ε = −n (d + d×a),
+    /// The end of the step with a − d in the place of a. With G = R_a Γ₀ and Y = R_a Π₀ + h n G×γ,
     ///
     /// ```text
-    /// Γ₁ = R_{a−d} R_{a−d} Γ₀,    Π₁ = R_{a−d} ( R_{a−d} Π₀ + h n (R_{a−d} Γ₀)×γ )
+    /// Y = X + G×F + α G,  Γ₁ = R_a G,  Π₁ = R_a Y
     /// ```
     ///
-    /// to the first order in d: what does not depend on d need not wait for it. With η = ε + R_a ε,
+    /// where a solves the equation, and R_{a−d} R_{a−d} = R_a (1 + [δ]×) R_a, δ = 4n d, to the
+    /// first order in d. So what does not depend on d need not wait for it:
     ///
     /// ```text
-    /// Γ₁ = V + 2 V×η,                V = R_a G
-    /// Π₁ = W + 2 W×η + 2 h n G×(ε×γ),    W = R_a ( R_a Π₀ + h n G×γ )
+    /// Γ₁ = R_a (G + δ×G),    Π₁ = R_a (Y + δ×Y)
     /// ```
+    ///
+    /// This leaves a term ½ h n G×(γ×δ) out of Π₁, which `kick_rate` keeps below the floor.
     #[inline(always)]
-    pub fn end(&self, top: &Parameters<T>) -> State<T> {
+    pub fn end(&self, start: &State<T>) -> State<T> {
         let turn = &self.half_turn;
-        let half_kick = top.half_step * turn.scale;
-        let force = each!(i => (half_kick + half_kick) * top.force[i]);
-        let vertical = turn.apply(&self.vertical);
-        let momentum = turn.apply(&add_cross(&self.momentum, &self.vertical, &force));
-        // −2ε
-        let d = &self.correction;
+        let vertical = turn.apply(&start.vertical);
+        let momentum = add_cross(&self.middle, &vertical, &self.force);
+        let momentum = each!(i => self.along.multiply_add(vertical[i], momentum[i]));
         let twice = turn.scale + turn.scale;
-        let epsilon = add_cross(&each!(i => twice * d[i]), d, &turn.axis);
-        // −2η
-        let eta = turn.add(&each!(i => epsilon[i] + epsilon[i]), &epsilon);
-        let kick = cross(&force, &epsilon);
+        let delta = each!(i => twice * self.correction[i]);
         State {
-            momentum: add_cross(&add_cross(&momentum, &eta, &momentum), &self.vertical, &kick),
-            vertical: add_cross(&vertical, &eta, &vertical),
+            momentum: turn.apply(&add_cross(&momentum, &delta, &momentum)),
+            vertical: turn.apply(&add_cross(&vertical, &delta, &vertical)),
         }
     }
 }

@@ -5,9 +5,9 @@
 //! [`one_top`] and [`many_tops`].
 //!
 //! # Cost
-//! A step with one guess takes 355 floating-point operations in each lane, a fused multiply-add
-//! counted as two: 60 to extrapolate a, 30 for R_a, 106 for the correction d, 14 to see whether it
-//! is at the floor and to apply it, 134 for the end, 11 to see that it is finite. One top is bound
+//! A step with one guess takes 299 floating-point operations in each lane, a fused multiply-add
+//! counted as two: 60 to extrapolate a, 30 for R_a, 84 for the correction d, 14 to see whether it
+//! is at the floor and to apply it, 100 for the end, 11 to see that it is finite. One top is bound
 //! by the latency of one step after the other; in two registers of AVX-512 two thirds of the peak
 //! of the processor are reached.
 

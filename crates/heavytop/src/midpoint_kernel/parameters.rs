@@ -24,18 +24,17 @@ impl Top {
 /// The same in each lane, with the step size h worked in.
 #[derive(Clone, Copy, Debug)]
 pub(super) struct Parameters<T> {
-    /// The diagonal of I.
-    pub inertia: Components<T>,
-    /// The diagonal of 2I⁻¹.
-    pub twice_inverse: Components<T>,
-    /// The diagonal of (h/4) I⁻¹.
+    /// 2 I_{i+1}/I_i
+    pub next_ratio: Components<T>,
+    /// 2 I_{i−1}/I_i
+    pub previous_ratio: Components<T>,
+    /// The diagonal of (h/8) I⁻¹.
     pub rate: Components<T>,
-    /// γ
+    /// (h/4) γ
     pub force: Components<T>,
-    /// h/2
-    pub half_step: T,
     /// A correction d of a guess leaves an error of at most κ|d|, with
-    /// κ² = `turning_rate` |a|⁴ + `kick_rate`.
+    /// κ² = `turning_rate` |a|⁴ + `kick_rate`, what [`Guess::end`](super::guess::Guess::end) leaves
+    /// out included.
     pub turning_rate: T,
     pub kick_rate: T,
     /// The square of the size below which |a| does not measure round-off.
@@ -49,13 +48,12 @@ impl<T: Lanes> Parameters<T> {
         let inverse = each!(k => T::from_lanes(|i| top(i).inverse_inertia[k]));
         let kick = T::from_lanes(|i| kick(&top(i), square(i), step));
         Self {
-            inertia: each!(k => T::one() / inverse[k]),
-            twice_inverse: each!(k => inverse[k] + inverse[k]),
-            rate: each!(k => inverse[k] * (0.25 * step)),
-            force: each!(k => T::from_lanes(|i| top(i).force[k])),
-            half_step: T::from_f64(0.5 * step),
+            next_ratio: each!(k => (inverse[k] + inverse[k]) / inverse[(k + 1) % 3]),
+            previous_ratio: each!(k => (inverse[k] + inverse[k]) / inverse[(k + 2) % 3]),
+            rate: each!(k => inverse[k] * (0.125 * step)),
+            force: each!(k => T::from_lanes(|i| top(i).force[k]) * (0.25 * step)),
             turning_rate: T::from_lanes(|i| turning(&top(i))),
-            kick_rate: kick * (2.0 / 64.0),
+            kick_rate: kick * (25.0 / 32.0),
             least_square: kick * (1.0 / 64.0),
         }
     }
@@ -67,11 +65,10 @@ impl Parameters<f64> {
     pub fn splat<T: Lanes>(&self) -> Parameters<T> {
         let vector = |v: &Components<f64>| each!(k => T::from_f64(v[k]));
         Parameters {
-            inertia: vector(&self.inertia),
-            twice_inverse: vector(&self.twice_inverse),
+            next_ratio: vector(&self.next_ratio),
+            previous_ratio: vector(&self.previous_ratio),
             rate: vector(&self.rate),
             force: vector(&self.force),
-            half_step: T::from_f64(self.half_step),
             turning_rate: T::from_f64(self.turning_rate),
             kick_rate: T::from_f64(self.kick_rate),
             least_square: T::from_f64(self.least_square),

@@ -34,7 +34,7 @@ pub(super) fn step<T: Lanes>(
 ) -> Outcome<T> {
     let mut a = match guess {
         Some(a) => a,
-        None => each!(i => top.rate[i] * start.momentum[i]),
+        None => each!(i => (top.rate[i] + top.rate[i]) * start.momentum[i]),
     };
     let mut previous = T::from_f64(f64::INFINITY);
     let mut guesses = 1;
@@ -51,7 +51,7 @@ pub(super) fn step<T: Lanes>(
                 continue;
             }
         }
-        let end = guess.end(top);
+        let end = guess.end(start);
         let settled = settled.and(end.square().at_most(T::from_f64(f64::MAX)));
         return Outcome { end, a: guess.corrected(), settled, guesses };
     }

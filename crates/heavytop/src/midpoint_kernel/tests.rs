@@ -92,7 +92,8 @@ fn a_lane_that_fails_harms_no_other() {
 }
 
 proptest! {
-    /// κ = √2 max(6ρ|a|², ⅛h²|γ||Γ|/I_min) bounds what a correction leaves of an error.
+    /// κ² = 2((6ρ|a|²)² + (⅛k)²), k = h²|γ||Γ|/I_min, bounds what a correction leaves of an error of
+    /// a, and with ⅝k in the place of ⅛k what is left of it in the end.
     #[test]
     fn a_correction_leaves_less_than_the_bound(
         sides in [0.1..1.0, 0.1..1.0, 0.1..1.0f64],
@@ -114,12 +115,19 @@ proptest! {
         let guess = Guess::new(&parameters, &start, nearby);
         let left = each!(i => guess.corrected()[i] - a[i]);
         let square = dot(&a, &a);
-        let bound = parameters.turning_rate * square * square + parameters.kick_rate;
+        let bound = |part| parameters.turning_rate * square * square + parameters.kick_rate * part;
         // round-off of a, and the second order of the error
         let least = (1e-16 + 1e-12 * dot(&error, &error)).powi(2);
         let size = 1e-12 * dot(&error, &error);
-        prop_assert!(dot(&left, &left) <= 1.01 * bound * size + least, "{left:?}");
+        prop_assert!(dot(&left, &left) <= 1.01 * bound(1.0 / 25.0) * size + least, "{left:?}");
         // the control: the error was there, and the correction is what removes it
         prop_assert!(guess.change() > 0.5 * size);
+        let (end, expected) = (guess.end(&start), Guess::new(&parameters, &start, a).end(&start));
+        // an error of Π as one of a = (h/4) I⁻¹Π; one of a turns Γ by four times as much
+        let rate = &parameters.rate;
+        let left = each!(i => 2.0 * rate[i] * (end.momentum[i] - expected.momentum[i]));
+        prop_assert!(dot(&left, &left) <= 1.01 * bound(1.0) * size + 16.0 * least, "{left:?}");
+        let left = each!(i => 0.25 * (end.vertical[i] - expected.vertical[i]));
+        prop_assert!(dot(&left, &left) <= 1.01 * bound(1.0 / 25.0) * size + 16.0 * least, "{left:?}");
     }
 }
