@@ -6,6 +6,7 @@
 //! |---|---|
 //! | scalars: numbers, dual numbers, lanes | [`Real`], [`DualNumber`], [`Lanes`]: [`DefaultLanes`] |
 //! | lanes as wide as the processor's | [`dispatch`], [`LaneTask`], [`InstructionSet`], [`Width`] |
+//! | a vector of R³ in one register | [`dispatch_four`], [`FourLanesTask`], [`FourLanes`] |
 //! | vector spaces V and their duals V∗ | [`Vector`], [`Covector`], [`Pair`], [`Power`], [`Quaternion`] |
 //! | spaces over every scalar at once | [`VectorSpace`]: [`RealSpace`], [`ComplexSpace`], [`QuaternionSpace`] |
 //! | exact derivatives | [`differential`], [`transposed_tangent`] |
@@ -71,7 +72,8 @@ pub mod laws;
 
 pub use dual_number::DualNumber;
 pub use lanes::{
-    DefaultLanes, InstructionSet, LaneTask, Lanes, MissingInstructions, Width, dispatch,
+    DefaultLanes, FourLanes, FourLanesTask, InstructionSet, LaneTask, Lanes, MissingInstructions,
+    Width, dispatch, dispatch_four,
 };
 pub use mask::Mask;
 pub use real::{Real, larger};

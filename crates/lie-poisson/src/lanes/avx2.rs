@@ -1,21 +1,23 @@
 //! Four lanes of 256 bits, with fused multiply-add.
 #![allow(unsafe_code)] // the intrinsics
 
+use super::four::Permuted;
 use super::intrinsics::{intrinsics, mask_of_bits, register};
 use super::register::Register;
 use crate::Mask;
 use core::arch::x86_64::{
     __m256d, _CMP_LE_OQ, _mm256_add_pd, _mm256_and_pd, _mm256_andnot_pd, _mm256_blendv_pd,
-    _mm256_cmp_pd, _mm256_div_pd, _mm256_fmadd_pd, _mm256_fmsub_pd, _mm256_fnmadd_pd,
-    _mm256_max_pd, _mm256_movemask_pd, _mm256_mul_pd, _mm256_or_pd, _mm256_set1_pd, _mm256_sqrt_pd,
-    _mm256_sub_pd, _mm256_xor_pd,
+    _mm256_broadcastsd_pd, _mm256_castpd256_pd128, _mm256_cmp_pd, _mm256_div_pd, _mm256_fmadd_pd,
+    _mm256_fmsub_pd, _mm256_fnmadd_pd, _mm256_max_pd, _mm256_movemask_pd, _mm256_mul_pd,
+    _mm256_or_pd, _mm256_permute_pd, _mm256_permute2f128_pd, _mm256_permute4x64_pd, _mm256_set1_pd,
+    _mm256_sqrt_pd, _mm256_sub_pd, _mm256_xor_pd,
 };
 
 /// One register of AVX2 with FMA.
 ///
 /// What makes the `unsafe` blocks of this type sound: other crates cannot name this type, and this
-/// crate hands it out in [`dispatch`](super::dispatch()) alone, once the processor was found to
-/// have AVX2 and FMA. Where a function of this type runs, the instructions are there.
+/// crate hands it out in [`dispatch`](super::dispatch()) and
+/// [`dispatch_four`](super::dispatch_four()) alone, once the processor was found to have AVX2 and FMA. Where a function of this type runs, the instructions are there.
 #[derive(Clone, Copy)]
 pub struct Avx2(__m256d);
 
@@ -65,4 +67,36 @@ register! {
 mask_of_bits! {
     Avx2Mask of Avx2,
     and = _mm256_and_pd, or = _mm256_or_pd, exclusive_or = _mm256_xor_pd, signs = _mm256_movemask_pd
+}
+
+impl Permuted for Avx2 {
+    #[inline(always)]
+    fn next(a: Self) -> Self {
+        // SAFETY: the processor has AVX2 where the type is in use, see `Avx2`.
+        Self(unsafe { _mm256_permute4x64_pd::<0b11_00_10_01>(a.0) })
+    }
+
+    #[inline(always)]
+    fn previous(a: Self) -> Self {
+        // SAFETY: the processor has AVX2 where the type is in use, see `Avx2`.
+        Self(unsafe { _mm256_permute4x64_pd::<0b11_01_00_10>(a.0) })
+    }
+
+    #[inline(always)]
+    fn first(a: Self) -> Self {
+        // SAFETY: the processor has AVX2 where the type is in use, see `Avx2`.
+        Self(unsafe { _mm256_broadcastsd_pd(_mm256_castpd256_pd128(a.0)) })
+    }
+
+    #[inline(always)]
+    fn neighbours(a: Self) -> Self {
+        // SAFETY: the processor has AVX2 where the type is in use, see `Avx2`.
+        Self(unsafe { _mm256_permute_pd::<0b0101>(a.0) })
+    }
+
+    #[inline(always)]
+    fn halves(a: Self) -> Self {
+        // SAFETY: the processor has AVX2 where the type is in use, see `Avx2`.
+        Self(unsafe { _mm256_permute2f128_pd::<1>(a.0, a.0) })
+    }
 }

@@ -123,7 +123,8 @@ pub trait LaneTask {
 /// # Soundness
 /// The types of the last two rows have no name outside of this crate, and no function, conversion
 /// or trait of a type with a name mentions them. Safe code can reach them in one way, as the `T` of
-/// [`LaneTask::run`], and this function calls that only once the processor is known to have the
+/// [`LaneTask::run`] or [`FourLanesTask::run`](super::FourLanesTask::run), and this function and
+/// [`dispatch_four`](super::dispatch_four()) call those only once the processor is known to have the
 /// instructions; what it has then, it has as long as the program runs, in every thread.
 ///
 /// # Errors

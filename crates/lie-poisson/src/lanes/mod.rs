@@ -1,13 +1,15 @@
 //! Several `f64` at once: an ensemble by changing the scalar.
 //!
 //! [`Lanes`] is what a computation asks of the type, [`DefaultLanes`] the type for code that knows
-//! nothing of processors, [`dispatch`] the way to wider ones.
+//! nothing of processors, [`dispatch`] the way to wider ones. [`FourLanes`] hold one vector of R³.
 
 #[cfg(target_arch = "x86_64")]
 mod avx2;
 #[cfg(target_arch = "x86_64")]
 mod avx512;
 mod dispatch;
+mod dispatch_four;
+mod four;
 #[cfg(target_arch = "x86_64")]
 mod intrinsics;
 mod packed;
@@ -20,6 +22,8 @@ mod single;
 mod sse2;
 
 pub use dispatch::{InstructionSet, LaneTask, MissingInstructions, Width, dispatch};
+pub use dispatch_four::{FourLanesTask, dispatch_four};
+pub use four::FourLanes;
 
 use crate::Real;
 

@@ -14,7 +14,7 @@ use num_traits::{Num, One, Zero};
 /// No conversion mentions this type together with one that other crates can name: inference must
 /// not lead them to a type that the processor may lack, see [`dispatch`](super::dispatch()).
 #[derive(Clone, Copy)]
-pub struct Packed<R: Register>(R);
+pub struct Packed<R: Register>(pub(super) R);
 
 macro_rules! operators {
     ($($trait:ident $method:ident $assign:ident $assign_method:ident $of_registers:ident;)*) => {$(
