@@ -1,7 +1,7 @@
 //! Makes steps of one kernel, for `benches/instructions` to count its instructions:
 //!
 //! ```text
-//! cargo run --release -p heavytop --example steps -- KERNEL (avx2 | portable) STEPS
+//! cargo run --release -p heavytop --example steps -- KERNEL (avx2 | avx512 | portable) STEPS
 //! ```
 
 use collective_integrators::{
@@ -56,10 +56,11 @@ where
 fn main() -> Result<(), Box<dyn Error>> {
     let arguments: Vec<_> = std::env::args().skip(1).collect();
     let [kernel, set, steps] = arguments.as_slice() else {
-        return Err("three arguments: KERNEL (avx2 | portable) STEPS".into());
+        return Err("three arguments: KERNEL (avx2 | avx512 | portable) STEPS".into());
     };
     let set = match set.as_str() {
         "avx2" => InstructionSet::Avx2,
+        "avx512" => InstructionSet::Avx512,
         "portable" => InstructionSet::Portable,
         other => return Err(format!("no instructions called {other}").into()),
     };

@@ -1,16 +1,13 @@
 //! a of the next step, from those of the last ones.
 
-use super::components::{Components, each};
-use lie_poisson::Lanes;
+use super::vector::Vector;
+use lie_poisson::Real;
 
 /// How many steps are remembered.
 const DEPTH: usize = 10;
 
-/// The length of the ring that they are in, a power of two.
-const RING: usize = 16;
-
-/// (−1)^{k+1} binomial(n, k), k = 1, …, n, in row n − 1: the polynomial of degree n − 1 through the
-/// last n values, at the next point; the newest first.
+/// (−1)^{k+1} binomial(n, k), k = n, …, 1, at the end of row n − 1: the polynomial of degree n − 1 through the
+/// last n values, at the next point; the newest last.
 const WEIGHTS: [[f64; DEPTH]; DEPTH] = weights();
 
 const fn weights() -> [[f64; DEPTH]; DEPTH] {
@@ -20,7 +17,7 @@ const fn weights() -> [[f64; DEPTH]; DEPTH] {
         let (mut k, mut w) = (1, 1.0);
         while k <= n {
             w *= (n + 1 - k) as f64 / k as f64;
-            table[n - 1][k - 1] = if k % 2 == 1 { w } else { -w };
+            table[n - 1][DEPTH - k] = if k % 2 == 1 { w } else { -w };
             k += 1;
         }
         n += 1;
@@ -28,51 +25,57 @@ const fn weights() -> [[f64; DEPTH]; DEPTH] {
     table
 }
 
-/// The last values of a, in a ring.
+/// The last values of a, as `S` keeps them.
 #[derive(Clone, Debug)]
 pub(super) struct Extrapolation<S> {
-    ring: [Components<S>; RING],
-    /// Where the next one goes.
-    next: usize,
+    /// Each value twice, `DEPTH` apart, so that the last ones are side by side, the oldest first.
+    values: [S; 2 * DEPTH],
+    /// Where the oldest is.
+    oldest: usize,
     /// How many there are.
     known: usize,
 }
 
-impl<S: Lanes> Extrapolation<S> {
+impl<S: Copy> Extrapolation<S> {
     /// Nothing is known.
     #[inline(always)]
-    pub fn new() -> Self {
-        let zero = S::from_f64(0.0);
-        Self { ring: [[zero; 3]; RING], next: 0, known: 0 }
+    pub fn new(zero: S) -> Self {
+        Self { values: [zero; 2 * DEPTH], oldest: 0, known: 0 }
     }
 
     /// The next value, if anything is known, the newest term last, which is the one that is waited
-    /// for. `read` makes lanes to compute with from those that are stored.
+    /// for. `read` makes vectors to compute with from those that are stored.
     #[inline(always)]
-    pub fn predict<T: Lanes>(&self, read: impl Fn(S) -> T) -> Option<Components<T>> {
+    pub fn predict<V: Vector>(&self, read: impl Fn(&S) -> V) -> Option<V> {
         let weights = WEIGHTS.get(self.known.checked_sub(1)?)?;
-        let mut sum = [T::from_f64(0.0); 3];
-        let mut k = DEPTH;
-        while k > 0 {
-            let a = &self.ring[self.next.wrapping_sub(k) & (RING - 1)];
-            let w = T::from_f64(weights[k - 1]);
-            sum = each!(i => w.multiply_add(read(a[i]), sum[i]));
-            k -= 1;
+        let window = self.values.get(self.oldest..)?.first_chunk::<DEPTH>()?;
+        let number = |x| V::uniform(V::Scalar::from_f64(x));
+        let mut sum = number(0.0);
+        let mut k = 0;
+        while k < DEPTH {
+            sum = number(weights[k]).multiply_add(read(&window[k]), sum);
+            k += 1;
         }
         Some(sum)
     }
 
-    /// Remembers a value.
+    /// Remembers a value, by a function that writes it.
     #[inline(always)]
-    pub fn push(&mut self, a: Components<S>) {
-        self.ring[self.next & (RING - 1)] = a;
-        self.next = self.next.wrapping_add(1) & (RING - 1);
+    pub fn push(&mut self, write: impl Fn(&mut S)) {
+        let (first, second) = self.values.split_at_mut(DEPTH);
+        if let (Some(first), Some(second)) =
+            (first.get_mut(self.oldest), second.get_mut(self.oldest))
+        {
+            write(first);
+            write(second);
+        }
+        self.oldest = if self.oldest + 1 < DEPTH { self.oldest + 1 } else { 0 };
         self.known = if self.known < DEPTH { self.known + 1 } else { DEPTH };
     }
 
     /// The last value that was remembered.
     #[inline(always)]
-    pub fn newest(&self) -> Components<S> {
-        self.ring[self.next.wrapping_sub(1) & (RING - 1)]
+    pub fn newest(&self) -> &S {
+        &self.values[self.oldest + DEPTH - 1]
     }
 }

@@ -1,6 +1,6 @@
 //! Many tops, a lane each.
 
-use super::components::State;
+use super::components::{Components, State};
 use super::extrapolation::Extrapolation;
 use super::parameters::{Parameters, Top};
 use super::step::step;
@@ -59,16 +59,17 @@ fn advance<T: Lanes, M: Member>(
     leave: &mut dyn FnMut(usize, u64, &mut M),
 ) {
     let last = group.len() - 1;
-    let mut state = State::<T>::gather(|i| *group[i.min(last)].state());
+    let mut state = State::<Components<T>>::gather(|i| *group[i.min(last)].state());
     let mut gone = T::Mask::from_bool(false);
     let mut made = steps.start;
     while made < steps.end && !gone.all() {
         let square = |i| state.lane(i).0.1.norm_squared();
-        let parameters = Parameters::<T>::gather(|i| top(&group[i.min(last)]), square, size);
-        let mut past = Extrapolation::<T>::new();
+        let parameters =
+            Parameters::<Components<T>, T>::gather(|i| top(&group[i.min(last)]), square, size);
+        let mut past = Extrapolation::<Components<T>>::new([T::from_f64(0.0); 3]);
         let until = (made - made % CHECKPOINT).saturating_add(CHECKPOINT).min(steps.end);
         while made < until {
-            let outcome = step(&parameters, &state, past.predict(|a| a), gone);
+            let outcome = step(&parameters, &state, past.predict(|a| *a), gone);
             if !outcome.settled.or(gone).all() {
                 for (i, member) in group.iter_mut().enumerate() {
                     if !outcome.settled.or(gone).lane(i) {
@@ -78,7 +79,7 @@ fn advance<T: Lanes, M: Member>(
                 }
                 gone = gone.or(outcome.settled.not());
             }
-            past.push(outcome.a);
+            past.push(|place| *place = outcome.a);
             state = outcome.end;
             made += 1;
         }

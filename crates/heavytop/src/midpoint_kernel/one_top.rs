@@ -1,44 +1,45 @@
 //! One top, step by step, with a memory of the steps before.
 
 use super::Top;
-use super::components::{State, each};
+use super::components::State;
 use super::extrapolation::Extrapolation;
+use super::in_register::{InRegister, Stored, vector};
 use super::parameters::Parameters;
 use super::step::step;
 use collective_integrators::Step;
-use lie_poisson::{InstructionSet, LaneTask, Lanes, Mask, Se3Dual, Width, dispatch};
+use lie_poisson::{FourLanes, FourLanesTask, InstructionSet, Mask, Se3Dual, dispatch_four};
 use nalgebra::Vector3;
 
 /// What one step leaves to the next of the same size, if that starts where it ended, bit for bit.
 #[derive(Clone, Debug)]
 pub(crate) struct Memory {
-    past: Extrapolation<f64>,
-    /// The top and the step size of the parameters.
-    top: Option<(Top, f64)>,
-    parameters: Parameters<f64>,
+    past: Extrapolation<Stored>,
+    /// The numbers of the top and the step size that the parameters are of.
+    numbers: Option<[f64; 7]>,
+    parameters: Parameters<Stored, f64>,
     /// Where the last step ended.
-    end: State<f64>,
+    end: State<Stored>,
 }
 
 impl Memory {
     /// Remembers nothing.
     pub fn new() -> Self {
         Self {
-            past: Extrapolation::new(),
-            top: None,
-            parameters: Parameters::gather(|_| Top::NONE, |_| 0.0, 0.0),
-            end: State { momentum: [0.0; 3], vertical: [0.0; 3] },
+            past: Extrapolation::new([0.0; 4]),
+            numbers: None,
+            parameters: Parameters::stored(&Top::NONE, 0.0, 0.0),
+            end: State { momentum: [0.0; 4], vertical: [0.0; 4] },
         }
     }
 
     /// Forgets the steps before.
     pub fn forget(&mut self) {
-        self.top = None;
+        self.numbers = None;
     }
 
     /// a of the last step.
     pub fn newest(&self) -> Vector3<f64> {
-        self.past.newest().into()
+        vector(self.past.newest())
     }
 
     /// One step, and the number of guesses; none if a does not settle or the end is not finite.
@@ -51,38 +52,49 @@ impl Memory {
         step: f64,
         set: InstructionSet,
     ) -> Option<Step<Se3Dual>> {
-        if self.top != Some((*top, step)) || self.end.lane(0) != *mu {
-            let square = mu.0.1.norm_squared();
-            self.parameters = Parameters::gather(|_| *top, |_| square, step);
-            self.top = Some((*top, step));
-            self.end = State::gather(|_| *mu);
-            self.past = Extrapolation::new();
+        let numbers = top.numbers(step);
+        let known = self.numbers.as_ref().is_some_and(|known| same(known, &numbers));
+        if !(known && same(&self.end.numbers(), &State::of(mu).numbers())) {
+            self.parameters = Parameters::stored(top, mu.0.1.norm_squared(), step);
+            self.numbers = Some(numbers);
+            self.end = State::of(mu);
+            self.past = Extrapolation::new([0.0; 4]);
         }
-        let iterations = dispatch(OneStep(self), set, Width::Single).ok()??;
-        Some(Step { point: self.end.lane(0), iterations })
+        let iterations = dispatch_four(OneStep(self), set).ok()??;
+        Some(Step { point: self.end.point(), iterations })
     }
+}
+
+/// Whether all numbers are the same, bit for bit, without a branch for each.
+#[inline]
+fn same<const N: usize>(a: &[f64; N], b: &[f64; N]) -> bool {
+    a.iter().zip(b).fold(0, |different, (a, b)| different | (a.to_bits() ^ b.to_bits())) == 0
 }
 
 /// A step from where the last one ended. What is computed waits for that alone, not for its way
 /// through the caller.
 struct OneStep<'a>(&'a mut Memory);
 
-impl LaneTask for OneStep<'_> {
+impl FourLanesTask for OneStep<'_> {
     type Output = Option<usize>;
 
     #[inline(always)]
-    fn run<T: Lanes>(self) -> Self::Output {
+    fn run<T: FourLanes>(self) -> Self::Output {
         let Self(memory) = self;
-        let guess = memory.past.predict(T::from_f64);
-        let top = memory.parameters.splat::<T>();
-        let outcome = step(&top, &memory.end.splat(), guess, T::Mask::from_bool(false));
+        let top = memory.parameters.load::<T>();
+        let start = State {
+            momentum: InRegister::<T>::load(&memory.end.momentum),
+            vertical: InRegister::load(&memory.end.vertical),
+        };
+        let guess = memory.past.predict(InRegister::load);
+        let outcome = step(&top, &start, guess, T::Mask::from_bool(false));
         if !outcome.settled.all() {
             memory.forget();
             return None;
         }
-        memory.past.push(each!(i => outcome.a[i].lane(0)));
-        memory.end.momentum = each!(i => outcome.end.momentum[i].lane(0));
-        memory.end.vertical = each!(i => outcome.end.vertical[i].lane(0));
+        memory.past.push(|place| outcome.a.store(place));
+        outcome.end.momentum.store(&mut memory.end.momentum);
+        outcome.end.vertical.store(&mut memory.end.vertical);
         Some(outcome.guesses)
     }
 }

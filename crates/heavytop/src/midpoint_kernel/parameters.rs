@@ -1,7 +1,8 @@
 //! The parameters of tops, in lanes.
 
 use super::components::{Components, each};
-use lie_poisson::{Lanes, larger};
+use super::in_register::{InRegister, Stored};
+use lie_poisson::{FourLanes, Lanes, larger};
 use nalgebra::Vector3;
 
 /// What a step needs to know of one top, whose differential is dh = (I⁻¹Π, γ).
@@ -19,19 +20,26 @@ impl Top {
         inverse_inertia: Vector3::new(f64::NAN, f64::NAN, f64::NAN),
         force: Vector3::new(f64::NAN, f64::NAN, f64::NAN),
     };
+
+    /// The numbers of the top, and h.
+    #[inline]
+    pub fn numbers(&self, step: f64) -> [f64; 7] {
+        let (i, f) = (&self.inverse_inertia, &self.force);
+        [i.x, i.y, i.z, f.x, f.y, f.z, step]
+    }
 }
 
 /// The same in each lane, with the step size h worked in.
 #[derive(Clone, Copy, Debug)]
-pub(super) struct Parameters<T> {
+pub(super) struct Parameters<V, T> {
     /// 2 I_{i+1}/I_i
-    pub next_ratio: Components<T>,
+    pub next_ratio: V,
     /// 2 I_{i−1}/I_i
-    pub previous_ratio: Components<T>,
-    /// The diagonal of (h/8) I⁻¹.
-    pub rate: Components<T>,
+    pub previous_ratio: V,
+    /// The diagonal of (h/2) I⁻¹.
+    pub rate: V,
     /// (h/4) γ
-    pub force: Components<T>,
+    pub force: V,
     /// A correction d of a guess leaves an error of at most κ|d|, with
     /// κ² = `turning_rate` |a|⁴ + `kick_rate`, what [`Guess::end`](super::guess::Guess::end) leaves
     /// out included.
@@ -41,7 +49,7 @@ pub(super) struct Parameters<T> {
     pub least_square: T,
 }
 
-impl<T: Lanes> Parameters<T> {
+impl<T: Lanes> Parameters<Components<T>, T> {
     /// Lane i is `top(i)`, with |Γ|² = `square(i)`.
     #[inline(always)]
     pub fn gather(top: impl Fn(usize) -> Top, square: impl Fn(usize) -> f64, step: f64) -> Self {
@@ -50,7 +58,7 @@ impl<T: Lanes> Parameters<T> {
         Self {
             next_ratio: each!(k => (inverse[k] + inverse[k]) / inverse[(k + 1) % 3]),
             previous_ratio: each!(k => (inverse[k] + inverse[k]) / inverse[(k + 2) % 3]),
-            rate: each!(k => inverse[k] * (0.125 * step)),
+            rate: each!(k => inverse[k] * (0.5 * step)),
             force: each!(k => T::from_lanes(|i| top(i).force[k]) * (0.25 * step)),
             turning_rate: T::from_lanes(|i| turning(&top(i))),
             kick_rate: kick * (25.0 / 32.0),
@@ -59,16 +67,30 @@ impl<T: Lanes> Parameters<T> {
     }
 }
 
-impl Parameters<f64> {
-    /// The same in every lane.
+impl Parameters<Stored, f64> {
+    /// Those of one top, with |Γ|² = `square`.
+    pub fn stored(top: &Top, square: f64, step: f64) -> Self {
+        let one = Parameters::<Components<f64>, f64>::gather(|_| *top, |_| square, step);
+        let stored = |[x, y, z]: Components<f64>| [x, y, z, 0.0];
+        Self {
+            next_ratio: stored(one.next_ratio),
+            previous_ratio: stored(one.previous_ratio),
+            rate: stored(one.rate),
+            force: stored(one.force),
+            turning_rate: one.turning_rate,
+            kick_rate: one.kick_rate,
+            least_square: one.least_square,
+        }
+    }
+
+    /// The same in a register each.
     #[inline(always)]
-    pub fn splat<T: Lanes>(&self) -> Parameters<T> {
-        let vector = |v: &Components<f64>| each!(k => T::from_f64(v[k]));
+    pub fn load<T: FourLanes>(&self) -> Parameters<InRegister<T>, T> {
         Parameters {
-            next_ratio: vector(&self.next_ratio),
-            previous_ratio: vector(&self.previous_ratio),
-            rate: vector(&self.rate),
-            force: vector(&self.force),
+            next_ratio: InRegister::load(&self.next_ratio),
+            previous_ratio: InRegister::load(&self.previous_ratio),
+            rate: InRegister::load(&self.rate),
+            force: InRegister::load(&self.force),
             turning_rate: T::from_f64(self.turning_rate),
             kick_rate: T::from_f64(self.kick_rate),
             least_square: T::from_f64(self.least_square),

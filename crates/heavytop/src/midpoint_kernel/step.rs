@@ -1,21 +1,22 @@
 //! One step of a group of tops, a lane each.
 
-use super::components::{Components, State, each};
+use super::components::State;
 use super::guess::Guess;
 use super::parameters::Parameters;
-use lie_poisson::{Lanes, Mask};
+use super::vector::{MaskOf, Vector};
+use lie_poisson::{Mask, Real};
 
 /// Guesses after which a lane counts as not settled.
 const GUESSES: usize = 40;
 
 /// What a step came to.
-pub(super) struct Outcome<T: Lanes> {
+pub(super) struct Outcome<V: Vector> {
     /// (Π₁, Γ₁), in the lanes that settled.
-    pub end: State<T>,
+    pub end: State<V>,
     /// a
-    pub a: Components<T>,
+    pub a: V,
     /// Where a settled and the end is finite; elsewhere there is no result.
-    pub settled: T::Mask,
+    pub settled: MaskOf<V>,
     /// How many guesses it took, the extrapolated one included.
     pub guesses: usize,
 }
@@ -26,17 +27,18 @@ pub(super) struct Outcome<T: Lanes> {
 /// everything computed from that is the same again, bit for bit. Lanes in which `given_up` is true
 /// are not waited for.
 #[inline(always)]
-pub(super) fn step<T: Lanes>(
-    top: &Parameters<T>,
-    start: &State<T>,
-    guess: Option<Components<T>>,
-    given_up: T::Mask,
-) -> Outcome<T> {
+pub(super) fn step<V: Vector>(
+    top: &Parameters<V, V::Scalar>,
+    start: &State<V>,
+    guess: Option<V>,
+    given_up: MaskOf<V>,
+) -> Outcome<V> {
+    let number = V::Scalar::from_f64;
     let mut a = match guess {
         Some(a) => a,
-        None => each!(i => (top.rate[i] + top.rate[i]) * start.momentum[i]),
+        None => top.rate.times(V::uniform(number(0.5))).times(start.momentum),
     };
-    let mut previous = T::from_f64(f64::INFINITY);
+    let mut previous = number(f64::INFINITY);
     let mut guesses = 1;
     loop {
         let guess = Guess::new(top, start, a);
@@ -44,21 +46,14 @@ pub(super) fn step<T: Lanes>(
         if !settled.or(given_up).all() {
             settled = settled.or(guess.stalled(top, previous));
             if guesses < GUESSES && !settled.or(given_up).all() {
-                let change = guess.change();
-                previous = T::select(settled, previous, change);
-                a = keep(settled, &a, &guess.corrected());
+                previous = V::Scalar::select(settled, previous, guess.change());
+                a = V::select(settled, a, guess.corrected());
                 guesses += 1;
                 continue;
             }
         }
         let end = guess.end(start);
-        let settled = settled.and(end.square().at_most(T::from_f64(f64::MAX)));
+        let settled = settled.and(end.square().at_most(number(f64::MAX)));
         return Outcome { end, a: guess.corrected(), settled, guesses };
     }
-}
-
-/// `kept` where the mask is true, `new` elsewhere.
-#[inline(always)]
-fn keep<T: Lanes>(mask: T::Mask, kept: &Components<T>, new: &Components<T>) -> Components<T> {
-    each!(i => T::select(mask, kept[i], new[i]))
 }
