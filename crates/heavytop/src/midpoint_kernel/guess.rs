@@ -25,16 +25,16 @@ struct HalfTurn<V: Vector> {
 }
 
 impl<V: Vector> HalfTurn<V> {
-    /// R_a − 1 = 2n (a aᵀ − |a|² − [a]×), where [a]× v = a×v.
+    /// R_a − 1 = 2n (a aᵀ − |a|² − [a]×), where [a]× v = a×v. What n multiplies need not wait for
+    /// the division.
     #[inline(always)]
     fn new(a: V, turned: Turned<V>, square: V::Scalar) -> Self {
         let scale = V::Scalar::from_f64(2.0) / (square + 1.0);
         let twice = V::uniform(scale);
-        let (axis, other) = (twice.times(a), turned.scaled(twice));
         Self {
-            diagonal: axis.multiply_subtract(a, V::uniform(scale * square)),
-            next: axis.multiply_add(turned.next, other.previous),
-            previous: axis.multiply_subtract(turned.previous, other.next),
+            diagonal: twice.times(a.multiply_subtract(a, V::uniform(square))),
+            next: twice.times(a.multiply_add(turned.next, turned.previous)),
+            previous: twice.times(a.multiply_subtract(turned.previous, turned.next)),
             scale,
         }
     }

@@ -52,12 +52,6 @@ impl<V: Vector> Turned<V> {
     pub fn new(v: V) -> Self {
         Self { next: v.next(), previous: v.previous() }
     }
-
-    /// s v
-    #[inline(always)]
-    pub fn scaled(self, s: V) -> Self {
-        Self { next: s.times(self.next), previous: s.times(self.previous) }
-    }
 }
 
 /// x + u×v
