@@ -166,6 +166,8 @@ same_bits_at_every_width! {
     // For a HeavyTop this integrator has a kernel over f64.
     reduced_steps: ReducedMidpoint<Automatic<Body>> =
         ReducedMidpoint::new(Automatic(Body)), 0.05, CHECKPOINT + 30, true;
+    large_reduced_steps: ReducedMidpoint<Automatic<Body>> =
+        ReducedMidpoint::new(Automatic(Body)), 1.5, 20, true;
 }
 
 /// A top by its formula.

@@ -121,19 +121,26 @@ fn large_steps_are_not_misled() {
 fn a_wrong_memory_costs_iterations_and_no_digits() {
     let slow = from_fn(|z: &Vector2<f64>| Vector2::new(z.y, -z.x));
     let fast = from_fn(|z: &Vector2<f64>| Vector2::new(-3.0 * z.y + 0.1, z.x * z.x));
-    for (s, other) in [(1, 2), (2, 3), (4, 4), (8, 1)] {
+    // Of those in the second line equally many stage derivatives are remembered.
+    let methods =
+        [(1, 2), (2, 3), (4, 4), (8, 1), (4, 2), (2, 4), (6, 3), (3, 6), (10, 1), (1, 10)];
+    let histories = (0..12).flat_map(|before| [0.0, 1e-14, 1.0].map(|kick| (before, kick)));
+    for ((s, other), (before, kick)) in
+        methods.iter().flat_map(|pair| histories.clone().map(move |history| (*pair, history)))
+    {
         let (a, b) = (RungeKutta::gauss(s).unwrap(), RungeKutta::gauss(other).unwrap());
         let (slow, fast) = (Direct::new(b, slow), Direct::new(a, fast));
-        for kick in [0.0, 1e-14, 1.0] {
-            let mut workspace = slow.workspace();
-            let mut z = Vector2::new(1.0, 0.5);
-            for _ in 0..10 {
-                z = slow.step(&z, 0.1, &mut workspace).unwrap().point;
-            }
-            z.x += kick;
+        let mut workspace = slow.workspace();
+        let mut z = Vector2::new(1.0, 0.5);
+        for _ in 0..before {
+            z = slow.step(&z, 0.1, &mut workspace).unwrap().point;
+        }
+        z.x += kick;
+        for _ in 0..3 {
             let step = fast.step(&z, 0.1, &mut workspace).unwrap().point;
             let fresh = fast.step(&z, 0.1, &mut fast.workspace()).unwrap().point;
-            assert!((step - fresh).amax() < 4.0 * f64::EPSILON, "{s} {kick}");
+            assert!((step - fresh).amax() < 8.0 * f64::EPSILON, "{s} {other} {before} {kick}");
+            z = step;
         }
     }
 }

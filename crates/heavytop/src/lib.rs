@@ -98,7 +98,7 @@ pub use lagrange_nutation::LagrangeNutation;
 pub use midpoint_ensemble::MidpointSweep;
 pub use nutation::Nutation;
 pub use point_vortices::{PointVortices, SpinSpace, Spins};
-pub use reduced_midpoint::{AnySpace, ReducedMidpoint, ReducedMidpointSpace};
+pub use reduced_midpoint::{ReducedMidpoint, ReducedMidpointSpace, VelocitySpace};
 pub use rigid_body::RigidBody;
 pub use rotor_splitting::RotorSplitting;
 pub use section::{Section, Surface};

@@ -1,7 +1,7 @@
 //! The collective midpoint rule for many tops at once.
 
 use crate::midpoint_kernel::{ManyTops, Member, Top};
-use crate::reduced_midpoint::{AnySpace, top_of};
+use crate::reduced_midpoint::{VelocitySpace, top_of};
 use crate::{HeavyTop, HeavyTopSpace, ReducedMidpoint};
 use collective_integrators::{BatchIntegrator, CHECKPOINT, IntegrationError};
 use core::marker::PhantomData;
@@ -37,10 +37,10 @@ impl<H: Hamiltonian<HeavyTopSpace> + Sync> BatchIntegrator for ReducedMidpoint<H
     type Member = Se3Dual;
 
     /// That of steps of any system.
-    type Workspace = AnySpace<H>;
+    type Workspace = VelocitySpace<H>;
 
     fn workspace(&self) -> Self::Workspace {
-        self.any_space()
+        self.velocity_space()
     }
 
     fn advance(
@@ -70,7 +70,7 @@ impl<H: Hamiltonian<HeavyTopSpace>> ReducedMidpoint<H> {
         state: &mut Se3Dual,
         step: f64,
         steps: Range<u64>,
-        space: &mut AnySpace<H>,
+        space: &mut VelocitySpace<H>,
     ) -> Result<(), IntegrationError> {
         space.forget();
         for made in steps {
@@ -154,7 +154,7 @@ impl<H: Hamiltonian<HeavyTopSpace> + Copy + Send + Sync> BatchIntegrator for Mid
         let until = steps.end;
         let left = &mut |i: usize, made: u64, (top, state): &mut (H, Se3Dual)| {
             let midpoint = ReducedMidpoint::new(*top);
-            let mut space = midpoint.any_space();
+            let mut space = midpoint.velocity_space();
             if let Err(failure) = midpoint.go_on(state, step, made..until, &mut space) {
                 failed(i, failure);
             }

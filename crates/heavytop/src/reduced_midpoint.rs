@@ -34,7 +34,7 @@ type Velocity<T> = Pair<Vector3<T>, Vector3<T>>;
 /// # Tops
 /// Over `f64`, and where dh = (I⁻¹Π, γ) with a diagonal I⁻¹ and a constant γ
 /// ([`Hamiltonian::affine_differential`]), as for the [`HeavyTop`](crate::HeavyTop), formulas of
-/// their own solve for a, the only unknown, to the same round-off about ten times faster. They
+/// their own solve for a, the only unknown, to the same round-off, several times faster. They
 /// extrapolate a from the last ten steps, if a step has their size and starts where they ended, bit
 /// for bit; and they use the widest [instructions](InstructionSet) of the processor, on which the
 /// rounding depends. As a [`BatchIntegrator`](collective_integrators::BatchIntegrator) it carries many
@@ -123,12 +123,12 @@ impl<H> ReducedMidpoint<H> {
     }
 
     /// The storage for steps of any system.
-    pub(crate) fn any_space<T: Real>(&self) -> AnySpace<H, T>
+    pub(crate) fn velocity_space<T: Real>(&self) -> VelocitySpace<H, T>
     where
         H: Hamiltonian<HeavyTopSpace, T>,
     {
         let velocities = StageMemory::new(&MIDPOINT);
-        AnySpace { velocities, newton: Integrator::<T>::workspace(&self.lift_free) }
+        VelocitySpace { velocities, newton: Integrator::<T>::workspace(&self.lift_free) }
     }
 
     /// One step of any system, and a = (h/4) Ω̄.
@@ -137,7 +137,7 @@ impl<H> ReducedMidpoint<H> {
         &self,
         mu: &Se3Dual<T>,
         step: f64,
-        space: &mut AnySpace<H, T>,
+        space: &mut VelocitySpace<H, T>,
     ) -> Result<(Step<Se3Dual<T>>, Vector3<T>), StepError>
     where
         H: Hamiltonian<HeavyTopSpace, T>,
@@ -147,20 +147,38 @@ impl<H> ReducedMidpoint<H> {
         let solve = |_, velocity: &[Velocity<T>]| {
             self.hamiltonian().differential(&middle(mu, &velocity[0], step))
         };
-        match space.velocities.solve(&self.solver, &mu.0, step, &mut velocity, first, solve) {
-            Ok(iterations) => {
-                let next = Step { point: end(mu, &velocity[0], step), iterations }.finite()?;
-                space.velocities.end_at(&next.point.0);
-                Ok((next, velocity[0].0 * T::from_f64(0.25 * step)))
+        let solved = space.velocities.solve(&self.solver, &mu.0, step, &mut velocity, first, solve);
+        let [velocity] = velocity;
+        let found = end(mu, &velocity, step);
+        let a = velocity.0 * T::from_f64(0.25 * step);
+        let (next, a) = match solved {
+            Ok(iterations) => (Step { point: found, iterations }.finite()?, a),
+            Err(unsettled) if self.solver.newton => {
+                let (next, newton) = self.step_by_newton(mu, step, &mut space.newton)?;
+                let settled = unsettled.settled;
+                let point = Vector::select(settled, &found, &next.point);
+                (Step { point, ..next }.finite()?, Vector::select(settled, &a, &newton))
             }
-            Err(_) if self.solver.newton => {
-                Integrator::<T>::forget(&self.lift_free, &mut space.newton);
-                let (next, turn) = self.lift_free.turn(mu, step, &mut space.newton)?;
-                // the quaternion of R_a R_a is (1 − |a|² − 2a)/(1 + |a|²)
-                Ok((next, turn.vector * (-T::one() / (turn.scalar + 1.0))))
-            }
-            Err(failure) => Err(failure),
-        }
+            Err(unsettled) => return Err(unsettled.into()),
+        };
+        space.velocities.end_at(&next.point.0);
+        Ok((next, a))
+    }
+
+    /// One step by Newton's iteration for the multiplier, and a.
+    fn step_by_newton<T: Real>(
+        &self,
+        mu: &Se3Dual<T>,
+        step: f64,
+        newton: &mut NewtonSpace<H, T>,
+    ) -> Result<(Step<Se3Dual<T>>, Vector3<T>), StepError>
+    where
+        H: Hamiltonian<HeavyTopSpace, T>,
+    {
+        Integrator::<T>::forget(&self.lift_free, newton);
+        let (next, turn) = self.lift_free.turn(mu, step, newton)?;
+        // the quaternion of R_a R_a is (1 − |a|² − 2a)/(1 + |a|²)
+        Ok((next, turn.vector * (-T::one() / (turn.scalar + 1.0))))
     }
 
     /// One step of a top, and a; none if h or `T` is another or a does not settle.
@@ -185,19 +203,19 @@ impl<H> ReducedMidpoint<H> {
 pub struct ReducedMidpointSpace<H: Hamiltonian<HeavyTopSpace, T>, T: Real = f64> {
     /// The last steps of a top.
     memory: Memory,
-    any: AnySpace<H, T>,
+    any: VelocitySpace<H, T>,
 }
 
 /// The storage of a step of any system by [`ReducedMidpoint`].
 #[derive(Debug)]
-pub struct AnySpace<H: Hamiltonian<HeavyTopSpace, T>, T: Real = f64> {
+pub struct VelocitySpace<H: Hamiltonian<HeavyTopSpace, T>, T: Real = f64> {
     /// (Ω̄, γ̄) of the last steps.
     velocities: StageMemory<Velocity<T>>,
     /// The storage of Newton's iteration.
     newton: NewtonSpace<H, T>,
 }
 
-impl<H: Hamiltonian<HeavyTopSpace, T>, T: Real> AnySpace<H, T> {
+impl<H: Hamiltonian<HeavyTopSpace, T>, T: Real> VelocitySpace<H, T> {
     /// Forgets the steps before.
     #[inline]
     pub(crate) fn forget(&mut self) {
@@ -271,7 +289,7 @@ where
     type Workspace = ReducedMidpointSpace<H, T>;
 
     fn workspace(&self) -> Self::Workspace {
-        ReducedMidpointSpace { memory: Memory::new(), any: self.any_space() }
+        ReducedMidpointSpace { memory: Memory::new(), any: self.velocity_space() }
     }
 
     #[inline]

@@ -121,6 +121,7 @@ pub(crate) const STUMPFF: [StumpffPolynomials; 5] = [
 ];
 
 #[cfg(test)]
+#[allow(clippy::unwrap_used)]
 mod tests {
     use super::*;
     use lie_poisson::Real;
@@ -172,11 +173,12 @@ mod tests {
 
     #[test]
     fn cosine_and_sine_stay_on_the_unit_circle() {
-        for polynomials in &STUMPFF[1..] {
-            // 1000 points, each with a few roundings of 1e-16 at random.
-            assert!(stretching(polynomials).abs() < 2e-17);
+        for polynomials in &STUMPFF {
+            // 1000 points, each with a few roundings of 1e-16 at random; and the coefficients of the
+            // longest, which count for more where x is 2, are rounded to 1.2e-17 in the mean.
+            assert!(stretching(polynomials).abs() < 3e-17, "{:e}", stretching(polynomials));
             // Negative control: without the last coefficient they do not.
-            let [shorter @ .., _] = polynomials.first else { continue };
+            let (_, shorter) = polynomials.first.split_last().unwrap();
             let shorter = StumpffPolynomials { first: shorter, ..*polynomials };
             assert!(stretching(&shorter).abs() > 1e-16);
         }

@@ -139,7 +139,7 @@ impl<T: Lanes> Parameters<T> {
     }
 }
 
-/// v turned about e₃ to the right.
+/// v turned about e₃ by the angle with this cosine and sine.
 #[inline(always)]
 fn turn<T: Lanes>(v: &[T; 3], cosine: T, sine: T) -> [T; 3] {
     [cosine.multiply_subtract(v[0], sine * v[1]), sine.multiply_add(v[0], cosine * v[1]), v[2]]

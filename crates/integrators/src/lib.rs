@@ -6,7 +6,7 @@
 //! |---|---|
 //! | vector fields ż = X(z) | [`VectorField`], [`HamiltonianField`], [`from_fn`] |
 //! | Runge–Kutta coefficients and their properties | [`Tableau`] |
-//! | stage equations, guessed from the steps before and solved | [`StageSolver`], [`StageMemory`] |
+//! | stage equations, guessed from the steps before and solved | [`StageSolver`], [`StageMemory`], [`Unsettled`] |
 //! | one-step methods, and which of them descend | [`Scheme`], [`Equivariant`], [`RungeKutta`] |
 //! | partitioned methods, which do not descend | [`Polarisation`], [`PartitionedRungeKutta`] |
 //! | integrators on 𝔤∗ | [`Integrator`], [`Start`], [`Collective`], [`Direct`], [`LiftFree`] |
@@ -103,7 +103,7 @@ pub use scheme::{Equivariant, Increment, Scheme, Step};
 pub use spherical_midpoint::SphericalMidpoint;
 pub use splitting::{ExactFlows, Splitting};
 pub use stage_memory::StageMemory;
-pub use stage_solver::StageSolver;
+pub use stage_solver::{StageSolver, Unsettled};
 pub use substeps::Substeps;
 pub use tableau::Tableau;
 pub use tao::TaoFlows;

@@ -18,6 +18,8 @@ pub(crate) struct Memory<V: Vector> {
     /// as are needed, so that they are moved to the front only now and then.
     past: Vec<V>,
     newest: usize,
+    /// Of each step.
+    stages: usize,
     /// How many steps are remembered, lane by lane; and the most in any lane.
     steps: V::Scalar,
     most: usize,
@@ -31,9 +33,16 @@ pub(crate) struct Memory<V: Vector> {
 impl<V: Vector> Memory<V> {
     /// Empty, with room for what a predictor needs.
     pub(crate) fn new(predictor: &Predictor) -> Self {
-        let past = vec![V::zero(); 2 * predictor.capacity()];
-        let steps = V::Scalar::from_f64(0.0);
-        Self { past, newest: 0, steps, most: 0, size: 0.0, end: V::zero(), pace: unknown() }
+        Self {
+            past: vec![V::zero(); 2 * predictor.capacity()],
+            newest: 0,
+            stages: predictor.stages,
+            steps: V::Scalar::from_f64(0.0),
+            most: 0,
+            size: 0.0,
+            end: V::zero(),
+            pace: unknown(),
+        }
     }
 
     /// Forgets everything.
@@ -91,8 +100,10 @@ impl<V: Vector> Memory<V> {
     /// from another method.
     #[inline]
     fn keep_where(&mut self, z: &V, size: f64, predictor: &Predictor) {
-        if self.past.len() != 2 * predictor.capacity() {
-            self.past.resize(2 * predictor.capacity(), V::zero());
+        let room = 2 * predictor.capacity();
+        if self.past.len() != room || self.stages != predictor.stages {
+            self.past.resize(room, V::zero());
+            self.stages = predictor.stages;
             self.forget();
         }
         if self.size != size {

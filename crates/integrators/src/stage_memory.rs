@@ -2,8 +2,9 @@
 
 use crate::memory::Memory;
 use crate::predictor::Predictor;
-use crate::{StageSolver, StepError, from_fn};
-use lie_poisson::Vector;
+use crate::settling::unknown;
+use crate::{StageSolver, Unsettled, from_fn};
+use lie_poisson::{Mask, Real, Vector};
 
 /// What an integrator with stage equations k_i = f_i(k) of its own remembers of the last steps: the
 /// next one of equal size begins its iteration with the polynomial through their k, as
@@ -48,11 +49,12 @@ impl<V: Vector> StageMemory<V> {
 
     /// Solves k_i = `stage`(i, k) as [`StageSolver::solve`] does, for a step of the given size from z:
     /// from a guess, if z is where the last step ended; else, or where that fails, from k_i =
-    /// `first`(). Without a panic, whatever the length of `k`; another one than that of the nodes is
-    /// solved without a guess. Returns the number of iterations.
+    /// `first`(). Another number of stages than that of the nodes is solved without a guess, and nothing
+    /// is remembered of it. Returns the number of iterations.
     ///
     /// # Errors
-    /// [`StepError::NotConverged`] if the iteration blows up or does not settle, in some lane.
+    /// If the iteration blows up or does not settle, in some lane: those in which it settled hold
+    /// their k, and remember it. `?` makes a [`StepError`](crate::StepError) of it.
     #[inline]
     pub fn solve(
         &mut self,
@@ -62,14 +64,16 @@ impl<V: Vector> StageMemory<V> {
         k: &mut [V],
         first: impl Fn() -> V,
         stage: impl Fn(usize, &[V]) -> V,
-    ) -> Result<usize, StepError> {
+    ) -> Result<usize, Unsettled<<V::Scalar as Real>::Mask>> {
+        let mut stage = |i: usize, k: &[V], _| stage(i, k);
         if k.len() != self.predictor.stages {
-            return solver.solve(first(), step, k, stage);
+            self.memory.forget();
+            k.fill(first());
+            let none = Mask::from_bool(false);
+            return solver.solve_from(none, step, k, &mut unknown(), &mut stage);
         }
         let field = from_fn(|_: &V| first());
-        self.memory
-            .solve(&self.predictor, solver, &field, (z, step), k, |i, k, _| stage(i, k))
-            .map_err(|unsettled| unsettled.error)
+        self.memory.solve(&self.predictor, solver, &field, (z, step), k, stage)
     }
 
     /// Where the step that was solved last has ended.

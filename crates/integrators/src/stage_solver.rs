@@ -24,8 +24,8 @@ const NEWTON_ITERATIONS: usize = 50;
 /// ([`VectorField::derivative`](crate::VectorField::derivative)).
 ///
 /// To the round-off floor means: until nothing changes, the change that comes next is expected below a
-/// thirty-second of a rounding from the ratios of those before, or the changes no longer shrink at the size of
-/// round-off. The low parts of coefficients enter once k is within √ε.
+/// thirty-second of a rounding from the ratios of those before, in the step before it too, or the changes no
+/// longer shrink at the size of round-off. The low parts of coefficients enter once k is within √ε.
 ///
 /// Source of the last rule: Hairer, McLachlan & Razakarivony, *Achieving Brouwer's law with
 /// implicit Runge–Kutta methods*, BIT 48 (2008), §2.
@@ -47,13 +47,21 @@ impl Default for StageSolver {
 }
 
 /// An iteration that has not settled in every lane.
-pub(crate) struct Unsettled<M> {
+#[derive(Clone, Copy, Debug)]
+pub struct Unsettled<M> {
     /// Where it has.
-    pub(crate) settled: M,
+    pub settled: M,
     /// The iterations made.
-    pub(crate) iterations: usize,
+    pub iterations: usize,
     /// What the other lanes are left with.
-    pub(crate) error: StepError,
+    pub error: StepError,
+}
+
+/// As if it had settled nowhere.
+impl<M> From<Unsettled<M>> for StepError {
+    fn from(unsettled: Unsettled<M>) -> Self {
+        unsettled.error
+    }
 }
 
 /// The lanes of the scalar of a vector.
@@ -141,7 +149,9 @@ impl StageSolver {
             let ended = settled.or(lost);
             (change, size) = advance(ended, near);
             let accepted = (change * length).at_most(T::from_f64(self.tolerance));
-            let now = watch.settled(change, size).or(accepted);
+            // Else the low parts of the coefficients are missing; they do not show in a k that stays.
+            let whole = close.or(change.at_most(T::zero()));
+            let now = watch.settled(change, size).and(whole).or(accepted);
             *pace = keep(ended, *pace, watch.ratios());
             settled = settled.or(now.and(lost.not()));
             if settled.all() {

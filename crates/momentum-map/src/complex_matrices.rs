@@ -60,9 +60,10 @@ impl<const N: usize> Multipliers for ComplexMatrices<N> {
         q * b
     }
 
-    /// B∗, of unitary B.
+    /// B∗(2 − BB∗), which is B∗ for unitary B, and else the inverse to the second order of 1 − BB∗.
     #[inline]
     fn inverse<T: Real>(&self, b: &SMatrix<Complex<T>, N, N>) -> Option<SMatrix<Complex<T>, N, N>> {
-        Some(b.transpose().map(|z| z.conj()))
+        let adjoint = b.transpose().map(|z| z.conj());
+        Some(adjoint + adjoint * (SMatrix::identity() - b * adjoint))
     }
 }

@@ -1,4 +1,4 @@
-//! The parameters of tops, in lanes.
+//! The parameters of tops, of one in registers or of many in lanes.
 
 use super::components::{Components, each};
 use super::in_register::{InRegister, Stored};
@@ -29,7 +29,7 @@ impl Top {
     }
 }
 
-/// The same in each lane, with the step size h worked in.
+/// The same with the step size h worked in.
 #[derive(Clone, Copy, Debug)]
 pub(super) struct Parameters<V, T> {
     /// 2 I_{i+1}/I_i

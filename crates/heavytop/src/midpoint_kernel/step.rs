@@ -1,4 +1,4 @@
-//! One step of a group of tops, a lane each.
+//! One step of one top in registers, or of a group of tops, a lane each.
 
 use super::components::State;
 use super::guess::Guess;

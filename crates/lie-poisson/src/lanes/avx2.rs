@@ -17,7 +17,8 @@ use core::arch::x86_64::{
 ///
 /// What makes the `unsafe` blocks of this type sound: other crates cannot name this type, and this
 /// crate hands it out in [`dispatch`](super::dispatch()) and
-/// [`dispatch_four`](super::dispatch_four()) alone, once the processor was found to have AVX2 and FMA. Where a function of this type runs, the instructions are there.
+/// [`dispatch_four`](super::dispatch_four()) alone, once the processor was found to have AVX2 and
+/// FMA. Where a function of this type runs, the instructions are there.
 #[derive(Clone, Copy)]
 pub struct Avx2(__m256d);
 
