@@ -106,8 +106,10 @@ impl<D: FnMut(Run)> Contest<'_, D> {
 fn one_top(contest: &mut Contest<'_, impl FnMut(Run)>) -> Result<(), Error> {
     let top = contest.problem.top;
     for (stages, step) in [
+        (8, 0.4),
         (8, 1.0 / 3.0),
         (8, 0.3125),
+        (8, 10.0 / 33.0),
         (8, 2.0 / 7.0),
         (8, 0.25),
         (8, 0.2),
