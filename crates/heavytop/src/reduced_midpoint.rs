@@ -73,9 +73,6 @@ pub struct ReducedMidpoint<H> {
 /// A fixed-point iteration long enough for every step for which it converges at all fast.
 const FIXED_POINT: StageSolver = StageSolver { tolerance: 0.0, max_iterations: 200, newton: true };
 
-/// The time of the one stage, in steps.
-const MIDPOINT: [f64; 1] = [0.5];
-
 impl<H> ReducedMidpoint<H> {
     /// The rule for h, solved to the round-off floor.
     pub fn new(hamiltonian: H) -> Self {
@@ -127,7 +124,7 @@ impl<H> ReducedMidpoint<H> {
     where
         H: Hamiltonian<HeavyTopSpace, T>,
     {
-        let velocities = StageMemory::new(&MIDPOINT);
+        let velocities = StageMemory::new(self.lift_free.scheme().tableau().nodes());
         VelocitySpace { velocities, newton: Integrator::<T>::workspace(&self.lift_free) }
     }
 

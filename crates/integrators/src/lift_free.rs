@@ -174,7 +174,9 @@ impl<S: Equivariant, M: Multipliers, H> LiftFree<S, M, H> {
         let next = make(&field, &one, storage)?;
         let change = self.change::<T>(&next.point, mu);
         self.scheme.continue_from(storage, &one);
-        *course = frame.map(|(moved, _)| Course {
+        // Explicit methods make no iterations, and guess nothing.
+        let guesses = next.iterations > 0;
+        *course = frame.filter(|_| guesses).map(|(moved, _)| Course {
             end: *mu + change,
             moved: self.multipliers.product::<T>(&next.point, &moved),
             steps: steps + 1,

@@ -90,20 +90,33 @@ impl<V: Vector> StageMemory<V> {
 }
 
 #[cfg(test)]
+#[allow(clippy::unwrap_used)]
 mod tests {
     use super::*;
     use nalgebra::Vector1;
 
+    /// k = (k + z)/2 at every stage, of which the last k is the solution.
     #[test]
-    fn other_numbers_of_stages_are_solved_without_a_guess() {
-        let mut memory = StageMemory::new(&[0.25, 0.75]);
-        for stages in [0, 1, 2, 3, 2] {
+    fn other_numbers_of_stages_are_solved_without_a_guess_and_forgotten() {
+        let (mut memory, z) = (StageMemory::new(&[0.25, 0.75]), Vector1::new(1.0));
+        let mut sweeps = |stages: usize| {
             let mut k = vec![Vector1::new(0.0); stages];
-            let z = Vector1::new(1.0);
-            let solve = |i: usize, k: &[Vector1<f64>]| (k[i] + z) * 0.5;
-            let solved = memory.solve(&StageSolver::default(), &z, 0.1, &mut k, || z, solve);
-            assert!(solved.is_ok());
-            assert!(k.iter().all(|k| (k.x - 1.0).abs() < 1e-15));
+            let first = || Vector1::new(0.75);
+            let stage = |i: usize, k: &[Vector1<f64>]| (k[i] + z) * 0.5;
+            let solver = StageSolver::default();
+            let made = memory.solve(&solver, &z, 0.1, &mut k, first, stage).unwrap();
+            memory.end_at(&z);
+            // as many roundings as the ratio ½ leaves
+            assert!(k.iter().all(|k| (k.x - 1.0).abs() < 4.0 * f64::EPSILON), "{stages} {k:?}");
+            made
+        };
+        let cold = sweeps(2);
+        assert!(sweeps(2) < cold);
+        for stages in [0, 1, 3] {
+            assert!(stages == 0 || sweeps(stages) > 2);
+            assert_eq!(sweeps(stages), sweeps(stages));
+            assert_eq!(sweeps(2), cold);
+            assert!(sweeps(2) < cold);
         }
     }
 }
