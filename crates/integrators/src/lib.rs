@@ -28,6 +28,8 @@ mod tableau;
 mod order_conditions;
 mod gauss;
 mod settling;
+mod block_sizes;
+mod stage_scale;
 mod two_sum;
 mod linear_solve;
 mod dirk;

@@ -1,7 +1,9 @@
 //! What is remembered of the steps before, and the guesses from it.
 
+use crate::block_sizes::BlockSizes;
 use crate::predictor::Predictor;
-use crate::settling::{Largest, ROUND_OFF, Ratios, unknown};
+use crate::settling::{ROUND_OFF, Ratios, unknown};
+use crate::stage_scale::StageScale;
 use crate::stage_solver::{MaskOf, Unsettled, combination, fill_unless};
 use crate::{StageSolver, VectorField};
 use lie_poisson::{Mask, Real, Vector};
@@ -65,7 +67,7 @@ impl<V: Vector> Memory<V> {
         predictor: &Predictor,
         solver: &StageSolver,
         field: &F,
-        (z, size): (&V, f64),
+        (z, size, scale): (&V, f64, &StageScale<V>),
         k: &mut [V],
         mut derivative: impl FnMut(usize, &[V], MaskOf<V>) -> V,
     ) -> Result<usize, Unsettled<MaskOf<V>>> {
@@ -75,13 +77,13 @@ impl<V: Vector> Memory<V> {
             fill_unless(guessed, k, &field.at(z));
         }
         let none = MaskOf::<V>::from_bool(false);
-        let mut outcome = solver.solve_from(none, size, k, &mut self.pace, &mut derivative);
+        let mut outcome = solver.solve_from(none, scale, k, &mut self.pace, &mut derivative);
         if let Err(first) = &outcome {
             let misled = guessed.and(first.settled.not());
             if misled.any() {
                 fill_unless(misled.not(), k, &field.at(z));
                 let (done, pace) = (misled.not(), &mut unknown());
-                let second = solver.solve_from(done, size, k, pace, &mut derivative);
+                let second = solver.solve_from(done, scale, k, pace, &mut derivative);
                 outcome = retried(first, guessed, second);
             }
         }
@@ -140,7 +142,8 @@ impl<V: Vector> Memory<V> {
                 *k = if here.all() { sum } else { V::select(here, &sum, k) };
             }
             let last = &past[past.len() - predictor.stages..];
-            let modest = largest(k).at_most(largest(last) * LARGEST_GROWTH);
+            let last = BlockSizes::of(last);
+            let modest = BlockSizes::of(k).at_most(|block| last.at(block) * LARGEST_GROWTH);
             guessed = guessed.or(here.and(modest));
             tried = tried.or(here);
             if tried.all() {
@@ -214,13 +217,6 @@ fn retried<M: Mask>(
 /// Where two points are equal to round-off, in every coordinate.
 #[inline]
 pub(crate) fn near<V: Vector>(a: &V, b: &V) -> MaskOf<V> {
-    (*a - *b).max_norm().at_most(b.max_norm() * ROUND_OFF)
-}
-
-/// The largest coordinate.
-#[inline]
-fn largest<V: Vector>(k: &[V]) -> V::Scalar {
-    let mut largest = Largest::zero();
-    k.iter().for_each(|k| largest.include(k));
-    largest.value()
+    let (apart, size) = (BlockSizes::of(&[*a - *b]), BlockSizes::of(core::slice::from_ref(b)));
+    apart.at_most(|block| size.at(block) * ROUND_OFF)
 }

@@ -3,6 +3,7 @@
 use crate::memory::Memory;
 use crate::order_conditions::tree_order;
 use crate::predictor::Predictor;
+use crate::stage_scale::StageScale;
 use crate::stage_solver::MaskOf;
 use crate::tableau::COEFFICIENT_TOLERANCE;
 use crate::{
@@ -192,7 +193,14 @@ impl<P: Polarisation> Scheme for PartitionedRungeKutta<P> {
             field.at(&(*z + Self::sum(step, (self.q.row(i), self.p.row(i)), k)))
         };
         let iterations = memory
-            .solve(&self.predictor, &self.solver, field, (z, step), k, derivative)
+            .solve(
+                &self.predictor,
+                &self.solver,
+                field,
+                (z, step, &StageScale::new(z, step)),
+                k,
+                derivative,
+            )
             .map_err(|unsettled| unsettled.error)?;
         let point = Self::sum(step, (self.q.weights(), self.p.weights()), k);
         memory.end_at(&(*z + point));

@@ -5,6 +5,7 @@ use crate::memory::Memory;
 use crate::newton::{NewtonSpace, newton_step};
 use crate::predictor::Predictor;
 use crate::refinement::refine;
+use crate::stage_scale::StageScale;
 use crate::stage_solver::{MaskOf, Unsettled, combination, evenly_scaled, plus_combination};
 use crate::{
     Equivariant, Increment, Scheme, SchemeError, StageSolver, Step, StepError, Substeps, Tableau,
@@ -166,12 +167,14 @@ impl RungeKutta {
             let sum = plus_combination(small[i], after, &k[i..]);
             field.at(&(*z + plus_combination(sum, before, k).scaled(h)))
         };
-        match memory.solve(&self.predictor, &self.solver, field, (z, step), k, derivative) {
+        let scale = StageScale::new(z, step);
+        let from = (z, step, &scale);
+        match memory.solve(&self.predictor, &self.solver, field, from, k, derivative) {
             Err(Unsettled { settled, iterations, .. }) if self.solver.newton => {
                 let advance = |done: T::Mask, k: &mut [F::Point]| {
                     newton_step(field, (z, step), &self.tableau, done, k, newton)
                 };
-                let more = self.solver.newton(settled, &field.at(z), step, k, advance)?;
+                let more = self.solver.newton(settled, &field.at(z), &scale, k, advance)?;
                 Ok((iterations + more, settled))
             }
             Ok(iterations) => Ok((iterations, T::Mask::from_bool(true))),

@@ -1,6 +1,6 @@
 //! When an iteration has settled, lane by lane.
 
-use lie_poisson::{Mask, Real, Vector};
+use lie_poisson::{Mask, Real};
 
 /// A change is the last if the next one is expected below this multiple of the size of the stage
 /// derivatives, if the ratios seen go on. What is left has the same sign in every step; compensated steps,
@@ -91,34 +91,6 @@ impl<T: Real> Watch<T> {
     }
 }
 
-/// The largest coordinate of several vectors; NaN where any coordinate is.
-#[derive(Clone, Copy)]
-pub(crate) struct Largest<T> {
-    most: T,
-    /// Of all magnitudes: it keeps a NaN that the maximum loses.
-    sum: T,
-}
-
-impl<T: Real> Largest<T> {
-    pub(crate) fn zero() -> Self {
-        Self { most: T::zero(), sum: T::zero() }
-    }
-
-    #[inline]
-    pub(crate) fn include<V: Vector<Scalar = T>>(&mut self, v: &V) {
-        for i in 0..V::DIM {
-            let size = v.coordinate(i).magnitude();
-            self.most = size.maximum(self.most);
-            self.sum += size;
-        }
-    }
-
-    #[inline]
-    pub(crate) fn value(&self) -> T {
-        T::select(self.sum.at_most(self.sum), self.most, self.sum)
-    }
-}
-
 /// Where a magnitude is a finite number.
 #[inline]
 pub(crate) fn is_finite<T: Real>(magnitude: T) -> T::Mask {
@@ -127,9 +99,8 @@ pub(crate) fn is_finite<T: Real>(magnitude: T) -> T::Mask {
 
 #[cfg(test)]
 mod tests {
-    use super::{Largest, Watch, unknown};
+    use super::{Watch, unknown};
     use lie_poisson::{DefaultLanes, Lanes, Mask, Real};
-    use nalgebra::Vector2;
 
     /// The number of the first change at which an iteration settles.
     fn last(changes: impl IntoIterator<Item = f64>) -> Option<usize> {
@@ -165,20 +136,6 @@ mod tests {
         let stalls = |floor: f64| [1e9, 1.0, 1.1, 1.0, 1.1, 1.0].map(|x| x * floor);
         assert_eq!(last(stalls(3e3)), Some(5));
         assert_eq!(last(stalls(3e4)), None);
-    }
-
-    #[test]
-    fn a_nan_is_never_lost() {
-        let largest = |vectors: &[Vector2<f64>]| {
-            let mut largest = Largest::zero();
-            vectors.iter().for_each(|v| largest.include(v));
-            largest.value()
-        };
-        let (small, large) = (Vector2::new(1.0, -2.0), Vector2::new(-7.0, 0.0));
-        let nan = Vector2::new(f64::NAN, 1.0);
-        assert_eq!(largest(&[small, large]), 7.0);
-        assert!([[nan, small], [small, nan]].iter().all(|vectors| largest(vectors).is_nan()));
-        assert_eq!(largest(&[Vector2::repeat(f64::MAX), Vector2::repeat(-f64::MAX)]), f64::MAX);
     }
 
     /// Four ways to end, or not to: no change, growing at the floor, stalling, NaN.

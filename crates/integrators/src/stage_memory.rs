@@ -3,6 +3,7 @@
 use crate::memory::Memory;
 use crate::predictor::Predictor;
 use crate::settling::unknown;
+use crate::stage_scale::StageScale;
 use crate::{StageSolver, Unsettled, from_fn};
 use lie_poisson::{Mask, Real, Vector};
 
@@ -66,14 +67,15 @@ impl<V: Vector> StageMemory<V> {
         stage: impl Fn(usize, &[V]) -> V,
     ) -> Result<usize, Unsettled<<V::Scalar as Real>::Mask>> {
         let mut stage = |i: usize, k: &[V], _| stage(i, k);
+        let scale = StageScale::of_unknowns(step);
         if k.len() != self.predictor.stages {
             self.memory.forget();
             k.fill(first());
             let none = Mask::from_bool(false);
-            return solver.solve_from(none, step, k, &mut unknown(), &mut stage);
+            return solver.solve_from(none, &scale, k, &mut unknown(), &mut stage);
         }
         let field = from_fn(|_: &V| first());
-        self.memory.solve(&self.predictor, solver, &field, (z, step), k, stage)
+        self.memory.solve(&self.predictor, solver, &field, (z, step, &scale), k, stage)
     }
 
     /// Where the step that was solved last has ended.

@@ -1,7 +1,9 @@
 //! Iterations for the stage equations, to the round-off floor.
 
 use crate::StepError;
-use crate::settling::{FLOOR, Largest, Ratios, Watch, is_finite, unknown};
+use crate::block_sizes::BlockSizes;
+use crate::settling::{FLOOR, Ratios, Watch, is_finite, unknown};
+use crate::stage_scale::{Progress, StageScale};
 use lie_poisson::{Mask, Real, Vector, larger};
 
 /// Sweeps after which a fixed-point iteration that has not settled gives way to Newton's.
@@ -27,11 +29,15 @@ const NEWTON_ITERATIONS: usize = 50;
 /// thirty-second of a rounding from the ratios of those before, in the step before it too, or the changes no
 /// longer shrink at the size of round-off. The low parts of coefficients enter once k is within √ε.
 ///
+/// Sizes are compared block by block, in units of the state ([`Vector::BLOCKS`]): of (q, p) with q of size
+/// 1e-20 and p of size 1, both are found to the same number of digits.
+///
 /// Source of the last rule: Hairer, McLachlan & Razakarivony, *Achieving Brouwer's law with
 /// implicit Runge–Kutta methods*, BIT 48 (2008), §2.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct StageSolver {
-    /// Accept when h max |Δk| is at most this. 0 iterates to the round-off floor.
+    /// Accept when h |Δk| is at most this times the larger of |z| and h |k|, in each block of coordinates:
+    /// a number without a unit. 0 iterates to the round-off floor.
     pub tolerance: f64,
     /// Give up the fixed-point iteration after this many sweeps.
     pub max_iterations: usize,
@@ -70,7 +76,7 @@ pub(crate) type MaskOf<V> = <<V as Vector>::Scalar as Real>::Mask;
 impl StageSolver {
     /// Solves k_i = `derivative`(i, k) for the stages `k`, all of which start from `start`, by
     /// fixed-point iteration; returns the number of iterations. `derivative` computes X at the
-    /// i-th stage; `step` only turns changes into the residuals h |Δk| of messages and tolerance.
+    /// i-th stage. Each block of coordinates of k is held against itself; `step` does not matter.
     ///
     /// Over lanes each stops by itself, at the stages that it would have alone.
     ///
@@ -86,7 +92,8 @@ impl StageSolver {
     ) -> Result<usize, StepError> {
         k.fill(start);
         let none = MaskOf::<V>::from_bool(false);
-        self.solve_from(none, step, k, &mut unknown(), &mut |i, k: &[V], _| derivative(i, k))
+        let scale = StageScale::of_unknowns(step);
+        self.solve_from(none, &scale, k, &mut unknown(), &mut |i, k: &[V], _| derivative(i, k))
             .map_err(|unsettled| unsettled.error)
     }
 
@@ -97,13 +104,13 @@ impl StageSolver {
     pub(crate) fn solve_from<V: Vector>(
         &self,
         done: MaskOf<V>,
-        step: f64,
+        scale: &StageScale<V>,
         k: &mut [V],
         pace: &mut Ratios<V::Scalar>,
         derivative: &mut impl FnMut(usize, &[V], MaskOf<V>) -> V,
     ) -> Result<usize, Unsettled<MaskOf<V>>> {
         let advance = |done, near| sweep(done, k, |i, k| derivative(i, k, near));
-        self.iterate(self.max_iterations, done, step, pace, advance)
+        self.iterate(self.max_iterations, done, scale, pace, advance)
     }
 
     /// Newton's iteration, in the lanes that are not `done`, from k_i = `start`; `advance` makes one
@@ -117,41 +124,43 @@ impl StageSolver {
         &self,
         done: MaskOf<V>,
         start: &V,
-        step: f64,
+        scale: &StageScale<V>,
         k: &mut [V],
-        mut advance: impl FnMut(MaskOf<V>, &mut [V]) -> (V::Scalar, V::Scalar),
+        mut advance: impl FnMut(MaskOf<V>, &mut [V]) -> Progress<V>,
     ) -> Result<usize, StepError> {
         fill_unless(done, k, start);
-        self.iterate(NEWTON_ITERATIONS, done, step, &mut unknown(), |done, _| advance(done, k))
+        self.iterate(NEWTON_ITERATIONS, done, scale, &mut unknown(), |done, _| advance(done, k))
             .map_err(|unsettled| unsettled.error)
     }
 
     /// Iterates until the change settles in every lane that is not `done`, or has blown up there;
     /// `advance` is given the lanes that are to stay as they are and those that have just come
-    /// close, and returns the change and the size of the stages.
+    /// close, and returns the changes and the sizes of the stages.
     #[inline]
-    fn iterate<T: Real>(
+    fn iterate<V: Vector>(
         &self,
         most: usize,
-        done: T::Mask,
-        step: f64,
-        pace: &mut Ratios<T>,
-        mut advance: impl FnMut(T::Mask, T::Mask) -> (T, T),
-    ) -> Result<usize, Unsettled<T::Mask>> {
-        let length = step.abs();
+        done: MaskOf<V>,
+        scale: &StageScale<V>,
+        pace: &mut Ratios<V::Scalar>,
+        mut advance: impl FnMut(MaskOf<V>, MaskOf<V>) -> Progress<V>,
+    ) -> Result<usize, Unsettled<MaskOf<V>>> {
         let mut watch = Watch::new(*pace);
-        let none = T::Mask::from_bool(false);
+        let none = MaskOf::<V>::from_bool(false);
         let (mut settled, mut lost, mut near, mut close) = (done, none, none, none);
-        let (mut change, mut size) = (T::from_f64(f64::INFINITY), T::zero());
+        let mut progress = Progress::unknown();
         let mut iterations = 0;
         while iterations < most && !settled.or(lost).all() {
             iterations += 1;
             let ended = settled.or(lost);
-            (change, size) = advance(ended, near);
-            let accepted = (change * length).at_most(T::from_f64(self.tolerance));
+            progress = advance(ended, near);
+            let (change, size) = scale.compare(&progress);
             // Else the low parts of the coefficients are missing; they do not show in a k that stays.
-            let whole = close.or(change.at_most(T::zero()));
-            let now = watch.settled(change, size).and(whole).or(accepted);
+            let whole = close.or(change.at_most(V::Scalar::from_f64(0.0)));
+            let mut now = watch.settled(change, size).and(whole);
+            if self.tolerance > 0.0 {
+                now = now.or(scale.accepts(&progress, self.tolerance));
+            }
             *pace = keep(ended, *pace, watch.ratios());
             settled = settled.or(now.and(lost.not()));
             if settled.all() {
@@ -162,9 +171,10 @@ impl StageSolver {
             near = change.at_most(size * CLOSE).and(close.or(settled).or(lost).not());
             close = close.or(near);
         }
-        let worst = |x: T| T::select(settled, T::zero(), x * length).max_abs();
-        let required = larger(self.tolerance, FLOOR * worst(size));
-        let error = StepError::NotConverged { residual: worst(change), required, iterations };
+        let residual = scale.displacement(&progress, &progress.change, settled);
+        let floor = FLOOR * scale.displacement(&progress, &progress.size, settled);
+        let required = larger(self.tolerance, floor);
+        let error = StepError::NotConverged { residual, required, iterations };
         Err(Unsettled { settled, iterations, error })
     }
 }
@@ -175,22 +185,21 @@ fn keep<T: Real>(ended: T::Mask, [a, b]: Ratios<T>, [c, d]: Ratios<T>) -> Ratios
     [T::select(ended, a, c), T::select(ended, b, d)]
 }
 
-/// One sweep over all stages, in the lanes that are not `done`; returns the largest change and the
-/// largest stage derivative.
+/// One sweep over all stages, in the lanes that are not `done`.
 #[inline]
 fn sweep<V: Vector>(
     done: MaskOf<V>,
     k: &mut [V],
     mut derivative: impl FnMut(usize, &[V]) -> V,
-) -> (V::Scalar, V::Scalar) {
-    let (mut change, mut size) = (Largest::zero(), Largest::zero());
+) -> Progress<V> {
+    let mut progress = Progress { change: BlockSizes::zero(), size: BlockSizes::zero() };
     for i in 0..k.len() {
         let value = derivative(i, k);
-        change.include(&(value - k[i]));
-        size.include(&value);
+        progress.change.include(&(value - k[i]));
+        progress.size.include(&value);
         k[i] = if done.any() { V::select(done, &k[i], &value) } else { value };
     }
-    (change.value(), size.value())
+    progress
 }
 
 /// k_i = `value` in the lanes that are not `done`.

@@ -29,6 +29,12 @@ impl<V: Vector<Dual = Covector<V>>> Vector for Covector<V> {
     type Scalar = V::Scalar;
     type Dual = V;
     const DIM: usize = V::DIM;
+    const BLOCKS: usize = V::BLOCKS;
+
+    #[inline(always)]
+    fn block(i: usize) -> usize {
+        V::block(i)
+    }
 
     #[inline]
     fn from_coordinates(f: impl FnMut(usize) -> V::Scalar) -> Self {

@@ -21,6 +21,13 @@ impl<T: Real, A: Vector<Scalar = T>, B: Vector<Scalar = T>> Vector for Pair<A, B
     type Scalar = T;
     type Dual = Covector<Self>;
     const DIM: usize = A::DIM + B::DIM;
+    const BLOCKS: usize = A::BLOCKS + B::BLOCKS;
+
+    /// The blocks of v, then those of w.
+    #[inline(always)]
+    fn block(i: usize) -> usize {
+        if i < A::DIM { A::block(i) } else { A::BLOCKS + B::block(i - A::DIM) }
+    }
 
     #[inline]
     fn from_coordinates(mut f: impl FnMut(usize) -> T) -> Self {

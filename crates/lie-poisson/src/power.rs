@@ -21,6 +21,13 @@ impl<V: Vector, const N: usize> Vector for Power<V, N> {
     type Scalar = V::Scalar;
     type Dual = Covector<Self>;
     const DIM: usize = N * V::DIM;
+    const BLOCKS: usize = V::BLOCKS;
+
+    /// The same blocks for each factor: the n-th block of all of them is one.
+    #[inline(always)]
+    fn block(i: usize) -> usize {
+        if V::BLOCKS == 1 { 0 } else { V::block(i % V::DIM.max(1)) }
+    }
 
     #[inline]
     fn from_coordinates(mut f: impl FnMut(usize) -> V::Scalar) -> Self {

@@ -47,11 +47,33 @@ pub trait Vector:
     /// dim V over the reals.
     const DIM: usize;
 
+    /// The number of blocks of coordinates. Coordinates of one block have one unit and one scale;
+    /// those of different blocks, as q and p in (q, p), have nothing to be compared by. By default 1.
+    ///
+    /// Where numbers are to be told small or large, as in the convergence tests of implicit methods,
+    /// each block is held against itself, so that no result depends on units.
+    const BLOCKS: usize = 1;
+
     /// Σ f(i) eᵢ. `f` is called once for each i = 0, …, DIM−1, in this order.
     fn from_coordinates(f: impl FnMut(usize) -> Self::Scalar) -> Self;
 
     /// The i-th coordinate; zero for i ≥ DIM.
     fn coordinate(&self, i: usize) -> Self::Scalar;
+
+    /// The block of the i-th coordinate, a number below [`BLOCKS`](Self::BLOCKS).
+    ///
+    /// ```
+    /// use lie_poisson::{Covector, Pair, Vector};
+    /// use nalgebra::Vector3;
+    /// type Momentum = Covector<Pair<Vector3<f64>, Vector3<f64>>>; // (Π, Γ)
+    /// assert_eq!(Momentum::BLOCKS, 2);
+    /// assert_eq!([0, 2, 3, 5].map(Momentum::block), [0, 0, 1, 1]);
+    /// ```
+    #[must_use]
+    #[inline(always)]
+    fn block(_i: usize) -> usize {
+        0
+    }
 
     /// s v.
     #[must_use]

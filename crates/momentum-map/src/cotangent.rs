@@ -27,6 +27,13 @@ impl<Q: Vector> Vector for Cotangent<Q> {
     type Scalar = Q::Scalar;
     type Dual = Covector<Self>;
     const DIM: usize = 2 * Q::DIM;
+    const BLOCKS: usize = 2 * Q::BLOCKS;
+
+    /// The blocks of q, then those of p.
+    #[inline(always)]
+    fn block(i: usize) -> usize {
+        if i < Q::DIM { Q::block(i) } else { Q::BLOCKS + Q::block(i - Q::DIM) }
+    }
 
     #[inline]
     fn from_coordinates(mut f: impl FnMut(usize) -> Q::Scalar) -> Self {

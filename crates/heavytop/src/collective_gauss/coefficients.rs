@@ -28,6 +28,8 @@ pub(super) struct Coefficients {
     pub(super) turn: [Row; 3],
     /// 2 b_j m g l c_k
     pub(super) pull: [Row; 3],
+    /// |γ|/max 1/I_k, in units of Π²/|Γ|.
+    pub(super) reach: f64,
 }
 
 impl Coefficients {
@@ -55,6 +57,7 @@ impl Coefficients {
             guess: columns(s, guess),
             turn: from_fn(|k| weighted(0.25 * top.inverse_inertia[k])),
             pull: from_fn(|k| weighted(2.0 * top.force[k])),
+            reach: top.force.norm() / top.inverse_inertia.amax(),
         }
     }
 }

@@ -38,9 +38,10 @@ impl<const S: usize> LaneTask for Attempt<'_, S> {
         let Self { coefficients, step, start, memory } = self;
         let expected = memory.recall(start, step);
         let (last, stages) = memory.stages();
-        let sweeps = Kernel { coefficients, step, start }.solve::<T, S>(last, stages, expected)?;
+        let kernel = Kernel { coefficients, step, start, products: start.products() };
+        let sweeps = kernel.solve::<T, S>(last, stages, expected)?;
         let mut end = start.plus_sum(stages);
-        let slid = if end.has_drifted() { end.slide() } else { 0.0 };
+        let slid = if end.has_drifted(coefficients.reach) { end.slide() } else { 0.0 };
         memory.keep(&end, step, sweeps, slid);
         end.is_finite().then_some((end, sweeps))
     }
@@ -52,6 +53,8 @@ struct Kernel<'a> {
     coefficients: &'a Coefficients,
     step: f64,
     start: &'a Point,
+    /// ‖χ‖‖ψ‖ at the start.
+    products: f64,
 }
 
 impl Kernel<'_> {
@@ -152,13 +155,11 @@ impl Kernel<'_> {
         [a, b, c, d, e, f, g, h]
     }
 
-    /// The size of (h b/2) Ω, or of what ‖ψ‖² stands for where Π is smaller: ‖χ‖ may be as large
-    /// as ‖ψ‖ then, and Π is a difference of their products.
+    /// The size of (h b/2) Ω, or of the products ‖χ‖‖ψ‖ where Π, a difference of them, is smaller.
     #[inline(always)]
     fn size<T: Lanes>(self, turn: &[T; 3], block: usize) -> T {
-        let square = T::from_f64(self.start.square());
         let [a, b, c] = self.times_step::<T>(&self.coefficients.turn, block);
-        let least = (a + b + c).magnitude() * square;
+        let least = (a + b + c).magnitude() * T::from_f64(self.products);
         least + turn[0].magnitude() + turn[1].magnitude() + turn[2].magnitude()
     }
 

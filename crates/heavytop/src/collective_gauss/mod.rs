@@ -45,8 +45,8 @@ type General<H> = Compensated<Collective<RungeKutta, SpinorRealisation, H>>;
 /// round-off alone, from the polynomial through the last step's ℓ if the step continues that one:
 /// the same size, from where it ended. A step therefore depends on the one before, by round-off;
 /// [`forget`](Integrator::forget) removes that. μ_ij + μ_ji = 1 holds to the last bit, so that
-/// rounding of coefficients makes no Casimir drift. When |Re(ψ∗χ)| has grown past ‖ψ‖², χ slides
-/// back along the fibre by a power of two times ψ.
+/// rounding of coefficients makes no Casimir drift. When χ has grown along the fibre to √2 of its least, χ
+/// slides back by a power of two times ψ.
 ///
 /// Where the iteration does not settle, for large steps, the general method makes the step, by
 /// Newton's iteration if it must.

@@ -79,10 +79,26 @@ impl Point {
         (p1 * p1 + p2 * p2) + (p3 * p3 + p4 * p4)
     }
 
-    /// Whether χ has gone further than ψ along the fibre, |Re(ψ∗χ)| > ‖ψ‖².
+    /// ‖χ‖²
     #[inline(always)]
-    pub(super) fn has_drifted(&self) -> bool {
-        self.overlap().abs() > self.square()
+    fn chi_square(&self) -> f64 {
+        let [q1, q2, q3, q4, ..] = self.z.0;
+        (q1 * q1 + q2 * q2) + (q3 * q3 + q4 * q4)
+    }
+
+    /// ‖χ‖‖ψ‖, the size of the products of which Π is the sum.
+    #[inline(always)]
+    pub(super) fn products(&self) -> f64 {
+        self.chi_square().sqrt() * self.square().sqrt()
+    }
+
+    /// Whether χ has gone far along the fibre: Re(ψ∗χ)² > ‖χ⊥‖²‖ψ‖² + r‖ψ‖², χ⊥ = χ − ψ Re(ψ∗χ)/‖ψ‖², where
+    /// √r is the Π that the torque brings about in the time in which it turns the top, so that a top that
+    /// comes to rest now and then does not slide at every step.
+    #[inline(always)]
+    pub(super) fn has_drifted(&self, reach: f64) -> bool {
+        let overlap = self.overlap();
+        2.0 * overlap * overlap > (self.chi_square() + reach) * self.square()
     }
 
     /// Slides back along the fibre, to χ + bψ, and returns b: a power of two, ±1 as a rule, so that bψ

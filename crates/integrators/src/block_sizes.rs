@@ -1,0 +1,166 @@
+//! Sizes of vectors, block by block.
+
+use crate::stage_solver::MaskOf;
+use lie_poisson::{Mask, Real, Vector};
+
+/// Blocks that are told apart; of a vector with more blocks, the last ones share a size.
+const MOST: usize = 8;
+
+/// The largest magnitude in each [block](Vector::BLOCKS) of coordinates of one or several vectors.
+#[derive(Clone, Copy, Debug)]
+pub(crate) struct BlockSizes<V: Vector> {
+    most: [V::Scalar; MOST],
+    /// The sum of all magnitudes, which keeps a NaN that the maxima lose.
+    sum: V::Scalar,
+}
+
+impl<V: Vector> BlockSizes<V> {
+    /// The number of blocks that are told apart.
+    pub(crate) const COUNT: usize = if V::BLOCKS < MOST { V::BLOCKS } else { MOST };
+
+    /// The sizes of no vector: zero.
+    #[inline(always)]
+    pub(crate) fn zero() -> Self {
+        Self { most: [V::Scalar::from_f64(0.0); MOST], sum: V::Scalar::from_f64(0.0) }
+    }
+
+    /// Sizes beyond all numbers.
+    #[inline(always)]
+    pub(crate) fn infinite() -> Self {
+        let infinity = V::Scalar::from_f64(f64::INFINITY);
+        Self { most: [infinity; MOST], sum: infinity }
+    }
+
+    /// The sizes of several vectors.
+    #[inline(always)]
+    pub(crate) fn of(vectors: &[V]) -> Self {
+        let mut sizes = Self::zero();
+        vectors.iter().for_each(|v| sizes.include(v));
+        sizes
+    }
+
+    /// Enlarges the sizes to hold one more vector.
+    #[inline(always)]
+    pub(crate) fn include(&mut self, v: &V) {
+        for i in 0..V::DIM {
+            let (block, size) = (Self::block(i), v.coordinate(i).magnitude());
+            self.most[block] = size.maximum(self.most[block]);
+            self.sum += size;
+        }
+    }
+
+    /// Enlarges the sizes to hold those of `other` that are above the bound that f gives for their block.
+    #[inline]
+    pub(crate) fn include_above(&mut self, other: &Self, f: impl Fn(usize) -> V::Scalar) {
+        for block in 0..Self::COUNT {
+            let below = other.most[block].at_most(f(block));
+            let size = Real::select(below, V::Scalar::from_f64(0.0), other.most[block]);
+            self.most[block] = size.maximum(self.most[block]);
+        }
+        self.sum += other.sum;
+    }
+
+    /// Where the mask is true the first, elsewhere the second.
+    #[inline]
+    pub(crate) fn select(mask: MaskOf<V>, yes: &Self, no: &Self) -> Self {
+        Self {
+            most: core::array::from_fn(|b| Real::select(mask, yes.most[b], no.most[b])),
+            sum: Real::select(mask, yes.sum, no.sum),
+        }
+    }
+
+    /// Adds other sizes times a factor.
+    #[inline]
+    pub(crate) fn add_scaled(&mut self, factor: V::Scalar, other: &Self) {
+        for block in 0..Self::COUNT {
+            self.most[block] += factor * other.most[block];
+        }
+        self.sum += factor * other.sum;
+    }
+
+    /// The size of a block.
+    #[inline(always)]
+    pub(crate) fn at(&self, block: usize) -> V::Scalar {
+        self.most[block]
+    }
+
+    /// The size of the block of the i-th coordinate.
+    #[inline]
+    pub(crate) fn of_coordinate(&self, i: usize) -> V::Scalar {
+        self.most[Self::block(i)]
+    }
+
+    /// The largest f(block), NaN where a coordinate was NaN.
+    #[inline(always)]
+    pub(crate) fn largest_of(&self, f: impl Fn(usize) -> V::Scalar) -> V::Scalar {
+        let mut largest = f(0);
+        for block in 1..Self::COUNT {
+            largest = f(block).maximum(largest);
+        }
+        Real::select(self.sum.at_most(self.sum), largest, self.sum)
+    }
+
+    /// The largest size.
+    #[inline(always)]
+    pub(crate) fn largest(&self) -> V::Scalar {
+        self.largest_of(|block| self.most[block])
+    }
+
+    /// Where each size is at most the bound that f gives for its block; false where a coordinate was NaN.
+    #[inline(always)]
+    pub(crate) fn at_most(&self, f: impl Fn(usize) -> V::Scalar) -> MaskOf<V> {
+        let mut all = self.sum.at_most(self.sum);
+        for block in 0..Self::COUNT {
+            all = all.and(self.most[block].at_most(f(block)));
+        }
+        all
+    }
+
+    #[inline(always)]
+    fn block(i: usize) -> usize {
+        if V::BLOCKS == 1 { 0 } else { V::block(i).min(MOST - 1) }
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::BlockSizes;
+    use lie_poisson::{Pair, Vector};
+    use nalgebra::{Vector1, Vector2};
+
+    fn largest(vectors: &[Vector2<f64>]) -> f64 {
+        BlockSizes::of(vectors).largest()
+    }
+
+    #[test]
+    fn a_nan_is_never_lost() {
+        let (small, large) = (Vector2::new(1.0, -2.0), Vector2::new(-7.0, 0.0));
+        let nan = Vector2::new(f64::NAN, 1.0);
+        assert_eq!(largest(&[small, large]), 7.0);
+        assert!([[nan, small], [small, nan]].iter().all(|vectors| largest(vectors).is_nan()));
+        assert_eq!(largest(&[Vector2::repeat(f64::MAX), Vector2::repeat(-f64::MAX)]), f64::MAX);
+        let in_second = Pair(Vector1::new(1.0), nan);
+        assert!(BlockSizes::of(&[in_second]).largest().is_nan());
+        assert!(!BlockSizes::of(&[in_second]).at_most(|_| f64::INFINITY));
+    }
+
+    #[test]
+    fn each_block_has_its_own_size() {
+        type Two = Pair<Vector1<f64>, Vector2<f64>>;
+        let vectors: [Two; 2] = [
+            Pair(Vector1::new(1e-30), Vector2::new(3.0, -4.0)),
+            Pair(Vector1::new(-2e-30), Vector2::new(1.0, 0.0)),
+        ];
+        let sizes = BlockSizes::of(&vectors);
+        assert_eq!((sizes.at(0), sizes.at(1)), (2e-30, 4.0));
+        assert_eq!((0..Two::DIM).map(|i| sizes.of_coordinate(i)).sum::<f64>(), 2e-30 + 8.0);
+        assert!(sizes.at_most(|block| [2e-30, 4.0][block]));
+        assert!(!sizes.at_most(|block| [1e-30, 1e3][block]), "a small block is not hidden");
+        // Nine blocks: the last ones share a size.
+        type Four = Pair<Two, Two>;
+        type Nine = Pair<Pair<Four, Four>, Vector1<f64>>;
+        let nine = BlockSizes::of(&[Nine::from_coordinates(|i| i as f64)]);
+        assert_eq!((BlockSizes::<Nine>::COUNT, Nine::BLOCKS), (8, 9));
+        assert_eq!((nine.at(6), nine.at(7)), (9.0, 12.0));
+    }
+}
