@@ -14,7 +14,7 @@ use nalgebra::{Vector2, Vector3};
 
 /// The algebra, its group and the action, all in one: a unit struct is enough.
 #[derive(Clone)]
-struct Poincare;
+pub struct Poincare;
 
 /// Boosts commute with each other, and mix the two translations: [K, H] = P, [K, P] = H.
 impl LieAlgebra for Poincare {
@@ -77,7 +77,7 @@ impl GroupAction for Poincare {
 }
 
 /// An energy, one formula for all scalars; its differential is taken by dual numbers.
-struct Rotor;
+pub struct Rotor;
 
 impl Energy for Rotor {
     type Space = LiePoisson<Poincare>;

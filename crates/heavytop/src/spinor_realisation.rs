@@ -5,8 +5,8 @@ use lie_poisson::{
     Vector,
 };
 use momentum_map::{
-    Cotangent, CotangentBundle, FibreSymmetry, Lift, LiftError, PoissonMap, euclidean_norm,
-    hopf_map, hopf_section, pauli,
+    Cotangent, CotangentBundle, FibreSymmetry, Lift, LiftError, PoissonMap, RecentringSpace,
+    euclidean_norm, hopf_map, hopf_section, pauli,
 };
 use nalgebra::{Vector2, Vector3};
 use num_complex::Complex;
@@ -100,6 +100,12 @@ impl PoissonMap for SpinorRealisation {
         let line = (overlap / square).magnitude().at_most(T::from_f64(LONGEST));
         let along = T::select(line.and(short.not()), power_of_two(-overlap / square), T::zero());
         Cotangent { q: psi.map(|x| x.scale(along)), ..Vector::zero() }
+    }
+
+    /// z: the [gauge](Self::gauge) keeps ‖χ‖ within √2 of its least.
+    #[inline]
+    fn recentred<T: Real>(&self, z: &SpinorPoint<T>, _: &mut RecentringSpace<T>) -> SpinorPoint<T> {
+        *z
     }
 }
 

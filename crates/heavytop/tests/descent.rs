@@ -35,7 +35,7 @@ fn deviation<S: Scheme>(scheme: S, invariant: Invariant) -> f64 {
 fn disagreement<S: Scheme>(scheme: S) -> f64 {
     let integrator = Collective::that_does_not_descend(scheme, SpinorRealisation, top());
     let image = |z: SpinorPoint| {
-        let mut workspace = integrator.scheme().workspace::<SpinorPoint>();
+        let mut workspace = Integrator::<f64>::workspace(&integrator);
         let after = Integrator::<f64>::step(&integrator, &z, STEP, &mut workspace).unwrap().point;
         SpinorRealisation.apply(&after)
     };

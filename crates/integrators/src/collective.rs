@@ -1,11 +1,14 @@
 //! The collective integrator.
 
+use crate::block_sizes::BlockSizes;
 use crate::two_sum::two_sum;
 use crate::{
     Compensated, Equivariant, Increment, Increments, Integrator, Scheme, Start, Step, StepError,
 };
 use lie_poisson::{DualNumber, Hamiltonian, Mask, Pair, Real, Vector, derivative_part, seed};
-use momentum_map::{CollectiveHamiltonian, Lift, LiftError, PoissonMap, SourcePoint, TargetPoint};
+use momentum_map::{
+    CollectiveHamiltonian, Lift, LiftError, PoissonMap, RecentringSpace, SourcePoint, TargetPoint,
+};
 
 /// The collective integrator: a scheme on the source P of a realisation M: P → 𝔤∗, for the
 /// Hamiltonian h∘M, read through M.
@@ -130,6 +133,50 @@ impl<S, M: PoissonMap, H> Collective<S, M, H> {
     }
 }
 
+/// How much z may grow, block by block, before a point of its fibre nearer to the origin is looked for.
+const GROWTH: f64 = 4.0;
+
+/// The storage of a step of [`Collective`]: that of the scheme, and how far z is from the origin.
+#[derive(Clone, Debug)]
+pub struct CollectiveSpace<W, V: Vector> {
+    scheme: W,
+    /// The sizes of z when it was near the origin of its fibre; none at the beginning of a run.
+    near: Option<BlockSizes<V>>,
+    recentring: RecentringSpace<V::Scalar>,
+}
+
+/// The storage of a step of a [`Collective`] integrator with scheme `S` and map `M`.
+type SpaceOf<S, M, T> =
+    CollectiveSpace<<S as Scheme>::Workspace<SourcePoint<M, T>>, SourcePoint<M, T>>;
+
+impl<S: Scheme, M: PoissonMap, H> Collective<S, M, H> {
+    /// The point of the fibre through z from which a step starts: z itself, or, where a run begins with a z far from
+    /// the origin or z has grown, one nearer to it.
+    #[inline]
+    fn recentred<T: Real>(
+        &self,
+        z: &SourcePoint<M, T>,
+        workspace: &mut SpaceOf<S, M, T>,
+    ) -> SourcePoint<M, T> {
+        if !self.descends {
+            return *z;
+        }
+        let CollectiveSpace { near, recentring, .. } = workspace;
+        let sizes = BlockSizes::of(core::slice::from_ref(z));
+        let grown = match near {
+            Some(near) => sizes.at_most(|block| near.at(block) * GROWTH).not(),
+            None => Mask::from_bool(true),
+        };
+        if !grown.any() {
+            return *z;
+        }
+        let moved = Vector::select(grown, &self.system.map.recentred::<T>(z, recentring), z);
+        let sizes = BlockSizes::of(core::slice::from_ref(&moved));
+        *near = Some(BlockSizes::select(grown, &sizes, &near.unwrap_or(sizes)));
+        moved
+    }
+}
+
 impl<S, M, H, T> Integrator<T> for Collective<S, M, H>
 where
     S: Scheme,
@@ -139,10 +186,11 @@ where
 {
     type State = SourcePoint<M, T>;
     type Momentum = TargetPoint<M, T>;
-    type Workspace = S::Workspace<SourcePoint<M, T>>;
+    type Workspace = SpaceOf<S, M, T>;
 
     fn workspace(&self) -> Self::Workspace {
-        self.scheme.workspace()
+        let scheme = self.scheme.workspace();
+        CollectiveSpace { scheme, near: None, recentring: RecentringSpace::default() }
     }
 
     #[inline]
@@ -152,13 +200,15 @@ where
         step: f64,
         workspace: &mut Self::Workspace,
     ) -> Result<Step<Self::State>, StepError> {
-        let next = self.scheme.step::<T, _>(&self.system, state, step, workspace)?;
+        let start = self.recentred::<T>(state, workspace);
+        let next = self.scheme.step::<T, _>(&self.system, &start, step, &mut workspace.scheme)?;
         Step { point: next.point + self.gauge::<T>(&next.point), ..next }.finite()
     }
 
     #[inline]
     fn forget(&self, workspace: &mut Self::Workspace) {
-        self.scheme.forget(workspace);
+        self.scheme.forget(&mut workspace.scheme);
+        workspace.near = None;
     }
 
     #[inline]
@@ -181,7 +231,16 @@ where
         step: f64,
         workspace: &mut Self::Workspace,
     ) -> Result<Increment<Self::State>, StepError> {
-        self.scheme.refined_increment::<T, _>(&self.system, state, step, workspace)
+        let start = self.recentred::<T>(state, workspace);
+        let Step { point: Pair(change, rest), iterations } = self
+            .scheme
+            .refined_increment::<T, _>(&self.system, &start, step, &mut workspace.scheme)?;
+        if start == *state {
+            return Ok(Step { point: Pair(change, rest), iterations });
+        }
+        let Pair(moved, below) = two_sum(&start, &-*state);
+        let Pair(change, lost) = two_sum(&moved, &change);
+        Ok(Step { point: Pair(change, rest + below + lost), iterations })
     }
 
     /// z + e + gauge(z + e), to first order in e. Where the derivative of a gauge means nothing but goes along

@@ -1,11 +1,11 @@
 //! Newton's iteration for the stage equations.
 
 use crate::block_sizes::BlockSizes;
-use crate::linear_solve::solve;
+
 use crate::stage_scale::Progress;
 use crate::stage_solver::{combination, plus_combination};
 use crate::{Tableau, VectorField};
-use lie_poisson::{Real, Vector};
+use lie_poisson::{Real, Vector, solve_linear};
 
 /// Storage of the iteration, empty until a step first needs it.
 #[derive(Clone, Debug)]
@@ -39,7 +39,7 @@ pub(crate) fn newton_step<T: Real, F: VectorField<T>>(
 ) -> Progress<F::Point> {
     let units = units(z, step, k);
     let mut progress = assemble(field, (z, step), tableau, k, &units, space);
-    let regular = solve(&mut space.matrix, &mut space.residual);
+    let regular = solve_linear(&mut space.matrix, &mut space.residual);
     for (stage, part) in k.iter_mut().zip(space.residual.chunks_exact(F::Point::DIM)) {
         let correction = F::Point::from_coordinates(|d| part[d] * units.coordinate(d));
         progress.change.include(&correction);

@@ -41,6 +41,7 @@ mod power;
 mod quaternion;
 mod space;
 mod derivative;
+mod linear_solve;
 
 mod algebra;
 mod group;
@@ -80,6 +81,7 @@ pub use real::{Real, larger};
 
 pub use covector::Covector;
 pub use derivative::{derivative_part, differential, seed, transposed_tangent};
+pub use linear_solve::solve_linear;
 pub use pair::Pair;
 pub use power::Power;
 pub use quaternion::Quaternion;

@@ -23,6 +23,7 @@ mod action;
 mod actions;
 mod cotangent_lift;
 mod poisson_map;
+mod recentring;
 mod momentum_map;
 mod symplectic_representation;
 mod fibre;
@@ -66,6 +67,7 @@ pub use realisations::{
     HOPF, HopfRealisation, PARTICLE, ParticleRealisation, PlaneForm, Sl2Realisation,
     UnitaryRealisation, unitary_realisation,
 };
+pub use recentring::RecentringSpace;
 pub use symplectic::{SymplecticComplexSpace, SymplecticSpace};
 pub use symplectic_representation::{
     QuadraticMomentumMap, Reversed, So3OnC2, Symplectic, SymplecticRepresentation,

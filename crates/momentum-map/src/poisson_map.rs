@@ -1,5 +1,6 @@
 //! Poisson maps.
 
+use crate::recentring::{self, RecentringSpace};
 use lie_poisson::{
     Differential, DualNumber, Point, PoissonSpace, Real, Vector, transposed_tangent,
 };
@@ -81,6 +82,38 @@ pub trait PoissonMap: Clone {
     #[inline]
     fn gauge<T: Real>(&self, _z: &SourcePoint<Self, T>) -> SourcePoint<Self, T> {
         Vector::zero()
+    }
+
+    /// A point z′ of the fibre through z near the origin: M(z′) = M(z) to the round-off of M at z, |z′| ≤ |z|.
+    ///
+    /// A collective run in which z has grown continues from there, since M(z), a difference of larger and larger
+    /// products, would lose its digits and the stage equations their solution. Collective integrators ask when z
+    /// has grown fourfold, and where a run may be resumed.
+    ///
+    /// By default z itself where M(z) has not lost three bits, over lanes lane by lane; else the point of least norm,
+    /// in units in which the blocks of z have equal size, is approached by Newton's iteration on the tangent map of M,
+    /// from `apply` by dual numbers. It takes no lift and no [symmetry](crate::FibreSymmetry) to be known. Where that
+    /// fails, as at points where M is not regular, z stays. A map with a [`gauge`](Self::gauge) of its own may
+    /// return z.
+    ///
+    /// # Example
+    /// A particle under rigid motions, J(q, p) = −(q × p, p), whose fibres are the lines q + sp:
+    /// ```
+    /// use lie_poisson::Covector;
+    /// use momentum_map::{Cotangent, PARTICLE, PoissonMap, RecentringSpace};
+    /// use nalgebra::Vector3;
+    /// let (q, p) = (Vector3::new(0.0, 1.0, 0.0), Vector3::new(2.0, 0.0, 0.0));
+    /// let far = Cotangent::new(q + p * 1000.0, Covector(p));
+    /// let near = PARTICLE.recentred(&far, &mut RecentringSpace::default());
+    /// assert!(near.q.norm() < 20.0);
+    /// assert!((PARTICLE.apply(&near) - PARTICLE.apply(&far)).0.0.norm() < 1e-12);
+    /// ```
+    fn recentred<T: Real>(
+        &self,
+        z: &SourcePoint<Self, T>,
+        space: &mut RecentringSpace<T>,
+    ) -> SourcePoint<Self, T> {
+        recentring::recentred(self, z, space)
     }
 }
 

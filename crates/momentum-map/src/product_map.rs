@@ -1,7 +1,7 @@
 //! Products and powers of Poisson maps.
 
 use crate::poisson_map::{PoissonMap, SourcePoint, TargetDifferential, TargetPoint};
-use crate::{FibreSymmetry, Lift, LiftError};
+use crate::{FibreSymmetry, Lift, LiftError, RecentringSpace};
 use core::array::from_fn;
 use lie_poisson::{
     Covector, LieAlgebra, LiePoisson, Pair, Power, PowerAlgebra, PowerSpace, ProductSpace, Real,
@@ -46,6 +46,14 @@ impl<M: PoissonMap, N: PoissonMap> PoissonMap for ProductMap<M, N> {
     #[inline]
     fn gauge<T: Real>(&self, z: &SourcePoint<Self, T>) -> SourcePoint<Self, T> {
         Pair(self.0.gauge::<T>(&z.0), self.1.gauge::<T>(&z.1))
+    }
+
+    fn recentred<T: Real>(
+        &self,
+        z: &SourcePoint<Self, T>,
+        space: &mut RecentringSpace<T>,
+    ) -> SourcePoint<Self, T> {
+        Pair(self.0.recentred::<T>(&z.0, space), self.1.recentred::<T>(&z.1, space))
     }
 }
 
@@ -115,6 +123,14 @@ where
     #[inline]
     fn gauge<T: Real>(&self, z: &SourcePoint<Self, T>) -> SourcePoint<Self, T> {
         Power(from_fn(|n| self.0.gauge::<T>(&z.0[n])))
+    }
+
+    fn recentred<T: Real>(
+        &self,
+        z: &SourcePoint<Self, T>,
+        space: &mut RecentringSpace<T>,
+    ) -> SourcePoint<Self, T> {
+        Power(from_fn(|n| self.0.recentred::<T>(&z.0[n], space)))
     }
 }
 

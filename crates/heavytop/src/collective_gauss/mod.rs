@@ -10,8 +10,8 @@ use crate::reduced_midpoint::top_of;
 use crate::{HeavyTop, HeavyTopSpace, SpinorPoint, SpinorRealisation};
 use coefficients::Coefficients;
 use collective_integrators::{
-    Collective, Compensated, Integrator, RungeKutta, SchemeError, StageSpace, Start, Step,
-    StepError,
+    Collective, CollectiveSpace, Compensated, Integrator, RungeKutta, SchemeError, StageSpace,
+    Start, Step, StepError,
 };
 use kernel::{Attempt, MOST};
 use lie_poisson::{
@@ -90,7 +90,7 @@ pub struct CollectiveGauss<H = HeavyTop> {
 #[derive(Clone, Debug)]
 pub struct CollectiveGaussSpace {
     memory: Memory,
-    general: StageSpace<SpinorPoint>,
+    general: CollectiveSpace<StageSpace<SpinorPoint>, SpinorPoint>,
 }
 
 impl<H: Hamiltonian<HeavyTopSpace>> CollectiveGauss<H> {

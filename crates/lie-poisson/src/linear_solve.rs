@@ -1,16 +1,29 @@
 //! Dense linear equations over any scalar.
 
-use crate::settling::is_finite;
-use lie_poisson::{Mask, Real};
+use crate::{Mask, Real};
 
 /// Solves A x = b in place by elimination with partial pivoting; `a` holds the rows of the n × n
 /// matrix, `b` becomes x. Returns where that is possible: false in lanes where a pivot is zero or
-/// not a number.
+/// not a number, and everywhere if `a` has not n² numbers. x means nothing there.
 ///
 /// Each lane chooses its own pivots: its x is that of the same equations alone, bit for bit. A
-/// matrix library would ask more of its scalar than dual numbers and lanes have.
-pub(crate) fn solve<T: Real>(a: &mut [T], b: &mut [T]) -> T::Mask {
+/// matrix library would ask more of its scalar than dual numbers and lanes have. Pivots are compared with
+/// each other: rows should have one unit.
+///
+/// # Example
+/// ```
+/// use lie_poisson::solve_linear;
+/// // 2x + y = 4, x + 3y = 7
+/// let (mut a, mut b) = ([2.0, 1.0, 1.0, 3.0], [4.0, 7.0]);
+/// assert!(solve_linear(&mut a, &mut b));
+/// assert!((b[0] - 1.0_f64).abs() < 1e-15 && (b[1] - 2.0_f64).abs() < 1e-15);
+/// assert!(!solve_linear(&mut [1.0, 2.0, 2.0, 4.0], &mut [1.0, 1.0]));
+/// ```
+pub fn solve_linear<T: Real>(a: &mut [T], b: &mut [T]) -> T::Mask {
     let n = b.len();
+    if a.len() != n * n {
+        return T::Mask::from_bool(false);
+    }
     let mut regular = T::Mask::from_bool(true);
     for k in 0..n {
         for row in k + 1..n {
@@ -23,7 +36,7 @@ pub(crate) fn solve<T: Real>(a: &mut [T], b: &mut [T]) -> T::Mask {
             }
         }
         let inverse = T::one() / a[k * n + k];
-        regular = regular.and(is_finite(inverse.magnitude()));
+        regular = regular.and(inverse.magnitude().at_most(T::from_f64(f64::MAX)));
         for row in k + 1..n {
             let factor = a[row * n + k] * inverse;
             for column in k..n {
@@ -52,8 +65,8 @@ fn swap_where<T: Real>(mask: T::Mask, x: &mut [T], i: usize, j: usize) {
 
 #[cfg(test)]
 mod tests {
-    use super::solve;
-    use lie_poisson::{DefaultLanes, Lanes, Mask, Real};
+    use super::solve_linear;
+    use crate::{DefaultLanes, Lanes, Mask, Real};
 
     #[test]
     fn equations_are_solved_and_singular_ones_refused() {
@@ -61,10 +74,11 @@ mod tests {
         let x = [1.0, -2.0, 0.25];
         let mut b: Vec<f64> =
             a.chunks(3).map(|row| row.iter().zip(x).map(|(a, x)| a * x).sum()).collect();
-        assert!(solve(&mut a, &mut b));
+        assert!(solve_linear(&mut a, &mut b));
         assert!(b.iter().zip(x).all(|(b, x)| (b - x).abs() < 1e-15));
-        assert!(!solve(&mut [1.0, 2.0, 2.0, 4.0], &mut [1.0, 1.0]));
-        assert!(!solve(&mut [f64::NAN], &mut [1.0]));
+        assert!(!solve_linear(&mut [1.0, 2.0, 2.0, 4.0], &mut [1.0, 1.0]));
+        assert!(!solve_linear(&mut [f64::NAN], &mut [1.0]));
+        assert!(!solve_linear(&mut [1.0], &mut [1.0, 1.0]), "the wrong size");
     }
 
     #[test]
@@ -79,10 +93,10 @@ mod tests {
         let mut a = columns.map(|lanes| DefaultLanes::load(&lanes));
         let mut b = [DefaultLanes::load(&[1.0, 1.0, 0.7, 1.0]), DefaultLanes::from_f64(0.3)];
         let before = (a, b);
-        let regular = solve(&mut a, &mut b);
+        let regular = solve_linear(&mut a, &mut b);
         for lane in 0..4 {
             let mut b_alone = before.1.map(|x| x.lane(lane));
-            let possible = solve(&mut before.0.map(|x| x.lane(lane)), &mut b_alone);
+            let possible = solve_linear(&mut before.0.map(|x| x.lane(lane)), &mut b_alone);
             assert_eq!((regular.lane(lane), possible), (lane % 2 == 0, lane % 2 == 0));
             if possible {
                 assert_eq!(b.map(|x| x.lane(lane)), b_alone);
