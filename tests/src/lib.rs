@@ -8,6 +8,7 @@
 //! | is a map Poisson, is a form conserved | [`bracket_defects`], [`map_defect`], [`largest`], [`OneForm`] |
 //! | rational arithmetic | [`Rational`], [`rational_samples`] |
 //! | tops and runs | [`tops`], [`advance`], [`largest_deviation`] |
+//! | every method for tops, and a top in any units | [`scales`] |
 //!
 //! The checks themselves are in `tests/tests`, one subject per file.
 
@@ -18,6 +19,7 @@ mod forms;
 mod rational;
 mod runs;
 mod strategies;
+pub mod scales;
 pub mod tops;
 
 pub use compare::{assert_close, assert_near, relative_error};

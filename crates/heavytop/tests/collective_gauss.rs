@@ -195,8 +195,11 @@ fn the_lift_stays_short() {
         let z = sample.unwrap().state.0;
         let (chi, psi) = (z.q, z.p.0);
         let overlap = (psi.x.conj() * chi.x + psi.y.conj() * chi.y).re;
-        let along = overlap / (2.0 * SpinorRealisation.momentum(0, &z));
-        assert!(along.abs() <= 1.0 + 1e-15);
+        let square = 2.0 * SpinorRealisation.momentum(0, &z);
+        let along = overlap / square;
+        // ‖χ‖² ≤ 2‖χ⊥‖² + r/‖ψ‖², where r = mgl/(max 1/I) = 4
+        let least = chi.norm_squared() - overlap * along;
+        assert!(chi.norm_squared() <= (2.0 * least + 4.0) * (1.0 + 1e-14), "{along} {least}");
         slides += usize::from((along - before).abs() > 0.5);
         before = along;
     }

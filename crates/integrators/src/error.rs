@@ -8,10 +8,12 @@ pub enum StepError {
     /// The stage equations were not solved.
     #[error(
         "the stage equations did not converge: residual {residual:e} after {iterations} \
-         iterations (required {required:e})"
+         iterations (required {required:e}); a shorter step may help, and for a state far along a fibre of \
+         its momentum map a nearer one, as PoissonMap::recentred finds"
     )]
     NotConverged {
-        /// h max |change of a stage derivative| in the last iteration; NaN or ∞ if it blew up.
+        /// h |change of a stage derivative| in the last iteration, relative to the larger of |z| and h |k|, the
+        /// largest over blocks of coordinates; NaN or ∞ if it blew up.
         residual: f64,
         /// The residual that would have been accepted.
         required: f64,

@@ -90,7 +90,7 @@ pub trait PoissonMap: Clone {
     /// products, would lose its digits and the stage equations their solution. Collective integrators ask when z
     /// has grown fourfold, and where a run may be resumed.
     ///
-    /// By default z itself where M(z) has not lost three bits, over lanes lane by lane; else the point of least norm,
+    /// By default z itself where M(z) has lost few bits, over lanes lane by lane; else the point of least norm,
     /// in units in which the blocks of z have equal size, is approached by Newton's iteration on the tangent map of M,
     /// from `apply` by dual numbers. It takes no lift and no [symmetry](crate::FibreSymmetry) to be known. Where that
     /// fails, as at points where M is not regular, z stays. A map with a [`gauge`](Self::gauge) of its own may

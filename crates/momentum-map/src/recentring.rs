@@ -3,14 +3,19 @@
 use crate::poisson_map::{PoissonMap, SourcePoint, TargetPoint};
 use lie_poisson::{DualNumber, Mask, Real, Vector, derivative_part, seed, solve_linear};
 
-/// A momentum whose terms are this much larger than itself has lost three bits, and z is worth moving.
-const LOST: f64 = 8.0;
+/// Where the terms of a momentum are this much larger than itself, z is moved. Those of a map like z ↦ |z|², which
+/// loses nothing, are up to a dozen times larger.
+const LOST: f64 = 32.0;
 
 /// Iterations that move z, each of which halves what is left along the fibre.
 const PULLS: usize = 8;
 
 /// Iterations that only bring M(z) back, each of which squares what it is off.
-const CORRECTIONS: usize = 3;
+const CORRECTIONS: usize = 6;
+
+/// Added to the matrix 1 + … of the iteration: M may reach only a part of its target, as Π·Γ = 0, and its tangent map
+/// has a kernel then. What it takes from a step, the next one brings.
+const DAMPING: f64 = 1e-12;
 
 /// z is moved if Σ |z_b|² shrinks to this part of itself, in units in which each block begins with size 1.
 const WORTHWHILE: f64 = 0.8;
@@ -47,12 +52,12 @@ pub(crate) fn recentred<M: PoissonMap, T: Real>(
 ) -> SourcePoint<M, T> {
     let mu = map.apply::<T>(z);
     tangent(map, z, space);
-    let terms = terms::<M, T>(z, space);
-    let far = loses_digits(&mu, &terms);
+    let units = block_sizes(z);
+    let terms = terms::<M, T>(&units, space);
+    let far = within(&terms, &block_sizes(&mu), LOST).not();
     if !far.any() {
         return *z;
     }
-    let units = block_sizes(z);
     let mut moved = *z;
     let mut regular = far;
     for n in 0..PULLS + CORRECTIONS {
@@ -114,7 +119,7 @@ fn improve<M: PoissonMap, T: Real>(
         for d in 0..columns {
             sum += tangent[r * columns + d] * tangent[s * columns + d] * square(d);
         }
-        gram[r * rows + s] = sum;
+        gram[r * rows + s] = if r == s { sum + DAMPING } else { sum };
     }
     let regular = solve_linear(gram, multipliers);
     let change = SourcePoint::<M, T>::from_coordinates(|d| {
@@ -128,26 +133,20 @@ fn improve<M: PoissonMap, T: Real>(
     regular
 }
 
-/// Σ_d |∂_d M_r z_d|: what M_r, or its derivative along z, is a sum of.
+/// Σ_d |∂_d M_r| w_d, the largest in each block: what M is a sum of, for z with blocks of these sizes.
 fn terms<M: PoissonMap, T: Real>(
-    z: &SourcePoint<M, T>,
+    units: &SourcePoint<M, T>,
     space: &RecentringSpace<T>,
 ) -> TargetPoint<M, T> {
     let (_, columns) = dimensions::<M, T>();
-    let largest = TargetPoint::<M, T>::from_coordinates(|r| {
+    let terms = TargetPoint::<M, T>::from_coordinates(|r| {
         let mut sum = T::zero();
         for d in 0..columns {
-            let term = space.tangent[r * columns + d] * z.coordinate(d);
-            sum += value_of::<T>(term);
+            sum += value_of(space.tangent[r * columns + d]) * units.coordinate(d);
         }
         sum
     });
-    block_sizes(&largest)
-}
-
-/// Where the terms of some block of a momentum are much larger than the block.
-fn loses_digits<V: Vector<Scalar = T>, T: Real>(mu: &V, terms: &V) -> T::Mask {
-    within(terms, &block_sizes(mu), LOST).not()
+    block_sizes(&terms)
 }
 
 /// Where |v_d| ≤ `factor` |w_d| for all d.
