@@ -129,7 +129,7 @@ fn improve<M: PoissonMap, T: Real>(
         }
         sum * square(d) - z.coordinate(d) * pull
     });
-    *z = *z + change;
+    *z += change;
     regular
 }
 
