@@ -1,7 +1,9 @@
 //! Sizes of vectors, block by block.
 
-use crate::stage_solver::MaskOf;
 use lie_poisson::{Mask, Real, Vector};
+
+/// The lanes of the scalar of a vector.
+pub(crate) type MaskOf<V> = <<V as Vector>::Scalar as Real>::Mask;
 
 /// Blocks that are told apart; of a vector with more blocks, the last ones share a size.
 const MOST: usize = 8;

@@ -1,10 +1,10 @@
 //! What is remembered of the steps before, and the guesses from it.
 
-use crate::block_sizes::BlockSizes;
+use crate::block_sizes::{BlockSizes, MaskOf};
 use crate::predictor::Predictor;
 use crate::settling::{ROUND_OFF, Ratios, unknown};
 use crate::stage_scale::StageScale;
-use crate::stage_solver::{MaskOf, Unsettled, combination, fill_unless};
+use crate::stage_solver::{Unsettled, combination, fill_unless};
 use crate::{StageSolver, VectorField};
 use lie_poisson::{Mask, Real, Vector};
 

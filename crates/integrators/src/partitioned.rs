@@ -1,10 +1,10 @@
 //! Partitioned Runge–Kutta methods.
 
+use crate::block_sizes::MaskOf;
 use crate::memory::Memory;
 use crate::order_conditions::tree_order;
 use crate::predictor::Predictor;
 use crate::stage_scale::StageScale;
-use crate::stage_solver::MaskOf;
 use crate::tableau::COEFFICIENT_TOLERANCE;
 use crate::{
     Polarisation, Scheme, SchemeError, StageSolver, Step, StepError, Tableau, VectorField,

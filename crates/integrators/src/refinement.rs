@@ -1,6 +1,7 @@
 //! Stage derivatives of an accuracy beyond that of the rounded stages.
 
-use crate::stage_solver::{MaskOf, combination, evenly_scaled, plus_combination};
+use crate::block_sizes::MaskOf;
+use crate::stage_solver::{combination, evenly_scaled, plus_combination};
 use crate::two_sum::two_sum;
 use crate::{Tableau, VectorField};
 use lie_poisson::{Mask, Pair, Real, Vector};

@@ -1,12 +1,13 @@
 //! Runge–Kutta methods.
 
+use crate::block_sizes::MaskOf;
 use crate::dop853;
 use crate::memory::Memory;
 use crate::newton::{NewtonSpace, newton_step};
 use crate::predictor::Predictor;
 use crate::refinement::refine;
 use crate::stage_scale::StageScale;
-use crate::stage_solver::{MaskOf, Unsettled, combination, evenly_scaled, plus_combination};
+use crate::stage_solver::{Unsettled, combination, evenly_scaled, plus_combination};
 use crate::{
     Equivariant, Increment, Scheme, SchemeError, StageSolver, Step, StepError, Substeps, Tableau,
     VectorField,

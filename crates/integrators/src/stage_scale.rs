@@ -1,8 +1,7 @@
 //! What changes of stage derivatives are measured by.
 
-use crate::block_sizes::BlockSizes;
+use crate::block_sizes::{BlockSizes, MaskOf};
 use crate::settling::ROUND_OFF;
-use crate::stage_solver::MaskOf;
 use lie_poisson::{Mask, Real, Vector};
 
 /// The scales of a step: the sizes |z_b| of the blocks of its starting point, and its length h.

@@ -1,7 +1,7 @@
 //! Iterations for the stage equations, to the round-off floor.
 
 use crate::StepError;
-use crate::block_sizes::BlockSizes;
+use crate::block_sizes::{BlockSizes, MaskOf};
 use crate::settling::{FLOOR, Ratios, Watch, is_finite, unknown};
 use crate::stage_scale::{Progress, StageScale};
 use lie_poisson::{Mask, Real, Vector, larger};
@@ -69,9 +69,6 @@ impl<M> From<Unsettled<M>> for StepError {
         unsettled.error
     }
 }
-
-/// The lanes of the scalar of a vector.
-pub(crate) type MaskOf<V> = <<V as Vector>::Scalar as Real>::Mask;
 
 impl StageSolver {
     /// Solves k_i = `derivative`(i, k) for the stages `k`, all of which start from `start`, by

@@ -1,6 +1,6 @@
 //! Poisson maps.
 
-use crate::recentring::{self, RecentringSpace};
+use crate::recentring::{Both, RecentringSpace};
 use lie_poisson::{
     Differential, DualNumber, Point, PoissonSpace, Real, Vector, transposed_tangent,
 };
@@ -113,7 +113,11 @@ pub trait PoissonMap: Clone {
         z: &SourcePoint<Self, T>,
         space: &mut RecentringSpace<T>,
     ) -> SourcePoint<Self, T> {
-        recentring::recentred(self, z, space)
+        let map = Both {
+            apply: |z: &SourcePoint<Self, T>| self.apply::<T>(z),
+            apply_dual: |z: &SourcePoint<Self, DualNumber<T>>| self.apply::<DualNumber<T>>(z),
+        };
+        space.recentred(&map, z)
     }
 }
 
