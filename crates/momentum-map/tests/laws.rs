@@ -1,7 +1,9 @@
 //! Every action, momentum map and realisation of the crate obeys its laws, and each law rejects
 //! something that breaks it.
-#![cfg(feature = "laws")]
 #![allow(clippy::unwrap_used)]
+
+#[cfg(not(feature = "laws"))]
+compile_error!("these tests need the law suite: cargo test --features laws");
 
 use lie_poisson::*;
 use momentum_map::laws::{self, Report};
