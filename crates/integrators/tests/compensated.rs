@@ -5,13 +5,16 @@ use collective_integrators::*;
 use lie_poisson::Pair;
 use nalgebra::{Vector1, Vector2};
 
+/// z + e
+type Sum = Pair<Vector1<f64>, Vector1<f64>>;
+
 /// A number of size below 2¹⁷ in units of 2⁻¹¹⁰, without rounding if it is a multiple of 2⁻¹¹⁰.
 fn fixed(x: f64) -> i128 {
     (x * 110.0_f64.exp2()) as i128
 }
 
 /// (z, e) as a fixed-point number.
-fn whole(pair: &Pair<Vector1<f64>, Vector1<f64>>) -> i128 {
+fn whole(pair: &Sum) -> i128 {
     fixed(pair.0.x) + fixed(pair.1.x)
 }
 
@@ -28,7 +31,7 @@ fn mantissas() -> impl Iterator<Item = f64> {
 #[test]
 fn a_compensated_sum_loses_only_roundings_of_the_carry() {
     const TERMS: usize = 1000;
-    let error = |sum: fn(&Pair<_, _>, &Pair<_, _>) -> Pair<Vector1<f64>, Vector1<f64>>| {
+    let error = |sum: fn(&Sum, &Sum) -> Sum| {
         let start = Pair(Vector1::new(1.0), Vector1::new(0.0));
         let (mut compensated, mut exact) = (start, whole(&start));
         for m in mantissas().take(TERMS) {
