@@ -8,9 +8,11 @@
 //! | is a map Poisson, is a form conserved | [`bracket_defects`], [`map_defect`], [`largest`], [`OneForm`] |
 //! | rational arithmetic | [`Rational`], [`rational_samples`] |
 //! | tops and runs | [`tops`], [`advance`], [`largest_deviation`] |
+//! | the table of every scheme and formulation in `docs/audit.md` | [`audit`] |
 //!
 //! The checks themselves are in `tests/tests`, one subject per file.
 
+pub mod audit;
 mod compare;
 mod defects;
 mod derived;
