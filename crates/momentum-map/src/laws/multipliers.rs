@@ -15,6 +15,16 @@ use lie_poisson::{
 ///
 /// # Errors
 /// If there are no samples of one kind.
+///
+/// # Example
+/// ```
+/// use lie_poisson::{Covector, Quaternion, nalgebra::Vector3};
+/// use momentum_map::{Quaternions, laws};
+/// let (v, w) = (Vector3::new(1.0, -2.0, 0.5), Vector3::new(0.3, 0.8, -1.0));
+/// let q = [Quaternion { scalar: 0.4, vector: v }, Quaternion { scalar: -1.2, vector: w }];
+/// laws::multipliers(&Quaternions, &q, &[v, w], &[Covector(v), Covector(w)])?.check(1e-13)?;
+/// # Ok::<(), Box<dyn std::error::Error>>(())
+/// ```
 pub fn multipliers<M: Multipliers>(
     multipliers: &M,
     samples: &[Multiplier<M>],
