@@ -9,9 +9,11 @@
 //! | rational arithmetic | [`Rational`], [`rational_samples`] |
 //! | tops and runs | [`tops`], [`advance`], [`largest_deviation`] |
 //! | every method for tops, and a top in any units | [`scales`] |
+//! | the table of every scheme and formulation in `docs/audit.md` | [`audit`] |
 //!
 //! The checks themselves are in `tests/tests`, one subject per file.
 
+pub mod audit;
 mod compare;
 mod defects;
 mod derived;

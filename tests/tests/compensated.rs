@@ -5,8 +5,8 @@ use collective_integrators::{
     RungeKutta, StageSolver, Start, Step, StepError, Substeps, VectorField, compensated_sum,
 };
 use heavytop::{HeavyTop, SpinorPoint, SpinorRealisation};
-use lie_poisson::{LiePoisson, Pair, Se3, Se3Dual, Vector};
-use momentum_map::{DualQuaternions, LiftError};
+use lie_poisson::{DualNumber, LiePoisson, Pair, Se3, Se3Dual, Vector, derivative_part, seed};
+use momentum_map::{DualQuaternions, Lift, LiftError, PoissonMap};
 use nalgebra::Vector3;
 use std::error::Error;
 use workspace_tests::tops;
@@ -142,5 +142,33 @@ fn compensated_steps_at_long_steps_do_not_drift() -> Result<(), Box<dyn Error>> 
     assert!(refined[0].abs() < 1.3e-14 && refined[1].abs() < 1.7e-14, "{refined:?}");
     let coarse = drifts(&Coarse(collective))?;
     assert!(coarse[0].abs() > 2e-14 && coarse[1].abs() > 1.7e-14, "{coarse:?}");
+    Ok(())
+}
+
+/// Where z slides along its fibre, the momentum of z + e is to be kept, of which that of e is DM(z) e.
+#[test]
+fn a_slide_along_the_fibre_takes_the_carry_along() -> Result<(), Box<dyn Error>> {
+    let collective =
+        Collective::new(RungeKutta::implicit_midpoint(), SpinorRealisation, tops::generic()?);
+    let carried = |z: &SpinorPoint, e: &SpinorPoint| -> Se3Dual {
+        derivative_part(&SpinorRealisation.apply::<DualNumber>(&seed(z, e)))
+    };
+    for (n, start) in (0_u32..).zip(starts()) {
+        let mut z = SpinorRealisation.lift::<f64>(&start)?;
+        z.q += z.p.0.map(|x| x.scale(if n % 2 == 0 { 9.3 } else { -17.7 }));
+        // as large as z, which tells more than the roundings that it stands for
+        let e = SpinorPoint::from_coordinates(|i| (f64::from(n) + 0.7 * i as f64).sin());
+        let Pair(slid, carry) = Increments::<f64>::settled(&collective, Pair(z, e));
+        assert!(slid.q.norm() < 0.9 * z.q.norm(), "start {n} has not slid");
+        let (momentum, change) = (SpinorRealisation.apply(&z), carried(&z, &e));
+        let kept = SpinorRealisation.apply(&slid) - momentum;
+        // roundings of products of χ and ψ
+        let tolerance = 4.0 * f64::EPSILON * z.q.norm() * z.p.0.norm();
+        assert!(kept.max_abs() < tolerance, "{:e}", kept.max_abs());
+        let gap = (carried(&slid, &carry) - change).max_abs();
+        assert!(gap < 4.0 * tolerance, "{gap:e}");
+        // Control: e would carry another momentum if it stayed where it was.
+        assert!((carried(&slid, &e) - change).max_abs() > 0.1);
+    }
     Ok(())
 }

@@ -69,7 +69,9 @@ fn the_spectrum_of_a_generic_top_is_positive_and_symmetric() -> Outcome {
     let (top, start) = chaotic()?;
     let gauss = LiftFree::new(RungeKutta::gauss(2)?, DualQuaternions, top);
     let lambda: [f64; 6] = spectrum(&gauss, start, 0.05, 20_000)?;
-    assert!(lambda[0] > 0.05, "{lambda:?}");
+    // means over 1000 s are 0.07 to 0.16, since the motion clings to islands at times; `lyapunov_exponents`
+    // compares values
+    assert!((0.05..0.25).contains(&lambda[0]), "{lambda:?}");
     // det DΦ = 1: the Poisson tensor, the Casimirs and hence the volume are preserved
     let sum: f64 = lambda.iter().sum();
     assert!(sum.abs() < 1e-12, "{sum:e}");
@@ -112,7 +114,7 @@ fn a_generic_top_at_low_energy_is_regular() -> Outcome {
     let start = Se3Dual::new(Vector3::new(0.1, -0.2, 0.1), Vector3::new(2.0, 6.0, -3.0) / 7.0);
     let gauss = LiftFree::new(RungeKutta::gauss(2)?, DualQuaternions, tops::generic()?);
     let [lambda] = spectrum(&gauss, start, 0.05, 20_000)?;
-    assert!(lambda < 1e-2, "{lambda}");
+    assert!(lambda.abs() < 1e-2, "{lambda}");
     Ok(())
 }
 

@@ -149,8 +149,9 @@ impl<'a, I: Integrator, G: Fn(&I::Momentum) -> f64> Crossings<'a, I, G> {
     }
 }
 
-/// Whether |g| is least at the middle one of three samples at which g has one sign.
+/// Whether |g| is least at the middle one of three samples at which g has one sign; at the first of two
+/// with the same value, so that an extremum between them is followed once.
 fn is_least(left: f64, middle: f64, right: f64) -> bool {
     let (above, below) = (middle > 0.0, middle < 0.0);
-    (above && left >= middle && right >= middle) || (below && left <= middle && right <= middle)
+    (above && left > middle && right >= middle) || (below && left < middle && right <= middle)
 }

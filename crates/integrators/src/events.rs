@@ -124,9 +124,10 @@ mod tests {
     use crate::{Direct, RungeKutta, from_fn};
     use nalgebra::Vector1;
 
-    /// The events of g along x = t, t = 0, 0.25, …, 2.
+    /// The events of g along x = t, t = 0, 0.25, …, 2, where the method does not round.
     fn events(g: impl Fn(f64) -> f64, direction: Direction) -> Vec<Result<f64, EventError>> {
-        let clock = Direct::new(RungeKutta::rk4(), from_fn(|_: &Vector1<f64>| Vector1::x()));
+        let clock =
+            Direct::new(RungeKutta::explicit_midpoint(), from_fn(|_: &Vector1<f64>| Vector1::x()));
         let run = clock.trajectory_from(Vector1::zeros(), 0.25).take(9);
         let events = Events::new(&clock, run, |x: &Vector1<f64>| g(x[0]), direction);
         events.map(|event| event.map(|sample| sample.time)).collect()
@@ -135,13 +136,24 @@ mod tests {
     #[test]
     fn directions_and_zeros_at_samples() {
         let wave = |x: f64| (x - 0.3) * (x - 1.0) * (x - 1.6);
-        let times = |direction| -> Vec<f64> {
+        let times = |sign: f64, direction| -> Vec<f64> {
             let near = |time: Result<f64, _>| time.map_or(f64::NAN, |t| (t * 1e12).round() / 1e12);
-            events(wave, direction).into_iter().map(near).collect()
+            events(|x| sign * wave(x), direction).into_iter().map(near).collect()
         };
-        assert_eq!(times(Direction::Up), [0.3, 1.6]);
-        assert_eq!(times(Direction::Down), [1.0]);
-        assert_eq!(times(Direction::Both), [0.3, 1.0, 1.6]);
+        // A zero at a sample belongs to the step that ends there, downwards and upwards.
+        for (sign, rises, falls) in
+            [(1.0, Direction::Up, Direction::Down), (-1.0, Direction::Down, Direction::Up)]
+        {
+            assert_eq!(times(sign, rises), [0.3, 1.6]);
+            assert_eq!(times(sign, falls), [1.0]);
+            assert_eq!(times(sign, Direction::Both), [0.3, 1.0, 1.6]);
+        }
+        // and so does one that g touches and leaves again
+        let touch = |x: f64| (x - 1.0) * (x - 1.0);
+        assert_eq!(events(touch, Direction::Both), [Ok(1.0)]);
+        assert_eq!(events(touch, Direction::Up), []);
+        assert_eq!(events(|x| -touch(x), Direction::Up), [Ok(1.0)]);
+        assert_eq!(events(|x| -touch(x), Direction::Down), []);
         // g = 0 at the start is no event
         assert_eq!(events(|x| x, Direction::Both), []);
     }
@@ -150,7 +162,8 @@ mod tests {
     #[test]
     fn two_crossings_in_one_step_are_found() {
         let dip = |from: f64, to: f64| move |x: f64| (x - from) * (x - to);
-        // near the left sample, near the right one, as far apart as a step has room, close together
+        // near the left sample, near the right one, as far apart as a step has room (g is the same at both
+        // samples then, and the crossings are found once), close together
         for (from, to) in [(1.02, 1.08), (1.19, 1.23), (1.001, 1.249), (1.1, 1.1 + 2.5e-7)] {
             for sign in [1.0, -1.0] {
                 let g = move |x: f64| sign * dip(from, to)(x);

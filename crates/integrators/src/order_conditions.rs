@@ -137,4 +137,64 @@ mod tests {
         assert_eq!(order(&a, &[1.0 / 6.0, 4.0 / 6.0, 1.0 / 6.0]), Ok(3));
         assert_eq!(order(&a, &[4.0 / 6.0, 1.0 / 6.0, 1.0 / 6.0]), Ok(1));
     }
+
+    /// The tableau of Gauss with 6 stages and ε P_i(2c_m − 1) P_j(2c_n − 1) b_n added to a_mn, which leaves B(12)
+    /// as it is, and of C and D those conditions that hold up to η = j and ζ = i.
+    fn disturbed(i: usize, j: usize) -> Result<Tableau, crate::SchemeError> {
+        let legendre = |n: usize, c: f64| {
+            let x = 2.0 * c - 1.0;
+            let next = |(p, q): (f64, f64), k: usize| {
+                let k = k as f64;
+                (q, ((2.0 * k + 1.0) * x * q - k * p) / (k + 1.0))
+            };
+            (0..n).fold((0.0, 1.0), next).1
+        };
+        let gauss = Tableau::gauss(6)?;
+        let (b, c) = (gauss.weights(), gauss.nodes());
+        let change = |n: usize| 0.3 * legendre(i, c[n / 6]) * legendre(j, c[n % 6]) * b[n % 6];
+        let a: Vec<f64> = gauss.matrix().iter().zip(0..).map(|(a, n)| a + change(n)).collect();
+        Tableau::new(&a, b)
+    }
+
+    /// min(p, η+ζ+1, 2η+2) with every one of the three deciding, against the first order condition that
+    /// fails, which is that of a tree without branches or of one with two.
+    #[test]
+    fn orders_beyond_the_trees_that_are_compared() {
+        let apply = |t: &Tableau, v: &[f64]| -> Vec<f64> {
+            t.rows().map(|row| row.iter().zip(v).map(|(a, v)| a * v).sum()).collect()
+        };
+        let mean =
+            |t: &Tableau, v: &[f64]| -> f64 { t.weights().iter().zip(v).map(|(b, v)| b * v).sum() };
+        let holds = |x: f64| (x - 1.0).abs() < 1e-10;
+        // bᵀ Aⁿ⁻¹ 1 n! = 1
+        let tall = |t: &Tableau| {
+            let (mut v, mut factorial) = (vec![1.0; 6], 1.0);
+            (1..=13_u32).position(|n| {
+                factorial *= f64::from(n);
+                let failed = !holds(mean(t, &v) * factorial);
+                v = apply(t, &v);
+                failed
+            })
+        };
+        // Σ b_i (Σ_j a_ij c_j³)² 9·4² = 1, of 9 vertices
+        let forked = |t: &Tableau| {
+            let cubes: Vec<f64> = t.nodes().iter().map(|c| c.powi(3)).collect();
+            let squares: Vec<f64> = apply(t, &cubes).iter().map(|x| x * x).collect();
+            holds(mean(t, &squares) * 144.0)
+        };
+        let gauss = Tableau::gauss(6);
+        assert!(gauss.is_ok_and(|t| t.order() == 12 && tall(&t) == Some(12) && forked(&t)));
+        let cases =
+            [(5, 5, 11), (4, 5, 10), (5, 4, 10), (4, 4, 9), (3, 5, 9), (3, 4, 8), (2, 5, 8)];
+        for (i, j, order) in cases {
+            let tableau = disturbed(i, j);
+            assert!(
+                tableau.is_ok_and(|t| t.order() == order && tall(&t) == Some(order)),
+                "{i} {j}"
+            );
+        }
+        // 2η + 2 = 8 < η + ζ + 1: the tall trees show order 9, the fork that it is 8.
+        let tableau = disturbed(5, 3);
+        assert!(tableau.is_ok_and(|t| t.order() == 8 && tall(&t) == Some(9) && !forked(&t)));
+    }
 }

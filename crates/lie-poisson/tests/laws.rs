@@ -1,28 +1,12 @@
 //! Every algebra, group and representation of the crate obeys its laws, and each law rejects
 //! something that breaks it.
-#![cfg(feature = "laws")]
 #![allow(clippy::unwrap_used)]
 
-use lie_poisson::laws::{self, Report};
+mod support;
+
 use lie_poisson::*;
 use nalgebra::{SVector, Vector2, Vector3};
-
-/// Rounding of the few dozen operations in a law, relative to the sizes that enter it.
-const TOLERANCE: f64 = 1e-13;
-
-/// Four generic vectors, with coordinates in (−1, 1).
-fn samples<V: Vector<Scalar = f64>>() -> Vec<V> {
-    let mut seed = 12.0_f64;
-    let mut next = move || {
-        seed = (seed * 16_807.0) % 2_147_483_647.0;
-        2.0 * seed / 2_147_483_647.0 - 1.0
-    };
-    (0..4).map(|_| V::from_coordinates(|_| next())).collect()
-}
-
-fn holds(report: Report) {
-    report.check(TOLERANCE).unwrap();
-}
+use support::{TOLERANCE, holds, laws, samples};
 
 fn group_laws<G: LieGroup>(group: &G) {
     holds(laws::lie_algebra(&group.algebra(), &samples()).unwrap());
@@ -99,25 +83,6 @@ fn composed_representations_use_the_closed_forms_of_their_parts() {
     let (xi, phi) = (Vector3::new(0.0, -1e4, 1e4), Vector2::new(0.3, -0.7));
     let moved = SL2OnR2.act(&xi, &SL2OnR2.exp_integral(&xi, &phi));
     assert!((moved - (SL2.exp(&xi) * phi - phi)).norm() < 1e-15);
-}
-
-#[test]
-fn casimirs() {
-    fn check<A: Casimirs>(algebra: &A) {
-        assert!(A::COUNT > 0);
-        holds(laws::casimirs(algebra, &samples()).unwrap());
-    }
-    check(&RealSpace::<2>);
-    check(&So2);
-    check(&So3);
-    check(&Su2);
-    check(&Sl2);
-    check(&Se2::default());
-    check(&Se3::default());
-    check(&SemidirectAlgebra(SU2OnC2));
-    check(&UnitaryAlgebra::<3>);
-    check(&ProductAlgebra(So3, Se3::default()));
-    check(&PowerAlgebra::<_, 3>(So3));
 }
 
 #[test]
@@ -324,7 +289,6 @@ fn no_samples_no_report() {
     assert!(laws::lie_group(&SO3, &[]).is_err());
     assert!(laws::representation(&SO3OnR3, &[], &samples()).is_err());
     assert!(laws::representation(&SO3OnR3, &samples(), &[]).is_err());
-    assert!(laws::casimirs(&So3, &[]).is_err());
     assert!(laws::logarithm(&SO3, &[]).is_err());
 }
 

@@ -1,30 +1,14 @@
 //! Every action, momentum map and realisation of the crate obeys its laws, and each law rejects
 //! something that breaks it.
-#![cfg(feature = "laws")]
 #![allow(clippy::unwrap_used)]
 
+mod support;
+
 use lie_poisson::*;
-use momentum_map::laws::{self, Report};
 use momentum_map::*;
 use nalgebra::{Vector2, Vector3};
 use num_complex::Complex;
-
-/// Rounding of the few dozen operations in a law, relative to the sizes that enter it.
-const TOLERANCE: f64 = 1e-13;
-
-/// Four generic vectors, with coordinates in (−1, 1).
-fn samples<V: Vector<Scalar = f64>>() -> Vec<V> {
-    let mut seed = 5.0_f64;
-    let mut next = move || {
-        seed = (seed * 16_807.0) % 2_147_483_647.0;
-        2.0 * seed / 2_147_483_647.0 - 1.0
-    };
-    (0..4).map(|_| V::from_coordinates(|_| next())).collect()
-}
-
-fn holds(report: Report) {
-    report.check(TOLERANCE).unwrap();
-}
+use support::{TOLERANCE, holds, laws, samples};
 
 fn action_laws<A: GroupAction>(action: &A) {
     holds(laws::group_action(action, &samples(), &samples()).unwrap());

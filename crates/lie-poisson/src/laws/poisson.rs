@@ -44,7 +44,11 @@ pub fn poisson_space<P: PoissonSpace>(
     Ok(report)
 }
 
-/// `Casimir`, `ad∗_{dc(μ)} μ = 0`, for every Casimir on samples of momenta.
+/// The laws of Casimirs on samples of momenta:
+///
+/// * `Casimir`: `ad∗_{dc(μ)} μ = 0` for each of them;
+/// * `independence`: no dc(μ) is a combination of the others. The residual is the share of the
+///   Casimirs that are superfluous at every sample: 0 or at least 1/`COUNT`.
 ///
 /// # Errors
 /// If there are no samples.
@@ -57,7 +61,37 @@ pub fn casimirs<A: Casimirs>(algebra: &A, samples: &[Momentum<A>]) -> Result<Rep
             report.note("Casimir", rate.max_abs(), dc.max_abs() * mu.max_abs());
         }
     }
+    // Differentials may be dependent at special momenta, as at 0.
+    let rank_at = |mu| rank((0..A::COUNT).map(|i| algebra.casimir_differential::<f64>(i, mu)));
+    let most = samples.iter().map(rank_at).max().unwrap_or(0);
+    report.note("independence", (A::COUNT - most) as f64, A::COUNT as f64);
     Ok(report)
+}
+
+/// What remains at most, by round-off, of a vector of length 1 that is a combination of others.
+const ROUND_OFF: f64 = 1e-12;
+
+/// How many vectors are not combinations of those before them, to round-off.
+fn rank<V: Vector<Scalar = f64>>(vectors: impl Iterator<Item = V>) -> usize {
+    let dot =
+        |u: &V, v: &V| -> f64 { (0..V::DIM).map(|i| u.coordinate(i) * v.coordinate(i)).sum() };
+    let unit = |v: V| {
+        let v = v.scaled(1.0 / v.max_abs());
+        v.scaled(1.0 / dot(&v, &v).sqrt())
+    };
+    let mut basis: Vec<V> = Vec::new();
+    for v in vectors {
+        let mut rest = unit(v);
+        // The second pass takes away what the rounding of the first one left.
+        for e in basis.iter().chain(&basis) {
+            rest.add_scaled(-dot(e, &rest), e);
+        }
+        // False for NaN, which is what becomes of 0.
+        if dot(&rest, &rest) > ROUND_OFF * ROUND_OFF {
+            basis.push(unit(rest));
+        }
+    }
+    basis.len()
 }
 
 /// `differential`: dh against the exact derivative of h by dual numbers, on samples of points.

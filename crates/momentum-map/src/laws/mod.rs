@@ -1,5 +1,5 @@
-//! The laws of actions, momentum maps, Poisson maps, fibres and lifts, as residuals (feature
-//! `laws`).
+//! The laws of actions, momentum maps, Poisson maps, fibres, lifts and multipliers, as residuals
+//! (feature `laws`).
 //!
 //! As in [`lie_poisson::laws`]: each suite needs samples, covers three regimes of them, and
 //! returns a [`Report`] of relative residuals.
@@ -21,9 +21,11 @@
 
 mod action;
 mod fibre;
+mod multipliers;
 mod poisson_map;
 
 pub use action::{cotangent_lift, equivariance, group_action};
 pub use fibre::{fibre_symmetry, lift};
 pub use lie_poisson::laws::{BrokenLaw, NoSamples, Report, regimes};
+pub use multipliers::multipliers;
 pub use poisson_map::{poisson_map, symplectic_space};
