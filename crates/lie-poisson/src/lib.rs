@@ -50,6 +50,7 @@ mod so3;
 mod su2;
 mod sl2;
 mod unitary;
+mod jacobi;
 mod structure_constants;
 mod product;
 
