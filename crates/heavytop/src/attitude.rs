@@ -3,9 +3,9 @@
 use crate::Turning;
 use crate::turning::unit;
 use collective_integrators::{Integrator, Start, Step, StepError};
-use lie_poisson::{Pair, Quaternion, Real, Se3Dual, Vector};
+use lie_poisson::{Pair, Quaternion, Real, Se3Dual, Vector, squaring_scale};
 use momentum_map::LiftError;
-use nalgebra::Vector3;
+use nalgebra::{Vector2, Vector3};
 
 /// An integrator on se(3)∗ that carries the attitude R ∈ SO(3) of the body along, as a unit quaternion
 /// A with R v = A v Ā:
@@ -42,10 +42,22 @@ use nalgebra::Vector3;
 #[derive(Clone, Debug, PartialEq)]
 pub struct WithAttitude<I>(pub I);
 
-/// A unit quaternion A that turns Γ/|Γ| to e₃, the shortest way; about e₁ by π for Γ along −e₃.
+/// A unit quaternion A that turns Γ/|Γ| to e₃, the shortest way; about e₁ by π for Γ along −e₃. To
+/// round-off for Γ of any size.
+///
+/// ```
+/// use heavytop::attitude_of_vertical;
+/// use nalgebra::Vector3;
+/// let gamma = Vector3::new(0.48, 0.6, -0.64);
+/// for size in [1e-300, 1e-160, 1.0, 1e200, 1e308] {
+///     let attitude = attitude_of_vertical(&(gamma * size));
+///     assert!((attitude.rotate(&gamma) - Vector3::z()).norm() < 1e-15);
+/// }
+/// ```
 #[inline]
 pub fn attitude_of_vertical<T: Real>(gamma: &Vector3<T>) -> Quaternion<T> {
-    let size = gamma.dot(gamma).sqrt();
+    let gamma = gamma * squaring_scale(gamma);
+    let size = gamma.dot(&gamma).sqrt();
     // Half-angle formulas, from the larger of cosine and sine.
     let cosine = ((size + gamma.z) / (size + size)).sqrt();
     let sine = ((size - gamma.z) / (size + size)).sqrt();
@@ -53,11 +65,14 @@ pub fn attitude_of_vertical<T: Real>(gamma: &Vector3<T>) -> Quaternion<T> {
         scalar: cosine,
         vector: Vector3::new(gamma.y, -gamma.x, T::zero()) / ((size + size) * cosine),
     };
-    let length = (gamma.x * gamma.x + gamma.y * gamma.y).sqrt();
-    let axis = Vector3::new(gamma.y, -gamma.x, T::zero()) / length;
+    let across = Vector2::new(gamma.y, -gamma.x);
+    let scale = squaring_scale(&across);
+    let across = across * scale;
+    let length = across.dot(&across).sqrt();
+    let axis = Vector3::new(across.x, across.y, T::zero()) / length;
     let pole = (-length).select_nonnegative(T::one(), T::zero());
     let safe = axis.map(|x| (-length).select_nonnegative(T::zero(), x)) + Vector3::x() * pole;
-    let down = Quaternion { scalar: length / ((size + size) * sine), vector: safe * sine };
+    let down = Quaternion { scalar: length / scale / ((size + size) * sine), vector: safe * sine };
     Vector::from_coordinates(|i| gamma.z.select_nonnegative(up.coordinate(i), down.coordinate(i)))
 }
 

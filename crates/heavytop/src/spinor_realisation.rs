@@ -2,11 +2,11 @@
 
 use lie_poisson::{
     ComplexSpace, Covector, LiePoisson, Mask, Pair, Real, SO3OnR3, Se3, Se3Dual, SemidirectAlgebra,
-    Vector,
+    Vector, euclidean_norm, squaring_scale,
 };
 use momentum_map::{
     Cotangent, CotangentBundle, FibreSymmetry, Lift, LiftError, PoissonMap, RecentringSpace,
-    euclidean_norm, hopf_map, hopf_section, pauli,
+    hopf_map, hopf_section, pauli,
 };
 use nalgebra::{Vector2, Vector3};
 use num_complex::Complex;
@@ -133,20 +133,41 @@ impl Lift for SpinorRealisation {
     ///
     /// Source: Ohsawa 2019, Prop. 2.2 and Thm. 4.1(i).
     ///
+    /// To round-off for Π and Γ of any size, as long as ‖χ‖ = 2|Π|/√|Γ| and the products ‖χ‖‖ψ‖ = 2|Π|
+    /// and ‖ψ‖² = |Γ| in M(χ, ψ) do not overflow.
+    ///
     /// # Errors
-    /// If Γ = 0, or a coordinate is not finite.
+    /// If Γ = 0, if a coordinate is not finite, or if one of these three sizes overflows.
     #[inline]
     fn lift<T: Real>(&self, mu: &Se3Dual<T>) -> Result<SpinorPoint<T>, LiftError> {
-        let Covector(Pair(pi, gamma)) = mu;
-        let size = euclidean_norm(gamma);
-        let psi = hopf_section(gamma);
-        let scaled = pi * (T::from_f64(-2.0) / size);
+        let Covector(Pair(pi, gamma)) =
+            LiftError::unless_finite(*mu, "μ", mu.max_abs(), "Π and Γ must be finite")?;
+        let (pi_scale, gamma_scale) = (squaring_scale(&pi), squaring_scale(&gamma));
+        let unit = gamma * gamma_scale;
+        let size = euclidean_norm(&unit);
+        if size.at_most(T::zero()).any() {
+            return Err(LiftError {
+                quantity: "Γ",
+                value: 0.0,
+                reason: "Γ must be different from 0",
+            });
+        }
+        let psi = hopf_section(&unit);
+        let scaled = pi * pi_scale * (T::from_f64(-2.0) / size);
         let chi = pauli(&scaled, &psi).map(|z| Complex { re: -z.im, im: z.re });
-        let lifted = Cotangent::new(chi, Covector(psi));
-        let reason = "Γ must be different from 0, and Π and Γ finite";
-        LiftError::unless_finite(lifted, "Γ", size.max_abs(), reason)
+        // Of the size √|Γ| as ψ, and |Π|/√|Γ| as χ.
+        let root = gamma_scale.sqrt();
+        let chi = chi.map(|z| z.scale(root / pi_scale));
+        let lifted = Cotangent::new(chi, Covector(psi.map(|z| z.scale(T::one() / root))));
+        let reason = "2|Π|/√|Γ|, 2|Π| and |Γ| must be below 1.7e308";
+        let range = Pair(lifted, self.apply::<T>(&lifted));
+        Ok(LiftError::unless_finite(range, "μ", mu.max_abs(), reason)?.0)
     }
 }
+
+/// The least |ψ₁|/‖ψ‖ of a lift with a given Re χ₁. Its χ has the size of Re χ₁ ‖ψ‖/|ψ₁|, and loses as
+/// much of the digits of Π: half of them here.
+const STEEPEST: f64 = 1e-8;
 
 impl SpinorRealisation {
     /// The lift with Re χ₁ = `re_chi1` and ψ₁ > 0; for Γ₂ = 0 it has ψ real.
@@ -155,7 +176,8 @@ impl SpinorRealisation {
     /// asks for Re χ₁ = 1 and takes ψ real. It is longer than the [minimal lift](Lift::lift).
     ///
     /// # Errors
-    /// As the minimal lift; and if Γ points straight down, where ψ₁ = 0.
+    /// As the minimal lift; if Γ points straight down, where ψ₁ = 0, or to within an angle of 2e-8, where
+    /// the long χ rounds half of the digits of Π away; and if χ or M(χ, ψ) overflows.
     pub fn lift_with<T: Real>(
         &self,
         mu: &Se3Dual<T>,
@@ -163,14 +185,23 @@ impl SpinorRealisation {
     ) -> Result<SpinorPoint<T>, LiftError> {
         let z = self.lift::<T>(mu)?;
         let first = z.p.0.x;
-        let length = first.norm_sqr().sqrt();
+        let length = euclidean_norm(&Vector2::new(first.re, first.im));
+        let sine = length / euclidean_norm(&z.p);
+        let steep = sine.at_most(T::from_f64(STEEPEST));
+        if steep.any() {
+            let reason = "|ψ₁|/‖ψ‖ must be above 1e-8, or bψ, which is added to χ, rounds Π away: Γ must \
+                          not point along −e₃";
+            let value = T::select(steep, sine, T::zero()).max_abs();
+            return Err(LiftError { quantity: "ψ₁/ψ", value, reason });
+        }
         // e^{iθ} = ψ̄₁/|ψ₁| turns ψ₁ to the positive axis.
         let phase = first.conj().unscale(length);
         let (chi, psi) = (z.q.map(|x| x * phase), z.p.0.map(|x| x * phase));
         let along = (re_chi1 - chi.x.re) / length;
         let lifted = Cotangent::new(chi + psi.map(|x| x.scale(along)), Covector(psi));
-        let reason = "ψ₁ must be different from 0: Γ must not point along −e₃";
-        LiftError::unless_finite(lifted, "ψ₁", length.max_abs(), reason)
+        let reason = "Re χ₁ must be so small that χ, and M of it, are numbers";
+        let range = Pair(lifted, self.apply::<T>(&lifted));
+        Ok(LiftError::unless_finite(range, "Re χ₁", re_chi1.max_abs(), reason)?.0)
     }
 }
 

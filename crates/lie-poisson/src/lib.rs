@@ -8,6 +8,7 @@
 //! | lanes as wide as the processor's | [`dispatch`], [`LaneTask`], [`InstructionSet`], [`Width`] |
 //! | a vector of R³ in one register | [`dispatch_four`], [`FourLanesTask`], [`FourLanes`] |
 //! | vector spaces V and their duals V∗ | [`Vector`], [`Covector`], [`Pair`], [`Power`], [`Quaternion`] |
+//! | Euclidean norms over the whole range of numbers | [`euclidean_norm`], [`squaring_scale`] |
 //! | spaces over every scalar at once | [`VectorSpace`]: [`RealSpace`], [`ComplexSpace`], [`QuaternionSpace`] |
 //! | exact derivatives | [`differential`], [`transposed_tangent`] |
 //! | Lie algebras 𝔤 and groups G | [`LieAlgebra`], [`LieGroup`]: [`RealSpace`], [`SO2`], [`SO3`], [`SU2`], [`SP1`], [`SL2`], [`UnitaryGroup`] |
@@ -35,6 +36,7 @@ mod dual_number;
 mod lanes;
 
 mod vector;
+mod norm;
 mod covector;
 mod pair;
 mod power;
@@ -51,6 +53,7 @@ mod so3;
 mod su2;
 mod sl2;
 mod unitary;
+mod jacobi;
 mod structure_constants;
 mod product;
 
@@ -82,6 +85,7 @@ pub use real::{Real, larger};
 pub use covector::Covector;
 pub use derivative::{derivative_part, differential, seed, transposed_tangent};
 pub use linear_solve::solve_linear;
+pub use norm::{euclidean_norm, squaring_scale};
 pub use pair::Pair;
 pub use power::Power;
 pub use quaternion::Quaternion;

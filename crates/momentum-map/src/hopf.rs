@@ -1,6 +1,6 @@
 //! The Hopf map C² → R³.
 
-use lie_poisson::Real;
+use lie_poisson::{Real, squaring_scale};
 use nalgebra::{Vector2, Vector3};
 use num_complex::Complex;
 
@@ -53,24 +53,10 @@ pub fn pauli<T: Real>(v: &Vector3<T>, chi: &Vector2<Complex<T>>) -> Vector2<Comp
     )
 }
 
-/// A power of two next to the largest coordinate, by which to divide without rounding; 1 for 0.
-fn power_of_two<T: Real>(gamma: &Vector3<T>) -> f64 {
-    let exponent = lie_poisson::Vector::max_abs(gamma).log2().floor();
-    if exponent.is_finite() { exponent.clamp(-1000.0, 1000.0).exp2() } else { 1.0 }
-}
-
-/// |Γ|, over the whole range of numbers: the square of a tiny or huge Γ would leave it.
-#[inline]
-pub fn euclidean_norm<T: Real>(gamma: &Vector3<T>) -> T {
-    let scale = T::from_f64(power_of_two(gamma));
-    let unit = gamma * (T::one() / scale);
-    unit.dot(&unit).sqrt() * scale
-}
-
 /// A point ψ of the Hopf fibre over Γ: ϖ₂(ψ) = Γ, ‖ψ‖² = |Γ|. Not finite for Γ = 0.
 ///
 /// Two charts, ψ₁ > 0 on the upper half space and ψ₂ > 0 on the lower, so that no direction of Γ
-/// is singular.
+/// is singular. To round-off of |Γ| for every finite Γ, however small or large.
 ///
 /// ```
 /// use momentum_map::{hopf_map, hopf_section};
@@ -81,14 +67,18 @@ pub fn euclidean_norm<T: Real>(gamma: &Vector3<T>) -> T {
 /// ```
 #[inline]
 pub fn hopf_section<T: Real>(gamma: &Vector3<T>) -> Vector2<Complex<T>> {
-    let size = euclidean_norm(gamma);
-    let large = ((size + gamma.z.select_nonnegative(gamma.z, -gamma.z)) * 0.5).sqrt();
-    let small = |im: T| Complex { re: gamma.x / (large + large), im: im / (large + large) };
-    let large = Complex { re: large, im: T::zero() };
-    let (north, south) = (small(gamma.y), small(-gamma.y));
+    let scale = squaring_scale(gamma);
+    let unit = gamma * scale;
+    let size = unit.dot(&unit).sqrt();
+    let large = ((size + unit.z.select_nonnegative(unit.z, -unit.z)) * 0.5).sqrt();
+    let back = T::one() / scale.sqrt();
+    let small =
+        |im: T| Complex { re: unit.x / (large + large), im: im / (large + large) }.scale(back);
+    let (north, south) = (small(unit.y), small(-unit.y));
+    let large = Complex { re: large * back, im: T::zero() };
     let choose = |upper: Complex<T>, lower: Complex<T>| Complex {
-        re: gamma.z.select_nonnegative(upper.re, lower.re),
-        im: gamma.z.select_nonnegative(upper.im, lower.im),
+        re: unit.z.select_nonnegative(upper.re, lower.re),
+        im: unit.z.select_nonnegative(upper.im, lower.im),
     };
     Vector2::new(choose(large, south), choose(north, large))
 }

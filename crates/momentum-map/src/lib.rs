@@ -52,7 +52,7 @@ pub use cotangent::{Cotangent, CotangentBundle};
 pub use cotangent_lift::CotangentLift;
 pub use dual_quaternions::DualQuaternions;
 pub use fibre::{FibreSymmetry, Lift, LiftError};
-pub use hopf::{euclidean_norm, hopf_map, hopf_pull_back, hopf_section, pauli};
+pub use hopf::{hopf_map, hopf_pull_back, hopf_section, pauli};
 pub use momentum_map::MomentumMap;
 pub use multiplier::{Multiplier, Multipliers};
 pub use noether::NoetherQuantity;

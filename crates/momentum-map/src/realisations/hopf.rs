@@ -1,10 +1,10 @@
 //! so(3)∗ from C² by the Hopf map.
 
 use crate::{
-    FibreSymmetry, Lift, LiftError, QuadraticMomentumMap, Side, So3OnC2, SourcePoint, TargetPoint,
-    hopf_section,
+    FibreSymmetry, Lift, LiftError, PoissonMap, QuadraticMomentumMap, Side, So3OnC2, SourcePoint,
+    TargetPoint, hopf_section,
 };
-use lie_poisson::{Real, Vector};
+use lie_poisson::{Mask, Pair, Real, Vector, euclidean_norm};
 use nalgebra::Vector2;
 use num_complex::Complex;
 
@@ -41,14 +41,23 @@ impl Lift for HopfRealisation {
     /// A section of the Hopf fibration with two charts.
     ///
     /// # Errors
-    /// If Π = 0, where the fibre degenerates to a point, or Π is not finite.
+    /// If Π = 0, where the fibre degenerates to a point, if Π is not finite, or if it is so large that
+    /// 2|Π| = ½‖z‖² overflows.
     fn lift<T: Real>(&self, mu: &TargetPoint<Self, T>) -> Result<SourcePoint<Self, T>, LiftError> {
-        let scale = match self.side() {
-            Side::Left => 4.0,
-            Side::Right => -4.0,
+        let quantity = "Π";
+        let mu = LiftError::unless_finite(*mu, quantity, mu.max_abs(), "Π must be finite")?;
+        if euclidean_norm(&mu.0).at_most(T::zero()).any() {
+            return Err(LiftError { quantity, value: 0.0, reason: "Π must be different from 0" });
+        }
+        // z of 4Π is twice that of Π, to the bit.
+        let sign = match self.side() {
+            Side::Left => 1.0,
+            Side::Right => -1.0,
         };
-        let z = hopf_section(&(mu.0 * T::from_f64(scale)));
-        LiftError::unless_finite(z, "Π", mu.max_abs(), "Π must be finite and different from 0")
+        let z = hopf_section(&(mu.0 * T::from_f64(sign))).map(|z| z.scale(T::from_f64(2.0)));
+        let range = Pair(z, self.apply::<T>(&z));
+        let reason = "the coordinates of Π must be below 5e307, so that 2|Π| is a number";
+        Ok(LiftError::unless_finite(range, quantity, mu.max_abs(), reason)?.0)
     }
 }
 

@@ -1,10 +1,10 @@
 //! se(3)∗ from T∗R³, which does not reach all of it.
 
 use crate::{
-    AffineAction, Cotangent, FibreSymmetry, Lift, LiftError, MomentumMap, Opposite, SourcePoint,
-    TargetPoint,
+    AffineAction, Cotangent, FibreSymmetry, Lift, LiftError, MomentumMap, Opposite, PoissonMap,
+    SourcePoint, TargetPoint,
 };
-use lie_poisson::{Covector, Pair, Real, SO3OnR3, Vector};
+use lie_poisson::{Covector, Mask, Pair, Real, SO3OnR3, Vector, squaring_scale};
 
 /// The momentum map of the right action q ↦ Rᵀ(q − a) of SE(3) on R³, lifted to T∗R³:
 ///
@@ -38,17 +38,32 @@ impl Lift for ParticleRealisation {
     /// (q, p) = (Γ × Π/|Γ|², −Γ), the point of the fibre next to the origin.
     ///
     /// # Errors
-    /// Unless Π ⊥ Γ to within 10⁻¹² and Γ ≠ 0, and both are finite.
+    /// Unless Π ⊥ Γ to within 10⁻¹² and Γ ≠ 0, both are finite, and neither |Π|/|Γ| nor |Π| overflows.
     fn lift<T: Real>(&self, mu: &TargetPoint<Self, T>) -> Result<SourcePoint<Self, T>, LiftError> {
-        let Covector(Pair(pi, gamma)) = mu;
-        let angle = pi.dot(gamma).max_abs();
-        if angle > RIGHT_ANGLE_TOLERANCE * pi.max_abs() * gamma.max_abs() {
-            let reason = "Π and Γ must be perpendicular";
-            return Err(LiftError { quantity: "Π·Γ", value: angle, reason });
+        let Covector(Pair(pi, gamma)) =
+            LiftError::unless_finite(*mu, "μ", mu.max_abs(), "Π and Γ must be finite")?;
+        let (pi_scale, gamma_scale) = (squaring_scale(&pi), squaring_scale(&gamma));
+        let (pi_unit, gamma_unit) = (pi * pi_scale, gamma * gamma_scale);
+        let square = gamma_unit.dot(&gamma_unit);
+        if square.at_most(T::zero()).any() {
+            return Err(LiftError {
+                quantity: "Γ",
+                value: 0.0,
+                reason: "Γ must be different from 0",
+            });
         }
-        let q = gamma.cross(pi) / gamma.dot(gamma);
-        let reason = "Γ must be different from 0, and Π and Γ finite";
-        LiftError::unless_finite(Cotangent::new(q, Covector(-gamma)), "Γ", gamma.max_abs(), reason)
+        let sizes = pi_unit.max_norm() * gamma_unit.max_norm();
+        let cosine = pi_unit.dot(&gamma_unit).magnitude();
+        if !cosine.at_most(sizes * RIGHT_ANGLE_TOLERANCE).all() {
+            let reason = "Π and Γ must be perpendicular";
+            let value = (cosine / sizes).max_abs();
+            return Err(LiftError { quantity: "cos(Π, Γ)", value, reason });
+        }
+        let q = gamma_unit.cross(&pi_unit) / square * (gamma_scale / pi_scale);
+        let z = Cotangent::new(q, Covector(-gamma));
+        let range = Pair(z, self.apply::<T>(&z));
+        let reason = "|Π|/|Γ| and |Π| must be below 1.7e308";
+        Ok(LiftError::unless_finite(range, "Π", pi.max_abs(), reason)?.0)
     }
 }
 

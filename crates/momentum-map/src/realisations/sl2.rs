@@ -1,10 +1,10 @@
 //! sl(2, R)∗ ≅ so(2, 1)∗ from R⁴.
 
 use crate::{
-    FibreSymmetry, Lift, LiftError, QuadraticMomentumMap, Reversed, Side, SourcePoint,
+    FibreSymmetry, Lift, LiftError, PoissonMap, QuadraticMomentumMap, Reversed, Side, SourcePoint,
     SymplecticRepresentation, TargetPoint,
 };
-use lie_poisson::{Pair, Real, SL2OnR2, Sl2, Sum, Vector, map_coordinates};
+use lie_poisson::{Pair, Real, SL2OnR2, Sl2, Sum, Vector, map_coordinates, squaring_scale};
 use nalgebra::Vector2;
 
 /// SL(2, R) on R² with the form ±(dq ∧ dp).
@@ -56,13 +56,16 @@ impl<R: PlaneForm, S: PlaneForm> Lift for Sl2Realisation<R, S> {
     /// z₁ and z₂ along the eigenvectors of S.
     ///
     /// # Errors
-    /// If the eigenvalues of S do not have the signs s₁ and s₂, or μ is not finite.
+    /// If the eigenvalues of S do not have the signs s₁ and s₂, if μ is not finite, or if it is so
+    /// large that the eigenvalues overflow.
     fn lift<T: Real>(&self, mu: &TargetPoint<Self, T>) -> Result<SourcePoint<Self, T>, LiftError> {
         let sign = T::from_f64(match self.side() {
             Side::Left => 1.0,
             Side::Right => -1.0,
         });
-        let j = mu.0 * sign;
+        let mu = LiftError::unless_finite(*mu, "μ", mu.max_abs(), "μ must be finite")?;
+        let scale = squaring_scale(&mu);
+        let j = mu.0 * (sign * scale);
         let (mean, half_difference) = (j.y - j.z, -(j.y + j.z));
         let radius = (half_difference * half_difference + j.x * j.x).sqrt();
         let axis = half_angle(half_difference, j.x, radius);
@@ -74,12 +77,17 @@ impl<R: PlaneForm, S: PlaneForm> Lift for Sl2Realisation<R, S> {
         let small = mean.select_nonnegative(other, size);
         let first = round_off_to_zero(large * R::SIGN, radius).sqrt();
         let second = round_off_to_zero(small * S::SIGN, radius).sqrt();
+        let back = T::one() / scale.sqrt();
         let z: Pair<Vector2<T>, Vector2<T>> =
-            Pair(axis * first, Vector2::new(-axis.y, axis.x) * second);
+            Pair(axis * (first * back), Vector2::new(-axis.y, axis.x) * (second * back));
+        let reason = "the orbit is not of the kind of this realisation";
+        let z = LiftError::unless_finite(z, "μ", mu.max_abs(), reason)?;
         let z: SourcePoint<Self, T> =
             Pair(map_coordinates(&z.0, |x| x), map_coordinates(&z.1, |x| x));
-        let reason = "the orbit is not of the kind of this realisation, or μ is not finite";
-        LiftError::unless_finite(z, "μ", mu.max_abs(), reason)
+        let range = Pair(z, self.apply::<T>(&z));
+        let reason =
+            "the coordinates of μ must be below 4e307, so that the eigenvalues are numbers";
+        Ok(LiftError::unless_finite(range, "μ", mu.max_abs(), reason)?.0)
     }
 }
 

@@ -4,7 +4,9 @@ use crate::{
     FibreSymmetry, Lift, LiftError, PoissonMap, QuadraticMomentumMap, Side, SourcePoint,
     TargetPoint,
 };
-use lie_poisson::{Real, UnitaryAlgebra, UnitaryOnComplexSpace, Vector};
+use lie_poisson::{
+    Mask, Pair, Real, UnitaryAlgebra, UnitaryOnComplexSpace, Vector, squaring_scale,
+};
 use nalgebra::SVector;
 use num_complex::Complex;
 
@@ -49,13 +51,25 @@ impl<const N: usize> Lift for UnitaryRealisation<N> {
     /// z from the column of H with the largest diagonal entry.
     ///
     /// # Errors
-    /// If ±H is not positive semi-definite of rank one, or not finite.
+    /// If ±H is not positive semi-definite of rank one (H = 0 has the rank 0), if it is not finite, or
+    /// if it is so large that sums of N products in J(z) overflow.
     fn lift<T: Real>(&self, mu: &TargetPoint<Self, T>) -> Result<SourcePoint<Self, T>, LiftError> {
         let sign = match self.side() {
             Side::Left => -2.0,
             Side::Right => 2.0,
         };
-        let twice = UnitaryAlgebra.hermitian(mu).map(|z| z.scale(T::from_f64(sign)));
+        let mu = LiftError::unless_finite(*mu, "H", mu.max_abs(), "H must be finite")?;
+        let scale = squaring_scale(&mu);
+        let unit = mu.scaled(scale);
+        let size = unit.max_norm();
+        if size.at_most(T::zero()).any() {
+            return Err(LiftError {
+                quantity: "H",
+                value: 0.0,
+                reason: "H must be different from 0",
+            });
+        }
+        let twice = UnitaryAlgebra.hermitian(&unit).map(|z| z.scale(T::from_f64(sign)));
         let mut column: SVector<Complex<T>, N> = Vector::zero();
         let mut largest = T::zero();
         for k in 0..N {
@@ -67,13 +81,17 @@ impl<const N: usize> Lift for UnitaryRealisation<N> {
             });
         }
         let z = column.map(|z| z.unscale(largest.sqrt()));
-        let residual = (self.apply::<T>(&z) - *mu).max_abs() / mu.max_abs();
-        if residual <= RANK_ONE_TOLERANCE {
-            Ok(z)
-        } else {
-            let reason = "the Hermitian matrix must be finite, definite and of rank one";
-            Err(LiftError { quantity: "H ∓ ½zz*", value: residual, reason })
+        let residual = (self.apply::<T>(&z) - unit).max_norm();
+        if !residual.at_most(size * RANK_ONE_TOLERANCE).all() {
+            let reason = "the Hermitian matrix must be definite and of rank one";
+            let value = (residual / size).max_abs();
+            return Err(LiftError { quantity: "H ∓ ½zz*, relative to H", value, reason });
         }
+        let back = T::one() / scale.sqrt();
+        let z = z.map(|z| z.scale(back));
+        let range = Pair(z, self.apply::<T>(&z));
+        let reason = "the entries of H must be so small that sums of 2N of them are numbers";
+        Ok(LiftError::unless_finite(range, "H", mu.max_abs(), reason)?.0)
     }
 }
 

@@ -1,0 +1,90 @@
+//! The Jacobi identity of a table of structure constants, over the whole range of numbers.
+
+use crate::larger;
+
+/// The brackets of the basis vectors, in numbers whose products do not overflow.
+pub(crate) struct Brackets<const N: usize> {
+    /// `c[i][j][k]` at (i N + j) N + k.
+    constants: Vec<Extended>,
+    /// The maximum norm of [e_i, e_j] at i N + j.
+    norms: Vec<Extended>,
+}
+
+impl<const N: usize> Brackets<N> {
+    pub(crate) fn new(constants: &[f64]) -> Self {
+        let norm = |bracket: &[f64]| bracket.iter().fold(0.0, |most, x| larger(most, x.abs()));
+        Self {
+            constants: constants.iter().map(|&x| Extended::new(x)).collect(),
+            norms: constants.chunks(N.max(1)).map(|c| Extended::new(norm(c))).collect(),
+        }
+    }
+
+    fn constant(&self, i: usize, j: usize, k: usize) -> Extended {
+        self.constants[(i * N + j) * N + k]
+    }
+
+    /// The maximum norm of [e_i, e_j].
+    pub(crate) fn norm(&self, i: usize, j: usize) -> Extended {
+        self.norms[i * N + j]
+    }
+
+    /// The m-th coordinate of Σ_cyc [e_i, [e_j, e_k]], relative to the size of its terms.
+    pub(crate) fn jacobi_residual(&self, [i, j, k]: [usize; 3], m: usize) -> f64 {
+        let cyclic = [(i, j, k), (j, k, i), (k, i, j)];
+        let factors = || {
+            cyclic.into_iter().flat_map(|(a, b, d)| (0..N).map(move |l| (a, b, d, l))).map(
+                |(a, b, d, l)| {
+                    let inner = [self.constant(b, d, l), self.norm(b, d)];
+                    (inner, [self.constant(a, l, m), self.norm(a, l)])
+                },
+            )
+        };
+        let sizes = || {
+            factors().flat_map(|([inner, inner_norm], [outer, outer_norm])| {
+                [inner_norm.times(outer), inner.times(outer_norm)]
+            })
+        };
+        // No size is below the terms, so that none of these overflows in units of the largest size.
+        let Some(unit) = sizes().filter(|x| !x.is_zero()).map(|x| x.exponent).max() else {
+            return 0.0;
+        };
+        let sum: f64 = factors().map(|([c, _], [d, _])| c.times(d).in_units_of(unit)).sum();
+        let size: f64 = sizes().map(|size| size.in_units_of(unit).abs()).sum();
+        (sum / size).abs()
+    }
+}
+
+/// mantissa · 2^exponent: a number beyond the range of `f64`.
+#[derive(Clone, Copy)]
+pub(crate) struct Extended {
+    /// 0, or of a size between 1 and 4.
+    mantissa: f64,
+    /// Without meaning for zero.
+    exponent: i32,
+}
+
+impl Extended {
+    /// A finite number.
+    fn new(x: f64) -> Self {
+        if x == 0.0 {
+            return Self { mantissa: 0.0, exponent: 0 };
+        }
+        // The logarithm of the largest number rounds to 1024, whose power of two is none.
+        let exponent = x.abs().log2().floor().min(1023.0);
+        Self { mantissa: x / exponent.exp2(), exponent: exponent as i32 }
+    }
+
+    pub(crate) fn is_zero(self) -> bool {
+        self.mantissa == 0.0
+    }
+
+    /// The product of two numbers that are no products themselves.
+    fn times(self, other: Self) -> Self {
+        Self { mantissa: self.mantissa * other.mantissa, exponent: self.exponent + other.exponent }
+    }
+
+    /// The number divided by 2^unit.
+    fn in_units_of(self, unit: i32) -> f64 {
+        if self.is_zero() { 0.0 } else { self.mantissa * f64::from(self.exponent - unit).exp2() }
+    }
+}

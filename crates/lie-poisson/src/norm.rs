@@ -1,0 +1,118 @@
+//! Euclidean norms over the whole range of numbers.
+
+use crate::{Mask, Real, Vector};
+
+/// Coordinates up to this size may underflow when they are squared.
+const SMALL: f64 = power_of_two(-500);
+
+/// Coordinates beyond this size may overflow when they are squared and added.
+const LARGE: f64 = power_of_two(500);
+
+/// A power of four by which v is multiplied, lane by lane, before its coordinates are squared, so
+/// that no square overflows and none that matters underflows: 2⁶⁰⁰ where all |vᵢ| ≤ 2⁻⁵⁰⁰, 2⁻⁶⁰⁰
+/// where one is above 2⁵⁰⁰, and 1 elsewhere. Its square root is a power of two.
+///
+/// By the values alone for dual numbers.
+///
+/// Source: J. L. Blue, *A portable Fortran program to find the Euclidean norm of a vector*, ACM
+/// Trans. Math. Softw. 4 (1978).
+///
+/// # Example
+/// ```
+/// use lie_poisson::squaring_scale;
+/// use nalgebra::Vector2;
+/// let v = Vector2::new(3e-200, 4e-200);
+/// let s = squaring_scale(&v);
+/// assert_eq!((v.norm_squared(), squaring_scale(&Vector2::new(3.0, 4.0))), (0.0, 1.0));
+/// assert!(((v * s).norm() / s / 5e-200 - 1.0).abs() < 1e-15);
+/// ```
+#[inline]
+pub fn squaring_scale<V: Vector>(v: &V) -> V::Scalar {
+    let within = |bound: f64| {
+        let bound = V::Scalar::from_f64(bound);
+        (0..V::DIM).fold(<V::Scalar as Real>::Mask::from_bool(true), |within, i| {
+            let x = v.coordinate(i);
+            within.and(x.at_most(bound)).and((-x).at_most(bound))
+        })
+    };
+    let constant = |exponent: i32| V::Scalar::from_f64(power_of_two(exponent));
+    let moderate = Real::select(within(LARGE), constant(0), constant(-600));
+    Real::select(within(SMALL), constant(600), moderate)
+}
+
+/// The Euclidean norm √(Σ vᵢ²) of the coordinates, lane by lane, to round-off for every v: the
+/// squares of tiny and huge coordinates leave the range of numbers. Infinite if the norm itself
+/// does, NaN where a coordinate is.
+///
+/// ```
+/// use lie_poisson::euclidean_norm;
+/// use nalgebra::Vector3;
+/// assert_eq!(euclidean_norm(&Vector3::new(2e300, -1e300, 2e300)), 3e300);
+/// assert_eq!(Vector3::new(2e300, -1e300, 2e300).norm(), f64::INFINITY);
+/// ```
+#[inline]
+pub fn euclidean_norm<V: Vector>(v: &V) -> V::Scalar {
+    let scale = squaring_scale(v);
+    let unit = v.scaled(scale);
+    let zero: V::Scalar = num_traits::zero();
+    let square = (0..V::DIM).map(|i| unit.coordinate(i)).fold(zero, |sum, x| sum + x * x);
+    square.sqrt() / scale
+}
+
+/// 2ⁿ for the exponents of normal numbers.
+const fn power_of_two(n: i32) -> f64 {
+    f64::from_bits(((n + 1023) as u64) << 52)
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::{DefaultLanes, DualNumber, Lanes};
+    use nalgebra::{Vector2, Vector3};
+
+    #[test]
+    fn norms_of_every_size_to_round_off() {
+        for size in [1e-300, 1e-160, 1e-150, 1e-3, 1.0, 1e150, 1e160, 1e307] {
+            let v = Vector3::new(2.0, -1.0, 2.0) * size;
+            assert!((euclidean_norm(&v) / (3.0 * size) - 1.0).abs() < 4e-16, "{size:e}");
+            // One large coordinate among small ones.
+            let v = Vector3::new(size, 1e-30 * size, 0.0);
+            assert!((euclidean_norm(&v) / size - 1.0).abs() < 4e-16, "{size:e}");
+        }
+        let least = 5e-324;
+        assert_eq!(euclidean_norm(&Vector2::new(3.0 * least, 4.0 * least)), 5.0 * least);
+        assert_eq!(euclidean_norm(&Vector2::<f64>::zeros()), 0.0);
+        assert_eq!(euclidean_norm(&Vector2::new(f64::MAX, f64::MAX)), f64::INFINITY);
+        assert_eq!(euclidean_norm(&Vector2::new(f64::NEG_INFINITY, 1.0)), f64::INFINITY);
+        for nan in [Vector2::new(f64::NAN, 1e200), Vector2::new(1e-200, f64::NAN)] {
+            assert!(euclidean_norm(&nan).is_nan());
+        }
+    }
+
+    #[test]
+    fn every_lane_has_its_own_scale() {
+        let sizes = [1e-200, 1.0, 1e200, 1e-308];
+        let v =
+            Vector2::new(3.0, 4.0).map(|x| DefaultLanes::from_lanes(|lane| sizes[lane % 4] * x));
+        let norm = euclidean_norm(&v);
+        for (lane, size) in (0..DefaultLanes::COUNT).zip(sizes) {
+            let alone = euclidean_norm(&Vector2::new(3.0 * size, 4.0 * size));
+            assert_eq!(norm.lane(lane), alone);
+            assert!((alone / (5.0 * size) - 1.0).abs() < 4e-16);
+        }
+    }
+
+    /// A derivative of another size than the value does not spoil it.
+    #[test]
+    fn dual_numbers_are_scaled_by_their_values() {
+        for derivative in [1e-250, 1.0, 1e250] {
+            let v = Vector2::new(
+                DualNumber { value: 3.0, derivative },
+                DualNumber { value: 4.0, derivative: 0.0 },
+            );
+            let norm = euclidean_norm(&v);
+            assert_eq!(norm.value, 5.0);
+            assert!((norm.derivative / (0.6 * derivative) - 1.0).abs() < 1e-15);
+        }
+    }
+}
