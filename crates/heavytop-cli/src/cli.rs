@@ -16,6 +16,7 @@ use crate::section::section;
 use crate::simulate::{Checkpoint, Options, Summary, simulate};
 use crate::sweep::sweep;
 use crate::tiles::Options as InTiles;
+use crate::watch::Watch;
 use clap::{Args, CommandFactory, Parser, Subcommand};
 use clap_complete::Shell;
 use serde::Serialize;
@@ -77,6 +78,9 @@ enum Command {
         /// Go on from FILE.checkpoint, which an interrupted run has left.
         #[arg(long, value_name = "CHECKPOINT")]
         resume: Option<PathBuf>,
+        /// Start anew, and discard FILE.checkpoint if there is one.
+        #[arg(long, conflicts_with = "resume")]
+        restart: bool,
         /// Renew the checkpoint whenever so much time has passed, in seconds.
         #[arg(long, value_name = "SECONDS", default_value_t = 60.0, allow_negative_numbers = true)]
         checkpoint_interval: f64,
@@ -101,6 +105,9 @@ enum Command {
         /// Go on from the finished starts that an interrupted section has left in the folder.
         #[arg(long)]
         resume: bool,
+        /// Start anew, and discard those starts if there are any.
+        #[arg(long, conflicts_with = "resume")]
+        restart: bool,
     },
     /// Follow many tops at once, and map what becomes of them.
     #[command(long_about = SWEEP, after_long_help = SWEEP_EXAMPLES)]
@@ -113,6 +120,9 @@ enum Command {
         /// Go on from the finished tiles that an interrupted sweep has left in the folder.
         #[arg(long)]
         resume: bool,
+        /// Start anew, and discard those tiles if there are any.
+        #[arg(long, conflicts_with = "resume")]
+        restart: bool,
     },
     /// Show a top in motion, on a page for a browser.
     #[command(long_about = ANIMATE, after_long_help = ANIMATE_EXAMPLES)]
@@ -172,31 +182,48 @@ impl Top {
 /// Runs the program with the arguments of the process.
 #[must_use]
 pub fn main() -> ExitCode {
-    let Arguments { quiet, json, command } = Arguments::parse();
-    let done = match command {
-        Command::Reproduce { out, end, step } => {
-            reproduce(&out, step, end, quiet).and_then(|done| print(&done, json))
+    let done = match Arguments::try_parse() {
+        Ok(arguments) => run(arguments),
+        Err(error) if error.use_stderr() => {
+            // Where stderr is closed the exit code has to do.
+            let _ = error.print();
+            return ExitCode::from(2);
         }
-        Command::Simulate { top, out, resume, checkpoint_interval } => {
-            let done = run_simulate(&top, &out, resume.as_deref(), checkpoint_interval, quiet);
+        // What was asked for is help, or the version.
+        Err(help) => to_stdout(help.print()),
+    };
+    match done {
+        Ok(()) => ExitCode::SUCCESS,
+        Err(error) => report(&error),
+    }
+}
+
+fn run(Arguments { quiet, json, command }: Arguments) -> Result<(), Error> {
+    match command {
+        Command::Reproduce { out, end, step } => {
+            reproduce(&out, step, end, &watch(quiet)).and_then(|done| print(&done, json))
+        }
+        Command::Simulate { top, out, resume, restart, checkpoint_interval } => {
+            let begin = Begin { resume: resume.as_deref(), restart, interval: checkpoint_interval };
+            let done = run_simulate(&top, &out, &begin, quiet);
             // Its numbers are in the file; there is nothing else to say.
             done.and_then(|summary| if json { print(&summary, json) } else { Ok(()) })
         }
         Command::Compare { top, out } => top
             .config()
-            .and_then(|config| compare(&config, &out, quiet))
+            .and_then(|config| compare(&config, &out, &watch(quiet)))
             .and_then(|done| print(&done, json)),
-        Command::Section { top, out, resume } => top
+        Command::Section { top, out, resume, restart } => top
             .config()
-            .and_then(|config| section(&config, &out, &in_tiles(resume, quiet)))
+            .and_then(|config| section(&config, &out, &in_tiles(resume, restart, quiet)))
             .and_then(|done| print(&done, json)),
-        Command::Sweep { top, out, resume } => top
+        Command::Sweep { top, out, resume, restart } => top
             .config()
-            .and_then(|config| sweep(&config, &out, &in_tiles(resume, quiet)))
+            .and_then(|config| sweep(&config, &out, &in_tiles(resume, restart, quiet)))
             .and_then(|done| done.map_or(Ok(()), |done| print(&done, json))),
         Command::Animate { top, out } => top
             .config()
-            .and_then(|config| animate(config, &out, quiet))
+            .and_then(|config| animate(config, &out, &watch(quiet)))
             // The page says the same.
             .and_then(|summary| if json { print(&summary, json) } else { Ok(()) }),
         Command::Bench { top, problem, only, tops, threads } => top
@@ -207,10 +234,6 @@ pub fn main() -> ExitCode {
             })
             .and_then(|done| print(&done, json)),
         Command::Completions { shell } => completions(shell),
-    };
-    match done {
-        Ok(()) => ExitCode::SUCCESS,
-        Err(error) => report(&error),
     }
 }
 
@@ -230,23 +253,27 @@ fn completions(shell: Shell) -> Result<(), Error> {
     to_stdout(io::stdout().lock().write_all(&script))
 }
 
+/// The outcome of what was written to stdout, after the rest of it.
 fn to_stdout(written: io::Result<()>) -> Result<(), Error> {
-    match written {
+    match written.and_then(|()| io::stdout().flush()) {
         // Whoever closed the pipe has read enough.
         Err(source) if source.kind() != io::ErrorKind::BrokenPipe => {
-            Err(Error::Write { path: "the summary".into(), source })
+            Err(Error::Write { path: "standard output".into(), source })
         }
         _ => Ok(()),
     }
 }
 
-fn run_simulate(
-    top: &Top,
-    out: &Path,
-    resume: Option<&Path>,
+/// From where `simulate` begins, and how often it renews its checkpoint.
+struct Begin<'a> {
+    resume: Option<&'a Path>,
+    restart: bool,
+    /// s
     interval: f64,
-    quiet: bool,
-) -> Result<Summary, Error> {
+}
+
+fn run_simulate(top: &Top, out: &Path, begin: &Begin<'_>, quiet: bool) -> Result<Summary, Error> {
+    let Begin { resume, restart, interval } = *begin;
     let resume = resume.map(Checkpoint::read).transpose()?;
     let config = match &resume {
         // The checkpoint has its own.
@@ -264,12 +291,17 @@ fn run_simulate(
         let _ = writeln!(io::stderr(), "heavytop: {warning}");
     }
     let stop = Some(interrupted());
-    simulate(&config, out, &Options { resume: resume.as_ref(), interval, stop, quiet })
+    simulate(&config, out, &Options { resume: resume.as_ref(), restart, interval, stop, quiet })
 }
 
 /// How a command is accompanied whose finished parts are kept.
-fn in_tiles(resume: bool, quiet: bool) -> InTiles<'static> {
-    InTiles { resume, stop: Some(interrupted()), quiet }
+fn in_tiles(resume: bool, restart: bool, quiet: bool) -> InTiles<'static> {
+    InTiles { resume, restart, stop: Some(interrupted()), quiet }
+}
+
+/// How a command is accompanied of which nothing is kept.
+fn watch(quiet: bool) -> Watch<'static> {
+    Watch { stop: Some(interrupted()), quiet }
 }
 
 /// Signals that come together are one: launchers send them to a process and to its group.

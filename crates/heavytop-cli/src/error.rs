@@ -1,5 +1,6 @@
 //! What can go wrong, and the exit codes.
 
+use crate::brief::{number, text};
 use crate::method::{Formulation, Scheme};
 use crate::sealed::CheckpointError;
 use crate::sweep::SweepError;
@@ -37,7 +38,7 @@ pub enum Error {
     #[error("the configuration cannot be written as TOML: {0}")]
     Unwritable(#[source] toml::ser::Error),
     /// The run cannot go on from a checkpoint.
-    #[error("cannot go on from {}: {source}", path.display())]
+    #[error("cannot go on from {}: {source}{}", path.display(), remedy(source))]
     Checkpoint {
         /// The checkpoint.
         path: PathBuf,
@@ -183,7 +184,7 @@ pub enum Error {
         source: IntegrationError,
     },
     /// No integrator has this in its name.
-    #[error("no integrator has `{only}` in its name; there are {}", names.join(", "))]
+    #[error("no integrator has `{}` in its name; there are {}", text(only), names.join(", "))]
     NoContestant {
         /// What was asked for.
         only: String,
@@ -198,6 +199,9 @@ pub enum Error {
         /// Why.
         source: rayon::ThreadPoolBuildError,
     },
+    /// The system refuses threads for what is done in parallel.
+    #[error("cannot start threads, of which RAYON_NUM_THREADS sets the number: {0}")]
+    Workers(#[source] rayon::ThreadPoolBuildError),
     /// There is no such section.
     #[error("[section] {0}")]
     Section(#[from] SectionError),
@@ -216,17 +220,26 @@ pub enum Error {
     /// There is no such sweep.
     #[error("[sweep] {0}")]
     Sweep(#[from] SweepError),
+    /// No top of a sweep could be followed.
+    #[error("all {tops} tops failed; the first: {first}")]
+    AllFailed {
+        /// How many there are.
+        tops: u64,
+        /// Why the first did.
+        first: String,
+    },
     /// Tangent vectors of a top in a sweep have no direction any more.
     #[error("{0}")]
     Tangent(#[source] VariationalError),
-    /// There are tiles of an unfinished run.
+    /// There is what an unfinished run has kept.
     #[error(
-        "{} has what an interrupted run has finished: go on with --resume, or delete it",
-        folder.display()
+        "{} is of an interrupted run: go on with {resume}, or discard it with --restart", path.display()
     )]
     Unfinished {
-        /// Where.
-        folder: PathBuf,
+        /// Its checkpoint, or the folder of its tiles.
+        path: PathBuf,
+        /// The argument by which it goes on.
+        resume: String,
     },
     /// What an interrupted run has finished cannot be read.
     #[error("cannot read {}: {source}", path.display())]
@@ -304,7 +317,9 @@ impl Error {
             | Self::Integration { .. }
             | Self::Timed { .. }
             | Self::Crossing { .. }
+            | Self::AllFailed { .. }
             | Self::Tangent(_)
+            | Self::Workers(_)
             | Self::Tile { .. }
             | Self::MissingTile { .. }
             | Self::Figure(_)
@@ -320,9 +335,8 @@ fn resumption(argument: &str) -> String {
     format!("; go on by the same command with {argument}")
 }
 
-/// The number, without hundreds of digits.
-fn number(x: f64) -> String {
-    if x == 0.0 || (1e-6..1e16).contains(&x.abs()) { x.to_string() } else { format!("{x:e}") }
+fn remedy(source: &CheckpointError) -> &'static str {
+    if source.is_of_no_use() { "; start anew with --restart" } else { "" }
 }
 
 fn scheme_names(formulation: Formulation) -> String {

@@ -3,14 +3,16 @@
 pub(crate) const EXIT_CODES: &str = "\
 Exit codes:
   0  done
-  1  the run failed: a stage equation did not converge, a state is not finite, or the disk is full;
-     what was computed until then is kept as FILE.partial, or, where there is a FILE.checkpoint or
-     no room, as the run had it; the message says where
-  2  the request is wrong; nothing was written
+  1  the run failed: a stage equation did not converge, a state is not finite, all tops of a sweep
+     failed, or disk or memory is full; what was computed until then is kept as FILE.partial, or,
+     where there is a FILE.checkpoint or no room, as the run had it; the message says where
+  2  the request is wrong, or another run is writing the output; nothing was written
   130  interrupted by Ctrl-C, or asked to end by SIGTERM; simulate, section and sweep go on with
-     --resume
+     --resume, of the others nothing is left
 
-Files appear under their name only when they are complete.";
+Files appear under their name only when they are complete. Until then they are locked: a second run
+on the same output is refused. A run that was killed keeps nobody out. (Some network file systems
+have no locks; there runs must be kept apart.)";
 
 pub(crate) const REPRODUCE: &str = "\
 Reproduce the paper's figures: Kovalevskaya's top with four integrators.
@@ -54,8 +56,8 @@ FILE.rows for the others, 8 bytes for each number, until the file is made of the
 A run that is interrupted, by Ctrl-C (which needs a moment) or by a power cut, leaves
 FILE.checkpoint; with --resume FILE.checkpoint it goes on, and the file equals that of an
 uninterrupted run byte for byte. A configuration need not be given again; if it is, it must be the
-same, as must the version of the program. Without --resume a run starts anew. A checkpoint is
-possible after every 1024th step.";
+same, as must the version of the program. Where there is a checkpoint a run without --resume is
+refused, unless --restart discards it. A checkpoint is possible after every 1024th step.";
 
 pub(crate) const SIMULATE_EXAMPLES: &str = "\
 Presets, for --preset; a configuration given as well is put over it, key by key:
@@ -113,6 +115,7 @@ Examples:
   heavytop simulate --preset multibody-benchmark --out benchmark.npz
   heavytop simulate --preset lagrange top.toml --out top.parquet   # the preset but for top.toml
   heavytop simulate top.toml --out top.csv --resume top.csv.checkpoint
+  heavytop simulate top.toml --out top.csv --restart               # discard the checkpoint
   heavytop simulate top.toml --out top.csv --json                  # a summary on stdout
   heavytop simulate top.toml --out /dev/stdout | gzip > top.csv.gz";
 
@@ -168,8 +171,9 @@ Written into the folder:
 
 What is finished, a start or some 256 points at a time, is kept in DIR/section.partial until all is.
 After an interruption, by Ctrl-C (which needs a moment; a second one ends at once), a kill or a full
-disk, --resume goes on from there, to the same bytes. It is refused with another configuration or
-version. No more points are held than those of the picture.";
+disk, --resume continues from there, to the same bytes, and --restart starts anew; one of them is
+needed. --resume is refused with another configuration or version. No more points are held than
+those of the picture.";
 
 pub(crate) const SECTION_EXAMPLES: &str = "\
 Configuration: [body] and [initial] as of simulate, and
@@ -185,14 +189,15 @@ Configuration: [body] and [initial] as of simulate, and
   seed = 0                           # which starts
 
   [integrator]                       # as of simulate; end plays no part
-Without the table [integrator]: reduced, gauss-8, with a step in which no body on the energy level
-turns by more than 0.5 rad.
+What [integrator] leaves out: reduced, gauss-8, a step in which no body on the energy level turns by
+more than 0.5 rad.
 
 Examples:
   heavytop section --out section                  # the paper's top
   heavytop section --preset euler --out section
   heavytop section top.toml --out section --json
-  heavytop section top.toml --out section --resume   # after an interruption";
+  heavytop section top.toml --out section --resume   # after an interruption
+  heavytop section top.toml --out section --restart  # or all anew";
 
 pub(crate) const ANIMATE: &str = "\
 Show a top in motion, on a page for a browser.
@@ -261,7 +266,8 @@ T*C², fibres included; use reduced.
 
 Written into the folder:
   sweep.parquet   a row for each top: index, the parameters by their paths, the observables, failure;
-                  a top that could not be followed has nulls and the reason there, and harms no other
+                  a top that could not be followed has nulls and the reason there, and harms no other;
+                  if all fail, the table is kept as sweep.parquet.partial, and the exit code is 1
   NAME.svg .png   for a grid with two axes and at most 4096 × 4096 tops, a map of each column: the
                   first axis is the abscissa; the colours span all values but half a percent at
                   either end; gray has no value
@@ -269,8 +275,9 @@ Written into the folder:
 Tops are followed in parallel (RAYON_NUM_THREADS threads); top number n depends on the configuration
 and n alone, so that no bit depends on the number of threads, processes or tops. What is finished is
 kept, 256 tops at a time, in DIR/sweep.partial until all is; after an interruption, by Ctrl-C (a second
-one ends at once), a kill or a full disk, --resume goes on from there, to the same bytes. It is refused
-with another configuration or version. But for the maps memory does not grow with the number of tops.
+one ends at once), a kill or a full disk, --resume continues from there, to the same bytes, and --restart
+starts anew; one of them is needed. --resume is refused with another configuration or version. But for
+the maps memory does not grow with the number of tops.
 
 A program built with the feature mpi shares the work among the processes of an MPI job. DIR must be
 on a file system that all of them see. A process that fails says why and ends the job.";
@@ -295,7 +302,7 @@ Configuration: [body] and [initial] as of simulate, and
   normalise = true                   # scale the unit vector to length 1 afterwards; default false
 
   [integrator]                       # as of simulate
-Without the table [integrator]: reduced, gauss-8, step 0.1 s, end 100 s.
+What [integrator] leaves out: reduced, gauss-8, step 0.1 s, end 100 s.
 
 Parameters:
   body.inertia[i], body.mass, body.gravity, body.length, body.center_of_mass[i],
@@ -308,4 +315,5 @@ Examples:
   heavytop sweep --out sweep                      # a small map about the paper's top
   heavytop sweep map.toml --out map
   heavytop sweep map.toml --out map --resume      # after an interruption
+  heavytop sweep map.toml --out map --restart     # or all anew
   mpirun -n 4 heavytop sweep map.toml --out map   # built with --features mpi";

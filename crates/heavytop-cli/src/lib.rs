@@ -13,6 +13,9 @@
 //! | tops by name | [`preset`] |
 //! | configurations from text and as text | `reading` |
 //! | what a misspelt name may have meant | `suggestion` |
+//! | numbers and texts in messages | `brief` |
+//! | files that may have no end | `bounded` |
+//! | one writer for each file | `lock` |
 //! | a run, sample by sample | [`run`] |
 //! | files that appear when they are complete | [`output`] |
 //! | rows of numbers | [`table`] |
@@ -22,6 +25,7 @@
 //! | finished parts of a run | [`tiles`] |
 //! | text to outlines, and SVG to PNG | `render` |
 //! | the progress bar | [`progress`] |
+//! | who may stop a command | [`watch`] |
 //! | `heavytop simulate` | [`simulate`] |
 //! | `heavytop reproduce` | [`reproduce`] |
 //! | `heavytop compare` | [`compare`] |
@@ -43,6 +47,9 @@ pub mod config;
 pub mod preset;
 mod reading;
 mod suggestion;
+mod brief;
+mod bounded;
+mod lock;
 pub mod run;
 pub mod output;
 pub mod table;
@@ -52,6 +59,7 @@ mod sealed;
 pub mod tiles;
 mod render;
 pub mod progress;
+pub mod watch;
 pub mod simulate;
 pub mod reproduce;
 pub mod compare;

@@ -1,5 +1,6 @@
 //! Formulations and schemes by name, and which go together.
 
+use crate::brief::text;
 use crate::suggestion::suggestion;
 use collective_integrators::{SchemeError, Substeps};
 use serde::{Deserialize, Serialize};
@@ -196,6 +197,6 @@ pub(crate) fn by_name<T: Copy>(kind: &str, names: &[(&str, T)], name: &str) -> R
     found.ok_or_else(|| {
         let known: Vec<&str> = names.iter().map(|(known, _)| *known).collect();
         let suggested = suggestion(name, known.iter().copied());
-        format!("unknown {kind} `{name}`; there are {}{suggested}", known.join(", "))
+        format!("unknown {kind} `{}`; there are {}{suggested}", text(name), known.join(", "))
     })
 }

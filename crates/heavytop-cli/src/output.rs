@@ -1,6 +1,7 @@
 //! Files that appear under their name only when they are complete.
 
 use crate::Error;
+use crate::lock;
 use std::fs::{self, File};
 use std::io::{self, BufWriter, Write};
 use std::path::{Path, PathBuf};
@@ -8,7 +9,7 @@ use std::path::{Path, PathBuf};
 /// Where an output shall be.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct Place {
-    /// The file; if a symbolic link was asked for, that which it points to, so that the link stays.
+    /// The file; if a symbolic link was asked for, that which it leads to, so that the link stays.
     pub path: PathBuf,
     /// Whether it is there and no regular file, such as `/dev/stdout`.
     pub is_device: bool,
@@ -18,16 +19,17 @@ impl Place {
     /// The place of the output that shall be at `path`.
     ///
     /// # Errors
-    /// If that is a folder.
+    /// If that is a folder, or a symbolic link that leads nowhere.
     pub fn of(path: &Path) -> Result<Self, Error> {
-        let existing = fs::metadata(path);
-        if existing.as_ref().is_ok_and(fs::Metadata::is_dir) {
-            let source = io::ErrorKind::IsADirectory.into();
-            return Err(Error::Create { path: path.into(), source });
+        let refused = |source| Error::Create { path: path.into(), source };
+        match fs::metadata(path) {
+            Ok(existing) if existing.is_dir() => Err(refused(io::ErrorKind::IsADirectory.into())),
+            Ok(existing) => {
+                let path = fs::canonicalize(path).unwrap_or_else(|_| path.into());
+                Ok(Self { path, is_device: !existing.is_file() })
+            }
+            Err(_) => Ok(Self { path: end_of_links(path).map_err(refused)?, is_device: false }),
         }
-        let path = fs::canonicalize(path).unwrap_or_else(|_| path.into());
-        let is_device = existing.is_ok_and(|existing| !existing.is_file());
-        Ok(Self { path, is_device })
     }
 
     /// The file `NAME.ENDING` beside it.
@@ -39,16 +41,36 @@ impl Place {
         name.into()
     }
 
-    /// Creates a file for it, or opens the device.
+    /// Opens a file for it that no other run may open until it is closed, and makes it if it is not
+    /// there; or opens the device, which is anybody's.
     ///
     /// # Errors
-    /// If that cannot be; the error names the place.
-    pub(crate) fn create(&self, file: &Path) -> Result<File, Error> {
-        let mut options = File::options();
-        let options = options.write(true).create(!self.is_device).truncate(!self.is_device);
-        options.open(file).map_err(|source| Error::Create { path: self.path.clone(), source })
+    /// If that cannot be, or another run has the file; the error names the place.
+    pub(crate) fn open(&self, file: &Path) -> Result<File, Error> {
+        let opened = match self.is_device {
+            true => File::options().write(true).open(file),
+            false => lock::open(file, true),
+        };
+        opened.map_err(|source| Error::Create { path: self.path.clone(), source })
     }
 }
+
+/// Where symbolic links lead, from one to the next, if there is nothing at their end; what is no link
+/// stays where it is.
+fn end_of_links(path: &Path) -> io::Result<PathBuf> {
+    let mut path = path.to_path_buf();
+    for _ in 0..MOST_LINKS {
+        match fs::read_link(&path) {
+            // A relative one is meant from where the link is.
+            Ok(to) => path = path.parent().unwrap_or(Path::new("")).join(to),
+            Err(_) => return Ok(path),
+        }
+    }
+    Err(io::Error::other("too many levels of symbolic links"))
+}
+
+/// So many links are followed from one to the next, as by Linux.
+const MOST_LINKS: u32 = 40;
 
 /// Checks that no folder is where these files shall be, before there is any work.
 ///
@@ -58,7 +80,8 @@ pub(crate) fn require_no_folders(out: &Path, names: &[&str]) -> Result<(), Error
     names.iter().try_for_each(|name| Place::of(&out.join(name)).map(|_| ()))
 }
 
-/// A file that is written as `NAME.partial` beside its place and then renamed.
+/// A file that is written as `NAME.partial` beside its place and then renamed; until then the partial
+/// file is locked, so that no other run writes to it.
 ///
 /// Unless it is completed or concluded, the partial file is removed. A place that is no regular file,
 /// such as `/dev/stdout`, is written to directly: to replace it would be no favour.
@@ -74,11 +97,15 @@ impl Output {
     /// Opens the output that shall be at `path`.
     ///
     /// # Errors
-    /// If the partial file cannot be created, or `path` is a folder.
+    /// If the partial file cannot be created, another run is writing it, or `path` is a folder.
     pub fn create(path: &Path) -> Result<Self, Error> {
         let place = Place::of(path)?;
         let partial = (!place.is_device).then(|| place.beside("partial"));
-        let file = place.create(partial.as_deref().unwrap_or(&place.path))?;
+        let file = place.open(partial.as_deref().unwrap_or(&place.path))?;
+        if partial.is_some() {
+            // What a run left that was killed.
+            file.set_len(0).map_err(|source| Error::Create { path: path.into(), source })?;
+        }
         Ok(Self { path: place.path, partial, writer: BufWriter::new(file) })
     }
 

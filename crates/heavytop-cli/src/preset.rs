@@ -1,6 +1,6 @@
 //! Tops by name.
 
-use crate::config::{BodyConfig, Config, InitialConfig, IntegratorConfig};
+use crate::config::{BodyConfig, Config, InitialConfig, Integration};
 use crate::method::{Formulation, Scheme};
 use clap::ValueEnum;
 
@@ -73,11 +73,12 @@ fn multibody_benchmark(config: &mut Config) {
         BodyConfig { inertia, mass, gravity: 9.81, length: 1.0, center_of_mass: [0.0, 1.0, 0.0] };
     config.initial = InitialConfig { angular_momentum, vertical: [0.0, 0.0, 1.0] };
     // Half a radian per step, which order 16 takes to round-off.
-    config.integrator = Some(IntegratorConfig {
+    config.integrator = Integration {
         formulation: Formulation::Reduced,
         scheme: Scheme::Gauss(8),
         step: 0.003_125,
         end: 2.0,
         tolerance: 0.0,
-    });
+    }
+    .into();
 }

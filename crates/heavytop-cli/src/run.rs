@@ -3,7 +3,7 @@
 use crate::Error;
 use crate::integrators::{Method, Task};
 use crate::schedule::Schedule;
-use collective_integrators::Start;
+use collective_integrators::{Integrator, Start};
 use heavytop::{HeavyTop, Turning, WithAttitude};
 use lie_poisson::{Quaternion, Se3Dual, Vector};
 
@@ -113,10 +113,47 @@ impl Experiment {
         self.method.integrate(&self.top, Follow { experiment: self, from, visit })
     }
 
+    /// How many coordinates the state has that the integrator advances.
+    ///
+    /// # Errors
+    /// If there is no such integrator, or the attitude is asked of a formulation that has none.
+    pub fn dimension(&self) -> Result<usize, Error> {
+        self.method.integrate(&self.top, Dimension { experiment: self })
+    }
+
+    /// How many samples are written up to a step before the last, the initial one included.
+    #[must_use]
+    pub fn kept(&self, step: u64) -> u64 {
+        step / self.every + 1
+    }
+
+    fn require_no_attitude(&self) -> Result<(), Error> {
+        let formulation = self.method.formulation();
+        if self.attitude { Err(Error::NoAttitude { formulation }) } else { Ok(()) }
+    }
+
     /// Whether the sample after this step is written.
     #[must_use]
     pub fn keeps(&self, step: u64) -> bool {
         step.is_multiple_of(self.every) || step == self.schedule.steps
+    }
+}
+
+/// The task of counting the coordinates of a state.
+struct Dimension<'a> {
+    experiment: &'a Experiment,
+}
+
+impl Task for Dimension<'_> {
+    type Output = usize;
+
+    fn perform<I: Start<Momentum = Se3Dual>>(self, _: &I) -> Result<usize, Error> {
+        self.experiment.require_no_attitude().map(|()| I::State::DIM)
+    }
+
+    fn perform_turning<I: Turning + Start>(self, _: I) -> Result<usize, Error> {
+        let attitude = self.experiment.attitude;
+        Ok(if attitude { <WithAttitude<I> as Integrator>::State::DIM } else { I::State::DIM })
     }
 }
 
@@ -168,10 +205,7 @@ impl<V: FnMut(&Moment<'_>) -> Result<(), Error>> Task for Follow<'_, V> {
     type Output = ();
 
     fn perform<I: Start<Momentum = Se3Dual>>(self, integrator: &I) -> Result<(), Error> {
-        if self.experiment.attitude {
-            let formulation = self.experiment.method.formulation();
-            return Err(Error::NoAttitude { formulation });
-        }
+        self.experiment.require_no_attitude()?;
         self.follow(integrator, |_| None)
     }
 

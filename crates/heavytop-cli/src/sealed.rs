@@ -1,11 +1,14 @@
 //! Files that an interrupted run has left for the one that goes on: whole, and of this version.
 
+use crate::bounded;
+use crate::formats::Format;
 use std::io;
-use std::path::PathBuf;
+use std::path::{Path, PathBuf};
 use thiserror::Error;
 use toml::Table;
 
-use crate::formats::Format;
+/// More bytes than this have no checkpoint and no identity.
+const MOST_BYTES: u64 = 1 << 24;
 
 /// Why a run cannot go on from what an interrupted one has left.
 #[derive(Debug, Error)]
@@ -16,6 +19,9 @@ pub enum CheckpointError {
     /// It is not a checkpoint, or not a whole one.
     #[error("it is damaged, or no checkpoint: {0}")]
     Damaged(String),
+    /// It is whole, and no run can have made it.
+    #[error("no run makes such a checkpoint: it has {0}")]
+    Impossible(String),
     /// Another version made it, which need not compute the same bits.
     #[error("version {there} made it, and this is {here}")]
     Version {
@@ -49,6 +55,25 @@ pub enum CheckpointError {
         /// Their file.
         path: PathBuf,
     },
+}
+
+impl CheckpointError {
+    /// Whether to discard it is a way to go on.
+    pub(crate) fn is_of_no_use(&self) -> bool {
+        !matches!(self, Self::Read(_) | Self::Format { .. } | Self::Rows { .. })
+    }
+}
+
+/// The text of a sealed file.
+///
+/// # Errors
+/// If it cannot be read, or is no text, or too long.
+pub(crate) fn read(path: &Path) -> Result<String, CheckpointError> {
+    bounded::read(path, MOST_BYTES).map_err(|error| match error.kind() {
+        io::ErrorKind::InvalidData => CheckpointError::Damaged("it is no text".into()),
+        io::ErrorKind::FileTooLarge => CheckpointError::Damaged(error.to_string()),
+        _ => CheckpointError::Read(error),
+    })
 }
 
 /// The contents after a line of the title and their checksum.

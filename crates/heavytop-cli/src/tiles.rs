@@ -2,22 +2,35 @@
 
 use crate::Error;
 use crate::config::Config;
+use crate::lock;
 use crate::output::Output;
-use crate::sealed::{CheckpointError, damaged, of_this_version, open, seal};
+use crate::sealed::{self, CheckpointError, damaged, of_this_version, open, seal};
+use rayon::{ThreadPool, ThreadPoolBuilder};
 use serde::{Deserialize, Serialize};
-use std::fs;
+use std::fs::{self, File};
 use std::io;
-use std::path::PathBuf;
+use std::path::{Path, PathBuf};
 use std::sync::atomic::{AtomicBool, Ordering};
 
-/// The first word of the file that says of which run the tiles are.
-const IDENTITY: &str = "heavytop-tiles ";
+/// The file that says of which run the tiles are,
+const IDENTITY: &str = "identity";
+
+/// and its first word.
+const TITLE: &str = "heavytop-tiles ";
+
+/// The file that is locked while a run has the folder.
+const LOCK: &str = "lock";
+
+/// The argument by which a run goes on.
+const RESUME: &str = "--resume";
 
 /// How a run in tiles is accompanied.
 #[derive(Clone, Copy, Debug)]
 pub struct Options<'a> {
     /// Whether it goes on from the finished tiles of an interrupted run.
     pub resume: bool,
+    /// Whether those are discarded.
+    pub restart: bool,
     /// Once this is true the run ends; what is finished is kept.
     pub stop: Option<&'a AtomicBool>,
     /// Whether to show no progress bar.
@@ -27,7 +40,7 @@ pub struct Options<'a> {
 /// From the start, and quietly.
 impl Default for Options<'_> {
     fn default() -> Self {
-        Self { resume: false, stop: None, quiet: true }
+        Self { resume: false, restart: false, stop: None, quiet: true }
     }
 }
 
@@ -38,17 +51,41 @@ impl Options<'_> {
     }
 }
 
+/// The threads that finish tiles: as many as the processor has, or as RAYON_NUM_THREADS says.
+///
+/// # Errors
+/// If the system refuses them.
+pub(crate) fn threads() -> Result<ThreadPool, Error> {
+    ThreadPoolBuilder::new().build().map_err(Error::Workers)
+}
+
 /// The folder of finished tiles, one file for each; it is there while the run is not finished.
 ///
 /// A tile is a part of a run that does not depend on the others. Its file is there whole or not at
-/// all, and says that it belongs to the configuration.
+/// all, and says which tile of which configuration it is.
 #[derive(Debug)]
 pub(crate) struct Tiles {
     folder: PathBuf,
     config: Config,
     identity: String,
-    /// The first line of each tile.
+    /// The first line of each tile begins with it.
     title: String,
+}
+
+/// The folder of tiles while it is this run's alone.
+#[derive(Debug)]
+#[must_use]
+pub(crate) struct Held {
+    path: PathBuf,
+    _file: File,
+}
+
+/// Nobody else has the lock as long as the file is open: it is this run's to be removed.
+impl Drop for Held {
+    fn drop(&mut self) {
+        // That it stays does no harm.
+        let _ = fs::remove_file(&self.path);
+    }
 }
 
 /// What decides about the numbers.
@@ -67,41 +104,55 @@ impl Tiles {
     pub fn new(folder: PathBuf, config: &Config) -> Result<Self, Error> {
         let version = env!("CARGO_PKG_VERSION").into();
         let identity = Identity { version, configuration: config.clone() };
-        let identity = seal(IDENTITY, &toml::to_string(&identity).map_err(Error::Unwritable)?);
-        let title = format!("heavytop-tile {:08x} ", crc32fast::hash(identity.as_bytes()));
+        let identity = seal(TITLE, &toml::to_string(&identity).map_err(Error::Unwritable)?);
+        let title = format!("heavytop-tile {:08x}", crc32fast::hash(identity.as_bytes()));
         Ok(Self { folder, config: config.clone(), identity, title })
     }
 
-    /// Makes the folder, or sees that its tiles are of this run.
+    /// Makes the folder, or sees that its tiles are of this run; or discards them.
     ///
     /// # Errors
-    /// If there are tiles which shall not be used, or which are of another run.
-    pub fn prepare(&self, resume: bool) -> Result<(), Error> {
+    /// If another run has the folder, or there are tiles which shall not be used, or which are of
+    /// another run; then nothing is changed.
+    pub fn prepare(&self, options: &Options<'_>) -> Result<Held, Error> {
         let folder = || self.folder.clone();
-        let path = self.identity_file();
-        match fs::read_to_string(&path) {
-            Ok(_) if !resume => Err(Error::Unfinished { folder: folder() }),
-            Ok(found) => {
-                self.require(&found).map_err(|source| Error::Checkpoint { path: folder(), source })
-            }
-            // That a file is where a folder should be is found when the folder is made.
-            Err(error)
-                if [io::ErrorKind::NotFound, io::ErrorKind::NotADirectory]
-                    .contains(&error.kind()) =>
-            {
-                let refused = |source| Error::Create { path: folder(), source };
-                fs::create_dir_all(&self.folder).map_err(refused)?;
-                Output::whole(&path, self.identity.as_bytes()).inspect_err(|_| {
+        let refused = |source| Error::Create { path: folder(), source };
+        fs::create_dir_all(&self.folder).map_err(refused)?;
+        let path = self.folder.join(LOCK);
+        let file = lock::open(&path, true).map_err(|source| {
+            // One that was made for this is empty.
+            let _ = fs::remove_dir(&self.folder);
+            refused(source)
+        })?;
+        let held = Held { path, _file: file };
+        let identity = self.identity_file();
+        if options.restart {
+            self.empty()?;
+        }
+        match sealed::read(&identity) {
+            Err(CheckpointError::Read(error)) if error.kind() == io::ErrorKind::NotFound => {
+                if let Err(error) = Output::whole(&identity, self.identity.as_bytes()) {
+                    drop(held);
                     // Nothing was begun. That it stays if there is something in it is right.
                     let _ = fs::remove_dir(&self.folder);
-                })
+                    return Err(error);
+                }
             }
-            Err(source) => Err(Error::Tile { path, source }),
+            Err(CheckpointError::Read(source)) => {
+                return Err(Error::Tile { path: identity, source });
+            }
+            _ if !options.resume => {
+                return Err(Error::Unfinished { path: folder(), resume: RESUME.into() });
+            }
+            found => found
+                .and_then(|found| self.require(&found))
+                .map_err(|source| Error::Checkpoint { path: folder(), source })?,
         }
+        Ok(held)
     }
 
     fn identity_file(&self) -> PathBuf {
-        self.folder.join("identity")
+        self.folder.join(IDENTITY)
     }
 
     /// Checks that the identity is this one.
@@ -109,7 +160,7 @@ impl Tiles {
         if found == self.identity {
             return Ok(());
         }
-        let table = of_this_version(open(IDENTITY, found)?)?;
+        let table = of_this_version(open(TITLE, found)?)?;
         let Identity { configuration, .. } = table.try_into().map_err(damaged)?;
         let differences = configuration.differences(&self.config);
         let differences = differences.map_err(|e| CheckpointError::Damaged(e.to_string()))?;
@@ -120,15 +171,21 @@ impl Tiles {
         self.folder.join(format!("{tile:07}"))
     }
 
+    /// The first line of a tile, before the checksum: which it is, of which run.
+    fn title(&self, tile: u64) -> String {
+        format!("{} {tile:07} ", self.title)
+    }
+
     /// Keeps a tile.
     ///
     /// # Errors
     /// If it cannot be written.
     pub fn write(&self, tile: u64, contents: &str) -> Result<(), Error> {
-        Output::whole(&self.file(tile), seal(&self.title, contents).as_bytes())
+        Output::whole(&self.file(tile), seal(&self.title(tile), contents).as_bytes())
     }
 
-    /// What is in a tile; nothing if it is not finished, or not whole, or of another run.
+    /// What is in a tile; nothing if it is not finished, or not whole, or another one, or of another
+    /// run.
     ///
     /// # Errors
     /// If it cannot be read.
@@ -136,7 +193,7 @@ impl Tiles {
         let path = self.file(tile);
         match fs::read_to_string(&path) {
             // What is damaged has to be made again.
-            Ok(text) => Ok(open(&self.title, &text).ok().map(String::from)),
+            Ok(text) => Ok(open(&self.title(tile), &text).ok().map(String::from)),
             Err(error)
                 if [io::ErrorKind::NotFound, io::ErrorKind::InvalidData]
                     .contains(&error.kind()) =>
@@ -152,29 +209,58 @@ impl Tiles {
         Error::MissingTile { tile, folder: self.folder.clone() }
     }
 
-    /// Removes the folder: the run is finished.
+    /// Removes the folder, which is this run's: the run is finished.
     ///
     /// # Errors
     /// If it cannot be removed.
-    pub fn remove(&self) -> Result<(), Error> {
-        // Tiles without an identity are in nobody's way, should it end in between.
-        let removed = fs::remove_file(self.identity_file());
-        removed
-            .and_then(|()| fs::remove_dir_all(&self.folder))
-            .map_err(|source| Error::Write { path: self.folder.clone(), source })
+    pub fn remove(&self, held: Held) -> Result<(), Error> {
+        self.empty()?;
+        drop(held);
+        match fs::remove_dir(&self.folder) {
+            // Another run has begun in it, or is done with it, too.
+            Err(error)
+                if [io::ErrorKind::DirectoryNotEmpty, io::ErrorKind::NotFound]
+                    .contains(&error.kind()) =>
+            {
+                Ok(())
+            }
+            removed => removed.map_err(|source| unwritten(&self.folder, source)),
+        }
     }
+
+    /// Removes all files of the folder but the lock.
+    fn empty(&self) -> Result<(), Error> {
+        let remove = |path: &Path| match fs::remove_file(path) {
+            Err(error) if error.kind() != io::ErrorKind::NotFound => Err(unwritten(path, error)),
+            _ => Ok(()),
+        };
+        // First, since tiles without an identity are in nobody's way, should it end in between.
+        remove(&self.identity_file())?;
+        let entries = fs::read_dir(&self.folder).map_err(|e| unwritten(&self.folder, e))?;
+        for entry in entries {
+            let entry = entry.map_err(|e| unwritten(&self.folder, e))?;
+            if entry.file_name() != LOCK {
+                remove(&entry.path())?;
+            }
+        }
+        Ok(())
+    }
+}
+
+fn unwritten(path: &Path, source: io::Error) -> Error {
+    Error::Write { path: path.into(), source }
 }
 
 /// That a run in tiles was stopped.
 pub(crate) fn interrupted() -> Error {
-    Error::Interrupted { resume: Some("--resume".into()) }
+    Error::Interrupted { resume: Some(RESUME.into()) }
 }
 
 /// Says of what failed for want of something outside the run that it can go on.
 pub(crate) fn resumable(failure: Error) -> Error {
     match failure {
         Error::Write { .. } | Error::Tile { .. } => {
-            Error::Resumable { resume: "--resume".into(), source: Box::new(failure) }
+            Error::Resumable { resume: RESUME.into(), source: Box::new(failure) }
         }
         other => other,
     }

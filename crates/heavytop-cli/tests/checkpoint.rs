@@ -114,11 +114,11 @@ fn ctrl_c_ends_a_run_with_a_checkpoint_also_twice() {
 }
 
 /// A folder with an interrupted run.
-fn interrupted() -> Folder {
+fn interrupted(out: &str) -> Folder {
     let folder = Folder::new();
     folder.write("a.toml", &LONG.replace("2000", "20000"));
-    let mut child = start(&folder, "a.csv", false);
-    wait(&folder, "a.csv", &mut child, 20);
+    let mut child = start(&folder, out, false);
+    wait(&folder, out, &mut child, 20);
     child.kill().unwrap();
     child.wait().unwrap();
     folder
@@ -126,7 +126,7 @@ fn interrupted() -> Folder {
 
 #[test]
 fn what_a_run_cannot_go_on_from_is_refused_and_left_as_it_is() {
-    let folder = interrupted();
+    let folder = interrupted("a.csv");
     folder.write("other.toml", &LONG.replace("gauss-4", "gauss-6"));
     folder.write("empty", "");
     let checkpoint = folder.read("a.csv.checkpoint");
@@ -215,9 +215,117 @@ fn a_run_without_room_goes_on_once_there_is_some() {
 }
 
 #[test]
-fn without_resume_a_run_starts_anew() {
-    let folder = interrupted();
-    folder.write("a.toml", "[integrator]\nend = 0.1");
-    assert_eq!(folder.heavytop(&["simulate", "a.toml", "--out", "a.csv"]).code(), 0);
-    assert_eq!(folder.names(), ["a.csv", "a.toml"]);
+fn without_resume_a_run_is_refused_unless_it_shall_start_anew() {
+    for (out, rows) in [("a.csv", "a.csv.partial"), ("a.npz", "a.npz.rows")] {
+        let folder = interrupted(out);
+        let names = folder.names();
+        let files = || -> Vec<Vec<u8>> {
+            names.iter().map(|name| std::fs::read(folder.path(name)).unwrap()).collect()
+        };
+        let (before, checkpoint) = (files(), format!("{out}.checkpoint"));
+        for arguments in [&["simulate", "--out", out][..], &["simulate", "a.toml", "--out", out]] {
+            let run = folder.heavytop(arguments);
+            let expected = format!(
+                "heavytop: {checkpoint} is of an interrupted run: go on with --resume {checkpoint}, \
+                 or discard it with --restart\n"
+            );
+            assert_eq!((run.code(), run.stderr()), (2, expected));
+            assert!(folder.names() == names && files() == before);
+        }
+        // Where the rows are lost a refusal does not make them.
+        std::fs::remove_file(folder.path(rows)).unwrap();
+        assert_eq!(folder.heavytop(&["simulate", "--out", out]).code(), 2);
+        assert!(!folder.path(rows).exists() && folder.path(&checkpoint).exists());
+
+        let both = ["simulate", "--out", out, "--restart", "--resume", &checkpoint];
+        assert_eq!(folder.heavytop(&both).code(), 2);
+        assert!(folder.path(&checkpoint).exists());
+        folder.write("a.toml", "[integrator]\nend = 0.1");
+        let run = folder.heavytop(&["simulate", "a.toml", "--out", out, "--restart"]);
+        assert_eq!((run.code(), run.stderr()), (0, String::new()));
+        assert_eq!(folder.names(), [out, "a.toml"]);
+    }
+}
+
+/// The contents of a checkpoint, changed, with the checksum of what they are now.
+fn changed(checkpoint: &str, change: impl Fn(&str) -> String) -> String {
+    let contents = change(checkpoint.split_once('\n').unwrap().1);
+    assert_ne!(checkpoint.split_once('\n').unwrap().1, contents);
+    format!("heavytop-checkpoint {:08x}\n{contents}", crc32fast::hash(contents.as_bytes()))
+}
+
+/// The line of a key, and what comes after the equals sign.
+fn line<'a>(contents: &'a str, key: &str) -> (&'a str, &'a str) {
+    let line = contents.lines().find(|line| line.starts_with(&format!("{key} = "))).unwrap();
+    (line, line.split_once(" = ").unwrap().1)
+}
+
+/// The contents with another value of a key.
+fn with(key: &str, value: impl Fn(&str) -> String) -> impl Fn(&str) -> String {
+    move |contents| {
+        let (line, old) = line(contents, key);
+        contents.replace(line, &format!("{key} = {}", value(old)))
+    }
+}
+
+#[test]
+fn what_no_run_can_have_kept_is_refused_though_it_is_whole() {
+    let number = |text: &str| text.parse::<u64>().unwrap();
+    // Without the first of some numbers; with another one for it.
+    let shorter = |list: &str| format!("[{}", list.split_once(',').unwrap().1);
+    let other = |list: &str, first: &str| format!("[{first},{}", list.split_once(',').unwrap().1);
+    for (out, rows) in [("a.csv", "a.csv.partial"), ("a.npz", "a.npz.rows")] {
+        let folder = interrupted(out);
+        let read = || std::fs::read(folder.path(rows)).unwrap();
+        let (name, before) = (format!("{out}.checkpoint"), read());
+        let checkpoint = folder.read(&name);
+        // The end is after a million steps.
+        for (changed, message) in [
+            (
+                changed(&checkpoint, with("step", |_| "1000960".into())),
+                "no run makes such a checkpoint: it has step 1000960 of a run of 1000000",
+            ),
+            (
+                changed(&checkpoint, with("step", |step| (number(step) + 1).to_string())),
+                "which is no multiple of 1024",
+            ),
+            (
+                changed(&checkpoint, with("step", |step| (number(step) + 1024).to_string())),
+                "are not those that belong to it",
+            ),
+            (changed(&checkpoint, with("state", shorter)), "it has a state of "),
+            (changed(&checkpoint, with("state", |s| other(s, "nan"))), "it has a state with NaN"),
+            (
+                changed(&checkpoint, with("deviations", shorter)),
+                "it has 3 deviations of 4 invariants",
+            ),
+            (
+                changed(&checkpoint, with("deviations", |s| other(s, "-1e308"))),
+                "it has a deviation of -1e308",
+            ),
+            // Empty rows, with the checksum of nothing.
+            (
+                changed(&checkpoint, |contents| {
+                    let none = with("bytes", |_| "0".into())(contents);
+                    with("checksum", |_| "0".into())(&none)
+                }),
+                "are not those that belong to it",
+            ),
+        ] {
+            folder.write(&name, &changed);
+            let run = folder.heavytop(&["simulate", "--out", out, "--resume", &name]);
+            let said = run.stderr();
+            assert_eq!(run.code(), 2, "{message}: {said}");
+            assert!(said.contains(message), "{message}: {said}");
+            assert!(said.ends_with("; start anew with --restart\n"), "{said}");
+            assert!(read() == before && folder.read(&name) == changed, "{message}");
+        }
+        // Control: the same contents, sealed again.
+        folder.write(&name, &changed(&checkpoint, |contents| format!("{contents}# nothing\n")));
+        let mut child = folder.start(&["simulate", "--out", out, "--resume", &name]);
+        sleep(Duration::from_millis(200));
+        assert!(child.try_wait().unwrap().is_none(), "it was refused, or too short");
+        child.kill().unwrap();
+        child.wait().unwrap();
+    }
 }

@@ -42,7 +42,8 @@ fn bash_completes_commands_options_presets_and_nothing_else() {
         }
         try heavytop se
         try heavytop sw
-        try heavytop section --res
+        try heavytop section --resu
+        try heavytop sweep --rest
         try heavytop simulate --preset go
         try heavytop completions fi
         try heavytop xyz
@@ -51,7 +52,8 @@ fn bash_completes_commands_options_presets_and_nothing_else() {
     let expected = "\
         heavytop se: section\n\
         heavytop sw: sweep\n\
-        heavytop section --res: --resume\n\
+        heavytop section --resu: --resume\n\
+        heavytop sweep --rest: --restart\n\
         heavytop simulate --preset go: goryachev-chaplygin\n\
         heavytop completions fi: fish\n\
         heavytop xyz: \n";

@@ -13,26 +13,50 @@ const WRONG: &[(&str, &str)] = &[
     ("\n[bodi]", "a.toml, line 2, column 2: unknown key `bodi`"),
     (
         "[body]\n\nmass = 'heavy'",
-        "a.toml, line 3, column 8: invalid type: string \"heavy\", expected a number",
+        "a.toml, line 3, column 8: body.mass: invalid type: string \"heavy\", expected a number",
     ),
-    ("[body]\ninertia = [1.0, 1.0]", "a.toml, line 2, column 11: invalid length 2"),
+    (
+        "[body]\ninertia = [1.0, 1.0]",
+        "a.toml, line 2, column 11: body.inertia: invalid length 2, expected an array of length 3",
+    ),
+    (
+        "[body]\ninertia = [1, 2, 3, 4]",
+        "a.toml, line 2, column 11: body.inertia: invalid length 4, expected fewer elements",
+    ),
+    (
+        "body.inertia = [1, 2, true]",
+        "line 1, column 23: body.inertia[2]: invalid type: boolean `true`, expected a number",
+    ),
+    ("body = 3", "line 1, column 8: body: invalid type: integer `3`, expected a table"),
     (
         "[output]\nevery = 1.5",
-        "a.toml, line 2, column 9: invalid type: floating point `1.5`, expected a whole number from 0 to 9223372036854775807",
+        "a.toml, line 2, column 9: output.every: invalid type: floating point `1.5`, expected a whole number from 0 to 9223372036854775807",
+    ),
+    (
+        "output.every = 1e308",
+        "output.every: invalid type: floating point `1e308`, expected a whole number",
     ),
     (
         "[output]\nevery = -1",
-        "a.toml, line 2, column 9: invalid value: integer `-1`, expected a whole number from 0 to",
+        "a.toml, line 2, column 9: output.every: invalid value: integer `-1`, expected a whole number from 0 to",
+    ),
+    (
+        "sweep.axes = [{ parameter = 'body.mass' }, { from = 1 }]",
+        "line 1, column 44: sweep.axes[1]: missing key `parameter`",
+    ),
+    (
+        "sweep.axes = [{ parameter = 'body.mass', to = 'x' }]",
+        "line 1, column 47: sweep.axes[0].to: invalid type: string \"x\", expected a number",
     ),
     ("[output]\nevery = 99999999999999999999", "integer `99999999999999999999`, expected a whole"),
     ("[body\nmass = 1", "a.toml, line 1, column 6: "),
     (
         "[integrator]\nscheme = 'euler'",
-        "line 2, column 10: unknown scheme `euler`; there are implicit-midpoint, gauss-4, gauss-6, gauss-8, gauss-10, gauss-12, gauss-16, explicit-midpoint, rk4",
+        "line 2, column 10: integrator.scheme: unknown scheme `euler`; there are implicit-midpoint, gauss-4, gauss-6, gauss-8, gauss-10, gauss-12, gauss-16, explicit-midpoint, rk4",
     ),
     (
         "integrator.formulation = 'x'",
-        "line 1, column 26: unknown formulation `x`; there are collective, reduced, direct, splitting",
+        "line 1, column 26: integrator.formulation: unknown formulation `x`; there are collective, reduced, direct, splitting",
     ),
     (
         "integrator.formulation = 'splitting'",
@@ -47,6 +71,8 @@ const WRONG: &[(&str, &str)] = &[
     ("body.inertia = [2, 2, 0]", "[body] inertia[2] must be positive, got 0"),
     ("body.inertia = [2, 2, 5]", "[body] principal moments must obey the triangle inequality: 5"),
     ("body.mass = 0", "[body] mass must be positive, got 0"),
+    ("body.mass = -1e308", "[body] mass must not be negative, got -1e308\n"),
+    ("body.inertia = [1e308, 1, 1e-300]", "inequality: 1e308 is more than 1.0 + 1e-300\n"),
     ("body.gravity = -9.81", "[body] gravity must not be negative, got -9.81"),
     ("integrator.step = 0", "step must be positive and finite, got 0"),
     ("integrator.step = -0.02", "step must be positive and finite, got -0.02"),
@@ -61,7 +87,10 @@ const WRONG: &[(&str, &str)] = &[
     ("integrator = { step = 0.5, end = 1.0000001 }", "the nearest ends are 1 and 1.5"),
     ("integrator.tolerance = -1e-9", "tolerance must be finite and not negative"),
     ("output.every = 0", "every must be at least 1, got 0"),
-    ("output.attitude = 1", "line 1, column 19: invalid type: integer `1`, expected a boolean"),
+    (
+        "output.attitude = 1",
+        "line 1, column 19: output.attitude: invalid type: integer `1`, expected a boolean",
+    ),
     (
         "integrator.formulation = 'direct'\noutput.attitude = true",
         "direct has no attitude: its six equations do not determine it; collective, reduced and splitting have one",
@@ -80,6 +109,62 @@ fn what_is_wrong_is_said_in_one_line_and_nothing_is_written() {
         assert_eq!(said.lines().count(), 1, "{text}: {said}");
         assert_eq!(folder.names(), ["a.toml"], "{text}");
     }
+}
+
+/// What is said is short, whatever it is about.
+#[test]
+fn what_is_long_is_said_in_a_few_words() {
+    let long = "x".repeat(500_000);
+    let many = "x ".repeat(250_000);
+    for (text, parts) in [
+        (
+            format!("body.mass = '{long}'"),
+            ["body.mass: invalid type: string \"xx", "…\", expected a number"],
+        ),
+        (
+            format!("body.mass = '{many}'"),
+            ["body.mass: invalid type: string \"x x", ", expected a number"],
+        ),
+        (format!("body.{long} = 1"), ["unknown key `xx", "…`, expected one of `inertia`"]),
+        (format!("integrator.scheme = '{long}'"), ["unknown scheme `xx", "…`; there are implicit"]),
+        (format!("body.mass = {}", "9".repeat(500_000)), ["line 1, column 13: ", "overflow"]),
+        // Nor does it control the terminal.
+        ("body.\"\\u001b[2J\" = 1".into(), ["unknown key `\\u{1b}[2J`", "expected one of"]),
+    ] {
+        let folder = Folder::new();
+        folder.write("a.toml", &text);
+        let run = folder.heavytop(&["simulate", "a.toml", "--out", "a.csv"]);
+        let said = run.stderr();
+        assert_eq!(run.code(), 2);
+        assert!(parts.iter().all(|part| said.contains(part)), "{said}");
+        assert!(said.chars().count() < 700 && said.lines().count() == 1, "{said}");
+    }
+}
+
+/// A file that has no end is not read to its end.
+#[test]
+#[cfg(unix)]
+fn an_endless_file_is_refused() {
+    let folder = Folder::new();
+    let endless = "it has more than 1048576 bytes\n";
+    for (arguments, message) in [
+        (&["simulate", "/dev/zero", "--out", "a.csv"][..], endless),
+        (&["sweep", "/dev/zero", "--out", "a"], endless),
+        (
+            &["simulate", "--out", "a.csv", "--resume", "/dev/zero"],
+            "it has more than 16777216 bytes",
+        ),
+        (&["bench", "--problem", "/dev/zero"], "…` is no number\n"),
+    ] {
+        let run = folder.heavytop(arguments);
+        assert_eq!(run.code(), 2, "{arguments:?}");
+        assert!(run.stderr().contains(message), "{}", run.stderr());
+        assert!(folder.names().is_empty());
+    }
+    // A mebibyte is none too many.
+    folder.write("a.toml", &format!("integrator.end = 0.1\n#{}", " ".repeat((1 << 20) - 22)));
+    assert_eq!(folder.path("a.toml").metadata().unwrap().len(), 1 << 20);
+    assert_eq!(folder.heavytop(&["simulate", "a.toml", "--out", "a.csv"]).code(), 0);
 }
 
 #[test]
@@ -170,6 +255,23 @@ fn a_full_disk_is_reported() {
     let run = folder.heavytop(&["simulate", "--out", "/dev/full"]);
     assert_eq!(run.code(), 1);
     assert!(run.stderr().contains("cannot write /dev/full: No space left on device"));
+}
+
+#[test]
+#[cfg(target_os = "linux")]
+fn help_that_cannot_be_written_is_a_failure() {
+    let heavytop = env!("CARGO_BIN_EXE_heavytop");
+    for arguments in ["help", "--help", "--version", "help sweep", "completions bash"] {
+        let script = format!("{heavytop} {arguments} >/dev/full");
+        let done = std::process::Command::new("sh").args(["-c", &script]).output().unwrap();
+        let said = String::from_utf8(done.stderr).unwrap();
+        assert_eq!(done.status.code(), Some(1), "{arguments}: {said}");
+        assert!(said.starts_with("heavytop: cannot write standard output: No space"), "{said}");
+        // Who reads no more than the beginning has read enough.
+        let script = format!("{heavytop} {arguments} | head -c 1 >/dev/null");
+        let done = std::process::Command::new("sh").args(["-c", &script]).output().unwrap();
+        assert!(done.status.success() && done.stderr.is_empty(), "{arguments}");
+    }
 }
 
 #[test]

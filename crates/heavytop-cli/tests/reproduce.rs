@@ -152,6 +152,7 @@ fn a_place_is_refused_before_the_run_and_fails_after_it() {
     let run = folder.heavytop(&["reproduce", "--end", "2"]);
     assert_eq!(run.code(), 1);
     assert!(run.stderr().contains("cannot write figures/fig1a.svg: is a directory"));
+    assert!(folder.path("figures/trajectories.csv.partial").exists());
 }
 
 #[test]

@@ -1,5 +1,5 @@
 //! `heavytop section`
-#![allow(clippy::unwrap_used)]
+#![allow(clippy::unwrap_used, clippy::panic)]
 
 mod program;
 use heavytop::{HeavyTop, Invariant};
@@ -108,11 +108,15 @@ fn wrong_requests_are_refused_and_nothing_is_written() {
             "section.energy = -1.5\nsection.vertical_momentum = 0",
             "[section] no state of the section has an energy of -1.5 J: the least is -1",
         ),
-        ("section.level = 1.0", "[section] the level of Gamma3 must be between -1 and 1, got 1"),
+        (
+            "section.level = 1.0",
+            "the level of Gamma3 must be more than -1 and less than 1, got 1.0\n",
+        ),
+        ("section.level = 1e308", "must be more than -1 and less than 1, got 1e308\n"),
         ("section.energy = nan", "[section] energy must be a finite number, got NaN"),
         (
             "[section]\nsurface = 'Pi4'",
-            "line 2, column 11: unknown surface `Pi4`; there are Pi1, Pi2, Pi3, Gamma1, Gamma2, Gamma3",
+            "line 2, column 11: section.surface: unknown surface `Pi4`; there are Pi1, Pi2, Pi3, Gamma1, Gamma2, Gamma3",
         ),
         ("section.direction = 'left'", "unknown direction `left`; there are up, down, both"),
         ("section.start = 3", "unknown key `start`"),
@@ -142,7 +146,8 @@ fn a_step_that_fails_ends_the_run_and_keeps_what_there_is() {
     let folder = Folder::new();
     folder.write(
         "a.toml",
-        "integrator = { step = 0.5, scheme = 'lobatto-iiia-iiib-4' }\nsection.starts = 3",
+        "integrator = { step = 0.5, formulation = 'collective', scheme = 'lobatto-iiia-iiib-4' }\n\
+         section.starts = 3",
     );
     let run = folder.heavytop(&["section", "a.toml", "--out", "."]);
     assert_eq!(run.code(), 1, "{}", run.stderr());
@@ -205,4 +210,59 @@ fn a_folder_in_the_way_is_refused_before_there_is_any_work() {
         assert!(run.stderr().contains(&format!("cannot create ./{name}: ")), "{}", run.stderr());
         assert_eq!(folder.names(), [name]);
     }
+}
+
+/// A step alone changes the step alone.
+#[test]
+fn what_integrator_leaves_out_is_as_without_it() {
+    let folder = Folder::new();
+    folder.write("a.toml", "integrator.step = 0.125\nsection = { starts = 2, crossings = 2 }");
+    let run = folder.heavytop(&["section", "a.toml", "--out", "."]);
+    assert_eq!((run.code(), run.stderr()), (0, String::new()));
+    assert!(run.stdout().contains("by reduced, gauss-8, step 1.250e-1 s"), "{}", run.stdout());
+}
+
+#[test]
+#[cfg(target_os = "linux")]
+fn without_memory_a_section_fails_and_goes_on_once_there_is_some() {
+    let folder = Folder::new();
+    folder.write("a.toml", "section = { starts = 12, crossings = 150 }");
+    let whole = folder.heavytop(&["section", "a.toml", "--out", "whole"]);
+    assert_eq!(whole.code(), 0, "{}", whole.stderr());
+    let mut failed = 0;
+    // KB of address space: from too little for the threads to enough for all but the picture.
+    for room in [24_000, 28_000, 32_000, 40_000, 100_000, 160_000] {
+        let heavytop = env!("CARGO_BIN_EXE_heavytop");
+        let script = format!("ulimit -v {room}; exec {heavytop} section a.toml --out cut");
+        let mut command = std::process::Command::new("sh");
+        command.env("RAYON_NUM_THREADS", "2");
+        let done = command.args(["-c", &script]).current_dir(folder.path(".")).output().unwrap();
+        let said = String::from_utf8(done.stderr).unwrap();
+        match done.status.code() {
+            Some(0) => {}
+            // Not even the libraries have room on this machine.
+            Some(127) => continue,
+            Some(1) => {
+                failed += 1;
+                let is_told = ["heavytop: out of memory: ", "heavytop: cannot start threads"]
+                    .iter()
+                    .any(|beginning| said.starts_with(beginning));
+                assert!(is_told && said.lines().count() == 1, "{room}: {said}");
+                let option = if folder.path("cut/section.partial/identity").exists() {
+                    "--resume"
+                } else {
+                    "--restart"
+                };
+                let run = folder.heavytop(&["section", "a.toml", "--out", "cut", option]);
+                assert_eq!((run.code(), run.stderr()), (0, String::new()), "{room}");
+            }
+            code => panic!("{room}: {code:?} {said}"),
+        }
+        for file in ["section.csv", "section.parquet", "section.svg", "section.png"] {
+            let read = |name: &str| std::fs::read(folder.path(name).join(file)).unwrap();
+            assert!(read("whole") == read("cut"), "{room}: {file}");
+        }
+        std::fs::remove_dir_all(folder.path("cut")).unwrap();
+    }
+    assert!(failed > 0, "there was always memory enough");
 }

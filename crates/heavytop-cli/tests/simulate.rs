@@ -164,6 +164,38 @@ fn a_device_is_written_to_and_a_link_stays() {
     assert_eq!(numbers(&folder.read("real.csv")).1.len(), 6);
 }
 
+/// A link to nothing yet is written through like any other.
+#[test]
+#[cfg(unix)]
+fn a_link_to_nothing_stays_and_what_it_leads_to_is_made() {
+    use std::os::unix::fs::symlink;
+    let folder = Folder::new();
+    folder.write("a.toml", "[integrator]\nend = 0.1");
+    std::fs::create_dir(folder.path("below")).unwrap();
+    // From one link to the next, each relative to where it is.
+    symlink("below/next.csv", folder.path("link.csv")).unwrap();
+    symlink("../real.csv", folder.path("below/next.csv")).unwrap();
+    let run = folder.heavytop(&["simulate", "a.toml", "--out", "link.csv"]);
+    assert_eq!((run.code(), run.stderr()), (0, String::new()));
+    assert!(folder.path("link.csv").is_symlink() && folder.path("below/next.csv").is_symlink());
+    assert_eq!(numbers(&folder.read("real.csv")).1.len(), 6);
+    assert_eq!(folder.names(), ["a.toml", "below", "link.csv", "real.csv"]);
+
+    symlink("missing/real.html", folder.path("lost.html")).unwrap();
+    symlink("round.csv", folder.path("round.csv")).unwrap();
+    symlink("below", folder.path("folder.csv")).unwrap();
+    for (arguments, message) in [
+        (["animate", "lost.html"], "cannot create missing/real.html: No such file"),
+        (["simulate", "round.csv"], "cannot create round.csv: too many levels of symbolic links"),
+        (["simulate", "folder.csv"], "cannot create folder.csv: is a directory"),
+    ] {
+        let run = folder.heavytop(&[arguments[0], "a.toml", "--out", arguments[1]]);
+        assert_eq!(run.code(), 2, "{}", run.stderr());
+        assert!(run.stderr().contains(message), "{}", run.stderr());
+        assert!(folder.path(arguments[1]).is_symlink());
+    }
+}
+
 /// Rᵀe₃ for the unit quaternion (w, x, y, z) of R: the last row of its matrix.
 fn vertical(q: &[f64]) -> [f64; 3] {
     let [w, x, y, z] = [q[0], q[1], q[2], q[3]];

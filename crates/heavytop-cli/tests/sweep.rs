@@ -259,3 +259,71 @@ fn wrong_requests_are_refused_and_nothing_is_written() {
         assert_eq!((run.stderr().lines().count(), folder.names()), (1, vec!["a.toml".into()]));
     }
 }
+
+/// What a table says of its integrator.
+fn integrator(folder: &Folder, file: &str) -> String {
+    let file = std::fs::File::open(folder.path(file)).unwrap();
+    let reader = SerializedFileReader::new(file).unwrap();
+    let pairs = reader.metadata().file_metadata().key_value_metadata().unwrap();
+    let configuration = pairs.iter().find(|pair| pair.key == "configuration").unwrap();
+    let configuration = configuration.value.as_deref().unwrap();
+    let (_, table) = configuration.split_once("[integrator]\n").unwrap();
+    table.split_once("\n\n").unwrap().0.into()
+}
+
+#[test]
+fn what_integrator_leaves_out_is_as_without_it() {
+    let folder = Folder::new();
+    let tops = "sweep.axes = [{ parameter = 'body.mass', from = 1, to = 2, count = 2 }]";
+    for (keys, expected) in [
+        ("", ["reduced", "gauss-8", "0.1", "100.0", "0.0"]),
+        ("integrator.end = 7", ["reduced", "gauss-8", "0.1", "7.0", "0.0"]),
+        ("integrator.step = 0.05", ["reduced", "gauss-8", "0.05", "100.0", "0.0"]),
+        ("integrator.scheme = 'gauss-4'", ["reduced", "gauss-4", "0.1", "100.0", "0.0"]),
+        ("integrator.formulation = 'collective'", ["collective", "gauss-8", "0.1", "100.0", "0.0"]),
+        ("integrator.tolerance = 0.001", ["reduced", "gauss-8", "0.1", "100.0", "0.001"]),
+    ] {
+        folder.write("a.toml", &format!("{keys}\n{tops}"));
+        let run = folder.heavytop(&["sweep", "a.toml", "--out", "made"]);
+        assert_eq!((run.code(), run.stderr()), (0, String::new()), "{keys}");
+        let [formulation, scheme, step, end, tolerance] = expected;
+        let expected = format!(
+            "formulation = \"{formulation}\"\nscheme = \"{scheme}\"\nstep = {step}\nend = {end}\n\
+             tolerance = {tolerance}"
+        );
+        assert_eq!(integrator(&folder, "made/sweep.parquet"), expected, "{keys}");
+    }
+    // A preset's keys are keys.
+    folder.write("a.toml", &format!("integrator.end = 0.1\n{tops}"));
+    let preset = ["sweep", "a.toml", "--preset", "multibody-benchmark", "--out", "made"];
+    assert_eq!(folder.heavytop(&preset).code(), 0);
+    assert!(integrator(&folder, "made/sweep.parquet").contains("gauss-16"));
+}
+
+#[test]
+fn a_sweep_of_which_all_tops_fail_has_failed() {
+    let folder = Folder::new();
+    // The step is too long for all; the table of an earlier sweep stays.
+    let tops = |step: &str| {
+        format!(
+            "integrator = {{ step = {step}, end = 1000 }}\nsweep.axes = [\
+             {{ parameter = 'body.mass', from = 1, to = 2, count = 2 }}, \
+             {{ parameter = 'body.length', from = 1, to = 2, count = 3 }}]"
+        )
+    };
+    folder.write("a.toml", &tops("0.5"));
+    assert_eq!(folder.heavytop(&["sweep", "a.toml", "--out", "made"]).code(), 0);
+    let before = std::fs::read(folder.path("made/sweep.parquet")).unwrap();
+    folder.write("b.toml", &tops("500"));
+    let run = folder.heavytop(&["sweep", "b.toml", "--out", "made", "--json"]);
+    let said = run.stderr();
+    assert_eq!((run.code(), run.stdout()), (1, String::new()), "{said}");
+    assert!(
+        said.starts_with("heavytop: all 6 tops failed; the first: a step of 500 s turns"),
+        "{said}"
+    );
+    assert!(said.ends_with("made/sweep.parquet.partial\n"), "{said}");
+    assert!(std::fs::read(folder.path("made/sweep.parquet")).unwrap() == before);
+    assert!(failures(&rows(&folder, "made/sweep.parquet.partial")).iter().all(Option::is_some));
+    assert!(!folder.path("made/sweep.partial").exists());
+}

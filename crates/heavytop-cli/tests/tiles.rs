@@ -98,7 +98,8 @@ fn a_killed_run_goes_on_to_the_same_bytes() {
 
             let refused = folder.heavytop(&[case.command, "a.toml", "--out", "cut"]);
             assert_eq!(refused.code(), 2);
-            assert!(refused.stderr().contains("go on with --resume"), "{}", refused.stderr());
+            let expected = "go on with --resume, or discard it with --restart\n";
+            assert!(refused.stderr().ends_with(expected), "{}", refused.stderr());
             let other = folder.heavytop(&[case.command, "b.toml", "--out", "cut", "--resume"]);
             assert_eq!(other.code(), 2);
             let said = other.stderr();
@@ -224,8 +225,89 @@ fn a_damaged_identity_is_refused() {
             let run = folder.heavytop(&[case.command, "a.toml", "--out", "cut", "--resume"]);
             assert_eq!(run.code(), 2, "{}", run.stderr());
             assert!(run.stderr().contains(message), "{}", run.stderr());
+            assert!(run.stderr().ends_with("; start anew with --restart\n"), "{}", run.stderr());
             assert_eq!(std::fs::read_to_string(&path).unwrap(), sealed);
         }
+        // What is no text is damaged, too; and the advice helps.
+        std::fs::write(case.tiles(&folder).join("identity"), [0xff, 0xfe]).unwrap();
+        let run = folder.heavytop(&[case.command, "a.toml", "--out", "cut", "--resume"]);
+        assert_eq!(run.code(), 2, "{}", run.stderr());
+        assert!(run.stderr().contains("it is damaged, or no checkpoint"), "{}", run.stderr());
+        let run = folder.heavytop(&[case.command, "a.toml", "--out", "cut", "--restart"]);
+        assert_eq!((run.code(), run.stderr().as_str()), (0, ""));
+        case.assert_same_bytes(&folder);
+    }
+}
+
+/// A folder with some finished tiles.
+fn interrupted(case: &Case) -> Folder {
+    let folder = case.folder();
+    let tile = |number: u32| case.tiles(&folder).join(format!("{number:07}"));
+    let mut child = folder.start(&[case.command, "a.toml", "--out", "cut"]);
+    while !(tile(0).exists() && tile(1).exists()) && child.try_wait().unwrap().is_none() {
+        sleep(Duration::from_millis(1));
+    }
+    child.kill().unwrap();
+    child.wait().unwrap();
+    assert!(tile(0).exists() && tile(1).exists(), "the run was too short");
+    folder
+}
+
+#[test]
+fn tiles_that_were_swapped_are_made_again() {
+    for case in [SECTION, SWEEP] {
+        let folder = interrupted(&case);
+        let [first, second] = ["0000000", "0000001"].map(|name| case.tiles(&folder).join(name));
+        let bytes = std::fs::read(&first).unwrap();
+        std::fs::rename(&second, &first).unwrap();
+        std::fs::write(&second, bytes).unwrap();
+        let resumed = folder.heavytop(&[case.command, "a.toml", "--out", "cut", "--resume"]);
+        assert_eq!((resumed.code(), resumed.stderr().as_str()), (0, ""));
+        case.assert_same_bytes(&folder);
+    }
+}
+
+/// A tile that lacks its last line, or has it twice, with the checksum of what it contains now.
+#[test]
+fn tiles_that_are_whole_and_not_what_they_should_be_are_made_again() {
+    for case in [SECTION, SWEEP] {
+        let folder = interrupted(&case);
+        for (name, times) in [("0000000", 0), ("0000001", 2)] {
+            let path = case.tiles(&folder).join(name);
+            let tile = std::fs::read_to_string(&path).unwrap();
+            let (title, contents) = tile.split_once('\n').unwrap();
+            let (start, _) = title.rsplit_once(' ').unwrap();
+            let start_of_last = contents.trim_end().rfind('\n').unwrap() + 1;
+            // Of a section's tile all lines but those of the start: it would have fewer returns.
+            let kept = if case.command == "section" && times == 0 {
+                ""
+            } else {
+                &contents[..start_of_last]
+            };
+            let changed = kept.to_owned() + &contents[start_of_last..].repeat(times);
+            let checksum = crc32fast::hash(changed.as_bytes());
+            std::fs::write(&path, format!("{start} {checksum:08x}\n{changed}")).unwrap();
+        }
+        let resumed = folder.heavytop(&[case.command, "a.toml", "--out", "cut", "--resume"]);
+        assert_eq!((resumed.code(), resumed.stderr().as_str()), (0, ""));
+        case.assert_same_bytes(&folder);
+    }
+}
+
+#[test]
+fn a_run_that_shall_start_anew_discards_the_tiles() {
+    for case in [SECTION, SWEEP] {
+        let folder = interrupted(&case);
+        // Another configuration does not mind what there is.
+        let run = folder.heavytop(&[case.command, "b.toml", "--out", "cut", "--restart"]);
+        assert_eq!((run.code(), run.stderr().as_str()), (0, ""));
+        assert!(!case.tiles(&folder).exists());
+        let both = [case.command, "a.toml", "--out", "cut", "--restart", "--resume"];
+        assert_eq!(folder.heavytop(&both).code(), 2);
+        // Nor is it needed that there is something.
+        let run = folder.heavytop(&[case.command, "a.toml", "--out", "cut", "--restart"]);
+        assert_eq!((run.code(), run.stderr().as_str()), (0, ""));
+        case.assert_same_bytes(&folder);
     }
 }
 

@@ -7,7 +7,7 @@ use thiserror::Error;
 #[derive(Clone, Debug, PartialEq, Error)]
 pub enum TopError {
     /// A number is infinite or not a number.
-    #[error("{name} must be a finite number, got {value}")]
+    #[error("{name} must be a finite number, got {value:?}")]
     NotFinite {
         /// The parameter.
         name: &'static str,
@@ -15,7 +15,7 @@ pub enum TopError {
         value: f64,
     },
     /// A number is not above its bound.
-    #[error("{name} must be positive, got {value}")]
+    #[error("{name} must be positive, got {value:?}")]
     NotPositive {
         /// The parameter.
         name: &'static str,
@@ -23,7 +23,7 @@ pub enum TopError {
         value: f64,
     },
     /// A number is below zero.
-    #[error("{name} must not be negative, got {value}")]
+    #[error("{name} must not be negative, got {value:?}")]
     Negative {
         /// The parameter.
         name: &'static str,
@@ -32,8 +32,8 @@ pub enum TopError {
     },
     /// No mass distribution has these principal moments.
     #[error(
-        "principal moments must obey the triangle inequality: {largest} is more than \
-         {first} + {second}"
+        "principal moments must obey the triangle inequality: {largest:?} is more than \
+         {first:?} + {second:?}"
     )]
     Triangle {
         /// The largest moment.
@@ -61,7 +61,7 @@ pub enum TopError {
     #[error("the top must be Lagrange's: I₁ = I₂, centre of mass on +e₃, gravity at work")]
     NotLagrange,
     /// The top has no axis of symmetry e₃.
-    #[error("the top must be symmetric about e₃: I₁ = {first} is not I₂ = {second}")]
+    #[error("the top must be symmetric about e₃: I₁ = {first:?} is not I₂ = {second:?}")]
     NotSymmetricTop {
         /// I₁
         first: f64,
@@ -69,7 +69,7 @@ pub enum TopError {
         second: f64,
     },
     /// A direction is not a unit vector.
-    #[error("{name} must be a unit vector to within {tolerance:e}, its length is {length}")]
+    #[error("{name} must be a unit vector to within {tolerance:e}, its length is {length:?}")]
     NotUnit {
         /// The parameter.
         name: &'static str,
@@ -84,7 +84,7 @@ pub enum TopError {
 #[derive(Clone, Copy, Debug, PartialEq, Error)]
 pub enum SectionError {
     /// A number is infinite or not a number.
-    #[error("{name} must be a finite number, got {value}")]
+    #[error("{name} must be a finite number, got {value:?}")]
     NotFinite {
         /// The parameter.
         name: &'static str,
@@ -92,7 +92,7 @@ pub enum SectionError {
         value: f64,
     },
     /// The vertical has no such component, or only where it is along the axis.
-    #[error("the level of {coordinate} must be between -1 and 1, got {level}")]
+    #[error("the level of {coordinate} must be more than -1 and less than 1, got {level:?}")]
     NoSuchVertical {
         /// The component.
         coordinate: Coordinate,
@@ -100,7 +100,7 @@ pub enum SectionError {
         level: f64,
     },
     /// No state on the surface has the energy.
-    #[error("no state of the section has an energy of {energy} J: the least is {least} J")]
+    #[error("no state of the section has an energy of {energy:?} J: the least is {least:?} J")]
     Empty {
         /// The energy, J.
         energy: f64,

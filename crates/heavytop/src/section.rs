@@ -75,7 +75,7 @@ impl Section {
     /// The section of the level by the surface.
     ///
     /// # Errors
-    /// If a number is not finite, Γ_i is given a level that is not between −1 and 1, or there is no
+    /// If a number is not finite, Γ_i is given a level that is not more than −1 and less than 1, or there is no
     /// state with this energy; the error then names the least energy.
     pub fn new(level: EnergyLevel, surface: Surface) -> Result<Self, SectionError> {
         for (name, value) in [

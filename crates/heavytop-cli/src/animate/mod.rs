@@ -8,6 +8,7 @@ use crate::config::Config;
 use crate::output::Output;
 use crate::progress::Progress;
 use crate::run::Experiment;
+use crate::watch::Watch;
 use std::io::Write;
 use std::path::Path;
 
@@ -26,19 +27,22 @@ const MOST_TURN: f64 = 1.0;
 /// [`MOST_FRAMES`]; and so is the last step.
 ///
 /// # Errors
-/// If the request is wrong, in which case nothing is written; or the run fails, in which case a
-/// page of what was computed until then is kept as `OUT.partial`.
+/// If the request is wrong, another run writes the page, or it is stopped, in which cases nothing is
+/// written; or the run fails, in which case a page of what was computed until then is kept as
+/// `OUT.partial`.
 ///
 /// # Example
 /// ```
 /// use heavytop_cli::animate::animate;
 /// use heavytop_cli::config::Config;
+/// use heavytop_cli::watch::Watch;
 /// let folder = tempfile::tempdir()?;
-/// let summary = animate(Config::default(), &folder.path().join("top.html"), true)?;
+/// let (out, watch) = (folder.path().join("top.html"), Watch::default());
+/// let summary = animate(Config::default(), &out, &watch)?;
 /// assert_eq!((summary.frames, summary.steps_per_frame, summary.end), (5001, 1, 100.0));
 /// # Ok::<(), Box<dyn std::error::Error>>(())
 /// ```
-pub fn animate(mut config: Config, out: &Path, quiet: bool) -> Result<Summary, Error> {
+pub fn animate(mut config: Config, out: &Path, watch: &Watch<'_>) -> Result<Summary, Error> {
     config.output.attitude = true;
     let mut experiment = config.experiment()?;
     experiment.every = frame_every(&experiment);
@@ -50,10 +54,11 @@ pub fn animate(mut config: Config, out: &Path, quiet: bool) -> Result<Summary, E
     }
 
     let mut animation = Animation::new(experiment.top, &description(&experiment));
-    let outcome = record(&experiment, &mut animation, quiet);
-    let written = match animation.is_empty() {
-        true => Ok(()),
-        false => output.write(|to| animation.write(to)),
+    let outcome = record(&experiment, &mut animation, watch);
+    let written = match &outcome {
+        Err(Error::Interrupted { .. }) => Ok(()),
+        _ if animation.is_empty() => Ok(()),
+        _ => output.write(|to| animation.write(to)),
     };
     if let Err(unwritten) = written {
         // Half a page is of no use. Why a run failed comes before what could not be written of it.
@@ -71,9 +76,14 @@ pub fn animate(mut config: Config, out: &Path, quiet: bool) -> Result<Summary, E
     Ok(Summary::new(&experiment, &animation, out))
 }
 
-fn record(experiment: &Experiment, animation: &mut Animation, quiet: bool) -> Result<(), Error> {
-    let progress = Progress::new(experiment, quiet);
+fn record(
+    experiment: &Experiment,
+    animation: &mut Animation,
+    watch: &Watch<'_>,
+) -> Result<(), Error> {
+    let progress = Progress::new(experiment, watch.quiet);
     experiment.run(|step, time, mu, attitude| {
+        watch.require_going()?;
         progress.at(step);
         match attitude {
             Some(attitude) if experiment.keeps(step) => animation.push(time, mu, attitude),

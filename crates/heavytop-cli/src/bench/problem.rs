@@ -1,6 +1,7 @@
 //! What is computed: tops, and where they are at two times.
 
 use crate::Error;
+use crate::{bounded, brief};
 use collective_integrators::{IntegrationError, Start};
 use heavytop::{Body, CollectiveGauss, HeavyTop};
 use lie_poisson::Se3Dual;
@@ -37,12 +38,14 @@ impl Problem {
     /// # Errors
     /// If it cannot be read, or is no such file.
     pub fn read(path: &Path) -> Result<Self, Error> {
-        let text = std::fs::read_to_string(path)
-            .map_err(|source| Error::Read { path: path.into(), source })?;
-        let mut lines = (1..).zip(text.lines()).filter(|(_, line)| !line.trim().is_empty());
+        let unread = |source| Error::Read { path: path.into(), source };
+        let mut lines = (1..)
+            .zip(bounded::lines(path).map_err(unread)?)
+            .map(|(number, line)| line.map(|line| (number, line)).map_err(unread))
+            .filter(|line| line.as_ref().map_or(true, |(_, line)| !line.trim().is_empty()));
         let row = |line: usize, text: &str, count: usize| numbers(path, line, text, count);
-        let (first, head) = lines.next().unwrap_or((1, ""));
-        let head = row(first, head, 8)?;
+        let (first, head) = lines.next().transpose()?.unwrap_or_else(|| (1, String::new()));
+        let head = row(first, &head, 8)?;
         let center_of_mass = Vector3::new(head[4], head[5], head[6]);
         let top = HeavyTop::new(&Body {
             inertia: Vector3::new(head[0], head[1], head[2]),
@@ -53,8 +56,9 @@ impl Problem {
         })
         .map_err(Error::Body)?;
         let (mut starts, mut early, mut late) = (Vec::new(), Vec::new(), Vec::new());
-        for (line, text) in lines {
-            let row = row(line, text, 18)?;
+        for line in lines {
+            let (line, text) = line?;
+            let row = row(line, &text, 18)?;
             let states = [&mut starts, &mut early, &mut late];
             for (states, row) in states.into_iter().zip(row.chunks_exact(6)) {
                 states.push(Se3Dual::new(
@@ -128,7 +132,9 @@ fn numbers(path: &Path, line: usize, text: &str, count: usize) -> Result<Vec<f64
     let refused = |message| Error::Configuration { path: path.into(), line, column: 1, message };
     let row: Vec<f64> = text
         .split_whitespace()
-        .map(|word| word.parse().map_err(|_| refused(format!("`{word}` is no number"))))
+        .map(|word| {
+            word.parse().map_err(|_| refused(format!("`{}` is no number", brief::text(word))))
+        })
         .collect::<Result<_, _>>()?;
     if row.len() == count {
         Ok(row)

@@ -4,6 +4,7 @@ use crate::Error;
 use crate::integrators::{Method, Task};
 use crate::method::{Formulation, Scheme};
 use crate::run::Experiment;
+use crate::watch::Watch;
 use collective_integrators::{IntegrationError, Start};
 use heavytop::{HeavyTop, Invariant};
 use lie_poisson::{Covector, Pair, Se3Dual, larger};
@@ -70,8 +71,8 @@ impl Reference {
     /// the time of `steps` of its steps.
     ///
     /// # Errors
-    /// If that with the whole step differs.
-    pub fn new(experiment: &Experiment, steps: u64) -> Result<Self, Error> {
+    /// If that with the whole step differs, or the command shall end.
+    pub fn new(experiment: &Experiment, steps: u64, watch: &Watch<'_>) -> Result<Self, Error> {
         let step = experiment.schedule.step;
         let gauss = Method::new(Formulation::Reduced, Scheme::Gauss(8), 0.0)?;
         let end = |halvings: u64| {
@@ -83,7 +84,7 @@ impl Reference {
             let mut end = experiment.start;
             experiment.run(|_, _, mu, _| {
                 end = *mu;
-                Ok(())
+                watch.require_going()
             })?;
             Ok::<_, Error>(end)
         };

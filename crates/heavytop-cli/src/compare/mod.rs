@@ -7,13 +7,14 @@ mod report;
 mod style;
 
 use crate::Error;
-use crate::config::Config;
+use crate::config::{Config, Integration};
 use crate::integrators::Method;
 use crate::method::{Formulation, Raise, Scheme};
 use crate::output::{Output, require_no_folders};
 use crate::progress::Progress;
 use crate::render;
 use crate::run::Experiment;
+use crate::watch::Watch;
 use measure::{Measure, Measurement, Reference};
 use std::io::Write;
 use std::path::Path;
@@ -43,40 +44,44 @@ const SCALE: f32 = 1.75;
 /// `work-precision.csv`, `.svg` and `.png` into the folder `out`, and recommends methods.
 ///
 /// # Errors
-/// If the request is wrong, in which case nothing is written; or the reference solution is not
-/// certain.
+/// If the request is wrong, another run writes into the folder, or it is stopped, in which cases nothing
+/// is written; or the reference solution is not certain; or the figure cannot be written, in which case
+/// `work-precision.csv.partial` is kept.
 ///
 /// # Example
 /// ```
 /// use heavytop_cli::compare::compare;
 /// use heavytop_cli::config::IntegratorConfig;
 /// use heavytop_cli::preset::Preset;
+/// use heavytop_cli::watch::Watch;
 /// let folder = tempfile::tempdir()?;
 /// let mut config = Preset::Lagrange.config();
-/// config.integrator = Some(IntegratorConfig { step: 0.1, end: 0.5, ..Default::default() });
-/// let comparison = compare(&config, folder.path(), true)?;
+/// config.integrator = IntegratorConfig { step: Some(0.1), end: Some(0.5), ..Default::default() };
+/// let comparison = compare(&config, folder.path(), &Watch::default())?;
 /// let fastest = comparison.recommendations[0].fastest.as_ref().unwrap();
 /// assert!(fastest.error <= 1e-3);
 /// # Ok::<(), Box<dyn std::error::Error>>(())
 /// ```
-pub fn compare(config: &Config, out: &Path, quiet: bool) -> Result<Comparison, Error> {
+pub fn compare(config: &Config, out: &Path, watch: &Watch<'_>) -> Result<Comparison, Error> {
     let experiment = config.experiment()?;
-    let methods = methods(config.integrator.unwrap_or_default().tolerance)?;
+    let methods = methods(config.integrator.or(Integration::default()).tolerance)?;
     std::fs::create_dir_all(out).map_err(|source| Error::Create { path: out.into(), source })?;
     let names = ["work-precision.csv", "work-precision.svg", "work-precision.png"];
     require_no_folders(out, &names)?;
     let [csv, svg, png] = names.map(|name| out.join(name));
+    // Until it is complete, which it is last, no other run writes here.
     let mut table = Output::create(&csv)?;
 
     let steps = experiment.schedule.steps.min(INTERVAL);
-    let reference = Reference::new(&experiment, steps)?;
+    let reference = Reference::new(&experiment, steps, watch)?;
     let ladder = ladder(steps);
     let grid: Vec<(Method, u64)> =
         methods.iter().flat_map(|&method| ladder.iter().map(move |&n| (method, n))).collect();
-    let progress = Progress::of(u64::from(PASSES) * grid.len() as u64, "runs", quiet);
+    let progress = Progress::of(u64::from(PASSES) * grid.len() as u64, "runs", watch.quiet);
     let (mut measurements, mut done) = (Vec::<Measurement>::with_capacity(grid.len()), 0);
     for pass in 0..PASSES {
         for (i, &(method, steps)) in grid.iter().enumerate() {
+            watch.require_going()?;
             progress.now(done, label(&method));
             let measurement = measure(&experiment, method, steps, &reference)?;
             done += 1;
@@ -90,11 +95,11 @@ pub fn compare(config: &Config, out: &Path, quiet: bool) -> Result<Comparison, E
     drop(progress);
 
     table.write(|to| to.write_all(report::csv(&measurements).as_bytes()))?;
-    table.complete()?;
     let chart = chart::chart(&measurements, experiment.schedule.step, reference.end);
-    let (drawing, pixels) = render::render(&chart, SCALE)?;
-    Output::whole(&svg, drawing.as_bytes())?;
-    Output::whole(&png, &pixels)?;
+    let drawn = render::render(&chart, SCALE).and_then(|(drawing, pixels)| {
+        Output::whole(&svg, drawing.as_bytes()).and_then(|()| Output::whole(&png, &pixels))
+    });
+    table.conclude(drawn)?;
     Ok(Comparison::new(&measurements, &reference, out))
 }
 

@@ -15,6 +15,7 @@ use crate::table::{Table, write_row};
 use rows::Rows;
 use serde::{Deserialize, Serialize};
 use std::fmt;
+use std::fs::File;
 use std::io;
 use std::path::Path;
 
@@ -29,6 +30,25 @@ pub enum Format {
     Npz,
     /// Apache Parquet with the columns of the CSV and key–value metadata.
     Parquet,
+}
+
+/// How far a file goes.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+pub(crate) struct Extent {
+    pub bytes: u64,
+    /// The ends of lines.
+    pub lines: u64,
+    /// Whether the last byte is one.
+    pub ends_line: bool,
+}
+
+impl Extent {
+    /// Goes further by these bytes.
+    pub fn add(&mut self, bytes: &[u8]) {
+        self.bytes += bytes.len() as u64;
+        self.lines += bytes.iter().filter(|byte| **byte == b'\n').count() as u64;
+        self.ends_line = bytes.ends_with(b"\n");
+    }
 }
 
 /// What an output says of its origin.
@@ -94,16 +114,27 @@ impl Format {
         Ok(())
     }
 
+    /// How many rows there are in the file that grows up to here; none if the last is not whole.
+    pub(crate) fn rows(self, table: &Table, to: &Extent) -> Option<u64> {
+        let row = 8 * table.width() as u64;
+        match self {
+            // The first line has the names.
+            Self::Csv if to.ends_line => to.lines.checked_sub(1),
+            Self::Csv => None,
+            Self::Npz | Self::Parquet => to.bytes.is_multiple_of(row).then_some(to.bytes / row),
+        }
+    }
+
     /// Makes the output of the file that has grown; CSV is there already.
     pub(crate) fn convert(
         self,
-        rows: &Path,
+        rows: &File,
         table: &Table,
         metadata: &Metadata,
         output: &mut Output,
     ) -> Result<(), Error> {
         output.write(|to| {
-            let rows = Rows::open(rows, table.width())?;
+            let rows = Rows::new(rows, table.width())?;
             match self {
                 Self::Csv => Ok(()),
                 Self::Npz => npz::write(&rows, table, metadata, to),

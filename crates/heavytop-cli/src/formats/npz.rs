@@ -16,7 +16,7 @@ const ALIGNMENT: usize = 64;
 const PREFIX: usize = 10;
 
 pub(super) fn write(
-    rows: &Rows,
+    rows: &Rows<'_>,
     table: &Table,
     metadata: &Metadata,
     to: &mut (impl Write + Seek),
@@ -32,7 +32,7 @@ pub(super) fn write(
 }
 
 fn write_arrays<W: Write + Seek>(
-    rows: &Rows,
+    rows: &Rows<'_>,
     table: &Table,
     metadata: &Metadata,
     archive: &mut ZipWriter<W>,

@@ -17,7 +17,7 @@ use std::sync::Arc;
 pub(crate) const GROUP: usize = 1 << 16;
 
 pub(super) fn write<W: Write + Send>(
-    rows: &Rows,
+    rows: &Rows<'_>,
     table: &Table,
     metadata: &Metadata,
     to: &mut W,

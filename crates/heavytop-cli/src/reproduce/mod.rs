@@ -6,13 +6,14 @@ mod record;
 mod summary;
 
 use crate::Error;
-use crate::config::{Config, IntegratorConfig};
+use crate::config::{Config, Integration};
 use crate::method::{Formulation, Scheme};
 use crate::output::Output;
 use crate::progress::Progress;
 use crate::render;
 use crate::run::Experiment;
 use crate::table::{STATE_COLUMNS, state_values, write_row};
+use crate::watch::Watch;
 use record::{QUANTITIES, Record};
 use std::io::Write;
 use std::path::Path;
@@ -34,33 +35,43 @@ const SCALE: f32 = 6.0;
 /// `out`.
 ///
 /// # Errors
-/// If the request is wrong, in which case nothing is written; or a run fails, in which case
-/// `trajectories.csv.partial` is kept.
+/// If the request is wrong, another run writes into the folder, or it is stopped, in which cases nothing
+/// is written; or a run fails, or a figure cannot be written, in which case `trajectories.csv.partial`
+/// is kept.
 ///
 /// # Example
 /// ```
 /// let folder = tempfile::tempdir()?;
-/// let (step, end, quiet) = (0.02, 1.0, true);
-/// let done = heavytop_cli::reproduce::reproduce(folder.path(), step, end, quiet)?;
+/// let (step, end, watch) = (0.02, 1.0, heavytop_cli::watch::Watch::default());
+/// let done = heavytop_cli::reproduce::reproduce(folder.path(), step, end, &watch)?;
 /// assert!(done.runs[0].f1 < 1e-14 && done.runs[1].f1 > 1e-6);
 /// assert!(folder.path().join("fig1a.svg").exists());
 /// # Ok::<(), Box<dyn std::error::Error>>(())
 /// ```
-pub fn reproduce(out: &Path, step: f64, end: f64, quiet: bool) -> Result<Reproduction, Error> {
+pub fn reproduce(
+    out: &Path,
+    step: f64,
+    end: f64,
+    watch: &Watch<'_>,
+) -> Result<Reproduction, Error> {
     let mut config = Config::default();
-    let mut integrator = IntegratorConfig { step, end, ..IntegratorConfig::default() };
     let mut experiments = Vec::with_capacity(METHODS.len());
     for (formulation, scheme) in METHODS {
-        (integrator.formulation, integrator.scheme) = (formulation, scheme);
-        config.integrator = Some(integrator);
+        let tolerance = Integration::default().tolerance;
+        config.integrator = Integration { formulation, scheme, step, end, tolerance }.into();
         experiments.push(config.experiment()?);
     }
     std::fs::create_dir_all(out).map_err(|source| Error::Create { path: out.into(), source })?;
 
+    // Until it is complete, which it is last, no other run writes here.
     let mut trajectories = Output::create(&out.join("trajectories.csv"))?;
-    let outcome = run(&experiments, &mut trajectories, quiet);
-    let records = trajectories.conclude(outcome)?;
-    for figure in figures::all(&records) {
+    let outcome = run(&experiments, &mut trajectories, watch);
+    let written = outcome.and_then(|records| write_figures_and_summary(&records, out));
+    trajectories.conclude(written)
+}
+
+fn write_figures_and_summary(records: &[Record], out: &Path) -> Result<Reproduction, Error> {
+    for figure in figures::all(records) {
         let (svg, png) = render::render(&plot::plot(&figure)?, SCALE)?;
         Output::whole(&out.join(figure.name).with_extension("svg"), svg.as_bytes())?;
         Output::whole(&out.join(figure.name).with_extension("png"), &png)?;
@@ -75,7 +86,7 @@ pub fn reproduce(out: &Path, step: f64, end: f64, quiet: bool) -> Result<Reprodu
 fn run(
     experiments: &[Experiment],
     trajectories: &mut Output,
-    quiet: bool,
+    watch: &Watch<'_>,
 ) -> Result<Vec<Record>, Error> {
     let names = QUANTITIES.map(heavytop::Invariant::symbol).join(",");
     trajectories.write(|to| writeln!(to, "formulation,scheme,{STATE_COLUMNS},{names}"))?;
@@ -85,8 +96,9 @@ fn run(
             let mut record = Record::new(experiment);
             let method = &experiment.method;
             let (formulation, scheme) = (method.formulation().name(), method.scheme().name());
-            let progress = Progress::new(experiment, quiet);
+            let progress = Progress::new(experiment, watch.quiet);
             experiment.run(|step, time, mu, _| {
+                watch.require_going()?;
                 progress.at(step);
                 let values = QUANTITIES.map(|quantity| quantity.value(&experiment.top, mu));
                 record.add(step, time, values);

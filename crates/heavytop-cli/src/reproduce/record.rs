@@ -71,8 +71,9 @@ mod tests {
     use crate::config::{Config, IntegratorConfig};
 
     fn record(end: f64) -> Record {
-        let integrator = IntegratorConfig { step: 1.0, end, ..IntegratorConfig::default() };
-        let config = Config { integrator: Some(integrator), ..Config::default() };
+        let (step, end) = (Some(1.0), Some(end));
+        let integrator = IntegratorConfig { step, end, ..IntegratorConfig::default() };
+        let config = Config { integrator, ..Config::default() };
         Record::new(&config.experiment().unwrap())
     }
 

@@ -14,7 +14,7 @@ use crate::formats::Metadata;
 use crate::output::{Output, Place, require_no_folders};
 use crate::progress::Progress;
 use crate::render;
-use crate::tiles::{Options, resumable};
+use crate::tiles::{Held, Options, resumable, threads};
 use picture::Picture;
 use settings::Settings;
 use std::io::Write;
@@ -34,7 +34,8 @@ const SCALE: f32 = 3.0;
 /// into the folder `out`. It goes on from the finished starts of an interrupted section if it shall.
 ///
 /// # Errors
-/// If the request is wrong, in which case nothing is written; or a start cannot be followed, in
+/// If the request is wrong, or another run writes the section, or there is an interrupted one with which
+/// nothing shall be done, in which cases nothing is written; or a start cannot be followed, in
 /// which case `section.csv.partial` is kept; or it was stopped, or a file cannot be written, in
 /// which case it can go on.
 ///
@@ -58,7 +59,8 @@ pub fn section(config: &Config, out: &Path, options: &Options<'_>) -> Result<Sum
     let orbits = Orbits::new(&settings, &config, out)?;
     let names = ["section.csv", "section.parquet", "section.svg", "section.png"];
     require_no_folders(out, &names)?;
-    orbits.tiles.prepare(options.resume)?;
+    let threads = threads()?;
+    let held = orbits.tiles.prepare(options)?;
     if let Some(warning) = settings.method.warning() {
         // Where stderr is closed nobody can be warned.
         let _ = writeln!(std::io::stderr(), "heavytop: {warning}");
@@ -66,15 +68,16 @@ pub fn section(config: &Config, out: &Path, options: &Options<'_>) -> Result<Sum
 
     let progress = Progress::of(settings.starts as u64, "starts", options.quiet);
     let done = AtomicU64::new(0);
-    let finished = orbits.finish(options, |starts| {
+    let count = |starts: usize| {
         let starts = starts as u64;
         progress.now(done.fetch_add(starts, Ordering::Relaxed) + starts, String::new());
-    });
+    };
+    let finished = threads.install(|| orbits.finish(options, count));
     drop(progress);
 
     let [csv, parquet, svg, png] = names.map(|name| out.join(name));
     if let Err(stuck) = finished {
-        return Err(give_up(&orbits, stuck, &csv));
+        return Err(give_up(&orbits, held, stuck, &csv));
     }
     let written = write_points(&settings, &orbits, &metadata, [&csv, &parquet]);
     let survey = written.map_err(resumable)?;
@@ -82,7 +85,7 @@ pub fn section(config: &Config, out: &Path, options: &Options<'_>) -> Result<Sum
     let (drawing, pixels) = render::render(&drawing, SCALE)?;
     let drawn = Output::whole(&svg, drawing.as_bytes()).and_then(|()| Output::whole(&png, &pixels));
     drawn.map_err(resumable)?;
-    orbits.tiles.remove()?;
+    orbits.tiles.remove(held)?;
     Ok(Summary::new(&settings, &survey, out))
 }
 
@@ -98,11 +101,11 @@ fn write_points(
     let mut table = Table::begin(metadata, parquet)?;
     text.write(|to| writeln!(to, "{}", header()))?;
     for tile in 0..orbits.count() {
-        let lines = orbits.lines(tile)?;
+        let (lines, orbits) = orbits.finished(tile)?;
         text.write(|to| to.write_all(lines.as_bytes()))?;
-        for orbit in orbits.parse(tile, &lines)? {
-            survey.add(settings, &orbit);
-            table.add(&orbit)?;
+        for orbit in &orbits {
+            survey.add(settings, orbit);
+            table.add(orbit)?;
         }
     }
     text.complete()?;
@@ -113,14 +116,14 @@ fn write_points(
 fn draw(settings: &Settings, orbits: &Orbits<'_>, survey: &Survey) -> Result<String, Error> {
     let mut picture = Picture::begin(&settings.section, survey);
     for tile in 0..orbits.count() {
-        orbits.parse(tile, &orbits.lines(tile)?)?.iter().for_each(|orbit| picture.add(orbit));
+        orbits.finished(tile)?.1.iter().for_each(|orbit| picture.add(orbit));
     }
     Ok(picture.complete())
 }
 
 /// What a section ends with that could not be finished. What failed for want of something outside
 /// it goes on from its tiles; what failed by its numbers would do so again, and has none.
-fn give_up(orbits: &Orbits<'_>, stuck: Stuck, csv: &Path) -> Error {
+fn give_up(orbits: &Orbits<'_>, held: Held, stuck: Stuck, csv: &Path) -> Error {
     let kept = match &stuck.failure {
         Error::Interrupted { .. } | Error::Write { .. } | Error::Tile { .. } => {
             return resumable(stuck.failure);
@@ -131,7 +134,7 @@ fn give_up(orbits: &Orbits<'_>, stuck: Stuck, csv: &Path) -> Error {
     match kept {
         Ok(partial) => {
             // That they stay does no harm.
-            let _ = orbits.tiles.remove();
+            let _ = orbits.tiles.remove(held);
             match partial {
                 Some(partial) => Error::Kept { partial, source: Box::new(stuck.failure) },
                 None => stuck.failure,
@@ -147,7 +150,7 @@ fn keep(orbits: &Orbits<'_>, stuck: &Stuck, csv: &Path) -> Result<PathBuf, Error
     let mut text = Output::create(csv)?;
     text.write(|to| writeln!(to, "{}", header()))?;
     for tile in 0..stuck.tile {
-        let lines = orbits.lines(tile)?;
+        let (lines, _) = orbits.finished(tile)?;
         text.write(|to| to.write_all(lines.as_bytes()))?;
     }
     text.write(|to| to.write_all(stuck.lines.as_bytes()))?;

@@ -2,6 +2,7 @@
 
 use super::settings::Settings;
 use super::survey::Survey;
+use crate::brief::number;
 use serde::Serialize;
 use std::fmt;
 use std::path::{Path, PathBuf};
@@ -66,6 +67,7 @@ impl Summary {
 impl fmt::Display for Summary {
     fn fmt(&self, to: &mut fmt::Formatter<'_>) -> fmt::Result {
         let Self { energy, vertical_momentum, formulation, scheme, step, .. } = self;
+        let [energy, vertical_momentum] = [*energy, *vertical_momentum].map(number);
         writeln!(to, "h = {energy} J, Pi.Gamma = {vertical_momentum} kg m²/s")?;
         let Self { points, starts, crossings, short, longest, h, f1, f2, .. } = self;
         writeln!(

@@ -1,7 +1,7 @@
 //! `[section]`: which section, and how many points.
 
 use crate::Error;
-use crate::config::{Config, IntegratorConfig, MOST_TURN};
+use crate::config::{Config, Integration, MOST_TURN};
 use crate::integrators::Method;
 use crate::method::{Formulation, Scheme, by_name, name_of};
 use collective_integrators::Direction;
@@ -9,7 +9,7 @@ use heavytop::{Coordinate, EnergyLevel, HeavyTop, Invariant, Section, Surface};
 use serde::de::Error as _;
 use serde::{Deserialize, Deserializer, Serialize, Serializer};
 
-/// Without `[integrator]` no body on the energy level turns further in a step, rad. With Gauss's
+/// Without a step no body on the energy level turns further in a step, rad. With Gauss's
 /// method of order 8 the energy is then certain to some 1e-11 of itself.
 const TURN: f64 = 0.5;
 
@@ -117,12 +117,12 @@ impl Settings {
         let section = Section::new(level, Surface { coordinate, level: value, direction })?;
 
         let rate = fastest(&top, level.energy);
-        let IntegratorConfig { formulation, scheme, step, tolerance, .. } =
-            config.integrator.unwrap_or(IntegratorConfig {
+        let Integration { formulation, scheme, step, tolerance, .. } =
+            config.integrator.or(Integration {
                 formulation: Formulation::Reduced,
                 scheme: Scheme::Gauss(4),
                 step: TURN / rate,
-                ..IntegratorConfig::default()
+                ..Integration::default()
             });
         let method = Method::new(formulation, scheme, tolerance)?;
         for (name, value) in [("step", step), ("longest", settings.longest)] {
@@ -156,13 +156,13 @@ impl Settings {
     pub fn complete(&self, config: &Config) -> Config {
         let Self { section, method, step, .. } = self;
         let (formulation, scheme) = (method.formulation(), method.scheme());
-        let default = IntegratorConfig { formulation, scheme, step: *step, ..Default::default() };
+        let own = Integration { formulation, scheme, step: *step, ..Integration::default() };
         let section = SectionConfig {
             energy: Some(section.level().energy),
             vertical_momentum: Some(section.level().vertical_momentum),
             ..config.section.unwrap_or_default()
         };
-        let integrator = Some(config.integrator.unwrap_or(default));
+        let integrator = config.integrator.or(own).into();
         Config { integrator, section: Some(section), ..config.clone() }
     }
 }

@@ -81,7 +81,7 @@ impl<'a> Orbits<'a> {
     fn finish_tile(&self, tile: u64, options: &Options<'_>) -> Result<(), Box<Stuck>> {
         let mut lines = String::new();
         let stuck = |lines, failure| Box::new(Stuck { tile, lines, failure });
-        match self.tiles.read(tile) {
+        match self.read(tile) {
             Ok(Some(_)) => return Ok(()),
             Ok(None) if options.stopped() => return Err(stuck(lines, interrupted())),
             Ok(None) => {}
@@ -97,28 +97,37 @@ impl<'a> Orbits<'a> {
         self.tiles.write(tile, &lines).map_err(|failure| stuck(lines, failure))
     }
 
-    /// The lines of a finished tile.
+    /// The lines of a finished tile, and its orbits.
     ///
     /// # Errors
     /// If it is not there.
-    pub fn lines(&self, tile: u64) -> Result<String, Error> {
-        self.tiles.read(tile)?.ok_or_else(|| self.tiles.missing(tile))
+    pub fn finished(&self, tile: u64) -> Result<(String, Vec<Orbit>), Error> {
+        self.read(tile)?.ok_or_else(|| self.tiles.missing(tile))
     }
 
-    /// The orbits of a finished tile's lines.
-    ///
-    /// # Errors
-    /// If they are none.
-    pub fn parse(&self, tile: u64, lines: &str) -> Result<Vec<Orbit>, Error> {
+    /// What is in a tile; nothing if it is not finished, or not what it should be.
+    fn read(&self, tile: u64) -> Result<Option<(String, Vec<Orbit>)>, Error> {
+        let Some(lines) = self.tiles.read(tile)? else { return Ok(None) };
+        let orbits = self.parse(tile, &lines);
+        Ok(orbits.map(|orbits| (lines, orbits)))
+    }
+
+    /// The orbits of a tile's lines: one for each of its starts.
+    fn parse(&self, tile: u64, lines: &str) -> Option<Vec<Orbit>> {
         let mut orbits: Vec<Orbit> = Vec::new();
         for line in lines.lines() {
-            let (number, crossing) = point(line).ok_or_else(|| self.tiles.missing(tile))?;
-            match orbits.last_mut().filter(|orbit| orbit.number == number) {
-                Some(orbit) => orbit.crossings.push(crossing),
-                None => orbits.push(Orbit { number, crossings: vec![crossing] }),
+            let (number, index, crossing) = point(line)?;
+            if index == 0 {
+                orbits.push(Orbit { number, crossings: Vec::new() });
             }
+            let orbit = orbits.last_mut().filter(|orbit| {
+                (orbit.number, orbit.crossings.len()) == (number, index)
+                    && index <= self.settings.crossings
+            })?;
+            orbit.crossings.push(crossing);
         }
-        Ok(orbits)
+        let numbers = orbits.iter().map(|orbit| orbit.number);
+        numbers.eq(self.starts(tile).map(|index| index + 1)).then_some(orbits)
     }
 }
 
@@ -144,12 +153,14 @@ fn write_lines(lines: &mut String, orbit: &Orbit) {
     }
 }
 
-/// The number of the start and the point of a line.
-fn point(line: &str) -> Option<(usize, Crossing)> {
+/// The number of the start, that of the crossing, and the point of a line.
+fn point(line: &str) -> Option<(usize, usize, Crossing)> {
     let (number, rest) = line.split_once(',')?;
-    let (_, rest) = rest.split_once(',')?;
-    let values: Vec<f64> = rest.split(',').map(|cell| cell.parse().ok()).collect::<Option<_>>()?;
+    let (index, rest) = rest.split_once(',')?;
+    let finite = |cell: &str| cell.parse().ok().filter(|value: &f64| value.is_finite());
+    let values: Vec<f64> = rest.split(',').map(finite).collect::<Option<_>>()?;
     let [time, p1, p2, p3, g1, g2, g3, x, y] = values.try_into().ok()?;
     let mu = Se3Dual::new(Vector3::new(p1, p2, p3), Vector3::new(g1, g2, g3));
-    Some((number.parse().ok()?, Crossing { time, mu, plane: Vector2::new(x, y) }))
+    let crossing = Crossing { time, mu, plane: Vector2::new(x, y) };
+    Some((number.parse().ok()?, index.parse().ok()?, crossing))
 }

@@ -2,11 +2,14 @@
 
 use super::growing::Mark;
 use crate::Error;
+use crate::brief::number;
 use crate::config::Config;
 use crate::formats::Format;
 use crate::output::Output;
-use crate::run::Saved;
-use crate::sealed::{CheckpointError, damaged, of_this_version, open, seal};
+use crate::run::{Experiment, Saved};
+use crate::sealed::{CheckpointError, damaged, of_this_version, open, read, seal};
+use crate::table::Table;
+use collective_integrators::CHECKPOINT;
 use serde::{Deserialize, Serialize};
 use std::path::Path;
 
@@ -48,8 +51,8 @@ impl Checkpoint {
     /// # Errors
     /// If it cannot be read, is damaged, or of another version of the program.
     pub fn read(path: &Path) -> Result<Self, Error> {
-        let text = std::fs::read_to_string(path).map_err(CheckpointError::Read);
-        text.and_then(|text| Self::parse(&text))
+        read(path)
+            .and_then(|text| Self::parse(&text))
             .map_err(|source| Error::Checkpoint { path: path.into(), source })
     }
 
@@ -91,6 +94,37 @@ impl Checkpoint {
             return Err(CheckpointError::Format { there: self.format, out: out.into() });
         }
         Ok(())
+    }
+
+    /// Checks that a run of this experiment, whose states have so many coordinates, may have made it.
+    /// The experiment is that of its configuration.
+    ///
+    /// # Errors
+    /// [`CheckpointError::Impossible`], with what is wrong.
+    pub(super) fn require_possible(
+        &self,
+        experiment: &Experiment,
+        dimension: usize,
+        table: &Table,
+    ) -> Result<(), CheckpointError> {
+        let (steps, step) = (experiment.schedule.steps, self.step);
+        let invariants = table.invariants().len();
+        let impossible = if step >= steps {
+            format!("step {step} of a run of {steps}")
+        } else if !step.is_multiple_of(CHECKPOINT) {
+            format!("step {step}, which is no multiple of {CHECKPOINT}")
+        } else if self.state.len() != dimension {
+            format!("a state of {} numbers, not {dimension}", self.state.len())
+        } else if let Some(x) = self.state.iter().find(|x| !x.is_finite()) {
+            format!("a state with {x}")
+        } else if self.deviations.len() != invariants {
+            format!("{} deviations of {invariants} invariants", self.deviations.len())
+        } else if let Some(x) = self.deviations.iter().find(|x| **x < 0.0) {
+            format!("a deviation of {}", number(*x))
+        } else {
+            return Ok(());
+        };
+        Err(CheckpointError::Impossible(impossible))
     }
 }
 

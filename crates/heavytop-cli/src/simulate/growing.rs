@@ -1,6 +1,8 @@
 //! A file that grows with a run.
 
 use crate::Error;
+use crate::formats::Extent;
+use crate::lock;
 use crc32fast::Hasher;
 use serde::{Deserialize, Serialize};
 use std::fs::File;
@@ -12,6 +14,7 @@ const BUFFER: usize = 1 << 20;
 
 /// The file up to some byte.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize, Deserialize)]
+#[serde(deny_unknown_fields)]
 pub(super) struct Mark {
     bytes: u64,
     checksum: u32,
@@ -26,22 +29,39 @@ pub(super) struct Growing {
 }
 
 impl Growing {
-    /// The empty file, to be written from the start.
-    pub fn new(path: PathBuf, file: File) -> Self {
-        Self { path, writer: BufWriter::new(file), bytes: 0, checksum: Hasher::new() }
+    /// The file, to be written from the start; if it is a regular one, what is in it is cut off.
+    pub fn new(path: PathBuf, file: File) -> io::Result<Self> {
+        if file.metadata()?.is_file() {
+            file.set_len(0)?;
+        }
+        Ok(Self { path, writer: BufWriter::new(file), bytes: 0, checksum: Hasher::new() })
     }
 
     /// The file as it was at the mark: what has been written since is cut off. Nothing, and
-    /// nothing is cut, if its bytes before the mark are not those that were marked.
-    pub fn reopen(path: PathBuf, mark: &Mark) -> io::Result<Option<Self>> {
-        let mut file = File::options().read(true).write(true).open(&path)?;
-        let (checksum, read) = checksum(&mut file, mark.bytes)?;
-        if read < mark.bytes || checksum.clone().finalize() != mark.checksum {
+    /// nothing is cut, if its bytes before the mark are not those that were marked, or it has not
+    /// the right extent there.
+    ///
+    /// # Errors
+    /// If it cannot be read, or another run is writing it.
+    pub fn reopen(
+        path: PathBuf,
+        mark: &Mark,
+        is_right: impl FnOnce(&Extent) -> bool,
+    ) -> io::Result<Option<Self>> {
+        let mut file = lock::open(&path, false)?;
+        let (checksum, extent) = checksum(&mut file, mark.bytes)?;
+        let is_marked = extent.bytes == mark.bytes && checksum.clone().finalize() == mark.checksum;
+        if !is_marked || !is_right(&extent) {
             return Ok(None);
         }
         file.set_len(mark.bytes)?;
         file.seek(SeekFrom::End(0))?;
         Ok(Some(Self { path, writer: BufWriter::new(file), bytes: mark.bytes, checksum }))
+    }
+
+    /// The file, in which is what was flushed.
+    pub fn file(&self) -> &File {
+        self.writer.get_ref()
     }
 
     pub fn path(&self) -> &Path {
@@ -72,17 +92,17 @@ impl Growing {
     }
 }
 
-/// The checksum of the first bytes, at most so many, and how many there were.
-fn checksum(file: &mut File, bytes: u64) -> io::Result<(Hasher, u64)> {
-    let (mut checksum, mut read, mut buffer) = (Hasher::new(), 0, vec![0; BUFFER]);
+/// The checksum of the first bytes, at most so many, and how far they go.
+fn checksum(file: &mut File, bytes: u64) -> io::Result<(Hasher, Extent)> {
+    let (mut checksum, mut buffer, mut extent) =
+        (Hasher::new(), vec![0; BUFFER], Extent::default());
     let mut from = file.take(bytes);
     loop {
-        match from.read(&mut buffer)? {
-            0 => return Ok((checksum, read)),
-            n => {
-                checksum.update(&buffer[..n]);
-                read += n as u64;
-            }
-        }
+        let read = match from.read(&mut buffer)? {
+            0 => return Ok((checksum, extent)),
+            n => &buffer[..n],
+        };
+        checksum.update(read);
+        extent.add(read);
     }
 }

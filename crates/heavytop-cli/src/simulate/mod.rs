@@ -6,7 +6,7 @@ mod recording;
 mod summary;
 
 use crate::Error;
-use crate::config::Config;
+use crate::config::{Config, Integration};
 use crate::progress::Progress;
 use crate::run::{Experiment, Moment};
 use crate::table::Table;
@@ -27,6 +27,8 @@ pub use summary::Summary;
 pub struct Options<'a> {
     /// What it goes on from.
     pub resume: Option<&'a Checkpoint>,
+    /// Whether the checkpoint of an interrupted run, if there is one, is discarded.
+    pub restart: bool,
     /// After this time a checkpoint is renewed, at the next step that can have one.
     pub interval: Duration,
     /// Once this is true the run ends with a checkpoint.
@@ -38,7 +40,8 @@ pub struct Options<'a> {
 /// From the first step, with a checkpoint each minute, and quietly.
 impl Default for Options<'_> {
     fn default() -> Self {
-        Self { resume: None, interval: Duration::from_secs(60), stop: None, quiet: true }
+        let interval = Duration::from_secs(60);
+        Self { resume: None, restart: false, interval, stop: None, quiet: true }
     }
 }
 
@@ -49,7 +52,8 @@ impl Default for Options<'_> {
 /// `OUT.checkpoint`, to a file that equals that of an uninterrupted run byte for byte.
 ///
 /// # Errors
-/// If the request is wrong, in which case nothing is written; or the run fails, in which case
+/// If the request is wrong, or another run is writing the output, or there is a checkpoint with which
+/// nothing shall be done, in which cases nothing is written; or the run fails, in which case
 /// what was computed until then is kept as `OUT.partial`; or it was stopped, or the disk is full,
 /// in which case it can go on from its checkpoint.
 ///
@@ -69,9 +73,9 @@ pub fn simulate(config: &Config, out: &Path, options: &Options<'_>) -> Result<Su
     let experiment = config.experiment()?;
     let table = Table::new(&experiment);
     // With all that was left out, to be written.
-    let integrator = Some(config.integrator.unwrap_or_default());
+    let integrator = config.integrator.or(Integration::default()).into();
     let config = Config { integrator, ..config.clone() };
-    let mut recording = Recording::begin(out, &config, &table, options.resume)?;
+    let mut recording = Recording::begin(out, &config, &experiment, &table, options)?;
     let deviations = Deviations::new(&table, &experiment, options.resume);
     let progress = Progress::new(&experiment, options.quiet);
     let saved = options.resume.map(Checkpoint::saved);

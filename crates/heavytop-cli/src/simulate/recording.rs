@@ -1,19 +1,21 @@
 //! The rows of a run on their way to its output.
 
+use super::Options;
 use super::checkpoint::{Checkpoint, argument};
 use super::growing::Growing;
 use crate::Error;
 use crate::config::Config;
-use crate::formats::{Format, Metadata};
+use crate::formats::{Extent, Format, Metadata};
 use crate::output::{Output, Place};
-use crate::run::Saved;
+use crate::run::{Experiment, Saved};
 use crate::sealed::CheckpointError;
 use crate::table::Table;
 use std::fs;
 use std::path::{Path, PathBuf};
 
 /// The file that grows: `NAME.partial` for CSV, `NAME.rows` for what is made of the rows at the
-/// end, and the output itself if that is a device.
+/// end, and the output itself if that is a device. Unless it is a device it is locked: whoever has it
+/// writes the output, and keeps the checkpoint.
 pub(super) struct Recording {
     place: Place,
     format: Format,
@@ -26,11 +28,16 @@ pub(super) struct Recording {
 
 impl Recording {
     /// A recording from the first row, or from a checkpoint.
+    ///
+    /// # Errors
+    /// If another run writes the output, or there is a checkpoint that shall neither be
+    /// resumed nor discarded, or one that cannot be resumed; then nothing is changed.
     pub fn begin(
         out: &Path,
         config: &Config,
+        experiment: &Experiment,
         table: &Table,
-        from: Option<&Checkpoint>,
+        options: &Options<'_>,
     ) -> Result<Self, Error> {
         let (format, place) = (Format::of(out)?, Place::of(out)?);
         let metadata = Metadata::new(config)?;
@@ -39,16 +46,20 @@ impl Recording {
             Format::Csv => place.beside("partial"),
             Format::Npz | Format::Parquet => place.beside("rows"),
         };
-        let rows = match from {
-            Some(checkpoint) => checkpoint
-                .require(config, format, out)
-                .and_then(|()| reopen(path, checkpoint))
-                .map_err(|source| Error::Checkpoint { path: place.beside("checkpoint"), source })?,
+        let rows = match options.resume {
+            Some(checkpoint) => {
+                let dimension = experiment.dimension()?;
+                checkpoint
+                    .require(config, format, out)
+                    .and_then(|()| checkpoint.require_possible(experiment, dimension, table))
+                    .and_then(|()| reopen(path, checkpoint, experiment, format, table))
+                    .map_err(|source| Error::Checkpoint {
+                        path: place.beside("checkpoint"),
+                        source,
+                    })?
+            }
             None => {
-                let file = place.create(&path)?;
-                // It would be of another run.
-                remove_checkpoint(&place);
-                let mut rows = Growing::new(path, file);
+                let mut rows = anew(&place, path, options.restart)?;
                 rows.append(format.start(table).as_bytes())?;
                 rows
             }
@@ -142,7 +153,7 @@ impl Recording {
     /// The output made of the rows, before it has its name.
     fn converted(&self) -> Result<Output, Error> {
         let mut output = Output::create(&self.place.path).map_err(Error::too_late)?;
-        self.format.convert(self.rows.path(), &self.table, &self.metadata, &mut output)?;
+        self.format.convert(self.rows.file(), &self.table, &self.metadata, &mut output)?;
         Ok(output)
     }
 
@@ -171,9 +182,35 @@ fn remove(path: &Path) {
     let _ = fs::remove_file(path);
 }
 
+/// The file that grows, empty. It is this run's before anything is removed.
+fn anew(place: &Place, path: PathBuf, restart: bool) -> Result<Growing, Error> {
+    let is_there = path.exists();
+    let file = place.open(&path)?;
+    let checkpoint = place.beside("checkpoint");
+    if !place.is_device && !restart && checkpoint.exists() {
+        if !is_there {
+            remove(&path);
+        }
+        let resume = argument(&checkpoint);
+        return Err(Error::Unfinished { path: checkpoint, resume });
+    }
+    // It would be of another run.
+    remove_checkpoint(place);
+    let refused = |source| Error::Create { path: place.path.clone(), source };
+    Growing::new(path, file).map_err(refused)
+}
+
 /// The rows before a checkpoint, to be gone on with.
-fn reopen(path: PathBuf, checkpoint: &Checkpoint) -> Result<Growing, CheckpointError> {
-    match Growing::reopen(path.clone(), &checkpoint.rows) {
+fn reopen(
+    path: PathBuf,
+    checkpoint: &Checkpoint,
+    experiment: &Experiment,
+    format: Format,
+    table: &Table,
+) -> Result<Growing, CheckpointError> {
+    let kept = experiment.kept(checkpoint.saved().step);
+    let is_right = |extent: &Extent| format.rows(table, extent) == Some(kept);
+    match Growing::reopen(path.clone(), &checkpoint.rows, is_right) {
         Ok(Some(rows)) => Ok(rows),
         Ok(None) => Err(CheckpointError::OtherRows { path }),
         Err(source) => Err(CheckpointError::Rows { path, source }),

@@ -17,7 +17,7 @@ use crate::formats::Metadata;
 use crate::output::Output;
 use crate::progress::Progress;
 use crate::render;
-use crate::tiles::{Options, resumable};
+use crate::tiles::{Options, resumable, threads};
 use plan::Plan;
 use processes::Processes;
 use std::io::{self, Write};
@@ -42,8 +42,10 @@ const SCALE: f32 = 3.0;
 /// or processes. Memory does not grow with the number of tops, but for the heat maps.
 ///
 /// # Errors
-/// If the request is wrong, in which case nothing is written; or it was stopped, or a file cannot be
-/// written, in which case it can go on. A top that fails is no error: its row says why.
+/// If the request is wrong, or another run writes the sweep, or there is an interrupted one with which
+/// nothing shall be done, in which cases nothing is written; or it was stopped, or a file cannot be
+/// written, in which case it can go on. A top that fails is no error: its row says why. If all fail, the
+/// table is kept as `sweep.parquet.partial`.
 ///
 /// # Example
 /// ```
@@ -53,7 +55,7 @@ const SCALE: f32 = 3.0;
 /// let folder = tempfile::tempdir()?;
 /// let mut map = SweepConfig { observables: vec![Observable::Sali], ..SweepConfig::default() };
 /// map.axes.iter_mut().for_each(|axis| axis.count = Some(3));
-/// let integrator = Some(IntegratorConfig { end: 1.0, ..IntegratorConfig::default() });
+/// let integrator = IntegratorConfig { end: Some(1.0), ..IntegratorConfig::default() };
 /// let config = Config { sweep: Some(map), integrator, ..Config::default() };
 /// let summary = sweep(&config, folder.path(), &Options::default())?.ok_or("not the first process")?;
 /// assert_eq!((summary.tops, summary.failed), (9, 0));
@@ -76,30 +78,31 @@ fn run(
     let config = Plan::complete(config);
     let (plan, metadata) = (Plan::new(&config)?, Metadata::new(&config)?);
     let tops = Tops::new(&plan, &config, out)?;
-    if rank == 0 {
-        tops.tiles.prepare(options.resume)?;
-        if let Some(warning) = plan.method.warning() {
-            // Where stderr is closed nobody can be warned.
-            let _ = writeln!(io::stderr(), "heavytop: {warning}");
-        }
+    let threads = threads()?;
+    // The first process has the folder for all.
+    let held = (rank == 0).then(|| tops.tiles.prepare(options)).transpose()?;
+    if let (0, Some(warning)) = (rank, plan.method.warning()) {
+        // Where stderr is closed nobody can be warned.
+        let _ = writeln!(io::stderr(), "heavytop: {warning}");
     }
     processes.wait_for_all();
     let progress = Progress::of(plan.tops, "tops", options.quiet || rank > 0);
     for tile in (rank..tops.count()).step_by(size as usize) {
-        tops.finish(tile, options).map_err(resumable)?;
+        threads.install(|| tops.finish(tile, options)).map_err(resumable)?;
         progress.now(tops.tops(tile).end, String::new());
     }
     drop(progress);
     processes.wait_for_all();
-    if rank > 0 {
-        return Ok(None);
+    let Some(held) = held else { return Ok(None) };
+    let assembled = assemble(&plan, &tops, &metadata, out).map_err(resumable);
+    if matches!(assembled, Ok(_) | Err(Error::Kept { .. })) {
+        tops.tiles.remove(held)?;
     }
-    let summary = assemble(&plan, &tops, &metadata, out).map_err(resumable)?;
-    tops.tiles.remove()?;
-    Ok(Some(summary))
+    assembled.map(Some)
 }
 
-/// Makes the files of all tiles.
+/// Makes the files of all tiles. Of tops that all failed there are no maps, and the table, which says
+/// why, does not get its name.
 fn assemble(plan: &Plan, tops: &Tops, metadata: &Metadata, out: &Path) -> Result<Summary, Error> {
     let mut summary = Summary::new(plan, out);
     let mut table = Table::begin(plan, metadata, &out.join("sweep.parquet"))?;
@@ -107,6 +110,10 @@ fn assemble(plan: &Plan, tops: &Tops, metadata: &Metadata, out: &Path) -> Result
         summary.add(&rows);
         table.add(rows)
     })?;
+    if let (true, Some(first)) = (summary.failed == plan.tops, &summary.first_failure) {
+        let failure = Error::AllFailed { tops: plan.tops, first: first.clone() };
+        return Err(Error::Kept { partial: table.keep()?, source: Box::new(failure) });
+    }
     table.complete()?;
     let Some(size) = heat_map::size(plan) else { return Ok(summary) };
     for (index, column) in plan.columns().enumerate() {

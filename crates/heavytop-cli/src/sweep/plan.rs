@@ -3,7 +3,7 @@
 use super::observable::{Column, Observable};
 use super::settings::{Axis, Spread, SweepError};
 use crate::Error;
-use crate::config::{BodyConfig, Config, InitialConfig, IntegratorConfig};
+use crate::config::{BodyConfig, Config, InitialConfig, Integration};
 use crate::integrators::Method;
 use crate::method::{Formulation, Scheme};
 use crate::schedule::Schedule;
@@ -33,14 +33,14 @@ pub(super) struct Plan {
 impl Plan {
     /// The configuration with all that was left out and plays a part.
     pub fn complete(config: &Config) -> Config {
-        let integrator = config.integrator.unwrap_or(IntegratorConfig {
+        let integrator = config.integrator.or(Integration {
             formulation: Formulation::Reduced,
             scheme: Scheme::Gauss(4),
             step: 0.1,
-            ..IntegratorConfig::default()
+            ..Integration::default()
         });
         let sweep = config.sweep.clone().unwrap_or_default();
-        Config { integrator: Some(integrator), sweep: Some(sweep), ..config.clone() }
+        Config { integrator: integrator.into(), sweep: Some(sweep), ..config.clone() }
     }
 
     /// What the configuration asks for; it is complete.
@@ -59,8 +59,8 @@ impl Plan {
         if axes.iter().all(|axis| axis.parameter.is_of_body()) {
             config.start()?;
         }
-        let IntegratorConfig { formulation, scheme, step, end, tolerance } =
-            config.integrator.unwrap_or_default();
+        let Integration { formulation, scheme, step, end, tolerance } =
+            config.integrator.or(Integration::default());
         Ok(Self {
             body: config.body,
             initial: config.initial,

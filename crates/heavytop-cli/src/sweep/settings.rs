@@ -2,6 +2,7 @@
 
 use super::observable::Observable;
 use super::parameter::{Parameter, Part};
+use crate::brief::number;
 use serde::{Deserialize, Serialize};
 use thiserror::Error;
 
@@ -98,7 +99,8 @@ impl AxisConfig {
             }
             Spread::Normal { deviation, .. } if deviation < 0.0 => {
                 return Err(wrong(format!(
-                    "a standard deviation that is not negative, got {deviation}"
+                    "a standard deviation that is not negative, got {}",
+                    number(deviation)
                 )));
             }
             _ => {}

@@ -2,6 +2,7 @@
 
 use super::measure::Row;
 use super::plan::Plan;
+use crate::brief::number;
 use serde::Serialize;
 use std::fmt;
 use std::path::{Path, PathBuf};
@@ -22,7 +23,7 @@ pub struct Summary {
     /// How long each was followed, s.
     pub end: f64,
     /// The number of tops that could not be followed.
-    pub failed: usize,
+    pub failed: u64,
     /// Why the first of them could not.
     pub first_failure: Option<String>,
 }
@@ -54,6 +55,7 @@ impl Summary {
 impl fmt::Display for Summary {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         let Self { out, tops, formulation, scheme, step, end, failed, first_failure } = self;
+        let (step, end) = (number(*step), number(*end));
         writeln!(f, "{tops} tops, each by {formulation}, {scheme}, step {step} s, to {end} s")?;
         if let Some(reason) = first_failure {
             writeln!(f, "{failed} failed, see the column failure; the first: {reason}")?;

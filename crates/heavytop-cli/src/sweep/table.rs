@@ -5,7 +5,7 @@ use super::plan::Plan;
 use crate::Error;
 use crate::formats::Metadata;
 use crate::formats::parquet::{GROUP, begin, required, write_column};
-use crate::output::Output;
+use crate::output::{Output, Place};
 use parquet::basic::{LogicalType, Type as PhysicalType};
 use parquet::data_type::{ByteArray, ByteArrayType, DoubleType, Int64Type};
 use parquet::errors::Result;
@@ -55,12 +55,24 @@ impl<'a> Table<'a> {
     ///
     /// # Errors
     /// If it cannot be completed.
-    pub fn complete(mut self) -> std::result::Result<(), Error> {
+    pub fn complete(self) -> std::result::Result<(), Error> {
+        self.whole()?.complete()
+    }
+
+    /// Leaves the whole file as `NAME.partial`, and says where that is.
+    ///
+    /// # Errors
+    /// If it cannot be completed.
+    pub fn keep(self) -> std::result::Result<PathBuf, Error> {
+        let partial = Place::of(&self.path)?.beside("partial");
+        self.whole()?.keep().map(|()| partial)
+    }
+
+    fn whole(mut self) -> std::result::Result<Output, Error> {
         if !self.rows.is_empty() {
             self.write()?;
         }
-        let output = self.file.into_inner().map_err(|source| failed(&self.path, source.into()))?;
-        output.complete()
+        self.file.into_inner().map_err(|source| failed(&self.path, source.into()))
     }
 
     fn write(&mut self) -> std::result::Result<(), Error> {

@@ -78,10 +78,12 @@ impl<'a> Tops<'a> {
             .try_for_each(|tile| visit(self.read(tile)?.ok_or_else(|| self.tiles.missing(tile))?))
     }
 
-    /// What came of a tile; none if it is not finished.
+    /// What came of a tile; none if it is not finished, or not what it should be.
     fn read(&self, tile: u64) -> Result<Option<Vec<Row>>, Error> {
         let Some(text) = self.tiles.read(tile)? else { return Ok(None) };
-        Ok(text.lines().map(|line| self.row(line)).collect())
+        let rows: Option<Vec<Row>> = text.lines().map(|line| self.row(line)).collect();
+        let tops = self.tops(tile);
+        Ok(rows.filter(|rows| rows.len() as u64 == tops.end - tops.start))
     }
 
     fn row(&self, line: &str) -> Option<Row> {

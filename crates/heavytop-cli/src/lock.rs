@@ -1,0 +1,76 @@
+//! One writer for each file.
+
+use same_file::Handle;
+use std::fs::{File, TryLockError};
+use std::io;
+use std::path::Path;
+
+/// Opens the file to read and to write it, and takes its lock; where it is not there, makes it if
+/// `make` says so. What is in it stays.
+///
+/// The lock is the system's, and advisory. It ends when the file is closed, and with the process,
+/// however that ends: no run is kept out by one that was killed.
+///
+/// # Errors
+/// [`io::ErrorKind::ResourceBusy`] if another run has the lock; or the file cannot be opened.
+pub(crate) fn open(path: &Path, make: bool) -> io::Result<File> {
+    let mut options = File::options();
+    let options = options.read(true).write(true).create(make).truncate(false);
+    loop {
+        let file = options.open(path)?;
+        match file.try_lock() {
+            Ok(()) if is_at(&file, path)? => return Ok(file),
+            // Since it was opened another run has renamed or removed it, and is done with it.
+            Ok(()) => {}
+            Err(TryLockError::WouldBlock) => {
+                let busy = "another run is writing it";
+                return Err(io::Error::new(io::ErrorKind::ResourceBusy, busy));
+            }
+            // Some network file systems have no locks: runs go on, and nothing keeps them apart.
+            Err(TryLockError::Error(_)) => return Ok(file),
+        }
+    }
+}
+
+/// Whether the file still has this name.
+fn is_at(file: &File, path: &Path) -> io::Result<bool> {
+    match Handle::from_path(path) {
+        Ok(there) => Ok(Handle::from_file(file.try_clone()?)? == there),
+        Err(error) if error.kind() == io::ErrorKind::NotFound => Ok(false),
+        Err(error) => Err(error),
+    }
+}
+
+#[cfg(test)]
+#[allow(clippy::unwrap_used)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn one_at_a_time_opens_a_file_and_its_contents_stay() {
+        let folder = tempfile::tempdir().unwrap();
+        let path = folder.path().join("a");
+        std::fs::write(&path, "old").unwrap();
+        let first = open(&path, true).unwrap();
+        assert_eq!(open(&path, true).unwrap_err().kind(), io::ErrorKind::ResourceBusy);
+        assert_eq!(std::fs::read(&path).unwrap(), b"old");
+        drop(first);
+        assert!(open(&path, true).is_ok());
+    }
+
+    /// What has another name now is no longer in the way.
+    #[test]
+    fn a_file_that_was_renamed_does_not_keep_its_old_name() {
+        let folder = tempfile::tempdir().unwrap();
+        let [path, new] = ["a", "b"].map(|name| folder.path().join(name));
+        let first = open(&path, true).unwrap();
+        std::fs::rename(&path, &new).unwrap();
+        assert!(!is_at(&first, &path).unwrap());
+        assert!(open(&path, true).is_ok());
+        assert!(!is_at(&first, &path).unwrap() && is_at(&first, &new).unwrap());
+        assert_eq!(
+            open(&folder.path().join("c"), false).unwrap_err().kind(),
+            io::ErrorKind::NotFound
+        );
+    }
+}
