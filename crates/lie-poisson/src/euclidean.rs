@@ -1,6 +1,6 @@
 //! The Euclidean groups SE(2) and SE(3).
 
-use crate::{Covector, Pair, Real, SO2OnR2, SO3OnR3, SemidirectAlgebra, SemidirectGroup};
+use crate::{Covector, Pair, SO2OnR2, SO3OnR3, SemidirectAlgebra, SemidirectGroup};
 use nalgebra::Vector3;
 
 /// The Lie algebra se(2) = so(2) ⋉ R².
@@ -15,13 +15,5 @@ pub type Se3 = SemidirectAlgebra<SO3OnR3>;
 /// The special Euclidean group SE(3) = SO(3) ⋉ R³.
 pub type SE3 = SemidirectGroup<SO3OnR3>;
 
-/// An element (Π, Γ) of se(3)∗.
+/// An element (Π, Γ) of se(3)∗: the angular part, and the part dual to translations.
 pub type Se3Dual<T = f64> = Covector<Pair<Vector3<T>, Vector3<T>>>;
-
-impl<T: Real> Se3Dual<T> {
-    /// (Π, Γ) from its two vectors: the angular part and the part dual to translations.
-    #[inline]
-    pub fn new(pi: Vector3<T>, gamma: Vector3<T>) -> Self {
-        Self(Pair(pi, gamma))
-    }
-}

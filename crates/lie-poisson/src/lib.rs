@@ -29,21 +29,7 @@
 //! dμ/dt = ad*_{dh(μ)} μ
 //! ```
 
-mod mask;
-mod stumpff;
-mod real;
-mod dual_number;
-mod lanes;
 
-mod vector;
-mod norm;
-mod covector;
-mod pair;
-mod power;
-mod quaternion;
-mod space;
-mod derivative;
-mod linear_solve;
 
 mod algebra;
 mod group;
@@ -74,23 +60,14 @@ mod hamiltonian;
 #[cfg(feature = "laws")]
 pub mod laws;
 
-pub use dual_number::DualNumber;
-pub use lanes::{
-    DefaultLanes, FourLanes, FourLanesTask, InstructionSet, LaneTask, Lanes, MissingInstructions,
-    Width, dispatch, dispatch_four,
+pub use generic_scalars::{
+    ComplexSpace, Covector, DefaultLanes, Differential, DualNumber, FourLanes, FourLanesTask,
+    InstructionSet, LaneTask, Lanes, Mask, MissingInstructions, Pair, Point, Power, Quaternion,
+    Real, RealSpace, Vector, VectorSpace, Width, derivative_part, differential, dispatch,
+    dispatch_four, euclidean_norm, larger, map_coordinates, seed, solve_linear, squaring_scale,
+    transposed_tangent,
 };
-pub use mask::Mask;
-pub use real::{Real, larger};
 
-pub use covector::Covector;
-pub use derivative::{derivative_part, differential, seed, transposed_tangent};
-pub use linear_solve::solve_linear;
-pub use norm::{euclidean_norm, squaring_scale};
-pub use pair::Pair;
-pub use power::Power;
-pub use quaternion::Quaternion;
-pub use space::{ComplexSpace, Differential, Point, RealSpace, VectorSpace};
-pub use vector::{Vector, map_coordinates};
 
 pub use algebra::{LieAlgebra, Momentum};
 pub use group::{AlgebraElement, GroupMomentum, LieGroup};
@@ -119,6 +96,7 @@ pub use hamiltonian::{
 pub use poisson::{LiePoisson, PoissonSpace, Sign};
 pub use product_space::{PowerSpace, ProductSpace, from_parts, parts};
 
+pub use generic_scalars;
 pub use nalgebra;
 pub use num_complex;
 pub use num_traits;

@@ -1,7 +1,7 @@
 //! Four lanes of 256 bits, with fused multiply-add.
 #![allow(unsafe_code)] // the intrinsics
 
-use super::four::Permuted;
+use super::super::four::Permuted;
 use super::intrinsics::{intrinsics, mask_of_bits, register};
 use super::register::Register;
 use crate::Mask;

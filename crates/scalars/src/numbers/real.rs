@@ -1,7 +1,7 @@
 //! The scalar: [`Real`], implemented by `f64`, dual numbers and lanes.
 
 use crate::Mask;
-use crate::stumpff::stumpff;
+use crate::numbers::stumpff::stumpff;
 use core::fmt::Debug;
 use core::ops::{Add, Div, Mul, Neg, Sub};
 use num_traits::NumAssign;
@@ -25,7 +25,7 @@ use num_traits::NumAssign;
 ///
 /// # Example
 /// ```
-/// use lie_poisson::{DualNumber, Real};
+/// use generic_scalars::{DualNumber, Real};
 ///
 /// fn kinetic_energy<T: Real>(speed: T) -> T {
 ///     speed * speed * 0.5
@@ -110,7 +110,7 @@ pub trait Real:
     /// alone for dual numbers.
     ///
     /// ```
-    /// use lie_poisson::Real;
+    /// use generic_scalars::Real;
     /// assert!(1.0.maximum(f64::NAN).is_nan() && f64::NAN.maximum(1.0) == 1.0);
     /// ```
     #[must_use]

@@ -1,6 +1,6 @@
 //! The laws of lanes: each of them computes what `f64` does, whatever the type, set and width.
 
-use lie_poisson::{
+use generic_scalars::{
     DefaultLanes, DualNumber, InstructionSet, LaneTask, Lanes, Mask, Real, Width, dispatch, larger,
 };
 use proptest::prelude::*;

@@ -17,7 +17,7 @@ use num_traits::{Num, One, Zero};
 ///
 /// # Example
 /// ```
-/// use lie_poisson::{DualNumber, Real};
+/// use generic_scalars::{DualNumber, Real};
 /// let x = DualNumber::variable(4.0);
 /// assert_eq!(Real::sqrt(x), DualNumber { value: 2.0, derivative: 0.25 });
 /// ```

@@ -19,7 +19,7 @@ const LARGE: f64 = power_of_two(500);
 ///
 /// # Example
 /// ```
-/// use lie_poisson::squaring_scale;
+/// use generic_scalars::squaring_scale;
 /// use nalgebra::Vector2;
 /// let v = Vector2::new(3e-200, 4e-200);
 /// let s = squaring_scale(&v);
@@ -45,7 +45,7 @@ pub fn squaring_scale<V: Vector>(v: &V) -> V::Scalar {
 /// does, NaN where a coordinate is.
 ///
 /// ```
-/// use lie_poisson::euclidean_norm;
+/// use generic_scalars::euclidean_norm;
 /// use nalgebra::Vector3;
 /// assert_eq!(euclidean_norm(&Vector3::new(2e300, -1e300, 2e300)), 3e300);
 /// assert_eq!(Vector3::new(2e300, -1e300, 2e300).norm(), f64::INFINITY);

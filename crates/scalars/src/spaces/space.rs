@@ -14,7 +14,7 @@ pub type Differential<P, T = f64> = <Point<P, T> as Vector>::Dual;
 /// [`Real`] is defined on.
 ///
 /// ```
-/// use lie_poisson::{DualNumber, Point, RealSpace};
+/// use generic_scalars::{DualNumber, Point, RealSpace};
 /// let z: Point<RealSpace<2>> = nalgebra::Vector2::new(1.0, 2.0);
 /// let w: Point<RealSpace<2>, DualNumber> = z.map(DualNumber::variable);
 /// # assert_eq!(w.y.value, 2.0);

@@ -1,7 +1,7 @@
 //! Four lanes whose numbers can change places: a vector of R³ in one register.
 
 use super::packed::Packed;
-use super::register::{Register, Two};
+use super::registers::register::{Register, Two};
 use super::{Baseline, Lanes};
 
 /// Four [`Lanes`] that can exchange what they hold, for a computation on *one* vector of R³, with
@@ -13,7 +13,7 @@ use super::{Baseline, Lanes};
 /// # Example
 /// Lane i of u×v is `u_{i+1} v_{i+2} − u_{i+2} v_{i+1}`, with indices modulo 3:
 /// ```
-/// use lie_poisson::{DefaultLanes, FourLanes, Lanes};
+/// use generic_scalars::{DefaultLanes, FourLanes, Lanes};
 /// fn cross<T: FourLanes>(u: T, v: T) -> T {
 ///     u.next().multiply_subtract(v.previous(), u.previous() * v.next())
 /// }

@@ -9,7 +9,7 @@ use core::ops::{Add, AddAssign, Neg, Sub, SubAssign};
 /// their groups.
 ///
 /// ```
-/// use lie_poisson::Pair;
+/// use generic_scalars::Pair;
 /// use nalgebra::{Vector2, Vector3};
 /// let Pair(angular, linear) = Pair(Vector3::new(1.0, 0.0, 0.0), Vector2::new(0.0, 1.0));
 /// assert_eq!(angular.x, linear.y);

@@ -117,7 +117,7 @@ impl Mask for PlainMask {
 mod tests {
     use super::Plain;
     use crate::lanes::packed::Packed;
-    use crate::lanes::register::Two;
+    use crate::lanes::registers::register::Two;
     use crate::{DefaultLanes, Lanes, Mask};
     use proptest::prelude::*;
 

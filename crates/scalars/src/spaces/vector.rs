@@ -1,25 +1,22 @@
 //! Finite-dimensional real vector spaces, by their coordinates.
 
-use crate::{Covector, Real};
+use crate::Real;
 use core::fmt::Debug;
 use core::ops::{Add, AddAssign, Neg, Sub, SubAssign};
-use nalgebra::SMatrix;
-use num_complex::Complex;
 
 /// A vector of a real vector space V of fixed dimension, with a standard basis e₀, …, e_{DIM−1}.
 ///
 /// Elements of a Lie algebra, momenta in its dual, points of a phase space and group elements
 /// (which live in a space of matrices) are all vectors in this sense. Implemented for nalgebra's
 /// statically sized matrices over [`Real`] and over `Complex<Real>` (real and imaginary parts
-/// alternate, so that C² ≅ R⁴ is χ = (q₁+iq₂, q₃+iq₄)), for [`Covector`], [`Pair`](crate::Pair),
-/// [`Power`](crate::Power), [`Quaternion`](crate::Quaternion) and
-/// [`SkewHermitian`](crate::SkewHermitian).
+/// alternate, so that C² ≅ R⁴ is χ = (q₁+iq₂, q₃+iq₄)), for [`Covector`](crate::Covector), [`Pair`](crate::Pair),
+/// [`Power`](crate::Power) and [`Quaternion`](crate::Quaternion).
 ///
 /// The dual V∗ is a different type, paired by coordinates: ⟨α, v⟩ = Σ αᵢ vᵢ.
 ///
 /// # Example
 /// ```
-/// use lie_poisson::{Covector, Vector};
+/// use generic_scalars::{Covector, Vector};
 /// use nalgebra::Vector3;
 /// let velocity = Vector3::new(1.0, 2.0, 3.0);
 /// let momentum = Covector(Vector3::new(0.0, 0.5, 1.0));
@@ -63,7 +60,7 @@ pub trait Vector:
     /// The block of the i-th coordinate, a number below [`BLOCKS`](Self::BLOCKS).
     ///
     /// ```
-    /// use lie_poisson::{Covector, Pair, Vector};
+    /// use generic_scalars::{Covector, Pair, Vector};
     /// use nalgebra::Vector3;
     /// type Momentum = Covector<Pair<Vector3<f64>, Vector3<f64>>>; // (Π, Γ)
     /// assert_eq!(Momentum::BLOCKS, 2);
@@ -148,7 +145,7 @@ pub trait Vector:
 ///
 /// # Example
 /// ```
-/// use lie_poisson::{DualNumber, map_coordinates};
+/// use generic_scalars::{DualNumber, map_coordinates};
 /// use nalgebra::Vector2;
 /// let x: Vector2<DualNumber> = map_coordinates(&Vector2::new(1.0, 2.0), DualNumber::constant);
 /// assert_eq!(x.y.value, 2.0);
@@ -156,93 +153,4 @@ pub trait Vector:
 #[inline]
 pub fn map_coordinates<V: Vector, W: Vector>(v: &V, f: impl Fn(V::Scalar) -> W::Scalar) -> W {
     W::from_coordinates(|i| f(v.coordinate(i)))
-}
-
-impl<T: Real, const R: usize, const C: usize> Vector for SMatrix<T, R, C> {
-    type Scalar = T;
-    type Dual = Covector<Self>;
-    const DIM: usize = R * C;
-
-    #[inline]
-    fn from_coordinates(mut f: impl FnMut(usize) -> T) -> Self {
-        // nalgebra fills by columns, which is the order of the coordinates.
-        Self::from_fn(|i, j| f(i + R * j))
-    }
-
-    #[inline]
-    fn coordinate(&self, i: usize) -> T {
-        self.as_slice().get(i).copied().unwrap_or_else(T::zero)
-    }
-
-    #[inline]
-    fn scaled(&self, s: T) -> Self {
-        self.map(|x| x * s)
-    }
-}
-
-impl<T: Real, const R: usize, const C: usize> Vector for SMatrix<Complex<T>, R, C> {
-    type Scalar = T;
-    type Dual = Covector<Self>;
-    const DIM: usize = 2 * R * C;
-
-    #[inline]
-    fn from_coordinates(mut f: impl FnMut(usize) -> T) -> Self {
-        Self::from_fn(|i, j| {
-            let k = 2 * (i + R * j);
-            Complex { re: f(k), im: f(k + 1) }
-        })
-    }
-
-    #[inline]
-    fn coordinate(&self, i: usize) -> T {
-        let z = self.as_slice().get(i / 2);
-        z.map_or_else(T::zero, |z| if i.is_multiple_of(2) { z.re } else { z.im })
-    }
-
-    #[inline]
-    fn scaled(&self, s: T) -> Self {
-        self.map(|z| Complex { re: z.re * s, im: z.im * s })
-    }
-}
-
-#[cfg(test)]
-mod tests {
-    use super::*;
-    use crate::{Pair, Power};
-    use nalgebra::{Matrix2, Vector2, Vector3};
-
-    fn coordinates_are_a_basis<V: Vector<Scalar = f64>>() {
-        let v = V::from_coordinates(|i| i as f64 + 1.0);
-        let mut sum = V::zero();
-        for i in 0..V::DIM {
-            assert_eq!(v.coordinate(i), i as f64 + 1.0);
-            assert_eq!(V::basis(i).pairing(&V::Dual::basis(i)), 1.0);
-            sum.add_scaled(v.coordinate(i), &V::basis(i));
-        }
-        assert_eq!(sum, v);
-        assert_eq!(v.coordinate(V::DIM), 0.0);
-        assert_eq!(v.scaled(2.0) - v, v);
-        assert_eq!((-v).max_abs(), V::DIM as f64);
-        assert!(!v.scaled(f64::NAN).is_finite());
-        for i in 0..V::DIM {
-            // a maximum alone would lose all but the last
-            let spoilt = V::from_coordinates(|j| if i == j { f64::NAN } else { v.coordinate(j) });
-            assert!(spoilt.max_abs().is_nan());
-        }
-    }
-
-    #[test]
-    fn every_vector_type_is_its_coordinates() {
-        coordinates_are_a_basis::<Vector3<f64>>();
-        coordinates_are_a_basis::<Matrix2<Complex<f64>>>();
-        coordinates_are_a_basis::<Covector<Vector3<f64>>>();
-        coordinates_are_a_basis::<Pair<Vector2<Complex<f64>>, Covector<Vector3<f64>>>>();
-        coordinates_are_a_basis::<Power<Vector3<f64>, 4>>();
-    }
-
-    #[test]
-    fn complex_coordinates_alternate() {
-        let chi = Vector2::new(Complex::new(1.0, 2.0), Complex::new(3.0, 4.0));
-        assert_eq!([0, 1, 2, 3].map(|i| chi.coordinate(i)), [1.0, 2.0, 3.0, 4.0]);
-    }
 }

@@ -1,11 +1,11 @@
 //! From a set of instructions to four lanes: [`dispatch_four`].
 
 use super::packed::Packed;
-use super::register::Two;
+use super::registers::register::Two;
 use super::{Baseline, FourLanes, InstructionSet, MissingInstructions};
 
 #[cfg(target_arch = "x86_64")]
-use super::avx2::Avx2;
+use super::registers::avx2::Avx2;
 
 /// A computation on [`FourLanes`], to be run by [`dispatch_four`]. What [`LaneTask`](super::LaneTask) says of speed
 /// holds here.

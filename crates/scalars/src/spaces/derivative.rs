@@ -27,7 +27,7 @@ where
 ///
 /// # Example
 /// ```
-/// use lie_poisson::{Covector, DualNumber, differential};
+/// use generic_scalars::{Covector, DualNumber, differential};
 /// use nalgebra::Vector2;
 /// // f(x, y) = x² y, df = (2xy, x²)
 /// let f = |v: &Vector2<DualNumber>| v.x * v.x * v.y;

@@ -11,7 +11,7 @@ use nalgebra::Vector3;
 ///
 /// # Example
 /// ```
-/// use lie_poisson::{Quaternion, Real};
+/// use generic_scalars::{Quaternion, Real};
 /// use nalgebra::Vector3;
 /// let pure = |v| Quaternion { scalar: 0.0, vector: v };
 /// let (u, v) = (Vector3::new(1.0, 2.0, 3.0), Vector3::new(-1.0, 0.5, 2.0));
@@ -51,7 +51,7 @@ impl<T: Real> Quaternion<T> {
     /// left out.
     ///
     /// ```
-    /// use lie_poisson::Quaternion;
+    /// use generic_scalars::Quaternion;
     /// use nalgebra::Vector3;
     /// let q = Quaternion { scalar: 2.0, vector: Vector3::new(1.0, 0.0, -1.0) };
     /// let v = Vector3::new(3.0, 1.0, 0.5);
@@ -67,7 +67,7 @@ impl<T: Real> Quaternion<T> {
     /// left out.
     ///
     /// ```
-    /// use lie_poisson::Quaternion;
+    /// use generic_scalars::Quaternion;
     /// use nalgebra::Vector3;
     /// let q = Quaternion { scalar: 2.0, vector: Vector3::new(1.0, 0.0, -1.0) };
     /// let v = Vector3::new(3.0, 1.0, 0.5);
@@ -82,7 +82,7 @@ impl<T: Real> Quaternion<T> {
     /// The imaginary part t u − s w − u×w of p q̄, for p = s + u and q = t + w.
     ///
     /// ```
-    /// use lie_poisson::Quaternion;
+    /// use generic_scalars::Quaternion;
     /// use nalgebra::Vector3;
     /// let p = Quaternion { scalar: 2.0, vector: Vector3::new(1.0, 0.0, -1.0) };
     /// let q = Quaternion { scalar: 0.5, vector: Vector3::new(3.0, 1.0, 0.5) };

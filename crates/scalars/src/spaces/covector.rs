@@ -1,6 +1,6 @@
 //! The dual space as a type of its own.
 
-use crate::Vector;
+use crate::{Pair, Vector};
 use core::ops::{Add, AddAssign, Neg, Sub, SubAssign};
 
 /// An element of V∗, stored by its coordinates in the dual basis.
@@ -9,14 +9,14 @@ use core::ops::{Add, AddAssign, Neg, Sub, SubAssign};
 /// velocity in 𝔤, though both may hold three numbers. Pattern matching opens it:
 ///
 /// ```
-/// use lie_poisson::Covector;
+/// use generic_scalars::Covector;
 /// use nalgebra::Vector3;
 /// let momentum = Covector(Vector3::new(1.0, 0.0, 0.0));
 /// let Covector(coordinates) = momentum;
 /// assert_eq!(coordinates.x, 1.0);
 /// ```
 /// ```compile_fail
-/// use lie_poisson::Covector;
+/// use generic_scalars::Covector;
 /// use nalgebra::Vector3;
 /// let velocity = Vector3::new(1.0, 0.0, 0.0);
 /// let _ = velocity + Covector(velocity); // 𝔤 + 𝔤* has no meaning
@@ -24,6 +24,14 @@ use core::ops::{Add, AddAssign, Neg, Sub, SubAssign};
 #[derive(Clone, Copy, Debug, PartialEq)]
 #[repr(transparent)]
 pub struct Covector<V>(pub V);
+
+impl<A, B> Covector<Pair<A, B>> {
+    /// (α, β) from its two parts, as the momentum (Π, Γ) of a heavy top.
+    #[inline]
+    pub const fn new(alpha: A, beta: B) -> Self {
+        Self(Pair(alpha, beta))
+    }
+}
 
 impl<V: Vector<Dual = Covector<V>>> Vector for Covector<V> {
     type Scalar = V::Scalar;

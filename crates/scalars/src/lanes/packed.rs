@@ -1,7 +1,7 @@
 //! Registers as a scalar.
 
 use super::Lanes;
-use super::register::Register;
+use super::registers::register::Register;
 use crate::{Mask, Real, larger};
 use core::fmt;
 use core::ops::{

@@ -1,6 +1,6 @@
 //! One lane with fused multiply-add.
 
-use super::register::Register;
+use super::registers::register::Register;
 
 /// One number, whose products and sums are rounded once, together: what one lane of AVX2 and of
 /// AVX-512 computes, bit for bit.

@@ -7,7 +7,7 @@ use core::ops::{Add, AddAssign, Neg, Sub, SubAssign};
 /// (v₁, …, v_N) ∈ V^N: the state of N spins, of N vortices.
 ///
 /// ```
-/// use lie_poisson::{Power, Vector};
+/// use generic_scalars::{Power, Vector};
 /// use nalgebra::Vector3;
 /// let spins = Power([Vector3::new(0.0, 0.0, 1.0); 10]);
 /// assert_eq!(spins.0.iter().sum::<Vector3<f64>>().z, 10.0);

@@ -1,6 +1,6 @@
 //! The laws of four lanes: each computes what `f64` does, and they change places as documented.
 
-use lie_poisson::{FourLanes, FourLanesTask, InstructionSet, dispatch_four};
+use generic_scalars::{FourLanes, FourLanesTask, InstructionSet, dispatch_four};
 use proptest::prelude::*;
 
 /// What a computation on four lanes comes to, lane by lane.

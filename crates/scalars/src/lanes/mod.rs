@@ -3,23 +3,13 @@
 //! [`Lanes`] is what a computation asks of the type, [`DefaultLanes`] the type for code that knows
 //! nothing of processors, [`dispatch`] the way to wider ones. [`FourLanes`] hold one vector of R³.
 
-#[cfg(target_arch = "x86_64")]
-mod avx2;
-#[cfg(target_arch = "x86_64")]
-mod avx512;
-mod dispatch;
-mod dispatch_four;
+mod registers;
+mod packed;
 mod four;
 #[cfg(target_arch = "x86_64")]
-mod intrinsics;
-mod packed;
-#[cfg(any(test, not(all(target_arch = "x86_64", target_feature = "sse2"))))]
-mod plain;
-mod register;
-#[cfg(target_arch = "x86_64")]
 mod single;
-#[cfg(all(target_arch = "x86_64", target_feature = "sse2"))]
-mod sse2;
+mod dispatch;
+mod dispatch_four;
 
 pub use dispatch::{InstructionSet, LaneTask, MissingInstructions, Width, dispatch};
 pub use dispatch_four::{FourLanesTask, dispatch_four};
@@ -28,9 +18,9 @@ pub use four::FourLanes;
 use crate::Real;
 
 #[cfg(not(all(target_arch = "x86_64", target_feature = "sse2")))]
-use plain::Plain as Baseline;
+use registers::plain::Plain as Baseline;
 #[cfg(all(target_arch = "x86_64", target_feature = "sse2"))]
-use sse2::Sse2 as Baseline;
+use registers::sse2::Sse2 as Baseline;
 
 /// Four lanes in two registers that need no detection: of SSE2 on x86-64, of whatever the compiler
 /// makes of two pairs of `f64` elsewhere.
@@ -40,13 +30,13 @@ use sse2::Sse2 as Baseline;
 ///
 /// # Example
 /// ```
-/// use lie_poisson::{DefaultLanes, Lanes, Real};
+/// use generic_scalars::{DefaultLanes, Lanes, Real};
 /// let x = DefaultLanes::load(&[1.0, 4.0, 9.0, 16.0]);
 /// assert_eq!(Real::sqrt(x).lane(2), 3.0);
 /// let hidden = DefaultLanes::load(&[0.0, f64::NAN, 0.0, 0.0]);
 /// assert!(!hidden.all_below(1.0) && hidden.max_abs().is_nan());
 /// ```
-pub type DefaultLanes = packed::Packed<register::Two<Baseline>>;
+pub type DefaultLanes = packed::Packed<registers::register::Two<Baseline>>;
 
 /// `COUNT` independent real numbers, computed with side by side.
 ///
@@ -63,7 +53,7 @@ pub type DefaultLanes = packed::Packed<register::Two<Baseline>>;
 /// # Example
 /// A polynomial by Horner's rule, at as many points as there are lanes:
 /// ```
-/// use lie_poisson::{DefaultLanes, Lanes};
+/// use generic_scalars::{DefaultLanes, Lanes};
 /// fn polynomial<T: Lanes>(x: T) -> T {
 ///     [2.0, -3.0, 1.0].iter().fold(T::from_f64(0.0), |sum, &c| sum.multiply_add(x, T::from_f64(c)))
 /// }

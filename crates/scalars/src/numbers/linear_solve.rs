@@ -12,7 +12,7 @@ use crate::{Mask, Real};
 ///
 /// # Example
 /// ```
-/// use lie_poisson::solve_linear;
+/// use generic_scalars::solve_linear;
 /// // 2x + y = 4, x + 3y = 7
 /// let (mut a, mut b) = ([2.0, 1.0, 1.0, 3.0], [4.0, 7.0]);
 /// assert!(solve_linear(&mut a, &mut b));

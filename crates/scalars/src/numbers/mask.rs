@@ -9,7 +9,7 @@ use core::fmt::Debug;
 ///
 /// # Example
 /// ```
-/// use lie_poisson::{DefaultLanes, Lanes, Mask, Real};
+/// use generic_scalars::{DefaultLanes, Lanes, Mask, Real};
 /// let x = DefaultLanes::from_lanes(|i| i as f64); // 0, 1, 2, 3
 /// let small = x.at_most(DefaultLanes::from_f64(1.0));
 /// assert!(small.any() && !small.all() && small.lane(1) && !small.lane(2));

@@ -1,13 +1,15 @@
 //! From a set of instructions to lanes: [`dispatch`].
 
 use super::packed::Packed;
-use super::register::Two;
+use super::registers::register::Two;
 use super::{Baseline, Lanes};
 use core::fmt;
 use thiserror::Error;
 
 #[cfg(target_arch = "x86_64")]
-use super::{avx2::Avx2, avx512::Avx512, single::FusedSingle};
+use super::registers::{avx2::Avx2, avx512::Avx512};
+#[cfg(target_arch = "x86_64")]
+use super::single::FusedSingle;
 
 /// A set of vector instructions, which the processor has or has not.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord, Hash)]
@@ -132,7 +134,7 @@ pub trait LaneTask {
 ///
 /// # Example
 /// ```
-/// use lie_poisson::{InstructionSet, LaneTask, Lanes, Width, dispatch};
+/// use generic_scalars::{InstructionSet, LaneTask, Lanes, Width, dispatch};
 ///
 /// /// x ← x² + x for each number.
 /// struct SquareAndAdd<'a>(&'a mut [f64]);
@@ -154,7 +156,7 @@ pub trait LaneTask {
 ///     dispatch(SquareAndAdd(&mut values), set, Width::TwoRegisters)?;
 ///     assert_eq!(values[18], 342.0);
 /// }
-/// # Ok::<(), lie_poisson::MissingInstructions>(())
+/// # Ok::<(), generic_scalars::MissingInstructions>(())
 /// ```
 #[allow(unsafe_code)] // calls into functions compiled for more than the baseline
 #[inline]

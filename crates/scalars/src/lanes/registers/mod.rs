@@ -1,0 +1,13 @@
+//! The registers of processors, and one without intrinsics for those that are not known here.
+
+pub(crate) mod register;
+#[cfg(any(test, not(all(target_arch = "x86_64", target_feature = "sse2"))))]
+pub(crate) mod plain;
+#[cfg(target_arch = "x86_64")]
+pub(crate) mod intrinsics;
+#[cfg(all(target_arch = "x86_64", target_feature = "sse2"))]
+pub(crate) mod sse2;
+#[cfg(target_arch = "x86_64")]
+pub(crate) mod avx2;
+#[cfg(target_arch = "x86_64")]
+pub(crate) mod avx512;
