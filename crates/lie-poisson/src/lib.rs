@@ -29,33 +29,11 @@
 //! dμ/dt = ad*_{dh(μ)} μ
 //! ```
 
-
-
-mod algebra;
-mod group;
-mod abelian;
-mod so2;
-mod so3;
-mod su2;
-mod sl2;
-mod unitary;
-mod jacobi;
-mod structure_constants;
-mod product;
-
-mod representation;
-mod semidirect;
-mod standard_representations;
-mod derived_representations;
-mod euclidean;
-mod sp1;
-mod logarithm;
-mod cayley;
-
-mod poisson;
-mod product_space;
-mod casimirs;
-mod hamiltonian;
+mod algebras;
+mod groups;
+mod representations;
+mod charts;
+mod brackets;
 
 #[cfg(feature = "laws")]
 pub mod laws;
@@ -68,33 +46,34 @@ pub use generic_scalars::{
     transposed_tangent,
 };
 
+pub use algebras::algebra::{LieAlgebra, Momentum};
+pub use algebras::group::{AlgebraElement, GroupMomentum, LieGroup};
+pub use algebras::product::{PowerAlgebra, PowerGroup, ProductAlgebra, ProductGroup};
+pub use algebras::structure_constants::{StructureConstants, StructureError};
+pub use groups::sl2::{SL2, Sl2};
+pub use groups::so2::{SO2, So2};
+pub use groups::so3::{SO3, So3};
+pub use groups::su2::{SU2, Su2};
+pub use groups::unitary::{SkewHermitian, UnitaryAlgebra, UnitaryGroup};
 
-pub use algebra::{LieAlgebra, Momentum};
-pub use group::{AlgebraElement, GroupMomentum, LieGroup};
-pub use product::{PowerAlgebra, PowerGroup, ProductAlgebra, ProductGroup};
-pub use sl2::{SL2, Sl2};
-pub use so2::{SO2, So2};
-pub use so3::{SO3, So3};
-pub use structure_constants::{StructureConstants, StructureError};
-pub use su2::{SU2, Su2};
-pub use unitary::{SkewHermitian, UnitaryAlgebra, UnitaryGroup};
+pub use charts::cayley::Cayley;
+pub use charts::logarithm::{Logarithm, LogarithmError};
+pub use representations::derived::{Adjoint, Diagonal, Inherited, Sum};
+pub use representations::euclidean::{SE2, SE3, Se2, Se3, Se3Dual};
+pub use representations::representation::{
+    GroupRepresentation, Representation, RepresentedElement,
+};
+pub use representations::semidirect::{SemidirectAlgebra, SemidirectGroup};
+pub use representations::sp1::{QuaternionSpace, SP1, SP1OnQuaternions};
+pub use representations::standard::{SL2OnR2, SO2OnR2, SO3OnR3, SU2OnC2, UnitaryOnComplexSpace};
 
-pub use cayley::Cayley;
-pub use derived_representations::{Adjoint, Diagonal, Inherited, Sum};
-pub use euclidean::{SE2, SE3, Se2, Se3, Se3Dual};
-pub use logarithm::{Logarithm, LogarithmError};
-pub use representation::{GroupRepresentation, Representation, RepresentedElement};
-pub use semidirect::{SemidirectAlgebra, SemidirectGroup};
-pub use sp1::{QuaternionSpace, SP1, SP1OnQuaternions};
-pub use standard_representations::{SL2OnR2, SO2OnR2, SO3OnR3, SU2OnC2, UnitaryOnComplexSpace};
-
-pub use casimirs::Casimirs;
-pub use hamiltonian::{
+pub use brackets::casimirs::Casimirs;
+pub use brackets::hamiltonian::{
     Automatic, Closure, Closures, Energy, Hamiltonian, from_closure, from_closures,
     hessian_by_dual_numbers,
 };
-pub use poisson::{LiePoisson, PoissonSpace, Sign};
-pub use product_space::{PowerSpace, ProductSpace, from_parts, parts};
+pub use brackets::poisson::{LiePoisson, PoissonSpace, Sign};
+pub use brackets::product_space::{PowerSpace, ProductSpace, from_parts, parts};
 
 pub use generic_scalars;
 pub use nalgebra;

@@ -17,60 +17,45 @@
 //! | so(3)∗ and sl(2, R)∗ from R⁴, u(N)∗ from C^N, se(3)∗ from T∗R³ | [`HOPF`], [`Sl2Realisation`], [`unitary_realisation`], [`PARTICLE`] |
 //! | the laws as residuals (feature `laws`) | `laws` |
 
-mod symplectic;
-mod cotangent;
-mod action;
+mod phase_spaces;
 mod actions;
-mod cotangent_lift;
-mod poisson_map;
-mod recentring;
-mod momentum_map;
-mod symplectic_representation;
-mod fibre;
-mod product_map;
-mod collective;
-mod multiplier;
-mod quaternion_multipliers;
-mod dual_quaternions;
-mod complex_matrices;
-mod power_multipliers;
-mod product_multipliers;
-mod noether;
-mod hopf;
+mod maps;
+mod multipliers;
+
 mod realisations;
 
 #[cfg(feature = "laws")]
 pub mod laws;
 
-pub use action::{ActingElement, ActionPoint, Generator, GroupAction, Side};
-pub use actions::{
+pub use actions::action::{ActingElement, ActionPoint, Generator, GroupAction, Side};
+pub use actions::cotangent_lift::CotangentLift;
+pub use actions::derived_actions::{
     AffineAction, JointAction, LinearAction, Opposite, ProductAction, RepresentationSpace,
 };
-pub use collective::CollectiveHamiltonian;
-pub use complex_matrices::ComplexMatrices;
-pub use cotangent::{Cotangent, CotangentBundle};
-pub use cotangent_lift::CotangentLift;
-pub use dual_quaternions::DualQuaternions;
-pub use fibre::{FibreSymmetry, Lift, LiftError};
-pub use hopf::{hopf_map, hopf_pull_back, hopf_section, pauli};
-pub use momentum_map::MomentumMap;
-pub use multiplier::{Multiplier, Multipliers};
-pub use noether::NoetherQuantity;
-pub use poisson_map::{
+pub use maps::collective_hamiltonian::CollectiveHamiltonian;
+pub use maps::fibre::{FibreSymmetry, Lift, LiftError};
+pub use maps::momentum_map::MomentumMap;
+pub use maps::noether::NoetherQuantity;
+pub use maps::poisson_map::{
     Composition, Identity, PoissonMap, SourcePoint, TargetDifferential, TargetPoint,
 };
-pub use power_multipliers::PowerMultipliers;
-pub use product_map::{PowerMap, ProductMap};
-pub use product_multipliers::ProductMultipliers;
-pub use quaternion_multipliers::Quaternions;
+pub use maps::product_map::{PowerMap, ProductMap};
+pub use maps::recentring::RecentringSpace;
+pub use maps::symplectic_representation::{
+    QuadraticMomentumMap, Reversed, So3OnC2, Symplectic, SymplecticRepresentation,
+};
+pub use multipliers::complex_matrices::ComplexMatrices;
+pub use multipliers::dual_quaternions::DualQuaternions;
+pub use multipliers::multiplier::{Multiplier, Multipliers};
+pub use multipliers::powers::PowerMultipliers;
+pub use multipliers::products::ProductMultipliers;
+pub use multipliers::quaternions::Quaternions;
+pub use phase_spaces::cotangent::{Cotangent, CotangentBundle};
+pub use phase_spaces::hopf_fibration::{hopf_map, hopf_pull_back, hopf_section, pauli};
+pub use phase_spaces::symplectic::{SymplecticComplexSpace, SymplecticSpace};
 pub use realisations::{
     HOPF, HopfRealisation, PARTICLE, ParticleRealisation, PlaneForm, Sl2Realisation,
     UnitaryRealisation, unitary_realisation,
-};
-pub use recentring::RecentringSpace;
-pub use symplectic::{SymplecticComplexSpace, SymplecticSpace};
-pub use symplectic_representation::{
-    QuadraticMomentumMap, Reversed, So3OnC2, Symplectic, SymplecticRepresentation,
 };
 
 pub use lie_poisson;

@@ -1,6 +1,6 @@
 //! The dual space as a type of its own.
 
-use crate::{Pair, Vector};
+use crate::Vector;
 use core::ops::{Add, AddAssign, Neg, Sub, SubAssign};
 
 /// An element of V∗, stored by its coordinates in the dual basis.
@@ -24,14 +24,6 @@ use core::ops::{Add, AddAssign, Neg, Sub, SubAssign};
 #[derive(Clone, Copy, Debug, PartialEq)]
 #[repr(transparent)]
 pub struct Covector<V>(pub V);
-
-impl<A, B> Covector<Pair<A, B>> {
-    /// (α, β) from its two parts, as the momentum (Π, Γ) of a heavy top.
-    #[inline]
-    pub const fn new(alpha: A, beta: B) -> Self {
-        Self(Pair(alpha, beta))
-    }
-}
 
 impl<V: Vector<Dual = Covector<V>>> Vector for Covector<V> {
     type Scalar = V::Scalar;

@@ -17,6 +17,14 @@ use core::ops::{Add, AddAssign, Neg, Sub, SubAssign};
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Pair<A, B>(pub A, pub B);
 
+impl<A, B> Covector<Pair<A, B>> {
+    /// (α, β) from its two parts, as the momentum (Π, Γ) of a heavy top.
+    #[inline]
+    pub const fn new(alpha: A, beta: B) -> Self {
+        Self(Pair(alpha, beta))
+    }
+}
+
 impl<T: Real, A: Vector<Scalar = T>, B: Vector<Scalar = T>> Vector for Pair<A, B> {
     type Scalar = T;
     type Dual = Covector<Self>;

@@ -1,0 +1,6 @@
+//! Tangent vectors along a trajectory, and what they tell of order and chaos.
+
+pub(crate) mod variational_flow;
+pub(crate) mod lyapunov;
+pub(crate) mod megno;
+pub(crate) mod smaller_alignment;

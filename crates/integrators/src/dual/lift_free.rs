@@ -1,0 +1,270 @@
+//! Collective Runge–Kutta methods without a lift.
+
+use crate::dual::multiplier_field::{Course, MultiplierField};
+use crate::{
+    Compensated, Equivariant, Increment, Increments, Integrator, Scheme, Start, Step, StepError,
+};
+use lie_poisson::{Hamiltonian, Pair, Point, Real, Vector};
+use momentum_map::{LiftError, Multiplier, Multipliers};
+
+/// The collective integrator of a linear collective system, on 𝔤∗ itself: the scheme solves
+///
+/// ```text
+/// dQ/dt = dh(transport(Q, μ₀)) Q,    Q(0) = 1
+/// ```
+///
+/// for the [multiplier](Multipliers) Q over one step, and μ₁ is μ₀ moved by Q₁.
+///
+/// For a scheme that commutes with linear maps ([`Equivariant`]) it equals the
+/// [`Collective`](crate::Collective) integrator with the same scheme to round-off. There is no lift
+/// to choose, no fibre to drift along, and for symplectic schemes Casimirs are conserved to a
+/// rounding without bias per step: Q moves μ by its normalised part.
+///
+/// The general case of the closed form of the collective midpoint rule; it answers, for every
+/// Runge–Kutta method, the question that Ohsawa 2019, §5.1 leaves open (an integrator defined on
+/// the symplectic leaves).
+///
+/// # Example
+/// ```
+/// use collective_integrators::{LiftFree, RungeKutta, Start};
+/// use lie_poisson::{Covector, LiePoisson, So3, from_closure};
+/// use momentum_map::Quaternions;
+/// use nalgebra::Vector3;
+/// let h = from_closure::<LiePoisson<So3>, _>(|Covector(pi)| pi.x * pi.x * 0.5 + pi.y * pi.y);
+/// let gauss = LiftFree::new(RungeKutta::gauss(2)?, Quaternions, h);
+/// let start = Covector(Vector3::new(1.0, 1.0, 1.0));
+/// for sample in gauss.trajectory(&start, 0.1)?.take(1000) {
+///     assert!((sample?.momentum.0.norm_squared() - 3.0).abs() < 1e-13);
+/// }
+/// # Ok::<(), Box<dyn std::error::Error>>(())
+/// ```
+#[derive(Clone, Debug, PartialEq)]
+pub struct LiftFree<S, M, H> {
+    scheme: S,
+    multipliers: M,
+    hamiltonian: H,
+}
+
+impl<S: Equivariant, M: Multipliers, H> LiftFree<S, M, H> {
+    /// The scheme applied to the multipliers.
+    pub fn new(scheme: S, multipliers: M, hamiltonian: H) -> Self {
+        Self { scheme, multipliers, hamiltonian }
+    }
+
+    /// The same with compensated summation of μ.
+    pub fn compensated(self) -> Compensated<Self> {
+        Compensated(self)
+    }
+
+    /// The scheme.
+    pub fn scheme(&self) -> &S {
+        &self.scheme
+    }
+
+    /// h
+    pub fn hamiltonian(&self) -> &H {
+        &self.hamiltonian
+    }
+
+    /// The change that the motion by a multiplier makes of μ.
+    #[inline]
+    pub fn change<T: Real>(
+        &self,
+        q: &Multiplier<M, T>,
+        mu: &Point<M::Space, T>,
+    ) -> Point<M::Space, T> {
+        self.multipliers.coadjoint_change::<T>(q, mu)
+    }
+
+    /// The multiplier Q₁ of one step from μ: the motion of the group that the step makes, and with
+    /// it the increment of the attitude.
+    ///
+    /// # Errors
+    /// If the step has no result.
+    #[inline]
+    pub fn multiplier<T: Real>(
+        &self,
+        mu: &Point<M::Space, T>,
+        step: f64,
+        workspace: &mut MultiplierSpace<S, M, T>,
+    ) -> Result<Step<Multiplier<M, T>>, StepError>
+    where
+        H: Hamiltonian<M::Space, T>,
+    {
+        self.motion::<T>(mu, step, workspace)?.0.finite()
+    }
+
+    /// The same with roundings that have no mean ([`Scheme::refined_increment`]), for
+    /// [`Compensated`] summation.
+    ///
+    /// # Errors
+    /// If the step has no result.
+    #[inline]
+    pub fn refined_multiplier<T: Real>(
+        &self,
+        mu: &Point<M::Space, T>,
+        step: f64,
+        workspace: &mut MultiplierSpace<S, M, T>,
+    ) -> Result<Step<Multiplier<M, T>>, StepError>
+    where
+        H: Hamiltonian<M::Space, T>,
+    {
+        self.refined_motion::<T>(mu, step, workspace)?.0.finite()
+    }
+
+    #[inline]
+    fn motion<T: Real>(
+        &self,
+        mu: &Point<M::Space, T>,
+        step: f64,
+        workspace: &mut MultiplierSpace<S, M, T>,
+    ) -> Result<Motion<M, T>, StepError>
+    where
+        H: Hamiltonian<M::Space, T>,
+    {
+        self.motion_by(mu, workspace, |field, one, storage| {
+            let next = self.scheme.increment::<T, _>(field, one, step, storage)?;
+            Ok(Step { point: *one + next.point, iterations: next.iterations })
+        })
+    }
+
+    #[inline]
+    fn refined_motion<T: Real>(
+        &self,
+        mu: &Point<M::Space, T>,
+        step: f64,
+        workspace: &mut MultiplierSpace<S, M, T>,
+    ) -> Result<Motion<M, T>, StepError>
+    where
+        H: Hamiltonian<M::Space, T>,
+    {
+        self.motion_by(mu, workspace, |field, one, storage| {
+            let next = self.scheme.refined_increment::<T, _>(field, one, step, storage)?;
+            let Pair(change, rest) = next.point;
+            Ok(Step { point: *one + (change + rest), iterations: next.iterations })
+        })
+    }
+
+    /// What the scheme makes of Q = 1 in one step from μ.
+    #[inline]
+    fn motion_by<T: Real>(
+        &self,
+        mu: &Point<M::Space, T>,
+        workspace: &mut MultiplierSpace<S, M, T>,
+        make: impl FnOnce(
+            &MultiplierField<'_, M, H, T>,
+            &Multiplier<M, T>,
+            &mut S::Workspace<Multiplier<M, T>>,
+        ) -> Result<Step<Multiplier<M, T>>, StepError>,
+    ) -> Result<Motion<M, T>, StepError>
+    where
+        H: Hamiltonian<M::Space, T>,
+    {
+        let one = self.multipliers.one::<T>();
+        let MultiplierSpace { scheme: storage, course } = workspace;
+        let here = course.take().filter(|course| course.goes_on_from(mu));
+        let (moved, steps) = here.map_or((one, 0), |course| (course.moved, course.steps));
+        if steps == 0 {
+            self.scheme.forget(storage);
+        }
+        let back = self.multipliers.inverse::<T>(&moved);
+        let frame = back.map(|back| (moved, back));
+        let (multipliers, hamiltonian) = (&self.multipliers, &self.hamiltonian);
+        let field = MultiplierField { multipliers, hamiltonian, start: *mu, frame };
+        let next = make(&field, &one, storage)?;
+        let change = self.change::<T>(&next.point, mu);
+        self.scheme.continue_from(storage, &one);
+        // Explicit methods make no iterations, and guess nothing.
+        let guesses = next.iterations > 0;
+        *course = frame.filter(|_| guesses).map(|(moved, _)| Course {
+            end: *mu + change,
+            moved: self.multipliers.product::<T>(&next.point, &moved),
+            steps: steps + 1,
+        });
+        Ok((next, change))
+    }
+}
+
+/// The steps of a multiplier in a row.
+type CourseOf<M, T> = Course<Point<<M as Multipliers>::Space, T>, Multiplier<M, T>>;
+
+/// The multiplier of a step, and the change that it makes of μ.
+type Motion<M, T> = (Step<Multiplier<M, T>>, Point<<M as Multipliers>::Space, T>);
+
+/// The storage of a lift-free step: that of the scheme, for multipliers, and the steps that it
+/// remembers.
+#[derive(Debug)]
+pub struct MultiplierSpace<S: Scheme, M: Multipliers, T: Real = f64> {
+    scheme: S::Workspace<Multiplier<M, T>>,
+    course: Option<CourseOf<M, T>>,
+}
+
+impl<S, M, H, T> Integrator<T> for LiftFree<S, M, H>
+where
+    S: Equivariant,
+    M: Multipliers,
+    H: Hamiltonian<M::Space, T>,
+    T: Real,
+{
+    type State = Point<M::Space, T>;
+    type Momentum = Point<M::Space, T>;
+    type Workspace = MultiplierSpace<S, M, T>;
+
+    fn workspace(&self) -> Self::Workspace {
+        MultiplierSpace { scheme: self.scheme.workspace(), course: None }
+    }
+
+    #[inline]
+    fn forget(&self, workspace: &mut Self::Workspace) {
+        workspace.course = None;
+    }
+
+    #[inline]
+    fn step(
+        &self,
+        mu: &Self::State,
+        step: f64,
+        workspace: &mut Self::Workspace,
+    ) -> Result<Step<Self::State>, StepError> {
+        let (Step { iterations, .. }, change) = self.motion::<T>(mu, step, workspace)?;
+        Step { point: *mu + change, iterations }.finite()
+    }
+
+    #[inline]
+    fn momentum(&self, mu: &Self::State) -> Self::Momentum {
+        *mu
+    }
+}
+
+impl<S, M, H, T> Increments<T> for LiftFree<S, M, H>
+where
+    S: Equivariant,
+    M: Multipliers,
+    H: Hamiltonian<M::Space, T>,
+    T: Real,
+{
+    /// δμ is that of a motion by Q₁, and conserves Casimirs whatever the roundings of Q₁. Of Q₁ = 1 + … only
+    /// the real part is rounded at size 1, which changes the motion by h times a rounding.
+    #[inline]
+    fn increment(
+        &self,
+        mu: &Self::State,
+        step: f64,
+        workspace: &mut Self::Workspace,
+    ) -> Result<Increment<Self::State>, StepError> {
+        let (Step { iterations, .. }, change) = self.refined_motion::<T>(mu, step, workspace)?;
+        Ok(Step { point: Pair(change, Vector::zero()), iterations })
+    }
+}
+
+impl<S, M, H, T> Start<T> for LiftFree<S, M, H>
+where
+    S: Equivariant,
+    M: Multipliers,
+    H: Hamiltonian<M::Space, T>,
+    T: Real,
+{
+    fn start(&self, mu: &Self::Momentum) -> Result<Self::State, LiftError> {
+        Ok(*mu)
+    }
+}

@@ -1,0 +1,157 @@
+//! Where a function along a trajectory changes its sign.
+
+use crate::runs::minimum::Minimum;
+use crate::runs::partial_step::PartialStep;
+use crate::runs::root_bracketing::Bracket;
+use crate::{IntegrationError, Integrator, SampleOf};
+use thiserror::Error;
+
+/// An event that cannot be located.
+#[derive(Clone, Copy, Debug, PartialEq, Error)]
+pub enum EventError {
+    /// The run failed.
+    #[error(transparent)]
+    Integration(#[from] IntegrationError),
+    /// g is not a number, so that it may or may not have crossed zero.
+    #[error("the event function is not a number at t = {time}")]
+    NotANumber {
+        /// When.
+        time: f64,
+    },
+}
+
+/// The direction in which g crosses zero, along the trajectory as it is traversed (backwards in
+/// time for negative steps).
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Direction {
+    /// From g < 0 to g ≥ 0.
+    Up,
+    /// From g > 0 to g ≤ 0.
+    Down,
+    /// Either.
+    Both,
+}
+
+impl Direction {
+    fn crosses(self, before: f64, after: f64) -> bool {
+        let up = before < 0.0 && after >= 0.0;
+        let down = before > 0.0 && after <= 0.0;
+        match self {
+            Self::Up => up,
+            Self::Down => down,
+            Self::Both => up || down,
+        }
+    }
+}
+
+/// A sample, and g there.
+type Valued<I> = (SampleOf<I>, f64);
+
+/// The crossings of zero by g(μ) in the direction that is asked for, located by steps of partial
+/// size.
+#[derive(Debug)]
+pub(crate) struct Crossings<'a, I: Integrator, G> {
+    partial: PartialStep<'a, I>,
+    g: G,
+    direction: Direction,
+}
+
+impl<'a, I: Integrator, G: Fn(&I::Momentum) -> f64> Crossings<'a, I, G> {
+    pub(crate) fn new(integrator: &'a I, g: G, direction: Direction) -> Self {
+        Self { partial: PartialStep::new(integrator), g, direction }
+    }
+
+    /// g at a sample, which must be a number.
+    pub(crate) fn value(&self, sample: &SampleOf<I>) -> Result<f64, EventError> {
+        let value = (self.g)(&sample.momentum);
+        let time = sample.time;
+        if value.is_nan() { Err(EventError::NotANumber { time }) } else { Ok(value) }
+    }
+
+    /// The crossing between two neighbouring samples, if g changes its sign.
+    pub(crate) fn between(
+        &mut self,
+        left: &Valued<I>,
+        right: &Valued<I>,
+    ) -> Result<Option<SampleOf<I>>, EventError> {
+        if !self.direction.crosses(left.1, right.1) {
+            return Ok(None);
+        }
+        self.locate(&left.0, left, right).map(Some)
+    }
+
+    /// Those of two crossings that are asked for, around the extremum of g near the middle one of
+    /// three samples of one sign, if |g| is least there and g has the other sign at the extremum.
+    pub(crate) fn near(
+        &mut self,
+        left: &Valued<I>,
+        middle: &Valued<I>,
+        right: &Valued<I>,
+    ) -> Result<[Option<SampleOf<I>>; 2], EventError> {
+        if !is_least(left.1, middle.1, right.1) {
+            return Ok([None; 2]);
+        }
+        let sign = middle.1.signum();
+        let lengths = [middle.0.time - left.0.time, right.0.time - middle.0.time];
+        // In units of the step: from the left sample before 0, from the middle one after it.
+        let mut minimum = Minimum::new(-1.0, (0.0, middle.1.abs()), 1.0);
+        while let Some(x) = minimum.next() {
+            let (from, to, tau) = if x < 0.0 {
+                (left, middle, (1.0 + x) * lengths[0])
+            } else {
+                (middle, right, x * lengths[1])
+            };
+            let sample = self.partial.after(&from.0, tau)?;
+            let beyond = (sample, self.value(&sample)?);
+            if beyond.1 * sign < 0.0 {
+                return self.both(from, &beyond, to);
+            }
+            minimum.insert(x, beyond.1 * sign);
+        }
+        Ok([None; 2])
+    }
+
+    /// The crossings before and after a point within the step from `from` to `to`.
+    fn both(
+        &mut self,
+        from: &Valued<I>,
+        beyond: &Valued<I>,
+        to: &Valued<I>,
+    ) -> Result<[Option<SampleOf<I>>; 2], EventError> {
+        let there = self.direction.crosses(from.1, beyond.1);
+        let back = self.direction.crosses(beyond.1, to.1);
+        let second = if back { Some(self.locate(&from.0, beyond, to)?) } else { None };
+        if !there {
+            return Ok([second, None]);
+        }
+        Ok([Some(self.locate(&from.0, from, beyond)?), second])
+    }
+
+    /// The zero between two points of different signs, by steps from the sample before them.
+    fn locate(
+        &mut self,
+        from: &SampleOf<I>,
+        left: &Valued<I>,
+        right: &Valued<I>,
+    ) -> Result<SampleOf<I>, EventError> {
+        let offset = left.0.time - from.time;
+        let mut bracket = Bracket::new(left.1, right.0.time - left.0.time, right.1);
+        let mut best = if right.1.abs() < left.1.abs() { *right } else { *left };
+        while let Some(tau) = bracket.next() {
+            let sample = self.partial.after(from, offset + tau)?;
+            let value = self.value(&sample)?;
+            if value.abs() <= best.1.abs() {
+                best = (sample, value);
+            }
+            bracket.insert(tau, value);
+        }
+        Ok(best.0)
+    }
+}
+
+/// Whether |g| is least at the middle one of three samples at which g has one sign; at the first of two
+/// with the same value, so that an extremum between them is followed once.
+fn is_least(left: f64, middle: f64, right: f64) -> bool {
+    let (above, below) = (middle > 0.0, middle < 0.0);
+    (above && left > middle && right >= middle) || (below && left < middle && right <= middle)
+}

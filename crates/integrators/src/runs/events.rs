@@ -1,0 +1,215 @@
+//! Events along a trajectory: Poincaré sections.
+
+use crate::runs::crossing::Crossings;
+use crate::{Direction, EventError, IntegrationError, Integrator, SampleOf};
+
+/// The points of a trajectory where g(μ) crosses zero: an iterator adaptor.
+///
+/// A change of the sign of g between two samples is followed up by steps of partial size τ from the
+/// left one, with τ such that g(μ(Φ_τ(z))) = 0 to round-off. The event is therefore as accurate as
+/// the integrator, and lies on the same level sets of what the integrator conserves. Its `step`
+/// counts the whole steps before it.
+///
+/// Two crossings within one step leave the sign at the samples as it is. Where |g| is least at a
+/// sample among three of one sign, g is therefore followed to its extremum near that sample by steps
+/// of partial size; if it has the other sign there, the crossings on both sides are located. What is
+/// guaranteed:
+///
+/// * one crossing in a step is found;
+/// * two crossings in a step are found if g has no extremum in this step and the two next to it but
+///   the one between the crossings, and they are farther apart than about 1e-6 steps. The first and
+///   the last step of a run lack a neighbour: there two crossings may be missed.
+/// * Of crossings that are denser, some are missed: choose a step that resolves g.
+///
+/// A sample with g = 0 exactly ends a crossing and begins none, so that each crossing is found once.
+/// The adaptor asks for samples until there is an event or none are left: bound the run by `take`.
+/// After `new` nothing is allocated; an event costs about ten steps, and so does an extremum at
+/// which |g| is least without a crossing.
+///
+/// Source of the idea: M. Hénon, *On the numerical computation of Poincaré maps*, Physica D 5
+/// (1982), who changes the independent variable for the last step; here, the size of the last step
+/// is solved for.
+///
+/// # Example
+/// The oscillator passes x = 0 upwards at t = 3π/2, 7π/2, …:
+/// ```
+/// use collective_integrators::{Direct, Direction, Events, RungeKutta, Start, from_fn};
+/// use nalgebra::Vector2;
+/// use std::f64::consts::PI;
+/// let oscillator = from_fn(|z: &Vector2<f64>| Vector2::new(z.y, -z.x));
+/// let gauss = Direct::new(RungeKutta::gauss(5)?, oscillator);
+/// let run = gauss.trajectory(&Vector2::x(), 0.2)?.take(100);
+/// let events: Vec<_> = Events::new(&gauss, run, |z| z.x, Direction::Up).collect();
+/// assert_eq!(events.len(), 3);
+/// for (k, event) in events.into_iter().enumerate() {
+///     let event = event?;
+///     assert!((event.time - (1.5 + 2.0 * k as f64) * PI).abs() < 1e-13);
+///     assert!(event.momentum.x.abs() < 1e-15);
+/// }
+/// # Ok::<(), Box<dyn std::error::Error>>(())
+/// ```
+#[derive(Debug)]
+pub struct Events<'a, I: Integrator, J, G> {
+    crossings: Crossings<'a, I, G>,
+    samples: J,
+    /// The last two samples with their g, the last one first.
+    last: [Option<(SampleOf<I>, f64)>; 2],
+    /// The second of two crossings within one step.
+    second: Option<SampleOf<I>>,
+    failed: bool,
+}
+
+impl<'a, I, J, G> Events<'a, I, J, G>
+where
+    I: Integrator,
+    J: Iterator<Item = Result<SampleOf<I>, IntegrationError>>,
+    G: Fn(&I::Momentum) -> f64,
+{
+    /// The samples must come from this integrator.
+    pub fn new(integrator: &'a I, samples: J, g: G, direction: Direction) -> Self {
+        let crossings = Crossings::new(integrator, g, direction);
+        Self { crossings, samples, last: [None; 2], second: None, failed: false }
+    }
+
+    /// Goes on by one sample; the first event that this brings, if there is one.
+    fn advance(
+        &mut self,
+        right: Result<SampleOf<I>, IntegrationError>,
+    ) -> Result<Option<SampleOf<I>>, EventError> {
+        let right = right?;
+        let right = (right, self.crossings.value(&right)?);
+        let [middle, left] = self.last;
+        self.last = [Some(right), middle];
+        let Some(middle) = middle else { return Ok(None) };
+        if let Some(event) = self.crossings.between(&middle, &right)? {
+            return Ok(Some(event));
+        }
+        let Some(left) = left else { return Ok(None) };
+        let [first, second] = self.crossings.near(&left, &middle, &right)?;
+        self.second = second;
+        Ok(first)
+    }
+}
+
+impl<I, J, G> Iterator for Events<'_, I, J, G>
+where
+    I: Integrator,
+    J: Iterator<Item = Result<SampleOf<I>, IntegrationError>>,
+    G: Fn(&I::Momentum) -> f64,
+{
+    type Item = Result<SampleOf<I>, EventError>;
+
+    fn next(&mut self) -> Option<Self::Item> {
+        if let Some(event) = self.second.take() {
+            return Some(Ok(event));
+        }
+        while !self.failed {
+            let right = self.samples.next()?;
+            match self.advance(right) {
+                Ok(None) => {}
+                Ok(Some(event)) => return Some(Ok(event)),
+                Err(error) => {
+                    self.failed = true;
+                    return Some(Err(error));
+                }
+            }
+        }
+        None
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::{Direct, RungeKutta, from_fn};
+    use nalgebra::Vector1;
+
+    /// The events of g along x = t, t = 0, 0.25, …, 2, where the method does not round.
+    fn events(g: impl Fn(f64) -> f64, direction: Direction) -> Vec<Result<f64, EventError>> {
+        let clock =
+            Direct::new(RungeKutta::explicit_midpoint(), from_fn(|_: &Vector1<f64>| Vector1::x()));
+        let run = clock.trajectory_from(Vector1::zeros(), 0.25).take(9);
+        let events = Events::new(&clock, run, |x: &Vector1<f64>| g(x[0]), direction);
+        events.map(|event| event.map(|sample| sample.time)).collect()
+    }
+
+    #[test]
+    fn directions_and_zeros_at_samples() {
+        let wave = |x: f64| (x - 0.3) * (x - 1.0) * (x - 1.6);
+        let times = |sign: f64, direction| -> Vec<f64> {
+            let near = |time: Result<f64, _>| time.map_or(f64::NAN, |t| (t * 1e12).round() / 1e12);
+            events(|x| sign * wave(x), direction).into_iter().map(near).collect()
+        };
+        // A zero at a sample belongs to the step that ends there, downwards and upwards.
+        for (sign, rises, falls) in
+            [(1.0, Direction::Up, Direction::Down), (-1.0, Direction::Down, Direction::Up)]
+        {
+            assert_eq!(times(sign, rises), [0.3, 1.6]);
+            assert_eq!(times(sign, falls), [1.0]);
+            assert_eq!(times(sign, Direction::Both), [0.3, 1.0, 1.6]);
+        }
+        // and so does one that g touches and leaves again
+        let touch = |x: f64| (x - 1.0) * (x - 1.0);
+        assert_eq!(events(touch, Direction::Both), [Ok(1.0)]);
+        assert_eq!(events(touch, Direction::Up), []);
+        assert_eq!(events(|x| -touch(x), Direction::Up), [Ok(1.0)]);
+        assert_eq!(events(|x| -touch(x), Direction::Down), []);
+        // g = 0 at the start is no event
+        assert_eq!(events(|x| x, Direction::Both), []);
+    }
+
+    /// Between the samples at 1 and 1.25 a parabola dips below zero and comes back.
+    #[test]
+    fn two_crossings_in_one_step_are_found() {
+        let dip = |from: f64, to: f64| move |x: f64| (x - from) * (x - to);
+        // near the left sample, near the right one, as far apart as a step has room (g is the same at both
+        // samples then, and the crossings are found once), close together
+        for (from, to) in [(1.02, 1.08), (1.19, 1.23), (1.001, 1.249), (1.1, 1.1 + 2.5e-7)] {
+            for sign in [1.0, -1.0] {
+                let g = move |x: f64| sign * dip(from, to)(x);
+                let times = |direction| {
+                    let found = events(g, direction);
+                    found.into_iter().map(|t| t.unwrap_or(f64::NAN)).collect::<Vec<_>>()
+                };
+                let is = |found: &[f64], zeros: &[f64]| {
+                    // g has rounding errors of ε, and slope ±|to − from| at its zeros
+                    let tolerance = 1e-15 / (to - from) + 1e-15;
+                    let near = |(t, zero): (&f64, &f64)| (t - zero).abs() < tolerance;
+                    found.len() == zeros.len() && found.iter().zip(zeros).all(near)
+                };
+                assert!(is(&times(Direction::Both), &[from, to]), "{from} {to} {sign}");
+                let (first, second) = if sign > 0.0 {
+                    (Direction::Down, Direction::Up)
+                } else {
+                    (Direction::Up, Direction::Down)
+                };
+                assert!(is(&times(first), &[from]) && is(&times(second), &[to]));
+            }
+        }
+        // the control: the samples alone change no sign
+        let samples = (0..9).map(|n| dip(1.02, 1.08)(0.25 * f64::from(n)));
+        assert!(samples.into_iter().all(|g| g > 0.0));
+        // a dip that ends above zero is no event, and in the first step none is looked for
+        assert_eq!(events(|x| dip(1.02, 1.08)(x) + 1e-3, Direction::Both), []);
+        assert_eq!(events(|x| dip(0.02, 0.08)(x), Direction::Both), []);
+    }
+
+    #[test]
+    fn a_nan_ends_the_events() {
+        let g = |x: f64| if x > 1.1 { f64::NAN } else { x - 0.9 };
+        let found = events(g, Direction::Up);
+        assert!(found[0].as_ref().is_ok_and(|t| (t - 0.9).abs() < 1e-15));
+        assert_eq!(found[1..], [Err(EventError::NotANumber { time: 1.25 })]);
+        // between the samples, too
+        let g = |x: f64| {
+            if x == 1.25 {
+                1.0
+            } else if x > 1.1 {
+                f64::NAN
+            } else {
+                -1.0
+            }
+        };
+        assert!(matches!(events(g, Direction::Up)[..], [Err(EventError::NotANumber { .. })]));
+    }
+}

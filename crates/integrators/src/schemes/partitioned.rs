@@ -1,0 +1,246 @@
+//! Partitioned Runge–Kutta methods.
+
+use crate::stages::block_sizes::MaskOf;
+use crate::stages::extrapolation::Predictor;
+use crate::stages::history::Memory;
+use crate::stages::stage_scale::StageScale;
+use crate::tableaux::order_conditions::tree_order;
+use crate::tableaux::tableau::COEFFICIENT_TOLERANCE;
+use crate::{
+    Polarisation, Scheme, SchemeError, StageSolver, Step, StepError, Tableau, VectorField,
+};
+use core::marker::PhantomData;
+use lie_poisson::{Real, Vector};
+
+/// A partitioned Runge–Kutta method: one tableau for q, another for p,
+///
+/// ```text
+/// Q_i = q + h Σ_j a_ij dq_j/dt,    P_i = p + h Σ_j â_ij dp_j/dt,    (dq_j/dt, dp_j/dt) = X(Q_j, P_j)
+/// q₁ = q + h Σ_j b_j dq_j/dt,      p₁ = p + h Σ_j b̂_j dp_j/dt
+/// ```
+///
+/// for any field X, separable or not. The stages are solved together, by the iteration of
+/// [`StageSolver`].
+///
+/// All properties are computed from the coefficients. A partitioned method may be symplectic, but
+/// it is not [`Equivariant`](crate::Equivariant): see
+/// [`Collective::that_does_not_descend`](crate::Collective::that_does_not_descend).
+///
+/// Source: Hairer, Lubich & Wanner, *Geometric Numerical Integration*, 2nd ed. (2006), §II.2.
+///
+/// # Example
+/// ```
+/// use collective_integrators::{Alternating, PartitionedRungeKutta, Scheme, from_fn};
+/// use nalgebra::Vector2;
+/// let verlet = PartitionedRungeKutta::<Alternating>::kick_drift_kick();
+/// assert!(verlet.is_symplectic() && verlet.is_symmetric() && verlet.order() == 2);
+/// assert!(!verlet.preserves_quadratic_invariants());
+/// let oscillator = from_fn(|z: &Vector2<f64>| Vector2::new(z.y, -z.x));
+/// let z = verlet.step(&oscillator, &Vector2::new(1.0, 0.0), 0.1, &mut verlet.workspace())?.point;
+/// // p½ = −0.05, q₁ = 1 − 0.005, p₁ = p½ − 0.05 q₁
+/// assert!((z - Vector2::new(0.995, -0.09975)).norm() < 1e-16);
+/// # Ok::<(), collective_integrators::StepError>(())
+/// ```
+#[derive(Clone, Debug, PartialEq)]
+pub struct PartitionedRungeKutta<P> {
+    q: Tableau,
+    p: Tableau,
+    order: usize,
+    solver: StageSolver,
+    predictor: Predictor,
+    polarisation: PhantomData<P>,
+}
+
+impl<P: Polarisation> PartitionedRungeKutta<P> {
+    /// From the tableau (a, b) for q and (â, b̂) for p.
+    ///
+    /// # Errors
+    /// If they differ in the number of stages.
+    pub fn new(q: Tableau, p: Tableau) -> Result<Self, SchemeError> {
+        if q.stages() != p.stages() {
+            return Err(SchemeError::Stages { q: q.stages(), p: p.stages() });
+        }
+        Ok(Self::of_equal_stages(q, p))
+    }
+
+    fn of_equal_stages(q: Tableau, p: Tableau) -> Self {
+        let order = if q == p {
+            q.order()
+        } else {
+            tree_order(&[(q.matrix(), q.weights()), (p.matrix(), p.weights())])
+        };
+        let solver = StageSolver::default();
+        let same_times =
+            q.nodes().iter().zip(p.nodes()).all(|(c, d)| (c - d).abs() <= COEFFICIENT_TOLERANCE);
+        let predictor = if same_times { Predictor::new(q.nodes()) } else { Predictor::none() };
+        Self { q, p, order, solver, predictor, polarisation: PhantomData }
+    }
+
+    /// The same method with another stage solver.
+    #[must_use]
+    pub fn with_solver(self, solver: StageSolver) -> Self {
+        Self { solver, ..self }
+    }
+
+    /// The tableaux for q and for p.
+    #[must_use]
+    pub fn tableaux(&self) -> (&Tableau, &Tableau) {
+        (&self.q, &self.p)
+    }
+
+    /// Symplectic Euler, implicit in p; order 1:
+    ///
+    /// ```text
+    /// p₁ = p − h H_q(q, p₁),    q₁ = q + h H_p(q, p₁)
+    /// ```
+    ///
+    /// Source: de Vogelaere (1956); Hairer, Lubich & Wanner, Thm. VI.3.3.
+    #[must_use]
+    pub fn symplectic_euler_implicit_in_p() -> Self {
+        Self::of_equal_stages(Tableau::literal(&[0.0], &[1.0]), Tableau::literal(&[1.0], &[1.0]))
+    }
+
+    /// Symplectic Euler, implicit in q; order 1:
+    ///
+    /// ```text
+    /// q₁ = q + h H_p(q₁, p),    p₁ = p − h H_q(q₁, p)
+    /// ```
+    ///
+    /// The adjoint of [the other](Self::symplectic_euler_implicit_in_p).
+    #[must_use]
+    pub fn symplectic_euler_implicit_in_q() -> Self {
+        Self::of_equal_stages(Tableau::literal(&[1.0], &[1.0]), Tableau::literal(&[0.0], &[1.0]))
+    }
+
+    /// The Störmer–Verlet method that moves p first; order 2:
+    ///
+    /// ```text
+    /// p½ = p − (h/2) H_q(q, p½)
+    /// q₁ = q + (h/2) (H_p(q, p½) + H_p(q₁, p½))
+    /// p₁ = p½ − (h/2) H_q(q₁, p½)
+    /// ```
+    ///
+    /// The two-stage Lobatto IIIA–IIIB pair.
+    ///
+    /// Source: Hairer, Lubich & Wanner, Thm. VI.3.4.
+    #[must_use]
+    pub fn kick_drift_kick() -> Self {
+        let (trapezoidal, constant) = ([0.0, 0.0, 0.5, 0.5], [0.5, 0.0, 0.5, 0.0]);
+        let tableau = |a: &[f64]| Tableau::literal(a, &[0.5, 0.5]);
+        Self::of_equal_stages(tableau(&trapezoidal), tableau(&constant))
+    }
+
+    /// The Störmer–Verlet method that moves q first, the roles of q and p exchanged.
+    #[must_use]
+    pub fn drift_kick_drift() -> Self {
+        let Self { q, p, .. } = Self::kick_drift_kick();
+        Self::of_equal_stages(p, q)
+    }
+
+    /// Lobatto IIIA for q and Lobatto IIIB for p, 2 to 4 stages: order 2s − 2, symplectic,
+    /// symmetric.
+    ///
+    /// Source: Sun (1993), Jay (1996); Hairer, Lubich & Wanner, §IV.2 and Table II.1.3.
+    ///
+    /// # Errors
+    /// For another number of stages.
+    pub fn lobatto_iiia_iiib(stages: usize) -> Result<Self, SchemeError> {
+        let q = Tableau::lobatto_iiia(stages)?;
+        let p = q.symplectic_conjugate()?;
+        Ok(Self::of_equal_stages(q, p))
+    }
+
+    /// h (Σ a_j q̇_j, Σ â_j ṗ_j)
+    #[inline]
+    fn sum<V: Vector>(step: f64, (a, a_hat): (&[f64], &[f64]), k: &[V]) -> V {
+        let (mut q, mut p) = (V::zero(), V::zero());
+        for ((&a, &a_hat), k) in a.iter().zip(a_hat).zip(k) {
+            q.add_scaled(V::Scalar::from_f64(a), k);
+            p.add_scaled(V::Scalar::from_f64(a_hat), k);
+        }
+        P::splice(&q, &p).scaled(V::Scalar::from_f64(step))
+    }
+}
+
+/// The storage of a partitioned step: its stage derivatives, and those of the last steps, from
+/// which they are guessed where q and p have their stages at the same times.
+#[derive(Clone, Debug)]
+pub struct PartitionedSpace<V: Vector> {
+    k: Vec<V>,
+    memory: Memory<V>,
+}
+
+impl<P: Polarisation> Scheme for PartitionedRungeKutta<P> {
+    type Workspace<V: Vector> = PartitionedSpace<V>;
+
+    fn workspace<V: Vector>(&self) -> PartitionedSpace<V> {
+        let k = vec![V::zero(); self.q.stages()];
+        PartitionedSpace { k, memory: Memory::new(&self.predictor) }
+    }
+
+    #[inline]
+    fn increment<T: Real, F: VectorField<T>>(
+        &self,
+        field: &F,
+        z: &F::Point,
+        step: f64,
+        workspace: &mut PartitionedSpace<F::Point>,
+    ) -> Result<Step<F::Point>, StepError> {
+        let PartitionedSpace { k, memory } = workspace;
+        // A workspace from another method still gives the right result.
+        k.resize(self.q.stages(), F::Point::zero());
+        let derivative = |i: usize, k: &[F::Point], _: MaskOf<F::Point>| {
+            field.at(&(*z + Self::sum(step, (self.q.row(i), self.p.row(i)), k)))
+        };
+        let iterations = memory
+            .solve(
+                &self.predictor,
+                &self.solver,
+                field,
+                (z, step, &StageScale::new(z, step)),
+                k,
+                derivative,
+            )
+            .map_err(|unsettled| unsettled.error)?;
+        let point = Self::sum(step, (self.q.weights(), self.p.weights()), k);
+        memory.end_at(&(*z + point));
+        Ok(Step { point, iterations })
+    }
+
+    #[inline]
+    fn forget<V: Vector>(&self, workspace: &mut PartitionedSpace<V>) {
+        workspace.memory.forget();
+    }
+
+    /// From the order conditions of two-coloured trees; orders above 8 are not looked for.
+    ///
+    /// Source: Hairer, Lubich & Wanner, Thm. III.2.5.
+    fn order(&self) -> usize {
+        self.order
+    }
+
+    /// Whether b = b̂ and b_i â_ij + b̂_j a_ji = b_i b̂_j.
+    ///
+    /// Source: Hairer, Lubich & Wanner, Thm. VI.4.6.
+    fn is_symplectic(&self) -> bool {
+        let (b, b_hat) = (self.q.weights(), self.p.weights());
+        let small = |x: f64| x.abs() <= COEFFICIENT_TOLERANCE;
+        let stages = 0..b.len();
+        b.iter().zip(b_hat).all(|(x, y)| small(x - y))
+            && stages.clone().all(|i| {
+                stages.clone().all(|j| {
+                    let (a_hat, a) = (self.p.row(i)[j], self.q.row(j)[i]);
+                    small(b[i] * a_hat + b_hat[j] * a - b[i] * b_hat[j])
+                })
+            })
+    }
+
+    fn is_symmetric(&self) -> bool {
+        self.q.is_symmetric() && self.p.is_symmetric()
+    }
+
+    /// Only if both tableaux are the same: the method is then no partitioned one.
+    fn preserves_quadratic_invariants(&self) -> bool {
+        self.q == self.p && self.q.is_symplectic()
+    }
+}

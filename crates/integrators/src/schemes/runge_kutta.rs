@@ -1,0 +1,307 @@
+//! Runge–Kutta methods.
+
+use crate::schemes::refinement::refine;
+use crate::stages::block_sizes::MaskOf;
+use crate::stages::extrapolation::Predictor;
+use crate::stages::history::Memory;
+use crate::stages::newton::{NewtonSpace, newton_step};
+use crate::stages::stage_scale::StageScale;
+use crate::stages::stage_solver::{Unsettled, combination, evenly_scaled, plus_combination};
+use crate::tableaux::dop853;
+use crate::{
+    Equivariant, Increment, Scheme, SchemeError, StageSolver, Step, StepError, Substeps, Tableau,
+    VectorField,
+};
+use lie_poisson::{Mask, Pair, Real, Vector};
+
+/// A Runge–Kutta method: a [`Tableau`], and a solver for its stages if it is implicit.
+///
+/// # Example
+/// One step of the two-stage Gauss method (order 4) for the harmonic oscillator conserves the
+/// energy, a quadratic invariant:
+/// ```
+/// use collective_integrators::{RungeKutta, Scheme, from_fn};
+/// use nalgebra::Vector2;
+/// let gauss = RungeKutta::gauss(2)?;
+/// let oscillator = from_fn(|z: &Vector2<f64>| Vector2::new(z.y, -z.x));
+/// let step = gauss.step(&oscillator, &Vector2::new(1.0, 0.0), 0.5, &mut gauss.workspace())?;
+/// assert!((step.point.norm() - 1.0).abs() < 1e-15);
+/// assert!((step.point.x - 0.5_f64.cos()).abs() < 1e-4);
+/// # Ok::<(), Box<dyn std::error::Error>>(())
+/// ```
+#[derive(Clone, Debug, PartialEq)]
+pub struct RungeKutta {
+    tableau: Tableau,
+    solver: StageSolver,
+    predictor: Predictor,
+}
+
+impl RungeKutta {
+    /// The method with the given coefficients, solved to the round-off floor if implicit.
+    #[must_use]
+    pub fn new(tableau: Tableau) -> Self {
+        let predictor =
+            if tableau.is_explicit() { Predictor::none() } else { Predictor::new(tableau.nodes()) };
+        Self { tableau, solver: StageSolver::default(), predictor }
+    }
+
+    /// The same method with another stage solver.
+    #[must_use]
+    pub fn with_solver(self, solver: StageSolver) -> Self {
+        Self { solver, ..self }
+    }
+
+    /// The coefficients.
+    #[must_use]
+    pub fn tableau(&self) -> &Tableau {
+        &self.tableau
+    }
+
+    /// The implicit midpoint rule z₁ = z + h X((z + z₁)/2): order 2, symplectic, symmetric.
+    #[must_use]
+    pub fn implicit_midpoint() -> Self {
+        Self::literal(&[0.5], &[1.0])
+    }
+
+    /// The explicit midpoint rule z₁ = z + h X(z + (h/2) X(z)) (Runge): order 2.
+    #[must_use]
+    pub fn explicit_midpoint() -> Self {
+        Self::literal(&[0.0, 0.0, 0.5, 0.0], &[0.0, 1.0])
+    }
+
+    /// The classical fourth-order method of Runge and Kutta.
+    #[must_use]
+    #[rustfmt::skip]
+    pub fn rk4() -> Self {
+        let (third, sixth) = (1.0 / 3.0, 1.0 / 6.0);
+        Self::literal(
+            &[0.0, 0.0, 0.0, 0.0,
+              0.5, 0.0, 0.0, 0.0,
+              0.0, 0.5, 0.0, 0.0,
+              0.0, 0.0, 1.0, 0.0],
+            &[sixth, third, third, sixth],
+        )
+    }
+
+    /// The method of order 8 of Dormand and Prince, explicit, with 12 stages, at fixed step: the
+    /// propagated solution of the code DOP853, without its error estimate. A reference for runs in
+    /// which structure does not matter.
+    ///
+    /// Source: Hairer, Nørsett & Wanner, *Solving Ordinary Differential Equations I*, 2nd ed.
+    /// (1993), §II.5 and Appendix.
+    #[must_use]
+    pub fn dop853() -> Self {
+        let stages = dop853::B.len();
+        let mut a = vec![0.0; stages * stages];
+        for (row, entries) in a.chunks_exact_mut(stages).skip(1).zip(dop853::A) {
+            row[..entries.len()].copy_from_slice(entries);
+        }
+        Self::literal(&a, &dop853::B)
+    }
+
+    /// The symplectic diagonally implicit method with weights b: see
+    /// [`Tableau::symplectic_dirk`]. Its stages are solved together; the
+    /// [`Composition`](crate::Composition) of midpoint rules, the same map, solves one after the
+    /// other.
+    ///
+    /// # Errors
+    /// If there is no weight, or one is not finite.
+    pub fn symplectic_dirk(b: &[f64]) -> Result<Self, SchemeError> {
+        Tableau::symplectic_dirk(b).map(Self::new)
+    }
+
+    /// The symplectic diagonally implicit method of Qin and Zhang: order 2, 2 stages,
+    /// b = (½, ½).
+    ///
+    /// Source: Qin & Zhang, *Symplectic Runge–Kutta schemes for Hamiltonian systems*, J. Comput.
+    /// Math. 10 (1992).
+    #[must_use]
+    pub fn qin_zhang() -> Self {
+        Self::literal(&[0.25, 0.0, 0.5, 0.25], &[0.5, 0.5])
+    }
+
+    /// The symplectic diagonally implicit method of Sanz-Serna and Abia: order 4, 3 stages, with
+    /// the weights of the [triple jump](crate::Substeps::triple_jump).
+    ///
+    /// Source: Sanz-Serna & Abia, SIAM J. Numer. Anal. 28 (1991).
+    #[must_use]
+    pub fn sanz_serna_abia() -> Self {
+        let substeps = Substeps::yoshida4();
+        let (b1, b2) = (substeps.fractions()[0], substeps.fractions()[1]);
+        let a = [0.5 * b1, 0.0, 0.0, b1, 0.5 * b2, 0.0, b1, b2, 0.5 * b1];
+        Self::literal(&a, &[b1, b2, b1])
+    }
+
+    /// Gauss–Legendre collocation with `stages` stages: order 2s, symplectic, symmetric.
+    ///
+    /// # Errors
+    /// If `stages` is 0.
+    pub fn gauss(stages: usize) -> Result<Self, SchemeError> {
+        Tableau::gauss(stages).map(Self::new)
+    }
+
+    fn literal(a: &[f64], b: &[f64]) -> Self {
+        Self::new(Tableau::literal(a, b))
+    }
+
+    /// Solves for the stage derivatives: from a guess if the workspace has one; if not, or if that
+    /// fails, from X(z); then by Newton's iteration, whose results are no good to guess from. Returns
+    /// the number of iterations, and where those of the fixed point were enough.
+    #[inline]
+    fn solve_stages<T: Real, F: VectorField<T>>(
+        &self,
+        field: &F,
+        z: &F::Point,
+        step: f64,
+        workspace: &mut StageSpace<F::Point>,
+    ) -> Result<(usize, T::Mask), StepError> {
+        let StageSpace { k, small, memory, newton, .. } = workspace;
+        small.fill(F::Point::zero());
+        let h = T::from_f64(step);
+        let derivative = |i: usize, k: &[F::Point], near: MaskOf<F::Point>| {
+            if near.any() {
+                small[i] =
+                    F::Point::select(near, &combination(self.tableau.row_low(i), k), &small[i]);
+            }
+            let (before, after) = self.tableau.row(i).split_at(i);
+            // The newest stage last: what is computed first need not wait for it.
+            let sum = plus_combination(small[i], after, &k[i..]);
+            field.at(&(*z + plus_combination(sum, before, k).scaled(h)))
+        };
+        let scale = StageScale::new(z, step);
+        let from = (z, step, &scale);
+        match memory.solve(&self.predictor, &self.solver, field, from, k, derivative) {
+            Err(Unsettled { settled, iterations, .. }) if self.solver.newton => {
+                let advance = |done: T::Mask, k: &mut [F::Point]| {
+                    newton_step(field, (z, step), &self.tableau, done, k, newton)
+                };
+                let more = self.solver.newton(settled, &field.at(z), &scale, k, advance)?;
+                Ok((iterations + more, settled))
+            }
+            Ok(iterations) => Ok((iterations, T::Mask::from_bool(true))),
+            Err(unsettled) => Err(unsettled.error),
+        }
+    }
+
+    /// The stage derivatives of a step, in the workspace. Returns the number of iterations, and where they
+    /// were those of the fixed point.
+    #[inline]
+    fn stages<T: Real, F: VectorField<T>>(
+        &self,
+        field: &F,
+        z: &F::Point,
+        step: f64,
+        workspace: &mut StageSpace<F::Point>,
+    ) -> Result<(usize, T::Mask), StepError> {
+        // A workspace from another method still gives the right result.
+        workspace.k.resize(self.tableau.stages(), F::Point::zero());
+        workspace.small.resize(self.tableau.stages(), F::Point::zero());
+        if !self.tableau.is_explicit() {
+            return self.solve_stages(field, z, step, workspace);
+        }
+        let (k, h) = (&mut workspace.k, T::from_f64(step));
+        for (i, row) in self.tableau.rows().enumerate() {
+            k[i] = field.at(&(*z + combination(&row[..i], k).scaled(h)));
+        }
+        Ok((0, T::Mask::from_bool(true)))
+    }
+
+    /// h Σ_i (b_i + low_i) k_i for the stage derivatives in the workspace, which ends its step there.
+    #[inline]
+    fn end<V: Vector>(&self, z: &V, step: f64, workspace: &mut StageSpace<V>) -> V {
+        let small = combination(self.tableau.weights_low(), &workspace.k);
+        let sum = plus_combination(small, self.tableau.weights(), &workspace.k);
+        let change = evenly_scaled(&sum, step);
+        workspace.memory.end_at(&(*z + change));
+        change
+    }
+}
+
+/// The storage of a Runge–Kutta step: its stage derivatives, those of the last steps, from which an
+/// implicit method guesses them, and the matrix of Newton's iteration once a step has needed it.
+#[derive(Clone, Debug)]
+pub struct StageSpace<V: Vector> {
+    k: Vec<V>,
+    /// What refinement adds to k.
+    rest: Vec<V>,
+    /// Σ_j low_ij k_j with the low parts of the coefficients, once the stages are near.
+    small: Vec<V>,
+    memory: Memory<V>,
+    newton: NewtonSpace<V::Scalar>,
+}
+
+impl Equivariant for RungeKutta {}
+
+impl Scheme for RungeKutta {
+    type Workspace<V: Vector> = StageSpace<V>;
+
+    fn workspace<V: Vector>(&self) -> StageSpace<V> {
+        StageSpace {
+            k: vec![V::zero(); self.tableau.stages()],
+            rest: vec![V::zero(); self.tableau.stages()],
+            small: vec![V::zero(); self.tableau.stages()],
+            memory: Memory::new(&self.predictor),
+            newton: NewtonSpace::default(),
+        }
+    }
+
+    #[inline]
+    fn increment<T: Real, F: VectorField<T>>(
+        &self,
+        field: &F,
+        z: &F::Point,
+        step: f64,
+        workspace: &mut StageSpace<F::Point>,
+    ) -> Result<Step<F::Point>, StepError> {
+        let (iterations, _) = self.stages(field, z, step, workspace)?;
+        Ok(Step { point: self.end(z, step, workspace), iterations })
+    }
+
+    /// With the stages of an implicit method unrounded where the fixed-point iteration has found them, which
+    /// takes six more evaluations of the field for each stage.
+    #[inline]
+    fn refined_increment<T: Real, F: VectorField<T>>(
+        &self,
+        field: &F,
+        z: &F::Point,
+        step: f64,
+        workspace: &mut StageSpace<F::Point>,
+    ) -> Result<Increment<F::Point>, StepError> {
+        let (iterations, contracting) = self.stages(field, z, step, workspace)?;
+        let mut rest = F::Point::zero();
+        if !self.tableau.is_explicit() {
+            let StageSpace { k, rest: parts, .. } = workspace;
+            parts.resize(k.len(), rest);
+            refine(field, (z, step), &self.tableau, contracting, k, parts);
+            rest = combination(self.tableau.weights(), parts).scaled(T::from_f64(step));
+        }
+        Ok(Step { point: Pair(self.end(z, step, workspace), rest), iterations })
+    }
+
+    #[inline]
+    fn forget<V: Vector>(&self, workspace: &mut StageSpace<V>) {
+        workspace.memory.forget();
+    }
+
+    #[inline]
+    fn continue_from<V: Vector>(&self, workspace: &mut StageSpace<V>, start: &V) {
+        workspace.memory.end_at(start);
+    }
+
+    fn order(&self) -> usize {
+        self.tableau.order()
+    }
+
+    fn is_symplectic(&self) -> bool {
+        self.tableau.is_symplectic()
+    }
+
+    fn is_symmetric(&self) -> bool {
+        self.tableau.is_symmetric()
+    }
+
+    /// The condition of [`Tableau::is_symplectic`].
+    fn preserves_quadratic_invariants(&self) -> bool {
+        self.tableau.is_symplectic()
+    }
+}

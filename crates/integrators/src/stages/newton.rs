@@ -1,0 +1,124 @@
+//! Newton's iteration for the stage equations.
+
+use crate::stages::block_sizes::BlockSizes;
+
+use crate::stages::stage_scale::Progress;
+use crate::stages::stage_solver::{combination, plus_combination};
+use crate::{Tableau, VectorField};
+use lie_poisson::{Real, Vector, solve_linear};
+
+/// Storage of the iteration, empty until a step first needs it.
+#[derive(Clone, Debug)]
+pub(crate) struct NewtonSpace<T> {
+    matrix: Vec<T>,
+    residual: Vec<T>,
+}
+
+impl<T> Default for NewtonSpace<T> {
+    fn default() -> Self {
+        Self { matrix: Vec::new(), residual: Vec::new() }
+    }
+}
+
+/// One iteration k ← k − (1 − h A ⊗ DX)⁻¹ (k − X(z + h A k)) for the stage derivatives, in the lanes
+/// that are not `done`; returns the changes, infinite where the matrix is singular, and the sizes of the
+/// terms of which the stage derivatives are sums.
+///
+/// For a large step the change may be small while the residual k − X(…) is not. A residual above
+/// its own round-off, which is that of X at its argument, therefore counts as a change.
+///
+/// The terms are those of DX·z, the round-off of X at its argument in units of ε. They are larger than X
+/// where z has gone far along a fibre on which X does not depend: no iteration comes nearer than their round-off.
+pub(crate) fn newton_step<T: Real, F: VectorField<T>>(
+    field: &F,
+    (z, step): (&F::Point, f64),
+    tableau: &Tableau,
+    done: T::Mask,
+    k: &mut [F::Point],
+    space: &mut NewtonSpace<T>,
+) -> Progress<F::Point> {
+    let units = units(z, step, k);
+    let mut progress = assemble(field, (z, step), tableau, k, &units, space);
+    let regular = solve_linear(&mut space.matrix, &mut space.residual);
+    for (stage, part) in k.iter_mut().zip(space.residual.chunks_exact(F::Point::DIM)) {
+        let correction = F::Point::from_coordinates(|d| part[d] * units.coordinate(d));
+        progress.change.include(&correction);
+        *stage = F::Point::select(done, stage, &(*stage - correction));
+        progress.size.include(stage);
+    }
+    progress.change = BlockSizes::select(regular, &progress.change, &BlockSizes::infinite());
+    progress
+}
+
+/// Writes the matrix 1 − h A ⊗ DX and the residual k − X(z + h A k), both in the given units, without which
+/// elimination could not choose its pivots; returns the residuals that are above their round-off, and the sizes of
+/// the terms of X.
+fn assemble<T: Real, F: VectorField<T>>(
+    field: &F,
+    (z, step): (&F::Point, f64),
+    tableau: &Tableau,
+    k: &[F::Point],
+    units: &F::Point,
+    space: &mut NewtonSpace<T>,
+) -> Progress<F::Point> {
+    let dimension = F::Point::DIM;
+    let size = k.len() * dimension;
+    space.matrix.clear();
+    space.matrix.resize(size * size, T::zero());
+    space.residual.clear();
+    let mut progress = Progress { change: BlockSizes::zero(), size: BlockSizes::zero() };
+    for (i, row) in tableau.rows().enumerate() {
+        let small = combination(tableau.row_low(i), k);
+        let point = *z + plus_combination(small, row, k).scaled(T::from_f64(step));
+        let value = field.at(&point);
+        let residual = k[i] - value;
+        let in_units = |d| residual.coordinate(d) / units.coordinate(d);
+        space.residual.extend((0..dimension).map(in_units));
+        let mut terms = BlockSizes::of(&[value]);
+        for column in 0..dimension {
+            let unit = units.coordinate(column);
+            let slope = derivative(field, &point, &value, column, unit);
+            terms.add_scaled(point.coordinate(column).magnitude(), &BlockSizes::of(&[slope]));
+            for (j, &a) in row.iter().enumerate() {
+                for d in 0..dimension {
+                    let at = (i * dimension + d) * size + j * dimension + column;
+                    let entry = slope.coordinate(d) * (-step * a);
+                    space.matrix[at] = entry * (unit / units.coordinate(d));
+                }
+            }
+        }
+        progress.include_residual(&BlockSizes::of(&[residual]), &terms);
+    }
+    for n in 0..size {
+        space.matrix[n * size + n] += T::one();
+    }
+    progress
+}
+
+/// One number for each coordinate by which it is measured: the larger of |z_b| and h |k_b| in its block b, or 1
+/// where both are 0.
+fn units<T: Real, V: Vector<Scalar = T>>(z: &V, step: f64, k: &[V]) -> V {
+    let (start, stages) = (BlockSizes::of(core::slice::from_ref(z)), BlockSizes::of(k));
+    V::from_coordinates(|i| {
+        let unit = start.of_coordinate(i).larger(stages.of_coordinate(i) * step.abs());
+        T::select(unit.at_most(T::zero()), T::one(), unit)
+    })
+}
+
+/// DX(z)·e_i, by a difference quotient where the field does not know it: the iteration then
+/// converges a little more slowly, to the same stages.
+fn derivative<T: Real, F: VectorField<T>>(
+    field: &F,
+    z: &F::Point,
+    value: &F::Point,
+    i: usize,
+    unit: T,
+) -> F::Point {
+    let v = F::Point::basis(i);
+    field.derivative(z, &v).unwrap_or_else(|| {
+        let width = unit * f64::EPSILON.sqrt();
+        let mut moved = *z;
+        moved.add_scaled(width, &v);
+        (field.at(&moved) - *value).scaled(T::one() / width)
+    })
+}

@@ -1,0 +1,124 @@
+//! Guesses for integrators with stage equations of their own.
+
+use crate::stages::convergence::unknown;
+use crate::stages::extrapolation::Predictor;
+use crate::stages::history::Memory;
+use crate::stages::stage_scale::StageScale;
+use crate::{StageSolver, Unsettled, from_fn};
+use lie_poisson::{Mask, Real, Vector};
+
+/// What an integrator with stage equations k_i = f_i(k) of its own remembers of the last steps: the
+/// next one of equal size begins its iteration with the polynomial through their k, as
+/// [`RungeKutta`](crate::RungeKutta) methods do.
+///
+/// A guess shows in the last bits of a result, which [`forget`](Self::forget) makes independent of the
+/// steps before.
+///
+/// # Example
+/// The midpoint rule for a pendulum, with the velocity (q̇, ṗ) = (p, −sin q) at the midpoint as unknown:
+/// ```
+/// use collective_integrators::{StageMemory, StageSolver};
+/// use nalgebra::Vector2;
+/// let rate = |z: Vector2<f64>| Vector2::new(z.y, -z.x.sin());
+/// let (h, solver) = (0.05, StageSolver::default());
+/// let (mut z, mut memory) = (Vector2::new(1.0, 0.0), StageMemory::new(&[0.5]));
+/// let mut sweeps = Vec::new();
+/// for _ in 0..1000 {
+///     let mut k = [Vector2::zeros()];
+///     let solve = |_, k: &[Vector2<f64>]| rate(z + k[0] * (h / 2.0));
+///     sweeps.push(memory.solve(&solver, &z, h, &mut k, || rate(z), solve)?);
+///     z += k[0] * h;
+///     memory.end_at(&z);
+/// }
+/// assert!((z.y * z.y / 2.0 - z.x.cos() + 1.0_f64.cos()).abs() < 1e-3);
+/// assert!(sweeps.iter().skip(8).all(|n| n < &sweeps[0]));
+/// # Ok::<(), collective_integrators::StepError>(())
+/// ```
+#[derive(Clone, Debug)]
+pub struct StageMemory<V: Vector> {
+    predictor: Predictor,
+    memory: Memory<V>,
+}
+
+impl<V: Vector> StageMemory<V> {
+    /// Of nothing, for stages at the times c, in steps. Where two of them coincide nothing is guessed.
+    #[must_use]
+    pub fn new(nodes: &[f64]) -> Self {
+        let predictor = Predictor::new(nodes);
+        Self { memory: Memory::new(&predictor), predictor }
+    }
+
+    /// Solves k_i = `stage`(i, k) as [`StageSolver::solve`] does, for a step of the given size from z:
+    /// from a guess, if z is where the last step ended; else, or where that fails, from k_i =
+    /// `first`(). Another number of stages than that of the nodes is solved without a guess, and nothing
+    /// is remembered of it. Returns the number of iterations.
+    ///
+    /// # Errors
+    /// If the iteration blows up or does not settle, in some lane: those in which it settled hold
+    /// their k, and remember it. `?` makes a [`StepError`](crate::StepError) of it.
+    #[inline]
+    pub fn solve(
+        &mut self,
+        solver: &StageSolver,
+        z: &V,
+        step: f64,
+        k: &mut [V],
+        first: impl Fn() -> V,
+        stage: impl Fn(usize, &[V]) -> V,
+    ) -> Result<usize, Unsettled<<V::Scalar as Real>::Mask>> {
+        let mut stage = |i: usize, k: &[V], _| stage(i, k);
+        let scale = StageScale::of_unknowns(step);
+        if k.len() != self.predictor.stages {
+            self.memory.forget();
+            k.fill(first());
+            let none = Mask::from_bool(false);
+            return solver.solve_from(none, &scale, k, &mut unknown(), &mut stage);
+        }
+        let field = from_fn(|_: &V| first());
+        self.memory.solve(&self.predictor, solver, &field, (z, step, &scale), k, stage)
+    }
+
+    /// Where the step that was solved last has ended.
+    #[inline]
+    pub fn end_at(&mut self, z: &V) {
+        self.memory.end_at(z);
+    }
+
+    /// Forgets the steps before.
+    #[inline]
+    pub fn forget(&mut self) {
+        self.memory.forget();
+    }
+}
+
+#[cfg(test)]
+#[allow(clippy::unwrap_used)]
+mod tests {
+    use super::*;
+    use nalgebra::Vector1;
+
+    /// k = (k + z)/2 at every stage, of which the last k is the solution.
+    #[test]
+    fn other_numbers_of_stages_are_solved_without_a_guess_and_forgotten() {
+        let (mut memory, z) = (StageMemory::new(&[0.25, 0.75]), Vector1::new(1.0));
+        let mut sweeps = |stages: usize| {
+            let mut k = vec![Vector1::new(0.0); stages];
+            let first = || Vector1::new(0.75);
+            let stage = |i: usize, k: &[Vector1<f64>]| (k[i] + z) * 0.5;
+            let solver = StageSolver::default();
+            let made = memory.solve(&solver, &z, 0.1, &mut k, first, stage).unwrap();
+            memory.end_at(&z);
+            // as many roundings as the ratio ½ leaves
+            assert!(k.iter().all(|k| (k.x - 1.0).abs() < 4.0 * f64::EPSILON), "{stages} {k:?}");
+            made
+        };
+        let cold = sweeps(2);
+        assert!(sweeps(2) < cold);
+        for stages in [0, 1, 3] {
+            assert!(stages == 0 || sweeps(stages) > 2);
+            assert_eq!(sweeps(stages), sweeps(stages));
+            assert_eq!(sweeps(2), cold);
+            assert!(sweeps(2) < cold);
+        }
+    }
+}

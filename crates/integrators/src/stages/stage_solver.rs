@@ -1,0 +1,265 @@
+//! Iterations for the stage equations, to the round-off floor.
+
+use crate::StepError;
+use crate::stages::block_sizes::{BlockSizes, MaskOf};
+use crate::stages::convergence::{FLOOR, Ratios, Watch, is_finite, unknown};
+use crate::stages::stage_scale::{Progress, StageScale};
+use lie_poisson::{Mask, Real, Vector, larger};
+
+/// Sweeps after which a fixed-point iteration that has not settled gives way to Newton's.
+const SLOW: usize = 60;
+
+/// A change below this multiple of the size of the stage derivatives, √ε, leaves what is rounded off
+/// the coefficients of a method as it is, to ε of its own size: it has to be computed once.
+const CLOSE: f64 = 1.0 / (1 << 26) as f64;
+
+/// Newton iterations after which the stage equations count as not solved.
+const NEWTON_ITERATIONS: usize = 50;
+
+/// How to solve the stage equations k_i = X(z + h Σ_j a_ij k_j).
+///
+/// First a fixed-point iteration of Gauss–Seidel kind. In a step that goes on from steps of the same
+/// size it begins with the polynomial through their stage derivatives, else with k_i = X(z): where
+/// it begins shows in the last bits of a result, which [`Scheme::forget`](crate::Scheme::forget)
+/// makes independent of the steps before. Where it is slow or diverges, for large steps, Newton's
+/// iteration takes over, with the exact derivative of the field if it is known
+/// ([`VectorField::derivative`](crate::VectorField::derivative)).
+///
+/// To the round-off floor means: until nothing changes, the change that comes next is expected below a
+/// thirty-second of a rounding from the ratios of those before, in the step before it too, or the changes no
+/// longer shrink at the size of round-off. The low parts of coefficients enter once k is within √ε.
+///
+/// Sizes are compared block by block, in units of the state ([`Vector::BLOCKS`]): of (q, p) with q of size
+/// 1e-20 and p of size 1, both are found to the same number of digits.
+///
+/// Source of the last rule: Hairer, McLachlan & Razakarivony, *Achieving Brouwer's law with
+/// implicit Runge–Kutta methods*, BIT 48 (2008), §2.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct StageSolver {
+    /// Accept when h |Δk| is at most this times the larger of |z| and h |k|, in each block of coordinates:
+    /// a number without a unit. 0 iterates to the round-off floor.
+    pub tolerance: f64,
+    /// Give up the fixed-point iteration after this many sweeps.
+    pub max_iterations: usize,
+    /// Whether Newton's iteration may follow.
+    pub newton: bool,
+}
+
+impl Default for StageSolver {
+    /// To the round-off floor, within 60 sweeps, then by Newton's iteration.
+    fn default() -> Self {
+        Self { tolerance: 0.0, max_iterations: SLOW, newton: true }
+    }
+}
+
+/// An iteration that has not settled in every lane.
+#[derive(Clone, Copy, Debug)]
+pub struct Unsettled<M> {
+    /// Where it has.
+    pub settled: M,
+    /// The iterations made.
+    pub iterations: usize,
+    /// What the other lanes are left with.
+    pub error: StepError,
+}
+
+/// As if it had settled nowhere.
+impl<M> From<Unsettled<M>> for StepError {
+    fn from(unsettled: Unsettled<M>) -> Self {
+        unsettled.error
+    }
+}
+
+impl StageSolver {
+    /// Solves k_i = `derivative`(i, k) for the stages `k`, all of which start from `start`, by
+    /// fixed-point iteration; returns the number of iterations. `derivative` computes X at the
+    /// i-th stage. Each block of coordinates of k is held against itself; `step` does not matter.
+    ///
+    /// Over lanes each stops by itself, at the stages that it would have alone.
+    ///
+    /// # Errors
+    /// [`StepError::NotConverged`] if the iteration blows up or does not settle, in some lane.
+    #[inline]
+    pub fn solve<V: Vector>(
+        &self,
+        start: V,
+        step: f64,
+        k: &mut [V],
+        derivative: impl Fn(usize, &[V]) -> V,
+    ) -> Result<usize, StepError> {
+        k.fill(start);
+        let none = MaskOf::<V>::from_bool(false);
+        let scale = StageScale::of_unknowns(step);
+        self.solve_from(none, &scale, k, &mut unknown(), &mut |i, k: &[V], _| derivative(i, k))
+            .map_err(|unsettled| unsettled.error)
+    }
+
+    /// The same from the guess that `k` holds, at the pace of the iteration before. Lanes that are
+    /// `done` stay as they are. `derivative` is told too in which lanes `k` has just come
+    /// [close](CLOSE) to the solution.
+    #[inline]
+    pub(crate) fn solve_from<V: Vector>(
+        &self,
+        done: MaskOf<V>,
+        scale: &StageScale<V>,
+        k: &mut [V],
+        pace: &mut Ratios<V::Scalar>,
+        derivative: &mut impl FnMut(usize, &[V], MaskOf<V>) -> V,
+    ) -> Result<usize, Unsettled<MaskOf<V>>> {
+        let advance = |done, near| sweep(done, k, |i, k| derivative(i, k, near));
+        self.iterate(self.max_iterations, done, scale, pace, advance)
+    }
+
+    /// Newton's iteration, in the lanes that are not `done`, from k_i = `start`; `advance` makes one
+    /// iteration in those lanes and returns its change and the size of the stages. Returns the number
+    /// of iterations.
+    ///
+    /// # Errors
+    /// [`StepError::NotConverged`] if it does not settle, in some lane.
+    #[inline]
+    pub(crate) fn newton<V: Vector>(
+        &self,
+        done: MaskOf<V>,
+        start: &V,
+        scale: &StageScale<V>,
+        k: &mut [V],
+        mut advance: impl FnMut(MaskOf<V>, &mut [V]) -> Progress<V>,
+    ) -> Result<usize, StepError> {
+        fill_unless(done, k, start);
+        self.iterate(NEWTON_ITERATIONS, done, scale, &mut unknown(), |done, _| advance(done, k))
+            .map_err(|unsettled| unsettled.error)
+    }
+
+    /// Iterates until the change settles in every lane that is not `done`, or has blown up there;
+    /// `advance` is given the lanes that are to stay as they are and those that have just come
+    /// close, and returns the changes and the sizes of the stages.
+    #[inline]
+    fn iterate<V: Vector>(
+        &self,
+        most: usize,
+        done: MaskOf<V>,
+        scale: &StageScale<V>,
+        pace: &mut Ratios<V::Scalar>,
+        mut advance: impl FnMut(MaskOf<V>, MaskOf<V>) -> Progress<V>,
+    ) -> Result<usize, Unsettled<MaskOf<V>>> {
+        let mut watch = Watch::new(*pace);
+        let none = MaskOf::<V>::from_bool(false);
+        let (mut settled, mut lost, mut near, mut close) = (done, none, none, none);
+        let mut progress = Progress::unknown();
+        let mut iterations = 0;
+        while iterations < most && !settled.or(lost).all() {
+            iterations += 1;
+            let ended = settled.or(lost);
+            progress = advance(ended, near);
+            let (change, size) = scale.compare(&progress);
+            // Else the low parts of the coefficients are missing; they do not show in a k that stays.
+            let whole = close.or(change.at_most(V::Scalar::from_f64(0.0)));
+            let mut now = watch.settled(change, size).and(whole);
+            if self.tolerance > 0.0 {
+                now = now.or(scale.accepts(&progress, self.tolerance));
+            }
+            *pace = keep(ended, *pace, watch.ratios());
+            settled = settled.or(now.and(lost.not()));
+            if settled.all() {
+                return Ok(iterations);
+            }
+            lost = lost.or(is_finite(change).or(settled).not());
+            // Of a lane that has ended nothing changes any more, whatever the others do.
+            near = change.at_most(size * CLOSE).and(close.or(settled).or(lost).not());
+            close = close.or(near);
+        }
+        let residual = scale.displacement(&progress, &progress.change, settled);
+        let floor = FLOOR * scale.displacement(&progress, &progress.size, settled);
+        let required = larger(self.tolerance, floor);
+        let error = StepError::NotConverged { residual, required, iterations };
+        Err(Unsettled { settled, iterations, error })
+    }
+}
+
+/// The ratios that a lane had when it ended.
+#[inline]
+fn keep<T: Real>(ended: T::Mask, [a, b]: Ratios<T>, [c, d]: Ratios<T>) -> Ratios<T> {
+    [T::select(ended, a, c), T::select(ended, b, d)]
+}
+
+/// One sweep over all stages, in the lanes that are not `done`.
+#[inline]
+fn sweep<V: Vector>(
+    done: MaskOf<V>,
+    k: &mut [V],
+    mut derivative: impl FnMut(usize, &[V]) -> V,
+) -> Progress<V> {
+    let mut progress = Progress { change: BlockSizes::zero(), size: BlockSizes::zero() };
+    for i in 0..k.len() {
+        let value = derivative(i, k);
+        progress.change.include(&(value - k[i]));
+        progress.size.include(&value);
+        k[i] = if done.any() { V::select(done, &k[i], &value) } else { value };
+    }
+    progress
+}
+
+/// k_i = `value` in the lanes that are not `done`.
+#[inline]
+pub(crate) fn fill_unless<V: Vector>(done: MaskOf<V>, k: &mut [V], value: &V) {
+    for k in k {
+        *k = V::select(done, k, value);
+    }
+}
+
+/// Σ_j a_j k_j
+#[inline]
+pub(crate) fn combination<V: Vector>(row: &[f64], k: &[V]) -> V {
+    plus_combination(V::zero(), row, k)
+}
+
+/// sum + Σ_j a_j k_j
+#[inline]
+pub(crate) fn plus_combination<V: Vector>(mut sum: V, row: &[f64], k: &[V]) -> V {
+    for (&a, k) in row.iter().zip(k) {
+        sum.add_scaled(V::Scalar::from_f64(a), k);
+    }
+    sum
+}
+
+/// h v, with roundings that have no mean. If h is within a few roundings of a fraction of small
+/// denominator, as 0.05 = 8/5 · 2⁻⁵, the products h x with neighbouring x round alike; those with the upper
+/// 26 bits of h do not, and what the lower bits add is small. An infinite h x becomes NaN.
+#[inline]
+pub(crate) fn evenly_scaled<V: Vector>(v: &V, step: f64) -> V {
+    let upper = f64::from_bits(step.to_bits() & UPPER_HALF);
+    let mut product = v.scaled(V::Scalar::from_f64(upper));
+    product.add_scaled(V::Scalar::from_f64(step - upper), v);
+    product
+}
+
+/// Sign, exponent and the upper 26 of the 53 bits of a number.
+const UPPER_HALF: u64 = !0 << 27;
+
+#[cfg(test)]
+mod tests {
+    use crate::{RungeKutta, Scheme, StepError, from_fn};
+    use nalgebra::{Vector1, Vector2};
+
+    #[test]
+    fn an_iteration_that_blows_up_is_refused() {
+        let field = from_fn(|z: &Vector1<f64>| z.map(|x| x * x * 1e6));
+        let midpoint = RungeKutta::implicit_midpoint();
+        let step = midpoint.step(&field, &Vector1::new(1.0), 1.0, &mut midpoint.workspace());
+        assert!(matches!(step, Err(StepError::NotConverged { .. })));
+    }
+
+    /// ẋ = 16 y, ẏ = −x/2 with h = ½: one sweep multiplies the change by 4 and the next by ⅛, in one
+    /// or the other order. The midpoint rule is x₁ = (x/2 + 8y)/c, y₁ = (y/2 − x/4)/c, c = 3/2.
+    #[test]
+    fn an_iteration_that_converges_up_and_down_is_followed_to_the_floor() {
+        let field = from_fn(|z: &Vector2<f64>| Vector2::new(16.0 * z.y, -0.5 * z.x));
+        let midpoint = RungeKutta::implicit_midpoint();
+        for z in [Vector2::new(1.0, 0.3), Vector2::new(-0.2, 0.9), Vector2::new(0.5, -2.0)] {
+            let step = midpoint.step(&field, &z, 0.5, &mut midpoint.workspace()).map(|s| s.point);
+            let exact = Vector2::new(0.5 * z.x + 8.0 * z.y, 0.5 * z.y - 0.25 * z.x) / 1.5;
+            // the round-off of ẋ, up to 32 ε here, a few times over
+            assert!(step.is_ok_and(|step| (step - exact).amax() < 128.0 * f64::EPSILON));
+        }
+    }
+}

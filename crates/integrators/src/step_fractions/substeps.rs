@@ -1,0 +1,163 @@
+//! The coefficients γ of composition methods.
+
+use crate::SchemeError;
+use crate::step_fractions::composition_conditions::order_over;
+
+/// How far γ_i may be from γ_{s+1−i}, and their sum from 1, by rounding.
+const COEFFICIENT_TOLERANCE: f64 = 1e-14;
+
+/// The fractions γ₁, …, γ_s into which a composition divides its step,
+///
+/// ```text
+/// Ψ_h = Φ_{γ_s h} ∘ … ∘ Φ_{γ_1 h},    γ_1 + … + γ_s = 1
+/// ```
+///
+/// Beyond order 2 some of them are negative (Sheng; Suzuki), so Φ must run backwards too. The
+/// named sets are symmetric, γ_i = γ_{s+1−i}, and raise a symmetric Φ of order 2; their orders
+/// are computed, by [`order_over`](Self::order_over), not quoted.
+///
+/// Source: Hairer, Lubich & Wanner, *Geometric Numerical Integration*, 2nd ed. (2006), §V.3.
+///
+/// # Example
+/// ```
+/// use collective_integrators::Substeps;
+/// let yoshida = Substeps::yoshida4();
+/// assert_eq!(yoshida.order_over(2, true), 4);
+/// // of a method of order 2 that is not symmetric it makes one of order 3
+/// assert_eq!(yoshida.order_over(2, false), 3);
+/// ```
+#[derive(Clone, Debug, PartialEq)]
+pub struct Substeps {
+    fractions: Vec<f64>,
+}
+
+impl Substeps {
+    /// The given fractions, first substep first.
+    ///
+    /// # Errors
+    /// If there is none, one is not finite, or their sum is not 1 to within 1e-14 Σ|γ_i|.
+    pub fn new(fractions: &[f64]) -> Result<Self, SchemeError> {
+        if fractions.is_empty() {
+            return Err(SchemeError::NoStages);
+        }
+        if fractions.iter().any(|x| !x.is_finite()) {
+            return Err(SchemeError::NotFinite);
+        }
+        let sum: f64 = fractions.iter().sum();
+        let size: f64 = fractions.iter().map(|x| x.abs()).sum();
+        if (sum - 1.0).abs() > COEFFICIENT_TOLERANCE * size {
+            return Err(SchemeError::SubstepSum { sum });
+        }
+        Ok(Self { fractions: fractions.to_vec() })
+    }
+
+    /// γ₁, …, γ_s
+    #[must_use]
+    pub fn fractions(&self) -> &[f64] {
+        &self.fractions
+    }
+
+    /// Whether γ_i = γ_{s+1−i}: compositions of a symmetric method are then symmetric.
+    #[must_use]
+    pub fn is_symmetric(&self) -> bool {
+        let reversed = self.fractions.iter().rev();
+        self.fractions.iter().zip(reversed).all(|(x, y)| (x - y).abs() <= COEFFICIENT_TOLERANCE)
+    }
+
+    /// The order of the composition, for every method Φ of order `order`, symmetric or not.
+    ///
+    /// It is computed from the coefficients: the composition of formal exponentials
+    /// exp(γ_i h E_1 + (γ_i h)^{p+1} E_{p+1} + …), even powers absent if Φ is symmetric, is compared
+    /// with exp(h E_1) word by word. Orders above max(12, p + 2) are not looked for.
+    ///
+    /// Source: Murua & Sanz-Serna, *Order conditions for numerical integrators obtained by
+    /// composing simpler integrators*, Phil. Trans. R. Soc. A 357 (1999).
+    #[must_use]
+    pub fn order_over(&self, order: usize, symmetric: bool) -> usize {
+        order_over(&self.fractions, order, symmetric)
+    }
+
+    /// The triple jump that raises symmetric methods of even order p to order p + 2:
+    ///
+    /// ```text
+    /// γ₁ = γ₃ = 1/(2 − r),    γ₂ = −r/(2 − r),    r = 2^{1/(p+1)}
+    /// ```
+    ///
+    /// Source: Creutz & Gocksch, Phys. Rev. Lett. 63 (1989); Yoshida, *Construction of higher order
+    /// symplectic integrators*, Phys. Lett. A 150 (1990); Hairer, Lubich &
+    /// Wanner, eq. (II.4.4).
+    #[must_use]
+    pub fn triple_jump(order: usize) -> Self {
+        let root = 2.0_f64.powf(1.0 / (order as f64 + 1.0));
+        let outer = 1.0 / (2.0 - root);
+        Self { fractions: vec![outer, -root * outer, outer] }
+    }
+
+    /// Suzuki's fractal, with five substeps none of which is longer than the step:
+    ///
+    /// ```text
+    /// γ₁ = γ₂ = γ₄ = γ₅ = 1/(4 − r),    γ₃ = −r/(4 − r),    r = 4^{1/(p+1)}
+    /// ```
+    ///
+    /// Source: Suzuki, *Fractal decomposition of exponential operators*, Phys. Lett. A 146 (1990).
+    #[must_use]
+    pub fn suzuki(order: usize) -> Self {
+        let root = 4.0_f64.powf(1.0 / (order as f64 + 1.0));
+        let outer = 1.0 / (4.0 - root);
+        Self { fractions: vec![outer, outer, -root * outer, outer, outer] }
+    }
+
+    /// γ₁, …, γ_m, …, γ₁ from the first half and the middle one.
+    pub(crate) fn palindrome(half: &[f64]) -> Self {
+        let mirrored = half.iter().rev().skip(1);
+        Self { fractions: half.iter().chain(mirrored).copied().collect() }
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn the_orders_of_the_literature_come_out() {
+        let orders = [
+            (Substeps::yoshida4(), 3, 4),
+            (Substeps::suzuki4(), 5, 4),
+            (Substeps::mclachlan4(), 5, 4),
+            (Substeps::yoshida6(), 7, 6),
+            (Substeps::mclachlan6(), 9, 6),
+            (Substeps::kahan_li6(), 9, 6),
+            (Substeps::yoshida8(), 15, 8),
+            (Substeps::mclachlan8(), 15, 8),
+            (Substeps::kahan_li8(), 17, 8),
+            (Substeps::sofroniou_spaletta10(), 35, 10),
+        ];
+        for (substeps, stages, order) in orders {
+            assert_eq!(substeps.fractions().len(), stages);
+            assert_eq!(substeps.order_over(2, true), order, "{substeps:?}");
+            assert!(substeps.is_symmetric());
+            assert_eq!(Substeps::new(substeps.fractions()), Ok(substeps));
+        }
+        for order in [2, 4, 6, 8, 10, 14, 24] {
+            assert_eq!(Substeps::triple_jump(order).order_over(order, true), order + 2);
+            assert_eq!(Substeps::suzuki(order).order_over(order, true), order + 2);
+            assert_eq!(Substeps::triple_jump(order + 2).order_over(order, true), order);
+        }
+    }
+
+    #[test]
+    fn a_wrong_coefficient_costs_order() {
+        let mut wrong = Substeps::kahan_li8();
+        for i in [0, 16] {
+            wrong.fractions[i] += 1e-6;
+        }
+        for i in [1, 15] {
+            wrong.fractions[i] -= 1e-6;
+        }
+        assert_eq!(wrong.order_over(2, true), 2);
+        assert_eq!(Substeps::new(&[]), Err(SchemeError::NoStages));
+        assert_eq!(Substeps::new(&[0.5, 0.6]), Err(SchemeError::SubstepSum { sum: 1.1 }));
+        assert_eq!(Substeps::new(&[f64::NAN]), Err(SchemeError::NotFinite));
+        assert!(Substeps::new(&[0.25, 0.75]).is_ok_and(|s| !s.is_symmetric()));
+    }
+}

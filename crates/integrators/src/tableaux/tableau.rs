@@ -1,0 +1,212 @@
+//! Butcher tableaux.
+
+use crate::{SchemeError, tableaux::order_conditions::order_of};
+
+/// How far a computed algebraic condition on rounded coefficients may be from zero.
+///
+/// A condition sums up to s² products of coefficients of size 1, each rounded to 2⁻⁵³.
+pub(crate) const COEFFICIENT_TOLERANCE: f64 = 1e-13;
+
+/// The coefficients of a Runge–Kutta method,
+///
+/// ```text
+/// k_i = X(z + h Σ_j a_ij k_j),    z₁ = z + h Σ_i b_i k_i,    c_i = Σ_j a_ij
+/// ```
+///
+/// All properties are computed from the coefficients.
+///
+/// Source: Hairer, Lubich & Wanner, *Geometric Numerical Integration*, 2nd ed. (2006), Def. II.1.1.
+///
+/// # Example
+/// ```
+/// use collective_integrators::Tableau;
+/// let midpoint = Tableau::new(&[0.5], &[1.0]).unwrap();
+/// assert_eq!(midpoint.order(), 2);
+/// assert!(midpoint.is_symplectic() && midpoint.is_symmetric() && !midpoint.is_explicit());
+/// ```
+#[derive(Clone, Debug, PartialEq)]
+pub struct Tableau {
+    a: Vec<f64>,
+    b: Vec<f64>,
+    c: Vec<f64>,
+    order: usize,
+    /// What rounding has taken from a and b; empty where they are exact, or as they were given.
+    a_low: Vec<f64>,
+    b_low: Vec<f64>,
+}
+
+impl Tableau {
+    /// From the matrix a, row by row, and the weights b.
+    ///
+    /// # Errors
+    /// If there is no stage, if a is not square of the size of b, or a coefficient is not finite.
+    pub fn new(a: &[f64], b: &[f64]) -> Result<Self, SchemeError> {
+        let stages = b.len();
+        if stages == 0 {
+            return Err(SchemeError::NoStages);
+        }
+        if a.len() != stages * stages {
+            return Err(SchemeError::Shape { stages, a: a.len(), b: b.len() });
+        }
+        if a.iter().chain(b).any(|x| !x.is_finite()) {
+            return Err(SchemeError::NotFinite);
+        }
+        let c: Vec<f64> = a.chunks_exact(stages).map(|row| row.iter().sum()).collect();
+        let order = order_of(a, b, &c);
+        let (a, b) = (a.to_vec(), b.to_vec());
+        Ok(Self { a, b, c, order, a_low: Vec::new(), b_low: Vec::new() })
+    }
+
+    /// The same with the low parts of the coefficients, 2⁻⁵³ of them and less: a + a_low and b + b_low
+    /// are the coefficients to twice the precision.
+    ///
+    /// A step that uses them has no error that is the same at every step, as that of a rounded
+    /// coefficient is. Low parts of other sizes than a and b are left out.
+    ///
+    /// Source: Hairer, McLachlan & Razakarivony, *Achieving Brouwer's law with implicit Runge–Kutta
+    /// methods*, BIT 48 (2008), §2.
+    #[must_use]
+    pub fn with_low_parts(self, a_low: &[f64], b_low: &[f64]) -> Self {
+        if a_low.len() == self.a.len() && b_low.len() == self.b.len() {
+            Self { a_low: a_low.to_vec(), b_low: b_low.to_vec(), ..self }
+        } else {
+            self
+        }
+    }
+
+    /// The low parts of a row of a; empty if there are none.
+    #[inline]
+    pub(crate) fn row_low(&self, i: usize) -> &[f64] {
+        part(&self.a_low, i, self.b.len())
+    }
+
+    /// The low parts of b; empty if there are none.
+    #[inline]
+    pub(crate) fn weights_low(&self) -> &[f64] {
+        &self.b_low
+    }
+
+    /// The number s of stages.
+    #[must_use]
+    pub fn stages(&self) -> usize {
+        self.b.len()
+    }
+
+    /// The rows (a_i1, …, a_is) of the matrix.
+    pub fn rows(&self) -> impl Iterator<Item = &[f64]> {
+        self.a.chunks_exact(self.stages())
+    }
+
+    /// The row (a_i1, …, a_is); empty for i ≥ s.
+    #[inline]
+    #[must_use]
+    pub fn row(&self, i: usize) -> &[f64] {
+        part(&self.a, i, self.b.len())
+    }
+
+    /// The weights b.
+    #[must_use]
+    pub fn weights(&self) -> &[f64] {
+        &self.b
+    }
+
+    /// The nodes c.
+    #[must_use]
+    pub fn nodes(&self) -> &[f64] {
+        &self.c
+    }
+
+    /// The order of convergence, from the order conditions; 0 if the method is not consistent.
+    #[must_use]
+    pub fn order(&self) -> usize {
+        self.order
+    }
+
+    /// Whether a is strictly lower triangular, so that the stages follow one from the other.
+    #[must_use]
+    pub fn is_explicit(&self) -> bool {
+        self.rows().enumerate().all(|(i, row)| row[i..].iter().all(|&x| x == 0.0))
+    }
+
+    /// Whether b_i a_ij + b_j a_ji = b_i b_j: the method is symplectic, and conserves every
+    /// quadratic invariant.
+    ///
+    /// Source: Hairer, Lubich & Wanner, Thm. IV.2.2 and Thm. VI.4.3.
+    #[must_use]
+    pub fn is_symplectic(&self) -> bool {
+        self.all_pairs(|i, j| {
+            let (b, s) = (&self.b, self.stages());
+            b[i] * self.a[i * s + j] + b[j] * self.a[j * s + i] - b[i] * b[j]
+        })
+    }
+
+    /// Whether a_{s+1−i, s+1−j} + a_ij = b_j: the method is its own adjoint, Φ_{−h} ∘ Φ_h = id.
+    ///
+    /// Source: Hairer, Lubich & Wanner, Thm. V.2.3.
+    #[must_use]
+    pub fn is_symmetric(&self) -> bool {
+        self.all_pairs(|i, j| {
+            let s = self.stages();
+            self.a[(s - 1 - i) * s + (s - 1 - j)] + self.a[i * s + j] - self.b[j]
+        })
+    }
+
+    /// The tableau â that makes the pair (a, â) a symplectic partitioned method,
+    ///
+    /// ```text
+    /// â_ij = b_j − b_j a_ji / b_i,    b̂ = b
+    /// ```
+    ///
+    /// Its own conjugate is the first one; symplectic tableaux are conjugate to themselves.
+    ///
+    /// Source: Hairer, Lubich & Wanner, Thm. VI.4.6.
+    ///
+    /// # Errors
+    /// If a weight is zero.
+    pub fn symplectic_conjugate(&self) -> Result<Self, SchemeError> {
+        let (b, s) = (&self.b, self.stages());
+        let entry = |n: usize| {
+            let (i, j) = (n / s, n % s);
+            b[j] - b[j] * self.a[j * s + i] / b[i]
+        };
+        Self::new(&(0..s * s).map(entry).collect::<Vec<f64>>(), b)
+    }
+
+    /// From coefficients in this crate, whose shape is seen on the line.
+    #[allow(clippy::expect_used)]
+    pub(crate) fn literal(a: &[f64], b: &[f64]) -> Self {
+        Self::new(a, b).expect("s² finite coefficients and s weights")
+    }
+
+    /// The matrix a, row by row.
+    pub(crate) fn matrix(&self) -> &[f64] {
+        &self.a
+    }
+
+    fn all_pairs(&self, defect: impl Fn(usize, usize) -> f64) -> bool {
+        let s = self.stages();
+        (0..s).all(|i| (0..s).all(|j| defect(i, j).abs() <= COEFFICIENT_TOLERANCE))
+    }
+}
+
+/// Entries i s, …, i s + s − 1, or none; without the division of `chunks_exact`.
+#[inline]
+fn part(entries: &[f64], i: usize, stages: usize) -> &[f64] {
+    let rest = entries.get(i.saturating_mul(stages)..);
+    rest.and_then(|rest| rest.get(..stages)).unwrap_or_default()
+}
+
+#[cfg(test)]
+mod tests {
+    use crate::Tableau;
+
+    #[test]
+    fn there_is_no_row_beyond_the_last() {
+        let a = [0.25, 0.0, 0.5, 0.25];
+        let tableau = Tableau::literal(&a, &[0.5, 0.5]).with_low_parts(&a, &[0.5, 0.5]);
+        assert!(tableau.rows().eq([0, 1].map(|i| tableau.row(i))));
+        assert_eq!(tableau.row_low(1), [0.5, 0.25]);
+        assert!([2, usize::MAX].iter().all(|&i| tableau.row(i).is_empty()));
+        assert!(Tableau::literal(&a, &[0.5, 0.5]).row_low(0).is_empty());
+    }
+}

@@ -1,0 +1,286 @@
+//! Lie algebras given by structure constants.
+
+use crate::algebras::jacobi::Brackets;
+use crate::{LieAlgebra, Real, larger};
+use nalgebra::SVector;
+use std::sync::Arc;
+use thiserror::Error;
+
+/// A table of numbers that is not the bracket of a Lie algebra.
+#[derive(Clone, Copy, Debug, PartialEq, Error)]
+pub enum StructureError {
+    /// A constant is infinite or not a number.
+    #[error("the structure constant c[{i}][{j}][{k}] = {value} is not finite")]
+    NotFinite {
+        /// First index of the bracket.
+        i: usize,
+        /// Second index of the bracket.
+        j: usize,
+        /// The coordinate.
+        k: usize,
+        /// The constant.
+        value: f64,
+    },
+    /// [e_i, e_j] ≠ −[e_j, e_i].
+    #[error(
+        "not antisymmetric: [e{i}, e{j}] + [e{j}, e{i}] has the coordinate {residual:e} at {k}"
+    )]
+    NotAntisymmetric {
+        /// First index of the bracket.
+        i: usize,
+        /// Second index of the bracket.
+        j: usize,
+        /// The coordinate.
+        k: usize,
+        /// The sum that should be zero.
+        residual: f64,
+    },
+    /// The cyclic sum of [e_i, [e_j, e_k]] is not zero. Residual and bound are relative to the size
+    /// of the terms of this sum.
+    #[error(
+        "the Jacobi identity fails for e{i}, e{j}, e{k} by {residual:e} of the size of its terms \
+         (allowed {allowed:e})"
+    )]
+    Jacobi {
+        /// First basis vector.
+        i: usize,
+        /// Second basis vector.
+        j: usize,
+        /// Third basis vector.
+        k: usize,
+        /// The largest coordinate of the cyclic sum, relative to the size of its terms.
+        residual: f64,
+        /// The relative rounding that is allowed for.
+        allowed: f64,
+    },
+}
+
+/// The Lie algebra with `[e_i, e_j] = Σ_k c[i][j][k] e_k`, of dimension N.
+///
+/// # Example
+/// ```
+/// use lie_poisson::{LieAlgebra, StructureConstants};
+/// use nalgebra::Vector3;
+/// // so(3): c[i][j][k] = ε_ijk
+/// let epsilon = |i: usize, j: usize, k: usize| {
+///     ((j as f64 - i as f64) * (k as f64 - j as f64) * (k as f64 - i as f64)) / 2.0
+/// };
+/// let so3 = StructureConstants::<3>::new(epsilon)?;
+/// let (xi, eta) = (Vector3::new(1.0, 2.0, 3.0), Vector3::new(-1.0, 0.5, 2.0));
+/// assert_eq!(so3.bracket(&xi, &eta), xi.cross(&eta));
+/// // a sign changed in one place, and it is no Lie algebra
+/// let broken = |i, j, k| if (i, j, k) == (0, 1, 2) { -1.0 } else { epsilon(i, j, k) };
+/// assert!(StructureConstants::<3>::new(broken).is_err());
+/// # Ok::<(), lie_poisson::StructureError>(())
+/// ```
+#[derive(Clone, Debug, PartialEq)]
+pub struct StructureConstants<const N: usize> {
+    /// `c[i][j][k]` at (i N + j) N + k.
+    constants: Arc<[f64]>,
+}
+
+impl<const N: usize> StructureConstants<N> {
+    /// From `c(i, j, k) = c[i][j][k]`, the k-th coordinate of `[e_i, e_j]`.
+    ///
+    /// # Errors
+    /// If a constant is not finite, the bracket is not antisymmetric (exactly), or the Jacobi
+    /// identity of some e_i, e_j, e_k fails: each coordinate m of the cyclic sum must vanish to
+    /// within 12 N ε times the size of its own terms,
+    ///
+    /// ```text
+    /// Σ_cyc Σ_l ( |[e_j, e_k]| |c[i][l][m]| + |c[j][k][l]| |[e_i, e_l]| ),    |·| the maximum norm
+    /// ```
+    ///
+    /// so that it does not matter how large the other constants are. Constants may have rounding
+    /// errors of a few ε relative to their bracket [e_i, e_j], as after a numerical change of basis.
+    pub fn new(c: impl Fn(usize, usize, usize) -> f64) -> Result<Self, StructureError> {
+        let constants: Arc<[f64]> = indices::<N>().map(|(i, j, k)| c(i, j, k)).collect();
+        let at = |i: usize, j: usize, k: usize| entry::<N>(&constants, i, j, k);
+        for (i, j, k) in indices::<N>() {
+            let value = at(i, j, k);
+            if !value.is_finite() {
+                return Err(StructureError::NotFinite { i, j, k, value });
+            }
+        }
+        for (i, j, k) in indices::<N>() {
+            let residual = at(i, j, k) + at(j, i, k);
+            if residual != 0.0 {
+                return Err(StructureError::NotAntisymmetric { i, j, k, residual });
+            }
+        }
+        check_jacobi::<N>(&constants)?;
+        Ok(Self { constants })
+    }
+
+    /// `c[i][j][k]`; zero beyond the dimension.
+    #[must_use]
+    pub fn constant(&self, i: usize, j: usize, k: usize) -> f64 {
+        if i.max(j).max(k) < N { entry::<N>(&self.constants, i, j, k) } else { 0.0 }
+    }
+}
+
+fn indices<const N: usize>() -> impl Iterator<Item = (usize, usize, usize)> {
+    (0..N * N * N).map(|n| (n / (N * N), n / N % N, n % N))
+}
+
+/// `c[i][j][k]` for indices below N.
+#[inline]
+fn entry<const N: usize>(constants: &[f64], i: usize, j: usize, k: usize) -> f64 {
+    constants[(i * N + j) * N + k]
+}
+
+/// The Jacobi identity for all triples of basis vectors.
+fn check_jacobi<const N: usize>(constants: &[f64]) -> Result<(), StructureError> {
+    // 3N products of two constants, each rounded three times, and their sum.
+    let allowed = 12.0 * N as f64 * f64::EPSILON;
+    let table = Brackets::<N>::new(constants);
+    // The cyclic sum of an antisymmetric bracket is alternating.
+    for (i, j, k) in indices::<N>().filter(|&(i, j, k)| i < j && j < k) {
+        if [(i, j), (j, k), (k, i)].iter().all(|&(a, b)| table.norm(a, b).is_zero()) {
+            continue;
+        }
+        let residuals = (0..N).map(|m| table.jacobi_residual([i, j, k], m));
+        let residual = residuals.fold(0.0, larger);
+        if residual.is_nan() || residual > allowed {
+            return Err(StructureError::Jacobi { i, j, k, residual, allowed });
+        }
+    }
+    Ok(())
+}
+
+impl<const N: usize> LieAlgebra for StructureConstants<N> {
+    type Element<T: Real> = SVector<T, N>;
+
+    fn bracket<T: Real>(&self, xi: &SVector<T, N>, eta: &SVector<T, N>) -> SVector<T, N> {
+        let mut bracket = SVector::zeros();
+        for i in 0..N {
+            for j in 0..N {
+                let weight = xi[i] * eta[j];
+                for k in 0..N {
+                    bracket[k] += weight * entry::<N>(&self.constants, i, j, k);
+                }
+            }
+        }
+        bracket
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    /// ε_ijk for indices below 3; 0 elsewhere.
+    fn epsilon(i: usize, j: usize, k: usize) -> f64 {
+        let difference = |a: usize, b: usize| a as f64 - b as f64;
+        if i.max(j).max(k) < 3 {
+            difference(j, i) * difference(k, j) * difference(k, i) / 2.0
+        } else {
+            0.0
+        }
+    }
+
+    /// [e₀, e₁] = e₂, [e₁, e₂] = e₂, [e₀, e₂] = e₁: antisymmetric, and no Lie algebra, since the
+    /// cyclic sum is e₁.
+    fn broken(i: usize, j: usize, k: usize) -> f64 {
+        match (i, j, k) {
+            (0, 1, 2) | (1, 2, 2) | (0, 2, 1) => 1.0,
+            (1, 0, 2) | (2, 1, 2) | (2, 0, 1) => -1.0,
+            _ => 0.0,
+        }
+    }
+
+    /// The direct sum of two three-dimensional tables.
+    fn sum(
+        first: impl Fn(usize, usize, usize) -> f64,
+        second: impl Fn(usize, usize, usize) -> f64,
+    ) -> Result<StructureConstants<6>, StructureError> {
+        StructureConstants::new(|i, j, k| match (i, j, k) {
+            (0..3, 0..3, 0..3) => first(i, j, k),
+            (3.., 3.., 3..) => second(i - 3, j - 3, k - 3),
+            _ => 0.0,
+        })
+    }
+
+    const SCALES: [f64; 9] = [5e-324, 1e-300, 1e-150, 1e-9, 1.0, 1e9, 1e150, 1e300, f64::MAX];
+
+    #[test]
+    fn direct_sums_of_any_scales_are_told_from_what_is_no_lie_algebra() {
+        for large in SCALES {
+            for small in SCALES {
+                let scaled = |scale: f64| move |i, j, k| scale * epsilon(i, j, k);
+                assert!(sum(scaled(large), scaled(small)).is_ok(), "{large:e} {small:e}");
+                let no_algebra = sum(scaled(large), |i, j, k| small * broken(i, j, k));
+                let fails = matches!(
+                    no_algebra,
+                    Err(StructureError::Jacobi { i: 3, j: 4, k: 5, residual, .. }) if residual > 0.05
+                );
+                assert!(fails, "{large:e} {small:e}: {no_algebra:?}");
+            }
+        }
+    }
+
+    /// [e₀, e₁] = e₂, [e₁, e₂] = s e₀, [e₂, e₀] = s e₁: so(3) for s = 1, Heisenberg's algebra in the
+    /// limit s → 0. With [e₁, e₂] = s (e₀ + e₁) it is no Lie algebra for any s.
+    #[test]
+    fn contractions_are_lie_algebras() {
+        for s in SCALES {
+            let contracted = |spoilt: f64| {
+                StructureConstants::<3>::new(move |i, j, k| match (i, j, k) {
+                    (0, 1, 2) => 1.0,
+                    (1, 0, 2) => -1.0,
+                    (1, 2, 0) | (2, 0, 1) => s,
+                    (2, 1, 0) | (0, 2, 1) => -s,
+                    (1, 2, 1) => spoilt,
+                    (2, 1, 1) => -spoilt,
+                    _ => 0.0,
+                })
+            };
+            assert!(contracted(0.0).is_ok(), "{s:e}");
+            assert!(contracted(s).is_err(), "{s:e}");
+        }
+    }
+
+    /// Every basis vector with its own unit: c[i][j][k] λ_i λ_j/λ_k.
+    #[test]
+    fn units_of_the_basis_do_not_matter() {
+        let units = [1e-40, 1e20, 1e50];
+        let scaled = |c: fn(usize, usize, usize) -> f64| {
+            StructureConstants::<3>::new(move |i, j, k| {
+                c(i, j, k) * (units[i] * units[j]) / units[k]
+            })
+        };
+        assert!(scaled(epsilon).is_ok());
+        assert!(scaled(broken).is_err());
+    }
+
+    /// so(3) ⊕ so(3) in a basis with rounded coordinates: zeros become numbers of the size of a
+    /// rounding, which are no failures of the Jacobi identity.
+    #[test]
+    fn the_rounding_of_a_change_of_basis_is_allowed_for() {
+        type Basis = nalgebra::SMatrix<f64, 6, 6>;
+        let basis = Basis::from_fn(|i, j| ((i * i + 1) as f64 * (j as f64 + 0.3)).sin());
+        let inverse = basis.try_inverse().unwrap_or_else(Basis::zeros);
+        let original = |i: usize, j: usize, k: usize| match (i, j, k) {
+            (0..3, 0..3, 0..3) => epsilon(i, j, k),
+            (3.., 3.., 3..) => 7.0 * epsilon(i - 3, j - 3, k - 3),
+            _ => 0.0,
+        };
+        let changed = |error: f64| {
+            StructureConstants::<6>::new(move |i, j, k| {
+                let (sign, first, second) = if i < j { (1.0, i, j) } else { (-1.0, j, i) };
+                if i == j {
+                    return 0.0;
+                }
+                let sum: f64 = indices::<6>()
+                    .map(|(a, b, d)| {
+                        basis[(a, first)] * basis[(b, second)] * original(a, b, d) * inverse[(k, d)]
+                    })
+                    .sum();
+                let spoilt = if (first, second, k) == (1, 4, 2) { error } else { 0.0 };
+                sign * (sum + spoilt)
+            })
+        };
+        assert!(changed(0.0).is_ok(), "{:?}", changed(0.0).err());
+        assert!(changed(1e-8).is_err());
+    }
+}

@@ -1,0 +1,8 @@
+//! Linear actions of a group, and the semidirect products that they make.
+
+pub(crate) mod representation;
+pub(crate) mod semidirect;
+pub(crate) mod standard;
+pub(crate) mod derived;
+pub(crate) mod sp1;
+pub(crate) mod euclidean;

@@ -1,0 +1,52 @@
+//! Collective Hamiltonians.
+
+use crate::maps::poisson_map::{PoissonMap, SourcePoint};
+use lie_poisson::{Differential, Hamiltonian, Real};
+
+/// H = h ∘ M: P → R, with its exact differential dH(z) = (T_z M)ᵀ dh(M(z)).
+///
+/// Source: Ohsawa 2019, §1.3 and §4.1.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+pub struct CollectiveHamiltonian<M, H> {
+    /// M
+    pub map: M,
+    /// h
+    pub hamiltonian: H,
+}
+
+impl<M, H> CollectiveHamiltonian<M, H> {
+    /// h ∘ M
+    pub const fn new(map: M, hamiltonian: H) -> Self {
+        Self { map, hamiltonian }
+    }
+
+    /// The collective vector field X_{h∘M}(z) = generator(dh(M(z)), z).
+    ///
+    /// Equal to the Hamiltonian vector field of h∘M, without a derivative of M where the map
+    /// knows its generator.
+    #[inline]
+    pub fn vector_field<T: Real>(&self, z: &SourcePoint<M, T>) -> SourcePoint<M, T>
+    where
+        M: PoissonMap,
+        H: Hamiltonian<M::Target, T>,
+    {
+        self.map.generator::<T>(&self.hamiltonian.differential(&self.map.apply::<T>(z)), z)
+    }
+}
+
+impl<M, H, T> Hamiltonian<M::Source, T> for CollectiveHamiltonian<M, H>
+where
+    M: PoissonMap,
+    H: Hamiltonian<M::Target, T>,
+    T: Real,
+{
+    #[inline]
+    fn value(&self, z: &SourcePoint<M, T>) -> T {
+        self.hamiltonian.value(&self.map.apply::<T>(z))
+    }
+
+    #[inline]
+    fn differential(&self, z: &SourcePoint<M, T>) -> Differential<M::Source, T> {
+        self.map.pull_back::<T>(&self.hamiltonian.differential(&self.map.apply::<T>(z)), z)
+    }
+}

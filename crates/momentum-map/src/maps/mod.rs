@@ -1,0 +1,10 @@
+//! Poisson maps and momentum maps, their fibres and lifts, and the collective Hamiltonians of them.
+
+pub(crate) mod recentring;
+pub(crate) mod poisson_map;
+pub(crate) mod fibre;
+pub(crate) mod product_map;
+pub(crate) mod momentum_map;
+pub(crate) mod symplectic_representation;
+pub(crate) mod collective_hamiltonian;
+pub(crate) mod noether;

@@ -1,0 +1,80 @@
+//! The momentum map of a cotangent-lifted action.
+
+use crate::maps::poisson_map::TargetDifferential;
+use crate::{
+    ActionPoint, CotangentBundle, CotangentLift, GroupAction, PoissonMap, SourcePoint, TargetPoint,
+};
+use lie_poisson::{LieGroup, LiePoisson, Real, Vector};
+
+/// The momentum map J: T∗Q → 𝔤∗ of the cotangent lift of an action, derived from the action:
+///
+/// ```text
+/// ⟨J(q, p), ξ⟩ = ⟨p, ξ_Q(q)⟩
+/// ```
+///
+/// Equivariant: `J ∘ T*Φ_{g⁻¹} = Ad*_g ∘ J` for a right action, `Ad*_{g⁻¹} ∘ J` for a left one; hence
+/// Poisson to 𝔤∗ with the [sign](crate::Side::lie_poisson_sign) of the side.
+///
+/// Source: Marsden & Ratiu, *Introduction to Mechanics and Symmetry*, 2nd ed., Thm. 12.1.4 and
+/// Thm. 12.4.1; Ohsawa 2019, §2.3.
+///
+/// # Example
+/// Rigid motions of R³: the momentum map is the angular and the linear momentum, with the signs of
+/// a right action.
+/// ```
+/// use lie_poisson::{Covector, Pair, Real, RealSpace, SE3, Se3Dual};
+/// use momentum_map::{Cotangent, GroupAction, MomentumMap, PoissonMap, Side};
+/// use nalgebra::{Matrix3, Vector3};
+///
+/// #[derive(Clone)]
+/// struct RigidMotions; // the right action q ↦ Rᵀ(q − a) of SE(3)
+/// impl GroupAction for RigidMotions {
+///     type Group = SE3;
+///     type Space = RealSpace<3>;
+///     const SIDE: Side = Side::Right;
+///     fn group(&self) -> SE3 { SE3::default() }
+///     fn space(&self) -> RealSpace<3> { RealSpace }
+///     fn act<T: Real>(&self, Pair(r, a): &Pair<Matrix3<T>, Vector3<T>>, q: &Vector3<T>) -> Vector3<T> {
+///         r.transpose() * (q - a)
+///     }
+/// }
+/// // J(q, p) = −(q × p, p)
+/// let (q, p) = (Vector3::new(1.0, 2.0, 3.0), Vector3::new(0.5, 0.0, 1.0));
+/// let j = MomentumMap(RigidMotions).apply(&Cotangent::new(q, Covector(p)));
+/// assert_eq!(j, Se3Dual::new(-q.cross(&p), -p));
+/// ```
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+pub struct MomentumMap<A>(pub A);
+
+/// 𝔤 of an action.
+type Algebra<A> = <<A as GroupAction>::Group as LieGroup>::Algebra;
+
+impl<A: GroupAction> PoissonMap for MomentumMap<A> {
+    type Source = CotangentBundle<A::Space>;
+    type Target = LiePoisson<Algebra<A>>;
+
+    fn source(&self) -> Self::Source {
+        CotangentBundle(self.0.space())
+    }
+
+    fn target(&self) -> Self::Target {
+        LiePoisson::new(self.0.group().algebra(), A::SIDE.lie_poisson_sign())
+    }
+
+    fn apply<T: Real>(&self, z: &SourcePoint<Self, T>) -> TargetPoint<Self, T> {
+        TargetPoint::<Self, T>::from_coordinates(|i| {
+            let direction = Vector::basis(i);
+            let velocity: ActionPoint<A, T> = self.0.infinitesimal_generator::<T>(&direction, &z.q);
+            velocity.pairing(&z.p)
+        })
+    }
+
+    /// The generator ξ_{T∗Q}(z) of the cotangent lift.
+    fn generator<T: Real>(
+        &self,
+        xi: &TargetDifferential<Self, T>,
+        z: &SourcePoint<Self, T>,
+    ) -> SourcePoint<Self, T> {
+        CotangentLift(self.0.clone()).infinitesimal_generator::<T>(xi, z)
+    }
+}
