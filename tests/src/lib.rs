@@ -21,6 +21,7 @@ mod forms;
 mod rational;
 mod runs;
 mod strategies;
+pub mod architecture;
 pub mod scales;
 pub mod tops;
 

@@ -22,6 +22,8 @@
 //! | order or chaos sooner: MEGNO, SALI | [`Megno`], [`smaller_alignment_index`] |
 //! | order, symplecticity, Poisson property, symmetry, descent, drift: measured | [`diagnostics`] |
 
+mod error;
+mod vector_field;
 mod step_fractions;
 mod tableaux;
 mod stages;
@@ -31,10 +33,6 @@ mod splittings;
 mod runs;
 mod batch;
 mod chaos;
-
-mod error;
-mod vector_field;
-
 pub mod diagnostics;
 
 pub use batch::batch_integrator::BatchIntegrator;
