@@ -161,7 +161,7 @@ same_bits_at_every_width! {
     large_direct_steps: Direct<RungeKutta, Equations> =
         Direct::new(gauss(2), equations()), 0.6, 20, true;
     compositions: Free<Composition<RungeKutta>> =
-        free(Composition::new(gauss(1), Substeps::suzuki(4))), 0.1, 100, true;
+        free(Composition::new(gauss(1), Substeps::suzuki(4).unwrap())), 0.1, 100, true;
     partitioned_steps: Lifted<PartitionedRungeKutta<Alternating>> =
         Collective::that_does_not_descend(
             PartitionedRungeKutta::lobatto_iiia_iiib(3).unwrap(), SpinorRealisation, top(),

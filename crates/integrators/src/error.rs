@@ -130,6 +130,14 @@ pub enum SchemeError {
         /// The stages for p.
         p: usize,
     },
+    /// A composition raises the order of symmetric methods, and their orders are even.
+    #[error("{family} raises methods of an even order of at least 2, order {order} was asked for")]
+    OddOrder {
+        /// The composition.
+        family: &'static str,
+        /// The order asked for.
+        order: usize,
+    },
     /// The coefficients of a member of a family are not here.
     #[error("{family} has coefficients here for {least} to {most} stages, {stages} were asked for")]
     Family {
