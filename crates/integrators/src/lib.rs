@@ -90,7 +90,7 @@ pub use dense_output::{DenseOutput, DenseOutputError};
 pub use diagnostics::{OrderFitError, fitted_order};
 pub use direct::Direct;
 pub use ensemble::{Chunk, Ensemble, MemberError};
-pub use error::{IntegrationError, SchemeError, StepError};
+pub use error::{IntegrationError, RunError, SchemeError, StepError};
 pub use events::Events;
 pub use integrator::{Integrator, Start};
 pub use laned::{Laned, LanedSpace};
