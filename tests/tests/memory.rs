@@ -95,7 +95,7 @@ fn guesses_save_iterations() {
     let lobatto = Collective::that_does_not_descend(lobatto, SpinorRealisation, top());
     assert!(ratio(&lobatto, 0.02) < 0.95);
     // substeps of equal size go on from each other, across the ends of steps too
-    let suzuki = Composition::new(RungeKutta::gauss(6).unwrap(), Substeps::suzuki(12));
+    let suzuki = Composition::new(RungeKutta::gauss(6).unwrap(), Substeps::suzuki(12).unwrap());
     assert!(ratio(&LiftFree::new(suzuki.clone(), DualQuaternions, top()), 0.2) < 0.95);
     assert!(ratio(&Collective::new(suzuki, SpinorRealisation, top()), 0.2) < 0.95);
     // Negative control: substeps of different sizes have nothing to guess from.

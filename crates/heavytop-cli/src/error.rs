@@ -4,7 +4,9 @@ use crate::brief::{number, text};
 use crate::method::{Formulation, Scheme};
 use crate::sealed::CheckpointError;
 use crate::sweep::SweepError;
-use collective_integrators::{EventError, IntegrationError, SchemeError, VariationalError};
+use collective_integrators::{
+    EventError, IntegrationError, RunError, SchemeError, VariationalError,
+};
 use heavytop::{SectionError, TopError};
 use momentum_map::LiftError;
 use std::io;
@@ -59,9 +61,9 @@ pub enum Error {
     /// Γ(0) is not a unit vector.
     #[error("[initial] {0}")]
     Vertical(#[source] TopError),
-    /// The initial state has no lift.
+    /// No run can start from the initial state.
     #[error("[initial] {0}")]
-    Lift(#[from] LiftError),
+    Start(#[from] RunError),
     /// The formulation does not have the scheme.
     #[error(
         "{} has no scheme {}; it has {}", formulation.name(), scheme.name(), scheme_names(*formulation)
@@ -296,6 +298,12 @@ pub enum Error {
         /// Why it failed.
         source: Box<Error>,
     },
+}
+
+impl From<LiftError> for Error {
+    fn from(error: LiftError) -> Self {
+        Self::Start(error.into())
+    }
 }
 
 impl Error {

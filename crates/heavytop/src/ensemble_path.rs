@@ -124,12 +124,12 @@ fn advance_one<I>(
 where
     I: Integrator<State = Se3Dual, Momentum = Se3Dual> + Start,
 {
+    StepError::check_start(state, step)
+        .map_err(|refused| IntegrationError::after(steps.start, step, refused))?;
     let mut workspace = integrator.workspace();
-    for n in steps {
+    for made in steps {
         let next = integrator.step(state, step, &mut workspace);
-        let error =
-            |source: StepError| IntegrationError { step: n + 1, time: n as f64 * step, source };
-        *state = next.map_err(error)?.point;
+        *state = next.map_err(|source| IntegrationError::after(made, step, source))?.point;
     }
     Ok(())
 }

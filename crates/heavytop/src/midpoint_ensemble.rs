@@ -3,7 +3,7 @@
 use crate::midpoint_kernel::{ManyTops, Member, Top};
 use crate::reduced_midpoint::{VelocitySpace, top_of};
 use crate::{HeavyTop, HeavyTopSpace, ReducedMidpoint};
-use collective_integrators::{BatchIntegrator, CHECKPOINT, IntegrationError};
+use collective_integrators::{BatchIntegrator, CHECKPOINT, IntegrationError, StepError};
 use core::marker::PhantomData;
 use core::ops::Range;
 use lie_poisson::{Hamiltonian, InstructionSet, MissingInstructions, Se3Dual, Width, dispatch};
@@ -72,14 +72,15 @@ impl<H: Hamiltonian<HeavyTopSpace>> ReducedMidpoint<H> {
         steps: Range<u64>,
         space: &mut VelocitySpace<H>,
     ) -> Result<(), IntegrationError> {
+        StepError::check_start(state, step)
+            .map_err(|refused| IntegrationError::after(steps.start, step, refused))?;
         space.forget();
         for made in steps {
             if made.is_multiple_of(CHECKPOINT) {
                 space.forget();
             }
             let next = self.step_of_any(state, step, space);
-            let failure =
-                |source| IntegrationError { step: made + 1, time: made as f64 * step, source };
+            let failure = |source| IntegrationError::after(made, step, source);
             *state = next.map_err(failure)?.0.point;
         }
         Ok(())

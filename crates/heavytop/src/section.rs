@@ -2,10 +2,9 @@
 
 use crate::section_level::{least_energy, quasi_random};
 use crate::{Coordinate, EnergyLevel, HeavyTopSpace, SectionError};
-use collective_integrators::{Direction, EventError, Events, SampleOf, Start};
+use collective_integrators::{Direction, EventError, Events, RunError, SampleOf, Start};
 use core::f64::consts::TAU;
 use lie_poisson::{Covector, Hamiltonian, LiePoisson, Pair, PoissonSpace, Se3, Se3Dual};
-use momentum_map::LiftError;
 use nalgebra::{Vector2, Vector3};
 
 /// So many points of the plane are tried for starts.
@@ -166,14 +165,15 @@ impl Section {
     /// first `steps` steps of size `step` (s). Within the first step none is seen.
     ///
     /// # Errors
-    /// If the start has no lift. The iterator ends with an error if a step fails.
+    /// If the start has no lift, or is not finite. If a step fails, the iterator returns its error for
+    /// each step that is missing.
     pub fn crossings<'a, I: Start<Momentum = Se3Dual>>(
         &self,
         integrator: &'a I,
         start: &Se3Dual,
         step: f64,
         steps: usize,
-    ) -> Result<impl Iterator<Item = Result<SampleOf<I>, EventError>> + use<'a, I>, LiftError> {
+    ) -> Result<impl Iterator<Item = Result<SampleOf<I>, EventError>> + use<'a, I>, RunError> {
         let section = *self;
         // The start lies on the surface up to rounding, on which side is chance.
         let run = integrator.trajectory(start, step)?.take(steps.saturating_add(1)).skip(1);

@@ -49,7 +49,7 @@ pub use dual::direct::Direct;
 pub use dual::integrator::{Integrator, Start};
 pub use dual::lift_free::{LiftFree, MultiplierSpace};
 pub use dual::spherical_midpoint::SphericalMidpoint;
-pub use error::{IntegrationError, SchemeError, StepError};
+pub use error::{IntegrationError, RunError, SchemeError, StepError};
 pub use runs::crossing::{Direction, EventError};
 pub use runs::dense_output::{DenseOutput, DenseOutputError};
 pub use runs::events::Events;

@@ -31,13 +31,13 @@ fn compositions_of_the_midpoint_rule_keep_their_promises() {
 
 #[test]
 fn other_bases_are_raised_by_two() {
-    let gauss = Composition::new(RungeKutta::gauss(2).unwrap(), Substeps::triple_jump(4));
+    let gauss = Composition::new(RungeKutta::gauss(2).unwrap(), Substeps::triple_jump(4).unwrap());
     assert_eq!(gauss.order(), 6);
     keeps_its_promises(&gauss, &[5, 8, 10, 12, 16], "two-stage Gauss, triple jump");
     // compositions nest
     let nested = Composition::new(
-        Composition::new(RungeKutta::implicit_midpoint(), Substeps::suzuki(2)),
-        Substeps::suzuki(4),
+        Composition::new(RungeKutta::implicit_midpoint(), Substeps::suzuki(2).unwrap()),
+        Substeps::suzuki(4).unwrap(),
     );
     assert_eq!(nested.order(), 6);
     keeps_its_promises(&nested, &[6, 8, 10, 12], "Suzuki's fractal of Suzuki's fractal");

@@ -1,6 +1,6 @@
 //! Any integrator over lanes as one that advances many states: [`Laned`].
 
-use crate::{BatchIntegrator, CHECKPOINT, IntegrationError, Integrator};
+use crate::{BatchIntegrator, CHECKPOINT, IntegrationError, Integrator, StepError};
 use core::marker::PhantomData;
 use core::ops::Range;
 use lie_poisson::{DefaultLanes, Lanes, Vector};
@@ -176,15 +176,12 @@ where
         block: Range<u64>,
         storage: &mut <I as Integrator<T>>::Workspace,
     ) -> Result<(), IntegrationError> {
+        StepError::check_start(state, step)
+            .map_err(|refused| IntegrationError::after(block.start, step, refused))?;
         Integrator::<T>::forget(&self.integrator, storage);
         for made in block {
-            match Integrator::<T>::step(&self.integrator, state, step, storage) {
-                Ok(next) => *state = next.point,
-                Err(source) => {
-                    let time = made as f64 * step;
-                    return Err(IntegrationError { step: made + 1, time, source });
-                }
-            }
+            let next = Integrator::<T>::step(&self.integrator, state, step, storage);
+            *state = next.map_err(|source| IntegrationError::after(made, step, source))?.point;
         }
         Ok(())
     }

@@ -24,8 +24,9 @@ pub struct Exponents<S, const K: usize> {
     pub exponents: [f64; K],
 }
 
-/// The Lyapunov exponents of a trajectory as an endless iterator, with one item per step; it ends
-/// with an error if a step fails. `nth`, `step_by` and `take` choose.
+/// The Lyapunov exponents of a trajectory as an endless iterator, with one item per step. `nth`,
+/// `step_by` and `take` choose. Once a step fails, every further item is its error, as in a
+/// [`Trajectory`](crate::Trajectory).
 ///
 /// They are exponents of the discrete map, divided by |h|. They converge slowly, at best as 1/t,
 /// and as (ln t)/t for an integrable system, where they vanish. With DIM exponents their sum is
@@ -63,16 +64,16 @@ where
     I: Integrator + Integrator<DualNumber>,
 {
     flow: VariationalFlow<'a, I, K>,
-    start: f64,
+    start: u64,
     sums: [f64; K],
     upcoming: Upcoming,
 }
 
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+#[derive(Clone, Copy, Debug, PartialEq)]
 enum Upcoming {
     First,
     Next,
-    Nothing,
+    Failed(VariationalError),
 }
 
 /// The largest Lyapunov exponent alone: [`LyapunovExponents`] with one tangent vector.
@@ -92,7 +93,7 @@ where
     /// From a state with independent tangent vectors. The stretches count from here on: a flow that
     /// has come far leaves its transient out.
     pub fn from_flow(flow: VariationalFlow<'a, I, K>) -> Self {
-        let start = flow.time();
+        let start = flow.steps();
         Self { flow, start, sums: [0.0; K], upcoming: Upcoming::First }
     }
 
@@ -102,18 +103,25 @@ where
     }
 
     fn advance(&mut self) -> Result<Exponents<<I as Integrator>::State, K>, VariationalError> {
-        if self.upcoming == Upcoming::First {
+        match self.upcoming {
+            Upcoming::Failed(error) => return Err(error),
             // Lengths at the start are no stretches.
-            self.flow.orthonormalise()?;
+            Upcoming::First => {
+                self.flow.orthonormalise()?;
+            }
+            Upcoming::Next => {}
         }
         self.flow.advance()?;
         for (sum, length) in self.sums.iter_mut().zip(self.flow.orthonormalise()?) {
             *sum += length.ln();
         }
-        let time = self.flow.time();
-        let elapsed = (time - self.start).abs();
+        let (steps, step) = (self.flow.steps(), self.flow.step_size());
+        let elapsed = (steps - self.start) as f64 * step.abs();
         let exponents = self.sums.map(|sum| sum / elapsed);
-        Ok(Exponents { step: self.flow.steps(), time, state: *self.flow.state(), exponents })
+        if !elapsed.is_finite() || exponents.iter().any(|exponent| !exponent.is_finite()) {
+            return Err(VariationalError::StepSize { steps: steps - self.start, step });
+        }
+        Ok(Exponents { step: steps, time: self.flow.time(), state: *self.flow.state(), exponents })
     }
 }
 
@@ -124,11 +132,8 @@ where
     type Item = Result<Exponents<<I as Integrator>::State, K>, VariationalError>;
 
     fn next(&mut self) -> Option<Self::Item> {
-        if self.upcoming == Upcoming::Nothing {
-            return None;
-        }
         let item = self.advance();
-        self.upcoming = if item.is_ok() { Upcoming::Next } else { Upcoming::Nothing };
+        self.upcoming = item.as_ref().map_or_else(|e| Upcoming::Failed(*e), |_| Upcoming::Next);
         Some(item)
     }
 }
@@ -167,12 +172,31 @@ mod tests {
     }
 
     #[test]
-    fn more_vectors_than_dimensions_end_the_iterator() {
+    fn exponents_need_time_to_pass() {
+        let midpoint = Direct::new(RungeKutta::implicit_midpoint(), Hyperbolic(0.8));
+        let first = |step: f64| {
+            let mut spectrum = LyapunovExponents::<_, 2>::new(&midpoint, Vector2::x(), step);
+            spectrum.next().unwrap_or(Err(VariationalError::StepSize { steps: 0, step }))
+        };
+        for step in [0.0, -0.0] {
+            let refused = VariationalError::StepSize { steps: 1, step };
+            assert_eq!(first(step).err(), Some(refused));
+        }
+        for step in [f64::NAN, f64::INFINITY] {
+            let refused = |e| matches!(e, VariationalError::Integration(e) if e.step == 1);
+            assert!(first(step).is_err_and(refused), "{step}");
+        }
+        // the stretch of a step as short as this is 1, and ln 1 = 0
+        assert!(first(1e-300).is_ok_and(|e| e.exponents == [0.0; 2]));
+    }
+
+    #[test]
+    fn more_vectors_than_dimensions_are_an_error_that_stays() {
         let midpoint = Direct::new(RungeKutta::implicit_midpoint(), Hyperbolic(0.8));
         let mut spectrum = LyapunovExponents::<_, 3>::new(&midpoint, Vector2::x(), 0.1);
         let dependent = |e| matches!(e, Err(VariationalError::Dependent { index: 2, .. }));
-        assert!(spectrum.next().is_some_and(dependent) && spectrum.next().is_none());
+        assert!(spectrum.next().is_some_and(dependent) && spectrum.nth(5).is_some_and(dependent));
         let mut nan = MaximalLyapunovExponent::new(&midpoint, Vector2::x() * f64::NAN, 0.1);
-        assert!(nan.next().is_some_and(|e| e.is_err()) && nan.next().is_none());
+        assert!(nan.nth(3).is_some_and(|e| e.is_err()));
     }
 }

@@ -1,7 +1,7 @@
 //! Trajectories with their tangent vectors.
 
 use crate::{CHECKPOINT, IntegrationError, Integrator, StepError};
-use lie_poisson::{DualNumber, Vector, derivative_part, seed};
+use lie_poisson::{DualNumber, Vector, derivative_part, euclidean_norm, seed, squaring_scale};
 use thiserror::Error;
 
 /// A state of `I`.
@@ -24,6 +24,15 @@ pub enum VariationalError {
         length: f64,
         /// When.
         time: f64,
+    },
+    /// The time that has passed is zero, so close to it that numbers per unit of time overflow, or
+    /// overflows itself.
+    #[error("there are no exponents per unit of time after {steps} steps of size {step:e}")]
+    StepSize {
+        /// The number of steps made.
+        steps: u64,
+        /// The step size.
+        step: f64,
     },
 }
 
@@ -99,6 +108,12 @@ where
         self.steps
     }
 
+    /// h
+    #[must_use]
+    pub fn step_size(&self) -> f64 {
+        self.size
+    }
+
     /// t = steps · h
     #[must_use]
     pub fn time(&self) -> f64 {
@@ -128,8 +143,11 @@ where
     /// # Errors
     /// If the step fails for the state or for a tangent vector. Nothing is changed then.
     pub fn advance(&mut self) -> Result<(), VariationalError> {
-        let (step, time) = (self.steps + 1, self.time());
-        let fail = |source: StepError| IntegrationError { step, time, source };
+        let (made, size) = (self.steps, self.size);
+        let fail = |source: StepError| IntegrationError::after(made, size, source);
+        if made == 0 {
+            StepError::check_start(&self.state, size).map_err(fail)?;
+        }
         if self.steps.is_multiple_of(CHECKPOINT) {
             Integrator::<f64>::forget(self.integrator, &mut self.workspace);
         }
@@ -148,35 +166,38 @@ where
             Integrator::<f64>::step(self.integrator, &self.state, self.size, &mut self.workspace);
         self.state = next.map_err(fail)?.point;
         self.tangents = tangents;
-        self.steps = step;
+        self.steps += 1;
         Ok(())
     }
 
     /// Replaces the tangent vectors by the orthonormal ones of Gram and Schmidt,
     /// v_i = Σ_{j≤i} r_ji e_j in the Euclidean product of coordinates; returns the lengths
-    /// r_ii > 0.
+    /// r_ii > 0. Vectors may have any size.
     ///
     /// # Errors
     /// [`VariationalError::Dependent`] if a vector is, to round-off, a combination of those before
-    /// it, or not finite: more than DIM vectors always are. The vectors before it are orthonormal
-    /// then.
+    /// it, or not finite: more than DIM vectors always are. So is one whose length r_ii overflows or
+    /// underflows. The vectors before it are orthonormal then.
     pub fn orthonormalise(&mut self) -> Result<[f64; K], VariationalError> {
         let time = self.time();
         let mut lengths = [0.0; K];
         for (index, stretch) in lengths.iter_mut().enumerate() {
             let (before, rest) = self.tangents.split_at_mut(index);
             let Some(v) = rest.first_mut() else { break };
-            let size = dot(v, v).sqrt();
+            let scale = squaring_scale(v);
+            let mut rest = v.scaled(scale);
+            let size = euclidean_norm(&rest);
             for e in before.iter() {
-                v.add_scaled(-dot(e, v), e);
+                rest.add_scaled(-dot(e, &rest), e);
             }
-            let length = dot(v, v).sqrt();
+            let rest_size = euclidean_norm(&rest);
+            let length = rest_size / scale;
             // Written so that a NaN is an error.
-            let independent = length > ROUND_OFF * size && length.is_finite();
+            let independent = rest_size > ROUND_OFF * size && length > 0.0 && length.is_finite();
             if !independent {
                 return Err(VariationalError::Dependent { index, length, time });
             }
-            *v = v.scaled(length.recip());
+            *v = rest.scaled(rest_size.recip());
             *stretch = length;
         }
         Ok(lengths)
@@ -186,19 +207,22 @@ where
     /// Euclidean product of coordinates. Directions are kept: vectors that align stay aligned.
     ///
     /// # Errors
-    /// [`VariationalError::Dependent`] if a length is zero or not finite. The vectors before it are
-    /// scaled then.
+    /// [`VariationalError::Dependent`] if a length is zero or not finite, or overflows. The vectors
+    /// before it are scaled then.
     pub fn normalise(&mut self) -> Result<[f64; K], VariationalError> {
         let time = self.time();
         let mut lengths = [0.0; K];
         for (index, (v, stretch)) in self.tangents.iter_mut().zip(&mut lengths).enumerate() {
-            let length = dot(v, v).sqrt();
+            let scale = squaring_scale(v);
+            let unit = v.scaled(scale);
+            let size = euclidean_norm(&unit);
+            let length = size / scale;
             // Written so that a NaN is an error.
             let has_direction = length > 0.0 && length.is_finite();
             if !has_direction {
                 return Err(VariationalError::Dependent { index, length, time });
             }
-            *v = v.scaled(length.recip());
+            *v = unit.scaled(size.recip());
             *stretch = length;
         }
         Ok(lengths)
@@ -247,6 +271,32 @@ mod tests {
         }
         assert!(flow.orthonormalise().is_ok_and(|r| (r[1] - (-t).exp()).abs() < 1e-9));
         assert_eq!(flow.tangents(), &[Vector2::x(), Vector2::y()]);
+    }
+
+    #[test]
+    fn tangents_may_have_any_size() {
+        let midpoint = Direct::new(RungeKutta::implicit_midpoint(), Field);
+        let (x, y) = (Vector2::new(3.0, 4.0), Vector2::new(-4.0, 3.0));
+        let near = |a: f64, b: f64| (a / b - 1.0).abs() < 1e-15;
+        for size in [5e-324, 1e-200, 1e-155, 1.0, 1e155, 1e200, 1e306] {
+            let unit = [Vector2::new(0.6, 0.8), Vector2::new(-0.8, 0.6)];
+            let flow =
+                |tangents| VariationalFlow::<_, 2>::new(&midpoint, Vector2::y(), tangents, 0.1);
+            let same = |a: &[Vector2<f64>; 2]| (0..2).all(|i| (a[i] - unit[i]).norm() < 1e-15);
+            let fives = |lengths: Result<[f64; 2], VariationalError>| {
+                lengths.is_ok_and(|lengths| lengths.iter().all(|&length| near(length, 5.0 * size)))
+            };
+            let mut upright = flow([x * size, (y + x) * size]);
+            assert!(fives(upright.orthonormalise()) && same(upright.tangents()), "{size:e}");
+            let mut scaled = flow([x * size, y * size]);
+            assert!(fives(scaled.normalise()) && same(scaled.tangents()), "{size:e}");
+            // control: what is dependent is seen at every size
+            let mut aligned = flow([x * size, x * (0.5 * size)]);
+            assert!(matches!(
+                aligned.orthonormalise(),
+                Err(VariationalError::Dependent { index: 1, .. })
+            ));
+        }
     }
 
     #[test]

@@ -23,6 +23,8 @@ use crate::{Direction, EventError, IntegrationError, Integrator, SampleOf};
 ///
 /// A sample with g = 0 exactly ends a crossing and begins none, so that each crossing is found once.
 /// The adaptor asks for samples until there is an event or none are left: bound the run by `take`.
+/// After an error it returns this error again for each sample that is left, so that `nth` and other
+/// adaptors that skip events do not lose it.
 /// After `new` nothing is allocated; an event costs about ten steps, and so does an extremum at
 /// which |g| is least without a crossing.
 ///
@@ -56,7 +58,7 @@ pub struct Events<'a, I: Integrator, J, G> {
     last: [Option<(SampleOf<I>, f64)>; 2],
     /// The second of two crossings within one step.
     second: Option<SampleOf<I>>,
-    failed: bool,
+    failed: Option<EventError>,
 }
 
 impl<'a, I, J, G> Events<'a, I, J, G>
@@ -68,7 +70,7 @@ where
     /// The samples must come from this integrator.
     pub fn new(integrator: &'a I, samples: J, g: G, direction: Direction) -> Self {
         let crossings = Crossings::new(integrator, g, direction);
-        Self { crossings, samples, last: [None; 2], second: None, failed: false }
+        Self { crossings, samples, last: [None; 2], second: None, failed: None }
     }
 
     /// Goes on by one sample; the first event that this brings, if there is one.
@@ -103,18 +105,17 @@ where
         if let Some(event) = self.second.take() {
             return Some(Ok(event));
         }
-        while !self.failed {
+        loop {
             let right = self.samples.next()?;
-            match self.advance(right) {
+            match self.failed.map_or_else(|| self.advance(right), Err) {
                 Ok(None) => {}
                 Ok(Some(event)) => return Some(Ok(event)),
                 Err(error) => {
-                    self.failed = true;
+                    self.failed = Some(error);
                     return Some(Err(error));
                 }
             }
         }
-        None
     }
 }
 
@@ -199,7 +200,8 @@ mod tests {
         let g = |x: f64| if x > 1.1 { f64::NAN } else { x - 0.9 };
         let found = events(g, Direction::Up);
         assert!(found[0].as_ref().is_ok_and(|t| (t - 0.9).abs() < 1e-15));
-        assert_eq!(found[1..], [Err(EventError::NotANumber { time: 1.25 })]);
+        // the samples at 1.25, 1.5, 1.75 and 2
+        assert_eq!(found[1..], [Err(EventError::NotANumber { time: 1.25 }); 4]);
         // between the samples, too
         let g = |x: f64| {
             if x == 1.25 {
@@ -210,6 +212,22 @@ mod tests {
                 -1.0
             }
         };
-        assert!(matches!(events(g, Direction::Up)[..], [Err(EventError::NotANumber { .. })]));
+        let found = events(g, Direction::Up);
+        assert!(matches!(found[..], [Err(EventError::NotANumber { .. }), ..]));
+        assert!(found.len() == 4 && found.iter().all(|event| *event == found[0]));
+    }
+
+    /// A skipped error is not lost, and a bounded run stays bounded.
+    #[test]
+    fn the_error_of_a_run_is_returned_until_the_run_ends() {
+        // ẋ = x² from 1 blows up at t = 1
+        let blow_up = from_fn(|x: &Vector1<f64>| Vector1::new(x[0] * x[0]));
+        let midpoint = Direct::new(RungeKutta::implicit_midpoint(), blow_up);
+        let run = || midpoint.trajectory_from(Vector1::x(), 0.1).take(100);
+        let events = || Events::new(&midpoint, run(), |x: &Vector1<f64>| x[0] - 1.5, Direction::Up);
+        let failed = |event| matches!(event, Some(Err(EventError::Integration(_))));
+        assert!(events().next().is_some_and(|event| event.is_ok()));
+        assert!(failed(events().nth(1)) && failed(events().nth(30)) && failed(events().last()));
+        assert!(events().count() < 100);
     }
 }

@@ -33,7 +33,7 @@ impl<'a, I: Integrator> PartialStep<'a, I> {
                 momentum: self.integrator.momentum(&next.point),
                 iterations: next.iterations,
             }),
-            Err(source) => Err(IntegrationError { step: step + 1, time, source }),
+            Err(source) => Err(IntegrationError { step: step.saturating_add(1), time, source }),
         }
     }
 }

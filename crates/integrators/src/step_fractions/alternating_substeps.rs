@@ -53,7 +53,8 @@ impl AlternatingSubsteps {
         for part in [first, second] {
             let sum: f64 = part.iter().sum();
             let size: f64 = part.iter().map(|x| x.abs()).sum();
-            if (sum - 1.0).abs() > SUM_TOLERANCE * size {
+            let adds_up = (sum - 1.0).abs() <= SUM_TOLERANCE * size;
+            if !adds_up || !size.is_finite() {
                 return Err(SchemeError::SubstepSum { sum });
             }
         }
@@ -197,6 +198,8 @@ mod tests {
         assert_eq!(uneven, Err(SchemeError::Stages { q: 1, p: 2 }));
         let short = AlternatingSubsteps::new(&[1.0], &[0.5]);
         assert_eq!(short, Err(SchemeError::SubstepSum { sum: 0.5 }));
+        let huge = AlternatingSubsteps::new(&[1e308, 1e308], &[0.5, 0.5]);
+        assert_eq!(huge, Err(SchemeError::SubstepSum { sum: f64::INFINITY }));
         let nan = AlternatingSubsteps::new(&[1.0], &[f64::NAN]);
         assert_eq!(nan, Err(SchemeError::NotFinite));
     }

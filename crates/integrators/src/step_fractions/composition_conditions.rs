@@ -3,7 +3,8 @@
 /// Words are compared up to this weight, or up to p + 2 if this is more.
 const WEIGHTS: usize = 12;
 
-/// How far a condition on rounded coefficients may be from zero, in units of its terms' sizes.
+/// How far a condition of weight up to [`WEIGHTS`] on rounded coefficients may be from zero, in units
+/// of its terms' sizes. Above, rounding errors of the powers grow with the weight.
 const TOLERANCE: f64 = 64.0 * f64::EPSILON;
 
 /// The order of Φ_{γ_s h} ∘ … ∘ Φ_{γ_1 h} for every Φ of order `base`.
@@ -12,35 +13,53 @@ const TOLERANCE: f64 = 64.0 * f64::EPSILON;
 /// even powers if it is symmetric. In the free associative algebra of the letters E_k, of weight k,
 /// the composition is the product of the exponentials exp(Σ_k γ_i^k E_k). Its order is the largest
 /// weight up to which it agrees with exp(E_1).
+///
+/// Words of E_1 alone agree if γ_1 + … + γ_s = 1; others have a weight above p.
 pub(crate) fn order_over(gammas: &[f64], base: usize, symmetric: bool) -> usize {
-    if base == 0 {
+    if base == 0 || !agrees(gammas, &[1], 1) {
         return 0;
     }
-    let letter = |k: usize| k == 1 || (k > base && !(symmetric && k.is_multiple_of(2)));
-    let limit = WEIGHTS.max(base + 2);
-    let agrees = |weight: usize| words_agree(&mut Vec::new(), weight, &letter, gammas);
-    (1..=limit).take_while(|&weight| agrees(weight)).count()
+    // The coefficients of the other words are homogeneous in γ, and must vanish: neither overflow nor
+    // underflow of powers matters relative to the largest.
+    let largest = gammas.iter().fold(0.0, |most: f64, gamma| most.max(gamma.abs()));
+    let gammas: Vec<f64> = gammas.iter().map(|gamma| gamma / largest).collect();
+    let letter = |k: usize| !(symmetric && k.is_multiple_of(2));
+    let mut order = base;
+    let limit = WEIGHTS.max(base.saturating_add(2));
+    while order < limit && words_agree(&mut Vec::new(), order + 1, base, &letter, &gammas) {
+        order += 1;
+    }
+    order
 }
 
-/// Whether product and exponential agree on all words that extend `word` by `missing` weight.
+/// Whether product and exponential agree on all words that extend `word` by `missing` weight and
+/// have a letter beyond E_1, which is one of E_k, k > `base`.
 fn words_agree(
     word: &mut Vec<usize>,
     missing: usize,
+    base: usize,
     letter: &impl Fn(usize) -> bool,
     gammas: &[f64],
 ) -> bool {
-    if missing == 0 {
-        let pure = word.iter().all(|&k| k == 1);
-        let exact = if pure { coefficient(&[1.0], word).0 } else { 0.0 };
-        let (value, size) = coefficient(gammas, word);
-        return (value - exact).abs() <= TOLERANCE * size;
+    let pure = word.iter().all(|&k| k == 1);
+    if missing == 0 || (pure && missing <= base) {
+        return pure || agrees(gammas, word, 0);
     }
-    (1..=missing).filter(|&k| letter(k)).all(|k| {
+    let letters = (base.saturating_add(1)..=missing).filter(|&k| letter(k));
+    core::iter::once(1).chain(letters).all(|k| {
         word.push(k);
-        let agrees = words_agree(word, missing - k, letter, gammas);
+        let agree = words_agree(word, missing - k, base, letter, gammas);
         word.pop();
-        agrees
+        agree
     })
+}
+
+/// Whether the coefficient of a word is `exact` to within rounding.
+fn agrees(gammas: &[f64], word: &[usize], exact: u8) -> bool {
+    let (value, size) = coefficient(gammas, word);
+    let weight = word.iter().map(|&k| k as f64).sum::<f64>();
+    let tolerance = TOLERANCE * (weight / WEIGHTS as f64).max(1.0);
+    (value - f64::from(exact)).abs() <= tolerance * size
 }
 
 /// The coefficient of a word in Π_i exp(Σ_k γ_i^k E_k), and the size of the terms of its sum.
@@ -55,7 +74,7 @@ fn coefficient(gammas: &[f64], word: &[usize]) -> (f64, f64) {
             let mut factor: f64 = 1.0;
             let (mut sum, mut size) = prefixes[end];
             for start in (0..end).rev() {
-                factor *= gamma.powi(word[start] as i32) / (end - start) as f64;
+                factor *= power(gamma, word[start]) / (end - start) as f64;
                 sum += prefixes[start].0 * factor;
                 size += prefixes[start].1 * factor.abs();
             }
@@ -63,6 +82,11 @@ fn coefficient(gammas: &[f64], word: &[usize]) -> (f64, f64) {
         }
     }
     prefixes[word.len()]
+}
+
+/// γᵏ; not a number for a k so large that rounding leaves nothing of it.
+fn power(gamma: f64, k: usize) -> f64 {
+    i32::try_from(k).map_or(f64::NAN, |k| gamma.powi(k))
 }
 
 #[cfg(test)]

@@ -8,7 +8,7 @@ impl Substeps {
     /// Source: Yoshida, Phys. Lett. A 150 (1990).
     #[must_use]
     pub fn yoshida4() -> Self {
-        Self::triple_jump(2)
+        Self::jump(1, 2)
     }
 
     /// Order 6 with 7 substeps, solution A.
@@ -47,7 +47,7 @@ impl Substeps {
     /// Source: Suzuki, Phys. Lett. A 146 (1990); Hairer, Lubich & Wanner, eq. (II.4.5).
     #[must_use]
     pub fn suzuki4() -> Self {
-        Self::suzuki(2)
+        Self::jump(2, 2)
     }
 
     /// Order 4 with 5 substeps, of small error.

@@ -45,7 +45,8 @@ impl Substeps {
         }
         let sum: f64 = fractions.iter().sum();
         let size: f64 = fractions.iter().map(|x| x.abs()).sum();
-        if (sum - 1.0).abs() > COEFFICIENT_TOLERANCE * size {
+        let adds_up = (sum - 1.0).abs() <= COEFFICIENT_TOLERANCE * size;
+        if !adds_up || !size.is_finite() {
             return Err(SchemeError::SubstepSum { sum });
         }
         Ok(Self { fractions: fractions.to_vec() })
@@ -68,7 +69,8 @@ impl Substeps {
     ///
     /// It is computed from the coefficients: the composition of formal exponentials
     /// exp(γ_i h E_1 + (γ_i h)^{p+1} E_{p+1} + …), even powers absent if Φ is symmetric, is compared
-    /// with exp(h E_1) word by word. Orders above max(12, p + 2) are not looked for.
+    /// with exp(h E_1) word by word. Orders above max(12, p + 2) are not looked for, and none above p
+    /// for p ≥ 2³¹, where the powers of rounded γ mean nothing.
     ///
     /// Source: Murua & Sanz-Serna, *Order conditions for numerical integrators obtained by
     /// composing simpler integrators*, Phil. Trans. R. Soc. A 357 (1999).
@@ -86,11 +88,20 @@ impl Substeps {
     /// Source: Creutz & Gocksch, Phys. Rev. Lett. 63 (1989); Yoshida, *Construction of higher order
     /// symplectic integrators*, Phys. Lett. A 150 (1990); Hairer, Lubich &
     /// Wanner, eq. (II.4.4).
-    #[must_use]
-    pub fn triple_jump(order: usize) -> Self {
-        let root = 2.0_f64.powf(1.0 / (order as f64 + 1.0));
-        let outer = 1.0 / (2.0 - root);
-        Self { fractions: vec![outer, -root * outer, outer] }
+    ///
+    /// # Errors
+    /// Unless p is even and at least 2.
+    ///
+    /// # Example
+    /// ```
+    /// use collective_integrators::Substeps;
+    /// assert_eq!(Substeps::triple_jump(6)?.order_over(6, true), 8);
+    /// assert!(Substeps::triple_jump(0).is_err() && Substeps::triple_jump(3).is_err());
+    /// # Ok::<(), collective_integrators::SchemeError>(())
+    /// ```
+    pub fn triple_jump(order: usize) -> Result<Self, SchemeError> {
+        require_even("the triple jump", order)?;
+        Ok(Self::jump(1, order))
     }
 
     /// Suzuki's fractal, with five substeps none of which is longer than the step:
@@ -100,17 +111,37 @@ impl Substeps {
     /// ```
     ///
     /// Source: Suzuki, *Fractal decomposition of exponential operators*, Phys. Lett. A 146 (1990).
-    #[must_use]
-    pub fn suzuki(order: usize) -> Self {
-        let root = 4.0_f64.powf(1.0 / (order as f64 + 1.0));
-        let outer = 1.0 / (4.0 - root);
-        Self { fractions: vec![outer, outer, -root * outer, outer, outer] }
+    ///
+    /// # Errors
+    /// Unless p is even and at least 2.
+    pub fn suzuki(order: usize) -> Result<Self, SchemeError> {
+        require_even("Suzuki's fractal", order)?;
+        Ok(Self::jump(2, order))
+    }
+
+    /// m substeps forwards, one backwards, m forwards, with 2m γᵖ⁺¹ = rᵖ⁺¹ γᵖ⁺¹ for r = (2m)^{1/(p+1)}:
+    /// order p + 2 over a symmetric method of order p ≥ 2.
+    pub(crate) fn jump(forwards: usize, order: usize) -> Self {
+        let count = 2.0 * forwards as f64;
+        let root = count.powf(1.0 / (order as f64 + 1.0));
+        let outer = 1.0 / (count - root);
+        let mut fractions = vec![outer; 2 * forwards + 1];
+        fractions[forwards] = -root * outer;
+        Self { fractions }
     }
 
     /// γ₁, …, γ_m, …, γ₁ from the first half and the middle one.
     pub(crate) fn palindrome(half: &[f64]) -> Self {
         let mirrored = half.iter().rev().skip(1);
         Self { fractions: half.iter().chain(mirrored).copied().collect() }
+    }
+}
+
+fn require_even(family: &'static str, order: usize) -> Result<(), SchemeError> {
+    if order >= 2 && order.is_multiple_of(2) {
+        Ok(())
+    } else {
+        Err(SchemeError::OddOrder { family, order })
     }
 }
 
@@ -138,10 +169,46 @@ mod tests {
             assert!(substeps.is_symmetric());
             assert_eq!(Substeps::new(substeps.fractions()), Ok(substeps));
         }
-        for order in [2, 4, 6, 8, 10, 14, 24] {
-            assert_eq!(Substeps::triple_jump(order).order_over(order, true), order + 2);
-            assert_eq!(Substeps::suzuki(order).order_over(order, true), order + 2);
-            assert_eq!(Substeps::triple_jump(order + 2).order_over(order, true), order);
+        for order in [2, 4, 6, 8, 10, 14, 24, 100, 1000, 10_000] {
+            let jumps = [Substeps::triple_jump, Substeps::suzuki].map(|jump| {
+                let over = |p: usize| jump(p).map(|substeps| substeps.order_over(order, true));
+                (over(order), over(order + 2))
+            });
+            let expected = (Ok(order + 2), Ok(order));
+            assert_eq!(jumps, [expected.clone(), expected]);
+        }
+    }
+
+    #[test]
+    fn orders_that_symmetric_methods_do_not_have_are_refused() {
+        for order in [0, 1, 3, 15, usize::MAX] {
+            let families = [Substeps::triple_jump(order), Substeps::suzuki(order)];
+            for jump in families {
+                assert!(matches!(jump, Err(SchemeError::OddOrder { order: o, .. }) if o == order));
+            }
+        }
+        for order in [2, 1 << 20, usize::MAX - 1] {
+            let jump = Substeps::triple_jump(order);
+            assert!(jump.is_ok_and(|s| Substeps::new(s.fractions()) == Ok(s)), "{order}");
+        }
+    }
+
+    /// The order of a composition over methods of any order, however high: at least that of the base
+    /// wherever the fractions add up.
+    #[test]
+    fn orders_over_any_base() {
+        let halves = Substeps { fractions: vec![0.5, 0.5] };
+        let short = Substeps { fractions: vec![0.5, 0.4] };
+        for order in [1, 12, 13, 1000, i32::MAX as usize, 1 << 40, usize::MAX - 1, usize::MAX] {
+            for symmetric in [true, false] {
+                for substeps in [&halves, &Substeps::kahan_li8(), &Substeps::yoshida4()] {
+                    let found = substeps.order_over(order, symmetric);
+                    // a symmetric method has an even order
+                    let least = order.saturating_add(usize::from(symmetric && order % 2 == 1));
+                    assert!(found == least || order < 12 && found > order, "{order}: {found}");
+                }
+                assert_eq!(short.order_over(order, symmetric), 0);
+            }
         }
     }
 
@@ -158,6 +225,8 @@ mod tests {
         assert_eq!(Substeps::new(&[]), Err(SchemeError::NoStages));
         assert_eq!(Substeps::new(&[0.5, 0.6]), Err(SchemeError::SubstepSum { sum: 1.1 }));
         assert_eq!(Substeps::new(&[f64::NAN]), Err(SchemeError::NotFinite));
+        let sum = f64::INFINITY;
+        assert_eq!(Substeps::new(&[1e308, 1e308]), Err(SchemeError::SubstepSum { sum }));
         assert!(Substeps::new(&[0.25, 0.75]).is_ok_and(|s| !s.is_symmetric()));
     }
 }

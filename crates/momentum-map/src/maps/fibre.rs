@@ -5,7 +5,7 @@ use lie_poisson::{Point, PoissonSpace, Real, Vector};
 use thiserror::Error;
 
 /// A point has no pre-image, or none that is finite.
-#[derive(Clone, Debug, PartialEq, Error)]
+#[derive(Clone, Copy, Debug, PartialEq, Error)]
 #[error("no lift: {reason} (|{quantity}| = {value:e})")]
 pub struct LiftError {
     /// The quantity that rules the lift out.
