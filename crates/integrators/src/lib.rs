@@ -46,14 +46,14 @@ pub use diagnostics::{OrderFitError, fitted_order};
 pub use dual::collective::{Collective, CollectiveSpace};
 pub use dual::compensated::{Compensated, Increments, compensated_sum};
 pub use dual::direct::Direct;
-pub use dual::integrator::{Integrator, Start};
+pub use dual::integrator::{CHECKPOINT, Integrator, Sample, SampleOf, Start, Trajectory};
 pub use dual::lift_free::{LiftFree, MultiplierSpace};
 pub use dual::spherical_midpoint::SphericalMidpoint;
 pub use error::{IntegrationError, RunError, SchemeError, StepError};
 pub use runs::crossing::{Direction, EventError};
 pub use runs::dense_output::{DenseOutput, DenseOutputError};
 pub use runs::events::Events;
-pub use runs::trajectory::{CHECKPOINT, Sample, SampleOf, Trajectory};
+
 pub use schemes::partitioned::{PartitionedRungeKutta, PartitionedSpace};
 pub use schemes::polarisation::{Alternating, FirstHalf, Polarisation};
 pub use schemes::runge_kutta::{RungeKutta, StageSpace};

@@ -1,6 +1,6 @@
-//! Integrators on 𝔤∗: what is advanced, and how μ is read off it.
+//! Integrators on 𝔤∗: what is advanced, how μ is read off it, and the trajectories.
 
-use crate::{IntegrationError, RunError, SampleOf, Step, StepError, Trajectory};
+use crate::{IntegrationError, RunError, Step, StepError};
 use lie_poisson::{Real, Vector};
 use momentum_map::LiftError;
 
@@ -125,5 +125,137 @@ pub trait Start<T: Real = f64>: Integrator<T> {
         Self: Sized,
     {
         Ok(self.trajectory(mu, step)?.after(steps)?)
+    }
+}
+
+/// A point of a trajectory.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Sample<S, M> {
+    /// The number of steps made; 0 for the initial state.
+    pub step: u64,
+    /// t = step · h
+    pub time: f64,
+    /// The state that is advanced.
+    pub state: S,
+    /// The momentum μ read off it.
+    pub momentum: M,
+    /// Iterations of the stage solver in the step that led here.
+    pub iterations: usize,
+}
+
+/// The sample type of an integrator's trajectories.
+pub type SampleOf<I, T = f64> = Sample<<I as Integrator<T>>::State, <I as Integrator<T>>::Momentum>;
+
+/// A step whose number is a multiple of this begins without the memory of the steps before, from
+/// which implicit methods [guess](crate::StageSolver) their stages.
+pub const CHECKPOINT: u64 = 1024;
+
+/// The endless trajectory of an integrator: the initial state, then one sample per step.
+///
+/// Once a step fails, every further item is its error: no adaptor that skips items, such as `nth` or
+/// `step_by`, can lose it. The iterator never returns `None`. Bound it by `take`, and leave a loop at
+/// the first error, as `?` and `collect::<Result<…>>` do; adaptors that pass errors over, such as
+/// `flatten`, look for the next sample for ever. [`Start::after`](crate::Start::after) returns one
+/// sample. After the first item nothing is allocated.
+///
+/// A run can be [resumed](Integrator::trajectory_resumed) from any of its samples; from one whose
+/// number is a multiple of [`CHECKPOINT`] it goes on bit for bit as if it had not been interrupted.
+///
+/// # Example
+/// ```
+/// use collective_integrators::{CHECKPOINT, Direct, Integrator, RungeKutta, from_fn};
+/// use nalgebra::Vector2;
+/// let pendulum = from_fn(|z: &Vector2<f64>| Vector2::new(z.y, -z.x.sin()));
+/// let gauss = Direct::new(RungeKutta::gauss(2)?, pendulum);
+/// let mut run = gauss.trajectory_from(Vector2::new(1.0, 0.0), 0.1).skip(CHECKPOINT as usize);
+/// let saved = run.next().unwrap()?;
+/// let resumed = gauss.trajectory_resumed(saved.state, saved.step, 0.1);
+/// for (a, b) in run.zip(resumed.skip(1)).take(100) {
+///     let (a, b) = (a?, b?);
+///     assert_eq!((a.step, a.time, a.state), (b.step, b.time, b.state));
+/// }
+/// # Ok::<(), Box<dyn std::error::Error>>(())
+/// ```
+#[derive(Debug)]
+pub struct Trajectory<'a, I: Integrator<T>, T: Real = f64> {
+    integrator: &'a I,
+    workspace: I::Workspace,
+    step: f64,
+    upcoming: Upcoming<I::State>,
+}
+
+#[derive(Debug)]
+enum Upcoming<S> {
+    First(S, u64),
+    After(S, u64),
+    Failed(IntegrationError),
+}
+
+impl<'a, I: Integrator<T>, T: Real> Trajectory<'a, I, T> {
+    pub(crate) fn new(integrator: &'a I, state: I::State, made: u64, step: f64) -> Self {
+        let workspace = integrator.workspace();
+        Self { integrator, workspace, step, upcoming: Upcoming::First(state, made) }
+    }
+
+    /// The sample `steps` items after the next one.
+    pub(crate) fn after(mut self, steps: u64) -> Result<SampleOf<I, T>, IntegrationError> {
+        for _ in 0..steps {
+            self.advance()?;
+        }
+        self.advance()
+    }
+
+    /// The next sample, or the error at which the trajectory ended.
+    #[inline]
+    fn advance(&mut self) -> Result<SampleOf<I, T>, IntegrationError> {
+        let next = match self.upcoming {
+            Upcoming::First(state, made) => self.first(state, made),
+            Upcoming::After(state, made) => self.following(&state, made),
+            Upcoming::Failed(error) => Err(error),
+        };
+        self.upcoming = match &next {
+            Ok(sample) => Upcoming::After(sample.state, sample.step),
+            Err(error) => Upcoming::Failed(*error),
+        };
+        next
+    }
+
+    fn first(&self, state: I::State, made: u64) -> Result<SampleOf<I, T>, IntegrationError> {
+        match StepError::check_start(&state, self.step) {
+            Ok(()) => Ok(self.sample(state, made, 0)),
+            Err(refused) => Err(IntegrationError::after(made, self.step, refused)),
+        }
+    }
+
+    #[inline]
+    fn following(
+        &mut self,
+        state: &I::State,
+        made: u64,
+    ) -> Result<SampleOf<I, T>, IntegrationError> {
+        let number = made.checked_add(1).ok_or(StepError::Uncountable);
+        if made.is_multiple_of(CHECKPOINT) {
+            self.integrator.forget(&mut self.workspace);
+        }
+        let next = number.and_then(|number| {
+            let next = self.integrator.step(state, self.step, &mut self.workspace)?;
+            Ok(self.sample(next.point, number, next.iterations))
+        });
+        next.map_err(|source| IntegrationError::after(made, self.step, source))
+    }
+
+    #[inline]
+    fn sample(&self, state: I::State, step: u64, iterations: usize) -> SampleOf<I, T> {
+        let momentum = self.integrator.momentum(&state);
+        Sample { step, time: step as f64 * self.step, state, momentum, iterations }
+    }
+}
+
+impl<I: Integrator<T>, T: Real> Iterator for Trajectory<'_, I, T> {
+    type Item = Result<SampleOf<I, T>, IntegrationError>;
+
+    #[inline]
+    fn next(&mut self) -> Option<Self::Item> {
+        Some(self.advance())
     }
 }

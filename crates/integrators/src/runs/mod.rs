@@ -1,6 +1,5 @@
 //! Along a trajectory: its samples, what lies between them, and events.
 
-pub(crate) mod trajectory;
 pub(crate) mod partial_step;
 pub(crate) mod dense_output;
 pub(crate) mod root_bracketing;

@@ -1,0 +1,79 @@
+//! Trajectories: where they start, where they end, and that no failure is lost.
+
+use collective_integrators::{
+    Direct, IntegrationError, Integrator, RunError, RungeKutta, Start, StepError, VectorField,
+    from_fn,
+};
+use nalgebra::{Vector1, Vector2};
+
+/// ẋ = x² from 1 blows up at t = 1.
+fn blow_up() -> Direct<RungeKutta, impl VectorField<Point = Vector1<f64>>> {
+    let field = from_fn(|x: &Vector1<f64>| Vector1::new(x[0] * x[0]));
+    Direct::new(RungeKutta::implicit_midpoint(), field)
+}
+
+#[test]
+fn a_failure_is_not_lost_by_skipping() {
+    let integrator = blow_up();
+    let run = || integrator.trajectory_from(Vector1::x(), 0.1);
+    let samples: Vec<_> = run().take(100).collect();
+    let failed = samples.iter().position(Result::is_err).unwrap_or(0);
+    assert!((2..99).contains(&failed), "{failed}");
+    let error = samples[failed].err();
+    assert!(error.is_some_and(|error| error.step == failed as u64));
+    assert!(samples[failed..].iter().all(|sample| sample.err() == error));
+    for skipped in [0, 1, 2, 1000] {
+        assert_eq!(run().nth(failed + skipped).map(|sample| sample.err()), Some(error));
+    }
+    assert!(run().step_by(failed - 1).nth(2).is_some_and(|sample| sample.err() == error));
+    let collected: Result<Vec<_>, _> = run().collect();
+    assert_eq!(collected.err(), error);
+    assert_eq!(run().map_while(Result::ok).count(), failed);
+}
+
+#[test]
+fn one_sample_after_many_steps() {
+    let integrator = blow_up();
+    let run: Vec<_> = integrator.trajectory_from(Vector1::x(), 0.05).take(40).collect();
+    for (n, sample) in (0..).zip(run) {
+        let alone = integrator.after(&Vector1::x(), 0.05, n);
+        assert_eq!(alone, sample.map_err(RunError::Integration));
+    }
+}
+
+#[test]
+fn a_start_that_is_not_finite_is_refused() {
+    let rk4 = Direct::new(RungeKutta::rk4(), from_fn(|z: &Vector2<f64>| -*z));
+    let start = Vector2::new(1.0, 2.0);
+    for bad in [f64::NAN, f64::INFINITY, f64::NEG_INFINITY] {
+        let nowhere = Vector2::new(1.0, bad);
+        let of_start = |e: StepError| matches!(e, StepError::NotFiniteStart { coordinate: 1, size } if !size.is_finite());
+        let of_step = |e: StepError| matches!(e, StepError::StepSize { step } if !step.is_finite());
+        let cases: [(_, _, &dyn Fn(StepError) -> bool); 2] =
+            [(nowhere, 0.5, &of_start), (start, bad, &of_step)];
+        for (state, step, named) in cases {
+            let fits = |e: IntegrationError, made: u64| e.step == made + 1 && named(e.source);
+            let at_start = |e| matches!(e, RunError::Integration(e) if fits(e, 0) && e.time == 0.0);
+            assert!(rk4.trajectory(&state, step).is_err_and(at_start));
+            assert!(rk4.after(&state, step, 0).is_err_and(at_start));
+            let first = rk4.trajectory_from(state, step).next().and_then(Result::err);
+            assert!(first.is_some_and(|e| fits(e, 0) && e.time == 0.0));
+            let resumed = rk4.trajectory_resumed(state, 7, step).nth(3).and_then(Result::err);
+            assert!(resumed.is_some_and(|e| fits(e, 7)));
+        }
+    }
+    assert!(rk4.after(&start, 0.5, 0).is_ok_and(|sample| sample.state == start));
+}
+
+#[test]
+fn the_last_number_of_a_step_is_followed_by_none() {
+    let rk4 = Direct::new(RungeKutta::rk4(), from_fn(|z: &Vector2<f64>| -*z));
+    let mut run = rk4.trajectory_resumed(Vector2::x(), u64::MAX - 1, 1e-9);
+    let numbers = [run.next(), run.next()].map(|s| s.and_then(Result::ok).map(|s| s.step));
+    assert_eq!(numbers, [Some(u64::MAX - 1), Some(u64::MAX)]);
+    let end = run.next().and_then(Result::err);
+    assert!(end.is_some_and(|e| (e.step, e.source) == (u64::MAX, StepError::Uncountable)));
+    assert!(run.next().is_some_and(|sample| sample.err() == end));
+    let mut run = rk4.trajectory_resumed(Vector2::x(), u64::MAX, 1e-9);
+    assert!(run.next().is_some_and(|s| s.is_ok()) && run.next().is_some_and(|s| s.is_err()));
+}
