@@ -59,6 +59,29 @@ fn the_closed_form_on_the_cotangent_bundle_of_c2() -> Outcome {
     Ok(())
 }
 
+/// On the separatrix Π = (½ sech, tanh, ½√3 sech)(t√3/6), on C² and on T∗C².
+#[test]
+fn the_separatrix() -> Outcome {
+    let root = 3.0_f64.sqrt();
+    let exact = |t: f64| {
+        let u = t * root / 6.0;
+        Vector3::new(0.5 / u.cosh(), u.tanh(), 0.5 * root / u.cosh())
+    };
+    let steps = RungeKutta::gauss(6)?;
+    let on_c2 = Collective::new(steps.clone(), HOPF, RigidBody::new(INERTIA)?);
+    let on_t_c2 = Collective::new(steps, SpinorRealisation, HeavyTop::free_rigid_body(INERTIA)?);
+    let (pi, gamma) = (exact(0.0), Vector3::new(0.0, 0.6, -0.8));
+    let small = on_c2.trajectory(&Covector(pi), 0.05)?;
+    let large = on_t_c2.trajectory(&Se3Dual::new(pi, gamma), 0.05)?;
+    for (small, large) in small.zip(large).take(201) {
+        let (small, large) = (small?, large?);
+        // Distances from the separatrix grow by e^{10√3/6} = 18 at most.
+        assert_near(&small.momentum.0, &exact(small.time), 10.0 * ROUND_OFF);
+        assert_near(&large.momentum.0.0, &exact(large.time), 10.0 * ROUND_OFF);
+    }
+    Ok(())
+}
+
 /// The closed form solves Π̇ = Π × I⁻¹Π, by central differences. Negative control: with the modulus
 /// of another start it does not.
 #[test]

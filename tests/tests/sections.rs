@@ -60,7 +60,7 @@ fn exact_crossings(solution: &EulerSolution) -> Vec<(f64, bool)> {
 #[test]
 fn sections_of_the_free_rigid_body_against_the_closed_form() -> Outcome {
     let (body, start) = body()?;
-    let solution = EulerSolution::new(&body, start.0);
+    let solution = EulerSolution::new(&body, start.0)?;
     let exact = exact_crossings(&solution);
     assert!(exact.len() >= 4);
     let scheme = RungeKutta::gauss(6)?;
@@ -101,7 +101,7 @@ fn sections_of_the_free_rigid_body_against_the_closed_form() -> Outcome {
 #[test]
 fn sections_are_as_accurate_as_the_integrator() -> Outcome {
     let (body, start) = body()?;
-    let exact = exact_crossings(&EulerSolution::new(&body, start.0));
+    let exact = exact_crossings(&EulerSolution::new(&body, start.0)?);
     let midpoint = LiftFree::new(RungeKutta::implicit_midpoint(), Quaternions, body);
     let mut points = vec![];
     for h in [0.1, 0.05, 0.025, 0.0125] {
@@ -117,7 +117,7 @@ fn sections_are_as_accurate_as_the_integrator() -> Outcome {
 #[test]
 fn dense_output_against_the_closed_form() -> Outcome {
     let (body, start) = body()?;
-    let solution = EulerSolution::new(&body, start.0);
+    let solution = EulerSolution::new(&body, start.0)?;
     let gauss = Collective::new(RungeKutta::gauss(6)?, HOPF, body);
     let mut run = DenseOutput::new(&gauss, gauss.trajectory(&start, 0.05)?);
     for n in 0..500_u32 {

@@ -30,6 +30,18 @@ pub enum TopError {
         /// Its value.
         value: f64,
     },
+    /// A number is outside its range.
+    #[error("{name} must be from {least} to {greatest}, got {value}")]
+    OutOfRange {
+        /// The parameter.
+        name: &'static str,
+        /// Its value.
+        value: f64,
+        /// The lower bound.
+        least: f64,
+        /// The upper bound.
+        greatest: f64,
+    },
     /// No mass distribution has these principal moments.
     #[error(
         "principal moments must obey the triangle inequality: {largest:?} is more than \

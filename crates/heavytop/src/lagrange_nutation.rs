@@ -1,19 +1,28 @@
 //! The nutation of Lagrange's top in closed form.
 
-use crate::elliptic::incomplete_elliptic;
-use crate::{HeavyTop, Invariant, TopError, jacobi_elliptic};
+use crate::elliptic::elliptic_argument;
+use crate::error::require_finite;
+use crate::nutation_cubic::NutationCubic;
+use crate::{HeavyTop, JacobiElliptic, TopError};
 use lie_poisson::{Covector, Pair, Se3Dual};
-use nalgebra::Vector3;
 
 /// The height Γ₃(t) of Lagrange's top through (Π, Γ)(0). With u = Γ₃, W = m g l, b = Π·Γ,
 /// f₁ = |Γ|² and E′ = h − Π₃²/2I₃ it obeys
 ///
 /// ```text
 /// (du/dt)² = [2I₁(E′ − Wu)(f₁ − u²) − (b − Π₃u)²]/I₁² = (2W/I₁)(u − u₁)(u − u₂)(u − u₃)
-/// Γ₃ = u₁ + (u₂ − u₁) sn²(νt + δ | m),  ν² = W(u₃ − u₁)/2I₁,  m = (u₂ − u₁)/(u₃ − u₁)
+/// Γ₃ = u₁ + (u₂ − u₁) sn²(νt + δ | m),  ν² = W(u₃ − u₁)/2I₁,  1 − m = (u₃ − u₂)/(u₃ − u₁)
+/// tan² am δ = (Γ₃(0) − u₁)/(u₂ − Γ₃(0)),  δ du/dt(0) ≥ 0,  |δ| ≤ K
 /// ```
 ///
-/// with the roots u₁ ≤ u₂ ≤ u₃, the first two in [−√f₁, √f₁].
+/// with the roots u₁ ≤ u₂ ≤ u₃, the first two in [−√f₁, √f₁]. The height is constant where du/dt and
+/// d²u/dt² vanish: in regular precession, and for a top that stands upright or hangs, stable or not.
+///
+/// The roots are computed as distances from the start and from the upright position, with
+/// Γ₁² + Γ₂² instead of f₁ − Γ₃². No digits are lost at turning points, next to the vertical, or next
+/// to the separatrix, where m = 1 and the top rises to the upright position for ever. In all units the errors
+/// of Γ₃ are a few units of round-off of |Γ|, and what a relative error of that size in t causes.
+/// A tilt below 1e-150 rad may count as none.
 ///
 /// Source: E. T. Whittaker, *A Treatise on the Analytical Dynamics of Particles and Rigid Bodies*,
 /// 4th ed., §71.
@@ -33,102 +42,98 @@ use nalgebra::Vector3;
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct LagrangeNutation {
     lowest: f64,
+    highest: f64,
+    /// u₂ − u₁
     range: f64,
+    /// ν
     rate: f64,
+    /// δ
     phase: f64,
-    parameter: f64,
+    functions: JacobiElliptic,
 }
 
 impl LagrangeNutation {
     /// The nutation of the motion through `start`.
     ///
     /// # Errors
-    /// If the top is not Lagrange's with m g l > 0, or the start is not finite.
+    /// If the top is not Lagrange's with m g l > 0, if the start is not finite, or if the ratio of its
+    /// kinetic energy to m g l |Γ| is not.
     pub fn new(top: &HeavyTop, start: &Se3Dual) -> Result<Self, TopError> {
         let weight = top.weight_moment() * top.center_of_mass().z;
         if !top.is_lagrange() || weight <= 0.0 {
             return Err(TopError::NotLagrange);
         }
         let Covector(Pair(pi, gamma)) = start;
-        let i1 = top.inertia().x;
-        let roots = turning_points(top, start, weight)?;
-        if is_equilibrium(roots, gamma.z) {
-            let rest = Self { lowest: gamma.z, range: 0.0, rate: 1.0, phase: 0.0, parameter: 0.0 };
-            return Ok(rest);
+        for &component in pi.iter().chain(gamma) {
+            require_finite("start", component)?;
         }
-        let [lowest, highest, outside] = roots;
-        let range = highest - lowest;
-        let parameter = (range / (outside - lowest)).clamp(0.0, 1.0);
-        // u̇ = (Γ × Ω)₃
-        let rising = gamma.x * pi.y - gamma.y * pi.x >= 0.0;
-        let sine = ((gamma.z - lowest) / range).clamp(0.0, 1.0).sqrt();
-        let quarter = incomplete_elliptic(sine.asin(), parameter);
-        let phase = if rising { quarter } else { -quarter };
-        let rate = (weight * (outside - lowest) / (2.0 * i1)).sqrt();
-        // A range of zero is regular precession, of which the phase has no meaning.
-        Ok(Self { lowest, range, rate, phase: if range > 0.0 { phase } else { 0.0 }, parameter })
+        let moment = top.inertia().x;
+        let height = gamma.z;
+        if gamma.amax() == 0.0 {
+            let functions = JacobiElliptic::with_complementary_modulus(1.0);
+            return Ok(Self {
+                lowest: 0.0,
+                highest: 0.0,
+                range: 0.0,
+                rate: 0.0,
+                phase: 0.0,
+                functions,
+            });
+        }
+        let cubic = NutationCubic::new(moment, weight, start);
+        for value in cubic.roots {
+            require_finite("turning point", value)?;
+        }
+        let [first, second, third] = cubic.roots;
+        let (range, width) = (second - first, third - first);
+        let root = |part: f64| (part / range).sqrt();
+        let phase = if range == 0.0 {
+            0.0
+        } else {
+            elliptic_argument(root(-first), root(second), (third / width).sqrt())
+        };
+        let complement = if width == 0.0 { 0.0 } else { (cubic.gap / width).min(1.0) };
+        let solution = Self {
+            lowest: height + cubic.length * first,
+            highest: height + cubic.length * second,
+            range: cubic.length * range,
+            rate: (0.5 * width).sqrt() * cubic.length.sqrt() * weight.sqrt() / moment.sqrt(),
+            phase: phase.copysign(cubic.rising),
+            functions: JacobiElliptic::with_complement(complement)?,
+        };
+        for (name, value) in [
+            ("lowest height", solution.lowest),
+            ("highest height", solution.highest),
+            ("rate", solution.rate),
+            ("phase", solution.phase),
+        ] {
+            require_finite(name, value)?;
+        }
+        Ok(solution)
     }
 
-    /// Γ₃(t), t in seconds.
+    /// Γ₃(t), t in seconds; NaN where νt is not finite.
     #[must_use]
     pub fn height(&self, time: f64) -> f64 {
-        let [sn, ..] = jacobi_elliptic(self.rate * time + self.phase, self.parameter);
-        self.lowest + self.range * sn * sn
+        let [sn, cn, ..] = self.functions.at(self.rate.mul_add(time, self.phase));
+        // From the nearer turning point.
+        if sn.abs() < cn.abs() {
+            self.lowest + self.range * sn * sn
+        } else {
+            self.highest - self.range * cn * cn
+        }
     }
 
-    /// The period of the nutation, 2K(m)/ν, in seconds. It grows without bound towards the separatrix,
-    /// as far as m next to 1 can tell; where the height is constant it has no meaning.
+    /// The period of the nutation, 2K(m)/ν, in seconds: infinite on the separatrix and for an
+    /// unstable top that stands upright; where the height is constant, that of infinitesimal nutation about it.
     #[must_use]
     pub fn period(&self) -> f64 {
-        2.0 * incomplete_elliptic(core::f64::consts::FRAC_PI_2, self.parameter) / self.rate
+        2.0 * self.functions.quarter_period() / self.rate
     }
 
     /// u₁ and u₂, between which Γ₃ moves.
     #[must_use]
     pub fn turning_points(&self) -> (f64, f64) {
-        (self.lowest, self.lowest + self.range)
-    }
-}
-
-/// Whether Γ₃ is a double root of the cubic, where u̇ = ü = 0: regular precession, and the top that
-/// spins upright, stable or not. A double root is known to the square root of round-off.
-fn is_equilibrium(roots: [f64; 3], height: f64) -> bool {
-    let near = roots.iter().filter(|root| (*root - height).abs() <= 4.0 * f64::EPSILON.sqrt());
-    near.count() >= 2
-}
-
-/// The roots u₁ ≤ u₂ ≤ u₃ of the cubic.
-fn turning_points(top: &HeavyTop, start: &Se3Dual, weight: f64) -> Result<[f64; 3], TopError> {
-    let Covector(Pair(pi, gamma)) = start;
-    let inertia: Vector3<f64> = top.inertia();
-    let (i1, spin) = (inertia.x, pi.z);
-    let energy = Invariant::Energy.value(top, start) - spin * spin / (2.0 * inertia.z);
-    let (level, square) = (pi.dot(gamma), gamma.norm_squared());
-    // u³ + a u² + b u + c, the cubic divided by 2 I₁ W
-    let scale = 1.0 / (2.0 * i1 * weight);
-    let a = -(energy / weight) - spin * spin * scale;
-    let b = -square + 2.0 * level * spin * scale;
-    let c = square * energy / weight - level * level * scale;
-    let cubic = |u: f64| ((u + a) * u + b) * u + c;
-    let slope = |u: f64| (3.0 * u + 2.0 * a) * u + b;
-    // Three real roots by Viète's formula, each polished by a Newton step or two.
-    let (p, q) = (a * a / 9.0 - b / 3.0, a * a * a / 27.0 - a * b / 6.0 + c / 2.0);
-    let radius = p.max(0.0).sqrt();
-    let angle = (q / (radius * radius * radius)).clamp(-1.0, 1.0).acos();
-    let mut roots = [0.0, 1.0, 2.0].map(|k| {
-        let turn = (angle + 2.0 * core::f64::consts::PI * k) / 3.0;
-        let mut root = -2.0 * radius * turn.cos() - a / 3.0;
-        for _ in 0..3 {
-            let better = root - cubic(root) / slope(root);
-            if cubic(better).abs() < cubic(root).abs() {
-                root = better;
-            }
-        }
-        root
-    });
-    roots.sort_by(f64::total_cmp);
-    match roots.iter().find(|root| !root.is_finite()) {
-        Some(&value) => Err(TopError::NotFinite { name: "start", value }),
-        None => Ok(roots),
+        (self.lowest, self.highest)
     }
 }

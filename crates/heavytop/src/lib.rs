@@ -22,7 +22,7 @@
 //! | systems on (so(3)∗)ᴺ: vortices, spins, spins on a lattice | [`PointVortices`], [`HeisenbergChain`], [`SpinLattice`] |
 //! | Poincaré sections: the energy level, the surface, the starts, the returns | [`EnergyLevel`], [`Coordinate`], [`Surface`], [`Section`] |
 //! | nutation of any top: amplitude, rotation number | [`Nutation`] |
-//! | closed forms: Euler's and Lagrange's tops | [`EulerSolution`], [`LagrangeNutation`], [`jacobi_elliptic`] |
+//! | closed forms: Euler's and Lagrange's tops | [`EulerSolution`], [`LagrangeNutation`], [`JacobiElliptic`], [`jacobi_elliptic`] |
 //!
 //! # Example
 //! The paper's experiment, over 200 steps:
@@ -79,14 +79,16 @@ mod energy_level;
 mod section_level;
 mod section;
 mod nutation;
+mod power_of_two;
 mod elliptic;
 mod euler_top;
+mod nutation_cubic;
 mod lagrange_nutation;
 
 pub use attitude::{WithAttitude, attitude_of_vertical};
 pub use collective_gauss::{CollectiveGauss, CollectiveGaussSpace};
 pub use coordinate::Coordinate;
-pub use elliptic::jacobi_elliptic;
+pub use elliptic::{JacobiElliptic, jacobi_elliptic};
 pub use energy_level::EnergyLevel;
 pub use error::{SectionError, TopError, UNIT_TOLERANCE, require_unit};
 pub use euler_top::EulerSolution;

@@ -1,0 +1,19 @@
+//! Scaling without rounding.
+
+/// 2ⁿ ≤ |x| < 2ⁿ⁺¹, by which to divide without rounding; the least normal number if x is less than that.
+pub(crate) fn power_of_two(x: f64) -> f64 {
+    const EXPONENT: u64 = 0x7ff << 52;
+    f64::from_bits(x.to_bits() & EXPONENT).max(f64::MIN_POSITIVE)
+}
+
+#[cfg(test)]
+mod tests {
+    use super::power_of_two;
+
+    #[test]
+    fn it_is_the_power_of_two_below() {
+        for (x, power) in [(1.0, 1.0), (-7.9, 4.0), (0.3, 0.25), (1e-310, f64::MIN_POSITIVE)] {
+            assert_eq!(power_of_two(x), power);
+        }
+    }
+}
