@@ -45,76 +45,49 @@
 //! # Ok::<(), Box<dyn std::error::Error>>(())
 //! ```
 
-mod coordinate;
 mod error;
-mod spinor_motions;
-mod varpi;
-mod spinor_realisation;
-mod top;
-mod rigid_body;
-mod invariants;
-mod collective_gauss;
-mod turning;
-mod rotor_splitting;
-mod symmetric_splitting;
-mod midpoint_kernel;
-mod ensemble_path;
-mod meridian_axes;
-mod stumpff_polynomials;
-mod symmetric_flows;
-mod symmetric_kernel;
-mod symmetric_ensemble;
-mod spinor_field;
-mod spinor_kernel;
-mod gauss_ensemble;
-mod reduced_midpoint;
-mod midpoint_ensemble;
+mod tops;
+mod paper;
 mod attitude;
-mod gyrostat;
-mod kirchhoff;
-mod point_vortices;
-mod spin_chain;
-mod spin_lattice;
-mod energy_level;
-mod section_level;
-mod section;
-mod nutation;
-mod power_of_two;
-mod elliptic;
-mod euler_top;
-mod nutation_cubic;
-mod lagrange_nutation;
+mod splittings;
+mod kernels;
+mod systems;
+mod closed_forms;
+mod analysis;
 
-pub use attitude::{WithAttitude, attitude_of_vertical};
-pub use collective_gauss::{CollectiveGauss, CollectiveGaussSpace};
-pub use coordinate::Coordinate;
-pub use elliptic::{JacobiElliptic, jacobi_elliptic};
-pub use energy_level::EnergyLevel;
-pub use error::{SectionError, TopError, UNIT_TOLERANCE, require_unit};
-pub use euler_top::EulerSolution;
-pub use gauss_ensemble::GaussEnsemble;
-pub use gyrostat::Gyrostat;
-pub use invariants::Invariant;
-pub use kirchhoff::Kirchhoff;
-pub use lagrange_nutation::LagrangeNutation;
-pub use midpoint_ensemble::MidpointSweep;
-pub use nutation::Nutation;
-pub use point_vortices::{PointVortices, SpinSpace, Spins};
-pub use reduced_midpoint::{ReducedMidpoint, ReducedMidpointSpace, VelocitySpace};
-pub use rigid_body::RigidBody;
-pub use rotor_splitting::RotorSplitting;
-pub use section::{Section, Surface};
-pub use spin_chain::HeisenbergChain;
-pub use spin_lattice::{SpinLattice, SpinLatticeSpace};
-pub use spinor_motions::{
+pub use analysis::nutation::Nutation;
+pub use analysis::section::{Section, Surface};
+pub use analysis::section_error::SectionError;
+pub use attitude::step_rotation::{Turned, Turning, TurningFlows};
+pub use attitude::with_attitude::{WithAttitude, attitude_of_vertical};
+pub use closed_forms::elliptic::{JacobiElliptic, jacobi_elliptic};
+pub use closed_forms::euler_top::EulerSolution;
+pub use closed_forms::lagrange_nutation::LagrangeNutation;
+pub use error::{TopError, UNIT_TOLERANCE, require_unit};
+pub use kernels::gauss_many::gauss_ensemble::GaussEnsemble;
+pub use kernels::gauss_one::{CollectiveGauss, CollectiveGaussSpace};
+pub use kernels::midpoint::midpoint_sweep::MidpointSweep;
+pub use kernels::midpoint::reduced_midpoint::{
+    ReducedMidpoint, ReducedMidpointSpace, VelocitySpace,
+};
+pub use kernels::symmetric::symmetric_ensemble::SymmetricTopEnsemble;
+pub use paper::spinor_motions::{
     SPINOR_MOTIONS, SpinorAlgebra, SpinorGroup, SpinorMomentum, SpinorMotions,
 };
-pub use spinor_realisation::{SpinorPoint, SpinorRealisation};
-pub use symmetric_ensemble::SymmetricTopEnsemble;
-pub use symmetric_splitting::SymmetricTopSplitting;
-pub use top::{Body, HeavyTop, HeavyTopSpace};
-pub use turning::{Turned, Turning, TurningFlows};
-pub use varpi::Varpi;
+pub use paper::spinor_realisation::{SpinorPoint, SpinorRealisation};
+pub use paper::varpi::Varpi;
+pub use splittings::rotors::RotorSplitting;
+pub use splittings::symmetric_top::SymmetricTopSplitting;
+pub use systems::gyrostat::Gyrostat;
+pub use systems::kirchhoff::Kirchhoff;
+pub use systems::point_vortices::{PointVortices, SpinSpace, Spins};
+pub use systems::spin_chain::HeisenbergChain;
+pub use systems::spin_lattice::{SpinLattice, SpinLatticeSpace};
+pub use tops::coordinate::Coordinate;
+pub use tops::energy_level::EnergyLevel;
+pub use tops::invariants::Invariant;
+pub use tops::rigid_body::RigidBody;
+pub use tops::top::{Body, HeavyTop, HeavyTopSpace};
 
 pub use collective_integrators;
 pub use lie_poisson;

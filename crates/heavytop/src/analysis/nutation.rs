@@ -1,0 +1,231 @@
+//! Nutation of any top: its amplitude and its rotation number.
+
+use crate::HeavyTop;
+use crate::closed_forms::power_of_two::power_of_two;
+use core::f64::consts::{PI, TAU};
+use lie_poisson::{Covector, Pair, Se3Dual, larger};
+use nalgebra::Vector3;
+
+/// The nutation of a motion, from its samples. With the line c from the support to the centre of mass,
+///
+/// ```text
+/// u = Γ·c/|Γ| = cos θ,   θ the angle between c and the upward vertical
+/// φ = the angle of Γ about c in the body frame, followed continuously
+/// ```
+///
+/// * The *amplitude* is θ_max − θ_min over the samples taken in, in [0, π]. Between samples where du/dt
+///   changes its sign u is a cubic, so that its extremes have errors of the fourth order in the step.
+///   θ comes from 1 − u and 1 + u, whose digits are kept next to the vertical: θ_min and θ_max have errors
+///   of a few units of round-off of their own size, however small.
+/// * The *rotation number* is the mean advance of φ, in turns, from one maximum of u to the next:
+///   (φ_n − φ_0)/(2πn) over the maxima 0, …, n. Next to a torus of dimension 2 it tends, as 1/n, to a
+///   ratio of the frequencies of the motion of (Π, Γ).
+///
+/// The body must turn by less than half a turn from sample to sample. A regular precession, which has no
+/// maxima, has no rotation number.
+///
+/// # Example
+/// Lagrange's top, against its closed form:
+/// ```
+/// use collective_integrators::{LiftFree, RungeKutta, Start};
+/// use heavytop::{HeavyTop, LagrangeNutation, Nutation};
+/// use lie_poisson::Se3Dual;
+/// use momentum_map::DualQuaternions;
+/// use nalgebra::Vector3;
+/// let top = HeavyTop::lagrange(2.0, 1.0, 1.0)?;
+/// let start = Se3Dual::new(Vector3::new(0.5, 0.2, 3.0), Vector3::new(0.6, 0.0, 0.8));
+/// let gauss = LiftFree::new(RungeKutta::gauss(4)?, DualQuaternions, top);
+/// let mut nutation = Nutation::new(&top);
+/// for sample in gauss.trajectory(&start, 0.05)?.take(2001) {
+///     let sample = sample?;
+///     nutation.observe(sample.time, &sample.momentum);
+/// }
+/// let (lowest, highest) = LagrangeNutation::new(&top, &start)?.turning_points();
+/// let exact = lowest.acos() - highest.acos();
+/// assert!(nutation.amplitude().is_some_and(|a| (a - exact).abs() < 1e-7));
+/// assert!(nutation.rotation_number().is_some());
+/// # Ok::<(), Box<dyn std::error::Error>>(())
+/// ```
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Nutation {
+    top: HeavyTop,
+    /// c, and two directions with which it is right-handed.
+    frame: [Vector3<f64>; 3],
+    last: Option<Instant>,
+    /// The least and the largest θ.
+    range: [f64; 2],
+    /// φ at the first and at the last maximum.
+    maxima: Option<[f64; 2]>,
+    /// n
+    periods: u64,
+}
+
+/// The nutation at a sample.
+#[derive(Clone, Copy, Debug, PartialEq)]
+struct Instant {
+    time: f64,
+    /// 1 − u and 1 + u
+    depths: [f64; 2],
+    /// du/dt
+    rate: f64,
+    /// φ
+    angle: f64,
+}
+
+impl Nutation {
+    /// The nutation of a motion of the top, before its first sample.
+    #[must_use]
+    pub fn new(top: &HeavyTop) -> Self {
+        let c = top.center_of_mass().normalize();
+        // The basis vector that is furthest from c.
+        let other = Vector3::ith(c.iamin(), 1.0);
+        let e = other - c * c.dot(&other);
+        let e = e * e.dot(&e).sqrt().recip();
+        let range = [f64::INFINITY, f64::NEG_INFINITY];
+        Self { top: *top, frame: [c, e, c.cross(&e)], last: None, range, maxima: None, periods: 0 }
+    }
+
+    /// Takes in the next sample: the time (s) and (Π, Γ).
+    pub fn observe(&mut self, time: f64, mu: &Se3Dual) {
+        let Covector(Pair(pi, gamma)) = mu;
+        let [c, e, f] = &self.frame;
+        let gamma = gamma / power_of_two(gamma.amax());
+        let size = gamma.norm();
+        let (normal, height) = (c.cross(&gamma) / size, gamma.dot(c) / size);
+        let rate = normal.dot(&self.top.angular_velocity(pi));
+        // (1 − u)(1 + u) = sin²θ, for the smaller of the two.
+        let (near, far) = (normal.norm_squared() / (1.0 + height.abs()), 1.0 + height.abs());
+        let depths = if height > 0.0 { [near, far] } else { [far, near] };
+        let mut angle = gamma.dot(f).atan2(gamma.dot(e));
+        self.widen(depths);
+        if let Some(last) = self.last {
+            // The nearest angle to the last one.
+            angle = last.angle + ((angle - last.angle + PI).rem_euclid(TAU) - PI);
+            let now = Instant { time, depths, rate, angle };
+            if (last.rate > 0.0) != (rate > 0.0) {
+                self.turn(&last, &now);
+            }
+        }
+        self.last = Some(Instant { time, depths, rate, angle });
+    }
+
+    /// Takes in the extreme between two samples.
+    fn turn(&mut self, from: &Instant, to: &Instant) {
+        // Where the rate, taken as linear, vanishes.
+        let s = from.rate / (from.rate - to.rate);
+        if !s.is_finite() {
+            return;
+        }
+        let (r, duration) = (1.0 - s, to.time - from.time);
+        let slope = s * r * duration * (r * from.rate - s * to.rate);
+        let depth = |i: usize, slope: f64| {
+            let ends = r * r * (1.0 + 2.0 * s) * from.depths[i];
+            let depth = ends + s * s * (1.0 + 2.0 * r) * to.depths[i] + slope;
+            // The cubic may overshoot the vertical.
+            if depth < 0.0 { 0.0 } else { depth }
+        };
+        self.widen([depth(0, -slope), depth(1, slope)]);
+        if from.rate > 0.0 {
+            let angle = r * from.angle + s * to.angle;
+            match &mut self.maxima {
+                None => self.maxima = Some([angle; 2]),
+                Some([_, latest]) => {
+                    *latest = angle;
+                    self.periods += 1;
+                }
+            }
+        }
+    }
+
+    /// Takes in θ, of 1 − cos θ and 1 + cos θ.
+    fn widen(&mut self, [below, above]: [f64; 2]) {
+        let angle = 2.0 * below.sqrt().atan2(above.sqrt());
+        let [least, most] = self.range;
+        self.range = [-larger(-least, -angle), larger(most, angle)];
+    }
+
+    /// θ_max − θ_min, rad; none before the first sample, or if a sample had no direction.
+    #[must_use]
+    pub fn amplitude(&self) -> Option<f64> {
+        let [least, most] = self.range;
+        (least.is_finite() && most.is_finite()).then_some(most - least)
+    }
+
+    /// (φ_n − φ_0)/(2πn), in turns from maximum to maximum; none with fewer than two maxima.
+    #[must_use]
+    pub fn rotation_number(&self) -> Option<f64> {
+        let [first, latest] = self.maxima?;
+        let number = (latest - first) / (TAU * self.periods as f64);
+        (self.periods > 0 && number.is_finite()).then_some(number)
+    }
+}
+
+#[cfg(test)]
+#[allow(clippy::unwrap_used)]
+mod tests {
+    use super::*;
+
+    /// Γ with u = ½ cos 2t and φ = kt; Π that gives its rate under I = 1: Π = Γ̇ × Γ + any Γ.
+    fn sampled(k: f64, step: f64) -> Nutation {
+        let top = HeavyTop::lagrange(1.0, 1.0, 1.0).unwrap();
+        let mut nutation = Nutation::new(&top);
+        let [_, e, f] = nutation.frame;
+        for n in 0..=(50.0 / step) as u32 {
+            let t = f64::from(n) * step;
+            let (u, du) = (0.5 * (2.0 * t).cos(), -(2.0 * t).sin());
+            let (w, dw) = ((1.0 - u * u).sqrt(), -u * du / (1.0 - u * u).sqrt());
+            let (sin, cos) = (k * t).sin_cos();
+            let gamma = (e * cos + f * sin) * w + Vector3::z() * u;
+            let rate = (e * cos + f * sin) * dw + (f * cos - e * sin) * (w * k) + Vector3::z() * du;
+            nutation.observe(t, &Se3Dual::new(rate.cross(&gamma), gamma));
+        }
+        nutation
+    }
+
+    #[test]
+    fn a_known_nutation_is_measured() {
+        for k in [0.7, -3.0] {
+            let nutation = sampled(k, 0.05);
+            // The period is π, the advance in it kπ; maxima are located to the second order.
+            assert!((nutation.rotation_number().unwrap() - k / 2.0).abs() < 1e-4);
+            let exact = (-0.5_f64).acos() - 0.5_f64.acos();
+            let error = |step| (sampled(k, step).amplitude().unwrap() - exact).abs();
+            // (2h)⁴/384 of u at most, at samples halfway about an extreme
+            assert!(error(0.05) < 1e-6, "{}", error(0.05));
+            // Control: another motion has another number.
+            assert!((sampled(k + 0.1, 0.05).rotation_number().unwrap() - k / 2.0).abs() > 0.04);
+        }
+    }
+
+    #[test]
+    fn a_nutation_next_to_the_vertical_keeps_its_digits() {
+        let top = HeavyTop::lagrange(1.0, 1.0, 1.0).unwrap();
+        for (side, length) in [(1.0, 1.0), (-1.0, 1.0), (1.0, 1e-200), (-1.0, 1e200)] {
+            let mut nutation = Nutation::new(&top);
+            for n in 0..1000_u32 {
+                let t = f64::from(n) * 0.01;
+                // The tilt 1e-9 (1 + ½ sin t) in a fixed plane
+                let (tilt, rate) = (1e-9 * (1.0 + 0.5 * t.sin()), 0.5e-9 * t.cos());
+                let gamma = Vector3::new(tilt, 0.0, side) * length;
+                nutation.observe(t, &Se3Dual::new(-Vector3::y() * (rate * side), gamma));
+            }
+            // Upright, a part h⁴/384 times a derivative of order four of 1 − u; below, the
+            // round-off of π.
+            let error = (nutation.amplitude().unwrap() - 1e-9).abs();
+            assert!(error < if side > 0.0 { 1e-19 } else { 1e-15 }, "{side} {length}: {error:e}");
+        }
+    }
+
+    #[test]
+    fn what_has_no_value_is_none() {
+        let top = HeavyTop::lagrange(1.0, 1.0, 1.0).unwrap();
+        let mut nutation = Nutation::new(&top);
+        assert_eq!((nutation.amplitude(), nutation.rotation_number()), (None, None));
+        let upright = Se3Dual::new(Vector3::z(), Vector3::z());
+        (0..10).for_each(|n| nutation.observe(f64::from(n), &upright));
+        assert_eq!((nutation.amplitude(), nutation.rotation_number()), (Some(0.0), None));
+        nutation.observe(10.0, &Se3Dual::new(Vector3::z(), Vector3::zeros()));
+        nutation.observe(11.0, &upright);
+        assert_eq!(nutation.amplitude(), None);
+    }
+}

@@ -1,0 +1,234 @@
+//! Poincaré sections of a top.
+
+use crate::analysis::section_level::{least_energy, quasi_random};
+use crate::{Coordinate, EnergyLevel, HeavyTopSpace, SectionError};
+use collective_integrators::{Direction, EventError, Events, RunError, SampleOf, Start};
+use core::f64::consts::TAU;
+use lie_poisson::{Covector, Hamiltonian, LiePoisson, Pair, PoissonSpace, Se3, Se3Dual};
+use nalgebra::{Vector2, Vector3};
+
+/// So many points of the plane are tried for starts.
+const CANDIDATES: u64 = 10_000_000;
+
+/// A surface in se(3)∗ that a motion crosses: a coordinate has the given level there.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Surface {
+    /// The coordinate.
+    pub coordinate: Coordinate,
+    /// Its value on the surface, in its unit.
+    pub level: f64,
+    /// The crossings that count.
+    pub direction: Direction,
+}
+
+/// The Poincaré section of an energy level: its states on a surface, of dimension 2, and the motion's
+/// returns to it.
+///
+/// The surface fixes Γ_i or Π_i, i = 1, 2, 3. The plane in which the section is drawn has the
+/// coordinates
+///
+/// ```text
+/// x = atan2(Γ_k, Γ_j) in [0, 2π], (i, j, k) cyclic: the angle of Γ about e_i, rad
+/// y = Π_i (kg m²/s) where the surface fixes Γ_i; Γ_i where it fixes Π_i
+/// ```
+///
+/// On Γ_i = level these are, up to sign, an Euler angle and its momentum: canonical coordinates of
+/// the section, in which one crossing direction lies over each accessible point once. The return
+/// map conserves the area dx dy.
+///
+/// Source: H. Poincaré, *Les méthodes nouvelles de la mécanique céleste* III (1899), ch. XXVII.
+///
+/// # Example
+/// The returns of Kovalevskaya's top lie on curves K = const.:
+/// ```
+/// use collective_integrators::{Direction, LiftFree, RungeKutta};
+/// use heavytop::{Coordinate, EnergyLevel, HeavyTop, Invariant, Section, Surface};
+/// use momentum_map::DualQuaternions;
+/// let top = HeavyTop::kovalevskaya(1.0, 1.0)?;
+/// let level = EnergyLevel { top, energy: 2.0, vertical_momentum: 0.3 };
+/// let surface =
+///     Surface { coordinate: Coordinate::Gamma3, level: 0.0, direction: Direction::Up };
+/// let section = Section::new(level, surface)?;
+/// let gauss = LiftFree::new(RungeKutta::gauss(5)?, DualQuaternions, top);
+/// for start in section.starts(3, 0)? {
+///     let mut count = 0;
+///     for crossing in section.crossings(&gauss, &start, 0.1, 1000)? {
+///         let mu = crossing?.momentum;
+///         let deviation = |f: Invariant| (f.value(&top, &mu) - f.value(&top, &start)).abs();
+///         assert!(section.value(&mu).abs() < 1e-15);
+///         assert!(deviation(Invariant::Energy) < 1e-10);
+///         assert!(deviation(Invariant::Kovalevskaya) < 1e-9);
+///         count += 1;
+///     }
+///     assert!(count > 10);
+/// }
+/// # Ok::<(), Box<dyn std::error::Error>>(())
+/// ```
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Section {
+    level: EnergyLevel,
+    surface: Surface,
+}
+
+impl Section {
+    /// The section of the level by the surface.
+    ///
+    /// # Errors
+    /// If a number is not finite, Γ_i is given a level that is not more than −1 and less than 1, or there is no
+    /// state with this energy; the error then names the least energy.
+    pub fn new(level: EnergyLevel, surface: Surface) -> Result<Self, SectionError> {
+        for (name, value) in [
+            ("energy", level.energy),
+            ("vertical_momentum", level.vertical_momentum),
+            ("level", surface.level),
+        ] {
+            if !value.is_finite() {
+                return Err(SectionError::NotFinite { name, value });
+            }
+        }
+        if !surface.coordinate.is_momentum() && surface.level.abs() >= 1.0 {
+            let Surface { coordinate, level, .. } = surface;
+            return Err(SectionError::NoSuchVertical { coordinate, level });
+        }
+        let section = Self { level, surface };
+        let least = least_energy(|angle, height| section.least_energy_over(angle, height));
+        if level.energy < least {
+            return Err(SectionError::Empty { energy: level.energy, least });
+        }
+        Ok(section)
+    }
+
+    /// The energy level.
+    #[must_use]
+    pub fn level(&self) -> &EnergyLevel {
+        &self.level
+    }
+
+    /// The surface.
+    #[must_use]
+    pub fn surface(&self) -> &Surface {
+        &self.surface
+    }
+
+    /// The coordinate that the surface fixes, less its level there.
+    #[must_use]
+    pub fn value(&self, mu: &Se3Dual) -> f64 {
+        self.surface.coordinate.of(mu) - self.surface.level
+    }
+
+    /// (x, y) of a state.
+    #[must_use]
+    pub fn plane(&self, mu: &Se3Dual) -> Vector2<f64> {
+        let Covector(Pair(pi, gamma)) = mu;
+        let axis = self.axis();
+        let x = gamma[(axis + 2) % 3].atan2(gamma[(axis + 1) % 3]).rem_euclid(TAU);
+        let other = if self.surface.coordinate.is_momentum() { gamma } else { pi };
+        Vector2::new(x, other[axis])
+    }
+
+    /// The states at (x, y) that cross the surface in its direction: none, one or two.
+    pub fn states<'a>(&'a self, plane: &Vector2<f64>) -> impl Iterator<Item = Se3Dual> + use<'a> {
+        let fixed = self.surface.level;
+        let (height, momentum) =
+            if self.surface.coordinate.is_momentum() { (plane.y, fixed) } else { (fixed, plane.y) };
+        let gamma = vertical(self.axis(), plane.x, height);
+        let states = self.level.states(&gamma, self.axis(), momentum);
+        states.into_iter().flatten().filter(|mu| self.crosses(mu))
+    }
+
+    /// States of the section, spread evenly over the accessible part of the plane: a sequence that is
+    /// determined by the seed, the first points of a longer one being those of a shorter one.
+    ///
+    /// Points (x, y) of Weyl's sequence (n/g, n/g²) mod 1, g³ = g + 1, shifted at random, are kept
+    /// where they are accessible.
+    ///
+    /// Source: H. Weyl, Math. Ann. 77 (1916); M. Roberts, *The unreasonable effectiveness of
+    /// quasirandom sequences* (2018), for g.
+    ///
+    /// # Errors
+    /// If among ten million points too few are accessible: the energy is next to the least one.
+    pub fn starts(&self, count: usize, seed: u64) -> Result<Vec<Se3Dual>, SectionError> {
+        let bound = self.bound();
+        let candidates = quasi_random(seed).take(CANDIDATES as usize);
+        let candidates = candidates.map(|[s, t]| Vector2::new(TAU * s, (2.0 * t - 1.0) * bound));
+        let starts: Vec<Se3Dual> =
+            candidates.flat_map(|plane| self.states(&plane)).take(count).collect();
+        match starts.len() {
+            found if found < count => {
+                Err(SectionError::TooSmall { count, found, candidates: CANDIDATES })
+            }
+            _ => Ok(starts),
+        }
+    }
+
+    /// The returns to the section of the motion through `start`, a state of the section, in the
+    /// first `steps` steps of size `step` (s). Within the first step none is seen.
+    ///
+    /// # Errors
+    /// If the start has no lift, or is not finite. If a step fails, the iterator returns its error for
+    /// each step that is missing.
+    pub fn crossings<'a, I: Start<Momentum = Se3Dual>>(
+        &self,
+        integrator: &'a I,
+        start: &Se3Dual,
+        step: f64,
+        steps: usize,
+    ) -> Result<impl Iterator<Item = Result<SampleOf<I>, EventError>> + use<'a, I>, RunError> {
+        let section = *self;
+        // The start lies on the surface up to rounding, on which side is chance.
+        let run = integrator.trajectory(start, step)?.take(steps.saturating_add(1)).skip(1);
+        let value = move |mu: &Se3Dual| section.value(mu);
+        Ok(Events::new(integrator, run, value, self.surface.direction))
+    }
+
+    fn axis(&self) -> usize {
+        self.surface.coordinate.axis()
+    }
+
+    /// Whether the state goes through the surface in the right direction.
+    fn crosses(&self, mu: &Se3Dual) -> bool {
+        let space: HeavyTopSpace = LiePoisson::minus(Se3::default());
+        let differential = Hamiltonian::<HeavyTopSpace>::differential(&self.level.top, mu);
+        let rate = self.surface.coordinate.of(&space.hamiltonian_vector(mu, &differential));
+        match self.surface.direction {
+            Direction::Up => rate > 0.0,
+            Direction::Down => rate < 0.0,
+            Direction::Both => rate != 0.0,
+        }
+    }
+
+    /// The least energy on the surface over Γ at this angle about the axis; Γ_i is `height` unless
+    /// the surface fixes it.
+    fn least_energy_over(&self, angle: f64, height: f64) -> f64 {
+        let Surface { coordinate, level, .. } = self.surface;
+        if coordinate.is_momentum() {
+            let gamma = vertical(self.axis(), angle, height);
+            self.level.least_energy(&gamma, self.axis(), level)
+        } else {
+            self.level.amended_potential(&vertical(self.axis(), angle, level))
+        }
+    }
+
+    /// |y| is at most this: Π_i² ≤ 2I_i (E − m g l Γ·c), or |Γ_i| ≤ 1.
+    fn bound(&self) -> f64 {
+        let EnergyLevel { top, energy, .. } = self.level;
+        let Surface { coordinate, level, .. } = self.surface;
+        if coordinate.is_momentum() {
+            return 1.0;
+        }
+        let along = top.center_of_mass()[self.axis()];
+        let [across, radius] = [along, level].map(|x| (1.0 - x * x).max(0.0).sqrt());
+        let lowest = top.weight_moment() * (along * level - across * radius);
+        (2.0 * top.inertia()[self.axis()] * (energy - lowest)).max(0.0).sqrt()
+    }
+}
+
+/// The unit vector with Γ_i = height at an angle about e_i, counted from e_j.
+fn vertical(axis: usize, angle: f64, height: f64) -> Vector3<f64> {
+    let radius = (1.0 - height * height).max(0.0).sqrt();
+    let mut gamma = Vector3::zeros();
+    gamma[axis] = height;
+    gamma[(axis + 1) % 3] = radius * angle.cos();
+    gamma[(axis + 2) % 3] = radius * angle.sin();
+    gamma
+}

@@ -1,0 +1,120 @@
+//! The turning points of Lagrange's top.
+
+use crate::closed_forms::elliptic::root;
+use crate::closed_forms::power_of_two::power_of_two;
+use lie_poisson::{Covector, Pair, Se3Dual};
+use twofloat::TwoFloat;
+
+/// The cubic of Lagrange's top about its start. With v = Γ₃/|Γ| = v₀ + w and the unit of time
+/// √(I₁/(W|Γ|)), W = m g l, it reads
+///
+/// ```text
+/// (dw/dt)² = 2w³ + Bw² + 2Aw + ρ² = 2(w − w₁)(w − w₂)(w − w₃),   w₁ ≤ 0 ≤ w₂ ≤ w₃,
+/// ρ = dw/dt and A = d²w/dt² at the start.
+/// ```
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub(crate) struct NutationCubic {
+    /// |Γ|
+    pub length: f64,
+    /// ρ
+    pub rising: f64,
+    /// w₁, w₂ and w₃
+    pub roots: [f64; 3],
+    /// w₃ − w₂, which is small next to the separatrix
+    pub gap: f64,
+}
+
+/// The cubic with the upright position as origin, y = v − 1 ≤ 0, divided by two:
+/// y³ + by² + cy − d², with the roots y₁ ≤ y₂ ≤ 0 ≤ y₃.
+struct UprightCubic {
+    b: f64,
+    c: f64,
+    d: f64,
+    /// 1 − v₀
+    depth: f64,
+}
+
+impl NutationCubic {
+    /// `moment` is I₁, `weight` W.
+    pub(crate) fn new(moment: f64, weight: f64, start: &Se3Dual) -> Self {
+        let Covector(Pair(pi, gamma)) = start;
+        // Everything is homogeneous: |Γ| and I₁W are next to 1 in these powers of two.
+        let vertical = power_of_two(gamma.amax().sqrt());
+        let unit = power_of_two(moment.sqrt() * weight.sqrt());
+        let [x, y, z] = (gamma / vertical / vertical).into();
+        let [p, q, spin] = (pi / unit / vertical).into();
+        // The numerators, whose terms may cancel, have twice the digits of an f64.
+        let product = TwoFloat::new_mul;
+        let strength = product(moment / unit, weight / unit);
+        let level = product(x, x) + product(y, y);
+        let length = root(level + product(z, z));
+        let energy = product(p, p) + product(q, q);
+        let along = product(p, x) + product(q, y);
+        let acceleration = along * spin - strength * level - energy * z;
+        let [scale, size] = [strength * length, length].map(f64::from);
+        let rising = f64::from(product(x, q) - product(y, p)) / (size * scale.sqrt());
+        let a = f64::from(acceleration) / (scale * size);
+
+        // 1 − v₀ = level/(length (length + z)), whose first form loses no digits next to upright.
+        let (above, below) =
+            if z > 0.0 { (level, length + z) } else { (length - z, TwoFloat::from(1.0)) };
+        let momentum = along * below - above * spin;
+        let surplus = energy * below - strength * above * 2.0;
+        let under = f64::from(below);
+        let upright = UprightCubic {
+            b: f64::from((strength * length * 4.0 - product(spin, spin)) * below - surplus)
+                / (2.0 * scale * under),
+            c: f64::from(momentum * spin - surplus * length) / (scale * size * under),
+            d: f64::from(momentum).abs() / (size * under * (2.0 * scale).sqrt()),
+            depth: f64::from(above) / (size * under),
+        };
+        let (roots, gap) = upright.roots(a, rising);
+        Self { length: size * vertical * vertical, rising, roots, gap }
+    }
+}
+
+impl UprightCubic {
+    /// w₁, w₂, w₃ and w₃ − w₂, from the third root and the two coefficients A and ρ about the start.
+    fn roots(&self, a: f64, rising: f64) -> ([f64; 3], f64) {
+        let third = self.depth + self.largest_root();
+        if a == 0.0 && rising == 0.0 {
+            return ([0.0, 0.0, third], third);
+        }
+        // w₁w₂ = −ρ²/2w₃ ≤ 0, so that w₂ − w₁ is a sum of squares.
+        let mean = rising.abs() / (2.0 * third).sqrt();
+        let sum = (a + mean * mean) / third;
+        let range = sum.hypot(2.0 * mean);
+        let (first, second) = if sum > 0.0 {
+            let second = 0.5 * (sum + range);
+            (-(mean / second) * mean, second)
+        } else {
+            let first = 0.5 * (sum - range);
+            (first, -(mean / first) * mean)
+        };
+        // Likewise y₂y₃ = −d²/|y₁| ≤ 0.
+        let lowest = self.depth - first;
+        let mean = self.d / lowest.sqrt();
+        let gap = ((self.c + mean * mean) / lowest).hypot(2.0 * mean);
+        ([first, second, third], gap)
+    }
+
+    /// y₃, by Newton's iteration from above. It decreases monotonically, by a third of the excess or more
+    /// in each step, until roundings end it.
+    fn largest_root(&self) -> f64 {
+        let Self { b, c, d, .. } = *self;
+        if !(b + c + d).is_finite() {
+            return f64::NAN;
+        }
+        // y³ is at most three times the largest of the terms −by², −cy and d².
+        let (b_minus, c_minus, d_cbrt) = ((-b).max(0.0), (-c).max(0.0), (2.0 * d).cbrt());
+        let mut y = (3.0 * b_minus).max((3.0 * c_minus).sqrt()).max(d_cbrt * d_cbrt);
+        while y > 0.0 {
+            let next = y * (2.0 * y + b + (d / y) * (d / y)) / (3.0 * y + 2.0 * b + c / y);
+            if next >= y || next.is_nan() {
+                break;
+            }
+            y = next;
+        }
+        y
+    }
+}

@@ -1,0 +1,5 @@
+//! Collective Gauss methods of many tops, one in each lane.
+
+pub(crate) mod spinor_field;
+pub(crate) mod spinor_step;
+pub(crate) mod gauss_ensemble;

@@ -1,0 +1,203 @@
+//! One step, for lanes of any width.
+//!
+//! Loops over coordinates and stages run over constant ranges, so that arrays of registers
+//! dissolve into registers; see [`LaneTask`] on what closures and iterators would do.
+#![allow(clippy::needless_range_loop)]
+
+use super::coefficients::Coefficients;
+use super::memory::Memory;
+use super::point::Point;
+use super::row::{Row, Stages, WIDTH};
+use core::hint::black_box;
+use lie_poisson::{LaneTask, Lanes, Mask};
+
+/// Sweeps after which the stage equations are left to the general solver.
+pub(super) const MOST: usize = 48;
+
+/// A change that is at most this multiple of the size is the last: the next one, a tenth of it at
+/// the steps that these methods are used with, is far below a rounding. What is left of it has the same
+/// sign in every step: with eight times as much, h was seen to drift by 4e-19 per unit of time.
+const FEW_ROUNDINGS: f64 = 0.25 * f64::EPSILON;
+
+/// A change that no longer shrinks is round-off below this multiple of the size.
+const ROUND_OFF: f64 = 256.0 * f64::EPSILON;
+
+/// One step from a point, with room for S stages; `None` if the stage equations do not settle.
+pub(super) struct Attempt<'a, const S: usize> {
+    pub(super) coefficients: &'a Coefficients,
+    pub(super) step: f64,
+    pub(super) start: &'a Point,
+    pub(super) memory: &'a mut Memory,
+}
+
+impl<const S: usize> LaneTask for Attempt<'_, S> {
+    type Output = Option<(Point, usize)>;
+
+    #[inline(always)]
+    fn run<T: Lanes>(self) -> Option<(Point, usize)> {
+        let Self { coefficients, step, start, memory } = self;
+        let expected = memory.recall(start, step);
+        let (last, stages) = memory.stages();
+        let kernel = Kernel { coefficients, step, start, products: start.products() };
+        let sweeps = kernel.solve::<T, S>(last, stages, expected)?;
+        let mut end = start.plus_sum(stages);
+        let slid = if end.has_drifted(coefficients.reach) { end.slide() } else { 0.0 };
+        memory.keep(&end, step, sweeps, slid);
+        end.is_finite().then_some((end, sweeps))
+    }
+}
+
+/// What the stage equations of a step are made of.
+#[derive(Clone, Copy)]
+struct Kernel<'a> {
+    coefficients: &'a Coefficients,
+    step: f64,
+    start: &'a Point,
+    /// ‖χ‖‖ψ‖ at the start.
+    products: f64,
+}
+
+impl Kernel<'_> {
+    /// Solves the stage equations by sweeps, the first from an extrapolation of the last step;
+    /// returns their number. They are not watched before the last but one `expected`.
+    #[inline(always)]
+    fn solve<T: Lanes, const S: usize>(
+        self,
+        last: &Stages,
+        stages: &mut Stages,
+        expected: usize,
+    ) -> Option<usize> {
+        let blocks = S.div_ceil(T::COUNT);
+        let mut turns = [[T::zero(); 3]; WIDTH];
+        let mut changes = [T::from_f64(f64::INFINITY); WIDTH];
+        let mut settled = [T::Mask::from_bool(false); WIDTH];
+        for block in 0..blocks {
+            let z = self.stage_points::<T, S>(&self.coefficients.guess, last, block);
+            turns[block] = self.turn(&z, block);
+            store(&self.generator(&turns[block], &z, block), stages, block);
+        }
+        for sweep in 2..=MOST {
+            // Each number of ℓ is broadcast from memory, which costs nothing; taken from the
+            // registers that it was stored from, as the compiler would have it, it costs shuffles.
+            let stages = black_box(&mut *stages);
+            let watched = sweep + 1 >= expected;
+            let mut all = T::Mask::from_bool(true);
+            for block in 0..blocks {
+                let z = self.stage_points::<T, S>(&self.coefficients.columns, stages, block);
+                let turn = self.turn(&z, block);
+                let values = self.generator(&turn, &z, block);
+                if watched {
+                    let change = distance(&turn, &turns[block]);
+                    let size = self.size(&turn, block);
+                    let now = is_round_off(change, changes[block], size);
+                    settled[block] = settled[block].or(now);
+                    all = all.and(settled[block]);
+                    changes[block] = change;
+                }
+                turns[block] = turn;
+                store(&values, stages, block);
+            }
+            if watched && all.all() {
+                return Some(sweep);
+            }
+        }
+        None
+    }
+
+    /// Z_i = z + Σ_j m_ij ℓ_j, small numbers first.
+    #[inline(always)]
+    fn stage_points<T: Lanes, const S: usize>(
+        self,
+        m: &[Row; WIDTH],
+        stages: &Stages,
+        block: usize,
+    ) -> [T; WIDTH] {
+        let mut z = [T::zero(); WIDTH];
+        for c in 0..WIDTH {
+            z[c] = T::from_f64(self.start.carry.0[c]);
+        }
+        for j in 0..S {
+            let column: T = m[j].load(block);
+            for c in 0..WIDTH {
+                z[c] = column.multiply_add(T::from_f64(stages[c].0[j]), z[c]);
+            }
+        }
+        for c in 0..WIDTH {
+            z[c] += T::from_f64(self.start.z.0[c]);
+        }
+        z
+    }
+
+    /// (h b/2) Ω = (h b/2) I⁻¹Π, with Π = M(Z).
+    #[inline(always)]
+    fn turn<T: Lanes>(self, z: &[T; WIDTH], block: usize) -> [T; 3] {
+        let [q1, q2, q3, q4, p1, p2, p3, p4] = *z;
+        let [a, b, c] = self.times_step::<T>(&self.coefficients.turn, block);
+        let x = q4.negative_multiply_add(p1, q1 * p4) + q2.negative_multiply_add(p3, q3 * p2);
+        let y = q1.negative_multiply_add(p3, q3 * p1) + q2.negative_multiply_add(p4, q4 * p2);
+        let z = q2.negative_multiply_add(p1, q1 * p2) + q3.negative_multiply_add(p4, q4 * p3);
+        [x * a, y * b, z * c]
+    }
+
+    /// ℓ = h b ((i/2)(Ω·σ)χ + 2(γ·σ)ψ, (i/2)(Ω·σ)ψ)
+    #[inline(always)]
+    fn generator<T: Lanes>(self, turn: &[T; 3], z: &[T; WIDTH], block: usize) -> [T; WIDTH] {
+        let [q1, q2, q3, q4, p1, p2, p3, p4] = *z;
+        let [g1, g2, g3] = self.times_step::<T>(&self.coefficients.pull, block);
+        let pull = [
+            g3.multiply_add(p1, g1.multiply_add(p3, g2 * p4)),
+            g3.multiply_add(p2, g2.negative_multiply_add(p3, g1 * p4)),
+            g3.negative_multiply_add(p3, g2.negative_multiply_add(p2, g1 * p1)),
+            g3.negative_multiply_add(p4, g2.multiply_add(p1, g1 * p2)),
+        ];
+        let [a, b, c, d] = turned(turn, [q1, q2, q3, q4], pull);
+        let [e, f, g, h] = turned(turn, [p1, p2, p3, p4], [T::zero(); 4]);
+        [a, b, c, d, e, f, g, h]
+    }
+
+    /// The size of (h b/2) Ω, or of the products ‖χ‖‖ψ‖ where Π, a difference of them, is smaller.
+    #[inline(always)]
+    fn size<T: Lanes>(self, turn: &[T; 3], block: usize) -> T {
+        let [a, b, c] = self.times_step::<T>(&self.coefficients.turn, block);
+        let least = (a + b + c).magnitude() * T::from_f64(self.products);
+        least + turn[0].magnitude() + turn[1].magnitude() + turn[2].magnitude()
+    }
+
+    #[inline(always)]
+    fn times_step<T: Lanes>(self, rows: &[Row; 3], block: usize) -> [T; 3] {
+        let (h, [a, b, c]) = (T::from_f64(self.step), rows);
+        [a.load::<T>(block) * h, b.load::<T>(block) * h, c.load::<T>(block) * h]
+    }
+}
+
+#[inline(always)]
+fn store<T: Lanes>(values: &[T; WIDTH], stages: &mut Stages, block: usize) {
+    for c in 0..WIDTH {
+        stages[c].store(values[c], block);
+    }
+}
+
+/// i(w·σ)u + v
+#[inline(always)]
+fn turned<T: Lanes>(w: &[T; 3], u: [T; 4], v: [T; 4]) -> [T; 4] {
+    let ([w1, w2, w3], [u1, u2, u3, u4]) = (*w, u);
+    [
+        w2.multiply_add(u3, w1.negative_multiply_add(u4, w3.negative_multiply_add(u2, v[0]))),
+        w2.multiply_add(u4, w1.multiply_add(u3, w3.multiply_add(u1, v[1]))),
+        w3.multiply_add(u4, w2.negative_multiply_add(u1, w1.negative_multiply_add(u2, v[2]))),
+        w3.negative_multiply_add(u3, w2.negative_multiply_add(u2, w1.multiply_add(u1, v[3]))),
+    ]
+}
+
+/// Σ_k |a_k − b_k|
+#[inline(always)]
+fn distance<T: Lanes>(a: &[T; 3], b: &[T; 3]) -> T {
+    (a[0] - b[0]).magnitude() + (a[1] - b[1]).magnitude() + (a[2] - b[2]).magnitude()
+}
+
+/// Whether a change is round-off, lane by lane.
+#[inline(always)]
+fn is_round_off<T: Lanes>(change: T, previous: T, size: T) -> T::Mask {
+    let floor = change.at_most(size * ROUND_OFF).and(previous.at_most(change));
+    floor.or(change.at_most(size * FEW_ROUNDINGS))
+}

@@ -1,0 +1,136 @@
+//! Points of T∗C² as the kernel has them.
+
+use super::row::{Row, Stages, WIDTH};
+use crate::SpinorPoint;
+use crate::paper::spinor_realisation::power_of_two;
+use core::hint::black_box;
+use lie_poisson::{Covector, Pair};
+use momentum_map::Cotangent;
+use nalgebra::Vector2;
+use num_complex::Complex;
+
+/// z = (q₁, …, q₄, p₁, …, p₄), and what the last addition to it rounded away.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub(super) struct Point {
+    pub(super) z: Row,
+    pub(super) carry: Row,
+}
+
+impl Point {
+    pub(super) const ZERO: Self = Self { z: Row::ZERO, carry: Row::ZERO };
+
+    #[inline]
+    pub(super) fn from_state(state: &Pair<SpinorPoint, SpinorPoint>) -> Self {
+        Self { z: coordinates(&state.0), carry: coordinates(&state.1) }
+    }
+
+    #[inline]
+    pub(super) fn state(&self) -> Pair<SpinorPoint, SpinorPoint> {
+        Pair(spinor_point(&self.z), spinor_point(&self.carry))
+    }
+
+    /// Whether both are the same; NaN is not. In one go, which is one comparison of registers.
+    #[inline(always)]
+    pub(super) fn is(&self, other: &Self) -> bool {
+        let mut same = true;
+        for c in 0..WIDTH {
+            same &= self.z.0[c] == other.z.0[c];
+            same &= self.carry.0[c] == other.carry.0[c];
+        }
+        same
+    }
+
+    #[inline(always)]
+    pub(super) fn is_finite(&self) -> bool {
+        let mut finite = true;
+        for c in 0..WIDTH {
+            finite &= self.z.0[c].is_finite() & self.carry.0[c].is_finite();
+        }
+        finite
+    }
+
+    /// z + Σ_j ℓ_j, with compensation.
+    #[inline(always)]
+    pub(super) fn plus_sum(&self, stages: &Stages) -> Self {
+        // Read from memory, as the kernel's loops are.
+        let stages = black_box(stages);
+        let mut end = *self;
+        for (c, Row(x)) in stages.iter().enumerate() {
+            let sum = ((x[0] + x[1]) + (x[2] + x[3])) + ((x[4] + x[5]) + (x[6] + x[7]));
+            let change = sum + self.carry.0[c];
+            end.z.0[c] = self.z.0[c] + change;
+            end.carry.0[c] = change - (end.z.0[c] - self.z.0[c]);
+        }
+        end
+    }
+
+    /// Re(ψ∗χ)
+    #[inline(always)]
+    fn overlap(&self) -> f64 {
+        let [q1, q2, q3, q4, p1, p2, p3, p4] = self.z.0;
+        (q1 * p1 + q2 * p2) + (q3 * p3 + q4 * p4)
+    }
+
+    /// ‖ψ‖²
+    #[inline(always)]
+    pub(super) fn square(&self) -> f64 {
+        let [.., p1, p2, p3, p4] = self.z.0;
+        (p1 * p1 + p2 * p2) + (p3 * p3 + p4 * p4)
+    }
+
+    /// ‖χ‖²
+    #[inline(always)]
+    fn chi_square(&self) -> f64 {
+        let [q1, q2, q3, q4, ..] = self.z.0;
+        (q1 * q1 + q2 * q2) + (q3 * q3 + q4 * q4)
+    }
+
+    /// ‖χ‖‖ψ‖, the size of the products of which Π is the sum.
+    #[inline(always)]
+    pub(super) fn products(&self) -> f64 {
+        self.chi_square().sqrt() * self.square().sqrt()
+    }
+
+    /// Whether χ has gone far along the fibre: Re(ψ∗χ)² > ‖χ⊥‖²‖ψ‖² + r‖ψ‖², χ⊥ = χ − ψ Re(ψ∗χ)/‖ψ‖², where
+    /// √r is the Π that the torque brings about in the time in which it turns the top, so that a top that
+    /// comes to rest now and then does not slide at every step.
+    #[inline(always)]
+    pub(super) fn has_drifted(&self, reach: f64) -> bool {
+        let overlap = self.overlap();
+        2.0 * overlap * overlap > (self.chi_square() + reach) * self.square()
+    }
+
+    /// Slides back along the fibre, to χ + bψ, and returns b: a power of two, ±1 as a rule, so that bψ
+    /// is not rounded.
+    #[cold]
+    pub(super) fn slide(&mut self) -> f64 {
+        let along = power_of_two(-self.overlap() / self.square());
+        if !along.is_finite() {
+            return 0.0;
+        }
+        let (z, carry) = (&mut self.z.0, &mut self.carry.0);
+        for c in 0..4 {
+            let change = along * z[c + 4];
+            let moved = z[c] + change;
+            // Either of the two numbers may be the larger one.
+            let part = moved - z[c];
+            let rounding = (z[c] - (moved - part)) + (change - part);
+            carry[c] += along * carry[c + 4] + rounding;
+            z[c] = moved;
+        }
+        along
+    }
+}
+
+#[inline]
+fn coordinates(z: &SpinorPoint) -> Row {
+    let (chi, psi) = (&z.q, &z.p.0);
+    Row([chi.x.re, chi.x.im, chi.y.re, chi.y.im, psi.x.re, psi.x.im, psi.y.re, psi.y.im])
+}
+
+#[inline]
+fn spinor_point(z: &Row) -> SpinorPoint {
+    let spinor = |re1, im1, re2, im2| Vector2::new(Complex::new(re1, im1), Complex::new(re2, im2));
+    let [q1, q2, q3, q4, p1, p2, p3, p4] = z.0;
+    Cotangent::new(spinor(q1, q2, q3, q4), Covector(spinor(p1, p2, p3, p4)))
+}

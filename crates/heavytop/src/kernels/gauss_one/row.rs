@@ -1,0 +1,30 @@
+//! One number per stage, or per coordinate of T∗C².
+
+use lie_poisson::Lanes;
+
+/// Stages that there is room for; coordinates of T∗C².
+pub(super) const WIDTH: usize = 8;
+
+/// Eight numbers, aligned for the widest register.
+#[derive(Clone, Copy, Debug, PartialEq)]
+#[repr(align(64))]
+pub(super) struct Row(pub(super) [f64; WIDTH]);
+
+/// The weighted stage derivatives ℓ, coordinate by coordinate.
+pub(super) type Stages = [Row; WIDTH];
+
+impl Row {
+    pub(super) const ZERO: Self = Self([0.0; WIDTH]);
+
+    /// The block-th register of the row.
+    #[inline(always)]
+    pub(super) fn load<T: Lanes>(&self, block: usize) -> T {
+        T::load(&self.0[block * T::COUNT..])
+    }
+
+    /// Its inverse.
+    #[inline(always)]
+    pub(super) fn store<T: Lanes>(&mut self, x: T, block: usize) {
+        x.store(&mut self.0[block * T::COUNT..]);
+    }
+}

@@ -1,0 +1,7 @@
+//! Splittings of many symmetric tops, one in each lane.
+
+pub(crate) mod stumpff_polynomials;
+pub(crate) mod flows;
+pub(crate) mod meridian_axes;
+pub(crate) mod steps;
+pub(crate) mod symmetric_ensemble;

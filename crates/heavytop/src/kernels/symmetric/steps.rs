@@ -1,0 +1,160 @@
+//! The two flows of a symmetric top in components, as many tops at once as there are lanes.
+
+use crate::SymmetricTopSplitting;
+use crate::kernels::segments::MOST_LANES;
+use crate::kernels::symmetric::flows::Drift;
+use crate::kernels::symmetric::meridian_axes::MeridianAxes;
+use lie_poisson::{Covector, Lanes, Pair, Se3Dual};
+use nalgebra::Vector3;
+
+/// Π and Γ in the variables in which the flows take the fewest operations:
+///
+/// ```text
+/// w = hΠ/I₁        by which a step h turns a spherical top
+/// v = w·Γ          constant along both flows
+/// ```
+///
+/// in axes turned about e₃ so that the centre of mass has no component 2.
+#[derive(Clone, Copy)]
+pub(crate) struct Motion<T> {
+    w: [T; 3],
+    gamma: [T; 3],
+    vertical: T,
+    /// The largest |w|² or δ²w₃² that a drift has met: its angles are √ of these, times its time.
+    /// NaN may be missing.
+    pub(crate) largest: T,
+}
+
+/// What the flows need of a top.
+#[derive(Clone, Copy)]
+pub(crate) struct Parameters<T> {
+    /// h/I₁
+    scale: T,
+    /// δ = I₁/I₃ − 1
+    elongation: T,
+    /// (f₁, f₃) = m g l (c₁, c₃)h²/I₁, in the turned axes
+    force: [T; 2],
+    axes: MeridianAxes<T>,
+}
+
+impl<T: Lanes> Motion<T> {
+    /// Lane i from f(i).
+    #[inline(always)]
+    pub(crate) fn from_lanes<'a>(top: &Parameters<T>, f: impl Fn(usize) -> &'a Se3Dual) -> Self {
+        let w = |k: usize| T::from_lanes(|i| f(i).0.0[k]) * top.scale;
+        let gamma = |k: usize| T::from_lanes(|i| f(i).0.1[k]);
+        let w = top.axes.components([w(0), w(1), w(2)]);
+        let gamma = top.axes.components([gamma(0), gamma(1), gamma(2)]);
+        Self { w, gamma, vertical: dot(&w, &gamma), largest: T::from_f64(0.0) }
+    }
+
+    /// The states, to be read lane by lane.
+    #[inline(always)]
+    pub(crate) fn momenta(&self, top: &Parameters<T>) -> impl Fn(usize) -> Se3Dual {
+        let (w, gamma) = (top.axes.vector(self.w), top.axes.vector(self.gamma));
+        let pi = w.map(|w| w / top.scale);
+        let vector = |v: &[T; 3], i| Vector3::new(v[0].lane(i), v[1].lane(i), v[2].lane(i));
+        move |i| Covector(Pair(vector(&pi, i), vector(&gamma, i)))
+    }
+
+    /// φ_2^ch: w ← w + c Γ×f.
+    #[inline(always)]
+    pub(crate) fn kick(&mut self, top: &Parameters<T>, c: f64) {
+        let [first, third] = top.force.map(|f| f * c);
+        let g = self.gamma;
+        self.w[0] = g[1].multiply_add(third, self.w[0]);
+        self.w[1] = g[0].negative_multiply_add(third, g[2].multiply_add(first, self.w[1]));
+        self.w[2] = g[1].negative_multiply_add(first, self.w[2]);
+    }
+
+    /// φ_1^ch: with the Stumpff functions c₁, c₂ at c²|w|²,
+    ///
+    /// ```text
+    /// Γ ← (1 − c²|w|² c₂) Γ + c² c₂ v w − c c₁ w×Γ,
+    /// ```
+    ///
+    /// then w and Γ turn about e₃ by −c δ w₃.
+    ///
+    /// This is Rodrigues' formula with v for w·Γ. What rounding adds to w·Γ is lost again, since
+    /// each flow brings w·Γ nearer to v by the cosine.
+    #[inline(always)]
+    pub(crate) fn drift(&mut self, top: &Parameters<T>, drift: &Drift) {
+        let (w, g) = (self.w, self.gamma);
+        let transverse = cross(&w, &g);
+        let rate = -top.elongation * w[2];
+        let (x, y) = (dot(&w, &w), rate * rate);
+        self.largest = x.maximum(y.maximum(self.largest));
+        let ((first, second), (sine, versine)) = drift.sines_and_versines(x, y);
+        let cosine = |x: T, versine: T| x.negative_multiply_add(versine, T::from_f64(1.0));
+        let (about_w, along) = (cosine(x, second), second * self.vertical);
+        let turned = |k: usize| {
+            let longitudinal = along.multiply_add(w[k], about_w * g[k]);
+            first.negative_multiply_add(transverse[k], longitudinal)
+        };
+        let g = [turned(0), turned(1), turned(2)];
+        let (sine, cosine) = (rate * sine, cosine(y, versine));
+        self.w = turn(&w, cosine, sine);
+        self.gamma = turn(&g, cosine, sine);
+    }
+}
+
+impl<T: Lanes> Parameters<T> {
+    /// Lane i from f(i).
+    #[inline(always)]
+    pub(crate) fn from_lanes<'a>(
+        step: f64,
+        f: impl Fn(usize) -> &'a SymmetricTopSplitting,
+    ) -> Self {
+        let mut turned = [(MeridianAxes::default(), [0.0; 2]); MOST_LANES];
+        for (i, turned) in turned.iter_mut().enumerate().take(T::COUNT) {
+            let top = f(i).top();
+            *turned = MeridianAxes::new(&(top.center_of_mass() * top.weight_moment()));
+        }
+        let scale = T::from_lanes(|i| step / f(i).top().inertia().x);
+        let unit = scale * step;
+        let elongation = |inertia: Vector3<f64>| (inertia.x - inertia.z) / inertia.z;
+        Self {
+            scale,
+            elongation: T::from_lanes(|i| elongation(f(i).top().inertia())),
+            force: [0, 1].map(|k| T::from_lanes(|i| turned[i].1[k]) * unit),
+            axes: MeridianAxes::from_lanes(|i| &turned[i].0),
+        }
+    }
+
+    /// No less than |w|² and δ²w₃² ever are while the energy is what it is now: with
+    /// e = ½|w|² + ½δw₃² + f·Γ,
+    ///
+    /// ```text
+    /// |w|² ≤ 2(e + |f||Γ|)/min(1, 1 + δ),  w₃² ≤ 2(e + |f||Γ|)/(1 + δ)
+    /// ```
+    #[inline(always)]
+    pub(crate) fn bound(&self, motion: &Motion<T>) -> T {
+        let one = T::from_f64(1.0);
+        let f = [self.force[0], T::from_f64(0.0), self.force[1]];
+        let (w, g, d) = (motion.w, motion.gamma, self.elongation);
+        let doubled = dot(&w, &w) + d * w[2] * w[2];
+        let potential = dot(&f, &g) + (dot(&f, &f) * dot(&g, &g)).sqrt();
+        let least = d.select_nonnegative(one, d + 1.0);
+        (doubled + potential * 2.0) * (one / least).maximum(d * d / (d + 1.0))
+    }
+}
+
+/// v turned about e₃ by the angle with this cosine and sine.
+#[inline(always)]
+fn turn<T: Lanes>(v: &[T; 3], cosine: T, sine: T) -> [T; 3] {
+    [cosine.multiply_subtract(v[0], sine * v[1]), sine.multiply_add(v[0], cosine * v[1]), v[2]]
+}
+
+#[inline(always)]
+fn dot<T: Lanes>(a: &[T; 3], b: &[T; 3]) -> T {
+    a[0].multiply_add(b[0], a[1].multiply_add(b[1], a[2] * b[2]))
+}
+
+#[inline(always)]
+fn cross<T: Lanes>(a: &[T; 3], b: &[T; 3]) -> [T; 3] {
+    [
+        a[1].multiply_subtract(b[2], a[2] * b[1]),
+        a[2].multiply_subtract(b[0], a[0] * b[2]),
+        a[0].multiply_subtract(b[1], a[1] * b[0]),
+    ]
+}

@@ -1,0 +1,4 @@
+//! Splittings of tops into exact flows.
+
+pub(crate) mod rotors;
+pub(crate) mod symmetric_top;

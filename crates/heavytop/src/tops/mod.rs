@@ -1,0 +1,7 @@
+//! Heavy tops and rigid bodies, their invariants, and coordinates and levels on se(3)∗.
+
+pub(crate) mod coordinate;
+pub(crate) mod top;
+pub(crate) mod rigid_body;
+pub(crate) mod invariants;
+pub(crate) mod energy_level;
