@@ -324,6 +324,6 @@ fn interrupted() -> &'static AtomicBool {
 
 fn report(error: &Error) -> ExitCode {
     // Where stderr is closed the exit code has to do.
-    let _ = writeln!(io::stderr(), "heavytop: {error}");
+    let _ = writeln!(io::stderr(), "heavytop: {}", error.message());
     error.exit_code().into()
 }

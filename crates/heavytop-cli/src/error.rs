@@ -13,11 +13,11 @@ use std::io;
 use std::path::PathBuf;
 use thiserror::Error;
 
-/// Why a command did not do what it was asked.
+/// Why a command did not do what it was asked. [`Error::message`] has the causes too.
 #[derive(Debug, Error)]
 pub enum Error {
     /// The configuration file could not be read.
-    #[error("cannot read the configuration {}: {source}", path.display())]
+    #[error("cannot read the configuration {}", path.display())]
     Read {
         /// The file.
         path: PathBuf,
@@ -37,10 +37,10 @@ pub enum Error {
         message: String,
     },
     /// The configuration has no TOML.
-    #[error("the configuration cannot be written as TOML: {0}")]
+    #[error("the configuration cannot be written as TOML")]
     Unwritable(#[source] toml::ser::Error),
     /// The run cannot go on from a checkpoint.
-    #[error("cannot go on from {}: {source}{}", path.display(), remedy(source))]
+    #[error("cannot go on from {}{}", path.display(), remedy(source))]
     Checkpoint {
         /// The checkpoint.
         path: PathBuf,
@@ -56,13 +56,13 @@ pub enum Error {
         found: usize,
     },
     /// No top has these parameters.
-    #[error("[body] {0}")]
+    #[error("[body]")]
     Body(#[source] TopError),
     /// Γ(0) is not a unit vector.
-    #[error("[initial] {0}")]
+    #[error("[initial]")]
     Vertical(#[source] TopError),
     /// No run can start from the initial state.
-    #[error("[initial] {0}")]
+    #[error("[initial]")]
     Start(#[from] RunError),
     /// The formulation does not have the scheme.
     #[error(
@@ -84,7 +84,7 @@ pub enum Error {
         formulation: Formulation,
     },
     /// The scheme could not be made.
-    #[error("{scheme}: {source}")]
+    #[error("{scheme}")]
     Scheme {
         /// Its name.
         scheme: &'static str,
@@ -152,7 +152,7 @@ pub enum Error {
         path: PathBuf,
     },
     /// An output file or folder could not be made.
-    #[error("cannot create {}: {source}", path.display())]
+    #[error("cannot create {}", path.display())]
     Create {
         /// The file or folder.
         path: PathBuf,
@@ -160,7 +160,7 @@ pub enum Error {
         source: io::Error,
     },
     /// Writing failed while the numbers came in.
-    #[error("cannot write {}: {source}", path.display())]
+    #[error("cannot write {}", path.display())]
     Write {
         /// The file.
         path: PathBuf,
@@ -168,7 +168,7 @@ pub enum Error {
         source: io::Error,
     },
     /// The numbers failed: a stage equation did not converge, or a state is not finite.
-    #[error("{formulation}, {scheme}: {source}")]
+    #[error("{formulation}, {scheme}")]
     Integration {
         /// The formulation's name.
         formulation: &'static str,
@@ -178,7 +178,7 @@ pub enum Error {
         source: IntegrationError,
     },
     /// An integrator that was to be timed failed.
-    #[error("{name}: {source}")]
+    #[error("{name}")]
     Timed {
         /// The integrator.
         name: String,
@@ -194,7 +194,7 @@ pub enum Error {
         names: Vec<String>,
     },
     /// The system refuses so many threads.
-    #[error("cannot start {threads} thread(s): {source}")]
+    #[error("cannot start {threads} thread(s)")]
     Threads {
         /// Their number.
         threads: usize,
@@ -202,13 +202,13 @@ pub enum Error {
         source: rayon::ThreadPoolBuildError,
     },
     /// The system refuses threads for what is done in parallel.
-    #[error("cannot start threads, of which RAYON_NUM_THREADS sets the number: {0}")]
+    #[error("cannot start threads, of which RAYON_NUM_THREADS sets the number")]
     Workers(#[source] rayon::ThreadPoolBuildError),
     /// There is no such section.
-    #[error("[section] {0}")]
+    #[error("[section]")]
     Section(#[from] SectionError),
     /// The motion through a start of a section could not be followed.
-    #[error("{formulation}, {scheme}, start {start}: {source}")]
+    #[error("{formulation}, {scheme}, start {start}")]
     Crossing {
         /// The formulation's name.
         formulation: &'static str,
@@ -220,7 +220,7 @@ pub enum Error {
         source: EventError,
     },
     /// There is no such sweep.
-    #[error("[sweep] {0}")]
+    #[error("[sweep]")]
     Sweep(#[from] SweepError),
     /// No top of a sweep could be followed.
     #[error("all {tops} tops failed; the first: {first}")]
@@ -231,8 +231,8 @@ pub enum Error {
         first: String,
     },
     /// Tangent vectors of a top in a sweep have no direction any more.
-    #[error("{0}")]
-    Tangent(#[source] VariationalError),
+    #[error(transparent)]
+    Tangent(VariationalError),
     /// There is what an unfinished run has kept.
     #[error(
         "{} is of an interrupted run: go on with {resume}, or discard it with --restart", path.display()
@@ -244,7 +244,7 @@ pub enum Error {
         resume: String,
     },
     /// What an interrupted run has finished cannot be read.
-    #[error("cannot read {}: {source}", path.display())]
+    #[error("cannot read {}", path.display())]
     Tile {
         /// The file.
         path: PathBuf,
@@ -283,7 +283,7 @@ pub enum Error {
         resume: Option<String>,
     },
     /// A run failed for want of something outside it, and can go on.
-    #[error("{source}{}", resumption(resume))]
+    #[error("the run can go on by the same command with {resume}")]
     Resumable {
         /// The argument by which it does.
         resume: String,
@@ -291,7 +291,7 @@ pub enum Error {
         source: Box<Error>,
     },
     /// A run failed, and what it had computed was kept.
-    #[error("{source}; what was computed until then is in {}", partial.display())]
+    #[error("what was computed until the run failed is in {}", partial.display())]
     Kept {
         /// Where.
         partial: PathBuf,
@@ -307,6 +307,19 @@ impl From<LiftError> for Error {
 }
 
 impl Error {
+    /// What the program prints: this error and its causes, each once.
+    #[must_use]
+    pub fn message(&self) -> String {
+        match self {
+            Self::Resumable { resume, source } => source.message() + &resumption(resume),
+            Self::Kept { partial, source } => {
+                let partial = partial.display();
+                format!("{}; what was computed until then is in {partial}", source.message())
+            }
+            error => with_causes(error),
+        }
+    }
+
     /// That a file cannot be created, when it is too late to refuse the request.
     pub(crate) fn too_late(self) -> Self {
         match self {
@@ -339,14 +352,36 @@ impl Error {
     }
 }
 
+/// The error and its causes, the outermost first.
+fn with_causes(error: &dyn std::error::Error) -> String {
+    let mut message = error.to_string();
+    for cause in causes(error) {
+        // A table of the configuration is followed by what is wrong in it.
+        let link = if message.ends_with(']') { " " } else { ": " };
+        // Errors of other crates may repeat their causes.
+        if !message.contains(&cause) {
+            message = message + link + &cause;
+        }
+    }
+    message
+}
+
+/// What the causes of an error say, its own cause first.
+fn causes(error: &dyn std::error::Error) -> impl Iterator<Item = String> {
+    std::iter::successors(error.source(), |&cause| cause.source()).map(ToString::to_string)
+}
+
 fn resumption(argument: &str) -> String {
     format!("; go on by the same command with {argument}")
 }
 
 fn remedy(source: &CheckpointError) -> &'static str {
-    if source.is_of_no_use() { "; start anew with --restart" } else { "" }
+    if source.is_of_no_use() { " (--restart discards it)" } else { "" }
 }
 
 fn scheme_names(formulation: Formulation) -> String {
     formulation.schemes().map(Scheme::name).collect::<Vec<_>>().join(", ")
 }
+
+#[cfg(test)]
+mod tests;

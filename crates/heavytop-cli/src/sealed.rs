@@ -14,8 +14,8 @@ const MOST_BYTES: u64 = 1 << 24;
 #[derive(Debug, Error)]
 pub enum CheckpointError {
     /// It could not be read.
-    #[error("{0}")]
-    Read(#[source] io::Error),
+    #[error(transparent)]
+    Read(io::Error),
     /// It is not a checkpoint, or not a whole one.
     #[error("it is damaged, or no checkpoint: {0}")]
     Damaged(String),
@@ -42,7 +42,7 @@ pub enum CheckpointError {
         out: PathBuf,
     },
     /// The rows could not be read.
-    #[error("the rows in {}: {source}", path.display())]
+    #[error("the rows in {}", path.display())]
     Rows {
         /// Their file.
         path: PathBuf,

@@ -63,9 +63,10 @@ impl StepError {
     }
 }
 
-/// A run that could not go on.
+/// A run that could not go on. Its message says which step failed, that of its
+/// [`source`](core::error::Error::source) why.
 #[derive(Clone, Copy, Debug, PartialEq, Error)]
-#[error("step {step} at t = {time}: {source}")]
+#[error("step {step} at t = {time}")]
 pub struct IntegrationError {
     /// The number of the step that failed; the first is 1.
     pub step: u64,

@@ -38,7 +38,7 @@ pub(super) fn measure(plan: &Plan, number: u64) -> Row {
         }
         Err(failure) => Row {
             values: vec![None; plan.columns().count()],
-            failure: Some(failure.to_string().replace('\n', " ")),
+            failure: Some(failure.message().replace('\n', " ")),
         },
     }
 }

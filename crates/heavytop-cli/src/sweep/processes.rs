@@ -62,7 +62,9 @@ impl Processes {
             use std::io::Write;
             let (rank, size) = self.place();
             if size > 1 {
-                let _ = writeln!(std::io::stderr(), "heavytop: process {rank} of {size}: {error}");
+                let message = error.message();
+                let _ =
+                    writeln!(std::io::stderr(), "heavytop: process {rank} of {size}: {message}");
                 universe.world().abort(error.exit_code().into());
             }
         }

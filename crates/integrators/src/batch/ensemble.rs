@@ -54,9 +54,9 @@ pub struct Ensemble<B> {
     integrator: B,
 }
 
-/// A member that could not go on.
+/// A member that could not go on. Its [`source`](core::error::Error::source) says at which step.
 #[derive(Clone, Copy, Debug, PartialEq, Error)]
-#[error("member {index}: {source}")]
+#[error("member {index}")]
 pub struct MemberError {
     /// Its index in the ensemble.
     pub index: u64,

@@ -34,7 +34,7 @@ pub enum DriftError {
         sample: usize,
     },
     /// Too little above the plateau to fit an exponent to.
-    #[error("no exponent of growth: {0}")]
+    #[error("the growth has no exponent")]
     Exponent(#[from] OrderFitError),
 }
 
