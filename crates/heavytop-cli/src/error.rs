@@ -376,7 +376,7 @@ fn resumption(argument: &str) -> String {
 }
 
 fn remedy(source: &CheckpointError) -> &'static str {
-    if source.is_of_no_use() { " (--restart discards it)" } else { "" }
+    if source.is_of_no_use() { " (start anew with --restart)" } else { "" }
 }
 
 fn scheme_names(formulation: Formulation) -> String {
