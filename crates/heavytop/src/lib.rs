@@ -1,7 +1,7 @@
 //! Collective heavy top dynamics: the system of T. Ohsawa, *Collective Heavy Top Dynamics*,
 //! SIGMA 15 (2019) 083.
 //!
-//! The modules in dependency order:
+//! By subject, each row building on those above it:
 //!
 //! | object | item |
 //! |---|---|

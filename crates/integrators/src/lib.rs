@@ -1,6 +1,6 @@
 //! Schemes that know nothing of 𝔤, and the collective integrator that brings them to 𝔤∗.
 //!
-//! The modules in dependency order:
+//! By subject, each row building on those above it:
 //!
 //! | object | item |
 //! |---|---|

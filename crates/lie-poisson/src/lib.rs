@@ -1,10 +1,10 @@
 //! Lie algebras, Lie groups and Lie–Poisson brackets, over any scalar.
 //!
-//! The modules in dependency order:
+//! By subject, each row building on those above it:
 //!
 //! | object | item |
 //! |---|---|
-//! | scalars: numbers, dual numbers, lanes | [`Real`], [`DualNumber`], [`Lanes`]: [`DefaultLanes`] |
+//! | scalars: numbers, dual numbers, SIMD lanes (several numbers in one register); these and the next four rows are re-exported from `generic_scalars` | [`Real`], [`DualNumber`], [`Lanes`]: [`DefaultLanes`] |
 //! | lanes as wide as the processor's | [`dispatch`], [`LaneTask`], [`InstructionSet`], [`Width`] |
 //! | a vector of R³ in one register | [`dispatch_four`], [`FourLanesTask`], [`FourLanes`] |
 //! | vector spaces V and their duals V∗ | [`Vector`], [`Covector`], [`Pair`], [`Power`], [`Quaternion`] |

@@ -1,6 +1,6 @@
 //! Group actions, cotangent lifts, momentum maps and Poisson maps.
 //!
-//! The modules in dependency order:
+//! By subject, each row building on those above it:
 //!
 //! | object | item |
 //! |---|---|
