@@ -4,7 +4,7 @@
 //!
 //! | object | item |
 //! |---|---|
-//! | scalars: numbers, dual numbers, SIMD lanes (several numbers in one register); these and the next four rows are re-exported from `generic_scalars` | [`Real`], [`DualNumber`], [`Lanes`]: [`DefaultLanes`] |
+//! | scalars: numbers, dual numbers, SIMD lanes (several numbers in one register) | [`Real`], [`DualNumber`], [`Lanes`]: [`DefaultLanes`] |
 //! | lanes as wide as the processor's | [`dispatch`], [`LaneTask`], [`InstructionSet`], [`Width`] |
 //! | a vector of R³ in one register | [`dispatch_four`], [`FourLanesTask`], [`FourLanes`] |
 //! | vector spaces V and their duals V∗ | [`Vector`], [`Covector`], [`Pair`], [`Power`], [`Quaternion`] |
@@ -20,6 +20,9 @@
 //! | Poisson brackets, (±)-Lie–Poisson | [`PoissonSpace`], [`LiePoisson`], [`ProductSpace`], [`PowerSpace`], [`Casimirs`] |
 //! | Hamiltonians h and dh | [`Hamiltonian`], [`Energy`], [`Automatic`], [`from_closure`], [`hessian_by_dual_numbers`] |
 //! | the axioms as residuals (feature `laws`) | `laws` |
+//!
+//! The first seven rows, down to derivatives, are items of [`generic_scalars`] under shorter paths; [`QuaternionSpace`] alone is of
+//! this crate.
 //!
 //! The conventions are fixed in one place, the second line being the equation of motion on 𝔤∗ with
 //! the minus bracket:
