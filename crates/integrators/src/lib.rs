@@ -15,7 +15,7 @@
 //! | splitting into exact flows | [`ExactFlows`], [`Splitting`], [`AlternatingSplitting`], [`AlternatingSubsteps`] |
 //! | doubled phase spaces: Tao's method; the semiexplicit one is a [`Tableau::semiexplicit`] | [`TaoFlows`] |
 //! | the spherical midpoint method | [`SphericalMidpoint`] |
-//! | trajectories | [`Trajectory`] |
+//! | trajectories, and their end alone | [`Trajectory`], [`Start::after`] |
 //! | many trajectories: in lanes, on threads | [`BatchIntegrator`], [`Laned`], [`Ensemble`] |
 //! | between samples: any time, Poincaré sections | [`DenseOutput`], [`Events`] |
 //! | tangent vectors along a trajectory, Lyapunov exponents | [`VariationalFlow`], [`LyapunovExponents`] |

@@ -5,7 +5,7 @@ use collective_integrators::{
     Collective, Compensated, Composition, Equivariant, ExactFlows, Integrator, LiftFree, Scheme,
     Splitting, Step, StepError, compensated_sum,
 };
-use lie_poisson::{Hamiltonian, Pair, Quaternion, Real, Se3Dual, Vector};
+use lie_poisson::{Hamiltonian, Pair, Quaternion, Real, Se3Dual, Vector, squaring_scale};
 use momentum_map::DualQuaternions;
 use nalgebra::Vector3;
 
@@ -108,9 +108,10 @@ where
     }
 }
 
-/// q/|q|
+/// q/|q|, for q of any size.
 #[inline]
 pub(crate) fn unit<T: Real>(q: Quaternion<T>) -> Quaternion<T> {
+    let q = q.scaled(squaring_scale(&q));
     q.scaled(T::one() / q.norm_squared().sqrt())
 }
 
@@ -191,5 +192,30 @@ impl<E: TurningFlows<T>, T: Real> Turning<T> for Splitting<E> {
         let start = Pair(*mu, Quaternion::one());
         let Step { point, iterations } = collected.step(&start, step, &mut ())?;
         Ok((Step { point: point.0, iterations }, unit(point.1)))
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use momentum_map::{Lift, LiftError};
+
+    /// The rotation between two verticals does not know their unit.
+    #[test]
+    fn rotations_of_spinors_of_every_size() -> Result<(), LiftError> {
+        let turn = |size: f64| {
+            let spinor = |gamma: Vector3<f64>| {
+                SpinorRealisation.lift(&Se3Dual::new(Vector3::zeros(), gamma * size))
+            };
+            let [before, after] = [Vector3::new(0.6, 0.0, 0.8), Vector3::new(0.0, 0.6, 0.8)];
+            let q = spinor_turn(&spinor(before)?, &spinor(after)?);
+            assert!((q.rotate(&before) - after).norm() < 1e-15, "{size:e}: {q:?}");
+            Ok(q)
+        };
+        let one = turn(1.0)?;
+        for size in [1e-300, 1e-200, 1e-160, 1e160, 1e200, 1e300] {
+            assert!((turn(size)? - one).max_abs() < 1e-15, "{size:e}");
+        }
+        Ok(())
     }
 }
