@@ -34,7 +34,7 @@ fn errors() -> Vec<(Error, &'static str)> {
             Error::Checkpoint { path: path(), source: CheckpointError::Read(refused()) },
             "cannot go on from a.toml: not allowed",
         ),
-        (Error::Body(top()), "[body] mass must be positive, got -1"),
+        (Error::Body(top()), "[body] mass must be positive, got -1.0"),
         (Error::Vertical(top()), "[initial] mass must be positive, got -1"),
         (lift.into(), "[initial] no lift: Γ must be different from 0 (|Γ| = 0e0)"),
         (
@@ -57,7 +57,7 @@ fn errors() -> Vec<(Error, &'static str)> {
         ),
         (
             SectionError::Empty { energy: 1.0, least: 2.0 }.into(),
-            "[section] no state of the section has an energy of 1 J: the least is 2 J",
+            "[section] no state of the section has an energy of 1.0 J: the least is 2.0 J",
         ),
         (
             Error::Crossing {
