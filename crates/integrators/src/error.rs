@@ -14,8 +14,8 @@ pub enum StepError {
          its momentum map a nearer one, as PoissonMap::recentred finds"
     )]
     NotConverged {
-        /// h |change of a stage derivative| in the last iteration, relative to the larger of |z| and h |k|, the
-        /// largest over blocks of coordinates; NaN or ∞ if it blew up.
+        /// The change of the stage derivatives in the last iteration relative to their size, the largest over blocks
+        /// of coordinates ([`Vector::BLOCKS`](lie_poisson::Vector::BLOCKS)); NaN or ∞ if it blew up.
         residual: f64,
         /// The residual that would have been accepted.
         required: f64,

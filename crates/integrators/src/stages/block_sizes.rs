@@ -92,20 +92,40 @@ impl<V: Vector> BlockSizes<V> {
         self.most[Self::block(i)]
     }
 
-    /// The largest f(block), NaN where a coordinate was NaN.
+    /// The largest f(block); NaN or ∞ where a coordinate of these or of other vectors was.
     #[inline(always)]
-    pub(crate) fn largest_of(&self, f: impl Fn(usize) -> V::Scalar) -> V::Scalar {
+    pub(crate) fn largest_of(&self, other: &Self, f: impl Fn(usize) -> V::Scalar) -> V::Scalar {
+        let sum = self.sum + other.sum;
+        let finite = sum.at_most(V::Scalar::from_f64(f64::MAX));
+        Real::select(finite, self.largest_unchecked(f), sum)
+    }
+
+    /// The largest f(block).
+    #[inline(always)]
+    pub(crate) fn largest_unchecked(&self, f: impl Fn(usize) -> V::Scalar) -> V::Scalar {
         let mut largest = f(0);
         for block in 1..Self::COUNT {
             largest = f(block).maximum(largest);
         }
+        largest
+    }
+
+    /// The largest size; NaN where a coordinate was NaN.
+    #[inline(always)]
+    pub(crate) fn largest(&self) -> V::Scalar {
+        let largest = self.largest_unchecked(|block| self.most[block]);
         Real::select(self.sum.at_most(self.sum), largest, self.sum)
     }
 
-    /// The largest size.
+    /// One over each size, or 0 where that is 0.
     #[inline(always)]
-    pub(crate) fn largest(&self) -> V::Scalar {
-        self.largest_of(|block| self.most[block])
+    pub(crate) fn inverse(&self) -> Self {
+        let (zero, one) = (V::Scalar::from_f64(0.0), V::Scalar::from_f64(1.0));
+        let mut inverse = *self;
+        for size in inverse.most.iter_mut().take(Self::COUNT) {
+            *size = Real::select(size.at_most(zero), zero, one / *size);
+        }
+        inverse
     }
 
     /// Where each size is at most the bound that f gives for its block; false where a coordinate was NaN.

@@ -19,6 +19,8 @@ use lie_poisson::{Mask, Real, Vector};
 #[derive(Clone, Copy, Debug)]
 pub(crate) struct StageScale<V: Vector> {
     start: BlockSizes<V>,
+    /// 1/|z_b|, or 0 for a block that starts at zero.
+    inverse: BlockSizes<V>,
     length: f64,
 }
 
@@ -31,13 +33,10 @@ pub(crate) struct Progress<V: Vector> {
     pub(crate) size: BlockSizes<V>,
 }
 
-impl<V: Vector> Progress<V> {
-    /// That of an iteration which has not begun.
-    #[inline(always)]
-    pub(crate) fn unknown() -> Self {
-        Self { change: BlockSizes::infinite(), size: BlockSizes::zero() }
-    }
+/// A change from this multiple of a scale on is that multiple, lest a quotient overflow.
+const BEYOND: f64 = 1.0 / (1_u64 << 60) as f64;
 
+impl<V: Vector> Progress<V> {
     /// Counts residuals above the round-off of terms of the given sizes as changes, and the terms as stage
     /// derivatives.
     pub(crate) fn include_residual(&mut self, residual: &BlockSizes<V>, terms: &BlockSizes<V>) {
@@ -50,13 +49,14 @@ impl<V: Vector> StageScale<V> {
     /// The scales of a step of the given size from z.
     #[inline(always)]
     pub(crate) fn new(z: &V, step: f64) -> Self {
-        Self { start: BlockSizes::of(core::slice::from_ref(z)), length: step.abs() }
+        let start = BlockSizes::of(core::slice::from_ref(z));
+        Self { inverse: start.inverse(), start, length: step.abs() }
     }
 
     /// Where the unknowns are not the derivatives of the state: each block is held against itself.
     #[inline(always)]
     pub(crate) fn of_unknowns(step: f64) -> Self {
-        Self { start: BlockSizes::zero(), length: step.abs() }
+        Self { start: BlockSizes::zero(), inverse: BlockSizes::zero(), length: step.abs() }
     }
 
     /// A change, and the size that it is to be compared with.
@@ -66,49 +66,24 @@ impl<V: Vector> StageScale<V> {
         if V::BLOCKS == 1 {
             return (change.largest(), size.largest());
         }
-        let rate = size.largest_of(|b| self.rate(b, size.at(b)));
-        let change = change.largest_of(|b| {
-            let scale = size.at(b).larger(rate * self.start.at(b));
-            quotient(change.at(b), scale)
+        let (zero, least) = (V::Scalar::from_f64(0.0), V::Scalar::from_f64(f64::MIN_POSITIVE));
+        let rate = size.largest_unchecked(|b| {
+            let outgrown = (size.at(b) * self.length).at_most(self.start.at(b)).not();
+            Real::select(outgrown, zero, size.at(b) * self.inverse.at(b))
+        });
+        let change = change.largest_of(size, |b| {
+            let scale = size.at(b).maximum(rate * self.start.at(b));
+            change.at(b) / scale.maximum((change.at(b) * BEYOND).maximum(least))
         });
         (change, V::Scalar::from_f64(1.0))
-    }
-
-    /// |k_b|/|z_b| where the block starts from a number that a step does not outgrow, else 0.
-    #[inline(always)]
-    fn rate(&self, block: usize, size: V::Scalar) -> V::Scalar {
-        let (zero, start) = (V::Scalar::from_f64(0.0), self.start.at(block));
-        let known = start.at_most(zero).not().and((size * self.length).at_most(start));
-        Real::select(known, size / start, zero)
     }
 
     /// Where h |δk_b| is at most a tolerance times the larger of |z_b| and h |k_b|.
     #[inline]
     pub(crate) fn accepts(&self, progress: &Progress<V>, tolerance: f64) -> MaskOf<V> {
-        progress.change.at_most(|b| self.bound(progress, b) * (tolerance / self.length))
+        progress.change.at_most(|b| {
+            let moved = progress.size.at(b) * self.length;
+            self.start.at(b).larger(moved) * (tolerance / self.length)
+        })
     }
-
-    /// max_b h |x_b| / max(|z_b|, h |k_b|) of sizes x, over all lanes but those that are `done`.
-    pub(crate) fn displacement(
-        &self,
-        progress: &Progress<V>,
-        x: &BlockSizes<V>,
-        done: MaskOf<V>,
-    ) -> f64 {
-        let part = |b| quotient(x.at(b) * self.length, self.bound(progress, b));
-        Real::select(done, V::Scalar::from_f64(0.0), x.largest_of(part)).max_abs()
-    }
-
-    /// The larger of |z_b| and h |k_b|.
-    #[inline]
-    fn bound(&self, progress: &Progress<V>, block: usize) -> V::Scalar {
-        self.start.at(block).larger(progress.size.at(block) * self.length)
-    }
-}
-
-/// change/scale, at most 1 where that is not small; 0/0 = 0, and NaN where either is not finite.
-#[inline(always)]
-fn quotient<T: Real>(change: T, scale: T) -> T {
-    let (zero, all) = (T::from_f64(0.0), scale.larger(change));
-    T::select(all.at_most(zero), zero, change / all)
 }
