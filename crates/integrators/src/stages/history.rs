@@ -82,8 +82,7 @@ impl<V: Vector> Memory<V> {
             let misled = guessed.and(first.settled.not());
             if misled.any() {
                 fill_unless(misled.not(), k, &field.at(z));
-                let (done, pace) = (misled.not(), &mut unknown());
-                let second = solver.solve_from(done, scale, k, pace, &mut derivative);
+                let second = again(solver, misled.not(), scale, k, &mut derivative);
                 outcome = retried(first, guessed, second);
             }
         }
@@ -191,6 +190,19 @@ impl<V: Vector> Memory<V> {
         self.steps = Real::select(settled, steps, V::Scalar::from_f64(0.0));
         self.most = (self.most + 1).min(predictor.weights.len());
     }
+}
+
+/// A second attempt, in the lanes that are not `done`. It is rare, and stays out of the way of the first.
+#[cold]
+#[inline(never)]
+fn again<V: Vector>(
+    solver: &StageSolver,
+    done: MaskOf<V>,
+    scale: &StageScale<V>,
+    k: &mut [V],
+    derivative: &mut impl FnMut(usize, &[V], MaskOf<V>) -> V,
+) -> Result<usize, Unsettled<MaskOf<V>>> {
+    solver.solve_from(done, scale, k, &mut unknown(), derivative)
 }
 
 /// What comes of a second attempt, in the lanes that a guess had misled, after the first.

@@ -145,13 +145,13 @@ impl StageSolver {
         let mut watch = Watch::new(*pace);
         let none = MaskOf::<V>::from_bool(false);
         let (mut settled, mut lost, mut near, mut close) = (done, none, none, none);
-        let (mut change, mut size) = (V::Scalar::from_f64(f64::INFINITY), V::Scalar::from_f64(1.0));
+        let mut progress = Progress { change: BlockSizes::zero(), size: BlockSizes::zero() };
         let mut iterations = 0;
         while iterations < most && !settled.or(lost).all() {
             iterations += 1;
             let ended = settled.or(lost);
-            let progress = advance(ended, near);
-            (change, size) = scale.compare(&progress);
+            progress = advance(ended, near);
+            let (change, size) = scale.compare(&progress);
             // Else the low parts of the coefficients are missing; they do not show in a k that stays.
             let whole = close.or(change.at_most(V::Scalar::from_f64(0.0)));
             let mut now = watch.settled(change, size).and(whole);
@@ -168,6 +168,7 @@ impl StageSolver {
             near = change.at_most(size * CLOSE).and(close.or(settled).or(lost).not());
             close = close.or(near);
         }
+        let (change, size) = scale.compare(&progress);
         let relative = V::Scalar::select(settled, V::Scalar::from_f64(0.0), change / size);
         let (residual, required) = (relative.max_abs(), larger(self.tolerance, FLOOR));
         let error = StepError::NotConverged { residual, required, iterations };
