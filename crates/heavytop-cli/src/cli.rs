@@ -299,7 +299,7 @@ fn in_tiles(resume: bool, restart: bool, quiet: bool) -> InTiles<'static> {
     InTiles { resume, restart, stop: Some(interrupted()), quiet }
 }
 
-/// How a command is accompanied of which nothing is kept.
+/// What accompanies a command that keeps nothing when it is interrupted.
 fn watch(quiet: bool) -> Watch<'static> {
     Watch { stop: Some(interrupted()), quiet }
 }

@@ -87,3 +87,56 @@ impl<V: Vector> StageScale<V> {
         })
     }
 }
+
+#[cfg(test)]
+mod tests {
+    use super::{Progress, StageScale};
+    use crate::stages::block_sizes::BlockSizes;
+    use lie_poisson::Pair;
+    use nalgebra::Vector1;
+
+    type Two = Pair<Vector1<f64>, Vector1<f64>>;
+
+    fn two(x: f64, y: f64) -> Two {
+        Pair(Vector1::new(x), Vector1::new(y))
+    }
+
+    /// The relative change of k by `change`, in a step of 1/10 from z.
+    fn relative(z: Two, k: Two, change: Two) -> f64 {
+        let progress = Progress { change: BlockSizes::of(&[change]), size: BlockSizes::of(&[k]) };
+        let (change, size) = StageScale::new(&z, 0.1).compare(&progress);
+        change / size
+    }
+
+    /// A quotient, a product and an inverse are rounded.
+    fn close(a: f64, b: f64) {
+        assert!((a - b).abs() <= 4.0 * f64::EPSILON * b, "{a:e} {b:e}");
+    }
+
+    #[test]
+    fn each_block_is_measured_by_its_own_scale() {
+        // Both blocks move at the rate 1; a change of the small one counts as much as one of the large one.
+        close(relative(two(1.0, 1e-30), two(1.0, 1e-30), two(0.0, 1e-32)), 0.01);
+        close(relative(two(1.0, 1e-30), two(1.0, 1e-30), two(0.01, 0.0)), 0.01);
+        // k is small by cancellation in the second block: what counts is the rate of the first.
+        close(relative(two(1.0, 1.0), two(1.0, 1e-20), two(0.0, 1e-4)), 1e-4);
+        // A block that starts at zero is measured by its own derivative, and sets no rate.
+        close(relative(two(1.0, 0.0), two(1.0, 50.0), two(0.0, 0.5)), 0.01);
+        close(relative(two(1.0, 0.0), two(1.0, 50.0), two(0.01, 0.0)), 0.01);
+        close(relative(two(1.0, 0.0), two(1.0, 0.0), two(0.0, 0.0)), 0.0);
+    }
+
+    #[test]
+    fn what_is_no_number_is_no_small_change() {
+        for bad in [f64::NAN, f64::INFINITY] {
+            for (k, change) in [
+                (two(bad, 1.0), two(0.0, 0.0)),
+                (two(1.0, bad), two(0.0, 0.0)),
+                (two(1.0, 1.0), two(bad, 0.0)),
+                (two(1.0, 1.0), two(0.0, bad)),
+            ] {
+                assert!(!relative(two(1.0, 1.0), k, change).is_finite());
+            }
+        }
+    }
+}
