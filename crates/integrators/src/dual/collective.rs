@@ -13,8 +13,8 @@ use momentum_map::{
 /// The collective integrator: a scheme on the source P of a realisation M: P → 𝔤∗, for the
 /// Hamiltonian h∘M, read through M.
 ///
-/// With a symplectic scheme μ ↦ M(Φ_h(z)), M(z) = μ, is a Poisson map of 𝔤∗ that does not depend
-/// on the lift z: a *collective Lie–Poisson integrator*. It conserves the Casimirs.
+/// With a symplectic scheme that is [`Equivariant`], μ ↦ M(Φ_h(z)), M(z) = μ, is a Poisson map of 𝔤∗ that does
+/// not depend on the lift z: a *collective Lie–Poisson integrator*. It conserves the Casimirs.
 ///
 /// Source: McLachlan, Modin & Verdier, *Collective symplectic integrators*, Nonlinearity 27
 /// (2014); Ohsawa 2019, §5.1.

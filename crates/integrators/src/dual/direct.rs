@@ -9,7 +9,8 @@ use momentum_map::LiftError;
 /// A scheme applied to a vector field as it stands, such as the Lie–Poisson equations
 /// μ̇ = X_h(μ) on 𝔤∗.
 ///
-/// Not a Poisson integrator on 𝔤∗, whatever the scheme; it is here to be compared with.
+/// In general not a Poisson map of 𝔤∗: its bracket is not constant, and a scheme that is symplectic for constant
+/// brackets does not preserve it. It is here to be compared with.
 ///
 /// Source: Austin, Krishnaprasad & Wang, *Almost Poisson integration of rigid body systems*,
 /// J. Comput. Phys. 107 (1993); Ohsawa 2019, §5.2.

@@ -66,7 +66,7 @@ impl<R: SymplecticRepresentation> SymplecticSpace for Symplectic<R> {
 /// Nonlinearity 27 (2014), §4.
 ///
 /// # Example
-/// SL(2, R) on the plane: J = (qp, ½p², −½q²), up to sign, a cone in sl(2, R)∗.
+/// The right action of SL(2, R) on the plane: J = −(qp, ½p², −½q²), a cone in sl(2, R)∗.
 /// ```
 /// use lie_poisson::{Casimirs, SL2OnR2, Sl2};
 /// use momentum_map::{PoissonMap, QuadraticMomentumMap, Side};
