@@ -18,7 +18,7 @@ use lie_poisson::{DefaultLanes, Lanes, Vector};
 /// fails there too is given up, and a neighbour fills its lane.
 ///
 /// # Example
-/// Six pendulums; the last but one starts nowhere:
+/// Six harmonic oscillators; the last but one starts at no number:
 /// ```
 /// use collective_integrators::{BatchIntegrator, Direct, Laned, RungeKutta, VectorField};
 /// use lie_poisson::Real;
