@@ -35,7 +35,7 @@ fn errors() -> Vec<(Error, &'static str)> {
             "cannot go on from a.toml: not allowed",
         ),
         (Error::Body(top()), "[body] mass must be positive, got -1.0"),
-        (Error::Vertical(top()), "[initial] mass must be positive, got -1"),
+        (Error::Vertical(top()), "[initial] mass must be positive, got -1.0"),
         (lift.into(), "[initial] no lift: Γ must be different from 0 (|Γ| = 0e0)"),
         (
             RunError::Integration(step()).into(),

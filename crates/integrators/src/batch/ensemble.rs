@@ -22,7 +22,7 @@ const CHUNK: usize = 128;
 ///   the others in rounding, since a fused multiply-add rounds a product and a sum once, together.
 ///
 /// # Example
-/// Pendulums of ten thousand amplitudes, streamed: no more of them are in memory at a time than the
+/// Harmonic oscillators of ten thousand amplitudes, streamed: no more of them are in memory at a time than the
 /// threads work on. The observer may be called from several threads at once, in any order.
 /// ```
 /// use collective_integrators::{Direct, Ensemble, Laned, RungeKutta, VectorField};
