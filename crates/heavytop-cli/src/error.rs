@@ -40,7 +40,7 @@ pub enum Error {
     #[error("the configuration cannot be written as TOML")]
     Unwritable(#[source] toml::ser::Error),
     /// The run cannot go on from a checkpoint.
-    #[error("cannot go on from {}{}", path.display(), remedy(source))]
+    #[error("cannot go on from {}", path.display())]
     Checkpoint {
         /// The checkpoint.
         path: PathBuf,
@@ -316,6 +316,7 @@ impl Error {
                 let partial = partial.display();
                 format!("{}; what was computed until then is in {partial}", source.message())
             }
+            Self::Checkpoint { source, .. } => with_causes(self) + remedy(source),
             error => with_causes(error),
         }
     }
@@ -376,7 +377,7 @@ fn resumption(argument: &str) -> String {
 }
 
 fn remedy(source: &CheckpointError) -> &'static str {
-    if source.is_of_no_use() { " (start anew with --restart)" } else { "" }
+    if source.is_of_no_use() { "; start anew with --restart" } else { "" }
 }
 
 fn scheme_names(formulation: Formulation) -> String {

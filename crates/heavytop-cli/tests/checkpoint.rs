@@ -317,7 +317,7 @@ fn what_no_run_can_have_kept_is_refused_though_it_is_whole() {
             let said = run.stderr();
             assert_eq!(run.code(), 2, "{message}: {said}");
             assert!(said.contains(message), "{message}: {said}");
-            assert!(said.contains("(start anew with --restart)"), "{said}");
+            assert!(said.ends_with("; start anew with --restart\n"), "{said}");
             assert!(read() == before && folder.read(&name) == changed, "{message}");
         }
         // Control: the same contents, sealed again.

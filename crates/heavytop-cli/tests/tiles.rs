@@ -225,7 +225,7 @@ fn a_damaged_identity_is_refused() {
             let run = folder.heavytop(&[case.command, "a.toml", "--out", "cut", "--resume"]);
             assert_eq!(run.code(), 2, "{}", run.stderr());
             assert!(run.stderr().contains(message), "{}", run.stderr());
-            assert!(run.stderr().contains("start anew with --restart"), "{}", run.stderr());
+            assert!(run.stderr().ends_with("; start anew with --restart\n"), "{}", run.stderr());
             assert_eq!(std::fs::read_to_string(&path).unwrap(), sealed);
         }
         // What is no text is damaged, too; and the advice helps.
