@@ -97,7 +97,7 @@ impl Integrator for Coarse {
         let (field, z) = (self.0.system(), state.0);
         let mut k = [Vector::zero()];
         let middle = |_, k: &[SpinorPoint]| field.at(&(z + k[0].scaled(0.5 * step)));
-        let iterations = StageSolver::default().solve(field.at(&z), step, &mut k, middle)?;
+        let iterations = StageSolver::default().solve(field.at(&z), &mut k, middle)?;
         let point =
             self.0.settled(compensated_sum(state, &Pair(k[0].scaled(step), Vector::zero())));
         Ok(Step { point, iterations })

@@ -91,7 +91,7 @@ where
             let middle = k.first().map_or(*w, |k| moved(w, k, 0.5 * step));
             self.field.at(&on_spheres(w, &middle))
         };
-        let iterations = self.solver.solve(self.field.at(w), step, &mut k, derivative)?;
+        let iterations = self.solver.solve(self.field.at(w), &mut k, derivative)?;
         let point = moved(w, &k[0], step);
         Step { point, iterations }.finite()
     }

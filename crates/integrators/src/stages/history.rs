@@ -3,7 +3,7 @@
 use crate::stages::block_sizes::{BlockSizes, MaskOf};
 use crate::stages::convergence::{ROUND_OFF, Ratios, unknown};
 use crate::stages::extrapolation::Predictor;
-use crate::stages::stage_scale::StageScale;
+use crate::stages::stage_scale::Scale;
 use crate::stages::stage_solver::{Unsettled, combination, fill_unless};
 use crate::{StageSolver, VectorField};
 use lie_poisson::{Mask, Real, Vector};
@@ -67,7 +67,7 @@ impl<V: Vector> Memory<V> {
         predictor: &Predictor,
         solver: &StageSolver,
         field: &F,
-        (z, size, scale): (&V, f64, &StageScale<V>),
+        (z, size, scale): (&V, f64, &impl Scale<V>),
         k: &mut [V],
         mut derivative: impl FnMut(usize, &[V], MaskOf<V>) -> V,
     ) -> Result<usize, Unsettled<MaskOf<V>>> {
@@ -198,7 +198,7 @@ impl<V: Vector> Memory<V> {
 fn again<V: Vector>(
     solver: &StageSolver,
     done: MaskOf<V>,
-    scale: &StageScale<V>,
+    scale: &impl Scale<V>,
     k: &mut [V],
     derivative: &mut impl FnMut(usize, &[V], MaskOf<V>) -> V,
 ) -> Result<usize, Unsettled<MaskOf<V>>> {

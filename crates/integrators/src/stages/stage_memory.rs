@@ -3,7 +3,7 @@
 use crate::stages::convergence::unknown;
 use crate::stages::extrapolation::Predictor;
 use crate::stages::history::Memory;
-use crate::stages::stage_scale::StageScale;
+use crate::stages::stage_scale::OwnScale;
 use crate::{StageSolver, Unsettled, from_fn};
 use lie_poisson::{Mask, Real, Vector};
 
@@ -67,15 +67,14 @@ impl<V: Vector> StageMemory<V> {
         stage: impl Fn(usize, &[V]) -> V,
     ) -> Result<usize, Unsettled<<V::Scalar as Real>::Mask>> {
         let mut stage = |i: usize, k: &[V], _| stage(i, k);
-        let scale = StageScale::of_unknowns(step);
         if k.len() != self.predictor.stages {
             self.memory.forget();
             k.fill(first());
             let none = Mask::from_bool(false);
-            return solver.solve_from(none, &scale, k, &mut unknown(), &mut stage);
+            return solver.solve_from(none, &OwnScale, k, &mut unknown(), &mut stage);
         }
         let field = from_fn(|_: &V| first());
-        self.memory.solve(&self.predictor, solver, &field, (z, step, &scale), k, stage)
+        self.memory.solve(&self.predictor, solver, &field, (z, step, &OwnScale), k, stage)
     }
 
     /// Where the step that was solved last has ended.

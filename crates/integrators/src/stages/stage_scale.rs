@@ -33,6 +33,48 @@ pub(crate) struct Progress<V: Vector> {
     pub(crate) size: BlockSizes<V>,
 }
 
+/// What the changes of an iteration for stage equations are compared with.
+pub(crate) trait Scale<V: Vector> {
+    /// A change, and the size that it is to be compared with.
+    fn compare(&self, progress: &Progress<V>) -> (V::Scalar, V::Scalar);
+
+    /// Where h |δk_b| is at most a tolerance times the larger of |z_b| and h |k_b|.
+    fn accepts(&self, progress: &Progress<V>, tolerance: f64) -> MaskOf<V>;
+}
+
+/// The scale of unknowns that are not derivatives of the state: each block is compared with itself.
+#[derive(Clone, Copy, Debug)]
+pub(crate) struct OwnScale;
+
+impl<V: Vector> Scale<V> for OwnScale {
+    #[inline(always)]
+    fn compare(&self, progress: &Progress<V>) -> (V::Scalar, V::Scalar) {
+        compare_by(progress, |b| progress.size.at(b))
+    }
+
+    #[inline]
+    fn accepts(&self, progress: &Progress<V>, tolerance: f64) -> MaskOf<V> {
+        progress.change.at_most(|b| progress.size.at(b) * tolerance)
+    }
+}
+
+/// The largest change of a block, in units of what f makes of the size of the block, and 1; with a single
+/// block, its change and its size.
+#[inline(always)]
+fn compare_by<V: Vector>(
+    Progress { change, size }: &Progress<V>,
+    scale: impl Fn(usize) -> V::Scalar,
+) -> (V::Scalar, V::Scalar) {
+    if V::BLOCKS == 1 {
+        return (change.largest(), size.largest());
+    }
+    let least = V::Scalar::from_f64(f64::MIN_POSITIVE);
+    let change = change.largest_of(size, |b| {
+        change.at(b) / scale(b).maximum((change.at(b) * BEYOND).maximum(least))
+    });
+    (change, V::Scalar::from_f64(1.0))
+}
+
 /// A change from this multiple of a scale on is that multiple, lest a quotient overflow.
 const BEYOND: f64 = 1.0 / (1_u64 << 60) as f64;
 
@@ -52,35 +94,21 @@ impl<V: Vector> StageScale<V> {
         let start = BlockSizes::of(core::slice::from_ref(z));
         Self { inverse: start.inverse(), start, length: step.abs() }
     }
+}
 
-    /// Where the unknowns are not the derivatives of the state: each block is held against itself.
+impl<V: Vector> Scale<V> for StageScale<V> {
     #[inline(always)]
-    pub(crate) fn of_unknowns(step: f64) -> Self {
-        Self { start: BlockSizes::zero(), inverse: BlockSizes::zero(), length: step.abs() }
-    }
-
-    /// A change, and the size that it is to be compared with.
-    #[inline(always)]
-    pub(crate) fn compare(&self, progress: &Progress<V>) -> (V::Scalar, V::Scalar) {
-        let Progress { change, size } = progress;
-        if V::BLOCKS == 1 {
-            return (change.largest(), size.largest());
-        }
-        let (zero, least) = (V::Scalar::from_f64(0.0), V::Scalar::from_f64(f64::MIN_POSITIVE));
+    fn compare(&self, progress: &Progress<V>) -> (V::Scalar, V::Scalar) {
+        let (zero, size) = (V::Scalar::from_f64(0.0), &progress.size);
         let rate = size.largest_unchecked(|b| {
             let outgrown = (size.at(b) * self.length).at_most(self.start.at(b)).not();
             Real::select(outgrown, zero, size.at(b) * self.inverse.at(b))
         });
-        let change = change.largest_of(size, |b| {
-            let scale = size.at(b).maximum(rate * self.start.at(b));
-            change.at(b) / scale.maximum((change.at(b) * BEYOND).maximum(least))
-        });
-        (change, V::Scalar::from_f64(1.0))
+        compare_by(progress, |b| size.at(b).maximum(rate * self.start.at(b)))
     }
 
-    /// Where h |δk_b| is at most a tolerance times the larger of |z_b| and h |k_b|.
     #[inline]
-    pub(crate) fn accepts(&self, progress: &Progress<V>, tolerance: f64) -> MaskOf<V> {
+    fn accepts(&self, progress: &Progress<V>, tolerance: f64) -> MaskOf<V> {
         progress.change.at_most(|b| {
             let moved = progress.size.at(b) * self.length;
             self.start.at(b).larger(moved) * (tolerance / self.length)
@@ -90,7 +118,7 @@ impl<V: Vector> StageScale<V> {
 
 #[cfg(test)]
 mod tests {
-    use super::{Progress, StageScale};
+    use super::{Progress, Scale, StageScale};
     use crate::stages::block_sizes::BlockSizes;
     use lie_poisson::Pair;
     use nalgebra::Vector1;

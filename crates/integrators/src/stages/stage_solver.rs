@@ -3,7 +3,7 @@
 use crate::StepError;
 use crate::stages::block_sizes::{BlockSizes, MaskOf};
 use crate::stages::convergence::{FLOOR, Ratios, Watch, is_finite, unknown};
-use crate::stages::stage_scale::{Progress, StageScale};
+use crate::stages::stage_scale::{OwnScale, Progress, Scale};
 use lie_poisson::{Mask, Real, Vector, larger};
 
 /// Sweeps after which a fixed-point iteration that has not settled gives way to Newton's.
@@ -73,7 +73,7 @@ impl<M> From<Unsettled<M>> for StepError {
 impl StageSolver {
     /// Solves k_i = `derivative`(i, k) for the stages `k`, all of which start from `start`, by
     /// fixed-point iteration; returns the number of iterations. `derivative` computes X at the
-    /// i-th stage. Each block of coordinates of k is held against itself; `step` does not matter.
+    /// i-th stage. The changes of each block of coordinates are compared with that block.
     ///
     /// Over lanes each stops by itself, at the stages that it would have alone.
     ///
@@ -83,14 +83,12 @@ impl StageSolver {
     pub fn solve<V: Vector>(
         &self,
         start: V,
-        step: f64,
         k: &mut [V],
         derivative: impl Fn(usize, &[V]) -> V,
     ) -> Result<usize, StepError> {
         k.fill(start);
         let none = MaskOf::<V>::from_bool(false);
-        let scale = StageScale::of_unknowns(step);
-        self.solve_from(none, &scale, k, &mut unknown(), &mut |i, k: &[V], _| derivative(i, k))
+        self.solve_from(none, &OwnScale, k, &mut unknown(), &mut |i, k: &[V], _| derivative(i, k))
             .map_err(|unsettled| unsettled.error)
     }
 
@@ -101,7 +99,7 @@ impl StageSolver {
     pub(crate) fn solve_from<V: Vector>(
         &self,
         done: MaskOf<V>,
-        scale: &StageScale<V>,
+        scale: &impl Scale<V>,
         k: &mut [V],
         pace: &mut Ratios<V::Scalar>,
         derivative: &mut impl FnMut(usize, &[V], MaskOf<V>) -> V,
@@ -121,7 +119,7 @@ impl StageSolver {
         &self,
         done: MaskOf<V>,
         start: &V,
-        scale: &StageScale<V>,
+        scale: &impl Scale<V>,
         k: &mut [V],
         mut advance: impl FnMut(MaskOf<V>, &mut [V]) -> Progress<V>,
     ) -> Result<usize, StepError> {
@@ -138,7 +136,7 @@ impl StageSolver {
         &self,
         most: usize,
         done: MaskOf<V>,
-        scale: &StageScale<V>,
+        scale: &impl Scale<V>,
         pace: &mut Ratios<V::Scalar>,
         mut advance: impl FnMut(MaskOf<V>, MaskOf<V>) -> Progress<V>,
     ) -> Result<usize, Unsettled<MaskOf<V>>> {
