@@ -1,11 +1,11 @@
 //! `heavytop animate`
 
+use crate::program::Folder;
 use base64::Engine;
 use base64::prelude::BASE64_STANDARD;
 use heavytop::{HeavyTop, Invariant};
 use lie_poisson::{Quaternion, Se3Dual};
 use nalgebra::Vector3;
-use crate::program::Folder;
 use serde_json::Value;
 
 /// What the page is told: its JSON, and the frames.

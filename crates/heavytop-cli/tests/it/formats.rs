@@ -1,8 +1,8 @@
 //! CSV, npz and Parquet: the same numbers, and where they come from.
 
+use crate::program::{Folder, numbers};
 use parquet::file::reader::{FileReader, SerializedFileReader};
 use parquet::record::RowAccessor;
-use crate::program::{Folder, numbers};
 use std::collections::BTreeMap;
 use std::fs::File;
 use std::io::Read;

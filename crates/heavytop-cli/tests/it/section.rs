@@ -1,11 +1,11 @@
 //! `heavytop section`
 
+use crate::program::{Folder, numbers};
 use heavytop::{HeavyTop, Invariant};
 use lie_poisson::Se3Dual;
 use nalgebra::Vector3;
 use parquet::file::reader::{FileReader, SerializedFileReader};
 use parquet::record::RowAccessor;
-use crate::program::{Folder, numbers};
 
 const SMALL: &str = "[section]\nenergy = 1.5\nvertical_momentum = 0.5\nstarts = 5\ncrossings = 20";
 

@@ -1,8 +1,8 @@
 //! `heavytop sweep`
 
+use crate::program::Folder;
 use parquet::file::reader::{FileReader, SerializedFileReader};
 use parquet::record::{Field, Row, RowAccessor};
-use crate::program::Folder;
 
 /// 24 × 25 tops: three tiles.
 const GRID: &str = "\

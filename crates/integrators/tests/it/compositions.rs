@@ -1,8 +1,7 @@
 //! Compositions: order, symplecticity, symmetry, quadratic invariants, each measured.
 
-
-use collective_integrators::*;
 use crate::support::*;
+use collective_integrators::*;
 
 #[test]
 fn compositions_of_the_midpoint_rule_keep_their_promises() {

@@ -1,9 +1,9 @@
 //! Methods in a doubled phase space: Tao's, and the semiexplicit one with its projection.
 
+use crate::support::*;
 use collective_integrators::*;
 use lie_poisson::*;
 use momentum_map::SymplecticSpace;
-use crate::support::*;
 
 fn semiexplicit(substeps: &Substeps) -> RungeKutta {
     RungeKutta::new(Tableau::semiexplicit(substeps).unwrap())

@@ -1,11 +1,11 @@
 //! Partitioned methods: order, symplecticity, symmetry, and what they do not conserve.
 
+use crate::support::*;
 use collective_integrators::*;
 use lie_poisson::{DualNumber, Vector, derivative_part, seed};
 use momentum_map::{SymplecticComplexSpace, SymplecticSpace};
 use nalgebra::{SVector, Vector2};
 use num_complex::Complex;
-use crate::support::*;
 
 type Method = PartitionedRungeKutta<FirstHalf>;
 

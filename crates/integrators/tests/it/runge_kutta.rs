@@ -1,8 +1,8 @@
 //! Runge–Kutta methods: order, symplecticity, symmetry, quadratic invariants, each measured.
 
+use crate::support::*;
 use collective_integrators::*;
 use lie_poisson::Vector;
-use crate::support::*;
 
 #[test]
 fn runge_kutta_methods_keep_their_promises() {

@@ -1,9 +1,9 @@
 //! Every algebra, group and representation of the crate obeys its laws, and each law rejects
 //! something that breaks it.
 
+use crate::support::{TOLERANCE, holds, laws, samples};
 use lie_poisson::*;
 use nalgebra::{SVector, Vector2, Vector3};
-use crate::support::{TOLERANCE, holds, laws, samples};
 
 fn group_laws<G: LieGroup>(group: &G) {
     holds(laws::lie_algebra(&group.algebra(), &samples()).unwrap());

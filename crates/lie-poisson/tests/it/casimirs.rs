@@ -1,9 +1,9 @@
 //! Casimirs are constant along every Hamiltonian flow, independent, and those that they say they are.
 
+use crate::support::{TOLERANCE, holds, laws, samples};
 use lie_poisson::*;
 use nalgebra::{Matrix3, Vector3};
 use num_complex::Complex;
-use crate::support::{TOLERANCE, holds, laws, samples};
 
 #[test]
 fn casimirs() {

@@ -1,11 +1,11 @@
 //! Every action, momentum map and realisation of the crate obeys its laws, and each law rejects
 //! something that breaks it.
 
+use crate::support::{TOLERANCE, holds, laws, samples};
 use lie_poisson::*;
 use momentum_map::*;
 use nalgebra::{Vector2, Vector3};
 use num_complex::Complex;
-use crate::support::{TOLERANCE, holds, laws, samples};
 
 fn action_laws<A: GroupAction>(action: &A) {
     holds(laws::group_action(action, &samples(), &samples()).unwrap());

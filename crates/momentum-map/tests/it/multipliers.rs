@@ -1,10 +1,10 @@
 //! Every algebra of multipliers obeys its laws, and each law rejects something that breaks it.
 
+use crate::support::{TOLERANCE, holds, laws, samples};
 use lie_poisson::*;
 use momentum_map::*;
 use nalgebra::{Matrix2, Vector3};
 use num_complex::Complex;
-use crate::support::{TOLERANCE, holds, laws, samples};
 
 #[test]
 fn multipliers() {
