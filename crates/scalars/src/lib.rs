@@ -35,7 +35,7 @@
 //! | the widest SIMD lanes of the processor | a [`LaneTask`], run by [`dispatch`] |
 //! | the instructions that the processor has | [`InstructionSet::detected`] |
 //! | one vector of R³ in one register | [`FourLanes`] in a [`FourLanesTask`], run by [`dispatch_four`] |
-//! | a type of your own as a vector | an implementation of [`Vector`] |
+//! | a type of your own as a vector | an implementation of [`Vector`], with its [`Blocks`] of coordinates |
 //! | elements of the dual space, as a type of their own | [`Covector`] |
 //! | direct sums V ⊕ W and powers Vᴺ | [`Pair`] and [`Power`] |
 //! | quaternions over any scalar | [`Quaternion`] |
@@ -79,6 +79,7 @@ pub use numbers::linear_solve::solve_linear;
 pub use numbers::mask::Mask;
 pub use numbers::real::{Real, larger};
 
+pub use spaces::blocks::Blocks;
 pub use spaces::covector::Covector;
 pub use spaces::derivative::{derivative_part, differential, seed, transposed_tangent};
 pub use spaces::norm::{euclidean_norm, squaring_scale};

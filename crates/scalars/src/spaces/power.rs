@@ -20,8 +20,8 @@ pub struct Power<V, const N: usize>(pub [V; N]);
 impl<V: Vector, const N: usize> Vector for Power<V, N> {
     type Scalar = V::Scalar;
     type Dual = Covector<Self>;
+    type Blocks = V::Blocks;
     const DIM: usize = N * V::DIM;
-    const BLOCKS: usize = V::BLOCKS;
 
     /// Returns the block of a coordinate within its factor: all factors share their blocks.
     #[inline(always)]

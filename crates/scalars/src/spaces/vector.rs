@@ -1,6 +1,6 @@
 //! Vectors of finite-dimensional real vector spaces, given by their coordinates: [`Vector`].
 
-use crate::Real;
+use crate::{Blocks, Real};
 use core::fmt::Debug;
 use core::ops::{Add, AddAssign, Neg, Sub, SubAssign};
 
@@ -44,12 +44,15 @@ pub trait Vector:
     /// The dimension of V over the reals.
     const DIM: usize;
 
-    /// The number of blocks of coordinates, by default 1.
+    /// The type of one number for each block of coordinates.
     ///
-    /// Coordinates of one block have the same unit and the same scale. Those of different blocks, such as q
-    /// and p in (q, p), cannot be compared. Tests of size, such as the convergence tests of implicit
-    /// methods, compare each block with itself, so that no result depends on units.
-    const BLOCKS: usize = 1;
+    /// It is `(Self::Scalar,)` where all coordinates have the same unit and the same scale, and a pair for
+    /// the two parts of a vector such as (q, p), whose units differ. Tests of size, such as the convergence
+    /// tests of implicit methods, compare each block with itself, so that no result depends on units.
+    type Blocks: Blocks<Self::Scalar>;
+
+    /// The number of blocks of coordinates.
+    const BLOCKS: usize = <Self::Blocks as Blocks<Self::Scalar>>::COUNT;
 
     /// Creates Σ f(i) eᵢ; `f` is called once for each i = 0, …, DIM−1, in this order.
     fn from_coordinates(f: impl FnMut(usize) -> Self::Scalar) -> Self;
