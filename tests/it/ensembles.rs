@@ -5,7 +5,9 @@ use collective_integrators::{
     Ensemble, HamiltonianField, Integrator, Laned, LiftFree, MemberError, PartitionedRungeKutta,
     RungeKutta, StageSolver, Start, StepError, Substeps, VectorField,
 };
-use heavytop::{HeavyTop, HeavyTopSpace, MidpointSweep, ReducedMidpoint, SpinorRealisation};
+use heavytop::{
+    HeavyTop, HeavyTopSpace, MidpointSweep, ReducedMidpoint, SpinorRealisation, TopMidpoint,
+};
 use lie_poisson::{
     Automatic, Covector, DefaultLanes, Energy, InstructionSet, LaneTask, Lanes, LiePoisson, Pair,
     Point, Real, RealSpace, Se3, Se3Dual, So3, Vector, Width, dispatch,
@@ -165,7 +167,6 @@ same_bits_at_every_width! {
         Collective::that_does_not_descend(
             PartitionedRungeKutta::lobatto_iiia_iiib(3).unwrap(), SpinorRealisation, top(),
         ), 0.02, 100, true;
-    // For a HeavyTop this integrator has a kernel over f64.
     reduced_steps: ReducedMidpoint<Automatic<Body>> =
         ReducedMidpoint::new(Automatic(Body)), 0.05, CHECKPOINT + 30, true;
     large_reduced_steps: ReducedMidpoint<Automatic<Body>> =
@@ -197,7 +198,7 @@ fn kernels_are_run_by_the_same_call() {
     };
     let one = run(MidpointSweep::new(), 1);
     assert_eq!(one, run(MidpointSweep::new(), 2));
-    let integrator = ReducedMidpoint::new(top());
+    let integrator = TopMidpoint::new(top());
     let mut singly: Vec<_> = members.iter().map(|(_, mu)| *mu).collect();
     for mu in &mut singly {
         assert!(

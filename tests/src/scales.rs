@@ -8,6 +8,7 @@ use collective_integrators::{
 use heavytop::{
     Body, CollectiveGauss, GaussEnsemble, HeavyTop, HeavyTopSpace, MidpointSweep, ReducedMidpoint,
     RotorSplitting, SpinorRealisation, SymmetricTopEnsemble, SymmetricTopSplitting, TopError,
+    TopMidpoint,
 };
 use lie_poisson::{Covector, Differential, Hamiltonian, LiePoisson, Pair, Se3, Se3Dual, larger};
 use momentum_map::DualQuaternions;
@@ -225,13 +226,13 @@ fn substeps() -> Result<Vec<(&'static str, Substeps)>, SchemeError> {
 
 /// The integrators that are made for tops.
 fn fast_paths(list: &mut Vec<Method>) {
-    for stages in 1..=9 {
+    for stages in 1..=8 {
         add(list, format!("CollectiveGauss, {stages} stages"), move |top, mu, h, n| {
             run(&CollectiveGauss::new(stages, *top).ok()?, top, mu, h, n)
         });
     }
-    add(list, "ReducedMidpoint", |top, mu, h, n| run(&ReducedMidpoint::new(*top), top, mu, h, n));
-    add(list, "ReducedMidpoint of any system", |top, mu, h, n| {
+    add(list, "TopMidpoint", |top, mu, h, n| run(&TopMidpoint::new(*top), top, mu, h, n));
+    add(list, "ReducedMidpoint", |top, mu, h, n| {
         run(&ReducedMidpoint::new(Unknown(*top)), top, mu, h, n)
     });
     add(list, "MidpointSweep", |top, mu, h, n| {

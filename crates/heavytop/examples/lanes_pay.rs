@@ -15,7 +15,7 @@ use collective_integrators::{
 };
 use heavytop::{
     CollectiveGauss, GaussEnsemble, HeavyTop, Kirchhoff, MidpointSweep, ReducedMidpoint,
-    SymmetricTopEnsemble, SymmetricTopSplitting, TopError,
+    SymmetricTopEnsemble, SymmetricTopSplitting, TopError, TopMidpoint,
 };
 use lie_poisson::{DefaultLanes, InstructionSet, Se3Dual, Width};
 use momentum_map::DualQuaternions;
@@ -139,13 +139,13 @@ where
 fn midpoint(top: HeavyTop) -> Result<[Method; 2], Box<dyn Error>> {
     let (step, steps) = (0.01, 1000);
     let states: Vec<_> = (0..COUNT).map(start).collect();
-    let rule = |set| ReducedMidpoint::new(top).with_instructions(set);
+    let rule = |set| TopMidpoint::new(top).with_instructions(set);
     let single = || -> Result<Path, Box<dyn Error>> {
         let one_by_one = Laned::<_, f64>::with_lanes(rule(InstructionSet::Portable)?);
         Ok(Path::new("f64".to_owned(), one_by_one, &states, step, steps))
     };
     let mut one_system =
-        Method { name: "ReducedMidpoint".to_owned(), single: single()?, lanes: vec![] };
+        Method { name: "TopMidpoint".to_owned(), single: single()?, lanes: vec![] };
     let mut sweep = Method { name: "MidpointSweep".to_owned(), single: single()?, lanes: vec![] };
     for set in InstructionSet::available() {
         let name = format!("{set}, {:?}", Width::TwoRegisters);
@@ -198,7 +198,7 @@ fn body() -> Result<Kirchhoff, TopError> {
 fn control(top: HeavyTop) -> Result<Method, Box<dyn Error>> {
     let states: Vec<_> = (0..COUNT).map(start).collect();
     let path = |name: &str, steps| -> Result<Path, Box<dyn Error>> {
-        let rule = ReducedMidpoint::new(top).with_instructions(InstructionSet::Portable)?;
+        let rule = TopMidpoint::new(top).with_instructions(InstructionSet::Portable)?;
         Ok(Path::new(name.to_owned(), rule, &states, 0.01, steps))
     };
     let lanes = vec![path("twice the steps", 2000)?];

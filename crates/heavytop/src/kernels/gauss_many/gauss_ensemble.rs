@@ -6,6 +6,7 @@ use crate::kernels::gauss_many::spinor_step::{Coefficients, Motion};
 use crate::kernels::segments::{LaneKernel, MOST_LANES, Place};
 use collective_integrators::{
     BatchIntegrator, IntegrationError, LiftFree, RungeKutta, SchemeError, Start, Tableau,
+    lagrange_polynomial,
 };
 use core::ops::Range;
 use lie_poisson::{InstructionSet, Lanes, Mask, MissingInstructions, Se3Dual, Width};
@@ -106,9 +107,7 @@ impl<const S: usize> BatchIntegrator for GaussEnsemble<S> {
 /// through the derivatives of one step to the nodes of the next.
 fn coefficients<const S: usize>(gauss: &Tableau) -> Coefficients<S> {
     let c = gauss.nodes();
-    let extension = |j: usize, l: usize| -> f64 {
-        (0..S).filter(|&m| m != l).map(|m| (1.0 + c[j] - c[m]) / (c[l] - c[m])).product()
-    };
+    let extension = |j: usize, l: usize| lagrange_polynomial(c, l, 1.0 + c[j]);
     let a = |i: usize, j: usize| gauss.row(i)[j];
     let extended = |i, l| (0..S).map(|j| a(i, j) * extension(j, l)).sum();
     Coefficients {

@@ -1,41 +1,35 @@
 //! Collective Gauss methods of one heavy top, with the stages in the lanes of a register.
 
-mod row;
-mod point;
-mod memory;
-mod coefficients;
-mod kernel;
-
+use super::coefficients::Coefficients;
+use super::kernel::{Attempt, MOST};
+use super::memory::Memory;
+use super::point::Point;
+use super::row::WIDTH;
 use crate::attitude::step_rotation::turned_by_spinors;
-use crate::kernels::midpoint::reduced_midpoint::top_of;
-use crate::{HeavyTop, HeavyTopSpace, SpinorPoint, SpinorRealisation, Turned, Turning};
-use coefficients::Coefficients;
+use crate::{HeavyTop, SpinorPoint, SpinorRealisation, Turned, Turning};
 use collective_integrators::{
     Collective, CollectiveSpace, Compensated, Integrator, RungeKutta, SchemeError, StageSpace,
     Start, Step, StepError,
 };
-use kernel::{Attempt, MOST};
-use lie_poisson::{
-    Hamiltonian, InstructionSet, MissingInstructions, Pair, Se3Dual, Width, dispatch,
-};
-use memory::Memory;
+use lie_poisson::{InstructionSet, MissingInstructions, Pair, Se3Dual, Width, dispatch};
 use momentum_map::LiftError;
-use point::Point;
-use row::WIDTH;
 
 /// The general integrator.
-type General<H> = Compensated<Collective<RungeKutta, SpinorRealisation, H>>;
+type General = Compensated<Collective<RungeKutta, SpinorRealisation, HeavyTop>>;
 
-/// The collective Gauss method with any number of stages, for any h(Π, Γ): the map of
-/// [`Collective`]`::new(`[`RungeKutta::gauss`]`(s)?, `[`SpinorRealisation`]`, h).compensated()`. For tops
-/// it has a kernel of its own, which makes the same steps to round-off at a fraction of the cost.
+/// (z, e)
+type State = Pair<SpinorPoint, SpinorPoint>;
+
+/// The collective Gauss method of a [`HeavyTop`] with 1 to 8 stages, of order 2 to 16: the steps of
+/// [`Collective`]`::new(`[`RungeKutta::gauss`]`(s)?, `[`SpinorRealisation`]`, top).compensated()` to
+/// round-off, at a fraction of the cost. That integrator serves every other Hamiltonian and any number of
+/// stages.
 ///
 /// The state is (z, e): the lift z = (χ, ψ) ∈ T∗C², and e, what the last addition z + δz rounded
 /// away. μ = **M**(z).
 ///
-/// # Tops
-/// Where dh = (I⁻¹Π, γ) with a diagonal I⁻¹ and a constant γ ([`Hamiltonian::affine_differential`]), as
-/// for the [`HeavyTop`], and there are at most 8 stages, the stage equations
+/// # Method
+/// The stage equations
 ///
 /// ```text
 /// Z_i = z + Σ_j μ_ij ℓ_j,    ℓ_j = h b_j X(Z_j),    μ_ij = a_ij / b_j,    z₁ = z + Σ_j ℓ_j
@@ -49,8 +43,8 @@ type General<H> = Compensated<Collective<RungeKutta, SpinorRealisation, H>>;
 /// rounding of coefficients makes no Casimir drift. When χ has grown along the fibre to √2 of its least, χ
 /// slides back by a power of two times ψ.
 ///
-/// Where the iteration does not settle, for large steps, the general method makes the step, by
-/// Newton's iteration if it must.
+/// Where the iteration does not converge, for large steps, the [general](Self::general) integrator makes the
+/// step, by Newton's iteration if it must.
 ///
 /// With eight stages and step 1/4 the paper's experiment is right to 1e-14 at t = 10, at 480 ns a step
 /// with AVX-512, 720 ns with AVX2, 2.2 µs by plain arithmetic (one machine; the example
@@ -80,10 +74,9 @@ type General<H> = Compensated<Collective<RungeKutta, SpinorRealisation, H>>;
 /// # Ok::<(), Box<dyn std::error::Error>>(())
 /// ```
 #[derive(Clone, Debug, PartialEq)]
-pub struct CollectiveGauss<H = HeavyTop> {
-    general: General<H>,
-    /// What the kernel needs, if it applies.
-    coefficients: Option<Coefficients>,
+pub struct CollectiveGauss {
+    general: General,
+    coefficients: Coefficients,
     instructions: InstructionSet,
 }
 
@@ -94,22 +87,34 @@ pub struct CollectiveGaussSpace {
     general: CollectiveSpace<StageSpace<SpinorPoint>, SpinorPoint>,
 }
 
-impl<H: Hamiltonian<HeavyTopSpace>> CollectiveGauss<H> {
-    /// The method with the given number of stages, of order twice as much.
+impl HeavyTop {
+    /// The collective Gauss method with the given number of stages for this top, by the fastest formulas:
+    /// [`CollectiveGauss::new`].
     ///
     /// # Errors
-    /// If there is no stage.
-    pub fn new(stages: usize, hamiltonian: H) -> Result<Self, SchemeError> {
-        let gauss = RungeKutta::gauss(stages)?;
-        let top = top_of::<_, f64>(&hamiltonian).filter(|_| stages <= WIDTH);
-        let coefficients = top.map(|top| Coefficients::new(gauss.tableau(), &top));
-        let general = Collective::new(gauss, SpinorRealisation, hamiltonian).compensated();
-        Ok(Self { general, coefficients, instructions: fastest(stages) })
+    /// Unless there are 1 to 8 stages.
+    pub fn gauss(&self, stages: usize) -> Result<CollectiveGauss, SchemeError> {
+        CollectiveGauss::new(stages, *self)
     }
 }
 
-impl<H> CollectiveGauss<H> {
-    /// The same by other instructions, for tops; steps differ by round-off.
+impl CollectiveGauss {
+    /// The method with the given number of stages, of order twice as much.
+    ///
+    /// # Errors
+    /// Unless there are 1 to 8 stages.
+    pub fn new(stages: usize, top: HeavyTop) -> Result<Self, SchemeError> {
+        let gauss = RungeKutta::gauss(stages)?;
+        if stages > WIDTH {
+            let family = "CollectiveGauss";
+            return Err(SchemeError::Family { family, least: 1, most: WIDTH, stages });
+        }
+        let coefficients = Coefficients::new(gauss.tableau(), &top);
+        let general = Collective::new(gauss, SpinorRealisation, top).compensated();
+        Ok(Self { general, coefficients, instructions: fastest(stages) })
+    }
+
+    /// The same by other instructions; steps differ by round-off.
     ///
     /// # Errors
     /// If the processor lacks them.
@@ -121,27 +126,55 @@ impl<H> CollectiveGauss<H> {
         }
     }
 
-    /// The instructions for tops.
+    /// The instructions in use.
     #[must_use]
     pub fn instructions(&self) -> InstructionSet {
         self.instructions
     }
 
-    /// Whether the kernel makes the steps, as it does for tops.
+    /// The same method by the general integrator, which makes the steps for which the iteration does not
+    /// converge.
     #[must_use]
-    pub fn has_kernel(&self) -> bool {
-        self.coefficients.is_some()
+    pub fn general(&self) -> &General {
+        &self.general
     }
 
-    /// What makes the steps that the kernel leaves: the same method by the general integrator.
-    #[must_use]
-    pub fn general(&self) -> &General<H> {
-        &self.general
+    /// A step in registers with room for S stages, and its sweeps; none if the iteration does not converge.
+    #[inline]
+    fn attempt<const S: usize>(
+        &self,
+        step: f64,
+        start: &Point,
+        memory: &mut Memory,
+    ) -> Option<(Point, usize)> {
+        let task = Attempt::<S> { coefficients: &self.coefficients, step, start, memory };
+        dispatch(task, self.instructions, Width::Register).ok().flatten()
+    }
+
+    /// A step by the general integrator.
+    #[cold]
+    fn rescue(
+        &self,
+        state: &State,
+        step: f64,
+        workspace: &mut CollectiveGaussSpace,
+    ) -> Result<Step<State>, StepError> {
+        workspace.memory.forget();
+        let next = self.general.step(state, step, &mut workspace.general)?;
+        Ok(Step { iterations: MOST + next.iterations, ..next })
     }
 }
 
-impl<H: Hamiltonian<HeavyTopSpace>> Integrator for CollectiveGauss<H> {
-    type State = Pair<SpinorPoint, SpinorPoint>;
+/// Up to four stages fit a register of AVX2, which works faster than a wider one half empty.
+fn fastest(stages: usize) -> InstructionSet {
+    match InstructionSet::detected() {
+        InstructionSet::Avx512 if stages <= 4 => InstructionSet::Avx2,
+        set => set,
+    }
+}
+
+impl Integrator for CollectiveGauss {
+    type State = State;
     type Momentum = Se3Dual;
     type Workspace = CollectiveGaussSpace;
 
@@ -156,14 +189,11 @@ impl<H: Hamiltonian<HeavyTopSpace>> Integrator for CollectiveGauss<H> {
         step: f64,
         workspace: &mut CollectiveGaussSpace,
     ) -> Result<Step<Self::State>, StepError> {
-        let Some(coefficients) = &self.coefficients else {
-            return self.general.step(state, step, &mut workspace.general);
-        };
         let (start, memory) = (Point::from_state(state), &mut workspace.memory);
-        let attempt = match coefficients.stages {
-            ..=4 => self.attempt::<4>(coefficients, step, &start, memory),
-            5 | 6 => self.attempt::<6>(coefficients, step, &start, memory),
-            _ => self.attempt::<8>(coefficients, step, &start, memory),
+        let attempt = match self.coefficients.stages {
+            ..=4 => self.attempt::<4>(step, &start, memory),
+            5 | 6 => self.attempt::<6>(step, &start, memory),
+            _ => self.attempt::<8>(step, &start, memory),
         };
         match attempt {
             Some((end, iterations)) => Ok(Step { point: end.state(), iterations }),
@@ -182,43 +212,7 @@ impl<H: Hamiltonian<HeavyTopSpace>> Integrator for CollectiveGauss<H> {
     }
 }
 
-/// Up to four stages fit a register of AVX2, which works faster than a wider one half empty.
-fn fastest(stages: usize) -> InstructionSet {
-    match InstructionSet::detected() {
-        InstructionSet::Avx512 if stages <= 4 => InstructionSet::Avx2,
-        set => set,
-    }
-}
-
-impl<H: Hamiltonian<HeavyTopSpace>> CollectiveGauss<H> {
-    /// A step of the kernel with room for S stages.
-    #[inline]
-    fn attempt<const S: usize>(
-        &self,
-        coefficients: &Coefficients,
-        step: f64,
-        start: &Point,
-        memory: &mut Memory,
-    ) -> Option<(Point, usize)> {
-        let task = Attempt::<S> { coefficients, step, start, memory };
-        dispatch(task, self.instructions, Width::Register).ok().flatten()
-    }
-
-    /// A step that the kernel has not made.
-    #[cold]
-    fn rescue(
-        &self,
-        state: &Pair<SpinorPoint, SpinorPoint>,
-        step: f64,
-        workspace: &mut CollectiveGaussSpace,
-    ) -> Result<Step<Pair<SpinorPoint, SpinorPoint>>, StepError> {
-        workspace.memory.forget();
-        let next = self.general.step(state, step, &mut workspace.general)?;
-        Ok(Step { iterations: MOST + next.iterations, ..next })
-    }
-}
-
-impl<H: Hamiltonian<HeavyTopSpace>> Start for CollectiveGauss<H> {
+impl Start for CollectiveGauss {
     /// (z, 0) with the lift z of least norm.
     fn start(&self, mu: &Se3Dual) -> Result<Self::State, LiftError> {
         self.general.start(mu)
@@ -226,7 +220,7 @@ impl<H: Hamiltonian<HeavyTopSpace>> Start for CollectiveGauss<H> {
 }
 
 /// By ψₙ₊₁ = Q ψₙ.
-impl<H: Hamiltonian<HeavyTopSpace>> Turning for CollectiveGauss<H> {
+impl Turning for CollectiveGauss {
     #[inline]
     fn turn(
         &self,

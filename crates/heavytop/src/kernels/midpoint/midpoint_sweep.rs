@@ -1,31 +1,32 @@
 //! The collective midpoint rule for many tops at once.
 
-use crate::kernels::midpoint::formulas::{ManyTops, Member, Top};
-use crate::kernels::midpoint::reduced_midpoint::{VelocitySpace, top_of};
-use crate::{HeavyTop, HeavyTopSpace, ReducedMidpoint};
-use collective_integrators::{BatchIntegrator, CHECKPOINT, IntegrationError, StepError};
-use core::marker::PhantomData;
+use crate::HeavyTop;
+use crate::kernels::midpoint::formulas::{ManyTops, Member};
+use crate::kernels::midpoint::reduced_midpoint::{ReducedMidpoint, ReducedMidpointSpace};
+use crate::kernels::midpoint::top_midpoint::TopMidpoint;
+use collective_integrators::{
+    BatchIntegrator, CHECKPOINT, IntegrationError, Integrator, StepError,
+};
 use core::ops::Range;
-use lie_poisson::{Hamiltonian, InstructionSet, MissingInstructions, Se3Dual, Width, dispatch};
+use lie_poisson::{InstructionSet, MissingInstructions, Se3Dual, Width, dispatch};
 
-/// States of one system. For tops they are advanced in the lanes of the processor's registers, two
+/// States of one top. They are advanced in the lanes of the processor's registers, two
 /// registers at a time, and each has the bits of its own
 /// [`trajectory`](collective_integrators::Start::trajectory) on the same instructions, of AVX2 and of
 /// AVX-512 alike; on [`InstructionSet::Portable`] it has others, since nothing is fused there. Steps
-/// of a top that do not settle in its lane, for large steps, are made by the iterations for any
-/// system from then on.
+/// that do not converge in their lane, for large steps, are made by [`ReducedMidpoint`] from then on.
 ///
 /// # Example
 /// Tops with different angular momenta:
 /// ```
 /// use collective_integrators::Ensemble;
-/// use heavytop::{HeavyTop, ReducedMidpoint};
+/// use heavytop::{HeavyTop, TopMidpoint};
 /// use lie_poisson::Se3Dual;
 /// use nalgebra::Vector3;
 /// let start = |i: usize| Se3Dual::new(Vector3::new(1.0, 0.1 * i as f64, 2.0), Vector3::z());
 /// let mut tops: Vec<_> = (0..20).map(start).collect();
 /// tops[7].0.0.x = f64::NAN;
-/// let midpoint = Ensemble::new(ReducedMidpoint::new(HeavyTop::kovalevskaya(1.0, 1.0)?));
+/// let midpoint = Ensemble::new(TopMidpoint::new(HeavyTop::kovalevskaya(1.0, 1.0)?));
 /// let failures = midpoint.advance(&mut tops, 0.01, 0..1000);
 /// assert!(failures.len() == 1 && failures[0].index == 7 && failures[0].source.step == 1);
 /// for (i, mu) in tops.iter().enumerate().filter(|&(i, _)| i != 7) {
@@ -33,14 +34,14 @@ use lie_poisson::{Hamiltonian, InstructionSet, MissingInstructions, Se3Dual, Wid
 /// }
 /// # Ok::<(), heavytop::TopError>(())
 /// ```
-impl<H: Hamiltonian<HeavyTopSpace> + Sync> BatchIntegrator for ReducedMidpoint<H> {
+impl BatchIntegrator for TopMidpoint {
     type Member = Se3Dual;
 
-    /// That of steps of any system.
-    type Workspace = VelocitySpace<H>;
+    /// That of [`ReducedMidpoint`].
+    type Workspace = ReducedMidpointSpace<HeavyTop>;
 
     fn workspace(&self) -> Self::Workspace {
-        self.velocity_space()
+        self.general().workspace()
     }
 
     fn advance(
@@ -51,10 +52,10 @@ impl<H: Hamiltonian<HeavyTopSpace> + Sync> BatchIntegrator for ReducedMidpoint<H
         space: &mut Self::Workspace,
         failed: &mut dyn FnMut(usize, IntegrationError),
     ) {
-        let top = self.top::<f64>().unwrap_or(Top::NONE);
+        let (top, general) = (*self.top(), self.general());
         let until = steps.end;
         let left = &mut |i: usize, made: u64, state: &mut Se3Dual| {
-            if let Err(failure) = self.go_on(state, step, made..until, space) {
+            if let Err(failure) = go_on(general, state, step, made..until, space) {
                 failed(i, failure);
             }
         };
@@ -63,31 +64,29 @@ impl<H: Hamiltonian<HeavyTopSpace> + Sync> BatchIntegrator for ReducedMidpoint<H
     }
 }
 
-impl<H: Hamiltonian<HeavyTopSpace>> ReducedMidpoint<H> {
-    /// Steps as of any system.
-    fn go_on(
-        &self,
-        state: &mut Se3Dual,
-        step: f64,
-        steps: Range<u64>,
-        space: &mut VelocitySpace<H>,
-    ) -> Result<(), IntegrationError> {
-        StepError::check_start(state, step)
-            .map_err(|refused| IntegrationError::after(steps.start, step, refused))?;
-        space.forget();
-        for made in steps {
-            if made.is_multiple_of(CHECKPOINT) {
-                space.forget();
-            }
-            let next = self.step_of_any(state, step, space);
-            let failure = |source| IntegrationError::after(made, step, source);
-            *state = next.map_err(failure)?.0.point;
+/// Steps by the formulas for any system.
+fn go_on(
+    midpoint: &ReducedMidpoint<HeavyTop>,
+    state: &mut Se3Dual,
+    step: f64,
+    steps: Range<u64>,
+    space: &mut ReducedMidpointSpace<HeavyTop>,
+) -> Result<(), IntegrationError> {
+    StepError::check_start(state, step)
+        .map_err(|refused| IntegrationError::after(steps.start, step, refused))?;
+    midpoint.forget(space);
+    for made in steps {
+        if made.is_multiple_of(CHECKPOINT) {
+            midpoint.forget(space);
         }
-        Ok(())
+        let next = midpoint.step(state, step, space);
+        let failure = |source| IntegrationError::after(made, step, source);
+        *state = next.map_err(failure)?.point;
     }
+    Ok(())
 }
 
-/// [`ReducedMidpoint`] for many tops, each with its own parameters and start: (h, μ).
+/// [`TopMidpoint`] for many tops, each with its own parameters and start: (top, μ).
 ///
 /// # Example
 /// Lagrange tops of different moments, with Π₃ conserved:
@@ -106,22 +105,21 @@ impl<H: Hamiltonian<HeavyTopSpace>> ReducedMidpoint<H> {
 /// # Ok::<(), heavytop::TopError>(())
 /// ```
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub struct MidpointSweep<H = HeavyTop> {
+pub struct MidpointSweep {
     instructions: InstructionSet,
-    hamiltonian: PhantomData<fn() -> H>,
 }
 
-impl<H> Default for MidpointSweep<H> {
+impl Default for MidpointSweep {
     fn default() -> Self {
         Self::new()
     }
 }
 
-impl<H> MidpointSweep<H> {
+impl MidpointSweep {
     /// On the widest instructions that the processor has.
     #[must_use]
     pub fn new() -> Self {
-        Self { instructions: InstructionSet::detected(), hamiltonian: PhantomData }
+        Self { instructions: InstructionSet::detected() }
     }
 
     /// On other instructions.
@@ -130,37 +128,37 @@ impl<H> MidpointSweep<H> {
     /// If the processor lacks them.
     pub fn with_instructions(set: InstructionSet) -> Result<Self, MissingInstructions> {
         if set.is_available() {
-            Ok(Self { instructions: set, hamiltonian: PhantomData })
+            Ok(Self { instructions: set })
         } else {
             Err(MissingInstructions { set })
         }
     }
 }
 
-/// As of [`ReducedMidpoint`]. A member that leaves the lanes takes storage for its steps.
-impl<H: Hamiltonian<HeavyTopSpace> + Copy + Send + Sync> BatchIntegrator for MidpointSweep<H> {
-    type Member = (H, Se3Dual);
+/// As of [`TopMidpoint`]. A member that leaves the lanes takes storage for its steps.
+impl BatchIntegrator for MidpointSweep {
+    type Member = (HeavyTop, Se3Dual);
     type Workspace = ();
 
     fn workspace(&self) {}
 
     fn advance(
         &self,
-        members: &mut [(H, Se3Dual)],
+        members: &mut [(HeavyTop, Se3Dual)],
         step: f64,
         steps: Range<u64>,
         (): &mut (),
         failed: &mut dyn FnMut(usize, IntegrationError),
     ) {
         let until = steps.end;
-        let left = &mut |i: usize, made: u64, (top, state): &mut (H, Se3Dual)| {
+        let left = &mut |i: usize, made: u64, (top, state): &mut (HeavyTop, Se3Dual)| {
             let midpoint = ReducedMidpoint::new(*top);
-            let mut space = midpoint.velocity_space();
-            if let Err(failure) = midpoint.go_on(state, step, made..until, &mut space) {
+            let mut space = midpoint.workspace();
+            if let Err(failure) = go_on(&midpoint, state, step, made..until, &mut space) {
                 failed(i, failure);
             }
         };
-        let top = |member: &(H, Se3Dual)| top_of::<H, f64>(&member.0).unwrap_or(Top::NONE);
+        let top = |member: &(HeavyTop, Se3Dual)| member.0;
         run(ManyTops { top, members, step, steps, left }, self.instructions);
     }
 }
@@ -174,7 +172,7 @@ impl Member for Se3Dual {
     }
 }
 
-impl<H> Member for (H, Se3Dual) {
+impl Member for (HeavyTop, Se3Dual) {
     fn state(&self) -> &Se3Dual {
         &self.1
     }
@@ -184,7 +182,7 @@ impl<H> Member for (H, Se3Dual) {
 }
 
 /// Runs the steps, on instructions that the processor has, as whoever chose them has made sure.
-fn run<M: Member, F: Fn(&M) -> Top>(task: ManyTops<'_, M, F>, set: InstructionSet) {
+fn run<M: Member, F: Fn(&M) -> HeavyTop>(task: ManyTops<'_, M, F>, set: InstructionSet) {
     match dispatch(task, set, Width::TwoRegisters) {
         Ok(()) | Err(MissingInstructions { .. }) => {}
     }

@@ -2,8 +2,9 @@
 
 use super::components::{Components, State};
 use super::extrapolation::Extrapolation;
-use super::parameters::{Parameters, Top};
+use super::parameters::Parameters;
 use super::step::step;
+use crate::HeavyTop;
 use collective_integrators::CHECKPOINT;
 use core::ops::Range;
 use lie_poisson::{LaneTask, Lanes, Mask, Se3Dual};
@@ -34,7 +35,7 @@ pub(crate) struct ManyTops<'a, M, F> {
     pub left: &'a mut dyn FnMut(usize, u64, &mut M),
 }
 
-impl<M: Member, F: Fn(&M) -> Top> LaneTask for ManyTops<'_, M, F> {
+impl<M: Member, F: Fn(&M) -> HeavyTop> LaneTask for ManyTops<'_, M, F> {
     type Output = ();
 
     #[inline(always)]
@@ -52,7 +53,7 @@ impl<M: Member, F: Fn(&M) -> Top> LaneTask for ManyTops<'_, M, F> {
 /// The steps of one group, of which lanes beyond the last member repeat it.
 #[inline(always)]
 fn advance<T: Lanes, M: Member>(
-    top: &impl Fn(&M) -> Top,
+    top: &impl Fn(&M) -> HeavyTop,
     group: &mut [M],
     size: f64,
     steps: Range<u64>,

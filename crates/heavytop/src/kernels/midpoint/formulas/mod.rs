@@ -28,7 +28,6 @@ mod vector;
 
 pub(crate) use many_tops::{ManyTops, Member};
 pub(crate) use one_top::Memory;
-pub(crate) use parameters::Top;
 
 #[cfg(test)]
 mod tests;

@@ -1,0 +1,8 @@
+//! Collective Gauss methods of one heavy top, with the stages in the lanes of a register.
+
+mod row;
+mod point;
+mod memory;
+mod coefficients;
+mod kernel;
+pub(crate) mod collective_gauss;
