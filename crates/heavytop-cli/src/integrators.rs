@@ -7,8 +7,8 @@ use collective_integrators::{
     LiftFree, PartitionedRungeKutta, RungeKutta, SchemeError, Splitting, StageSolver, Start,
 };
 use heavytop::{
-    CollectiveGauss, HeavyTop, ReducedMidpoint, RotorSplitting, SpinorRealisation,
-    SymmetricTopSplitting, Turning,
+    CollectiveGauss, HeavyTop, RotorSplitting, SpinorRealisation, SymmetricTopSplitting,
+    TopMidpoint, Turning,
 };
 use lie_poisson::{DualNumber, LiePoisson, Se3, Se3Dual};
 use momentum_map::DualQuaternions;
@@ -134,12 +134,14 @@ impl Method {
         let (formulation, to_the_floor) = (self.formulation, self.tolerance == 0.0);
         match self.scheme {
             // The same maps, faster.
-            Scheme::Gauss(stages) if formulation == Formulation::Collective && to_the_floor => {
+            Scheme::Gauss(stages @ 1..=8)
+                if formulation == Formulation::Collective && to_the_floor =>
+            {
                 let gauss = CollectiveGauss::new(stages.into(), *top);
                 task.perform_turning(gauss.map_err(|e| self.failed(e))?)
             }
             Scheme::ImplicitMidpoint if formulation == Formulation::Reduced && to_the_floor => {
-                task.perform_turning(ReducedMidpoint::new(*top))
+                task.perform_turning(TopMidpoint::new(*top))
             }
             _ => self.differentiate(top, Plain(task)),
         }

@@ -9,10 +9,10 @@ use collective_integrators::{
     Substeps,
 };
 use heavytop::{
-    CollectiveGauss, GaussEnsemble, HeavyTop, HeavyTopSpace, MidpointSweep, ReducedMidpoint,
-    SpinorRealisation, SymmetricTopEnsemble, SymmetricTopSplitting,
+    CollectiveGauss, GaussBatch, MidpointBatch, ReducedMidpoint, SpinorRealisation,
+    SymmetricTopBatch, SymmetricTopSplitting, TopMidpoint,
 };
-use lie_poisson::{Differential, Hamiltonian, LiePoisson, Real, Se3, Se3Dual};
+use lie_poisson::{LiePoisson, Se3, Se3Dual};
 use momentum_map::DualQuaternions;
 use std::collections::BTreeSet;
 use std::sync::{Mutex, PoisonError};
@@ -127,7 +127,7 @@ fn one_top(contest: &mut Contest<'_, impl FnMut(Run)>) -> Result<(), Error> {
             contest.single(&name, step, &AlternatingSplitting::new(flows, substeps))?;
         }
     }
-    let midpoint = ReducedMidpoint::new(top);
+    let midpoint = TopMidpoint::new(top);
     contest.single("heavytop lift-free midpoint", 0.01, &midpoint)?;
 
     let gauss = RungeKutta::gauss(8).map_err(refused)?;
@@ -137,7 +137,7 @@ fn one_top(contest: &mut Contest<'_, impl FnMut(Run)>) -> Result<(), Error> {
     contest.single("heavytop any system: Gauss-16, compensated", 0.25, &compensated)?;
     let general = LiftFree::new(RungeKutta::implicit_midpoint(), DualQuaternions, top);
     contest.single("heavytop any system: lift-free midpoint", 0.01, &general)?;
-    let closed = ReducedMidpoint::new(AnyHamiltonian(top));
+    let closed = ReducedMidpoint::new(top);
     contest.single("heavytop any Hamiltonian: midpoint", 0.01, &closed)?;
     let field = HamiltonianField { space: LiePoisson::minus(Se3::default()), hamiltonian: top };
     let direct = Direct::new(RungeKutta::rk4(), field);
@@ -148,20 +148,20 @@ fn one_top(contest: &mut Contest<'_, impl FnMut(Run)>) -> Result<(), Error> {
 fn many_tops(contest: &mut Contest<'_, impl FnMut(Run)>) -> Result<(), Error> {
     let top = contest.problem.top;
     for step in [0.4, 1.0 / 3.0, 0.25] {
-        let gauss = GaussEnsemble::<8>::new().map_err(refused)?;
+        let gauss = GaussBatch::<8>::new().map_err(refused)?;
         let member = |mu| (top, mu);
         contest.many("heavytop Gauss-16", step, gauss, member, |(_, mu)| *mu)?;
     }
     if let Ok(flows) = SymmetricTopSplitting::new(top) {
         for (name, step, substeps) in splittings() {
-            let splitting = SymmetricTopEnsemble::new(substeps);
+            let splitting = SymmetricTopBatch::new(substeps);
             let (name, member) = (format!("heavytop {name}"), |mu| (flows, mu));
             contest.many(&name, step, splitting, member, |(_, mu)| *mu)?;
         }
     }
-    let (name, midpoint) = ("heavytop lift-free midpoint", ReducedMidpoint::new(top));
+    let (name, midpoint) = ("heavytop lift-free midpoint", TopMidpoint::new(top));
     contest.many(name, 0.01, midpoint, |mu| mu, |mu| *mu)?;
-    let (name, sweep) = ("heavytop lift-free midpoint, a top each", MidpointSweep::new());
+    let (name, sweep) = ("heavytop lift-free midpoint, a top each", MidpointBatch::new());
     contest.many(name, 0.01, sweep, |mu| (top, mu), |(_, mu)| *mu)?;
 
     // Slower by much; what a top costs does not depend on their number.
@@ -175,23 +175,9 @@ fn many_tops(contest: &mut Contest<'_, impl FnMut(Run)>) -> Result<(), Error> {
     let midpoint = LiftFree::new(RungeKutta::implicit_midpoint(), DualQuaternions, top);
     let (name, general) = ("heavytop any system: lift-free midpoint", Laned::new(midpoint));
     contest.many(name, 0.01, general, |mu| mu, |mu| *mu)?;
-    let closed = Laned::new(ReducedMidpoint::new(AnyHamiltonian(top)));
+    let closed = Laned::new(ReducedMidpoint::new(top));
     contest.many("heavytop any Hamiltonian: midpoint", 0.01, closed, |mu| mu, |mu| *mu)?;
     Ok(())
-}
-
-/// A top that does not say that it is one, and is given no formulas of its own.
-struct AnyHamiltonian(HeavyTop);
-
-impl<T: Real> Hamiltonian<HeavyTopSpace, T> for AnyHamiltonian {
-    fn value(&self, mu: &Se3Dual<T>) -> T {
-        self.0.value(mu)
-    }
-
-    #[inline]
-    fn differential(&self, mu: &Se3Dual<T>) -> Differential<HeavyTopSpace, T> {
-        self.0.differential(mu)
-    }
 }
 
 /// Splittings of symmetric tops into drift and kick, with steps that divide 10 s.

@@ -5,7 +5,7 @@ use crate::kernels::gauss_many::spinor_field::Parameters;
 use crate::kernels::gauss_many::spinor_step::{Coefficients, Motion};
 use collective_integrators::{
     BatchIntegrator, IntegrationError, Integrator, LaneKernel, LaneResults, LiftFree, Registers,
-    RungeKutta, SchemeError, Tableau, advance_alone,
+    RungeKutta, SchemeError, Tableau, advance_alone, lagrange_polynomial,
 };
 use core::ops::Range;
 use lie_poisson::{InstructionSet, Lanes, Mask, MissingInstructions, Se3Dual, Vector, Width};
@@ -27,7 +27,7 @@ use momentum_map::DualQuaternions;
 /// # Example
 /// ```
 /// use collective_integrators::Ensemble;
-/// use heavytop::{Body, GaussEnsemble, HeavyTop, Invariant};
+/// use heavytop::{Body, GaussBatch, HeavyTop, Invariant};
 /// use lie_poisson::Se3Dual;
 /// use nalgebra::Vector3;
 /// let body = Body {
@@ -42,7 +42,7 @@ use momentum_map::DualQuaternions;
 ///     Se3Dual::new(Vector3::new(1.0, 0.5, f64::from(i) / 50.0), Vector3::new(0.6, 0.0, 0.8))
 /// };
 /// let mut tops: Vec<_> = (0..100).map(|i| (top, start(i))).collect();
-/// let ensemble = Ensemble::new(GaussEnsemble::<8>::new()?);
+/// let ensemble = Ensemble::new(GaussBatch::<8>::new()?);
 /// assert!(ensemble.advance(&mut tops, 0.25, 0..40).is_empty());
 /// let energy = |mu: &Se3Dual| Invariant::Energy.value(&top, mu);
 /// for (i, (_, mu)) in (0..).zip(&tops) {
@@ -51,13 +51,13 @@ use momentum_map::DualQuaternions;
 /// # Ok::<(), Box<dyn std::error::Error>>(())
 /// ```
 #[derive(Clone, Debug, PartialEq)]
-pub struct GaussEnsemble<const S: usize> {
+pub struct GaussBatch<const S: usize> {
     scheme: RungeKutta,
     coefficients: Coefficients<S>,
     registers: Registers,
 }
 
-impl<const S: usize> GaussEnsemble<S> {
+impl<const S: usize> GaussBatch<S> {
     /// On the widest lanes that the processor has.
     ///
     /// # Errors
@@ -86,7 +86,7 @@ impl<const S: usize> GaussEnsemble<S> {
 
 /// Runs in several calls that meet at multiples of [`CHECKPOINT`](collective_integrators::CHECKPOINT)
 /// have the bits of one run; others differ by rounding.
-impl<const S: usize> BatchIntegrator for GaussEnsemble<S> {
+impl<const S: usize> BatchIntegrator for GaussBatch<S> {
     type Member = (HeavyTop, Se3Dual);
     type Workspace = ();
 
@@ -110,9 +110,7 @@ impl<const S: usize> BatchIntegrator for GaussEnsemble<S> {
 /// through the derivatives of one step to the nodes of the next.
 fn coefficients<const S: usize>(gauss: &Tableau) -> Coefficients<S> {
     let c = gauss.nodes();
-    let extension = |j: usize, l: usize| -> f64 {
-        (0..S).filter(|&m| m != l).map(|m| (1.0 + c[j] - c[m]) / (c[l] - c[m])).product()
-    };
+    let extension = |j: usize, l: usize| lagrange_polynomial(c, l, 1.0 + c[j]);
     let a = |i: usize, j: usize| gauss.row(i)[j];
     let extended = |i, l| (0..S).map(|j| a(i, j) * extension(j, l)).sum();
     Coefficients {

@@ -36,7 +36,7 @@ const SHORT: [f64; 2] = [0.7, 1.7];
 /// A thousand of Kovalevskaya's tops, at round-off accuracy:
 /// ```
 /// use collective_integrators::{AlternatingSubsteps, Ensemble, Substeps};
-/// use heavytop::{HeavyTop, Invariant, SymmetricTopEnsemble, SymmetricTopSplitting};
+/// use heavytop::{HeavyTop, Invariant, SymmetricTopBatch, SymmetricTopSplitting};
 /// use lie_poisson::Se3Dual;
 /// use nalgebra::Vector3;
 /// let top = SymmetricTopSplitting::new(HeavyTop::kovalevskaya(1.0, 1.0)?)?;
@@ -45,7 +45,7 @@ const SHORT: [f64; 2] = [0.7, 1.7];
 /// };
 /// let mut tops: Vec<_> = (0..1000).map(|i| (top, start(i))).collect();
 /// let substeps = AlternatingSubsteps::composed(&Substeps::sofroniou_spaletta10());
-/// let ensemble = Ensemble::new(SymmetricTopEnsemble::new(substeps));
+/// let ensemble = Ensemble::new(SymmetricTopBatch::new(substeps));
 /// assert!(ensemble.advance(&mut tops, 0.2, 0..50).is_empty());
 /// let energy = |mu: &Se3Dual| Invariant::Energy.value(top.top(), mu);
 /// for (i, (_, mu)) in (0..).zip(&tops) {
@@ -54,14 +54,14 @@ const SHORT: [f64; 2] = [0.7, 1.7];
 /// # Ok::<(), Box<dyn std::error::Error>>(())
 /// ```
 #[derive(Clone, Debug, PartialEq)]
-pub struct SymmetricTopEnsemble {
+pub struct SymmetricTopBatch {
     substeps: AlternatingSubsteps,
     short: Flows,
     long: Flows,
     registers: Registers,
 }
 
-impl SymmetricTopEnsemble {
+impl SymmetricTopBatch {
     /// The splitting with these coefficients, on the widest lanes that the processor has.
     #[must_use]
     pub fn new(substeps: AlternatingSubsteps) -> Self {
@@ -84,7 +84,7 @@ impl SymmetricTopEnsemble {
 
 /// Runs in several calls that meet at multiples of [`CHECKPOINT`](collective_integrators::CHECKPOINT)
 /// have the bits of one run; others differ by rounding.
-impl BatchIntegrator for SymmetricTopEnsemble {
+impl BatchIntegrator for SymmetricTopBatch {
     type Member = (SymmetricTopSplitting, Se3Dual);
     type Workspace = ();
 
@@ -102,7 +102,7 @@ impl BatchIntegrator for SymmetricTopEnsemble {
     }
 }
 
-impl LaneKernel for SymmetricTopEnsemble {
+impl LaneKernel for SymmetricTopBatch {
     type Member = (SymmetricTopSplitting, Se3Dual);
     type Workspace = ();
 
@@ -199,8 +199,8 @@ mod tests {
     #[test]
     fn polynomials_are_chosen_top_by_top() -> Result<(), Box<dyn std::error::Error>> {
         let substeps = AlternatingSubsteps::new(&[0.5, 0.5], &[4.0, -3.0])?;
-        let ensemble = SymmetricTopEnsemble::new(substeps)
-            .on(InstructionSet::Portable, Width::TwoRegisters)?;
+        let ensemble =
+            SymmetricTopBatch::new(substeps).on(InstructionSet::Portable, Width::TwoRegisters)?;
         let flows = SymmetricTopSplitting::new(HeavyTop::kovalevskaya(1.0, 1.0)?)?;
         let member = |i: u32| {
             let (x, turn) = (0.25 * f64::from(i), f64::from(i * i));
