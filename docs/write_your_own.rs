@@ -3,7 +3,7 @@
 //! The Poincaré group of space-time with one space dimension acts on R² ∋ (t, x); from that alone
 //! we get Lie–Poisson integrators on the dual of its algebra, for any energy h(K, H, P) of boost
 //! momentum K, energy H and momentum P. The Casimir is the mass H² − P². Run with
-//! `cargo test --test write_your_own`.
+//! `cargo test --package workspace-tests write_your_own`.
 
 use collective_integrators::{Collective, Integrator, RungeKutta};
 use lie_poisson::laws::{lie_algebra, lie_group};

@@ -11,7 +11,7 @@
 //! | every method for tops, and a top in any units | [`scales`] |
 //! | the table of every scheme and formulation in `docs/audit.md` | [`audit`] |
 //!
-//! The checks themselves are in `tests/tests`, one subject per file.
+//! The checks themselves are in `tests/it`, one subject per file.
 
 pub mod audit;
 mod compare;

@@ -42,11 +42,11 @@ mod brackets;
 pub mod laws;
 
 pub use generic_scalars::{
-    ComplexSpace, Covector, DefaultLanes, Differential, DualNumber, FourLanes, FourLanesTask,
-    InstructionSet, LaneTask, Lanes, Mask, MissingInstructions, Pair, Point, Power, Quaternion,
-    Real, RealSpace, Vector, VectorSpace, Width, derivative_part, differential, dispatch,
-    dispatch_four, euclidean_norm, larger, map_coordinates, seed, solve_linear, squaring_scale,
-    transposed_tangent,
+    Blocks, ComplexSpace, Covector, DefaultLanes, Differential, DualNumber, FourLanes,
+    FourLanesTask, InstructionSet, LaneTask, Lanes, Mask, MissingInstructions, Pair, Point, Power,
+    Quaternion, Real, RealSpace, Vector, VectorSpace, Width, derivative_part, differential,
+    dispatch, dispatch_four, euclidean_norm, larger, map_coordinates, seed, solve_linear,
+    squaring_scale, transposed_tangent,
 };
 
 pub use algebras::algebra::{LieAlgebra, Momentum};

@@ -47,6 +47,7 @@ pub use numbers::linear_solve::solve_linear;
 pub use numbers::mask::Mask;
 pub use numbers::real::{Real, larger};
 
+pub use spaces::blocks::Blocks;
 pub use spaces::covector::Covector;
 pub use spaces::derivative::{derivative_part, differential, seed, transposed_tangent};
 pub use spaces::norm::{euclidean_norm, squaring_scale};

@@ -1,36 +1,34 @@
 //! Sizes of vectors, block by block.
 
-use lie_poisson::{Mask, Real, Vector};
+use lie_poisson::{Blocks, Mask, Real, Vector};
 
 /// The lanes of the scalar of a vector.
 pub(crate) type MaskOf<V> = <<V as Vector>::Scalar as Real>::Mask;
 
-/// Blocks that are told apart; of a vector with more blocks, the last ones share a size.
-const MOST: usize = 8;
-
 /// The largest magnitude in each [block](Vector::BLOCKS) of coordinates of one or several vectors.
 #[derive(Clone, Copy, Debug)]
 pub(crate) struct BlockSizes<V: Vector> {
-    most: [V::Scalar; MOST],
+    most: V::Blocks,
     /// The sum of all magnitudes, which keeps a NaN that the maxima lose.
     sum: V::Scalar,
 }
 
 impl<V: Vector> BlockSizes<V> {
-    /// The number of blocks that are told apart.
-    pub(crate) const COUNT: usize = if V::BLOCKS < MOST { V::BLOCKS } else { MOST };
-
     /// The sizes of no vector: zero.
     #[inline(always)]
     pub(crate) fn zero() -> Self {
-        Self { most: [V::Scalar::from_f64(0.0); MOST], sum: V::Scalar::from_f64(0.0) }
+        Self::uniform(V::Scalar::from_f64(0.0))
     }
 
     /// Sizes beyond all numbers.
     #[inline(always)]
     pub(crate) fn infinite() -> Self {
-        let infinity = V::Scalar::from_f64(f64::INFINITY);
-        Self { most: [infinity; MOST], sum: infinity }
+        Self::uniform(V::Scalar::from_f64(f64::INFINITY))
+    }
+
+    #[inline(always)]
+    fn uniform(size: V::Scalar) -> Self {
+        Self { most: V::Blocks::uniform(size), sum: size }
     }
 
     /// The sizes of several vectors.
@@ -45,8 +43,8 @@ impl<V: Vector> BlockSizes<V> {
     #[inline(always)]
     pub(crate) fn include(&mut self, v: &V) {
         for i in 0..V::DIM {
-            let (block, size) = (Self::block(i), v.coordinate(i).magnitude());
-            self.most[block] = size.maximum(self.most[block]);
+            let (block, size) = (V::block(i), v.coordinate(i).magnitude());
+            self.most.set(block, size.maximum(self.at(block)));
             self.sum += size;
         }
     }
@@ -54,10 +52,10 @@ impl<V: Vector> BlockSizes<V> {
     /// Enlarges the sizes to hold those of `other` that are above the bound that f gives for their block.
     #[inline]
     pub(crate) fn include_above(&mut self, other: &Self, f: impl Fn(usize) -> V::Scalar) {
-        for block in 0..Self::COUNT {
-            let below = other.most[block].at_most(f(block));
-            let size = Real::select(below, V::Scalar::from_f64(0.0), other.most[block]);
-            self.most[block] = size.maximum(self.most[block]);
+        for block in 0..V::BLOCKS {
+            let below = other.at(block).at_most(f(block));
+            let size = Real::select(below, V::Scalar::from_f64(0.0), other.at(block));
+            self.most.set(block, size.maximum(self.at(block)));
         }
         self.sum += other.sum;
     }
@@ -65,17 +63,18 @@ impl<V: Vector> BlockSizes<V> {
     /// Where the mask is true the first, elsewhere the second.
     #[inline]
     pub(crate) fn select(mask: MaskOf<V>, yes: &Self, no: &Self) -> Self {
-        Self {
-            most: core::array::from_fn(|b| Real::select(mask, yes.most[b], no.most[b])),
-            sum: Real::select(mask, yes.sum, no.sum),
+        let mut sizes = Self { sum: Real::select(mask, yes.sum, no.sum), ..*yes };
+        for block in 0..V::BLOCKS {
+            sizes.most.set(block, Real::select(mask, yes.at(block), no.at(block)));
         }
+        sizes
     }
 
     /// Adds other sizes times a factor.
     #[inline]
     pub(crate) fn add_scaled(&mut self, factor: V::Scalar, other: &Self) {
-        for block in 0..Self::COUNT {
-            self.most[block] += factor * other.most[block];
+        for block in 0..V::BLOCKS {
+            self.most.set(block, self.at(block) + factor * other.at(block));
         }
         self.sum += factor * other.sum;
     }
@@ -83,13 +82,13 @@ impl<V: Vector> BlockSizes<V> {
     /// The size of a block.
     #[inline(always)]
     pub(crate) fn at(&self, block: usize) -> V::Scalar {
-        self.most[block]
+        self.most.at(block)
     }
 
     /// The size of the block of the i-th coordinate.
     #[inline]
     pub(crate) fn of_coordinate(&self, i: usize) -> V::Scalar {
-        self.most[Self::block(i)]
+        self.most.at(V::block(i))
     }
 
     /// The largest f(block); NaN or ∞ where a coordinate of these or of other vectors was.
@@ -104,7 +103,7 @@ impl<V: Vector> BlockSizes<V> {
     #[inline(always)]
     pub(crate) fn largest_unchecked(&self, f: impl Fn(usize) -> V::Scalar) -> V::Scalar {
         let mut largest = f(0);
-        for block in 1..Self::COUNT {
+        for block in 1..V::BLOCKS {
             largest = f(block).maximum(largest);
         }
         largest
@@ -113,7 +112,7 @@ impl<V: Vector> BlockSizes<V> {
     /// The largest size; NaN where a coordinate was NaN.
     #[inline(always)]
     pub(crate) fn largest(&self) -> V::Scalar {
-        let largest = self.largest_unchecked(|block| self.most[block]);
+        let largest = self.largest_unchecked(|block| self.at(block));
         Real::select(self.sum.at_most(self.sum), largest, self.sum)
     }
 
@@ -122,8 +121,9 @@ impl<V: Vector> BlockSizes<V> {
     pub(crate) fn inverse(&self) -> Self {
         let (zero, one) = (V::Scalar::from_f64(0.0), V::Scalar::from_f64(1.0));
         let mut inverse = *self;
-        for size in inverse.most.iter_mut().take(Self::COUNT) {
-            *size = Real::select(size.at_most(zero), zero, one / *size);
+        for block in 0..V::BLOCKS {
+            let size = self.at(block);
+            inverse.most.set(block, Real::select(size.at_most(zero), zero, one / size));
         }
         inverse
     }
@@ -132,15 +132,10 @@ impl<V: Vector> BlockSizes<V> {
     #[inline(always)]
     pub(crate) fn at_most(&self, f: impl Fn(usize) -> V::Scalar) -> MaskOf<V> {
         let mut all = self.sum.at_most(self.sum);
-        for block in 0..Self::COUNT {
-            all = all.and(self.most[block].at_most(f(block)));
+        for block in 0..V::BLOCKS {
+            all = all.and(self.at(block).at_most(f(block)));
         }
         all
-    }
-
-    #[inline(always)]
-    fn block(i: usize) -> usize {
-        if V::BLOCKS == 1 { 0 } else { V::block(i).min(MOST - 1) }
     }
 }
 
@@ -178,11 +173,8 @@ mod tests {
         assert_eq!((0..Two::DIM).map(|i| sizes.of_coordinate(i)).sum::<f64>(), 2e-30 + 8.0);
         assert!(sizes.at_most(|block| [2e-30, 4.0][block]));
         assert!(!sizes.at_most(|block| [1e-30, 1e3][block]), "a small block is not hidden");
-        // Nine blocks: the last ones share a size.
-        type Four = Pair<Two, Two>;
-        type Nine = Pair<Pair<Four, Four>, Vector1<f64>>;
-        let nine = BlockSizes::of(&[Nine::from_coordinates(|i| i as f64)]);
-        assert_eq!((BlockSizes::<Nine>::COUNT, Nine::BLOCKS), (8, 9));
-        assert_eq!((nine.at(6), nine.at(7)), (9.0, 12.0));
+        type Three = Pair<Two, Vector1<f64>>;
+        let three = BlockSizes::of(&[Three::from_coordinates(|i| i as f64)]);
+        assert_eq!([three.at(0), three.at(1), three.at(2)], [0.0, 2.0, 3.0]);
     }
 }

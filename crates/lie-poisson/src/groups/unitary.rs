@@ -36,6 +36,7 @@ fn adjoint<T: Real, const N: usize>(a: &SMatrix<Complex<T>, N, N>) -> SMatrix<Co
 impl<T: Real, const N: usize> Vector for SkewHermitian<T, N> {
     type Scalar = T;
     type Dual = Covector<Self>;
+    type Blocks = (T,);
     const DIM: usize = N * N;
 
     #[inline]

@@ -26,8 +26,8 @@ impl<Q: Vector> Cotangent<Q> {
 impl<Q: Vector> Vector for Cotangent<Q> {
     type Scalar = Q::Scalar;
     type Dual = Covector<Self>;
+    type Blocks = (Q::Blocks, Q::Blocks);
     const DIM: usize = 2 * Q::DIM;
-    const BLOCKS: usize = 2 * Q::BLOCKS;
 
     /// The blocks of q, then those of p.
     #[inline(always)]

@@ -28,8 +28,8 @@ pub struct Covector<V>(pub V);
 impl<V: Vector<Dual = Covector<V>>> Vector for Covector<V> {
     type Scalar = V::Scalar;
     type Dual = V;
+    type Blocks = V::Blocks;
     const DIM: usize = V::DIM;
-    const BLOCKS: usize = V::BLOCKS;
 
     #[inline(always)]
     fn block(i: usize) -> usize {

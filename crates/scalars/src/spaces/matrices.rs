@@ -7,6 +7,7 @@ use num_complex::Complex;
 impl<T: Real, const R: usize, const C: usize> Vector for SMatrix<T, R, C> {
     type Scalar = T;
     type Dual = Covector<Self>;
+    type Blocks = (T,);
     const DIM: usize = R * C;
 
     #[inline]
@@ -29,6 +30,7 @@ impl<T: Real, const R: usize, const C: usize> Vector for SMatrix<T, R, C> {
 impl<T: Real, const R: usize, const C: usize> Vector for SMatrix<Complex<T>, R, C> {
     type Scalar = T;
     type Dual = Covector<Self>;
+    type Blocks = (T,);
     const DIM: usize = 2 * R * C;
 
     #[inline]

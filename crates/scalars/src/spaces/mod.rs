@@ -1,5 +1,6 @@
 //! Vector spaces over every scalar: their vectors, their duals, sums and powers, and derivatives of maps between them.
 
+pub(crate) mod blocks;
 pub(crate) mod vector;
 pub(crate) mod covector;
 pub(crate) mod matrices;

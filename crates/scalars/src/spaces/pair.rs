@@ -28,8 +28,8 @@ impl<A, B> Covector<Pair<A, B>> {
 impl<T: Real, A: Vector<Scalar = T>, B: Vector<Scalar = T>> Vector for Pair<A, B> {
     type Scalar = T;
     type Dual = Covector<Self>;
+    type Blocks = (A::Blocks, B::Blocks);
     const DIM: usize = A::DIM + B::DIM;
-    const BLOCKS: usize = A::BLOCKS + B::BLOCKS;
 
     /// The blocks of v, then those of w.
     #[inline(always)]

@@ -20,8 +20,8 @@ pub struct Power<V, const N: usize>(pub [V; N]);
 impl<V: Vector, const N: usize> Vector for Power<V, N> {
     type Scalar = V::Scalar;
     type Dual = Covector<Self>;
+    type Blocks = V::Blocks;
     const DIM: usize = N * V::DIM;
-    const BLOCKS: usize = V::BLOCKS;
 
     /// The same blocks for each factor: the n-th block of all of them is one.
     #[inline(always)]

@@ -130,6 +130,7 @@ impl<T: Real> Quaternion<T> {
 impl<T: Real> Vector for Quaternion<T> {
     type Scalar = T;
     type Dual = Covector<Self>;
+    type Blocks = (T,);
     const DIM: usize = 4;
 
     #[inline]

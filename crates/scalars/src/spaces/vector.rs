@@ -1,6 +1,6 @@
 //! Finite-dimensional real vector spaces, by their coordinates.
 
-use crate::Real;
+use crate::{Blocks, Real};
 use core::fmt::Debug;
 use core::ops::{Add, AddAssign, Neg, Sub, SubAssign};
 
@@ -44,12 +44,15 @@ pub trait Vector:
     /// dim V over the reals.
     const DIM: usize;
 
-    /// The number of blocks of coordinates. Coordinates of one block have one unit and one scale;
-    /// those of different blocks, as q and p in (q, p), have nothing to be compared by. By default 1.
+    /// One number for each block of coordinates: `(Self::Scalar,)` where all coordinates have one unit and one
+    /// scale, a pair for the two parts of a vector such as (q, p), whose units differ.
     ///
-    /// Where numbers are to be told small or large, as in the convergence tests of implicit methods,
-    /// each block is held against itself, so that no result depends on units.
-    const BLOCKS: usize = 1;
+    /// Where numbers are judged small or large, as in the convergence tests of implicit methods, each block is
+    /// compared with itself, so that no result depends on units.
+    type Blocks: Blocks<Self::Scalar>;
+
+    /// The number of blocks of coordinates.
+    const BLOCKS: usize = <Self::Blocks as Blocks<Self::Scalar>>::COUNT;
 
     /// Σ f(i) eᵢ. `f` is called once for each i = 0, …, DIM−1, in this order.
     fn from_coordinates(f: impl FnMut(usize) -> Self::Scalar) -> Self;

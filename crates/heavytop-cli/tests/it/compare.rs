@@ -1,0 +1,108 @@
+//! `heavytop compare`
+
+use crate::program::Folder;
+
+const FILES: [&str; 3] = ["work-precision.csv", "work-precision.png", "work-precision.svg"];
+
+/// The rows of the table: formulation, scheme, and the numbers.
+fn rows(csv: &str) -> Vec<(String, String, Vec<f64>)> {
+    let mut lines = csv.lines();
+    assert_eq!(lines.next(), Some("formulation,scheme,step,end,error,seconds,h,f1,f2"));
+    lines
+        .map(|line| {
+            let cells: Vec<&str> = line.split(',').collect();
+            let numbers = cells[2..].iter().map(|cell| cell.parse().unwrap()).collect();
+            (cells[0].into(), cells[1].into(), numbers)
+        })
+        .collect()
+}
+
+#[test]
+fn a_short_comparison_has_all_methods_and_says_which_to_take() {
+    let folder = Folder::new();
+    folder.write("a.toml", "integrator = { step = 0.1, end = 1 }\nbody.inertia = [3.0, 2.0, 1.5]");
+    let run = folder.heavytop(&["compare", "a.toml", "--out", "made/here"]);
+    assert_eq!((run.code(), run.stderr().as_str()), (0, ""));
+    let entries = std::fs::read_dir(folder.path("made/here")).unwrap();
+    let mut names: Vec<_> =
+        entries.map(|entry| entry.unwrap().file_name().into_string().unwrap()).collect();
+    names.sort();
+    assert_eq!(names, FILES);
+    assert!(folder.read("made/here/work-precision.svg").starts_with("<svg"));
+    let png = std::fs::read(folder.path("made/here/work-precision.png")).unwrap();
+    assert!(png.starts_with(b"\x89PNG"));
+
+    // 1 to 100 steps; 17 methods collectively, 12 reduced, 14 directly, 6 by splitting
+    let rows = rows(&folder.read("made/here/work-precision.csv"));
+    let ladder = [1.0, 2.0, 3.0, 6.0, 10.0, 18.0, 32.0, 56.0, 100.0];
+    assert_eq!(rows.len(), (17 + 12 + 14 + 6) * ladder.len());
+    for (i, (formulation, scheme, numbers)) in rows.iter().enumerate() {
+        let [step, end, error, seconds, h, f1, f2] = numbers[..] else { panic!("{numbers:?}") };
+        assert_eq!((step, end), (1.0 / ladder[i % ladder.len()], 1.0));
+        let what = format!("{formulation} {scheme} {step}: {numbers:?}");
+        let failed = error.is_nan();
+        assert!(failed || (error >= 0.0 && seconds > 0.0 && h.is_finite()), "{what}");
+        // With a hundred steps all are near the solution, ...
+        assert!(step > 0.011 || error < 0.1, "{what}");
+        // ... and Poisson maps conserve the Casimirs with any.
+        let partitioned = ["symplectic-euler", "stormer-verlet", "lobatto-iiia-iiib-4"];
+        let explicit = ["explicit-midpoint", "rk4"];
+        let of = |schemes: &[&str]| schemes.contains(&scheme.as_str());
+        if formulation != "direct" && !of(&partitioned) && !of(&explicit) && !failed {
+            assert!(f1 < 1e-12 && f2 < 1e-11, "{what}");
+        }
+    }
+    let best = rows.iter().map(|row| row.2[2]).fold(f64::INFINITY, f64::min);
+    assert!(best < 1e-12, "{best}");
+
+    let said = run.stdout();
+    for target in ["1e-3", "1e-6", "1e-9"] {
+        let line = said.lines().find(|line| line.starts_with(&format!("error {target}: fastest ")));
+        assert!(
+            line.is_some_and(|line| line.contains("Poisson") && line.contains(" µs")),
+            "{said}"
+        );
+    }
+    assert!(said.contains("error 1e-12: ") && said.contains("made/here"), "{said}");
+}
+
+#[test]
+fn a_reference_that_is_not_certain_fails() {
+    let folder = Folder::new();
+    folder.write("a.toml", "integrator = { step = 0.8, end = 80 }");
+    let run = folder.heavytop(&["compare", "a.toml", "--out", "."]);
+    assert_eq!(run.code(), 1, "{}", run.stderr());
+    let said = run.stderr();
+    assert!(said.starts_with("heavytop: the reference solution is certain to "), "{said}");
+    assert_eq!((said.lines().count(), folder.names()), (1, vec!["a.toml".into()]));
+}
+
+#[test]
+fn wrong_requests_are_refused() {
+    let folder = Folder::new();
+    folder.write("file", "");
+    folder.write("wrong.toml", "body.mass = 0");
+    for arguments in [
+        &["compare"][..],
+        &["compare", "--out", "file"],
+        &["compare", "wrong.toml", "--out", "made"],
+        &["compare", "missing.toml", "--out", "made"],
+    ] {
+        let run = folder.heavytop(arguments);
+        assert_eq!(run.code(), 2, "{arguments:?}: {}", run.stderr());
+    }
+    assert_eq!(folder.names(), ["file", "wrong.toml"]);
+}
+
+#[test]
+fn what_cannot_be_written_is_found_before_there_is_any_work() {
+    // The partial file of the table, and the pictures.
+    for name in ["work-precision.csv.partial", "work-precision.svg", "work-precision.png"] {
+        let folder = Folder::new();
+        std::fs::create_dir_all(folder.path(name)).unwrap();
+        let run = folder.heavytop(&["compare", "--out", "."]);
+        assert_eq!(run.code(), 2, "{}", run.stderr());
+        assert!(run.stderr().contains("cannot create ./work-precision."), "{}", run.stderr());
+        assert_eq!(folder.names(), [name]);
+    }
+}

@@ -1,0 +1,22 @@
+//! What the program `heavytop` promises.
+#![allow(clippy::unwrap_used, clippy::panic)]
+
+mod animate;
+mod bench;
+mod checkpoint;
+mod compare;
+mod completions;
+mod formats;
+mod interruptions;
+mod locks;
+mod methods;
+#[cfg(feature = "mpi")]
+mod mpi;
+mod presets;
+mod program;
+mod refusals;
+mod reproduce;
+mod section;
+mod simulate;
+mod sweep;
+mod tiles;

@@ -1,0 +1,266 @@
+//! `heavytop section`
+
+use crate::program::{Folder, numbers};
+use heavytop::{HeavyTop, Invariant};
+use lie_poisson::Se3Dual;
+use nalgebra::Vector3;
+use parquet::file::reader::{FileReader, SerializedFileReader};
+use parquet::record::RowAccessor;
+
+const SMALL: &str = "[section]\nenergy = 1.5\nvertical_momentum = 0.5\nstarts = 5\ncrossings = 20";
+
+fn state(row: &[f64]) -> Se3Dual {
+    Se3Dual::new(Vector3::new(row[3], row[4], row[5]), Vector3::new(row[6], row[7], row[8]))
+}
+
+#[test]
+fn the_points_are_on_level_and_surface_and_on_curves_of_kovalevskaya() {
+    let folder = Folder::new();
+    folder.write("a.toml", SMALL);
+    let run = folder.heavytop(&["section", "a.toml", "--out", "made/here"]);
+    assert_eq!((run.code(), run.stderr().as_str()), (0, ""));
+    let (header, rows) = numbers(&folder.read("made/here/section.csv"));
+    assert_eq!(header.join(","), "start,crossing,t,Pi1,Pi2,Pi3,Gamma1,Gamma2,Gamma3,x,y");
+    assert_eq!(rows.len(), 5 * 21);
+    let top = HeavyTop::kovalevskaya(1.0, 1.0).unwrap();
+    for orbit in rows.chunks(21) {
+        let value = |f: Invariant, row: &[f64]| f.value(&top, &state(row));
+        for (number, row) in orbit.iter().enumerate() {
+            assert_eq!((row[0], row[1]), (orbit[0][0], number as f64));
+            assert!(row[8].abs() < 1e-15, "{row:?}");
+            assert!((value(Invariant::Energy, row) - 1.5).abs() < 1e-11);
+            assert!((value(Invariant::VerticalMomentum, row) - 0.5).abs() < 1e-12);
+            let k = Invariant::Kovalevskaya;
+            assert!((value(k, row) - value(k, &orbit[0])).abs() < 1e-9);
+            assert_eq!(
+                (row[9], row[10]),
+                (row[7].atan2(row[6]).rem_euclid(std::f64::consts::TAU), row[5])
+            );
+        }
+        assert!(orbit.is_sorted_by(|a, b| a[2] < b[2]));
+    }
+    // Control: from start to start K differs.
+    let k: Vec<f64> =
+        (0..5).map(|n| Invariant::Kovalevskaya.value(&top, &state(&rows[21 * n]))).collect();
+    assert!(k.windows(2).all(|pair| (pair[0] - pair[1]).abs() > 1e-3), "{k:?}");
+    assert!(folder.read("made/here/section.svg").starts_with("<svg"));
+    assert!(std::fs::read(folder.path("made/here/section.png")).unwrap().starts_with(b"\x89PNG"));
+    assert!(
+        run.stdout().contains("105 points of 5 starts, by reduced, gauss-8"),
+        "{}",
+        run.stdout()
+    );
+}
+
+#[test]
+fn no_bit_depends_on_the_number_of_threads() {
+    let folder = Folder::new();
+    folder.write("a.toml", SMALL);
+    for threads in ["1", "2", "5"] {
+        let run = folder.heavytop_on(threads, &["section", "a.toml", "--out", threads]);
+        assert_eq!(run.code(), 0, "{}", run.stderr());
+    }
+    folder.write("b.toml", &format!("{SMALL}\nseed = 1"));
+    assert_eq!(folder.heavytop(&["section", "b.toml", "--out", "other"]).code(), 0);
+    for file in ["section.csv", "section.svg", "section.png"] {
+        let read = |name: &str| std::fs::read(folder.path(name).join(file)).unwrap();
+        assert!(read("1") == read("2") && read("1") == read("5"), "{file}");
+        // Control: other starts, other bytes.
+        assert!(read("1") != read("other"), "{file}");
+    }
+}
+
+#[test]
+fn surface_direction_and_integrator_are_those_of_the_configuration() {
+    let folder = Folder::new();
+    let integrator = "integrator = { formulation = 'splitting', scheme = 'suzuki-4', step = 0.05 }";
+    let section = "surface = 'Pi1', level = 0.25, direction = 'down', starts = 3, crossings = 4";
+    // the level of [initial], of which h = 11.75
+    folder.write("a.toml", &format!("{integrator}\nsection = {{ {section} }}"));
+    let run = folder.heavytop(&["section", "a.toml", "--out", "."]);
+    assert_eq!(run.code(), 0, "{}", run.stderr());
+    assert!(run.stdout().starts_with("h = 11.75 J"), "{}", run.stdout());
+    assert!(run.stdout().contains("by splitting, suzuki-4, step 5.000e-2 s"), "{}", run.stdout());
+    let (_, rows) = numbers(&folder.read("section.csv"));
+    assert_eq!(rows.len(), 15);
+    assert!(rows.iter().all(|row| (row[3] - 0.25).abs() < 1e-14 && row[10] == row[6]));
+}
+
+#[test]
+fn starts_that_do_not_return_are_counted() {
+    let folder = Folder::new();
+    folder.write("a.toml", &format!("{SMALL}\nlongest = 20.0"));
+    let run = folder.heavytop(&["section", "a.toml", "--out", "."]);
+    assert_eq!(run.code(), 0, "{}", run.stderr());
+    assert!(
+        run.stdout().contains("5 starts have fewer than 20 returns in 20 s"),
+        "{}",
+        run.stdout()
+    );
+}
+
+#[test]
+fn wrong_requests_are_refused_and_nothing_is_written() {
+    for (text, message) in [
+        (
+            "section.energy = -1.5\nsection.vertical_momentum = 0",
+            "[section] no state of the section has an energy of -1.5 J: the least is -1",
+        ),
+        (
+            "section.level = 1.0",
+            "the level of Gamma3 must be more than -1 and less than 1, got 1.0\n",
+        ),
+        ("section.level = 1e308", "must be more than -1 and less than 1, got 1e308\n"),
+        ("section.energy = nan", "[section] energy must be a finite number, got NaN"),
+        (
+            "[section]\nsurface = 'Pi4'",
+            "line 2, column 11: section.surface: unknown surface `Pi4`; there are Pi1, Pi2, Pi3, Gamma1, Gamma2, Gamma3",
+        ),
+        ("section.direction = 'left'", "unknown direction `left`; there are up, down, both"),
+        ("section.start = 3", "unknown key `start`"),
+        ("section.starts = 0", "starts must be at least 1, got 0"),
+        ("section.crossings = 0", "crossings must be at least 1, got 0"),
+        (
+            "section = { starts = 100000, crossings = 100000 }",
+            "starts × crossings must be at most 1e7",
+        ),
+        ("section.longest = 0", "longest must be positive and finite, got 0"),
+        ("section.longest = 1e300", "more than 1e12"),
+        ("integrator.step = 0", "step must be positive and finite, got 0"),
+        ("integrator.step = 100", "turns the body by about"),
+        ("body.mass = 0", "[body] mass must be positive"),
+    ] {
+        let folder = Folder::new();
+        folder.write("a.toml", text);
+        let run = folder.heavytop(&["section", "a.toml", "--out", "made"]);
+        assert_eq!(run.code(), 2, "{text}: {}", run.stderr());
+        assert!(run.stderr().contains(message), "{text}: {}", run.stderr());
+        assert_eq!((run.stderr().lines().count(), folder.names()), (1, vec!["a.toml".into()]));
+    }
+}
+
+#[test]
+fn a_step_that_fails_ends_the_run_and_keeps_what_there_is() {
+    let folder = Folder::new();
+    folder.write(
+        "a.toml",
+        "integrator = { step = 0.5, formulation = 'collective', scheme = 'lobatto-iiia-iiib-4' }\n\
+         section.starts = 3",
+    );
+    let run = folder.heavytop(&["section", "a.toml", "--out", "."]);
+    assert_eq!(run.code(), 1, "{}", run.stderr());
+    let said = run.stderr();
+    for part in [
+        "collective, lobatto-iiia-iiib-4, start 1: step ",
+        "did not converge",
+        "section.csv.partial",
+    ] {
+        assert!(said.contains(part), "{said}");
+    }
+    assert_eq!(folder.names(), ["a.toml", "section.csv.partial"]);
+    assert!(!numbers(&folder.read("section.csv.partial")).1.is_empty());
+}
+
+#[test]
+fn parquet_has_the_numbers_of_the_csv_and_the_configuration_makes_them_again() {
+    let folder = Folder::new();
+    // Neither [integrator] nor the energy: what is left out is in the file nevertheless.
+    folder.write("a.toml", "section = { starts = 40, crossings = 4, direction = 'both' }");
+    assert_eq!(folder.heavytop(&["section", "a.toml", "--out", "a"]).code(), 0);
+    let (header, expected) = numbers(&folder.read("a/section.csv"));
+    let file = std::fs::File::open(folder.path("a/section.parquet")).unwrap();
+    let reader = SerializedFileReader::new(file).unwrap();
+    let about = reader.metadata().file_metadata();
+    let names: Vec<&str> = about.schema_descr().columns().iter().map(|c| c.name()).collect();
+    assert_eq!((names.join(","), about.num_rows()), (header.join(","), 200));
+    for (row, expected) in reader.get_row_iter(None).unwrap().zip(&expected) {
+        let row = row.unwrap();
+        let indices = [0, 1].map(|i| row.get_long(i).unwrap() as f64);
+        assert_eq!(indices[..], expected[..2]);
+        for (i, number) in expected.iter().enumerate().skip(2) {
+            assert_eq!(row.get_double(i).unwrap().to_bits(), number.to_bits());
+        }
+    }
+    let pairs = about.key_value_metadata().unwrap();
+    let value = |key: &str| pairs.iter().find(|p| p.key == key).unwrap().value.as_deref().unwrap();
+    assert_eq!(value("version"), env!("CARGO_PKG_VERSION"));
+    let configuration = value("configuration");
+    for part in
+        ["energy = 11.75\n", "direction = \"both\"\n", "scheme = \"gauss-8\"\n", "seed = 0\n"]
+    {
+        assert!(configuration.contains(part), "{configuration}");
+    }
+    folder.write("again.toml", configuration);
+    assert_eq!(folder.heavytop(&["section", "again.toml", "--out", "again"]).code(), 0);
+    for file in ["section.csv", "section.parquet", "section.svg", "section.png"] {
+        let read = |name: &str| std::fs::read(folder.path(name).join(file)).unwrap();
+        assert!(read("a") == read("again"), "{file}");
+    }
+}
+
+#[test]
+fn a_folder_in_the_way_is_refused_before_there_is_any_work() {
+    for name in ["section.csv", "section.parquet", "section.svg", "section.png"] {
+        let folder = Folder::new();
+        std::fs::create_dir_all(folder.path(name)).unwrap();
+        let run = folder.heavytop(&["section", "--out", "."]);
+        assert_eq!(run.code(), 2);
+        assert!(run.stderr().contains(&format!("cannot create ./{name}: ")), "{}", run.stderr());
+        assert_eq!(folder.names(), [name]);
+    }
+}
+
+/// A step alone changes the step alone.
+#[test]
+fn what_integrator_leaves_out_is_as_without_it() {
+    let folder = Folder::new();
+    folder.write("a.toml", "integrator.step = 0.125\nsection = { starts = 2, crossings = 2 }");
+    let run = folder.heavytop(&["section", "a.toml", "--out", "."]);
+    assert_eq!((run.code(), run.stderr()), (0, String::new()));
+    assert!(run.stdout().contains("by reduced, gauss-8, step 1.250e-1 s"), "{}", run.stdout());
+}
+
+#[test]
+#[cfg(target_os = "linux")]
+fn without_memory_a_section_fails_and_goes_on_once_there_is_some() {
+    let folder = Folder::new();
+    folder.write("a.toml", "section = { starts = 12, crossings = 150 }");
+    let whole = folder.heavytop(&["section", "a.toml", "--out", "whole"]);
+    assert_eq!(whole.code(), 0, "{}", whole.stderr());
+    let mut failed = 0;
+    // KB of address space: from too little for the threads to enough for all but the picture.
+    for room in [24_000, 28_000, 32_000, 40_000, 100_000, 160_000] {
+        let heavytop = env!("CARGO_BIN_EXE_heavytop");
+        let script = format!("ulimit -v {room}; exec {heavytop} section a.toml --out cut");
+        let mut command = std::process::Command::new("sh");
+        command.env("RAYON_NUM_THREADS", "2");
+        let done = command.args(["-c", &script]).current_dir(folder.path(".")).output().unwrap();
+        let said = String::from_utf8(done.stderr).unwrap();
+        match done.status.code() {
+            Some(0) => {}
+            // Not even the libraries have room on this machine.
+            Some(127) => continue,
+            Some(1) => {
+                failed += 1;
+                let is_told = ["heavytop: out of memory: ", "heavytop: cannot start threads"]
+                    .iter()
+                    .any(|beginning| said.starts_with(beginning));
+                assert!(is_told && said.lines().count() == 1, "{room}: {said}");
+                let option = if folder.path("cut/section.partial/identity").exists() {
+                    "--resume"
+                } else {
+                    "--restart"
+                };
+                let run = folder.heavytop(&["section", "a.toml", "--out", "cut", option]);
+                assert_eq!((run.code(), run.stderr()), (0, String::new()), "{room}");
+            }
+            code => panic!("{room}: {code:?} {said}"),
+        }
+        for file in ["section.csv", "section.parquet", "section.svg", "section.png"] {
+            let read = |name: &str| std::fs::read(folder.path(name).join(file)).unwrap();
+            assert!(read("whole") == read("cut"), "{room}: {file}");
+        }
+        std::fs::remove_dir_all(folder.path("cut")).unwrap();
+    }
+    assert!(failed > 0, "there was always memory enough");
+}

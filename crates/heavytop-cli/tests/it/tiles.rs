@@ -1,0 +1,328 @@
+//! Sections and sweeps that are interrupted, and go on.
+#![cfg(unix)]
+
+use crate::program::Folder;
+use std::path::PathBuf;
+use std::process::{Child, Command};
+use std::thread::sleep;
+use std::time::{Duration, SystemTime};
+
+/// A command whose finished parts are kept.
+struct Case {
+    command: &'static str,
+    /// Twelve tiles or so, of which each takes some hundredths of a second.
+    configuration: &'static str,
+    files: &'static [&'static str],
+    /// A key's value and another one, and what is said of them.
+    other: [&'static str; 3],
+}
+
+const SECTION: Case = Case {
+    command: "section",
+    configuration: "[section]\nenergy = 1.5\nvertical_momentum = 0.5\nstarts = 12\ncrossings = 150",
+    files: &["section.csv", "section.parquet", "section.svg", "section.png"],
+    other: ["energy = 1.5", "energy = 1.6", "[section] energy: 1.5 against 1.6"],
+};
+
+const SWEEP: Case = Case {
+    command: "sweep",
+    configuration: "[sweep]\nobservables = ['megno']\naxes = [\
+        { parameter = 'body.inertia[1]', from = 1, to = 3, count = 48 }, \
+        { parameter = 'initial.angular_momentum[2]', from = 0, to = 4, count = 64 }]\n\
+        [integrator]\nformulation = 'splitting'\nscheme = 'strang'\nstep = 0.1\nend = 2.0",
+    files: &["sweep.parquet", "megno.svg", "megno.png"],
+    other: ["end = 2.0", "end = 3.0", "[integrator] end: 2.0 against 3.0"],
+};
+
+impl Case {
+    /// A folder with the configuration, another one, and the files of an uninterrupted run.
+    fn folder(&self) -> Folder {
+        let folder = Folder::new();
+        folder.write("a.toml", self.configuration);
+        folder.write("b.toml", &self.configuration.replace(self.other[0], self.other[1]));
+        let run = folder.heavytop(&[self.command, "a.toml", "--out", "whole"]);
+        assert_eq!((run.code(), run.stderr().as_str()), (0, ""));
+        folder
+    }
+
+    fn tiles(&self, folder: &Folder) -> PathBuf {
+        folder.path("cut").join(format!("{}.partial", self.command))
+    }
+
+    /// Starts the command, and waits until it has finished a tile or two, and for some
+    /// milliseconds more.
+    fn start(&self, folder: &Folder, arguments: &[&str], milliseconds: u64) -> Child {
+        let tiles = self.tiles(folder);
+        // The identity is one of the files; another may have its name not yet.
+        let count = || std::fs::read_dir(&tiles).map_or(0, |files| files.count());
+        let before = count();
+        let first = [self.command, "a.toml", "--out", "cut"];
+        let mut child = folder.start(&[&first, arguments].concat());
+        while count() < before + 3 && child.try_wait().unwrap().is_none() {
+            sleep(Duration::from_millis(1));
+        }
+        sleep(Duration::from_millis(milliseconds));
+        child
+    }
+
+    fn assert_same_bytes(&self, folder: &Folder) {
+        for file in self.files {
+            let read = |out: &str| std::fs::read(folder.path(out).join(file)).unwrap();
+            assert!(read("cut") == read("whole"), "{file}");
+        }
+        let count = std::fs::read_dir(folder.path("cut")).unwrap().count();
+        assert_eq!(count, self.files.len(), "something is left in the folder");
+    }
+}
+
+#[test]
+fn a_killed_run_goes_on_to_the_same_bytes() {
+    for case in [SECTION, SWEEP] {
+        let folder = case.folder();
+        let mut interrupted = 0;
+        for time in [0, 10, 30] {
+            let mut child = case.start(&folder, &[], time);
+            let _ = child.kill();
+            child.wait().unwrap();
+            let tile = case.tiles(&folder).join("0000000");
+            if !tile.exists() {
+                // The machine was so fast that it had finished, or the other tiles come first.
+                let _ = std::fs::remove_dir_all(folder.path("cut"));
+                continue;
+            }
+            interrupted += 1;
+            let modified = |tile: &PathBuf| std::fs::metadata(tile).unwrap().modified().unwrap();
+            let before: SystemTime = modified(&tile);
+
+            let refused = folder.heavytop(&[case.command, "a.toml", "--out", "cut"]);
+            assert_eq!(refused.code(), 2);
+            let expected = "go on with --resume, or discard it with --restart\n";
+            assert!(refused.stderr().ends_with(expected), "{}", refused.stderr());
+            let other = folder.heavytop(&[case.command, "b.toml", "--out", "cut", "--resume"]);
+            assert_eq!(other.code(), 2);
+            let said = other.stderr();
+            assert!(said.contains(".partial: it is of another configuration: "), "{said}");
+            assert!(said.contains(case.other[2]), "{said}");
+            // Neither has touched what is finished.
+            assert_eq!(modified(&tile), before);
+
+            let resumed = folder.heavytop(&[case.command, "a.toml", "--out", "cut", "--resume"]);
+            assert_eq!((resumed.code(), resumed.stderr().as_str()), (0, ""));
+            case.assert_same_bytes(&folder);
+            std::fs::remove_dir_all(folder.path("cut")).unwrap();
+        }
+        assert!(interrupted > 0, "{}: no run was killed before its end", case.command);
+    }
+}
+
+#[test]
+fn ctrl_c_ends_a_run_whose_tiles_stay_also_twice() {
+    for case in [SECTION, SWEEP] {
+        let folder = case.folder();
+        let mut interrupted = 0;
+        for arguments in [&[][..], &["--resume"]] {
+            let child = case.start(&folder, arguments, 0);
+            let id = child.id().to_string();
+            // Of a run that is over nobody is left to be told.
+            // Twice, as by a launcher that tells the process and its group, is once.
+            let _ = Command::new("kill").args(["-INT", &id, &id]).status().unwrap();
+            let done = child.wait_with_output().unwrap();
+            let said = String::from_utf8(done.stderr).unwrap();
+            if done.status.code() == Some(0) {
+                continue;
+            }
+            interrupted += 1;
+            let expected = "heavytop: interrupted; go on by the same command with --resume\n";
+            assert_eq!((done.status.code(), said.as_str()), (Some(130), expected));
+            let names: Vec<_> = std::fs::read_dir(folder.path("cut")).unwrap().collect();
+            assert_eq!(names.len(), 1, "{names:?}");
+            // No tile is half there.
+            for file in std::fs::read_dir(case.tiles(&folder)).unwrap() {
+                let name = file.unwrap().file_name().into_string().unwrap();
+                assert!(!name.ends_with(".partial"), "{name}");
+            }
+        }
+        assert!(interrupted > 0, "{}: no run was interrupted", case.command);
+        if case.tiles(&folder).exists() {
+            let resumed = folder.heavytop(&[case.command, "a.toml", "--out", "cut", "--resume"]);
+            assert_eq!((resumed.code(), resumed.stderr().as_str()), (0, ""));
+        }
+        case.assert_same_bytes(&folder);
+    }
+}
+
+#[test]
+fn a_run_without_room_goes_on_once_there_is_some() {
+    for case in [SECTION, SWEEP] {
+        let folder = case.folder();
+        let heavytop = env!("CARGO_BIN_EXE_heavytop");
+        // Room for the identity, and for tiles, but not for the table: files of 40 or 20 KB, for
+        // shells count in blocks of 1024 or of 512 bytes.
+        let run = format!("{heavytop} {} a.toml --out cut", case.command);
+        let script = format!("trap '' XFSZ; ulimit -f 40; exec {run}");
+        let mut command = Command::new("sh");
+        let done = command.args(["-c", &script]).current_dir(folder.path(".")).output().unwrap();
+        let said = String::from_utf8(done.stderr).unwrap();
+        assert_eq!(done.status.code(), Some(1), "{said}");
+        assert!(said.contains("File too large"), "{said}");
+        assert!(said.ends_with("; go on by the same command with --resume\n"), "{said}");
+        assert_eq!(said.lines().count(), 1, "{said}");
+        let resumed = folder.heavytop(&[case.command, "a.toml", "--out", "cut", "--resume"]);
+        assert_eq!((resumed.code(), resumed.stderr().as_str()), (0, ""));
+        case.assert_same_bytes(&folder);
+    }
+}
+
+/// A run that was killed while it removed its tiles may have left some.
+#[test]
+fn tiles_of_another_run_are_not_taken() {
+    for case in [SECTION, SWEEP] {
+        let folder = case.folder();
+        let mut child = folder.start(&[case.command, "b.toml", "--out", "cut"]);
+        let tile = case.tiles(&folder).join("0000001");
+        while !tile.exists() && child.try_wait().unwrap().is_none() {
+            sleep(Duration::from_millis(1));
+        }
+        let _ = child.kill();
+        child.wait().unwrap();
+        if !tile.exists() {
+            continue;
+        }
+        std::fs::remove_file(case.tiles(&folder).join("identity")).unwrap();
+        let run = folder.heavytop(&[case.command, "a.toml", "--out", "cut"]);
+        assert_eq!((run.code(), run.stderr().as_str()), (0, ""));
+        case.assert_same_bytes(&folder);
+    }
+}
+
+#[test]
+fn a_damaged_identity_is_refused() {
+    for case in [SECTION, SWEEP] {
+        let folder = case.folder();
+        let title = "heavytop-tiles 00000000\n";
+        std::fs::create_dir_all(case.tiles(&folder)).unwrap();
+        for (identity, message) in [
+            ("", "it is damaged, or no checkpoint: it ends early"),
+            (title, "it is damaged, or no checkpoint: "),
+            (
+                "heavytop-tiles 6c0d35ab\nversion = \"0.0.1\"\n",
+                "version 0.0.1 made it, and this is ",
+            ),
+        ] {
+            let path = case.tiles(&folder).join("identity");
+            let sealed = match identity.split_once('\n') {
+                Some((_, contents)) if !contents.is_empty() => {
+                    format!(
+                        "heavytop-tiles {:08x}\n{contents}",
+                        crc32fast::hash(contents.as_bytes())
+                    )
+                }
+                _ => identity.into(),
+            };
+            std::fs::write(&path, &sealed).unwrap();
+            let run = folder.heavytop(&[case.command, "a.toml", "--out", "cut", "--resume"]);
+            assert_eq!(run.code(), 2, "{}", run.stderr());
+            assert!(run.stderr().contains(message), "{}", run.stderr());
+            assert!(run.stderr().ends_with("; start anew with --restart\n"), "{}", run.stderr());
+            assert_eq!(std::fs::read_to_string(&path).unwrap(), sealed);
+        }
+        // What is no text is damaged, too; and the advice helps.
+        std::fs::write(case.tiles(&folder).join("identity"), [0xff, 0xfe]).unwrap();
+        let run = folder.heavytop(&[case.command, "a.toml", "--out", "cut", "--resume"]);
+        assert_eq!(run.code(), 2, "{}", run.stderr());
+        assert!(run.stderr().contains("it is damaged, or no checkpoint"), "{}", run.stderr());
+        let run = folder.heavytop(&[case.command, "a.toml", "--out", "cut", "--restart"]);
+        assert_eq!((run.code(), run.stderr().as_str()), (0, ""));
+        case.assert_same_bytes(&folder);
+    }
+}
+
+/// A folder with some finished tiles.
+fn interrupted(case: &Case) -> Folder {
+    let folder = case.folder();
+    let tile = |number: u32| case.tiles(&folder).join(format!("{number:07}"));
+    let mut child = folder.start(&[case.command, "a.toml", "--out", "cut"]);
+    while !(tile(0).exists() && tile(1).exists()) && child.try_wait().unwrap().is_none() {
+        sleep(Duration::from_millis(1));
+    }
+    child.kill().unwrap();
+    child.wait().unwrap();
+    assert!(tile(0).exists() && tile(1).exists(), "the run was too short");
+    folder
+}
+
+#[test]
+fn tiles_that_were_swapped_are_made_again() {
+    for case in [SECTION, SWEEP] {
+        let folder = interrupted(&case);
+        let [first, second] = ["0000000", "0000001"].map(|name| case.tiles(&folder).join(name));
+        let bytes = std::fs::read(&first).unwrap();
+        std::fs::rename(&second, &first).unwrap();
+        std::fs::write(&second, bytes).unwrap();
+        let resumed = folder.heavytop(&[case.command, "a.toml", "--out", "cut", "--resume"]);
+        assert_eq!((resumed.code(), resumed.stderr().as_str()), (0, ""));
+        case.assert_same_bytes(&folder);
+    }
+}
+
+/// A tile that lacks its last line, or has it twice, with the checksum of what it contains now.
+#[test]
+fn tiles_that_are_whole_and_not_what_they_should_be_are_made_again() {
+    for case in [SECTION, SWEEP] {
+        let folder = interrupted(&case);
+        for (name, times) in [("0000000", 0), ("0000001", 2)] {
+            let path = case.tiles(&folder).join(name);
+            let tile = std::fs::read_to_string(&path).unwrap();
+            let (title, contents) = tile.split_once('\n').unwrap();
+            let (start, _) = title.rsplit_once(' ').unwrap();
+            let start_of_last = contents.trim_end().rfind('\n').unwrap() + 1;
+            // Of a section's tile all lines but those of the start: it would have fewer returns.
+            let kept = if case.command == "section" && times == 0 {
+                ""
+            } else {
+                &contents[..start_of_last]
+            };
+            let changed = kept.to_owned() + &contents[start_of_last..].repeat(times);
+            let checksum = crc32fast::hash(changed.as_bytes());
+            std::fs::write(&path, format!("{start} {checksum:08x}\n{changed}")).unwrap();
+        }
+        let resumed = folder.heavytop(&[case.command, "a.toml", "--out", "cut", "--resume"]);
+        assert_eq!((resumed.code(), resumed.stderr().as_str()), (0, ""));
+        case.assert_same_bytes(&folder);
+    }
+}
+
+#[test]
+fn a_run_that_shall_start_anew_discards_the_tiles() {
+    for case in [SECTION, SWEEP] {
+        let folder = interrupted(&case);
+        // Another configuration does not mind what there is.
+        let run = folder.heavytop(&[case.command, "b.toml", "--out", "cut", "--restart"]);
+        assert_eq!((run.code(), run.stderr().as_str()), (0, ""));
+        assert!(!case.tiles(&folder).exists());
+        let both = [case.command, "a.toml", "--out", "cut", "--restart", "--resume"];
+        assert_eq!(folder.heavytop(&both).code(), 2);
+        // Nor is it needed that there is something.
+        let run = folder.heavytop(&[case.command, "a.toml", "--out", "cut", "--restart"]);
+        assert_eq!((run.code(), run.stderr().as_str()), (0, ""));
+        case.assert_same_bytes(&folder);
+    }
+}
+
+#[test]
+fn a_file_where_the_folder_should_be_is_refused() {
+    for case in [SECTION, SWEEP] {
+        let folder = Folder::new();
+        folder.write("taken", "");
+        for out in ["taken", "taken/below"] {
+            let run = folder.heavytop(&[case.command, "--out", out]);
+            assert_eq!(run.code(), 2, "{}", run.stderr());
+            let message = format!("cannot create {out}/{}.partial: ", case.command);
+            assert!(run.stderr().contains(&message), "{}", run.stderr());
+            assert_eq!(
+                (folder.names(), folder.read("taken")),
+                (vec!["taken".into()], String::new())
+            );
+        }
+    }
+}

@@ -1,0 +1,18 @@
+//! What tops, kernels, splittings and closed forms promise.
+#![allow(clippy::unwrap_used, clippy::panic)]
+
+mod attitude;
+mod closed_forms;
+mod collective_gauss;
+mod descent;
+mod euler_top;
+mod extreme_momenta;
+mod jacobi_elliptic;
+mod lagrange_nutation;
+mod midpoint_kernel;
+mod poincare;
+mod reduced;
+mod splittings;
+mod starts;
+mod systems;
+mod top_ensembles;

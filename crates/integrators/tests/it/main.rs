@@ -1,0 +1,12 @@
+//! What schemes, integrators and indicators of chaos promise.
+#![allow(clippy::unwrap_used, clippy::panic)]
+
+mod compensated_schemes;
+mod compositions;
+mod extended;
+mod lyapunov;
+mod partitioned_schemes;
+mod runge_kutta;
+mod spherical_midpoint;
+mod support;
+mod trajectory;

@@ -1,0 +1,257 @@
+//! Every action, momentum map and realisation of the crate obeys its laws, and each law rejects
+//! something that breaks it.
+
+use crate::support::{TOLERANCE, holds, laws, samples};
+use lie_poisson::*;
+use momentum_map::*;
+use nalgebra::{Vector2, Vector3};
+use num_complex::Complex;
+
+fn action_laws<A: GroupAction>(action: &A) {
+    holds(laws::group_action(action, &samples(), &samples()).unwrap());
+    holds(laws::group_action(&CotangentLift(action.clone()), &samples(), &samples()).unwrap());
+    holds(laws::cotangent_lift(action, &samples(), &samples()).unwrap());
+    holds(laws::equivariance(action, &samples(), &samples()).unwrap());
+    holds(laws::poisson_map(&MomentumMap(action.clone()), &samples()).unwrap());
+}
+
+#[test]
+fn linear_actions_on_real_complex_and_quaternionic_spaces() {
+    action_laws(&LinearAction(SO3OnR3));
+    action_laws(&Opposite(LinearAction(SL2OnR2)));
+    action_laws(&LinearAction(SU2OnC2));
+    action_laws(&Opposite(LinearAction(UnitaryOnComplexSpace::<2>)));
+    action_laws(&LinearAction(SP1OnQuaternions::<1>));
+}
+
+#[test]
+fn affine_actions() {
+    action_laws(&AffineAction(SO2OnR2));
+    action_laws(&Opposite(AffineAction(SO3OnR3)));
+    action_laws(&Opposite(AffineAction(SU2OnC2)));
+}
+
+#[test]
+fn actions_on_products() {
+    action_laws(&JointAction(LinearAction(SO3OnR3), LinearAction(SO3OnR3)));
+    action_laws(&ProductAction(AffineAction(SO2OnR2), LinearAction(SO3OnR3)));
+}
+
+/// q ↦ q + arctan-like bending: a nonlinear action of (R, +) on the plane, the flow of a vector
+/// field that is not affine.
+#[derive(Clone)]
+struct Shear;
+
+impl GroupAction for Shear {
+    type Group = RealSpace<1>;
+    type Space = RealSpace<2>;
+    const SIDE: Side = Side::Left;
+    fn group(&self) -> RealSpace<1> {
+        RealSpace
+    }
+    fn space(&self) -> RealSpace<2> {
+        RealSpace
+    }
+    fn act<T: Real>(&self, g: &nalgebra::Vector1<T>, q: &Vector2<T>) -> Vector2<T> {
+        Vector2::new(q.x + q.y * q.y * q.y * g.x, q.y)
+    }
+}
+
+#[test]
+fn an_action_that_is_not_affine() {
+    action_laws(&Shear);
+}
+
+#[test]
+fn symplectic_spaces() {
+    holds(laws::symplectic_space(&CotangentBundle(RealSpace::<3>), &samples()).unwrap());
+    holds(laws::symplectic_space(&SymplecticComplexSpace::<2>, &samples()).unwrap());
+    holds(laws::symplectic_space(&Symplectic(SL2OnR2), &samples()).unwrap());
+    let sum = Sum(SL2OnR2, Reversed(SL2OnR2));
+    holds(laws::symplectic_space(&Symplectic(sum), &samples()).unwrap());
+    holds(laws::symplectic_space(&Symplectic(Diagonal::<_, 3>(SU2OnC2)), &samples()).unwrap());
+}
+
+/// Map, fibre symmetry and lift of the images of samples.
+fn realisation_laws<M: FibreSymmetry + Lift>(map: &M) {
+    let points = samples();
+    let momenta: Vec<_> = points.iter().map(|z| map.apply::<f64>(z)).collect();
+    holds(laws::poisson_map(map, &points).unwrap());
+    holds(laws::fibre_symmetry(map, &points, &[0.3, -1.2]).unwrap());
+    // The lift divides by sizes that a sample may make small.
+    laws::lift(map, &momenta).unwrap().check(10.0 * TOLERANCE).unwrap();
+}
+
+#[test]
+fn realisations() {
+    for side in [Side::Left, Side::Right] {
+        realisation_laws(&QuadraticMomentumMap::new(So3OnC2, side));
+        realisation_laws(&QuadraticMomentumMap::new(UnitaryOnComplexSpace::<3>, side));
+        realisation_laws(&QuadraticMomentumMap::new(Sum(SL2OnR2, SL2OnR2), side));
+        realisation_laws(&QuadraticMomentumMap::new(Sum(SL2OnR2, Reversed(SL2OnR2)), side));
+        let negative = Sum(Reversed(SL2OnR2), Reversed(SL2OnR2));
+        realisation_laws(&QuadraticMomentumMap::new(negative, side));
+    }
+    realisation_laws(&PARTICLE);
+    realisation_laws(&PowerMap::<_, 3>(HOPF));
+    realisation_laws(&ProductMap(
+        PowerMap::<_, 2>(HOPF),
+        Identity(CotangentBundle(RealSpace::<2>)),
+    ));
+}
+
+#[test]
+fn momenta_outside_the_image_have_no_lift() {
+    let zero = Covector(Vector3::zeros());
+    assert!(HOPF.lift::<f64>(&zero).is_err());
+    let up = Se3Dual::new(Vector3::z(), Vector3::z());
+    assert!(PARTICLE.lift::<f64>(&up).is_err());
+    let unitary = unitary_realisation::<2>();
+    let rank_two = UnitaryAlgebra.momentum(&nalgebra::Matrix2::identity());
+    assert!(unitary.lift::<f64>(&rank_two).is_err());
+    let nan = Covector(Vector3::new(f64::NAN, 0.0, 0.0));
+    assert!(HOPF.lift::<f64>(&nan).is_err());
+    let elliptic = Covector(Vector3::new(0.0, 1.0, -1.0));
+    let indefinite = QuadraticMomentumMap::new(Sum(SL2OnR2, Reversed(SL2OnR2)), Side::Left);
+    assert!(indefinite.lift::<f64>(&elliptic).is_err());
+    let definite = QuadraticMomentumMap::new(Sum(SL2OnR2, SL2OnR2), Side::Left);
+    // the centre of the cone, where both eigenvalues agree
+    let lifted = definite.lift::<f64>(&elliptic).unwrap();
+    assert!((definite.apply::<f64>(&lifted) - elliptic).max_abs() < 1e-15);
+}
+
+#[test]
+fn lifts_reach_the_whole_range_of_numbers() {
+    let direction = Vector3::new(0.36, -0.48, -0.8);
+    for size in [1e-300, 1e-170, 1e-155, 1.0, 1e155, 1e170, 1e300] {
+        let mu = Covector(direction * size);
+        let residual = (HOPF.apply::<f64>(&HOPF.lift::<f64>(&mu).unwrap()) - mu).max_abs();
+        assert!(residual < 1e-15 * size, "{size:e}: {residual:e}");
+    }
+    let nothing = Covector(SkewHermitian::<f64, 0>::zero());
+    assert!(unitary_realisation::<0>().lift::<f64>(&nothing).is_err());
+}
+
+#[test]
+fn momenta_on_the_cone_of_sl2_have_a_lift() {
+    let definite = QuadraticMomentumMap::new(Sum(SL2OnR2, SL2OnR2), Side::Left);
+    for z in samples::<Vector2<f64>>() {
+        let mu = definite.apply::<f64>(&Pair(z, Vector2::zeros()));
+        let lifted = definite.lift::<f64>(&mu).unwrap();
+        assert!((definite.apply::<f64>(&lifted) - mu).max_abs() < 1e-15);
+    }
+}
+
+/// The Hopf map with a coordinate turned round: not Poisson, not equivariant.
+#[derive(Clone)]
+struct Mirrored;
+
+impl PoissonMap for Mirrored {
+    type Source = Symplectic<So3OnC2>;
+    type Target = LiePoisson<So3>;
+    fn source(&self) -> Self::Source {
+        HOPF.source()
+    }
+    fn target(&self) -> Self::Target {
+        HOPF.target()
+    }
+    fn apply<T: Real>(&self, z: &Vector2<Complex<T>>) -> Covector<Vector3<T>> {
+        let pi = HOPF.apply(z).0;
+        Covector(Vector3::new(pi.x, -pi.y, pi.z))
+    }
+}
+
+/// The Hopf map with the generator of the other side.
+#[derive(Clone)]
+struct WrongGenerator;
+
+impl PoissonMap for WrongGenerator {
+    type Source = Symplectic<So3OnC2>;
+    type Target = LiePoisson<So3>;
+    fn source(&self) -> Self::Source {
+        HOPF.source()
+    }
+    fn target(&self) -> Self::Target {
+        HOPF.target()
+    }
+    fn apply<T: Real>(&self, z: &Vector2<Complex<T>>) -> Covector<Vector3<T>> {
+        HOPF.apply(z)
+    }
+    fn generator<T: Real>(&self, xi: &Vector3<T>, z: &Vector2<Complex<T>>) -> Vector2<Complex<T>> {
+        -HOPF.generator(xi, z)
+    }
+}
+
+impl FibreSymmetry for WrongGenerator {
+    const COUNT: usize = 1;
+    fn flow<T: Real>(&self, _: usize, s: T, z: &Vector2<Complex<T>>) -> Vector2<Complex<T>> {
+        z.map(|x| x.scale(T::one() + s))
+    }
+    fn momentum<T: Real>(&self, _: usize, z: &Vector2<Complex<T>>) -> T {
+        HOPF.momentum(0, z)
+    }
+}
+
+impl Lift for WrongGenerator {
+    fn lift<T: Real>(&self, mu: &Covector<Vector3<T>>) -> Result<Vector2<Complex<T>>, LiftError> {
+        HOPF.lift(&-*mu)
+    }
+}
+
+#[test]
+fn laws_of_poisson_maps_reject_what_breaks_them() {
+    let report = laws::poisson_map(&Mirrored, &samples()).unwrap();
+    assert!(report.residual("Poisson").unwrap() > 0.1);
+    assert!(report.residual("pull-back").unwrap() < TOLERANCE);
+    let report = laws::poisson_map(&WrongGenerator, &samples()).unwrap();
+    assert!(report.residual("generator").unwrap() > 0.1);
+    assert!(report.residual("Poisson").unwrap() < TOLERANCE);
+    let report = laws::fibre_symmetry(&WrongGenerator, &samples(), &[0.3]).unwrap();
+    for law in ["invariance", "momentum", "one-parameter group"] {
+        assert!(report.residual(law).unwrap() > 0.01, "{law}");
+    }
+    let momenta: Vec<_> = samples().iter().map(|z| HOPF.apply::<f64>(z)).collect();
+    assert!(laws::lift(&WrongGenerator, &momenta).unwrap().residual("section").unwrap() > 0.1);
+}
+
+/// A left action that says it is a right one.
+#[derive(Clone)]
+struct WrongSide;
+
+impl GroupAction for WrongSide {
+    type Group = SO3;
+    type Space = RealSpace<3>;
+    const SIDE: Side = Side::Right;
+    fn group(&self) -> SO3 {
+        SO3
+    }
+    fn space(&self) -> RealSpace<3> {
+        RealSpace
+    }
+    fn act<T: Real>(&self, g: &nalgebra::Matrix3<T>, q: &Vector3<T>) -> Vector3<T> {
+        g * q
+    }
+}
+
+#[test]
+fn laws_of_actions_reject_the_wrong_side() {
+    let report = laws::group_action(&WrongSide, &samples(), &samples()).unwrap();
+    for law in ["composition", "generators and brackets"] {
+        assert!(report.residual(law).unwrap() > 0.01, "{law}");
+    }
+    let report = laws::equivariance(&WrongSide, &samples(), &samples()).unwrap();
+    assert!(report.residual("equivariance").unwrap() > 0.01);
+    let report = laws::poisson_map(&MomentumMap(WrongSide), &samples()).unwrap();
+    assert!(report.residual("Poisson").unwrap() > 0.1);
+}
+
+#[test]
+fn no_samples_no_report() {
+    let action = LinearAction(SO3OnR3);
+    assert!(laws::group_action(&action, &[], &samples()).is_err());
+    assert!(laws::group_action(&action, &samples(), &[]).is_err());
+    assert!(laws::equivariance(&action, &[], &samples()).is_err());
+    assert!(laws::poisson_map(&HOPF, &[]).is_err());
+    assert!(laws::fibre_symmetry(&HOPF, &samples(), &[]).is_err());
+    assert!(laws::lift(&HOPF, &[]).is_err());
+}

@@ -1,0 +1,160 @@
+//! Every algebra of multipliers obeys its laws, and each law rejects something that breaks it.
+
+use crate::support::{TOLERANCE, holds, laws, samples};
+use lie_poisson::*;
+use momentum_map::*;
+use nalgebra::{Matrix2, Vector3};
+use num_complex::Complex;
+
+#[test]
+fn multipliers() {
+    fn check<M: Multipliers>(multipliers: &M) {
+        holds(laws::multipliers(multipliers, &samples(), &samples(), &samples()).unwrap());
+    }
+    check(&Quaternions);
+    check(&DualQuaternions);
+    check(&ComplexMatrices::<2>);
+    check(&ComplexMatrices::<3>);
+    check(&PowerMultipliers::<_, 2>(Quaternions));
+    check(&ProductMultipliers(Quaternions, DualQuaternions));
+}
+
+/// The size of B⁻¹B − 1.
+fn inverse_error<M: Multipliers>(multipliers: &M, b: &Multiplier<M>) -> f64 {
+    let inverse = multipliers.inverse::<f64>(b).unwrap();
+    (multipliers.product::<f64>(&inverse, b) - multipliers.one::<f64>()).max_abs()
+}
+
+#[test]
+fn inverses_where_quadratic_invariants_do_not_hold() {
+    // exact for quaternions: samples are far from |Q|² = 1 and x₀ = 0
+    assert!(samples().iter().all(|q| inverse_error(&Quaternions, q) < TOLERANCE));
+    assert!(samples().iter().all(|q| inverse_error(&DualQuaternions, q) < TOLERANCE));
+    // of second order for matrices: they are off by 1 − BB∗ ≈ 2ε, the inverse by the square of it
+    for (xi, direction) in samples().iter().zip(samples::<Matrix2<Complex<f64>>>()) {
+        let unitary = UnitaryGroup::<2>.exp::<f64>(xi);
+        let near = |epsilon: f64| unitary + unitary * direction.scaled(epsilon);
+        let error = |epsilon| inverse_error(&ComplexMatrices::<2>, &near(epsilon));
+        assert!(error(0.0) < TOLERANCE && error(1e-4) > 1e-10);
+        assert!((error(1e-3) / error(1e-4) - 100.0).abs() < 1.0);
+    }
+}
+
+/// The change that the coadjoint motion exp(Λξ) makes of μ, by its series in small ξ.
+fn coadjoint_series<P: PoissonSpace>(space: &P, xi: &Differential<P>, mu: &Point<P>) -> Point<P> {
+    let mut term = *mu;
+    let terms = (1..20).map(|k| {
+        term = space.hamiltonian_vector::<f64>(&term, xi).scaled(1.0 / f64::from(k));
+        term
+    });
+    // from the smallest term on
+    let terms: Vec<_> = terms.collect();
+    terms.into_iter().rev().fold(Vector::zero(), |sum, term| sum + term)
+}
+
+/// Changes are exact to a few roundings of their own size, however small they are, and do not depend
+/// on how well the quadratic invariants of the multiplier hold.
+#[test]
+fn coadjoint_changes_are_accurate_whatever_their_size() {
+    for (v, mu) in samples::<Vector3<f64>>().into_iter().zip(samples::<Se3Dual>()) {
+        for size in [1e-12, 1e-6, 0.3] {
+            // parallel neither to each other nor to Π
+            let omega = Vector3::new(v.y, v.z, v.x) * size;
+            let gamma = Vector3::new(v.z, v.x, v.y) * size;
+            let pi = Covector(mu.0.0);
+            // dQ/dt = −½ Ω Q, and dN/dt = −½ Ω N − 2γ Q is its derivative in the direction 4γ of Ω.
+            let along: Vector3<DualNumber> = seed(&omega, &(gamma * 4.0));
+            let both = SP1.exp::<DualNumber>(&-along);
+            let q: Quaternion = map_coordinates(&both, |x: DualNumber| x.value);
+            let n: Quaternion = derivative_part(&both);
+            let turned = coadjoint_series(&Quaternions.space(), &omega, &pi);
+            let moved = coadjoint_series(&DualQuaternions.space(), &Pair(omega, gamma), &mu);
+            for scale in [1.0, 1.0 - 1e-12, 1.0 + 1e-9] {
+                let change = Quaternions.coadjoint_change::<f64>(&q.scaled(scale), &pi);
+                assert!((change - turned).max_abs() < 1e-15 * turned.max_abs(), "{size:e}");
+                // times a dual number, by which |Q|² ≠ 1 and x₀ ≠ 0
+                let multiplier = Pair(q.scaled(scale), n.scaled(scale) + q.scaled(1e-9));
+                let change = DualQuaternions.coadjoint_change::<f64>(&multiplier, &mu);
+                assert!((change - moved).max_abs() < 1e-15 * moved.max_abs(), "{size:e}");
+            }
+            // Control: a difference of momenta loses digits to cancellation, and all of them where the
+            // invariants do not hold.
+            let difference = |scale| Quaternions.transport::<f64>(&q.scaled(scale), &pi) - pi;
+            let error = |scale: f64| (difference(scale) - turned).max_abs() / turned.max_abs();
+            assert!(size > 1e-6 || (error(1.0) > 1e-12 && error(1.0 + 1e-9) > 1e-4));
+        }
+    }
+}
+
+/// Quaternions with one thing wrong.
+#[derive(Clone, Copy, Debug, PartialEq)]
+enum Wrong {
+    One,
+    HalfAngle,
+    Side,
+    Product,
+    Inverse,
+    Change,
+}
+
+impl Multipliers for Wrong {
+    type Space = LiePoisson<So3>;
+    type Multiplier<T: Real> = Quaternion<T>;
+    fn space(&self) -> LiePoisson<So3> {
+        Quaternions.space()
+    }
+    fn one<T: Real>(&self) -> Quaternion<T> {
+        let one = Quaternion::one();
+        if *self == Self::One { one + one } else { one }
+    }
+    fn generate<T: Real>(&self, omega: &Vector3<T>, q: &Quaternion<T>) -> Quaternion<T> {
+        let turned = Quaternions.generate(omega, q);
+        if *self == Self::HalfAngle { turned + turned } else { turned }
+    }
+    fn transport<T: Real>(
+        &self,
+        q: &Quaternion<T>,
+        mu: &Covector<Vector3<T>>,
+    ) -> Covector<Vector3<T>> {
+        let q = if *self == Self::Side { q.conjugate() } else { *q };
+        Quaternions.transport(&q, mu)
+    }
+    fn coadjoint_change<T: Real>(
+        &self,
+        q: &Quaternion<T>,
+        mu: &Covector<Vector3<T>>,
+    ) -> Covector<Vector3<T>> {
+        if *self == Self::Change {
+            return Quaternions.coadjoint_change(&q.conjugate(), mu);
+        }
+        self.transport(q, mu) - *mu
+    }
+    fn product<T: Real>(&self, q: &Quaternion<T>, b: &Quaternion<T>) -> Quaternion<T> {
+        if *self == Self::Product { *b * *q } else { *q * *b }
+    }
+    fn inverse<T: Real>(&self, b: &Quaternion<T>) -> Option<Quaternion<T>> {
+        if *self == Self::Inverse { Some(*b) } else { Quaternions.inverse(b) }
+    }
+}
+
+#[test]
+fn laws_of_multipliers_reject_what_breaks_them() {
+    let broken = |wrong: Wrong| -> Vec<&'static str> {
+        let report = laws::multipliers(&wrong, &samples(), &samples(), &samples()).unwrap();
+        let laws = report.residuals().iter();
+        laws.filter(|(_, residual)| *residual > 0.1).map(|(law, _)| *law).collect()
+    };
+    assert_eq!(broken(Wrong::One), ["identity", "motion", "inverse"]);
+    assert_eq!(broken(Wrong::HalfAngle), ["motion"]);
+    assert_eq!(broken(Wrong::Side), ["action", "motion"]);
+    assert_eq!(broken(Wrong::Product), ["left multiplication", "action"]);
+    assert_eq!(broken(Wrong::Inverse), ["inverse"]);
+    assert_eq!(broken(Wrong::Change), ["coadjoint change"]);
+}
+
+#[test]
+fn no_samples_no_report() {
+    assert!(laws::multipliers(&Quaternions, &[], &samples(), &samples()).is_err());
+    assert!(laws::multipliers(&Quaternions, &samples(), &[], &samples()).is_err());
+    assert!(laws::multipliers(&Quaternions, &samples(), &samples(), &[]).is_err());
+}

@@ -1,0 +1,116 @@
+//! An error says what its causes do not say: printed with its causes, nothing is said twice.
+
+use collective_integrators::diagnostics::{DriftError, StepMapError};
+use collective_integrators::{
+    DenseOutputError, EventError, IntegrationError, MemberError, OrderFitError, RunError,
+    StepError, VariationalError,
+};
+use momentum_map::LiftError;
+use std::error::Error;
+use std::fs;
+use std::path::{Path, PathBuf};
+
+/// What an error and its causes say, the error first.
+fn chain(error: &dyn Error) -> Vec<String> {
+    let mut said = vec![error.to_string()];
+    let causes = std::iter::successors(error.source(), |&cause| cause.source());
+    said.extend(causes.map(ToString::to_string));
+    said
+}
+
+/// Whether an error of the chain says what a later one says.
+fn repeats(error: &dyn Error) -> bool {
+    let said = chain(error);
+    (1..said.len()).any(|n| said[..n].iter().any(|earlier| earlier.contains(&said[n])))
+}
+
+#[test]
+fn errors_of_the_libraries_do_not_repeat_their_causes() {
+    let source = StepError::NotFinite;
+    let step = IntegrationError { step: 5, time: 0.5, source };
+    let lift = LiftError { quantity: "Γ", value: 0.0, reason: "Γ must be different from 0" };
+    let fit = OrderFitError::TooFew { usable: 2, plateau: 1e-12 };
+    let errors: Vec<Box<dyn Error>> = vec![
+        Box::new(step),
+        Box::new(MemberError { index: 7, source: step }),
+        Box::new(RunError::from(step)),
+        Box::new(RunError::from(lift)),
+        Box::new(EventError::from(step)),
+        Box::new(DenseOutputError::from(step)),
+        Box::new(VariationalError::from(step)),
+        Box::new(StepMapError::from(source)),
+        Box::new(StepMapError::from(lift)),
+        Box::new(DriftError::from(step)),
+        Box::new(DriftError::from(fit)),
+    ];
+    for error in &errors {
+        assert!(!repeats(error.as_ref()), "{:?}", chain(error.as_ref()));
+    }
+    // Together they say all.
+    let member = chain(errors[1].as_ref());
+    assert_eq!(member, ["member 7", "step 5 at t = 0.5", &source.to_string()]);
+    assert_eq!(chain(errors[2].as_ref())[..], member[1..]);
+}
+
+/// The control.
+#[test]
+fn an_error_that_repeats_its_cause_is_seen() {
+    #[derive(Debug)]
+    struct Repeating(StepError);
+    impl std::fmt::Display for Repeating {
+        fn fmt(&self, f: &mut std::fmt::Formatter<'_>) -> std::fmt::Result {
+            write!(f, "failed: {}", self.0)
+        }
+    }
+    impl Error for Repeating {
+        fn source(&self) -> Option<&(dyn Error + 'static)> {
+            Some(&self.0)
+        }
+    }
+    assert!(repeats(&Repeating(StepError::NotFinite)));
+    let repeating = "#[error(\"a {}: {source}\", b)]\nA { source: B },";
+    let other = "#[error(\"{0}\")]\nC(#[from] D),\n#[error(\"{0}\")]\nE(String),";
+    assert_eq!((faults(repeating), faults(other)), (1, 1));
+    let sound = "#[error(\"a {}\", b)]\nA { source: B },\n#[error(transparent)]\nC(#[from] D),";
+    assert_eq!(faults(sound), 0);
+}
+
+/// How many messages in a text of Rust contain the source of their error.
+fn faults(text: &str) -> usize {
+    let messages = text.split("#[error(").skip(1);
+    let repeats = |message: &str| {
+        let (message, item) = message.split_once(")]").unwrap_or((message, ""));
+        let uses = |name: &str| message.contains(&format!("{{{name}"));
+        let named = uses("source") && item.contains("source:");
+        // A tuple variant ends with its parenthesis.
+        let fields = item.split('\n').find(|line| line.contains('(')).unwrap_or("");
+        named || uses("0") && (fields.contains("#[source]") || fields.contains("#[from]"))
+    };
+    messages.filter(|message| repeats(message)).count()
+}
+
+fn sources(folder: &Path, found: &mut Vec<PathBuf>) {
+    for entry in fs::read_dir(folder).unwrap() {
+        let path = entry.unwrap().path();
+        if path.is_dir() {
+            sources(&path, found);
+        } else if path.extension().is_some_and(|extension| extension == "rs") {
+            found.push(path);
+        }
+    }
+}
+
+#[test]
+fn no_message_of_the_workspace_contains_the_source_of_its_error() {
+    let mut files = Vec::new();
+    for krate in fs::read_dir(Path::new(env!("CARGO_MANIFEST_DIR")).join("../crates")).unwrap() {
+        sources(&krate.unwrap().path().join("src"), &mut files);
+    }
+    let mut messages = 0;
+    for file in files {
+        let text = fs::read_to_string(&file).unwrap();
+        messages += text.matches("#[error(").count();
+        assert_eq!(faults(&text), 0, "{}", file.display());
+    }
+    assert!(messages > 80, "{messages}");
+}

@@ -1,0 +1,43 @@
+//! What needs two crates: the statements of the paper, and the promises of the documentation.
+#![allow(clippy::unwrap_used, clippy::panic)]
+
+mod actions;
+mod algebras;
+mod allocations;
+mod architecture;
+mod audit;
+mod brackets;
+mod collective_dynamics;
+mod compensated;
+mod conservation;
+mod convergence;
+mod diagnostics;
+mod discrete_poisson;
+mod ensembles;
+mod error_chains;
+mod exact;
+mod free_rigid_body;
+mod integrable_tops;
+mod involution;
+mod large_steps;
+mod ledger;
+mod lift_free;
+mod lifts;
+mod lyapunov_exponents;
+mod memory;
+mod momentum_map_l;
+mod partitioned;
+mod poisson_maps;
+mod recentring;
+mod scalars;
+mod scales;
+mod sections;
+mod semidirect_group;
+mod spinor_realisation;
+mod symmetries;
+mod tangent_vectors;
+mod varpi;
+
+/// The tutorial is a test.
+#[path = "../../docs/write_your_own.rs"]
+mod write_your_own;
