@@ -115,11 +115,8 @@ fn run_simulate(
         let _ = writeln!(io::stderr(), "heavytop: {warning}");
     }
     let stop = Some(interrupted());
-    simulate(
-        &config,
-        out,
-        &SimulateOptions { resume: resume.as_ref(), restart, interval, stop, quiet },
-    )
+    let options = SimulateOptions { resume: resume.as_ref(), restart, interval, stop, quiet };
+    simulate(&config, out, &options)
 }
 
 /// How a command is accompanied whose finished parts are kept.
