@@ -1,36 +1,78 @@
-//! Lie algebras, Lie groups and Lie–Poisson brackets, over any scalar.
+//! Lie algebras, Lie groups, Lie–Poisson brackets and Hamiltonians, over `f64`, dual numbers and SIMD lanes
+//! (several trajectories in one register).
 //!
-//! By subject, each row building on those above it:
-//!
-//! | object | item |
-//! |---|---|
-//! | scalars: numbers, dual numbers, SIMD lanes (several numbers in one register) | [`Real`], [`DualNumber`], [`Lanes`]: [`DefaultLanes`] |
-//! | lanes as wide as the processor's | [`dispatch`], [`LaneTask`], [`InstructionSet`], [`Width`] |
-//! | a vector of R³ in one register | [`dispatch_four`], [`FourLanesTask`], [`FourLanes`] |
-//! | vector spaces V and their duals V∗ | [`Vector`], [`Covector`], [`Pair`], [`Power`], [`Quaternion`] |
-//! | Euclidean norms over the whole range of numbers | [`euclidean_norm`], [`squaring_scale`] |
-//! | spaces over every scalar at once | [`VectorSpace`]: [`RealSpace`], [`ComplexSpace`], [`QuaternionSpace`] |
-//! | exact derivatives | [`differential`], [`transposed_tangent`] |
-//! | Lie algebras 𝔤 and groups G | [`LieAlgebra`], [`LieGroup`]: [`RealSpace`], [`SO2`], [`SO3`], [`SU2`], [`SP1`], [`SL2`], [`UnitaryGroup`] |
-//! | algebras by structure constants | [`StructureConstants`] |
-//! | direct products and powers | [`ProductAlgebra`], [`ProductGroup`], [`PowerAlgebra`], [`PowerGroup`] |
-//! | representations, semidirect products | [`Representation`], [`GroupRepresentation`], [`SemidirectAlgebra`], [`SemidirectGroup`]: [`SE2`], [`SE3`] |
-//! | representations from others | [`Adjoint`], [`Inherited`], [`Diagonal`], [`Sum`] |
-//! | log and Cayley maps | [`Logarithm`], [`Cayley`] |
-//! | Poisson brackets, (±)-Lie–Poisson | [`PoissonSpace`], [`LiePoisson`], [`ProductSpace`], [`PowerSpace`], [`Casimirs`] |
-//! | Hamiltonians h and dh | [`Hamiltonian`], [`Energy`], [`Automatic`], [`from_closure`], [`hessian_by_dual_numbers`] |
-//! | the axioms as residuals (feature `laws`) | `laws` |
-//!
-//! The first seven rows, down to derivatives, are items of [`generic_scalars`] under shorter paths; [`QuaternionSpace`] alone is of
-//! this crate.
-//!
-//! The conventions are fixed in one place, the second line being the equation of motion on 𝔤∗ with
-//! the minus bracket:
-//!
-//! ```text
-//! ⟨ad*_ξ μ, η⟩ = ⟨μ, [ξ, η]⟩
-//! dμ/dt = ad*_{dh(μ)} μ
+//! ```toml
+//! [dependencies]
+//! lie-poisson = "0.1"
 //! ```
+//!
+//! The free rigid body: an energy on so(3)∗ is written once, differentiated exactly, and gives Euler's
+//! equations.
+//!
+//! ```
+//! use lie_poisson::{Covector, Hamiltonian, LiePoisson, PoissonSpace, So3, from_closure};
+//! use nalgebra::Vector3;
+//!
+//! // h(Π) = ½ (Π₁²/1 + Π₂²/2 + Π₃²/4), with the moments of inertia 1, 2 and 4
+//! let h = from_closure::<LiePoisson<So3>, _>(|Covector(pi)| {
+//!     (pi.x * pi.x + pi.y * pi.y / 2.0 + pi.z * pi.z / 4.0) * 0.5
+//! });
+//! let pi = Covector(Vector3::new(1.0, 2.0, 4.0));
+//! let omega = h.differential(&pi); // the angular velocity Ω = dh(Π)
+//! let rate = LiePoisson::minus(So3).hamiltonian_vector(&pi, &omega);
+//! assert_eq!(rate, Covector(pi.0.cross(&omega))); // dΠ/dt = Π × Ω
+//! ```
+//!
+//! # Which item when
+//!
+//! | when you need | use |
+//! |---|---|
+//! | a formula over every scalar | [`Real`] as the bound of its type parameter |
+//! | an element of 𝔤∗, a momentum | [`Covector`]; [`Se3Dual`] for se(3)∗ |
+//! | rotations of space: so(3) and SO(3) | [`So3`] and [`SO3`] |
+//! | motions of space or of the plane | [`Se3`] and [`SE3`], [`Se2`] and [`SE2`] |
+//! | spinors: su(2) and SU(2), unit quaternions | [`Su2`] and [`SU2`], [`SP1`] |
+//! | another matrix group | [`SO2`], [`SL2`], [`UnitaryGroup`]; [`RealSpace`] for translations |
+//! | an algebra or a group of your own | [`LieAlgebra`], [`LieGroup`] |
+//! | an algebra from a table of structure constants | [`StructureConstants`] |
+//! | direct products and powers | [`ProductAlgebra`], [`ProductGroup`], [`PowerAlgebra`], [`PowerGroup`] |
+//! | semidirect products 𝔤 ⋉ V and G ⋉ V | [`SemidirectAlgebra`], [`SemidirectGroup`] |
+//! | a representation of your own | [`Representation`], [`GroupRepresentation`] |
+//! | a representation made from others | [`Adjoint`], [`Inherited`], [`Diagonal`], [`Sum`] |
+//! | 𝔤∗ with a Lie–Poisson bracket | [`LiePoisson::minus`], [`LiePoisson::plus`] |
+//! | a Poisson space of your own | [`PoissonSpace`] |
+//! | products and powers of Poisson spaces | [`ProductSpace`], [`PowerSpace`] |
+//! | functions that every Hamiltonian flow conserves | [`Casimirs`] |
+//! | a Hamiltonian from one formula, for `f64` | [`from_closure`] |
+//! | a Hamiltonian from one formula, for every scalar | [`Energy`], wrapped in [`Automatic`] |
+//! | a Hamiltonian with a differential by hand | [`Hamiltonian`], [`from_closures`] |
+//! | maps between 𝔤 and G other than exp | [`Logarithm`], [`Cayley`] |
+//! | tests of your own types against the axioms | the module `laws` (feature `laws`) |
+//!
+//! The scalars, vectors and derivatives of [`generic_scalars`] are re-exported here.
+//!
+//! # Conventions
+//!
+//! * The coadjoint operator has no sign: ⟨`ad*_ξ μ`, η⟩ = ⟨μ, [ξ, η]⟩.
+//! * The coadjoint action has no inverse: ⟨`Ad*_g μ`, ξ⟩ = ⟨μ, `Ad_g ξ`⟩. It is a right action.
+//! * The Lie–Poisson brackets are {f, h}±(μ) = ±⟨μ, [df, dh]⟩. The minus sign belongs to the body frame.
+//! * The equation of motion is dμ/dt = +`ad*_ξ μ` for the minus bracket and −`ad*_ξ μ` for the plus bracket, where
+//!   ξ = dh(μ).
+//! * Semidirect products are (g, v)(h, w) = (gh, gw + v) and [(ξ, φ), (η, ζ)] = ([ξ, η], ξζ − ηφ).
+//! * 𝔤 and 𝔤∗ are different types: a momentum is a [`Covector`]. Angles are in radians.
+//!
+//! The notation of all the crates is collected in `docs/notation.md` of the source repository.
+//!
+//! # Features and versions
+//!
+//! The feature `laws` adds the module `laws`, which returns the axioms as residuals. The oldest supported
+//! compiler is Rust 1.89.
+//!
+//! # Related crates
+//!
+//! `generic-scalars` holds the scalars and vector spaces. `momentum-map` adds group actions and momentum
+//! maps, `collective-integrators` adds time steps, and `heavytop` adds heavy tops. [`nalgebra`],
+//! [`num_complex`] and [`num_traits`] appear in the public interface and are re-exported.
 
 mod algebras;
 mod groups;
@@ -83,7 +125,7 @@ pub use nalgebra;
 pub use num_complex;
 pub use num_traits;
 
-/// The examples of the README run.
+/// Compiles and runs the examples of the README.
 #[cfg(doctest)]
 #[doc = include_str!("../README.md")]
 struct Readme;

@@ -1,21 +1,76 @@
-//! Group actions, cotangent lifts, momentum maps and Poisson maps.
+//! Group actions, cotangent lifts, momentum maps and Poisson maps, over `f64`, dual numbers and SIMD lanes
+//! (several trajectories in one register).
 //!
-//! By subject, each row building on those above it:
+//! ```toml
+//! [dependencies]
+//! lie-poisson = "0.1"
+//! momentum-map = "0.1"
+//! ```
 //!
-//! | object | item |
+//! The momentum map of rotations is the angular momentum. It is derived from the action alone, as is the
+//! generator of the lifted rotations:
+//!
+//! ```
+//! use lie_poisson::{Covector, SO3OnR3, nalgebra::Vector3};
+//! use momentum_map::{Cotangent, LinearAction, MomentumMap, PoissonMap};
+//!
+//! let map = MomentumMap(LinearAction(SO3OnR3));
+//! let (q, p) = (Vector3::new(1.0, 2.0, 3.0), Vector3::new(0.5, 0.0, 1.0));
+//! let z = Cotangent::new(q, Covector(p));
+//! assert_eq!(map.apply(&z), Covector(q.cross(&p)));
+//!
+//! let omega = Vector3::new(0.0, 0.0, 2.0);
+//! let rate = map.generator(&omega, &z);
+//! assert_eq!(rate, Cotangent::new(omega.cross(&q), Covector(omega.cross(&p))));
+//! ```
+//!
+//! # Which item when
+//!
+//! | when you need | use |
 //! |---|---|
-//! | symplectic spaces: T∗Q with dq ∧ dp, C^N | [`SymplecticSpace`], [`Cotangent`], [`CotangentBundle`], [`SymplecticComplexSpace`] |
-//! | actions Φ of a group on Q, their side and generators | [`GroupAction`], [`Side`] |
-//! | linear and affine actions, the other side, products | [`LinearAction`], [`AffineAction`], [`Opposite`], [`JointAction`], [`ProductAction`] |
-//! | the cotangent lift, derived | [`CotangentLift`] |
-//! | Poisson maps M: P → Q and their compositions | [`PoissonMap`], [`Composition`], [`Identity`] |
-//! | momentum maps, derived: of cotangent lifts, of linear symplectic actions | [`MomentumMap`], [`QuadraticMomentumMap`] |
-//! | fibres of M: symmetry and sections | [`FibreSymmetry`], [`Lift`] |
-//! | products and powers of maps | [`ProductMap`], [`PowerMap`] |
-//! | H = h∘M and its vector field, Noether's quantities | [`CollectiveHamiltonian`], [`NoetherQuantity`] |
-//! | linear collective systems without a lift | [`Multipliers`]: [`Quaternions`], [`DualQuaternions`], [`ComplexMatrices`] |
-//! | so(3)∗ and sl(2, R)∗ from R⁴, u(N)∗ from C^N, se(3)∗ from T∗R³ | [`HOPF`], [`Sl2Realisation`], [`unitary_realisation`], [`PARTICLE`] |
-//! | the laws as residuals (feature `laws`) | `laws` |
+//! | a point (q, p) of T∗Q, and T∗Q with dq ∧ dp | [`Cotangent`], [`CotangentBundle`] |
+//! | C^N as a symplectic space | [`SymplecticComplexSpace`] |
+//! | a symplectic space of your own | [`SymplecticSpace`] |
+//! | an action of your own | [`GroupAction`], with its [`Side`] |
+//! | a linear or an affine action | [`LinearAction`], [`AffineAction`] |
+//! | the action q ↦ Φ(g⁻¹, q) on the other side | [`Opposite`] |
+//! | one group on two spaces, or two groups | [`JointAction`], [`ProductAction`] |
+//! | the lift of an action to T∗Q | [`CotangentLift`] |
+//! | the momentum map of a lifted action | [`MomentumMap`] |
+//! | the momentum map of a linear symplectic action | [`QuadraticMomentumMap`] |
+//! | a Poisson map of your own, by `apply` and `generator` | [`PoissonMap`] |
+//! | compositions, products and powers of Poisson maps | [`Composition`], [`ProductMap`], [`PowerMap`] |
+//! | H = h∘M and its vector field | [`CollectiveHamiltonian`] |
+//! | a conserved quantity of a symmetry | [`NoetherQuantity`] |
+//! | a point z with M(z) = μ | [`Lift`] |
+//! | the symmetry along the fibres of M | [`FibreSymmetry`] |
+//! | collective dynamics without a lift | [`Multipliers`]: [`Quaternions`], [`DualQuaternions`], [`ComplexMatrices`] |
+//! | so(3)∗ from C² | [`HOPF`] |
+//! | se(3)∗ from T∗R³ | [`PARTICLE`] |
+//! | sl(2, R)∗ from R⁴, and u(N)∗ from C^N | [`Sl2Realisation`], [`unitary_realisation`] |
+//! | tests of your own types against the laws | the module `laws` (feature `laws`) |
+//!
+//! # Conventions
+//!
+//! * Left actions satisfy Φ(g, Φ(h, q)) = Φ(gh, q), and right actions Φ(g, Φ(h, q)) = Φ(hg, q).
+//! * The momentum map of a right action is Poisson to 𝔤∗ with the minus bracket, that of a left action to 𝔤∗ with the
+//!   plus bracket: see [`Side::lie_poisson_sign`].
+//! * The momentum map of a cotangent lift is ⟨J(q, p), ξ⟩ = ⟨p, ξ_Q(q)⟩.
+//! * The canonical structure is Θ = p dq, Ω = −dΘ = dq ∧ dp, with dq/dt = ∂H/∂p and dp/dt = −∂H/∂q.
+//! * Equivariance is J(g·z) = `Ad*_g` J(z) for right actions. For left actions g⁻¹ replaces g on the right-hand side.
+//! * The signs on 𝔤∗ are those of [`lie_poisson`].
+//!
+//! The notation of all the crates is collected in `docs/notation.md` of the source repository.
+//!
+//! # Features and versions
+//!
+//! The feature `laws` adds the module `laws`, which returns the laws as residuals. The oldest supported
+//! compiler is Rust 1.89.
+//!
+//! # Related crates
+//!
+//! [`lie_poisson`], which is re-exported, holds Lie algebras, Poisson brackets and Hamiltonians.
+//! `collective-integrators` adds time steps, and `heavytop` adds heavy tops.
 
 mod phase_spaces;
 mod actions;
@@ -60,7 +115,7 @@ pub use realisations::{
 
 pub use lie_poisson;
 
-/// The examples of the README run.
+/// Compiles and runs the examples of the README.
 #[cfg(doctest)]
 #[doc = include_str!("../README.md")]
 struct Readme;

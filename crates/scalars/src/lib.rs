@@ -1,13 +1,13 @@
-//! Scalars and vector spaces over which a formula is written once: numbers, dual numbers, SIMD lanes (several numbers in
-//! one register), vectors of them and their duals.
+//! Scalar types and vector spaces for formulas that are written once: `f64`, dual numbers for exact
+//! derivatives, and SIMD lanes (several numbers in one register).
 //!
 //! ```toml
 //! [dependencies]
 //! generic-scalars = "0.1"
 //! ```
 //!
-//! A function over [`Real`] computes a value over `f64`, a derivative over [`DualNumber`], and several values at once
-//! over [`Lanes`]:
+//! A function over [`Real`] computes a value over `f64`, a derivative over [`DualNumber`], and several
+//! values at once over [`Lanes`]:
 //!
 //! ```
 //! use generic_scalars::{DefaultLanes, DualNumber, Lanes, Real};
@@ -19,20 +19,52 @@
 //! assert_eq!(cube(DefaultLanes::load(&[1.0, 2.0, 3.0, 4.0])).lane(2), 27.0);
 //! ```
 //!
-//! | when you need | take |
-//! |---|---|
-//! | a formula over every scalar | [`Real`]; branches by [`Mask`] |
-//! | exact derivatives | [`DualNumber`] |
-//! | exponentials of rotations without a small-angle branch | the Stumpff functions [`Real::stumpff`] |
-//! | linear equations, lane by lane | [`solve_linear`] |
-//! | several trajectories in one register | [`Lanes`]: [`DefaultLanes`], or as wide as the processor's by [`dispatch`] and [`LaneTask`] |
-//! | a vector of R³ in one register | [`FourLanes`], by [`dispatch_four`] |
-//! | vectors, covectors, pairs and powers of them | [`Vector`], [`Covector`], [`Pair`], [`Power`], [`Quaternion`] |
-//! | spaces over every scalar at once | [`VectorSpace`]: [`RealSpace`], [`ComplexSpace`] |
-//! | derivatives of maps between them | [`differential`], [`transposed_tangent`], [`seed`] |
-//! | norms over the whole range of numbers | [`euclidean_norm`], [`squaring_scale`] |
+//! # Which item when
 //!
-//! `lie-poisson` builds Lie algebras and Poisson brackets on these, and re-exports them.
+//! | when you need | use |
+//! |---|---|
+//! | a formula over every scalar | [`Real`] as the bound of its type parameter |
+//! | a branch in such a formula | [`Real::at_most`] and [`Real::select`], with a [`Mask`] between them |
+//! | an exact derivative by one variable | [`DualNumber`] |
+//! | the differential of a function of a vector | [`differential`] |
+//! | the transposed tangent map of a map between vector spaces | [`transposed_tangent`] |
+//! | a derivative along one direction | [`seed`], then [`derivative_part`] |
+//! | exponentials of rotations without a small-angle branch | the Stumpff functions [`Real::stumpff`] |
+//! | linear equations over any scalar | [`solve_linear`] |
+//! | several trajectories at once | [`DefaultLanes`], four SIMD lanes on every processor |
+//! | the widest SIMD lanes of the processor | a [`LaneTask`], run by [`dispatch`] |
+//! | the instructions that the processor has | [`InstructionSet::detected`] |
+//! | one vector of R³ in one register | [`FourLanes`] in a [`FourLanesTask`], run by [`dispatch_four`] |
+//! | a type of your own as a vector | an implementation of [`Vector`], with its [`Blocks`] of coordinates |
+//! | elements of the dual space, as a type of their own | [`Covector`] |
+//! | direct sums V ⊕ W and powers Vᴺ | [`Pair`] and [`Power`] |
+//! | quaternions over any scalar | [`Quaternion`] |
+//! | a vector space over every scalar at once | [`VectorSpace`]: [`RealSpace`], [`ComplexSpace`] |
+//! | another scalar for a given vector | [`map_coordinates`] |
+//! | norms that neither overflow nor underflow | [`euclidean_norm`] and [`squaring_scale`] |
+//! | a maximum that keeps NaN | [`larger`], [`Real::larger`] |
+//!
+//! # Conventions
+//!
+//! * The pairing of a covector with a vector is ⟨α, v⟩ = Σ αᵢ vᵢ, without a sign or a factor.
+//! * Complex coordinates alternate between real and imaginary parts: χ = (q₁+iq₂, q₃+iq₄).
+//! * Quaternions follow Hamilton: ij = k, with the coordinates (s, v₁, v₂, v₃).
+//! * Matrices are stored by columns.
+//! * An operation on SIMD lanes returns in each lane the bits that `f64` returns, except for fused multiply-add: see [`Lanes`].
+//!
+//! The notation of all the crates is collected in `docs/notation.md` of the source repository.
+//!
+//! # Features and versions
+//!
+//! The crate has no optional features. SIMD instructions are detected when the program runs. The oldest
+//! supported compiler is Rust 1.89.
+//!
+//! # Related crates
+//!
+//! `lie-poisson` builds Lie algebras and Poisson brackets on this crate and re-exports its items.
+//! `momentum-map` adds momentum maps, `collective-integrators` adds time steps, and `heavytop` adds heavy
+//! tops. [`nalgebra`], [`num_complex`] and [`num_traits`] appear in the public interface and are
+//! re-exported.
 
 mod numbers;
 mod lanes;
@@ -61,7 +93,7 @@ pub use nalgebra;
 pub use num_complex;
 pub use num_traits;
 
-/// The examples of the README run.
+/// Compiles and runs the examples of the README.
 #[cfg(doctest)]
 #[doc = include_str!("../README.md")]
 struct Readme;

@@ -1,15 +1,15 @@
-//! Lie algebras.
+//! The trait of Lie algebras: [`LieAlgebra`].
 
 use crate::{Covector, Real, Vector};
 
-/// A momentum μ ∈ 𝔤∗, over the scalar `T`.
+/// A momentum μ ∈ 𝔤∗ over the scalar `T`.
 pub type Momentum<A, T = f64> = Covector<<A as LieAlgebra>::Element<T>>;
 
 /// A real Lie algebra 𝔤 with a standard basis.
 ///
-/// An algebra is a value (often of a unit struct), its elements are vectors over any scalar.
-/// Only the bracket is asked for; ad∗ follows from it, and is worth writing down where it sits
-/// in a hot loop.
+/// An algebra is a value, often of a unit struct, and its elements are vectors over any scalar. Only the
+/// bracket is required. The coadjoint operator ad∗ follows from it; implement it by hand where speed
+/// matters.
 ///
 /// # Example
 /// The Heisenberg algebra [e₀, e₁] = e₂:
@@ -34,19 +34,21 @@ pub type Momentum<A, T = f64> = Covector<<A as LieAlgebra>::Element<T>>;
 /// assert_eq!(left, mu.pairing(&Heisenberg.bracket(&xi, &eta)));
 /// ```
 pub trait LieAlgebra: Clone {
-    /// ξ ∈ 𝔤 over the scalar `T`.
+    /// An element ξ ∈ 𝔤 over the scalar `T`.
     type Element<T: Real>: Vector<Scalar = T, Dual = Covector<Self::Element<T>>>;
 
-    /// The Lie bracket `[ξ, η] = ad_ξ η`: bilinear, antisymmetric, with the Jacobi identity.
+    /// Returns the Lie bracket [ξ, η] = `ad_ξ η`, which is bilinear and antisymmetric and obeys the Jacobi
+    /// identity.
     fn bracket<T: Real>(&self, xi: &Self::Element<T>, eta: &Self::Element<T>) -> Self::Element<T>;
 
-    /// The coadjoint operator `ad∗_ξ: 𝔤∗ → 𝔤∗`, the transpose of `ad_ξ`:
+    /// Applies the coadjoint operator `ad∗_ξ: 𝔤∗ → 𝔤∗`, the transpose of `ad_ξ`:
     ///
     /// ```text
     /// ⟨ad*_ξ μ, η⟩ = ⟨μ, [ξ, η]⟩
     /// ```
     ///
-    /// No sign is put in: ad∗ is an antirepresentation, `ad*_{[ξ,η]} = −[ad*_ξ, ad*_η]`.
+    /// There is no sign in it, so ad∗ is an antirepresentation: `ad∗_[ξ,η] = −[ad∗_ξ, ad∗_η]`.
+    ///
     /// Source: Marsden & Ratiu, *Introduction to Mechanics and Symmetry*, 2nd ed., §9.3.
     #[inline]
     fn coadjoint<T: Real>(

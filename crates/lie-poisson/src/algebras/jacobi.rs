@@ -1,12 +1,12 @@
-//! The Jacobi identity of a table of structure constants, over the whole range of numbers.
+//! The Jacobi identity for a table of structure constants of any size.
 
 use crate::larger;
 
 /// The brackets of the basis vectors, in numbers whose products do not overflow.
 pub(crate) struct Brackets<const N: usize> {
-    /// `c[i][j][k]` at (i N + j) N + k.
+    /// The constants, with `c[i][j][k]` at (i N + j) N + k.
     constants: Vec<Extended>,
-    /// The maximum norm of [e_i, e_j] at i N + j.
+    /// The maximum norms of the brackets, with that of [e_i, e_j] at i N + j.
     norms: Vec<Extended>,
 }
 
@@ -23,12 +23,13 @@ impl<const N: usize> Brackets<N> {
         self.constants[(i * N + j) * N + k]
     }
 
-    /// The maximum norm of [e_i, e_j].
+    /// Returns the maximum norm of [e_i, e_j].
     pub(crate) fn norm(&self, i: usize, j: usize) -> Extended {
         self.norms[i * N + j]
     }
 
-    /// The m-th coordinate of Σ_cyc [e_i, [e_j, e_k]], relative to the size of its terms.
+    /// Returns the m-th coordinate of the cyclic sum of [e_i, [e_j, e_k]], relative to the size of its
+    /// terms.
     pub(crate) fn jacobi_residual(&self, [i, j, k]: [usize; 3], m: usize) -> f64 {
         let cyclic = [(i, j, k), (j, k, i), (k, i, j)];
         let factors = || {
@@ -44,7 +45,7 @@ impl<const N: usize> Brackets<N> {
                 [inner_norm.times(outer), inner.times(outer_norm)]
             })
         };
-        // No size is below the terms, so that none of these overflows in units of the largest size.
+        // The sizes bound the terms, so that no term overflows in units of the largest size.
         let Some(unit) = sizes().filter(|x| !x.is_zero()).map(|x| x.exponent).max() else {
             return 0.0;
         };
@@ -54,22 +55,22 @@ impl<const N: usize> Brackets<N> {
     }
 }
 
-/// mantissa · 2^exponent: a number beyond the range of `f64`.
+/// A number mantissa · 2ⁿ, with n the exponent, that may lie beyond the range of `f64`.
 #[derive(Clone, Copy)]
 pub(crate) struct Extended {
-    /// 0, or of a size between 1 and 4.
+    /// The mantissa: 0, or a number of size between 1 and 4.
     mantissa: f64,
-    /// Without meaning for zero.
+    /// The exponent of two, without meaning for zero.
     exponent: i32,
 }
 
 impl Extended {
-    /// A finite number.
+    /// Converts a finite number.
     fn new(x: f64) -> Self {
         if x == 0.0 {
             return Self { mantissa: 0.0, exponent: 0 };
         }
-        // The logarithm of the largest number rounds to 1024, whose power of two is none.
+        // The logarithm of the largest number rounds to 1024, and 2¹⁰²⁴ overflows.
         let exponent = x.abs().log2().floor().min(1023.0);
         Self { mantissa: x / exponent.exp2(), exponent: exponent as i32 }
     }
@@ -78,12 +79,12 @@ impl Extended {
         self.mantissa == 0.0
     }
 
-    /// The product of two numbers that are no products themselves.
+    /// Returns the product of two numbers, neither of which is itself a product.
     fn times(self, other: Self) -> Self {
         Self { mantissa: self.mantissa * other.mantissa, exponent: self.exponent + other.exponent }
     }
 
-    /// The number divided by 2^unit.
+    /// Returns the number divided by 2ⁿ, where n is `unit`.
     fn in_units_of(self, unit: i32) -> f64 {
         if self.is_zero() { 0.0 } else { self.mantissa * f64::from(self.exponent - unit).exp2() }
     }

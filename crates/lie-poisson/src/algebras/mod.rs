@@ -1,4 +1,4 @@
-//! Lie algebras and groups: what they are, given by structure constants, and products of them.
+//! Lie algebras and Lie groups: the traits, structure constants, and direct products.
 
 pub(crate) mod algebra;
 pub(crate) mod group;

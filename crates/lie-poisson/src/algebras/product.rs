@@ -1,9 +1,9 @@
-//! Direct products G × H and powers Gⁿ.
+//! Direct products 𝔤 × 𝔥 and G × H, and powers 𝔤ᴺ and Gᴺ.
 
 use crate::{AlgebraElement, Covector, LieAlgebra, LieGroup, Momentum, Pair, Power, Real};
 use core::array::from_fn;
 
-/// The direct product 𝔤 × 𝔥: [(ξ,η), (ξ′,η′)] = ([ξ,ξ′], [η,η′]).
+/// The direct product 𝔤 × 𝔥 of Lie algebras: [(ξ,η), (ξ′,η′)] = ([ξ,ξ′], [η,η′]).
 ///
 /// ```
 /// use lie_poisson::{LieAlgebra, Pair, ProductAlgebra, RealSpace, So3};
@@ -40,7 +40,7 @@ impl<A: LieAlgebra, B: LieAlgebra> LieAlgebra for ProductAlgebra<A, B> {
     }
 }
 
-/// The direct product G × H.
+/// The direct product G × H of Lie groups.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub struct ProductGroup<G, H>(pub G, pub H);
 
@@ -77,7 +77,7 @@ impl<G: LieGroup, H: LieGroup> LieGroup for ProductGroup<G, H> {
     }
 }
 
-/// The direct power 𝔤ᴺ, factor by factor.
+/// The direct power 𝔤ᴺ of a Lie algebra, factor by factor.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub struct PowerAlgebra<A, const N: usize>(pub A);
 
@@ -100,7 +100,7 @@ impl<A: LieAlgebra, const N: usize> LieAlgebra for PowerAlgebra<A, N> {
     }
 }
 
-/// The direct power Gᴺ, factor by factor.
+/// The direct power Gᴺ of a Lie group, factor by factor.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub struct PowerGroup<G, const N: usize>(pub G);
 

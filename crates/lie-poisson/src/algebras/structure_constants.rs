@@ -1,4 +1,4 @@
-//! Lie algebras given by structure constants.
+//! Lie algebras from a table of structure constants: [`StructureConstants`].
 
 use crate::algebras::jacobi::Brackets;
 use crate::{LieAlgebra, Real, larger};
@@ -6,56 +6,57 @@ use nalgebra::SVector;
 use std::sync::Arc;
 use thiserror::Error;
 
-/// A table of numbers that is not the bracket of a Lie algebra.
+/// The error of a table of numbers that is not the bracket of a Lie algebra.
 #[derive(Clone, Copy, Debug, PartialEq, Error)]
 pub enum StructureError {
-    /// A constant is infinite or not a number.
+    /// A structure constant is infinite or not a number.
     #[error("the structure constant c[{i}][{j}][{k}] = {value} is not finite")]
     NotFinite {
-        /// First index of the bracket.
+        /// The first index of the bracket.
         i: usize,
-        /// Second index of the bracket.
+        /// The second index of the bracket.
         j: usize,
-        /// The coordinate.
+        /// The index of the coordinate.
         k: usize,
-        /// The constant.
+        /// The value of the constant.
         value: f64,
     },
-    /// [e_i, e_j] ≠ −[e_j, e_i].
+    /// The bracket is not antisymmetric: [e_i, e_j] ≠ −[e_j, e_i].
     #[error(
         "not antisymmetric: [e{i}, e{j}] + [e{j}, e{i}] has the coordinate {residual:e} at {k}"
     )]
     NotAntisymmetric {
-        /// First index of the bracket.
+        /// The first index of the bracket.
         i: usize,
-        /// Second index of the bracket.
+        /// The second index of the bracket.
         j: usize,
-        /// The coordinate.
+        /// The index of the coordinate.
         k: usize,
         /// The sum that should be zero.
         residual: f64,
     },
-    /// The cyclic sum of [e_i, [e_j, e_k]] is not zero. Residual and bound are relative to the size
-    /// of the terms of this sum.
+    /// The Jacobi identity fails: the cyclic sum of [e_i, [e_j, e_k]] is not zero.
+    ///
+    /// The residual and the bound are relative to the size of the terms of this sum.
     #[error(
         "the Jacobi identity fails for e{i}, e{j}, e{k} by {residual:e} of the size of its terms \
          (allowed {allowed:e})"
     )]
     Jacobi {
-        /// First basis vector.
+        /// The index of the first basis vector.
         i: usize,
-        /// Second basis vector.
+        /// The index of the second basis vector.
         j: usize,
-        /// Third basis vector.
+        /// The index of the third basis vector.
         k: usize,
         /// The largest coordinate of the cyclic sum, relative to the size of its terms.
         residual: f64,
-        /// The relative rounding that is allowed for.
+        /// The relative rounding error that is allowed.
         allowed: f64,
     },
 }
 
-/// The Lie algebra with `[e_i, e_j] = Σ_k c[i][j][k] e_k`, of dimension N.
+/// The Lie algebra of dimension N with the bracket `[e_i, e_j] = Σ_k c[i][j][k] e_k`.
 ///
 /// # Example
 /// ```
@@ -68,31 +69,31 @@ pub enum StructureError {
 /// let so3 = StructureConstants::<3>::new(epsilon)?;
 /// let (xi, eta) = (Vector3::new(1.0, 2.0, 3.0), Vector3::new(-1.0, 0.5, 2.0));
 /// assert_eq!(so3.bracket(&xi, &eta), xi.cross(&eta));
-/// // a sign changed in one place, and it is no Lie algebra
+/// // a table with one sign changed is not a Lie algebra
 /// let broken = |i, j, k| if (i, j, k) == (0, 1, 2) { -1.0 } else { epsilon(i, j, k) };
 /// assert!(StructureConstants::<3>::new(broken).is_err());
 /// # Ok::<(), lie_poisson::StructureError>(())
 /// ```
 #[derive(Clone, Debug, PartialEq)]
 pub struct StructureConstants<const N: usize> {
-    /// `c[i][j][k]` at (i N + j) N + k.
+    /// The constants, with `c[i][j][k]` at (i N + j) N + k.
     constants: Arc<[f64]>,
 }
 
 impl<const N: usize> StructureConstants<N> {
-    /// From `c(i, j, k) = c[i][j][k]`, the k-th coordinate of `[e_i, e_j]`.
+    /// Creates the algebra from `c(i, j, k) = c[i][j][k]`, the k-th coordinate of `[e_i, e_j]`.
     ///
     /// # Errors
-    /// If a constant is not finite, the bracket is not antisymmetric (exactly), or the Jacobi
-    /// identity of some e_i, e_j, e_k fails: each coordinate m of the cyclic sum must vanish to
-    /// within 12 N ε times the size of its own terms,
+    /// Returns [`StructureError`] if a constant is not finite, if the bracket is not exactly antisymmetric,
+    /// or if the Jacobi identity fails for some e_i, e_j, e_k. Each coordinate m of the cyclic sum must
+    /// vanish to within 12 N ε times the size of its own terms,
     ///
     /// ```text
     /// Σ_cyc Σ_l ( |[e_j, e_k]| |c[i][l][m]| + |c[j][k][l]| |[e_i, e_l]| ),    |·| the maximum norm
     /// ```
     ///
-    /// so that it does not matter how large the other constants are. Constants may have rounding
-    /// errors of a few ε relative to their bracket [e_i, e_j], as after a numerical change of basis.
+    /// whatever the size of the other constants. Constants may have rounding errors of a few ε relative to
+    /// their bracket [e_i, e_j], for example after a numerical change of basis.
     pub fn new(c: impl Fn(usize, usize, usize) -> f64) -> Result<Self, StructureError> {
         let constants: Arc<[f64]> = indices::<N>().map(|(i, j, k)| c(i, j, k)).collect();
         let at = |i: usize, j: usize, k: usize| entry::<N>(&constants, i, j, k);
@@ -112,7 +113,7 @@ impl<const N: usize> StructureConstants<N> {
         Ok(Self { constants })
     }
 
-    /// `c[i][j][k]`; zero beyond the dimension.
+    /// Returns the constant `c[i][j][k]`, or zero for indices beyond the dimension.
     #[must_use]
     pub fn constant(&self, i: usize, j: usize, k: usize) -> f64 {
         if i.max(j).max(k) < N { entry::<N>(&self.constants, i, j, k) } else { 0.0 }
@@ -123,13 +124,13 @@ fn indices<const N: usize>() -> impl Iterator<Item = (usize, usize, usize)> {
     (0..N * N * N).map(|n| (n / (N * N), n / N % N, n % N))
 }
 
-/// `c[i][j][k]` for indices below N.
+/// Returns the constant `c[i][j][k]` for indices below N.
 #[inline]
 fn entry<const N: usize>(constants: &[f64], i: usize, j: usize, k: usize) -> f64 {
     constants[(i * N + j) * N + k]
 }
 
-/// The Jacobi identity for all triples of basis vectors.
+/// Checks the Jacobi identity for all triples of basis vectors.
 fn check_jacobi<const N: usize>(constants: &[f64]) -> Result<(), StructureError> {
     // 3N products of two constants, each rounded three times, and their sum.
     let allowed = 12.0 * N as f64 * f64::EPSILON;
@@ -169,7 +170,7 @@ impl<const N: usize> LieAlgebra for StructureConstants<N> {
 mod tests {
     use super::*;
 
-    /// ε_ijk for indices below 3; 0 elsewhere.
+    /// Returns ε_ijk for indices below 3, and 0 elsewhere.
     fn epsilon(i: usize, j: usize, k: usize) -> f64 {
         let difference = |a: usize, b: usize| a as f64 - b as f64;
         if i.max(j).max(k) < 3 {
@@ -179,8 +180,8 @@ mod tests {
         }
     }
 
-    /// [e₀, e₁] = e₂, [e₁, e₂] = e₂, [e₀, e₂] = e₁: antisymmetric, and no Lie algebra, since the
-    /// cyclic sum is e₁.
+    /// Returns a table that is antisymmetric but not a Lie algebra: [e₀, e₁] = e₂, [e₁, e₂] = e₂, [e₀, e₂]
+    /// = e₁, for which the cyclic sum is e₁.
     fn broken(i: usize, j: usize, k: usize) -> f64 {
         match (i, j, k) {
             (0, 1, 2) | (1, 2, 2) | (0, 2, 1) => 1.0,
@@ -189,7 +190,7 @@ mod tests {
         }
     }
 
-    /// The direct sum of two three-dimensional tables.
+    /// Returns the direct sum of two three-dimensional tables.
     fn sum(
         first: impl Fn(usize, usize, usize) -> f64,
         second: impl Fn(usize, usize, usize) -> f64,
@@ -219,8 +220,8 @@ mod tests {
         }
     }
 
-    /// [e₀, e₁] = e₂, [e₁, e₂] = s e₀, [e₂, e₀] = s e₁: so(3) for s = 1, Heisenberg's algebra in the
-    /// limit s → 0. With [e₁, e₂] = s (e₀ + e₁) it is no Lie algebra for any s.
+    /// [e₀, e₁] = e₂, [e₁, e₂] = s e₀, [e₂, e₀] = s e₁ is so(3) for s = 1 and Heisenberg's algebra in the
+    /// limit s → 0. With [e₁, e₂] = s (e₀ + e₁) it is not a Lie algebra for any s.
     #[test]
     fn contractions_are_lie_algebras() {
         for s in SCALES {
@@ -240,7 +241,7 @@ mod tests {
         }
     }
 
-    /// Every basis vector with its own unit: c[i][j][k] λ_i λ_j/λ_k.
+    /// Each basis vector has a unit of its own: c[i][j][k] λ_i λ_j/λ_k.
     #[test]
     fn units_of_the_basis_do_not_matter() {
         let units = [1e-40, 1e20, 1e50];
@@ -253,8 +254,8 @@ mod tests {
         assert!(scaled(broken).is_err());
     }
 
-    /// so(3) ⊕ so(3) in a basis with rounded coordinates: zeros become numbers of the size of a
-    /// rounding, which are no failures of the Jacobi identity.
+    /// so(3) ⊕ so(3) in a basis with rounded coordinates: zeros become numbers of the size of a rounding
+    /// error, which do not violate the Jacobi identity.
     #[test]
     fn the_rounding_of_a_change_of_basis_is_allowed_for() {
         type Basis = nalgebra::SMatrix<f64, 6, 6>;

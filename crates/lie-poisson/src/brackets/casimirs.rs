@@ -1,4 +1,4 @@
-//! Casimir functions.
+//! Casimir functions of Lie–Poisson brackets: [`Casimirs`].
 
 use crate::{
     Covector, DualNumber, LieAlgebra, Momentum, PowerAlgebra, ProductAlgebra, Real, RealSpace,
@@ -7,10 +7,10 @@ use crate::{
 use nalgebra::SMatrix;
 use num_complex::Complex;
 
-/// The Casimirs of the Lie–Poisson bracket on 𝔤∗: functions c with {c, f} = 0 for every f, so
-/// that every Hamiltonian flow conserves them. They are the same for both signs.
+/// The Casimirs of the Lie–Poisson bracket on 𝔤∗: functions c with {c, f} = 0 for every f.
 ///
-/// In terms of ad∗: `ad∗_{dc(μ)} μ = 0`.
+/// Every Hamiltonian flow conserves them. They are common to both signs of the bracket. In terms of ad∗
+/// they are the functions with `ad∗_ξ μ` = 0 for ξ = dc(μ).
 ///
 /// # Example
 /// ```
@@ -23,13 +23,13 @@ use num_complex::Complex;
 /// }
 /// ```
 pub trait Casimirs: LieAlgebra {
-    /// How many independent Casimirs are listed.
+    /// The number of independent Casimirs that are listed.
     const COUNT: usize;
 
-    /// The value of the Casimir of the given index; zero for `index` ≥ `COUNT`.
+    /// Returns the value of the Casimir of the given index, or zero for `index` ≥ `COUNT`.
     fn casimir<T: Real>(&self, index: usize, mu: &Momentum<Self, T>) -> T;
 
-    /// Its differential dc(μ) ∈ 𝔤, exact.
+    /// Returns the exact differential dc(μ) ∈ 𝔤 of the Casimir of the given index.
     fn casimir_differential<T: Real>(
         &self,
         index: usize,
@@ -45,7 +45,7 @@ pub trait Casimirs: LieAlgebra {
 impl Casimirs for So3 {
     const COUNT: usize = 1;
 
-    /// |Π|²
+    /// Returns the Casimir |Π|².
     #[inline]
     fn casimir<T: Real>(&self, index: usize, mu: &Momentum<Self, T>) -> T {
         if index == 0 { mu.0.dot(&mu.0) } else { T::zero() }
@@ -55,7 +55,7 @@ impl Casimirs for So3 {
 impl Casimirs for Su2 {
     const COUNT: usize = 1;
 
-    /// |μ|²
+    /// Returns the Casimir |μ|².
     #[inline]
     fn casimir<T: Real>(&self, index: usize, mu: &Momentum<Self, T>) -> T {
         So3.casimir(index, mu)
@@ -65,7 +65,7 @@ impl Casimirs for Su2 {
 impl Casimirs for Se3 {
     const COUNT: usize = 2;
 
-    /// f₁ = |Γ|² and f₂ = Π·Γ. Source: Ohsawa 2019, §4.2.
+    /// Returns the Casimir f₁ = |Γ|² (index 0) or f₂ = Π·Γ (index 1). Source: Ohsawa 2019, §4.2.
     #[inline]
     fn casimir<T: Real>(&self, index: usize, mu: &Momentum<Self, T>) -> T {
         let (pi, gamma) = (mu.0.0, mu.0.1);
@@ -80,7 +80,7 @@ impl Casimirs for Se3 {
 impl Casimirs for Se2 {
     const COUNT: usize = 1;
 
-    /// |Γ|², for (Π, Γ) ∈ R × R².
+    /// Returns the Casimir |Γ|² of (Π, Γ) ∈ R × R².
     #[inline]
     fn casimir<T: Real>(&self, index: usize, mu: &Momentum<Self, T>) -> T {
         let gamma = mu.0.1;
@@ -91,7 +91,7 @@ impl Casimirs for Se2 {
 impl Casimirs for SemidirectAlgebra<SU2OnC2> {
     const COUNT: usize = 1;
 
-    /// ‖α‖² for (μ, α) ∈ su(2)∗ × (C²)∗: SU(2) is transitive on the spheres of C².
+    /// Returns the Casimir ‖α‖² of (μ, α) ∈ su(2)∗ × (C²)∗, since SU(2) is transitive on the spheres of C².
     #[inline]
     fn casimir<T: Real>(&self, index: usize, mu: &Momentum<Self, T>) -> T {
         let alpha = mu.0.1;
@@ -102,8 +102,10 @@ impl Casimirs for SemidirectAlgebra<SU2OnC2> {
 impl Casimirs for Sl2 {
     const COUNT: usize = 1;
 
-    /// ¼α² + βγ for μ = (α, β, γ), which is −det of the matrix that represents μ by the trace
-    /// form ⟨μ, ξ⟩ = tr(mξ). Negative on the elliptic orbits, positive on the hyperbolic ones.
+    /// Returns the Casimir ¼α² + βγ of μ = (α, β, γ).
+    ///
+    /// It is −det of the matrix that represents μ by the trace form ⟨μ, ξ⟩ = tr(mξ). It is negative on the
+    /// elliptic orbits and positive on the hyperbolic ones.
     #[inline]
     fn casimir<T: Real>(&self, index: usize, mu: &Momentum<Self, T>) -> T {
         let m = mu.0;
@@ -114,7 +116,7 @@ impl Casimirs for Sl2 {
 impl Casimirs for So2 {
     const COUNT: usize = 1;
 
-    /// The momentum itself: the algebra is abelian.
+    /// Returns the momentum itself, since the algebra is abelian.
     #[inline]
     fn casimir<T: Real>(&self, index: usize, mu: &Momentum<Self, T>) -> T {
         mu.coordinate(index)
@@ -124,7 +126,7 @@ impl Casimirs for So2 {
 impl<const N: usize> Casimirs for RealSpace<N> {
     const COUNT: usize = N;
 
-    /// The coordinates: the algebra is abelian.
+    /// Returns the coordinate of the given index, since the algebra is abelian.
     #[inline]
     fn casimir<T: Real>(&self, index: usize, mu: &Momentum<Self, T>) -> T {
         mu.coordinate(index)
@@ -134,7 +136,7 @@ impl<const N: usize> Casimirs for RealSpace<N> {
 impl<const N: usize> Casimirs for UnitaryAlgebra<N> {
     const COUNT: usize = N;
 
-    /// tr H, tr H², …, tr Hᴺ of the Hermitian matrix H of μ.
+    /// Returns the Casimir of the given index among tr H, tr H², …, tr Hᴺ of the Hermitian matrix H of μ.
     fn casimir<T: Real>(&self, index: usize, mu: &Momentum<Self, T>) -> T {
         let h = self.hermitian(mu);
         let one = SMatrix::<Complex<T>, N, N>::identity();
@@ -146,7 +148,7 @@ impl<const N: usize> Casimirs for UnitaryAlgebra<N> {
 impl<A: Casimirs, B: Casimirs> Casimirs for ProductAlgebra<A, B> {
     const COUNT: usize = A::COUNT + B::COUNT;
 
-    /// Those of the first factor, then those of the second.
+    /// Returns the Casimir of the given index: those of the first factor, then those of the second.
     #[inline]
     fn casimir<T: Real>(&self, index: usize, mu: &Momentum<Self, T>) -> T {
         if index < A::COUNT {
@@ -160,7 +162,7 @@ impl<A: Casimirs, B: Casimirs> Casimirs for ProductAlgebra<A, B> {
 impl<A: Casimirs, const N: usize> Casimirs for PowerAlgebra<A, N> {
     const COUNT: usize = N * A::COUNT;
 
-    /// Those of the first factor, then those of the second, and so on.
+    /// Returns the Casimir of the given index: those of the first factor, then of the second, and so on.
     #[inline]
     fn casimir<T: Real>(&self, index: usize, mu: &Momentum<Self, T>) -> T {
         let count = A::COUNT.max(1);

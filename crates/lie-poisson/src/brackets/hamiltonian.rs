@@ -1,4 +1,4 @@
-//! Hamiltonians and their differentials.
+//! Hamiltonians and their exact differentials.
 
 use crate::{
     Differential, DualNumber, Point, PoissonSpace, Real, derivative_part, differential, seed,
@@ -7,41 +7,44 @@ use core::marker::PhantomData;
 
 /// A function h: P → R with its differential, over the scalar `T`.
 ///
-/// On P = 𝔤∗ the differential dh(μ) lies in 𝔤: a velocity. There are three ways to get one:
+/// On P = 𝔤∗ the differential dh(μ) lies in 𝔤: it is a velocity. There are three ways to make a
+/// Hamiltonian:
 ///
-/// * implement [`Energy`] and wrap it in [`Automatic`]: one generic formula, differentiated by
-///   dual numbers, at work over every scalar;
-/// * pass closures to [`from_closure`] (differentiated automatically) or [`from_closures`]
-///   (differential by hand), over `f64`;
-/// * implement this trait, with the differential by hand, which is the fastest.
+/// * implement [`Energy`] and wrap it in [`Automatic`]: one generic formula, differentiated by dual numbers, for every
+///   scalar;
+/// * pass closures over `f64` to [`from_closure`] (differentiated automatically) or to [`from_closures`] (with the
+///   differential by hand);
+/// * implement this trait with the differential by hand, which is the fastest way.
 pub trait Hamiltonian<P: PoissonSpace, T: Real = f64> {
-    /// h(z)
+    /// Returns the value h(z).
     fn value(&self, z: &Point<P, T>) -> T;
 
-    /// `dh(z) ∈ T∗_z P`
+    /// Returns the differential dh(z), a covector at z.
     fn differential(&self, z: &Point<P, T>) -> Differential<P, T>;
 
-    /// The derivative of dh at z along v, D²h(z)·v; `None` if it is not known, as for closures.
+    /// Returns the derivative D²h(z)·v of dh at z along v, or `None` if it is not known, as for closures.
     ///
-    /// Newton's iteration for the stages of an implicit method asks for it. A Hamiltonian over all
-    /// scalars has it by [`hessian_by_dual_numbers`].
+    /// Newton's iteration for the stages of an implicit method uses it. A Hamiltonian that is implemented
+    /// over all scalars can return [`hessian_by_dual_numbers`].
     #[inline]
     fn hessian(&self, _z: &Point<P, T>, _v: &Point<P, T>) -> Option<Differential<P, T>> {
         None
     }
 
-    /// (A, b) where dh(z) = A z + b with a constant b and a constant diagonal matrix A, given by
-    /// its diagonal; `None` if h is of another form or it is not known.
+    /// Returns (A, b) if dh(z) = A z + b with a constant b and a constant diagonal matrix A, given by its
+    /// diagonal.
     ///
-    /// An integrator with formulas of its own for such functions recognises them by this.
+    /// It returns `None` if h has another form or if the form is not known. Integrators with special
+    /// formulas for such functions use it to recognise them.
     #[inline]
     fn affine_differential(&self) -> Option<(Differential<P, T>, Differential<P, T>)> {
         None
     }
 }
 
-/// D²h(z)·v by dual numbers, exact: the body of [`Hamiltonian::hessian`] for a Hamiltonian that
-/// is implemented over every scalar.
+/// Computes D²h(z)·v exactly by dual numbers, for a Hamiltonian that is implemented over every scalar.
+///
+/// It serves as the body of [`Hamiltonian::hessian`].
 #[inline]
 pub fn hessian_by_dual_numbers<P, T, H>(
     h: &H,
@@ -56,7 +59,7 @@ where
     derivative_part(&h.differential(&seed(z, v)))
 }
 
-/// A borrowed Hamiltonian is one.
+/// A reference to a Hamiltonian is a Hamiltonian.
 impl<P: PoissonSpace, T: Real, H: Hamiltonian<P, T> + ?Sized> Hamiltonian<P, T> for &H {
     #[inline]
     fn value(&self, z: &Point<P, T>) -> T {
@@ -79,7 +82,7 @@ impl<P: PoissonSpace, T: Real, H: Hamiltonian<P, T> + ?Sized> Hamiltonian<P, T> 
     }
 }
 
-/// An energy as one formula, written once for all scalars.
+/// An energy h(z) given by one formula that is written once for all scalars.
 ///
 /// # Example
 /// ```
@@ -103,10 +106,10 @@ impl<P: PoissonSpace, T: Real, H: Hamiltonian<P, T> + ?Sized> Hamiltonian<P, T> 
 /// assert_eq!(omega, Vector3::new(1.0, 0.5, 0.25));
 /// ```
 pub trait Energy {
-    /// The space on which it is defined.
+    /// The space on which the energy is defined.
     type Space: PoissonSpace;
 
-    /// h(z)
+    /// Returns the energy h(z).
     fn energy<T: Real>(&self, z: &Point<Self::Space, T>) -> T;
 }
 
@@ -135,7 +138,7 @@ impl<E: Energy, T: Real> Hamiltonian<E::Space, T> for Automatic<E> {
     }
 }
 
-/// The Hamiltonian of a closure over dual numbers, differentiated automatically.
+/// Creates a Hamiltonian from a closure over dual numbers, differentiated automatically.
 ///
 /// # Example
 /// ```
@@ -153,7 +156,7 @@ where
     Closure { energy, space: PhantomData }
 }
 
-/// See [`from_closure`].
+/// The Hamiltonian of one closure, created by [`from_closure`].
 #[derive(Clone, Copy, Debug)]
 pub struct Closure<P, F> {
     energy: F,
@@ -174,7 +177,7 @@ where
     }
 }
 
-/// The Hamiltonian of two closures: the value, and the differential by hand.
+/// Creates a Hamiltonian from two closures: the value, and the differential by hand.
 ///
 /// # Example
 /// ```
@@ -195,7 +198,7 @@ where
     Closures { value, differential, space: PhantomData }
 }
 
-/// See [`from_closures`].
+/// The Hamiltonian of two closures, created by [`from_closures`].
 #[derive(Clone, Copy, Debug)]
 pub struct Closures<P, F, D> {
     value: F,

@@ -1,4 +1,4 @@
-//! Poisson spaces, (±)-Lie–Poisson brackets, their Casimirs, and Hamiltonians on them.
+//! Poisson spaces, Lie–Poisson brackets with both signs, Casimirs and Hamiltonians.
 
 pub(crate) mod poisson;
 pub(crate) mod product_space;

@@ -1,4 +1,4 @@
-//! Poisson vector spaces and the Lie–Poisson bracket.
+//! Poisson vector spaces and the Lie–Poisson bracket: [`PoissonSpace`], [`LiePoisson`].
 
 use crate::{Differential, LieAlgebra, Momentum, Point, Real, Vector, VectorSpace};
 use nalgebra::DMatrix;
@@ -11,14 +11,14 @@ use nalgebra::DMatrix;
 ///
 /// Source: Marsden & Ratiu, *Introduction to Mechanics and Symmetry*, 2nd ed., §10.4.
 pub trait PoissonSpace: VectorSpace {
-    /// Λ(z) α, the Hamiltonian vector field at z of any function with differential α there.
+    /// Returns Λ(z) α, the Hamiltonian vector at z of any function whose differential at z is α.
     fn hamiltonian_vector<T: Real>(
         &self,
         z: &Point<Self, T>,
         alpha: &Differential<Self, T>,
     ) -> Point<Self, T>;
 
-    /// {f, h}(z) for functions with differentials `df` and `dh` at z.
+    /// Returns the bracket {f, h}(z) of functions with the differentials `df` and `dh` at z.
     #[inline]
     fn bracket<T: Real>(
         &self,
@@ -29,7 +29,7 @@ pub trait PoissonSpace: VectorSpace {
         df.pairing(&self.hamiltonian_vector::<T>(z, dh))
     }
 
-    /// The matrix Λ_ij(z) = {z_i, z_j} of the Poisson tensor, DIM × DIM.
+    /// Returns the matrix Λ_ij(z) = {z_i, z_j} of the Poisson tensor, of size DIM × DIM.
     fn poisson_tensor<T: Real>(&self, z: &Point<Self, T>) -> DMatrix<T> {
         let n = Point::<Self, T>::DIM;
         let columns = (0..n).map(|j| self.hamiltonian_vector::<T>(z, &Vector::basis(j)));
@@ -37,25 +37,25 @@ pub trait PoissonSpace: VectorSpace {
     }
 }
 
-/// The sign of a Lie–Poisson bracket.
+/// The sign of a Lie–Poisson bracket {f, h}±(μ) = ±⟨μ, [df, dh]⟩.
 ///
-/// Momentum maps of right actions go to 𝔤∗ with the minus sign, those of left actions to 𝔤∗ with
-/// the plus sign; body-frame dynamics has the minus sign.
+/// Momentum maps of right actions are Poisson maps to 𝔤∗ with the minus sign, those of left actions to 𝔤∗
+/// with the plus sign. Dynamics in the body frame has the minus sign.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Sign {
-    /// {f, h}(μ) = +⟨μ, [df, dh]⟩, so that `μ̇ = −ad∗_{dh} μ`.
+    /// The plus sign: {f, h}(μ) = +⟨μ, [df, dh]⟩, so that dμ/dt = −`ad∗_ξ μ` with ξ = dh(μ).
     Plus,
-    /// {f, h}(μ) = −⟨μ, [df, dh]⟩, so that `μ̇ = +ad∗_{dh} μ`.
+    /// The minus sign: {f, h}(μ) = −⟨μ, [df, dh]⟩, so that dμ/dt = +`ad∗_ξ μ` with ξ = dh(μ).
     Minus,
 }
 
-/// 𝔤∗ with a (±)-Lie–Poisson bracket {f, h}±(μ) = ±⟨μ, [df(μ), dh(μ)]⟩.
+/// The dual 𝔤∗ with a (±)-Lie–Poisson bracket {f, h}±(μ) = ±⟨μ, [df(μ), dh(μ)]⟩.
 ///
 /// Source: Marsden & Ratiu, *Introduction to Mechanics and Symmetry*, 2nd ed., §13.1; Ohsawa
 /// 2019, eqs. (1.2), (2.4) and (3.3) for the minus sign.
 ///
 /// # Example
-/// The free rigid body Π̇ = Π × Ω is Hamiltonian for the minus sign:
+/// The free rigid body dΠ/dt = Π × Ω is Hamiltonian for the minus sign:
 /// ```
 /// use lie_poisson::{Covector, LiePoisson, PoissonSpace, So3};
 /// use nalgebra::Vector3;
@@ -70,27 +70,27 @@ pub struct LiePoisson<A> {
 }
 
 impl<A: LieAlgebra> LiePoisson<A> {
-    /// 𝔤∗ with the bracket of the given sign.
+    /// Creates 𝔤∗ with the Lie–Poisson bracket of the given sign.
     pub const fn new(algebra: A, sign: Sign) -> Self {
         Self { algebra, sign }
     }
 
-    /// 𝔤∗ with the minus bracket.
+    /// Creates 𝔤∗ with the minus Lie–Poisson bracket.
     pub const fn minus(algebra: A) -> Self {
         Self::new(algebra, Sign::Minus)
     }
 
-    /// 𝔤∗ with the plus bracket.
+    /// Creates 𝔤∗ with the plus Lie–Poisson bracket.
     pub const fn plus(algebra: A) -> Self {
         Self::new(algebra, Sign::Plus)
     }
 
-    /// 𝔤
+    /// Returns the Lie algebra 𝔤.
     pub const fn algebra(&self) -> &A {
         &self.algebra
     }
 
-    /// The sign of the bracket.
+    /// Returns the sign of the bracket.
     pub const fn sign(&self) -> Sign {
         self.sign
     }
@@ -101,7 +101,7 @@ impl<A: LieAlgebra> VectorSpace for LiePoisson<A> {
 }
 
 impl<A: LieAlgebra> PoissonSpace for LiePoisson<A> {
-    /// `∓ad∗_{dh} μ` for the (±)-bracket.
+    /// Returns ∓`ad∗_ξ μ` with ξ = dh, for the (±)-bracket.
     #[inline]
     fn hamiltonian_vector<T: Real>(
         &self,

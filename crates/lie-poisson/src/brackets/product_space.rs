@@ -1,4 +1,4 @@
-//! Products of Poisson spaces.
+//! Products and powers of Poisson spaces.
 
 use crate::{
     Covector, Differential, Pair, Point, PoissonSpace, Power, Real, Vector, VectorSpace,
@@ -6,7 +6,8 @@ use crate::{
 };
 use core::array::from_fn;
 
-/// P × Q with the sum of the two brackets; the factors Poisson-commute.
+/// The product P × Q of Poisson spaces with the sum of the two brackets; functions of different factors
+/// commute.
 ///
 /// Source: Marsden & Ratiu, *Introduction to Mechanics and Symmetry*, 2nd ed., §10.1.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
@@ -31,7 +32,7 @@ impl<P: PoissonSpace, Q: PoissonSpace> PoissonSpace for ProductSpace<P, Q> {
     }
 }
 
-/// P^N with the sum of the brackets of the factors.
+/// The power Pᴺ of a Poisson space with the sum of the brackets of the factors.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub struct PowerSpace<P, const N: usize>(pub P);
 
@@ -53,7 +54,7 @@ impl<P: PoissonSpace, const N: usize> PoissonSpace for PowerSpace<P, N> {
     }
 }
 
-/// The two parts (α, β) of a covector on a direct sum, each with its own pairing.
+/// Returns the two parts (α, β) of a covector on a direct sum, each with the pairing of its own space.
 #[inline]
 pub fn parts<A, B>(covector: &Covector<Pair<A, B>>) -> (A::Dual, B::Dual)
 where
@@ -64,7 +65,7 @@ where
     (map_coordinates(a, |x| x), map_coordinates(b, |x| x))
 }
 
-/// The covector (α, β) of a direct sum from its two parts.
+/// Creates the covector (α, β) on a direct sum from its two parts.
 #[inline]
 pub fn from_parts<A, B>(alpha: &A::Dual, beta: &B::Dual) -> Covector<Pair<A, B>>
 where

@@ -1,4 +1,4 @@
-//! Cayley maps.
+//! Cayley maps from an algebra to its group: [`Cayley`].
 
 use crate::{
     AlgebraElement, LieGroup, Pair, Power, PowerGroup, ProductGroup, Quaternion, Real, RealSpace,
@@ -8,9 +8,10 @@ use core::array::from_fn;
 use nalgebra::{Matrix2, Matrix3, SVector, Vector1, Vector2, Vector3};
 use num_complex::Complex;
 
-/// Matrix groups with the Cayley map cay ξ = (I − ξ/2)⁻¹ (I + ξ/2), which agrees with exp to
-/// second order, cay ξ = exp ξ + O(|ξ|³), and needs no transcendental function. Translations
-/// x ↦ x + v are matrices too, for which cay and exp are the same.
+/// Matrix groups with the Cayley map cay ξ = (I − ξ/2)⁻¹ (I + ξ/2).
+///
+/// It agrees with exp to second order, cay ξ = exp ξ + O(|ξ|³), and needs no transcendental function.
+/// Translations x ↦ x + v are matrices too; for them cay and exp are equal.
 ///
 /// Source: Hairer, Lubich & Wanner, *Geometric Numerical Integration*, 2nd ed., §IV.8.3.
 ///
@@ -24,12 +25,12 @@ use num_complex::Complex;
 /// assert!(residual.norm() < 1e-15);
 /// ```
 pub trait Cayley: LieGroup {
-    /// cay ξ
+    /// Returns the Cayley map cay ξ.
     fn cayley<T: Real>(&self, xi: &AlgebraElement<Self, T>) -> Self::Element<T>;
 }
 
 impl<const N: usize> Cayley for RealSpace<N> {
-    /// The translation by ξ.
+    /// Returns the translation by ξ.
     #[inline]
     fn cayley<T: Real>(&self, xi: &SVector<T, N>) -> SVector<T, N> {
         *xi
@@ -37,7 +38,7 @@ impl<const N: usize> Cayley for RealSpace<N> {
 }
 
 impl Cayley for SO2 {
-    /// A rotation by 2 arctan(ω/2).
+    /// Returns the rotation by the angle 2 arctan(ω/2).
     fn cayley<T: Real>(&self, xi: &Vector1<T>) -> Matrix2<T> {
         let x = xi.x * xi.x * 0.25;
         let (cosine, sine) = (-x + 1.0, xi.x);
@@ -46,7 +47,7 @@ impl Cayley for SO2 {
 }
 
 impl Cayley for SO3 {
-    /// I + (ξ̂ + ½ξ̂²)/(1 + ¼|ξ|²)
+    /// Returns the rotation matrix I + (X + ½X²)/(1 + ¼|ξ|²), where X = hat(ξ).
     #[inline]
     fn cayley<T: Real>(&self, xi: &Vector3<T>) -> Matrix3<T> {
         let (hat, x) = (So3.hat(xi), xi.dot(xi) * 0.25);
@@ -55,7 +56,7 @@ impl Cayley for SO3 {
 }
 
 impl Cayley for SU2 {
-    /// ((1 − |ξ|²/16) I + ξ)/(1 + |ξ|²/16)
+    /// Returns the unitary matrix ((1 − |ξ|²/16) I + ξ)/(1 + |ξ|²/16).
     #[inline]
     fn cayley<T: Real>(&self, xi: &Vector3<T>) -> Matrix2<Complex<T>> {
         let x = xi.dot(xi) * 0.0625;
@@ -67,7 +68,7 @@ impl Cayley for SU2 {
 }
 
 impl Cayley for SP1 {
-    /// (1 − |ξ|²/16 + ½ξ)/(1 + |ξ|²/16)
+    /// Returns the unit quaternion (1 − |ξ|²/16 + ½ξ)/(1 + |ξ|²/16).
     #[inline]
     fn cayley<T: Real>(&self, xi: &Vector3<T>) -> Quaternion<T> {
         let x = xi.dot(xi) * 0.0625;
@@ -77,7 +78,8 @@ impl Cayley for SP1 {
 }
 
 impl Cayley for SL2 {
-    /// ((1 − d/4) I + ξ)/(1 + d/4), d = det ξ. Not finite where d = −4, when I − ξ/2 is singular.
+    /// Returns the matrix ((1 − d/4) I + ξ)/(1 + d/4) with d = det ξ; not finite for d = −4, where I − ξ/2 is
+    /// singular.
     #[inline]
     fn cayley<T: Real>(&self, xi: &Vector3<T>) -> Matrix2<T> {
         let d = Sl2.determinant(xi) * 0.25;
@@ -86,7 +88,7 @@ impl Cayley for SL2 {
 }
 
 impl Cayley for SE2 {
-    /// (cay ω, (I − ½ωJ)⁻¹ φ), with (I − ½ωJ)⁻¹ = ½(I + cay ω).
+    /// Returns (cay ω, (I − ½ωJ)⁻¹ φ), with (I − ½ωJ)⁻¹ = ½(I + cay ω).
     #[inline]
     fn cayley<T: Real>(&self, xi: &Pair<Vector1<T>, Vector2<T>>) -> Pair<Matrix2<T>, Vector2<T>> {
         let turn = SO2.cayley(&xi.0);
@@ -95,7 +97,7 @@ impl Cayley for SE2 {
 }
 
 impl Cayley for SE3 {
-    /// (cay ξ, (I − ½ξ̂)⁻¹ φ), with (I − ½ξ̂)⁻¹ = ½(I + cay ξ).
+    /// Returns (cay ξ, (I − ½X)⁻¹ φ), where X = hat(ξ) and (I − ½X)⁻¹ = ½(I + cay ξ).
     #[inline]
     fn cayley<T: Real>(&self, xi: &Pair<Vector3<T>, Vector3<T>>) -> Pair<Matrix3<T>, Vector3<T>> {
         let turn = SO3.cayley(&xi.0);
@@ -104,7 +106,7 @@ impl Cayley for SE3 {
 }
 
 impl<G: Cayley, H: Cayley> Cayley for ProductGroup<G, H> {
-    /// (cay ξ, cay η)
+    /// Returns (cay ξ, cay η), factor by factor.
     #[inline]
     fn cayley<T: Real>(&self, xi: &AlgebraElement<Self, T>) -> Self::Element<T> {
         Pair(self.0.cayley::<T>(&xi.0), self.1.cayley::<T>(&xi.1))
@@ -112,7 +114,7 @@ impl<G: Cayley, H: Cayley> Cayley for ProductGroup<G, H> {
 }
 
 impl<G: Cayley, const N: usize> Cayley for PowerGroup<G, N> {
-    /// (cay ξ₁, …, cay ξ_N)
+    /// Returns (cay ξ₁, …, cay ξ_N), factor by factor.
     #[inline]
     fn cayley<T: Real>(&self, xi: &AlgebraElement<Self, T>) -> Self::Element<T> {
         Power(from_fn(|n| self.0.cayley::<T>(&xi.0[n])))

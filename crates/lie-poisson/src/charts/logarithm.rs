@@ -1,4 +1,4 @@
-//! Logarithms, where they have a closed form.
+//! Logarithms in closed form: [`Logarithm`].
 
 use crate::{
     AlgebraElement, LieGroup, Pair, Power, PowerGroup, ProductGroup, Quaternion, Real, RealSpace,
@@ -8,15 +8,15 @@ use nalgebra::{Matrix2, Matrix3, SVector, Vector1, Vector2, Vector3};
 use num_complex::Complex;
 use thiserror::Error;
 
-/// A group element has no logarithm that depends smoothly on it.
+/// The error of a group element that has no logarithm depending smoothly on it.
 #[derive(Clone, Copy, Debug, PartialEq, Error)]
 #[error("no logarithm: the element is outside the domain of log, or not finite")]
 pub struct LogarithmError;
 
-/// Groups with a closed logarithm: log(exp ξ) = ξ for ξ near 0, exp(log g) = g.
+/// Groups with a logarithm in closed form: log(exp ξ) = ξ for ξ near 0, and exp(log g) = g.
 ///
-/// The argument of `log` must be an element of the group, up to rounding. That is a precondition
-/// which is not checked: the logarithm of any other matrix has no meaning.
+/// The argument of `log` must be an element of the group, up to rounding. This precondition is not checked,
+/// and the logarithm of any other matrix has no meaning.
 ///
 /// # Example
 /// ```
@@ -27,28 +27,30 @@ pub struct LogarithmError;
 /// # Ok::<(), lie_poisson::LogarithmError>(())
 /// ```
 pub trait Logarithm: LieGroup {
-    /// The principal logarithm.
+    /// Returns the principal logarithm of g.
     ///
     /// # Errors
-    /// If there is none: −I in SU(2) and SL(2, R), −1 in Sp(1), an element of SL(2, R) of trace
-    /// ≤ −2, and whatever is not finite. Rotations by π do have one in SO(3), the choice between its two
-    /// signs being arbitrary.
+    /// Returns [`LogarithmError`] if there is none: for −I in SU(2) and SL(2, R), for −1 in Sp(1), for
+    /// elements of SL(2, R) of trace ≤ −2, and for elements that are not finite. Rotations by π in SO(3)
+    /// have a logarithm, whose sign is chosen arbitrarily.
     fn log<T: Real>(&self, g: &Self::Element<T>)
     -> Result<AlgebraElement<Self, T>, LogarithmError>;
 }
 
-/// θ / sin θ from sin²θ and cos θ, 0 ≤ θ < π; for negative sin²θ, θ / sinh θ from −sinh²θ and
-/// cosh θ. Analytic at θ = 0, so that dual numbers see the right derivatives.
+/// Returns θ / sin θ from sin²θ and cos θ, for 0 ≤ θ < π.
+///
+/// If sin²θ is negative, it stands for −sinh²θ, and the result is θ / sinh θ from −sinh²θ and cosh θ. The
+/// function is analytic at θ = 0, so that dual numbers get the right derivatives.
 fn angle_over_sine<T: Real>(sine_squared: T, cosine: T) -> T {
     let tangent_squared = sine_squared / (cosine * cosine);
-    // Σ (−t)ᵏ/(2k+1); 0.04¹³/27 is below round-off.
+    // The series is Σ (−t)ᵏ/(2k+1), and 0.04¹³/27 is below round-off.
     let series = (0..13).rev().fold(T::zero(), |tail, k| {
         T::from_f64(1.0 / f64::from(2 * k + 1)) - tangent_squared * tail
     }) / cosine;
     let (sine, sinh) = (sine_squared.sqrt(), (-sine_squared).sqrt());
     let circular = sine.atan2(cosine) / sine;
-    // No real logarithm for negative cosine: cosine + sinh, which should be negative, may round
-    // to a small positive number, so that ln alone would not tell.
+    // There is no real logarithm for a negative cosine. The sum cosine + sinh should be negative, but may
+    // round to a small positive number, so that ln alone would not detect it.
     let none = T::from_f64(f64::NAN);
     let hyperbolic = cosine.select_nonnegative((cosine + sinh).ln() / sinh, none);
     let closed = sine_squared.select_nonnegative(circular, hyperbolic);
@@ -98,16 +100,18 @@ impl Logarithm for SO3 {
     }
 }
 
-/// A unit quaternion with non-negative real part that turns as R does.
+/// Returns a unit quaternion with non-negative real part that rotates as R does.
 ///
-/// Of the four formulas, each dividing by one component, the one with the largest component.
+/// There are four formulas, each of which divides by one component; the one with the largest component is
+/// used.
 /// Source: S. W. Shepperd, *Quaternion from rotation matrix*, J. Guidance Control 1 (1978).
 fn rotation_quaternion<T: Real>(r: &Matrix3<T>) -> Quaternion<T> {
     let one = T::one();
     let (a, b, c) = (r.m11, r.m22, r.m33);
     let skew = Vector3::new(r.m32 - r.m23, r.m13 - r.m31, r.m21 - r.m12);
     let (d, e, f) = (r.m12 + r.m21, r.m13 + r.m31, r.m23 + r.m32);
-    // Four times each component squared, and four times that component times the quaternion.
+    // Each candidate is four times one component squared, with four times that component times the
+    // quaternion.
     let candidates = [
         (one + a + b + c, [one + a + b + c, skew.x, skew.y, skew.z]),
         (one + a - b - c, [skew.x, one + a - b - c, d, e]),
@@ -126,7 +130,7 @@ fn rotation_quaternion<T: Real>(r: &Matrix3<T>) -> Quaternion<T> {
     Quaternion::from_coordinates(|i| rows[i] / scale)
 }
 
-/// The size with the sign of another number.
+/// Returns `size` with the sign of another number.
 fn with_sign<T: Real>(size: T, sign: T) -> T {
     sign.select_nonnegative(size, -size)
 }
@@ -136,15 +140,16 @@ impl Logarithm for SL2 {
         let sine = Sl2.coordinates(g);
         let cosine = (g.m11 + g.m22) * 0.5;
         let factor = angle_over_sine(Sl2.determinant(&sine), cosine);
-        // Of trace ≤ −2 whatever the sign that rounding gives to the determinant.
+        // The trace is ≤ −2, whatever sign rounding gives to the determinant.
         let none = T::from_f64(f64::NAN);
         finite(sine * (-cosine - 1.0).select_nonnegative(none, factor))
     }
 }
 
 impl Logarithm for SE3 {
-    /// (ξ, V⁻¹a) with ξ = log R and V⁻¹ = I − ½ξ̂ + ((c₃ − 2c₄)/(2c₂)) ξ̂², Stumpff functions of
-    /// |ξ|².
+    /// Returns (ξ, V⁻¹a) with ξ = log R and V⁻¹ = I − ½X + ((c₃ − 2c₄)/(2c₂)) X².
+    ///
+    /// Here X = hat(ξ), and the Stumpff functions have the argument |ξ|².
     fn log<T: Real>(
         &self,
         g: &Pair<Matrix3<T>, Vector3<T>>,
@@ -158,7 +163,7 @@ impl Logarithm for SE3 {
 }
 
 impl Logarithm for SE2 {
-    /// (ω, V⁻¹a) with V = c₁ + ωc₂ J, a complex number, Stumpff functions of ω².
+    /// Returns (ω, V⁻¹a) with the complex number V = c₁ + ωc₂ J and Stumpff functions of ω².
     fn log<T: Real>(
         &self,
         g: &Pair<Matrix2<T>, Vector2<T>>,
@@ -172,7 +177,7 @@ impl Logarithm for SE2 {
 }
 
 impl<G: Logarithm, H: Logarithm> Logarithm for ProductGroup<G, H> {
-    /// (log g, log h)
+    /// Returns (log g, log h), factor by factor.
     fn log<T: Real>(
         &self,
         g: &Self::Element<T>,
@@ -182,7 +187,7 @@ impl<G: Logarithm, H: Logarithm> Logarithm for ProductGroup<G, H> {
 }
 
 impl<G: Logarithm, const N: usize> Logarithm for PowerGroup<G, N> {
-    /// (log g₁, …, log g_N)
+    /// Returns (log g₁, …, log g_N), factor by factor.
     fn log<T: Real>(
         &self,
         g: &Self::Element<T>,
@@ -210,7 +215,7 @@ mod tests {
                 let log = SO3.log(&g);
                 let error =
                     log.map(|log| (SO3.exp(&log) - g).amax().max((log.norm() - angle).abs()));
-                // A matrix determines its angle to the rounding of its entries.
+                // A matrix determines its angle only to the rounding errors of its entries.
                 assert!(error.is_ok_and(|error| error < 2e-15), "{axis} {angle}");
             }
         }

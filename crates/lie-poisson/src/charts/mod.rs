@@ -1,4 +1,4 @@
-//! Maps between an algebra and its group: the logarithm, and Cayley's.
+//! Maps between an algebra and its group: the logarithm and the Cayley map.
 
 pub(crate) mod logarithm;
 pub(crate) mod cayley;

@@ -1,9 +1,9 @@
-//! R^N as an abelian Lie algebra and group.
+//! The space R^N as an abelian Lie algebra and as a Lie group.
 
 use crate::{LieAlgebra, LieGroup, Real, RealSpace, Vector};
 use nalgebra::SVector;
 
-/// The abelian Lie algebra R^N: [ξ, η] = 0.
+/// The abelian Lie algebra R^N, with [ξ, η] = 0.
 impl<const N: usize> LieAlgebra for RealSpace<N> {
     type Element<T: Real> = SVector<T, N>;
 
@@ -13,7 +13,7 @@ impl<const N: usize> LieAlgebra for RealSpace<N> {
     }
 }
 
-/// The group of translations R^N.
+/// The Lie group R^N of translations.
 impl<const N: usize> LieGroup for RealSpace<N> {
     type Algebra = Self;
     type Element<T: Real> = SVector<T, N>;
@@ -37,13 +37,13 @@ impl<const N: usize> LieGroup for RealSpace<N> {
         -g
     }
 
-    /// exp = id
+    /// Returns ξ itself: exp is the identity.
     #[inline]
     fn exp<T: Real>(&self, xi: &SVector<T, N>) -> SVector<T, N> {
         *xi
     }
 
-    /// Ad = id
+    /// Returns ξ itself: Ad_g is the identity.
     #[inline]
     fn adjoint<T: Real>(&self, _: &SVector<T, N>, xi: &SVector<T, N>) -> SVector<T, N> {
         *xi

@@ -1,4 +1,4 @@
-//! The matrix groups with their algebras.
+//! The classical matrix groups with their Lie algebras.
 
 pub(crate) mod abelian;
 pub(crate) mod so2;

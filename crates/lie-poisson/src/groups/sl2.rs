@@ -1,4 +1,4 @@
-//! sl(2, R) ≅ so(2, 1) and SL(2, R).
+//! The Lie algebra sl(2, R) ≅ so(2, 1) and the group SL(2, R).
 
 use crate::{LieAlgebra, LieGroup, Real};
 use nalgebra::{Matrix2, Vector3};
@@ -9,12 +9,12 @@ use nalgebra::{Matrix2, Vector3};
 /// [ξ, ξ′] = (bc′ − cb′, 2(ab′ − ba′), 2(ca′ − ac′))
 /// ```
 ///
-/// Isomorphic to so(2, 1): its Killing form is 8(a² + bc), of signature (2, 1).
+/// It is isomorphic to so(2, 1): its Killing form is 8(a² + bc), of signature (2, 1).
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub struct Sl2;
 
 impl Sl2 {
-    /// The matrix [a b; c −a].
+    /// Returns the matrix [a b; c −a] of the coordinates (a, b, c).
     ///
     /// ```
     /// use lie_poisson::{LieAlgebra, Sl2};
@@ -28,14 +28,15 @@ impl Sl2 {
         Matrix2::new(xi.x, xi.y, xi.z, -xi.x)
     }
 
-    /// The coordinates of a traceless matrix; for any other, of its traceless part.
+    /// Returns the coordinates of a traceless matrix; for any other matrix, those of its traceless part.
     #[inline]
     pub fn coordinates<T: Real>(&self, xi: &Matrix2<T>) -> Vector3<T> {
         Vector3::new((xi.m11 - xi.m22) * 0.5, xi.m12, xi.m21)
     }
 
-    /// det ξ = −a² − bc, so that ξ² = −(det ξ) I: positive for elliptic, negative for hyperbolic
-    /// elements.
+    /// Returns det ξ = −a² − bc, positive for elliptic and negative for hyperbolic elements.
+    ///
+    /// It satisfies ξ² = −(det ξ) I.
     #[inline]
     pub fn determinant<T: Real>(&self, xi: &Vector3<T>) -> T {
         -(xi.x * xi.x + xi.y * xi.z)
@@ -74,21 +75,23 @@ impl LieGroup for SL2 {
         g * h
     }
 
-    /// The adjugate matrix.
+    /// Returns the inverse of g, its adjugate matrix.
     #[inline]
     fn inverse<T: Real>(&self, g: &Matrix2<T>) -> Matrix2<T> {
         Matrix2::new(g.m22, -g.m12, -g.m21, g.m11)
     }
 
-    /// exp ξ = c₀(det ξ) I + c₁(det ξ) ξ with the [Stumpff functions](Real::stumpff): circular for
-    /// elliptic, hyperbolic for hyperbolic elements, without a branch.
+    /// Returns exp ξ = c₀(det ξ) I + c₁(det ξ) ξ, with the [Stumpff functions](Real::stumpff) c₀ and c₁.
+    ///
+    /// These are circular functions for elliptic elements and hyperbolic ones for hyperbolic elements,
+    /// without a branch.
     #[inline]
     fn exp<T: Real>(&self, xi: &Vector3<T>) -> Matrix2<T> {
         let x = Sl2.determinant(xi);
         Matrix2::from_diagonal_element(x.stumpff(0)) + Sl2.matrix(xi) * x.stumpff(1)
     }
 
-    /// Ad_g ξ = g ξ g⁻¹
+    /// Returns the coordinates of `Ad_g ξ = g ξ g⁻¹`.
     #[inline]
     fn adjoint<T: Real>(&self, g: &Matrix2<T>, xi: &Vector3<T>) -> Vector3<T> {
         Sl2.coordinates(&(g * Sl2.matrix(xi) * self.inverse(g)))

@@ -1,9 +1,9 @@
-//! so(2) and SO(2).
+//! The Lie algebra so(2) and the group SO(2).
 
 use crate::{LieAlgebra, LieGroup, Real, Vector};
 use nalgebra::{Matrix2, Vector1};
 
-/// The Lie algebra so(2) ≅ R; ω stands for the matrix [0 −ω; ω 0]. Abelian.
+/// The abelian Lie algebra so(2) ≅ R, in which ω stands for the matrix [0 −ω; ω 0].
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub struct So2;
 
@@ -16,7 +16,7 @@ impl LieAlgebra for So2 {
     }
 }
 
-/// The group SO(2) of rotations of the plane, by their matrices.
+/// The group SO(2) of rotations of the plane, given by their matrices.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub struct SO2;
 
@@ -43,7 +43,7 @@ impl LieGroup for SO2 {
         g.transpose()
     }
 
-    /// [cos ω −sin ω; sin ω cos ω], ω in radians.
+    /// Returns the rotation matrix [cos ω −sin ω; sin ω cos ω], with ω in radians.
     #[inline]
     fn exp<T: Real>(&self, xi: &Vector1<T>) -> Matrix2<T> {
         let x = xi.x * xi.x;
@@ -51,7 +51,7 @@ impl LieGroup for SO2 {
         Matrix2::new(cosine, -sine, sine, cosine)
     }
 
-    /// Ad = id
+    /// Returns ξ itself: Ad_g is the identity.
     #[inline]
     fn adjoint<T: Real>(&self, _: &Matrix2<T>, xi: &Vector1<T>) -> Vector1<T> {
         *xi

@@ -1,19 +1,21 @@
-//! so(3) and SO(3).
+//! The Lie algebra so(3) and the rotation group SO(3).
 
 use crate::{Covector, LieAlgebra, LieGroup, Real};
 use nalgebra::{Matrix3, Vector3};
 
 /// The Lie algebra so(3) ≅ R³ with [ξ, η] = ξ × η.
 ///
-/// The coordinates are those of the basis ê₁, ê₂, ê₃ with (ê_i) v = e_i × v; the dot product of
-/// coordinates is ⟨ξ̂, η̂⟩ = ½ tr(ξ̂ᵀ η̂).
+/// The coordinates refer to the basis hat(e₁), hat(e₂), hat(e₃), where hat(ξ) v = ξ × v. The dot product of
+/// coordinates is ⟨ξ, η⟩ = ½ tr(hat(ξ)ᵀ hat(η)).
 ///
 /// Source: Ohsawa 2019, Appendix A.1 and eq. (A.2).
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub struct So3;
 
 impl So3 {
-    /// The hat map ξ ↦ ξ̂ with ξ̂ v = ξ × v. Source: Ohsawa 2019, Appendix A.1.
+    /// Applies the hat map: returns the matrix hat(ξ) with hat(ξ) v = ξ × v.
+    ///
+    /// Source: Ohsawa 2019, Appendix A.1.
     ///
     /// ```
     /// use lie_poisson::So3;
@@ -39,7 +41,7 @@ impl LieAlgebra for So3 {
         xi.cross(eta)
     }
 
-    /// `ad∗_ξ μ = μ × ξ`
+    /// Returns the coadjoint operator `ad∗_ξ μ = μ × ξ`.
     #[inline]
     fn coadjoint<T: Real>(
         &self,
@@ -50,7 +52,7 @@ impl LieAlgebra for So3 {
     }
 }
 
-/// The rotation group SO(3), by its matrices.
+/// The rotation group SO(3), with rotations given by their matrices.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub struct SO3;
 
@@ -77,21 +79,22 @@ impl LieGroup for SO3 {
         g.transpose()
     }
 
-    /// Rodrigues' formula exp ξ̂ = I + c₁(|ξ|²) ξ̂ + c₂(|ξ|²) ξ̂² with the
-    /// [Stumpff functions](Real::stumpff). Angles in radians.
+    /// Returns exp ξ = I + c₁(|ξ|²) X + c₂(|ξ|²) X² with X = hat(ξ), which is Rodrigues' formula.
+    ///
+    /// c₁ and c₂ are [Stumpff functions](Real::stumpff). Angles are in radians.
     #[inline]
     fn exp<T: Real>(&self, xi: &Vector3<T>) -> Matrix3<T> {
         let (hat, x) = (So3.hat(xi), xi.dot(xi));
         Matrix3::identity() + hat * x.stumpff(1) + hat * hat * x.stumpff(2)
     }
 
-    /// Ad_R ξ = R ξ
+    /// Returns the rotated vector `Ad_R ξ = R ξ`.
     #[inline]
     fn adjoint<T: Real>(&self, g: &Matrix3<T>, xi: &Vector3<T>) -> Vector3<T> {
         g * xi
     }
 
-    /// `Ad∗_R μ = Rᵀ μ`
+    /// Returns the rotated vector `Ad∗_R μ = Rᵀ μ`.
     #[inline]
     fn coadjoint<T: Real>(
         &self,

@@ -1,19 +1,19 @@
-//! su(2) and SU(2).
+//! The Lie algebra su(2) and the group SU(2).
 
 use crate::{Covector, LieAlgebra, LieGroup, Real, SO3, So3};
 use nalgebra::{Matrix2, Matrix3, Vector3};
 use num_complex::Complex;
 
-/// The Lie algebra su(2) ≅ R³ with the basis e_j = −(i/2) σ_j, in which the bracket is the cross
-/// product.
+/// The Lie algebra su(2) ≅ R³ with the basis e_j = −(i/2) σ_j, in which the bracket is the cross product.
 ///
-/// The dot product of coordinates is ⟨ξ, η⟩ = 2 tr(ξ∗ η), which also identifies su(2)∗ with
-/// su(2). Source: Ohsawa 2019, Appendix A.1 and eq. (A.1).
+/// The dot product of coordinates is ⟨ξ, η⟩ = 2 tr(ξ∗ η), which also identifies su(2)∗ with su(2).
+///
+/// Source: Ohsawa 2019, Appendix A.1 and eq. (A.1).
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub struct Su2;
 
 impl Su2 {
-    /// The matrix Σ ξ_j e_j = −(i/2) ξ·σ. Source: Ohsawa 2019, Appendix A.1.
+    /// Returns the matrix Σ ξ_j e_j = −(i/2) ξ·σ of the coordinates ξ. Source: Ohsawa 2019, Appendix A.1.
     ///
     /// ```
     /// use lie_poisson::Su2;
@@ -37,8 +37,9 @@ impl Su2 {
         )
     }
 
-    /// The coordinates `ξ_j = ⟨e_j, ξ⟩ = 2 tr(e_j∗ ξ)` of a matrix; for one outside su(2), of its
-    /// orthogonal projection to su(2).
+    /// Returns the coordinates `ξ_j = ⟨e_j, ξ⟩ = 2 tr(e_j∗ ξ)` of a matrix in su(2).
+    ///
+    /// For a matrix outside of su(2) they are those of its orthogonal projection to su(2).
     ///
     /// ```
     /// use lie_poisson::Su2;
@@ -75,7 +76,7 @@ impl LieAlgebra for Su2 {
 pub struct SU2;
 
 impl SU2 {
-    /// The double cover SU(2) → SO(3), U ↦ R with U (v·e) U∗ = (Rv)·e.
+    /// Applies the double cover SU(2) → SO(3), U ↦ R with U (v·e) U∗ = (Rv)·e.
     ///
     /// ```
     /// use lie_poisson::{LieGroup, SO3, SU2};
@@ -113,14 +114,16 @@ impl LieGroup for SU2 {
         g * h
     }
 
-    /// U∗
+    /// Returns the inverse U∗ of a unitary matrix.
     #[inline]
     fn inverse<T: Real>(&self, g: &Matrix2<Complex<T>>) -> Matrix2<Complex<T>> {
         g.map(|z| z.conj()).transpose()
     }
 
-    /// exp ξ = c₀(|ξ|²/4) I + c₁(|ξ|²/4) ξ, since ξ² = −(|ξ|²/4) I. Angles in radians; exp is
-    /// periodic in |ξ| with period 4π.
+    /// Returns exp ξ = c₀(|ξ|²/4) I + c₁(|ξ|²/4) ξ, since ξ² = −(|ξ|²/4) I.
+    ///
+    /// c₀ and c₁ are [Stumpff functions](Real::stumpff). Angles are in radians, and exp is periodic in |ξ|
+    /// with period 4π along each axis.
     #[inline]
     fn exp<T: Real>(&self, xi: &Vector3<T>) -> Matrix2<Complex<T>> {
         let x = xi.dot(xi) * 0.25;
@@ -128,13 +131,13 @@ impl LieGroup for SU2 {
         Matrix2::from_diagonal_element(cosine) + Su2.matrix(&(xi * x.stumpff(1)))
     }
 
-    /// Ad_U ξ = U ξ U∗
+    /// Returns the coordinates of `Ad_U ξ = U ξ U∗`.
     #[inline]
     fn adjoint<T: Real>(&self, g: &Matrix2<Complex<T>>, xi: &Vector3<T>) -> Vector3<T> {
         Su2.coordinates(&(g * Su2.matrix(xi) * self.inverse(g)))
     }
 
-    /// `Ad∗_U μ = U∗ μ U`
+    /// Returns the coordinates of `Ad∗_U μ = U∗ μ U`.
     #[inline]
     fn coadjoint<T: Real>(
         &self,

@@ -1,34 +1,34 @@
-//! u(N) and U(N).
+//! The Lie algebra u(N) and the group U(N).
 
 use crate::{Covector, LieAlgebra, LieGroup, Real, Vector};
 use core::ops::{Add, AddAssign, Neg, Sub, SubAssign};
 use nalgebra::SMatrix;
 use num_complex::Complex;
 
-/// A skew-Hermitian matrix ξ∗ = −ξ, an element of u(N).
+/// A skew-Hermitian matrix ξ∗ = −ξ, an element of the Lie algebra u(N).
 ///
-/// Its N² coordinates run through the matrix by columns: `−i ξ_jj` on the diagonal, and for j > k
-/// `Re ξ_jk` below it and `Im ξ_jk = Im ξ_kj` above it. A momentum μ ∈ u(N)∗ is a covector of these.
+/// Its N² coordinates follow the matrix by columns: `−i ξ_jj` on the diagonal, and for j > k `Re ξ_jk`
+/// below it and `Im ξ_jk = Im ξ_kj` above it. A momentum μ ∈ u(N)∗ is a covector of these.
 #[derive(Clone, Copy, Debug, PartialEq)]
 #[repr(transparent)]
 pub struct SkewHermitian<T, const N: usize>(SMatrix<Complex<T>, N, N>);
 
 impl<T: Real, const N: usize> SkewHermitian<T, N> {
-    /// The skew-Hermitian part ½(A − A∗) of a matrix.
+    /// Returns the skew-Hermitian part ½(A − A∗) of a matrix.
     #[inline]
     pub fn part_of(a: &SMatrix<Complex<T>, N, N>) -> Self {
         let half = |z: Complex<T>| Complex { re: z.re * 0.5, im: z.im * 0.5 };
         Self((a - adjoint(a)).map(half))
     }
 
-    /// The matrix.
+    /// Returns the skew-Hermitian matrix as a plain matrix.
     #[inline]
     pub fn matrix(&self) -> &SMatrix<Complex<T>, N, N> {
         &self.0
     }
 }
 
-/// A∗
+/// Returns the conjugate transpose A∗.
 fn adjoint<T: Real, const N: usize>(a: &SMatrix<Complex<T>, N, N>) -> SMatrix<Complex<T>, N, N> {
     a.transpose().map(|z| z.conj())
 }
@@ -114,9 +114,9 @@ impl<const N: usize> LieAlgebra for UnitaryAlgebra<N> {
 }
 
 impl<const N: usize> UnitaryAlgebra<N> {
-    /// The Hermitian matrix H of a momentum: ⟨μ, ξ⟩ = Re tr((iH)∗ ξ) = Im tr(Hξ).
+    /// Returns the Hermitian matrix H of a momentum, with ⟨μ, ξ⟩ = Re tr((iH)∗ ξ) = Im tr(Hξ).
     ///
-    /// Under it `ad∗_ξ μ` becomes Hξ − ξH and `Ad∗_U μ` becomes U∗HU.
+    /// In terms of H, `ad∗_ξ μ` is Hξ − ξH and `Ad∗_U μ` is U∗HU.
     #[inline]
     pub fn hermitian<T: Real>(
         &self,
@@ -129,8 +129,9 @@ impl<const N: usize> UnitaryAlgebra<N> {
         })
     }
 
-    /// The momentum of a Hermitian matrix, inverse to [`hermitian`](Self::hermitian); of any
-    /// other, that of its Hermitian part.
+    /// Returns the momentum of a Hermitian matrix, the inverse of [`hermitian`](Self::hermitian).
+    ///
+    /// For any other matrix it is the momentum of its Hermitian part.
     #[inline]
     pub fn momentum<T: Real>(
         &self,
@@ -170,25 +171,25 @@ impl<const N: usize> LieGroup for UnitaryGroup<N> {
         g * h
     }
 
-    /// U∗
+    /// Returns the inverse U∗ of a unitary matrix.
     #[inline]
     fn inverse<T: Real>(&self, g: &SMatrix<Complex<T>, N, N>) -> SMatrix<Complex<T>, N, N> {
         adjoint(g)
     }
 
-    /// The matrix exponential, by its series on ξ/2ᵐ with |ξ/2ᵐ| ≤ ¼, squared m times.
+    /// Returns the matrix exponential, by its series for ξ/2ᵐ with |ξ/2ᵐ| ≤ ¼, squared m times.
     fn exp<T: Real>(&self, xi: &SkewHermitian<T, N>) -> SMatrix<Complex<T>, N, N> {
         let size = xi.max_abs() * N as f64;
         let halvings = if size > 0.25 { (size * 4.0).log2().ceil().min(1000.0) } else { 0.0 };
         let small = xi.0.scaled(T::from_f64((-halvings).exp2()));
-        // 0.25¹⁵/15! < 2⁻⁶⁰
+        // 14 terms suffice: 0.25¹⁵/15! < 2⁻⁶⁰.
         let series = (1..=14).rev().fold(SMatrix::identity(), |tail, k| {
             SMatrix::identity() + (small * tail).scaled(T::from_f64(1.0 / f64::from(k)))
         });
         (0..halvings as usize).fold(series, |g, _| g * g)
     }
 
-    /// Ad_U ξ = U ξ U∗
+    /// Returns the conjugate `Ad_U ξ = U ξ U∗`.
     #[inline]
     fn adjoint<T: Real>(
         &self,

@@ -1,15 +1,16 @@
 use super::{NoSamples, Report, regimes};
 use crate::{LieAlgebra, Momentum, Vector, larger, map_coordinates};
 
-/// The laws of a Lie algebra on samples of elements: `bilinearity`, `antisymmetry`, `Jacobi` and
-/// `pairing` `⟨ad*_ξ μ, η⟩ = ⟨μ, [ξ, η]⟩`.
+/// Evaluates the laws of a Lie algebra on samples of its elements.
 ///
-/// The basis vectors of the algebra, as large as the largest sample, count as samples too: the
-/// cyclic sum of an antisymmetric bracket vanishes on whatever fewer than three vectors span, so
-/// that one or two samples would say nothing about Jacobi.
+/// The laws are `bilinearity`, `antisymmetry`, `Jacobi`, and `pairing`: `⟨ad*_ξ μ, η⟩ = ⟨μ, [ξ, η]⟩`.
+///
+/// The basis vectors of the algebra, scaled to the size of the largest sample, count as samples too. The
+/// cyclic sum of an antisymmetric bracket vanishes on the span of fewer than three vectors, so that one or
+/// two samples alone could not test the Jacobi identity.
 ///
 /// # Errors
-/// If there are no samples.
+/// Returns [`NoSamples`] if there are no samples.
 pub fn lie_algebra<A: LieAlgebra>(
     algebra: &A,
     samples: &[A::Element<f64>],
@@ -43,7 +44,7 @@ pub fn lie_algebra<A: LieAlgebra>(
     Ok(report)
 }
 
-/// The samples and, unless there are none, the basis vectors times max |sample|.
+/// Returns the samples and, if there are any, the basis vectors times max |sample|.
 fn with_basis<V: Vector<Scalar = f64>>(samples: &[V]) -> Vec<V> {
     let size = samples.iter().fold(0.0, |size, v| larger(size, v.max_abs()));
     let size = if size == 0.0 { 1.0 } else { size };

@@ -6,12 +6,12 @@ use crate::{
 
 type Dual<G> = AlgebraElement<G, DualNumber>;
 
-/// sξ at s = 0 + ε.
+/// Returns sξ for the dual number s = 0 + ε.
 fn along<G: LieGroup>(xi: &AlgebraElement<G>) -> Dual<G> {
     map_coordinates(xi, |x| DualNumber { value: 0.0, derivative: x })
 }
 
-/// sξ at s = 0 + ε + ε′, of which εε′ gives second derivatives.
+/// Returns sξ for s = 0 + ε + ε′, where the coefficient of εε′ gives second derivatives.
 fn along_twice<G: LieGroup>(xi: &AlgebraElement<G>) -> AlgebraElement<G, DualNumber<DualNumber>> {
     map_coordinates(xi, |x| DualNumber {
         value: DualNumber { value: 0.0, derivative: x },
@@ -19,7 +19,7 @@ fn along_twice<G: LieGroup>(xi: &AlgebraElement<G>) -> AlgebraElement<G, DualNum
     })
 }
 
-/// The laws of a Lie group on samples of its algebra, from which elements are made by exp:
+/// Evaluates the laws of a Lie group on samples of its algebra, with group elements made by exp:
 ///
 /// * `identity`, `inverse`, `associativity`;
 /// * `one-parameter group` exp(2ξ) = exp(ξ)², and `exp is Ad-equivariant` g exp(η) g⁻¹ = exp(Ad_g η);
@@ -27,7 +27,7 @@ fn along_twice<G: LieGroup>(xi: &AlgebraElement<G>) -> AlgebraElement<G, DualNum
 /// * `Ad* is the transpose of Ad`.
 ///
 /// # Errors
-/// If there are no samples.
+/// Returns [`NoSamples`] if there are no samples.
 pub fn lie_group<G: LieGroup>(
     group: &G,
     samples: &[AlgebraElement<G>],
@@ -96,10 +96,11 @@ fn two_elements<G: LieGroup>(
     report.note("Ad* is the transpose of Ad", pairing.abs(), size * eta.max_abs());
 }
 
-/// `log after exp` and `exp after log`, on samples of the algebra inside the domain of log.
+/// Evaluates the laws `log after exp` and `exp after log` on samples of the algebra inside the domain of
+/// log.
 ///
 /// # Errors
-/// If there are no samples. An element without logarithm gives a residual of NaN.
+/// Returns [`NoSamples`] if there are no samples. An element without a logarithm gives a residual of NaN.
 pub fn logarithm<G: Logarithm>(
     group: &G,
     samples: &[AlgebraElement<G>],
@@ -111,17 +112,18 @@ pub fn logarithm<G: Logarithm>(
             Ok(log) => ((log - xi).max_abs(), (group.exp::<f64>(&log) - g).max_abs()),
             Err(_) => (f64::NAN, f64::NAN),
         };
-        // Next to the identity ξ is known to the rounding of a matrix near 1.
+        // Near the identity, ξ is known only to the rounding error of a matrix near 1.
         report.note("log after exp", back, xi.max_abs().max(1.0));
         report.note("exp after log", again, g.max_abs());
     }
     Ok(report)
 }
 
-/// `cay agrees with exp to second order` and `cay(−ξ) is the inverse`, on samples of the algebra.
+/// Evaluates the laws `cay agrees with exp to second order` and `cay(−ξ) is the inverse` on samples of the
+/// algebra.
 ///
 /// # Errors
-/// If there are no samples.
+/// Returns [`NoSamples`] if there are no samples.
 pub fn cayley<G: Cayley>(group: &G, samples: &[AlgebraElement<G>]) -> Result<Report, NoSamples> {
     let mut report = Report::default();
     for xi in regimes("algebra elements", samples)? {

@@ -1,10 +1,10 @@
-//! The axioms as residuals: a law suite for your own algebras, groups, representations and
-//! Hamiltonians (feature `laws`).
+//! Tests of your own algebras, groups, representations and Hamiltonians against the axioms (feature
+//! `laws`).
 //!
-//! Each function takes samples of generic elements, evaluates every law at three regimes of them
-//! (0, or the identity; 10⁻⁸ times a sample, or 10⁻⁸ from the identity; the samples themselves),
-//! and returns a [`Report`] of relative residuals. Without samples there is no report: a suite
-//! that tested nothing must not pass.
+//! Each function takes samples of generic elements and returns a [`Report`] of the relative residual of
+//! each law. It evaluates the laws for three sizes of elements: at 0 or the identity; at 10⁻⁸ times a
+//! sample or 10⁻⁸ from the identity; and at the samples themselves. Without samples there is no report,
+//! since a suite that tested nothing must not pass.
 //!
 //! # Example
 //! ```
@@ -29,23 +29,23 @@ pub use representation::{group_representation, representation};
 use crate::{Vector, larger};
 use thiserror::Error;
 
-/// A suite that was given nothing to test with.
+/// The error of a law suite that was given no samples.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Error)]
 #[error("the law suite was given no {what}: nothing was tested")]
 pub struct NoSamples {
-    /// What is missing.
+    /// The kind of sample that is missing.
     pub what: &'static str,
 }
 
-/// A law whose residual is above the tolerance.
+/// The error of a law whose residual is above the tolerance.
 #[derive(Clone, Copy, Debug, PartialEq, Error)]
 #[error("{law} fails: relative residual {residual:e}, allowed {tolerance:e}")]
 pub struct BrokenLaw {
-    /// The law.
+    /// The name of the law.
     pub law: &'static str,
-    /// Its largest relative residual; NaN if one was not a number.
+    /// The largest relative residual of the law; NaN if one was not a number.
     pub residual: f64,
-    /// What was allowed.
+    /// The tolerance that was allowed.
     pub tolerance: f64,
 }
 
@@ -56,29 +56,29 @@ pub struct Report {
 }
 
 impl Report {
-    /// The laws and their largest relative residuals.
+    /// Returns the laws with their largest relative residuals.
     #[must_use]
     pub fn residuals(&self) -> &[(&'static str, f64)] {
         &self.residuals
     }
 
-    /// The largest residual of a law; `None` for a law that the suite does not have.
+    /// Returns the largest residual of a law, or `None` if the suite does not have the law.
     #[must_use]
     pub fn residual(&self, law: &str) -> Option<f64> {
         self.residuals.iter().find(|(name, _)| *name == law).map(|(_, residual)| *residual)
     }
 
-    /// Whether every law holds to the tolerance.
+    /// Checks that every law holds to the given tolerance.
     ///
     /// # Errors
-    /// The first law whose residual is above `tolerance`, or not a number.
+    /// Returns the first law whose residual is above `tolerance` or not a number.
     pub fn check(&self, tolerance: f64) -> Result<(), BrokenLaw> {
         let broken =
             self.residuals.iter().find(|(_, residual)| residual.is_nan() || *residual > tolerance);
         broken.map_or(Ok(()), |&(law, residual)| Err(BrokenLaw { law, residual, tolerance }))
     }
 
-    /// Notes a residual of size `residual` of a law between quantities of size `scale`.
+    /// Records a residual of size `residual` of a law between quantities of size `scale`.
     pub fn note(&mut self, law: &'static str, residual: f64, scale: f64) {
         let relative = if residual == 0.0 { 0.0 } else { residual / scale };
         match self.residuals.iter_mut().find(|(name, _)| *name == law) {
@@ -88,13 +88,13 @@ impl Report {
     }
 }
 
-/// The distance from the regime that is next to the identity to the identity.
+/// The distance from the identity of the elements that test the laws near it.
 const NEAR: f64 = 1e-8;
 
-/// 0, 10⁻⁸ v and v for every sample v.
+/// Returns 0, 10⁻⁸ v and v for every sample v.
 ///
 /// # Errors
-/// If there is no sample.
+/// Returns [`NoSamples`] if there are no samples.
 pub fn regimes<V: Vector<Scalar = f64>>(
     what: &'static str,
     samples: &[V],

@@ -5,16 +5,17 @@ use crate::{
 };
 use nalgebra::DMatrix;
 
-/// max |entry|; unlike `amax`, NaN if an entry is.
+/// Returns max |entry|, and unlike `amax`, NaN if an entry is NaN.
 fn largest(matrix: &DMatrix<f64>) -> f64 {
     matrix.iter().fold(0.0, |m, x| larger(m, x.abs()))
 }
 
-/// The laws of a Poisson space on samples of points: `antisymmetry` of Λ and `Jacobi`,
-/// Σ_l Λ_il ∂_l Λ_jk + cyclic = 0, with exact derivatives.
+/// Evaluates the laws of a Poisson space on samples of points, with exact derivatives.
+///
+/// The laws are `antisymmetry` of Λ and `Jacobi`: Σ_l Λ_il ∂_l Λ_jk + cyclic = 0.
 ///
 /// # Errors
-/// If there are no samples.
+/// Returns [`NoSamples`] if there are no samples.
 pub fn poisson_space<P: PoissonSpace>(
     space: &P,
     samples: &[Point<P>],
@@ -44,14 +45,14 @@ pub fn poisson_space<P: PoissonSpace>(
     Ok(report)
 }
 
-/// The laws of Casimirs on samples of momenta:
+/// Evaluates the laws of Casimirs on samples of momenta:
 ///
-/// * `Casimir`: `ad∗_{dc(μ)} μ = 0` for each of them;
-/// * `independence`: no dc(μ) is a combination of the others. The residual is the share of the
-///   Casimirs that are superfluous at every sample: 0 or at least 1/`COUNT`.
+/// * `Casimir`: `ad∗_ξ μ` = 0 for ξ = dc(μ), for each Casimir c;
+/// * `independence`: no dc(μ) is a combination of the others. The residual is the proportion of Casimirs that are
+///   superfluous at every sample: 0 or at least 1/`COUNT`.
 ///
 /// # Errors
-/// If there are no samples.
+/// Returns [`NoSamples`] if there are no samples.
 pub fn casimirs<A: Casimirs>(algebra: &A, samples: &[Momentum<A>]) -> Result<Report, NoSamples> {
     let mut report = Report::default();
     for mu in regimes("momenta", samples)? {
@@ -61,17 +62,17 @@ pub fn casimirs<A: Casimirs>(algebra: &A, samples: &[Momentum<A>]) -> Result<Rep
             report.note("Casimir", rate.max_abs(), dc.max_abs() * mu.max_abs());
         }
     }
-    // Differentials may be dependent at special momenta, as at 0.
+    // Differentials may be dependent at special momenta, such as 0.
     let rank_at = |mu| rank((0..A::COUNT).map(|i| algebra.casimir_differential::<f64>(i, mu)));
     let most = samples.iter().map(rank_at).max().unwrap_or(0);
     report.note("independence", (A::COUNT - most) as f64, A::COUNT as f64);
     Ok(report)
 }
 
-/// What remains at most, by round-off, of a vector of length 1 that is a combination of others.
+/// The bound on what round-off leaves of a unit vector that is a combination of others.
 const ROUND_OFF: f64 = 1e-12;
 
-/// How many vectors are not combinations of those before them, to round-off.
+/// Returns the number of vectors that are not combinations of those before them, to round-off.
 fn rank<V: Vector<Scalar = f64>>(vectors: impl Iterator<Item = V>) -> usize {
     let dot =
         |u: &V, v: &V| -> f64 { (0..V::DIM).map(|i| u.coordinate(i) * v.coordinate(i)).sum() };
@@ -82,11 +83,11 @@ fn rank<V: Vector<Scalar = f64>>(vectors: impl Iterator<Item = V>) -> usize {
     let mut basis: Vec<V> = Vec::new();
     for v in vectors {
         let mut rest = unit(v);
-        // The second pass takes away what the rounding of the first one left.
+        // The second pass removes the rounding errors of the first one.
         for e in basis.iter().chain(&basis) {
             rest.add_scaled(-dot(e, &rest), e);
         }
-        // False for NaN, which is what becomes of 0.
+        // The comparison is false for NaN, which the vector 0 gives.
         if dot(&rest, &rest) > ROUND_OFF * ROUND_OFF {
             basis.push(unit(rest));
         }
@@ -94,10 +95,11 @@ fn rank<V: Vector<Scalar = f64>>(vectors: impl Iterator<Item = V>) -> usize {
     basis.len()
 }
 
-/// `differential`: dh against the exact derivative of h by dual numbers, on samples of points.
+/// Evaluates the law `differential` on samples of points: dh against the exact derivative of h by dual
+/// numbers.
 ///
 /// # Errors
-/// If there are no samples.
+/// Returns [`NoSamples`] if there are no samples.
 pub fn hamiltonian<P, H>(hamiltonian: &H, samples: &[Point<P>]) -> Result<Report, NoSamples>
 where
     P: PoissonSpace,

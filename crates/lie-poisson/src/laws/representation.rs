@@ -4,11 +4,13 @@ use crate::{
     RepresentedElement, Vector, derivative_part, map_coordinates,
 };
 
-/// The laws of a representation on samples of 𝔤 and V: `commutator` [ξ, η] v = ξηv − ηξv,
-/// `transpose` ⟨ξᵀα, v⟩ = ⟨α, ξv⟩ and `diamond` ⟨v ◇ α, η⟩ = ⟨α, ηv⟩.
+/// Evaluates the laws of a representation on samples of 𝔤 and V.
+///
+/// The laws are `commutator` [ξ, η] v = ξηv − ηξv, `transpose` ⟨ξᵀα, v⟩ = ⟨α, ξv⟩ and `diamond` ⟨v ◇ α, η⟩
+/// = ⟨α, ηv⟩.
 ///
 /// # Errors
-/// If there are no samples of one kind.
+/// Returns [`NoSamples`] if there are no samples of one kind.
 pub fn representation<R: Representation>(
     representation: &R,
     elements: &[RepresentedElement<R>],
@@ -40,11 +42,13 @@ pub fn representation<R: Representation>(
     Ok(report)
 }
 
-/// The laws of a group representation on samples of 𝔤 and V: `homomorphism` (gh) v = g (hv),
-/// `derivative` d/ds exp(sξ) v = ξv, and `exp integral` ξ ∫₀¹ exp(σξ) v dσ = exp(ξ) v − v.
+/// Evaluates the laws of a group representation on samples of 𝔤 and V.
+///
+/// The laws are `homomorphism` (gh) v = g (hv), `derivative` d/ds exp(sξ) v = ξv, and `exp integral` ξ ∫₀¹
+/// exp(σξ) v dσ = exp(ξ) v − v.
 ///
 /// # Errors
-/// If there are no samples of one kind.
+/// Returns [`NoSamples`] if there are no samples of one kind.
 pub fn group_representation<R: GroupRepresentation>(
     representation: &R,
     elements: &[RepresentedElement<R>],

@@ -1,4 +1,4 @@
-//! Linear actions of a group, and the semidirect products that they make.
+//! Linear representations of groups, and their semidirect products.
 
 pub(crate) mod representation;
 pub(crate) mod semidirect;

@@ -1,26 +1,26 @@
-//! Linear representations, from which semidirect products are built.
+//! The traits of linear representations: [`Representation`], [`GroupRepresentation`].
 
 use crate::{AlgebraElement, Covector, LieAlgebra, LieGroup, Momentum, Real, Vector};
 
-/// ξ ∈ 𝔤 of the represented algebra, over the scalar `T`.
+/// An element ξ ∈ 𝔤 of the represented algebra, over the scalar `T`.
 pub type RepresentedElement<R, T = f64> =
     <<R as Representation>::Algebra as LieAlgebra>::Element<T>;
 
 /// A linear representation of a Lie algebra 𝔤 on a real vector space V: [ξ, η] v = ξ(ηv) − η(ξv).
 pub trait Representation: Clone {
-    /// 𝔤
+    /// The Lie algebra 𝔤 that acts.
     type Algebra: LieAlgebra;
 
-    /// v ∈ V over the scalar `T`.
+    /// A vector v ∈ V over the scalar `T`.
     type Space<T: Real>: Vector<Scalar = T, Dual = Covector<Self::Space<T>>>;
 
-    /// 𝔤 as a value.
+    /// Returns the Lie algebra 𝔤 as a value.
     fn algebra(&self) -> Self::Algebra;
 
-    /// ξ v
+    /// Returns ξ v, the action of ξ ∈ 𝔤 on v.
     fn act<T: Real>(&self, xi: &RepresentedElement<Self, T>, v: &Self::Space<T>) -> Self::Space<T>;
 
-    /// ξᵀ α ∈ V∗, the transpose: ⟨ξᵀα, v⟩ = ⟨α, ξv⟩.
+    /// Returns ξᵀ α ∈ V∗ for the transpose of the action: ⟨ξᵀα, v⟩ = ⟨α, ξv⟩.
     #[inline]
     fn transpose_act<T: Real>(
         &self,
@@ -30,7 +30,7 @@ pub trait Representation: Clone {
         Covector::from_coordinates(|i| alpha.pairing(&self.act::<T>(xi, &Vector::basis(i))))
     }
 
-    /// v ◇ α ∈ 𝔤∗, the momentum of the action on V: ⟨v ◇ α, η⟩ = ⟨α, ηv⟩.
+    /// Returns the diamond product v ◇ α ∈ 𝔤∗, the momentum of the action on V: ⟨v ◇ α, η⟩ = ⟨α, ηv⟩.
     ///
     /// Source: Holm, Marsden & Ratiu, *The Euler–Poincaré equations and semidirect products*,
     /// Adv. Math. 137 (1998), eq. (1.2).
@@ -46,31 +46,31 @@ pub trait Representation: Clone {
     }
 }
 
-/// A representation that comes from one of a Lie group G: exp(ξ) v solves v′ = ξ v.
+/// A representation that comes from one of a Lie group G: exp(sξ) v solves dv/ds = ξ v.
 pub trait GroupRepresentation: Representation {
-    /// G
+    /// The Lie group G that acts.
     type Group: LieGroup<Algebra = Self::Algebra>;
 
-    /// G as a value.
+    /// Returns the Lie group G as a value.
     fn group(&self) -> Self::Group;
 
-    /// g v
+    /// Returns g v, the action of g ∈ G on v.
     fn transform<T: Real>(
         &self,
         g: &<Self::Group as LieGroup>::Element<T>,
         v: &Self::Space<T>,
     ) -> Self::Space<T>;
 
-    /// ∫₀¹ exp(σξ) φ dσ, the translation part of the exponential of (ξ, φ) ∈ 𝔤 ⋉ V.
+    /// Returns ∫₀¹ exp(σξ) φ dσ, the translation part of the exponential of (ξ, φ) ∈ 𝔤 ⋉ V.
     ///
-    /// By default the series Σ ξᵏφ/(k+1)! on a fraction ξ/2ᵐ with |ξ/2ᵐ| ≤ ¼ in coordinates, and
-    /// m doublings
+    /// The default implementation sums the series Σ ξᵏφ/(k+1)! for a fraction ξ/2ᵐ with |ξ/2ᵐ| ≤ ¼ in
+    /// coordinates, and doubles m times:
     ///
     /// ```text
     /// ∫₀¹ exp(2σξ) φ dσ = ½ (1 + exp ξ) ∫₀¹ exp(σξ) φ dσ
     /// ```
     ///
-    /// which lose about |ξ| units of round-off, as the exponential of ξ itself does.
+    /// The doublings lose about |ξ| units of round-off, as the exponential of ξ itself does.
     ///
     /// Source: Ohsawa 2019, §2.3.
     fn exp_integral<T: Real>(
@@ -79,13 +79,13 @@ pub trait GroupRepresentation: Representation {
         phi: &Self::Space<T>,
     ) -> Self::Space<T> {
         let size = xi.max_abs();
-        // At most 1026 for a finite ξ.
+        // The number of doublings is at most 1026 for a finite ξ.
         let doublings = if size > 0.25 { (size * 4.0).log2().ceil().min(1026.0) } else { 0.0 };
         let fraction = xi.scaled(T::from_f64((-doublings).exp2()));
         let mut term = *phi;
         let mut integral = *phi;
         let mut k = 1.0;
-        // 200 terms are out of reach of any representation in use.
+        // No representation in use needs 200 terms.
         while k < 200.0 && term.max_abs() > 0.0 {
             k += 1.0;
             term = self.act::<T>(&fraction, &term).scaled(T::from_f64(1.0 / k));

@@ -5,14 +5,14 @@ use crate::{
     Representation, RepresentedElement, Vector,
 };
 
-/// The element (ξ, φ) ∈ 𝔤 ⋉ V.
+/// An element (ξ, φ) ∈ 𝔤 ⋉ V of a semidirect product, over the scalar `T`.
 type Element<R, T> = Pair<RepresentedElement<R, T>, <R as Representation>::Space<T>>;
 
 /// The semidirect product 𝔤 ⋉ V of a Lie algebra with a space that it acts on:
 ///
 /// ```text
 /// [(ξ,φ), (η,ζ)] = ([ξ,η], ξζ − ηφ)
-/// ad*_{(ξ,φ)} (μ,α) = (ad*_ξ μ − φ ◇ α, ξᵀα)
+/// ad*_(ξ,φ) (μ,α) = (ad*_ξ μ − φ ◇ α, ξᵀα)
 /// ```
 ///
 /// Source: Marsden, Ratiu & Weinstein, *Semidirect products and reduction in mechanics*, Trans.
@@ -56,7 +56,7 @@ impl<R: Representation> LieAlgebra for SemidirectAlgebra<R> {
     }
 }
 
-/// The semidirect product group G ⋉ V: (g, v)(h, w) = (gh, gw + v), the affine maps x ↦ gx + v.
+/// The semidirect product group G ⋉ V of affine maps x ↦ gx + v: (g, v)(h, w) = (gh, gw + v).
 ///
 /// Source: Ohsawa 2019, §2.2.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
@@ -80,21 +80,21 @@ impl<R: GroupRepresentation> LieGroup for SemidirectGroup<R> {
         Pair(self.0.group().compose::<T>(&g.0, &h.0), self.0.transform::<T>(&g.0, &h.1) + g.1)
     }
 
-    /// (g⁻¹, −g⁻¹ v)
+    /// Returns the inverse (g⁻¹, −g⁻¹ v).
     #[inline]
     fn inverse<T: Real>(&self, g: &Self::Element<T>) -> Self::Element<T> {
         let inverse = self.0.group().inverse::<T>(&g.0);
         Pair(inverse, -self.0.transform::<T>(&inverse, &g.1))
     }
 
-    /// (exp ξ, ∫₀¹ exp(σξ) φ dσ). Source: Ohsawa 2019, §2.3.
+    /// Returns (exp ξ, ∫₀¹ exp(σξ) φ dσ). Source: Ohsawa 2019, §2.3.
     #[inline]
     fn exp<T: Real>(&self, xi: &AlgebraElement<Self, T>) -> Self::Element<T> {
         let Pair(xi, phi) = xi;
         Pair(self.0.group().exp::<T>(xi), self.0.exp_integral::<T>(xi, phi))
     }
 
-    /// Ad_(g,v) (ξ, φ) = (Ad_g ξ, gφ − (Ad_g ξ) v)
+    /// Returns Ad_(g,v) (ξ, φ) = (Ad_g ξ, gφ − (Ad_g ξ) v).
     #[inline]
     fn adjoint<T: Real>(
         &self,

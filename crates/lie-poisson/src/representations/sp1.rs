@@ -1,4 +1,4 @@
-//! Sp(1): unit quaternions.
+//! The group Sp(1) of unit quaternions and its action on quaternions.
 
 use crate::{
     Covector, GroupRepresentation, LieGroup, Power, Quaternion, Real, Representation, Su2, Vector,
@@ -7,7 +7,7 @@ use crate::{
 use core::array::from_fn;
 use nalgebra::Vector3;
 
-/// H^N as a real vector space of dimension 4N, with ⟨p, q⟩ = Re Σ p̄q.
+/// The space H^N as a real vector space of dimension 4N, with ⟨p, q⟩ = Re Σ conj(p) q.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub struct QuaternionSpace<const N: usize>;
 
@@ -15,8 +15,9 @@ impl<const N: usize> VectorSpace for QuaternionSpace<N> {
     type Point<T: Real> = Power<Quaternion<T>, N>;
 }
 
-/// The group Sp(1) ≅ SU(2) of unit quaternions; its Lie algebra su(2) ≅ R³ sits in H as ξ ↦ ½ξ,
-/// so that the bracket is the cross product.
+/// The group Sp(1) ≅ SU(2) of unit quaternions.
+///
+/// Its Lie algebra su(2) ≅ R³ is embedded in H by ξ ↦ ½ξ, so that the bracket is the cross product.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub struct SP1;
 
@@ -43,14 +44,14 @@ impl LieGroup for SP1 {
         g.conjugate()
     }
 
-    /// cos(|ξ|/2) + sin(|ξ|/2) ξ/|ξ|
+    /// Returns the unit quaternion cos(|ξ|/2) + sin(|ξ|/2) ξ/|ξ|.
     #[inline]
     fn exp<T: Real>(&self, xi: &Vector3<T>) -> Quaternion<T> {
         let x = xi.dot(xi) * 0.25;
         Quaternion { scalar: x.stumpff(0), vector: xi * (x.stumpff(1) * 0.5) }
     }
 
-    /// q ξ q̄
+    /// Returns Ad_q ξ = q ξ conj(q).
     #[inline]
     fn adjoint<T: Real>(&self, g: &Quaternion<T>, xi: &Vector3<T>) -> Vector3<T> {
         g.sandwich(xi)
@@ -66,7 +67,7 @@ impl LieGroup for SP1 {
     }
 }
 
-/// Sp(1) on H^N by multiplication from the left: ξ v = ½ξ v.
+/// The representation of Sp(1) on H^N by multiplication from the left: ξ v = ½ξ v.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub struct SP1OnQuaternions<const N: usize>;
 

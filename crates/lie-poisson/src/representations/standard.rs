@@ -7,7 +7,7 @@ use crate::{
 use nalgebra::{Matrix2, Matrix3, SMatrix, SVector, Vector1, Vector2, Vector3};
 use num_complex::Complex;
 
-/// SO(3) on R³ by rotation: ξ v = ξ × v.
+/// The representation of SO(3) on R³ by rotation: ξ v = ξ × v.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub struct SO3OnR3;
 
@@ -24,7 +24,7 @@ impl Representation for SO3OnR3 {
         xi.cross(v)
     }
 
-    /// ξᵀ α = α × ξ
+    /// Returns the transposed action `ξᵀ α = α × ξ`.
     #[inline]
     fn transpose_act<T: Real>(
         &self,
@@ -34,7 +34,7 @@ impl Representation for SO3OnR3 {
         Covector(alpha.0.cross(xi))
     }
 
-    /// v ◇ α = v × α
+    /// Returns the diamond product `v ◇ α = v × α`.
     #[inline]
     fn diamond<T: Real>(
         &self,
@@ -57,7 +57,7 @@ impl GroupRepresentation for SO3OnR3 {
         g * v
     }
 
-    /// φ + c₂ ξ×φ + c₃ ξ×(ξ×φ), Stumpff functions of |ξ|².
+    /// Returns φ + c₂ ξ×φ + c₃ ξ×(ξ×φ), with Stumpff functions of |ξ|².
     #[inline]
     fn exp_integral<T: Real>(&self, xi: &Vector3<T>, phi: &Vector3<T>) -> Vector3<T> {
         let (x, turned) = (xi.dot(xi), xi.cross(phi));
@@ -65,7 +65,7 @@ impl GroupRepresentation for SO3OnR3 {
     }
 }
 
-/// SU(2) on C² by matrix multiplication.
+/// The representation of SU(2) on C² by matrix multiplication.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub struct SU2OnC2;
 
@@ -82,7 +82,7 @@ impl Representation for SU2OnC2 {
         Su2.matrix(xi) * v
     }
 
-    /// ξᵀ α = ξ∗ α = −ξ α in coordinates.
+    /// Returns ξᵀ α, which is ξ∗ α = −ξ α in coordinates.
     #[inline]
     fn transpose_act<T: Real>(
         &self,
@@ -109,7 +109,7 @@ impl GroupRepresentation for SU2OnC2 {
         g * v
     }
 
-    /// c₁(y) φ + c₂(y) ξφ with y = |ξ|²/4, since ξ² = −y I.
+    /// Returns c₁(y) φ + c₂(y) ξφ with y = |ξ|²/4, since ξ² = −y I.
     #[inline]
     fn exp_integral<T: Real>(
         &self,
@@ -121,7 +121,7 @@ impl GroupRepresentation for SU2OnC2 {
     }
 }
 
-/// SO(2) on R² by rotation: ω v = ω (−v₂, v₁).
+/// The representation of SO(2) on R² by rotation: ω v = ω (−v₂, v₁).
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub struct SO2OnR2;
 
@@ -151,7 +151,7 @@ impl GroupRepresentation for SO2OnR2 {
         g * v
     }
 
-    /// c₁(ω²) φ + c₂(ω²) ω (−φ₂, φ₁)
+    /// Returns c₁(ω²) φ + c₂(ω²) ω (−φ₂, φ₁), with Stumpff functions.
     #[inline]
     fn exp_integral<T: Real>(&self, xi: &Vector1<T>, phi: &Vector2<T>) -> Vector2<T> {
         let x = xi.x * xi.x;
@@ -159,7 +159,7 @@ impl GroupRepresentation for SO2OnR2 {
     }
 }
 
-/// SL(2, R) on R² by matrix multiplication.
+/// The representation of SL(2, R) on R² by matrix multiplication.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub struct SL2OnR2;
 
@@ -189,7 +189,7 @@ impl GroupRepresentation for SL2OnR2 {
         g * v
     }
 
-    /// c₁(det ξ) φ + c₂(det ξ) ξφ, since ξ² = −(det ξ) I.
+    /// Returns c₁(det ξ) φ + c₂(det ξ) ξφ, since ξ² = −(det ξ) I.
     #[inline]
     fn exp_integral<T: Real>(&self, xi: &Vector3<T>, phi: &Vector2<T>) -> Vector2<T> {
         let x = Sl2.determinant(xi);
@@ -197,7 +197,7 @@ impl GroupRepresentation for SL2OnR2 {
     }
 }
 
-/// U(N) on C^N by matrix multiplication.
+/// The representation of U(N) on C^N by matrix multiplication.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub struct UnitaryOnComplexSpace<const N: usize>;
 

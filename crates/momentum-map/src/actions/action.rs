@@ -1,22 +1,24 @@
-//! Actions of Lie groups on vector spaces.
+//! Actions of Lie groups on vector spaces: [`GroupAction`].
 
 use lie_poisson::{
     AlgebraElement, DualNumber, LieGroup, Point, Real, Sign, VectorSpace, derivative_part,
     map_coordinates,
 };
 
-/// On which side a group acts.
+/// The side on which a group acts, left or right.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Side {
-    /// Φ_g ∘ Φ_h = Φ_{gh}
+    /// The group acts from the left: Φ_g ∘ Φ_h = Φ_gh.
     Left,
-    /// Φ_g ∘ Φ_h = Φ_{hg}
+    /// The group acts from the right: Φ_g ∘ Φ_h = Φ_hg.
     Right,
 }
 
 impl Side {
-    /// The sign of the Lie–Poisson bracket for which the momentum map of such an action is a
-    /// Poisson map: plus for left actions, minus for right ones.
+    /// Returns the sign of the Lie–Poisson bracket for which momentum maps of actions on this side are
+    /// Poisson.
+    ///
+    /// It is plus for left actions and minus for right actions.
     ///
     /// Source: Marsden & Ratiu, *Introduction to Mechanics and Symmetry*, 2nd ed., Thm. 12.4.1.
     #[must_use]
@@ -27,7 +29,7 @@ impl Side {
         }
     }
 
-    /// The other side.
+    /// Returns the opposite side: right for left, left for right.
     #[must_use]
     pub const fn opposite(self) -> Self {
         match self {
@@ -36,11 +38,11 @@ impl Side {
         }
     }
 
-    /// This side, for two actions that must be on the same one.
+    /// Returns this side, if it is equal to `other`, for two actions that must be on one side.
     ///
     /// # Panics
-    /// If they are not; as the side of an action is a constant, this stops the compiler, never a
-    /// running program.
+    /// It panics if the sides differ. The side of an action is a constant, so this stops the compiler and
+    /// never a running program.
     #[allow(clippy::panic)]
     pub(crate) const fn same_as(self, other: Self) -> Self {
         match (self, other) {
@@ -53,19 +55,19 @@ impl Side {
 /// A point of the space that a group acts on, over the scalar `T`.
 pub type ActionPoint<A, T = f64> = Point<<A as GroupAction>::Space, T>;
 
-/// g ∈ G of an action, over the scalar `T`.
+/// An element g ∈ G of the group of an action, over the scalar `T`.
 pub type ActingElement<A, T = f64> = <<A as GroupAction>::Group as LieGroup>::Element<T>;
 
-/// ξ ∈ 𝔤 of an action, over the scalar `T`.
+/// An element ξ ∈ 𝔤 of the Lie algebra of an action, over the scalar `T`.
 pub type Generator<A, T = f64> = AlgebraElement<<A as GroupAction>::Group, T>;
 
-/// A smooth action Φ: G × Q → Q on a vector space; it need not be linear.
+/// A smooth action Φ: G × Q → Q of a Lie group on a vector space, not necessarily linear.
 ///
-/// Only `act` is asked for. The infinitesimal generators follow from it through exp, and the
-/// [cotangent lift](crate::CotangentLift) and the [momentum map](crate::MomentumMap) from them.
+/// Only `act` is required. The infinitesimal generators follow from it through exp, and the [cotangent
+/// lift](crate::CotangentLift) and the [momentum map](crate::MomentumMap) follow from the generators.
 ///
 /// # Example
-/// Rotations of space, R³ ∋ q ↦ Rᵀq, a right action of SO(3):
+/// Rotations of space by q ↦ Rᵀq, a right action of SO(3) on R³:
 /// ```
 /// use lie_poisson::{LieGroup, Real, RealSpace, SO3};
 /// use momentum_map::{GroupAction, Side};
@@ -88,31 +90,32 @@ pub type Generator<A, T = f64> = AlgebraElement<<A as GroupAction>::Group, T>;
 /// assert_eq!(Rotations.infinitesimal_generator(&xi, &q), -xi.cross(&q));
 /// ```
 pub trait GroupAction: Clone {
-    /// G
+    /// The Lie group G that acts.
     type Group: LieGroup;
 
-    /// Q
+    /// The space Q on which the group acts.
     type Space: VectorSpace;
 
-    /// Left or right.
+    /// The side on which the group acts, left or right.
     const SIDE: Side;
 
-    /// G as a value.
+    /// Returns the group G as a value.
     fn group(&self) -> Self::Group;
 
-    /// Q as a value.
+    /// Returns the space Q as a value.
     fn space(&self) -> Self::Space;
 
-    /// Φ_g(q)
+    /// Returns Φ_g(q), the action of g on q.
     fn act<T: Real>(
         &self,
         g: &ActingElement<Self, T>,
         q: &ActionPoint<Self, T>,
     ) -> ActionPoint<Self, T>;
 
-    /// The infinitesimal generator ξ_Q(q) = d/ds Φ_{exp(sξ)}(q) at s = 0.
+    /// Returns the infinitesimal generator ξ_Q(q), the derivative d/ds Φ(exp(sξ), q) at s = 0.
     ///
-    /// Derived: exp and Φ are evaluated at s = 0 + ε, which is exact.
+    /// The default implementation evaluates exp and Φ at the dual number s = 0 + ε, which gives the exact
+    /// derivative.
     fn infinitesimal_generator<T: Real>(
         &self,
         xi: &Generator<Self, T>,

@@ -1,4 +1,4 @@
-//! The cotangent lift of an action.
+//! The cotangent lift of an action: [`CotangentLift`].
 
 use crate::{ActingElement, ActionPoint, Cotangent, CotangentBundle, Generator, GroupAction, Side};
 use lie_poisson::{DualNumber, LieGroup, Real, map_coordinates, transposed_tangent};
@@ -6,8 +6,8 @@ use lie_poisson::{DualNumber, LieGroup, Real, map_coordinates, transposed_tangen
 /// The cotangent lift of an action on Q to T∗Q, derived from the action:
 ///
 /// ```text
-/// T*Φ_{g⁻¹}(q, p) = (Φ_g(q), p ∘ T Φ_{g⁻¹})
-/// ξ_{T*Q}(q, p) = (ξ_Q(q), −(Dξ_Q(q))ᵀ p)
+/// T*Φ_g⁻¹(q, p) = (Φ_g(q), p ∘ TΦ_g⁻¹)
+/// generator of the lift: ξ_(T*Q)(q, p) = (ξ_Q(q), −(Dξ_Q(q))ᵀ p)
 /// ```
 ///
 /// It acts on the same side as the action, and conserves the canonical form Θ = p dq.

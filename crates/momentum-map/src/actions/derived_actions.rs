@@ -1,4 +1,4 @@
-//! Actions that come from representations, and actions made from others.
+//! Actions that come from representations, and actions made from other actions.
 
 use crate::{ActingElement, ActionPoint, GroupAction, Side};
 use lie_poisson::{
@@ -6,7 +6,7 @@ use lie_poisson::{
     SemidirectGroup, VectorSpace,
 };
 
-/// The space V of a representation.
+/// The vector space V of a representation, as a [`VectorSpace`].
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub struct RepresentationSpace<R>(pub R);
 
@@ -60,7 +60,7 @@ impl<R: GroupRepresentation> GroupAction for AffineAction<R> {
     }
 }
 
-/// The action q ↦ Φ_{g⁻¹}(q) on the other side.
+/// The action q ↦ Φ(g⁻¹, q), which turns a left action into a right one and a right one into a left one.
 ///
 /// ```
 /// use lie_poisson::{LieGroup, Pair, SE3, SO3OnR3};
@@ -95,8 +95,9 @@ impl<A: GroupAction> GroupAction for Opposite<A> {
     }
 }
 
-/// One group acting on two spaces at once: Φ_g(q, r) = (Φ_g(q), Φ_g(r)). Both actions must be on
-/// the side of the first.
+/// The action of one group on two spaces at once: Φ_g(q, r) = (Φ_g(q), Φ_g(r)).
+///
+/// Both actions must be on the same side; otherwise the code does not compile.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub struct JointAction<A, B>(pub A, pub B);
 
@@ -127,8 +128,9 @@ where
     }
 }
 
-/// Two groups acting each on its own space: Φ_(g,h)(q, r) = (Φ_g(q), Φ_h(r)). Both actions must be
-/// on the side of the first.
+/// The action of two groups, each on a space of its own: Φ_(g,h)(q, r) = (Φ_g(q), Φ_h(r)).
+///
+/// Both actions must be on the same side; otherwise the code does not compile.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub struct ProductAction<A, B>(pub A, pub B);
 

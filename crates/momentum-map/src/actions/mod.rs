@@ -1,4 +1,4 @@
-//! Actions of Lie groups, left and right, those made from others, and cotangent lifts.
+//! Left and right actions of Lie groups, actions made from them, and cotangent lifts.
 
 pub(crate) mod action;
 pub(crate) mod derived_actions;

@@ -7,10 +7,10 @@ use lie_poisson::{
     DualNumber, LieAlgebra, LieGroup, Vector, derivative_part, map_coordinates, seed,
 };
 
-/// ξ and exp ξ.
+/// A pair of ξ and exp ξ.
 type Moved<A> = (Generator<A>, ActingElement<A>);
 
-/// The group elements of a suite, by exp.
+/// Returns the group elements of a suite, made by exp.
 fn group_elements<A: GroupAction>(
     action: &A,
     samples: &[Generator<A>],
@@ -19,14 +19,15 @@ fn group_elements<A: GroupAction>(
     Ok(elements.into_iter().map(|xi| (xi, action.group().exp::<f64>(&xi))).collect())
 }
 
-/// The laws of an action on samples of the algebra (group elements by exp) and of points:
+/// Evaluates the laws of an action on samples of points and of the algebra, with group elements made by
+/// exp:
 ///
-/// * `identity` Φ_e = id, and `composition` Φ_g Φ_h = Φ_{gh} (left) or Φ_{hg} (right);
-/// * `generator`: ξ_Q is the derivative of Φ_{exp(sξ)} at s = 0;
+/// * `identity` Φ_e = id, and `composition` Φ_g ∘ Φ_h = Φ_gh (left) or Φ_hg (right);
+/// * `generator`: ξ_Q(q) is the derivative of Φ(exp(sξ), q) at s = 0;
 /// * `generators and brackets`: [ξ_Q, η_Q] = ∓[ξ, η]_Q, minus for left actions.
 ///
 /// # Errors
-/// If there are no samples of one kind.
+/// Returns [`NoSamples`] if there are no samples of one kind.
 pub fn group_action<A: GroupAction>(
     action: &A,
     elements: &[Generator<A>],
@@ -65,7 +66,7 @@ pub fn group_action<A: GroupAction>(
     Ok(report)
 }
 
-/// d/ds Φ_{exp(sξ)}(q) at s = 0.
+/// Returns the derivative of Φ(exp(sξ), q) with respect to s at s = 0.
 fn slope<A: GroupAction>(action: &A, xi: &Generator<A>, q: &ActionPoint<A>) -> ActionPoint<A> {
     let along: Generator<A, DualNumber> =
         map_coordinates(xi, |x| DualNumber { value: 0.0, derivative: x });
@@ -73,7 +74,7 @@ fn slope<A: GroupAction>(action: &A, xi: &Generator<A>, q: &ActionPoint<A>) -> A
     derivative_part(&action.act::<DualNumber>(&g, &map_coordinates(q, DualNumber::constant)))
 }
 
-/// The Lie bracket [X, Y] = DY·X − DX·Y of the vector fields X = ξ_Q and Y = η_Q.
+/// Returns the Lie bracket [X, Y] = DY·X − DX·Y of the vector fields X = ξ_Q and Y = η_Q.
 fn commutator<A: GroupAction>(
     action: &A,
     xi: &Generator<A>,
@@ -89,10 +90,10 @@ fn commutator<A: GroupAction>(
     derivative(eta, &field(xi)) - derivative(xi, &field(eta))
 }
 
-/// `canonical form`: the cotangent lift of an action conserves Θ = p dq.
+/// Evaluates the law `canonical form`: the cotangent lift of an action conserves Θ = p dq.
 ///
 /// # Errors
-/// If there are no samples of one kind.
+/// Returns [`NoSamples`] if there are no samples of one kind.
 pub fn cotangent_lift<A: GroupAction>(
     action: &A,
     elements: &[Generator<A>],
@@ -117,11 +118,12 @@ pub fn cotangent_lift<A: GroupAction>(
     Ok(report)
 }
 
-/// `equivariance` of the momentum map of a cotangent-lifted action: J(g·z) = Ad∗_{g⁻¹} J(z) for
-/// left actions, Ad∗_g J(z) for right ones.
+/// Evaluates the law `equivariance` of the momentum map of a cotangent-lifted action.
+///
+/// It is J(g·z) = (`Ad∗_g`)⁻¹ J(z) for left actions and J(g·z) = `Ad∗_g` J(z) for right ones.
 ///
 /// # Errors
-/// If there are no samples of one kind.
+/// Returns [`NoSamples`] if there are no samples of one kind.
 pub fn equivariance<A: GroupAction>(
     action: &A,
     elements: &[Generator<A>],

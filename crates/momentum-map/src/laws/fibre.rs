@@ -4,7 +4,7 @@ use lie_poisson::{
     DualNumber, PoissonSpace, Vector, derivative_part, differential, map_coordinates,
 };
 
-/// The laws of a fibre symmetry on samples of points and of parameters s:
+/// Evaluates the laws of a fibre symmetry on samples of points and of parameters s:
 ///
 /// * `invariance` M ∘ flow = M, and `one-parameter group`;
 /// * `commuting flows`;
@@ -12,7 +12,7 @@ use lie_poisson::{
 /// * `gauge`: M(z + gauge(z)) = M(z).
 ///
 /// # Errors
-/// If there are no samples of one kind.
+/// Returns [`NoSamples`] if there are no samples of one kind.
 pub fn fibre_symmetry<M: FibreSymmetry>(
     map: &M,
     points: &[SourcePoint<M>],
@@ -60,11 +60,13 @@ fn generates<M: FibreSymmetry>(map: &M, index: usize, z: &SourcePoint<M>, report
     report.note("momentum", (velocity - vector).max_abs(), z.max_abs().max(1e-300));
 }
 
-/// `section`: M(lift μ) = μ on samples of momenta of the image; the regime at 0 is left out, since
-/// fibres degenerate there. A momentum without lift gives a residual of NaN.
+/// Evaluates the law `section` of a lift, M(lift μ) = μ, on samples of momenta of the image.
+///
+/// Momenta at 0 are left out, since fibres degenerate there. A momentum without a lift gives a residual of
+/// NaN.
 ///
 /// # Errors
-/// If there are no samples.
+/// Returns [`NoSamples`] if there are no samples.
 pub fn lift<M: Lift>(map: &M, samples: &[TargetPoint<M>]) -> Result<Report, NoSamples> {
     let mut report = Report::default();
     for mu in regimes("momenta", samples)?.into_iter().filter(|mu| mu.max_abs() != 0.0) {

@@ -1,8 +1,7 @@
-//! The laws of actions, momentum maps, Poisson maps, fibres, lifts and multipliers, as residuals
-//! (feature `laws`).
+//! Tests of your own actions, momentum maps, Poisson maps, fibres, lifts and multipliers (feature `laws`).
 //!
-//! As in [`lie_poisson::laws`]: each suite needs samples, covers three regimes of them, and
-//! returns a [`Report`] of relative residuals.
+//! As in [`lie_poisson::laws`], each suite needs samples, evaluates the laws for three sizes of elements,
+//! and returns a [`Report`] of relative residuals.
 //!
 //! # Example
 //! ```

@@ -4,17 +4,18 @@ use lie_poisson::{
     Differential, DualNumber, Point, PoissonSpace, Vector, derivative_part, map_coordinates, seed,
 };
 
-/// The laws of multipliers on samples of multipliers, of differentials ξ and of momenta:
+/// Evaluates the laws of multipliers on samples of multipliers, of differentials ξ and of momenta:
 ///
-/// * `identity`: 1 is neutral, carries μ to μ, and changes nothing; `associativity` (QB)C = Q(BC);
+/// * `identity`: 1 is neutral, carries μ to μ, and changes nothing;
+/// * `associativity`: (QB)C = Q(BC);
 /// * `left multiplication`: ξ(QB) = (ξQ)B;
 /// * `action`: transport(QB, μ) = transport(Q, transport(B, μ));
 /// * `motion`: d/ds transport(exp(sξ), μ) = Λ(μ) ξ at s = 0, the Hamiltonian vector of ξ;
-/// * `inverse`: U⁻¹U = UU⁻¹ = 1, if there are inverses, and `coadjoint change`: that of U is
-///   transport(U, μ) − μ, for U = exp ξ, whose quadratic invariants hold.
+/// * `inverse`, if there are inverses: U⁻¹U = UU⁻¹ = 1 for U = exp ξ, whose quadratic invariants hold;
+/// * `coadjoint change`: the change by U = exp ξ is transport(U, μ) − μ.
 ///
 /// # Errors
-/// If there are no samples of one kind.
+/// Returns [`NoSamples`] if there are no samples of one kind.
 ///
 /// # Example
 /// ```
@@ -59,7 +60,7 @@ pub fn multipliers<M: Multipliers>(
     Ok(report)
 }
 
-/// `identity` and `associativity`.
+/// Evaluates the laws `identity` and `associativity`.
 fn algebra<M: Multipliers>(
     multipliers: &M,
     report: &mut Report,
@@ -79,7 +80,7 @@ fn algebra<M: Multipliers>(
     }
 }
 
-/// `motion`, and `identity` for momenta.
+/// Evaluates the laws `motion`, and `identity` for momenta.
 fn motion<M: Multipliers>(
     multipliers: &M,
     report: &mut Report,
@@ -101,7 +102,7 @@ fn motion<M: Multipliers>(
     }
 }
 
-/// `inverse` and `coadjoint change`.
+/// Evaluates the laws `inverse` and `coadjoint change`.
 fn of_exponentials<M: Multipliers>(
     multipliers: &M,
     report: &mut Report,
@@ -124,14 +125,14 @@ fn of_exponentials<M: Multipliers>(
     }
 }
 
-/// exp ξ, by its series on ξ/2ᵐ, squared m times.
+/// Returns exp ξ, by its series for ξ/2ᵐ, squared m times.
 fn exponential<M: Multipliers>(multipliers: &M, xi: &Differential<M::Space>) -> Multiplier<M> {
     let one = multipliers.one::<f64>();
     let size = multipliers.generate::<f64>(xi, &one).max_abs() * Multiplier::<M>::DIM as f64;
     let halvings = if size > 1.0 { size.log2().ceil().min(1000.0) } else { 0.0 };
     let small = xi.scaled((-halvings).exp2());
     let (mut term, mut sum) = (one, one);
-    // 1/20! < 2⁻⁶⁰
+    // 20 terms suffice: 1/20! < 2⁻⁶⁰.
     for k in 1..20 {
         term = multipliers.generate::<f64>(&small, &term).scaled(1.0 / f64::from(k));
         sum += term;

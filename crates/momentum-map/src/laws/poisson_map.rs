@@ -2,14 +2,14 @@ use super::{NoSamples, Report, regimes};
 use crate::{PoissonMap, SourcePoint, SymplecticSpace, TargetDifferential, TargetPoint};
 use lie_poisson::{Differential, DualNumber, Point, PoissonSpace, Vector, transposed_tangent};
 
-/// The laws of a Poisson map on samples of points:
+/// Evaluates the laws of a Poisson map on samples of points:
 ///
 /// * `pull-back`: it is the transposed derivative of `apply`;
 /// * `generator`: it is the Hamiltonian vector of the pull-back;
 /// * `Poisson`: {M_i, M_j} = Λ_ij ∘ M for all coordinates.
 ///
 /// # Errors
-/// If there are no samples.
+/// Returns [`NoSamples`] if there are no samples.
 pub fn poisson_map<M: PoissonMap>(
     map: &M,
     samples: &[SourcePoint<M>],
@@ -41,11 +41,12 @@ pub fn poisson_map<M: PoissonMap>(
     Ok(report)
 }
 
-/// The laws of a symplectic space on samples of points: `flat inverts sharp`, i_X Ω = dH for X =
-/// X_H, and `antisymmetry` of Ω.
+/// Evaluates the laws of a symplectic space on samples of points.
+///
+/// The laws are `flat inverts sharp`, i_X Ω = dH for X = X_H, and `antisymmetry` of Ω.
 ///
 /// # Errors
-/// If there are no samples.
+/// Returns [`NoSamples`] if there are no samples.
 pub fn symplectic_space<P: SymplecticSpace>(
     space: &P,
     samples: &[Point<P>],

@@ -1,29 +1,29 @@
-//! Collective Hamiltonians.
+//! Collective Hamiltonians: [`CollectiveHamiltonian`].
 
 use crate::maps::poisson_map::{PoissonMap, SourcePoint};
 use lie_poisson::{Differential, Hamiltonian, Real};
 
-/// H = h ∘ M: P → R, with its exact differential dH(z) = (T_z M)ᵀ dh(M(z)).
+/// The collective Hamiltonian H = h ∘ M: P → R, with its exact differential dH(z) = (T_z M)ᵀ dh(M(z)).
 ///
 /// Source: Ohsawa 2019, §1.3 and §4.1.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub struct CollectiveHamiltonian<M, H> {
-    /// M
+    /// The Poisson map M.
     pub map: M,
-    /// h
+    /// The Hamiltonian h on the target of M.
     pub hamiltonian: H,
 }
 
 impl<M, H> CollectiveHamiltonian<M, H> {
-    /// h ∘ M
+    /// Creates the collective Hamiltonian h ∘ M.
     pub const fn new(map: M, hamiltonian: H) -> Self {
         Self { map, hamiltonian }
     }
 
-    /// The collective vector field X_{h∘M}(z) = generator(dh(M(z)), z).
+    /// Returns the collective vector field of h ∘ M at z, generator(dh(M(z)), z).
     ///
-    /// Equal to the Hamiltonian vector field of h∘M, without a derivative of M where the map
-    /// knows its generator.
+    /// It is equal to the Hamiltonian vector field of h ∘ M. It needs no derivative of M if the map
+    /// implements its generator.
     #[inline]
     pub fn vector_field<T: Real>(&self, z: &SourcePoint<M, T>) -> SourcePoint<M, T>
     where

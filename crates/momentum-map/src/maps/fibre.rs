@@ -1,26 +1,26 @@
-//! Fibres of a Poisson map: the symmetry along them, and sections across them.
+//! Fibres of a Poisson map: their symmetries and sections.
 
 use crate::maps::poisson_map::{Identity, PoissonMap, SourcePoint, TargetPoint};
 use lie_poisson::{Point, PoissonSpace, Real, Vector};
 use thiserror::Error;
 
-/// A point has no pre-image, or none that is finite.
+/// The error of a point that has no finite pre-image.
 #[derive(Clone, Copy, Debug, PartialEq, Error)]
 #[error("no lift: {reason} (|{quantity}| = {value:e})")]
 pub struct LiftError {
-    /// The quantity that rules the lift out.
+    /// The quantity that excludes a lift.
     pub quantity: &'static str,
-    /// Its size.
+    /// The size of the quantity.
     pub value: f64,
-    /// The condition that it breaks.
+    /// The condition that the quantity violates.
     pub reason: &'static str,
 }
 
 impl LiftError {
-    /// `lifted` if all of its coordinates are finite, the error otherwise: how lifts are checked.
+    /// Returns `lifted` if all of its coordinates are finite, and this error otherwise.
     ///
     /// # Errors
-    /// If a coordinate is infinite or not a number, in any lane.
+    /// Returns the error if a coordinate is infinite or not a number in any SIMD lane.
     pub fn unless_finite<V: Vector>(
         lifted: V,
         quantity: &'static str,
@@ -31,22 +31,23 @@ impl LiftError {
     }
 }
 
-/// A section of M: a choice of z with M(z) = μ.
+/// A section of a Poisson map M: a choice of z with M(z) = μ.
 pub trait Lift: PoissonMap {
-    /// z with M(z) = μ.
+    /// Returns a point z with M(z) = μ.
     ///
     /// # Errors
-    /// If μ is not in the image of M, or not finite; over lanes, if this holds for any lane.
+    /// Returns [`LiftError`] if μ is not in the image of M or not finite; over SIMD lanes (several
+    /// trajectories in one register), if this holds for any lane.
     fn lift<T: Real>(&self, mu: &TargetPoint<Self, T>) -> Result<SourcePoint<Self, T>, LiftError>;
 }
 
-/// A symmetry of P whose orbits are the connected components of the regular fibres of M, as
-/// commuting one-parameter groups.
+/// The symmetry along the fibres of a Poisson map M, as commuting one-parameter groups.
 ///
-/// Every collective Hamiltonian h∘M is invariant under it, so its momenta are conserved
-/// (Noether); they are the pull-backs of the Casimirs, up to a function. A scheme on P descends to
-/// a map of 𝔤∗ if and only if it maps fibres to fibres, for which it suffices to commute with
-/// these flows.
+/// The orbits of the symmetry are the connected components of the regular fibres of M. Every collective
+/// Hamiltonian h∘M is invariant under it, so that its momenta are conserved (Noether's theorem). Up to a
+/// function, the momenta are the pull-backs of the Casimirs. A scheme on P descends to a map of 𝔤∗ if and
+/// only if it maps fibres to fibres. For this it suffices that the scheme commutes with the flows of the
+/// symmetry.
 ///
 /// Source: Ohsawa 2019, §4.2; McLachlan, Modin & Verdier, *Collective symplectic integrators*,
 /// Nonlinearity 27 (2014).
@@ -54,12 +55,12 @@ pub trait FibreSymmetry: PoissonMap {
     /// The number of one-parameter groups.
     const COUNT: usize;
 
-    /// The flow for parameter s of the group with the given index; the identity for `index` ≥
-    /// `COUNT`.
+    /// Returns the flow for parameter s of the group with the given index, or z for `index` ≥ `COUNT`.
     fn flow<T: Real>(&self, index: usize, s: T, z: &SourcePoint<Self, T>) -> SourcePoint<Self, T>;
 
-    /// Its momentum J: P → R, whose Hamiltonian vector field generates the flow; zero for
-    /// `index` ≥ `COUNT`.
+    /// Returns the momentum of the group with the given index, or zero for `index` ≥ `COUNT`.
+    ///
+    /// The Hamiltonian vector field of this function P → R generates the flow.
     fn momentum<T: Real>(&self, index: usize, z: &SourcePoint<Self, T>) -> T;
 }
 

@@ -1,4 +1,4 @@
-//! Poisson maps and momentum maps, their fibres and lifts, and the collective Hamiltonians of them.
+//! Poisson maps and momentum maps, their fibres and lifts, and collective Hamiltonians.
 
 pub(crate) mod recentring;
 pub(crate) mod poisson_map;

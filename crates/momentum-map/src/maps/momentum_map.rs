@@ -1,4 +1,4 @@
-//! The momentum map of a cotangent-lifted action.
+//! The momentum map of a cotangent-lifted action: [`MomentumMap`].
 
 use crate::maps::poisson_map::TargetDifferential;
 use crate::{
@@ -12,15 +12,16 @@ use lie_poisson::{LieGroup, LiePoisson, Real, Vector};
 /// ⟨J(q, p), ξ⟩ = ⟨p, ξ_Q(q)⟩
 /// ```
 ///
-/// Equivariant: `J ∘ T*Φ_{g⁻¹} = Ad*_g ∘ J` for a right action, `Ad*_{g⁻¹} ∘ J` for a left one; hence
-/// Poisson to 𝔤∗ with the [sign](crate::Side::lie_poisson_sign) of the side.
+/// It is equivariant: J(g·z) = `Ad*_g` J(z) for a right action and J(g·z) = (`Ad*_g`)⁻¹ J(z) for a left
+/// one, where g·z is the lifted action. Hence it is Poisson to 𝔤∗ with the
+/// [sign](crate::Side::lie_poisson_sign) of the side.
 ///
 /// Source: Marsden & Ratiu, *Introduction to Mechanics and Symmetry*, 2nd ed., Thm. 12.1.4 and
 /// Thm. 12.4.1; Ohsawa 2019, §2.3.
 ///
 /// # Example
-/// Rigid motions of R³: the momentum map is the angular and the linear momentum, with the signs of
-/// a right action.
+/// For rigid motions of R³ the momentum map consists of the angular and the linear momentum, with the signs
+/// of a right action:
 /// ```
 /// use lie_poisson::{Covector, Pair, Real, RealSpace, SE3, Se3Dual};
 /// use momentum_map::{Cotangent, GroupAction, MomentumMap, PoissonMap, Side};
@@ -46,7 +47,7 @@ use lie_poisson::{LieGroup, LiePoisson, Real, Vector};
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub struct MomentumMap<A>(pub A);
 
-/// 𝔤 of an action.
+/// The Lie algebra 𝔤 of an action.
 type Algebra<A> = <<A as GroupAction>::Group as LieGroup>::Algebra;
 
 impl<A: GroupAction> PoissonMap for MomentumMap<A> {
@@ -69,7 +70,7 @@ impl<A: GroupAction> PoissonMap for MomentumMap<A> {
         })
     }
 
-    /// The generator ξ_{T∗Q}(z) of the cotangent lift.
+    /// Returns the generator of the cotangent lift at z.
     fn generator<T: Real>(
         &self,
         xi: &TargetDifferential<Self, T>,

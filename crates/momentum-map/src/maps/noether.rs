@@ -1,4 +1,4 @@
-//! Noether's conserved quantities.
+//! Conserved quantities by Noether's theorem: [`NoetherQuantity`].
 
 use crate::maps::poisson_map::{PoissonMap, SourcePoint, TargetDifferential};
 use lie_poisson::{Differential, Hamiltonian, Real, Vector, map_coordinates};
@@ -11,7 +11,7 @@ use lie_poisson::{Differential, Hamiltonian, Real, Vector, map_coordinates};
 /// Source: Marsden & Ratiu, *Introduction to Mechanics and Symmetry*, 2nd ed., Thm. 11.4.1.
 ///
 /// # Example
-/// The angular momentum about e₃ of a particle in a central field:
+/// For a particle in a central field the angular momentum about e₃ is conserved:
 /// ```
 /// use lie_poisson::{Covector, Hamiltonian, PoissonSpace, SO3OnR3, from_closure};
 /// use momentum_map::{
@@ -33,12 +33,12 @@ pub struct NoetherQuantity<M: PoissonMap> {
 }
 
 impl<M: PoissonMap> NoetherQuantity<M> {
-    /// ⟨J, ξ⟩
+    /// Creates the component ⟨J, ξ⟩ of a momentum map.
     pub const fn new(map: M, xi: TargetDifferential<M>) -> Self {
         Self { map, xi }
     }
 
-    /// J
+    /// Returns the momentum map J.
     pub const fn map(&self) -> &M {
         &self.map
     }

@@ -1,55 +1,56 @@
-//! Poisson maps.
+//! Poisson maps and their composition: [`PoissonMap`], [`Composition`].
 
 use crate::maps::recentring::{Both, RecentringSpace};
 use lie_poisson::{
     Differential, DualNumber, Point, PoissonSpace, Real, Vector, transposed_tangent,
 };
 
-/// z in the source of a map, over the scalar `T`.
+/// A point z of the source of a map, over the scalar `T`.
 pub type SourcePoint<M, T = f64> = Point<<M as PoissonMap>::Source, T>;
 
-/// A point in the target of a map, over the scalar `T`.
+/// A point of the target of a map, over the scalar `T`.
 pub type TargetPoint<M, T = f64> = Point<<M as PoissonMap>::Target, T>;
 
 /// A covector on the target of a map, over the scalar `T`; an element of 𝔤 if the target is 𝔤∗.
 pub type TargetDifferential<M, T = f64> = Differential<<M as PoissonMap>::Target, T>;
 
-/// A smooth map M: P → Q with {f ∘ M, h ∘ M}_P = {f, h}_Q ∘ M.
+/// A smooth map M: P → Q that preserves Poisson brackets: {f∘M, h∘M} on P is {f, h}∘M.
 ///
-/// Only `apply` is asked for; that the map is Poisson is a promise that the law suite checks.
-/// From P canonical to Q = 𝔤∗ it is a *realisation* of 𝔤∗, and lifts every Hamiltonian system
-/// on 𝔤∗ to a canonical one, its *collective* dynamics:
+/// Only `apply` is required. The trait cannot enforce that the map is Poisson; the law suite tests it. From
+/// a canonical P to Q = 𝔤∗ the map is a *realisation* of 𝔤∗. It lifts every Hamiltonian system on 𝔤∗ to a
+/// canonical one, its *collective* dynamics:
 ///
 /// ```text
-/// X_{h∘M}(z) = generator(dh(M(z)), z)
+/// X_(h∘M)(z) = generator(dh(M(z)), z)
 /// ```
 ///
 /// A scheme that commutes with affine maps descends to Q if the symmetry along the fibres of M acts
-/// affinely, as it does for every realisation of this crate; it conserves Casimirs whose
-/// pull-backs are functions of quadratic invariants.
+/// affinely, as it does for every realisation of this crate. It conserves Casimirs whose pull-backs are
+/// functions of quadratic invariants.
 ///
-/// If M is the momentum map of an action, `generator` is its infinitesimal generator ξ_P(z).
-/// Written down by hand, it gives collective dynamics without any Jacobian.
+/// If M is the momentum map of an action, `generator` is the infinitesimal generator ξ_P(z). If it is
+/// implemented by hand, collective dynamics needs no Jacobian.
 ///
 /// Source: Guillemin & Sternberg, *The moment map and collective motion*, Ann. Phys. 127 (1980);
 /// Marsden & Ratiu, *Introduction to Mechanics and Symmetry*, 2nd ed., §10.3, §12.4.
 pub trait PoissonMap: Clone {
-    /// P
+    /// The source P of the map.
     type Source: PoissonSpace;
 
-    /// Q
+    /// The target Q of the map.
     type Target: PoissonSpace;
 
-    /// P as a value.
+    /// Returns the source P as a value.
     fn source(&self) -> Self::Source;
 
-    /// Q as a value.
+    /// Returns the target Q as a value.
     fn target(&self) -> Self::Target;
 
-    /// M(z)
+    /// Returns the image M(z).
     fn apply<T: Real>(&self, z: &SourcePoint<Self, T>) -> TargetPoint<Self, T>;
 
-    /// The pull-back (T_z M)ᵀ α of a covector at M(z); derived from `apply` by dual numbers.
+    /// Returns the pull-back (T_z M)ᵀ α of a covector at M(z), by default derived from `apply` by dual
+    /// numbers.
     fn pull_back<T: Real>(
         &self,
         alpha: &TargetDifferential<Self, T>,
@@ -62,9 +63,9 @@ pub trait PoissonMap: Clone {
         )
     }
 
-    /// The Hamiltonian vector field at z of z ↦ ⟨α, M(z)⟩ for constant α.
+    /// Returns the Hamiltonian vector field at z of the function z ↦ ⟨α, M(z)⟩ for constant α.
     ///
-    /// By default Λ(z) (T_z M)ᵀ α.
+    /// The default implementation returns Λ(z) (T_z M)ᵀ α.
     fn generator<T: Real>(
         &self,
         alpha: &TargetDifferential<Self, T>,
@@ -73,31 +74,32 @@ pub trait PoissonMap: Clone {
         self.source().hamiltonian_vector::<T>(z, &self.pull_back::<T>(alpha, z))
     }
 
-    /// A displacement along the fibre that keeps z from running away: M(z + gauge(z)) = M(z).
+    /// Returns a displacement along the fibre that keeps z from running away: M(z + gauge(z)) = M(z).
     ///
-    /// Along collective dynamics z may drift along its fibre, which is invisible in M(z) but costs
-    /// digits. Collective integrators pass to z + gauge(z) after each step; it should mostly be 0,
-    /// since stages are guessed from those of steps that follow each other, and itself free of rounding
-    /// if it can. By default 0.
+    /// Under collective dynamics z may drift along its fibre. The drift is invisible in M(z), but costs
+    /// digits. Collective integrators replace z by z + gauge(z) as they proceed. The gauge should be 0 at
+    /// most points, since integrators extrapolate from the points before, and its addition should be free of
+    /// rounding errors if possible. The default is 0.
     #[inline]
     fn gauge<T: Real>(&self, _z: &SourcePoint<Self, T>) -> SourcePoint<Self, T> {
         Vector::zero()
     }
 
-    /// A point z′ of the fibre through z near the origin: M(z′) = M(z) to the round-off of M at z, |z′| ≤ |z|.
+    /// Returns a point z′ near the origin on the fibre through z: M(z′) = M(z) and |z′| ≤ |z|.
     ///
-    /// A collective run in which z has grown continues from there, since M(z), a difference of larger and larger
-    /// products, would lose its digits and the stage equations their solution. Collective integrators ask when z
-    /// has grown fourfold, and where a run may be resumed.
+    /// The equation holds to the round-off of M at z. Collective integrators continue from z′ when z has
+    /// grown fourfold, because M(z) is a difference of larger and larger products: it would lose its
+    /// digits, and the equations for the next point would lose their solution. They also ask for z′ at
+    /// points from which a run may be resumed.
     ///
-    /// By default z itself where M(z) has lost few bits, over lanes lane by lane; else the point of least norm,
-    /// in units in which the blocks of z have equal size, is approached by Newton's iteration on the tangent map of M,
-    /// from `apply` by dual numbers. It takes no lift and no [symmetry](crate::FibreSymmetry) to be known. Where that
-    /// fails, as at points where M is not regular, z stays. A map with a [`gauge`](Self::gauge) of its own may
-    /// return z.
+    /// The default implementation treats each SIMD lane (one of several trajectories in a register) on its
+    /// own. It returns z itself where M(z) has lost few bits. Elsewhere it approaches the point of least norm, in units in which the blocks of z have equal size,
+    /// by Newton's iteration on the tangent map of M, which comes from `apply` by dual numbers. No lift and
+    /// no [symmetry](crate::FibreSymmetry) of M is needed. Where the iteration fails, as at points where M
+    /// is not regular, it returns z. A map with a [`gauge`](Self::gauge) of its own may return z.
     ///
     /// # Example
-    /// A particle under rigid motions, J(q, p) = −(q × p, p), whose fibres are the lines q + sp:
+    /// For a particle under rigid motions, J(q, p) = −(q × p, p), the fibres are the lines q + sp:
     /// ```
     /// use lie_poisson::Covector;
     /// use momentum_map::{Cotangent, PARTICLE, PoissonMap, RecentringSpace};
@@ -121,14 +123,14 @@ pub trait PoissonMap: Clone {
     }
 }
 
-/// The composition `outer` ∘ `inner` of two Poisson maps, which is Poisson.
+/// The composition `outer` ∘ `inner` of two Poisson maps, which is a Poisson map.
 ///
-/// The differential is first pulled back through `outer`, and generated by `inner`.
+/// Its generator first pulls the differential back through `outer`, then applies the generator of `inner`.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub struct Composition<Outer, Inner> {
-    /// The map that comes second.
+    /// The map that is applied second.
     pub outer: Outer,
-    /// The map that comes first.
+    /// The map that is applied first.
     pub inner: Inner,
 }
 
@@ -179,7 +181,7 @@ where
     }
 }
 
-/// The identity of P.
+/// The identity map of a Poisson space P.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub struct Identity<P>(pub P);
 

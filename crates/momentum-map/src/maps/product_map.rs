@@ -1,4 +1,4 @@
-//! Products and powers of Poisson maps.
+//! Products and powers of Poisson maps: [`ProductMap`], [`PowerMap`].
 
 use crate::maps::poisson_map::{PoissonMap, SourcePoint, TargetDifferential, TargetPoint};
 use crate::{FibreSymmetry, Lift, LiftError, RecentringSpace};
@@ -10,9 +10,10 @@ use lie_poisson::{
 
 /// The product (M, N): P₁ × P₂ → Q₁ × Q₂ of two Poisson maps.
 ///
-/// With [`Identity`](crate::Identity) for N it couples spins or vortices to canonical variables:
-/// (S²)ⁿ × T∗R^m. Source: Bogfjellmo, *Collective symplectic integrators on S₂ⁿ × T∗R^m*,
-/// arXiv:1809.06231 (2018).
+/// With [`Identity`](crate::Identity) for N, it couples spins or vortices to canonical variables on (S²)ⁿ ×
+/// T∗R^m.
+///
+/// Source: Bogfjellmo, *Collective symplectic integrators on S₂ⁿ × T∗R^m*, arXiv:1809.06231 (2018).
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub struct ProductMap<M, N>(pub M, pub N);
 
@@ -58,7 +59,7 @@ impl<M: PoissonMap, N: PoissonMap> PoissonMap for ProductMap<M, N> {
 }
 
 impl<M: Lift, N: Lift> Lift for ProductMap<M, N> {
-    /// The lifts of the two parts.
+    /// Returns the lifts of the two parts.
     fn lift<T: Real>(&self, mu: &TargetPoint<Self, T>) -> Result<SourcePoint<Self, T>, LiftError> {
         Ok(Pair(self.0.lift::<T>(&mu.0)?, self.1.lift::<T>(&mu.1)?))
     }
@@ -67,7 +68,7 @@ impl<M: Lift, N: Lift> Lift for ProductMap<M, N> {
 impl<M: FibreSymmetry, N: FibreSymmetry> FibreSymmetry for ProductMap<M, N> {
     const COUNT: usize = M::COUNT + N::COUNT;
 
-    /// The flows of the first map, then those of the second.
+    /// Returns the flow with the given index: those of the first map, then those of the second.
     fn flow<T: Real>(&self, index: usize, s: T, z: &SourcePoint<Self, T>) -> SourcePoint<Self, T> {
         if index < M::COUNT {
             Pair(self.0.flow::<T>(index, s, &z.0), z.1)
@@ -85,7 +86,7 @@ impl<M: FibreSymmetry, N: FibreSymmetry> FibreSymmetry for ProductMap<M, N> {
     }
 }
 
-/// The power Mᴺ: Pᴺ → (𝔤ᴺ)∗ of a realisation M: P → 𝔤∗: N spins, N vortices.
+/// The power Mᴺ: Pᴺ → (𝔤ᴺ)∗ of a realisation M: P → 𝔤∗, for example for N spins or N vortices.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub struct PowerMap<M, const N: usize>(pub M);
 
@@ -139,7 +140,7 @@ where
     M: Lift<Target = LiePoisson<A>>,
     A: LieAlgebra,
 {
-    /// The lifts of the factors.
+    /// Returns the lifts of the factors.
     fn lift<T: Real>(&self, mu: &TargetPoint<Self, T>) -> Result<SourcePoint<Self, T>, LiftError> {
         let mut z: SourcePoint<Self, T> = Vector::zero();
         for (z, mu) in z.0.iter_mut().zip(&mu.0.0) {
@@ -156,7 +157,7 @@ where
 {
     const COUNT: usize = N * M::COUNT;
 
-    /// The flows of the first factor, then those of the second, and so on.
+    /// Returns the flow with the given index: those of the first factor, then those of the second, and so on.
     fn flow<T: Real>(&self, index: usize, s: T, z: &SourcePoint<Self, T>) -> SourcePoint<Self, T> {
         let count = M::COUNT.max(1);
         let mut moved = *z;

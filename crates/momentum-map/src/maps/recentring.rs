@@ -1,33 +1,39 @@
-//! Points of a fibre near the origin.
+//! The search for a point of a fibre near the origin: [`RecentringSpace`].
 
 use lie_poisson::{DualNumber, Mask, Real, Vector, derivative_part, seed, solve_linear};
 
-/// Where the terms of a momentum are this much larger than itself, z is moved. Those of a map like z ↦ |z|², which
-/// loses nothing, are up to a dozen times larger.
+/// The ratio of the terms of a momentum to the momentum itself above which z is moved.
+///
+/// For a map such as z ↦ |z|², which loses no digits, the ratio is up to a dozen.
 const LOST: f64 = 32.0;
 
-/// Iterations that move z, each of which halves what is left along the fibre.
+/// The number of iterations that move z, each of which halves the remaining distance along the fibre.
 const PULLS: usize = 8;
 
-/// Iterations that only bring M(z) back, each of which squares what it is off.
+/// The number of iterations that only restore M(z), each of which squares its error.
 const CORRECTIONS: usize = 6;
 
-/// Added to the matrix 1 + … of the iteration: M may reach only a part of its target, as Π·Γ = 0, and its tangent map
-/// has a kernel then. What it takes from a step, the next one brings.
+/// The number added to the diagonal of the matrix of the iteration, whose diagonal is 1.
+///
+/// M may reach only a part of its target, as with Π·Γ = 0. Then the matrix is singular without the damping.
+/// The next iteration restores what the damping takes from the present one.
 const DAMPING: f64 = 1e-12;
 
-/// z is moved if Σ |z_b|² shrinks to this part of itself, in units in which each block begins with size 1.
+/// The fraction to which Σ |z_b|² must shrink for z to be moved, in units in which each block begins with
+/// size 1.
 const WORTHWHILE: f64 = 0.8;
 
-/// How far M may move, in roundings of its terms at z: M(z) itself is known no better.
+/// The greatest change of M, in relative units of the size of its terms at z: M(z) is not known better than
+/// this.
 const ROUNDINGS: f64 = 16.0 * f64::EPSILON;
 
-/// The storage of [`PoissonMap::recentred`](crate::PoissonMap::recentred); empty until it is needed.
+/// The working memory of [`PoissonMap::recentred`](crate::PoissonMap::recentred), allocated when it is
+/// first needed.
 #[derive(Clone, Debug)]
 pub struct RecentringSpace<T> {
-    /// T_z M, row by row.
+    /// The tangent map T_z M, row by row.
     tangent: Vec<T>,
-    /// T_z M W² (T_z M)ᵀ
+    /// The matrix T_z M W² (T_z M)ᵀ of the linear equations of an iteration.
     gram: Vec<T>,
     multipliers: Vec<T>,
 }
@@ -38,22 +44,25 @@ impl<T> Default for RecentringSpace<T> {
     }
 }
 
-/// M over the scalar of z and over dual numbers: what the search knows of a map.
+/// The map M over the scalar of z and over dual numbers, as the search needs it.
 pub(crate) struct Both<F, G> {
-    /// M(z)
+    /// The function z ↦ M(z).
     pub(crate) apply: F,
-    /// M(z + ε v)
+    /// The function z + ε v ↦ M(z + ε v) over dual numbers.
     pub(crate) apply_dual: G,
 }
 
 impl<T: Real> RecentringSpace<T> {
-    /// Minimises ½ Σ (z_d/w_d)² at constant M(z), w_d the size of the block of d, by steps
+    /// Returns a point near the origin on the fibre through z, or z itself.
+    ///
+    /// The iteration minimises ½ Σ (z_d/w_d)² at constant M(z), where w_d is the size of the block of d, by
+    /// the changes
     ///
     /// ```text
     /// δz = −τ z + W² Aᵀ (A W² Aᵀ)⁻¹ (τ A z + μ − M(z)),    A = T_z M,  τ = ½, then 0
     /// ```
     ///
-    /// Returns z itself where M(z) has its digits, or where the iteration fails.
+    /// The result is z itself where M(z) has kept its digits, or where the iteration fails.
     pub(crate) fn recentred<V, W, V2, W2>(
         &mut self,
         map: &Both<impl Fn(&V) -> W, impl Fn(&V2) -> W2>,
@@ -91,7 +100,7 @@ impl<T: Real> RecentringSpace<T> {
         Vector::select(regular.and(nearer).and(same), &moved, z)
     }
 
-    /// Writes A = T_z M.
+    /// Computes the tangent map A = T_z M.
     fn differentiate<V, W, V2, W2>(&mut self, apply: &impl Fn(&V2) -> W2, z: &V)
     where
         V: Vector<Scalar = T>,
@@ -111,7 +120,7 @@ impl<T: Real> RecentringSpace<T> {
         }
     }
 
-    /// One step of the iteration; returns where the equations have a solution.
+    /// Performs one iteration and returns the mask of the lanes in which its equations have a solution.
     fn improve<V, W>(&mut self, z: &mut V, missing: &W, units: &V, pull: f64) -> T::Mask
     where
         V: Vector<Scalar = T>,
@@ -119,7 +128,7 @@ impl<T: Real> RecentringSpace<T> {
     {
         let Self { tangent, gram, multipliers } = self;
         let square = |d: usize| units.coordinate(d) * units.coordinate(d);
-        // Each row in units of its own length, which makes the matrix 1 on its diagonal.
+        // Each row is divided by its length, so that the matrix is 1 on its diagonal.
         for (r, row) in tangent.chunks_exact_mut(V::DIM).enumerate() {
             let (mut length, mut right) = (T::zero(), missing.coordinate(r));
             for (d, a) in row.iter().enumerate() {
@@ -151,7 +160,7 @@ impl<T: Real> RecentringSpace<T> {
         regular
     }
 
-    /// Σ_d |A_rd| w_d, the largest in each block: what M is a sum of, for z with blocks of these sizes.
+    /// Returns the size of the terms that M is a sum of, Σ_d |A_rd| w_d, with the largest in each block.
     fn terms<V: Vector<Scalar = T>, W: Vector<Scalar = T>>(&self, units: &V) -> W {
         let terms = W::from_coordinates(|r| {
             let mut sum = T::zero();
@@ -164,7 +173,7 @@ impl<T: Real> RecentringSpace<T> {
     }
 }
 
-/// Where |v_d| ≤ `factor` |w_d| for all d.
+/// Returns the mask of the lanes in which |v_d| ≤ `factor` |w_d| for all d.
 fn within<V: Vector<Scalar = T>, T: Real>(v: &V, w: &V, factor: f64) -> T::Mask {
     let mut all = T::Mask::from_bool(true);
     for d in 0..V::DIM {
@@ -173,7 +182,7 @@ fn within<V: Vector<Scalar = T>, T: Real>(v: &V, w: &V, factor: f64) -> T::Mask 
     all
 }
 
-/// Each coordinate replaced by the largest magnitude in its block.
+/// Replaces each coordinate by the largest magnitude in its block.
 fn block_sizes<V: Vector<Scalar = T>, T: Real>(v: &V) -> V {
     V::from_coordinates(|i| {
         let mut most = T::zero();
@@ -184,12 +193,12 @@ fn block_sizes<V: Vector<Scalar = T>, T: Real>(v: &V) -> V {
     })
 }
 
-/// |x| with the derivative that it has; [`Real::magnitude`] is a constant.
+/// Returns |x| with its derivative, which [`Real::magnitude`] drops.
 fn modulus<T: Real>(x: T) -> T {
     x.select_nonnegative(x, -x)
 }
 
-/// Σ (z_d/w_d)²; a block of zeros counts nothing.
+/// Returns Σ (z_d/w_d)², where a block of zeros has unit 1.
 fn square_in<V: Vector<Scalar = T>, T: Real>(z: &V, units: &V) -> T {
     let mut sum = T::zero();
     for d in 0..V::DIM {

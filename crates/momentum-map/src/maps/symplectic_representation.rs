@@ -1,4 +1,4 @@
-//! Linear symplectic actions and their quadratic momentum maps.
+//! Linear symplectic actions and their quadratic momentum maps: [`QuadraticMomentumMap`].
 
 use crate::maps::poisson_map::TargetDifferential;
 use crate::{PoissonMap, Side, SourcePoint, SymplecticComplexSpace, SymplecticSpace, TargetPoint};
@@ -12,19 +12,19 @@ use num_complex::Complex;
 
 /// A representation that preserves a symplectic form on V: Ω(ξu, v) + Ω(u, ξv) = 0.
 ///
-/// It is a symplectic vector space in its own right, as [`Symplectic<R>`].
+/// [`Symplectic<R>`] is V as a symplectic vector space.
 pub trait SymplecticRepresentation: Representation {
-    /// Ω(u, v)
+    /// Returns the symplectic form Ω(u, v).
     fn form<T: Real>(&self, u: &Self::Space<T>, v: &Self::Space<T>) -> T;
 
-    /// The vector x with Ω(x, ·) = α.
+    /// Returns the vector x with Ω(x, ·) = α.
     fn sharp<T: Real>(&self, alpha: &Covector<Self::Space<T>>) -> Self::Space<T>;
 }
 
-/// The symplectic vector space of a representation.
+/// The symplectic vector space V of a representation.
 ///
-/// [`SymplecticComplexSpace`] is the same space as that of U(N) on C^N, but another type: maps
-/// compose where the types agree.
+/// [`SymplecticComplexSpace`] is the same space as that of U(N) on C^N, but another type. Maps can be
+/// composed only if the types are equal.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub struct Symplectic<R>(pub R);
 
@@ -50,23 +50,21 @@ impl<R: SymplecticRepresentation> SymplecticSpace for Symplectic<R> {
     }
 }
 
-/// The momentum map of a linear symplectic action,
+/// The momentum map of a linear symplectic action, derived from its representation:
 ///
 /// ```text
-/// ⟨J(z), ξ⟩ = ½ Ω(ξ_P z, z),    ξ_P z = ξz for the left action, −ξz for the right one,
+/// ⟨J(z), ξ⟩ = ½ Ω(ξ_P z, z),    ξ_P z = ξz for the left action, −ξz for the right one
 /// ```
 ///
-/// with its generator ξ_P z, both from the representation alone.
-///
-/// so(3)∗ from C² by the Hopf map, sl(2, R)∗ from R²ⁿ and u(N)∗ by outer products are all of this
-/// kind: one code path.
+/// The generator is ξ_P z. The maps to so(3)∗ from C² by the Hopf map, to sl(2, R)∗ from R²ⁿ and to u(N)∗ by
+/// outer products are all of this kind, and share this code.
 ///
 /// Source: Marsden & Ratiu, *Introduction to Mechanics and Symmetry*, 2nd ed., Ch. 12
 /// (linear symplectic actions); McLachlan, Modin & Verdier, *Collective symplectic integrators*,
 /// Nonlinearity 27 (2014), §4.
 ///
 /// # Example
-/// The right action of SL(2, R) on the plane: J = −(qp, ½p², −½q²), a cone in sl(2, R)∗.
+/// The right action of SL(2, R) on the plane has J = −(qp, ½p², −½q²), whose image is a cone in sl(2, R)∗:
 /// ```
 /// use lie_poisson::{Casimirs, SL2OnR2, Sl2};
 /// use momentum_map::{PoissonMap, QuadraticMomentumMap, Side};
@@ -82,17 +80,17 @@ pub struct QuadraticMomentumMap<R> {
 }
 
 impl<R: SymplecticRepresentation> QuadraticMomentumMap<R> {
-    /// The momentum map of the action v ↦ gv (left) or v ↦ g⁻¹v (right).
+    /// Creates the momentum map of the action v ↦ gv (left) or v ↦ g⁻¹v (right).
     pub const fn new(representation: R, side: Side) -> Self {
         Self { representation, side }
     }
 
-    /// The representation.
+    /// Returns the representation of the action.
     pub const fn representation(&self) -> &R {
         &self.representation
     }
 
-    /// The side of the action.
+    /// Returns the side of the action.
     pub const fn side(&self) -> Side {
         self.side
     }
@@ -132,7 +130,7 @@ impl<R: SymplecticRepresentation> PoissonMap for QuadraticMomentumMap<R> {
     }
 }
 
-/// so(3) on C² by the spin representation ξ ↦ −(i/2) ξ·σ, which is that of su(2).
+/// The spin representation of so(3) on C², ξ ↦ −(i/2) ξ·σ, which is that of su(2).
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub struct So3OnC2;
 
@@ -150,7 +148,7 @@ impl Representation for So3OnC2 {
     }
 }
 
-/// Representations on C^N by skew-Hermitian matrices preserve Ω(u, v) = Im(u∗v).
+/// Implements the symplectic form Ω(u, v) = Im(u∗v) for representations on C^N by skew-Hermitian matrices.
 macro_rules! unitary {
     ($($representation:ty, $n:expr, [$($generic:tt)*]);*) => {$(
         impl<$($generic)*> SymplecticRepresentation for $representation {
@@ -182,7 +180,7 @@ impl SymplecticRepresentation for SL2OnR2 {
     }
 }
 
-/// The same representation with the form −Ω.
+/// A symplectic representation with the opposite form −Ω.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub struct Reversed<R>(pub R);
 

@@ -1,18 +1,19 @@
-//! Complex matrices as multipliers.
+//! Complex matrices as multipliers: [`ComplexMatrices`].
 
 use crate::Multipliers;
 use lie_poisson::{Covector, LiePoisson, Real, SkewHermitian, UnitaryAlgebra};
 use nalgebra::SMatrix;
 use num_complex::Complex;
 
-/// Complex N×N matrices, for u(N)∗ with the minus bracket: in terms of the Hermitian matrix H of
-/// a momentum,
+/// Complex N×N matrices as multipliers, for u(N)∗ with the minus bracket.
+///
+/// In terms of the Hermitian matrix H of a momentum,
 ///
 /// ```text
 /// dQ/dt = −ξ Q,    H = Q H₀ Q*
 /// ```
 ///
-/// for H₀ of any rank: with Gauss methods an isospectral integrator.
+/// where H₀ may have any rank. Gauss methods for Q are isospectral integrators for H.
 ///
 /// Source: K. Modin & M. Viviani, *Lie–Poisson methods for isospectral flows*, Found. Comput. Math.
 /// 20 (2020).
@@ -60,7 +61,7 @@ impl<const N: usize> Multipliers for ComplexMatrices<N> {
         q * b
     }
 
-    /// B∗(2 − BB∗), which is B∗ for unitary B, and else the inverse to the second order of 1 − BB∗.
+    /// Returns B∗(2 − BB∗), which is B∗ for unitary B and otherwise the inverse to second order in 1 − BB∗.
     #[inline]
     fn inverse<T: Real>(&self, b: &SMatrix<Complex<T>, N, N>) -> Option<SMatrix<Complex<T>, N, N>> {
         let adjoint = b.transpose().map(|z| z.conj());

@@ -1,4 +1,4 @@
-//! Dual quaternions as multipliers.
+//! Dual quaternions as multipliers: [`DualQuaternions`].
 
 use crate::Multipliers;
 use lie_poisson::{
@@ -6,16 +6,17 @@ use lie_poisson::{
 };
 use nalgebra::Vector3;
 
-/// Dual quaternions Q + εN, for se(3)∗ with the minus bracket and M: T∗C² → se(3)∗. With
-/// (Ω, γ) = dh,
+/// Dual quaternions Q + εN as multipliers, for se(3)∗ with the minus bracket and M: T∗C² → se(3)∗.
+///
+/// With (Ω, γ) = dh,
 ///
 /// ```text
 /// dQ/dt = −½ Ω Q,    dN/dt = −½ Ω N − 2γ Q,    N conj(Q) = x₀ + x
 /// Γ = Q Γ₀ conj(Q),    Π = Q Π₀ conj(Q) + (x × Γ + x₀ Γ)/(2|Q|²) = Im((Q Π₀ + ½ N Γ₀) conj(Q))
 /// ```
 ///
-/// where χ = Qχ₀ − iNψ₀ and ψ = Qψ₀ (quaternions act on C² by u ↦ −i u·σ). |Q|² = 1 and x₀ = 0 are
-/// quadratic invariants: unit dual quaternions, the double cover of SE(3).
+/// where χ = Qχ₀ − iNψ₀ and ψ = Qψ₀ (quaternions act on C² by u ↦ −i u·σ). The quadratic invariants |Q|² =
+/// 1 and x₀ = 0 are those of unit dual quaternions, which form the double cover of SE(3).
 ///
 /// Source of dual quaternions: E. Study, *Geometrie der Dynamen* (1903).
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
@@ -55,7 +56,7 @@ impl Multipliers for DualQuaternions {
         Se3Dual::new(moved.imaginary_part_by_conjugate(q), turned.imaginary_part_by_conjugate(q))
     }
 
-    /// Of the motion by the unit dual quaternion next to Q + εN: |Q|² = 1 and x₀ = 0.
+    /// Returns the change of μ under the unit dual quaternion near Q + εN, which has |Q|² = 1 and x₀ = 0.
     #[inline]
     fn coadjoint_change<T: Real>(&self, q: &Self::Multiplier<T>, mu: &Se3Dual<T>) -> Se3Dual<T> {
         let (Pair(q, n), Covector(Pair(pi, gamma))) = (q, mu);
@@ -64,7 +65,7 @@ impl Multipliers for DualQuaternions {
         Se3Dual::new(q.rotation_change(pi) + x.cross(&(gamma + change)), change)
     }
 
-    /// (Q + εN)(A + εB) = QA + ε(QB + NA)
+    /// Returns the product (Q + εN)(A + εB) = QA + ε(QB + NA).
     #[inline]
     fn product<T: Real>(
         &self,
@@ -74,7 +75,8 @@ impl Multipliers for DualQuaternions {
         Pair(q.0 * b.0, q.0 * b.1 + q.1 * b.0)
     }
 
-    /// (A + εB)⁻¹ = Ā/|A|² + ε (B̄ − 2 ⟨A, B⟩ Ā/|A|²)/|A|², of any with A ≠ 0.
+    /// Returns (A + εB)⁻¹ = A′/|A|² + ε (B′ − 2 ⟨A, B⟩ A′/|A|²)/|A|² for A ≠ 0, where A′ = conj(A) and B′ =
+    /// conj(B).
     #[inline]
     fn inverse<T: Real>(&self, b: &Self::Multiplier<T>) -> Option<Self::Multiplier<T>> {
         let Pair(a, b) = b;

@@ -1,4 +1,4 @@
-//! Multipliers: the linear equations that collective dynamics is, without a lift.
+//! Multipliers: collective dynamics as linear equations, without a lift.
 
 pub(crate) mod multiplier;
 pub(crate) mod quaternions;

@@ -1,54 +1,58 @@
-//! Collective dynamics without a lift: multipliers.
+//! Collective dynamics without a lift: the trait [`Multipliers`].
 
 use lie_poisson::{Differential, Point, PoissonSpace, Real, Vector};
 
-/// An associative algebra 𝔄 ∋ Q of linear maps of P that contains the generators of a linear
-/// collective system, and acts on 𝔤∗ in such a way that J(Qz) depends on J(z) and Q alone.
+/// An associative algebra 𝔄 of linear maps Q of P, for collective dynamics without a lift.
 ///
-/// Collective dynamics ż = ξ(J(z)) z, ξ = dh, keeps the form z = Q z₀, where Q obeys
+/// 𝔄 contains the generators of a linear collective system, and acts on 𝔤∗ in such a way that J(Qz) depends
+/// on J(z) and Q alone. Collective dynamics dz/dt = ξ(J(z)) z with ξ = dh keeps the form z = Q z₀, where Q
+/// satisfies
 ///
 /// ```text
 /// dQ/dt = ξ(J(Qz₀)) Q,    Q(0) = 1,    J(Qz₀) = transport(Q, J(z₀))
 /// ```
 ///
-/// which mentions z₀ only through μ₀ = J(z₀). A Runge–Kutta method commutes with the linear map
-/// Q ↦ Qz₀, so the collective method on P *is* the same method for Q: a map of 𝔤∗ in closed form,
-/// without a lift, without a fibre to drift along, and on all of 𝔤∗, image of J or not.
+/// These equations depend on z₀ only through μ₀ = J(z₀). A Runge–Kutta method commutes with the linear map
+/// Q ↦ Qz₀, so the collective method on P *is* the same method for Q. It is a map of 𝔤∗ in closed form,
+/// without a lift and without drift along a fibre, and it is defined on all of 𝔤∗, also outside of the
+/// image of J.
 ///
-/// A multiplier is determined up to what `transport` does not see; the flow conserves quadratic
-/// invariants of Q (|Q|² = 1 for quaternions) that make `transport` a coadjoint motion, and so
-/// does every Gauss method.
+/// A multiplier is determined only up to changes that `transport` does not see. The flow conserves
+/// quadratic invariants of Q (|Q|² = 1 for quaternions) that make `transport` a coadjoint motion. Every
+/// Gauss method conserves them too.
 pub trait Multipliers: Clone {
-    /// 𝔤∗, or a product of such spaces.
+    /// The dual 𝔤∗, or a product of such spaces.
     type Space: PoissonSpace;
 
-    /// Q ∈ 𝔄 over the scalar `T`.
+    /// A multiplier Q ∈ 𝔄 over the scalar `T`.
     type Multiplier<T: Real>: Vector<Scalar = T>;
 
-    /// 𝔤∗ as a value.
+    /// Returns the dual 𝔤∗ as a value.
     fn space(&self) -> Self::Space;
 
-    /// 1 ∈ 𝔄
+    /// Returns the unit 1 ∈ 𝔄.
     fn one<T: Real>(&self) -> Self::Multiplier<T>;
 
-    /// ξ Q, the rate of change of Q for ξ = dh.
+    /// Returns ξ Q, the rate of change of Q for ξ = dh.
     fn generate<T: Real>(
         &self,
         xi: &Differential<Self::Space, T>,
         q: &Self::Multiplier<T>,
     ) -> Self::Multiplier<T>;
 
-    /// J(Qz₀) from μ₀ = J(z₀).
+    /// Returns J(Qz₀), computed from μ₀ = J(z₀).
     fn transport<T: Real>(
         &self,
         q: &Self::Multiplier<T>,
         mu: &Point<Self::Space, T>,
     ) -> Point<Self::Space, T>;
 
-    /// The change that the coadjoint motion by Q makes of μ, once the quadratic invariants of Q are
-    /// restored, which a step has changed by round-off only. Where it is computed without
-    /// cancellation, it is exact to a few roundings of its own size, and Casimirs of μ are conserved
-    /// to a rounding without bias. By default transport(Q, μ) − μ.
+    /// Returns the change of μ under the coadjoint motion by Q, by default transport(Q, μ) − μ.
+    ///
+    /// Integrators change the quadratic invariants of Q only by round-off. An implementation of this
+    /// method restores them first. If it then computes the change without cancellation, the change is exact
+    /// to a few units of round-off of its own size, and the Casimirs of μ are conserved up to unbiased
+    /// rounding errors.
     #[inline]
     fn coadjoint_change<T: Real>(
         &self,
@@ -58,16 +62,18 @@ pub trait Multipliers: Clone {
         self.transport::<T>(q, mu) - *mu
     }
 
-    /// The product Q B in 𝔄.
+    /// Returns the product Q B in 𝔄.
     fn product<T: Real>(
         &self,
         q: &Self::Multiplier<T>,
         b: &Self::Multiplier<T>,
     ) -> Self::Multiplier<T>;
 
-    /// B⁻¹, for a B whose quadratic invariants hold; where they are only near, next to it: good for
-    /// a guess. With it a step that begins at 1 continues one that ended at B. By default `None`:
-    /// there is no guess, and nothing else is lost.
+    /// Returns the inverse B⁻¹, or `None` if no inverse is implemented, which is the default.
+    ///
+    /// The result is exact for a B whose quadratic invariants hold. If they hold only approximately, the
+    /// result is near the inverse. It serves only to extrapolate: with it an integrator that starts again
+    /// from 1 can use what it computed on the way to B. Nothing else depends on it.
     #[inline]
     fn inverse<T: Real>(&self, _b: &Self::Multiplier<T>) -> Option<Self::Multiplier<T>> {
         None

@@ -1,10 +1,10 @@
-//! Powers of an algebra of multipliers.
+//! Powers of an algebra of multipliers: [`PowerMultipliers`].
 
 use crate::Multipliers;
 use core::array::from_fn;
 use lie_poisson::{Covector, LieAlgebra, LiePoisson, Point, Power, PowerAlgebra, Real};
 
-/// The powers of an algebra of multipliers, factor by factor: N spins.
+/// The N-th power of an algebra of multipliers, factor by factor, for example for N spins.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub struct PowerMultipliers<M, const N: usize>(pub M);
 

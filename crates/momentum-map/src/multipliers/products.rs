@@ -1,4 +1,4 @@
-//! Products of algebras of multipliers.
+//! Products of algebras of multipliers: [`ProductMultipliers`].
 
 use crate::Multipliers;
 use lie_poisson::{Differential, Pair, Point, ProductSpace, Real, parts};

@@ -1,16 +1,16 @@
-//! Quaternions as multipliers.
+//! Quaternions as multipliers: [`Quaternions`].
 
 use crate::Multipliers;
 use lie_poisson::{Covector, LiePoisson, Quaternion, Real, So3, Vector};
 use nalgebra::Vector3;
 
-/// Quaternions, for so(3)∗ with the minus bracket and the Hopf map:
+/// Quaternions as multipliers, for so(3)∗ with the minus bracket and the Hopf map:
 ///
 /// ```text
 /// dQ/dt = −½ Ω Q,    Π = Q Π₀ conj(Q)
 /// ```
 ///
-/// Unit quaternions turn Π₀; the body's attitude is Rₙ₊₁ = Rₙ R_Qᵀ.
+/// Unit quaternions rotate Π₀. The attitude of the body is Rₙ₊₁ = Rₙ R_Qᵀ.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub struct Quaternions;
 
@@ -41,7 +41,7 @@ impl Multipliers for Quaternions {
         Covector(q.sandwich(&mu.0))
     }
 
-    /// Of the rotation by Q/|Q|.
+    /// Returns the change of μ under the rotation by Q/|Q|.
     #[inline]
     fn coadjoint_change<T: Real>(
         &self,
@@ -56,7 +56,7 @@ impl Multipliers for Quaternions {
         *q * *b
     }
 
-    /// B̄/|B|², of any B ≠ 0.
+    /// Returns B⁻¹ = conj(B)/|B|² for any B ≠ 0.
     #[inline]
     fn inverse<T: Real>(&self, b: &Quaternion<T>) -> Option<Quaternion<T>> {
         Some(b.conjugate().scaled(T::one() / b.norm_squared()))

@@ -1,4 +1,4 @@
-//! Cotangent bundles of vector spaces.
+//! Cotangent bundles of vector spaces: [`CotangentBundle`].
 
 use crate::SymplecticSpace;
 use core::ops::{Add, AddAssign, Neg, Sub, SubAssign};
@@ -6,17 +6,17 @@ use lie_poisson::{
     Covector, Differential, Point, PoissonSpace, Real, Vector, VectorSpace, map_coordinates,
 };
 
-/// (q, p) ∈ T∗Q = Q × Q∗; the coordinates of q come first.
+/// A point (q, p) ∈ T∗Q = Q × Q∗; the coordinates of q come first.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Cotangent<Q: Vector> {
-    /// The configuration.
+    /// The configuration q, a vector of Q.
     pub q: Q,
-    /// The momentum conjugate to it.
+    /// The momentum p conjugate to q, a covector on Q.
     pub p: Q::Dual,
 }
 
 impl<Q: Vector> Cotangent<Q> {
-    /// (q, p)
+    /// Creates the point (q, p).
     #[inline]
     pub fn new(q: Q, p: Q::Dual) -> Self {
         Self { q, p }
@@ -29,7 +29,7 @@ impl<Q: Vector> Vector for Cotangent<Q> {
     type Blocks = (Q::Blocks, Q::Blocks);
     const DIM: usize = 2 * Q::DIM;
 
-    /// The blocks of q, then those of p.
+    /// Returns the block of a coordinate: the blocks of q come first, then those of p.
     #[inline(always)]
     fn block(i: usize) -> usize {
         if i < Q::DIM { Q::block(i) } else { Q::BLOCKS + Q::block(i - Q::DIM) }
@@ -92,7 +92,7 @@ impl<Q: Vector> SubAssign for Cotangent<Q> {
     }
 }
 
-/// T∗Q with its canonical structure:
+/// The cotangent bundle T∗Q of a vector space Q, with its canonical structure:
 ///
 /// ```text
 /// Θ = p dq,   Ω = −dΘ = dq ∧ dp,   {F, H} = ∂F/∂q·∂H/∂p − ∂F/∂p·∂H/∂q,
@@ -119,7 +119,7 @@ impl<Q: VectorSpace> VectorSpace for CotangentBundle<Q> {
 }
 
 impl<Q: VectorSpace> PoissonSpace for CotangentBundle<Q> {
-    /// (∂H/∂p, −∂H/∂q)
+    /// Returns the Hamiltonian vector (∂H/∂p, −∂H/∂q).
     #[inline]
     fn hamiltonian_vector<T: Real>(
         &self,
@@ -132,7 +132,7 @@ impl<Q: VectorSpace> PoissonSpace for CotangentBundle<Q> {
 }
 
 impl<Q: VectorSpace> SymplecticSpace for CotangentBundle<Q> {
-    /// Ω(u, v) = ⟨v.p, u.q⟩ − ⟨u.p, v.q⟩
+    /// Returns the canonical form Ω(u, v) = ⟨v.p, u.q⟩ − ⟨u.p, v.q⟩.
     #[inline]
     fn symplectic_form<T: Real>(&self, u: &Point<Self, T>, v: &Point<Self, T>) -> T {
         u.q.pairing(&v.p) - v.q.pairing(&u.p)

@@ -1,13 +1,15 @@
-//! The Hopf map C² → R³.
+//! The Hopf map C² → R³ with its derivative and a section.
 
 use lie_poisson::{Real, squaring_scale};
 use nalgebra::{Vector2, Vector3};
 use num_complex::Complex;
 
-/// ϖ₂(α) = (2 Re ᾱ₁α₂, 2 Im ᾱ₁α₂, |α₁|² − |α₂|²), with |ϖ₂(α)| = ‖α‖².
+/// Returns the Hopf map ϖ₂(α) = (2 Re α₁∗α₂, 2 Im α₁∗α₂, |α₁|² − |α₂|²), with |ϖ₂(α)| = ‖α‖².
 ///
-/// It maps the three-sphere of radius √R onto the two-sphere of radius R, with circles
-/// e^{iθ}α as fibres, and is even: ϖ₂(−α) = ϖ₂(α). Source: Ohsawa 2019, eq. (3.1b).
+/// It maps the three-sphere of radius √R onto the two-sphere of radius R. The fibres are the circles
+/// exp(iθ) α, and the map is even: ϖ₂(−α) = ϖ₂(α).
+///
+/// Source: Ohsawa 2019, eq. (3.1b).
 ///
 /// ```
 /// use momentum_map::hopf_map;
@@ -26,9 +28,9 @@ pub fn hopf_map<T: Real>(alpha: &Vector2<Complex<T>>) -> Vector3<T> {
     )
 }
 
-/// (T_α ϖ₂)ᵀ γ = 2 (γ·σ) α, the gradient of α ↦ γ·ϖ₂(α).
+/// Returns (T_α ϖ₂)ᵀ γ = 2 (γ·σ) α, the gradient of α ↦ γ·ϖ₂(α).
 ///
-/// Source: Ohsawa 2019, Appendix B (its second form of T_α ϖ₂; the first has a sign misprinted).
+/// Source: Ohsawa 2019, Appendix B (the second form of T_α ϖ₂ there; the first one has a misprinted sign).
 #[inline]
 pub fn hopf_pull_back<T: Real>(
     gamma: &Vector3<T>,
@@ -37,7 +39,7 @@ pub fn hopf_pull_back<T: Real>(
     pauli(&(gamma + gamma), alpha)
 }
 
-/// (v·σ) χ with the Pauli matrices σ = (σ₁, σ₂, σ₃).
+/// Returns (v·σ) χ with the Pauli matrices σ = (σ₁, σ₂, σ₃).
 #[inline]
 pub fn pauli<T: Real>(v: &Vector3<T>, chi: &Vector2<Complex<T>>) -> Vector2<Complex<T>> {
     let (a, b) = (chi.x, chi.y);
@@ -53,10 +55,11 @@ pub fn pauli<T: Real>(v: &Vector3<T>, chi: &Vector2<Complex<T>>) -> Vector2<Comp
     )
 }
 
-/// A point ψ of the Hopf fibre over Γ: ϖ₂(ψ) = Γ, ‖ψ‖² = |Γ|. Not finite for Γ = 0.
+/// Returns a point ψ of the Hopf fibre over Γ: ϖ₂(ψ) = Γ and ‖ψ‖² = |Γ|.
 ///
-/// Two charts, ψ₁ > 0 on the upper half space and ψ₂ > 0 on the lower, so that no direction of Γ
-/// is singular. To round-off of |Γ| for every finite Γ, however small or large.
+/// The result is not finite for Γ = 0. There are two charts, with ψ₁ > 0 on the upper half space and ψ₂ > 0
+/// on the lower, so that no direction of Γ is singular. The result is accurate to the round-off of |Γ| for
+/// every finite Γ ≠ 0, however small or large.
 ///
 /// ```
 /// use momentum_map::{hopf_map, hopf_section};

@@ -1,10 +1,10 @@
-//! Symplectic vector spaces.
+//! Symplectic vector spaces: [`SymplecticSpace`].
 
 use lie_poisson::{Covector, Differential, Point, PoissonSpace, Real, Vector, VectorSpace};
 use nalgebra::SVector;
 use num_complex::Complex;
 
-/// A Poisson space whose tensor is constant and invertible: a symplectic vector space (P, Ω).
+/// A symplectic vector space (P, Ω): a Poisson space whose tensor is constant and invertible.
 ///
 /// ```text
 /// i_X Ω = dH for X = X_H,    {F, H} = Ω(X_F, X_H)
@@ -13,10 +13,10 @@ use num_complex::Complex;
 /// Source: Marsden & Ratiu, *Introduction to Mechanics and Symmetry*, 2nd ed., §2.2; Ohsawa 2019,
 /// eq. (4.3).
 pub trait SymplecticSpace: PoissonSpace {
-    /// Ω(u, v)
+    /// Returns the symplectic form Ω(u, v).
     fn symplectic_form<T: Real>(&self, u: &Point<Self, T>, v: &Point<Self, T>) -> T;
 
-    /// The covector i_x Ω = Ω(x, ·): the inverse of
+    /// Returns the covector i_x Ω = Ω(x, ·), the inverse of
     /// [`hamiltonian_vector`](PoissonSpace::hamiltonian_vector).
     #[inline]
     fn flat<T: Real>(&self, x: &Point<Self, T>) -> Differential<Self, T> {
@@ -24,7 +24,7 @@ pub trait SymplecticSpace: PoissonSpace {
     }
 }
 
-/// C^N with z = q + ip and Ω(u, v) = Im(u∗v), that is dq ∧ dp; X_H = ∂H/∂p − i ∂H/∂q.
+/// The symplectic space C^N of z = q + ip, with Ω(u, v) = Im(u∗v) = dq ∧ dp and X_H = ∂H/∂p − i ∂H/∂q.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub struct SymplecticComplexSpace<const N: usize>;
 

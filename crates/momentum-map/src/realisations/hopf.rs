@@ -1,4 +1,4 @@
-//! so(3)∗ from C² by the Hopf map.
+//! The realisation of so(3)∗ on C² by the Hopf map.
 
 use crate::{
     FibreSymmetry, Lift, LiftError, PoissonMap, QuadraticMomentumMap, Side, So3OnC2, SourcePoint,
@@ -8,15 +8,15 @@ use lie_poisson::{Mask, Pair, Real, Vector, euclidean_norm};
 use nalgebra::Vector2;
 use num_complex::Complex;
 
-/// The momentum map of SU(2) on C² = {z = q + ip} with dq ∧ dp, as a map to so(3)∗ ≅ su(2)∗:
+/// The momentum map of SU(2) on C² ∋ z = q + ip with dq ∧ dp, as a map to so(3)∗ ≅ su(2)∗:
 ///
 /// ```text
 /// J(z) = ∓¼ (2 Re z₁*z₂, 2 Im z₁*z₂, |z₁|² − |z₂|²),    |J(z)| = ¼ ‖z‖²
 /// dz/dt = ±(i/2)(Ω·σ) z    for Ω = dh(Π)
 /// ```
 ///
-/// Upper signs for the right action z ↦ U∗z, to the minus bracket ([`HOPF`]); lower signs for the
-/// left one. The fibres are the circles e^{is}z, with momentum −½‖z‖².
+/// The upper signs belong to the right action z ↦ U∗z and the minus bracket ([`HOPF`]), the lower signs to
+/// the left action. The fibres are the circles exp(is) z, with momentum −½‖z‖².
 ///
 /// Source: McLachlan, Modin & Verdier, *Collective Lie–Poisson integrators on R³*, IMA J. Numer.
 /// Anal. 35 (2015), §2.
@@ -34,22 +34,22 @@ use num_complex::Complex;
 /// ```
 pub type HopfRealisation = QuadraticMomentumMap<So3OnC2>;
 
-/// The Hopf realisation of so(3)∗ with the minus bracket.
+/// The Hopf realisation C² → so(3)∗ with the minus bracket.
 pub const HOPF: HopfRealisation = QuadraticMomentumMap::new(So3OnC2, Side::Right);
 
 impl Lift for HopfRealisation {
-    /// A section of the Hopf fibration with two charts.
+    /// Returns a point of the fibre over Π, by a section of the Hopf fibration with two charts.
     ///
     /// # Errors
-    /// If Π = 0, where the fibre degenerates to a point, if Π is not finite, or if it is so large that
-    /// 2|Π| = ½‖z‖² overflows.
+    /// Returns [`LiftError`] if Π = 0, where the fibre degenerates to a point, if Π is not finite, or if it
+    /// is so large that 2|Π| = ½‖z‖² overflows.
     fn lift<T: Real>(&self, mu: &TargetPoint<Self, T>) -> Result<SourcePoint<Self, T>, LiftError> {
         let quantity = "Π";
         let mu = LiftError::unless_finite(*mu, quantity, mu.max_abs(), "Π must be finite")?;
         if euclidean_norm(&mu.0).at_most(T::zero()).any() {
             return Err(LiftError { quantity, value: 0.0, reason: "Π must be different from 0" });
         }
-        // z of 4Π is twice that of Π, to the bit.
+        // The lift of 4Π is exactly twice that of Π.
         let sign = match self.side() {
             Side::Left => 1.0,
             Side::Right => -1.0,
@@ -64,7 +64,7 @@ impl Lift for HopfRealisation {
 impl FibreSymmetry for HopfRealisation {
     const COUNT: usize = 1;
 
-    /// e^{is} z
+    /// Returns the flow exp(is) z along the Hopf circle.
     fn flow<T: Real>(&self, index: usize, s: T, z: &Vector2<Complex<T>>) -> Vector2<Complex<T>> {
         if index > 0 {
             return *z;
@@ -74,7 +74,7 @@ impl FibreSymmetry for HopfRealisation {
         z.map(|z| z * phase)
     }
 
-    /// −½‖z‖²
+    /// Returns the momentum −½‖z‖².
     fn momentum<T: Real>(&self, index: usize, z: &Vector2<Complex<T>>) -> T {
         if index > 0 { T::zero() } else { (z.x.norm_sqr() + z.y.norm_sqr()) * -0.5 }
     }

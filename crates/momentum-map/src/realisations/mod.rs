@@ -1,5 +1,5 @@
-//! Realisations of duals of Lie algebras: Poisson maps from symplectic spaces, with their lifts
-//! and the symmetries of their fibres.
+//! Realisations of duals of Lie algebras: Poisson maps from symplectic spaces, with lifts and fibre
+//! symmetries.
 
 mod hopf;
 mod particle;

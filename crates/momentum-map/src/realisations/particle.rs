@@ -1,4 +1,4 @@
-//! se(3)∗ from T∗R³, which does not reach all of it.
+//! The realisation of the level Π·Γ = 0 of se(3)∗ on T∗R³.
 
 use crate::{
     AffineAction, Cotangent, FibreSymmetry, Lift, LiftError, MomentumMap, Opposite, PoissonMap,
@@ -9,10 +9,10 @@ use lie_poisson::{Covector, Mask, Pair, Real, SO3OnR3, Vector, squaring_scale};
 /// The momentum map of the right action q ↦ Rᵀ(q − a) of SE(3) on R³, lifted to T∗R³:
 ///
 /// ```text
-/// M̃(q, p) = −(q × p, p),    so that Π ⊥ Γ
+/// M(q, p) = −(q × p, p),    so that Π ⊥ Γ
 /// ```
 ///
-/// The image is only the level Π·Γ = 0, which rules it out for the heavy top. Its fibres are the
+/// The image is only the level Π·Γ = 0, so that the map cannot serve for the heavy top. The fibres are the
 /// lines q + sp, with momentum ½|p|².
 ///
 /// Source: Ohsawa 2019, Remark 2.1.
@@ -22,23 +22,25 @@ use lie_poisson::{Covector, Mask, Pair, Real, SO3OnR3, Vector, squaring_scale};
 /// use lie_poisson::Se3Dual;
 /// use momentum_map::{Lift, PARTICLE};
 /// use nalgebra::Vector3;
-/// // the top spinning upright has no lift
+/// // the upright spinning top has no lift
 /// assert!(PARTICLE.lift::<f64>(&Se3Dual::new(Vector3::z(), Vector3::z())).is_err());
 /// assert!(PARTICLE.lift::<f64>(&Se3Dual::new(Vector3::x(), Vector3::z())).is_ok());
 /// ```
 pub type ParticleRealisation = MomentumMap<Opposite<AffineAction<SO3OnR3>>>;
 
-/// The realisation of the level Π·Γ = 0 of se(3)∗ with the minus bracket.
+/// The realisation T∗R³ → se(3)∗ of the level Π·Γ = 0, with the minus bracket.
 pub const PARTICLE: ParticleRealisation = MomentumMap(Opposite(AffineAction(SO3OnR3)));
 
-/// How far from a right angle, in radians, Π and Γ may be: the round-off of a few thousand steps.
+/// The greatest deviation of Π and Γ from a right angle, in radians, which allows for the
+/// round-off of a few thousand operations.
 const RIGHT_ANGLE_TOLERANCE: f64 = 1e-12;
 
 impl Lift for ParticleRealisation {
-    /// (q, p) = (Γ × Π/|Γ|², −Γ), the point of the fibre next to the origin.
+    /// Returns (q, p) = (Γ × Π/|Γ|², −Γ), the point of the fibre nearest to the origin.
     ///
     /// # Errors
-    /// Unless Π ⊥ Γ to within 10⁻¹² and Γ ≠ 0, both are finite, and neither |Π|/|Γ| nor |Π| overflows.
+    /// Returns [`LiftError`] unless Π ⊥ Γ to within 10⁻¹², Γ ≠ 0, both are finite, and neither |Π|/|Γ| nor
+    /// |Π| overflows.
     fn lift<T: Real>(&self, mu: &TargetPoint<Self, T>) -> Result<SourcePoint<Self, T>, LiftError> {
         let Covector(Pair(pi, gamma)) =
             LiftError::unless_finite(*mu, "μ", mu.max_abs(), "Π and Γ must be finite")?;
@@ -70,12 +72,12 @@ impl Lift for ParticleRealisation {
 impl FibreSymmetry for ParticleRealisation {
     const COUNT: usize = 1;
 
-    /// (q + sp, p)
+    /// Returns the point (q + sp, p).
     fn flow<T: Real>(&self, index: usize, s: T, z: &SourcePoint<Self, T>) -> SourcePoint<Self, T> {
         if index > 0 { *z } else { Cotangent { q: z.q + z.p.0 * s, ..*z } }
     }
 
-    /// ½|p|²
+    /// Returns the momentum ½|p|².
     fn momentum<T: Real>(&self, index: usize, z: &SourcePoint<Self, T>) -> T {
         if index > 0 { T::zero() } else { z.p.0.dot(&z.p.0) * 0.5 }
     }

@@ -1,4 +1,4 @@
-//! sl(2, R)∗ ≅ so(2, 1)∗ from R⁴.
+//! The realisation of sl(2, R)∗ ≅ so(2, 1)∗ on R⁴.
 
 use crate::{
     FibreSymmetry, Lift, LiftError, PoissonMap, QuadraticMomentumMap, Reversed, Side, SourcePoint,
@@ -7,9 +7,9 @@ use crate::{
 use lie_poisson::{Pair, Real, SL2OnR2, Sl2, Sum, Vector, map_coordinates, squaring_scale};
 use nalgebra::Vector2;
 
-/// SL(2, R) on R² with the form ±(dq ∧ dp).
+/// A representation of SL(2, R) on R² with the symplectic form ±(dq ∧ dp).
 pub trait PlaneForm: SymplecticRepresentation<Algebra = Sl2> {
-    /// The sign of the form.
+    /// The sign of the symplectic form.
     const SIGN: f64;
 }
 
@@ -27,11 +27,11 @@ impl PlaneForm for Reversed<SL2OnR2> {
 /// J(z₁, z₂) = ± Σ_a s_a (q_a p_a, ½p_a², −½q_a²),    z_a = (q_a, p_a)
 /// ```
 ///
-/// upper sign for the left action. In terms of the symmetric matrix S = ±[−2J₃ J₁; J₁ 2J₂] it is
-/// S = s₁ z₁z₁ᵀ + s₂ z₂z₂ᵀ, and −det S/4 is the Casimir. Equal forms (`Sum<SL2OnR2, SL2OnR2>`, or
-/// both [`Reversed`]) reach one sheet of the elliptic orbits each, opposite forms
-/// (`Sum<SL2OnR2, Reversed<SL2OnR2>>`) the hyperbolic ones. The fibres are the orbits of O(2) and
-/// of O(1, 1); the flow stays in a component.
+/// The upper sign belongs to the left action. In terms of the symmetric matrix S = ±[−2J₃ J₁; J₁ 2J₂] the
+/// map is S = s₁ z₁z₁ᵀ + s₂ z₂z₂ᵀ, and −det S/4 is the Casimir. Equal forms (`Sum<SL2OnR2, SL2OnR2>`, or
+/// both [`Reversed`]) each reach one sheet of the elliptic orbits. Opposite forms
+/// (`Sum<SL2OnR2, Reversed<SL2OnR2>>`) reach the hyperbolic orbits. The fibres are the orbits of O(2) and of O(1, 1); the
+/// flow stays in one component.
 ///
 /// Source: the dual pairs (Sp(2, R), O(2)) and (Sp(2, R), O(1, 1)), R. Howe, *Remarks on classical
 /// invariant theory*, Trans. AMS 313 (1989).
@@ -45,7 +45,7 @@ impl PlaneForm for Reversed<SL2OnR2> {
 /// assert!(Sl2.casimir(0, &hyperbolic) > 0.0);
 /// let map = QuadraticMomentumMap::new(Sum(SL2OnR2, Reversed(SL2OnR2)), Side::Right);
 /// assert!((map.apply(&map.lift(&hyperbolic)?) - hyperbolic).0.norm() < 1e-14);
-/// // the definite form does not reach it
+/// // the map with equal forms does not reach it
 /// let map = QuadraticMomentumMap::new(Sum(SL2OnR2, SL2OnR2), Side::Right);
 /// assert!(map.lift(&hyperbolic).is_err());
 /// # Ok::<(), momentum_map::LiftError>(())
@@ -53,11 +53,11 @@ impl PlaneForm for Reversed<SL2OnR2> {
 pub type Sl2Realisation<R, S> = QuadraticMomentumMap<Sum<R, S>>;
 
 impl<R: PlaneForm, S: PlaneForm> Lift for Sl2Realisation<R, S> {
-    /// z₁ and z₂ along the eigenvectors of S.
+    /// Returns z₁ and z₂ along the eigenvectors of S.
     ///
     /// # Errors
-    /// If the eigenvalues of S do not have the signs s₁ and s₂, if μ is not finite, or if it is so
-    /// large that the eigenvalues overflow.
+    /// Returns [`LiftError`] if the eigenvalues of S do not have the signs s₁ and s₂, if μ is not finite,
+    /// or if it is so large that the eigenvalues overflow.
     fn lift<T: Real>(&self, mu: &TargetPoint<Self, T>) -> Result<SourcePoint<Self, T>, LiftError> {
         let sign = T::from_f64(match self.side() {
             Side::Left => 1.0,
@@ -69,7 +69,8 @@ impl<R: PlaneForm, S: PlaneForm> Lift for Sl2Realisation<R, S> {
         let (mean, half_difference) = (j.y - j.z, -(j.y + j.z));
         let radius = (half_difference * half_difference + j.x * j.x).sqrt();
         let axis = half_angle(half_difference, j.x, radius);
-        // The smaller eigenvalue from the determinant: next to the cone the difference would cancel.
+        // The smaller eigenvalue comes from the determinant, since the difference would cancel near the
+        // cone.
         let size = mean.select_nonnegative(mean + radius, mean - radius);
         let determinant = -(j.y * j.z * 4.0 + j.x * j.x);
         let other = determinant / size;
@@ -91,19 +92,19 @@ impl<R: PlaneForm, S: PlaneForm> Lift for Sl2Realisation<R, S> {
     }
 }
 
-/// x, or 0 if it is negative by no more than the round-off of numbers of the given size.
+/// Returns x, or 0 if x is negative by no more than the round-off of numbers of the given size.
 fn round_off_to_zero<T: Real>(x: T, size: T) -> T {
     let negative = (x + size * (8.0 * f64::EPSILON)).select_nonnegative(T::zero(), x);
     x.select_nonnegative(x, negative)
 }
 
-/// (cos φ, sin φ) of an angle with (cos 2φ, sin 2φ) = (x, y)/r; φ = 0 for r = 0.
+/// Returns (cos φ, sin φ) for an angle with (cos 2φ, sin 2φ) = (x, y)/r, with φ = 0 for r = 0.
 fn half_angle<T: Real>(x: T, y: T, r: T) -> Vector2<T> {
     let size = x.select_nonnegative(x, -x);
     let large = ((r + size) / (r + r)).sqrt();
     let small = y / ((r + r) * large);
     let (cosine, sine) = (x.select_nonnegative(large, small), x.select_nonnegative(small, large));
-    // r ≥ 0, so −r ≥ 0 says that r = 0.
+    // Since r ≥ 0, the condition −r ≥ 0 means r = 0.
     Vector2::new(
         (-r).select_nonnegative(T::one(), cosine),
         (-r).select_nonnegative(T::zero(), sine),
@@ -113,8 +114,9 @@ fn half_angle<T: Real>(x: T, y: T, r: T) -> Vector2<T> {
 impl<R: PlaneForm, S: PlaneForm> FibreSymmetry for Sl2Realisation<R, S> {
     const COUNT: usize = 1;
 
-    /// (z₁, z₂) ↦ (c₀ z₁ + s c₁ z₂, c₀ z₂ − s₁s₂ s c₁ z₁), Stumpff functions of s₁s₂s²: circular
-    /// for equal forms, hyperbolic for opposite ones.
+    /// Returns (c₀ z₁ + s c₁ z₂, c₀ z₂ − s₁s₂ s c₁ z₁), with Stumpff functions of s₁s₂s².
+    ///
+    /// They are circular functions for equal forms and hyperbolic functions for opposite ones.
     fn flow<T: Real>(&self, index: usize, s: T, z: &SourcePoint<Self, T>) -> SourcePoint<Self, T> {
         if index > 0 {
             return *z;
@@ -128,7 +130,7 @@ impl<R: PlaneForm, S: PlaneForm> FibreSymmetry for Sl2Realisation<R, S> {
         Pair(map_coordinates(&turned.0, |x| x), map_coordinates(&turned.1, |x| x))
     }
 
-    /// s₁ Ω(z₂, z₁), the area that the two vectors span.
+    /// Returns s₁ Ω(z₂, z₁), the area that the two vectors span.
     fn momentum<T: Real>(&self, index: usize, z: &SourcePoint<Self, T>) -> T {
         let area = z.1.coordinate(0) * z.0.coordinate(1) - z.1.coordinate(1) * z.0.coordinate(0);
         if index > 0 { T::zero() } else { area * R::SIGN }

@@ -1,4 +1,4 @@
-//! u(N)∗ from C^N by outer products.
+//! The realisation of u(N)∗ on C^N by outer products.
 
 use crate::{
     FibreSymmetry, Lift, LiftError, PoissonMap, QuadraticMomentumMap, Side, SourcePoint,
@@ -10,15 +10,16 @@ use lie_poisson::{
 use nalgebra::SVector;
 use num_complex::Complex;
 
-/// The momentum map of U(N) on C^N with Ω(u, v) = Im(u∗v): in terms of the Hermitian matrix H of
-/// a momentum ([`UnitaryAlgebra::hermitian`]),
+/// The momentum map of U(N) on C^N with Ω(u, v) = Im(u∗v), an outer product of z with itself.
+///
+/// In terms of the Hermitian matrix H of a momentum ([`UnitaryAlgebra::hermitian`]),
 ///
 /// ```text
 /// J(z): H = ±½ z z*,    dz/dt = −ξz (right action, upper sign, minus bracket) or ξz (left)
 /// ```
 ///
-/// Its image is the matrices of rank one: coherent states of SU(N), the spins of generalised spin
-/// dynamics.
+/// The image consists of the matrices of rank one, which are the coherent states of SU(N) and the spins of
+/// generalised spin dynamics.
 ///
 /// Source: H. Zhang & C. D. Batista, *Classical spin dynamics based on SU(N) coherent states*,
 /// Phys. Rev. B 104 (2021) 104409; D. Dahlbom et al., *Geometric integration of classical spin
@@ -37,22 +38,23 @@ use num_complex::Complex;
 /// ```
 pub type UnitaryRealisation<const N: usize> = QuadraticMomentumMap<UnitaryOnComplexSpace<N>>;
 
-/// The realisation of u(N)∗ with the minus bracket.
+/// Returns the realisation C^N → u(N)∗ with the minus bracket.
 #[must_use]
 pub const fn unitary_realisation<const N: usize>() -> UnitaryRealisation<N> {
     QuadraticMomentumMap::new(UnitaryOnComplexSpace, Side::Right)
 }
 
-/// How far, relative to its size, H may be from ±½ z z∗: far above the round-off of a momentum that
-/// was computed, far below a second eigenvalue that was meant.
+/// The greatest relative deviation of H from ±½ z z∗.
+///
+/// It is far above the round-off of a computed momentum, and far below an intended second eigenvalue.
 const RANK_ONE_TOLERANCE: f64 = 1e-10;
 
 impl<const N: usize> Lift for UnitaryRealisation<N> {
-    /// z from the column of H with the largest diagonal entry.
+    /// Returns z, computed from the column of H with the largest diagonal entry.
     ///
     /// # Errors
-    /// If ±H is not positive semi-definite of rank one (H = 0 has the rank 0), if it is not finite, or
-    /// if it is so large that sums of N products in J(z) overflow.
+    /// Returns [`LiftError`] if ±H is not positive semi-definite of rank one (H = 0 has rank 0), if it is
+    /// not finite, or if it is so large that sums of N products in J(z) overflow.
     fn lift<T: Real>(&self, mu: &TargetPoint<Self, T>) -> Result<SourcePoint<Self, T>, LiftError> {
         let sign = match self.side() {
             Side::Left => -2.0,
@@ -98,7 +100,7 @@ impl<const N: usize> Lift for UnitaryRealisation<N> {
 impl<const N: usize> FibreSymmetry for UnitaryRealisation<N> {
     const COUNT: usize = 1;
 
-    /// e^{is} z
+    /// Returns the flow exp(is) z along the circle of phases.
     fn flow<T: Real>(&self, index: usize, s: T, z: &SourcePoint<Self, T>) -> SourcePoint<Self, T> {
         if index > 0 {
             return *z;
@@ -108,7 +110,7 @@ impl<const N: usize> FibreSymmetry for UnitaryRealisation<N> {
         z.map(|z| z * phase)
     }
 
-    /// −½‖z‖²
+    /// Returns the momentum −½‖z‖².
     fn momentum<T: Real>(&self, index: usize, z: &SourcePoint<Self, T>) -> T {
         let norm = z.iter().fold(T::zero(), |sum, z| sum + z.norm_sqr());
         if index > 0 { T::zero() } else { norm * -0.5 }

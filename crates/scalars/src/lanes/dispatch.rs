@@ -1,4 +1,4 @@
-//! From a set of instructions to lanes: [`dispatch`].
+//! Runs a computation with the vector instructions that are detected at run time: [`dispatch`].
 
 use super::packed::Packed;
 use super::registers::register::Two;
@@ -11,23 +11,23 @@ use super::registers::{avx2::Avx2, avx512::Avx512};
 #[cfg(target_arch = "x86_64")]
 use super::single::FusedSingle;
 
-/// A set of vector instructions, which the processor has or has not.
+/// A set of vector instructions that a processor may or may not have.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord, Hash)]
 #[non_exhaustive]
 pub enum InstructionSet {
-    /// What every processor of the architecture has; not fused.
+    /// The instructions that every processor of the architecture has, without fused multiply-add.
     Portable,
-    /// AVX2 and FMA of x86-64: registers of 4 lanes, fused.
+    /// AVX2 and FMA of x86-64: registers of 4 SIMD lanes, with fused multiply-add.
     Avx2,
-    /// AVX-512 F, DQ and VL of x86-64: registers of 8 lanes, fused.
+    /// AVX-512 F, DQ and VL of x86-64: registers of 8 SIMD lanes, with fused multiply-add.
     Avx512,
 }
 
 impl InstructionSet {
-    /// Every set, the widest last.
+    /// All instruction sets, the widest last.
     pub const ALL: [Self; 3] = [Self::Portable, Self::Avx2, Self::Avx512];
 
-    /// Whether this processor, and its operating system, have it.
+    /// Returns whether this processor and its operating system support the instructions.
     #[must_use]
     pub fn is_available(self) -> bool {
         #[cfg(target_arch = "x86_64")]
@@ -50,12 +50,12 @@ impl InstructionSet {
         }
     }
 
-    /// The sets that this processor has, the widest last.
+    /// Returns the instruction sets that this processor has, the widest last.
     pub fn available() -> impl Iterator<Item = Self> {
         Self::ALL.into_iter().filter(|set| set.is_available())
     }
 
-    /// The widest set that this processor has.
+    /// Returns the widest instruction set that this processor has.
     #[must_use]
     pub fn detected() -> Self {
         Self::available().last().unwrap_or(Self::Portable)
@@ -72,49 +72,51 @@ impl fmt::Display for InstructionSet {
     }
 }
 
-/// How many lanes a value has.
+/// The number of SIMD lanes of a value (several numbers in one register).
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord, Hash)]
 pub enum Width {
-    /// One lane: `f64` on [`InstructionSet::Portable`], elsewhere the same with fused multiply-add.
+    /// One lane: `f64` for [`InstructionSet::Portable`], a number with fused multiply-add for the other
+    /// sets.
     Single,
     /// One register: 2, 4 or 8 lanes.
     Register,
-    /// Two registers, worked on by turns: 4, 8 or 16 lanes. A long chain of operations, each
-    /// waiting for the one before, keeps the processor busy with two registers, not with one.
+    /// Two registers, used alternately: 4, 8 or 16 lanes. In a long chain of operations, each of which
+    /// waits for the one before, one register leaves the processor idle and two keep it busy.
     TwoRegisters,
 }
 
 impl Width {
-    /// Every width, the widest last.
+    /// All widths, the widest last.
     pub const ALL: [Self; 3] = [Self::Single, Self::Register, Self::TwoRegisters];
 }
 
-/// A set of instructions that was asked for and is not there.
+/// The error of a request for instructions that the processor lacks.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Error)]
 #[error("this processor lacks the instructions: {set}")]
 pub struct MissingInstructions {
-    /// What was asked for.
+    /// The requested instruction set.
     pub set: InstructionSet,
 }
 
-/// A computation on lanes of any type and width, to be run by [`dispatch`].
+/// A computation on SIMD lanes (several numbers in one register) of any type and width, to be run by
+/// [`dispatch`].
 ///
 /// # Speed
-/// `run`, and every function below it that takes or returns `T`, must be `#[inline(always)]`: what
-/// the compiler leaves outside of the function that has the processor's features is correct, and
-/// five to ten times slower. Registers above 128 bits do not inline across that boundary where the
-/// function is merely `#[inline]`, as are closures, iterators and the operators of nalgebra and
-/// num-complex. So compute with components, in plain loops; on [`DefaultLanes`](super::DefaultLanes)
-/// anything goes.
+/// Mark `run`, and every function below it that takes or returns `T`, with `#[inline(always)]`. Code that
+/// the compiler leaves outside of the function that is compiled for the processor's features is correct,
+/// but five to ten times slower. Registers above 128 bits are not inlined across that boundary if a
+/// function is only `#[inline]`, and closures, iterators and the operators of nalgebra and num-complex are
+/// only `#[inline]`. So compute with components, in plain loops. [`DefaultLanes`](super::DefaultLanes) has
+/// no such restriction.
 pub trait LaneTask {
-    /// What comes out.
+    /// The result of the computation.
     type Output;
 
-    /// The computation. Mark it `#[inline(always)]`.
+    /// Runs the computation on lanes of type `T`. Mark it with `#[inline(always)]`.
     fn run<T: Lanes>(self) -> Self::Output;
 }
 
-/// Runs the task on lanes of the given instructions and width.
+/// Runs a task on SIMD lanes (several numbers in one register) of the given instructions and width.
 ///
 /// | | `Single` | `Register` | `TwoRegisters` | fused |
 /// |---|---|---|---|---|
@@ -123,20 +125,20 @@ pub trait LaneTask {
 /// | `Avx512` | 1 lane | 8 lanes | 16 lanes | yes |
 ///
 /// # Soundness
-/// The types of the last two rows have no name outside of this crate, and no function, conversion
-/// or trait of a type with a name mentions them. Safe code can reach them in one way, as the `T` of
-/// [`LaneTask::run`] or [`FourLanesTask::run`](super::FourLanesTask::run), and this function and
-/// [`dispatch_four`](super::dispatch_four()) call those only once the processor is known to have the
-/// instructions; what it has then, it has as long as the program runs, in every thread.
+/// Code outside of this crate cannot name the types of the last two rows, and no function, conversion or
+/// trait of a type with a name mentions them. Safe code can reach them in one way only: as the `T` of
+/// [`LaneTask::run`] or [`FourLanesTask::run`](super::FourLanesTask::run). This function and
+/// [`dispatch_four`](super::dispatch_four()) call those only after the instructions have been detected, and
+/// a processor keeps its instructions in every thread as long as the program runs.
 ///
 /// # Errors
-/// If the processor lacks the instructions.
+/// Returns [`MissingInstructions`] if the processor lacks the instructions.
 ///
 /// # Example
 /// ```
 /// use generic_scalars::{InstructionSet, LaneTask, Lanes, Width, dispatch};
 ///
-/// /// x ← x² + x for each number.
+/// /// Replaces each number x by x² + x.
 /// struct SquareAndAdd<'a>(&'a mut [f64]);
 ///
 /// impl LaneTask for SquareAndAdd<'_> {

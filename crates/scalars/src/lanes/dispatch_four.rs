@@ -1,4 +1,4 @@
-//! From a set of instructions to four lanes: [`dispatch_four`].
+//! Runs a computation on four lanes with detected vector instructions: [`dispatch_four`].
 
 use super::packed::Packed;
 use super::registers::register::Two;
@@ -7,26 +7,28 @@ use super::{Baseline, FourLanes, InstructionSet, MissingInstructions};
 #[cfg(target_arch = "x86_64")]
 use super::registers::avx2::Avx2;
 
-/// A computation on [`FourLanes`], to be run by [`dispatch_four`]. What [`LaneTask`](super::LaneTask) says of speed
-/// holds here.
+/// A computation on [`FourLanes`], to be run by [`dispatch_four`].
+///
+/// The rules for speed of [`LaneTask`](super::LaneTask) hold here too.
 pub trait FourLanesTask {
-    /// What comes out.
+    /// The result of the computation.
     type Output;
 
-    /// The computation. Mark it `#[inline(always)]`.
+    /// Runs the computation on four lanes of type `T`. Mark it with `#[inline(always)]`.
     fn run<T: FourLanes>(self) -> Self::Output;
 }
 
-/// Runs the task on four lanes by the given instructions: [`DefaultLanes`](super::DefaultLanes) by
-/// `Portable`, one register, fused, by the others. A lane has the bits of
-/// [`Width::Single`](super::Width::Single).
+/// Runs a task on four SIMD lanes (four numbers in one register) with the given instructions.
+///
+/// The lanes are [`DefaultLanes`](super::DefaultLanes) for `Portable`, and one register with fused
+/// multiply-add for the other sets. A lane returns the bits of [`Width::Single`](super::Width::Single).
 ///
 /// # Soundness
-/// That of [`dispatch`](super::dispatch()): the register has no name outside of this crate, and is
-/// handed out where the processor is known to have its instructions.
+/// As for [`dispatch`](super::dispatch()): code outside of this crate cannot name the type of the register,
+/// which is used only after its instructions have been detected.
 ///
 /// # Errors
-/// If the processor lacks the instructions.
+/// Returns [`MissingInstructions`] if the processor lacks the instructions.
 #[allow(unsafe_code)] // calls into functions compiled for more than the baseline
 #[inline]
 pub fn dispatch_four<K: FourLanesTask>(
@@ -55,7 +57,7 @@ fn four_with_avx2<K: FourLanesTask>(task: K) -> K::Output {
     task.run::<Packed<Avx2>>()
 }
 
-/// The same type with more registers to keep it in.
+/// Runs a task on four lanes of AVX2, compiled for AVX-512, which has more registers.
 #[cfg(target_arch = "x86_64")]
 #[target_feature(enable = "avx512f,avx512dq,avx512vl,avx2,fma")]
 fn four_with_avx512<K: FourLanesTask>(task: K) -> K::Output {

@@ -1,17 +1,18 @@
-//! Four lanes whose numbers can change places: a vector of R³ in one register.
+//! Four lanes that can be permuted, for one vector of R³ in one register.
 
 use super::packed::Packed;
 use super::registers::register::{Register, Two};
 use super::{Baseline, Lanes};
 
-/// Four [`Lanes`] that can exchange what they hold, for a computation on *one* vector of R³, with
-/// its components in the first three lanes.
+/// Four SIMD [`Lanes`] that can be permuted, for a computation on *one* vector of R³.
+///
+/// The components of the vector are in the first three lanes.
 ///
 /// Implemented by [`DefaultLanes`](super::DefaultLanes), and by the types that
 /// [`dispatch_four`](super::dispatch_four()) hands to a [`FourLanesTask`](super::FourLanesTask).
 ///
 /// # Example
-/// Lane i of u×v is `u_{i+1} v_{i+2} − u_{i+2} v_{i+1}`, with indices modulo 3:
+/// Lane i of u×v is u[i+1] v[i+2] − u[i+2] v[i+1], with indices modulo 3:
 /// ```
 /// use generic_scalars::{DefaultLanes, FourLanes, Lanes};
 /// fn cross<T: FourLanes>(u: T, v: T) -> T {
@@ -23,34 +24,34 @@ use super::{Baseline, Lanes};
 /// assert_eq!((u * v).sum().lane(1), 32.0);
 /// ```
 pub trait FourLanes: Lanes {
-    /// (x₁, x₂, x₀, x₃)
+    /// Returns (x₁, x₂, x₀, x₃), the lanes rotated to the next component.
     #[must_use]
     fn next(self) -> Self;
 
-    /// (x₂, x₀, x₁, x₃)
+    /// Returns (x₂, x₀, x₁, x₃), the lanes rotated to the previous component.
     #[must_use]
     fn previous(self) -> Self;
 
-    /// x₀ in every lane
+    /// Returns x₀ in every lane.
     #[must_use]
     fn first(self) -> Self;
 
-    /// (x₀ + x₁) + (x₂ + x₃) in every lane
+    /// Returns (x₀ + x₁) + (x₂ + x₃) in every lane.
     #[must_use]
     fn sum(self) -> Self;
 }
 
-/// What [`FourLanes`] asks of a register.
+/// The permutations that a register must offer for [`FourLanes`].
 pub trait Permuted: Register {
-    /// (x₁, x₂, x₀, x₃)
+    /// Returns (x₁, x₂, x₀, x₃), the lanes rotated to the next component.
     fn next(a: Self) -> Self;
-    /// (x₂, x₀, x₁, x₃)
+    /// Returns (x₂, x₀, x₁, x₃), the lanes rotated to the previous component.
     fn previous(a: Self) -> Self;
-    /// x₀ in every lane.
+    /// Returns x₀ in every lane.
     fn first(a: Self) -> Self;
-    /// (x₁, x₀, x₃, x₂)
+    /// Returns (x₁, x₀, x₃, x₂), with neighbouring lanes exchanged.
     fn neighbours(a: Self) -> Self;
-    /// (x₂, x₃, x₀, x₁)
+    /// Returns (x₂, x₃, x₀, x₁), with the two halves exchanged.
     fn halves(a: Self) -> Self;
 }
 

@@ -1,7 +1,7 @@
-//! Several `f64` at once: an ensemble by changing the scalar.
+//! SIMD lanes: several numbers `f64` in one register.
 //!
-//! [`Lanes`] is what a computation asks of the type, [`DefaultLanes`] the type for code that knows
-//! nothing of processors, [`dispatch`] the way to wider ones. [`FourLanes`] hold one vector of R³.
+//! [`Lanes`] is the trait of all such types. [`DefaultLanes`] needs no knowledge of the processor,
+//! [`dispatch`] runs code on wider types, and [`FourLanes`] hold one vector of R³.
 
 mod registers;
 mod packed;
@@ -22,11 +22,14 @@ use registers::plain::Plain as Baseline;
 #[cfg(all(target_arch = "x86_64", target_feature = "sse2"))]
 use registers::sse2::Sse2 as Baseline;
 
-/// Four lanes in two registers that need no detection: of SSE2 on x86-64, of whatever the compiler
-/// makes of two pairs of `f64` elsewhere.
+/// Four SIMD lanes (four trajectories at once) in two registers, available on every processor without
+/// detection.
 ///
-/// Each operation returns in each lane the bits that `f64` would. Code over [`Real`] from anywhere,
-/// nalgebra's and num-complex's included, is compiled for these lanes as it is for `f64`.
+/// The registers are those of SSE2 on x86-64, and whatever the compiler makes of two pairs of `f64`
+/// elsewhere.
+///
+/// Each operation returns in each lane the bits that `f64` would return. The compiler treats all code over
+/// [`Real`], including that of nalgebra and num-complex, for these lanes as it does for `f64`.
 ///
 /// # Example
 /// ```
@@ -38,20 +41,21 @@ use registers::sse2::Sse2 as Baseline;
 /// ```
 pub type DefaultLanes = packed::Packed<registers::register::Two<Baseline>>;
 
-/// `COUNT` independent real numbers, computed with side by side.
+/// SIMD lanes: `COUNT` independent real numbers in one or two registers, as for several trajectories.
 ///
-/// Implemented by `f64` (one lane), by [`DefaultLanes`], and by the types that [`dispatch`] hands
-/// to a [`LaneTask`]. The operators, √ and the comparisons return in each lane the bits that `f64`
-/// would, whatever the type. [`multiply_add`](Self::multiply_add) and its two companions are
-/// rounded once where the type is [`FUSED`](Self::FUSED), twice elsewhere. So one computation
-/// returns
+/// The trait is implemented by `f64` (one lane), by [`DefaultLanes`], and by the types that [`dispatch`]
+/// passes to a [`LaneTask`]. The operators, √ and the comparisons return in each lane the bits that `f64`
+/// would return, whatever the type. The methods [`multiply_add`](Self::multiply_add),
+/// [`multiply_subtract`](Self::multiply_subtract) and
+/// [`negative_multiply_add`](Self::negative_multiply_add) round once if the type is [`FUSED`](Self::FUSED),
+/// twice otherwise. So one computation returns
 ///
-/// * the same bits on every type if it does without those three;
-/// * otherwise the same bits on all types that fuse, and the same bits on all that do not; the
-///   two differ by rounding.
+/// * the same bits on every type, if it does not use those three methods;
+/// * otherwise the same bits on all types that fuse, and the same bits on all types that do not. The two results
+///   differ by rounding.
 ///
 /// # Example
-/// A polynomial by Horner's rule, at as many points as there are lanes:
+/// Horner's rule evaluates a polynomial at as many points as there are lanes:
 /// ```
 /// use generic_scalars::{DefaultLanes, Lanes};
 /// fn polynomial<T: Lanes>(x: T) -> T {
@@ -62,34 +66,38 @@ pub type DefaultLanes = packed::Packed<registers::register::Two<Baseline>>;
 /// assert_eq!(polynomial(2.0), 3.0);
 /// ```
 pub trait Lanes: Real {
-    /// How many lanes there are.
+    /// The number of lanes.
     const COUNT: usize;
 
-    /// Whether [`multiply_add`](Self::multiply_add) and its companions are rounded once.
+    /// Whether [`multiply_add`](Self::multiply_add) and its variants round once.
     const FUSED: bool;
 
-    /// Lane i is f(i); `f` is called once for each i = 0, …, `COUNT` − 1, in this order.
+    /// Creates lanes with f(i) in lane i; `f` is called once for each i = 0, …, `COUNT` − 1, in this order.
     fn from_lanes(f: impl FnMut(usize) -> f64) -> Self;
 
-    /// The number in lane `i`; NaN for i ≥ `COUNT`.
+    /// Returns the number in lane `i`, or NaN for i ≥ `COUNT`.
     fn lane(&self, i: usize) -> f64;
 
-    /// The first `COUNT` values. Where there are fewer, the lanes beyond repeat the last of them:
-    /// at the ragged end of an ensemble they compute something harmless. NaN if there is none.
+    /// Loads the first `COUNT` values.
+    ///
+    /// If there are fewer values, the remaining lanes repeat the last one, so that the incomplete end of a
+    /// batch computes something harmless. If there is no value, all lanes are NaN.
     fn load(values: &[f64]) -> Self;
 
-    /// Writes lane i to `values[i]`, for as many as there are of both.
+    /// Writes lane i to `values[i]`, for as many lanes as there are values.
     fn store(self, values: &mut [f64]);
 
-    /// `self` · a + b. (`f64` has a method `mul_add` of its own, which fuses; hence the name.)
+    /// Returns `self` · a + b, with one rounding if the type is [`FUSED`](Self::FUSED).
+    ///
+    /// The method `mul_add` of `f64` has another name because it always rounds once.
     #[must_use]
     fn multiply_add(self, a: Self, b: Self) -> Self;
 
-    /// `self` · a − b.
+    /// Returns `self` · a − b, with one rounding if the type is [`FUSED`](Self::FUSED).
     #[must_use]
     fn multiply_subtract(self, a: Self, b: Self) -> Self;
 
-    /// b − `self` · a.
+    /// Returns b − `self` · a, with one rounding if the type is [`FUSED`](Self::FUSED).
     #[must_use]
     fn negative_multiply_add(self, a: Self, b: Self) -> Self;
 }

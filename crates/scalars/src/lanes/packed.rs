@@ -1,4 +1,4 @@
-//! Registers as a scalar.
+//! Lanes as a scalar type: [`Packed`].
 
 use super::Lanes;
 use super::registers::register::Register;
@@ -9,10 +9,10 @@ use core::ops::{
 };
 use num_traits::{Num, One, Zero};
 
-/// A register, or two, with the operators of [`Real`] and the operations of [`Lanes`].
+/// One or two registers with the operators of [`Real`] and the operations of [`Lanes`].
 ///
-/// No conversion mentions this type together with one that other crates can name: inference must
-/// not lead them to a type that the processor may lack, see [`dispatch`](super::dispatch()).
+/// No conversion mentions this type together with one that other crates can name: type inference must not
+/// lead them to a type that the processor may lack, see [`dispatch`](super::dispatch()).
 #[derive(Clone, Copy)]
 pub struct Packed<R: Register>(pub(super) R);
 
@@ -56,7 +56,7 @@ impl<R: Register> Neg for Packed<R> {
     }
 }
 
-/// Equal where both are at most the other: a NaN equals nothing, and −0 equals 0.
+/// Two values are equal where each is at most the other: NaN equals nothing, and −0 equals 0.
 impl<R: Register> PartialEq for Packed<R> {
     #[inline(always)]
     fn eq(&self, other: &Self) -> bool {
@@ -196,7 +196,7 @@ impl<R: Register> Lanes for Packed<R> {
     }
 }
 
-/// Fewer values than lanes, out of the way of the code that has enough.
+/// Loads fewer values than lanes; a function of its own keeps the common case fast.
 #[cold]
 fn load_some<R: Register>(values: &[f64]) -> Packed<R> {
     let last = values.last().copied().unwrap_or(f64::NAN);

@@ -1,11 +1,11 @@
-//! One lane with fused multiply-add.
+//! A single lane with fused multiply-add.
 
 use super::registers::register::Register;
 
-/// One number, whose products and sums are rounded once, together: what one lane of AVX2 and of
-/// AVX-512 computes, bit for bit.
+/// One number with fused multiply-add: it computes bit for bit what one lane of AVX2 and of AVX-512
+/// computes.
 ///
-/// Any processor can run it, those without the instruction by a slow library function.
+/// Every processor can run it; those without the instruction use a slow library function.
 #[derive(Clone, Copy)]
 pub struct FusedSingle(f64);
 

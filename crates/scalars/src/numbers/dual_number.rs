@@ -1,4 +1,4 @@
-//! Dual numbers over any scalar: exact first derivatives.
+//! Dual numbers over any scalar, for exact first derivatives.
 
 use crate::Real;
 use core::ops::{
@@ -6,12 +6,13 @@ use core::ops::{
 };
 use num_traits::{Num, One, Zero};
 
-/// x + ε x′ with ε² = 0.
+/// A dual number x + ε x′ with ε² = 0, which carries a value and its exact first derivative.
 ///
-/// Evaluating a function at `x + ε v` gives f(x) + ε Df(x)·v, exact to round-off. Dual numbers
-/// nest (second derivatives) and sit over [`DefaultLanes`](crate::DefaultLanes).
+/// Evaluating a function at `x + ε v` gives f(x) + ε Df(x)·v, exact to round-off. Dual numbers can be
+/// nested, for second derivatives, and can be used over [`DefaultLanes`](crate::DefaultLanes), four SIMD
+/// lanes.
 ///
-/// Two dual numbers are equal when both parts are.
+/// Two dual numbers are equal if both their values and their derivatives are equal.
 ///
 /// Source: W. K. Clifford, *Preliminary sketch of biquaternions*, Proc. London Math. Soc. 4 (1873).
 ///
@@ -23,24 +24,24 @@ use num_traits::{Num, One, Zero};
 /// ```
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct DualNumber<T = f64> {
-    /// x
+    /// The value x of the number.
     pub value: T,
-    /// x′, the coefficient of ε.
+    /// The derivative x′, the coefficient of ε.
     pub derivative: T,
 }
 
 impl<T: Real> DualNumber<T> {
-    /// x + 0 ε.
+    /// Creates the constant x + 0 ε, whose derivative is zero.
     pub fn constant(value: T) -> Self {
         Self { value, derivative: T::zero() }
     }
 
-    /// x + 1 ε: the variable to differentiate by.
+    /// Creates x + 1 ε, the variable with respect to which a function is differentiated.
     pub fn variable(value: T) -> Self {
         Self { value, derivative: T::one() }
     }
 
-    /// f(x) + ε f′(x) x′.
+    /// Applies the chain rule: returns f(x) + ε f′(x) x′ for the given value f(x) and slope f′(x).
     #[inline]
     fn chain(self, value: T, slope: T) -> Self {
         Self { value, derivative: slope * self.derivative }
@@ -79,7 +80,7 @@ impl<T: Real> Div for DualNumber<T> {
     }
 }
 
-/// The remainder of the values; the truncated quotient is locally constant.
+/// The remainder of the values; its derivative treats the truncated quotient as a constant.
 impl<T: Real> Rem for DualNumber<T> {
     type Output = Self;
     fn rem(self, rhs: Self) -> Self {
@@ -210,7 +211,7 @@ impl<T: Real> Real for DualNumber<T> {
     }
 }
 
-/// 1/x, which `num_traits` offers on `Float` alone.
+/// Returns 1/x; `num_traits` offers it only on `Float`.
 fn reciprocal<T: Real>(x: T) -> T {
     T::one() / x
 }
@@ -219,7 +220,7 @@ fn reciprocal<T: Real>(x: T) -> T {
 mod tests {
     use super::*;
 
-    /// Derivative of `f` at `x` against the symmetric difference quotient.
+    /// Compares the derivative of `f` at `x` with the symmetric difference quotient.
     fn check(f: impl Fn(DualNumber) -> DualNumber, x: f64) {
         let step = 1e-5;
         let at = |x: f64| f(DualNumber::constant(x)).value;

@@ -2,13 +2,15 @@
 
 use crate::{Mask, Real};
 
-/// Solves A x = b in place by elimination with partial pivoting; `a` holds the rows of the n × n
-/// matrix, `b` becomes x. Returns where that is possible: false in lanes where a pivot is zero or
-/// not a number, and everywhere if `a` has not n² numbers. x means nothing there.
+/// Solves A x = b in place by Gaussian elimination with partial pivoting, over any scalar.
 ///
-/// Each lane chooses its own pivots: its x is that of the same equations alone, bit for bit. A
-/// matrix library would ask more of its scalar than dual numbers and lanes have. Pivots are compared with
-/// each other: rows should have one unit.
+/// `a` holds the rows of the n × n matrix, and `b` is replaced by x. The result is true where the equations
+/// have been solved: it is false in SIMD lanes (several numbers in one register) in which a pivot is zero
+/// or not a number, and in every lane if `a` does not have n² numbers. Where it is false, x has no meaning.
+///
+/// Each lane chooses its own pivots, so that its x has the same bits as the solution of the same equations
+/// alone. (Matrix libraries require more of a scalar than dual numbers and lanes offer.) Pivots are
+/// compared with each other, so all rows should have the same unit.
 ///
 /// # Example
 /// ```

@@ -1,11 +1,11 @@
-//! Truth, lane by lane: [`Mask`].
+//! Truth values, one for each lane: [`Mask`].
 
 use core::fmt::Debug;
 
-/// What a comparison of two scalars returns: one truth value for each lane, a `bool` for `f64`.
+/// The result of a comparison: one truth value for each SIMD lane (several numbers in one register).
 ///
-/// It is read by [`Real::select`](crate::Real::select), so that lanes in which different things
-/// are true go on side by side.
+/// The mask of `f64` is `bool`. [`Real::select`](crate::Real::select) takes a mask, so that lanes with
+/// different truth values continue side by side.
 ///
 /// # Example
 /// ```
@@ -17,34 +17,34 @@ use core::fmt::Debug;
 /// assert_eq!(DefaultLanes::select(small, -x, x).lane(1), -1.0);
 /// ```
 pub trait Mask: Copy + Debug + Send + Sync + 'static {
-    /// How many lanes there are.
+    /// The number of lanes.
     const COUNT: usize;
 
-    /// `truth` in every lane.
+    /// Creates a mask with `truth` in every lane.
     fn from_bool(truth: bool) -> Self;
 
-    /// Where both are true.
+    /// Returns a mask that is true where both masks are true.
     #[must_use]
     fn and(self, other: Self) -> Self;
 
-    /// Where one or both are true.
+    /// Returns a mask that is true where one or both masks are true.
     #[must_use]
     fn or(self, other: Self) -> Self;
 
-    /// Where it is false.
+    /// Returns a mask that is true where this one is false.
     #[must_use]
     fn not(self) -> Self;
 
-    /// Whether it is true in every lane.
+    /// Returns whether the mask is true in every lane.
     fn all(self) -> bool;
 
-    /// Whether it is true in some lane.
+    /// Returns whether the mask is true in at least one lane.
     #[inline(always)]
     fn any(self) -> bool {
         !self.not().all()
     }
 
-    /// Whether it is true in lane `i`; false for i ≥ `COUNT`.
+    /// Returns whether the mask is true in lane `i`; false for i ≥ `COUNT`.
     fn lane(self, i: usize) -> bool;
 }
 

@@ -1,4 +1,4 @@
-//! Numbers: what a formula may ask of its scalar, and the scalars of one lane.
+//! The scalar trait with its masks, dual numbers, Stumpff functions, and linear equations.
 
 pub(crate) mod mask;
 pub(crate) mod stumpff;

@@ -1,4 +1,4 @@
-//! The scalar: [`Real`], implemented by `f64`, dual numbers and lanes.
+//! The scalar trait [`Real`], implemented by `f64`, dual numbers and lanes.
 
 use crate::Mask;
 use crate::numbers::stumpff::stumpff;
@@ -6,22 +6,20 @@ use core::fmt::Debug;
 use core::ops::{Add, Div, Mul, Neg, Sub};
 use num_traits::NumAssign;
 
-/// A real number, or something that computes like one.
+/// A scalar that computes like a real number: `f64`, a dual number, or SIMD lanes.
 ///
-/// Every formula of these crates is polynomial, up to √, ln and the exponentials of a Lie group.
-/// Code written once over `T: Real` therefore runs on
+/// Every formula of these crates is polynomial, except for √, ln and the exponentials of a Lie group. Code
+/// that is written once over `T: Real` therefore runs on
 ///
 /// * `f64`: one trajectory;
-/// * [`DualNumber`](crate::DualNumber): exact derivatives, for differentials, tangent maps and
-///   Poisson defects;
-/// * [`DefaultLanes`](crate::DefaultLanes) and the other [`Lanes`](crate::Lanes): several
-///   trajectories at once.
+/// * [`DualNumber`](crate::DualNumber): exact derivatives, for differentials, tangent maps and Poisson defects;
+/// * [`DefaultLanes`](crate::DefaultLanes) and the other [`Lanes`](crate::Lanes), SIMD lanes: several trajectories in
+///   one register.
 ///
-/// A branch is taken lane by lane: [`at_most`](Self::at_most) compares,
-/// [`select`](Self::select) chooses.
+/// A branch is taken lane by lane: [`at_most`](Self::at_most) compares, [`select`](Self::select) chooses.
 ///
-/// There is no fused multiply-add: fused and unfused results differ, and each operation on lanes
-/// must return the same bits as on `f64`. [`Lanes`](crate::Lanes) has one.
+/// The trait has no fused multiply-add: fused and unfused results differ, and each operation on lanes must
+/// return the same bits as on `f64`. [`Lanes`](crate::Lanes) has one.
 ///
 /// # Example
 /// ```
@@ -48,66 +46,66 @@ pub trait Real:
     + Mul<f64, Output = Self>
     + Div<f64, Output = Self>
 {
-    /// What a comparison returns, a truth value for each lane.
+    /// The type of the result of a comparison: one truth value for each lane.
     type Mask: Mask;
 
-    /// The constant `x`.
+    /// Converts the number `x` to a constant of this type.
     fn from_f64(x: f64) -> Self;
 
-    /// √x. NaN for x < 0, as for `f64`.
+    /// Returns the square root √x; NaN for x < 0, as for `f64`.
     fn sqrt(self) -> Self;
 
-    /// The natural logarithm ln x.
+    /// Returns the natural logarithm ln x.
     fn ln(self) -> Self;
 
-    /// The angle of the point (x, y), y = `self`, in (−π, π].
+    /// Returns the angle of the point (x, y), where y is `self`, in (−π, π].
     fn atan2(self, x: Self) -> Self;
 
-    /// The Stumpff function of order k,
+    /// Returns the Stumpff function cₖ(x) of order k:
     ///
     /// ```text
-    /// c_k(x) = Σ_{j≥0} (−x)^j / (k + 2j)!
+    /// cₖ(x) = 1/k! − x/(k+2)! + x²/(k+4)! − …
     /// ```
     ///
-    /// so that c₀(θ²) = cos θ, c₁(θ²) = sin θ / θ, c₂(θ²) = (1 − cos θ)/θ², and
-    /// c₀(−θ²) = cosh θ, c₁(−θ²) = sinh θ / θ. They are entire: exponentials on SO(3), SU(2),
-    /// SE(3) and SL(2, R) are written with them, without a small-angle branch.
-    /// Identities: `c_k = 1/k! − x c_{k+2}` and `c_k′ = ½(k c_{k+2} − c_{k+1})`.
+    /// so that c₀(θ²) = cos θ, c₁(θ²) = sin θ / θ, c₂(θ²) = (1 − cos θ)/θ², and c₀(−θ²) = cosh θ, c₁(−θ²) =
+    /// sinh θ / θ. The functions are entire. With them, exponentials on SO(3), SU(2), SE(3) and SL(2, R)
+    /// need no small-angle branch. They satisfy cₖ = 1/k! − x cₖ₊₂ and cₖ′ = ½(k cₖ₊₂ − cₖ₊₁).
     ///
-    /// Accurate to a few units of round-off for orders k ≤ 12, to some k/2 units beyond; from
-    /// k = 171 on 1/k! is below the smallest numbers, and so is c_k. A derivative loses k/2 units
-    /// more to the difference in the second identity.
+    /// The result is accurate to a few units of round-off for orders k ≤ 12, and to about k/2 units for
+    /// higher orders. From k = 171 on, 1/k! is below the smallest normal number, and so is cₖ. A derivative
+    /// loses another k/2 units to the difference in its formula.
     ///
     /// Source: K. Stumpff, *Himmelsmechanik* I (1959), §41.
     fn stumpff(self, order: u32) -> Self;
 
-    /// Where x ≤ `bound`, lane by lane; false where either is NaN. By the values alone for dual
-    /// numbers.
+    /// Returns the mask of the lanes in which x ≤ `bound`; false where either is NaN. Dual numbers compare
+    /// their values alone.
     fn at_most(self, bound: Self) -> Self::Mask;
 
-    /// `yes` where the mask is true, `no` elsewhere, bit for bit. The one branch that a formula
-    /// over all scalars can take.
+    /// Returns `yes` where the mask is true and `no` elsewhere, bit for bit. It is the only branch that a
+    /// formula over all scalars can take.
     #[must_use]
     fn select(mask: Self::Mask, yes: Self, no: Self) -> Self;
 
-    /// |x|, lane by lane; for a dual number the larger of |x| and |x′|, as a constant.
+    /// Returns |x|, lane by lane; for a dual number the larger of |x| and |x′|, as a constant.
     #[must_use]
     fn magnitude(self) -> Self;
 
-    /// The largest |x| over all lanes and parts; NaN as soon as one of them is NaN.
+    /// Returns the largest |x| over all lanes and parts, or NaN if any of them is NaN.
     fn max_abs(self) -> f64;
 
-    /// The larger of two, lane by lane; NaN where either is NaN. By the values alone for dual
-    /// numbers.
+    /// Returns the larger of two numbers, lane by lane, and NaN where either is NaN. Dual numbers compare
+    /// their values alone.
     #[must_use]
     #[inline(always)]
     fn larger(self, other: Self) -> Self {
         Self::select(self.at_most(self), self.maximum(other), self)
     }
 
-    /// The larger of two, lane by lane; `other` where they are equal or either is NaN, so that a
-    /// NaN may be lost. One instruction where [`larger`](Self::larger) takes several. By the values
-    /// alone for dual numbers.
+    /// Returns the larger of two numbers, lane by lane, by one instruction that may lose a NaN.
+    ///
+    /// The result is `other` where the two are equal or either is NaN. [`larger`](Self::larger) keeps NaN
+    /// but takes several instructions. Dual numbers compare their values alone.
     ///
     /// ```
     /// use generic_scalars::Real;
@@ -120,21 +118,21 @@ pub trait Real:
         Self::select(above, self, other)
     }
 
-    /// `yes` where x ≥ 0, `no` elsewhere, also where x is NaN; lane by lane.
+    /// Returns `yes` where x ≥ 0, and `no` where x < 0 or x is NaN, lane by lane.
     #[must_use]
     #[inline(always)]
     fn select_nonnegative(self, yes: Self, no: Self) -> Self {
         Self::select(Self::from_f64(0.0).at_most(self), yes, no)
     }
 
-    /// Whether |x| ≤ `bound` in every lane and every part. False as soon as one of them is NaN.
+    /// Returns whether |x| ≤ `bound` in every lane and every part; false if any of them is NaN.
     #[inline(always)]
     fn all_below(self, bound: f64) -> bool {
         self.magnitude().at_most(Self::from_f64(bound)).all()
     }
 }
 
-/// The larger of two numbers, NaN if either is: `f64::max` and `a > b` would drop it.
+/// Returns the larger of two numbers, or NaN if either is NaN, which `f64::max` and `a > b` would lose.
 #[must_use]
 #[inline]
 pub fn larger(a: f64, b: f64) -> f64 {

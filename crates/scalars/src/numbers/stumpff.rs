@@ -1,13 +1,13 @@
-//! The Stumpff functions of numbers.
+//! Stumpff functions of a number `f64`.
 
-/// c_k(x), see [`Real::stumpff`](crate::Real::stumpff).
+/// Returns the Stumpff function cₖ(x) of order k, see [`Real::stumpff`](crate::Real::stumpff).
 pub(crate) fn stumpff(x: f64, order: u32) -> f64 {
     let k = f64::from(order);
-    // Inside this disc the terms of the series decrease from the first on.
+    // Within this radius the terms of the series decrease from the first one on.
     if x.abs() <= (k + 1.0) * (k + 2.0) { series(x, order) } else { recursion(x, order) }
 }
 
-/// The series, on |x| ≤ (k+1)(k+2): as many terms as are above 2⁻⁶⁰ of the first (22 for k = 12).
+/// Sums the series for |x| ≤ (k+1)(k+2), with all terms above 2⁻⁶⁰ of the first (22 terms for k = 12).
 fn series(x: f64, order: u32) -> f64 {
     if order >= UNDERFLOW {
         return x * 0.0;
@@ -26,10 +26,10 @@ fn series(x: f64, order: u32) -> f64 {
     sum / factorial(order)
 }
 
-/// The order from which 1/k! is no normal number.
+/// The lowest order k for which 1/k! is not a normal number.
 const UNDERFLOW: u32 = 171;
 
-/// From c₀ or c₁ by c_{k+2} = (1/k! − c_k)/x, beyond that disc.
+/// Computes cₖ from c₀ or c₁ by the recursion cₖ₊₂ = (1/k! − cₖ)/x, for |x| > (k+1)(k+2).
 fn recursion(x: f64, order: u32) -> f64 {
     let root = x.abs().sqrt();
     let mut value = match (order.is_multiple_of(2), x > 0.0) {

@@ -1,12 +1,12 @@
-//! The dual space as a type of its own.
+//! Elements of the dual space, as a type of their own: [`Covector`].
 
 use crate::Vector;
 use core::ops::{Add, AddAssign, Neg, Sub, SubAssign};
 
-/// An element of V∗, stored by its coordinates in the dual basis.
+/// An element of the dual space V∗, stored by its coordinates in the dual basis.
 ///
-/// A momentum in 𝔤∗ is a `Covector` of the algebra's element and is not interchangeable with a
-/// velocity in 𝔤, though both may hold three numbers. Pattern matching opens it:
+/// A momentum in 𝔤∗ is a `Covector` of the element type of the algebra. It cannot be confused with a
+/// velocity in 𝔤, though both may hold three numbers. Pattern matching gives access to the coordinates:
 ///
 /// ```
 /// use generic_scalars::Covector;

@@ -2,7 +2,7 @@
 
 use crate::{DualNumber, Real, Vector};
 
-/// z + ε v: the point at which to evaluate a map to get its derivative along v.
+/// Returns z + ε v, the dual point at which a map is evaluated to get its derivative along v.
 #[inline]
 pub fn seed<V, W>(z: &V, v: &V) -> W
 where
@@ -12,7 +12,7 @@ where
     W::from_coordinates(|i| DualNumber { value: z.coordinate(i), derivative: v.coordinate(i) })
 }
 
-/// The ε-part of w: the derivative, once the map is evaluated.
+/// Returns the coefficient of ε in w, the derivative of a map that was evaluated at a dual point.
 #[inline]
 pub fn derivative_part<T, W, V>(w: &W) -> V
 where
@@ -23,7 +23,7 @@ where
     V::from_coordinates(|i| w.coordinate(i).derivative)
 }
 
-/// The differential df(z) ∈ V∗, coordinate by coordinate: DIM evaluations of `f`.
+/// Computes the differential df(z) ∈ V∗ by dual numbers, with one evaluation of `f` for each coordinate.
 ///
 /// # Example
 /// ```
@@ -42,7 +42,7 @@ where
     V::Dual::from_coordinates(|i| f(&seed(z, &V::basis(i))).derivative)
 }
 
-/// The transposed tangent map `(T_z f)ᵀ α ∈ V∗` of f: V → W at a covector α ∈ W∗.
+/// Computes the transposed tangent map (T_z f)ᵀ α ∈ V∗ of f: V → W for a covector α ∈ W∗.
 ///
 /// `A` is the type of α; `V2` and `W2` are V and W over dual numbers.
 #[inline]

@@ -1,4 +1,4 @@
-//! Matrices of real and of complex numbers as vectors.
+//! [`Vector`] for matrices of real and of complex numbers.
 
 use crate::{Covector, Real, Vector};
 use nalgebra::SMatrix;

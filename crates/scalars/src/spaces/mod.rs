@@ -1,4 +1,4 @@
-//! Vector spaces over every scalar: their vectors, their duals, sums and powers, and derivatives of maps between them.
+//! Vector spaces over every scalar: vectors, duals, sums and powers, and derivatives of maps between them.
 
 pub(crate) mod blocks;
 pub(crate) mod vector;

@@ -1,18 +1,18 @@
-//! Euclidean norms over the whole range of numbers.
+//! Euclidean norms that neither overflow nor underflow.
 
 use crate::{Mask, Real, Vector};
 
-/// Coordinates up to this size may underflow when they are squared.
+/// The size up to which a coordinate may underflow when it is squared.
 const SMALL: f64 = power_of_two(-500);
 
-/// Coordinates beyond this size may overflow when they are squared and added.
+/// The size beyond which coordinates may overflow when they are squared and added.
 const LARGE: f64 = power_of_two(500);
 
-/// A power of four by which v is multiplied, lane by lane, before its coordinates are squared, so
-/// that no square overflows and none that matters underflows: 2⁶⁰⁰ where all |vᵢ| ≤ 2⁻⁵⁰⁰, 2⁻⁶⁰⁰
-/// where one is above 2⁵⁰⁰, and 1 elsewhere. Its square root is a power of two.
+/// Returns a power of four by which to multiply v before its coordinates are squared, in each SIMD lane.
 ///
-/// By the values alone for dual numbers.
+/// With it no square overflows, and none that matters underflows: it is 2⁶⁰⁰ where all |vᵢ| ≤ 2⁻⁵⁰⁰, 2⁻⁶⁰⁰
+/// where one |vᵢ| is above 2⁵⁰⁰, and 1 elsewhere. Its square root is a power of two. For dual numbers it
+/// depends on the values alone.
 ///
 /// Source: J. L. Blue, *A portable Fortran program to find the Euclidean norm of a vector*, ACM
 /// Trans. Math. Softw. 4 (1978).
@@ -40,9 +40,11 @@ pub fn squaring_scale<V: Vector>(v: &V) -> V::Scalar {
     Real::select(within(SMALL), constant(600), moderate)
 }
 
-/// The Euclidean norm √(Σ vᵢ²) of the coordinates, lane by lane, to round-off for every v: the
-/// squares of tiny and huge coordinates leave the range of numbers. Infinite if the norm itself
-/// does, NaN where a coordinate is.
+/// Returns the Euclidean norm √(Σ vᵢ²) of the coordinates in each SIMD lane, without overflow or underflow.
+///
+/// It is accurate to round-off for every v, while plain squares of very small and very large coordinates
+/// leave the range of numbers. It is infinite if the norm itself is too large, and NaN where a coordinate
+/// is NaN.
 ///
 /// ```
 /// use generic_scalars::euclidean_norm;
@@ -59,7 +61,7 @@ pub fn euclidean_norm<V: Vector>(v: &V) -> V::Scalar {
     square.sqrt() / scale
 }
 
-/// 2ⁿ for the exponents of normal numbers.
+/// Returns 2ⁿ, for the exponents n of normal numbers.
 const fn power_of_two(n: i32) -> f64 {
     f64::from_bits(((n + 1023) as u64) << 52)
 }
@@ -102,7 +104,7 @@ mod tests {
         }
     }
 
-    /// A derivative of another size than the value does not spoil it.
+    /// A derivative of another size than the value does not affect the scale.
     #[test]
     fn dual_numbers_are_scaled_by_their_values() {
         for derivative in [1e-250, 1.0, 1e250] {

@@ -1,12 +1,12 @@
-//! Direct sums V ⊕ W.
+//! Direct sums V ⊕ W of two vector spaces.
 
 use crate::{Covector, Real, Vector};
 use core::ops::{Add, AddAssign, Neg, Sub, SubAssign};
 
-/// (v, w) ∈ V ⊕ W; the coordinates of v come first.
+/// An element (v, w) of a direct sum V ⊕ W; the coordinates of v come first.
 ///
-/// It holds the elements of direct products and of semidirect products (ξ, φ) ∈ 𝔤 ⋉ V, and of
-/// their groups.
+/// Elements (ξ, φ) ∈ 𝔤 ⋉ V of semidirect products, elements of direct products, and elements of the
+/// corresponding groups are pairs.
 ///
 /// ```
 /// use generic_scalars::Pair;
@@ -18,7 +18,7 @@ use core::ops::{Add, AddAssign, Neg, Sub, SubAssign};
 pub struct Pair<A, B>(pub A, pub B);
 
 impl<A, B> Covector<Pair<A, B>> {
-    /// (α, β) from its two parts, as the momentum (Π, Γ) of a heavy top.
+    /// Creates the covector (α, β) from its two parts, for example the momentum (Π, Γ) of a heavy top.
     #[inline]
     pub const fn new(alpha: A, beta: B) -> Self {
         Self(Pair(alpha, beta))
@@ -31,7 +31,7 @@ impl<T: Real, A: Vector<Scalar = T>, B: Vector<Scalar = T>> Vector for Pair<A, B
     type Blocks = (A::Blocks, B::Blocks);
     const DIM: usize = A::DIM + B::DIM;
 
-    /// The blocks of v, then those of w.
+    /// Returns the block of a coordinate: the blocks of v come first, then those of w.
     #[inline(always)]
     fn block(i: usize) -> usize {
         if i < A::DIM { A::block(i) } else { A::BLOCKS + B::block(i - A::DIM) }

@@ -1,10 +1,10 @@
-//! Powers Vⁿ.
+//! Powers Vᴺ of a vector space.
 
 use crate::{Covector, Vector};
 use core::array::from_fn;
 use core::ops::{Add, AddAssign, Neg, Sub, SubAssign};
 
-/// (v₁, …, v_N) ∈ V^N: the state of N spins, of N vortices.
+/// An element (v₁, …, v_N) of the power Vᴺ, for example the state of N spins or of N vortices.
 ///
 /// ```
 /// use generic_scalars::{Power, Vector};
@@ -23,7 +23,7 @@ impl<V: Vector, const N: usize> Vector for Power<V, N> {
     type Blocks = V::Blocks;
     const DIM: usize = N * V::DIM;
 
-    /// The same blocks for each factor: the n-th block of all of them is one.
+    /// Returns the block of a coordinate within its factor: all factors share their blocks.
     #[inline(always)]
     fn block(i: usize) -> usize {
         if V::BLOCKS == 1 { 0 } else { V::block(i % V::DIM.max(1)) }

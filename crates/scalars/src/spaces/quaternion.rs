@@ -1,13 +1,13 @@
-//! Quaternions over any scalar.
+//! Quaternions over any scalar: [`Quaternion`].
 
 use crate::{Covector, Real, Vector};
 use core::ops::{Add, AddAssign, Mul, Neg, Sub, SubAssign};
 use nalgebra::Vector3;
 
-/// s + v₁i + v₂j + v₃k ∈ H, with Hamilton's product ij = k.
+/// A quaternion s + v₁i + v₂j + v₃k ∈ H, with Hamilton's product ij = k.
 ///
-/// Its coordinates are (s, v₁, v₂, v₃), and ⟨p, q⟩ = Re(p̄q). nalgebra's own quaternions ask more
-/// of their scalar than [`Real`] gives.
+/// Its coordinates are (s, v₁, v₂, v₃), and ⟨p, q⟩ = Re(conj(p) q). The quaternions of nalgebra require
+/// more of their scalar than [`Real`] offers.
 ///
 /// # Example
 /// ```
@@ -27,28 +27,28 @@ pub struct Quaternion<T = f64> {
 }
 
 impl<T: Real> Quaternion<T> {
-    /// 1
+    /// Returns the quaternion 1.
     #[must_use]
     #[inline]
     pub fn one() -> Self {
         Self { scalar: T::one(), vector: Vector3::zeros() }
     }
 
-    /// s − v
+    /// Returns the conjugate s − v.
     #[must_use]
     #[inline]
     pub fn conjugate(&self) -> Self {
         Self { scalar: self.scalar, vector: -self.vector }
     }
 
-    /// |q|² = s² + |v|²
+    /// Returns the square of the norm, |q|² = s² + |v|².
     #[inline]
     pub fn norm_squared(&self) -> T {
         self.scalar * self.scalar + self.vector.dot(&self.vector)
     }
 
-    /// The product q v with imaginary v, −u·v + (s v + u×v) for q = s + u: the products by zero are
-    /// left out.
+    /// Returns the product q v for imaginary v, that is −u·v + (s v + u×v) for q = s + u, without
+    /// multiplying by zeros.
     ///
     /// ```
     /// use generic_scalars::Quaternion;
@@ -63,8 +63,8 @@ impl<T: Real> Quaternion<T> {
         Self { scalar: -self.vector.dot(v), vector: v * self.scalar + self.vector.cross(v) }
     }
 
-    /// The product v q with imaginary v, −v·u + (s v + v×u) for q = s + u: the products by zero are
-    /// left out.
+    /// Returns the product v q for imaginary v, that is −v·u + (s v + v×u) for q = s + u, without
+    /// multiplying by zeros.
     ///
     /// ```
     /// use generic_scalars::Quaternion;
@@ -79,7 +79,7 @@ impl<T: Real> Quaternion<T> {
         Self { scalar: -v.dot(&q.vector), vector: v * q.scalar + v.cross(&q.vector) }
     }
 
-    /// The imaginary part t u − s w − u×w of p q̄, for p = s + u and q = t + w.
+    /// Returns the imaginary part t u − s w − u×w of p conj(q), for p = s + u and q = t + w.
     ///
     /// ```
     /// use generic_scalars::Quaternion;
@@ -94,23 +94,23 @@ impl<T: Real> Quaternion<T> {
         self.vector * q.scalar - q.vector * self.scalar - self.vector.cross(&q.vector)
     }
 
-    /// The imaginary part of q v q̄ for imaginary v: |q|² times a rotation of v.
+    /// Returns the imaginary part of q v conj(q) for imaginary v, which is |q|² times a rotation of v.
     #[inline]
     pub fn sandwich(&self, v: &Vector3<T>) -> Vector3<T> {
         v * self.norm_squared() + self.twist(v)
     }
 
-    /// The rotation v + (2/|q|²)(s u×v + u×(u×v)) of v by q = s + u, whatever the size of q ≠ 0.
+    /// Returns the rotation v + (2/|q|²)(s u×v + u×(u×v)) of v by q = s + u, for q ≠ 0 of any size.
     #[inline]
     pub fn rotate(&self, v: &Vector3<T>) -> Vector3<T> {
         v + self.twist(v) / self.norm_squared()
     }
 
-    /// The change (2/|q|²)(s u×v + u×(u×v)) that the rotation makes of v, for |q| near 1 to a few
-    /// roundings of its own size.
+    /// Returns the change (2/|q|²)(s u×v + u×(u×v)) of v under the rotation by q = s + u, for |q| near 1.
     ///
-    /// |q|² enters by d = |q|² − 1 = (s − 1)(s + 1) + |u|²: rounded to a number next to 1 it would
-    /// carry a bias, since numbers lie twice as dense below 1 as above.
+    /// The relative error is a few units of round-off. The formula uses d = |q|² − 1 = (s − 1)(s + 1) +
+    /// |u|² instead of |q|²: rounding |q|² to a number next to 1 would give a biased error, since numbers
+    /// lie twice as dense below 1 as above.
     #[inline]
     pub fn rotation_change(&self, v: &Vector3<T>) -> Vector3<T> {
         let excess = (self.scalar - 1.0) * (self.scalar + 1.0) + self.vector.dot(&self.vector);
@@ -118,7 +118,7 @@ impl<T: Real> Quaternion<T> {
         twist - twist * (excess / (excess + 1.0))
     }
 
-    /// 2 (s u×v + u×(u×v))
+    /// Returns the vector 2 (s u×v + u×(u×v)), which is |q|² times the change of v under the rotation.
     #[inline]
     fn twist(&self, v: &Vector3<T>) -> Vector3<T> {
         let turned = self.vector.cross(v);

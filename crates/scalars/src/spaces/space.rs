@@ -1,17 +1,16 @@
-//! Vector spaces as families over the scalars.
+//! Vector spaces that exist over every scalar: [`VectorSpace`].
 
 use crate::{Real, Vector};
 use nalgebra::SVector;
 use num_complex::Complex;
 
-/// z ∈ P over the scalar `T`.
+/// A point z of the space P over the scalar `T`.
 pub type Point<P, T = f64> = <P as VectorSpace>::Point<T>;
 
-/// A covector on P, such as a differential dh(z), over the scalar `T`.
+/// A covector on the space P, such as a differential dh(z), over the scalar `T`.
 pub type Differential<P, T = f64> = <Point<P, T> as Vector>::Dual;
 
-/// A real vector space, known over every scalar at once: what a formula that is generic over
-/// [`Real`] is defined on.
+/// A real vector space that exists over every scalar at once, as the domain of formulas over [`Real`].
 ///
 /// ```
 /// use generic_scalars::{DualNumber, Point, RealSpace};
@@ -20,11 +19,11 @@ pub type Differential<P, T = f64> = <Point<P, T> as Vector>::Dual;
 /// # assert_eq!(w.y.value, 2.0);
 /// ```
 pub trait VectorSpace: Clone {
-    /// A point over the scalar `T`.
+    /// The type of a point over the scalar `T`.
     type Point<T: Real>: Vector<Scalar = T>;
 }
 
-/// R^N.
+/// The real vector space R^N.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub struct RealSpace<const N: usize>;
 
@@ -32,7 +31,7 @@ impl<const N: usize> VectorSpace for RealSpace<N> {
     type Point<T: Real> = SVector<T, N>;
 }
 
-/// C^N as a real vector space of dimension 2N, with ⟨ψ, χ⟩ = Re(ψ∗χ).
+/// The space C^N as a real vector space of dimension 2N, with ⟨ψ, χ⟩ = Re(ψ∗χ).
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub struct ComplexSpace<const N: usize>;
 

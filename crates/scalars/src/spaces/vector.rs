@@ -1,10 +1,10 @@
-//! Finite-dimensional real vector spaces, by their coordinates.
+//! Vectors of finite-dimensional real vector spaces, given by their coordinates: [`Vector`].
 
 use crate::{Blocks, Real};
 use core::fmt::Debug;
 use core::ops::{Add, AddAssign, Neg, Sub, SubAssign};
 
-/// A vector of a real vector space V of fixed dimension, with a standard basis e₀, …, e_{DIM−1}.
+/// A vector of a real vector space V of fixed dimension, with a standard basis e₀, e₁, ….
 ///
 /// Elements of a Lie algebra, momenta in its dual, points of a phase space and group elements
 /// (which live in a space of matrices) are all vectors in this sense. Implemented for nalgebra's
@@ -35,32 +35,32 @@ pub trait Vector:
     + AddAssign
     + SubAssign
 {
-    /// The real numbers in use.
+    /// The type of the real numbers.
     type Scalar: Real;
 
-    /// The dual space V∗; V∗∗ = V.
+    /// The dual space V∗, whose dual is V again.
     type Dual: Vector<Scalar = Self::Scalar, Dual = Self>;
 
-    /// dim V over the reals.
+    /// The dimension of V over the reals.
     const DIM: usize;
 
-    /// One number for each block of coordinates: `(Self::Scalar,)` where all coordinates have one unit and one
-    /// scale, a pair for the two parts of a vector such as (q, p), whose units differ.
+    /// The type of one number for each block of coordinates.
     ///
-    /// Where numbers are judged small or large, as in the convergence tests of implicit methods, each block is
-    /// compared with itself, so that no result depends on units.
+    /// It is `(Self::Scalar,)` where all coordinates have the same unit and the same scale, and a pair for
+    /// the two parts of a vector such as (q, p), whose units differ. Tests of size, such as the convergence
+    /// tests of implicit methods, compare each block with itself, so that no result depends on units.
     type Blocks: Blocks<Self::Scalar>;
 
     /// The number of blocks of coordinates.
     const BLOCKS: usize = <Self::Blocks as Blocks<Self::Scalar>>::COUNT;
 
-    /// Σ f(i) eᵢ. `f` is called once for each i = 0, …, DIM−1, in this order.
+    /// Creates Σ f(i) eᵢ; `f` is called once for each i = 0, …, DIM−1, in this order.
     fn from_coordinates(f: impl FnMut(usize) -> Self::Scalar) -> Self;
 
-    /// The i-th coordinate; zero for i ≥ DIM.
+    /// Returns the i-th coordinate, or zero for i ≥ DIM.
     fn coordinate(&self, i: usize) -> Self::Scalar;
 
-    /// The block of the i-th coordinate, a number below [`BLOCKS`](Self::BLOCKS).
+    /// Returns the block of the i-th coordinate, a number below [`BLOCKS`](Self::BLOCKS).
     ///
     /// ```
     /// use generic_scalars::{Covector, Pair, Vector};
@@ -75,31 +75,31 @@ pub trait Vector:
         0
     }
 
-    /// s v.
+    /// Returns the multiple s v.
     #[must_use]
     fn scaled(&self, s: Self::Scalar) -> Self;
 
-    /// 0 ∈ V.
+    /// Returns the zero vector.
     #[must_use]
     #[inline]
     fn zero() -> Self {
         Self::from_coordinates(|_| num_traits::zero())
     }
 
-    /// The basis vector eᵢ; zero for i ≥ DIM.
+    /// Returns the basis vector eᵢ, or zero for i ≥ DIM.
     #[must_use]
     #[inline]
     fn basis(i: usize) -> Self {
         Self::from_coordinates(|j| if i == j { num_traits::one() } else { num_traits::zero() })
     }
 
-    /// v ← v + s x.
+    /// Adds a multiple of another vector: v ← v + s x.
     #[inline]
     fn add_scaled(&mut self, s: Self::Scalar, x: &Self) {
         *self += x.scaled(s);
     }
 
-    /// The natural pairing ⟨α, v⟩ = Σ αᵢ vᵢ, which is symmetric in the roles of V and V∗.
+    /// Returns the natural pairing ⟨α, v⟩ = Σ αᵢ vᵢ, which is symmetric in the roles of V and V∗.
     #[inline]
     fn pairing(&self, dual: &Self::Dual) -> Self::Scalar {
         let mut sum: Self::Scalar = num_traits::zero();
@@ -109,7 +109,7 @@ pub trait Vector:
         sum
     }
 
-    /// The maximum norm ‖v‖_∞ = max |vᵢ|, lane by lane; NaN where any coordinate is.
+    /// Returns the maximum norm max |vᵢ| in each SIMD lane; NaN where any coordinate is NaN.
     #[inline]
     fn max_norm(&self) -> Self::Scalar {
         let (mut most, mut sum): (Self::Scalar, Self::Scalar) =
@@ -123,28 +123,29 @@ pub trait Vector:
         Real::select(sum.at_most(sum), most, sum)
     }
 
-    /// max |vᵢ| over coordinates and lanes; NaN if any is NaN.
+    /// Returns max |vᵢ| over all coordinates and lanes, or NaN if any of them is NaN.
     #[inline]
     fn max_abs(&self) -> f64 {
         self.max_norm().max_abs()
     }
 
-    /// `yes` in the lanes in which the mask is true, `no` in the others, bit for bit.
+    /// Returns `yes` in the lanes in which the mask is true, and `no` in the others, bit for bit.
     #[must_use]
     #[inline]
     fn select(mask: <Self::Scalar as Real>::Mask, yes: &Self, no: &Self) -> Self {
         Self::from_coordinates(|i| Real::select(mask, yes.coordinate(i), no.coordinate(i)))
     }
 
-    /// Whether every coordinate is a finite number, in every lane.
+    /// Returns whether every coordinate is a finite number in every lane.
     #[inline]
     fn is_finite(&self) -> bool {
         self.max_abs().is_finite()
     }
 }
 
-/// The vector of `W` with coordinates f(v₀), f(v₁), …: a change of scalar or of type that
-/// respects the bases. Missing coordinates are zero, surplus ones are dropped.
+/// Creates the vector of `W` with coordinates f(v₀), f(v₁), …, to change the scalar or the type.
+///
+/// The bases correspond to each other. Missing coordinates are zero, and surplus ones are dropped.
 ///
 /// # Example
 /// ```

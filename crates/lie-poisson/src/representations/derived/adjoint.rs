@@ -1,4 +1,4 @@
-//! The adjoint representation.
+//! The adjoint representation of a group: [`Adjoint`].
 
 use crate::{
     AlgebraElement, GroupMomentum, GroupRepresentation, LieAlgebra, LieGroup, Real, Representation,
@@ -25,7 +25,7 @@ impl<G: LieGroup> Representation for Adjoint<G> {
         self.0.algebra().bracket::<T>(xi, v)
     }
 
-    /// `ξᵀ α = ad*_ξ α`
+    /// Returns the transposed action `ξᵀ α = ad∗_ξ α`.
     #[inline]
     fn transpose_act<T: Real>(
         &self,
@@ -35,7 +35,7 @@ impl<G: LieGroup> Representation for Adjoint<G> {
         self.0.algebra().coadjoint::<T>(xi, alpha)
     }
 
-    /// `v ◇ α = −ad*_v α`
+    /// Returns the diamond product `v ◇ α = −ad∗_v α`.
     #[inline]
     fn diamond<T: Real>(
         &self,

@@ -1,4 +1,4 @@
-//! Many copies of a representation.
+//! Several copies of one representation: [`Diagonal`].
 
 use crate::{
     AlgebraElement, Covector, GroupRepresentation, LieGroup, Momentum, Power, Real, Representation,
@@ -6,7 +6,7 @@ use crate::{
 };
 use core::array::from_fn;
 
-/// The diagonal representation on Vᴺ: ξ (v₁, …, v_N) = (ξv₁, …, ξv_N).
+/// The diagonal representation on N copies of V: ξ (v₁, …, v_N) = (ξv₁, …, ξv_N).
 ///
 /// so(3) ⋉ (R³)ᴺ, for example, is the algebra of a body in N constant fields.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
@@ -35,7 +35,7 @@ impl<R: Representation, const N: usize> Representation for Diagonal<R, N> {
         Covector(Power(from_fn(part)))
     }
 
-    /// Σ vₙ ◇ αₙ
+    /// Returns the sum Σ vₙ ◇ αₙ.
     #[inline]
     fn diamond<T: Real>(
         &self,

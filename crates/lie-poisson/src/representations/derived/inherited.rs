@@ -1,14 +1,14 @@
-//! Representations of G ⋉ V that are those of G.
+//! Representations that G ⋉ V inherits from G: [`Inherited`].
 
 use crate::{
     Covector, GroupRepresentation, LieGroup, Momentum, Pair, Real, Representation,
     RepresentedElement, SemidirectAlgebra, SemidirectGroup, Vector,
 };
 
-/// G ⋉ V on V (or any space of G) through its quotient G: (g, v) w = g w.
+/// The representation of G ⋉ V on V, or on any space of G, through the quotient G: (g, v) w = g w.
 ///
-/// It nests semidirect products, as in se(3) ⋉ R³, whose dual is the phase space of a heavy top
-/// on a movable base:
+/// With it semidirect products can be nested, as in se(3) ⋉ R³, whose dual is the phase space of a heavy
+/// top on a movable base:
 ///
 /// ```
 /// use lie_poisson::{Inherited, LieAlgebra, Pair, SO3OnR3, SemidirectAlgebra};
@@ -27,7 +27,7 @@ use crate::{
 pub struct Inherited<Q, R> {
     /// The representation that defines G ⋉ V.
     pub quotient: Q,
-    /// The representation of G to be inherited.
+    /// The representation of G that is inherited.
     pub representation: R,
 }
 
@@ -57,7 +57,7 @@ where
         self.representation.transpose_act::<T>(&xi.0, alpha)
     }
 
-    /// (v ◇ α, 0): V of G ⋉ V acts trivially.
+    /// Returns (v ◇ α, 0), since V ⊂ G ⋉ V acts trivially.
     #[inline]
     fn diamond<T: Real>(
         &self,

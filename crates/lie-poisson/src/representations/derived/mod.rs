@@ -1,4 +1,4 @@
-//! Representations made from others.
+//! Representations made from other representations.
 
 mod adjoint;
 mod diagonal;

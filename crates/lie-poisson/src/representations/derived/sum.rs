@@ -1,4 +1,4 @@
-//! Two representations, side by side.
+//! The direct sum of two representations: [`Sum`].
 
 use crate::{
     AlgebraElement, Covector, GroupRepresentation, LieGroup, Momentum, Pair, Real, Representation,
@@ -39,7 +39,7 @@ where
         ))
     }
 
-    /// v ◇ α + w ◇ β
+    /// Returns the sum v ◇ α + w ◇ β.
     #[inline]
     fn diamond<T: Real>(
         &self,

@@ -15,14 +15,14 @@ use core::arch::x86_64::{
 
 /// One register of AVX2 with FMA.
 ///
-/// What makes the `unsafe` blocks of this type sound: other crates cannot name this type, and this
-/// crate hands it out in [`dispatch`](super::dispatch()) and
-/// [`dispatch_four`](super::dispatch_four()) alone, once the processor was found to have AVX2 and
-/// FMA. Where a function of this type runs, the instructions are there.
+/// The `unsafe` blocks of this type are sound for this reason: other crates cannot name the type, and this
+/// crate uses it only in [`dispatch`](super::dispatch()) and [`dispatch_four`](super::dispatch_four()),
+/// after AVX2 and FMA have been detected. So the processor has the instructions wherever a function of this
+/// type runs.
 #[derive(Clone, Copy)]
 pub struct Avx2(__m256d);
 
-/// All bits of a lane are set where it is true.
+/// The mask of [`Avx2`]: all bits of a lane are set where it is true.
 #[derive(Clone, Copy, Debug)]
 pub struct Avx2Mask(__m256d);
 

@@ -12,13 +12,13 @@ use core::arch::x86_64::{
 
 /// One register of AVX-512 (F and DQ).
 ///
-/// What makes the `unsafe` blocks of this type sound: other crates cannot name this type, and this
-/// crate hands it out in [`dispatch`](super::dispatch()) alone, once the processor was found to
-/// have AVX-512. Where a function of this type runs, the instructions are there.
+/// The `unsafe` blocks of this type are sound for this reason: other crates cannot name the type, and this
+/// crate uses it only in [`dispatch`](super::dispatch()), after AVX-512 has been detected. So the processor
+/// has the instructions wherever a function of this type runs.
 #[derive(Clone, Copy)]
 pub struct Avx512(__m512d);
 
-/// One bit for each lane.
+/// The mask of [`Avx512`], with one bit for each lane.
 #[derive(Clone, Copy, Debug)]
 pub struct Avx512Mask(__mmask8);
 

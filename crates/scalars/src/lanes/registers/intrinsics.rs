@@ -1,9 +1,9 @@
-//! What the registers of x86-64 have in common: all but the names of the intrinsics.
+//! Macros for what the registers of x86-64 have in common, with the intrinsics as parameters.
 //!
-//! An intrinsic is safe where the processor has its instruction. For each type that these macros
-//! are used on, its documentation says why it has, wherever code of the type runs.
+//! An intrinsic is safe where the processor has its instruction. The documentation of each type that uses
+//! these macros says why the processor has the instructions wherever code of the type runs.
 
-/// Functions that are one instruction each.
+/// Defines functions that consist of one instruction each.
 macro_rules! intrinsics {
     ($($name:ident($($argument:ident),*) = $intrinsic:ident;)*) => {$(
         #[inline(always)]
@@ -15,8 +15,8 @@ macro_rules! intrinsics {
 }
 pub(super) use intrinsics;
 
-/// [`Register`](super::register::Register) for a type around one register with these lanes, which
-/// has the same x everywhere by `splat(x)`; and what the braces add to it.
+/// Implements [`Register`](super::register::Register) for a type around one register with the given lanes;
+/// `splat(x)` puts x into every lane, and the braces contain the remaining items.
 macro_rules! register {
     (
         $register:ident($raw:ident), lanes [$($lane:literal),*],
@@ -77,8 +77,8 @@ macro_rules! register {
 }
 pub(super) use register;
 
-/// [`Mask`](crate::Mask) for a type around a register, all bits of a lane set where it is true;
-/// `signs` gathers one bit of each lane.
+/// Implements [`Mask`](crate::Mask) for a type around a register in which all bits of a lane are set where
+/// it is true; `signs` gathers one bit of each lane.
 macro_rules! mask_of_bits {
     (
         $mask:ident of $register:ident,
@@ -115,7 +115,7 @@ macro_rules! mask_of_bits {
         }
 
         impl $mask {
-            /// One bit for each lane.
+            /// Returns one bit for each lane.
             #[inline(always)]
             fn bits(self) -> i32 {
                 // SAFETY: the processor has the instruction, see the type.

@@ -1,4 +1,4 @@
-//! The registers of processors, and one without intrinsics for those that are not known here.
+//! The registers of known processors, and a type without intrinsics for all others.
 
 pub(crate) mod register;
 #[cfg(any(test, not(all(target_arch = "x86_64", target_feature = "sse2"))))]

@@ -1,13 +1,13 @@
-//! Two lanes where no registers are known.
+//! Two lanes in plain Rust, for processors whose registers are not known.
 
 use super::register::Register;
 use crate::Mask;
 
-/// Two numbers. Products and sums are rounded each on its own, as those of `f64`.
+/// Two numbers; products and sums are rounded separately, as those of `f64`.
 #[derive(Clone, Copy)]
 pub struct Plain(f64, f64);
 
-/// Two truth values.
+/// Two truth values, the mask of [`Plain`].
 #[derive(Clone, Copy, Debug)]
 pub struct PlainMask(bool, bool);
 
@@ -121,7 +121,7 @@ mod tests {
     use crate::{DefaultLanes, Lanes, Mask};
     use proptest::prelude::*;
 
-    /// Every operation, its results as bits.
+    /// Runs every operation and returns the bits of the results.
     fn everything<T: Lanes>(x: &[f64; 4], y: &[f64; 4]) -> Vec<u64> {
         let (a, b) = (T::load(x), T::load(y));
         let below = a.at_most(b).and(b.at_most(T::one()).not()).or(b.at_most(-a));

@@ -1,81 +1,81 @@
-//! What the processor offers: registers of several `f64`, and pairs of them.
+//! Registers of several `f64` as the processor offers them, and pairs of registers.
 
 use crate::Mask;
 
-/// A register of `COUNT` numbers with the operations of the processor, each lane by lane with the
-/// rounding of `f64`.
+/// A register of `COUNT` numbers with the operations of the processor, which round in each lane as `f64`
+/// does.
 ///
-/// Implementations put `#[inline(always)]` on everything: a function that the compiler leaves
-/// outside of the one that has the processor's features passes its registers through memory, and
-/// calls each instruction as a function.
+/// Implementations put `#[inline(always)]` on every function: one that the compiler leaves outside of the
+/// function with the processor's features passes its registers through memory, and calls each instruction
+/// as a function.
 pub trait Register: Copy + Send + Sync + 'static {
-    /// How many lanes there are.
+    /// The number of lanes.
     const COUNT: usize;
-    /// Whether products and sums are rounded once, together.
+    /// Whether a product and a sum are rounded once, together.
     const FUSED: bool;
-    /// Truth in each lane.
+    /// The type of one truth value for each lane.
     type Mask: Mask;
 
-    /// x in every lane.
+    /// Returns x in every lane.
     fn splat(x: f64) -> Self;
-    /// f(0), f(1), …
+    /// Returns f(0), f(1), … in the lanes.
     fn from_lanes(f: &mut impl FnMut(usize) -> f64) -> Self;
-    /// The first `COUNT` values; none where there are fewer.
+    /// Loads the first `COUNT` values; returns `None` if there are fewer.
     fn load(values: &[f64]) -> Option<Self>;
-    /// Writes to the first `COUNT` values; to none where there are fewer.
+    /// Writes to the first `COUNT` values; writes nothing and returns `None` if there are fewer.
     fn store(a: Self, values: &mut [f64]) -> Option<()>;
-    /// The number in lane `i`, NaN for i ≥ `COUNT`.
+    /// Returns the number in lane `i`, or NaN for i ≥ `COUNT`.
     fn lane(a: Self, i: usize) -> f64;
 
-    /// a + b
+    /// Returns the sum a + b.
     fn add(a: Self, b: Self) -> Self;
-    /// a − b
+    /// Returns the difference a − b.
     fn subtract(a: Self, b: Self) -> Self;
-    /// a b
+    /// Returns the product a b.
     fn multiply(a: Self, b: Self) -> Self;
-    /// a / b
+    /// Returns the quotient a / b.
     fn divide(a: Self, b: Self) -> Self;
-    /// The remainder of a / b, which no processor has for registers.
+    /// Returns the remainder of a / b, lane by lane, since no processor has an instruction for it.
     #[inline(always)]
     fn remainder(a: Self, b: Self) -> Self {
         Self::from_lanes(&mut |i| Self::lane(a, i) % Self::lane(b, i))
     }
-    /// −a
+    /// Returns the negative −a.
     fn negate(a: Self) -> Self;
-    /// √a
+    /// Returns the square root √a.
     fn root(a: Self) -> Self;
-    /// |a|
+    /// Returns the absolute value |a|.
     fn magnitude(a: Self) -> Self;
-    /// a where a > b, else b
+    /// Returns a where a > b, and b elsewhere.
     fn maximum(a: Self, b: Self) -> Self;
-    /// a b + c; rounded twice, unless the type is `FUSED` and says how.
+    /// Returns a b + c, rounded twice unless a `FUSED` type overrides it.
     #[inline(always)]
     fn multiply_add(a: Self, b: Self, c: Self) -> Self {
         Self::add(Self::multiply(a, b), c)
     }
-    /// a b − c, likewise.
+    /// Returns a b − c, rounded twice unless a `FUSED` type overrides it.
     #[inline(always)]
     fn multiply_subtract(a: Self, b: Self, c: Self) -> Self {
         Self::subtract(Self::multiply(a, b), c)
     }
-    /// c − a b, likewise.
+    /// Returns c − a b, rounded twice unless a `FUSED` type overrides it.
     #[inline(always)]
     fn negative_multiply_add(a: Self, b: Self, c: Self) -> Self {
         Self::subtract(c, Self::multiply(a, b))
     }
 
-    /// a ≤ b
+    /// Returns the mask of the lanes in which a ≤ b.
     fn at_most(a: Self, b: Self) -> Self::Mask;
-    /// `yes` where the mask is true.
+    /// Returns `yes` where the mask is true, and `no` elsewhere.
     fn select(mask: Self::Mask, yes: Self, no: Self) -> Self;
 }
 
-/// Two registers, or two masks of registers, worked on by turns: while the first waits for its
-/// result, the second computes.
+/// Two registers, or two masks of registers, used alternately: while one waits for its result, the other
+/// computes.
 #[derive(Clone, Copy, Debug)]
 pub struct Two<R>(R, R);
 
-/// Functions on both registers.
+/// Defines functions that apply an operation to both registers.
 macro_rules! both {
     ($($name:ident($($argument:ident),*);)*) => {$(
         #[inline(always)]

@@ -1,4 +1,4 @@
-//! Two lanes of 128 bits, which every x86-64 processor has.
+//! Two lanes in a register of 128 bits, which every x86-64 processor has.
 #![allow(unsafe_code)] // the intrinsics
 
 use super::intrinsics::{intrinsics, mask_of_bits, register};
@@ -9,14 +9,14 @@ use core::arch::x86_64::{
     _mm_movemask_pd, _mm_mul_pd, _mm_or_pd, _mm_set1_pd, _mm_sqrt_pd, _mm_sub_pd, _mm_xor_pd,
 };
 
-/// One register of SSE2. Products and sums are rounded each on its own, as those of `f64`.
+/// One register of SSE2; products and sums are rounded separately, as those of `f64`.
 ///
-/// What makes the `unsafe` blocks of this type sound: it is compiled only where SSE2 is among the
-/// features of every function.
+/// The `unsafe` blocks of this type are sound because it is compiled only where SSE2 is among the features
+/// of every function.
 #[derive(Clone, Copy)]
 pub struct Sse2(__m128d);
 
-/// All bits of a lane are set where it is true.
+/// The mask of [`Sse2`]: all bits of a lane are set where it is true.
 #[derive(Clone, Copy, Debug)]
 pub struct Sse2Mask(__m128d);
 
