@@ -12,6 +12,7 @@ const MOST_BYTES: u64 = 1 << 24;
 
 /// Why a run cannot go on from what an interrupted one has left.
 #[derive(Debug, Error)]
+#[non_exhaustive]
 pub enum CheckpointError {
     /// It could not be read.
     #[error(transparent)]

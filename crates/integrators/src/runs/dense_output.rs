@@ -6,6 +6,7 @@ use thiserror::Error;
 
 /// A time at which a trajectory has no state.
 #[derive(Clone, Copy, Debug, PartialEq, Error)]
+#[non_exhaustive]
 pub enum DenseOutputError {
     /// The run failed before.
     #[error(transparent)]
