@@ -12,7 +12,7 @@
 //! | integrators on 𝔤∗ | [`Integrator`], [`Start`], [`Collective`], [`Direct`], [`LiftFree`] |
 //! | compensated summation | [`Compensated`], [`Increments`] |
 //! | compositions of a method with itself | [`Composition`], [`Substeps`] |
-//! | splitting into exact flows | [`ExactFlows`], [`Splitting`], [`AlternatingSplitting`], [`AlternatingSubsteps`] |
+//! | splitting into exact flows | [`ExactFlows`], [`Splitting`], [`LieTrotter`], [`Strang`], [`AlternatingSubsteps`] |
 //! | doubled phase spaces: Tao's method; the semiexplicit one is a [`Tableau::semiexplicit`] | [`TaoFlows`] |
 //! | the spherical midpoint method | [`SphericalMidpoint`] |
 //! | trajectories, and their end alone | [`Trajectory`], [`Start::after`] |
@@ -58,9 +58,10 @@ pub use schemes::partitioned::{PartitionedRungeKutta, PartitionedSpace};
 pub use schemes::polarisation::{Alternating, FirstHalf, Polarisation};
 pub use schemes::runge_kutta::{RungeKutta, StageSpace};
 pub use schemes::scheme::{Equivariant, Increment, Scheme, Step};
-pub use splittings::alternating_splitting::AlternatingSplitting;
 pub use splittings::composition::Composition;
-pub use splittings::splitting::{ExactFlows, Splitting};
+pub use splittings::exact_flows::ExactFlows;
+pub use splittings::flow_sequence::{FlowSequence, LieTrotter, Strang};
+pub use splittings::splitting::Splitting;
 pub use splittings::tao::TaoFlows;
 pub use stages::stage_memory::StageMemory;
 pub use stages::stage_solver::{StageSolver, Unsettled};

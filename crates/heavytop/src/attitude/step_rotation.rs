@@ -2,8 +2,8 @@
 
 use crate::{HeavyTopSpace, SpinorPoint, SpinorRealisation};
 use collective_integrators::{
-    Collective, Compensated, Composition, Equivariant, ExactFlows, Integrator, LiftFree, Scheme,
-    Splitting, Step, StepError, compensated_sum,
+    Collective, Compensated, Composition, Equivariant, ExactFlows, FlowSequence, Integrator,
+    LiftFree, Scheme, Splitting, Step, StepError, compensated_sum,
 };
 use lie_poisson::{Hamiltonian, Pair, Quaternion, Real, Se3Dual, Vector, squaring_scale};
 use momentum_map::DualQuaternions;
@@ -180,18 +180,13 @@ impl<E: TurningFlows<T>, T: Real> ExactFlows<T> for Collected<'_, E> {
 }
 
 /// The rotations of the flows, one after the other.
-impl<E: TurningFlows<T>, T: Real> Turning<T> for Splitting<E> {
+impl<E: TurningFlows<T>, S: FlowSequence, T: Real> Turning<T> for Splitting<E, S> {
     #[inline]
     fn turn(&self, mu: &Se3Dual<T>, step: f64, (): &mut ()) -> Turned<Se3Dual<T>, T> {
-        let flows = Collected(self.flows());
-        let collected = if self.is_symmetric() {
-            Splitting::strang(flows)
-        } else {
-            Splitting::lie_trotter(flows)
-        };
         let start = Pair(*mu, Quaternion::one());
-        let Step { point, iterations } = collected.step(&start, step, &mut ())?;
-        Ok((Step { point: point.0, iterations }, unit(point.1)))
+        let point = self.sequence().run(&Collected(self.flows()), step, &start);
+        let Step { point: Pair(end, turn), iterations } = Step { point, iterations: 0 }.finite()?;
+        Ok((Step { point: end, iterations }, unit(turn)))
     }
 }
 
