@@ -6,7 +6,7 @@
 //! |---|---|
 //! | vector fields ż = X(z) | [`VectorField`], [`HamiltonianField`], [`from_fn`] |
 //! | Runge–Kutta coefficients and their properties | [`Tableau`] |
-//! | stage equations, guessed from the steps before and solved | [`StageSolver`], [`StageMemory`], [`Unsettled`] |
+//! | stage equations, guessed from the steps before and solved | [`StageSolver`], [`StageMemory`], [`Unconverged`] |
 //! | one-step methods, and which of them descend | [`Scheme`], [`Equivariant`], [`RungeKutta`] |
 //! | partitioned methods, which do not descend | [`Polarisation`], [`PartitionedRungeKutta`] |
 //! | integrators on 𝔤∗ | [`Integrator`], [`Start`], [`Collective`], [`Direct`], [`LiftFree`] |
@@ -64,7 +64,7 @@ pub use splittings::flow_sequence::{FlowSequence, LieTrotter, Strang};
 pub use splittings::splitting::Splitting;
 pub use splittings::tao::TaoFlows;
 pub use stages::stage_memory::StageMemory;
-pub use stages::stage_solver::{StageSolver, Unsettled};
+pub use stages::stage_solver::{StageSolver, Unconverged};
 pub use step_fractions::alternating_substeps::AlternatingSubsteps;
 pub use step_fractions::substeps::Substeps;
 pub use tableaux::tableau::Tableau;

@@ -118,7 +118,7 @@ impl<S: Equivariant, M: Multipliers, H> LiftFree<S, M, H> {
         mu: &Point<M::Space, T>,
         step: f64,
         workspace: &mut MultiplierSpace<S, M, T>,
-    ) -> Result<Motion<M, T>, StepError>
+    ) -> Result<MultiplierStep<M, T>, StepError>
     where
         H: Hamiltonian<M::Space, T>,
     {
@@ -134,7 +134,7 @@ impl<S: Equivariant, M: Multipliers, H> LiftFree<S, M, H> {
         mu: &Point<M::Space, T>,
         step: f64,
         workspace: &mut MultiplierSpace<S, M, T>,
-    ) -> Result<Motion<M, T>, StepError>
+    ) -> Result<MultiplierStep<M, T>, StepError>
     where
         H: Hamiltonian<M::Space, T>,
     {
@@ -156,7 +156,7 @@ impl<S: Equivariant, M: Multipliers, H> LiftFree<S, M, H> {
             &Multiplier<M, T>,
             &mut S::Workspace<Multiplier<M, T>>,
         ) -> Result<Step<Multiplier<M, T>>, StepError>,
-    ) -> Result<Motion<M, T>, StepError>
+    ) -> Result<MultiplierStep<M, T>, StepError>
     where
         H: Hamiltonian<M::Space, T>,
     {
@@ -189,7 +189,7 @@ impl<S: Equivariant, M: Multipliers, H> LiftFree<S, M, H> {
 type CourseOf<M, T> = Course<Point<<M as Multipliers>::Space, T>, Multiplier<M, T>>;
 
 /// The multiplier of a step, and the change that it makes of μ.
-type Motion<M, T> = (Step<Multiplier<M, T>>, Point<<M as Multipliers>::Space, T>);
+type MultiplierStep<M, T> = (Step<Multiplier<M, T>>, Point<<M as Multipliers>::Space, T>);
 
 /// The storage of a lift-free step: that of the scheme, for multipliers, and the steps that it
 /// remembers.

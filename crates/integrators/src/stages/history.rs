@@ -4,7 +4,7 @@ use crate::stages::block_sizes::{BlockSizes, MaskOf};
 use crate::stages::convergence::{ROUND_OFF, Ratios, unknown};
 use crate::stages::extrapolation::Predictor;
 use crate::stages::stage_scale::Scale;
-use crate::stages::stage_solver::{Unsettled, combination, fill_unless};
+use crate::stages::stage_solver::{Unconverged, combination, fill_unless};
 use crate::{StageSolver, VectorField};
 use lie_poisson::{Mask, Real, Vector};
 
@@ -15,7 +15,7 @@ const LARGEST_GROWTH: f64 = 2.0;
 /// it ended, as the field has them [remembered](VectorField::remembered). Each lane remembers by
 /// itself.
 #[derive(Clone, Debug)]
-pub(crate) struct Memory<V: Vector> {
+pub(crate) struct StageHistory<V: Vector> {
     /// Oldest first; those that mean something come before `newest`. There is room for twice as many
     /// as are needed, so that they are moved to the front only now and then.
     past: Vec<V>,
@@ -32,7 +32,7 @@ pub(crate) struct Memory<V: Vector> {
     pace: Ratios<V::Scalar>,
 }
 
-impl<V: Vector> Memory<V> {
+impl<V: Vector> StageHistory<V> {
     /// Empty, with room for what a predictor needs.
     pub(crate) fn new(predictor: &Predictor) -> Self {
         Self {
@@ -70,7 +70,7 @@ impl<V: Vector> Memory<V> {
         (z, size, scale): (&V, f64, &impl Scale<V>),
         k: &mut [V],
         mut derivative: impl FnMut(usize, &[V], MaskOf<V>) -> V,
-    ) -> Result<usize, Unsettled<MaskOf<V>>> {
+    ) -> Result<usize, Unconverged<MaskOf<V>>> {
         self.keep_where(z, size, predictor);
         let guessed = self.guess(predictor, field, k);
         if !guessed.all() {
@@ -79,15 +79,15 @@ impl<V: Vector> Memory<V> {
         let none = MaskOf::<V>::from_bool(false);
         let mut outcome = solver.solve_from(none, scale, k, &mut self.pace, &mut derivative);
         if let Err(first) = &outcome {
-            let misled = guessed.and(first.settled.not());
+            let misled = guessed.and(first.converged.not());
             if misled.any() {
                 fill_unless(misled.not(), k, &field.at(z));
                 let second = again(solver, misled.not(), scale, k, &mut derivative);
                 outcome = retried(first, guessed, second);
             }
         }
-        let settled = outcome.as_ref().map_or_else(|e| e.settled, |_| none.not());
-        self.remember(predictor, field, size, k, settled);
+        let converged = outcome.as_ref().map_or_else(|e| e.converged, |_| none.not());
+        self.remember(predictor, field, size, k, converged);
         outcome
     }
 
@@ -162,7 +162,7 @@ impl<V: Vector> Memory<V> {
         self.steps.at_most(n).and(n.at_most(self.steps))
     }
 
-    /// One more step where it is settled, nothing elsewhere.
+    /// One more step where it is converged, nothing elsewhere.
     #[inline]
     fn remember<F: VectorField<V::Scalar, Point = V>>(
         &mut self,
@@ -170,7 +170,7 @@ impl<V: Vector> Memory<V> {
         field: &F,
         size: f64,
         k: &[V],
-        settled: MaskOf<V>,
+        converged: MaskOf<V>,
     ) {
         if self.past.is_empty() {
             return;
@@ -187,7 +187,7 @@ impl<V: Vector> Memory<V> {
         self.size = size;
         let full = self.remembers(predictor.weights.len());
         let steps = Real::select(full, self.steps, self.steps + 1.0);
-        self.steps = Real::select(settled, steps, V::Scalar::from_f64(0.0));
+        self.steps = Real::select(converged, steps, V::Scalar::from_f64(0.0));
         self.most = (self.most + 1).min(predictor.weights.len());
     }
 }
@@ -201,27 +201,27 @@ fn again<V: Vector>(
     scale: &impl Scale<V>,
     k: &mut [V],
     derivative: &mut impl FnMut(usize, &[V], MaskOf<V>) -> V,
-) -> Result<usize, Unsettled<MaskOf<V>>> {
+) -> Result<usize, Unconverged<MaskOf<V>>> {
     solver.solve_from(done, scale, k, &mut unknown(), derivative)
 }
 
 /// What comes of a second attempt, in the lanes that a guess had misled, after the first.
 fn retried<M: Mask>(
-    first: &Unsettled<M>,
+    first: &Unconverged<M>,
     guessed: M,
-    second: Result<usize, Unsettled<M>>,
-) -> Result<usize, Unsettled<M>> {
-    let failed = guessed.or(first.settled).not();
+    second: Result<usize, Unconverged<M>>,
+) -> Result<usize, Unconverged<M>> {
+    let failed = guessed.or(first.converged).not();
     let lost = first.iterations;
     match second {
         Ok(iterations) if !failed.any() => Ok(lost + iterations),
         Ok(iterations) => {
-            let settled = failed.not();
-            Err(Unsettled { settled, iterations: lost + iterations, error: first.error })
+            let converged = failed.not();
+            Err(Unconverged { converged, iterations: lost + iterations, error: first.error })
         }
         Err(second) => {
-            let settled = second.settled.and(failed.not());
-            Err(Unsettled { settled, iterations: lost + second.iterations, ..second })
+            let converged = second.converged.and(failed.not());
+            Err(Unconverged { converged, iterations: lost + second.iterations, ..second })
         }
     }
 }

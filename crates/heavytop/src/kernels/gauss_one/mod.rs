@@ -8,7 +8,7 @@ mod kernel;
 
 use crate::attitude::step_rotation::turned_by_spinors;
 use crate::kernels::midpoint::reduced_midpoint::top_of;
-use crate::{HeavyTop, HeavyTopSpace, SpinorPoint, SpinorRealisation, Turned, Turning};
+use crate::{HeavyTop, HeavyTopSpace, SpinorPoint, SpinorRealisation, TurnedStep, Turning};
 use coefficients::Coefficients;
 use collective_integrators::{
     Collective, CollectiveSpace, Compensated, Integrator, RungeKutta, SchemeError, StageSpace,
@@ -233,7 +233,7 @@ impl<H: Hamiltonian<HeavyTopSpace>> Turning for CollectiveGauss<H> {
         state: &Self::State,
         step: f64,
         workspace: &mut Self::Workspace,
-    ) -> Turned<Self::State, f64> {
+    ) -> TurnedStep<Self::State, f64> {
         turned_by_spinors(self, state, step, workspace, |state| &state.0)
     }
 }

@@ -2,7 +2,7 @@
 
 use crate::attitude::step_rotation::unit;
 use crate::kernels::midpoint::formulas::{Memory, Top};
-use crate::{HeavyTopSpace, Turned, Turning};
+use crate::{HeavyTopSpace, TurnedStep, Turning};
 use collective_integrators::{
     Integrator, LiftFree, RungeKutta, StageMemory, StageSolver, Start, Step, StepError,
 };
@@ -150,13 +150,13 @@ impl<H> ReducedMidpoint<H> {
         let a = velocity.0 * T::from_f64(0.25 * step);
         let (next, a) = match solved {
             Ok(iterations) => (Step { point: found, iterations }.finite()?, a),
-            Err(unsettled) if self.solver.newton => {
+            Err(unconverged) if self.solver.newton => {
                 let (next, newton) = self.step_by_newton(mu, step, &mut space.newton)?;
-                let settled = unsettled.settled;
-                let point = Vector::select(settled, &found, &next.point);
-                (Step { point, ..next }.finite()?, Vector::select(settled, &a, &newton))
+                let converged = unconverged.converged;
+                let point = Vector::select(converged, &found, &next.point);
+                (Step { point, ..next }.finite()?, Vector::select(converged, &a, &newton))
             }
-            Err(unsettled) => return Err(unsettled.into()),
+            Err(unconverged) => return Err(unconverged.into()),
         };
         space.velocities.end_at(&next.point.0);
         Ok((next, a))
@@ -326,7 +326,7 @@ where
         mu: &Se3Dual<T>,
         step: f64,
         workspace: &mut Self::Workspace,
-    ) -> Turned<Se3Dual<T>, T> {
+    ) -> TurnedStep<Se3Dual<T>, T> {
         let (next, a) = match self.step_of_top(mu, step, &mut workspace.memory) {
             Some(next) => (next, workspace.memory.newest().map(T::from_f64)),
             None => self.step_of_any(mu, step, &mut workspace.any)?,
