@@ -23,6 +23,7 @@
 //! | order, symplecticity, Poisson property, symmetry, descent, drift: measured | [`diagnostics`] |
 
 mod error;
+mod stage_frame;
 mod vector_field;
 mod step_fractions;
 mod tableaux;

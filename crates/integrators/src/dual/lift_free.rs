@@ -170,10 +170,10 @@ impl<S: Equivariant, M: Multipliers, H> LiftFree<S, M, H> {
         let back = self.multipliers.inverse::<T>(&moved);
         let frame = back.map(|back| (moved, back));
         let (multipliers, hamiltonian) = (&self.multipliers, &self.hamiltonian);
-        let field = MultiplierField { multipliers, hamiltonian, start: *mu, frame };
+        let continues = steps > 0;
+        let field = MultiplierField { multipliers, hamiltonian, start: *mu, frame, continues };
         let next = make(&field, &one, storage)?;
         let change = self.change::<T>(&next.point, mu);
-        self.scheme.continue_from(storage, &one);
         // Explicit methods make no iterations, and guess nothing.
         let guesses = next.iterations > 0;
         *course = frame.filter(|_| guesses).map(|(moved, _)| Course {

@@ -283,11 +283,6 @@ impl Scheme for RungeKutta {
         workspace.memory.forget();
     }
 
-    #[inline]
-    fn continue_from<V: Vector>(&self, workspace: &mut StageSpace<V>, start: &V) {
-        workspace.memory.end_at(start);
-    }
-
     fn order(&self) -> usize {
         self.tableau.order()
     }

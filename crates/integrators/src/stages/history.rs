@@ -1,5 +1,6 @@
 //! What is remembered of the steps before, and the guesses from it.
 
+use crate::stage_frame::StageFrame;
 use crate::stages::block_sizes::{BlockSizes, MaskOf};
 use crate::stages::convergence::{ROUND_OFF, Ratios, unknown};
 use crate::stages::extrapolation::Predictor;
@@ -12,8 +13,7 @@ use lie_poisson::{Mask, Real, Vector};
 const LARGEST_GROWTH: f64 = 2.0;
 
 /// The stage derivatives of the last steps of equal size, each of which began where the one before
-/// it ended, as the field has them [remembered](VectorField::remembered). Each lane remembers by
-/// itself.
+/// it ended, in the coordinates of the [frame](StageFrame). Each lane remembers by itself.
 #[derive(Clone, Debug)]
 pub(crate) struct StageHistory<V: Vector> {
     /// Oldest first; those that mean something come before `newest`. There is room for twice as many
@@ -71,8 +71,9 @@ impl<V: Vector> StageHistory<V> {
         k: &mut [V],
         mut derivative: impl FnMut(usize, &[V], MaskOf<V>) -> V,
     ) -> Result<usize, Unconverged<MaskOf<V>>> {
-        self.keep_where(z, size, predictor);
-        let guessed = self.guess(predictor, field, k);
+        let frame = field.stage_frame();
+        self.keep_where(z, size, predictor, &frame);
+        let guessed = self.guess(predictor, &frame, k);
         if !guessed.all() {
             fill_unless(guessed, k, &field.at(z));
         }
@@ -87,7 +88,7 @@ impl<V: Vector> StageHistory<V> {
             }
         }
         let converged = outcome.as_ref().map_or_else(|e| e.converged, |_| none.not());
-        self.remember(predictor, field, size, k, converged);
+        self.remember(predictor, &frame, size, k, converged);
         outcome
     }
 
@@ -100,7 +101,7 @@ impl<V: Vector> StageHistory<V> {
     /// Forgets everything where a step does not go on from what is remembered, or if that comes
     /// from another method.
     #[inline]
-    fn keep_where(&mut self, z: &V, size: f64, predictor: &Predictor) {
+    fn keep_where(&mut self, z: &V, size: f64, predictor: &Predictor, frame: &impl StageFrame<V>) {
         let room = 2 * predictor.capacity();
         if self.past.len() != room || self.stages != predictor.stages {
             self.past.resize(room, V::zero());
@@ -110,7 +111,7 @@ impl<V: Vector> StageHistory<V> {
         if self.size != size {
             self.forget();
         }
-        if self.most > 0 && *z != self.end {
+        if self.most > 0 && !frame.continues() && *z != self.end {
             let near = near(z, &self.end);
             self.steps = Real::select(near, self.steps, V::Scalar::from_f64(0.0));
             self.pace = self
@@ -121,12 +122,7 @@ impl<V: Vector> StageHistory<V> {
 
     /// Writes a guess. Returns where there is one.
     #[inline]
-    fn guess<F: VectorField<V::Scalar, Point = V>>(
-        &self,
-        predictor: &Predictor,
-        field: &F,
-        k: &mut [V],
-    ) -> MaskOf<V> {
+    fn guess(&self, predictor: &Predictor, frame: &impl StageFrame<V>, k: &mut [V]) -> MaskOf<V> {
         let none = MaskOf::<V>::from_bool(false);
         let (mut tried, mut guessed) = (none, none);
         for (n, weights) in (1..self.most + 1).zip(&predictor.weights).rev() {
@@ -150,7 +146,7 @@ impl<V: Vector> StageHistory<V> {
             }
         }
         if guessed.any() {
-            k.iter_mut().for_each(|k| *k = field.recalled(k));
+            k.iter_mut().for_each(|k| *k = frame.recalled(k));
         }
         guessed
     }
@@ -164,10 +160,10 @@ impl<V: Vector> StageHistory<V> {
 
     /// One more step where it is converged, nothing elsewhere.
     #[inline]
-    fn remember<F: VectorField<V::Scalar, Point = V>>(
+    fn remember(
         &mut self,
         predictor: &Predictor,
-        field: &F,
+        frame: &impl StageFrame<V>,
         size: f64,
         k: &[V],
         converged: MaskOf<V>,
@@ -181,7 +177,7 @@ impl<V: Vector> StageHistory<V> {
             self.newest = kept;
         }
         for (past, k) in self.past[self.newest..].iter_mut().zip(k) {
-            *past = field.remembered(k);
+            *past = frame.remembered(k);
         }
         self.newest += k.len();
         self.size = size;
