@@ -98,8 +98,7 @@ impl Integrator for Coarse {
         let mut k = [Vector::zero()];
         let middle = |_, k: &[SpinorPoint]| field.at(&(z + k[0].scaled(0.5 * step)));
         let iterations = StageSolver::default().solve(field.at(&z), &mut k, middle)?;
-        let point =
-            self.0.settled(compensated_sum(state, &Pair(k[0].scaled(step), Vector::zero())));
+        let point = self.0.gauged(compensated_sum(state, &Pair(k[0].scaled(step), Vector::zero())));
         Ok(Step { point, iterations })
     }
 
@@ -158,7 +157,7 @@ fn a_slide_along_the_fibre_takes_the_carry_along() -> Result<(), Box<dyn Error>>
         z.q += z.p.0.map(|x| x.scale(if n % 2 == 0 { 9.3 } else { -17.7 }));
         // as large as z, which tells more than the roundings that it stands for
         let e = SpinorPoint::from_coordinates(|i| (f64::from(n) + 0.7 * i as f64).sin());
-        let Pair(slid, carry) = Increments::<f64>::settled(&collective, Pair(z, e));
+        let Pair(slid, carry) = Increments::<f64>::gauged(&collective, Pair(z, e));
         assert!(slid.q.norm() < 0.9 * z.q.norm(), "start {n} has not slid");
         let (momentum, change) = (SpinorRealisation.apply(&z), carried(&z, &e));
         let kept = SpinorRealisation.apply(&slid) - momentum;

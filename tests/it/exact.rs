@@ -26,7 +26,7 @@ fn the_paper_s_maps_are_poisson() {
     assert!(is_poisson(&SpinorRealisation));
     assert!(is_poisson(&Varpi));
     assert!(is_poisson(&MomentumMap(SPINOR_MOTIONS)));
-    assert!(is_poisson(&Composition { outer: Varpi, inner: MomentumMap(SPINOR_MOTIONS) }));
+    assert!(is_poisson(&ComposedMap { outer: Varpi, inner: MomentumMap(SPINOR_MOTIONS) }));
 }
 
 #[test]
@@ -67,7 +67,7 @@ fn the_misprint_is_not_poisson() {
 
 #[test]
 fn closed_form_and_derived_m_are_one_polynomial() {
-    let derived = Composition { outer: Varpi, inner: MomentumMap(SPINOR_MOTIONS) };
+    let derived = ComposedMap { outer: Varpi, inner: MomentumMap(SPINOR_MOTIONS) };
     for z in rational_samples::<Cotangent<Vector2<Complex<Rational>>>>(4) {
         assert_eq!(SpinorRealisation.apply(&z), derived.apply(&z));
         for i in 0..6 {

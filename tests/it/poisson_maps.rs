@@ -5,7 +5,7 @@ use lie_poisson::{
     ComplexSpace, DualNumber, LiePoisson, Real, Se3, Se3Dual, Sign, Vector, map_coordinates,
 };
 use momentum_map::{
-    Composition, Cotangent, CotangentBundle, HOPF, HopfRealisation, MomentumMap, PoissonMap,
+    ComposedMap, Cotangent, CotangentBundle, HOPF, HopfRealisation, MomentumMap, PoissonMap,
     SourcePoint,
 };
 use nalgebra::{SVector, Vector3};
@@ -55,7 +55,7 @@ proptest! {
 
     #[test]
     fn the_composition_of_both_is_poisson(z in point::<SpinorPoint>()) {
-        let m = Composition { outer: Varpi, inner: MomentumMap(SPINOR_MOTIONS) };
+        let m = ComposedMap { outer: Varpi, inner: MomentumMap(SPINOR_MOTIONS) };
         prop_assert!(map_defect(&m, &z) <= ROUND_OFF);
     }
 

@@ -3,7 +3,7 @@
 use heavytop::{SPINOR_MOTIONS, SpinorMotions, SpinorPoint, SpinorRealisation, Varpi};
 use lie_poisson::{Covector, Hamiltonian, Pair, PoissonSpace, Vector, differential, from_closure};
 use momentum_map::{
-    CollectiveHamiltonian, Composition, Cotangent, HOPF, HopfRealisation, MomentumMap, PoissonMap,
+    CollectiveHamiltonian, ComposedMap, Cotangent, HOPF, HopfRealisation, MomentumMap, PoissonMap,
     SourcePoint, SymplecticSpace,
 };
 use nalgebra::{Matrix2, Vector2, Vector3};
@@ -11,8 +11,8 @@ use num_complex::Complex;
 use proptest::prelude::*;
 use workspace_tests::{Derived, assert_close, assert_near, persistent, point, tops};
 
-const COMPOSED: Composition<Varpi, MomentumMap<SpinorMotions>> =
-    Composition { outer: Varpi, inner: MomentumMap(SPINOR_MOTIONS) };
+const COMPOSED: ComposedMap<Varpi, MomentumMap<SpinorMotions>> =
+    ComposedMap { outer: Varpi, inner: MomentumMap(SPINOR_MOTIONS) };
 
 /// Sums of up to eight products of three numbers up to 3.
 const ROUND_OFF: f64 = 1e-14;

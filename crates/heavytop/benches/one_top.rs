@@ -5,8 +5,8 @@
 #![allow(clippy::unwrap_used, missing_docs)]
 
 use collective_integrators::{
-    AlternatingSplitting, AlternatingSubsteps, Collective, Direct, HamiltonianField, LiftFree,
-    RungeKutta, Start,
+    AlternatingSubsteps, Collective, Direct, HamiltonianField, LiftFree, RungeKutta, Splitting,
+    Start,
 };
 use criterion::measurement::WallTime;
 use criterion::{BenchmarkGroup, Criterion, Throughput, criterion_group, criterion_main};
@@ -86,7 +86,7 @@ fn per_accuracy(criterion: &mut Criterion) {
     time(&mut group, "1e-13: DOP853, direct", &direct(RungeKutta::dop853()), steps(0.025));
     time(&mut group, "1e-11: Gauss 8", &kernel(4), steps(0.0625));
     let flows = SymmetricTopSplitting::new(top()).unwrap();
-    let splitting = AlternatingSplitting::new(flows, AlternatingSubsteps::blanes_moan6());
+    let splitting = Splitting::alternating(flows, AlternatingSubsteps::blanes_moan6());
     time(&mut group, "1e-9: splitting of order 6", &splitting, steps(0.25));
     time(&mut group, "1e-6: RK4, direct", &direct(RungeKutta::rk4()), steps(0.01));
     group.finish();

@@ -4,6 +4,7 @@ use thiserror::Error;
 
 /// Why a set of parameters is not a heavy top.
 #[derive(Clone, Debug, PartialEq, Error)]
+#[non_exhaustive]
 pub enum TopError {
     /// A number is infinite or not a number.
     #[error("{name} must be a finite number, got {value:?}")]

@@ -71,7 +71,7 @@ mod analysis;
 pub use analysis::nutation::Nutation;
 pub use analysis::section::{Section, Surface};
 pub use analysis::section_error::SectionError;
-pub use attitude::step_rotation::{Turned, Turning, TurningFlows};
+pub use attitude::step_rotation::{TurnedStep, Turning, TurningFlows};
 pub use attitude::with_attitude::{WithAttitude, attitude_of_vertical};
 pub use closed_forms::elliptic::{JacobiElliptic, jacobi_elliptic};
 pub use closed_forms::euler_top::EulerSolution;

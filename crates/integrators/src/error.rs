@@ -6,6 +6,7 @@ use thiserror::Error;
 
 /// A step that has no result.
 #[derive(Clone, Copy, Debug, PartialEq, Error)]
+#[non_exhaustive]
 pub enum StepError {
     /// The stage equations were not solved.
     #[error(
@@ -88,6 +89,7 @@ impl IntegrationError {
 
 /// A run from a momentum that has no result.
 #[derive(Clone, Copy, Debug, PartialEq, Error)]
+#[non_exhaustive]
 pub enum RunError {
     /// No state represents the momentum.
     #[error(transparent)]
@@ -100,23 +102,24 @@ pub enum RunError {
 
 /// A scheme that does not exist.
 #[derive(Clone, Debug, PartialEq, Error)]
+#[non_exhaustive]
 pub enum SchemeError {
     /// A method needs at least one stage.
     #[error("a Runge–Kutta method needs at least one stage, 0 were asked for")]
     NoStages,
-    /// The coefficients do not form a tableau.
+    /// The coefficients, or their low parts, do not form a tableau.
     #[error(
         "a tableau with {stages} stages needs {stages}×{stages} coefficients a and {stages} weights b; got {a} and {b}"
     )]
     Shape {
-        /// The number of nodes.
+        /// The number of stages.
         stages: usize,
         /// The number of coefficients a.
         a: usize,
         /// The number of weights b.
         b: usize,
     },
-    /// A coefficient is infinite or not a number.
+    /// A coefficient, or its low part, is infinite or not a number.
     #[error("a coefficient of the method is not finite")]
     NotFinite,
     /// The substeps of a composition do not add up to the step.

@@ -6,13 +6,13 @@
 //! |---|---|
 //! | vector fields ż = X(z) | [`VectorField`], [`HamiltonianField`], [`from_fn`] |
 //! | Runge–Kutta coefficients and their properties | [`Tableau`] |
-//! | stage equations, guessed from the steps before and solved | [`StageSolver`], [`StageMemory`], [`Unsettled`] |
+//! | stage equations, guessed from the steps before and solved | [`StageSolver`], [`StageMemory`], [`Unconverged`] |
 //! | one-step methods, and which of them descend | [`Scheme`], [`Equivariant`], [`RungeKutta`] |
 //! | partitioned methods, which do not descend | [`Polarisation`], [`PartitionedRungeKutta`] |
 //! | integrators on 𝔤∗ | [`Integrator`], [`Start`], [`StateIsMomentum`], [`Collective`], [`Direct`], [`LiftFree`] |
 //! | compensated summation | [`Compensated`], [`Increments`] |
 //! | compositions of a method with itself | [`Composition`], [`Substeps`] |
-//! | splitting into exact flows | [`ExactFlows`], [`Splitting`], [`AlternatingSplitting`], [`AlternatingSubsteps`] |
+//! | splitting into exact flows | [`ExactFlows`], [`Splitting`], [`LieTrotter`], [`Strang`], [`AlternatingSubsteps`] |
 //! | doubled phase spaces: Tao's method; the semiexplicit one is a [`Tableau::semiexplicit`] | [`TaoFlows`] |
 //! | the spherical midpoint method | [`SphericalMidpoint`] |
 //! | trajectories, and their end alone | [`Trajectory`], [`Start::after`] |
@@ -23,6 +23,7 @@
 //! | order, symplecticity, Poisson property, symmetry, descent, drift: measured | [`diagnostics`] |
 
 mod error;
+mod stage_frame;
 mod vector_field;
 mod step_fractions;
 mod tableaux;
@@ -63,13 +64,14 @@ pub use schemes::partitioned::{PartitionedRungeKutta, PartitionedSpace};
 pub use schemes::polarisation::{Alternating, FirstHalf, Polarisation};
 pub use schemes::runge_kutta::{RungeKutta, StageSpace};
 pub use schemes::scheme::{Equivariant, Increment, Scheme, Step};
-pub use splittings::alternating_splitting::AlternatingSplitting;
 pub use splittings::composition::Composition;
-pub use splittings::splitting::{ExactFlows, Splitting};
+pub use splittings::exact_flows::ExactFlows;
+pub use splittings::flow_sequence::{FlowSequence, LieTrotter, Strang};
+pub use splittings::splitting::Splitting;
 pub use splittings::tao::TaoFlows;
 pub use stages::extrapolation::lagrange_polynomial;
 pub use stages::stage_memory::StageMemory;
-pub use stages::stage_solver::{StageSolver, Unsettled};
+pub use stages::stage_solver::{StageSolver, Unconverged};
 pub use step_fractions::alternating_substeps::AlternatingSubsteps;
 pub use step_fractions::substeps::Substeps;
 pub use tableaux::tableau::Tableau;

@@ -1,5 +1,6 @@
 //! Vector fields: what a scheme integrates.
 
+use crate::stage_frame::{OwnFrame, StageFrame};
 use core::marker::PhantomData;
 use lie_poisson::{
     Differential, DualNumber, Hamiltonian, Point, PoissonSpace, Real, Vector, derivative_part,
@@ -26,18 +27,15 @@ pub trait VectorField<T: Real = f64> {
         None
     }
 
-    /// What an implicit method remembers of a stage derivative k, to guess those of the steps that
-    /// follow: by default k. A field with coordinates of its own for every step, as where each
-    /// begins at Q = 1, takes k to coordinates in which all steps are one curve, by a linear map.
+    /// Returns how the stage solver remembers stage derivatives, which no other field than that of
+    /// [`LiftFree`](crate::LiftFree) has a reason to change.
+    #[doc(hidden)]
     #[inline]
-    fn remembered(&self, k: &Self::Point) -> Self::Point {
-        *k
-    }
-
-    /// The inverse of [`remembered`](Self::remembered), for the coordinates of this step.
-    #[inline]
-    fn recalled(&self, k: &Self::Point) -> Self::Point {
-        *k
+    fn stage_frame(&self) -> impl StageFrame<Self::Point>
+    where
+        Self: Sized,
+    {
+        OwnFrame
     }
 }
 

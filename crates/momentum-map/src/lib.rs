@@ -39,7 +39,7 @@
 //! | the momentum map of a lifted action | [`MomentumMap`] |
 //! | the momentum map of a linear symplectic action | [`QuadraticMomentumMap`] |
 //! | a Poisson map of your own, by `apply` and `generator` | [`PoissonMap`] |
-//! | compositions, products and powers of Poisson maps | [`Composition`], [`ProductMap`], [`PowerMap`] |
+//! | compositions, products and powers of Poisson maps | [`ComposedMap`], [`ProductMap`], [`PowerMap`] |
 //! | H = h∘M and its vector field | [`CollectiveHamiltonian`] |
 //! | a conserved quantity of a symmetry | [`NoetherQuantity`] |
 //! | a point z with M(z) = μ | [`Lift`] |
@@ -92,7 +92,7 @@ pub use maps::fibre::{FibreSymmetry, Lift, LiftError};
 pub use maps::momentum_map::MomentumMap;
 pub use maps::noether::NoetherQuantity;
 pub use maps::poisson_map::{
-    Composition, Identity, PoissonMap, SourcePoint, TargetDifferential, TargetPoint,
+    ComposedMap, Identity, PoissonMap, SourcePoint, TargetDifferential, TargetPoint,
 };
 pub use maps::product_map::{PowerMap, ProductMap};
 pub use maps::recentring::RecentringSpace;

@@ -6,6 +6,7 @@ use thiserror::Error;
 
 /// Why a run cannot go on from what an interrupted one has left.
 #[derive(Debug, Error)]
+#[non_exhaustive]
 pub enum CheckpointError {
     /// It could not be read.
     #[error(transparent)]

@@ -15,6 +15,7 @@ use thiserror::Error;
 
 /// Why a command did not do what it was asked. [`Error::message`] has the causes too.
 #[derive(Debug, Error)]
+#[non_exhaustive]
 pub enum Error {
     /// The configuration file could not be read.
     #[error("cannot read the configuration {}", path.display())]

@@ -4,6 +4,7 @@ use thiserror::Error;
 
 /// A sweep that cannot be.
 #[derive(Clone, Debug, PartialEq, Error)]
+#[non_exhaustive]
 pub enum SweepError {
     /// There is nothing to vary.
     #[error("axes must have at least one axis")]

@@ -5,6 +5,7 @@ use thiserror::Error;
 
 /// Why there is no Poincaré section.
 #[derive(Clone, Copy, Debug, PartialEq, Error)]
+#[non_exhaustive]
 pub enum SectionError {
     /// A number is infinite or not a number.
     #[error("{name} must be a finite number, got {value:?}")]

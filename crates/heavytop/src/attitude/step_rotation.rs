@@ -2,15 +2,15 @@
 
 use crate::{HeavyTopSpace, SpinorPoint, SpinorRealisation};
 use collective_integrators::{
-    Collective, Compensated, Composition, Equivariant, ExactFlows, Integrator, LiftFree, Scheme,
-    Splitting, Step, StepError, compensated_sum,
+    Collective, Compensated, Composition, Equivariant, ExactFlows, FlowSequence, Integrator,
+    LiftFree, Scheme, Splitting, Step, StepError, compensated_sum,
 };
 use lie_poisson::{Hamiltonian, Pair, Quaternion, Real, Se3Dual, Vector, squaring_scale};
 use momentum_map::DualQuaternions;
 use nalgebra::Vector3;
 
 /// The outcome of a step from `S`, and its rotation.
-pub type Turned<S, T> = Result<(Step<S>, Quaternion<T>), StepError>;
+pub type TurnedStep<S, T> = Result<(Step<S>, Quaternion<T>), StepError>;
 
 /// An integrator on se(3)∗ that knows the rotation of the body in each step.
 ///
@@ -27,7 +27,7 @@ pub trait Turning<T: Real = f64>: Integrator<T, Momentum = Se3Dual<T>> {
         state: &Self::State,
         step: f64,
         workspace: &mut Self::Workspace,
-    ) -> Turned<Self::State, T>;
+    ) -> TurnedStep<Self::State, T>;
 }
 
 /// By the [multiplier](LiftFree::multiplier).
@@ -43,7 +43,7 @@ where
         mu: &Se3Dual<T>,
         step: f64,
         workspace: &mut Self::Workspace,
-    ) -> Turned<Se3Dual<T>, T> {
+    ) -> TurnedStep<Se3Dual<T>, T> {
         let Step { point: q, iterations } = self.multiplier::<T>(mu, step, workspace)?;
         let next = Step { point: *mu + self.change::<T>(&q, mu), iterations }.finite()?;
         Ok((next, unit(q.0)))
@@ -63,7 +63,7 @@ where
         state: &Self::State,
         step: f64,
         workspace: &mut Self::Workspace,
-    ) -> Turned<Self::State, T> {
+    ) -> TurnedStep<Self::State, T> {
         let (mu, base) = (&state.0, self.base());
         let Step { point: q, iterations } = base.refined_multiplier::<T>(mu, step, workspace)?;
         let increment = Pair(base.change::<T>(&q, mu), Vector::zero());
@@ -85,7 +85,7 @@ where
         z: &SpinorPoint<T>,
         step: f64,
         workspace: &mut Self::Workspace,
-    ) -> Turned<SpinorPoint<T>, T> {
+    ) -> TurnedStep<SpinorPoint<T>, T> {
         turned_by_spinors(self, z, step, workspace, |z| z)
     }
 }
@@ -103,7 +103,7 @@ where
         state: &Self::State,
         step: f64,
         workspace: &mut Self::Workspace,
-    ) -> Turned<Self::State, T> {
+    ) -> TurnedStep<Self::State, T> {
         turned_by_spinors(self, state, step, workspace, |state| &state.0)
     }
 }
@@ -123,7 +123,7 @@ pub(crate) fn turned_by_spinors<I: Integrator<T>, T: Real>(
     step: f64,
     workspace: &mut I::Workspace,
     spinors: impl Fn(&I::State) -> &SpinorPoint<T>,
-) -> Turned<I::State, T> {
+) -> TurnedStep<I::State, T> {
     let next = integrator.step(state, step, workspace)?;
     let turn = spinor_turn(spinors(state), spinors(&next.point));
     Ok((next, turn))
@@ -147,7 +147,7 @@ impl<I: Turning<T>, T: Real> Turning<T> for Composition<I> {
         state: &I::State,
         step: f64,
         workspace: &mut I::Workspace,
-    ) -> Turned<I::State, T> {
+    ) -> TurnedStep<I::State, T> {
         let mut total = (Step { point: *state, iterations: 0 }, Quaternion::one());
         for gamma in self.substeps().fractions() {
             let (next, turn) = self.base().turn(&total.0.point, gamma * step, workspace)?;
@@ -180,18 +180,13 @@ impl<E: TurningFlows<T>, T: Real> ExactFlows<T> for Collected<'_, E> {
 }
 
 /// The rotations of the flows, one after the other.
-impl<E: TurningFlows<T>, T: Real> Turning<T> for Splitting<E> {
+impl<E: TurningFlows<T>, S: FlowSequence, T: Real> Turning<T> for Splitting<E, S> {
     #[inline]
-    fn turn(&self, mu: &Se3Dual<T>, step: f64, (): &mut ()) -> Turned<Se3Dual<T>, T> {
-        let flows = Collected(self.flows());
-        let collected = if self.is_symmetric() {
-            Splitting::strang(flows)
-        } else {
-            Splitting::lie_trotter(flows)
-        };
+    fn turn(&self, mu: &Se3Dual<T>, step: f64, (): &mut ()) -> TurnedStep<Se3Dual<T>, T> {
         let start = Pair(*mu, Quaternion::one());
-        let Step { point, iterations } = collected.step(&start, step, &mut ())?;
-        Ok((Step { point: point.0, iterations }, unit(point.1)))
+        let point = self.sequence().run(&Collected(self.flows()), step, &start);
+        let Step { point: Pair(end, turn), iterations } = Step { point, iterations: 0 }.finite()?;
+        Ok((Step { point: end, iterations }, unit(turn)))
     }
 }
 

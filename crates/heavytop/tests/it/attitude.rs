@@ -1,8 +1,8 @@
 //! The attitude that comes with a motion, in every formulation that has one.
 
 use collective_integrators::{
-    Collective, Composition, Direct, FirstHalf, LiftFree, PartitionedRungeKutta, RungeKutta,
-    Splitting, Start, Substeps, fitted_order, from_fn,
+    AlternatingSubsteps, Collective, Composition, Direct, FirstHalf, LiftFree,
+    PartitionedRungeKutta, RungeKutta, Splitting, Start, Substeps, fitted_order, from_fn,
 };
 use heavytop::{
     HeavyTop, ReducedMidpoint, RotorSplitting, SpinorRealisation, SymmetricTopSplitting,
@@ -65,6 +65,9 @@ fn every_formulation(task: &impl Task) {
     task.perform("rotors, composed", 4.0, Composition::new(rotors(), Substeps::suzuki4()));
     task.perform("symmetric top", 2.0, symmetric());
     task.perform("symmetric, composed", 4.0, Composition::new(symmetric(), Substeps::suzuki4()));
+    let symmetric = SymmetricTopSplitting::new(top).unwrap();
+    let alternating = Splitting::alternating(symmetric, AlternatingSubsteps::blanes_moan4());
+    task.perform("symmetric, alternating", 4.0, alternating);
 }
 
 /// Rᵀe₃ against Γ/|Γ| over 10⁴ steps, with the attitude and with the factors in the wrong order.
@@ -118,7 +121,7 @@ fn reference() -> Quaternion {
     });
     let dop853 = Direct::new(RungeKutta::dop853(), field);
     let state = Pair(start(), attitude_of_vertical(&start().0.1));
-    dop853.trajectory(&state, 0.005).unwrap().nth(200).unwrap().unwrap().momentum.1
+    dop853.trajectory(&state, 0.005).unwrap().nth(200).unwrap().unwrap().state.1
 }
 
 /// The error of the attitude at t = 1 against the reference falls with the order of the method.

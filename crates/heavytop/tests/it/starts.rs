@@ -1,9 +1,9 @@
 //! A start that is not a finite number is refused by every formulation, with the same error.
 
 use collective_integrators::{
-    AlternatingSplitting, AlternatingSubsteps, BatchIntegrator, Collective, Composition, Direct,
-    Ensemble, HamiltonianField, Integrator, Laned, LiftFree, RunError, RungeKutta, Splitting,
-    Start, StepError, Substeps, VariationalFlow,
+    AlternatingSubsteps, BatchIntegrator, Collective, Composition, Direct, Ensemble,
+    HamiltonianField, Integrator, Laned, LiftFree, RunError, RungeKutta, Splitting, Start,
+    StepError, Substeps, VariationalFlow,
 };
 use heavytop::{
     CollectiveGauss, GaussBatch, HeavyTop, MidpointBatch, ReducedMidpoint, RotorSplitting,
@@ -74,10 +74,7 @@ fn every_formulation_refuses_starts_that_are_not_finite() {
     refuses("collective Gauss", &CollectiveGauss::new(3, top).unwrap());
     refuses("rotors", &Splitting::strang(RotorSplitting(top)));
     refuses("symmetric", &Splitting::strang(symmetric));
-    refuses(
-        "alternating",
-        &AlternatingSplitting::new(symmetric, AlternatingSubsteps::blanes_moan4()),
-    );
+    refuses("alternating", &Splitting::alternating(symmetric, AlternatingSubsteps::blanes_moan4()));
     refuses("composed", &Composition::new(TopMidpoint::new(top), Substeps::yoshida4()));
     refuses("attitude", &WithAttitude(LiftFree::new(gauss(), DualQuaternions, top)));
 }

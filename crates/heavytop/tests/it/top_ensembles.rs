@@ -62,7 +62,7 @@ fn difference(a: &Se3Dual, b: &Se3Dual) -> f64 {
 fn one_by_one(substeps: &AlternatingSubsteps, step: f64, steps: usize) -> Vec<Se3Dual> {
     let tops = tops();
     let end = |(i, z): (usize, Se3Dual)| {
-        let integrator = AlternatingSplitting::new(tops[i % tops.len()], substeps.clone());
+        let integrator = Splitting::alternating(tops[i % tops.len()], substeps.clone());
         (0..steps).fold(z, |z, _| integrator.step(&z, step, &mut ()).unwrap().point)
     };
     starts().into_iter().enumerate().map(end).collect()
@@ -149,7 +149,7 @@ fn a_top_that_turns_too_fast_goes_alone() {
     let flows = tops()[0];
     let mut states = members(&[flows]);
     states[5].1.0.0 = Vector3::new(3.0, 200.0, 100.0);
-    let alone = AlternatingSplitting::new(flows, substeps.clone());
+    let alone = Splitting::alternating(flows, substeps.clone());
     let expected = (0..10).fold(states[5].1, |z, _| alone.step(&z, 0.1, &mut ()).unwrap().point);
     let ensemble = SymmetricTopBatch::new(substeps);
     ensemble.advance(&mut states, 0.1, 0..10, &mut (), &mut no_failure);

@@ -66,11 +66,11 @@ where
     flow: VariationalFlow<'a, I, K>,
     start: u64,
     sums: [f64; K],
-    upcoming: Upcoming,
+    upcoming: NextStretch,
 }
 
 #[derive(Clone, Copy, Debug, PartialEq)]
-enum Upcoming {
+enum NextStretch {
     First,
     Next,
     Failed(VariationalError),
@@ -94,7 +94,7 @@ where
     /// has come far leaves its transient out.
     pub fn from_flow(flow: VariationalFlow<'a, I, K>) -> Self {
         let start = flow.steps();
-        Self { flow, start, sums: [0.0; K], upcoming: Upcoming::First }
+        Self { flow, start, sums: [0.0; K], upcoming: NextStretch::First }
     }
 
     /// The state with its tangent vectors.
@@ -104,12 +104,12 @@ where
 
     fn advance(&mut self) -> Result<Exponents<<I as Integrator>::State, K>, VariationalError> {
         match self.upcoming {
-            Upcoming::Failed(error) => return Err(error),
+            NextStretch::Failed(error) => return Err(error),
             // Lengths at the start are no stretches.
-            Upcoming::First => {
+            NextStretch::First => {
                 self.flow.orthonormalise()?;
             }
-            Upcoming::Next => {}
+            NextStretch::Next => {}
         }
         self.flow.advance()?;
         for (sum, length) in self.sums.iter_mut().zip(self.flow.orthonormalise()?) {
@@ -133,7 +133,8 @@ where
 
     fn next(&mut self) -> Option<Self::Item> {
         let item = self.advance();
-        self.upcoming = item.as_ref().map_or_else(|e| Upcoming::Failed(*e), |_| Upcoming::Next);
+        self.upcoming =
+            item.as_ref().map_or_else(|e| NextStretch::Failed(*e), |_| NextStretch::Next);
         Some(item)
     }
 }

@@ -9,6 +9,7 @@ type State<I> = <I as Integrator>::State;
 
 /// Tangent vectors that cannot be advanced.
 #[derive(Clone, Copy, Debug, PartialEq, Error)]
+#[non_exhaustive]
 pub enum VariationalError {
     /// The run failed, for the state or for a tangent vector.
     #[error(transparent)]

@@ -7,6 +7,7 @@ use thiserror::Error;
 
 /// Statistics of a drift that do not exist.
 #[derive(Clone, Debug, PartialEq, Error)]
+#[non_exhaustive]
 pub enum DriftError {
     /// The run ended with an error.
     #[error(transparent)]

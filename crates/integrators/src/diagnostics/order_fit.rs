@@ -4,6 +4,7 @@ use thiserror::Error;
 
 /// Nothing to fit an order to.
 #[derive(Clone, Copy, Debug, PartialEq, Error)]
+#[non_exhaustive]
 pub enum OrderFitError {
     /// Too few errors say something about the order.
     #[error(

@@ -9,6 +9,7 @@ use thiserror::Error;
 
 /// The map of one step has no value at a point.
 #[derive(Clone, Debug, PartialEq, Error)]
+#[non_exhaustive]
 pub enum StepMapError {
     /// The momentum is not represented by a state.
     #[error(transparent)]

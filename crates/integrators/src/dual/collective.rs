@@ -246,7 +246,7 @@ where
     /// z + e + gauge(z + e), to first order in e. Where the derivative of a gauge means nothing but goes along
     /// the fibre, as that of a power of two, M does not see it.
     #[inline]
-    fn settled(&self, state: Pair<Self::State, Self::State>) -> Pair<Self::State, Self::State> {
+    fn gauged(&self, state: Pair<Self::State, Self::State>) -> Pair<Self::State, Self::State> {
         let Pair(z, carry) = state;
         let slide = self.gauge::<T>(&z);
         let still = slide.max_norm().at_most(T::zero());

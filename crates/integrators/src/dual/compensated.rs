@@ -11,7 +11,7 @@ use momentum_map::LiftError;
 /// See [`Compensated`].
 pub trait Increments<T: Real = f64>: Integrator<T> {
     /// The change δz + δe of the state in one step, before the state is
-    /// [`settled`](Self::settled); δe has the size of the roundings of δz.
+    /// [`gauged`](Self::gauged); δe has the size of the roundings of δz.
     ///
     /// # Errors
     /// If the step has no result. That it is finite is left to who adds it.
@@ -22,10 +22,10 @@ pub trait Increments<T: Real = f64>: Integrator<T> {
         workspace: &mut Self::Workspace,
     ) -> Result<Increment<Self::State>, StepError>;
 
-    /// The state that is gone on from in the place of this z + e, with the same momentum. By default
-    /// itself.
+    /// The state from which the next step starts instead of this z + e, with the same momentum: another point of
+    /// the fibre, where there are fibres. By default the state itself.
     #[inline]
-    fn settled(&self, state: Pair<Self::State, Self::State>) -> Pair<Self::State, Self::State> {
+    fn gauged(&self, state: Pair<Self::State, Self::State>) -> Pair<Self::State, Self::State> {
         state
     }
 }
@@ -114,7 +114,7 @@ impl<I: Increments<T>, T: Real> Integrator<T> for Compensated<I> {
         workspace: &mut Self::Workspace,
     ) -> Result<Step<Self::State>, StepError> {
         let Step { point, iterations } = self.0.increment(&state.0, step, workspace)?;
-        Step { point: self.0.settled(compensated_sum(state, &point)), iterations }.finite()
+        Step { point: self.0.gauged(compensated_sum(state, &point)), iterations }.finite()
     }
 
     #[inline]

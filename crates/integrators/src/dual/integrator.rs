@@ -6,13 +6,17 @@ use momentum_map::LiftError;
 
 /// A method that advances a state and reads a momentum μ off it.
 ///
+/// A method may as well advance a point of another space than 𝔤∗, as [`Direct`](crate::Direct) and
+/// [`Splitting`](crate::Splitting) do for a pendulum. There is no momentum then: [`momentum`](Self::momentum)
+/// is the identity, and [`Sample::state`] the name to read the point by.
+///
 /// # Example
 /// See [`Collective`](crate::Collective).
 pub trait Integrator<T: Real = f64> {
     /// What is advanced: z ∈ P, or μ itself.
     type State: Vector<Scalar = T>;
 
-    /// What is simulated: μ ∈ 𝔤∗.
+    /// What is simulated: μ ∈ 𝔤∗. For equations on another space than 𝔤∗, [`State`](Self::State) again.
     type Momentum: Vector<Scalar = T>;
 
     /// The storage of a step.
@@ -37,7 +41,7 @@ pub trait Integrator<T: Real = f64> {
     #[inline]
     fn forget(&self, _workspace: &mut Self::Workspace) {}
 
-    /// μ of a state.
+    /// μ of a state; for equations on another space than 𝔤∗, the state.
     fn momentum(&self, state: &Self::State) -> Self::Momentum;
 
     /// The trajectory through a state at t = 0, with steps of size `step`. If a coordinate of the state or
@@ -112,7 +116,7 @@ pub trait Start<T: Real = f64>: Integrator<T> {
     /// let (start, steps) = (Vector2::new(1.0, 0.0), 100);
     /// let last = gauss.after(&start, 6.699975664370453 / steps as f64, steps)?;
     /// assert_eq!(last.step, steps);
-    /// assert!((last.momentum - start).norm() < 1e-12);
+    /// assert!((last.state - start).norm() < 1e-12);
     /// # Ok::<(), Box<dyn std::error::Error>>(())
     /// ```
     fn after(
@@ -178,7 +182,7 @@ pub struct Sample<S, M> {
     pub time: f64,
     /// The state that is advanced.
     pub state: S,
-    /// The momentum μ read off it.
+    /// The momentum μ of the state; for equations on another space than 𝔤∗, the state again.
     pub momentum: M,
     /// Iterations of the stage solver in the step that led here.
     pub iterations: usize,

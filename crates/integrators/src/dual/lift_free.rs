@@ -119,7 +119,7 @@ impl<S: Equivariant, M: Multipliers, H> LiftFree<S, M, H> {
         mu: &Point<M::Space, T>,
         step: f64,
         workspace: &mut MultiplierSpace<S, M, T>,
-    ) -> Result<Motion<M, T>, StepError>
+    ) -> Result<MultiplierStep<M, T>, StepError>
     where
         H: Hamiltonian<M::Space, T>,
     {
@@ -135,7 +135,7 @@ impl<S: Equivariant, M: Multipliers, H> LiftFree<S, M, H> {
         mu: &Point<M::Space, T>,
         step: f64,
         workspace: &mut MultiplierSpace<S, M, T>,
-    ) -> Result<Motion<M, T>, StepError>
+    ) -> Result<MultiplierStep<M, T>, StepError>
     where
         H: Hamiltonian<M::Space, T>,
     {
@@ -157,7 +157,7 @@ impl<S: Equivariant, M: Multipliers, H> LiftFree<S, M, H> {
             &Multiplier<M, T>,
             &mut S::Workspace<Multiplier<M, T>>,
         ) -> Result<Step<Multiplier<M, T>>, StepError>,
-    ) -> Result<Motion<M, T>, StepError>
+    ) -> Result<MultiplierStep<M, T>, StepError>
     where
         H: Hamiltonian<M::Space, T>,
     {
@@ -171,10 +171,10 @@ impl<S: Equivariant, M: Multipliers, H> LiftFree<S, M, H> {
         let back = self.multipliers.inverse::<T>(&moved);
         let frame = back.map(|back| (moved, back));
         let (multipliers, hamiltonian) = (&self.multipliers, &self.hamiltonian);
-        let field = MultiplierField { multipliers, hamiltonian, start: *mu, frame };
+        let continues = steps > 0;
+        let field = MultiplierField { multipliers, hamiltonian, start: *mu, frame, continues };
         let next = make(&field, &one, storage)?;
         let change = self.change::<T>(&next.point, mu);
-        self.scheme.continue_from(storage, &one);
         // Explicit methods make no iterations, and guess nothing.
         let guesses = next.iterations > 0;
         *course = frame.filter(|_| guesses).map(|(moved, _)| Course {
@@ -190,7 +190,7 @@ impl<S: Equivariant, M: Multipliers, H> LiftFree<S, M, H> {
 type CourseOf<M, T> = Course<Point<<M as Multipliers>::Space, T>, Multiplier<M, T>>;
 
 /// The multiplier of a step, and the change that it makes of μ.
-type Motion<M, T> = (Step<Multiplier<M, T>>, Point<<M as Multipliers>::Space, T>);
+type MultiplierStep<M, T> = (Step<Multiplier<M, T>>, Point<<M as Multipliers>::Space, T>);
 
 /// The storage of a lift-free step: that of the scheme, for multipliers, and the steps that it
 /// remembers.

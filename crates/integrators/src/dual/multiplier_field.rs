@@ -1,5 +1,6 @@
 //! The vector field of multipliers, and steps of it in a row.
 
+use crate::stage_frame::StageFrame;
 use crate::stages::history::near;
 use crate::{CHECKPOINT, VectorField};
 use lie_poisson::{
@@ -15,6 +16,8 @@ pub(crate) struct MultiplierField<'a, M: Multipliers, H, T: Real> {
     pub(crate) start: Point<M::Space, T>,
     /// A and A⁻¹: where Q(t) of this step begins, that of its course is A, and continues as Q(t) A.
     pub(crate) frame: Option<(Multiplier<M, T>, Multiplier<M, T>)>,
+    /// Whether steps of the course come before this one.
+    pub(crate) continues: bool,
 }
 
 impl<M, H, T> VectorField<T> for MultiplierField<'_, M, H, T>
@@ -41,6 +44,23 @@ where
         let dh: Differential<M::Space, DualNumber<T>> =
             seed(&self.hamiltonian.differential(&mu), &hessian);
         Some(derivative_part(&self.multipliers.generate::<DualNumber<T>>(&dh, &moved)))
+    }
+
+    #[inline]
+    fn stage_frame(&self) -> impl StageFrame<Multiplier<M, T>> {
+        self
+    }
+}
+
+/// That of the course, in which the stage derivatives are k A.
+impl<M, H, T> StageFrame<Multiplier<M, T>> for &MultiplierField<'_, M, H, T>
+where
+    M: Multipliers,
+    T: Real,
+{
+    #[inline]
+    fn continues(&self) -> bool {
+        self.continues
     }
 
     /// k A

@@ -62,7 +62,7 @@ impl<F> SphericalMidpoint<F> {
     }
 }
 
-/// A point of (so(3)∗)ᴺ.
+/// A point of (so(3)∗)ᴺ: a momentum.
 type Spheres<T, const N: usize> = Covector<Power<Vector3<T>, N>>;
 
 impl<T, F, const N: usize> Integrator<T> for SphericalMidpoint<F>

@@ -8,6 +8,7 @@ use thiserror::Error;
 
 /// An event that cannot be located.
 #[derive(Clone, Copy, Debug, PartialEq, Error)]
+#[non_exhaustive]
 pub enum EventError {
     /// The run failed.
     #[error(transparent)]

@@ -6,6 +6,7 @@ use thiserror::Error;
 
 /// A time at which a trajectory has no state.
 #[derive(Clone, Copy, Debug, PartialEq, Error)]
+#[non_exhaustive]
 pub enum DenseOutputError {
     /// The run failed before.
     #[error(transparent)]
@@ -41,8 +42,8 @@ pub enum DenseOutputError {
 /// let gauss = Direct::new(RungeKutta::gauss(4)?, oscillator);
 /// let mut run = DenseOutput::new(&gauss, gauss.trajectory(&Vector2::x(), 0.2)?);
 /// for t in [0.0, 0.7, 0.75, 3.0] {
-///     let momentum = run.at(t)?.momentum;
-///     assert!((momentum - Vector2::new(t.cos(), -t.sin())).norm() < 1e-12);
+///     let z = run.at(t)?.state;
+///     assert!((z - Vector2::new(t.cos(), -t.sin())).norm() < 1e-12);
 /// }
 /// assert!(run.at(1.0).is_err());
 /// # Ok::<(), Box<dyn std::error::Error>>(())
@@ -140,7 +141,7 @@ mod tests {
         let rk4 = Direct::new(RungeKutta::rk4(), decay);
         let mut run = DenseOutput::new(&rk4, rk4.trajectory_from(Vector1::x(), -0.01));
         for t in [-0.005, -0.25, -0.2512_f64] {
-            assert!(run.at(t).is_ok_and(|s| (s.momentum[0] - (-t).exp()).abs() < 1e-9));
+            assert!(run.at(t).is_ok_and(|s| (s.state[0] - (-t).exp()).abs() < 1e-9));
         }
         assert!(matches!(run.at(0.0), Err(DenseOutputError::Passed { .. })));
     }

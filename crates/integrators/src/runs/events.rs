@@ -46,7 +46,7 @@ use crate::{Direction, EventError, IntegrationError, Integrator, SampleOf};
 /// for (k, event) in events.into_iter().enumerate() {
 ///     let event = event?;
 ///     assert!((event.time - (1.5 + 2.0 * k as f64) * PI).abs() < 1e-13);
-///     assert!(event.momentum.x.abs() < 1e-15);
+///     assert!(event.state.x.abs() < 1e-15);
 /// }
 /// # Ok::<(), Box<dyn std::error::Error>>(())
 /// ```

@@ -2,7 +2,7 @@
 
 use crate::stages::block_sizes::MaskOf;
 use crate::stages::extrapolation::Predictor;
-use crate::stages::history::Memory;
+use crate::stages::history::StageHistory;
 use crate::stages::stage_scale::StageScale;
 use crate::tableaux::order_conditions::tree_order;
 use crate::tableaux::tableau::COEFFICIENT_TOLERANCE;
@@ -167,7 +167,7 @@ impl<P: Polarisation> PartitionedRungeKutta<P> {
 #[derive(Clone, Debug)]
 pub struct PartitionedSpace<V: Vector> {
     k: Vec<V>,
-    memory: Memory<V>,
+    memory: StageHistory<V>,
 }
 
 impl<P: Polarisation> Scheme for PartitionedRungeKutta<P> {
@@ -175,7 +175,7 @@ impl<P: Polarisation> Scheme for PartitionedRungeKutta<P> {
 
     fn workspace<V: Vector>(&self) -> PartitionedSpace<V> {
         let k = vec![V::zero(); self.q.stages()];
-        PartitionedSpace { k, memory: Memory::new(&self.predictor) }
+        PartitionedSpace { k, memory: StageHistory::new(&self.predictor) }
     }
 
     #[inline]
@@ -201,7 +201,7 @@ impl<P: Polarisation> Scheme for PartitionedRungeKutta<P> {
                 k,
                 derivative,
             )
-            .map_err(|unsettled| unsettled.error)?;
+            .map_err(|unconverged| unconverged.error)?;
         let point = Self::sum(step, (self.q.weights(), self.p.weights()), k);
         memory.end_at(&(*z + point));
         Ok(Step { point, iterations })

@@ -3,10 +3,10 @@
 use crate::schemes::refinement::refine;
 use crate::stages::block_sizes::MaskOf;
 use crate::stages::extrapolation::Predictor;
-use crate::stages::history::Memory;
+use crate::stages::history::StageHistory;
 use crate::stages::newton::{NewtonSpace, newton_step};
 use crate::stages::stage_scale::StageScale;
-use crate::stages::stage_solver::{Unsettled, combination, evenly_scaled, plus_combination};
+use crate::stages::stage_solver::{Unconverged, combination, evenly_scaled, plus_combination};
 use crate::tableaux::dop853;
 use crate::{
     Equivariant, Increment, Scheme, SchemeError, StageSolver, Step, StepError, Substeps, Tableau,
@@ -171,15 +171,15 @@ impl RungeKutta {
         let scale = StageScale::new(z, step);
         let from = (z, step, &scale);
         match memory.solve(&self.predictor, &self.solver, field, from, k, derivative) {
-            Err(Unsettled { settled, iterations, .. }) if self.solver.newton => {
+            Err(Unconverged { converged, iterations, .. }) if self.solver.newton => {
                 let advance = |done: T::Mask, k: &mut [F::Point]| {
                     newton_step(field, (z, step), &self.tableau, done, k, newton)
                 };
-                let more = self.solver.newton(settled, &field.at(z), &scale, k, advance)?;
-                Ok((iterations + more, settled))
+                let more = self.solver.newton(converged, &field.at(z), &scale, k, advance)?;
+                Ok((iterations + more, converged))
             }
             Ok(iterations) => Ok((iterations, T::Mask::from_bool(true))),
-            Err(unsettled) => Err(unsettled.error),
+            Err(unconverged) => Err(unconverged.error),
         }
     }
 
@@ -226,7 +226,7 @@ pub struct StageSpace<V: Vector> {
     rest: Vec<V>,
     /// Σ_j low_ij k_j with the low parts of the coefficients, once the stages are near.
     small: Vec<V>,
-    memory: Memory<V>,
+    memory: StageHistory<V>,
     newton: NewtonSpace<V::Scalar>,
 }
 
@@ -240,7 +240,7 @@ impl Scheme for RungeKutta {
             k: vec![V::zero(); self.tableau.stages()],
             rest: vec![V::zero(); self.tableau.stages()],
             small: vec![V::zero(); self.tableau.stages()],
-            memory: Memory::new(&self.predictor),
+            memory: StageHistory::new(&self.predictor),
             newton: NewtonSpace::default(),
         }
     }
@@ -281,11 +281,6 @@ impl Scheme for RungeKutta {
     #[inline]
     fn forget<V: Vector>(&self, workspace: &mut StageSpace<V>) {
         workspace.memory.forget();
-    }
-
-    #[inline]
-    fn continue_from<V: Vector>(&self, workspace: &mut StageSpace<V>, start: &V) {
-        workspace.memory.end_at(start);
     }
 
     fn order(&self) -> usize {

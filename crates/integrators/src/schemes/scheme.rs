@@ -89,10 +89,6 @@ pub trait Scheme: Clone {
     #[inline]
     fn forget<V: Vector>(&self, _workspace: &mut Self::Workspace<V>) {}
 
-    /// Lets a step from `start` go on from the last one, wherever that ended. By default nothing.
-    #[inline]
-    fn continue_from<V: Vector>(&self, _workspace: &mut Self::Workspace<V>, _start: &V) {}
-
     /// The order of convergence.
     fn order(&self) -> usize;
 

@@ -116,11 +116,6 @@ impl<S: Scheme> Scheme for Composition<S> {
         self.base.forget(workspace);
     }
 
-    #[inline]
-    fn continue_from<V: Vector>(&self, workspace: &mut Self::Workspace<V>, start: &V) {
-        self.base.continue_from(workspace, start);
-    }
-
     /// [`Substeps::order_over`] what the base has.
     fn order(&self) -> usize {
         self.substeps.order_over(self.base.order(), self.base.is_symmetric())

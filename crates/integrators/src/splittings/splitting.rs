@@ -1,35 +1,23 @@
 //! Splitting into flows that are known exactly.
 
-use crate::{Integrator, StateIsMomentum, Step, StepError};
-use lie_poisson::{Real, Vector};
+use crate::{
+    AlternatingSubsteps, ExactFlows, FlowSequence, Integrator, LieTrotter, StateIsMomentum, Step,
+    StepError, Strang,
+};
+use lie_poisson::Real;
 
-/// A vector field X = X_1 + … + X_n whose parts have flows in closed form.
-///
-/// If the parts are the Hamiltonian vector fields of h = h_1 + … + h_n, their exact flows are
-/// Poisson maps, and so is what is composed of them: a splitting method needs no realisation to be
-/// a Poisson integrator. It needs luck with h.
-pub trait ExactFlows<T: Real = f64> {
-    /// Where the field lives.
-    type Point: Vector<Scalar = T>;
-
-    /// n
-    const COUNT: usize;
-
-    /// The flow of X_{index+1} for the given time, which may be negative; the identity for `index`
-    /// ≥ `COUNT`.
-    fn flow(&self, index: usize, time: f64, z: &Self::Point) -> Self::Point;
-}
-
-/// The composition of exact flows, of order 1 or 2:
+/// The composition of exact flows in the order that a [`FlowSequence`] gives, each for its fraction of
+/// the step:
 ///
 /// ```text
-/// Lie–Trotter   φ_n^h ∘ … ∘ φ_1^h
-/// Strang        φ_1^{h/2} ∘ … ∘ φ_{n−1}^{h/2} ∘ φ_n^h ∘ φ_{n−1}^{h/2} ∘ … ∘ φ_1^{h/2}
+/// Lie–Trotter   φ_n^h ∘ … ∘ φ_1^h                                                order 1
+/// Strang        φ_1^{h/2} ∘ … ∘ φ_{n−1}^{h/2} ∘ φ_n^h ∘ φ_{n−1}^{h/2} ∘ … ∘ φ_1^{h/2}     order 2
+/// alternating   φ_2^{b_m h} ∘ φ_1^{a_m h} ∘ … ∘ φ_2^{b_1 h} ∘ φ_1^{a_1 h}                 two flows
 /// ```
 ///
 /// Strang's is symmetric, so that [`Composition`](crate::Composition) raises its order by the same
 /// [`Substeps`](crate::Substeps) as that of any other method:
-/// [`order_over`](crate::Substeps::order_over)(2, true). Both are explicit, and fail only where the
+/// [`order_over`](crate::Substeps::order_over)(2, true). All are explicit, and fail only where the
 /// result is not finite.
 ///
 /// Source: Strang (1968), Marchuk (1968); McLachlan & Quispel, *Splitting methods*, Acta Numer. 11
@@ -37,7 +25,9 @@ pub trait ExactFlows<T: Real = f64> {
 ///
 /// # Example
 /// ```
-/// use collective_integrators::{Composition, ExactFlows, Splitting, Start, Substeps};
+/// use collective_integrators::{
+///     AlternatingSubsteps, Composition, ExactFlows, Splitting, Start, Substeps,
+/// };
 /// use nalgebra::Vector2;
 ///
 /// /// The pendulum: q̇ = p, then ṗ = −sin q.
@@ -54,28 +44,83 @@ pub trait ExactFlows<T: Real = f64> {
 ///     }
 /// }
 /// let energy = |z: &Vector2<f64>| 0.5 * z.y * z.y - z.x.cos();
-/// let scheme = Composition::new(Splitting::strang(Pendulum), Substeps::kahan_li8());
 /// let z = Vector2::new(1.0, 0.0);
-/// for sample in scheme.trajectory(&z, 0.1)?.take(100) {
+/// let composed = Composition::new(Splitting::strang(Pendulum), Substeps::kahan_li8());
+/// for sample in composed.trajectory(&z, 0.1)?.take(100) {
+///     assert!((energy(&sample?.state) - energy(&z)).abs() < 1e-12);
+/// }
+/// let nystrom = Splitting::alternating(Pendulum, AlternatingSubsteps::blanes_moan6());
+/// for sample in nystrom.trajectory(&z, 0.2)?.take(100) {
 ///     assert!((energy(&sample?.state) - energy(&z)).abs() < 1e-12);
 /// }
 /// # Ok::<(), Box<dyn std::error::Error>>(())
 /// ```
+///
+/// Other numbers of flows than two do not alternate:
+/// ```
+/// # use collective_integrators::{AlternatingSubsteps, ExactFlows, Integrator, Splitting};
+/// # use nalgebra::Vector3;
+/// /// ż = (1, 2, 3), one coordinate after the other.
+/// struct Drift;
+/// impl ExactFlows for Drift {
+///     type Point = Vector3<f64>;
+///     const COUNT: usize = 3;
+///     fn flow(&self, index: usize, t: f64, z: &Vector3<f64>) -> Vector3<f64> {
+///         z + Vector3::ith(index, t * (index + 1) as f64)
+///     }
+/// }
+/// let three = Splitting::strang(Drift);
+/// let step = three.step(&Vector3::zeros(), 0.5, &mut ())?;
+/// assert_eq!(step.point, Vector3::new(0.5, 1.0, 1.5));
+/// # Ok::<(), collective_integrators::StepError>(())
+/// ```
+/// ```compile_fail,E0080
+/// # use collective_integrators::{AlternatingSubsteps, ExactFlows, Integrator, Splitting};
+/// # use nalgebra::Vector3;
+/// # struct Drift;
+/// # impl ExactFlows for Drift {
+/// #     type Point = Vector3<f64>;
+/// #     const COUNT: usize = 3;
+/// #     fn flow(&self, index: usize, t: f64, z: &Vector3<f64>) -> Vector3<f64> {
+/// #         z + Vector3::ith(index, t * (index + 1) as f64)
+/// #     }
+/// # }
+/// let three = Splitting::alternating(Drift, AlternatingSubsteps::blanes_moan4());
+/// let step = three.step(&Vector3::zeros(), 0.5, &mut ())?; // evaluation panicked: exactly two flows
+/// # Ok::<(), collective_integrators::StepError>(())
+/// ```
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub struct Splitting<E> {
+pub struct Splitting<E, S = Strang> {
     flows: E,
-    symmetric: bool,
+    sequence: S,
 }
 
-impl<E> Splitting<E> {
+impl<E> Splitting<E, Strang> {
     /// Strang's symmetric composition, of order 2.
     pub const fn strang(flows: E) -> Self {
-        Self { flows, symmetric: true }
+        Self { flows, sequence: Strang }
     }
+}
 
+impl<E> Splitting<E, LieTrotter> {
     /// Lie and Trotter's composition, of order 1.
     pub const fn lie_trotter(flows: E) -> Self {
-        Self { flows, symmetric: false }
+        Self { flows, sequence: LieTrotter }
+    }
+}
+
+impl<E> Splitting<E, AlternatingSubsteps> {
+    /// Two flows by turns, for the fractions of the step that the coefficients give. A step of more or
+    /// fewer flows does not compile.
+    pub const fn alternating(flows: E, substeps: AlternatingSubsteps) -> Self {
+        Self { flows, sequence: substeps }
+    }
+}
+
+impl<E, S: FlowSequence> Splitting<E, S> {
+    /// The flows in this sequence.
+    pub const fn new(flows: E, sequence: S) -> Self {
+        Self { flows, sequence }
     }
 
     /// The flows.
@@ -83,20 +128,25 @@ impl<E> Splitting<E> {
         &self.flows
     }
 
+    /// The sequence in which they run.
+    pub const fn sequence(&self) -> &S {
+        &self.sequence
+    }
+
     /// Whether Φ_{−h} ∘ Φ_h = id.
     #[must_use]
-    pub const fn is_symmetric(&self) -> bool {
-        self.symmetric
+    pub fn is_symmetric(&self) -> bool {
+        self.sequence.is_symmetric()
     }
 
     /// The order for flows in general position.
     #[must_use]
-    pub const fn order(&self) -> usize {
-        if self.symmetric { 2 } else { 1 }
+    pub fn order(&self) -> usize {
+        self.sequence.order()
     }
 }
 
-impl<T: Real, E: ExactFlows<T>> Integrator<T> for Splitting<E> {
+impl<T: Real, E: ExactFlows<T>, S: FlowSequence> Integrator<T> for Splitting<E, S> {
     type State = E::Point;
     type Momentum = E::Point;
     type Workspace = ();
@@ -105,16 +155,7 @@ impl<T: Real, E: ExactFlows<T>> Integrator<T> for Splitting<E> {
 
     #[inline]
     fn step(&self, z: &E::Point, step: f64, (): &mut ()) -> Result<Step<E::Point>, StepError> {
-        let flow = |time: f64| move |z: E::Point, index| self.flows.flow(index, time, &z);
-        let point = if self.symmetric {
-            let last = E::COUNT.saturating_sub(1);
-            let there = (0..last).fold(*z, flow(0.5 * step));
-            let middle = flow(step)(there, last);
-            (0..last).rev().fold(middle, flow(0.5 * step))
-        } else {
-            (0..E::COUNT).fold(*z, flow(step))
-        };
-        Step { point, iterations: 0 }.finite()
+        Step { point: self.sequence.run(&self.flows, step, z), iterations: 0 }.finite()
     }
 
     fn momentum(&self, z: &E::Point) -> E::Point {
@@ -122,4 +163,4 @@ impl<T: Real, E: ExactFlows<T>> Integrator<T> for Splitting<E> {
     }
 }
 
-impl<E> StateIsMomentum for Splitting<E> {}
+impl<E, S> StateIsMomentum for Splitting<E, S> {}

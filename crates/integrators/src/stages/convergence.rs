@@ -1,4 +1,4 @@
-//! When an iteration has settled, lane by lane.
+//! When an iteration has converged, lane by lane.
 
 use lie_poisson::{Mask, Real};
 
@@ -66,7 +66,7 @@ impl<T: Real> Watch<T> {
 
     /// Where a change is the last that means anything, for stages of the given size.
     #[inline]
-    pub(crate) fn settled(&mut self, change: T, size: T) -> T::Mask {
+    pub(crate) fn converged(&mut self, change: T, size: T) -> T::Mask {
         let better = change.at_most(self.least).and(self.least.at_most(change).not());
         self.stalled = T::select(better, T::zero(), self.stalled + 1.0);
         self.least = T::select(better, change, self.least);
@@ -102,10 +102,10 @@ mod tests {
     use super::{Watch, unknown};
     use lie_poisson::{DefaultLanes, Lanes, Mask, Real};
 
-    /// The number of the first change at which an iteration settles.
+    /// The number of the first change at which an iteration converges.
     fn last(changes: impl IntoIterator<Item = f64>) -> Option<usize> {
         let mut watch = Watch::new(unknown());
-        changes.into_iter().position(|change| watch.settled(change * f64::EPSILON, 1.0))
+        changes.into_iter().position(|change| watch.converged(change * f64::EPSILON, 1.0))
     }
 
     #[test]
@@ -120,7 +120,7 @@ mod tests {
         // What the iteration before has shown is believed, but less than what is seen now.
         let after = |ratio: f64, changes: [f64; 2]| {
             let mut watch = Watch::new([ratio; 2]);
-            changes.map(|change| watch.settled(change * f64::EPSILON, 1.0))
+            changes.map(|change| watch.converged(change * f64::EPSILON, 1.0))
         };
         assert_eq!(after(0.03, [100.0, 3.0]), [false, false]);
         assert_eq!(after(0.01, [100.0, 1.0]), [false, true]);
@@ -151,14 +151,14 @@ mod tests {
         let mut together = Watch::new(unknown());
         let mut alone = [0, 1, 2, 3].map(|_| Watch::new(unknown()));
         for (n, changes) in changes.iter().enumerate() {
-            let settled =
-                together.settled(DefaultLanes::load(changes), DefaultLanes::from_f64(1.0));
+            let converged =
+                together.converged(DefaultLanes::load(changes), DefaultLanes::from_f64(1.0));
             for (lane, watch) in alone.iter_mut().enumerate() {
-                assert_eq!(settled.lane(lane), watch.settled(changes[lane], 1.0));
-                assert_eq!(settled.lane(lane), expected[n][lane], "{n} {lane}");
+                assert_eq!(converged.lane(lane), watch.converged(changes[lane], 1.0));
+                assert_eq!(converged.lane(lane), expected[n][lane], "{n} {lane}");
             }
         }
         // the fourth sweep without a better change
-        assert!(alone[2].settled(1.5e-14, 1.0) && !alone[3].settled(1.5e-3, 1.0));
+        assert!(alone[2].converged(1.5e-14, 1.0) && !alone[3].converged(1.5e-3, 1.0));
     }
 }

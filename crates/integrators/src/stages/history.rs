@@ -1,10 +1,11 @@
 //! What is remembered of the steps before, and the guesses from it.
 
+use crate::stage_frame::StageFrame;
 use crate::stages::block_sizes::{BlockSizes, MaskOf};
 use crate::stages::convergence::{ROUND_OFF, Ratios, unknown};
 use crate::stages::extrapolation::Predictor;
 use crate::stages::stage_scale::Scale;
-use crate::stages::stage_solver::{Unsettled, combination, fill_unless};
+use crate::stages::stage_solver::{Unconverged, combination, fill_unless};
 use crate::{StageSolver, VectorField};
 use lie_poisson::{Mask, Real, Vector};
 
@@ -12,10 +13,9 @@ use lie_poisson::{Mask, Real, Vector};
 const LARGEST_GROWTH: f64 = 2.0;
 
 /// The stage derivatives of the last steps of equal size, each of which began where the one before
-/// it ended, as the field has them [remembered](VectorField::remembered). Each lane remembers by
-/// itself.
+/// it ended, in the coordinates of the [frame](StageFrame). Each lane remembers by itself.
 #[derive(Clone, Debug)]
-pub(crate) struct Memory<V: Vector> {
+pub(crate) struct StageHistory<V: Vector> {
     /// Oldest first; those that mean something come before `newest`. There is room for twice as many
     /// as are needed, so that they are moved to the front only now and then.
     past: Vec<V>,
@@ -32,7 +32,7 @@ pub(crate) struct Memory<V: Vector> {
     pace: Ratios<V::Scalar>,
 }
 
-impl<V: Vector> Memory<V> {
+impl<V: Vector> StageHistory<V> {
     /// Empty, with room for what a predictor needs.
     pub(crate) fn new(predictor: &Predictor) -> Self {
         Self {
@@ -70,24 +70,25 @@ impl<V: Vector> Memory<V> {
         (z, size, scale): (&V, f64, &impl Scale<V>),
         k: &mut [V],
         mut derivative: impl FnMut(usize, &[V], MaskOf<V>) -> V,
-    ) -> Result<usize, Unsettled<MaskOf<V>>> {
-        self.keep_where(z, size, predictor);
-        let guessed = self.guess(predictor, field, k);
+    ) -> Result<usize, Unconverged<MaskOf<V>>> {
+        let frame = field.stage_frame();
+        self.keep_where(z, size, predictor, &frame);
+        let guessed = self.guess(predictor, &frame, k);
         if !guessed.all() {
             fill_unless(guessed, k, &field.at(z));
         }
         let none = MaskOf::<V>::from_bool(false);
         let mut outcome = solver.solve_from(none, scale, k, &mut self.pace, &mut derivative);
         if let Err(first) = &outcome {
-            let misled = guessed.and(first.settled.not());
+            let misled = guessed.and(first.converged.not());
             if misled.any() {
                 fill_unless(misled.not(), k, &field.at(z));
                 let second = again(solver, misled.not(), scale, k, &mut derivative);
                 outcome = retried(first, guessed, second);
             }
         }
-        let settled = outcome.as_ref().map_or_else(|e| e.settled, |_| none.not());
-        self.remember(predictor, field, size, k, settled);
+        let converged = outcome.as_ref().map_or_else(|e| e.converged, |_| none.not());
+        self.remember(predictor, &frame, size, k, converged);
         outcome
     }
 
@@ -100,7 +101,7 @@ impl<V: Vector> Memory<V> {
     /// Forgets everything where a step does not go on from what is remembered, or if that comes
     /// from another method.
     #[inline]
-    fn keep_where(&mut self, z: &V, size: f64, predictor: &Predictor) {
+    fn keep_where(&mut self, z: &V, size: f64, predictor: &Predictor, frame: &impl StageFrame<V>) {
         let room = 2 * predictor.capacity();
         if self.past.len() != room || self.stages != predictor.stages {
             self.past.resize(room, V::zero());
@@ -110,7 +111,7 @@ impl<V: Vector> Memory<V> {
         if self.size != size {
             self.forget();
         }
-        if self.most > 0 && *z != self.end {
+        if self.most > 0 && !frame.continues() && *z != self.end {
             let near = near(z, &self.end);
             self.steps = Real::select(near, self.steps, V::Scalar::from_f64(0.0));
             self.pace = self
@@ -121,12 +122,7 @@ impl<V: Vector> Memory<V> {
 
     /// Writes a guess. Returns where there is one.
     #[inline]
-    fn guess<F: VectorField<V::Scalar, Point = V>>(
-        &self,
-        predictor: &Predictor,
-        field: &F,
-        k: &mut [V],
-    ) -> MaskOf<V> {
+    fn guess(&self, predictor: &Predictor, frame: &impl StageFrame<V>, k: &mut [V]) -> MaskOf<V> {
         let none = MaskOf::<V>::from_bool(false);
         let (mut tried, mut guessed) = (none, none);
         for (n, weights) in (1..self.most + 1).zip(&predictor.weights).rev() {
@@ -150,7 +146,7 @@ impl<V: Vector> Memory<V> {
             }
         }
         if guessed.any() {
-            k.iter_mut().for_each(|k| *k = field.recalled(k));
+            k.iter_mut().for_each(|k| *k = frame.recalled(k));
         }
         guessed
     }
@@ -162,15 +158,15 @@ impl<V: Vector> Memory<V> {
         self.steps.at_most(n).and(n.at_most(self.steps))
     }
 
-    /// One more step where it is settled, nothing elsewhere.
+    /// One more step where it is converged, nothing elsewhere.
     #[inline]
-    fn remember<F: VectorField<V::Scalar, Point = V>>(
+    fn remember(
         &mut self,
         predictor: &Predictor,
-        field: &F,
+        frame: &impl StageFrame<V>,
         size: f64,
         k: &[V],
-        settled: MaskOf<V>,
+        converged: MaskOf<V>,
     ) {
         if self.past.is_empty() {
             return;
@@ -181,13 +177,13 @@ impl<V: Vector> Memory<V> {
             self.newest = kept;
         }
         for (past, k) in self.past[self.newest..].iter_mut().zip(k) {
-            *past = field.remembered(k);
+            *past = frame.remembered(k);
         }
         self.newest += k.len();
         self.size = size;
         let full = self.remembers(predictor.weights.len());
         let steps = Real::select(full, self.steps, self.steps + 1.0);
-        self.steps = Real::select(settled, steps, V::Scalar::from_f64(0.0));
+        self.steps = Real::select(converged, steps, V::Scalar::from_f64(0.0));
         self.most = (self.most + 1).min(predictor.weights.len());
     }
 }
@@ -201,27 +197,27 @@ fn again<V: Vector>(
     scale: &impl Scale<V>,
     k: &mut [V],
     derivative: &mut impl FnMut(usize, &[V], MaskOf<V>) -> V,
-) -> Result<usize, Unsettled<MaskOf<V>>> {
+) -> Result<usize, Unconverged<MaskOf<V>>> {
     solver.solve_from(done, scale, k, &mut unknown(), derivative)
 }
 
 /// What comes of a second attempt, in the lanes that a guess had misled, after the first.
 fn retried<M: Mask>(
-    first: &Unsettled<M>,
+    first: &Unconverged<M>,
     guessed: M,
-    second: Result<usize, Unsettled<M>>,
-) -> Result<usize, Unsettled<M>> {
-    let failed = guessed.or(first.settled).not();
+    second: Result<usize, Unconverged<M>>,
+) -> Result<usize, Unconverged<M>> {
+    let failed = guessed.or(first.converged).not();
     let lost = first.iterations;
     match second {
         Ok(iterations) if !failed.any() => Ok(lost + iterations),
         Ok(iterations) => {
-            let settled = failed.not();
-            Err(Unsettled { settled, iterations: lost + iterations, error: first.error })
+            let converged = failed.not();
+            Err(Unconverged { converged, iterations: lost + iterations, error: first.error })
         }
         Err(second) => {
-            let settled = second.settled.and(failed.not());
-            Err(Unsettled { settled, iterations: lost + second.iterations, ..second })
+            let converged = second.converged.and(failed.not());
+            Err(Unconverged { converged, iterations: lost + second.iterations, ..second })
         }
     }
 }

@@ -2,9 +2,9 @@
 
 use crate::stages::convergence::unknown;
 use crate::stages::extrapolation::Predictor;
-use crate::stages::history::Memory;
+use crate::stages::history::StageHistory;
 use crate::stages::stage_scale::OwnScale;
-use crate::{StageSolver, Unsettled, from_fn};
+use crate::{StageSolver, Unconverged, from_fn};
 use lie_poisson::{Mask, Real, Vector};
 
 /// What an integrator with stage equations k_i = f_i(k) of its own remembers of the last steps: the
@@ -37,7 +37,7 @@ use lie_poisson::{Mask, Real, Vector};
 #[derive(Clone, Debug)]
 pub struct StageMemory<V: Vector> {
     predictor: Predictor,
-    memory: Memory<V>,
+    memory: StageHistory<V>,
 }
 
 impl<V: Vector> StageMemory<V> {
@@ -45,7 +45,7 @@ impl<V: Vector> StageMemory<V> {
     #[must_use]
     pub fn new(nodes: &[f64]) -> Self {
         let predictor = Predictor::new(nodes);
-        Self { memory: Memory::new(&predictor), predictor }
+        Self { memory: StageHistory::new(&predictor), predictor }
     }
 
     /// Solves k_i = `stage`(i, k) as [`StageSolver::solve`] does, for a step of the given size from z:
@@ -54,7 +54,7 @@ impl<V: Vector> StageMemory<V> {
     /// is remembered of it. Returns the number of iterations.
     ///
     /// # Errors
-    /// If the iteration blows up or does not settle, in some lane: those in which it settled hold
+    /// If the iteration blows up or does not converge, in some lane: those in which it converged hold
     /// their k, and remember it. `?` makes a [`StepError`](crate::StepError) of it.
     #[inline]
     pub fn solve(
@@ -65,7 +65,7 @@ impl<V: Vector> StageMemory<V> {
         k: &mut [V],
         first: impl Fn() -> V,
         stage: impl Fn(usize, &[V]) -> V,
-    ) -> Result<usize, Unsettled<<V::Scalar as Real>::Mask>> {
+    ) -> Result<usize, Unconverged<<V::Scalar as Real>::Mask>> {
         let mut stage = |i: usize, k: &[V], _| stage(i, k);
         if k.len() != self.predictor.stages {
             self.memory.forget();

@@ -6,7 +6,7 @@ use crate::stages::convergence::{FLOOR, Ratios, Watch, is_finite, unknown};
 use crate::stages::stage_scale::{OwnScale, Progress, Scale};
 use lie_poisson::{Mask, Real, Vector, larger};
 
-/// Sweeps after which a fixed-point iteration that has not settled gives way to Newton's.
+/// Sweeps after which a fixed-point iteration that has not converged gives way to Newton's.
 const SLOW: usize = 60;
 
 /// A change below this multiple of the size of the stage derivatives, √ε, leaves what is rounded off
@@ -52,21 +52,21 @@ impl Default for StageSolver {
     }
 }
 
-/// An iteration that has not settled in every lane.
+/// An iteration that has not converged in every lane.
 #[derive(Clone, Copy, Debug)]
-pub struct Unsettled<M> {
+pub struct Unconverged<M> {
     /// Where it has.
-    pub settled: M,
+    pub converged: M,
     /// The iterations made.
     pub iterations: usize,
     /// What the other lanes are left with.
     pub error: StepError,
 }
 
-/// As if it had settled nowhere.
-impl<M> From<Unsettled<M>> for StepError {
-    fn from(unsettled: Unsettled<M>) -> Self {
-        unsettled.error
+/// As if it had converged nowhere.
+impl<M> From<Unconverged<M>> for StepError {
+    fn from(unconverged: Unconverged<M>) -> Self {
+        unconverged.error
     }
 }
 
@@ -78,7 +78,7 @@ impl StageSolver {
     /// Over lanes each stops by itself, at the stages that it would have alone.
     ///
     /// # Errors
-    /// [`StepError::NotConverged`] if the iteration blows up or does not settle, in some lane.
+    /// [`StepError::NotConverged`] if the iteration blows up or does not converge, in some lane.
     #[inline]
     pub fn solve<V: Vector>(
         &self,
@@ -89,7 +89,7 @@ impl StageSolver {
         k.fill(start);
         let none = MaskOf::<V>::from_bool(false);
         self.solve_from(none, &OwnScale, k, &mut unknown(), &mut |i, k: &[V], _| derivative(i, k))
-            .map_err(|unsettled| unsettled.error)
+            .map_err(|unconverged| unconverged.error)
     }
 
     /// The same from the guess that `k` holds, at the pace of the iteration before. Lanes that are
@@ -103,7 +103,7 @@ impl StageSolver {
         k: &mut [V],
         pace: &mut Ratios<V::Scalar>,
         derivative: &mut impl FnMut(usize, &[V], MaskOf<V>) -> V,
-    ) -> Result<usize, Unsettled<MaskOf<V>>> {
+    ) -> Result<usize, Unconverged<MaskOf<V>>> {
         let advance = |done, near| sweep(done, k, |i, k| derivative(i, k, near));
         self.iterate(self.max_iterations, done, scale, pace, advance)
     }
@@ -113,7 +113,7 @@ impl StageSolver {
     /// of iterations.
     ///
     /// # Errors
-    /// [`StepError::NotConverged`] if it does not settle, in some lane.
+    /// [`StepError::NotConverged`] if it does not converge, in some lane.
     #[inline]
     pub(crate) fn newton<V: Vector>(
         &self,
@@ -125,10 +125,10 @@ impl StageSolver {
     ) -> Result<usize, StepError> {
         fill_unless(done, k, start);
         self.iterate(NEWTON_ITERATIONS, done, scale, &mut unknown(), |done, _| advance(done, k))
-            .map_err(|unsettled| unsettled.error)
+            .map_err(|unconverged| unconverged.error)
     }
 
-    /// Iterates until the change settles in every lane that is not `done`, or has blown up there;
+    /// Iterates until the change converges in every lane that is not `done`, or has blown up there;
     /// `advance` is given the lanes that are to stay as they are and those that have just come
     /// close, and returns the changes and the sizes of the stages.
     #[inline]
@@ -139,38 +139,38 @@ impl StageSolver {
         scale: &impl Scale<V>,
         pace: &mut Ratios<V::Scalar>,
         mut advance: impl FnMut(MaskOf<V>, MaskOf<V>) -> Progress<V>,
-    ) -> Result<usize, Unsettled<MaskOf<V>>> {
+    ) -> Result<usize, Unconverged<MaskOf<V>>> {
         let mut watch = Watch::new(*pace);
         let none = MaskOf::<V>::from_bool(false);
-        let (mut settled, mut lost, mut near, mut close) = (done, none, none, none);
+        let (mut converged, mut lost, mut near, mut close) = (done, none, none, none);
         let mut progress = Progress { change: BlockSizes::zero(), size: BlockSizes::zero() };
         let mut iterations = 0;
-        while iterations < most && !settled.or(lost).all() {
+        while iterations < most && !converged.or(lost).all() {
             iterations += 1;
-            let ended = settled.or(lost);
+            let ended = converged.or(lost);
             progress = advance(ended, near);
             let (change, size) = scale.compare(&progress);
             // Else the low parts of the coefficients are missing; they do not show in a k that stays.
             let whole = close.or(change.at_most(V::Scalar::from_f64(0.0)));
-            let mut now = watch.settled(change, size).and(whole);
+            let mut now = watch.converged(change, size).and(whole);
             if self.tolerance > 0.0 {
                 now = now.or(scale.accepts(&progress, self.tolerance));
             }
             *pace = keep(ended, *pace, watch.ratios());
-            settled = settled.or(now.and(lost.not()));
-            if settled.all() {
+            converged = converged.or(now.and(lost.not()));
+            if converged.all() {
                 return Ok(iterations);
             }
-            lost = lost.or(is_finite(change).or(settled).not());
+            lost = lost.or(is_finite(change).or(converged).not());
             // Of a lane that has ended nothing changes any more, whatever the others do.
-            near = change.at_most(size * CLOSE).and(close.or(settled).or(lost).not());
+            near = change.at_most(size * CLOSE).and(close.or(converged).or(lost).not());
             close = close.or(near);
         }
         let (change, size) = scale.compare(&progress);
-        let relative = V::Scalar::select(settled, V::Scalar::from_f64(0.0), change / size);
+        let relative = V::Scalar::select(converged, V::Scalar::from_f64(0.0), change / size);
         let (residual, required) = (relative.max_abs(), larger(self.tolerance, FLOOR));
         let error = StepError::NotConverged { residual, required, iterations };
-        Err(Unsettled { settled, iterations, error })
+        Err(Unconverged { converged, iterations, error })
     }
 }
 

@@ -70,7 +70,7 @@ pub(crate) fn nystrom_order(first: &[f64], second: &[f64]) -> usize {
     // The leaf: q moved by v alone.
     let mut branches = vec![Branch { order: 1, density: 1.0, at_stages: method.leaf() }];
     for order in 1..=ORDERS {
-        let stem = Stem { missing: order - 1, last: branches.len(), density: order as f64 };
+        let stem = NystromStem { missing: order - 1, last: branches.len(), density: order as f64 };
         let mut grown = Vec::new();
         let bare = vec![Term { value: 1.0, size: 1.0 }; nodes.len()];
         if !grow(&method, &branches, order, &stem, &bare, &mut grown) {
@@ -103,7 +103,7 @@ struct Branch {
 }
 
 /// A root f to which branches from `branches[..last]` are to be added.
-struct Stem {
+struct NystromStem {
     missing: usize,
     last: usize,
     density: f64,
@@ -144,7 +144,7 @@ fn grow(
     method: &Method<'_>,
     branches: &[Branch],
     order: usize,
-    stem: &Stem,
+    stem: &NystromStem,
     weights: &[Term],
     grown: &mut Vec<Branch>,
 ) -> bool {
@@ -164,7 +164,7 @@ fn grow(
             |(w, x): (&Term, &Term)| Term { value: w.value * x.value, size: w.size * x.size };
         let product: Vec<Term> = weights.iter().zip(&branch.at_stages).map(product).collect();
         let missing = stem.missing - branch.order;
-        let stem = Stem { missing, last: n + 1, density: stem.density * branch.density };
+        let stem = NystromStem { missing, last: n + 1, density: stem.density * branch.density };
         grow(method, branches, order, &stem, &product, grown)
     })
 }

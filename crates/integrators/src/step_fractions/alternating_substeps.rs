@@ -3,8 +3,9 @@
 use crate::step_fractions::alternating_conditions::{nystrom_order, order_of_words};
 use crate::{SchemeError, Substeps};
 
-/// How far the sum of the fractions of a part may be from 1, in units of their sizes.
-const SUM_TOLERANCE: f64 = 1e-14;
+/// How far equal fractions may be apart by rounding, and the sum of those of a part from 1, in units of their
+/// sizes.
+const COEFFICIENT_TOLERANCE: f64 = 1e-14;
 
 /// The fractions of a step for which the flows of two parts run by turns,
 ///
@@ -53,7 +54,7 @@ impl AlternatingSubsteps {
         for part in [first, second] {
             let sum: f64 = part.iter().sum();
             let size: f64 = part.iter().map(|x| x.abs()).sum();
-            let adds_up = (sum - 1.0).abs() <= SUM_TOLERANCE * size;
+            let adds_up = (sum - 1.0).abs() <= COEFFICIENT_TOLERANCE * size;
             if !adds_up || !size.is_finite() {
                 return Err(SchemeError::SubstepSum { sum });
             }
@@ -135,6 +136,19 @@ impl AlternatingSubsteps {
         &self.second
     }
 
+    /// Whether the fractions that are not zero are the same backwards: Φ_{−h} ∘ Φ_h = id for any two
+    /// parts.
+    #[must_use]
+    pub fn is_symmetric(&self) -> bool {
+        let pairs = self.first.iter().zip(&self.second);
+        let runs: Vec<_> =
+            pairs.flat_map(|(&a, &b)| [(1, a), (2, b)]).filter(|&(_, x)| x != 0.0).collect();
+        let same = |((i, x), (j, y)): (&(u8, f64), &(u8, f64))| {
+            i == j && (x - y).abs() <= COEFFICIENT_TOLERANCE
+        };
+        runs.iter().zip(runs.iter().rev()).all(same)
+    }
+
     /// The order for any two parts, computed: the product of exponentials is compared with exp h(A+B)
     /// word by word in two letters. Orders above 12 are not looked for.
     #[must_use]
@@ -173,6 +187,7 @@ mod tests {
         for (substeps, stages, nystrom, order) in sets {
             assert_eq!(substeps.nystrom_order(), nystrom, "{substeps:?}");
             assert_eq!(substeps.order(), order, "{substeps:?}");
+            assert!(substeps.is_symmetric(), "{substeps:?}");
             let runs = |part: &[f64]| part.iter().filter(|&&x| x != 0.0).count();
             assert_eq!(runs(substeps.first()).min(runs(substeps.second())), stages);
             let again = AlternatingSubsteps::new(substeps.first(), substeps.second());
@@ -193,6 +208,8 @@ mod tests {
                 assert!(wrong.is_ok_and(|w| w.nystrom_order() < order), "{order} {part}");
             }
         }
+        let one_way = AlternatingSubsteps::new(&[1.0], &[1.0]);
+        assert!(one_way.is_ok_and(|s| !s.is_symmetric() && s.order() == 1));
         assert_eq!(AlternatingSubsteps::new(&[], &[]), Err(SchemeError::NoStages));
         let uneven = AlternatingSubsteps::new(&[1.0], &[0.5, 0.5]);
         assert_eq!(uneven, Err(SchemeError::Stages { q: 1, p: 2 }));

@@ -31,7 +31,7 @@ impl Tableau {
         let entries = (0..stages * stages).map(|n| entry(n / stages, n % stages));
         let (a, a_low): (Vec<f64>, Vec<f64>) = entries.map(split).unzip();
         let (b, b_low): (Vec<f64>, Vec<f64>) = weights.iter().copied().map(split).unzip();
-        Ok(Self::new(&a, &b)?.with_low_parts(&a_low, &b_low))
+        Self::new(&a, &b)?.with_low_parts(&a_low, &b_low)
     }
 }
 

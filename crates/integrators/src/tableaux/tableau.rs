@@ -45,12 +45,7 @@ impl Tableau {
         if stages == 0 {
             return Err(SchemeError::NoStages);
         }
-        if a.len() != stages * stages {
-            return Err(SchemeError::Shape { stages, a: a.len(), b: b.len() });
-        }
-        if a.iter().chain(b).any(|x| !x.is_finite()) {
-            return Err(SchemeError::NotFinite);
-        }
+        check_coefficients(stages, a, b)?;
         let c: Vec<f64> = a.chunks_exact(stages).map(|row| row.iter().sum()).collect();
         let order = order_of(a, b, &c);
         let (a, b) = (a.to_vec(), b.to_vec());
@@ -61,17 +56,28 @@ impl Tableau {
     /// are the coefficients to twice the precision.
     ///
     /// A step that uses them has no error that is the same at every step, as that of a rounded
-    /// coefficient is. Low parts of other sizes than a and b are left out.
+    /// coefficient is.
     ///
     /// Source: Hairer, McLachlan & Razakarivony, *Achieving Brouwer's law with implicit Runge–Kutta
     /// methods*, BIT 48 (2008), §2.
-    #[must_use]
-    pub fn with_low_parts(self, a_low: &[f64], b_low: &[f64]) -> Self {
-        if a_low.len() == self.a.len() && b_low.len() == self.b.len() {
-            Self { a_low: a_low.to_vec(), b_low: b_low.to_vec(), ..self }
-        } else {
-            self
-        }
+    ///
+    /// # Errors
+    /// If a_low has not s² numbers or b_low not s ([`SchemeError::Shape`]), or one of them is not finite.
+    ///
+    /// # Example
+    /// ```
+    /// use collective_integrators::{SchemeError, Tableau};
+    /// let third = 1.0 / 3.0; // 1/3 − 2⁻⁵⁴/3
+    /// let low = 2.0_f64.powi(-54) / 3.0;
+    /// let tableau = Tableau::new(&[third], &[1.0])?;
+    /// assert!(tableau.clone().with_low_parts(&[low], &[0.0]).is_ok());
+    /// let none_for_b = tableau.with_low_parts(&[low], &[]);
+    /// assert_eq!(none_for_b, Err(SchemeError::Shape { stages: 1, a: 1, b: 0 }));
+    /// # Ok::<(), SchemeError>(())
+    /// ```
+    pub fn with_low_parts(self, a_low: &[f64], b_low: &[f64]) -> Result<Self, SchemeError> {
+        check_coefficients(self.stages(), a_low, b_low)?;
+        Ok(Self { a_low: a_low.to_vec(), b_low: b_low.to_vec(), ..self })
     }
 
     /// The low parts of a row of a; empty if there are none.
@@ -189,6 +195,17 @@ impl Tableau {
     }
 }
 
+/// Checks that there are s² finite numbers for a and s for b.
+fn check_coefficients(stages: usize, a: &[f64], b: &[f64]) -> Result<(), SchemeError> {
+    if a.len() != stages * stages || b.len() != stages {
+        return Err(SchemeError::Shape { stages, a: a.len(), b: b.len() });
+    }
+    if a.iter().chain(b).any(|x| !x.is_finite()) {
+        return Err(SchemeError::NotFinite);
+    }
+    Ok(())
+}
+
 /// Entries i s, …, i s + s − 1, or none; without the division of `chunks_exact`.
 #[inline]
 fn part(entries: &[f64], i: usize, stages: usize) -> &[f64] {
@@ -198,15 +215,30 @@ fn part(entries: &[f64], i: usize, stages: usize) -> &[f64] {
 
 #[cfg(test)]
 mod tests {
-    use crate::Tableau;
+    use crate::{SchemeError, Tableau};
 
     #[test]
-    fn there_is_no_row_beyond_the_last() {
+    fn low_parts_of_another_shape_are_refused() {
+        let tableau = || Tableau::literal(&[0.25, 0.0, 0.5, 0.25], &[0.5, 0.5]);
+        for (a, b) in [(0, 0), (3, 2), (5, 2), (4, 1), (4, 3), (2, 4)] {
+            let refused = tableau().with_low_parts(&[0.0; 5][..a], &[0.0; 5][..b]);
+            assert_eq!(refused, Err(SchemeError::Shape { stages: 2, a, b }));
+        }
+        let infinite = tableau().with_low_parts(&[0.0; 4], &[0.0, f64::INFINITY]);
+        assert_eq!(infinite, Err(SchemeError::NotFinite));
+        assert!(tableau().with_low_parts(&[0.0; 4], &[0.0; 2]).is_ok());
+        let message = SchemeError::Shape { stages: 2, a: 3, b: 2 }.to_string();
+        assert!(message.contains("2×2 coefficients a") && message.contains("got 3 and 2"));
+    }
+
+    #[test]
+    fn there_is_no_row_beyond_the_last() -> Result<(), SchemeError> {
         let a = [0.25, 0.0, 0.5, 0.25];
-        let tableau = Tableau::literal(&a, &[0.5, 0.5]).with_low_parts(&a, &[0.5, 0.5]);
+        let tableau = Tableau::literal(&a, &[0.5, 0.5]).with_low_parts(&a, &[0.5, 0.5])?;
         assert!(tableau.rows().eq([0, 1].map(|i| tableau.row(i))));
         assert_eq!(tableau.row_low(1), [0.5, 0.25]);
         assert!([2, usize::MAX].iter().all(|&i| tableau.row(i).is_empty()));
         assert!(Tableau::literal(&a, &[0.5, 0.5]).row_low(0).is_empty());
+        Ok(())
     }
 }

@@ -8,6 +8,7 @@ use thiserror::Error;
 
 /// The error of a table of numbers that is not the bracket of a Lie algebra.
 #[derive(Clone, Copy, Debug, PartialEq, Error)]
+#[non_exhaustive]
 pub enum StructureError {
     /// A structure constant is infinite or not a number.
     #[error("the structure constant c[{i}][{j}][{k}] = {value} is not finite")]

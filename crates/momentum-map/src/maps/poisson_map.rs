@@ -1,4 +1,4 @@
-//! Poisson maps and their composition: [`PoissonMap`], [`Composition`].
+//! Poisson maps and their composition: [`PoissonMap`], [`ComposedMap`].
 
 use crate::maps::recentring::{Both, RecentringSpace};
 use lie_poisson::{
@@ -127,14 +127,14 @@ pub trait PoissonMap: Clone {
 ///
 /// Its generator first pulls the differential back through `outer`, then applies the generator of `inner`.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
-pub struct Composition<Outer, Inner> {
+pub struct ComposedMap<Outer, Inner> {
     /// The map that is applied second.
     pub outer: Outer,
     /// The map that is applied first.
     pub inner: Inner,
 }
 
-impl<Outer, Inner> PoissonMap for Composition<Outer, Inner>
+impl<Outer, Inner> PoissonMap for ComposedMap<Outer, Inner>
 where
     Inner: PoissonMap,
     Outer: PoissonMap<Source = Inner::Target>,

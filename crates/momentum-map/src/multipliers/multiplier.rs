@@ -62,7 +62,8 @@ pub trait Multipliers: Clone {
         self.transport::<T>(q, mu) - *mu
     }
 
-    /// Returns the product Q B in 𝔄.
+    /// Returns the product Q B in 𝔄, the multiplier of the motion by B followed by that by Q:
+    /// transport(QB, μ) = transport(Q, transport(B, μ)).
     fn product<T: Real>(
         &self,
         q: &Self::Multiplier<T>,
@@ -72,8 +73,7 @@ pub trait Multipliers: Clone {
     /// Returns the inverse B⁻¹, or `None` if no inverse is implemented, which is the default.
     ///
     /// The result is exact for a B whose quadratic invariants hold. If they hold only approximately, the
-    /// result is near the inverse. It serves only to extrapolate: with it an integrator that starts again
-    /// from 1 can use what it computed on the way to B. Nothing else depends on it.
+    /// result is near the inverse.
     #[inline]
     fn inverse<T: Real>(&self, _b: &Self::Multiplier<T>) -> Option<Self::Multiplier<T>> {
         None

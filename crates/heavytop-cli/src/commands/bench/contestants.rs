@@ -4,9 +4,8 @@ use super::clock::{Run, measure};
 use super::problem::Problem;
 use crate::Error;
 use collective_integrators::{
-    AlternatingSplitting, AlternatingSubsteps, BatchIntegrator, Chunk, Collective, Direct,
-    Ensemble, HamiltonianField, IntegrationError, Laned, LiftFree, RungeKutta, SchemeError, Start,
-    Substeps,
+    AlternatingSubsteps, BatchIntegrator, Chunk, Collective, Direct, Ensemble, HamiltonianField,
+    IntegrationError, Laned, LiftFree, RungeKutta, SchemeError, Splitting, Start, Substeps,
 };
 use heavytop::{
     CollectiveGauss, GaussBatch, MidpointBatch, ReducedMidpoint, SpinorRealisation,
@@ -124,7 +123,7 @@ fn one_top(contest: &mut Contest<'_, impl FnMut(Run)>) -> Result<(), Error> {
     if let Ok(flows) = SymmetricTopSplitting::new(top) {
         for (name, step, substeps) in splittings() {
             let name = format!("heavytop {name}, one top");
-            contest.single(&name, step, &AlternatingSplitting::new(flows, substeps))?;
+            contest.single(&name, step, &Splitting::alternating(flows, substeps))?;
         }
     }
     let midpoint = TopMidpoint::new(top);

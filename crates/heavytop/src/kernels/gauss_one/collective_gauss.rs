@@ -6,7 +6,7 @@ use super::memory::Memory;
 use super::point::Point;
 use super::row::WIDTH;
 use crate::attitude::step_rotation::turned_by_spinors;
-use crate::{HeavyTop, SpinorPoint, SpinorRealisation, Turned, Turning};
+use crate::{HeavyTop, SpinorPoint, SpinorRealisation, TurnedStep, Turning};
 use collective_integrators::{
     Collective, CollectiveSpace, Compensated, Integrator, RungeKutta, SchemeError, StageSpace,
     Start, Step, StepError,
@@ -227,7 +227,7 @@ impl Turning for CollectiveGauss {
         state: &Self::State,
         step: f64,
         workspace: &mut Self::Workspace,
-    ) -> Turned<Self::State, f64> {
+    ) -> TurnedStep<Self::State, f64> {
         turned_by_spinors(self, state, step, workspace, |state| &state.0)
     }
 }

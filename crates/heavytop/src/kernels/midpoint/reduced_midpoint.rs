@@ -2,7 +2,7 @@
 
 use super::closed_form::{Velocity, end, half_angle, middle, whole_turn};
 use crate::attitude::step_rotation::unit;
-use crate::{HeavyTopSpace, Turned, Turning};
+use crate::{HeavyTopSpace, TurnedStep, Turning};
 use collective_integrators::{
     Integrator, LiftFree, RungeKutta, StageMemory, StageSolver, StateIsMomentum, Step, StepError,
 };
@@ -100,13 +100,13 @@ impl<H> ReducedMidpoint<H> {
         let a = velocity.0 * T::from_f64(0.25 * step);
         let (next, a) = match solved {
             Ok(iterations) => (Step { point: found, iterations }.finite()?, a),
-            Err(unsettled) if self.solver.newton => {
+            Err(unconverged) if self.solver.newton => {
                 let (next, newton) = self.step_by_newton(mu, step, &mut space.newton)?;
-                let settled = unsettled.settled;
-                let point = Vector::select(settled, &found, &next.point);
-                (Step { point, ..next }.finite()?, Vector::select(settled, &a, &newton))
+                let converged = unconverged.converged;
+                let point = Vector::select(converged, &found, &next.point);
+                (Step { point, ..next }.finite()?, Vector::select(converged, &a, &newton))
             }
-            Err(unsettled) => return Err(unsettled.into()),
+            Err(unconverged) => return Err(unconverged.into()),
         };
         space.velocities.end_at(&next.point.0);
         Ok((next, a))
@@ -188,7 +188,7 @@ where
         mu: &Se3Dual<T>,
         step: f64,
         workspace: &mut Self::Workspace,
-    ) -> Turned<Se3Dual<T>, T> {
+    ) -> TurnedStep<Se3Dual<T>, T> {
         let (next, a) = self.step_and_angle(mu, step, workspace)?;
         Ok((next, whole_turn(&a)))
     }

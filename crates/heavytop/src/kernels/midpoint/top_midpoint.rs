@@ -3,7 +3,7 @@
 use super::closed_form::whole_turn;
 use super::formulas::Memory;
 use super::reduced_midpoint::{ReducedMidpoint, ReducedMidpointSpace};
-use crate::{HeavyTop, Turned, Turning};
+use crate::{HeavyTop, TurnedStep, Turning};
 use collective_integrators::{Integrator, Registers, StateIsMomentum, Step, StepError};
 use lie_poisson::{InstructionSet, MissingInstructions, Se3Dual, Width};
 
@@ -141,7 +141,7 @@ impl Turning for TopMidpoint {
         mu: &Se3Dual,
         step: f64,
         workspace: &mut TopMidpointSpace,
-    ) -> Turned<Se3Dual, f64> {
+    ) -> TurnedStep<Se3Dual, f64> {
         match workspace.memory.step(self.top(), mu, step, self.instructions()) {
             Some(next) => Ok((next, whole_turn(&workspace.memory.newest()))),
             None => self.general.turn(mu, step, &mut workspace.general),

@@ -4,8 +4,8 @@ use crate::SymmetricTopSplitting;
 use crate::kernels::symmetric::flows::Flows;
 use crate::kernels::symmetric::steps::{Motion, Parameters};
 use collective_integrators::{
-    AlternatingSplitting, AlternatingSubsteps, BatchIntegrator, IntegrationError, Integrator,
-    LaneKernel, LaneResults, Registers, advance_alone,
+    AlternatingSubsteps, BatchIntegrator, IntegrationError, Integrator, LaneKernel, LaneResults,
+    Registers, Splitting, advance_alone,
 };
 use core::ops::Range;
 use lie_poisson::{InstructionSet, Lanes, Mask, MissingInstructions, Se3Dual, Vector, Width};
@@ -19,7 +19,7 @@ const SHORT: [f64; 2] = [0.7, 1.7];
 
 /// Many tops with I₁ = I₂, advanced side by side in the lanes of the processor's registers.
 ///
-/// One step is that of [`AlternatingSplitting`] over [`SymmetricTopSplitting`], to round-off: sine
+/// One step is that of an alternating [`Splitting`] over [`SymmetricTopSplitting`], to round-off: sine
 /// and cosine are polynomials here, and where a step ends with the part with which the next one
 /// begins, the two flows are one, so that n steps in one call and n calls differ by rounding. A top
 /// that leaves the range of the polynomials (it turns by more than √2 rad in one flow), or is not
@@ -146,7 +146,7 @@ impl LaneKernel for SymmetricTopBatch {
         steps: Range<u64>,
         (): &mut (),
     ) -> Result<(), IntegrationError> {
-        let integrator = AlternatingSplitting::new(*top, self.substeps.clone());
+        let integrator = Splitting::alternating(*top, self.substeps.clone());
         let workspace = &mut Integrator::<f64>::workspace(&integrator);
         advance_alone(&integrator, state, step, steps, workspace)
     }
