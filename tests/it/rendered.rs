@@ -35,7 +35,9 @@ fn files(folders: &[&str], extension: &str) -> Result<Vec<(String, String)>, Box
 /// The crates and the library of these tests, as far as they are not exempted.
 fn sources() -> Result<Vec<(String, String)>, Box<dyn Error>> {
     let mut sources = files(&["crates", "tests/src"], "rs")?;
-    sources.retain(|(name, _)| name.contains("src/") && !NOT_YET.iter().any(|folder| name.starts_with(folder)));
+    sources.retain(|(name, _)| {
+        name.contains("src/") && !NOT_YET.iter().any(|folder| name.starts_with(folder))
+    });
     Ok(sources)
 }
 
@@ -85,7 +87,9 @@ fn raw_tex(markdown: &str) -> Vec<String> {
             // What stands between two pieces of text keeps them apart.
             Event::Code(_) => text.push('`'),
             Event::SoftBreak | Event::HardBreak => text.push('\n'),
-            Event::End(TagEnd::Paragraph | TagEnd::TableCell | TagEnd::Item | TagEnd::Heading(_)) => {
+            Event::End(
+                TagEnd::Paragraph | TagEnd::TableCell | TagEnd::Item | TagEnd::Heading(_),
+            ) => {
                 if text.contains("_{") || text.contains("^{") {
                     found.push(text.clone());
                 }
@@ -113,7 +117,9 @@ fn emphasised_rows(markdown: &str, strong: bool) -> Vec<String> {
             }
             Event::Text(part) | Event::Code(part) if inside => row.push_str(&part),
             Event::End(TagEnd::TableCell) => row.push_str(" | "),
-            Event::Start(Tag::Emphasis | Tag::Strikethrough) | Event::InlineHtml(_) => lost |= inside,
+            Event::Start(Tag::Emphasis | Tag::Strikethrough) | Event::InlineHtml(_) => {
+                lost |= inside
+            }
             Event::Start(Tag::Strong) => lost |= inside && strong,
             _ => {}
         }
@@ -179,7 +185,9 @@ fn no_row_of_a_table_loses_its_subscripts() -> Result<(), Box<dyn Error>> {
         assert_eq!(emphasised_rows(&table(lost), false).len(), 1, "{lost}");
     }
     assert_eq!(emphasised_rows(&table("**minus**"), true).len(), 1);
-    for kept in ["ad∗\\_[ξ,η] = −[ad∗\\_ξ, ad∗\\_η]", "Φ_g ∘ Φ_h = Φ_gh", "`ad*_ξ ad*_η`", "**minus**"] {
+    for kept in
+        ["ad∗\\_[ξ,η] = −[ad∗\\_ξ, ad∗\\_η]", "Φ_g ∘ Φ_h = Φ_gh", "`ad*_ξ ad*_η`", "**minus**"]
+    {
         assert_eq!(emphasised_rows(&table(kept), false), [""; 0]);
     }
     Ok(())
