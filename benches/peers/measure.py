@@ -6,7 +6,7 @@ A contestant is a command that prints one line of JSON for each setting,
 
 with seconds for the whole problem (for all tops of an ensemble), steps of one top, and the 2-norm of the error of the
 state (Π, Γ), its arithmetic mean over an ensemble, at t = 10 and at the end (an ensemble ends at t = 20: "error_20").
-The names of ours begin with "heavytop"; `page.PROMISES` asks for "heavytop collective Gauss" and "heavytop lift-free
+The names of ours begin with "heavytop"; `page.PEERS` asks for "heavytop collective Gauss" and "heavytop lift-free
 midpoint". In each round every contestant runs once, on each problem; the next round starts with another one.
 """
 

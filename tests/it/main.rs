@@ -29,6 +29,7 @@ mod momentum_map_l;
 mod partitioned;
 mod poisson_maps;
 mod recentring;
+mod rendered;
 mod scalars;
 mod scales;
 mod sections;

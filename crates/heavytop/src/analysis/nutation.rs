@@ -165,7 +165,7 @@ impl Nutation {
 mod tests {
     use super::*;
 
-    /// Γ with u = ½ cos 2t and φ = kt; Π that gives its rate under I = 1: Π = Γ̇ × Γ + any Γ.
+    /// Γ with u = ½ cos 2t and φ = kt. Π gives its rate under I = 1: it is dΓ/dt × Γ up to a multiple of Γ.
     fn sampled(k: f64, step: f64) -> Nutation {
         let top = HeavyTop::lagrange(1.0, 1.0, 1.0).unwrap();
         let mut nutation = Nutation::new(&top);

@@ -8,7 +8,7 @@ use momentum_map::LiftError;
 use nalgebra::{Vector2, Vector3};
 
 /// An integrator on se(3)∗ that carries the attitude R ∈ SO(3) of the body along, as a unit quaternion
-/// A with R v = A v Ā:
+/// A with R v = A v conj(A):
 ///
 /// ```text
 /// Aₙ₊₁ = Aₙ conj(Qₙ),    Γₙ/|Γₙ| = Rₙᵀ e₃
@@ -16,7 +16,7 @@ use nalgebra::{Vector2, Vector3};
 ///
 /// where Qₙ is the rotation of the step that [`Turning`] gives. The state is that of the integrator
 /// and A; R maps the body frame to the spatial one. It is determined up to a rotation about the
-/// vertical, which the start chooses. It solves Ṙ = R Ω̂ with the order of the integrator.
+/// vertical, which the start chooses. It solves dR/dt = R hat(Ω) with the order of the integrator.
 ///
 /// Every formulation has an attitude but one: the six [direct](collective_integrators::Direct)
 /// equations do not determine it.

@@ -7,7 +7,7 @@ use crate::{JacobiElliptic, RigidBody, TopError};
 use nalgebra::Vector3;
 use twofloat::TwoFloat;
 
-/// The solution Π(t) of Euler's equations Π̇ = Π × I⁻¹Π through Π(0), in Jacobi's elliptic
+/// The solution Π(t) of Euler's equations dΠ/dt = Π × I⁻¹Π through Π(0), in Jacobi's elliptic
 /// functions. With moments I₁ ≤ I₂ ≤ I₃, L² = |Π|², 2E = Π·I⁻¹Π and L² ≥ 2EI₂,
 ///
 /// ```text

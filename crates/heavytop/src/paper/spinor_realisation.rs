@@ -27,8 +27,8 @@ pub type SpinorPoint<T = f64> = Cotangent<Vector2<Complex<T>>>;
 /// dχ/dt = (i/2)(Ω·σ) χ + 2 (γ·σ) ψ,    dψ/dt = (i/2)(Ω·σ) ψ
 /// ```
 ///
-/// The fibre through (χ, ψ), ψ ≠ 0, is {(e^{iθ}(χ + bψ), e^{iθ}ψ)}: the orbit of two one-parameter
-/// groups, index 0 for b with momentum J₁ = ‖ψ‖²/2 and index 1 for θ with J₂ = −Im(ψ∗χ). The
+/// The fibre through (χ, ψ), ψ ≠ 0, consists of the points (exp(iθ)(χ + bψ), exp(iθ)ψ). It is the orbit of two
+/// one-parameter groups, index 0 for b with momentum J₁ = ‖ψ‖²/2 and index 1 for θ with J₂ = −Im(ψ∗χ). The
 /// Casimirs are f₁ = |Γ|² = 4J₁² and f₂ = Π·Γ = J₁J₂.
 ///
 /// Source: Ohsawa 2019, eq. (4.1) in its complex form (the real form has Γ misprinted), Cor. 3.2,
@@ -194,7 +194,7 @@ impl SpinorRealisation {
             let value = T::select(steep, sine, T::zero()).max_abs();
             return Err(LiftError { quantity: "ψ₁/ψ", value, reason });
         }
-        // e^{iθ} = ψ̄₁/|ψ₁| turns ψ₁ to the positive axis.
+        // exp(iθ) = conj(ψ₁)/|ψ₁| turns ψ₁ to the positive axis.
         let phase = first.conj().unscale(length);
         let (chi, psi) = (z.q.map(|x| x * phase), z.p.0.map(|x| x * phase));
         let along = (re_chi1 - chi.x.re) / length;
@@ -208,7 +208,7 @@ impl SpinorRealisation {
 impl FibreSymmetry for SpinorRealisation {
     const COUNT: usize = 2;
 
-    /// (χ + sψ, ψ) for index 0, (e^{is}χ, e^{is}ψ) for index 1. Source: Ohsawa 2019, §4.2.
+    /// (χ + sψ, ψ) for index 0, (exp(is)χ, exp(is)ψ) for index 1. Source: Ohsawa 2019, §4.2.
     #[inline]
     fn flow<T: Real>(&self, index: usize, s: T, z: &SpinorPoint<T>) -> SpinorPoint<T> {
         match index {

@@ -10,10 +10,11 @@ use momentum_map::{PoissonMap, SourcePoint, TargetDifferential, hopf_map, hopf_p
 /// The Poisson map
 ///
 /// ```text
-/// ϖ: (su(2) ⋉ C²)* → se(3)*,    ϖ(μ, α) = (μ̂, ϖ₂(α))
+/// ϖ: (su(2) ⋉ C²)* → se(3)*,    ϖ(μ, α) = (μ, ϖ₂(α))
 /// ```
 ///
-/// between (−)-Lie–Poisson spaces; ϖ₂ is the [Hopf map](hopf_map), so that ϖ is quadratic.
+/// between (−)-Lie–Poisson spaces, where su(2)∗ and so(3)∗ both have the coordinates of R³. ϖ₂ is the
+/// [Hopf map](hopf_map), so ϖ is quadratic.
 ///
 /// Source: Ohsawa 2019, eq. (3.1) and Prop. 3.1.
 ///

@@ -13,7 +13,7 @@ use nalgebra::Vector3;
 /// φ_4^t: Π ← Π + t m g l Γ×c
 /// ```
 ///
-/// Each flow is exact, since Π̇ = Π×Ω and Γ̇ = Γ×Ω with the constant Ω = (Π_i/I_i) e_i. A
+/// Each flow is exact, since dΠ/dt = Π×Ω and dΓ/dt = Γ×Ω with the constant Ω = (Π_i/I_i) e_i. A
 /// [`Splitting`](collective_integrators::Splitting) of it is an explicit Lie–Poisson integrator on
 /// se(3)∗, or on so(3)∗ for the [free body](RigidBody), where the weight does nothing. It conserves
 /// |Γ| and Π·Γ to round-off.

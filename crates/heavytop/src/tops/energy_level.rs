@@ -17,7 +17,7 @@ use nalgebra::Vector3;
 ///
 /// ```text
 /// p = αw ± βu,   α = (Π_i − c (IΓ)_i/(Γ·IΓ))/(u·I⁻¹u),   β = √(2(E − U_c − ½α² w·I⁻¹w)/(u·I⁻¹u)),
-/// Γ̇_i = ±β u·I⁻¹u.
+/// dΓ_i/dt = ±β u·I⁻¹u.
 /// ```
 ///
 /// Source: S. Smale, *Topology and mechanics*, Invent. Math. 10 (1970), for the amended potential;
@@ -62,7 +62,7 @@ struct Slowest {
 
 impl EnergyLevel {
     /// The two states over a unit vector Γ in which Π has the component `momentum` (kg m²/s) along
-    /// the principal axis 0, 1 or 2; the first with Γ̇ ≥ 0 along that axis, the other with Γ̇ ≤ 0.
+    /// the principal axis 0, 1 or 2; the first with dΓ/dt ≥ 0 along that axis, the other with dΓ/dt ≤ 0.
     ///
     /// None where the energy does not suffice, nor where Γ is that axis.
     #[must_use]

@@ -4,7 +4,7 @@ use crate::{HeavyTop, TopError};
 use lie_poisson::{Covector, Hamiltonian, LiePoisson, Real, So3};
 use nalgebra::Vector3;
 
-/// The free rigid body: h(Π) = ½ Π·(I⁻¹Π) on so(3)∗ with the minus bracket, Π̇ = Π × Ω.
+/// The free rigid body: h(Π) = ½ Π·(I⁻¹Π) on so(3)∗ with the minus bracket, dΠ/dt = Π × Ω.
 ///
 /// Units as for the [heavy top](HeavyTop), of which it is the case without gravity.
 ///
