@@ -28,11 +28,11 @@ use lie_poisson::{Vector, larger};
 /// assert!(residual(RungeKutta::rk4())?.check(1e-6).is_err());
 /// # Ok::<(), Box<dyn std::error::Error>>(())
 /// ```
-pub fn invariants<I: Integrator>(
+pub fn invariants<V: Vector, I: Integrator<Momentum = V>>(
     integrator: &I,
     states: &[I::State],
     step: f64,
-    invariants: &[&dyn Fn(&I::Momentum) -> f64],
+    invariants: &[&dyn Fn(&V) -> f64],
 ) -> Result<Report, NoSamples> {
     at_least_one("states", states)?;
     at_least_one("invariants", invariants)?;

@@ -69,7 +69,8 @@ fn order<S: Scheme>(scheme: &S) -> f64 {
     let error = |count: u32| (after(scheme, &field, z, 1.0, count) - exact).max_abs();
     let errors = COUNTS.iter().map(|&count| (1.0 / f64::from(count), error(count)));
     // A NaN is kept, and no order is fitted to it.
-    let usable: Vec<_> = errors.filter(|(_, e)| !(*e <= ROUND_OFF)).take(FITTED).collect();
+    let usable: Vec<_> =
+        errors.filter(|(_, e)| e.is_nan() || *e > ROUND_OFF).take(FITTED).collect();
     if usable.len() < 3 && usable.iter().all(|(_, error)| error.is_finite()) {
         return f64::INFINITY;
     }
