@@ -43,14 +43,7 @@ where
     at_least_one("members", members)?;
     let mut report = Report::default();
     let run = |group: &[B::Member]| advanced(batch, group, step, 0..STEPS);
-    let mut ends = Vec::new();
-    for member in members {
-        ends.extend(copies(&run, member, &mut report));
-    }
-    if ends.len() < members.len() {
-        report.note("number", f64::NAN, 1.0);
-        return Ok(report);
-    }
+    let ends: Vec<_> = members.iter().map(|member| copies(&run, member, &mut report)).collect();
     let cycled =
         |members: &[B::Member]| -> Vec<_> { members.iter().copied().cycle().take(GROUP).collect() };
     let (group, expected) = (cycled(members), cycled(&ends));
@@ -85,24 +78,23 @@ fn advanced<B: BatchIntegrator>(
 
 /// Returns the number of members that differ.
 fn different<M: PartialEq>(a: &[M], b: &[M]) -> f64 {
-    (a.iter().zip(b).filter(|(a, b)| a != b).count() + a.len().abs_diff(b.len())) as f64
+    a.iter().zip(b).filter(|(a, b)| a != b).count() as f64
 }
 
-/// Advances groups of copies of one member, and returns what becomes of it; `None` if there is no such thing.
+/// Advances groups of copies of one member, and returns what becomes of it.
 fn copies<M: Copy + PartialEq>(
     run: &dyn Fn(&[M]) -> Advanced<M>,
     member: &M,
     report: &mut Report,
-) -> Option<M> {
-    let alone = *run(&[*member]).0.first()?;
+) -> M {
+    let alone = run(&[*member]).0[0];
     for count in 1..=GROUP {
         let (copies, failures) = run(&vec![*member; count]);
-        let first = copies.first()?;
-        report.note("number", broken_unless(*first == alone), 1.0);
-        report.note("place", different(&copies, &vec![*first; count]), 1.0);
+        report.note("number", broken_unless(copies[0] == alone), 1.0);
+        report.note("place", different(&copies, &vec![copies[0]; count]), 1.0);
         report.note("report", failures.len() as f64, 1.0);
     }
-    Some(alone)
+    alone
 }
 
 fn failures<M: Copy + PartialEq>(
@@ -123,13 +115,9 @@ fn failures<M: Copy + PartialEq>(
         let reported: Vec<_> =
             failures.iter().map(|(index, error)| (*index, Some(error.step))).collect();
         report.note("report", broken_unless(reported == [(place, fails_at)]), 1.0);
-        for part in [0..place, place + 1..group.len()] {
-            let residual = match (after.get(part.clone()), expected.get(part)) {
-                (Some(after), Some(expected)) => different(after, expected),
-                _ => f64::NAN,
-            };
-            report.note("isolation", residual, 1.0);
-        }
+        let before = different(&after[..place], &expected[..place]);
+        let behind = different(&after[place + 1..], &expected[place + 1..]);
+        report.note("isolation", before + behind, 1.0);
     }
 }
 

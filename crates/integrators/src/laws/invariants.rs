@@ -25,7 +25,7 @@ use lie_poisson::{Vector, larger};
 ///     laws::invariants(&direct, &[z], 0.1, &[&energy])
 /// };
 /// residual(RungeKutta::implicit_midpoint())?.check(1e-13)?;
-/// assert!(residual(RungeKutta::rk4())?.check(1e-6).is_err());
+/// assert!(residual(RungeKutta::rk4())?.check(1e-8).is_err());
 /// # Ok::<(), Box<dyn std::error::Error>>(())
 /// ```
 pub fn invariants<V: Vector, I: Integrator<Momentum = V>>(

@@ -22,7 +22,7 @@ use nalgebra::Vector3;
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct MeasuredScheme {
     /// The order [fitted](fitted_order) to the errors at t = 1 of the smallest steps whose errors are above round-off.
-    /// It is ∞ if there are fewer than three such steps.
+    /// It is ∞ if there are fewer than three such steps, and NaN if other steps fail.
     pub order: f64,
     /// max |DΦ_hᵀ J DΦ_h − J| for one step.
     pub symplecticity: f64,
@@ -66,15 +66,22 @@ fn order<S: Scheme>(scheme: &S) -> f64 {
     let Ok(reference) = RungeKutta::gauss(8) else { return f64::NAN };
     let (field, z) = (GenericSystem::field(), GenericSystem::start());
     let exact = after(&reference, &field, z, 1.0, 40);
-    let error = |count: u32| (after(scheme, &field, z, 1.0, count) - exact).max_abs();
-    let errors = COUNTS.iter().map(|&count| (1.0 / f64::from(count), error(count)));
-    // A NaN is kept, and no order is fitted to it.
-    let usable: Vec<_> =
-        errors.filter(|(_, e)| e.is_nan() || *e > ROUND_OFF).take(FITTED).collect();
-    if usable.len() < 3 && usable.iter().all(|(_, error)| error.is_finite()) {
-        return f64::INFINITY;
+    let fitted = |errors: &[(f64, f64)]| fitted_order(errors, ROUND_OFF).unwrap_or(f64::NAN);
+    let mut errors = Vec::new();
+    for count in COUNTS {
+        let error = (after(scheme, &field, z, 1.0, count) - exact).max_abs();
+        if !error.is_finite() {
+            // Long steps may fail; without three shorter ones there is no order.
+            return fitted(&errors);
+        }
+        if error > ROUND_OFF {
+            errors.push((1.0 / f64::from(count), error));
+        }
+        if errors.len() == FITTED {
+            break;
+        }
     }
-    fitted_order(&usable, ROUND_OFF).unwrap_or(f64::NAN)
+    if errors.len() < 3 { f64::INFINITY } else { fitted(&errors) }
 }
 
 /// Returns the point after `count` steps to t = `time`.
