@@ -21,6 +21,7 @@
 //! | tangent vectors along a trajectory, Lyapunov exponents | [`VariationalFlow`], [`LyapunovExponents`] |
 //! | order or chaos sooner: MEGNO, SALI | [`Megno`], [`smaller_alignment_index`] |
 //! | order, symplecticity, Poisson property, symmetry, descent, drift: measured | [`diagnostics`] |
+//! | tests of your own schemes and integrators against their promises | the module `laws` (feature `laws`) |
 
 mod error;
 mod stage_frame;
@@ -35,6 +36,9 @@ mod runs;
 mod batch;
 mod chaos;
 pub mod diagnostics;
+
+#[cfg(feature = "laws")]
+pub mod laws;
 
 pub use batch::alone::advance_alone;
 pub use batch::batch_integrator::BatchIntegrator;

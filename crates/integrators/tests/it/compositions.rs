@@ -5,23 +5,22 @@ use collective_integrators::*;
 
 #[test]
 fn compositions_of_the_midpoint_rule_keep_their_promises() {
-    let sets: [(&str, Substeps, &[usize]); 9] = [
-        ("Yoshida 4", Substeps::yoshida4(), &[20, 30, 40, 60, 80]),
-        ("Suzuki 4", Substeps::suzuki4(), &[10, 15, 20, 30, 40]),
-        ("McLachlan 4", Substeps::mclachlan4(), &[10, 15, 20, 30, 40]),
-        ("Yoshida 6", Substeps::yoshida6(), &[15, 20, 25, 30, 40]),
-        ("McLachlan 6", Substeps::mclachlan6(), &[8, 10, 12, 16, 20]),
-        ("Kahan–Li 6", Substeps::kahan_li6(), &[8, 10, 12, 16, 20]),
-        ("Yoshida 8", Substeps::yoshida8(), &[16, 20, 24, 28, 32]),
-        ("McLachlan 8", Substeps::mclachlan8(), &[6, 8, 10, 12]),
-        ("Kahan–Li 8", Substeps::kahan_li8(), &[5, 6, 7, 8]),
+    let sets: [(&str, Substeps); 9] = [
+        ("Yoshida 4", Substeps::yoshida4()),
+        ("Suzuki 4", Substeps::suzuki4()),
+        ("McLachlan 4", Substeps::mclachlan4()),
+        ("Yoshida 6", Substeps::yoshida6()),
+        ("McLachlan 6", Substeps::mclachlan6()),
+        ("Kahan–Li 6", Substeps::kahan_li6()),
+        ("Yoshida 8", Substeps::yoshida8()),
+        ("McLachlan 8", Substeps::mclachlan8()),
+        ("Kahan–Li 8", Substeps::kahan_li8()),
     ];
-    for (name, substeps, counts) in sets {
+    for (name, substeps) in sets {
         let scheme = Composition::new(RungeKutta::implicit_midpoint(), substeps);
-        keeps_its_promises(&scheme, counts, name);
+        keeps_its_promises(&scheme, name);
         assert!(scheme.is_symplectic() && scheme.is_symmetric());
         assert!(scheme.preserves_quadratic_invariants());
-        assert!(quadratic_defect(&scheme, 0.2) < ROUND_OFF, "{name}");
     }
 }
 
@@ -29,14 +28,14 @@ fn compositions_of_the_midpoint_rule_keep_their_promises() {
 fn other_bases_are_raised_by_two() {
     let gauss = Composition::new(RungeKutta::gauss(2).unwrap(), Substeps::triple_jump(4).unwrap());
     assert_eq!(gauss.order(), 6);
-    keeps_its_promises(&gauss, &[5, 8, 10, 12, 16], "two-stage Gauss, triple jump");
+    keeps_its_promises(&gauss, "two-stage Gauss, triple jump");
     // compositions nest
     let nested = Composition::new(
         Composition::new(RungeKutta::implicit_midpoint(), Substeps::suzuki(2).unwrap()),
         Substeps::suzuki(4).unwrap(),
     );
     assert_eq!(nested.order(), 6);
-    keeps_its_promises(&nested, &[6, 8, 10, 12], "Suzuki's fractal of Suzuki's fractal");
+    keeps_its_promises(&nested, "Suzuki's fractal of Suzuki's fractal");
 }
 
 /// Negative controls: without symmetry of the base or of the substeps less is gained, and nothing
@@ -45,13 +44,13 @@ fn other_bases_are_raised_by_two() {
 fn a_composition_is_no_better_than_its_base() {
     let explicit = Composition::new(RungeKutta::explicit_midpoint(), Substeps::yoshida4());
     assert_eq!(explicit.order(), 3);
-    keeps_its_promises(&explicit, &[40, 60, 80, 120, 160], "explicit midpoint");
+    keeps_its_promises(&explicit, "explicit midpoint");
     assert!(!explicit.is_symplectic() && !explicit.is_symmetric());
-    assert!(!explicit.preserves_quadratic_invariants() && quadratic_defect(&explicit, 0.2) > 1e-6);
+    assert!(!explicit.preserves_quadratic_invariants());
     let lopsided = Substeps::new(&[0.3, 0.7]).unwrap();
     let lopsided = Composition::new(RungeKutta::implicit_midpoint(), lopsided);
     assert_eq!((lopsided.order(), lopsided.is_symmetric()), (2, false));
-    keeps_its_promises(&lopsided, &[20, 30, 40, 60], "lopsided midpoint");
+    keeps_its_promises(&lopsided, "lopsided midpoint");
 }
 
 #[test]

@@ -12,17 +12,16 @@ fn semiexplicit(substeps: &Substeps) -> RungeKutta {
 #[test]
 fn semiexplicit_methods_keep_their_promises() {
     let once = Substeps::new(&[1.0]).unwrap();
-    let cases: [(&str, Substeps, &[usize]); 4] = [
-        ("semiexplicit 2", once, &[20, 40, 80]),
-        ("semiexplicit 4", Substeps::yoshida4(), &[20, 30, 40, 60, 80]),
-        ("semiexplicit 6", Substeps::kahan_li6(), &[8, 10, 12, 16, 20]),
-        ("semiexplicit 8", Substeps::kahan_li8(), &[5, 6, 7, 8]),
+    let cases: [(&str, Substeps); 4] = [
+        ("semiexplicit 2", once),
+        ("semiexplicit 4", Substeps::yoshida4()),
+        ("semiexplicit 6", Substeps::kahan_li6()),
+        ("semiexplicit 8", Substeps::kahan_li8()),
     ];
-    for (name, substeps, counts) in cases {
+    for (name, substeps) in cases {
         let method = semiexplicit(&substeps);
-        keeps_its_promises(&method, counts, name);
+        keeps_its_promises(&method, name);
         assert!(method.is_symplectic() && method.preserves_quadratic_invariants());
-        assert!(quadratic_defect(&method, 0.2) < ROUND_OFF);
     }
 }
 

@@ -4,6 +4,7 @@
 mod compensated_schemes;
 mod compositions;
 mod extended;
+mod integrator_laws;
 mod lyapunov;
 mod partitioned_schemes;
 mod runge_kutta;

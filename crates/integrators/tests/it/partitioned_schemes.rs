@@ -12,31 +12,19 @@ type Method = PartitionedRungeKutta<FirstHalf>;
 #[test]
 fn partitioned_methods_keep_their_promises() {
     let lobatto = |s| Method::lobatto_iiia_iiib(s).unwrap();
-    let methods: [(&str, Method, usize, bool, &[usize]); 7] = [
-        (
-            "Euler, implicit in p",
-            Method::symplectic_euler_implicit_in_p(),
-            1,
-            false,
-            &[100, 200, 400],
-        ),
-        (
-            "Euler, implicit in q",
-            Method::symplectic_euler_implicit_in_q(),
-            1,
-            false,
-            &[100, 200, 400],
-        ),
-        ("kick–drift–kick", Method::kick_drift_kick(), 2, true, &[20, 40, 80]),
-        ("drift–kick–drift", Method::drift_kick_drift(), 2, true, &[20, 40, 80]),
-        ("Lobatto, 2 stages", lobatto(2), 2, true, &[20, 40, 80]),
-        ("Lobatto, 3 stages", lobatto(3), 4, true, &[10, 15, 20, 30, 40]),
-        ("Lobatto, 4 stages", lobatto(4), 6, true, &[6, 8, 10, 12, 16]),
+    let methods: [(&str, Method, usize, bool); 7] = [
+        ("Euler, implicit in p", Method::symplectic_euler_implicit_in_p(), 1, false),
+        ("Euler, implicit in q", Method::symplectic_euler_implicit_in_q(), 1, false),
+        ("kick–drift–kick", Method::kick_drift_kick(), 2, true),
+        ("drift–kick–drift", Method::drift_kick_drift(), 2, true),
+        ("Lobatto, 2 stages", lobatto(2), 2, true),
+        ("Lobatto, 3 stages", lobatto(3), 4, true),
+        ("Lobatto, 4 stages", lobatto(4), 6, true),
     ];
-    for (name, method, order, symmetric, counts) in methods {
+    for (name, method, order, symmetric) in methods {
         assert_eq!((method.order(), method.is_symmetric()), (order, symmetric), "{name}");
         assert!(method.is_symplectic() && !method.preserves_quadratic_invariants(), "{name}");
-        keeps_its_promises(&method, counts, name);
+        keeps_its_promises(&method, name);
     }
     assert_eq!(lobatto(2), Method::kick_drift_kick());
 }
@@ -47,11 +35,11 @@ fn a_pair_is_not_symplectic_by_being_a_pair() {
     let rk4 = RungeKutta::rk4().tableau().clone();
     let equal = Method::new(rk4.clone(), rk4).unwrap();
     assert_eq!((equal.order(), equal.is_symplectic(), equal.is_symmetric()), (4, false, false));
-    keeps_its_promises(&equal, &[20, 30, 40, 60], "RK4 twice");
+    keeps_its_promises(&equal, "RK4 twice");
     let iiia = Tableau::lobatto_iiia(3).unwrap();
     let iiia = Method::new(iiia.clone(), iiia).unwrap();
     assert_eq!((iiia.order(), iiia.is_symplectic(), iiia.is_symmetric()), (4, false, true));
-    keeps_its_promises(&iiia, &[10, 15, 20, 30], "Lobatto IIIA twice");
+    keeps_its_promises(&iiia, "Lobatto IIIA twice");
     // order 4 alone and together, symmetric or symplectic in neither way
     let mixed = Method::new(
         Tableau::lobatto_iiia(3).unwrap(),
@@ -73,7 +61,7 @@ fn a_pair_is_not_symplectic_by_being_a_pair() {
     )
     .unwrap();
     assert_eq!((mixed.order(), mixed.is_symplectic(), mixed.is_symmetric()), (4, false, false));
-    keeps_its_promises(&mixed, &[20, 30, 40, 60], "Lobatto IIIA with IIIC");
+    keeps_its_promises(&mixed, "Lobatto IIIA with IIIC");
     let gauss = |s| Tableau::gauss(s).unwrap();
     assert_eq!(Method::new(gauss(1), gauss(2)), Err(SchemeError::Stages { q: 1, p: 2 }));
     let twice = Method::new(gauss(6), gauss(6)).unwrap();

@@ -1,0 +1,55 @@
+//! The law of [`Equivariant`].
+
+use super::differences::point_or_nan;
+use super::{GenericSystem, Report};
+use crate::{Equivariant, VectorField, from_fn};
+use lie_poisson::Vector;
+use momentum_map::Cotangent;
+use nalgebra::Vector2;
+
+/// A point of the phase space of the generic system.
+type State = Cotangent<Vector2<f64>>;
+
+/// Evaluates the law `equivariance` of a scheme on the [`GenericSystem`]: it commutes with an affine change of variables
+/// w = Az + b that mixes q and p, A Φ_X(z) + b = Φ_Y(Az + b) for Y(w) = A X(A⁻¹(w − b)).
+///
+/// # Example
+/// ```
+/// use collective_integrators::{RungeKutta, laws};
+/// laws::equivariance(&RungeKutta::rk4()).check(1e-13)?;
+/// # Ok::<(), laws::BrokenLaw>(())
+/// ```
+pub fn equivariance<S: Equivariant>(scheme: &S) -> Report {
+    let (field, shift) = (GenericSystem::field(), State::basis(0) - State::basis(3));
+    let moved_field = from_fn(|w: &State| changed(&field.at(&changed_back(&(*w - shift)))));
+    let mut report = Report::default();
+    let (mut workspace, mut moved_workspace) = (scheme.workspace(), scheme.workspace());
+    let mut z = GenericSystem::start();
+    let mut w = changed(&z) + shift;
+    for _ in 0..STEPS {
+        z = point_or_nan(scheme.step(&field, &z, STEP, &mut workspace));
+        w = point_or_nan(scheme.step(&moved_field, &w, STEP, &mut moved_workspace));
+        let difference = w - (changed(&z) + shift);
+        report.note("equivariance", difference.max_abs(), w.max_abs());
+    }
+    report
+}
+
+/// The size of the steps.
+const STEP: f64 = 0.2;
+
+/// The number of steps.
+const STEPS: usize = 5;
+
+/// A = the product of the shears that add c times coordinate j to coordinate i, for each (i, j, c) in turn.
+const SHEARS: [(usize, usize, f64); 4] = [(0, 2, 0.5), (3, 0, -1.0), (2, 1, 0.75), (1, 3, 0.5)];
+
+/// Returns Az.
+fn changed(z: &State) -> State {
+    SHEARS.iter().fold(*z, |z, &(i, j, c)| z + State::basis(i).scaled(c * z.coordinate(j)))
+}
+
+/// Returns A⁻¹w.
+fn changed_back(w: &State) -> State {
+    SHEARS.iter().rev().fold(*w, |w, &(i, j, c)| w - State::basis(i).scaled(c * w.coordinate(j)))
+}

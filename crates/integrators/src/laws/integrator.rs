@@ -1,0 +1,112 @@
+//! The laws of [`Integrator`].
+
+use super::differences::{
+    NOT_FINITE, at_least_one, broken_unless, different_bits, not_finite, point_or_nan,
+};
+use super::{NoSamples, Report};
+use crate::{CHECKPOINT, Integrator, SampleOf};
+use lie_poisson::Vector;
+
+/// Evaluates the laws of an integrator on samples of states, for one step size:
+///
+/// * `step of size 0`: it keeps μ;
+/// * `samples`: sample n of a trajectory has the number n, the time nh and the momentum of its state;
+/// * `forgetting`: after [`forget`](Integrator::forget) a used workspace gives the bits of a new one;
+/// * `resumption`: a trajectory resumed at a [`CHECKPOINT`] has the bits of the uninterrupted one;
+/// * `refusal`: a state or a step size that is infinite or not a number is an error, of a step and of a trajectory.
+///
+/// An integrator that can start from a momentum has the laws of [`start`](super::start) too.
+///
+/// # Errors
+/// Returns [`NoSamples`] if there are no samples.
+///
+/// # Example
+/// ```
+/// use collective_integrators::{Direct, RungeKutta, from_fn, laws};
+/// use nalgebra::Vector2;
+/// let pendulum = from_fn(|z: &Vector2<f64>| Vector2::new(z.y, -z.x.sin()));
+/// let gauss = Direct::new(RungeKutta::gauss(3)?, pendulum);
+/// laws::integrator(&gauss, &[Vector2::new(1.0, 0.0), Vector2::new(-0.5, 0.8)], 0.1)?.check(1e-13)?;
+/// # Ok::<(), Box<dyn std::error::Error>>(())
+/// ```
+pub fn integrator<I: Integrator>(
+    integrator: &I,
+    states: &[I::State],
+    step: f64,
+) -> Result<Report, NoSamples> {
+    at_least_one("states", states)?;
+    let mut report = Report::default();
+    for (state, other) in states.iter().zip(states.iter().cycle().skip(1)) {
+        still(integrator, state, &mut report);
+        samples(integrator, state, step, &mut report);
+        forgetting(integrator, (state, other), step, &mut report);
+        resumption(integrator, state, step, &mut report);
+        refusal(integrator, state, step, &mut report);
+    }
+    Ok(report)
+}
+
+/// The number of steps in a row of the laws about bits: enough to fill what a workspace remembers.
+const STEPS: usize = 12;
+
+fn still<I: Integrator>(integrator: &I, state: &I::State, report: &mut Report) {
+    let after = point_or_nan(integrator.step(state, 0.0, &mut integrator.workspace()));
+    let mu = integrator.momentum(state);
+    report.note("step of size 0", (integrator.momentum(&after) - mu).max_abs(), mu.max_abs());
+}
+
+fn samples<I: Integrator>(integrator: &I, state: &I::State, step: f64, report: &mut Report) {
+    let run = integrator.trajectory_from(*state, step).take(STEPS);
+    for (n, sample) in (0..).zip(run) {
+        let fits = |sample: SampleOf<I>| {
+            let mu = integrator.momentum(&sample.state);
+            sample.step == n
+                && sample.time == n as f64 * step
+                && different_bits(&sample.momentum, &mu) == 0.0
+                && (n > 0 || different_bits(&sample.state, state) == 0.0)
+        };
+        report.note("samples", broken_unless(sample.is_ok_and(fits)), 1.0);
+    }
+}
+
+fn forgetting<I: Integrator>(
+    integrator: &I,
+    (state, other): (&I::State, &I::State),
+    step: f64,
+    report: &mut Report,
+) {
+    let run = |from: &I::State, step: f64, workspace: &mut I::Workspace| {
+        (0..STEPS).fold(*from, |z, _| point_or_nan(integrator.step(&z, step, workspace)))
+    };
+    let mut used = integrator.workspace();
+    run(other, 0.7 * step, &mut used);
+    integrator.forget(&mut used);
+    let (again, new) = (run(state, step, &mut used), run(state, step, &mut integrator.workspace()));
+    report.note("forgetting", different_bits(&again, &new), 1.0);
+}
+
+fn resumption<I: Integrator>(integrator: &I, state: &I::State, step: f64, report: &mut Report) {
+    let mut run = integrator.trajectory_from(*state, step).skip(CHECKPOINT as usize);
+    let Some(Ok(saved)) = run.next() else {
+        report.note("resumption", f64::NAN, 1.0);
+        return;
+    };
+    let resumed = integrator.trajectory_resumed(saved.state, saved.step, step).skip(1);
+    for pair in run.zip(resumed).take(STEPS) {
+        let residual = match pair {
+            (Ok(a), Ok(b)) => different_bits(&a.state, &b.state) + broken_unless(a.step == b.step),
+            _ => f64::NAN,
+        };
+        report.note("resumption", residual, 1.0);
+    }
+}
+
+fn refusal<I: Integrator>(integrator: &I, state: &I::State, step: f64, report: &mut Report) {
+    let bad_states = not_finite(state).map(|bad| (bad, step));
+    for (state, step) in bad_states.chain(NOT_FINITE.map(|bad| (*state, bad))) {
+        let stepped = integrator.step(&state, step, &mut integrator.workspace());
+        report.note("refusal", broken_unless(stepped.is_err()), 1.0);
+        let first = integrator.trajectory_from(state, step).next();
+        report.note("refusal", broken_unless(first.is_some_and(|item| item.is_err())), 1.0);
+    }
+}

@@ -1,0 +1,64 @@
+//! The law of conserved functions.
+
+use super::differences::at_least_one;
+use super::{NoSamples, Report};
+use crate::Integrator;
+use lie_poisson::{Vector, larger};
+
+/// Evaluates the law `invariants`: an integrator conserves the given functions of the momentum, here over 100 steps of
+/// one size from samples of states.
+///
+/// The residual is relative to |C(μ)|, or to the largest change of C where a coordinate of μ is doubled if that is
+/// larger, so that C(μ) may be 0. It is NaN if a step fails.
+///
+/// # Errors
+/// Returns [`NoSamples`] if there are no states or no invariants.
+///
+/// # Example
+/// ```
+/// use collective_integrators::{Direct, RungeKutta, from_fn, laws};
+/// use nalgebra::Vector2;
+/// let oscillator = from_fn(|z: &Vector2<f64>| Vector2::new(z.y, -z.x));
+/// let energy = |z: &Vector2<f64>| z.norm_squared();
+/// let residual = |scheme| {
+///     let (direct, z) = (Direct::new(scheme, oscillator), Vector2::new(0.6, 0.8));
+///     laws::invariants(&direct, &[z], 0.1, &[&energy])
+/// };
+/// residual(RungeKutta::implicit_midpoint())?.check(1e-13)?;
+/// assert!(residual(RungeKutta::rk4())?.check(1e-8).is_err());
+/// # Ok::<(), Box<dyn std::error::Error>>(())
+/// ```
+pub fn invariants<V: Vector, I: Integrator<Momentum = V>>(
+    integrator: &I,
+    states: &[I::State],
+    step: f64,
+    invariants: &[&dyn Fn(&V) -> f64],
+) -> Result<Report, NoSamples> {
+    at_least_one("states", states)?;
+    at_least_one("invariants", invariants)?;
+    let mut report = Report::default();
+    for state in states {
+        let start = integrator.momentum(state);
+        for sample in integrator.trajectory_from(*state, step).take(STEPS + 1) {
+            let Ok(sample) = sample else {
+                report.note("invariants", f64::NAN, 1.0);
+                break;
+            };
+            for invariant in invariants {
+                let change = invariant(&sample.momentum) - invariant(&start);
+                report.note("invariants", change.abs(), size(invariant, &start));
+            }
+        }
+    }
+    Ok(report)
+}
+
+/// The number of steps.
+const STEPS: usize = 100;
+
+/// Returns the largest of |C(μ)| and |C(ν) − C(μ)| over the ν in which one coordinate of μ is doubled.
+fn size<V: Vector>(invariant: &dyn Fn(&V) -> f64, mu: &V) -> f64 {
+    let value = invariant(mu);
+    let doubled = |i| *mu + V::basis(i).scaled(mu.coordinate(i));
+    (0..V::DIM).fold(value.abs(), |size, i| larger(size, (invariant(&doubled(i)) - value).abs()))
+}
