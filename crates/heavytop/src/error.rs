@@ -4,6 +4,7 @@ use thiserror::Error;
 
 /// Why a set of parameters is not a heavy top.
 #[derive(Clone, Debug, PartialEq, Error)]
+#[non_exhaustive]
 pub enum TopError {
     /// A number is infinite or not a number.
     #[error("{name} must be a finite number, got {value:?}")]
@@ -53,20 +54,6 @@ pub enum TopError {
         first: f64,
         /// The remaining moment.
         second: f64,
-    },
-    /// A matrix is not symmetric.
-    #[error("{name} must be symmetric, it differs from its transpose by {defect:e}")]
-    NotSymmetric {
-        /// The matrix.
-        name: &'static str,
-        /// The largest difference.
-        defect: f64,
-    },
-    /// A number is zero.
-    #[error("{name} must not be zero")]
-    Zero {
-        /// The parameter.
-        name: &'static str,
     },
     /// The closed form asked for is that of another top.
     #[error("the top must be Lagrange's: I₁ = I₂, centre of mass on +e₃, gravity at work")]
