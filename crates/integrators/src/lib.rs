@@ -35,9 +35,12 @@ mod batch;
 mod chaos;
 pub mod diagnostics;
 
+pub use batch::alone::advance_alone;
 pub use batch::batch_integrator::BatchIntegrator;
 pub use batch::ensemble::{Chunk, Ensemble, MemberError};
-pub use batch::laned::{Laned, LanedSpace};
+pub use batch::groups::MOST_LANES;
+pub use batch::lane_kernel::{LaneKernel, LaneResults, Registers};
+pub use batch::laned::Laned;
 pub use chaos::lyapunov::{Exponents, LyapunovExponents, MaximalLyapunovExponent};
 pub use chaos::megno::Megno;
 pub use chaos::smaller_alignment::smaller_alignment_index;

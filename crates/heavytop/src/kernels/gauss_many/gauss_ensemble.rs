@@ -3,12 +3,12 @@
 use crate::HeavyTop;
 use crate::kernels::gauss_many::spinor_field::Parameters;
 use crate::kernels::gauss_many::spinor_step::{Coefficients, Motion};
-use crate::kernels::segments::{LaneKernel, MOST_LANES, Place};
 use collective_integrators::{
-    BatchIntegrator, IntegrationError, LiftFree, RungeKutta, SchemeError, Start, Tableau,
+    BatchIntegrator, IntegrationError, Integrator, LaneKernel, LaneResults, LiftFree, Registers,
+    RungeKutta, SchemeError, Tableau, advance_alone,
 };
 use core::ops::Range;
-use lie_poisson::{InstructionSet, Lanes, Mask, MissingInstructions, Se3Dual, Width};
+use lie_poisson::{InstructionSet, Lanes, Mask, MissingInstructions, Se3Dual, Vector, Width};
 use momentum_map::DualQuaternions;
 
 /// Many tops, advanced side by side in the lanes of the processor's registers by the collective
@@ -54,7 +54,7 @@ use momentum_map::DualQuaternions;
 pub struct GaussEnsemble<const S: usize> {
     scheme: RungeKutta,
     coefficients: Coefficients<S>,
-    place: Place,
+    registers: Registers,
 }
 
 impl<const S: usize> GaussEnsemble<S> {
@@ -64,7 +64,11 @@ impl<const S: usize> GaussEnsemble<S> {
     /// If S = 0.
     pub fn new() -> Result<Self, SchemeError> {
         let scheme = RungeKutta::gauss(S)?;
-        Ok(Self { coefficients: coefficients(scheme.tableau()), scheme, place: Place::widest() })
+        Ok(Self {
+            coefficients: coefficients(scheme.tableau()),
+            scheme,
+            registers: Registers::widest(),
+        })
     }
 
     /// The same on the given instructions and width; without this call, on the widest there are.
@@ -76,7 +80,7 @@ impl<const S: usize> GaussEnsemble<S> {
         instructions: InstructionSet,
         width: Width,
     ) -> Result<Self, MissingInstructions> {
-        Ok(Self { place: Place::new(instructions, width)?, ..self })
+        Ok(Self { registers: Registers::new(instructions, width)?, ..self })
     }
 }
 
@@ -98,7 +102,7 @@ impl<const S: usize> BatchIntegrator for GaussEnsemble<S> {
     ) {
         let coefficients = self.coefficients.scaled(step);
         let kernel = Kernel { scheme: &self.scheme, coefficients };
-        self.place.advance(&kernel, members, step, steps, failed);
+        self.registers.advance(&kernel, members, step, steps, &mut (), failed);
     }
 }
 
@@ -125,31 +129,41 @@ struct Kernel<'a, const S: usize> {
 }
 
 impl<const S: usize> LaneKernel for Kernel<'_, S> {
-    type Top = HeavyTop;
+    type Member = (HeavyTop, Se3Dual);
+    type Workspace = ();
 
     #[inline(always)]
-    fn ends<T: Lanes>(
+    fn together<T: Lanes>(
         &self,
-        group: &[(HeavyTop, Se3Dual)],
+        group: &mut [(HeavyTop, Se3Dual)],
         step: f64,
         count: u64,
-    ) -> [Option<Se3Dual>; MOST_LANES] {
+    ) -> LaneResults {
         let last = group.len() - 1;
         let top = Parameters::<T>::from_lanes(|i| &group[i.min(last)].0);
         let mut motion = Motion::<T, S>::lift(|i| &group[i.min(last)].1);
         for n in 0..count {
             motion.step(&top, &self.coefficients, step, n == 0);
         }
-        let mut ends = [None; MOST_LANES];
-        for (i, end) in ends.iter_mut().enumerate().take(group.len()) {
+        let mut results = LaneResults::default();
+        for (i, (_, state)) in group.iter_mut().enumerate() {
             if motion.alive.lane(i) {
-                *end = Some(motion.momentum(i));
+                *state = motion.momentum(i);
+                results[i] = state.is_finite();
             }
         }
-        ends
+        results
     }
 
-    fn alone(&self, top: &HeavyTop) -> impl Start<State = Se3Dual, Momentum = Se3Dual> {
-        LiftFree::new(self.scheme.clone(), DualQuaternions, *top)
+    fn alone(
+        &self,
+        (top, state): &mut (HeavyTop, Se3Dual),
+        step: f64,
+        steps: Range<u64>,
+        (): &mut (),
+    ) -> Result<(), IntegrationError> {
+        let integrator = LiftFree::new(self.scheme.clone(), DualQuaternions, *top);
+        let workspace = &mut Integrator::<f64>::workspace(&integrator);
+        advance_alone(&integrator, state, step, steps, workspace)
     }
 }

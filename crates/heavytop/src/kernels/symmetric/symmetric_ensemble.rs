@@ -1,14 +1,14 @@
 //! Many symmetric tops at once, by splitting.
 
 use crate::SymmetricTopSplitting;
-use crate::kernels::segments::{LaneKernel, MOST_LANES, Place};
 use crate::kernels::symmetric::flows::Flows;
 use crate::kernels::symmetric::steps::{Motion, Parameters};
 use collective_integrators::{
-    AlternatingSplitting, AlternatingSubsteps, BatchIntegrator, IntegrationError, Start,
+    AlternatingSplitting, AlternatingSubsteps, BatchIntegrator, IntegrationError, Integrator,
+    LaneKernel, LaneResults, Registers, advance_alone,
 };
 use core::ops::Range;
-use lie_poisson::{InstructionSet, Lanes, Mask, MissingInstructions, Se3Dual, Width};
+use lie_poisson::{InstructionSet, Lanes, Mask, MissingInstructions, Se3Dual, Vector, Width};
 
 /// The largest squared angle, rad², by which a top may turn in a flow, and in a step.
 const LONG: [f64; 2] = [2.0, f64::INFINITY];
@@ -58,7 +58,7 @@ pub struct SymmetricTopEnsemble {
     substeps: AlternatingSubsteps,
     short: Flows,
     long: Flows,
-    place: Place,
+    registers: Registers,
 }
 
 impl SymmetricTopEnsemble {
@@ -66,7 +66,7 @@ impl SymmetricTopEnsemble {
     #[must_use]
     pub fn new(substeps: AlternatingSubsteps) -> Self {
         let [short, long] = [SHORT, LONG].map(|[flow, step]| Flows::new(&substeps, flow, step));
-        Self { short, long, substeps, place: Place::widest() }
+        Self { short, long, substeps, registers: Registers::widest() }
     }
 
     /// The same on the given instructions and width; without this call, on the widest there are.
@@ -78,7 +78,7 @@ impl SymmetricTopEnsemble {
         instructions: InstructionSet,
         width: Width,
     ) -> Result<Self, MissingInstructions> {
-        Ok(Self { place: Place::new(instructions, width)?, ..self })
+        Ok(Self { registers: Registers::new(instructions, width)?, ..self })
     }
 }
 
@@ -98,50 +98,57 @@ impl BatchIntegrator for SymmetricTopEnsemble {
         (): &mut (),
         failed: &mut dyn FnMut(usize, IntegrationError),
     ) {
-        self.place.advance(self, members, step, steps, failed);
+        self.registers.advance(self, members, step, steps, &mut (), failed);
     }
 }
 
 impl LaneKernel for SymmetricTopEnsemble {
-    type Top = SymmetricTopSplitting;
+    type Member = (SymmetricTopSplitting, Se3Dual);
+    type Workspace = ();
 
     #[inline(always)]
-    fn ends<T: Lanes>(
+    fn together<T: Lanes>(
         &self,
-        group: &[(SymmetricTopSplitting, Se3Dual)],
+        group: &mut [(SymmetricTopSplitting, Se3Dual)],
         step: f64,
         count: u64,
-    ) -> [Option<Se3Dual>; MOST_LANES] {
+    ) -> LaneResults {
         let last = group.len() - 1;
         let top = Parameters::<T>::from_lanes(step, |i| &group[i.min(last)].0);
         let start = Motion::<T>::from_lanes(&top, |i| &group[i.min(last)].1);
         let within = |flows: &Flows, square: T| square.at_most(T::from_f64(flows.limit));
-        let mut ends = [None; MOST_LANES];
+        let mut results = LaneResults::default();
         let short = within(&self.short, top.bound(&start));
-        let mut settled = T::Mask::from_bool(false);
+        let mut finished = T::Mask::from_bool(false);
         for (flows, chosen) in [(&self.short, short), (&self.long, T::Mask::from_bool(true))] {
-            let due = chosen.and(settled.not());
+            let due = chosen.and(finished.not());
             if due.any() {
                 let mut motion = start;
                 advance(&mut motion, &top, flows, count);
                 let done = due.and(within(flows, motion.largest));
                 let momenta = motion.momenta(&top);
-                for (i, end) in ends.iter_mut().enumerate().take(group.len()) {
+                for (i, (_, state)) in group.iter_mut().enumerate() {
                     if done.lane(i) {
-                        *end = Some(momenta(i));
+                        *state = momenta(i);
+                        results[i] = state.is_finite();
                     }
                 }
-                settled = settled.or(done);
+                finished = finished.or(done);
             }
         }
-        ends
+        results
     }
 
     fn alone(
         &self,
-        top: &SymmetricTopSplitting,
-    ) -> impl Start<State = Se3Dual, Momentum = Se3Dual> {
-        AlternatingSplitting::new(*top, self.substeps.clone())
+        (top, state): &mut (SymmetricTopSplitting, Se3Dual),
+        step: f64,
+        steps: Range<u64>,
+        (): &mut (),
+    ) -> Result<(), IntegrationError> {
+        let integrator = AlternatingSplitting::new(*top, self.substeps.clone());
+        let workspace = &mut Integrator::<f64>::workspace(&integrator);
+        advance_alone(&integrator, state, step, steps, workspace)
     }
 }
 
