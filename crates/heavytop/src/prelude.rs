@@ -10,10 +10,10 @@
 //! | the top | [`HeavyTop`], [`Body`], [`Invariant`] |
 //! | another Hamiltonian on se(3)∗ | [`Hamiltonian`], [`from_closure`], [`HeavyTopSpace`] |
 //! | a scheme | [`RungeKutta`], [`Substeps`], [`AlternatingSubsteps`] |
-//! | an integrator of one top | [`Collective`] with [`SpinorRealisation`], [`LiftFree`] with [`DualQuaternions`], [`Direct`] |
-//! | the fast paths of one top | [`CollectiveGauss`], [`ReducedMidpoint`], [`SymmetricTopSplitting`] |
+//! | an integrator of one top | [`Collective`] with [`SpinorRealisation`], [`LiftFree`] with [`DualQuaternions`], [`Direct`], [`ReducedMidpoint`] |
+//! | the fast paths of one top | [`CollectiveGauss`], [`TopMidpoint`], [`SymmetricTopSplitting`] |
 //! | trajectories and their samples | [`Start`], [`Integrator`], [`Sample`], [`Events`] |
-//! | many tops at once | [`Ensemble`] of [`GaussEnsemble`], [`SymmetricTopEnsemble`], [`MidpointSweep`] |
+//! | many tops at once | [`Ensemble`] of [`GaussBatch`], [`SymmetricTopBatch`], [`MidpointBatch`] |
 //! | the attitude of the body | [`WithAttitude`] |
 //!
 //! # Example
@@ -38,9 +38,9 @@
 //! ```
 
 pub use crate::{
-    Body, CollectiveGauss, GaussEnsemble, HeavyTop, HeavyTopSpace, Invariant, MidpointSweep,
-    ReducedMidpoint, SpinorRealisation, SymmetricTopEnsemble, SymmetricTopSplitting, TopError,
-    WithAttitude,
+    Body, CollectiveGauss, GaussBatch, HeavyTop, HeavyTopSpace, Invariant, MidpointBatch,
+    ReducedMidpoint, SpinorRealisation, SymmetricTopBatch, SymmetricTopSplitting, TopError,
+    TopMidpoint, WithAttitude,
 };
 pub use collective_integrators::{
     AlternatingSubsteps, Collective, Direct, Ensemble, Events, Integrator, LiftFree, RungeKutta,

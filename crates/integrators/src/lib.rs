@@ -9,7 +9,7 @@
 //! | stage equations, guessed from the steps before and solved | [`StageSolver`], [`StageMemory`], [`Unsettled`] |
 //! | one-step methods, and which of them descend | [`Scheme`], [`Equivariant`], [`RungeKutta`] |
 //! | partitioned methods, which do not descend | [`Polarisation`], [`PartitionedRungeKutta`] |
-//! | integrators on 𝔤∗ | [`Integrator`], [`Start`], [`Collective`], [`Direct`], [`LiftFree`] |
+//! | integrators on 𝔤∗ | [`Integrator`], [`Start`], [`StateIsMomentum`], [`Collective`], [`Direct`], [`LiftFree`] |
 //! | compensated summation | [`Compensated`], [`Increments`] |
 //! | compositions of a method with itself | [`Composition`], [`Substeps`] |
 //! | splitting into exact flows | [`ExactFlows`], [`Splitting`], [`AlternatingSplitting`], [`AlternatingSubsteps`] |
@@ -49,7 +49,9 @@ pub use diagnostics::{OrderFitError, fitted_order};
 pub use dual::collective::{Collective, CollectiveSpace};
 pub use dual::compensated::{Compensated, Increments, compensated_sum};
 pub use dual::direct::Direct;
-pub use dual::integrator::{CHECKPOINT, Integrator, Sample, SampleOf, Start, Trajectory};
+pub use dual::integrator::{
+    CHECKPOINT, Integrator, Sample, SampleOf, Start, StateIsMomentum, Trajectory,
+};
 pub use dual::lift_free::{LiftFree, MultiplierSpace};
 pub use dual::spherical_midpoint::SphericalMidpoint;
 pub use error::{IntegrationError, RunError, SchemeError, StepError};
@@ -65,6 +67,7 @@ pub use splittings::alternating_splitting::AlternatingSplitting;
 pub use splittings::composition::Composition;
 pub use splittings::splitting::{ExactFlows, Splitting};
 pub use splittings::tao::TaoFlows;
+pub use stages::extrapolation::lagrange_polynomial;
 pub use stages::stage_memory::StageMemory;
 pub use stages::stage_solver::{StageSolver, Unsettled};
 pub use step_fractions::alternating_substeps::AlternatingSubsteps;

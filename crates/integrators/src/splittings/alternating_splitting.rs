@@ -1,8 +1,7 @@
 //! Two exact flows by turns, with any coefficients.
 
-use crate::{AlternatingSubsteps, ExactFlows, Integrator, Start, Step, StepError};
+use crate::{AlternatingSubsteps, ExactFlows, Integrator, StateIsMomentum, Step, StepError};
 use lie_poisson::Real;
-use momentum_map::LiftError;
 
 /// The exact flows of two parts, run by turns for the fractions of the step that
 /// [`AlternatingSubsteps`] gives:
@@ -84,8 +83,4 @@ impl<T: Real, E: ExactFlows<T>> Integrator<T> for AlternatingSplitting<E> {
     }
 }
 
-impl<T: Real, E: ExactFlows<T>> Start<T> for AlternatingSplitting<E> {
-    fn start(&self, z: &E::Point) -> Result<E::Point, LiftError> {
-        Ok(*z)
-    }
-}
+impl<E> StateIsMomentum for AlternatingSplitting<E> {}

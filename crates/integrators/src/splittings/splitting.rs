@@ -1,8 +1,7 @@
 //! Splitting into flows that are known exactly.
 
-use crate::{Integrator, Start, Step, StepError};
+use crate::{Integrator, StateIsMomentum, Step, StepError};
 use lie_poisson::{Real, Vector};
-use momentum_map::LiftError;
 
 /// A vector field X = X_1 + … + X_n whose parts have flows in closed form.
 ///
@@ -123,8 +122,4 @@ impl<T: Real, E: ExactFlows<T>> Integrator<T> for Splitting<E> {
     }
 }
 
-impl<T: Real, E: ExactFlows<T>> Start<T> for Splitting<E> {
-    fn start(&self, z: &E::Point) -> Result<E::Point, LiftError> {
-        Ok(*z)
-    }
-}
+impl<E> StateIsMomentum for Splitting<E> {}
