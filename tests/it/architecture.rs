@@ -7,7 +7,7 @@ use workspace_tests::architecture::{Sources, cycles, declared_order, imports, ro
 
 /// The crates, from the bottom to the top.
 const CRATES: &[&str] =
-    &["scalars", "lie-poisson", "momentum-map", "integrators", "heavytop", PROGRAM];
+    &["scalars", "lie-poisson", "momentum-map", "integrators", "systems", "heavytop", PROGRAM];
 
 /// The crate of the program `heavytop`.
 const PROGRAM: &str = "heavytop-cli";
@@ -48,6 +48,38 @@ fn rooms_import_the_rooms_before_them() {
     for name in CRATES {
         assert_eq!(against_the_order(&sources_of(name)), [""; 0], "{name}");
     }
+}
+
+/// The folder and the package of each crate, from the bottom to the top.
+const PACKAGES: &[(&str, &str)] = &[
+    ("scalars", "generic-scalars"),
+    ("lie-poisson", "lie-poisson"),
+    ("momentum-map", "momentum-map"),
+    ("integrators", "collective-integrators"),
+    ("systems", "lie-poisson-systems"),
+    ("heavytop", "heavytop"),
+    ("heavytop-cli", "heavytop-cli"),
+];
+
+/// Whether the manifest of a crate names a package of the workspace, for its tests too.
+fn names(folder: &str, package: &str) -> bool {
+    let crates = Path::new(env!("CARGO_MANIFEST_DIR")).join("../crates");
+    let manifest = std::fs::read_to_string(crates.join(folder).join("Cargo.toml")).unwrap();
+    let from_workspace = [format!("\n{package}.workspace"), format!("\n{package} = {{ workspace")];
+    from_workspace.iter().any(|start| manifest.contains(start))
+}
+
+#[test]
+fn a_crate_names_only_crates_below_it() {
+    for (place, (folder, _)) in PACKAGES.iter().enumerate() {
+        for (_, above) in &PACKAGES[place..] {
+            assert!(!names(folder, above), "{folder} names {above}");
+        }
+    }
+    // Two crates stand side by side.
+    assert!(!names("heavytop", "lie-poisson-systems"));
+    // Negative control: what a crate does name is seen.
+    assert!(names("systems", "momentum-map") && names("heavytop", "collective-integrators"));
 }
 
 #[test]

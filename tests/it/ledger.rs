@@ -109,7 +109,7 @@ fn is_item(text: &str, name: &str) -> bool {
 fn every_item_named_in_the_notation_and_the_ledger_exists() -> Result<(), Box<dyn Error>> {
     let root = Path::new(env!("CARGO_MANIFEST_DIR")).join("..");
     let mut text = String::new();
-    for layer in ["scalars", "lie-poisson", "momentum-map", "integrators", "heavytop"] {
+    for layer in ["scalars", "lie-poisson", "momentum-map", "integrators", "systems", "heavytop"] {
         sources(&root.join("crates").join(layer).join("src"), &mut text)?;
     }
     sources(&root.join("tests/src"), &mut text)?;

@@ -2,11 +2,12 @@
 
 use collective_integrators::diagnostics::step_poisson_defect;
 use collective_integrators::{Collective, Integrator, LiftFree, RungeKutta, Start};
-use heavytop::{Body, HeavyTop, Kirchhoff, RigidBody, SpinorRealisation};
+use heavytop::{Body, HeavyTop, RigidBody, SpinorRealisation};
 use lie_poisson::{
     Covector, DualNumber, Hamiltonian, LiePoisson, Se3, Se3Dual, SkewHermitian, UnitaryAlgebra,
     Vector, from_closure,
 };
+use lie_poisson_systems::{Kirchhoff, PointVortices};
 use momentum_map::{
     ComplexMatrices, DualQuaternions, HOPF, PowerMap, PowerMultipliers, Quaternions,
     unitary_realisation,
@@ -111,7 +112,7 @@ fn quaternions_are_the_hopf_map() {
 
 #[test]
 fn powers_of_quaternions_are_powers_of_the_hopf_map() {
-    let vortices = heavytop::PointVortices::new([1.0, -0.7, 1.5]).unwrap();
+    let vortices = PointVortices::new([1.0, -0.7, 1.5]).unwrap();
     let x = [Vector3::x(), Vector3::new(0.0, 0.6, 0.8), Vector3::new(-0.8, 0.0, 0.6)];
     let start = vortices.momentum(&x);
     let scheme = RungeKutta::gauss(2).unwrap();

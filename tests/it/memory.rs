@@ -4,10 +4,11 @@ use collective_integrators::{
     Alternating, CHECKPOINT, Collective, Composition, Direct, HamiltonianField, Integrator,
     LiftFree, PartitionedRungeKutta, RungeKutta, Start, Substeps, VariationalFlow, from_fn,
 };
-use heavytop::{HeavyTop, Kirchhoff, ReducedMidpoint, SpinorRealisation, WithAttitude};
+use heavytop::{HeavyTop, ReducedMidpoint, SpinorRealisation, WithAttitude};
 use lie_poisson::{
     Differential, LiePoisson, Pair, Power, Quaternion, Se3, Se3Dual, SkewHermitian, Vector,
 };
+use lie_poisson_systems::Kirchhoff;
 use momentum_map::{
     ComplexMatrices, DualQuaternions, Multiplier, Multipliers, PowerMultipliers,
     ProductMultipliers, Quaternions,

@@ -55,20 +55,6 @@ pub enum TopError {
         /// The remaining moment.
         second: f64,
     },
-    /// A matrix is not symmetric.
-    #[error("{name} must be symmetric, it differs from its transpose by {defect:e}")]
-    NotSymmetric {
-        /// The matrix.
-        name: &'static str,
-        /// The largest difference.
-        defect: f64,
-    },
-    /// A number is zero.
-    #[error("{name} must not be zero")]
-    Zero {
-        /// The parameter.
-        name: &'static str,
-    },
     /// The closed form asked for is that of another top.
     #[error("the top must be Lagrange's: I₁ = I₂, centre of mass on +e₃, gravity at work")]
     NotLagrange,

@@ -18,8 +18,6 @@
 //! | the same for many tops at once | [`TopMidpoint`], [`MidpointBatch`] |
 //! | these on all threads | [`Ensemble`](collective_integrators::Ensemble) of any of them |
 //! | the attitude, in every formulation that has one | [`WithAttitude`] |
-//! | other systems on se(3)∗: gyrostat, body in a fluid | [`Gyrostat`], [`Kirchhoff`] |
-//! | systems on (so(3)∗)ᴺ: vortices, spins, spins on a lattice | [`PointVortices`], [`HeisenbergChain`], [`SpinLattice`] |
 //! | Poincaré sections: the energy level, the surface, the starts, the returns | [`EnergyLevel`], [`Coordinate`], [`Surface`], [`Section`] |
 //! | nutation of any top: amplitude, rotation number | [`Nutation`] |
 //! | closed forms: Euler's and Lagrange's tops | [`EulerSolution`], [`LagrangeNutation`], [`JacobiElliptic`], [`jacobi_elliptic`] |
@@ -37,13 +35,14 @@
 //! | the attitude too | [`WithAttitude`] of any of them |
 //! | tangent vectors, Lyapunov exponents | [`ReducedMidpoint`] or [`Collective`](collective_integrators::Collective), which work over dual numbers |
 //!
+//! The usual names of these and of the lower crates are in the [`prelude`]. The lower crates, [`nalgebra`] and
+//! [`num_complex`] are re-exported. Gyrostats, bodies in a fluid, point vortices and spins are in the crate
+//! `lie-poisson-systems`.
+//!
 //! # Example
 //! The paper's experiment, over 200 steps:
 //! ```
-//! use collective_integrators::{Collective, RungeKutta, Start};
-//! use heavytop::{HeavyTop, Invariant, SpinorRealisation};
-//! use lie_poisson::Se3Dual;
-//! use nalgebra::Vector3;
+//! use heavytop::prelude::*;
 //!
 //! let top = HeavyTop::kovalevskaya(1.0, 1.0)?;
 //! let start = Se3Dual::new(Vector3::new(2.0, 3.0, 4.0), Vector3::new(0.5, 0.0, 0.75_f64.sqrt()));
@@ -64,9 +63,9 @@ mod paper;
 mod attitude;
 mod splittings;
 mod kernels;
-mod systems;
 mod closed_forms;
 mod analysis;
+pub mod prelude;
 
 pub use analysis::nutation::Nutation;
 pub use analysis::section::{Section, Surface};
@@ -90,11 +89,6 @@ pub use paper::spinor_realisation::{SpinorPoint, SpinorRealisation};
 pub use paper::varpi::Varpi;
 pub use splittings::rotors::RotorSplitting;
 pub use splittings::symmetric_top::SymmetricTopSplitting;
-pub use systems::gyrostat::Gyrostat;
-pub use systems::kirchhoff::Kirchhoff;
-pub use systems::point_vortices::{PointVortices, SpinSpace, Spins};
-pub use systems::spin_chain::HeisenbergChain;
-pub use systems::spin_lattice::{SpinLattice, SpinLatticeSpace};
 pub use tops::coordinate::Coordinate;
 pub use tops::energy_level::EnergyLevel;
 pub use tops::invariants::Invariant;
@@ -104,6 +98,8 @@ pub use tops::top::{Body, HeavyTop, HeavyTopSpace};
 pub use collective_integrators;
 pub use lie_poisson;
 pub use momentum_map;
+pub use nalgebra;
+pub use num_complex;
 
 /// The examples of the README run.
 #[cfg(doctest)]

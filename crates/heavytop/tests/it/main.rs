@@ -11,8 +11,6 @@ mod jacobi_elliptic;
 mod lagrange_nutation;
 mod midpoint_kernel;
 mod poincare;
-mod reduced;
 mod splittings;
 mod starts;
-mod systems;
 mod top_ensembles;

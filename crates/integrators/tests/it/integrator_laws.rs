@@ -141,7 +141,7 @@ fn splittings_and_the_spherical_midpoint_method() {
     integrator_laws(Splitting::lie_trotter(Spring), &points());
     integrator_laws(Splitting::strang(Spring), &points());
     integrator_laws(Composition::new(Splitting::strang(Spring), Substeps::kahan_li6()), &points());
-    let alternating = AlternatingSplitting::new(Spring, AlternatingSubsteps::blanes_moan6());
+    let alternating = Splitting::alternating(Spring, AlternatingSubsteps::blanes_moan6());
     integrator_laws(alternating, &points());
     let tao = TaoFlows::<_, FirstHalf>::new(field(), 10.0);
     integrator_laws(Splitting::strang(tao), &[TaoFlows::copied(start())]);

@@ -2,7 +2,7 @@
 //! slower:
 //!
 //! ```text
-//! cargo run --release -p heavytop --example lanes_pay
+//! cargo run --release -p workspace-tests --example lanes_pay
 //! ```
 //!
 //! In each round every path runs once, and what counts is the best time of each over the rounds. A
@@ -14,10 +14,11 @@ use collective_integrators::{
     RungeKutta, Start, Substeps,
 };
 use heavytop::{
-    CollectiveGauss, GaussBatch, HeavyTop, Kirchhoff, MidpointBatch, ReducedMidpoint,
-    SymmetricTopBatch, SymmetricTopSplitting, TopError, TopMidpoint,
+    CollectiveGauss, GaussBatch, HeavyTop, MidpointBatch, ReducedMidpoint, SymmetricTopBatch,
+    SymmetricTopSplitting, TopMidpoint,
 };
 use lie_poisson::{DefaultLanes, InstructionSet, Se3Dual, Width};
+use lie_poisson_systems::{Kirchhoff, SystemError};
 use momentum_map::DualQuaternions;
 use nalgebra::{Matrix3, Vector3};
 use std::error::Error;
@@ -189,7 +190,7 @@ where
 }
 
 /// A body in an ideal fluid, which has no kernel.
-fn body() -> Result<Kirchhoff, TopError> {
+fn body() -> Result<Kirchhoff, SystemError> {
     let diagonal = |x, y, z| Matrix3::from_diagonal(&Vector3::new(x, y, z));
     Kirchhoff::new(diagonal(0.5, 0.4, 0.9), diagonal(0.1, 0.0, -0.1), diagonal(0.3, 0.6, 0.4))
 }

@@ -1,27 +1,44 @@
 //! Spins on a vibrating lattice.
 
 use crate::SpinSpace;
-use crate::error::{TopError, require_finite, require_positive};
+use crate::error::{SystemError, require_finite, require_not_negative, require_positive};
 use lie_poisson::{Covector, Energy, Pair, Point, Power, ProductSpace, Real, RealSpace};
 use momentum_map::CotangentBundle;
 
-/// (so(3)∗)ᴺ × T∗Rᴺ: spins s_i and displacements q_i with momenta p_i.
+/// The phase space (so(3)∗)ᴺ × T∗Rᴺ of N spins s_i and N displacements q_i with momenta p_i.
 pub type SpinLatticeSpace<const N: usize> =
     ProductSpace<SpinSpace<N>, CotangentBundle<RealSpace<N>>>;
 
-/// A periodic chain of N spins whose exchange depends on their distance,
+/// A periodic chain of N spins on moving atoms, whose exchange depends on the distance of the neighbours.
 ///
 /// ```text
 /// h = Σ_i [ p_i²/2m + ½κ(q_{i+1} − q_i)² − (J − a(q_{i+1} − q_i)) s_i·s_{i+1} ]
 /// ```
 ///
-/// The differential is taken by dual numbers ([`lie_poisson::Automatic`]). Conserved: h, |s_i|,
-/// the total spin Σ s_i and the total momentum Σ p_i.
+/// The index N + 1 stands for 1, and the spins have the plus bracket. The differential is taken by dual numbers,
+/// by [`Automatic`](lie_poisson::Automatic). Conserved are h, every |s_i|, the total spin Σ s_i and the total
+/// momentum Σ p_i.
 ///
-/// In units in which all parameters are numbers; for N = 2 the one bond counts twice.
+/// All parameters are numbers without units. For N = 2 the one bond counts twice.
 ///
 /// Source: the model class of G. Bogfjellmo, *Collective symplectic integrators on S₂ⁿ × T∗R^m*,
 /// arXiv:1809.06231 (2018).
+///
+/// # Example
+/// ```
+/// use lie_poisson::{Automatic, Covector, Hamiltonian, Pair, Power};
+/// use lie_poisson_systems::SpinLattice;
+/// use momentum_map::Cotangent;
+/// use nalgebra::{Vector3, Vector4};
+/// let lattice = Automatic(SpinLattice::<4>::new(1.0, 2.0, 1.0, 0.5)?);
+/// // the ground state: four bonds of energy −J, and no force on any atom
+/// let spins = Covector(Power([Vector3::z(); 4]));
+/// let at_rest = Cotangent::new(Vector4::<f64>::zeros(), Covector(Vector4::zeros()));
+/// let z = Pair(spins, at_rest);
+/// assert_eq!(lattice.value(&z), -4.0);
+/// assert_eq!(lattice.differential(&z).0.1.q, Vector4::zeros());
+/// # Ok::<(), lie_poisson_systems::SystemError>(())
+/// ```
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct SpinLattice<const N: usize> {
     mass: f64,
@@ -31,13 +48,18 @@ pub struct SpinLattice<const N: usize> {
 }
 
 impl<const N: usize> SpinLattice<N> {
-    /// From the mass m, the stiffness κ, the exchange J and the coupling a.
+    /// Creates a lattice from the mass m, the stiffness κ, the exchange J and the coupling a.
     ///
     /// # Errors
     /// If m is not positive, κ is negative, or a number is not finite.
-    pub fn new(mass: f64, stiffness: f64, exchange: f64, coupling: f64) -> Result<Self, TopError> {
+    pub fn new(
+        mass: f64,
+        stiffness: f64,
+        exchange: f64,
+        coupling: f64,
+    ) -> Result<Self, SystemError> {
         require_positive("mass", mass)?;
-        crate::error::require_not_negative("stiffness", stiffness)?;
+        require_not_negative("stiffness", stiffness)?;
         require_finite("exchange", exchange)?;
         require_finite("coupling", coupling)?;
         Ok(Self { mass, stiffness, exchange, coupling })

@@ -2,8 +2,9 @@
 
 use collective_integrators::diagnostics::step_poisson_defect;
 use collective_integrators::{Composition, LiftFree, RungeKutta, Start, Substeps, fitted_order};
-use heavytop::{HeavyTop, Kirchhoff, ReducedMidpoint, TopMidpoint};
+use heavytop::{HeavyTop, ReducedMidpoint, TopMidpoint};
 use lie_poisson::{Hamiltonian, LiePoisson, Se3, Se3Dual, Vector};
+use lie_poisson_systems::Kirchhoff;
 use momentum_map::DualQuaternions;
 use nalgebra::{Matrix3, Vector3};
 

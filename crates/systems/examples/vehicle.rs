@@ -2,16 +2,17 @@
 //! long axis, but turns broadside on, since the fluid that it drags is the heavier there.
 //!
 //! ```text
-//! cargo run --release -p heavytop --example vehicle
+//! cargo run --release -p lie-poisson-systems --example vehicle
 //! ```
 //!
 //! Prints, every 4 s up to t = 40 s, the angle of the impulse P with the long axis, which grows from 1°
 //! beyond 150° and returns, and the deviations of h, |P|² and Π·P, which the collective Gauss method of
-//! order 6 keeps below 1e-12. Fails if a deviation is larger, or the angle stays below 90°.
+//! order 6, in its form without a lift, keeps below 1e-12. Fails if a deviation is larger, or the angle stays below 90°.
 
-use collective_integrators::{Collective, RungeKutta, Start};
-use heavytop::{Kirchhoff, SpinorRealisation};
+use collective_integrators::{LiftFree, RungeKutta, Start};
 use lie_poisson::{Covector, Hamiltonian, Pair, Se3Dual, larger};
+use lie_poisson_systems::Kirchhoff;
+use momentum_map::DualQuaternions;
 use nalgebra::{Matrix3, Vector3};
 use std::error::Error;
 
@@ -32,7 +33,7 @@ fn main() -> Result<(), Box<dyn Error>> {
         let Covector(Pair(pi, p)) = mu;
         [vehicle.value(mu), p.norm_squared(), pi.dot(p)]
     };
-    let gauss = Collective::new(RungeKutta::gauss(3)?, SpinorRealisation, vehicle);
+    let gauss = LiftFree::new(RungeKutta::gauss(3)?, DualQuaternions, vehicle);
 
     println!(
         "{:>6} {:>10} {:>11} {:>16} {:>18}",

@@ -1,36 +1,37 @@
 //! A chain of classical spins.
 
-use crate::error::{TopError, require_finite};
+use crate::error::{SystemError, require_finite};
 use crate::{SpinSpace, Spins};
 use core::array::from_fn;
 use lie_poisson::{Hamiltonian, Power, Real, Vector, hessian_by_dual_numbers};
 use nalgebra::Vector3;
 
-/// A periodic Heisenberg chain of N classical spins s_i in a magnetic field B,
+/// A periodic Heisenberg chain of N classical spins s_i in a magnetic field B.
 ///
 /// ```text
 /// h(s) = −J Σ_i s_i·s_{i+1} − B·Σ_i s_i,    s_{N+1} = s_1
+/// ds_i/dt = ∂h/∂s_i × s_i
 /// ```
 ///
-/// With the plus bracket {s_a, s_b} = ε_abc s_c on each factor, ṡ_i = ∂h/∂s_i × s_i. Conserved:
-/// h, |s_i|, and without field the total spin Σ s_i; with it, the component along B.
+/// The bracket is the plus bracket {s_a, s_b} = ε_abc s_c of each spin. Conserved are h, every |s_i|, and
+/// without a field the total spin Σ s_i; in a field only its component along B.
 ///
-/// In units in which spins, J and B are numbers; for N = 2 the one bond counts twice, and N = 1 adds a
-/// constant.
+/// Spins, J and B are numbers without units. For N = 2 the one bond counts twice, and for N = 1 the bond of
+/// the spin with itself adds a constant.
 ///
 /// Source: M. Lakshmanan, *The fascinating world of the Landau–Lifshitz–Gilbert equation*, Phil.
 /// Trans. R. Soc. A 369 (2011), §4.
 ///
 /// # Example
 /// ```
-/// use heavytop::HeisenbergChain;
 /// use lie_poisson::{Covector, Hamiltonian, Power};
+/// use lie_poisson_systems::HeisenbergChain;
 /// use nalgebra::Vector3;
 /// let chain = HeisenbergChain::new(1.0, Vector3::zeros())?;
 /// // the ferromagnetic ground state
 /// let up = Covector(Power([Vector3::<f64>::z(); 8]));
 /// assert_eq!(chain.value(&up), -8.0);
-/// # Ok::<(), heavytop::TopError>(())
+/// # Ok::<(), lie_poisson_systems::SystemError>(())
 /// ```
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct HeisenbergChain<const N: usize> {
@@ -39,11 +40,11 @@ pub struct HeisenbergChain<const N: usize> {
 }
 
 impl<const N: usize> HeisenbergChain<N> {
-    /// From the exchange constant J (positive: ferromagnetic) and the field B.
+    /// Creates a chain from the exchange constant J (positive: ferromagnetic) and the field B.
     ///
     /// # Errors
     /// If a number is not finite.
-    pub fn new(exchange: f64, field: Vector3<f64>) -> Result<Self, TopError> {
+    pub fn new(exchange: f64, field: Vector3<f64>) -> Result<Self, SystemError> {
         require_finite("exchange", exchange)?;
         for &component in &field {
             require_finite("field", component)?;

@@ -1,42 +1,34 @@
 //! Point vortices on the sphere.
 
-use crate::error::{TopError, require_finite};
+use crate::error::{SystemError, require_finite};
+use crate::{SpinSpace, Spins};
 use core::array::from_fn;
 use core::f64::consts::PI;
-use lie_poisson::{
-    Covector, Hamiltonian, LiePoisson, Momentum, Power, PowerAlgebra, Real, So3, Vector,
-    hessian_by_dual_numbers,
-};
+use lie_poisson::{Covector, Hamiltonian, Power, Real, Vector, hessian_by_dual_numbers};
 use nalgebra::Vector3;
 
-/// (so(3)∗)ᴺ: N spins, or N vortices.
-pub type SpinSpace<const N: usize> = LiePoisson<PowerAlgebra<So3, N>>;
-
-/// A point of (so(3)∗)ᴺ.
-pub type Spins<const N: usize, T = f64> = Momentum<PowerAlgebra<So3, N>, T>;
-
-/// N point vortices of strengths k_i at x_i on the unit sphere,
+/// N point vortices of strengths k_i at the points x_i of the unit sphere.
 ///
 /// ```text
 /// dx_i/dt = (1/4π) Σ_{j≠i} k_j (x_j × x_i)/(1 − x_i·x_j)
 /// ```
 ///
-/// as a Lie–Poisson system on (so(3)∗)ᴺ with the minus bracket, in terms of m_i = k_i x_i:
+/// This is a Lie–Poisson system on (so(3)∗)ᴺ with the minus bracket, in terms of m_i = k_i x_i:
 ///
 /// ```text
 /// h(m) = (1/4π) Σ_{i<j} k_i k_j ln(2 − 2 x_i·x_j)
 /// ```
 ///
-/// (the negative of the usual energy, for the sign of the bracket). Conserved: h, |m_i|, and the
-/// moment of vorticity Σ m_i = Σ k_i x_i.
+/// h is the negative of the usual energy, for the sign of the bracket. Conserved are h, every |m_i|, and the
+/// moment of vorticity Σ m_i = Σ k_i x_i. The strengths are in m²/s on a sphere of radius 1 m.
 ///
 /// Source: V. A. Bogomolov, *Dynamics of vorticity at a sphere*, Fluid Dyn. 12 (1977); P. K.
 /// Newton, *The N-Vortex Problem* (2001), §4.2.
 ///
 /// # Example
 /// ```
-/// use heavytop::PointVortices;
-/// use lie_poisson::{LiePoisson, PoissonSpace, PowerAlgebra, So3, Hamiltonian};
+/// use lie_poisson::{Hamiltonian, LiePoisson, PoissonSpace, PowerAlgebra, So3};
+/// use lie_poisson_systems::PointVortices;
 /// use nalgebra::Vector3;
 /// // two equal vortices turn about the point between them
 /// let vortices = PointVortices::new([1.0, 1.0])?;
@@ -45,7 +37,7 @@ pub type Spins<const N: usize, T = f64> = Momentum<PowerAlgebra<So3, N>, T>;
 /// let rate = space.hamiltonian_vector(&m, &vortices.differential(&m)).0.0;
 /// assert!((rate[0] + rate[1]).norm() < 1e-15); // Σ k_i x_i is conserved
 /// assert!((rate[0] + Vector3::z() / (4.0 * std::f64::consts::PI)).norm() < 1e-15);
-/// # Ok::<(), heavytop::TopError>(())
+/// # Ok::<(), lie_poisson_systems::SystemError>(())
 /// ```
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct PointVortices<const N: usize> {
@@ -53,27 +45,27 @@ pub struct PointVortices<const N: usize> {
 }
 
 impl<const N: usize> PointVortices<N> {
-    /// Vortices of the given strengths.
+    /// Creates vortices of the given strengths k_i.
     ///
     /// # Errors
     /// If a strength is zero or not finite.
-    pub fn new(strengths: [f64; N]) -> Result<Self, TopError> {
+    pub fn new(strengths: [f64; N]) -> Result<Self, SystemError> {
         for value in strengths {
             require_finite("strength", value)?;
             if value == 0.0 {
-                return Err(TopError::Zero { name: "strength" });
+                return Err(SystemError::Zero { name: "strength" });
             }
         }
         Ok(Self { strengths })
     }
 
-    /// m_i = k_i x_i
+    /// The point m_i = k_i x_i of (so(3)∗)ᴺ that stands for vortices at the given positions.
     #[must_use]
     pub fn momentum(&self, positions: &[Vector3<f64>; N]) -> Spins<N> {
         Covector(Power(from_fn(|i| positions[i] * self.strengths[i])))
     }
 
-    /// x_i = m_i/k_i
+    /// The positions x_i = m_i/k_i of the vortices.
     #[must_use]
     pub fn positions<T: Real>(&self, m: &Spins<N, T>) -> [Vector3<T>; N] {
         from_fn(|i| m.0.0[i].scaled(T::from_f64(1.0 / self.strengths[i])))

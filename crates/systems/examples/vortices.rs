@@ -1,7 +1,7 @@
 //! Four point vortices on the unit sphere, on (so(3)∗)⁴, collectively through one Hopf map each.
 //!
 //! ```text
-//! cargo run --release -p heavytop --example vortices
+//! cargo run --release -p lie-poisson-systems --example vortices
 //! ```
 //!
 //! Prints the largest deviations up to t = 50 s of the energy h, of the distances |x_i| from the centre
@@ -9,8 +9,8 @@
 //! to round-off and h to its order; the explicit midpoint rule leaves the sphere. Fails if not.
 
 use collective_integrators::{Collective, RungeKutta, Start};
-use heavytop::PointVortices;
 use lie_poisson::{Hamiltonian, larger};
+use lie_poisson_systems::PointVortices;
 use momentum_map::{HOPF, PowerMap};
 use nalgebra::Vector3;
 use std::error::Error;

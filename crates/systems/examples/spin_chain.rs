@@ -1,7 +1,7 @@
 //! A periodic Heisenberg chain of 12 classical spins, without and with a magnetic field.
 //!
 //! ```text
-//! cargo run --release -p heavytop --example spin_chain
+//! cargo run --release -p lie-poisson-systems --example spin_chain
 //! ```
 //!
 //! Prints the largest deviations up to t = 25 of the energy, of the lengths |s_i| and of the components
@@ -10,8 +10,8 @@
 //! alone is left, and S₁ and S₂ precess. Fails if not.
 
 use collective_integrators::{Collective, RungeKutta, Start};
-use heavytop::{HeisenbergChain, Spins};
 use lie_poisson::{Covector, Hamiltonian, Power, larger};
+use lie_poisson_systems::{HeisenbergChain, Spins};
 use momentum_map::{PowerMap, QuadraticMomentumMap, Side, So3OnC2};
 use nalgebra::Vector3;
 use std::error::Error;

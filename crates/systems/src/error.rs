@@ -1,0 +1,79 @@
+//! Parameters that no system has.
+
+use thiserror::Error;
+
+/// The reason why a set of parameters is not a system of this crate.
+#[derive(Clone, Debug, PartialEq, Error)]
+#[non_exhaustive]
+pub enum SystemError {
+    /// A number is infinite or not a number.
+    #[error("{name} must be a finite number, got {value:?}")]
+    NotFinite {
+        /// The parameter.
+        name: &'static str,
+        /// Its value.
+        value: f64,
+    },
+    /// A number is not above zero.
+    #[error("{name} must be positive, got {value:?}")]
+    NotPositive {
+        /// The parameter.
+        name: &'static str,
+        /// Its value.
+        value: f64,
+    },
+    /// A number is below zero.
+    #[error("{name} must not be negative, got {value:?}")]
+    Negative {
+        /// The parameter.
+        name: &'static str,
+        /// Its value.
+        value: f64,
+    },
+    /// A number is zero.
+    #[error("{name} must not be zero")]
+    Zero {
+        /// The parameter.
+        name: &'static str,
+    },
+    /// A matrix is not symmetric.
+    #[error(
+        "{name} must be symmetric to within {tolerance:e} of its largest entry, it differs from its \
+         transpose by {defect:e}"
+    )]
+    NotSymmetric {
+        /// The matrix.
+        name: &'static str,
+        /// The largest difference from the transpose.
+        defect: f64,
+        /// How large the difference may be, relative to the largest entry.
+        tolerance: f64,
+    },
+    /// No mass distribution has these principal moments.
+    #[error(
+        "principal moments must obey the triangle inequality: {largest:?} is more than \
+         {first:?} + {second:?}"
+    )]
+    Triangle {
+        /// The largest moment.
+        largest: f64,
+        /// Another moment.
+        first: f64,
+        /// The remaining moment.
+        second: f64,
+    },
+}
+
+pub(crate) fn require_positive(name: &'static str, value: f64) -> Result<(), SystemError> {
+    require_finite(name, value)?;
+    if value > 0.0 { Ok(()) } else { Err(SystemError::NotPositive { name, value }) }
+}
+
+pub(crate) fn require_not_negative(name: &'static str, value: f64) -> Result<(), SystemError> {
+    require_finite(name, value)?;
+    if value < 0.0 { Err(SystemError::Negative { name, value }) } else { Ok(()) }
+}
+
+pub(crate) fn require_finite(name: &'static str, value: f64) -> Result<(), SystemError> {
+    if value.is_finite() { Ok(()) } else { Err(SystemError::NotFinite { name, value }) }
+}

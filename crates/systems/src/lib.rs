@@ -1,0 +1,94 @@
+//! Lie–Poisson systems beside the heavy top: gyrostat, body in a fluid, point vortices, spin chain and spin
+//! lattice, each a Hamiltonian for the integrators of `collective-integrators`.
+//!
+//! ```toml
+//! [dependencies]
+//! lie-poisson-systems = "0.1"
+//! ```
+//!
+//! Four vortices on the sphere: the collective Gauss method conserves the moment of vorticity Σ k_i x_i to
+//! round-off, and the vortices stay on the sphere.
+//!
+//! ```
+//! use lie_poisson_systems::prelude::*;
+//!
+//! let vortices = PointVortices::new([1.0, -0.7, 1.5, 0.4])?;
+//! let positions = [Vector3::x(), Vector3::y(), -Vector3::x(), Vector3::z()];
+//! let start = vortices.momentum(&positions);
+//! let gauss = Collective::new(RungeKutta::gauss(3)?, PowerMap::<_, 4>(HOPF), vortices);
+//! let moment = |m: &Spins<4>| m.0.0.iter().sum::<Vector3<f64>>();
+//! for sample in gauss.trajectory(&start, 0.1)?.take(200) {
+//!     let m = sample?.momentum;
+//!     assert!((moment(&m) - moment(&start)).norm() < 1e-12);
+//!     assert!(vortices.positions(&m).iter().all(|x| (x.norm() - 1.0).abs() < 1e-12));
+//! }
+//! # Ok::<(), Box<dyn std::error::Error>>(())
+//! ```
+//!
+//! # Which item when
+//!
+//! | when you need | use |
+//! |---|---|
+//! | a heavy body with a spinning rotor, on se(3)∗ | [`Gyrostat`] |
+//! | a rigid body in an ideal fluid, on se(3)∗ | [`Kirchhoff`] |
+//! | point vortices on the sphere, on (so(3)∗)ᴺ | [`PointVortices`] |
+//! | classical spins in a row, on (so(3)∗)ᴺ | [`HeisenbergChain`] |
+//! | spins on atoms in motion, on (so(3)∗)ᴺ × T∗Rᴺ | [`SpinLattice`], wrapped in [`Automatic`](lie_poisson::Automatic) |
+//! | the type of these phase spaces and of their points | [`SpinSpace`], [`Spins`], [`SpinLatticeSpace`] |
+//! | the reason why parameters are refused | [`SystemError`] |
+//! | the usual names in one line | [`prelude`] |
+//!
+//! The map and the bracket that go with a system:
+//!
+//! | system | bracket | collective, by | without a lift, by |
+//! |---|---|---|---|
+//! | [`Gyrostat`], [`Kirchhoff`] | minus | `heavytop::SpinorRealisation` | [`DualQuaternions`](momentum_map::DualQuaternions) |
+//! | [`PointVortices`] | minus | `PowerMap(HOPF)` | `PowerMultipliers(Quaternions)` |
+//! | [`HeisenbergChain`] | plus | `PowerMap(QuadraticMomentumMap::new(So3OnC2, Side::Left))` | |
+//! | [`SpinLattice`] | plus | `ProductMap` of that map and `Identity` of T∗Rᴺ | |
+//!
+//! # Conventions
+//!
+//! * On se(3)∗ the frame is that of the body, and the bracket is the minus bracket.
+//! * Bodies are in SI units. Spins and their constants are numbers without units.
+//! * The bracket of the spins is the plus bracket: h = −B·s gives ds/dt = s × B.
+//! * The signs on 𝔤∗ are those of [`lie_poisson`], the sides those of [`momentum_map`].
+//!
+//! The notation of all the crates is collected in `docs/notation.md` of the source repository.
+//!
+//! # Features and versions
+//!
+//! The crate has no features. The oldest supported compiler is Rust 1.89.
+//!
+//! # Related crates
+//!
+//! [`lie_poisson`] holds the brackets, [`momentum_map`] the Poisson maps, and [`collective_integrators`] the
+//! integrators, trajectories and diagnostics. These and [`nalgebra`] appear in the public interface and are
+//! re-exported. The crate `heavytop` holds the tops.
+
+mod error;
+mod spaces;
+mod gyrostat;
+mod body_in_fluid;
+mod vortices;
+mod spin_chain;
+mod spin_lattice;
+pub mod prelude;
+
+pub use body_in_fluid::kirchhoff::Kirchhoff;
+pub use error::SystemError;
+pub use gyrostat::heavy_gyrostat::Gyrostat;
+pub use spaces::spin_space::{SpinSpace, Spins};
+pub use spin_chain::heisenberg_chain::HeisenbergChain;
+pub use spin_lattice::vibrating_lattice::{SpinLattice, SpinLatticeSpace};
+pub use vortices::point_vortices::PointVortices;
+
+pub use collective_integrators;
+pub use lie_poisson;
+pub use momentum_map;
+pub use nalgebra;
+
+/// Compiles and runs the examples of the README.
+#[cfg(doctest)]
+#[doc = include_str!("../README.md")]
+struct Readme;

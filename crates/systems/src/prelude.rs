@@ -1,0 +1,34 @@
+//! The names that a program with these systems usually needs, from this crate and from those below it.
+//!
+//! `use lie_poisson_systems::prelude::*;` replaces one `use` line per crate. The prelude holds no two items of one
+//! name, which the roots of the crates together do: `Composition` is a map in `momentum-map` and a scheme in
+//! `collective-integrators`.
+//!
+//! # Example
+//! A chain of spins without a field conserves its total spin:
+//! ```
+//! use lie_poisson_systems::prelude::*;
+//!
+//! let chain = HeisenbergChain::<4>::new(1.0, Vector3::zeros())?;
+//! let start = Covector(Power([Vector3::x(), Vector3::y(), Vector3::z(), -Vector3::y()]));
+//! let map = PowerMap::<_, 4>(QuadraticMomentumMap::new(So3OnC2, Side::Left));
+//! let midpoint = Collective::new(RungeKutta::implicit_midpoint(), map, chain);
+//! let total = |s: &Spins<4>| s.0.0.iter().sum::<Vector3<f64>>();
+//! let end = midpoint.after(&start, 0.1, 100)?.momentum;
+//! assert!((total(&end) - total(&start)).norm() < 1e-13);
+//! # Ok::<(), Box<dyn std::error::Error>>(())
+//! ```
+
+pub use crate::{
+    Gyrostat, HeisenbergChain, Kirchhoff, PointVortices, SpinLattice, SpinLatticeSpace, SpinSpace,
+    Spins, SystemError,
+};
+pub use collective_integrators::{Collective, Integrator, LiftFree, RungeKutta, Start};
+pub use lie_poisson::{
+    Automatic, Covector, Hamiltonian, LiePoisson, Pair, PoissonSpace, Power, RealSpace, Se3Dual,
+};
+pub use momentum_map::{
+    Cotangent, CotangentBundle, DualQuaternions, HOPF, Identity, PowerMap, PowerMultipliers,
+    ProductMap, QuadraticMomentumMap, Quaternions, Side, So3OnC2,
+};
+pub use nalgebra::{Matrix3, Vector3};

@@ -1,0 +1,3 @@
+//! Phase spaces that several systems share.
+
+pub(crate) mod spin_space;

@@ -1,0 +1,12 @@
+//! The phase space of N vortices or N spins.
+
+use lie_poisson::{LiePoisson, Momentum, PowerAlgebra, So3};
+
+/// The Lie–Poisson space (so(3)∗)ᴺ: N spins, or N vortices.
+///
+/// The sign of the bracket is a value of it: [`LiePoisson::minus`] for [`PointVortices`](crate::PointVortices),
+/// [`LiePoisson::plus`] for [`HeisenbergChain`](crate::HeisenbergChain).
+pub type SpinSpace<const N: usize> = LiePoisson<PowerAlgebra<So3, N>>;
+
+/// A point of (so(3)∗)ᴺ: N vectors of R³.
+pub type Spins<const N: usize, T = f64> = Momentum<PowerAlgebra<So3, N>, T>;

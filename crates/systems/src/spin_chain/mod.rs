@@ -1,0 +1,3 @@
+//! Classical spins in a row.
+
+pub(crate) mod heisenberg_chain;

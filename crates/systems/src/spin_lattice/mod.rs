@@ -1,0 +1,3 @@
+//! Classical spins that sit on atoms in motion.
+
+pub(crate) mod vibrating_lattice;

@@ -1,0 +1,3 @@
+//! Vortices on the sphere.
+
+pub(crate) mod point_vortices;

@@ -1,0 +1,9 @@
+//! What the systems promise: the equations of the literature, and what a collective Gauss method conserves.
+#![allow(clippy::unwrap_used, clippy::panic)]
+
+mod drifts;
+mod gyrostat;
+mod kirchhoff;
+mod point_vortices;
+mod spin_chain;
+mod spin_lattice;
