@@ -34,14 +34,13 @@ use nalgebra::Vector3;
 /// that of the one-stage method on dual quaternions.
 ///
 /// # Example
-/// A gyrostat:
+/// A heavy top with a quadratic potential:
 /// ```
-/// use collective_integrators::Start;
-/// use heavytop::{Gyrostat, HeavyTop, ReducedMidpoint};
-/// use lie_poisson::Se3Dual;
-/// use nalgebra::Vector3;
-/// let top = HeavyTop::kovalevskaya(1.0, 1.0)?;
-/// let midpoint = ReducedMidpoint::new(Gyrostat::new(top, Vector3::new(0.1, -0.2, 0.3))?);
+/// use heavytop::prelude::*;
+/// let energy = from_closure::<HeavyTopSpace, _>(|Covector(Pair(pi, gamma))| {
+///     (pi.x * pi.x + pi.y * pi.y) * 0.25 + pi.z * pi.z * 0.5 + gamma.x + gamma.z * gamma.z
+/// });
+/// let midpoint = ReducedMidpoint::new(energy);
 /// let start = Se3Dual::new(Vector3::new(2.0, 3.0, 4.0), Vector3::new(0.6, 0.0, 0.8));
 /// for sample in midpoint.trajectory(&start, 0.02)?.take(1000) {
 ///     let mu = sample?.momentum;
