@@ -5,7 +5,7 @@ use collective_integrators::{
     BatchIntegrator, Collective, DenseOutput, Direction, Events, Laned, LiftFree,
     LyapunovExponents, RungeKutta, Start,
 };
-use heavytop::{CollectiveGauss, ReducedMidpoint, SpinorRealisation, WithAttitude};
+use heavytop::{CollectiveGauss, SpinorRealisation, TopMidpoint, WithAttitude};
 use lie_poisson::Se3Dual;
 use momentum_map::DualQuaternions;
 use std::alloc::{GlobalAlloc, Layout, System};
@@ -51,7 +51,7 @@ fn no_step_allocates() -> Result<(), Box<dyn Error>> {
     let lifted = Collective::new(RungeKutta::gauss(2)?, SpinorRealisation, top);
 
     // tops by formulas of their own, and at 0.5 by the iterations for any system
-    let midpoint = ReducedMidpoint::new(top);
+    let midpoint = TopMidpoint::new(top);
     for step in [0.01, 0.5] {
         let mut run = midpoint.trajectory(&start, step)?.skip(1).take(200);
         run.next();

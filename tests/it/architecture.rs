@@ -6,7 +6,11 @@ use std::path::Path;
 use workspace_tests::architecture::{Sources, cycles, declared_order, imports, room, sources};
 
 /// The crates, from the bottom to the top.
-const CRATES: &[&str] = &["scalars", "lie-poisson", "momentum-map", "integrators", "heavytop"];
+const CRATES: &[&str] =
+    &["scalars", "lie-poisson", "momentum-map", "integrators", "heavytop", PROGRAM];
+
+/// The crate of the program `heavytop`.
+const PROGRAM: &str = "heavytop-cli";
 
 /// Files beside `mod.rs` or `lib.rs` in one folder.
 const CROWDED: usize = 9;
@@ -61,6 +65,70 @@ fn no_folder_is_crowded() {
     }
 }
 
+/// Imports of a command from another command.
+fn across_commands(sources: &Sources) -> Vec<String> {
+    let command = |file: &str| {
+        let (command, _) = file.strip_prefix("commands/")?.split_once('/')?;
+        Some(command.to_owned())
+    };
+    let mut found = Vec::new();
+    for (file, imported) in imports(sources) {
+        for target in imported.into_iter().filter(|target| command(target).is_some()) {
+            if command(file).is_some() && command(file) != command(target) {
+                found.push(format!("{file} imports {target}"));
+            }
+        }
+    }
+    found
+}
+
+#[test]
+fn no_command_imports_another() {
+    let sources = sources_of(PROGRAM);
+    assert!(sources.keys().any(|file| file.starts_with("commands/simulate/")));
+    assert_eq!(across_commands(&sources), [""; 0]);
+}
+
+/// File names that occur more than once, `mod.rs` excepted.
+fn repeated_names(sources: &Sources) -> Vec<String> {
+    let mut files = BTreeMap::<&str, usize>::new();
+    let name = |file: &'_ str| file.rsplit_once('/').map_or(0, |(folder, _)| folder.len() + 1);
+    for file in sources.keys() {
+        *files.entry(&file[name(file)..]).or_default() += 1;
+    }
+    let repeated = files.into_iter().filter(|(name, count)| *count > 1 && *name != "mod.rs");
+    repeated.map(|(name, _)| name.to_owned()).collect()
+}
+
+#[test]
+fn file_names_of_the_program_are_unique() {
+    assert_eq!(repeated_names(&sources_of(PROGRAM)), [""; 0]);
+}
+
+/// Items in `mod.rs` files that are neither declarations of modules nor re-exports.
+fn code_in_mod_files(sources: &Sources) -> Vec<String> {
+    let mut found = Vec::new();
+    for (file, text) in sources.iter().filter(|(file, _)| file.ends_with("mod.rs")) {
+        let code = text.lines().filter(|line| !line.trim_start().starts_with("//"));
+        let code = code.collect::<Vec<_>>().join("\n");
+        for statement in code.split(';').map(str::trim).filter(|statement| !statement.is_empty()) {
+            let item = statement.split_once(' ').map_or("", |(_, item)| item);
+            if !statement.starts_with("mod ")
+                && !item.starts_with("mod ")
+                && !item.starts_with("use ")
+            {
+                found.push(format!("{file}: {statement}"));
+            }
+        }
+    }
+    found
+}
+
+#[test]
+fn mod_files_of_the_program_only_declare() {
+    assert_eq!(code_in_mod_files(&sources_of(PROGRAM)), [""; 0]);
+}
+
 /// Negative control: what the other tests must find in sources that break their rules.
 #[test]
 fn broken_rules_are_found() {
@@ -85,4 +153,22 @@ fn broken_rules_are_found() {
     assert_eq!(Vec::from_iter(found["low/other.rs"].iter().copied()), ["low/base.rs"]);
     assert_eq!(cycles(&found), ["high/top.rs", "low/base.rs", "low/other.rs"]);
     assert_eq!(against_the_order(&broken), ["low/base.rs imports high/top.rs"]);
+}
+
+/// Negative control: what the tests of the program must find.
+#[test]
+fn broken_rules_of_the_program_are_found() {
+    let files = [
+        ("lib.rs", "pub mod commands;\n"),
+        ("commands/mod.rs", "pub mod draw;\npub mod run;\n\npub use run::table::Table;\n"),
+        ("commands/draw/mod.rs", "mod table;\n\nfn draw() {\n    println!();\n}\n"),
+        ("commands/draw/table.rs", "use crate::commands::Table;\n"),
+        ("commands/run/mod.rs", "pub(crate) mod table;\n"),
+        ("commands/run/table.rs", "pub struct Table;\n"),
+    ];
+    let broken: Sources = files.map(|(file, text)| (file.to_owned(), text.to_owned())).into();
+    let across = ["commands/draw/table.rs imports commands/run/table.rs"];
+    assert_eq!(across_commands(&broken), across);
+    assert_eq!(repeated_names(&broken), ["table.rs"]);
+    assert_eq!(code_in_mod_files(&broken).len(), 2);
 }

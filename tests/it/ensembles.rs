@@ -5,7 +5,9 @@ use collective_integrators::{
     Ensemble, HamiltonianField, Integrator, Laned, LiftFree, MemberError, PartitionedRungeKutta,
     RungeKutta, StageSolver, Start, StepError, Substeps, VectorField,
 };
-use heavytop::{HeavyTop, HeavyTopSpace, MidpointSweep, ReducedMidpoint, SpinorRealisation};
+use heavytop::{
+    HeavyTop, HeavyTopSpace, MidpointBatch, ReducedMidpoint, SpinorRealisation, TopMidpoint,
+};
 use lie_poisson::{
     Automatic, Covector, DefaultLanes, Energy, InstructionSet, LaneTask, Lanes, LiePoisson, Pair,
     Point, Real, RealSpace, Se3, Se3Dual, So3, Vector, Width, dispatch,
@@ -165,7 +167,6 @@ same_bits_at_every_width! {
         Collective::that_does_not_descend(
             PartitionedRungeKutta::lobatto_iiia_iiib(3).unwrap(), SpinorRealisation, top(),
         ), 0.02, 100, true;
-    // For a HeavyTop this integrator has a kernel over f64.
     reduced_steps: ReducedMidpoint<Automatic<Body>> =
         ReducedMidpoint::new(Automatic(Body)), 0.05, CHECKPOINT + 30, true;
     large_reduced_steps: ReducedMidpoint<Automatic<Body>> =
@@ -187,7 +188,7 @@ impl Energy for Body {
 #[test]
 fn kernels_are_run_by_the_same_call() {
     let members: Vec<_> = momenta(300).iter().map(|mu| (top(), *mu)).collect();
-    let run = |sweep: MidpointSweep, threads| {
+    let run = |sweep: MidpointBatch, threads| {
         let mut members = members.clone();
         members[71].1.0.0.z = f64::NAN;
         let ensemble = Ensemble::new(sweep);
@@ -195,9 +196,9 @@ fn kernels_are_run_by_the_same_call() {
         assert_eq!(failures.iter().map(|failure| failure.index).collect::<Vec<_>>(), [71]);
         members.iter().map(|(_, mu)| bits(mu)).collect::<Vec<_>>()
     };
-    let one = run(MidpointSweep::new(), 1);
-    assert_eq!(one, run(MidpointSweep::new(), 2));
-    let integrator = ReducedMidpoint::new(top());
+    let one = run(MidpointBatch::new(), 1);
+    assert_eq!(one, run(MidpointBatch::new(), 2));
+    let integrator = TopMidpoint::new(top());
     let mut singly: Vec<_> = members.iter().map(|(_, mu)| *mu).collect();
     for mu in &mut singly {
         assert!(
@@ -209,7 +210,7 @@ fn kernels_are_run_by_the_same_call() {
         None
     );
     // Negative control: without fused multiply-add other bits come out.
-    let unfused = MidpointSweep::with_instructions(InstructionSet::Portable).unwrap();
+    let unfused = MidpointBatch::with_instructions(InstructionSet::Portable).unwrap();
     let fused = InstructionSet::detected() != InstructionSet::Portable;
     assert_eq!(run(unfused, 1) != one, fused);
 }

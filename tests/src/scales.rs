@@ -6,8 +6,9 @@ use collective_integrators::{
     Substeps,
 };
 use heavytop::{
-    Body, CollectiveGauss, GaussEnsemble, HeavyTop, HeavyTopSpace, MidpointSweep, ReducedMidpoint,
-    RotorSplitting, SpinorRealisation, SymmetricTopEnsemble, SymmetricTopSplitting, TopError,
+    Body, CollectiveGauss, GaussBatch, HeavyTop, HeavyTopSpace, MidpointBatch, ReducedMidpoint,
+    RotorSplitting, SpinorRealisation, SymmetricTopBatch, SymmetricTopSplitting, TopError,
+    TopMidpoint,
 };
 use lie_poisson::{Covector, Differential, Hamiltonian, LiePoisson, Pair, Se3, Se3Dual, larger};
 use momentum_map::DualQuaternions;
@@ -225,23 +226,23 @@ fn substeps() -> Result<Vec<(&'static str, Substeps)>, SchemeError> {
 
 /// The integrators that are made for tops.
 fn fast_paths(list: &mut Vec<Method>) {
-    for stages in 1..=9 {
+    for stages in 1..=8 {
         add(list, format!("CollectiveGauss, {stages} stages"), move |top, mu, h, n| {
             run(&CollectiveGauss::new(stages, *top).ok()?, top, mu, h, n)
         });
     }
-    add(list, "ReducedMidpoint", |top, mu, h, n| run(&ReducedMidpoint::new(*top), top, mu, h, n));
-    add(list, "ReducedMidpoint of any system", |top, mu, h, n| {
+    add(list, "TopMidpoint", |top, mu, h, n| run(&TopMidpoint::new(*top), top, mu, h, n));
+    add(list, "ReducedMidpoint", |top, mu, h, n| {
         run(&ReducedMidpoint::new(Unknown(*top)), top, mu, h, n)
     });
-    add(list, "MidpointSweep", |top, mu, h, n| {
-        run_many(&MidpointSweep::new(), (*top, *mu), |m| m.1, top, h, n)
+    add(list, "MidpointBatch", |top, mu, h, n| {
+        run_many(&MidpointBatch::new(), (*top, *mu), |m| m.1, top, h, n)
     });
-    add(list, "GaussEnsemble, 3 stages", |top, mu, h, n| {
-        run_many(&GaussEnsemble::<3>::new().ok()?, (*top, *mu), |m| m.1, top, h, n)
+    add(list, "GaussBatch, 3 stages", |top, mu, h, n| {
+        run_many(&GaussBatch::<3>::new().ok()?, (*top, *mu), |m| m.1, top, h, n)
     });
-    add(list, "GaussEnsemble, 8 stages", |top, mu, h, n| {
-        run_many(&GaussEnsemble::<8>::new().ok()?, (*top, *mu), |m| m.1, top, h, n)
+    add(list, "GaussBatch, 8 stages", |top, mu, h, n| {
+        run_many(&GaussBatch::<8>::new().ok()?, (*top, *mu), |m| m.1, top, h, n)
     });
 }
 
@@ -260,10 +261,10 @@ fn splittings(symmetric: bool, list: &mut Vec<Method>) -> Result<(), SchemeError
         }
     }
     if symmetric {
-        add(list, "SymmetricTopEnsemble", |top, mu, h, n| {
+        add(list, "SymmetricTopBatch", |top, mu, h, n| {
             let substeps = AlternatingSubsteps::composed(&Substeps::sofroniou_spaletta10());
             let member = (SymmetricTopSplitting::new(*top).ok()?, *mu);
-            run_many(&SymmetricTopEnsemble::new(substeps), member, |m| m.1, top, h, n)
+            run_many(&SymmetricTopBatch::new(substeps), member, |m| m.1, top, h, n)
         });
     }
     Ok(())

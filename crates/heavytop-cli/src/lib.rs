@@ -1,74 +1,34 @@
 //! The program `heavytop`: configuration, output files, figures and progress bars around the
 //! crate [`heavytop`], which has the mathematics.
 //!
-//! The modules in dependency order:
+//! The folders in dependency order:
 //!
-//! | object | module |
+//! | folder | what is in it |
 //! |---|---|
-//! | what can go wrong, and the exit codes | [`error`] |
-//! | formulations and schemes by name, and which go together | [`method`] |
-//! | the integrator of a formulation and a scheme | [`integrators`] |
-//! | the number of steps of a run | [`schedule`] |
-//! | the configuration | [`config`] |
-//! | tops by name | [`preset`] |
-//! | configurations from text and as text | `reading` |
-//! | what a misspelt name may have meant | `suggestion` |
-//! | numbers and texts in messages | `brief` |
-//! | files that may have no end | `bounded` |
-//! | one writer for each file | `lock` |
-//! | a run, sample by sample | [`run`] |
-//! | files that appear when they are complete | [`output`] |
-//! | rows of numbers | [`table`] |
-//! | ranges, ticks and tick labels | `axis` |
-//! | CSV, NumPy's npz, Parquet | [`formats`] |
-//! | what an interrupted run leaves, and whether it is whole | `sealed` |
-//! | finished parts of a run | [`tiles`] |
-//! | text to outlines, and SVG to PNG | `render` |
-//! | the progress bar | [`progress`] |
-//! | who may stop a command | [`watch`] |
-//! | `heavytop simulate` | [`simulate`] |
-//! | `heavytop reproduce` | [`reproduce`] |
-//! | `heavytop compare` | [`compare`] |
-//! | `heavytop section` | [`section`] |
-//! | `heavytop animate` | [`animate`] |
-//! | `heavytop bench` | [`mod@bench`] |
-//! | `heavytop sweep` | [`sweep`] |
-//! | what `--help` says | `help` |
-//! | the command line | [`cli`] |
+//! | [`vocabulary`] | formulations, schemes and other items by name; numbers and texts in messages |
+//! | [`errors`] | what can go wrong, and the exit codes |
+//! | [`files`] | files that appear when they are complete, and have one writer |
+//! | [`runs`] | the steps of a run, its integrator, and its samples one by one |
+//! | [`configuration`] | the tables of a configuration, tops by name, configurations from text and as text |
+//! | [`formats`] | CSV, NumPy's npz, Parquet |
+//! | `pictures` | axes, colours, text to outlines, SVG to PNG |
+//! | [`supervision`] | the progress bar, who may stop a command, finished parts of a run |
+//! | [`commands`] | `heavytop simulate`, `reproduce`, `compare`, `section`, `animate`, `bench`, `sweep` |
+//! | `interface` | the command line, `--help`, signals, standard output, the end of memory |
 //!
 //! The names of commands, keys, columns and files and the exit codes are a contract with the
 //! scripts that call the program; this library's items are not.
 
-pub mod error;
-pub mod method;
-pub mod integrators;
-pub mod schedule;
-pub mod config;
-pub mod preset;
-mod reading;
-mod suggestion;
-mod brief;
-mod bounded;
-mod lock;
-pub mod run;
-pub mod output;
-pub mod table;
-mod axis;
+pub mod vocabulary;
+pub mod errors;
+pub mod files;
+pub mod runs;
+pub mod configuration;
 pub mod formats;
-mod sealed;
-pub mod tiles;
-mod render;
-pub mod progress;
-pub mod watch;
-pub mod simulate;
-pub mod reproduce;
-pub mod compare;
-pub mod section;
-pub mod animate;
-pub mod bench;
-pub mod sweep;
-mod help;
-pub mod cli;
+mod pictures;
+pub mod supervision;
+pub mod commands;
+mod interface;
 
-pub use cli::main;
-pub use error::Error;
+pub use errors::Error;
+pub use interface::{MemoryGuard, main};

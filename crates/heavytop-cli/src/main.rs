@@ -1,8 +1,10 @@
 //! The program `heavytop`. Everything is in the library, so that tests can reach it.
 
-mod memory;
-
+use heavytop_cli::MemoryGuard;
 use std::process::ExitCode;
+
+#[global_allocator]
+static MEMORY: MemoryGuard = MemoryGuard;
 
 fn main() -> ExitCode {
     heavytop_cli::main()

@@ -9,7 +9,7 @@ use collective_integrators::{
     Substeps,
 };
 use criterion::{Criterion, Throughput, criterion_group, criterion_main};
-use heavytop::{GaussEnsemble, HeavyTop, SymmetricTopEnsemble, SymmetricTopSplitting};
+use heavytop::{GaussBatch, HeavyTop, SymmetricTopBatch, SymmetricTopSplitting};
 use lie_poisson::{InstructionSet, LiePoisson, Se3, Se3Dual, Width};
 use nalgebra::Vector3;
 use std::hint::black_box;
@@ -43,7 +43,7 @@ fn ensembles(criterion: &mut Criterion) {
     ];
     for set in InstructionSet::available() {
         for (name, substeps, step) in &splittings {
-            let ensemble = SymmetricTopEnsemble::new(substeps.clone());
+            let ensemble = SymmetricTopBatch::new(substeps.clone());
             let ensemble = ensemble.on(set, Width::TwoRegisters).unwrap();
             group.bench_function(format!("{name}, h = {step}, {set}"), |bencher| {
                 bencher.iter(|| {
@@ -53,7 +53,7 @@ fn ensembles(criterion: &mut Criterion) {
                 });
             });
         }
-        let ensemble = GaussEnsemble::<8>::new().unwrap().on(set, Width::TwoRegisters).unwrap();
+        let ensemble = GaussBatch::<8>::new().unwrap().on(set, Width::TwoRegisters).unwrap();
         let step = 1.0 / 3.0;
         group.bench_function(format!("Gauss 16, h = 1/3, {set}"), |bencher| {
             bencher.iter(|| {

@@ -14,8 +14,8 @@ use collective_integrators::{
     RungeKutta, Start, Substeps,
 };
 use heavytop::{
-    CollectiveGauss, GaussEnsemble, HeavyTop, Kirchhoff, MidpointSweep, ReducedMidpoint,
-    SymmetricTopEnsemble, SymmetricTopSplitting, TopError,
+    CollectiveGauss, GaussBatch, HeavyTop, Kirchhoff, MidpointBatch, ReducedMidpoint,
+    SymmetricTopBatch, SymmetricTopSplitting, TopError, TopMidpoint,
 };
 use lie_poisson::{DefaultLanes, InstructionSet, Se3Dual, Width};
 use momentum_map::DualQuaternions;
@@ -139,18 +139,18 @@ where
 fn midpoint(top: HeavyTop) -> Result<[Method; 2], Box<dyn Error>> {
     let (step, steps) = (0.01, 1000);
     let states: Vec<_> = (0..COUNT).map(start).collect();
-    let rule = |set| ReducedMidpoint::new(top).with_instructions(set);
+    let rule = |set| TopMidpoint::new(top).with_instructions(set);
     let single = || -> Result<Path, Box<dyn Error>> {
         let one_by_one = Laned::<_, f64>::with_lanes(rule(InstructionSet::Portable)?);
         Ok(Path::new("f64".to_owned(), one_by_one, &states, step, steps))
     };
     let mut one_system =
-        Method { name: "ReducedMidpoint".to_owned(), single: single()?, lanes: vec![] };
-    let mut sweep = Method { name: "MidpointSweep".to_owned(), single: single()?, lanes: vec![] };
+        Method { name: "TopMidpoint".to_owned(), single: single()?, lanes: vec![] };
+    let mut sweep = Method { name: "MidpointBatch".to_owned(), single: single()?, lanes: vec![] };
     for set in InstructionSet::available() {
         let name = format!("{set}, {:?}", Width::TwoRegisters);
         one_system.lanes.push(Path::new(name.clone(), rule(set)?, &states, step, steps));
-        let many = MidpointSweep::with_instructions(set)?;
+        let many = MidpointBatch::with_instructions(set)?;
         sweep.lanes.push(Path::new(name, many, &members(top), step, steps));
     }
     Ok([one_system, sweep])
@@ -198,7 +198,7 @@ fn body() -> Result<Kirchhoff, TopError> {
 fn control(top: HeavyTop) -> Result<Method, Box<dyn Error>> {
     let states: Vec<_> = (0..COUNT).map(start).collect();
     let path = |name: &str, steps| -> Result<Path, Box<dyn Error>> {
-        let rule = ReducedMidpoint::new(top).with_instructions(InstructionSet::Portable)?;
+        let rule = TopMidpoint::new(top).with_instructions(InstructionSet::Portable)?;
         Ok(Path::new(name.to_owned(), rule, &states, 0.01, steps))
     };
     let lanes = vec![path("twice the steps", 2000)?];
@@ -207,14 +207,14 @@ fn control(top: HeavyTop) -> Result<Method, Box<dyn Error>> {
 
 fn methods() -> Result<Vec<Method>, Box<dyn Error>> {
     let top = HeavyTop::kovalevskaya(1.0, 1.0)?;
-    let gauss = GaussEnsemble::<8>::new()?;
+    let gauss = GaussBatch::<8>::new()?;
     let substeps = AlternatingSubsteps::composed(&Substeps::sofroniou_spaletta10());
-    let splitting = SymmetricTopEnsemble::new(substeps);
+    let splitting = SymmetricTopBatch::new(substeps);
     let symmetric = members(SymmetricTopSplitting::new(top)?);
     let on = |set, width| gauss.clone().on(set, width);
-    let mut methods = vec![kernel("GaussEnsemble, 8 stages", on, &members(top), 0.25, 40)?];
+    let mut methods = vec![kernel("GaussBatch, 8 stages", on, &members(top), 0.25, 40)?];
     let on = |set, width| splitting.clone().on(set, width);
-    methods.push(kernel("SymmetricTopEnsemble, order 10", on, &symmetric, 0.125, 80)?);
+    methods.push(kernel("SymmetricTopBatch, order 10", on, &symmetric, 0.125, 80)?);
     methods.extend(midpoint(top)?);
     methods.push(stages(top)?);
     let free = |scheme| LiftFree::new(scheme, DualQuaternions, top);

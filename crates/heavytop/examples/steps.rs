@@ -8,8 +8,7 @@ use collective_integrators::{
     AlternatingSubsteps, BatchIntegrator, IntegrationError, Integrator, Start,
 };
 use heavytop::{
-    CollectiveGauss, HeavyTop, MidpointSweep, ReducedMidpoint, SymmetricTopEnsemble,
-    SymmetricTopSplitting,
+    CollectiveGauss, HeavyTop, MidpointBatch, SymmetricTopBatch, SymmetricTopSplitting, TopMidpoint,
 };
 use lie_poisson::{InstructionSet, Se3Dual, Width};
 use nalgebra::Vector3;
@@ -67,10 +66,10 @@ fn main() -> Result<(), Box<dyn Error>> {
     let (top, steps) = (HeavyTop::kovalevskaya(1.0, 1.0)?, steps.parse()?);
     match kernel.as_str() {
         "gauss-8" => one(&CollectiveGauss::new(8, top)?.with_instructions(set)?, 0.25, steps),
-        "midpoint" => one(&ReducedMidpoint::new(top).with_instructions(set)?, 0.01, steps),
-        "midpoint-ensemble" => many(&MidpointSweep::with_instructions(set)?, top, 0.01, steps),
+        "midpoint" => one(&TopMidpoint::new(top).with_instructions(set)?, 0.01, steps),
+        "midpoint-ensemble" => many(&MidpointBatch::with_instructions(set)?, top, 0.01, steps),
         "splitting-ensemble" => {
-            let splitting = SymmetricTopEnsemble::new(AlternatingSubsteps::blanes_moan6());
+            let splitting = SymmetricTopBatch::new(AlternatingSubsteps::blanes_moan6());
             let splitting = splitting.on(set, Width::TwoRegisters)?;
             many(&splitting, SymmetricTopSplitting::new(top)?, 0.2, steps)
         }

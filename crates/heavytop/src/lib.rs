@@ -10,12 +10,12 @@
 //! | M = ϖ∘L: T∗C² → se(3)∗, its lifts and fibres | [`SpinorRealisation`] |
 //! | the heavy top: general, free, Lagrange, Kovalevskaya, Goryachev–Chaplygin | [`HeavyTop`], [`Body`], [`RigidBody`] |
 //! | h, f₁, f₂, f₃, K, G | [`Invariant`] |
-//! | collective Gauss methods of one top, by the registers of the processor | [`CollectiveGauss`] |
+//! | collective Gauss methods of one top, in the registers of the processor | [`CollectiveGauss`] |
 //! | the rotation of the body in a step | [`Turning`], [`TurningFlows`] |
 //! | splittings of tops into exact rotations and kicks | [`RotorSplitting`], [`SymmetricTopSplitting`] |
-//! | many tops at once: symmetric ones by splitting, any by Gauss methods | [`SymmetricTopEnsemble`], [`GaussEnsemble`] |
-//! | the midpoint rule on se(3)∗ in closed form | [`ReducedMidpoint`] |
-//! | the same for many tops at once | [`ReducedMidpoint`], [`MidpointSweep`] |
+//! | many tops at once: symmetric ones by splitting, any by Gauss methods | [`SymmetricTopBatch`], [`GaussBatch`] |
+//! | the midpoint rule on se(3)∗ in closed form: of a top, of any Hamiltonian | [`TopMidpoint`], [`ReducedMidpoint`] |
+//! | the same for many tops at once | [`TopMidpoint`], [`MidpointBatch`] |
 //! | these on all threads | [`Ensemble`](collective_integrators::Ensemble) of any of them |
 //! | the attitude, in every formulation that has one | [`WithAttitude`] |
 //! | other systems on se(3)∗: gyrostat, body in a fluid | [`Gyrostat`], [`Kirchhoff`] |
@@ -23,6 +23,19 @@
 //! | Poincaré sections: the energy level, the surface, the starts, the returns | [`EnergyLevel`], [`Coordinate`], [`Surface`], [`Section`] |
 //! | nutation of any top: amplitude, rotation number | [`Nutation`] |
 //! | closed forms: Euler's and Lagrange's tops | [`EulerSolution`], [`LagrangeNutation`], [`JacobiElliptic`], [`jacobi_elliptic`] |
+//!
+//! # Which integrator
+//!
+//! | to integrate | take |
+//! |---|---|
+//! | one [`HeavyTop`], accurately | [`HeavyTop::gauss`]: a [`CollectiveGauss`] with up to 8 stages |
+//! | one [`HeavyTop`], by the midpoint rule | [`HeavyTop::midpoint`]: a [`TopMidpoint`] |
+//! | many states of one top | an [`Ensemble`](collective_integrators::Ensemble) of the [`TopMidpoint`] |
+//! | many tops, with separate parameters per top | an [`Ensemble`](collective_integrators::Ensemble) of a [`GaussBatch`] or a [`MidpointBatch`]; of symmetric tops, a [`SymmetricTopBatch`] |
+//! | any other Hamiltonian h(Π, Γ) | [`Collective`](collective_integrators::Collective) with [`RungeKutta::gauss`](collective_integrators::RungeKutta::gauss) and [`SpinorRealisation`], or [`ReducedMidpoint`] |
+//! | many states of that | [`Laned`](collective_integrators::Laned) of the [`ReducedMidpoint`] |
+//! | the attitude too | [`WithAttitude`] of any of them |
+//! | tangent vectors, Lyapunov exponents | [`ReducedMidpoint`] or [`Collective`](collective_integrators::Collective), which work over dual numbers |
 //!
 //! # Example
 //! The paper's experiment, over 200 steps:
@@ -64,13 +77,12 @@ pub use closed_forms::elliptic::{JacobiElliptic, jacobi_elliptic};
 pub use closed_forms::euler_top::EulerSolution;
 pub use closed_forms::lagrange_nutation::LagrangeNutation;
 pub use error::{TopError, UNIT_TOLERANCE, require_unit};
-pub use kernels::gauss_many::gauss_ensemble::GaussEnsemble;
-pub use kernels::gauss_one::{CollectiveGauss, CollectiveGaussSpace};
-pub use kernels::midpoint::midpoint_sweep::MidpointSweep;
-pub use kernels::midpoint::reduced_midpoint::{
-    ReducedMidpoint, ReducedMidpointSpace, VelocitySpace,
-};
-pub use kernels::symmetric::symmetric_ensemble::SymmetricTopEnsemble;
+pub use kernels::gauss_many::gauss_batch::GaussBatch;
+pub use kernels::gauss_one::collective_gauss::{CollectiveGauss, CollectiveGaussSpace};
+pub use kernels::midpoint::midpoint_batch::MidpointBatch;
+pub use kernels::midpoint::reduced_midpoint::{ReducedMidpoint, ReducedMidpointSpace};
+pub use kernels::midpoint::top_midpoint::{TopMidpoint, TopMidpointSpace};
+pub use kernels::symmetric::symmetric_batch::SymmetricTopBatch;
 pub use paper::spinor_motions::{
     SPINOR_MOTIONS, SpinorAlgebra, SpinorGroup, SpinorMomentum, SpinorMotions,
 };

@@ -9,7 +9,7 @@
 //! | stage equations, guessed from the steps before and solved | [`StageSolver`], [`StageMemory`], [`Unconverged`] |
 //! | one-step methods, and which of them descend | [`Scheme`], [`Equivariant`], [`RungeKutta`] |
 //! | partitioned methods, which do not descend | [`Polarisation`], [`PartitionedRungeKutta`] |
-//! | integrators on 𝔤∗ | [`Integrator`], [`Start`], [`Collective`], [`Direct`], [`LiftFree`] |
+//! | integrators on 𝔤∗ | [`Integrator`], [`Start`], [`StateIsMomentum`], [`Collective`], [`Direct`], [`LiftFree`] |
 //! | compensated summation | [`Compensated`], [`Increments`] |
 //! | compositions of a method with itself | [`Composition`], [`Substeps`] |
 //! | splitting into exact flows | [`ExactFlows`], [`Splitting`], [`LieTrotter`], [`Strang`], [`AlternatingSubsteps`] |
@@ -36,9 +36,12 @@ mod batch;
 mod chaos;
 pub mod diagnostics;
 
+pub use batch::alone::advance_alone;
 pub use batch::batch_integrator::BatchIntegrator;
 pub use batch::ensemble::{Chunk, Ensemble, MemberError};
-pub use batch::laned::{Laned, LanedSpace};
+pub use batch::groups::MOST_LANES;
+pub use batch::lane_kernel::{LaneKernel, LaneResults, Registers};
+pub use batch::laned::Laned;
 pub use chaos::lyapunov::{Exponents, LyapunovExponents, MaximalLyapunovExponent};
 pub use chaos::megno::Megno;
 pub use chaos::smaller_alignment::smaller_alignment_index;
@@ -47,7 +50,9 @@ pub use diagnostics::{OrderFitError, fitted_order};
 pub use dual::collective::{Collective, CollectiveSpace};
 pub use dual::compensated::{Compensated, Increments, compensated_sum};
 pub use dual::direct::Direct;
-pub use dual::integrator::{CHECKPOINT, Integrator, Sample, SampleOf, Start, Trajectory};
+pub use dual::integrator::{
+    CHECKPOINT, Integrator, Sample, SampleOf, Start, StateIsMomentum, Trajectory,
+};
 pub use dual::lift_free::{LiftFree, MultiplierSpace};
 pub use dual::spherical_midpoint::SphericalMidpoint;
 pub use error::{IntegrationError, RunError, SchemeError, StepError};
@@ -64,6 +69,7 @@ pub use splittings::exact_flows::ExactFlows;
 pub use splittings::flow_sequence::{FlowSequence, LieTrotter, Strang};
 pub use splittings::splitting::Splitting;
 pub use splittings::tao::TaoFlows;
+pub use stages::extrapolation::lagrange_polynomial;
 pub use stages::stage_memory::StageMemory;
 pub use stages::stage_solver::{StageSolver, Unconverged};
 pub use step_fractions::alternating_substeps::AlternatingSubsteps;

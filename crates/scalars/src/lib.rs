@@ -74,12 +74,12 @@ pub use lanes::{
     DefaultLanes, FourLanes, FourLanesTask, InstructionSet, LaneTask, Lanes, MissingInstructions,
     Width, dispatch, dispatch_four,
 };
+pub use numbers::blocks::Blocks;
 pub use numbers::dual_number::DualNumber;
 pub use numbers::linear_solve::solve_linear;
 pub use numbers::mask::Mask;
 pub use numbers::real::{Real, larger};
 
-pub use spaces::blocks::Blocks;
 pub use spaces::covector::Covector;
 pub use spaces::derivative::{derivative_part, differential, seed, transposed_tangent};
 pub use spaces::norm::{euclidean_norm, squaring_scale};

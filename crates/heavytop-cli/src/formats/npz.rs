@@ -2,9 +2,9 @@
 //!
 //! Source: NumPy Enhancement Proposal 1, *A simple file format for NumPy arrays*, version 1.0.
 
-use super::Metadata;
+use super::metadata::Metadata;
 use super::rows::Rows;
-use crate::table::Table;
+use super::run_table::RunTable;
 use std::io::{self, Seek, Write};
 use zip::write::SimpleFileOptions;
 use zip::{CompressionMethod, DateTime, ZipWriter};
@@ -17,7 +17,7 @@ const PREFIX: usize = 10;
 
 pub(super) fn write(
     rows: &Rows<'_>,
-    table: &Table,
+    table: &RunTable,
     metadata: &Metadata,
     to: &mut (impl Write + Seek),
 ) -> io::Result<()> {
@@ -33,7 +33,7 @@ pub(super) fn write(
 
 fn write_arrays<W: Write + Seek>(
     rows: &Rows<'_>,
-    table: &Table,
+    table: &RunTable,
     metadata: &Metadata,
     archive: &mut ZipWriter<W>,
 ) -> io::Result<()> {

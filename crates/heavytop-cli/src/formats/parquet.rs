@@ -1,8 +1,8 @@
 //! Apache Parquet: plain columns in row groups, not compressed.
 
-use super::Metadata;
+use super::metadata::Metadata;
 use super::rows::Rows;
-use crate::table::Table;
+use super::run_table::RunTable;
 use parquet::basic::{Repetition, Type as PhysicalType};
 use parquet::data_type::{DataType, DoubleType};
 use parquet::errors::{ParquetError, Result};
@@ -18,7 +18,7 @@ pub(crate) const GROUP: usize = 1 << 16;
 
 pub(super) fn write<W: Write + Send>(
     rows: &Rows<'_>,
-    table: &Table,
+    table: &RunTable,
     metadata: &Metadata,
     to: &mut W,
 ) -> io::Result<()> {

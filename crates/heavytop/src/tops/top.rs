@@ -159,9 +159,15 @@ impl HeavyTop {
         pi.zip_map(&self.inverse_inertia, |pi, inverse| pi * inverse)
     }
 
+    /// The diagonal of I⁻¹.
+    #[inline]
+    pub(crate) fn inverse_inertia(&self) -> Vector3<f64> {
+        self.inverse_inertia
+    }
+
     /// γ = m g l c
     #[inline]
-    fn force<T: Real>(&self) -> Vector3<T> {
+    pub(crate) fn force<T: Real>(&self) -> Vector3<T> {
         self.center_of_mass.map(|c| T::from_f64(self.weight_moment * c))
     }
 }
@@ -185,13 +191,6 @@ impl<T: Real> Hamiltonian<HeavyTopSpace, T> for HeavyTop {
     #[inline]
     fn hessian(&self, mu: &Se3Dual<T>, v: &Se3Dual<T>) -> Option<Velocity<T>> {
         Some(hessian_by_dual_numbers::<HeavyTopSpace, T, _>(self, mu, v))
-    }
-
-    /// dh = (I⁻¹, 0) (Π, Γ) + (0, m g l c)
-    #[inline]
-    fn affine_differential(&self) -> Option<(Velocity<T>, Velocity<T>)> {
-        let diagonal = Pair(self.inverse_inertia.map(T::from_f64), Vector3::zeros());
-        Some((diagonal, Pair(Vector3::zeros(), self.force())))
     }
 }
 

@@ -5,8 +5,8 @@ use collective_integrators::{
     PartitionedRungeKutta, RungeKutta, Splitting, Start, Substeps, fitted_order, from_fn,
 };
 use heavytop::{
-    HeavyTop, ReducedMidpoint, RotorSplitting, SpinorRealisation, SymmetricTopSplitting, Turning,
-    WithAttitude, attitude_of_vertical,
+    HeavyTop, ReducedMidpoint, RotorSplitting, SpinorRealisation, SymmetricTopSplitting,
+    TopMidpoint, Turning, WithAttitude, attitude_of_vertical,
 };
 use lie_poisson::{Hamiltonian, LiePoisson, Pair, PoissonSpace, Quaternion, Se3, Se3Dual, Vector};
 use momentum_map::DualQuaternions;
@@ -57,7 +57,8 @@ fn every_formulation(task: &impl Task) {
         Collective::that_does_not_descend(verlet, SpinorRealisation, top),
     );
     task.perform("closed form", 2.0, ReducedMidpoint::new(top));
-    let composed = Composition::new(ReducedMidpoint::new(top), Substeps::suzuki4());
+    task.perform("closed form of tops", 2.0, TopMidpoint::new(top));
+    let composed = Composition::new(TopMidpoint::new(top), Substeps::suzuki4());
     task.perform("closed form, composed", 4.0, composed);
     task.perform("rotors", 2.0, rotors());
     task.perform("rotors, Lie–Trotter", 1.0, Splitting::lie_trotter(RotorSplitting(top)));

@@ -3,13 +3,8 @@
 use collective_integrators::{
     Collective, Direction, Events, Integrator, RungeKutta, SchemeError, Start, StepError,
 };
-use heavytop::{
-    Body, CollectiveGauss, Gyrostat, HeavyTop, HeavyTopSpace, Invariant, SpinorRealisation,
-    WithAttitude,
-};
-use lie_poisson::{
-    Covector, DualNumber, Hamiltonian, InstructionSet, Pair, Se3Dual, Vector, from_closure, larger,
-};
+use heavytop::{Body, CollectiveGauss, HeavyTop, Invariant, SpinorRealisation, WithAttitude};
+use lie_poisson::{InstructionSet, Se3Dual, Vector, larger};
 use momentum_map::FibreSymmetry;
 use nalgebra::Vector3;
 use proptest::prelude::*;
@@ -244,36 +239,16 @@ fn what_has_no_result_is_an_error() {
     }
     let nowhere = Se3Dual::new(Vector3::x() * f64::NAN, Vector3::z());
     assert!(gauss.start(&nowhere).is_err() && gauss.start(&Se3Dual::zero()).is_err());
-    assert_eq!(CollectiveGauss::new(0, paper_top()), Err(SchemeError::NoStages));
 }
 
-/// The kernel is taken for every energy of the form of a top's, however it is written, and for no other;
-/// the other steps are those of the general method, bit for bit.
 #[test]
-fn the_kernel_makes_the_steps_of_tops_alone() {
-    let top = paper_top();
-    let gyrostat = Gyrostat::new(top, Vector3::new(0.1, -0.2, 0.3)).unwrap();
-    assert!(CollectiveGauss::new(8, top).unwrap().has_kernel());
-    assert!(CollectiveGauss::new(8, &top).unwrap().has_kernel());
-    same_bits(&CollectiveGauss::new(9, top).unwrap());
-    same_bits(&CollectiveGauss::new(4, gyrostat).unwrap());
-    same_bits(&CollectiveGauss::new(4, from_closure(no_top)).unwrap());
-}
-
-/// A quadratic form of Π and Γ that is none of a top's.
-fn no_top(Covector(Pair(pi, gamma)): &Se3Dual<DualNumber>) -> DualNumber {
-    pi.dot(pi) * 0.5 + gamma.x * gamma.x + gamma.z
-}
-
-fn same_bits<H: Hamiltonian<HeavyTopSpace>>(gauss: &CollectiveGauss<H>) {
-    assert!(!gauss.has_kernel());
-    let (mut space, mut general) = (gauss.workspace(), gauss.general().workspace());
-    let mut state = gauss.start(&paper_start()).unwrap();
-    for _ in 0..20 {
-        let next = gauss.step(&state, 0.1, &mut space).unwrap();
-        assert_eq!(next, gauss.general().step(&state, 0.1, &mut general).unwrap());
-        state = next.point;
+fn there_are_one_to_eight_stages() {
+    assert_eq!(CollectiveGauss::new(0, paper_top()), Err(SchemeError::NoStages));
+    for stages in 1..=8 {
+        assert_eq!(paper_top().gauss(stages), CollectiveGauss::new(stages, paper_top()));
     }
+    let nine = CollectiveGauss::new(9, paper_top());
+    assert!(matches!(nine, Err(SchemeError::Family { least: 1, most: 8, stages: 9, .. })));
 }
 
 #[test]

@@ -5,7 +5,7 @@ use collective_integrators::{
     Start, StepError,
 };
 use core::ops::Range;
-use heavytop::{Body, HeavyTop, MidpointSweep, ReducedMidpoint};
+use heavytop::{Body, HeavyTop, MidpointBatch, ReducedMidpoint, TopMidpoint};
 use lie_poisson::{InstructionSet, Se3Dual, Vector};
 use momentum_map::DualQuaternions;
 use nalgebra::Vector3;
@@ -31,18 +31,15 @@ fn tops() -> [HeavyTop; 4] {
     ]
 }
 
-fn kernels(top: HeavyTop) -> impl Iterator<Item = ReducedMidpoint<HeavyTop>> {
-    let on = move |set| ReducedMidpoint::new(top).with_instructions(set).unwrap();
+fn kernels(top: HeavyTop) -> impl Iterator<Item = TopMidpoint> {
+    let on = move |set| TopMidpoint::new(top).with_instructions(set).unwrap();
     InstructionSet::available().map(on)
 }
 
-/// The same rule by the iteration for any system.
-fn generic(top: HeavyTop) -> ReducedMidpoint<HeavyTop> {
-    ReducedMidpoint::new(top)
-        .with_solver(StageSolver { max_iterations: 201, ..StageSolver::default() })
-}
-
-fn end(midpoint: &ReducedMidpoint<HeavyTop>, start: &Se3Dual, step: f64, steps: usize) -> Se3Dual {
+fn end<I>(midpoint: &I, start: &Se3Dual, step: f64, steps: usize) -> Se3Dual
+where
+    I: Start<Momentum = Se3Dual>,
+{
     midpoint.trajectory(start, step).unwrap().nth(steps).unwrap().unwrap().momentum
 }
 
@@ -64,12 +61,13 @@ fn tops_move_as_any_system_does() {
     // the second top is chaotic, and forgets its start after some hundred units of time
     let runs = tops().into_iter().zip([10_000, 1_500, 10_000, 10_000]);
     for (top, steps, step) in runs.flat_map(|(top, n)| [0.01, 0.1].map(|h| (top, n, h))) {
-        let expected = end(&generic(top), &start(), step, steps);
+        let general = ReducedMidpoint::new(top);
+        let expected = end(&general, &start(), step, steps);
         let mut moved = start();
         moved.0.0.z += 4.0 * f64::EPSILON;
         moved.0.1.x -= f64::EPSILON;
         // what one rounding grows to; there are a few in each step, at random: √10⁴ times that
-        let growth = (end(&generic(top), &moved, step, steps) - expected).max_abs();
+        let growth = (end(&general, &moved, step, steps) - expected).max_abs();
         let tolerance = 4e2 * growth + 1e-12;
         assert!(tolerance < 1e-6);
         for midpoint in kernels(top) {
@@ -88,7 +86,7 @@ fn tops_move_as_any_system_does() {
 fn casimirs_walk_at_random() {
     let top = tops()[1];
     for midpoint in kernels(top) {
-        let (mut mu, mut space) = (start(), Integrator::<f64>::workspace(&midpoint));
+        let (mut mu, mut space) = (start(), Integrator::workspace(&midpoint));
         let casimirs = |mu: &Se3Dual| [mu.0.1.norm_squared(), mu.0.0.dot(&mu.0.1)];
         let (before, mut worst) = (casimirs(&mu), 0.0_f64);
         for _ in 0..1_000_000 {
@@ -105,7 +103,7 @@ fn casimirs_walk_at_random() {
 #[test]
 fn many_tops_have_the_bits_of_one() {
     for set in InstructionSet::available() {
-        let sweep = MidpointSweep::with_instructions(set).unwrap();
+        let sweep = MidpointBatch::with_instructions(set).unwrap();
         let many = |i: usize| {
             let mut mu = start();
             mu.0.0.x += 0.1 * i as f64;
@@ -116,11 +114,11 @@ fn many_tops_have_the_bits_of_one() {
         assert_eq!(advance(&sweep, &mut members, 0.01, 0..CHECKPOINT), []);
         assert_eq!(advance(&sweep, &mut members, 0.01, CHECKPOINT..steps), []);
         for (i, (top, mu)) in members.iter().enumerate() {
-            let one = ReducedMidpoint::new(*top).with_instructions(set).unwrap();
+            let one = TopMidpoint::new(*top).with_instructions(set).unwrap();
             assert_eq!(*mu, end(&one, &many(i).1, 0.01, steps as usize), "{i} on {set}");
         }
         let mut alike = [many(0).1, many(4).1];
-        let one = ReducedMidpoint::new(tops()[0]).with_instructions(set).unwrap();
+        let one = TopMidpoint::new(tops()[0]).with_instructions(set).unwrap();
         assert_eq!(advance(&one, &mut alike, 0.01, 0..steps), []);
         assert_eq!(alike, [members[0].1, members[4].1]);
     }
@@ -132,7 +130,7 @@ fn steps_too_large_for_the_formulas_are_made_by_newton() {
     for (top, step) in tops().into_iter().flat_map(|top| [0.6, 1.0].map(|step| (top, step))) {
         let expected = lift_free(top).trajectory(&start(), step).unwrap().nth(3).unwrap();
         let expected = expected.unwrap().momentum;
-        let midpoint = ReducedMidpoint::new(top);
+        let midpoint = TopMidpoint::new(top);
         let mut states = [start(); 3];
         assert_eq!(advance(&midpoint, &mut states, step, 0..3), []);
         for mu in states.iter().chain([&end(&midpoint, &start(), step, 3)]) {
@@ -152,7 +150,7 @@ fn a_start_that_is_no_number_is_an_error() {
         let mut mu = start();
         mu.0.1.y = bad;
         for midpoint in kernels(tops()[0]) {
-            let step = midpoint.step(&mu, 0.01, &mut Integrator::<f64>::workspace(&midpoint));
+            let step = midpoint.step(&mu, 0.01, &mut Integrator::workspace(&midpoint));
             assert!(
                 matches!(step, Err(StepError::NotConverged { .. } | StepError::NotFinite)),
                 "{step:?}"

@@ -2,7 +2,7 @@
 
 use collective_integrators::diagnostics::step_poisson_defect;
 use collective_integrators::{Composition, LiftFree, RungeKutta, Start, Substeps, fitted_order};
-use heavytop::{HeavyTop, Kirchhoff, ReducedMidpoint};
+use heavytop::{HeavyTop, Kirchhoff, ReducedMidpoint, TopMidpoint};
 use lie_poisson::{Hamiltonian, LiePoisson, Se3, Se3Dual, Vector};
 use momentum_map::DualQuaternions;
 use nalgebra::{Matrix3, Vector3};
@@ -56,7 +56,7 @@ fn it_is_poisson_and_its_compositions_are_of_their_order() {
     let gauss = LiftFree::new(RungeKutta::gauss(8).unwrap(), DualQuaternions, top());
     let exact = gauss.trajectory(&start(), 0.02).unwrap().nth(50).unwrap().unwrap().momentum;
     for (substeps, order) in [(Substeps::yoshida4(), 4.0), (Substeps::kahan_li6(), 6.0)] {
-        let scheme = Composition::new(ReducedMidpoint::new(top()), substeps);
+        let scheme = Composition::new(TopMidpoint::new(top()), substeps);
         let errors = [4, 6, 8, 12, 16].map(|count| {
             let run = scheme.trajectory(&start(), 1.0 / f64::from(count)).unwrap();
             let end = run.take(count as usize + 1).last().unwrap().unwrap();

@@ -6,8 +6,8 @@ use collective_integrators::{
     StepError, Substeps, VariationalFlow,
 };
 use heavytop::{
-    CollectiveGauss, GaussEnsemble, HeavyTop, MidpointSweep, ReducedMidpoint, RotorSplitting,
-    SpinorRealisation, SymmetricTopEnsemble, SymmetricTopSplitting, WithAttitude,
+    CollectiveGauss, GaussBatch, HeavyTop, MidpointBatch, ReducedMidpoint, RotorSplitting,
+    SpinorRealisation, SymmetricTopBatch, SymmetricTopSplitting, TopMidpoint, WithAttitude,
 };
 use lie_poisson::{DualNumber, LiePoisson, Se3, Se3Dual, Vector};
 use momentum_map::DualQuaternions;
@@ -70,11 +70,12 @@ fn every_formulation_refuses_starts_that_are_not_finite() {
     refuses("lift-free", &LiftFree::new(gauss(), DualQuaternions, top));
     refuses("direct", &Direct::new(RungeKutta::rk4(), field));
     refuses("reduced midpoint", &ReducedMidpoint::new(top));
+    refuses("midpoint of tops", &TopMidpoint::new(top));
     refuses("collective Gauss", &CollectiveGauss::new(3, top).unwrap());
     refuses("rotors", &Splitting::strang(RotorSplitting(top)));
     refuses("symmetric", &Splitting::strang(symmetric));
     refuses("alternating", &Splitting::alternating(symmetric, AlternatingSubsteps::blanes_moan4()));
-    refuses("composed", &Composition::new(ReducedMidpoint::new(top), Substeps::yoshida4()));
+    refuses("composed", &Composition::new(TopMidpoint::new(top), Substeps::yoshida4()));
     refuses("attitude", &WithAttitude(LiftFree::new(gauss(), DualQuaternions, top)));
 }
 
@@ -102,14 +103,14 @@ fn every_ensemble_refuses_members_that_are_not_finite() {
     let lift_free = LiftFree::new(RungeKutta::gauss(2).unwrap(), DualQuaternions, top);
     batch_refuses("lanes", Laned::new(lift_free), |mu| mu);
     batch_refuses("lanes of the midpoint", Laned::new(ReducedMidpoint::new(top)), |mu| mu);
-    batch_refuses("midpoint", ReducedMidpoint::new(top), |mu| mu);
-    batch_refuses("sweep", MidpointSweep::new(), |mu| (top, mu));
-    batch_refuses("Gauss", GaussEnsemble::<3>::new().unwrap(), |mu| (top, mu));
-    let symmetric = SymmetricTopEnsemble::new(AlternatingSubsteps::blanes_moan4());
+    batch_refuses("midpoint", TopMidpoint::new(top), |mu| mu);
+    batch_refuses("sweep", MidpointBatch::new(), |mu| (top, mu));
+    batch_refuses("Gauss", GaussBatch::<3>::new().unwrap(), |mu| (top, mu));
+    let symmetric = SymmetricTopBatch::new(AlternatingSubsteps::blanes_moan4());
     batch_refuses("symmetric", symmetric, |mu| (splitting, mu));
 
     let mut members = [start(), bad_starts().next().unwrap().1];
-    let failures = Ensemble::new(ReducedMidpoint::new(top)).advance(&mut members, 0.02, 0..3);
+    let failures = Ensemble::new(TopMidpoint::new(top)).advance(&mut members, 0.02, 0..3);
     assert!(failures.len() == 1 && names(failures[0].source.source, 0));
 }
 

@@ -74,7 +74,7 @@ fn symmetric_tops_move_as_one_by_one() {
         let (step, steps) = (0.1, 50);
         let expected = one_by_one(&substeps, step, steps);
         for set in InstructionSet::available() {
-            let ensemble = SymmetricTopEnsemble::new(substeps.clone());
+            let ensemble = SymmetricTopBatch::new(substeps.clone());
             let ensemble = ensemble.on(set, Width::TwoRegisters).unwrap();
             let mut states = members(&tops());
             ensemble.advance(&mut states, step, 0..steps as u64, &mut (), &mut no_failure);
@@ -97,7 +97,7 @@ fn bits<B>(members: &[(B, Se3Dual)]) -> Vec<[u64; 6]> {
 #[test]
 fn bits_depend_on_fusion_alone() {
     let substeps = AlternatingSubsteps::blanes_moan6();
-    let ensemble = SymmetricTopEnsemble::new(substeps.clone());
+    let ensemble = SymmetricTopBatch::new(substeps.clone());
     let run = |set, width| {
         let mut states = members(&tops());
         let ensemble = ensemble.clone().on(set, width).unwrap();
@@ -124,7 +124,7 @@ fn bits_depend_on_fusion_alone() {
 #[test]
 fn a_top_that_is_not_a_number_harms_no_other() {
     let substeps = AlternatingSubsteps::blanes_moan4();
-    let ensemble = SymmetricTopEnsemble::new(substeps.clone());
+    let ensemble = SymmetricTopBatch::new(substeps.clone());
     let mut healthy = members(&tops());
     ensemble.advance(&mut healthy, 0.1, 0..10, &mut (), &mut no_failure);
     for position in 0..COUNT {
@@ -151,7 +151,7 @@ fn a_top_that_turns_too_fast_goes_alone() {
     states[5].1.0.0 = Vector3::new(3.0, 200.0, 100.0);
     let alone = Splitting::alternating(flows, substeps.clone());
     let expected = (0..10).fold(states[5].1, |z, _| alone.step(&z, 0.1, &mut ()).unwrap().point);
-    let ensemble = SymmetricTopEnsemble::new(substeps);
+    let ensemble = SymmetricTopBatch::new(substeps);
     ensemble.advance(&mut states, 0.1, 0..10, &mut (), &mut no_failure);
     assert_eq!(bits(&states[5..6]), bits(&[(flows, expected)]));
 }
@@ -159,7 +159,7 @@ fn a_top_that_turns_too_fast_goes_alone() {
 #[test]
 fn casimirs_of_symmetric_tops_hold_to_round_off() {
     let casimirs = |z: &Se3Dual| [z.0.1.norm_squared(), z.0.0.dot(&z.0.1)];
-    let ensemble = SymmetricTopEnsemble::new(AlternatingSubsteps::blanes_moan6());
+    let ensemble = SymmetricTopBatch::new(AlternatingSubsteps::blanes_moan6());
     let mut states = members(&tops());
     ensemble.advance(&mut states, 0.1, 0..2000, &mut (), &mut no_failure);
     for ((_, end), start) in states.iter().zip(&starts()) {
@@ -187,7 +187,7 @@ fn casimirs_of_symmetric_tops_walk_and_do_not_drift() {
 
 fn casimirs_walk(starts: &[(SymmetricTopSplitting, Se3Dual)], set: InstructionSet) {
     let mut states = starts.to_vec();
-    let ensemble = SymmetricTopEnsemble::new(AlternatingSubsteps::blanes_moan6());
+    let ensemble = SymmetricTopBatch::new(AlternatingSubsteps::blanes_moan6());
     let ensemble = ensemble.on(set, Width::TwoRegisters).unwrap();
     ensemble.advance(&mut states, 0.25, 0..65_536, &mut (), &mut no_failure);
     let change = |casimir: fn(&Se3Dual) -> f64| -> Vec<f64> {
@@ -210,7 +210,7 @@ fn casimirs_walk(starts: &[(SymmetricTopSplitting, Se3Dual)], set: InstructionSe
 /// Slow tops, fast ones, and some too fast for the lanes, side by side.
 #[test]
 fn tops_of_different_speed_do_not_notice_each_other() {
-    let ensemble = SymmetricTopEnsemble::new(AlternatingSubsteps::blanes_moan6());
+    let ensemble = SymmetricTopBatch::new(AlternatingSubsteps::blanes_moan6());
     let advance = |members: &mut [(SymmetricTopSplitting, Se3Dual)]| {
         ensemble.advance(members, 0.25, 0..20, &mut (), &mut no_failure);
     };
@@ -230,12 +230,12 @@ fn tops_of_different_speed_do_not_notice_each_other() {
 }
 
 #[test]
-fn orders_of_the_symmetric_ensemble() {
+fn orders_of_the_symmetric_batch() {
     let flows = tops();
     let (time, count) = (2.0, 5);
     let error = |substeps: &AlternatingSubsteps, steps: u32| {
         let mut worst = 0.0;
-        let ensemble = SymmetricTopEnsemble::new(substeps.clone());
+        let ensemble = SymmetricTopBatch::new(substeps.clone());
         let mut states = members(&flows)[..count].to_vec();
         let step = time / f64::from(steps);
         ensemble.advance(&mut states, step, 0..u64::from(steps), &mut (), &mut no_failure);
@@ -298,7 +298,7 @@ fn gauss_moves_as_lift_free<const S: usize>(step: f64) {
     };
     let expected: Vec<Se3Dual> = starts().into_iter().enumerate().map(end).collect();
     for set in InstructionSet::available() {
-        let ensemble = GaussEnsemble::<S>::new().unwrap().on(set, Width::Register).unwrap();
+        let ensemble = GaussBatch::<S>::new().unwrap().on(set, Width::Register).unwrap();
         let mut states = members(&tops);
         ensemble.advance(&mut states, step, 0..steps, &mut (), &mut no_failure);
         for ((_, state), expected) in states.iter().zip(&expected) {
@@ -312,15 +312,15 @@ fn gauss_moves_as_lift_free<const S: usize>(step: f64) {
 }
 
 #[test]
-fn gauss_ensembles_move_as_without_a_lift() {
+fn gauss_batches_move_as_without_a_lift() {
     gauss_moves_as_lift_free::<4>(0.1);
     gauss_moves_as_lift_free::<6>(0.2);
     gauss_moves_as_lift_free::<8>(0.3);
 }
 
 #[test]
-fn bits_of_gauss_ensembles_depend_on_fusion_alone() {
-    let ensemble = GaussEnsemble::<4>::new().unwrap();
+fn bits_of_gauss_batches_depend_on_fusion_alone() {
+    let ensemble = GaussBatch::<4>::new().unwrap();
     let run = |set, width| {
         let mut states = members(&any_tops());
         let ensemble = ensemble.clone().on(set, width).unwrap();
@@ -342,9 +342,9 @@ fn bits_of_gauss_ensembles_depend_on_fusion_alone() {
 /// In each position: what has no result is reported, what the lanes cannot do is done otherwise,
 /// and the others do not notice.
 #[test]
-fn no_top_of_a_gauss_ensemble_harms_another() {
+fn no_top_of_a_gauss_batch_harms_another() {
     let tops = any_tops();
-    let ensemble = GaussEnsemble::<4>::new().unwrap();
+    let ensemble = GaussBatch::<4>::new().unwrap();
     let mut healthy = members(&tops);
     ensemble.advance(&mut healthy, 0.2, 0..5, &mut (), &mut no_failure);
     let count = |start: Se3Dual, position: usize| {
@@ -378,9 +378,9 @@ fn no_top_of_a_gauss_ensemble_harms_another() {
 }
 
 #[test]
-fn casimirs_of_gauss_ensembles_hold_to_round_off() {
+fn casimirs_of_gauss_batches_hold_to_round_off() {
     let casimirs = |z: &Se3Dual| [z.0.1.norm_squared(), z.0.0.dot(&z.0.1)];
-    let ensemble = GaussEnsemble::<6>::new().unwrap();
+    let ensemble = GaussBatch::<6>::new().unwrap();
     let mut states = members(&any_tops());
     ensemble.advance(&mut states, 0.2, 0..2000, &mut (), &mut no_failure);
     for ((_, end), start) in states.iter().zip(&starts()) {
@@ -392,17 +392,17 @@ fn casimirs_of_gauss_ensembles_hold_to_round_off() {
 }
 
 #[test]
-fn orders_of_gauss_ensembles() {
+fn orders_of_gauss_batches() {
     fn errors<const S: usize>(counts: &[u64]) -> f64 {
         let top = any_tops()[1];
         let end = |steps: u64, s8: bool| {
             let mut states = [(top, starts()[20])];
             let step = 2.0 / steps as f64;
             if s8 {
-                let ensemble = GaussEnsemble::<8>::new().unwrap();
+                let ensemble = GaussBatch::<8>::new().unwrap();
                 ensemble.advance(&mut states, step, 0..steps, &mut (), &mut no_failure);
             } else {
-                let ensemble = GaussEnsemble::<S>::new().unwrap();
+                let ensemble = GaussBatch::<S>::new().unwrap();
                 ensemble.advance(&mut states, step, 0..steps, &mut (), &mut no_failure);
             }
             states[0].1
@@ -418,7 +418,7 @@ fn orders_of_gauss_ensembles() {
 /// A run in two calls, and a member that fails on the way.
 #[test]
 fn calls_that_meet_at_checkpoints_are_one_run() {
-    let ensemble = GaussEnsemble::<2>::new().unwrap();
+    let ensemble = GaussBatch::<2>::new().unwrap();
     let mut whole = members(&any_tops());
     let mut failures = Vec::new();
     // It turns too far in one step for any iteration, and is not tried again.
@@ -477,8 +477,8 @@ where
 
 #[test]
 fn many_failures_are_reported_once() {
-    let gauss = GaussEnsemble::<2>::new().unwrap();
+    let gauss = GaussBatch::<2>::new().unwrap();
     of_many_failures_each_is_reported_once(&gauss, &any_tops());
-    let splitting = SymmetricTopEnsemble::new(AlternatingSubsteps::blanes_moan4());
+    let splitting = SymmetricTopBatch::new(AlternatingSubsteps::blanes_moan4());
     of_many_failures_each_is_reported_once(&splitting, &tops());
 }

@@ -1,6 +1,9 @@
 //! Any integrator over lanes as one that advances many states: [`Laned`].
 
-use crate::{BatchIntegrator, CHECKPOINT, IntegrationError, Integrator, StepError};
+use crate::batch::alone::advance_alone;
+use crate::batch::groups::{Group, advance_groups};
+use crate::batch::lane_kernel::LaneResults;
+use crate::{BatchIntegrator, IntegrationError, Integrator};
 use core::marker::PhantomData;
 use core::ops::Range;
 use lie_poisson::{DefaultLanes, Lanes, Vector};
@@ -13,9 +16,9 @@ use lie_poisson::{DefaultLanes, Lanes, Vector};
 /// itself. (An integrator that computes otherwise over `f64`, by a fused kernel say, differs from its
 /// lanes by rounding; the neighbours do not matter then either.)
 ///
-/// Steps come in blocks that end at the multiples of [`CHECKPOINT`]. A block in which a step of some
-/// lane fails is made again from its start, with one member at a time in all lanes; a member that
-/// fails there too is given up, and a neighbour fills its lane.
+/// Steps come in blocks that end at the multiples of [`CHECKPOINT`](crate::CHECKPOINT). A block in which a step of
+/// some lane fails is made again from its start, with one member at a time in all lanes. A member that fails there
+/// too is given up; the others continue together.
 ///
 /// # Example
 /// Six harmonic oscillators; the last but one starts at no number:
@@ -67,27 +70,16 @@ impl<I, T> Laned<I, T> {
     }
 }
 
-/// The storage of [`Laned`]: that of a step over lanes, and which lanes hold a member that can go
-/// on.
-#[derive(Debug)]
-pub struct LanedSpace<S> {
-    storage: S,
-    alive: Vec<bool>,
-}
-
 impl<I, T> BatchIntegrator for Laned<I, T>
 where
     I: Integrator<f64> + Integrator<T> + Sync,
     T: Lanes,
 {
     type Member = <I as Integrator<f64>>::State;
-    type Workspace = LanedSpace<<I as Integrator<T>>::Workspace>;
+    type Workspace = <I as Integrator<T>>::Workspace;
 
     fn workspace(&self) -> Self::Workspace {
-        LanedSpace {
-            storage: Integrator::<T>::workspace(&self.integrator),
-            alive: vec![false; T::COUNT],
-        }
+        Integrator::<T>::workspace(&self.integrator)
     }
 
     fn advance(
@@ -95,118 +87,58 @@ where
         members: &mut [Self::Member],
         step: f64,
         steps: Range<u64>,
-        space: &mut Self::Workspace,
+        workspace: &mut Self::Workspace,
         failed: &mut dyn FnMut(usize, IntegrationError),
     ) {
-        for (n, group) in members.chunks_mut(T::COUNT).enumerate() {
-            space.alive.fill(true);
-            for block in blocks(steps.clone()) {
-                if !self.advance_lanes(group, step, block.clone(), space) {
-                    let mut report = |lane, error| failed(n * T::COUNT + lane, error);
-                    self.advance_one_by_one(group, step, block, space, &mut report);
-                }
-            }
-        }
+        let mut group = IntegratorGroup::<I, T> { integrator: &self.integrator, workspace };
+        advance_groups(&mut group, members, step, steps, failed);
     }
 }
 
-impl<I, T> Laned<I, T>
+/// The steps of an integrator over lanes.
+struct IntegratorGroup<'a, I: Integrator<T>, T: Lanes> {
+    integrator: &'a I,
+    workspace: &'a mut I::Workspace,
+}
+
+impl<I, T> Group for IntegratorGroup<'_, I, T>
 where
     I: Integrator<f64> + Integrator<T>,
     T: Lanes,
 {
-    /// One block of steps over lanes. If a step fails, nothing has happened, and it returns false.
-    fn advance_lanes(
-        &self,
-        group: &mut [<I as Integrator<f64>>::State],
-        step: f64,
-        block: Range<u64>,
-        space: &mut LanedSpace<<I as Integrator<T>>::Workspace>,
-    ) -> bool {
-        let Some(healthy) = group.iter().zip(&space.alive).position(|(_, &alive)| alive) else {
-            return true;
-        };
-        let member = |lane: usize| match (group.get(lane), space.alive.get(lane)) {
-            (Some(member), Some(true)) => member,
-            _ => &group[healthy],
-        };
+    type Member = <I as Integrator<f64>>::State;
+
+    fn width(&self) -> usize {
+        T::COUNT
+    }
+
+    /// All have a result, or none is known to have one.
+    fn together(&mut self, group: &mut [Self::Member], step: f64, count: u64) -> LaneResults {
+        let mut results = LaneResults::default();
+        let Some(last) = group.len().checked_sub(1) else { return results };
         let mut state = <I as Integrator<T>>::State::from_coordinates(|i| {
-            T::from_lanes(|lane| member(lane).coordinate(i))
+            T::from_lanes(|lane| group[lane.min(last)].coordinate(i))
         });
-        if self.steps(&mut state, step, block, &mut space.storage).is_err() {
-            return false;
-        }
-        for (lane, member) in group.iter_mut().enumerate() {
-            if space.alive.get(lane) == Some(&true) {
+        let steps = 0..count;
+        if advance_alone::<T, I>(self.integrator, &mut state, step, steps, self.workspace).is_ok() {
+            for (lane, member) in group.iter_mut().enumerate() {
                 *member = Vector::from_coordinates(|i| state.coordinate(i).lane(lane));
+                results[lane] = true;
             }
         }
-        true
+        results
     }
 
-    /// The same with one member at a time, in all lanes. What fails is reported, by its lane, and
-    /// given up.
-    fn advance_one_by_one(
-        &self,
-        group: &mut [<I as Integrator<f64>>::State],
+    fn alone(
+        &mut self,
+        member: &mut Self::Member,
         step: f64,
-        block: Range<u64>,
-        space: &mut LanedSpace<<I as Integrator<T>>::Workspace>,
-        report: &mut dyn FnMut(usize, IntegrationError),
-    ) {
-        let lanes = group.iter_mut().zip(&mut space.alive).enumerate();
-        for (lane, (member, alive)) in lanes.filter(|(_, (_, alive))| **alive) {
-            let mut state = <I as Integrator<T>>::State::from_coordinates(|i| {
-                T::from_f64(member.coordinate(i))
-            });
-            if let Err(error) = self.steps(&mut state, step, block.clone(), &mut space.storage) {
-                *alive = false;
-                report(lane, error);
-            }
-            *member = Vector::from_coordinates(|i| state.coordinate(i).lane(0));
-        }
-    }
-
-    /// Steps that know nothing of those before the first of them. Where one fails, the state is that
-    /// before it.
-    fn steps(
-        &self,
-        state: &mut <I as Integrator<T>>::State,
-        step: f64,
-        block: Range<u64>,
-        storage: &mut <I as Integrator<T>>::Workspace,
+        steps: Range<u64>,
     ) -> Result<(), IntegrationError> {
-        StepError::check_start(state, step)
-            .map_err(|refused| IntegrationError::after(block.start, step, refused))?;
-        Integrator::<T>::forget(&self.integrator, storage);
-        for made in block {
-            let next = Integrator::<T>::step(&self.integrator, state, step, storage);
-            *state = next.map_err(|source| IntegrationError::after(made, step, source))?.point;
-        }
-        Ok(())
-    }
-}
-
-/// The steps, divided at the multiples of [`CHECKPOINT`].
-fn blocks(steps: Range<u64>) -> impl Iterator<Item = Range<u64>> {
-    let mut next = steps.start;
-    core::iter::from_fn(move || {
-        let start = next;
-        next = (start / CHECKPOINT + 1).saturating_mul(CHECKPOINT).min(steps.end);
-        (start < steps.end).then_some(start..next)
-    })
-}
-
-#[cfg(test)]
-mod tests {
-    use super::*;
-
-    #[test]
-    fn blocks_end_at_checkpoints() {
-        let (c, all) = (CHECKPOINT, |steps| blocks(steps).collect::<Vec<_>>());
-        assert_eq!(all(0..2 * c), [0..c, c..2 * c]);
-        assert_eq!(all(5..c + 1), [5..c, c..c + 1]);
-        assert!(all(u64::MAX - 1..u64::MAX).len() == 1 && all(3..9).len() == 1);
-        assert!(all(7..7).is_empty());
+        let mut state =
+            <I as Integrator<T>>::State::from_coordinates(|i| T::from_f64(member.coordinate(i)));
+        let end = advance_alone::<T, I>(self.integrator, &mut state, step, steps, self.workspace);
+        *member = Vector::from_coordinates(|i| state.coordinate(i).lane(0));
+        end
     }
 }

@@ -1,10 +1,10 @@
 //! Schemes on the equations as they stand.
 
 use crate::{
-    Compensated, Increment, Increments, Integrator, Scheme, Start, Step, StepError, VectorField,
+    Compensated, Increment, Increments, Integrator, Scheme, StateIsMomentum, Step, StepError,
+    VectorField,
 };
 use lie_poisson::Real;
-use momentum_map::LiftError;
 
 /// A scheme applied to a vector field as it stands, such as the Lie–Poisson equations
 /// μ̇ = X_h(μ) on 𝔤∗.
@@ -102,13 +102,4 @@ where
     }
 }
 
-impl<S, F, T> Start<T> for Direct<S, F>
-where
-    S: Scheme,
-    F: VectorField<T>,
-    T: Real,
-{
-    fn start(&self, mu: &F::Point) -> Result<F::Point, LiftError> {
-        Ok(*mu)
-    }
-}
+impl<S, F> StateIsMomentum for Direct<S, F> {}

@@ -2,10 +2,11 @@
 
 use crate::dual::multiplier_field::{Course, MultiplierField};
 use crate::{
-    Compensated, Equivariant, Increment, Increments, Integrator, Scheme, Start, Step, StepError,
+    Compensated, Equivariant, Increment, Increments, Integrator, Scheme, StateIsMomentum, Step,
+    StepError,
 };
 use lie_poisson::{Hamiltonian, Pair, Point, Real, Vector};
-use momentum_map::{LiftError, Multiplier, Multipliers};
+use momentum_map::{Multiplier, Multipliers};
 
 /// The collective integrator of a linear collective system, on 𝔤∗ itself: the scheme solves
 ///
@@ -257,14 +258,4 @@ where
     }
 }
 
-impl<S, M, H, T> Start<T> for LiftFree<S, M, H>
-where
-    S: Equivariant,
-    M: Multipliers,
-    H: Hamiltonian<M::Space, T>,
-    T: Real,
-{
-    fn start(&self, mu: &Self::Momentum) -> Result<Self::State, LiftError> {
-        Ok(*mu)
-    }
-}
+impl<S, M, H> StateIsMomentum for LiftFree<S, M, H> {}

@@ -1,9 +1,8 @@
 //! The spherical midpoint method.
 
-use crate::{Integrator, StageSolver, Start, Step, StepError, VectorField};
+use crate::{Integrator, StageSolver, StateIsMomentum, Step, StepError, VectorField};
 use core::array::from_fn;
 use lie_poisson::{Covector, Power, Real, Vector};
-use momentum_map::LiftError;
 use nalgebra::Vector3;
 
 /// The spherical midpoint method on (so(3)∗)ᴺ, a product of spheres |w_i| = r_i:
@@ -101,15 +100,7 @@ where
     }
 }
 
-impl<T, F, const N: usize> Start<T> for SphericalMidpoint<F>
-where
-    T: Real,
-    F: VectorField<T, Point = Spheres<T, N>>,
-{
-    fn start(&self, w: &Spheres<T, N>) -> Result<Spheres<T, N>, LiftError> {
-        Ok(*w)
-    }
-}
+impl<F> StateIsMomentum for SphericalMidpoint<F> {}
 
 /// w + s k
 #[inline]

@@ -1,11 +1,10 @@
 //! Splitting into flows that are known exactly.
 
 use crate::{
-    AlternatingSubsteps, ExactFlows, FlowSequence, Integrator, LieTrotter, Start, Step, StepError,
-    Strang,
+    AlternatingSubsteps, ExactFlows, FlowSequence, Integrator, LieTrotter, StateIsMomentum, Step,
+    StepError, Strang,
 };
 use lie_poisson::Real;
-use momentum_map::LiftError;
 
 /// The composition of exact flows in the order that a [`FlowSequence`] gives, each for its fraction of
 /// the step:
@@ -164,8 +163,4 @@ impl<T: Real, E: ExactFlows<T>, S: FlowSequence> Integrator<T> for Splitting<E, 
     }
 }
 
-impl<T: Real, E: ExactFlows<T>, S: FlowSequence> Start<T> for Splitting<E, S> {
-    fn start(&self, z: &E::Point) -> Result<E::Point, LiftError> {
-        Ok(*z)
-    }
-}
+impl<E, S> StateIsMomentum for Splitting<E, S> {}

@@ -55,12 +55,37 @@ fn weights(nodes: &[f64], steps: usize) -> Option<Vec<f64>> {
         (1..=steps).rev().flat_map(|n| nodes.iter().map(move |c| c - n as f64)).collect();
     let others = |j: usize| past.iter().enumerate().filter(move |&(l, _)| l != j).map(|(_, x)| x);
     let apart = |(j, x): (usize, &f64)| others(j).all(|y| (x - y).abs() > LEAST_DISTANCE);
-    let entry = |c: f64, j: usize| others(j).map(|x| (c - x) / (past[j] - x)).product::<f64>();
     past.iter().enumerate().all(apart).then(|| {
         nodes
             .iter()
             .flat_map(|&c| (0..past.len()).map(move |j| (c, j)))
-            .map(|(c, j)| entry(c, j))
+            .map(|(c, j)| lagrange_polynomial(&past, j, c))
             .collect()
     })
+}
+
+/// The value at x of a Lagrange polynomial of the nodes: the one that is 1 at the node with the index j and
+/// 0 at the others,
+///
+/// ```text
+/// ℓ_j(x) = Π_{l≠j} (x − x_l)/(x_j − x_l)
+/// ```
+///
+/// It is not finite if two nodes coincide, and NaN if there is no node with that index.
+///
+/// Source: DLMF, §3.3(i).
+///
+/// # Example
+/// The polynomial through the values of x² at three nodes is x²:
+/// ```
+/// use collective_integrators::lagrange_polynomial;
+/// let nodes = [0.0_f64, 1.0, 4.0];
+/// let sum: f64 = (0..3).map(|j| nodes[j].powi(2) * lagrange_polynomial(&nodes, j, 2.0)).sum();
+/// assert!((sum - 4.0).abs() < 1e-14);
+/// ```
+#[must_use]
+pub fn lagrange_polynomial(nodes: &[f64], index: usize, x: f64) -> f64 {
+    let Some(own) = nodes.get(index) else { return f64::NAN };
+    let others = nodes.iter().enumerate().filter(|&(l, _)| l != index);
+    others.map(|(_, node)| (x - node) / (own - node)).product()
 }

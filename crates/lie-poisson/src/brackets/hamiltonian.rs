@@ -30,16 +30,6 @@ pub trait Hamiltonian<P: PoissonSpace, T: Real = f64> {
     fn hessian(&self, _z: &Point<P, T>, _v: &Point<P, T>) -> Option<Differential<P, T>> {
         None
     }
-
-    /// Returns (A, b) if dh(z) = A z + b with a constant b and a constant diagonal matrix A, given by its
-    /// diagonal.
-    ///
-    /// It returns `None` if h has another form or if the form is not known. Integrators with special
-    /// formulas for such functions use it to recognise them.
-    #[inline]
-    fn affine_differential(&self) -> Option<(Differential<P, T>, Differential<P, T>)> {
-        None
-    }
 }
 
 /// Computes D²h(z)·v exactly by dual numbers, for a Hamiltonian that is implemented over every scalar.
@@ -74,11 +64,6 @@ impl<P: PoissonSpace, T: Real, H: Hamiltonian<P, T> + ?Sized> Hamiltonian<P, T> 
     #[inline]
     fn hessian(&self, z: &Point<P, T>, v: &Point<P, T>) -> Option<Differential<P, T>> {
         (**self).hessian(z, v)
-    }
-
-    #[inline]
-    fn affine_differential(&self) -> Option<(Differential<P, T>, Differential<P, T>)> {
-        (**self).affine_differential()
     }
 }
 

@@ -1,6 +1,7 @@
 //! The scalar trait with its masks, dual numbers, Stumpff functions, and linear equations.
 
 pub(crate) mod mask;
+pub(crate) mod blocks;
 pub(crate) mod stumpff;
 pub(crate) mod real;
 pub(crate) mod dual_number;

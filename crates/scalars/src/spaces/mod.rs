@@ -1,6 +1,5 @@
 //! Vector spaces over every scalar: vectors, duals, sums and powers, and derivatives of maps between them.
 
-pub(crate) mod blocks;
 pub(crate) mod vector;
 pub(crate) mod covector;
 pub(crate) mod matrices;

@@ -2,4 +2,4 @@
 
 pub(crate) mod spinor_field;
 pub(crate) mod spinor_step;
-pub(crate) mod gauss_ensemble;
+pub(crate) mod gauss_batch;

@@ -6,8 +6,8 @@
 use crate::kernels::gauss_many::spinor_field::{
     Parameters, Spinors, imaginary_overlap, real_overlap, square,
 };
-use crate::kernels::segments::MOST_LANES;
 use crate::{SpinorPoint, SpinorRealisation};
+use collective_integrators::MOST_LANES;
 use lie_poisson::{Covector, Lanes, Mask, Se3Dual};
 use momentum_map::{Lift, PoissonMap};
 use nalgebra::Vector2;

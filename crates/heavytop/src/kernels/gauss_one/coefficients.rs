@@ -1,8 +1,8 @@
 //! A Gauss method and a top in the form that the kernel uses.
 
 use super::row::{Row, WIDTH};
-use crate::kernels::midpoint::formulas::Top;
-use collective_integrators::Tableau;
+use crate::HeavyTop;
+use collective_integrators::{Tableau, lagrange_polynomial};
 use core::array::from_fn;
 use core::cmp::Ordering;
 
@@ -35,7 +35,7 @@ pub(super) struct Coefficients {
 impl Coefficients {
     /// From the tableau of a Gauss method with at most [`WIDTH`] stages; the columns and rows of
     /// stages that it does not have are 0.
-    pub(super) fn new(gauss: &Tableau, top: &Top) -> Self {
+    pub(super) fn new(gauss: &Tableau, top: &HeavyTop) -> Self {
         let (s, b, c) = (gauss.stages(), gauss.weights(), gauss.nodes());
         let a = |i: usize, j: usize| gauss.row(i)[j];
         let ratio = |i: usize, j: usize| match i.cmp(&j) {
@@ -47,17 +47,18 @@ impl Coefficients {
         // The nodes of the last step are c_l − 1, seen from this one.
         let nodes: Vec<f64> = c.iter().map(|c| c - 1.0).collect();
         let guess = |i: usize, l: usize| {
-            let terms = (0..s).map(|m| a(i, m) * lagrange(&nodes, l, c[m]));
+            let terms = (0..s).map(|m| a(i, m) * lagrange_polynomial(&nodes, l, c[m]));
             terms.sum::<f64>() / b[l]
         };
+        let (inverse_inertia, force) = (top.inverse_inertia(), top.force::<f64>());
         let weighted = |x: f64| Row(from_fn(|j| if j < s { b[j] * x } else { 0.0 }));
         Self {
             stages: s,
             columns: columns(s, ratio),
             guess: columns(s, guess),
-            turn: from_fn(|k| weighted(0.25 * top.inverse_inertia[k])),
-            pull: from_fn(|k| weighted(2.0 * top.force[k])),
-            reach: top.force.norm() / top.inverse_inertia.amax(),
+            turn: from_fn(|k| weighted(0.25 * inverse_inertia[k])),
+            pull: from_fn(|k| weighted(2.0 * force[k])),
+            reach: force.norm() / inverse_inertia.amax(),
         }
     }
 }
@@ -67,12 +68,6 @@ fn columns(s: usize, entry: impl Fn(usize, usize) -> f64) -> [Row; WIDTH] {
     from_fn(|j| Row(from_fn(|i| if i < s && j < s { entry(i, j) } else { 0.0 })))
 }
 
-/// The l-th Lagrange polynomial of the nodes at x.
-fn lagrange(nodes: &[f64], l: usize, x: f64) -> f64 {
-    let others = nodes.iter().enumerate().filter(|(m, _)| *m != l);
-    others.map(|(_, node)| (x - node) / (nodes[l] - node)).product()
-}
-
 #[cfg(test)]
 #[allow(clippy::unwrap_used)]
 mod tests {
@@ -80,7 +75,8 @@ mod tests {
 
     fn coefficients(s: usize) -> (Tableau, Coefficients) {
         let gauss = Tableau::gauss(s).unwrap();
-        let coefficients = Coefficients::new(&gauss, &Top::NONE);
+        let top = HeavyTop::kovalevskaya(1.0, 1.0).unwrap();
+        let coefficients = Coefficients::new(&gauss, &top);
         (gauss, coefficients)
     }
 

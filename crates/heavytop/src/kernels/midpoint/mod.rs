@@ -1,5 +1,8 @@
-//! The closed midpoint rule, of one top in registers and of many in lanes.
+//! The collective midpoint rule in closed form: for any Hamiltonian, for one top in registers and for
+//! many in lanes.
 
+mod closed_form;
 pub(crate) mod formulas;
 pub(crate) mod reduced_midpoint;
-pub(crate) mod midpoint_sweep;
+pub(crate) mod top_midpoint;
+pub(crate) mod midpoint_batch;

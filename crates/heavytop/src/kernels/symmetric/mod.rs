@@ -4,4 +4,4 @@ pub(crate) mod stumpff_polynomials;
 pub(crate) mod flows;
 pub(crate) mod meridian_axes;
 pub(crate) mod steps;
-pub(crate) mod symmetric_ensemble;
+pub(crate) mod symmetric_batch;

@@ -1,9 +1,9 @@
 //! The two flows of a symmetric top in components, as many tops at once as there are lanes.
 
 use crate::SymmetricTopSplitting;
-use crate::kernels::segments::MOST_LANES;
 use crate::kernels::symmetric::flows::Drift;
 use crate::kernels::symmetric::meridian_axes::MeridianAxes;
+use collective_integrators::MOST_LANES;
 use lie_poisson::{Covector, Lanes, Pair, Se3Dual};
 use nalgebra::Vector3;
 

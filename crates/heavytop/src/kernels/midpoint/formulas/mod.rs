@@ -26,9 +26,8 @@ mod parameters;
 mod step;
 mod vector;
 
-pub(crate) use many_tops::{ManyTops, Member};
+pub(crate) use many_tops::{Member, together};
 pub(crate) use one_top::Memory;
-pub(crate) use parameters::Top;
 
 #[cfg(test)]
 mod tests;

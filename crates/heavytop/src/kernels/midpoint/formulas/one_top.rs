@@ -1,11 +1,11 @@
 //! One top, step by step, with a memory of the steps before.
 
-use super::Top;
 use super::components::State;
 use super::extrapolation::Extrapolation;
 use super::in_register::{InRegister, Stored, vector};
-use super::parameters::Parameters;
+use super::parameters::{Parameters, numbers};
 use super::step::step;
+use crate::HeavyTop;
 use collective_integrators::Step;
 use lie_poisson::{FourLanes, FourLanesTask, InstructionSet, Mask, Se3Dual, dispatch_four};
 use nalgebra::Vector3;
@@ -22,12 +22,12 @@ pub(crate) struct Memory {
 }
 
 impl Memory {
-    /// Remembers nothing.
-    pub fn new() -> Self {
+    /// Remembers no step.
+    pub fn new(top: &HeavyTop) -> Self {
         Self {
             past: Extrapolation::new([0.0; 4]),
             numbers: None,
-            parameters: Parameters::stored(&Top::NONE, 0.0, 0.0),
+            parameters: Parameters::stored(top, 0.0, 0.0),
             end: State { momentum: [0.0; 4], vertical: [0.0; 4] },
         }
     }
@@ -47,12 +47,12 @@ impl Memory {
     #[inline]
     pub fn step(
         &mut self,
-        top: &Top,
+        top: &HeavyTop,
         mu: &Se3Dual,
         step: f64,
         set: InstructionSet,
     ) -> Option<Step<Se3Dual>> {
-        let numbers = top.numbers(step);
+        let numbers = numbers(top, step);
         let known = self.numbers.as_ref().is_some_and(|known| same(known, &numbers));
         if !(known && same(&self.end.numbers(), &State::of(mu).numbers())) {
             self.parameters = Parameters::stored(top, mu.0.1.norm_squared(), step);

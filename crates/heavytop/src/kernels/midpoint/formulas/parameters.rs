@@ -2,34 +2,17 @@
 
 use super::components::{Components, each};
 use super::in_register::{InRegister, Stored};
+use crate::HeavyTop;
 use lie_poisson::{FourLanes, Lanes, larger};
-use nalgebra::Vector3;
 
-/// What a step needs to know of one top, whose differential is dh = (I⁻¹Π, γ).
-#[derive(Clone, Copy, Debug, PartialEq)]
-pub(crate) struct Top {
-    /// The diagonal of I⁻¹.
-    pub inverse_inertia: Vector3<f64>,
-    /// γ
-    pub force: Vector3<f64>,
+/// The numbers of a top that a step depends on, and h.
+#[inline]
+pub(super) fn numbers(top: &HeavyTop, step: f64) -> [f64; 7] {
+    let (i, f) = (top.inverse_inertia(), top.force::<f64>());
+    [i.x, i.y, i.z, f.x, f.y, f.z, step]
 }
 
-impl Top {
-    /// No top: no step settles.
-    pub const NONE: Self = Self {
-        inverse_inertia: Vector3::new(f64::NAN, f64::NAN, f64::NAN),
-        force: Vector3::new(f64::NAN, f64::NAN, f64::NAN),
-    };
-
-    /// The numbers of the top, and h.
-    #[inline]
-    pub fn numbers(&self, step: f64) -> [f64; 7] {
-        let (i, f) = (&self.inverse_inertia, &self.force);
-        [i.x, i.y, i.z, f.x, f.y, f.z, step]
-    }
-}
-
-/// The same with the step size h worked in.
+/// What a step needs to know of a top, with the step size h worked in.
 #[derive(Clone, Copy, Debug)]
 pub(super) struct Parameters<V, T> {
     /// 2 I_{i+1}/I_i
@@ -52,14 +35,18 @@ pub(super) struct Parameters<V, T> {
 impl<T: Lanes> Parameters<Components<T>, T> {
     /// Lane i is `top(i)`, with |Γ|² = `square(i)`.
     #[inline(always)]
-    pub fn gather(top: impl Fn(usize) -> Top, square: impl Fn(usize) -> f64, step: f64) -> Self {
-        let inverse = each!(k => T::from_lanes(|i| top(i).inverse_inertia[k]));
+    pub fn gather(
+        top: impl Fn(usize) -> HeavyTop,
+        square: impl Fn(usize) -> f64,
+        step: f64,
+    ) -> Self {
+        let inverse = each!(k => T::from_lanes(|i| top(i).inverse_inertia()[k]));
         let kick = T::from_lanes(|i| kick(&top(i), square(i), step));
         Self {
             next_ratio: each!(k => (inverse[k] + inverse[k]) / inverse[(k + 1) % 3]),
             previous_ratio: each!(k => (inverse[k] + inverse[k]) / inverse[(k + 2) % 3]),
             rate: each!(k => inverse[k] * (0.5 * step)),
-            force: each!(k => T::from_lanes(|i| top(i).force[k]) * (0.25 * step)),
+            force: each!(k => T::from_lanes(|i| top(i).force::<f64>()[k]) * (0.25 * step)),
             turning_rate: T::from_lanes(|i| turning(&top(i))),
             kick_rate: kick * (25.0 / 32.0),
             least_square: kick * (1.0 / 64.0),
@@ -69,7 +56,7 @@ impl<T: Lanes> Parameters<Components<T>, T> {
 
 impl Parameters<Stored, f64> {
     /// Those of one top, with |Γ|² = `square`.
-    pub fn stored(top: &Top, square: f64, step: f64) -> Self {
+    pub fn stored(top: &HeavyTop, square: f64, step: f64) -> Self {
         let one = Parameters::<Components<f64>, f64>::gather(|_| *top, |_| square, step);
         let stored = |[x, y, z]: Components<f64>| [x, y, z, 0.0];
         Self {
@@ -99,19 +86,19 @@ impl Parameters<Stored, f64> {
 }
 
 /// max 1/I_i
-fn largest_inverse(top: &Top) -> f64 {
-    top.inverse_inertia.iter().fold(0.0, |largest, &x| larger(largest, x.abs()))
+fn largest_inverse(top: &HeavyTop) -> f64 {
+    top.inverse_inertia().iter().fold(0.0, |largest, &x| larger(largest, x.abs()))
 }
 
 /// (h² |γ| |Γ| / I_min)²
-fn kick(top: &Top, square: f64, step: f64) -> f64 {
+fn kick(top: &HeavyTop, square: f64, step: f64) -> f64 {
     let part = step * step * largest_inverse(top);
-    part * part * top.force.norm_squared() * square
+    part * part * top.force::<f64>().norm_squared() * square
 }
 
 /// 2 (6ρ)², ρ = I_max/I_min.
-fn turning(top: &Top) -> f64 {
-    let least = top.inverse_inertia.iter().fold(f64::INFINITY, |least, &x| least.min(x.abs()));
+fn turning(top: &HeavyTop) -> f64 {
+    let least = top.inverse_inertia().iter().fold(f64::INFINITY, |least, &x| least.min(x.abs()));
     let ratio = largest_inverse(top) / least;
     72.0 * ratio * ratio
 }

@@ -3,16 +3,20 @@
 
 use super::components::{State, each};
 use super::guess::Guess;
-use super::parameters::{Parameters, Top};
+use super::parameters::Parameters;
 use super::vector::Vector;
-use super::{ManyTops, Member, Memory};
-use collective_integrators::CHECKPOINT;
-use lie_poisson::{InstructionSet, Se3Dual, Width, dispatch};
+use super::{Member, Memory, together};
+use crate::{Body, HeavyTop};
+use collective_integrators::{
+    CHECKPOINT, IntegrationError, LaneKernel, LaneResults, Registers, StepError,
+};
+use core::ops::Range;
+use lie_poisson::{InstructionSet, Lanes, Se3Dual, Width};
 use nalgebra::Vector3;
 use proptest::prelude::*;
 
 #[derive(Clone, Copy)]
-struct OneOfMany(Top, Se3Dual);
+struct OneOfMany(HeavyTop, Se3Dual);
 
 impl Member for OneOfMany {
     fn state(&self) -> &Se3Dual {
@@ -23,6 +27,12 @@ impl Member for OneOfMany {
     }
 }
 
+/// The top with these moments and γ = `force`.
+fn top(inertia: Vector3<f64>, force: Vector3<f64>) -> HeavyTop {
+    let (gravity, center_of_mass) = (force.norm(), force.normalize());
+    HeavyTop::new(&Body { inertia, mass: 1.0, gravity, length: 1.0, center_of_mass }).unwrap()
+}
+
 /// Tops of different shapes and starts, as many as leave a ragged end at every width.
 fn members() -> Vec<OneOfMany> {
     let member = |i: usize| {
@@ -31,9 +41,42 @@ fn members() -> Vec<OneOfMany> {
         let force = Vector3::new(0.8, 0.1 * x.sin(), 0.6);
         let start =
             Se3Dual::new(Vector3::new(2.0, 3.0 * x.cos(), 4.0), Vector3::new(0.6, 0.0, 0.8));
-        OneOfMany(Top { inverse_inertia: moments.map(|i| 1.0 / i), force }, start)
+        OneOfMany(top(moments, force), start)
     };
     (0..19).map(member).collect()
+}
+
+/// The formulas alone: a top fails where they have no result.
+struct Formulas(InstructionSet);
+
+impl LaneKernel for Formulas {
+    type Member = OneOfMany;
+    type Workspace = ();
+
+    #[inline(always)]
+    fn together<T: Lanes>(&self, group: &mut [OneOfMany], step: f64, count: u64) -> LaneResults {
+        together::<T, _>(|member: &OneOfMany| member.0, group, step, count)
+    }
+
+    fn alone(
+        &self,
+        OneOfMany(top, mu): &mut OneOfMany,
+        step: f64,
+        steps: Range<u64>,
+        (): &mut (),
+    ) -> Result<(), IntegrationError> {
+        let mut memory = Memory::new(top);
+        for made in steps {
+            if made % CHECKPOINT == 0 {
+                memory.forget();
+            }
+            match memory.step(top, mu, step, self.0) {
+                Some(next) => *mu = next.point,
+                None => return Err(IntegrationError::after(made, step, StepError::NotFinite)),
+            }
+        }
+        Ok(())
+    }
 }
 
 /// The ends after 1500 steps, and who left when.
@@ -43,10 +86,9 @@ fn run(
     width: Width,
 ) -> (Vec<[u64; 6]>, Vec<(usize, u64)>) {
     let mut gone = Vec::new();
-    let left = &mut |i: usize, made: u64, _: &mut OneOfMany| gone.push((i, made));
-    let top = |member: &OneOfMany| member.0;
-    let task = ManyTops { top, members: &mut members, step: 0.01, steps: 0..1500, left };
-    dispatch(task, set, width).unwrap();
+    let mut failed = |i, error: IntegrationError| gone.push((i, error.step - 1));
+    let registers = Registers::new(set, width).unwrap();
+    registers.advance(&Formulas(set), &mut members, 0.01, 0..1500, &mut (), &mut failed);
     (bits(&members), gone)
 }
 
@@ -56,19 +98,9 @@ fn run_alone(
     set: InstructionSet,
 ) -> (Vec<[u64; 6]>, Vec<(usize, u64)>) {
     let mut gone = Vec::new();
-    let mut memory = Memory::new();
-    for (i, OneOfMany(top, mu)) in members.iter_mut().enumerate() {
-        for made in 0..1500 {
-            if made % CHECKPOINT == 0 {
-                memory.forget();
-            }
-            match memory.step(top, mu, 0.01, set) {
-                Some(next) => *mu = next.point,
-                None => {
-                    gone.push((i, made));
-                    break;
-                }
-            }
+    for (i, member) in members.iter_mut().enumerate() {
+        if let Err(error) = Formulas(set).alone(member, 0.01, 0..1500, &mut ()) {
+            gone.push((i, error.step - 1));
         }
     }
     (bits(&members), gone)
@@ -159,8 +191,9 @@ proptest! {
         step in 0.01..0.1f64,
     ) {
         let [x, y, z] = sides;
-        let inverse_inertia = Vector3::new(y + z, z + x, x + y).map(|i| 1.0 / i);
-        let top = Top { inverse_inertia, force: force.into() };
+        let force = Vector3::from(force);
+        prop_assume!(force.norm() > 1e-3);
+        let top = top(Vector3::new(y + z, z + x, x + y), force);
         let parameters = Parameters::<[f64; 3], f64>::gather(|_| top, |_| 1.0, step);
         let start = State { momentum: pi, vertical: [0.6, 0.0, 0.8] };
         let mut a = [0.0; 3];

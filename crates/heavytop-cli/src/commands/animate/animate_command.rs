@@ -1,0 +1,113 @@
+//! A run with the attitude, as a page.
+
+use super::animation::Animation;
+use super::page_summary::PageSummary;
+use crate::Error;
+use crate::configuration::Config;
+use crate::files::Output;
+use crate::runs::Experiment;
+use crate::supervision::{Progress, Watch};
+use std::io::Write;
+use std::path::Path;
+
+/// More frames than this are thinned out: a page of some 3.5 MB.
+pub const MOST_FRAMES: u64 = 20_000;
+
+/// Between frames that are further apart, in rad, the page's interpolation would not look right.
+const MOST_TURN: f64 = 1.0;
+
+/// Runs the configuration with the attitude, and writes the page `out`.
+///
+/// Every n-th step is a frame, n the least multiple of `[output] every` that gives at most
+/// [`MOST_FRAMES`]; and so is the last step.
+///
+/// # Errors
+/// If the request is wrong, another run writes the page, or it is stopped, in which cases nothing is
+/// written; or the run fails, in which case a page of what was computed until then is kept as
+/// `OUT.partial`.
+///
+/// # Example
+/// ```
+/// use heavytop_cli::commands::animate::animate;
+/// use heavytop_cli::configuration::Config;
+/// use heavytop_cli::supervision::Watch;
+/// let folder = tempfile::tempdir()?;
+/// let (out, watch) = (folder.path().join("top.html"), Watch::default());
+/// let summary = animate(Config::default(), &out, &watch)?;
+/// assert_eq!((summary.frames, summary.steps_per_frame, summary.end), (5001, 1, 100.0));
+/// # Ok::<(), Box<dyn std::error::Error>>(())
+/// ```
+pub fn animate(mut config: Config, out: &Path, watch: &Watch<'_>) -> Result<PageSummary, Error> {
+    config.output.attitude = true;
+    let mut experiment = config.experiment()?;
+    experiment.every = frame_every(&experiment);
+    require_html(out)?;
+    let mut output = Output::create(out)?;
+    if let Some(warning) = experiment.method.warning() {
+        // Where stderr is closed nobody can be warned.
+        let _ = writeln!(std::io::stderr(), "heavytop: {warning}");
+    }
+
+    let mut animation = Animation::new(experiment.top, &description(&experiment));
+    let outcome = record(&experiment, &mut animation, watch);
+    let written = match &outcome {
+        Err(Error::Interrupted { .. }) => Ok(()),
+        _ if animation.is_empty() => Ok(()),
+        _ => output.write(|to| animation.write(to)),
+    };
+    if let Err(unwritten) = written {
+        // Half a page is of no use. Why a run failed comes before what could not be written of it.
+        return Err(outcome.err().unwrap_or(unwritten));
+    }
+    output.conclude(outcome)?;
+    let turn = animation.largest_turn();
+    if turn > MOST_TURN {
+        let _ = writeln!(
+            std::io::stderr(),
+            "heavytop: warning: the body turns by up to {turn:.1} rad from frame to frame: the \
+             motion between them is guessed; lower the end, the step or [output] every"
+        );
+    }
+    Ok(PageSummary::new(&experiment, &animation, out))
+}
+
+fn record(
+    experiment: &Experiment,
+    animation: &mut Animation,
+    watch: &Watch<'_>,
+) -> Result<(), Error> {
+    let progress = Progress::new(experiment, watch.quiet);
+    experiment.run(|step, time, mu, attitude| {
+        watch.require_going()?;
+        progress.at(step);
+        match attitude {
+            Some(attitude) if experiment.keeps(step) => animation.push(time, mu, attitude),
+            _ => {}
+        }
+        Ok(())
+    })
+}
+
+/// The least multiple of `every` that gives at most [`MOST_FRAMES`], the first and the last included.
+fn frame_every(experiment: &Experiment) -> u64 {
+    let gaps = experiment.schedule.steps.div_ceil(experiment.every);
+    experiment.every.saturating_mul(gaps.div_ceil(MOST_FRAMES - 1))
+}
+
+/// How the motion was found.
+fn description(experiment: &Experiment) -> String {
+    let (method, step) = (&experiment.method, experiment.schedule.step);
+    let (formulation, scheme) = (method.formulation().name(), method.scheme().name());
+    let frames = match experiment.every {
+        1 => "a frame for each step".into(),
+        every => format!("a frame for every {every} steps"),
+    };
+    format!("{formulation}, {scheme}, step {step} s, {frames}")
+}
+
+/// A name that ends in `.html`, or something like `/dev/stdout` that has no ending to choose.
+fn require_html(out: &Path) -> Result<(), Error> {
+    let is_html = out.extension().is_some_and(|e| e.eq_ignore_ascii_case("html"));
+    let is_device = std::fs::metadata(out).is_ok_and(|m| !m.is_file() && !m.is_dir());
+    if is_html || is_device { Ok(()) } else { Err(Error::NoPage { path: out.into() }) }
+}

@@ -1,0 +1,53 @@
+//! What is said of a page.
+
+use super::animation::Animation;
+use crate::runs::Experiment;
+use serde::Serialize;
+use std::fmt;
+use std::path::{Path, PathBuf};
+
+/// A page in numbers.
+#[derive(Clone, Debug, PartialEq, Serialize)]
+pub struct PageSummary {
+    /// The page.
+    pub out: PathBuf,
+    /// The formulation's name.
+    pub formulation: &'static str,
+    /// The scheme's name.
+    pub scheme: &'static str,
+    /// The time step, s.
+    pub step: f64,
+    /// The number of steps.
+    pub steps: u64,
+    /// The time after the last step, s.
+    pub end: f64,
+    /// The number of frames.
+    pub frames: usize,
+    /// The number of steps from frame to frame.
+    pub steps_per_frame: u64,
+    /// The largest angle by which the body turns from frame to frame, rad.
+    pub largest_turn: f64,
+}
+
+impl PageSummary {
+    pub(super) fn new(experiment: &Experiment, animation: &Animation, out: &Path) -> Self {
+        let Experiment { method, schedule, every, .. } = experiment;
+        Self {
+            out: out.into(),
+            formulation: method.formulation().name(),
+            scheme: method.scheme().name(),
+            step: schedule.step,
+            steps: schedule.steps,
+            end: schedule.end(),
+            frames: animation.len(),
+            steps_per_frame: *every,
+            largest_turn: animation.largest_turn(),
+        }
+    }
+}
+
+impl fmt::Display for PageSummary {
+    fn fmt(&self, to: &mut fmt::Formatter<'_>) -> fmt::Result {
+        write!(to, "{} frames to t = {} s, in {}", self.frames, self.end, self.out.display())
+    }
+}

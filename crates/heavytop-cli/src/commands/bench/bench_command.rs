@@ -1,0 +1,144 @@
+//! What is timed, and the table of the times.
+
+use super::clock::Run;
+use super::contestants::Contest;
+use super::problem::Problem;
+use crate::Error;
+use crate::configuration::Config;
+use crate::supervision::Progress;
+use lie_poisson::Covector;
+use lie_poisson::{Pair, Se3Dual};
+use nalgebra::{Rotation3, Vector3};
+use serde::Serialize;
+use std::collections::BTreeSet;
+use std::fmt;
+use std::path::Path;
+
+/// One top is followed for so long, s,
+const LONG: f64 = 1000.0;
+
+/// and many for so long.
+const SHORT: f64 = 20.0;
+
+/// Of so many tops of an ensemble the error is known.
+const REFERENCES: u64 = 10_000;
+
+/// What to time.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub struct BenchOptions {
+    /// Part of the names of the integrators to time; without it all are.
+    pub only: Option<String>,
+    /// The number of tops in the ensemble.
+    pub tops: u64,
+    /// The number of threads for it.
+    pub threads: usize,
+}
+
+/// The times and errors of all integrators.
+#[derive(Clone, Debug, PartialEq, Serialize)]
+pub struct Bench {
+    /// The number of threads of the ensembles.
+    pub threads: usize,
+    /// One after the other.
+    pub runs: Vec<Run>,
+}
+
+/// Times every fast path and the general one: on the tops of the problem file, or else on the
+/// configured top alone to t = 1000 s and on an ensemble about it to t = 20 s.
+///
+/// # Errors
+/// If the request is wrong, or a step fails.
+///
+/// # Example
+/// ```no_run
+/// use heavytop_cli::commands::bench::{BenchOptions, bench};
+/// use heavytop_cli::configuration::Config;
+/// let bench = bench(&Config::default(), None, BenchOptions { only: None, tops: 1000, threads: 1 }, true)?;
+/// println!("{bench}");
+/// # Ok::<(), heavytop_cli::Error>(())
+/// ```
+pub fn bench(
+    config: &Config,
+    problem: Option<&Path>,
+    options: BenchOptions,
+    quiet: bool,
+) -> Result<Bench, Error> {
+    let BenchOptions { only, tops, threads } = options;
+    let range = "at least 1 and at most 1024";
+    if !(1..=1024).contains(&threads) {
+        return Err(Error::OutOfRange { name: "threads", range, value: threads as f64 });
+    }
+    let problems = match problem {
+        Some(path) => vec![Problem::read(path)?],
+        None => own(config, tops)?,
+    };
+    let pool = rayon::ThreadPoolBuilder::new()
+        .num_threads(threads)
+        .build()
+        .map_err(|source| Error::Threads { threads, source })?;
+    let progress = Progress::of(0, "runs", quiet);
+    let (mut runs, mut others) = (Vec::new(), BTreeSet::new());
+    for problem in &problems {
+        pool.install(|| {
+            let done = |run: Run| {
+                progress.now(runs.len() as u64, run.name.clone());
+                runs.push(run);
+            };
+            Contest { problem, only: only.as_deref(), others: &mut others, done }.run()
+        })?;
+    }
+    if let (Some(only), true) = (only, runs.is_empty()) {
+        return Err(Error::NoContestant { only, names: others.into_iter().collect() });
+    }
+    Ok(Bench { threads, runs })
+}
+
+fn own(config: &Config, tops: u64) -> Result<Vec<Problem>, Error> {
+    if !(2..=1_000_000_000).contains(&tops) {
+        let range = "at least 2 and at most 1e9";
+        return Err(Error::OutOfRange { name: "tops", range, value: tops as f64 });
+    }
+    let (top, start) = (config.top()?, config.start()?);
+    let one = Problem::with_references(top, LONG, vec![start])?;
+    let around = (0..tops.min(REFERENCES)).map(|index| near(&start, index)).collect();
+    let many = Problem { tops, ..Problem::with_references(top, SHORT, around)? };
+    Ok(vec![one, many])
+}
+
+/// Starts that fill the neighbourhood of one evenly: Π differs by up to a quarter of |Π| + 1, Γ is
+/// turned about e₁ and e₃.
+fn near(Covector(Pair(pi, gamma)): &Se3Dual, index: u64) -> Se3Dual {
+    // Powers of the plastic number's relatives: a Kronecker sequence in five dimensions.
+    const ROTATIONS: [f64; 5] = [
+        0.881_271_451_226_064,
+        0.776_639_370_759_107,
+        0.684_430_105_236_148,
+        0.603_168_708_098_158,
+        0.531_555_324_820_293,
+    ];
+    let [x, y, z, first, third] = ROTATIONS.map(|r| (index as f64 * r).fract() - 0.5);
+    let size = 0.5 * (pi.norm() + 1.0);
+    let turn = Rotation3::from_axis_angle(&Vector3::z_axis(), 2.0 * third)
+        * Rotation3::from_axis_angle(&Vector3::x_axis(), 2.0 * first);
+    Se3Dual::new(pi + Vector3::new(x, y, z) * size, turn * gamma)
+}
+
+impl fmt::Display for Bench {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        let columns = ["tops", "ms", "ns per top and step", "error at 10", "at the end"];
+        let [tops, ms, each, early, late] = columns;
+        writeln!(f, "{:<46}{:<13}{tops:>8}{ms:>10}{each:>21}{early:>13}{late:>12}", "", "step, s")?;
+        for run in &self.runs {
+            let each = run.seconds * 1e9 / (run.steps as f64 * run.tops as f64);
+            let ms = run.seconds * 1e3;
+            let (name, step) = (&run.name, run.setting.trim_start_matches("h = "));
+            let step = step.get(..step.len().min(10)).unwrap_or(step);
+            writeln!(
+                f,
+                "{name:<46}{step:<13}{:>8}{ms:>10.2}{each:>21.2}{:>13.1e}{:>12.1e}",
+                run.tops, run.error_10, run.error_end
+            )?;
+        }
+        write!(f, "Ensembles on {} thread(s); each time is the least of several.", self.threads)
+    }
+}

@@ -1,0 +1,204 @@
+//! The integrators that are timed.
+
+use super::clock::{Run, measure};
+use super::problem::Problem;
+use crate::Error;
+use collective_integrators::{
+    AlternatingSubsteps, BatchIntegrator, Chunk, Collective, Direct, Ensemble, HamiltonianField,
+    IntegrationError, Laned, LiftFree, RungeKutta, SchemeError, Splitting, Start, Substeps,
+};
+use heavytop::{
+    CollectiveGauss, GaussBatch, MidpointBatch, ReducedMidpoint, SpinorRealisation,
+    SymmetricTopBatch, SymmetricTopSplitting, TopMidpoint,
+};
+use lie_poisson::{LiePoisson, Se3, Se3Dual};
+use momentum_map::DualQuaternions;
+use std::collections::BTreeSet;
+use std::sync::{Mutex, PoisonError};
+
+/// So many tops of an ensemble are followed by integrators for any system.
+const FEW: usize = 1000;
+
+/// Who is timed on what.
+pub(super) struct Contest<'a, D> {
+    /// The tops.
+    pub problem: &'a Problem,
+    /// Part of the names of those who are timed; without it all are.
+    pub only: Option<&'a str>,
+    /// The names of the others.
+    pub others: &'a mut BTreeSet<String>,
+    /// Is told of each.
+    pub done: D,
+}
+
+impl<D: FnMut(Run)> Contest<'_, D> {
+    /// Times the integrators that suit the problem.
+    ///
+    /// # Errors
+    /// If a step of one fails.
+    pub(super) fn run(&mut self) -> Result<(), Error> {
+        if self.problem.tops == 1 { one_top(self) } else { many_tops(self) }
+    }
+
+    fn wants(&mut self, name: &str) -> bool {
+        let wanted = self.only.is_none_or(|part| name.contains(part));
+        if !wanted {
+            self.others.insert(name.into());
+        }
+        wanted
+    }
+
+    fn single<I: Start<Momentum = Se3Dual>>(
+        &mut self,
+        name: &str,
+        step: f64,
+        integrator: &I,
+    ) -> Result<(), Error> {
+        if !self.wants(name) {
+            return Ok(());
+        }
+        let problem = self.problem;
+        let run = measure(name, step, problem, |steps| {
+            let mut state = integrator.start(&problem.start(0))?;
+            let mut workspace = integrator.workspace();
+            for n in 0..steps {
+                let next = integrator.step(&state, step, &mut workspace).map_err(|source| {
+                    failed(name, IntegrationError { step: n + 1, time: n as f64 * step, source })
+                })?;
+                state = next.point;
+            }
+            Ok(vec![integrator.momentum(&state)])
+        })?;
+        (self.done)(run);
+        Ok(())
+    }
+
+    fn many<B: BatchIntegrator>(
+        &mut self,
+        name: &str,
+        step: f64,
+        integrator: B,
+        member: impl Fn(Se3Dual) -> B::Member + Sync,
+        state: impl Fn(&B::Member) -> Se3Dual + Sync,
+    ) -> Result<(), Error> {
+        if !self.wants(name) {
+            return Ok(());
+        }
+        let (problem, ensemble) = (self.problem, Ensemble::new(integrator));
+        let run = measure(name, step, problem, |steps| {
+            let results = Mutex::new((problem.starts.clone(), None));
+            let start = |index| member(problem.start(index));
+            ensemble.stream(problem.tops, start, step, steps, |chunk: Chunk<'_, B::Member>| {
+                let mut results = results.lock().unwrap_or_else(PoisonError::into_inner);
+                let wanted = results.0.iter_mut().skip(chunk.first as usize);
+                wanted.zip(chunk.members).for_each(|(mu, member)| *mu = state(member));
+                results.1 = results.1.or(chunk.failures.first().copied());
+            });
+            let (states, failure) = results.into_inner().unwrap_or_else(PoisonError::into_inner);
+            failure.map_or(Ok(states), |failure| Err(failed(name, failure.source)))
+        })?;
+        (self.done)(run);
+        Ok(())
+    }
+}
+
+fn one_top(contest: &mut Contest<'_, impl FnMut(Run)>) -> Result<(), Error> {
+    let top = contest.problem.top;
+    for (stages, step) in [
+        (8, 0.4),
+        (8, 1.0 / 3.0),
+        (8, 0.3125),
+        (8, 10.0 / 33.0),
+        (8, 2.0 / 7.0),
+        (8, 0.25),
+        (8, 0.2),
+        (6, 0.125),
+        (4, 0.0625),
+        (4, 0.02),
+    ] {
+        let gauss = CollectiveGauss::new(stages, top).map_err(refused)?;
+        let name = format!("heavytop collective Gauss-{}", 2 * stages);
+        contest.single(&name, step, &gauss)?;
+    }
+    if let Ok(flows) = SymmetricTopSplitting::new(top) {
+        for (name, step, substeps) in splittings() {
+            let name = format!("heavytop {name}, one top");
+            contest.single(&name, step, &Splitting::alternating(flows, substeps))?;
+        }
+    }
+    let midpoint = TopMidpoint::new(top);
+    contest.single("heavytop lift-free midpoint", 0.01, &midpoint)?;
+
+    let gauss = RungeKutta::gauss(8).map_err(refused)?;
+    let general = Collective::new(gauss, SpinorRealisation, top);
+    contest.single("heavytop any system: Gauss-16", 0.25, &general)?;
+    let compensated = general.compensated();
+    contest.single("heavytop any system: Gauss-16, compensated", 0.25, &compensated)?;
+    let general = LiftFree::new(RungeKutta::implicit_midpoint(), DualQuaternions, top);
+    contest.single("heavytop any system: lift-free midpoint", 0.01, &general)?;
+    let closed = ReducedMidpoint::new(top);
+    contest.single("heavytop any Hamiltonian: midpoint", 0.01, &closed)?;
+    let field = HamiltonianField { space: LiePoisson::minus(Se3::default()), hamiltonian: top };
+    let direct = Direct::new(RungeKutta::rk4(), field);
+    contest.single("heavytop any system: RK4, direct", 0.01, &direct)?;
+    Ok(())
+}
+
+fn many_tops(contest: &mut Contest<'_, impl FnMut(Run)>) -> Result<(), Error> {
+    let top = contest.problem.top;
+    for step in [0.4, 1.0 / 3.0, 0.25] {
+        let gauss = GaussBatch::<8>::new().map_err(refused)?;
+        let member = |mu| (top, mu);
+        contest.many("heavytop Gauss-16", step, gauss, member, |(_, mu)| *mu)?;
+    }
+    if let Ok(flows) = SymmetricTopSplitting::new(top) {
+        for (name, step, substeps) in splittings() {
+            let splitting = SymmetricTopBatch::new(substeps);
+            let (name, member) = (format!("heavytop {name}"), |mu| (flows, mu));
+            contest.many(&name, step, splitting, member, |(_, mu)| *mu)?;
+        }
+    }
+    let (name, midpoint) = ("heavytop lift-free midpoint", TopMidpoint::new(top));
+    contest.many(name, 0.01, midpoint, |mu| mu, |mu| *mu)?;
+    let (name, sweep) = ("heavytop lift-free midpoint, a top each", MidpointBatch::new());
+    contest.many(name, 0.01, sweep, |mu| (top, mu), |(_, mu)| *mu)?;
+
+    // Slower by much; what a top costs does not depend on their number.
+    let few = contest.problem.first(FEW);
+    let Contest { only, others, done, .. } = contest;
+    let mut contest = Contest { problem: &few, only: *only, others, done };
+    let gauss = RungeKutta::gauss(8).map_err(refused)?;
+    let general = Laned::new(LiftFree::new(gauss, DualQuaternions, top));
+    let name = "heavytop any system: Gauss-16";
+    contest.many(name, 1.0 / 3.0, general, |mu| mu, |mu| *mu)?;
+    let midpoint = LiftFree::new(RungeKutta::implicit_midpoint(), DualQuaternions, top);
+    let (name, general) = ("heavytop any system: lift-free midpoint", Laned::new(midpoint));
+    contest.many(name, 0.01, general, |mu| mu, |mu| *mu)?;
+    let closed = Laned::new(ReducedMidpoint::new(top));
+    contest.many("heavytop any Hamiltonian: midpoint", 0.01, closed, |mu| mu, |mu| *mu)?;
+    Ok(())
+}
+
+/// Splittings of symmetric tops into drift and kick, with steps that divide 10 s.
+fn splittings() -> [(&'static str, f64, AlternatingSubsteps); 8] {
+    let sofroniou = AlternatingSubsteps::composed(&Substeps::sofroniou_spaletta10());
+    let (six, four) = (AlternatingSubsteps::blanes_moan6(), AlternatingSubsteps::blanes_moan4());
+    [
+        ("splitting of order 10", 10.0 / 75.0, sofroniou.clone()),
+        ("splitting of order 10", 10.0 / 76.0, sofroniou.clone()),
+        ("splitting of order 10", 0.125, sofroniou),
+        ("splitting of order 6", 0.25, six.clone()),
+        ("splitting of order 6", 10.0 / 44.0, six.clone()),
+        ("splitting of order 6", 0.2, six),
+        ("splitting of order 4", 0.2, four.clone()),
+        ("splitting of order 4", 0.05, four),
+    ]
+}
+
+fn failed(name: &str, source: IntegrationError) -> Error {
+    Error::Timed { name: name.to_owned(), source }
+}
+
+fn refused(source: SchemeError) -> Error {
+    Error::Scheme { scheme: "gauss-16", source }
+}

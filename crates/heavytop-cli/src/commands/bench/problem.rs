@@ -1,0 +1,145 @@
+//! What is computed: tops, and where they are at two times.
+
+use crate::Error;
+use crate::files::bounded;
+use crate::vocabulary::brief;
+use collective_integrators::{IntegrationError, Start};
+use heavytop::{Body, CollectiveGauss, HeavyTop};
+use lie_poisson::Se3Dual;
+use nalgebra::Vector3;
+use std::path::Path;
+
+/// The first of the two times at which errors are measured, s.
+pub(super) const EARLY: f64 = 10.0;
+
+/// The step of the reference, a Gauss method of order 16, s.
+const STEP: f64 = 0.125;
+
+/// A top with one start or many.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Problem {
+    /// The top.
+    pub top: HeavyTop,
+    /// The end of the runs, s.
+    pub end: f64,
+    /// The number of tops.
+    pub tops: u64,
+    /// Where they start; beyond the last again at the first.
+    pub starts: Vec<Se3Dual>,
+    /// Where those are after 10 s.
+    pub early: Vec<Se3Dual>,
+    /// Where they are at the end.
+    pub late: Vec<Se3Dual>,
+}
+
+impl Problem {
+    /// Reads a file of numbers: I₁ I₂ I₃ mgl c₁ c₂ c₃ end on the first line; then for each top a line
+    /// with (Π, Γ) at 0, 10 and end.
+    ///
+    /// # Errors
+    /// If it cannot be read, or is no such file.
+    pub fn read(path: &Path) -> Result<Self, Error> {
+        let unread = |source| Error::Read { path: path.into(), source };
+        let mut lines = (1..)
+            .zip(bounded::lines(path).map_err(unread)?)
+            .map(|(number, line)| line.map(|line| (number, line)).map_err(unread))
+            .filter(|line| line.as_ref().map_or(true, |(_, line)| !line.trim().is_empty()));
+        let row = |line: usize, text: &str, count: usize| numbers(path, line, text, count);
+        let (first, head) = lines.next().transpose()?.unwrap_or_else(|| (1, String::new()));
+        let head = row(first, &head, 8)?;
+        let center_of_mass = Vector3::new(head[4], head[5], head[6]);
+        let top = HeavyTop::new(&Body {
+            inertia: Vector3::new(head[0], head[1], head[2]),
+            mass: 1.0,
+            gravity: head[3],
+            length: 1.0,
+            center_of_mass,
+        })
+        .map_err(Error::Body)?;
+        let (mut starts, mut early, mut late) = (Vec::new(), Vec::new(), Vec::new());
+        for line in lines {
+            let (line, text) = line?;
+            let row = row(line, &text, 18)?;
+            let states = [&mut starts, &mut early, &mut late];
+            for (states, row) in states.into_iter().zip(row.chunks_exact(6)) {
+                states.push(Se3Dual::new(
+                    Vector3::new(row[0], row[1], row[2]),
+                    Vector3::new(row[3], row[4], row[5]),
+                ));
+            }
+        }
+        if starts.is_empty() {
+            let message = "no top after the first line".to_owned();
+            return Err(Error::Configuration { path: path.into(), line: 2, column: 1, message });
+        }
+        let (end, tops) = (head[7], starts.len() as u64);
+        if end > EARLY && end.is_finite() {
+            Ok(Self { top, end, tops, starts, early, late })
+        } else {
+            Err(Error::OutOfRange { name: "end", range: "finite and more than 10", value: end })
+        }
+    }
+
+    /// The given starts until `end` (s), a multiple of ⅛ s that is more than 10 s, with references by
+    /// the collective Gauss method of order 16 and step ⅛ s: right to 1e-13 for tops that turn as fast
+    /// as the paper's.
+    ///
+    /// # Errors
+    /// If a reference cannot be computed.
+    pub fn with_references(top: HeavyTop, end: f64, starts: Vec<Se3Dual>) -> Result<Self, Error> {
+        let gauss = CollectiveGauss::new(8, top)
+            .map_err(|source| Error::Scheme { scheme: "gauss-16", source })?;
+        let failed =
+            |source: IntegrationError| Error::Timed { name: "reference".to_owned(), source };
+        let (mut early, mut late) = (Vec::new(), Vec::new());
+        for start in &starts {
+            let mut run = gauss.trajectory(start, STEP)?;
+            let mut after = |time: f64, passed: f64| {
+                let steps = ((time - passed) / STEP).round() as usize;
+                run.nth(steps - 1).transpose().map_err(failed)
+            };
+            // The first sample is the start.
+            early.extend(after(EARLY + STEP, 0.0)?.map(|sample| sample.momentum));
+            late.extend(after(end, EARLY)?.map(|sample| sample.momentum));
+        }
+        let tops = starts.len() as u64;
+        Ok(Self { top, end, tops, starts, early, late })
+    }
+
+    /// The same for the first `count` tops at most.
+    pub(super) fn first(&self, count: usize) -> Self {
+        let first = |states: &[Se3Dual]| states.iter().take(count).copied().collect();
+        let [starts, early, late] =
+            [&self.starts, &self.early, &self.late].map(|states| first(states));
+        Self {
+            top: self.top,
+            end: self.end,
+            tops: self.tops.min(count as u64),
+            starts,
+            early,
+            late,
+        }
+    }
+
+    /// Where top number `index` starts.
+    #[must_use]
+    pub fn start(&self, index: u64) -> Se3Dual {
+        // No more starts than memory holds, and at least one.
+        self.starts[(index % self.starts.len() as u64) as usize]
+    }
+}
+
+fn numbers(path: &Path, line: usize, text: &str, count: usize) -> Result<Vec<f64>, Error> {
+    let refused = |message| Error::Configuration { path: path.into(), line, column: 1, message };
+    let row: Vec<f64> = text
+        .split_whitespace()
+        .map(|word| {
+            word.parse().map_err(|_| refused(format!("`{}` is no number", brief::text(word))))
+        })
+        .collect::<Result<_, _>>()?;
+    if row.len() == count {
+        Ok(row)
+    } else {
+        Err(refused(format!("{count} numbers are wanted, there are {}", row.len())))
+    }
+}

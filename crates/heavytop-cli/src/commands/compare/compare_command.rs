@@ -1,0 +1,146 @@
+//! Every formulation and scheme on one top, with a ladder of steps.
+
+use super::chart;
+use super::measurement::{Measure, Measurement, Reference};
+use super::recommendations::{self, Comparison};
+use crate::Error;
+use crate::configuration::{Config, Integration};
+use crate::files::Output;
+use crate::files::place::require_no_folders;
+use crate::pictures::render;
+use crate::runs::{Experiment, Method};
+use crate::supervision::{Progress, Watch};
+use crate::vocabulary::{Formulation, Raise, Scheme};
+use std::io::Write;
+use std::path::Path;
+
+/// The interval is this many of the configured steps, unless the run ends earlier: later errors of
+/// a chaotic top say more of it than of the integrators.
+const INTERVAL: u64 = 500;
+
+/// The ladder has this many rungs for each factor of ten in the step,
+const RUNGS: i32 = 4;
+
+/// so many above the configured step, for high orders are at their best with long steps,
+const ABOVE: i32 = 7;
+
+/// and so many below.
+const BELOW: i32 = 4;
+
+/// All is timed so often: what disturbs a machine for a while disturbs one pass only.
+const PASSES: u32 = 3;
+
+/// Pixels per CSS pixel: 168 dots per inch.
+const SCALE: f32 = 1.75;
+
+/// Measures every formulation and scheme on the top of the configuration; writes
+/// `work-precision.csv`, `.svg` and `.png` into the folder `out`, and recommends methods.
+///
+/// # Errors
+/// If the request is wrong, another run writes into the folder, or it is stopped, in which cases nothing
+/// is written; or the reference solution is not certain; or the figure cannot be written, in which case
+/// `work-precision.csv.partial` is kept.
+///
+/// # Example
+/// ```
+/// use heavytop_cli::commands::compare::compare;
+/// use heavytop_cli::configuration::IntegratorConfig;
+/// use heavytop_cli::configuration::Preset;
+/// use heavytop_cli::supervision::Watch;
+/// let folder = tempfile::tempdir()?;
+/// let mut config = Preset::Lagrange.config();
+/// config.integrator = IntegratorConfig { step: Some(0.1), end: Some(0.5), ..Default::default() };
+/// let comparison = compare(&config, folder.path(), &Watch::default())?;
+/// let fastest = comparison.recommendations[0].fastest.as_ref().unwrap();
+/// assert!(fastest.error <= 1e-3);
+/// # Ok::<(), Box<dyn std::error::Error>>(())
+/// ```
+pub fn compare(config: &Config, out: &Path, watch: &Watch<'_>) -> Result<Comparison, Error> {
+    let experiment = config.experiment()?;
+    let methods = methods(config.integrator.or(Integration::default()).tolerance)?;
+    std::fs::create_dir_all(out).map_err(|source| Error::Create { path: out.into(), source })?;
+    let names = ["work-precision.csv", "work-precision.svg", "work-precision.png"];
+    require_no_folders(out, &names)?;
+    let [csv, svg, png] = names.map(|name| out.join(name));
+    // Until it is complete, which it is last, no other run writes here.
+    let mut table = Output::create(&csv)?;
+
+    let steps = experiment.schedule.steps.min(INTERVAL);
+    let reference = Reference::new(&experiment, steps, watch)?;
+    let ladder = ladder(steps);
+    let grid: Vec<(Method, u64)> =
+        methods.iter().flat_map(|&method| ladder.iter().map(move |&n| (method, n))).collect();
+    let progress = Progress::of(u64::from(PASSES) * grid.len() as u64, "runs", watch.quiet);
+    let (mut measurements, mut done) = (Vec::<Measurement>::with_capacity(grid.len()), 0);
+    for pass in 0..PASSES {
+        for (i, &(method, steps)) in grid.iter().enumerate() {
+            watch.require_going()?;
+            progress.now(done, label(&method));
+            let measurement = measure(&experiment, method, steps, &reference)?;
+            done += 1;
+            if pass == 0 {
+                measurements.push(measurement);
+            } else {
+                measurements[i].outcome.refine(&measurement.outcome);
+            }
+        }
+    }
+    drop(progress);
+
+    table.write(|to| to.write_all(recommendations::csv(&measurements).as_bytes()))?;
+    let chart = chart::chart(&measurements, experiment.schedule.step, reference.end);
+    let drawn = render::render(&chart, SCALE).and_then(|(drawing, pixels)| {
+        Output::whole(&svg, drawing.as_bytes()).and_then(|()| Output::whole(&png, &pixels))
+    });
+    table.conclude(drawn)?;
+    Ok(Comparison::new(&measurements, &reference, out))
+}
+
+/// Every formulation with every scheme that makes sense in it, save those that are there already:
+/// `strang` of the midpoint rule is the midpoint rule.
+fn methods(tolerance: f64) -> Result<Vec<Method>, Error> {
+    let mut methods = Vec::new();
+    for &(_, formulation) in Formulation::NAMES {
+        for scheme in formulation.schemes() {
+            let again = scheme == Scheme::Composed(Raise::Strang);
+            if !again || formulation == Formulation::Splitting {
+                methods.push(Method::new(formulation, scheme, tolerance)?);
+            }
+        }
+    }
+    Ok(methods)
+}
+
+/// Numbers of steps, from a fiftieth to ten times as many as `steps`.
+fn ladder(steps: u64) -> Vec<u64> {
+    let rung = |k: i32| steps as f64 * 10_f64.powf(f64::from(k) / f64::from(RUNGS));
+    let mut ladder: Vec<u64> = (-ABOVE..=BELOW).map(|k| rung(k).round().max(1.0) as u64).collect();
+    ladder.dedup();
+    ladder
+}
+
+fn measure(
+    experiment: &Experiment,
+    method: Method,
+    steps: u64,
+    reference: &Reference,
+) -> Result<Measurement, Error> {
+    let task = Measure { top: &experiment.top, start: &experiment.start, steps, reference };
+    let outcome = method.integrate(&experiment.top, task)?;
+    Ok(Measurement { method, step: reference.end / steps as f64, end: reference.end, outcome })
+}
+
+fn label(method: &Method) -> String {
+    format!("{}, {}", method.formulation().name(), method.scheme().name())
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn the_ladder_goes_through_the_configured_step() {
+        assert_eq!(ladder(500), [9, 16, 28, 50, 89, 158, 281, 500, 889, 1581, 2812, 5000]);
+        assert_eq!(ladder(1), [1, 2, 3, 6, 10]);
+    }
+}

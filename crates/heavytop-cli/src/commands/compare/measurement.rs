@@ -1,0 +1,168 @@
+//! Errors and computing times.
+
+use crate::Error;
+use crate::runs::{Experiment, Method, Task};
+use crate::supervision::Watch;
+use crate::vocabulary::{Formulation, Scheme};
+use collective_integrators::{IntegrationError, Start};
+use heavytop::{HeavyTop, Invariant};
+use lie_poisson::{Covector, Pair, Se3Dual, larger};
+use std::hint::black_box;
+use std::time::{Duration, Instant};
+
+/// How far two references may be from each other, relative to their size.
+const CERTAIN: f64 = 1e-11;
+
+/// In each pass a run is repeated until this time has passed.
+const LEAST: Duration = Duration::from_millis(5);
+
+/// h, f₁ and f₂.
+const QUANTITIES: [Invariant; 3] =
+    [Invariant::Energy, Invariant::VerticalSquared, Invariant::VerticalMomentum];
+
+/// The solution at the end of the interval.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub(super) struct Reference {
+    /// The end, s.
+    pub end: f64,
+    /// (Π, Γ) there.
+    pub point: Se3Dual,
+    /// The distance from the solution with the double step.
+    pub uncertainty: f64,
+}
+
+/// A run, and what came of it.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub(super) struct Measurement {
+    /// The integrator.
+    pub method: Method,
+    /// The time step, s.
+    pub step: f64,
+    /// The end, s.
+    pub end: f64,
+    /// NaN throughout where a step had no result.
+    pub outcome: Outcome,
+}
+
+/// What comes of a run.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub(super) struct Outcome {
+    /// The 2-norm of the error of (Π, Γ) at the end.
+    pub error: f64,
+    /// Computing time per simulated time: the least of several repetitions.
+    pub seconds: f64,
+    /// The largest deviations of h, f₁ and f₂.
+    pub deviations: [f64; 3],
+}
+
+impl Outcome {
+    const FAILED: Self =
+        Self { error: f64::NAN, seconds: f64::NAN, deviations: [f64::NAN; QUANTITIES.len()] };
+
+    /// Takes the time of another pass if it is less.
+    pub fn refine(&mut self, other: &Self) {
+        self.seconds = self.seconds.min(other.seconds);
+    }
+}
+
+impl Reference {
+    /// The Gauss method of order 16 without a lift, with half the step of the experiment, after
+    /// the time of `steps` of its steps.
+    ///
+    /// # Errors
+    /// If that with the whole step differs, or the command shall end.
+    pub fn new(experiment: &Experiment, steps: u64, watch: &Watch<'_>) -> Result<Self, Error> {
+        let step = experiment.schedule.step;
+        let gauss = Method::new(Formulation::Reduced, Scheme::Gauss(8), 0.0)?;
+        let end = |halvings: u64| {
+            let mut experiment = *experiment;
+            experiment.method = gauss;
+            experiment.attitude = false;
+            experiment.schedule.step = step / halvings as f64;
+            experiment.schedule.steps = steps * halvings;
+            let mut end = experiment.start;
+            experiment.run(|_, _, mu, _| {
+                end = *mu;
+                watch.require_going()
+            })?;
+            Ok::<_, Error>(end)
+        };
+        let (coarse, point) = (end(1)?, end(2)?);
+        let uncertainty = norm(&(coarse - point));
+        if uncertainty <= CERTAIN * norm(&point) {
+            Ok(Self { end: steps as f64 * step, point, uncertainty })
+        } else {
+            Err(Error::Reference { uncertainty: uncertainty / norm(&point), most: CERTAIN })
+        }
+    }
+}
+
+/// The task of measuring an integrator.
+pub(super) struct Measure<'a> {
+    /// The top.
+    pub top: &'a HeavyTop,
+    /// (Π(0), Γ(0))
+    pub start: &'a Se3Dual,
+    /// The number of steps until the end.
+    pub steps: u64,
+    /// The solution there.
+    pub reference: &'a Reference,
+}
+
+impl Task for Measure<'_> {
+    type Output = Outcome;
+
+    fn perform<I: Start<Momentum = Se3Dual>>(self, integrator: &I) -> Result<Outcome, Error> {
+        let initial = self.values(self.start);
+        let mut deviations = [0.0; QUANTITIES.len()];
+        let last = self.follow(integrator, |mu| {
+            for ((most, value), initial) in deviations.iter_mut().zip(self.values(mu)).zip(initial)
+            {
+                *most = larger(*most, (value - initial).abs());
+            }
+        })?;
+        // Where it breaks down there is nothing to time.
+        let Ok(last) = last else { return Ok(Outcome::FAILED) };
+
+        // What is timed reads (Π, Γ) after each step, as users do, and no more.
+        let (begin, mut least) = (Instant::now(), Duration::MAX);
+        while least == Duration::MAX || begin.elapsed() < LEAST {
+            let run = Instant::now();
+            let repeated = self.follow(integrator, |mu| {
+                black_box(mu);
+            })?;
+            least = least.min(run.elapsed());
+            black_box(&repeated.is_ok());
+        }
+        let error = norm(&(last - self.reference.point));
+        Ok(Outcome { error, seconds: least.as_secs_f64() / self.reference.end, deviations })
+    }
+}
+
+impl Measure<'_> {
+    fn values(&self, mu: &Se3Dual) -> [f64; QUANTITIES.len()] {
+        QUANTITIES.map(|quantity| quantity.value(self.top, mu))
+    }
+
+    /// The last (Π, Γ), unless a step fails; `visit` sees them all.
+    fn follow<I: Start<Momentum = Se3Dual>>(
+        &self,
+        integrator: &I,
+        mut visit: impl FnMut(&Se3Dual),
+    ) -> Result<Result<Se3Dual, IntegrationError>, Error> {
+        let step = self.reference.end / self.steps as f64;
+        let mut last = *self.start;
+        for sample in integrator.trajectory(self.start, step)?.take(self.steps as usize + 1) {
+            match sample {
+                Ok(sample) => last = sample.momentum,
+                Err(failure) => return Ok(Err(failure)),
+            }
+            visit(&last);
+        }
+        Ok(Ok(last))
+    }
+}
+
+fn norm(Covector(Pair(pi, gamma)): &Se3Dual) -> f64 {
+    pi.norm().hypot(gamma.norm())
+}

@@ -1,0 +1,11 @@
+//! `heavytop compare`: work against precision, for every formulation and scheme.
+
+mod measurement;
+mod logarithmic_axes;
+mod style;
+mod chart;
+mod recommendations;
+mod compare_command;
+
+pub use compare_command::compare;
+pub use recommendations::{Choice, Comparison, Recommendation};

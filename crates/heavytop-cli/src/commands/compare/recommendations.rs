@@ -1,0 +1,128 @@
+//! The table, and what to take for which accuracy.
+
+use super::measurement::{Measurement, Reference};
+use serde::Serialize;
+use std::fmt;
+use std::path::{Path, PathBuf};
+
+const TARGETS: [f64; 4] = [1e-3, 1e-6, 1e-9, 1e-12];
+
+/// `work-precision.csv`.
+pub(super) fn csv(measurements: &[Measurement]) -> String {
+    let mut text = String::from("formulation,scheme,step,end,error,seconds,h,f1,f2\n");
+    for Measurement { method, step, end, outcome } in measurements {
+        let (formulation, scheme) = (method.formulation().name(), method.scheme().name());
+        let [h, f1, f2] = outcome.deviations;
+        text += &format!(
+            "{formulation},{scheme},{step:?},{end:?},{:?},{:?},{h:?},{f1:?},{f2:?}\n",
+            outcome.error, outcome.seconds
+        );
+    }
+    text
+}
+
+/// Which methods to take; its text is a line for each accuracy.
+#[derive(Clone, Debug, PartialEq, Serialize)]
+pub struct Comparison {
+    /// The folder of the figure and the table.
+    pub out: PathBuf,
+    /// The time at which errors are taken, s.
+    pub end: f64,
+    /// How far the reference solution is certain.
+    pub uncertainty: f64,
+    /// For some accuracies.
+    pub recommendations: Vec<Recommendation>,
+}
+
+/// The fastest runs whose errors are at most so large.
+#[derive(Clone, Debug, PartialEq, Serialize)]
+pub struct Recommendation {
+    /// The largest error allowed: the 2-norm of that of (Π, Γ).
+    pub error: f64,
+    /// The fastest of all; none if none reaches it, or the reference is not as certain.
+    pub fastest: Option<Choice>,
+    /// The fastest Poisson map.
+    pub fastest_poisson: Option<Choice>,
+}
+
+/// A method with its step.
+#[derive(Clone, Debug, PartialEq, Serialize)]
+pub struct Choice {
+    /// The formulation's name.
+    pub formulation: &'static str,
+    /// The scheme's name.
+    pub scheme: &'static str,
+    /// The time step, s.
+    pub step: f64,
+    /// Its error.
+    pub error: f64,
+    /// Computing time for a simulated second, s.
+    pub seconds: f64,
+}
+
+impl Comparison {
+    pub(super) fn new(measurements: &[Measurement], reference: &Reference, out: &Path) -> Self {
+        let uncertainty = reference.uncertainty;
+        let recommendation = |error| {
+            let fastest = |poisson| {
+                let certain = error >= uncertainty;
+                certain.then(|| fastest(measurements, error, poisson)).flatten().map(Choice::of)
+            };
+            Recommendation { error, fastest: fastest(false), fastest_poisson: fastest(true) }
+        };
+        let recommendations = TARGETS.map(recommendation).into();
+        Self { out: out.into(), end: reference.end, uncertainty, recommendations }
+    }
+}
+
+impl Choice {
+    fn of(Measurement { method, step, outcome, .. }: &Measurement) -> Self {
+        let (formulation, scheme) = (method.formulation().name(), method.scheme().name());
+        let (error, seconds) = (outcome.error, outcome.seconds);
+        Self { formulation, scheme, step: *step, error, seconds }
+    }
+}
+
+/// The fastest run whose error is at most `target`; of Poisson maps alone, if asked for.
+fn fastest(measurements: &[Measurement], target: f64, poisson: bool) -> Option<&Measurement> {
+    let eligible = |m: &&Measurement| {
+        let is_poisson = m.method.formulation().is_poisson(m.method.scheme());
+        m.outcome.error <= target && (is_poisson || !poisson)
+    };
+    let seconds = |m: &&Measurement| m.outcome.seconds;
+    measurements.iter().filter(eligible).min_by(|a, b| seconds(a).total_cmp(&seconds(b)))
+}
+
+impl fmt::Display for Comparison {
+    fn fmt(&self, to: &mut fmt::Formatter<'_>) -> fmt::Result {
+        for Recommendation { error, fastest, fastest_poisson } in &self.recommendations {
+            write!(to, "error {error:e}: ")?;
+            match (fastest, fastest_poisson) {
+                _ if *error < self.uncertainty => writeln!(to, "the reference is not as certain")?,
+                (None, _) => writeln!(to, "none reaches it with these steps")?,
+                (Some(any), Some(poisson)) if any == poisson => {
+                    writeln!(to, "fastest {any}, which is Poisson")?;
+                }
+                (Some(any), None) => writeln!(to, "fastest {any}; fastest Poisson none")?,
+                (Some(any), Some(poisson)) => {
+                    writeln!(to, "fastest {any}; fastest Poisson {poisson}")?;
+                }
+            }
+        }
+        write!(
+            to,
+            "error: 2-norm of that of (Pi, Gamma) at t = {} s; the reference is certain to {:.0e}\n\
+             time: computing time per simulated second; figure and table are in {}",
+            self.end,
+            self.uncertainty,
+            self.out.display()
+        )
+    }
+}
+
+impl fmt::Display for Choice {
+    fn fmt(&self, to: &mut fmt::Formatter<'_>) -> fmt::Result {
+        let Self { formulation, scheme, step, seconds, .. } = self;
+        write!(to, "{formulation}, {scheme} at step {step:.3}, {:.2} µs", seconds * 1e6)
+    }
+}

@@ -1,0 +1,95 @@
+//! Which curves are in which figure.
+
+use super::record::{QUANTITIES, Record};
+use crate::runs::Method;
+use crate::vocabulary::{Formulation, Scheme};
+use heavytop::Invariant;
+use plotters::style::RGBColor;
+
+/// A figure: one conserved quantity along several runs.
+#[derive(Clone, Debug)]
+pub(super) struct Figure<'a> {
+    /// The name of its file, without ending.
+    pub name: &'static str,
+    /// The label of the ordinate, as the inside of an SVG text.
+    pub label: &'static str,
+    /// The curves in the order of the legend.
+    pub curves: Vec<Curve<'a>>,
+}
+
+/// A curve with its place in the legend.
+#[derive(Clone, Debug)]
+pub(super) struct Curve<'a> {
+    /// What it is.
+    pub name: String,
+    /// Its colour, that of the paper's captions.
+    pub colour: RGBColor,
+    /// (t, quantity)
+    pub points: &'a [(f64, f64)],
+}
+
+impl Curve<'_> {
+    /// Highest less lowest.
+    pub fn span(&self) -> f64 {
+        let values = || self.points.iter().map(|point| point.1);
+        values().fold(f64::NEG_INFINITY, f64::max) - values().fold(f64::INFINITY, f64::min)
+    }
+}
+
+const BLUE: RGBColor = RGBColor(0, 84, 200);
+const GREEN: RGBColor = RGBColor(0, 150, 70);
+const RED: RGBColor = RGBColor(214, 32, 32);
+const GRAY: RGBColor = RGBColor(140, 140, 140);
+
+type Line = (Formulation, Scheme, RGBColor);
+
+/// Source: the caption of Ohsawa 2019, Fig. 1.
+const FIGURE_1: [Line; 3] = [
+    (Formulation::Collective, Scheme::ExplicitMidpoint, BLUE),
+    (Formulation::Direct, Scheme::ExplicitMidpoint, GREEN),
+    (Formulation::Collective, Scheme::ImplicitMidpoint, RED),
+];
+
+/// Source: the caption of Ohsawa 2019, Fig. 2.
+const FIGURE_2: [Line; 2] = [
+    (Formulation::Direct, Scheme::ImplicitMidpoint, GRAY),
+    (Formulation::Collective, Scheme::ImplicitMidpoint, RED),
+];
+
+/// The paper's six figures.
+pub(super) fn all(records: &[Record]) -> Vec<Figure<'_>> {
+    [
+        ("fig1a", Invariant::Energy, &FIGURE_1[..]),
+        ("fig1b", Invariant::VerticalSquared, &FIGURE_1),
+        ("fig1c", Invariant::VerticalMomentum, &FIGURE_1),
+        ("fig1d", Invariant::Kovalevskaya, &FIGURE_1),
+        ("fig2a", Invariant::Energy, &FIGURE_2),
+        ("fig2b", Invariant::Kovalevskaya, &FIGURE_2),
+    ]
+    .into_iter()
+    .map(|(name, quantity, lines)| {
+        let curves = lines.iter().filter_map(|line| curve(records, quantity, line)).collect();
+        Figure { name, label: label(quantity), curves }
+    })
+    .collect()
+}
+
+fn curve<'a>(records: &'a [Record], quantity: Invariant, line: &Line) -> Option<Curve<'a>> {
+    let &(formulation, scheme, colour) = line;
+    let column = QUANTITIES.iter().position(|&q| q == quantity)?;
+    let of_line = |m: &Method| m.formulation() == formulation && m.scheme() == scheme;
+    let points = &records.iter().find(|r| of_line(&r.experiment.method))?.curves[column];
+    let name = format!("{}, {}", scheme.name().replace('-', " "), formulation.name());
+    Some(Curve { name, colour, points })
+}
+
+/// Symbol and unit. The subscripts are lowered digits, for `baseline-shift` is not everywhere.
+fn label(quantity: Invariant) -> &'static str {
+    match quantity {
+        Invariant::Energy => "<tspan font-style='italic'>h</tspan> (J)",
+        Invariant::VerticalSquared => "<tspan font-style='italic'>f</tspan>₁",
+        Invariant::VerticalMomentum => "<tspan font-style='italic'>f</tspan>₂ (kg m²/s)",
+        Invariant::Kovalevskaya => "<tspan font-style='italic'>K</tspan> (kg⁴ m⁸/s⁴)",
+        Invariant::AxialMomentum | Invariant::GoryachevChaplygin => "",
+    }
+}

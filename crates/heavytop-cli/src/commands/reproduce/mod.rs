@@ -1,0 +1,10 @@
+//! `heavytop reproduce`: the paper's experiment (Ohsawa 2019, §5.2), its figures and its numbers.
+
+mod record;
+mod figures;
+mod plot;
+mod drifts;
+mod reproduce_command;
+
+pub use drifts::{Drift, Reproduction};
+pub use reproduce_command::reproduce;

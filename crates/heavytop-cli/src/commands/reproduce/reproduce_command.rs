@@ -1,0 +1,107 @@
+//! The paper's experiment (Ohsawa 2019, §5.2), its figures and its tables.
+
+use super::drifts::{Drift, Reproduction};
+use super::record::{QUANTITIES, Record};
+use super::{figures, plot};
+use crate::Error;
+use crate::configuration::{Config, Integration};
+use crate::files::Output;
+use crate::formats::run_table::{STATE_COLUMNS, state_values, write_row};
+use crate::pictures::render;
+use crate::runs::Experiment;
+use crate::supervision::{Progress, Watch};
+use crate::vocabulary::{Formulation, Scheme};
+use std::io::Write;
+use std::path::Path;
+
+/// The four integrators, in the order of the tables.
+const METHODS: [(Formulation, Scheme); 4] = [
+    (Formulation::Collective, Scheme::ImplicitMidpoint),
+    (Formulation::Collective, Scheme::ExplicitMidpoint),
+    (Formulation::Direct, Scheme::ExplicitMidpoint),
+    (Formulation::Direct, Scheme::ImplicitMidpoint),
+];
+
+/// Pixels per CSS pixel: 576 dots per inch at the figures' own size.
+const SCALE: f32 = 6.0;
+
+/// Runs the paper's top with the four integrators and writes figures and tables into the folder
+/// `out`.
+///
+/// # Errors
+/// If the request is wrong, another run writes into the folder, or it is stopped, in which cases nothing
+/// is written; or a run fails, or a figure cannot be written, in which case `trajectories.csv.partial`
+/// is kept.
+///
+/// # Example
+/// ```
+/// let folder = tempfile::tempdir()?;
+/// let (step, end, watch) = (0.02, 1.0, heavytop_cli::supervision::Watch::default());
+/// let done = heavytop_cli::commands::reproduce::reproduce(folder.path(), step, end, &watch)?;
+/// assert!(done.runs[0].f1 < 1e-14 && done.runs[1].f1 > 1e-6);
+/// assert!(folder.path().join("fig1a.svg").exists());
+/// # Ok::<(), Box<dyn std::error::Error>>(())
+/// ```
+pub fn reproduce(
+    out: &Path,
+    step: f64,
+    end: f64,
+    watch: &Watch<'_>,
+) -> Result<Reproduction, Error> {
+    let mut config = Config::default();
+    let mut experiments = Vec::with_capacity(METHODS.len());
+    for (formulation, scheme) in METHODS {
+        let tolerance = Integration::default().tolerance;
+        config.integrator = Integration { formulation, scheme, step, end, tolerance }.into();
+        experiments.push(config.experiment()?);
+    }
+    std::fs::create_dir_all(out).map_err(|source| Error::Create { path: out.into(), source })?;
+
+    // Until it is complete, which it is last, no other run writes here.
+    let mut trajectories = Output::create(&out.join("trajectories.csv"))?;
+    let outcome = run(&experiments, &mut trajectories, watch);
+    let written = outcome.and_then(|records| write_figures_and_summary(&records, out));
+    trajectories.conclude(written)
+}
+
+fn write_figures_and_summary(records: &[Record], out: &Path) -> Result<Reproduction, Error> {
+    for figure in figures::all(records) {
+        let (svg, png) = render::render(&plot::plot(&figure)?, SCALE)?;
+        Output::whole(&out.join(figure.name).with_extension("svg"), svg.as_bytes())?;
+        Output::whole(&out.join(figure.name).with_extension("png"), &png)?;
+    }
+    let runs = records.iter().map(Drift::of).collect();
+    let reproduction = Reproduction { out: out.into(), runs };
+    Output::whole(&out.join("summary.csv"), reproduction.csv().as_bytes())?;
+    Ok(reproduction)
+}
+
+/// Runs all experiments, writing every state and recording what the figures and tables need.
+fn run(
+    experiments: &[Experiment],
+    trajectories: &mut Output,
+    watch: &Watch<'_>,
+) -> Result<Vec<Record>, Error> {
+    let names = QUANTITIES.map(heavytop::Invariant::symbol).join(",");
+    trajectories.write(|to| writeln!(to, "formulation,scheme,{STATE_COLUMNS},{names}"))?;
+    experiments
+        .iter()
+        .map(|experiment| {
+            let mut record = Record::new(experiment);
+            let method = &experiment.method;
+            let (formulation, scheme) = (method.formulation().name(), method.scheme().name());
+            let progress = Progress::new(experiment, watch.quiet);
+            experiment.run(|step, time, mu, _| {
+                watch.require_going()?;
+                progress.at(step);
+                let values = QUANTITIES.map(|quantity| quantity.value(&experiment.top, mu));
+                record.add(step, time, values);
+                trajectories.write(|to| {
+                    write!(to, "{formulation},{scheme},")?;
+                    write_row(to, state_values(time, mu).into_iter().chain(values))
+                })
+            })?;
+            Ok(record)
+        })
+        .collect()
+}

@@ -1,0 +1,13 @@
+//! `heavytop section`: Poincaré sections on an energy level.
+
+mod settings;
+mod orbit;
+mod orbit_tiles;
+mod survey;
+mod picture;
+mod point_table;
+mod section_summary;
+mod section_command;
+
+pub use section_command::section;
+pub use section_summary::SectionSummary;

@@ -1,0 +1,171 @@
+//! The starts of a section by tiles.
+
+use super::orbit::{Crossing, Orbit, orbit};
+use super::settings::Settings;
+use crate::Error;
+use crate::configuration::Config;
+use crate::formats::run_table::{STATE_COLUMNS, state_values};
+use crate::supervision::tiled_run::interrupted;
+use crate::supervision::{TileOptions, Tiles};
+use lie_poisson::Se3Dual;
+use nalgebra::{Vector2, Vector3};
+use rayon::prelude::*;
+use std::fmt::Write;
+use std::ops::Range;
+use std::path::Path;
+
+/// A tile is one start, or as many as have so many returns together. No bit depends on it.
+const TILE: usize = 256;
+
+/// The starts of a section, which are followed tile by tile.
+///
+/// A tile has a line for each point, as in `section.csv`.
+#[derive(Debug)]
+pub(super) struct Orbits<'a> {
+    settings: &'a Settings,
+    starts: Vec<Se3Dual>,
+    pub tiles: Tiles,
+}
+
+/// Why the starts of a tile could not be followed to the end, and their points until then.
+pub(super) struct Stuck {
+    /// The number of the tile.
+    pub tile: u64,
+    /// Its lines.
+    pub lines: String,
+    /// Why.
+    pub failure: Error,
+}
+
+impl<'a> Orbits<'a> {
+    /// Those of the settings, with their tiles below this folder. The configuration is theirs.
+    ///
+    /// # Errors
+    /// If too few starts are found.
+    pub fn new(settings: &'a Settings, config: &Config, out: &Path) -> Result<Self, Error> {
+        let starts = settings.section.starts(settings.starts, settings.seed)?;
+        Ok(Self { settings, starts, tiles: Tiles::new(out.join("section.partial"), config)? })
+    }
+
+    /// The number of tiles.
+    pub fn count(&self) -> u64 {
+        self.starts.len().div_ceil(self.size()) as u64
+    }
+
+    /// The number of a tile's starts.
+    fn size(&self) -> usize {
+        (TILE / self.settings.crossings).max(1)
+    }
+
+    /// A tile's starts, counted from 0.
+    fn starts(&self, tile: u64) -> Range<usize> {
+        let first = tile as usize * self.size();
+        first..self.starts.len().min(first + self.size())
+    }
+
+    /// Follows all starts of tiles that are not finished, on all threads; `done` is told how many
+    /// starts there were in each tile.
+    ///
+    /// Where starts fail the tiles before the first that does are finished nevertheless.
+    ///
+    /// # Errors
+    /// Of the first tile that could not be finished.
+    pub fn finish(
+        &self,
+        options: &TileOptions<'_>,
+        done: impl Fn(usize) + Sync,
+    ) -> Result<(), Stuck> {
+        let stuck = (0..self.count()).into_par_iter().find_map_first(|tile| {
+            let finished = self.finish_tile(tile, options);
+            done(self.starts(tile).len());
+            finished.err()
+        });
+        stuck.map_or(Ok(()), |stuck| Err(*stuck))
+    }
+
+    fn finish_tile(&self, tile: u64, options: &TileOptions<'_>) -> Result<(), Box<Stuck>> {
+        let mut lines = String::new();
+        let stuck = |lines, failure| Box::new(Stuck { tile, lines, failure });
+        match self.read(tile) {
+            Ok(Some(_)) => return Ok(()),
+            Ok(None) if options.stopped() => return Err(stuck(lines, interrupted())),
+            Ok(None) => {}
+            Err(failure) => return Err(stuck(lines, failure)),
+        }
+        for index in self.starts(tile) {
+            let (orbit, failure) = orbit(self.settings, options, index + 1, &self.starts[index]);
+            write_lines(&mut lines, &orbit);
+            if let Some(failure) = failure {
+                return Err(stuck(lines, failure));
+            }
+        }
+        self.tiles.write(tile, &lines).map_err(|failure| stuck(lines, failure))
+    }
+
+    /// The lines of a finished tile, and its orbits.
+    ///
+    /// # Errors
+    /// If it is not there.
+    pub fn finished(&self, tile: u64) -> Result<(String, Vec<Orbit>), Error> {
+        self.read(tile)?.ok_or_else(|| self.tiles.missing(tile))
+    }
+
+    /// What is in a tile; nothing if it is not finished, or not what it should be.
+    fn read(&self, tile: u64) -> Result<Option<(String, Vec<Orbit>)>, Error> {
+        let Some(lines) = self.tiles.read(tile)? else { return Ok(None) };
+        let orbits = self.parse(tile, &lines);
+        Ok(orbits.map(|orbits| (lines, orbits)))
+    }
+
+    /// The orbits of a tile's lines: one for each of its starts.
+    fn parse(&self, tile: u64, lines: &str) -> Option<Vec<Orbit>> {
+        let mut orbits: Vec<Orbit> = Vec::new();
+        for line in lines.lines() {
+            let (number, index, crossing) = point(line)?;
+            if index == 0 {
+                orbits.push(Orbit { number, crossings: Vec::new() });
+            }
+            let orbit = orbits.last_mut().filter(|orbit| {
+                (orbit.number, orbit.crossings.len()) == (number, index)
+                    && index <= self.settings.crossings
+            })?;
+            orbit.crossings.push(crossing);
+        }
+        let numbers = orbits.iter().map(|orbit| orbit.number);
+        numbers.eq(self.starts(tile).map(|index| index + 1)).then_some(orbits)
+    }
+}
+
+/// The names of the columns.
+pub(super) fn header() -> String {
+    format!("start,crossing,{STATE_COLUMNS},x,y")
+}
+
+/// The numbers in the columns after the first two.
+pub(super) fn values(crossing: &Crossing) -> impl Iterator<Item = f64> {
+    let state = state_values(crossing.time, &crossing.mu);
+    state.into_iter().chain([crossing.plane.x, crossing.plane.y])
+}
+
+fn write_lines(lines: &mut String, orbit: &Orbit) {
+    for (index, crossing) in orbit.crossings.iter().enumerate() {
+        // Writing to a string does not fail. The digits read back as the same number.
+        let _ = write!(lines, "{},{index}", orbit.number);
+        values(crossing).for_each(|value| {
+            let _ = write!(lines, ",{value:?}");
+        });
+        lines.push('\n');
+    }
+}
+
+/// The number of the start, that of the crossing, and the point of a line.
+fn point(line: &str) -> Option<(usize, usize, Crossing)> {
+    let (number, rest) = line.split_once(',')?;
+    let (index, rest) = rest.split_once(',')?;
+    let finite = |cell: &str| cell.parse().ok().filter(|value: &f64| value.is_finite());
+    let values: Vec<f64> = rest.split(',').map(finite).collect::<Option<_>>()?;
+    let [time, p1, p2, p3, g1, g2, g3, x, y] = values.try_into().ok()?;
+    let mu = Se3Dual::new(Vector3::new(p1, p2, p3), Vector3::new(g1, g2, g3));
+    let crossing = Crossing { time, mu, plane: Vector2::new(x, y) };
+    Some((number.parse().ok()?, index.parse().ok()?, crossing))
+}

@@ -1,0 +1,92 @@
+//! The points of a section, as Parquet.
+
+use super::orbit::Orbit;
+use super::orbit_tiles::{header, values};
+use crate::Error;
+use crate::files::Output;
+use crate::formats::Metadata;
+use crate::formats::parquet::{GROUP, begin, required, write_column};
+use parquet::basic::Type as PhysicalType;
+use parquet::data_type::{DoubleType, Int64Type};
+use parquet::errors::Result;
+use parquet::file::writer::SerializedFileWriter;
+use std::path::{Path, PathBuf};
+
+/// The columns of `section.csv`, with the configuration in the file's metadata.
+///
+/// Points are written in groups of so many and the rest of an orbit; no more of them are held.
+pub(super) struct PointTable {
+    path: PathBuf,
+    file: SerializedFileWriter<Output>,
+    /// `start` and `crossing`
+    indices: [Vec<i64>; 2],
+    columns: Vec<Vec<f64>>,
+}
+
+impl PointTable {
+    /// The table without rows.
+    ///
+    /// # Errors
+    /// If the file cannot be made.
+    pub fn begin(metadata: &Metadata, path: &Path) -> std::result::Result<Self, Error> {
+        let output = Output::create(path).map_err(Error::too_late)?;
+        let header = header();
+        let fields = header.split(',').enumerate().map(|(i, name)| {
+            required(name, if i < 2 { PhysicalType::INT64 } else { PhysicalType::DOUBLE })
+        });
+        let file = fields.collect::<Result<Vec<_>>>();
+        let file = file.and_then(|fields| begin("section", fields, metadata, false, output));
+        let file = file.map_err(|source| failed(path, source.into()))?;
+        let columns = vec![Vec::new(); header.split(',').count() - 2];
+        Ok(Self { path: path.into(), file, indices: Default::default(), columns })
+    }
+
+    /// Adds the points of an orbit.
+    ///
+    /// # Errors
+    /// If they cannot be written.
+    pub fn add(&mut self, orbit: &Orbit) -> std::result::Result<(), Error> {
+        for (index, crossing) in orbit.crossings.iter().enumerate() {
+            self.indices[0].push(orbit.number as i64);
+            self.indices[1].push(index as i64);
+            for (column, value) in self.columns.iter_mut().zip(values(crossing)) {
+                column.push(value);
+            }
+        }
+        if self.indices[0].len() < GROUP { Ok(()) } else { self.write() }
+    }
+
+    /// Gives the file its name.
+    ///
+    /// # Errors
+    /// If it cannot be completed.
+    pub fn complete(mut self) -> std::result::Result<(), Error> {
+        if !self.indices[0].is_empty() {
+            self.write()?;
+        }
+        let output = self.file.into_inner().map_err(|source| failed(&self.path, source.into()))?;
+        output.complete()
+    }
+
+    fn write(&mut self) -> std::result::Result<(), Error> {
+        self.write_group().map_err(|source| failed(&self.path, source.into()))
+    }
+
+    fn write_group(&mut self) -> Result<()> {
+        let mut group = self.file.next_row_group()?;
+        for column in &mut self.indices {
+            write_column::<Int64Type>(&mut group, column, None)?;
+            column.clear();
+        }
+        for column in &mut self.columns {
+            write_column::<DoubleType>(&mut group, column, None)?;
+            column.clear();
+        }
+        group.close()?;
+        Ok(())
+    }
+}
+
+fn failed(path: &Path, source: std::io::Error) -> Error {
+    Error::Write { path: path.into(), source }
+}

@@ -1,0 +1,154 @@
+//! A Poincaré section from its configuration to its table and its picture.
+
+use super::orbit_tiles::{Orbits, Stuck, header};
+use super::picture::Picture;
+use super::point_table::PointTable;
+use super::section_summary::SectionSummary;
+use super::settings::Settings;
+use super::survey::Survey;
+use crate::Error;
+use crate::configuration::Config;
+use crate::files::place::require_no_folders;
+use crate::files::{Output, Place};
+use crate::formats::Metadata;
+use crate::pictures::render;
+use crate::supervision::tiled_run::{resumable, threads};
+use crate::supervision::{Held, Progress, TileOptions};
+use std::io::Write;
+use std::path::{Path, PathBuf};
+use std::sync::atomic::{AtomicU64, Ordering};
+
+/// Pixels per CSS pixel: 288 dots per inch.
+const SCALE: f32 = 3.0;
+
+/// Finds the section of the configuration, and writes `section.csv`, `.parquet`, `.svg` and `.png`
+/// into the folder `out`. It goes on from the finished starts of an interrupted section if it shall.
+///
+/// # Errors
+/// If the request is wrong, or another run writes the section, or there is an interrupted one with which
+/// nothing shall be done, in which cases nothing is written; or a start cannot be followed, in
+/// which case `section.csv.partial` is kept; or it was stopped, or a file cannot be written, in
+/// which case it can go on.
+///
+/// # Example
+/// ```
+/// use heavytop_cli::configuration::{Config, SectionConfig};
+/// use heavytop_cli::commands::section::section;
+/// use heavytop_cli::supervision::TileOptions;
+/// let folder = tempfile::tempdir()?;
+/// let small = SectionConfig { starts: 3, crossings: 5, ..SectionConfig::default() };
+/// let config = Config { section: Some(small), ..Config::default() };
+/// let summary = section(&config, folder.path(), &TileOptions::default())?;
+/// assert_eq!(summary.points, 3 * (1 + 5));
+/// assert!(summary.h < 1e-9);
+/// # Ok::<(), Box<dyn std::error::Error>>(())
+/// ```
+pub fn section(
+    config: &Config,
+    out: &Path,
+    options: &TileOptions<'_>,
+) -> Result<SectionSummary, Error> {
+    let settings = Settings::new(config)?;
+    let config = settings.complete(config);
+    let metadata = Metadata::new(&config)?;
+    let orbits = Orbits::new(&settings, &config, out)?;
+    let names = ["section.csv", "section.parquet", "section.svg", "section.png"];
+    require_no_folders(out, &names)?;
+    let threads = threads()?;
+    let held = orbits.tiles.prepare(options)?;
+    if let Some(warning) = settings.method.warning() {
+        // Where stderr is closed nobody can be warned.
+        let _ = writeln!(std::io::stderr(), "heavytop: {warning}");
+    }
+
+    let progress = Progress::of(settings.starts as u64, "starts", options.quiet);
+    let done = AtomicU64::new(0);
+    let count = |starts: usize| {
+        let starts = starts as u64;
+        progress.now(done.fetch_add(starts, Ordering::Relaxed) + starts, String::new());
+    };
+    let finished = threads.install(|| orbits.finish(options, count));
+    drop(progress);
+
+    let [csv, parquet, svg, png] = names.map(|name| out.join(name));
+    if let Err(stuck) = finished {
+        return Err(give_up(&orbits, held, stuck, &csv));
+    }
+    let written = write_points(&settings, &orbits, &metadata, [&csv, &parquet]);
+    let survey = written.map_err(resumable)?;
+    let drawing = draw(&settings, &orbits, &survey).map_err(resumable)?;
+    let (drawing, pixels) = render::render(&drawing, SCALE)?;
+    let drawn = Output::whole(&svg, drawing.as_bytes()).and_then(|()| Output::whole(&png, &pixels));
+    drawn.map_err(resumable)?;
+    orbits.tiles.remove(held)?;
+    Ok(SectionSummary::new(&settings, &survey, out))
+}
+
+/// Writes the table, as CSV and as Parquet.
+fn write_points(
+    settings: &Settings,
+    orbits: &Orbits<'_>,
+    metadata: &Metadata,
+    [csv, parquet]: [&Path; 2],
+) -> Result<Survey, Error> {
+    let mut survey = Survey::new();
+    let mut text = Output::create(csv).map_err(Error::too_late)?;
+    let mut table = PointTable::begin(metadata, parquet)?;
+    text.write(|to| writeln!(to, "{}", header()))?;
+    for tile in 0..orbits.count() {
+        let (lines, orbits) = orbits.finished(tile)?;
+        text.write(|to| to.write_all(lines.as_bytes()))?;
+        for orbit in &orbits {
+            survey.add(settings, orbit);
+            table.add(orbit)?;
+        }
+    }
+    text.complete()?;
+    table.complete()?;
+    Ok(survey)
+}
+
+fn draw(settings: &Settings, orbits: &Orbits<'_>, survey: &Survey) -> Result<String, Error> {
+    let mut picture = Picture::begin(&settings.section, survey);
+    for tile in 0..orbits.count() {
+        orbits.finished(tile)?.1.iter().for_each(|orbit| picture.add(orbit));
+    }
+    Ok(picture.complete())
+}
+
+/// What a section ends with that could not be finished. What failed for want of something outside
+/// it goes on from its tiles; what failed by its numbers would do so again, and has none.
+fn give_up(orbits: &Orbits<'_>, held: Held, stuck: Stuck, csv: &Path) -> Error {
+    let kept = match &stuck.failure {
+        Error::Interrupted { .. } | Error::Write { .. } | Error::Tile { .. } => {
+            return resumable(stuck.failure);
+        }
+        Error::Crossing { .. } => keep(orbits, &stuck, csv).map(Some),
+        _ => Ok(None),
+    };
+    match kept {
+        Ok(partial) => {
+            // That they stay does no harm.
+            let _ = orbits.tiles.remove(held);
+            match partial {
+                Some(partial) => Error::Kept { partial, source: Box::new(stuck.failure) },
+                None => stuck.failure,
+            }
+        }
+        // What cannot be written is lost; the failure says what came first.
+        Err(_) => stuck.failure,
+    }
+}
+
+/// Keeps the points up to one that could not be reached as `section.csv.partial`.
+fn keep(orbits: &Orbits<'_>, stuck: &Stuck, csv: &Path) -> Result<PathBuf, Error> {
+    let mut text = Output::create(csv)?;
+    text.write(|to| writeln!(to, "{}", header()))?;
+    for tile in 0..stuck.tile {
+        let (lines, _) = orbits.finished(tile)?;
+        text.write(|to| to.write_all(lines.as_bytes()))?;
+    }
+    text.write(|to| to.write_all(stuck.lines.as_bytes()))?;
+    text.keep()?;
+    Ok(Place::of(csv)?.beside("partial"))
+}

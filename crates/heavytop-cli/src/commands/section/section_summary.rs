@@ -1,0 +1,83 @@
+//! What is said about a section.
+
+use super::settings::Settings;
+use super::survey::Survey;
+use crate::vocabulary::brief::number;
+use serde::Serialize;
+use std::fmt;
+use std::path::{Path, PathBuf};
+
+/// A section in numbers.
+#[derive(Clone, Debug, PartialEq, Serialize)]
+pub struct SectionSummary {
+    /// The folder of the picture and the table.
+    pub out: PathBuf,
+    /// h, J.
+    pub energy: f64,
+    /// Π·Γ, kg m²/s.
+    pub vertical_momentum: f64,
+    /// The formulation's name.
+    pub formulation: &'static str,
+    /// The scheme's name.
+    pub scheme: &'static str,
+    /// The time step, s.
+    pub step: f64,
+    /// The number of starts.
+    pub starts: usize,
+    /// The number of points, the starts included.
+    pub points: usize,
+    /// The number of returns asked of each start.
+    pub crossings: usize,
+    /// The number of starts that have fewer.
+    pub short: usize,
+    /// How long they were followed, s.
+    pub longest: f64,
+    /// The largest deviation of h from the level, J.
+    pub h: f64,
+    /// That of f₁ = |Γ|².
+    pub f1: f64,
+    /// That of f₂ = Π·Γ, kg m²/s.
+    pub f2: f64,
+}
+
+impl SectionSummary {
+    pub(super) fn new(settings: &Settings, survey: &Survey, out: &Path) -> Self {
+        let Settings { section, method, step, steps, crossings, .. } = *settings;
+        let level = section.level();
+        let [h, f1, f2] = survey.deviations;
+        Self {
+            out: out.into(),
+            energy: level.energy,
+            vertical_momentum: level.vertical_momentum,
+            formulation: method.formulation().name(),
+            scheme: method.scheme().name(),
+            step,
+            starts: survey.means.len(),
+            points: survey.points,
+            crossings,
+            short: survey.short,
+            longest: steps as f64 * step,
+            h,
+            f1,
+            f2,
+        }
+    }
+}
+
+impl fmt::Display for SectionSummary {
+    fn fmt(&self, to: &mut fmt::Formatter<'_>) -> fmt::Result {
+        let Self { energy, vertical_momentum, formulation, scheme, step, .. } = self;
+        let [energy, vertical_momentum] = [*energy, *vertical_momentum].map(number);
+        writeln!(to, "h = {energy} J, Pi.Gamma = {vertical_momentum} kg m²/s")?;
+        let Self { points, starts, crossings, short, longest, h, f1, f2, .. } = self;
+        writeln!(
+            to,
+            "{points} points of {starts} starts, by {formulation}, {scheme}, step {step:.3e} s"
+        )?;
+        if *short > 0 {
+            writeln!(to, "{short} starts have fewer than {crossings} returns in {longest:.0} s")?;
+        }
+        writeln!(to, "largest deviations from the level: h {h:.1e}, f1 {f1:.1e}, f2 {f2:.1e}")?;
+        write!(to, "picture and table are in {}", self.out.display())
+    }
+}

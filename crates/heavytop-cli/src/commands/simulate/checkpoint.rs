@@ -1,0 +1,137 @@
+//! What a run needs to go on after it was interrupted.
+
+use super::growing_file::Mark;
+use crate::Error;
+use crate::configuration::Config;
+use crate::errors::CheckpointError;
+use crate::files::Output;
+use crate::files::sealed::{damaged, of_this_version, open, read, seal};
+use crate::formats::{Format, RunTable};
+use crate::runs::{Experiment, Saved};
+use crate::vocabulary::brief::number;
+use collective_integrators::CHECKPOINT;
+use serde::{Deserialize, Serialize};
+use std::path::Path;
+
+/// The first word of the file, before the checksum of what follows its first line.
+const TITLE: &str = "heavytop-checkpoint ";
+
+/// A step of a run, from which it can go on.
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
+#[serde(deny_unknown_fields)]
+pub struct Checkpoint {
+    version: String,
+    /// That of the output.
+    format: Format,
+    step: u64,
+    /// The coordinates of the integrator's state: written so that they read back as the same bits.
+    state: Vec<f64>,
+    /// The largest deviations of the invariants so far.
+    pub(super) deviations: Vec<f64>,
+    /// The rows so far.
+    pub(super) rows: Mark,
+    configuration: Config,
+}
+
+impl Checkpoint {
+    pub(super) fn new(
+        config: &Config,
+        format: Format,
+        saved: Saved,
+        deviations: &[f64],
+        rows: Mark,
+    ) -> Self {
+        let Saved { step, state } = saved;
+        let (version, deviations) = (env!("CARGO_PKG_VERSION").into(), deviations.into());
+        Self { version, format, step, state, deviations, rows, configuration: config.clone() }
+    }
+
+    /// Reads a checkpoint.
+    ///
+    /// # Errors
+    /// If it cannot be read, is damaged, or of another version of the program.
+    pub fn read(path: &Path) -> Result<Self, Error> {
+        read(path)
+            .and_then(|text| Self::parse(&text))
+            .map_err(|source| Error::Checkpoint { path: path.into(), source })
+    }
+
+    fn parse(text: &str) -> Result<Self, CheckpointError> {
+        of_this_version(open(TITLE, text)?)?.try_into().map_err(damaged)
+    }
+
+    /// Writes it, whole or not at all.
+    pub(super) fn write(&self, path: &Path) -> Result<(), Error> {
+        let contents = toml::to_string(self).map_err(Error::Unwritable)?;
+        Output::whole(path, seal(TITLE, &contents).as_bytes())
+    }
+
+    /// The configuration of the run.
+    #[must_use]
+    pub fn configuration(&self) -> &Config {
+        &self.configuration
+    }
+
+    /// The step, and the integrator's state after it.
+    #[must_use]
+    pub fn saved(&self) -> Saved {
+        Saved { step: self.step, state: self.state.clone() }
+    }
+
+    /// Checks that it is of this configuration and of an output in this format.
+    pub(super) fn require(
+        &self,
+        config: &Config,
+        format: Format,
+        out: &Path,
+    ) -> Result<(), CheckpointError> {
+        let differences = self.configuration.differences(config);
+        let differences = differences.map_err(|e| CheckpointError::Damaged(e.to_string()))?;
+        if !differences.is_empty() {
+            return Err(CheckpointError::Configuration(differences));
+        }
+        if self.format != format {
+            return Err(CheckpointError::Format {
+                there: self.format.to_string(),
+                out: out.into(),
+            });
+        }
+        Ok(())
+    }
+
+    /// Checks that a run of this experiment, whose states have so many coordinates, may have made it.
+    /// The experiment is that of its configuration.
+    ///
+    /// # Errors
+    /// [`CheckpointError::Impossible`], with what is wrong.
+    pub(super) fn require_possible(
+        &self,
+        experiment: &Experiment,
+        dimension: usize,
+        table: &RunTable,
+    ) -> Result<(), CheckpointError> {
+        let (steps, step) = (experiment.schedule.steps, self.step);
+        let invariants = table.invariants().len();
+        let impossible = if step >= steps {
+            format!("step {step} of a run of {steps}")
+        } else if !step.is_multiple_of(CHECKPOINT) {
+            format!("step {step}, which is no multiple of {CHECKPOINT}")
+        } else if self.state.len() != dimension {
+            format!("a state of {} numbers, not {dimension}", self.state.len())
+        } else if let Some(x) = self.state.iter().find(|x| !x.is_finite()) {
+            format!("a state with {x}")
+        } else if self.deviations.len() != invariants {
+            format!("{} deviations of {invariants} invariants", self.deviations.len())
+        } else if let Some(x) = self.deviations.iter().find(|x| **x < 0.0) {
+            format!("a deviation of {}", number(*x))
+        } else {
+            return Ok(());
+        };
+        Err(CheckpointError::Impossible(impossible))
+    }
+}
+
+/// The argument by which a run goes on from the checkpoint.
+pub(super) fn argument(path: &Path) -> String {
+    format!("--resume {}", path.display())
+}

@@ -1,0 +1,108 @@
+//! A file that grows with a run.
+
+use crate::Error;
+use crate::files::lock;
+use crate::formats::Extent;
+use crc32fast::Hasher;
+use serde::{Deserialize, Serialize};
+use std::fs::File;
+use std::io::{self, BufWriter, Read, Seek, SeekFrom, Write};
+use std::path::{Path, PathBuf};
+
+/// So many bytes are checked at once.
+const BUFFER: usize = 1 << 20;
+
+/// The file up to some byte.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize, Deserialize)]
+#[serde(deny_unknown_fields)]
+pub(super) struct Mark {
+    bytes: u64,
+    checksum: u32,
+}
+
+/// A file that is written to at its end, and whose length and checksum are known.
+pub(super) struct Growing {
+    path: PathBuf,
+    writer: BufWriter<File>,
+    bytes: u64,
+    checksum: Hasher,
+}
+
+impl Growing {
+    /// The file, to be written from the start; if it is a regular one, what is in it is cut off.
+    pub fn new(path: PathBuf, file: File) -> io::Result<Self> {
+        if file.metadata()?.is_file() {
+            file.set_len(0)?;
+        }
+        Ok(Self { path, writer: BufWriter::new(file), bytes: 0, checksum: Hasher::new() })
+    }
+
+    /// The file as it was at the mark: what has been written since is cut off. Nothing, and
+    /// nothing is cut, if its bytes before the mark are not those that were marked, or it has not
+    /// the right extent there.
+    ///
+    /// # Errors
+    /// If it cannot be read, or another run is writing it.
+    pub fn reopen(
+        path: PathBuf,
+        mark: &Mark,
+        is_right: impl FnOnce(&Extent) -> bool,
+    ) -> io::Result<Option<Self>> {
+        let mut file = lock::open(&path, false)?;
+        let (checksum, extent) = checksum(&mut file, mark.bytes)?;
+        let is_marked = extent.bytes == mark.bytes && checksum.clone().finalize() == mark.checksum;
+        if !is_marked || !is_right(&extent) {
+            return Ok(None);
+        }
+        file.set_len(mark.bytes)?;
+        file.seek(SeekFrom::End(0))?;
+        Ok(Some(Self { path, writer: BufWriter::new(file), bytes: mark.bytes, checksum }))
+    }
+
+    /// The file, in which is what was flushed.
+    pub fn file(&self) -> &File {
+        self.writer.get_ref()
+    }
+
+    pub fn path(&self) -> &Path {
+        &self.path
+    }
+
+    pub fn append(&mut self, bytes: &[u8]) -> Result<(), Error> {
+        self.writer.write_all(bytes).map_err(|source| self.failed(source))?;
+        self.checksum.update(bytes);
+        self.bytes += bytes.len() as u64;
+        Ok(())
+    }
+
+    /// Hands everything to the system.
+    pub fn flush(&mut self) -> Result<(), Error> {
+        self.writer.flush().map_err(|source| self.failed(source))
+    }
+
+    /// What has been written, which outlasts a power cut from now on.
+    pub fn mark(&mut self) -> Result<Mark, Error> {
+        self.flush()?;
+        self.writer.get_ref().sync_all().map_err(|source| self.failed(source))?;
+        Ok(Mark { bytes: self.bytes, checksum: self.checksum.clone().finalize() })
+    }
+
+    fn failed(&self, source: io::Error) -> Error {
+        Error::Write { path: self.path.clone(), source }
+    }
+}
+
+/// The checksum of the first bytes, at most so many, and how far they go.
+fn checksum(file: &mut File, bytes: u64) -> io::Result<(Hasher, Extent)> {
+    let (mut checksum, mut buffer, mut extent) =
+        (Hasher::new(), vec![0; BUFFER], Extent::default());
+    let mut from = file.take(bytes);
+    loop {
+        let read = match from.read(&mut buffer)? {
+            0 => return Ok((checksum, extent)),
+            n => &buffer[..n],
+        };
+        checksum.update(read);
+        extent.add(read);
+    }
+}

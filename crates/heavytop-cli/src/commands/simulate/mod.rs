@@ -1,0 +1,13 @@
+//! `heavytop simulate`: one top to one file.
+
+mod growing_file;
+mod checkpoint;
+mod simulate_options;
+mod recording;
+mod run_summary;
+mod simulate_command;
+
+pub use checkpoint::Checkpoint;
+pub use run_summary::RunSummary;
+pub use simulate_command::simulate;
+pub use simulate_options::SimulateOptions;

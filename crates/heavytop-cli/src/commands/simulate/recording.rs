@@ -1,0 +1,217 @@
+//! The rows of a run on their way to its output.
+
+use super::checkpoint::{Checkpoint, argument};
+use super::growing_file::Growing;
+use super::simulate_options::SimulateOptions;
+use crate::Error;
+use crate::configuration::Config;
+use crate::errors::CheckpointError;
+use crate::files::{Output, Place};
+use crate::formats::{Extent, Format, Metadata, RunTable};
+use crate::runs::{Experiment, Saved};
+use std::fs;
+use std::path::{Path, PathBuf};
+
+/// The file that grows: `NAME.partial` for CSV, `NAME.rows` for what is made of the rows at the
+/// end, and the output itself if that is a device. Unless it is a device it is locked: whoever has it
+/// writes the output, and keeps the checkpoint.
+pub(super) struct Recording {
+    place: Place,
+    format: Format,
+    table: RunTable,
+    config: Config,
+    metadata: Metadata,
+    rows: Growing,
+    bytes: Vec<u8>,
+}
+
+impl Recording {
+    /// A recording from the first row, or from a checkpoint.
+    ///
+    /// # Errors
+    /// If another run writes the output, or there is a checkpoint that shall neither be
+    /// resumed nor discarded, or one that cannot be resumed; then nothing is changed.
+    pub fn begin(
+        out: &Path,
+        config: &Config,
+        experiment: &Experiment,
+        table: &RunTable,
+        options: &SimulateOptions<'_>,
+    ) -> Result<Self, Error> {
+        let (format, place) = (Format::of(out)?, Place::of(out)?);
+        let metadata = Metadata::new(config)?;
+        let path = match format {
+            _ if place.is_device => place.path.clone(),
+            Format::Csv => place.beside("partial"),
+            Format::Npz | Format::Parquet => place.beside("rows"),
+        };
+        let rows = match options.resume {
+            Some(checkpoint) => {
+                let dimension = experiment.dimension()?;
+                checkpoint
+                    .require(config, format, out)
+                    .and_then(|()| checkpoint.require_possible(experiment, dimension, table))
+                    .and_then(|()| reopen(path, checkpoint, experiment, format, table))
+                    .map_err(|source| Error::Checkpoint {
+                        path: place.beside("checkpoint"),
+                        source,
+                    })?
+            }
+            None => {
+                let mut rows = anew(&place, path, options.restart)?;
+                rows.append(format.start(table).as_bytes())?;
+                rows
+            }
+        };
+        let (table, config) = (table.clone(), config.clone());
+        Ok(Self { place, format, table, config, metadata, rows, bytes: Vec::new() })
+    }
+
+    /// Makes a checkpoint, and says where; a device has none.
+    pub fn save(&mut self, saved: Saved, deviations: &[f64]) -> Result<Option<PathBuf>, Error> {
+        let Some(path) = self.checkpoint() else { return Ok(None) };
+        let rows = self.rows.mark()?;
+        Checkpoint::new(&self.config, self.format, saved, deviations, rows).write(&path)?;
+        Ok(Some(path))
+    }
+
+    fn checkpoint(&self) -> Option<PathBuf> {
+        (!self.place.is_device).then(|| self.place.beside("checkpoint"))
+    }
+
+    pub fn append(&mut self, row: &[f64]) -> Result<(), Error> {
+        let encoded = self.format.encode(row, &mut self.bytes);
+        encoded.map_err(|source| Error::Write { path: self.place.path.clone(), source })?;
+        self.rows.append(&self.bytes)
+    }
+
+    /// Gives the output its name if the run did well. If it failed, what there is is kept as
+    /// `NAME.partial`; if it can go on from a checkpoint, the rows are kept for that; if it was
+    /// refused, nothing is.
+    pub fn conclude(mut self, outcome: Result<(), Error>) -> Result<(), Error> {
+        let checkpoint = self.checkpoint().filter(|path| path.exists());
+        let concluded = match outcome {
+            Ok(()) => self.complete(),
+            // A run that failed would fail there again.
+            Err(failure @ Error::Integration { .. }) => {
+                let kept = self.keep(failure);
+                remove_checkpoint(&self.place);
+                return Err(kept);
+            }
+            Err(failure) => Err(failure),
+        };
+        match (concluded, checkpoint) {
+            (Ok(()), _) => {
+                remove_checkpoint(&self.place);
+                Ok(())
+            }
+            (Err(interrupted @ Error::Interrupted { .. }), _) => Err(interrupted),
+            (Err(failure), Some(checkpoint)) => {
+                Err(Error::Resumable { resume: argument(&checkpoint), source: Box::new(failure) })
+            }
+            (Err(failure), None) if failure.exit_code() == 1 => Err(self.keep(failure)),
+            (Err(refusal), None) => {
+                self.discard();
+                Err(refusal)
+            }
+        }
+    }
+
+    fn complete(&mut self) -> Result<(), Error> {
+        if self.place.is_device {
+            return self.rows.flush();
+        }
+        self.rows.mark()?;
+        if self.format == Format::Csv {
+            let renamed = fs::rename(self.rows.path(), &self.place.path);
+            return renamed.map_err(|source| self.unwritten(source));
+        }
+        self.converted()?.complete()?;
+        self.discard();
+        Ok(())
+    }
+
+    /// Makes `NAME.partial` of the rows that there are; where the disk is too full for it, the
+    /// rows stay as they are.
+    fn keep(&mut self, failure: Error) -> Error {
+        if self.place.is_device {
+            return failure;
+        }
+        // What cannot be written any more is lost; the failure says what came first.
+        let _ = self.rows.flush();
+        let mut partial = self.place.beside("partial");
+        if self.format != Format::Csv {
+            match self.converted().and_then(Output::keep) {
+                Ok(()) => self.discard(),
+                Err(_) => partial = self.rows.path().into(),
+            }
+        }
+        Error::Kept { partial, source: Box::new(failure) }
+    }
+
+    /// The output made of the rows, before it has its name.
+    fn converted(&self) -> Result<Output, Error> {
+        let mut output = Output::create(&self.place.path).map_err(Error::too_late)?;
+        self.format.convert(self.rows.file(), &self.table, &self.metadata, &mut output)?;
+        Ok(output)
+    }
+
+    /// Removes the file that grows, unless it is a device.
+    fn discard(&self) {
+        if !self.place.is_device {
+            remove(self.rows.path());
+        }
+    }
+
+    fn unwritten(&self, source: std::io::Error) -> Error {
+        Error::Write { path: self.place.path.clone(), source }
+    }
+}
+
+/// Removes the checkpoint, and what is left of one if a run was killed while it made it.
+fn remove_checkpoint(place: &Place) {
+    if !place.is_device {
+        remove(&place.beside("checkpoint"));
+        remove(&place.beside("checkpoint.partial"));
+    }
+}
+
+/// Removes a file that is of no use any more, if it is there; that it stays does no harm.
+fn remove(path: &Path) {
+    let _ = fs::remove_file(path);
+}
+
+/// The file that grows, empty. It is this run's before anything is removed.
+fn anew(place: &Place, path: PathBuf, restart: bool) -> Result<Growing, Error> {
+    let is_there = path.exists();
+    let file = place.open(&path)?;
+    let checkpoint = place.beside("checkpoint");
+    if !place.is_device && !restart && checkpoint.exists() {
+        if !is_there {
+            remove(&path);
+        }
+        let resume = argument(&checkpoint);
+        return Err(Error::Unfinished { path: checkpoint, resume });
+    }
+    // It would be of another run.
+    remove_checkpoint(place);
+    let refused = |source| Error::Create { path: place.path.clone(), source };
+    Growing::new(path, file).map_err(refused)
+}
+
+/// The rows before a checkpoint, to be gone on with.
+fn reopen(
+    path: PathBuf,
+    checkpoint: &Checkpoint,
+    experiment: &Experiment,
+    format: Format,
+    table: &RunTable,
+) -> Result<Growing, CheckpointError> {
+    let kept = experiment.kept(checkpoint.saved().step);
+    let is_right = |extent: &Extent| format.rows(table, extent) == Some(kept);
+    match Growing::reopen(path.clone(), &checkpoint.rows, is_right) {
+        Ok(Some(rows)) => Ok(rows),
+        Ok(None) => Err(CheckpointError::OtherRows { path }),
+        Err(source) => Err(CheckpointError::Rows { path, source }),
+    }
+}

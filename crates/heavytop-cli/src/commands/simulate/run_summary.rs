@@ -1,0 +1,87 @@
+//! What is said of a run at its end.
+
+use super::checkpoint::Checkpoint;
+use crate::formats::RunTable;
+use crate::runs::Experiment;
+use lie_poisson::{Se3Dual, larger};
+use serde::Serialize;
+use serde_json::{Map, Value};
+use std::fmt;
+use std::path::PathBuf;
+
+/// A run in numbers.
+#[derive(Clone, Debug, PartialEq, Serialize)]
+pub struct RunSummary {
+    /// The output.
+    pub out: PathBuf,
+    /// The formulation's name.
+    pub formulation: &'static str,
+    /// The scheme's name.
+    pub scheme: &'static str,
+    /// The time step, s.
+    pub step: f64,
+    /// The number of steps.
+    pub steps: u64,
+    /// The time after the last step, s.
+    pub end: f64,
+    /// Π there, kg m²/s.
+    pub angular_momentum: [f64; 3],
+    /// Γ there.
+    pub vertical: [f64; 3],
+    /// max |invariant − initial value| over the rows of the output, by the columns' names.
+    pub deviations: Map<String, Value>,
+}
+
+impl RunSummary {
+    /// That of a run that ended in (Π, Γ).
+    pub(super) fn new(
+        out: PathBuf,
+        experiment: &Experiment,
+        last: &Se3Dual,
+        deviations: &Deviations,
+        table: &RunTable,
+    ) -> Self {
+        let symbols = table.invariants().iter().map(|invariant| invariant.symbol().to_string());
+        let values = deviations.largest.iter().map(|&deviation| Value::from(deviation));
+        let Experiment { method, schedule, .. } = experiment;
+        Self {
+            out,
+            formulation: method.formulation().name(),
+            scheme: method.scheme().name(),
+            step: schedule.step,
+            steps: schedule.steps,
+            end: schedule.end(),
+            angular_momentum: last.0.0.into(),
+            vertical: last.0.1.into(),
+            deviations: symbols.zip(values).collect(),
+        }
+    }
+}
+
+impl fmt::Display for RunSummary {
+    fn fmt(&self, to: &mut fmt::Formatter<'_>) -> fmt::Result {
+        write!(to, "{} steps to t = {} s, in {}", self.steps, self.end, self.out.display())
+    }
+}
+
+/// The largest deviations of the invariants from their initial values.
+pub(super) struct Deviations {
+    initial: Vec<f64>,
+    pub largest: Vec<f64>,
+}
+
+impl Deviations {
+    /// None yet, or those before a checkpoint.
+    pub fn new(table: &RunTable, experiment: &Experiment, from: Option<&Checkpoint>) -> Self {
+        let Experiment { top, start, .. } = experiment;
+        let initial: Vec<f64> = table.invariants().iter().map(|f| f.value(top, start)).collect();
+        let before = from.map(|checkpoint| checkpoint.deviations.clone());
+        Self { largest: before.unwrap_or_else(|| vec![0.0; initial.len()]), initial }
+    }
+
+    pub fn add(&mut self, values: &[f64]) {
+        for ((most, value), initial) in self.largest.iter_mut().zip(values).zip(&self.initial) {
+            *most = larger(*most, (value - initial).abs());
+        }
+    }
+}

@@ -1,0 +1,13 @@
+//! `heavytop sweep`: many tops at once.
+
+mod sweep_plan;
+mod measured_row;
+mod top_tiles;
+mod top_table;
+mod heat_map;
+mod processes;
+mod sweep_summary;
+mod sweep_command;
+
+pub use sweep_command::sweep;
+pub use sweep_summary::SweepSummary;

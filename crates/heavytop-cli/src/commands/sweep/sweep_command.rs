@@ -1,0 +1,126 @@
+//! A sweep from its configuration to its table and its heat maps.
+
+use super::heat_map;
+use super::processes::Processes;
+use super::sweep_plan::Plan;
+use super::sweep_summary::SweepSummary;
+use super::top_table::TopTable;
+use super::top_tiles::Tops;
+use crate::Error;
+use crate::configuration::Config;
+use crate::files::Output;
+use crate::formats::Metadata;
+use crate::pictures::render;
+use crate::supervision::tiled_run::{resumable, threads};
+use crate::supervision::{Progress, TileOptions};
+use std::io::{self, Write};
+use std::path::Path;
+
+/// Pixels per CSS pixel: 288 dots per inch.
+const SCALE: f32 = 3.0;
+
+/// Follows all tops of the configuration; writes `sweep.parquet` into the folder `out`, with a heat map of
+/// each column for a grid with two axes. It goes on from the finished tiles of an interrupted sweep
+/// if it shall.
+///
+/// Processes of an MPI job (feature `mpi`) share the work; `out` must be on a file system that all
+/// of them see, and the first of them alone has the summary. No bit depends on the number of threads
+/// or processes. Memory does not grow with the number of tops, but for the heat maps.
+///
+/// # Errors
+/// If the request is wrong, or another run writes the sweep, or there is an interrupted one with which
+/// nothing shall be done, in which cases nothing is written; or it was stopped, or a file cannot be
+/// written, in which case it can go on. A top that fails is no error: its row says why. If all fail, the
+/// table is kept as `sweep.parquet.partial`.
+///
+/// # Example
+/// ```
+/// use heavytop_cli::configuration::{Config, IntegratorConfig, Observable, SweepConfig};
+/// use heavytop_cli::commands::sweep::sweep;
+/// use heavytop_cli::supervision::TileOptions;
+/// let folder = tempfile::tempdir()?;
+/// let mut map = SweepConfig { observables: vec![Observable::Sali], ..SweepConfig::default() };
+/// map.axes.iter_mut().for_each(|axis| axis.count = Some(3));
+/// let integrator = IntegratorConfig { end: Some(1.0), ..IntegratorConfig::default() };
+/// let config = Config { sweep: Some(map), integrator, ..Config::default() };
+/// let summary = sweep(&config, folder.path(), &TileOptions::default())?.ok_or("not the first process")?;
+/// assert_eq!((summary.tops, summary.failed), (9, 0));
+/// assert!(folder.path().join("sali.png").exists());
+/// # Ok::<(), Box<dyn std::error::Error>>(())
+/// ```
+pub fn sweep(
+    config: &Config,
+    out: &Path,
+    options: &TileOptions<'_>,
+) -> Result<Option<SweepSummary>, Error> {
+    let processes = Processes::join();
+    let outcome = run(&processes, config, out, options);
+    processes.conclude(outcome)
+}
+
+fn run(
+    processes: &Processes,
+    config: &Config,
+    out: &Path,
+    options: &TileOptions<'_>,
+) -> Result<Option<SweepSummary>, Error> {
+    let (rank, size) = processes.place();
+    let config = Plan::complete(config);
+    let (plan, metadata) = (Plan::new(&config)?, Metadata::new(&config)?);
+    let tops = Tops::new(&plan, &config, out)?;
+    let threads = threads()?;
+    // The first process has the folder for all.
+    let held = (rank == 0).then(|| tops.tiles.prepare(options)).transpose()?;
+    if let (0, Some(warning)) = (rank, plan.method.warning()) {
+        // Where stderr is closed nobody can be warned.
+        let _ = writeln!(io::stderr(), "heavytop: {warning}");
+    }
+    processes.wait_for_all();
+    let progress = Progress::of(plan.tops, "tops", options.quiet || rank > 0);
+    for tile in (rank..tops.count()).step_by(size as usize) {
+        threads.install(|| tops.finish(tile, options)).map_err(resumable)?;
+        progress.now(tops.tops(tile).end, String::new());
+    }
+    drop(progress);
+    processes.wait_for_all();
+    let Some(held) = held else { return Ok(None) };
+    let assembled = assemble(&plan, &tops, &metadata, out).map_err(resumable);
+    if matches!(assembled, Ok(_) | Err(Error::Kept { .. })) {
+        tops.tiles.remove(held)?;
+    }
+    assembled.map(Some)
+}
+
+/// Makes the files of all tiles. Of tops that all failed there are no maps, and the table, which says
+/// why, does not get its name.
+fn assemble(
+    plan: &Plan,
+    tops: &Tops,
+    metadata: &Metadata,
+    out: &Path,
+) -> Result<SweepSummary, Error> {
+    let mut summary = SweepSummary::new(plan, out);
+    let mut table = TopTable::begin(plan, metadata, &out.join("sweep.parquet"))?;
+    tops.each(|rows| {
+        summary.add(&rows);
+        table.add(rows)
+    })?;
+    if let (true, Some(first)) = (summary.failed == plan.tops, &summary.first_failure) {
+        let failure = Error::AllFailed { tops: plan.tops, first: first.clone() };
+        return Err(Error::Kept { partial: table.keep()?, source: Box::new(failure) });
+    }
+    table.complete()?;
+    let Some(size) = heat_map::size(plan) else { return Ok(summary) };
+    for (index, column) in plan.columns().enumerate() {
+        let mut values: Vec<Option<f64>> = Vec::new();
+        tops.each(|rows| {
+            values.extend(rows.iter().map(|row| row.value(index)));
+            Ok(())
+        })?;
+        let drawing = heat_map::heat_map(plan, size, column, &values)?;
+        let (svg, png) = render::render(&drawing, SCALE)?;
+        Output::whole(&out.join(column.name).with_extension("svg"), svg.as_bytes())?;
+        Output::whole(&out.join(column.name).with_extension("png"), &png)?;
+    }
+    Ok(summary)
+}

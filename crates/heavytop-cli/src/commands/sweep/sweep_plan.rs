@@ -1,0 +1,243 @@
+//! The tops of a sweep, by number.
+
+use crate::Error;
+use crate::configuration::{
+    BodyConfig, Column, Config, InitialConfig, Integration, Observable, Spread, SweepAxis,
+};
+use crate::errors::SweepError;
+use crate::runs::step_angle::require_sane_step;
+use crate::runs::{Method, Schedule};
+use crate::vocabulary::{Formulation, Scheme};
+use heavytop::HeavyTop;
+use lie_poisson::Se3Dual;
+use rand_chacha::ChaCha8Rng;
+use rand_chacha::rand_core::{Rng, SeedableRng};
+use std::f64::consts::TAU;
+
+/// More tops than this are a typing error.
+const MOST_TOPS: f64 = 1e9;
+
+/// A sweep that makes sense.
+#[derive(Clone, Debug, PartialEq)]
+pub(super) struct Plan {
+    body: BodyConfig,
+    initial: InitialConfig,
+    pub axes: Vec<SweepAxis>,
+    pub observables: Vec<Observable>,
+    pub method: Method,
+    pub schedule: Schedule,
+    /// The number of tops.
+    pub tops: u64,
+    seed: u64,
+}
+
+impl Plan {
+    /// The configuration with all that was left out and plays a part.
+    pub fn complete(config: &Config) -> Config {
+        let integrator = config.integrator.or(Integration {
+            formulation: Formulation::Reduced,
+            scheme: Scheme::Gauss(4),
+            step: 0.1,
+            ..Integration::default()
+        });
+        let sweep = config.sweep.clone().unwrap_or_default();
+        Config { integrator: integrator.into(), sweep: Some(sweep), ..config.clone() }
+    }
+
+    /// What the configuration asks for; it is complete.
+    ///
+    /// # Errors
+    /// If it makes no sense for any top.
+    pub fn new(config: &Config) -> Result<Self, Error> {
+        let sweep = config.sweep.clone().unwrap_or_default();
+        let axes = sweep.axes.iter().map(|axis| axis.axis()).collect::<Result<Vec<_>, _>>()?;
+        require_consistent(&axes, &sweep.observables)?;
+        let tops = number_of_tops(&axes, sweep.count)?;
+        // What no axis changes is wrong for every top if it is wrong.
+        if !axes.iter().any(|axis| axis.parameter.is_of_body()) {
+            config.top()?;
+        }
+        if axes.iter().all(|axis| axis.parameter.is_of_body()) {
+            config.start()?;
+        }
+        let Integration { formulation, scheme, step, end, tolerance } =
+            config.integrator.or(Integration::default());
+        Ok(Self {
+            body: config.body,
+            initial: config.initial,
+            axes,
+            observables: sweep.observables.clone(),
+            method: Method::new(formulation, scheme, tolerance)?,
+            schedule: Schedule::new(step, end)?,
+            tops,
+            seed: sweep.seed,
+        })
+    }
+
+    /// The columns of all observables.
+    pub fn columns(&self) -> impl Iterator<Item = &'static Column> {
+        self.observables.iter().flat_map(|observable| observable.columns())
+    }
+
+    /// The values of the axes for a top. In a grid the last axis runs fastest.
+    ///
+    /// They depend on the configuration and the number alone; random ones are drawn from a stream of
+    /// ChaCha8 that is the top's own.
+    pub fn parameters(&self, number: u64) -> Vec<f64> {
+        let mut random = ChaCha8Rng::seed_from_u64(self.seed);
+        random.set_stream(number);
+        let mut rest = number;
+        let value = |axis: &SweepAxis| match axis.spread {
+            Spread::Grid { from, to, count } => {
+                let (count, last) = (u64::from(count), u64::from(count.max(2) - 1));
+                let along = (rest % count) as f64 / last as f64;
+                rest /= count;
+                // Both ends are what they are said to be.
+                from * (1.0 - along) + to * along
+            }
+            Spread::Uniform { from, to } => {
+                let along = uniform(&mut random);
+                from * (1.0 - along) + to * along
+            }
+            Spread::Normal { mean, deviation } => mean + deviation * normal(&mut random),
+        };
+        let mut values: Vec<f64> = self.axes.iter().rev().map(value).collect();
+        values.reverse();
+        values
+    }
+
+    /// The top and its start at these values of the axes.
+    ///
+    /// # Errors
+    /// If there is no such top, or no such start, or it turns too far in a step.
+    pub fn top(&self, values: &[f64]) -> Result<(HeavyTop, Se3Dual), Error> {
+        let (mut body, mut initial) = (self.body, self.initial);
+        for azimuths in [false, true] {
+            let axes = self.axes.iter().zip(values);
+            for (axis, value) in axes.filter(|(axis, _)| axis.parameter.is_azimuth() == azimuths) {
+                axis.parameter.set(*value, &mut body, &mut initial);
+            }
+        }
+        for axis in self.axes.iter().filter(|axis| axis.normalise) {
+            axis.parameter.normalise(&mut body, &mut initial);
+        }
+        let config = Config { body, initial, ..Config::default() };
+        let (top, start) = (config.top()?, config.start()?);
+        require_sane_step(&top, &start, self.schedule.step)?;
+        Ok((top, start))
+    }
+}
+
+fn require_consistent(axes: &[SweepAxis], observables: &[Observable]) -> Result<(), SweepError> {
+    if axes.is_empty() {
+        return Err(SweepError::NoAxes);
+    }
+    if observables.is_empty() {
+        return Err(SweepError::NoObservables);
+    }
+    if observables.iter().enumerate().any(|(n, o)| observables[..n].contains(o)) {
+        return Err(SweepError::Twice);
+    }
+    for (n, axis) in axes.iter().enumerate() {
+        if let Some(other) = axes[..n].iter().find(|other| other.clashes(axis)) {
+            let (first, second) = (other.parameter.name(), axis.parameter.name());
+            return Err(SweepError::Clash { first, second });
+        }
+    }
+    Ok(())
+}
+
+fn number_of_tops(axes: &[SweepAxis], count: Option<u32>) -> Result<u64, SweepError> {
+    let counts = axes.iter().filter_map(|axis| match axis.spread {
+        Spread::Grid { count, .. } => Some(f64::from(count)),
+        _ => None,
+    });
+    let tops = match axes.iter().filter(|axis| axis.is_grid()).count() {
+        0 => f64::from(count.filter(|count| *count > 0).ok_or(SweepError::Count)?),
+        grids if grids < axes.len() => return Err(SweepError::Mixed),
+        _ if count.is_some() => return Err(SweepError::Count),
+        _ => counts.product(),
+    };
+    if tops > MOST_TOPS {
+        return Err(SweepError::TooMany { tops, most: MOST_TOPS });
+    }
+    Ok(tops as u64)
+}
+
+/// In [0, 1).
+fn uniform(random: &mut ChaCha8Rng) -> f64 {
+    (random.next_u64() >> 11) as f64 * 0.5_f64.powi(53)
+}
+
+/// With mean 0 and variance 1.
+///
+/// Source: G. E. P. Box & M. E. Muller, *A note on the generation of random normal deviates*,
+/// Ann. Math. Statist. 29 (1958). By `libm`: the same bits on every machine.
+fn normal(random: &mut ChaCha8Rng) -> f64 {
+    let (first, second) = (1.0 - uniform(random), uniform(random));
+    libm::sqrt(-2.0 * libm::log(first)) * libm::cos(TAU * second)
+}
+
+#[cfg(test)]
+#[allow(clippy::unwrap_used)]
+mod tests {
+    use super::*;
+
+    fn plan(text: &str) -> Plan {
+        Plan::new(&toml::from_str(text).unwrap()).unwrap()
+    }
+
+    #[test]
+    fn grids_are_in_row_major_order_and_have_their_ends() {
+        let plan = plan(
+            "[[sweep.axes]]\nparameter = 'body.mass'\nfrom = 1\nto = 2\ncount = 2\n\
+             [[sweep.axes]]\nparameter = 'body.length'\nfrom = 0.1\nto = 0.7\ncount = 3",
+        );
+        let values: Vec<Vec<f64>> = (0..plan.tops).map(|n| plan.parameters(n)).collect();
+        let expected = [[1.0, 0.1], [1.0, 0.4], [1.0, 0.7], [2.0, 0.1], [2.0, 0.4], [2.0, 0.7]];
+        assert!(
+            values
+                .iter()
+                .flatten()
+                .zip(expected.as_flattened())
+                .all(|(a, b)| (a - b).abs() < 1e-15)
+        );
+        assert_eq!((values[0][1], values[5][1]), (0.1, 0.7));
+    }
+
+    /// Of 4000 tops mean and variance are certain to 1/√4000 = 1.6 %; bounds are five times that.
+    #[test]
+    fn random_tops_have_their_distribution_and_know_nothing_of_each_other() {
+        let text = "sweep.count = 4000\nsweep.axes = [{ parameter = 'body.mass', normal = [3, 0.5] }, \
+                    { parameter = 'body.length', uniform = [1, 2] }]";
+        let plan = plan(text);
+        let values: Vec<Vec<f64>> = (0..plan.tops).map(|n| plan.parameters(n)).collect();
+        let moments = |axis: usize| {
+            let n = values.len() as f64;
+            let mean = values.iter().map(|v| v[axis]).sum::<f64>() / n;
+            (mean, values.iter().map(|v| (v[axis] - mean).powi(2)).sum::<f64>() / n)
+        };
+        let ((mean, variance), (middle, width)) = (moments(0), moments(1));
+        assert!((mean - 3.0).abs() < 0.04 && (variance / 0.25 - 1.0).abs() < 0.12);
+        assert!((middle - 1.5).abs() < 0.03 && (width * 12.0 - 1.0).abs() < 0.1);
+        assert!(values.iter().all(|v| (1.0..2.0).contains(&v[1])));
+        // Top 7 of a longer sweep is top 7; of another seed it is another.
+        let longer = self::plan(&text.replace("4000", "5000"));
+        assert_eq!(longer.parameters(7), values[7]);
+        assert_ne!(self::plan(&format!("sweep.seed = 1\n{text}")).parameters(7), values[7]);
+        assert_ne!(values[7], values[8]);
+    }
+
+    #[test]
+    fn the_inclination_is_set_before_the_azimuth() {
+        let plan = plan(
+            "initial.vertical = [0, 0, 1]\nsweep.axes = [\
+             { parameter = 'initial.vertical.azimuth', from = 1.5, to = 1.5, count = 1 }, \
+             { parameter = 'initial.vertical.inclination', from = 0.5, to = 0.5, count = 1 }]",
+        );
+        let gamma = plan.top(&plan.parameters(0)).unwrap().1.0.1;
+        assert!(
+            (gamma.y.atan2(gamma.x) - 1.5).abs() < 1e-15 && (gamma.z.acos() - 0.5).abs() < 1e-15
+        );
+    }
+}

@@ -1,0 +1,124 @@
+//! The table of a sweep, as Parquet.
+
+use super::measured_row::Row;
+use super::sweep_plan::Plan;
+use crate::Error;
+use crate::files::{Output, Place};
+use crate::formats::Metadata;
+use crate::formats::parquet::{GROUP, begin, required, write_column};
+use parquet::basic::{LogicalType, Type as PhysicalType};
+use parquet::data_type::{ByteArray, ByteArrayType, DoubleType, Int64Type};
+use parquet::errors::Result;
+use parquet::file::writer::SerializedFileWriter;
+use parquet::schema::types::Type;
+use std::path::{Path, PathBuf};
+
+/// `index`, the parameters, the observables and `failure` of each top; the last two may be null. The
+/// configuration is in the file's metadata.
+///
+/// Rows are written in groups, and no more than a group of them is held.
+pub(super) struct TopTable<'a> {
+    plan: &'a Plan,
+    path: PathBuf,
+    file: SerializedFileWriter<Output>,
+    /// The number of the first of the rows that are held.
+    first: u64,
+    rows: Vec<Row>,
+}
+
+impl<'a> TopTable<'a> {
+    /// The table without rows.
+    ///
+    /// # Errors
+    /// If the file cannot be made.
+    pub fn begin(
+        plan: &'a Plan,
+        metadata: &Metadata,
+        path: &Path,
+    ) -> std::result::Result<Self, Error> {
+        let output = Output::create(path).map_err(Error::too_late)?;
+        let file = fields(plan).and_then(|fields| begin("sweep", fields, metadata, true, output));
+        let file = file.map_err(|source| failed(path, source.into()))?;
+        Ok(Self { plan, path: path.into(), file, first: 0, rows: Vec::new() })
+    }
+
+    /// Adds the next rows.
+    ///
+    /// # Errors
+    /// If they cannot be written.
+    pub fn add(&mut self, rows: Vec<Row>) -> std::result::Result<(), Error> {
+        self.rows.extend(rows);
+        if self.rows.len() < GROUP { Ok(()) } else { self.write() }
+    }
+
+    /// Gives the file its name.
+    ///
+    /// # Errors
+    /// If it cannot be completed.
+    pub fn complete(self) -> std::result::Result<(), Error> {
+        self.whole()?.complete()
+    }
+
+    /// Leaves the whole file as `NAME.partial`, and says where that is.
+    ///
+    /// # Errors
+    /// If it cannot be completed.
+    pub fn keep(self) -> std::result::Result<PathBuf, Error> {
+        let partial = Place::of(&self.path)?.beside("partial");
+        self.whole()?.keep().map(|()| partial)
+    }
+
+    fn whole(mut self) -> std::result::Result<Output, Error> {
+        if !self.rows.is_empty() {
+            self.write()?;
+        }
+        self.file.into_inner().map_err(|source| failed(&self.path, source.into()))
+    }
+
+    fn write(&mut self) -> std::result::Result<(), Error> {
+        self.write_group().map_err(|source| failed(&self.path, source.into()))?;
+        self.first += self.rows.len() as u64;
+        self.rows.clear();
+        Ok(())
+    }
+
+    fn write_group(&mut self) -> Result<()> {
+        let Self { plan, file, first, rows, .. } = self;
+        let mut group = file.next_row_group()?;
+        let indices = *first..*first + rows.len() as u64;
+        let numbers: Vec<i64> = indices.clone().map(|index| index as i64).collect();
+        write_column::<Int64Type>(&mut group, &numbers, None)?;
+        for axis in 0..plan.axes.len() {
+            let value = |index| plan.parameters(index).get(axis).copied();
+            let values: Vec<f64> = indices.clone().filter_map(value).collect();
+            write_column::<DoubleType>(&mut group, &values, None)?;
+        }
+        for column in 0..plan.columns().count() {
+            let cells = || rows.iter().map(|row| row.value(column));
+            let values: Vec<f64> = cells().flatten().collect();
+            let present: Vec<i16> = cells().map(|cell| i16::from(cell.is_some())).collect();
+            write_column::<DoubleType>(&mut group, &values, Some(&present))?;
+        }
+        let failures = rows.iter().filter_map(|row| row.failure.as_deref());
+        let failures: Vec<ByteArray> = failures.map(ByteArray::from).collect();
+        let present: Vec<i16> = rows.iter().map(|row| i16::from(row.failure.is_some())).collect();
+        write_column::<ByteArrayType>(&mut group, &failures, Some(&present))?;
+        group.close()?;
+        Ok(())
+    }
+}
+
+fn failed(path: &Path, source: std::io::Error) -> Error {
+    Error::Write { path: path.into(), source }
+}
+
+fn fields(plan: &Plan) -> Result<Vec<Type>> {
+    let axes = plan.axes.iter().map(|axis| required(axis.parameter.name(), PhysicalType::DOUBLE));
+    // A column that may have nulls is what there is without more words.
+    let optional = |name, kind| Type::primitive_type_builder(name, kind);
+    let columns = plan.columns().map(|column| optional(column.name, PhysicalType::DOUBLE).build());
+    let failure = optional("failure", PhysicalType::BYTE_ARRAY);
+    let failure = failure.with_logical_type(Some(LogicalType::String)).build();
+    let index = required("index", PhysicalType::INT64);
+    [index].into_iter().chain(axes).chain(columns).chain([failure]).collect()
+}

@@ -1,0 +1,100 @@
+//! The tops of a sweep by tiles.
+
+use super::measured_row::{Row, measure};
+use super::sweep_plan::Plan;
+use crate::Error;
+use crate::configuration::Config;
+use crate::supervision::tiled_run::interrupted;
+use crate::supervision::{TileOptions, Tiles};
+use rayon::prelude::*;
+use std::fmt::Write;
+use std::ops::Range;
+use std::path::Path;
+
+/// The tops of a tile. No bit depends on it.
+const TILE: u64 = 256;
+
+/// The tops of a sweep, which are followed tile by tile.
+///
+/// A tile has a line for each top: the values, separated by commas, nothing where there is none; a
+/// tab; the failure.
+#[derive(Debug)]
+pub(super) struct Tops<'a> {
+    plan: &'a Plan,
+    pub tiles: Tiles,
+}
+
+impl<'a> Tops<'a> {
+    /// Those of the plan, with their tiles below this folder. The configuration is the plan's.
+    ///
+    /// # Errors
+    /// As [`Config::to_toml`].
+    pub fn new(plan: &'a Plan, config: &Config, out: &Path) -> Result<Self, Error> {
+        Ok(Self { plan, tiles: Tiles::new(out.join("sweep.partial"), config)? })
+    }
+
+    /// The number of tiles.
+    pub fn count(&self) -> u64 {
+        self.plan.tops.div_ceil(TILE)
+    }
+
+    /// The numbers of a tile's tops.
+    pub fn tops(&self, tile: u64) -> Range<u64> {
+        let first = tile * TILE;
+        first..self.plan.tops.min(first + TILE)
+    }
+
+    /// Follows the tops of a tile on all threads, and keeps what comes of it; or sees that it is
+    /// finished.
+    ///
+    /// # Errors
+    /// If the run was stopped, or the tile cannot be written.
+    pub fn finish(&self, tile: u64, options: &TileOptions<'_>) -> Result<(), Error> {
+        if self.read(tile)?.is_some() {
+            return Ok(());
+        }
+        let unless_stopped = |number| (!options.stopped()).then(|| measure(self.plan, number));
+        let rows: Option<Vec<Row>> = self.tops(tile).into_par_iter().map(unless_stopped).collect();
+        let mut text = String::new();
+        for row in rows.ok_or_else(interrupted)? {
+            for (index, value) in row.values.iter().enumerate() {
+                let comma = if index > 0 { "," } else { "" };
+                // Writing to a string does not fail. The digits read back as the same number.
+                let _ = match value {
+                    Some(value) => write!(text, "{comma}{value:?}"),
+                    None => write!(text, "{comma}"),
+                };
+            }
+            let _ = writeln!(text, "\t{}", row.failure.as_deref().unwrap_or_default());
+        }
+        self.tiles.write(tile, &text)
+    }
+
+    /// Hands the rows of each tile to `visit`, in order. All tiles are finished.
+    ///
+    /// # Errors
+    /// If one is not, or `visit` fails.
+    pub fn each(&self, mut visit: impl FnMut(Vec<Row>) -> Result<(), Error>) -> Result<(), Error> {
+        (0..self.count())
+            .try_for_each(|tile| visit(self.read(tile)?.ok_or_else(|| self.tiles.missing(tile))?))
+    }
+
+    /// What came of a tile; none if it is not finished, or not what it should be.
+    fn read(&self, tile: u64) -> Result<Option<Vec<Row>>, Error> {
+        let Some(text) = self.tiles.read(tile)? else { return Ok(None) };
+        let rows: Option<Vec<Row>> = text.lines().map(|line| self.row(line)).collect();
+        let tops = self.tops(tile);
+        Ok(rows.filter(|rows| rows.len() as u64 == tops.end - tops.start))
+    }
+
+    fn row(&self, line: &str) -> Option<Row> {
+        let (numbers, failure) = line.split_once('\t')?;
+        let number = |cell: &str| match cell {
+            "" => Some(None),
+            cell => cell.parse().ok().map(Some),
+        };
+        let values: Vec<Option<f64>> = numbers.split(',').map(number).collect::<Option<_>>()?;
+        let failure = (!failure.is_empty()).then(|| failure.to_string());
+        (values.len() == self.plan.columns().count()).then_some(Row { values, failure })
+    }
+}

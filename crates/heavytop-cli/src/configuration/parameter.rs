@@ -1,0 +1,204 @@
+//! What a sweep may vary.
+
+use super::top_config::{BodyConfig, InitialConfig};
+use crate::vocabulary::named::{by_name, name_of};
+use serde::{Deserialize, Serialize};
+
+/// A number of `[body]` or `[initial]`, by its path in the configuration.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Deserialize, Serialize)]
+#[serde(try_from = "String", into = "&'static str")]
+pub enum Parameter {
+    /// `body.inertia[i]`
+    Inertia(usize),
+    /// `body.mass`
+    Mass,
+    /// `body.gravity`
+    Gravity,
+    /// `body.length`
+    Length,
+    /// `body.center_of_mass…`
+    CenterOfMass(Part),
+    /// `initial.angular_momentum[i]`
+    AngularMomentum(usize),
+    /// `initial.vertical…`
+    Vertical(Part),
+}
+
+/// A number of a unit vector v = (sin ϑ cos φ, sin ϑ sin φ, cos ϑ).
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Part {
+    /// `[i]`: v_i; the others stay.
+    Component(usize),
+    /// `.inclination`: ϑ, rad; φ stays.
+    Inclination,
+    /// `.azimuth`: φ, rad; ϑ stays.
+    Azimuth,
+}
+
+use Part::{Azimuth, Component, Inclination};
+
+impl Parameter {
+    const NAMES: &[(&'static str, Self)] = &[
+        ("body.inertia[0]", Self::Inertia(0)),
+        ("body.inertia[1]", Self::Inertia(1)),
+        ("body.inertia[2]", Self::Inertia(2)),
+        ("body.mass", Self::Mass),
+        ("body.gravity", Self::Gravity),
+        ("body.length", Self::Length),
+        ("body.center_of_mass[0]", Self::CenterOfMass(Component(0))),
+        ("body.center_of_mass[1]", Self::CenterOfMass(Component(1))),
+        ("body.center_of_mass[2]", Self::CenterOfMass(Component(2))),
+        ("body.center_of_mass.inclination", Self::CenterOfMass(Inclination)),
+        ("body.center_of_mass.azimuth", Self::CenterOfMass(Azimuth)),
+        ("initial.angular_momentum[0]", Self::AngularMomentum(0)),
+        ("initial.angular_momentum[1]", Self::AngularMomentum(1)),
+        ("initial.angular_momentum[2]", Self::AngularMomentum(2)),
+        ("initial.vertical[0]", Self::Vertical(Component(0))),
+        ("initial.vertical[1]", Self::Vertical(Component(1))),
+        ("initial.vertical[2]", Self::Vertical(Component(2))),
+        ("initial.vertical.inclination", Self::Vertical(Inclination)),
+        ("initial.vertical.azimuth", Self::Vertical(Azimuth)),
+    ];
+
+    /// Its path, which is also the name of its column.
+    #[must_use]
+    pub fn name(self) -> &'static str {
+        name_of(Self::NAMES, self)
+    }
+
+    /// Its symbol and its unit.
+    #[must_use]
+    pub fn label(self) -> String {
+        let indexed = |symbol: &str, i: usize| format!("{symbol}{}", ["₁", "₂", "₃"][i % 3]);
+        let of_vector = |symbol: &str, part| match part {
+            Component(i) => indexed(symbol, i),
+            Inclination => format!("inclination of {symbol} (rad)"),
+            Azimuth => format!("azimuth of {symbol} (rad)"),
+        };
+        match self {
+            Self::Inertia(i) => indexed("I", i) + " (kg m²)",
+            Self::Mass => "mass (kg)".into(),
+            Self::Gravity => "gravity (m/s²)".into(),
+            Self::Length => "length (m)".into(),
+            Self::CenterOfMass(part) => of_vector("c", part),
+            Self::AngularMomentum(i) => indexed("Π", i) + "(0) (kg m²/s)",
+            Self::Vertical(part) => of_vector("Γ(0)", part),
+        }
+    }
+
+    /// Whether it is of `[body]`.
+    #[must_use]
+    pub fn is_of_body(self) -> bool {
+        !matches!(self, Self::AngularMomentum(_) | Self::Vertical(_))
+    }
+
+    /// Whether it is a component of a unit vector.
+    #[must_use]
+    pub fn is_component(self) -> bool {
+        matches!(self, Self::CenterOfMass(Component(_)) | Self::Vertical(Component(_)))
+    }
+
+    /// Whether it is an azimuth, which has to be set after the inclination: a vector that stands
+    /// upright would lose it.
+    #[must_use]
+    pub fn is_azimuth(self) -> bool {
+        matches!(self, Self::CenterOfMass(Azimuth) | Self::Vertical(Azimuth))
+    }
+
+    /// Gives it a value.
+    pub fn set(self, value: f64, body: &mut BodyConfig, initial: &mut InitialConfig) {
+        let put = |vector: &mut [f64; 3], i: usize| {
+            vector.iter_mut().skip(i).take(1).for_each(|component| *component = value);
+        };
+        let part_of = |vector: &mut [f64; 3], part| match part {
+            Component(i) => put(vector, i),
+            Inclination => *vector = unit_vector(value, angles(vector)[1]),
+            Azimuth => *vector = unit_vector(angles(vector)[0], value),
+        };
+        match self {
+            Self::Inertia(i) => put(&mut body.inertia, i),
+            Self::Mass => body.mass = value,
+            Self::Gravity => body.gravity = value,
+            Self::Length => body.length = value,
+            Self::CenterOfMass(part) => part_of(&mut body.center_of_mass, part),
+            Self::AngularMomentum(i) => put(&mut initial.angular_momentum, i),
+            Self::Vertical(part) => part_of(&mut initial.vertical, part),
+        }
+    }
+
+    /// Scales the unit vector that it is of to length 1; one without a direction stays.
+    pub fn normalise(self, body: &mut BodyConfig, initial: &mut InitialConfig) {
+        let vector = match self {
+            Self::CenterOfMass(_) => &mut body.center_of_mass,
+            Self::Vertical(_) => &mut initial.vertical,
+            _ => return,
+        };
+        let length = vector.iter().map(|x| x * x).sum::<f64>().sqrt();
+        if length > 0.0 {
+            vector.iter_mut().for_each(|x| *x /= length);
+        }
+    }
+}
+
+impl From<Parameter> for &'static str {
+    fn from(parameter: Parameter) -> Self {
+        parameter.name()
+    }
+}
+
+impl TryFrom<String> for Parameter {
+    type Error = String;
+
+    fn try_from(name: String) -> Result<Self, String> {
+        by_name("parameter", Self::NAMES, &name)
+    }
+}
+
+// By `libm`: the same bits on every machine.
+
+fn angles(&[x, y, z]: &[f64; 3]) -> [f64; 2] {
+    [libm::atan2(libm::sqrt(x * x + y * y), z), libm::atan2(y, x)]
+}
+
+fn unit_vector(inclination: f64, azimuth: f64) -> [f64; 3] {
+    let ((s, c), (sin, cos)) = (libm::sincos(inclination), libm::sincos(azimuth));
+    [s * cos, s * sin, c]
+}
+
+#[cfg(test)]
+#[allow(clippy::unwrap_used)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn every_path_sets_its_number_and_no_other() {
+        for &(name, parameter) in Parameter::NAMES {
+            assert_eq!(Parameter::try_from(name.to_string()).unwrap(), parameter);
+            let (mut body, mut initial) = (BodyConfig::default(), InitialConfig::default());
+            parameter.set(0.3, &mut body, &mut initial);
+            assert_eq!(body != BodyConfig::default(), parameter.is_of_body(), "{name}");
+            assert_eq!(initial != InitialConfig::default(), !parameter.is_of_body(), "{name}");
+            let [inclination, azimuth] = angles(&initial.vertical);
+            match parameter {
+                Parameter::Vertical(Inclination) => assert!((inclination - 0.3).abs() < 1e-15),
+                Parameter::Vertical(Azimuth) => assert!((azimuth - 0.3).abs() < 1e-15),
+                Parameter::Vertical(Component(i)) => assert_eq!(initial.vertical[i], 0.3),
+                _ => {}
+            }
+        }
+        assert!(Parameter::try_from("body.inertia[3]".to_string()).is_err());
+    }
+
+    #[test]
+    fn vectors_are_scaled_only_when_asked() {
+        let (mut body, mut initial) = (BodyConfig::default(), InitialConfig::default());
+        let parameter = Parameter::CenterOfMass(Component(1));
+        parameter.set(0.75, &mut body, &mut initial);
+        assert_eq!(body.center_of_mass, [1.0, 0.75, 0.0]);
+        parameter.normalise(&mut body, &mut initial);
+        assert_eq!(body.center_of_mass, [0.8, 0.6, 0.0]);
+        body.center_of_mass = [0.0; 3];
+        parameter.normalise(&mut body, &mut initial);
+        assert_eq!(body.center_of_mass, [0.0; 3]);
+    }
+}

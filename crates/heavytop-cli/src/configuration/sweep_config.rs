@@ -1,0 +1,134 @@
+//! `[sweep]`: which tops, and what is found out about them.
+
+use super::observable::Observable;
+use super::parameter::{Parameter, Part};
+use crate::errors::SweepError;
+use crate::vocabulary::brief::number;
+use serde::{Deserialize, Serialize};
+
+/// `[sweep]`
+#[derive(Clone, Debug, PartialEq, Deserialize, Serialize)]
+#[serde(default, deny_unknown_fields)]
+pub struct SweepConfig {
+    /// What is found out about each top.
+    pub observables: Vec<Observable>,
+    /// How many tops there are, where axes are random.
+    pub count: Option<u32>,
+    /// Which random numbers.
+    pub seed: u64,
+    /// What is varied, and how.
+    pub axes: Vec<AxisConfig>,
+}
+
+/// `[[sweep.axes]]`: a grid by `from`, `to` and `count`, or random by `uniform` or `normal`.
+#[derive(Clone, Copy, Debug, PartialEq, Deserialize, Serialize)]
+#[serde(deny_unknown_fields)]
+pub struct AxisConfig {
+    /// What is varied.
+    pub parameter: Parameter,
+    /// The first value of a grid.
+    pub from: Option<f64>,
+    /// The last value of a grid.
+    pub to: Option<f64>,
+    /// The number of values of a grid.
+    pub count: Option<u32>,
+    /// The least and the largest random value.
+    pub uniform: Option<[f64; 2]>,
+    /// The mean and the standard deviation of random values.
+    pub normal: Option<[f64; 2]>,
+    /// Whether the vector of which the parameter is a component is scaled to length 1 afterwards.
+    #[serde(default)]
+    pub normalise: bool,
+}
+
+/// A grid of 32 × 32 angular momenta.
+impl Default for SweepConfig {
+    fn default() -> Self {
+        let axis = |i| AxisConfig {
+            parameter: Parameter::AngularMomentum(i),
+            from: Some(-4.0),
+            to: Some(4.0),
+            count: Some(32),
+            uniform: None,
+            normal: None,
+            normalise: false,
+        };
+        let axes = vec![axis(0), axis(2)];
+        Self { observables: vec![Observable::Megno], count: None, seed: 0, axes }
+    }
+}
+
+/// How the values of an axis are chosen.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub(crate) enum Spread {
+    Grid { from: f64, to: f64, count: u32 },
+    Uniform { from: f64, to: f64 },
+    Normal { mean: f64, deviation: f64 },
+}
+
+/// An axis that makes sense.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub(crate) struct SweepAxis {
+    pub parameter: Parameter,
+    pub spread: Spread,
+    pub normalise: bool,
+}
+
+impl AxisConfig {
+    /// The axis.
+    ///
+    /// # Errors
+    /// Unless it has the keys of one kind, with finite numbers.
+    pub(crate) fn axis(&self) -> Result<SweepAxis, SweepError> {
+        let Self { parameter, from, to, count, uniform, normal, normalise } = *self;
+        let wrong = |needs: String| SweepError::Axis { parameter: parameter.name(), needs };
+        let spread = match (from, to, count, uniform, normal) {
+            (Some(from), Some(to), Some(count), None, None) => Spread::Grid { from, to, count },
+            (None, None, None, Some([from, to]), None) => Spread::Uniform { from, to },
+            (None, None, None, None, Some([mean, deviation])) => Spread::Normal { mean, deviation },
+            _ => return Err(wrong("either from, to and count, or uniform, or normal".into())),
+        };
+        let numbers = [from, to].into_iter().flatten();
+        let mut numbers = numbers.chain(uniform.into_iter().chain(normal).flatten());
+        if let Some(value) = numbers.find(|value| !value.is_finite()) {
+            return Err(wrong(format!("finite numbers, got {value}")));
+        }
+        match spread {
+            Spread::Grid { count: 0, .. } => {
+                return Err(wrong("a count of at least 1, got 0".into()));
+            }
+            Spread::Normal { deviation, .. } if deviation < 0.0 => {
+                return Err(wrong(format!(
+                    "a standard deviation that is not negative, got {}",
+                    number(deviation)
+                )));
+            }
+            _ => {}
+        }
+        if normalise && !parameter.is_component() {
+            return Err(wrong("no normalise: it is not a component of a unit vector".into()));
+        }
+        Ok(SweepAxis { parameter, spread, normalise })
+    }
+}
+
+impl SweepAxis {
+    /// Whether the values are a grid.
+    pub fn is_grid(&self) -> bool {
+        matches!(self.spread, Spread::Grid { .. })
+    }
+
+    /// Whether two axes contradict each other: an angle of a vector, and one of its components.
+    pub fn clashes(&self, other: &Self) -> bool {
+        let components = |one, other| {
+            matches!((one, other), (Part::Component(_), Part::Inclination | Part::Azimuth))
+        };
+        let either = |a, b| components(a, b) || components(b, a);
+        self.parameter == other.parameter
+            || match (self.parameter, other.parameter) {
+                (Parameter::CenterOfMass(a), Parameter::CenterOfMass(b))
+                | (Parameter::Vertical(a), Parameter::Vertical(b)) => either(a, b),
+                _ => false,
+            }
+    }
+}

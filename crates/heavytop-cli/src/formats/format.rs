@@ -1,0 +1,112 @@
+//! The formats of a run: how its rows are kept while it goes on, and what is made of them.
+//!
+//! While a run goes on its rows are appended to one file: of text for CSV, which is the output
+//! itself, and of 64-bit little-endian numbers otherwise. From those the output is made at the
+//! end, in a pass for each array, by blocks: memory does not grow with the run.
+
+use super::extent::Extent;
+use super::metadata::Metadata;
+use super::rows::Rows;
+use super::run_table::{RunTable, write_row};
+use super::{npz, parquet};
+use crate::Error;
+use crate::files::Output;
+use serde::{Deserialize, Serialize};
+use std::fmt;
+use std::fs::File;
+use std::io;
+use std::path::Path;
+
+/// How a table is written.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize, Deserialize)]
+#[serde(rename_all = "lowercase")]
+pub enum Format {
+    /// Text: a line of names, then lines of numbers.
+    Csv,
+    /// NumPy's archive of arrays: `t`, `Pi`, `Gamma`, one for each invariant, `q` for the
+    /// attitude, with a row for each time, and the string `metadata` in JSON.
+    Npz,
+    /// Apache Parquet with the columns of the CSV and key–value metadata.
+    Parquet,
+}
+
+impl Format {
+    /// That of the file's ending; CSV for something like `/dev/stdout` that has none to choose.
+    ///
+    /// # Errors
+    /// If there is no such format.
+    ///
+    /// # Example
+    /// ```
+    /// use heavytop_cli::formats::Format;
+    /// assert_eq!(Format::of("top.parquet".as_ref())?, Format::Parquet);
+    /// assert!(Format::of("top.xls".as_ref()).is_err());
+    /// # Ok::<(), heavytop_cli::Error>(())
+    /// ```
+    pub fn of(path: &Path) -> Result<Self, Error> {
+        let ending = path.extension().map(|ending| ending.to_ascii_lowercase());
+        match ending.as_ref().and_then(|ending| ending.to_str()) {
+            Some("csv") => Ok(Self::Csv),
+            Some("npz") => Ok(Self::Npz),
+            Some("parquet") => Ok(Self::Parquet),
+            _ if std::fs::metadata(path).is_ok_and(|m| !m.is_file() && !m.is_dir()) => {
+                Ok(Self::Csv)
+            }
+            _ => Err(Error::Format { path: path.into() }),
+        }
+    }
+
+    /// What comes before the first row in the file that grows.
+    pub(crate) fn start(self, table: &RunTable) -> String {
+        if self == Self::Csv { table.header() + "\n" } else { String::new() }
+    }
+
+    /// Puts a row as it is in the file that grows into `bytes`.
+    pub(crate) fn encode(self, row: &[f64], bytes: &mut Vec<u8>) -> io::Result<()> {
+        bytes.clear();
+        if self == Self::Csv {
+            return write_row(bytes, row.iter().copied());
+        }
+        bytes.extend(row.iter().flat_map(|number| number.to_le_bytes()));
+        Ok(())
+    }
+
+    /// How many rows there are in the file that grows up to here; none if the last is not whole.
+    pub(crate) fn rows(self, table: &RunTable, to: &Extent) -> Option<u64> {
+        let row = 8 * table.width() as u64;
+        match self {
+            // The first line has the names.
+            Self::Csv if to.ends_line => to.lines.checked_sub(1),
+            Self::Csv => None,
+            Self::Npz | Self::Parquet => to.bytes.is_multiple_of(row).then_some(to.bytes / row),
+        }
+    }
+
+    /// Makes the output of the file that has grown; CSV is there already.
+    pub(crate) fn convert(
+        self,
+        rows: &File,
+        table: &RunTable,
+        metadata: &Metadata,
+        output: &mut Output,
+    ) -> Result<(), Error> {
+        output.write(|to| {
+            let rows = Rows::new(rows, table.width())?;
+            match self {
+                Self::Csv => Ok(()),
+                Self::Npz => npz::write(&rows, table, metadata, to),
+                Self::Parquet => parquet::write(&rows, table, metadata, to),
+            }
+        })
+    }
+}
+
+impl fmt::Display for Format {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        f.write_str(match self {
+            Self::Csv => "CSV",
+            Self::Npz => "npz",
+            Self::Parquet => "Parquet",
+        })
+    }
+}

@@ -1,0 +1,164 @@
+//! The arguments of the command line.
+
+use super::help::{
+    ANIMATE, ANIMATE_EXAMPLES, BENCH, BENCH_EXAMPLES, COMPARE, COMPARE_EXAMPLES,
+    COMPLETIONS_EXAMPLES, EXIT_CODES, REPRODUCE, REPRODUCE_EXAMPLES, SECTION, SECTION_EXAMPLES,
+    SIMULATE, SIMULATE_EXAMPLES, SWEEP, SWEEP_EXAMPLES,
+};
+use crate::Error;
+use crate::configuration::{Config, Preset};
+use clap::{Args, Parser, Subcommand};
+use clap_complete::Shell;
+use std::path::PathBuf;
+
+/// Simulates heavy tops with collective Lie–Poisson integrators.
+///
+/// The method is of T. Ohsawa, "Collective Heavy Top Dynamics", SIGMA 15 (2019) 083: a symplectic
+/// scheme on T∗C², mapped to the phase space of the top, conserves the Casimirs f1 = |Γ|² and
+/// f2 = Π·Γ exactly.
+#[derive(Debug, Parser)]
+#[command(name = "heavytop", version, after_long_help = EXIT_CODES)]
+pub(super) struct Arguments {
+    /// Show no progress bar. (It shows on a terminal only, in long runs.)
+    #[arg(long, global = true, display_order = 100)]
+    pub(super) quiet: bool,
+
+    /// Print the summary as JSON, for machines.
+    #[arg(long, global = true, display_order = 101)]
+    pub(super) json: bool,
+
+    #[command(subcommand)]
+    pub(super) command: Command,
+}
+
+#[derive(Debug, Subcommand)]
+pub(super) enum Command {
+    /// Reproduce the paper's figures: Kovalevskaya's top with four integrators.
+    #[command(long_about = REPRODUCE, after_long_help = REPRODUCE_EXAMPLES)]
+    Reproduce {
+        /// The folder for the figures and tables; made if it is not there.
+        #[arg(long, value_name = "DIR", default_value = "figures")]
+        out: PathBuf,
+        /// The time to stop at, in seconds: a whole number of steps.
+        #[arg(
+            long,
+            value_name = "SECONDS",
+            default_value_t = 100.0,
+            allow_negative_numbers = true
+        )]
+        end: f64,
+        /// The time step, in seconds.
+        #[arg(long, value_name = "SECONDS", default_value_t = 0.02, allow_negative_numbers = true)]
+        step: f64,
+    },
+    /// Simulate a top and write its states and invariants.
+    #[command(long_about = SIMULATE, after_long_help = SIMULATE_EXAMPLES)]
+    Simulate {
+        #[command(flatten)]
+        top: Top,
+        /// The file to write; its name ends in .csv, .npz (NumPy) or .parquet.
+        #[arg(long, value_name = "FILE")]
+        out: PathBuf,
+        /// Go on from FILE.checkpoint, which an interrupted run has left.
+        #[arg(long, value_name = "CHECKPOINT")]
+        resume: Option<PathBuf>,
+        /// Start anew, and discard FILE.checkpoint if there is one.
+        #[arg(long, conflicts_with = "resume")]
+        restart: bool,
+        /// Renew the checkpoint whenever so much time has passed, in seconds.
+        #[arg(long, value_name = "SECONDS", default_value_t = 60.0, allow_negative_numbers = true)]
+        checkpoint_interval: f64,
+    },
+    /// Measure work against precision, for every formulation and scheme.
+    #[command(long_about = COMPARE, after_long_help = COMPARE_EXAMPLES)]
+    Compare {
+        #[command(flatten)]
+        top: Top,
+        /// The folder for the figure and the table; made if it is not there.
+        #[arg(long, value_name = "DIR")]
+        out: PathBuf,
+    },
+    /// Draw a Poincaré section of a top.
+    #[command(long_about = SECTION, after_long_help = SECTION_EXAMPLES)]
+    Section {
+        #[command(flatten)]
+        top: Top,
+        /// The folder for the figure and the table; made if it is not there.
+        #[arg(long, value_name = "DIR")]
+        out: PathBuf,
+        /// Go on from the finished starts that an interrupted section has left in the folder.
+        #[arg(long)]
+        resume: bool,
+        /// Start anew, and discard those starts if there are any.
+        #[arg(long, conflicts_with = "resume")]
+        restart: bool,
+    },
+    /// Follow many tops at once, and map what becomes of them.
+    #[command(long_about = SWEEP, after_long_help = SWEEP_EXAMPLES)]
+    Sweep {
+        #[command(flatten)]
+        top: Top,
+        /// The folder for the table and the heat maps; made if it is not there.
+        #[arg(long, value_name = "DIR")]
+        out: PathBuf,
+        /// Go on from the finished tiles that an interrupted sweep has left in the folder.
+        #[arg(long)]
+        resume: bool,
+        /// Start anew, and discard those tiles if there are any.
+        #[arg(long, conflicts_with = "resume")]
+        restart: bool,
+    },
+    /// Show a top in motion, on a page for a browser.
+    #[command(long_about = ANIMATE, after_long_help = ANIMATE_EXAMPLES)]
+    Animate {
+        #[command(flatten)]
+        top: Top,
+        /// The page to write; its name ends in .html.
+        #[arg(long, value_name = "FILE")]
+        out: PathBuf,
+    },
+    /// Time the integrators on one top and on many.
+    #[command(long_about = BENCH, after_long_help = BENCH_EXAMPLES)]
+    Bench {
+        #[command(flatten)]
+        top: Top,
+        /// The tops of this file, with references, instead of the configured top and tops about it.
+        #[arg(long, value_name = "FILE")]
+        problem: Option<PathBuf>,
+        /// Time only integrators with this in their names.
+        #[arg(long, value_name = "PART")]
+        only: Option<String>,
+        /// The number of tops in the ensemble.
+        #[arg(long, value_name = "COUNT", default_value_t = 10_000, allow_negative_numbers = true)]
+        tops: u64,
+        /// The number of threads for the ensemble.
+        #[arg(long, value_name = "COUNT", default_value_t = 1, allow_negative_numbers = true)]
+        threads: usize,
+    },
+    /// Print the completions of a shell, to be put where it looks for them.
+    #[command(after_long_help = COMPLETIONS_EXAMPLES)]
+    Completions {
+        /// The shell.
+        shell: Shell,
+    },
+}
+
+/// Which top, and how to follow it.
+#[derive(Debug, Args)]
+pub(super) struct Top {
+    /// The configuration, in TOML; what it leaves out is as in the preset.
+    config: Option<PathBuf>,
+    /// A top by name; without it the paper's Kovalevskaya top.
+    #[arg(long)]
+    preset: Option<Preset>,
+}
+
+impl Top {
+    pub(super) fn is_default(&self) -> bool {
+        self.config.is_none() && self.preset.is_none()
+    }
+
+    pub(super) fn config(&self) -> Result<Config, Error> {
+        Config::load(self.preset, self.config.as_deref())
+    }
+}

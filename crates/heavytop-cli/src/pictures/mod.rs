@@ -1,0 +1,7 @@
+//! What all pictures need: axes, colours, text as outlines, and PNG.
+
+mod axis;
+pub(crate) mod colour_scale;
+pub(crate) mod render;
+
+pub(crate) use axis::Axis;

@@ -1,0 +1,179 @@
+//! A run, sample by sample.
+
+use super::method::Method;
+use super::moment::{Moment, Saved};
+use super::schedule::Schedule;
+use super::task::Task;
+use crate::Error;
+use collective_integrators::{Integrator, Start};
+use heavytop::{HeavyTop, Turning, WithAttitude};
+use lie_poisson::{Quaternion, Se3Dual, Vector};
+
+/// A top, its initial state, and how to follow it.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Experiment {
+    /// The top.
+    pub top: HeavyTop,
+    /// (Π(0), Γ(0))
+    pub start: Se3Dual,
+    /// The integrator.
+    pub method: Method,
+    /// The steps.
+    pub schedule: Schedule,
+    /// Every n-th step is written, and the last.
+    pub every: u64,
+    /// Whether the attitude is followed.
+    pub attitude: bool,
+}
+
+impl Experiment {
+    /// Hands step number, time (s), (Π, Γ) and the attitude if it is followed of each sample to
+    /// `visit`, the initial state first.
+    ///
+    /// # Errors
+    /// As [`Experiment::follow`].
+    pub fn run<V>(&self, mut visit: V) -> Result<(), Error>
+    where
+        V: FnMut(u64, f64, &Se3Dual, Option<&Quaternion>) -> Result<(), Error>,
+    {
+        self.follow(None, |m| visit(m.step, m.time, m.momentum, m.attitude))
+    }
+
+    /// Hands each moment to `visit`, the initial one first, or those after a saved one.
+    ///
+    /// A run that goes on from a step whose number is a multiple of
+    /// [`CHECKPOINT`](collective_integrators::CHECKPOINT) equals the run that was not interrupted
+    /// to the last bit.
+    ///
+    /// # Errors
+    /// If the initial state has no lift, a step fails, `visit` does, the attitude is asked of a
+    /// formulation that has none, or the saved state is not one of this experiment's.
+    ///
+    /// # Example
+    /// ```
+    /// use heavytop_cli::configuration::Config;
+    /// let experiment = Config::default().experiment()?;
+    /// let (mut saved, mut last) = (None, None);
+    /// experiment.follow(None, |moment| {
+    ///     if moment.step == 1024 {
+    ///         saved = Some(moment.saved());
+    ///     }
+    ///     last = Some(*moment.momentum);
+    ///     Ok(())
+    /// })?;
+    /// let mut again = None;
+    /// experiment.follow(saved.as_ref(), |moment| Ok(again = Some(*moment.momentum)))?;
+    /// assert_eq!(last, again);
+    /// # Ok::<(), heavytop_cli::Error>(())
+    /// ```
+    pub fn follow<V>(&self, from: Option<&Saved>, visit: V) -> Result<(), Error>
+    where
+        V: FnMut(&Moment<'_>) -> Result<(), Error>,
+    {
+        self.method.integrate(&self.top, Follow { experiment: self, from, visit })
+    }
+
+    /// How many coordinates the state has that the integrator advances.
+    ///
+    /// # Errors
+    /// If there is no such integrator, or the attitude is asked of a formulation that has none.
+    pub fn dimension(&self) -> Result<usize, Error> {
+        self.method.integrate(&self.top, Dimension { experiment: self })
+    }
+
+    /// How many samples are written up to a step before the last, the initial one included.
+    #[must_use]
+    pub fn kept(&self, step: u64) -> u64 {
+        step / self.every + 1
+    }
+
+    fn require_no_attitude(&self) -> Result<(), Error> {
+        let formulation = self.method.formulation();
+        if self.attitude { Err(Error::NoAttitude { formulation }) } else { Ok(()) }
+    }
+
+    /// Whether the sample after this step is written.
+    #[must_use]
+    pub fn keeps(&self, step: u64) -> bool {
+        step.is_multiple_of(self.every) || step == self.schedule.steps
+    }
+}
+
+/// The task of counting the coordinates of a state.
+struct Dimension<'a> {
+    experiment: &'a Experiment,
+}
+
+impl Task for Dimension<'_> {
+    type Output = usize;
+
+    fn perform<I: Start<Momentum = Se3Dual>>(self, _: &I) -> Result<usize, Error> {
+        self.experiment.require_no_attitude().map(|()| I::State::DIM)
+    }
+
+    fn perform_turning<I: Turning + Start>(self, _: I) -> Result<usize, Error> {
+        let attitude = self.experiment.attitude;
+        Ok(if attitude { <WithAttitude<I> as Integrator>::State::DIM } else { I::State::DIM })
+    }
+}
+
+/// The task of following an experiment.
+struct Follow<'a, V> {
+    experiment: &'a Experiment,
+    from: Option<&'a Saved>,
+    visit: V,
+}
+
+impl<V: FnMut(&Moment<'_>) -> Result<(), Error>> Follow<'_, V> {
+    /// Follows an integrator; `attitude` reads it off the state.
+    fn follow<I: Start<Momentum = Se3Dual>>(
+        mut self,
+        integrator: &I,
+        attitude: impl Fn(&I::State) -> Option<&Quaternion>,
+    ) -> Result<(), Error> {
+        let Experiment { start, method, schedule, .. } = self.experiment;
+        let (trajectory, seen) = match self.from {
+            None => (integrator.trajectory(start, schedule.step)?, 0),
+            Some(Saved { step, state }) => {
+                let (expected, found) = (I::State::DIM, state.len());
+                if expected != found {
+                    return Err(Error::SavedState { expected, found });
+                }
+                let state = I::State::from_coordinates(|i| state[i]);
+                (integrator.trajectory_resumed(state, *step, schedule.step), 1)
+            }
+        };
+        for sample in trajectory.skip(seen) {
+            let sample = sample.map_err(|source| Error::Integration {
+                formulation: method.formulation().name(),
+                scheme: method.scheme().name(),
+                source,
+            })?;
+            let (step, time, state) = (sample.step, sample.time, &sample.state);
+            // M of the lift of the start is the start up to rounding; say what was asked for.
+            let momentum = if step == 0 { start } else { &sample.momentum };
+            (self.visit)(&Moment { step, time, momentum, attitude: attitude(state), state })?;
+            if step >= schedule.steps {
+                break;
+            }
+        }
+        Ok(())
+    }
+}
+
+impl<V: FnMut(&Moment<'_>) -> Result<(), Error>> Task for Follow<'_, V> {
+    type Output = ();
+
+    fn perform<I: Start<Momentum = Se3Dual>>(self, integrator: &I) -> Result<(), Error> {
+        self.experiment.require_no_attitude()?;
+        self.follow(integrator, |_| None)
+    }
+
+    fn perform_turning<I: Turning + Start>(self, integrator: I) -> Result<(), Error> {
+        if self.experiment.attitude {
+            self.follow(&WithAttitude(integrator), |state| Some(&state.1))
+        } else {
+            self.follow(&integrator, |_| None)
+        }
+    }
+}

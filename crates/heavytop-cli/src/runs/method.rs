@@ -1,0 +1,190 @@
+//! The integrator of a formulation and a scheme.
+
+use super::task::{Plain, TangentTask, Task};
+use crate::Error;
+use crate::vocabulary::{Formulation, Pair, Raise, Scheme};
+use collective_integrators::{
+    Collective, Composition, Direct, Equivariant, FirstHalf, HamiltonianField, LiftFree,
+    PartitionedRungeKutta, RungeKutta, SchemeError, Splitting, StageSolver,
+};
+use heavytop::{
+    CollectiveGauss, HeavyTop, RotorSplitting, SpinorRealisation, SymmetricTopSplitting,
+    TopMidpoint,
+};
+use lie_poisson::{LiePoisson, Se3};
+use momentum_map::DualQuaternions;
+
+/// A formulation, a scheme, and how well stage equations are solved.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Method {
+    formulation: Formulation,
+    scheme: Scheme,
+    tolerance: f64,
+}
+
+impl Method {
+    /// The scheme in the formulation, with stages solved to `tolerance`; 0 iterates to the
+    /// round-off floor.
+    ///
+    /// # Errors
+    /// If the pair makes no sense.
+    pub fn new(formulation: Formulation, scheme: Scheme, tolerance: f64) -> Result<Self, Error> {
+        if !formulation.offers(scheme) {
+            return Err(Error::NoSuchPair { formulation, scheme });
+        }
+        if !(tolerance >= 0.0 && tolerance.is_finite()) {
+            let range = "finite and not negative";
+            return Err(Error::OutOfRange { name: "tolerance", range, value: tolerance });
+        }
+        Ok(Self { formulation, scheme, tolerance })
+    }
+
+    /// Where the scheme is applied.
+    #[must_use]
+    pub fn formulation(&self) -> Formulation {
+        self.formulation
+    }
+
+    /// The scheme.
+    #[must_use]
+    pub fn scheme(&self) -> Scheme {
+        self.scheme
+    }
+
+    /// What users should know before they run it.
+    #[must_use]
+    pub fn warning(&self) -> Option<String> {
+        matches!(self.scheme, Scheme::Partitioned(_)).then(|| {
+            format!(
+                "warning: {} does not descend from T*C² to se(3)*: what comes out depends on the \
+                 lift, and f1 and f2 are not conserved",
+                self.scheme.name()
+            )
+        })
+    }
+
+    /// Does the task with the integrator for this top.
+    ///
+    /// # Errors
+    /// If the task fails.
+    pub fn integrate<K: Task>(&self, top: &HeavyTop, task: K) -> Result<K::Output, Error> {
+        let (formulation, to_the_floor) = (self.formulation, self.tolerance == 0.0);
+        match self.scheme {
+            // The same maps, faster.
+            Scheme::Gauss(stages @ 1..=8)
+                if formulation == Formulation::Collective && to_the_floor =>
+            {
+                let gauss = CollectiveGauss::new(stages.into(), *top);
+                task.perform_turning(gauss.map_err(|e| self.failed(e))?)
+            }
+            Scheme::ImplicitMidpoint if formulation == Formulation::Reduced && to_the_floor => {
+                task.perform_turning(TopMidpoint::new(*top))
+            }
+            _ => self.differentiate(top, Plain(task)),
+        }
+    }
+
+    /// Does the task with the integrator for this top that has tangent maps.
+    ///
+    /// # Errors
+    /// If the task fails.
+    pub fn differentiate<K: TangentTask>(
+        &self,
+        top: &HeavyTop,
+        task: K,
+    ) -> Result<K::Output, Error> {
+        match self.scheme {
+            Scheme::ImplicitMidpoint => self.equivariant(self.midpoint(), top, task),
+            Scheme::Gauss(stages) => {
+                let gauss = RungeKutta::gauss(stages.into()).map_err(|e| self.failed(e))?;
+                self.equivariant(gauss.with_solver(self.solver()), top, task)
+            }
+            Scheme::ExplicitMidpoint => {
+                self.equivariant(RungeKutta::explicit_midpoint(), top, task)
+            }
+            Scheme::Rk4 => self.equivariant(RungeKutta::rk4(), top, task),
+            Scheme::Partitioned(pair) => self.partitioned(pair, top, task),
+            Scheme::Composed(raise) if self.formulation == Formulation::Splitting => {
+                self.splitting(raise, top, task)
+            }
+            Scheme::Composed(raise) => {
+                let substeps = raise.substeps().map_err(|e| self.failed(e))?;
+                self.equivariant(Composition::new(self.midpoint(), substeps), top, task)
+            }
+        }
+    }
+
+    fn equivariant<S: Equivariant, K: TangentTask>(
+        &self,
+        scheme: S,
+        top: &HeavyTop,
+        task: K,
+    ) -> Result<K::Output, Error> {
+        match self.formulation {
+            Formulation::Collective => {
+                task.perform_turning(Collective::new(scheme, SpinorRealisation, *top))
+            }
+            Formulation::Reduced => {
+                task.perform_turning(LiftFree::new(scheme, DualQuaternions, *top))
+            }
+            Formulation::Direct => {
+                let space = LiePoisson::minus(Se3::default());
+                task.perform(&Direct::new(scheme, HamiltonianField { space, hamiltonian: *top }))
+            }
+            // `new` has let no such pair pass.
+            Formulation::Splitting => Err(self.impossible()),
+        }
+    }
+
+    fn partitioned<K: TangentTask>(
+        &self,
+        pair: Pair,
+        top: &HeavyTop,
+        task: K,
+    ) -> Result<K::Output, Error> {
+        let scheme = match pair {
+            Pair::SymplecticEuler => {
+                PartitionedRungeKutta::<FirstHalf>::symplectic_euler_implicit_in_p()
+            }
+            Pair::StormerVerlet => PartitionedRungeKutta::kick_drift_kick(),
+            Pair::Lobatto => {
+                PartitionedRungeKutta::lobatto_iiia_iiib(3).map_err(|e| self.failed(e))?
+            }
+        };
+        let scheme = scheme.with_solver(self.solver());
+        task.perform_turning(Collective::that_does_not_descend(scheme, SpinorRealisation, *top))
+    }
+
+    fn splitting<K: TangentTask>(
+        &self,
+        raise: Raise,
+        top: &HeavyTop,
+        task: K,
+    ) -> Result<K::Output, Error> {
+        let substeps = raise.substeps().map_err(|e| self.failed(e))?;
+        // Refused unless I₁ = I₂; the rotors suit every top.
+        match SymmetricTopSplitting::new(*top) {
+            Ok(flows) => task.perform_turning(Composition::new(Splitting::strang(flows), substeps)),
+            Err(_) => {
+                let flows = RotorSplitting(*top);
+                task.perform_turning(Composition::new(Splitting::strang(flows), substeps))
+            }
+        }
+    }
+
+    fn midpoint(&self) -> RungeKutta {
+        RungeKutta::implicit_midpoint().with_solver(self.solver())
+    }
+
+    fn solver(&self) -> StageSolver {
+        StageSolver { tolerance: self.tolerance, ..StageSolver::default() }
+    }
+
+    fn impossible(&self) -> Error {
+        Error::NoSuchPair { formulation: self.formulation, scheme: self.scheme }
+    }
+
+    fn failed(&self, source: SchemeError) -> Error {
+        Error::Scheme { scheme: self.scheme.name(), source }
+    }
+}

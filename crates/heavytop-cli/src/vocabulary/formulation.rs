@@ -1,0 +1,78 @@
+//! Formulations by name, and the schemes that each offers.
+
+use super::named::{by_name, name_of};
+use super::scheme::Scheme;
+use serde::{Deserialize, Serialize};
+
+/// Where a scheme is applied.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Deserialize, Serialize)]
+#[serde(try_from = "String", into = "&'static str")]
+pub enum Formulation {
+    /// On T∗C², read through M: T∗C² → se(3)∗.
+    #[default]
+    Collective,
+    /// The same maps without a lift, on se(3)∗ itself.
+    Reduced,
+    /// On the six equations of the heavy top.
+    Direct,
+    /// Exact flows of parts of h, on se(3)∗.
+    Splitting,
+}
+
+impl Formulation {
+    /// All of them, by name.
+    pub const NAMES: &[(&str, Self)] = &[
+        ("collective", Self::Collective),
+        ("reduced", Self::Reduced),
+        ("direct", Self::Direct),
+        ("splitting", Self::Splitting),
+    ];
+
+    /// Its name in configurations and tables.
+    #[must_use]
+    pub fn name(self) -> &'static str {
+        name_of(Self::NAMES, self)
+    }
+
+    /// Whether the scheme makes sense here.
+    #[must_use]
+    pub fn offers(self, scheme: Scheme) -> bool {
+        let composed = matches!(scheme, Scheme::Composed(_));
+        let symplectic = composed || matches!(scheme, Scheme::ImplicitMidpoint | Scheme::Gauss(_));
+        match self {
+            Self::Collective => true,
+            Self::Reduced => symplectic,
+            Self::Direct => !matches!(scheme, Scheme::Partitioned(_)),
+            Self::Splitting => composed,
+        }
+    }
+
+    /// The schemes that make sense here.
+    pub fn schemes(self) -> impl Iterator<Item = Scheme> {
+        Scheme::NAMES.iter().map(|(_, scheme)| *scheme).filter(move |&scheme| self.offers(scheme))
+    }
+
+    /// Whether the scheme, which is offered here, is a Poisson map of se(3)∗ at every step size.
+    #[must_use]
+    pub fn is_poisson(self, scheme: Scheme) -> bool {
+        match self {
+            Self::Collective | Self::Reduced => Self::Reduced.offers(scheme),
+            Self::Direct => false,
+            Self::Splitting => true,
+        }
+    }
+}
+
+impl TryFrom<String> for Formulation {
+    type Error = String;
+
+    fn try_from(name: String) -> Result<Self, String> {
+        by_name("formulation", Self::NAMES, &name)
+    }
+}
+
+impl From<Formulation> for &'static str {
+    fn from(formulation: Formulation) -> Self {
+        formulation.name()
+    }
+}

@@ -1,0 +1,113 @@
+//! Schemes by name.
+
+use super::named::{by_name, name_of};
+use collective_integrators::{SchemeError, Substeps};
+use serde::{Deserialize, Serialize};
+
+/// A one-step method.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Deserialize, Serialize)]
+#[serde(try_from = "String", into = "&'static str")]
+pub enum Scheme {
+    /// The implicit midpoint rule.
+    #[default]
+    ImplicitMidpoint,
+    /// Gauss–Legendre collocation with this number of stages.
+    Gauss(u8),
+    /// The explicit midpoint rule.
+    ExplicitMidpoint,
+    /// The classical method of Runge and Kutta.
+    Rk4,
+    /// A method that treats q and p differently.
+    Partitioned(Pair),
+    /// A composition of the implicit midpoint rule, or of Strang's splitting.
+    Composed(Raise),
+}
+
+/// The partitioned methods.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Pair {
+    /// Symplectic Euler, implicit in p.
+    SymplecticEuler,
+    /// Störmer–Verlet that moves p first.
+    StormerVerlet,
+    /// Lobatto IIIA–IIIB with 3 stages.
+    Lobatto,
+}
+
+/// The substeps of compositions.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Raise {
+    /// One whole step, order 2.
+    Strang,
+    /// Order 4 with 3 substeps.
+    Yoshida4,
+    /// Order 4 with 5 substeps.
+    Suzuki4,
+    /// Order 6 with 7 substeps.
+    Yoshida6,
+    /// Order 6 with 9 substeps.
+    KahanLi6,
+    /// Order 8 with 17 substeps.
+    KahanLi8,
+}
+
+impl Scheme {
+    /// All of them, by name.
+    pub const NAMES: &[(&str, Self)] = &[
+        ("implicit-midpoint", Self::ImplicitMidpoint),
+        ("gauss-4", Self::Gauss(2)),
+        ("gauss-6", Self::Gauss(3)),
+        ("gauss-8", Self::Gauss(4)),
+        ("gauss-10", Self::Gauss(5)),
+        ("gauss-12", Self::Gauss(6)),
+        ("gauss-16", Self::Gauss(8)),
+        ("explicit-midpoint", Self::ExplicitMidpoint),
+        ("rk4", Self::Rk4),
+        ("symplectic-euler", Self::Partitioned(Pair::SymplecticEuler)),
+        ("stormer-verlet", Self::Partitioned(Pair::StormerVerlet)),
+        ("lobatto-iiia-iiib-4", Self::Partitioned(Pair::Lobatto)),
+        ("strang", Self::Composed(Raise::Strang)),
+        ("yoshida-4", Self::Composed(Raise::Yoshida4)),
+        ("suzuki-4", Self::Composed(Raise::Suzuki4)),
+        ("yoshida-6", Self::Composed(Raise::Yoshida6)),
+        ("kahan-li-6", Self::Composed(Raise::KahanLi6)),
+        ("kahan-li-8", Self::Composed(Raise::KahanLi8)),
+    ];
+
+    /// Its name in configurations and tables.
+    #[must_use]
+    pub fn name(self) -> &'static str {
+        name_of(Self::NAMES, self)
+    }
+}
+
+impl Raise {
+    /// The fractions of a step.
+    ///
+    /// # Errors
+    /// None: all the fractions add up to 1.
+    pub fn substeps(self) -> Result<Substeps, SchemeError> {
+        Ok(match self {
+            Self::Strang => Substeps::new(&[1.0])?,
+            Self::Yoshida4 => Substeps::yoshida4(),
+            Self::Suzuki4 => Substeps::suzuki4(),
+            Self::Yoshida6 => Substeps::yoshida6(),
+            Self::KahanLi6 => Substeps::kahan_li6(),
+            Self::KahanLi8 => Substeps::kahan_li8(),
+        })
+    }
+}
+
+impl TryFrom<String> for Scheme {
+    type Error = String;
+
+    fn try_from(name: String) -> Result<Self, String> {
+        by_name("scheme", Self::NAMES, &name)
+    }
+}
+
+impl From<Scheme> for &'static str {
+    fn from(scheme: Scheme) -> Self {
+        scheme.name()
+    }
+}

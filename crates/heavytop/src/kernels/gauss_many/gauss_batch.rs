@@ -1,0 +1,167 @@
+//! Many tops at once, by collective Gauss methods.
+
+use crate::HeavyTop;
+use crate::kernels::gauss_many::spinor_field::Parameters;
+use crate::kernels::gauss_many::spinor_step::{Coefficients, Motion};
+use collective_integrators::{
+    BatchIntegrator, IntegrationError, Integrator, LaneKernel, LaneResults, LiftFree, Registers,
+    RungeKutta, SchemeError, Tableau, advance_alone, lagrange_polynomial,
+};
+use core::ops::Range;
+use lie_poisson::{InstructionSet, Lanes, Mask, MissingInstructions, Se3Dual, Vector, Width};
+use momentum_map::DualQuaternions;
+
+/// Many tops, advanced side by side in the lanes of the processor's registers by the collective
+/// Gauss method with S stages, of order 2S.
+///
+/// One step is that of [`LiftFree`] with [`RungeKutta::gauss`], to round-off. Stage equations are
+/// solved by sweeps, each stage from the newest derivatives of the others, beginning with the
+/// polynomial through the stages of the step before; a top stops where its own stages have settled.
+/// A top whose stages do not settle, whose Γ is 0, or that is not finite goes through that
+/// integrator instead, and fails where it fails.
+///
+/// What becomes of a top does not depend on the others, nor on the number of lanes: it has the same
+/// bits at every [`Width`], and on all instruction sets that fuse products with sums; those of
+/// [`InstructionSet::Portable`], which does not, differ by rounding.
+///
+/// # Example
+/// ```
+/// use collective_integrators::Ensemble;
+/// use heavytop::{Body, GaussBatch, HeavyTop, Invariant};
+/// use lie_poisson::Se3Dual;
+/// use nalgebra::Vector3;
+/// let body = Body {
+///     inertia: Vector3::new(1.0, 1.4, 0.8),
+///     mass: 1.0,
+///     gravity: 1.0,
+///     length: 1.0,
+///     center_of_mass: Vector3::new(0.6, 0.48, 0.64),
+/// };
+/// let top = HeavyTop::new(&body)?;
+/// let start = |i: u32| {
+///     Se3Dual::new(Vector3::new(1.0, 0.5, f64::from(i) / 50.0), Vector3::new(0.6, 0.0, 0.8))
+/// };
+/// let mut tops: Vec<_> = (0..100).map(|i| (top, start(i))).collect();
+/// let ensemble = Ensemble::new(GaussBatch::<8>::new()?);
+/// assert!(ensemble.advance(&mut tops, 0.25, 0..40).is_empty());
+/// let energy = |mu: &Se3Dual| Invariant::Energy.value(&top, mu);
+/// for (i, (_, mu)) in (0..).zip(&tops) {
+///     assert!((energy(mu) - energy(&start(i))).abs() < 1e-12);
+/// }
+/// # Ok::<(), Box<dyn std::error::Error>>(())
+/// ```
+#[derive(Clone, Debug, PartialEq)]
+pub struct GaussBatch<const S: usize> {
+    scheme: RungeKutta,
+    coefficients: Coefficients<S>,
+    registers: Registers,
+}
+
+impl<const S: usize> GaussBatch<S> {
+    /// On the widest lanes that the processor has.
+    ///
+    /// # Errors
+    /// If S = 0.
+    pub fn new() -> Result<Self, SchemeError> {
+        let scheme = RungeKutta::gauss(S)?;
+        Ok(Self {
+            coefficients: coefficients(scheme.tableau()),
+            scheme,
+            registers: Registers::widest(),
+        })
+    }
+
+    /// The same on the given instructions and width; without this call, on the widest there are.
+    ///
+    /// # Errors
+    /// If the processor lacks the instructions.
+    pub fn on(
+        self,
+        instructions: InstructionSet,
+        width: Width,
+    ) -> Result<Self, MissingInstructions> {
+        Ok(Self { registers: Registers::new(instructions, width)?, ..self })
+    }
+}
+
+/// Runs in several calls that meet at multiples of [`CHECKPOINT`](collective_integrators::CHECKPOINT)
+/// have the bits of one run; others differ by rounding.
+impl<const S: usize> BatchIntegrator for GaussBatch<S> {
+    type Member = (HeavyTop, Se3Dual);
+    type Workspace = ();
+
+    fn workspace(&self) {}
+
+    fn advance(
+        &self,
+        members: &mut [(HeavyTop, Se3Dual)],
+        step: f64,
+        steps: Range<u64>,
+        (): &mut (),
+        failed: &mut dyn FnMut(usize, IntegrationError),
+    ) {
+        let coefficients = self.coefficients.scaled(step);
+        let kernel = Kernel { scheme: &self.scheme, coefficients };
+        self.registers.advance(&kernel, members, step, steps, &mut (), failed);
+    }
+}
+
+/// a, b, and a W with W_jl = Π_{m≠l} (1 + c_j − c_m)/(c_l − c_m), which extends the polynomial
+/// through the derivatives of one step to the nodes of the next.
+fn coefficients<const S: usize>(gauss: &Tableau) -> Coefficients<S> {
+    let c = gauss.nodes();
+    let extension = |j: usize, l: usize| lagrange_polynomial(c, l, 1.0 + c[j]);
+    let a = |i: usize, j: usize| gauss.row(i)[j];
+    let extended = |i, l| (0..S).map(|j| a(i, j) * extension(j, l)).sum();
+    Coefficients {
+        a: core::array::from_fn(|i| core::array::from_fn(|j| a(i, j))),
+        b: core::array::from_fn(|i| gauss.weights()[i]),
+        extended: core::array::from_fn(|i| core::array::from_fn(|l| extended(i, l))),
+    }
+}
+
+/// The coefficients are those of the scheme, times the step.
+struct Kernel<'a, const S: usize> {
+    scheme: &'a RungeKutta,
+    coefficients: Coefficients<S>,
+}
+
+impl<const S: usize> LaneKernel for Kernel<'_, S> {
+    type Member = (HeavyTop, Se3Dual);
+    type Workspace = ();
+
+    #[inline(always)]
+    fn together<T: Lanes>(
+        &self,
+        group: &mut [(HeavyTop, Se3Dual)],
+        step: f64,
+        count: u64,
+    ) -> LaneResults {
+        let last = group.len() - 1;
+        let top = Parameters::<T>::from_lanes(|i| &group[i.min(last)].0);
+        let mut motion = Motion::<T, S>::lift(|i| &group[i.min(last)].1);
+        for n in 0..count {
+            motion.step(&top, &self.coefficients, step, n == 0);
+        }
+        let mut results = LaneResults::default();
+        for (i, (_, state)) in group.iter_mut().enumerate() {
+            if motion.alive.lane(i) {
+                *state = motion.momentum(i);
+                results[i] = state.is_finite();
+            }
+        }
+        results
+    }
+
+    fn alone(
+        &self,
+        (top, state): &mut (HeavyTop, Se3Dual),
+        step: f64,
+        steps: Range<u64>,
+        (): &mut (),
+    ) -> Result<(), IntegrationError> {
+        let integrator = LiftFree::new(self.scheme.clone(), DualQuaternions, *top);
+        let workspace = &mut Integrator::<f64>::workspace(&integrator);
+        advance_alone(&integrator, state, step, steps, workspace)
+    }
+}

@@ -1,0 +1,233 @@
+//! Collective Gauss methods of one heavy top, with the stages in the lanes of a register.
+
+use super::coefficients::Coefficients;
+use super::kernel::{Attempt, MOST};
+use super::memory::Memory;
+use super::point::Point;
+use super::row::WIDTH;
+use crate::attitude::step_rotation::turned_by_spinors;
+use crate::{HeavyTop, SpinorPoint, SpinorRealisation, TurnedStep, Turning};
+use collective_integrators::{
+    Collective, CollectiveSpace, Compensated, Integrator, RungeKutta, SchemeError, StageSpace,
+    Start, Step, StepError,
+};
+use lie_poisson::{InstructionSet, MissingInstructions, Pair, Se3Dual, Width, dispatch};
+use momentum_map::LiftError;
+
+/// The general integrator.
+type General = Compensated<Collective<RungeKutta, SpinorRealisation, HeavyTop>>;
+
+/// (z, e)
+type State = Pair<SpinorPoint, SpinorPoint>;
+
+/// The collective Gauss method of a [`HeavyTop`] with 1 to 8 stages, of order 2 to 16: the steps of
+/// [`Collective`]`::new(`[`RungeKutta::gauss`]`(s)?, `[`SpinorRealisation`]`, top).compensated()` to
+/// round-off, at a fraction of the cost. That integrator serves every other Hamiltonian and any number of
+/// stages.
+///
+/// The state is (z, e): the lift z = (χ, ψ) ∈ T∗C², and e, what the last addition z + δz rounded
+/// away. μ = **M**(z).
+///
+/// # Method
+/// The stage equations
+///
+/// ```text
+/// Z_i = z + Σ_j μ_ij ℓ_j,    ℓ_j = h b_j X(Z_j),    μ_ij = a_ij / b_j,    z₁ = z + Σ_j ℓ_j
+/// ```
+///
+/// have one stage per lane of a register, by AVX-512, AVX2 or plain arithmetic, whichever the
+/// processor is found to have when the integrator is made. They are iterated until Ω changes by
+/// round-off alone, from the polynomial through the last step's ℓ if the step continues that one:
+/// the same size, from where it ended. A step therefore depends on the one before, by round-off;
+/// [`forget`](Integrator::forget) removes that. μ_ij + μ_ji = 1 holds to the last bit, so that
+/// rounding of coefficients makes no Casimir drift. When χ has grown along the fibre to √2 of its least, χ
+/// slides back by a power of two times ψ.
+///
+/// Where the iteration does not converge, for large steps, the [general](Self::general) integrator makes the
+/// step, by Newton's iteration if it must.
+///
+/// With eight stages and step 1/4 the paper's experiment is right to 1e-14 at t = 10, at 480 ns a step
+/// with AVX-512, 720 ns with AVX2, 2.2 µs by plain arithmetic (one machine; the example
+/// `collective_gauss` measures yours).
+///
+/// Source: Ohsawa 2019, §5.1; Antoñana, Makazaga & Murua, *Reducing and monitoring round-off
+/// error propagation for symplectic implicit Runge–Kutta schemes*, Numer. Algorithms 76 (2017),
+/// for μ; Hairer, McLachlan & Razakarivony, *Achieving Brouwer's law with implicit Runge–Kutta
+/// methods*, BIT 48 (2008), for compensation and for iterating to the floor.
+///
+/// # Example
+/// ```
+/// use collective_integrators::Start;
+/// use heavytop::{CollectiveGauss, HeavyTop, Invariant};
+/// use lie_poisson::Se3Dual;
+/// use nalgebra::Vector3;
+/// let top = HeavyTop::kovalevskaya(1.0, 1.0)?;
+/// let start = Se3Dual::new(Vector3::new(2.0, 3.0, 4.0), Vector3::new(0.6, 0.0, 0.8));
+/// let gauss = CollectiveGauss::new(8, top)?;
+/// for sample in gauss.trajectory(&start, 0.25)?.take(4001) {
+///     let mu = sample?.momentum;
+///     let deviation = |i: Invariant| (i.value(&top, &mu) - i.value(&top, &start)).abs();
+///     assert!(deviation(Invariant::Energy) < 1e-12);
+///     assert!(deviation(Invariant::VerticalSquared) < 1e-14);
+///     assert!(deviation(Invariant::VerticalMomentum) < 5e-14);
+/// }
+/// # Ok::<(), Box<dyn std::error::Error>>(())
+/// ```
+#[derive(Clone, Debug, PartialEq)]
+pub struct CollectiveGauss {
+    general: General,
+    coefficients: Coefficients,
+    instructions: InstructionSet,
+}
+
+/// The storage of a step of [`CollectiveGauss`].
+#[derive(Clone, Debug)]
+pub struct CollectiveGaussSpace {
+    memory: Memory,
+    general: CollectiveSpace<StageSpace<SpinorPoint>, SpinorPoint>,
+}
+
+impl HeavyTop {
+    /// The collective Gauss method with the given number of stages for this top, by the fastest formulas:
+    /// [`CollectiveGauss::new`].
+    ///
+    /// # Errors
+    /// Unless there are 1 to 8 stages.
+    pub fn gauss(&self, stages: usize) -> Result<CollectiveGauss, SchemeError> {
+        CollectiveGauss::new(stages, *self)
+    }
+}
+
+impl CollectiveGauss {
+    /// The method with the given number of stages, of order twice as much.
+    ///
+    /// # Errors
+    /// Unless there are 1 to 8 stages.
+    pub fn new(stages: usize, top: HeavyTop) -> Result<Self, SchemeError> {
+        let gauss = RungeKutta::gauss(stages)?;
+        if stages > WIDTH {
+            let family = "CollectiveGauss";
+            return Err(SchemeError::Family { family, least: 1, most: WIDTH, stages });
+        }
+        let coefficients = Coefficients::new(gauss.tableau(), &top);
+        let general = Collective::new(gauss, SpinorRealisation, top).compensated();
+        Ok(Self { general, coefficients, instructions: fastest(stages) })
+    }
+
+    /// The same by other instructions; steps differ by round-off.
+    ///
+    /// # Errors
+    /// If the processor lacks them.
+    pub fn with_instructions(self, set: InstructionSet) -> Result<Self, MissingInstructions> {
+        if set.is_available() {
+            Ok(Self { instructions: set, ..self })
+        } else {
+            Err(MissingInstructions { set })
+        }
+    }
+
+    /// The instructions in use.
+    #[must_use]
+    pub fn instructions(&self) -> InstructionSet {
+        self.instructions
+    }
+
+    /// The same method by the general integrator, which makes the steps for which the iteration does not
+    /// converge.
+    #[must_use]
+    pub fn general(&self) -> &General {
+        &self.general
+    }
+
+    /// A step in registers with room for S stages, and its sweeps; none if the iteration does not converge.
+    #[inline]
+    fn attempt<const S: usize>(
+        &self,
+        step: f64,
+        start: &Point,
+        memory: &mut Memory,
+    ) -> Option<(Point, usize)> {
+        let task = Attempt::<S> { coefficients: &self.coefficients, step, start, memory };
+        dispatch(task, self.instructions, Width::Register).ok().flatten()
+    }
+
+    /// A step by the general integrator.
+    #[cold]
+    fn rescue(
+        &self,
+        state: &State,
+        step: f64,
+        workspace: &mut CollectiveGaussSpace,
+    ) -> Result<Step<State>, StepError> {
+        workspace.memory.forget();
+        let next = self.general.step(state, step, &mut workspace.general)?;
+        Ok(Step { iterations: MOST + next.iterations, ..next })
+    }
+}
+
+/// Up to four stages fit a register of AVX2, which works faster than a wider one half empty.
+fn fastest(stages: usize) -> InstructionSet {
+    match InstructionSet::detected() {
+        InstructionSet::Avx512 if stages <= 4 => InstructionSet::Avx2,
+        set => set,
+    }
+}
+
+impl Integrator for CollectiveGauss {
+    type State = State;
+    type Momentum = Se3Dual;
+    type Workspace = CollectiveGaussSpace;
+
+    fn workspace(&self) -> CollectiveGaussSpace {
+        CollectiveGaussSpace { memory: Memory::new(), general: self.general.workspace() }
+    }
+
+    #[inline]
+    fn step(
+        &self,
+        state: &Self::State,
+        step: f64,
+        workspace: &mut CollectiveGaussSpace,
+    ) -> Result<Step<Self::State>, StepError> {
+        let (start, memory) = (Point::from_state(state), &mut workspace.memory);
+        let attempt = match self.coefficients.stages {
+            ..=4 => self.attempt::<4>(step, &start, memory),
+            5 | 6 => self.attempt::<6>(step, &start, memory),
+            _ => self.attempt::<8>(step, &start, memory),
+        };
+        match attempt {
+            Some((end, iterations)) => Ok(Step { point: end.state(), iterations }),
+            None => self.rescue(state, step, workspace),
+        }
+    }
+
+    fn forget(&self, workspace: &mut CollectiveGaussSpace) {
+        workspace.memory.forget();
+        self.general.forget(&mut workspace.general);
+    }
+
+    #[inline]
+    fn momentum(&self, state: &Self::State) -> Se3Dual {
+        self.general.momentum(state)
+    }
+}
+
+impl Start for CollectiveGauss {
+    /// (z, 0) with the lift z of least norm.
+    fn start(&self, mu: &Se3Dual) -> Result<Self::State, LiftError> {
+        self.general.start(mu)
+    }
+}
+
+/// By ψₙ₊₁ = Q ψₙ.
+impl Turning for CollectiveGauss {
+    #[inline]
+    fn turn(
+        &self,
+        state: &Self::State,
+        step: f64,
+        workspace: &mut Self::Workspace,
+    ) -> TurnedStep<Self::State, f64> {
+        turned_by_spinors(self, state, step, workspace, |state| &state.0)
+    }
+}

@@ -1,0 +1,58 @@
+//! The midpoint rule on se(3)∗ for a given velocity at the midpoint.
+
+use crate::attitude::step_rotation::unit;
+use lie_poisson::{Covector, Pair, Quaternion, Real, Se3Dual};
+use nalgebra::Vector3;
+
+/// (Ωₘ, γₘ) = dh at the midpoint.
+pub(super) type Velocity<T> = Pair<Vector3<T>, Vector3<T>>;
+
+/// R_a v, for n = 1/(1+|a|²).
+#[inline]
+fn half_turn<T: Real>(a: &Vector3<T>, n: T, v: &Vector3<T>) -> Vector3<T> {
+    let turned = v.cross(a);
+    v + (turned + turned.cross(a)) * (n + n)
+}
+
+/// The unit quaternion of R_a R_a.
+#[inline]
+pub(super) fn whole_turn<T: Real>(a: &Vector3<T>) -> Quaternion<T> {
+    // R_a is the rotation by 1 − a.
+    let half = Quaternion { scalar: T::one(), vector: -a };
+    unit(half * half)
+}
+
+/// a of the unit quaternion of R_a R_a, (1 − |a|² − 2a)/(1 + |a|²).
+#[inline]
+pub(super) fn half_angle<T: Real>(turn: &Quaternion<T>) -> Vector3<T> {
+    turn.vector * (-T::one() / (turn.scalar + 1.0))
+}
+
+/// a = (h/4) Ωₘ and 1/(1+|a|²)
+#[inline]
+fn angle<T: Real>(omega: &Vector3<T>, step: f64) -> (Vector3<T>, T) {
+    let a = omega * T::from_f64(0.25 * step);
+    (a, T::one() / (a.dot(&a) + 1.0))
+}
+
+/// (Πₘ, Γₘ)
+#[inline]
+pub(super) fn middle<T: Real>(start: &Se3Dual<T>, velocity: &Velocity<T>, step: f64) -> Se3Dual<T> {
+    let (Covector(Pair(pi, gamma)), Pair(omega, force)) = (start, velocity);
+    let (a, n) = angle(omega, step);
+    let vertical = half_turn(&a, n, gamma) * n;
+    let torque = vertical.cross(&(force + force.cross(&a))) - vertical * a.dot(force);
+    let pi = half_turn(&a, n, pi) + torque * T::from_f64(0.5 * step);
+    Se3Dual::new(pi * n, vertical)
+}
+
+/// (Π₁, Γ₁)
+#[inline]
+pub(super) fn end<T: Real>(start: &Se3Dual<T>, velocity: &Velocity<T>, step: f64) -> Se3Dual<T> {
+    let (Covector(Pair(pi, gamma)), Pair(omega, force)) = (start, velocity);
+    let (a, n) = angle(omega, step);
+    let half = half_turn(&a, n, gamma);
+    let torque = half.cross(force) * (n * T::from_f64(step));
+    let pi = half_turn(&a, n, &(half_turn(&a, n, pi) + torque));
+    Se3Dual::new(pi, half_turn(&a, n, &half))
+}

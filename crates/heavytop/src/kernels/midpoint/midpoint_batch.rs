@@ -1,0 +1,185 @@
+//! The collective midpoint rule for many tops at once.
+
+use crate::HeavyTop;
+use crate::kernels::midpoint::formulas::{Member, together};
+use crate::kernels::midpoint::top_midpoint::{TopMidpoint, TopMidpointSpace};
+use collective_integrators::{
+    BatchIntegrator, IntegrationError, Integrator, LaneKernel, LaneResults, Registers,
+    advance_alone,
+};
+use core::ops::Range;
+use lie_poisson::{InstructionSet, Lanes, MissingInstructions, Se3Dual, Width};
+
+/// Many states of one top. They are advanced in the SIMD lanes of the processor's registers, two registers
+/// at a time. Each has the bits of its own [`trajectory`](collective_integrators::Start::trajectory) on the
+/// same instructions; those of AVX2 and AVX-512 are alike, and those of [`InstructionSet::Portable`], which
+/// does not fuse products with sums, differ by rounding.
+///
+/// # Example
+/// Tops with different angular momenta:
+/// ```
+/// use collective_integrators::Ensemble;
+/// use heavytop::{HeavyTop, TopMidpoint};
+/// use lie_poisson::Se3Dual;
+/// use nalgebra::Vector3;
+/// let start = |i: usize| Se3Dual::new(Vector3::new(1.0, 0.1 * i as f64, 2.0), Vector3::z());
+/// let mut tops: Vec<_> = (0..20).map(start).collect();
+/// tops[7].0.0.x = f64::NAN;
+/// let midpoint = Ensemble::new(TopMidpoint::new(HeavyTop::kovalevskaya(1.0, 1.0)?));
+/// let failures = midpoint.advance(&mut tops, 0.01, 0..1000);
+/// assert!(failures.len() == 1 && failures[0].index == 7 && failures[0].source.step == 1);
+/// for (i, mu) in tops.iter().enumerate().filter(|&(i, _)| i != 7) {
+///     assert!((mu.0.0.dot(&mu.0.1) - start(i).0.0.z).abs() < 1e-13, "{i}");
+/// }
+/// # Ok::<(), heavytop::TopError>(())
+/// ```
+impl BatchIntegrator for TopMidpoint {
+    type Member = Se3Dual;
+
+    /// That of the steps of one top.
+    type Workspace = TopMidpointSpace;
+
+    fn workspace(&self) -> TopMidpointSpace {
+        Integrator::workspace(self)
+    }
+
+    fn advance(
+        &self,
+        states: &mut [Se3Dual],
+        step: f64,
+        steps: Range<u64>,
+        space: &mut TopMidpointSpace,
+        failed: &mut dyn FnMut(usize, IntegrationError),
+    ) {
+        self.registers().advance(self, states, step, steps, space, failed);
+    }
+}
+
+impl LaneKernel for TopMidpoint {
+    type Member = Se3Dual;
+    type Workspace = TopMidpointSpace;
+
+    #[inline(always)]
+    fn together<T: Lanes>(&self, group: &mut [Se3Dual], step: f64, count: u64) -> LaneResults {
+        let top = *self.top();
+        together::<T, _>(|_| top, group, step, count)
+    }
+
+    fn alone(
+        &self,
+        state: &mut Se3Dual,
+        step: f64,
+        steps: Range<u64>,
+        space: &mut TopMidpointSpace,
+    ) -> Result<(), IntegrationError> {
+        advance_alone(self, state, step, steps, space)
+    }
+}
+
+/// [`TopMidpoint`] for many tops, each with its own parameters and start: (top, μ).
+///
+/// # Example
+/// Lagrange tops of different moments, with Π₃ conserved:
+/// ```
+/// use collective_integrators::Ensemble;
+/// use heavytop::{HeavyTop, MidpointBatch};
+/// use lie_poisson::Se3Dual;
+/// use nalgebra::Vector3;
+/// let start = Se3Dual::new(Vector3::new(0.3, 0.0, 2.0), Vector3::z());
+/// let tops = (1..10).map(|i| HeavyTop::lagrange(1.0, 0.1 * f64::from(i), 1.0));
+/// let mut members: Vec<_> = tops.map(|top| Ok((top?, start))).collect::<Result<_, heavytop::TopError>>()?;
+/// let ensemble = Ensemble::new(MidpointBatch::new());
+/// assert!(ensemble.advance(&mut members, 0.01, 0..1000).is_empty());
+/// assert!(members.iter().all(|(_, mu)| (mu.0.0.z - 2.0).abs() < 1e-12));
+/// assert!((members[0].1.0.0.x - members[1].1.0.0.x).abs() > 1e-3);
+/// # Ok::<(), heavytop::TopError>(())
+/// ```
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub struct MidpointBatch {
+    registers: Registers,
+}
+
+impl Default for MidpointBatch {
+    fn default() -> Self {
+        Self::new()
+    }
+}
+
+impl MidpointBatch {
+    /// Creates the method on the widest registers that the processor has.
+    #[must_use]
+    pub fn new() -> Self {
+        Self { registers: Registers::widest() }
+    }
+
+    /// Creates the method on other instructions.
+    ///
+    /// # Errors
+    /// Returns [`MissingInstructions`] if the processor lacks them.
+    pub fn with_instructions(set: InstructionSet) -> Result<Self, MissingInstructions> {
+        Ok(Self { registers: Registers::new(set, Width::TwoRegisters)? })
+    }
+}
+
+/// A member without a result in its lane takes storage for its steps.
+impl BatchIntegrator for MidpointBatch {
+    type Member = (HeavyTop, Se3Dual);
+    type Workspace = ();
+
+    fn workspace(&self) {}
+
+    fn advance(
+        &self,
+        members: &mut [(HeavyTop, Se3Dual)],
+        step: f64,
+        steps: Range<u64>,
+        (): &mut (),
+        failed: &mut dyn FnMut(usize, IntegrationError),
+    ) {
+        self.registers.advance(self, members, step, steps, &mut (), failed);
+    }
+}
+
+impl LaneKernel for MidpointBatch {
+    type Member = (HeavyTop, Se3Dual);
+    type Workspace = ();
+
+    #[inline(always)]
+    fn together<T: Lanes>(
+        &self,
+        group: &mut [(HeavyTop, Se3Dual)],
+        step: f64,
+        count: u64,
+    ) -> LaneResults {
+        together::<T, _>(|member: &(HeavyTop, Se3Dual)| member.0, group, step, count)
+    }
+
+    fn alone(
+        &self,
+        (top, state): &mut (HeavyTop, Se3Dual),
+        step: f64,
+        steps: Range<u64>,
+        (): &mut (),
+    ) -> Result<(), IntegrationError> {
+        let midpoint = TopMidpoint::on(*top, self.registers);
+        advance_alone(&midpoint, state, step, steps, &mut Integrator::workspace(&midpoint))
+    }
+}
+
+impl Member for Se3Dual {
+    fn state(&self) -> &Se3Dual {
+        self
+    }
+    fn state_mut(&mut self) -> &mut Se3Dual {
+        self
+    }
+}
+
+impl Member for (HeavyTop, Se3Dual) {
+    fn state(&self) -> &Se3Dual {
+        &self.1
+    }
+    fn state_mut(&mut self) -> &mut Se3Dual {
+        &mut self.1
+    }
+}

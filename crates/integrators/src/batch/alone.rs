@@ -1,0 +1,34 @@
+//! The steps of one member by itself.
+
+use crate::batch::blocks::blocks;
+use crate::{IntegrationError, Integrator, StepError};
+use core::ops::Range;
+use lie_poisson::Real;
+
+/// Advances one state from where `steps.start` steps have led it to where `steps.end` will, as a
+/// [`Trajectory`](crate::Trajectory) that starts there does: nothing is remembered of earlier steps at the start
+/// and at the multiples of [`CHECKPOINT`](crate::CHECKPOINT).
+///
+/// A [`LaneKernel`](crate::LaneKernel) calls it for a member whose steps have no result in its lane.
+///
+/// # Errors
+/// Returns an [`IntegrationError`] if the start or the step size is not finite, or if a step fails, with the number
+/// and the time of that step; the state is then that before the step.
+pub fn advance_alone<T: Real, I: Integrator<T>>(
+    integrator: &I,
+    state: &mut I::State,
+    step: f64,
+    steps: Range<u64>,
+    workspace: &mut I::Workspace,
+) -> Result<(), IntegrationError> {
+    StepError::check_start(state, step)
+        .map_err(|refused| IntegrationError::after(steps.start, step, refused))?;
+    for block in blocks(steps) {
+        integrator.forget(workspace);
+        for made in block {
+            let next = integrator.step(state, step, workspace);
+            *state = next.map_err(|source| IntegrationError::after(made, step, source))?.point;
+        }
+    }
+    Ok(())
+}

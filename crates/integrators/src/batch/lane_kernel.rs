@@ -1,0 +1,193 @@
+//! Kernels for many members: [`LaneKernel`], on the [`Registers`] of the processor.
+
+use crate::IntegrationError;
+use crate::batch::groups::{Group, MOST_LANES, advance_groups};
+use core::marker::PhantomData;
+use core::ops::Range;
+use lie_poisson::{InstructionSet, LaneTask, Lanes, MissingInstructions, Width, dispatch};
+
+/// The steps of a group of members, one in each SIMD lane: what a method for many members of a special system has to
+/// bring. [`Registers::advance`] makes a [`BatchIntegrator`](crate::BatchIntegrator) of it.
+///
+/// # Example
+/// Exact rotations of the plane, by one product for each step:
+/// ```
+/// use collective_integrators::{IntegrationError, LaneKernel, LaneResults, Registers, StepError};
+/// use core::ops::Range;
+/// use lie_poisson::Lanes;
+/// use nalgebra::Vector2;
+///
+/// struct Rotations;
+/// impl LaneKernel for Rotations {
+///     type Member = Vector2<f64>;
+///     type Workspace = ();
+///
+///     #[inline(always)]
+///     fn together<T: Lanes>(&self, group: &mut [Vector2<f64>], step: f64, count: u64) -> LaneResults {
+///         let last = group.len() - 1;
+///         let (sin, cos) = step.sin_cos();
+///         let mut x = T::from_lanes(|i| group[i.min(last)].x);
+///         let mut y = T::from_lanes(|i| group[i.min(last)].y);
+///         for _ in 0..count {
+///             (x, y) = (x * cos - y * sin, x * sin + y * cos);
+///         }
+///         let mut results = LaneResults::default();
+///         for (i, member) in group.iter_mut().enumerate() {
+///             *member = Vector2::new(x.lane(i), y.lane(i));
+///             results[i] = member.x.is_finite() && member.y.is_finite();
+///         }
+///         results
+///     }
+///
+///     fn alone(
+///         &self,
+///         member: &mut Vector2<f64>,
+///         step: f64,
+///         steps: Range<u64>,
+///         (): &mut (),
+///     ) -> Result<(), IntegrationError> {
+///         // A rotation has a result for every start that is finite.
+///         StepError::check_start(member, step)
+///             .map_err(|refused| IntegrationError::after(steps.start, step, refused))
+///     }
+/// }
+///
+/// let mut members = [1.0, 2.0, f64::NAN].map(|x| Vector2::new(x, 0.0));
+/// let mut failures = Vec::new();
+/// let mut report = |index, error: IntegrationError| failures.push((index, error.step));
+/// Registers::widest().advance(&Rotations, &mut members, 0.1, 0..10, &mut (), &mut report);
+/// assert!((members[1] - Vector2::new(1.0_f64.cos(), 1.0_f64.sin()) * 2.0).norm() < 1e-14);
+/// assert_eq!(failures, [(2, 1)]);
+/// ```
+pub trait LaneKernel: Sync {
+    /// One of the many: its state, with its parameters where they differ from member to member.
+    type Member: Copy + Send + Sync;
+
+    /// The storage for the steps of one member by itself.
+    type Workspace;
+
+    /// Advances a group of at least one and at most `T::COUNT` members by `count` steps, without a memory of earlier
+    /// steps. Returns where the members have a finite result; the others may be left in any state.
+    ///
+    /// What becomes of a member must depend on it alone. Mark the method `#[inline(always)]`, as [`LaneTask`] explains.
+    fn together<T: Lanes>(&self, group: &mut [Self::Member], step: f64, count: u64) -> LaneResults;
+
+    /// Makes the same steps with one member by itself, where [`together`](Self::together) has no result.
+    /// [`advance_alone`](crate::advance_alone) does it by an [`Integrator`](crate::Integrator).
+    ///
+    /// # Errors
+    /// Returns an [`IntegrationError`] if the member cannot be advanced; it is left in the state before the step that
+    /// failed.
+    fn alone(
+        &self,
+        member: &mut Self::Member,
+        step: f64,
+        steps: Range<u64>,
+        workspace: &mut Self::Workspace,
+    ) -> Result<(), IntegrationError>;
+}
+
+/// The lanes of a group in which a member has a result.
+pub type LaneResults = [bool; MOST_LANES];
+
+/// The registers that a [`LaneKernel`] computes in: an instruction set that this processor has, and a width.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub struct Registers {
+    instructions: InstructionSet,
+    width: Width,
+}
+
+impl Registers {
+    /// Chooses the widest registers of this processor, two at a time.
+    #[must_use]
+    pub fn widest() -> Self {
+        Self { instructions: InstructionSet::detected(), width: Width::TwoRegisters }
+    }
+
+    /// Chooses registers.
+    ///
+    /// # Errors
+    /// Returns [`MissingInstructions`] if the processor lacks the instructions.
+    pub fn new(instructions: InstructionSet, width: Width) -> Result<Self, MissingInstructions> {
+        if instructions.is_available() {
+            Ok(Self { instructions, width })
+        } else {
+            Err(MissingInstructions { set: instructions })
+        }
+    }
+
+    /// Returns the instructions.
+    #[must_use]
+    pub fn instructions(self) -> InstructionSet {
+        self.instructions
+    }
+
+    /// Advances the members by a kernel, as [`BatchIntegrator::advance`](crate::BatchIntegrator::advance) promises:
+    /// with its lanes from one checkpoint to the next, and by itself where a member has no result in its lane.
+    pub fn advance<K: LaneKernel>(
+        self,
+        kernel: &K,
+        members: &mut [K::Member],
+        step: f64,
+        steps: Range<u64>,
+        workspace: &mut K::Workspace,
+        failed: &mut dyn FnMut(usize, IntegrationError),
+    ) {
+        let task = Advance { kernel, members, step, steps, workspace, failed };
+        // The constructors have asked the processor, which has not changed: there is no error.
+        dispatch(task, self.instructions, self.width).unwrap_or_default();
+    }
+}
+
+/// All members, on lanes that [`dispatch`] chooses.
+struct Advance<'a, K: LaneKernel> {
+    kernel: &'a K,
+    members: &'a mut [K::Member],
+    step: f64,
+    steps: Range<u64>,
+    workspace: &'a mut K::Workspace,
+    failed: &'a mut dyn FnMut(usize, IntegrationError),
+}
+
+impl<K: LaneKernel> LaneTask for Advance<'_, K> {
+    type Output = ();
+
+    #[inline(always)]
+    fn run<T: Lanes>(self) {
+        let Self { kernel, members, step, steps, workspace, failed } = self;
+        let mut group = KernelGroup::<K, T> { kernel, workspace, lanes: PhantomData };
+        advance_groups(&mut group, members, step, steps, failed);
+    }
+}
+
+/// A kernel on lanes of type `T`.
+struct KernelGroup<'a, K: LaneKernel, T> {
+    kernel: &'a K,
+    workspace: &'a mut K::Workspace,
+    lanes: PhantomData<T>,
+}
+
+impl<K: LaneKernel, T: Lanes> Group for KernelGroup<'_, K, T> {
+    type Member = K::Member;
+
+    #[inline(always)]
+    fn width(&self) -> usize {
+        T::COUNT
+    }
+
+    #[inline(always)]
+    fn together(&mut self, group: &mut [K::Member], step: f64, count: u64) -> LaneResults {
+        self.kernel.together::<T>(group, step, count)
+    }
+
+    #[cold]
+    #[inline(never)]
+    fn alone(
+        &mut self,
+        member: &mut K::Member,
+        step: f64,
+        steps: Range<u64>,
+    ) -> Result<(), IntegrationError> {
+        self.kernel.alone(member, step, steps, self.workspace)
+    }
+}
