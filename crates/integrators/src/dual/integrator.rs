@@ -132,7 +132,8 @@ pub trait Start<T: Real = f64>: Integrator<T> {
     }
 }
 
-/// An [`Integrator`] whose state is μ itself, so that it can [`Start`] from every μ.
+/// An [`Integrator`] whose state is μ itself, or a point of another space than 𝔤∗, so that it can [`Start`] from
+/// every one.
 ///
 /// # Example
 /// The implicit Euler method for ż = −z:
@@ -158,7 +159,7 @@ pub trait Start<T: Real = f64>: Integrator<T> {
 ///     }
 /// }
 /// impl StateIsMomentum for Decay {}
-/// assert_eq!(Decay.after(&Vector1::new(1.0), 1.0, 3)?.momentum.x, 0.125);
+/// assert_eq!(Decay.after(&Vector1::new(1.0), 1.0, 3)?.state.x, 0.125);
 /// # Ok::<(), collective_integrators::RunError>(())
 /// ```
 pub trait StateIsMomentum {}
