@@ -20,8 +20,8 @@ TITLES = {
     "generic-ensemble": "10⁴ generic tops to t = 20, one thread",
 }
 
-# What is compared: each contestant is (pattern of the name, setting or None, largest error at 10); of the rows that fit,
-# the fastest. The ratio is of seconds, ours by theirs.
+# What is compared. A contestant is (pattern of the name, setting or None, largest error at 10): the fastest row that
+# fits. The ratio is of seconds, ours by theirs.
 ANY = float("inf")
 KOVALEVSKAYA, GENERIC = "kovalevskaya", "generic"
 GAUSS, MIDPOINT = ("heavytop collective Gauss*", None, 2e-14), ("heavytop lift-free midpoint*", "h = 0.01", ANY)
@@ -40,14 +40,15 @@ PEERS = [
     ("one top, midpoint rule", "C++ in vectors", "", (KOVALEVSKAYA,), MIDPOINT,
      ("C++ implicit midpoint, vectors", None, ANY)),
     ("one top, midpoint rule", "GSL", "", (KOVALEVSKAYA,), MIDPOINT, ("GSL rk2imp", None, ANY)),
-    ("ensemble, midpoint rule", "C++ SIMD", "-ensemble", (GENERIC,), MIDPOINT, ("C++ SIMD implicit midpoint", None, ANY)),
+    ("ensemble, midpoint rule", "C++ SIMD", "-ensemble", (GENERIC,), MIDPOINT,
+     ("C++ SIMD implicit midpoint", None, ANY)),
     ("ensemble, error 3e-13", "SIMD RK8", "-ensemble", (KOVALEVSKAYA, GENERIC), ENSEMBLE_13, SIMD_RK8_13),
     ("ensemble, error 3e-13", "heyoka", "-ensemble", (KOVALEVSKAYA, GENERIC), ENSEMBLE_13,
      ("heyoka, batch*", None, 3e-13)),
     ("ensemble, error 1e-8", "SIMD RK8", "-ensemble", (KOVALEVSKAYA,), ENSEMBLE_8, SIMD_RK8_8),
 ]
 
-# (general method, kernel by its problem's kind, end of the problems' names, setting)
+# (general integrator, kernel for tops, end of the problems' names, setting)
 THIRD = "h = 0.3333333333333333"
 GENERAL = [
     ("any system: Gauss-16", "collective Gauss-16", "", "h = 0.25"),
@@ -87,7 +88,7 @@ def fastest(rows, problem, wanted):
 
 
 def pair(rows, problem, ours, theirs):
-    """The two rows that are compared and the median over the rounds of the ratio within a round; None where one lacks."""
+    """The two rows compared, and the median over the rounds of the ratio within a round; None where a row lacks."""
     a, b = fastest(rows, problem, ours), fastest(rows, problem, theirs)
     if a is None or b is None:
         return None
@@ -105,7 +106,7 @@ def ratios(rows):
 
 
 def settings(rows):
-    lines = ["### What the ratios compare", "", "The fastest setting of each contestant that reaches the error.", "",
+    lines = ["### What the ratios compare", "", "Each row names the fastest setting of each contestant that reaches the error.", "",
              "| task | peer | top | ours | theirs |", "|---|---|---|---|---|"]
     for task, peer, ensemble, tops, ours, theirs in PEERS:
         for top in tops:
@@ -116,7 +117,8 @@ def settings(rows):
 
 
 def general(rows):
-    lines = ["### General integrators and kernels", "", "Time of a general integrator by that of the kernel for tops.", "",
+    lines = ["### General integrators and kernels", "",
+             "The time of a general integrator divided by that of the kernel for tops.", "",
              "| general integrator | setting | problem | Kovalevskaya's top | generic top |", "|---|---|---|--:|--:|"]
     for method, kernel, ensemble, setting in GENERAL:
         pairs = [pair(rows, top + ensemble, (f"heavytop {method}", setting, ANY), (f"heavytop {kernel}", setting, ANY))
