@@ -1,8 +1,7 @@
 //! The names that a program with heavy tops usually needs, from this crate and from those below it.
 //!
-//! `use heavytop::prelude::*;` replaces one `use` line per crate. The prelude holds no two items of one name,
-//! which the roots of the crates together do: `Composition` is a map in `momentum-map` and a scheme in
-//! `collective-integrators`, and `laws` is a module of two crates.
+//! `use heavytop::prelude::*;` replaces one `use` line per crate. What it leaves out is at the roots of the crates,
+//! which [`heavytop`](crate) re-exports.
 //!
 //! | for | names |
 //! |---|---|

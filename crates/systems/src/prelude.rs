@@ -1,8 +1,7 @@
 //! The names that a program with these systems usually needs, from this crate and from those below it.
 //!
-//! `use lie_poisson_systems::prelude::*;` replaces one `use` line per crate. The prelude holds no two items of one
-//! name, which the roots of the crates together do: `Composition` is a map in `momentum-map` and a scheme in
-//! `collective-integrators`.
+//! `use lie_poisson_systems::prelude::*;` replaces one `use` line per crate. What it leaves out is at the roots of the
+//! crates, which [`lie_poisson_systems`](crate) re-exports.
 //!
 //! # Example
 //! A chain of spins without a field conserves its total spin:
