@@ -1,27 +1,84 @@
-//! Schemes that know nothing of 𝔤, and the collective integrator that brings them to 𝔤∗.
+//! Lie–Poisson integrators: one-step schemes for vector fields, and collective integrators, which make Poisson
+//! integrators on 𝔤∗ of symplectic Runge–Kutta schemes.
 //!
-//! By subject, each row building on those above it:
+//! ```toml
+//! [dependencies]
+//! collective-integrators = "0.1"
+//! lie-poisson = "0.1"
+//! momentum-map = "0.1"
+//! ```
 //!
-//! | object | item |
+//! The free rigid body by the Gauss method of order 4, applied collectively through the Hopf map. The Casimir |Π|² is
+//! conserved to round-off:
+//!
+//! ```
+//! use collective_integrators::{Collective, RungeKutta, Start};
+//! use lie_poisson::{Covector, LiePoisson, So3, from_closure, nalgebra::Vector3};
+//! use momentum_map::HOPF;
+//!
+//! // h(Π) = ½Π₁² + Π₂²
+//! let h = from_closure::<LiePoisson<So3>, _>(|Covector(pi)| pi.x * pi.x * 0.5 + pi.y * pi.y);
+//! let gauss = Collective::new(RungeKutta::gauss(2)?, HOPF, h);
+//! let start = Covector(Vector3::new(0.6, 0.0, 0.8));
+//! for sample in gauss.trajectory(&start, 0.1)?.take(1000) {
+//!     assert!((sample?.momentum.0.norm() - 1.0).abs() < 1e-13);
+//! }
+//! # Ok::<(), Box<dyn std::error::Error>>(())
+//! ```
+//!
+//! # Which item when
+//!
+//! | when you need | use |
 //! |---|---|
-//! | vector fields ż = X(z) | [`VectorField`], [`HamiltonianField`], [`from_fn`] |
-//! | Runge–Kutta coefficients and their properties | [`Tableau`] |
-//! | stage equations, guessed from the steps before and solved | [`StageSolver`], [`StageMemory`], [`Unconverged`] |
-//! | one-step methods, and which of them descend | [`Scheme`], [`Equivariant`], [`RungeKutta`] |
-//! | partitioned methods, which do not descend | [`Polarisation`], [`PartitionedRungeKutta`] |
-//! | integrators on 𝔤∗ | [`Integrator`], [`Start`], [`StateIsMomentum`], [`Collective`], [`Direct`], [`LiftFree`] |
-//! | compensated summation | [`Compensated`], [`Increments`] |
-//! | compositions of a method with itself | [`Composition`], [`Substeps`] |
-//! | splitting into exact flows | [`ExactFlows`], [`Splitting`], [`LieTrotter`], [`Strang`], [`AlternatingSubsteps`] |
-//! | doubled phase spaces: Tao's method; the semiexplicit one is a [`Tableau::semiexplicit`] | [`TaoFlows`] |
-//! | the spherical midpoint method | [`SphericalMidpoint`] |
-//! | trajectories, and their end alone | [`Trajectory`], [`Start::after`] |
-//! | many trajectories: in lanes, on threads | [`BatchIntegrator`], [`Laned`], [`Ensemble`] |
-//! | between samples: any time, Poincaré sections | [`DenseOutput`], [`Events`] |
-//! | tangent vectors along a trajectory, Lyapunov exponents | [`VariationalFlow`], [`LyapunovExponents`] |
-//! | order or chaos sooner: MEGNO, SALI | [`Megno`], [`smaller_alignment_index`] |
-//! | order, symplecticity, Poisson property, symmetry, descent, drift: measured | [`diagnostics`] |
-//! | tests of your own schemes and integrators against their promises | the module `laws` (feature `laws`) |
+//! | a Poisson integrator on 𝔤∗ from a realisation M: P → 𝔤∗ | [`Collective`] |
+//! | a collective integrator that computes on 𝔤∗ itself | [`LiftFree`] |
+//! | a scheme on the equations as they stand | [`Direct`] |
+//! | a Runge–Kutta method | [`RungeKutta`], such as [`RungeKutta::gauss`] |
+//! | a Runge–Kutta method with coefficients of your own | [`Tableau`] |
+//! | a partitioned method, such as Störmer–Verlet | [`PartitionedRungeKutta`], with a [`Polarisation`] |
+//! | a higher order by composition | [`Composition`], with [`Substeps`] |
+//! | a splitting into exact flows | [`Splitting`] of [`ExactFlows`], [`AlternatingSubsteps`] |
+//! | an explicit method for a Hamiltonian that does not separate | [`TaoFlows`] |
+//! | the semiexplicit method for such a Hamiltonian | [`Tableau::semiexplicit`] |
+//! | a method for spins on spheres | [`SphericalMidpoint`] |
+//! | the vector field of a closure, or of a Hamiltonian | [`from_fn`], [`HamiltonianField`] |
+//! | a vector field over every scalar | [`VectorField`] |
+//! | a scheme or an integrator of your own | [`Scheme`], [`Equivariant`]; [`Integrator`], [`StateIsMomentum`] |
+//! | other settings for the stage equations | [`StageSolver`] |
+//! | smaller rounding errors in long runs | [`Compensated`] |
+//! | a trajectory, or its end alone | [`Start::trajectory`], [`Start::after`] |
+//! | to resume a run | [`Integrator::trajectory_resumed`] |
+//! | states between the samples | [`DenseOutput`] |
+//! | Poincaré sections and other events | [`Events`] |
+//! | many trajectories, in SIMD lanes and on all threads | [`Laned`], run by an [`Ensemble`] |
+//! | a kernel of your own for many trajectories | [`LaneKernel`], [`BatchIntegrator`] |
+//! | tangent vectors and Lyapunov exponents | [`VariationalFlow`], [`LyapunovExponents`] |
+//! | fast indicators of chaos: MEGNO and SALI | [`Megno`], [`smaller_alignment_index`] |
+//! | the order or a defect of a method, measured | the module [`diagnostics`] |
+//! | tests of your own types against the laws | the module `laws` (feature `laws`) |
+//!
+//! # Conventions
+//!
+//! * A step Φ_h advances dz/dt = X(z) by the time h, which may be negative. Sample n of a trajectory lies at t = nh.
+//! * The collective vector field is that of H = h∘M: its value at z is generator(dh(M(z)), z).
+//! * On 𝔤∗ the signs are those of [`lie_poisson`]: dμ/dt = +`ad*_ξ μ` for the minus bracket, where ξ = dh(μ).
+//! * A Runge–Kutta method has the stages k_i = X(z + h Σ_j a_ij k_j) and the result z + h Σ_i b_i k_i.
+//! * Times are in the units of the vector field, and exponents are per unit of time.
+//! * A failed step is a typed error. Every further item of the trajectory is the same error.
+//! * A trajectory forgets the steps before at every multiple of [`CHECKPOINT`], where it can be resumed bit by bit.
+//!
+//! The notation of all the crates is collected in `docs/notation.md` of the source repository.
+//!
+//! # Features and versions
+//!
+//! The feature `laws` adds the module `laws`, which returns the laws as residuals. The oldest supported compiler is
+//! Rust 1.89.
+//!
+//! # Related crates
+//!
+//! [`lie_poisson`] holds Lie algebras, Poisson brackets and Hamiltonians, and [`momentum_map`] holds actions, momentum
+//! maps and realisations. Both are re-exported. `heavytop` adds heavy tops, and `lie-poisson-systems` adds other
+//! Lie–Poisson systems.
 
 mod error;
 mod stage_frame;
@@ -84,7 +141,7 @@ pub use vector_field::{FromFn, HamiltonianField, VectorField, from_fn};
 pub use lie_poisson;
 pub use momentum_map;
 
-/// The examples of the README run.
+/// Runs the examples of the README as tests.
 #[cfg(doctest)]
 #[doc = include_str!("../README.md")]
 struct Readme;

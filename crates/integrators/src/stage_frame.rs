@@ -1,19 +1,20 @@
-//! Coordinates in which the stage derivatives of steps in a row are points of one curve.
+//! Coordinates in which the stage derivatives of successive steps are points of one curve.
 
-/// How the stage solver remembers stage derivatives k from step to step, to guess those that follow.
+/// Coordinates in which the stage solver remembers stage derivatives k from step to step, to predict those that follow.
 ///
-/// A field has a frame other than [`OwnFrame`] where each step has coordinates of its own, as for the
-/// multipliers of [`LiftFree`](crate::LiftFree), which begin every step at Q = 1. The trait cannot be named
-/// outside of this crate, and no scheme calls it.
+/// A field has a frame other than [`OwnFrame`] if each step has its own coordinates. The multipliers of
+/// [`LiftFree`](crate::LiftFree) are such a case: they begin every step at Q = 1. The trait cannot be named outside
+/// this crate, and no scheme calls it.
 pub trait StageFrame<V> {
-    /// Returns whether a step continues the one before it wherever it starts, since the two have different
-    /// coordinates.
+    /// Returns whether the step continues the one before it wherever it starts.
+    ///
+    /// The starting points of two steps in different coordinates cannot be compared.
     fn continues(&self) -> bool;
 
-    /// Returns k in coordinates in which all steps are one curve, by a linear map.
+    /// Returns k in the coordinates in which all steps are one curve. The map is linear.
     fn remembered(&self, k: &V) -> V;
 
-    /// Returns k in the coordinates of this step: the inverse of [`remembered`](Self::remembered).
+    /// Returns a remembered k in the coordinates of this step. It is the inverse of [`remembered`](Self::remembered).
     fn recalled(&self, k: &V) -> V;
 }
 

@@ -10,25 +10,26 @@ use momentum_map::{
     CollectiveHamiltonian, PoissonMap, SourcePoint, TargetDifferential, TargetPoint,
 };
 
-/// An autonomous vector field ż = X(z), over the scalar `T`.
+/// An autonomous vector field dz/dt = X(z) over the scalar `T`.
 pub trait VectorField<T: Real = f64> {
-    /// z
+    /// The type of the points z.
     type Point: Vector<Scalar = T>;
 
-    /// X(z)
+    /// Returns the value X(z) of the field.
     fn at(&self, z: &Self::Point) -> Self::Point;
 
-    /// The derivative DX(z)·v, exact; `None` if it is not known.
+    /// Returns the exact derivative DX(z)·v, or `None` if it is not known.
     ///
-    /// Newton's iteration for the stages of an implicit method asks for it, and takes difference
-    /// quotients in its place.
+    /// Newton's iteration for the stages of an implicit method asks for it. It uses difference quotients if the
+    /// derivative is not known.
     #[inline]
     fn derivative(&self, _z: &Self::Point, _v: &Self::Point) -> Option<Self::Point> {
         None
     }
 
-    /// Returns how the stage solver remembers stage derivatives, which no other field than that of
-    /// [`LiftFree`](crate::LiftFree) has a reason to change.
+    /// Returns the coordinates in which the stage solver remembers stage derivatives.
+    ///
+    /// Only the field of [`LiftFree`](crate::LiftFree) has a reason to change the default.
     #[doc(hidden)]
     #[inline]
     fn stage_frame(&self) -> impl StageFrame<Self::Point>
@@ -39,7 +40,7 @@ pub trait VectorField<T: Real = f64> {
     }
 }
 
-/// The collective vector field X_{h∘M} on the source of M.
+/// The collective vector field of h∘M on the source of M.
 impl<M, H, T> VectorField<T> for CollectiveHamiltonian<M, H>
 where
     M: PoissonMap,
@@ -64,13 +65,14 @@ where
     }
 }
 
-/// The Hamiltonian vector field X_h = Λ dh on a Poisson space, such as the Lie–Poisson equations
-/// μ̇ = ad∗_{dh} μ on 𝔤∗ with the minus bracket.
+/// The Hamiltonian vector field X_h = Λ dh on a Poisson space.
+///
+/// On 𝔤∗ with the minus bracket it gives the Lie–Poisson equations dμ/dt = `ad*_ξ μ`, where ξ = dh(μ).
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub struct HamiltonianField<P, H> {
-    /// The space with its bracket.
+    /// The Poisson space with its bracket.
     pub space: P,
-    /// h
+    /// The Hamiltonian function h on the space.
     pub hamiltonian: H,
 }
 
@@ -95,7 +97,7 @@ where
     }
 }
 
-/// The vector field of a closure.
+/// Creates the vector field that a closure computes.
 ///
 /// ```
 /// use collective_integrators::{VectorField, from_fn};
@@ -107,7 +109,7 @@ pub fn from_fn<V: Vector, F: Fn(&V) -> V>(field: F) -> FromFn<V, F> {
     FromFn { field, point: PhantomData }
 }
 
-/// See [`from_fn`].
+/// The vector field of a closure, created by [`from_fn`].
 #[derive(Clone, Copy, Debug)]
 pub struct FromFn<V, F> {
     field: F,

@@ -1,19 +1,20 @@
-//! The steps of one member by itself.
+//! Advances one member of a batch by itself.
 
 use crate::batch::blocks::blocks;
 use crate::{IntegrationError, Integrator, StepError};
 use core::ops::Range;
 use lie_poisson::Real;
 
-/// Advances one state from where `steps.start` steps have led it to where `steps.end` will, as a
-/// [`Trajectory`](crate::Trajectory) that starts there does: nothing is remembered of earlier steps at the start
-/// and at the multiples of [`CHECKPOINT`](crate::CHECKPOINT).
+/// Advances one state from step number `steps.start` to step number `steps.end`.
 ///
-/// A [`LaneKernel`](crate::LaneKernel) calls it for a member whose steps have no result in its lane.
+/// The steps are those of a [`Trajectory`](crate::Trajectory) that starts there: nothing is remembered of earlier steps
+/// at the start and at the multiples of [`CHECKPOINT`](crate::CHECKPOINT).
+///
+/// A [`LaneKernel`](crate::LaneKernel) calls it for a member whose SIMD lane has no result.
 ///
 /// # Errors
-/// Returns an [`IntegrationError`] if the start or the step size is not finite, or if a step fails, with the number
-/// and the time of that step; the state is then that before the step.
+/// Returns an [`IntegrationError`] with the number and the time of the failed step if the start or the step size is not
+/// finite, or if a step fails. The state is then that before the step.
 pub fn advance_alone<T: Real, I: Integrator<T>>(
     integrator: &I,
     state: &mut I::State,

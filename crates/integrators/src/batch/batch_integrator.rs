@@ -5,33 +5,31 @@ use core::ops::Range;
 
 /// A method that advances many independent states side by side, each as if it were alone.
 ///
-/// What one member becomes depends on itself alone: not on the others, not on its place among them,
-/// not on how many there are. A member that fails, or is not a number, changes no other member.
+/// The result of a member depends on this member alone. It does not depend on the other members, on its place among
+/// them, or on their number. A member that fails, or that is not a number, changes no other member.
 ///
-/// [`Laned`](crate::Laned) makes one of every [`Integrator`](crate::Integrator) over lanes; a kernel
-/// for a special system is another implementation. [`Ensemble`](crate::Ensemble) runs either on
-/// all threads.
+/// [`Laned`](crate::Laned) makes a batch integrator of every [`Integrator`](crate::Integrator), by SIMD lanes: several
+/// trajectories in one register. A kernel for a special system is another implementation. [`Ensemble`](crate::Ensemble)
+/// runs either on all threads.
 pub trait BatchIntegrator: Sync {
-    /// One of the many: its state, together with its parameters where they differ from member to
-    /// member.
+    /// The type of a member: its state, together with its parameters if they differ from member to member.
     type Member: Copy + Send + Sync;
 
     /// The storage that [`advance`](Self::advance) needs, allocated once per thread.
     type Workspace;
 
-    /// Allocates it.
+    /// Allocates the storage for [`advance`](Self::advance).
     fn workspace(&self) -> Self::Workspace;
 
-    /// Advances each member, from where `steps.start` steps have led it to where `steps.end` will,
-    /// with steps of size `step`, which may be negative. No step allocates.
+    /// Advances each member from step number `steps.start` to step number `steps.end`, with steps of size `step`, which
+    /// may be negative. No step allocates.
     ///
-    /// A method that remembers the steps before, to guess from them, remembers nothing at the start
-    /// of a call, and forgets at every multiple of [`CHECKPOINT`](crate::CHECKPOINT), as a
-    /// [`Trajectory`](crate::Trajectory) does.
+    /// A method that predicts stages from the steps before remembers nothing at the start of a call. It forgets at
+    /// every multiple of [`CHECKPOINT`](crate::CHECKPOINT), as a [`Trajectory`](crate::Trajectory) does.
     ///
-    /// A member that cannot go on keeps the state before the step that failed, and
-    /// `failed(i, error)` is called once with its index and the number and the time of that step.
-    /// The order of these calls means nothing.
+    /// A member that cannot continue keeps the state before the failed step. The method then calls `failed(i, error)`
+    /// once, with the index of the member and with the number and the time of the step. The order of these calls is
+    /// arbitrary.
     fn advance(
         &self,
         members: &mut [Self::Member],

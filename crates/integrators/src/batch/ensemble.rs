@@ -1,29 +1,31 @@
-//! Ensembles: many initial states, on all threads.
+//! Ensembles: many initial states, advanced on all threads.
 
 use crate::{BatchIntegrator, IntegrationError};
 use core::ops::Range;
 use rayon::prelude::*;
 use thiserror::Error;
 
-/// How many members a thread works on at a time: a multiple of every number of lanes, few enough
-/// for its second cache and for threads to share a thousand members evenly.
+/// The number of members that a thread works on at a time.
+///
+/// It is a multiple of every number of SIMD lanes, and small enough for the second-level cache of a thread. Threads can
+/// share a thousand members evenly.
 const CHUNK: usize = 128;
 
-/// Many independent members of one system, advanced side by side: in lanes by a
-/// [`BatchIntegrator`], and on all threads of rayon's current pool.
+/// Many independent members of one system, advanced side by side by a [`BatchIntegrator`] on all threads of rayon's
+/// current pool.
 ///
 /// # Reproducibility
-/// A member's result does not depend on the other members, on how many threads there are, or on which
-/// of them does the work. As for the lanes:
+/// The result of a member does not depend on the other members, on the number of threads, or on which of them does the
+/// work. For SIMD lanes (several trajectories in one register) the rules are:
 ///
-/// * [`Laned`](crate::Laned) integrators, and kernels without fused multiply-add, return the same
-///   bits at every width, `f64` included;
-/// * kernels with fused multiply-add return the same bits at every width that fuses. They differ from
-///   the others in rounding, since a fused multiply-add rounds a product and a sum once, together.
+/// * [`Laned`](crate::Laned) integrators, and kernels without fused multiply-add, return the same bits at every width,
+///   `f64` included;
+/// * kernels with fused multiply-add return the same bits at every width that fuses. They differ from the others in
+///   rounding, since a fused multiply-add rounds a product and a sum once, together.
 ///
 /// # Example
-/// Harmonic oscillators of ten thousand amplitudes, streamed: no more of them are in memory at a time than the
-/// threads work on. The observer may be called from several threads at once, in any order.
+/// Harmonic oscillators of ten thousand amplitudes are streamed: only those on which the threads work are in memory at
+/// a time. The observer may be called from several threads at once, in any order.
 /// ```
 /// use collective_integrators::{Direct, Ensemble, Laned, RungeKutta, VectorField};
 /// use lie_poisson::Real;
@@ -54,44 +56,44 @@ pub struct Ensemble<B> {
     integrator: B,
 }
 
-/// A member that could not go on. Its [`source`](core::error::Error::source) says at which step.
+/// The error of a member that could not continue. Its [`source`](core::error::Error::source) names the step.
 #[derive(Clone, Copy, Debug, PartialEq, Error)]
 #[error("member {index}")]
 pub struct MemberError {
-    /// Its index in the ensemble.
+    /// The index of the member in the ensemble.
     pub index: u64,
-    /// The step that failed, and why.
+    /// The step that failed, and the reason.
     pub source: IntegrationError,
 }
 
 /// Members with successive indices, at the end of their steps.
 #[derive(Clone, Copy, Debug)]
 pub struct Chunk<'a, M> {
-    /// The index of the first.
+    /// The index of the first member of the chunk.
     pub first: u64,
-    /// The members. One that failed has the state before the step that failed.
+    /// The members. A failed member has the state before the failed step.
     pub members: &'a [M],
-    /// Those that failed, by increasing index.
+    /// The errors of the failed members, by increasing index.
     pub failures: &'a [MemberError],
 }
 
 impl<B: BatchIntegrator> Ensemble<B> {
-    /// An ensemble for the integrator.
+    /// Creates an ensemble that an integrator advances.
     pub fn new(integrator: B) -> Self {
         Self { integrator }
     }
 
-    /// The integrator.
+    /// Returns the integrator of the ensemble.
     pub fn integrator(&self) -> &B {
         &self.integrator
     }
 
-    /// Starts member i = 0, …, `count` − 1 at `start`(i), makes the given number of steps, and shows
-    /// the results to the observer, chunk by chunk, each member once.
+    /// Starts the members i = 0, …, `count` − 1 at `start`(i), makes the given number of steps, and shows the results
+    /// to the observer. The observer sees each member once, in chunks.
     ///
-    /// Memory is taken for the chunks that are worked on, whatever the count. What the observer adds
-    /// up over chunks comes in no fixed order: where the last bits matter, keep one sum for each
-    /// [`Chunk::first`], and add these by index.
+    /// Memory is allocated only for the chunks in progress, whatever the count. The chunks come in no fixed order, and
+    /// so do the terms of a sum over chunks. If the last bits matter, keep one sum for each [`Chunk::first`], and add
+    /// these by index.
     pub fn stream(
         &self,
         count: u64,
@@ -115,11 +117,10 @@ impl<B: BatchIntegrator> Ensemble<B> {
         );
     }
 
-    /// Advances members that are in memory, from where `steps.start` steps have led them to where
-    /// `steps.end` will. Returns those that failed, by increasing index; they keep the state before
-    /// the step that failed.
+    /// Advances members in memory from step number `steps.start` to step number `steps.end`. Returns the failed members
+    /// by increasing index; they keep the state before the failed step.
     ///
-    /// A run in several calls has the bits of one run if calls meet at multiples of
+    /// A run in several calls has the bits of one run if the calls meet at multiples of
     /// [`CHECKPOINT`](crate::CHECKPOINT).
     pub fn advance(
         &self,

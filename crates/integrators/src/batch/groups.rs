@@ -1,26 +1,26 @@
-//! The engine of all batches: groups of members, block by block, and what becomes of those that fail.
+//! The engine of all batches: it advances groups of members block by block and treats those that fail.
 
 use crate::IntegrationError;
 use crate::batch::blocks::blocks;
 use core::ops::Range;
 
-/// The largest number of members that are advanced together: as many as the widest type has SIMD lanes.
+/// The largest number of members that are advanced together. It is the number of SIMD lanes of the widest type.
 pub const MOST_LANES: usize = 16;
 
 /// The steps of a group of members.
 pub(crate) trait Group {
-    /// What is advanced.
+    /// The type of a member.
     type Member: Copy;
 
-    /// The number of members that are advanced together.
+    /// Returns the number of members that are advanced together.
     fn width(&self) -> usize;
 
-    /// Advances at most `width` members by `count` steps. Returns where they have a result; the others may be
-    /// anything.
+    /// Advances at most `width` members by `count` steps. Returns which of them have a result; the others may be left
+    /// in any state.
     fn together(&mut self, group: &mut [Self::Member], step: f64, count: u64)
     -> [bool; MOST_LANES];
 
-    /// Advances one member by itself. If a step fails, the member is left before it.
+    /// Advances one member by itself. If a step fails, the member keeps the state before it.
     fn alone(
         &mut self,
         member: &mut Self::Member,
@@ -31,8 +31,9 @@ pub(crate) trait Group {
 
 /// Advances all members, as [`BatchIntegrator::advance`](crate::BatchIntegrator::advance) promises.
 ///
-/// A block of steps, from one checkpoint to the next, is made together. A member without a result makes the block
-/// again by itself. If it fails there too it is reported and takes no further step; else it goes on with the others.
+/// The members make a block of steps, from one checkpoint to the next, together. A member without a result repeats the
+/// block by itself. If it fails there too, it is reported and takes no further step; otherwise it continues with the
+/// others.
 #[inline(always)]
 pub(crate) fn advance_groups<G: Group>(
     group: &mut G,
@@ -42,7 +43,7 @@ pub(crate) fn advance_groups<G: Group>(
     failed: &mut dyn FnMut(usize, IntegrationError),
 ) {
     if steps.is_empty() {
-        // No step is made; a start that is not finite is refused all the same.
+        // No step is made, but a start that is not finite is refused.
         for (i, member) in members.iter_mut().enumerate() {
             group.alone(member, step, steps.clone()).unwrap_or_else(|error| failed(i, error));
         }
@@ -50,7 +51,7 @@ pub(crate) fn advance_groups<G: Group>(
     }
     let width = group.width().clamp(1, MOST_LANES);
     for (n, members) in members.chunks_mut(width).enumerate() {
-        // The indices of those that can go on come first.
+        // The indices of the members that can continue come first.
         let mut order: [usize; MOST_LANES] = core::array::from_fn(|i| i);
         let mut alive = members.len();
         for steps in blocks(steps.clone()) {

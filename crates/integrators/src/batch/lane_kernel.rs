@@ -6,11 +6,12 @@ use core::marker::PhantomData;
 use core::ops::Range;
 use lie_poisson::{InstructionSet, LaneTask, Lanes, MissingInstructions, Width, dispatch};
 
-/// The steps of a group of members, one in each SIMD lane: what a method for many members of a special system has to
-/// bring. [`Registers::advance`] makes a [`BatchIntegrator`](crate::BatchIntegrator) of it.
+/// A method for many members of a special system, one member in each SIMD lane (several trajectories in one register).
+///
+/// [`Registers::advance`] makes a [`BatchIntegrator`](crate::BatchIntegrator) of it.
 ///
 /// # Example
-/// Exact rotations of the plane, by one product for each step:
+/// Exact rotations of the plane, by one product in each step:
 /// ```
 /// use collective_integrators::{IntegrationError, LaneKernel, LaneResults, Registers, StepError};
 /// use core::ops::Range;
@@ -46,7 +47,7 @@ use lie_poisson::{InstructionSet, LaneTask, Lanes, MissingInstructions, Width, d
 ///         steps: Range<u64>,
 ///         (): &mut (),
 ///     ) -> Result<(), IntegrationError> {
-///         // A rotation has a result for every start that is finite.
+///         // A rotation has a result for every finite start.
 ///         StepError::check_start(member, step)
 ///             .map_err(|refused| IntegrationError::after(steps.start, step, refused))
 ///     }
@@ -60,24 +61,25 @@ use lie_poisson::{InstructionSet, LaneTask, Lanes, MissingInstructions, Width, d
 /// assert_eq!(failures, [(2, 1)]);
 /// ```
 pub trait LaneKernel: Sync {
-    /// One of the many: its state, with its parameters where they differ from member to member.
+    /// The type of a member: its state, with its parameters if they differ from member to member.
     type Member: Copy + Send + Sync;
 
     /// The storage for the steps of one member by itself.
     type Workspace;
 
     /// Advances a group of at least one and at most `T::COUNT` members by `count` steps, without a memory of earlier
-    /// steps. Returns where the members have a finite result; the others may be left in any state.
+    /// steps. Returns which members have a finite result; the others may be left in any state.
     ///
-    /// What becomes of a member must depend on it alone. Mark the method `#[inline(always)]`, as [`LaneTask`] explains.
+    /// The result of a member must depend on this member alone. Mark the method `#[inline(always)]`, as [`LaneTask`]
+    /// explains.
     fn together<T: Lanes>(&self, group: &mut [Self::Member], step: f64, count: u64) -> LaneResults;
 
-    /// Makes the same steps with one member by itself, where [`together`](Self::together) has no result.
-    /// [`advance_alone`](crate::advance_alone) does it by an [`Integrator`](crate::Integrator).
+    /// Makes the steps of [`together`](Self::together) with one member by itself, if its lane has no result.
+    /// [`advance_alone`](crate::advance_alone) does this with an [`Integrator`](crate::Integrator).
     ///
     /// # Errors
-    /// Returns an [`IntegrationError`] if the member cannot be advanced; it is left in the state before the step that
-    /// failed.
+    /// Returns an [`IntegrationError`] if the member cannot be advanced. The member keeps the state before the failed
+    /// step.
     fn alone(
         &self,
         member: &mut Self::Member,
@@ -90,7 +92,7 @@ pub trait LaneKernel: Sync {
 /// The lanes of a group in which a member has a result.
 pub type LaneResults = [bool; MOST_LANES];
 
-/// The registers that a [`LaneKernel`] computes in: an instruction set that this processor has, and a width.
+/// The registers in which a [`LaneKernel`] computes: an instruction set that this processor has, and a width.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct Registers {
     instructions: InstructionSet,
@@ -98,13 +100,13 @@ pub struct Registers {
 }
 
 impl Registers {
-    /// Chooses the widest registers of this processor, two at a time.
+    /// Selects the widest registers of this processor, two at a time.
     #[must_use]
     pub fn widest() -> Self {
         Self { instructions: InstructionSet::detected(), width: Width::TwoRegisters }
     }
 
-    /// Chooses registers.
+    /// Selects registers by instruction set and width.
     ///
     /// # Errors
     /// Returns [`MissingInstructions`] if the processor lacks the instructions.
@@ -116,14 +118,16 @@ impl Registers {
         }
     }
 
-    /// Returns the instructions.
+    /// Returns the instruction set of the registers.
     #[must_use]
     pub fn instructions(self) -> InstructionSet {
         self.instructions
     }
 
-    /// Advances the members by a kernel, as [`BatchIntegrator::advance`](crate::BatchIntegrator::advance) promises:
-    /// with its lanes from one checkpoint to the next, and by itself where a member has no result in its lane.
+    /// Advances the members by a kernel, as [`BatchIntegrator::advance`](crate::BatchIntegrator::advance) promises.
+    ///
+    /// The kernel works in lanes from one checkpoint to the next, and with one member by itself if its lane has no
+    /// result.
     pub fn advance<K: LaneKernel>(
         self,
         kernel: &K,
@@ -134,12 +138,12 @@ impl Registers {
         failed: &mut dyn FnMut(usize, IntegrationError),
     ) {
         let task = Advance { kernel, members, step, steps, workspace, failed };
-        // The constructors have asked the processor, which has not changed: there is no error.
+        // The constructors have tested the processor for these instructions, so that there is no error.
         dispatch(task, self.instructions, self.width).unwrap_or_default();
     }
 }
 
-/// All members, on lanes that [`dispatch`] chooses.
+/// The task to advance all members on the lanes that [`dispatch`] selects.
 struct Advance<'a, K: LaneKernel> {
     kernel: &'a K,
     members: &'a mut [K::Member],
@@ -160,7 +164,7 @@ impl<K: LaneKernel> LaneTask for Advance<'_, K> {
     }
 }
 
-/// A kernel on lanes of type `T`.
+/// A kernel on lanes of type `T`, as a group of members.
 struct KernelGroup<'a, K: LaneKernel, T> {
     kernel: &'a K,
     workspace: &'a mut K::Workspace,

@@ -1,4 +1,4 @@
-//! Any integrator over lanes as one that advances many states: [`Laned`].
+//! Integrators over SIMD lanes as batch integrators: [`Laned`].
 
 use crate::batch::alone::advance_alone;
 use crate::batch::groups::{Group, advance_groups};
@@ -8,20 +8,20 @@ use core::marker::PhantomData;
 use core::ops::Range;
 use lie_poisson::{DefaultLanes, Lanes, Vector};
 
-/// An integrator that advances as many states side by side as the scalar `T` has lanes.
+/// An integrator that advances as many states side by side as the scalar `T` has SIMD lanes: several trajectories in
+/// one register.
 ///
-/// Every integrator whose formulas are written over all scalars will do. Each member comes out with
-/// the bits of its [trajectory](Integrator::trajectory_from) over `f64`, whatever the lanes and the
-/// neighbours: operations on lanes round as those of `f64` do, iterations stop in each lane by
-/// itself. (An integrator that computes otherwise over `f64`, by a fused kernel say, differs from its
-/// lanes by rounding; the neighbours do not matter then either.)
+/// Every integrator whose formulas are written over all scalars is suitable. Each member has the bits of its
+/// [trajectory](Integrator::trajectory_from) over `f64`, for all lanes and all neighbours: operations on lanes round as
+/// those of `f64` do, and iterations stop in each lane by itself. An integrator with other formulas over `f64`, such as
+/// a fused kernel, differs from its lanes by rounding. The neighbours do not matter then either.
 ///
-/// Steps come in blocks that end at the multiples of [`CHECKPOINT`](crate::CHECKPOINT). A block in which a step of
-/// some lane fails is made again from its start, with one member at a time in all lanes. A member that fails there
-/// too is given up; the others continue together.
+/// The steps are made in blocks that end at the multiples of [`CHECKPOINT`](crate::CHECKPOINT). If a step of some lane
+/// fails, the block is repeated from its start, with one member at a time in all lanes. A member that fails there too
+/// takes no further step; the others continue together.
 ///
 /// # Example
-/// Six harmonic oscillators; the last but one starts at no number:
+/// Six harmonic oscillators, of which the fifth starts at NaN:
 /// ```
 /// use collective_integrators::{BatchIntegrator, Direct, Laned, RungeKutta, VectorField};
 /// use lie_poisson::Real;
@@ -50,21 +50,22 @@ pub struct Laned<I, T = DefaultLanes> {
 }
 
 impl<I> Laned<I> {
-    /// The integrator on the lanes that every processor has.
+    /// Creates a batch integrator on the lanes that every processor has.
     pub fn new(integrator: I) -> Self {
         Self::with_lanes(integrator)
     }
 }
 
 impl<I, T> Laned<I, T> {
-    /// The integrator on other lanes: on `f64`, one by one; on those of
-    /// [`dispatch`](lie_poisson::dispatch), whose [`LaneTask`](lie_poisson::LaneTask) says what they
-    /// ask of code that is to be fast.
+    /// Creates a batch integrator on the lanes of the scalar `T`.
+    ///
+    /// The scalar `f64` advances the members one by one. Lanes of other widths come from
+    /// [`dispatch`](lie_poisson::dispatch), whose [`LaneTask`](lie_poisson::LaneTask) states what fast code requires.
     pub fn with_lanes(integrator: I) -> Self {
         Self { integrator, lanes: PhantomData }
     }
 
-    /// The integrator.
+    /// Returns the integrator for one member.
     pub fn integrator(&self) -> &I {
         &self.integrator
     }
@@ -95,7 +96,7 @@ where
     }
 }
 
-/// The steps of an integrator over lanes.
+/// An integrator over lanes, as a group of members.
 struct IntegratorGroup<'a, I: Integrator<T>, T: Lanes> {
     integrator: &'a I,
     workspace: &'a mut I::Workspace,
@@ -112,7 +113,7 @@ where
         T::COUNT
     }
 
-    /// All have a result, or none is known to have one.
+    /// Advances all members together. Either all have a result, or none is known to have one.
     fn together(&mut self, group: &mut [Self::Member], step: f64, count: u64) -> LaneResults {
         let mut results = LaneResults::default();
         let Some(last) = group.len().checked_sub(1) else { return results };

@@ -1,4 +1,4 @@
-//! Many trajectories at once: in SIMD lanes, on threads.
+//! Many trajectories at once: in SIMD lanes and on all threads.
 
 pub(crate) mod batch_integrator;
 pub(crate) mod blocks;

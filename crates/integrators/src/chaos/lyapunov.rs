@@ -1,38 +1,37 @@
-//! Lyapunov exponents.
+//! Lyapunov exponents of a trajectory.
 
 use crate::{Integrator, VariationalError, VariationalFlow};
 use lie_poisson::{DualNumber, Vector};
 
-/// The first K Lyapunov exponents of a trajectory up to the time t, in decreasing order in the
-/// limit:
+/// The first K Lyapunov exponents of a trajectory up to the time t. In the limit they are in decreasing order:
 ///
 /// ```text
 /// λ_i(t) = (1/|t − t₀|) Σ ln r_ii
 /// ```
 ///
-/// over the steps from t₀ on, r_ii being the stretch of the i-th tangent vector beyond those before
-/// it.
+/// The sum runs over the steps from t₀ on. The stretch r_ii is the length of the part of the i-th tangent vector that
+/// is orthogonal to those before it.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Exponents<S, const K: usize> {
     /// The number of steps made.
     pub step: u64,
-    /// t = step · h
+    /// The time t, which is `step` times the step size.
     pub time: f64,
-    /// z(t)
+    /// The state z(t) of the trajectory.
     pub state: S,
-    /// λ_i(t), per unit of time.
+    /// The exponents λ_i(t), per unit of time.
     pub exponents: [f64; K],
 }
 
-/// The Lyapunov exponents of a trajectory as an endless iterator, with one item per step. `nth`,
-/// `step_by` and `take` choose. Once a step fails, every further item is its error, as in a
+/// The Lyapunov exponents of a trajectory as an endless iterator, with one item per step.
+///
+/// Select items by `nth`, `step_by` and `take`. Once a step fails, every further item is its error, as in a
 /// [`Trajectory`](crate::Trajectory).
 ///
-/// They are exponents of the discrete map, divided by |h|. They converge slowly, at best as 1/t,
-/// and as (ln t)/t for an integrable system, where they vanish. With DIM exponents their sum is
-/// ln |det DΦ|/t: zero for a Poisson integrator that conserves the Casimirs of a unimodular 𝔤∗,
-/// such as so(3)∗ or se(3)∗. For negative steps they are exponents of the reversed motion.
-/// Allocates nothing after it is made.
+/// The exponents are those of the discrete map, divided by |h|. They converge slowly, at best as 1/t. For an integrable
+/// system they vanish, and converge as (ln t)/t. With DIM exponents their sum is ln |det DΦ|/t. The sum is zero for a
+/// Poisson integrator that conserves the Casimirs of a unimodular 𝔤∗, such as so(3)∗ or se(3)∗. For negative steps they
+/// are the exponents of the reversed motion. The iterator allocates nothing after its creation.
 ///
 /// Source: G. Benettin, L. Galgani, A. Giorgilli & J.-M. Strelcyn, *Lyapunov characteristic
 /// exponents for smooth dynamical systems and for Hamiltonian systems; a method for computing all
@@ -76,28 +75,30 @@ enum NextStretch {
     Failed(VariationalError),
 }
 
-/// The largest Lyapunov exponent alone: [`LyapunovExponents`] with one tangent vector.
+/// The iterator for the largest Lyapunov exponent: [`LyapunovExponents`] with one tangent vector.
 pub type MaximalLyapunovExponent<'a, I> = LyapunovExponents<'a, I, 1>;
 
 impl<'a, I, const K: usize> LyapunovExponents<'a, I, K>
 where
     I: Integrator + Integrator<DualNumber>,
 {
-    /// From the first K basis vectors at a state. If these are special for the system, take others
-    /// by [`from_flow`](Self::from_flow).
+    /// Starts at a state, with the first K basis vectors as tangent vectors.
+    ///
+    /// If these vectors are special for the system, choose others by [`from_flow`](Self::from_flow).
     pub fn new(integrator: &'a I, state: <I as Integrator>::State, step: f64) -> Self {
         let tangents = core::array::from_fn(Vector::basis);
         Self::from_flow(VariationalFlow::new(integrator, state, tangents, step))
     }
 
-    /// From a state with independent tangent vectors. The stretches count from here on: a flow that
-    /// has come far leaves its transient out.
+    /// Starts at a state with independent tangent vectors.
+    ///
+    /// The stretches count from here on, so that the transient of an advanced flow is left out.
     pub fn from_flow(flow: VariationalFlow<'a, I, K>) -> Self {
         let start = flow.steps();
         Self { flow, start, sums: [0.0; K], upcoming: NextStretch::First }
     }
 
-    /// The state with its tangent vectors.
+    /// Returns the state with its tangent vectors.
     pub fn flow(&self) -> &VariationalFlow<'a, I, K> {
         &self.flow
     }
@@ -105,7 +106,7 @@ where
     fn advance(&mut self) -> Result<Exponents<<I as Integrator>::State, K>, VariationalError> {
         match self.upcoming {
             NextStretch::Failed(error) => return Err(error),
-            // Lengths at the start are no stretches.
+            // The initial lengths are not stretches.
             NextStretch::First => {
                 self.flow.orthonormalise()?;
             }
@@ -146,7 +147,7 @@ mod tests {
     use lie_poisson::Real;
     use nalgebra::Vector2;
 
-    /// ẋ = a y, ẏ = a x: exponents ±a.
+    /// The field ẋ = a y, ẏ = a x, with the exponents ±a.
     struct Hyperbolic(f64);
 
     impl<T: Real> VectorField<T> for Hyperbolic {
@@ -159,14 +160,14 @@ mod tests {
 
     #[test]
     fn the_spectrum_of_a_linear_map_is_that_of_its_matrix() {
-        // one step of the midpoint rule multiplies by (1 ± ah/2)/(1 ∓ ah/2), forth and back
+        // one step of the midpoint rule multiplies by (1 ± ah/2)/(1 ∓ ah/2), forwards and backwards
         let midpoint = Direct::new(RungeKutta::implicit_midpoint(), Hyperbolic(0.8));
         let start = Vector2::new(1e-200, 0.0);
         for step in [0.25, -0.25] {
             let mut spectrum = LyapunovExponents::<_, 2>::new(&midpoint, start, step);
             let last = spectrum.nth(999);
             let exact = (1.1_f64 / 0.9).ln() / 0.25;
-            // the direction of growth is found within ln √2 of it
+            // finding the direction of growth costs at most ln √2
             let near = |e: [f64; 2]| (e[0] - exact).abs() < 2e-3 && (e[0] + e[1]).abs() < 1e-13;
             assert!(last.is_some_and(|l| l.is_ok_and(|l| near(l.exponents))));
         }

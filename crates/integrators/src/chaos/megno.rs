@@ -1,16 +1,16 @@
-//! The mean exponential growth factor of nearby orbits.
+//! MEGNO: the mean exponential growth factor of nearby orbits.
 
-/// MEGNO of a trajectory: the mean exponential growth factor of nearby orbits. Of the stretches
-/// δ_k/δ_{k−1} of a tangent vector in successive steps it is
+/// MEGNO, the mean exponential growth factor of nearby orbits of a trajectory.
+///
+/// It is computed from the stretches δ(k)/δ(k−1) of a tangent vector in successive steps:
 ///
 /// ```text
-/// Y(n) = (2/n) Σ_{k≤n} k ln(δ_k/δ_{k−1}),    ⟨Y⟩(n) = (1/n) Σ_{k≤n} Y(k)
+/// Y(n) = (2/n) Σ_(k≤n) k ln(δ(k)/δ(k−1)),    ⟨Y⟩(n) = (1/n) Σ_(k≤n) Y(k)
 /// ```
 ///
-/// without a unit. ⟨Y⟩ tends to 2 on a torus of a system whose frequencies vary from torus to torus, and
-/// to 0 next to a stable periodic motion with neighbours of the same period. In a chaotic sea it grows
-/// as λt/2, λ the maximal Lyapunov exponent. It tells order from chaos sooner than λ, which tends to 0
-/// as (ln t)/t on a torus.
+/// It has no unit. On a torus of a system whose frequencies vary from torus to torus, ⟨Y⟩ tends to 2. Near a stable
+/// periodic motion with neighbours of the same period it tends to 0. In a chaotic region it grows as λt/2, where λ is
+/// the maximal Lyapunov exponent. It separates order from chaos sooner than λ, which tends to 0 as (ln t)/t on a torus.
 ///
 /// Source: P. M. Cincotta, C. M. Giordano & C. Simó, *Phase space structure of multi-dimensional
 /// systems by means of the mean exponential growth factor of nearby orbits*, Physica D 182 (2003).
@@ -40,7 +40,7 @@
 ///     }
 ///     Ok::<_, collective_integrators::VariationalError>(megno.mean())
 /// };
-/// // a torus; the saddle at 0, with λ = 1 and λt/2 = 50
+/// // a torus, and the saddle at 0 with λ = 1 and λt/2 = 50
 /// assert!((megno(1.8, 3000)? - 2.0).abs() < 0.1);
 /// assert!((megno(0.0, 1000)? - 50.0).abs() < 1.0);
 /// # Ok::<(), Box<dyn std::error::Error>>(())
@@ -48,14 +48,14 @@
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub struct Megno {
     steps: u64,
-    /// Σ k ln(δ_k/δ_{k−1})
+    /// The sum Σ k ln(δ(k)/δ(k−1)).
     weighted: f64,
-    /// Σ Y(k)
+    /// The sum Σ Y(k) of the values so far.
     sum: f64,
 }
 
 impl Megno {
-    /// Takes in the stretch δ_k/δ_{k−1} > 0 of the next step.
+    /// Adds the stretch δ(k)/δ(k−1) > 0 of the next step.
     pub fn observe(&mut self, stretch: f64) {
         self.steps += 1;
         let steps = self.steps as f64;
@@ -63,13 +63,13 @@ impl Megno {
         self.sum += 2.0 * self.weighted / steps;
     }
 
-    /// Y(n), n the number of steps taken in; 0 before the first.
+    /// Returns Y(n), where n is the number of observed steps. It is 0 before the first.
     #[must_use]
     pub fn value(&self) -> f64 {
         2.0 * self.weighted / self.steps.max(1) as f64
     }
 
-    /// ⟨Y⟩(n), which fluctuates less than Y(n); 0 before the first step.
+    /// Returns ⟨Y⟩(n), which fluctuates less than Y(n). It is 0 before the first step.
     #[must_use]
     pub fn mean(&self) -> f64 {
         self.sum / self.steps.max(1) as f64
@@ -88,12 +88,12 @@ mod tests {
             exponential.observe(s.exp());
             linear.observe(f64::from(k + 1) / f64::from(k));
         }
-        // Y(n) = s (n + 1) and ⟨Y⟩(n) = s (n + 3)/2; a relative round-off of 1e-16 a term
+        // Y(n) = s (n + 1) and ⟨Y⟩(n) = s (n + 3)/2, with a relative round-off of 1e-16 per term
         assert!((exponential.value() - s * 1001.0).abs() < 1e-11);
         assert!((exponential.mean() - s * 501.5).abs() < 1e-11);
         // k ln(1 + 1/k) = 1 − 1/2k + …: 2 to within (ln n)²/2n
         assert!((linear.value() - 2.0).abs() < 0.01 && (linear.mean() - 2.0).abs() < 0.03);
-        // Control: stretches that turn with time do not grow.
+        // Control: stretches of alternating sign do not grow.
         let mut turning = Megno::default();
         (0..1000).for_each(|k| turning.observe(if k % 2 == 0 { 2.0 } else { 0.5 }));
         assert!(turning.mean().abs() < 0.7);

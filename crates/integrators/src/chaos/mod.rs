@@ -1,4 +1,4 @@
-//! Tangent vectors along a trajectory, and what they tell of order and chaos.
+//! Tangent vectors along a trajectory, and indicators of chaos.
 
 pub(crate) mod variational_flow;
 pub(crate) mod lyapunov;

@@ -1,23 +1,23 @@
-//! The smaller alignment index.
+//! SALI: the smaller alignment index.
 
 use lie_poisson::Vector;
 
-/// SALI, the smaller alignment index of two tangent vectors of length 1, between 0 and √2:
+/// Returns SALI, the smaller alignment index of two tangent vectors of length 1, between 0 and √2:
 ///
 /// ```text
 /// SALI = min(‖v + w‖, ‖v − w‖)
 /// ```
 ///
-/// in the Euclidean norm of coordinates. Along a chaotic trajectory any two tangent vectors turn towards
-/// the most unstable direction, and it falls as exp(−(λ₁ − λ₂)t), λ₁ ≥ λ₂ the largest Lyapunov
-/// exponents, until it is round-off. On a torus of dimension 2 or more it stays away from 0; on a
-/// closed curve it falls as a power of t.
+/// The norm is the Euclidean norm of coordinates. Along a chaotic trajectory any two tangent vectors turn towards the
+/// most unstable direction. The index then falls as exp(−(λ₁ − λ₂)t) down to round-off, where λ₁ ≥ λ₂ are the largest
+/// Lyapunov exponents. On a torus of dimension 2 or more it stays away from 0. On a closed curve it falls as a power of
+/// t.
 ///
 /// Source: Ch. Skokos, *Alignment indices: a new, simple method for determining the ordered or chaotic
 /// nature of orbits*, J. Phys. A 34 (2001).
 ///
 /// # Example
-/// A saddle, λ = ±1, and a rotation, which has no direction to turn to:
+/// A saddle with λ = ±1, and a rotation, along which tangent vectors do not align:
 /// ```
 /// use collective_integrators::{
 ///     Direct, RungeKutta, VariationalFlow, VectorField, smaller_alignment_index,
@@ -53,7 +53,7 @@ pub fn smaller_alignment_index<V: Vector<Scalar = f64>>([v, w]: &[V; 2]) -> f64 
         (0..V::DIM).map(square).sum::<f64>().sqrt()
     };
     let (sum, difference) = (norm(1.0), norm(-1.0));
-    // Written so that a NaN is returned.
+    // The comparison returns a NaN if there is one.
     if sum < difference { sum } else { difference }
 }
 

@@ -4,10 +4,10 @@ use crate::{CHECKPOINT, IntegrationError, Integrator, StepError};
 use lie_poisson::{DualNumber, Vector, derivative_part, euclidean_norm, seed, squaring_scale};
 use thiserror::Error;
 
-/// A state of `I`.
+/// The type of the states of `I`.
 type State<I> = <I as Integrator>::State;
 
-/// Tangent vectors that cannot be advanced.
+/// The reason why tangent vectors cannot be advanced.
 #[derive(Clone, Copy, Debug, PartialEq, Error)]
 #[non_exhaustive]
 pub enum VariationalError {
@@ -19,20 +19,19 @@ pub enum VariationalError {
         "tangent vector {index} has the length {length:e} beyond those before it, at t = {time}"
     )]
     Dependent {
-        /// The number of the vector; the first is 0.
+        /// The index of the vector; the first is 0.
         index: usize,
-        /// The length of its part that is orthogonal to those before it.
+        /// The length of the part of the vector that is orthogonal to those before it.
         length: f64,
-        /// When.
+        /// The time of the failure.
         time: f64,
     },
-    /// The time that has passed is zero, so close to it that numbers per unit of time overflow, or
-    /// overflows itself.
+    /// The elapsed time is zero or overflows, or is so small that numbers per unit of time overflow.
     #[error("there are no exponents per unit of time after {steps} steps of size {step:e}")]
     StepSize {
         /// The number of steps made.
         steps: u64,
-        /// The step size.
+        /// The step size of the run.
         step: f64,
     },
 }
@@ -43,13 +42,12 @@ pub enum VariationalError {
 /// z ← Φ_h(z),    v ← DΦ_h(z) v
 /// ```
 ///
-/// DΦ_h is that of the discrete map, by dual numbers; with a Poisson integrator it preserves the
-/// Poisson tensor. The state advances exactly as in a [`Trajectory`](crate::Trajectory) from the
-/// same start, to the bit.
-/// One step costs one step over `f64` and K over dual numbers, and allocates nothing.
+/// The derivative DΦ_h is that of the discrete map, computed by dual numbers. With a Poisson integrator it preserves
+/// the Poisson tensor. The state has the bits of the state of a [`Trajectory`](crate::Trajectory) from the same start.
+/// One step costs one step over `f64` and K steps over dual numbers, and allocates nothing.
 ///
-/// The tangent vectors are those of the *state*: of 𝔤∗ for [`LiftFree`](crate::LiftFree) and
-/// [`Direct`](crate::Direct), of P for [`Collective`](crate::Collective), fibres included.
+/// The tangent vectors belong to the *state*: to 𝔤∗ for [`LiftFree`](crate::LiftFree) and [`Direct`](crate::Direct),
+/// and to P, with its fibres, for [`Collective`](crate::Collective).
 ///
 /// # Example
 /// The tangent map of a linear flow is the flow:
@@ -90,7 +88,7 @@ impl<'a, I, const K: usize> VariationalFlow<'a, I, K>
 where
     I: Integrator + Integrator<DualNumber>,
 {
-    /// From a state and its tangent vectors at t = 0, with steps of size `step`.
+    /// Creates a flow from a state and its tangent vectors at t = 0, with steps of size `step`.
     pub fn new(integrator: &'a I, state: State<I>, tangents: [State<I>; K], step: f64) -> Self {
         Self {
             integrator,
@@ -103,46 +101,47 @@ where
         }
     }
 
-    /// The number of steps made.
+    /// Returns the number of steps made.
     #[must_use]
     pub fn steps(&self) -> u64 {
         self.steps
     }
 
-    /// h
+    /// Returns the step size h.
     #[must_use]
     pub fn step_size(&self) -> f64 {
         self.size
     }
 
-    /// t = steps · h
+    /// Returns the time t, which is the number of steps times h.
     #[must_use]
     pub fn time(&self) -> f64 {
         self.steps as f64 * self.size
     }
 
-    /// z
+    /// Returns the current state z.
     #[must_use]
     pub fn state(&self) -> &State<I> {
         &self.state
     }
 
-    /// μ
+    /// Returns the momentum μ of the state.
     #[must_use]
     pub fn momentum(&self) -> <I as Integrator>::Momentum {
         Integrator::<f64>::momentum(self.integrator, &self.state)
     }
 
-    /// The tangent vectors v at z.
+    /// Returns the tangent vectors v at z.
     #[must_use]
     pub fn tangents(&self) -> &[State<I>; K] {
         &self.tangents
     }
 
-    /// One step.
+    /// Advances the state and the tangent vectors by one step.
     ///
     /// # Errors
-    /// If the step fails for the state or for a tangent vector. Nothing is changed then.
+    /// Returns [`VariationalError::Integration`] if the step fails for the state or for a tangent vector. Nothing is
+    /// changed then.
     pub fn advance(&mut self) -> Result<(), VariationalError> {
         let (made, size) = (self.steps, self.size);
         let fail = |source: StepError| IntegrationError::after(made, size, source);
@@ -171,14 +170,15 @@ where
         Ok(())
     }
 
-    /// Replaces the tangent vectors by the orthonormal ones of Gram and Schmidt,
-    /// v_i = Σ_{j≤i} r_ji e_j in the Euclidean product of coordinates; returns the lengths
-    /// r_ii > 0. Vectors may have any size.
+    /// Replaces the tangent vectors by the orthonormal ones of Gram and Schmidt, and returns the lengths r_ii > 0.
+    ///
+    /// The vectors are v_i = Σ_j r_ji e_j, j ≤ i, with e_j orthonormal in the Euclidean product of coordinates. They
+    /// may have any size.
     ///
     /// # Errors
-    /// [`VariationalError::Dependent`] if a vector is, to round-off, a combination of those before
-    /// it, or not finite: more than DIM vectors always are. So is one whose length r_ii overflows or
-    /// underflows. The vectors before it are orthonormal then.
+    /// Returns [`VariationalError::Dependent`] if a vector is a combination of those before it to round-off, if it is
+    /// not finite, or if its length r_ii overflows or underflows. More than DIM vectors are always dependent. The
+    /// vectors before it are orthonormal then.
     pub fn orthonormalise(&mut self) -> Result<[f64; K], VariationalError> {
         let time = self.time();
         let mut lengths = [0.0; K];
@@ -193,7 +193,7 @@ where
             }
             let rest_size = euclidean_norm(&rest);
             let length = rest_size / scale;
-            // Written so that a NaN is an error.
+            // The condition is false for a NaN, which is then an error.
             let independent = rest_size > ROUND_OFF * size && length > 0.0 && length.is_finite();
             if !independent {
                 return Err(VariationalError::Dependent { index, length, time });
@@ -204,12 +204,13 @@ where
         Ok(lengths)
     }
 
-    /// Scales each tangent vector by itself to length 1; returns the lengths that they had, in the
-    /// Euclidean product of coordinates. Directions are kept: vectors that align stay aligned.
+    /// Scales each tangent vector by itself to length 1, and returns the previous lengths.
+    ///
+    /// Lengths are those of the Euclidean product of coordinates. Directions are kept: vectors that align stay aligned.
     ///
     /// # Errors
-    /// [`VariationalError::Dependent`] if a length is zero or not finite, or overflows. The vectors
-    /// before it are scaled then.
+    /// Returns [`VariationalError::Dependent`] if a length is zero, not finite, or overflows. The vectors before it are
+    /// scaled then.
     pub fn normalise(&mut self) -> Result<[f64; K], VariationalError> {
         let time = self.time();
         let mut lengths = [0.0; K];
@@ -218,7 +219,7 @@ where
             let unit = v.scaled(scale);
             let size = euclidean_norm(&unit);
             let length = size / scale;
-            // Written so that a NaN is an error.
+            // The condition is false for a NaN, which is then an error.
             let has_direction = length > 0.0 && length.is_finite();
             if !has_direction {
                 return Err(VariationalError::Dependent { index, length, time });
@@ -230,10 +231,10 @@ where
     }
 }
 
-/// What remains, relatively, of a vector that is a combination of others.
+/// The relative size of the remainder of a vector that is a combination of others.
 const ROUND_OFF: f64 = 64.0 * f64::EPSILON;
 
-/// Σ u_i v_i
+/// Returns the Euclidean product Σ u_i v_i of coordinates.
 fn dot<V: Vector<Scalar = f64>>(u: &V, v: &V) -> f64 {
     (0..V::DIM).map(|i| u.coordinate(i) * v.coordinate(i)).sum()
 }
@@ -245,7 +246,7 @@ mod tests {
     use lie_poisson::Real;
     use nalgebra::Vector2;
 
-    /// ẋ = x², ẏ = −y: the flow x/(1 − tx), y e^{−t}.
+    /// The field ẋ = x², ẏ = −y with the flow x/(1 − tx), y exp(−t).
     struct Field;
 
     impl<T: Real> VectorField<T> for Field {
@@ -291,7 +292,7 @@ mod tests {
             assert!(fives(upright.orthonormalise()) && same(upright.tangents()), "{size:e}");
             let mut scaled = flow([x * size, y * size]);
             assert!(fives(scaled.normalise()) && same(scaled.tangents()), "{size:e}");
-            // control: what is dependent is seen at every size
+            // control: a dependent vector is found at every size
             let mut aligned = flow([x * size, x * (0.5 * size)]);
             assert!(matches!(
                 aligned.orthonormalise(),

@@ -1,48 +1,48 @@
-//! How a conserved quantity changes along a run.
+//! The change of a conserved quantity along a run.
 
 use super::OrderFitError;
 use crate::{IntegrationError, Sample};
 use lie_poisson::larger;
 use thiserror::Error;
 
-/// Statistics of a drift that do not exist.
+/// The reason why the statistics of a drift do not exist.
 #[derive(Clone, Debug, PartialEq, Error)]
 #[non_exhaustive]
 pub enum DriftError {
     /// The run ended with an error.
     #[error(transparent)]
     Integration(#[from] IntegrationError),
-    /// A line needs two values at different times.
+    /// There are no two values at different times, which a line needs.
     #[error("a drift needs values at 2 different times, got {samples} values")]
     TooFewSamples {
-        /// Values seen.
+        /// The number of values.
         samples: usize,
     },
     /// A value is infinite or not a number.
     #[error("the quantity is {value} at t = {time}")]
     NotFinite {
-        /// When.
+        /// The time of the value.
         time: f64,
-        /// The value.
+        /// The value that is not finite.
         value: f64,
     },
-    /// A run of an ensemble whose values are not at the times of the first one.
+    /// A run of an ensemble has values at other times than the first run.
     #[error("run {run} of the ensemble differs from the first in its times, at value {sample}")]
     Times {
-        /// The number of the run; the first is 0.
+        /// The index of the run; the first is 0.
         run: usize,
-        /// The first value with another time, or that is missing.
+        /// The index of the first value that has another time or is missing.
         sample: usize,
     },
-    /// Too little above the plateau to fit an exponent to.
+    /// There are too few points above the plateau to fit an exponent.
     #[error("the growth has no exponent")]
     Exponent(#[from] OrderFitError),
 }
 
-/// How a quantity f that should be conserved changes over a run.
+/// The change of a quantity f over a run that should conserve it.
 ///
-/// A symplectic method of order p lets the energy oscillate: `largest` is of the size hᵖ and
-/// `slope` is a remainder of the oscillation, no larger than `largest` over the length of the run.
+/// A symplectic method of order p lets the energy oscillate: `largest` has the size hᵖ, and `slope` is a remainder of
+/// the oscillation. Over the length of the run it amounts to no more than `largest`.
 ///
 /// # Example
 /// ```
@@ -58,7 +58,7 @@ pub enum DriftError {
 /// };
 /// let (midpoint, rk4) = (drift(RungeKutta::implicit_midpoint())?, drift(RungeKutta::rk4())?);
 /// assert!(midpoint.largest < 1e-3 && midpoint.slope.abs() < 1e-9);
-/// // smaller by far at first, but a loss that goes on for ever
+/// // at first a much smaller error, but a permanent loss
 /// assert!(rk4.slope < -1e-8 && rk4.largest > 900.0 * rk4.slope.abs());
 /// # Ok::<(), Box<dyn std::error::Error>>(())
 /// ```
@@ -66,17 +66,18 @@ pub enum DriftError {
 pub struct Drift {
     /// The number of values.
     pub samples: usize,
-    /// max |f(t) − f(0)|, in the units of f.
+    /// The largest change max |f(t) − f(0)|, in the units of f.
     pub largest: f64,
     /// The slope of f against t by least squares, in the units of f per unit of time.
     pub slope: f64,
 }
 
 impl Drift {
-    /// Of the pairs (t, f(t)), in constant storage.
+    /// Computes the drift of the pairs (t, f(t)), in constant storage.
     ///
     /// # Errors
-    /// If a value or a time is not finite, or there are no two different times.
+    /// Returns [`DriftError::NotFinite`] if a value or a time is not finite, or [`DriftError::TooFewSamples`] if there
+    /// are no two different times.
     pub fn of(values: impl IntoIterator<Item = (f64, f64)>) -> Result<Self, DriftError> {
         let mut line = Line::default();
         for (time, value) in values {
@@ -85,10 +86,10 @@ impl Drift {
         line.drift()
     }
 
-    /// Of f(μ) along a trajectory, which must be finite: `trajectory.take(n)`.
+    /// Computes the drift of f(μ) along a trajectory, which must be finite: `trajectory.take(n)`.
     ///
     /// # Errors
-    /// If the run fails, and as for [`Drift::of`].
+    /// Returns [`DriftError::Integration`] if the run fails, and the errors of [`Drift::of`].
     pub fn along<S, M>(
         trajectory: impl IntoIterator<Item = Result<Sample<S, M>, IntegrationError>>,
         f: impl Fn(&M) -> f64,

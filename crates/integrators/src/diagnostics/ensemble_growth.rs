@@ -1,12 +1,12 @@
-//! How round-off grows over an ensemble of runs.
+//! The growth of round-off over an ensemble of runs.
 
 use super::{DriftError, fitted_order};
 
-/// The root mean square, over an ensemble of runs, of the deviation f(t) − f(0) of a quantity that
-/// the method conserves in exact arithmetic, and its growth with time.
+/// The root mean square deviation of a conserved quantity over an ensemble of runs, and its growth with time.
 ///
-/// Rounding errors without bias add up to a random walk, with exponent ½ ("Brouwer's law");
-/// rounding with a bias, or a method that does not conserve f, to an exponent of 1.
+/// The deviation is f(t) − f(0) of a quantity f that the method conserves in exact arithmetic. Unbiased rounding errors
+/// add up to a random walk, with exponent ½ ("Brouwer's law"). Biased rounding errors, or a method that does not
+/// conserve f, give the exponent 1.
 ///
 /// Source: D. Brouwer, *On the accumulation of errors in numerical integration*, Astron. J. 46
 /// (1937); Hairer, McLachlan & Razakarivony, *Achieving Brouwer's law with implicit Runge–Kutta
@@ -19,7 +19,7 @@ use super::{DriftError, fitted_order};
 /// for bias in [1.0, -2.0, 0.5] {
 ///     growth.add((0..100).map(|n| (f64::from(n), 7.0 + 1e-10 * bias * f64::from(n))))?;
 /// }
-/// // a bias of each run, though of zero mean over the runs
+/// // a bias in each run, with mean zero over the runs
 /// assert!((growth.exponent(1e-14)? - 1.0).abs() < 1e-4);
 /// # Ok::<(), collective_integrators::diagnostics::DriftError>(())
 /// ```
@@ -31,12 +31,12 @@ pub struct EnsembleGrowth {
 }
 
 impl EnsembleGrowth {
-    /// Adds a run, as pairs (t, f(t)) of which the first is the start. The first run sets the
-    /// times. Allocates one vector.
+    /// Adds a run, as pairs (t, f(t)) of which the first is the start. The first run sets the times. Allocates one
+    /// vector.
     ///
     /// # Errors
-    /// If a value is not finite, or the times are not those of the first run. Nothing is added
-    /// then.
+    /// Returns [`DriftError::NotFinite`] if a value is not finite, or [`DriftError::Times`] if the times are not those
+    /// of the first run. Nothing is added then.
     pub fn add(&mut self, run: impl IntoIterator<Item = (f64, f64)>) -> Result<(), DriftError> {
         let mut values = Vec::with_capacity(self.times.len());
         for (time, value) in run {
@@ -62,28 +62,29 @@ impl EnsembleGrowth {
         Ok(())
     }
 
-    /// The number of runs.
+    /// Returns the number of runs.
     #[must_use]
     pub fn runs(&self) -> usize {
         self.runs
     }
 
-    /// The pairs (t, √⟨(f(t) − f(0))²⟩) after the start.
+    /// Returns the pairs (t, √⟨(f(t) − f(0))²⟩) after the start.
     pub fn points(&self) -> impl Iterator<Item = (f64, f64)> {
         let runs = self.runs as f64;
         let rms = move |sum: &f64| (sum / runs).sqrt();
         self.times.iter().copied().zip(self.squares.iter().map(rms)).skip(1)
     }
 
-    /// The exponent a of rms ~ tᵃ: the slope of ln rms against ln |t|, by least squares over the
-    /// points above `plateau` (in the units of f): below it, the deviation is the few values next
-    /// to f(0) that a rounding can take.
+    /// Returns the exponent a of the growth rms ~ tᵃ: the slope of ln rms against ln |t| by least squares.
     ///
-    /// Points at equal distances in t weigh late times; for even weights take runs at times in
+    /// Only points above `plateau` (in the units of f) are used. Below it, the deviation takes only the few rounded
+    /// values next to f(0).
+    ///
+    /// Points at equal distances in t give more weight to late times. For even weights sample the runs at times in
     /// geometric progression.
     ///
     /// # Errors
-    /// If fewer than three points remain.
+    /// Returns [`DriftError::Exponent`] if fewer than three points remain.
     pub fn exponent(&self, plateau: f64) -> Result<f64, DriftError> {
         let points: Vec<_> = self.points().filter(|(time, _)| *time != 0.0).collect();
         Ok(fitted_order(&points, plateau)?)
@@ -94,7 +95,7 @@ impl EnsembleGrowth {
 mod tests {
     use super::*;
 
-    /// ±1 by a linear congruence, from its high bits.
+    /// Returns a walk of steps ±1, from the high bits of a linear congruence.
     fn walk(seed: u64) -> impl Iterator<Item = (f64, f64)> {
         let (mut state, mut position) = (seed, 0.0);
         (0..=4096_u32).filter_map(move |n| {
@@ -113,7 +114,7 @@ mod tests {
         for seed in 0..400 {
             assert_eq!(growth.add(walk(seed)), Ok(()));
         }
-        // the rms over 400 runs is known to 1/√800 = 3.5 %, over 7 octaves
+        // the rms over 400 runs has a relative error of 1/√800 = 3.5 %, over 7 octaves
         assert!(growth.exponent(1.5).is_ok_and(|a| (a - 0.5).abs() < 0.04), "{growth:?}");
         assert!(matches!(growth.exponent(40.0), Err(DriftError::Exponent(_))));
     }

@@ -1,33 +1,35 @@
-//! Whether a scheme descends along a Poisson map.
+//! Defects of a scheme that does not descend along a Poisson map.
 
 use crate::{Scheme, StepError};
 use lie_poisson::{Hamiltonian, Real, Vector, larger};
 use momentum_map::{CollectiveHamiltonian, FibreSymmetry, SourcePoint};
 
-/// How far a scheme Φ_h on P is from commuting with the symmetry whose orbits are the fibres of
-/// M: P → 𝔤∗, and from descending to a map of 𝔤∗.
+/// The defects of a scheme Φ_h on P that should descend along M: P → 𝔤∗.
+///
+/// Such a scheme commutes with the symmetry whose orbits are the fibres of M, and gives a map of 𝔤∗.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct FibreDefects {
-    /// max |Φ_h(flow_s z) − flow_s(Φ_h z)|, in the units of P: Φ_h is equivariant.
+    /// The largest |Φ_h(flow_s z) − flow_s(Φ_h z)|, in the units of P. It vanishes if Φ_h is equivariant.
     pub equivariance: f64,
-    /// max |M(Φ_h(flow_s z)) − M(Φ_h z)|, in the units of 𝔤∗: M∘Φ_h depends on M(z) alone.
+    /// The largest |M(Φ_h(flow_s z)) − M(Φ_h z)|, in the units of 𝔤∗. It vanishes if M∘Φ_h depends on M(z) alone.
     ///
     /// It vanishes if `equivariance` does; the converse need not hold.
     pub descent: f64,
 }
 
-/// The [`FibreDefects`] at z of a scheme applied to X_{h∘M}, each the largest over the
-/// one-parameter groups of the [symmetry](FibreSymmetry), with parameter `s`. NaN if a coordinate
-/// is NaN; 0 if there is no group.
+/// Measures the [`FibreDefects`] at z of a scheme applied to the collective vector field of h∘M.
+///
+/// Each defect is the largest over the one-parameter groups of the [symmetry](FibreSymmetry), with parameter `s`. It is
+/// NaN if a coordinate is NaN, and 0 if there is no group.
 ///
 /// Source: Ohsawa 2019, §5.1; McLachlan, Modin & Verdier, *Collective symplectic integrators*,
 /// Nonlinearity 27 (2014), Thm. 3.2.
 ///
 /// # Errors
-/// If a step fails.
+/// Returns the [`StepError`] of a step that fails.
 ///
 /// # Example
-/// Explicit Runge–Kutta methods are not symplectic, but commute with the circle of the Hopf map:
+/// Explicit Runge–Kutta methods are not symplectic, but they commute with the circle of the Hopf map:
 /// ```
 /// use collective_integrators::{RungeKutta, diagnostics::fibre_defects};
 /// use lie_poisson::{Covector, LiePoisson, So3, from_closure, num_complex::Complex};

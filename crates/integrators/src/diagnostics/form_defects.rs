@@ -1,4 +1,4 @@
-//! How far a map is from respecting a symplectic form or a Poisson bracket.
+//! Defects of a map with respect to a symplectic form or a Poisson bracket.
 
 use super::tangent::{linearised, tangent_map};
 use core::convert::Infallible;
@@ -6,14 +6,14 @@ use lie_poisson::{DualNumber, Point, PoissonSpace, Vector, larger};
 use momentum_map::SymplecticSpace;
 use nalgebra::DMatrix;
 
-/// max |DΦᵀ J DΦ − J| at z for a map Φ of a symplectic space (P, Ω), J_ij = Ω(e_i, e_j).
+/// Returns max |DΦᵀ J DΦ − J| at z for a map Φ of a symplectic space (P, Ω), where J_ij = Ω(e_i, e_j).
 ///
-/// Zero if and only if Φ*Ω = Ω at z. In the units of Ω; NaN if a derivative is NaN.
+/// It is zero if and only if Φ*Ω = Ω at z. It is in the units of Ω, and NaN if a derivative is NaN.
 ///
 /// Source: Hairer, Lubich & Wanner, *Geometric Numerical Integration*, 2nd ed., Def. VI.2.2.
 ///
 /// # Example
-/// A shear is symplectic on R² = T∗R, a dilation is not:
+/// A shear is symplectic on R² = T∗R; a dilation is not:
 /// ```
 /// use collective_integrators::diagnostics::symplecticity_defect;
 /// use lie_poisson::{DualNumber, Vector};
@@ -35,7 +35,7 @@ pub fn symplecticity_defect<P: SymplecticSpace>(
     form_change(space, &tangent_map(f, z))
 }
 
-/// max |DφᵀJDφ − J|
+/// Returns max |DφᵀJDφ − J| for the given tangent map Dφ.
 pub(super) fn form_change<P: SymplecticSpace>(space: &P, tangent: &DMatrix<f64>) -> f64 {
     let n = Point::<P>::DIM;
     let form = DMatrix::from_fn(n, n, |i, j| {
@@ -44,10 +44,10 @@ pub(super) fn form_change<P: SymplecticSpace>(space: &P, tangent: &DMatrix<f64>)
     largest(&(tangent.transpose() * &form * tangent - form))
 }
 
-/// max |Dφ Λ Dφᵀ − Λ∘φ| at z for a map φ of a Poisson space with tensor Λ_ij(z) = {z_i, z_j}.
+/// Returns max |Dφ Λ Dφᵀ − Λ∘φ| at z for a map φ of a Poisson space with tensor Λ_ij(z) = {z_i, z_j}.
 ///
-/// Entry (i, j) is {φ_i, φ_j}(z) − {z_i, z_j}(φ(z)); all vanish if and only if φ respects the
-/// bracket at z. In the units of Λ; NaN if a derivative is NaN.
+/// Entry (i, j) is {φ_i, φ_j}(z) − {z_i, z_j}(φ(z)). All entries vanish if and only if φ preserves the bracket at z.
+/// The defect is in the units of Λ, and NaN if a derivative is NaN.
 ///
 /// Source: Hairer, Lubich & Wanner, *Geometric Numerical Integration*, 2nd ed., Def. VII.2.6 and
 /// Lemma VII.2.8; Ohsawa 2019, §5.1.
@@ -78,7 +78,7 @@ pub fn poisson_defect<P: PoissonSpace>(
     }
 }
 
-/// max |Dφ Λ(z) Dφᵀ − Λ(φ(z))|
+/// Returns max |Dφ Λ(z) Dφᵀ − Λ(φ(z))| for the given tangent map Dφ.
 pub(super) fn bracket_change<P: PoissonSpace>(
     space: &P,
     z: &Point<P>,
@@ -89,7 +89,7 @@ pub(super) fn bracket_change<P: PoissonSpace>(
     largest(&(tangent * before * tangent.transpose() - after))
 }
 
-/// max |entry|; NaN if one is NaN, where nalgebra's `amax` would drop it.
+/// Returns the largest magnitude of an entry, or NaN if an entry is NaN; nalgebra's `amax` would drop the NaN.
 fn largest(matrix: &DMatrix<f64>) -> f64 {
     matrix.iter().fold(0.0, |m, x| larger(m, x.abs()))
 }

@@ -1,8 +1,8 @@
-//! What a method promises, measured.
+//! Measurements of what a method promises.
 //!
-//! Each promise is a number that vanishes if the promise is kept, to round-off: derivatives are
-//! exact (dual numbers), so that no difference quotient hides a small defect, and a NaN comes out
-//! as NaN, which fails every comparison `defect <= tolerance`.
+//! Each promise is a number that vanishes to round-off if the promise is kept. Derivatives are exact (dual numbers), so
+//! that no difference quotient hides a small defect. A NaN is returned as NaN, which fails every comparison `defect <=
+//! tolerance`.
 //!
 //! | promise | number |
 //! |---|---|
@@ -10,7 +10,7 @@
 //! | the derivative of a map | [`tangent_map`] |
 //! | Φ on (P, Ω) is symplectic | [`symplecticity_defect`], [`step_symplecticity_defect`] |
 //! | φ on a Poisson space is a Poisson map | [`poisson_defect`], [`step_poisson_defect`] |
-//! | Φ_{−h} ∘ Φ_h = id | [`reversibility_defect`] |
+//! | Φ₋ₕ ∘ Φₕ = id | [`reversibility_defect`] |
 //! | Φ descends to 𝔤∗ | [`fibre_defects`] |
 //! | an invariant does not drift | [`Drift`] |
 //! | round-off grows as a random walk | [`EnsembleGrowth`] |

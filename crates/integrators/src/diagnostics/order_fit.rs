@@ -1,51 +1,52 @@
-//! The order of convergence, measured.
+//! The order of convergence, fitted to measured errors.
 
 use thiserror::Error;
 
-/// Nothing to fit an order to.
+/// The reason why no order can be fitted.
 #[derive(Clone, Copy, Debug, PartialEq, Error)]
 #[non_exhaustive]
 pub enum OrderFitError {
-    /// Too few errors say something about the order.
+    /// Too few errors lie above the round-off plateau.
     #[error(
         "an order needs at least 3 errors above the round-off plateau {plateau:e}, got {usable}"
     )]
     TooFew {
-        /// Usable points.
+        /// The number of usable errors.
         usable: usize,
-        /// The plateau below which errors were left out.
+        /// The plateau; errors below it are left out.
         plateau: f64,
     },
-    /// A step or an error is infinite or not a number: no result, rather than a small error.
+    /// A step or an error is infinite or not a number. This is no result, rather than a small error.
     #[error("step {step} has the error {error}")]
     NotFinite {
-        /// The step.
+        /// The step size.
         step: f64,
-        /// Its error.
+        /// The error of the step.
         error: f64,
     },
-    /// All usable errors belong to one step.
+    /// All usable errors belong to one step size.
     #[error("an order needs different steps, all are {step}")]
     OneStep {
-        /// The step.
+        /// The step size.
         step: f64,
     },
 }
 
-/// The slope of ln(error) against ln |step|, by least squares over the errors above `plateau`.
+/// Returns the slope of ln(error) against ln |step|, by least squares over the errors above `plateau`.
 ///
-/// Errors at the round-off plateau say nothing about the order and are left out.
+/// Errors at the round-off plateau contain no information about the order and are left out.
 ///
 /// # Errors
-/// If fewer than three points remain or all have the same step, and if any step or error is not
-/// finite: a method that fails for some of the steps has no order.
+/// Returns [`OrderFitError::TooFew`] if fewer than three points remain, [`OrderFitError::OneStep`] if all have the same
+/// step, and [`OrderFitError::NotFinite`] if a step or an error is not finite. A method that fails for some of the
+/// steps has no order.
 ///
 /// # Example
 /// ```
 /// use collective_integrators::diagnostics::{OrderFitError, fitted_order};
 /// let points = [0.4, 0.2, 0.1, 0.05].map(|h: f64| (h, 3.0 * h.powi(4)));
 /// assert!((fitted_order(&points, 1e-13)? - 4.0).abs() < 1e-12);
-/// // two of the four are below the plateau: nothing is claimed
+/// // two of the four are below the plateau, and too few remain
 /// assert!(fitted_order(&points, 1e-3).is_err());
 /// # Ok::<(), OrderFitError>(())
 /// ```

@@ -1,19 +1,19 @@
-//! Symmetry in time.
+//! The symmetry of an integrator in time.
 
 use crate::{Integrator, StepError};
 use lie_poisson::{Real, Vector};
 
-/// max |Φ_{−h}∘Φ_h(z) − z|, in the coordinates of the momentum: a step forth and a step back.
+/// Returns max |Φ₋ₕ(Φₕ(z)) − z|, in the coordinates of the momentum: the defect of a step forwards and a step back.
 ///
-/// Round-off for symmetric methods; of order h^{p+1} for others of order p. NaN if a difference is
-/// NaN. What is compared is μ, since states are defined up to a motion along fibres only; for
-/// [`Direct`](crate::Direct) integrators μ is the state. In the units of μ, over the largest of the
-/// lanes.
+/// It is round-off for symmetric methods, and of order hᵖ⁺¹ for other methods of order p. It is NaN if a difference is
+/// NaN. The momenta μ are compared, since states are defined only up to a motion along fibres. For
+/// [`Direct`](crate::Direct) integrators μ is the state. The defect is in the units of μ, and the largest over the SIMD
+/// lanes of the scalar.
 ///
 /// Source: Hairer, Lubich & Wanner, *Geometric Numerical Integration*, 2nd ed., Def. V.1.4.
 ///
 /// # Errors
-/// If one of the two steps fails.
+/// Returns the [`StepError`] of a step that fails.
 ///
 /// # Example
 /// ```

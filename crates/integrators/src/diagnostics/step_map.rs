@@ -1,4 +1,4 @@
-//! One step of an integrator, as a map.
+//! One step of an integrator as a map.
 
 use super::form_defects::{bracket_change, form_change};
 use super::tangent::linearised;
@@ -7,7 +7,7 @@ use lie_poisson::{DualNumber, Point, PoissonSpace, Real};
 use momentum_map::{LiftError, SymplecticSpace};
 use thiserror::Error;
 
-/// The map of one step has no value at a point.
+/// The reason why the map of one step has no value at a point.
 #[derive(Clone, Debug, PartialEq, Error)]
 #[non_exhaustive]
 pub enum StepMapError {
@@ -19,12 +19,12 @@ pub enum StepMapError {
     Step(#[from] StepError),
 }
 
-/// φ_h(μ): the momentum after one step of size `step` from μ.
+/// Returns φ_h(μ), the momentum after one step of size `step` from μ.
 ///
-/// Over dual numbers, φ_h(μ + ε v) = φ_h(μ) + ε Dφ_h(μ) v. Allocates a workspace.
+/// Over dual numbers, φ_h(μ + ε v) = φ_h(μ) + ε Dφ_h(μ) v. The function allocates a workspace.
 ///
 /// # Errors
-/// If no state represents μ, or the step fails.
+/// Returns [`StepMapError::Lift`] if no state represents μ, or [`StepMapError::Step`] if the step fails.
 ///
 /// # Example
 /// ```
@@ -32,7 +32,7 @@ pub enum StepMapError {
 /// use nalgebra::Vector2;
 /// let oscillator = from_fn(|z: &Vector2<f64>| Vector2::new(z.y, -z.x));
 /// let midpoint = Direct::new(RungeKutta::implicit_midpoint(), oscillator);
-/// // a rotation with tan(angle/2) = h/2
+/// // a rotation by the angle with tan(angle/2) = h/2
 /// let turned = step_map(&midpoint, &Vector2::x(), 1.0)?;
 /// assert!((turned - Vector2::new(0.6, -0.8)).norm() < 1e-15);
 /// # Ok::<(), collective_integrators::diagnostics::StepMapError>(())
@@ -47,11 +47,12 @@ pub fn step_map<T: Real, I: Start<T>>(
     Ok(integrator.momentum(&next.point))
 }
 
-/// max |Dφ_h Λ Dφ_hᵀ − Λ∘φ_h| at μ for [one step](step_map) of an integrator on a Poisson space;
-/// see [`poisson_defect`](super::poisson_defect).
+/// Returns max |Dφ_h Λ Dφ_hᵀ − Λ∘φ_h| at μ for [one step](step_map) of an integrator on a Poisson space.
+///
+/// See [`poisson_defect`](super::poisson_defect).
 ///
 /// # Errors
-/// If the step map has no value at μ: a failed step is no defect, small or large.
+/// Returns the [`StepMapError`] if the step map has no value at μ. A failed step is not a defect, small or large.
 ///
 /// # Example
 /// ```
@@ -71,7 +72,7 @@ pub fn step_map<T: Real, I: Start<T>>(
 /// let midpoint = RungeKutta::implicit_midpoint();
 /// let free = LiftFree::new(midpoint.clone(), Quaternions, Automatic(FreeBody));
 /// assert!(step_poisson_defect(&space, &free, &pi, 0.1)? < 1e-14);
-/// // applied to Euler's equations as they stand, the same rule is not Poisson
+/// // applied to Euler's equations directly, the same rule is not Poisson
 /// let field = HamiltonianField { space, hamiltonian: Automatic(FreeBody) };
 /// assert!(step_poisson_defect(&space, &Direct::new(midpoint, field), &pi, 0.1)? > 1e-4);
 /// # Ok::<(), collective_integrators::diagnostics::StepMapError>(())
@@ -90,15 +91,14 @@ where
     Ok(bracket_change(space, mu, &image, &tangent))
 }
 
-/// max |DΦ_hᵀ J DΦ_h − J| at z for one step of an integrator whose states are points of a
-/// symplectic space; see [`symplecticity_defect`](super::symplecticity_defect).
+/// Returns max |DΦ_hᵀ J DΦ_h − J| at z for one step of an integrator whose states are points of a symplectic space.
 ///
-/// A scheme on P alone is [`Direct::new(scheme, system)`](crate::Direct) with the system h∘M: the
-/// state of a [`Collective`](crate::Collective) integrator may move along its fibre after the
-/// step, which no momentum sees but the form does.
+/// See [`symplecticity_defect`](super::symplecticity_defect). To measure a scheme on P alone, use [`Direct::new(scheme,
+/// system)`](crate::Direct) with the system h∘M. The state of a [`Collective`](crate::Collective) integrator may move
+/// along its fibre after the step. This motion is invisible in the momentum, but not in the form.
 ///
 /// # Errors
-/// If the step fails.
+/// Returns the [`StepError`] of a step that fails.
 ///
 /// # Example
 /// ```

@@ -1,13 +1,13 @@
-//! Tangent maps.
+//! Tangent maps by dual numbers.
 
 use core::convert::Infallible;
 use lie_poisson::{DualNumber, Real, Vector, map_coordinates, seed};
 use nalgebra::DMatrix;
 
-/// The matrix (T_z f)_ij = ∂f_i/∂z_j of a map f: V → W at z, dim W × dim V.
+/// Returns the matrix (T_z f)_ij = ∂f_i/∂z_j of a map f: V → W at z, of size dim W × dim V.
 ///
-/// Exact: `f` is evaluated over dual numbers, once for each direction. A coordinate that is NaN
-/// is NaN in the matrix.
+/// The derivative is exact: `f` is evaluated over dual numbers, once for each direction. A coordinate that is NaN is
+/// NaN in the matrix.
 ///
 /// # Example
 /// ```
@@ -31,7 +31,7 @@ where
     }
 }
 
-/// T_z f of a map that may have no value.
+/// Returns the tangent map T_z f of a map that may have no value.
 fn tangent_of<V, V2, W2, E>(
     f: impl Fn(&V2) -> Result<W2, E>,
     z: &V,
@@ -51,7 +51,7 @@ where
     Ok(tangent)
 }
 
-/// f(z) and T_z f of a map of a space to itself.
+/// Returns f(z) and T_z f for a map of a space to itself.
 pub(super) fn linearised<V, V2, E>(
     f: impl Fn(&V2) -> Result<V2, E>,
     z: &V,

@@ -1,4 +1,4 @@
-//! The collective integrator.
+//! The collective integrator: [`Collective`].
 
 use crate::stages::block_sizes::BlockSizes;
 use crate::stages::two_sum::two_sum;
@@ -10,17 +10,16 @@ use momentum_map::{
     CollectiveHamiltonian, Lift, LiftError, PoissonMap, RecentringSpace, SourcePoint, TargetPoint,
 };
 
-/// The collective integrator: a scheme on the source P of a realisation M: P → 𝔤∗, for the
-/// Hamiltonian h∘M, read through M.
+/// The collective integrator: a scheme for the Hamiltonian h∘M on the source P of a realisation M: P → 𝔤∗.
 ///
-/// With a symplectic scheme that is [`Equivariant`], μ ↦ M(Φ_h(z)), M(z) = μ, is a Poisson map of 𝔤∗ that does
-/// not depend on the lift z: a *collective Lie–Poisson integrator*. It conserves the Casimirs.
+/// If the scheme Φ_h is symplectic and [`Equivariant`], then μ ↦ M(Φ_h(z)) with M(z) = μ is a Poisson map of 𝔤∗ that
+/// does not depend on the lift z: a *collective Lie–Poisson integrator*. It conserves the Casimirs.
 ///
 /// Source: McLachlan, Modin & Verdier, *Collective symplectic integrators*, Nonlinearity 27
 /// (2014); Ohsawa 2019, §5.1.
 ///
 /// # Example
-/// A realisation of so(3)∗ by angular momentum, L = q × p:
+/// A realisation of so(3)∗ by the angular momentum L = q × p:
 /// ```
 /// use collective_integrators::{Collective, Integrator, RungeKutta};
 /// use lie_poisson::{Covector, LiePoisson, Point, RealSpace, Real, So3, from_closure};
@@ -57,24 +56,23 @@ pub struct Collective<S, M, H> {
 }
 
 impl<S: Equivariant, M: PoissonMap, H> Collective<S, M, H> {
-    /// The scheme applied to X_{h∘M}. The bound [`Equivariant`] says that it descends to 𝔤∗.
+    /// Creates an integrator from a scheme that descends to 𝔤∗, as its bound [`Equivariant`] states.
     pub fn new(scheme: S, map: M, hamiltonian: H) -> Self {
         Self { scheme, system: CollectiveHamiltonian::new(map, hamiltonian), descends: true }
     }
 }
 
 impl<S: Scheme, M: PoissonMap, H> Collective<S, M, H> {
-    /// The scheme applied to X_{h∘M}, although its image is not a map of 𝔤∗.
+    /// Creates an integrator from a scheme that need not descend to 𝔤∗, for comparison.
     ///
-    /// A step z ↦ Φ(z) on P gives a map of 𝔤∗ if M(Φ(z)) depends on M(z) alone, that is, if Φ
-    /// carries fibres of M to fibres. Fibre symmetries are linear and mix q and p, as does
-    /// χ ↦ χ + bψ on T∗C²; a partitioned scheme, which treats q and p differently, does not commute
-    /// with them, however symplectic it is. What comes out depends on the lift, and Noether's
-    /// theorem, which makes the Casimirs constant, does not apply. Symplecticity on P alone is not
+    /// A step z ↦ Φ(z) on P gives a map of 𝔤∗ if M(Φ(z)) depends on M(z) alone, that is, if Φ carries fibres of M to
+    /// fibres. Fibre symmetries are linear and mix q and p, for example χ ↦ χ + bψ on T∗C². A partitioned scheme treats
+    /// q and p differently and does not commute with them, even if it is symplectic. Its result depends on the lift,
+    /// and Noether's theorem, which makes the Casimirs constant, does not apply. Symplecticity on P alone is not
     /// enough.
     ///
-    /// In the experiment of Ohsawa 2019, §5.2, over 1000 steps of 1/50, where f₁ = 1 and round-off
-    /// is what Runge–Kutta methods show; with two lifts z and z − (5/2)(ψ, 0) of the same momentum:
+    /// The table shows the experiment of Ohsawa 2019, §5.2, over 1000 steps of 1/50, where f₁ = 1. Runge–Kutta methods
+    /// conserve f₁ to round-off. The two lifts z and z − (5/2)(ψ, 0) have the same momentum.
     ///
     /// | scheme | change of f₁ | two lifts, after one step |
     /// |---|---|---|
@@ -82,7 +80,7 @@ impl<S: Scheme, M: PoissonMap, H> Collective<S, M, H> {
     /// | Störmer–Verlet | −0.033 | 1.7e-5 apart |
     /// | Lobatto IIIA–IIIB, 3 stages | 8e-8 | 4.1e-10 apart |
     ///
-    /// It is here to show this. Use [`new`](Self::new) for everything else: it refuses such schemes.
+    /// This constructor exists to show this behaviour. Use [`new`](Self::new) otherwise: it refuses such schemes.
     ///
     /// ```compile_fail
     /// use collective_integrators::{Collective, FirstHalf, PartitionedRungeKutta};
@@ -101,46 +99,46 @@ impl<S: Scheme, M: PoissonMap, H> Collective<S, M, H> {
     /// let integrator = Collective::that_does_not_descend(verlet, HOPF, h);
     /// ```
     ///
-    /// Source: McLachlan, Modin & Verdier, Nonlinearity 27 (2014), Thm. 3.2. Ohsawa 2019, §5.1, says
-    /// that any symplectic scheme will do; it takes an equivariant one.
+    /// Source: McLachlan, Modin & Verdier, Nonlinearity 27 (2014), Thm. 3.2. Ohsawa 2019, §5.1, says that any
+    /// symplectic scheme will do, but an equivariant one is required.
     pub fn that_does_not_descend(scheme: S, map: M, hamiltonian: H) -> Self {
         Self { scheme, system: CollectiveHamiltonian::new(map, hamiltonian), descends: false }
     }
 }
 
 impl<S, M, H> Collective<S, M, H> {
-    /// The scheme.
+    /// Returns the scheme on P.
     pub fn scheme(&self) -> &S {
         &self.scheme
     }
 
-    /// h∘M, with M and h.
+    /// Returns the system h∘M, with M and h.
     pub fn system(&self) -> &CollectiveHamiltonian<M, H> {
         &self.system
     }
 }
 
 impl<S, M: PoissonMap, H> Collective<S, M, H> {
-    /// The same with compensated summation of z.
+    /// Returns the integrator with [`Compensated`] summation of z.
     pub fn compensated(self) -> Compensated<Self> {
         Compensated(self)
     }
 
-    /// What leads from z to the point of its fibre to go on from.
+    /// Returns the displacement from z to the point of its fibre from which the next step starts.
     #[inline]
     fn gauge<T: Real>(&self, z: &SourcePoint<M, T>) -> SourcePoint<M, T> {
         if self.descends { self.system.map.gauge::<T>(z) } else { Vector::zero() }
     }
 }
 
-/// How much z may grow, block by block, before a point of its fibre nearer to the origin is looked for.
+/// The growth of a block of z beyond which the integrator looks for a point of the fibre nearer to the origin.
 const GROWTH: f64 = 4.0;
 
-/// The storage of a step of [`Collective`]: that of the scheme, and how far z is from the origin.
+/// The storage of a step of [`Collective`]: that of the scheme, and the distance of z from the origin.
 #[derive(Clone, Debug)]
 pub struct CollectiveSpace<W, V: Vector> {
     scheme: W,
-    /// The sizes of z when it was near the origin of its fibre; none at the beginning of a run.
+    /// The sizes of z when it was near the origin of its fibre, or `None` at the beginning of a run.
     near: Option<BlockSizes<V>>,
     recentring: RecentringSpace<V::Scalar>,
 }
@@ -150,8 +148,9 @@ type SpaceOf<S, M, T> =
     CollectiveSpace<<S as Scheme>::Workspace<SourcePoint<M, T>>, SourcePoint<M, T>>;
 
 impl<S: Scheme, M: PoissonMap, H> Collective<S, M, H> {
-    /// The point of the fibre through z from which a step starts: z itself, or, where a run begins with a z far from
-    /// the origin or z has grown, one nearer to it.
+    /// Returns the point of the fibre through z from which a step starts.
+    ///
+    /// It is z itself, or a point nearer to the origin if a run begins with a z far from the origin, or if z has grown.
     #[inline]
     fn recentred<T: Real>(
         &self,
@@ -243,8 +242,10 @@ where
         Ok(Step { point: Pair(change, rest + below + lost), iterations })
     }
 
-    /// z + e + gauge(z + e), to first order in e. Where the derivative of a gauge means nothing but goes along
-    /// the fibre, as that of a power of two, M does not see it.
+    /// Returns z + e + gauge(z + e), to first order in e.
+    ///
+    /// The derivative of a gauge, such as that of a power of two, may have no meaning except along the fibre. M is
+    /// constant there.
     #[inline]
     fn gauged(&self, state: Pair<Self::State, Self::State>) -> Pair<Self::State, Self::State> {
         let Pair(z, carry) = state;
@@ -267,7 +268,7 @@ where
     H: Hamiltonian<M::Target, T>,
     T: Real,
 {
-    /// The lift of μ.
+    /// Returns the lift of μ.
     fn start(&self, mu: &Self::Momentum) -> Result<Self::State, LiftError> {
         self.system.map.lift::<T>(mu)
     }

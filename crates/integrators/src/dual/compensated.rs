@@ -1,4 +1,4 @@
-//! Compensated summation: steps whose rounding is not lost.
+//! Compensated summation, which carries the rounding errors of the steps along.
 
 use crate::stages::two_sum::two_sum;
 use crate::{Increment, Integrator, Start, Step, StepError};
@@ -10,11 +10,13 @@ use momentum_map::LiftError;
 /// # Example
 /// See [`Compensated`].
 pub trait Increments<T: Real = f64>: Integrator<T> {
-    /// The change δz + δe of the state in one step, before the state is
-    /// [`gauged`](Self::gauged); δe has the size of the roundings of δz.
+    /// Returns the change δz + δe of the state in one step, before the state is [`gauged`](Self::gauged). δe has the
+    /// size of the rounding errors of δz.
+    ///
+    /// The caller checks that the result is finite.
     ///
     /// # Errors
-    /// If the step has no result. That it is finite is left to who adds it.
+    /// Returns a [`StepError`] if the step has no result.
     fn increment(
         &self,
         state: &Self::State,
@@ -22,28 +24,29 @@ pub trait Increments<T: Real = f64>: Integrator<T> {
         workspace: &mut Self::Workspace,
     ) -> Result<Increment<Self::State>, StepError>;
 
-    /// The state from which the next step starts instead of this z + e, with the same momentum: another point of
-    /// the fibre, where there are fibres. By default the state itself.
+    /// Returns the state from which the next step starts instead of this z + e, with the same momentum.
+    ///
+    /// If there are fibres, it is another point of the fibre. The default is the state itself.
     #[inline]
     fn gauged(&self, state: Pair<Self::State, Self::State>) -> Pair<Self::State, Self::State> {
         state
     }
 }
 
-/// An integrator that carries along what each addition z + δz rounds away:
+/// An integrator that carries along the rounding error e of the additions z + δz:
 ///
 /// ```text
 /// z₁ + e₁ = (z + e) + (δz + δe)
 /// ```
 ///
-/// so that the errors of a step have the size of the roundings of δz, a factor h|Ω| below those
-/// of z. The state is (z, e); of a [`LiftFree`](crate::LiftFree) integrator z is μ.
+/// The errors of a step then have the size of the rounding errors of δz, a factor h|Ω| below those of z. The state is
+/// (z, e). For a [`LiftFree`](crate::LiftFree) integrator z is μ.
 ///
-/// Where the fixed-point iteration solves the stages of an implicit Runge–Kutta method, what their
-/// rounding takes from the field is added back ([`Scheme::refined_increment`](crate::Scheme::refined_increment)), and
-/// where a [`Collective`](crate::Collective) integrator slides z along its fibre, e slides along. What is left
-/// are the roundings of the field, and invariants wander as t^½. Other methods, and steps that need Newton's
-/// iteration, keep roundings with a mean, and may drift.
+/// If the fixed-point iteration solves the stages of an implicit Runge–Kutta method, the effect of their rounding on
+/// the field is added back ([`Scheme::refined_increment`](crate::Scheme::refined_increment)). If a
+/// [`Collective`](crate::Collective) integrator moves z along its fibre, e moves along. Only the rounding errors of the
+/// field remain, and invariants change as t^½. Other methods, and steps that need Newton's iteration, keep biased
+/// rounding errors and may drift.
 ///
 /// Source: W. Kahan, *Further remarks on reducing truncation errors*, Comm. ACM 8 (1965); Hairer,
 /// McLachlan & Razakarivony, *Achieving Brouwer's law with implicit Runge–Kutta methods*, BIT 48
@@ -67,13 +70,13 @@ pub trait Increments<T: Real = f64>: Integrator<T> {
 pub struct Compensated<I>(pub(crate) I);
 
 impl<I> Compensated<I> {
-    /// The integrator whose increments are added.
+    /// Returns the integrator whose increments are added.
     pub fn base(&self) -> &I {
         &self.0
     }
 }
 
-/// (z₁, e₁) from (z, e) and (δz, δe): one addition of [`Compensated`] summation.
+/// Returns (z₁, e₁) from (z, e) and (δz, δe): one addition of [`Compensated`] summation.
 ///
 /// ```
 /// use collective_integrators::compensated_sum;
@@ -82,7 +85,7 @@ impl<I> Compensated<I> {
 /// let tiny = Pair(Vector1::new(f64::EPSILON / 8.0), zero);
 /// let sum = (0..8).fold(Pair(one, zero), |sum, _| compensated_sum(&sum, &tiny));
 /// assert_eq!(sum, Pair(Vector1::new(1.0 + f64::EPSILON), zero));
-/// // without e nothing would have come of it
+/// // without e, each addition would be lost
 /// assert_eq!(one + tiny.0, one);
 /// ```
 #[inline]
@@ -124,7 +127,7 @@ impl<I: Increments<T>, T: Real> Integrator<T> for Compensated<I> {
 }
 
 impl<I: Increments<T> + Start<T>, T: Real> Start<T> for Compensated<I> {
-    /// (z, 0)
+    /// Returns the state (z, 0) that represents μ.
     fn start(&self, mu: &Self::Momentum) -> Result<Self::State, LiftError> {
         Ok(Pair(self.0.start(mu)?, Vector::zero()))
     }

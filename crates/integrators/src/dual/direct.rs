@@ -1,4 +1,4 @@
-//! Schemes on the equations as they stand.
+//! Schemes applied directly to the equations: [`Direct`].
 
 use crate::{
     Compensated, Increment, Increments, Integrator, Scheme, StateIsMomentum, Step, StepError,
@@ -6,11 +6,11 @@ use crate::{
 };
 use lie_poisson::Real;
 
-/// A scheme applied to a vector field as it stands, such as the Lie–Poisson equations
-/// μ̇ = X_h(μ) on 𝔤∗.
+/// A scheme applied directly to a vector field, such as that of the Lie–Poisson equations dμ/dt = X_h(μ) on 𝔤∗.
 ///
-/// In general not a Poisson map of 𝔤∗: its bracket is not constant, and a scheme that is symplectic for constant
-/// brackets does not preserve it. It is here to be compared with.
+/// In general it is not a Poisson map of 𝔤∗, since a scheme that is symplectic for constant brackets does not preserve
+/// the bracket of 𝔤∗, which is not constant. It serves as a comparison, and as the integrator for equations on other
+/// spaces.
 ///
 /// Source: Austin, Krishnaprasad & Wang, *Almost Poisson integration of rigid body systems*,
 /// J. Comput. Phys. 107 (1993); Ohsawa 2019, §5.2.
@@ -27,7 +27,7 @@ use lie_poisson::Real;
 /// let rk4 = Direct::new(RungeKutta::rk4(), field);
 /// let start = Covector(Vector3::new(1.0, 1.0, 1.0));
 /// let last = rk4.trajectory(&start, 0.01)?.take(101).last().unwrap()?;
-/// // the method is of order four, and |Π|² is conserved to its accuracy alone
+/// // the method of order four conserves |Π|² only to its accuracy
 /// let drift = last.momentum.0.norm_squared() - 3.0;
 /// assert!(drift.abs() < 1e-8 && drift != 0.0);
 /// # Ok::<(), Box<dyn std::error::Error>>(())
@@ -39,12 +39,12 @@ pub struct Direct<S, F> {
 }
 
 impl<S: Scheme, F> Direct<S, F> {
-    /// The scheme applied to the field.
+    /// Creates an integrator that applies the scheme to the field.
     pub fn new(scheme: S, field: F) -> Self {
         Self { scheme, field }
     }
 
-    /// The same with compensated summation.
+    /// Returns the integrator with [`Compensated`] summation.
     pub fn compensated(self) -> Compensated<Self> {
         Compensated(self)
     }

@@ -1,22 +1,22 @@
-//! Integrators on 𝔤∗: what is advanced, how μ is read off it, and the trajectories.
+//! Integrators on 𝔤∗, their states and momenta, and their trajectories.
 
 use crate::{IntegrationError, RunError, Step, StepError};
 use lie_poisson::{Real, Vector};
 use momentum_map::LiftError;
 
-/// A method that advances a state and reads a momentum μ off it.
+/// A method that advances a state and reads a momentum μ from it.
 ///
-/// A method may as well advance a point of another space than 𝔤∗, as [`Direct`](crate::Direct) and
-/// [`Splitting`](crate::Splitting) do for a pendulum. There is no momentum then: [`momentum`](Self::momentum)
-/// is the identity, and [`Sample::state`] the name to read the point by.
+/// A method may also advance a point of another space than 𝔤∗, as [`Direct`](crate::Direct) and
+/// [`Splitting`](crate::Splitting) do for a pendulum. There is no momentum then: [`momentum`](Self::momentum) is the
+/// identity, and the point is read from [`Sample::state`].
 ///
 /// # Example
 /// See [`Collective`](crate::Collective).
 pub trait Integrator<T: Real = f64> {
-    /// What is advanced: z ∈ P, or μ itself.
+    /// The type of the state that is advanced: z ∈ P, or μ itself.
     type State: Vector<Scalar = T>;
 
-    /// What is simulated: μ ∈ 𝔤∗. For equations on another space than 𝔤∗, [`State`](Self::State) again.
+    /// The type of the momentum μ ∈ 𝔤∗. For equations on another space than 𝔤∗ it is [`State`](Self::State).
     type Momentum: Vector<Scalar = T>;
 
     /// The storage of a step.
@@ -25,10 +25,10 @@ pub trait Integrator<T: Real = f64> {
     /// Allocates the storage of a step.
     fn workspace(&self) -> Self::Workspace;
 
-    /// One step of size `step`, which may be negative.
+    /// Makes one step of size `step`, which may be negative.
     ///
     /// # Errors
-    /// If the step has no result; see [`Scheme::step`](crate::Scheme::step).
+    /// Returns a [`StepError`] if the step has no result; see [`Scheme::step`](crate::Scheme::step).
     fn step(
         &self,
         state: &Self::State,
@@ -36,16 +36,19 @@ pub trait Integrator<T: Real = f64> {
         workspace: &mut Self::Workspace,
     ) -> Result<Step<Self::State>, StepError>;
 
-    /// Drops what the workspace remembers of the steps before: the next one depends on its starting
-    /// point alone, to the last bit. By default nothing, for methods that remember nothing.
+    /// Makes the workspace forget the steps before, so that the next step depends on its starting point alone, to the
+    /// last bit.
+    ///
+    /// The default does nothing, for methods that remember nothing.
     #[inline]
     fn forget(&self, _workspace: &mut Self::Workspace) {}
 
-    /// μ of a state; for equations on another space than 𝔤∗, the state.
+    /// Returns the momentum μ of a state. For equations on another space than 𝔤∗ it is the state.
     fn momentum(&self, state: &Self::State) -> Self::Momentum;
 
-    /// The trajectory through a state at t = 0, with steps of size `step`. If a coordinate of the state or
-    /// the step size is not finite, its first item is the error.
+    /// Creates the trajectory through a state at t = 0, with steps of size `step`.
+    ///
+    /// If a coordinate of the state or the step size is not finite, the first item is the error.
     fn trajectory_from(&self, state: Self::State, step: f64) -> Trajectory<'_, Self, T>
     where
         Self: Sized,
@@ -53,13 +56,13 @@ pub trait Integrator<T: Real = f64> {
         Trajectory::new(self, state, 0, step)
     }
 
-    /// The trajectory that has made `made` steps of size `step` and come to a state: what goes on
-    /// from a sample of another run, with its numbers and times. It fails as
-    /// [`trajectory_from`](Self::trajectory_from) does, and after the step with the number
-    /// [`u64::MAX`].
+    /// Creates the trajectory that continues from a sample of another run, with its numbers and times.
     ///
-    /// If `made` is a multiple of [`CHECKPOINT`](crate::CHECKPOINT), it equals the run that was not
-    /// interrupted to the last bit.
+    /// The state is that after `made` steps of size `step`. The trajectory fails as
+    /// [`trajectory_from`](Self::trajectory_from) does, and after the step with the number [`u64::MAX`].
+    ///
+    /// If `made` is a multiple of [`CHECKPOINT`](crate::CHECKPOINT), the trajectory equals that of the uninterrupted
+    /// run to the last bit.
     fn trajectory_resumed(
         &self,
         state: Self::State,
@@ -75,17 +78,17 @@ pub trait Integrator<T: Real = f64> {
 
 /// An integrator that can start from a momentum.
 pub trait Start<T: Real = f64>: Integrator<T> {
-    /// The state that represents μ.
+    /// Returns a state that represents μ.
     ///
     /// # Errors
-    /// If there is none.
+    /// Returns a [`LiftError`] if no state represents μ.
     fn start(&self, mu: &Self::Momentum) -> Result<Self::State, LiftError>;
 
-    /// The trajectory through μ at t = 0, with steps of size `step`.
+    /// Creates the trajectory through μ at t = 0, with steps of size `step`.
     ///
     /// # Errors
-    /// If a coordinate of μ or the step size is not finite ([`StepError::NotFiniteStart`],
-    /// [`StepError::StepSize`], both of the first step), or if no state represents μ.
+    /// Returns [`RunError::Integration`] for the first step if a coordinate of μ or the step size is not finite
+    /// ([`StepError::NotFiniteStart`], [`StepError::StepSize`]), or [`RunError::Lift`] if no state represents μ.
     fn trajectory(
         &self,
         mu: &Self::Momentum,
@@ -99,12 +102,13 @@ pub trait Start<T: Real = f64>: Integrator<T> {
         Ok(self.trajectory_from(self.start(mu)?, step))
     }
 
-    /// The sample after `steps` steps of size `step` from μ at t = 0, which stores none of those
-    /// before it; after 0 steps, that of the start.
+    /// Returns the sample after `steps` steps of size `step` from μ at t = 0.
+    ///
+    /// It stores none of the samples before it. After 0 steps it is the sample of the start.
     ///
     /// # Errors
-    /// As for [`trajectory`](Self::trajectory), and if a step fails, with its number, its time and the
-    /// reason.
+    /// Returns the errors of [`trajectory`](Self::trajectory), and [`RunError::Integration`] with the number, the time
+    /// and the reason if a step fails.
     ///
     /// # Example
     /// The pendulum returns after its period 4K(sin²(θ/2)), 6.699975664370453 for θ = 1 (DLMF §22.19(i)):
@@ -132,8 +136,7 @@ pub trait Start<T: Real = f64>: Integrator<T> {
     }
 }
 
-/// An [`Integrator`] whose state is μ itself, or a point of another space than 𝔤∗, so that it can [`Start`] from
-/// every one.
+/// An [`Integrator`] whose state is μ itself, or a point of another space than 𝔤∗. It can [`Start`] from every one.
 ///
 /// # Example
 /// The implicit Euler method for ż = −z:
@@ -174,38 +177,39 @@ where
     }
 }
 
-/// A point of a trajectory.
+/// One point of a trajectory, with its time and its momentum.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Sample<S, M> {
     /// The number of steps made; 0 for the initial state.
     pub step: u64,
-    /// t = step · h
+    /// The time t, which is `step` times the step size.
     pub time: f64,
     /// The state that is advanced.
     pub state: S,
-    /// The momentum μ of the state; for equations on another space than 𝔤∗, the state again.
+    /// The momentum μ of the state. For equations on another space than 𝔤∗ it is the state.
     pub momentum: M,
-    /// Iterations of the stage solver in the step that led here.
+    /// The number of iterations of the stage solver in the last step.
     pub iterations: usize,
 }
 
-/// The sample type of an integrator's trajectories.
+/// The sample type of the trajectories of an integrator.
 pub type SampleOf<I, T = f64> = Sample<<I as Integrator<T>>::State, <I as Integrator<T>>::Momentum>;
 
-/// A step whose number is a multiple of this begins without the memory of the steps before, from
-/// which implicit methods [guess](crate::StageSolver) their stages.
+/// The number of steps between two checkpoints.
+///
+/// A step whose number is a multiple of it begins without the memory of the steps before, from which implicit methods
+/// [predict](crate::StageSolver) their stages.
 pub const CHECKPOINT: u64 = 1024;
 
 /// The endless trajectory of an integrator: the initial state, then one sample per step.
 ///
-/// Once a step fails, every further item is its error: no adaptor that skips items, such as `nth` or
-/// `step_by`, can lose it. The iterator never returns `None`. Bound it by `take`, and leave a loop at
-/// the first error, as `?` and `collect::<Result<…>>` do; adaptors that pass errors over, such as
-/// `flatten`, look for the next sample for ever. [`Start::after`](crate::Start::after) returns one
-/// sample. After the first item nothing is allocated.
+/// Once a step fails, every further item is its error, so that adaptors that skip items, such as `nth` or `step_by`,
+/// cannot lose it. The iterator never returns `None`. Bound it by `take`, and leave a loop at the first error, as `?`
+/// and `collect::<Result<…>>` do. Adaptors that skip errors, such as `flatten`, look for the next sample for ever.
+/// [`Start::after`](crate::Start::after) returns one sample. After the first item nothing is allocated.
 ///
-/// A run can be [resumed](Integrator::trajectory_resumed) from any of its samples; from one whose
-/// number is a multiple of [`CHECKPOINT`] it goes on bit for bit as if it had not been interrupted.
+/// A run can be [resumed](Integrator::trajectory_resumed) from any of its samples. From a sample whose number is a
+/// multiple of [`CHECKPOINT`] it continues bit for bit as if it had not been interrupted.
 ///
 /// # Example
 /// ```
@@ -243,7 +247,7 @@ impl<'a, I: Integrator<T>, T: Real> Trajectory<'a, I, T> {
         Self { integrator, workspace, step, upcoming: Upcoming::First(state, made) }
     }
 
-    /// The sample `steps` items after the next one.
+    /// Returns the sample `steps` items after the next one.
     pub(crate) fn after(mut self, steps: u64) -> Result<SampleOf<I, T>, IntegrationError> {
         for _ in 0..steps {
             self.advance()?;
@@ -251,7 +255,7 @@ impl<'a, I: Integrator<T>, T: Real> Trajectory<'a, I, T> {
         self.advance()
     }
 
-    /// The next sample, or the error at which the trajectory ended.
+    /// Returns the next sample, or the error at which the trajectory ended.
     #[inline]
     fn advance(&mut self) -> Result<SampleOf<I, T>, IntegrationError> {
         let next = match self.upcoming {

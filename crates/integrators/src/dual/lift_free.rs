@@ -1,4 +1,4 @@
-//! Collective Runge–Kutta methods without a lift.
+//! Collective Runge–Kutta methods without a lift: [`LiftFree`].
 
 use crate::dual::multiplier_field::{Course, MultiplierField};
 use crate::{
@@ -8,7 +8,9 @@ use crate::{
 use lie_poisson::{Hamiltonian, Pair, Point, Real, Vector};
 use momentum_map::{Multiplier, Multipliers};
 
-/// The collective integrator of a linear collective system, on 𝔤∗ itself: the scheme solves
+/// The collective integrator of a linear collective system, computed on 𝔤∗ itself without a lift.
+///
+/// The scheme solves
 ///
 /// ```text
 /// dQ/dt = dh(transport(Q, μ₀)) Q,    Q(0) = 1
@@ -16,14 +18,12 @@ use momentum_map::{Multiplier, Multipliers};
 ///
 /// for the [multiplier](Multipliers) Q over one step, and μ₁ is μ₀ moved by Q₁.
 ///
-/// For a scheme that commutes with linear maps ([`Equivariant`]) it equals the
-/// [`Collective`](crate::Collective) integrator with the same scheme to round-off. There is no lift
-/// to choose, no fibre to drift along, and for symplectic schemes Casimirs are conserved to a
-/// rounding without bias per step: Q moves μ by its normalised part.
+/// For a scheme that commutes with linear maps ([`Equivariant`]) it equals the [`Collective`](crate::Collective)
+/// integrator with the same scheme to round-off. There is no lift to choose, and no fibre to drift along. Symplectic
+/// schemes conserve Casimirs up to an unbiased rounding error per step, since Q moves μ by its normalised part.
 ///
-/// The general case of the closed form of the collective midpoint rule; it answers, for every
-/// Runge–Kutta method, the question that Ohsawa 2019, §5.1 leaves open (an integrator defined on
-/// the symplectic leaves).
+/// This generalises the closed form of the collective midpoint rule. For every Runge–Kutta method it answers the
+/// question that Ohsawa 2019, §5.1 leaves open, that of an integrator defined on the symplectic leaves.
 ///
 /// # Example
 /// ```
@@ -47,27 +47,27 @@ pub struct LiftFree<S, M, H> {
 }
 
 impl<S: Equivariant, M: Multipliers, H> LiftFree<S, M, H> {
-    /// The scheme applied to the multipliers.
+    /// Creates an integrator that applies the scheme to the multipliers.
     pub fn new(scheme: S, multipliers: M, hamiltonian: H) -> Self {
         Self { scheme, multipliers, hamiltonian }
     }
 
-    /// The same with compensated summation of μ.
+    /// Returns the integrator with [`Compensated`] summation of μ.
     pub fn compensated(self) -> Compensated<Self> {
         Compensated(self)
     }
 
-    /// The scheme.
+    /// Returns the scheme for the multipliers.
     pub fn scheme(&self) -> &S {
         &self.scheme
     }
 
-    /// h
+    /// Returns the Hamiltonian h on 𝔤∗.
     pub fn hamiltonian(&self) -> &H {
         &self.hamiltonian
     }
 
-    /// The change that the motion by a multiplier makes of μ.
+    /// Returns the change of μ under the motion by a multiplier.
     #[inline]
     pub fn change<T: Real>(
         &self,
@@ -77,11 +77,12 @@ impl<S: Equivariant, M: Multipliers, H> LiftFree<S, M, H> {
         self.multipliers.coadjoint_change::<T>(q, mu)
     }
 
-    /// The multiplier Q₁ of one step from μ: the motion of the group that the step makes, and with
-    /// it the increment of the attitude.
+    /// Returns the multiplier Q₁ of one step from μ.
+    ///
+    /// It is the motion of the group in the step, and therefore the increment of the attitude.
     ///
     /// # Errors
-    /// If the step has no result.
+    /// Returns a [`StepError`] if the step has no result.
     #[inline]
     pub fn multiplier<T: Real>(
         &self,
@@ -95,11 +96,12 @@ impl<S: Equivariant, M: Multipliers, H> LiftFree<S, M, H> {
         self.motion::<T>(mu, step, workspace)?.0.finite()
     }
 
-    /// The same with roundings that have no mean ([`Scheme::refined_increment`]), for
-    /// [`Compensated`] summation.
+    /// Returns the multiplier Q₁ of one step from μ with unbiased rounding errors, for [`Compensated`] summation.
+    ///
+    /// See [`Scheme::refined_increment`].
     ///
     /// # Errors
-    /// If the step has no result.
+    /// Returns a [`StepError`] if the step has no result.
     #[inline]
     pub fn refined_multiplier<T: Real>(
         &self,
@@ -146,7 +148,7 @@ impl<S: Equivariant, M: Multipliers, H> LiftFree<S, M, H> {
         })
     }
 
-    /// What the scheme makes of Q = 1 in one step from μ.
+    /// Returns the multiplier and the change of μ in one step that `make` computes from Q = 1.
     #[inline]
     fn motion_by<T: Real>(
         &self,
@@ -175,7 +177,7 @@ impl<S: Equivariant, M: Multipliers, H> LiftFree<S, M, H> {
         let field = MultiplierField { multipliers, hamiltonian, start: *mu, frame, continues };
         let next = make(&field, &one, storage)?;
         let change = self.change::<T>(&next.point, mu);
-        // Explicit methods make no iterations, and guess nothing.
+        // Explicit methods make no iterations and predict nothing.
         let guesses = next.iterations > 0;
         *course = frame.filter(|_| guesses).map(|(moved, _)| Course {
             end: *mu + change,
@@ -186,14 +188,13 @@ impl<S: Equivariant, M: Multipliers, H> LiftFree<S, M, H> {
     }
 }
 
-/// The steps of a multiplier in a row.
+/// The record of successive steps of a multiplier.
 type CourseOf<M, T> = Course<Point<<M as Multipliers>::Space, T>, Multiplier<M, T>>;
 
-/// The multiplier of a step, and the change that it makes of μ.
+/// The multiplier of a step, and its change of μ.
 type MultiplierStep<M, T> = (Step<Multiplier<M, T>>, Point<<M as Multipliers>::Space, T>);
 
-/// The storage of a lift-free step: that of the scheme, for multipliers, and the steps that it
-/// remembers.
+/// The storage of a lift-free step: that of the scheme for multipliers, and a record of the steps before.
 #[derive(Debug)]
 pub struct MultiplierSpace<S: Scheme, M: Multipliers, T: Real = f64> {
     scheme: S::Workspace<Multiplier<M, T>>,
@@ -244,8 +245,9 @@ where
     H: Hamiltonian<M::Space, T>,
     T: Real,
 {
-    /// δμ is that of a motion by Q₁, and conserves Casimirs whatever the roundings of Q₁. Of Q₁ = 1 + … only
-    /// the real part is rounded at size 1, which changes the motion by h times a rounding.
+    /// Returns δμ, the change of μ under the motion by Q₁, which conserves Casimirs for every rounding of Q₁.
+    ///
+    /// Only the real part of Q₁ = 1 + … is rounded at size 1. This changes the motion by h times a rounding error.
     #[inline]
     fn increment(
         &self,

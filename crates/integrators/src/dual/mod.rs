@@ -1,4 +1,4 @@
-//! Integrators on 𝔤∗: what is advanced, and how μ is read off it.
+//! Integrators on 𝔤∗, with their states, their momenta and their trajectories.
 
 pub(crate) mod integrator;
 pub(crate) mod compensated;

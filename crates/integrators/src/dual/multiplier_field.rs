@@ -1,4 +1,4 @@
-//! The vector field of multipliers, and steps of it in a row.
+//! The vector field of multipliers, and its successive steps.
 
 use crate::stage_frame::StageFrame;
 use crate::stages::history::near;
@@ -9,12 +9,13 @@ use lie_poisson::{
 };
 use momentum_map::{Multiplier, Multipliers};
 
-/// Q ↦ dh(transport(Q, μ₀)) Q
+/// The vector field Q ↦ dh(transport(Q, μ₀)) Q of multipliers.
 pub(crate) struct MultiplierField<'a, M: Multipliers, H, T: Real> {
     pub(crate) multipliers: &'a M,
     pub(crate) hamiltonian: &'a H,
     pub(crate) start: Point<M::Space, T>,
-    /// A and A⁻¹: where Q(t) of this step begins, that of its course is A, and continues as Q(t) A.
+    /// The pair A and A⁻¹, if it is known. A is the multiplier of the course at the start of this step. The course
+    /// continues as Q(t) A.
     pub(crate) frame: Option<(Multiplier<M, T>, Multiplier<M, T>)>,
     /// Whether steps of the course come before this one.
     pub(crate) continues: bool,
@@ -52,7 +53,7 @@ where
     }
 }
 
-/// That of the course, in which the stage derivatives are k A.
+/// The frame of the course, in which the stage derivatives are k A.
 impl<M, H, T> StageFrame<Multiplier<M, T>> for &MultiplierField<'_, M, H, T>
 where
     M: Multipliers,
@@ -63,32 +64,33 @@ where
         self.continues
     }
 
-    /// k A
+    /// Returns k A, the stage derivative in the frame of the course.
     #[inline]
     fn remembered(&self, k: &Multiplier<M, T>) -> Multiplier<M, T> {
         self.frame.map_or(*k, |(moved, _)| self.multipliers.product::<T>(k, &moved))
     }
 
-    /// k A⁻¹
+    /// Returns k A⁻¹, the stage derivative in the frame of this step.
     #[inline]
     fn recalled(&self, k: &Multiplier<M, T>) -> Multiplier<M, T> {
         self.frame.map_or(*k, |(_, back)| self.multipliers.product::<T>(k, &back))
     }
 }
 
-/// Steps in a row.
+/// The record of successive steps of a multiplier.
 #[derive(Debug)]
 pub(crate) struct Course<V, Q> {
-    /// Where the last one ended.
+    /// The point where the last step ended.
     pub(crate) end: V,
-    /// The multiplier A of all of them.
+    /// The multiplier A of all the steps together.
     pub(crate) moved: Q,
     pub(crate) steps: u64,
 }
 
 impl<V: Vector, Q> Course<V, Q> {
-    /// Whether a step from μ is one more of them. A trajectory begins anew at every checkpoint, and so
-    /// do steps outside of one: A may grow.
+    /// Returns whether a step from μ continues the course.
+    ///
+    /// A trajectory begins a new course at every checkpoint, and so do steps outside of a trajectory, since A may grow.
     #[inline]
     pub(crate) fn goes_on_from(&self, mu: &V) -> bool {
         self.steps < CHECKPOINT && (self.end == *mu || near(mu, &self.end).all())

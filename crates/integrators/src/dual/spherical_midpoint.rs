@@ -11,10 +11,9 @@ use nalgebra::Vector3;
 /// w′ = w + h X(m),    m_i = r_i (w_i + w′_i)/|w_i + w′_i|
 /// ```
 ///
-/// for a field that is tangent to the spheres, such as X_h. It is the midpoint rule with the
-/// midpoint put back on the spheres: a Poisson map, symmetric, of order 2, and invariant
-/// under rotations. For a Hamiltonian that is constant on rays it is the collective midpoint rule
-/// through the Hopf map, with no lift.
+/// The field must be tangent to the spheres, as X_h is. The method is the midpoint rule with the midpoint projected to
+/// the spheres: a symmetric Poisson map of order 2, invariant under rotations. For a Hamiltonian that is constant on
+/// rays it equals the collective midpoint rule through the Hopf map, without a lift.
 ///
 /// Source: McLachlan, Modin & Verdier, *A minimal-variable symplectic integrator on spheres*, Math.
 /// Comp. 86 (2017).
@@ -25,7 +24,7 @@ use nalgebra::Vector3;
 /// use lie_poisson::{Covector, LiePoisson, Power, PowerAlgebra, So3, from_closure};
 /// use nalgebra::Vector3;
 /// type Spins = LiePoisson<PowerAlgebra<So3, 2>>;
-/// // two spins that attract each other: their sum is conserved
+/// // two spins that attract each other; their sum is conserved
 /// let field = HamiltonianField {
 ///     space: LiePoisson::minus(PowerAlgebra::<_, 2>(So3)),
 ///     hamiltonian: from_closure::<Spins, _>(|Covector(Power([s, t]))| -s.dot(t)),
@@ -45,24 +44,24 @@ pub struct SphericalMidpoint<F> {
 }
 
 impl<F> SphericalMidpoint<F> {
-    /// The method for a field that is tangent to the spheres.
+    /// Creates the method for a field that is tangent to the spheres.
     pub fn new(field: F) -> Self {
         Self { field, solver: StageSolver::default() }
     }
 
-    /// The same method with another solver.
+    /// Returns the method with another solver for its implicit equation.
     #[must_use]
     pub fn with_solver(self, solver: StageSolver) -> Self {
         Self { solver, ..self }
     }
 
-    /// The field.
+    /// Returns the vector field of the method.
     pub fn field(&self) -> &F {
         &self.field
     }
 }
 
-/// A point of (so(3)∗)ᴺ: a momentum.
+/// A point of (so(3)∗)ᴺ, which is a momentum.
 type Spheres<T, const N: usize> = Covector<Power<Vector3<T>, N>>;
 
 impl<T, F, const N: usize> Integrator<T> for SphericalMidpoint<F>
@@ -77,7 +76,8 @@ where
     fn workspace(&self) {}
 
     /// # Errors
-    /// If the implicit equation is not solved, as where a w_i is zero or moves to its antipode.
+    /// Returns [`StepError::NotConverged`] if the implicit equation is not solved, for example if a w_i is zero or
+    /// moves to its antipode.
     #[inline]
     fn step(
         &self,
@@ -102,13 +102,13 @@ where
 
 impl<F> StateIsMomentum for SphericalMidpoint<F> {}
 
-/// w + s k
+/// Returns the sum w + s k.
 #[inline]
 fn moved<V: Vector>(w: &V, k: &V, s: f64) -> V {
     *w + k.scaled(V::Scalar::from_f64(s))
 }
 
-/// The points of the spheres through w on the rays through u.
+/// Returns the points of the spheres through w on the rays through u.
 #[inline]
 fn on_spheres<T: Real, const N: usize>(w: &Spheres<T, N>, u: &Spheres<T, N>) -> Spheres<T, N> {
     Covector(Power(from_fn(|i| {

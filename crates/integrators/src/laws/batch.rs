@@ -1,4 +1,4 @@
-//! The laws of [`BatchIntegrator`].
+//! The law suite of [`BatchIntegrator`].
 
 use super::differences::{at_least_one, broken_unless};
 use super::{NoSamples, Report};
@@ -7,13 +7,13 @@ use core::ops::Range;
 
 /// Evaluates the laws of a batch integrator on samples of members, for one step size:
 ///
-/// * `number`: what a member becomes does not depend on how many members there are;
-/// * `place`: nor on its place among them;
-/// * `neighbours`: nor on the other members;
+/// * `number`: the result of a member does not depend on the number of members;
+/// * `place`: the result does not depend on the place among the members;
+/// * `neighbours`: the result does not depend on the other members;
 /// * `resumption`: calls that meet at a [`CHECKPOINT`] give the bits of one call, with a used workspace or a new one;
 /// * `report`: a member that cannot be advanced is reported once, by its index, with the step that fails when it is
 ///   alone, and no other member is reported;
-/// * `isolation`: it changes no other member.
+/// * `isolation`: a member that cannot be advanced changes no other member.
 ///
 /// `failing` is a member that cannot be advanced, such as one that is not finite. All comparisons are exact, so that
 /// the residuals are numbers of members and the tolerance is 0.
@@ -57,7 +57,7 @@ where
 /// The number of members side by side: more than two registers hold, and no multiple of their lanes.
 const GROUP: usize = 19;
 
-/// The number of steps.
+/// The number of steps of each member.
 const STEPS: u64 = 20;
 
 /// The members after some steps, with those that failed.
@@ -81,7 +81,7 @@ fn different<M: PartialEq>(a: &[M], b: &[M]) -> f64 {
     a.iter().zip(b).filter(|(a, b)| a != b).count() as f64
 }
 
-/// Advances groups of copies of one member, and returns what becomes of it.
+/// Advances groups of copies of one member, and returns the result of the member.
 fn copies<M: Copy + PartialEq>(
     run: &dyn Fn(&[M]) -> Advanced<M>,
     member: &M,

@@ -1,4 +1,4 @@
-//! What the suites compare: bits of points, and steps that may have failed.
+//! Comparisons for the suites: bits of points, and steps that may have failed.
 
 use super::NoSamples;
 use crate::{Step, StepError};
@@ -6,13 +6,13 @@ use lie_poisson::{Real, Vector};
 
 /// Returns the number of coordinates in which the bits of two points differ.
 ///
-/// A NaN differs from every number and from NaN, so that two failures are not taken for an agreement.
+/// A NaN differs from every number and from NaN, so that two failures do not count as agreement.
 pub(super) fn different_bits<V: Vector<Scalar = f64>>(a: &V, b: &V) -> f64 {
     let differ = |a: f64, b: f64| a.is_nan() || a.to_bits() != b.to_bits();
     (0..V::DIM).filter(|&i| differ(a.coordinate(i), b.coordinate(i))).count() as f64
 }
 
-/// Returns the number 1 for a law that does not hold, 0 for one that does.
+/// Returns 1 for a law that does not hold, and 0 for one that does.
 pub(super) fn broken_unless(holds: bool) -> f64 {
     if holds { 0.0 } else { 1.0 }
 }
@@ -27,7 +27,7 @@ pub(super) fn point_or_nan<V: Vector>(step: Result<Step<V>, StepError>) -> V {
     step.map_or_else(|_| constant(f64::NAN), |step| step.point)
 }
 
-/// Returns the points that differ from a point in one coordinate, which is infinite or not a number.
+/// Returns the points that differ from a given point in one coordinate, which is infinite or not a number.
 pub(super) fn not_finite<V: Vector<Scalar = f64>>(point: &V) -> impl Iterator<Item = V> {
     let bad = move |i| NOT_FINITE.map(|x| move |j| if i == j { x } else { point.coordinate(j) });
     (0..V::DIM).flat_map(bad).map(V::from_coordinates)

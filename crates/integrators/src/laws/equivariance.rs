@@ -1,4 +1,4 @@
-//! The law of [`Equivariant`].
+//! The law suite of [`Equivariant`].
 
 use super::differences::point_or_nan;
 use super::{GenericSystem, Report};
@@ -10,8 +10,10 @@ use nalgebra::Vector2;
 /// A point of the phase space of the generic system.
 type State = Cotangent<Vector2<f64>>;
 
-/// Evaluates the law `equivariance` of a scheme on the [`GenericSystem`]: it commutes with an affine change of variables
-/// w = Az + b that mixes q and p, A Φ_X(z) + b = Φ_Y(Az + b) for Y(w) = A X(A⁻¹(w − b)).
+/// Evaluates the law `equivariance` of a scheme on the [`GenericSystem`].
+///
+/// A scheme Φ commutes with an affine change of variables w = Az + b that mixes q and p: A Φ_X(z) + b = Φ_Y(Az + b) for
+/// Y(w) = A X(A⁻¹(w − b)).
 ///
 /// # Example
 /// ```
@@ -41,15 +43,15 @@ const STEP: f64 = 0.2;
 /// The number of steps.
 const STEPS: usize = 5;
 
-/// A = the product of the shears that add c times coordinate j to coordinate i, for each (i, j, c) in turn.
+/// The shears of which A is the product: each (i, j, c) adds c times coordinate j to coordinate i, in turn.
 const SHEARS: [(usize, usize, f64); 4] = [(0, 2, 0.5), (3, 0, -1.0), (2, 1, 0.75), (1, 3, 0.5)];
 
-/// Returns Az.
+/// Returns the image Az of a point z.
 fn changed(z: &State) -> State {
     SHEARS.iter().fold(*z, |z, &(i, j, c)| z + State::basis(i).scaled(c * z.coordinate(j)))
 }
 
-/// Returns A⁻¹w.
+/// Returns the pre-image A⁻¹w of a point w.
 fn changed_back(w: &State) -> State {
     SHEARS.iter().rev().fold(*w, |w, &(i, j, c)| w - State::basis(i).scaled(c * w.coordinate(j)))
 }

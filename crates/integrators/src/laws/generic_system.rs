@@ -1,17 +1,17 @@
-//! A Hamiltonian system without structure that a scheme could profit from: [`GenericSystem`].
+//! A Hamiltonian system without special structure: [`GenericSystem`].
 
 use crate::HamiltonianField;
 use lie_poisson::{Automatic, Covector, Energy, Real, RealSpace};
 use momentum_map::{Cotangent, CotangentBundle};
 use nalgebra::Vector2;
 
-/// A system on T∗R² that is not separable and has no symmetry,
+/// A Hamiltonian system on T∗R² that is not separable and has no symmetry:
 ///
 /// ```text
 /// H(q, p) = ½(q₁² + 1)(p₁² + 1) + ½p₂² + ½q₂² + ⅒q₂⁴ + ³⁄₁₀ q₁q₂p₂
 /// ```
 ///
-/// on which [`MeasuredScheme`](super::MeasuredScheme) measures a scheme.
+/// [`MeasuredScheme`](super::MeasuredScheme) measures a scheme on it.
 ///
 /// # Example
 /// ```

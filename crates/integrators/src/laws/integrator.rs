@@ -1,4 +1,4 @@
-//! The laws of [`Integrator`].
+//! The law suite of [`Integrator`].
 
 use super::differences::{
     NOT_FINITE, at_least_one, broken_unless, different_bits, not_finite, point_or_nan,
@@ -9,13 +9,13 @@ use lie_poisson::Vector;
 
 /// Evaluates the laws of an integrator on samples of states, for one step size:
 ///
-/// * `step of size 0`: it keeps μ;
+/// * `step of size 0`: a step of size 0 keeps μ;
 /// * `samples`: sample n of a trajectory has the number n, the time nh and the momentum of its state;
 /// * `forgetting`: after [`forget`](Integrator::forget) a used workspace gives the bits of a new one;
 /// * `resumption`: a trajectory resumed at a [`CHECKPOINT`] has the bits of the uninterrupted one;
 /// * `refusal`: a state or a step size that is infinite or not a number is an error, of a step and of a trajectory.
 ///
-/// An integrator that can start from a momentum has the laws of [`start`](super::start) too.
+/// For an integrator that can start from a momentum, [`start`](super::start) includes these laws.
 ///
 /// # Errors
 /// Returns [`NoSamples`] if there are no samples.
@@ -46,7 +46,7 @@ pub fn integrator<I: Integrator>(
     Ok(report)
 }
 
-/// The number of steps in a row of the laws about bits: enough to fill what a workspace remembers.
+/// The number of successive steps for the laws about bits: enough to fill the memory of a workspace.
 const STEPS: usize = 12;
 
 fn still<I: Integrator>(integrator: &I, state: &I::State, report: &mut Report) {

@@ -1,15 +1,15 @@
-//! The law of conserved functions.
+//! The law suite of conserved functions.
 
 use super::differences::at_least_one;
 use super::{NoSamples, Report};
 use crate::Integrator;
 use lie_poisson::{Vector, larger};
 
-/// Evaluates the law `invariants`: an integrator conserves the given functions of the momentum, here over 100 steps of
-/// one size from samples of states.
+/// Evaluates the law `invariants`: an integrator conserves the given functions of the momentum.
 ///
-/// The residual is relative to |C(μ)|, or to the largest change of C where a coordinate of μ is doubled if that is
-/// larger, so that C(μ) may be 0. It is NaN if a step fails.
+/// The law is tested over 100 steps of one size from samples of states. The residual is relative to |C(μ)|, or to the
+/// largest change of C when a coordinate of μ is doubled if that is larger, so that C(μ) may be 0. It is NaN if a step
+/// fails.
 ///
 /// # Errors
 /// Returns [`NoSamples`] if there are no states or no invariants.
@@ -53,7 +53,7 @@ pub fn invariants<V: Vector, I: Integrator<Momentum = V>>(
     Ok(report)
 }
 
-/// The number of steps.
+/// The number of steps of each run.
 const STEPS: usize = 100;
 
 /// Returns the largest of |C(μ)| and |C(ν) − C(μ)| over the ν in which one coordinate of μ is doubled.

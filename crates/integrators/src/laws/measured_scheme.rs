@@ -1,4 +1,4 @@
-//! The order and the geometric properties of a scheme, measured: [`MeasuredScheme`].
+//! The measured order and geometric properties of a scheme: [`MeasuredScheme`].
 
 use super::GenericSystem;
 use super::differences::point_or_nan;
@@ -7,7 +7,7 @@ use crate::{Direct, RungeKutta, Scheme, VectorField, from_fn};
 use lie_poisson::{Vector, larger};
 use nalgebra::Vector3;
 
-/// What a [`Scheme`] does on the [`GenericSystem`] and on the free rigid body, whatever it claims.
+/// The measured properties of a [`Scheme`] on the [`GenericSystem`] and on the free rigid body, whatever it claims.
 ///
 /// A defect is NaN if a step fails.
 ///
@@ -24,19 +24,19 @@ pub struct MeasuredScheme {
     /// The order [fitted](fitted_order) to the errors at t = 1 of the smallest steps whose errors are above round-off.
     /// It is ∞ if there are fewer than three such steps, and NaN if other steps fail.
     pub order: f64,
-    /// max |DΦ_hᵀ J DΦ_h − J| for one step.
+    /// The symplecticity defect max |DΦ_hᵀ J DΦ_h − J| of one step.
     pub symplecticity: f64,
-    /// max |Φ_{−h}(Φ_h(z)) − z| for one step.
+    /// The symmetry defect max |Φ₋ₕ(Φₕ(z)) − z| of one step.
     pub symmetry: f64,
     /// The change of |Π|² and of the energy of the free rigid body in one step: two quadratic invariants.
     pub quadratic_invariants: f64,
 }
 
-/// The step of the defects: long enough that a defect of h⁹ is above round-off.
+/// The step size for the defects: large enough that a defect of h⁹ is above round-off.
 const STEP: f64 = 0.3;
 
 impl MeasuredScheme {
-    /// Measures a scheme.
+    /// Measures the order and the defects of a scheme.
     pub fn of<S: Scheme>(scheme: &S) -> Self {
         let (space, z) = (GenericSystem::space(), GenericSystem::start());
         let direct = Direct::new(scheme.clone(), GenericSystem::field());
@@ -58,7 +58,7 @@ const COUNTS: [u32; 25] = [
 /// The number of errors that the order is fitted to.
 const FITTED: usize = 5;
 
-/// The errors that rounding in the steps and in the reference can reach.
+/// The largest errors that rounding in the steps and in the reference can cause.
 const ROUND_OFF: f64 = 1e-12;
 
 /// Returns the order fitted to the errors of the smallest steps whose errors are above round-off.
@@ -71,7 +71,7 @@ fn order<S: Scheme>(scheme: &S) -> f64 {
     for count in COUNTS {
         let error = (after(scheme, &field, z, 1.0, count) - exact).max_abs();
         if !error.is_finite() {
-            // Long steps may fail; without three shorter ones there is no order.
+            // Long steps may fail. Without three shorter ones there is no order.
             return fitted(&errors);
         }
         if error > ROUND_OFF {

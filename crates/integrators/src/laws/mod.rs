@@ -1,9 +1,9 @@
-//! Tests of your own schemes, integrators and batch integrators against what their traits promise (feature
-//! `laws`).
+//! Tests of your own schemes, integrators and batch integrators against the promises of their traits (feature `laws`).
 //!
 //! As in [`lie_poisson::laws`], each suite returns a [`Report`] with a residual for every law. The residual of a law
-//! about sizes is relative. That of a law about bits or errors is the number of coordinates, members or calls
-//! that break it, so that the law holds only where the residual is 0. It is NaN where a step fails that must have a result.
+//! about sizes is relative. The residual of a law about bits or errors is the number of coordinates, members or calls
+//! that break it, so that the law holds only if the residual is 0. The residual is NaN if a step fails that must have a
+//! result.
 //!
 //! | trait | suite |
 //! |---|---|

@@ -1,4 +1,4 @@
-//! The laws of [`Scheme`].
+//! The law suite of [`Scheme`].
 
 use super::differences::{NOT_FINITE, broken_unless, constant, different_bits, point_or_nan};
 use super::{GenericSystem, MeasuredScheme, Report};
@@ -15,8 +15,8 @@ type State<T = f64> = Cotangent<Vector2<T>>;
 /// * `step of size 0`: Φ₀ = id;
 /// * `step and increment`: the bits of a step are those of z + increment;
 /// * `refined increment`: δz + δe is the increment, to round-off;
-/// * `order`: the residual is what the measured order lacks of [`order`](Scheme::order), less 0.3 for the accuracy of
-///   the fit (an order that [cannot be measured](MeasuredScheme::order) is not refuted);
+/// * `order`: the residual is the shortfall of the measured order from [`order`](Scheme::order), less 0.3 for the
+///   accuracy of the fit (an order that [cannot be measured](MeasuredScheme::order) is not refuted);
 /// * `symmetry`, `symplecticity` and `quadratic invariants`, each if the scheme claims it;
 /// * `forgetting`: after [`forget`](Scheme::forget) a used workspace gives the bits of a new one, even if a step failed;
 /// * `lanes`: each SIMD lane has the bits of the steps over `f64`;
@@ -47,10 +47,10 @@ pub fn scheme<S: Scheme>(scheme: &S) -> Report {
 /// The size of the steps.
 const STEP: f64 = 0.1;
 
-/// The number of steps that fill what a workspace remembers.
+/// The number of steps that fill the memory of a workspace.
 const STEPS: usize = 12;
 
-/// Returns the point after [`STEPS`] steps, NaN if one failed.
+/// Returns the point after [`STEPS`] steps, or NaN if one failed.
 fn steps<T: Real, S: Scheme>(
     scheme: &S,
     z: State<T>,

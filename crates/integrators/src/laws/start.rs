@@ -1,16 +1,17 @@
-//! The laws of [`Start`].
+//! The law suite of [`Start`].
 
 use super::differences::{NOT_FINITE, at_least_one, broken_unless, different_bits, not_finite};
 use super::{NoSamples, Report};
 use crate::{SampleOf, Start};
 use lie_poisson::Vector;
 
-/// Evaluates the laws of an integrator that starts from momenta, on samples of them and for one step size: those of
-/// [`integrator`](super::integrator) for the states that represent them, and
+/// Evaluates the laws of an integrator that starts from momenta, on samples of momenta and for one step size.
+///
+/// The laws are those of [`integrator`](super::integrator) for the states that represent the momenta, and
 ///
 /// * `start`: the state that represents μ has the momentum μ;
 /// * `first sample`: a trajectory from μ begins at t = 0 with that state;
-/// * `after`: [`after`](Start::after) n steps comes the sample n of the trajectory;
+/// * `after`: [`after`](Start::after) n steps returns sample n of the trajectory;
 /// * `refusal`: a momentum or a step size that is infinite or not a number is an error.
 ///
 /// The residual of `start` is NaN for a momentum that no state represents.

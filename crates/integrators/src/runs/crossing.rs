@@ -1,4 +1,4 @@
-//! Where a function along a trajectory changes its sign.
+//! Sign changes of a function along a trajectory.
 
 use crate::runs::minimum::Minimum;
 use crate::runs::partial_step::PartialStep;
@@ -6,30 +6,31 @@ use crate::runs::root_bracketing::Bracket;
 use crate::{IntegrationError, Integrator, SampleOf};
 use thiserror::Error;
 
-/// An event that cannot be located.
+/// The reason why an event cannot be located.
 #[derive(Clone, Copy, Debug, PartialEq, Error)]
 #[non_exhaustive]
 pub enum EventError {
     /// The run failed.
     #[error(transparent)]
     Integration(#[from] IntegrationError),
-    /// g is not a number, so that it may or may not have crossed zero.
+    /// The event function g is not a number, so that it may or may not have crossed zero.
     #[error("the event function is not a number at t = {time}")]
     NotANumber {
-        /// When.
+        /// The time at which g is not a number.
         time: f64,
     },
 }
 
-/// The direction in which g crosses zero, along the trajectory as it is traversed (backwards in
-/// time for negative steps).
+/// The direction in which g crosses zero along the trajectory.
+///
+/// For negative steps the trajectory runs backwards in time.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Direction {
-    /// From g < 0 to g ≥ 0.
+    /// A crossing upwards, from g < 0 to g ≥ 0.
     Up,
-    /// From g > 0 to g ≤ 0.
+    /// A crossing downwards, from g > 0 to g ≤ 0.
     Down,
-    /// Either.
+    /// A crossing in either direction.
     Both,
 }
 
@@ -45,11 +46,10 @@ impl Direction {
     }
 }
 
-/// A sample, and g there.
+/// A sample with its value of g.
 type Valued<I> = (SampleOf<I>, f64);
 
-/// The crossings of zero by g(μ) in the direction that is asked for, located by steps of partial
-/// size.
+/// The crossings of zero by g(μ) in the requested direction, located by steps of partial size.
 #[derive(Debug)]
 pub(crate) struct Crossings<'a, I: Integrator, G> {
     partial: PartialStep<'a, I>,
@@ -62,14 +62,14 @@ impl<'a, I: Integrator, G: Fn(&I::Momentum) -> f64> Crossings<'a, I, G> {
         Self { partial: PartialStep::new(integrator), g, direction }
     }
 
-    /// g at a sample, which must be a number.
+    /// Returns the value of g at a sample, or an error if it is not a number.
     pub(crate) fn value(&self, sample: &SampleOf<I>) -> Result<f64, EventError> {
         let value = (self.g)(&sample.momentum);
         let time = sample.time;
         if value.is_nan() { Err(EventError::NotANumber { time }) } else { Ok(value) }
     }
 
-    /// The crossing between two neighbouring samples, if g changes its sign.
+    /// Returns the crossing between two neighbouring samples if g changes its sign.
     pub(crate) fn between(
         &mut self,
         left: &Valued<I>,
@@ -81,8 +81,10 @@ impl<'a, I: Integrator, G: Fn(&I::Momentum) -> f64> Crossings<'a, I, G> {
         self.locate(&left.0, left, right).map(Some)
     }
 
-    /// Those of two crossings that are asked for, around the extremum of g near the middle one of
-    /// three samples of one sign, if |g| is least there and g has the other sign at the extremum.
+    /// Returns the requested ones of two crossings around an extremum of g near the middle one of three samples.
+    ///
+    /// The samples have one sign. There are crossings if |g| is least at the middle one and g has the other sign at the
+    /// extremum.
     pub(crate) fn near(
         &mut self,
         left: &Valued<I>,
@@ -94,7 +96,7 @@ impl<'a, I: Integrator, G: Fn(&I::Momentum) -> f64> Crossings<'a, I, G> {
         }
         let sign = middle.1.signum();
         let lengths = [middle.0.time - left.0.time, right.0.time - middle.0.time];
-        // In units of the step: from the left sample before 0, from the middle one after it.
+        // Units of the step: negative x starts from the left sample, positive x from the middle one.
         let mut minimum = Minimum::new(-1.0, (0.0, middle.1.abs()), 1.0);
         while let Some(x) = minimum.next() {
             let (from, to, tau) = if x < 0.0 {
@@ -112,7 +114,7 @@ impl<'a, I: Integrator, G: Fn(&I::Momentum) -> f64> Crossings<'a, I, G> {
         Ok([None; 2])
     }
 
-    /// The crossings before and after a point within the step from `from` to `to`.
+    /// Returns the crossings before and after a point within the step from `from` to `to`.
     fn both(
         &mut self,
         from: &Valued<I>,
@@ -128,7 +130,7 @@ impl<'a, I: Integrator, G: Fn(&I::Momentum) -> f64> Crossings<'a, I, G> {
         Ok([Some(self.locate(&from.0, from, beyond)?), second])
     }
 
-    /// The zero between two points of different signs, by steps from the sample before them.
+    /// Locates the zero between two points of different signs, by steps from the sample before them.
     fn locate(
         &mut self,
         from: &SampleOf<I>,
@@ -150,8 +152,9 @@ impl<'a, I: Integrator, G: Fn(&I::Momentum) -> f64> Crossings<'a, I, G> {
     }
 }
 
-/// Whether |g| is least at the middle one of three samples at which g has one sign; at the first of two
-/// with the same value, so that an extremum between them is followed once.
+/// Returns whether |g| is least at the middle one of three samples of one sign.
+///
+/// Of two samples with the same value the first counts, so that an extremum between them is followed once.
 fn is_least(left: f64, middle: f64, right: f64) -> bool {
     let (above, below) = (middle > 0.0, middle < 0.0);
     (above && left > middle && right >= middle) || (below && left < middle && right <= middle)

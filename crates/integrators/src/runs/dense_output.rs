@@ -1,38 +1,37 @@
-//! A trajectory at any time.
+//! The states of a trajectory at any time: [`DenseOutput`].
 
 use crate::runs::partial_step::PartialStep;
 use crate::{IntegrationError, Integrator, SampleOf};
 use thiserror::Error;
 
-/// A time at which a trajectory has no state.
+/// The reason why a trajectory has no state at a time.
 #[derive(Clone, Copy, Debug, PartialEq, Error)]
 #[non_exhaustive]
 pub enum DenseOutputError {
-    /// The run failed before.
+    /// The run failed before the requested time.
     #[error(transparent)]
     Integration(#[from] IntegrationError),
-    /// The time lies behind: a trajectory is gone through once.
+    /// The requested time was passed. A trajectory is traversed once.
     #[error("t = {time} lies before t = {reached}, which was passed")]
     Passed {
-        /// The time asked for.
+        /// The requested time.
         time: f64,
-        /// The time of the sample before the last time asked for.
+        /// The time of the sample before the last requested time.
         reached: f64,
     },
-    /// The trajectory ended before, or the time is not a number.
+    /// The trajectory ended before the requested time, or the time is not a number.
     #[error("there is no sample after t = {time}")]
     Ended {
-        /// The time asked for.
+        /// The requested time.
         time: f64,
     },
 }
 
-/// The states of a trajectory between its samples: at time t, one step of the size t − tₙ from the
-/// last sample at tₙ ≤ t.
+/// The states of a trajectory between its samples.
 ///
-/// Exactly as accurate as the integrator, and with its conserved quantities. It goes forward in
-/// the direction of the trajectory: ask for times in order. Allocates nothing after `new`. Times
-/// are in the units of the step.
+/// The state at time t is the result of one step of size t − tₙ from the last sample at tₙ ≤ t. It is as accurate as
+/// the integrator, and has its conserved quantities. The output advances in the direction of the trajectory: request
+/// times in order, in the units of the step. It allocates nothing after `new`.
 ///
 /// # Example
 /// ```
@@ -52,7 +51,7 @@ pub enum DenseOutputError {
 pub struct DenseOutput<'a, I: Integrator, J> {
     partial: PartialStep<'a, I>,
     samples: J,
-    /// The last two samples; the second one is missing before the first call, and at the end.
+    /// The last two samples. The second one is missing before the first call, and at the end.
     left: Option<SampleOf<I>>,
     right: Option<SampleOf<I>>,
 }
@@ -62,17 +61,17 @@ where
     I: Integrator,
     J: Iterator<Item = Result<SampleOf<I>, IntegrationError>>,
 {
-    /// The samples must come from this integrator.
+    /// Creates the output from samples of the trajectory, which must come from this integrator.
     pub fn new(integrator: &'a I, samples: J) -> Self {
         Self { partial: PartialStep::new(integrator), samples, left: None, right: None }
     }
 
-    /// The state at time t; its `step` counts the whole steps made before, and t is at `time` up
-    /// to a rounding.
+    /// Returns the state at time t. Its `step` is the number of whole steps before t, and its `time` is t to round-off.
     ///
     /// # Errors
-    /// If t lies before the sample that was reached, if the trajectory ends or fails before t, if t
-    /// is not a number, or if the partial step fails.
+    /// Returns [`DenseOutputError::Passed`] if t lies before the sample that was reached. Returns
+    /// [`DenseOutputError::Ended`] if the trajectory ends before t, or if t is not a number. Returns
+    /// [`DenseOutputError::Integration`] if the trajectory or the partial step fails.
     pub fn at(&mut self, time: f64) -> Result<SampleOf<I>, DenseOutputError> {
         loop {
             let left = match self.left {
@@ -93,7 +92,7 @@ where
             if tau.abs() < length.abs() {
                 return Ok(self.partial.after(&left, tau)?);
             }
-            // A time that is not a number is not reached by the end of an endless trajectory.
+            // The end of an endless trajectory does not reach a time that is not a number.
             if !tau.is_finite() || length == 0.0 {
                 return Err(DenseOutputError::Ended { time });
             }
@@ -101,7 +100,7 @@ where
         }
     }
 
-    /// Takes the next sample, into the place that is free.
+    /// Takes the next sample into the free place.
     fn advance(&mut self, time: f64) -> Result<SampleOf<I>, DenseOutputError> {
         let sample = self.samples.next().ok_or(DenseOutputError::Ended { time })??;
         let place = if self.left.is_none() { &mut self.left } else { &mut self.right };

@@ -1,36 +1,32 @@
-//! Events along a trajectory: Poincaré sections.
+//! Events along a trajectory, such as Poincaré sections: [`Events`].
 
 use crate::runs::crossing::Crossings;
 use crate::{Direction, EventError, IntegrationError, Integrator, SampleOf};
 
-/// The points of a trajectory where g(μ) crosses zero: an iterator adaptor.
+/// An iterator adaptor that returns the points of a trajectory where g(μ) crosses zero.
 ///
-/// A change of the sign of g between two samples is followed up by steps of partial size τ from the
-/// left one, with τ such that g(μ(Φ_τ(z))) = 0 to round-off. The event is therefore as accurate as
-/// the integrator, and lies on the same level sets of what the integrator conserves. Its `step`
-/// counts the whole steps before it.
+/// If g changes its sign between two samples, steps of partial size τ from the left one locate the zero: g(μ(Φ_τ(z))) =
+/// 0 to round-off. The event is therefore as accurate as the integrator, and lies on the same level sets of conserved
+/// quantities. Its `step` is the number of whole steps before it.
 ///
-/// Two crossings within one step leave the sign at the samples as it is. Where |g| is least at a
-/// sample among three of one sign, g is therefore followed to its extremum near that sample by steps
-/// of partial size; if it has the other sign there, the crossings on both sides are located. What is
-/// guaranteed:
+/// Two crossings within one step do not change the sign at the samples. If |g| is least at the middle one of three
+/// samples of one sign, steps of partial size follow g to its extremum near that sample. If g has the other sign there,
+/// the crossings on both sides are located. The guarantees are:
 ///
 /// * one crossing in a step is found;
-/// * two crossings in a step are found if g has no extremum in this step and the two next to it but
-///   the one between the crossings, and they are farther apart than about 1e-6 steps. The first and
-///   the last step of a run lack a neighbour: there two crossings may be missed.
-/// * Of crossings that are denser, some are missed: choose a step that resolves g.
+/// * two crossings in a step are found if they are farther apart than about 1e-6 steps, and if the only extremum of g
+///   in this step and the two next to it is that between the crossings. The first and the last step of a run lack a
+///   neighbour: two crossings may be missed there.
+/// * Of denser crossings, some are missed: choose a step that resolves g.
 ///
-/// A sample with g = 0 exactly ends a crossing and begins none, so that each crossing is found once.
-/// The adaptor asks for samples until there is an event or none are left: bound the run by `take`.
-/// After an error it returns this error again for each sample that is left, so that `nth` and other
-/// adaptors that skip events do not lose it.
-/// After `new` nothing is allocated; an event costs about ten steps, and so does an extremum at
-/// which |g| is least without a crossing.
+/// A sample with g = 0 exactly ends a crossing and begins none, so that each crossing is found once. The adaptor
+/// requests samples until there is an event or none are left: bound the run by `take`. After an error it returns this
+/// error again for each remaining sample, so that `nth` and other adaptors that skip events do not lose it. After `new`
+/// nothing is allocated. An event costs about ten steps, and so does an extremum at which |g| is least without a
+/// crossing.
 ///
-/// Source of the idea: M. Hénon, *On the numerical computation of Poincaré maps*, Physica D 5
-/// (1982), who changes the independent variable for the last step; here, the size of the last step
-/// is solved for.
+/// Source of the idea: M. Hénon, *On the numerical computation of Poincaré maps*, Physica D 5 (1982). Hénon changes the
+/// independent variable for the last step; here, the size of the last step is solved for.
 ///
 /// # Example
 /// The oscillator passes x = 0 upwards at t = 3π/2, 7π/2, …:
@@ -54,7 +50,7 @@ use crate::{Direction, EventError, IntegrationError, Integrator, SampleOf};
 pub struct Events<'a, I: Integrator, J, G> {
     crossings: Crossings<'a, I, G>,
     samples: J,
-    /// The last two samples with their g, the last one first.
+    /// The last two samples with their values of g, the last one first.
     last: [Option<(SampleOf<I>, f64)>; 2],
     /// The second of two crossings within one step.
     second: Option<SampleOf<I>>,
@@ -67,13 +63,13 @@ where
     J: Iterator<Item = Result<SampleOf<I>, IntegrationError>>,
     G: Fn(&I::Momentum) -> f64,
 {
-    /// The samples must come from this integrator.
+    /// Creates the events from samples of the trajectory, which must come from this integrator.
     pub fn new(integrator: &'a I, samples: J, g: G, direction: Direction) -> Self {
         let crossings = Crossings::new(integrator, g, direction);
         Self { crossings, samples, last: [None; 2], second: None, failed: None }
     }
 
-    /// Goes on by one sample; the first event that this brings, if there is one.
+    /// Proceeds by one sample, and returns the first event that it completes, if any.
     fn advance(
         &mut self,
         right: Result<SampleOf<I>, IntegrationError>,
@@ -125,7 +121,7 @@ mod tests {
     use crate::{Direct, RungeKutta, from_fn};
     use nalgebra::Vector1;
 
-    /// The events of g along x = t, t = 0, 0.25, …, 2, where the method does not round.
+    /// Returns the events of g along x = t, t = 0, 0.25, …, 2, where the method does not round.
     fn events(g: impl Fn(f64) -> f64, direction: Direction) -> Vec<Result<f64, EventError>> {
         let clock =
             Direct::new(RungeKutta::explicit_midpoint(), from_fn(|_: &Vector1<f64>| Vector1::x()));
@@ -149,7 +145,7 @@ mod tests {
             assert_eq!(times(sign, falls), [1.0]);
             assert_eq!(times(sign, Direction::Both), [0.3, 1.0, 1.6]);
         }
-        // and so does one that g touches and leaves again
+        // the same for a zero that g touches and leaves again
         let touch = |x: f64| (x - 1.0) * (x - 1.0);
         assert_eq!(events(touch, Direction::Both), [Ok(1.0)]);
         assert_eq!(events(touch, Direction::Up), []);
@@ -159,12 +155,12 @@ mod tests {
         assert_eq!(events(|x| x, Direction::Both), []);
     }
 
-    /// Between the samples at 1 and 1.25 a parabola dips below zero and comes back.
+    /// A parabola dips below zero between the samples at 1 and 1.25.
     #[test]
     fn two_crossings_in_one_step_are_found() {
         let dip = |from: f64, to: f64| move |x: f64| (x - from) * (x - to);
-        // near the left sample, near the right one, as far apart as a step has room (g is the same at both
-        // samples then, and the crossings are found once), close together
+        // near the left sample; near the right one; as far apart as a step allows (g is the same at both samples then,
+        // and the crossings are found once); close together
         for (from, to) in [(1.02, 1.08), (1.19, 1.23), (1.001, 1.249), (1.1, 1.1 + 2.5e-7)] {
             for sign in [1.0, -1.0] {
                 let g = move |x: f64| sign * dip(from, to)(x);
@@ -187,10 +183,10 @@ mod tests {
                 assert!(is(&times(first), &[from]) && is(&times(second), &[to]));
             }
         }
-        // the control: the samples alone change no sign
+        // control: the values at the samples do not change sign
         let samples = (0..9).map(|n| dip(1.02, 1.08)(0.25 * f64::from(n)));
         assert!(samples.into_iter().all(|g| g > 0.0));
-        // a dip that ends above zero is no event, and in the first step none is looked for
+        // a dip that ends above zero is no event, and the first step is not searched
         assert_eq!(events(|x| dip(1.02, 1.08)(x) + 1e-3, Direction::Both), []);
         assert_eq!(events(|x| dip(0.02, 0.08)(x), Direction::Both), []);
     }
@@ -202,7 +198,7 @@ mod tests {
         assert!(found[0].as_ref().is_ok_and(|t| (t - 0.9).abs() < 1e-15));
         // the samples at 1.25, 1.5, 1.75 and 2
         assert_eq!(found[1..], [Err(EventError::NotANumber { time: 1.25 }); 4]);
-        // between the samples, too
+        // a NaN between the samples is found, too
         let g = |x: f64| {
             if x == 1.25 {
                 1.0

@@ -1,10 +1,9 @@
-//! Minima of a function of one variable, bracketed, without derivatives.
+//! Minima of a function of one variable, bracketed, without derivatives: [`Minimum`].
 
-/// A minimum between two ends that lie higher than a point between them, by parabolas where they
-/// are safe and the golden section where they are not.
+/// The search for a minimum between two ends at which the function is larger than at a point between them.
 ///
-/// The caller evaluates the function, which may fail, at [`next`](Minimum::next) and hands the value
-/// to [`insert`](Minimum::insert).
+/// It uses parabolas where they are safe, and the golden section elsewhere. The caller evaluates the function, which
+/// may fail, at [`next`](Minimum::next) and passes the value to [`insert`](Minimum::insert).
 ///
 /// Source: R. P. Brent, *Algorithms for Minimization without Derivatives* (1973), ch. 5.
 #[derive(Clone, Copy, Debug)]
@@ -21,17 +20,17 @@ pub(crate) struct Minimum {
 const GOLDEN: f64 = 0.381_966_011_250_105_1;
 
 impl Minimum {
-    /// In [low, high], from the value at a point between them.
+    /// Creates a search in [low, high], from the value at a point between them.
     pub(crate) fn new(low: f64, (x, value): (f64, f64), high: f64) -> Self {
         Self { low, high, best: [(x, value); 3], moves: [0.0; 2] }
     }
 
-    /// Below this distance values differ by rounding only: √ε of the interval's extent.
+    /// Returns the distance below which values differ by rounding only: √ε of the extent of the interval.
     fn resolution(&self) -> f64 {
         f64::EPSILON.sqrt() * self.best[0].0.abs().max(self.high - self.low).max(1e-3)
     }
 
-    /// Where to evaluate next; `None` once the minimum is known to √ε.
+    /// Returns the next point to evaluate, or `None` once the minimum is known to √ε.
     pub(crate) fn next(&mut self) -> Option<f64> {
         let (x, least) = (self.best[0].0, self.resolution());
         let middle = 0.5 * (self.low + self.high);
@@ -40,7 +39,7 @@ impl Minimum {
         }
         let step = self.parabolic().unwrap_or_else(|| {
             let far = if x < middle { self.high - x } else { self.low - x };
-            // So that a parabola may follow.
+            // A parabola may follow this move.
             self.moves[0] = far;
             GOLDEN * far
         });
@@ -48,8 +47,9 @@ impl Minimum {
         Some(x + if step.abs() < least { least.copysign(step) } else { step })
     }
 
-    /// The step to the vertex of the parabola through the three best points, if it lies inside and
-    /// is less than half of the step before the last.
+    /// Returns the step to the vertex of the parabola through the three best points.
+    ///
+    /// There is one if the vertex lies inside and the step is less than half of the step before the last.
     fn parabolic(&self) -> Option<f64> {
         let [(x, fx), (w, fw), (v, fv)] = self.best;
         let (r, q) = ((x - w) * (fx - fv), (x - v) * (fx - fw));
@@ -58,11 +58,11 @@ impl Minimum {
         (inside && step.abs() < 0.5 * self.moves[1].abs()).then_some(step)
     }
 
-    /// The value at the point of [`next`](Minimum::next).
+    /// Inserts the value at the point of [`next`](Minimum::next).
     pub(crate) fn insert(&mut self, u: f64, value: f64) {
         let [first, second, third] = self.best;
         let (worse, better) = if value <= first.1 { (first.0, u) } else { (u, first.0) };
-        // The minimum lies on the better one's side of the worse.
+        // The minimum lies on the side of the better point.
         if worse < better {
             self.low = worse
         } else {
@@ -82,7 +82,7 @@ impl Minimum {
 mod tests {
     use super::*;
 
-    /// The minimum of f in [−1, 1], from 0, and the number of evaluations.
+    /// Returns the minimum of f in [−1, 1], from 0, and the number of evaluations.
     fn minimum(f: impl Fn(f64) -> f64) -> (f64, u32) {
         let mut minimum = Minimum::new(-1.0, (0.0, f(0.0)), 1.0);
         let mut evaluations = 0;

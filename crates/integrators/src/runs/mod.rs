@@ -1,4 +1,4 @@
-//! Along a trajectory: its samples, what lies between them, and events.
+//! States between the samples of a trajectory, and events along it.
 
 pub(crate) mod partial_step;
 pub(crate) mod dense_output;

@@ -1,13 +1,12 @@
-//! States between the samples of a trajectory.
+//! Steps of partial size between the samples of a trajectory.
 
 use crate::{IntegrationError, Integrator, Sample, SampleOf};
 use core::fmt;
 
-/// The state a time τ after a sample: one step of the size τ from it.
+/// A step of partial size τ from a sample, which gives the state a time τ after it.
 ///
-/// Its error is that of one step of the integrator, for any τ up to the step size; it keeps what
-/// every step keeps (Casimirs, with a collective integrator), as no polynomial between samples
-/// would.
+/// The error is that of one step of the integrator, for any τ up to the step size. The step keeps what every step
+/// keeps, such as the Casimirs of a collective integrator. A polynomial between samples would not.
 pub(crate) struct PartialStep<'a, I: Integrator> {
     integrator: &'a I,
     workspace: I::Workspace,
@@ -18,7 +17,7 @@ impl<'a, I: Integrator> PartialStep<'a, I> {
         Self { integrator, workspace: integrator.workspace() }
     }
 
-    /// The sample after `from`, with the number of the latter.
+    /// Returns the sample at time τ after `from`, with the step number of `from`.
     pub(crate) fn after(
         &mut self,
         from: &SampleOf<I>,
@@ -38,7 +37,7 @@ impl<'a, I: Integrator> PartialStep<'a, I> {
     }
 }
 
-/// Without the workspace, whose contents mean nothing between steps.
+/// Formats the integrator without the workspace, whose contents have no meaning between steps.
 impl<I: Integrator + fmt::Debug> fmt::Debug for PartialStep<'_, I> {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         f.debug_tuple("PartialStep").field(&self.integrator).finish()

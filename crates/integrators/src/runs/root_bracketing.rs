@@ -1,18 +1,17 @@
-//! Zeros of a function of one variable, bracketed, without derivatives.
+//! Zeros of a function of one variable, bracketed, without derivatives: [`Bracket`].
 
-/// A zero in a bracket [0, end] with a change of sign, by inverse quadratic interpolation where it
-/// is safe and bisection where it is not.
+/// The search for a zero in a bracket [0, end] with a change of sign.
 ///
-/// The caller evaluates the function, which may fail, at [`next`](Bracket::next) and hands the
-/// value to [`insert`](Bracket::insert).
+/// It uses inverse quadratic interpolation where it is safe, and bisection elsewhere. The caller evaluates the
+/// function, which may fail, at [`next`](Bracket::next) and passes the value to [`insert`](Bracket::insert).
 ///
 /// Source: T. R. Chandrupatla, *A new hybrid quadratic/bisection algorithm for finding the zero of
 /// a nonlinear function without using derivatives*, Adv. Eng. Softw. 28 (1997).
 #[derive(Clone, Copy, Debug)]
 pub(crate) struct Bracket {
-    /// The newest end, and its value.
+    /// The newest end with its value.
     a: (f64, f64),
-    /// The other end: its value has the other sign.
+    /// The other end, whose value has the other sign.
     b: (f64, f64),
     /// The end that was replaced last.
     c: (f64, f64),
@@ -21,19 +20,19 @@ pub(crate) struct Bracket {
 }
 
 impl Bracket {
-    /// From the values at 0 and at `end`, of different signs or zero.
+    /// Creates a bracket from the values at 0 and at `end`, of different signs or zero.
     pub(crate) fn new(at_zero: f64, end: f64, at_end: f64) -> Self {
         let (a, b) = ((end, at_end), (0.0, at_zero));
         Self { a, b, c: a, fraction: 0.5, end }
     }
 
-    /// The end with the smaller value.
+    /// Returns the end with the smaller value.
     pub(crate) fn best(&self) -> f64 {
         if self.a.1.abs() < self.b.1.abs() { self.a.0 } else { self.b.0 }
     }
 
-    /// Where to evaluate next; `None` once the bracket is as narrow as rounding allows, or an end
-    /// is a zero.
+    /// Returns the next point to evaluate, or `None` once the bracket is as narrow as rounding allows or an end is a
+    /// zero.
     pub(crate) fn next(&self) -> Option<f64> {
         let width = (self.b.0 - self.a.0).abs();
         let least = f64::EPSILON * (self.best().abs() + 0.25 * self.end.abs());
@@ -44,7 +43,7 @@ impl Bracket {
         Some(self.a.0 + self.fraction.clamp(margin, 1.0 - margin) * (self.b.0 - self.a.0))
     }
 
-    /// The value at the point of [`next`](Bracket::next).
+    /// Inserts the value at the point of [`next`](Bracket::next).
     pub(crate) fn insert(&mut self, x: f64, value: f64) {
         if (value > 0.0) == (self.a.1 > 0.0) {
             self.c = self.a;
@@ -56,7 +55,7 @@ impl Bracket {
         self.fraction = self.interpolated().unwrap_or(0.5);
     }
 
-    /// Inverse quadratic interpolation, where the parabola is monotone over the bracket.
+    /// Returns the point of inverse quadratic interpolation, if the parabola is monotone over the bracket.
     fn interpolated(&self) -> Option<f64> {
         let ((a, fa), (b, fb), (c, fc)) = (self.a, self.b, self.c);
         let xi = (a - b) / (c - b);
@@ -72,7 +71,7 @@ impl Bracket {
 mod tests {
     use super::*;
 
-    /// The zero and the number of evaluations.
+    /// Returns the zero and the number of evaluations.
     fn zero(f: impl Fn(f64) -> f64, end: f64) -> (f64, u32) {
         let mut bracket = Bracket::new(f(0.0), end, f(end));
         let mut evaluations = 0;

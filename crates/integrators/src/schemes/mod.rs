@@ -1,4 +1,4 @@
-//! One-step methods that know nothing of 𝔤.
+//! One-step methods for any vector field.
 
 pub(crate) mod scheme;
 pub(crate) mod refinement;

@@ -1,4 +1,4 @@
-//! Partitioned Runge–Kutta methods.
+//! Partitioned Runge–Kutta methods: [`PartitionedRungeKutta`].
 
 use crate::stages::block_sizes::MaskOf;
 use crate::stages::extrapolation::Predictor;
@@ -12,18 +12,17 @@ use crate::{
 use core::marker::PhantomData;
 use lie_poisson::{Real, Vector};
 
-/// A partitioned Runge–Kutta method: one tableau for q, another for p,
+/// A partitioned Runge–Kutta method, with one tableau (a, b) for q and another tableau (A, B) for p:
 ///
 /// ```text
-/// Q_i = q + h Σ_j a_ij dq_j/dt,    P_i = p + h Σ_j â_ij dp_j/dt,    (dq_j/dt, dp_j/dt) = X(Q_j, P_j)
-/// q₁ = q + h Σ_j b_j dq_j/dt,      p₁ = p + h Σ_j b̂_j dp_j/dt
+/// Q_i = q + h Σ_j a_ij dq_j/dt,    P_i = p + h Σ_j A_ij dp_j/dt,    (dq_j/dt, dp_j/dt) = X(Q_j, P_j)
+/// q₁ = q + h Σ_j b_j dq_j/dt,      p₁ = p + h Σ_j B_j dp_j/dt
 /// ```
 ///
-/// for any field X, separable or not. The stages are solved together, by the iteration of
-/// [`StageSolver`].
+/// The field X need not be separable. The stages are solved together, by the iteration of [`StageSolver`].
 ///
-/// All properties are computed from the coefficients. A partitioned method may be symplectic, but
-/// it is not [`Equivariant`](crate::Equivariant): see
+/// All properties are computed from the coefficients. A partitioned method may be symplectic, but it is not
+/// [`Equivariant`](crate::Equivariant): see
 /// [`Collective::that_does_not_descend`](crate::Collective::that_does_not_descend).
 ///
 /// Source: Hairer, Lubich & Wanner, *Geometric Numerical Integration*, 2nd ed. (2006), §II.2.
@@ -52,10 +51,10 @@ pub struct PartitionedRungeKutta<P> {
 }
 
 impl<P: Polarisation> PartitionedRungeKutta<P> {
-    /// From the tableau (a, b) for q and (â, b̂) for p.
+    /// Creates a method from the tableau (a, b) for q and (A, B) for p.
     ///
     /// # Errors
-    /// If they differ in the number of stages.
+    /// Returns [`SchemeError::Stages`] if they differ in the number of stages.
     pub fn new(q: Tableau, p: Tableau) -> Result<Self, SchemeError> {
         if q.stages() != p.stages() {
             return Err(SchemeError::Stages { q: q.stages(), p: p.stages() });
@@ -76,19 +75,19 @@ impl<P: Polarisation> PartitionedRungeKutta<P> {
         Self { q, p, order, solver, predictor, polarisation: PhantomData }
     }
 
-    /// The same method with another stage solver.
+    /// Returns the same method with another stage solver.
     #[must_use]
     pub fn with_solver(self, solver: StageSolver) -> Self {
         Self { solver, ..self }
     }
 
-    /// The tableaux for q and for p.
+    /// Returns the tableaux for q and for p.
     #[must_use]
     pub fn tableaux(&self) -> (&Tableau, &Tableau) {
         (&self.q, &self.p)
     }
 
-    /// Symplectic Euler, implicit in p; order 1:
+    /// Creates the symplectic Euler method that is implicit in p, of order 1:
     ///
     /// ```text
     /// p₁ = p − h H_q(q, p₁),    q₁ = q + h H_p(q, p₁)
@@ -100,19 +99,19 @@ impl<P: Polarisation> PartitionedRungeKutta<P> {
         Self::of_equal_stages(Tableau::literal(&[0.0], &[1.0]), Tableau::literal(&[1.0], &[1.0]))
     }
 
-    /// Symplectic Euler, implicit in q; order 1:
+    /// Creates the symplectic Euler method that is implicit in q, of order 1:
     ///
     /// ```text
     /// q₁ = q + h H_p(q₁, p),    p₁ = p − h H_q(q₁, p)
     /// ```
     ///
-    /// The adjoint of [the other](Self::symplectic_euler_implicit_in_p).
+    /// It is the adjoint of the method that is [implicit in p](Self::symplectic_euler_implicit_in_p).
     #[must_use]
     pub fn symplectic_euler_implicit_in_q() -> Self {
         Self::of_equal_stages(Tableau::literal(&[1.0], &[1.0]), Tableau::literal(&[0.0], &[1.0]))
     }
 
-    /// The Störmer–Verlet method that moves p first; order 2:
+    /// Creates the Störmer–Verlet method that moves p first, of order 2:
     ///
     /// ```text
     /// p½ = p − (h/2) H_q(q, p½)
@@ -120,7 +119,7 @@ impl<P: Polarisation> PartitionedRungeKutta<P> {
     /// p₁ = p½ − (h/2) H_q(q₁, p½)
     /// ```
     ///
-    /// The two-stage Lobatto IIIA–IIIB pair.
+    /// It is the two-stage Lobatto IIIA–IIIB pair.
     ///
     /// Source: Hairer, Lubich & Wanner, Thm. VI.3.4.
     #[must_use]
@@ -130,27 +129,28 @@ impl<P: Polarisation> PartitionedRungeKutta<P> {
         Self::of_equal_stages(tableau(&trapezoidal), tableau(&constant))
     }
 
-    /// The Störmer–Verlet method that moves q first, the roles of q and p exchanged.
+    /// Creates the Störmer–Verlet method that moves q first, with the roles of q and p exchanged.
     #[must_use]
     pub fn drift_kick_drift() -> Self {
         let Self { q, p, .. } = Self::kick_drift_kick();
         Self::of_equal_stages(p, q)
     }
 
-    /// Lobatto IIIA for q and Lobatto IIIB for p, 2 to 4 stages: order 2s − 2, symplectic,
-    /// symmetric.
+    /// Creates the pair of Lobatto IIIA for q and Lobatto IIIB for p, with s = 2 to 4 stages.
+    ///
+    /// The order is 2s − 2. The method is symplectic and symmetric.
     ///
     /// Source: Sun (1993), Jay (1996); Hairer, Lubich & Wanner, §IV.2 and Table II.1.3.
     ///
     /// # Errors
-    /// For another number of stages.
+    /// Returns [`SchemeError::Family`] for another number of stages.
     pub fn lobatto_iiia_iiib(stages: usize) -> Result<Self, SchemeError> {
         let q = Tableau::lobatto_iiia(stages)?;
         let p = q.symplectic_conjugate()?;
         Ok(Self::of_equal_stages(q, p))
     }
 
-    /// h (Σ a_j q̇_j, Σ â_j ṗ_j)
+    /// Returns the sum h (Σ a_j dq_j/dt, Σ A_j dp_j/dt).
     #[inline]
     fn sum<V: Vector>(step: f64, (a, a_hat): (&[f64], &[f64]), k: &[V]) -> V {
         let (mut q, mut p) = (V::zero(), V::zero());
@@ -162,8 +162,9 @@ impl<P: Polarisation> PartitionedRungeKutta<P> {
     }
 }
 
-/// The storage of a partitioned step: its stage derivatives, and those of the last steps, from
-/// which they are guessed where q and p have their stages at the same times.
+/// The storage of a partitioned step: its stage derivatives and those of the last steps.
+///
+/// The next stages are predicted from the last steps if q and p have their stages at the same times.
 #[derive(Clone, Debug)]
 pub struct PartitionedSpace<V: Vector> {
     k: Vec<V>,
@@ -212,14 +213,14 @@ impl<P: Polarisation> Scheme for PartitionedRungeKutta<P> {
         workspace.memory.forget();
     }
 
-    /// From the order conditions of two-coloured trees; orders above 8 are not looked for.
+    /// Returns the order, from the order conditions of two-coloured trees. Orders above 8 are not tested.
     ///
     /// Source: Hairer, Lubich & Wanner, Thm. III.2.5.
     fn order(&self) -> usize {
         self.order
     }
 
-    /// Whether b = b̂ and b_i â_ij + b̂_j a_ji = b_i b̂_j.
+    /// Returns whether b = B and b_i A_ij + B_j a_ji = b_i B_j.
     ///
     /// Source: Hairer, Lubich & Wanner, Thm. VI.4.6.
     fn is_symplectic(&self) -> bool {
@@ -239,7 +240,7 @@ impl<P: Polarisation> Scheme for PartitionedRungeKutta<P> {
         self.q.is_symmetric() && self.p.is_symmetric()
     }
 
-    /// Only if both tableaux are the same: the method is then no partitioned one.
+    /// Returns whether both tableaux are the same. The method is then not really partitioned.
     fn preserves_quadratic_invariants(&self) -> bool {
         self.q == self.p && self.q.is_symplectic()
     }

@@ -1,13 +1,12 @@
-//! Which coordinates are positions, and which momenta.
+//! Polarisations: the division of coordinates into positions and momenta.
 
 use core::fmt::Debug;
 use lie_poisson::Vector;
 
-/// A splitting of the coordinates of a symplectic vector space into q and p, with dq ∧ dp.
+/// A splitting of the coordinates of a symplectic vector space into positions q and momenta p, with dq ∧ dp.
 ///
-/// It is what a partitioned method needs to know of its phase space, and what an equivariant one
-/// has no use for. A type of points whose coordinates are ordered otherwise than in [`FirstHalf`]
-/// and [`Alternating`] gets a polarisation of its own in a few lines.
+/// A partitioned method needs it, and an equivariant one does not. If a type of points orders its coordinates neither
+/// as [`FirstHalf`] nor as [`Alternating`], implement a polarisation for it in a few lines.
 ///
 /// # Example
 /// ```
@@ -18,13 +17,13 @@ use lie_poisson::Vector;
 /// assert_eq!(Alternating::splice(&u, &v), Vector4::new(1.0, 6.0, 3.0, 8.0));
 /// ```
 pub trait Polarisation: Copy + Debug + Default + PartialEq + Send + Sync + 'static {
-    /// Whether the i-th of `dim` coordinates is a position.
+    /// Returns whether the i-th of `dim` coordinates is a position.
     fn is_position(i: usize, dim: usize) -> bool;
 
-    /// The index of the coordinate that is conjugate to the i-th of `dim`.
+    /// Returns the index of the coordinate that is conjugate to the i-th of `dim`.
     fn conjugate(i: usize, dim: usize) -> usize;
 
-    /// (q of u, p of v)
+    /// Returns the point with the positions q of u and the momenta p of v.
     #[inline]
     fn splice<V: Vector>(u: &V, v: &V) -> V {
         V::from_coordinates(|i| {
@@ -33,7 +32,7 @@ pub trait Polarisation: Copy + Debug + Default + PartialEq + Send + Sync + 'stat
     }
 }
 
-/// (q₁, …, q_n, p₁, …, p_n): points of T∗Q as [`Cotangent`](momentum_map::Cotangent).
+/// The order (q₁, …, q_n, p₁, …, p_n) of coordinates, as of points [`Cotangent`](momentum_map::Cotangent) of T∗Q.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub struct FirstHalf;
 
@@ -49,7 +48,7 @@ impl Polarisation for FirstHalf {
     }
 }
 
-/// (q₁, p₁, q₂, p₂, …): complex vectors z = q + ip, and powers of them.
+/// The order (q₁, p₁, q₂, p₂, …) of coordinates, as of complex vectors z = q + ip and powers of them.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub struct Alternating;
 

@@ -6,24 +6,27 @@ use crate::stages::two_sum::two_sum;
 use crate::{Tableau, VectorField};
 use lie_poisson::{Mask, Pair, Real, Vector};
 
-/// What a stage's rounding is enlarged by, a power of two, where its effect on the field is taken by a
-/// difference: to √ε of the stage, where rounding and curvature disturb the difference equally
-/// little, by a relative 1e-8.
+/// The factor by which the rounding error of a stage is enlarged to measure its effect on the field by a difference.
+///
+/// It is a power of two. The enlarged error is √ε of the stage. Rounding and curvature then disturb the difference
+/// equally little, by a relative 1e-8.
 const ENLARGEMENT: f64 = 67_108_864.0;
 
-/// Sweeps of refinement. The first makes δk; each further one multiplies what is missing by the
-/// contraction of the fixed-point iteration, and after two of these it is lost among the roundings of the
-/// field.
+/// The number of sweeps of refinement.
+///
+/// The first sweep computes δk. Each further one multiplies the error of δk by the contraction factor of the
+/// fixed-point iteration. After two of these the error is lost among the rounding errors of the field.
 const SWEEPS: usize = 3;
 
-/// Replaces k_i by X at the rounded stage Z_i, and writes to `rest` the δk_i = X′·δZ_i for which k_i + δk_i is
-/// X at the unrounded stage Z_i + δZ_i = z + h Σ_j a_ij (k_j + δk_j); less than a rounding of k_i, it would be
-/// lost there. Only in the chosen lanes; in the others δk_i = 0.
+/// Replaces k_i by X at the rounded stage Z_i, and writes the corrections δk_i = X′·δZ_i to `rest`.
 ///
-/// An iteration to the floor ends at one of several neighbouring fixed points in floating-point
-/// arithmetic, always the one on the side from which it comes. The roundings δZ therefore have a mean: of
-/// some hundredths of a rounding, which in a long run is a drift of the invariants: of |z|² by
-/// 2h Σ_i b_i k_i·δZ_i in a step, if it conserves |z|².
+/// Then k_i + δk_i is X at the unrounded stage Z_i + δZ_i = z + h Σ_j a_ij (k_j + δk_j). The correction is smaller than
+/// a rounding of k_i, and would be lost there. Only the chosen lanes are refined; in the others δk_i = 0.
+///
+/// An iteration to the round-off floor ends at one of several neighbouring fixed points in floating-point arithmetic,
+/// always the one on the side from which it comes. The rounding errors δZ are therefore biased, by some hundredths of a
+/// rounding. In a long run this is a drift of the invariants. If the field conserves |z|², the drift of |z|² in a step
+/// is 2h Σ_i b_i k_i·δZ_i.
 #[inline]
 pub(crate) fn refine<T: Real, F: VectorField<T>>(
     field: &F,

@@ -1,4 +1,4 @@
-//! Runge–Kutta methods.
+//! Runge–Kutta methods: [`RungeKutta`].
 
 use crate::schemes::refinement::refine;
 use crate::stages::block_sizes::MaskOf;
@@ -37,7 +37,7 @@ pub struct RungeKutta {
 }
 
 impl RungeKutta {
-    /// The method with the given coefficients, solved to the round-off floor if implicit.
+    /// Creates the method with the given coefficients. If it is implicit, its stages are solved to the round-off floor.
     #[must_use]
     pub fn new(tableau: Tableau) -> Self {
         let predictor =
@@ -45,31 +45,31 @@ impl RungeKutta {
         Self { tableau, solver: StageSolver::default(), predictor }
     }
 
-    /// The same method with another stage solver.
+    /// Returns the same method with another stage solver.
     #[must_use]
     pub fn with_solver(self, solver: StageSolver) -> Self {
         Self { solver, ..self }
     }
 
-    /// The coefficients.
+    /// Returns the coefficients of the method.
     #[must_use]
     pub fn tableau(&self) -> &Tableau {
         &self.tableau
     }
 
-    /// The implicit midpoint rule z₁ = z + h X((z + z₁)/2): order 2, symplectic, symmetric.
+    /// Creates the implicit midpoint rule z₁ = z + h X((z + z₁)/2): order 2, symplectic, symmetric.
     #[must_use]
     pub fn implicit_midpoint() -> Self {
         Self::literal(&[0.5], &[1.0])
     }
 
-    /// The explicit midpoint rule z₁ = z + h X(z + (h/2) X(z)) (Runge): order 2.
+    /// Creates Runge's explicit midpoint rule z₁ = z + h X(z + (h/2) X(z)): order 2.
     #[must_use]
     pub fn explicit_midpoint() -> Self {
         Self::literal(&[0.0, 0.0, 0.5, 0.0], &[0.0, 1.0])
     }
 
-    /// The classical fourth-order method of Runge and Kutta.
+    /// Creates the classical fourth-order method of Runge and Kutta.
     #[must_use]
     #[rustfmt::skip]
     pub fn rk4() -> Self {
@@ -83,9 +83,10 @@ impl RungeKutta {
         )
     }
 
-    /// The method of order 8 of Dormand and Prince, explicit, with 12 stages, at fixed step: the
-    /// propagated solution of the code DOP853, without its error estimate. A reference for runs in
-    /// which structure does not matter.
+    /// Creates the explicit method of order 8 of Dormand and Prince, with 12 stages and a fixed step.
+    ///
+    /// It is the propagated solution of the code DOP853, without its error estimate. It serves as a reference for runs
+    /// in which structure does not matter.
     ///
     /// Source: Hairer, Nørsett & Wanner, *Solving Ordinary Differential Equations I*, 2nd ed.
     /// (1993), §II.5 and Appendix.
@@ -99,19 +100,18 @@ impl RungeKutta {
         Self::literal(&a, &dop853::B)
     }
 
-    /// The symplectic diagonally implicit method with weights b: see
-    /// [`Tableau::symplectic_dirk`]. Its stages are solved together; the
-    /// [`Composition`](crate::Composition) of midpoint rules, the same map, solves one after the
-    /// other.
+    /// Creates the symplectic diagonally implicit method with weights b: see [`Tableau::symplectic_dirk`].
+    ///
+    /// Its stages are solved together. The [`Composition`](crate::Composition) of midpoint rules is the same map, and
+    /// solves one stage after the other.
     ///
     /// # Errors
-    /// If there is no weight, or one is not finite.
+    /// Returns [`SchemeError::NoStages`] if there is no weight, or [`SchemeError::NotFinite`] if one is not finite.
     pub fn symplectic_dirk(b: &[f64]) -> Result<Self, SchemeError> {
         Tableau::symplectic_dirk(b).map(Self::new)
     }
 
-    /// The symplectic diagonally implicit method of Qin and Zhang: order 2, 2 stages,
-    /// b = (½, ½).
+    /// Creates the symplectic diagonally implicit method of Qin and Zhang: order 2, 2 stages, b = (½, ½).
     ///
     /// Source: Qin & Zhang, *Symplectic Runge–Kutta schemes for Hamiltonian systems*, J. Comput.
     /// Math. 10 (1992).
@@ -120,8 +120,9 @@ impl RungeKutta {
         Self::literal(&[0.25, 0.0, 0.5, 0.25], &[0.5, 0.5])
     }
 
-    /// The symplectic diagonally implicit method of Sanz-Serna and Abia: order 4, 3 stages, with
-    /// the weights of the [triple jump](crate::Substeps::triple_jump).
+    /// Creates the symplectic diagonally implicit method of Sanz-Serna and Abia: order 4, 3 stages.
+    ///
+    /// It has the weights of the [triple jump](crate::Substeps::triple_jump).
     ///
     /// Source: Sanz-Serna & Abia, SIAM J. Numer. Anal. 28 (1991).
     #[must_use]
@@ -132,10 +133,10 @@ impl RungeKutta {
         Self::literal(&a, &[b1, b2, b1])
     }
 
-    /// Gauss–Legendre collocation with `stages` stages: order 2s, symplectic, symmetric.
+    /// Creates Gauss–Legendre collocation with `stages` stages: order 2s, symplectic, symmetric.
     ///
     /// # Errors
-    /// If `stages` is 0.
+    /// Returns [`SchemeError::NoStages`] if `stages` is 0.
     pub fn gauss(stages: usize) -> Result<Self, SchemeError> {
         Tableau::gauss(stages).map(Self::new)
     }
@@ -144,9 +145,11 @@ impl RungeKutta {
         Self::new(Tableau::literal(a, b))
     }
 
-    /// Solves for the stage derivatives: from a guess if the workspace has one; if not, or if that
-    /// fails, from X(z); then by Newton's iteration, whose results are no good to guess from. Returns
-    /// the number of iterations, and where those of the fixed point were enough.
+    /// Solves for the stage derivatives. Returns the number of iterations, and the lanes in which the fixed-point
+    /// iteration converged.
+    ///
+    /// The iteration starts from a prediction if the workspace has one. Otherwise, or if that fails, it starts from
+    /// X(z). Then follows Newton's iteration, whose results are not suitable for predictions.
     #[inline]
     fn solve_stages<T: Real, F: VectorField<T>>(
         &self,
@@ -164,7 +167,7 @@ impl RungeKutta {
                     F::Point::select(near, &combination(self.tableau.row_low(i), k), &small[i]);
             }
             let (before, after) = self.tableau.row(i).split_at(i);
-            // The newest stage last: what is computed first need not wait for it.
+            // The newest stage comes last, so that the other terms need not wait for it.
             let sum = plus_combination(small[i], after, &k[i..]);
             field.at(&(*z + plus_combination(sum, before, k).scaled(h)))
         };
@@ -183,8 +186,8 @@ impl RungeKutta {
         }
     }
 
-    /// The stage derivatives of a step, in the workspace. Returns the number of iterations, and where they
-    /// were those of the fixed point.
+    /// Computes the stage derivatives of a step in the workspace. Returns the number of iterations, and the lanes in
+    /// which the fixed-point iteration converged.
     #[inline]
     fn stages<T: Real, F: VectorField<T>>(
         &self,
@@ -206,7 +209,8 @@ impl RungeKutta {
         Ok((0, T::Mask::from_bool(true)))
     }
 
-    /// h Σ_i (b_i + low_i) k_i for the stage derivatives in the workspace, which ends its step there.
+    /// Returns h Σ_i (b_i + low_i) k_i for the stage derivatives in the workspace, and records the end of the step
+    /// there.
     #[inline]
     fn end<V: Vector>(&self, z: &V, step: f64, workspace: &mut StageSpace<V>) -> V {
         let small = combination(self.tableau.weights_low(), &workspace.k);
@@ -217,14 +221,16 @@ impl RungeKutta {
     }
 }
 
-/// The storage of a Runge–Kutta step: its stage derivatives, those of the last steps, from which an
-/// implicit method guesses them, and the matrix of Newton's iteration once a step has needed it.
+/// The storage of a Runge–Kutta step: its stage derivatives, those of the last steps, and the matrix of Newton's
+/// iteration.
+///
+/// An implicit method predicts its stages from the last steps. The matrix is allocated once a step has needed it.
 #[derive(Clone, Debug)]
 pub struct StageSpace<V: Vector> {
     k: Vec<V>,
-    /// What refinement adds to k.
+    /// The corrections that refinement adds to k.
     rest: Vec<V>,
-    /// Σ_j low_ij k_j with the low parts of the coefficients, once the stages are near.
+    /// The sums Σ_j low_ij k_j with the low parts of the coefficients, once the stages are close.
     small: Vec<V>,
     memory: StageHistory<V>,
     newton: NewtonSpace<V::Scalar>,
@@ -257,8 +263,10 @@ impl Scheme for RungeKutta {
         Ok(Step { point: self.end(z, step, workspace), iterations })
     }
 
-    /// With the stages of an implicit method unrounded where the fixed-point iteration has found them, which
-    /// takes six more evaluations of the field for each stage.
+    /// Returns the increment with rounding errors of the stages of an implicit method removed, if the fixed-point
+    /// iteration converged.
+    ///
+    /// This takes six more evaluations of the field for each stage.
     #[inline]
     fn refined_increment<T: Real, F: VectorField<T>>(
         &self,
@@ -295,7 +303,7 @@ impl Scheme for RungeKutta {
         self.tableau.is_symmetric()
     }
 
-    /// The condition of [`Tableau::is_symplectic`].
+    /// Returns whether the condition of [`Tableau::is_symplectic`] holds.
     fn preserves_quadratic_invariants(&self) -> bool {
         self.tableau.is_symplectic()
     }

@@ -1,4 +1,4 @@
-//! What a one-step method is.
+//! The interface of one-step methods: [`Scheme`].
 
 use crate::{StepError, VectorField};
 use lie_poisson::{Pair, Real, Vector};
@@ -8,39 +8,41 @@ use lie_poisson::{Pair, Real, Vector};
 pub struct Step<V> {
     /// The state after the step, or its change.
     pub point: V,
-    /// Iterations of the stage solver; 0 for explicit methods.
+    /// The number of iterations of the stage solver; 0 for explicit methods.
     pub iterations: usize,
 }
 
-/// The change δz + δe of a state in a step, where δe has the size of the roundings of δz.
+/// The change δz + δe of a state in a step, where δe has the size of the rounding errors of δz.
 pub type Increment<V> = Step<Pair<V, V>>;
 
 impl<V: Vector> Step<V> {
-    /// The result itself, if it is one.
+    /// Returns the step itself if its point is finite.
     ///
     /// # Errors
-    /// [`StepError::NotFinite`] if a coordinate is infinite or not a number, in any lane.
+    /// Returns [`StepError::NotFinite`] if a coordinate is infinite or not a number, in some SIMD lane of the scalar.
     #[inline]
     pub fn finite(self) -> Result<Self, StepError> {
         if self.point.is_finite() { Ok(self) } else { Err(StepError::NotFinite) }
     }
 }
 
-/// A one-step method z ↦ Φ_h(z) for ż = X(z).
+/// A one-step method z ↦ Φ_h(z) for dz/dt = X(z).
 ///
-/// A scheme knows nothing of where the vector field comes from, and works over every scalar.
+/// A scheme does not depend on the origin of the vector field, and works over every scalar.
 pub trait Scheme: Clone {
     /// The storage that a step needs, allocated once per run.
     type Workspace<V: Vector>;
 
-    /// Allocates it.
+    /// Allocates the storage for steps.
     fn workspace<V: Vector>(&self) -> Self::Workspace<V>;
 
-    /// Φ_h(z) − z, with roundings of its own size: those of a sum h Σ b_i k_i, and h times those of the
-    /// stages. Allocates nothing. That it is finite is left to who adds it.
+    /// Returns the increment Φ_h(z) − z of one step.
+    ///
+    /// Its rounding errors are those of a sum h Σ b_i k_i, and h times those of the stages. The method allocates
+    /// nothing. The caller checks that the increment is finite.
     ///
     /// # Errors
-    /// If stage equations are not solved. Nothing is changed then, except in the workspace.
+    /// Returns a [`StepError`] if stage equations are not solved. Nothing but the workspace is changed then.
     fn increment<T: Real, F: VectorField<T>>(
         &self,
         field: &F,
@@ -49,12 +51,14 @@ pub trait Scheme: Clone {
         workspace: &mut Self::Workspace<F::Point>,
     ) -> Result<Step<F::Point>, StepError>;
 
-    /// The same as δz + δe, for [`Compensated`](crate::Compensated) summation; δe has the size of the
-    /// roundings of δz. A scheme that can makes its roundings free of a mean. The default is
-    /// ([`increment`](Self::increment), 0), whose are not.
+    /// Returns the increment as δz + δe, for [`Compensated`](crate::Compensated) summation, where δe has the size of
+    /// the rounding errors of δz.
+    ///
+    /// A scheme that can makes its rounding errors unbiased. The default is ([`increment`](Self::increment), 0), whose
+    /// rounding errors are biased.
     ///
     /// # Errors
-    /// As for [`increment`](Self::increment).
+    /// Returns the errors of [`increment`](Self::increment).
     #[inline]
     fn refined_increment<T: Real, F: VectorField<T>>(
         &self,
@@ -67,11 +71,11 @@ pub trait Scheme: Clone {
         Ok(Step { point: Pair(point, Vector::zero()), iterations })
     }
 
-    /// Φ_h(z). Allocates nothing.
+    /// Returns the step Φ_h(z). Allocates nothing.
     ///
     /// # Errors
-    /// If stage equations are not solved, or the result is not finite. Nothing is changed then,
-    /// except in the workspace.
+    /// Returns a [`StepError`] if stage equations are not solved, or if the result is not finite. Nothing but the
+    /// workspace is changed then.
     #[inline]
     fn step<T: Real, F: VectorField<T>>(
         &self,
@@ -84,26 +88,26 @@ pub trait Scheme: Clone {
         Step { point: *z + point, iterations }.finite()
     }
 
-    /// Drops what the workspace remembers of the steps before, from which an implicit method guesses
-    /// its stages: the next step depends on its starting point alone. By default nothing.
+    /// Makes the workspace forget the steps before, from which an implicit method predicts its stages.
+    ///
+    /// The next step then depends on its starting point alone. The default does nothing.
     #[inline]
     fn forget<V: Vector>(&self, _workspace: &mut Self::Workspace<V>) {}
 
-    /// The order of convergence.
+    /// Returns the order of convergence.
     fn order(&self) -> usize;
 
-    /// Whether Φ_h is symplectic for every Hamiltonian vector field on a symplectic vector space.
+    /// Returns whether Φ_h is symplectic for every Hamiltonian vector field on a symplectic vector space.
     fn is_symplectic(&self) -> bool;
 
-    /// Whether Φ_{−h} ∘ Φ_h = id.
+    /// Returns whether the scheme is symmetric in time, Φ₋ₕ ∘ Φₕ = id.
     fn is_symmetric(&self) -> bool;
 
-    /// Whether Φ_h conserves every quadratic function that the exact flow conserves, for every
-    /// vector field.
+    /// Returns whether Φ_h conserves every quadratic function that the exact flow conserves, for every vector field.
     ///
-    /// For a Runge–Kutta method this is the same condition as symplecticity. For a partitioned
-    /// method it is not: a symplectic one conserves the invariants qᵀDp that are bilinear in q and
-    /// p, not those that mix them otherwise. Nothing is promised unless a scheme says so.
+    /// For a Runge–Kutta method this is the same condition as symplecticity. For a partitioned method it is not: a
+    /// symplectic one conserves the invariants qᵀDp that are bilinear in q and p, but not other quadratic invariants
+    /// that mix them. The default is `false`.
     ///
     /// Source: Bochev & Scovel, *On quadratic invariants and symplectic structure*, BIT 34 (1994);
     /// Hairer, Lubich & Wanner, Thms. IV.2.2, IV.2.3 and VI.4.3.
@@ -112,12 +116,13 @@ pub trait Scheme: Clone {
     }
 }
 
-/// Promise: the scheme commutes with linear (indeed affine) changes of variable, A∘Φ_X = Φ_{A∗X}∘A.
+/// The promise that a scheme commutes with affine changes of variables: A∘Φ_X = Φ_Y∘A for the transformed field Y =
+/// A∗X.
 ///
-/// Where the symmetry along the fibres of M acts affinely, as it does for every realisation of these
-/// crates, such a scheme carries fibres of M to fibres, so that M∘Φ is a map of 𝔤∗; if it is
-/// symplectic too, that map is Poisson. Runge–Kutta methods keep the promise. Partitioned methods, which treat q and p differently, do not: they are
-/// symplectic on P, but their images are not maps of 𝔤∗ at all.
+/// The symmetry along the fibres of M acts affinely for every realisation of these crates. Such a scheme then carries
+/// fibres of M to fibres, so that M∘Φ is a map of 𝔤∗. If the scheme is also symplectic, that map is Poisson.
+/// Runge–Kutta methods keep the promise. Partitioned methods, which treat q and p differently, do not: they are
+/// symplectic on P, but their images are not maps of 𝔤∗.
 ///
 /// Source: McLachlan, Modin & Verdier, *Collective symplectic integrators*, Nonlinearity 27
 /// (2014), Thm. 3.2; Hairer, Lubich & Wanner, *Geometric Numerical Integration*, §VI.4.

@@ -1,4 +1,4 @@
-//! Composition methods.
+//! Composition methods: [`Composition`].
 
 use crate::{
     Equivariant, Increment, Integrator, Scheme, Start, Step, StepError, Substeps, VectorField,
@@ -7,14 +7,14 @@ use crate::{
 use lie_poisson::{Pair, Real, Vector};
 use momentum_map::LiftError;
 
-/// The composition Ψ_h = Φ_{γ_s h} ∘ … ∘ Φ_{γ_1 h} of a method with itself.
+/// The composition Ψ(h) = Φ(γ_s h) ∘ … ∘ Φ(γ₁ h) of a method Φ(h) with itself.
 ///
-/// It is symplectic, equivariant, a Poisson map, or conserves an invariant if Φ does, and has a
-/// higher order if the [`Substeps`] are right for Φ. Φ may be a [`Scheme`], or an [`Integrator`] that
-/// is none, such as a [`Splitting`](crate::Splitting).
+/// It is symplectic, equivariant, a Poisson map, or conserves an invariant if Φ does. It has a higher order if the
+/// [`Substeps`] are suitable for Φ. Φ may be a [`Scheme`], or an [`Integrator`] that is not a scheme, such as a
+/// [`Splitting`](crate::Splitting).
 ///
-/// Stages are guessed from the substeps before where these have the same size, as in Suzuki's
-/// compositions; elsewhere substeps start from the field alone.
+/// Stages are predicted from the substeps before if these have the same size, as in Suzuki's compositions. Otherwise
+/// substeps start from the field alone.
 ///
 /// Source: Hairer, Lubich & Wanner, *Geometric Numerical Integration*, 2nd ed. (2006), §II.4 and
 /// §V.3.
@@ -38,22 +38,22 @@ pub struct Composition<S> {
 }
 
 impl<S> Composition<S> {
-    /// Φ = `base`, applied with the given substeps.
+    /// Creates the composition of Φ = `base` with the given substeps.
     pub fn new(base: S, substeps: Substeps) -> Self {
         Self { base, substeps }
     }
 
-    /// Φ
+    /// Returns the method Φ that is composed.
     pub fn base(&self) -> &S {
         &self.base
     }
 
-    /// γ
+    /// Returns the substeps γ of the composition.
     pub fn substeps(&self) -> &Substeps {
         &self.substeps
     }
 
-    /// One substep after the other, until one fails.
+    /// Makes one substep after the other, until one fails.
     #[inline]
     fn chain<V: Copy>(
         &self,
@@ -79,7 +79,7 @@ impl<S: Scheme> Scheme for Composition<S> {
         self.base.workspace()
     }
 
-    /// The sum of the increments of the substeps.
+    /// Returns the sum of the increments of the substeps.
     #[inline]
     fn increment<T: Real, F: VectorField<T>>(
         &self,
@@ -95,7 +95,8 @@ impl<S: Scheme> Scheme for Composition<S> {
         })
     }
 
-    /// The sum of those of the substeps, each from the rounded z + Σ δz, without what is carried.
+    /// Returns the sum of the refined increments of the substeps. Each substep starts from the rounded z + Σ δz,
+    /// without the carried error.
     #[inline]
     fn refined_increment<T: Real, F: VectorField<T>>(
         &self,
@@ -116,7 +117,7 @@ impl<S: Scheme> Scheme for Composition<S> {
         self.base.forget(workspace);
     }
 
-    /// [`Substeps::order_over`] what the base has.
+    /// Returns [`Substeps::order_over`] the order of the base.
     fn order(&self) -> usize {
         self.substeps.order_over(self.base.order(), self.base.is_symmetric())
     }

@@ -1,23 +1,24 @@
-//! Vector fields whose parts have flows in closed form.
+//! Vector fields whose parts have flows in closed form: [`ExactFlows`].
 
 use lie_poisson::{Real, Vector};
 
-/// A vector field X = X_1 + … + X_n whose parts have flows in closed form.
+/// A vector field X = X₁ + … + X_n whose parts have flows in closed form.
 ///
-/// If the parts are the Hamiltonian vector fields of h = h_1 + … + h_n, their exact flows are
-/// Poisson maps, and so is what is composed of them: a splitting method needs no realisation to be
-/// a Poisson integrator. It needs luck with h.
+/// If the parts are the Hamiltonian vector fields of h = h₁ + … + h_n, their exact flows are Poisson maps, and so are
+/// compositions of them. A splitting method needs no realisation to be a Poisson integrator, but it exists only for
+/// such h.
 ///
 /// # Example
 /// See [`Splitting`](crate::Splitting).
 pub trait ExactFlows<T: Real = f64> {
-    /// Where the field lives.
+    /// The type of the points of the space on which the field acts.
     type Point: Vector<Scalar = T>;
 
-    /// n
+    /// The number n of parts.
     const COUNT: usize;
 
-    /// The flow of X_{index+1} for the given time, which may be negative; the identity for `index`
-    /// ≥ `COUNT`.
+    /// Returns the flow from z of part number `index` + 1 for the given time, which may be negative.
+    ///
+    /// It is the identity for `index` ≥ `COUNT`.
     fn flow(&self, index: usize, time: f64, z: &Self::Point) -> Self::Point;
 }

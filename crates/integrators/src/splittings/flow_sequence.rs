@@ -1,25 +1,26 @@
-//! The order in which a splitting runs its flows, and for which fractions of the step.
+//! Orders and step fractions of the flows of a splitting: [`FlowSequence`].
 
 use crate::{AlternatingSubsteps, ExactFlows};
 use lie_poisson::Real;
 
-/// The order in which a [`Splitting`](crate::Splitting) runs its flows, and the fraction of the step that each
-/// of them runs for: [`LieTrotter`], [`Strang`], or [`AlternatingSubsteps`].
+/// The order in which a [`Splitting`](crate::Splitting) runs its flows, with the fraction of the step for each of them.
+///
+/// Implementations are [`LieTrotter`], [`Strang`] and [`AlternatingSubsteps`].
 pub trait FlowSequence {
-    /// The point to which the flows lead from z in a step of size `step`, one after the other.
+    /// Returns the point to which the flows lead from z in a step of size `step`, one after the other.
     fn run<T: Real, E: ExactFlows<T>>(&self, flows: &E, step: f64, z: &E::Point) -> E::Point;
 
-    /// The order of convergence for flows in general position.
+    /// Returns the order of convergence for flows in general position.
     fn order(&self) -> usize;
 
-    /// Whether Φ_{−h} ∘ Φ_h = id for all flows.
+    /// Returns whether the splitting is symmetric in time, Φ₋ₕ ∘ Φₕ = id, for all flows.
     fn is_symmetric(&self) -> bool;
 }
 
-/// All flows once, each for the whole step; order 1:
+/// The sequence of all flows once, each for the whole step, of order 1:
 ///
 /// ```text
-/// φ_n^h ∘ … ∘ φ_1^h
+/// φ_n(h) ∘ … ∘ φ_1(h)
 /// ```
 ///
 /// Source: McLachlan & Quispel, *Splitting methods*, Acta Numer. 11 (2002).
@@ -41,10 +42,10 @@ impl FlowSequence for LieTrotter {
     }
 }
 
-/// Half steps there and back; symmetric, of order 2:
+/// The sequence of half steps forwards and back, which is symmetric and of order 2:
 ///
 /// ```text
-/// φ_1^{h/2} ∘ … ∘ φ_{n−1}^{h/2} ∘ φ_n^h ∘ φ_{n−1}^{h/2} ∘ … ∘ φ_1^{h/2}
+/// φ_1(h/2) ∘ … ∘ φ_(n−1)(h/2) ∘ φ_n(h) ∘ φ_(n−1)(h/2) ∘ … ∘ φ_1(h/2)
 /// ```
 ///
 /// Source: Strang (1968), Marchuk (1968); McLachlan & Quispel, *Splitting methods*, Acta Numer. 11
@@ -71,7 +72,7 @@ impl FlowSequence for Strang {
     }
 }
 
-/// Two flows by turns. For another number of flows a program that makes a step does not compile.
+/// The alternating sequence of two flows. A step of more or fewer flows does not compile.
 impl FlowSequence for AlternatingSubsteps {
     #[inline]
     fn run<T: Real, E: ExactFlows<T>>(&self, flows: &E, step: f64, z: &E::Point) -> E::Point {

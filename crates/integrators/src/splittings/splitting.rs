@@ -1,4 +1,4 @@
-//! Splitting into flows that are known exactly.
+//! Splitting methods from exact flows: [`Splitting`].
 
 use crate::{
     AlternatingSubsteps, ExactFlows, FlowSequence, Integrator, LieTrotter, StateIsMomentum, Step,
@@ -6,19 +6,17 @@ use crate::{
 };
 use lie_poisson::Real;
 
-/// The composition of exact flows in the order that a [`FlowSequence`] gives, each for its fraction of
-/// the step:
+/// The composition of exact flows φ_i(t) in the order of a [`FlowSequence`], each for its fraction of the step:
 ///
 /// ```text
-/// Lie–Trotter   φ_n^h ∘ … ∘ φ_1^h                                                order 1
-/// Strang        φ_1^{h/2} ∘ … ∘ φ_{n−1}^{h/2} ∘ φ_n^h ∘ φ_{n−1}^{h/2} ∘ … ∘ φ_1^{h/2}     order 2
-/// alternating   φ_2^{b_m h} ∘ φ_1^{a_m h} ∘ … ∘ φ_2^{b_1 h} ∘ φ_1^{a_1 h}                 two flows
+/// Lie–Trotter   φ_n(h) ∘ … ∘ φ_1(h)                                                   order 1
+/// Strang        φ_1(h/2) ∘ … ∘ φ_(n−1)(h/2) ∘ φ_n(h) ∘ φ_(n−1)(h/2) ∘ … ∘ φ_1(h/2)    order 2
+/// alternating   φ_2(b_m h) ∘ φ_1(a_m h) ∘ … ∘ φ_2(b_1 h) ∘ φ_1(a_1 h)                 two flows
 /// ```
 ///
-/// Strang's is symmetric, so that [`Composition`](crate::Composition) raises its order by the same
-/// [`Substeps`](crate::Substeps) as that of any other method:
-/// [`order_over`](crate::Substeps::order_over)(2, true). All are explicit, and fail only where the
-/// result is not finite.
+/// Strang's splitting is symmetric. [`Composition`](crate::Composition) therefore raises its order by the same
+/// [`Substeps`](crate::Substeps) as that of any other symmetric method: [`order_over`](crate::Substeps::order_over)(2,
+/// true). All sequences are explicit, and fail only if the result is not finite.
 ///
 /// Source: Strang (1968), Marchuk (1968); McLachlan & Quispel, *Splitting methods*, Acta Numer. 11
 /// (2002).
@@ -30,7 +28,7 @@ use lie_poisson::Real;
 /// };
 /// use nalgebra::Vector2;
 ///
-/// /// The pendulum: q̇ = p, then ṗ = −sin q.
+/// /// The pendulum: dq/dt = p, then dp/dt = −sin q.
 /// struct Pendulum;
 /// impl ExactFlows for Pendulum {
 ///     type Point = Vector2<f64>;
@@ -56,7 +54,7 @@ use lie_poisson::Real;
 /// # Ok::<(), Box<dyn std::error::Error>>(())
 /// ```
 ///
-/// Other numbers of flows than two do not alternate:
+/// For other numbers of flows than two the alternating sequence does not compile:
 /// ```
 /// # use collective_integrators::{AlternatingSubsteps, ExactFlows, Integrator, Splitting};
 /// # use nalgebra::Vector3;
@@ -96,50 +94,51 @@ pub struct Splitting<E, S = Strang> {
 }
 
 impl<E> Splitting<E, Strang> {
-    /// Strang's symmetric composition, of order 2.
+    /// Creates Strang's symmetric splitting, of order 2.
     pub const fn strang(flows: E) -> Self {
         Self { flows, sequence: Strang }
     }
 }
 
 impl<E> Splitting<E, LieTrotter> {
-    /// Lie and Trotter's composition, of order 1.
+    /// Creates the splitting of Lie and Trotter, of order 1.
     pub const fn lie_trotter(flows: E) -> Self {
         Self { flows, sequence: LieTrotter }
     }
 }
 
 impl<E> Splitting<E, AlternatingSubsteps> {
-    /// Two flows by turns, for the fractions of the step that the coefficients give. A step of more or
-    /// fewer flows does not compile.
+    /// Creates the splitting that alternates two flows, for the fractions of the step that the coefficients give.
+    ///
+    /// A step of more or fewer flows does not compile.
     pub const fn alternating(flows: E, substeps: AlternatingSubsteps) -> Self {
         Self { flows, sequence: substeps }
     }
 }
 
 impl<E, S: FlowSequence> Splitting<E, S> {
-    /// The flows in this sequence.
+    /// Creates the splitting that runs the flows in the given sequence.
     pub const fn new(flows: E, sequence: S) -> Self {
         Self { flows, sequence }
     }
 
-    /// The flows.
+    /// Returns the exact flows.
     pub const fn flows(&self) -> &E {
         &self.flows
     }
 
-    /// The sequence in which they run.
+    /// Returns the sequence of the flows.
     pub const fn sequence(&self) -> &S {
         &self.sequence
     }
 
-    /// Whether Φ_{−h} ∘ Φ_h = id.
+    /// Returns whether the splitting is symmetric in time, Φ₋ₕ ∘ Φₕ = id.
     #[must_use]
     pub fn is_symmetric(&self) -> bool {
         self.sequence.is_symmetric()
     }
 
-    /// The order for flows in general position.
+    /// Returns the order for flows in general position.
     #[must_use]
     pub fn order(&self) -> usize {
         self.sequence.order()

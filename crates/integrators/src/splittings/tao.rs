@@ -1,4 +1,4 @@
-//! Tao's method in an extended phase space.
+//! Tao's method in an extended phase space: [`TaoFlows`].
 
 use crate::{ExactFlows, Polarisation, VectorField};
 use core::marker::PhantomData;
@@ -6,19 +6,19 @@ use lie_poisson::{Pair, Real, Vector};
 
 /// The three exact flows of Tao's method for Hamiltonians that do not separate.
 ///
-/// The phase space is doubled to pairs of (q, p) and (x, y), bound to each other with strength ω:
+/// The phase space is doubled to pairs of (q, p) and (x, y), coupled with strength ω by the extended Hamiltonian K:
 ///
 /// ```text
-/// H̄ = H(q, y) + H(x, p) + ω (|q − x|² + |p − y|²)/2
-/// φ_1^t: p −= t H_q(q, y),  x += t H_p(q, y)
-/// φ_2^t: q += t H_p(x, p),  y −= t H_q(x, p)
-/// φ_3^t: (q − x) + i(p − y) turns by the angle −2ωt, sums unchanged
+/// K = H(q, y) + H(x, p) + ω (|q − x|² + |p − y|²)/2
+/// φ_1(t): p −= t H_q(q, y),  x += t H_p(q, y)
+/// φ_2(t): q += t H_p(x, p),  y −= t H_q(x, p)
+/// φ_3(t): (q − x) + i(p − y) turns by the angle −2ωt, sums unchanged
 /// ```
 ///
-/// [`Splitting::strang`](crate::Splitting::strang) of these is Tao's method of order 2: explicit,
-/// symmetric and symplectic on the doubled space, for any ω. It is not a map of the original one:
-/// the copies drift apart, and their fibres are not kept; only for ω large enough they stay close
-/// for long. The binding needs the [`Polarisation`] P.
+/// [`Splitting::strang`](crate::Splitting::strang) of these flows is Tao's method of order 2. It is explicit,
+/// symmetric, and symplectic on the doubled space, for any ω. It is not a map of the original space. The copies drift
+/// apart and their fibres are not kept; the copies stay close for a long time only if ω is large enough. The coupling
+/// needs the [`Polarisation`] P.
 ///
 /// Source: M. Tao, *Explicit symplectic approximation of nonseparable Hamiltonians: algorithm and
 /// long time performance*, Phys. Rev. E 94 (2016).
@@ -47,14 +47,14 @@ pub struct TaoFlows<F, P> {
 }
 
 impl<F, P: Polarisation> TaoFlows<F, P> {
-    /// The flows for the Hamiltonian vector field X_H, bound with strength ω ≥ 0, 1/time.
+    /// Creates the flows for the Hamiltonian vector field X_H, coupled with strength ω ≥ 0 in units of 1/time.
     pub const fn new(field: F, binding: f64) -> Self {
         Self { field, binding, polarisation: PhantomData }
     }
 }
 
 impl TaoFlows<(), ()> {
-    /// Two copies of z, from which a trajectory starts.
+    /// Returns two copies of z, from which a trajectory starts.
     pub const fn copied<V: Copy>(z: V) -> Pair<V, V> {
         Pair(z, z)
     }
@@ -89,7 +89,7 @@ impl<T: Real, F: VectorField<T>, P: Polarisation> ExactFlows<T> for TaoFlows<F, 
     }
 }
 
-/// (q cos + p sin, p cos − q sin)
+/// Returns the rotated point (q cos + p sin, p cos − q sin).
 #[inline]
 fn turn<P: Polarisation, V: Vector>(z: &V, sin: f64, cos: f64) -> V {
     V::from_coordinates(|i| {

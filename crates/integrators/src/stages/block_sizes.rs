@@ -1,8 +1,8 @@
-//! Sizes of vectors, block by block.
+//! Sizes of vectors, block by block: [`BlockSizes`].
 
 use lie_poisson::{Blocks, Mask, Real, Vector};
 
-/// The lanes of the scalar of a vector.
+/// The mask type for the SIMD lanes of the scalar of a vector.
 pub(crate) type MaskOf<V> = <<V as Vector>::Scalar as Real>::Mask;
 
 /// The largest magnitude in each [block](Vector::BLOCKS) of coordinates of one or several vectors.
@@ -14,13 +14,13 @@ pub(crate) struct BlockSizes<V: Vector> {
 }
 
 impl<V: Vector> BlockSizes<V> {
-    /// The sizes of no vector: zero.
+    /// Returns the sizes of no vector: zero.
     #[inline(always)]
     pub(crate) fn zero() -> Self {
         Self::uniform(V::Scalar::from_f64(0.0))
     }
 
-    /// Sizes beyond all numbers.
+    /// Returns sizes that exceed all numbers.
     #[inline(always)]
     pub(crate) fn infinite() -> Self {
         Self::uniform(V::Scalar::from_f64(f64::INFINITY))
@@ -31,7 +31,7 @@ impl<V: Vector> BlockSizes<V> {
         Self { most: V::Blocks::uniform(size), sum: size }
     }
 
-    /// The sizes of several vectors.
+    /// Returns the sizes of several vectors.
     #[inline(always)]
     pub(crate) fn of(vectors: &[V]) -> Self {
         let mut sizes = Self::zero();
@@ -60,7 +60,7 @@ impl<V: Vector> BlockSizes<V> {
         self.sum += other.sum;
     }
 
-    /// Where the mask is true the first, elsewhere the second.
+    /// Selects the first sizes in lanes where the mask is true, and the second elsewhere.
     #[inline]
     pub(crate) fn select(mask: MaskOf<V>, yes: &Self, no: &Self) -> Self {
         let mut sizes = Self { sum: Real::select(mask, yes.sum, no.sum), ..*yes };
@@ -70,7 +70,7 @@ impl<V: Vector> BlockSizes<V> {
         sizes
     }
 
-    /// Adds other sizes times a factor.
+    /// Adds other sizes, multiplied by a factor.
     #[inline]
     pub(crate) fn add_scaled(&mut self, factor: V::Scalar, other: &Self) {
         for block in 0..V::BLOCKS {
@@ -79,19 +79,19 @@ impl<V: Vector> BlockSizes<V> {
         self.sum += factor * other.sum;
     }
 
-    /// The size of a block.
+    /// Returns the size of a block.
     #[inline(always)]
     pub(crate) fn at(&self, block: usize) -> V::Scalar {
         self.most.at(block)
     }
 
-    /// The size of the block of the i-th coordinate.
+    /// Returns the size of the block of the i-th coordinate.
     #[inline]
     pub(crate) fn of_coordinate(&self, i: usize) -> V::Scalar {
         self.most.at(V::block(i))
     }
 
-    /// The largest f(block); NaN or ∞ where a coordinate of these or of other vectors was.
+    /// Returns the largest f(block), or NaN or ∞ if a coordinate of the vectors of either sizes was.
     #[inline(always)]
     pub(crate) fn largest_of(&self, other: &Self, f: impl Fn(usize) -> V::Scalar) -> V::Scalar {
         let sum = self.sum + other.sum;
@@ -99,7 +99,7 @@ impl<V: Vector> BlockSizes<V> {
         Real::select(finite, self.largest_unchecked(f), sum)
     }
 
-    /// The largest f(block).
+    /// Returns the largest f(block), without a check for NaN.
     #[inline(always)]
     pub(crate) fn largest_unchecked(&self, f: impl Fn(usize) -> V::Scalar) -> V::Scalar {
         let mut largest = f(0);
@@ -109,14 +109,14 @@ impl<V: Vector> BlockSizes<V> {
         largest
     }
 
-    /// The largest size; NaN where a coordinate was NaN.
+    /// Returns the largest size, or NaN if a coordinate was NaN.
     #[inline(always)]
     pub(crate) fn largest(&self) -> V::Scalar {
         let largest = self.largest_unchecked(|block| self.at(block));
         Real::select(self.sum.at_most(self.sum), largest, self.sum)
     }
 
-    /// One over each size, or 0 where that is 0.
+    /// Returns the reciprocal of each size, or 0 for a size 0.
     #[inline(always)]
     pub(crate) fn inverse(&self) -> Self {
         let (zero, one) = (V::Scalar::from_f64(0.0), V::Scalar::from_f64(1.0));
@@ -128,7 +128,7 @@ impl<V: Vector> BlockSizes<V> {
         inverse
     }
 
-    /// Where each size is at most the bound that f gives for its block; false where a coordinate was NaN.
+    /// Returns the lanes in which each size is at most the bound that f gives for its block. It is false for a NaN.
     #[inline(always)]
     pub(crate) fn at_most(&self, f: impl Fn(usize) -> V::Scalar) -> MaskOf<V> {
         let mut all = self.sum.at_most(self.sum);

@@ -1,70 +1,73 @@
-//! When an iteration has converged, lane by lane.
+//! The convergence test of iterations, in each lane by itself: [`Watch`].
 
 use lie_poisson::{Mask, Real};
 
-/// A change is the last if the next one is expected below this multiple of the size of the stage
-/// derivatives, if the ratios seen go on. What is left has the same sign in every step; compensated steps,
-/// in which it would show in runs of 10⁸, take it away by refinement.
+/// The multiple of the size of the stage derivatives below which the next change must be expected for this one to be
+/// the last.
+///
+/// The expectation assumes that the observed ratios continue. The remaining error has the same sign in every step. It
+/// would show in runs of 10⁸ compensated steps, in which refinement removes it.
 const EXPECTED: f64 = f64::EPSILON / 32.0;
 
-/// Ratios of changes below this multiple of the size of the stage derivatives are those of round-off,
-/// and say nothing of how fast an iteration converges.
+/// The multiple of the size of the stage derivatives below which ratios of changes are noise.
+///
+/// They come from round-off and say nothing about the rate of convergence.
 const NOISE: f64 = 4.0 * f64::EPSILON;
 
-/// A change that grows again is at the floor at once below this multiple of the size of the stage
-/// derivatives: a few roundings.
+/// The multiple of the size of the stage derivatives below which a growing change is at the floor at once: a few
+/// roundings.
 const FEW_ROUNDINGS: f64 = 8.0 * f64::EPSILON;
 
-/// The round-off of evaluating a vector field by its size, with room for cancellation in it.
+/// The round-off of evaluating a vector field, relative to its size, with room for cancellation in it.
 pub(crate) const ROUND_OFF: f64 = 1024.0 * f64::EPSILON;
 
-/// An iteration that no longer gets better is accepted below this multiple of the size of the stage
-/// derivatives: the round-off of a vector field, and that of its argument, which may be large where
-/// the field is small.
+/// The multiple of the size of the stage derivatives below which an iteration that no longer improves is accepted.
+///
+/// It covers the round-off of a vector field and that of its argument, which may be large although the field is small.
 pub(crate) const FLOOR: f64 = 8.0 * ROUND_OFF;
 
-/// Sweeps without a new least change after which an iteration no longer gets better. Changes of a
-/// converging iteration go up and down where q feeds p and p feeds q with different strengths, so
-/// that one larger change alone says nothing.
+/// The number of sweeps without a new least change after which an iteration no longer improves.
+///
+/// Changes of a converging iteration rise and fall if q drives p and p drives q with different strengths. A single
+/// larger change therefore says nothing.
 const PATIENCE: f64 = 4.0;
 
-/// The changes of an iteration, watched for the moment at which they are round-off: in each lane by
-/// itself, as if there were no others.
+/// The changes of an iteration, watched until they are round-off, in each lane as if there were no others.
 pub(crate) struct Watch<T> {
     previous: T,
     least: T,
     /// The last two ratios of a change to the one before it, above round-off.
     ratios: Ratios<T>,
-    /// What the last change should have been.
+    /// The expected size of the last change.
     expected: T,
-    /// Sweeps since the least change.
+    /// The number of sweeps since the least change.
     stalled: T,
 }
 
-/// The last two ratios of changes that an iteration has seen.
+/// The last two ratios of changes in an iteration.
 pub(crate) type Ratios<T> = [T; 2];
 
-/// Those of an iteration of which nothing is known.
+/// Returns the ratios of an iteration of which nothing is known.
 #[inline]
 pub(crate) fn unknown<T: Real>() -> Ratios<T> {
     [T::from_f64(f64::INFINITY); 2]
 }
 
 impl<T: Real> Watch<T> {
-    /// Of an iteration that goes on at the pace of one before it.
+    /// Creates a watch for an iteration that is expected to have the given ratios of changes.
     #[inline]
     pub(crate) fn new(ratios: Ratios<T>) -> Self {
         let infinity = T::from_f64(f64::INFINITY);
         Self { previous: infinity, least: infinity, ratios, expected: infinity, stalled: T::zero() }
     }
 
-    /// The last two ratios.
+    /// Returns the last two ratios of changes.
     #[inline]
     pub(crate) fn ratios(&self) -> Ratios<T> {
         self.ratios
     }
 
-    /// Where a change is the last that means anything, for stages of the given size.
+    /// Returns the lanes in which a change is the last meaningful one, for stages of the given size.
     #[inline]
     pub(crate) fn converged(&mut self, change: T, size: T) -> T::Mask {
         let better = change.at_most(self.least).and(self.least.at_most(change).not());
@@ -76,7 +79,7 @@ impl<T: Real> Watch<T> {
             T::select(says, self.ratios[1], self.ratios[0]),
             T::select(says, ratio, self.ratios[1]),
         ];
-        // The worse of two ratios, for changes that go up and down.
+        // Changes may rise and fall: the larger of two ratios counts.
         let least = T::select(self.expected.at_most(change), self.expected, change);
         self.expected = least * self.ratios[0].larger(self.ratios[1]);
         let small = change.at_most(size * FEW_ROUNDINGS);
@@ -91,7 +94,7 @@ impl<T: Real> Watch<T> {
     }
 }
 
-/// Where a magnitude is a finite number.
+/// Returns the lanes in which a magnitude is a finite number.
 #[inline]
 pub(crate) fn is_finite<T: Real>(magnitude: T) -> T::Mask {
     magnitude.at_most(T::from_f64(f64::MAX))
@@ -102,7 +105,7 @@ mod tests {
     use super::{Watch, unknown};
     use lie_poisson::{DefaultLanes, Lanes, Mask, Real};
 
-    /// The number of the first change at which an iteration converges.
+    /// Returns the number of the first change at which an iteration converges.
     fn last(changes: impl IntoIterator<Item = f64>) -> Option<usize> {
         let mut watch = Watch::new(unknown());
         changes.into_iter().position(|change| watch.converged(change * f64::EPSILON, 1.0))
@@ -111,13 +114,13 @@ mod tests {
     #[test]
     fn the_last_change_is_told_by_those_above_round_off() {
         let geometric = |ratio: f64| (0..).map(move |n| 1e6 * ratio.powi(n));
-        // The next one would be 1e-2 roundings; not so where the changes shrink more slowly.
+        // The next change would be 1e-2 roundings, unless the changes decrease more slowly.
         assert_eq!(last(geometric(0.1).take(9)), Some(7));
         assert_eq!(last(geometric(0.5).take(25)), Some(24));
         assert_eq!(last(geometric(0.5).take(24)), None);
         // Round-off of one or two units hides the end.
         assert_eq!(last([1e6, 1e4, 100.0, 1.5, 1.2]), Some(3));
-        // What the iteration before has shown is believed, but less than what is seen now.
+        // The ratios of the iteration before are used, but current ones have more weight.
         let after = |ratio: f64, changes: [f64; 2]| {
             let mut watch = Watch::new([ratio; 2]);
             changes.map(|change| watch.converged(change * f64::EPSILON, 1.0))
@@ -125,12 +128,12 @@ mod tests {
         assert_eq!(after(0.03, [100.0, 3.0]), [false, false]);
         assert_eq!(after(0.01, [100.0, 1.0]), [false, true]);
         assert_eq!(after(0.01, [20.0, 6.0]), [false, false]);
-        // One ratio alone says nothing, nor do changes that go up and down.
+        // A single ratio says nothing, and neither do changes that rise and fall.
         assert_eq!(last([1e6, 1.0]), None);
         assert_eq!(last([1e3, 4e3, 500.0, 2e3, 250.0, 1e3, 125.0, 500.0, 62.0, 250.0, 1.0]), None);
     }
 
-    /// As where the argument of a field is a thousand times larger than the field.
+    /// The changes are those of a field whose argument is a thousand times larger than the field.
     #[test]
     fn an_iteration_that_stalls_is_at_the_floor_or_lost() {
         let stalls = |floor: f64| [1e9, 1.0, 1.1, 1.0, 1.1, 1.0].map(|x| x * floor);
@@ -138,7 +141,7 @@ mod tests {
         assert_eq!(last(stalls(3e4)), None);
     }
 
-    /// Four ways to end, or not to: no change, growing at the floor, stalling, NaN.
+    /// Four lanes end by no change, by growth at the floor, by a stall, and not at all because of a NaN.
     #[test]
     fn each_lane_is_watched_by_itself() {
         let changes = [

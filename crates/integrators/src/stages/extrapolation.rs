@@ -1,15 +1,15 @@
-//! Extrapolation of stage derivatives.
+//! Extrapolation of stage derivatives: [`Predictor`].
 
-/// Nodes nearer than this to each other, in steps, carry no polynomial.
+/// The least distance of nodes, in steps, for which a polynomial through them is used.
 const LEAST_DISTANCE: f64 = 1e-3;
 
-/// The extension of the stage derivatives of n steps of equal size to those of the next one,
+/// The extrapolation of the stage derivatives of n steps of equal size to those of the next step:
 ///
 /// ```text
-/// k_i ≈ Σ_j w_ij k_j,    w_ij = Π_{l≠j} (c_i − x_l)/(x_j − x_l),    x = c − n, …, c − 1
+/// k_i ≈ Σ_j w_ij k_j,    w_ij = Π_(l≠j) (c_i − x_l)/(x_j − x_l),    x = c − n, …, c − 1
 /// ```
 ///
-/// by the polynomial through them.
+/// It evaluates the polynomial through the stage derivatives.
 ///
 /// Source: Hairer, Lubich & Wanner, *Geometric Numerical Integration*, 2nd ed. (2006), §VIII.6.1.
 #[derive(Clone, Debug, PartialEq)]
@@ -20,27 +20,30 @@ pub(crate) struct Predictor {
 }
 
 impl Predictor {
-    /// For stages at the times c, in steps; none if two of them coincide, as in methods that are
-    /// to be solved stage by stage.
+    /// Creates the predictor for stages at the times c, in steps.
+    ///
+    /// If two of them coincide, there is no prediction. Methods whose stages are solved one after the other are such a
+    /// case.
     pub(crate) fn new(nodes: &[f64]) -> Self {
         let matrices = (1..=most_steps(nodes.len())).map_while(|steps| weights(nodes, steps));
         Self { stages: nodes.len(), weights: matrices.collect() }
     }
 
-    /// None, as for explicit methods.
+    /// Creates a predictor that makes no predictions, as for explicit methods.
     pub(crate) fn none() -> Self {
         Self { stages: 0, weights: Vec::new() }
     }
 
-    /// The number of stage derivatives to remember.
+    /// Returns the number of stage derivatives to remember.
     pub(crate) fn capacity(&self) -> usize {
         self.weights.len() * self.stages
     }
 }
 
-/// How many steps are remembered: what saves the most iterations. The stages of methods with few
-/// stages are of low order, and differ from the solution by errors that a polynomial of high degree
-/// would enlarge; one stage alone has the same error at every step.
+/// Returns the number of steps to remember, chosen to save the most iterations.
+///
+/// The stages of methods with few stages have low order. Their errors would be enlarged by a polynomial of high degree.
+/// A single stage has the same error in every step.
 fn most_steps(stages: usize) -> usize {
     match stages {
         1 => 10,
@@ -49,7 +52,7 @@ fn most_steps(stages: usize) -> usize {
     }
 }
 
-/// w for n steps; `None` if nodes coincide.
+/// Returns the weights w for n steps, or `None` if nodes coincide.
 fn weights(nodes: &[f64], steps: usize) -> Option<Vec<f64>> {
     let past: Vec<f64> =
         (1..=steps).rev().flat_map(|n| nodes.iter().map(move |c| c - n as f64)).collect();
@@ -64,11 +67,10 @@ fn weights(nodes: &[f64], steps: usize) -> Option<Vec<f64>> {
     })
 }
 
-/// The value at x of a Lagrange polynomial of the nodes: the one that is 1 at the node with the index j and
-/// 0 at the others,
+/// Returns the value at x of the Lagrange polynomial that is 1 at the node with the index j and 0 at the others:
 ///
 /// ```text
-/// ℓ_j(x) = Π_{l≠j} (x − x_l)/(x_j − x_l)
+/// ℓ_j(x) = Π_(l≠j) (x − x_l)/(x_j − x_l)
 /// ```
 ///
 /// It is not finite if two nodes coincide, and NaN if there is no node with that index.

@@ -1,4 +1,4 @@
-//! What is remembered of the steps before, and the guesses from it.
+//! The memory of the steps before, and predictions from it: [`StageHistory`].
 
 use crate::stage_frame::StageFrame;
 use crate::stages::block_sizes::{BlockSizes, MaskOf};
@@ -9,31 +9,32 @@ use crate::stages::stage_solver::{Unconverged, combination, fill_unless};
 use crate::{StageSolver, VectorField};
 use lie_poisson::{Mask, Real, Vector};
 
-/// A guess beyond this multiple of what it extends is none.
+/// The largest multiple of the last stage derivatives that a prediction may have.
 const LARGEST_GROWTH: f64 = 2.0;
 
-/// The stage derivatives of the last steps of equal size, each of which began where the one before
-/// it ended, in the coordinates of the [frame](StageFrame). Each lane remembers by itself.
+/// The stage derivatives of the last steps of equal size, each of which began where the one before it ended.
+///
+/// They are stored in the coordinates of the [frame](StageFrame). Each lane remembers by itself.
 #[derive(Clone, Debug)]
 pub(crate) struct StageHistory<V: Vector> {
-    /// Oldest first; those that mean something come before `newest`. There is room for twice as many
-    /// as are needed, so that they are moved to the front only now and then.
+    /// The stage derivatives, oldest first; those before `newest` are valid. There is room for twice the required
+    /// number, so that they are moved to the front only rarely.
     past: Vec<V>,
     newest: usize,
-    /// Of each step.
+    /// The number of stages of each step.
     stages: usize,
-    /// How many steps are remembered, lane by lane; and the most in any lane.
+    /// The number of remembered steps in each lane, and the largest in any lane.
     steps: V::Scalar,
     most: usize,
-    /// Their size.
+    /// The size of the steps.
     size: f64,
-    /// Where the last one ended, and how fast its iteration converged.
+    /// The end of the last step, and the ratios of changes in its iteration.
     end: V,
     pace: Ratios<V::Scalar>,
 }
 
 impl<V: Vector> StageHistory<V> {
-    /// Empty, with room for what a predictor needs.
+    /// Creates an empty history, with room for the needs of a predictor.
     pub(crate) fn new(predictor: &Predictor) -> Self {
         Self {
             past: vec![V::zero(); 2 * predictor.capacity()],
@@ -47,7 +48,7 @@ impl<V: Vector> StageHistory<V> {
         }
     }
 
-    /// Forgets everything.
+    /// Forgets all steps.
     pub(crate) fn forget(&mut self) {
         self.steps = V::Scalar::from_f64(0.0);
         self.most = 0;
@@ -55,12 +56,13 @@ impl<V: Vector> StageHistory<V> {
         self.pace = unknown();
     }
 
-    /// Solves for the stage derivatives k of a step of the given size from z by fixed-point
-    /// iteration, from a guess where there is one; where not, or where that fails, from X(z).
-    /// Remembers them. Returns the number of iterations.
+    /// Solves for the stage derivatives k of a step of the given size from z by fixed-point iteration, and remembers
+    /// them. Returns the number of iterations.
+    ///
+    /// The iteration starts from a prediction if there is one. Otherwise, or if that fails, it starts from X(z).
     ///
     /// # Errors
-    /// Where the iteration fails; nothing is remembered there.
+    /// Returns [`Unconverged`] if the iteration fails in some lane. Nothing is remembered in such a lane.
     #[inline]
     pub(crate) fn solve<F: VectorField<V::Scalar, Point = V>>(
         &mut self,
@@ -92,13 +94,13 @@ impl<V: Vector> StageHistory<V> {
         outcome
     }
 
-    /// Where the step ended that was solved last.
+    /// Records the end of the step that was solved last.
     #[inline]
     pub(crate) fn end_at(&mut self, z: &V) {
         self.end = *z;
     }
 
-    /// Forgets everything where a step does not go on from what is remembered, or if that comes
+    /// Forgets all steps in lanes where a step does not continue from the memory, or everywhere if the memory comes
     /// from another method.
     #[inline]
     fn keep_where(&mut self, z: &V, size: f64, predictor: &Predictor, frame: &impl StageFrame<V>) {
@@ -120,14 +122,14 @@ impl<V: Vector> StageHistory<V> {
         }
     }
 
-    /// Writes a guess. Returns where there is one.
+    /// Writes a prediction to k. Returns the lanes in which there is one.
     #[inline]
     fn guess(&self, predictor: &Predictor, frame: &impl StageFrame<V>, k: &mut [V]) -> MaskOf<V> {
         let none = MaskOf::<V>::from_bool(false);
         let (mut tried, mut guessed) = (none, none);
         for (n, weights) in (1..self.most + 1).zip(&predictor.weights).rev() {
             let here = self.remembers(n);
-            // The one stage of one step is a worse guess than X(z).
+            // A single stage of a single step is a worse prediction than X(z).
             if !here.any() || n * predictor.stages < 2 {
                 continue;
             }
@@ -151,14 +153,14 @@ impl<V: Vector> StageHistory<V> {
         guessed
     }
 
-    /// Where n steps are remembered.
+    /// Returns the lanes in which n steps are remembered.
     #[inline]
     fn remembers(&self, n: usize) -> MaskOf<V> {
         let n = V::Scalar::from_f64(n as f64);
         self.steps.at_most(n).and(n.at_most(self.steps))
     }
 
-    /// One more step where it is converged, nothing elsewhere.
+    /// Remembers one more step in the lanes where it has converged, and forgets all steps in the others.
     #[inline]
     fn remember(
         &mut self,
@@ -188,7 +190,7 @@ impl<V: Vector> StageHistory<V> {
     }
 }
 
-/// A second attempt, in the lanes that are not `done`. It is rare, and stays out of the way of the first.
+/// Makes a second attempt in the lanes that are not `done`. It is rare, and kept out of the way of the first.
 #[cold]
 #[inline(never)]
 fn again<V: Vector>(
@@ -201,7 +203,7 @@ fn again<V: Vector>(
     solver.solve_from(done, scale, k, &mut unknown(), derivative)
 }
 
-/// What comes of a second attempt, in the lanes that a guess had misled, after the first.
+/// Returns the combined result of a first attempt, and of a second one in the lanes that a prediction had misled.
 fn retried<M: Mask>(
     first: &Unconverged<M>,
     guessed: M,
@@ -222,7 +224,7 @@ fn retried<M: Mask>(
     }
 }
 
-/// Where two points are equal to round-off, in every coordinate.
+/// Returns the lanes in which two points are equal to round-off, in every coordinate.
 #[inline]
 pub(crate) fn near<V: Vector>(a: &V, b: &V) -> MaskOf<V> {
     let (apart, size) = (BlockSizes::of(&[*a - *b]), BlockSizes::of(core::slice::from_ref(b)));

@@ -1,4 +1,4 @@
-//! Stage equations: their solver, its convergence tests, and guesses from the steps before.
+//! Stage equations: their solver, its convergence tests, and predictions from the steps before.
 
 pub(crate) mod two_sum;
 pub(crate) mod block_sizes;

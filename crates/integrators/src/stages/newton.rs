@@ -7,7 +7,7 @@ use crate::stages::stage_solver::{combination, plus_combination};
 use crate::{Tableau, VectorField};
 use lie_poisson::{Real, Vector, solve_linear};
 
-/// Storage of the iteration, empty until a step first needs it.
+/// The storage of Newton's iteration, empty until a step first needs it.
 #[derive(Clone, Debug)]
 pub(crate) struct NewtonSpace<T> {
     matrix: Vec<T>,
@@ -20,15 +20,17 @@ impl<T> Default for NewtonSpace<T> {
     }
 }
 
-/// One iteration k ← k − (1 − h A ⊗ DX)⁻¹ (k − X(z + h A k)) for the stage derivatives, in the lanes
-/// that are not `done`; returns the changes, infinite where the matrix is singular, and the sizes of the
-/// terms of which the stage derivatives are sums.
+/// Makes one Newton iteration k ← k − (1 − h A ⊗ DX)⁻¹ (k − X(z + h A k)) for the stage derivatives, in the lanes that
+/// are not `done`.
 ///
-/// For a large step the change may be small while the residual k − X(…) is not. A residual above
-/// its own round-off, which is that of X at its argument, therefore counts as a change.
+/// Returns the changes, which are infinite if the matrix is singular, and the sizes of the terms whose sums are the
+/// stage derivatives.
 ///
-/// The terms are those of DX·z, the round-off of X at its argument in units of ε. They are larger than X
-/// where z has gone far along a fibre on which X does not depend: no iteration comes nearer than their round-off.
+/// For a large step the change may be small while the residual k − X(…) is not. A residual above its own round-off,
+/// which is that of X at its argument, therefore counts as a change.
+///
+/// The terms are those of DX·z, the round-off of X at its argument in units of ε. They are larger than X if z is far
+/// along a fibre on which X does not depend. No iteration comes nearer than their round-off.
 pub(crate) fn newton_step<T: Real, F: VectorField<T>>(
     field: &F,
     (z, step): (&F::Point, f64),
@@ -50,9 +52,10 @@ pub(crate) fn newton_step<T: Real, F: VectorField<T>>(
     progress
 }
 
-/// Writes the matrix 1 − h A ⊗ DX and the residual k − X(z + h A k), both in the given units, without which
-/// elimination could not choose its pivots; returns the residuals that are above their round-off, and the sizes of
-/// the terms of X.
+/// Writes the matrix 1 − h A ⊗ DX and the residual k − X(z + h A k), both in the given units.
+///
+/// Without units, elimination could not choose its pivots. Returns the residuals above their round-off, and the sizes
+/// of the terms of X.
 fn assemble<T: Real, F: VectorField<T>>(
     field: &F,
     (z, step): (&F::Point, f64),
@@ -95,8 +98,7 @@ fn assemble<T: Real, F: VectorField<T>>(
     progress
 }
 
-/// One number for each coordinate by which it is measured: the larger of |z_b| and h |k_b| in its block b, or 1
-/// where both are 0.
+/// Returns the unit of each coordinate: the larger of |z_b| and h |k_b| in its block b, or 1 if both are 0.
 fn units<T: Real, V: Vector<Scalar = T>>(z: &V, step: f64, k: &[V]) -> V {
     let (start, stages) = (BlockSizes::of(core::slice::from_ref(z)), BlockSizes::of(k));
     V::from_coordinates(|i| {
@@ -105,8 +107,10 @@ fn units<T: Real, V: Vector<Scalar = T>>(z: &V, step: f64, k: &[V]) -> V {
     })
 }
 
-/// DX(z)·e_i, by a difference quotient where the field does not know it: the iteration then
-/// converges a little more slowly, to the same stages.
+/// Returns the derivative DX(z)·e_i.
+///
+/// It is a difference quotient if the field does not know its derivative. The iteration then converges a little more
+/// slowly, to the same stages.
 fn derivative<T: Real, F: VectorField<T>>(
     field: &F,
     z: &F::Point,

@@ -1,4 +1,4 @@
-//! Guesses for integrators with stage equations of their own.
+//! Predictions for integrators with their own stage equations: [`StageMemory`].
 
 use crate::stages::convergence::unknown;
 use crate::stages::extrapolation::Predictor;
@@ -7,15 +7,16 @@ use crate::stages::stage_scale::OwnScale;
 use crate::{StageSolver, Unconverged, from_fn};
 use lie_poisson::{Mask, Real, Vector};
 
-/// What an integrator with stage equations k_i = f_i(k) of its own remembers of the last steps: the
-/// next one of equal size begins its iteration with the polynomial through their k, as
+/// The memory of the last steps of an integrator that has its own stage equations k_i = f_i(k).
+///
+/// The next step of equal size begins its iteration with the polynomial through the remembered k, as
 /// [`RungeKutta`](crate::RungeKutta) methods do.
 ///
-/// A guess shows in the last bits of a result, which [`forget`](Self::forget) makes independent of the
+/// A prediction affects the last bits of a result. [`forget`](Self::forget) makes them independent of the steps before.
 /// steps before.
 ///
 /// # Example
-/// The midpoint rule for a pendulum, with the velocity (q̇, ṗ) = (p, −sin q) at the midpoint as unknown:
+/// The midpoint rule for a pendulum, with the velocity (dq/dt, dp/dt) = (p, −sin q) at the midpoint as unknown:
 /// ```
 /// use collective_integrators::{StageMemory, StageSolver};
 /// use nalgebra::Vector2;
@@ -41,21 +42,24 @@ pub struct StageMemory<V: Vector> {
 }
 
 impl<V: Vector> StageMemory<V> {
-    /// Of nothing, for stages at the times c, in steps. Where two of them coincide nothing is guessed.
+    /// Creates an empty memory for stages at the times c, in steps. If two of them coincide, nothing is predicted.
     #[must_use]
     pub fn new(nodes: &[f64]) -> Self {
         let predictor = Predictor::new(nodes);
         Self { memory: StageHistory::new(&predictor), predictor }
     }
 
-    /// Solves k_i = `stage`(i, k) as [`StageSolver::solve`] does, for a step of the given size from z:
-    /// from a guess, if z is where the last step ended; else, or where that fails, from k_i =
-    /// `first`(). Another number of stages than that of the nodes is solved without a guess, and nothing
-    /// is remembered of it. Returns the number of iterations.
+    /// Solves k_i = `stage`(i, k) as [`StageSolver::solve`] does, for a step of the given size from z. Returns the
+    /// number of iterations.
+    ///
+    /// The iteration starts from a prediction if z is the end of the last step. Otherwise, or if that fails, it starts
+    /// from k_i = `first`(). If the number of stages differs from that of the nodes, there is no prediction, and
+    /// nothing is remembered.
     ///
     /// # Errors
-    /// If the iteration blows up or does not converge, in some lane: those in which it converged hold
-    /// their k, and remember it. `?` makes a [`StepError`](crate::StepError) of it.
+    /// Returns [`Unconverged`](crate::Unconverged) if the iteration diverges or does not converge in some lane. The
+    /// other lanes hold their k, and remember it. The operator `?` converts the error into a
+    /// [`StepError`](crate::StepError).
     #[inline]
     pub fn solve(
         &mut self,
@@ -77,13 +81,13 @@ impl<V: Vector> StageMemory<V> {
         self.memory.solve(&self.predictor, solver, &field, (z, step, &OwnScale), k, stage)
     }
 
-    /// Where the step that was solved last has ended.
+    /// Records the end of the step that was solved last.
     #[inline]
     pub fn end_at(&mut self, z: &V) {
         self.memory.end_at(z);
     }
 
-    /// Forgets the steps before.
+    /// Forgets all the steps before.
     #[inline]
     pub fn forget(&mut self) {
         self.memory.forget();
@@ -96,7 +100,7 @@ mod tests {
     use super::*;
     use nalgebra::Vector1;
 
-    /// k = (k + z)/2 at every stage, of which the last k is the solution.
+    /// The equation is k = (k + z)/2 at every stage, with the last k.
     #[test]
     fn other_numbers_of_stages_are_solved_without_a_guess_and_forgotten() {
         let (mut memory, z) = (StageMemory::new(&[0.25, 0.75]), Vector1::new(1.0));
@@ -107,7 +111,7 @@ mod tests {
             let solver = StageSolver::default();
             let made = memory.solve(&solver, &z, 0.1, &mut k, first, stage).unwrap();
             memory.end_at(&z);
-            // as many roundings as the ratio ½ leaves
+            // the rounding errors that the ratio ½ leaves
             assert!(k.iter().all(|k| (k.x - 1.0).abs() < 4.0 * f64::EPSILON), "{stages} {k:?}");
             made
         };

@@ -1,4 +1,4 @@
-//! What changes of stage derivatives are measured by.
+//! Scales with which changes of stage derivatives are compared.
 
 use crate::stages::block_sizes::{BlockSizes, MaskOf};
 use crate::stages::convergence::ROUND_OFF;
@@ -6,39 +6,39 @@ use lie_poisson::{Mask, Real, Vector};
 
 /// The scales of a step: the sizes |z_b| of the blocks of its starting point, and its length h.
 ///
-/// Changes δk of stage derivatives k are compared with numbers of the same unit,
+/// Changes δk of stage derivatives k are compared with numbers of the same unit:
 ///
 /// ```text
 /// max_b |δk_b| / s_b,    s_b = max( |k_b|, r |z_b| ),    r = max { |k_b|/|z_b| : h |k_b| ≤ |z_b| },
 /// ```
 ///
-/// block by block: r is the rate at which the blocks move, and s_b the derivative of block b at that rate.
-/// Multiplying a block of z by a constant multiplies k_b and s_b by the same, so that units do not matter; and
-/// a k_b that is small by cancellation is not asked for digits that it does not have. A block that starts at
-/// zero is held against its own derivative alone.
+/// The comparison is made block by block. The rate r is that at which the blocks move, and s_b is the derivative of
+/// block b at that rate. If a block of z is multiplied by a constant, k_b and s_b are multiplied by the same constant,
+/// so that units do not matter. If k_b is small by cancellation, no more digits are required than it has. A block that
+/// starts at zero is compared with its own derivative alone.
 #[derive(Clone, Copy, Debug)]
 pub(crate) struct StageScale<V: Vector> {
     start: BlockSizes<V>,
-    /// 1/|z_b|, or 0 for a block that starts at zero.
+    /// The reciprocals 1/|z_b|, or 0 for a block that starts at zero.
     inverse: BlockSizes<V>,
     length: f64,
 }
 
-/// The changes of an iteration and the sizes of what it leads to.
+/// The changes of an iteration, and the sizes of its results.
 #[derive(Clone, Copy, Debug)]
 pub(crate) struct Progress<V: Vector> {
-    /// Of the last changes.
+    /// The sizes of the last changes.
     pub(crate) change: BlockSizes<V>,
-    /// Of the stage derivatives.
+    /// The sizes of the stage derivatives.
     pub(crate) size: BlockSizes<V>,
 }
 
-/// What the changes of an iteration for stage equations are compared with.
+/// A scale with which the changes of an iteration for stage equations are compared.
 pub(crate) trait Scale<V: Vector> {
-    /// A change, and the size that it is to be compared with.
+    /// Returns a change, and the size with which it is to be compared.
     fn compare(&self, progress: &Progress<V>) -> (V::Scalar, V::Scalar);
 
-    /// Where h |δk_b| is at most a tolerance times the larger of |z_b| and h |k_b|.
+    /// Returns the lanes in which h |δk_b| is at most a tolerance times the larger of |z_b| and h |k_b|.
     fn accepts(&self, progress: &Progress<V>, tolerance: f64) -> MaskOf<V>;
 }
 
@@ -58,8 +58,9 @@ impl<V: Vector> Scale<V> for OwnScale {
     }
 }
 
-/// The largest change of a block, in units of what f makes of the size of the block, and 1; with a single
-/// block, its change and its size.
+/// Returns the largest change of a block, in units of f of the size of the block, together with 1.
+///
+/// With a single block, returns its change and its size.
 #[inline(always)]
 fn compare_by<V: Vector>(
     Progress { change, size }: &Progress<V>,
@@ -75,12 +76,11 @@ fn compare_by<V: Vector>(
     (change, V::Scalar::from_f64(1.0))
 }
 
-/// A change from this multiple of a scale on is that multiple, lest a quotient overflow.
+/// The limit on a change as a multiple of a scale, so that a quotient does not overflow.
 const BEYOND: f64 = 1.0 / (1_u64 << 60) as f64;
 
 impl<V: Vector> Progress<V> {
-    /// Counts residuals above the round-off of terms of the given sizes as changes, and the terms as stage
-    /// derivatives.
+    /// Counts residuals above the round-off of terms of the given sizes as changes, and the terms as stage derivatives.
     pub(crate) fn include_residual(&mut self, residual: &BlockSizes<V>, terms: &BlockSizes<V>) {
         self.change.include_above(residual, |b| terms.at(b) * ROUND_OFF);
         self.size.include_above(terms, |_| V::Scalar::from_f64(0.0));
@@ -88,7 +88,7 @@ impl<V: Vector> Progress<V> {
 }
 
 impl<V: Vector> StageScale<V> {
-    /// The scales of a step of the given size from z.
+    /// Returns the scales of a step of the given size from z.
     #[inline(always)]
     pub(crate) fn new(z: &V, step: f64) -> Self {
         let start = BlockSizes::of(core::slice::from_ref(z));
@@ -129,14 +129,14 @@ mod tests {
         Pair(Vector1::new(x), Vector1::new(y))
     }
 
-    /// The relative change of k by `change`, in a step of 1/10 from z.
+    /// Returns the relative change of k by `change`, in a step of 1/10 from z.
     fn relative(z: Two, k: Two, change: Two) -> f64 {
         let progress = Progress { change: BlockSizes::of(&[change]), size: BlockSizes::of(&[k]) };
         let (change, size) = StageScale::new(&z, 0.1).compare(&progress);
         change / size
     }
 
-    /// A quotient, a product and an inverse are rounded.
+    /// Asserts that two numbers are equal, up to the rounding of a quotient, a product and an inverse.
     fn close(a: f64, b: f64) {
         assert!((a - b).abs() <= 4.0 * f64::EPSILON * b, "{a:e} {b:e}");
     }
@@ -146,7 +146,7 @@ mod tests {
         // Both blocks move at the rate 1; a change of the small one counts as much as one of the large one.
         close(relative(two(1.0, 1e-30), two(1.0, 1e-30), two(0.0, 1e-32)), 0.01);
         close(relative(two(1.0, 1e-30), two(1.0, 1e-30), two(0.01, 0.0)), 0.01);
-        // k is small by cancellation in the second block: what counts is the rate of the first.
+        // k is small by cancellation in the second block, so that the rate of the first counts.
         close(relative(two(1.0, 1.0), two(1.0, 1e-20), two(0.0, 1e-4)), 1e-4);
         // A block that starts at zero is measured by its own derivative, and sets no rate.
         close(relative(two(1.0, 0.0), two(1.0, 50.0), two(0.0, 0.5)), 0.01);

@@ -1,4 +1,4 @@
-//! Iterations for the stage equations, to the round-off floor.
+//! Iterations for the stage equations to the round-off floor: [`StageSolver`].
 
 use crate::StepError;
 use crate::stages::block_sizes::{BlockSizes, MaskOf};
@@ -6,64 +6,65 @@ use crate::stages::convergence::{FLOOR, Ratios, Watch, is_finite, unknown};
 use crate::stages::stage_scale::{OwnScale, Progress, Scale};
 use lie_poisson::{Mask, Real, Vector, larger};
 
-/// Sweeps after which a fixed-point iteration that has not converged gives way to Newton's.
+/// The number of sweeps after which a fixed-point iteration that has not converged is replaced by Newton's.
 const SLOW: usize = 60;
 
-/// A change below this multiple of the size of the stage derivatives, √ε, leaves what is rounded off
-/// the coefficients of a method as it is, to ε of its own size: it has to be computed once.
+/// The multiple √ε of the size of the stage derivatives below which a change leaves the low parts of the coefficients
+/// as they are.
+///
+/// Their effect is then known to ε of its own size, and has to be computed only once.
 const CLOSE: f64 = 1.0 / (1 << 26) as f64;
 
-/// Newton iterations after which the stage equations count as not solved.
+/// The number of Newton iterations after which the stage equations count as not solved.
 const NEWTON_ITERATIONS: usize = 50;
 
-/// How to solve the stage equations k_i = X(z + h Σ_j a_ij k_j).
+/// The solver of the stage equations k_i = X(z + h Σ_j a_ij k_j), with its settings.
 ///
-/// First a fixed-point iteration of Gauss–Seidel kind. In a step that goes on from steps of the same
-/// size it begins with the polynomial through their stage derivatives, else with k_i = X(z): where
-/// it begins shows in the last bits of a result, which [`Scheme::forget`](crate::Scheme::forget)
-/// makes independent of the steps before. Where it is slow or diverges, for large steps, Newton's
-/// iteration takes over, with the exact derivative of the field if it is known
-/// ([`VectorField::derivative`](crate::VectorField::derivative)).
+/// The first method is a fixed-point iteration of Gauss–Seidel kind. In a step that continues from steps of the same
+/// size it begins with the polynomial through their stage derivatives, otherwise with k_i = X(z). The starting point
+/// affects the last bits of a result; [`Scheme::forget`](crate::Scheme::forget) makes them independent of the steps
+/// before. If the iteration is slow or diverges, for large steps, Newton's iteration continues, with the exact
+/// derivative of the field if it is known ([`VectorField::derivative`](crate::VectorField::derivative)).
 ///
-/// To the round-off floor means: until nothing changes, the change that comes next is expected below a
-/// thirty-second of a rounding from the ratios of those before, in the step before it too, or the changes no
-/// longer shrink at the size of round-off. The low parts of coefficients enter once k is within √ε.
+/// The iteration stops at the round-off floor in one of three cases: nothing changes; the next change is expected below
+/// a thirty-second of a rounding, from the ratios of the changes before, also in the step before; or the changes no
+/// longer decrease at the size of round-off. The low parts of coefficients enter once k is within √ε.
 ///
-/// Sizes are compared block by block, in units of the state ([`Vector::BLOCKS`]): of (q, p) with q of size
-/// 1e-20 and p of size 1, both are found to the same number of digits.
+/// Sizes are compared block by block, in units of the state ([`Vector::BLOCKS`]). For (q, p) with q of size 1e-20 and p
+/// of size 1, both are found to the same number of digits.
 ///
 /// Source of the last rule: Hairer, McLachlan & Razakarivony, *Achieving Brouwer's law with
 /// implicit Runge–Kutta methods*, BIT 48 (2008), §2.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct StageSolver {
-    /// Accept when h |Δk| is at most this times the larger of |z| and h |k|, in each block of coordinates:
-    /// a number without a unit. 0 iterates to the round-off floor.
+    /// The largest accepted h |Δk|, as a multiple of the larger of |z| and h |k|, in each block of coordinates. It has
+    /// no unit; 0 iterates to the round-off floor.
     pub tolerance: f64,
-    /// Give up the fixed-point iteration after this many sweeps.
+    /// The number of sweeps after which the fixed-point iteration is abandoned.
     pub max_iterations: usize,
-    /// Whether Newton's iteration may follow.
+    /// Whether Newton's iteration may follow the fixed-point iteration.
     pub newton: bool,
 }
 
 impl Default for StageSolver {
-    /// To the round-off floor, within 60 sweeps, then by Newton's iteration.
+    /// Creates a solver to the round-off floor, with at most 60 sweeps, followed by Newton's iteration.
     fn default() -> Self {
         Self { tolerance: 0.0, max_iterations: SLOW, newton: true }
     }
 }
 
-/// An iteration that has not converged in every lane.
+/// The error of an iteration that has not converged in every SIMD lane of the scalar.
 #[derive(Clone, Copy, Debug)]
 pub struct Unconverged<M> {
-    /// Where it has.
+    /// The lanes in which the iteration has converged.
     pub converged: M,
-    /// The iterations made.
+    /// The number of iterations made.
     pub iterations: usize,
-    /// What the other lanes are left with.
+    /// The error of the other lanes.
     pub error: StepError,
 }
 
-/// As if it had converged nowhere.
+/// Converts the error as if no lane had converged.
 impl<M> From<Unconverged<M>> for StepError {
     fn from(unconverged: Unconverged<M>) -> Self {
         unconverged.error
@@ -71,14 +72,16 @@ impl<M> From<Unconverged<M>> for StepError {
 }
 
 impl StageSolver {
-    /// Solves k_i = `derivative`(i, k) for the stages `k`, all of which start from `start`, by
-    /// fixed-point iteration; returns the number of iterations. `derivative` computes X at the
-    /// i-th stage. The changes of each block of coordinates are compared with that block.
+    /// Solves k_i = `derivative`(i, k) for the stages `k` by fixed-point iteration, and returns the number of
+    /// iterations.
     ///
-    /// Over lanes each stops by itself, at the stages that it would have alone.
+    /// All stages start from `start`. The closure `derivative` computes X at the i-th stage. The changes of each block
+    /// of coordinates are compared with that block.
+    ///
+    /// Over SIMD lanes each stops by itself, at the stages that it would have alone.
     ///
     /// # Errors
-    /// [`StepError::NotConverged`] if the iteration blows up or does not converge, in some lane.
+    /// Returns [`StepError::NotConverged`] if the iteration diverges or does not converge in some lane.
     #[inline]
     pub fn solve<V: Vector>(
         &self,
@@ -92,8 +95,10 @@ impl StageSolver {
             .map_err(|unconverged| unconverged.error)
     }
 
-    /// The same from the guess that `k` holds, at the pace of the iteration before. Lanes that are
-    /// `done` stay as they are. `derivative` is told too in which lanes `k` has just come
+    /// Solves as [`solve`](Self::solve) does, from the guess in `k` and with the ratios of changes of the iteration
+    /// before.
+    ///
+    /// Lanes that are `done` stay as they are. The closure `derivative` is also told in which lanes `k` has just come
     /// [close](CLOSE) to the solution.
     #[inline]
     pub(crate) fn solve_from<V: Vector>(
@@ -108,12 +113,12 @@ impl StageSolver {
         self.iterate(self.max_iterations, done, scale, pace, advance)
     }
 
-    /// Newton's iteration, in the lanes that are not `done`, from k_i = `start`; `advance` makes one
-    /// iteration in those lanes and returns its change and the size of the stages. Returns the number
-    /// of iterations.
+    /// Makes Newton's iteration from k_i = `start`, in the lanes that are not `done`. Returns the number of iterations.
+    ///
+    /// The closure `advance` makes one iteration in those lanes, and returns its change and the size of the stages.
     ///
     /// # Errors
-    /// [`StepError::NotConverged`] if it does not converge, in some lane.
+    /// Returns [`StepError::NotConverged`] if the iteration does not converge in some lane.
     #[inline]
     pub(crate) fn newton<V: Vector>(
         &self,
@@ -128,9 +133,10 @@ impl StageSolver {
             .map_err(|unconverged| unconverged.error)
     }
 
-    /// Iterates until the change converges in every lane that is not `done`, or has blown up there;
-    /// `advance` is given the lanes that are to stay as they are and those that have just come
-    /// close, and returns the changes and the sizes of the stages.
+    /// Iterates until the change has converged, or has become infinite, in every lane that is not `done`.
+    ///
+    /// The closure `advance` receives the lanes that are to stay as they are and those that have just come close. It
+    /// returns the changes and the sizes of the stages.
     #[inline]
     fn iterate<V: Vector>(
         &self,
@@ -150,7 +156,8 @@ impl StageSolver {
             let ended = converged.or(lost);
             progress = advance(ended, near);
             let (change, size) = scale.compare(&progress);
-            // Else the low parts of the coefficients are missing; they do not show in a k that stays.
+            // Otherwise the low parts of the coefficients are missing. They do not matter for a k that does not
+            // change.
             let whole = close.or(change.at_most(V::Scalar::from_f64(0.0)));
             let mut now = watch.converged(change, size).and(whole);
             if self.tolerance > 0.0 {
@@ -162,7 +169,7 @@ impl StageSolver {
                 return Ok(iterations);
             }
             lost = lost.or(is_finite(change).or(converged).not());
-            // Of a lane that has ended nothing changes any more, whatever the others do.
+            // A lane that has ended does not change any more, whatever the others do.
             near = change.at_most(size * CLOSE).and(close.or(converged).or(lost).not());
             close = close.or(near);
         }
@@ -174,13 +181,13 @@ impl StageSolver {
     }
 }
 
-/// The ratios that a lane had when it ended.
+/// Returns the ratios that a lane had when it ended.
 #[inline]
 fn keep<T: Real>(ended: T::Mask, [a, b]: Ratios<T>, [c, d]: Ratios<T>) -> Ratios<T> {
     [T::select(ended, a, c), T::select(ended, b, d)]
 }
 
-/// One sweep over all stages, in the lanes that are not `done`.
+/// Makes one sweep over all stages, in the lanes that are not `done`.
 #[inline]
 fn sweep<V: Vector>(
     done: MaskOf<V>,
@@ -197,7 +204,7 @@ fn sweep<V: Vector>(
     progress
 }
 
-/// k_i = `value` in the lanes that are not `done`.
+/// Sets k_i = `value` in the lanes that are not `done`.
 #[inline]
 pub(crate) fn fill_unless<V: Vector>(done: MaskOf<V>, k: &mut [V], value: &V) {
     for k in k {
@@ -205,13 +212,13 @@ pub(crate) fn fill_unless<V: Vector>(done: MaskOf<V>, k: &mut [V], value: &V) {
     }
 }
 
-/// Σ_j a_j k_j
+/// Returns the combination Σ_j a_j k_j.
 #[inline]
 pub(crate) fn combination<V: Vector>(row: &[f64], k: &[V]) -> V {
     plus_combination(V::zero(), row, k)
 }
 
-/// sum + Σ_j a_j k_j
+/// Returns the sum with Σ_j a_j k_j added.
 #[inline]
 pub(crate) fn plus_combination<V: Vector>(mut sum: V, row: &[f64], k: &[V]) -> V {
     for (&a, k) in row.iter().zip(k) {
@@ -220,9 +227,11 @@ pub(crate) fn plus_combination<V: Vector>(mut sum: V, row: &[f64], k: &[V]) -> V
     sum
 }
 
-/// h v, with roundings that have no mean. If h is within a few roundings of a fraction of small
-/// denominator, as 0.05 = 8/5 · 2⁻⁵, the products h x with neighbouring x round alike; those with the upper
-/// 26 bits of h do not, and what the lower bits add is small. An infinite h x becomes NaN.
+/// Returns the product h v with unbiased rounding errors.
+///
+/// If h is within a few roundings of a fraction of small denominator, such as 0.05 = 8/5 · 2⁻⁵, the products h x with
+/// neighbouring x round alike. The products with the upper 26 bits of h do not, and the contribution of the lower bits
+/// is small. An infinite h x becomes NaN.
 #[inline]
 pub(crate) fn evenly_scaled<V: Vector>(v: &V, step: f64) -> V {
     let upper = f64::from_bits(step.to_bits() & UPPER_HALF);
@@ -231,7 +240,7 @@ pub(crate) fn evenly_scaled<V: Vector>(v: &V, step: f64) -> V {
     product
 }
 
-/// Sign, exponent and the upper 26 of the 53 bits of a number.
+/// The mask of the sign, the exponent and the upper 26 of the 53 bits of a number.
 const UPPER_HALF: u64 = !0 << 27;
 
 #[cfg(test)]
@@ -247,8 +256,8 @@ mod tests {
         assert!(matches!(step, Err(StepError::NotConverged { .. })));
     }
 
-    /// ẋ = 16 y, ẏ = −x/2 with h = ½: one sweep multiplies the change by 4 and the next by ⅛, in one
-    /// or the other order. The midpoint rule is x₁ = (x/2 + 8y)/c, y₁ = (y/2 − x/4)/c, c = 3/2.
+    /// The field is ẋ = 16 y, ẏ = −x/2, with h = ½. One sweep multiplies the change by 4 and the next by ⅛, in one or
+    /// the other order. The midpoint rule is x₁ = (x/2 + 8y)/c, y₁ = (y/2 − x/4)/c, c = 3/2.
     #[test]
     fn an_iteration_that_converges_up_and_down_is_followed_to_the_floor() {
         let field = from_fn(|z: &Vector2<f64>| Vector2::new(16.0 * z.y, -0.5 * z.x));
@@ -256,7 +265,7 @@ mod tests {
         for z in [Vector2::new(1.0, 0.3), Vector2::new(-0.2, 0.9), Vector2::new(0.5, -2.0)] {
             let step = midpoint.step(&field, &z, 0.5, &mut midpoint.workspace()).map(|s| s.point);
             let exact = Vector2::new(0.5 * z.x + 8.0 * z.y, 0.5 * z.y - 0.25 * z.x) / 1.5;
-            // the round-off of ẋ, up to 32 ε here, a few times over
+            // a few times the round-off of ẋ, which is up to 32 ε here
             assert!(step.is_ok_and(|step| (step - exact).amax() < 128.0 * f64::EPSILON));
         }
     }

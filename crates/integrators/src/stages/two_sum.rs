@@ -1,8 +1,8 @@
-//! Sums of which nothing is lost.
+//! Sums without loss by rounding.
 
 use lie_poisson::{Pair, Vector};
 
-/// a + b as its rounded value and what is rounded away, whichever is the larger.
+/// Returns a + b as its rounded value and the rounding error, whichever of a and b is the larger.
 ///
 /// Source: D. E. Knuth, *The Art of Computer Programming*, vol. 2, §4.2.2, Thm. B.
 #[inline]

@@ -1,18 +1,18 @@
 //! The order of a splitting into two parts, from its coefficients.
 
-/// Orders are looked for up to this one.
+/// The largest order that is tested.
 const ORDERS: usize = 12;
 
-/// How far a condition on rounded coefficients may be from zero, in units of its terms' sizes.
+/// The largest value of a condition on rounded coefficients that counts as zero, in units of the sizes of its terms.
 const TOLERANCE: f64 = 64.0 * f64::EPSILON;
 
-/// The order for any two parts.
+/// Returns the order for any two parts.
 ///
-/// In the free associative algebra of two letters A and B the splitting is the product of the
-/// exponentials exp(a_i A) and exp(b_i B); its order is the length of the words up to which it
-/// agrees with exp(A + B), in which a word of n letters has the coefficient 1/n!.
+/// In the free associative algebra of two letters A and B the splitting is the product of the exponentials exp(a_i A)
+/// and exp(b_i B). In exp(A + B) a word of n letters has the coefficient 1/n!. The order is the length of the words up
+/// to which the two agree.
 pub(crate) fn order_of_words(first: &[f64], second: &[f64]) -> usize {
-    // A word is written in binary after a leading 1, so that a letter more doubles the index.
+    // A word is written in binary after a leading 1, so that an additional letter doubles the index.
     let one = |i: usize| if i == 1 { 1.0 } else { 0.0 };
     let mut series: Vec<f64> = (0..2 << ORDERS).map(one).collect();
     let mut sizes = series.clone();
@@ -33,8 +33,10 @@ pub(crate) fn order_of_words(first: &[f64], second: &[f64]) -> usize {
     ORDERS
 }
 
-/// The series times exp(time · letter), in place: from the long words to the short, since a word
-/// takes only from its beginnings.
+/// Multiplies the series by exp(time · letter), in place.
+///
+/// It proceeds from the long words to the short ones, since the coefficient of a word depends only on those of its
+/// beginnings.
 fn times_exponential(series: &mut [f64], letter: usize, time: f64) {
     for word in (1..series.len()).rev() {
         let (mut beginning, mut weight, mut power) = (word, 1.0, 0.0);
@@ -47,17 +49,17 @@ fn times_exponential(series: &mut [f64], letter: usize, time: f64) {
     }
 }
 
-/// The order for q̈ = f(q), of which part 1 moves q and part 2 kicks dq/dt.
+/// Returns the order for d²q/dt² = f(q), where part 1 moves q and part 2 changes the velocity v = dq/dt.
 ///
-/// The splitting is the Runge–Kutta–Nyström method with a stage at each kick,
+/// The splitting is the Runge–Kutta–Nyström method with a stage for each flow of part 2,
 ///
 /// ```text
 /// g_i = f(q + c_i h v + h² Σ_j ā_ij g_j),    v₁ = v + h Σ b_i g_i
 /// c_i = a_1 + … + a_i,    ā_ij = b_j (c_i − c_j) for j < i
 /// ```
 ///
-/// and its order is that up to which Σ_i b_i Φ_i(τ) γ(τ) = 1 for every tree. The conditions on q₁
-/// follow, since its weights are b_i (1 − c_i).
+/// and its order is that up to which Σ_i b_i Φ_i(τ) γ(τ) = 1 for every tree. The conditions on q₁ follow, since its
+/// weights are b_i (1 − c_i).
 pub(crate) fn nystrom_order(first: &[f64], second: &[f64]) -> usize {
     let nodes: Vec<f64> = first
         .iter()
@@ -86,16 +88,16 @@ struct Method<'a> {
     nodes: &'a [f64],
 }
 
-/// A sum, and the sum of its terms' sizes.
+/// A sum, and the sum of the sizes of its terms.
 #[derive(Clone, Copy)]
 struct Term {
     value: f64,
     size: f64,
 }
 
-/// What hangs on a vertex f: a vertex of q, which is a leaf or carries one more vertex f.
+/// A branch at a vertex f: a vertex of q, which is a leaf or carries one more vertex f.
 struct Branch {
-    /// The number of vertices.
+    /// The number of vertices of the branch.
     order: usize,
     density: f64,
     /// The elementary weight at each stage.
@@ -114,7 +116,7 @@ impl Method<'_> {
         self.nodes.iter().map(|&c| Term { value: c, size: c.abs() }).collect()
     }
 
-    /// Σ_i b_i Φ_i
+    /// Returns the sum Σ_i b_i Φ_i.
     fn sum(&self, weights: &[Term]) -> Term {
         let zero = Term { value: 0.0, size: 0.0 };
         self.weights.iter().zip(weights).fold(zero, |sum, (b, phi)| Term {
@@ -123,7 +125,7 @@ impl Method<'_> {
         })
     }
 
-    /// Σ_j ā_ij Φ_j
+    /// Returns the sums Σ_j ā_ij Φ_j for each stage i.
     fn as_branch(&self, weights: &[Term]) -> Vec<Term> {
         let at_stage = |i: usize| {
             let zero = Term { value: 0.0, size: 0.0 };
@@ -139,7 +141,7 @@ impl Method<'_> {
     }
 }
 
-/// Adds branches until no vertex is missing; false as soon as a finished tree breaks its condition.
+/// Adds branches until no vertex is missing. Returns `false` as soon as a finished tree breaks its condition.
 fn grow(
     method: &Method<'_>,
     branches: &[Branch],

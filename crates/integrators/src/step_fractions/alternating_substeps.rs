@@ -1,25 +1,25 @@
-//! The coefficients a, b of splittings into two parts.
+//! The coefficients a, b of splittings into two parts: [`AlternatingSubsteps`].
 
 use crate::step_fractions::alternating_conditions::{nystrom_order, order_of_words};
 use crate::{SchemeError, Substeps};
 
-/// How far equal fractions may be apart by rounding, and the sum of those of a part from 1, in units of their
-/// sizes.
+/// The largest relative difference of equal fractions, and of the sum of the fractions of a part from 1, that counts as
+/// rounding.
 const COEFFICIENT_TOLERANCE: f64 = 1e-14;
 
-/// The fractions of a step for which the flows of two parts run by turns,
+/// The fractions of a step for which the flows φ_1 and φ_2 of two parts alternate:
 ///
 /// ```text
-/// Ψ_h = φ_2^{b_m h} ∘ φ_1^{a_m h} ∘ … ∘ φ_2^{b_1 h} ∘ φ_1^{a_1 h},    Σ a_i = Σ b_i = 1
+/// Ψ(h) = φ_2(b_m h) ∘ φ_1(a_m h) ∘ … ∘ φ_2(b_1 h) ∘ φ_1(a_1 h),    Σ a_i = Σ b_i = 1
 /// ```
 ///
-/// The first or the last of them may be zero: b_m = 0 begins and ends with part 1, a_1 = 0 with
-/// part 2.
+/// The first or the last of them may be zero. With b_m = 0 a step begins and ends with part 1, and with a_1 = 0 it
+/// begins and ends with part 2.
 ///
-/// Where the part h₁ is quadratic in the momenta and h₂ is free of them, brackets such as
-/// {h₂,{h₂,{h₂,h₁}}} vanish and so do many error terms: such a splitting is a Runge–Kutta–Nyström
-/// method, and the two sets of Blanes and Moan are made for it. The momenta are p for
-/// h = ½|p|² + V(q), and Π for a top: kinetic energy ½Π·I⁻¹Π, weight m g l Γ·c.
+/// If the part h₁ is quadratic in the momenta and h₂ does not depend on them, brackets such as {h₂,{h₂,{h₂,h₁}}}
+/// vanish, and many error terms with them. Such a splitting is a Runge–Kutta–Nyström method, for which the two sets of
+/// Blanes and Moan are designed. The momenta are p for h = ½|p|² + V(q). They are Π for a top with kinetic energy
+/// ½Π·I⁻¹Π and weight m g l Γ·c.
 ///
 /// Source: McLachlan & Quispel, *Splitting methods*, Acta Numer. 11 (2002).
 ///
@@ -36,10 +36,11 @@ pub struct AlternatingSubsteps {
 }
 
 impl AlternatingSubsteps {
-    /// a and b, in the order in which the flows run.
+    /// Creates the sequence from the fractions a and b, in the order in which the flows run.
     ///
     /// # Errors
-    /// If there is none, if they differ in number, if one is not finite, or if a or b does not add
+    /// Returns [`SchemeError::NoStages`] if there are no fractions, [`SchemeError::Stages`] if a and b differ in
+    /// number, [`SchemeError::NotFinite`] if one is not finite, and [`SchemeError::SubstepSum`] if a or b does not add
     /// up to 1 to within 1e-14 Σ|a_i|.
     pub fn new(first: &[f64], second: &[f64]) -> Result<Self, SchemeError> {
         if first.len() != second.len() {
@@ -62,9 +63,10 @@ impl AlternatingSubsteps {
         Ok(Self { first: first.to_vec(), second: second.to_vec() })
     }
 
-    /// Strang's splitting, composed: each substep of γ h runs part 2 for γh/2, part 1 for γh and
-    /// part 2 for γh/2, and neighbouring flows of part 2 become one. Part 1, once a substep, should
-    /// be the costly one.
+    /// Creates the sequence of a composition of Strang's splitting.
+    ///
+    /// Each substep of γ h runs part 2 for γh/2, part 1 for γh and part 2 for γh/2. Neighbouring flows of part 2 are
+    /// merged. Part 1 runs once per substep, and should be the more expensive one.
     #[must_use]
     pub fn composed(substeps: &Substeps) -> Self {
         let gamma = substeps.fractions();
@@ -77,7 +79,7 @@ impl AlternatingSubsteps {
         }
     }
 
-    /// Order 4 for Runge–Kutta–Nyström systems, 6 stages: SRKN₆ᵇ, which begins and ends with part 2.
+    /// Creates the set SRKN₆ᵇ of order 4 for Runge–Kutta–Nyström systems: 6 stages, beginning and ending with part 2.
     ///
     /// Source: Blanes & Moan, *Practical symplectic partitioned Runge–Kutta and
     /// Runge–Kutta–Nyström methods*, J. Comput. Appl. Math. 142 (2002), Table 3.
@@ -92,8 +94,7 @@ impl AlternatingSubsteps {
         }
     }
 
-    /// Order 6 for Runge–Kutta–Nyström systems, 14 stages: SRKN₁₄ᵃ, which begins and ends with part
-    /// 1.
+    /// Creates the set SRKN₁₄ᵃ of order 6 for Runge–Kutta–Nyström systems: 14 stages, beginning and ending with part 1.
     ///
     /// Source: Blanes & Moan, J. Comput. Appl. Math. 142 (2002), Table 3.
     #[must_use]
@@ -124,20 +125,21 @@ impl AlternatingSubsteps {
         }
     }
 
-    /// a₁, …, a_m, the fractions of part 1.
+    /// Returns the fractions a₁, …, a_m of part 1.
     #[must_use]
     pub fn first(&self) -> &[f64] {
         &self.first
     }
 
-    /// b₁, …, b_m, the fractions of part 2.
+    /// Returns the fractions b₁, …, b_m of part 2.
     #[must_use]
     pub fn second(&self) -> &[f64] {
         &self.second
     }
 
-    /// Whether the fractions that are not zero are the same backwards: Φ_{−h} ∘ Φ_h = id for any two
-    /// parts.
+    /// Returns whether the fractions that are not zero are the same backwards.
+    ///
+    /// The splitting is then symmetric in time, Φ₋ₕ ∘ Φₕ = id, for any two parts.
     #[must_use]
     pub fn is_symmetric(&self) -> bool {
         let pairs = self.first.iter().zip(&self.second);
@@ -149,15 +151,18 @@ impl AlternatingSubsteps {
         runs.iter().zip(runs.iter().rev()).all(same)
     }
 
-    /// The order for any two parts, computed: the product of exponentials is compared with exp h(A+B)
-    /// word by word in two letters. Orders above 12 are not looked for.
+    /// Computes the order for any two parts.
+    ///
+    /// The product of exponentials is compared with exp h(A + B) word by word in two letters. Orders above 12 are not
+    /// tested.
     #[must_use]
     pub fn order(&self) -> usize {
         order_of_words(&self.first, &self.second)
     }
 
-    /// The order where h₁ is quadratic in the momenta and h₂ free of them, computed: from the
-    /// conditions of all Nyström trees. Orders above 12 are not looked for.
+    /// Computes the order for h₁ quadratic in the momenta and h₂ independent of them.
+    ///
+    /// The conditions of all Nyström trees are tested, up to order 12.
     ///
     /// Source: Hairer, Nørsett & Wanner, *Solving Ordinary Differential Equations I*, 2nd ed.,
     /// Thm. II.14.10; the trees suffice for any such h₁ and h₂: McLachlan & Ryland, *The algebraic

@@ -1,26 +1,26 @@
 //! The order of a composition method, from its coefficients.
 
-/// Words are compared up to this weight, or up to p + 2 if this is more.
+/// The largest weight up to which words are compared, or p + 2 if that is larger.
 const WEIGHTS: usize = 12;
 
-/// How far a condition of weight up to [`WEIGHTS`] on rounded coefficients may be from zero, in units
-/// of its terms' sizes. Above, rounding errors of the powers grow with the weight.
+/// The largest value of a condition on rounded coefficients that counts as zero, in units of the sizes of its terms.
+///
+/// This is for weights up to [`WEIGHTS`]. Above, rounding errors of the powers grow with the weight.
 const TOLERANCE: f64 = 64.0 * f64::EPSILON;
 
-/// The order of Φ_{γ_s h} ∘ … ∘ Φ_{γ_1 h} for every Φ of order `base`.
+/// Returns the order of the composition Φ(γ_s h) ∘ … ∘ Φ(γ₁ h) for every method Φ(h) of order p = `base`.
 ///
-/// A method of order p is the time-one flow of a formal field h E_1 + h^{p+1} E_{p+1} + …, without
-/// even powers if it is symmetric. In the free associative algebra of the letters E_k, of weight k,
-/// the composition is the product of the exponentials exp(Σ_k γ_i^k E_k). Its order is the largest
-/// weight up to which it agrees with exp(E_1).
+/// A method of order p is the time-one flow of a formal field h E₁ + hᵖ⁺¹ E(p+1) + …, without even powers if it is
+/// symmetric. In the free associative algebra of the letters E_k, of weight k, the composition is the product of the
+/// exponentials exp(Σ_k γ_iᵏ E_k). Its order is the largest weight up to which it agrees with exp(E₁).
 ///
-/// Words of E_1 alone agree if γ_1 + … + γ_s = 1; others have a weight above p.
+/// Words of E₁ alone agree if γ₁ + … + γ_s = 1. Other words have a weight above p.
 pub(crate) fn order_over(gammas: &[f64], base: usize, symmetric: bool) -> usize {
     if base == 0 || !agrees(gammas, &[1], 1) {
         return 0;
     }
-    // The coefficients of the other words are homogeneous in γ, and must vanish: neither overflow nor
-    // underflow of powers matters relative to the largest.
+    // The coefficients of the other words are homogeneous in γ and must vanish. After division by the largest γ,
+    // overflow and underflow of powers do not matter.
     let largest = gammas.iter().fold(0.0, |most: f64, gamma| most.max(gamma.abs()));
     let gammas: Vec<f64> = gammas.iter().map(|gamma| gamma / largest).collect();
     let letter = |k: usize| !(symmetric && k.is_multiple_of(2));
@@ -32,8 +32,9 @@ pub(crate) fn order_over(gammas: &[f64], base: usize, symmetric: bool) -> usize 
     order
 }
 
-/// Whether product and exponential agree on all words that extend `word` by `missing` weight and
-/// have a letter beyond E_1, which is one of E_k, k > `base`.
+/// Returns whether product and exponential agree on all words that extend `word` by `missing` weight.
+///
+/// The words have a letter beyond E₁, which is one of E_k, k > `base`.
 fn words_agree(
     word: &mut Vec<usize>,
     missing: usize,
@@ -54,7 +55,7 @@ fn words_agree(
     })
 }
 
-/// Whether the coefficient of a word is `exact` to within rounding.
+/// Returns whether the coefficient of a word is `exact` to within rounding.
 fn agrees(gammas: &[f64], word: &[usize], exact: u8) -> bool {
     let (value, size) = coefficient(gammas, word);
     let weight = word.iter().map(|&k| k as f64).sum::<f64>();
@@ -62,10 +63,10 @@ fn agrees(gammas: &[f64], word: &[usize], exact: u8) -> bool {
     (value - f64::from(exact)).abs() <= tolerance * size
 }
 
-/// The coefficient of a word in Π_i exp(Σ_k γ_i^k E_k), and the size of the terms of its sum.
+/// Returns the coefficient of a word in Π_i exp(Σ_k γ_iᵏ E_k), and the size of the terms of its sum.
 ///
-/// In one exponential a word of m letters and weight n has the coefficient γⁿ/m!; a product takes
-/// the sum over all cuts of the word in two.
+/// In one exponential a word of m letters and weight n has the coefficient γⁿ/m!. In a product the coefficient is the
+/// sum over all cuts of the word in two.
 fn coefficient(gammas: &[f64], word: &[usize]) -> (f64, f64) {
     let mut prefixes = vec![(0.0, 0.0); word.len() + 1];
     prefixes[0] = (1.0, 1.0);
@@ -84,7 +85,7 @@ fn coefficient(gammas: &[f64], word: &[usize]) -> (f64, f64) {
     prefixes[word.len()]
 }
 
-/// γᵏ; not a number for a k so large that rounding leaves nothing of it.
+/// Returns the power γᵏ, or NaN for a k so large that rounding leaves no digits.
 fn power(gamma: f64, k: usize) -> f64 {
     i32::try_from(k).map_or(f64::NAN, |k| gamma.powi(k))
 }

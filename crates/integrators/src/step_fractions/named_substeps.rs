@@ -1,9 +1,9 @@
-//! The coefficients of composition methods that have names.
+//! The coefficients of named composition methods.
 
 use crate::Substeps;
 
 impl Substeps {
-    /// Order 4 with 3 substeps: the triple jump from order 2.
+    /// Creates the 3 substeps of order 4 of Yoshida: the triple jump from order 2.
     ///
     /// Source: Yoshida, Phys. Lett. A 150 (1990).
     #[must_use]
@@ -11,7 +11,7 @@ impl Substeps {
         Self::jump(1, 2)
     }
 
-    /// Order 6 with 7 substeps, solution A.
+    /// Creates the 7 substeps of order 6 of Yoshida, solution A.
     ///
     /// Source: Yoshida, Phys. Lett. A 150 (1990), Table 1; Hairer, Lubich & Wanner, eq. (V.3.11).
     #[must_use]
@@ -24,8 +24,10 @@ impl Substeps {
         ])
     }
 
-    /// Order 8 with 15 substeps, solution C: that with the shortest substeps, max |γ_i| = 1.68. The
-    /// printed 15 digits were refined by Newton's method in 50-digit arithmetic.
+    /// Creates the 15 substeps of order 8 of Yoshida, solution C.
+    ///
+    /// It has the shortest substeps, with max |γ_i| = 1.68. The printed 15 digits were refined by Newton's method in
+    /// 50-digit arithmetic.
     ///
     /// Source: Yoshida, Phys. Lett. A 150 (1990), Table 2.
     #[must_use]
@@ -42,7 +44,7 @@ impl Substeps {
         ])
     }
 
-    /// Order 4 with 5 substeps: Suzuki's fractal from order 2.
+    /// Creates the 5 substeps of order 4 of Suzuki: Suzuki's fractal from order 2.
     ///
     /// Source: Suzuki, Phys. Lett. A 146 (1990); Hairer, Lubich & Wanner, eq. (II.4.5).
     #[must_use]
@@ -50,7 +52,7 @@ impl Substeps {
         Self::jump(2, 2)
     }
 
-    /// Order 4 with 5 substeps, of small error.
+    /// Creates the 5 substeps of order 4 of McLachlan, with a small error.
     ///
     /// Source: McLachlan, *On the numerical integration of ordinary differential equations by
     /// symmetric composition methods*, SIAM J. Sci. Comput. 16 (1995).
@@ -59,7 +61,9 @@ impl Substeps {
         Self::palindrome(&[0.28, 0.625_466_428_467_670_1, -0.810_932_856_935_340_1])
     }
 
-    /// Order 6 with 9 substeps, of small error. Source: McLachlan, SIAM J. Sci. Comput. 16 (1995).
+    /// Creates the 9 substeps of order 6 of McLachlan, with a small error.
+    ///
+    /// Source: McLachlan, SIAM J. Sci. Comput. 16 (1995).
     #[must_use]
     pub fn mclachlan6() -> Self {
         Self::palindrome(&[
@@ -71,7 +75,7 @@ impl Substeps {
         ])
     }
 
-    /// Order 8 with 15 substeps, of small error.
+    /// Creates the 15 substeps of order 8 of Suzuki, Umeno and McLachlan, with a small error.
     ///
     /// Source: Suzuki & Umeno (1993); McLachlan, SIAM J. Sci. Comput. 16 (1995); Hairer, Lubich &
     /// Wanner, eq. (V.3.13).
@@ -89,7 +93,7 @@ impl Substeps {
         ])
     }
 
-    /// Order 6 with 9 substeps.
+    /// Creates the 9 substeps of order 6 of Kahan and Li.
     ///
     /// Source: Kahan & Li, *Composition constants for raising the orders of unconventional schemes
     /// for ordinary differential equations*, Math. Comp. 66 (1997); Hairer, Lubich & Wanner, eq.
@@ -105,7 +109,7 @@ impl Substeps {
         ])
     }
 
-    /// Order 8 with 17 substeps.
+    /// Creates the 17 substeps of order 8 of Kahan and Li.
     ///
     /// Source: Kahan & Li, Math. Comp. 66 (1997); Hairer, Lubich & Wanner, eq. (V.3.14).
     #[must_use]
@@ -123,7 +127,7 @@ impl Substeps {
         ])
     }
 
-    /// Order 10 with 35 substeps.
+    /// Creates the 35 substeps of order 10 of Sofroniou and Spaletta.
     ///
     /// Source: Sofroniou & Spaletta, *Derivation of symmetric composition constants for symmetric
     /// integrators*, Optim. Methods Softw. 20 (2005); Hairer, Lubich & Wanner, eq. (V.3.15).

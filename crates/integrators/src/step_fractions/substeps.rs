@@ -1,20 +1,20 @@
-//! The coefficients γ of composition methods.
+//! The coefficients γ of composition methods: [`Substeps`].
 
 use crate::SchemeError;
 use crate::step_fractions::composition_conditions::order_over;
 
-/// How far γ_i may be from γ_{s+1−i}, and their sum from 1, by rounding.
+/// The largest difference of fractions at mirrored places, and of their sum from 1, that counts as rounding.
 const COEFFICIENT_TOLERANCE: f64 = 1e-14;
 
-/// The fractions γ₁, …, γ_s into which a composition divides its step,
+/// The fractions γ₁, …, γ_s into which a composition divides its step:
 ///
 /// ```text
-/// Ψ_h = Φ_{γ_s h} ∘ … ∘ Φ_{γ_1 h},    γ_1 + … + γ_s = 1
+/// Ψ(h) = Φ(γ_s h) ∘ … ∘ Φ(γ_1 h),    γ_1 + … + γ_s = 1
 /// ```
 ///
-/// Beyond order 2 some of them are negative (Sheng; Suzuki), so Φ must run backwards too. The
-/// named sets are symmetric, γ_i = γ_{s+1−i}, and raise a symmetric Φ of order 2; their orders
-/// are computed, by [`order_over`](Self::order_over), not quoted.
+/// Beyond order 2 some of them are negative (Sheng; Suzuki), so Φ must run backwards too. The named sets are symmetric,
+/// γ_i = γ_j for j = s + 1 − i, and raise the order of a symmetric Φ of order 2. Their orders are computed by
+/// [`order_over`](Self::order_over), not quoted.
 ///
 /// Source: Hairer, Lubich & Wanner, *Geometric Numerical Integration*, 2nd ed. (2006), §V.3.
 ///
@@ -23,7 +23,7 @@ const COEFFICIENT_TOLERANCE: f64 = 1e-14;
 /// use collective_integrators::Substeps;
 /// let yoshida = Substeps::yoshida4();
 /// assert_eq!(yoshida.order_over(2, true), 4);
-/// // of a method of order 2 that is not symmetric it makes one of order 3
+/// // from a method of order 2 that is not symmetric it makes one of order 3
 /// assert_eq!(yoshida.order_over(2, false), 3);
 /// ```
 #[derive(Clone, Debug, PartialEq)]
@@ -32,10 +32,11 @@ pub struct Substeps {
 }
 
 impl Substeps {
-    /// The given fractions, first substep first.
+    /// Creates the substeps from the given fractions, the first substep first.
     ///
     /// # Errors
-    /// If there is none, one is not finite, or their sum is not 1 to within 1e-14 Σ|γ_i|.
+    /// Returns [`SchemeError::NoStages`] if there are no fractions, [`SchemeError::NotFinite`] if one is not finite,
+    /// and [`SchemeError::SubstepSum`] if their sum is not 1 to within 1e-14 Σ|γ_i|.
     pub fn new(fractions: &[f64]) -> Result<Self, SchemeError> {
         if fractions.is_empty() {
             return Err(SchemeError::NoStages);
@@ -52,25 +53,26 @@ impl Substeps {
         Ok(Self { fractions: fractions.to_vec() })
     }
 
-    /// γ₁, …, γ_s
+    /// Returns the fractions γ₁, …, γ_s.
     #[must_use]
     pub fn fractions(&self) -> &[f64] {
         &self.fractions
     }
 
-    /// Whether γ_i = γ_{s+1−i}: compositions of a symmetric method are then symmetric.
+    /// Returns whether the fractions are the same backwards, γ_i = γ_j for j = s + 1 − i.
+    ///
+    /// Compositions of a symmetric method are then symmetric.
     #[must_use]
     pub fn is_symmetric(&self) -> bool {
         let reversed = self.fractions.iter().rev();
         self.fractions.iter().zip(reversed).all(|(x, y)| (x - y).abs() <= COEFFICIENT_TOLERANCE)
     }
 
-    /// The order of the composition, for every method Φ of order `order`, symmetric or not.
+    /// Computes the order of the composition, for every method Φ of order p = `order`, symmetric or not.
     ///
-    /// It is computed from the coefficients: the composition of formal exponentials
-    /// exp(γ_i h E_1 + (γ_i h)^{p+1} E_{p+1} + …), even powers absent if Φ is symmetric, is compared
-    /// with exp(h E_1) word by word. Orders above max(12, p + 2) are not looked for, and none above p
-    /// for p ≥ 2³¹, where the powers of rounded γ mean nothing.
+    /// The composition of formal exponentials exp(γ_i h E₁ + (γ_i h)ᵖ⁺¹ E(p+1) + …) is compared with exp(h E₁) word by
+    /// word. Even powers are absent if Φ is symmetric. Orders above max(12, p + 2) are not tested. For p ≥ 2³¹ no order
+    /// above p is found, since powers of rounded γ have no meaning there.
     ///
     /// Source: Murua & Sanz-Serna, *Order conditions for numerical integrators obtained by
     /// composing simpler integrators*, Phil. Trans. R. Soc. A 357 (1999).
@@ -79,10 +81,10 @@ impl Substeps {
         order_over(&self.fractions, order, symmetric)
     }
 
-    /// The triple jump that raises symmetric methods of even order p to order p + 2:
+    /// Creates the triple jump, which raises symmetric methods of even order p to order p + 2:
     ///
     /// ```text
-    /// γ₁ = γ₃ = 1/(2 − r),    γ₂ = −r/(2 − r),    r = 2^{1/(p+1)}
+    /// γ₁ = γ₃ = 1/(2 − r),    γ₂ = −r/(2 − r),    r = 2^(1/(p+1))
     /// ```
     ///
     /// Source: Creutz & Gocksch, Phys. Rev. Lett. 63 (1989); Yoshida, *Construction of higher order
@@ -90,7 +92,7 @@ impl Substeps {
     /// Wanner, eq. (II.4.4).
     ///
     /// # Errors
-    /// Unless p is even and at least 2.
+    /// Returns [`SchemeError::OddOrder`] unless p is even and at least 2.
     ///
     /// # Example
     /// ```
@@ -104,23 +106,24 @@ impl Substeps {
         Ok(Self::jump(1, order))
     }
 
-    /// Suzuki's fractal, with five substeps none of which is longer than the step:
+    /// Creates Suzuki's fractal, with five substeps none of which is longer than the step:
     ///
     /// ```text
-    /// γ₁ = γ₂ = γ₄ = γ₅ = 1/(4 − r),    γ₃ = −r/(4 − r),    r = 4^{1/(p+1)}
+    /// γ₁ = γ₂ = γ₄ = γ₅ = 1/(4 − r),    γ₃ = −r/(4 − r),    r = 4^(1/(p+1))
     /// ```
     ///
     /// Source: Suzuki, *Fractal decomposition of exponential operators*, Phys. Lett. A 146 (1990).
     ///
     /// # Errors
-    /// Unless p is even and at least 2.
+    /// Returns [`SchemeError::OddOrder`] unless p is even and at least 2.
     pub fn suzuki(order: usize) -> Result<Self, SchemeError> {
         require_even("Suzuki's fractal", order)?;
         Ok(Self::jump(2, order))
     }
 
-    /// m substeps forwards, one backwards, m forwards, with 2m γᵖ⁺¹ = rᵖ⁺¹ γᵖ⁺¹ for r = (2m)^{1/(p+1)}:
-    /// order p + 2 over a symmetric method of order p ≥ 2.
+    /// Creates m substeps forwards, one backwards and m forwards: order p + 2 over a symmetric method of order p ≥ 2.
+    ///
+    /// With r = (2m)^(1/(p+1)) they satisfy 2m γᵖ⁺¹ = rᵖ⁺¹ γᵖ⁺¹.
     pub(crate) fn jump(forwards: usize, order: usize) -> Self {
         let count = 2.0 * forwards as f64;
         let root = count.powf(1.0 / (order as f64 + 1.0));
@@ -130,7 +133,7 @@ impl Substeps {
         Self { fractions }
     }
 
-    /// γ₁, …, γ_m, …, γ₁ from the first half and the middle one.
+    /// Creates the substeps γ₁, …, γ_m, …, γ₁ from the first half and the middle one.
     pub(crate) fn palindrome(half: &[f64]) -> Self {
         let mirrored = half.iter().rev().skip(1);
         Self { fractions: half.iter().chain(mirrored).copied().collect() }
@@ -193,8 +196,8 @@ mod tests {
         }
     }
 
-    /// The order of a composition over methods of any order, however high: at least that of the base
-    /// wherever the fractions add up.
+    /// A composition over a method of any order, however high, has at least the order of the base if the fractions add
+    /// up to 1.
     #[test]
     fn orders_over_any_base() {
         let halves = Substeps { fractions: vec![0.5, 0.5] };

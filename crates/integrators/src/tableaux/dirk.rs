@@ -3,21 +3,21 @@
 use crate::{SchemeError, Tableau};
 
 impl Tableau {
-    /// The symplectic diagonally implicit method with weights b,
+    /// Creates the symplectic diagonally implicit method with weights b:
     ///
     /// ```text
     /// a_ij = b_j for j < i,    a_ii = b_i/2,    a_ij = 0 for j > i
     /// ```
     ///
-    /// which is the composition of midpoint rules with steps b_1 h, …, b_s h; every diagonally
-    /// implicit method that is symplectic and has no zero weight is of this form.
+    /// It is the composition of midpoint rules with steps b_1 h, …, b_s h. Every symplectic diagonally implicit method
+    /// without a zero weight is of this form.
     ///
     /// Source: Sanz-Serna & Abia, *Order conditions for canonical Runge–Kutta schemes*, SIAM J.
     /// Numer. Anal. 28 (1991); Hairer, Lubich & Wanner, *Geometric Numerical Integration*, Thm.
     /// VI.4.4.
     ///
     /// # Errors
-    /// If there is no weight, or one is not finite.
+    /// Returns [`SchemeError::NoStages`] if there is no weight, or [`SchemeError::NotFinite`] if one is not finite.
     pub fn symplectic_dirk(b: &[f64]) -> Result<Self, SchemeError> {
         let s = b.len();
         let entry = |i: usize, j: usize| match j.cmp(&i) {

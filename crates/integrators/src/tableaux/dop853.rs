@@ -1,6 +1,6 @@
-//! The eighth-order method of Dormand and Prince.
+//! The coefficients of the eighth-order method of Dormand and Prince.
 
-/// The weights of the method of order 8.
+/// The weights b of the method of order 8.
 #[rustfmt::skip]
 pub(crate) const B: [f64; 12] = [
     0.054_293_734_116_568_765, 0.0, 0.0, 0.0, 0.0,
@@ -10,7 +10,7 @@ pub(crate) const B: [f64; 12] = [
     0.044_710_615_727_772_59,
 ];
 
-/// The rows a_{i1}, …, a_{i,i−1}, i = 2, …, 12.
+/// The rows i = 2, …, 12 of the matrix a, up to the diagonal.
 #[rustfmt::skip]
 pub(crate) const A: [&[f64]; 11] = [
     &[0.052_600_151_958_767_73],

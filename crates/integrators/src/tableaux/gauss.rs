@@ -4,22 +4,22 @@ use crate::{SchemeError, Tableau};
 use twofloat::TwoFloat;
 
 impl Tableau {
-    /// Gauss–Legendre collocation with s stages: order 2s, symplectic, symmetric.
+    /// Creates Gauss–Legendre collocation with s stages: order 2s, symplectic, symmetric.
     ///
-    /// Nodes are the zeros of the shifted Legendre polynomial P_s(2c − 1); with x_j = 2c_j − 1,
+    /// The nodes are the zeros of the shifted Legendre polynomial P_s(2c − 1). With x_j = 2c_j − 1 the coefficients are
     ///
     /// ```text
     /// b_j = 1 / ((1 − x_j²) P_s′(x_j)²)
-    /// a_ij = b_j Σ_{k<s} (2k+1) P_k(x_j) ∫₀^{c_i} P_k(2τ−1) dτ
+    /// a_ij = b_j Σ_(k<s) (2k+1) P_k(x_j) ∫ P_k(2τ−1) dτ,    the integral from 0 to c_i
     /// ```
     ///
-    /// All of it is computed with 106 bits and rounded once; what is rounded away is kept as
-    /// [low parts](Self::with_low_parts).
+    /// All of them are computed with 106 bits and rounded once. The remainders are kept as [low
+    /// parts](Self::with_low_parts).
     ///
     /// Source: Hairer & Wanner, *Solving Ordinary Differential Equations II*, §IV.5.
     ///
     /// # Errors
-    /// If `stages` is 0.
+    /// Returns [`SchemeError::NoStages`] if `stages` is 0.
     pub fn gauss(stages: usize) -> Result<Self, SchemeError> {
         let nodes: Vec<_> = (0..stages).map(|i| legendre_zero(stages, i)).collect();
         let values: Vec<_> = nodes.iter().map(|&x| legendre(stages + 1, x)).collect();
@@ -35,13 +35,13 @@ impl Tableau {
     }
 }
 
-/// A number to 53 bits, and what is left of it.
+/// Splits a number into its value to 53 bits and the remainder.
 fn split(x: TwoFloat) -> (f64, f64) {
     let high = f64::from(x);
     (high, f64::from(x - high))
 }
 
-/// P_0(x), …, P_n(x) by the three-term recurrence.
+/// Returns the values P_0(x), …, P_n(x) by the three-term recurrence.
 fn legendre(n: usize, x: TwoFloat) -> Vec<TwoFloat> {
     let mut values = vec![TwoFloat::from(1.0), x];
     for k in 1..n {
@@ -51,17 +51,17 @@ fn legendre(n: usize, x: TwoFloat) -> Vec<TwoFloat> {
     values
 }
 
-/// P_s′(x) = (2s−1) P_{s−1} + (2s−5) P_{s−3} + …
+/// Returns the derivative P_s′(x) = (2s−1) P(s−1) + (2s−5) P(s−3) + … from the values P(k) of P_k at x.
 fn legendre_slope(s: usize, values: &[TwoFloat]) -> TwoFloat {
     let term = |k: usize| values[k] * (2.0 * k as f64 + 1.0);
     (0..s).rev().step_by(2).map(term).fold(TwoFloat::from(0.0), |sum, x| sum + x)
 }
 
-/// The i-th zero of P_s in increasing order: Newton's iteration from Tricomi's estimate.
+/// Returns the i-th zero of P_s in increasing order, by Newton's iteration from Tricomi's estimate.
 fn legendre_zero(s: usize, i: usize) -> TwoFloat {
     let angle = core::f64::consts::PI * (i as f64 + 0.75) / (s as f64 + 0.5);
     let mut x = TwoFloat::from(-angle.cos());
-    // Quadratic from 3 digits to 16, then 16 digits more: six steps leave a reserve.
+    // Convergence is quadratic from 3 digits to 16, then by 16 digits per step: six steps leave a reserve.
     for _ in 0..6 {
         let values = legendre(s, x);
         x -= f64::from(values[s]) / f64::from(legendre_slope(s, &values));
@@ -74,14 +74,15 @@ fn weight(s: usize, x: TwoFloat, values: &[TwoFloat]) -> TwoFloat {
     reciprocal((TwoFloat::from(1.0) - x * x) * (slope * slope))
 }
 
-/// 1/x by one Newton step from 53 bits; the quotient of two `TwoFloat`s in version 0.8 of the
-/// crate has no more than these.
+/// Returns the reciprocal 1/x by one Newton step from 53 bits.
+///
+/// The quotient of two `TwoFloat`s in version 0.8 of the crate has no more than these.
 fn reciprocal(x: TwoFloat) -> TwoFloat {
     let estimate = TwoFloat::from(1.0 / f64::from(x));
     estimate * (TwoFloat::from(2.0) - x * estimate)
 }
 
-/// (2k+1) ∫₀^c P_k(2τ−1) dτ = ½ (P_{k+1}(x) − P_{k−1}(x)) at x = 2c − 1, with P_{−1} = −1.
+/// Returns (2k+1) ∫ P_k(2τ−1) dτ from 0 to c, which is ½ (P(k+1) − P(k−1)) at x = 2c − 1, with P(−1) = −1.
 fn integral(k: usize, x: TwoFloat, values: &[TwoFloat]) -> TwoFloat {
     match k {
         0 => (x + 1.0) * 0.5,

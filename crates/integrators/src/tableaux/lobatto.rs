@@ -3,16 +3,16 @@
 use crate::{SchemeError, Tableau};
 
 impl Tableau {
-    /// Lobatto IIIA with 2, 3 or 4 stages: collocation at Lobatto's nodes, order 2s − 2.
+    /// Creates Lobatto IIIA with s = 2, 3 or 4 stages: collocation at Lobatto's nodes, order 2s − 2.
     ///
-    /// Symmetric, not symplectic; with its [`symplectic_conjugate`](Self::symplectic_conjugate),
-    /// Lobatto IIIB, it forms a symplectic partitioned method.
+    /// It is symmetric, but not symplectic. With its [`symplectic_conjugate`](Self::symplectic_conjugate), Lobatto
+    /// IIIB, it forms a symplectic partitioned method.
     ///
     /// Source: Hairer, Lubich & Wanner, *Geometric Numerical Integration*, 2nd ed. (2006), Table
     /// II.1.3; Hairer & Wanner, *Solving Ordinary Differential Equations II*, Table IV.5.7.
     ///
     /// # Errors
-    /// For another number of stages.
+    /// Returns [`SchemeError::Family`] for another number of stages.
     #[rustfmt::skip]
     pub fn lobatto_iiia(stages: usize) -> Result<Self, SchemeError> {
         let r = 5.0_f64.sqrt();

@@ -1,16 +1,15 @@
 //! The order of a Runge–Kutta method, from its coefficients.
 
-/// Trees are compared up to this order; beyond it the simplifying assumptions speak.
+/// The largest order for which trees are compared. Beyond it the simplifying assumptions are tested.
 const TREE_ORDERS: usize = 8;
 
-/// How far an order condition on rounded coefficients may be from zero.
+/// The largest value of an order condition on rounded coefficients that counts as zero.
 const TOLERANCE: f64 = 1e-12;
 
-/// The order of the method.
+/// Returns the order of a Runge–Kutta method.
 ///
-/// Up to order 8 by the conditions of all rooted trees, Σ b_i Φ_i(τ) γ(τ) = 1; for methods that
-/// meet them all, by Butcher's simplifying assumptions B(p), C(η), D(ζ), which give the order
-/// min(p, η+ζ+1, 2η+2).
+/// Up to order 8 the conditions of all rooted trees, Σ b_i Φ_i(τ) γ(τ) = 1, are tested. For methods that meet them all,
+/// Butcher's simplifying assumptions B(p), C(η), D(ζ) give the order min(p, η+ζ+1, 2η+2).
 ///
 /// Source: Hairer, Lubich & Wanner, *Geometric Numerical Integration*, 2nd ed., Thm. III.1.5;
 /// Hairer & Wanner, *Solving Ordinary Differential Equations II*, Thm. IV.5.1.
@@ -28,14 +27,14 @@ type Coefficients<'a> = (&'a [f64], &'a [f64]);
 struct Tree {
     order: usize,
     density: f64,
-    /// Σ_j a_ij Φ_j, with the a of the root's colour: the factor that the tree gives to a parent at
-    /// stage i.
+    /// The factor Σ_j a_ij Φ_j that the tree gives to a parent at stage i, with the matrix a of the root's colour.
     as_branch: Vec<f64>,
 }
 
-/// The order of a partitioned method, one Runge–Kutta method with the same number of stages for
-/// each part of the variables, by the conditions of all trees whose vertices are coloured by the
-/// parts. Orders above 8 are not looked for.
+/// Returns the order of a partitioned method, which has a Runge–Kutta method with the same number of stages for each
+/// part of the variables.
+///
+/// The conditions of all trees whose vertices are coloured by the parts are tested, up to order 8.
 ///
 /// Source: Hairer, Lubich & Wanner, Thm. III.2.5.
 pub(crate) fn tree_order(parts: &[Coefficients<'_>]) -> usize {
@@ -59,8 +58,9 @@ struct Stem {
     density: f64,
 }
 
-/// Adds branches until no vertex is missing; false as soon as a finished tree breaks an order
-/// condition. The weights at the stages do not depend on the colour of the root.
+/// Adds branches until no vertex is missing. Returns `false` as soon as a finished tree breaks an order condition.
+///
+/// The weights at the stages do not depend on the colour of the root.
 fn grow(
     trees: &[Tree],
     order: usize,
@@ -132,14 +132,15 @@ mod tests {
         let order = |a: &[f64], b: &[f64]| Tableau::new(a, b).map(|t| t.order());
         assert_eq!(order(&[0.4], &[1.0]), Ok(1));
         assert_eq!(order(&[0.5], &[0.9]), Ok(0));
-        // Kutta's third-order method, and with two weights exchanged.
+        // Kutta's third-order method, and the same with two weights exchanged.
         let a = [0.0, 0.0, 0.0, 0.5, 0.0, 0.0, -1.0, 2.0, 0.0];
         assert_eq!(order(&a, &[1.0 / 6.0, 4.0 / 6.0, 1.0 / 6.0]), Ok(3));
         assert_eq!(order(&a, &[4.0 / 6.0, 1.0 / 6.0, 1.0 / 6.0]), Ok(1));
     }
 
-    /// The tableau of Gauss with 6 stages and ε P_i(2c_m − 1) P_j(2c_n − 1) b_n added to a_mn, which leaves B(12)
-    /// as it is, and of C and D those conditions that hold up to η = j and ζ = i.
+    /// Returns the tableau of Gauss with 6 stages and ε P_i(2c_m − 1) P_j(2c_n − 1) b_n added to a_mn.
+    ///
+    /// This keeps B(12), and those conditions of C and D that hold up to η = j and ζ = i.
     fn disturbed(i: usize, j: usize) -> Result<Tableau, crate::SchemeError> {
         let legendre = |n: usize, c: f64| {
             let x = 2.0 * c - 1.0;
@@ -156,8 +157,8 @@ mod tests {
         Tableau::new(&a, b)
     }
 
-    /// min(p, η+ζ+1, 2η+2) with every one of the three deciding, against the first order condition that
-    /// fails, which is that of a tree without branches or of one with two.
+    /// Each of the three numbers in min(p, η+ζ+1, 2η+2) determines the order once. The comparison is with the first
+    /// order condition that fails, which is that of a tree without branches or of one with two.
     #[test]
     fn orders_beyond_the_trees_that_are_compared() {
         let apply = |t: &Tableau, v: &[f64]| -> Vec<f64> {
@@ -193,7 +194,7 @@ mod tests {
                 "{i} {j}"
             );
         }
-        // 2η + 2 = 8 < η + ζ + 1: the tall trees show order 9, the fork that it is 8.
+        // 2η + 2 = 8 < η + ζ + 1: the tall trees have order 9, and the fork shows that the order is 8.
         let tableau = disturbed(5, 3);
         assert!(tableau.is_ok_and(|t| t.order() == 8 && tall(&t) == Some(9) && !forked(&t)));
     }

@@ -3,18 +3,18 @@
 use crate::{SchemeError, Substeps, Tableau};
 
 impl Tableau {
-    /// The semiexplicit symplectic method for Hamiltonians that do not separate.
+    /// Creates the semiexplicit symplectic method for Hamiltonians that do not separate.
     ///
-    /// The phase space is doubled, with the Hamiltonian H(q, y) + H(x, p). In terms of u = (q, y)
-    /// and v = (x, p) its equations are u̇ = X(v), v̇ = X(u): the splitting into q and p is gone.
-    /// From a copy u = v = z a step goes off the diagonal by ν, takes Strang's steps of sizes γ_i h,
+    /// The phase space is doubled, with the Hamiltonian H(q, y) + H(x, p). In terms of u = (q, y) and v = (x, p) its
+    /// equations are du/dt = X(v), dv/dt = X(u), in which q and p are not split. A step starts from a copy u = v = z,
+    /// leaves the diagonal by ν, makes Strang's steps of sizes γ_i h,
     ///
     /// ```text
     /// u = z + ν,  v = z − ν;    v += ½γ_i h X(u),  u += γ_i h X(v),  v += ½γ_i h X(u)
     /// ```
     ///
-    /// and comes back by the same ν, u + ν = v − ν. Eliminating ν, which is linear in the values of
-    /// X, leaves a Runge–Kutta method of 2s + 1 stages for s substeps. For one substep
+    /// and returns by the same ν, u + ν = v − ν. The elimination of ν, which is linear in the values of X, leaves a
+    /// Runge–Kutta method of 2s + 1 stages for s substeps. For one substep it is
     ///
     /// ```text
     ///   1/8  −1/4   1/8
@@ -24,9 +24,8 @@ impl Tableau {
     ///   1/4   1/2   1/4
     /// ```
     ///
-    /// It meets the condition for symplecticity, so that it conserves quadratic invariants, and
-    /// descends to 𝔤∗ as every Runge–Kutta method does. Here all stages are iterated; the authors
-    /// iterate on ν alone, which gives the same map.
+    /// It meets the condition for symplecticity, so that it conserves quadratic invariants. It descends to 𝔤∗ as every
+    /// Runge–Kutta method does. Here all stages are iterated; the authors iterate on ν alone, which gives the same map.
     ///
     /// Source: Jayawardana & Ohsawa, *Semiexplicit symplectic integrators for non-separable
     /// Hamiltonian systems*, Math. Comp. 92 (2023); Ohsawa, *Preservation of quadratic invariants by
@@ -34,7 +33,7 @@ impl Tableau {
     /// Anal. 61 (2023); Pihajoki, Celest. Mech. Dyn. Astron. 121 (2015).
     ///
     /// # Errors
-    /// None for substeps that exist.
+    /// Returns [`SchemeError::NotFinite`] if a coefficient overflows. Valid substeps of moderate size give no error.
     ///
     /// # Example
     /// ```
@@ -45,7 +44,7 @@ impl Tableau {
     /// ```
     pub fn semiexplicit(substeps: &Substeps) -> Result<Self, SchemeError> {
         let stages = 2 * substeps.fractions().len() + 1;
-        // u = z + ν + h Σ α_j k_j and v = z − ν + h Σ β_j k_j, as far as the step has come.
+        // u = z + ν + h Σ α_j k_j and v = z − ν + h Σ β_j k_j at the current point of the step.
         let (mut alpha, mut beta) = (vec![0.0; stages], vec![0.0; stages]);
         let mut rows = vec![alpha.clone()];
         for (i, gamma) in substeps.fractions().iter().enumerate() {

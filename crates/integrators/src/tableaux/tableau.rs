@@ -1,13 +1,13 @@
-//! Butcher tableaux.
+//! Butcher tableaux: [`Tableau`].
 
 use crate::{SchemeError, tableaux::order_conditions::order_of};
 
-/// How far a computed algebraic condition on rounded coefficients may be from zero.
+/// The largest value of a computed algebraic condition on rounded coefficients that counts as zero.
 ///
 /// A condition sums up to s² products of coefficients of size 1, each rounded to 2⁻⁵³.
 pub(crate) const COEFFICIENT_TOLERANCE: f64 = 1e-13;
 
-/// The coefficients of a Runge–Kutta method,
+/// The coefficients of a Runge–Kutta method:
 ///
 /// ```text
 /// k_i = X(z + h Σ_j a_ij k_j),    z₁ = z + h Σ_i b_i k_i,    c_i = Σ_j a_ij
@@ -30,16 +30,17 @@ pub struct Tableau {
     b: Vec<f64>,
     c: Vec<f64>,
     order: usize,
-    /// What rounding has taken from a and b; empty where they are exact, or as they were given.
+    /// The rounding errors of a and b; empty if they are exact, or if none were given.
     a_low: Vec<f64>,
     b_low: Vec<f64>,
 }
 
 impl Tableau {
-    /// From the matrix a, row by row, and the weights b.
+    /// Creates a tableau from the matrix a, row by row, and the weights b.
     ///
     /// # Errors
-    /// If there is no stage, if a is not square of the size of b, or a coefficient is not finite.
+    /// Returns [`SchemeError::NoStages`] if there is no stage, [`SchemeError::Shape`] if a does not have s² entries for
+    /// s weights b, and [`SchemeError::NotFinite`] if a coefficient is not finite.
     pub fn new(a: &[f64], b: &[f64]) -> Result<Self, SchemeError> {
         let stages = b.len();
         if stages == 0 {
@@ -52,17 +53,17 @@ impl Tableau {
         Ok(Self { a, b, c, order, a_low: Vec::new(), b_low: Vec::new() })
     }
 
-    /// The same with the low parts of the coefficients, 2⁻⁵³ of them and less: a + a_low and b + b_low
-    /// are the coefficients to twice the precision.
+    /// Returns the tableau with the low parts of its coefficients, which have a relative size of 2⁻⁵³ or less.
     ///
-    /// A step that uses them has no error that is the same at every step, as that of a rounded
-    /// coefficient is.
+    /// The sums a + a_low and b + b_low are the coefficients to twice the precision. A step that uses them does not
+    /// make the error of a rounded coefficient, which is the same in every step.
     ///
     /// Source: Hairer, McLachlan & Razakarivony, *Achieving Brouwer's law with implicit Runge–Kutta
     /// methods*, BIT 48 (2008), §2.
     ///
     /// # Errors
-    /// If a_low has not s² numbers or b_low not s ([`SchemeError::Shape`]), or one of them is not finite.
+    /// Returns [`SchemeError::Shape`] unless a_low has s² numbers and b_low has s, and [`SchemeError::NotFinite`] if
+    /// one of them is not finite.
     ///
     /// # Example
     /// ```
@@ -80,62 +81,62 @@ impl Tableau {
         Ok(Self { a_low: a_low.to_vec(), b_low: b_low.to_vec(), ..self })
     }
 
-    /// The low parts of a row of a; empty if there are none.
+    /// Returns the low parts of a row of a; empty if there are none.
     #[inline]
     pub(crate) fn row_low(&self, i: usize) -> &[f64] {
         part(&self.a_low, i, self.b.len())
     }
 
-    /// The low parts of b; empty if there are none.
+    /// Returns the low parts of b; empty if there are none.
     #[inline]
     pub(crate) fn weights_low(&self) -> &[f64] {
         &self.b_low
     }
 
-    /// The number s of stages.
+    /// Returns the number s of stages.
     #[must_use]
     pub fn stages(&self) -> usize {
         self.b.len()
     }
 
-    /// The rows (a_i1, …, a_is) of the matrix.
+    /// Returns the rows (a_i1, …, a_is) of the matrix.
     pub fn rows(&self) -> impl Iterator<Item = &[f64]> {
         self.a.chunks_exact(self.stages())
     }
 
-    /// The row (a_i1, …, a_is); empty for i ≥ s.
+    /// Returns the row (a_i1, …, a_is); empty for i ≥ s.
     #[inline]
     #[must_use]
     pub fn row(&self, i: usize) -> &[f64] {
         part(&self.a, i, self.b.len())
     }
 
-    /// The weights b.
+    /// Returns the weights b of the method.
     #[must_use]
     pub fn weights(&self) -> &[f64] {
         &self.b
     }
 
-    /// The nodes c.
+    /// Returns the nodes c of the method.
     #[must_use]
     pub fn nodes(&self) -> &[f64] {
         &self.c
     }
 
-    /// The order of convergence, from the order conditions; 0 if the method is not consistent.
+    /// Returns the order of convergence, from the order conditions; 0 if the method is not consistent.
     #[must_use]
     pub fn order(&self) -> usize {
         self.order
     }
 
-    /// Whether a is strictly lower triangular, so that the stages follow one from the other.
+    /// Returns whether a is strictly lower triangular, so that each stage follows from the ones before.
     #[must_use]
     pub fn is_explicit(&self) -> bool {
         self.rows().enumerate().all(|(i, row)| row[i..].iter().all(|&x| x == 0.0))
     }
 
-    /// Whether b_i a_ij + b_j a_ji = b_i b_j: the method is symplectic, and conserves every
-    /// quadratic invariant.
+    /// Returns whether the method is symplectic, b_i a_ij + b_j a_ji = b_i b_j. It then conserves every quadratic
+    /// invariant.
     ///
     /// Source: Hairer, Lubich & Wanner, Thm. IV.2.2 and Thm. VI.4.3.
     #[must_use]
@@ -146,7 +147,9 @@ impl Tableau {
         })
     }
 
-    /// Whether a_{s+1−i, s+1−j} + a_ij = b_j: the method is its own adjoint, Φ_{−h} ∘ Φ_h = id.
+    /// Returns whether the method is symmetric: it is its own adjoint, Φ₋ₕ ∘ Φₕ = id.
+    ///
+    /// The condition is a_mn + a_ij = b_j for m = s + 1 − i and n = s + 1 − j.
     ///
     /// Source: Hairer, Lubich & Wanner, Thm. V.2.3.
     #[must_use]
@@ -157,18 +160,19 @@ impl Tableau {
         })
     }
 
-    /// The tableau â that makes the pair (a, â) a symplectic partitioned method,
+    /// Returns the tableau (â, b) that makes the pair of a and â a symplectic partitioned method:
     ///
     /// ```text
-    /// â_ij = b_j − b_j a_ji / b_i,    b̂ = b
+    /// â_ij = b_j − b_j a_ji / b_i
     /// ```
     ///
-    /// Its own conjugate is the first one; symplectic tableaux are conjugate to themselves.
+    /// The weights b are the same. The conjugate of the conjugate is the original tableau, and symplectic tableaux are
+    /// conjugate to themselves.
     ///
     /// Source: Hairer, Lubich & Wanner, Thm. VI.4.6.
     ///
     /// # Errors
-    /// If a weight is zero.
+    /// Returns [`SchemeError::NotFinite`] if a weight is zero.
     pub fn symplectic_conjugate(&self) -> Result<Self, SchemeError> {
         let (b, s) = (&self.b, self.stages());
         let entry = |n: usize| {
@@ -178,13 +182,13 @@ impl Tableau {
         Self::new(&(0..s * s).map(entry).collect::<Vec<f64>>(), b)
     }
 
-    /// From coefficients in this crate, whose shape is seen on the line.
+    /// Creates a tableau from coefficients in this crate, whose shape is evident at the call.
     #[allow(clippy::expect_used)]
     pub(crate) fn literal(a: &[f64], b: &[f64]) -> Self {
         Self::new(a, b).expect("s² finite coefficients and s weights")
     }
 
-    /// The matrix a, row by row.
+    /// Returns the matrix a, row by row.
     pub(crate) fn matrix(&self) -> &[f64] {
         &self.a
     }
@@ -206,7 +210,7 @@ fn check_coefficients(stages: usize, a: &[f64], b: &[f64]) -> Result<(), SchemeE
     Ok(())
 }
 
-/// Entries i s, …, i s + s − 1, or none; without the division of `chunks_exact`.
+/// Returns the entries i s, …, i s + s − 1, or none, without the division of `chunks_exact`.
 #[inline]
 fn part(entries: &[f64], i: usize, stages: usize) -> &[f64] {
     let rest = entries.get(i.saturating_mul(stages)..);
