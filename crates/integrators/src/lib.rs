@@ -1,5 +1,5 @@
-//! Lie–Poisson integrators: one-step schemes for vector fields, and collective integrators, which make Poisson
-//! integrators on 𝔤∗ of symplectic Runge–Kutta schemes.
+//! Lie–Poisson integrators: one-step schemes for vector fields, and collective integrators, which turn symplectic
+//! Runge–Kutta schemes into Poisson integrators on 𝔤∗.
 //!
 //! ```toml
 //! [dependencies]
@@ -32,7 +32,7 @@
 //! |---|---|
 //! | a Poisson integrator on 𝔤∗ from a realisation M: P → 𝔤∗ | [`Collective`] |
 //! | a collective integrator that computes on 𝔤∗ itself | [`LiftFree`] |
-//! | a scheme on the equations as they stand | [`Direct`] |
+//! | a scheme applied directly to the equations | [`Direct`] |
 //! | a Runge–Kutta method | [`RungeKutta`], such as [`RungeKutta::gauss`] |
 //! | a Runge–Kutta method with coefficients of your own | [`Tableau`] |
 //! | a partitioned method, such as Störmer–Verlet | [`PartitionedRungeKutta`], with a [`Polarisation`] |
@@ -50,7 +50,7 @@
 //! | to resume a run | [`Integrator::trajectory_resumed`] |
 //! | states between the samples | [`DenseOutput`] |
 //! | Poincaré sections and other events | [`Events`] |
-//! | many trajectories, in SIMD lanes and on all threads | [`Laned`], run by an [`Ensemble`] |
+//! | many trajectories, in SIMD lanes (several trajectories in one register) and on all threads | [`Laned`], run by an [`Ensemble`] |
 //! | a kernel of your own for many trajectories | [`LaneKernel`], [`BatchIntegrator`] |
 //! | tangent vectors and Lyapunov exponents | [`VariationalFlow`], [`LyapunovExponents`] |
 //! | fast indicators of chaos: MEGNO and SALI | [`Megno`], [`smaller_alignment_index`] |

@@ -1,4 +1,4 @@
-//! Vector fields: what a scheme integrates.
+//! Vector fields, which schemes integrate: [`VectorField`].
 
 use crate::stage_frame::{OwnFrame, StageFrame};
 use core::marker::PhantomData;

@@ -5,7 +5,7 @@ use crate::{IntegrationError, Integrator, StepError};
 use core::ops::Range;
 use lie_poisson::Real;
 
-/// Advances one state from step number `steps.start` to step number `steps.end`.
+/// Advances one state from that after `steps.start` steps to that after `steps.end` steps.
 ///
 /// The steps are those of a [`Trajectory`](crate::Trajectory) that starts there: nothing is remembered of earlier steps
 /// at the start and at the multiples of [`CHECKPOINT`](crate::CHECKPOINT).

@@ -21,7 +21,7 @@ pub trait BatchIntegrator: Sync {
     /// Allocates the storage for [`advance`](Self::advance).
     fn workspace(&self) -> Self::Workspace;
 
-    /// Advances each member from step number `steps.start` to step number `steps.end`, with steps of size `step`, which
+    /// Advances each member from its state after `steps.start` steps to that after `steps.end` steps. The size `step`
     /// may be negative. No step allocates.
     ///
     /// A method that predicts stages from the steps before remembers nothing at the start of a call. It forgets at

@@ -117,8 +117,8 @@ impl<B: BatchIntegrator> Ensemble<B> {
         );
     }
 
-    /// Advances members in memory from step number `steps.start` to step number `steps.end`. Returns the failed members
-    /// by increasing index; they keep the state before the failed step.
+    /// Advances members in memory from their states after `steps.start` steps to those after `steps.end` steps. Returns
+    /// the failed members by increasing index; they keep the state before the failed step.
     ///
     /// A run in several calls has the bits of one run if the calls meet at multiples of
     /// [`CHECKPOINT`](crate::CHECKPOINT).

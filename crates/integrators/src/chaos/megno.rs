@@ -2,7 +2,8 @@
 
 /// MEGNO, the mean exponential growth factor of nearby orbits of a trajectory.
 ///
-/// It is computed from the stretches δ(k)/δ(k−1) of a tangent vector in successive steps:
+/// It is computed from the stretches δ(k)/δ(k−1) in successive steps of a tangent vector, whose length after k steps is
+/// δ(k):
 ///
 /// ```text
 /// Y(n) = (2/n) Σ_(k≤n) k ln(δ(k)/δ(k−1)),    ⟨Y⟩(n) = (1/n) Σ_(k≤n) Y(k)

@@ -17,7 +17,7 @@ use crate::{Direction, EventError, IntegrationError, Integrator, SampleOf};
 /// * two crossings in a step are found if they are farther apart than about 1e-6 steps, and if the only extremum of g
 ///   in this step and the two next to it is that between the crossings. The first and the last step of a run lack a
 ///   neighbour: two crossings may be missed there.
-/// * Of denser crossings, some are missed: choose a step that resolves g.
+/// * some crossings at smaller distances are missed: choose a step that resolves g.
 ///
 /// A sample with g = 0 exactly ends a crossing and begins none, so that each crossing is found once. The adaptor
 /// requests samples until there is an event or none are left: bound the run by `take`. After an error it returns this

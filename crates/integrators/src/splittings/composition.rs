@@ -117,7 +117,7 @@ impl<S: Scheme> Scheme for Composition<S> {
         self.base.forget(workspace);
     }
 
-    /// Returns [`Substeps::order_over`] the order of the base.
+    /// Returns the order that [`Substeps::order_over`] gives for the order of the base.
     fn order(&self) -> usize {
         self.substeps.order_over(self.base.order(), self.base.is_symmetric())
     }

@@ -91,7 +91,7 @@ impl<V: Vector> BlockSizes<V> {
         self.most.at(V::block(i))
     }
 
-    /// Returns the largest f(block), or NaN or ∞ if a coordinate of the vectors of either sizes was.
+    /// Returns the largest f(block), or NaN or ∞ if a coordinate of one of the vectors was.
     #[inline(always)]
     pub(crate) fn largest_of(&self, other: &Self, f: impl Fn(usize) -> V::Scalar) -> V::Scalar {
         let sum = self.sum + other.sum;

@@ -57,9 +57,9 @@ impl<V: Vector> StageMemory<V> {
     /// nothing is remembered.
     ///
     /// # Errors
-    /// Returns [`Unconverged`](crate::Unconverged) if the iteration diverges or does not converge in some lane. The
-    /// other lanes hold their k, and remember it. The operator `?` converts the error into a
-    /// [`StepError`](crate::StepError).
+    /// Returns [`Unconverged`] if the iteration diverges or does not converge in some SIMD lane (one of several
+    /// trajectories in one register). The other lanes hold their k, and remember it. The operator `?` converts the
+    /// error into a [`StepError`](crate::StepError).
     #[inline]
     pub fn solve(
         &mut self,
@@ -100,7 +100,7 @@ mod tests {
     use super::*;
     use nalgebra::Vector1;
 
-    /// The equation is k = (k + z)/2 at every stage, with the last k.
+    /// The equation at every stage is k = (k + z)/2, and the last k is the solution.
     #[test]
     fn other_numbers_of_stages_are_solved_without_a_guess_and_forgotten() {
         let (mut memory, z) = (StageMemory::new(&[0.25, 0.75]), Vector1::new(1.0));

@@ -9,10 +9,10 @@ use lie_poisson::{Mask, Real, Vector, larger};
 /// The number of sweeps after which a fixed-point iteration that has not converged is replaced by Newton's.
 const SLOW: usize = 60;
 
-/// The multiple √ε of the size of the stage derivatives below which a change leaves the low parts of the coefficients
-/// as they are.
+/// The multiple √ε of the size of the stage derivatives below which a change does not alter the contribution of the low
+/// parts of the coefficients, to an accuracy of ε.
 ///
-/// Their effect is then known to ε of its own size, and has to be computed only once.
+/// The contribution then has to be computed only once.
 const CLOSE: f64 = 1.0 / (1 << 26) as f64;
 
 /// The number of Newton iterations after which the stage equations count as not solved.
@@ -27,8 +27,8 @@ const NEWTON_ITERATIONS: usize = 50;
 /// derivative of the field if it is known ([`VectorField::derivative`](crate::VectorField::derivative)).
 ///
 /// The iteration stops at the round-off floor in one of three cases: nothing changes; the next change is expected below
-/// a thirty-second of a rounding, from the ratios of the changes before, also in the step before; or the changes no
-/// longer decrease at the size of round-off. The low parts of coefficients enter once k is within √ε.
+/// a thirty-second of a rounding, from the ratios of the changes before it, including those of the previous step; or
+/// the changes no longer decrease at the size of round-off. The low parts of coefficients enter once k is within √ε.
 ///
 /// Sizes are compared block by block, in units of the state ([`Vector::BLOCKS`]). For (q, p) with q of size 1e-20 and p
 /// of size 1, both are found to the same number of digits.
@@ -53,7 +53,7 @@ impl Default for StageSolver {
     }
 }
 
-/// The error of an iteration that has not converged in every SIMD lane of the scalar.
+/// The error of an iteration that has not converged in every SIMD lane (one of several trajectories in one register).
 #[derive(Clone, Copy, Debug)]
 pub struct Unconverged<M> {
     /// The lanes in which the iteration has converged.
@@ -78,7 +78,8 @@ impl StageSolver {
     /// All stages start from `start`. The closure `derivative` computes X at the i-th stage. The changes of each block
     /// of coordinates are compared with that block.
     ///
-    /// Over SIMD lanes each stops by itself, at the stages that it would have alone.
+    /// Over SIMD lanes (several trajectories in one register) each stops by itself, at the stages that it would have
+    /// alone.
     ///
     /// # Errors
     /// Returns [`StepError::NotConverged`] if the iteration diverges or does not converge in some lane.

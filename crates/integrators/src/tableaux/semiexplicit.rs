@@ -33,7 +33,7 @@ impl Tableau {
     /// Anal. 61 (2023); Pihajoki, Celest. Mech. Dyn. Astron. 121 (2015).
     ///
     /// # Errors
-    /// Returns [`SchemeError::NotFinite`] if a coefficient overflows. Valid substeps of moderate size give no error.
+    /// Returns no [`SchemeError`] for valid [`Substeps`].
     ///
     /// # Example
     /// ```
