@@ -94,8 +94,9 @@ where
 /// Returns max |DΦ_hᵀ J DΦ_h − J| at z for one step of an integrator whose states are points of a symplectic space.
 ///
 /// See [`symplecticity_defect`](super::symplecticity_defect). To measure a scheme on P alone, use
-/// [`Direct::new(scheme, system)`](crate::Direct) with the system h∘M. The state of a [`Collective`](crate::Collective) integrator may move
-/// along its fibre after the step. This motion is invisible in the momentum, but not in the form.
+/// [`Direct::new(scheme, system)`](crate::Direct) with the system h∘M. The state of a
+/// [`Collective`](crate::Collective) integrator may move along its fibre after the step. This motion is invisible in
+/// the momentum, but not in the form.
 ///
 /// # Errors
 /// Returns the [`StepError`] of a step that fails.
