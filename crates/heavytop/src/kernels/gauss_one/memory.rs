@@ -1,16 +1,16 @@
-//! What a step leaves behind for the next one.
+//! The stages of one step, from which the next step extrapolates.
 
 use super::point::Point;
 use super::row::{Row, Stages, WIDTH};
 
-/// The stages of the last step, and where it ended.
+/// The stages of the last step, and the point where it ended.
 #[derive(Clone, Debug)]
 pub(super) struct Memory {
     first: Stages,
     second: Stages,
-    /// Which of the two belongs to the last step; the other one is free.
+    /// Whether `first` holds the last step; the other one is free.
     last_is_first: bool,
-    /// The sweeps that the last step took; 0 if there was none.
+    /// The number of sweeps of the last step; 0 if there was none.
     sweeps: usize,
     end: Point,
     step: f64,
@@ -27,15 +27,17 @@ impl Memory {
         self.sweeps = 0;
     }
 
-    /// The stages of the last step, and room for those to be found.
+    /// Returns the stages of the last step, and the storage for those of the next one.
     #[inline(always)]
     pub(super) fn stages(&mut self) -> (&mut Stages, &mut Stages) {
         let Self { first, second, .. } = self;
         if self.last_is_first { (first, second) } else { (second, first) }
     }
 
-    /// The sweeps of the last step if one from `start` continues it. Otherwise 0, and the stages
-    /// of the last step are 0: the guess is then z at every stage.
+    /// Returns the number of sweeps of the last step if a step from `start` continues it.
+    ///
+    /// Otherwise it returns 0 and sets the stages of the last step to 0: the first guess is then z at every
+    /// stage.
     #[inline(always)]
     pub(super) fn recall(&mut self, start: &Point, step: f64) -> usize {
         if self.sweeps == 0 || self.step != step || !self.end.is(start) {
@@ -45,8 +47,9 @@ impl Memory {
         self.sweeps
     }
 
-    /// What was to be found is the last step now. It ended with χ + bψ, b = `slid`, where the
-    /// stages go too.
+    /// Records the stages that were found as those of the last step.
+    ///
+    /// The step ended with χ + bψ, b = `slid`; the stages slide with it.
     #[inline(always)]
     pub(super) fn keep(&mut self, end: &Point, step: f64, sweeps: usize, slid: f64) {
         (self.end, self.step, self.sweeps) = (*end, step, sweeps);

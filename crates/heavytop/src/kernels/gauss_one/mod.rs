@@ -1,4 +1,4 @@
-//! Collective Gauss methods of one heavy top, with the stages in the lanes of a register.
+//! Collective Gauss methods of one heavy top, with the stages in the SIMD lanes of a register.
 
 mod row;
 mod point;

@@ -1,22 +1,24 @@
-//! The times of a symmetric top's flows, and their sines as polynomials.
+//! The times of a symmetric top's flows, and polynomials for their sines.
 
 use crate::kernels::symmetric::stumpff_polynomials::{STUMPFF, StumpffPolynomials};
 use collective_integrators::AlternatingSubsteps;
 use lie_poisson::Lanes;
 
-/// The flows of n steps, neighbours of the same part made one:
+/// The flows of n steps, with adjacent flows of the same part merged.
+///
+/// Their sequence is
 ///
 /// ```text
 /// drift, [kick, drift, …, kick, drift] × n, kick
 /// ```
 ///
-/// The first kick and the last drift of all are shorter than those of the other steps. Times are
-/// fractions of the step.
+/// The first kick and the last drift of a run are shorter than those of the other steps. Times are fractions
+/// of the step.
 #[derive(Clone, Debug, PartialEq)]
 pub(crate) struct Flows {
     pub(crate) opening_drift: Option<Drift>,
     pub(crate) first_kick: f64,
-    /// Kick, then drift.
+    /// The pairs of a kick and the drift that follows it.
     pub(crate) pairs: Vec<(f64, Drift)>,
     pub(crate) last_drift: Drift,
     pub(crate) closing_kick: f64,
@@ -25,7 +27,7 @@ pub(crate) struct Flows {
 }
 
 impl Flows {
-    /// For squared angles up to `range` in a flow and `most` in a step.
+    /// Creates the flows for squared angles up to `range` in a flow and `most` in a step.
     pub(crate) fn new(substeps: &AlternatingSubsteps, range: f64, most: f64) -> Self {
         let (drifts, kicks) = (substeps.first(), substeps.second());
         let following = drifts.iter().skip(1).copied();
@@ -59,12 +61,12 @@ impl Flows {
     }
 }
 
-/// Rounds the coefficients c²/2 of a step so that their sum is right: what one loses, the next,
-/// smaller one gets.
+/// Rounds the coefficients c²/2 of a step so that their sum is correct: each rounding error is added to the
+/// next, smaller coefficient.
 ///
-/// By this error of the cosine a flow stretches what it turns. With c²/2 rounded to nearest the
-/// flows of a step do so together by about 1e-17, which outgrows the walk of the other roundings
-/// within 10⁵ steps.
+/// This error of the cosine makes a flow stretch the vectors that it rotates. With c²/2 rounded to nearest
+/// the stretches of all flows of a step add up to about 1e-17, which exceeds the random walk of the other
+/// rounding errors within 10⁵ steps.
 fn diffuse(pairs: &mut [(f64, Drift)]) {
     let mut order: Vec<&mut Drift> = pairs.iter_mut().map(|(_, drift)| drift).collect();
     order.sort_by(|a, b| b.sine[0].abs().total_cmp(&a.sine[0].abs()));
@@ -78,17 +80,17 @@ fn diffuse(pairs: &mut [(f64, Drift)]) {
     }
 }
 
-/// A drift for the fraction c of a step: c c₁ and c²c₂ at c²x as polynomials in x.
+/// The polynomials of a drift for the fraction c of a step: c c₁ and c²c₂ at c²x, in terms of x.
 #[derive(Clone, Debug, PartialEq)]
 pub(crate) struct Drift {
-    /// How many coefficients `versine` has; `sine` has one more.
+    /// The number of coefficients of `versine`; `sine` has one more.
     terms: usize,
     sine: [f64; 9],
     versine: [f64; 8],
 }
 
 impl Drift {
-    /// By the shortest polynomials that will do for x up to `limit`.
+    /// Creates the shortest polynomials that suffice for x up to `limit`.
     fn new(c: f64, limit: f64) -> Self {
         let square = c * c;
         let will_do = |p: &&StumpffPolynomials| square * limit <= p.range;
@@ -108,7 +110,7 @@ impl Drift {
         drift
     }
 
-    /// (c c₁, c²c₂) at c²x, and at c²y.
+    /// Returns the pairs (c c₁, c²c₂) at c²x and at c²y.
     #[inline(always)]
     pub(crate) fn sines_and_versines<T: Lanes>(&self, x: T, y: T) -> ((T, T), (T, T)) {
         match self.terms {
@@ -120,7 +122,7 @@ impl Drift {
         }
     }
 
-    /// Horner's rule.
+    /// Evaluates both polynomials at x by Horner's rule.
     #[inline(always)]
     fn at<T: Lanes, const TERMS: usize>(&self, x: T) -> (T, T) {
         let mut sine = T::from_f64(self.sine[TERMS]);

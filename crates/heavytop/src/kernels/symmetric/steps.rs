@@ -1,4 +1,4 @@
-//! The two flows of a symmetric top in components, as many tops at once as there are lanes.
+//! The two flows of a symmetric top in components, for as many tops as there are SIMD lanes.
 
 use crate::SymmetricTopSplitting;
 use crate::kernels::symmetric::flows::Drift;
@@ -7,38 +7,40 @@ use collective_integrators::MOST_LANES;
 use lie_poisson::{Covector, Lanes, Pair, Se3Dual};
 use nalgebra::Vector3;
 
-/// Π and Γ in the variables in which the flows take the fewest operations:
+/// The states Π and Γ in the variables in which the flows take the fewest operations.
+///
+/// They are
 ///
 /// ```text
 /// w = hΠ/I₁        by which a step h turns a spherical top
 /// v = w·Γ          constant along both flows
 /// ```
 ///
-/// in axes turned about e₃ so that the centre of mass has no component 2.
+/// in axes turned about e₃ such that the centre of mass has no second component.
 #[derive(Clone, Copy)]
 pub(crate) struct Motion<T> {
     w: [T; 3],
     gamma: [T; 3],
     vertical: T,
-    /// The largest |w|² or δ²w₃² that a drift has met: its angles are √ of these, times its time.
-    /// NaN may be missing.
+    /// The largest |w|² or δ²w₃² of all drifts, whose angles are the roots of these numbers times the drift's
+    /// time. A NaN may be missing.
     pub(crate) largest: T,
 }
 
-/// What the flows need of a top.
+/// The parameters of tops that the flows depend on.
 #[derive(Clone, Copy)]
 pub(crate) struct Parameters<T> {
-    /// h/I₁
+    /// The factor h/I₁ of Π.
     scale: T,
-    /// δ = I₁/I₃ − 1
+    /// The elongation δ = I₁/I₃ − 1.
     elongation: T,
-    /// (f₁, f₃) = m g l (c₁, c₃)h²/I₁, in the turned axes
+    /// The force (f₁, f₃) = m g l (c₁, c₃)h²/I₁ in the turned axes.
     force: [T; 2],
     axes: MeridianAxes<T>,
 }
 
 impl<T: Lanes> Motion<T> {
-    /// Lane i from f(i).
+    /// Gathers the states of the tops: lane i is f(i).
     #[inline(always)]
     pub(crate) fn from_lanes<'a>(top: &Parameters<T>, f: impl Fn(usize) -> &'a Se3Dual) -> Self {
         let w = |k: usize| T::from_lanes(|i| f(i).0.0[k]) * top.scale;
@@ -48,7 +50,7 @@ impl<T: Lanes> Motion<T> {
         Self { w, gamma, vertical: dot(&w, &gamma), largest: T::from_f64(0.0) }
     }
 
-    /// The states, to be read lane by lane.
+    /// Returns a function that reads the state in each lane.
     #[inline(always)]
     pub(crate) fn momenta(&self, top: &Parameters<T>) -> impl Fn(usize) -> Se3Dual {
         let (w, gamma) = (top.axes.vector(self.w), top.axes.vector(self.gamma));
@@ -57,7 +59,7 @@ impl<T: Lanes> Motion<T> {
         move |i| Covector(Pair(vector(&pi, i), vector(&gamma, i)))
     }
 
-    /// φ_2^ch: w ← w + c Γ×f.
+    /// Advances by the kick φ_2^ch: w ← w + c Γ×f.
     #[inline(always)]
     pub(crate) fn kick(&mut self, top: &Parameters<T>, c: f64) {
         let [first, third] = top.force.map(|f| f * c);
@@ -67,16 +69,18 @@ impl<T: Lanes> Motion<T> {
         self.w[2] = g[1].negative_multiply_add(first, self.w[2]);
     }
 
-    /// φ_1^ch: with the Stumpff functions c₁, c₂ at c²|w|²,
+    /// Advances by the drift φ_1^ch, with the Stumpff functions c₁, c₂ at c²|w|².
+    ///
+    /// The flow is
     ///
     /// ```text
     /// Γ ← (1 − c²|w|² c₂) Γ + c² c₂ v w − c c₁ w×Γ,
     /// ```
     ///
-    /// then w and Γ turn about e₃ by −c δ w₃.
+    /// and then w and Γ turn about e₃ by −c δ w₃.
     ///
-    /// This is Rodrigues' formula with v for w·Γ. What rounding adds to w·Γ is lost again, since
-    /// each flow brings w·Γ nearer to v by the cosine.
+    /// This is Rodrigues' formula with v for w·Γ. A rounding error of w·Γ does not persist, since each flow
+    /// moves w·Γ towards v by the factor of the cosine.
     #[inline(always)]
     pub(crate) fn drift(&mut self, top: &Parameters<T>, drift: &Drift) {
         let (w, g) = (self.w, self.gamma);
@@ -99,7 +103,7 @@ impl<T: Lanes> Motion<T> {
 }
 
 impl<T: Lanes> Parameters<T> {
-    /// Lane i from f(i).
+    /// Gathers the parameters of the tops: lane i is f(i).
     #[inline(always)]
     pub(crate) fn from_lanes<'a>(
         step: f64,
@@ -121,8 +125,9 @@ impl<T: Lanes> Parameters<T> {
         }
     }
 
-    /// No less than |w|² and δ²w₃² ever are while the energy is what it is now: with
-    /// e = ½|w|² + ½δw₃² + f·Γ,
+    /// Returns an upper bound of |w|² and δ²w₃² for motions with the present energy.
+    ///
+    /// With e = ½|w|² + ½δw₃² + f·Γ,
     ///
     /// ```text
     /// |w|² ≤ 2(e + |f||Γ|)/min(1, 1 + δ),  w₃² ≤ 2(e + |f||Γ|)/(1 + δ)
@@ -139,7 +144,7 @@ impl<T: Lanes> Parameters<T> {
     }
 }
 
-/// v turned about e₃ by the angle with this cosine and sine.
+/// Returns v turned about e₃ by the angle with this cosine and sine.
 #[inline(always)]
 fn turn<T: Lanes>(v: &[T; 3], cosine: T, sine: T) -> [T; 3] {
     [cosine.multiply_subtract(v[0], sine * v[1]), sine.multiply_add(v[0], cosine * v[1]), v[2]]

@@ -1,11 +1,11 @@
-//! Vectors of R³ as three components, with everything inlined into the function that has the
-//! processor's features.
+//! Vectors of R³ as three components, with everything inlined into the function that has the processor's
+//! features.
 
 use super::vector::Vector;
 use lie_poisson::{Lanes, Real, Se3Dual};
 use nalgebra::Vector3;
 
-/// An expression for each component i. (A closure would not be inlined.)
+/// Evaluates an expression for each component i. (A closure would not be inlined.)
 macro_rules! each {
     ($i:ident => $component:expr) => {
         [
@@ -26,7 +26,7 @@ macro_rules! each {
 }
 pub(super) use each;
 
-/// A vector of R³ in each lane.
+/// A vector of R³ in each SIMD lane, as three components.
 pub(super) type Components<T> = [T; 3];
 
 impl<T: Lanes> Vector for Components<T> {
@@ -74,7 +74,7 @@ impl<T: Lanes> Vector for Components<T> {
     }
 }
 
-/// (Π, Γ)
+/// The state (Π, Γ) of a top, as two vectors.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(super) struct State<V> {
     pub momentum: V,
@@ -82,7 +82,7 @@ pub(super) struct State<V> {
 }
 
 impl<V: Vector> State<V> {
-    /// The squares of all components.
+    /// Returns the sum of the squares of all components.
     #[inline(always)]
     pub fn square(&self) -> V::Scalar {
         let Self { momentum, vertical } = *self;
@@ -91,7 +91,7 @@ impl<V: Vector> State<V> {
 }
 
 impl<T: Lanes> State<Components<T>> {
-    /// Lane i is `state(i)`.
+    /// Gathers states into lanes: lane i is `state(i)`.
     #[inline(always)]
     pub fn gather(state: impl Fn(usize) -> Se3Dual) -> Self {
         Self {
@@ -100,7 +100,7 @@ impl<T: Lanes> State<Components<T>> {
         }
     }
 
-    /// What lane `i` holds.
+    /// Returns the state in lane `i`.
     #[inline(always)]
     pub fn lane(&self, i: usize) -> Se3Dual {
         let vector = |v: &Components<T>| Vector3::new(v[0].lane(i), v[1].lane(i), v[2].lane(i));

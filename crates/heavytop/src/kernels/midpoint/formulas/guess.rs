@@ -1,32 +1,35 @@
-//! Half a step of the collective midpoint rule for tops, from a guess of a = (h/4) Ω̄.
+//! Half a step of the collective midpoint rule for tops, from a guess of a = (h/4) Ωₘ.
 
 use super::components::State;
 use super::parameters::Parameters;
 use super::vector::{MaskOf, Turned, Vector, add_cross};
 use lie_poisson::{Lanes, Mask, Real};
 
-/// A guess is accepted when its error, after the correction, is below this multiple of |a|.
+/// The bound of the error after the correction, as a multiple of |a|, below which a guess is accepted.
 const FLOOR: f64 = 2.0 * f64::EPSILON;
 
-/// A correction that has not become smaller is round-off below this multiple of |a|.
+/// The bound, as a multiple of |a|, below which a correction that no longer shrinks is round-off.
 const ROUND_OFF: f64 = 128.0 * f64::EPSILON;
 
-/// The rotation R_a as the matrix R_a − 1, whose entries are of the size of |a|, so that their
-/// rounding is small against that of the vectors which it turns.
+/// The rotation R_a, stored as the matrix R_a − 1.
+///
+/// Its entries have the size of |a|, so that their rounding errors are small against those of the vectors
+/// that it rotates.
 struct HalfTurn<V: Vector> {
-    /// The entries (i, i).
+    /// The entries (i, i) of the diagonal.
     diagonal: V,
-    /// The entries (i, i+1).
+    /// The entries (i, i+1) above it, cyclically.
     next: V,
-    /// The entries (i, i−1).
+    /// The entries (i, i−1) below it, cyclically.
     previous: V,
-    /// 2n, n = 1/(1+|a|²)
+    /// The factor 2n, n = 1/(1+|a|²).
     scale: V::Scalar,
 }
 
 impl<V: Vector> HalfTurn<V> {
-    /// R_a − 1 = 2n (a aᵀ − |a|² − [a]×), where [a]× v = a×v. What n multiplies need not wait for
-    /// the division.
+    /// Creates R_a − 1 = 2n (a aᵀ − |a|² − [a]×), where [a]× v = a×v.
+    ///
+    /// The factors of n are computed while the division is under way.
     #[inline(always)]
     fn new(a: V, turned: Turned<V>, square: V::Scalar) -> Self {
         let scale = V::Scalar::from_f64(2.0) / (square + 1.0);
@@ -39,7 +42,7 @@ impl<V: Vector> HalfTurn<V> {
         }
     }
 
-    /// R_a v
+    /// Returns the rotated vector R_a v.
     #[inline(always)]
     fn apply(&self, v: V, turned: Turned<V>) -> V {
         let sum = self.next.multiply_add(turned.next, self.diagonal.multiply_add(v, v));
@@ -47,32 +50,34 @@ impl<V: Vector> HalfTurn<V> {
     }
 }
 
-/// The first half of a step, with a guess a.
+/// The first half of a step, with a guess of a.
 pub(super) struct Guess<V: Vector> {
     a: V,
-    /// |a|²
+    /// The square |a|² of the guess.
     square: V::Scalar,
     half_turn: HalfTurn<V>,
-    /// f
+    /// The vector f of [`new`](Self::new).
     force: Turned<V>,
-    /// α
+    /// The number α of [`new`](Self::new), in every component.
     along: V,
-    /// X
+    /// The vector X of [`new`](Self::new).
     middle: V,
-    /// 4d, where a − d is nearer to the solution.
+    /// The correction 4d, where a − d is nearer to the solution.
     correction: V,
 }
 
 impl<V: Vector> Guess<V> {
-    /// The residual r = a − (h/4) I⁻¹Π̄. In terms of Π₀ and Γ₀, with n = 1/(1+|a|²),
+    /// Computes the residual r = a − (h/4) I⁻¹Πₘ of a guess and its correction d.
+    ///
+    /// In terms of Π₀ and Γ₀, with n = 1/(1+|a|²),
     ///
     /// ```text
     /// f = ¼ h (γ − γ×a),  α = ¼ h a·γ
-    /// X = R_a ( Π₀ + 2n (Γ₀×f − α Γ₀) ),  Π̄ = n X,
+    /// X = R_a ( Π₀ + 2n (Γ₀×f − α Γ₀) ),  Πₘ = n X,
     /// ```
     ///
-    /// and the correction is d = (1 − M)⁻¹r ≈ r + M r by the leading part 1 − M of the derivative,
-    /// M r = (h/4) I⁻¹ (2 Π̄×r) = 2 I⁻¹((I a)×r).
+    /// and the correction is d = (1 − M)⁻¹r ≈ r + M r by the leading part 1 − M of the derivative, M r =
+    /// (h/4) I⁻¹ (2 Πₘ×r) = 2 I⁻¹((I a)×r).
     #[inline(always)]
     pub fn new(top: &Parameters<V, V::Scalar>, start: &State<V>, a: V) -> Self {
         let (square, turned) = (a.times(a).sum(), Turned::new(a));
@@ -95,13 +100,13 @@ impl<V: Vector> Guess<V> {
         Self { a, square, half_turn, force, along, middle, correction }
     }
 
-    /// |4d|²
+    /// Returns the squared change |4d|².
     #[inline(always)]
     pub fn change(&self) -> V::Scalar {
         self.correction.dot(self.correction)
     }
 
-    /// Where the error of a − d, at most κ|d|, is at the floor. False where something is NaN.
+    /// Returns where the error of a − d, at most κ|d|, is at the floor; false where something is NaN.
     #[inline(always)]
     pub fn settled(&self, top: &Parameters<V, V::Scalar>) -> MaskOf<V> {
         let rate = (self.square * self.square).multiply_add(top.turning_rate, top.kick_rate);
@@ -109,7 +114,7 @@ impl<V: Vector> Guess<V> {
         (self.change() * rate).at_most(size * (16.0 * FLOOR * FLOOR))
     }
 
-    /// Where the correction is round-off, for an iteration that no longer gets better.
+    /// Returns where the correction is round-off and the iteration no longer improves.
     #[inline(always)]
     pub fn stalled(&self, top: &Parameters<V, V::Scalar>, previous: V::Scalar) -> MaskOf<V> {
         let change = self.change();
@@ -117,27 +122,29 @@ impl<V: Vector> Guess<V> {
         previous.at_most(change).and(change.at_most(size * (16.0 * ROUND_OFF * ROUND_OFF)))
     }
 
-    /// a − d
+    /// Returns the corrected guess a − d.
     #[inline(always)]
     pub fn corrected(&self) -> V {
         V::uniform(V::Scalar::from_f64(0.25)).negative_multiply_add(self.correction, self.a)
     }
 
-    /// The end of the step with a − d in the place of a. With G = R_a Γ₀ and Y = R_a Π₀ + h n G×γ,
+    /// Returns the end of the step with a − d instead of a.
+    ///
+    /// With G = R_a Γ₀ and Y = R_a Π₀ + h n G×γ,
     ///
     /// ```text
     /// Y = X + 2n (G×f + α G),  Γ₁ = R_a G,  Π₁ = R_a Y
     /// ```
     ///
-    /// where a solves the equation, and R_{a−d} R_{a−d} = R_a (1 + 4n [d]×) R_a to the first order
-    /// in d. So what does not depend on d need not wait for it:
+    /// where a solves the equation. With b = a − d, R_b R_b = R_a (1 + 4n [d]×) R_a to the first order in d.
+    /// The parts that do not depend on d can therefore be computed before d is known:
     ///
     /// ```text
     /// Γ₁ = R_a (G + 4d×G),    Π₁ = R_a (Y + 4d×Y)
     /// ```
     ///
-    /// This leaves 4(1 − n) d out and, in Π₁, a term 2hn² G×(γ×d); the bound κ of what a correction
-    /// leaves includes both.
+    /// This omits 4(1 − n) d and, in Π₁, a term 2hn² G×(γ×d). The bound κ of the error after a correction
+    /// includes both.
     #[inline(always)]
     pub fn end(&self, start: &State<V>) -> State<V> {
         let turn = &self.half_turn;

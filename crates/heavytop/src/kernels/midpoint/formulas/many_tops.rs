@@ -1,4 +1,4 @@
-//! Many tops, one in each lane.
+//! The steps of many tops, one in each SIMD lane.
 
 use super::components::{Components, State};
 use super::extrapolation::Extrapolation;
@@ -8,17 +8,18 @@ use crate::HeavyTop;
 use collective_integrators::LaneResults;
 use lie_poisson::{Lanes, Mask, Se3Dual};
 
-/// One of many tops.
+/// A member of a batch of tops, with its state.
 pub(crate) trait Member {
-    /// (Π, Γ)
+    /// Returns the state (Π, Γ).
     fn state(&self) -> &Se3Dual;
-    /// (Π, Γ), to be changed.
+    /// Returns the state (Π, Γ) for changes.
     fn state_mut(&mut self) -> &mut Se3Dual;
 }
 
-/// Advances a group of tops by `count` steps. Returns where every step has a result.
+/// Advances a group of tops by `count` steps, and returns where every step has a result.
 ///
-/// Lanes beyond the last member repeat it. A lane in which a step has no result is not waited for.
+/// Lanes beyond the last member repeat it. The iteration does not wait for a lane in which a step has no
+/// result.
 #[inline(always)]
 pub(crate) fn together<T: Lanes, M: Member>(
     top: impl Fn(&M) -> HeavyTop,

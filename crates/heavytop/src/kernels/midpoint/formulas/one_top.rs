@@ -1,4 +1,4 @@
-//! One top, step by step, with a memory of the steps before.
+//! The steps of one top, each with the history of the steps before.
 
 use super::components::State;
 use super::extrapolation::Extrapolation;
@@ -10,19 +10,20 @@ use collective_integrators::Step;
 use lie_poisson::{FourLanes, FourLanesTask, InstructionSet, Mask, Se3Dual, dispatch_four};
 use nalgebra::Vector3;
 
-/// What one step leaves to the next of the same size, if that starts where it ended, bit for bit.
+/// The data that one step leaves to the next one of the same size, if that continues from its end, bit for
+/// bit.
 #[derive(Clone, Debug)]
 pub(crate) struct Memory {
     past: Extrapolation<Stored>,
-    /// The numbers of the top and the step size that the parameters are of.
+    /// The numbers of the top and the step size for which `parameters` are computed.
     numbers: Option<[f64; 7]>,
     parameters: Parameters<Stored, f64>,
-    /// Where the last step ended.
+    /// The point where the last step ended.
     end: State<Stored>,
 }
 
 impl Memory {
-    /// Remembers no step.
+    /// Creates an empty history.
     pub fn new(top: &HeavyTop) -> Self {
         Self {
             past: Extrapolation::new([0.0; 4]),
@@ -32,18 +33,19 @@ impl Memory {
         }
     }
 
-    /// Forgets the steps before.
+    /// Forgets the last steps.
     pub fn forget(&mut self) {
         self.numbers = None;
     }
 
-    /// a of the last step.
+    /// Returns a of the last step.
     pub fn newest(&self) -> Vector3<f64> {
         vector(self.past.newest())
     }
 
-    /// One step, and the number of guesses; none if a does not settle or the end is not finite.
-    /// Then nothing is remembered.
+    /// Advances by one step, and returns the end with the number of guesses.
+    ///
+    /// There is none if a does not converge or the end is not finite. The history is then empty.
     #[inline]
     pub fn step(
         &mut self,
@@ -65,14 +67,14 @@ impl Memory {
     }
 }
 
-/// Whether all numbers are the same, bit for bit, without a branch for each.
+/// Returns whether all numbers are the same, bit for bit, without a branch for each.
 #[inline]
 fn same<const N: usize>(a: &[f64; N], b: &[f64; N]) -> bool {
     a.iter().zip(b).fold(0, |different, (a, b)| different | (a.to_bits() ^ b.to_bits())) == 0
 }
 
-/// A step from where the last one ended. What is computed waits for that alone, not for its way
-/// through the caller.
+/// A step from the end of the last one, which is read from the history and not from the caller, so that the
+/// computation waits for nothing else.
 struct OneStep<'a>(&'a mut Memory);
 
 impl FourLanesTask for OneStep<'_> {

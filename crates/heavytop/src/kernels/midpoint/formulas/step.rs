@@ -1,4 +1,4 @@
-//! One step of one top in registers, or of a group of tops, a lane each.
+//! One step: of one top in registers, or of a group of tops, one in each SIMD lane.
 
 use super::components::State;
 use super::guess::Guess;
@@ -6,26 +6,26 @@ use super::parameters::Parameters;
 use super::vector::{MaskOf, Vector};
 use lie_poisson::{Mask, Real};
 
-/// Guesses after which a lane counts as not settled.
+/// The number of guesses after which a lane counts as not converged.
 const GUESSES: usize = 40;
 
-/// What a step came to.
+/// The result of a step.
 pub(super) struct Outcome<V: Vector> {
-    /// (Π₁, Γ₁), in the lanes that settled.
+    /// The end (Π₁, Γ₁), in the lanes that converged.
     pub end: State<V>,
-    /// a
+    /// The solution a = (h/4) Ωₘ.
     pub a: V,
-    /// Where a settled and the end is finite; elsewhere there is no result.
+    /// The lanes where a converged and the end is finite; the others have no result.
     pub settled: MaskOf<V>,
-    /// How many guesses it took, the extrapolated one included.
+    /// The number of guesses, including the extrapolated one.
     pub guesses: usize,
 }
 
-/// One step from `start`, with a guess of a; without one, a = (h/4) I⁻¹Π₀.
+/// Advances by one step from `start`, with a guess of a; without one, a = (h/4) I⁻¹Π₀.
 ///
-/// Each lane stops by itself: a lane that has settled keeps its guess while others go on, and
-/// everything computed from that is the same again, bit for bit. Lanes in which `given_up` is true
-/// are not waited for.
+/// Each lane stops by itself. A lane that has converged keeps its guess while others continue, and all
+/// results from it are the same again, bit for bit. The iteration does not wait for lanes in which `given_up`
+/// is true.
 #[inline(always)]
 pub(super) fn step<V: Vector>(
     top: &Parameters<V, V::Scalar>,

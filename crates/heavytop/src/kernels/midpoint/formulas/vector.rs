@@ -1,49 +1,50 @@
-//! Vectors of R³ as the kernel computes with them.
+//! Vectors of R³ in the form in which the formulas use them.
 
 use lie_poisson::{Lanes, Real};
 
-/// A vector of R³ in the processor: three components in lanes of their own ([`Components`](super::components::Components)),
-/// or all three in one register ([`InRegister`](super::in_register::InRegister)).
+/// A vector of R³ in registers: three components in SIMD lanes of their own
+/// ([`Components`](super::components::Components)), or all three in one register
+/// ([`InRegister`](super::in_register::InRegister)).
 ///
-/// Every operation but two acts on each component by itself, so that both forms round alike; dot
-/// products and sums have one order of summation.
+/// Every operation except `dot` and `sum` acts on each component by itself, so that both forms round alike.
+/// Dot products and sums have one order of summation.
 pub(super) trait Vector: Copy {
-    /// A number, or one in each lane.
+    /// The scalar type: one number, or one in each lane.
     type Scalar: Lanes;
 
-    /// (x, x, x)
+    /// Returns the vector (x, x, x).
     fn uniform(x: Self::Scalar) -> Self;
-    /// (v₁, v₂, v₀)
+    /// Returns the cyclic shift (v₁, v₂, v₀).
     fn next(self) -> Self;
-    /// (v₂, v₀, v₁)
+    /// Returns the cyclic shift (v₂, v₀, v₁).
     fn previous(self) -> Self;
 
-    /// uᵢ vᵢ
+    /// Returns the products uᵢ vᵢ of components.
     fn times(self, v: Self) -> Self;
-    /// uᵢ vᵢ + xᵢ
+    /// Returns the sums uᵢ vᵢ + xᵢ.
     fn multiply_add(self, v: Self, x: Self) -> Self;
-    /// uᵢ vᵢ − xᵢ
+    /// Returns the differences uᵢ vᵢ − xᵢ.
     fn multiply_subtract(self, v: Self, x: Self) -> Self;
-    /// xᵢ − uᵢ vᵢ
+    /// Returns the differences xᵢ − uᵢ vᵢ.
     fn negative_multiply_add(self, v: Self, x: Self) -> Self;
-    /// `yes` where the mask is true.
+    /// Returns `yes` where the mask is true and `no` elsewhere.
     fn select(mask: MaskOf<Self>, yes: Self, no: Self) -> Self;
 
-    /// u₀v₀ + (u₁v₁ + u₂v₂)
+    /// Returns the dot product u₀v₀ + (u₁v₁ + u₂v₂).
     fn dot(self, v: Self) -> Self::Scalar;
-    /// (v₀ + v₁) + v₂
+    /// Returns the sum (v₀ + v₁) + v₂.
     fn sum(self) -> Self::Scalar;
 }
 
-/// Where something is true of a vector.
+/// The mask of a vector: one truth value, or one in each lane.
 pub(super) type MaskOf<V> = <<V as Vector>::Scalar as Real>::Mask;
 
-/// What a cross product reads of a vector.
+/// The two cyclic shifts of a vector, from which cross products are computed.
 #[derive(Clone, Copy)]
 pub(super) struct Turned<V> {
-    /// (v₁, v₂, v₀)
+    /// The shift (v₁, v₂, v₀).
     pub next: V,
-    /// (v₂, v₀, v₁)
+    /// The shift (v₂, v₀, v₁).
     pub previous: V,
 }
 
@@ -54,7 +55,7 @@ impl<V: Vector> Turned<V> {
     }
 }
 
-/// x + u×v
+/// Returns the sum x + u×v.
 #[inline(always)]
 pub(super) fn add_cross<V: Vector>(x: V, u: Turned<V>, v: Turned<V>) -> V {
     u.next.multiply_add(v.previous, u.previous.negative_multiply_add(v.next, x))
