@@ -26,7 +26,7 @@ pub enum SectionError {
     /// No state on the surface has the energy.
     #[error("no state of the section has an energy of {energy:?} J: the least is {least:?} J")]
     Empty {
-        /// The energy, J.
+        /// The energy of the level, J.
         energy: f64,
         /// The least energy on the surface, J.
         least: f64,

@@ -42,7 +42,7 @@ use nalgebra::Vector3;
 pub struct EnergyLevel {
     /// The heavy top.
     pub top: HeavyTop,
-    /// The energy E, J.
+    /// The energy E of the states, J.
     pub energy: f64,
     /// The vertical angular momentum c = Π·Γ, kg m²/s.
     pub vertical_momentum: f64,
@@ -52,9 +52,9 @@ pub struct EnergyLevel {
 struct Slowest {
     /// The momentum Π without ±βu.
     pi: Vector3<f64>,
-    /// The direction u = e_i × Γ.
+    /// The direction u = e_i × Γ of the remaining component.
     along: Vector3<f64>,
-    /// The number u·I⁻¹u.
+    /// The inverse moment u·I⁻¹u along u.
     mobility: f64,
     /// The energy of (Π, Γ) with β = 0.
     energy: f64,

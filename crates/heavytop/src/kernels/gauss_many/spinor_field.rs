@@ -11,7 +11,7 @@ pub(crate) type Spinors<T> = [T; 8];
 pub(crate) struct Parameters<T> {
     /// The diagonal of ¼ I⁻¹.
     quarter_inverse: [T; 3],
-    /// The vector 2 m g l c.
+    /// The doubled force 2 m g l c of the weight.
     force: [T; 3],
 }
 

@@ -26,8 +26,8 @@ type State = Pair<SpinorPoint, SpinorPoint>;
 /// top).compensated()` to round-off, at a fraction of the cost. That integrator accepts every other
 /// Hamiltonian and any number of stages.
 ///
-/// The state is (z, e): the lift z = (χ, ψ) ∈ T∗C², and e, the part that rounding removed from the last sum z
-/// + δz. The momentum is μ = **M**(z).
+/// The state is (z, e): the lift z = (χ, ψ) ∈ T∗C², and e, the part that rounding removed from the last sum
+/// z + δz. The momentum is μ = **M**(z).
 ///
 /// # Method
 /// The stage equations

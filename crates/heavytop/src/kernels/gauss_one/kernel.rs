@@ -132,7 +132,7 @@ impl Kernel<'_> {
         z
     }
 
-    /// Returns (h b/2) Ω = (h b/2) I⁻¹Π, with Π = M(Z).
+    /// Returns the weighted half velocity (h b/2) Ω = (h b/2) I⁻¹Π, with Π = M(Z).
     #[inline(always)]
     fn turn<T: Lanes>(self, z: &[T; WIDTH], block: usize) -> [T; 3] {
         let [q1, q2, q3, q4, p1, p2, p3, p4] = *z;
@@ -143,7 +143,7 @@ impl Kernel<'_> {
         [x * a, y * b, z * c]
     }
 
-    /// Returns ℓ = h b ((i/2)(Ω·σ)χ + 2(γ·σ)ψ, (i/2)(Ω·σ)ψ).
+    /// Returns the stage derivative ℓ = h b ((i/2)(Ω·σ)χ + 2(γ·σ)ψ, (i/2)(Ω·σ)ψ).
     #[inline(always)]
     fn generator<T: Lanes>(self, turn: &[T; 3], z: &[T; WIDTH], block: usize) -> [T; WIDTH] {
         let [q1, q2, q3, q4, p1, p2, p3, p4] = *z;

@@ -28,7 +28,7 @@ pub(super) fn half_angle<T: Real>(turn: &Quaternion<T>) -> Vector3<T> {
     turn.vector * (-T::one() / (turn.scalar + 1.0))
 }
 
-/// Returns a = (h/4) Ωₘ and n = 1/(1+|a|²).
+/// Returns the half angle a = (h/4) Ωₘ and the factor n = 1/(1+|a|²).
 #[inline]
 fn angle<T: Real>(omega: &Vector3<T>, step: f64) -> (Vector3<T>, T) {
     let a = omega * T::from_f64(0.25 * step);

@@ -32,7 +32,7 @@ pub(crate) struct Motion<T> {
 pub(crate) struct Parameters<T> {
     /// The factor h/I₁ of Π.
     scale: T,
-    /// The elongation δ = I₁/I₃ − 1.
+    /// The elongation δ = I₁/I₃ − 1 of the inertia ellipsoid.
     elongation: T,
     /// The force (f₁, f₃) = m g l (c₁, c₃)h²/I₁ in the turned axes.
     force: [T; 2],

@@ -22,12 +22,12 @@ struct HalfTurn<V: Vector> {
     next: V,
     /// The entries (i, i−1) below it, cyclically.
     previous: V,
-    /// The factor 2n, n = 1/(1+|a|²).
+    /// The factor 2n of the matrix, n = 1/(1+|a|²).
     scale: V::Scalar,
 }
 
 impl<V: Vector> HalfTurn<V> {
-    /// Creates R_a − 1 = 2n (a aᵀ − |a|² − [a]×), where [a]× v = a×v.
+    /// Creates the matrix R_a − 1 = 2n (a aᵀ − |a|² − [a]×) of a, where [a]× v = a×v.
     ///
     /// The factors of n are computed while the division is under way.
     #[inline(always)]

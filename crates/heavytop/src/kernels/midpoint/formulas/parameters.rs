@@ -21,7 +21,7 @@ pub(super) struct Parameters<V, T> {
     pub previous_ratio: V,
     /// The diagonal of (h/2) I⁻¹.
     pub rate: V,
-    /// The vector (h/4) γ.
+    /// The scaled force (h/4) γ of the weight.
     pub force: V,
     /// The first number of the bound κ|d| of the error after a correction d of a guess.
     ///

@@ -13,7 +13,7 @@ const GUESSES: usize = 40;
 pub(super) struct Outcome<V: Vector> {
     /// The end (Π₁, Γ₁), in the lanes that converged.
     pub end: State<V>,
-    /// The solution a = (h/4) Ωₘ.
+    /// The solution a = (h/4) Ωₘ of the step.
     pub a: V,
     /// The lanes where a converged and the end is finite; the others have no result.
     pub settled: MaskOf<V>,

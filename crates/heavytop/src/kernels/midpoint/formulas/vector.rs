@@ -42,9 +42,9 @@ pub(super) type MaskOf<V> = <<V as Vector>::Scalar as Real>::Mask;
 /// The two cyclic shifts of a vector, from which cross products are computed.
 #[derive(Clone, Copy)]
 pub(super) struct Turned<V> {
-    /// The shift (v₁, v₂, v₀).
+    /// The forward cyclic shift (v₁, v₂, v₀).
     pub next: V,
-    /// The shift (v₂, v₀, v₁).
+    /// The backward cyclic shift (v₂, v₀, v₁).
     pub previous: V,
 }
 
