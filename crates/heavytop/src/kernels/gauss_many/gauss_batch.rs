@@ -1,8 +1,8 @@
 //! Collective Gauss methods of many tops at once.
 
 use crate::HeavyTop;
-use crate::kernels::gauss_many::spinor_field::Parameters;
-use crate::kernels::gauss_many::spinor_step::{Coefficients, Motion};
+use crate::kernels::gauss_many::spinor_field::FieldParameters;
+use crate::kernels::gauss_many::spinor_step::{ExtendedTableau, SpinorLanes};
 use collective_integrators::{
     BatchIntegrator, IntegrationError, Integrator, LaneKernel, LaneResults, LiftFree, Registers,
     RungeKutta, SchemeError, Tableau, advance_alone, lagrange_polynomial,
@@ -55,7 +55,7 @@ use momentum_map::DualQuaternions;
 #[derive(Clone, Debug, PartialEq)]
 pub struct GaussBatch<const S: usize> {
     scheme: RungeKutta,
-    coefficients: Coefficients<S>,
+    coefficients: ExtendedTableau<S>,
     registers: Registers,
 }
 
@@ -103,7 +103,7 @@ impl<const S: usize> BatchIntegrator for GaussBatch<S> {
         failed: &mut dyn FnMut(usize, IntegrationError),
     ) {
         let coefficients = self.coefficients.scaled(step);
-        let kernel = Kernel { scheme: &self.scheme, coefficients };
+        let kernel = ScaledGauss { scheme: &self.scheme, coefficients };
         self.registers.advance(&kernel, members, step, steps, &mut (), failed);
     }
 }
@@ -112,12 +112,12 @@ impl<const S: usize> BatchIntegrator for GaussBatch<S> {
 /// the next.
 ///
 /// Its entry W_jl is the product over m ≠ l of (1 + c_j − c_m)/(c_l − c_m).
-fn coefficients<const S: usize>(gauss: &Tableau) -> Coefficients<S> {
+fn coefficients<const S: usize>(gauss: &Tableau) -> ExtendedTableau<S> {
     let c = gauss.nodes();
     let extension = |j: usize, l: usize| lagrange_polynomial(c, l, 1.0 + c[j]);
     let a = |i: usize, j: usize| gauss.row(i)[j];
     let extended = |i, l| (0..S).map(|j| a(i, j) * extension(j, l)).sum();
-    Coefficients {
+    ExtendedTableau {
         a: core::array::from_fn(|i| core::array::from_fn(|j| a(i, j))),
         b: core::array::from_fn(|i| gauss.weights()[i]),
         extended: core::array::from_fn(|i| core::array::from_fn(|l| extended(i, l))),
@@ -125,12 +125,12 @@ fn coefficients<const S: usize>(gauss: &Tableau) -> Coefficients<S> {
 }
 
 /// A Gauss method with its coefficients times the step.
-struct Kernel<'a, const S: usize> {
+struct ScaledGauss<'a, const S: usize> {
     scheme: &'a RungeKutta,
-    coefficients: Coefficients<S>,
+    coefficients: ExtendedTableau<S>,
 }
 
-impl<const S: usize> LaneKernel for Kernel<'_, S> {
+impl<const S: usize> LaneKernel for ScaledGauss<'_, S> {
     type Member = (HeavyTop, Se3Dual);
     type Workspace = ();
 
@@ -142,8 +142,8 @@ impl<const S: usize> LaneKernel for Kernel<'_, S> {
         count: u64,
     ) -> LaneResults {
         let last = group.len() - 1;
-        let top = Parameters::<T>::from_lanes(|i| &group[i.min(last)].0);
-        let mut motion = Motion::<T, S>::lift(|i| &group[i.min(last)].1);
+        let top = FieldParameters::<T>::from_lanes(|i| &group[i.min(last)].0);
+        let mut motion = SpinorLanes::<T, S>::lift(|i| &group[i.min(last)].1);
         for n in 0..count {
             motion.step(&top, &self.coefficients, step, n == 0);
         }

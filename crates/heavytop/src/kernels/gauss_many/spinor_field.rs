@@ -8,14 +8,14 @@ pub(crate) type Spinors<T> = [T; 8];
 
 /// The parameters of tops that the field depends on, one top in each SIMD lane.
 #[derive(Clone, Copy)]
-pub(crate) struct Parameters<T> {
+pub(crate) struct FieldParameters<T> {
     /// The diagonal of ¼ I⁻¹.
     quarter_inverse: [T; 3],
     /// The doubled force 2 m g l c of the weight.
     force: [T; 3],
 }
 
-impl<T: Lanes> Parameters<T> {
+impl<T: Lanes> FieldParameters<T> {
     /// Gathers the parameters of the tops: lane i is f(i).
     #[inline(always)]
     pub(crate) fn from_lanes<'a>(f: impl Fn(usize) -> &'a HeavyTop) -> Self {

@@ -4,7 +4,7 @@
 #![allow(clippy::needless_range_loop)]
 
 use crate::kernels::gauss_many::spinor_field::{
-    Parameters, Spinors, imaginary_overlap, real_overlap, square,
+    FieldParameters, Spinors, imaginary_overlap, real_overlap, square,
 };
 use crate::{SpinorPoint, SpinorRealisation};
 use collective_integrators::MOST_LANES;
@@ -16,7 +16,7 @@ use num_complex::Complex;
 /// The largest h |change of ½Ω| with which a stage has converged.
 ///
 /// The remaining error is smaller by the factor by which a sweep contracts.
-const SETTLED: f64 = 1.0 / (1_u64 << 49) as f64;
+const CONVERGED: f64 = 1.0 / (1_u64 << 49) as f64;
 
 /// The largest next change, by the ratio of the last two, with which a stage has converged as well.
 const NEXT: f64 = 1.0 / (1_u64 << 53) as f64;
@@ -26,14 +26,14 @@ const SWEEPS: usize = 40;
 
 /// The coefficients of a Gauss method with S stages, or these times the step.
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub(crate) struct Coefficients<const S: usize> {
+pub(crate) struct ExtendedTableau<const S: usize> {
     pub(crate) a: [[f64; S]; S],
     pub(crate) b: [f64; S],
     /// The product a W, where W extends the stage derivatives of one step to the next.
     pub(crate) extended: [[f64; S]; S],
 }
 
-impl<const S: usize> Coefficients<S> {
+impl<const S: usize> ExtendedTableau<S> {
     /// Returns the coefficients times the step h.
     pub(crate) fn scaled(mut self, step: f64) -> Self {
         let rows = self.a.iter_mut().chain(&mut self.extended).chain([&mut self.b]);
@@ -43,7 +43,7 @@ impl<const S: usize> Coefficients<S> {
 }
 
 /// Points of T∗C² in SIMD lanes, with the constants of their fibres.
-pub(crate) struct Motion<T: Lanes, const S: usize> {
+pub(crate) struct SpinorLanes<T: Lanes, const S: usize> {
     z: Spinors<T>,
     /// The constants ‖ψ‖² and Im ψ∗χ of the fibre, and 1/‖ψ‖².
     square: T,
@@ -55,7 +55,7 @@ pub(crate) struct Motion<T: Lanes, const S: usize> {
     pub(crate) alive: T::Mask,
 }
 
-impl<T: Lanes, const S: usize> Motion<T, S> {
+impl<T: Lanes, const S: usize> SpinorLanes<T, S> {
     /// Creates the minimal lifts of the states f(i). A lane without a lift is not alive.
     #[inline(always)]
     pub(crate) fn lift<'a>(f: impl Fn(usize) -> &'a Se3Dual) -> Self {
@@ -91,8 +91,8 @@ impl<T: Lanes, const S: usize> Motion<T, S> {
     #[inline(always)]
     pub(crate) fn step(
         &mut self,
-        top: &Parameters<T>,
-        coefficients: &Coefficients<S>,
+        top: &FieldParameters<T>,
+        coefficients: &ExtendedTableau<S>,
         step: f64,
         first: bool,
     ) {
@@ -109,7 +109,7 @@ impl<T: Lanes, const S: usize> Motion<T, S> {
         for _ in 0..SWEEPS {
             let change = step_squared * self.sweep(top, coefficients, &mut v, frozen);
             let next = (change * change).at_most(last * (NEXT * NEXT));
-            frozen = frozen.or(change.at_most(T::from_f64(SETTLED * SETTLED))).or(next);
+            frozen = frozen.or(change.at_most(T::from_f64(CONVERGED * CONVERGED))).or(next);
             let finite = change.at_most(T::from_f64(f64::MAX));
             self.alive = self.alive.and(finite);
             last = change;
@@ -123,7 +123,12 @@ impl<T: Lanes, const S: usize> Motion<T, S> {
 
     /// Extrapolates the first stages of a step from the derivatives of the last one, all at once.
     #[inline(always)]
-    fn guess(&mut self, top: &Parameters<T>, coefficients: &Coefficients<S>, v: &mut [[T; 3]; S]) {
+    fn guess(
+        &mut self,
+        top: &FieldParameters<T>,
+        coefficients: &ExtendedTableau<S>,
+        v: &mut [[T; 3]; S],
+    ) {
         let past = self.k;
         for i in 0..S {
             let stage = combine(&self.z, &coefficients.extended[i], &past);
@@ -138,8 +143,8 @@ impl<T: Lanes, const S: usize> Motion<T, S> {
     #[inline(always)]
     fn sweep(
         &mut self,
-        top: &Parameters<T>,
-        coefficients: &Coefficients<S>,
+        top: &FieldParameters<T>,
+        coefficients: &ExtendedTableau<S>,
         v: &mut [[T; 3]; S],
         frozen: T::Mask,
     ) -> T {
@@ -169,7 +174,7 @@ impl<T: Lanes, const S: usize> Motion<T, S> {
     ///
     /// The derivatives slide with it.
     #[inline(always)]
-    fn finish(&mut self, coefficients: &Coefficients<S>) {
+    fn finish(&mut self, coefficients: &ExtendedTableau<S>) {
         let mut z = combine(&self.z, &coefficients.b, &self.k);
         let excess = (self.square - square(&z)) * self.inverse_square * 0.5;
         for p in 4..8 {

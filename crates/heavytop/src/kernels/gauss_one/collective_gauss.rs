@@ -1,10 +1,10 @@
 //! Collective Gauss methods of one heavy top, with the stages in the SIMD lanes of a register.
 
-use super::coefficients::Coefficients;
-use super::kernel::{Attempt, MOST};
-use super::memory::Memory;
-use super::point::Point;
+use super::compensated_point::CompensatedPoint;
+use super::gauss_coefficients::GaussCoefficients;
 use super::row::WIDTH;
+use super::stage_equations::{Attempt, MOST};
+use super::stage_history::StageHistory;
 use crate::attitude::step_rotation::turned_by_spinors;
 use crate::{HeavyTop, SpinorPoint, SpinorRealisation, TurnedStep, Turning};
 use collective_integrators::{
@@ -77,14 +77,14 @@ type State = Pair<SpinorPoint, SpinorPoint>;
 #[derive(Clone, Debug, PartialEq)]
 pub struct CollectiveGauss {
     general: General,
-    coefficients: Coefficients,
+    coefficients: GaussCoefficients,
     instructions: InstructionSet,
 }
 
 /// The workspace of [`CollectiveGauss`].
 #[derive(Clone, Debug)]
 pub struct CollectiveGaussSpace {
-    memory: Memory,
+    history: StageHistory,
     general: CollectiveSpace<StageSpace<SpinorPoint>, SpinorPoint>,
 }
 
@@ -110,7 +110,7 @@ impl CollectiveGauss {
             let family = "CollectiveGauss";
             return Err(SchemeError::Family { family, least: 1, most: WIDTH, stages });
         }
-        let coefficients = Coefficients::new(gauss.tableau(), &top);
+        let coefficients = GaussCoefficients::new(gauss.tableau(), &top);
         let general = Collective::new(gauss, SpinorRealisation, top).compensated();
         Ok(Self { general, coefficients, instructions: fastest(stages) })
     }
@@ -146,10 +146,10 @@ impl CollectiveGauss {
     fn attempt<const S: usize>(
         &self,
         step: f64,
-        start: &Point,
-        memory: &mut Memory,
-    ) -> Option<(Point, usize)> {
-        let task = Attempt::<S> { coefficients: &self.coefficients, step, start, memory };
+        start: &CompensatedPoint,
+        history: &mut StageHistory,
+    ) -> Option<(CompensatedPoint, usize)> {
+        let task = Attempt::<S> { coefficients: &self.coefficients, step, start, history };
         dispatch(task, self.instructions, Width::Register).ok().flatten()
     }
 
@@ -161,7 +161,7 @@ impl CollectiveGauss {
         step: f64,
         workspace: &mut CollectiveGaussSpace,
     ) -> Result<Step<State>, StepError> {
-        workspace.memory.forget();
+        workspace.history.forget();
         let next = self.general.step(state, step, &mut workspace.general)?;
         Ok(Step { iterations: MOST + next.iterations, ..next })
     }
@@ -183,7 +183,7 @@ impl Integrator for CollectiveGauss {
     type Workspace = CollectiveGaussSpace;
 
     fn workspace(&self) -> CollectiveGaussSpace {
-        CollectiveGaussSpace { memory: Memory::new(), general: self.general.workspace() }
+        CollectiveGaussSpace { history: StageHistory::new(), general: self.general.workspace() }
     }
 
     #[inline]
@@ -193,11 +193,11 @@ impl Integrator for CollectiveGauss {
         step: f64,
         workspace: &mut CollectiveGaussSpace,
     ) -> Result<Step<Self::State>, StepError> {
-        let (start, memory) = (Point::from_state(state), &mut workspace.memory);
+        let (start, history) = (CompensatedPoint::from_state(state), &mut workspace.history);
         let attempt = match self.coefficients.stages {
-            ..=4 => self.attempt::<4>(step, &start, memory),
-            5 | 6 => self.attempt::<6>(step, &start, memory),
-            _ => self.attempt::<8>(step, &start, memory),
+            ..=4 => self.attempt::<4>(step, &start, history),
+            5 | 6 => self.attempt::<6>(step, &start, history),
+            _ => self.attempt::<8>(step, &start, history),
         };
         match attempt {
             Some((end, iterations)) => Ok(Step { point: end.state(), iterations }),
@@ -206,7 +206,7 @@ impl Integrator for CollectiveGauss {
     }
 
     fn forget(&self, workspace: &mut CollectiveGaussSpace) {
-        workspace.memory.forget();
+        workspace.history.forget();
         self.general.forget(&mut workspace.general);
     }
 

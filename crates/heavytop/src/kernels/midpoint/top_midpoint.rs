@@ -1,7 +1,7 @@
 //! The collective midpoint rule on se(3)∗ for tops, by formulas of their own.
 
 use super::closed_form::whole_turn;
-use super::formulas::Memory;
+use super::formulas::GuessHistory;
 use super::reduced_midpoint::{ReducedMidpoint, ReducedMidpointSpace};
 use crate::{HeavyTop, TurnedStep, Turning};
 use collective_integrators::{Integrator, Registers, StateIsMomentum, Step, StepError};
@@ -96,7 +96,7 @@ impl TopMidpoint {
 /// The workspace of [`TopMidpoint`].
 #[derive(Debug)]
 pub struct TopMidpointSpace {
-    memory: Memory,
+    history: GuessHistory,
     general: ReducedMidpointSpace<HeavyTop>,
 }
 
@@ -106,7 +106,10 @@ impl Integrator for TopMidpoint {
     type Workspace = TopMidpointSpace;
 
     fn workspace(&self) -> TopMidpointSpace {
-        TopMidpointSpace { memory: Memory::new(self.top()), general: self.general.workspace() }
+        TopMidpointSpace {
+            history: GuessHistory::new(self.top()),
+            general: self.general.workspace(),
+        }
     }
 
     #[inline]
@@ -116,7 +119,7 @@ impl Integrator for TopMidpoint {
         step: f64,
         workspace: &mut TopMidpointSpace,
     ) -> Result<Step<Se3Dual>, StepError> {
-        match workspace.memory.step(self.top(), mu, step, self.instructions()) {
+        match workspace.history.step(self.top(), mu, step, self.instructions()) {
             Some(next) => Ok(next),
             None => self.general.step(mu, step, &mut workspace.general),
         }
@@ -124,7 +127,7 @@ impl Integrator for TopMidpoint {
 
     #[inline]
     fn forget(&self, workspace: &mut TopMidpointSpace) {
-        workspace.memory.forget();
+        workspace.history.forget();
         self.general.forget(&mut workspace.general);
     }
 
@@ -143,8 +146,8 @@ impl Turning for TopMidpoint {
         step: f64,
         workspace: &mut TopMidpointSpace,
     ) -> TurnedStep<Se3Dual, f64> {
-        match workspace.memory.step(self.top(), mu, step, self.instructions()) {
-            Some(next) => Ok((next, whole_turn(&workspace.memory.newest()))),
+        match workspace.history.step(self.top(), mu, step, self.instructions()) {
+            Some(next) => Ok((next, whole_turn(&workspace.history.newest()))),
             None => self.general.turn(mu, step, &mut workspace.general),
         }
     }

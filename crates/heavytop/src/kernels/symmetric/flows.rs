@@ -16,11 +16,11 @@ use lie_poisson::Lanes;
 /// of the step.
 #[derive(Clone, Debug, PartialEq)]
 pub(crate) struct Flows {
-    pub(crate) opening_drift: Option<Drift>,
+    pub(crate) opening_drift: Option<DriftPolynomials>,
     pub(crate) first_kick: f64,
     /// The pairs of a kick and the drift that follows it.
-    pub(crate) pairs: Vec<(f64, Drift)>,
-    pub(crate) last_drift: Drift,
+    pub(crate) pairs: Vec<(f64, DriftPolynomials)>,
+    pub(crate) last_drift: DriftPolynomials,
     pub(crate) closing_kick: f64,
     /// The largest squared angle in a step for which all angles are within range.
     pub(crate) limit: f64,
@@ -47,7 +47,7 @@ impl Flows {
         }
         let times = pairs.iter().map(|&(_, drift)| drift).chain([opening_drift, last_drift]);
         let limit = most.min(range / times.map(|time| time * time).fold(0.0, f64::max));
-        let drift = |time: f64| Drift::new(time, limit);
+        let drift = |time: f64| DriftPolynomials::new(time, limit);
         let mut pairs: Vec<_> = pairs.iter().map(|&(kick, time)| (kick, drift(time))).collect();
         diffuse(&mut pairs);
         Self {
@@ -67,8 +67,8 @@ impl Flows {
 /// This error of the cosine makes a flow stretch the vectors that it rotates. With c²/2 rounded to nearest
 /// the stretches of all flows of a step add up to about 1e-17, which exceeds the random walk of the other
 /// rounding errors within 10⁵ steps.
-fn diffuse(pairs: &mut [(f64, Drift)]) {
-    let mut order: Vec<&mut Drift> = pairs.iter_mut().map(|(_, drift)| drift).collect();
+fn diffuse(pairs: &mut [(f64, DriftPolynomials)]) {
+    let mut order: Vec<&mut DriftPolynomials> = pairs.iter_mut().map(|(_, drift)| drift).collect();
     order.sort_by(|a, b| b.sine[0].abs().total_cmp(&a.sine[0].abs()));
     let mut lost = 0.0;
     for drift in order {
@@ -82,14 +82,14 @@ fn diffuse(pairs: &mut [(f64, Drift)]) {
 
 /// The polynomials of a drift for the fraction c of a step: c c₁ and c²c₂ at c²x, in terms of x.
 #[derive(Clone, Debug, PartialEq)]
-pub(crate) struct Drift {
+pub(crate) struct DriftPolynomials {
     /// The number of coefficients of `versine`; `sine` has one more.
     terms: usize,
     sine: [f64; 9],
     versine: [f64; 8],
 }
 
-impl Drift {
+impl DriftPolynomials {
     /// Creates the shortest polynomials that suffice for x up to `limit`.
     fn new(c: f64, limit: f64) -> Self {
         let square = c * c;
@@ -156,7 +156,7 @@ mod tests {
         for c in [0.4, -0.2, 0.05, 0.01] {
             for range in [0.125, 2.0] {
                 let limit = range / (0.4 * 0.4);
-                let drift = Drift::new(c, limit);
+                let drift = DriftPolynomials::new(c, limit);
                 for n in 0..=100 {
                     let x = limit * f64::from(n) / 100.0;
                     let ((sine, versine), other) = drift.sines_and_versines(x, x);
@@ -173,13 +173,14 @@ mod tests {
 
     #[test]
     fn shorter_drifts_have_shorter_polynomials() {
-        let terms = [0.4, 0.2, 0.1, 0.01].map(|c| Drift::new(c, 2.0 / (0.4 * 0.4)).terms);
+        let terms =
+            [0.4, 0.2, 0.1, 0.01].map(|c| DriftPolynomials::new(c, 2.0 / (0.4 * 0.4)).terms);
         assert_eq!(terms, [8, 7, 5, 4]);
     }
 
     /// Σ (c² − 2 versine₀), by exact products.
-    fn stretching(pairs: &[(f64, Drift)]) -> f64 {
-        let lost = |drift: &Drift| {
+    fn stretching(pairs: &[(f64, DriftPolynomials)]) -> f64 {
+        let lost = |drift: &DriftPolynomials| {
             let c = drift.sine[0];
             let square = c * c;
             (square - 2.0 * drift.versine[0]) + c.mul_add(c, -square)
@@ -196,8 +197,9 @@ mod tests {
             let least = squares.fold(1.0, f64::min);
             // Only the rounding of the smallest is left.
             assert!(stretching(&flows.pairs).abs() <= 0.5 * f64::EPSILON * least);
-            let nearest =
-                |(kick, drift): &(f64, Drift)| (*kick, Drift::new(drift.sine[0], flows.limit));
+            let nearest = |(kick, drift): &(f64, DriftPolynomials)| {
+                (*kick, DriftPolynomials::new(drift.sine[0], flows.limit))
+            };
             rounded += stretching(&flows.pairs.iter().map(nearest).collect::<Vec<_>>()).abs();
         }
         // Negative control: rounded one by one they do.

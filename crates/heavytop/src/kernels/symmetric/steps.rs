@@ -1,7 +1,7 @@
 //! The two flows of a symmetric top in components, for as many tops as there are SIMD lanes.
 
 use crate::SymmetricTopSplitting;
-use crate::kernels::symmetric::flows::Drift;
+use crate::kernels::symmetric::flows::DriftPolynomials;
 use crate::kernels::symmetric::meridian_axes::MeridianAxes;
 use collective_integrators::MOST_LANES;
 use lie_poisson::{Covector, Lanes, Pair, Se3Dual};
@@ -18,7 +18,7 @@ use nalgebra::Vector3;
 ///
 /// in axes turned about e₃ such that the centre of mass has no second component.
 #[derive(Clone, Copy)]
-pub(crate) struct Motion<T> {
+pub(crate) struct MomentumLanes<T> {
     w: [T; 3],
     gamma: [T; 3],
     vertical: T,
@@ -29,7 +29,7 @@ pub(crate) struct Motion<T> {
 
 /// The parameters of tops that the flows depend on.
 #[derive(Clone, Copy)]
-pub(crate) struct Parameters<T> {
+pub(crate) struct FlowParameters<T> {
     /// The factor h/I₁ of Π.
     scale: T,
     /// The elongation δ = I₁/I₃ − 1 of the inertia ellipsoid.
@@ -39,10 +39,13 @@ pub(crate) struct Parameters<T> {
     axes: MeridianAxes<T>,
 }
 
-impl<T: Lanes> Motion<T> {
+impl<T: Lanes> MomentumLanes<T> {
     /// Gathers the states of the tops: lane i is f(i).
     #[inline(always)]
-    pub(crate) fn from_lanes<'a>(top: &Parameters<T>, f: impl Fn(usize) -> &'a Se3Dual) -> Self {
+    pub(crate) fn from_lanes<'a>(
+        top: &FlowParameters<T>,
+        f: impl Fn(usize) -> &'a Se3Dual,
+    ) -> Self {
         let w = |k: usize| T::from_lanes(|i| f(i).0.0[k]) * top.scale;
         let gamma = |k: usize| T::from_lanes(|i| f(i).0.1[k]);
         let w = top.axes.components([w(0), w(1), w(2)]);
@@ -52,7 +55,7 @@ impl<T: Lanes> Motion<T> {
 
     /// Returns a function that reads the state in each lane.
     #[inline(always)]
-    pub(crate) fn momenta(&self, top: &Parameters<T>) -> impl Fn(usize) -> Se3Dual {
+    pub(crate) fn momenta(&self, top: &FlowParameters<T>) -> impl Fn(usize) -> Se3Dual {
         let (w, gamma) = (top.axes.vector(self.w), top.axes.vector(self.gamma));
         let pi = w.map(|w| w / top.scale);
         let vector = |v: &[T; 3], i| Vector3::new(v[0].lane(i), v[1].lane(i), v[2].lane(i));
@@ -61,7 +64,7 @@ impl<T: Lanes> Motion<T> {
 
     /// Advances by the kick φ_2^ch: w ← w + c Γ×f.
     #[inline(always)]
-    pub(crate) fn kick(&mut self, top: &Parameters<T>, c: f64) {
+    pub(crate) fn kick(&mut self, top: &FlowParameters<T>, c: f64) {
         let [first, third] = top.force.map(|f| f * c);
         let g = self.gamma;
         self.w[0] = g[1].multiply_add(third, self.w[0]);
@@ -82,7 +85,7 @@ impl<T: Lanes> Motion<T> {
     /// This is Rodrigues' formula with v for w·Γ. A rounding error of w·Γ does not persist, since each flow
     /// moves w·Γ towards v by the factor of the cosine.
     #[inline(always)]
-    pub(crate) fn drift(&mut self, top: &Parameters<T>, drift: &Drift) {
+    pub(crate) fn drift(&mut self, top: &FlowParameters<T>, drift: &DriftPolynomials) {
         let (w, g) = (self.w, self.gamma);
         let transverse = cross(&w, &g);
         let rate = -top.elongation * w[2];
@@ -102,7 +105,7 @@ impl<T: Lanes> Motion<T> {
     }
 }
 
-impl<T: Lanes> Parameters<T> {
+impl<T: Lanes> FlowParameters<T> {
     /// Gathers the parameters of the tops: lane i is f(i).
     #[inline(always)]
     pub(crate) fn from_lanes<'a>(
@@ -133,7 +136,7 @@ impl<T: Lanes> Parameters<T> {
     /// |w|² ≤ 2(e + |f||Γ|)/min(1, 1 + δ),  w₃² ≤ 2(e + |f||Γ|)/(1 + δ)
     /// ```
     #[inline(always)]
-    pub(crate) fn bound(&self, motion: &Motion<T>) -> T {
+    pub(crate) fn bound(&self, motion: &MomentumLanes<T>) -> T {
         let one = T::from_f64(1.0);
         let f = [self.force[0], T::from_f64(0.0), self.force[1]];
         let (w, g, d) = (motion.w, motion.gamma, self.elongation);

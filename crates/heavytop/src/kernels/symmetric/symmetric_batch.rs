@@ -2,7 +2,7 @@
 
 use crate::SymmetricTopSplitting;
 use crate::kernels::symmetric::flows::Flows;
-use crate::kernels::symmetric::steps::{Motion, Parameters};
+use crate::kernels::symmetric::steps::{FlowParameters, MomentumLanes};
 use collective_integrators::{
     AlternatingSubsteps, BatchIntegrator, IntegrationError, Integrator, LaneKernel, LaneResults,
     Registers, Splitting, advance_alone,
@@ -119,8 +119,8 @@ impl LaneKernel for SymmetricTopBatch {
         count: u64,
     ) -> LaneResults {
         let last = group.len() - 1;
-        let top = Parameters::<T>::from_lanes(step, |i| &group[i.min(last)].0);
-        let start = Motion::<T>::from_lanes(&top, |i| &group[i.min(last)].1);
+        let top = FlowParameters::<T>::from_lanes(step, |i| &group[i.min(last)].0);
+        let start = MomentumLanes::<T>::from_lanes(&top, |i| &group[i.min(last)].1);
         let within = |flows: &Flows, square: T| square.at_most(T::from_f64(flows.limit));
         let mut results = LaneResults::default();
         let short = within(&self.short, top.bound(&start));
@@ -159,7 +159,12 @@ impl LaneKernel for SymmetricTopBatch {
 
 /// Advances a group by n steps.
 #[inline(always)]
-fn advance<T: Lanes>(motion: &mut Motion<T>, top: &Parameters<T>, flows: &Flows, steps: u64) {
+fn advance<T: Lanes>(
+    motion: &mut MomentumLanes<T>,
+    top: &FlowParameters<T>,
+    flows: &Flows,
+    steps: u64,
+) {
     if let Some(drift) = &flows.opening_drift {
         motion.drift(top, drift);
     }
@@ -189,8 +194,8 @@ mod tests {
         member: &(SymmetricTopSplitting, Se3Dual),
         step: f64,
     ) -> (bool, Option<Se3Dual>) {
-        let top = Parameters::<f64>::from_lanes(step, |_| &member.0);
-        let mut motion = Motion::from_lanes(&top, |_| &member.1);
+        let top = FlowParameters::<f64>::from_lanes(step, |_| &member.0);
+        let mut motion = MomentumLanes::from_lanes(&top, |_| &member.1);
         let expected = top.bound(&motion) <= flows.limit;
         advance(&mut motion, &top, flows, STEPS);
         let stays = motion.largest <= flows.limit;

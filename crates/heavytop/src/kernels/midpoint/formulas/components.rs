@@ -1,7 +1,7 @@
 //! Vectors of R³ as three components, with everything inlined into the function that has the processor's
 //! features.
 
-use super::vector::Vector;
+use super::register_vector::RegisterVector;
 use lie_poisson::{Lanes, Real, Se3Dual};
 use nalgebra::Vector3;
 
@@ -29,7 +29,7 @@ pub(super) use each;
 /// A vector of R³ in each SIMD lane, as three components.
 pub(super) type Components<T> = [T; 3];
 
-impl<T: Lanes> Vector for Components<T> {
+impl<T: Lanes> RegisterVector for Components<T> {
     type Scalar = T;
 
     #[inline(always)]
@@ -76,12 +76,12 @@ impl<T: Lanes> Vector for Components<T> {
 
 /// The state (Π, Γ) of a top, as two vectors.
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub(super) struct State<V> {
+pub(super) struct TopState<V> {
     pub momentum: V,
     pub vertical: V,
 }
 
-impl<V: Vector> State<V> {
+impl<V: RegisterVector> TopState<V> {
     /// Returns the sum of the squares of all components.
     #[inline(always)]
     pub fn square(&self) -> V::Scalar {
@@ -90,7 +90,7 @@ impl<V: Vector> State<V> {
     }
 }
 
-impl<T: Lanes> State<Components<T>> {
+impl<T: Lanes> TopState<Components<T>> {
     /// Gathers states into lanes: lane i is `state(i)`.
     #[inline(always)]
     pub fn gather(state: impl Fn(usize) -> Se3Dual) -> Self {

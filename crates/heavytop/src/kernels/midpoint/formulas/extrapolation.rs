@@ -1,6 +1,6 @@
 //! The extrapolation of a from the last steps to the next one.
 
-use super::vector::Vector;
+use super::register_vector::RegisterVector;
 use lie_poisson::Real;
 
 /// The number of steps that are remembered.
@@ -51,7 +51,7 @@ impl<S: Copy> Extrapolation<S> {
     /// `read` converts stored vectors to those of the computation. The newest term is added last, since it is
     /// available last.
     #[inline(always)]
-    pub fn predict<V: Vector>(&self, read: impl Fn(&S) -> V) -> Option<V> {
+    pub fn predict<V: RegisterVector>(&self, read: impl Fn(&S) -> V) -> Option<V> {
         let weights = WEIGHTS.get(self.known.checked_sub(1)?)?;
         let window = self.values.get(self.oldest..)?.first_chunk::<DEPTH>()?;
         let number = |x| V::uniform(V::Scalar::from_f64(x));

@@ -1,8 +1,8 @@
 //! Half a step of the collective midpoint rule for tops, from a guess of a = (h/4) Ωₘ.
 
-use super::components::State;
-use super::parameters::Parameters;
-use super::vector::{MaskOf, Turned, Vector, add_cross};
+use super::components::TopState;
+use super::midpoint_parameters::MidpointParameters;
+use super::register_vector::{CyclicShifts, MaskOf, RegisterVector, add_cross};
 use lie_poisson::{Lanes, Mask, Real};
 
 /// The bound of the error after the correction, as a multiple of |a|, below which a guess is accepted.
@@ -15,7 +15,7 @@ const ROUND_OFF: f64 = 128.0 * f64::EPSILON;
 ///
 /// Its entries have the size of |a|, so that their rounding errors are small against those of the vectors
 /// that it rotates.
-struct HalfTurn<V: Vector> {
+struct HalfTurn<V: RegisterVector> {
     /// The entries (i, i) of the diagonal.
     diagonal: V,
     /// The entries (i, i+1) above it, cyclically.
@@ -26,12 +26,12 @@ struct HalfTurn<V: Vector> {
     scale: V::Scalar,
 }
 
-impl<V: Vector> HalfTurn<V> {
+impl<V: RegisterVector> HalfTurn<V> {
     /// Creates the matrix R_a − 1 = 2n (a aᵀ − |a|² − [a]×) of a, where [a]× v = a×v.
     ///
     /// The factors of n are computed while the division is under way.
     #[inline(always)]
-    fn new(a: V, turned: Turned<V>, square: V::Scalar) -> Self {
+    fn new(a: V, turned: CyclicShifts<V>, square: V::Scalar) -> Self {
         let scale = V::Scalar::from_f64(2.0) / (square + 1.0);
         let twice = V::uniform(scale);
         Self {
@@ -44,20 +44,20 @@ impl<V: Vector> HalfTurn<V> {
 
     /// Returns the rotated vector R_a v.
     #[inline(always)]
-    fn apply(&self, v: V, turned: Turned<V>) -> V {
+    fn apply(&self, v: V, turned: CyclicShifts<V>) -> V {
         let sum = self.next.multiply_add(turned.next, self.diagonal.multiply_add(v, v));
         self.previous.multiply_add(turned.previous, sum)
     }
 }
 
 /// The first half of a step, with a guess of a.
-pub(super) struct Guess<V: Vector> {
+pub(super) struct Guess<V: RegisterVector> {
     a: V,
     /// The square |a|² of the guess.
     square: V::Scalar,
     half_turn: HalfTurn<V>,
     /// The vector f of [`new`](Self::new).
-    force: Turned<V>,
+    force: CyclicShifts<V>,
     /// The number α of [`new`](Self::new), in every component.
     along: V,
     /// The vector X of [`new`](Self::new).
@@ -66,7 +66,7 @@ pub(super) struct Guess<V: Vector> {
     correction: V,
 }
 
-impl<V: Vector> Guess<V> {
+impl<V: RegisterVector> Guess<V> {
     /// Computes the residual r = a − (h/4) I⁻¹Πₘ of a guess and its correction d.
     ///
     /// In terms of Π₀ and Γ₀, with n = 1/(1+|a|²),
@@ -79,24 +79,24 @@ impl<V: Vector> Guess<V> {
     /// and the correction is d = (1 − M)⁻¹r ≈ r + M r by the leading part 1 − M of the derivative, M r =
     /// (h/4) I⁻¹ (2 Πₘ×r) = 2 I⁻¹((I a)×r).
     #[inline(always)]
-    pub fn new(top: &Parameters<V, V::Scalar>, start: &State<V>, a: V) -> Self {
-        let (square, turned) = (a.times(a).sum(), Turned::new(a));
+    pub fn new(top: &MidpointParameters<V, V::Scalar>, start: &TopState<V>, a: V) -> Self {
+        let (square, turned) = (a.times(a).sum(), CyclicShifts::new(a));
         let half_turn = HalfTurn::new(a, turned, square);
         let scale = V::uniform(half_turn.scale);
-        let force = Turned::new(add_cross(top.force, turned, Turned::new(top.force)));
+        let force = CyclicShifts::new(add_cross(top.force, turned, CyclicShifts::new(top.force)));
         let along = V::uniform(a.dot(top.force));
-        let (gamma, across) = (start.vertical, Turned::new(start.vertical));
+        let (gamma, across) = (start.vertical, CyclicShifts::new(start.vertical));
         let torque = across.previous.multiply_add(force.next, along.times(gamma));
         let torque = across.next.multiply_subtract(force.previous, torque);
         let kicked = scale.multiply_add(torque, start.momentum);
-        let middle = half_turn.apply(kicked, Turned::new(kicked));
+        let middle = half_turn.apply(kicked, CyclicShifts::new(kicked));
         let four = V::uniform(V::Scalar::from_f64(4.0));
         let residual = top.rate.times(scale).negative_multiply_add(middle, four.times(a));
-        let spin = Turned {
+        let spin = CyclicShifts {
             next: top.next_ratio.times(turned.next),
             previous: top.previous_ratio.times(turned.previous),
         };
-        let correction = add_cross(residual, spin, Turned::new(residual));
+        let correction = add_cross(residual, spin, CyclicShifts::new(residual));
         Self { a, square, half_turn, force, along, middle, correction }
     }
 
@@ -108,7 +108,7 @@ impl<V: Vector> Guess<V> {
 
     /// Returns where the error of a − d, at most κ|d|, is at the floor; false where something is NaN.
     #[inline(always)]
-    pub fn settled(&self, top: &Parameters<V, V::Scalar>) -> MaskOf<V> {
+    pub fn converged(&self, top: &MidpointParameters<V, V::Scalar>) -> MaskOf<V> {
         let rate = (self.square * self.square).multiply_add(top.turning_rate, top.kick_rate);
         let size = self.square + top.least_square;
         (self.change() * rate).at_most(size * (16.0 * FLOOR * FLOOR))
@@ -116,7 +116,11 @@ impl<V: Vector> Guess<V> {
 
     /// Returns where the correction is round-off and the iteration no longer improves.
     #[inline(always)]
-    pub fn stalled(&self, top: &Parameters<V, V::Scalar>, previous: V::Scalar) -> MaskOf<V> {
+    pub fn stalled(
+        &self,
+        top: &MidpointParameters<V, V::Scalar>,
+        previous: V::Scalar,
+    ) -> MaskOf<V> {
         let change = self.change();
         let size = self.square + top.least_square;
         previous.at_most(change).and(change.at_most(size * (16.0 * ROUND_OFF * ROUND_OFF)))
@@ -146,19 +150,19 @@ impl<V: Vector> Guess<V> {
     /// This omits 4(1 − n) d and, in Π₁, a term 2hn² G×(γ×d). The bound κ of the error after a correction
     /// includes both.
     #[inline(always)]
-    pub fn end(&self, start: &State<V>) -> State<V> {
+    pub fn end(&self, start: &TopState<V>) -> TopState<V> {
         let turn = &self.half_turn;
-        let vertical = turn.apply(start.vertical, Turned::new(start.vertical));
-        let across = Turned::new(vertical);
+        let vertical = turn.apply(start.vertical, CyclicShifts::new(start.vertical));
+        let across = CyclicShifts::new(vertical);
         let torque = across.previous.multiply_subtract(self.force.next, self.along.times(vertical));
         let torque = across.next.multiply_subtract(self.force.previous, torque);
         let momentum = V::uniform(turn.scale).multiply_add(torque, self.middle);
-        let delta = Turned::new(self.correction);
+        let delta = CyclicShifts::new(self.correction);
         let vertical = add_cross(vertical, delta, across);
-        let momentum = add_cross(momentum, delta, Turned::new(momentum));
-        State {
-            momentum: turn.apply(momentum, Turned::new(momentum)),
-            vertical: turn.apply(vertical, Turned::new(vertical)),
+        let momentum = add_cross(momentum, delta, CyclicShifts::new(momentum));
+        TopState {
+            momentum: turn.apply(momentum, CyclicShifts::new(momentum)),
+            vertical: turn.apply(vertical, CyclicShifts::new(vertical)),
         }
     }
 }

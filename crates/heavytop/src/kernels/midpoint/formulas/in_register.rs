@@ -1,7 +1,7 @@
 //! Vectors of R³ in one register, and their form in memory.
 
-use super::components::State;
-use super::vector::Vector;
+use super::components::TopState;
+use super::register_vector::RegisterVector;
 use lie_poisson::{FourLanes, Real, Se3Dual};
 use nalgebra::Vector3;
 
@@ -29,7 +29,7 @@ impl<T: FourLanes> InRegister<T> {
     }
 }
 
-impl<T: FourLanes> Vector for InRegister<T> {
+impl<T: FourLanes> RegisterVector for InRegister<T> {
     type Scalar = T;
 
     #[inline(always)]
@@ -80,7 +80,7 @@ pub(super) fn vector(v: &Stored) -> Vector3<f64> {
     Vector3::new(v[0], v[1], v[2])
 }
 
-impl State<Stored> {
+impl TopState<Stored> {
     /// Creates the stored form of (Π, Γ).
     #[inline]
     pub fn of(mu: &Se3Dual) -> Self {

@@ -1,8 +1,8 @@
 //! The steps of many tops, one in each SIMD lane.
 
-use super::components::{Components, State};
+use super::components::{Components, TopState};
 use super::extrapolation::Extrapolation;
-use super::parameters::Parameters;
+use super::midpoint_parameters::MidpointParameters;
 use super::step::step;
 use crate::HeavyTop;
 use collective_integrators::LaneResults;
@@ -28,15 +28,15 @@ pub(crate) fn together<T: Lanes, M: Member>(
     count: u64,
 ) -> LaneResults {
     let last = group.len() - 1;
-    let mut state = State::<Components<T>>::gather(|i| *group[i.min(last)].state());
+    let mut state = TopState::<Components<T>>::gather(|i| *group[i.min(last)].state());
     let square = |i: usize| group[i.min(last)].state().0.1.norm_squared();
     let parameters =
-        Parameters::<Components<T>, T>::gather(|i| top(&group[i.min(last)]), square, size);
+        MidpointParameters::<Components<T>, T>::gather(|i| top(&group[i.min(last)]), square, size);
     let mut past = Extrapolation::<Components<T>>::new([T::from_f64(0.0); 3]);
     let mut gone = T::Mask::from_bool(false);
     for _ in 0..count {
         let outcome = step(&parameters, &state, past.predict(|a| *a), gone);
-        gone = gone.or(outcome.settled.not());
+        gone = gone.or(outcome.converged.not());
         if gone.all() {
             break;
         }

@@ -1,8 +1,8 @@
 //! The formulas of the collective midpoint rule for tops, with the same bits for one top in registers and for
 //! many in SIMD lanes.
 //!
-//! The module [`vector`] holds the vectors of R³ in which the formulas are written, and [`components`] and
-//! [`in_register`] its two forms. [`parameters`] holds the parameters of tops, [`guess`] half a step from a
+//! The module [`register_vector`] holds the vectors of R³ in which the formulas are written, and [`components`] and
+//! [`in_register`] its two forms. [`midpoint_parameters`] holds the parameters of tops, [`guess`] half a step from a
 //! guess of a, [`step`] one step, and [`extrapolation`] the next guess. [`one_top`] and [`many_tops`] use
 //! them.
 //!
@@ -22,13 +22,13 @@ mod extrapolation;
 mod guess;
 mod in_register;
 mod many_tops;
+mod midpoint_parameters;
 mod one_top;
-mod parameters;
+mod register_vector;
 mod step;
-mod vector;
 
 pub(crate) use many_tops::{Member, together};
-pub(crate) use one_top::Memory;
+pub(crate) use one_top::GuessHistory;
 
 #[cfg(test)]
 mod tests;

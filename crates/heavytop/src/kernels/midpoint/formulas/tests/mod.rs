@@ -1,11 +1,11 @@
 //! The same bits in lanes and alone, and the error bound that the stopping rule assumes.
 #![allow(clippy::unwrap_used)]
 
-use super::components::{State, each};
+use super::components::{TopState, each};
 use super::guess::Guess;
-use super::parameters::Parameters;
-use super::vector::Vector;
-use super::{Member, Memory, together};
+use super::midpoint_parameters::MidpointParameters;
+use super::register_vector::RegisterVector;
+use super::{GuessHistory, Member, together};
 use crate::{Body, HeavyTop};
 use collective_integrators::{
     CHECKPOINT, IntegrationError, LaneKernel, LaneResults, Registers, StepError,
@@ -65,12 +65,12 @@ impl LaneKernel for Formulas {
         steps: Range<u64>,
         (): &mut (),
     ) -> Result<(), IntegrationError> {
-        let mut memory = Memory::new(top);
+        let mut history = GuessHistory::new(top);
         for made in steps {
             if made % CHECKPOINT == 0 {
-                memory.forget();
+                history.forget();
             }
-            match memory.step(top, mu, step, self.0) {
+            match history.step(top, mu, step, self.0) {
                 Some(next) => *mu = next.point,
                 None => return Err(IntegrationError::after(made, step, StepError::NotFinite)),
             }
@@ -195,8 +195,8 @@ proptest! {
         let force = Vector3::from(force);
         prop_assume!(force.norm() > 1e-3);
         let top = top(Vector3::new(y + z, z + x, x + y), force);
-        let parameters = Parameters::<[f64; 3], f64>::gather(|_| top, |_| 1.0, step);
-        let start = State { momentum: pi, vertical: [0.6, 0.0, 0.8] };
+        let parameters = MidpointParameters::<[f64; 3], f64>::gather(|_| top, |_| 1.0, step);
+        let start = TopState { momentum: pi, vertical: [0.6, 0.0, 0.8] };
         let mut a = [0.0; 3];
         for _ in 0..100 {
             a = Guess::new(&parameters, &start, a).corrected();

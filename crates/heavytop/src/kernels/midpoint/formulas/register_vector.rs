@@ -8,7 +8,7 @@ use lie_poisson::{Lanes, Real};
 ///
 /// Every operation except `dot` and `sum` acts on each component by itself, so that both forms round alike.
 /// Dot products and sums have one order of summation.
-pub(super) trait Vector: Copy {
+pub(super) trait RegisterVector: Copy {
     /// The scalar type: one number, or one in each lane.
     type Scalar: Lanes;
 
@@ -37,18 +37,18 @@ pub(super) trait Vector: Copy {
 }
 
 /// The mask of a vector: one truth value, or one in each lane.
-pub(super) type MaskOf<V> = <<V as Vector>::Scalar as Real>::Mask;
+pub(super) type MaskOf<V> = <<V as RegisterVector>::Scalar as Real>::Mask;
 
 /// The two cyclic shifts of a vector, from which cross products are computed.
 #[derive(Clone, Copy)]
-pub(super) struct Turned<V> {
+pub(super) struct CyclicShifts<V> {
     /// The forward cyclic shift (v₁, v₂, v₀).
     pub next: V,
     /// The backward cyclic shift (v₂, v₀, v₁).
     pub previous: V,
 }
 
-impl<V: Vector> Turned<V> {
+impl<V: RegisterVector> CyclicShifts<V> {
     #[inline(always)]
     pub fn new(v: V) -> Self {
         Self { next: v.next(), previous: v.previous() }
@@ -57,6 +57,6 @@ impl<V: Vector> Turned<V> {
 
 /// Returns the sum x + u×v.
 #[inline(always)]
-pub(super) fn add_cross<V: Vector>(x: V, u: Turned<V>, v: Turned<V>) -> V {
+pub(super) fn add_cross<V: RegisterVector>(x: V, u: CyclicShifts<V>, v: CyclicShifts<V>) -> V {
     u.next.multiply_add(v.previous, u.previous.negative_multiply_add(v.next, x))
 }

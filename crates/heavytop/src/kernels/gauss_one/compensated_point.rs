@@ -11,12 +11,12 @@ use num_complex::Complex;
 
 /// The coordinates z = (q₁, …, q₄, p₁, …, p₄), and the part that rounding removed from the last sum.
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub(super) struct Point {
+pub(super) struct CompensatedPoint {
     pub(super) z: Row,
     pub(super) carry: Row,
 }
 
-impl Point {
+impl CompensatedPoint {
     pub(super) const ZERO: Self = Self { z: Row::ZERO, carry: Row::ZERO };
 
     #[inline]

@@ -1,25 +1,32 @@
 //! The stages of one step, from which the next step extrapolates.
 
-use super::point::Point;
+use super::compensated_point::CompensatedPoint;
 use super::row::{Row, Stages, WIDTH};
 
 /// The stages of the last step, and the point where it ended.
 #[derive(Clone, Debug)]
-pub(super) struct Memory {
+pub(super) struct StageHistory {
     first: Stages,
     second: Stages,
     /// Whether `first` holds the last step; the other one is free.
     last_is_first: bool,
     /// The number of sweeps of the last step; 0 if there was none.
     sweeps: usize,
-    end: Point,
+    end: CompensatedPoint,
     step: f64,
 }
 
-impl Memory {
+impl StageHistory {
     pub(super) fn new() -> Self {
         let (first, second) = ([Row::ZERO; WIDTH], [Row::ZERO; WIDTH]);
-        Self { first, second, last_is_first: true, sweeps: 0, end: Point::ZERO, step: 0.0 }
+        Self {
+            first,
+            second,
+            last_is_first: true,
+            sweeps: 0,
+            end: CompensatedPoint::ZERO,
+            step: 0.0,
+        }
     }
 
     /// Forgets the last step.
@@ -39,7 +46,7 @@ impl Memory {
     /// Otherwise it returns 0 and sets the stages of the last step to 0: the first guess is then z at every
     /// stage.
     #[inline(always)]
-    pub(super) fn recall(&mut self, start: &Point, step: f64) -> usize {
+    pub(super) fn recall(&mut self, start: &CompensatedPoint, step: f64) -> usize {
         if self.sweeps == 0 || self.step != step || !self.end.is(start) {
             self.sweeps = 0;
             *self.stages().0 = [Row::ZERO; WIDTH];
@@ -51,7 +58,7 @@ impl Memory {
     ///
     /// The step ended with χ + bψ, b = `slid`; the stages slide with it.
     #[inline(always)]
-    pub(super) fn keep(&mut self, end: &Point, step: f64, sweeps: usize, slid: f64) {
+    pub(super) fn keep(&mut self, end: &CompensatedPoint, step: f64, sweeps: usize, slid: f64) {
         (self.end, self.step, self.sweeps) = (*end, step, sweeps);
         self.last_is_first = !self.last_is_first;
         if slid != 0.0 {

@@ -4,10 +4,10 @@
 //! registers. [`LaneTask`] explains why there are no closures and iterators.
 #![allow(clippy::needless_range_loop)]
 
-use super::coefficients::Coefficients;
-use super::memory::Memory;
-use super::point::Point;
+use super::compensated_point::CompensatedPoint;
+use super::gauss_coefficients::GaussCoefficients;
 use super::row::{Row, Stages, WIDTH};
+use super::stage_history::StageHistory;
 use core::hint::black_box;
 use lie_poisson::{LaneTask, Lanes, Mask};
 
@@ -26,40 +26,40 @@ const ROUND_OFF: f64 = 256.0 * f64::EPSILON;
 
 /// One attempted step from a point, with room for S stages; `None` if the stage equations do not converge.
 pub(super) struct Attempt<'a, const S: usize> {
-    pub(super) coefficients: &'a Coefficients,
+    pub(super) coefficients: &'a GaussCoefficients,
     pub(super) step: f64,
-    pub(super) start: &'a Point,
-    pub(super) memory: &'a mut Memory,
+    pub(super) start: &'a CompensatedPoint,
+    pub(super) history: &'a mut StageHistory,
 }
 
 impl<const S: usize> LaneTask for Attempt<'_, S> {
-    type Output = Option<(Point, usize)>;
+    type Output = Option<(CompensatedPoint, usize)>;
 
     #[inline(always)]
-    fn run<T: Lanes>(self) -> Option<(Point, usize)> {
-        let Self { coefficients, step, start, memory } = self;
-        let expected = memory.recall(start, step);
-        let (last, stages) = memory.stages();
-        let kernel = Kernel { coefficients, step, start, products: start.products() };
-        let sweeps = kernel.solve::<T, S>(last, stages, expected)?;
+    fn run<T: Lanes>(self) -> Option<(CompensatedPoint, usize)> {
+        let Self { coefficients, step, start, history } = self;
+        let expected = history.recall(start, step);
+        let (last, stages) = history.stages();
+        let equations = StageEquations { coefficients, step, start, products: start.products() };
+        let sweeps = equations.solve::<T, S>(last, stages, expected)?;
         let mut end = start.plus_sum(stages);
         let slid = if end.has_drifted(coefficients.reach) { end.slide() } else { 0.0 };
-        memory.keep(&end, step, sweeps, slid);
+        history.keep(&end, step, sweeps, slid);
         end.is_finite().then_some((end, sweeps))
     }
 }
 
 /// The data of the stage equations of one step.
 #[derive(Clone, Copy)]
-struct Kernel<'a> {
-    coefficients: &'a Coefficients,
+struct StageEquations<'a> {
+    coefficients: &'a GaussCoefficients,
     step: f64,
-    start: &'a Point,
+    start: &'a CompensatedPoint,
     /// The product ‖χ‖‖ψ‖ at the start.
     products: f64,
 }
 
-impl Kernel<'_> {
+impl StageEquations<'_> {
     /// Solves the stage equations by sweeps and returns their number.
     ///
     /// The first sweep starts from an extrapolation of the last step. Convergence is tested from the sweep
@@ -74,7 +74,7 @@ impl Kernel<'_> {
         let blocks = S.div_ceil(T::COUNT);
         let mut turns = [[T::zero(); 3]; WIDTH];
         let mut changes = [T::from_f64(f64::INFINITY); WIDTH];
-        let mut settled = [T::Mask::from_bool(false); WIDTH];
+        let mut converged = [T::Mask::from_bool(false); WIDTH];
         for block in 0..blocks {
             let z = self.stage_points::<T, S>(&self.coefficients.guess, last, block);
             turns[block] = self.turn(&z, block);
@@ -94,8 +94,8 @@ impl Kernel<'_> {
                     let change = distance(&turn, &turns[block]);
                     let size = self.size(&turn, block);
                     let now = is_round_off(change, changes[block], size);
-                    settled[block] = settled[block].or(now);
-                    all = all.and(settled[block]);
+                    converged[block] = converged[block].or(now);
+                    all = all.and(converged[block]);
                     changes[block] = change;
                 }
                 turns[block] = turn;

@@ -14,7 +14,7 @@ pub(super) fn numbers(top: &HeavyTop, step: f64) -> [f64; 7] {
 
 /// The parameters of a top that a step depends on, with the step size h as a factor.
 #[derive(Clone, Copy, Debug)]
-pub(super) struct Parameters<V, T> {
+pub(super) struct MidpointParameters<V, T> {
     /// The ratios 2 Iᵢ₊₁/Iᵢ, cyclically.
     pub next_ratio: V,
     /// The ratios 2 Iᵢ₋₁/Iᵢ, cyclically.
@@ -33,7 +33,7 @@ pub(super) struct Parameters<V, T> {
     pub least_square: T,
 }
 
-impl<T: Lanes> Parameters<Components<T>, T> {
+impl<T: Lanes> MidpointParameters<Components<T>, T> {
     /// Gathers the parameters of the tops: lane i is `top(i)`, with |Γ|² = `square(i)`.
     #[inline(always)]
     pub fn gather(
@@ -55,10 +55,10 @@ impl<T: Lanes> Parameters<Components<T>, T> {
     }
 }
 
-impl Parameters<Stored, f64> {
+impl MidpointParameters<Stored, f64> {
     /// Creates the parameters of one top, with |Γ|² = `square`.
     pub fn stored(top: &HeavyTop, square: f64, step: f64) -> Self {
-        let one = Parameters::<Components<f64>, f64>::gather(|_| *top, |_| square, step);
+        let one = MidpointParameters::<Components<f64>, f64>::gather(|_| *top, |_| square, step);
         let stored = |[x, y, z]: Components<f64>| [x, y, z, 0.0];
         Self {
             next_ratio: stored(one.next_ratio),
@@ -73,8 +73,8 @@ impl Parameters<Stored, f64> {
 
     /// Loads each parameter into a register.
     #[inline(always)]
-    pub fn load<T: FourLanes>(&self) -> Parameters<InRegister<T>, T> {
-        Parameters {
+    pub fn load<T: FourLanes>(&self) -> MidpointParameters<InRegister<T>, T> {
+        MidpointParameters {
             next_ratio: InRegister::load(&self.next_ratio),
             previous_ratio: InRegister::load(&self.previous_ratio),
             rate: InRegister::load(&self.rate),

@@ -20,7 +20,7 @@ use core::cmp::Ordering;
 /// Source: Antoñana, Makazaga & Murua, *Reducing and monitoring round-off error propagation for
 /// symplectic implicit Runge–Kutta schemes*, Numer. Algorithms 76 (2017).
 #[derive(Clone, Debug, PartialEq)]
-pub(super) struct Coefficients {
+pub(super) struct GaussCoefficients {
     pub(super) stages: usize,
     /// The columns of the matrix μ.
     pub(super) columns: [Row; WIDTH],
@@ -34,7 +34,7 @@ pub(super) struct Coefficients {
     pub(super) reach: f64,
 }
 
-impl Coefficients {
+impl GaussCoefficients {
     /// Creates the coefficients from the tableau of a Gauss method with at most [`WIDTH`] stages.
     ///
     /// The columns and rows of missing stages are 0.
@@ -76,10 +76,10 @@ fn columns(s: usize, entry: impl Fn(usize, usize) -> f64) -> [Row; WIDTH] {
 mod tests {
     use super::*;
 
-    fn coefficients(s: usize) -> (Tableau, Coefficients) {
+    fn coefficients(s: usize) -> (Tableau, GaussCoefficients) {
         let gauss = Tableau::gauss(s).unwrap();
         let top = HeavyTop::kovalevskaya(1.0, 1.0).unwrap();
-        let coefficients = Coefficients::new(&gauss, &top);
+        let coefficients = GaussCoefficients::new(&gauss, &top);
         (gauss, coefficients)
     }
 
