@@ -41,7 +41,7 @@
 //! | many states, another Hamiltonian | [`Laned`](collective_integrators::Laned) with the [`ReducedMidpoint`] |
 //! | many tops, with separate parameters per top | an [`Ensemble`](collective_integrators::Ensemble) of a [`GaussBatch`] or a [`MidpointBatch`] |
 //! | many symmetric tops, with separate parameters per top | an [`Ensemble`](collective_integrators::Ensemble) of a [`SymmetricTopBatch`] |
-//! | the attitude of the body | [`WithAttitude`], around any integrator that is [`Turning`] |
+//! | the attitude of the body along one trajectory | [`WithAttitude`], around an integrator that is [`Turning`] |
 //! | tangent vectors and Lyapunov exponents | [`ReducedMidpoint`] or [`Collective`](collective_integrators::Collective), which work over dual numbers |
 //! | a Poincaré section: its energy level, surface, starts and returns | [`EnergyLevel`], [`Surface`], [`Section`] |
 //! | one of the six coordinates of (Π, Γ) | [`Coordinate`] |
