@@ -1,41 +1,41 @@
-//! Parameters that no top has.
+//! Errors of the parameters of tops.
 
 use thiserror::Error;
 
-/// Why a set of parameters is not a heavy top.
+/// The reason why a set of parameters is not a heavy top.
 #[derive(Clone, Debug, PartialEq, Error)]
 #[non_exhaustive]
 pub enum TopError {
     /// A number is infinite or not a number.
     #[error("{name} must be a finite number, got {value:?}")]
     NotFinite {
-        /// The parameter.
+        /// The name of the parameter.
         name: &'static str,
-        /// Its value.
+        /// The value of the parameter.
         value: f64,
     },
     /// A number is not above its bound.
     #[error("{name} must be positive, got {value:?}")]
     NotPositive {
-        /// The parameter.
+        /// The name of the parameter.
         name: &'static str,
-        /// Its value.
+        /// The value of the parameter.
         value: f64,
     },
     /// A number is below zero.
     #[error("{name} must not be negative, got {value:?}")]
     Negative {
-        /// The parameter.
+        /// The name of the parameter.
         name: &'static str,
-        /// Its value.
+        /// The value of the parameter.
         value: f64,
     },
     /// A number is outside its range.
     #[error("{name} must be from {least} to {greatest}, got {value}")]
     OutOfRange {
-        /// The parameter.
+        /// The name of the parameter.
         name: &'static str,
-        /// Its value.
+        /// The value of the parameter.
         value: f64,
         /// The lower bound.
         least: f64,
@@ -50,41 +50,42 @@ pub enum TopError {
     Triangle {
         /// The largest moment.
         largest: f64,
-        /// Another moment.
+        /// One of the other moments.
         first: f64,
         /// The remaining moment.
         second: f64,
     },
-    /// The closed form asked for is that of another top.
+    /// The top is not Lagrange's, which the closed form requires.
     #[error("the top must be Lagrange's: I₁ = I₂, centre of mass on +e₃, gravity at work")]
     NotLagrange,
-    /// The top has no axis of symmetry e₃.
+    /// The top is not symmetric about e₃.
     #[error("the top must be symmetric about e₃: I₁ = {first:?} is not I₂ = {second:?}")]
     NotSymmetricTop {
-        /// I₁
+        /// The moment of inertia I₁.
         first: f64,
-        /// I₂
+        /// The moment of inertia I₂.
         second: f64,
     },
     /// A direction is not a unit vector.
     #[error("{name} must be a unit vector to within {tolerance:e}, its length is {length:?}")]
     NotUnit {
-        /// The parameter.
+        /// The name of the parameter.
         name: &'static str,
-        /// Its length.
+        /// The length of the vector.
         length: f64,
-        /// How far the length may be from 1.
+        /// The largest difference of the length from 1.
         tolerance: f64,
     },
 }
 
-/// How far the length of a direction may be from 1.
+/// The largest difference of the length of a unit vector from 1.
 pub const UNIT_TOLERANCE: f64 = 1e-9;
 
 /// Checks that `direction` is a unit vector, to within [`UNIT_TOLERANCE`].
 ///
 /// # Errors
-/// If it is not, or not finite; the error names the parameter by `name`.
+/// Returns [`TopError::NotUnit`] if the vector is longer or shorter, or not finite. The error names the
+/// parameter by `name`.
 pub fn require_unit(
     name: &'static str,
     direction: &nalgebra::Vector3<f64>,

@@ -1,46 +1,14 @@
-//! Collective heavy top dynamics: the system of T. Ohsawa, *Collective Heavy Top Dynamics*,
-//! SIGMA 15 (2019) 083.
+//! Heavy tops by collective Lie–Poisson integrators, after T. Ohsawa, *Collective Heavy Top Dynamics*, SIGMA
+//! 15 (2019) 083, with their invariants, attitude, Poincaré sections and closed-form solutions.
 //!
-//! By subject, each row building on those above it:
+//! ```toml
+//! [dependencies]
+//! heavytop = "0.1"
+//! ```
 //!
-//! | object | item |
-//! |---|---|
-//! | SU(2) ⋉ C² acting on C², and L, derived from it | [`SpinorMotions`], [`SpinorMomentum`] |
-//! | ϖ, by the Hopf map | [`Varpi`] |
-//! | M = ϖ∘L: T∗C² → se(3)∗, its lifts and fibres | [`SpinorRealisation`] |
-//! | the heavy top: general, free, Lagrange, Kovalevskaya, Goryachev–Chaplygin | [`HeavyTop`], [`Body`], [`RigidBody`] |
-//! | h, f₁, f₂, f₃, K, G | [`Invariant`] |
-//! | collective Gauss methods of one top, in the registers of the processor | [`CollectiveGauss`] |
-//! | the rotation of the body in a step | [`Turning`], [`TurningFlows`] |
-//! | splittings of tops into exact rotations and kicks | [`RotorSplitting`], [`SymmetricTopSplitting`] |
-//! | many tops at once: symmetric ones by splitting, any by Gauss methods | [`SymmetricTopBatch`], [`GaussBatch`] |
-//! | the midpoint rule on se(3)∗ in closed form: of a top, of any Hamiltonian | [`TopMidpoint`], [`ReducedMidpoint`] |
-//! | the same for many tops at once | [`TopMidpoint`], [`MidpointBatch`] |
-//! | these on all threads | [`Ensemble`](collective_integrators::Ensemble) of any of them |
-//! | the attitude, in every formulation that has one | [`WithAttitude`] |
-//! | Poincaré sections: the energy level, the surface, the starts, the returns | [`EnergyLevel`], [`Coordinate`], [`Surface`], [`Section`] |
-//! | nutation of any top: amplitude, rotation number | [`Nutation`] |
-//! | closed forms: Euler's and Lagrange's tops | [`EulerSolution`], [`LagrangeNutation`], [`JacobiElliptic`], [`jacobi_elliptic`] |
+//! The paper's experiment, over 200 steps: the collective midpoint rule conserves the two Casimirs |Γ|² and
+//! Π·Γ to round-off, and the energy to 1e-3.
 //!
-//! # Which integrator
-//!
-//! | to integrate | take |
-//! |---|---|
-//! | one [`HeavyTop`], accurately | [`HeavyTop::gauss`]: a [`CollectiveGauss`] with up to 8 stages |
-//! | one [`HeavyTop`], by the midpoint rule | [`HeavyTop::midpoint`]: a [`TopMidpoint`] |
-//! | many states of one top | an [`Ensemble`](collective_integrators::Ensemble) of the [`TopMidpoint`] |
-//! | many tops, with separate parameters per top | an [`Ensemble`](collective_integrators::Ensemble) of a [`GaussBatch`] or a [`MidpointBatch`]; of symmetric tops, a [`SymmetricTopBatch`] |
-//! | any other Hamiltonian h(Π, Γ) | [`Collective`](collective_integrators::Collective) with [`RungeKutta::gauss`](collective_integrators::RungeKutta::gauss) and [`SpinorRealisation`], or [`ReducedMidpoint`] |
-//! | many states of that | [`Laned`](collective_integrators::Laned) of the [`ReducedMidpoint`] |
-//! | the attitude along one trajectory | [`WithAttitude`] of its integrator |
-//! | tangent vectors, Lyapunov exponents | [`ReducedMidpoint`] or [`Collective`](collective_integrators::Collective), which work over dual numbers |
-//!
-//! The usual names of these and of the lower crates are in the [`prelude`]. The lower crates, [`nalgebra`] and
-//! [`num_complex`] are re-exported. Gyrostats, bodies in a fluid, point vortices and spins are in the crate
-//! `lie-poisson-systems`.
-//!
-//! # Example
-//! The paper's experiment, over 200 steps:
 //! ```
 //! use heavytop::prelude::*;
 //!
@@ -56,6 +24,57 @@
 //! }
 //! # Ok::<(), Box<dyn std::error::Error>>(())
 //! ```
+//!
+//! # Which item when
+//!
+//! | when you need | use |
+//! |---|---|
+//! | a top from its parameters, or one of the integrable tops | [`HeavyTop`], with [`Body`] |
+//! | the free rigid body on so(3)∗ | [`RigidBody`] |
+//! | the conserved quantities h, f₁, f₂, f₃, K and G | [`Invariant`] |
+//! | one top, accurately | [`HeavyTop::gauss`], which makes a [`CollectiveGauss`] with up to 8 stages |
+//! | one top, by the midpoint rule | [`HeavyTop::midpoint`], which makes a [`TopMidpoint`] |
+//! | another Hamiltonian h(Π, Γ), with any scheme | [`SpinorRealisation`] in a [`Collective`](collective_integrators::Collective) |
+//! | another Hamiltonian h(Π, Γ), by the midpoint rule | [`ReducedMidpoint`] |
+//! | an explicit method | [`RotorSplitting`]; [`SymmetricTopSplitting`] if I₁ = I₂ |
+//! | many states of one top | an [`Ensemble`](collective_integrators::Ensemble) of the [`TopMidpoint`] |
+//! | many states, another Hamiltonian | [`Laned`](collective_integrators::Laned) with the [`ReducedMidpoint`] |
+//! | many tops, with separate parameters per top | an [`Ensemble`](collective_integrators::Ensemble) of a [`GaussBatch`] or a [`MidpointBatch`] |
+//! | many symmetric tops, with separate parameters per top | an [`Ensemble`](collective_integrators::Ensemble) of a [`SymmetricTopBatch`] |
+//! | the attitude of the body along one trajectory | [`WithAttitude`], around an integrator that is [`Turning`] |
+//! | tangent vectors and Lyapunov exponents | [`ReducedMidpoint`] or [`Collective`](collective_integrators::Collective), which work over dual numbers |
+//! | a Poincaré section: its energy level, surface, starts and returns | [`EnergyLevel`], [`Surface`], [`Section`] |
+//! | one of the six coordinates of (Π, Γ) | [`Coordinate`] |
+//! | the nutation of any top: amplitude and rotation number | [`Nutation`] |
+//! | the motion in closed form | [`EulerSolution`], [`LagrangeNutation`] |
+//! | Jacobi's elliptic functions | [`JacobiElliptic`], [`jacobi_elliptic`] |
+//! | the paper's maps L, ϖ and M = ϖ∘L | [`SpinorMomentum`], [`Varpi`], [`SpinorRealisation`] |
+//! | the paper's action of SU(2) ⋉ C² on C² | [`SpinorMotions`], [`SPINOR_MOTIONS`] |
+//! | the reason why parameters are refused | [`TopError`], [`SectionError`] |
+//! | the usual names in one line | [`prelude`] |
+//!
+//! # Conventions
+//!
+//! * The state is (Π, Γ) ∈ se(3)∗ in the body frame, with the minus bracket: [`HeavyTopSpace`].
+//! * Π is the angular momentum, and Γ = R⁻¹e₃ is the upward vertical seen from the body.
+//! * The equations of motion are dΠ/dt = Π × Ω + m g l Γ × c and dΓ/dt = Γ × Ω.
+//! * The attitude R maps the body frame to the spatial frame.
+//! * Parameters are in SI units, and angles in radians.
+//! * The signs on 𝔤∗ are those of [`lie_poisson`], the sides those of [`momentum_map`].
+//!
+//! The notation of all the crates is collected in `docs/notation.md` of the source repository.
+//!
+//! # Features and versions
+//!
+//! The crate has no features. The SIMD lanes of the processor (several trajectories in one register) are
+//! found at run time. The oldest supported compiler is Rust 1.89.
+//!
+//! # Related crates
+//!
+//! [`lie_poisson`] holds Lie algebras and Hamiltonians, [`momentum_map`] the Poisson maps, and
+//! [`collective_integrators`] the integrators, trajectories and diagnostics. These, [`nalgebra`] and
+//! [`num_complex`] appear in the public interface and are re-exported. The crate `lie-poisson-systems` holds
+//! gyrostats, bodies in a fluid, point vortices and spins, and `heavytop-cli` the program `heavytop`.
 
 mod error;
 mod tops;
@@ -101,7 +120,7 @@ pub use momentum_map;
 pub use nalgebra;
 pub use num_complex;
 
-/// The examples of the README run.
+/// Compiles and runs the examples of the README.
 #[cfg(doctest)]
 #[doc = include_str!("../README.md")]
 struct Readme;

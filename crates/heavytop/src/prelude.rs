@@ -16,7 +16,7 @@
 //! | the attitude of the body | [`WithAttitude`] |
 //!
 //! # Example
-//! A heavy top of one's own, by the collective midpoint rule:
+//! A heavy top with given parameters, integrated by the collective midpoint rule:
 //! ```
 //! use heavytop::prelude::*;
 //!

@@ -1,4 +1,4 @@
-//! Parameters that no system has.
+//! Errors of the parameters of systems.
 
 use thiserror::Error;
 
@@ -9,31 +9,31 @@ pub enum SystemError {
     /// A number is infinite or not a number.
     #[error("{name} must be a finite number, got {value:?}")]
     NotFinite {
-        /// The parameter.
+        /// The name of the parameter.
         name: &'static str,
-        /// Its value.
+        /// The value of the parameter.
         value: f64,
     },
     /// A number is not above zero.
     #[error("{name} must be positive, got {value:?}")]
     NotPositive {
-        /// The parameter.
+        /// The name of the parameter.
         name: &'static str,
-        /// Its value.
+        /// The value of the parameter.
         value: f64,
     },
     /// A number is below zero.
     #[error("{name} must not be negative, got {value:?}")]
     Negative {
-        /// The parameter.
+        /// The name of the parameter.
         name: &'static str,
-        /// Its value.
+        /// The value of the parameter.
         value: f64,
     },
     /// A number is zero.
     #[error("{name} must not be zero")]
     Zero {
-        /// The parameter.
+        /// The name of the parameter.
         name: &'static str,
     },
     /// A matrix is not symmetric.
@@ -42,11 +42,11 @@ pub enum SystemError {
          transpose by {defect:e}"
     )]
     NotSymmetric {
-        /// The matrix.
+        /// The name of the matrix.
         name: &'static str,
         /// The largest difference from the transpose.
         defect: f64,
-        /// How large the difference may be, relative to the largest entry.
+        /// The largest difference allowed, relative to the largest entry.
         tolerance: f64,
     },
     /// No mass distribution has these principal moments.
@@ -57,7 +57,7 @@ pub enum SystemError {
     Triangle {
         /// The largest moment.
         largest: f64,
-        /// Another moment.
+        /// One of the other moments.
         first: f64,
         /// The remaining moment.
         second: f64,

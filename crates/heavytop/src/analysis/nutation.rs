@@ -1,4 +1,4 @@
-//! Nutation of any top: its amplitude and its rotation number.
+//! The nutation of any top: its amplitude and its rotation number.
 
 use crate::HeavyTop;
 use crate::closed_forms::power_of_two::power_of_two;
@@ -6,26 +6,28 @@ use core::f64::consts::{PI, TAU};
 use lie_poisson::{Covector, Pair, Se3Dual, larger};
 use nalgebra::Vector3;
 
-/// The nutation of a motion, from its samples. With the line c from the support to the centre of mass,
+/// The nutation of a motion, measured from its samples.
+///
+/// With the line c from the support to the centre of mass,
 ///
 /// ```text
 /// u = Γ·c/|Γ| = cos θ,   θ the angle between c and the upward vertical
 /// φ = the angle of Γ about c in the body frame, followed continuously
 /// ```
 ///
-/// * The *amplitude* is θ_max − θ_min over the samples taken in, in [0, π]. Between samples where du/dt
-///   changes its sign u is a cubic, so that its extremes have errors of the fourth order in the step.
-///   θ comes from 1 − u and 1 + u, whose digits are kept next to the vertical: θ_min and θ_max have errors
-///   of a few units of round-off of their own size, however small.
-/// * The *rotation number* is the mean advance of φ, in turns, from one maximum of u to the next:
-///   (φ_n − φ_0)/(2πn) over the maxima 0, …, n. Next to a torus of dimension 2 it tends, as 1/n, to a
-///   ratio of the frequencies of the motion of (Π, Γ).
+/// * The *amplitude* is θ_max − θ_min over the samples, in [0, π]. Between samples where du/dt changes its
+///   sign u is taken as a cubic, so that its extremes have errors of the fourth order in the step. θ is
+///   computed from 1 − u and 1 + u, which keep their digits near the vertical: θ_min and θ_max have errors of
+///   a few units of round-off of their own size, however small.
+/// * The *rotation number* is the mean advance of φ, in turns, from one maximum of u to the next: (φ_n −
+///   φ_0)/(2πn) over the maxima 0, …, n. Near a torus of dimension 2 it tends, as 1/n, to a ratio of the
+///   frequencies of the motion of (Π, Γ).
 ///
-/// The body must turn by less than half a turn from sample to sample. A regular precession, which has no
-/// maxima, has no rotation number.
+/// The body must turn by less than half a turn from sample to sample. A regular precession has no maxima and
+/// therefore no rotation number.
 ///
 /// # Example
-/// Lagrange's top, against its closed form:
+/// The amplitude of Lagrange's top is compared with its closed form:
 /// ```
 /// use collective_integrators::{LiftFree, RungeKutta, Start};
 /// use heavytop::{HeavyTop, LagrangeNutation, Nutation};
@@ -49,14 +51,14 @@ use nalgebra::Vector3;
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Nutation {
     top: HeavyTop,
-    /// c, and two directions with which it is right-handed.
+    /// The line c and two directions that make a right-handed frame with it.
     frame: [Vector3<f64>; 3],
     last: Option<Instant>,
     /// The least and the largest θ.
     range: [f64; 2],
-    /// φ at the first and at the last maximum.
+    /// The angle φ at the first and at the last maximum.
     maxima: Option<[f64; 2]>,
-    /// n
+    /// The number n of periods between the two.
     periods: u64,
 }
 
@@ -64,16 +66,16 @@ pub struct Nutation {
 #[derive(Clone, Copy, Debug, PartialEq)]
 struct Instant {
     time: f64,
-    /// 1 − u and 1 + u
+    /// The distances 1 − u and 1 + u from the two vertical positions.
     depths: [f64; 2],
-    /// du/dt
+    /// The rate du/dt of the height.
     rate: f64,
-    /// φ
+    /// The angle φ about c.
     angle: f64,
 }
 
 impl Nutation {
-    /// The nutation of a motion of the top, before its first sample.
+    /// Creates an empty record of the nutation of a top, before the first sample.
     #[must_use]
     pub fn new(top: &HeavyTop) -> Self {
         let c = top.center_of_mass().normalize();
@@ -85,7 +87,7 @@ impl Nutation {
         Self { top: *top, frame: [c, e, c.cross(&e)], last: None, range, maxima: None, periods: 0 }
     }
 
-    /// Takes in the next sample: the time (s) and (Π, Γ).
+    /// Adds the next sample: the time (s) and (Π, Γ).
     pub fn observe(&mut self, time: f64, mu: &Se3Dual) {
         let Covector(Pair(pi, gamma)) = mu;
         let [c, e, f] = &self.frame;
@@ -99,7 +101,7 @@ impl Nutation {
         let mut angle = gamma.dot(f).atan2(gamma.dot(e));
         self.widen(depths);
         if let Some(last) = self.last {
-            // The nearest angle to the last one.
+            // The angle is the one nearest to the last one.
             angle = last.angle + ((angle - last.angle + PI).rem_euclid(TAU) - PI);
             let now = Instant { time, depths, rate, angle };
             if (last.rate > 0.0) != (rate > 0.0) {
@@ -109,9 +111,9 @@ impl Nutation {
         self.last = Some(Instant { time, depths, rate, angle });
     }
 
-    /// Takes in the extreme between two samples.
+    /// Adds the extreme between two samples.
     fn turn(&mut self, from: &Instant, to: &Instant) {
-        // Where the rate, taken as linear, vanishes.
+        // The rate, taken as linear, vanishes here.
         let s = from.rate / (from.rate - to.rate);
         if !s.is_finite() {
             return;
@@ -137,21 +139,23 @@ impl Nutation {
         }
     }
 
-    /// Takes in θ, of 1 − cos θ and 1 + cos θ.
+    /// Adds the angle θ with the given 1 − cos θ and 1 + cos θ.
     fn widen(&mut self, [below, above]: [f64; 2]) {
         let angle = 2.0 * below.sqrt().atan2(above.sqrt());
         let [least, most] = self.range;
         self.range = [-larger(-least, -angle), larger(most, angle)];
     }
 
-    /// θ_max − θ_min, rad; none before the first sample, or if a sample had no direction.
+    /// Returns the amplitude θ_max − θ_min, rad; none before the first sample, or if a sample had no
+    /// direction.
     #[must_use]
     pub fn amplitude(&self) -> Option<f64> {
         let [least, most] = self.range;
         (least.is_finite() && most.is_finite()).then_some(most - least)
     }
 
-    /// (φ_n − φ_0)/(2πn), in turns from maximum to maximum; none with fewer than two maxima.
+    /// Returns the rotation number (φ_n − φ_0)/(2πn), in turns from maximum to maximum; none with fewer than
+    /// two maxima.
     #[must_use]
     pub fn rotation_number(&self) -> Option<f64> {
         let [first, latest] = self.maxima?;

@@ -7,33 +7,31 @@ use core::f64::consts::TAU;
 use lie_poisson::{Covector, Hamiltonian, LiePoisson, Pair, PoissonSpace, Se3, Se3Dual};
 use nalgebra::{Vector2, Vector3};
 
-/// So many points of the plane are tried for starts.
+/// The number of points of the plane that are tried for starts.
 const CANDIDATES: u64 = 10_000_000;
 
-/// A surface in se(3)∗ that a motion crosses: a coordinate has the given level there.
+/// A surface in se(3)∗ on which a coordinate has a given level.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Surface {
-    /// The coordinate.
+    /// The coordinate that is fixed.
     pub coordinate: Coordinate,
-    /// Its value on the surface, in its unit.
+    /// The value of the coordinate on the surface, in its unit.
     pub level: f64,
-    /// The crossings that count.
+    /// The directions of the crossings that count.
     pub direction: Direction,
 }
 
-/// The Poincaré section of an energy level: its states on a surface, of dimension 2, and the motion's
-/// returns to it.
+/// The Poincaré section of an energy level: its states on a surface, of dimension 2, with the return map.
 ///
-/// The surface fixes Γ_i or Π_i, i = 1, 2, 3. The plane in which the section is drawn has the
-/// coordinates
+/// The surface fixes Γ_i or Π_i, i = 1, 2, 3. The section is drawn in a plane with the coordinates
 ///
 /// ```text
 /// x = atan2(Γ_k, Γ_j) in [0, 2π], (i, j, k) cyclic: the angle of Γ about e_i, rad
 /// y = Π_i (kg m²/s) where the surface fixes Γ_i; Γ_i where it fixes Π_i
 /// ```
 ///
-/// On Γ_i = level these are, up to sign, an Euler angle and its momentum: canonical coordinates of
-/// the section, in which one crossing direction lies over each accessible point once. The return
+/// On Γ_i = level these are, up to sign, an Euler angle and its momentum. They are canonical coordinates of
+/// the section, and for one crossing direction each accessible point of the plane has one state. The return
 /// map conserves the area dx dy.
 ///
 /// Source: H. Poincaré, *Les méthodes nouvelles de la mécanique céleste* III (1899), ch. XXVII.
@@ -71,11 +69,11 @@ pub struct Section {
 }
 
 impl Section {
-    /// The section of the level by the surface.
+    /// Creates the section of the level by the surface.
     ///
     /// # Errors
-    /// If a number is not finite, Γ_i is given a level that is not more than −1 and less than 1, or there is no
-    /// state with this energy; the error then names the least energy.
+    /// Returns [`SectionError`] if a number is not finite, if Γ_i is given a level outside −1 < level < 1, or
+    /// if no state has this energy; the error then names the least energy.
     pub fn new(level: EnergyLevel, surface: Surface) -> Result<Self, SectionError> {
         for (name, value) in [
             ("energy", level.energy),
@@ -98,25 +96,25 @@ impl Section {
         Ok(section)
     }
 
-    /// The energy level.
+    /// Returns the energy level of the section.
     #[must_use]
     pub fn level(&self) -> &EnergyLevel {
         &self.level
     }
 
-    /// The surface.
+    /// Returns the surface of the section.
     #[must_use]
     pub fn surface(&self) -> &Surface {
         &self.surface
     }
 
-    /// The coordinate that the surface fixes, less its level there.
+    /// Returns the coordinate that the surface fixes, minus its level.
     #[must_use]
     pub fn value(&self, mu: &Se3Dual) -> f64 {
         self.surface.coordinate.of(mu) - self.surface.level
     }
 
-    /// (x, y) of a state.
+    /// Returns the point (x, y) of the plane for a state.
     #[must_use]
     pub fn plane(&self, mu: &Se3Dual) -> Vector2<f64> {
         let Covector(Pair(pi, gamma)) = mu;
@@ -126,7 +124,7 @@ impl Section {
         Vector2::new(x, other[axis])
     }
 
-    /// The states at (x, y) that cross the surface in its direction: none, one or two.
+    /// Returns the states at (x, y) that cross the surface in its direction: none, one or two.
     pub fn states<'a>(&'a self, plane: &Vector2<f64>) -> impl Iterator<Item = Se3Dual> + use<'a> {
         let fixed = self.surface.level;
         let (height, momentum) =
@@ -136,17 +134,19 @@ impl Section {
         states.into_iter().flatten().filter(|mu| self.crosses(mu))
     }
 
-    /// States of the section, spread evenly over the accessible part of the plane: a sequence that is
-    /// determined by the seed, the first points of a longer one being those of a shorter one.
+    /// Returns states of the section, spread evenly over the accessible part of the plane.
     ///
-    /// Points (x, y) of Weyl's sequence (n/g, n/g²) mod 1, g³ = g + 1, shifted at random, are kept
-    /// where they are accessible.
+    /// The seed determines the sequence, and a longer sequence begins with the points of a shorter one.
+    ///
+    /// The points (x, y) are those of Weyl's sequence (n/g, n/g²) mod 1, g³ = g + 1, shifted at random, that
+    /// are accessible.
     ///
     /// Source: H. Weyl, Math. Ann. 77 (1916); M. Roberts, *The unreasonable effectiveness of
     /// quasirandom sequences* (2018), for g.
     ///
     /// # Errors
-    /// If among ten million points too few are accessible: the energy is next to the least one.
+    /// Returns [`SectionError::TooSmall`] if too few of ten million points are accessible, because the energy
+    /// is near the least one.
     pub fn starts(&self, count: usize, seed: u64) -> Result<Vec<Se3Dual>, SectionError> {
         let bound = self.bound();
         let candidates = quasi_random(seed).take(CANDIDATES as usize);
@@ -161,12 +161,14 @@ impl Section {
         }
     }
 
-    /// The returns to the section of the motion through `start`, a state of the section, in the
-    /// first `steps` steps of size `step` (s). Within the first step none is seen.
+    /// Returns the crossings of the section by the motion through `start`, a state of the section, in the
+    /// first `steps` steps of size `step` (s).
+    ///
+    /// Crossings within the first step are not reported.
     ///
     /// # Errors
-    /// If the start has no lift, or is not finite. If a step fails, the iterator returns its error for
-    /// each step that is missing.
+    /// Returns [`RunError`] if the start has no lift, or is not finite. If a step fails, the iterator returns
+    /// [`EventError`] for each step that is missing.
     pub fn crossings<'a, I: Start<Momentum = Se3Dual>>(
         &self,
         integrator: &'a I,
@@ -175,7 +177,7 @@ impl Section {
         steps: usize,
     ) -> Result<impl Iterator<Item = Result<SampleOf<I>, EventError>> + use<'a, I>, RunError> {
         let section = *self;
-        // The start lies on the surface up to rounding, on which side is chance.
+        // The start lies on the surface up to rounding, so that its side is random.
         let run = integrator.trajectory(start, step)?.take(steps.saturating_add(1)).skip(1);
         let value = move |mu: &Se3Dual| section.value(mu);
         Ok(Events::new(integrator, run, value, self.surface.direction))
@@ -185,7 +187,7 @@ impl Section {
         self.surface.coordinate.axis()
     }
 
-    /// Whether the state goes through the surface in the right direction.
+    /// Returns whether the state crosses the surface in the right direction.
     fn crosses(&self, mu: &Se3Dual) -> bool {
         let space: HeavyTopSpace = LiePoisson::minus(Se3::default());
         let differential = Hamiltonian::<HeavyTopSpace>::differential(&self.level.top, mu);
@@ -197,7 +199,7 @@ impl Section {
         }
     }
 
-    /// The least energy on the surface over Γ at this angle about the axis; Γ_i is `height` unless
+    /// Returns the least energy on the surface over Γ at this angle about the axis. Γ_i is `height` unless
     /// the surface fixes it.
     fn least_energy_over(&self, angle: f64, height: f64) -> f64 {
         let Surface { coordinate, level, .. } = self.surface;
@@ -209,7 +211,7 @@ impl Section {
         }
     }
 
-    /// |y| is at most this: Π_i² ≤ 2I_i (E − m g l Γ·c), or |Γ_i| ≤ 1.
+    /// Returns the bound of |y|: Π_i² ≤ 2I_i (E − m g l Γ·c), or |Γ_i| ≤ 1.
     fn bound(&self) -> f64 {
         let EnergyLevel { top, energy, .. } = self.level;
         let Surface { coordinate, level, .. } = self.surface;
@@ -223,7 +225,7 @@ impl Section {
     }
 }
 
-/// The unit vector with Γ_i = height at an angle about e_i, counted from e_j.
+/// Returns the unit vector with Γ_i = height at an angle about e_i, counted from e_j.
 fn vertical(axis: usize, angle: f64, height: f64) -> Vector3<f64> {
     let radius = (1.0 - height * height).max(0.0).sqrt();
     let mut gamma = Vector3::zeros();

@@ -1,37 +1,37 @@
-//! Sections that are empty.
+//! Errors of Poincaré sections.
 
 use crate::Coordinate;
 use thiserror::Error;
 
-/// Why there is no Poincaré section.
+/// The reason why a Poincaré section does not exist.
 #[derive(Clone, Copy, Debug, PartialEq, Error)]
 #[non_exhaustive]
 pub enum SectionError {
     /// A number is infinite or not a number.
     #[error("{name} must be a finite number, got {value:?}")]
     NotFinite {
-        /// The parameter.
+        /// The name of the parameter.
         name: &'static str,
-        /// Its value.
+        /// The value of the parameter.
         value: f64,
     },
     /// The vertical has no such component, or only where it is along the axis.
     #[error("the level of {coordinate} must be more than -1 and less than 1, got {level:?}")]
     NoSuchVertical {
-        /// The component.
+        /// The component of the vertical.
         coordinate: Coordinate,
-        /// Its value.
+        /// The value of the component.
         level: f64,
     },
     /// No state on the surface has the energy.
     #[error("no state of the section has an energy of {energy:?} J: the least is {least:?} J")]
     Empty {
-        /// The energy, J.
+        /// The energy of the level, J.
         energy: f64,
         /// The least energy on the surface, J.
         least: f64,
     },
-    /// The accessible part is too small to be hit.
+    /// The accessible part of the plane is too small.
     #[error(
         "the section is too small: of {candidates} points in the plane {found} are accessible, {count} \
          are needed; raise the energy"

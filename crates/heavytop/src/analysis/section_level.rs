@@ -1,18 +1,19 @@
-//! Where a section is: its least energy, and points all over it.
+//! The least energy of a section, and evenly spread points of its plane.
 
 use core::f64::consts::PI;
 
-/// The search begins at so many angles,
+/// The number of angles at which the search begins.
 const ANGLES: u32 = 24;
 
-/// and so many heights.
+/// The number of heights at which the search begins.
 const HEIGHTS: u32 = 12;
 
-/// The lengths of steps are halved so often, until rounding stops them.
+/// The number of times that the step lengths are halved, until rounding ends the search.
 const HALVINGS: u32 = 28;
 
-/// The least value of f(angle, height) over all angles and −1 < height < 1: by compass search from
-/// a grid, down to the rounding of f.
+/// Returns the least value of f(angle, height) over all angles and −1 < height < 1.
+///
+/// It is found by compass search from a grid, down to the rounding of f.
 ///
 /// Source: T. G. Kolda, R. M. Lewis & V. Torczon, *Optimization by direct search*, SIAM Review 45
 /// (2003).
@@ -45,7 +46,7 @@ fn compass(f: &impl Fn(f64, f64) -> f64, mut at: [f64; 2], mut steps: [f64; 2]) 
     least
 }
 
-/// Weyl's sequence (n/g, n/g²) mod 1 for g³ = g + 1, shifted at random.
+/// Returns Weyl's sequence (n/g, n/g²) mod 1 for g³ = g + 1, shifted at random.
 pub(crate) fn quasi_random(seed: u64) -> impl Iterator<Item = [f64; 2]> {
     const ROOT: f64 = 1.324_717_957_244_746;
     let shift = [seed, seed.wrapping_add(GOLDEN)].map(split_mix);
@@ -57,7 +58,7 @@ pub(crate) fn quasi_random(seed: u64) -> impl Iterator<Item = [f64; 2]> {
 
 const GOLDEN: u64 = 0x9e37_79b9_7f4a_7c15;
 
-/// A number in [0, 1) that depends on every bit of the seed.
+/// Returns a number in [0, 1) that depends on every bit of the seed.
 ///
 /// Source: G. L. Steele, D. Lea & C. H. Flood, *Fast splittable pseudorandom number generators*,
 /// OOPSLA 2014: the generator SplitMix64.

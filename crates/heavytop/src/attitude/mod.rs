@@ -1,4 +1,4 @@
-//! The rotation that a step makes, and trajectories with the attitude.
+//! The rotation of the body in a step, and trajectories with the attitude.
 
 pub(crate) mod step_rotation;
 pub(crate) mod with_attitude;

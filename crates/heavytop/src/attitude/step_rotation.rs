@@ -1,4 +1,4 @@
-//! The rotation that a step makes of the vertical.
+//! Integrators and flows that report the rotation of the body in each step.
 
 use crate::{HeavyTopSpace, SpinorPoint, SpinorRealisation};
 use collective_integrators::{
@@ -9,19 +9,20 @@ use lie_poisson::{Hamiltonian, Pair, Quaternion, Real, Se3Dual, Vector, squaring
 use momentum_map::DualQuaternions;
 use nalgebra::Vector3;
 
-/// The outcome of a step from `S`, and its rotation.
+/// The result of a step: the next state of type `S` with the quaternion of the rotation, or a [`StepError`].
 pub type TurnedStep<S, T> = Result<(Step<S>, Quaternion<T>), StepError>;
 
-/// An integrator on se(3)∗ that knows the rotation of the body in each step.
+/// An integrator on se(3)∗ that reports the rotation of the body in each step.
 ///
-/// Γₙ₊₁ alone determines it up to a rotation about Γₙ₊₁; the motion of the group that made the step
-/// has it all. [`WithAttitude`](crate::WithAttitude) adds the rotations up.
+/// The change of Γ alone determines the rotation up to a turn about Γₙ₊₁. The group element that made the
+/// step determines it completely. [`WithAttitude`](crate::WithAttitude) multiplies the rotations of all
+/// steps.
 pub trait Turning<T: Real = f64>: Integrator<T, Momentum = Se3Dual<T>> {
-    /// One step, and the unit quaternion Q of the rotation v ↦ Q v conj(Q) that turns Γₙ/|Γₙ| to
-    /// Γₙ₊₁/|Γₙ₊₁|.
+    /// Advances by one step and returns the unit quaternion Q of its rotation v ↦ Q v conj(Q), which turns
+    /// Γₙ/|Γₙ| to Γₙ₊₁/|Γₙ₊₁|.
     ///
     /// # Errors
-    /// If the step has no result.
+    /// Returns [`StepError`] if the step has no result.
     fn turn(
         &self,
         state: &Self::State,
@@ -30,7 +31,7 @@ pub trait Turning<T: Real = f64>: Integrator<T, Momentum = Se3Dual<T>> {
     ) -> TurnedStep<Self::State, T>;
 }
 
-/// By the [multiplier](LiftFree::multiplier).
+/// The rotation is that of the [multiplier](LiftFree::multiplier) of the step.
 impl<S, H, T> Turning<T> for LiftFree<S, DualQuaternions, H>
 where
     S: Equivariant,
@@ -50,7 +51,7 @@ where
     }
 }
 
-/// By the multiplier.
+/// The rotation is that of the multiplier of the step.
 impl<S, H, T> Turning<T> for Compensated<LiftFree<S, DualQuaternions, H>>
 where
     S: Equivariant,
@@ -72,7 +73,7 @@ where
     }
 }
 
-/// By ψₙ₊₁ = Q ψₙ: the fibre plays no part.
+/// The rotation is the Q with ψₙ₊₁ = Q ψₙ. It does not depend on the position along the fibre.
 impl<S, H, T> Turning<T> for Collective<S, SpinorRealisation, H>
 where
     S: Scheme,
@@ -90,7 +91,7 @@ where
     }
 }
 
-/// By ψₙ₊₁ = Q ψₙ.
+/// The rotation is the Q with ψₙ₊₁ = Q ψₙ.
 impl<S, H, T> Turning<T> for Compensated<Collective<S, SpinorRealisation, H>>
 where
     S: Scheme,
@@ -108,14 +109,14 @@ where
     }
 }
 
-/// q/|q|, for q of any size.
+/// Returns the unit quaternion q/|q| for a q of any size.
 #[inline]
 pub(crate) fn unit<T: Real>(q: Quaternion<T>) -> Quaternion<T> {
     let q = q.scaled(squaring_scale(&q));
     q.scaled(T::one() / q.norm_squared().sqrt())
 }
 
-/// One step, and its Q by the spinors of the states.
+/// Advances by one step and computes its rotation Q from the spinors ψ before and after it.
 #[inline]
 pub(crate) fn turned_by_spinors<I: Integrator<T>, T: Real>(
     integrator: &I,
@@ -129,7 +130,8 @@ pub(crate) fn turned_by_spinors<I: Integrator<T>, T: Real>(
     Ok((next, turn))
 }
 
-/// The unit quaternion Q = s + u, as the matrix s − i u·σ of SU(2), with ψ₁/|ψ₁| = Q ψ₀/|ψ₀|.
+/// Returns the unit quaternion Q = s + u with ψ₁/|ψ₁| = Q ψ₀/|ψ₀|, where Q acts as the matrix s − i u·σ of
+/// SU(2).
 #[inline]
 fn spinor_turn<T: Real>(before: &SpinorPoint<T>, after: &SpinorPoint<T>) -> Quaternion<T> {
     let (psi, next) = (&before.p.0, &after.p.0);
@@ -139,7 +141,7 @@ fn spinor_turn<T: Real>(before: &SpinorPoint<T>, after: &SpinorPoint<T>) -> Quat
     unit(Quaternion { scalar: first.re, vector: Vector3::new(-second.im, second.re, -first.im) })
 }
 
-/// The rotations of the substeps, one after the other.
+/// The rotation is the product of the rotations of the substeps.
 impl<I: Turning<T>, T: Real> Turning<T> for Composition<I> {
     #[inline]
     fn turn(
@@ -158,14 +160,14 @@ impl<I: Turning<T>, T: Real> Turning<T> for Composition<I> {
     }
 }
 
-/// Exact flows on se(3)∗ that know the rotation of the body.
+/// Exact flows on se(3)∗ that report the rotation of the body.
 pub trait TurningFlows<T: Real = f64>: ExactFlows<T, Point = Se3Dual<T>> {
-    /// The unit quaternion Q of the rotation that the [flow](ExactFlows::flow) makes of Γ; 1 for
-    /// `index` ≥ `COUNT`.
+    /// Returns the unit quaternion Q of the rotation of Γ by the [flow](ExactFlows::flow); 1 for `index` ≥
+    /// `COUNT`.
     fn flow_turn(&self, index: usize, time: f64, mu: &Se3Dual<T>) -> Quaternion<T>;
 }
 
-/// The flows of (μ, Q), where Q collects the rotations.
+/// The flows of (μ, Q), where Q is the product of the rotations so far.
 struct Collected<'a, E>(&'a E);
 
 impl<E: TurningFlows<T>, T: Real> ExactFlows<T> for Collected<'_, E> {
@@ -179,7 +181,7 @@ impl<E: TurningFlows<T>, T: Real> ExactFlows<T> for Collected<'_, E> {
     }
 }
 
-/// The rotations of the flows, one after the other.
+/// The rotation is the product of the rotations of the flows.
 impl<E: TurningFlows<T>, S: FlowSequence, T: Real> Turning<T> for Splitting<E, S> {
     #[inline]
     fn turn(&self, mu: &Se3Dual<T>, step: f64, (): &mut ()) -> TurnedStep<Se3Dual<T>, T> {
@@ -195,7 +197,7 @@ mod tests {
     use super::*;
     use momentum_map::{Lift, LiftError};
 
-    /// The rotation between two verticals does not know their unit.
+    /// The rotation between two verticals does not depend on their unit.
     #[test]
     fn rotations_of_spinors_of_every_size() -> Result<(), LiftError> {
         let turn = |size: f64| {

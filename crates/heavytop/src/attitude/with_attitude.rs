@@ -1,4 +1,4 @@
-//! The attitude of the body, with its motion.
+//! Trajectories with the attitude of the body.
 
 use crate::Turning;
 use crate::attitude::step_rotation::unit;
@@ -7,19 +7,20 @@ use lie_poisson::{Pair, Quaternion, Real, Se3Dual, Vector, squaring_scale};
 use momentum_map::LiftError;
 use nalgebra::{Vector2, Vector3};
 
-/// An integrator on se(3)∗ that carries the attitude R ∈ SO(3) of the body along, as a unit quaternion
-/// A with R v = A v conj(A):
+/// An integrator on se(3)∗ that also computes the attitude R ∈ SO(3) of the body, as a unit quaternion A.
+///
+/// With R v = A v conj(A), the attitude obeys
 ///
 /// ```text
 /// Aₙ₊₁ = Aₙ conj(Qₙ),    Γₙ/|Γₙ| = Rₙᵀ e₃
 /// ```
 ///
-/// where Qₙ is the rotation of the step that [`Turning`] gives. The state is that of the integrator
-/// and A; R maps the body frame to the spatial one. It is determined up to a rotation about the
-/// vertical, which the start chooses. It solves dR/dt = R hat(Ω) with the order of the integrator.
+/// where Qₙ is the rotation of the step by [`Turning`]. The state is the pair of the integrator's state and
+/// A. R maps the body frame to the spatial frame. It is determined up to a rotation about the vertical, which
+/// the start chooses. It solves dR/dt = R hat(Ω) with the order of the integrator.
 ///
-/// Every formulation has an attitude but one: the six [direct](collective_integrators::Direct)
-/// equations do not determine it.
+/// Every formulation has an attitude except [`Direct`](collective_integrators::Direct): the six equations for
+/// (Π, Γ) do not determine it.
 ///
 /// Source: Ohsawa 2019, §1.1 for R and Γ.
 ///
@@ -42,8 +43,9 @@ use nalgebra::{Vector2, Vector3};
 #[derive(Clone, Debug, PartialEq)]
 pub struct WithAttitude<I>(pub I);
 
-/// A unit quaternion A that turns Γ/|Γ| to e₃, the shortest way; about e₁ by π for Γ along −e₃. To
-/// round-off for Γ of any size.
+/// Returns the unit quaternion A of the shortest rotation of Γ/|Γ| to e₃.
+///
+/// For Γ along −e₃ it is the rotation about e₁ by π. The result is exact to round-off for Γ of any size.
 ///
 /// ```
 /// use heavytop::attitude_of_vertical;
@@ -109,10 +111,10 @@ impl<I: Turning<T>, T: Real> Integrator<T> for WithAttitude<I> {
 }
 
 impl<I: Turning<T> + Start<T>, T: Real> Start<T> for WithAttitude<I> {
-    /// The start of the integrator, with the [shortest attitude](attitude_of_vertical).
+    /// Creates the start state of the integrator, with the [shortest attitude](attitude_of_vertical).
     ///
     /// # Errors
-    /// If Γ = 0, or μ is not finite, or the integrator has no state for μ.
+    /// Returns [`LiftError`] if Γ = 0, if μ is not finite, or if the integrator has no state for μ.
     fn start(&self, mu: &Se3Dual<T>) -> Result<Self::State, LiftError> {
         let state = Pair(self.0.start(mu)?, attitude_of_vertical(&mu.0.1));
         let reason = "Γ must be different from 0, and Π and Γ finite";

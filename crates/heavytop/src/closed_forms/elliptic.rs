@@ -4,19 +4,19 @@ use crate::TopError;
 use core::f64::consts::{FRAC_PI_2, TAU};
 use twofloat::TwoFloat;
 
-/// At least as many steps as the mean of 1 and the smallest k′ > 0 takes.
+/// The number of stored steps of the arithmetic–geometric mean, enough for 1 and the smallest k′ > 0.
 const STEPS: usize = 16;
 
 /// Jacobi's elliptic functions of one parameter m = k², 0 ≤ m ≤ 1, for real arguments.
 ///
-/// The quarter period is K(m). Next to m = 1 it is ln(4/k′), with the complementary modulus
-/// k′ = √(1−m). A number m next to 1 holds few digits of 1 − m, or none:
-/// [`with_complement`](Self::with_complement) takes 1 − m instead.
+/// The quarter period is K(m). Near m = 1 it is ln(4/k′), with the complementary modulus k′ = √(1−m). A
+/// number m near 1 holds few digits of 1 − m, or none: [`with_complement`](Self::with_complement) takes 1 − m
+/// instead.
 ///
-/// The argument is reduced modulo K with twice the digits of an `f64`. For |u| ≤ 2⁵³K the errors of
-/// sn u, cn u and dn u are therefore those of an exact formula at an argument that is off by a few
-/// units of round-off of K, not of u: |error of f(u)| ≤ 16ε(|f(u)| + K|f′(u)|), ε = 2⁻⁵³. For m = 1, where
-/// K is infinite, |u| stands instead of K.
+/// The argument is reduced modulo K with twice the digits of an `f64`. For |u| ≤ 2⁵³K the errors of sn u, cn
+/// u and dn u are therefore those of an exact formula whose argument is wrong by a few units of round-off of
+/// K, not of u: |error of f(u)| ≤ 16ε(|f(u)| + K|f′(u)|), ε = 2⁻⁵³. For m = 1, where K is infinite, |u|
+/// replaces K.
 ///
 /// Method: the descending Landen transformation along the arithmetic–geometric mean a₀ = 1, b₀ = k′,
 /// aₙ₊₁ = ½(aₙ+bₙ), bₙ₊₁ = √(aₙbₙ). With X = a cs(au), Y = a ds(au), Z = a ns(au) for the
@@ -43,36 +43,36 @@ const STEPS: usize = 16;
 /// ```
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct JacobiElliptic {
-    /// K as an unevaluated sum; infinite for m = 1.
+    /// The quarter period K as an unevaluated sum; infinite for m = 1.
     quarter_period: [f64; 2],
     /// The common limit of aₙ and bₙ.
     mean: f64,
-    /// (aₙ₊₁aₙ, aₙ₊₁bₙ)
+    /// The products (aₙ₊₁aₙ, aₙ₊₁bₙ) of each step.
     products: [[f64; 2]; STEPS],
     steps: usize,
 }
 
 impl JacobiElliptic {
-    /// The functions of the parameter m.
+    /// Creates the functions of the parameter m.
     ///
     /// # Errors
-    /// Unless 0 ≤ m ≤ 1.
+    /// Returns [`TopError::OutOfRange`] unless 0 ≤ m ≤ 1.
     pub fn new(parameter: f64) -> Result<Self, TopError> {
         let parameter = between_zero_and_one("parameter", parameter)?;
         Ok(Self::of_modulus(root(TwoFloat::new_sub(1.0, parameter))))
     }
 
-    /// The functions of the parameter m with the complement 1 − m.
+    /// Creates the functions of the parameter m from its complement 1 − m.
     ///
     /// # Errors
-    /// Unless 0 ≤ 1 − m ≤ 1.
+    /// Returns [`TopError::OutOfRange`] unless 0 ≤ 1 − m ≤ 1.
     pub fn with_complement(complement: f64) -> Result<Self, TopError> {
         let complement = between_zero_and_one("complement", complement)?;
         // Powers of two, so that no low part underflows.
         Ok(Self::of_modulus(root((complement * 2.0_f64.powi(220)).into()) * 2.0_f64.powi(-110)))
     }
 
-    /// The functions of the complementary modulus k′ ≥ 0; above 1, by rounding, counts as 1.
+    /// Creates the functions of the complementary modulus k′ ≥ 0; a number above 1, by rounding, counts as 1.
     pub(crate) fn with_complementary_modulus(modulus: f64) -> Self {
         Self::of_modulus(modulus.min(1.0).into())
     }
@@ -83,7 +83,7 @@ impl JacobiElliptic {
         if b.hi() == 0.0 {
             return Self { quarter_period: [f64::INFINITY, 0.0], mean: 0.0, products, steps };
         }
-        // Then ½(a + b) differs from the limit by the square of this.
+        // ½(a + b) then differs from the limit by the square of this bound.
         while f64::from(a - b) > 1e-17 * a.hi() && steps < STEPS {
             let (next, product) = ((a + b) * 0.5, a * b);
             products[steps] = [f64::from(next * a), f64::from(next * b)];
@@ -97,13 +97,15 @@ impl JacobiElliptic {
         Self { quarter_period: [high, low], mean: mean.hi(), products, steps }
     }
 
-    /// K, a quarter of the period of sn and cn and half that of dn; infinite for m = 1.
+    /// Returns the quarter period K of sn and cn, which is half the period of dn; infinite for m = 1.
     #[must_use]
     pub fn quarter_period(&self) -> f64 {
         self.quarter_period[0]
     }
 
-    /// sn u, cn u, dn u and the amplitude am u, in radians. NaN for u = ±∞, where only m = 1 has limits.
+    /// Returns sn u, cn u, dn u and the amplitude am u, in radians.
+    ///
+    /// The values are NaN for u = ±∞, except for m = 1, where the limits exist.
     #[must_use]
     pub fn at(&self, u: f64) -> [f64; 4] {
         let [high, low] = self.quarter_period;
@@ -121,7 +123,7 @@ impl JacobiElliptic {
         [sn, cn, dn, if turns == 0.0 { angle } else { turns.mul_add(TAU, angle) }]
     }
 
-    /// sn, cn and dn at `quarter`·K + `rest`.
+    /// Returns sn, cn and dn at `quarter`·K + `rest`.
     fn in_quarter(&self, quarter: f64, rest: f64) -> [f64; 3] {
         let half = if quarter >= 2.0 { -1.0 } else { 1.0 };
         if quarter.rem_euclid(2.0) == 0.0 && rest.abs() < 1e-9 {
@@ -140,10 +142,10 @@ impl JacobiElliptic {
     }
 }
 
-/// sn, cn, dn and the amplitude am of u for the parameter m = k², 0 ≤ m ≤ 1; real u.
+/// Returns sn u, cn u, dn u and the amplitude am u for the parameter m = k², 0 ≤ m ≤ 1, and real u.
 ///
-/// Many values for one m, and parameters next to 1, are better had from [`JacobiElliptic`], where
-/// the accuracy is described. NaN for m outside [0, 1], and for u = ±∞ unless m = 1.
+/// For many values with one m, and for parameters near 1, use [`JacobiElliptic`], which also states the
+/// accuracy. The values are NaN for m outside [0, 1], and for u = ±∞ unless m = 1.
 ///
 /// Source: Abramowitz & Stegun, *Handbook of Mathematical Functions*, chapter 16.
 ///
@@ -158,13 +160,15 @@ pub fn jacobi_elliptic(u: f64, m: f64) -> [f64; 4] {
     JacobiElliptic::new(m).map_or([f64::NAN; 4], |jacobi| jacobi.at(u))
 }
 
-/// The argument u in [−K, K] with the given sn u, cn u ≥ 0 and dn u ≥ 0, not both zero:
+/// Returns the argument u in [−K, K] with the given sn u, cn u ≥ 0 and dn u ≥ 0, not both zero.
+///
+/// It is
 ///
 /// ```text
 /// u = F(φ | m) = ∫₀^φ dθ/√(1 − m sin²θ) = sn u R_F(cn² u, dn² u, 1),   φ = am u
 /// ```
 ///
-/// By Carlson's duplication theorem for R_F. Source: NIST Digital Library of Mathematical
+/// The method is Carlson's duplication theorem for R_F. Source: NIST Digital Library of Mathematical
 /// Functions, (19.25.5) and §19.36(i).
 pub(crate) fn elliptic_argument(sn: f64, cn: f64, dn: f64) -> f64 {
     // The first duplication takes the square roots as they are, so that no square underflows.
@@ -187,7 +191,7 @@ pub(crate) fn elliptic_argument(sn: f64, cn: f64, dn: f64) -> f64 {
     sn * series / mean.sqrt()
 }
 
-/// The square root; that of the crate is not exact for squares of whole numbers.
+/// Returns the square root. The one of the crate `twofloat` is not exact for squares of whole numbers.
 pub(crate) fn root(x: TwoFloat) -> TwoFloat {
     let estimate = x.hi().sqrt();
     if estimate == 0.0 {

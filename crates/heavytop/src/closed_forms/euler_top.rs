@@ -1,4 +1,4 @@
-//! The free rigid body in closed form.
+//! The motion of the free rigid body in closed form.
 
 use crate::closed_forms::elliptic::elliptic_argument;
 use crate::closed_forms::power_of_two::power_of_two;
@@ -7,8 +7,10 @@ use crate::{JacobiElliptic, RigidBody, TopError};
 use nalgebra::Vector3;
 use twofloat::TwoFloat;
 
-/// The solution Π(t) of Euler's equations dΠ/dt = Π × I⁻¹Π through Π(0), in Jacobi's elliptic
-/// functions. With moments I₁ ≤ I₂ ≤ I₃, L² = |Π|², 2E = Π·I⁻¹Π and L² ≥ 2EI₂,
+/// The solution Π(t) of Euler's equations dΠ/dt = Π × I⁻¹Π for a free rigid body, in Jacobi's elliptic
+/// functions.
+///
+/// With moments I₁ ≤ I₂ ≤ I₃, L² = |Π|², 2E = Π·I⁻¹Π and L² ≥ 2EI₂ it is
 ///
 /// ```text
 /// Π = (±a₁ cn u, ±a₂ sn u, ±a₃ dn u),    u = λt + u₀
@@ -17,12 +19,13 @@ use twofloat::TwoFloat;
 /// L² − 2EI₂ = Π₃²(I₃ − I₂)/I₃ − Π₁²(I₂ − I₁)/I₁
 /// ```
 ///
-/// with the signs of Π₁(0) and Π₃(0), the remaining one such that λ > 0, and |u₀| ≤ K. For L² < 2EI₂ the
-/// indices 1 and 3 change places. L² = 2EI₂ is the separatrix, where m = 1.
+/// The signs of the first and the third component are those of Π₁(0) and Π₃(0). The remaining sign is such
+/// that λ > 0, and |u₀| ≤ K. For L² < 2EI₂ the indices 1 and 3 are exchanged. L² = 2EI₂ is the separatrix,
+/// where m = 1.
 ///
-/// L² − 2EI₂ is computed with twice the digits of an `f64`, so that a start next to the separatrix
-/// keeps its side and its distance. In all units the errors of Π(t) are a few units of round-off of
-/// |Π|, and what a relative error of that size in t causes.
+/// L² − 2EI₂ is computed with twice the digits of an `f64`, so that a start near the separatrix keeps its
+/// side and its distance. In all units the errors of Π(t) are a few units of round-off of |Π|, plus the
+/// effect of a relative error of that size in t.
 ///
 /// Source: L. D. Landau & E. M. Lifshitz, *Mechanics*, 3rd ed., §37.
 ///
@@ -42,7 +45,7 @@ use twofloat::TwoFloat;
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct EulerSolution {
     start: Vector3<f64>,
-    /// None for a rotation about a principal axis, where Π is constant.
+    /// The elliptic orbit; none for a rotation about a principal axis, where Π is constant.
     orbit: Option<Orbit>,
 }
 
@@ -51,18 +54,18 @@ struct Orbit {
     /// The axes that carry cn, sn and dn.
     axes: [usize; 3],
     amplitudes: [f64; 3],
-    /// λ
+    /// The rate λ of the argument.
     rate: f64,
-    /// u₀
+    /// The argument u₀ at t = 0.
     phase: f64,
     functions: JacobiElliptic,
 }
 
 impl EulerSolution {
-    /// The solution through `start`, kg m²/s.
+    /// Creates the solution through `start`, kg m²/s.
     ///
     /// # Errors
-    /// If the start, |Π| or λ is not finite.
+    /// Returns [`TopError::NotFinite`] if the start, |Π| or λ is not finite.
     pub fn new(body: &RigidBody, start: Vector3<f64>) -> Result<Self, TopError> {
         for &component in &start {
             require_finite("start", component)?;
@@ -74,14 +77,14 @@ impl EulerSolution {
         Ok(Self { start, orbit: Some(Orbit::through(&inertia, &start)?) })
     }
 
-    /// Π(t), t in seconds; NaN where λt is not finite.
+    /// Returns Π(t), with t in seconds; NaN where λt is not finite.
     #[must_use]
     pub fn at(&self, time: f64) -> Vector3<f64> {
         self.orbit.map_or(self.start, |orbit| orbit.at(time))
     }
 }
 
-/// Π × I⁻¹Π = 0, by its factors, whose products may underflow.
+/// Returns whether Π × I⁻¹Π = 0. It compares the factors, since the products may underflow.
 fn is_equilibrium(inertia: &Vector3<f64>, pi: &Vector3<f64>) -> bool {
     let vanishes = |i: usize, j: usize| pi[i] == 0.0 || pi[j] == 0.0 || inertia[i] == inertia[j];
     vanishes(0, 1) && vanishes(1, 2) && vanishes(2, 0)
@@ -98,7 +101,8 @@ impl Orbit {
         };
         let (moments, pi) = scaled(axes);
         let distance = separatrix_distance(moments, pi);
-        // About the axis of the largest moment, or about that of the smallest; always so if I₂ = I₃.
+        // The rotation is about the axis of the largest moment or of the smallest, always the latter if I₂ =
+        // I₃.
         if distance < 0.0 {
             axes.swap(0, 2);
         }
@@ -111,7 +115,7 @@ impl Orbit {
         let a2 = small * (i2 / narrow).sqrt();
         let a3 = large * (i3 / wide).sqrt();
         let modulus = distance.abs() * (wide / (i1 * i3 * narrow)).sqrt() / large;
-        // An odd order of the axes is a reflection, which turns time round; so does I₁ > I₃.
+        // An odd order of the axes is a reflection, which reverses time; so does I₁ > I₃.
         let even = (axes[1] + 3 - axes[0]) % 3 == 1;
         let (s1, s3) = (1.0_f64.copysign(p1), 1.0_f64.copysign(p3));
         let s2 = if even == (i3 > i1) { s1 * s3 } else { -s1 * s3 };
@@ -137,10 +141,10 @@ impl Orbit {
     }
 }
 
-/// ±|I₁I₃(L² − 2EI₂)|^½ with the sign of L² − 2EI₂, for I₁ ≤ I₂ ≤ I₃.
+/// Returns ±|I₁I₃(L² − 2EI₂)|^½ with the sign of L² − 2EI₂, for I₁ ≤ I₂ ≤ I₃.
 fn separatrix_distance([i1, i2, i3]: [f64; 3], [p1, _, p3]: [f64; 3]) -> f64 {
     let [low, high] = [TwoFloat::new_sub(i2, i1) * i3, TwoFloat::new_sub(i3, i2) * i1];
-    // The larger term next to 1, so that it does not underflow.
+    // The larger term is scaled near 1, so that it does not underflow.
     let size = power_of_two((p1 * low.hi().sqrt()).abs().max((p3 * high.hi().sqrt()).abs()));
     let term = |p: f64, weight: TwoFloat| weight * (p / size) * (p / size);
     let difference = f64::from(term(p3, high) - term(p1, low));

@@ -6,8 +6,9 @@ use crate::error::require_finite;
 use crate::{HeavyTop, JacobiElliptic, TopError};
 use lie_poisson::{Covector, Pair, Se3Dual};
 
-/// The height Γ₃(t) of Lagrange's top through (Π, Γ)(0). With u = Γ₃, W = m g l, b = Π·Γ,
-/// f₁ = |Γ|² and E′ = h − Π₃²/2I₃ it obeys
+/// The height Γ₃(t) of Lagrange's top in closed form.
+///
+/// With u = Γ₃, W = m g l, b = Π·Γ, f₁ = |Γ|² and E′ = h − Π₃²/2I₃ it obeys
 ///
 /// ```text
 /// (du/dt)² = [2I₁(E′ − Wu)(f₁ − u²) − (b − Π₃u)²]/I₁² = (2W/I₁)(u − u₁)(u − u₂)(u − u₃)
@@ -15,14 +16,14 @@ use lie_poisson::{Covector, Pair, Se3Dual};
 /// tan² am δ = (Γ₃(0) − u₁)/(u₂ − Γ₃(0)),  δ du/dt(0) ≥ 0,  |δ| ≤ K
 /// ```
 ///
-/// with the roots u₁ ≤ u₂ ≤ u₃, the first two in [−√f₁, √f₁]. The height is constant where du/dt and
+/// where u₁ ≤ u₂ ≤ u₃ are the roots, the first two in [−√f₁, √f₁]. The height is constant where du/dt and
 /// d²u/dt² vanish: in regular precession, and for a top that stands upright or hangs, stable or not.
 ///
-/// The roots are computed as distances from the start and from the upright position, with
-/// Γ₁² + Γ₂² instead of f₁ − Γ₃². No digits are lost at turning points, next to the vertical, or next
-/// to the separatrix, where m = 1 and the top rises to the upright position for ever. In all units the errors
-/// of Γ₃ are a few units of round-off of |Γ|, and what a relative error of that size in t causes.
-/// A tilt below 1e-150 rad may count as none.
+/// The roots are computed as distances from the start and from the upright position, with Γ₁² + Γ₂² instead
+/// of f₁ − Γ₃². No digits are lost at turning points, near the vertical, or near the separatrix, where m = 1
+/// and the top approaches the upright position without reaching it. In all units the errors of Γ₃ are a few
+/// units of round-off of |Γ|, plus the effect of a relative error of that size in t. A tilt below 1e-150 rad
+/// may count as zero.
 ///
 /// Source: E. T. Whittaker, *A Treatise on the Analytical Dynamics of Particles and Rigid Bodies*,
 /// 4th ed., §71.
@@ -43,21 +44,22 @@ use lie_poisson::{Covector, Pair, Se3Dual};
 pub struct LagrangeNutation {
     lowest: f64,
     highest: f64,
-    /// u₂ − u₁
+    /// The range u₂ − u₁ of the height.
     range: f64,
-    /// ν
+    /// The rate ν of the argument.
     rate: f64,
-    /// δ
+    /// The argument δ at t = 0.
     phase: f64,
     functions: JacobiElliptic,
 }
 
 impl LagrangeNutation {
-    /// The nutation of the motion through `start`.
+    /// Creates the nutation of the motion through `start`.
     ///
     /// # Errors
-    /// If the top is not Lagrange's with m g l > 0, if the start is not finite, or if the ratio of its
-    /// kinetic energy to m g l |Γ| is not.
+    /// Returns [`TopError::NotLagrange`] if the top is not Lagrange's with m g l > 0, and
+    /// [`TopError::NotFinite`] if the start is not finite or the ratio of its kinetic energy to m g l |Γ| is
+    /// not.
     pub fn new(top: &HeavyTop, start: &Se3Dual) -> Result<Self, TopError> {
         let weight = top.weight_moment() * top.center_of_mass().z;
         if !top.is_lagrange() || weight <= 0.0 {
@@ -112,11 +114,11 @@ impl LagrangeNutation {
         Ok(solution)
     }
 
-    /// Γ₃(t), t in seconds; NaN where νt is not finite.
+    /// Returns the height Γ₃(t), with t in seconds; NaN where νt is not finite.
     #[must_use]
     pub fn height(&self, time: f64) -> f64 {
         let [sn, cn, ..] = self.functions.at(self.rate.mul_add(time, self.phase));
-        // From the nearer turning point.
+        // The height is counted from the nearer turning point.
         if sn.abs() < cn.abs() {
             self.lowest + self.range * sn * sn
         } else {
@@ -124,14 +126,16 @@ impl LagrangeNutation {
         }
     }
 
-    /// The period of the nutation, 2K(m)/ν, in seconds: infinite on the separatrix and for an
-    /// unstable top that stands upright; where the height is constant, that of infinitesimal nutation about it.
+    /// Returns the period 2K(m)/ν of the nutation, in seconds.
+    ///
+    /// It is infinite on the separatrix and for an unstable top that stands upright. Where the height is
+    /// constant, it is the period of infinitesimal nutation about it.
     #[must_use]
     pub fn period(&self) -> f64 {
         2.0 * self.functions.quarter_period() / self.rate
     }
 
-    /// u₁ and u₂, between which Γ₃ moves.
+    /// Returns the least and the largest height u₁ and u₂, between which Γ₃ moves.
     #[must_use]
     pub fn turning_points(&self) -> (f64, f64) {
         (self.lowest, self.highest)

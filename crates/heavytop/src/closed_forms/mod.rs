@@ -1,4 +1,4 @@
-//! Solutions in closed form: Euler's top and Lagrange's, by elliptic functions.
+//! Solutions in closed form, by elliptic functions: Euler's top and Lagrange's.
 
 pub(crate) mod power_of_two;
 pub(crate) mod elliptic;

@@ -5,8 +5,9 @@ use crate::closed_forms::power_of_two::power_of_two;
 use lie_poisson::{Covector, Pair, Se3Dual};
 use twofloat::TwoFloat;
 
-/// The cubic of Lagrange's top about its start. With v = Γ₃/|Γ| = v₀ + w and the unit of time
-/// √(I₁/(W|Γ|)), W = m g l, it reads
+/// The cubic of Lagrange's top in terms of the distance from its start.
+///
+/// With v = Γ₃/|Γ| = v₀ + w and the unit of time √(I₁/(W|Γ|)), W = m g l, it is
 ///
 /// ```text
 /// (dw/dt)² = 2w³ + Bw² + 2Aw + ρ² = 2(w − w₁)(w − w₂)(w − w₃),   w₁ ≤ 0 ≤ w₂ ≤ w₃,
@@ -14,31 +15,32 @@ use twofloat::TwoFloat;
 /// ```
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(crate) struct NutationCubic {
-    /// |Γ|
+    /// The length |Γ| of the vertical.
     pub length: f64,
-    /// ρ
+    /// The rate ρ = dw/dt at the start.
     pub rising: f64,
-    /// w₁, w₂ and w₃
+    /// The three roots w₁, w₂ and w₃.
     pub roots: [f64; 3],
-    /// w₃ − w₂, which is small next to the separatrix
+    /// The gap w₃ − w₂, which is small near the separatrix.
     pub gap: f64,
 }
 
-/// The cubic with the upright position as origin, y = v − 1 ≤ 0, divided by two:
-/// y³ + by² + cy − d², with the roots y₁ ≤ y₂ ≤ 0 ≤ y₃.
+/// The cubic with the upright position as origin.
+///
+/// With y = v − 1 ≤ 0, divided by two, it is y³ + by² + cy − d², with the roots y₁ ≤ y₂ ≤ 0 ≤ y₃.
 struct UprightCubic {
     b: f64,
     c: f64,
     d: f64,
-    /// 1 − v₀
+    /// The depth 1 − v₀ of the start below the upright position.
     depth: f64,
 }
 
 impl NutationCubic {
-    /// `moment` is I₁, `weight` W.
+    /// Creates the cubic from the moment I₁, the weight W and the start (Π, Γ).
     pub(crate) fn new(moment: f64, weight: f64, start: &Se3Dual) -> Self {
         let Covector(Pair(pi, gamma)) = start;
-        // Everything is homogeneous: |Γ| and I₁W are next to 1 in these powers of two.
+        // Everything is homogeneous: in units of these powers of two |Γ| and I₁W are near 1.
         let vertical = power_of_two(gamma.amax().sqrt());
         let unit = power_of_two(moment.sqrt() * weight.sqrt());
         let [x, y, z] = (gamma / vertical / vertical).into();
@@ -55,7 +57,7 @@ impl NutationCubic {
         let rising = f64::from(product(x, q) - product(y, p)) / (size * scale.sqrt());
         let a = f64::from(acceleration) / (scale * size);
 
-        // 1 − v₀ = level/(length (length + z)), whose first form loses no digits next to upright.
+        // 1 − v₀ = level/(length (length + z)). The first form loses no digits near the upright position.
         let (above, below) =
             if z > 0.0 { (level, length + z) } else { (length - z, TwoFloat::from(1.0)) };
         let momentum = along * below - above * spin;
@@ -74,7 +76,7 @@ impl NutationCubic {
 }
 
 impl UprightCubic {
-    /// w₁, w₂, w₃ and w₃ − w₂, from the third root and the two coefficients A and ρ about the start.
+    /// Returns w₁, w₂, w₃ and w₃ − w₂, from the third root and the coefficients A and ρ about the start.
     fn roots(&self, a: f64, rising: f64) -> ([f64; 3], f64) {
         let third = self.depth + self.largest_root();
         if a == 0.0 && rising == 0.0 {
@@ -91,15 +93,17 @@ impl UprightCubic {
             let first = 0.5 * (sum - range);
             (first, -(mean / first) * mean)
         };
-        // Likewise y₂y₃ = −d²/|y₁| ≤ 0.
+        // In the same way y₂y₃ = −d²/|y₁| ≤ 0.
         let lowest = self.depth - first;
         let mean = self.d / lowest.sqrt();
         let gap = ((self.c + mean * mean) / lowest).hypot(2.0 * mean);
         ([first, second, third], gap)
     }
 
-    /// y₃, by Newton's iteration from above. It decreases monotonically, by a third of the excess or more
-    /// in each step, until roundings end it.
+    /// Returns the largest root y₃, by Newton's iteration from above.
+    ///
+    /// The iteration decreases monotonically, by a third of the excess or more in each step, until rounding
+    /// ends it.
     fn largest_root(&self) -> f64 {
         let Self { b, c, d, .. } = *self;
         if !(b + c + d).is_finite() {

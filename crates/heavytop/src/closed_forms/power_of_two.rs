@@ -1,6 +1,8 @@
-//! Scaling without rounding.
+//! Scaling by powers of two, without rounding.
 
-/// 2ⁿ ≤ |x| < 2ⁿ⁺¹, by which to divide without rounding; the least normal number if x is less than that.
+/// Returns the power of two with 2ⁿ ≤ |x| < 2ⁿ⁺¹, by which a division is exact.
+///
+/// For smaller x it is the least normal number.
 pub(crate) fn power_of_two(x: f64) -> f64 {
     const EXPONENT: u64 = 0x7ff << 52;
     f64::from_bits(x.to_bits() & EXPONENT).max(f64::MIN_POSITIVE)

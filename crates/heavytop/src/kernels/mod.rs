@@ -1,4 +1,4 @@
-//! Methods with formulas of their own for tops: the fast paths.
+//! Integrators with formulas of their own for tops.
 
 pub(crate) mod midpoint;
 pub(crate) mod gauss_one;

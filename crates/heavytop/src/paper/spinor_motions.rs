@@ -3,16 +3,18 @@
 use lie_poisson::{SU2OnC2, SemidirectAlgebra, SemidirectGroup};
 use momentum_map::{AffineAction, MomentumMap, Opposite};
 
-/// The group SU(2) ⋉ C², (U, ρ)·(W, ϑ) = (UW, Uϑ + ρ). Source: Ohsawa 2019, §2.2.
+/// The group SU(2) ⋉ C² with the product (U, ρ)·(W, ϑ) = (UW, Uϑ + ρ). Source: Ohsawa 2019, §2.2.
 pub type SpinorGroup = SemidirectGroup<SU2OnC2>;
 
-/// Its Lie algebra su(2) ⋉ C². Source: Ohsawa 2019, §2.3.
+/// The Lie algebra su(2) ⋉ C² of [`SpinorGroup`]. Source: Ohsawa 2019, §2.3.
 pub type SpinorAlgebra = SemidirectAlgebra<SU2OnC2>;
 
-/// The right action of SU(2) ⋉ C² on C²,
+/// The right action of SU(2) ⋉ C² on C².
+///
+/// It is, with the infinitesimal generator X of (ξ, φ),
 ///
 /// ```text
-/// Ψ_(U,ρ)(χ) = U*(χ − ρ),    (ξ,φ)_{C²}(χ) = −ξχ − φ
+/// Ψ(U, ρ)(χ) = U∗(χ − ρ),    X(χ) = −ξχ − φ
 /// ```
 ///
 /// Its cotangent lift is (U∗(χ − ρ), U∗ψ). Source: Ohsawa 2019, §2.2 and §2.3.
@@ -35,8 +37,9 @@ pub type SpinorMotions = Opposite<AffineAction<SU2OnC2>>;
 /// The action [`SpinorMotions`] as a value.
 pub const SPINOR_MOTIONS: SpinorMotions = Opposite(AffineAction(SU2OnC2));
 
-/// The momentum map L: T∗C² → (su(2) ⋉ C²)∗ of the cotangent lift of [`SpinorMotions`], derived
-/// from the action:
+/// The momentum map L: T∗C² → (su(2) ⋉ C²)∗ of the cotangent lift of [`SpinorMotions`].
+///
+/// It is derived from the action:
 ///
 /// ```text
 /// L(χ, ψ) = ( ¼(χψ* − ψχ* − i Im(ψ*χ) I), −ψ )

@@ -1,4 +1,4 @@
-//! M = ϖ ∘ L: T∗C² → se(3)∗.
+//! The realisation M = ϖ ∘ L: T∗C² → se(3)∗.
 
 use lie_poisson::{
     ComplexSpace, Covector, LiePoisson, Mask, Pair, Real, SO3OnR3, Se3, Se3Dual, SemidirectAlgebra,
@@ -82,13 +82,15 @@ impl PoissonMap for SpinorRealisation {
         Cotangent::new(turn(chi) + pauli(&(gamma + gamma), psi), Covector(turn(psi)))
     }
 
-    /// (bψ, 0) where ‖χ‖ has grown beyond √2 of its least on the line χ + bψ of the fibre; else 0. b is
-    /// the power of two next to −Re(ψ∗χ)/‖ψ‖², so that bψ is not rounded, and leaves at most a third
-    /// of Re(ψ∗χ).
+    /// Returns the slide (bψ, 0) along the fibre where ‖χ‖ has grown beyond √2 of its least on the line χ +
+    /// bψ, else 0.
     ///
-    /// Along collective dynamics d/dt Re(ψ∗χ) = 2γ·Γ, so that χ may grow linearly along ψ. Sliding
-    /// back breaks the sequence of stages from which a scheme guesses the next ones
-    /// ([`StageSolver`](collective_integrators::StageSolver)), and is therefore put off.
+    /// The number b is the power of two next to −Re(ψ∗χ)/‖ψ‖², so that bψ is not rounded. It leaves at most a
+    /// third of Re(ψ∗χ).
+    ///
+    /// Along collective dynamics d/dt Re(ψ∗χ) = 2γ·Γ, so that χ may grow linearly along ψ. A slide breaks the
+    /// sequence of stages from which a scheme extrapolates the next ones
+    /// ([`StageSolver`](collective_integrators::StageSolver)). It is therefore made only where ‖χ‖ has grown.
     #[inline]
     fn gauge<T: Real>(&self, z: &SpinorPoint<T>) -> SpinorPoint<T> {
         let (chi, psi) = (&z.q, &z.p.0);
@@ -96,24 +98,25 @@ impl PoissonMap for SpinorRealisation {
         let square = psi.x.norm_sqr() + psi.y.norm_sqr();
         let least = (chi.x.norm_sqr() + chi.y.norm_sqr()) * square - overlap * overlap;
         let short = (overlap * overlap).at_most(least);
-        // For ψ = 0 the fibre is no line, and z stays.
+        // For ψ = 0 the fibre is not a line, and z stays.
         let line = (overlap / square).magnitude().at_most(T::from_f64(LONGEST));
         let along = T::select(line.and(short.not()), power_of_two(-overlap / square), T::zero());
         Cotangent { q: psi.map(|x| x.scale(along)), ..Vector::zero() }
     }
 
-    /// z: the [gauge](Self::gauge) keeps ‖χ‖ within √2 of its least.
+    /// Returns z, since the [gauge](Self::gauge) keeps ‖χ‖ within √2 of its least.
     #[inline]
     fn recentred<T: Real>(&self, z: &SpinorPoint<T>, _: &mut RecentringSpace<T>) -> SpinorPoint<T> {
         *z
     }
 }
 
-/// A slide by more than this many ψ is none.
+/// The largest b of a slide χ + bψ; a longer slide is not made.
 const LONGEST: f64 = 1e100;
 
-/// ±2ᵏ with ¾ 2ᵏ ≤ |x| ≤ 3/2 2ᵏ: the leading bit of 4x/3, for any scalar. Over dual numbers the derivative is
-/// not that of a constant, but some multiple of that of x.
+/// Returns ±2ᵏ with ¾ 2ᵏ ≤ |x| ≤ 3/2 2ᵏ, which is the leading bit of 4x/3, for any scalar.
+///
+/// Over dual numbers the derivative is a multiple of that of x and is not zero.
 ///
 /// Source: S. M. Rump, *Ultimately fast accurate summation*, SIAM J. Sci. Comput. 31 (2009), Alg. 3.5.
 #[inline]
@@ -123,7 +126,9 @@ pub(crate) fn power_of_two<T: Real>(x: T) -> T {
 }
 
 impl Lift for SpinorRealisation {
-    /// The lift of least norm: ψ by a section of the Hopf fibration with two charts, and
+    /// Returns the lift of least norm.
+    ///
+    /// The spinor ψ is a section of the Hopf fibration with two charts, and
     ///
     /// ```text
     /// q = (4/‖p‖²) A(p)ᵀ Π,    ⟨p, q⟩ = 0
@@ -133,11 +138,12 @@ impl Lift for SpinorRealisation {
     ///
     /// Source: Ohsawa 2019, Prop. 2.2 and Thm. 4.1(i).
     ///
-    /// To round-off for Π and Γ of any size, as long as ‖χ‖ = 2|Π|/√|Γ| and the products ‖χ‖‖ψ‖ = 2|Π|
-    /// and ‖ψ‖² = |Γ| in M(χ, ψ) do not overflow.
+    /// The lift is exact to round-off for Π and Γ of any size, as long as ‖χ‖ = 2|Π|/√|Γ| and the products
+    /// ‖χ‖‖ψ‖ = 2|Π| and ‖ψ‖² = |Γ| in M(χ, ψ) do not overflow.
     ///
     /// # Errors
-    /// If Γ = 0, if a coordinate is not finite, or if one of these three sizes overflows.
+    /// Returns [`LiftError`] if Γ = 0, if a coordinate is not finite, or if one of these three sizes
+    /// overflows.
     #[inline]
     fn lift<T: Real>(&self, mu: &Se3Dual<T>) -> Result<SpinorPoint<T>, LiftError> {
         let Covector(Pair(pi, gamma)) =
@@ -155,7 +161,7 @@ impl Lift for SpinorRealisation {
         let psi = hopf_section(&unit);
         let scaled = pi * pi_scale * (T::from_f64(-2.0) / size);
         let chi = pauli(&scaled, &psi).map(|z| Complex { re: -z.im, im: z.re });
-        // Of the size √|Γ| as ψ, and |Π|/√|Γ| as χ.
+        // ψ has the size √|Γ|, and χ the size |Π|/√|Γ|.
         let root = gamma_scale.sqrt();
         let chi = chi.map(|z| z.scale(root / pi_scale));
         let lifted = Cotangent::new(chi, Covector(psi.map(|z| z.scale(T::one() / root))));
@@ -165,19 +171,22 @@ impl Lift for SpinorRealisation {
     }
 }
 
-/// The least |ψ₁|/‖ψ‖ of a lift with a given Re χ₁. Its χ has the size of Re χ₁ ‖ψ‖/|ψ₁|, and loses as
-/// much of the digits of Π: half of them here.
+/// The least |ψ₁|/‖ψ‖ of a lift with a given Re χ₁.
+///
+/// Its χ has the size Re χ₁ ‖ψ‖/|ψ₁| and loses as many digits of Π: half of them at this bound.
 const STEEPEST: f64 = 1e-8;
 
 impl SpinorRealisation {
-    /// The lift with Re χ₁ = `re_chi1` and ψ₁ > 0; for Γ₂ = 0 it has ψ real.
+    /// Returns the lift with Re χ₁ = `re_chi1` and ψ₁ > 0.
     ///
-    /// With `re_chi1` = 1 and Γ₂ = 0 this is the initial condition of Ohsawa 2019, §5.2, which
-    /// asks for Re χ₁ = 1 and takes ψ real. It is longer than the [minimal lift](Lift::lift).
+    /// For Γ₂ = 0 it has a real ψ. With `re_chi1` = 1 and Γ₂ = 0 this is the initial condition of Ohsawa
+    /// 2019, §5.2, which asks for Re χ₁ = 1 and takes ψ real. Its norm is larger than that of the [minimal
+    /// lift](Lift::lift).
     ///
     /// # Errors
-    /// As the minimal lift; if Γ points straight down, where ψ₁ = 0, or to within an angle of 2e-8, where
-    /// the long χ rounds half of the digits of Π away; and if χ or M(χ, ψ) overflows.
+    /// Returns [`LiftError`] in the cases of the minimal lift, and if χ or M(χ, ψ) overflows. It also returns
+    /// it if Γ points straight down, where ψ₁ = 0, or is within an angle of 2e-8 of that direction, where the
+    /// long χ rounds half of the digits of Π away.
     pub fn lift_with<T: Real>(
         &self,
         mu: &Se3Dual<T>,
@@ -208,7 +217,8 @@ impl SpinorRealisation {
 impl FibreSymmetry for SpinorRealisation {
     const COUNT: usize = 2;
 
-    /// (χ + sψ, ψ) for index 0, (exp(is)χ, exp(is)ψ) for index 1. Source: Ohsawa 2019, §4.2.
+    /// Moves the point along the fibre: (χ + sψ, ψ) for index 0, (exp(is)χ, exp(is)ψ) for index 1. Source:
+    /// Ohsawa 2019, §4.2.
     #[inline]
     fn flow<T: Real>(&self, index: usize, s: T, z: &SpinorPoint<T>) -> SpinorPoint<T> {
         match index {
@@ -223,7 +233,7 @@ impl FibreSymmetry for SpinorRealisation {
         }
     }
 
-    /// J₁ = ‖ψ‖²/2 for index 0, J₂ = −Im(ψ∗χ) for index 1. Source: Ohsawa 2019, §4.2.
+    /// Returns the momentum J₁ = ‖ψ‖²/2 for index 0 and J₂ = −Im(ψ∗χ) for index 1. Source: Ohsawa 2019, §4.2.
     #[inline]
     fn momentum<T: Real>(&self, index: usize, z: &SpinorPoint<T>) -> T {
         let (chi, psi) = (&z.q, &z.p.0);

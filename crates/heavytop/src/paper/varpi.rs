@@ -1,4 +1,4 @@
-//! ϖ: (su(2) ⋉ C²)∗ → se(3)∗.
+//! The Poisson map ϖ: (su(2) ⋉ C²)∗ → se(3)∗.
 
 use crate::paper::spinor_motions::SpinorAlgebra;
 use lie_poisson::{
@@ -7,14 +7,14 @@ use lie_poisson::{
 };
 use momentum_map::{PoissonMap, SourcePoint, TargetDifferential, hopf_map, hopf_pull_back};
 
-/// The Poisson map
+/// The Poisson map ϖ: (su(2) ⋉ C²)∗ → se(3)∗, which is the Hopf map on the second component.
 ///
 /// ```text
-/// ϖ: (su(2) ⋉ C²)* → se(3)*,    ϖ(μ, α) = (μ, ϖ₂(α))
+/// ϖ(μ, α) = (μ, ϖ₂(α))
 /// ```
 ///
-/// between (−)-Lie–Poisson spaces, where su(2)∗ and so(3)∗ both have the coordinates of R³. ϖ₂ is the
-/// [Hopf map](hopf_map), so ϖ is quadratic.
+/// Both spaces have the minus Lie–Poisson bracket, and su(2)∗ and so(3)∗ both have the coordinates of R³. ϖ₂
+/// is the [Hopf map](hopf_map), so ϖ is quadratic.
 ///
 /// Source: Ohsawa 2019, eq. (3.1) and Prop. 3.1.
 ///
@@ -51,7 +51,7 @@ impl PoissonMap for Varpi {
         Se3Dual::new(*mu, hopf_map(alpha))
     }
 
-    /// (Ω, γ) ↦ (Ω, 2 (γ·σ) α). Source: Ohsawa 2019, Appendix B.
+    /// Returns the pull-back (Ω, 2 (γ·σ) α) of the differential (Ω, γ). Source: Ohsawa 2019, Appendix B.
     #[inline]
     fn pull_back<T: Real>(
         &self,

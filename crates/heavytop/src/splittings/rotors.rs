@@ -1,11 +1,13 @@
-//! A top as four exactly solvable parts.
+//! The splitting of a top into four exactly solvable parts.
 
 use crate::{HeavyTop, RigidBody, TurningFlows};
 use collective_integrators::ExactFlows;
 use lie_poisson::{Covector, LieGroup, Pair, Quaternion, Real, SP1, Se3Dual, Vector};
 use nalgebra::Vector3;
 
-/// The kinetic energy as three rotors, one for each principal axis, and the weight:
+/// The splitting of a top into three rotors, one for each principal axis, and the weight.
+///
+/// Their Hamiltonians and flows are
 ///
 /// ```text
 /// h = Π₁²/2I₁ + Π₂²/2I₂ + Π₃²/2I₃ + m g l Γ·c
@@ -14,9 +16,9 @@ use nalgebra::Vector3;
 /// ```
 ///
 /// Each flow is exact, since dΠ/dt = Π×Ω and dΓ/dt = Γ×Ω with the constant Ω = (Π_i/I_i) e_i. A
-/// [`Splitting`](collective_integrators::Splitting) of it is an explicit Lie–Poisson integrator on
-/// se(3)∗, or on so(3)∗ for the [free body](RigidBody), where the weight does nothing. It conserves
-/// |Γ| and Π·Γ to round-off.
+/// [`Splitting`](collective_integrators::Splitting) of these flows is an explicit Lie–Poisson integrator on
+/// se(3)∗, or on so(3)∗ for the [free body](RigidBody), which has no weight. It conserves |Γ| and Π·Γ to
+/// round-off.
 ///
 /// Source: McLachlan, *Explicit Lie–Poisson integration and the Euler equations*, Phys. Rev. Lett.
 /// 71 (1993); Reich, *Momentum conserving symplectic integrators*, Physica D 76 (1994); Hairer,
@@ -42,7 +44,7 @@ use nalgebra::Vector3;
 pub struct RotorSplitting<B>(pub B);
 
 impl RotorSplitting<HeavyTop> {
-    /// −tΠ_i/I_i
+    /// Returns the angle −tΠ_i/I_i of rotor i.
     #[inline]
     fn angle<T: Real>(&self, index: usize, time: f64, pi: &Vector3<T>) -> T {
         pi[index] * (-time / self.0.inertia()[index])
@@ -92,7 +94,7 @@ impl<T: Real> ExactFlows<T> for RotorSplitting<RigidBody> {
     }
 }
 
-/// v turned about e_axis by the angle, to the right.
+/// Rotates v about e_axis by the angle, in the positive sense.
 #[inline]
 pub(crate) fn turn<T: Real>(axis: usize, angle: T, v: &Vector3<T>) -> Vector3<T> {
     let square = angle * angle;
@@ -104,13 +106,13 @@ pub(crate) fn turn<T: Real>(axis: usize, angle: T, v: &Vector3<T>) -> Vector3<T>
     turned
 }
 
-/// The unit quaternion of [`turn`].
+/// Returns the unit quaternion of the rotation about e_axis by the angle.
 #[inline]
 pub(crate) fn axial_turn<T: Real>(axis: usize, angle: T) -> Quaternion<T> {
     SP1.exp(&Vector3::basis(axis).scaled(angle))
 }
 
-/// The flow of m g l Γ·c.
+/// Advances μ by the flow of m g l Γ·c.
 #[inline]
 pub(crate) fn kick<T: Real>(top: &HeavyTop, time: f64, mu: &Se3Dual<T>) -> Se3Dual<T> {
     let Covector(Pair(pi, gamma)) = mu;

@@ -1,4 +1,4 @@
-//! A symmetric top as the free symmetric top and its weight.
+//! The splitting of a symmetric top into the free symmetric top and its weight.
 
 use crate::splittings::rotors::{axial_turn, kick, turn};
 use crate::{HeavyTop, TopError, TurningFlows};
@@ -6,7 +6,9 @@ use collective_integrators::ExactFlows;
 use lie_poisson::{Covector, LieGroup, Pair, Quaternion, Real, SO3, SP1, Se3Dual};
 use nalgebra::Vector3;
 
-/// A top with I₁ = I₂ in two parts: the free symmetric top, solved exactly, and the weight,
+/// The splitting of a top with I₁ = I₂ into the free symmetric top, solved exactly, and the weight.
+///
+/// Their Hamiltonians and flows are
 ///
 /// ```text
 /// h = [ |Π|²/2I₁ + ½(1/I₃ − 1/I₁) Π₃² ] + m g l Γ·c
@@ -15,9 +17,9 @@ use nalgebra::Vector3;
 /// φ_2^t: Π ← Π + t m g l Γ×c
 /// ```
 ///
-/// The two turns of φ_1 commute. Free motion is exact, and the error is proportional to the weight,
-/// which makes it the method of choice for a fast top. Neither Lagrange's centre of mass on e₃ nor
-/// Kovalevskaya's on e₁ is required.
+/// The two rotations of φ_1 commute. Free motion is exact, and the error is proportional to the weight. The
+/// splitting therefore suits fast tops. The centre of mass may have any direction, on e₃ as Lagrange's, on e₁
+/// as Kovalevskaya's, or another.
 ///
 /// Source: Touma & Wisdom, *Lie–Poisson integrators for rigid body dynamics in the solar system*,
 /// Astron. J. 107 (1994).
@@ -42,10 +44,10 @@ pub struct SymmetricTopSplitting {
 }
 
 impl SymmetricTopSplitting {
-    /// The two parts of a top that is symmetric about e₃.
+    /// Creates the two flows of a top that is symmetric about e₃.
     ///
     /// # Errors
-    /// Unless I₁ = I₂ exactly.
+    /// Returns [`TopError::NotSymmetricTop`] unless I₁ = I₂ exactly.
     pub fn new(top: HeavyTop) -> Result<Self, TopError> {
         let (first, second) = (top.inertia().x, top.inertia().y);
         if first == second {
@@ -55,13 +57,13 @@ impl SymmetricTopSplitting {
         }
     }
 
-    /// The top.
+    /// Returns the top that is split.
     #[must_use]
     pub fn top(&self) -> &HeavyTop {
         &self.top
     }
 
-    /// −tΠ/I₁, and −t(1/I₃ − 1/I₁)Π₃ about e₃.
+    /// Returns the rotation vector −tΠ/I₁ and the angle −t(1/I₃ − 1/I₁)Π₃ about e₃.
     #[inline]
     fn free_turns<T: Real>(&self, time: f64, pi: &Vector3<T>) -> (Vector3<T>, T) {
         let inertia = self.top.inertia();

@@ -3,7 +3,7 @@
 use core::fmt;
 use lie_poisson::{Covector, Pair, Se3Dual};
 
-/// A coordinate of (Π, Γ) ∈ se(3)∗, body frame: Π in kg m²/s, Γ dimensionless.
+/// A coordinate of (Π, Γ) ∈ se(3)∗ in the body frame: Π in kg m²/s, Γ dimensionless.
 ///
 /// # Example
 /// ```
@@ -17,39 +17,39 @@ use lie_poisson::{Covector, Pair, Se3Dual};
 /// ```
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
 pub enum Coordinate {
-    /// Π₁
+    /// The first component Π₁ of the angular momentum.
     Pi1,
-    /// Π₂
+    /// The second component Π₂ of the angular momentum.
     Pi2,
-    /// Π₃
+    /// The third component Π₃ of the angular momentum.
     Pi3,
-    /// Γ₁
+    /// The first component Γ₁ of the vertical.
     Gamma1,
-    /// Γ₂
+    /// The second component Γ₂ of the vertical.
     Gamma2,
-    /// Γ₃
+    /// The third component Γ₃ of the vertical.
     Gamma3,
 }
 
 impl Coordinate {
-    /// All of them, in the order of the columns of tables.
+    /// All six coordinates, in the order of the columns of tables.
     pub const ALL: [Self; 6] =
         [Self::Pi1, Self::Pi2, Self::Pi3, Self::Gamma1, Self::Gamma2, Self::Gamma3];
 
-    /// Its value at (Π, Γ).
+    /// Returns the value of the coordinate at (Π, Γ).
     #[must_use]
     pub fn of(self, mu: &Se3Dual) -> f64 {
         let Covector(Pair(pi, gamma)) = mu;
         if self.is_momentum() { pi[self.axis()] } else { gamma[self.axis()] }
     }
 
-    /// Whether it is one of Π; else it is one of Γ.
+    /// Returns whether the coordinate is a component of Π; otherwise it is a component of Γ.
     #[must_use]
     pub const fn is_momentum(self) -> bool {
         matches!(self, Self::Pi1 | Self::Pi2 | Self::Pi3)
     }
 
-    /// The principal axis that it belongs to: 0, 1 or 2.
+    /// Returns the principal axis of the coordinate: 0, 1 or 2.
     #[must_use]
     pub const fn axis(self) -> usize {
         match self {
@@ -59,7 +59,7 @@ impl Coordinate {
         }
     }
 
-    /// The name in tables and configurations: `Pi1` … `Gamma3`.
+    /// Returns the name in tables and configurations: `Pi1` … `Gamma3`.
     #[must_use]
     pub const fn name(self) -> &'static str {
         match self {

@@ -6,14 +6,14 @@ use nalgebra::Vector3;
 
 /// The level set h = E, Π·Γ = c, |Γ| = 1 of a top in se(3)∗, of dimension 3.
 ///
-/// Over each Γ lies an ellipse. With the slowest momentum that has Π·Γ = c,
+/// The states over each Γ form an ellipse. With the momentum of least energy that has Π·Γ = c,
 ///
 /// ```text
 /// Π = c IΓ/(Γ·IΓ) + p,  p·Γ = 0:    h = U_c(Γ) + ½ p·I⁻¹p,    U_c(Γ) = m g l Γ·c + c²/(2 Γ·IΓ)
 /// ```
 ///
-/// where the *amended potential* U_c must not exceed E. Where also Π_i is given, i = 1, 2, 3, two
-/// states are left: along u = e_i × Γ, and along w = Γ × I⁻¹u with w·I⁻¹u = 0,
+/// where the *amended potential* U_c must not exceed E. If Π_i is given as well, i = 1, 2, 3, two states
+/// remain. With u = e_i × Γ and w = Γ × I⁻¹u, where w·I⁻¹u = 0, they are
 ///
 /// ```text
 /// p = αw ± βu,   α = (Π_i − c (IΓ)_i/(Γ·IΓ))/(u·I⁻¹u),   β = √(2(E − U_c − ½α² w·I⁻¹w)/(u·I⁻¹u)),
@@ -40,42 +40,43 @@ use nalgebra::Vector3;
 /// ```
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct EnergyLevel {
-    /// The top.
+    /// The heavy top.
     pub top: HeavyTop,
-    /// E, J.
+    /// The energy E of the states, J.
     pub energy: f64,
-    /// c = Π·Γ, kg m²/s.
+    /// The vertical angular momentum c = Π·Γ, kg m²/s.
     pub vertical_momentum: f64,
 }
 
-/// The states over Γ with a given Π_i, without the component along u.
+/// The states over Γ with a given Π_i, without their component along u.
 struct Slowest {
-    /// Π without ±βu.
+    /// The momentum Π without ±βu.
     pi: Vector3<f64>,
-    /// u
+    /// The direction u = e_i × Γ of the remaining component.
     along: Vector3<f64>,
-    /// u·I⁻¹u
+    /// The inverse moment u·I⁻¹u along u.
     mobility: f64,
     /// The energy of (Π, Γ) with β = 0.
     energy: f64,
 }
 
 impl EnergyLevel {
-    /// The two states over a unit vector Γ in which Π has the component `momentum` (kg m²/s) along
-    /// the principal axis 0, 1 or 2; the first with dΓ/dt ≥ 0 along that axis, the other with dΓ/dt ≤ 0.
+    /// Returns the two states over a unit vector Γ in which Π has the component `momentum` (kg m²/s) along
+    /// the principal axis 0, 1 or 2.
     ///
-    /// None where the energy does not suffice, nor where Γ is that axis.
+    /// The first has dΓ/dt ≥ 0 along that axis, the other dΓ/dt ≤ 0. There are none where the energy is too
+    /// low, nor where Γ is along that axis.
     #[must_use]
     pub fn states(&self, gamma: &Vector3<f64>, axis: usize, momentum: f64) -> Option<[Se3Dual; 2]> {
         let Slowest { pi, along, mobility, energy } = self.slowest(gamma, axis, momentum)?;
         let square = 2.0 * (self.energy - energy) / mobility;
-        // Not for NaN either.
+        // The comparison is false for NaN, too.
         (square >= 0.0).then(|| {
             [square.sqrt(), -square.sqrt()].map(|beta| Se3Dual::new(pi + along * beta, *gamma))
         })
     }
 
-    /// U_c(Γ), J: the least energy over Γ on Π·Γ = c.
+    /// Returns the amended potential U_c(Γ), J: the least energy over Γ on Π·Γ = c.
     #[must_use]
     pub fn amended_potential(&self, gamma: &Vector3<f64>) -> f64 {
         let height = self.top.weight_moment() * gamma.dot(&self.top.center_of_mass());
@@ -83,7 +84,7 @@ impl EnergyLevel {
         height + self.vertical_momentum * self.vertical_momentum / (2.0 * moment)
     }
 
-    /// The least energy over Γ on Π·Γ = c where Π has the component `momentum` along the axis.
+    /// Returns the least energy over Γ on Π·Γ = c where Π has the component `momentum` along the axis.
     pub(crate) fn least_energy(&self, gamma: &Vector3<f64>, axis: usize, momentum: f64) -> f64 {
         self.slowest(gamma, axis, momentum).map_or(f64::INFINITY, |slowest| slowest.energy)
     }

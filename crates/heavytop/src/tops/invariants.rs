@@ -22,25 +22,28 @@ use num_complex::Complex;
 /// ```
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
 pub enum Invariant {
-    /// h = ½ Π·(I⁻¹Π) + m g l Γ·c, conserved by every top, in joules. Source: Ohsawa 2019, eq. (1.3).
+    /// The energy h = ½ Π·(I⁻¹Π) + m g l Γ·c, conserved by every top, in joules. Source: Ohsawa 2019, eq.
+    /// (1.3).
     Energy,
-    /// f₁ = |Γ|², a Casimir, dimensionless. Source: Ohsawa 2019, §4.2.
+    /// The Casimir f₁ = |Γ|², dimensionless. Source: Ohsawa 2019, §4.2.
     VerticalSquared,
-    /// f₂ = Π·Γ, a Casimir: the vertical angular momentum, kg m²/s. Source: Ohsawa 2019, §4.2.
+    /// The Casimir f₂ = Π·Γ, the vertical angular momentum, kg m²/s. Source: Ohsawa 2019, §4.2.
     VerticalMomentum,
-    /// f₃ = Π₃, for Lagrange's top, kg m²/s. Source: Ohsawa 2019, §4.3.
+    /// The axial angular momentum f₃ = Π₃ of Lagrange's top, kg m²/s. Source: Ohsawa 2019, §4.3.
     AxialMomentum,
-    /// K = |(Π₁+iΠ₂)² − 4 m g l I₃ (c₁+ic₂)(Γ₁+iΓ₂)|², for Kovalevskaya's top, (kg m²/s)⁴.
+    /// The invariant K = |(Π₁+iΠ₂)² − 4 m g l I₃ (c₁+ic₂)(Γ₁+iΓ₂)|² of Kovalevskaya's top, (kg m²/s)⁴.
     ///
-    /// Source: Ohsawa 2019, §5.2, for c = e₁; a rotation about e₃ gives the general case.
+    /// Source: Ohsawa 2019, §5.2, for c = e₁. A rotation about e₃ gives the general case.
     Kovalevskaya,
-    /// G = Π₃(Π₁²+Π₂²) − 4 I₃ m g l Γ₃ (c₁Π₁+c₂Π₂), for Goryachev and Chaplygin's top,
-    /// (kg m²/s)³; conserved on Π·Γ = 0 only, where Ġ = −m g l (c₁Π₂−c₂Π₁)(Π·Γ) vanishes.
+    /// The invariant G = Π₃(Π₁²+Π₂²) − 4 I₃ m g l Γ₃ (c₁Π₁+c₂Π₂) of Goryachev and Chaplygin's top, (kg
+    /// m²/s)³.
+    ///
+    /// It is conserved on Π·Γ = 0 only, where dG/dt = −m g l (c₁Π₂−c₂Π₁)(Π·Γ) vanishes.
     GoryachevChaplygin,
 }
 
 impl Invariant {
-    /// The symbol: `h`, `f1`, `f2`, `f3`, `K` or `G`.
+    /// Returns the symbol: `h`, `f1`, `f2`, `f3`, `K` or `G`.
     #[must_use]
     pub const fn symbol(self) -> &'static str {
         match self {
@@ -53,7 +56,7 @@ impl Invariant {
         }
     }
 
-    /// Its value for a top in the state (Π, Γ).
+    /// Returns the value of the invariant for a top in the state (Π, Γ).
     pub fn value<T: Real>(self, top: &HeavyTop, mu: &Se3Dual<T>) -> T {
         let Covector(Pair(pi, gamma)) = mu;
         match self {
@@ -84,33 +87,33 @@ impl fmt::Display for Invariant {
     }
 }
 
-/// c₁ + ic₂
+/// Returns the equatorial part c₁ + ic₂ of the centre of mass.
 fn equatorial<T: Real>(top: &HeavyTop) -> Complex<T> {
     let center = top.center_of_mass();
     Complex { re: T::from_f64(center.x), im: T::from_f64(center.y) }
 }
 
 impl HeavyTop {
-    /// Whether I₁ = I₂ and the centre of mass is on the third axis (or there is no gravity).
+    /// Returns whether I₁ = I₂ and the centre of mass is on the third axis (or there is no gravity).
     #[must_use]
     pub fn is_lagrange(&self) -> bool {
         self.has_transverse_moment(self.inertia().x)
             && (self.weight_moment() == 0.0 || is_small(self.center_of_mass().xy().norm()))
     }
 
-    /// Whether I₁ = I₂ = 2I₃ and the centre of mass is in the equatorial plane.
+    /// Returns whether I₁ = I₂ = 2I₃ and the centre of mass is in the equatorial plane.
     #[must_use]
     pub fn is_kovalevskaya(&self) -> bool {
         self.has_transverse_moment(2.0 * self.inertia().z) && is_small(self.center_of_mass().z)
     }
 
-    /// Whether I₁ = I₂ = 4I₃ and the centre of mass is in the equatorial plane.
+    /// Returns whether I₁ = I₂ = 4I₃ and the centre of mass is in the equatorial plane.
     #[must_use]
     pub fn is_goryachev_chaplygin(&self) -> bool {
         self.has_transverse_moment(4.0 * self.inertia().z) && is_small(self.center_of_mass().z)
     }
 
-    /// The invariants of this top: h, f₁ and f₂, and the fourth of an integrable one.
+    /// Returns the invariants of this top: h, f₁ and f₂, and the fourth one if the top is integrable.
     ///
     /// G is listed for a Goryachev–Chaplygin top at every level of Π·Γ.
     #[must_use]
@@ -135,7 +138,7 @@ impl HeavyTop {
     }
 }
 
-/// Zero up to the rounding of parameters that were typed in with 12 digits.
+/// Returns whether x is zero up to the rounding of parameters that were given with 12 digits.
 fn is_small(x: f64) -> bool {
     x.abs() <= 1e-12
 }

@@ -6,10 +6,10 @@ use nalgebra::Vector3;
 
 /// The free rigid body: h(Π) = ½ Π·(I⁻¹Π) on so(3)∗ with the minus bracket, dΠ/dt = Π × Ω.
 ///
-/// Units as for the [heavy top](HeavyTop), of which it is the case without gravity.
+/// The units are those of the [heavy top](HeavyTop), of which it is the case without gravity.
 ///
 /// # Example
-/// Collectively on C², by the Hopf map: the Casimir |Π|² is conserved to round-off.
+/// The body is integrated collectively on C², by the Hopf map. The Casimir |Π|² is conserved to round-off.
 /// ```
 /// use collective_integrators::{Collective, RungeKutta, Start};
 /// use heavytop::RigidBody;
@@ -28,15 +28,15 @@ use nalgebra::Vector3;
 pub struct RigidBody(HeavyTop);
 
 impl RigidBody {
-    /// The body with principal moments I₁, I₂, I₃, kg m².
+    /// Creates the body with the principal moments I₁, I₂, I₃, kg m².
     ///
     /// # Errors
-    /// Unless they are positive and obey the triangle inequality.
+    /// Returns [`TopError`] unless the moments are positive and obey the triangle inequality.
     pub fn new(inertia: Vector3<f64>) -> Result<Self, TopError> {
         HeavyTop::free_rigid_body(inertia).map(Self)
     }
 
-    /// The principal moments I₁, I₂, I₃, kg m².
+    /// Returns the principal moments I₁, I₂, I₃, kg m².
     #[must_use]
     pub fn inertia(&self) -> Vector3<f64> {
         self.0.inertia()

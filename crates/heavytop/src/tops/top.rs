@@ -8,7 +8,7 @@ use lie_poisson::{
 };
 use nalgebra::Vector3;
 
-/// se(3)∗ with the minus bracket: the phase space of the heavy top, eq. (1.2) of Ohsawa 2019.
+/// The phase space of the heavy top, se(3)∗ with the minus bracket. Source: Ohsawa 2019, eq. (1.2).
 pub type HeavyTopSpace = LiePoisson<Se3>;
 
 /// The parameters of a rigid body with a fixed point in a gravitational field, in SI units.
@@ -16,24 +16,24 @@ pub type HeavyTopSpace = LiePoisson<Se3>;
 pub struct Body {
     /// The principal moments I₁, I₂, I₃ with respect to the point of support, kg m².
     pub inertia: Vector3<f64>,
-    /// m, kg.
+    /// The mass m, kg.
     pub mass: f64,
-    /// g, m/s²; 0 for the free rigid body.
+    /// The gravitational acceleration g, m/s²; 0 for the free rigid body.
     pub gravity: f64,
-    /// l, the distance from the point of support to the centre of mass, m.
+    /// The distance l from the point of support to the centre of mass, m.
     pub length: f64,
-    /// c, the unit vector from the point of support towards the centre of mass, body frame.
+    /// The unit vector c from the point of support towards the centre of mass, in the body frame.
     pub center_of_mass: Vector3<f64>,
 }
 
-/// The heavy top: the Hamiltonian on se(3)∗
+/// The heavy top: a rigid body with a fixed point under gravity, as a Hamiltonian on se(3)∗.
 ///
 /// ```text
 /// h(Π, Γ) = ½ Π·(I⁻¹Π) + m g l Γ·c,    dh = (Ω, γ) = (I⁻¹Π, m g l c)
 /// ```
 ///
-/// in the body frame, with the angular momentum Π (kg m²/s) and Γ = R⁻¹e₃, the upward vertical
-/// seen from the body. Its equations on se(3)∗ with the minus bracket are
+/// in the body frame. Π is the angular momentum (kg m²/s) and Γ = R⁻¹e₃ the upward vertical seen from the
+/// body. The equations of motion on se(3)∗ with the minus bracket are
 ///
 /// ```text
 /// dΠ/dt = Π × Ω + m g l Γ × c,    dΓ/dt = Γ × Ω
@@ -63,12 +63,12 @@ pub struct HeavyTop {
 }
 
 impl HeavyTop {
-    /// The top with the given parameters.
+    /// Creates the top with the given parameters.
     ///
     /// # Errors
-    /// Unless the moments are positive and obey the triangle inequality, the mass is positive,
-    /// gravity and length are not negative, and the direction of the centre of mass is a unit
-    /// vector.
+    /// Returns a [`TopError`] that names the parameter, unless the moments are positive and obey the triangle
+    /// inequality, the mass is positive, gravity and length are not negative, and the direction of the centre
+    /// of mass is a unit vector.
     pub fn new(body: &Body) -> Result<Self, TopError> {
         require_positive("mass", body.mass)?;
         require_not_negative("gravity", body.gravity)?;
@@ -96,83 +96,83 @@ impl HeavyTop {
         Ok(Self { inertia, inverse_inertia, weight_moment, center_of_mass })
     }
 
-    /// The free rigid body: no gravity.
+    /// Creates the free rigid body, which has no gravity.
     ///
     /// # Errors
-    /// Unless the moments (kg m²) are positive and obey the triangle inequality.
+    /// Returns [`TopError`] unless the moments (kg m²) are positive and obey the triangle inequality.
     pub fn free_rigid_body(inertia: Vector3<f64>) -> Result<Self, TopError> {
         Self::from_moment(inertia, 0.0, Vector3::z())
     }
 
-    /// Lagrange's top: I₁ = I₂, c = e₃. Π₃ is conserved.
+    /// Creates Lagrange's top: I₁ = I₂, c = e₃. Π₃ is conserved.
     ///
     /// `weight_moment` is m g l in N m.
     ///
     /// # Errors
-    /// As [`HeavyTop::new`].
+    /// Returns [`TopError`] in the cases of [`HeavyTop::new`].
     pub fn lagrange(transverse: f64, axial: f64, weight_moment: f64) -> Result<Self, TopError> {
         let inertia = Vector3::new(transverse, transverse, axial);
         Self::from_moment(inertia, weight_moment, Vector3::z())
     }
 
-    /// Kovalevskaya's top: I₁ = I₂ = 2I₃, c = e₁. The paper's experiment has I₃ = m g l = 1.
+    /// Creates Kovalevskaya's top: I₁ = I₂ = 2I₃, c = e₁. The paper's experiment has I₃ = m g l = 1.
     ///
     /// Source: Ohsawa 2019, §5.2.
     ///
     /// # Errors
-    /// As [`HeavyTop::new`].
+    /// Returns [`TopError`] in the cases of [`HeavyTop::new`].
     pub fn kovalevskaya(axial: f64, weight_moment: f64) -> Result<Self, TopError> {
         let inertia = Vector3::new(2.0 * axial, 2.0 * axial, axial);
         Self::from_moment(inertia, weight_moment, Vector3::x())
     }
 
-    /// Goryachev and Chaplygin's top: I₁ = I₂ = 4I₃, c = e₁; integrable on Π·Γ = 0.
+    /// Creates Goryachev and Chaplygin's top: I₁ = I₂ = 4I₃, c = e₁. It is integrable on Π·Γ = 0.
     ///
     /// # Errors
-    /// As [`HeavyTop::new`].
+    /// Returns [`TopError`] in the cases of [`HeavyTop::new`].
     pub fn goryachev_chaplygin(axial: f64, weight_moment: f64) -> Result<Self, TopError> {
         let inertia = Vector3::new(4.0 * axial, 4.0 * axial, axial);
         Self::from_moment(inertia, weight_moment, Vector3::x())
     }
 
-    /// The principal moments I₁, I₂, I₃, kg m².
+    /// Returns the principal moments I₁, I₂, I₃, kg m².
     #[must_use]
     pub fn inertia(&self) -> Vector3<f64> {
         self.inertia
     }
 
-    /// m g l, N m.
+    /// Returns the weight moment m g l, N m.
     #[must_use]
     pub fn weight_moment(&self) -> f64 {
         self.weight_moment
     }
 
-    /// c, a unit vector of the body frame.
+    /// Returns the direction c of the centre of mass, a unit vector of the body frame.
     #[must_use]
     pub fn center_of_mass(&self) -> Vector3<f64> {
         self.center_of_mass
     }
 
-    /// The angular velocity Ω = I⁻¹Π in the body frame, rad/s.
+    /// Returns the angular velocity Ω = I⁻¹Π in the body frame, rad/s.
     #[inline]
     pub fn angular_velocity<T: Real>(&self, pi: &Vector3<T>) -> Vector3<T> {
         pi.zip_map(&self.inverse_inertia, |pi, inverse| pi * inverse)
     }
 
-    /// The diagonal of I⁻¹.
+    /// Returns the diagonal of I⁻¹.
     #[inline]
     pub(crate) fn inverse_inertia(&self) -> Vector3<f64> {
         self.inverse_inertia
     }
 
-    /// γ = m g l c
+    /// Returns the constant part γ = m g l c of dh.
     #[inline]
     pub(crate) fn force<T: Real>(&self) -> Vector3<T> {
         self.center_of_mass.map(|c| T::from_f64(self.weight_moment * c))
     }
 }
 
-/// An element of se(3): dh.
+/// The differential dh, an element of se(3).
 type Velocity<T> = Pair<Vector3<T>, Vector3<T>>;
 
 impl<T: Real> Hamiltonian<HeavyTopSpace, T> for HeavyTop {

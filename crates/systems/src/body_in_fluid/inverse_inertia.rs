@@ -1,10 +1,10 @@
-//! The inverse inertia of a body with the fluid that it drags.
+//! The inverse inertia of a body and the fluid that moves with it.
 
 use crate::error::{SystemError, require_finite};
 use lie_poisson::{Pair, Real};
 use nalgebra::{Matrix3, SMatrix, Vector3};
 
-/// How far A and C may be from their transposes, relative to their largest entry.
+/// The largest difference of A and C from their transposes, relative to their largest entry.
 const ASYMMETRY: f64 = 1e-12;
 
 /// The positive definite matrix [A B; Bᵀ C], which takes (Π, P) to (Ω, v).
@@ -16,8 +16,11 @@ pub(crate) struct InverseInertia {
 }
 
 impl InverseInertia {
+    /// Creates the matrix from its blocks.
+    ///
     /// # Errors
-    /// If an entry is not finite, A or C is not symmetric, or the matrix is not positive definite.
+    /// Returns [`SystemError`] if an entry is not finite, A or C is not symmetric, or the matrix is not
+    /// positive definite.
     pub(crate) fn new(
         a: Matrix3<f64>,
         b: Matrix3<f64>,
@@ -39,7 +42,7 @@ impl InverseInertia {
         Ok(inverse)
     }
 
-    /// (AΠ + BP, BᵀΠ + CP)
+    /// Returns the velocities (Ω, v) = (AΠ + BP, BᵀΠ + CP).
     #[inline]
     pub(crate) fn velocity<T: Real>(
         &self,
@@ -50,7 +53,7 @@ impl InverseInertia {
         Pair(a * pi + b * p, b.tr_mul(pi) + c * p)
     }
 
-    /// By Gauss elimination: all pivots must be positive.
+    /// Checks by Gaussian elimination that all pivots are positive.
     fn require_positive_definite(&self) -> Result<(), SystemError> {
         let Self { a, b, c } = self;
         let mut m = SMatrix::<f64, 6, 6>::from_fn(|i, j| match (i < 3, j < 3) {

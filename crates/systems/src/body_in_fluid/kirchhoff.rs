@@ -9,16 +9,16 @@ use nalgebra::{Matrix3, Vector3};
 
 /// Kirchhoff's body: a rigid body in an ideal fluid at rest at infinity.
 ///
-/// It is a Hamiltonian on se(3)∗ with the minus bracket, of the impulsive couple Π (kg m²/s) and the impulse P
-/// (kg m/s):
+/// It is a Hamiltonian on se(3)∗ with the minus bracket. The variables are the impulsive couple Π (kg m²/s)
+/// and the impulse P (kg m/s):
 ///
 /// ```text
 /// h(Π, P) = ½ Π·AΠ + Π·BP + ½ P·CP,    dh = (Ω, v) = (AΠ + BP, BᵀΠ + CP)
 /// dΠ/dt = Π × Ω + P × v,    dP/dt = P × Ω
 /// ```
 ///
-/// Ω (rad/s) and v (m/s) are the angular and the linear velocity of the body. The Casimirs are |P|² and Π·P. A
-/// torpedo, an underwater vehicle without a righting moment and a falling card without lift are of this kind.
+/// Ω (rad/s) and v (m/s) are the angular and the linear velocity of the body. The Casimirs are |P|² and Π·P.
+/// Examples are a torpedo, an underwater vehicle without a righting moment and a falling card without lift.
 ///
 /// Source: G. Kirchhoff, *Vorlesungen über mathematische Physik* (1876), 19th lecture; H. Lamb,
 /// *Hydrodynamics*, 6th ed., §124; N. E. Leonard, *Stability of a bottom-heavy underwater
@@ -45,7 +45,8 @@ impl Kirchhoff {
     /// body and fluid, in the body frame.
     ///
     /// # Errors
-    /// If an entry is not finite, A or C is not symmetric, or h is not positive definite.
+    /// Returns [`SystemError`] if an entry is not finite, A or C is not symmetric, or h is not positive
+    /// definite.
     pub fn new(a: Matrix3<f64>, b: Matrix3<f64>, c: Matrix3<f64>) -> Result<Self, SystemError> {
         Ok(Self { inverse_inertia: InverseInertia::new(a, b, c)? })
     }

@@ -1,4 +1,4 @@
-//! The heavy gyrostat.
+//! The heavy gyrostat as a Hamiltonian on se(3)∗.
 
 use super::principal_moments::PrincipalMoments;
 use crate::error::{SystemError, require_finite, require_not_negative};
@@ -51,8 +51,8 @@ impl Gyrostat {
     /// The vectors r and ℓ are in the body frame, along the principal axes.
     ///
     /// # Errors
-    /// Unless the moments are positive and obey the triangle inequality, the weight is not negative, and every
-    /// number is finite, w r and the inverses of the moments included.
+    /// Returns [`SystemError`] unless the moments are positive and obey the triangle inequality, the weight
+    /// is not negative, and every number is finite, including w r and the inverses of the moments.
     pub fn new(
         inertia: Vector3<f64>,
         weight: f64,
@@ -72,7 +72,7 @@ impl Gyrostat {
         Ok(Self { moments, weight, center_of_mass, rotor })
     }
 
-    /// Π − ℓ, the part of Π that moves with the body.
+    /// Returns Π − ℓ, the part of Π that moves with the body.
     #[inline]
     fn relative<T: Real>(&self, pi: &Vector3<T>) -> Vector3<T> {
         pi - self.rotor.map(T::from_f64)

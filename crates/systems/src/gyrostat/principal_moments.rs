@@ -11,10 +11,11 @@ pub(crate) struct PrincipalMoments {
 }
 
 impl PrincipalMoments {
-    /// From I₁, I₂, I₃, kg m².
+    /// Creates the inverses from the moments I₁, I₂, I₃, kg m².
     ///
     /// # Errors
-    /// Unless they are positive, obey the triangle inequality and have finite inverses.
+    /// Returns [`SystemError`] unless the moments are positive, obey the triangle inequality and have finite
+    /// inverses.
     pub(crate) fn new(inertia: &Vector3<f64>) -> Result<Self, SystemError> {
         for (name, &value) in ["inertia[0]", "inertia[1]", "inertia[2]"].iter().zip(inertia) {
             require_positive(name, value)?;
@@ -28,7 +29,7 @@ impl PrincipalMoments {
         Ok(Self { inverse })
     }
 
-    /// The angular velocity I⁻¹Π, rad/s.
+    /// Returns the angular velocity I⁻¹Π, rad/s.
     #[inline]
     pub(crate) fn angular_velocity<T: Real>(&self, pi: &Vector3<T>) -> Vector3<T> {
         pi.zip_map(&self.inverse, |pi, inverse| pi * inverse)

@@ -9,12 +9,13 @@ use nalgebra::Vector3;
 /// A periodic Heisenberg chain of N classical spins s_i in a magnetic field B.
 ///
 /// ```text
-/// h(s) = −J Σ_i s_i·s_{i+1} − B·Σ_i s_i,    s_{N+1} = s_1
+/// h(s) = −J Σ_i s_i·sᵢ₊₁ − B·Σ_i s_i
 /// ds_i/dt = ∂h/∂s_i × s_i
 /// ```
 ///
-/// The bracket is the plus bracket {s_a, s_b} = ε_abc s_c of each spin. Conserved are h, every |s_i|, and
-/// without a field the total spin Σ s_i; in a field only its component along B.
+/// The spin after the last one is s₁. The bracket is the plus bracket {s_a, s_b} = ε_abc s_c of each spin.
+/// Conserved are h, every |s_i|, and without a field the total spin Σ s_i; in a field only its component
+/// along B.
 ///
 /// Spins, J and B are numbers without units. For N = 2 the one bond counts twice, and for N = 1 the bond of
 /// the spin with itself adds a constant.
@@ -43,7 +44,7 @@ impl<const N: usize> HeisenbergChain<N> {
     /// Creates a chain from the exchange constant J (positive: ferromagnetic) and the field B.
     ///
     /// # Errors
-    /// If a number is not finite.
+    /// Returns [`SystemError`] if a number is not finite.
     pub fn new(exchange: f64, field: Vector3<f64>) -> Result<Self, SystemError> {
         require_finite("exchange", exchange)?;
         for &component in &field {

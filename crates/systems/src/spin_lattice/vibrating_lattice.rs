@@ -12,12 +12,12 @@ pub type SpinLatticeSpace<const N: usize> =
 /// A periodic chain of N spins on moving atoms, whose exchange depends on the distance of the neighbours.
 ///
 /// ```text
-/// h = Σ_i [ p_i²/2m + ½κ(q_{i+1} − q_i)² − (J − a(q_{i+1} − q_i)) s_i·s_{i+1} ]
+/// h = Σ_i [ p_i²/2m + ½κ(qᵢ₊₁ − q_i)² − (J − a(qᵢ₊₁ − q_i)) s_i·sᵢ₊₁ ]
 /// ```
 ///
-/// The index N + 1 stands for 1, and the spins have the plus bracket. The differential is taken by dual numbers,
-/// by [`Automatic`](lie_poisson::Automatic). Conserved are h, every |s_i|, the total spin Σ s_i and the total
-/// momentum Σ p_i.
+/// The index N + 1 stands for 1, and the spins have the plus bracket. The differential is computed with dual
+/// numbers, by [`Automatic`](lie_poisson::Automatic). Conserved are h, every |s_i|, the total spin Σ s_i and
+/// the total momentum Σ p_i.
 ///
 /// All parameters are numbers without units. For N = 2 the one bond counts twice.
 ///
@@ -51,7 +51,7 @@ impl<const N: usize> SpinLattice<N> {
     /// Creates a lattice from the mass m, the stiffness κ, the exchange J and the coupling a.
     ///
     /// # Errors
-    /// If m is not positive, κ is negative, or a number is not finite.
+    /// Returns [`SystemError`] if m is not positive, κ is negative, or a number is not finite.
     pub fn new(
         mass: f64,
         stiffness: f64,

@@ -10,13 +10,13 @@ use nalgebra::Vector3;
 /// N point vortices of strengths k_i at the points x_i of the unit sphere.
 ///
 /// ```text
-/// dx_i/dt = (1/4π) Σ_{j≠i} k_j (x_j × x_i)/(1 − x_i·x_j)
+/// dx_i/dt = (1/4π) Σ_j k_j (x_j × x_i)/(1 − x_i·x_j),    j ≠ i
 /// ```
 ///
-/// This is a Lie–Poisson system on (so(3)∗)ᴺ with the minus bracket, in terms of m_i = k_i x_i:
+/// This is a Lie–Poisson system on (so(3)∗)ᴺ with the minus bracket, in the variables m_i = k_i x_i:
 ///
 /// ```text
-/// h(m) = (1/4π) Σ_{i<j} k_i k_j ln(2 − 2 x_i·x_j)
+/// h(m) = (1/4π) Σ_ij k_i k_j ln(2 − 2 x_i·x_j),    i < j
 /// ```
 ///
 /// h is the negative of the usual energy, for the sign of the bracket. Conserved are h, every |m_i|, and the
@@ -48,7 +48,7 @@ impl<const N: usize> PointVortices<N> {
     /// Creates vortices of the given strengths k_i.
     ///
     /// # Errors
-    /// If a strength is zero or not finite.
+    /// Returns [`SystemError`] if a strength is zero or not finite.
     pub fn new(strengths: [f64; N]) -> Result<Self, SystemError> {
         for value in strengths {
             require_finite("strength", value)?;
@@ -59,13 +59,13 @@ impl<const N: usize> PointVortices<N> {
         Ok(Self { strengths })
     }
 
-    /// The point m_i = k_i x_i of (so(3)∗)ᴺ that stands for vortices at the given positions.
+    /// Returns the point m_i = k_i x_i of (so(3)∗)ᴺ for vortices at the given positions.
     #[must_use]
     pub fn momentum(&self, positions: &[Vector3<f64>; N]) -> Spins<N> {
         Covector(Power(from_fn(|i| positions[i] * self.strengths[i])))
     }
 
-    /// The positions x_i = m_i/k_i of the vortices.
+    /// Returns the positions x_i = m_i/k_i of the vortices.
     #[must_use]
     pub fn positions<T: Real>(&self, m: &Spins<N, T>) -> [Vector3<T>; N] {
         from_fn(|i| m.0.0[i].scaled(T::from_f64(1.0 / self.strengths[i])))
@@ -85,7 +85,7 @@ impl<const N: usize, T: Real> Hamiltonian<SpinSpace<N>, T> for PointVortices<N> 
         sum / (4.0 * PI)
     }
 
-    /// dh/dm_i = −(1/4π) Σ_j k_j x_j/(1 − x_i·x_j)
+    /// Returns the differential dh/dm_i = −(1/4π) Σ_j k_j x_j/(1 − x_i·x_j), with j ≠ i.
     fn differential(&self, m: &Spins<N, T>) -> Power<Vector3<T>, N> {
         let x = self.positions(m);
         let mut velocity = [Vector3::zeros(); N];

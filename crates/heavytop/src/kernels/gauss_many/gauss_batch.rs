@@ -1,8 +1,8 @@
-//! Many tops at once, by collective Gauss methods.
+//! Collective Gauss methods of many tops at once.
 
 use crate::HeavyTop;
-use crate::kernels::gauss_many::spinor_field::Parameters;
-use crate::kernels::gauss_many::spinor_step::{Coefficients, Motion};
+use crate::kernels::gauss_many::spinor_field::FieldParameters;
+use crate::kernels::gauss_many::spinor_step::{ExtendedTableau, SpinorLanes};
 use collective_integrators::{
     BatchIntegrator, IntegrationError, Integrator, LaneKernel, LaneResults, LiftFree, Registers,
     RungeKutta, SchemeError, Tableau, advance_alone, lagrange_polynomial,
@@ -11,17 +11,19 @@ use core::ops::Range;
 use lie_poisson::{InstructionSet, Lanes, Mask, MissingInstructions, Se3Dual, Vector, Width};
 use momentum_map::DualQuaternions;
 
-/// Many tops, advanced side by side in the lanes of the processor's registers by the collective
-/// Gauss method with S stages, of order 2S.
+/// The collective Gauss method with S stages, of order 2S, for many tops with separate parameters.
 ///
-/// One step is that of [`LiftFree`] with [`RungeKutta::gauss`], to round-off. Stage equations are
-/// solved by sweeps, each stage from the newest derivatives of the others, beginning with the
-/// polynomial through the stages of the step before; a top stops where its own stages have settled.
-/// A top whose stages do not settle, whose Γ is 0, or that is not finite goes through that
-/// integrator instead, and fails where it fails.
+/// The tops are advanced in the SIMD lanes of the processor's registers: one lane holds one top, so that a
+/// register advances several trajectories.
 ///
-/// What becomes of a top does not depend on the others, nor on the number of lanes: it has the same
-/// bits at every [`Width`], and on all instruction sets that fuse products with sums; those of
+/// One step is that of [`LiftFree`] with [`RungeKutta::gauss`], to round-off. The stage equations are solved
+/// by sweeps, each stage from the newest derivatives of the others. The sweeps begin with the polynomial
+/// through the stages of the last step. The iteration of a top stops where its own stages have converged. A
+/// top whose stages do not converge, whose Γ is 0, or that is not finite is advanced by that integrator
+/// instead, and fails where it fails.
+///
+/// The result for a top does not depend on the others, nor on the number of lanes. It has the same bits at
+/// every [`Width`], and on all instruction sets that fuse products with sums. The results of
 /// [`InstructionSet::Portable`], which does not, differ by rounding.
 ///
 /// # Example
@@ -53,15 +55,15 @@ use momentum_map::DualQuaternions;
 #[derive(Clone, Debug, PartialEq)]
 pub struct GaussBatch<const S: usize> {
     scheme: RungeKutta,
-    coefficients: Coefficients<S>,
+    coefficients: ExtendedTableau<S>,
     registers: Registers,
 }
 
 impl<const S: usize> GaussBatch<S> {
-    /// On the widest lanes that the processor has.
+    /// Creates the method on the widest registers that the processor has.
     ///
     /// # Errors
-    /// If S = 0.
+    /// Returns [`SchemeError`] if S = 0.
     pub fn new() -> Result<Self, SchemeError> {
         let scheme = RungeKutta::gauss(S)?;
         Ok(Self {
@@ -71,10 +73,10 @@ impl<const S: usize> GaussBatch<S> {
         })
     }
 
-    /// The same on the given instructions and width; without this call, on the widest there are.
+    /// Replaces the instruction set and the width of the registers.
     ///
     /// # Errors
-    /// If the processor lacks the instructions.
+    /// Returns [`MissingInstructions`] if the processor lacks the instructions.
     pub fn on(
         self,
         instructions: InstructionSet,
@@ -84,8 +86,8 @@ impl<const S: usize> GaussBatch<S> {
     }
 }
 
-/// Runs in several calls that meet at multiples of [`CHECKPOINT`](collective_integrators::CHECKPOINT)
-/// have the bits of one run; others differ by rounding.
+/// A run in several calls that meet at multiples of [`CHECKPOINT`](collective_integrators::CHECKPOINT) has
+/// the bits of a run in one call. With other calls the results differ by rounding.
 impl<const S: usize> BatchIntegrator for GaussBatch<S> {
     type Member = (HeavyTop, Se3Dual);
     type Workspace = ();
@@ -101,32 +103,34 @@ impl<const S: usize> BatchIntegrator for GaussBatch<S> {
         failed: &mut dyn FnMut(usize, IntegrationError),
     ) {
         let coefficients = self.coefficients.scaled(step);
-        let kernel = Kernel { scheme: &self.scheme, coefficients };
+        let kernel = ScaledGauss { scheme: &self.scheme, coefficients };
         self.registers.advance(&kernel, members, step, steps, &mut (), failed);
     }
 }
 
-/// a, b, and a W with W_jl = Π_{m≠l} (1 + c_j − c_m)/(c_l − c_m), which extends the polynomial
-/// through the derivatives of one step to the nodes of the next.
-fn coefficients<const S: usize>(gauss: &Tableau) -> Coefficients<S> {
+/// Returns a, b and a W, where W extends the polynomial through the derivatives of one step to the nodes of
+/// the next.
+///
+/// Its entry W_jl is the product over m ≠ l of (1 + c_j − c_m)/(c_l − c_m).
+fn coefficients<const S: usize>(gauss: &Tableau) -> ExtendedTableau<S> {
     let c = gauss.nodes();
     let extension = |j: usize, l: usize| lagrange_polynomial(c, l, 1.0 + c[j]);
     let a = |i: usize, j: usize| gauss.row(i)[j];
     let extended = |i, l| (0..S).map(|j| a(i, j) * extension(j, l)).sum();
-    Coefficients {
+    ExtendedTableau {
         a: core::array::from_fn(|i| core::array::from_fn(|j| a(i, j))),
         b: core::array::from_fn(|i| gauss.weights()[i]),
         extended: core::array::from_fn(|i| core::array::from_fn(|l| extended(i, l))),
     }
 }
 
-/// The coefficients are those of the scheme, times the step.
-struct Kernel<'a, const S: usize> {
+/// A Gauss method with its coefficients times the step.
+struct ScaledGauss<'a, const S: usize> {
     scheme: &'a RungeKutta,
-    coefficients: Coefficients<S>,
+    coefficients: ExtendedTableau<S>,
 }
 
-impl<const S: usize> LaneKernel for Kernel<'_, S> {
+impl<const S: usize> LaneKernel for ScaledGauss<'_, S> {
     type Member = (HeavyTop, Se3Dual);
     type Workspace = ();
 
@@ -138,8 +142,8 @@ impl<const S: usize> LaneKernel for Kernel<'_, S> {
         count: u64,
     ) -> LaneResults {
         let last = group.len() - 1;
-        let top = Parameters::<T>::from_lanes(|i| &group[i.min(last)].0);
-        let mut motion = Motion::<T, S>::lift(|i| &group[i.min(last)].1);
+        let top = FieldParameters::<T>::from_lanes(|i| &group[i.min(last)].0);
+        let mut motion = SpinorLanes::<T, S>::lift(|i| &group[i.min(last)].1);
         for n in 0..count {
             motion.step(&top, &self.coefficients, step, n == 0);
         }

@@ -1,4 +1,4 @@
-//! Collective Gauss methods of many tops, one in each lane.
+//! Collective Gauss methods of many tops, one in each SIMD lane.
 
 pub(crate) mod spinor_field;
 pub(crate) mod spinor_step;

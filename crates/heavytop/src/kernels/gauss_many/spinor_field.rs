@@ -1,22 +1,22 @@
-//! The collective equations on T∗C², and what they conserve on fibres, in components.
+//! The collective equations on T∗C², and the functions that are constant on fibres, in components.
 
 use crate::HeavyTop;
 use lie_poisson::Lanes;
 
-/// q₁, …, q₄, p₁, …, p₄ with χ = (q₁ + iq₂, q₃ + iq₄) and ψ = (p₁ + ip₂, p₃ + ip₄).
+/// The coordinates q₁, …, q₄, p₁, …, p₄ with χ = (q₁ + iq₂, q₃ + iq₄) and ψ = (p₁ + ip₂, p₃ + ip₄).
 pub(crate) type Spinors<T> = [T; 8];
 
-/// What the field needs of a top.
+/// The parameters of tops that the field depends on, one top in each SIMD lane.
 #[derive(Clone, Copy)]
-pub(crate) struct Parameters<T> {
-    /// ¼ I⁻¹
+pub(crate) struct FieldParameters<T> {
+    /// The diagonal of ¼ I⁻¹.
     quarter_inverse: [T; 3],
-    /// 2 m g l c
+    /// The doubled force 2 m g l c of the weight.
     force: [T; 3],
 }
 
-impl<T: Lanes> Parameters<T> {
-    /// Lane i from f(i).
+impl<T: Lanes> FieldParameters<T> {
+    /// Gathers the parameters of the tops: lane i is f(i).
     #[inline(always)]
     pub(crate) fn from_lanes<'a>(f: impl Fn(usize) -> &'a HeavyTop) -> Self {
         let quarter = |k: usize| T::from_lanes(|i| 0.25 / f(i).inertia()[k]);
@@ -28,7 +28,7 @@ impl<T: Lanes> Parameters<T> {
         }
     }
 
-    /// ½Ω = ½I⁻¹Π(z)
+    /// Returns half the angular velocity ½Ω = ½I⁻¹Π(z).
     #[inline(always)]
     pub(crate) fn half_velocity(&self, z: &Spinors<T>) -> [T; 3] {
         let [q1, q2, q3, q4, p1, p2, p3, p4] = *z;
@@ -45,7 +45,7 @@ impl<T: Lanes> Parameters<T> {
         ]
     }
 
-    /// dχ/dt = (i/2)(Ω·σ)χ + 2(γ·σ)ψ, dψ/dt = (i/2)(Ω·σ)ψ.
+    /// Returns the field dχ/dt = (i/2)(Ω·σ)χ + 2(γ·σ)ψ, dψ/dt = (i/2)(Ω·σ)ψ for v = ½Ω.
     #[inline(always)]
     pub(crate) fn field(&self, v: &[T; 3], z: &Spinors<T>) -> Spinors<T> {
         let [q1, q2, q3, q4, p1, p2, p3, p4] = *z;
@@ -68,7 +68,7 @@ impl<T: Lanes> Parameters<T> {
     }
 }
 
-/// i (v·σ) of the spinor (a + ib, c + id), in components.
+/// Returns i (v·σ) of the spinor (a + ib, c + id), in components.
 #[inline(always)]
 fn turned<T: Lanes>(v: &[T; 3], a: T, b: T, c: T, d: T) -> [T; 4] {
     let [x, y, z] = *v;
@@ -80,21 +80,21 @@ fn turned<T: Lanes>(v: &[T; 3], a: T, b: T, c: T, d: T) -> [T; 4] {
     ]
 }
 
-/// ‖ψ‖²
+/// Returns the squared norm ‖ψ‖².
 #[inline(always)]
 pub(crate) fn square<T: Lanes>(z: &Spinors<T>) -> T {
     let [.., a, b, c, d] = *z;
     a.multiply_add(a, b * b) + c.multiply_add(c, d * d)
 }
 
-/// Re ψ∗χ
+/// Returns the real overlap Re ψ∗χ.
 #[inline(always)]
 pub(crate) fn real_overlap<T: Lanes>(z: &Spinors<T>) -> T {
     let [q1, q2, q3, q4, p1, p2, p3, p4] = *z;
     p1.multiply_add(q1, p2 * q2) + p3.multiply_add(q3, p4 * q4)
 }
 
-/// Im ψ∗χ
+/// Returns the imaginary overlap Im ψ∗χ.
 #[inline(always)]
 pub(crate) fn imaginary_overlap<T: Lanes>(z: &Spinors<T>) -> T {
     let [q1, q2, q3, q4, p1, p2, p3, p4] = *z;

@@ -1,10 +1,10 @@
-//! A Gauss step on T∗C² in components, as many tops at once as there are lanes.
+//! A Gauss step on T∗C² in components, for as many tops as there are SIMD lanes.
 
-// Plain loops: iterators over lanes do not inline, see `LaneTask`.
+// The loops are plain, since iterators over lanes do not inline: see `LaneTask`.
 #![allow(clippy::needless_range_loop)]
 
 use crate::kernels::gauss_many::spinor_field::{
-    Parameters, Spinors, imaginary_overlap, real_overlap, square,
+    FieldParameters, Spinors, imaginary_overlap, real_overlap, square,
 };
 use crate::{SpinorPoint, SpinorRealisation};
 use collective_integrators::MOST_LANES;
@@ -13,27 +13,28 @@ use momentum_map::{Lift, PoissonMap};
 use nalgebra::Vector2;
 use num_complex::Complex;
 
-/// A stage is settled where h |change of ½Ω| is at most this: what is left after it is less by the
-/// factor by which a sweep contracts.
-const SETTLED: f64 = 1.0 / (1_u64 << 49) as f64;
+/// The largest h |change of ½Ω| with which a stage has converged.
+///
+/// The remaining error is smaller by the factor by which a sweep contracts.
+const CONVERGED: f64 = 1.0 / (1_u64 << 49) as f64;
 
-/// It is settled as well where the next change, by the ratio of the last two, would be this.
+/// The largest next change, by the ratio of the last two, with which a stage has converged as well.
 const NEXT: f64 = 1.0 / (1_u64 << 53) as f64;
 
-/// What has not settled after so many sweeps is left to other methods.
+/// The number of sweeps after which a lane that has not converged is left to other methods.
 const SWEEPS: usize = 40;
 
 /// The coefficients of a Gauss method with S stages, or these times the step.
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub(crate) struct Coefficients<const S: usize> {
+pub(crate) struct ExtendedTableau<const S: usize> {
     pub(crate) a: [[f64; S]; S],
     pub(crate) b: [f64; S],
-    /// a W, where W extends the stage derivatives of one step to the next.
+    /// The product a W, where W extends the stage derivatives of one step to the next.
     pub(crate) extended: [[f64; S]; S],
 }
 
-impl<const S: usize> Coefficients<S> {
-    /// Times h.
+impl<const S: usize> ExtendedTableau<S> {
+    /// Returns the coefficients times the step h.
     pub(crate) fn scaled(mut self, step: f64) -> Self {
         let rows = self.a.iter_mut().chain(&mut self.extended).chain([&mut self.b]);
         rows.flatten().for_each(|weight| *weight *= step);
@@ -41,21 +42,21 @@ impl<const S: usize> Coefficients<S> {
     }
 }
 
-/// Points of T∗C², and what their fibres are known by.
-pub(crate) struct Motion<T: Lanes, const S: usize> {
+/// Points of T∗C² in SIMD lanes, with the constants of their fibres.
+pub(crate) struct SpinorLanes<T: Lanes, const S: usize> {
     z: Spinors<T>,
-    /// ‖ψ‖² and Im ψ∗χ, which are constant, and 1/‖ψ‖².
+    /// The constants ‖ψ‖² and Im ψ∗χ of the fibre, and 1/‖ψ‖².
     square: T,
     overlap: T,
     inverse_square: T,
     /// The stage derivatives of the last step.
     k: [Spinors<T>; S],
-    /// Where no step has failed.
+    /// The lanes in which no step has failed.
     pub(crate) alive: T::Mask,
 }
 
-impl<T: Lanes, const S: usize> Motion<T, S> {
-    /// The minimal lifts of the states f(i). What cannot be lifted is not alive.
+impl<T: Lanes, const S: usize> SpinorLanes<T, S> {
+    /// Creates the minimal lifts of the states f(i). A lane without a lift is not alive.
     #[inline(always)]
     pub(crate) fn lift<'a>(f: impl Fn(usize) -> &'a Se3Dual) -> Self {
         let mut lifted = [[f64::NAN; 8]; MOST_LANES];
@@ -77,7 +78,7 @@ impl<T: Lanes, const S: usize> Motion<T, S> {
         }
     }
 
-    /// The momentum in lane i.
+    /// Returns the momentum in lane i.
     pub(crate) fn momentum(&self, i: usize) -> Se3Dual {
         let z = self.z;
         let complex = |c: usize| Complex::new(z[c].lane(i), z[c + 1].lane(i));
@@ -86,13 +87,12 @@ impl<T: Lanes, const S: usize> Motion<T, S> {
         SpinorRealisation.apply(&SpinorPoint::new(chi, Covector(psi)))
     }
 
-    /// One step, with coefficients that are scaled by it. Where it has no result the lane is not
-    /// alive any more.
+    /// Advances by one step, with coefficients times the step. A lane without a result is no longer alive.
     #[inline(always)]
     pub(crate) fn step(
         &mut self,
-        top: &Parameters<T>,
-        coefficients: &Coefficients<S>,
+        top: &FieldParameters<T>,
+        coefficients: &ExtendedTableau<S>,
         step: f64,
         first: bool,
     ) {
@@ -109,7 +109,7 @@ impl<T: Lanes, const S: usize> Motion<T, S> {
         for _ in 0..SWEEPS {
             let change = step_squared * self.sweep(top, coefficients, &mut v, frozen);
             let next = (change * change).at_most(last * (NEXT * NEXT));
-            frozen = frozen.or(change.at_most(T::from_f64(SETTLED * SETTLED))).or(next);
+            frozen = frozen.or(change.at_most(T::from_f64(CONVERGED * CONVERGED))).or(next);
             let finite = change.at_most(T::from_f64(f64::MAX));
             self.alive = self.alive.and(finite);
             last = change;
@@ -121,9 +121,14 @@ impl<T: Lanes, const S: usize> Motion<T, S> {
         self.finish(coefficients);
     }
 
-    /// The first stages of a step from the derivatives of the last one, all at once.
+    /// Extrapolates the first stages of a step from the derivatives of the last one, all at once.
     #[inline(always)]
-    fn guess(&mut self, top: &Parameters<T>, coefficients: &Coefficients<S>, v: &mut [[T; 3]; S]) {
+    fn guess(
+        &mut self,
+        top: &FieldParameters<T>,
+        coefficients: &ExtendedTableau<S>,
+        v: &mut [[T; 3]; S],
+    ) {
         let past = self.k;
         for i in 0..S {
             let stage = combine(&self.z, &coefficients.extended[i], &past);
@@ -132,13 +137,14 @@ impl<T: Lanes, const S: usize> Motion<T, S> {
         }
     }
 
-    /// Each stage from the newest derivatives of the others, and the sum of squares by which ½Ω has
-    /// changed. Frozen lanes keep theirs.
+    /// Computes each stage from the newest derivatives of the others, and returns the squared change of ½Ω.
+    ///
+    /// Frozen lanes keep their stages.
     #[inline(always)]
     fn sweep(
         &mut self,
-        top: &Parameters<T>,
-        coefficients: &Coefficients<S>,
+        top: &FieldParameters<T>,
+        coefficients: &ExtendedTableau<S>,
         v: &mut [[T; 3]; S],
         frozen: T::Mask,
     ) -> T {
@@ -164,10 +170,11 @@ impl<T: Lanes, const S: usize> Motion<T, S> {
         change
     }
 
-    /// The end of the step, slid along the fibre to the least ‖χ‖, with ‖ψ‖² and Im ψ∗χ restored;
-    /// the derivatives are slid with it.
+    /// Ends the step, slides it along the fibre to the least ‖χ‖, and restores ‖ψ‖² and Im ψ∗χ.
+    ///
+    /// The derivatives slide with it.
     #[inline(always)]
-    fn finish(&mut self, coefficients: &Coefficients<S>) {
+    fn finish(&mut self, coefficients: &ExtendedTableau<S>) {
         let mut z = combine(&self.z, &coefficients.b, &self.k);
         let excess = (self.square - square(&z)) * self.inverse_square * 0.5;
         for p in 4..8 {
@@ -189,7 +196,7 @@ impl<T: Lanes, const S: usize> Motion<T, S> {
     }
 }
 
-/// z + Σ_j w_j k_j
+/// Returns the sum z + Σ_j w_j k_j.
 #[inline(always)]
 fn combine<T: Lanes, const S: usize>(
     z: &Spinors<T>,
@@ -206,7 +213,7 @@ fn combine<T: Lanes, const S: usize>(
     sum
 }
 
-/// The minimal lift in components, NaN where there is none.
+/// Returns the minimal lift in components, or NaN where there is none.
 fn lift(mu: &Se3Dual) -> [f64; 8] {
     match SpinorRealisation.lift(mu) {
         Ok(SpinorPoint { q, p: Covector(p) }) => {

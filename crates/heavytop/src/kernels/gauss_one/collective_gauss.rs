@@ -1,10 +1,10 @@
-//! Collective Gauss methods of one heavy top, with the stages in the lanes of a register.
+//! Collective Gauss methods of one heavy top, with the stages in the SIMD lanes of a register.
 
-use super::coefficients::Coefficients;
-use super::kernel::{Attempt, MOST};
-use super::memory::Memory;
-use super::point::Point;
+use super::compensated_point::CompensatedPoint;
+use super::gauss_coefficients::GaussCoefficients;
 use super::row::WIDTH;
+use super::stage_equations::{Attempt, MOST};
+use super::stage_history::StageHistory;
 use crate::attitude::step_rotation::turned_by_spinors;
 use crate::{HeavyTop, SpinorPoint, SpinorRealisation, TurnedStep, Turning};
 use collective_integrators::{
@@ -14,19 +14,20 @@ use collective_integrators::{
 use lie_poisson::{InstructionSet, MissingInstructions, Pair, Se3Dual, Width, dispatch};
 use momentum_map::LiftError;
 
-/// The general integrator.
+/// The general integrator of the same method.
 type General = Compensated<Collective<RungeKutta, SpinorRealisation, HeavyTop>>;
 
-/// (z, e)
+/// The state (z, e): a point and its rounding error.
 type State = Pair<SpinorPoint, SpinorPoint>;
 
-/// The collective Gauss method of a [`HeavyTop`] with 1 to 8 stages, of order 2 to 16: the steps of
-/// [`Collective`]`::new(`[`RungeKutta::gauss`]`(s)?, `[`SpinorRealisation`]`, top).compensated()` to
-/// round-off, at a fraction of the cost. That integrator serves every other Hamiltonian and any number of
-/// stages.
+/// The collective Gauss method of a [`HeavyTop`] with 1 to 8 stages, of order 2 to 16.
 ///
-/// The state is (z, e): the lift z = (χ, ψ) ∈ T∗C², and e, what the last addition z + δz rounded
-/// away. μ = **M**(z).
+/// Its steps are those of [`Collective`]`::new(`[`RungeKutta::gauss`]`(s)?, `[`SpinorRealisation`]`,
+/// top).compensated()` to round-off, at a fraction of the cost. That integrator accepts every other
+/// Hamiltonian and any number of stages.
+///
+/// The state is (z, e): the lift z = (χ, ψ) ∈ T∗C², and e, the part that rounding removed from the last sum
+/// z + δz. The momentum is μ = **M**(z).
 ///
 /// # Method
 /// The stage equations
@@ -35,19 +36,19 @@ type State = Pair<SpinorPoint, SpinorPoint>;
 /// Z_i = z + Σ_j μ_ij ℓ_j,    ℓ_j = h b_j X(Z_j),    μ_ij = a_ij / b_j,    z₁ = z + Σ_j ℓ_j
 /// ```
 ///
-/// have one stage per lane of a register, by AVX-512, AVX2 or plain arithmetic, whichever the
-/// processor is found to have when the integrator is made. They are iterated until Ω changes by
-/// round-off alone, from the polynomial through the last step's ℓ if the step continues that one:
-/// the same size, from where it ended. A step therefore depends on the one before, by round-off;
-/// [`forget`](Integrator::forget) removes that. μ_ij + μ_ji = 1 holds to the last bit, so that
-/// rounding of coefficients makes no Casimir drift. When χ has grown along the fibre to √2 of its least, χ
-/// slides back by a power of two times ψ.
+/// are solved with one stage in each SIMD lane of a register, by AVX-512, AVX2 or plain arithmetic, whichever
+/// the processor has when the integrator is made. They are iterated until Ω changes by round-off alone. If a
+/// step has the size of the last step and continues from its end, the iteration begins with the polynomial
+/// through the ℓ of that step. A step therefore depends on the one before, by round-off;
+/// [`forget`](Integrator::forget) removes this dependence. μ_ij + μ_ji = 1 holds exactly, so that rounding of
+/// coefficients causes no drift of Casimirs. When ‖χ‖ has grown to √2 of its least along the fibre, χ slides
+/// back by a power of two times ψ.
 ///
 /// Where the iteration does not converge, for large steps, the [general](Self::general) integrator makes the
-/// step, by Newton's iteration if it must.
+/// step, with Newton's iteration if necessary.
 ///
-/// With eight stages and step 1/4 the paper's experiment is right to 1e-14 at t = 10, at 480 ns a step
-/// with AVX-512, 720 ns with AVX2, 2.2 µs by plain arithmetic (one machine; the example
+/// With eight stages and step 1/4 the error of the paper's experiment is 1e-14 at t = 10. A step takes 480 ns
+/// with AVX-512, 720 ns with AVX2 and 2.2 µs with plain arithmetic (measured on one machine; the example
 /// `collective_gauss` measures yours).
 ///
 /// Source: Ohsawa 2019, §5.1; Antoñana, Makazaga & Murua, *Reducing and monitoring round-off
@@ -76,48 +77,48 @@ type State = Pair<SpinorPoint, SpinorPoint>;
 #[derive(Clone, Debug, PartialEq)]
 pub struct CollectiveGauss {
     general: General,
-    coefficients: Coefficients,
+    coefficients: GaussCoefficients,
     instructions: InstructionSet,
 }
 
-/// The storage of a step of [`CollectiveGauss`].
+/// The workspace of [`CollectiveGauss`].
 #[derive(Clone, Debug)]
 pub struct CollectiveGaussSpace {
-    memory: Memory,
+    history: StageHistory,
     general: CollectiveSpace<StageSpace<SpinorPoint>, SpinorPoint>,
 }
 
 impl HeavyTop {
-    /// The collective Gauss method with the given number of stages for this top, by the fastest formulas:
+    /// Creates the collective Gauss method with the given number of stages for this top:
     /// [`CollectiveGauss::new`].
     ///
     /// # Errors
-    /// Unless there are 1 to 8 stages.
+    /// Returns [`SchemeError`] unless there are 1 to 8 stages.
     pub fn gauss(&self, stages: usize) -> Result<CollectiveGauss, SchemeError> {
         CollectiveGauss::new(stages, *self)
     }
 }
 
 impl CollectiveGauss {
-    /// The method with the given number of stages, of order twice as much.
+    /// Creates the method with the given number of stages, of order twice as much.
     ///
     /// # Errors
-    /// Unless there are 1 to 8 stages.
+    /// Returns [`SchemeError`] unless there are 1 to 8 stages.
     pub fn new(stages: usize, top: HeavyTop) -> Result<Self, SchemeError> {
         let gauss = RungeKutta::gauss(stages)?;
         if stages > WIDTH {
             let family = "CollectiveGauss";
             return Err(SchemeError::Family { family, least: 1, most: WIDTH, stages });
         }
-        let coefficients = Coefficients::new(gauss.tableau(), &top);
+        let coefficients = GaussCoefficients::new(gauss.tableau(), &top);
         let general = Collective::new(gauss, SpinorRealisation, top).compensated();
         Ok(Self { general, coefficients, instructions: fastest(stages) })
     }
 
-    /// The same by other instructions; steps differ by round-off.
+    /// Replaces the instruction set. The steps on two sets differ by round-off.
     ///
     /// # Errors
-    /// If the processor lacks them.
+    /// Returns [`MissingInstructions`] if the processor lacks them.
     pub fn with_instructions(self, set: InstructionSet) -> Result<Self, MissingInstructions> {
         if set.is_available() {
             Ok(Self { instructions: set, ..self })
@@ -126,32 +127,33 @@ impl CollectiveGauss {
         }
     }
 
-    /// The instructions in use.
+    /// Returns the instruction set in use.
     #[must_use]
     pub fn instructions(&self) -> InstructionSet {
         self.instructions
     }
 
-    /// The same method by the general integrator, which makes the steps for which the iteration does not
-    /// converge.
+    /// Returns the general integrator, which makes the steps for which the iteration does not converge.
     #[must_use]
     pub fn general(&self) -> &General {
         &self.general
     }
 
-    /// A step in registers with room for S stages, and its sweeps; none if the iteration does not converge.
+    /// Attempts a step in registers with room for S stages.
+    ///
+    /// Returns the end with the number of sweeps, or none if the iteration does not converge.
     #[inline]
     fn attempt<const S: usize>(
         &self,
         step: f64,
-        start: &Point,
-        memory: &mut Memory,
-    ) -> Option<(Point, usize)> {
-        let task = Attempt::<S> { coefficients: &self.coefficients, step, start, memory };
+        start: &CompensatedPoint,
+        history: &mut StageHistory,
+    ) -> Option<(CompensatedPoint, usize)> {
+        let task = Attempt::<S> { coefficients: &self.coefficients, step, start, history };
         dispatch(task, self.instructions, Width::Register).ok().flatten()
     }
 
-    /// A step by the general integrator.
+    /// Makes a step with the general integrator.
     #[cold]
     fn rescue(
         &self,
@@ -159,13 +161,15 @@ impl CollectiveGauss {
         step: f64,
         workspace: &mut CollectiveGaussSpace,
     ) -> Result<Step<State>, StepError> {
-        workspace.memory.forget();
+        workspace.history.forget();
         let next = self.general.step(state, step, &mut workspace.general)?;
         Ok(Step { iterations: MOST + next.iterations, ..next })
     }
 }
 
-/// Up to four stages fit a register of AVX2, which works faster than a wider one half empty.
+/// Returns the fastest instruction set of the processor for this number of stages.
+///
+/// Up to four stages fit a register of AVX2, which is faster than a wider register that is half empty.
 fn fastest(stages: usize) -> InstructionSet {
     match InstructionSet::detected() {
         InstructionSet::Avx512 if stages <= 4 => InstructionSet::Avx2,
@@ -179,7 +183,7 @@ impl Integrator for CollectiveGauss {
     type Workspace = CollectiveGaussSpace;
 
     fn workspace(&self) -> CollectiveGaussSpace {
-        CollectiveGaussSpace { memory: Memory::new(), general: self.general.workspace() }
+        CollectiveGaussSpace { history: StageHistory::new(), general: self.general.workspace() }
     }
 
     #[inline]
@@ -189,11 +193,11 @@ impl Integrator for CollectiveGauss {
         step: f64,
         workspace: &mut CollectiveGaussSpace,
     ) -> Result<Step<Self::State>, StepError> {
-        let (start, memory) = (Point::from_state(state), &mut workspace.memory);
+        let (start, history) = (CompensatedPoint::from_state(state), &mut workspace.history);
         let attempt = match self.coefficients.stages {
-            ..=4 => self.attempt::<4>(step, &start, memory),
-            5 | 6 => self.attempt::<6>(step, &start, memory),
-            _ => self.attempt::<8>(step, &start, memory),
+            ..=4 => self.attempt::<4>(step, &start, history),
+            5 | 6 => self.attempt::<6>(step, &start, history),
+            _ => self.attempt::<8>(step, &start, history),
         };
         match attempt {
             Some((end, iterations)) => Ok(Step { point: end.state(), iterations }),
@@ -202,7 +206,7 @@ impl Integrator for CollectiveGauss {
     }
 
     fn forget(&self, workspace: &mut CollectiveGaussSpace) {
-        workspace.memory.forget();
+        workspace.history.forget();
         self.general.forget(&mut workspace.general);
     }
 
@@ -213,13 +217,13 @@ impl Integrator for CollectiveGauss {
 }
 
 impl Start for CollectiveGauss {
-    /// (z, 0) with the lift z of least norm.
+    /// Creates the state (z, 0) with the lift z of least norm.
     fn start(&self, mu: &Se3Dual) -> Result<Self::State, LiftError> {
         self.general.start(mu)
     }
 }
 
-/// By ψₙ₊₁ = Q ψₙ.
+/// The rotation is the Q with ψₙ₊₁ = Q ψₙ.
 impl Turning for CollectiveGauss {
     #[inline]
     fn turn(

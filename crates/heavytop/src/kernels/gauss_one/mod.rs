@@ -1,8 +1,8 @@
-//! Collective Gauss methods of one heavy top, with the stages in the lanes of a register.
+//! Collective Gauss methods of one heavy top, with the stages in the SIMD lanes of a register.
 
 mod row;
-mod point;
-mod memory;
-mod coefficients;
-mod kernel;
+mod compensated_point;
+mod stage_history;
+mod gauss_coefficients;
+mod stage_equations;
 pub(crate) mod collective_gauss;

@@ -1,8 +1,8 @@
-//! One number per stage, or per coordinate of T∗C².
+//! Rows of eight numbers: one for each stage, or for each coordinate of T∗C².
 
 use lie_poisson::Lanes;
 
-/// Stages that there is room for; coordinates of T∗C².
+/// The largest number of stages, and the number of coordinates of T∗C².
 pub(super) const WIDTH: usize = 8;
 
 /// Eight numbers, aligned for the widest register.
@@ -10,19 +10,19 @@ pub(super) const WIDTH: usize = 8;
 #[repr(align(64))]
 pub(super) struct Row(pub(super) [f64; WIDTH]);
 
-/// The weighted stage derivatives ℓ, coordinate by coordinate.
+/// The weighted stage derivatives ℓ, one row for each coordinate.
 pub(super) type Stages = [Row; WIDTH];
 
 impl Row {
     pub(super) const ZERO: Self = Self([0.0; WIDTH]);
 
-    /// The block-th register of the row.
+    /// Loads the block-th register of the row.
     #[inline(always)]
     pub(super) fn load<T: Lanes>(&self, block: usize) -> T {
         T::load(&self.0[block * T::COUNT..])
     }
 
-    /// Its inverse.
+    /// Stores the block-th register of the row.
     #[inline(always)]
     pub(super) fn store<T: Lanes>(&mut self, x: T, block: usize) {
         x.store(&mut self.0[block * T::COUNT..]);

@@ -4,38 +4,38 @@ use crate::attitude::step_rotation::unit;
 use lie_poisson::{Covector, Pair, Quaternion, Real, Se3Dual};
 use nalgebra::Vector3;
 
-/// (Ωₘ, γₘ) = dh at the midpoint.
+/// The velocity (Ωₘ, γₘ) = dh at the midpoint.
 pub(super) type Velocity<T> = Pair<Vector3<T>, Vector3<T>>;
 
-/// R_a v, for n = 1/(1+|a|²).
+/// Returns the rotated vector R_a v, for n = 1/(1+|a|²).
 #[inline]
 fn half_turn<T: Real>(a: &Vector3<T>, n: T, v: &Vector3<T>) -> Vector3<T> {
     let turned = v.cross(a);
     v + (turned + turned.cross(a)) * (n + n)
 }
 
-/// The unit quaternion of R_a R_a.
+/// Returns the unit quaternion of the rotation R_a R_a of the step.
 #[inline]
 pub(super) fn whole_turn<T: Real>(a: &Vector3<T>) -> Quaternion<T> {
-    // R_a is the rotation by 1 − a.
+    // R_a is the rotation by the quaternion 1 − a.
     let half = Quaternion { scalar: T::one(), vector: -a };
     unit(half * half)
 }
 
-/// a of the unit quaternion of R_a R_a, (1 − |a|² − 2a)/(1 + |a|²).
+/// Returns a from the unit quaternion (1 − |a|² − 2a)/(1 + |a|²) of R_a R_a.
 #[inline]
 pub(super) fn half_angle<T: Real>(turn: &Quaternion<T>) -> Vector3<T> {
     turn.vector * (-T::one() / (turn.scalar + 1.0))
 }
 
-/// a = (h/4) Ωₘ and 1/(1+|a|²)
+/// Returns the half angle a = (h/4) Ωₘ and the factor n = 1/(1+|a|²).
 #[inline]
 fn angle<T: Real>(omega: &Vector3<T>, step: f64) -> (Vector3<T>, T) {
     let a = omega * T::from_f64(0.25 * step);
     (a, T::one() / (a.dot(&a) + 1.0))
 }
 
-/// (Πₘ, Γₘ)
+/// Returns the midpoint (Πₘ, Γₘ) of the step.
 #[inline]
 pub(super) fn middle<T: Real>(start: &Se3Dual<T>, velocity: &Velocity<T>, step: f64) -> Se3Dual<T> {
     let (Covector(Pair(pi, gamma)), Pair(omega, force)) = (start, velocity);
@@ -46,7 +46,7 @@ pub(super) fn middle<T: Real>(start: &Se3Dual<T>, velocity: &Velocity<T>, step: 
     Se3Dual::new(pi * n, vertical)
 }
 
-/// (Π₁, Γ₁)
+/// Returns the end (Π₁, Γ₁) of the step.
 #[inline]
 pub(super) fn end<T: Real>(start: &Se3Dual<T>, velocity: &Velocity<T>, step: f64) -> Se3Dual<T> {
     let (Covector(Pair(pi, gamma)), Pair(omega, force)) = (start, velocity);

@@ -10,13 +10,15 @@ use collective_integrators::{
 use core::ops::Range;
 use lie_poisson::{InstructionSet, Lanes, MissingInstructions, Se3Dual, Width};
 
-/// Many states of one top. They are advanced in the SIMD lanes of the processor's registers, two registers
-/// at a time. Each has the bits of its own [`trajectory`](collective_integrators::Start::trajectory) on the
-/// same instructions; those of AVX2 and AVX-512 are alike, and those of [`InstructionSet::Portable`], which
-/// does not fuse products with sums, differ by rounding.
+/// Advances many states of one top at once, in the SIMD lanes of the processor's registers, two registers at
+/// a time.
+///
+/// Each state has the bits of its own [`trajectory`](collective_integrators::Start::trajectory) on the same
+/// instructions. Those of AVX2 and AVX-512 are equal. Those of [`InstructionSet::Portable`], which does not
+/// fuse products with sums, differ by rounding.
 ///
 /// # Example
-/// Tops with different angular momenta:
+/// The tops have different angular momenta, and one of them fails:
 /// ```
 /// use collective_integrators::Ensemble;
 /// use heavytop::{HeavyTop, TopMidpoint};
@@ -36,7 +38,7 @@ use lie_poisson::{InstructionSet, Lanes, MissingInstructions, Se3Dual, Width};
 impl BatchIntegrator for TopMidpoint {
     type Member = Se3Dual;
 
-    /// That of the steps of one top.
+    /// The workspace of the steps of one top.
     type Workspace = TopMidpointSpace;
 
     fn workspace(&self) -> TopMidpointSpace {
@@ -76,10 +78,12 @@ impl LaneKernel for TopMidpoint {
     }
 }
 
-/// [`TopMidpoint`] for many tops, each with its own parameters and start: (top, μ).
+/// The collective midpoint rule for many tops with separate parameters: the members are pairs (top, μ).
+///
+/// The steps are those of [`TopMidpoint`].
 ///
 /// # Example
-/// Lagrange tops of different moments, with Π₃ conserved:
+/// Lagrange tops with different moments conserve Π₃:
 /// ```
 /// use collective_integrators::Ensemble;
 /// use heavytop::{HeavyTop, MidpointBatch};
@@ -112,7 +116,7 @@ impl MidpointBatch {
         Self { registers: Registers::widest() }
     }
 
-    /// Creates the method on other instructions.
+    /// Creates the method on another instruction set.
     ///
     /// # Errors
     /// Returns [`MissingInstructions`] if the processor lacks them.
@@ -121,7 +125,7 @@ impl MidpointBatch {
     }
 }
 
-/// A member without a result in its lane takes storage for its steps.
+/// A member without a result in its lane is advanced alone, with a workspace that is created for it.
 impl BatchIntegrator for MidpointBatch {
     type Member = (HeavyTop, Se3Dual);
     type Workspace = ();

@@ -1,5 +1,5 @@
-//! The collective midpoint rule in closed form: for any Hamiltonian, for one top in registers and for
-//! many in lanes.
+//! The collective midpoint rule in closed form: for any Hamiltonian, for one top in registers, and for many
+//! tops in SIMD lanes.
 
 mod closed_form;
 pub(crate) mod formulas;

@@ -10,9 +10,11 @@ use lie_poisson::{Hamiltonian, Real, Se3Dual, Vector};
 use momentum_map::DualQuaternions;
 use nalgebra::Vector3;
 
-/// The collective implicit midpoint rule on se(3)∗, without a lift and without multipliers, for any
-/// Hamiltonian h(Π, Γ). With a = (h/4) Ωₘ and the rotation R_a v = v + (2/(1+|a|²)) (v×a + (v×a)×a) of
-/// the Cayley half-step,
+/// The collective implicit midpoint rule on se(3)∗ for any Hamiltonian h(Π, Γ), without a lift and without
+/// multipliers.
+///
+/// With a = (h/4) Ωₘ and the rotation R_a v = v + (2/(1+|a|²)) (v×a + (v×a)×a) of the Cayley half-step, it
+/// reads
 ///
 /// ```text
 /// Γₘ = R_a Γ₀ / (1+|a|²)
@@ -21,17 +23,17 @@ use nalgebra::Vector3;
 /// Γ₁ = R_a R_a Γ₀,    Π₁ = R_a ( R_a Π₀ + h Γₘ×γₘ )
 /// ```
 ///
-/// It equals [`LiftFree`] with the midpoint rule to round-off, at less cost: six numbers of state, six
-/// unknowns. It is Poisson and symmetric, of order 2; compositions raise the order. For a
-/// [`HeavyTop`](crate::HeavyTop), [`TopMidpoint`](crate::TopMidpoint) makes the same steps several
-/// times faster.
+/// It equals [`LiftFree`] with the midpoint rule to round-off, at less cost: the state has six numbers, and
+/// so have the unknowns. It is Poisson and symmetric, of order 2; compositions raise the order. For a
+/// [`HeavyTop`](crate::HeavyTop), [`TopMidpoint`](crate::TopMidpoint) makes the same steps several times
+/// faster.
 ///
-/// A fixed-point iteration solves for (Ωₘ, γₘ), guessed from the steps before ([`StageMemory`]); where
-/// that fails, for large steps, Newton's iteration for the multiplier does. Over
-/// [lanes](collective_integrators::Laned), many states of one system go side by side.
+/// A fixed-point iteration solves for (Ωₘ, γₘ). It starts from an extrapolation of the last steps
+/// ([`StageMemory`]). Where it fails, for large steps, Newton's iteration for the multiplier solves the step.
+/// Over [lanes](collective_integrators::Laned), many states of one system are advanced at once.
 ///
-/// Source: it answers, for this setting, the question of Ohsawa 2019, §5.1; the closed form is
-/// that of the one-stage method on dual quaternions.
+/// Source: the rule answers, for this setting, the question of Ohsawa 2019, §5.1; the closed form is that of
+/// the one-stage method on dual quaternions.
 ///
 /// # Example
 /// A heavy top with a quadratic potential:
@@ -55,29 +57,29 @@ pub struct ReducedMidpoint<H> {
     solver: StageSolver,
 }
 
-/// A fixed-point iteration long enough for every step for which it converges at all fast.
+/// The solver of the fixed-point iteration, long enough for every step for which it converges fast.
 const FIXED_POINT: StageSolver = StageSolver { tolerance: 0.0, max_iterations: 200, newton: true };
 
 impl<H> ReducedMidpoint<H> {
-    /// The rule for h, solved to the round-off floor.
+    /// Creates the rule for h, solved to the round-off floor.
     pub fn new(hamiltonian: H) -> Self {
         let lift_free =
             LiftFree::new(RungeKutta::implicit_midpoint(), DualQuaternions, hamiltonian);
         Self { lift_free, solver: FIXED_POINT }
     }
 
-    /// The same with the fixed-point iteration of another solver.
+    /// Replaces the solver of the fixed-point iteration.
     #[must_use]
     pub fn with_solver(self, solver: StageSolver) -> Self {
         Self { solver, ..self }
     }
 
-    /// h
+    /// Returns the Hamiltonian h of the rule.
     pub fn hamiltonian(&self) -> &H {
         self.lift_free.hamiltonian()
     }
 
-    /// One step, and a = (h/4) Ωₘ.
+    /// Advances by one step, and returns a = (h/4) Ωₘ with the end.
     #[inline]
     fn step_and_angle<T: Real>(
         &self,
@@ -111,7 +113,7 @@ impl<H> ReducedMidpoint<H> {
         Ok((next, a))
     }
 
-    /// One step by Newton's iteration for the multiplier, and a.
+    /// Advances by one step with Newton's iteration for the multiplier, and returns a with the end.
     fn step_by_newton<T: Real>(
         &self,
         mu: &Se3Dual<T>,
@@ -128,16 +130,16 @@ impl<H> ReducedMidpoint<H> {
     }
 }
 
-/// The storage of a step of [`ReducedMidpoint`].
+/// The workspace of [`ReducedMidpoint`].
 #[derive(Debug)]
 pub struct ReducedMidpointSpace<H: Hamiltonian<HeavyTopSpace, T>, T: Real = f64> {
-    /// (Ωₘ, γₘ) of the last steps.
+    /// The velocities (Ωₘ, γₘ) of the last steps.
     velocities: StageMemory<Velocity<T>>,
-    /// The storage of Newton's iteration.
+    /// The workspace of Newton's iteration.
     newton: NewtonSpace<H, T>,
 }
 
-/// The storage of Newton's iteration.
+/// The workspace of Newton's iteration.
 type NewtonSpace<H, T> = <LiftFree<RungeKutta, DualQuaternions, H> as Integrator<T>>::Workspace;
 
 impl<H, T> Integrator<T> for ReducedMidpoint<H>
@@ -175,7 +177,7 @@ where
     }
 }
 
-/// By R_a R_a.
+/// The rotation is R_a R_a.
 impl<H, T> Turning<T> for ReducedMidpoint<H>
 where
     H: Hamiltonian<HeavyTopSpace, T>,

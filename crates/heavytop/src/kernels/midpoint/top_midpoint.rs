@@ -1,24 +1,25 @@
-//! The collective midpoint rule on se(3)∗ for tops.
+//! The collective midpoint rule on se(3)∗ for tops, by formulas of their own.
 
 use super::closed_form::whole_turn;
-use super::formulas::Memory;
+use super::formulas::GuessHistory;
 use super::reduced_midpoint::{ReducedMidpoint, ReducedMidpointSpace};
 use crate::{HeavyTop, TurnedStep, Turning};
 use collective_integrators::{Integrator, Registers, StateIsMomentum, Step, StepError};
 use lie_poisson::{InstructionSet, MissingInstructions, Se3Dual, Width};
 
-/// [`ReducedMidpoint`] of a [`HeavyTop`], several times faster: since dh = (I⁻¹Π, γ) with a constant γ,
-/// a = (h/4) Ωₘ is the only unknown of a step.
+/// The collective midpoint rule of a [`HeavyTop`]: the steps of [`ReducedMidpoint`], several times faster.
 ///
-/// a is extrapolated from the last ten steps, if a step has their size and starts where they ended, bit
-/// for bit, and then corrected until an error is round-off. This uses the widest
-/// [instructions](InstructionSet) of the processor, on which the rounding depends. Where the iteration
-/// does not converge, for large steps, [`ReducedMidpoint`] makes the step.
+/// Since dh = (I⁻¹Π, γ) with a constant γ, a = (h/4) Ωₘ is the only unknown of a step.
 ///
-/// As a [`BatchIntegrator`](collective_integrators::BatchIntegrator) it advances many tops at once, as
-/// does [`MidpointBatch`](crate::MidpointBatch), which has separate parameters per top.
+/// If a step has the size of the last ten steps and starts where they ended, bit for bit, a is extrapolated
+/// from them. It is then corrected until its error is round-off. The formulas use the widest
+/// [instructions](InstructionSet) of the processor, on which the rounding depends. Where the iteration does
+/// not converge, for large steps, [`ReducedMidpoint`] makes the step.
 ///
-/// Source: as of [`ReducedMidpoint`].
+/// As a [`BatchIntegrator`](collective_integrators::BatchIntegrator) it advances many states of one top at
+/// once. [`MidpointBatch`](crate::MidpointBatch) has separate parameters per top.
+///
+/// Source: the formulas are those of [`ReducedMidpoint`].
 ///
 /// # Example
 /// ```
@@ -42,7 +43,7 @@ pub struct TopMidpoint {
 }
 
 impl HeavyTop {
-    /// The collective midpoint rule for this top, by the fastest formulas: [`TopMidpoint::new`].
+    /// Creates the collective midpoint rule for this top: [`TopMidpoint::new`].
     #[must_use]
     pub fn midpoint(&self) -> TopMidpoint {
         TopMidpoint::new(*self)
@@ -50,16 +51,16 @@ impl HeavyTop {
 }
 
 impl TopMidpoint {
-    /// The rule for a top, solved to the round-off floor on the widest instructions of the processor.
+    /// Creates the rule for a top, solved to the round-off floor on the widest instructions of the processor.
     #[must_use]
     pub fn new(top: HeavyTop) -> Self {
         Self::on(top, Registers::widest())
     }
 
-    /// The same on other instructions.
+    /// Replaces the instruction set. The steps on two sets differ by round-off.
     ///
     /// # Errors
-    /// If the processor lacks them.
+    /// Returns [`MissingInstructions`] if the processor lacks them.
     pub fn with_instructions(self, set: InstructionSet) -> Result<Self, MissingInstructions> {
         Ok(Self { registers: Registers::new(set, Width::TwoRegisters)?, ..self })
     }
@@ -72,30 +73,30 @@ impl TopMidpoint {
         self.registers
     }
 
-    /// The top.
+    /// Returns the top that is integrated.
     #[must_use]
     pub fn top(&self) -> &HeavyTop {
         self.general.hamiltonian()
     }
 
-    /// The instructions in use.
+    /// Returns the instruction set in use.
     #[must_use]
     pub fn instructions(&self) -> InstructionSet {
         self.registers.instructions()
     }
 
-    /// The same rule by the formulas for any Hamiltonian, which make the steps for which those for tops do
-    /// not converge.
+    /// Returns the same rule by the formulas for any Hamiltonian, which make the steps for which the formulas
+    /// for tops do not converge.
     #[must_use]
     pub fn general(&self) -> &ReducedMidpoint<HeavyTop> {
         &self.general
     }
 }
 
-/// The storage of a step of [`TopMidpoint`].
+/// The workspace of [`TopMidpoint`].
 #[derive(Debug)]
 pub struct TopMidpointSpace {
-    memory: Memory,
+    history: GuessHistory,
     general: ReducedMidpointSpace<HeavyTop>,
 }
 
@@ -105,7 +106,10 @@ impl Integrator for TopMidpoint {
     type Workspace = TopMidpointSpace;
 
     fn workspace(&self) -> TopMidpointSpace {
-        TopMidpointSpace { memory: Memory::new(self.top()), general: self.general.workspace() }
+        TopMidpointSpace {
+            history: GuessHistory::new(self.top()),
+            general: self.general.workspace(),
+        }
     }
 
     #[inline]
@@ -115,7 +119,7 @@ impl Integrator for TopMidpoint {
         step: f64,
         workspace: &mut TopMidpointSpace,
     ) -> Result<Step<Se3Dual>, StepError> {
-        match workspace.memory.step(self.top(), mu, step, self.instructions()) {
+        match workspace.history.step(self.top(), mu, step, self.instructions()) {
             Some(next) => Ok(next),
             None => self.general.step(mu, step, &mut workspace.general),
         }
@@ -123,7 +127,7 @@ impl Integrator for TopMidpoint {
 
     #[inline]
     fn forget(&self, workspace: &mut TopMidpointSpace) {
-        workspace.memory.forget();
+        workspace.history.forget();
         self.general.forget(&mut workspace.general);
     }
 
@@ -133,7 +137,7 @@ impl Integrator for TopMidpoint {
     }
 }
 
-/// By R_a R_a.
+/// The rotation is R_a R_a.
 impl Turning for TopMidpoint {
     #[inline]
     fn turn(
@@ -142,8 +146,8 @@ impl Turning for TopMidpoint {
         step: f64,
         workspace: &mut TopMidpointSpace,
     ) -> TurnedStep<Se3Dual, f64> {
-        match workspace.memory.step(self.top(), mu, step, self.instructions()) {
-            Some(next) => Ok((next, whole_turn(&workspace.memory.newest()))),
+        match workspace.history.step(self.top(), mu, step, self.instructions()) {
+            Some(next) => Ok((next, whole_turn(&workspace.history.newest()))),
             None => self.general.turn(mu, step, &mut workspace.general),
         }
     }

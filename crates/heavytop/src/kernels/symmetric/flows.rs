@@ -1,31 +1,33 @@
-//! The times of a symmetric top's flows, and their sines as polynomials.
+//! The times of a symmetric top's flows, and polynomials for their sines.
 
 use crate::kernels::symmetric::stumpff_polynomials::{STUMPFF, StumpffPolynomials};
 use collective_integrators::AlternatingSubsteps;
 use lie_poisson::Lanes;
 
-/// The flows of n steps, neighbours of the same part made one:
+/// The flows of n steps, with adjacent flows of the same part merged.
+///
+/// Their sequence is
 ///
 /// ```text
 /// drift, [kick, drift, …, kick, drift] × n, kick
 /// ```
 ///
-/// The first kick and the last drift of all are shorter than those of the other steps. Times are
-/// fractions of the step.
+/// The first kick and the last drift of a run are shorter than those of the other steps. Times are fractions
+/// of the step.
 #[derive(Clone, Debug, PartialEq)]
 pub(crate) struct Flows {
-    pub(crate) opening_drift: Option<Drift>,
+    pub(crate) opening_drift: Option<DriftPolynomials>,
     pub(crate) first_kick: f64,
-    /// Kick, then drift.
-    pub(crate) pairs: Vec<(f64, Drift)>,
-    pub(crate) last_drift: Drift,
+    /// The pairs of a kick and the drift that follows it.
+    pub(crate) pairs: Vec<(f64, DriftPolynomials)>,
+    pub(crate) last_drift: DriftPolynomials,
     pub(crate) closing_kick: f64,
     /// The largest squared angle in a step for which all angles are within range.
     pub(crate) limit: f64,
 }
 
 impl Flows {
-    /// For squared angles up to `range` in a flow and `most` in a step.
+    /// Creates the flows for squared angles up to `range` in a flow and `most` in a step.
     pub(crate) fn new(substeps: &AlternatingSubsteps, range: f64, most: f64) -> Self {
         let (drifts, kicks) = (substeps.first(), substeps.second());
         let following = drifts.iter().skip(1).copied();
@@ -45,7 +47,7 @@ impl Flows {
         }
         let times = pairs.iter().map(|&(_, drift)| drift).chain([opening_drift, last_drift]);
         let limit = most.min(range / times.map(|time| time * time).fold(0.0, f64::max));
-        let drift = |time: f64| Drift::new(time, limit);
+        let drift = |time: f64| DriftPolynomials::new(time, limit);
         let mut pairs: Vec<_> = pairs.iter().map(|&(kick, time)| (kick, drift(time))).collect();
         diffuse(&mut pairs);
         Self {
@@ -59,14 +61,14 @@ impl Flows {
     }
 }
 
-/// Rounds the coefficients c²/2 of a step so that their sum is right: what one loses, the next,
-/// smaller one gets.
+/// Rounds the coefficients c²/2 of a step so that their sum is correct: each rounding error is added to the
+/// next, smaller coefficient.
 ///
-/// By this error of the cosine a flow stretches what it turns. With c²/2 rounded to nearest the
-/// flows of a step do so together by about 1e-17, which outgrows the walk of the other roundings
-/// within 10⁵ steps.
-fn diffuse(pairs: &mut [(f64, Drift)]) {
-    let mut order: Vec<&mut Drift> = pairs.iter_mut().map(|(_, drift)| drift).collect();
+/// This error of the cosine makes a flow stretch the vectors that it rotates. With c²/2 rounded to nearest
+/// the stretches of all flows of a step add up to about 1e-17, which exceeds the random walk of the other
+/// rounding errors within 10⁵ steps.
+fn diffuse(pairs: &mut [(f64, DriftPolynomials)]) {
+    let mut order: Vec<&mut DriftPolynomials> = pairs.iter_mut().map(|(_, drift)| drift).collect();
     order.sort_by(|a, b| b.sine[0].abs().total_cmp(&a.sine[0].abs()));
     let mut lost = 0.0;
     for drift in order {
@@ -78,17 +80,17 @@ fn diffuse(pairs: &mut [(f64, Drift)]) {
     }
 }
 
-/// A drift for the fraction c of a step: c c₁ and c²c₂ at c²x as polynomials in x.
+/// The polynomials of a drift for the fraction c of a step: c c₁ and c²c₂ at c²x, in terms of x.
 #[derive(Clone, Debug, PartialEq)]
-pub(crate) struct Drift {
-    /// How many coefficients `versine` has; `sine` has one more.
+pub(crate) struct DriftPolynomials {
+    /// The number of coefficients of `versine`; `sine` has one more.
     terms: usize,
     sine: [f64; 9],
     versine: [f64; 8],
 }
 
-impl Drift {
-    /// By the shortest polynomials that will do for x up to `limit`.
+impl DriftPolynomials {
+    /// Creates the shortest polynomials that suffice for x up to `limit`.
     fn new(c: f64, limit: f64) -> Self {
         let square = c * c;
         let will_do = |p: &&StumpffPolynomials| square * limit <= p.range;
@@ -108,7 +110,7 @@ impl Drift {
         drift
     }
 
-    /// (c c₁, c²c₂) at c²x, and at c²y.
+    /// Returns the pairs (c c₁, c²c₂) at c²x and at c²y.
     #[inline(always)]
     pub(crate) fn sines_and_versines<T: Lanes>(&self, x: T, y: T) -> ((T, T), (T, T)) {
         match self.terms {
@@ -120,7 +122,7 @@ impl Drift {
         }
     }
 
-    /// Horner's rule.
+    /// Evaluates both polynomials at x by Horner's rule.
     #[inline(always)]
     fn at<T: Lanes, const TERMS: usize>(&self, x: T) -> (T, T) {
         let mut sine = T::from_f64(self.sine[TERMS]);
@@ -154,7 +156,7 @@ mod tests {
         for c in [0.4, -0.2, 0.05, 0.01] {
             for range in [0.125, 2.0] {
                 let limit = range / (0.4 * 0.4);
-                let drift = Drift::new(c, limit);
+                let drift = DriftPolynomials::new(c, limit);
                 for n in 0..=100 {
                     let x = limit * f64::from(n) / 100.0;
                     let ((sine, versine), other) = drift.sines_and_versines(x, x);
@@ -171,13 +173,14 @@ mod tests {
 
     #[test]
     fn shorter_drifts_have_shorter_polynomials() {
-        let terms = [0.4, 0.2, 0.1, 0.01].map(|c| Drift::new(c, 2.0 / (0.4 * 0.4)).terms);
+        let terms =
+            [0.4, 0.2, 0.1, 0.01].map(|c| DriftPolynomials::new(c, 2.0 / (0.4 * 0.4)).terms);
         assert_eq!(terms, [8, 7, 5, 4]);
     }
 
     /// Σ (c² − 2 versine₀), by exact products.
-    fn stretching(pairs: &[(f64, Drift)]) -> f64 {
-        let lost = |drift: &Drift| {
+    fn stretching(pairs: &[(f64, DriftPolynomials)]) -> f64 {
+        let lost = |drift: &DriftPolynomials| {
             let c = drift.sine[0];
             let square = c * c;
             (square - 2.0 * drift.versine[0]) + c.mul_add(c, -square)
@@ -194,8 +197,9 @@ mod tests {
             let least = squares.fold(1.0, f64::min);
             // Only the rounding of the smallest is left.
             assert!(stretching(&flows.pairs).abs() <= 0.5 * f64::EPSILON * least);
-            let nearest =
-                |(kick, drift): &(f64, Drift)| (*kick, Drift::new(drift.sine[0], flows.limit));
+            let nearest = |(kick, drift): &(f64, DriftPolynomials)| {
+                (*kick, DriftPolynomials::new(drift.sine[0], flows.limit))
+            };
             rounded += stretching(&flows.pairs.iter().map(nearest).collect::<Vec<_>>()).abs();
         }
         // Negative control: rounded one by one they do.

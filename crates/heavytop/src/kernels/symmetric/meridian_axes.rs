@@ -1,26 +1,26 @@
-//! Axes in which a vector has no component 2: [`MeridianAxes`].
+//! Axes in which a vector has no second component: [`MeridianAxes`].
 
 use lie_poisson::Lanes;
 use nalgebra::Vector3;
 
-/// Axes about e₃, turned by the angle φ, |φ| ≤ π/2, from e₁ to the meridian of a vector or to the
-/// opposite one.
+/// The axes turned about e₃ by the angle φ, |φ| ≤ π/2, from e₁ to the meridian of a vector or to the opposite
+/// one.
 ///
-/// They turn by three shears, and back by the same ones undone: there and back is the identity
-/// whatever the shears' rounding, so that no error grows with the number of turns. Axes of a vector
-/// that has no component 2 change nothing.
+/// Three shears make the rotation, and the same shears in reverse undo it. The round trip is the identity
+/// whatever the rounding of the shears, so that no error grows with the number of rotations. Axes of a vector
+/// without a second component change nothing.
 ///
 /// Source: Paeth, *A fast algorithm for general raster rotation*, Graphics Interface (1986).
 #[derive(Clone, Copy, Default)]
 pub(crate) struct MeridianAxes<T> {
-    /// tan φ/2
+    /// The half tangent tan φ/2.
     half_tangent: T,
-    /// sin φ
+    /// The sine of φ.
     sine: T,
 }
 
 impl MeridianAxes<f64> {
-    /// For this vector, with its components 1 and 3 in these axes.
+    /// Creates the axes of a vector, and returns them with its components 1 and 3.
     #[inline]
     pub(crate) fn new(v: &Vector3<f64>) -> (Self, [f64; 2]) {
         if v.y == 0.0 {
@@ -33,7 +33,7 @@ impl MeridianAxes<f64> {
 }
 
 impl<T: Lanes> MeridianAxes<T> {
-    /// Lane i from f(i).
+    /// Gathers axes into lanes: lane i is f(i).
     #[inline(always)]
     pub(crate) fn from_lanes<'a>(f: impl Fn(usize) -> &'a MeridianAxes<f64>) -> Self {
         Self {
@@ -42,7 +42,7 @@ impl<T: Lanes> MeridianAxes<T> {
         }
     }
 
-    /// v in these axes.
+    /// Returns the components of v in these axes.
     #[inline(always)]
     pub(crate) fn components(&self, [x, y, z]: [T; 3]) -> [T; 3] {
         let x = self.half_tangent.multiply_add(y, x);
@@ -50,7 +50,7 @@ impl<T: Lanes> MeridianAxes<T> {
         [self.half_tangent.multiply_add(y, x), y, z]
     }
 
-    /// The vector with these components.
+    /// Returns the vector with these components.
     #[inline(always)]
     pub(crate) fn vector(&self, [x, y, z]: [T; 3]) -> [T; 3] {
         let x = self.half_tangent.negative_multiply_add(y, x);

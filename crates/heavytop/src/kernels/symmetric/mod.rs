@@ -1,4 +1,4 @@
-//! Splittings of many symmetric tops, one in each lane.
+//! Splittings of many symmetric tops, one in each SIMD lane.
 
 pub(crate) mod stumpff_polynomials;
 pub(crate) mod flows;

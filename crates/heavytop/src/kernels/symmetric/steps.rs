@@ -1,46 +1,51 @@
-//! The two flows of a symmetric top in components, as many tops at once as there are lanes.
+//! The two flows of a symmetric top in components, for as many tops as there are SIMD lanes.
 
 use crate::SymmetricTopSplitting;
-use crate::kernels::symmetric::flows::Drift;
+use crate::kernels::symmetric::flows::DriftPolynomials;
 use crate::kernels::symmetric::meridian_axes::MeridianAxes;
 use collective_integrators::MOST_LANES;
 use lie_poisson::{Covector, Lanes, Pair, Se3Dual};
 use nalgebra::Vector3;
 
-/// Π and Γ in the variables in which the flows take the fewest operations:
+/// The states Π and Γ in the variables in which the flows take the fewest operations.
+///
+/// They are
 ///
 /// ```text
 /// w = hΠ/I₁        by which a step h turns a spherical top
 /// v = w·Γ          constant along both flows
 /// ```
 ///
-/// in axes turned about e₃ so that the centre of mass has no component 2.
+/// in axes turned about e₃ such that the centre of mass has no second component.
 #[derive(Clone, Copy)]
-pub(crate) struct Motion<T> {
+pub(crate) struct MomentumLanes<T> {
     w: [T; 3],
     gamma: [T; 3],
     vertical: T,
-    /// The largest |w|² or δ²w₃² that a drift has met: its angles are √ of these, times its time.
-    /// NaN may be missing.
+    /// The largest |w|² or δ²w₃² of all drifts, whose angles are the roots of these numbers times the drift's
+    /// time. A NaN may be missing.
     pub(crate) largest: T,
 }
 
-/// What the flows need of a top.
+/// The parameters of tops that the flows depend on.
 #[derive(Clone, Copy)]
-pub(crate) struct Parameters<T> {
-    /// h/I₁
+pub(crate) struct FlowParameters<T> {
+    /// The factor h/I₁ of Π.
     scale: T,
-    /// δ = I₁/I₃ − 1
+    /// The elongation δ = I₁/I₃ − 1 of the inertia ellipsoid.
     elongation: T,
-    /// (f₁, f₃) = m g l (c₁, c₃)h²/I₁, in the turned axes
+    /// The force (f₁, f₃) = m g l (c₁, c₃)h²/I₁ in the turned axes.
     force: [T; 2],
     axes: MeridianAxes<T>,
 }
 
-impl<T: Lanes> Motion<T> {
-    /// Lane i from f(i).
+impl<T: Lanes> MomentumLanes<T> {
+    /// Gathers the states of the tops: lane i is f(i).
     #[inline(always)]
-    pub(crate) fn from_lanes<'a>(top: &Parameters<T>, f: impl Fn(usize) -> &'a Se3Dual) -> Self {
+    pub(crate) fn from_lanes<'a>(
+        top: &FlowParameters<T>,
+        f: impl Fn(usize) -> &'a Se3Dual,
+    ) -> Self {
         let w = |k: usize| T::from_lanes(|i| f(i).0.0[k]) * top.scale;
         let gamma = |k: usize| T::from_lanes(|i| f(i).0.1[k]);
         let w = top.axes.components([w(0), w(1), w(2)]);
@@ -48,18 +53,18 @@ impl<T: Lanes> Motion<T> {
         Self { w, gamma, vertical: dot(&w, &gamma), largest: T::from_f64(0.0) }
     }
 
-    /// The states, to be read lane by lane.
+    /// Returns a function that reads the state in each lane.
     #[inline(always)]
-    pub(crate) fn momenta(&self, top: &Parameters<T>) -> impl Fn(usize) -> Se3Dual {
+    pub(crate) fn momenta(&self, top: &FlowParameters<T>) -> impl Fn(usize) -> Se3Dual {
         let (w, gamma) = (top.axes.vector(self.w), top.axes.vector(self.gamma));
         let pi = w.map(|w| w / top.scale);
         let vector = |v: &[T; 3], i| Vector3::new(v[0].lane(i), v[1].lane(i), v[2].lane(i));
         move |i| Covector(Pair(vector(&pi, i), vector(&gamma, i)))
     }
 
-    /// φ_2^ch: w ← w + c Γ×f.
+    /// Advances by the kick φ_2^ch: w ← w + c Γ×f.
     #[inline(always)]
-    pub(crate) fn kick(&mut self, top: &Parameters<T>, c: f64) {
+    pub(crate) fn kick(&mut self, top: &FlowParameters<T>, c: f64) {
         let [first, third] = top.force.map(|f| f * c);
         let g = self.gamma;
         self.w[0] = g[1].multiply_add(third, self.w[0]);
@@ -67,18 +72,20 @@ impl<T: Lanes> Motion<T> {
         self.w[2] = g[1].negative_multiply_add(first, self.w[2]);
     }
 
-    /// φ_1^ch: with the Stumpff functions c₁, c₂ at c²|w|²,
+    /// Advances by the drift φ_1^ch, with the Stumpff functions c₁, c₂ at c²|w|².
+    ///
+    /// The flow is
     ///
     /// ```text
     /// Γ ← (1 − c²|w|² c₂) Γ + c² c₂ v w − c c₁ w×Γ,
     /// ```
     ///
-    /// then w and Γ turn about e₃ by −c δ w₃.
+    /// and then w and Γ turn about e₃ by −c δ w₃.
     ///
-    /// This is Rodrigues' formula with v for w·Γ. What rounding adds to w·Γ is lost again, since
-    /// each flow brings w·Γ nearer to v by the cosine.
+    /// This is Rodrigues' formula with v for w·Γ. A rounding error of w·Γ does not persist, since each flow
+    /// moves w·Γ towards v by the factor of the cosine.
     #[inline(always)]
-    pub(crate) fn drift(&mut self, top: &Parameters<T>, drift: &Drift) {
+    pub(crate) fn drift(&mut self, top: &FlowParameters<T>, drift: &DriftPolynomials) {
         let (w, g) = (self.w, self.gamma);
         let transverse = cross(&w, &g);
         let rate = -top.elongation * w[2];
@@ -98,8 +105,8 @@ impl<T: Lanes> Motion<T> {
     }
 }
 
-impl<T: Lanes> Parameters<T> {
-    /// Lane i from f(i).
+impl<T: Lanes> FlowParameters<T> {
+    /// Gathers the parameters of the tops: lane i is f(i).
     #[inline(always)]
     pub(crate) fn from_lanes<'a>(
         step: f64,
@@ -121,14 +128,15 @@ impl<T: Lanes> Parameters<T> {
         }
     }
 
-    /// No less than |w|² and δ²w₃² ever are while the energy is what it is now: with
-    /// e = ½|w|² + ½δw₃² + f·Γ,
+    /// Returns an upper bound of |w|² and δ²w₃² for motions with the present energy.
+    ///
+    /// With e = ½|w|² + ½δw₃² + f·Γ,
     ///
     /// ```text
     /// |w|² ≤ 2(e + |f||Γ|)/min(1, 1 + δ),  w₃² ≤ 2(e + |f||Γ|)/(1 + δ)
     /// ```
     #[inline(always)]
-    pub(crate) fn bound(&self, motion: &Motion<T>) -> T {
+    pub(crate) fn bound(&self, motion: &MomentumLanes<T>) -> T {
         let one = T::from_f64(1.0);
         let f = [self.force[0], T::from_f64(0.0), self.force[1]];
         let (w, g, d) = (motion.w, motion.gamma, self.elongation);
@@ -139,7 +147,7 @@ impl<T: Lanes> Parameters<T> {
     }
 }
 
-/// v turned about e₃ by the angle with this cosine and sine.
+/// Returns v turned about e₃ by the angle with this cosine and sine.
 #[inline(always)]
 fn turn<T: Lanes>(v: &[T; 3], cosine: T, sine: T) -> [T; 3] {
     [cosine.multiply_subtract(v[0], sine * v[1]), sine.multiply_add(v[0], cosine * v[1]), v[2]]

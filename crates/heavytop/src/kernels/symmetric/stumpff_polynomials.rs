@@ -1,22 +1,23 @@
-//! Stumpff functions c₁ and c₂ as polynomials, by the range on which they are needed.
+//! The Stumpff functions c₁ and c₂ as polynomials on ranges of different length.
 
-/// c₁ and c₂ on [0, `range`], to 1.5e-16:
+/// Polynomials for the Stumpff functions c₁ and c₂ on [0, `range`], exact to 1.5e-16.
+///
+/// The functions are
 ///
 /// ```text
 /// c₁(θ²) = sin θ/θ,  c₂(θ²) = (1 − cos θ)/θ²
 /// ```
 ///
-/// c₂ is interpolated at Chebyshev's nodes, shifted so that one of them is 0. c₁ interpolates
-/// √(c₂(2 − x c₂)) with that polynomial for c₂: what is lost in one place is made good in the
-/// other, and cosine and sine are on the unit circle to 7e-19, but for the rounding of the
-/// coefficients.
+/// c₂ is interpolated at Chebyshev's nodes, shifted so that one of them is 0. c₁ interpolates √(c₂(2 − x c₂))
+/// with that polynomial for c₂, so that the errors of the two compensate each other. Cosine and sine are on
+/// the unit circle to 7e-19, except for the rounding of the coefficients.
 pub(crate) struct StumpffPolynomials {
     pub(crate) range: f64,
     pub(crate) first: &'static [f64],
     pub(crate) second: &'static [f64],
 }
 
-/// The shortest polynomials last.
+/// The polynomials for five ranges, the shortest last.
 pub(crate) const STUMPFF: [StumpffPolynomials; 5] = [
     StumpffPolynomials {
         range: 2.0,

@@ -1,8 +1,8 @@
-//! Many symmetric tops at once, by splitting.
+//! Splittings of many symmetric tops at once.
 
 use crate::SymmetricTopSplitting;
 use crate::kernels::symmetric::flows::Flows;
-use crate::kernels::symmetric::steps::{Motion, Parameters};
+use crate::kernels::symmetric::steps::{FlowParameters, MomentumLanes};
 use collective_integrators::{
     AlternatingSubsteps, BatchIntegrator, IntegrationError, Integrator, LaneKernel, LaneResults,
     Registers, Splitting, advance_alone,
@@ -10,26 +10,31 @@ use collective_integrators::{
 use core::ops::Range;
 use lie_poisson::{InstructionSet, Lanes, Mask, MissingInstructions, Se3Dual, Vector, Width};
 
-/// The largest squared angle, rad², by which a top may turn in a flow, and in a step.
+/// The largest squared angles, rad², of a flow and of a step, for the longest polynomials.
 const LONG: [f64; 2] = [2.0, f64::INFINITY];
 
-/// The same for shorter polynomials. Steps that make sense are within: where tops side by side are
-/// some within and some not, each of the two passes takes them all.
+/// The largest squared angles, rad², of a flow and of a step, for shorter polynomials.
+///
+/// Practical step sizes are within this range. Where only some tops of a group are, each of the two passes
+/// computes all of them.
 const SHORT: [f64; 2] = [0.7, 1.7];
 
-/// Many tops with I₁ = I₂, advanced side by side in the lanes of the processor's registers.
+/// The alternating splitting of many tops with I₁ = I₂, with separate parameters per top.
 ///
-/// One step is that of an alternating [`Splitting`] over [`SymmetricTopSplitting`], to round-off: sine
-/// and cosine are polynomials here, and where a step ends with the part with which the next one
-/// begins, the two flows are one, so that n steps in one call and n calls differ by rounding. A top
-/// that leaves the range of the polynomials (it turns by more than √2 rad in one flow), or is not
-/// finite, goes through that integrator instead, and fails where it fails. One that turns by less
-/// than 1.3 rad in a step has shorter polynomials, and is a tenth faster. Rounding makes |Γ|² and Γ·Π walk;
-/// at steps too coarse for the method's order (order 6 at h = 1/4, order 4 at 1/5 for tops like the
-/// paper's) |Γ|² also drifts, by 3e-19 and 4e-18 in a step.
+/// The tops are advanced in the SIMD lanes of the processor's registers: one lane holds one top, so that a
+/// register advances several trajectories.
 ///
-/// What becomes of a top does not depend on the others, nor on the number of lanes: it has the same
-/// bits at every [`Width`], and on all instruction sets that fuse products with sums; those of
+/// One step is that of an alternating [`Splitting`] over [`SymmetricTopSplitting`], to round-off. Sine and
+/// cosine are polynomials here. Where a step ends with the part with which the next one begins, the two flows
+/// are merged, so that n steps in one call and n calls differ by rounding. A top that leaves the range of the
+/// polynomials (it turns by more than √2 rad in one flow), or is not finite, is advanced by that integrator
+/// instead, and fails where it fails. A top that turns by less than 1.3 rad in a step has shorter
+/// polynomials, and is a tenth faster. Rounding causes a random walk of |Γ|² and Γ·Π. At steps too coarse for
+/// the method's order (order 6 at h = 1/4, order 4 at 1/5 for tops like the paper's) |Γ|² also drifts, by
+/// 3e-19 and 4e-18 per step.
+///
+/// The result for a top does not depend on the others, nor on the number of lanes. It has the same bits at
+/// every [`Width`], and on all instruction sets that fuse products with sums. The results of
 /// [`InstructionSet::Portable`], which does not, differ by rounding.
 ///
 /// # Example
@@ -62,17 +67,17 @@ pub struct SymmetricTopBatch {
 }
 
 impl SymmetricTopBatch {
-    /// The splitting with these coefficients, on the widest lanes that the processor has.
+    /// Creates the splitting with these coefficients, on the widest registers that the processor has.
     #[must_use]
     pub fn new(substeps: AlternatingSubsteps) -> Self {
         let [short, long] = [SHORT, LONG].map(|[flow, step]| Flows::new(&substeps, flow, step));
         Self { short, long, substeps, registers: Registers::widest() }
     }
 
-    /// The same on the given instructions and width; without this call, on the widest there are.
+    /// Replaces the instruction set and the width of the registers.
     ///
     /// # Errors
-    /// If the processor lacks the instructions.
+    /// Returns [`MissingInstructions`] if the processor lacks the instructions.
     pub fn on(
         self,
         instructions: InstructionSet,
@@ -82,8 +87,8 @@ impl SymmetricTopBatch {
     }
 }
 
-/// Runs in several calls that meet at multiples of [`CHECKPOINT`](collective_integrators::CHECKPOINT)
-/// have the bits of one run; others differ by rounding.
+/// A run in several calls that meet at multiples of [`CHECKPOINT`](collective_integrators::CHECKPOINT) has
+/// the bits of a run in one call. With other calls the results differ by rounding.
 impl BatchIntegrator for SymmetricTopBatch {
     type Member = (SymmetricTopSplitting, Se3Dual);
     type Workspace = ();
@@ -114,8 +119,8 @@ impl LaneKernel for SymmetricTopBatch {
         count: u64,
     ) -> LaneResults {
         let last = group.len() - 1;
-        let top = Parameters::<T>::from_lanes(step, |i| &group[i.min(last)].0);
-        let start = Motion::<T>::from_lanes(&top, |i| &group[i.min(last)].1);
+        let top = FlowParameters::<T>::from_lanes(step, |i| &group[i.min(last)].0);
+        let start = MomentumLanes::<T>::from_lanes(&top, |i| &group[i.min(last)].1);
         let within = |flows: &Flows, square: T| square.at_most(T::from_f64(flows.limit));
         let mut results = LaneResults::default();
         let short = within(&self.short, top.bound(&start));
@@ -152,9 +157,14 @@ impl LaneKernel for SymmetricTopBatch {
     }
 }
 
-/// n steps of a group.
+/// Advances a group by n steps.
 #[inline(always)]
-fn advance<T: Lanes>(motion: &mut Motion<T>, top: &Parameters<T>, flows: &Flows, steps: u64) {
+fn advance<T: Lanes>(
+    motion: &mut MomentumLanes<T>,
+    top: &FlowParameters<T>,
+    flows: &Flows,
+    steps: u64,
+) {
     if let Some(drift) = &flows.opening_drift {
         motion.drift(top, drift);
     }
@@ -178,14 +188,14 @@ mod tests {
     use crate::HeavyTop;
     use nalgebra::Vector3;
 
-    /// The end of one top by these flows, if it stays within their range.
+    /// Returns the end of one top by these flows, if it stays within their range.
     fn end(
         flows: &Flows,
         member: &(SymmetricTopSplitting, Se3Dual),
         step: f64,
     ) -> (bool, Option<Se3Dual>) {
-        let top = Parameters::<f64>::from_lanes(step, |_| &member.0);
-        let mut motion = Motion::from_lanes(&top, |_| &member.1);
+        let top = FlowParameters::<f64>::from_lanes(step, |_| &member.0);
+        let mut motion = MomentumLanes::from_lanes(&top, |_| &member.1);
         let expected = top.bound(&motion) <= flows.limit;
         advance(&mut motion, &top, flows, STEPS);
         let stays = motion.largest <= flows.limit;
@@ -194,8 +204,8 @@ mod tests {
 
     const STEPS: u64 = 20;
 
-    /// Which polynomials a top has depends on itself alone, also where its energy, which kicks as
-    /// wild as these do not keep, made it begin with the short ones in vain.
+    /// The choice of polynomials depends on the top alone. This holds also where its energy, which such large
+    /// kicks do not conserve, made it begin with the short ones in vain.
     #[test]
     fn polynomials_are_chosen_top_by_top() -> Result<(), Box<dyn std::error::Error>> {
         let substeps = AlternatingSubsteps::new(&[0.5, 0.5], &[4.0, -3.0])?;

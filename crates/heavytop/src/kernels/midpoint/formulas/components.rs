@@ -1,11 +1,11 @@
-//! Vectors of R³ as three components, with everything inlined into the function that has the
-//! processor's features.
+//! Vectors of R³ as three components, with everything inlined into the function that has the processor's
+//! features.
 
-use super::vector::Vector;
+use super::register_vector::RegisterVector;
 use lie_poisson::{Lanes, Real, Se3Dual};
 use nalgebra::Vector3;
 
-/// An expression for each component i. (A closure would not be inlined.)
+/// Evaluates an expression for each component i. (A closure would not be inlined.)
 macro_rules! each {
     ($i:ident => $component:expr) => {
         [
@@ -26,10 +26,10 @@ macro_rules! each {
 }
 pub(super) use each;
 
-/// A vector of R³ in each lane.
+/// A vector of R³ in each SIMD lane, as three components.
 pub(super) type Components<T> = [T; 3];
 
-impl<T: Lanes> Vector for Components<T> {
+impl<T: Lanes> RegisterVector for Components<T> {
     type Scalar = T;
 
     #[inline(always)]
@@ -74,15 +74,15 @@ impl<T: Lanes> Vector for Components<T> {
     }
 }
 
-/// (Π, Γ)
+/// The state (Π, Γ) of a top, as two vectors.
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub(super) struct State<V> {
+pub(super) struct TopState<V> {
     pub momentum: V,
     pub vertical: V,
 }
 
-impl<V: Vector> State<V> {
-    /// The squares of all components.
+impl<V: RegisterVector> TopState<V> {
+    /// Returns the sum of the squares of all components.
     #[inline(always)]
     pub fn square(&self) -> V::Scalar {
         let Self { momentum, vertical } = *self;
@@ -90,8 +90,8 @@ impl<V: Vector> State<V> {
     }
 }
 
-impl<T: Lanes> State<Components<T>> {
-    /// Lane i is `state(i)`.
+impl<T: Lanes> TopState<Components<T>> {
+    /// Gathers states into lanes: lane i is `state(i)`.
     #[inline(always)]
     pub fn gather(state: impl Fn(usize) -> Se3Dual) -> Self {
         Self {
@@ -100,7 +100,7 @@ impl<T: Lanes> State<Components<T>> {
         }
     }
 
-    /// What lane `i` holds.
+    /// Returns the state in lane `i`.
     #[inline(always)]
     pub fn lane(&self, i: usize) -> Se3Dual {
         let vector = |v: &Components<T>| Vector3::new(v[0].lane(i), v[1].lane(i), v[2].lane(i));

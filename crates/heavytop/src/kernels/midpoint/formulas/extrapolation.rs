@@ -1,13 +1,15 @@
-//! a of the next step, from those of the last ones.
+//! The extrapolation of a from the last steps to the next one.
 
-use super::vector::Vector;
+use super::register_vector::RegisterVector;
 use lie_poisson::Real;
 
-/// How many steps are remembered.
+/// The number of steps that are remembered.
 const DEPTH: usize = 10;
 
-/// (−1)^{k+1} binomial(n, k), k = n, …, 1, at the end of row n − 1: the polynomial of degree n − 1 through the
-/// last n values, at the next point; the newest last.
+/// The weights of the extrapolation: row n − 1 has the polynomial of degree n − 1 through the last n values,
+/// at the next point.
+///
+/// At the end of the row are −(−1)ᵏ binomial(n, k), k = n, …, 1, with the newest value last.
 const WEIGHTS: [[f64; DEPTH]; DEPTH] = weights();
 
 const fn weights() -> [[f64; DEPTH]; DEPTH] {
@@ -25,28 +27,31 @@ const fn weights() -> [[f64; DEPTH]; DEPTH] {
     table
 }
 
-/// The last values of a, as `S` keeps them.
+/// The last values of a, in the form `S` in which they are stored.
 #[derive(Clone, Debug)]
 pub(super) struct Extrapolation<S> {
-    /// Each value twice, `DEPTH` apart, so that the last ones are side by side, the oldest first.
+    /// The values, each stored twice, `DEPTH` apart, so that the last ones are side by side, the oldest
+    /// first.
     values: [S; 2 * DEPTH],
-    /// Where the oldest is.
+    /// The index of the oldest value.
     oldest: usize,
-    /// How many there are.
+    /// The number of values that are known.
     known: usize,
 }
 
 impl<S: Copy> Extrapolation<S> {
-    /// Nothing is known.
+    /// Creates an empty history.
     #[inline(always)]
     pub fn new(zero: S) -> Self {
         Self { values: [zero; 2 * DEPTH], oldest: 0, known: 0 }
     }
 
-    /// The next value, if anything is known, the newest term last, which is the one that is waited
-    /// for. `read` makes vectors to compute with from those that are stored.
+    /// Returns the next value by extrapolation, or none if no value is known.
+    ///
+    /// `read` converts stored vectors to those of the computation. The newest term is added last, since it is
+    /// available last.
     #[inline(always)]
-    pub fn predict<V: Vector>(&self, read: impl Fn(&S) -> V) -> Option<V> {
+    pub fn predict<V: RegisterVector>(&self, read: impl Fn(&S) -> V) -> Option<V> {
         let weights = WEIGHTS.get(self.known.checked_sub(1)?)?;
         let window = self.values.get(self.oldest..)?.first_chunk::<DEPTH>()?;
         let number = |x| V::uniform(V::Scalar::from_f64(x));
@@ -59,7 +64,7 @@ impl<S: Copy> Extrapolation<S> {
         Some(sum)
     }
 
-    /// Remembers a value, by a function that writes it.
+    /// Records a value, which the given function writes.
     #[inline(always)]
     pub fn push(&mut self, write: impl Fn(&mut S)) {
         let (first, second) = self.values.split_at_mut(DEPTH);
@@ -73,7 +78,7 @@ impl<S: Copy> Extrapolation<S> {
         self.known = if self.known < DEPTH { self.known + 1 } else { DEPTH };
     }
 
-    /// The last value that was remembered.
+    /// Returns the last value that was recorded.
     #[inline(always)]
     pub fn newest(&self) -> &S {
         &self.values[self.oldest + DEPTH - 1]

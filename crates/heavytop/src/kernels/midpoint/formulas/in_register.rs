@@ -1,34 +1,35 @@
-//! A vector of R³ in one register, and in memory.
+//! Vectors of R³ in one register, and their form in memory.
 
-use super::components::State;
-use super::vector::Vector;
+use super::components::TopState;
+use super::register_vector::RegisterVector;
 use lie_poisson::{FourLanes, Real, Se3Dual};
 use nalgebra::Vector3;
 
-/// (v₀, v₁, v₂, 0) in four lanes. Scalars are the same in each of them.
+/// A vector of R³ in one register, as (v₀, v₁, v₂, 0) in its four SIMD lanes; a scalar is the same in all
+/// four.
 ///
 /// The last lane stays 0 unless a scalar is not finite, and is never read.
 #[derive(Clone, Copy)]
 pub(super) struct InRegister<T>(T);
 
-/// The same in memory, to be loaded and stored at once.
+/// A vector of R³ in memory, in the form that is loaded and stored at once.
 pub(super) type Stored = [f64; 4];
 
 impl<T: FourLanes> InRegister<T> {
-    /// From memory.
+    /// Loads a vector from memory.
     #[inline(always)]
     pub fn load(v: &Stored) -> Self {
         Self(T::load(v))
     }
 
-    /// To memory.
+    /// Stores the vector in memory.
     #[inline(always)]
     pub fn store(self, v: &mut Stored) {
         self.0.store(v);
     }
 }
 
-impl<T: FourLanes> Vector for InRegister<T> {
+impl<T: FourLanes> RegisterVector for InRegister<T> {
     type Scalar = T;
 
     #[inline(always)]
@@ -74,27 +75,27 @@ impl<T: FourLanes> Vector for InRegister<T> {
     }
 }
 
-/// From memory to a point.
+/// Returns the vector that is stored.
 pub(super) fn vector(v: &Stored) -> Vector3<f64> {
     Vector3::new(v[0], v[1], v[2])
 }
 
-impl State<Stored> {
-    /// A point to memory.
+impl TopState<Stored> {
+    /// Creates the stored form of (Π, Γ).
     #[inline]
     pub fn of(mu: &Se3Dual) -> Self {
         let stored = |v: &Vector3<f64>| [v.x, v.y, v.z, 0.0];
         Self { momentum: stored(&mu.0.0), vertical: stored(&mu.0.1) }
     }
 
-    /// The components.
+    /// Returns the six components of (Π, Γ).
     #[inline]
     pub fn numbers(&self) -> [f64; 6] {
         let ([x, y, z, _], [u, v, w, _]) = (self.momentum, self.vertical);
         [x, y, z, u, v, w]
     }
 
-    /// From memory to a point.
+    /// Returns the point (Π, Γ) that is stored.
     #[inline]
     pub fn point(&self) -> Se3Dual {
         Se3Dual::new(vector(&self.momentum), vector(&self.vertical))

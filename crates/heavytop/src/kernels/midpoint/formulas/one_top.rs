@@ -1,49 +1,51 @@
-//! One top, step by step, with a memory of the steps before.
+//! The steps of one top, each with the history of the steps before.
 
-use super::components::State;
+use super::components::TopState;
 use super::extrapolation::Extrapolation;
 use super::in_register::{InRegister, Stored, vector};
-use super::parameters::{Parameters, numbers};
+use super::midpoint_parameters::{MidpointParameters, numbers};
 use super::step::step;
 use crate::HeavyTop;
 use collective_integrators::Step;
 use lie_poisson::{FourLanes, FourLanesTask, InstructionSet, Mask, Se3Dual, dispatch_four};
 use nalgebra::Vector3;
 
-/// What one step leaves to the next of the same size, if that starts where it ended, bit for bit.
+/// The data that one step leaves to the next one of the same size, if that continues from its end, bit for
+/// bit.
 #[derive(Clone, Debug)]
-pub(crate) struct Memory {
+pub(crate) struct GuessHistory {
     past: Extrapolation<Stored>,
-    /// The numbers of the top and the step size that the parameters are of.
+    /// The numbers of the top and the step size for which `parameters` are computed.
     numbers: Option<[f64; 7]>,
-    parameters: Parameters<Stored, f64>,
-    /// Where the last step ended.
-    end: State<Stored>,
+    parameters: MidpointParameters<Stored, f64>,
+    /// The point where the last step ended.
+    end: TopState<Stored>,
 }
 
-impl Memory {
-    /// Remembers no step.
+impl GuessHistory {
+    /// Creates an empty history.
     pub fn new(top: &HeavyTop) -> Self {
         Self {
             past: Extrapolation::new([0.0; 4]),
             numbers: None,
-            parameters: Parameters::stored(top, 0.0, 0.0),
-            end: State { momentum: [0.0; 4], vertical: [0.0; 4] },
+            parameters: MidpointParameters::stored(top, 0.0, 0.0),
+            end: TopState { momentum: [0.0; 4], vertical: [0.0; 4] },
         }
     }
 
-    /// Forgets the steps before.
+    /// Forgets the last steps.
     pub fn forget(&mut self) {
         self.numbers = None;
     }
 
-    /// a of the last step.
+    /// Returns a of the last step.
     pub fn newest(&self) -> Vector3<f64> {
         vector(self.past.newest())
     }
 
-    /// One step, and the number of guesses; none if a does not settle or the end is not finite.
-    /// Then nothing is remembered.
+    /// Advances by one step, and returns the end with the number of guesses.
+    ///
+    /// There is none if a does not converge or the end is not finite. The history is then empty.
     #[inline]
     pub fn step(
         &mut self,
@@ -54,10 +56,10 @@ impl Memory {
     ) -> Option<Step<Se3Dual>> {
         let numbers = numbers(top, step);
         let known = self.numbers.as_ref().is_some_and(|known| same(known, &numbers));
-        if !(known && same(&self.end.numbers(), &State::of(mu).numbers())) {
-            self.parameters = Parameters::stored(top, mu.0.1.norm_squared(), step);
+        if !(known && same(&self.end.numbers(), &TopState::of(mu).numbers())) {
+            self.parameters = MidpointParameters::stored(top, mu.0.1.norm_squared(), step);
             self.numbers = Some(numbers);
-            self.end = State::of(mu);
+            self.end = TopState::of(mu);
             self.past = Extrapolation::new([0.0; 4]);
         }
         let iterations = dispatch_four(OneStep(self), set).ok()??;
@@ -65,36 +67,36 @@ impl Memory {
     }
 }
 
-/// Whether all numbers are the same, bit for bit, without a branch for each.
+/// Returns whether all numbers are the same, bit for bit, without a branch for each.
 #[inline]
 fn same<const N: usize>(a: &[f64; N], b: &[f64; N]) -> bool {
     a.iter().zip(b).fold(0, |different, (a, b)| different | (a.to_bits() ^ b.to_bits())) == 0
 }
 
-/// A step from where the last one ended. What is computed waits for that alone, not for its way
-/// through the caller.
-struct OneStep<'a>(&'a mut Memory);
+/// A step from the end of the last one, which is read from the history and not from the caller, so that the
+/// computation waits for nothing else.
+struct OneStep<'a>(&'a mut GuessHistory);
 
 impl FourLanesTask for OneStep<'_> {
     type Output = Option<usize>;
 
     #[inline(always)]
     fn run<T: FourLanes>(self) -> Self::Output {
-        let Self(memory) = self;
-        let top = memory.parameters.load::<T>();
-        let start = State {
-            momentum: InRegister::<T>::load(&memory.end.momentum),
-            vertical: InRegister::load(&memory.end.vertical),
+        let Self(history) = self;
+        let top = history.parameters.load::<T>();
+        let start = TopState {
+            momentum: InRegister::<T>::load(&history.end.momentum),
+            vertical: InRegister::load(&history.end.vertical),
         };
-        let guess = memory.past.predict(InRegister::load);
+        let guess = history.past.predict(InRegister::load);
         let outcome = step(&top, &start, guess, T::Mask::from_bool(false));
-        if !outcome.settled.all() {
-            memory.forget();
+        if !outcome.converged.all() {
+            history.forget();
             return None;
         }
-        memory.past.push(|place| outcome.a.store(place));
-        outcome.end.momentum.store(&mut memory.end.momentum);
-        outcome.end.vertical.store(&mut memory.end.vertical);
+        history.past.push(|place| outcome.a.store(place));
+        outcome.end.momentum.store(&mut history.end.momentum);
+        outcome.end.vertical.store(&mut history.end.vertical);
         Some(outcome.guesses)
     }
 }

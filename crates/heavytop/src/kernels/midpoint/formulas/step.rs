@@ -1,35 +1,35 @@
-//! One step of one top in registers, or of a group of tops, a lane each.
+//! One step: of one top in registers, or of a group of tops, one in each SIMD lane.
 
-use super::components::State;
+use super::components::TopState;
 use super::guess::Guess;
-use super::parameters::Parameters;
-use super::vector::{MaskOf, Vector};
+use super::midpoint_parameters::MidpointParameters;
+use super::register_vector::{MaskOf, RegisterVector};
 use lie_poisson::{Mask, Real};
 
-/// Guesses after which a lane counts as not settled.
+/// The number of guesses after which a lane counts as not converged.
 const GUESSES: usize = 40;
 
-/// What a step came to.
-pub(super) struct Outcome<V: Vector> {
-    /// (Π₁, Γ₁), in the lanes that settled.
-    pub end: State<V>,
-    /// a
+/// The result of a step.
+pub(super) struct Outcome<V: RegisterVector> {
+    /// The end (Π₁, Γ₁), in the lanes that converged.
+    pub end: TopState<V>,
+    /// The solution a = (h/4) Ωₘ of the step.
     pub a: V,
-    /// Where a settled and the end is finite; elsewhere there is no result.
-    pub settled: MaskOf<V>,
-    /// How many guesses it took, the extrapolated one included.
+    /// The lanes where a converged and the end is finite; the others have no result.
+    pub converged: MaskOf<V>,
+    /// The number of guesses, including the extrapolated one.
     pub guesses: usize,
 }
 
-/// One step from `start`, with a guess of a; without one, a = (h/4) I⁻¹Π₀.
+/// Advances by one step from `start`, with a guess of a; without one, a = (h/4) I⁻¹Π₀.
 ///
-/// Each lane stops by itself: a lane that has settled keeps its guess while others go on, and
-/// everything computed from that is the same again, bit for bit. Lanes in which `given_up` is true
-/// are not waited for.
+/// Each lane stops by itself. A lane that has converged keeps its guess while others continue, and all
+/// results from it are the same again, bit for bit. The iteration does not wait for lanes in which `given_up`
+/// is true.
 #[inline(always)]
-pub(super) fn step<V: Vector>(
-    top: &Parameters<V, V::Scalar>,
-    start: &State<V>,
+pub(super) fn step<V: RegisterVector>(
+    top: &MidpointParameters<V, V::Scalar>,
+    start: &TopState<V>,
     guess: Option<V>,
     given_up: MaskOf<V>,
 ) -> Outcome<V> {
@@ -42,18 +42,18 @@ pub(super) fn step<V: Vector>(
     let mut guesses = 1;
     loop {
         let guess = Guess::new(top, start, a);
-        let mut settled = guess.settled(top);
-        if !settled.or(given_up).all() {
-            settled = settled.or(guess.stalled(top, previous));
-            if guesses < GUESSES && !settled.or(given_up).all() {
-                previous = V::Scalar::select(settled, previous, guess.change());
-                a = V::select(settled, a, guess.corrected());
+        let mut converged = guess.converged(top);
+        if !converged.or(given_up).all() {
+            converged = converged.or(guess.stalled(top, previous));
+            if guesses < GUESSES && !converged.or(given_up).all() {
+                previous = V::Scalar::select(converged, previous, guess.change());
+                a = V::select(converged, a, guess.corrected());
                 guesses += 1;
                 continue;
             }
         }
         let end = guess.end(start);
-        let settled = settled.and(end.square().at_most(number(f64::MAX)));
-        return Outcome { end, a: guess.corrected(), settled, guesses };
+        let converged = converged.and(end.square().at_most(number(f64::MAX)));
+        return Outcome { end, a: guess.corrected(), converged, guesses };
     }
 }

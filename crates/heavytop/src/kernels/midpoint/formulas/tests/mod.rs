@@ -1,11 +1,11 @@
-//! Lanes against each other, and the bound that the stopping rule lives on.
+//! The same bits in lanes and alone, and the error bound that the stopping rule assumes.
 #![allow(clippy::unwrap_used)]
 
-use super::components::{State, each};
+use super::components::{TopState, each};
 use super::guess::Guess;
-use super::parameters::Parameters;
-use super::vector::Vector;
-use super::{Member, Memory, together};
+use super::midpoint_parameters::MidpointParameters;
+use super::register_vector::RegisterVector;
+use super::{GuessHistory, Member, together};
 use crate::{Body, HeavyTop};
 use collective_integrators::{
     CHECKPOINT, IntegrationError, LaneKernel, LaneResults, Registers, StepError,
@@ -27,13 +27,13 @@ impl Member for OneOfMany {
     }
 }
 
-/// The top with these moments and γ = `force`.
+/// Returns the top with these moments and γ = `force`.
 fn top(inertia: Vector3<f64>, force: Vector3<f64>) -> HeavyTop {
     let (gravity, center_of_mass) = (force.norm(), force.normalize());
     HeavyTop::new(&Body { inertia, mass: 1.0, gravity, length: 1.0, center_of_mass }).unwrap()
 }
 
-/// Tops of different shapes and starts, as many as leave a ragged end at every width.
+/// Returns tops of different shapes and starts, so many that the last group is incomplete at every width.
 fn members() -> Vec<OneOfMany> {
     let member = |i: usize| {
         let x = i as f64;
@@ -46,7 +46,7 @@ fn members() -> Vec<OneOfMany> {
     (0..19).map(member).collect()
 }
 
-/// The formulas alone: a top fails where they have no result.
+/// The formulas without the general integrator: a top fails where they have no result.
 struct Formulas(InstructionSet);
 
 impl LaneKernel for Formulas {
@@ -65,12 +65,12 @@ impl LaneKernel for Formulas {
         steps: Range<u64>,
         (): &mut (),
     ) -> Result<(), IntegrationError> {
-        let mut memory = Memory::new(top);
+        let mut history = GuessHistory::new(top);
         for made in steps {
             if made % CHECKPOINT == 0 {
-                memory.forget();
+                history.forget();
             }
-            match memory.step(top, mu, step, self.0) {
+            match history.step(top, mu, step, self.0) {
                 Some(next) => *mu = next.point,
                 None => return Err(IntegrationError::after(made, step, StepError::NotFinite)),
             }
@@ -79,7 +79,7 @@ impl LaneKernel for Formulas {
     }
 }
 
-/// The ends after 1500 steps, and who left when.
+/// Returns the ends after 1500 steps, and the members that failed with their numbers of steps.
 fn run(
     mut members: Vec<OneOfMany>,
     set: InstructionSet,
@@ -92,7 +92,8 @@ fn run(
     (bits(&members), gone)
 }
 
-/// The same, one after the other, each with the vectors of its step in registers.
+/// Returns the ends of members that are advanced one after the other, each with the vectors of its step in
+/// registers.
 fn run_alone(
     mut members: Vec<OneOfMany>,
     set: InstructionSet,
@@ -136,7 +137,7 @@ fn a_lane_has_the_same_bits_at_every_width() {
 
 #[test]
 fn a_top_alone_has_the_bits_of_a_lane() {
-    // where squares overflow and underflow, too
+    // also where squares overflow and underflow
     let sizes = [1.0, 0.0, 5e-324, 1e-310, 1e-160, 30.0, 1e154, 1e300, f64::INFINITY, f64::NAN];
     let pairs = sizes.iter().flat_map(|&pi| sizes.map(|gamma| (pi, gamma)));
     let scaled = pairs.enumerate().map(|(i, (pi, gamma))| {
@@ -148,7 +149,7 @@ fn a_top_alone_has_the_bits_of_a_lane() {
         let (ends, gone) = run_alone(all.clone(), set);
         let lanes = run(all.clone(), set, Width::Single);
         assert_eq!((&ends, &gone), (&lanes.0, &lanes.1), "{set}");
-        // the controls: some settle and some do not, and rounding shows
+        // the controls: some converge and some do not, and rounding shows
         assert!((20..100).contains(&gone.len()), "{gone:?}");
         assert_ne!(ends[0], ends[1]);
         let other = if set == InstructionSet::Portable {
@@ -180,8 +181,8 @@ fn a_lane_that_fails_harms_no_other() {
 }
 
 proptest! {
-    /// κ² = 2((6ρ|a|²)² + (⅛k)²), k = h²|γ||Γ|/I_min, bounds what a correction leaves of an error of
-    /// a, and with ⅝k in the place of ⅛k what is left of it in the end.
+    /// κ² = 2((6ρ|a|²)² + (⅛k)²), k = h²|γ||Γ|/I_min, bounds the error of a after a correction, and with ⅝k
+    /// instead of ⅛k the error of the end.
     #[test]
     fn a_correction_leaves_less_than_the_bound(
         sides in [0.1..1.0, 0.1..1.0, 0.1..1.0f64],
@@ -194,8 +195,8 @@ proptest! {
         let force = Vector3::from(force);
         prop_assume!(force.norm() > 1e-3);
         let top = top(Vector3::new(y + z, z + x, x + y), force);
-        let parameters = Parameters::<[f64; 3], f64>::gather(|_| top, |_| 1.0, step);
-        let start = State { momentum: pi, vertical: [0.6, 0.0, 0.8] };
+        let parameters = MidpointParameters::<[f64; 3], f64>::gather(|_| top, |_| 1.0, step);
+        let start = TopState { momentum: pi, vertical: [0.6, 0.0, 0.8] };
         let mut a = [0.0; 3];
         for _ in 0..100 {
             a = Guess::new(&parameters, &start, a).corrected();
@@ -209,7 +210,7 @@ proptest! {
         let least = (1e-16 + 1e-12 * error.dot(error)).powi(2);
         let size = 1e-12 * error.dot(error);
         prop_assert!(left.dot(left) <= 1.01 * bound(1.0 / 25.0) * size + least, "{left:?}");
-        // the control: the error was there, and the correction is what removes it
+        // the control: the error was there, and the correction removes it
         prop_assert!(guess.change() > 8.0 * size);
         let (end, expected) = (guess.end(&start), Guess::new(&parameters, &start, a).end(&start));
         // an error of Π as one of a = (h/4) I⁻¹Π; one of a turns Γ by four times as much

@@ -1,4 +1,4 @@
-//! Points of T∗C² as the kernel has them.
+//! Points of T∗C² with the rounding error of their last sum.
 
 use super::row::{Row, Stages, WIDTH};
 use crate::SpinorPoint;
@@ -9,14 +9,14 @@ use momentum_map::Cotangent;
 use nalgebra::Vector2;
 use num_complex::Complex;
 
-/// z = (q₁, …, q₄, p₁, …, p₄), and what the last addition to it rounded away.
+/// The coordinates z = (q₁, …, q₄, p₁, …, p₄), and the part that rounding removed from the last sum.
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub(super) struct Point {
+pub(super) struct CompensatedPoint {
     pub(super) z: Row,
     pub(super) carry: Row,
 }
 
-impl Point {
+impl CompensatedPoint {
     pub(super) const ZERO: Self = Self { z: Row::ZERO, carry: Row::ZERO };
 
     #[inline]
@@ -29,7 +29,9 @@ impl Point {
         Pair(spinor_point(&self.z), spinor_point(&self.carry))
     }
 
-    /// Whether both are the same; NaN is not. In one go, which is one comparison of registers.
+    /// Returns whether both are the same; NaN is not.
+    ///
+    /// Without branches, this is one comparison of registers.
     #[inline(always)]
     pub(super) fn is(&self, other: &Self) -> bool {
         let mut same = true;
@@ -49,10 +51,10 @@ impl Point {
         finite
     }
 
-    /// z + Σ_j ℓ_j, with compensation.
+    /// Returns z + Σ_j ℓ_j, by compensated summation.
     #[inline(always)]
     pub(super) fn plus_sum(&self, stages: &Stages) -> Self {
-        // Read from memory, as the kernel's loops are.
+        // The numbers are read from memory, as in the loops of the solver.
         let stages = black_box(stages);
         let mut end = *self;
         for (c, Row(x)) in stages.iter().enumerate() {
@@ -64,44 +66,46 @@ impl Point {
         end
     }
 
-    /// Re(ψ∗χ)
+    /// Returns the overlap Re(ψ∗χ).
     #[inline(always)]
     fn overlap(&self) -> f64 {
         let [q1, q2, q3, q4, p1, p2, p3, p4] = self.z.0;
         (q1 * p1 + q2 * p2) + (q3 * p3 + q4 * p4)
     }
 
-    /// ‖ψ‖²
+    /// Returns the squared norm ‖ψ‖².
     #[inline(always)]
     pub(super) fn square(&self) -> f64 {
         let [.., p1, p2, p3, p4] = self.z.0;
         (p1 * p1 + p2 * p2) + (p3 * p3 + p4 * p4)
     }
 
-    /// ‖χ‖²
+    /// Returns the squared norm ‖χ‖².
     #[inline(always)]
     fn chi_square(&self) -> f64 {
         let [q1, q2, q3, q4, ..] = self.z.0;
         (q1 * q1 + q2 * q2) + (q3 * q3 + q4 * q4)
     }
 
-    /// ‖χ‖‖ψ‖, the size of the products of which Π is the sum.
+    /// Returns ‖χ‖‖ψ‖, the size of the products of which Π is the sum.
     #[inline(always)]
     pub(super) fn products(&self) -> f64 {
         self.chi_square().sqrt() * self.square().sqrt()
     }
 
-    /// Whether χ has gone far along the fibre: Re(ψ∗χ)² > ‖χ⊥‖²‖ψ‖² + r‖ψ‖², χ⊥ = χ − ψ Re(ψ∗χ)/‖ψ‖², where
-    /// √r is the Π that the torque brings about in the time in which it turns the top, so that a top that
-    /// comes to rest now and then does not slide at every step.
+    /// Returns whether χ is far along the fibre: Re(ψ∗χ)² > ‖χ⊥‖²‖ψ‖² + r‖ψ‖², with χ⊥ = χ − ψ Re(ψ∗χ)/‖ψ‖².
+    ///
+    /// Here √r is the Π that the torque produces in the time in which it turns the top. Without it, a top
+    /// that sometimes comes to rest would slide at every step.
     #[inline(always)]
     pub(super) fn has_drifted(&self, reach: f64) -> bool {
         let overlap = self.overlap();
         2.0 * overlap * overlap > (self.chi_square() + reach) * self.square()
     }
 
-    /// Slides back along the fibre, to χ + bψ, and returns b: a power of two, ±1 as a rule, so that bψ
-    /// is not rounded.
+    /// Slides back along the fibre to χ + bψ, and returns b.
+    ///
+    /// The number b is a power of two, usually ±1, so that bψ is not rounded.
     #[cold]
     pub(super) fn slide(&mut self) -> f64 {
         let along = power_of_two(-self.overlap() / self.square());

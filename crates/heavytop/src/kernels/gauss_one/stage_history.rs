@@ -1,25 +1,32 @@
-//! What a step leaves behind for the next one.
+//! The stages of one step, from which the next step extrapolates.
 
-use super::point::Point;
+use super::compensated_point::CompensatedPoint;
 use super::row::{Row, Stages, WIDTH};
 
-/// The stages of the last step, and where it ended.
+/// The stages of the last step, and the point where it ended.
 #[derive(Clone, Debug)]
-pub(super) struct Memory {
+pub(super) struct StageHistory {
     first: Stages,
     second: Stages,
-    /// Which of the two belongs to the last step; the other one is free.
+    /// Whether `first` holds the last step; the other one is free.
     last_is_first: bool,
-    /// The sweeps that the last step took; 0 if there was none.
+    /// The number of sweeps of the last step; 0 if there was none.
     sweeps: usize,
-    end: Point,
+    end: CompensatedPoint,
     step: f64,
 }
 
-impl Memory {
+impl StageHistory {
     pub(super) fn new() -> Self {
         let (first, second) = ([Row::ZERO; WIDTH], [Row::ZERO; WIDTH]);
-        Self { first, second, last_is_first: true, sweeps: 0, end: Point::ZERO, step: 0.0 }
+        Self {
+            first,
+            second,
+            last_is_first: true,
+            sweeps: 0,
+            end: CompensatedPoint::ZERO,
+            step: 0.0,
+        }
     }
 
     /// Forgets the last step.
@@ -27,17 +34,19 @@ impl Memory {
         self.sweeps = 0;
     }
 
-    /// The stages of the last step, and room for those to be found.
+    /// Returns the stages of the last step, and the storage for those of the next one.
     #[inline(always)]
     pub(super) fn stages(&mut self) -> (&mut Stages, &mut Stages) {
         let Self { first, second, .. } = self;
         if self.last_is_first { (first, second) } else { (second, first) }
     }
 
-    /// The sweeps of the last step if one from `start` continues it. Otherwise 0, and the stages
-    /// of the last step are 0: the guess is then z at every stage.
+    /// Returns the number of sweeps of the last step if a step from `start` continues it.
+    ///
+    /// Otherwise it returns 0 and sets the stages of the last step to 0: the first guess is then z at every
+    /// stage.
     #[inline(always)]
-    pub(super) fn recall(&mut self, start: &Point, step: f64) -> usize {
+    pub(super) fn recall(&mut self, start: &CompensatedPoint, step: f64) -> usize {
         if self.sweeps == 0 || self.step != step || !self.end.is(start) {
             self.sweeps = 0;
             *self.stages().0 = [Row::ZERO; WIDTH];
@@ -45,10 +54,11 @@ impl Memory {
         self.sweeps
     }
 
-    /// What was to be found is the last step now. It ended with χ + bψ, b = `slid`, where the
-    /// stages go too.
+    /// Records the stages that were found as those of the last step.
+    ///
+    /// The step ended with χ + bψ, b = `slid`; the stages slide with it.
     #[inline(always)]
-    pub(super) fn keep(&mut self, end: &Point, step: f64, sweeps: usize, slid: f64) {
+    pub(super) fn keep(&mut self, end: &CompensatedPoint, step: f64, sweeps: usize, slid: f64) {
         (self.end, self.step, self.sweeps) = (*end, step, sweeps);
         self.last_is_first = !self.last_is_first;
         if slid != 0.0 {

@@ -1,65 +1,69 @@
-//! One step, for lanes of any width.
+//! The solution of the stage equations of one step, for SIMD lanes of any width.
 //!
-//! Loops over coordinates and stages run over constant ranges, so that arrays of registers
-//! dissolve into registers; see [`LaneTask`] on what closures and iterators would do.
+//! Loops over coordinates and stages have constant ranges, so that the compiler keeps arrays of registers in
+//! registers. [`LaneTask`] explains why there are no closures and iterators.
 #![allow(clippy::needless_range_loop)]
 
-use super::coefficients::Coefficients;
-use super::memory::Memory;
-use super::point::Point;
+use super::compensated_point::CompensatedPoint;
+use super::gauss_coefficients::GaussCoefficients;
 use super::row::{Row, Stages, WIDTH};
+use super::stage_history::StageHistory;
 use core::hint::black_box;
 use lie_poisson::{LaneTask, Lanes, Mask};
 
-/// Sweeps after which the stage equations are left to the general solver.
+/// The number of sweeps after which the general solver takes over.
 pub(super) const MOST: usize = 48;
 
-/// A change that is at most this multiple of the size is the last: the next one, a tenth of it at
-/// the steps that these methods are used with, is far below a rounding. What is left of it has the same
-/// sign in every step: with eight times as much, h was seen to drift by 4e-19 per unit of time.
+/// A change of at most this multiple of the size is the last one.
+///
+/// The next change, a tenth of it at the step sizes that these methods are used with, is far below a rounding
+/// error. The rest has the same sign in every step: with eight times this bound, h was seen to drift by 4e-19
+/// per unit of time.
 const FEW_ROUNDINGS: f64 = 0.25 * f64::EPSILON;
 
-/// A change that no longer shrinks is round-off below this multiple of the size.
+/// A change below this multiple of the size that no longer shrinks is round-off.
 const ROUND_OFF: f64 = 256.0 * f64::EPSILON;
 
-/// One step from a point, with room for S stages; `None` if the stage equations do not settle.
+/// One attempted step from a point, with room for S stages; `None` if the stage equations do not converge.
 pub(super) struct Attempt<'a, const S: usize> {
-    pub(super) coefficients: &'a Coefficients,
+    pub(super) coefficients: &'a GaussCoefficients,
     pub(super) step: f64,
-    pub(super) start: &'a Point,
-    pub(super) memory: &'a mut Memory,
+    pub(super) start: &'a CompensatedPoint,
+    pub(super) history: &'a mut StageHistory,
 }
 
 impl<const S: usize> LaneTask for Attempt<'_, S> {
-    type Output = Option<(Point, usize)>;
+    type Output = Option<(CompensatedPoint, usize)>;
 
     #[inline(always)]
-    fn run<T: Lanes>(self) -> Option<(Point, usize)> {
-        let Self { coefficients, step, start, memory } = self;
-        let expected = memory.recall(start, step);
-        let (last, stages) = memory.stages();
-        let kernel = Kernel { coefficients, step, start, products: start.products() };
-        let sweeps = kernel.solve::<T, S>(last, stages, expected)?;
+    fn run<T: Lanes>(self) -> Option<(CompensatedPoint, usize)> {
+        let Self { coefficients, step, start, history } = self;
+        let expected = history.recall(start, step);
+        let (last, stages) = history.stages();
+        let equations = StageEquations { coefficients, step, start, products: start.products() };
+        let sweeps = equations.solve::<T, S>(last, stages, expected)?;
         let mut end = start.plus_sum(stages);
         let slid = if end.has_drifted(coefficients.reach) { end.slide() } else { 0.0 };
-        memory.keep(&end, step, sweeps, slid);
+        history.keep(&end, step, sweeps, slid);
         end.is_finite().then_some((end, sweeps))
     }
 }
 
-/// What the stage equations of a step are made of.
+/// The data of the stage equations of one step.
 #[derive(Clone, Copy)]
-struct Kernel<'a> {
-    coefficients: &'a Coefficients,
+struct StageEquations<'a> {
+    coefficients: &'a GaussCoefficients,
     step: f64,
-    start: &'a Point,
-    /// ‖χ‖‖ψ‖ at the start.
+    start: &'a CompensatedPoint,
+    /// The product ‖χ‖‖ψ‖ at the start.
     products: f64,
 }
 
-impl Kernel<'_> {
-    /// Solves the stage equations by sweeps, the first from an extrapolation of the last step;
-    /// returns their number. They are not watched before the last but one `expected`.
+impl StageEquations<'_> {
+    /// Solves the stage equations by sweeps and returns their number.
+    ///
+    /// The first sweep starts from an extrapolation of the last step. Convergence is tested from the sweep
+    /// before number `expected` on.
     #[inline(always)]
     fn solve<T: Lanes, const S: usize>(
         self,
@@ -70,15 +74,15 @@ impl Kernel<'_> {
         let blocks = S.div_ceil(T::COUNT);
         let mut turns = [[T::zero(); 3]; WIDTH];
         let mut changes = [T::from_f64(f64::INFINITY); WIDTH];
-        let mut settled = [T::Mask::from_bool(false); WIDTH];
+        let mut converged = [T::Mask::from_bool(false); WIDTH];
         for block in 0..blocks {
             let z = self.stage_points::<T, S>(&self.coefficients.guess, last, block);
             turns[block] = self.turn(&z, block);
             store(&self.generator(&turns[block], &z, block), stages, block);
         }
         for sweep in 2..=MOST {
-            // Each number of ℓ is broadcast from memory, which costs nothing; taken from the
-            // registers that it was stored from, as the compiler would have it, it costs shuffles.
+            // Each number of ℓ is broadcast from memory, which costs nothing. Without the black box the
+            // compiler would take it from the registers in which it was computed, which costs shuffles.
             let stages = black_box(&mut *stages);
             let watched = sweep + 1 >= expected;
             let mut all = T::Mask::from_bool(true);
@@ -90,8 +94,8 @@ impl Kernel<'_> {
                     let change = distance(&turn, &turns[block]);
                     let size = self.size(&turn, block);
                     let now = is_round_off(change, changes[block], size);
-                    settled[block] = settled[block].or(now);
-                    all = all.and(settled[block]);
+                    converged[block] = converged[block].or(now);
+                    all = all.and(converged[block]);
                     changes[block] = change;
                 }
                 turns[block] = turn;
@@ -104,7 +108,7 @@ impl Kernel<'_> {
         None
     }
 
-    /// Z_i = z + Σ_j m_ij ℓ_j, small numbers first.
+    /// Returns the stage points Z_i = z + Σ_j m_ij ℓ_j, adding small numbers first.
     #[inline(always)]
     fn stage_points<T: Lanes, const S: usize>(
         self,
@@ -128,7 +132,7 @@ impl Kernel<'_> {
         z
     }
 
-    /// (h b/2) Ω = (h b/2) I⁻¹Π, with Π = M(Z).
+    /// Returns the weighted half velocity (h b/2) Ω = (h b/2) I⁻¹Π, with Π = M(Z).
     #[inline(always)]
     fn turn<T: Lanes>(self, z: &[T; WIDTH], block: usize) -> [T; 3] {
         let [q1, q2, q3, q4, p1, p2, p3, p4] = *z;
@@ -139,7 +143,7 @@ impl Kernel<'_> {
         [x * a, y * b, z * c]
     }
 
-    /// ℓ = h b ((i/2)(Ω·σ)χ + 2(γ·σ)ψ, (i/2)(Ω·σ)ψ)
+    /// Returns the stage derivative ℓ = h b ((i/2)(Ω·σ)χ + 2(γ·σ)ψ, (i/2)(Ω·σ)ψ).
     #[inline(always)]
     fn generator<T: Lanes>(self, turn: &[T; 3], z: &[T; WIDTH], block: usize) -> [T; WIDTH] {
         let [q1, q2, q3, q4, p1, p2, p3, p4] = *z;
@@ -155,7 +159,8 @@ impl Kernel<'_> {
         [a, b, c, d, e, f, g, h]
     }
 
-    /// The size of (h b/2) Ω, or of the products ‖χ‖‖ψ‖ where Π, a difference of them, is smaller.
+    /// Returns the size of (h b/2) Ω, or that of the products ‖χ‖‖ψ‖ where Π, a difference of them, is
+    /// smaller.
     #[inline(always)]
     fn size<T: Lanes>(self, turn: &[T; 3], block: usize) -> T {
         let [a, b, c] = self.times_step::<T>(&self.coefficients.turn, block);
@@ -177,7 +182,7 @@ fn store<T: Lanes>(values: &[T; WIDTH], stages: &mut Stages, block: usize) {
     }
 }
 
-/// i(w·σ)u + v
+/// Returns the spinor i(w·σ)u + v.
 #[inline(always)]
 fn turned<T: Lanes>(w: &[T; 3], u: [T; 4], v: [T; 4]) -> [T; 4] {
     let ([w1, w2, w3], [u1, u2, u3, u4]) = (*w, u);
@@ -189,13 +194,13 @@ fn turned<T: Lanes>(w: &[T; 3], u: [T; 4], v: [T; 4]) -> [T; 4] {
     ]
 }
 
-/// Σ_k |a_k − b_k|
+/// Returns the distance Σ_k |a_k − b_k|.
 #[inline(always)]
 fn distance<T: Lanes>(a: &[T; 3], b: &[T; 3]) -> T {
     (a[0] - b[0]).magnitude() + (a[1] - b[1]).magnitude() + (a[2] - b[2]).magnitude()
 }
 
-/// Whether a change is round-off, lane by lane.
+/// Returns where a change is round-off, lane by lane.
 #[inline(always)]
 fn is_round_off<T: Lanes>(change: T, previous: T, size: T) -> T::Mask {
     let floor = change.at_most(size * ROUND_OFF).and(previous.at_most(change));

@@ -1,39 +1,40 @@
-//! The parameters of tops, of one in registers or of many in lanes.
+//! The parameters of tops: of one in registers, or of many in SIMD lanes.
 
 use super::components::{Components, each};
 use super::in_register::{InRegister, Stored};
 use crate::HeavyTop;
 use lie_poisson::{FourLanes, Lanes, larger};
 
-/// The numbers of a top that a step depends on, and h.
+/// Returns the numbers of a top that a step depends on, with the step size h.
 #[inline]
 pub(super) fn numbers(top: &HeavyTop, step: f64) -> [f64; 7] {
     let (i, f) = (top.inverse_inertia(), top.force::<f64>());
     [i.x, i.y, i.z, f.x, f.y, f.z, step]
 }
 
-/// What a step needs to know of a top, with the step size h worked in.
+/// The parameters of a top that a step depends on, with the step size h as a factor.
 #[derive(Clone, Copy, Debug)]
-pub(super) struct Parameters<V, T> {
-    /// 2 I_{i+1}/I_i
+pub(super) struct MidpointParameters<V, T> {
+    /// The ratios 2 Iᵢ₊₁/Iᵢ, cyclically.
     pub next_ratio: V,
-    /// 2 I_{i−1}/I_i
+    /// The ratios 2 Iᵢ₋₁/Iᵢ, cyclically.
     pub previous_ratio: V,
     /// The diagonal of (h/2) I⁻¹.
     pub rate: V,
-    /// (h/4) γ
+    /// The scaled force (h/4) γ of the weight.
     pub force: V,
-    /// A correction d of a guess leaves an error of at most κ|d|, with
-    /// κ² = `turning_rate` |a|⁴ + `kick_rate`, what [`Guess::end`](super::guess::Guess::end) leaves
-    /// out included.
+    /// The first number of the bound κ|d| of the error after a correction d of a guess.
+    ///
+    /// κ² = `turning_rate` |a|⁴ + `kick_rate` includes the terms that
+    /// [`Guess::end`](super::guess::Guess::end) omits.
     pub turning_rate: T,
     pub kick_rate: T,
-    /// The square of the size below which |a| does not measure round-off.
+    /// The square of the size below which |a| is no measure of round-off.
     pub least_square: T,
 }
 
-impl<T: Lanes> Parameters<Components<T>, T> {
-    /// Lane i is `top(i)`, with |Γ|² = `square(i)`.
+impl<T: Lanes> MidpointParameters<Components<T>, T> {
+    /// Gathers the parameters of the tops: lane i is `top(i)`, with |Γ|² = `square(i)`.
     #[inline(always)]
     pub fn gather(
         top: impl Fn(usize) -> HeavyTop,
@@ -54,10 +55,10 @@ impl<T: Lanes> Parameters<Components<T>, T> {
     }
 }
 
-impl Parameters<Stored, f64> {
-    /// Those of one top, with |Γ|² = `square`.
+impl MidpointParameters<Stored, f64> {
+    /// Creates the parameters of one top, with |Γ|² = `square`.
     pub fn stored(top: &HeavyTop, square: f64, step: f64) -> Self {
-        let one = Parameters::<Components<f64>, f64>::gather(|_| *top, |_| square, step);
+        let one = MidpointParameters::<Components<f64>, f64>::gather(|_| *top, |_| square, step);
         let stored = |[x, y, z]: Components<f64>| [x, y, z, 0.0];
         Self {
             next_ratio: stored(one.next_ratio),
@@ -70,10 +71,10 @@ impl Parameters<Stored, f64> {
         }
     }
 
-    /// The same in a register each.
+    /// Loads each parameter into a register.
     #[inline(always)]
-    pub fn load<T: FourLanes>(&self) -> Parameters<InRegister<T>, T> {
-        Parameters {
+    pub fn load<T: FourLanes>(&self) -> MidpointParameters<InRegister<T>, T> {
+        MidpointParameters {
             next_ratio: InRegister::load(&self.next_ratio),
             previous_ratio: InRegister::load(&self.previous_ratio),
             rate: InRegister::load(&self.rate),
@@ -85,18 +86,18 @@ impl Parameters<Stored, f64> {
     }
 }
 
-/// max 1/I_i
+/// Returns the largest inverse moment max 1/I_i.
 fn largest_inverse(top: &HeavyTop) -> f64 {
     top.inverse_inertia().iter().fold(0.0, |largest, &x| larger(largest, x.abs()))
 }
 
-/// (h² |γ| |Γ| / I_min)²
+/// Returns the squared rate (h² |γ| |Γ| / I_min)² of the kick.
 fn kick(top: &HeavyTop, square: f64, step: f64) -> f64 {
     let part = step * step * largest_inverse(top);
     part * part * top.force::<f64>().norm_squared() * square
 }
 
-/// 2 (6ρ)², ρ = I_max/I_min.
+/// Returns the rate 2 (6ρ)² of the rotation, with ρ = I_max/I_min.
 fn turning(top: &HeavyTop) -> f64 {
     let least = top.inverse_inertia().iter().fold(f64::INFINITY, |least, &x| least.min(x.abs()));
     let ratio = largest_inverse(top) / least;

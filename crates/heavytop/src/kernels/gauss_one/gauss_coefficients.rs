@@ -1,4 +1,4 @@
-//! A Gauss method and a top in the form that the kernel uses.
+//! The coefficients of a Gauss method and a top, in the form that the solver of the stage equations uses.
 
 use super::row::{Row, WIDTH};
 use crate::HeavyTop;
@@ -6,45 +6,48 @@ use collective_integrators::{Tableau, lagrange_polynomial};
 use core::array::from_fn;
 use core::cmp::Ordering;
 
-/// Gauss's method in terms of the weighted stage derivatives ℓ_j = h b_j k_j,
+/// The coefficients of Gauss's method in terms of the weighted stage derivatives ℓ_j = h b_j k_j.
+///
+/// The method reads
 ///
 /// ```text
 /// Z_i = z + Σ_j μ_ij ℓ_j,    z₁ = z + Σ_j ℓ_j,    μ_ij = a_ij / b_j
 /// ```
 ///
-/// with μ_ij + μ_ji = 1 to the last bit. Whatever rounding does to the weights, the method is
-/// symplectic and conserves quadratic invariants.
+/// where μ_ij + μ_ji = 1 exactly. The method is therefore symplectic and conserves quadratic invariants,
+/// whatever the rounding of the weights.
 ///
 /// Source: Antoñana, Makazaga & Murua, *Reducing and monitoring round-off error propagation for
 /// symplectic implicit Runge–Kutta schemes*, Numer. Algorithms 76 (2017).
 #[derive(Clone, Debug, PartialEq)]
-pub(super) struct Coefficients {
+pub(super) struct GaussCoefficients {
     pub(super) stages: usize,
-    /// The columns of μ.
+    /// The columns of the matrix μ.
     pub(super) columns: [Row; WIDTH],
-    /// The columns of the matrix that takes ℓ of the last step, extrapolated, to Σ_j μ_ij ℓ_j.
+    /// The columns of the matrix that maps the ℓ of the last step, extrapolated, to Σ_j μ_ij ℓ_j.
     pub(super) guess: [Row; WIDTH],
-    /// b_j / (4 I_k): what takes 2Π_k to (b_j/2) Ω_k.
+    /// The factors b_j / (4 I_k) that map 2Π_k to (b_j/2) Ω_k.
     pub(super) turn: [Row; 3],
-    /// 2 b_j m g l c_k
+    /// The weighted forces 2 b_j m g l c_k.
     pub(super) pull: [Row; 3],
-    /// |γ|/max 1/I_k, in units of Π²/|Γ|.
+    /// The ratio |γ|/max 1/I_k, in units of Π²/|Γ|.
     pub(super) reach: f64,
 }
 
-impl Coefficients {
-    /// From the tableau of a Gauss method with at most [`WIDTH`] stages; the columns and rows of
-    /// stages that it does not have are 0.
+impl GaussCoefficients {
+    /// Creates the coefficients from the tableau of a Gauss method with at most [`WIDTH`] stages.
+    ///
+    /// The columns and rows of missing stages are 0.
     pub(super) fn new(gauss: &Tableau, top: &HeavyTop) -> Self {
         let (s, b, c) = (gauss.stages(), gauss.weights(), gauss.nodes());
         let a = |i: usize, j: usize| gauss.row(i)[j];
         let ratio = |i: usize, j: usize| match i.cmp(&j) {
-            // Exact, since the ratio is between ½ and 2 below the diagonal.
+            // This is exact, since the ratio is between ½ and 2 below the diagonal.
             Ordering::Less => 1.0 - a(j, i) / b[i],
             Ordering::Equal => 0.5,
             Ordering::Greater => a(i, j) / b[j],
         };
-        // The nodes of the last step are c_l − 1, seen from this one.
+        // The nodes of the last step are c_l − 1 in the time of this step.
         let nodes: Vec<f64> = c.iter().map(|c| c - 1.0).collect();
         let guess = |i: usize, l: usize| {
             let terms = (0..s).map(|m| a(i, m) * lagrange_polynomial(&nodes, l, c[m]));
@@ -63,7 +66,7 @@ impl Coefficients {
     }
 }
 
-/// The columns of an s×s matrix.
+/// Returns the columns of an s×s matrix.
 fn columns(s: usize, entry: impl Fn(usize, usize) -> f64) -> [Row; WIDTH] {
     from_fn(|j| Row(from_fn(|i| if i < s && j < s { entry(i, j) } else { 0.0 })))
 }
@@ -73,10 +76,10 @@ fn columns(s: usize, entry: impl Fn(usize, usize) -> f64) -> [Row; WIDTH] {
 mod tests {
     use super::*;
 
-    fn coefficients(s: usize) -> (Tableau, Coefficients) {
+    fn coefficients(s: usize) -> (Tableau, GaussCoefficients) {
         let gauss = Tableau::gauss(s).unwrap();
         let top = HeavyTop::kovalevskaya(1.0, 1.0).unwrap();
-        let coefficients = Coefficients::new(&gauss, &top);
+        let coefficients = GaussCoefficients::new(&gauss, &top);
         (gauss, coefficients)
     }
 
@@ -98,7 +101,7 @@ mod tests {
         assert!((0..64).any(|n| quotient(n / 8, n % 8) + quotient(n % 8, n / 8) != 1.0));
     }
 
-    /// The stage derivatives of a polynomial of degree s − 1 go on exactly.
+    /// The stage derivatives of a polynomial of degree s − 1 are extrapolated exactly.
     #[test]
     fn the_guess_extrapolates_polynomials() {
         for s in 1..=WIDTH {
