@@ -60,8 +60,10 @@ fn oscillator(z: &Vector2<f64>) -> Vector2<f64> {
     Vector2::new(z.y, -z.x)
 }
 
+/// Tests that refined increments satisfy the stage equation far beyond the rounding error of the stage.
+///
 /// With a step of a power of two the midpoint rule gives k + δk from δz + δe without rounding. Then k + δk = X(z +
-/// ½h(k + δk)) should hold far beyond the rounding error of the stage.
+/// ½h(k + δk)) should hold.
 #[test]
 fn refined_increments_belong_to_stages_without_rounding() {
     const SHIFT: i32 = 6;

@@ -23,7 +23,7 @@ const SHORT: f64 = 20.0;
 /// The number of tops of an ensemble whose reference solutions are computed.
 const REFERENCES: u64 = 10_000;
 
-/// The options of [`bench`]: which integrators, how many tops, how many threads.
+/// The options of `bench`: which integrators, how many tops, how many threads.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct BenchOptions {
     /// A part of the names of the integrators to time; `None` times all of them.

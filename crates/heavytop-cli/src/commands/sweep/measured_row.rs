@@ -125,7 +125,7 @@ struct Seen {
     drift: [f64; 3],
     nutation: Nutation,
     megno: Megno,
-    /// The sum Σ ln(δ_k/δ_{k−1}) of the growth of tangent vectors.
+    /// The sum `Σ ln(δ_k/δ_{k−1})` of the growth of tangent vectors.
     growth: f64,
 }
 

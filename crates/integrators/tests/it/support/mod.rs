@@ -26,7 +26,7 @@ pub fn start() -> Z {
     GenericSystem::start()
 }
 
-/// Returns Φ_hⁿ(z), h = time/n.
+/// Returns the state Φ_hⁿ(z) after n steps of size h = time/n.
 pub fn advance<S: Scheme, F: VectorField>(
     scheme: &S,
     field: &F,
