@@ -32,7 +32,7 @@
 //! | many tops, with separate parameters per top | an [`Ensemble`](collective_integrators::Ensemble) of a [`GaussBatch`] or a [`MidpointBatch`]; of symmetric tops, a [`SymmetricTopBatch`] |
 //! | any other Hamiltonian h(Π, Γ) | [`Collective`](collective_integrators::Collective) with [`RungeKutta::gauss`](collective_integrators::RungeKutta::gauss) and [`SpinorRealisation`], or [`ReducedMidpoint`] |
 //! | many states of that | [`Laned`](collective_integrators::Laned) of the [`ReducedMidpoint`] |
-//! | the attitude too | [`WithAttitude`] of any of them |
+//! | the attitude along one trajectory | [`WithAttitude`] of its integrator |
 //! | tangent vectors, Lyapunov exponents | [`ReducedMidpoint`] or [`Collective`](collective_integrators::Collective), which work over dual numbers |
 //!
 //! The usual names of these and of the lower crates are in the [`prelude`]. The lower crates, [`nalgebra`] and
