@@ -34,7 +34,7 @@ pub enum Error {
         line: usize,
         /// The column in characters, from 1.
         column: usize,
-        /// The message about the text there.
+        /// The message about that place in the text.
         message: String,
     },
     /// The configuration cannot be written as TOML.
@@ -45,7 +45,7 @@ pub enum Error {
     Checkpoint {
         /// The path of the checkpoint.
         path: PathBuf,
-        /// The reason why it cannot.
+        /// The reason why the run cannot continue.
         source: CheckpointError,
     },
     /// A saved state does not fit the integrator of this experiment.
@@ -89,7 +89,7 @@ pub enum Error {
     Scheme {
         /// The scheme's name.
         scheme: &'static str,
-        /// The reason why it could not.
+        /// The reason why the scheme could not be made.
         source: SchemeError,
     },
     /// A number is out of its range.
@@ -288,7 +288,7 @@ pub enum Error {
     Resumable {
         /// The argument that resumes the run.
         resume: String,
-        /// The reason why it failed.
+        /// The error that made the run fail.
         source: Box<Error>,
     },
     /// A run failed, and what it had computed was kept.
@@ -296,7 +296,7 @@ pub enum Error {
     Kept {
         /// The path of the partial output.
         partial: PathBuf,
-        /// The reason why it failed.
+        /// The error that made the run fail.
         source: Box<Error>,
     },
 }

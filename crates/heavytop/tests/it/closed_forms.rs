@@ -1,4 +1,4 @@
-//! The closed-form solutions against the Gauss method of order 16.
+//! The closed-form solutions of Euler's and Lagrange's tops against the Gauss method of order 16.
 
 use collective_integrators::{Collective, RungeKutta, Start};
 use heavytop::{EulerSolution, HeavyTop, LagrangeNutation, RigidBody, SpinorRealisation};

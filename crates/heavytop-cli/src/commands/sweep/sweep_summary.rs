@@ -24,7 +24,7 @@ pub struct SweepSummary {
     pub end: f64,
     /// The number of tops that could not be followed.
     pub failed: u64,
-    /// The reason why the first of them could not.
+    /// The reason why the first of the failed tops could not be followed.
     pub first_failure: Option<String>,
 }
 
