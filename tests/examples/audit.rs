@@ -1,8 +1,7 @@
-//! One row for every scheme and formulation: claimed against measured.
+//! Prints a row for every scheme and formulation: what is claimed, and what is measured.
 //!
-//! `cargo run --release -p workspace-tests --example audit -- [steps]` prints the table of
-//! `docs/audit.md` that says so, about a minute for 10⁶ steps. What the columns mean is said at
-//! [`workspace_tests::audit::Row`].
+//! `cargo run --release -p workspace-tests --example audit -- [steps]` prints that table of `docs/audit.md`. It takes
+//! about a minute for 10⁶ steps. The columns are explained at [`workspace_tests::audit::Row`].
 
 use workspace_tests::audit::{Failure, HEADER, LONG, methods};
 

@@ -1,8 +1,8 @@
-//! Long collective runs through every realisation of the crates, and through that of `docs/write_your_own.rs`.
+//! Makes long collective runs through every realisation of the crates, and through that of `docs/write_your_own.rs`.
 //!
-//! `cargo run --release -p workspace-tests --example collective_runs -- [steps] [name]` prints |z| at the beginning, its
-//! largest value, the iterations of a step in the first and the last thousand steps, and the largest relative change of
-//! the first Casimir. A step that fails ends the program with its error.
+//! `cargo run --release -p workspace-tests --example collective_runs -- [steps] [name]` prints |z| at the beginning,
+//! its largest value, the iterations of a step in the first and the last thousand steps, and the largest relative
+//! change of the first Casimir. A step that fails ends the program with its error.
 
 use collective_integrators::{Collective, Integrator, RungeKutta};
 use core::marker::PhantomData;
@@ -24,7 +24,8 @@ use write_your_own::{Poincare, Rotor};
 #[allow(dead_code, missing_docs, unused_imports)]
 mod write_your_own;
 
-/// ½ Σ_i a_i μ_i² + b_i μ_i with a_i between 1 and 2 and small b_i: bounded from below, without symmetry.
+/// The Hamiltonian ½ Σ_i a_i μ_i² + b_i μ_i with a_i between 1 and 2 and small b_i: bounded from below, without
+/// symmetry.
 struct Quadratic<P>(PhantomData<P>);
 
 impl<P: PoissonSpace> Energy for Quadratic<P> {
@@ -40,14 +41,14 @@ impl<P: PoissonSpace> Energy for Quadratic<P> {
     }
 }
 
-/// What is run.
+/// The options of the program: the number of steps, and the realisation.
 struct Runs {
     steps: u64,
     wanted: Option<String>,
 }
 
 impl Runs {
-    /// The midpoint rule for a quadratic Hamiltonian.
+    /// Runs the midpoint rule for a quadratic Hamiltonian.
     fn quadratic<M: PoissonMap>(
         &self,
         name: &str,

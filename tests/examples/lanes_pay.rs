@@ -1,13 +1,12 @@
-//! Times every path over lanes against the same method over `f64`, top by top, and fails if one is
-//! slower:
+//! Times every method over SIMD lanes (several trajectories in one register) against the same method over `f64`, top
+//! by top, and fails if one is slower:
 //!
 //! ```text
 //! cargo run --release -p workspace-tests --example lanes_pay
 //! ```
 //!
-//! In each round every path runs once, and what counts is the best time of each over the rounds. A
-//! machine that has other things to do makes both sides slower, not only one, and the more rounds,
-//! the less of it is left: rounds are added until every path pays, [`MOST_ROUNDS`] at most.
+//! Every path runs once in each round, and its best time over the rounds counts. A machine with other work makes both
+//! sides slower, and more rounds reduce its effect. Rounds are added until every path pays, [`MOST_ROUNDS`] at most.
 
 use collective_integrators::{
     AlternatingSubsteps, BatchIntegrator, IntegrationError, Integrator, Laned, LiftFree,
@@ -26,16 +25,16 @@ use std::hint::black_box;
 use std::process::ExitCode;
 use std::time::{Duration, Instant};
 
-/// The time of a path over lanes, in that of `f64`, from which on it does not pay.
+/// The ratio of the times over lanes and over `f64` from which on a path does not pay.
 const MARGIN: f64 = 1.05;
-/// The rounds before the first verdict.
+/// The number of rounds before the first verdict.
 const LEAST_ROUNDS: usize = 10;
-/// The rounds after which the verdict stands.
+/// The number of rounds after which the verdict is final.
 const MOST_ROUNDS: usize = 40;
-/// Full registers at every width.
+/// The number of members, which fills registers of every width.
 const COUNT: u32 = 64;
 
-/// One run of a path.
+/// A function that makes one run of a path.
 type Run = Box<dyn FnMut() -> Result<(), IntegrationError>>;
 
 /// A way to make the steps, with its best time so far.
@@ -53,7 +52,7 @@ struct Method {
 }
 
 impl Path {
-    /// Time after time the same steps of the same members.
+    /// Creates a path that makes the same steps of the same members in each run.
     fn new<B>(name: String, batch: B, members: &[B::Member], step: f64, steps: u64) -> Self
     where
         B: BatchIntegrator<Member: 'static> + 'static,
@@ -83,7 +82,7 @@ impl Method {
         self.lanes.iter_mut().try_for_each(Path::time)
     }
 
-    /// The times of the paths over lanes in that of `f64`.
+    /// Returns the times of the paths over lanes, divided by that over `f64`.
     fn ratios(&self) -> impl Iterator<Item = (&Path, f64)> {
         let single = self.single.best.as_secs_f64();
         self.lanes.iter().map(move |path| (path, path.best.as_secs_f64() / single))
@@ -102,7 +101,7 @@ impl Method {
     }
 }
 
-/// Tops near the paper's start.
+/// Returns a start near the paper's start.
 fn start(i: u32) -> Se3Dual {
     let x = f64::from(i) / f64::from(COUNT) - 0.5;
     let vertical = Vector3::new(0.5 + 0.1 * x, 0.2 * x, 0.75_f64.sqrt()).normalize();
@@ -113,7 +112,7 @@ fn members<P: Copy>(parameters: P) -> Vec<(P, Se3Dual)> {
     (0..COUNT).map(|i| (parameters, start(i))).collect()
 }
 
-/// A kernel that takes any lanes, on one and on all of one and of two registers.
+/// Returns a kernel that takes any lanes: on one lane, on one full register and on two.
 fn kernel<B, E>(
     name: &str,
     on: impl Fn(InstructionSet, Width) -> Result<B, E>,
@@ -136,7 +135,7 @@ where
     })
 }
 
-/// The midpoint rule: top by top over `f64`, and many with a choice of instructions alone.
+/// Returns the midpoint rule: top by top over `f64`, and for many tops with a choice of instructions alone.
 fn midpoint(top: HeavyTop) -> Result<[Method; 2], Box<dyn Error>> {
     let (step, steps) = (0.01, 1000);
     let states: Vec<_> = (0..COUNT).map(start).collect();
@@ -157,7 +156,7 @@ fn midpoint(top: HeavyTop) -> Result<[Method; 2], Box<dyn Error>> {
     Ok([one_system, sweep])
 }
 
-/// One top with its stages in the lanes, beside the general integrator.
+/// Returns the method for one top with its stages in the lanes, and the general integrator.
 fn stages(top: HeavyTop) -> Result<Method, Box<dyn Error>> {
     let (step, steps) = (0.25, 1000);
     let gauss = CollectiveGauss::new(8, top)?;
@@ -174,7 +173,7 @@ fn stages(top: HeavyTop) -> Result<Method, Box<dyn Error>> {
     })
 }
 
-/// A method without a kernel, on the lanes that every processor has.
+/// Returns a method without a kernel, on the lanes that every processor has.
 fn without_kernel<I>(name: &str, integrator: I, step: f64, steps: u64) -> Method
 where
     I: Integrator<f64, State = Se3Dual> + Integrator<DefaultLanes> + Clone + Sync + 'static,
@@ -189,13 +188,13 @@ where
     }
 }
 
-/// A body in an ideal fluid, which has no kernel.
+/// Returns a body in an ideal fluid, for which there is no kernel.
 fn body() -> Result<Kirchhoff, SystemError> {
     let diagonal = |x, y, z| Matrix3::from_diagonal(&Vector3::new(x, y, z));
     Kirchhoff::new(diagonal(0.5, 0.4, 0.9), diagonal(0.1, 0.0, -0.1), diagonal(0.3, 0.6, 0.4))
 }
 
-/// The negative control: a path that makes every step twice, which must not pass.
+/// Returns the negative control: a path that makes every step twice, which must fail.
 fn control(top: HeavyTop) -> Result<Method, Box<dyn Error>> {
     let states: Vec<_> = (0..COUNT).map(start).collect();
     let path = |name: &str, steps| -> Result<Path, Box<dyn Error>> {

@@ -1,10 +1,9 @@
-//! Round-off over a long run: how f₁, f₂ and h wander, with and without compensated summation.
+//! Measures round-off over a long run: how f₁, f₂ and h change, with and without compensated summation.
 //!
 //! `cargo run --release -p workspace-tests --example long_run -- [steps] [starts] [method]`
 //!
-//! For an ensemble of starts of a generic top it prints the root mean square of each deviation at
-//! geometrically growing times, its mean, and the slope of ln(rms) against ln(t): ½ for a random
-//! walk, 1 for a drift.
+//! For an ensemble of starts of a generic top it prints the root mean square of each deviation at geometrically
+//! growing times, its mean, and the slope of ln(rms) against ln(t): ½ for a random walk, 1 for a drift.
 
 use collective_integrators::{
     Collective, Direct, HamiltonianField, LiftFree, RungeKutta, Start, fitted_order,
@@ -17,8 +16,7 @@ use std::error::Error;
 
 const STEP: f64 = 0.05;
 
-/// The deviations (f₁, f₂, h) of one run at 2⁰, 2¹, 2², … steps, from those of the
-/// lifted start.
+/// Returns the deviations (f₁, f₂, h) of one run at 2⁰, 2¹, 2², … steps from the values of the lifted start.
 fn deviations<I>(
     integrator: &I,
     top: &HeavyTop,
@@ -30,7 +28,7 @@ where
 {
     let values = |mu: &Se3Dual| [mu.0.1.dot(&mu.0.1), mu.0.0.dot(&mu.0.1), top.value(mu)];
     let mut state = integrator.start(start)?;
-    // The lift rounds; that is no part of the walk.
+    // The rounding error of the lift is no part of the walk.
     let first = values(&integrator.momentum(&state));
     let mut workspace = integrator.workspace();
     let mut rows = Vec::new();
@@ -46,12 +44,12 @@ where
     Ok(rows)
 }
 
-/// What is run.
+/// The options of the program: steps, starts and method.
 struct Run<'a> {
     top: &'a HeavyTop,
     starts: &'a [Se3Dual],
     steps: u64,
-    /// The only method that is asked for, if there is one.
+    /// The only method to run, if one is asked for.
     wanted: Option<&'a str>,
 }
 
@@ -103,7 +101,7 @@ where
         let rms: Vec<(f64, f64)> = (0..runs[0].len())
             .map(|row| (STEP * 2_f64.powi(row as i32), moment(row, 2).sqrt()))
             .collect();
-        // The first rows show single roundings of the quantity itself, which are no walk yet.
+        // The first rows show single rounding errors of the quantity itself, which are no walk yet.
         let walk: Vec<(f64, f64)> = rms.iter().copied().skip(rms.len() / 2).collect();
         let slope = fitted_order(&walk, 0.0).map_or("-".to_owned(), |slope| format!("{slope:.2}"));
         let last = rms.len() - 1;

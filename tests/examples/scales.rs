@@ -1,8 +1,8 @@
-//! How well structure is kept in any units: the table of `docs/audit.md`.
+//! Measures how well structure is conserved in any units: the table of `docs/audit.md`.
 //!
-//! `cargo run --release -p workspace-tests --example scales` prints, for a generic top and 1000 steps of 1/50, the largest
-//! deviations of f₁, f₂ and h, each in its own unit, in units of 1 and at the worst of twelve others. Rows for compensated
-//! summation and for difference quotients follow with the argument `all`.
+//! `cargo run --release -p workspace-tests --example scales` prints, for a generic top and 1000 steps of 1/50, the
+//! largest deviations of f₁, f₂ and h, each in its own unit, in units of 1 and at the worst of twelve others. With
+//! the argument `all`, rows for compensated summation and for difference quotients follow.
 
 use std::error::Error;
 use workspace_tests::scales::{methods, scaled};

@@ -15,10 +15,10 @@ type Motion<T = f64> = Pair<Matrix2<Complex<T>>, Spinor<T>>;
 
 const GROUP: SpinorGroup = lie_poisson::SemidirectGroup(lie_poisson::SU2OnC2);
 
-/// Two matrix-vector products of numbers up to 10.
+/// The round-off of two matrix-vector products of numbers up to 10.
 const ROUND_OFF: f64 = 1e-14;
 
-/// Whether two points agree to round-off, as a value.
+/// Returns whether two points agree to round-off.
 fn same(a: &Spinor, b: &Spinor) -> bool {
     (a - b).norm() <= ROUND_OFF * (1.0 + a.norm())
 }
@@ -57,7 +57,7 @@ proptest! {
         axioms(&CotangentLift(SPINOR_MOTIONS), &g, &h, &z);
     }
 
-    /// Ψ_(U,ρ)(χ) = U*(χ − ρ), in the paper's matrix form as well: (U ρ; 0 1)⁻¹ (χ; 1).
+    /// Ψ_(U,ρ)(χ) = U*(χ − ρ), also in the paper's matrix form: (U ρ; 0 1)⁻¹ (χ; 1).
     #[test]
     fn psi_is_the_inverse_affine_map(g in element(GROUP), chi in point::<Spinor>()) {
         let Pair(u, rho) = g;
@@ -66,7 +66,7 @@ proptest! {
         assert_near(&(u * image + rho), &chi, ROUND_OFF);
     }
 
-    /// (ξ,φ)_{C²}(χ) = −ξχ − φ, derived through exp.
+    /// The generator is (ξ,φ)_{C²}(χ) = −ξχ − φ, derived through exp.
     #[test]
     fn the_generator_is_affine(
         x in point::<AlgebraElement<SpinorGroup>>(), chi in point::<Spinor>(),
@@ -76,7 +76,7 @@ proptest! {
         assert_near(&SPINOR_MOTIONS.infinitesimal_generator::<f64>(&x, &chi), &expected, 1e-15);
     }
 
-    /// T*Ψ_{(U,ρ)⁻¹}(χ, ψ) = (U*(χ − ρ), U*ψ): derived against the paper's form.
+    /// The cotangent lift T*Ψ_{(U,ρ)⁻¹}(χ, ψ) = (U*(χ − ρ), U*ψ): derived, and in the paper's form.
     #[test]
     fn the_cotangent_lift_has_the_closed_form(g in element(GROUP), z in point::<SpinorPoint>()) {
         let lifted = CotangentLift(SPINOR_MOTIONS).act::<f64>(&g, &z);
@@ -85,7 +85,7 @@ proptest! {
         assert_near(&lifted.p.0, &(u.adjoint() * z.p.0), ROUND_OFF);
     }
 
-    /// Its generator is (−ξχ − φ, −ξψ), and is the derivative of the lifted action.
+    /// The generator of the lifted action is (−ξχ − φ, −ξψ), the derivative of that action.
     #[test]
     fn the_lifted_generator_has_the_closed_form(
         x in point::<AlgebraElement<SpinorGroup>>(), z in point::<SpinorPoint>(),
@@ -105,7 +105,7 @@ proptest! {
         assert_near(&velocity, &derivative, ROUND_OFF);
     }
 
-    /// (T*Ψ_{(U,ρ)⁻¹})*Θ₁ = Θ₁ for every (U, ρ).
+    /// The lifted action conserves Θ₁: (T*Ψ_{(U,ρ)⁻¹})*Θ₁ = Θ₁ for every (U, ρ).
     #[test]
     fn the_cotangent_lift_conserves_theta_1(g in element(GROUP), z in point::<SpinorPoint>()) {
         let g: Motion<DualNumber> = map_coordinates(&g, DualNumber::constant);
@@ -115,7 +115,7 @@ proptest! {
     }
 }
 
-/// A motion and a point without symmetry.
+/// Returns two motions and a point without symmetry.
 fn generic() -> (Motion, Motion, SpinorPoint) {
     let x = [0.4, -1.3, 0.7, 0.2, 1.1, -0.6, 0.9, -0.5];
     let from = |shift: usize| -> AlgebraElement<SpinorGroup> {
@@ -125,8 +125,8 @@ fn generic() -> (Motion, Motion, SpinorPoint) {
     (g, h, lie_poisson::Vector::from_coordinates(|i| x[i]))
 }
 
-/// Negative controls: the action is not a left one; U in place of U* on ψ does not conserve Θ₁, and
-/// translations do not conserve Θ₂.
+/// Negative controls: the action is not a left action; U instead of U* on ψ does not conserve Θ₁; translations do not
+/// conserve Θ₂.
 #[test]
 fn wrong_sides_and_wrong_lifts_are_seen() {
     let (g, h, z) = generic();

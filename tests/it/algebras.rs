@@ -1,5 +1,5 @@
-//! The algebras: Jacobi's identity, ad* against its definition, bases, inner products (2.1), (A.1),
-//! (A.2), and the Casimirs.
+//! The algebras: Jacobi's identity, ad* against its definition, bases, inner products (2.1), (A.1), (A.2), and the
+//! Casimirs.
 
 use heavytop::SpinorAlgebra;
 use lie_poisson::{
@@ -13,12 +13,12 @@ use workspace_tests::{Derived, assert_close, assert_near, persistent, point};
 
 const SPINORS: SpinorAlgebra = SemidirectAlgebra(SU2OnC2);
 
-/// Triple products of numbers up to 3, a dozen of them.
+/// The round-off of a dozen triple products of numbers up to 3.
 const ROUND_OFF: f64 = 1e-13;
 
 type Element<A> = <A as LieAlgebra>::Element<f64>;
 
-/// [ξ,[η,ζ]] + [η,[ζ,ξ]] + [ζ,[ξ,η]]
+/// Returns the Jacobi sum [ξ,[η,ζ]] + [η,[ζ,ξ]] + [ζ,[ξ,η]].
 fn jacobi<A: LieAlgebra>(algebra: &A, x: &[Element<A>; 3]) -> f64 {
     let term = |i: usize| {
         let inner = algebra.bracket::<f64>(&x[(i + 1) % 3], &x[(i + 2) % 3]);
@@ -38,7 +38,7 @@ fn laws<A: LieAlgebra>(algebra: &A, x: &[Element<A>; 3], mu: &Momentum<A>) {
     expected.add_scaled(-1.5, &bracket(xi, zeta));
     assert_near(&bracket(xi, &combination), &expected, ROUND_OFF);
 
-    // ⟨ad*_ξ μ, η⟩ = ⟨μ, [ξ, η]⟩, and against the trait's own definition
+    // The pairing ⟨ad*_ξ μ, η⟩ = ⟨μ, [ξ, η]⟩, and the trait's own definition.
     let coadjoint = algebra.coadjoint::<f64>(xi, mu);
     assert_close(coadjoint.pairing(eta), mu.pairing(&bracket(xi, eta)), ROUND_OFF);
     assert_near(&coadjoint, &Derived(algebra.clone()).coadjoint::<f64>(xi, mu), ROUND_OFF);
@@ -51,7 +51,7 @@ fn laws<A: LieAlgebra>(algebra: &A, x: &[Element<A>; 3], mu: &Momentum<A>) {
     assert_near(&algebra.coadjoint::<f64>(&bracket(xi, eta), mu), &-commutator, ROUND_OFF);
 }
 
-/// ad*_{dc(μ)} μ = 0 for every Casimir, whose differential is the derivative of its value.
+/// Checks ad*_{dc(μ)} μ = 0 for every Casimir, and that its differential is the derivative of its value.
 fn casimirs<A: Casimirs>(algebra: &A, mu: &Momentum<A>) {
     for index in 0..A::COUNT {
         let dc = algebra.casimir_differential::<f64>(index, mu);
@@ -90,7 +90,7 @@ proptest! {
         casimirs(&Se3::default(), &mu);
     }
 
-    /// Eq. (2.1): Re(ψ*φ) is the dot product on R⁴, and the pairing of T*C² with it.
+    /// The inner product of eq. (2.1): Re(ψ*φ) is the dot product on R⁴, and the pairing of T*C² with it.
     #[test]
     fn the_inner_product_of_c2(
         psi in point::<Vector2<Complex<f64>>>(), phi in point::<Vector2<Complex<f64>>>(),
@@ -101,7 +101,7 @@ proptest! {
         assert_close(Covector(psi).pairing(&phi), inner, 1e-15);
     }
 
-    /// Eqs. (A.1) and (A.2): 2 tr(ξ*η) = ½ tr(ξ̂ᵀη̂) = ξ·η.
+    /// The inner products of eqs. (A.1) and (A.2): 2 tr(ξ*η) = ½ tr(ξ̂ᵀη̂) = ξ·η.
     #[test]
     fn the_inner_products_of_su2_and_so3(
         xi in point::<Vector3<f64>>(), eta in point::<Vector3<f64>>(),
@@ -115,7 +115,7 @@ proptest! {
     }
 }
 
-/// Appendix A.1: the bases as printed, and [e_i, e_j], [ê_i, ê_j], e_i × e_j all the same.
+/// Appendix A.1: the bases are as printed, and [e_i, e_j], [ê_i, ê_j], e_i × e_j are the same.
 #[test]
 fn the_bases_are_those_of_the_appendix() {
     let c = Complex::new;
@@ -147,8 +147,8 @@ fn the_bases_are_those_of_the_appendix() {
     }
 }
 
-/// se(3) with the action of rotations on translations doubled: bilinear and antisymmetric, but
-/// ξ ↦ 2ξ× is no representation.
+/// The algebra se(3) with a doubled action of rotations on translations: bilinear and antisymmetric, but ξ ↦ 2ξ× is
+/// no representation.
 #[derive(Clone)]
 struct Doubled;
 
@@ -165,8 +165,8 @@ impl LieAlgebra for Doubled {
     }
 }
 
-/// Negative controls: the broken bracket fails Jacobi's identity though it is antisymmetric, ad*
-/// with the other sign does not pair, and functions that are no Casimirs move μ.
+/// Negative controls: the broken bracket fails Jacobi's identity though it is antisymmetric, ad* with the other sign
+/// does not pair, and functions that are no Casimirs change μ.
 #[test]
 fn broken_laws_are_seen() {
     let v = Vector3::new;

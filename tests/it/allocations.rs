@@ -1,4 +1,4 @@
-//! What goes along a trajectory allocates nothing per step.
+//! Allocations along a trajectory: there are none per step.
 #![allow(unsafe_code)] // the allocator that counts
 
 use collective_integrators::{
@@ -13,7 +13,7 @@ use std::cell::Cell;
 use std::error::Error;
 use workspace_tests::tops;
 
-/// The system's allocator, counting per thread.
+/// The system's allocator with a counter for each thread.
 struct Counting;
 
 thread_local! {
@@ -37,7 +37,7 @@ unsafe impl GlobalAlloc for Counting {
 #[global_allocator]
 static ALLOCATOR: Counting = Counting;
 
-/// The allocations that `f` makes.
+/// Returns the number of allocations that `f` makes.
 fn allocations(f: impl FnOnce() -> Result<(), Box<dyn Error>>) -> Result<usize, Box<dyn Error>> {
     let before = ALLOCATIONS.with(Cell::get);
     f()?;
@@ -50,7 +50,7 @@ fn no_step_allocates() -> Result<(), Box<dyn Error>> {
     let free = LiftFree::new(RungeKutta::gauss(2)?, DualQuaternions, top);
     let lifted = Collective::new(RungeKutta::gauss(2)?, SpinorRealisation, top);
 
-    // tops by formulas of their own, and at 0.5 by the iterations for any system
+    // The midpoint rule for tops by its formulas and, at 0.5, by the iteration for any system.
     let midpoint = TopMidpoint::new(top);
     for step in [0.01, 0.5] {
         let mut run = midpoint.trajectory(&start, step)?.skip(1).take(200);

@@ -1,5 +1,5 @@
-//! The folders of each crate show its architecture: no two files import each other, each room imports only those that
-//! `lib.rs` declares before it, and no room is crowded.
+//! The folders of each crate: no two files import each other, each folder imports only those that `lib.rs` declares
+//! before it, and no folder is crowded.
 
 use std::collections::BTreeMap;
 use std::path::Path;
@@ -12,7 +12,7 @@ const CRATES: &[&str] =
 /// The crate of the program `heavytop`.
 const PROGRAM: &str = "heavytop-cli";
 
-/// Files beside `mod.rs` or `lib.rs` in one folder.
+/// The largest number of files in one folder, beside `mod.rs` or `lib.rs`.
 const CROWDED: usize = 9;
 
 fn sources_of(name: &str) -> Sources {
@@ -20,7 +20,7 @@ fn sources_of(name: &str) -> Sources {
         .unwrap()
 }
 
-/// Imports against the order of `lib.rs`.
+/// Returns the imports that violate the order of `lib.rs`.
 fn against_the_order(sources: &Sources) -> Vec<String> {
     let order = declared_order(sources);
     let place = |file: &str| order.iter().position(|name| *name == room(file));
@@ -61,7 +61,7 @@ const PACKAGES: &[(&str, &str)] = &[
     ("heavytop-cli", "heavytop-cli"),
 ];
 
-/// Whether the manifest of a crate names a package of the workspace, for its tests too.
+/// Returns whether the manifest of a crate names a package of the workspace, for its tests too.
 fn names(folder: &str, package: &str) -> bool {
     let crates = Path::new(env!("CARGO_MANIFEST_DIR")).join("../crates");
     let manifest = std::fs::read_to_string(crates.join(folder).join("Cargo.toml")).unwrap();
@@ -76,9 +76,9 @@ fn a_crate_names_only_crates_below_it() {
             assert!(!names(folder, above), "{folder} names {above}");
         }
     }
-    // Two crates stand side by side.
+    // These two crates stand side by side.
     assert!(!names("heavytop", "lie-poisson-systems"));
-    // Negative control: what a crate does name is seen.
+    // Negative control: packages that a crate names are found.
     assert!(names("systems", "momentum-map") && names("heavytop", "collective-integrators"));
 }
 
@@ -97,7 +97,7 @@ fn no_folder_is_crowded() {
     }
 }
 
-/// Imports of a command from another command.
+/// Returns the imports of a command from another command.
 fn across_commands(sources: &Sources) -> Vec<String> {
     let command = |file: &str| {
         let (command, _) = file.strip_prefix("commands/")?.split_once('/')?;
@@ -121,7 +121,7 @@ fn no_command_imports_another() {
     assert_eq!(across_commands(&sources), [""; 0]);
 }
 
-/// File names that occur more than once, `mod.rs` excepted.
+/// Returns the file names that occur more than once, except `mod.rs`.
 fn repeated_names(sources: &Sources) -> Vec<String> {
     let mut files = BTreeMap::<&str, usize>::new();
     let name = |file: &'_ str| file.rsplit_once('/').map_or(0, |(folder, _)| folder.len() + 1);
@@ -137,7 +137,7 @@ fn file_names_of_the_program_are_unique() {
     assert_eq!(repeated_names(&sources_of(PROGRAM)), [""; 0]);
 }
 
-/// Items in `mod.rs` files that are neither declarations of modules nor re-exports.
+/// Returns the items in `mod.rs` files that are neither declarations of modules nor re-exports.
 fn code_in_mod_files(sources: &Sources) -> Vec<String> {
     let mut found = Vec::new();
     for (file, text) in sources.iter().filter(|(file, _)| file.ends_with("mod.rs")) {
@@ -161,7 +161,7 @@ fn mod_files_of_the_program_only_declare() {
     assert_eq!(code_in_mod_files(&sources_of(PROGRAM)), [""; 0]);
 }
 
-/// Negative control: what the other tests must find in sources that break their rules.
+/// Negative control: the other tests find sources that break their rules.
 #[test]
 fn broken_rules_are_found() {
     let files = [
@@ -187,7 +187,7 @@ fn broken_rules_are_found() {
     assert_eq!(against_the_order(&broken), ["low/base.rs imports high/top.rs"]);
 }
 
-/// Negative control: what the tests of the program must find.
+/// Negative control: the tests of the program find sources that break their rules.
 #[test]
 fn broken_rules_of_the_program_are_found() {
     let files = [

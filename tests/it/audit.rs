@@ -9,7 +9,7 @@ use std::path::Path;
 use workspace_tests::audit::{Drifts, HEADER, LONG, Row, SHORT, STEP, methods};
 use workspace_tests::{largest_deviation, tops};
 
-/// The lines of a table of the document, by the line that names its columns.
+/// Reads the rows of a table of the document, which the line with the names of its columns identifies.
 fn table(header: &str) -> Vec<String> {
     let path = Path::new(env!("CARGO_MANIFEST_DIR")).join("../docs/audit.md");
     let text = read_to_string(path).unwrap();
@@ -21,21 +21,21 @@ fn documented() -> Vec<Row> {
     table(HEADER).iter().map(|line| line.parse().unwrap()).collect()
 }
 
-/// Round-off of one step, in its tangent map or in a momentum.
+/// The round-off of one step, in its tangent map or in a momentum.
 const ROUND_OFF: f64 = 1e-14;
 
-/// Round-off of 10⁴ steps: of numbers of size 10, some 1e-15 a step.
+/// The round-off of 10⁴ steps: of numbers of size 10, some 1e-15 a step.
 const LONGER_ROUND_OFF: f64 = 1e-12;
 
-/// That of a slope of h over them, 200 s long.
+/// The round-off of a slope of h over these steps, 200 s long.
 const SLOPE_ROUND_OFF: f64 = 1e-14;
 
-/// Whether two numbers agree to a tenth, which the two digits of the document leave, and round-off.
+/// Returns whether two numbers agree to a tenth, which the two digits of the document leave, and round-off.
 fn near(a: f64, b: f64, round_off: f64) -> bool {
     (a - b).abs() <= 0.1 * b.abs() + round_off
 }
 
-/// The first thing in which a measured row, of SHORT steps, differs from the documented one.
+/// Returns the first quantity in which a measured row, of SHORT steps, differs from the documented one.
 fn difference(document: &Row, measured: &Row) -> Option<&'static str> {
     let order = match (document.order, measured.order) {
         // Slopes of high orders are fitted to a few points next to round-off.
@@ -51,7 +51,7 @@ fn difference(document: &Row, measured: &Row) -> Option<&'static str> {
         (Some(a), Some(b)) => a.abs_diff(b) <= b / 100,
         (a, b) => a == b,
     };
-    // What grows beyond bounds until a step fails has no digits to compare.
+    // Deviations that grow beyond bounds until a step fails have no digits to compare.
     let drifts = fails(measured).is_some() || {
         let (a, b) = (&document.short, &measured.short);
         let casimirs = [0, 1].map(|k| near(a.casimirs[k], b.casimirs[k], LONGER_ROUND_OFF));
@@ -73,9 +73,10 @@ fn difference(document: &Row, measured: &Row) -> Option<&'static str> {
     named.iter().find(|(_, agrees)| !agrees).map(|(name, _)| *name)
 }
 
-/// Whether measured drifts over SHORT steps may become these over LONG ones: the largest values do not fall;
-/// where a method promises to conserve, Casimirs grow as round-off does, no faster than linearly, and h stays
-/// within its oscillation.
+/// Returns whether measured drifts over SHORT steps are consistent with the documented ones over LONG steps.
+///
+/// The largest values do not fall. Where a method promises to conserve, Casimirs grow as round-off does, no faster
+/// than linearly, and h stays within its oscillation.
 fn may_grow(measured: &Row, long: &Drifts) -> bool {
     let (short, times) = (&measured.short, (LONG / SHORT) as f64);
     let largest = |drifts: &Drifts| [drifts.casimirs[0], drifts.casimirs[1], drifts.energy];
@@ -88,26 +89,26 @@ fn may_grow(measured: &Row, long: &Drifts) -> bool {
     grown && (!promises(measured) || (casimirs(0) && casimirs(1) && energy))
 }
 
-/// Which rows promise to be Poisson: Runge–Kutta methods that are symplectic, collectively or
-/// without a lift, and splittings.
+/// Returns whether a row promises a Poisson map: Runge–Kutta methods that are symplectic, collectively or without a
+/// lift, and splittings.
 fn promises(row: &Row) -> bool {
     let broken = ["explicit", "RK4", "DOP853", "Euler", "Verlet", "Lobatto"];
     row.formulation != "direct" && !broken.iter().any(|name| row.scheme.contains(name))
 }
 
-/// Whether a row, measured or documented, keeps what it promises; its longer run has so many steps.
+/// Returns whether a row, measured or documented, keeps its promises; its longer run has so many steps.
 fn keeps_its_claims(row: &Row, steps: u64) -> bool {
     // Slopes of high orders are fitted to few points above round-off; DOP853 has a small constant
     // at its order and shows the next one.
     let allowed = if row.claimed > 7 { 1.1 } else { 0.3 };
     let order = row.order.is_none_or(|order| (order - row.claimed as f64).abs() < allowed);
     if !promises(row) {
-        // Methods of order 8 are as good as their truncation error.
+        // The defect of these methods of order 8 is their truncation error.
         return order && row.poisson > 1e-11;
     }
     let drifts = |drifts: &Drifts, steps: u64| {
         let time = steps as f64 * STEP;
-        // Round-off that is not compensated; and h does not drift beside its oscillation.
+        // The bounds allow for round-off without compensation; h does not drift beside its oscillation.
         drifts.casimirs.iter().all(|drift| *drift < 1e-11)
             && drifts.slope.abs() * time <= 0.05 * drifts.energy + 1e-11
     };
@@ -181,7 +182,7 @@ fn differences_are_seen(document: &Row, measured: &Row) {
     }
 }
 
-/// max |deviation| of a quantity over the 5000 steps of the paper's experiment.
+/// Returns max |deviation| of a quantity over the 5000 steps of the paper's experiment.
 fn deviation(formulation: &str, invariant: Invariant) -> f64 {
     fn largest(integrator: &impl Start<Momentum = Se3Dual>, f: impl Fn(&Se3Dual) -> f64) -> f64 {
         largest_deviation(integrator, &tops::paper_start(), STEP, 5000, f).unwrap()
@@ -224,7 +225,7 @@ fn the_experiment_of_the_paper_is_as_documented() {
                 other => panic!("{other} is no quantity of the experiment"),
             };
             let found = deviation(&formulation, invariant);
-            // half a unit of the last of four digits, besides the round-off of 5000 steps
+            // The bound is half a unit of the last of four digits, plus the round-off of 5000 steps.
             let near = |x: f64| (found - x).abs() <= 5e-4 * x + LONGER_ROUND_OFF;
             assert!(near(claimed[k]) && near(measured[k]), "{formulation}, {quantity}: {found:e}");
             count += 1;

@@ -1,5 +1,5 @@
-//! Bodies that are not tops, beside the tops: a gyrostat without a rotor is the heavy top, and the realisation
-//! of the paper serves them all.
+//! Bodies that are not tops: a gyrostat without a rotor is the heavy top, and the paper's realisation integrates all
+//! of them.
 
 use collective_integrators::{Collective, RungeKutta};
 use heavytop::{HeavyTop, SpinorRealisation};
@@ -9,7 +9,7 @@ use nalgebra::{Matrix3, Vector3};
 use std::error::Error;
 use workspace_tests::{advance, largest_deviation, tops};
 
-/// The gyrostat with the moments and the weight of a top.
+/// Returns the gyrostat with the moments and the weight of a top.
 fn gyrostat(top: &HeavyTop, rotor: Vector3<f64>) -> Result<Gyrostat, Box<dyn Error>> {
     Ok(Gyrostat::new(top.inertia(), top.weight_moment(), top.center_of_mass(), rotor)?)
 }
@@ -38,7 +38,7 @@ fn a_gyrostat_without_a_rotor_is_the_heavy_top() -> Result<(), Box<dyn Error>> {
     Ok(())
 }
 
-/// The largest deviations of h, |Γ|² and Π·Γ over 1000 collective steps.
+/// Returns the largest deviations of h, |Γ|² and Π·Γ over 1000 collective steps.
 fn deviations<H>(h: H, start: &Se3Dual, step: f64) -> Result<[f64; 3], Box<dyn Error>>
 where
     H: Hamiltonian<lie_poisson::LiePoisson<Se3>> + Copy,

@@ -1,4 +1,4 @@
-//! The brackets of the paper written out, (1.2), (2.2), (2.4), (3.3), and eq. (1.1) from (1.2).
+//! The brackets of the paper, (1.2), (2.2), (2.4) and (3.3), and eq. (1.1), which follows from (1.2).
 
 use heavytop::{Body, HeavyTop, HeavyTopSpace, Invariant, SpinorAlgebra, SpinorPoint, TopError};
 use lie_poisson::{
@@ -12,7 +12,7 @@ use num_complex::Complex;
 use proptest::prelude::*;
 use workspace_tests::{assert_close, assert_near, persistent, point, tops};
 
-/// A dozen products of three numbers up to 3.
+/// The round-off of a dozen products of three numbers up to 3.
 const ROUND_OFF: f64 = 1e-13;
 
 type Covector6 = Pair<Vector3<f64>, Vector3<f64>>;
@@ -20,13 +20,13 @@ type SpinorElement = <SpinorAlgebra as LieAlgebra>::Element<f64>;
 
 const SPACE: HeavyTopSpace = LiePoisson::minus(SemidirectAlgebra(lie_poisson::SO3OnR3));
 
-/// Eq. (1.2): −Π·(f_Π × h_Π) − Γ·(f_Π × h_Γ − h_Π × f_Γ).
+/// Returns the bracket of eq. (1.2): −Π·(f_Π × h_Π) − Γ·(f_Π × h_Γ − h_Π × f_Γ).
 fn heavy_top_bracket(mu: &Se3Dual, df: &Covector6, dh: &Covector6) -> f64 {
     let Covector(Pair(pi, gamma)) = mu;
     -pi.dot(&df.0.cross(&dh.0)) - gamma.dot(&(df.0.cross(&dh.1) - dh.0.cross(&df.1)))
 }
 
-/// Eq. (3.3), with matrices in so(3) and ½ tr(·ᵀ ·).
+/// Returns the bracket of eq. (3.3), with matrices in so(3) and ½ tr(·ᵀ ·).
 fn bracket_on_se3(mu: &Se3Dual, df: &Covector6, dh: &Covector6) -> f64 {
     let Covector(Pair(pi, gamma)) = mu;
     let (f, h) = (So3.hat(&df.0), So3.hat(&dh.0));
@@ -34,7 +34,7 @@ fn bracket_on_se3(mu: &Se3Dual, df: &Covector6, dh: &Covector6) -> f64 {
     -angular - gamma.dot(&(f * dh.1 - h * df.1))
 }
 
-/// Eq. (2.4), with matrices in su(2) and 2 tr(·* ·).
+/// Returns the bracket of eq. (2.4), with matrices in su(2) and 2 tr(·* ·).
 fn bracket_on_spinors(mu: &Momentum<SpinorAlgebra>, df: &SpinorElement, dh: &SpinorElement) -> f64 {
     let Covector(Pair(mu, alpha)) = mu;
     let (f, h) = (Su2.matrix(&df.0), Su2.matrix(&dh.0));
@@ -49,7 +49,7 @@ fn fail(top: Result<HeavyTop, TopError>) -> Result<HeavyTop, TestCaseError> {
 proptest! {
     #![proptest_config(persistent())]
 
-    /// (1.2) = (3.3) = the Lie–Poisson bracket of se(3), as numbers and as a tensor.
+    /// The brackets (1.2) and (3.3) are the Lie–Poisson bracket of se(3), as numbers and as a tensor.
     #[test]
     fn the_heavy_top_bracket(
         mu in point::<Se3Dual>(), df in point::<Covector6>(), dh in point::<Covector6>(),
@@ -98,7 +98,8 @@ proptest! {
         assert_close(on_su2 + delta_alpha.dotc(&by_alpha).re, rate, ROUND_OFF);
     }
 
-    /// Eq. (2.2): ∂F/∂q·∂H/∂p − ∂F/∂p·∂H/∂q, and Ω(X_F, X_H) = {F, H} with Ω = Re(dχ ∧ dψ̄).
+    /// The canonical bracket of eq. (2.2) is ∂F/∂q·∂H/∂p − ∂F/∂p·∂H/∂q, and Ω(X_F, X_H) = {F, H} with Ω = Re(dχ ∧
+    /// dψ̄).
     #[test]
     fn the_canonical_bracket(
         z in point::<SpinorPoint>(),
@@ -117,8 +118,8 @@ proptest! {
         assert_near(&space.flat::<f64>(&h), &dh, 0.0);
     }
 
-    /// Eqs. (1.1) and (1.3): Π̇ = Π × I⁻¹Π + mgl Γ × c, Γ̇ = Γ × I⁻¹Π, from {·, h} with dh by dual
-    /// numbers of (1.3) written out.
+    /// The equations (1.1) and the Hamiltonian (1.3): Π̇ = Π × I⁻¹Π + mgl Γ × c, Γ̇ = Γ × I⁻¹Π follow from {·, h},
+    /// with dh of (1.3) by dual numbers.
     #[test]
     fn the_heavy_top_equations(mu in point::<Se3Dual>()) {
         let body = Body {
@@ -154,8 +155,7 @@ proptest! {
     }
 }
 
-/// Negative controls: the plus bracket turns every motion round, and (1.2) without its last term is
-/// not antisymmetric.
+/// Negative controls: the plus bracket reverses every motion, and (1.2) without its last term is not antisymmetric.
 #[test]
 fn other_brackets_are_seen() -> Result<(), TestCaseError> {
     let (top, mu) = (fail(tops::generic())?, tops::generic_start());

@@ -28,8 +28,8 @@ fn collective(
     Ok(Collective::new(RungeKutta::gauss(stages)?, SpinorRealisation, top))
 }
 
-/// At order 12 and steps of 1/50 the truncation error is far below round-off, of which 50 steps
-/// gather a few units of 4e-16 each.
+/// The error after t = 1. At order 12 and steps of 1/50 the truncation error is far below round-off, of which 50
+/// steps accumulate a few units of 4e-16 each.
 const AFTER_ONE: f64 = 2e-14;
 
 #[test]
@@ -52,7 +52,7 @@ fn a_generic_top_in_both_formulations() -> Outcome {
         advance(&collective(8, top)?, &start, 0.05, 200)?,
         advance(&direct(8, top)?, &start, 0.05, 200)?,
     );
-    // the flow of ten time units stretches round-off by a factor of about 100
+    // The flow of ten time units stretches round-off by a factor of about 100.
     assert_near(&both.0, &both.1, 2e-13);
     assert!((both.0 - start).max_abs() > 0.1, "it moved");
     Ok(())
@@ -74,8 +74,8 @@ fn every_lift_gives_the_same_motion() -> Outcome {
     Ok(())
 }
 
-/// The same system written out in real coordinates, q̇ = ∂H/∂p and ṗ = −∂H/∂q by hand for the free
-/// motion about the third axis, where the solution is known: a rotation of the spinors.
+/// The known solution of a free motion about the third axis is a rotation of the spinors: q̇ = ∂H/∂p and ṗ = −∂H/∂q,
+/// in real coordinates.
 #[test]
 fn a_steady_rotation_is_a_rotation_of_the_spinors() -> Outcome {
     let top = HeavyTop::free_rigid_body(Vector3::new(1.0, 1.5, 2.0))?;
@@ -95,7 +95,7 @@ fn a_steady_rotation_is_a_rotation_of_the_spinors() -> Outcome {
     Ok(())
 }
 
-/// Eq. (1.1) typed in by hand, integrated by a closure, follows the same motion.
+/// The equations (1.1), written here and integrated as a closure, give the same motion.
 #[test]
 fn the_equations_by_hand_follow_the_collective_motion() -> Outcome {
     let (top, start) = (tops::generic()?, tops::generic_start());

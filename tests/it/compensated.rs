@@ -13,7 +13,7 @@ use workspace_tests::tops;
 
 const STEPS: usize = 40_000;
 
-/// Starts of the generic top whose coordinates are no short binary fractions.
+/// Returns starts of the generic top whose coordinates are no short binary fractions.
 fn starts() -> impl Iterator<Item = Se3Dual> {
     (0..7).map(|n| {
         let turn = 0.7 * f64::from(n);
@@ -22,7 +22,7 @@ fn starts() -> impl Iterator<Item = Se3Dual> {
     })
 }
 
-/// The medians over the starts of the largest |Δf₁| and |Δf₂| in a run.
+/// Returns the medians over the starts of the largest |Δf₁| and |Δf₂| in a run.
 fn deviations(
     integrator: &impl Start<Momentum = Se3Dual>,
     step: f64,
@@ -46,7 +46,7 @@ fn deviations(
     }))
 }
 
-/// Compensation makes both deviations smaller by this factor at least.
+/// Checks that compensation makes both deviations smaller by this factor at least.
 fn gains(
     name: &str,
     plain: &impl Start<Momentum = Se3Dual>,
@@ -77,8 +77,8 @@ fn compensation_makes_round_off_smaller_in_every_formulation() -> Result<(), Box
     gains("composition", &collective, &collective.clone().compensated(), 5.0)
 }
 
-/// The collective midpoint rule with compensated summation, but of increments h k for stages that are
-/// iterated to the floor and no further: what `Compensated` does not do.
+/// The collective midpoint rule with compensated summation of unrefined increments: h k for stages that are iterated
+/// to the round-off floor and no further. `Compensated` refines them.
 struct Coarse(Collective<RungeKutta, SpinorRealisation, HeavyTop>);
 
 impl Integrator for Coarse {
@@ -113,7 +113,7 @@ impl Start for Coarse {
     }
 }
 
-/// The sums of Δf₁ and Δf₂ at the ends of runs of 131 072 steps of 1/20 from three starts.
+/// Returns the sums of Δf₁ and Δf₂ at the ends of runs of 131 072 steps of 1/20 from three starts.
 fn drifts(integrator: &impl Start<Momentum = Se3Dual>) -> Result<[f64; 2], Box<dyn Error>> {
     let values = |mu: &Se3Dual| [mu.0.1.dot(&mu.0.1), mu.0.0.dot(&mu.0.1)];
     let mut sums = [0.0; 2];
@@ -130,8 +130,10 @@ fn drifts(integrator: &impl Start<Momentum = Se3Dual>) -> Result<[f64; 2], Box<d
     Ok(sums)
 }
 
-/// Roundings of stages and of products by h have means, some hundredths of a rounding: a drift. The sums
-/// of three random walks of this length are 4e-15 and 6e-15 long (root mean squares over 48 starts); the
+/// Rounding errors of stages and of products by h are biased by some hundredths of a rounding error, which is a
+/// drift.
+///
+/// The sums of three random walks of this length are 4e-15 and 6e-15 long (root mean squares over 48 starts); the
 /// bounds are three times as much.
 #[test]
 fn compensated_steps_at_long_steps_do_not_drift() -> Result<(), Box<dyn Error>> {
@@ -144,7 +146,7 @@ fn compensated_steps_at_long_steps_do_not_drift() -> Result<(), Box<dyn Error>> 
     Ok(())
 }
 
-/// Where z slides along its fibre, the momentum of z + e is to be kept, of which that of e is DM(z) e.
+/// A slide of z along its fibre conserves the momentum of z + e, in which the part of e is DM(z) e.
 #[test]
 fn a_slide_along_the_fibre_takes_the_carry_along() -> Result<(), Box<dyn Error>> {
     let collective =
@@ -155,18 +157,18 @@ fn a_slide_along_the_fibre_takes_the_carry_along() -> Result<(), Box<dyn Error>>
     for (n, start) in (0_u32..).zip(starts()) {
         let mut z = SpinorRealisation.lift::<f64>(&start)?;
         z.q += z.p.0.map(|x| x.scale(if n % 2 == 0 { 9.3 } else { -17.7 }));
-        // as large as z, which tells more than the roundings that it stands for
+        // e is as large as z, which is a harder test than the rounding errors that it stands for.
         let e = SpinorPoint::from_coordinates(|i| (f64::from(n) + 0.7 * i as f64).sin());
         let Pair(slid, carry) = Increments::<f64>::gauged(&collective, Pair(z, e));
         assert!(slid.q.norm() < 0.9 * z.q.norm(), "start {n} has not slid");
         let (momentum, change) = (SpinorRealisation.apply(&z), carried(&z, &e));
         let kept = SpinorRealisation.apply(&slid) - momentum;
-        // roundings of products of χ and ψ
+        // The tolerance is that of rounding errors of products of χ and ψ.
         let tolerance = 4.0 * f64::EPSILON * z.q.norm() * z.p.0.norm();
         assert!(kept.max_abs() < tolerance, "{:e}", kept.max_abs());
         let gap = (carried(&slid, &carry) - change).max_abs();
         assert!(gap < 4.0 * tolerance, "{gap:e}");
-        // Control: e would carry another momentum if it stayed where it was.
+        // Control: e would have another momentum if it did not move.
         assert!((carried(&slid, &e) - change).max_abs() > 0.1);
     }
     Ok(())

@@ -1,4 +1,4 @@
-//! §5.2: what each scheme conserves, as numbers; the figures are drawn from the same runs.
+//! §5.2: the invariants that each scheme conserves, as numbers; the figures are drawn from the same runs.
 
 use collective_integrators::{Collective, Direct, HamiltonianField, Integrator, RungeKutta, Start};
 use heavytop::{HeavyTop, HeavyTopSpace, Invariant, SpinorPoint, SpinorRealisation};
@@ -29,7 +29,7 @@ fn direct(
     Ok(Direct::new(scheme, HamiltonianField { space, hamiltonian: tops::paper()? }))
 }
 
-/// max |deviation| of h, f₁, f₂, K from the paper's start.
+/// Returns max |deviation| of h, f₁, f₂, K from the paper's start.
 fn deviations<I: Start<Momentum = Se3Dual>>(
     integrator: &I,
     step: f64,
@@ -47,10 +47,10 @@ fn deviations<I: Start<Momentum = Se3Dual>>(
     Ok(largest)
 }
 
-/// "0" in the table: round-off of K, the largest of the four at 193, over 5000 steps.
+/// The bound for "0" in the table: round-off of K, the largest of the four at 193, over 5000 steps.
 const ZERO: f64 = 1e-12;
 
-/// Half a unit in the last digit given, or round-off where 0 is given.
+/// Checks each number to half a unit in the last digit given, or to round-off where 0 is given.
 fn check(computed: &[f64; 4], expected: &[f64; 4], digits: i32) {
     for (computed, &expected) in computed.iter().zip(expected) {
         if expected == 0.0 {
@@ -93,8 +93,8 @@ fn the_energy_oscillates_without_drift() -> Outcome {
     Ok(())
 }
 
-/// f₁ and f₂ to round-off for every Gauss method over 1000 steps of 1/20, for a generic top; and
-/// with them J₁ and J₂ on T*C².
+/// Every Gauss method conserves f₁ and f₂ to round-off over 1000 steps of 1/20, for a generic top, and J₁ and J₂ on
+/// T*C².
 #[test]
 fn gauss_methods_conserve_the_casimirs() -> Outcome {
     let (top, start) = (tops::generic()?, tops::generic_start());
@@ -104,7 +104,7 @@ fn gauss_methods_conserve_the_casimirs() -> Outcome {
         for invariant in casimirs {
             let value = |mu: &Se3Dual| invariant.value(&top, mu);
             let drift = largest_deviation(&gauss, &start, 0.05, 1000, value)?;
-            // a random walk of 1000 roundings of numbers of size 10: √1000 · 10 · 2e-16
+            // The bound is a random walk of 1000 rounding errors of numbers of size 10: √1000 · 10 · 2e-16.
             assert!(drift < 1e-13, "{stages} stages, {invariant}: {drift:e}");
         }
         let mut largest = 0.0;
@@ -121,8 +121,8 @@ fn gauss_methods_conserve_the_casimirs() -> Outcome {
     Ok(())
 }
 
-/// Negative control: explicit methods lose the Casimirs in the same run, whatever their order, and
-/// Gauss methods lose what is not quadratic.
+/// Negative control: explicit methods of any order do not conserve the Casimirs in the same run, and Gauss methods do
+/// not conserve what is not quadratic.
 #[test]
 fn other_methods_and_other_quantities_are_not_conserved() -> Outcome {
     let (top, start) = (tops::generic()?, tops::generic_start());

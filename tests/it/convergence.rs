@@ -1,4 +1,4 @@
-//! Orders of convergence, as slopes, for both formulations.
+//! Orders of convergence, as slopes of the error against the step, collectively and directly.
 
 use collective_integrators::{
     Collective, Direct, HamiltonianField, RungeKutta, Scheme, Start, Tableau, fitted_order,
@@ -10,17 +10,17 @@ use workspace_tests::{advance, tops};
 
 type Outcome = Result<(), Box<dyn Error>>;
 
-/// Errors below this are round-off gathered over the run, and say nothing about the order.
+/// The largest error that may be accumulated round-off; such errors do not show the order.
 const PLATEAU: f64 = 1e-12;
 
-/// A slope over a range of a factor 2 or more in the step, with an O(h) or O(h²) correction to it.
+/// The tolerance of a slope over a range of a factor 2 or more in the step, with an O(h) or O(h²) correction.
 const SLOPE: f64 = 0.25;
 
 fn field(top: HeavyTop) -> HamiltonianField<HeavyTopSpace, HeavyTop> {
     HamiltonianField { space: LiePoisson::minus(Se3::default()), hamiltonian: top }
 }
 
-/// The state after one time unit to round-off, by a method of order 16.
+/// Computes the state after one time unit to round-off, by a method of order 16.
 fn reference(top: HeavyTop, start: &Se3Dual) -> Result<Se3Dual, Box<dyn Error>> {
     advance(&Direct::new(RungeKutta::gauss(8)?, field(top)), start, 0.02, 50)
 }
@@ -76,8 +76,8 @@ fn gauss_methods_have_twice_the_order_of_their_stages() -> Outcome {
     check(&RungeKutta::gauss(4)?, &[3, 4, 5, 6, 7])
 }
 
-/// Negative control: weights spoilt in the sixth digit are seen both by the order conditions and
-/// by the slope, which the constant error of the spoilt method flattens.
+/// Negative control: weights that are wrong in the sixth digit violate the order conditions, and their constant error
+/// flattens the slope.
 #[test]
 fn a_spoilt_method_does_not_pass() -> Outcome {
     let tableau = Tableau::gauss(2)?;
@@ -89,7 +89,7 @@ fn a_spoilt_method_does_not_pass() -> Outcome {
     let method = Collective::new(RungeKutta::new(spoilt), SpinorRealisation, top);
     let slope = slope(&method, &start, &end, &[20, 30, 40, 60, 80])?;
     assert!(slope < 3.0, "{slope}");
-    // errors on the plateau are not fitted
+    // Errors on the plateau are not fitted.
     let exact = Collective::new(RungeKutta::gauss(8)?, SpinorRealisation, top);
     assert!(self::slope(&exact, &start, &end, &[50, 60, 70]).is_err());
     Ok(())

@@ -24,7 +24,7 @@ type Outcome = Result<(), Box<dyn Error>>;
 
 const SPACE: HeavyTopSpace = LiePoisson::minus(SemidirectAlgebra(SO3OnR3));
 
-/// Sums of 36 or 64 products of three numbers up to 4.
+/// The round-off of sums of 36 or 64 products of three numbers up to 4.
 const ROUND_OFF: f64 = 1e-13;
 
 const STEPS: [f64; 5] = [0.04, 0.02, 0.01, 0.005, 0.0025];
@@ -56,7 +56,7 @@ fn gauss_methods_are_poisson_with_and_without_a_lift() -> Outcome {
     Ok(())
 }
 
-/// The direct midpoint rule: 3e-5 at the paper's step, as h³.
+/// The defect of the direct midpoint rule is 3e-5 at the paper's step, and falls as h³.
 #[test]
 fn the_defect_of_the_direct_midpoint_rule_is_of_third_order() -> Outcome {
     let (midpoint, start) = (direct_midpoint(tops::paper()?), tops::paper_start());
@@ -71,7 +71,8 @@ fn the_defect_of_the_direct_midpoint_rule_is_of_third_order() -> Outcome {
     Ok(())
 }
 
-/// On T*C², without the motion along the fibres that the collective integrator makes.
+/// Symplectic schemes are symplectic on T*C², without the motion along the fibres that the collective integrator
+/// makes.
 #[test]
 fn symplectic_schemes_are_symplectic_on_the_cotangent_bundle() -> Outcome {
     for (top, start) in experiments()? {
@@ -100,8 +101,7 @@ fn symplectic_schemes_are_symplectic_on_the_cotangent_bundle() -> Outcome {
     Ok(())
 }
 
-/// The closure forms, for the flow of the fibre symmetry (a canonical transformation) and a
-/// reflection (not Poisson).
+/// The diagnostics take closures: the flow of the fibre symmetry is canonical, and a reflection is not Poisson.
 #[test]
 fn maps_by_closure() -> Outcome {
     let z = SpinorRealisation.lift(&tops::generic_start())?;
@@ -150,14 +150,13 @@ fn symmetric_methods_are_reversible() -> Outcome {
             ));
         }
         let slope = fitted_order(&points, ROUND_OFF)?;
-        // the leading errors h³ of the two steps cancel
+        // The leading errors h³ of the two steps cancel.
         assert!((slope - 4.0).abs() < 0.1, "{slope}");
     }
     Ok(())
 }
 
-/// The midpoint rule, and then a stretch of the first coordinate, with which no symmetry of the
-/// fibres commutes.
+/// The midpoint rule, followed by a stretch of the first coordinate, which commutes with no symmetry of the fibres.
 #[derive(Clone)]
 struct Stretched(RungeKutta);
 
@@ -213,7 +212,7 @@ fn runge_kutta_methods_descend() -> Outcome {
     Ok(())
 }
 
-/// What has no value is an error, not a defect.
+/// A step without a result is an error, not a defect.
 #[test]
 fn a_step_without_a_result_is_an_error() -> Outcome {
     let gauss = Collective::new(RungeKutta::gauss(2)?, SpinorRealisation, tops::paper()?);
@@ -239,7 +238,7 @@ fn energy_drift() -> Outcome {
     };
     let (midpoint, explicit) =
         (drift(RungeKutta::implicit_midpoint())?, drift(RungeKutta::explicit_midpoint())?);
-    // the oscillation over the run of 400 time units, 2e-6, bounds what is left of it
+    // The oscillation divided by the length of the run, 400 time units, is 2e-6, and bounds the slope.
     assert!(midpoint.largest < 1e-3 && midpoint.slope.abs() < 1e-7, "{midpoint:?}");
     assert!(explicit.slope.abs() > 1e-4, "{explicit:?}");
     Ok(())
@@ -256,7 +255,7 @@ fn growth_of_the_deviation_of_a_casimir() -> Outcome {
     let (mut random, mut steady) = (EnsembleGrowth::default(), EnsembleGrowth::default());
     for k in 0..64 {
         let mu = start.scaled(1.0 + 1e-3 * f64::from(k));
-        // at 0 and at 16, 32, …, 4096 steps
+        // The rows are at 0 and at 16, 32, …, 4096 steps.
         let chosen = |step: u64| step == 0 || (step >= 16 && step.is_power_of_two());
         let values = |s: &Sample<Se3Dual, Se3Dual>| (s.time, casimir.value(&top, &s.momentum));
         let run = walk.trajectory(&mu, 0.05)?.take(4097).collect::<Result<Vec<_>, _>>()?;

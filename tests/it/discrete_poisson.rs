@@ -13,11 +13,11 @@ type Outcome = Result<(), Box<dyn Error>>;
 
 const SPACE: HeavyTopSpace = LiePoisson::minus(SemidirectAlgebra(SO3OnR3));
 
-/// Entries of Dφ Λ Dφᵀ are sums of 36 products of three numbers up to 4.
+/// The round-off of the entries of Dφ Λ Dφᵀ, sums of 36 products of three numbers up to 4.
 const ROUND_OFF: f64 = 1e-13;
 
-/// One step of an integrator as a map of se(3)* over dual numbers; NaN where a step fails, which
-/// no comparison survives.
+/// Returns one step of an integrator as a map of se(3)* over dual numbers; NaN where a step fails, so that every
+/// comparison fails.
 fn map<I>(integrator: &I, mu: &Se3Dual<DualNumber>, h: f64) -> Se3Dual<DualNumber>
 where
     I: Start<DualNumber, Momentum = Se3Dual<DualNumber>>,
@@ -30,7 +30,7 @@ where
     step().unwrap_or_else(|_| Vector::from_coordinates(|_| DualNumber::constant(f64::NAN)))
 }
 
-/// max |Dφ Λ Dφᵀ − Λ∘φ| at μ, with Dφ by dual numbers.
+/// Returns max |Dφ Λ Dφᵀ − Λ∘φ| at μ, with Dφ by dual numbers.
 fn defect<I>(integrator: &I, mu: &Se3Dual, h: f64) -> f64
 where
     I: Start<DualNumber, Momentum = Se3Dual<DualNumber>>,
@@ -60,7 +60,7 @@ fn symplectic_methods_descend_to_poisson_maps() -> Outcome {
     Ok(())
 }
 
-/// The Casimirs of the image, as functions: d(c∘φ) = dc, for Gauss methods and not for others.
+/// The Casimirs of the image have the same differentials: d(c∘φ) = dc, for Gauss methods and not for others.
 #[test]
 fn casimirs_are_carried_over() -> Outcome {
     let (top, start) = (tops::generic()?, tops::generic_start());

@@ -1,4 +1,4 @@
-//! Many members at once: each as if it were alone, to the last bit.
+//! Many members at once: each has the bits of its own trajectory.
 
 use collective_integrators::{
     Alternating, BatchIntegrator, CHECKPOINT, Collective, Compensated, Composition, Direct,
@@ -19,7 +19,7 @@ use std::slice;
 use std::sync::Mutex;
 use workspace_tests::tops;
 
-/// Tops from fast to slow, near rest and far from it, so that their iterations differ.
+/// Returns tops from fast to slow, near rest and far from it, so that their iterations differ.
 fn momenta(count: usize) -> Vec<Se3Dual> {
     let x = [1.2, -0.7, 2.3, 0.4, 0.8, -0.5];
     let speed = |n: usize| [0.01, 0.3, 1.0, 2.0, 0.1][n % 5] * (1.0 + 1e-3 * n as f64);
@@ -36,7 +36,7 @@ fn bits<V: Vector<Scalar = f64>>(v: &V) -> Vec<u64> {
 type State<I> = <I as Integrator<f64>>::State;
 type Failures = Vec<(usize, u64)>;
 
-/// The bits of all members after some steps over the lanes T, and who failed at which step.
+/// Returns the bits of all members after some steps over the SIMD lanes T, and which member failed at which step.
 fn advanced<I, T>(integrator: I, members: &[State<I>], h: f64, n: u64) -> (Vec<Vec<u64>>, Failures)
 where
     I: Integrator<f64> + Integrator<T> + Sync,
@@ -51,7 +51,7 @@ where
     (members.iter().map(bits).collect(), failures)
 }
 
-/// The same by trajectories, and all numbers of iterations that occurred.
+/// Returns the same by trajectories, and all numbers of iterations that occurred.
 fn alone<I>(
     integrator: &I,
     members: &[State<I>],
@@ -102,7 +102,7 @@ macro_rules! same_bits_at_every_width {
             let members: Vec<_> = momenta(21).iter().map(start).collect();
             let (ends, failures, iterations) = alone(&integrator, &members, $h, $steps);
             assert_eq!(iterations.len() > 1, $differing, "{iterations:?}");
-            // some go on
+            // Some members do not fail.
             assert!(failures.len() < members.len() / 2, "{failures:?}");
             for set in InstructionSet::available() {
                 for width in Width::ALL {
@@ -173,7 +173,7 @@ same_bits_at_every_width! {
         ReducedMidpoint::new(Automatic(Body)), 1.5, 20, true;
 }
 
-/// A top by its formula.
+/// A top given by its formula.
 #[derive(Clone)]
 struct Body;
 
@@ -184,7 +184,7 @@ impl Energy for Body {
     }
 }
 
-/// Kernels go on threads by the same call, and know a member by nothing but itself.
+/// Kernels run on threads by the same call, and depend on nothing of a member but its state.
 #[test]
 fn kernels_are_run_by_the_same_call() {
     let members: Vec<_> = momenta(300).iter().map(|mu| (top(), *mu)).collect();
@@ -215,7 +215,7 @@ fn kernels_are_run_by_the_same_call() {
     assert_eq!(run(unfused, 1) != one, fused);
 }
 
-/// The widths above are those of this machine; elsewhere there may be fewer.
+/// The widths above are those of this machine; others may have fewer.
 #[test]
 fn every_machine_has_three_widths() {
     let sets: Vec<_> = InstructionSet::available().map(|set| set.to_string()).collect();
@@ -223,7 +223,7 @@ fn every_machine_has_three_widths() {
     assert!(sets.len() <= 3 && sets[0] == InstructionSet::Portable.to_string());
 }
 
-/// NaN, then an infinity, in every lane of two groups: it is reported, the others keep their bits.
+/// A member that is NaN or infinite, in every lane of two groups, is reported, and the others keep their bits.
 #[test]
 fn a_member_that_is_no_number_harms_no_other() {
     let integrator = free(gauss(2));
@@ -248,7 +248,7 @@ fn a_member_that_is_no_number_harms_no_other() {
     assert_eq!(advanced::<_, DefaultLanes>(integrator, &all, 0.05, 10).1.len(), 5);
 }
 
-/// ẋ = x², which blows up at t = 1/x(0).
+/// The vector field ẋ = x², whose solution is infinite at t = 1/x(0).
 #[derive(Clone)]
 struct BlowUp;
 
@@ -295,7 +295,7 @@ fn threads_do_not_matter() {
     for threads in [2, 3] {
         let (many, same_failures) = run(threads);
         assert!(same(&one, &many) && failures.len() == 2);
-        // compared by what they print, since the residual of a NaN is a NaN
+        // Failures are compared as text, since the residual of a NaN is a NaN.
         assert_eq!(format!("{failures:?}"), format!("{same_failures:?}"));
     }
     assert_eq!([failures[0].index, failures[1].index], [17, 4321]);
@@ -305,7 +305,7 @@ fn threads_do_not_matter() {
     };
     assert_eq!([start(0), start(1)], [Some(4), Some(0)]);
 
-    // streamed, on two threads
+    // The members are streamed, on two threads.
     let streamed = Mutex::new(vec![Se3Dual::zero(); members.len()]);
     let count = members.len() as u64;
     let start = |index: u64| match index {
@@ -325,7 +325,7 @@ fn threads_do_not_matter() {
         });
     });
     let mut streamed = streamed.into_inner().unwrap();
-    // Negative control: what failed is not the same; it never moved.
+    // Negative control: a member that failed differs; it never moved.
     assert!(!same(&streamed, &one));
     for failure in &failures {
         streamed[failure.index as usize] = one[failure.index as usize];
@@ -333,7 +333,7 @@ fn threads_do_not_matter() {
     assert!(same(&streamed, &one));
 }
 
-/// A run in calls that meet at checkpoints is the run in one.
+/// A run in calls that meet at checkpoints is the run in one call.
 #[test]
 fn runs_meet_at_checkpoints() {
     let ensemble = Ensemble::new(Laned::new(lifted(gauss(2))));
@@ -347,11 +347,11 @@ fn runs_meet_at_checkpoints() {
         members.iter().map(bits).collect::<Vec<_>>()
     };
     assert_eq!(run(CHECKPOINT), run(end));
-    // Negative control: elsewhere the memory of the steps before is lost.
+    // Negative control: calls that meet elsewhere lose the memory of the steps before.
     assert_ne!(run(3), run(end));
 }
 
-/// L = q × p, the angular momentum of a particle: no top.
+/// The angular momentum L = q × p of a particle, which is no top.
 #[derive(Clone)]
 struct AngularMomentum;
 type Phase = CotangentBundle<RealSpace<3>>;

@@ -1,4 +1,4 @@
-//! An error says what its causes do not say: printed with its causes, nothing is said twice.
+//! Messages of errors: an error does not repeat its causes, so that nothing is printed twice.
 
 use collective_integrators::diagnostics::{DriftError, StepMapError};
 use collective_integrators::{
@@ -10,7 +10,7 @@ use std::error::Error;
 use std::fs;
 use std::path::{Path, PathBuf};
 
-/// What an error and its causes say, the error first.
+/// Returns the messages of an error and its causes, the error first.
 fn chain(error: &dyn Error) -> Vec<String> {
     let mut said = vec![error.to_string()];
     let causes = std::iter::successors(error.source(), |&cause| cause.source());
@@ -18,7 +18,7 @@ fn chain(error: &dyn Error) -> Vec<String> {
     said
 }
 
-/// Whether an error of the chain says what a later one says.
+/// Returns whether an error of the chain repeats the message of a later one.
 fn repeats(error: &dyn Error) -> bool {
     let said = chain(error);
     (1..said.len()).any(|n| said[..n].iter().any(|earlier| earlier.contains(&said[n])))
@@ -46,13 +46,13 @@ fn errors_of_the_libraries_do_not_repeat_their_causes() {
     for error in &errors {
         assert!(!repeats(error.as_ref()), "{:?}", chain(error.as_ref()));
     }
-    // Together they say all.
+    // The errors of the chain together say all.
     let member = chain(errors[1].as_ref());
     assert_eq!(member, ["member 7", "step 5 at t = 0.5", &source.to_string()]);
     assert_eq!(chain(errors[2].as_ref())[..], member[1..]);
 }
 
-/// The control.
+/// Negative control: an error that repeats its cause is found.
 #[test]
 fn an_error_that_repeats_its_cause_is_seen() {
     #[derive(Debug)]
@@ -75,7 +75,7 @@ fn an_error_that_repeats_its_cause_is_seen() {
     assert_eq!(faults(sound), 0);
 }
 
-/// How many messages in a text of Rust contain the source of their error.
+/// Returns how many messages in a Rust source contain the source of their error.
 fn faults(text: &str) -> usize {
     let messages = text.split("#[error(").skip(1);
     let repeats = |message: &str| {

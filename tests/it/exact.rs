@@ -7,7 +7,7 @@ use nalgebra::{Vector2, Vector3};
 use num_complex::Complex;
 use workspace_tests::{Rational, rational_samples};
 
-/// {M_i, M_j} = Λ_ij ∘ M for every pair of coordinates, at rational points.
+/// Returns whether {M_i, M_j} = Λ_ij ∘ M for every pair of coordinates, at rational points.
 fn is_poisson<M: PoissonMap>(map: &M) -> bool {
     let dimension = TargetPoint::<M, Rational>::DIM;
     rational_samples::<SourcePoint<M, Rational>>(3).iter().all(|z| {
@@ -38,7 +38,7 @@ fn the_other_realisations_are_poisson() {
     assert!(is_poisson(&PowerMap::<_, 2>(HOPF)));
 }
 
-/// M as the paper prints it in real coordinates, with two signs wrong in Γ.
+/// The map M as the paper prints it in real coordinates, with two signs wrong in Γ.
 #[derive(Clone)]
 struct Misprint;
 
@@ -142,7 +142,7 @@ fn the_fibre_symmetry_and_its_momenta() {
         let moved = SpinorRealisation.flow(0, Rational::new(-7, 3), &z);
         assert_eq!(SpinorRealisation.apply(&moved), mu);
         let [j1, j2] = [0, 1].map(|index| SpinorRealisation.momentum(index, &z));
-        // f₁ = 4J₁² and f₂ = J₁J₂
+        // The relations f₁ = 4J₁² and f₂ = J₁J₂.
         assert_eq!(Se3::default().casimir(0, &mu), j1 * j1 * 4.0);
         assert_eq!(Se3::default().casimir(1, &mu), j1 * j2);
     }

@@ -12,7 +12,7 @@ use proptest::prelude::*;
 use std::error::Error;
 use workspace_tests::{assert_close, largest_deviation, persistent, point, tops};
 
-/// d/dt of an invariant along the heavy top equations, {f, h}(μ), by dual numbers.
+/// Returns d/dt of an invariant along the heavy top equations, {f, h}(μ), by dual numbers.
 fn rate(invariant: Invariant, top: &HeavyTop, mu: &Se3Dual) -> f64 {
     let space: HeavyTopSpace = LiePoisson::minus(Se3::default());
     let velocity = space.hamiltonian_vector::<f64>(mu, &top.differential(mu));
@@ -37,7 +37,7 @@ fn equator(angle: f64) -> Vector3<f64> {
     Vector3::new(angle.cos(), angle.sin(), 0.0)
 }
 
-/// h = 11.75, f₁ = 1, f₂ = 1+2√3, K = 193 at the start, to the round-off of a dozen operations.
+/// At the start h = 11.75, f₁ = 1, f₂ = 1+2√3 and K = 193, to the round-off of a dozen operations.
 #[test]
 fn the_values_at_the_start() -> Result<(), TopError> {
     let (top, start) = (tops::paper()?, tops::paper_start());
@@ -73,7 +73,7 @@ proptest! {
     ) {
         let top = top(Vector3::new(1.4, 1.4, 0.7), moment, equator(angle))?;
         prop_assert!(top.is_kovalevskaya());
-        // products of five numbers up to 10, a few dozen of them, cancelling
+        // The bound is for a few dozen products of five numbers up to 10, which cancel.
         prop_assert!(rate(Invariant::Kovalevskaya, &top, &mu).abs() <= 2e-11);
         let by_hand = {
             let Covector(Pair(pi, gamma)) = mu;
@@ -84,7 +84,7 @@ proptest! {
         assert_close(Invariant::Kovalevskaya.value(&top, &mu), by_hand, 1e-13);
     }
 
-    /// dG/dt = −mgl Π₂ (Π·Γ) for c = e₁; in general Π₂ becomes c₁Π₂ − c₂Π₁.
+    /// The invariant G changes by dG/dt = −mgl Π₂ (Π·Γ) for c = e₁; in general Π₂ becomes c₁Π₂ − c₂Π₁.
     #[test]
     fn g_changes_as_documented(mu in point::<Se3Dual>(), angle in -3.2..3.2_f64) {
         let inertia = Vector3::new(2.8, 2.8, 0.7);
@@ -96,14 +96,14 @@ proptest! {
             let expected = -moment * (c.x * pi.y - c.y * pi.x) * pi.dot(&gamma);
             assert_close(rate(Invariant::GoryachevChaplygin, &top, &mu), expected, 2e-13);
         }
-        // on the level Π·Γ = 0 it is conserved
+        // On the level Π·Γ = 0 it is conserved.
         let gamma = pi.cross(&gamma);
         let level = Se3Dual::new(pi, gamma);
         let top = top(inertia, 1.7, equator(0.0))?;
         prop_assert!(rate(Invariant::GoryachevChaplygin, &top, &level).abs() <= 2e-12);
     }
 
-    /// f₃ = Π₃ is conserved by Lagrange's top; h, f₁ and f₂ by all.
+    /// The invariant f₃ = Π₃ is conserved by Lagrange's top; h, f₁ and f₂ by all tops.
     #[test]
     fn the_other_invariants_are_conserved(mu in point::<Se3Dual>()) {
         let lagrange = fail(HeavyTop::lagrange(1.5, 0.8, 2.0))?;
@@ -134,7 +134,7 @@ fn other_tops_do_not_conserve_them() -> Result<(), TestCaseError> {
     Ok(())
 }
 
-/// Along the exact flow, here a method of order 12 over ten time units.
+/// The invariants are conserved along the exact flow, here a method of order 12 over ten time units.
 #[test]
 fn conserved_along_exact_solutions() -> Result<(), Box<dyn Error>> {
     let run = |top: HeavyTop, start: &Se3Dual, invariant: Invariant| {
@@ -143,7 +143,7 @@ fn conserved_along_exact_solutions() -> Result<(), Box<dyn Error>> {
         largest_deviation(&gauss, start, 0.02, 500, value)
     };
     let paper = tops::paper_start();
-    // K = 193 with 500 roundings of terms of that size: 193 · √500 · 2e-16
+    // K = 193 has 500 rounding errors of terms of that size: 193 · √500 · 2e-16.
     assert!(run(tops::paper()?, &paper, Invariant::Kovalevskaya)? < 1e-11);
     let lagrange = HeavyTop::lagrange(1.5, 0.8, 2.0)?;
     assert!(run(lagrange, &paper, Invariant::AxialMomentum)? < 1e-13);

@@ -17,14 +17,14 @@ const FOUR: [Invariant; 4] = [
 
 const M: SpinorRealisation = SpinorRealisation;
 
-/// {a, b}(μ) for all pairs of the four functions, with derivatives by dual numbers.
+/// Returns {a, b}(μ) for all pairs of the four functions, with derivatives by dual numbers.
 fn brackets(top: &HeavyTop, mu: &Se3Dual) -> DMatrix<f64> {
     let space: HeavyTopSpace = LiePoisson::minus(Se3::default());
     let d = FOUR.map(|f| differential(|mu: &Se3Dual<DualNumber>| f.value(top, mu), mu));
     DMatrix::from_fn(4, 4, |i, j| space.bracket::<f64>(mu, &d[i], &d[j]))
 }
 
-/// The same for the pull-backs F∘M on T*C².
+/// Returns the same brackets for the pull-backs F∘M on T*C².
 fn canonical_brackets(top: &HeavyTop, z: &SpinorPoint) -> DMatrix<f64> {
     let d = FOUR.map(|f| {
         differential(|z: &SpinorPoint<DualNumber>| f.value(top, &M.apply::<DualNumber>(z)), z)
@@ -40,7 +40,7 @@ fn fail(top: Result<HeavyTop, TopError>) -> Result<HeavyTop, TestCaseError> {
     top.map_err(|e| TestCaseError::fail(e.to_string()))
 }
 
-/// Eq. (4.2).
+/// Returns the collective Hamiltonian of eq. (4.2).
 fn expanded(top: &HeavyTop, z: &SpinorPoint) -> f64 {
     let (chi, psi) = (z.q, z.p.0);
     let (i, c) = (top.inertia(), top.center_of_mass());
@@ -54,7 +54,7 @@ fn expanded(top: &HeavyTop, z: &SpinorPoint) -> f64 {
     (first + second + third) / 8.0 + top.weight_moment() * height
 }
 
-/// Eq. (4.5); `sign` is that of its −2 Re(χ₁ψ̄₂χ₂ψ̄₁).
+/// Returns the collective Hamiltonian of eq. (4.5); `sign` is that of its −2 Re(χ₁ψ̄₂χ₂ψ̄₁).
 fn expanded_lagrange(top: &HeavyTop, z: &SpinorPoint, sign: f64) -> f64 {
     let (chi, psi) = (z.q, z.p.0);
     let (a, b) = (chi.x * psi.y.conj(), chi.y * psi.x.conj());
@@ -69,17 +69,17 @@ proptest! {
 
     #[test]
     fn a_lagrange_top_is_in_involution(mu in point::<Se3Dual>()) {
-        // sums of a dozen products of four numbers up to 3
+        // The bound is for sums of a dozen products of four numbers up to 3.
         prop_assert!(largest(&brackets(&lagrange()?, &mu)) <= 1e-13);
     }
 
     #[test]
     fn its_pull_backs_are_in_involution(z in point::<SpinorPoint>()) {
-        // products of eight numbers up to 3, for f₁∘M and f₂∘M are of degree four
+        // The bound is for products of eight numbers up to 3, since f₁∘M and f₂∘M are of degree four.
         prop_assert!(largest(&canonical_brackets(&lagrange()?, &z)) <= 2e-11);
     }
 
-    /// For any top the Casimirs are in involution with everything.
+    /// The Casimirs are in involution with every function, for any top.
     #[test]
     fn casimirs_are_in_involution_with_everything(mu in point::<Se3Dual>()) {
         let brackets = brackets(&fail(tops::generic())?, &mu);
@@ -97,8 +97,8 @@ proptest! {
     }
 }
 
-/// Negative control: f₃ of a generic top is not in involution with h, upstairs or downstairs, and
-/// (4.5) with the sign turned is another function.
+/// Negative control: f₃ of a generic top is not in involution with h, on se(3)* or on T*C², and (4.5) with the other
+/// sign is another function.
 #[test]
 fn a_generic_top_is_not() -> Result<(), TestCaseError> {
     let x = [0.3, -1.1, 0.7, 1.9, -0.4, 1.3, 0.8, -2.1];
@@ -106,8 +106,8 @@ fn a_generic_top_is_not() -> Result<(), TestCaseError> {
     let generic = fail(tops::generic())?;
     let bracket = brackets(&generic, &M.apply(&z))[(0, 3)];
     assert!(bracket.abs() > 0.1);
-    // M is Poisson: the bracket upstairs is the pull-back of the one downstairs, to the round-off
-    // of products of eight numbers.
+    // M is Poisson: the bracket on T*C² is the pull-back of the one on se(3)*, to the round-off of products of eight
+    // numbers.
     assert_close(canonical_brackets(&generic, &z)[(0, 3)], bracket, 1e-13);
     let (top, mu) = (lagrange()?, M.apply(&z));
     let turned = expanded_lagrange(&top, &z, 1.0);

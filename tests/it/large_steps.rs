@@ -1,5 +1,5 @@
-//! A step far too large works through Newton's iteration or fails with an error that says so; it
-//! never returns a wrong state.
+//! Steps that are far too large: they converge through Newton's iteration, or fail with an error that says so. They
+//! never return a wrong state.
 
 use collective_integrators::{
     Collective, Direct, HamiltonianField, LiftFree, RungeKutta, StageSolver, Start, StepError,
@@ -20,7 +20,7 @@ fn casimirs(mu: &Se3Dual) -> [f64; 2] {
     [mu.0.1.dot(&mu.0.1), mu.0.0.dot(&mu.0.1)]
 }
 
-/// One step, with the solver's iterations.
+/// Makes one step, and returns it with the iterations of the solver.
 fn step<I: Start<f64, Momentum = Se3Dual>>(
     integrator: &I,
     h: f64,
@@ -42,8 +42,8 @@ fn large_steps_keep_what_the_method_promises_or_fail() {
         for h in [0.2, 0.5, 1.0, 2.0, 10.0, 1e3, 1e6, 1e12, 1e30, 1e150, 1e300] {
             let lifted = step(&Collective::new(scheme.clone(), SpinorRealisation, top()), h);
             let free = step(&LiftFree::new(scheme.clone(), DualQuaternions, top()), h);
-            // The lift-free form keeps the Casimirs whatever its stages are: they must be right
-            // too. Beyond a turn or two the equations have several solutions.
+            // The lift-free form conserves the Casimirs whatever its stages are: they must be right too. Beyond a
+            // turn or two the equations have several solutions.
             if h <= 1.0 {
                 let ((a, _), (b, _)) = (lifted.unwrap(), free.unwrap());
                 assert!((a - b).max_abs() < 1e-12, "{h}: {:e}", (a - b).max_abs());
@@ -53,7 +53,7 @@ fn large_steps_keep_what_the_method_promises_or_fail() {
                     Ok((mu, _)) => {
                         solved += 1;
                         let [g1, g2] = casimirs(&mu);
-                        // A few roundings of f₂ = 4.5, whatever the step.
+                        // The bound is a few rounding errors of f₂ = 4.5, whatever the step.
                         assert!((g1 - f1).abs() < 2e-14, "{h}: {g1}");
                         assert!((g2 - f2).abs() < 2e-14, "{h}: {g2}");
                     }

@@ -1,12 +1,12 @@
-//! docs/paper.md and docs/audit.md name tests, docs/notation.md and docs/paper.md items; here is the
-//! test that they exist.
+//! The tests and items that the documents name exist: tests in docs/paper.md and docs/audit.md, items in
+//! docs/notation.md and docs/paper.md.
 
 use std::collections::BTreeMap;
 use std::error::Error;
 use std::fs;
 use std::path::Path;
 
-/// The names of functions in each file of `tests/it`.
+/// Returns the text of each file of `tests/it`, by its name.
 fn functions() -> Result<BTreeMap<String, String>, Box<dyn Error>> {
     let mut files = BTreeMap::new();
     for entry in fs::read_dir(Path::new(env!("CARGO_MANIFEST_DIR")).join("it"))? {
@@ -19,12 +19,12 @@ fn functions() -> Result<BTreeMap<String, String>, Box<dyn Error>> {
     Ok(files)
 }
 
-/// Whether the text defines the function, also through a macro that is given `name:`.
+/// Returns whether the text defines the function, also through a macro that is given `name:`.
 fn defines(text: &str, name: &str) -> bool {
     text.contains(&format!("fn {name}(")) || text.contains(&format!("    {name}: "))
 }
 
-/// The `file::name` of a cell in backquotes, where both are lower case: an item has capitals.
+/// Finds the `file::name` in backquotes of a text, where both are lower case: an item has capitals.
 fn named(text: &str) -> impl Iterator<Item = (&str, &str)> {
     let lower = |s: &str| !s.is_empty() && !s.chars().any(|c| c.is_uppercase() || c == ' ');
     let quoted = text.split('`').skip(1).step_by(2);
@@ -82,7 +82,7 @@ fn every_numbered_statement_has_a_row() -> Result<(), Box<dyn Error>> {
     Ok(())
 }
 
-/// The text of all files of the crates and of these tests' library.
+/// Appends the text of all files below a folder.
 fn sources(folder: &Path, text: &mut String) -> Result<(), Box<dyn Error>> {
     for entry in fs::read_dir(folder)? {
         let path = entry?.path();
@@ -95,7 +95,7 @@ fn sources(folder: &Path, text: &mut String) -> Result<(), Box<dyn Error>> {
     Ok(())
 }
 
-/// Whether a type, trait, constant, function, or variant without fields has this name.
+/// Returns whether a type, trait, constant, function, or variant without fields has this name.
 fn is_item(text: &str, name: &str) -> bool {
     let ends = |rest: &str| !rest.starts_with(|c: char| c.is_alphanumeric() || c == '_');
     let keywords = ["struct", "enum", "trait", "type", "const", "fn"];
@@ -117,10 +117,10 @@ fn every_item_named_in_the_notation_and_the_ledger_exists() -> Result<(), Box<dy
     for (page, least) in [("docs/notation.md", 150), ("docs/paper.md", 60)] {
         let page_text = fs::read_to_string(root.join(page))?;
         let quoted = page_text.split('`').skip(1).step_by(2);
-        // Of the ledger only what has a capital: the rest are tests and commands.
+        // In the paper's table only names with a capital are items: the others are tests and commands.
         let items = quoted.filter(|s| page != "docs/paper.md" || s.contains(char::is_uppercase));
         let words = items.flat_map(|s| s.split(|c: char| !c.is_alphanumeric() && c != '_'));
-        // One letter is a parameter, a digit the value of one.
+        // One letter is a parameter, and a digit the value of one.
         let names = words.filter(|w| w.len() > 1 && w.is_ascii() && !foreign.contains(w));
         let mut count = 0;
         for name in names {
@@ -129,7 +129,7 @@ fn every_item_named_in_the_notation_and_the_ledger_exists() -> Result<(), Box<dy
         }
         assert!(count > least, "only {count} items were found in {page}");
     }
-    // Negative control: a name of which another is the beginning, and the other way round.
+    // Negative control: a name of which another is the beginning, in both directions.
     assert!(is_item(&text, "SpinorMotions") && !is_item(&text, "SpinorMotion"));
     assert!(!is_item(&text, "SpinorMotionsOfC2"));
     Ok(())

@@ -1,4 +1,4 @@
-//! Collective methods without a lift equal those with one, and keep their promises.
+//! Collective methods without a lift: they equal those with one, and keep their promises.
 
 use collective_integrators::diagnostics::step_poisson_defect;
 use collective_integrators::{Collective, Integrator, LiftFree, RungeKutta, Start};
@@ -38,7 +38,7 @@ fn vehicle() -> Kirchhoff {
     Kirchhoff::new(a, b, Matrix3::new(0.5, 0.0, 0.1, 0.0, 0.7, -0.1, 0.1, -0.1, 0.3)).unwrap()
 }
 
-/// The distance of the two forms after `steps` steps, relative to the size of the start.
+/// Returns the distance of the two forms after `steps` steps, relative to the size of the start.
 fn distance<H>(scheme: &RungeKutta, h: &H, start: &Se3Dual, step: f64, steps: usize) -> f64
 where
     H: Hamiltonian<LiePoisson<Se3>> + Clone,
@@ -73,8 +73,7 @@ fn ten_thousand_steps_are_the_same_to_what_round_off_grows_to() {
     for scheme in [RungeKutta::implicit_midpoint(), RungeKutta::gauss(2).unwrap()] {
         let gap = distance(&scheme, &kovalevskaya, &start, 0.02, 10_000);
         assert!(gap < 2e-11, "{gap:e}");
-        // This vehicle is chaotic: what it makes of an error of 10⁻¹² bounds what it may make of
-        // round-off.
+        // This vehicle is chaotic: the growth of an error of 10⁻¹² bounds the growth of round-off.
         let gentle = Se3Dual::new(Vector3::new(0.4, -0.8, 0.6), Vector3::new(0.5, 0.3, -0.9));
         let nudged = Se3Dual::new(Vector3::new(0.4 + 1e-12, -0.8, 0.6), gentle.0.1);
         let free = LiftFree::new(scheme.clone(), DualQuaternions, vehicle());
@@ -173,7 +172,8 @@ fn lift_free_gauss_methods_are_poisson_and_rk4_is_not() {
     assert!(poisson_defect(&rk4, 0.5) > 1e-4);
 }
 
-/// The largest |χ| over a run of the collective midpoint rule, with and without the gauge.
+/// The largest |χ| over a run of the collective midpoint rule differs with and without the gauge; the momentum does
+/// not.
 #[test]
 fn the_gauge_keeps_chi_bounded_and_the_momentum_as_it_is() {
     let top = HeavyTop::lagrange(2.0, 1.0, 1.0).unwrap();
@@ -189,9 +189,9 @@ fn the_gauge_keeps_chi_bounded_and_the_momentum_as_it_is() {
         })
     };
     let ((bounded, a), (growing, b)) = (run(&gauged), run(&free));
-    // The least χ is 12.0 long all along; it grows to √2 of that before it is shortened.
+    // The least χ has the length 12.0 throughout; it grows to √2 of that before it is shortened.
     assert!(bounded < 17.5, "{bounded}");
     assert!(growing > 400.0, "{growing}");
-    // The long χ has cost the other run digits.
+    // The long χ makes the other run lose digits.
     assert!((a - b).max_abs() < 1e-9, "{:e}", (a - b).max_abs());
 }

@@ -10,10 +10,10 @@ use workspace_tests::{
     assert_close, assert_near, momentum_with_vertical, persistent, point, relative_error, tops,
 };
 
-/// Square roots and a dozen products, each rounded once.
+/// The round-off of square roots and a dozen products.
 const ROUND_OFF: f64 = 1e-14;
 
-/// The matrix A(p) of the proof of Proposition 2.2: Π = A(p) q.
+/// Returns the matrix A(p) of the proof of Proposition 2.2: Π = A(p) q.
 #[rustfmt::skip]
 fn matrix_a(p: &Vector4<f64>) -> Matrix3x4<f64> {
     Matrix3x4::new( p[3], -p[2],  p[1], -p[0],
@@ -25,7 +25,7 @@ fn real(z: &SpinorPoint) -> (Vector4<f64>, Vector4<f64>) {
     (map_coordinates(&z.q, |x| x), map_coordinates(&z.p, |x| x))
 }
 
-/// Relative errors of Π and Γ, each against its own size.
+/// Returns the relative errors of Π and Γ, each against its own size.
 fn errors(a: &Se3Dual, b: &Se3Dual) -> (f64, f64) {
     (relative_error(&a.0.0, &b.0.0), relative_error(&a.0.1, &b.0.1))
 }
@@ -51,7 +51,7 @@ proptest! {
         check(&mu)?;
     }
 
-    /// A Aᵀ = (‖p‖²/4) I, and Π = A(p) q.
+    /// The matrix satisfies A Aᵀ = (‖p‖²/4) I, and Π = A(p) q.
     #[test]
     fn a_is_a_multiple_of_an_isometry(z in point::<SpinorPoint>()) {
         let (q, p) = real(&z);
@@ -61,8 +61,8 @@ proptest! {
         assert_near(&SpinorRealisation.apply(&z).0.0, &(a * q), 1e-14);
     }
 
-    /// Sliding along the fibre leaves at most a third of the way to the least norm, where χ is √2 times
-    /// as long or longer. Far from it, what is left is a rounding of the way.
+    /// One slide along the fibre leaves at most a third of the way to the least norm, where χ is √2 times as long or
+    /// longer. From far away, a rounding error of the way is left.
     #[test]
     fn sliding_leads_towards_the_least_norm(mu in momentum_with_vertical(), b in -20.0..20.0_f64) {
         let z = SpinorRealisation.lift(&mu).map_err(|e| TestCaseError::fail(e.to_string()))?;
@@ -85,7 +85,7 @@ proptest! {
         let Covector(Pair(pi, gamma)) = mu;
         let unit = gamma / gamma.amax();
         let gamma = unit.normalize() * size;
-        // away from Γ ∥ −e₃, where ψ₁ = 0
+        // The momenta stay away from Γ ∥ −e₃, where ψ₁ = 0.
         let gamma = if gamma.z < -0.5 * size { -gamma } else { gamma };
         let mu = Se3Dual::new(pi, gamma);
         let z = SpinorRealisation
@@ -93,7 +93,7 @@ proptest! {
             .map_err(|e| TestCaseError::fail(e.to_string()))?;
         assert_close(z.q.x.re, re_chi1, 1e-13);
         prop_assert!(z.p.0.x.im.abs() <= 1e-15 * gamma.norm() && z.p.0.x.re > 0.0);
-        // χ is up to 1e3 long here, and cancels in Π
+        // χ is up to 1e3 long here, and cancels in Π.
         assert_near(&SpinorRealisation.apply(&z).0.0, &pi, 1e-12);
         assert_near(&SpinorRealisation.apply(&z).0.1, &gamma, 1e-14);
     }
@@ -119,7 +119,7 @@ fn the_poles_and_the_equator() -> Result<(), TestCaseError> {
     Ok(())
 }
 
-/// Γ = 0 and what is not a number have no lift, and neither has one bad lane among good ones.
+/// Γ = 0 and NaN have no lift, and neither has one bad lane among good ones.
 #[test]
 fn what_has_no_lift_is_an_error() {
     let (pi, nan) = (Vector3::new(1.0, 2.0, 3.0), Vector3::new(0.0, f64::NAN, 1.0));
@@ -149,7 +149,7 @@ fn what_has_no_lift_is_an_error() {
     assert!(SpinorRealisation.lift(&Se3Dual::new(zero, gamma(0.0))).is_err());
 }
 
-/// χ(0) and ψ(0) of §5.2.
+/// Returns χ(0) and ψ(0) of §5.2.
 fn paper_point() -> SpinorPoint {
     let (r2, r3, r6) = (2.0_f64.sqrt(), 3.0_f64.sqrt(), 6.0_f64.sqrt());
     let c = Complex::new;
@@ -166,10 +166,10 @@ fn the_initial_condition_of_the_paper() -> Result<(), LiftError> {
     assert_near(&SpinorRealisation.apply(&paper_point()), &tops::paper_start(), ROUND_OFF);
     let lifted = SpinorRealisation.lift_with(&tops::paper_start(), 1.0)?;
     assert_near(&lifted, &paper_point(), ROUND_OFF);
-    // the least lift is another one, on the same fibre
+    // The least lift is another one, on the same fibre.
     let least = SpinorRealisation.lift(&tops::paper_start())?;
     assert!((least - lifted).max_abs() > 0.1);
-    // by bψ with a power of two for b, until χ is less than √2 times as long as the least
+    // The slide is bψ with a power of two for b, until χ is less than √2 times as long as the least.
     let mut near = SpinorRealisation.flow(0, 20.0, &lifted);
     for _ in 0..4 {
         near += SpinorRealisation.gauge(&near);

@@ -1,4 +1,4 @@
-//! Lyapunov exponents against closed forms and against equations, Jacobians and methods written here.
+//! Lyapunov exponents against closed forms, and against equations, Jacobians and methods that are written here.
 
 use collective_integrators::{
     Integrator, LiftFree, LyapunovExponents, RungeKutta, VariationalFlow,
@@ -12,7 +12,7 @@ use workspace_tests::tops;
 
 type Outcome<T = ()> = Result<T, Box<dyn Error>>;
 
-/// (Π, Γ)
+/// The state (Π, Γ) as a vector of six numbers.
 type State = SVector<f64, 6>;
 type Tangents = SMatrix<f64, 6, 6>;
 
@@ -24,14 +24,14 @@ fn joined(pi: Vector3<f64>, gamma: Vector3<f64>) -> State {
     State::from_fn(|i, _| if i < 3 { pi[i] } else { gamma[i - 3] })
 }
 
-/// dΠ/dt = Π × Ω + m g l Γ × c, dΓ/dt = Γ × Ω.
+/// The equations dΠ/dt = Π × Ω + m g l Γ × c, dΓ/dt = Γ × Ω.
 struct Equations {
     inverse_inertia: Vector3<f64>,
     weight: Vector3<f64>,
 }
 
 impl Equations {
-    /// Those of [`tops::generic`], from its parameters.
+    /// Returns the equations of [`tops::generic`], from its parameters.
     fn generic() -> Self {
         let weight = Vector3::new(2.0, -3.0, 6.0) / 7.0 * (0.7 * 9.81 * 0.2);
         Self { inverse_inertia: Vector3::new(1.0, 1.0 / 1.4, 1.0 / 2.1), weight }
@@ -60,7 +60,7 @@ impl Equations {
     }
 }
 
-/// One step of the classical Runge–Kutta method.
+/// Makes one step of the classical Runge–Kutta method.
 fn rk4<V>(x: &V, h: f64, rate: impl Fn(&V) -> V) -> V
 where
     V: Clone + core::ops::Add<V, Output = V> + core::ops::Mul<f64, Output = V>,
@@ -72,10 +72,10 @@ where
     x.clone() + (k1 + (k2 + k3) * 2.0 + k4) * (h / 6.0)
 }
 
-/// The exponents up to a time by steps of h of the variational equation and Householder's QR.
+/// Returns the exponents up to a time by steps of h of the variational equation and Householder's QR.
 fn by_householder(start: &State, h: f64, time: f64) -> [f64; 6] {
     let equations = Equations::generic();
-    // the state in the first column, the tangent vectors in the others
+    // The state is in the first column, the tangent vectors are in the others.
     let mut both = SMatrix::<f64, 6, 7>::zeros();
     both.set_column(0, start);
     both.fixed_columns_mut::<6>(1).copy_from(&Tangents::identity());
@@ -99,8 +99,10 @@ fn by_householder(start: &State, h: f64, time: f64) -> [f64; 6] {
     sums.map(|sum| sum / time)
 }
 
-/// The maximal exponent up to a time: the growth of the distance of two trajectories, which is put back to
-/// `near` after each step. The second one starts beside the first in the direction of Π₁.
+/// Returns the maximal exponent up to a time, from the distance of two trajectories.
+///
+/// The distance is reset to `near` after each step. The second trajectory starts beside the first in the direction of
+/// Π₁.
 ///
 /// Source: G. Benettin, L. Galgani & J.-M. Strelcyn, *Kolmogorov entropy and numerical experiments*,
 /// Phys. Rev. A 14 (1976).
@@ -134,14 +136,14 @@ fn the_spectrum_of_a_chaotic_top_is_that_of_its_variational_equation() -> Outcom
     let mut items = LyapunovExponents::<_, 6>::new(&gauss, chaotic_start(), 0.05);
     let found = items.nth(999).ok_or("no item")??.exponents;
     let [coarse, fine] = [0.005, 0.0025].map(|h| by_householder(&chaotic_state(), h, 50.0));
-    // RK4 errs by a fifteenth of what halving its step changes
+    // The error of RK4 is a fifteenth of what halving its step changes.
     let gap = |a: &[f64; 6], b: &[f64; 6]| {
         a.iter().zip(b).fold(0.0, |gap: f64, (a, b)| larger(gap, (a - b).abs()))
     };
     let tolerance = gap(&coarse, &fine);
     assert!(gap(&found, &fine) < tolerance && tolerance < 1e-7, "{found:?} {fine:?}");
 
-    // Distances of 1e-8 between points of size 3 have relative roundings of 7e-8, whose sum over n = 20 000
+    // Distances of 1e-8 between points of size 3 have relative rounding errors of 7e-8, whose sum over n = 20 000
     // steps is √n of that. Divided by 50 s it is 2e-7, and the bound is ten times as much.
     let pair = by_two_trajectories(&chaotic_state(), 1e-8, 0.0025, 50.0);
     assert!((pair - found[0]).abs() < 2e-6, "{pair} {}", found[0]);
@@ -151,8 +153,8 @@ fn the_spectrum_of_a_chaotic_top_is_that_of_its_variational_equation() -> Outcom
     Ok(())
 }
 
-/// The exponents from a state, which is an equilibrium, after a transient in which the tangent vectors have
-/// taken their directions; in decreasing order.
+/// Returns the exponents from an equilibrium, in decreasing order, after a transient in which the tangent vectors
+/// have taken their directions.
 fn at_equilibrium<I, const K: usize>(
     integrator: &I,
     state: <I as Integrator>::State,
@@ -173,7 +175,7 @@ where
     Ok(exponents)
 }
 
-/// Rotation about the middle axis: ±m √((1/I₁ − 1/I₂)(1/I₂ − 1/I₃)), and 0 along the axis.
+/// Rotation about the middle axis has the exponents ±m √((1/I₁ − 1/I₂)(1/I₂ − 1/I₃)), and 0 along the axis.
 #[test]
 fn a_rotation_about_the_middle_axis_has_its_exponents() -> Outcome {
     let moments = Vector3::new(1.0, 1.7, 2.3);
@@ -182,17 +184,17 @@ fn a_rotation_about_the_middle_axis_has_its_exponents() -> Outcome {
     let rate = 1.3 * ((a - b) * (b - c)).sqrt();
     let found = at_equilibrium::<_, 3>(&body, Covector(Vector3::y() * 1.3))?;
     for (found, exact) in found.iter().zip([rate, 0.0, -rate]) {
-        // round-off of the lengths, and an eighth-order error in the rate
+        // The errors are round-off of the lengths, and an eighth-order error in the rate.
         assert!((found - exact).abs() < 1e-12, "{found} {exact}");
     }
-    // Control: about the axis of the largest moment it is stable.
+    // Control: rotation about the axis of the largest moment is stable.
     let stable = at_equilibrium::<_, 3>(&body, Covector(Vector3::z() * 1.3))?;
     assert!(stable.iter().all(|x| x.abs() < 1e-1 * rate), "{stable:?}");
     Ok(())
 }
 
-/// Lagrange's top, upright and too slow: ±√(4 I₁ m g l − Π₃²)/2I₁ twice, for it falls in any direction, and 0 for
-/// Π₃ and Γ₃.
+/// Lagrange's upright and slow top has the exponents ±√(4 I₁ m g l − Π₃²)/2I₁ twice, for it falls in any direction,
+/// and 0 for Π₃ and Γ₃.
 #[test]
 fn a_slow_upright_top_has_its_exponents() -> Outcome {
     let (transverse, weight, spin) = (2.0, 0.9, 1.1_f64);

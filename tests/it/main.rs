@@ -1,4 +1,4 @@
-//! What needs two crates: the statements of the paper, and the promises of the documentation.
+//! The checks that need two crates: the statements of the paper, and the promises of the documentation.
 #![allow(clippy::unwrap_used, clippy::panic)]
 
 mod actions;
@@ -41,6 +41,6 @@ mod symmetries;
 mod tangent_vectors;
 mod varpi;
 
-/// The tutorial is a test.
+/// The tutorial `docs/write_your_own.rs`, which runs as a test.
 #[path = "../../docs/write_your_own.rs"]
 mod write_your_own;

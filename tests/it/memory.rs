@@ -1,4 +1,4 @@
-//! Stages that are guessed from the steps before: fewer iterations, the same steps, runs that resume.
+//! Stages that are guessed from the steps before: fewer iterations, the same steps, and runs that resume.
 
 use collective_integrators::{
     Alternating, CHECKPOINT, Collective, Composition, Direct, HamiltonianField, Integrator,
@@ -29,7 +29,7 @@ fn lift_free(s: usize) -> LiftFree<RungeKutta, DualQuaternions, HeavyTop> {
     LiftFree::new(RungeKutta::gauss(s).unwrap(), DualQuaternions, top())
 }
 
-/// No top: the closed midpoint rule solves for velocities by iteration.
+/// Returns the closed midpoint rule of a body that is no top: it solves for velocities by iteration.
 fn closed() -> ReducedMidpoint<Kirchhoff> {
     let diagonal = |x, y, z| Matrix3::from_diagonal(&Vector3::new(x, y, z));
     let coupling = diagonal(0.1, 0.05, -0.05);
@@ -44,7 +44,7 @@ fn direct(s: usize) -> Direct<RungeKutta, Field> {
     Direct::new(RungeKutta::gauss(s).unwrap(), field)
 }
 
-/// Iterations of some steps, and the last momentum.
+/// Returns the number of iterations of some steps, and the last momentum.
 fn run<I>(integrator: &I, h: f64, steps: usize, forget: bool) -> (f64, Se3Dual)
 where
     I: Start<f64, Momentum = Se3Dual>,
@@ -63,7 +63,7 @@ where
     (iterations as f64, integrator.momentum(&state))
 }
 
-/// Iterations with guesses, as a part of those without; the runs agree to what round-off grows to.
+/// Returns the iterations with guesses, divided by those without; the runs agree up to the growth of round-off.
 fn ratio<I: Start<f64, Momentum = Se3Dual>>(integrator: &I, h: f64) -> f64 {
     let ((warm, a), (cold, b)) = (run(integrator, h, 500, false), run(integrator, h, 500, true));
     assert!((a - b).max_abs() < 1e-11, "{:e}", (a - b).max_abs());
@@ -94,16 +94,16 @@ fn guesses_save_iterations() {
     let lobatto = PartitionedRungeKutta::<Alternating>::lobatto_iiia_iiib(3).unwrap();
     let lobatto = Collective::that_does_not_descend(lobatto, SpinorRealisation, top());
     assert!(ratio(&lobatto, 0.02) < 0.95);
-    // substeps of equal size go on from each other, across the ends of steps too
+    // Substeps of equal size continue from each other, across the ends of steps too.
     let suzuki = Composition::new(RungeKutta::gauss(6).unwrap(), Substeps::suzuki(12).unwrap());
     assert!(ratio(&LiftFree::new(suzuki.clone(), DualQuaternions, top()), 0.2) < 0.95);
     assert!(ratio(&Collective::new(suzuki, SpinorRealisation, top()), 0.2) < 0.95);
-    // Negative control: substeps of different sizes have nothing to guess from.
+    // Negative control: substeps of different sizes give no guesses.
     let uneven = Substeps::new(&[0.2, 0.5, 0.3]).unwrap();
     assert_eq!(ratio(&Composition::new(lift_free(4), uneven), 0.02), 1.0);
 }
 
-/// Steps that Newton's iteration has to solve are the same, and cost the same, with a memory.
+/// Steps that Newton's iteration has to solve are the same with a memory, and cost the same.
 #[test]
 fn large_steps_are_not_misled() {
     for s in [1, 2, 4] {
@@ -116,12 +116,12 @@ fn large_steps_are_not_misled() {
     }
 }
 
-/// A workspace may have seen anything: another field, another size, another method.
+/// A workspace may have served another field, another size or another method.
 #[test]
 fn a_wrong_memory_costs_iterations_and_no_digits() {
     let slow = from_fn(|z: &Vector2<f64>| Vector2::new(z.y, -z.x));
     let fast = from_fn(|z: &Vector2<f64>| Vector2::new(-3.0 * z.y + 0.1, z.x * z.x));
-    // Of those in the second line equally many stage derivatives are remembered.
+    // The methods in the second line remember equally many stage derivatives.
     let methods =
         [(1, 2), (2, 3), (4, 4), (8, 1), (4, 2), (2, 4), (6, 3), (3, 6), (10, 1), (1, 10)];
     let histories = (0..12).flat_map(|before| [0.0, 1e-14, 1.0].map(|kick| (before, kick)));
@@ -145,7 +145,7 @@ fn a_wrong_memory_costs_iterations_and_no_digits() {
     }
 }
 
-/// Whether the run that is resumed from the sample with this number goes on bit for bit.
+/// Returns whether the run that is resumed from the sample with this number continues bit for bit.
 fn resumes<I: Start<f64, Momentum = Se3Dual>>(integrator: &I, h: f64, number: u64) -> bool {
     let whole = integrator.trajectory(&tops::paper_start(), h).unwrap();
     let mut whole = whole.skip(usize::try_from(number).unwrap());
@@ -187,7 +187,8 @@ fn steps_beyond_a_checkpoint_are_those_of_a_trajectory() {
     }
 }
 
-/// Past a checkpoint, and with the tangents renewed now and then.
+/// The state of a variational flow equals the trajectory's beyond a checkpoint, and where the tangents are renewed
+/// now and then.
 #[test]
 fn the_state_of_a_variational_flow_is_that_of_the_trajectory() {
     let start = tops::paper_start();
@@ -203,7 +204,7 @@ fn the_state_of_a_variational_flow_is_that_of_the_trajectory() {
     }
 }
 
-/// (ξB)B⁻¹ = ξ, and not with another B.
+/// Checks that (ξB)B⁻¹ = ξ, and that another B does not give ξ.
 fn undoes<M: Multipliers>(
     multipliers: &M,
     xi: &Differential<M::Space>,

@@ -1,5 +1,5 @@
-//! §2.3: the momentum map L, derived from the action, against the paper's closed form; its
-//! equivariance; and Remark 2.1, what SE(3) acting on R³ would give instead.
+//! §2.3: the momentum map L, derived from the action, against the paper's closed form; its equivariance; and Remark
+//! 2.1, the momentum map of SE(3) acting on R³.
 
 use heavytop::{SPINOR_MOTIONS, SpinorGroup, SpinorMotions, SpinorPoint, SpinorRealisation};
 use lie_poisson::{
@@ -20,7 +20,7 @@ const L: MomentumMap<SpinorMotions> = MomentumMap(SPINOR_MOTIONS);
 
 type SpinorMomentum = Momentum<heavytop::SpinorAlgebra>;
 
-/// L(χ,ψ) = (¼(χψ* − ψχ* − i Im(ψ*χ) I), −ψ), with the matrix read off in the basis e_j.
+/// Returns L(χ,ψ) = (¼(χψ* − ψχ* − i Im(ψ*χ) I), −ψ), with the matrix read off in the basis e_j.
 fn closed_form(z: &SpinorPoint) -> SpinorMomentum {
     let (chi, psi) = (z.q, z.p.0);
     let trace = Complex::new(0.0, psi.dotc(&chi).im);
@@ -37,11 +37,11 @@ proptest! {
         assert_near(&L.apply::<f64>(&z), &closed_form(&z), 1e-15);
     }
 
-    /// ⟨L(χ,ψ), (ξ,φ)⟩ = Θ₁·(ξ,φ)_{C²} = −Re(ψ*(ξχ + φ)).
+    /// The map L pairs as it is defined: ⟨L(χ,ψ), (ξ,φ)⟩ = Θ₁·(ξ,φ)_{C²} = −Re(ψ*(ξχ + φ)).
     #[test]
     fn l_pairs_as_defined(z in point::<SpinorPoint>(), x in point::<AlgebraElement<SpinorGroup>>()) {
         let expected = -z.p.0.dotc(&(Su2.matrix(&x.0) * z.q + x.1)).re;
-        // eight products of three numbers up to 3
+        // The bound is for eight products of three numbers up to 3.
         assert_close(L.apply::<f64>(&z).pairing(&x), expected, 1e-14);
     }
 
@@ -53,7 +53,7 @@ proptest! {
         assert_near(&L.generator::<f64>(&x, &z), &Derived(L).generator::<f64>(&x, &z), 1e-15);
     }
 
-    /// L ∘ T*Ψ_{(U,ρ)⁻¹} = Ad*_{(U,ρ)} ∘ L.
+    /// The map L is equivariant: L ∘ T*Ψ_{(U,ρ)⁻¹} = Ad*_{(U,ρ)} ∘ L.
     #[test]
     fn l_is_equivariant(z in point::<SpinorPoint>(), g in element(GROUP)) {
         let moved = CotangentLift(SPINOR_MOTIONS).act::<f64>(&g, &z);
@@ -129,7 +129,7 @@ proptest! {
         let (q, p) = (z.q, z.p.0);
         assert_near(&image, &Se3Dual::new(-q.cross(&p), -p), 1e-15);
         let Covector(Pair(pi, gamma)) = image;
-        // six products of three numbers up to 3, cancelling
+        // The bound is for six products of three numbers up to 3, which cancel.
         prop_assert!(pi.dot(&gamma).abs() <= 1e-13);
         prop_assert!(map_defect(&map, &z) <= 1e-13);
         let moved = CotangentLift(RigidMotions).act::<f64>(&g, &z);

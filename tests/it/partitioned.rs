@@ -1,5 +1,5 @@
-//! Erratum 6 to §5.1: a symplectic scheme that treats q and p differently is not equivariant
-//! under χ ↦ χ + bψ. It neither descends to se(3)* nor conserves f₁.
+//! Erratum 6 to §5.1: a symplectic scheme that treats q and p differently is not equivariant under χ ↦ χ + bψ. It
+//! neither descends to se(3)* nor conserves f₁.
 //!
 //! The schemes are written here as plain maps of T*C²; [`Collective::new`](collective_integrators::Collective::new) takes them only if
 //! someone promises that they are [`Equivariant`](collective_integrators::Equivariant).
@@ -22,7 +22,7 @@ fn fixed_point<T: Real>(
     (0..60).fold(guess, |z, _| f(&z))
 }
 
-/// p₁ = p₀ − h H_q(q₀, p₁), q₁ = q₀ + h H_p(q₀, p₁): implicit in p.
+/// Makes a step of symplectic Euler, implicit in p: p₁ = p₀ − h H_q(q₀, p₁), q₁ = q₀ + h H_p(q₀, p₁).
 fn euler_p_first<T: Real>(system: &System, z: &SpinorPoint<T>, h: f64) -> SpinorPoint<T> {
     let h = T::from_f64(h);
     let middle = fixed_point(*z, |guess| Cotangent {
@@ -33,7 +33,8 @@ fn euler_p_first<T: Real>(system: &System, z: &SpinorPoint<T>, h: f64) -> Spinor
     Cotangent { q, p: middle.p }
 }
 
-/// q₁ = q₀ + h H_p(q₁, p₀), p₁ = p₀ − h H_q(q₁, p₀): implicit in q; the adjoint of the other.
+/// Makes a step of symplectic Euler, implicit in q, the adjoint of the other: q₁ = q₀ + h H_p(q₁, p₀), p₁ = p₀ − h
+/// H_q(q₁, p₀).
 fn euler_q_first<T: Real>(system: &System, z: &SpinorPoint<T>, h: f64) -> SpinorPoint<T> {
     let h = T::from_f64(h);
     let middle = fixed_point(*z, |guess| Cotangent {
@@ -44,13 +45,13 @@ fn euler_q_first<T: Real>(system: &System, z: &SpinorPoint<T>, h: f64) -> Spinor
     Cotangent { q: middle.q, p }
 }
 
-/// Störmer–Verlet: half a step of each.
+/// Makes a step of Störmer–Verlet: half a step of each Euler method.
 fn stoermer_verlet<T: Real>(system: &System, z: &SpinorPoint<T>, h: f64) -> SpinorPoint<T> {
     euler_q_first(system, &euler_p_first(system, z, 0.5 * h), 0.5 * h)
 }
 
 fn midpoint<T: Real>(system: &System, z: &SpinorPoint<T>, h: f64) -> SpinorPoint<T> {
-    // The scheme on T*C² itself: the collective integrator also moves along the fibre.
+    // The step is that of the scheme on T*C² itself: the collective integrator also moves along the fibre.
     let scheme = RungeKutta::implicit_midpoint();
     let step = scheme.step::<T, _>(system, z, h, &mut scheme.workspace());
     step.map_or_else(|_| z.scaled(T::from_f64(f64::NAN)), |step| step.point)
@@ -61,7 +62,7 @@ fn paper() -> Result<(System, SpinorPoint), Box<dyn Error>> {
     Ok((system, SpinorRealisation.lift_with(&tops::paper_start(), 1.0)?))
 }
 
-/// max |DΦᵀ Ω DΦ − Ω| over pairs of basis vectors.
+/// Returns max |DΦᵀ Ω DΦ − Ω| over pairs of basis vectors.
 fn symplectic_defect(
     step: impl Fn(&SpinorPoint<DualNumber>) -> SpinorPoint<DualNumber>,
     z: &SpinorPoint,
@@ -82,8 +83,8 @@ fn symplectic_defect(
     largest
 }
 
-/// All of them are symplectic on T*C², to the round-off of products of numbers up to 10; the
-/// explicit midpoint rule, as negative control, is not.
+/// All of these schemes are symplectic on T*C², to the round-off of products of numbers up to 10. The explicit
+/// midpoint rule, as negative control, is not.
 #[test]
 fn they_are_symplectic() -> Outcome {
     let (system, z) = paper()?;
@@ -99,7 +100,7 @@ fn they_are_symplectic() -> Outcome {
     Ok(())
 }
 
-/// f₁ at the end minus f₁ at the start, over 1000 steps of 1/50.
+/// Returns f₁ at the end minus f₁ at the start, over 1000 steps of 1/50.
 fn change_of_f1(
     step: impl Fn(&SpinorPoint) -> SpinorPoint,
     z: SpinorPoint,
@@ -121,7 +122,7 @@ fn they_lose_f1() -> Outcome {
         change_of_f1(|z| euler_q_first(&system, z, 0.02), z)?,
     ];
     euler.sort_by(f64::total_cmp);
-    // to the digits given
+    // The numbers agree to the digits given.
     assert!((euler[0] + 0.98).abs() < 0.005 && (euler[1] - 33.9).abs() < 0.05);
     let verlet = change_of_f1(|z| stoermer_verlet(&system, z, 0.02), z)?;
     assert!((verlet + 0.033).abs() < 0.0005);
@@ -129,8 +130,8 @@ fn they_lose_f1() -> Outcome {
     Ok(())
 }
 
-/// Two lifts of one momentum, apart by bψ with b = 1, have different images after a step: there is
-/// no map of se(3)*. The midpoint rule sends both to one point.
+/// Two lifts of one momentum, apart by bψ with b = 1, have different images after a step: there is no map of se(3)*.
+/// The midpoint rule sends both to one point.
 #[test]
 fn they_do_not_descend() -> Outcome {
     let (system, z) = paper()?;

@@ -1,4 +1,4 @@
-//! Corollary 3.2: M is a Poisson map, and so are the maps it is made of.
+//! Corollary 3.2: M is a Poisson map, and so are the maps of which it is composed.
 
 use heavytop::{HeavyTopSpace, SPINOR_MOTIONS, SpinorPoint, SpinorRealisation, Varpi};
 use lie_poisson::{
@@ -12,12 +12,12 @@ use nalgebra::{SVector, Vector3};
 use proptest::prelude::*;
 use workspace_tests::{assert_near, bracket_defects, largest, map_defect, persistent, point};
 
-/// Brackets of quadratic maps are sums of at most 16 products of coordinates up to 3; 1e-13 is
-/// their round-off with a factor 3 in hand.
+/// The round-off of brackets of quadratic maps, sums of at most 16 products of coordinates up to 3, with a factor 3
+/// in hand.
 const ROUND_OFF: f64 = 1e-13;
 
-/// M in real coordinates as the paper prints it in eq. (4.1): the second row of Γ and the sign in
-/// the first are wrong. The right form is beside it.
+/// Returns M in real coordinates, as the paper prints it in eq. (4.1) or in the right form. In print the second row
+/// of Γ and the sign in the first are wrong.
 fn real_form<T: Real>(z: &SpinorPoint<T>, printed: bool) -> Se3Dual<T> {
     let q: SVector<T, 4> = map_coordinates(&z.q, |x| x);
     let p: SVector<T, 4> = map_coordinates(&z.p, |x| x);
@@ -67,12 +67,12 @@ proptest! {
     /// The complex form of eq. (4.1) against its real form with Γ corrected.
     #[test]
     fn the_corrected_real_form_is_the_complex_form(z in point::<SpinorPoint>()) {
-        // three to five products each
+        // The bound is for three to five products each.
         assert_near(&SpinorRealisation.apply(&z), &real_form(&z, false), 1e-15);
     }
 }
 
-/// A point where no bracket vanishes by accident.
+/// Returns a point where no bracket vanishes by accident.
 fn generic() -> SpinorPoint {
     let x = [0.3, -1.1, 0.7, 1.9, -0.4, 1.3, 0.8, -2.1];
     SpinorPoint::from_coordinates(|i| x[i])
@@ -105,8 +105,7 @@ fn the_misprint_hides_for_real_psi() {
     assert_near(&real_form(&z, true), &real_form(&z, false), 0.0);
 }
 
-/// Negative controls of the measure itself: the plus bracket, exchanged roles of q and p, and a
-/// factor 2 are each seen.
+/// Negative controls of the measure itself: it detects the plus bracket, exchanged roles of q and p, and a factor 2.
 #[test]
 fn wrong_brackets_and_wrong_maps_are_seen() {
     let space = CotangentBundle(ComplexSpace::<2>);

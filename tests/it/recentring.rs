@@ -16,7 +16,7 @@ use nalgebra::{Vector2, Vector3};
 use proptest::prelude::*;
 use workspace_tests::{persistent, point};
 
-/// A definite quadratic Hamiltonian without symmetry: 𝔤∗ is explored, and bounded.
+/// A definite quadratic Hamiltonian without symmetry, whose motions explore 𝔤∗ and stay bounded.
 struct Quadratic<P>(PhantomData<P>);
 
 impl<P: PoissonSpace> Energy for Quadratic<P> {
@@ -45,7 +45,7 @@ fn midpoint<M: PoissonMap>(map: M) -> Collective<RungeKutta, M, Automatic<Quadra
     Collective::new(RungeKutta::implicit_midpoint(), map, Automatic(Quadratic(PhantomData)))
 }
 
-/// The momentum after some steps of 1/20 from z.
+/// Returns the momentum after some steps of 1/20 from z.
 fn after<M: PoissonMap>(map: M, z: SourcePoint<M>, steps: usize) -> Point<M::Target> {
     let integrator = midpoint(map);
     let last = integrator.trajectory_from(z, 0.05).nth(steps);
@@ -55,8 +55,8 @@ fn after<M: PoissonMap>(map: M, z: SourcePoint<M>, steps: usize) -> Point<M::Tar
 proptest! {
     #![proptest_config(persistent())]
 
-    /// The least point of the line q + sp is known. A call leaves 1/256 of the way to it; a point within some
-    /// thirty times its distance from the origin stays.
+    /// The least point of the line q + sp is known. A call leaves 1/256 of the way to it; a point within some thirty
+    /// times its distance from the origin stays.
     #[test]
     fn a_particle_comes_back_along_its_line(
         q in point::<Vector3<f64>>(), p in point::<Vector3<f64>>(), s in 50.0..1e6_f64, a in -100..100_i32, b in -100..100_i32,
@@ -75,7 +75,7 @@ proptest! {
         prop_assert!(off.0.1.norm() / b < known);
     }
 
-    /// Hyperbolas, along which z grows exponentially.
+    /// The fibres are hyperbolas, along which z grows exponentially.
     #[test]
     fn a_plane_of_opposite_forms_comes_back(
         u in point::<Vector3<f64>>(), v in point::<Vector3<f64>>(), s in 3.0..9.0_f64, sign in prop::bool::ANY,
@@ -156,24 +156,24 @@ fn lanes_and_tangent_vectors_are_moved_alike() {
     assert!(value != far(1));
 }
 
-/// The stage equations of a z far along its fibre have no solution but to the round-off of M.
+/// The stage equations of a z far along its fibre are solvable only to the round-off of M.
 #[test]
 fn a_run_from_a_far_point_of_the_fibre_is_the_run_from_a_near_one() {
     let (u, v) = (Vector3::new(0.3, -1.0, 0.7), Vector3::new(0.9, 0.4, -0.5));
     let p = [v + u.cross(&v), u - v];
-    // Σ w_i × p_i = 0
+    // The momentum Σ w_i × p_i is 0.
     let w = [p[1], p[0]];
     assert!((w[0].cross(&p[0]) + w[1].cross(&p[1])).norm() < 1e-15);
     let at = |s: f64| Cotangent::new(Power([u + w[0] * s, v + w[1] * s]), Covector(Power(p)));
     let reference = after(TWO_FIELDS, at(0.0), 100);
     for s in [10.0, 1e3, 1e5] {
         let gap = (after(TWO_FIELDS, at(s), 100) - reference).max_abs();
-        // The rounding of the start, and what 100 steps make of it.
+        // The bound is the rounding error of the start, and its growth over 100 steps.
         assert!(gap < 1e-13 * s, "{s} {gap:e}");
     }
 }
 
-/// z drifts by a number like 1 in a unit of time. A run keeps it within a few hundred, for ever.
+/// A long run keeps z within a few hundred, though z drifts by a number like 1 in a unit of time.
 #[test]
 fn long_runs_stay_near_and_resume_to_the_bit() {
     let z = Cotangent::new(Vector3::new(0.3, -1.0, 0.7), Covector(Vector3::new(0.9, 0.4, -0.5)));
@@ -193,7 +193,7 @@ fn long_runs_stay_near_and_resume_to_the_bit() {
     }
 }
 
-/// The same with compensated summation, whose errors a change of lift does not enlarge.
+/// Compensated runs stay near, too, and a change of lift does not enlarge their errors.
 #[test]
 fn compensated_runs_stay_near_too() {
     let mu = Se3Dual::new(Vector3::new(0.5, 1.0, -0.5), Vector3::new(1.0, 0.0, 1.0));

@@ -1,4 +1,4 @@
-//! The closed form of the midpoint rule on se(3)*.
+//! The closed form of the midpoint rule on se(3)*, against the collective rule.
 
 use collective_integrators::diagnostics::step_poisson_defect;
 use collective_integrators::{Composition, LiftFree, RungeKutta, Start, Substeps, fitted_order};
@@ -39,7 +39,7 @@ fn the_closed_form_is_the_one_stage_method() {
         assert!(gap(&vehicle(), step, 1) < 1e-14);
     }
     assert!(gap(&top(), 0.02, 5000) < 1e-11, "{:e}", gap(&top(), 0.02, 5000));
-    // the control: another step is another map
+    // Control: another step is another map.
     let other = ReducedMidpoint::new(top());
     let mut ends = [0.1, 0.1 + 1e-9]
         .map(|step| other.trajectory(&start(), step).unwrap().nth(1).unwrap().unwrap().momentum);

@@ -1,4 +1,4 @@
-//! What a browser shows of the documentation: no combining marks, which fonts displace, no raw TeX, and no subscript
+//! The documentation as a browser shows it: no combining marks, which fonts displace, no raw TeX, and no subscript
 //! that Markdown takes for emphasis.
 
 use pulldown_cmark::{Event, Options, Parser, Tag, TagEnd};
@@ -10,7 +10,7 @@ use std::path::{Path, PathBuf};
 const NOT_YET: &[&str] =
     &["crates/integrators/src", "crates/heavytop/src/kernels", "crates/heavytop-cli/src"];
 
-/// The files with this extension under the folders of the repository, by their paths from its root.
+/// Returns the files with this extension under the folders of the repository, by their paths from its root.
 fn files(folders: &[&str], extension: &str) -> Result<Vec<(String, String)>, Box<dyn Error>> {
     let root = Path::new(env!("CARGO_MANIFEST_DIR")).join("..");
     let mut found = Vec::new();
@@ -27,7 +27,7 @@ fn files(folders: &[&str], extension: &str) -> Result<Vec<(String, String)>, Box
     Ok(found)
 }
 
-/// The crates and the library of these tests, as far as they are not exempted.
+/// Returns the sources of the crates and of the library of these tests that are not exempt.
 fn sources() -> Result<Vec<(String, String)>, Box<dyn Error>> {
     let mut sources = files(&["crates", "tests/src"], "rs")?;
     sources.retain(|(name, _)| {
@@ -36,12 +36,12 @@ fn sources() -> Result<Vec<(String, String)>, Box<dyn Error>> {
     Ok(sources)
 }
 
-/// Every Markdown page.
+/// Returns every Markdown page.
 fn pages() -> Result<Vec<(String, String)>, Box<dyn Error>> {
     files(&["README.md", "CHANGELOG.md", "docs", "crates"], "md")
 }
 
-/// The rustdoc comments of a file as Markdown, one for each run of lines.
+/// Returns the rustdoc comments of a file as Markdown, one for each run of lines.
 fn comments(source: &str) -> Vec<String> {
     let mut comments = vec![String::new()];
     for line in source.lines().map(str::trim_start) {
@@ -65,13 +65,13 @@ fn events(markdown: &str) -> impl Iterator<Item = Event<'_>> {
     Parser::new_ext(markdown, Options::ENABLE_TABLES | Options::ENABLE_STRIKETHROUGH)
 }
 
-/// The lines with a combining mark.
+/// Returns the lines with a combining mark.
 fn combining_marks(text: &str) -> Vec<&str> {
     let combining = |c| matches!(c, '\u{300}'..='\u{36f}' | '\u{20d0}'..='\u{20ff}');
     text.lines().filter(|line| line.contains(combining)).collect()
 }
 
-/// The paragraphs and cells with a raw subscript or superscript of TeX outside code.
+/// Returns the paragraphs and cells with a raw subscript or superscript of TeX outside code.
 fn raw_tex(markdown: &str) -> Vec<String> {
     let (mut found, mut text, mut code) = (Vec::new(), String::new(), false);
     for event in events(markdown) {
@@ -79,7 +79,7 @@ fn raw_tex(markdown: &str) -> Vec<String> {
             Event::Start(Tag::CodeBlock(_)) => code = true,
             Event::End(TagEnd::CodeBlock) => code = false,
             Event::Text(part) if !code => text.push_str(&part),
-            // What stands between two pieces of text keeps them apart.
+            // An element between two pieces of text keeps them apart.
             Event::Code(_) => text.push('`'),
             Event::SoftBreak | Event::HardBreak => text.push('\n'),
             Event::End(
@@ -96,8 +96,8 @@ fn raw_tex(markdown: &str) -> Vec<String> {
     found
 }
 
-/// The rows of tables in which Markdown finds emphasis, strong emphasis where that counts too, deleted text or HTML:
-/// its markers are not shown.
+/// Returns the rows of tables in which Markdown finds emphasis, strong emphasis where that counts too, deleted text
+/// or HTML: their markers are not shown.
 fn emphasised_rows(markdown: &str, strong: bool) -> Vec<String> {
     let (mut found, mut row, mut inside, mut lost) = (Vec::new(), String::new(), false, false);
     for event in events(markdown) {
@@ -134,7 +134,7 @@ fn no_combining_marks_in_the_documentation() -> Result<(), Box<dyn Error>> {
             assert_eq!(combining_marks(&comment), [""; 0], "{name}");
         }
     }
-    // Negative control: a dot, a bar and a hat above, and letters that have theirs.
+    // Negative control: a dot, a bar and a hat above, and letters that contain such marks.
     for mark in ['\u{307}', '\u{304}', '\u{302}', '\u{20d7}'] {
         let source = format!("/// dΓ/dt,\n/// not Γ{mark}\nfn f() {{}}\n");
         assert_eq!(comments(&source).iter().map(|c| combining_marks(c).len()).sum::<usize>(), 1);
@@ -156,7 +156,7 @@ fn no_raw_tex_in_the_documentation() -> Result<(), Box<dyn Error>> {
             assert_eq!(raw_tex(&comment), [""; 0], "{name}");
         }
     }
-    // Negative control: text, a cell, a list; and code, in which braces may stand.
+    // Negative control: text, a cell and a list; and code, in which braces are allowed.
     let shown = "//! Φ_{gh} = id\n\nfn f() {}\n/// * δ_k/δ_{k−1}\n/// | e^{is} |\n/// |---|\n/// | X_{h∘M} |\n";
     assert_eq!(comments(shown).iter().map(|comment| raw_tex(comment).len()).sum::<usize>(), 2);
     let cells = "| e^{is} |\n|---|\n| X_{h∘M} |\n";
@@ -169,7 +169,7 @@ fn no_raw_tex_in_the_documentation() -> Result<(), Box<dyn Error>> {
 fn no_row_of_a_table_loses_its_subscripts() -> Result<(), Box<dyn Error>> {
     let mut rows = 0;
     for (name, text) in files(&["docs"], "md")? {
-        // Elsewhere strong text is meant: our own names among those of peers.
+        // Elsewhere strong text is intended: our own names among those of peers.
         assert_eq!(emphasised_rows(&text, name.ends_with("notation.md")), [""; 0], "{name}");
         rows += events(&text).filter(|event| matches!(event, Event::Start(Tag::TableRow))).count();
     }

@@ -1,4 +1,5 @@
-//! One code over every scalar: steps on lanes and on dual numbers against steps on f64.
+//! One code over every scalar: steps on SIMD lanes (several numbers in one register) and on dual numbers against
+//! steps on f64.
 
 use collective_integrators::{
     Collective, Direct, HamiltonianField, Integrator, RungeKutta, Scheme, Start, StepError,
@@ -14,7 +15,8 @@ use workspace_tests::{assert_near, relative_error, tops};
 
 type Outcome = Result<(), Box<dyn Error>>;
 
-/// The stage iterations of dual numbers, which wait for the derivatives, may stop a sweep later.
+/// The difference that one more sweep makes: iterations of dual numbers, which wait for the derivatives, may stop
+/// later.
 const ROUND_OFF: f64 = 1e-15;
 
 fn schemes() -> Result<[RungeKutta; 5], Box<dyn Error>> {
@@ -27,7 +29,7 @@ fn schemes() -> Result<[RungeKutta; 5], Box<dyn Error>> {
     ])
 }
 
-/// One step of size h of the collective integrator on T*C².
+/// Makes one step of size h of the collective integrator on T*C².
 fn step<T: Real>(
     scheme: &RungeKutta,
     top: HeavyTop,
@@ -39,7 +41,7 @@ fn step<T: Real>(
     Ok(Integrator::<T>::step(&integrator, z, h, &mut workspace)?.point)
 }
 
-/// Four different states.
+/// Returns four different states.
 fn states() -> [Se3Dual; 4] {
     let x = [1.2, -0.7, 2.3, 0.4, 0.8, -0.5];
     [0, 1, 2, 3].map(|shift| Se3Dual::from_coordinates(|i| x[(i + shift) % 6]))
@@ -60,7 +62,7 @@ fn lanes_are_four_separate_runs() -> Outcome {
         for (lane, mu) in states().iter().enumerate() {
             let pick = |x: DefaultLanes| x.lane(lane);
             let z: SpinorPoint = map_coordinates(&lifted, pick);
-            // the same operations, as many in each lane as alone, hence the same bits
+            // Each lane makes the same operations as alone, hence the same bits.
             assert_eq!(z, SpinorRealisation.lift(mu)?);
             let alone = step(&scheme, top, &z, 0.05)?;
             assert_eq!(map_coordinates::<_, SpinorPoint>(&stepped, pick), alone);
@@ -72,7 +74,7 @@ fn lanes_are_four_separate_runs() -> Outcome {
     Ok(())
 }
 
-/// Negative control: lanes are not mixed up; another lane's run is another run.
+/// Negative control: lanes are not exchanged; another lane's run is another run.
 #[test]
 fn lanes_differ() -> Outcome {
     let top = tops::generic()?;
@@ -97,13 +99,13 @@ fn the_derivative_of_a_step() -> Outcome {
             let exact: SpinorPoint = derivative_part(&moved);
             let at = |s: f64| step(&scheme, top, &(z + along.scaled(s)), h);
             let quotient = (at(size)? - at(-size)?).scaled(0.5 / size);
-            // truncation size² and round-off 1e-16/size are both near 1e-10
+            // Truncation size² and round-off 1e-16/size are both near 1e-10.
             assert_near(&exact, &quotient, 1e-9);
             // Negative control: neither the derivative of the identity nor of another step.
             assert!((exact - along).max_abs() > 1e-4);
             let other: SpinorPoint<DualNumber> = step(&scheme, top, &seed(&z, &along), 0.9 * h)?;
             assert!((derivative_part::<_, _, SpinorPoint>(&other) - exact).max_abs() > 1e-6);
-            // the values are those of the step on f64
+            // The values are those of the step on f64.
             let value: SpinorPoint = map_coordinates(&moved, |x: DualNumber| x.value);
             assert!(relative_error(&value, &at(0.0)?) <= ROUND_OFF);
         }
@@ -111,7 +113,7 @@ fn the_derivative_of_a_step() -> Outcome {
     Ok(())
 }
 
-/// Dual numbers over lanes: derivatives of four steps at once.
+/// Dual numbers over lanes give derivatives of four steps at once.
 #[test]
 fn derivatives_of_four_steps_at_once() -> Outcome {
     let top = tops::generic()?;

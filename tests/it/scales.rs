@@ -1,4 +1,4 @@
-//! No result depends on the units of mass, length and time.
+//! Units of mass, length and time: no result depends on them.
 //!
 //! A top with the moments I and the weight moment mgl multiplied by s moves as before, with Π multiplied by s. A
 //! vertical Γ of length λ with mgl divided by λ moves as before, too. Where s is a power of two and λ one of four, these
@@ -12,12 +12,12 @@ use workspace_tests::scales::{Method, Outcome, methods, scaled};
 const SCALES: [(i32, i32); 8] =
     [(100, 0), (-100, 0), (0, 100), (0, -100), (-27, 0), (-40, 100), (100, -100), (-100, 100)];
 
-/// The outcome for the top in units of s and λ, back in units of 1.
+/// Returns the outcome for the top in units of s and λ, back in units of 1.
 fn outcome(method: &Method, symmetric: bool, [s, lambda]: [f64; 2], step: f64) -> Option<Outcome> {
     let (top, mu) = scaled(symmetric, s, lambda).unwrap();
     let outcome = (method.run)(&top, &mu, step, 40)?;
     let Covector(Pair(pi, gamma)) = outcome.last;
-    // Where sweeps diverge, how many it takes to overflow depends on where they began.
+    // Where sweeps diverge, the number of sweeps before an overflow depends on where they began.
     let iterations = if step < 0.5 { outcome.iterations } else { 0 };
     Some(Outcome { last: Se3Dual::new(pi / s, gamma / lambda), iterations, ..outcome })
 }
@@ -41,7 +41,8 @@ fn every_method_finds_the_same_bits_at_all_scales() {
     assert!(found.is_empty(), "{} depend on units:\n{}", found.len(), found.join("\n"));
 }
 
-/// In decimal units, in which the parameters themselves are rounded, invariants are kept as well as in those of 1.
+/// Invariants are conserved as well in decimal units, in which the parameters themselves are rounded, as in units of
+/// 1.
 #[test]
 fn structure_is_kept_at_all_scales() {
     for method in methods(false).unwrap() {
@@ -52,7 +53,7 @@ fn structure_is_kept_at_all_scales() {
         let reference = deviations(1.0, 1.0);
         for (s, lambda) in [(1e-30, 1.0), (1e-15, 1.0), (1e-8, 1e30), (1e30, 1.0), (1.0, 1e-30)] {
             for (there, here) in deviations(s, lambda).into_iter().zip(reference) {
-                // round-off of 200 steps, or an error of the method
+                // The bound is round-off of 200 steps, or an error of the method.
                 assert!(
                     there < 1.01 * here + 1e-13,
                     "{} {s:e} {lambda:e} {there:e} {here:e}",

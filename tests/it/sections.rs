@@ -1,4 +1,4 @@
-//! Trajectories between their samples: sections and dense output.
+//! Events and dense output: a trajectory between its samples.
 
 use collective_integrators::{
     Collective, DenseOutput, Direct, Direction, Events, HamiltonianField, LiftFree, RungeKutta,
@@ -14,8 +14,8 @@ use workspace_tests::tops;
 type Outcome<T = ()> = Result<T, Box<dyn Error>>;
 type Momentum = Covector<Vector3<f64>>;
 
-/// Gauss with 6 stages and steps of 1/20 has no truncation error in double precision; 400 steps
-/// gather some 1e-14, and t up to 20 in the elliptic functions as much.
+/// The round-off of 400 steps. Gauss with 6 stages and steps of 1/20 has no truncation error in double precision; the
+/// steps accumulate some 1e-14, and t up to 20 in the elliptic functions as much.
 const ROUND_OFF: f64 = 2e-13;
 
 fn body() -> Outcome<(RigidBody, Momentum)> {
@@ -23,7 +23,7 @@ fn body() -> Outcome<(RigidBody, Momentum)> {
     Ok((body, Covector(Vector3::new(2.7, -1.2, 3.6))))
 }
 
-/// The events Π₂ = 0 up to t = 20.
+/// Returns the events Π₂ = 0 up to t = 20.
 fn crossings<I>(
     integrator: &I,
     start: &Momentum,
@@ -38,8 +38,7 @@ where
     events.map(|event| Ok(event.map(|e| (e.time, e.momentum.0))?)).collect()
 }
 
-/// The times in (0, 20) at which Π₂ of the closed form crosses zero, with its direction, by
-/// bisection.
+/// Returns the times in (0, 20) at which Π₂ of the closed form crosses zero, with its direction, by bisection.
 fn exact_crossings(solution: &EulerSolution) -> Vec<(f64, bool)> {
     let at = |t: f64| solution.at(t).y;
     let grid = (0..2000_u32).map(|n| 0.01 * f64::from(n));
@@ -78,13 +77,13 @@ fn sections_of_the_free_rigid_body_against_the_closed_form() -> Outcome {
         for ((time, pi), (expected, _)) in found.iter().zip(&exact) {
             let error = (pi - solution.at(*expected)).norm();
             worst = larger(worst, larger((time - expected).abs(), error));
-            // on the section to round-off, on the sphere to round-off
+            // The points are on the section and on the sphere, to round-off.
             assert!(pi.y.abs() < 1e-15, "{pi}");
             assert!((pi.norm() - start.0.norm()).abs() < ROUND_OFF);
         }
         assert!(worst < ROUND_OFF, "{worst:e}");
     }
-    // each direction takes its own crossings, the wrong one takes none of them
+    // Each direction has its own crossings.
     let up = crossings(&lifted, &start, 0.05, Direction::Up)?;
     let down = crossings(&lifted, &start, 0.05, Direction::Down)?;
     assert_eq!(up.len() + down.len(), exact.len());
@@ -97,7 +96,7 @@ fn sections_of_the_free_rigid_body_against_the_closed_form() -> Outcome {
     Ok(())
 }
 
-/// The location adds no error: that of the midpoint rule goes as h².
+/// The location of a section adds no error: the error of the midpoint rule falls as h².
 #[test]
 fn sections_are_as_accurate_as_the_integrator() -> Outcome {
     let (body, start) = body()?;
@@ -147,7 +146,7 @@ fn a_section_of_the_paper_top() -> Outcome {
             let change = casimir.value(&top, &mu) - casimir.value(&top, &start);
             assert!(change.abs() < ROUND_OFF, "{change:e}");
         }
-        // Γ₁ increases: (Γ × Ω)₁ > 0
+        // Γ₁ increases: (Γ × Ω)₁ > 0.
         let omega: Vector3<f64> = top.differential(&mu).0;
         assert!(mu.0.1.cross(&omega).x > 0.0);
     }

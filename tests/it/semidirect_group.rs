@@ -1,4 +1,4 @@
-//! §2.2–2.3: SU(2) ⋉ C² and SE(3) as groups, as matrices, and their exponentials.
+//! §2.2–2.3: SU(2) ⋉ C² and SE(3): as groups, as matrices, and their exponentials.
 
 use collective_integrators::Tableau;
 use heavytop::SpinorGroup;
@@ -16,10 +16,10 @@ type Motion = Pair<Matrix2<Complex<f64>>, Vector2<Complex<f64>>>;
 
 const GROUP: SpinorGroup = SemidirectGroup(SU2OnC2);
 
-/// A few products of 3×3 matrices with entries up to 30.
+/// The round-off of a few products of 3×3 matrices with entries up to 30.
 const ROUND_OFF: f64 = 1e-14;
 
-/// The group element as the matrix (U ρ; 0 1), or the algebra element as (ξ φ; 0 0).
+/// Returns the group element as the matrix (U ρ; 0 1), or the algebra element as (ξ φ; 0 0).
 fn matrix(block: &Matrix2<Complex<f64>>, column: &Vector2<Complex<f64>>, corner: f64) -> Complex3 {
     let mut full = Complex3::zeros();
     full.fixed_view_mut::<2, 2>(0, 0).copy_from(block);
@@ -36,7 +36,7 @@ fn of_algebra(x: &AlgebraElement<SpinorGroup>) -> Complex3 {
     matrix(&Su2.matrix(&x.0), &x.1, 0.0)
 }
 
-/// The exponential series with scaling by 2¹⁰.
+/// Returns the exponential by its series, with scaling by 2¹⁰.
 fn matrix_exponential(x: &Complex3) -> Complex3 {
     let small = x / Complex::new(1024.0, 0.0);
     let mut sum = Complex3::identity();
@@ -46,7 +46,7 @@ fn matrix_exponential(x: &Complex3) -> Complex3 {
     (0..10).fold(sum, |power, _| power * power)
 }
 
-/// The laws that every group obeys with its algebra.
+/// Checks the laws that every group obeys with its algebra.
 fn laws<G: LieGroup>(
     group: &G,
     [g, h, k]: [&G::Element<f64>; 3],
@@ -131,7 +131,7 @@ group_laws! {
 proptest! {
     #![proptest_config(persistent())]
 
-    /// (U, ρ)·(W, ϑ) = (UW, Uϑ + ρ) is the product of the matrices (U ρ; 0 1).
+    /// The product (U, ρ)·(W, ϑ) = (UW, Uϑ + ρ) is that of the matrices (U ρ; 0 1).
     #[test]
     fn the_product_is_that_of_matrices(g in element(GROUP), h in element(GROUP)) {
         let product = GROUP.compose::<f64>(&g, &h);
@@ -151,14 +151,14 @@ proptest! {
         let (a, b) = (of_algebra(&x), of_algebra(&y));
         let bracket = GROUP.algebra().bracket::<f64>(&x, &y);
         assert_near(&of_algebra(&bracket), &(a * b - b * a), ROUND_OFF);
-        // ten squarings amplify round-off by 2¹⁰
+        // Ten squarings amplify round-off by 2¹⁰.
         let exponential = of_group(&GROUP.exp::<f64>(&x));
         assert_near(&exponential, &matrix_exponential(&a), 1024.0 * 2e-16 * 4.0);
         let conjugate = of_group(&g) * a * of_group(&GROUP.inverse::<f64>(&g));
         assert_near(&of_algebra(&GROUP.adjoint::<f64>(&g, &x)), &conjugate, ROUND_OFF);
     }
 
-    /// exp(s(ξ,φ)) = (exp(sξ), ∫₀ˢ exp(σξ)φ dσ), the integral by a 16-point Gauss rule.
+    /// The exponential is exp(s(ξ,φ)) = (exp(sξ), ∫₀ˢ exp(σξ)φ dσ), with the integral by a 16-point Gauss rule.
     #[test]
     fn the_exponential_is_the_paper_s_integral(
         x in point::<AlgebraElement<SpinorGroup>>(), s in -1.0..1.0_f64,
@@ -174,7 +174,7 @@ proptest! {
     }
 }
 
-/// d/ds exp(s(ξ,φ)) = (ξ, φ) at s = 0, as matrices.
+/// The derivative d/ds exp(s(ξ,φ)) at s = 0 is (ξ, φ), as matrices.
 #[test]
 fn the_exponential_has_the_right_tangent() {
     let x = Pair(
@@ -191,8 +191,8 @@ fn the_exponential_has_the_right_tangent() {
     assert_near(&tangent, &So3.hat(&x.0), 1e-16);
 }
 
-/// Negative controls: the direct product's exponential and the bracket with one sign turned are
-/// not those of the matrices.
+/// Negative controls: the direct product's exponential and the bracket with one wrong sign are not those of the
+/// matrices.
 #[test]
 fn wrong_formulas_are_seen() {
     let x = Pair(

@@ -14,12 +14,12 @@ use workspace_tests::{Derived, assert_close, assert_near, persistent, point, top
 const COMPOSED: ComposedMap<Varpi, MomentumMap<SpinorMotions>> =
     ComposedMap { outer: Varpi, inner: MomentumMap(SPINOR_MOTIONS) };
 
-/// Sums of up to eight products of three numbers up to 3.
+/// The round-off of sums of up to eight products of three numbers up to 3.
 const ROUND_OFF: f64 = 1e-14;
 
 type Covector6 = Pair<Vector3<f64>, Vector3<f64>>;
 
-/// v·σ
+/// Returns the matrix v·σ.
 fn pauli(v: &Vector3<f64>) -> Matrix2<Complex<f64>> {
     let c = Complex::new;
     Matrix2::new(c(v.z, 0.0), c(v.x, -v.y), c(v.x, v.y), c(-v.z, 0.0))
@@ -28,7 +28,7 @@ fn pauli(v: &Vector3<f64>) -> Matrix2<Complex<f64>> {
 proptest! {
     #![proptest_config(persistent())]
 
-    /// Eq. (3.2), M = ϖ∘L, against eq. (4.1), its expression.
+    /// The composition M = ϖ∘L of eq. (3.2) agrees with its closed form, eq. (4.1).
     #[test]
     fn the_closed_form_is_the_composition(z in point::<SpinorPoint>(), dh in point::<Covector6>()) {
         assert_near(&SpinorRealisation.apply(&z), &COMPOSED.apply::<f64>(&z), ROUND_OFF);
@@ -65,7 +65,7 @@ proptest! {
         );
     }
 
-    /// χ̇ = (i/2)(Ω·σ)χ + 2(γ·σ)ψ, ψ̇ = (i/2)(Ω·σ)ψ, with Pauli matrices.
+    /// The generator is χ̇ = (i/2)(Ω·σ)χ + 2(γ·σ)ψ, ψ̇ = (i/2)(Ω·σ)ψ, with Pauli matrices.
     #[test]
     fn the_generator_has_the_spinor_form(z in point::<SpinorPoint>(), dh in point::<Covector6>()) {
         let (chi, psi) = (z.q, z.p.0);
@@ -75,8 +75,8 @@ proptest! {
         assert_near(&SpinorRealisation.generator::<f64>(&dh, &z), &expected, ROUND_OFF);
     }
 
-    /// Eqs. (4.3) and (4.4b): X_H of H = h∘M by i_{X_H} Ω = dH and by (∂H/∂p, −∂H/∂q), and (4.4a):
-    /// χ̇ = 2 ∂H/∂ψ̄, ψ̇ = −2 ∂H/∂χ̄ with ∂/∂w̄ = ½(∂/∂Re w + i ∂/∂Im w).
+    /// The canonical system in three forms. Eqs. (4.3) and (4.4b): X_H of H = h∘M by i_{X_H} Ω = dH and by (∂H/∂p,
+    /// −∂H/∂q). Eq. (4.4a): χ̇ = 2 ∂H/∂ψ̄, ψ̇ = −2 ∂H/∂χ̄ with ∂/∂w̄ = ½(∂/∂Re w + i ∂/∂Im w).
     #[test]
     fn the_canonical_system(z in point::<SpinorPoint>()) {
         let top = tops::generic().map_err(|e| TestCaseError::fail(e.to_string()))?;
@@ -99,7 +99,7 @@ proptest! {
         assert_near(&system.differential(&z), &dh, 1e-13);
     }
 
-    /// Along the flow d/dt Re(ψ*χ) = 2 γ·Γ: why χ drifts along ψ.
+    /// Along the flow d/dt Re(ψ*χ) = 2 γ·Γ, which is why χ drifts along ψ.
     #[test]
     fn the_drift_along_the_fibre(z in point::<SpinorPoint>(), dh in point::<Covector6>()) {
         let v = SpinorRealisation.generator::<f64>(&dh, &z);
@@ -109,8 +109,8 @@ proptest! {
     }
 }
 
-/// Negative controls: the generator with one sign turned is not the Hamiltonian field, and a
-/// differential off by a factor is not the collective one.
+/// Negative controls: the generator with one wrong sign is not the Hamiltonian field, and a differential that is
+/// wrong by a factor is not the collective one.
 #[test]
 fn wrong_generators_are_seen() {
     let x = [0.3, -1.1, 0.7, 1.9, -0.4, 1.3, 0.8, -2.1];

@@ -11,7 +11,7 @@ use num_complex::Complex;
 use proptest::prelude::*;
 use workspace_tests::{OneForm, assert_close, assert_near, persistent, point, tops};
 
-/// A few products of numbers up to 20.
+/// The round-off of a few products of numbers up to 20.
 const ROUND_OFF: f64 = 1e-14;
 
 const M: SpinorRealisation = SpinorRealisation;
@@ -28,7 +28,7 @@ impl LieAlgebra for Line {
     }
 }
 
-/// S¹ = {e^{iθ}}, a group made with the public interface alone.
+/// The circle group S¹ = {e^{iθ}}, defined with the public interface alone.
 #[derive(Clone)]
 struct Circle;
 
@@ -66,7 +66,7 @@ impl LieGroup for Circle {
     }
 }
 
-/// e^{iθ} on C²: (e^{iθ}χ₁, e^{iθ}χ₂), or (e^{iθ}χ₁, e^{−iθ}χ₂) if `opposite`.
+/// The action of e^{iθ} on C²: (e^{iθ}χ₁, e^{iθ}χ₂), or (e^{iθ}χ₁, e^{−iθ}χ₂) if `opposite`.
 #[derive(Clone)]
 struct Phase {
     opposite: bool,
@@ -95,7 +95,7 @@ impl GroupAction for Phase {
     }
 }
 
-/// J₃ = Im(χ₂ψ̄₂ − χ₁ψ̄₁)
+/// Returns the invariant J₃ = Im(χ₂ψ̄₂ − χ₁ψ̄₁).
 fn j3<T: Real>(z: &SpinorPoint<T>) -> T {
     let (chi, psi) = (&z.q, &z.p.0);
     (chi.y * psi.y.conj() - chi.x * psi.x.conj()).im
@@ -110,7 +110,7 @@ fn energy(top: &HeavyTop, z: &SpinorPoint) -> f64 {
     Invariant::Energy.value(top, &M.apply(z))
 }
 
-/// d/ds flow(s) at s = 0.
+/// Returns the velocity d/ds flow(s) at s = 0.
 fn velocity(
     flow: impl Fn(DualNumber, &SpinorPoint<DualNumber>) -> SpinorPoint<DualNumber>,
     z: &SpinorPoint,
@@ -134,10 +134,10 @@ proptest! {
         let generic = top(tops::generic)?;
         for index in 0..SpinorRealisation::COUNT {
             let moved = M.flow(index, s, &z);
-            // χ + bψ is up to 12 long, and b‖ψ‖² cancels
+            // χ + bψ is up to 12 long, and b‖ψ‖² cancels.
             assert_near(&M.apply(&moved), &M.apply(&z), 3e-14);
             assert_close(energy(&generic, &moved), energy(&generic, &z), 1e-13);
-            // one-parameter groups, which commute
+            // The flows are one-parameter groups, which commute.
             let twice = M.flow(index, 0.5 * s, &M.flow(index, 0.5 * s, &z));
             assert_near(&twice, &moved, ROUND_OFF);
             let other = 1 - index;
@@ -181,7 +181,7 @@ proptest! {
         }
     }
 
-    /// F₁ = 4J₁² = f₁∘M, F₂ = J₁J₂ = f₂∘M, F₃ = ½J₃ = f₃∘M.
+    /// The momenta give the invariants: F₁ = 4J₁² = f₁∘M, F₂ = J₁J₂ = f₂∘M, F₃ = ½J₃ = f₃∘M.
     #[test]
     fn the_momenta_are_the_known_invariants(z in point::<SpinorPoint>()) {
         let top = top(tops::paper)?;
@@ -192,7 +192,7 @@ proptest! {
         let f = |invariant: Invariant| invariant.value(&top, &M.apply(&z));
         assert_close(4.0 * j1 * j1, f(Invariant::VerticalSquared), ROUND_OFF);
         assert_close(psi.norm_squared().powi(2), f(Invariant::VerticalSquared), ROUND_OFF);
-        // 24 products of four numbers up to 3
+        // The bound is for 24 products of four numbers up to 3.
         assert_close(j1 * j2, f(Invariant::VerticalMomentum), 5e-14);
         assert_close(0.5 * j3(&z), f(Invariant::AxialMomentum), ROUND_OFF);
     }
@@ -219,9 +219,8 @@ proptest! {
     }
 }
 
-/// Negative controls at one generic point: Θ₁ is not invariant under χ + bψ, so that its pairing
-/// is not a momentum map; the axial rotation moves M, and changes H of a generic top; and a flow
-/// that is not along the fibre moves M.
+/// Negative controls at one generic point: Θ₁ is not invariant under χ + bψ, so that its pairing is not a momentum
+/// map; the axial rotation changes M, and H of a generic top; a flow that is not along the fibre changes M.
 #[test]
 fn other_forms_flows_and_tops_lack_the_symmetry() -> Result<(), TestCaseError> {
     let x = [0.3, -1.1, 0.7, 1.9, -0.4, 1.3, 0.8, -2.1];

@@ -18,7 +18,7 @@ type Outcome = Result<(), Box<dyn Error>>;
 
 const SPACE: HeavyTopSpace = LiePoisson::minus(SemidirectAlgebra(SO3OnR3));
 
-/// DΦ Λ DΦᵀ = Λ∘Φ over many steps, by the tangent vectors of a lift-free run.
+/// The flow satisfies DΦ Λ DΦᵀ = Λ∘Φ over many steps, by the tangent vectors of a lift-free run.
 #[test]
 fn the_variational_flow_preserves_the_poisson_tensor() -> Outcome {
     let (top, start) = (tops::generic()?, tops::generic_start());
@@ -32,7 +32,7 @@ fn the_variational_flow_preserves_the_poisson_tensor() -> Outcome {
         let tangent = DMatrix::from_fn(6, 6, |i, j| flow.tangents()[j].coordinate(i));
         let after = SPACE.poisson_tensor::<f64>(flow.state());
         let moved = &tangent * SPACE.poisson_tensor::<f64>(&start) * tangent.transpose();
-        // relative to the terms that cancel
+        // The error is relative to the terms that cancel.
         Ok(largest(&(moved - after)) / tangent.norm_squared())
     };
     for steps in [1, 10, 100] {
@@ -42,7 +42,7 @@ fn the_variational_flow_preserves_the_poisson_tensor() -> Outcome {
     Ok(())
 }
 
-/// The last of `steps` items.
+/// Returns the last of `steps` items.
 fn spectrum<I, const K: usize>(
     integrator: &I,
     start: <I as Integrator>::State,
@@ -58,7 +58,7 @@ where
     Ok(last.exponents)
 }
 
-/// A top that comes from upright with energy to spare: far from integrable.
+/// Returns a top that starts near upright with more energy than it needs to fall: far from integrable.
 fn chaotic() -> Result<(HeavyTop, Se3Dual), Box<dyn Error>> {
     let start = Se3Dual::new(Vector3::new(0.5, 1.5, -0.3), Vector3::new(2.0, -3.0, 6.0) / 7.0);
     Ok((tops::generic()?, start))
@@ -69,19 +69,19 @@ fn the_spectrum_of_a_generic_top_is_positive_and_symmetric() -> Outcome {
     let (top, start) = chaotic()?;
     let gauss = LiftFree::new(RungeKutta::gauss(2)?, DualQuaternions, top);
     let lambda: [f64; 6] = spectrum(&gauss, start, 0.05, 20_000)?;
-    // means over 1000 s are 0.07 to 0.16, since the motion clings to islands at times; `lyapunov_exponents`
-    // compares values
+    // Means over 1000 s are 0.07 to 0.16, since the motion stays near islands at times; `lyapunov_exponents` compares
+    // values.
     assert!((0.05..0.25).contains(&lambda[0]), "{lambda:?}");
-    // det DΦ = 1: the Poisson tensor, the Casimirs and hence the volume are preserved
+    // det DΦ = 1: the Poisson tensor, the Casimirs and hence the volume are conserved.
     let sum: f64 = lambda.iter().sum();
     assert!(sum.abs() < 1e-12, "{sum:e}");
-    // one pair ±λ and four zeros, up to (ln t)/t = 7e-3
+    // There are one pair ±λ and four zeros, up to (ln t)/t = 7e-3.
     assert!((lambda[0] + lambda[5]).abs() < 2e-2, "{lambda:?}");
     assert!(lambda[1..5].iter().all(|x| x.abs() < 3e-2), "{lambda:?}");
     Ok(())
 }
 
-/// M∘Φ = φ∘M, so that tangent vectors on T*C² are carried by DM to those on se(3)*.
+/// M∘Φ = φ∘M, so that DM takes tangent vectors on T*C² to those on se(3)*.
 #[test]
 fn tangent_vectors_descend_with_the_collective_integrator() -> Outcome {
     let (top, start) = chaotic()?;
@@ -102,13 +102,13 @@ fn tangent_vectors_descend_with_the_collective_integrator() -> Outcome {
     }
     for (v, w) in above.tangents().iter().zip(below.tangents()) {
         let error = relative_error(&descend(above.state(), v), w);
-        // the round-off of 1000 steps, stretched as the tangent vectors: up to 5000
+        // The bound is the round-off of 1000 steps, stretched like the tangent vectors: up to 5000.
         assert!(error < 1e-10, "{error:e}");
     }
     Ok(())
 }
 
-/// The same body near its stable equilibrium: quasi-periodic motion, no exponent.
+/// The same body near its stable equilibrium has quasi-periodic motion, and no positive exponent.
 #[test]
 fn a_generic_top_at_low_energy_is_regular() -> Outcome {
     let start = Se3Dual::new(Vector3::new(0.1, -0.2, 0.1), Vector3::new(2.0, 6.0, -3.0) / 7.0);

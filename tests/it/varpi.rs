@@ -1,4 +1,4 @@
-//! §3 and Appendix B: the Hopf map ϖ₂, its tangent map, and why ϖ is Poisson.
+//! §3 and Appendix B: the Hopf map ϖ₂, its tangent map, and the reason why ϖ is Poisson.
 
 use heavytop::{SpinorAlgebra, Varpi};
 use lie_poisson::{Covector, DualNumber, Momentum, Pair, Se3Dual, So3, Su2, derivative_part, seed};
@@ -10,13 +10,13 @@ use workspace_tests::{Derived, assert_close, assert_near, persistent, point};
 
 type Spinor = Vector2<Complex<f64>>;
 
-/// T_α ϖ₂(δα) by dual numbers.
+/// Returns T_α ϖ₂(δα) by dual numbers.
 fn tangent(alpha: &Spinor, delta: &Spinor) -> Vector3<f64> {
     let moved: Vector2<Complex<DualNumber>> = seed(alpha, delta);
     derivative_part(&hopf_map(&moved))
 }
 
-/// The first form of T_α ϖ₂ in Appendix B, with the sign in front of Im(ᾱ₁ δα₂).
+/// Returns the first form of T_α ϖ₂ in Appendix B, with the given sign before Im(ᾱ₁ δα₂).
 fn first_form(alpha: &Spinor, delta: &Spinor, sign: f64) -> Vector3<f64> {
     Vector3::new(
         (delta.x.conj() * alpha.y).re + (alpha.x.conj() * delta.y).re,
@@ -25,7 +25,7 @@ fn first_form(alpha: &Spinor, delta: &Spinor, sign: f64) -> Vector3<f64> {
     ) * 2.0
 }
 
-/// The second form.
+/// Returns the second form of T_α ϖ₂ in Appendix B.
 fn second_form(alpha: &Spinor, delta: &Spinor) -> Vector3<f64> {
     let i = Complex::new(0.0, 1.0);
     Vector3::new(
@@ -35,7 +35,7 @@ fn second_form(alpha: &Spinor, delta: &Spinor) -> Vector3<f64> {
     ) * 2.0
 }
 
-/// δ(f∘ϖ)/δα for ∇_a f = gamma, as printed in Appendix B.
+/// Returns δ(f∘ϖ)/δα for ∇_a f = gamma, as printed in Appendix B.
 fn derivative_along_alpha(gamma: &Vector3<f64>, alpha: &Spinor) -> Spinor {
     let i = Complex::new(0.0, 1.0);
     Vector2::new(
@@ -44,7 +44,7 @@ fn derivative_along_alpha(gamma: &Vector3<f64>, alpha: &Spinor) -> Spinor {
     ) * Complex::new(2.0, 0.0)
 }
 
-/// ¼(αβ* − βα*) as a vector.
+/// Returns ¼(αβ* − βα*) as a vector.
 fn quarter_commutator(alpha: &Spinor, beta: &Spinor) -> Vector3<f64> {
     let matrix = alpha * beta.adjoint() - beta * alpha.adjoint();
     Su2.coordinates(&(matrix * Complex::new(0.25, 0.0)))
@@ -58,12 +58,12 @@ proptest! {
     fn spheres_go_to_spheres(alpha in point::<Spinor>(), phase in -4.0..4.0_f64) {
         let image = hopf_map(&alpha);
         assert_close(image.norm(), alpha.norm_squared(), 1e-15);
-        // the fibres are circles
+        // The fibres are circles.
         let turned = alpha.map(|z| z * Complex::from_polar(1.0, phase));
         assert_near(&hopf_map(&turned), &image, 2e-15);
     }
 
-    /// ϖ(μ, α) = (μ̂, ϖ₂(α)), eqs. (3.1a) and (3.1b).
+    /// The map ϖ(μ, α) = (μ̂, ϖ₂(α)), eqs. (3.1a) and (3.1b), has these two parts.
     #[test]
     fn varpi_is_its_two_parts(z in point::<Momentum<SpinorAlgebra>>()) {
         let Covector(Pair(mu, alpha)) = z;
@@ -94,16 +94,16 @@ proptest! {
         assert_near(&second_form(&alpha, &delta), &exact, 2e-15);
     }
 
-    /// ¼(αβ* − βα*) = ∇_a f × a with β = δ(f∘ϖ)/δα and a = ϖ₂(α).
+    /// The identity ¼(αβ* − βα*) = ∇_a f × a, with β = δ(f∘ϖ)/δα and a = ϖ₂(α).
     #[test]
     fn the_final_identity_of_appendix_b(alpha in point::<Spinor>(), gamma in point::<Vector3<f64>>()) {
         let beta = derivative_along_alpha(&gamma, &alpha);
         let expected = gamma.cross(&hopf_map(&alpha));
-        // sums of eight products of four numbers up to 3, partly cancelling
+        // The bound is for sums of eight products of four numbers up to 3, which partly cancel.
         assert_near(&quarter_commutator(&alpha, &beta), &expected, 1e-14);
     }
 
-    /// Eqs. (B.1) and (B.2): the two parts of the bracket are carried over one by one.
+    /// The two parts of the bracket, eqs. (B.1) and (B.2), are mapped to each other one by one.
     #[test]
     fn the_bracket_splits(
         z in point::<Momentum<SpinorAlgebra>>(),
@@ -122,7 +122,7 @@ proptest! {
         // (B.2): −Re(α*(ξγ − ηβ)) on (C²)*, −a·(ξ̂ ∇h − η̂ ∇f) on (R³)*
         let on_c2 = -alpha.dotc(&(a * gamma - b * beta)).re;
         let on_r3 = -hopf_map(&alpha).dot(&(c * dh.1 - d * df.1));
-        // products of four numbers up to 3, 24 of them
+        // The bound is for 24 products of four numbers up to 3.
         assert_close(on_c2, on_r3, 3e-14);
     }
 }
@@ -134,14 +134,14 @@ fn the_printed_sign_is_wrong() {
     let delta = Vector2::new(Complex::new(-0.4, 1.3), Complex::new(0.8, -2.1));
     let printed = first_form(&alpha, &delta, -1.0);
     let exact = tangent(&alpha, &delta);
-    // by twice the term, 4 Im(ᾱ₁ δα₂) = 1 here
+    // The two differ by twice the term, 4 Im(ᾱ₁ δα₂) = 1 here.
     assert_close(exact.y - printed.y, 4.0 * (alpha.x.conj() * delta.y).im, 1e-14);
     assert!((printed.y - exact.y).abs() > 0.9);
     assert_near(&Vector2::new(printed.x, printed.z), &Vector2::new(exact.x, exact.z), 1e-15);
 }
 
-/// Erratum 4: the "β =" in front of the final identity is spurious; β is a spinor whose coordinates
-/// are not those of the vector. Negative control: a × ∇f, the other order, is not it either.
+/// Erratum 4: the "β =" before the final identity is spurious; β is a spinor whose coordinates are not those of the
+/// vector. Negative control: a × ∇f, the other order, differs too.
 #[test]
 fn the_final_identity_is_not_about_beta() {
     let alpha = Vector2::new(Complex::new(0.3, -1.1), Complex::new(0.7, 1.9));

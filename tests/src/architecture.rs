@@ -10,7 +10,7 @@ pub type Sources = BTreeMap<String, String>;
 /// Reads all Rust files below a folder.
 ///
 /// # Errors
-/// If one cannot be read.
+/// If a folder or a file cannot be read.
 pub fn sources(folder: &Path) -> io::Result<Sources> {
     let (mut found, mut folders) = (Sources::new(), vec![folder.to_path_buf()]);
     while let Some(next) = folders.pop() {
@@ -28,8 +28,10 @@ pub fn sources(folder: &Path) -> io::Result<Sources> {
     Ok(found)
 }
 
-/// Which file imports which, by `use` lines and by paths that begin with `crate::`, without tests and documentation.
-/// An item that a `lib.rs` or `mod.rs` re-exports counts as one of the file that defines it.
+/// Returns for each file the files that it imports.
+///
+/// Imports are `use` lines and paths that begin with `crate::`, without tests and documentation. An item that a
+/// `lib.rs` or `mod.rs` re-exports counts as one of the file that defines it.
 pub fn imports(sources: &Sources) -> BTreeMap<&str, BTreeSet<&str>> {
     let crate_of = Crate::new(sources);
     let of = |(file, text): (&'_ String, &String)| -> BTreeSet<&str> {
@@ -40,23 +42,23 @@ pub fn imports(sources: &Sources) -> BTreeMap<&str, BTreeSet<&str>> {
     sources.iter().map(|entry| (entry.0.as_str(), of(entry))).collect()
 }
 
-/// The modules that `lib.rs` declares, in its order.
+/// Returns the modules that `lib.rs` declares, in its order.
 pub fn declared_order(sources: &Sources) -> Vec<&str> {
     let lines = sources.get("lib.rs").map(String::as_str).unwrap_or_default().lines();
     lines.filter_map(declared_module).collect()
 }
 
-/// `name` of `mod name;` or `pub mod name;`.
+/// Returns the name in `mod name;` or `pub mod name;`.
 fn declared_module(line: &str) -> Option<&str> {
     line.strip_prefix("pub ").unwrap_or(line).strip_prefix("mod ")?.strip_suffix(';')
 }
 
-/// The room of a file: its folder, or itself where it stands beside `lib.rs`.
+/// Returns the folder of a file, or the name of a file that stands beside `lib.rs`.
 pub fn room(file: &str) -> &str {
     file.split_once('/').map_or_else(|| file.trim_end_matches(".rs"), |(room, _)| room)
 }
 
-/// Files that import each other, directly or by way of others: one such file for each ring of them.
+/// Returns a file of each ring of files that import each other, directly or by way of others.
 pub fn cycles<'a>(imports: &BTreeMap<&'a str, BTreeSet<&'a str>>) -> Vec<&'a str> {
     let reachable = |from: &'a str| {
         let (mut seen, mut open) = (BTreeSet::new(), vec![from]);
@@ -69,7 +71,7 @@ pub fn cycles<'a>(imports: &BTreeMap<&'a str, BTreeSet<&'a str>>) -> Vec<&'a str
     imports.keys().copied().filter(|file| reachable(file).contains(file)).collect()
 }
 
-/// What is needed to follow a path.
+/// The modules and re-exports of a crate, by which a path is followed to a file.
 struct Crate<'a> {
     /// The file of each module, by its path such as `["stages", "newton"]`.
     modules: BTreeMap<Vec<String>, &'a str>,
@@ -77,7 +79,8 @@ struct Crate<'a> {
     exports: BTreeMap<(Vec<String>, String), Vec<String>>,
 }
 
-/// `stages/newton.rs` is `["stages", "newton"]`, `stages/mod.rs` is `["stages"]`, `lib.rs` is `[]`.
+/// Returns the path of a file's module: `stages/newton.rs` is `["stages", "newton"]`, `stages/mod.rs` is
+/// `["stages"]`, `lib.rs` is `[]`.
 fn module_of(file: &str) -> Vec<String> {
     let name = file.trim_end_matches(".rs");
     let name = name.strip_suffix("/mod").unwrap_or(name);
@@ -100,7 +103,7 @@ impl<'a> Crate<'a> {
         Self { modules, exports }
     }
 
-    /// The file that defines what a path leads to; none outside of the crate.
+    /// Returns the file that defines the item of a path; `None` outside of the crate.
     fn file_of(&self, from: &str, path: &[String]) -> Option<&'a str> {
         let mut here = module_of(from);
         let mut rest = path;
@@ -148,7 +151,7 @@ fn extended(module: &[String], part: &str) -> Vec<String> {
     module.iter().cloned().chain([part.to_owned()]).collect()
 }
 
-/// The text without comments, and without the tests at its end.
+/// Returns the text without comments, and without the tests at its end.
 fn code(text: &str) -> String {
     let text = text.split("#[cfg(test)]\n#[allow").next().unwrap_or_default();
     let text = text.split("#[cfg(test)]\nmod ").next().unwrap_or_default();
@@ -156,7 +159,7 @@ fn code(text: &str) -> String {
     text.lines().map(without).collect::<Vec<_>>().join("\n")
 }
 
-/// The trees of `use` lines; of those with `pub` or of those without.
+/// Returns the trees of `use` lines: of those with `pub`, or of those without.
 fn uses(code: &str, public: bool) -> Vec<String> {
     let lines = code.split(';').filter_map(|statement| {
         let (before, tree) = statement.rsplit_once("use ")?;
@@ -168,7 +171,7 @@ fn uses(code: &str, public: bool) -> Vec<String> {
     lines.collect()
 }
 
-/// All paths of a tree such as `crate::{a::B, c}`.
+/// Returns all paths of a tree such as `crate::{a::B, c}`.
 fn expand(tree: &str) -> Vec<Vec<String>> {
     let parts = |path: &str| path.split("::").filter(|p| !p.is_empty()).map(String::from).collect();
     let Some((before, inner)) = tree.split_once('{') else { return vec![parts(tree)] };
@@ -190,7 +193,7 @@ fn expand(tree: &str) -> Vec<Vec<String>> {
     branches.flat_map(|branch| expand(&format!("{before}{branch}"))).collect()
 }
 
-/// The paths of private imports, and those in the code that begin with `crate::`.
+/// Returns the paths of private imports, and those in the code that begin with `crate::`.
 fn paths(code: &str) -> Vec<Vec<String>> {
     let mut found: Vec<_> = uses(code, false).iter().flat_map(|tree| expand(tree)).collect();
     for rest in code.split("crate::").skip(1) {

@@ -1,15 +1,15 @@
-//! Comparison by error, with NaN as the largest error of all.
+//! Comparison by error, where NaN counts as the largest error of all.
 
 use lie_poisson::{Vector, larger};
 
-/// max |a − b| / max(|a|, |b|); 0 if both are 0, NaN if a coordinate is NaN.
+/// Returns max |a − b| / max(|a|, |b|); 0 if both are 0, NaN if a coordinate is NaN.
 pub fn relative_error<V: Vector<Scalar = f64>>(a: &V, b: &V) -> f64 {
     let size = larger(a.max_abs(), b.max_abs());
     if size == 0.0 { 0.0 } else { (*a - *b).max_abs() / size }
 }
 
-/// Asserts |a − b| ≤ tolerance · max(1, |a|, |b|) coordinate by coordinate: relative for large
-/// values, absolute for small ones. Fails on NaN.
+/// Asserts |a − b| ≤ tolerance · max(1, |a|, |b|) coordinate by coordinate: relative for large values, absolute for
+/// small ones. Fails on NaN.
 ///
 /// # Panics
 /// If a and b differ by more.
@@ -20,7 +20,7 @@ pub fn assert_near<V: Vector<Scalar = f64>>(a: &V, b: &V, tolerance: f64) {
     assert!(error <= tolerance, "error {error:e} above {tolerance:e} between\n{a:?} and\n{b:?}");
 }
 
-/// [`assert_near`] for two numbers.
+/// Asserts [`assert_near`] for two numbers.
 ///
 /// # Panics
 /// If a and b differ by more.

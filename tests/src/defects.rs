@@ -1,4 +1,4 @@
-//! How far a map is from being Poisson, with exact derivatives.
+//! Defects of Poisson maps: how far a map is from preserving brackets, with exact derivatives.
 
 use lie_poisson::{
     DualNumber, Point, PoissonSpace, Vector, derivative_part, larger, map_coordinates, seed,
@@ -6,7 +6,7 @@ use lie_poisson::{
 use momentum_map::{PoissonMap, SourcePoint};
 use nalgebra::DMatrix;
 
-/// The matrix {w_i∘f, w_j∘f}(z) − {w_i, w_j}(f(z)) over all coordinates w of the target.
+/// Returns the matrix {w_i∘f, w_j∘f}(z) − {w_i, w_j}(f(z)) over all coordinates w of the target.
 ///
 /// It vanishes if and only if f: P → Q respects the brackets at z, for brackets are determined by
 /// the coordinates. Derivatives of `f` are taken by dual numbers, one evaluation per direction.
@@ -32,14 +32,13 @@ pub fn bracket_defects<P: PoissonSpace, Q: PoissonSpace>(
     })
 }
 
-/// The largest of the [`bracket_defects`] of a map that claims to be Poisson. Only its `apply` is
-/// looked at.
+/// Returns the largest of the [`bracket_defects`] of a map that claims to be Poisson, from its `apply` alone.
 pub fn map_defect<M: PoissonMap>(map: &M, z: &SourcePoint<M>) -> f64 {
     let apply = |z: &SourcePoint<M, DualNumber>| map.apply::<DualNumber>(z);
     largest(&bracket_defects(&map.source(), &map.target(), apply, z))
 }
 
-/// max |entry|; NaN if one is NaN, where nalgebra's `amax` would drop it.
+/// Returns max |entry|; NaN if one is NaN, where nalgebra's `amax` would drop it.
 pub fn largest(matrix: &DMatrix<f64>) -> f64 {
     matrix.iter().fold(0.0, |m, x| larger(m, x.abs()))
 }

@@ -1,11 +1,13 @@
-//! An object with only what its trait requires.
+//! Objects with only what their traits require.
 
 use lie_poisson::{AlgebraElement, LieAlgebra, LieGroup, Real};
 use momentum_map::{PoissonMap, SourcePoint, TargetPoint};
 
-/// The same object with every shortcut forgotten: an algebra by its bracket alone, a group without
-/// its ad-hoc coadjoint, a Poisson map by `apply` alone. The trait's own definitions fill in the
-/// rest, so that a formula written by hand can be compared with its definition.
+/// An object without its shortcuts: an algebra by its bracket alone, a group without its ad-hoc coadjoint, a Poisson
+/// map by `apply` alone.
+///
+/// The trait's own definitions replace the shortcuts, so that a formula written by hand can be compared with its
+/// definition.
 #[derive(Clone, Copy, Debug)]
 pub struct Derived<X>(pub X);
 

@@ -6,14 +6,14 @@ use lie_poisson::{DualNumber, Vector, derivative_part, map_coordinates, seed};
 /// A one-form on T∗C² whose exterior derivative is −Ω.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum OneForm {
-    /// Θ₁ = Re(ψ∗ dχ) = p dq. Source: Ohsawa 2019, §2.1.
+    /// The form Θ₁ = Re(ψ∗ dχ) = p dq. Source: Ohsawa 2019, §2.1.
     Theta1,
-    /// Θ₂ = ½ Re(ψ∗ dχ − χ∗ dψ) = ½ (p dq − q dp). Source: Ohsawa 2019, eq. (2.3).
+    /// The form Θ₂ = ½ Re(ψ∗ dχ − χ∗ dψ) = ½ (p dq − q dp). Source: Ohsawa 2019, eq. (2.3).
     Theta2,
 }
 
 impl OneForm {
-    /// Θ(z)·v
+    /// Returns the value Θ(z)·v on a tangent vector.
     pub fn at(self, z: &SpinorPoint, v: &SpinorPoint) -> f64 {
         let (chi, psi, by_chi, by_psi) = (&z.q, &z.p.0, &v.q, &v.p.0);
         match self {
@@ -22,7 +22,7 @@ impl OneForm {
         }
     }
 
-    /// The largest coordinate of F*Θ − Θ at z: 0 if F conserves the form there.
+    /// Returns the largest coordinate of F*Θ − Θ at z: 0 if F conserves the form there.
     pub fn defect(
         self,
         f: impl Fn(&SpinorPoint<DualNumber>) -> SpinorPoint<DualNumber>,

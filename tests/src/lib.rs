@@ -1,4 +1,4 @@
-//! What the checks across the crates share.
+//! Shared tools of the checks that need several crates.
 //!
 //! | need | item |
 //! |---|---|
@@ -33,7 +33,7 @@ pub use rational::{Rational, rational_samples};
 pub use runs::{advance, largest_deviation};
 pub use strategies::{element, momentum_with_vertical, persistent, point};
 
-/// The example of the README runs.
+/// The examples of the README, which run as tests.
 #[cfg(doctest)]
 #[doc = include_str!("../../README.md")]
 struct Readme;

@@ -1,4 +1,4 @@
-//! Rational numbers as a scalar: identities checked exactly.
+//! Rational numbers as a scalar, for exact checks of identities.
 
 use core::ops::{
     Add, AddAssign, Div, DivAssign, Mul, MulAssign, Neg, Rem, RemAssign, Sub, SubAssign,
@@ -15,14 +15,14 @@ use num_traits::{Num, One, Signed, ToPrimitive, Zero};
 pub struct Rational(pub Ratio<i128>);
 
 impl Rational {
-    /// n/d
+    /// Creates the fraction n/d.
     #[must_use]
     pub fn new(n: i128, d: i128) -> Self {
         Self(Ratio::new(n, d))
     }
 }
 
-/// A double as the fraction that it is; panics if it is not one of moderate size.
+/// Returns a double as the fraction that it is; panics if it is not one of moderate size.
 fn exact(x: f64) -> Ratio<i128> {
     let mut denominator = 1_i128;
     let mut scaled = x;
@@ -108,7 +108,7 @@ impl Real for Rational {
         unimplemented!("the angle of ({}, {}) is not rational", x.0, self.0)
     }
 
-    /// Rational at 0 alone, where it is 1/k!.
+    /// Returns 1/k! at 0, the only argument at which the value is rational.
     fn stumpff(self, order: u32) -> Self {
         assert!(self.is_zero(), "c_{order}({}) is not rational", self.0);
         Self(Ratio::new(1, (1..=i128::from(order)).product()))
@@ -132,7 +132,7 @@ impl Real for Rational {
     }
 }
 
-/// Vectors with small rational coordinates, no two alike.
+/// Returns vectors with small rational coordinates, no two alike.
 pub fn rational_samples<V: lie_poisson::Vector<Scalar = Rational>>(count: usize) -> Vec<V> {
     let mut state = 7_i128;
     let mut next = move || {

@@ -1,10 +1,10 @@
-//! Trajectories, to their end or by their extremes.
+//! Runs of a trajectory, to their end or by their extremes.
 
 use collective_integrators::Start;
 use lie_poisson::larger;
 use std::error::Error;
 
-/// The momentum after `steps` steps of size `step`.
+/// Returns the momentum after `steps` steps of size `step`.
 ///
 /// # Errors
 /// If there is no lift, or a step fails.
@@ -21,7 +21,7 @@ pub fn advance<I: Start>(
     Ok(last)
 }
 
-/// max |f(μ_n) − f(μ_0)| over `steps` steps; NaN if it ever is NaN.
+/// Returns max |f(μ_n) − f(μ_0)| over `steps` steps; NaN if it is NaN at any step.
 ///
 /// # Errors
 /// If there is no lift, or a step fails.

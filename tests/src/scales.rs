@@ -14,8 +14,10 @@ use lie_poisson::{Covector, Differential, Hamiltonian, LiePoisson, Pair, Se3, Se
 use momentum_map::DualQuaternions;
 use nalgebra::Vector3;
 
-/// A top and a state of it with Π in units of s and Γ in units of λ: the moments are s I, the weight moment is
-/// (s/λ) mgl, so that times are the same. With `symmetric` it is a Lagrange top, else it has no symmetry.
+/// Returns a top and a state of it, with Π in units of s and Γ in units of λ.
+///
+/// The moments are s I, the weight moment is (s/λ) mgl, so that times are the same. With `symmetric` it is a Lagrange
+/// top, else it has no symmetry.
 ///
 /// # Errors
 /// If s or λ is not a positive number.
@@ -36,32 +38,32 @@ pub fn scaled(symmetric: bool, s: f64, lambda: f64) -> Result<(HeavyTop, Se3Dual
     Ok((top, Se3Dual::new(pi * s, gamma * lambda)))
 }
 
-/// What a run comes to.
+/// The result of a run: its last momentum, iterations and deviations.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Outcome {
-    /// The last momentum.
+    /// The momentum after the last step.
     pub last: Se3Dual,
-    /// The iterations of all steps; 0 for many tops at once, which do not tell.
+    /// The number of iterations of all steps; 0 for many tops at once, which do not report it.
     pub iterations: usize,
     /// The largest |Δf₁|/|Γ|², |Δf₂|/(|Π||Γ|) and |Δh|/(|Π|²/min I + |γ||Γ|) over all steps, with Π and Γ at the start.
     pub deviations: [f64; 3],
 }
 
-/// A method, which makes some steps of a size; nothing if a step fails.
+/// A method by name, with the function that runs it.
 pub struct Method {
-    /// Formulation and scheme.
+    /// The formulation and the scheme.
     pub name: String,
-    /// The run of a number of steps.
+    /// The function that makes a number of steps.
     pub run: Run,
 }
 
-/// A run of a top from a state, with steps of a size and their number.
+/// A function that runs a top from a state, with a step size and a number of steps; `None` if a step fails.
 pub type Run = Box<dyn Fn(&HeavyTop, &Se3Dual, f64, usize) -> Option<Outcome>>;
 
-/// Every formulation with every scheme, and every fast path; those for symmetric tops if asked for.
+/// Returns every formulation with every scheme, and every fast path; those for symmetric tops if asked for.
 ///
 /// # Errors
-/// Never.
+/// There is none with these coefficients.
 pub fn methods(symmetric: bool) -> Result<Vec<Method>, SchemeError> {
     let mut list = Vec::new();
     equivariant("implicit midpoint", RungeKutta::implicit_midpoint(), &mut list);
@@ -140,7 +142,7 @@ fn run<I: Start<Momentum = Se3Dual>>(
     Some(Outcome { last, iterations, deviations: watch.largest })
 }
 
-/// Many tops at once: enough of the same to fill several registers and a part of one.
+/// Runs many equal tops at once: enough to fill several registers and a part of one.
 fn run_many<B: BatchIntegrator>(
     integrator: &B,
     member: B::Member,
@@ -162,7 +164,7 @@ where
     (!failed).then_some(Outcome { last, iterations: 0, deviations: watch.largest })
 }
 
-/// A top that no integrator can recognise, without second derivatives.
+/// A top without second derivatives that no integrator can recognise as a top.
 #[derive(Clone, Copy)]
 struct Unknown(HeavyTop);
 
@@ -176,7 +178,7 @@ impl Hamiltonian<HeavyTopSpace> for Unknown {
     }
 }
 
-/// Every formulation that takes a Runge–Kutta method or a composition of them.
+/// Adds every formulation that takes a Runge–Kutta method or a composition of such methods.
 fn equivariant<S: Equivariant + 'static>(name: &str, scheme: S, list: &mut Vec<Method>) {
     let of = scheme.clone();
     add(list, format!("collective {name}"), move |top, mu, h, n| {
@@ -224,7 +226,7 @@ fn substeps() -> Result<Vec<(&'static str, Substeps)>, SchemeError> {
     ])
 }
 
-/// The integrators that are made for tops.
+/// Adds the integrators that are made for tops.
 fn fast_paths(list: &mut Vec<Method>) {
     for stages in 1..=8 {
         add(list, format!("CollectiveGauss, {stages} stages"), move |top, mu, h, n| {

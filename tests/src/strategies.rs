@@ -10,7 +10,7 @@ use proptest::collection::vec;
 use proptest::prelude::*;
 use proptest::test_runner::FileFailurePersistence;
 
-/// 0, a basis vector, or coordinates in {0, ±½, ±1}.
+/// Draws 0, a basis vector, or coordinates in {0, ±½, ±1}.
 fn special<V: Vector<Scalar = f64>>() -> impl Strategy<Value = V> {
     let corner = prop::sample::select(vec![0.0, 0.5, -0.5, 1.0, -1.0]);
     prop_oneof![
@@ -20,12 +20,12 @@ fn special<V: Vector<Scalar = f64>>() -> impl Strategy<Value = V> {
     ]
 }
 
-/// Coordinates in [−size, size].
+/// Draws coordinates in [−size, size].
 fn within<V: Vector<Scalar = f64>>(size: f64) -> impl Strategy<Value = V> {
     vec(-size..size, V::DIM).prop_map(|x| V::from_coordinates(|i| x[i]))
 }
 
-/// A vector: special, within 1e-8 of special, or generic with coordinates up to 3.
+/// Draws a vector: special, within 1e-8 of special, or generic with coordinates up to 3.
 pub fn point<V: Vector<Scalar = f64>>() -> impl Strategy<Value = V> {
     prop_oneof![
         2 => special::<V>(),
@@ -34,7 +34,7 @@ pub fn point<V: Vector<Scalar = f64>>() -> impl Strategy<Value = V> {
     ]
 }
 
-/// An element exp ξ of a group: the identity, within 1e-8 of it, special or generic.
+/// Draws an element exp ξ of a group: the identity, within 1e-8 of it, special or generic.
 pub fn element<G: LieGroup + 'static>(group: G) -> impl Strategy<Value = G::Element<f64>> {
     let algebra = prop_oneof![
         1 => within::<AlgebraElement<G>>(1e-8),
@@ -43,8 +43,8 @@ pub fn element<G: LieGroup + 'static>(group: G) -> impl Strategy<Value = G::Elem
     algebra.prop_map(move |xi| group.exp::<f64>(&xi))
 }
 
-/// (Π, Γ) with Γ ≠ 0: Γ at a pole, near one, on the equator or generic, from 1e-100 to 1e100 in
-/// size; Π zero, special or generic.
+/// Draws (Π, Γ) with Γ ≠ 0: Γ at a pole, near one, on the equator or generic, from 1e-100 to 1e100 in size; Π zero,
+/// special or generic.
 pub fn momentum_with_vertical() -> impl Strategy<Value = Se3Dual> {
     let poles = prop::sample::select(vec![1.0, -1.0]).prop_map(|z| Vector3::new(0.0, 0.0, z));
     let equator = (-3.2..3.2_f64).prop_map(|angle| Vector3::new(angle.cos(), angle.sin(), 0.0));
@@ -56,8 +56,8 @@ pub fn momentum_with_vertical() -> impl Strategy<Value = Se3Dual> {
         .prop_map(|(pi, gamma, size)| Se3Dual::new(pi, gamma * size))
 }
 
-/// The configuration of every property: the default, with failing cases kept next to the file of
-/// the property (the default place is looked for in `src`).
+/// Returns the configuration of every property test: the default, with failing cases kept next to the test's file.
+/// The default place is in `src`.
 pub fn persistent() -> ProptestConfig {
     ProptestConfig::with_failure_persistence(FileFailurePersistence::WithSource("regressions"))
 }

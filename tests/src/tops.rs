@@ -1,23 +1,23 @@
-//! Tops and starting points.
+//! Tops and starting points for tests.
 
 use heavytop::{Body, HeavyTop, TopError};
 use lie_poisson::Se3Dual;
 use nalgebra::Vector3;
 
-/// The Kovalevskaya top of the paper's experiment, m = g = l = I₃ = 1. Source: Ohsawa 2019, §5.2.
+/// Returns the Kovalevskaya top of the paper's experiment, m = g = l = I₃ = 1. Source: Ohsawa 2019, §5.2.
 ///
 /// # Errors
-/// Never, with these parameters.
+/// There is none with these parameters.
 pub fn paper() -> Result<HeavyTop, TopError> {
     HeavyTop::kovalevskaya(1.0, 1.0)
 }
 
-/// Its initial condition Π = (2, 3, 4), Γ = (1/2, 0, √3/2). Source: Ohsawa 2019, §5.2.
+/// Returns the paper's initial condition Π = (2, 3, 4), Γ = (1/2, 0, √3/2). Source: Ohsawa 2019, §5.2.
 pub fn paper_start() -> Se3Dual {
     Se3Dual::new(Vector3::new(2.0, 3.0, 4.0), Vector3::new(0.5, 0.0, 0.75_f64.sqrt()))
 }
 
-/// (Π, Γ) of the paper's experiment at t = 1, computed with 25 digits.
+/// Returns (Π, Γ) of the paper's experiment at t = 1, computed with 25 digits.
 #[must_use]
 pub fn paper_exact() -> Se3Dual {
     Se3Dual::new(
@@ -26,10 +26,10 @@ pub fn paper_exact() -> Se3Dual {
     )
 }
 
-/// A top without any symmetry: three different moments, c in no coordinate plane.
+/// Returns a top without any symmetry: three different moments, c in no coordinate plane.
 ///
 /// # Errors
-/// Never, with these parameters.
+/// There is none with these parameters.
 pub fn generic() -> Result<HeavyTop, TopError> {
     HeavyTop::new(&Body {
         inertia: Vector3::new(1.0, 1.4, 2.1),
@@ -40,7 +40,7 @@ pub fn generic() -> Result<HeavyTop, TopError> {
     })
 }
 
-/// A state for it, in general position.
+/// Returns a state of the generic top, in general position.
 pub fn generic_start() -> Se3Dual {
     Se3Dual::new(Vector3::new(1.2, -0.7, 2.3), Vector3::new(2.0, 6.0, -3.0) / 7.0)
 }

@@ -1,23 +1,59 @@
-//! The program `heavytop`: configuration, output files, figures and progress bars around the
-//! crate [`heavytop`], which has the mathematics.
+//! The library of the program `heavytop`, which simulates heavy tops, compares integrators, and writes tables, figures,
+//! Poincaré sections and chaos maps.
 //!
-//! The folders in dependency order:
+//! The mathematics is in the crate [`heavytop`]. This crate adds configurations, output files, pictures and progress
+//! bars. To install the program:
 //!
-//! | folder | what is in it |
+//! ```sh
+//! cargo install --path crates/heavytop-cli
+//! ```
+//!
+//! Each command of the program is a function. This one follows the paper's top for 100 s, and writes a file that NumPy
+//! reads:
+//!
+//! ```
+//! use heavytop_cli::commands::simulate::{SimulateOptions, simulate};
+//! use heavytop_cli::configuration::Config;
+//! let folder = tempfile::tempdir()?;
+//! let out = folder.path().join("kovalevskaya.npz");
+//! let summary = simulate(&Config::default(), &out, &SimulateOptions::default())?;
+//! assert_eq!((summary.steps, summary.end), (5000, 100.0));
+//! assert!(out.exists());
+//! # Ok::<(), Box<dyn std::error::Error>>(())
+//! ```
+//!
+//! # Which module when
+//!
+//! | when you need | use |
 //! |---|---|
-//! | [`vocabulary`] | formulations, schemes and other items by name; numbers and texts in messages |
-//! | [`errors`] | what can go wrong, and the exit codes |
-//! | [`files`] | files that appear when they are complete, and have one writer |
-//! | [`runs`] | the steps of a run, its integrator, and its samples one by one |
-//! | [`configuration`] | the tables of a configuration, tops by name, configurations from text and as text |
-//! | [`formats`] | CSV, NumPy's npz, Parquet |
-//! | `pictures` | axes, colours, text to outlines, SVG to PNG |
-//! | [`supervision`] | the progress bar, who may stop a command, finished parts of a run |
-//! | [`commands`] | `heavytop simulate`, `reproduce`, `compare`, `section`, `animate`, `bench`, `sweep` |
-//! | `interface` | the command line, `--help`, signals, standard output, the end of memory |
+//! | a command: `simulate`, `reproduce`, `compare`, `section`, `sweep`, `animate`, `bench` | [`commands`] |
+//! | a configuration from a file or by name, and its tables | [`configuration`] |
+//! | the samples of a run one by one, the integrator of a formulation and a scheme | [`runs`] |
+//! | the names of formulations and schemes | [`vocabulary`] |
+//! | the columns of a run, and its formats CSV, npz and Parquet | [`formats`] |
+//! | files that appear under their names only when they are complete, and have one writer | [`files`] |
+//! | to stop a command, or to hide or show its progress | [`supervision`] |
+//! | the reason why a command failed, its text and its exit code | [`Error`], [`errors`] |
+//! | the whole program in one call | [`main`] |
+//! | a message instead of an abort when memory runs out | [`MemoryGuard`] |
 //!
-//! The names of commands, keys, columns and files and the exit codes are a contract with the
-//! scripts that call the program; this library's items are not.
+//! The private modules `pictures` and `interface` hold axes, colours and the rendering of SVG, and the command line with
+//! its help, signals and standard output.
+//!
+//! # Conventions
+//!
+//! All numbers are in SI units. Π and Γ are in the body frame. Symbols, signs and sides are those of the crate
+//! [`heavytop`].
+//!
+//! The names of commands, keys, columns and files, and the exit codes, are a contract with the scripts that call the
+//! program. The items of this library are not.
+//!
+//! # Features
+//!
+//! `mpi`: the processes of an MPI job share the work of `sweep`. It needs an MPI library, such as Open MPI, and
+//! libclang.
+//!
+//! The oldest compiler that is supported is Rust 1.89.
 
 pub mod vocabulary;
 pub mod errors;

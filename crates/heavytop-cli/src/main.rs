@@ -1,4 +1,4 @@
-//! The program `heavytop`. Everything is in the library, so that tests can reach it.
+//! The entry point of the program `heavytop`. All its code is in the library, where tests can reach it.
 
 use heavytop_cli::MemoryGuard;
 use std::process::ExitCode;

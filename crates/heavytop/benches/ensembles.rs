@@ -1,7 +1,7 @@
-//! Ensembles at given accuracy: trajectory time units a second, on one thread.
+//! The speed of ensembles at a given accuracy: trajectory time units per second, on one thread.
 //!
-//! A measurement is one call on 1024 of Kovalevskaya's tops near the paper's start, to t = 20; what
-//! criterion counts as elements are time units of trajectories.
+//! A measurement is one call on 1024 of Kovalevskaya's tops near the paper's start, to t = 20. The elements that
+//! criterion counts are time units of trajectories.
 #![allow(clippy::unwrap_used, missing_docs)]
 
 use collective_integrators::{

@@ -1,5 +1,6 @@
-//! The collective midpoint rule, per step: one top and many, by the formulas for tops and by the
-//! iteration for any system, beside the fourth-order method of Runge and Kutta in plain Rust.
+//! The time of a step of the collective midpoint rule, for one top and for many.
+//!
+//! The formulas for tops and the iteration for any system are compared with RK4 in plain Rust.
 #![allow(missing_docs, clippy::unwrap_used, clippy::panic)]
 
 use collective_integrators::{BatchIntegrator, Integrator};
@@ -32,7 +33,7 @@ fn run<I: Integrator<State = Se3Dual>>(midpoint: &I) -> Se3Dual {
 
 type State = [f64; 6];
 
-/// The equations of the Kovalevskaya top.
+/// Returns the rate of change by the equations of the Kovalevskaya top.
 fn rate([p, q, r, x, y, z]: State) -> State {
     let (u, v, w) = (0.5 * p, 0.5 * q, r);
     [

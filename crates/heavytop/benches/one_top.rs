@@ -1,7 +1,8 @@
-//! One of Kovalevskaya's tops, from the paper's start: per step, and to t = 10 at a given accuracy.
+//! The speed of integrators for one of Kovalevskaya's tops from the paper's start: per step, and to t = 10 at a given
+//! accuracy.
 //!
-//! Per step what criterion counts as elements are steps, else time units. Errors are those of
-//! (Π, Γ) at t = 10, 2-norm, from `docs/performance.md`.
+//! The elements that criterion counts are steps in the first case, and time units in the second. Errors are 2-norms
+//! of the error of (Π, Γ) at t = 10, from `docs/performance.md`.
 #![allow(clippy::unwrap_used, missing_docs)]
 
 use collective_integrators::{
@@ -36,7 +37,7 @@ fn direct(scheme: RungeKutta) -> Direct<RungeKutta, HamiltonianField<LiePoisson<
     Direct::new(scheme, HamiltonianField { space, hamiltonian: top() })
 }
 
-/// Times so many steps.
+/// Times so many steps of an integrator.
 fn time<I: Start<f64, Momentum = Se3Dual>>(
     group: &mut BenchmarkGroup<'_, WallTime>,
     name: &str,

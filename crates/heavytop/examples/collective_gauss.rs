@@ -1,5 +1,5 @@
-//! What the kernel of collective Gauss methods costs and what it attains, for the paper's top and for
-//! a generic one, on every instruction set that the processor has:
+//! Measures the time and the error of the kernel of collective Gauss methods, for the paper's top and for a generic
+//! one, on every instruction set of the processor:
 //!
 //! ```text
 //! cargo run --release -p heavytop --example collective_gauss
@@ -18,7 +18,7 @@ use std::time::Instant;
 
 const RUNS: usize = 40;
 
-/// μ and the mean number of iterations after the given number of steps.
+/// Returns μ and the mean number of iterations after the given number of steps.
 fn run<I>(
     gauss: &I,
     start: &Se3Dual,

@@ -1,13 +1,13 @@
-//! A Hamiltonian of one's own on se(3)∗, given as a closure: a rigid body with a heavy end and a
-//! quartic spring to the vertical. No derivative is written down.
+//! Integrates a Hamiltonian on se(3)∗ that is given as a closure: a rigid body with a heavy end and a quartic spring
+//! to the vertical. No derivative is written down.
 //!
 //! ```text
 //! cargo run --release -p heavytop --example custom
 //! ```
 //!
-//! Prints the largest deviations up to t = 50 s of the energy and the Casimirs |Γ|² and Π·Γ. The
-//! collective Gauss method of order 4 conserves the Casimirs to round-off and the energy to its order,
-//! the classical Runge–Kutta method, collective too, none of them. Fails if not.
+//! Prints the largest deviations up to t = 50 s of the energy and the Casimirs |Γ|² and Π·Γ. The collective Gauss
+//! method of order 4 conserves the Casimirs to round-off and the energy to its order. The classical Runge–Kutta
+//! method, which is collective too, conserves none of them. The program fails if this does not hold.
 
 use collective_integrators::{Collective, RungeKutta, Start};
 use heavytop::{HeavyTopSpace, SpinorRealisation};
@@ -18,7 +18,7 @@ use std::error::Error;
 const STEP: f64 = 0.05;
 const STEPS: usize = 1000;
 
-/// The largest deviations of h, |Γ|² and Π·Γ under a scheme.
+/// Returns the largest deviations of h, |Γ|² and Π·Γ under a scheme.
 fn deviations(scheme: RungeKutta) -> Result<[f64; 3], Box<dyn Error>> {
     // h = ½ Π·(I⁻¹Π) + Γ₃ + Γ₁⁴/2 joules, with moments of 2, 1.6 and 1 kg m²
     let energy = from_closure::<HeavyTopSpace, _>(|Covector(Pair(pi, gamma))| {
@@ -46,7 +46,7 @@ fn main() -> Result<(), Box<dyn Error>> {
     for (name, [energy, square, level]) in [("Gauss 4", gauss), ("RK4", explicit)] {
         println!("{name:>10} {energy:>10.2e} {square:>10.2e} {level:>14.2e}");
     }
-    // round-off over the run, and the order of the method
+    // The bounds are round-off over the run, and the order of the method.
     let conserved = gauss[0] < STEP.powi(4) && gauss[1] < 1e-12 && gauss[2] < 1e-12;
     let control = explicit[1] > 1e-10 && explicit[2] > 1e-10;
     if conserved && control { Ok(()) } else { Err(format!("{gauss:?}, {explicit:?}").into()) }

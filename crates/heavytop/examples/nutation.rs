@@ -1,13 +1,13 @@
-//! The nutation of a Lagrange top, computed collectively on T∗C² and by its closed form in Jacobi's
-//! elliptic functions.
+//! Computes the nutation of a Lagrange top, collectively on T∗C² and by its closed form in Jacobi's elliptic
+//! functions.
 //!
 //! ```text
 //! cargo run --release -p heavytop --example nutation
 //! ```
 //!
-//! Prints the height Γ₃ of both every 2 s up to t = 20 s, between the turning points: the Gauss
-//! method of order 12 follows the closed form to round-off, the implicit midpoint rule to its second
-//! order. Fails if Gauss is further away than 1e-11, or the midpoint rule as close as that.
+//! Prints the height Γ₃ of both every 2 s up to t = 20 s, between the turning points. The Gauss method of order 12
+//! follows the closed form to round-off, the implicit midpoint rule to its second order. The program fails if Gauss
+//! is further away than 1e-11, or the midpoint rule as close as that.
 
 use collective_integrators::{Collective, RungeKutta, Start};
 use heavytop::{HeavyTop, LagrangeNutation, SpinorRealisation};
@@ -17,7 +17,7 @@ use std::error::Error;
 
 const STEP: f64 = 0.1;
 const STEPS: usize = 200;
-/// Round-off over the run, and what the method of order 12 leaves.
+/// The sum of round-off over the run and the error of the method of order 12.
 const BOUND: f64 = 1e-11;
 
 fn main() -> Result<(), Box<dyn Error>> {

@@ -4,8 +4,8 @@
 //! cargo run --release -p heavytop --example operations
 //! ```
 //!
-//! Iterations are counted as they come, on Kovalevskaya's top from the paper's start, over the last
-//! quarter of a run of 4096 steps.
+//! Iterations are counted as they occur, on Kovalevskaya's top from the paper's start, over the last quarter of a run
+//! of 4096 steps.
 
 use collective_integrators::{Collective, LiftFree, RungeKutta, Start};
 use core::ops::{
@@ -26,7 +26,7 @@ thread_local! {
     static SUMS: Cell<u64> = const { Cell::new(0) };
     static PRODUCTS: Cell<u64> = const { Cell::new(0) };
     static QUOTIENTS: Cell<u64> = const { Cell::new(0) };
-    /// Comparisons, choices, magnitudes and changes of sign.
+    /// The number of comparisons, choices, magnitudes and changes of sign.
     static OTHERS: Cell<u64> = const { Cell::new(0) };
 }
 
@@ -34,7 +34,7 @@ fn count(counter: &'static Counter) {
     counter.set(counter.get() + 1);
 }
 
-/// A number that counts what is done with it.
+/// A number that counts the operations on it.
 #[derive(Clone, Copy, Debug, PartialEq)]
 struct Counted(f64);
 

@@ -1,13 +1,13 @@
-//! The experiment of T. Ohsawa, *Collective Heavy Top Dynamics*, SIGMA 15 (2019) 083, §5.2: the
-//! implicit midpoint rule on Kovalevskaya's top, collective on T∗C² and direct on the equations.
+//! Repeats the experiment of T. Ohsawa, *Collective Heavy Top Dynamics*, SIGMA 15 (2019) 083, §5.2: the implicit
+//! midpoint rule on Kovalevskaya's top, collectively on T∗C² and directly on the equations.
 //!
 //! ```text
 //! cargo run --release -p heavytop --example paper
 //! ```
 //!
-//! Prints the largest deviations of h, f₁, f₂ and K up to t = 100 s with steps of 0.02 s. Collective:
-//! f₁ and f₂ to round-off, h to 9.091e-4 J and K to 6.344e-2; direct: h, f₁ and f₂ to round-off, but
-//! K to 0.35420 only. Fails if a number is another one.
+//! Prints the largest deviations of h, f₁, f₂ and K up to t = 100 s with steps of 0.02 s. The collective rule
+//! conserves f₁ and f₂ to round-off, h to 9.091e-4 J and K to 6.344e-2. The direct rule conserves h, f₁ and f₂ to
+//! round-off, but K to 0.35420 only. The program fails if a number differs.
 
 use collective_integrators::{Collective, Direct, HamiltonianField, RungeKutta, Start};
 use heavytop::{HeavyTop, SpinorRealisation};
@@ -17,7 +17,7 @@ use std::error::Error;
 
 const STEP: f64 = 0.02;
 const STEPS: usize = 5000;
-/// What counts as round-off over the run, of K = 193 at the start.
+/// The bound of round-off over the run; K is 193 at the start.
 const ROUND_OFF: f64 = 1e-12;
 
 /// Prints the largest deviations and compares them with the expected ones, to four digits.

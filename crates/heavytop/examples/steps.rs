@@ -15,15 +15,15 @@ use nalgebra::Vector3;
 use std::error::Error;
 use std::hint::black_box;
 
-/// The members of an ensemble: full registers on all instructions.
+/// The number of members of an ensemble, which fills registers on all instruction sets.
 const COUNT: u32 = 64;
 
-/// The paper's start.
+/// Returns the start of the paper.
 fn start() -> Se3Dual {
     Se3Dual::new(Vector3::new(2.0, 3.0, 4.0), Vector3::new(0.5, 0.0, 0.75_f64.sqrt()))
 }
 
-/// The steps of one top.
+/// Makes the steps of one top.
 fn one<I>(integrator: &I, step: f64, steps: u64) -> Result<(), Box<dyn Error>>
 where
     I: Start + Integrator<Momentum = Se3Dual>,
@@ -36,7 +36,7 @@ where
     Ok(())
 }
 
-/// The steps of many tops.
+/// Makes the steps of many tops.
 fn many<B, P: Copy>(batch: &B, parameters: P, step: f64, steps: u64) -> Result<(), Box<dyn Error>>
 where
     B: BatchIntegrator<Member = (P, Se3Dual)>,

@@ -1,13 +1,13 @@
-//! A periodic Heisenberg chain of 12 classical spins, without and with a magnetic field.
+//! Integrates a periodic Heisenberg chain of 12 classical spins, without and with a magnetic field.
 //!
 //! ```text
 //! cargo run --release -p lie-poisson-systems --example spin_chain
 //! ```
 //!
-//! Prints the largest deviations up to t = 25 of the energy, of the lengths |s_i| and of the components
-//! of the total spin S, in the units in which spins and J are numbers. The lengths and, without field,
-//! S are conserved to round-off, h to the order of the Gauss method; in a field along the third axis S₃
-//! alone is left, and S₁ and S₂ precess. Fails if not.
+//! Prints the largest deviations up to t = 25 of the energy, of the lengths |s_i| and of the components of the total
+//! spin S, in the units in which spins and J are numbers. The method conserves the lengths and, without field, S to
+//! round-off, and h to its order. In a field along the third axis only S₃ is conserved, and S₁ and S₂ precess. The
+//! program fails if this does not hold.
 
 use collective_integrators::{Collective, RungeKutta, Start};
 use lie_poisson::{Covector, Hamiltonian, Power, larger};
@@ -19,10 +19,10 @@ use std::error::Error;
 const SPINS: usize = 12;
 const STEP: f64 = 0.05;
 const STEPS: usize = 500;
-/// Round-off over the run.
+/// The bound of round-off over the run.
 const ROUND_OFF: f64 = 1e-12;
 
-/// The largest deviations of h, |s_i|, S₁, S₂, S₃ in a field.
+/// Returns the largest deviations of h, |s_i|, S₁, S₂, S₃ in a field.
 fn deviations(field: Vector3<f64>) -> Result<[f64; 5], Box<dyn Error>> {
     let chain = HeisenbergChain::<SPINS>::new(1.0, field)?;
     let mut angle = 0.0_f64;

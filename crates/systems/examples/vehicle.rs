@@ -1,13 +1,13 @@
-//! A torpedo without fins in an ideal fluid (Kirchhoff's equations): it does not keep going along its
-//! long axis, but turns broadside on, since the fluid that it drags is the heavier there.
+//! Integrates a torpedo without fins in an ideal fluid (Kirchhoff's equations). It does not keep moving along its
+//! long axis, but turns broadside on, since the fluid that it drags is heavier there.
 //!
 //! ```text
 //! cargo run --release -p lie-poisson-systems --example vehicle
 //! ```
 //!
-//! Prints, every 4 s up to t = 40 s, the angle of the impulse P with the long axis, which grows from 1°
-//! beyond 150° and returns, and the deviations of h, |P|² and Π·P, which the collective Gauss method of
-//! order 6, in its form without a lift, keeps below 1e-12. Fails if a deviation is larger, or the angle stays below 90°.
+//! Prints, every 4 s up to t = 40 s, the angle of the impulse P with the long axis, which grows from 1° beyond 150°
+//! and returns. Prints also the deviations of h, |P|² and Π·P, which the collective Gauss method of order 6, in its
+//! form without a lift, keeps below 1e-12. The program fails if a deviation is larger, or the angle stays below 90°.
 
 use collective_integrators::{LiftFree, RungeKutta, Start};
 use lie_poisson::{Covector, Hamiltonian, Pair, Se3Dual, larger};
@@ -18,11 +18,11 @@ use std::error::Error;
 
 const STEP: f64 = 0.05;
 const STEPS: usize = 800;
-/// Round-off over the run; what the method leaves in h is below it at this step.
+/// The bound of round-off over the run; the error of the method in h is smaller at this step.
 const BOUND: f64 = 1e-12;
 
 fn main() -> Result<(), Box<dyn Error>> {
-    // body and fluid: moments of 2, 2, 1 kg m², masses of 3, 3, 1.5 kg; the long axis is the third
+    // Body and fluid have moments of 2, 2, 1 kg m² and masses of 3, 3, 1.5 kg; the long axis is the third.
     let moments = Matrix3::from_diagonal(&Vector3::new(0.5, 0.5, 1.0));
     let masses = Matrix3::from_diagonal(&Vector3::new(1.0 / 3.0, 1.0 / 3.0, 1.0 / 1.5));
     let vehicle = Kirchhoff::new(moments, Matrix3::zeros(), masses)?;

@@ -1,12 +1,12 @@
-//! Four point vortices on the unit sphere, on (so(3)∗)⁴, collectively through one Hopf map each.
+//! Integrates four point vortices on the unit sphere, on (so(3)∗)⁴, collectively through one Hopf map each.
 //!
 //! ```text
 //! cargo run --release -p lie-poisson-systems --example vortices
 //! ```
 //!
-//! Prints the largest deviations up to t = 50 s of the energy h, of the distances |x_i| from the centre
-//! and of the moment of vorticity Σ k_i x_i. The Gauss method of order 6 conserves distances and moment
-//! to round-off and h to its order; the explicit midpoint rule leaves the sphere. Fails if not.
+//! Prints the largest deviations up to t = 50 s of the energy h, of the distances |x_i| from the centre and of the
+//! moment of vorticity Σ k_i x_i. The Gauss method of order 6 conserves distances and moment to round-off, and h to
+//! its order. With the explicit midpoint rule the vortices leave the sphere. The program fails if this does not hold.
 
 use collective_integrators::{Collective, RungeKutta, Start};
 use lie_poisson::{Hamiltonian, larger};
@@ -18,7 +18,7 @@ use std::error::Error;
 const STEP: f64 = 0.1;
 const STEPS: usize = 500;
 
-/// The largest deviations of h, of the distances and of the moment of vorticity.
+/// Returns the largest deviations of h, of the distances and of the moment of vorticity.
 fn deviations(scheme: RungeKutta) -> Result<[f64; 3], Box<dyn Error>> {
     let vortices = PointVortices::new([1.0, -0.7, 1.5, 0.4])?;
     let positions = [
@@ -54,7 +54,7 @@ fn main() -> Result<(), Box<dyn Error>> {
     {
         println!("{name:>18} {energy:>12.2e} {distance:>10.2e} {moment:>16.2e}");
     }
-    // round-off over the run, and the order of the method
+    // The bounds are round-off over the run, and the order of the method.
     let conserved = gauss[0] < STEP.powi(6) && gauss[1] < 1e-12 && gauss[2] < 1e-12;
     let control = explicit[1] > 1e-9;
     if conserved && control { Ok(()) } else { Err(format!("{gauss:?}, {explicit:?}").into()) }

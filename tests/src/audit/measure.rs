@@ -1,4 +1,4 @@
-//! The numbers of one row.
+//! The measurement of the numbers in one row.
 
 use super::{Drifts, Failure, SHORT, STEP};
 use crate::tops;
@@ -8,10 +8,10 @@ use heavytop::{HeavyTop, SpinorRealisation};
 use lie_poisson::{DualNumber, Hamiltonian, LiePoisson, Se3, Se3Dual, Vector, larger};
 use momentum_map::{CollectiveHamiltonian, Lift};
 
-/// Errors below this are those of round-off, and of the exact values.
+/// The largest error that may be round-off, also that of the exact values.
 const PLATEAU: f64 = 1e-12;
 
-/// The slope of the error at t = 1.
+/// Measures the slope of the error at t = 1 against the step.
 pub(super) fn order<I>(integrator: &I) -> Result<Option<f64>, Failure>
 where
     I: Start<f64, Momentum = Se3Dual>,
@@ -29,7 +29,7 @@ where
     Ok(fitted_order(&points[points.len().saturating_sub(6)..], PLATEAU).ok())
 }
 
-/// ‖DφΛDφᵀ − Λ∘φ‖ for one step of 1/10.
+/// Measures ‖DφΛDφᵀ − Λ∘φ‖ for one step of 1/10.
 pub(super) fn poisson_defect<I>(integrator: &I) -> Result<f64, Failure>
 where
     I: Start<f64, Momentum = Se3Dual> + Start<DualNumber, Momentum = Se3Dual<DualNumber>>,
@@ -38,14 +38,14 @@ where
     Ok(step_poisson_defect(&space, integrator, &tops::paper_start(), 0.1)?)
 }
 
-/// |M(Φ(z′)) − M(Φ(z))| of a scheme on T*C².
+/// Measures |M(Φ(z′)) − M(Φ(z))| of a scheme on T*C².
 pub(super) fn descent_defect<S: Scheme>(scheme: &S, top: HeavyTop) -> Result<f64, Failure> {
     let system = CollectiveHamiltonian::new(SpinorRealisation, top);
     let z = SpinorRealisation.lift::<f64>(&tops::paper_start())?;
     Ok(fibre_defects(scheme, &system, &z, 0.7, STEP)?.descent)
 }
 
-/// The drifts over [`SHORT`] and over all steps, and the step at which the run has failed.
+/// Measures the drifts over [`SHORT`] and over all steps, and the step at which the run has failed.
 pub(super) fn drifts<I>(
     integrator: &I,
     top: &HeavyTop,

@@ -1,4 +1,4 @@
-//! The formulations with their schemes.
+//! The formulations of the audit, with their schemes.
 
 use super::{Failure, Row, measure};
 use crate::tops;
@@ -18,7 +18,7 @@ pub struct Method {
 }
 
 impl Method {
-    /// The row of the table, with drifts over this number of steps.
+    /// Measures the row of the table, with drifts over this number of steps.
     ///
     /// # Errors
     /// If there is no lift, or fewer than 100 steps succeed.
@@ -83,10 +83,10 @@ impl Method {
     }
 }
 
-/// All rows of the table, in its order.
+/// Returns all methods, in the order of the table.
 ///
 /// # Errors
-/// Never, with these coefficients and this top.
+/// There is none with these coefficients and this top.
 pub fn methods() -> Result<Vec<Method>, Failure> {
     let (top, mut methods) = (tops::paper()?, Vec::new());
     let (symplectic, explicit) = (symplectic()?, explicit());

@@ -1,5 +1,4 @@
-//! The table of `docs/audit.md` that has a row for every scheme and formulation: what is measured, how it
-//! is written, and how it is read.
+//! The table of `docs/audit.md` with a row for every scheme and formulation: how it is measured, written and read.
 //!
 //! The example `audit` prints the table, and the test `audit` measures it again and compares.
 
@@ -12,61 +11,62 @@ use core::fmt;
 use core::str::FromStr;
 use std::error::Error;
 
-/// What goes wrong, in any thread.
+/// An error of any kind, in any thread.
 pub type Failure = Box<dyn Error + Send + Sync>;
 
 /// The number of steps of the shorter one of two runs, which the test repeats.
 pub const SHORT: u64 = 10_000;
 
-/// The number of steps of the longer one.
+/// The number of steps of the longer run.
 pub const LONG: u64 = 1_000_000;
 
 /// The step of both runs, in seconds.
 pub const STEP: f64 = 0.02;
 
-/// The line of the table that names the columns.
+/// The line of the table with the names of the columns.
 pub const HEADER: &str = "| formulation | scheme | order claimed | measured | Poisson defect, h = 1/10 | \
     max \\|Δf₁\\|, 10⁴ and 10⁶ steps | max \\|Δf₂\\| | max \\|Δh\\| | slope of h, 1/s | descent defect |";
 
-/// How far f₁, f₂ and h go from their first values in a run of steps of [`STEP`].
+/// The deviations of f₁, f₂ and h from their first values in a run of steps of [`STEP`].
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Drifts {
-    /// max |Δf₁| and max |Δf₂|
+    /// The largest deviations max |Δf₁| and max |Δf₂|.
     pub casimirs: [f64; 2],
-    /// max |Δh|
+    /// The largest deviation max |Δh| of the energy.
     pub energy: f64,
     /// The slope of h against t by least squares, from every hundredth step.
     pub slope: f64,
 }
 
-/// A row: one formulation with one scheme, for the paper's top.
+/// A row of the table: one formulation with one scheme, for the paper's top.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Row {
-    /// On T\*C² ("collective"), without a lift ("reduced"), on six equations ("direct"), or by a splitting.
+    /// The formulation: on T\*C² ("collective"), without a lift ("reduced"), on six equations ("direct"), or by a
+    /// splitting.
     pub formulation: String,
-    /// The scheme.
+    /// The name of the scheme.
     pub scheme: String,
-    /// The step at which the run has failed.
+    /// The number of the step at which the run has failed.
     pub failed: Option<u64>,
-    /// The order that the scheme says it has.
+    /// The order that the scheme claims.
     pub claimed: usize,
-    /// The fitted slope of the error at t = 1 against exact values; `None` where too few errors are above
-    /// round-off.
+    /// The fitted slope of the error at t = 1 against exact values; `None` if too few errors are above round-off.
     pub order: Option<f64>,
-    /// ‖DφΛDφᵀ − Λ∘φ‖ for one step of 1/10 from the paper's start, by exact tangent maps.
+    /// The Poisson defect ‖DφΛDφᵀ − Λ∘φ‖ of one step of 1/10 from the paper's start, by exact tangent maps.
     pub poisson: f64,
-    /// Over [`SHORT`] steps.
+    /// The drifts over [`SHORT`] steps.
     pub short: Drifts,
-    /// Over all steps.
+    /// The drifts over all steps.
     pub long: Drifts,
-    /// |M(Φ(z′)) − M(Φ(z))| after one step, for lifts z and z′ of one momentum, where there are lifts.
+    /// The descent defect |M(Φ(z′)) − M(Φ(z))| after one step, for lifts z and z′ of one momentum; `None` without
+    /// lifts.
     pub descent: Option<f64>,
 }
 
-/// What stands where there is no order.
+/// The text for a missing order.
 const TOO_FEW: &str = "too few";
 
-/// What stands where there are no lifts.
+/// The text for a missing descent defect.
 const NOTHING: &str = "—";
 
 impl fmt::Display for Row {

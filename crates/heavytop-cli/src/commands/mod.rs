@@ -1,4 +1,4 @@
-//! The commands, one folder each. None knows of another.
+//! The commands of the program, one folder each; no command imports another.
 
 pub mod simulate;
 pub mod reproduce;

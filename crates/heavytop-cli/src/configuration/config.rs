@@ -1,4 +1,4 @@
-//! The configuration file.
+//! The tables of a configuration file.
 
 use super::integrator_config::{Integration, IntegratorConfig};
 use super::section_config::SectionConfig;
@@ -12,29 +12,29 @@ use heavytop::HeavyTop;
 use lie_poisson::Se3Dual;
 use serde::{Deserialize, Serialize};
 
-/// A configuration; what is left out is the paper's Kovalevskaya top.
+/// A configuration file; what it leaves out is as for the paper's Kovalevskaya top.
 #[derive(Clone, Debug, Default, PartialEq, Deserialize, Serialize)]
 #[serde(default, deny_unknown_fields)]
 pub struct Config {
-    /// `[body]`
+    /// The table `[body]`: the parameters of the top.
     pub body: BodyConfig,
-    /// `[initial]`
+    /// The table `[initial]`: the state at t = 0.
     pub initial: InitialConfig,
-    /// `[integrator]`
+    /// The table `[integrator]`: the method and its steps.
     pub integrator: IntegratorConfig,
-    /// `[output]`
+    /// The table `[output]`: what is written.
     pub output: OutputConfig,
-    /// `[section]`; without it that of the energy and vertical momentum of `[initial]`.
+    /// The table `[section]`; without it, the section with the energy and vertical momentum of `[initial]`.
     pub section: Option<SectionConfig>,
-    /// `[sweep]`; without it a small sweep over angular momenta.
+    /// The table `[sweep]`; without it, a small sweep over angular momenta.
     pub sweep: Option<SweepConfig>,
 }
 
-/// `[output]`: what is kept.
+/// The table `[output]`: what is written.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Deserialize, Serialize)]
 #[serde(default, deny_unknown_fields)]
 pub struct OutputConfig {
-    /// Every n-th step is kept, and the last.
+    /// The number n such that every n-th step is written, and the last one.
     pub every: u64,
     /// Whether the attitude is written.
     pub attitude: bool,
@@ -47,7 +47,7 @@ impl Default for OutputConfig {
 }
 
 impl Config {
-    /// The experiment that the configuration asks for.
+    /// Returns the experiment that the configuration asks for.
     ///
     /// # Errors
     /// If there is no such experiment.
@@ -68,18 +68,18 @@ impl Config {
         Ok(Experiment { top, start, method, schedule, every, attitude })
     }
 
-    /// The top of `[body]`.
+    /// Returns the top of `[body]`.
     ///
     /// # Errors
-    /// As [`BodyConfig::top`].
+    /// The errors of [`BodyConfig::top`].
     pub fn top(&self) -> Result<HeavyTop, Error> {
         self.body.top()
     }
 
-    /// The state of `[initial]`.
+    /// Returns the state of `[initial]`.
     ///
     /// # Errors
-    /// As [`InitialConfig::start`].
+    /// The errors of [`InitialConfig::start`].
     pub fn start(&self) -> Result<Se3Dual, Error> {
         self.initial.start()
     }

@@ -1,36 +1,36 @@
-//! `[integrator]`: the method and its steps.
+//! The table `[integrator]`: the method and its steps.
 
 use crate::vocabulary::{Formulation, Scheme};
 use serde::{Deserialize, Serialize};
 
-/// `[integrator]`: the method and its steps. What a key does not say depends on the command.
+/// The table `[integrator]`: the method and its steps. The defaults of its keys depend on the command.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Deserialize, Serialize)]
 #[serde(default, deny_unknown_fields)]
 pub struct IntegratorConfig {
-    /// Where the scheme is applied.
+    /// The formulation: where the scheme is applied.
     pub formulation: Option<Formulation>,
-    /// The scheme.
+    /// The scheme's name in configurations.
     pub scheme: Option<Scheme>,
     /// The time step, s.
     pub step: Option<f64>,
     /// The time to stop at, s: a whole number of steps.
     pub end: Option<f64>,
-    /// For the stage equations; 0 iterates to the round-off floor.
+    /// The tolerance of the stage equations; 0 iterates to the round-off floor.
     pub tolerance: Option<f64>,
 }
 
-/// An integrator in which nothing is left out; by default that of `simulate`.
+/// An integrator with no key left out; the default is that of `simulate`.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Integration {
-    /// Where the scheme is applied.
+    /// The formulation: where the scheme is applied.
     pub formulation: Formulation,
-    /// The scheme.
+    /// The one-step scheme.
     pub scheme: Scheme,
     /// The time step, s.
     pub step: f64,
     /// The time to stop at, s.
     pub end: f64,
-    /// For the stage equations.
+    /// The tolerance of the stage equations.
     pub tolerance: f64,
 }
 
@@ -47,7 +47,7 @@ impl Default for Integration {
 }
 
 impl IntegratorConfig {
-    /// The integrator of these keys, and of a command's own where there is none.
+    /// Returns the integrator of these keys, with the values of `own` where a key is missing.
     ///
     /// # Example
     /// ```

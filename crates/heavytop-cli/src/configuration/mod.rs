@@ -1,4 +1,4 @@
-//! The configuration: its tables, tops by name, configurations from text and as text.
+//! The configuration: its tables, tops by name, reading and writing.
 
 mod top_config;
 mod integrator_config;

@@ -1,13 +1,13 @@
-//! What is found out about each top.
+//! The observables: what a sweep measures about each top.
 
 use crate::vocabulary::named::{by_name, name_of};
 use serde::{Deserialize, Serialize};
 
-/// One or more numbers about the motion of a top.
+/// A quantity of one or more numbers that describes the motion of a top.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Deserialize, Serialize)]
 #[serde(try_from = "String", into = "&'static str")]
 pub enum Observable {
-    /// (Π, Γ) at the end.
+    /// The state (Π, Γ) at the end.
     FinalState,
     /// The largest deviations of h, f₁ and f₂ over all steps.
     InvariantDrift,
@@ -34,13 +34,13 @@ impl Observable {
         ("nutation-amplitude", Self::NutationAmplitude),
     ];
 
-    /// Its name in configurations.
+    /// Returns the name in configurations.
     #[must_use]
     pub fn name(self) -> &'static str {
         name_of(Self::NAMES, self)
     }
 
-    /// Its columns.
+    /// Returns the columns of the observable.
     #[must_use]
     pub fn columns(self) -> &'static [Column] {
         match self {
@@ -76,14 +76,14 @@ const MEGNO: [Column; 1] = [Column::logarithmic("megno", "MEGNO")];
 const ROTATION: [Column; 1] = [Column::linear("rotation_number", "rotation number (turns)")];
 const NUTATION: [Column; 1] = [Column::linear("nutation_amplitude", "nutation amplitude (rad)")];
 
-/// A column of the table, and how it is drawn.
+/// A column of the table of a sweep, and how its heat map is drawn.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct Column {
-    /// Its name, which is also that of its heat map.
+    /// The name of the column, which is also that of its heat map.
     pub name: &'static str,
-    /// What it holds, with the unit.
+    /// The quantity in the column, with its unit.
     pub label: &'static str,
-    /// Whether colours follow the logarithm.
+    /// Whether the colours follow the logarithm of the value.
     pub is_logarithmic: bool,
 }
 

@@ -1,37 +1,37 @@
-//! What a sweep may vary.
+//! The parameters that a sweep may vary.
 
 use super::top_config::{BodyConfig, InitialConfig};
 use crate::vocabulary::named::{by_name, name_of};
 use serde::{Deserialize, Serialize};
 
-/// A number of `[body]` or `[initial]`, by its path in the configuration.
+/// A number of `[body]` or `[initial]`, named by its path in the configuration.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Deserialize, Serialize)]
 #[serde(try_from = "String", into = "&'static str")]
 pub enum Parameter {
-    /// `body.inertia[i]`
+    /// A principal moment of inertia, `body.inertia[i]`.
     Inertia(usize),
-    /// `body.mass`
+    /// The mass of the top, `body.mass`.
     Mass,
-    /// `body.gravity`
+    /// The gravitational acceleration, `body.gravity`.
     Gravity,
-    /// `body.length`
+    /// The distance from the support to the centre of mass, `body.length`.
     Length,
-    /// `body.center_of_mass…`
+    /// A number of the direction to the centre of mass, `body.center_of_mass…`.
     CenterOfMass(Part),
-    /// `initial.angular_momentum[i]`
+    /// A component of the initial angular momentum Π(0), `initial.angular_momentum[i]`.
     AngularMomentum(usize),
-    /// `initial.vertical…`
+    /// A number of the direction Γ(0), `initial.vertical…`.
     Vertical(Part),
 }
 
-/// A number of a unit vector v = (sin ϑ cos φ, sin ϑ sin φ, cos ϑ).
+/// A number that describes a unit vector v = (sin ϑ cos φ, sin ϑ sin φ, cos ϑ).
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Part {
-    /// `[i]`: v_i; the others stay.
+    /// The component v_i, `[i]`; the other components stay.
     Component(usize),
-    /// `.inclination`: ϑ, rad; φ stays.
+    /// The inclination ϑ, `.inclination`, rad; φ stays.
     Inclination,
-    /// `.azimuth`: φ, rad; ϑ stays.
+    /// The azimuth φ, `.azimuth`, rad; ϑ stays.
     Azimuth,
 }
 
@@ -60,13 +60,13 @@ impl Parameter {
         ("initial.vertical.azimuth", Self::Vertical(Azimuth)),
     ];
 
-    /// Its path, which is also the name of its column.
+    /// Returns the path in the configuration, which is also the name of the column.
     #[must_use]
     pub fn name(self) -> &'static str {
         name_of(Self::NAMES, self)
     }
 
-    /// Its symbol and its unit.
+    /// Returns the symbol and the unit.
     #[must_use]
     pub fn label(self) -> String {
         let indexed = |symbol: &str, i: usize| format!("{symbol}{}", ["₁", "₂", "₃"][i % 3]);
@@ -86,26 +86,26 @@ impl Parameter {
         }
     }
 
-    /// Whether it is of `[body]`.
+    /// Returns whether the parameter is a number of `[body]`.
     #[must_use]
     pub fn is_of_body(self) -> bool {
         !matches!(self, Self::AngularMomentum(_) | Self::Vertical(_))
     }
 
-    /// Whether it is a component of a unit vector.
+    /// Returns whether the parameter is a component of a unit vector.
     #[must_use]
     pub fn is_component(self) -> bool {
         matches!(self, Self::CenterOfMass(Component(_)) | Self::Vertical(Component(_)))
     }
 
-    /// Whether it is an azimuth, which has to be set after the inclination: a vector that stands
-    /// upright would lose it.
+    /// Returns whether the parameter is an azimuth, which has to be set after the inclination: an upright vector has
+    /// no azimuth to keep.
     #[must_use]
     pub fn is_azimuth(self) -> bool {
         matches!(self, Self::CenterOfMass(Azimuth) | Self::Vertical(Azimuth))
     }
 
-    /// Gives it a value.
+    /// Sets the parameter to a value.
     pub fn set(self, value: f64, body: &mut BodyConfig, initial: &mut InitialConfig) {
         let put = |vector: &mut [f64; 3], i: usize| {
             vector.iter_mut().skip(i).take(1).for_each(|component| *component = value);
@@ -126,7 +126,7 @@ impl Parameter {
         }
     }
 
-    /// Scales the unit vector that it is of to length 1; one without a direction stays.
+    /// Scales the unit vector of the parameter to length 1; a vector without a direction stays.
     pub fn normalise(self, body: &mut BodyConfig, initial: &mut InitialConfig) {
         let vector = match self {
             Self::CenterOfMass(_) => &mut body.center_of_mass,
@@ -154,7 +154,7 @@ impl TryFrom<String> for Parameter {
     }
 }
 
-// By `libm`: the same bits on every machine.
+// Uses `libm`, which gives the same bits on every machine.
 
 fn angles(&[x, y, z]: &[f64; 3]) -> [f64; 2] {
     [libm::atan2(libm::sqrt(x * x + y * y), z), libm::atan2(y, x)]

@@ -1,4 +1,4 @@
-//! Tops by name.
+//! The presets: tops by name.
 
 use super::config::Config;
 use super::integrator_config::Integration;
@@ -6,7 +6,7 @@ use super::top_config::{BodyConfig, InitialConfig};
 use crate::vocabulary::{Formulation, Scheme};
 use clap::ValueEnum;
 
-/// A top by name, with a start and an integrator: what a configuration leaves out.
+/// A top by name, with its start and its integrator: the defaults of a configuration.
 ///
 /// # Example
 /// ```
@@ -42,7 +42,7 @@ pub enum Preset {
 }
 
 impl Preset {
-    /// Its configuration.
+    /// Returns the configuration of the preset.
     #[must_use]
     pub fn config(self) -> Config {
         let mut config = Config::default();
@@ -74,7 +74,7 @@ fn multibody_benchmark(config: &mut Config) {
     config.body =
         BodyConfig { inertia, mass, gravity: 9.81, length: 1.0, center_of_mass: [0.0, 1.0, 0.0] };
     config.initial = InitialConfig { angular_momentum, vertical: [0.0, 0.0, 1.0] };
-    // Half a radian per step, which order 16 takes to round-off.
+    // A step of half a radian, which the method of order 16 integrates to round-off.
     config.integrator = Integration {
         formulation: Formulation::Reduced,
         scheme: Scheme::Gauss(8),

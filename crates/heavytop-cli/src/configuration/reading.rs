@@ -1,4 +1,4 @@
-//! Configurations from text and as text.
+//! Reading and writing of configurations as TOML.
 
 use super::config::Config;
 use super::preset::Preset;
@@ -14,14 +14,14 @@ use std::path::Path;
 use toml::de::DeTable;
 use toml::{Table, Value};
 
-/// A longer file is no configuration.
+/// The largest size of a configuration file.
 const MOST_BYTES: u64 = 1 << 20;
 
 impl Config {
-    /// The configuration of a preset, or the default one, with the keys of a file put over it.
+    /// Returns the configuration of a preset, or the default one, overridden by the keys of a file.
     ///
     /// # Errors
-    /// As [`Config::read_over`].
+    /// The errors of [`Config::read_over`].
     pub fn load(preset: Option<Preset>, file: Option<&Path>) -> Result<Self, Error> {
         let base = preset.map_or_else(Self::default, Preset::config);
         match file {
@@ -30,35 +30,35 @@ impl Config {
         }
     }
 
-    /// The configuration of a file; keys that it leaves out are as by default.
+    /// Reads the configuration of a file; keys that it leaves out have their default values.
     ///
     /// # Errors
-    /// As [`Config::read_over`].
+    /// The errors of [`Config::read_over`].
     pub fn read(path: &Path) -> Result<Self, Error> {
         Self::default().read_over(path)
     }
 
-    /// The configuration of a file; keys that it leaves out are as here.
+    /// Reads the configuration of a file; keys that it leaves out have the values of `self`.
     ///
     /// # Errors
-    /// If it cannot be read, has more than a mebibyte, is not TOML, or has unknown keys or wrong types;
-    /// the error then names the line, the column and the key.
+    /// If the file cannot be read, has more than a mebibyte, is not TOML, or has unknown keys or wrong types; the
+    /// error then names the line, the column and the key.
     pub fn read_over(&self, path: &Path) -> Result<Self, Error> {
         let text = bounded::read(path, MOST_BYTES)
             .map_err(|source| Error::Read { path: path.into(), source })?;
         let located = |error, way: &[&Segment]| located(path, &text, &error, way);
         let unread = |error| located(error, &[]);
-        // By itself first: only the text that was written has lines to name.
+        // The file is first read by itself, since only its own text has lines to name.
         let _ = read(toml::Deserializer::parse(&text).map_err(unread)?, located)?;
         let mut table = Table::try_from(self).map_err(Error::Unwritable)?;
         overlay(&mut table, toml::from_str(&text).map_err(unread)?);
         read(table, located)
     }
 
-    /// The configuration as TOML, which reads back as the same configuration.
+    /// Returns the configuration as TOML, which reads back as the same configuration.
     ///
     /// # Errors
-    /// If it has a number that TOML has not: an integer of more than 63 bits.
+    /// If a number cannot be written in TOML: an integer of more than 63 bits.
     ///
     /// # Example
     /// ```
@@ -71,10 +71,10 @@ impl Config {
         toml::to_string(self).map_err(Error::Unwritable)
     }
 
-    /// The keys in which another configuration differs: `[integrator] step: 0.02 against 0.01`.
+    /// Returns the keys in which another configuration differs: `[integrator] step: 0.02 against 0.01`.
     ///
     /// # Errors
-    /// As [`Config::to_toml`].
+    /// The errors of [`Config::to_toml`].
     pub fn differences(&self, other: &Self) -> Result<Vec<String>, Error> {
         let table = |config: &Self| Table::try_from(config).map_err(Error::Unwritable);
         let (here, there) = (table(self)?, table(other)?);
@@ -86,7 +86,7 @@ impl Config {
             let (here, there) = (keys(&here), keys(&there));
             for key in union(&here, &there) {
                 let (here, there) = (here.get(key), there.get(key));
-                // As texts: NaN is equal to itself.
+                // Texts are compared, so that NaN equals itself.
                 if here.map(Value::to_string) != there.map(Value::to_string) {
                     let [here, there] = [here, there]
                         .map(|value| value.map_or("nothing".into(), |v| brief::message(&short(v))));
@@ -98,12 +98,12 @@ impl Config {
     }
 }
 
-/// The keys of both tables.
+/// Returns the keys of both tables.
 fn union<'a>(one: &'a Table, other: &'a Table) -> BTreeSet<&'a String> {
     one.keys().chain(other.keys()).collect()
 }
 
-/// Puts the keys of one table over those of another, in tables within tables as well.
+/// Overrides the keys of one table by those of another, in nested tables as well.
 fn overlay(base: &mut Table, over: Table) {
     for (key, value) in over {
         match (base.get_mut(&key), value) {
@@ -115,7 +115,7 @@ fn overlay(base: &mut Table, over: Table) {
     }
 }
 
-/// The configuration, or the error and the way to its key.
+/// Deserialises the configuration, or returns the error with the way to its key.
 fn read<'de>(
     from: impl Deserializer<'de, Error = toml::de::Error>,
     located: impl Fn(toml::de::Error, &[&Segment]) -> Error,
@@ -127,7 +127,7 @@ fn read<'de>(
     })
 }
 
-/// The value, each of its numbers with the fewest digits.
+/// Formats the value, each of its numbers with the fewest digits.
 fn short(value: &Value) -> String {
     match value {
         Value::Float(number) => format!("{number:?}"),
@@ -139,7 +139,7 @@ fn short(value: &Value) -> String {
     }
 }
 
-/// The error with its place in the text, and the key by the way that leads to it.
+/// Returns the error with its place in the text, and with the key to which the way leads.
 fn located(path: &Path, text: &str, error: &toml::de::Error, way: &[&Segment]) -> Error {
     let start = error.span().or_else(|| span(text, way)).map_or(0, |span| span.start);
     let before = text.get(..start).unwrap_or(text);
@@ -150,7 +150,7 @@ fn located(path: &Path, text: &str, error: &toml::de::Error, way: &[&Segment]) -
         line: before.matches('\n').count() + 1,
         column: before[line_start..].chars().count() + 1,
         message: match key.as_str() {
-            // An unknown one is in the message.
+            // The message of an unknown key names it already.
             _ if message.starts_with(UNKNOWN) => message,
             "" => message,
             key => format!("{key}: {message}"),
@@ -158,7 +158,7 @@ fn located(path: &Path, text: &str, error: &toml::de::Error, way: &[&Segment]) -
     }
 }
 
-/// `body.inertia[3]`
+/// Formats the way to a key, as in `body.inertia[3]`.
 fn key(way: &[&Segment]) -> String {
     way.iter().fold(String::new(), |key, segment| match segment {
         Segment::Map { key: name } if key.is_empty() => text(name),
@@ -168,7 +168,7 @@ fn key(way: &[&Segment]) -> String {
     })
 }
 
-/// Where the value is, or the innermost one on the way to it.
+/// Returns the place of the value in the text, or of the innermost value on the way to it.
 fn span(text: &str, way: &[&Segment]) -> Option<Range<usize>> {
     let document = DeTable::parse(text).ok()?;
     let Some((Segment::Map { key }, rest)) = way.split_first() else { return None };
@@ -187,7 +187,7 @@ fn span(text: &str, way: &[&Segment]) -> Option<Range<usize>> {
     Some(value.span())
 }
 
-/// What Rust calls a thing, and what everybody does.
+/// Names of types in messages of Rust, and the plain words for them.
 const TYPES: [(&str, &str); 5] = [
     ("missing field", "missing key"),
     ("expected a sequence", "expected an array"),
@@ -196,13 +196,13 @@ const TYPES: [(&str, &str); 5] = [
     ("expected u64", "expected a whole number from 0 to 9223372036854775807"),
 ];
 
-/// What Rust calls a table.
+/// The text by which Rust's messages call a table.
 const TABLE: &str = "expected struct ";
 
-/// How a message about an unknown key begins.
+/// The beginning of a message about an unknown key.
 const UNKNOWN: &str = "unknown key";
 
-/// In our words, short, on one line, and with a suggestion for a misspelt key.
+/// Rewrites a message in plain words, short, on one line, and with a suggestion for a misspelt key.
 fn message(original: &str) -> String {
     let line = original.replace('\n', "; ").replace(" as i128", "");
     let line = TYPES.iter().fold(line, |line, (rust, plain)| line.replace(rust, plain));
@@ -240,7 +240,7 @@ mod tests {
         let expected =
             ["[body] mass: 1.0 against 1e308", "[integrator] step: nothing against 1e-9"];
         assert_eq!(Config::default().differences(&heavy).unwrap(), expected);
-        // A difference counts though too much is around it to be shown.
+        // A difference counts even if too much text surrounds it to be shown.
         let tops = |mass: &str| {
             let axis = "{ parameter = 'body.length', uniform = [0, 1] }, ".repeat(40);
             let text =
@@ -249,7 +249,7 @@ mod tests {
         };
         assert_eq!(tops("1").differences(&tops("2")).unwrap().len(), 1);
         assert!(tops("nan").differences(&tops("nan")).unwrap().is_empty());
-        // What one of them has alone is a difference, either way.
+        // A table that only one of the two configurations has is a difference, either way.
         let section = Some(SectionConfig { energy: Some(1.5), ..SectionConfig::default() });
         let other = Config { section, ..Config::default() };
         let energy = |differences: Vec<String>| differences.join("; ").contains("[section] energy");

@@ -1,4 +1,4 @@
-//! `[section]`: which section, and how many points.
+//! The table `[section]`: which Poincaré section, and how many points.
 
 use crate::vocabulary::named::{by_name, name_of};
 use collective_integrators::Direction;
@@ -6,18 +6,18 @@ use heavytop::Coordinate;
 use serde::de::Error as _;
 use serde::{Deserialize, Deserializer, Serialize, Serializer};
 
-/// `[section]`
+/// The table `[section]`: which Poincaré section, and how many points.
 #[derive(Clone, Copy, Debug, PartialEq, Deserialize, Serialize)]
 #[serde(default, deny_unknown_fields)]
 pub struct SectionConfig {
-    /// h, J; that of `[initial]` where it is left out.
+    /// The energy h, J; by default that of `[initial]`.
     pub energy: Option<f64>,
-    /// Π·Γ, kg m²/s; that of `[initial]` where it is left out.
+    /// The vertical momentum Π·Γ, kg m²/s; by default that of `[initial]`.
     pub vertical_momentum: Option<f64>,
     /// The coordinate that the surface fixes.
     #[serde(deserialize_with = "surface", serialize_with = "surface_name")]
     pub surface: Coordinate,
-    /// Its value on the surface.
+    /// The value of that coordinate on the surface.
     pub level: f64,
     /// The direction in which the surface is crossed.
     #[serde(deserialize_with = "direction", serialize_with = "direction_name")]
@@ -26,9 +26,9 @@ pub struct SectionConfig {
     pub starts: u32,
     /// The number of returns of each start.
     pub crossings: u32,
-    /// How long a start is followed at most, s.
+    /// The largest time for which a start is followed, s.
     pub longest: f64,
-    /// Which starts.
+    /// The seed of the random choice of starts.
     pub seed: u64,
 }
 

@@ -1,4 +1,4 @@
-//! `[sweep]`: which tops, and what is found out about them.
+//! The table `[sweep]`: which tops, and which observables of them.
 
 use super::observable::Observable;
 use super::parameter::{Parameter, Part};
@@ -6,25 +6,25 @@ use crate::errors::SweepError;
 use crate::vocabulary::brief::number;
 use serde::{Deserialize, Serialize};
 
-/// `[sweep]`
+/// The table `[sweep]`: which tops, and which observables of them.
 #[derive(Clone, Debug, PartialEq, Deserialize, Serialize)]
 #[serde(default, deny_unknown_fields)]
 pub struct SweepConfig {
-    /// What is found out about each top.
+    /// The quantities that are measured for each top.
     pub observables: Vec<Observable>,
-    /// How many tops there are, where axes are random.
+    /// The number of tops, where the axes are random.
     pub count: Option<u32>,
-    /// Which random numbers.
+    /// The seed of the random numbers.
     pub seed: u64,
-    /// What is varied, and how.
+    /// The parameters that are varied, and how.
     pub axes: Vec<AxisConfig>,
 }
 
-/// `[[sweep.axes]]`: a grid by `from`, `to` and `count`, or random by `uniform` or `normal`.
+/// The table `[[sweep.axes]]`: a grid by `from`, `to` and `count`, or random values by `uniform` or `normal`.
 #[derive(Clone, Copy, Debug, PartialEq, Deserialize, Serialize)]
 #[serde(deny_unknown_fields)]
 pub struct AxisConfig {
-    /// What is varied.
+    /// The parameter that is varied.
     pub parameter: Parameter,
     /// The first value of a grid.
     pub from: Option<f64>,
@@ -36,12 +36,12 @@ pub struct AxisConfig {
     pub uniform: Option<[f64; 2]>,
     /// The mean and the standard deviation of random values.
     pub normal: Option<[f64; 2]>,
-    /// Whether the vector of which the parameter is a component is scaled to length 1 afterwards.
+    /// Whether the vector that contains the parameter is scaled to length 1 afterwards.
     #[serde(default)]
     pub normalise: bool,
 }
 
-/// A grid of 32 × 32 angular momenta.
+/// Returns a grid of 32 × 32 angular momenta.
 impl Default for SweepConfig {
     fn default() -> Self {
         let axis = |i| AxisConfig {
@@ -58,7 +58,7 @@ impl Default for SweepConfig {
     }
 }
 
-/// How the values of an axis are chosen.
+/// The rule by which the values of an axis are chosen.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(crate) enum Spread {
     Grid { from: f64, to: f64, count: u32 },
@@ -66,7 +66,7 @@ pub(crate) enum Spread {
     Normal { mean: f64, deviation: f64 },
 }
 
-/// An axis that makes sense.
+/// An axis of a sweep that has been checked.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(crate) struct SweepAxis {
     pub parameter: Parameter,
@@ -75,10 +75,10 @@ pub(crate) struct SweepAxis {
 }
 
 impl AxisConfig {
-    /// The axis.
+    /// Checks the axis.
     ///
     /// # Errors
-    /// Unless it has the keys of one kind, with finite numbers.
+    /// If it does not have exactly the keys of one kind, with finite numbers.
     pub(crate) fn axis(&self) -> Result<SweepAxis, SweepError> {
         let Self { parameter, from, to, count, uniform, normal, normalise } = *self;
         let wrong = |needs: String| SweepError::Axis { parameter: parameter.name(), needs };
@@ -113,12 +113,12 @@ impl AxisConfig {
 }
 
 impl SweepAxis {
-    /// Whether the values are a grid.
+    /// Returns whether the values are a grid.
     pub fn is_grid(&self) -> bool {
         matches!(self.spread, Spread::Grid { .. })
     }
 
-    /// Whether two axes contradict each other: an angle of a vector, and one of its components.
+    /// Returns whether two axes contradict each other: one sets an angle of a vector, the other a component of it.
     pub fn clashes(&self, other: &Self) -> bool {
         let components = |one, other| {
             matches!((one, other), (Part::Component(_), Part::Inclination | Part::Azimuth))

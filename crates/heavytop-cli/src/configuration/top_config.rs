@@ -1,4 +1,4 @@
-//! `[body]` and `[initial]`: a top and the state from which it starts.
+//! The tables `[body]` and `[initial]`: a top and the state from which it starts.
 
 use crate::Error;
 use heavytop::{Body, HeavyTop, require_unit};
@@ -6,29 +6,29 @@ use lie_poisson::Se3Dual;
 use nalgebra::Vector3;
 use serde::{Deserialize, Serialize};
 
-/// `[body]`: the parameters of the top.
+/// The table `[body]`: the parameters of the top.
 #[derive(Clone, Copy, Debug, PartialEq, Deserialize, Serialize)]
 #[serde(default, deny_unknown_fields)]
 pub struct BodyConfig {
-    /// Principal moments, kg m².
+    /// The principal moments of inertia, kg m².
     pub inertia: [f64; 3],
-    /// Mass, kg.
+    /// The mass of the top, kg.
     pub mass: f64,
-    /// Gravity, m/s²; 0 gives the free rigid body.
+    /// The gravitational acceleration, m/s²; 0 gives the free rigid body.
     pub gravity: f64,
-    /// From the support to the centre of mass, m.
+    /// The distance from the support to the centre of mass, m.
     pub length: f64,
     /// The direction from the support to the centre of mass in the body frame, a unit vector.
     pub center_of_mass: [f64; 3],
 }
 
-/// `[initial]`: the state at t = 0, in the body frame.
+/// The table `[initial]`: the state at t = 0, in the body frame.
 #[derive(Clone, Copy, Debug, PartialEq, Deserialize, Serialize)]
 #[serde(default, deny_unknown_fields)]
 pub struct InitialConfig {
-    /// Π(0), kg m²/s.
+    /// The angular momentum Π(0), kg m²/s.
     pub angular_momentum: [f64; 3],
-    /// Γ(0), a unit vector.
+    /// The vertical direction Γ(0), a unit vector.
     pub vertical: [f64; 3],
 }
 
@@ -51,7 +51,7 @@ impl Default for InitialConfig {
 }
 
 impl BodyConfig {
-    /// The top with these parameters.
+    /// Returns the top with these parameters.
     ///
     /// # Errors
     /// If there is no such top.
@@ -63,7 +63,7 @@ impl BodyConfig {
 }
 
 impl InitialConfig {
-    /// The state (Π(0), Γ(0)).
+    /// Returns the state (Π(0), Γ(0)).
     ///
     /// # Errors
     /// If Π is not finite or Γ is no unit vector.

@@ -1,37 +1,37 @@
-//! Why a run cannot go on from what an interrupted one has left.
+//! Errors of checkpoints: why a run cannot continue from what an interrupted one has left.
 
 use std::io;
 use std::path::PathBuf;
 use thiserror::Error;
 
-/// Why a run cannot go on from what an interrupted one has left.
+/// The reason why a run cannot continue from what an interrupted one has left.
 #[derive(Debug, Error)]
 #[non_exhaustive]
 pub enum CheckpointError {
-    /// It could not be read.
+    /// The checkpoint could not be read.
     #[error(transparent)]
     Read(io::Error),
-    /// It is not a checkpoint, or not a whole one.
+    /// The file is not a checkpoint, or not a whole one.
     #[error("it is damaged, or no checkpoint: {0}")]
     Damaged(String),
-    /// It is whole, and no run can have made it.
+    /// The checkpoint is whole, but no run can have made it.
     #[error("no run makes such a checkpoint: it has {0}")]
     Impossible(String),
-    /// Another version made it, which need not compute the same bits.
+    /// Another version of the program made the checkpoint; it need not compute the same bits.
     #[error("version {there} made it, and this is {here}")]
     Version {
-        /// The version that made it.
+        /// The version that made the checkpoint.
         there: String,
-        /// This version.
+        /// The version of this program.
         here: &'static str,
     },
-    /// It is of another configuration.
+    /// The checkpoint belongs to another configuration.
     #[error("it is of another configuration: {}", .0.join("; "))]
     Configuration(Vec<String>),
-    /// It is of an output of another format.
+    /// The checkpoint belongs to an output in another format.
     #[error("it is of an output in {there}, and {} is not", out.display())]
     Format {
-        /// The format of its output, by name.
+        /// The name of the format of its output.
         there: String,
         /// The output asked for.
         out: PathBuf,
@@ -39,21 +39,21 @@ pub enum CheckpointError {
     /// The rows could not be read.
     #[error("the rows in {}", path.display())]
     Rows {
-        /// Their file.
+        /// The path of the rows.
         path: PathBuf,
-        /// Why.
+        /// The error of the system.
         source: io::Error,
     },
     /// The rows are not those that were written before the checkpoint.
     #[error("the rows in {} are not those that belong to it", path.display())]
     OtherRows {
-        /// Their file.
+        /// The path of the rows.
         path: PathBuf,
     },
 }
 
 impl CheckpointError {
-    /// Whether to discard it is a way to go on.
+    /// Returns whether the way to continue is to discard the checkpoint.
     pub(crate) fn is_of_no_use(&self) -> bool {
         !matches!(self, Self::Read(_) | Self::Format { .. } | Self::Rows { .. })
     }

@@ -1,4 +1,4 @@
-//! What can go wrong in a command, and the exit codes.
+//! The errors of the commands, and the exit codes.
 
 use super::checkpoint_error::CheckpointError;
 use super::sweep_error::SweepError;
@@ -13,47 +13,47 @@ use std::io;
 use std::path::PathBuf;
 use thiserror::Error;
 
-/// Why a command did not do what it was asked. [`Error::message`] has the causes too.
+/// The reason why a command failed. [`Error::message`] adds the causes.
 #[derive(Debug, Error)]
 #[non_exhaustive]
 pub enum Error {
     /// The configuration file could not be read.
     #[error("cannot read the configuration {}", path.display())]
     Read {
-        /// The file.
+        /// The path of the file.
         path: PathBuf,
-        /// Why.
+        /// The error of the system.
         source: io::Error,
     },
     /// The configuration file is not TOML, or has unknown keys or wrong types.
     #[error("{}, line {line}, column {column}: {message}", path.display())]
     Configuration {
-        /// The file.
+        /// The path of the file.
         path: PathBuf,
         /// The line, from 1.
         line: usize,
         /// The column in characters, from 1.
         column: usize,
-        /// What is wrong there.
+        /// The message about that place in the text.
         message: String,
     },
-    /// The configuration has no TOML.
+    /// The configuration cannot be written as TOML.
     #[error("the configuration cannot be written as TOML")]
     Unwritable(#[source] toml::ser::Error),
-    /// The run cannot go on from a checkpoint.
+    /// The run cannot continue from a checkpoint.
     #[error("cannot go on from {}", path.display())]
     Checkpoint {
-        /// The checkpoint.
+        /// The path of the checkpoint.
         path: PathBuf,
-        /// Why.
+        /// The reason why the run cannot continue.
         source: CheckpointError,
     },
-    /// A saved state is not one of this experiment's integrator.
+    /// A saved state does not fit the integrator of this experiment.
     #[error("the saved state has {found} numbers, that of the integrator {expected}")]
     SavedState {
-        /// How many the integrator's has.
+        /// The number of coordinates of the integrator's state.
         expected: usize,
-        /// How many it has.
+        /// The number of coordinates of the saved state.
         found: usize,
     },
     /// No top has these parameters.
@@ -70,59 +70,59 @@ pub enum Error {
         "{} has no scheme {}; it has {}", formulation.name(), scheme.name(), scheme_names(*formulation)
     )]
     NoSuchPair {
-        /// The formulation.
+        /// The formulation that was asked for.
         formulation: Formulation,
-        /// The scheme.
+        /// The scheme that was asked for.
         scheme: Scheme,
     },
-    /// The formulation has no attitude.
+    /// The formulation does not determine the attitude.
     #[error(
         "{} has no attitude: its six equations do not determine it; collective, reduced and \
          splitting have one", formulation.name()
     )]
     NoAttitude {
-        /// The formulation.
+        /// The formulation that was asked for.
         formulation: Formulation,
     },
     /// The scheme could not be made.
     #[error("{scheme}")]
     Scheme {
-        /// Its name.
+        /// The scheme's name.
         scheme: &'static str,
-        /// Why.
+        /// The reason why the scheme could not be made.
         source: SchemeError,
     },
     /// A number is out of its range.
     #[error("{name} must be {range}, got {}", number(*value))]
     OutOfRange {
-        /// The number.
+        /// The name of the number.
         name: &'static str,
-        /// Its range.
+        /// The range of allowed values, in words.
         range: &'static str,
-        /// Its value.
+        /// The value of the number.
         value: f64,
     },
-    /// The body turns too far in one step for any method to mean anything.
+    /// The body turns too far in one step for any method to give meaningful results.
     #[error(
         "a step of {} s turns the body by about {angle:.3e} rad; it must be at most {most}",
         number(*step)
     )]
     AbsurdStep {
-        /// The step, s.
+        /// The step size, s.
         step: f64,
-        /// The angle, rad.
+        /// The angle of the turn, rad.
         angle: f64,
-        /// The most that is allowed, rad.
+        /// The largest angle allowed, rad.
         most: f64,
     },
-    /// The run has more steps than a lifetime has.
+    /// The run has more steps than could be computed in a lifetime.
     #[error(
         "the run would take {steps:e} steps, more than {most:e}: raise the step or lower the end"
     )]
     TooManySteps {
         /// The number of steps.
         steps: f64,
-        /// The most that is allowed.
+        /// The largest number of steps allowed.
         most: f64,
     },
     /// The end is not a whole number of steps.
@@ -133,42 +133,42 @@ pub enum Error {
     BrokenStep {
         /// The end asked for.
         end: f64,
-        /// The step.
+        /// The size of the steps.
         step: f64,
-        /// The last end before it that can be reached.
+        /// The last end before it that is a whole number of steps.
         before: f64,
-        /// The first end after it that can be reached.
+        /// The first end after it that is a whole number of steps.
         after: f64,
     },
-    /// The output's name asks for a format that there is not.
+    /// The ending of the output's name stands for no format.
     #[error("cannot write {}: the name must end in .csv, .npz or .parquet", path.display())]
     Format {
-        /// The file.
+        /// The path of the output.
         path: PathBuf,
     },
-    /// The output's name is not that of a page.
+    /// The output's name does not end in `.html`.
     #[error("cannot write {}: the name must end in .html", path.display())]
     NoPage {
-        /// The file.
+        /// The path of the output.
         path: PathBuf,
     },
-    /// An output file or folder could not be made.
+    /// An output file or folder could not be created.
     #[error("cannot create {}", path.display())]
     Create {
-        /// The file or folder.
+        /// The path of the file or folder.
         path: PathBuf,
-        /// Why.
+        /// The error of the system.
         source: io::Error,
     },
-    /// Writing failed while the numbers came in.
+    /// An output could not be written during the run.
     #[error("cannot write {}", path.display())]
     Write {
-        /// The file.
+        /// The path of the output.
         path: PathBuf,
-        /// Why.
+        /// The error of the system.
         source: io::Error,
     },
-    /// The numbers failed: a stage equation did not converge, or a state is not finite.
+    /// The integration failed: a stage equation did not converge, or a state is not finite.
     #[error("{formulation}, {scheme}")]
     Integration {
         /// The formulation's name.
@@ -181,31 +181,31 @@ pub enum Error {
     /// An integrator that was to be timed failed.
     #[error("{name}")]
     Timed {
-        /// The integrator.
+        /// The name of the integrator.
         name: String,
         /// The step, the time and the reason.
         source: IntegrationError,
     },
-    /// No integrator has this in its name.
+    /// No integrator has this text in its name.
     #[error("no integrator has `{}` in its name; there are {}", text(only), names.join(", "))]
     NoContestant {
-        /// What was asked for.
+        /// The text that was asked for.
         only: String,
-        /// Their names.
+        /// The names of all integrators.
         names: Vec<String>,
     },
-    /// The system refuses so many threads.
+    /// The system refuses this number of threads.
     #[error("cannot start {threads} thread(s)")]
     Threads {
-        /// Their number.
+        /// The number of threads.
         threads: usize,
-        /// Why.
+        /// The error of the thread pool.
         source: rayon::ThreadPoolBuildError,
     },
-    /// The system refuses threads for what is done in parallel.
+    /// The system refuses the threads for parallel work.
     #[error("cannot start threads, of which RAYON_NUM_THREADS sets the number")]
     Workers(#[source] rayon::ThreadPoolBuildError),
-    /// There is no such section.
+    /// The section that the configuration asks for does not exist.
     #[error("[section]")]
     Section(#[from] SectionError),
     /// The motion through a start of a section could not be followed.
@@ -220,83 +220,83 @@ pub enum Error {
         /// The step, the time and the reason.
         source: EventError,
     },
-    /// There is no such sweep.
+    /// The sweep that the configuration asks for does not exist.
     #[error("[sweep]")]
     Sweep(#[from] SweepError),
     /// No top of a sweep could be followed.
     #[error("all {tops} tops failed; the first: {first}")]
     AllFailed {
-        /// How many there are.
+        /// The number of tops.
         tops: u64,
-        /// Why the first did.
+        /// The reason why the first top could not be followed.
         first: String,
     },
-    /// Tangent vectors of a top in a sweep have no direction any more.
+    /// The tangent vectors of a top in a sweep have lost their directions.
     #[error(transparent)]
     Tangent(VariationalError),
-    /// There is what an unfinished run has kept.
+    /// An interrupted run has left a checkpoint or tiles.
     #[error(
         "{} is of an interrupted run: go on with {resume}, or discard it with --restart", path.display()
     )]
     Unfinished {
-        /// Its checkpoint, or the folder of its tiles.
+        /// The path of its checkpoint, or of the folder of its tiles.
         path: PathBuf,
-        /// The argument by which it goes on.
+        /// The argument that resumes it.
         resume: String,
     },
-    /// What an interrupted run has finished cannot be read.
+    /// A finished tile of an interrupted run cannot be read.
     #[error("cannot read {}", path.display())]
     Tile {
-        /// The file.
+        /// The path of the tile.
         path: PathBuf,
-        /// Why.
+        /// The error of the system.
         source: io::Error,
     },
-    /// A tile that should have been finished is not there.
+    /// A tile is missing that should have been finished.
     #[error(
         "tile {tile} is missing in {}, which must be on a file system that all processes see",
         folder.display()
     )]
     MissingTile {
-        /// Its number.
+        /// The number of the tile.
         tile: u64,
         /// The folder of the tiles.
         folder: PathBuf,
     },
-    /// Two reference solutions differ.
+    /// Two reference solutions differ too much.
     #[error(
         "the reference solution is certain to {uncertainty:.1e} of its size only, not to {most:e}: \
          lower [integrator] step, or the end"
     )]
     Reference {
-        /// How far they are from each other, relative to their size.
+        /// The distance of the two solutions, relative to their size.
         uncertainty: f64,
-        /// How far they may be.
+        /// The largest distance allowed.
         most: f64,
     },
     /// A figure could not be drawn.
     #[error("cannot draw the figure: {0}")]
     Figure(String),
-    /// A run was stopped.
+    /// The run was stopped.
     #[error("interrupted{}", .resume.as_deref().map_or_else(String::new, resumption))]
     Interrupted {
-        /// The argument by which it goes on, if it can.
+        /// The argument that resumes the run, if it can be resumed.
         resume: Option<String>,
     },
-    /// A run failed for want of something outside it, and can go on.
+    /// A run failed because of something outside it, and can be resumed.
     #[error("the run can go on by the same command with {resume}")]
     Resumable {
-        /// The argument by which it does.
+        /// The argument that resumes the run.
         resume: String,
-        /// Why it failed.
+        /// The error that made the run fail.
         source: Box<Error>,
     },
     /// A run failed, and what it had computed was kept.
     #[error("what was computed until the run failed is in {}", partial.display())]
     Kept {
-        /// Where.
+        /// The path of the partial output.
         partial: PathBuf,
-        /// Why it failed.
+        /// The error that made the run fail.
         source: Box<Error>,
     },
 }
@@ -308,7 +308,7 @@ impl From<LiftError> for Error {
 }
 
 impl Error {
-    /// That a file cannot be created, when it is too late to refuse the request.
+    /// Turns an error about creating a file into one about writing it, when it is too late to refuse the request.
     pub(crate) fn too_late(self) -> Self {
         match self {
             Self::Create { path, source } => Self::Write { path, source },
@@ -316,7 +316,9 @@ impl Error {
         }
     }
 
-    /// 2 if the request is wrong, and nothing was written; 1 if it failed underway; 130 if it was
+    /// Returns the exit code of the error.
+    ///
+    /// It is 2 if the request is wrong and nothing was written, 1 if the command failed underway, and 130 if it was
     /// interrupted, as shells have it.
     #[must_use]
     pub fn exit_code(&self) -> u8 {
@@ -340,7 +342,7 @@ impl Error {
     }
 }
 
-/// That a run goes on with this argument.
+/// Returns the end of a message, which names the argument that resumes the run.
 pub(super) fn resumption(argument: &str) -> String {
     format!("; go on by the same command with {argument}")
 }

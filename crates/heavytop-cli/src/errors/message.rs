@@ -1,10 +1,10 @@
-//! What the program prints of an error: the error and its causes, each once.
+//! The text that the program prints for an error: the error and its causes, each once.
 
 use super::checkpoint_error::CheckpointError;
 use super::error::{Error, resumption};
 
 impl Error {
-    /// What the program prints: this error and its causes, each once.
+    /// Returns the text that the program prints: this error and its causes, each once.
     #[must_use]
     pub fn message(&self) -> String {
         match self {
@@ -19,11 +19,11 @@ impl Error {
     }
 }
 
-/// The error and its causes, the outermost first.
+/// Joins the messages of the error and its causes, the outermost first.
 fn with_causes(error: &dyn std::error::Error) -> String {
     let mut message = error.to_string();
     for cause in causes(error) {
-        // A table of the configuration is followed by what is wrong in it.
+        // The name of a table is followed by what is wrong in it, without a colon.
         let link = if message.ends_with(']') { " " } else { ": " };
         // Errors of other crates may repeat their causes.
         if !message.contains(&cause) {
@@ -33,7 +33,7 @@ fn with_causes(error: &dyn std::error::Error) -> String {
     message
 }
 
-/// What the causes of an error say, its own cause first.
+/// Returns the messages of the causes of an error, its own cause first.
 fn causes(error: &dyn std::error::Error) -> impl Iterator<Item = String> {
     std::iter::successors(error.source(), |&cause| cause.source()).map(ToString::to_string)
 }
@@ -61,7 +61,7 @@ mod tests {
         io::Error::new(io::ErrorKind::PermissionDenied, "not allowed")
     }
 
-    /// An error of each kind with a cause, and what is printed.
+    /// Returns an error of each kind with a cause, and the text that is printed for it.
     fn errors() -> Vec<(Error, &'static str)> {
         let path = || PathBuf::from("a.toml");
         let not_finite = "step 5 at t = 0.5: the state is not finite after the step";

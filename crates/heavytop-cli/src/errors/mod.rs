@@ -1,4 +1,4 @@
-//! What can go wrong in a command, what the program prints of it, and the exit codes.
+//! The errors of the commands, the text that the program prints for them, and the exit codes.
 
 mod checkpoint_error;
 mod sweep_error;

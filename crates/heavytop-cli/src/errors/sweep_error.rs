@@ -1,15 +1,15 @@
-//! Why there is no such sweep.
+//! Errors of sweeps: why a configuration describes no sweep.
 
 use thiserror::Error;
 
-/// A sweep that cannot be.
+/// The reason why a configuration describes no sweep.
 #[derive(Clone, Debug, PartialEq, Error)]
 #[non_exhaustive]
 pub enum SweepError {
-    /// There is nothing to vary.
+    /// The sweep has no axes.
     #[error("axes must have at least one axis")]
     NoAxes,
-    /// There is nothing to find out.
+    /// The sweep has no observables.
     #[error("observables must name at least one")]
     NoObservables,
     /// An observable is named twice.
@@ -18,31 +18,31 @@ pub enum SweepError {
     /// An axis does not say how its values are chosen.
     #[error("the axis {parameter} needs {needs}")]
     Axis {
-        /// Its parameter.
+        /// The parameter of the axis.
         parameter: &'static str,
-        /// What it needs, and has.
+        /// The keys that the axis needs, and those that it has.
         needs: String,
     },
     /// Two axes set the same number.
     #[error("the axes {first} and {second} set the same thing")]
     Clash {
-        /// One parameter.
+        /// The parameter of the first axis.
         first: &'static str,
-        /// The other.
+        /// The parameter of the second axis.
         second: &'static str,
     },
     /// Some axes are grids, others are random.
     #[error("the axes must be all grids or all random")]
     Mixed,
-    /// Random axes without a number of tops, or grids with one.
+    /// The axes are random and the number of tops is missing, or the axes are grids and it is given.
     #[error("count is needed where the axes are random, and only there; at least 1")]
     Count,
     /// There are too many tops.
     #[error("the sweep has {tops:e} tops, more than {most:e}")]
     TooMany {
-        /// How many.
+        /// The number of tops.
         tops: f64,
-        /// The most that there may be.
+        /// The largest number of tops allowed.
         most: f64,
     },
 }

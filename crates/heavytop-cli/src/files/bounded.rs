@@ -1,13 +1,13 @@
-//! Files that may have no end, such as `/dev/zero`.
+//! Bounded reading of files that may have no end, such as `/dev/zero`.
 
 use std::fs::File;
 use std::io::{self, BufRead, BufReader, Read};
 use std::path::Path;
 
-/// The text of a file that has at most so many bytes.
+/// Reads the text of a file that has at most `most` bytes.
 ///
 /// # Errors
-/// [`io::ErrorKind::FileTooLarge`] if it has more; or it cannot be read, or is no text.
+/// [`io::ErrorKind::FileTooLarge`] if the file is larger. Another error if it cannot be read, or is not text.
 pub(crate) fn read(path: &Path, most: u64) -> io::Result<String> {
     let mut bytes = Vec::new();
     File::open(path)?.take(most + 1).read_to_end(&mut bytes)?;
@@ -18,13 +18,13 @@ pub(crate) fn read(path: &Path, most: u64) -> io::Result<String> {
     String::from_utf8(bytes).map_err(|error| io::Error::new(io::ErrorKind::InvalidData, error))
 }
 
-/// A longer line is cut: it is none of numbers.
+/// The length at which a line is cut; a longer line holds no row of numbers.
 const LONGEST_LINE: u64 = 1 << 16;
 
-/// The lines of a file, with their ends, read as they are asked for.
+/// Returns the lines of a file, with their line ends, read as they are asked for.
 ///
 /// # Errors
-/// If it cannot be opened. The iterator ends with an error if it cannot be read, or is no text.
+/// If the file cannot be opened. The iterator ends with an error if it cannot be read, or is not text.
 pub(crate) fn lines(path: &Path) -> io::Result<impl Iterator<Item = io::Result<String>>> {
     let mut from = BufReader::new(File::open(path)?);
     Ok(std::iter::from_fn(move || {

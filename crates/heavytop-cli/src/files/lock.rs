@@ -1,15 +1,16 @@
-//! One writer for each file.
+//! File locks, by which each file has one writer.
 
 use same_file::Handle;
 use std::fs::{File, TryLockError};
 use std::io;
 use std::path::Path;
 
-/// Opens the file to read and to write it, and takes its lock; where it is not there, makes it if
-/// `make` says so. What is in it stays.
+/// Opens the file for reading and writing, and takes its lock.
 ///
-/// The lock is the system's, and advisory. It ends when the file is closed, and with the process,
-/// however that ends: no run is kept out by one that was killed.
+/// If the file does not exist, it is created if `make` says so. Its contents stay.
+///
+/// The lock is advisory, and held by the operating system. It ends when the file is closed, and with the process,
+/// however the process ends: a run that was killed blocks no other run.
 ///
 /// # Errors
 /// [`io::ErrorKind::ResourceBusy`] if another run has the lock; or the file cannot be opened.
@@ -20,19 +21,19 @@ pub(crate) fn open(path: &Path, make: bool) -> io::Result<File> {
         let file = options.open(path)?;
         match file.try_lock() {
             Ok(()) if is_at(&file, path)? => return Ok(file),
-            // Since it was opened another run has renamed or removed it, and is done with it.
+            // Another run has renamed or removed the file since it was opened, and is done with it.
             Ok(()) => {}
             Err(TryLockError::WouldBlock) => {
                 let busy = "another run is writing it";
                 return Err(io::Error::new(io::ErrorKind::ResourceBusy, busy));
             }
-            // Some network file systems have no locks: runs go on, and nothing keeps them apart.
+            // Some network file systems have no locks: runs continue there, and nothing keeps them apart.
             Err(TryLockError::Error(_)) => return Ok(file),
         }
     }
 }
 
-/// Whether the file still has this name.
+/// Returns whether the file still has this name.
 fn is_at(file: &File, path: &Path) -> io::Result<bool> {
     match Handle::from_path(path) {
         Ok(there) => Ok(Handle::from_file(file.try_clone()?)? == there),
@@ -58,7 +59,7 @@ mod tests {
         assert!(open(&path, true).is_ok());
     }
 
-    /// What has another name now is no longer in the way.
+    /// A file that was renamed does not block its old name.
     #[test]
     fn a_file_that_was_renamed_does_not_keep_its_old_name() {
         let folder = tempfile::tempdir().unwrap();

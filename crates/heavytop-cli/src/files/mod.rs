@@ -1,4 +1,4 @@
-//! Files that are there whole or not at all, have one writer, and may have no end.
+//! Files that are complete or absent, have one writer, and are read up to a bound.
 
 pub(crate) mod bounded;
 pub(crate) mod lock;

@@ -1,4 +1,4 @@
-//! Files that appear under their name only when they are complete.
+//! Output files that appear under their names only when they are complete.
 
 use super::place::Place;
 use crate::Error;
@@ -6,21 +6,22 @@ use std::fs::{self, File};
 use std::io::{self, BufWriter, Write};
 use std::path::{Path, PathBuf};
 
-/// A file that is written as `NAME.partial` beside its place and then renamed; until then the partial
-/// file is locked, so that no other run writes to it.
+/// A file that is written as `NAME.partial` beside its place and then renamed.
 ///
-/// Unless it is completed or concluded, the partial file is removed. A place that is no regular file,
-/// such as `/dev/stdout`, is written to directly: to replace it would be no favour.
+/// The partial file is locked, so that no other run writes to it.
+///
+/// The partial file is removed unless the output is completed or concluded. A place that is no regular file, such as
+/// `/dev/stdout`, is written directly, since it must not be replaced.
 #[derive(Debug)]
 pub struct Output {
     path: PathBuf,
-    /// The partial file; none once it is complete or kept, or if the place is written directly.
+    /// The path of the partial file; `None` once it is complete or kept, or if the place is written directly.
     partial: Option<PathBuf>,
     writer: BufWriter<File>,
 }
 
 impl Output {
-    /// Opens the output that shall be at `path`.
+    /// Opens the output for the file `path`.
     ///
     /// # Errors
     /// If the partial file cannot be created, another run is writing it, or `path` is a folder.
@@ -29,26 +30,26 @@ impl Output {
         let partial = (!place.is_device).then(|| place.beside("partial"));
         let file = place.open(partial.as_deref().unwrap_or(&place.path))?;
         if partial.is_some() {
-            // What a run left that was killed.
+            // Discards what a killed run left.
             file.set_len(0).map_err(|source| Error::Create { path: path.into(), source })?;
         }
         Ok(Self { path: place.path, partial, writer: BufWriter::new(file) })
     }
 
-    /// Writes a whole file at the end of a run.
+    /// Writes a whole file at once, at the end of a run.
     ///
     /// # Errors
-    /// [`Error::Write`] if it cannot be created or written: at the end it is too late to refuse.
+    /// [`Error::Write`] if the file cannot be created or written: at the end it is too late to refuse the request.
     pub fn whole(path: &Path, contents: &[u8]) -> Result<(), Error> {
         let mut output = Self::create(path).map_err(Error::too_late)?;
         output.write(|writer| writer.write_all(contents))?;
         output.complete()
     }
 
-    /// Writes with the file's buffered writer.
+    /// Runs `write` on the buffered writer of the file.
     ///
     /// # Errors
-    /// The I/O error, with the file's name.
+    /// The I/O error, with the path of the file.
     pub fn write<F>(&mut self, write: F) -> Result<(), Error>
     where
         F: FnOnce(&mut BufWriter<File>) -> io::Result<()>,
@@ -56,14 +57,15 @@ impl Output {
         write(&mut self.writer).map_err(|source| self.failed(source))
     }
 
-    /// Gives the file its name.
+    /// Completes the file and gives it its name.
     ///
     /// # Errors
     /// If the last bytes cannot be written, or the file cannot be renamed.
     pub fn complete(mut self) -> Result<(), Error> {
         self.write(Write::flush)?;
         if let Some(partial) = &self.partial {
-            // So that the name never stands for less than the whole, even after a power cut.
+            // Makes the bytes outlast a power cut before the file has its name, so that the name never stands for an
+            // incomplete file.
             let renamed = self.writer.get_ref().sync_all();
             renamed.and_then(|()| fs::rename(partial, &self.path)).map_err(|e| self.failed(e))?;
         }
@@ -71,17 +73,18 @@ impl Output {
         Ok(())
     }
 
-    /// Completes the file if the run that wrote it did well. If it failed underway, what there is
-    /// is kept as `NAME.partial`; if it was refused, nothing is.
+    /// Completes the file if the run that wrote it succeeded.
+    ///
+    /// If the run failed underway, what it wrote is kept as `NAME.partial`. If it was refused, nothing is kept.
     ///
     /// # Errors
-    /// Why the run or the completion failed, and where the partial file is.
+    /// The reason why the run or the completion failed, and the path of the partial file.
     pub fn conclude<T>(self, outcome: Result<T, Error>) -> Result<T, Error> {
         match outcome {
             Ok(value) => self.complete().map(|()| value),
             Err(failure) if failure.exit_code() == 1 => {
                 let partial = self.partial.clone();
-                // What cannot be written any more is lost; the failure says what came first.
+                // What cannot be written any more is lost; the error reports the first failure.
                 let _ = self.keep();
                 Err(match partial {
                     Some(partial) => Error::Kept { partial, source: Box::new(failure) },
@@ -92,7 +95,7 @@ impl Output {
         }
     }
 
-    /// Leaves the file as `NAME.partial`.
+    /// Leaves the file as `NAME.partial`, and closes it.
     ///
     /// # Errors
     /// If the last bytes cannot be written.
@@ -101,13 +104,13 @@ impl Output {
         self.write(Write::flush)
     }
 
-    /// That it cannot be written.
+    /// Returns the error that the output cannot be written.
     pub(crate) fn failed(&self, source: io::Error) -> Error {
         Error::Write { path: self.path.clone(), source }
     }
 }
 
-/// For what writes by itself; errors do not name the file.
+/// Passes bytes to the buffered writer; its errors do not name the file.
 impl Write for Output {
     fn write(&mut self, bytes: &[u8]) -> io::Result<usize> {
         self.writer.write(bytes)
@@ -121,7 +124,7 @@ impl Write for Output {
 impl Drop for Output {
     fn drop(&mut self) {
         if let Some(partial) = &self.partial {
-            // Nothing is left to tell: an error is on its way already.
+            // The error that matters has been reported already.
             let _ = fs::remove_file(partial);
         }
     }

@@ -1,4 +1,4 @@
-//! Where an output is to be.
+//! The place of an output: its path, and whether it is a device.
 
 use super::lock;
 use crate::Error;
@@ -6,20 +6,20 @@ use std::fs::{self, File};
 use std::io;
 use std::path::{Path, PathBuf};
 
-/// Where an output shall be.
+/// The place of an output.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct Place {
-    /// The file; if a symbolic link was asked for, that which it leads to, so that the link stays.
+    /// The path of the file; for a symbolic link, the path to which it leads, so that the link stays.
     pub path: PathBuf,
-    /// Whether it is there and no regular file, such as `/dev/stdout`.
+    /// Whether it exists and is no regular file, such as `/dev/stdout`.
     pub is_device: bool,
 }
 
 impl Place {
-    /// The place of the output that shall be at `path`.
+    /// Returns the place of the output `path`.
     ///
     /// # Errors
-    /// If that is a folder, or a symbolic link that leads nowhere.
+    /// If `path` is a folder, or symbolic links that never end.
     pub fn of(path: &Path) -> Result<Self, Error> {
         let refused = |source| Error::Create { path: path.into(), source };
         match fs::metadata(path) {
@@ -32,7 +32,7 @@ impl Place {
         }
     }
 
-    /// The file `NAME.ENDING` beside it.
+    /// Returns the path of the file `NAME.ENDING` beside the output.
     #[must_use]
     pub fn beside(&self, ending: &str) -> PathBuf {
         let mut name = self.path.clone().into_os_string();
@@ -41,11 +41,12 @@ impl Place {
         name.into()
     }
 
-    /// Opens a file for it that no other run may open until it is closed, and makes it if it is not
-    /// there; or opens the device, which is anybody's.
+    /// Opens a file of this output, and takes its lock.
+    ///
+    /// The file is created if it does not exist. A device is opened without a lock, since anybody may write to it.
     ///
     /// # Errors
-    /// If that cannot be, or another run has the file; the error names the place.
+    /// If the file cannot be opened, or another run has its lock; the error names the place.
     pub(crate) fn open(&self, file: &Path) -> Result<File, Error> {
         let opened = match self.is_device {
             true => File::options().write(true).open(file),
@@ -55,13 +56,12 @@ impl Place {
     }
 }
 
-/// Where symbolic links lead, from one to the next, if there is nothing at their end; what is no link
-/// stays where it is.
+/// Follows symbolic links, from one to the next, to a path that is no link; there need not be a file at that path.
 fn end_of_links(path: &Path) -> io::Result<PathBuf> {
     let mut path = path.to_path_buf();
     for _ in 0..MOST_LINKS {
         match fs::read_link(&path) {
-            // A relative one is meant from where the link is.
+            // A relative link is relative to the folder of the link.
             Ok(to) => path = path.parent().unwrap_or(Path::new("")).join(to),
             Err(_) => return Ok(path),
         }
@@ -69,13 +69,13 @@ fn end_of_links(path: &Path) -> io::Result<PathBuf> {
     Err(io::Error::other("too many levels of symbolic links"))
 }
 
-/// So many links are followed from one to the next, as by Linux.
+/// The largest number of links that are followed, as on Linux.
 const MOST_LINKS: u32 = 40;
 
-/// Checks that no folder is where these files shall be, before there is any work.
+/// Checks, before there is any work, that no folder has the name of one of these files.
 ///
 /// # Errors
-/// If one is.
+/// If a folder has such a name.
 pub(crate) fn require_no_folders(out: &Path, names: &[&str]) -> Result<(), Error> {
     names.iter().try_for_each(|name| Place::of(&out.join(name)).map(|_| ()))
 }

@@ -1,4 +1,4 @@
-//! Files that an interrupted run has left for the one that goes on: whole, and of this version.
+//! Sealed files, which an interrupted run leaves for the one that resumes it: complete, and from this version.
 
 use super::bounded;
 use crate::errors::CheckpointError;
@@ -6,13 +6,13 @@ use std::io;
 use std::path::Path;
 use toml::Table;
 
-/// More bytes than this have no checkpoint and no identity.
+/// The largest size of a checkpoint or an identity, in bytes.
 const MOST_BYTES: u64 = 1 << 24;
 
-/// The text of a sealed file.
+/// Reads the text of a sealed file.
 ///
 /// # Errors
-/// If it cannot be read, or is no text, or too long.
+/// If the file cannot be read, is not text, or is too long.
 pub(crate) fn read(path: &Path) -> Result<String, CheckpointError> {
     bounded::read(path, MOST_BYTES).map_err(|error| match error.kind() {
         io::ErrorKind::InvalidData => CheckpointError::Damaged("it is no text".into()),
@@ -21,15 +21,15 @@ pub(crate) fn read(path: &Path) -> Result<String, CheckpointError> {
     })
 }
 
-/// The contents after a line of the title and their checksum.
+/// Puts a line with the title and the checksum before the contents.
 pub(crate) fn seal(title: &str, contents: &str) -> String {
     format!("{title}{:08x}\n{contents}", crc32fast::hash(contents.as_bytes()))
 }
 
-/// The contents of what was sealed under this title.
+/// Returns the contents of a text that was sealed under this title.
 ///
 /// # Errors
-/// If it was not, or is not whole.
+/// If the text was not sealed so, or is incomplete.
 pub(crate) fn open<'a>(title: &str, text: &'a str) -> Result<&'a str, CheckpointError> {
     let damaged = |what: &str| CheckpointError::Damaged(what.into());
     let (line, contents) = text.split_once('\n').ok_or_else(|| damaged("it ends early"))?;
@@ -40,10 +40,10 @@ pub(crate) fn open<'a>(title: &str, text: &'a str) -> Result<&'a str, Checkpoint
     Ok(contents)
 }
 
-/// The TOML of a checkpoint that this version has made.
+/// Parses the TOML of a checkpoint that this version has made.
 ///
 /// # Errors
-/// If it is not TOML, or of another version, whose keys may be others.
+/// If the contents are not TOML, or another version has made them, whose keys may be different.
 pub(crate) fn of_this_version(contents: &str) -> Result<Table, CheckpointError> {
     let table: Table = contents.parse().map_err(damaged)?;
     let (there, here) = (table.get("version"), env!("CARGO_PKG_VERSION"));
@@ -53,7 +53,7 @@ pub(crate) fn of_this_version(contents: &str) -> Result<Table, CheckpointError> 
     }
 }
 
-/// That it is no TOML, or has other keys.
+/// Returns the error that the contents are not TOML, or have other keys.
 pub(crate) fn damaged(error: toml::de::Error) -> CheckpointError {
     CheckpointError::Damaged(error.message().into())
 }

@@ -1,8 +1,8 @@
-//! The formats of a run: how its rows are kept while it goes on, and what is made of them.
+//! The formats of a run: how its rows are kept while it proceeds, and how the output is made of them.
 //!
-//! While a run goes on its rows are appended to one file: of text for CSV, which is the output
-//! itself, and of 64-bit little-endian numbers otherwise. From those the output is made at the
-//! end, in a pass for each array, by blocks: memory does not grow with the run.
+//! During a run its rows are appended to one file. For CSV that is the output itself, as text. Otherwise it holds
+//! 64-bit little-endian numbers, from which the output is made at the end, in a pass for each array, by blocks.
+//! Memory does not grow with the run.
 
 use super::extent::Extent;
 use super::metadata::Metadata;
@@ -17,7 +17,7 @@ use std::fs::File;
 use std::io;
 use std::path::Path;
 
-/// How a table is written.
+/// A file format for the table of a run.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize, Deserialize)]
 #[serde(rename_all = "lowercase")]
 pub enum Format {
@@ -31,10 +31,10 @@ pub enum Format {
 }
 
 impl Format {
-    /// That of the file's ending; CSV for something like `/dev/stdout` that has none to choose.
+    /// Returns the format that the ending of the file names; CSV for a device such as `/dev/stdout`.
     ///
     /// # Errors
-    /// If there is no such format.
+    /// If the ending stands for no format.
     ///
     /// # Example
     /// ```
@@ -56,12 +56,12 @@ impl Format {
         }
     }
 
-    /// What comes before the first row in the file that grows.
+    /// Returns the text before the first row in the growing file.
     pub(crate) fn start(self, table: &RunTable) -> String {
         if self == Self::Csv { table.header() + "\n" } else { String::new() }
     }
 
-    /// Puts a row as it is in the file that grows into `bytes`.
+    /// Encodes a row as in the growing file, and puts it into `bytes`.
     pub(crate) fn encode(self, row: &[f64], bytes: &mut Vec<u8>) -> io::Result<()> {
         bytes.clear();
         if self == Self::Csv {
@@ -71,18 +71,18 @@ impl Format {
         Ok(())
     }
 
-    /// How many rows there are in the file that grows up to here; none if the last is not whole.
+    /// Returns the number of rows in the growing file up to an extent; `None` if the last row is incomplete.
     pub(crate) fn rows(self, table: &RunTable, to: &Extent) -> Option<u64> {
         let row = 8 * table.width() as u64;
         match self {
-            // The first line has the names.
+            // The first line holds the names of the columns.
             Self::Csv if to.ends_line => to.lines.checked_sub(1),
             Self::Csv => None,
             Self::Npz | Self::Parquet => to.bytes.is_multiple_of(row).then_some(to.bytes / row),
         }
     }
 
-    /// Makes the output of the file that has grown; CSV is there already.
+    /// Makes the output from the growing file; CSV is complete already.
     pub(crate) fn convert(
         self,
         rows: &File,

@@ -1,13 +1,13 @@
-//! What an output says of its origin.
+//! The metadata of an output: where it comes from.
 
 use crate::Error;
 use crate::configuration::Config;
 use serde::Serialize;
 
-/// What an output says of its origin.
+/// The metadata of an output: the program, its version and the configuration.
 #[derive(Clone, Debug, PartialEq, Eq, Serialize)]
 pub struct Metadata {
-    /// heavytop
+    /// The name of the program, `heavytop`.
     pub program: &'static str,
     /// The program's version.
     pub version: &'static str,
@@ -16,10 +16,10 @@ pub struct Metadata {
 }
 
 impl Metadata {
-    /// That of a run of this version of the program.
+    /// Returns the metadata of a run by this version of the program.
     ///
     /// # Errors
-    /// As [`Config::to_toml`].
+    /// The errors of [`Config::to_toml`].
     pub fn new(config: &Config) -> Result<Self, Error> {
         let (program, version) = ("heavytop", env!("CARGO_PKG_VERSION"));
         Ok(Self { program, version, configuration: config.to_toml()? })

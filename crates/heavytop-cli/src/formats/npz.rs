@@ -1,4 +1,4 @@
-//! NumPy's npz: an archive of npy arrays, not compressed.
+//! The format npz of NumPy: an archive of npy arrays, not compressed.
 //!
 //! Source: NumPy Enhancement Proposal 1, *A simple file format for NumPy arrays*, version 1.0.
 
@@ -9,10 +9,10 @@ use std::io::{self, Seek, Write};
 use zip::write::SimpleFileOptions;
 use zip::{CompressionMethod, DateTime, ZipWriter};
 
-/// The arrays start at multiples of this many bytes from the start of their files.
+/// The number of bytes at whose multiples the arrays start in their files.
 const ALIGNMENT: usize = 64;
 
-/// Magic string, version, and the length of the header.
+/// The length of the magic string, the version, and the length of the header.
 const PREFIX: usize = 10;
 
 pub(super) fn write(
@@ -23,7 +23,7 @@ pub(super) fn write(
 ) -> io::Result<()> {
     let mut archive = ZipWriter::new(to);
     if let Err(error) = write_arrays(rows, table, metadata, &mut archive) {
-        // To drop it would try again, and print that it failed again.
+        // Dropping the archive would try to write again, and print that it failed again.
         std::mem::forget(archive);
         return Err(error);
     }
@@ -46,14 +46,14 @@ fn write_arrays<W: Write + Seek>(
         begin(archive, name, "<f8", &shape, n * bytes.len() as u64)?;
         rows.each(|row| archive.write_all(&row[bytes.clone()]))?;
     }
-    // A string is an array of no dimension, of characters of four bytes.
+    // A string is an array of dimension 0 whose characters have four bytes.
     let text = serde_json::to_string(metadata)?;
     let characters = text.chars().count();
     begin(archive, "metadata", &format!("<U{characters}"), "()", 4 * characters as u64)?;
     text.chars().try_for_each(|c| archive.write_all(&u32::from(c).to_le_bytes()))
 }
 
-/// Begins an array of so many bytes.
+/// Begins an array of `bytes` bytes.
 fn begin<W: Write + Seek>(
     archive: &mut ZipWriter<W>,
     name: &str,
@@ -61,7 +61,7 @@ fn begin<W: Write + Seek>(
     shape: &str,
     bytes: u64,
 ) -> io::Result<()> {
-    // The same run makes the same file: no time of day.
+    // The file has no time of day, so that the same run makes the same file.
     let options = SimpleFileOptions::default()
         .compression_method(CompressionMethod::Stored)
         .last_modified_time(DateTime::default())

@@ -1,4 +1,4 @@
-//! Apache Parquet: plain columns in row groups, not compressed.
+//! The format Apache Parquet: plain columns in row groups, not compressed.
 
 use super::metadata::Metadata;
 use super::rows::Rows;
@@ -13,7 +13,7 @@ use parquet::schema::types::Type;
 use std::io::{self, Write};
 use std::sync::Arc;
 
-/// The rows of a group, the last one excepted: 11 columns of them take 6 MB.
+/// The number of rows in a group, except the last one: 11 columns of them take 6 MB.
 pub(crate) const GROUP: usize = 1 << 16;
 
 pub(super) fn write<W: Write + Send>(
@@ -24,7 +24,7 @@ pub(super) fn write<W: Write + Send>(
 ) -> io::Result<()> {
     let header = table.header();
     let fields = header.split(',').map(|name| required(name, PhysicalType::DOUBLE));
-    // Numbers of a motion hardly ever occur twice.
+    // The numbers of a motion hardly ever repeat.
     let mut file = begin("run", fields.collect::<Result<_>>()?, metadata, false, to)?;
     let mut columns = vec![Vec::with_capacity(GROUP); table.width()];
     rows.each(|row| {
@@ -43,8 +43,7 @@ pub(super) fn write<W: Write + Send>(
     Ok(())
 }
 
-/// Begins a file with these fields and key–value metadata; where values occur again and again a
-/// dictionary of them makes it smaller.
+/// Begins a file with these fields and key–value metadata. A dictionary makes columns with repeated values smaller.
 pub(crate) fn begin<W: Write + Send>(
     name: &str,
     fields: Vec<Type>,
@@ -65,14 +64,15 @@ pub(crate) fn begin<W: Write + Send>(
     SerializedFileWriter::new(to, Arc::new(schema), Arc::new(properties))
 }
 
-/// A column without nulls.
+/// Returns the type of a column without nulls.
 pub(crate) fn required(name: &str, kind: PhysicalType) -> Result<Type> {
     let field = Type::primitive_type_builder(name, kind);
     field.with_repetition(Repetition::REQUIRED).build()
 }
 
-/// Writes the next column of a row group: the values that are present, and, unless the column is
-/// required, 1 for each value and 0 for each null.
+/// Writes the next column of a row group.
+///
+/// It takes the values that are present and, unless the column is required, 1 for each value and 0 for each null.
 pub(crate) fn write_column<T: DataType>(
     group: &mut SerializedRowGroupWriter<'_, impl Write + Send>,
     values: &[T::T],

@@ -1,16 +1,16 @@
-//! Rows of 64-bit numbers in a file.
+//! The rows of 64-bit numbers in a growing file.
 
 use std::fs::File;
 use std::io::{self, BufReader, Read, Seek};
 
-/// So many bytes are read at once.
+/// The number of bytes that are read at once.
 const BUFFER: usize = 1 << 20;
 
-/// A file of rows, each of `width` little-endian numbers.
+/// A file of rows, each with `width` little-endian numbers.
 pub(super) struct Rows<'a> {
     file: &'a File,
     width: usize,
-    /// The number of whole rows.
+    /// The number of complete rows.
     pub count: u64,
 }
 
@@ -20,7 +20,7 @@ impl<'a> Rows<'a> {
         Ok(Self { file, width, count: bytes / (8 * width as u64) })
     }
 
-    /// Hands the bytes of each row to `visit`.
+    /// Passes the bytes of each row to `visit`.
     pub fn each(&self, mut visit: impl FnMut(&[u8]) -> io::Result<()>) -> io::Result<()> {
         let mut from = BufReader::with_capacity(BUFFER, self.file);
         from.rewind()?;

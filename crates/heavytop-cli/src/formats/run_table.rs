@@ -1,4 +1,4 @@
-//! Rows of numbers.
+//! The table of a run: its columns and rows.
 
 use crate::runs::{Experiment, Moment};
 use heavytop::{HeavyTop, Invariant};
@@ -6,13 +6,13 @@ use lie_poisson::{Covector, Pair, Se3Dual};
 use std::io::{self, Write};
 use std::ops::Range;
 
-/// The columns of a state.
+/// The names of the columns of a state.
 pub const STATE_COLUMNS: &str = "t,Pi1,Pi2,Pi3,Gamma1,Gamma2,Gamma3";
 
-/// The columns of the attitude.
+/// The names of the columns of the attitude.
 pub const ATTITUDE_COLUMNS: &str = "qw,qx,qy,qz";
 
-/// The numbers in the columns of a state.
+/// Returns the numbers in the columns of a state.
 #[must_use]
 pub fn state_values(time: f64, Covector(Pair(pi, gamma)): &Se3Dual) -> [f64; 7] {
     [time, pi.x, pi.y, pi.z, gamma.x, gamma.y, gamma.z]
@@ -21,7 +21,7 @@ pub fn state_values(time: f64, Covector(Pair(pi, gamma)): &Se3Dual) -> [f64; 7] 
 /// Writes a line of numbers, each with the fewest digits that read back as the same `f64`.
 ///
 /// # Errors
-/// Of the writer.
+/// Returns the error of the writer.
 pub fn write_row(to: &mut impl Write, numbers: impl IntoIterator<Item = f64>) -> io::Result<()> {
     for (i, number) in numbers.into_iter().enumerate() {
         let comma = if i == 0 { "" } else { "," };
@@ -30,7 +30,7 @@ pub fn write_row(to: &mut impl Write, numbers: impl IntoIterator<Item = f64>) ->
     writeln!(to)
 }
 
-/// The table of a run: t, Π, Γ, invariants, and the attitude where it is asked for.
+/// The table of a run: t, Π, Γ, invariants, and the attitude if it is asked for.
 #[derive(Clone, Debug, PartialEq)]
 pub struct RunTable {
     top: HeavyTop,
@@ -39,22 +39,22 @@ pub struct RunTable {
 }
 
 impl RunTable {
-    /// The table of an experiment. The invariants are h, f₁, f₂, and K or G.
+    /// Creates the table of an experiment. The invariants are h, f₁, f₂, and K or G.
     #[must_use]
     pub fn new(experiment: &Experiment) -> Self {
         let mut invariants = experiment.top.invariants();
-        // f₃ is Π₃, which has a column already.
+        // f₃ is Π₃, which is a column already.
         invariants.retain(|invariant| *invariant != Invariant::AxialMomentum);
         Self { top: experiment.top, invariants, attitude: experiment.attitude }
     }
 
-    /// The invariants.
+    /// Returns the invariants in the table.
     #[must_use]
     pub fn invariants(&self) -> &[Invariant] {
         &self.invariants
     }
 
-    /// The names of the columns, with commas between them.
+    /// Returns the names of the columns, separated by commas.
     #[must_use]
     pub fn header(&self) -> String {
         let mut header = String::from(STATE_COLUMNS);
@@ -64,13 +64,13 @@ impl RunTable {
         if self.attitude { header + "," + ATTITUDE_COLUMNS } else { header }
     }
 
-    /// The number of columns.
+    /// Returns the number of columns.
     #[must_use]
     pub fn width(&self) -> usize {
         7 + self.invariants.len() + if self.attitude { 4 } else { 0 }
     }
 
-    /// The columns that belong together: t, Pi, Gamma, the invariants, q.
+    /// Returns the groups of columns that form one array: t, Pi, Gamma, the invariants, q.
     #[must_use]
     pub fn arrays(&self) -> Vec<(&'static str, Range<usize>)> {
         let mut arrays = vec![("t", 0..1), ("Pi", 1..4), ("Gamma", 4..7)];
@@ -82,13 +82,13 @@ impl RunTable {
         arrays
     }
 
-    /// The values of the invariants in a row.
+    /// Returns the values of the invariants in a row.
     #[must_use]
     pub fn invariant_values<'a>(&self, row: &'a [f64]) -> &'a [f64] {
         row.get(7..7 + self.invariants.len()).unwrap_or_default()
     }
 
-    /// Replaces `row` by that of a moment.
+    /// Replaces `row` by the row of a moment.
     pub fn fill(&self, row: &mut Vec<f64>, moment: &Moment<'_>) {
         row.clear();
         row.extend(state_values(moment.time, moment.momentum));

@@ -1,4 +1,4 @@
-//! What `--help` says at length.
+//! The long texts of `--help`.
 
 pub(crate) const EXIT_CODES: &str = "\
 Exit codes:

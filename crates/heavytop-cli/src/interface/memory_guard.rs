@@ -1,18 +1,20 @@
-//! What happens where there is no more memory.
+//! The allocator that ends the program with a message when memory runs out.
 
 use std::alloc::{GlobalAlloc, Layout, System};
 use std::io::{self, Write};
 use std::sync::atomic::{AtomicBool, Ordering};
 
-/// The system's memory, to be made the program's allocator. A run that can have no more of it ends with a message and exit code 1, as if a
-/// disk were full. Without this allocator Rust would abort, whoever had asked for the memory.
+/// An allocator for the program that uses the system's memory and, when there is no more, ends the process with a
+/// message.
 ///
-/// Files are left as by a kill: what was complete is whole, and what was kept can be resumed.
+/// The exit code is then 1, as if a disk were full. Rust's default is to abort the process.
+///
+/// Files are left as by a kill: what was complete stays complete, and what was kept can be resumed.
 #[derive(Debug)]
 pub struct MemoryGuard;
 
 impl MemoryGuard {
-    /// Passes on what the system has given, unless that is nothing.
+    /// Passes on the system's answer, unless the system has no memory left.
     fn given(pointer: *mut u8, bytes: usize) -> *mut u8 {
         if pointer.is_null() {
             end(bytes);
@@ -21,12 +23,12 @@ impl MemoryGuard {
     }
 }
 
-/// Ends the process; once, for the end may itself ask for memory.
+/// Ends the process with a message, once only, since ending may itself ask for memory.
 #[cold]
 fn end(bytes: usize) {
     static ENDING: AtomicBool = AtomicBool::new(false);
     if !ENDING.swap(true, Ordering::Relaxed) {
-        // Neither formatting nor stderr asks for memory.
+        // Neither formatting nor stderr allocates memory.
         let _ = writeln!(
             io::stderr(),
             "heavytop: out of memory: {bytes} more bytes cannot be had; what simulate, section and \
@@ -36,11 +38,11 @@ fn end(bytes: usize) {
     }
 }
 
-// SAFETY: every call is passed to the system's allocator as it is, and so is what that returns.
+// SAFETY: every call is passed to the system's allocator unchanged, and so is what that returns.
 #[allow(unsafe_code)]
 unsafe impl GlobalAlloc for MemoryGuard {
     unsafe fn alloc(&self, layout: Layout) -> *mut u8 {
-        // SAFETY: the caller's promise is the one asked for.
+        // SAFETY: the caller's promise is the one that the system's allocator requires.
         Self::given(unsafe { System.alloc(layout) }, layout.size())
     }
 

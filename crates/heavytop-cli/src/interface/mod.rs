@@ -1,4 +1,4 @@
-//! The command line, and what the process has to do with its system.
+//! The command line, signals, standard output, and the end of memory.
 
 mod help;
 mod arguments;

@@ -25,11 +25,11 @@ pub fn main() -> ExitCode {
     let done = match Arguments::try_parse() {
         Ok(arguments) => run(arguments),
         Err(error) if error.use_stderr() => {
-            // Where stderr is closed the exit code has to do.
+            // The exit code has to suffice where stderr is closed.
             let _ = error.print();
             return ExitCode::from(2);
         }
-        // What was asked for is help, or the version.
+        // The user asked for help, or for the version.
         Err(help) => to_stdout(help.print()),
     };
     match done {
@@ -46,7 +46,7 @@ fn run(Arguments { quiet, json, command }: Arguments) -> Result<(), Error> {
         Command::Simulate { top, out, resume, restart, checkpoint_interval } => {
             let begin = Begin { resume: resume.as_deref(), restart, interval: checkpoint_interval };
             let done = run_simulate(&top, &out, &begin, quiet);
-            // Its numbers are in the file; there is nothing else to say.
+            // The numbers are in the file; there is nothing else to report.
             done.and_then(|summary| if json { print(&summary, json) } else { Ok(()) })
         }
         Command::Compare { top, out } => top
@@ -64,7 +64,7 @@ fn run(Arguments { quiet, json, command }: Arguments) -> Result<(), Error> {
         Command::Animate { top, out } => top
             .config()
             .and_then(|config| animate(config, &out, &watch(quiet)))
-            // The page says the same.
+            // The page itself reports the same.
             .and_then(|summary| if json { print(&summary, json) } else { Ok(()) }),
         Command::Bench { top, problem, only, tops, threads } => top
             .config()
@@ -83,11 +83,11 @@ fn completions(shell: Shell) -> Result<(), Error> {
     to_stdout(io::stdout().lock().write_all(&script))
 }
 
-/// From where `simulate` begins, and how often it renews its checkpoint.
+/// The start of `simulate`, and how often it renews its checkpoint.
 struct Begin<'a> {
     resume: Option<&'a Path>,
     restart: bool,
-    /// s
+    /// The time between checkpoints, s.
     interval: f64,
 }
 
@@ -100,7 +100,7 @@ fn run_simulate(
     let Begin { resume, restart, interval } = *begin;
     let resume = resume.map(Checkpoint::read).transpose()?;
     let config = match &resume {
-        // The checkpoint has its own.
+        // The checkpoint has its own configuration.
         Some(checkpoint) if top.is_default() => checkpoint.configuration().clone(),
         _ => top.config()?,
     };
@@ -119,18 +119,18 @@ fn run_simulate(
     simulate(&config, out, &options)
 }
 
-/// How a command is accompanied whose finished parts are kept.
+/// Returns the options of a command that keeps its finished parts.
 fn in_tiles(resume: bool, restart: bool, quiet: bool) -> TileOptions<'static> {
     TileOptions { resume, restart, stop: Some(interrupted()), quiet }
 }
 
-/// What accompanies a command that keeps nothing when it is interrupted.
+/// Returns the options of a command that keeps nothing when it is interrupted.
 fn watch(quiet: bool) -> Watch<'static> {
     Watch { stop: Some(interrupted()), quiet }
 }
 
 fn report(error: &Error) -> ExitCode {
-    // Where stderr is closed the exit code has to do.
+    // The exit code has to suffice where stderr is closed.
     let _ = writeln!(io::stderr(), "heavytop: {}", error.message());
     error.exit_code().into()
 }

@@ -1,4 +1,4 @@
-//! What goes to standard output.
+//! Printing to standard output.
 
 use crate::Error;
 use serde::Serialize;
@@ -15,10 +15,10 @@ pub(super) fn print(summary: &(impl Display + Serialize), json: bool) -> Result<
     to_stdout(written.and_then(|text| writeln!(io::stdout().lock(), "{text}")))
 }
 
-/// The outcome of what was written to stdout, after the rest of it.
+/// Flushes stdout, and returns the outcome of what was written to it.
 pub(super) fn to_stdout(written: io::Result<()>) -> Result<(), Error> {
     match written.and_then(|()| io::stdout().flush()) {
-        // Whoever closed the pipe has read enough.
+        // A reader that closed the pipe has read enough.
         Err(source) if source.kind() != io::ErrorKind::BrokenPipe => {
             Err(Error::Write { path: "standard output".into(), source })
         }

@@ -1,9 +1,9 @@
-//! Ranges, ticks and tick labels.
+//! Axes of pictures: ranges, ticks and tick labels.
 
 use plotters::coord::ranged1d::{KeyPointHint, NoDefaultFormatting, Ranged, ValueFormatter};
 use std::ops::Range;
 
-/// A range with round ticks in it.
+/// A range of values with ticks at round numbers.
 #[derive(Clone, Debug, PartialEq)]
 pub(crate) struct Axis {
     from: f64,
@@ -13,13 +13,13 @@ pub(crate) struct Axis {
 }
 
 impl Axis {
-    /// The axis from `low` to `high` with at least `count` intervals.
+    /// Creates the axis from `low` to `high` with at least `count` intervals.
     pub fn new(low: f64, high: f64, count: u32) -> Self {
         let spacing = round_spacing((high - low) / f64::from(count));
         let mut ticks = Vec::new();
         let mut index = (low / spacing).ceil();
         while index * spacing <= high && ticks.len() < 100 {
-            // Not −0.
+            // Adding 0 turns −0 into 0.
             ticks.push(index * spacing + 0.0);
             index += 1.0;
         }
@@ -27,23 +27,23 @@ impl Axis {
         Self { from: low, to: high, ticks, decimals }
     }
 
-    /// Where a value lies: 0 at the lower end, 1 at the upper end.
+    /// Returns the place of a value: 0 at the lower end, 1 at the upper end.
     pub fn along(&self, value: f64) -> f64 {
         (value - self.from) / (self.to - self.from)
     }
 
-    /// The ticks and their labels.
+    /// Returns the ticks and their labels.
     pub fn labels(&self) -> impl Iterator<Item = (f64, String)> {
         self.ticks.iter().map(|tick| (*tick, self.format_ext(tick)))
     }
 
-    /// The number of characters of the longest label.
+    /// Returns the number of characters of the longest label.
     pub fn label_length(&self) -> u32 {
         let lengths = self.labels().map(|(_, label)| label.chars().count());
         lengths.max().map_or(0, |length| length as u32)
     }
 
-    /// The axis around all numbers, with room above and below. What is not finite is left out.
+    /// Creates the axis around all finite numbers, with room above and below.
     pub fn around(values: impl Iterator<Item = f64>, count: u32) -> Self {
         let finite = values.filter(|value| value.is_finite());
         let (low, high) = finite.fold((f64::INFINITY, f64::NEG_INFINITY), |(low, high), value| {
@@ -52,7 +52,7 @@ impl Axis {
         if low > high {
             return Self::new(0.0, 1.0, count);
         }
-        // Round-off looks like what it is: a line.
+        // Values that differ by round-off alone are drawn as a line.
         let room = (0.05 * (high - low)).max(1e-9 * high.abs()).max(1e-12);
         Self::new(low - room, high + room, count)
     }
@@ -83,10 +83,10 @@ impl ValueFormatter<f64> for Axis {
     }
 }
 
-/// The largest of 1, 2, 5 times a power of ten that is not above `spacing`.
+/// Returns the largest of 1, 2, 5 times a power of ten that does not exceed `spacing`.
 fn round_spacing(spacing: f64) -> f64 {
     let power = 10_f64.powf(spacing.log10().floor());
-    // The factor absorbs the rounding of the logarithm.
+    // The factor compensates for the rounding of the logarithm.
     let fits = |digit: &&f64| **digit * power <= spacing * 1.001;
     power * [10.0, 5.0, 2.0].iter().find(fits).unwrap_or(&1.0)
 }

@@ -1,7 +1,8 @@
-//! Colours along a scale.
+//! Colours along a scale of six.
 
-/// The red, green and blue (0 to 255) of a value from 0 to 1 on a scale of six colours at equal distances. What lies
-/// outside has the colour of the nearer end, and what is no number that of the lower one.
+/// Returns the red, green and blue (0 to 255) of a value from 0 to 1, on a scale of six colours at equal distances.
+///
+/// A value outside the scale has the colour of the nearer end, and NaN that of the lower end.
 pub(crate) fn colour(colours: &[[f64; 3]; 6], along: f64) -> [f64; 3] {
     let last = colours.len() - 1;
     let position = if along > 0.0 { along.min(1.0) * last as f64 } else { 0.0 };

@@ -1,4 +1,4 @@
-//! What all pictures need: axes, colours, text as outlines, and PNG.
+//! The common parts of all pictures: axes, colours, text as outlines, and PNG.
 
 mod axis;
 pub(crate) mod colour_scale;

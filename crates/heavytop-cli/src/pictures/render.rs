@@ -1,14 +1,14 @@
-//! Text to outlines, and SVG to PNG.
+//! Rendering of SVG: text to outlines, and SVG to PNG.
 
 use crate::Error;
 use resvg::tiny_skia::{Pixmap, Transform};
 use resvg::usvg::{Options, Tree, WriteOptions, fontdb::Database};
 use std::sync::Arc;
 
-/// The font family of all text; the program brings it along.
+/// The font family of all text; the program contains the font.
 pub(crate) const FONT: &str = "DejaVu Sans";
 
-/// The drawing with its text as outlines, and the same as PNG with `scale` pixels per CSS pixel.
+/// Returns the drawing with its text as outlines, and the same as PNG with `scale` pixels per CSS pixel.
 pub(crate) fn render(drawing: &str, scale: f32) -> Result<(String, Vec<u8>), Error> {
     let mut fonts = Database::new();
     fonts.load_font_data(dejavu::sans::regular().to_vec());

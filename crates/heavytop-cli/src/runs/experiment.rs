@@ -1,4 +1,4 @@
-//! A run, sample by sample.
+//! An experiment: a run, sample by sample.
 
 use super::method::Method;
 use super::moment::{Moment, Saved};
@@ -9,29 +9,29 @@ use collective_integrators::{Integrator, Start};
 use heavytop::{HeavyTop, Turning, WithAttitude};
 use lie_poisson::{Quaternion, Se3Dual, Vector};
 
-/// A top, its initial state, and how to follow it.
+/// A top, its initial state, and the method and steps of a run.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Experiment {
-    /// The top.
+    /// The top that is followed.
     pub top: HeavyTop,
-    /// (Π(0), Γ(0))
+    /// The initial state (Π(0), Γ(0)).
     pub start: Se3Dual,
-    /// The integrator.
+    /// The integrator of the run.
     pub method: Method,
-    /// The steps.
+    /// The steps of the run.
     pub schedule: Schedule,
-    /// Every n-th step is written, and the last.
+    /// The number n such that every n-th step is written, and the last one.
     pub every: u64,
     /// Whether the attitude is followed.
     pub attitude: bool,
 }
 
 impl Experiment {
-    /// Hands step number, time (s), (Π, Γ) and the attitude if it is followed of each sample to
-    /// `visit`, the initial state first.
+    /// Passes each sample to `visit`: the number of the step, the time (s), (Π, Γ), and the attitude if it is
+    /// followed. The initial state comes first.
     ///
     /// # Errors
-    /// As [`Experiment::follow`].
+    /// The errors of [`Experiment::follow`].
     pub fn run<V>(&self, mut visit: V) -> Result<(), Error>
     where
         V: FnMut(u64, f64, &Se3Dual, Option<&Quaternion>) -> Result<(), Error>,
@@ -39,15 +39,14 @@ impl Experiment {
         self.follow(None, |m| visit(m.step, m.time, m.momentum, m.attitude))
     }
 
-    /// Hands each moment to `visit`, the initial one first, or those after a saved one.
+    /// Passes each moment of the run to `visit`, from the initial one or from the first after a saved one.
     ///
-    /// A run that goes on from a step whose number is a multiple of
-    /// [`CHECKPOINT`](collective_integrators::CHECKPOINT) equals the run that was not interrupted
-    /// to the last bit.
+    /// A run that continues from a step whose number is a multiple of
+    /// [`CHECKPOINT`](collective_integrators::CHECKPOINT) equals the uninterrupted run to the last bit.
     ///
     /// # Errors
-    /// If the initial state has no lift, a step fails, `visit` does, the attitude is asked of a
-    /// formulation that has none, or the saved state is not one of this experiment's.
+    /// If the initial state has no lift, a step fails, `visit` fails, the formulation does not determine the attitude
+    /// that is asked for, or the saved state does not fit this experiment.
     ///
     /// # Example
     /// ```
@@ -73,15 +72,15 @@ impl Experiment {
         self.method.integrate(&self.top, Follow { experiment: self, from, visit })
     }
 
-    /// How many coordinates the state has that the integrator advances.
+    /// Returns the number of coordinates of the state that the integrator advances.
     ///
     /// # Errors
-    /// If there is no such integrator, or the attitude is asked of a formulation that has none.
+    /// If there is no such integrator, or the formulation does not determine the attitude that is asked for.
     pub fn dimension(&self) -> Result<usize, Error> {
         self.method.integrate(&self.top, Dimension { experiment: self })
     }
 
-    /// How many samples are written up to a step before the last, the initial one included.
+    /// Returns the number of samples written up to a step before the last, the initial one included.
     #[must_use]
     pub fn kept(&self, step: u64) -> u64 {
         step / self.every + 1
@@ -92,7 +91,7 @@ impl Experiment {
         if self.attitude { Err(Error::NoAttitude { formulation }) } else { Ok(()) }
     }
 
-    /// Whether the sample after this step is written.
+    /// Returns whether the sample after this step is written.
     #[must_use]
     pub fn keeps(&self, step: u64) -> bool {
         step.is_multiple_of(self.every) || step == self.schedule.steps
@@ -125,7 +124,7 @@ struct Follow<'a, V> {
 }
 
 impl<V: FnMut(&Moment<'_>) -> Result<(), Error>> Follow<'_, V> {
-    /// Follows an integrator; `attitude` reads it off the state.
+    /// Follows an integrator; `attitude` reads the attitude from the state.
     fn follow<I: Start<Momentum = Se3Dual>>(
         mut self,
         integrator: &I,
@@ -150,7 +149,7 @@ impl<V: FnMut(&Moment<'_>) -> Result<(), Error>> Follow<'_, V> {
                 source,
             })?;
             let (step, time, state) = (sample.step, sample.time, &sample.state);
-            // M of the lift of the start is the start up to rounding; say what was asked for.
+            // M of the lift of the start equals the start only up to rounding; the start itself is reported.
             let momentum = if step == 0 { start } else { &sample.momentum };
             (self.visit)(&Moment { step, time, momentum, attitude: attitude(state), state })?;
             if step >= schedule.steps {

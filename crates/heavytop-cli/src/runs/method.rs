@@ -1,4 +1,4 @@
-//! The integrator of a formulation and a scheme.
+//! The integrator for a formulation and a scheme.
 
 use super::task::{Plain, TangentTask, Task};
 use crate::Error;
@@ -14,7 +14,7 @@ use heavytop::{
 use lie_poisson::{LiePoisson, Se3};
 use momentum_map::DualQuaternions;
 
-/// A formulation, a scheme, and how well stage equations are solved.
+/// A formulation, a scheme, and the tolerance of its stage equations.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Method {
     formulation: Formulation,
@@ -23,11 +23,11 @@ pub struct Method {
 }
 
 impl Method {
-    /// The scheme in the formulation, with stages solved to `tolerance`; 0 iterates to the
+    /// Creates the method from a formulation and a scheme. Stages are solved to `tolerance`; 0 iterates to the
     /// round-off floor.
     ///
     /// # Errors
-    /// If the pair makes no sense.
+    /// If the formulation does not offer the scheme.
     pub fn new(formulation: Formulation, scheme: Scheme, tolerance: f64) -> Result<Self, Error> {
         if !formulation.offers(scheme) {
             return Err(Error::NoSuchPair { formulation, scheme });
@@ -39,19 +39,19 @@ impl Method {
         Ok(Self { formulation, scheme, tolerance })
     }
 
-    /// Where the scheme is applied.
+    /// Returns the formulation: where the scheme is applied.
     #[must_use]
     pub fn formulation(&self) -> Formulation {
         self.formulation
     }
 
-    /// The scheme.
+    /// Returns the scheme of the method.
     #[must_use]
     pub fn scheme(&self) -> Scheme {
         self.scheme
     }
 
-    /// What users should know before they run it.
+    /// Returns a warning for users about what the method does not conserve.
     #[must_use]
     pub fn warning(&self) -> Option<String> {
         matches!(self.scheme, Scheme::Partitioned(_)).then(|| {
@@ -63,14 +63,14 @@ impl Method {
         })
     }
 
-    /// Does the task with the integrator for this top.
+    /// Performs the task with the integrator for this top.
     ///
     /// # Errors
     /// If the task fails.
     pub fn integrate<K: Task>(&self, top: &HeavyTop, task: K) -> Result<K::Output, Error> {
         let (formulation, to_the_floor) = (self.formulation, self.tolerance == 0.0);
         match self.scheme {
-            // The same maps, faster.
+            // These kernels compute the same maps, faster.
             Scheme::Gauss(stages @ 1..=8)
                 if formulation == Formulation::Collective && to_the_floor =>
             {
@@ -84,7 +84,7 @@ impl Method {
         }
     }
 
-    /// Does the task with the integrator for this top that has tangent maps.
+    /// Performs the task with an integrator for this top that has tangent maps.
     ///
     /// # Errors
     /// If the task fails.
@@ -131,7 +131,7 @@ impl Method {
                 let space = LiePoisson::minus(Se3::default());
                 task.perform(&Direct::new(scheme, HamiltonianField { space, hamiltonian: *top }))
             }
-            // `new` has let no such pair pass.
+            // `new` has refused every such pair.
             Formulation::Splitting => Err(self.impossible()),
         }
     }
@@ -162,7 +162,7 @@ impl Method {
         task: K,
     ) -> Result<K::Output, Error> {
         let substeps = raise.substeps().map_err(|e| self.failed(e))?;
-        // Refused unless I₁ = I₂; the rotors suit every top.
+        // This splitting is refused unless I₁ = I₂; the rotors suit every top.
         match SymmetricTopSplitting::new(*top) {
             Ok(flows) => task.perform_turning(Composition::new(Splitting::strang(flows), substeps)),
             Err(_) => {

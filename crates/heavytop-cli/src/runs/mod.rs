@@ -1,4 +1,4 @@
-//! A run: its steps, its integrator, and its samples one by one.
+//! A run of a top: its steps, its integrator, and its samples one by one.
 
 mod schedule;
 pub(crate) mod step_angle;

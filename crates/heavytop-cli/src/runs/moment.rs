@@ -1,15 +1,15 @@
-//! A moment of a run, and what the run needs to go on from it.
+//! A moment of a run, and the state from which the run continues.
 
 use lie_poisson::{Quaternion, Se3Dual, Vector};
 
-/// Where a run is.
+/// A moment of a run: the step, the time and the state.
 #[derive(Clone, Copy)]
 pub struct Moment<'a> {
     /// The number of steps made.
     pub step: u64,
-    /// The time, s.
+    /// The time of the moment, s.
     pub time: f64,
-    /// (Π, Γ)
+    /// The momentum (Π, Γ) of the moment.
     pub momentum: &'a Se3Dual,
     /// The attitude, if it is followed.
     pub attitude: Option<&'a Quaternion>,
@@ -17,7 +17,7 @@ pub struct Moment<'a> {
     pub(super) state: &'a dyn Coordinates,
 }
 
-/// All that a run needs to go on.
+/// The data from which a run continues.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Saved {
     /// The number of steps made.
@@ -27,14 +27,14 @@ pub struct Saved {
 }
 
 impl Moment<'_> {
-    /// What the run needs to go on from here.
+    /// Returns the data from which the run continues after this moment.
     #[must_use]
     pub fn saved(&self) -> Saved {
         Saved { step: self.step, state: self.state.coordinates() }
     }
 }
 
-/// The states of all integrators alike.
+/// The coordinates of a state, whatever the integrator.
 pub(super) trait Coordinates {
     fn coordinates(&self) -> Vec<f64>;
 }

@@ -1,11 +1,11 @@
-//! The number of steps of a run.
+//! The schedule of a run: its step size and number of steps.
 
 use crate::Error;
 
-/// More steps than this are a typing error.
+/// The largest number of steps; more must be a typing error.
 const MOST_STEPS: f64 = 1e12;
 
-/// How far the end may be from a whole number of steps, relative to the end.
+/// The largest distance of the end from a whole number of steps, relative to the end.
 const SLACK: f64 = 1e-9;
 
 /// Equal steps from t = 0 to the end.
@@ -18,10 +18,10 @@ pub struct Schedule {
 }
 
 impl Schedule {
-    /// The steps of size `step` (s) from 0 to `end` (s).
+    /// Creates the schedule of steps of size `step` (s) from 0 to `end` (s).
     ///
     /// # Errors
-    /// Unless both are positive and finite, and the end is a whole number of steps to within
+    /// If one of the two is not positive and finite, or the end differs from a whole number of steps by more than
     /// 1e-9 of itself.
     ///
     /// # Example
@@ -49,7 +49,7 @@ impl Schedule {
         Ok(Self { step, steps: steps as u64 })
     }
 
-    /// The time after the last step, s.
+    /// Returns the time after the last step, s.
     #[must_use]
     pub fn end(&self) -> f64 {
         self.steps as f64 * self.step

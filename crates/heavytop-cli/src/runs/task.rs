@@ -1,25 +1,25 @@
-//! Something to do with an integrator, whichever type it has.
+//! Tasks that work with every type of integrator.
 
 use crate::Error;
 use collective_integrators::{Integrator, Start};
 use heavytop::Turning;
 use lie_poisson::{DualNumber, Se3Dual};
 
-/// Something to do with an integrator of the heavy top, whichever type it has.
+/// A task to perform with an integrator of the heavy top, whatever its type.
 pub trait Task {
-    /// What comes of it.
+    /// The result of the task.
     type Output;
 
-    /// Does it.
+    /// Performs the task with an integrator.
     ///
     /// # Errors
-    /// If it fails.
+    /// If the task fails.
     fn perform<I: Start<Momentum = Se3Dual>>(self, integrator: &I) -> Result<Self::Output, Error>;
 
-    /// Does it with an integrator that can carry the attitude along. By default without the attitude.
+    /// Performs the task with an integrator that can carry the attitude along; by default without the attitude.
     ///
     /// # Errors
-    /// If it fails.
+    /// If the task fails.
     fn perform_turning<I: Turning + Start>(self, integrator: I) -> Result<Self::Output, Error>
     where
         Self: Sized,
@@ -28,23 +28,23 @@ pub trait Task {
     }
 }
 
-/// Something to do with an integrator that has tangent maps, by dual numbers.
+/// A task to perform with an integrator that has tangent maps, by dual numbers.
 pub trait TangentTask {
-    /// What comes of it.
+    /// The result of the task.
     type Output;
 
-    /// Does it.
+    /// Performs the task with an integrator.
     ///
     /// # Errors
-    /// If it fails.
+    /// If the task fails.
     fn perform<I>(self, integrator: &I) -> Result<Self::Output, Error>
     where
         I: Start<Momentum = Se3Dual> + Integrator<DualNumber>;
 
-    /// Does it with an integrator that can carry the attitude along. By default without the attitude.
+    /// Performs the task with an integrator that can carry the attitude along; by default without the attitude.
     ///
     /// # Errors
-    /// If it fails.
+    /// If the task fails.
     fn perform_turning<I>(self, integrator: I) -> Result<Self::Output, Error>
     where
         I: Turning + Start + Integrator<DualNumber>,
@@ -54,7 +54,7 @@ pub trait TangentTask {
     }
 }
 
-/// A task that has no use for tangent maps.
+/// A task that does not need tangent maps.
 pub(super) struct Plain<K>(pub(super) K);
 
 impl<K: Task> TangentTask for Plain<K> {

@@ -1,5 +1,4 @@
-//! What goes on beside the numbers of a command: who sees how far it is, who may stop it, and what it
-//! keeps to go on from.
+//! The supervision of a command: its progress bar, requests to stop, and the finished parts from which it continues.
 
 mod progress;
 mod watch;

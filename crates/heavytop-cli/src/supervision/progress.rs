@@ -1,17 +1,17 @@
-//! The progress bar.
+//! The progress bar of a command.
 
 use crate::runs::Experiment;
 use indicatif::{ProgressBar, ProgressDrawTarget, ProgressState, ProgressStyle};
 use std::fmt::Write;
 use std::time::{Duration, Instant};
 
-/// Runs that are shorter show no bar.
+/// The time for which no bar is shown.
 const PATIENCE: Duration = Duration::from_millis(500);
 
-/// The clock is read once in so many steps.
+/// The number of steps between readings of the clock.
 const STRIDE: u64 = 256;
 
-/// A bar on stderr, if that is a terminal and the run is long.
+/// A progress bar on stderr, if that is a terminal and the run is long.
 #[derive(Debug)]
 pub struct Progress {
     bar: ProgressBar,
@@ -20,7 +20,7 @@ pub struct Progress {
 }
 
 impl Progress {
-    /// A bar for a run, which `quiet` hides for good.
+    /// Creates the bar of a run; `quiet` hides it for good.
     #[must_use]
     pub fn new(experiment: &Experiment, quiet: bool) -> Self {
         let method = &experiment.method;
@@ -30,7 +30,7 @@ impl Progress {
         progress
     }
 
-    /// A bar for so many items of the kind, which `quiet` hides for good.
+    /// Creates a bar for `items` items of a kind; `quiet` hides it for good.
     #[must_use]
     pub fn of(items: u64, kind: &str, quiet: bool) -> Self {
         let bar = ProgressBar::with_draw_target(Some(items), ProgressDrawTarget::hidden());
@@ -43,7 +43,7 @@ impl Progress {
         Self { bar, started: Instant::now(), quiet }
     }
 
-    /// Says that so many steps were made before: rate and time left are of those to come.
+    /// Starts the bar after so many steps were made before; rate and time left refer to the steps to come.
     pub fn begin(&self, step: u64) {
         self.bar.set_position(step);
         self.bar.reset_eta();
@@ -56,7 +56,7 @@ impl Progress {
         }
     }
 
-    /// Reports the number of items done, and which is next.
+    /// Reports the number of items done, and the next item.
     pub fn now(&self, item: u64, message: String) {
         self.bar.set_message(message);
         self.show(item);
@@ -67,16 +67,16 @@ impl Progress {
             return;
         }
         if self.bar.is_hidden() && self.started.elapsed() > PATIENCE {
-            // Stays hidden unless stderr is a terminal.
+            // The bar stays hidden unless stderr is a terminal.
             self.bar.set_draw_target(ProgressDrawTarget::stderr());
         }
         self.bar.set_position(position);
     }
 }
 
-/// Items per second.
+/// Writes the number of items per second.
 fn rate(state: &ProgressState, to: &mut dyn Write) {
-    // A bar without a rate is no reason to fail.
+    // The run does not fail for a bar without a rate.
     let _ = write!(to, "{:.0}/s", state.per_sec());
 }
 

@@ -1,4 +1,4 @@
-//! Finished parts of a run that outlast it.
+//! The folder of tiles: finished parts of a run that outlast it.
 
 use super::tiled_run::{RESUME, TileOptions};
 use crate::Error;
@@ -11,29 +11,29 @@ use std::fs::{self, File};
 use std::io;
 use std::path::{Path, PathBuf};
 
-/// The file that says of which run the tiles are,
+/// The name of the file that identifies the run of the tiles.
 const IDENTITY: &str = "identity";
 
-/// and its first word.
+/// The first word of the identity.
 const TITLE: &str = "heavytop-tiles ";
 
-/// The file that is locked while a run has the folder.
+/// The file that is locked while a run uses the folder.
 const LOCK: &str = "lock";
 
-/// The folder of finished tiles, one file for each; it is there while the run is not finished.
+/// The folder of finished tiles, one file for each; it exists while the run is not finished.
 ///
-/// A tile is a part of a run that does not depend on the others. Its file is there whole or not at
-/// all, and says which tile of which configuration it is.
+/// A tile is a part of a run that does not depend on the others. Its file is complete or absent, and says which tile
+/// of which configuration it is.
 #[derive(Debug)]
 pub(crate) struct Tiles {
     folder: PathBuf,
     config: Config,
     identity: String,
-    /// The first line of each tile begins with it.
+    /// The beginning of the first line of each tile.
     title: String,
 }
 
-/// The folder of tiles while it is this run's alone.
+/// The folder of tiles while this run alone uses it.
 #[derive(Debug)]
 #[must_use]
 pub(crate) struct Held {
@@ -41,15 +41,15 @@ pub(crate) struct Held {
     _file: File,
 }
 
-/// Nobody else has the lock as long as the file is open: it is this run's to be removed.
+/// Removes the lock. Nobody else has it while the file is open.
 impl Drop for Held {
     fn drop(&mut self) {
-        // That it stays does no harm.
+        // It does no harm if the file stays.
         let _ = fs::remove_file(&self.path);
     }
 }
 
-/// What decides about the numbers.
+/// The settings that determine the numbers.
 #[derive(Serialize, Deserialize)]
 #[serde(deny_unknown_fields)]
 struct Identity {
@@ -58,10 +58,10 @@ struct Identity {
 }
 
 impl Tiles {
-    /// The tiles of the configuration, in which nothing that plays a part is left out.
+    /// Creates the tiles of a configuration in which no key that plays a part is left out.
     ///
     /// # Errors
-    /// As [`Config::to_toml`].
+    /// The errors of [`Config::to_toml`].
     pub fn new(folder: PathBuf, config: &Config) -> Result<Self, Error> {
         let version = env!("CARGO_PKG_VERSION").into();
         let identity = Identity { version, configuration: config.clone() };
@@ -70,18 +70,18 @@ impl Tiles {
         Ok(Self { folder, config: config.clone(), identity, title })
     }
 
-    /// Makes the folder, or sees that its tiles are of this run; or discards them.
+    /// Prepares the folder: creates it, or checks that its tiles belong to this run, or discards them.
     ///
     /// # Errors
-    /// If another run has the folder, or there are tiles which shall not be used, or which are of
-    /// another run; then nothing is changed.
+    /// If another run uses the folder, or there are tiles that shall not be used, or that belong to another run: then
+    /// nothing is changed.
     pub fn prepare(&self, options: &TileOptions<'_>) -> Result<Held, Error> {
         let folder = || self.folder.clone();
         let refused = |source| Error::Create { path: folder(), source };
         fs::create_dir_all(&self.folder).map_err(refused)?;
         let path = self.folder.join(LOCK);
         let file = lock::open(&path, true).map_err(|source| {
-            // One that was made for this is empty.
+            // A folder that was created here is still empty.
             let _ = fs::remove_dir(&self.folder);
             refused(source)
         })?;
@@ -94,7 +94,7 @@ impl Tiles {
             Err(CheckpointError::Read(error)) if error.kind() == io::ErrorKind::NotFound => {
                 if let Err(error) = Output::whole(&identity, self.identity.as_bytes()) {
                     drop(held);
-                    // Nothing was begun. That it stays if there is something in it is right.
+                    // Nothing was begun. A folder that is not empty rightly stays.
                     let _ = fs::remove_dir(&self.folder);
                     return Err(error);
                 }
@@ -116,7 +116,7 @@ impl Tiles {
         self.folder.join(IDENTITY)
     }
 
-    /// Checks that the identity is this one.
+    /// Checks that the identity is that of this run.
     fn require(&self, found: &str) -> Result<(), CheckpointError> {
         if found == self.identity {
             return Ok(());
@@ -132,28 +132,27 @@ impl Tiles {
         self.folder.join(format!("{tile:07}"))
     }
 
-    /// The first line of a tile, before the checksum: which it is, of which run.
+    /// Returns the first line of a tile, before the checksum: the number of the tile, and the run.
     fn title(&self, tile: u64) -> String {
         format!("{} {tile:07} ", self.title)
     }
 
-    /// Keeps a tile.
+    /// Writes the file of a tile.
     ///
     /// # Errors
-    /// If it cannot be written.
+    /// If the file cannot be written.
     pub fn write(&self, tile: u64, contents: &str) -> Result<(), Error> {
         Output::whole(&self.file(tile), seal(&self.title(tile), contents).as_bytes())
     }
 
-    /// What is in a tile; nothing if it is not finished, or not whole, or another one, or of another
-    /// run.
+    /// Reads a tile; `None` if it is unfinished or incomplete, or belongs to another run.
     ///
     /// # Errors
-    /// If it cannot be read.
+    /// If the file cannot be read.
     pub fn read(&self, tile: u64) -> Result<Option<String>, Error> {
         let path = self.file(tile);
         match fs::read_to_string(&path) {
-            // What is damaged has to be made again.
+            // A damaged tile has to be computed again.
             Ok(text) => Ok(open(&self.title(tile), &text).ok().map(String::from)),
             Err(error)
                 if [io::ErrorKind::NotFound, io::ErrorKind::InvalidData]
@@ -165,20 +164,20 @@ impl Tiles {
         }
     }
 
-    /// That a tile is not there which must be.
+    /// Returns the error that a tile is missing.
     pub fn missing(&self, tile: u64) -> Error {
         Error::MissingTile { tile, folder: self.folder.clone() }
     }
 
-    /// Removes the folder, which is this run's: the run is finished.
+    /// Removes the folder when the run is finished.
     ///
     /// # Errors
-    /// If it cannot be removed.
+    /// If the folder cannot be removed.
     pub fn remove(&self, held: Held) -> Result<(), Error> {
         self.empty()?;
         drop(held);
         match fs::remove_dir(&self.folder) {
-            // Another run has begun in it, or is done with it, too.
+            // Another run has begun in the folder, or is done with it, too.
             Err(error)
                 if [io::ErrorKind::DirectoryNotEmpty, io::ErrorKind::NotFound]
                     .contains(&error.kind()) =>
@@ -195,7 +194,7 @@ impl Tiles {
             Err(error) if error.kind() != io::ErrorKind::NotFound => Err(unwritten(path, error)),
             _ => Ok(()),
         };
-        // First, since tiles without an identity are in nobody's way, should it end in between.
+        // The identity goes first: tiles without an identity block nobody, should the run end in between.
         remove(&self.identity_file())?;
         let entries = fs::read_dir(&self.folder).map_err(|e| unwritten(&self.folder, e))?;
         for entry in entries {

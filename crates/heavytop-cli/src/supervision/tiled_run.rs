@@ -1,26 +1,26 @@
-//! A run in tiles: how it is accompanied, its threads, and how it goes on after an interruption.
+//! A run in tiles: its options, its threads, and its end.
 
 use crate::Error;
 use rayon::{ThreadPool, ThreadPoolBuilder};
 use std::sync::atomic::{AtomicBool, Ordering};
 
-/// The argument by which a run goes on.
+/// The argument that resumes a run.
 pub(super) const RESUME: &str = "--resume";
 
-/// How a run in tiles is accompanied.
+/// The options of a run in tiles.
 #[derive(Clone, Copy, Debug)]
 pub struct TileOptions<'a> {
-    /// Whether it goes on from the finished tiles of an interrupted run.
+    /// Whether to continue from the finished tiles of an interrupted run.
     pub resume: bool,
-    /// Whether those are discarded.
+    /// Whether to discard the finished tiles of an interrupted run.
     pub restart: bool,
-    /// Once this is true the run ends; what is finished is kept.
+    /// The request to stop: once it is true, the run ends, and finished tiles are kept.
     pub stop: Option<&'a AtomicBool>,
     /// Whether to show no progress bar.
     pub quiet: bool,
 }
 
-/// From the start, and quietly.
+/// Starts from the beginning, without a progress bar.
 impl Default for TileOptions<'_> {
     fn default() -> Self {
         Self { resume: false, restart: false, stop: None, quiet: true }
@@ -28,26 +28,26 @@ impl Default for TileOptions<'_> {
 }
 
 impl TileOptions<'_> {
-    /// Whether the run shall end.
+    /// Returns whether the run shall end.
     pub(crate) fn stopped(&self) -> bool {
         self.stop.is_some_and(|stop| stop.load(Ordering::Relaxed))
     }
 }
 
-/// The threads that finish tiles: as many as the processor has, or as RAYON_NUM_THREADS says.
+/// Creates the threads that compute tiles: as many as the processor has, or as RAYON_NUM_THREADS says.
 ///
 /// # Errors
-/// If the system refuses them.
+/// If the system refuses the threads.
 pub(crate) fn threads() -> Result<ThreadPool, Error> {
     ThreadPoolBuilder::new().build().map_err(Error::Workers)
 }
 
-/// That a run in tiles was stopped.
+/// Returns the error that a run in tiles was stopped.
 pub(crate) fn interrupted() -> Error {
     Error::Interrupted { resume: Some(RESUME.into()) }
 }
 
-/// Says of what failed for want of something outside the run that it can go on.
+/// Adds to an error with a cause outside the run that the run can be resumed.
 pub(crate) fn resumable(failure: Error) -> Error {
     match failure {
         Error::Write { .. } | Error::Tile { .. } => {

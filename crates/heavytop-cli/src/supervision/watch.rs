@@ -1,18 +1,18 @@
-//! How a command is accompanied that cannot be resumed.
+//! The options of a command that cannot be resumed.
 
 use crate::Error;
 use std::sync::atomic::{AtomicBool, Ordering};
 
-/// Who sees how far it is, and who may stop it.
+/// The options of a command that cannot be resumed: requests to stop, and progress.
 #[derive(Clone, Copy, Debug)]
 pub struct Watch<'a> {
-    /// Once this is true the command ends, and leaves nothing of what it has begun.
+    /// The request to stop: once it is true, the command ends and removes what it has begun.
     pub stop: Option<&'a AtomicBool>,
     /// Whether to show no progress bar.
     pub quiet: bool,
 }
 
-/// By nobody, and quietly.
+/// Ignores requests to stop, and shows no progress bar.
 impl Default for Watch<'_> {
     fn default() -> Self {
         Self { stop: None, quiet: true }
@@ -20,10 +20,10 @@ impl Default for Watch<'_> {
 }
 
 impl Watch<'_> {
-    /// Checks that the command shall not end.
+    /// Checks that the command need not end.
     ///
     /// # Errors
-    /// [`Error::Interrupted`] if it shall.
+    /// [`Error::Interrupted`] if it must end.
     pub(crate) fn require_going(&self) -> Result<(), Error> {
         match self.stop {
             Some(stop) if stop.load(Ordering::Relaxed) => Err(Error::Interrupted { resume: None }),

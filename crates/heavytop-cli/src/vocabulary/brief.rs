@@ -1,15 +1,15 @@
-//! Numbers and texts in messages, short.
+//! Short forms of numbers and texts in messages.
 
-/// A text is cut after so many characters.
+/// The number of characters after which a text is cut.
 const MOST: usize = 60;
 
-/// The number, without hundreds of digits.
+/// Formats the number without hundreds of digits.
 pub(crate) fn number(x: f64) -> String {
     if x == 0.0 || (1e-6..1e16).contains(&x.abs()) { x.to_string() } else { format!("{x:e}") }
 }
 
-/// The text on one line, or its first characters and an ellipsis. What would control a terminal is
-/// escaped.
+/// Returns the text on one line, or its first characters and an ellipsis. Characters that would control a terminal
+/// are escaped.
 pub(crate) fn text(text: &str) -> String {
     let mut short = String::new();
     for (count, c) in text.chars().enumerate() {
@@ -22,8 +22,8 @@ pub(crate) fn text(text: &str) -> String {
     short
 }
 
-/// A message in which long words are cut, long numbers have exponents, and of many words those in the
-/// middle are left out.
+/// Shortens a message: long words are cut, long numbers get exponents, and of many words those in the middle are left
+/// out.
 pub(crate) fn message(message: &str) -> String {
     let words: Vec<String> = message.split(' ').map(word).collect();
     let message = words.join(" ");
@@ -31,16 +31,16 @@ pub(crate) fn message(message: &str) -> String {
     if count <= HEAD + TAIL {
         return message;
     }
-    // What is wrong is said first, and what is expected last.
+    // The beginning says what is wrong, and the end what is expected.
     let head: String = message.chars().take(HEAD).collect();
     let tail: String = message.chars().skip(count - TAIL).collect();
     format!("{head} … {tail}")
 }
 
-/// Of a long message so many characters at its beginning stay,
+/// The number of characters that stay at the beginning of a long message.
 const HEAD: usize = 120;
 
-/// and so many at its end, which may list all schemes.
+/// The number of characters that stay at the end of a long message, which may list all schemes.
 const TAIL: usize = 400;
 
 fn word(word: &str) -> String {
@@ -49,7 +49,7 @@ fn word(word: &str) -> String {
     match bare.parse() {
         Ok(value) if bare.len() > 24 => word.replace(bare, &number(value)),
         _ if word.chars().count() > MOST => {
-            // The quotation mark and the comma after it.
+            // A quotation mark and the comma after it.
             let marks = word.chars().rev().take(2).take_while(|c| is_mark(*c)).collect::<Vec<_>>();
             text(word) + &marks.into_iter().rev().collect::<String>()
         }

@@ -1,26 +1,26 @@
-//! Formulations by name, and the schemes that each offers.
+//! The formulations by name, and the schemes that each offers.
 
 use super::named::{by_name, name_of};
 use super::scheme::Scheme;
 use serde::{Deserialize, Serialize};
 
-/// Where a scheme is applied.
+/// The formulation of an integrator: where its scheme is applied.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Deserialize, Serialize)]
 #[serde(try_from = "String", into = "&'static str")]
 pub enum Formulation {
-    /// On T∗C², read through M: T∗C² → se(3)∗.
+    /// A scheme on T∗C², read through M: T∗C² → se(3)∗.
     #[default]
     Collective,
-    /// The same maps without a lift, on se(3)∗ itself.
+    /// The maps of the collective formulation without a lift, on se(3)∗ itself.
     Reduced,
-    /// On the six equations of the heavy top.
+    /// A scheme on the six equations of the heavy top.
     Direct,
     /// Exact flows of parts of h, on se(3)∗.
     Splitting,
 }
 
 impl Formulation {
-    /// All of them, by name.
+    /// The names of all formulations.
     pub const NAMES: &[(&str, Self)] = &[
         ("collective", Self::Collective),
         ("reduced", Self::Reduced),
@@ -28,13 +28,13 @@ impl Formulation {
         ("splitting", Self::Splitting),
     ];
 
-    /// Its name in configurations and tables.
+    /// Returns the name in configurations and tables.
     #[must_use]
     pub fn name(self) -> &'static str {
         name_of(Self::NAMES, self)
     }
 
-    /// Whether the scheme makes sense here.
+    /// Returns whether the scheme makes sense in this formulation.
     #[must_use]
     pub fn offers(self, scheme: Scheme) -> bool {
         let composed = matches!(scheme, Scheme::Composed(_));
@@ -47,12 +47,12 @@ impl Formulation {
         }
     }
 
-    /// The schemes that make sense here.
+    /// Returns the schemes that make sense in this formulation.
     pub fn schemes(self) -> impl Iterator<Item = Scheme> {
         Scheme::NAMES.iter().map(|(_, scheme)| *scheme).filter(move |&scheme| self.offers(scheme))
     }
 
-    /// Whether the scheme, which is offered here, is a Poisson map of se(3)∗ at every step size.
+    /// Returns whether the scheme, which must be offered, is a Poisson map of se(3)∗ at every step size.
     #[must_use]
     pub fn is_poisson(self, scheme: Scheme) -> bool {
         match self {

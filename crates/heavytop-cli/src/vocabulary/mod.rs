@@ -1,4 +1,4 @@
-//! The words of configurations and messages: formulations, schemes and other items by name.
+//! The names in configurations and messages: formulations, schemes and other items.
 
 pub(crate) mod brief;
 pub(crate) mod suggestion;

@@ -1,14 +1,14 @@
-//! Items by name: those of a configuration.
+//! Conversion between the items of a configuration and their names.
 
 use super::brief::text;
 use super::suggestion::suggestion;
 
-/// The name of an item.
+/// Returns the name of an item.
 pub(crate) fn name_of<T: Copy + PartialEq>(names: &[(&'static str, T)], item: T) -> &'static str {
     names.iter().find(|(_, other)| *other == item).map_or("", |(name, _)| name)
 }
 
-/// The item of that name; the error lists all names.
+/// Returns the item with a name; the error lists all names.
 pub(crate) fn by_name<T: Copy>(kind: &str, names: &[(&str, T)], name: &str) -> Result<T, String> {
     let found = names.iter().find(|(known, _)| *known == name).map(|(_, item)| *item);
     found.ok_or_else(|| {

@@ -1,10 +1,10 @@
-//! Schemes by name.
+//! The schemes by name.
 
 use super::named::{by_name, name_of};
 use collective_integrators::{SchemeError, Substeps};
 use serde::{Deserialize, Serialize};
 
-/// A one-step method.
+/// A one-step method by name.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Deserialize, Serialize)]
 #[serde(try_from = "String", into = "&'static str")]
 pub enum Scheme {
@@ -17,42 +17,42 @@ pub enum Scheme {
     ExplicitMidpoint,
     /// The classical method of Runge and Kutta.
     Rk4,
-    /// A method that treats q and p differently.
+    /// A partitioned method, which treats q and p differently.
     Partitioned(Pair),
     /// A composition of the implicit midpoint rule, or of Strang's splitting.
     Composed(Raise),
 }
 
-/// The partitioned methods.
+/// The partitioned Runge–Kutta methods by name.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Pair {
-    /// Symplectic Euler, implicit in p.
+    /// The symplectic Euler method, implicit in p.
     SymplecticEuler,
-    /// Störmer–Verlet that moves p first.
+    /// The Störmer–Verlet method that moves p first.
     StormerVerlet,
-    /// Lobatto IIIA–IIIB with 3 stages.
+    /// The Lobatto IIIA–IIIB pair with 3 stages.
     Lobatto,
 }
 
-/// The substeps of compositions.
+/// The compositions by name, by their substeps.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Raise {
-    /// One whole step, order 2.
+    /// One whole step, of order 2.
     Strang,
-    /// Order 4 with 3 substeps.
+    /// Three substeps, of order 4.
     Yoshida4,
-    /// Order 4 with 5 substeps.
+    /// Five substeps, of order 4.
     Suzuki4,
-    /// Order 6 with 7 substeps.
+    /// Seven substeps, of order 6.
     Yoshida6,
-    /// Order 6 with 9 substeps.
+    /// Nine substeps, of order 6.
     KahanLi6,
-    /// Order 8 with 17 substeps.
+    /// Seventeen substeps, of order 8.
     KahanLi8,
 }
 
 impl Scheme {
-    /// All of them, by name.
+    /// The names of all schemes.
     pub const NAMES: &[(&str, Self)] = &[
         ("implicit-midpoint", Self::ImplicitMidpoint),
         ("gauss-4", Self::Gauss(2)),
@@ -74,7 +74,7 @@ impl Scheme {
         ("kahan-li-8", Self::Composed(Raise::KahanLi8)),
     ];
 
-    /// Its name in configurations and tables.
+    /// Returns the name in configurations and tables.
     #[must_use]
     pub fn name(self) -> &'static str {
         name_of(Self::NAMES, self)
@@ -82,7 +82,7 @@ impl Scheme {
 }
 
 impl Raise {
-    /// The fractions of a step.
+    /// Returns the substeps as fractions of a step.
     ///
     /// # Errors
     /// None: all the fractions add up to 1.

@@ -1,9 +1,9 @@
-//! What somebody who misspelt a name may have meant.
+//! Suggestions for misspelt names.
 
-/// Names that are less alike than this, from 0 to 1, are not suggested.
+/// The least likeness, from 0 to 1, at which a name is suggested.
 const ALIKE: f64 = 0.7;
 
-/// "; did you mean `…`?" with the name most like the one typed, or nothing if none is like it.
+/// Returns "; did you mean `…`?" with the name most like the one typed, or nothing if none is like it.
 pub(crate) fn suggestion<'a>(typed: &str, names: impl IntoIterator<Item = &'a str>) -> String {
     let scored = names.into_iter().map(|name| (strsim::jaro(typed, name), name));
     let best = scored.filter(|(alike, _)| *alike > ALIKE).max_by(|a, b| a.0.total_cmp(&b.0));

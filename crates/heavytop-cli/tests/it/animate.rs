@@ -1,4 +1,4 @@
-//! `heavytop animate`
+//! `heavytop animate`: the page, its frames, and what it needs to be shown.
 
 use crate::program::Folder;
 use base64::Engine;
@@ -8,7 +8,7 @@ use lie_poisson::{Quaternion, Se3Dual};
 use nalgebra::Vector3;
 use serde_json::Value;
 
-/// What the page is told: its JSON, and the frames.
+/// Reads the data of a page: its JSON, and the frames.
 fn motion(page: &str) -> (Value, Vec<Vec<f64>>) {
     let (_, rest) = page.split_once(r#"<script type="application/json" id="motion">"#).unwrap();
     let json: Value = serde_json::from_str(rest.split_once("</script>").unwrap().0).unwrap();
@@ -24,7 +24,7 @@ fn vector(numbers: &[f64]) -> Vector3<f64> {
     Vector3::from_row_slice(numbers)
 }
 
-/// |Γ − Rᵀe₃|
+/// Returns the error |Γ − Rᵀe₃| of a frame.
 fn vertical_error(frame: &[f64]) -> f64 {
     let attitude = Quaternion { scalar: frame[7], vector: vector(&frame[8..11]) };
     (vector(&frame[4..7]) - attitude.conjugate().rotate(&Vector3::z())).norm()
@@ -43,7 +43,7 @@ fn the_page_is_complete_loads_nothing_and_has_every_frame() {
     {
         assert_eq!(page.matches(loading).count(), 0, "{loading}");
     }
-    // Control: what is looked for is found where it is.
+    // Control: the search finds a reference where there is one.
     assert!(page.replace("<style>", "<style>@import").contains("@import"));
 
     let (json, frames) = motion(&page);
@@ -88,7 +88,7 @@ fn the_frames_are_the_rows_of_simulate() {
     assert_eq!(json["description"], "collective, gauss-6, step 0.02 s, a frame for every 7 steps");
     assert_eq!(rows.len(), frames.len());
     for (row, frame) in rows.iter().zip(&frames) {
-        // columns t, Π, Γ; h, f1, f2, K; q
+        // The columns are t, Π, Γ; h, f1, f2, K; q.
         assert_eq!(
             (&row[..7], &row[11..15], &row[7..11]),
             (&frame[..7], &frame[7..11], &frame[11..])
@@ -130,13 +130,13 @@ fn the_summary_in_json_is_that_of_the_page() {
     ] {
         assert_eq!(summary[key], value, "{key}");
     }
-    // 2 arccos|q₀·q₁|, as accurate as the square root of rounding
+    // The angle is 2 arccos|q₀·q₁|, known to the square root of round-off.
     let q = |frame: &[f64]| nalgebra::Vector4::from_row_slice(&frame[7..11]);
     let turns = frames.windows(2).map(|pair| 2.0 * q(&pair[0]).dot(&q(&pair[1])).abs().acos());
     let largest = turns.fold(0.0, f64::max);
     assert!((summary["largest_turn"].as_f64().unwrap() - largest).abs() < 1e-7, "{summary}");
     assert!(largest > 0.1, "{largest}");
-    // Without --json there is nothing to say.
+    // Without --json the command prints nothing.
     let silent = folder.heavytop(&["animate", "a.toml", "--out", "a.html"]);
     assert_eq!((silent.code(), silent.stdout()), (0, String::new()));
 }

@@ -1,4 +1,4 @@
-//! `heavytop bench`, as a user runs it.
+//! `heavytop bench`: the table of times and errors, and the problem file.
 
 use crate::program::Folder;
 
@@ -11,7 +11,7 @@ fn errors_and_times_are_told_of_what_was_asked_for() {
     let runs = told["runs"].as_array().unwrap();
     assert_eq!(runs.len(), 1);
     assert_eq!((&runs[0]["setting"], &runs[0]["steps"]), (&"h = 0.125".into(), &8000.into()));
-    // of the method and of the reference, 1e-14 each, as they grow up to t = 10
+    // The errors of the method and of the reference, 1e-14 each, grow up to t = 10.
     assert!(runs[0]["error_10"].as_f64().unwrap() < 1e-12, "{told}");
     assert!(runs[0]["seconds"].as_f64().unwrap() > 0.0);
 }
@@ -19,7 +19,7 @@ fn errors_and_times_are_told_of_what_was_asked_for() {
 #[test]
 fn a_problem_in_a_file_has_its_own_references() {
     let folder = Folder::new();
-    // A sleeping top of Lagrange's stays where it is; the second reference says otherwise.
+    // Lagrange's sleeping top stays where it is; the second reference says otherwise.
     let problem = "2 2 1 1 0 0 1 20\n0 0 4 0 0 1 0 0 4 0 0 1 0 0 4 0 0 1.5\n";
     folder.write("sleeping.txt", problem);
     let run =

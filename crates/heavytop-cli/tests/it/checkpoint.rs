@@ -1,4 +1,4 @@
-//! Runs that are interrupted, and go on.
+//! `heavytop simulate` after an interruption: the run continues, to the same bytes.
 #![cfg(unix)]
 
 use crate::program::Folder;
@@ -8,7 +8,7 @@ use std::time::Duration;
 
 const LONG: &str = "[integrator]\nscheme = 'gauss-4'\nend = 2000\n[output]\nevery = 3\n";
 
-/// The run that is interrupted, with a checkpoint whenever there can be one.
+/// Starts the run that is interrupted, with a checkpoint whenever there can be one.
 fn start(folder: &Folder, out: &str, resume: bool) -> Child {
     let checkpoint = format!("{out}.checkpoint");
     let mut arguments = vec!["simulate", "a.toml", "--out", out, "--checkpoint-interval", "0"];
@@ -29,7 +29,7 @@ fn wait(folder: &Folder, out: &str, child: &mut Child, milliseconds: u64) {
     sleep(Duration::from_millis(milliseconds));
 }
 
-/// Kills a run after these milliseconds, lets it go on, and compares the outputs.
+/// Kills a run after each of these times, resumes it, and compares the outputs.
 fn kill_and_go_on(integrator: &str, out: &str, times: impl IntoIterator<Item = u64>) {
     let folder = Folder::new();
     folder.write("a.toml", integrator);
@@ -45,7 +45,7 @@ fn kill_and_go_on(integrator: &str, out: &str, times: impl IntoIterator<Item = u
         let checkpoint = format!("{out}.checkpoint");
         if folder.path(&checkpoint).exists() {
             interrupted += 1;
-            // The configuration is the checkpoint's.
+            // The configuration is that of the checkpoint.
             let run = folder.heavytop(&["simulate", "--out", out, "--resume", &checkpoint]);
             assert_eq!((run.code(), run.stderr()), (0, String::new()), "{integrator} {time}");
         }
@@ -87,7 +87,7 @@ fn a_killed_run_goes_on_to_the_same_bytes_in_every_formulation() {
 fn twenty_kills_at_moments_that_are_not_chosen() {
     for out in ["a.csv", "a.npz", "a.parquet"] {
         let integrator = LONG.replace("2000", "6000");
-        // Steps of the golden section, in milliseconds: everywhere within the run.
+        // Multiples of the golden section, in milliseconds, lie everywhere within the run.
         kill_and_go_on(&integrator, out, (1..=20).map(|i| i * 618 % 1000));
     }
 }
@@ -111,7 +111,7 @@ fn ctrl_c_ends_a_run_with_a_checkpoint_also_twice() {
     }
 }
 
-/// A folder with an interrupted run.
+/// Returns a folder with an interrupted run.
 fn interrupted(out: &str) -> Folder {
     let folder = Folder::new();
     folder.write("a.toml", &LONG.replace("2000", "20000"));
@@ -165,7 +165,7 @@ fn what_a_run_cannot_go_on_from_is_refused_and_left_as_it_is() {
         assert_eq!(run.code(), 2);
         assert!(run.stderr().contains(message), "{}", run.stderr());
     }
-    // Rows that are not those of the checkpoint: one byte is another.
+    // Rows that differ from those of the checkpoint in one byte.
     let mut other = before.clone();
     other[100] ^= 1;
     std::fs::write(folder.path("a.csv.partial"), &other).unwrap();
@@ -203,7 +203,7 @@ fn a_run_without_room_goes_on_once_there_is_some() {
         assert!(std::fs::read(folder.path(out)).unwrap() == bytes, "{out}");
         assert_eq!(folder.names(), [out, "a.toml"]);
 
-        // Without a checkpoint what there is is kept, and said where.
+        // Without a checkpoint the rows so far are kept, and the message says where.
         let (code, said) = in_little_room(&folder, &format!("a.toml --out b-{out}"));
         let kept = format!("b-{out}.{}", if out == "a.csv" { "partial" } else { "rows" });
         assert_eq!(code, Some(1));
@@ -230,7 +230,7 @@ fn without_resume_a_run_is_refused_unless_it_shall_start_anew() {
             assert_eq!((run.code(), run.stderr()), (2, expected));
             assert!(folder.names() == names && files() == before);
         }
-        // Where the rows are lost a refusal does not make them.
+        // If the rows are lost, the refused run does not create them.
         std::fs::remove_file(folder.path(rows)).unwrap();
         assert_eq!(folder.heavytop(&["simulate", "--out", out]).code(), 2);
         assert!(!folder.path(rows).exists() && folder.path(&checkpoint).exists());
@@ -245,20 +245,20 @@ fn without_resume_a_run_is_refused_unless_it_shall_start_anew() {
     }
 }
 
-/// The contents of a checkpoint, changed, with the checksum of what they are now.
+/// Returns the contents of a checkpoint after a change, with a new checksum.
 fn changed(checkpoint: &str, change: impl Fn(&str) -> String) -> String {
     let contents = change(checkpoint.split_once('\n').unwrap().1);
     assert_ne!(checkpoint.split_once('\n').unwrap().1, contents);
     format!("heavytop-checkpoint {:08x}\n{contents}", crc32fast::hash(contents.as_bytes()))
 }
 
-/// The line of a key, and what comes after the equals sign.
+/// Returns the line of a key, and what comes after the equals sign.
 fn line<'a>(contents: &'a str, key: &str) -> (&'a str, &'a str) {
     let line = contents.lines().find(|line| line.starts_with(&format!("{key} = "))).unwrap();
     (line, line.split_once(" = ").unwrap().1)
 }
 
-/// The contents with another value of a key.
+/// Returns a change that gives a key another value.
 fn with(key: &str, value: impl Fn(&str) -> String) -> impl Fn(&str) -> String {
     move |contents| {
         let (line, old) = line(contents, key);
@@ -269,7 +269,7 @@ fn with(key: &str, value: impl Fn(&str) -> String) -> impl Fn(&str) -> String {
 #[test]
 fn what_no_run_can_have_kept_is_refused_though_it_is_whole() {
     let number = |text: &str| text.parse::<u64>().unwrap();
-    // Without the first of some numbers; with another one for it.
+    // A list without its first number; a list with another first number.
     let shorter = |list: &str| format!("[{}", list.split_once(',').unwrap().1);
     let other = |list: &str, first: &str| format!("[{first},{}", list.split_once(',').unwrap().1);
     for (out, rows) in [("a.csv", "a.csv.partial"), ("a.npz", "a.npz.rows")] {
@@ -277,7 +277,7 @@ fn what_no_run_can_have_kept_is_refused_though_it_is_whole() {
         let read = || std::fs::read(folder.path(rows)).unwrap();
         let (name, before) = (format!("{out}.checkpoint"), read());
         let checkpoint = folder.read(&name);
-        // The end is after a million steps.
+        // The run ends after a million steps.
         for (changed, message) in [
             (
                 changed(&checkpoint, with("step", |_| "1000960".into())),
@@ -301,7 +301,7 @@ fn what_no_run_can_have_kept_is_refused_though_it_is_whole() {
                 changed(&checkpoint, with("deviations", |s| other(s, "-1e308"))),
                 "it has a deviation of -1e308",
             ),
-            // Empty rows, with the checksum of nothing.
+            // Empty rows, with the checksum of an empty file.
             (
                 changed(&checkpoint, |contents| {
                     let none = with("bytes", |_| "0".into())(contents);
@@ -318,7 +318,7 @@ fn what_no_run_can_have_kept_is_refused_though_it_is_whole() {
             assert!(said.ends_with("; start anew with --restart\n"), "{said}");
             assert!(read() == before && folder.read(&name) == changed, "{message}");
         }
-        // Control: the same contents, sealed again.
+        // Control: unchanged numbers with a new checksum are accepted.
         folder.write(&name, &changed(&checkpoint, |contents| format!("{contents}# nothing\n")));
         let mut child = folder.start(&["simulate", "--out", out, "--resume", &name]);
         sleep(Duration::from_millis(200));

@@ -1,10 +1,10 @@
-//! `heavytop compare`
+//! `heavytop compare`: the table, the figure, the recommendations, and how it ends.
 
 use crate::program::Folder;
 
 const FILES: [&str; 3] = ["work-precision.csv", "work-precision.png", "work-precision.svg"];
 
-/// The rows of the table: formulation, scheme, and the numbers.
+/// Reads the rows of the table: formulation, scheme, and the numbers.
 fn rows(csv: &str) -> Vec<(String, String, Vec<f64>)> {
     let mut lines = csv.lines();
     assert_eq!(lines.next(), Some("formulation,scheme,step,end,error,seconds,h,f1,f2"));
@@ -32,7 +32,7 @@ fn a_short_comparison_has_all_methods_and_says_which_to_take() {
     let png = std::fs::read(folder.path("made/here/work-precision.png")).unwrap();
     assert!(png.starts_with(b"\x89PNG"));
 
-    // 1 to 100 steps; 17 methods collectively, 12 reduced, 14 directly, 6 by splitting
+    // There are 1 to 100 steps; 17 methods collectively, 12 reduced, 14 directly, 6 by splitting.
     let rows = rows(&folder.read("made/here/work-precision.csv"));
     let ladder = [1.0, 2.0, 3.0, 6.0, 10.0, 18.0, 32.0, 56.0, 100.0];
     assert_eq!(rows.len(), (17 + 12 + 14 + 6) * ladder.len());
@@ -42,9 +42,9 @@ fn a_short_comparison_has_all_methods_and_says_which_to_take() {
         let what = format!("{formulation} {scheme} {step}: {numbers:?}");
         let failed = error.is_nan();
         assert!(failed || (error >= 0.0 && seconds > 0.0 && h.is_finite()), "{what}");
-        // With a hundred steps all are near the solution, ...
+        // With a hundred steps all methods are near the solution.
         assert!(step > 0.011 || error < 0.1, "{what}");
-        // ... and Poisson maps conserve the Casimirs with any.
+        // Poisson maps conserve the Casimirs with any number of steps.
         let partitioned = ["symplectic-euler", "stormer-verlet", "lobatto-iiia-iiib-4"];
         let explicit = ["explicit-midpoint", "rk4"];
         let of = |schemes: &[&str]| schemes.contains(&scheme.as_str());
@@ -96,7 +96,7 @@ fn wrong_requests_are_refused() {
 
 #[test]
 fn what_cannot_be_written_is_found_before_there_is_any_work() {
-    // The partial file of the table, and the pictures.
+    // Folders with the names of the partial table and of the pictures.
     for name in ["work-precision.csv.partial", "work-precision.svg", "work-precision.png"] {
         let folder = Folder::new();
         std::fs::create_dir_all(folder.path(name)).unwrap();

@@ -1,10 +1,10 @@
-//! `heavytop completions`, in the shells themselves.
+//! `heavytop completions`: the scripts work in the shells themselves.
 #![cfg(unix)]
 
 use crate::program::Folder;
 use std::process::Command;
 
-/// What the shell prints when it runs the script; none if there is no such shell, which is said.
+/// Runs the script in a shell and returns what it prints; `None`, with a message, if the shell is not installed.
 fn in_shell(shell: &str, folder: &Folder, script: &str) -> Option<String> {
     folder.write("script", script);
     let done = Command::new(shell).arg("script").current_dir(folder.path(".")).output();
@@ -17,7 +17,7 @@ fn in_shell(shell: &str, folder: &Folder, script: &str) -> Option<String> {
     Some(String::from_utf8(done.stdout).unwrap())
 }
 
-/// A folder with the completions of a shell.
+/// Returns a folder with the completions of a shell.
 fn completions(shell: &str) -> Folder {
     let folder = Folder::new();
     let run = folder.heavytop(&["completions", shell]);
@@ -29,7 +29,7 @@ fn completions(shell: &str) -> Folder {
 #[test]
 fn bash_completes_commands_options_presets_and_nothing_else() {
     let folder = completions("bash");
-    // Each line: what is before the cursor, and the completions.
+    // Each line holds the text before the cursor, and the completions.
     let script = r#"
         source ./completions
         function try {
@@ -69,7 +69,7 @@ fn fish_completes_commands() {
 #[test]
 fn zsh_has_the_commands() {
     let folder = completions("zsh");
-    // Completion itself needs a terminal; what it would offer is what `_describe` is told.
+    // Completion itself needs a terminal; the test reads what `_describe` receives.
     let script = "\
         autoload -U compinit; compinit -D\n\
         source ./completions 2>/dev/null\n\

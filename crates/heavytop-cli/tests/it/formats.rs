@@ -1,4 +1,4 @@
-//! CSV, npz and Parquet: the same numbers, and where they come from.
+//! The formats CSV, npz and Parquet: they hold the same numbers, and the configuration that made them.
 
 use crate::program::{Folder, numbers};
 use parquet::file::reader::{FileReader, SerializedFileReader};
@@ -10,7 +10,7 @@ use std::io::Read;
 const CONFIGURATION: &str =
     "[integrator]\nscheme = 'gauss-4'\nend = 4\n[output]\nevery = 3\nattitude = true\n";
 
-/// Those that have an attitude, each in its own way.
+/// The methods with an attitude, one for each way to compute it.
 const METHODS: [(&str, &str); 5] = [
     ("collective", "gauss-4"),
     ("collective", "kahan-li-6"),
@@ -19,13 +19,13 @@ const METHODS: [(&str, &str); 5] = [
     ("splitting", "strang"),
 ];
 
-/// The configuration with another method.
+/// Returns the configuration with another method.
 fn by(formulation: &str, scheme: &str) -> String {
     let method = format!("formulation = '{formulation}'\nscheme = '{scheme}'");
     CONFIGURATION.replace("scheme = 'gauss-4'", &method)
 }
 
-/// A folder with the same run in the three formats, and its table.
+/// Returns a folder with the same run in the three formats, and its table.
 fn written(configuration: &str) -> (Folder, Vec<String>, Vec<Vec<f64>>) {
     let folder = Folder::new();
     folder.write("a.toml", configuration);
@@ -38,7 +38,7 @@ fn written(configuration: &str) -> (Folder, Vec<String>, Vec<Vec<f64>>) {
     (folder, header, rows)
 }
 
-/// The arrays of an npz: their headers, and their bytes.
+/// Reads the arrays of an npz file: their headers, and their bytes.
 fn arrays(folder: &Folder, name: &str) -> BTreeMap<String, (String, Vec<u8>)> {
     let mut archive = zip::ZipArchive::new(File::open(folder.path(name)).unwrap()).unwrap();
     let count = archive.len();
@@ -59,13 +59,13 @@ fn arrays(folder: &Folder, name: &str) -> BTreeMap<String, (String, Vec<u8>)> {
 #[test]
 fn npz_has_the_numbers_of_the_csv_by_every_kind_of_method() {
     let attitudes: Vec<_> = METHODS.map(|(f, s)| npz_has_the_numbers_of(&by(f, s))).into();
-    // Control: another method, another attitude.
+    // Control: another method gives another attitude.
     for (n, attitude) in attitudes.iter().enumerate() {
         assert!(!attitudes[..n].contains(attitude), "{:?}", METHODS[n]);
     }
 }
 
-/// The bytes of the attitude, which are compared with the others.
+/// Checks that npz holds the numbers of the CSV, and returns the bytes of the attitude.
 fn npz_has_the_numbers_of(configuration: &str) -> Vec<u8> {
     let (folder, _, rows) = written(configuration);
     let arrays = arrays(&folder, "a.npz");
@@ -136,7 +136,7 @@ fn parquet_has_the_numbers_of(configuration: &str) {
     again(&folder, pairs["configuration"]);
 }
 
-/// The configuration within a file makes the file again.
+/// Checks that the configuration within a file makes the same file again.
 fn again(folder: &Folder, configuration: &str) {
     assert!(configuration.contains("[body]\ninertia = [2.0, 2.0, 1.0]"), "{configuration}");
     folder.write("again.toml", configuration);
@@ -151,7 +151,7 @@ fn again(folder: &Folder, configuration: &str) {
 
 #[test]
 fn parquet_goes_by_groups_of_rows() {
-    // One row more than two groups.
+    // The table has one row more than two groups.
     let end = (2 << 16) as f64 / 8.0;
     let integrator = format!("integrator = {{ scheme = 'rk4', step = 0.125, end = {end} }}");
     let folder = Folder::new();

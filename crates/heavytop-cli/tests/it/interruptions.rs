@@ -1,4 +1,4 @@
-//! Ctrl-C in commands that cannot be resumed.
+//! Commands that cannot be resumed, after Ctrl-C: they leave no file.
 #![cfg(unix)]
 
 use crate::program::Folder;
@@ -25,7 +25,7 @@ fn ctrl_c_leaves_no_file() {
         let done = child.wait_with_output().unwrap();
         let said = String::from_utf8(done.stderr).unwrap();
         assert_eq!((done.status.code(), said.as_str()), (Some(130), "heavytop: interrupted\n"));
-        // A folder was made, and is empty.
+        // The folder was created and is empty.
         let is_file = |name: &String| folder.path(name).is_file();
         assert_eq!(folder.names().into_iter().filter(is_file).collect::<Vec<_>>(), ["a.toml"]);
         if folder.path("a").exists() {

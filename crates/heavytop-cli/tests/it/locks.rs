@@ -1,4 +1,4 @@
-//! Two runs on one output: the second is refused, and the first does not notice.
+//! Two runs on one output: the second is refused, and the first is not disturbed.
 #![cfg(unix)]
 
 use crate::program::{Finished, Folder};
@@ -7,17 +7,17 @@ use std::thread::sleep;
 use std::time::Duration;
 
 const LONG: &str = "[integrator]\nscheme = 'gauss-4'\nend = 4000\n";
-/// Some seconds.
+/// A sweep that takes some seconds.
 const TOPS: &str = "[sweep]\nobservables = ['megno']\naxes = [\
     { parameter = 'body.inertia[1]', from = 1, to = 3, count = 64 }, \
     { parameter = 'initial.angular_momentum[2]', from = 0, to = 4, count = 64 }]";
 
-/// A run, and the file which it locks.
+/// A run, and the file that it locks.
 struct First {
     command: &'static [&'static str],
     configuration: &'static str,
     locked: &'static str,
-    /// What is in its way.
+    /// The arguments of a run that needs the same file.
     other: &'static [&'static str],
 }
 
@@ -79,7 +79,7 @@ const FIRST: &[First] = &[
 ];
 
 impl First {
-    /// Starts it, and waits until it has its output.
+    /// Starts the run, and waits until it has locked its output.
     fn start(&self) -> (Folder, Child) {
         let folder = Folder::new();
         folder.write("a.toml", self.configuration);
@@ -88,7 +88,7 @@ impl First {
         while !folder.path(self.locked).exists() && child.try_wait().unwrap().is_none() {
             sleep(Duration::from_millis(1));
         }
-        // From when the file is there until it is locked.
+        // The lock follows some time after the file appears.
         sleep(Duration::from_millis(20));
         (folder, child)
     }
@@ -108,7 +108,7 @@ fn a_second_run_is_refused_and_leaves_the_first_alone() {
         let refused = folder.heavytop(first.other);
         assert!(child.try_wait().unwrap().is_none(), "{:?} was too short", first.command);
         assert_refused(&refused, first.other);
-        // The interrupted ones tell that they were at work until now.
+        // The message of the interruption shows that these commands were at work until now.
         if first.command[0] != "simulate" {
             let _ = std::process::Command::new("kill").arg(child.id().to_string()).status();
             assert_eq!(child.wait().unwrap().code(), Some(130), "{:?}", first.command);
@@ -116,7 +116,7 @@ fn a_second_run_is_refused_and_leaves_the_first_alone() {
         }
         let done = child.wait_with_output().unwrap();
         assert_eq!((done.status.code(), done.stderr.as_slice()), (Some(0), &[][..]));
-        // Beside it, undisturbed: the same bytes.
+        // The first run ends undisturbed, with the same bytes.
         let out = first.command[3];
         assert_eq!(folder.names(), [out, "a.toml", "link.parquet"]);
         let alone = folder.path("alone").join(out);
@@ -127,7 +127,7 @@ fn a_second_run_is_refused_and_leaves_the_first_alone() {
     }
 }
 
-/// Nor is a run refused whose output another has written before.
+/// A run whose output another has written before is not refused either.
 #[test]
 fn a_run_that_was_killed_keeps_nobody_out() {
     for first in FIRST {
@@ -157,7 +157,7 @@ fn a_run_that_was_killed_keeps_nobody_out() {
     }
 }
 
-/// The output of a section is held by somebody else when all its starts are finished.
+/// Another process holds the output of a section when all its starts are finished.
 #[test]
 fn what_another_run_writes_at_the_end_is_left_alone_and_the_tiles_stay() {
     let folder = Folder::new();

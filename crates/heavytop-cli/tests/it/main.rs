@@ -1,4 +1,4 @@
-//! What the program `heavytop` promises.
+//! The promises of the program `heavytop`, as a user runs it.
 #![allow(clippy::unwrap_used, clippy::panic)]
 
 mod animate;

@@ -45,7 +45,7 @@ fn each_pair_that_makes_sense_runs_and_conserves_what_it_promises() {
                 } else {
                     assert!(f1 < 1e-12 && f2 < 1e-11, "{what}");
                 }
-                // No run is far off: they are all of the same top.
+                // All runs follow the same top, so that none is far off.
                 assert!(deviation(7) < 5.0, "{what}, h {:e}", deviation(7));
                 assert_eq!(said.is_empty(), !PARTITIONED.contains(&scheme), "{what}: {said}");
                 if !said.is_empty() {
@@ -107,7 +107,7 @@ fn the_orders_are_those_of_the_names() {
         };
         let exact = end("kahan-li-8", 0.004);
         for (scheme, order) in COMPOSED.iter().zip(orders) {
-            // Above round-off, and small enough for the leading term.
+            // The step is large enough for errors above round-off, and small enough for the leading term.
             let step = if order == 8 { 0.2 } else { 0.05 };
             let [coarse, fine] =
                 [step, step / 2.0].map(|step| distance(&end(scheme, step), &exact));

@@ -1,4 +1,4 @@
-//! `heavytop sweep` in the processes of an MPI job.
+//! `heavytop sweep` in an MPI job: the processes share the work, and the bytes do not change.
 
 use crate::program::Folder;
 use std::process::{Command, Output};
@@ -13,7 +13,7 @@ fn mpirun(folder: &Folder, processes: u32, arguments: &[&str]) -> Output {
     let mut command = Command::new("mpirun");
     command.args(["--oversubscribe", "-n", &processes.to_string()]);
     command.arg(env!("CARGO_BIN_EXE_heavytop")).args(arguments).current_dir(folder.path("."));
-    // In a container the tests may be root's, which Open MPI asks to be told twice.
+    // In a container the tests may run as root, which Open MPI must be told twice.
     command.env("OMPI_ALLOW_RUN_AS_ROOT", "1").env("OMPI_ALLOW_RUN_AS_ROOT_CONFIRM", "1");
     command.env("RAYON_NUM_THREADS", "1").output().unwrap()
 }
@@ -40,7 +40,7 @@ fn no_bit_depends_on_the_number_of_processes() {
 fn a_process_that_fails_says_why_and_ends_the_job_and_tiles_survive() {
     let folder = Folder::new();
     folder.write("a.toml", GRID);
-    // Tile 3 is that of process 1 of 2, and cannot be written where a folder is.
+    // Tile 3 belongs to process 1 of 2, and cannot be written where there is a folder.
     std::fs::create_dir_all(folder.path("cut/sweep.partial/0000003")).unwrap();
     let run = mpirun(&folder, 2, &["sweep", "a.toml", "--out", "cut"]);
     let said = String::from_utf8_lossy(&run.stderr);

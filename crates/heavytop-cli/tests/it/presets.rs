@@ -1,8 +1,8 @@
-//! Tops by name.
+//! The presets: tops by name, against published values and closed forms.
 
 use crate::program::{Folder, numbers};
 
-/// The last row of a simulation with these arguments.
+/// Returns the last row of a simulation with these arguments.
 fn last(folder: &Folder, arguments: &[&str]) -> Vec<f64> {
     let arguments = [&["simulate", "--out", "a.csv"], arguments].concat();
     let run = folder.heavytop(&arguments);
@@ -18,11 +18,11 @@ fn the_multibody_benchmark_has_its_height() {
     assert_eq!(end[0], 2.0);
     // The published number has eleven digits; the centre of mass is at l c, c = e₂, l = 1 m.
     assert!((end[5] + 0.673_022_269_56).abs() < 1e-10, "{end:?}");
-    // Negative control: sixteen times the step is too long for this.
+    // Negative control: sixteen times the step is too long for this accuracy.
     folder.write("long.toml", "integrator = { step = 0.05 }");
     let long = last(&folder, &["--preset", "multibody-benchmark", "long.toml"]);
     assert!((long[5] + 0.673_022_269_56).abs() > 1e-10, "{long:?}");
-    // Another scheme comes to the same height.
+    // Another scheme gives the same height.
     folder.write("other.toml", "integrator = { scheme = 'kahan-li-8', step = 0.00025 }");
     let other = last(&folder, &["--preset", "multibody-benchmark", "other.toml"]);
     assert!((other[5] - end[5]).abs() < 1e-8, "{other:?}");
@@ -42,10 +42,10 @@ fn presets_are_what_their_names_say() {
     let (_, lagrange) = columns("lagrange");
     assert_eq!(lagrange[1..4], [0.0, 0.0, 4.0]);
     let (last, goryachev) = columns("goryachev-chaplygin");
-    // G, which is conserved where f₂ = Π·Γ is zero
+    // G is conserved where f₂ = Π·Γ is zero.
     assert_eq!((last.as_str(), goryachev[9]), ("G", 0.0));
     let (_, euler) = columns("euler");
-    // h = ½ Π·(I⁻¹Π), without a weight
+    // Without a weight, h = ½ Π·(I⁻¹Π).
     assert!((euler[7] - (0.01 + 4.0 / 2.0 + 0.01 / 3.0) / 2.0).abs() < 1e-15);
 }
 
@@ -55,7 +55,7 @@ fn a_configuration_is_put_over_the_preset_key_by_key() {
     folder.write("a.toml", "[body]\nmass = 7.5\n[integrator]\nend = 0.1\nstep = 0.0125");
     assert_eq!(last(&folder, &["--preset", "multibody-benchmark", "a.toml"])[0], 0.1);
     let row = numbers(&folder.read("a.csv")).1.swap_remove(0);
-    // The moments and the start are the preset's, the mass is not, and at Γ₂ = 0 it has no weight.
+    // The moments and the start are those of the preset. The mass is not, and has no weight at Γ₂ = 0.
     assert_eq!(row[2], 70.3125);
     let kinetic = (70.3125 * 150.0 + 15.234375 * 4.61538 * 4.61538) / 2.0;
     assert!((row[7] - kinetic).abs() < 1e-11);

@@ -2,7 +2,7 @@
 
 use crate::program::{Folder, numbers};
 
-/// Configurations that are wrong, and what is said about them.
+/// Wrong configurations, and texts in the messages about them.
 const WRONG: &[(&str, &str)] = &[
     ("[body]\nmass = 1.0\nmas = 2.0", "a.toml, line 3, column 1: unknown key `mas`"),
     ("[body]\nmas = 2.0", "; did you mean `mass`?"),
@@ -109,7 +109,7 @@ fn what_is_wrong_is_said_in_one_line_and_nothing_is_written() {
     }
 }
 
-/// What is said is short, whatever it is about.
+/// A message is short, however long the thing is that it is about.
 #[test]
 fn what_is_long_is_said_in_a_few_words() {
     let long = "x".repeat(500_000);
@@ -126,7 +126,7 @@ fn what_is_long_is_said_in_a_few_words() {
         (format!("body.{long} = 1"), ["unknown key `xx", "…`, expected one of `inertia`"]),
         (format!("integrator.scheme = '{long}'"), ["unknown scheme `xx", "…`; there are implicit"]),
         (format!("body.mass = {}", "9".repeat(500_000)), ["line 1, column 13: ", "overflow"]),
-        // Nor does it control the terminal.
+        // A message does not control the terminal.
         ("body.\"\\u001b[2J\" = 1".into(), ["unknown key `\\u{1b}[2J`", "expected one of"]),
     ] {
         let folder = Folder::new();
@@ -159,7 +159,7 @@ fn an_endless_file_is_refused() {
         assert!(run.stderr().contains(message), "{}", run.stderr());
         assert!(folder.names().is_empty());
     }
-    // A mebibyte is none too many.
+    // A file of exactly a mebibyte is accepted.
     folder.write("a.toml", &format!("integrator.end = 0.1\n#{}", " ".repeat((1 << 20) - 22)));
     assert_eq!(folder.path("a.toml").metadata().unwrap().len(), 1 << 20);
     assert_eq!(folder.heavytop(&["simulate", "a.toml", "--out", "a.csv"]).code(), 0);
@@ -226,7 +226,7 @@ fn stages_that_do_not_converge_end_the_run_and_keep_what_there_is() {
     for part in ["step 1 at t = 0: ", "did not converge: residual ", "is in ", "a.csv.partial"] {
         assert!(said.contains(part), "{said}");
     }
-    // the warning that the scheme does not descend, and the error
+    // The output is the warning that the scheme does not descend, and the error.
     assert_eq!(said.lines().count(), 2);
     assert_eq!(folder.names(), ["a.csv", "a.csv.partial", "a.toml"]);
     assert_eq!(folder.read("a.csv"), "old");
@@ -265,7 +265,7 @@ fn help_that_cannot_be_written_is_a_failure() {
         let said = String::from_utf8(done.stderr).unwrap();
         assert_eq!(done.status.code(), Some(1), "{arguments}: {said}");
         assert!(said.starts_with("heavytop: cannot write standard output: No space"), "{said}");
-        // Who reads no more than the beginning has read enough.
+        // A reader that reads no more than the beginning has read enough.
         let script = format!("{heavytop} {arguments} | head -c 1 >/dev/null");
         let done = std::process::Command::new("sh").args(["-c", &script]).output().unwrap();
         assert!(done.status.success() && done.stderr.is_empty(), "{arguments}");

@@ -1,9 +1,9 @@
-//! `heavytop reproduce`
+//! `heavytop reproduce`: the paper's numbers, its figures, and how the command ends.
 
 use crate::program::Folder;
 
-/// The maxima over all steps of |h − h(0)|, |f₁ − f₁(0)|, |f₂ − f₂(0)| and |K − K(0)| of the
-/// paper's experiment, from an independent computation; 0 stands for round-off.
+/// The maxima over all steps of |h − h(0)|, |f₁ − f₁(0)|, |f₂ − f₂(0)| and |K − K(0)| in the paper's experiment, from
+/// an independent computation; 0 stands for round-off.
 const NUMBERS: [(&str, [f64; 4]); 4] = [
     ("collective,implicit-midpoint,0.02,100.0", [9.091e-4, 0.0, 0.0, 6.344e-2]),
     ("collective,explicit-midpoint,0.02,100.0", [0.31584, 2.3770e-2, 0.10625, 5.3352]),
@@ -105,10 +105,10 @@ fn figures_need_no_font_and_have_the_paper_s_colours() {
         let svg = folder.read(&format!("{name}.svg"));
         assert!(!svg.contains("<text") && !svg.contains("font-family"), "{name} has text");
         let letters = svg.matches("<path fill=\"#000000\" stroke=\"none\"").count();
-        // two titles, a legend, and some ticks
+        // A figure has two titles, a legend, and some ticks.
         assert!(letters >= 12, "{name} has {letters} outlines of text");
         for colour in colours {
-            // the curve and its sample in the legend
+            // The colour occurs twice: in the curve, and in its sample in the legend.
             assert_eq!(svg.matches(&format!("stroke=\"{colour}\"")).count(), 2, "{name} {colour}");
         }
         for colour in others {

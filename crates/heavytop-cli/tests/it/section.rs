@@ -1,4 +1,4 @@
-//! `heavytop section`
+//! `heavytop section`: the points, the files, and what is refused.
 
 use crate::program::{Folder, numbers};
 use heavytop::{HeavyTop, Invariant};
@@ -39,7 +39,7 @@ fn the_points_are_on_level_and_surface_and_on_curves_of_kovalevskaya() {
         }
         assert!(orbit.is_sorted_by(|a, b| a[2] < b[2]));
     }
-    // Control: from start to start K differs.
+    // Control: K differs from start to start.
     let k: Vec<f64> =
         (0..5).map(|n| Invariant::Kovalevskaya.value(&top, &state(&rows[21 * n]))).collect();
     assert!(k.windows(2).all(|pair| (pair[0] - pair[1]).abs() > 1e-3), "{k:?}");
@@ -65,7 +65,7 @@ fn no_bit_depends_on_the_number_of_threads() {
     for file in ["section.csv", "section.svg", "section.png"] {
         let read = |name: &str| std::fs::read(folder.path(name).join(file)).unwrap();
         assert!(read("1") == read("2") && read("1") == read("5"), "{file}");
-        // Control: other starts, other bytes.
+        // Control: other starts give other bytes.
         assert!(read("1") != read("other"), "{file}");
     }
 }
@@ -75,7 +75,7 @@ fn surface_direction_and_integrator_are_those_of_the_configuration() {
     let folder = Folder::new();
     let integrator = "integrator = { formulation = 'splitting', scheme = 'suzuki-4', step = 0.05 }";
     let section = "surface = 'Pi1', level = 0.25, direction = 'down', starts = 3, crossings = 4";
-    // the level of [initial], of which h = 11.75
+    // The level is that of [initial], where h = 11.75.
     folder.write("a.toml", &format!("{integrator}\nsection = {{ {section} }}"));
     let run = folder.heavytop(&["section", "a.toml", "--out", "."]);
     assert_eq!(run.code(), 0, "{}", run.stderr());
@@ -164,7 +164,7 @@ fn a_step_that_fails_ends_the_run_and_keeps_what_there_is() {
 #[test]
 fn parquet_has_the_numbers_of_the_csv_and_the_configuration_makes_them_again() {
     let folder = Folder::new();
-    // Neither [integrator] nor the energy: what is left out is in the file nevertheless.
+    // The file contains keys that the configuration leaves out: [integrator] and the energy.
     folder.write("a.toml", "section = { starts = 40, crossings = 4, direction = 'both' }");
     assert_eq!(folder.heavytop(&["section", "a.toml", "--out", "a"]).code(), 0);
     let (header, expected) = numbers(&folder.read("a/section.csv"));
@@ -210,7 +210,7 @@ fn a_folder_in_the_way_is_refused_before_there_is_any_work() {
     }
 }
 
-/// A step alone changes the step alone.
+/// A configuration that sets the step alone changes the step alone.
 #[test]
 fn what_integrator_leaves_out_is_as_without_it() {
     let folder = Folder::new();
@@ -238,7 +238,7 @@ fn without_memory_a_section_fails_and_goes_on_once_there_is_some() {
         let said = String::from_utf8(done.stderr).unwrap();
         match done.status.code() {
             Some(0) => {}
-            // Not even the libraries have room on this machine.
+            // On this machine even the libraries need more memory.
             Some(127) => continue,
             Some(1) => {
                 failed += 1;

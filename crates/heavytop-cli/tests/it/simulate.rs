@@ -41,8 +41,8 @@ fn an_empty_configuration_is_the_same_as_none_and_as_the_one_in_the_help() {
 
 #[test]
 fn numbers_read_back_as_they_were() {
-    // Written again after reading, each number is the same text; and f₂ is the product of the
-    // written Π and Γ to the last bit, so that the text is the number that was computed with.
+    // Each number, read and written again, gives the same text; and f₂ is the product of the written Π and Γ to the
+    // last bit. So the text is the number that was computed with.
     let folder = Folder::new();
     folder.write("a.toml", "[integrator]\nend = 4\n");
     assert_eq!(folder.heavytop(&["simulate", "a.toml", "--out", "a.csv"]).code(), 0);
@@ -89,7 +89,7 @@ fn the_solution_converges_to_the_exact_one() {
             let (_, rows) = numbers(&folder.read("a.csv"));
             let last = &rows[50][1..7];
             let found = last.iter().zip(exact).map(|(x, y)| (x - y).abs()).fold(0.0, f64::max);
-            // Neither too far, nor so near that another scheme must have run.
+            // The result is neither too far, nor so near that another scheme must have run.
             let least = if error > 1e-12 { error / 3e3 } else { 0.0 };
             assert!(found < error && found >= least, "{formulation} {scheme}: {found:e}");
         }
@@ -162,7 +162,7 @@ fn a_device_is_written_to_and_a_link_stays() {
     assert_eq!(numbers(&folder.read("real.csv")).1.len(), 6);
 }
 
-/// A link to nothing yet is written through like any other.
+/// A link to a file that does not exist yet is followed like any other.
 #[test]
 #[cfg(unix)]
 fn a_link_to_nothing_stays_and_what_it_leads_to_is_made() {
@@ -170,7 +170,7 @@ fn a_link_to_nothing_stays_and_what_it_leads_to_is_made() {
     let folder = Folder::new();
     folder.write("a.toml", "[integrator]\nend = 0.1");
     std::fs::create_dir(folder.path("below")).unwrap();
-    // From one link to the next, each relative to where it is.
+    // The links lead from one to the next, each relative to its own folder.
     symlink("below/next.csv", folder.path("link.csv")).unwrap();
     symlink("../real.csv", folder.path("below/next.csv")).unwrap();
     let run = folder.heavytop(&["simulate", "a.toml", "--out", "link.csv"]);
@@ -194,7 +194,7 @@ fn a_link_to_nothing_stays_and_what_it_leads_to_is_made() {
     }
 }
 
-/// Rᵀe₃ for the unit quaternion (w, x, y, z) of R: the last row of its matrix.
+/// Returns Rᵀe₃ for the unit quaternion (w, x, y, z) of R: the last row of its matrix.
 fn vertical(q: &[f64]) -> [f64; 3] {
     let [w, x, y, z] = [q[0], q[1], q[2], q[3]];
     [2.0 * (x * z - w * y), 2.0 * (y * z + w * x), w * w - x * x - y * y + z * z]
@@ -227,18 +227,18 @@ fn the_attitude_is_written_where_asked() {
                 assert!((gamma[i] - seen[i]).abs() < 1e-13, "{formulation} {scheme}: {row:?}");
             }
         }
-        // the shortest rotation that takes Γ(0) = (1/2, 0, √3/2) to e₃: by 30° about −e₂
+        // The start is the shortest rotation that takes Γ(0) = (1/2, 0, √3/2) to e₃: by 30° about −e₂.
         let start =
             [(0.5 + 0.75_f64.sqrt() / 2.0).sqrt(), 0.0, -(0.5 - 0.75_f64.sqrt() / 2.0).sqrt(), 0.0];
         assert!(rows[0][11..].iter().zip(start).all(|(x, y)| (x - y).abs() < 1e-15));
-        // the rest is what it is without the attitude, to the last bit
+        // The other columns are the same as without the attitude, to the last bit.
         let (_, plain) = numbers(&folder.read("plain.csv"));
         for (row, plain) in rows.iter().zip(plain.iter().step_by(10)) {
             assert_eq!(row[..11], plain[..]);
         }
         ends.push(rows[20][11..].to_vec());
     }
-    // Γ alone leaves a rotation about the vertical open: all formulations come to the same one
+    // Γ alone leaves a rotation about the vertical open; all formulations agree on it.
     for end in &ends {
         assert!(end.iter().zip(&ends[2]).all(|(x, y)| (x - y).abs() < 1e-6), "{ends:?}");
     }

@@ -1,10 +1,10 @@
-//! `heavytop sweep`
+//! `heavytop sweep`: the table, the heat maps, random axes, and tops that fail.
 
 use crate::program::Folder;
 use parquet::file::reader::{FileReader, SerializedFileReader};
 use parquet::record::{Field, Row, RowAccessor};
 
-/// 24 × 25 tops: three tiles.
+/// A sweep over 24 × 25 tops, in three tiles.
 const GRID: &str = "\
     [sweep]\nobservables = ['megno', 'sali', 'lyapunov', 'final-state', 'invariant-drift', \
     'rotation-number', 'nutation-amplitude']\n\
@@ -18,7 +18,7 @@ fn rows(folder: &Folder, file: &str) -> Vec<Row> {
     reader.get_row_iter(None).unwrap().map(Result::unwrap).collect()
 }
 
-/// A column; none where it is null.
+/// Returns the values of a column; `None` where a value is null.
 fn column(rows: &[Row], name: &str) -> Vec<Option<f64>> {
     let cell = |row: &Row| match row.get_column_iter().find(|(key, _)| *key == name).unwrap().1 {
         Field::Double(value) => Some(*value),
@@ -50,7 +50,7 @@ fn no_bit_depends_on_the_number_of_threads_and_maps_are_drawn() {
     for file in ["sweep.parquet", "megno.svg", "megno.png", "drift_h.png", "Gamma3.svg"] {
         let read = |name: &str| std::fs::read(folder.path(name).join(file)).unwrap();
         assert!(read("1") == read("2") && read("1") == read("5"), "{file}");
-        // Control: other tops, other bytes.
+        // Control: other tops give other bytes.
         assert!(read("1") != read("other"), "{file}");
     }
     assert!(!folder.path("1/sweep.partial").exists());
@@ -58,13 +58,13 @@ fn no_bit_depends_on_the_number_of_threads_and_maps_are_drawn() {
     assert_eq!(rows.len(), 600);
     assert!(failures(&rows).iter().all(Option::is_none));
     assert_eq!(column(&rows, "body.inertia[1]")[24..26], [Some(1.0), Some(1.0 + 2.0 / 23.0)]);
-    // Casimirs by round-off, the energy by the method's error
+    // The Casimirs change by round-off, the energy by the error of the method.
     let drift = |name: &str| column(&rows, name).into_iter().flatten().fold(0.0, f64::max);
     assert!(drift("drift_f1") < 1e-13 && drift("drift_f2") < 1e-12);
     assert!(drift("drift_h") > 1e-9 && drift("drift_h") < 1e-2);
 }
 
-/// The last row of `simulate` is the final state.
+/// The last row of `simulate` is the final state of the sweep.
 #[test]
 fn a_top_ends_where_simulate_ends() {
     let folder = Folder::new();
@@ -91,7 +91,7 @@ fn tiles_that_are_there_are_used_and_torn_ones_made_again() {
     let folder = Folder::new();
     folder.write("a.toml", GRID);
     assert_eq!(folder.heavytop(&["sweep", "a.toml", "--out", "whole"]).code(), 0);
-    // A file in the way of a map: all tiles are finished, and stay.
+    // A file blocks a map: all tiles are finished, and stay.
     std::fs::create_dir_all(folder.path("cut/megno.svg")).unwrap();
     let stopped = folder.heavytop(&["sweep", "a.toml", "--out", "cut"]);
     assert_eq!(stopped.code(), 1, "{}", stopped.stderr());
@@ -99,7 +99,7 @@ fn tiles_that_are_there_are_used_and_torn_ones_made_again() {
     let tile = |n: u32| folder.path(&format!("cut/sweep.partial/000000{n}"));
     let second = std::fs::read_to_string(tile(1)).unwrap();
     std::fs::write(tile(1), &second[..second.len() / 2]).unwrap();
-    // Another number, with the checksum that belongs to it, is taken; without it, it is not.
+    // A changed number is accepted with its new checksum, and not without it.
     let changed = |n: u32| {
         let text = std::fs::read_to_string(tile(n)).unwrap();
         let (title, rows) = text.split_once('\n').unwrap();
@@ -117,7 +117,7 @@ fn tiles_that_are_there_are_used_and_torn_ones_made_again() {
     assert_eq!((cut[0], &cut[1..]), (Some(7.0), &whole[1..]));
 }
 
-/// One top more than a group of rows; a test of what is written, not of the tops.
+/// The table has one top more than a group of rows; the test checks what is written, not the tops.
 #[test]
 fn the_table_goes_by_groups_of_rows() {
     let folder = Folder::new();
@@ -137,7 +137,7 @@ fn the_table_goes_by_groups_of_rows() {
     let groups = reader.metadata().row_groups();
     let counts: Vec<i64> = groups.iter().map(|group| group.num_rows()).collect();
     assert_eq!(counts, [1 << 16, 1]);
-    // The last top, alone in its group, is that of a sweep in which it is alone.
+    // The last top, alone in its group, equals the only top of another sweep.
     folder.write("b.toml", &text(65_536.0, 1));
     assert_eq!(folder.heavytop(&["sweep", "b.toml", "--out", "b"]).code(), 0);
     let alone = &rows(&folder, "b/sweep.parquet")[0];
@@ -161,7 +161,7 @@ fn tops_that_fail_say_so_and_harm_no_other() {
              [integrator]\nend = 2.0\nstep = 0.02"
         )
     };
-    // I₃ = 1, 2, 3, 4, and 5, 6, 7 against the triangle inequality
+    // I₃ is 1, 2, 3 or 4; 5, 6 and 7 violate the triangle inequality.
     folder.write("a.toml", &axis(7.0, 7));
     folder.write("b.toml", &axis(4.0, 4));
     let run = folder.heavytop(&["sweep", "a.toml", "--out", "a"]);
@@ -176,7 +176,7 @@ fn tops_that_fail_say_so_and_harm_no_other() {
     assert!(reasons[..4].iter().all(Option::is_none));
     assert!(reasons[4..].iter().flatten().filter(|r| r.contains("[body]")).count() == 3);
 
-    // A step that does not converge, and one that turns too far.
+    // One step does not converge, and another one turns too far.
     folder.write(
         "c.toml",
         "sweep.observables = ['megno']\nsweep.axes = [{ parameter = 'initial.angular_momentum[0]', \
@@ -206,7 +206,7 @@ fn random_tops_are_the_same_in_a_longer_sweep() {
     assert_eq!(few[..], many[..5]);
     assert_ne!(column(&many, "body.mass")[5], column(&many, "body.mass")[6]);
     assert!(failures(&many).iter().all(Option::is_none));
-    // No plane, no map.
+    // A sweep without a plane has no map.
     assert!(!folder.path("5/nutation_amplitude.svg").exists());
 }
 
@@ -258,7 +258,7 @@ fn wrong_requests_are_refused_and_nothing_is_written() {
     }
 }
 
-/// What a table says of its integrator.
+/// Returns what a table says of its integrator.
 fn integrator(folder: &Folder, file: &str) -> String {
     let file = std::fs::File::open(folder.path(file)).unwrap();
     let reader = SerializedFileReader::new(file).unwrap();
@@ -291,7 +291,7 @@ fn what_integrator_leaves_out_is_as_without_it() {
         );
         assert_eq!(integrator(&folder, "made/sweep.parquet"), expected, "{keys}");
     }
-    // A preset's keys are keys.
+    // The keys of a preset count as keys of the configuration.
     folder.write("a.toml", &format!("integrator.end = 0.1\n{tops}"));
     let preset = ["sweep", "a.toml", "--preset", "multibody-benchmark", "--out", "made"];
     assert_eq!(folder.heavytop(&preset).code(), 0);
@@ -301,7 +301,7 @@ fn what_integrator_leaves_out_is_as_without_it() {
 #[test]
 fn a_sweep_of_which_all_tops_fail_has_failed() {
     let folder = Folder::new();
-    // The step is too long for all; the table of an earlier sweep stays.
+    // The step is too long for all tops; the table of an earlier sweep stays.
     let tops = |step: &str| {
         format!(
             "integrator = {{ step = {step}, end = 1000 }}\nsweep.axes = [\

@@ -1,4 +1,4 @@
-//! Sections and sweeps that are interrupted, and go on.
+//! `heavytop section` and `heavytop sweep` after an interruption: they continue, to the same bytes.
 #![cfg(unix)]
 
 use crate::program::Folder;
@@ -7,13 +7,13 @@ use std::process::{Child, Command};
 use std::thread::sleep;
 use std::time::{Duration, SystemTime};
 
-/// A command whose finished parts are kept.
+/// A command that keeps its finished parts.
 struct Case {
     command: &'static str,
-    /// Twelve tiles or so, of which each takes some hundredths of a second.
+    /// A configuration with about twelve tiles, each of which takes some hundredths of a second.
     configuration: &'static str,
     files: &'static [&'static str],
-    /// A key's value and another one, and what is said of them.
+    /// The value of a key, another value, and the message about the difference.
     other: [&'static str; 3],
 }
 
@@ -35,7 +35,7 @@ const SWEEP: Case = Case {
 };
 
 impl Case {
-    /// A folder with the configuration, another one, and the files of an uninterrupted run.
+    /// Returns a folder with the configuration, another one, and the files of an uninterrupted run.
     fn folder(&self) -> Folder {
         let folder = Folder::new();
         folder.write("a.toml", self.configuration);
@@ -49,11 +49,10 @@ impl Case {
         folder.path("cut").join(format!("{}.partial", self.command))
     }
 
-    /// Starts the command, and waits until it has finished a tile or two, and for some
-    /// milliseconds more.
+    /// Starts the command, and waits until it has finished a tile or two, and for some milliseconds more.
     fn start(&self, folder: &Folder, arguments: &[&str], milliseconds: u64) -> Child {
         let tiles = self.tiles(folder);
-        // The identity is one of the files; another may have its name not yet.
+        // One of the files is the identity; another one may not have its name yet.
         let count = || std::fs::read_dir(&tiles).map_or(0, |files| files.count());
         let before = count();
         let first = [self.command, "a.toml", "--out", "cut"];
@@ -86,7 +85,7 @@ fn a_killed_run_goes_on_to_the_same_bytes() {
             child.wait().unwrap();
             let tile = case.tiles(&folder).join("0000000");
             if !tile.exists() {
-                // The machine was so fast that it had finished, or the other tiles come first.
+                // The machine was so fast that the run was over, or the other tiles come first.
                 let _ = std::fs::remove_dir_all(folder.path("cut"));
                 continue;
             }
@@ -103,7 +102,7 @@ fn a_killed_run_goes_on_to_the_same_bytes() {
             let said = other.stderr();
             assert!(said.contains(".partial: it is of another configuration: "), "{said}");
             assert!(said.contains(case.other[2]), "{said}");
-            // Neither has touched what is finished.
+            // Neither run has touched the finished tile.
             assert_eq!(modified(&tile), before);
 
             let resumed = folder.heavytop(&[case.command, "a.toml", "--out", "cut", "--resume"]);
@@ -123,8 +122,8 @@ fn ctrl_c_ends_a_run_whose_tiles_stay_also_twice() {
         for arguments in [&[][..], &["--resume"]] {
             let child = case.start(&folder, arguments, 0);
             let id = child.id().to_string();
-            // Of a run that is over nobody is left to be told.
-            // Twice, as by a launcher that tells the process and its group, is once.
+            // Nobody reads the messages of a run that is over. The signal is sent twice, as by a launcher that sends
+            // it to the process and to its group; it counts once.
             let _ = Command::new("kill").args(["-INT", &id, &id]).status().unwrap();
             let done = child.wait_with_output().unwrap();
             let said = String::from_utf8(done.stderr).unwrap();
@@ -136,7 +135,7 @@ fn ctrl_c_ends_a_run_whose_tiles_stay_also_twice() {
             assert_eq!((done.status.code(), said.as_str()), (Some(130), expected));
             let names: Vec<_> = std::fs::read_dir(folder.path("cut")).unwrap().collect();
             assert_eq!(names.len(), 1, "{names:?}");
-            // No tile is half there.
+            // No tile is incomplete.
             for file in std::fs::read_dir(case.tiles(&folder)).unwrap() {
                 let name = file.unwrap().file_name().into_string().unwrap();
                 assert!(!name.ends_with(".partial"), "{name}");
@@ -156,8 +155,8 @@ fn a_run_without_room_goes_on_once_there_is_some() {
     for case in [SECTION, SWEEP] {
         let folder = case.folder();
         let heavytop = env!("CARGO_BIN_EXE_heavytop");
-        // Room for the identity, and for tiles, but not for the table: files of 40 or 20 KB, for
-        // shells count in blocks of 1024 or of 512 bytes.
+        // There is room for the identity and for tiles, but not for the table: files of 40 or 20 KB, since shells
+        // count in blocks of 1024 or of 512 bytes.
         let run = format!("{heavytop} {} a.toml --out cut", case.command);
         let script = format!("trap '' XFSZ; ulimit -f 40; exec {run}");
         let mut command = Command::new("sh");
@@ -173,7 +172,7 @@ fn a_run_without_room_goes_on_once_there_is_some() {
     }
 }
 
-/// A run that was killed while it removed its tiles may have left some.
+/// A run that was killed while it removed its tiles may have left some of them.
 #[test]
 fn tiles_of_another_run_are_not_taken() {
     for case in [SECTION, SWEEP] {
@@ -226,7 +225,7 @@ fn a_damaged_identity_is_refused() {
             assert!(run.stderr().ends_with("; start anew with --restart\n"), "{}", run.stderr());
             assert_eq!(std::fs::read_to_string(&path).unwrap(), sealed);
         }
-        // What is no text is damaged, too; and the advice helps.
+        // A file that is not text counts as damaged, too; and the advice in the message helps.
         std::fs::write(case.tiles(&folder).join("identity"), [0xff, 0xfe]).unwrap();
         let run = folder.heavytop(&[case.command, "a.toml", "--out", "cut", "--resume"]);
         assert_eq!(run.code(), 2, "{}", run.stderr());
@@ -237,7 +236,7 @@ fn a_damaged_identity_is_refused() {
     }
 }
 
-/// A folder with some finished tiles.
+/// Returns a folder with some finished tiles.
 fn interrupted(case: &Case) -> Folder {
     let folder = case.folder();
     let tile = |number: u32| case.tiles(&folder).join(format!("{number:07}"));
@@ -265,7 +264,7 @@ fn tiles_that_were_swapped_are_made_again() {
     }
 }
 
-/// A tile that lacks its last line, or has it twice, with the checksum of what it contains now.
+/// A tile lacks its last line, or has it twice, with the checksum of its present contents.
 #[test]
 fn tiles_that_are_whole_and_not_what_they_should_be_are_made_again() {
     for case in [SECTION, SWEEP] {
@@ -276,7 +275,7 @@ fn tiles_that_are_whole_and_not_what_they_should_be_are_made_again() {
             let (title, contents) = tile.split_once('\n').unwrap();
             let (start, _) = title.rsplit_once(' ').unwrap();
             let start_of_last = contents.trim_end().rfind('\n').unwrap() + 1;
-            // Of a section's tile all lines but those of the start: it would have fewer returns.
+            // Of a section's tile only the lines of the start are left: it would have fewer returns.
             let kept = if case.command == "section" && times == 0 {
                 ""
             } else {
@@ -296,13 +295,13 @@ fn tiles_that_are_whole_and_not_what_they_should_be_are_made_again() {
 fn a_run_that_shall_start_anew_discards_the_tiles() {
     for case in [SECTION, SWEEP] {
         let folder = interrupted(&case);
-        // Another configuration does not mind what there is.
+        // A run of another configuration discards what there is.
         let run = folder.heavytop(&[case.command, "b.toml", "--out", "cut", "--restart"]);
         assert_eq!((run.code(), run.stderr().as_str()), (0, ""));
         assert!(!case.tiles(&folder).exists());
         let both = [case.command, "a.toml", "--out", "cut", "--restart", "--resume"];
         assert_eq!(folder.heavytop(&both).code(), 2);
-        // Nor is it needed that there is something.
+        // The option is allowed where there is nothing to discard.
         let run = folder.heavytop(&[case.command, "a.toml", "--out", "cut", "--restart"]);
         assert_eq!((run.code(), run.stderr().as_str()), (0, ""));
         case.assert_same_bytes(&folder);

@@ -1,4 +1,4 @@
-//! The attitude that comes with a motion, in every formulation that has one.
+//! The attitude along a motion, in every formulation that has one: vertical, order and the rotation of a step.
 
 use collective_integrators::{
     AlternatingSubsteps, Collective, Composition, Direct, FirstHalf, LiftFree,
@@ -20,7 +20,7 @@ fn top() -> HeavyTop {
     HeavyTop::kovalevskaya(1.0, 1.0).unwrap()
 }
 
-/// Something to do with an integrator that has an attitude.
+/// A task to perform with an integrator that has an attitude.
 trait Task {
     fn perform<I: Turning + Start<Momentum = Se3Dual>>(
         &self,
@@ -30,7 +30,7 @@ trait Task {
     );
 }
 
-/// Every formulation that has an attitude.
+/// Performs the task with every formulation that has an attitude.
 fn every_formulation(task: &impl Task) {
     let (top, midpoint) = (top(), RungeKutta::implicit_midpoint());
     let gauss = |stages| RungeKutta::gauss(stages).unwrap();
@@ -70,13 +70,13 @@ fn every_formulation(task: &impl Task) {
     task.perform("symmetric, alternating", 4.0, alternating);
 }
 
-/// Rᵀe₃ against Γ/|Γ| over 10⁴ steps, with the attitude and with the factors in the wrong order.
+/// The task that compares Rᵀe₃ with Γ/|Γ| over 10⁴ steps, with the factors in the right and in the wrong order.
 struct Vertical;
 
 impl Task for Vertical {
     fn perform<I: Turning + Start<Momentum = Se3Dual>>(&self, name: &str, _: f64, integrator: I) {
         const STEPS: usize = 10_000;
-        // a few roundings a step, at random
+        // A step has a few unbiased rounding errors.
         let tolerance = 4.0 * f64::EPSILON * (STEPS as f64).sqrt();
         let gap = |attitude: &Quaternion, gamma: &Vector3<f64>| {
             (attitude.conjugate().rotate(&Vector3::z()) - gamma.normalize()).norm()
@@ -94,7 +94,7 @@ impl Task for Vertical {
             most_of_wrong = f64::max(most_of_wrong, gap(&wrong, &sample.momentum.0.1));
             integrator.0.forget(&mut workspace);
             let (next, turn) = integrator.0.turn(&state, 0.02, &mut workspace).unwrap();
-            // the rotation is that of the very step
+            // The rotation belongs to this very step.
             integrator.0.forget(&mut workspace);
             let plain = integrator.0.step(&state, 0.02, &mut workspace).unwrap();
             assert_eq!(plain.point, next.point, "{name}");
@@ -111,7 +111,7 @@ fn the_attitude_turns_the_vertical_to_gamma() {
     every_formulation(&Vertical);
 }
 
-/// The attitude at t = 1 by the method of order 8 for Ȧ = ½ A Ω beside the six equations.
+/// Computes the attitude at t = 1 by the method of order 8 for Ȧ = ½ A Ω beside the six equations.
 fn reference() -> Quaternion {
     let (top, space) = (top(), LiePoisson::minus(Se3::default()));
     let field = from_fn(move |Pair(mu, attitude): &Pair<Se3Dual, Quaternion>| {
@@ -124,7 +124,7 @@ fn reference() -> Quaternion {
     dop853.trajectory(&state, 0.005).unwrap().nth(200).unwrap().unwrap().state.1
 }
 
-/// The error of the attitude at t = 1 against the reference falls with the order of the method.
+/// The task that measures how the error of the attitude at t = 1 falls with the step: by the order of the method.
 struct Order(Quaternion);
 
 impl Task for Order {
@@ -139,7 +139,7 @@ impl Task for Order {
             let step = 1.0 / count as f64;
             let mut run = integrator.trajectory(&start(), step).unwrap();
             let attitude = run.nth(count).unwrap().unwrap().state.1;
-            // the sign of a quaternion means nothing, but here it is the same: no factor is far from 1
+            // A quaternion and its negative are the same rotation, but here the signs agree: no factor is far from 1.
             (step, (attitude - self.0).max_abs())
         });
         let slope = fitted_order(&errors, 1e-13).unwrap();
@@ -151,7 +151,7 @@ impl Task for Order {
 fn the_attitude_is_of_the_order_of_the_method() {
     let reference = reference();
     every_formulation(&Order(reference));
-    // the control: the motion in the space frame is another one
+    // Control: the motion in the space frame is another one.
     assert!((reference - reference.conjugate()).max_abs() > 0.1);
 }
 

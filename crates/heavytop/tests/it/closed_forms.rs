@@ -1,4 +1,4 @@
-//! The closed-form solutions against the Gauss method of order 16.
+//! The closed-form solutions of Euler's and Lagrange's tops against the Gauss method of order 16.
 
 use collective_integrators::{Collective, RungeKutta, Start};
 use heavytop::{EulerSolution, HeavyTop, LagrangeNutation, RigidBody, SpinorRealisation};
@@ -11,7 +11,7 @@ fn vector(range: core::ops::Range<f64>) -> impl Strategy<Value = Vector3<f64>> {
     [range.clone(), range.clone(), range].prop_map(Vector3::from)
 }
 
-/// The largest distance to the closed form at multiples of 0.2 up to t = 10.
+/// Returns the largest distance from the closed form at multiples of 0.2 up to t = 10.
 fn euler_error(inertia: Vector3<f64>, start: Vector3<f64>) -> f64 {
     let body = RigidBody::new(inertia).unwrap();
     let exact = EulerSolution::new(&body, start).unwrap();
@@ -23,12 +23,12 @@ fn euler_error(inertia: Vector3<f64>, start: Vector3<f64>) -> f64 {
     })
 }
 
-/// Π₃ for which (Π₁, Π₂, ±Π₃) is on the separatrix, Π₃²(I₃ − I₂)/I₃ = Π₁²(I₂ − I₁)/I₁, up to rounding.
+/// Returns Π₃ for which (Π₁, Π₂, ±Π₃) is on the separatrix, Π₃²(I₃ − I₂)/I₃ = Π₁²(I₂ − I₁)/I₁, up to rounding.
 fn on_the_separatrix(i: Vector3<f64>, x: f64) -> f64 {
     x * ((i.y - i.x) * i.z / ((i.z - i.y) * i.x)).sqrt()
 }
 
-/// Moments and a start: anywhere; on the separatrix; at a turning point of a component, which is zero there.
+/// Draws moments and a start: anywhere; on the separatrix; at a turning point of a component, which is zero there.
 fn euler_motion() -> impl Strategy<Value = (Vector3<f64>, Vector3<f64>)> {
     let free = (vector(1.0..1.9), vector(-1.5..1.5));
     let separatrix =
@@ -45,8 +45,8 @@ fn euler_motion() -> impl Strategy<Value = (Vector3<f64>, Vector3<f64>)> {
     prop_oneof![free, separatrix, turning]
 }
 
-/// Π and Γ of Lagrange's top with I₁ = 2, m g l = 1.5: anywhere; at a turning point, Π⊥ ∥ Γ⊥; on the separatrix, Π·Γ =
-/// Π₃ and |Π⊥|²/2I₁ = m g l (1 − Γ₃); next to the vertical.
+/// Draws Π and Γ of Lagrange's top with I₁ = 2, m g l = 1.5: anywhere; at a turning point, Π⊥ ∥ Γ⊥; on the
+/// separatrix, Π·Γ = Π₃ and |Π⊥|²/2I₁ = m g l (1 − Γ₃); next to the vertical.
 fn lagrange_start() -> impl Strategy<Value = (Vector3<f64>, Vector3<f64>)> {
     let direction = || {
         vector(-1.0..1.0)
@@ -95,7 +95,7 @@ proptest! {
         for sample in gauss.trajectory(&start, 0.05).unwrap().take(201).step_by(4) {
             let sample = sample.unwrap();
             let error = (sample.momentum.0.1.z - nutation.height(sample.time)).abs();
-            // Likewise, e^{λt} with λ = √(m g l/I₁) = 0.87 at most.
+            // Here, too, errors grow like e^{λt}, with λ = √(m g l/I₁) = 0.87 at most.
             prop_assert!(error < 1e-10, "t = {}: {error:e}", sample.time);
         }
     }
@@ -151,7 +151,7 @@ fn lagrange_top_at_a_generic_start_to_round_off() {
 
 #[test]
 fn a_wrong_parameter_of_the_closed_form_is_seen() {
-    // The free body against the solution of one whose moments differ by 10⁻⁶.
+    // The free body is compared with the solution of a body whose moments differ by 10⁻⁶.
     let body = RigidBody::new(Vector3::new(1.0, 1.4, 2.1)).unwrap();
     let other = RigidBody::new(Vector3::new(1.0, 1.4, 2.1 + 1e-6)).unwrap();
     let start = Vector3::new(0.2, -0.3, 1.5);

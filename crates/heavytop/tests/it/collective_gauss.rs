@@ -1,4 +1,4 @@
-//! The kernel of collective Gauss methods against the general integrator.
+//! The kernel of collective Gauss methods against the general integrator, on every instruction set.
 
 use collective_integrators::{
     Collective, Direction, Events, Integrator, RungeKutta, SchemeError, Start, StepError,
@@ -37,12 +37,12 @@ fn general(stages: usize, top: HeavyTop) -> Collective<RungeKutta, SpinorRealisa
     Collective::new(RungeKutta::gauss(stages).unwrap(), SpinorRealisation, top)
 }
 
-/// The same method on every instruction set of this processor.
+/// Returns the same method on every instruction set of this processor.
 fn everywhere(gauss: &CollectiveGauss) -> impl Iterator<Item = CollectiveGauss> {
     InstructionSet::available().map(|set| gauss.clone().with_instructions(set).unwrap())
 }
 
-/// The largest distance of two trajectories, over all steps.
+/// Returns the largest distance of two trajectories, over all steps.
 fn distance<A, B>(a: &A, b: &B, start: &Se3Dual, step: f64, steps: usize) -> f64
 where
     A: Start<Momentum = Se3Dual>,
@@ -54,7 +54,8 @@ where
     })
 }
 
-/// What the motion makes of an error of the start, 1e-9 in every coordinate, over some steps; at least 1.
+/// Returns the factor by which the motion multiplies an error of the start, 1e-9 in every coordinate, over some
+/// steps; at least 1.
 fn growth<A>(a: &A, start: &Se3Dual, step: f64, steps: usize) -> f64
 where
     A: Start<Momentum = Se3Dual>,
@@ -83,8 +84,8 @@ proptest! {
         let top = top(inertia, weight, c.normalize());
         let start = Se3Dual::new(pi, gamma);
         let reference = general(stages, top);
-        // Roundings grow as an error of the start does. Of 9000 runs one half is below 1, one in a
-        // thousand above 40, the largest at 95: fixed points that are approached slowly.
+        // Rounding errors grow as an error of the start does. Of 9000 runs one half is below 1, one in a thousand
+        // above 40, the largest at 95: fixed points that are approached slowly.
         let rounding = f64::EPSILON * (1.0 + start.max_abs());
         let bound = 500.0 * rounding * growth(&reference, &start, step, 20);
         for gauss in everywhere(&kernel(stages, top)) {
@@ -100,12 +101,12 @@ fn over_ten_thousand_steps_the_difference_is_grown_round_off() {
         for gauss in everywhere(&kernel(stages, paper_top())) {
             let reference = general(stages, paper_top());
             let error = distance(&gauss, &reference, &paper_start(), step, 10_000);
-            // Roundings of 1e-15 that grow like t (the top is integrable) and add up like √n:
-            // 1e-15 · 10⁴ · 10². Measured: up to 6e-11.
+            // Rounding errors of 1e-15 grow like t (the top is integrable) and add up like √n: 1e-15 · 10⁴ · 10².
+            // Measured: up to 6e-11.
             assert!(error < 1e-9, "{stages} {step} {}: {error:e}", gauss.instructions());
         }
     }
-    // Negative control: one stage less, where the two differ by 1e-10 at t = 10.
+    // Negative control: with one stage less the two differ by 1e-10 at t = 10.
     let (five, six) = (kernel(5, paper_top()), general(6, paper_top()));
     let error = distance(&five, &six, &paper_start(), 0.2, 10_000);
     assert!(error > 1e-9, "{error:e}");
@@ -120,7 +121,7 @@ fn every_instruction_set_agrees_and_none_leaves_steps_to_the_general_method() {
             let error = distance(&gauss, &other, &paper_start(), step, 100);
             assert!(error < 2e-12, "{stages} {}: {error:e}", other.instructions());
             for sample in other.trajectory(&paper_start(), step).unwrap().take(1000) {
-                // A step that is left has 48 iterations behind it already.
+                // A step that is given up has 48 iterations behind it already.
                 let sample = sample.unwrap();
                 assert!(sample.iterations < 30, "{stages} {}", other.instructions());
             }
@@ -141,8 +142,8 @@ fn casimirs_over_a_hundred_thousand_steps() {
     let casimirs = [Invariant::VerticalSquared, Invariant::VerticalMomentum];
     for (top, stages) in [(paper_top(), 4), (paper_top(), 8), (generic_top(), 6)] {
         for gauss in everywhere(&kernel(stages, top)) {
-            // Measured: up to 1.1e-13 and 5e-13 with 4 stages, 2e-14 and 1e-13 with 8, where
-            // f₁ = 1 and f₂ = 4.46: less than a rounding of one step in a thousand.
+            // Measured: up to 1.1e-13 and 5e-13 with 4 stages, 2e-14 and 1e-13 with 8, where f₁ = 1 and f₂ = 4.46:
+            // less than a rounding error of one step in a thousand.
             let [f1, f2] = drift(&gauss, &top, casimirs, 100_000);
             assert!(f1 < 4e-13 && f2 < 2e-12, "{} {f1:e} {f2:e}", gauss.instructions());
         }
@@ -167,7 +168,7 @@ fn tops_at_rest_and_sleeping_tops() {
             for (sample, same) in run.zip(same).take(200) {
                 let (sample, same) = (sample.unwrap(), same.unwrap());
                 assert!((sample.momentum - same.momentum).max_abs() < 1e-12);
-                // ψ shows the attitude, which μ does not.
+                // ψ contains the attitude, which μ does not.
                 assert!((sample.state.0.p - same.state.p).max_abs() < 1e-12);
                 assert!(sample.iterations < 30, "{start:?} {}", sample.iterations);
             }
@@ -197,7 +198,7 @@ fn the_lift_stays_short() {
         slides += usize::from((along - before).abs() > 0.5);
         before = along;
     }
-    // 395 in all, by ±2ψ each.
+    // There are 395 slides, by ±2ψ each.
     assert!(slides > 300, "{slides}");
 }
 
@@ -211,7 +212,7 @@ fn large_steps_are_left_to_the_general_method() {
         assert_eq!(large.map(|s| s.point), same.map(|s| s.point), "{step}");
     }
     assert!(gauss.step(&state, 1.5, &mut space).is_ok_and(|step| step.iterations > 48));
-    // The next one goes on as if nothing had been.
+    // The next step continues as if nothing had happened.
     let next = gauss.step(&state, 0.1, &mut space).unwrap();
     assert_eq!(next, gauss.step(&state, 0.1, &mut gauss.workspace()).unwrap());
     assert_eq!(gauss.step(&state, 0.0, &mut space).unwrap().point.0, state.0);
@@ -279,7 +280,7 @@ fn the_attitude_goes_along() {
     for sample in gauss.trajectory(&paper_start(), 0.2).unwrap().take(1000) {
         let sample = sample.unwrap();
         let vertical = sample.state.1.conjugate().rotate(&Vector3::z());
-        // 1000 roundings of a unit quaternion
+        // The bound is 1000 rounding errors of a unit quaternion.
         assert!((vertical - sample.momentum.0.1).norm() < 1e-13);
     }
 }

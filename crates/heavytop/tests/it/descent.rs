@@ -1,4 +1,4 @@
-//! Which schemes on T*C² give maps of se(3)*: the paper's experiment, 1000 steps of 1/50.
+//! The schemes on T*C² that give maps of se(3)*, and those that do not: the paper's experiment, 1000 steps of 1/50.
 
 use collective_integrators::*;
 use heavytop::{HeavyTop, Invariant, SpinorPoint, SpinorRealisation};
@@ -20,7 +20,7 @@ fn top() -> HeavyTop {
     HeavyTop::kovalevskaya(1.0, 1.0).unwrap()
 }
 
-/// The deviation of an invariant of the largest size over the run, with its sign.
+/// Returns the deviation of an invariant that is largest over the run, with its sign.
 fn deviation<S: Scheme>(scheme: S, invariant: Invariant) -> f64 {
     let integrator = Collective::that_does_not_descend(scheme, SpinorRealisation, top());
     let values = integrator.trajectory_from(start(), STEP).take(1001).map(|sample| {
@@ -30,7 +30,7 @@ fn deviation<S: Scheme>(scheme: S, invariant: Invariant) -> f64 {
     values.fold(0.0, |worst: f64, x| if x.abs() > worst.abs() { x } else { worst })
 }
 
-/// |M(Φ(z)) − M(Φ(z + bψ))| for the minimal lift z and b = −5/2.
+/// Returns |M(Φ(z)) − M(Φ(z + bψ))| for the minimal lift z and b = −5/2.
 fn disagreement<S: Scheme>(scheme: S) -> f64 {
     let integrator = Collective::that_does_not_descend(scheme, SpinorRealisation, top());
     let image = |z: SpinorPoint| {
@@ -72,7 +72,7 @@ fn equivariant_schemes_descend() {
             assert!(deviation < 1e-12, "{deviation:e}");
         }
         let apart = disagreement(scheme);
-        // |χ| is near 10 on the longer lift
+        // On the longer lift |χ| is near 10.
         assert!(apart < 1e-13, "{apart:e}");
     }
     check(RungeKutta::implicit_midpoint());

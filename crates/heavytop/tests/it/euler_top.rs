@@ -1,18 +1,19 @@
-//! The free rigid body in closed form against reference values, its invariants and its symmetries: on
-//! the separatrix, next to it and away from it, in all units.
+//! The free rigid body in closed form against reference values, its invariants and its symmetries.
+//!
+//! The starts are on the separatrix, next to it and away from it, in all units.
 
 use core::f64::consts::PI;
 use heavytop::{EulerSolution, RigidBody};
 use nalgebra::Vector3;
 use proptest::prelude::*;
 
-/// The unit of round-off.
+/// The unit of round-off, half the machine epsilon.
 const ROUNDING: f64 = 0.5 * f64::EPSILON;
 
 type Reference = ([f64; 3], [f64; 3], f64, [f64; 3]);
 
-/// I, Π(0), t and Π(t), rounded from Taylor series of Euler's equations with 50 to 120 digits (mpmath 1.3);
-/// those from 1e-200 on, the last ones within roundings of the separatrix, from the closed form with 120
+/// I, Π(0), t and Π(t), rounded from Taylor series of Euler's equations with 50 to 120 digits (mpmath 1.3). The rows
+/// from 1e-200 on, of which the last are within rounding errors of the separatrix, come from the closed form with 120
 /// to 900 digits, which agrees with the series elsewhere.
 #[rustfmt::skip]
 const REFERENCE: [Reference; 25] = [
@@ -52,15 +53,15 @@ fn against_reference_values() {
     for (inertia, start, time, expected) in REFERENCE {
         let [inertia, start, expected] = [inertia, start, expected].map(Vector3::from);
         let error = (solution(inertia, start).at(time) - expected).norm();
-        // A dozen roundings of Π, and of λ and so of t.
+        // The bound is a dozen rounding errors of Π, and of λ and so of t.
         let rate = expected.cross(&expected.component_div(&inertia)).norm();
         let bound = 16.0 * ROUNDING * (start.norm() + time.abs() * rate);
         assert!(error < bound, "{start:?} {time}: {error:e} {bound:e}");
     }
 }
 
-/// Negative control: of the starts on the separatrix and two roundings beside it, no two share the
-/// reference values of t = 400, after the turn.
+/// Negative control: starts on the separatrix and two rounding errors beside it all differ at t = 400, after the
+/// turn.
 #[test]
 fn neighbours_of_the_separatrix_part() {
     let (body, time) = (RigidBody::new(Vector3::new(3.0, 4.0, 6.0)).unwrap(), 400.0);
@@ -82,7 +83,7 @@ fn rotations_about_principal_axes_are_constant() {
             assert_eq!([solution.at(0.0), solution.at(1e9)], [start; 2]);
         }
     }
-    // Any axis of equal moments, and rest
+    // Equilibria: any axis of equal moments, and rest.
     for start in [Vector3::new(0.3, -0.4, 0.0), Vector3::zeros()] {
         assert_eq!(solution(Vector3::new(2.0, 2.0, 1.0), start).at(7.0), start);
     }
@@ -91,7 +92,7 @@ fn rotations_about_principal_axes_are_constant() {
     let (precession, quarter) = (solution(Vector3::new(1.0, 2.0, 2.0), start), 1e200 * PI);
     assert!((precession.at(0.0) - start).norm() < 4.0 * ROUNDING);
     assert!((precession.at(quarter) - Vector3::new(1e-200, 0.4, -0.3)).norm() < 8.0 * ROUNDING);
-    // A component of 1e-300 of Π is enough to leave the unstable axis, after ln 1e300/λ.
+    // A component of Π of 1e-300 is enough to leave the unstable axis, after ln 1e300/λ.
     let leaving = solution(Vector3::new(3.0, 4.0, 6.0), Vector3::new(-1e-300, 1.0, 1e-300));
     assert!((leaving.at(300.0).y - 1.0).abs() < 1e-15);
     assert!((leaving.at(12.0 * 690.8).y).abs() < 0.9);
@@ -104,14 +105,14 @@ fn what_is_not_finite_is_refused() {
     for bad in [f64::NAN, f64::INFINITY] {
         assert!(EulerSolution::new(&body, Vector3::new(0.1, bad, 0.2)).is_err());
     }
-    // |Π| and |Π|/I beyond the largest number
+    // |Π| and |Π|/I exceed the largest number.
     assert!(EulerSolution::new(&body, Vector3::repeat(f64::MAX)).is_err());
     let small = RigidBody::new(Vector3::new(1.0, 2.0, 2.5) * 1e-160).unwrap();
     assert!(EulerSolution::new(&small, Vector3::new(1.0, 2.0, 3.0) * 1e160).is_err());
 }
 
-/// Three moments that obey the triangle inequality, also ones of which two are nearly equal, and a start,
-/// of any signs, also next to an axis and on the separatrix.
+/// Draws three moments that obey the triangle inequality, some of them nearly equal, and a start of any signs, some
+/// next to an axis and on the separatrix.
 fn motion() -> impl Strategy<Value = (Vector3<f64>, Vector3<f64>)> {
     let component = || prop_oneof![3 => -1.0..1.0, 1 => -1e-9..1e-9, 1 => Just(0.0)];
     let free = ([1.0..1.9, 1.0..1.9, 1.0..1.9], [component(), component(), component()]);
@@ -154,7 +155,7 @@ proptest! {
         }
     }
 
-    /// Π → sΠ, t → t/s and I → rI, t → rt map solutions onto solutions: for powers of two to the last bit.
+    /// The maps Π → sΠ, t → t/s and I → rI, t → rt take solutions to solutions: for powers of two to the last bit.
     #[test]
     fn units_do_not_matter(
         (inertia, start) in motion(), s in -500..500_i32, r in -400..400_i32, time in -50.0..50.0,
@@ -164,7 +165,7 @@ proptest! {
         prop_assert_eq!(solution(inertia * r, start * s).at(time / s * r), expected);
     }
 
-    /// Half turns about the axes, and the reversal of time with Π → −Π, to the last bit.
+    /// Half turns about the axes, and the reversal of time with Π → −Π, are symmetries to the last bit.
     #[test]
     fn symmetries((inertia, start) in motion(), time in -50.0..50.0) {
         let pi = solution(inertia, start).at(time);

@@ -1,4 +1,4 @@
-//! Lifts and attitudes of momenta of every size that numbers have.
+//! Lifts and attitudes of momenta of every size, from the smallest number to the largest.
 
 use collective_integrators::{Collective, RungeKutta, Start};
 use heavytop::{HeavyTop, SpinorRealisation, WithAttitude, attitude_of_vertical};
@@ -11,7 +11,7 @@ const LEAST: f64 = 5e-324;
 /// Sizes at which squares underflow and overflow, down to the smallest number.
 const SIZES: [f64; 9] = [LEAST, 1e-310, 1e-200, 1e-160, 1.0, 1e100, 1e160, 1e200, 5e307];
 
-/// A dozen roundings; below the normal numbers, one rounding is half of the smallest number.
+/// Returns whether two vectors agree to a dozen rounding errors, each at least half of the smallest number.
 fn near(a: &Vector3<f64>, b: &Vector3<f64>) -> bool {
     (a - b).amax() <= 1e-14 * b.amax() + 8.0 * LEAST
 }
@@ -22,7 +22,7 @@ fn directions() -> [Vector3<f64>; 6] {
     [axis, -axis, v(1.0, 1.0, 1.0), v(-0.4, 1.0, -0.7), v(1e-9, -1e-12, -1.0), v(0.0, 1e-20, 1.0)]
 }
 
-/// Π and Γ of sizes far apart: M(lift(μ)) = μ as long as ‖χ‖ = 2|Π|/√|Γ| is a number.
+/// M(lift(μ)) = μ for Π and Γ of sizes far apart, as long as ‖χ‖ = 2|Π|/√|Γ| is a number.
 #[test]
 fn spinors_lift_every_size() {
     let mut lifted = 0;
@@ -59,14 +59,14 @@ fn reasons_name_what_is_wrong() {
     assert!(reason(one, zero).contains("Γ must be different from 0"));
     assert!(reason(huge, one).contains("below 1.7e308"), "{}", reason(huge, one));
     assert!(reason(one * 1e200, one * 1e-300).contains("2|Π|/√|Γ|"));
-    // What the bounds allow has a lift.
+    // Momenta within the bounds have a lift.
     let mu =
         Se3Dual::new(Vector3::new(1.0, 1.0, 1.0) * 4.9e307, Vector3::new(1.0, 1.0, 1.0) * 9.8e307);
     assert!(SpinorRealisation.lift(&mu).is_ok(), "{:?}", SpinorRealisation.lift(&mu));
     assert!(SpinorRealisation.lift(&Se3Dual::new(one, Vector3::x() * LEAST)).is_ok());
 }
 
-/// Next to −e₃ the lift with a given Re χ₁ is so long that Π would be lost in its rounding.
+/// Next to −e₃ the lift with a given Re χ₁ is so long that Π would be lost in its rounding errors.
 #[test]
 fn a_given_re_chi1_next_to_the_lower_pole() {
     let mu = |x| Se3Dual::new(Vector3::new(1.0, 2.0, 3.0), Vector3::new(x, 0.0, -1.0));
@@ -96,7 +96,7 @@ fn verticals_of_every_size_have_an_attitude() {
             assert!((attitude.norm_squared() - 1.0).abs() < 1e-15, "{gamma:?}");
         }
     }
-    // The shortest way of a Γ that differs from −e₃ by numbers whose squares underflow.
+    // The shortest rotation for a Γ that differs from −e₃ by numbers whose squares underflow.
     let turn = attitude_of_vertical(&Vector3::new(LEAST, 0.0, -1.0));
     assert_eq!((turn.vector.xy(), turn.vector.z), (Vector2::new(0.0, -1.0), 0.0));
     let run = WithAttitude(Collective::new(

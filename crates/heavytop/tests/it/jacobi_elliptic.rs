@@ -2,8 +2,8 @@
 
 use heavytop::{JacobiElliptic, jacobi_elliptic};
 
-/// 1 − m, u, sn u, cn u and dn u, rounded from the descending Landen transformation in 120-digit
-/// arithmetic (mpmath 1.3), for u and 1 − m exactly as they stand here; 1 − (1 − m) is a number from 2⁻⁵³ on.
+/// 1 − m, u, sn u, cn u and dn u, rounded from the descending Landen transformation in 120-digit arithmetic (mpmath
+/// 1.3), for exactly these u and 1 − m. The number 1 − (1 − m) is exact from 2⁻⁵³ on.
 #[rustfmt::skip]
 const REFERENCE: [[f64; 5]; 78] = [
     [1.0, 0.3, 0.295_520_206_661_339_55, 0.955_336_489_125_606, 1.0],
@@ -86,7 +86,7 @@ const REFERENCE: [[f64; 5]; 78] = [
     [1e-40, -3e-6, -2.999_999_999_991e-6, 0.999_999_999_995_5, 0.999_999_999_995_5],
 ];
 
-/// The largest error of sn, cn and dn in units of ε(|f| + K|f′|), ε = 2⁻⁵³; |u| stands for an infinite K.
+/// Returns the largest error of sn, cn and dn in units of ε(|f| + K|f′|), ε = 2⁻⁵³; |u| stands for an infinite K.
 fn error(complement: f64, u: f64, computed: [f64; 4], [sn, cn, dn]: [f64; 3]) -> f64 {
     let quarter = JacobiElliptic::with_complement(complement).unwrap().quarter_period();
     let quarter = if quarter.is_finite() { quarter } else { u.abs() };
@@ -105,7 +105,7 @@ fn against_reference_values() {
     for [complement, u, sn, cn, dn] in REFERENCE {
         let computed = JacobiElliptic::with_complement(complement).unwrap().at(u);
         let error = error(complement, u, computed, [sn, cn, dn]);
-        // A few roundings in each of up to 14 steps, which only partly add up; 16 is promised.
+        // Up to 14 steps have a few rounding errors each, which add up only in part; the documented bound is 16.
         assert!(error < 8.0, "{complement:e} {u}: {error}");
         let parameter = 1.0 - complement;
         if 1.0 - parameter == complement {
@@ -114,7 +114,7 @@ fn against_reference_values() {
     }
 }
 
-/// Negative control: the neighbouring parameter and the neighbouring argument are told apart.
+/// Negative control: the neighbouring parameter and the neighbouring argument give other values.
 #[test]
 fn a_neighbour_is_seen() {
     for [complement, u, sn, cn, dn] in REFERENCE {
@@ -138,7 +138,7 @@ fn the_squares_and_the_amplitude() {
             let [sn, cn, dn, am] = jacobi.at(u);
             assert!((sn * sn + cn * cn - 1.0).abs() < 4e-15);
             assert!((dn * dn - cn * cn - complement * sn * sn).abs() < 4e-15);
-            // Its sine and cosine, the branch that is continuous from am 0 = 0
+            // am has these sine and cosine, on the branch that is continuous from am 0 = 0.
             let tolerance = 4e-15 + 2.0 * f64::EPSILON * am.abs();
             assert!((am.sin() - sn).abs() < tolerance && (am.cos() - cn).abs() < tolerance);
             let quarters = u / jacobi.quarter_period();
@@ -171,7 +171,7 @@ fn what_has_no_value_is_refused() {
     assert!(jacobi_elliptic(f64::INFINITY, 0.3)[0].is_nan());
     let error = JacobiElliptic::new(1.5).unwrap_err().to_string();
     assert_eq!(error, "parameter must be from 0 to 1, got 1.5");
-    // The largest arguments have no digits left, and values all the same.
+    // The largest arguments have no digits left, but their values are still bounded.
     let [sn, cn, dn, am] = jacobi_elliptic(f64::MAX, 0.3);
     assert!((sn * sn + cn * cn - 1.0).abs() < 1e-14 && dn > 0.8 && am.is_finite());
 }

@@ -1,19 +1,20 @@
-//! The nutation of Lagrange's top in closed form against reference values and its differential
-//! equation: at turning points, next to the vertical, on the separatrix, in all units.
+//! The nutation of Lagrange's top in closed form against reference values and its differential equation.
+//!
+//! The starts are at turning points, next to the vertical and on the separatrix, in all units.
 
 use heavytop::{HeavyTop, LagrangeNutation};
 use lie_poisson::Se3Dual;
 use nalgebra::Vector3;
 use proptest::prelude::*;
 
-/// The unit of round-off.
+/// The unit of round-off, half the machine epsilon.
 const ROUNDING: f64 = 0.5 * f64::EPSILON;
 
 type Reference = ([f64; 3], [f64; 3], [f64; 3], f64, f64);
 
-/// (I₁, I₃, m g l), Π(0), Γ(0), t and Γ₃(t), rounded from Taylor series of the heavy top equations with 40
-/// to 130 digits (mpmath 1.3); the last six, within roundings of the separatrix, from the closed form with 100
-/// digits, which agrees with the series elsewhere.
+/// (I₁, I₃, m g l), Π(0), Γ(0), t and Γ₃(t), rounded from Taylor series of the heavy top equations with 40 to 130
+/// digits (mpmath 1.3). The last six rows, within rounding errors of the separatrix, come from the closed form with
+/// 100 digits, which agrees with the series elsewhere.
 #[rustfmt::skip]
 const REFERENCE: [Reference; 40] = [
     ([2.0, 1.0, 1.0], [0.000_299_999_995_5, 0.0, 0.999_999_955_000_000_4], [0.000_299_999_995_5, 0.0, 0.999_999_955_000_000_4], 10.0, 0.992_864_329_051_825_4),
@@ -70,10 +71,10 @@ fn against_reference_values() {
         let nutation = nutation(top, pi, gamma);
         assert!((nutation.height(0.0) - gamma.z).abs() < 16.0 * ROUNDING * gamma.norm());
         let error = (nutation.height(time) - expected).abs();
-        // |t du/dt|, which is all that a relative error of t can do
+        // A relative error of t contributes no more than |t du/dt|.
         let step = 1e-6 * time;
         let change = (nutation.height(time + step) - nutation.height(time - step)).abs() / 2e-6;
-        // A dozen roundings of |Γ|, and of ν and so of t.
+        // The bound is a dozen rounding errors of |Γ|, and of ν and so of t.
         let bound = 16.0 * ROUNDING * (gamma.norm() + change);
         assert!(error < bound, "{pi:?} {gamma:?} {time}: {error:e} {bound:e}");
     }
@@ -88,7 +89,7 @@ fn an_unstable_top_falls_however_little_it_is_tilted() {
         let (lowest, highest) = nutation.turning_points();
         let (lowest, start) = (lowest / length, tilt.cos());
         assert!((lowest + 0.75).abs() < tilt * tilt + 1e-15, "{tilt}: {lowest}");
-        // Next to the start nothing is lost at all.
+        // Next to the start the closed form loses no digits at all.
         let near = |height: f64| (height / length - start).abs() < 4.0 * ROUNDING;
         assert!(near(highest) && near(nutation.height(0.0)), "{tilt}");
         let half = 0.5 * nutation.period();
@@ -102,7 +103,7 @@ fn an_unstable_top_falls_however_little_it_is_tilted() {
 #[test]
 fn a_constant_height_stays() {
     let top = [1.0, 1.0, 1.0];
-    // Upright, stable and not; hanging; regular precession; Γ = 0
+    // Equilibria: upright, stable and not; hanging; regular precession; Γ = 0.
     for (pi, gamma) in [
         ([0.0, 0.0, 1.0], [0.0, 0.0, 1.0]),
         ([0.0, 0.0, 5.0], [0.0, 0.0, 1.0]),
@@ -119,7 +120,7 @@ fn a_constant_height_stays() {
     let period = |spin| nutation(top, Vector3::z() * spin, Vector3::z()).period();
     assert!((period(5.0) - core::f64::consts::TAU / 21.0_f64.sqrt()).abs() < 1e-14);
     assert_eq!(period(1.0), f64::INFINITY);
-    // Negative control: a neighbour of a regular precession nutates, by about its distance.
+    // Negative control: a neighbour of a regular precession nutates, by about its distance from it.
     let next = nutation(top, Vector3::new(3.0 + 1e-12, 0.0, 5.0), Vector3::new(3.0, 0.0, 4.0));
     let (lowest, highest) = next.turning_points();
     assert!((1e-14..1e-11).contains(&(highest - lowest)));
@@ -128,14 +129,14 @@ fn a_constant_height_stays() {
 /// On the separatrix the top rises for ever: Γ₃ = |Γ| − (|Γ| − u₁) sech² ν(t − t₁).
 #[test]
 fn the_separatrix() {
-    // b = Π₃|Γ| and E′ = W|Γ| in whole numbers
+    // b = Π₃|Γ| and E′ = W|Γ| are whole numbers.
     for (pi, gamma) in [([1.0, 1.0, 3.0], [0.0, 3.0, 4.0]), ([3.0, 3.0, 1.0], [0.0, 3.0, -4.0])] {
         let [pi, gamma] = [pi, gamma].map(Vector3::from);
         let nutation = nutation([1.0; 3], pi, gamma);
         let (lowest, highest) = nutation.turning_points();
         assert!((highest - 5.0).abs() < 1e-14 && nutation.period() == f64::INFINITY);
         assert!([-1e3, 1e3].iter().all(|&t| (nutation.height(t) - 5.0).abs() < 1e-14));
-        // du/dt = (Γ × Ω)₃, and 2W/I₁ (u − u₁)(u − u₂)²
+        // The rate is du/dt = (Γ × Ω)₃, and its square 2W/I₁ (u − u₁)(u − u₂)².
         let rate = gamma.x * pi.y - gamma.y * pi.x;
         let square = 2.0 * (gamma.z - lowest) * (gamma.z - highest).powi(2);
         assert!((rate * rate - square).abs() < 1e-13 * square);
@@ -148,7 +149,7 @@ fn what_has_no_nutation_is_refused() {
     let refused = |pi, gamma| LagrangeNutation::new(&top, &Se3Dual::new(pi, gamma)).is_err();
     assert!(refused(Vector3::repeat(f64::NAN), Vector3::z()));
     assert!(refused(Vector3::z(), Vector3::new(0.0, f64::INFINITY, 0.0)));
-    // |Γ| and the ratio of the energies beyond the largest number
+    // |Γ| and the ratio of the energies exceed the largest number.
     assert!(refused(Vector3::z(), Vector3::repeat(f64::MAX)));
     assert!(refused(Vector3::repeat(1e200), Vector3::new(0.6, 0.0, 0.8)));
     assert!(refused(Vector3::z() * 1e160, Vector3::new(0.6, 0.0, 0.8)));
@@ -157,8 +158,8 @@ fn what_has_no_nutation_is_refused() {
     assert!(LagrangeNutation::new(&kovalevskaya, &upright).is_err());
 }
 
-/// I₃, Π and Γ for I₁ = W = 1: free, at turning points, next to the vertical, next to regular
-/// precession and next to the separatrix.
+/// Draws I₃, Π and Γ for I₁ = W = 1: free, at turning points, next to the vertical, next to regular precession and
+/// next to the separatrix.
 fn motion() -> impl Strategy<Value = (f64, Vector3<f64>, Vector3<f64>)> {
     let vector = |size: f64| [-size..size, -size..size, -size..size].prop_map(Vector3::from);
     let free = (vector(3.0), vector(1.0));
@@ -188,7 +189,7 @@ fn motion() -> impl Strategy<Value = (f64, Vector3<f64>, Vector3<f64>)> {
     (0.1..2.0, states).prop_map(|(i3, (pi, gamma))| (i3, pi, gamma))
 }
 
-/// Π with Π·Γ = Π₃|Γ| and |Π⊥|² = 2(|Γ| − Γ₃), where Π₃² is a part of the largest.
+/// Returns Π with Π·Γ = Π₃|Γ| and |Π⊥|² = 2(|Γ| − Γ₃), where Π₃² is a fraction of its largest value.
 fn separatrix(fraction: f64, up: bool, gamma: Vector3<f64>) -> Vector3<f64> {
     let (length, level) = (gamma.norm(), gamma.xy().norm());
     let spin = fraction * (2.0 * (length + gamma.z)).sqrt();
@@ -200,7 +201,7 @@ fn separatrix(fraction: f64, up: bool, gamma: Vector3<f64>) -> Vector3<f64> {
 }
 
 proptest! {
-    /// (du/dt)² and d²u/dt² at the start against the turning points and the height itself.
+    /// At the start (du/dt)² and d²u/dt² agree with the turning points, and the height with Γ₃.
     #[test]
     fn it_starts_at_its_start_between_its_turning_points(
         (i3, pi, gamma) in motion(), time in prop_oneof![-10.0..10.0, -1e6..1e6],
@@ -216,18 +217,18 @@ proptest! {
         prop_assert!(lowest - slack <= height && height <= highest + slack);
         let period = nutation.period();
         if period.is_finite() {
-            // The rounding of the period, and of the time itself
+            // The error is that of the period, and of the time itself.
             let error = (nutation.height(time + period) - height).abs();
             let scale = 1.0 + pi.norm() + length;
             prop_assert!(error < 64.0 * ROUNDING * length * (1.0 + scale * (time.abs() + period)));
         }
-        // The slope is that of the equations; h⁴ of a five-point difference, and round-off over h.
+        // The slope is that of the equations, up to h⁴ for a five-point difference, and round-off over h.
         let (h, at) = (1e-3, |t: f64| nutation.height(t));
         let slope = (8.0 * (at(h) - at(-h)) - at(2.0 * h) + at(-2.0 * h)) / (12.0 * h);
         prop_assert!((slope - (gamma.x * pi.y - gamma.y * pi.x)).abs() < 1e-9);
     }
 
-    /// Masses, lengths and times in other units: for powers of four to the last bit.
+    /// Other units of mass, length and time give the same motion: for powers of four to the last bit.
     #[test]
     fn units_do_not_matter(
         (i3, pi, gamma) in motion(), r in -120..120_i32, s in -120..120_i32, g in -120..120_i32,
@@ -241,7 +242,7 @@ proptest! {
         prop_assert_eq!(other.height(time * s), expected);
     }
 
-    /// The same in any units, away from the separatrix, where rounded units do not grow.
+    /// Any other units give the same motion, away from the separatrix, where errors of rounded units do not grow.
     #[test]
     fn units_with_roundings_do_not_matter(
         pi in [-3.0..3.0, -3.0..3.0, 3.0..5.0], gamma in [-1.0..1.0, -1.0..1.0, -1.0..1.0],

@@ -1,4 +1,4 @@
-//! What tops, kernels, splittings and closed forms promise.
+//! The promises of the crate: tops, kernels, splittings and closed forms.
 #![allow(clippy::unwrap_used, clippy::panic)]
 
 mod attitude;

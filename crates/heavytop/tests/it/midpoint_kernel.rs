@@ -1,4 +1,4 @@
-//! Tops by formulas of their own, against the iteration for any system.
+//! The midpoint kernel for tops against the iteration for any system.
 
 use collective_integrators::{
     BatchIntegrator, CHECKPOINT, IntegrationError, Integrator, LiftFree, RungeKutta, StageSolver,
@@ -14,7 +14,7 @@ fn start() -> Se3Dual {
     Se3Dual::new(Vector3::new(2.0, 3.0, 4.0), Vector3::new(0.5, 0.0, 0.75_f64.sqrt()))
 }
 
-/// Kovalevskaya's top, one with three different moments, a free body, a fast one.
+/// Returns Kovalevskaya's top, one with three different moments, a free body, and a fast one.
 fn tops() -> [HeavyTop; 4] {
     let body = Body {
         inertia: Vector3::new(1.0, 2.0, 2.5),
@@ -43,7 +43,7 @@ where
     midpoint.trajectory(start, step).unwrap().nth(steps).unwrap().unwrap().momentum
 }
 
-/// The members that failed, and the numbers of the steps in which they did.
+/// Advances the members, and returns those that failed with the numbers of the steps in which they did.
 fn advance<B: BatchIntegrator>(
     integrator: &B,
     members: &mut [B::Member],
@@ -58,7 +58,7 @@ fn advance<B: BatchIntegrator>(
 
 #[test]
 fn tops_move_as_any_system_does() {
-    // the second top is chaotic, and forgets its start after some hundred units of time
+    // The second top is chaotic: the effect of its start is lost after some hundred units of time.
     let runs = tops().into_iter().zip([10_000, 1_500, 10_000, 10_000]);
     for (top, steps, step) in runs.flat_map(|(top, n)| [0.01, 0.1].map(|h| (top, n, h))) {
         let general = ReducedMidpoint::new(top);
@@ -66,7 +66,7 @@ fn tops_move_as_any_system_does() {
         let mut moved = start();
         moved.0.0.z += 4.0 * f64::EPSILON;
         moved.0.1.x -= f64::EPSILON;
-        // what one rounding grows to; there are a few in each step, at random: √10⁴ times that
+        // The growth of one rounding error; a step has a few unbiased ones, which add up to √10⁴ times that.
         let growth = (end(&general, &moved, step, steps) - expected).max_abs();
         let tolerance = 4e2 * growth + 1e-12;
         assert!(tolerance < 1e-6);
@@ -74,7 +74,7 @@ fn tops_move_as_any_system_does() {
             let reached = end(&midpoint, &start(), step, steps);
             let gap = (reached - expected).max_abs();
             assert!(gap < tolerance, "{gap:e} {tolerance:e} {}", midpoint.instructions());
-            // another way of rounding, not the same formulas
+            // The kernel rounds differently, since it uses other formulas.
             assert_ne!(reached, expected);
             let other = end(&midpoint, &start(), step * (1.0 + 1e-5), steps);
             assert!((other - expected).max_abs() > tolerance, "{tolerance:e}");
@@ -94,7 +94,7 @@ fn casimirs_walk_at_random() {
             let after = casimirs(&mu);
             worst = worst.max((after[0] - before[0]).abs()).max((after[1] - before[1]).abs());
         }
-        // √10⁶ steps of some ten roundings of |Π||Γ| ≈ 5.4, each ε/2 at most; without bias
+        // The bound is √10⁶ steps of some ten unbiased rounding errors of |Π||Γ| ≈ 5.4, each ε/2 at most.
         assert!(worst < 1e3 * 10_f64.sqrt() * 5.4 * f64::EPSILON, "{worst:e}");
         assert!(worst > 0.0);
     }
@@ -134,11 +134,11 @@ fn steps_too_large_for_the_formulas_are_made_by_newton() {
         let mut states = [start(); 3];
         assert_eq!(advance(&midpoint, &mut states, step, 0..3), []);
         for mu in states.iter().chain([&end(&midpoint, &start(), step, 3)]) {
-            // the conditioning of a step that turns the body by some radians
+            // The bound is the condition of a step that turns the body by some radians.
             assert!((*mu - expected).max_abs() < 1e-11, "{step}");
         }
     }
-    // the control: without Newton's iteration they fail
+    // Control: without Newton's iteration these steps fail.
     let patient = StageSolver { newton: false, ..StageSolver::default() };
     let without = ReducedMidpoint::new(tops()[0]).with_solver(patient);
     assert!(without.trajectory(&start(), 1.0).unwrap().nth(1).unwrap().is_err());

@@ -1,4 +1,4 @@
-//! Poincaré sections of tops.
+//! Poincaré sections of tops: surfaces, starts, return maps and their invariants.
 
 use collective_integrators::{Direction, EventError, LiftFree, RungeKutta};
 use heavytop::{
@@ -31,7 +31,7 @@ fn on(top: HeavyTop, vertical_momentum: f64, surface: Surface) -> Outcome<Sectio
     Ok(Section::new(EnergyLevel { top, energy: 1.7, vertical_momentum }, surface)?)
 }
 
-/// Gauss's method of order 10 with steps of 0.1: its error is round-off here.
+/// Returns Gauss's method of order 10, whose error at steps of 0.1 is round-off here.
 fn gauss(top: HeavyTop) -> Outcome<LiftFree<RungeKutta, DualQuaternions, HeavyTop>> {
     Ok(LiftFree::new(RungeKutta::gauss(5)?, DualQuaternions, top))
 }
@@ -64,7 +64,7 @@ fn starts_are_on_level_and_surface_and_cross_it_in_its_direction() -> Outcome {
                 let differential = Hamiltonian::<HeavyTopSpace>::differential(&top, mu);
                 let rate = coordinate.of(&space.hamiltonian_vector(mu, &differential));
                 seen[usize::from(rate < 0.0)] = true;
-                // (x, y) and back
+                // From the plane (x, y) to the section and back.
                 let near =
                     |other: Se3Dual| (other - *mu).0.0.norm() + (other - *mu).0.1.norm() < 1e-6;
                 assert!(section.states(&section.plane(mu)).any(near));
@@ -77,7 +77,7 @@ fn starts_are_on_level_and_surface_and_cross_it_in_its_direction() -> Outcome {
     Ok(())
 }
 
-/// The tangent map of the first return in the plane, by central differences.
+/// Returns the tangent map of the first return in the plane, by central differences.
 fn tangent(section: &Section, at: &Vector2<f64>) -> Outcome<Matrix2<f64>> {
     const STEP: f64 = 2e-5;
     let image = |plane: Vector2<f64>| -> Outcome<Vector2<f64>> {
@@ -91,7 +91,8 @@ fn tangent(section: &Section, at: &Vector2<f64>) -> Outcome<Matrix2<f64>> {
     Ok(Matrix2::from_columns(&[column(Vector2::x() * STEP)?, column(Vector2::y() * STEP)?]))
 }
 
-/// To 1e-5: differences of second order with steps of 2e-5, of maps with third derivatives up to some 1e4.
+/// Area is conserved to 1e-5: the differences are of second order with steps of 2e-5, and the third derivatives up to
+/// some 1e4.
 #[test]
 fn the_return_map_conserves_area_where_the_coordinates_are_canonical() -> Outcome {
     for (coordinate, canonical) in [
@@ -130,7 +131,7 @@ fn sections_of_integrable_tops_lie_on_curves() -> Outcome {
             Invariant::GoryachevChaplygin,
             true,
         ),
-        // Controls: off the level of Goryachev and Chaplygin, and no invariant of this top.
+        // Controls: off the level of Goryachev and Chaplygin, and a function that is no invariant of this top.
         (
             HeavyTop::goryachev_chaplygin(1.0, 1.0)?,
             0.5,
@@ -163,15 +164,15 @@ fn sections_of_integrable_tops_lie_on_curves() -> Outcome {
 fn the_least_energy_is_that_of_closed_forms() -> Outcome {
     let kovalevskaya = HeavyTop::kovalevskaya(1.0, 1.0)?;
     for (top, vertical_momentum, coordinate, level, least) in [
-        // hanging at rest
+        // The top hangs at rest.
         (kovalevskaya, 0.0, Coordinate::Gamma3, 0.0, -1.0),
-        // on Γ₃ = ½ as low as it can be, at rest
+        // The top rests as low as it can be on Γ₃ = ½.
         (kovalevskaya, 0.0, Coordinate::Gamma3, 0.5, -0.75_f64.sqrt()),
-        // hanging, turning about e₁ with I₁ = 2
+        // The top hangs and turns about e₁ with I₁ = 2.
         (kovalevskaya, 0.5, Coordinate::Gamma3, 0.0, -1.0 + 0.25 / 4.0),
-        // hanging, turning about e₃ with I₃ = 1
+        // The top hangs and turns about e₃ with I₃ = 1.
         (kovalevskaya, 0.0, Coordinate::Pi3, 2.0, -1.0 + 2.0),
-        // a free body about its largest axis
+        // A free body turns about its largest axis.
         (
             HeavyTop::free_rigid_body(Vector3::new(1.0, 2.0, 3.0))?,
             3.0,

@@ -25,13 +25,13 @@ fn advance<I: Integrator>(integrator: &I, z: I::State, time: f64, n: usize) -> I
     (0..n).fold(z, |z, _| integrator.step(&z, time / n as f64, &mut workspace).unwrap().point)
 }
 
-/// The exact solution at t = 1, by a Gauss method of order 16 applied directly.
+/// Returns the exact solution at t = 1, by a Gauss method of order 16 applied directly.
 fn exact<P: PoissonSpace, H: Hamiltonian<P>>(space: P, hamiltonian: H, z: Point<P>) -> Point<P> {
     let field = HamiltonianField { space, hamiltonian };
     advance(&Direct::new(RungeKutta::gauss(8).unwrap(), field), z, 1.0, 20)
 }
 
-/// max |{F∘Φ, G∘Φ} − {F, G}∘Φ| over the coordinate functions, with the exact tangent map.
+/// Returns max |{F∘Φ, G∘Φ} − {F, G}∘Φ| over the coordinate functions, with the exact tangent map.
 fn poisson_defect<P, I, J>(space: &P, z: Point<P>, step: f64, dual: &I, plain: &J) -> f64
 where
     P: PoissonSpace,
@@ -48,7 +48,7 @@ where
     let columns: Vec<Point<P>> = (0..n).map(column).collect();
     let mut worst = 0.0;
     for row in 0..n {
-        // d(Φ_row), moved by Λ(z), pushed forward by DΦ, against Λ(Φ(z))
+        // The differential d(Φ_row), moved by Λ(z) and pushed forward by DΦ, is compared with Λ(Φ(z)).
         let covector = Differential::<P>::from_coordinates(|i| columns[i].coordinate(row));
         let vector = space.hamiltonian_vector::<f64>(&z, &covector);
         let mut pushed = Point::<P>::zero();
@@ -79,7 +79,7 @@ fn symmetric() -> SymmetricTopSplitting {
     SymmetricTopSplitting::new(HeavyTop::kovalevskaya(0.9, 1.3).unwrap()).unwrap()
 }
 
-/// Order, Poisson property and symmetry of the three compositions of some flows on se(3)*.
+/// Checks order, Poisson property and symmetry of the three compositions of some flows on se(3)*.
 fn check<E>(flows: E, top: HeavyTop)
 where
     E: ExactFlows<Point = Se3Dual> + ExactFlows<DualNumber, Point = Se3Dual<DualNumber>> + Copy,
@@ -106,7 +106,7 @@ where
     for defect in defects {
         assert!(defect < ROUND_OFF, "{defects:?}");
     }
-    // negative control
+    // Negative control: Lie–Trotter is not symmetric.
     let back = advance(&trotter, advance(&trotter, mu(), 0.1, 1), -0.1, 1) - mu();
     assert!(back.max_abs() > 1e-4 && !trotter.is_symmetric());
     for sample in Start::<f64>::trajectory(&raised, &mu(), 0.1).unwrap().take(1001) {
@@ -151,7 +151,7 @@ fn three_rotors_make_the_free_body() {
     assert!((end.0.norm() - pi.0.norm()).abs() < 1e-12);
 }
 
-/// Each part is the exact flow of its Hamiltonian: without weight, the symmetric top is exact.
+/// Each part is the exact flow of its Hamiltonian: without weight, the splitting of a symmetric top is exact.
 #[test]
 fn free_motion_of_a_symmetric_top_is_exact() {
     let free = HeavyTop::free_rigid_body(Vector3::new(1.2, 1.2, 0.7)).unwrap();

@@ -1,4 +1,4 @@
-//! A start that is not a finite number is refused by every formulation, with the same error.
+//! Starts that are not finite numbers: every formulation refuses them, with the same error.
 
 use collective_integrators::{
     AlternatingSubsteps, BatchIntegrator, Collective, Composition, Direct, Ensemble,
@@ -17,7 +17,7 @@ fn start() -> Se3Dual {
     Se3Dual::new(Vector3::new(2.0, 3.0, 4.0), Vector3::new(0.6, 0.0, 0.8))
 }
 
-/// The start with a coordinate that is no finite number, in every place.
+/// Returns the start with a coordinate that is no finite number, in every place.
 fn bad_starts() -> impl Iterator<Item = (usize, Se3Dual)> {
     let bad = [f64::NAN, f64::INFINITY, f64::NEG_INFINITY];
     bad.into_iter().flat_map(|x| {
@@ -45,7 +45,7 @@ fn refuses<I: Start<Momentum = Se3Dual>>(name: &str, integrator: &I) {
             assert!(refused.is_some_and(|e| refused_as(e, coordinate)), "{name}: {refused:?}");
         }
     }
-    // As a state, where that is made otherwise.
+    // Bad numbers are also refused as a state, where the state is made otherwise.
     for x in [f64::NAN, f64::INFINITY] {
         let state = integrator.start(&start()).unwrap();
         let bad = I::State::from_coordinates(|i| if i == 1 { x } else { state.coordinate(i) });
@@ -54,7 +54,7 @@ fn refuses<I: Start<Momentum = Se3Dual>>(name: &str, integrator: &I) {
         let resumed = integrator.trajectory_resumed(bad, 1024, 0.02).nth(9).unwrap();
         assert!(resumed.is_err_and(|e| e.step == 1025 && names(e.source, 1)), "{name}");
     }
-    // The control: the start itself is one.
+    // Control: the start itself is accepted.
     let first = integrator.trajectory(&start(), 0.02).unwrap().next().unwrap();
     assert!(first.is_ok_and(|sample| (sample.momentum - start()).max_abs() < 1e-14), "{name}");
 }

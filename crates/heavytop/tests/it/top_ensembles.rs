@@ -1,4 +1,4 @@
-//! Ensembles on lanes: the same as one top after the other, and none the worse for its neighbours.
+//! Ensembles on SIMD lanes (several trajectories in one register): each member as if it were alone.
 
 use collective_integrators::*;
 use heavytop::*;
@@ -22,7 +22,7 @@ fn tops() -> Vec<SymmetricTopSplitting> {
     (0..7).map(top).collect()
 }
 
-/// More than two groups of sixteen, and no multiple of any number of lanes.
+/// The number of members: more than two groups of sixteen, and no multiple of any number of lanes.
 const COUNT: usize = 37;
 
 fn starts() -> Vec<Se3Dual> {
@@ -45,7 +45,7 @@ fn sets() -> [AlternatingSubsteps; 4] {
     ]
 }
 
-/// The tops by turns, each with its start.
+/// Returns the tops by turns, each with its start.
 fn members<B: Copy>(tops: &[B]) -> Vec<(B, Se3Dual)> {
     tops.iter().copied().cycle().zip(starts()).collect()
 }
@@ -79,11 +79,11 @@ fn symmetric_tops_move_as_one_by_one() {
             let mut states = members(&tops());
             ensemble.advance(&mut states, step, 0..steps as u64, &mut (), &mut no_failure);
             for ((_, state), expected) in states.iter().zip(&expected) {
-                // 50 steps of up to 35 stages with some roundings of numbers up to 3 in each, at
-                // random, doubled a few times by the motion; 2e-14 were seen.
+                // 50 steps of up to 35 stages have some rounding errors of numbers up to 3 in each, unbiased, and the
+                // motion doubles them a few times; 2e-14 was measured.
                 assert!(difference(state, expected) < 2e-13, "{set}");
             }
-            // Negative control: with a top taken for its neighbour they differ.
+            // Negative control: a neighbouring top ends elsewhere.
             assert!(difference(&states[0].1, &expected[1]) > 1e-3);
         }
     }
@@ -113,14 +113,14 @@ fn bits_depend_on_fusion_alone() {
             } else {
                 let first = fused.get_or_insert_with(|| found.clone());
                 assert_eq!(&found, first, "{set}, {width:?}");
-                // Negative control: bits are compared that rounding does change.
+                // Negative control: another rounding gives other bits.
                 assert_ne!(found, run(InstructionSet::Portable, width));
             }
         }
     }
 }
 
-/// In each position: what is not a number is reported, and the others do not notice.
+/// A member that is not a number is reported in each position, and the others are not affected.
 #[test]
 fn a_top_that_is_not_a_number_harms_no_other() {
     let substeps = AlternatingSubsteps::blanes_moan4();
@@ -164,13 +164,13 @@ fn casimirs_of_symmetric_tops_hold_to_round_off() {
     ensemble.advance(&mut states, 0.1, 0..2000, &mut (), &mut no_failure);
     for ((_, end), start) in states.iter().zip(&starts()) {
         for (end, start) in casimirs(end).iter().zip(casimirs(start)) {
-            // 2000 steps of 14 stages, each of which rounds to some 1e-16 at random: 5e-14.
+            // 2000 steps of 14 stages have unbiased rounding errors of some 1e-16 each: 5e-14 in sum.
             assert!((end - start).abs() < 2e-13, "{:e}", end - start);
         }
     }
 }
 
-/// Over many tops what rounding does has no mean: the flows of a step turn, and do not stretch.
+/// Over many tops rounding errors are unbiased: the flows of a step turn, and do not stretch.
 #[test]
 fn casimirs_of_symmetric_tops_walk_and_do_not_drift() {
     let flows = SymmetricTopSplitting::new(HeavyTop::kovalevskaya(1.0, 1.0).unwrap()).unwrap();
@@ -196,18 +196,18 @@ fn casimirs_walk(starts: &[(SymmetricTopSplitting, Se3Dual)], set: InstructionSe
     };
     let mean = |x: &[f64]| x.iter().sum::<f64>() / x.len() as f64;
     let length = change(|z| z.0.1.norm_squared());
-    // A walk of 9·10⁵ stages is 1.3e-13 long, so that the mean of 64 is 1.6e-14 at random. With
-    // the coefficients of the cosine rounded to nearest it was 6e-13.
+    // A random walk of 9·10⁵ stages is 1.3e-13 long, so that the mean of 64 walks is 1.6e-14. With the coefficients
+    // of the cosine rounded to nearest the mean was 6e-13.
     assert!(mean(&length).abs() < 8e-14, "{set}: {:e}", mean(&length));
     assert!(length.iter().any(|x| x.abs() > 2e-14)); // something was measured
-    // Γ·Π is drawn back within each of the 64 segments of 1024 steps, and walks from one to the next
-    // only: 3e-14. Without that it was 4e-13.
+    // Γ·Π is restored within each of the 64 segments of 1024 steps, and walks only from one segment to the next:
+    // 3e-14. Without that it was 4e-13.
     let vertical = change(|z| z.0.0.dot(&z.0.1));
     let largest = vertical.iter().fold(0.0, |largest: f64, x| largest.max(x.abs()));
     assert!(largest < 2e-13 && mean(&vertical).abs() < 2e-14, "{set}: {:e}", mean(&vertical));
 }
 
-/// Slow tops, fast ones, and some too fast for the lanes, side by side.
+/// Slow tops, fast ones, and some too fast for the lanes do not affect each other.
 #[test]
 fn tops_of_different_speed_do_not_notice_each_other() {
     let ensemble = SymmetricTopBatch::new(AlternatingSubsteps::blanes_moan6());
@@ -224,7 +224,7 @@ fn tops_of_different_speed_do_not_notice_each_other() {
         let mut alone = [*member];
         advance(&mut alone);
         assert_eq!(bits(&alone), bits(&together[i..=i]), "{i}");
-        // Negative control: it did move.
+        // Negative control: the top did move.
         assert_ne!(bits(&alone), bits(&members[i..=i]));
     }
 }
@@ -260,10 +260,10 @@ fn orders_of_the_symmetric_batch() {
         [(&four, 4.0, [20, 30, 40, 60]), (&six, 6.0, [6, 8, 12, 16]), (&ten, 10.0, [5, 6, 7, 8])]
     {
         let found = fit(substeps, &counts);
-        // Long steps of order 10 seem to be of order 10.6; of shorter ones round-off is in the way.
+        // Long steps show an order of 10.6 for order 10; the errors of shorter steps are hidden by round-off.
         assert!((-0.4..0.8).contains(&(found - order)), "{found} instead of {order}");
     }
-    // Negative control: a coefficient moved by 1e-3, and another so that the sum holds.
+    // Negative control: one coefficient is moved by 1e-3, and another so that the sum holds.
     let mut wrong = six.first().to_vec();
     wrong[1] += 1e-3;
     wrong[2] -= 1e-3;
@@ -271,7 +271,7 @@ fn orders_of_the_symmetric_batch() {
     assert!(fit(&wrong, &[6, 8, 12, 16]) < 3.0);
 }
 
-/// Tops without symmetry, that differ in every parameter.
+/// Returns tops without symmetry that differ in every parameter.
 fn any_tops() -> Vec<HeavyTop> {
     let top = |i: usize| {
         let x = i as f64 / 10.0;
@@ -302,11 +302,11 @@ fn gauss_moves_as_lift_free<const S: usize>(step: f64) {
         let mut states = members(&tops);
         ensemble.advance(&mut states, step, 0..steps, &mut (), &mut no_failure);
         for ((_, state), expected) in states.iter().zip(&expected) {
-            // 40 steps with some roundings of numbers up to 10 on T∗C² in each, 2e-15, grown by the
-            // motion to up to 3.6e-13 at t = 12.
+            // 40 steps have some rounding errors of numbers up to 10 on T∗C² in each, 2e-15; the motion multiplies
+            // them, to up to 3.6e-13 at t = 12.
             assert!(difference(state, expected) < 1e-12, "{S}: {:e}", difference(state, expected));
         }
-        // Negative control: with a top taken for its neighbour they differ.
+        // Negative control: a neighbouring top ends elsewhere.
         assert!(difference(&states[0].1, &expected[1]) > 1e-3);
     }
 }
@@ -332,15 +332,15 @@ fn bits_of_gauss_batches_depend_on_fusion_alone() {
         for width in Width::ALL {
             assert_eq!(single, run(set, width), "{set}, {width:?}");
         }
-        // Negative control: where fusion differs, so do bits.
+        // Negative control: where fused operations differ, so do bits.
         let widest = InstructionSet::detected();
         let alike = (set == InstructionSet::Portable) == (widest == InstructionSet::Portable);
         assert_eq!(single == run(widest, Width::Register), alike, "{set}");
     }
 }
 
-/// In each position: what has no result is reported, what the lanes cannot do is done otherwise,
-/// and the others do not notice.
+/// A member without a result is reported in each position, the general integrator takes over what the lanes cannot
+/// compute, and the others are not affected.
 #[test]
 fn no_top_of_a_gauss_batch_harms_another() {
     let tops = any_tops();
@@ -362,12 +362,12 @@ fn no_top_of_a_gauss_batch_harms_another() {
         let mut nan = starts()[position];
         nan.0.0.y = f64::NAN;
         assert_eq!(count(nan, position).0, [(position, 1)]);
-        // Without the vertical there is no lift: the free rigid body goes the other way.
+        // Without the vertical there is no lift: the general integrator takes over the free rigid body.
         let free = Se3Dual::new(starts()[position].0.0, Vector3::zeros());
         let (failures, end) = count(free, position);
         assert!(failures.is_empty() && end.0.1 == Vector3::zeros() && end != free);
     }
-    // A body too fast for sweeps, though not for Newton's iteration.
+    // A body is too fast for fixed-point sweeps, though not for Newton's iteration.
     let fast = Se3Dual::new(Vector3::new(8.0, 9.0, 10.0), Vector3::z());
     let (failures, end) = count(fast, 3);
     let scheme = RungeKutta::gauss(4).unwrap();
@@ -385,7 +385,7 @@ fn casimirs_of_gauss_batches_hold_to_round_off() {
     ensemble.advance(&mut states, 0.2, 0..2000, &mut (), &mut no_failure);
     for ((_, end), start) in states.iter().zip(&starts()) {
         for (end, start) in casimirs(end).iter().zip(casimirs(start)) {
-            // ‖ψ‖² and Im ψ∗χ are restored at each step: what rounds is the last one, and M.
+            // ‖ψ‖² and Im ψ∗χ are restored at each step: only the last step and M have rounding errors.
             assert!((end - start).abs() < 1e-14, "{:e}", end - start);
         }
     }
@@ -415,13 +415,13 @@ fn orders_of_gauss_batches() {
     assert!((four - 4.0).abs() < 0.3 && (eight - 8.0).abs() < 0.5, "{four} {eight}");
 }
 
-/// A run in two calls, and a member that fails on the way.
+/// A run in two calls equals the run in one, with a member that fails on the way.
 #[test]
 fn calls_that_meet_at_checkpoints_are_one_run() {
     let ensemble = GaussBatch::<2>::new().unwrap();
     let mut whole = members(&any_tops());
     let mut failures = Vec::new();
-    // It turns too far in one step for any iteration, and is not tried again.
+    // This member turns too far in one step for any iteration, and is not tried again.
     whole[7].1.0.0 *= 1e150;
     let start = whole[7].1;
     let mut parts = whole.clone();
@@ -433,7 +433,7 @@ fn calls_that_meet_at_checkpoints_are_one_run() {
         ensemble.advance(&mut parts, 0.1, steps, &mut (), &mut |_, _| ());
     }
     assert_eq!(bits(&whole), bits(&parts));
-    // Negative control: elsewhere the seam shows.
+    // Negative control: calls that meet elsewhere give other bits.
     let mut parts = members(&any_tops());
     for steps in [0..10, 10..end] {
         ensemble.advance(&mut parts, 0.1, steps, &mut (), &mut no_failure);
@@ -441,8 +441,8 @@ fn calls_that_meet_at_checkpoints_are_one_run() {
     assert_ne!(bits(&whole[..7]), bits(&parts[..7]));
 }
 
-/// Two of three members have no result; the run crosses a checkpoint, where all of the others begin
-/// anew.
+/// Two of three members have no result, and each is reported once; the run crosses a checkpoint, where all of the
+/// others restart.
 fn of_many_failures_each_is_reported_once<K, B>(ensemble: &K, tops: &[B])
 where
     K: BatchIntegrator<Member = (B, Se3Dual)>,
@@ -470,7 +470,7 @@ where
     let (none, healthy) = run(&|_| false);
     assert_eq!(none, []);
     for (i, (end, healthy)) in ends.iter().zip(&healthy).enumerate() {
-        // Negative control: what has failed did not move, and has other bits than what did.
+        // Negative control: a failed member did not move, and has other bits than a healthy one.
         assert_eq!(end != healthy, spoilt(i), "{i}");
     }
 }

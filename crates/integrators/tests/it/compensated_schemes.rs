@@ -1,23 +1,23 @@
-//! What compensated summation keeps, in exact arithmetic.
+//! Compensated summation in exact arithmetic: which rounding errors it keeps.
 
 use collective_integrators::*;
 use lie_poisson::Pair;
 use nalgebra::{Vector1, Vector2};
 
-/// z + e
+/// The sum z + e of a number and its carry.
 type Sum = Pair<Vector1<f64>, Vector1<f64>>;
 
-/// A number of size below 2¹⁷ in units of 2⁻¹¹⁰, without rounding if it is a multiple of 2⁻¹¹⁰.
+/// Returns a number of size below 2¹⁷ in units of 2⁻¹¹⁰, without rounding if it is a multiple of 2⁻¹¹⁰.
 fn fixed(x: f64) -> i128 {
     (x * 110.0_f64.exp2()) as i128
 }
 
-/// (z, e) as a fixed-point number.
+/// Returns (z, e) as a fixed-point number.
 fn whole(pair: &Sum) -> i128 {
     fixed(pair.0.x) + fixed(pair.1.x)
 }
 
-/// Numbers in (½, 1) with 53 significant bits.
+/// Returns numbers in (½, 1) with 53 significant bits.
 fn mantissas() -> impl Iterator<Item = f64> {
     let mut seed = 7_u64;
     core::iter::repeat_with(move || {
@@ -26,7 +26,7 @@ fn mantissas() -> impl Iterator<Item = f64> {
     })
 }
 
-/// Each addition is exact but for roundings of e, which is smaller than z by 2⁵³.
+/// Each addition is exact but for rounding errors of e, which is smaller than z by 2⁵³.
 #[test]
 fn a_compensated_sum_loses_only_roundings_of_the_carry() {
     const TERMS: usize = 1000;
@@ -34,7 +34,7 @@ fn a_compensated_sum_loses_only_roundings_of_the_carry() {
         let start = Pair(Vector1::new(1.0), Vector1::new(0.0));
         let (mut compensated, mut exact) = (start, whole(&start));
         for m in mantissas().take(TERMS) {
-            // δz has some 2⁻¹⁰ of the size of z, and δe that of the roundings of δz
+            // δz has some 2⁻¹⁰ of the size of z, and δe the size of the rounding errors of δz.
             let increment =
                 Pair(Vector1::new(m / 512.0), Vector1::new((m - 0.7) / 512.0 * f64::EPSILON));
             compensated = sum(&compensated, &increment);
@@ -42,11 +42,11 @@ fn a_compensated_sum_loses_only_roundings_of_the_carry() {
         }
         (whole(&compensated) - exact).unsigned_abs() as f64 / 110.0_f64.exp2()
     };
-    // |e| ≤ ε, so that each of two additions to it rounds by ε²/4 at most; and δe is cut off at 2⁻¹¹⁰
+    // |e| ≤ ε, so that each of two additions to it has an error of ε²/4 at most; and δe is cut off at 2⁻¹¹⁰.
     let bound = TERMS as f64 * (0.5 * f64::EPSILON.powi(2) + (-110.0_f64).exp2());
     let compensated = error(compensated_sum);
     assert!(compensated < bound, "{compensated:e}, {bound:e}");
-    // Control: what the addition of e to δz rounds away must not be lost.
+    // Control: the rounding error of the addition of e to δz must not be lost.
     let without = error(|sum, increment| {
         let change = increment.0 + sum.1;
         let next = sum.0 + change;
@@ -55,13 +55,15 @@ fn a_compensated_sum_loses_only_roundings_of_the_carry() {
     assert!(without > 1e3 * bound, "{without:e}, {bound:e}");
 }
 
-/// ẋ = y, ẏ = −x, evaluated without rounding.
+/// Returns ẋ = y, ẏ = −x, evaluated without rounding.
 fn oscillator(z: &Vector2<f64>) -> Vector2<f64> {
     Vector2::new(z.y, -z.x)
 }
 
-/// With a step of a power of two the midpoint rule gives k + δk from δz + δe without rounding, and
-/// k + δk = X(z + ½h(k + δk)) is to hold far beyond the rounding of the stage.
+/// Tests that refined increments satisfy the stage equation far beyond the rounding error of the stage.
+///
+/// With a step of a power of two the midpoint rule gives k + δk from δz + δe without rounding. Then k + δk = X(z +
+/// ½h(k + δk)) should hold.
 #[test]
 fn refined_increments_belong_to_stages_without_rounding() {
     const SHIFT: i32 = 6;
@@ -85,9 +87,9 @@ fn refined_increments_belong_to_stages_without_rounding() {
             }
         }
     }
-    // Three sweeps leave (½h)³ = 5e-7 of a rounding; the difference that they take, 1e-8.
+    // Three sweeps leave (½h)³ = 5e-7 of a rounding error; the computed difference adds 1e-8.
     let [refined, rounded] = largest;
     assert!(refined < 1e-6 * f64::EPSILON, "{refined:e}");
-    // Control: half a rounding of the stage.
+    // Control: without refinement half a rounding error of the stage remains.
     assert!(rounded > 0.2 * f64::EPSILON, "{rounded:e}");
 }

@@ -29,7 +29,7 @@ fn other_bases_are_raised_by_two() {
     let gauss = Composition::new(RungeKutta::gauss(2).unwrap(), Substeps::triple_jump(4).unwrap());
     assert_eq!(gauss.order(), 6);
     keeps_its_promises(&gauss, "two-stage Gauss, triple jump");
-    // compositions nest
+    // Compositions may be nested.
     let nested = Composition::new(
         Composition::new(RungeKutta::implicit_midpoint(), Substeps::suzuki(2).unwrap()),
         Substeps::suzuki(4).unwrap(),
@@ -38,8 +38,8 @@ fn other_bases_are_raised_by_two() {
     keeps_its_promises(&nested, "Suzuki's fractal of Suzuki's fractal");
 }
 
-/// Negative controls: without symmetry of the base or of the substeps less is gained, and nothing
-/// becomes symplectic that was not.
+/// Negative controls: without symmetry of the base or of the substeps the order is lower, and no composition of a
+/// method that is not symplectic is symplectic.
 #[test]
 fn a_composition_is_no_better_than_its_base() {
     let explicit = Composition::new(RungeKutta::explicit_midpoint(), Substeps::yoshida4());

@@ -1,4 +1,4 @@
-//! Methods in a doubled phase space: Tao's, and the semiexplicit one with its projection.
+//! Methods in a doubled phase space: Tao's method, and the semiexplicit method with its projection.
 
 use crate::support::*;
 use collective_integrators::*;
@@ -25,7 +25,7 @@ fn semiexplicit_methods_keep_their_promises() {
     }
 }
 
-/// One step as the authors define it, with q and p, in the doubled space, by iteration on μ.
+/// Makes one step as the authors define it, with q and p, in the doubled space, by iteration on μ.
 fn projected(substeps: &Substeps, z: Z, step: f64) -> Z {
     let splice = FirstHalf::splice::<Z>;
     let zero = Z::zero();
@@ -60,7 +60,7 @@ fn the_tableau_is_the_projected_extended_method() {
     for substeps in [Substeps::new(&[1.0]).unwrap(), Substeps::yoshida4(), Substeps::kahan_li6()] {
         let tableau = advance(&semiexplicit(&substeps), &field(), start(), 0.2, 1);
         let difference = (tableau - projected(&substeps, start(), 0.2)).max_abs();
-        // some forty evaluations round
+        // Some forty evaluations have rounding errors.
         assert!(difference < 2e-15, "{difference:e}");
     }
 }
@@ -89,7 +89,7 @@ fn taos_method_is_symplectic_on_the_doubled_space() {
     let back = strang.step(&strang.step(&copies, 0.1, &mut ()).unwrap().point, -0.1, &mut ());
     assert!((back.unwrap().point - copies).max_abs() < ROUND_OFF);
 
-    // with the form dq∧dp + dx∧dy, from copies that are apart
+    // The form is dq∧dp + dx∧dy, and the two copies are apart.
     let z = Pair(start(), start().scaled(0.9));
     let column = |i: usize| -> Pair<Z, Z> {
         let seeded: Pair<Z<DualNumber>, Z<DualNumber>> = seed(&z, &Vector::basis(i));
@@ -104,7 +104,7 @@ fn taos_method_is_symplectic_on_the_doubled_space() {
             assert!((form(&column(i), &column(j)) - flat).abs() < ROUND_OFF);
         }
     }
-    // the copies part: no map of the original space
+    // The copies part: the method is no map of the original space.
     let Pair(first, second) = run(20, false);
     assert!((first - second).max_abs() > 1e-6);
 }

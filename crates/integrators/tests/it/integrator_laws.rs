@@ -1,4 +1,6 @@
-//! Every scheme and integrator of the crate obeys its laws, and each law rejects something that breaks it.
+//! The law suites of schemes, integrators and batches: every type of the crate obeys its laws, and each law rejects
+//! something that breaks it.
+//!
 //! The other tests of schemes run [`laws::scheme`] too, by `keeps_its_promises`.
 
 use crate::support::{ROUND_OFF, field, keeps_its_promises, laws, start};
@@ -8,7 +10,7 @@ use lie_poisson::*;
 use momentum_map::{HOPF, LiftError, Quaternions};
 use nalgebra::{Vector1, Vector2, Vector3};
 
-/// h(Π) = ½Π₁² + Π₂² + ³⁄₁₀ Π₁Π₃
+/// A rigid body with h(Π) = ½Π₁² + Π₂² + ³⁄₁₀ Π₁Π₃.
 #[derive(Clone, Copy)]
 struct Body;
 
@@ -25,7 +27,7 @@ fn momenta() -> [Momentum; 2] {
     [Vector3::new(0.6, 0.0, 0.8), Vector3::new(1.0, -0.5, 1.3)].map(Covector)
 }
 
-/// Two copies of so(3)∗, for the spherical midpoint method.
+/// The energy of two copies of so(3)∗, for the spherical midpoint method.
 #[derive(Clone, Copy)]
 struct Spins;
 
@@ -36,7 +38,7 @@ impl Energy for Spins {
     }
 }
 
-/// q̇ = p, ṗ = −q − q³, in these two parts.
+/// The flows of the two parts of q̇ = p, ṗ = −q − q³.
 #[derive(Clone, Copy)]
 struct Spring;
 
@@ -93,7 +95,7 @@ fn schemes_that_say_so_are_equivariant() {
     }
 }
 
-/// The laws of an integrator over `f64` and over lanes.
+/// Checks the laws of an integrator over `f64` and over SIMD lanes.
 fn integrator_laws<I, V>(integrator: I, momenta: &[V])
 where
     I: Start<f64, Momentum = V> + Integrator<DefaultLanes> + Sync,
@@ -151,7 +153,7 @@ fn splittings_and_the_spherical_midpoint_method() {
     integrator_laws(SphericalMidpoint::new(field), &[spins]);
 }
 
-/// ẋ = x², which is infinite at t = 1/x.
+/// The vector field ẋ = x², whose solution is infinite at t = 1/x.
 struct BlowUp;
 
 impl<T: Real> VectorField<T> for BlowUp {
@@ -190,7 +192,7 @@ fn casimirs_are_invariants_of_collective_integrators() {
     assert!(report.residual("invariants").unwrap().is_nan());
 }
 
-/// The laws of a report that do not hold.
+/// Returns the laws that do not hold in a report.
 fn broken(report: &laws::Report) -> Vec<&'static str> {
     let residuals = report.residuals().iter();
     residuals
@@ -308,7 +310,7 @@ fn laws_of_schemes_reject_what_breaks_them() {
     }
 }
 
-/// A partitioned method that says that it commutes with changes of variables.
+/// A partitioned method that wrongly claims to commute with changes of variables.
 #[derive(Clone)]
 struct MixesNothing(PartitionedRungeKutta<FirstHalf>);
 
@@ -349,7 +351,7 @@ fn the_law_of_equivariance_rejects_what_breaks_it() {
     assert!(laws::equivariance(&verlet).residual("equivariance").unwrap() > 1e-4);
 }
 
-/// Turns of the plane by the angle h, with a fault.
+/// Rotations of the plane by the angle h, with a fault.
 #[derive(Clone, Copy, Debug, PartialEq)]
 enum FaultyIntegrator {
     None,
@@ -439,7 +441,7 @@ fn laws_of_integrators_reject_what_breaks_them() {
     }
 }
 
-/// x ↦ (1 + h) x for many x, with a fault.
+/// The map x ↦ (1 + h) x for many x, with a fault.
 #[derive(Clone, Copy, Debug, PartialEq)]
 enum FaultyBatch {
     None,
@@ -498,7 +500,7 @@ impl BatchIntegrator for FaultyBatch {
     }
 }
 
-/// The error of a step with this number.
+/// Returns the error of the step with this number.
 fn at(number: u64, step: f64) -> IntegrationError {
     IntegrationError::after(number - 1, step, StepError::NotFinite)
 }

@@ -1,10 +1,10 @@
-//! Lyapunov exponents of a linear map, which are known.
+//! Lyapunov exponents of a linear map, against their exact values.
 
 use collective_integrators::*;
 use lie_poisson::Real;
 use nalgebra::Vector2;
 
-/// ẋ = x, ẏ = −2y
+/// The linear vector field ẋ = x, ẏ = −2y.
 struct Saddle;
 
 impl<T: Real> VectorField<T> for Saddle {
@@ -15,8 +15,8 @@ impl<T: Real> VectorField<T> for Saddle {
     }
 }
 
-/// From a flow that has come far, exponents are means over the time since then, at every step: of the
-/// rate at which RK4 stretches, ln(1 + x + x²/2 + x³/6 + x⁴/24)/h with x = λh.
+/// Exponents of a flow that has advanced already are means over the time since then, at every step. The rate is that
+/// at which RK4 stretches, ln(1 + x + x²/2 + x³/6 + x⁴/24)/h with x = λh.
 #[test]
 fn a_transient_is_left_out() {
     let rk4 = Direct::new(RungeKutta::rk4(), Saddle);
@@ -26,7 +26,7 @@ fn a_transient_is_left_out() {
         for _ in 0..transient {
             flow.advance().unwrap();
         }
-        // Lengths at the start are no stretches, be they 1, e⁵ or e⁻¹⁰.
+        // Lengths at the start do not count as stretches, be they 1, e⁵ or e⁻¹⁰.
         let exponents = LyapunovExponents::from_flow(flow);
         let stretch = |x: f64| 1.0 + x + x * x / 2.0 + x.powi(3) / 6.0 + x.powi(4) / 24.0;
         let exact = [1.0, -2.0].map(|rate: f64| stretch(rate * step).ln() / step.abs());

@@ -1,4 +1,4 @@
-//! What schemes, integrators and indicators of chaos promise.
+//! The promises of the crate: schemes, integrators and indicators of chaos.
 #![allow(clippy::unwrap_used, clippy::panic)]
 
 mod compensated_schemes;

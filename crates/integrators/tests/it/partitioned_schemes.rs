@@ -29,7 +29,7 @@ fn partitioned_methods_keep_their_promises() {
     assert_eq!(lobatto(2), Method::kick_drift_kick());
 }
 
-/// Negative controls: pairs that are no symplectic method.
+/// Negative controls: pairs of tableaux that are no symplectic method.
 #[test]
 fn a_pair_is_not_symplectic_by_being_a_pair() {
     let rk4 = RungeKutta::rk4().tableau().clone();
@@ -40,7 +40,7 @@ fn a_pair_is_not_symplectic_by_being_a_pair() {
     let iiia = Method::new(iiia.clone(), iiia).unwrap();
     assert_eq!((iiia.order(), iiia.is_symplectic(), iiia.is_symmetric()), (4, false, true));
     keeps_its_promises(&iiia, "Lobatto IIIA twice");
-    // order 4 alone and together, symmetric or symplectic in neither way
+    // Both tableaux have order 4, alone and together; neither is symmetric or symplectic.
     let mixed = Method::new(
         Tableau::lobatto_iiia(3).unwrap(),
         Tableau::new(
@@ -78,7 +78,7 @@ fn quadratic_invariants_that_mix_q_and_p_are_lost() {
     assert!(change(advance(&verlet, &oscillator, z, 0.2, 1)) > 1e-3);
     let midpoint = RungeKutta::implicit_midpoint();
     assert!(change(advance(&midpoint, &oscillator, z, 0.2, 1)) < ROUND_OFF);
-    // the bilinear invariant q₁p₂ − q₂p₁ of a central force is kept
+    // The bilinear invariant q₁p₂ − q₂p₁ of a central force is conserved.
     let central = from_fn(|z: &SVector<Complex<f64>, 2>| {
         let r2 = z.x.re * z.x.re + z.y.re * z.y.re;
         z.map(|z| Complex::new(z.im, -z.re * r2))

@@ -8,11 +8,11 @@ use nalgebra::Vector3;
 type Space = LiePoisson<PowerAlgebra<So3, 2>>;
 type W<T = f64> = Covector<Power<Vector3<T>, 2>>;
 
-/// h(w) = f(w₁/|w₁|, w₂/|w₂|): constant on rays.
+/// A Hamiltonian that is constant on rays, h(w) = f(w₁/|w₁|, w₂/|w₂|).
 #[derive(Clone, Copy)]
 struct ConstantOnRays;
 
-/// Its homogeneous form, the same on unit spheres only.
+/// A homogeneous Hamiltonian that agrees with it on unit spheres only.
 #[derive(Clone, Copy)]
 struct Homogeneous;
 
@@ -83,13 +83,13 @@ fn it_is_the_collective_midpoint_rule_of_a_hamiltonian_constant_on_rays() {
         };
         (direct - collective(both[1])).max_abs()
     };
-    // a few units of round-off a step
+    // A step has an error of a few units of round-off.
     assert!(difference(1, start(), [true, true]) < 8.0 * f64::EPSILON);
     assert!(difference(20, start(), [true, true]) < 1e-13);
-    // on unit spheres the method does not see how h continues; the collective rule does
+    // On unit spheres the method does not depend on how h is continued; the collective rule does.
     assert!(difference(1, start(), [false, true]) < 8.0 * f64::EPSILON);
     assert!(difference(1, start(), [true, false]) > 1e-6);
-    // spheres of other radii
+    // The spheres have other radii.
     let scaled = Covector(Power([start().0.0[0] * 2.0, start().0.0[1] * 0.5]));
     assert!(difference(1, scaled, [true, true]) < 32.0 * f64::EPSILON);
 }
@@ -111,7 +111,7 @@ fn it_is_a_symmetric_poisson_map_of_order_two() {
     let back = advance(&method, advance(&method, start(), 0.2, 1), -0.2, 1) - start();
     assert!(back.max_abs() < 1e-14, "{back:?}");
 
-    // {F∘Φ, G∘Φ} = {F, G}∘Φ over the coordinate functions
+    // The defect of {F∘Φ, G∘Φ} = {F, G}∘Φ over the coordinate functions.
     let defect = |step: &dyn Fn(&W<DualNumber>) -> W<DualNumber>, w: W| {
         let column = |i: usize| step(&seed(&w, &W::basis(i)));
         let columns: Vec<W> = (0..6).map(|i| derivative_part(&column(i))).collect();
@@ -133,7 +133,7 @@ fn it_is_a_symmetric_poisson_map_of_order_two() {
     for w in [start(), general] {
         let poisson = defect(&|w| method.step(w, 0.2, &mut ()).unwrap().point, w);
         assert!(poisson < 1e-13, "{poisson:e}");
-        // negative control: the midpoint rule applied directly
+        // Negative control: the midpoint rule applied directly.
         let direct = Direct::new(RungeKutta::implicit_midpoint(), field);
         let control = defect(
             &|w| {

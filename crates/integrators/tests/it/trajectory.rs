@@ -6,7 +6,7 @@ use collective_integrators::{
 };
 use nalgebra::{Vector1, Vector2};
 
-/// ẋ = x² from 1 blows up at t = 1.
+/// Returns the vector field ẋ = x², whose solution from 1 is infinite at t = 1.
 fn blow_up() -> Direct<RungeKutta, impl VectorField<Point = Vector1<f64>>> {
     let field = from_fn(|x: &Vector1<f64>| Vector1::new(x[0] * x[0]));
     Direct::new(RungeKutta::implicit_midpoint(), field)

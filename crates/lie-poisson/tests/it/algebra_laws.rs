@@ -1,5 +1,5 @@
-//! Every algebra, group and representation of the crate obeys its laws, and each law rejects
-//! something that breaks it.
+//! The law suites of algebras, groups and representations: every type of the crate obeys its laws, and each law
+//! rejects something that breaks it.
 
 use crate::support::{TOLERANCE, holds, laws, samples};
 use lie_poisson::*;
@@ -45,7 +45,7 @@ fn representations_and_their_semidirect_products() {
     representation_laws(Adjoint(SL2));
     representation_laws(Diagonal::<_, 2>(SO3OnR3));
     representation_laws(Sum(SU2OnC2, Adjoint(SU2)));
-    // (se(3) ⋉ R³), the heavy top on a movable base
+    // The algebra is (se(3) ⋉ R³), of the heavy top on a movable base.
     representation_laws(Inherited { quotient: SO3OnR3, representation: SO3OnR3 });
 }
 
@@ -59,7 +59,7 @@ fn the_integral_of_a_large_exponential() {
             // ξ ∫₀¹ exp(σξ) φ dσ = (exp ξ − 1) φ
             let moved = representation.transform(&UnitaryGroup.exp(&xi), &phi) - phi;
             let error = (representation.act(&xi, &integral) - moved).max_abs();
-            // Every doubling doubles the rounding.
+            // Every doubling doubles the rounding error.
             assert!(error < 16.0 * f64::EPSILON * size, "{size}: {error:e}");
         }
     }
@@ -76,7 +76,7 @@ fn composed_representations_use_the_closed_forms_of_their_parts() {
     let inherited = Inherited { quotient: SO3OnR3, representation: SO3OnR3 };
     let diamond = inherited.diamond(&v[0], &Covector(v[1]));
     assert_eq!(diamond, Covector(Pair(v[0].cross(&v[1]), Vector3::zeros())));
-    // det ξ = 10⁸, elliptic: ξ ∫₀¹ exp(σξ) φ dσ = (exp ξ − 1) φ without loss.
+    // det ξ = 10⁸, elliptic: ξ ∫₀¹ exp(σξ) φ dσ = (exp ξ − 1) φ without loss of digits.
     let (xi, phi) = (Vector3::new(0.0, -1e4, 1e4), Vector2::new(0.3, -0.7));
     let moved = SL2OnR2.act(&xi, &SL2OnR2.exp_integral(&xi, &phi));
     assert!((moved - (SL2.exp(&xi) * phi - phi)).norm() < 1e-15);
@@ -112,7 +112,7 @@ fn logarithms_and_cayley_maps() {
     check_cayley(&PowerGroup::<_, 3>(SU2));
 }
 
-/// so(3) with the sign of ad* turned round.
+/// The algebra so(3) with the wrong sign of ad*.
 #[derive(Clone)]
 struct WrongCoadjoint;
 
@@ -137,7 +137,7 @@ fn a_wrong_sign_in_the_coadjoint_is_rejected() {
     assert!(report.residual("Jacobi").unwrap() < TOLERANCE);
 }
 
-/// SO(3) over an algebra whose bracket has the wrong sign.
+/// The group SO(3) over an algebra whose bracket has the wrong sign.
 #[derive(Clone)]
 struct WrongSign;
 
@@ -173,7 +173,7 @@ impl LieGroup for WrongSign {
 
 #[test]
 fn a_wrong_sign_of_the_bracket_is_rejected() {
-    // It is a Lie algebra, but not that of the group.
+    // The algebra is a Lie algebra, but not that of the group.
     let report = laws::lie_group(&WrongSign, &samples()).unwrap();
     assert!(report.residual("ad is the derivative of Ad").unwrap() > 0.1);
     holds(laws::lie_algebra(&WrongSign, &samples()).unwrap());
@@ -225,7 +225,7 @@ fn an_antisymmetric_bracket_that_is_not_lie_is_rejected() {
     let space = LiePoisson::minus(NotLie);
     let report = laws::poisson_space(&space, &samples()).unwrap();
     assert!(report.residual("Jacobi").unwrap() > 1e-2);
-    // Whatever the size: products of the constants overflow for one, underflow for another.
+    // The size does not matter: products of the constants overflow for one, and underflow for another.
     for size in [1.0, 1e160, 1e307, 1e-170, 1e-320] {
         assert!(matches!(
             StructureConstants::<5>::new(|i, j, k| size * not_lie(i, j, k)),
@@ -240,14 +240,14 @@ fn an_antisymmetric_bracket_that_is_not_lie_is_rejected() {
 
 #[test]
 fn many_structure_constants_stay_off_the_stack() {
-    // 200³ numbers are 64 MB, more than any stack of a thread.
+    // 200³ numbers are 64 MB, more than any thread's stack.
     let abelian = StructureConstants::<200>::new(|_, _, _| 0.0).unwrap();
     assert_eq!(abelian.constant(0, 200, 0), 0.0);
     let zero = SVector::<f64, 200>::zeros();
     assert_eq!(abelian.bracket(&zero, &zero), zero);
 }
 
-/// Rotations of the plane by twice the angle: its derivative is claimed to be the plain one.
+/// Rotations of the plane by twice the angle, with the derivative of rotations by the angle.
 #[derive(Clone)]
 struct WrongDerivative;
 

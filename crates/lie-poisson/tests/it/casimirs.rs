@@ -1,4 +1,4 @@
-//! Casimirs are constant along every Hamiltonian flow, independent, and those that they say they are.
+//! Casimirs: they are constant along every Hamiltonian flow, independent, and have the documented values.
 
 use crate::support::{TOLERANCE, holds, laws, samples};
 use lie_poisson::*;
@@ -24,7 +24,7 @@ fn casimirs() {
     check(&PowerAlgebra::<_, 3>(So3));
 }
 
-/// The values, and not only that they are Casimirs: tr H², …, tr Hᴺ⁺¹ would be, too.
+/// The values are checked, not only that these are Casimirs: tr H², …, tr Hᴺ⁺¹ are Casimirs, too.
 #[test]
 fn casimirs_of_the_unitary_group_are_power_sums_of_eigenvalues() {
     let eigenvalues = Vector3::new(0.7, -1.3, 2.1);
@@ -61,7 +61,7 @@ fn casimirs_of_powers_and_products_are_those_of_their_factors() {
     }
 }
 
-/// so(3) with |Π|² and |Π|⁴: both are Casimirs, and one of them is superfluous.
+/// The algebra so(3) with the Casimirs |Π|² and |Π|⁴, of which one is superfluous.
 #[derive(Clone)]
 struct Redundant;
 
@@ -85,7 +85,7 @@ fn dependent_casimirs_are_rejected() {
     let report = laws::casimirs(&Redundant, &samples()).unwrap();
     assert!(report.residual("Casimir").unwrap() < TOLERANCE);
     assert_eq!(report.residual("independence"), Some(0.5));
-    // 0 is special for so(3): not every sample needs to be generic, but one.
+    // 0 is special for so(3): one sample needs to be generic, not every sample.
     let zero = Covector(Vector3::zeros());
     let generic = Covector(Vector3::new(1.0, 2.0, 3.0));
     holds(laws::casimirs(&So3, &[zero, generic]).unwrap());

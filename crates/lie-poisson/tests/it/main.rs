@@ -1,4 +1,4 @@
-//! What algebras, groups, representations and brackets promise.
+//! The promises of the crate: algebras, groups, representations and brackets.
 #![allow(clippy::unwrap_used, clippy::panic)]
 
 mod algebra_laws;

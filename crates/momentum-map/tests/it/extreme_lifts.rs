@@ -1,4 +1,4 @@
-//! Lifts of momenta of every size that numbers have.
+//! Lifts of momenta of every size, from the smallest number to the largest.
 
 use core::fmt::Debug;
 use lie_poisson::{Covector, DefaultLanes, Lanes, SL2OnR2, Se3Dual, Sum, Vector, map_coordinates};
@@ -13,12 +13,12 @@ use num_complex::Complex;
 /// Sizes at which squares underflow and overflow, down to the smallest number.
 const SIZES: [f64; 9] = [5e-324, 1e-310, 1e-200, 1e-100, 1.0, 1e100, 1e160, 1e200, 1e307];
 
-/// A dozen roundings; below the normal numbers, one rounding is half of the smallest number.
+/// Returns whether two vectors agree to a dozen rounding errors, each at least half of the smallest number.
 fn near<V: Vector<Scalar = f64>>(a: &V, b: &V) -> bool {
     (*a - *b).max_abs() <= 1e-14 * b.max_abs() + 8.0 * 5e-324
 }
 
-/// M(lift(μ)) = μ.
+/// Checks that M(lift(μ)) = μ.
 fn lifts<M: Lift + Debug>(map: &M, mu: &TargetPoint<M>) -> SourcePoint<M> {
     let z = map.lift::<f64>(mu).unwrap_or_else(|error| panic!("{map:?}, {mu:?}: {error}"));
     let image = map.apply::<f64>(&z);
@@ -26,7 +26,7 @@ fn lifts<M: Lift + Debug>(map: &M, mu: &TargetPoint<M>) -> SourcePoint<M> {
     z
 }
 
-/// What is said about a momentum without a lift.
+/// Returns the error of a momentum without a lift.
 fn reason<M: Lift + Debug>(map: &M, mu: &TargetPoint<M>) -> LiftError {
     match map.lift::<f64>(mu) {
         Err(error) => error,
@@ -34,7 +34,7 @@ fn reason<M: Lift + Debug>(map: &M, mu: &TargetPoint<M>) -> LiftError {
     }
 }
 
-/// Directions with small coordinates next to large ones.
+/// Returns directions with small coordinates next to large ones.
 fn directions() -> Vec<Vector3<f64>> {
     let axes = [Vector3::x(), Vector3::y(), Vector3::z()];
     let mut directions: Vec<_> = axes.iter().flat_map(|axis| [*axis, -axis]).collect();
@@ -57,7 +57,7 @@ fn hopf_sections_have_every_size() {
             }
         }
     }
-    // |Γ| overflows, and its root does not.
+    // |Γ| overflows, and its square root does not.
     let huge = hopf_section(&(Vector3::new(1.0, 1.0, 1.0) * 1.5e308));
     let square = (huge / Complex::from(1e154)).norm_squared();
     assert!((square / (1.5 * 3_f64.sqrt()) - 1.0).abs() < 1e-14, "{square}");
@@ -89,7 +89,7 @@ fn realisations_lift_every_size() {
     }
 }
 
-/// A lane does not depend on its neighbours, however small or large these are.
+/// A SIMD lane does not depend on its neighbours, however small or large these are.
 #[test]
 fn every_lane_has_the_bits_of_its_own_lift() {
     let sizes = [1e-200, 1.0, 1e200, 3e-308];
@@ -127,7 +127,7 @@ fn reasons_name_what_is_wrong() {
     contains(reason(&HOPF, &Covector(huge)), "below 5e307");
     let steep = Se3Dual::new(Vector3::x() * 1e200, Vector3::y() * 1e-200);
     contains(reason(&PARTICLE, &steep), "|Π|/|Γ|");
-    // Products of these underflow, or overflow: that they are not perpendicular is seen all the same.
+    // Products of these vectors underflow or overflow; the lift must still see that they are not perpendicular.
     for size in SIZES {
         let mu = Se3Dual::new(Vector3::new(size, 0.0, size), Vector3::x() * size);
         contains(reason(&PARTICLE, &mu), "perpendicular");

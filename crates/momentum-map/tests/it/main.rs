@@ -1,4 +1,4 @@
-//! What actions, Poisson maps and their lifts promise.
+//! The promises of the crate: actions, Poisson maps and their lifts.
 #![allow(clippy::unwrap_used, clippy::panic)]
 
 mod extreme_lifts;

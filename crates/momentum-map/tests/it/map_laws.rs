@@ -1,5 +1,5 @@
-//! Every action, momentum map and realisation of the crate obeys its laws, and each law rejects
-//! something that breaks it.
+//! The law suites of actions, momentum maps and realisations: every type of the crate obeys its laws, and each law
+//! rejects something that breaks it.
 
 use crate::support::{TOLERANCE, holds, laws, samples};
 use lie_poisson::*;
@@ -37,8 +37,8 @@ fn actions_on_products() {
     action_laws(&ProductAction(AffineAction(SO2OnR2), LinearAction(SO3OnR3)));
 }
 
-/// q ↦ q + arctan-like bending: a nonlinear action of (R, +) on the plane, the flow of a vector
-/// field that is not affine.
+/// A nonlinear action of (R, +) on the plane, the flow of a vector field that is not affine: q₁ moves by q₂³ per unit
+/// of time.
 #[derive(Clone)]
 struct Shear;
 
@@ -72,7 +72,7 @@ fn symplectic_spaces() {
     holds(laws::symplectic_space(&Symplectic(Diagonal::<_, 3>(SU2OnC2)), &samples()).unwrap());
 }
 
-/// Map, fibre symmetry and lift of the images of samples.
+/// Checks the map, the fibre symmetry and the lift of the images of samples.
 fn realisation_laws<M: FibreSymmetry + Lift>(map: &M) {
     let points = samples();
     let momenta: Vec<_> = points.iter().map(|z| map.apply::<f64>(z)).collect();
@@ -115,7 +115,7 @@ fn momenta_outside_the_image_have_no_lift() {
     let indefinite = QuadraticMomentumMap::new(Sum(SL2OnR2, Reversed(SL2OnR2)), Side::Left);
     assert!(indefinite.lift::<f64>(&elliptic).is_err());
     let definite = QuadraticMomentumMap::new(Sum(SL2OnR2, SL2OnR2), Side::Left);
-    // the centre of the cone, where both eigenvalues agree
+    // At the centre of the cone both eigenvalues agree.
     let lifted = definite.lift::<f64>(&elliptic).unwrap();
     assert!((definite.apply::<f64>(&lifted) - elliptic).max_abs() < 1e-15);
 }
@@ -142,7 +142,7 @@ fn momenta_on_the_cone_of_sl2_have_a_lift() {
     }
 }
 
-/// The Hopf map with a coordinate turned round: not Poisson, not equivariant.
+/// The Hopf map with the sign of a coordinate reversed: neither Poisson nor equivariant.
 #[derive(Clone)]
 struct Mirrored;
 
@@ -214,7 +214,7 @@ fn laws_of_poisson_maps_reject_what_breaks_them() {
     assert!(laws::lift(&WrongGenerator, &momenta).unwrap().residual("section").unwrap() > 0.1);
 }
 
-/// A left action that says it is a right one.
+/// A left action that wrongly claims to be a right one.
 #[derive(Clone)]
 struct WrongSide;
 

@@ -1,4 +1,5 @@
-//! Every algebra of multipliers obeys its laws, and each law rejects something that breaks it.
+//! The law suite of multipliers: every algebra of multipliers obeys its laws, and each law rejects something that
+//! breaks it.
 
 use crate::support::{TOLERANCE, holds, laws, samples};
 use lie_poisson::*;
@@ -19,7 +20,7 @@ fn multipliers() {
     check(&ProductMultipliers(Quaternions, DualQuaternions));
 }
 
-/// The size of B⁻¹B − 1.
+/// Returns the size of B⁻¹B − 1.
 fn inverse_error<M: Multipliers>(multipliers: &M, b: &Multiplier<M>) -> f64 {
     let inverse = multipliers.inverse::<f64>(b).unwrap();
     (multipliers.product::<f64>(&inverse, b) - multipliers.one::<f64>()).max_abs()
@@ -27,10 +28,10 @@ fn inverse_error<M: Multipliers>(multipliers: &M, b: &Multiplier<M>) -> f64 {
 
 #[test]
 fn inverses_where_quadratic_invariants_do_not_hold() {
-    // exact for quaternions: samples are far from |Q|² = 1 and x₀ = 0
+    // The inverse is exact for quaternions: samples are far from |Q|² = 1 and x₀ = 0.
     assert!(samples().iter().all(|q| inverse_error(&Quaternions, q) < TOLERANCE));
     assert!(samples().iter().all(|q| inverse_error(&DualQuaternions, q) < TOLERANCE));
-    // of second order for matrices: they are off by 1 − BB∗ ≈ 2ε, the inverse by the square of it
+    // The inverse is of second order for matrices: they are off by 1 − BB∗ ≈ 2ε, and the inverse by its square.
     for (xi, direction) in samples().iter().zip(samples::<Matrix2<Complex<f64>>>()) {
         let unitary = UnitaryGroup::<2>.exp::<f64>(xi);
         let near = |epsilon: f64| unitary + unitary * direction.scaled(epsilon);
@@ -40,25 +41,25 @@ fn inverses_where_quadratic_invariants_do_not_hold() {
     }
 }
 
-/// The change that the coadjoint motion exp(Λξ) makes of μ, by its series in small ξ.
+/// Returns the change of μ under the coadjoint motion exp(Λξ), by its series in small ξ.
 fn coadjoint_series<P: PoissonSpace>(space: &P, xi: &Differential<P>, mu: &Point<P>) -> Point<P> {
     let mut term = *mu;
     let terms = (1..20).map(|k| {
         term = space.hamiltonian_vector::<f64>(&term, xi).scaled(1.0 / f64::from(k));
         term
     });
-    // from the smallest term on
+    // The sum starts from the smallest term.
     let terms: Vec<_> = terms.collect();
     terms.into_iter().rev().fold(Vector::zero(), |sum, term| sum + term)
 }
 
-/// Changes are exact to a few roundings of their own size, however small they are, and do not depend
-/// on how well the quadratic invariants of the multiplier hold.
+/// Changes are exact to a few rounding errors of their own size, however small they are, and do not depend on how
+/// well the quadratic invariants of the multiplier hold.
 #[test]
 fn coadjoint_changes_are_accurate_whatever_their_size() {
     for (v, mu) in samples::<Vector3<f64>>().into_iter().zip(samples::<Se3Dual>()) {
         for size in [1e-12, 1e-6, 0.3] {
-            // parallel neither to each other nor to Π
+            // These vectors are parallel neither to each other nor to Π.
             let omega = Vector3::new(v.y, v.z, v.x) * size;
             let gamma = Vector3::new(v.z, v.x, v.y) * size;
             let pi = Covector(mu.0.0);
@@ -72,13 +73,13 @@ fn coadjoint_changes_are_accurate_whatever_their_size() {
             for scale in [1.0, 1.0 - 1e-12, 1.0 + 1e-9] {
                 let change = Quaternions.coadjoint_change::<f64>(&q.scaled(scale), &pi);
                 assert!((change - turned).max_abs() < 1e-15 * turned.max_abs(), "{size:e}");
-                // times a dual number, by which |Q|² ≠ 1 and x₀ ≠ 0
+                // The multiplier is scaled by a dual number, so that |Q|² ≠ 1 and x₀ ≠ 0.
                 let multiplier = Pair(q.scaled(scale), n.scaled(scale) + q.scaled(1e-9));
                 let change = DualQuaternions.coadjoint_change::<f64>(&multiplier, &mu);
                 assert!((change - moved).max_abs() < 1e-15 * moved.max_abs(), "{size:e}");
             }
-            // Control: a difference of momenta loses digits to cancellation, and all of them where the
-            // invariants do not hold.
+            // Control: a difference of momenta loses digits to cancellation, and all of them where the invariants do
+            // not hold.
             let difference = |scale| Quaternions.transport::<f64>(&q.scaled(scale), &pi) - pi;
             let error = |scale: f64| (difference(scale) - turned).max_abs() / turned.max_abs();
             assert!(size > 1e-6 || (error(1.0) > 1e-12 && error(1.0 + 1e-9) > 1e-4));

@@ -1,9 +1,10 @@
-//! The laws of four lanes: each computes what `f64` does, and they change places as documented.
+//! Four SIMD lanes (four numbers in one register): each computes what `f64` does, and they change places as
+//! documented.
 
 use generic_scalars::{FourLanes, FourLanesTask, InstructionSet, dispatch_four};
 use proptest::prelude::*;
 
-/// What a computation on four lanes comes to, lane by lane.
+/// The results of six computations on four lanes, lane by lane.
 type Results = [[f64; 4]; 6];
 
 #[derive(Clone, Copy)]
@@ -31,7 +32,7 @@ impl FourLanesTask for All {
     }
 }
 
-/// The same by numbers; indices of the first three modulo 3.
+/// Computes the same results with numbers; the indices of the first three are modulo 3.
 fn expected(a: [f64; 4], b: [f64; 4], fused: bool) -> Results {
     let place = |i: usize, by: usize| if i < 3 { (i + by) % 3 } else { 3 };
     let each = |f: &dyn Fn(usize) -> f64| core::array::from_fn(f);
@@ -49,13 +50,13 @@ fn expected(a: [f64; 4], b: [f64; 4], fused: bool) -> Results {
     ]
 }
 
-/// Equal bits; one NaN is as good as another.
+/// Returns whether the bits are equal; any NaN equals any other.
 fn same(a: &Results, b: &Results) -> bool {
     let alike = |(a, b): (&f64, &f64)| a.to_bits() == b.to_bits() || (a.is_nan() && b.is_nan());
     a.as_flattened().iter().zip(b.as_flattened()).all(alike)
 }
 
-/// The results by all instructions that the machine has.
+/// Returns the results on all instruction sets that the machine has.
 fn everywhere(a: [f64; 4], b: [f64; 4]) -> impl Iterator<Item = (Results, bool)> {
     InstructionSet::ALL.into_iter().filter_map(move |set| match dispatch_four(All(a, b), set) {
         Ok(results) => {
@@ -85,7 +86,7 @@ proptest! {
     }
 }
 
-/// Negative control: the comparison sees a lane in the wrong place, and a sum rounded twice.
+/// Negative control: the comparison detects a lane in the wrong place, and a sum rounded twice.
 #[test]
 fn other_places_and_other_roundings_differ() {
     let (a, b) = ([0.1, 0.2, 0.3, 0.4], [0.7, 0.6, 0.5, 0.8]);

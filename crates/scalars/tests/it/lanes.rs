@@ -1,4 +1,5 @@
-//! The laws of lanes: each of them computes what `f64` does, whatever the type, set and width.
+//! SIMD lanes (several numbers in one register): each computes what `f64` does, for every type, instruction set and
+//! width.
 
 use generic_scalars::{
     DefaultLanes, DualNumber, InstructionSet, LaneTask, Lanes, Mask, Real, Width, dispatch, larger,
@@ -19,7 +20,7 @@ const SPECIAL: [f64; 10] = [
     f64::MIN_POSITIVE,
 ];
 
-/// The widest type has sixteen lanes.
+/// The numbers of the widest type, which has sixteen lanes.
 type Numbers = [f64; 16];
 
 fn numbers() -> impl Strategy<Value = Numbers> {
@@ -27,7 +28,7 @@ fn numbers() -> impl Strategy<Value = Numbers> {
     proptest::array::uniform16(prop_oneof![special, -1e3..1e3, any::<f64>()])
 }
 
-/// Equal bits; one NaN is as good as another, since Rust leaves their payloads open.
+/// Returns whether the bits are equal; any NaN equals any other, since Rust leaves their payloads open.
 fn same(a: f64, b: f64) -> bool {
     a.to_bits() == b.to_bits() || (a.is_nan() && b.is_nan())
 }
@@ -43,10 +44,10 @@ fn everywhere<K: LaneTask<Output = ()> + Copy>(check: K) -> usize {
     count
 }
 
-/// A result, what it is in one lane by `f64`, and its name.
+/// A result, the operation that computes one lane of it by `f64`, and its name.
 type Case<T> = (&'static str, T, fn(f64, f64, f64) -> f64);
 
-/// What every type computes as `f64` does.
+/// Returns the operations that every type computes as `f64` does.
 #[inline(always)]
 fn operations<T: Lanes>(a: T, b: T, c: T) -> [Case<T>; 21] {
     let mut assigned = a;
@@ -99,7 +100,7 @@ impl LaneTask for Operations {
     }
 }
 
-/// Rounded once where the type is fused, twice elsewhere.
+/// The task that checks that a fused type rounds once, and another one twice.
 #[derive(Clone, Copy)]
 struct MultiplyAdd(Numbers, Numbers, Numbers);
 
@@ -152,7 +153,7 @@ impl LaneTask for Masks {
     }
 }
 
-/// One lane is like no other, in each position.
+/// The task that puts a different number into one lane, in each position.
 #[derive(Clone, Copy)]
 struct EachPosition;
 
@@ -176,7 +177,7 @@ impl LaneTask for EachPosition {
     }
 }
 
-/// Slices shorter than the lanes, as long, and longer.
+/// The task that loads slices shorter than the lanes, as long, and longer.
 #[derive(Clone, Copy)]
 struct Slices;
 
@@ -239,7 +240,7 @@ fn each_position_counts_and_slices_may_be_short() {
     assert!(everywhere(Slices) >= 3);
 }
 
-/// Negative control: the comparison above tells rounding once from rounding twice.
+/// Negative control: the comparison distinguishes rounding once from rounding twice.
 #[test]
 fn rounding_once_and_twice_differ() {
     let (x, y) = (1.0 + f64::EPSILON, 1.0 - f64::EPSILON);
@@ -247,7 +248,7 @@ fn rounding_once_and_twice_differ() {
     assert!(!same(0.0, -0.0) && !same(f64::NAN, 1.0) && same(f64::NAN, -f64::NAN));
 }
 
-/// How many lanes there are, and whether they are fused.
+/// The task that returns how many lanes there are, and whether they are fused.
 #[derive(Clone, Copy)]
 struct Shape;
 
@@ -284,7 +285,7 @@ fn sets_have_their_widths_and_missing_ones_are_refused() {
     assert_eq!(DefaultLanes::COUNT, 4);
 }
 
-/// Dual numbers sit over lanes, and are compared by their values.
+/// Dual numbers over lanes are compared by their values.
 #[test]
 fn dual_numbers_over_lanes() {
     let x = DualNumber {

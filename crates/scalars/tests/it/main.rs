@@ -1,4 +1,4 @@
-//! What the scalars and their SIMD lanes promise.
+//! The promises of the crate: scalars, and their SIMD lanes (several numbers in one register).
 #![allow(clippy::unwrap_used, clippy::panic)]
 
 mod four_lanes;

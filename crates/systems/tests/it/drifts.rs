@@ -1,24 +1,24 @@
-//! How far conserved quantities drift along a trajectory.
+//! The drifts of conserved quantities along a trajectory, for the tests of the systems.
 
 use collective_integrators::{RungeKutta, Scheme, Start};
 use core::array::from_fn;
 use lie_poisson::larger;
 
-/// Casimirs and momentum maps of affine symmetries are quadratic: a Gauss method conserves them
-/// to the round-off of this many steps.
+/// The round-off of the tests' numbers of steps. Casimirs and momentum maps of affine symmetries are quadratic, and a
+/// Gauss method conserves them to round-off.
 pub const ROUND_OFF: f64 = 1e-12;
 
-/// The schemes of each test.
+/// Returns the schemes of each test.
 pub fn schemes() -> [RungeKutta; 2] {
     [RungeKutta::implicit_midpoint(), RungeKutta::gauss(3).unwrap()]
 }
 
-/// What a symplectic scheme of order p may do to the energy: bounded by C hᵖ, C of size 1 here.
+/// Returns the bound C hᵖ of the energy's deviation under a symplectic scheme of order p; C has size 1 here.
 pub fn energy_bound(scheme: &RungeKutta, step: f64) -> f64 {
     step.powi(scheme.order() as i32) + ROUND_OFF
 }
 
-/// The largest deviation of each function from its initial value over a trajectory.
+/// Returns the largest deviation of each function from its initial value over a trajectory.
 pub fn drifts<I: Start, const K: usize>(
     integrator: &I,
     start: &I::Momentum,

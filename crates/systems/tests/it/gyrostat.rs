@@ -1,4 +1,4 @@
-//! The heavy gyrostat.
+//! The heavy gyrostat: what a collective Gauss method conserves, and which parameters are refused.
 
 use crate::drifts::{ROUND_OFF, drifts, energy_bound, schemes};
 use collective_integrators::LiftFree;

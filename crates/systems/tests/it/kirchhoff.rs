@@ -1,4 +1,5 @@
-//! Kirchhoff's body in an ideal fluid.
+//! Kirchhoff's body in an ideal fluid: its equations, what a collective Gauss method conserves, and which parameters
+//! are refused.
 
 use crate::drifts::{ROUND_OFF, drifts, energy_bound, schemes};
 use collective_integrators::LiftFree;

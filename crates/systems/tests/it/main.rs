@@ -1,4 +1,4 @@
-//! What the systems promise: the equations of the literature, and what a collective Gauss method conserves.
+//! The promises of the crate: the equations of the literature, and what a collective Gauss method conserves.
 #![allow(clippy::unwrap_used, clippy::panic)]
 
 mod drifts;

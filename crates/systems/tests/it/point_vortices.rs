@@ -1,4 +1,4 @@
-//! Point vortices on the sphere.
+//! Point vortices on the sphere: their equations, and what a collective Gauss method conserves.
 
 use crate::drifts::{ROUND_OFF, drifts, energy_bound, schemes};
 use collective_integrators::Collective;

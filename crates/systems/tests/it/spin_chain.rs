@@ -1,4 +1,4 @@
-//! The Heisenberg chain.
+//! The Heisenberg spin chain: precession in a field, and what a collective Gauss method conserves.
 
 use crate::drifts::{ROUND_OFF, drifts, energy_bound, schemes};
 use collective_integrators::{Collective, RungeKutta};
@@ -10,7 +10,7 @@ use lie_poisson_systems::{HeisenbergChain, Spins};
 use momentum_map::{PowerMap, QuadraticMomentumMap, Side, So3OnC2};
 use nalgebra::Vector3;
 
-/// N unit vectors in general position.
+/// Returns N unit vectors in general position.
 pub fn spins<const N: usize>() -> Spins<N> {
     Covector(Power(from_fn(|i| {
         let i = i as f64;
@@ -42,7 +42,7 @@ fn the_chain_conserves_the_total_spin_where_it_is_isotropic() {
 
 #[test]
 fn spins_precess_to_the_right_about_a_field() {
-    // Bracket {s_a, s_b} = ε_abc s_c and h = −B·s: ṡ = s × B, Larmor precession.
+    // The bracket {s_a, s_b} = ε_abc s_c and h = −B·s give Larmor precession, ṡ = s × B.
     let chain = HeisenbergChain::<1>::new(0.0, Vector3::z()).unwrap();
     let space = LiePoisson::plus(PowerAlgebra::<_, 1>(So3));
     let s = Covector(Power([Vector3::<f64>::x()]));

@@ -1,4 +1,4 @@
-//! Spins on a vibrating lattice.
+//! Spins on a vibrating lattice: what a collective Gauss method conserves, and which parameters are refused.
 
 use crate::drifts::{ROUND_OFF, drifts, energy_bound, schemes};
 use crate::spin_chain::spins;

@@ -1,4 +1,4 @@
-//! A run with the attitude, as a page.
+//! The command `animate`: runs a top with its attitude and writes the page.
 
 use super::animation::Animation;
 use super::page_summary::PageSummary;
@@ -10,21 +10,20 @@ use crate::supervision::{Progress, Watch};
 use std::io::Write;
 use std::path::Path;
 
-/// More frames than this are thinned out: a page of some 3.5 MB.
+/// The largest number of frames of a page; that many take some 3.5 MB, and longer runs are thinned out.
 pub const MOST_FRAMES: u64 = 20_000;
 
-/// Between frames that are further apart, in rad, the page's interpolation would not look right.
+/// The largest turn of the body from frame to frame, in rad, that the page can interpolate well.
 const MOST_TURN: f64 = 1.0;
 
 /// Runs the configuration with the attitude, and writes the page `out`.
 ///
-/// Every n-th step is a frame, n the least multiple of `[output] every` that gives at most
-/// [`MOST_FRAMES`]; and so is the last step.
+/// Every n-th step is a frame, where n is the least multiple of `[output] every` that gives at most [`MOST_FRAMES`]
+/// frames. The last step is a frame too.
 ///
 /// # Errors
-/// If the request is wrong, another run writes the page, or it is stopped, in which cases nothing is
-/// written; or the run fails, in which case a page of what was computed until then is kept as
-/// `OUT.partial`.
+/// If the request is wrong, another run writes the page, or the run is stopped: then nothing is written. If the run
+/// fails, the page of what was computed until then is kept as `OUT.partial`.
 ///
 /// # Example
 /// ```
@@ -56,7 +55,7 @@ pub fn animate(mut config: Config, out: &Path, watch: &Watch<'_>) -> Result<Page
         _ => output.write(|to| animation.write(to)),
     };
     if let Err(unwritten) = written {
-        // Half a page is of no use. Why a run failed comes before what could not be written of it.
+        // An incomplete page is of no use. The failure of the run takes precedence over the failure to write.
         return Err(outcome.err().unwrap_or(unwritten));
     }
     output.conclude(outcome)?;
@@ -88,13 +87,13 @@ fn record(
     })
 }
 
-/// The least multiple of `every` that gives at most [`MOST_FRAMES`], the first and the last included.
+/// Returns the least multiple of `every` that gives at most [`MOST_FRAMES`] frames, the first and the last included.
 fn frame_every(experiment: &Experiment) -> u64 {
     let gaps = experiment.schedule.steps.div_ceil(experiment.every);
     experiment.every.saturating_mul(gaps.div_ceil(MOST_FRAMES - 1))
 }
 
-/// How the motion was found.
+/// Describes in words how the motion was computed.
 fn description(experiment: &Experiment) -> String {
     let (method, step) = (&experiment.method, experiment.schedule.step);
     let (formulation, scheme) = (method.formulation().name(), method.scheme().name());
@@ -105,7 +104,7 @@ fn description(experiment: &Experiment) -> String {
     format!("{formulation}, {scheme}, step {step} s, {frames}")
 }
 
-/// A name that ends in `.html`, or something like `/dev/stdout` that has no ending to choose.
+/// Checks that the name ends in `.html`, or that the output is a device such as `/dev/stdout`.
 fn require_html(out: &Path) -> Result<(), Error> {
     let is_html = out.extension().is_some_and(|e| e.eq_ignore_ascii_case("html"));
     let is_device = std::fs::metadata(out).is_ok_and(|m| !m.is_file() && !m.is_dir());

@@ -1,4 +1,4 @@
-//! The page: frames, and the files of the folder `page` around them.
+//! The HTML page of a motion: its frames inside the files of the folder `page`.
 
 use base64::Engine;
 use base64::prelude::BASE64_STANDARD;
@@ -9,7 +9,7 @@ use std::io::{self, Write};
 
 const PAGE: &str = include_str!("page/page.html");
 const STYLE: &str = include_str!("page/page.css");
-/// In the order in which they need each other.
+/// The scripts of the page, in the order in which they need each other.
 const SCRIPTS: &[&str] = &[
     include_str!("page/vectors.js"),
     include_str!("page/motion.js"),
@@ -19,7 +19,7 @@ const SCRIPTS: &[&str] = &[
     include_str!("page/controls.js"),
 ];
 
-/// The motion of a top as a page for a browser: one HTML file that needs no other, nor a network.
+/// The motion of a top as one HTML page for a browser, which needs neither other files nor a network.
 ///
 /// The body is drawn as the homogeneous ellipsoid about the support that has its principal moments
 /// I₁, I₂, I₃, up to a common scale:
@@ -68,28 +68,30 @@ pub struct Animation {
     largest_turn: f64,
 }
 
-/// What the page is told.
+/// The data that the scripts of the page read.
 #[derive(Serialize)]
 #[serde(rename_all = "camelCase")]
 struct Motion<'a> {
     description: &'a str,
     inertia: [f64; 3],
     center_of_mass: [f64; 3],
-    /// Symbols and units.
+    /// The symbols and units of the invariants.
     invariants: Vec<[&'static str; 2]>,
     numbers: String,
 }
 
 impl Animation {
-    /// No frames yet. The description says below the title how the motion was found.
+    /// Creates an animation without frames; the description below the title says how the motion was computed.
     #[must_use]
     pub fn new(top: HeavyTop, description: &str) -> Self {
         let (invariants, description) = (top.invariants(), description.into());
         Self { top, description, invariants, numbers: Vec::new(), last: None, largest_turn: 0.0 }
     }
 
-    /// Adds a frame: the time (s), later than those before, (Π, Γ) in the body frame and the attitude, the unit
-    /// quaternion of the rotation R from the body frame to the spatial one, Γ ∥ Rᵀe₃.
+    /// Adds a frame: the time (s), (Π, Γ) in the body frame, and the attitude.
+    ///
+    /// Each time is later than the one before. The attitude is the unit quaternion of the rotation R from the body
+    /// frame to the spatial one, Γ ∥ Rᵀe₃.
     pub fn push(&mut self, time: f64, mu: &Se3Dual, attitude: &Quaternion) {
         let Covector(Pair(pi, gamma)) = mu;
         let Quaternion { scalar, vector } = attitude;
@@ -106,28 +108,28 @@ impl Animation {
         }
     }
 
-    /// The number of frames.
+    /// Returns the number of frames.
     #[must_use]
     pub fn len(&self) -> usize {
         self.numbers.len() / (1 + 3 + 3 + 4 + self.invariants.len())
     }
 
-    /// Whether there is no frame yet.
+    /// Returns whether there is no frame yet.
     #[must_use]
     pub fn is_empty(&self) -> bool {
         self.numbers.is_empty()
     }
 
-    /// The largest angle between the attitudes of a frame and the next, in [0, π] rad.
+    /// Returns the largest angle between the attitudes of consecutive frames, in [0, π] rad.
     #[must_use]
     pub fn largest_turn(&self) -> f64 {
         self.largest_turn
     }
 
-    /// Writes the page. One without frames says so, and shows nothing.
+    /// Writes the page; a page without frames says so and shows nothing.
     ///
     /// # Errors
-    /// Of the writer.
+    /// Returns the error of the writer.
     pub fn write(&self, to: &mut impl Write) -> io::Result<()> {
         let bytes: Vec<u8> = self.numbers.iter().flat_map(|number| number.to_le_bytes()).collect();
         let motion = Motion {
@@ -155,14 +157,14 @@ fn write_filled(to: &mut impl Write, template: &str, texts: &[(&str, &str)]) -> 
     to.write_all(rest.as_bytes())
 }
 
-/// The first `{{name}}`, with what is before it and after.
+/// Finds the first `{{name}}`, and returns it with the text before and after it.
 fn placeholder(text: &str) -> Option<(&str, &str, &str)> {
     let (before, rest) = text.split_once("{{")?;
     let (name, after) = rest.split_once("}}")?;
     Some((before, name, after))
 }
 
-/// The unit of an invariant.
+/// Returns the unit of an invariant.
 fn unit(invariant: Invariant) -> &'static str {
     match invariant {
         Invariant::Energy => "J",

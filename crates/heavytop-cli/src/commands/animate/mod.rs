@@ -1,4 +1,4 @@
-//! `heavytop animate`: the top in motion, as a page for a browser.
+//! The command `heavytop animate`, which writes a page that shows a top in motion.
 
 mod animation;
 mod page_summary;

@@ -1,4 +1,4 @@
-//! What is said of a page.
+//! The summary of a page, which `heavytop animate` prints.
 
 use super::animation::Animation;
 use crate::runs::Experiment;
@@ -6,10 +6,10 @@ use serde::Serialize;
 use std::fmt;
 use std::path::{Path, PathBuf};
 
-/// A page in numbers.
+/// The summary of a page, in numbers.
 #[derive(Clone, Debug, PartialEq, Serialize)]
 pub struct PageSummary {
-    /// The page.
+    /// The path of the page.
     pub out: PathBuf,
     /// The formulation's name.
     pub formulation: &'static str,

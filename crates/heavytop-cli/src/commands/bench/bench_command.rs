@@ -1,4 +1,4 @@
-//! What is timed, and the table of the times.
+//! The command `bench`: what is timed, and the table of the times.
 
 use super::clock::Run;
 use super::contestants::Contest;
@@ -14,23 +14,23 @@ use std::collections::BTreeSet;
 use std::fmt;
 use std::path::Path;
 
-/// One top is followed for so long, s,
+/// The simulated time of one top, s.
 const LONG: f64 = 1000.0;
 
-/// and many for so long.
+/// The simulated time of each top of an ensemble, s.
 const SHORT: f64 = 20.0;
 
-/// Of so many tops of an ensemble the error is known.
+/// The number of tops of an ensemble whose reference solutions are computed.
 const REFERENCES: u64 = 10_000;
 
-/// What to time.
+/// The options of `bench`: which integrators, how many tops, how many threads.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct BenchOptions {
-    /// Part of the names of the integrators to time; without it all are.
+    /// A part of the names of the integrators to time; `None` times all of them.
     pub only: Option<String>,
     /// The number of tops in the ensemble.
     pub tops: u64,
-    /// The number of threads for it.
+    /// The number of threads for the ensemble.
     pub threads: usize,
 }
 
@@ -39,12 +39,14 @@ pub struct BenchOptions {
 pub struct Bench {
     /// The number of threads of the ensembles.
     pub threads: usize,
-    /// One after the other.
+    /// The timed runs, in the order in which they were made.
     pub runs: Vec<Run>,
 }
 
-/// Times every fast path and the general one: on the tops of the problem file, or else on the
-/// configured top alone to t = 1000 s and on an ensemble about it to t = 20 s.
+/// Times every fast path and the general integrators.
+///
+/// The tops are those of the problem file. Without one they are the configured top alone to t = 1000 s, and an
+/// ensemble about it to t = 20 s.
 ///
 /// # Errors
 /// If the request is wrong, or a step fails.
@@ -105,10 +107,11 @@ fn own(config: &Config, tops: u64) -> Result<Vec<Problem>, Error> {
     Ok(vec![one, many])
 }
 
-/// Starts that fill the neighbourhood of one evenly: Π differs by up to a quarter of |Π| + 1, Γ is
-/// turned about e₁ and e₃.
+/// Returns the start with number `index` of a sequence that fills the neighbourhood of a start evenly.
+///
+/// Π differs by up to a quarter of |Π| + 1, and Γ is turned about e₁ and e₃.
 fn near(Covector(Pair(pi, gamma)): &Se3Dual, index: u64) -> Se3Dual {
-    // Powers of the plastic number's relatives: a Kronecker sequence in five dimensions.
+    // Powers of the relatives of the plastic number: a Kronecker sequence in five dimensions.
     const ROTATIONS: [f64; 5] = [
         0.881_271_451_226_064,
         0.776_639_370_759_107,

@@ -1,4 +1,4 @@
-//! Computing times and errors.
+//! The measurement of computing times and errors.
 
 use super::problem::{EARLY, Problem};
 use crate::Error;
@@ -7,38 +7,39 @@ use serde::Serialize;
 use std::hint::black_box;
 use std::time::{Duration, Instant};
 
-/// A run is repeated so often, if it does not take long,
+/// The number of repetitions of a run, unless they take longer than [`MOST`].
 const REPEATS: u32 = 5;
 
-/// at least so long,
+/// The least total time of the repetitions of a run.
 const LEAST: Duration = Duration::from_millis(300);
 
-/// and, twice or more, no longer than this.
+/// The total time after which a run is not repeated again, once it was repeated twice.
 const MOST: Duration = Duration::from_secs(4);
 
-/// What came of an integrator with one step.
+/// The computing time and the error of an integrator with one step size.
 #[derive(Clone, Debug, PartialEq, Serialize)]
 pub struct Run {
-    /// The integrator.
+    /// The name of the integrator.
     pub name: String,
-    /// Its step, as `h = 0.25`; s.
+    /// The step size, as `h = 0.25`; s.
     pub setting: String,
     /// The number of tops.
     pub tops: u64,
     /// The least computing time of a run from 0 to the end, all tops together, s.
     pub seconds: f64,
-    /// Steps of each top in that time.
+    /// The number of steps of each top in that time.
     pub steps: u64,
     /// The 2-norm of the error of (Π, Γ) at t = 10 s, the mean over tops.
     pub error_10: f64,
-    /// The end, s.
+    /// The end of the run, s.
     pub end: f64,
-    /// The same error there.
+    /// The 2-norm of the error of (Π, Γ) at the end, the mean over tops.
     pub error_end: f64,
 }
 
-/// Times an integrator: `run(steps)` gives the states of the tops that have references after so many
-/// steps of `step` s.
+/// Times an integrator and measures its errors.
+///
+/// `run(steps)` makes so many steps of `step` s, and returns the states of those tops that have references.
 ///
 /// # Errors
 /// If a run fails.

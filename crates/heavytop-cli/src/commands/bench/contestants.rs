@@ -16,18 +16,18 @@ use momentum_map::DualQuaternions;
 use std::collections::BTreeSet;
 use std::sync::{Mutex, PoisonError};
 
-/// So many tops of an ensemble are followed by integrators for any system.
+/// The number of tops of an ensemble that the integrators for any system follow.
 const FEW: usize = 1000;
 
-/// Who is timed on what.
+/// The task of timing the integrators that suit a problem.
 pub(super) struct Contest<'a, D> {
-    /// The tops.
+    /// The tops and their references.
     pub problem: &'a Problem,
-    /// Part of the names of those who are timed; without it all are.
+    /// A part of the names of the integrators to time; `None` times all of them.
     pub only: Option<&'a str>,
-    /// The names of the others.
+    /// The names of the integrators that are not timed.
     pub others: &'a mut BTreeSet<String>,
-    /// Is told of each.
+    /// The function that receives each result.
     pub done: D,
 }
 
@@ -35,7 +35,7 @@ impl<D: FnMut(Run)> Contest<'_, D> {
     /// Times the integrators that suit the problem.
     ///
     /// # Errors
-    /// If a step of one fails.
+    /// If a step of an integrator fails.
     pub(super) fn run(&mut self) -> Result<(), Error> {
         if self.problem.tops == 1 { one_top(self) } else { many_tops(self) }
     }
@@ -163,7 +163,7 @@ fn many_tops(contest: &mut Contest<'_, impl FnMut(Run)>) -> Result<(), Error> {
     let (name, sweep) = ("heavytop lift-free midpoint, a top each", MidpointBatch::new());
     contest.many(name, 0.01, sweep, |mu| (top, mu), |(_, mu)| *mu)?;
 
-    // Slower by much; what a top costs does not depend on their number.
+    // These integrators are much slower. The time for a top does not depend on the number of tops.
     let few = contest.problem.first(FEW);
     let Contest { only, others, done, .. } = contest;
     let mut contest = Contest { problem: &few, only: *only, others, done };
@@ -179,7 +179,7 @@ fn many_tops(contest: &mut Contest<'_, impl FnMut(Run)>) -> Result<(), Error> {
     Ok(())
 }
 
-/// Splittings of symmetric tops into drift and kick, with steps that divide 10 s.
+/// Returns the splittings of symmetric tops into drift and kick, with steps that divide 10 s.
 fn splittings() -> [(&'static str, f64, AlternatingSubsteps); 8] {
     let sofroniou = AlternatingSubsteps::composed(&Substeps::sofroniou_spaletta10());
     let (six, four) = (AlternatingSubsteps::blanes_moan6(), AlternatingSubsteps::blanes_moan4());

@@ -1,4 +1,4 @@
-//! `heavytop bench`: how long the integrators take, and how right they are.
+//! The command `heavytop bench`, which measures the computing times and errors of the integrators.
 
 mod problem;
 mod clock;

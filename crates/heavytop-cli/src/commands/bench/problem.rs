@@ -1,4 +1,4 @@
-//! What is computed: tops, and where they are at two times.
+//! The problem of a benchmark: tops, their starts, and their states at two times.
 
 use crate::Error;
 use crate::files::bounded;
@@ -15,20 +15,20 @@ pub(super) const EARLY: f64 = 10.0;
 /// The step of the reference, a Gauss method of order 16, s.
 const STEP: f64 = 0.125;
 
-/// A top with one start or many.
+/// A top with one start or many, and reference states at two times.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Problem {
-    /// The top.
+    /// The top that all starts share.
     pub top: HeavyTop,
     /// The end of the runs, s.
     pub end: f64,
     /// The number of tops.
     pub tops: u64,
-    /// Where they start; beyond the last again at the first.
+    /// The starts of the tops; top number n has start number n modulo their number.
     pub starts: Vec<Se3Dual>,
-    /// Where those are after 10 s.
+    /// The states of the starts after 10 s.
     pub early: Vec<Se3Dual>,
-    /// Where they are at the end.
+    /// The states of the starts at the end.
     pub late: Vec<Se3Dual>,
 }
 
@@ -37,7 +37,7 @@ impl Problem {
     /// with (Π, Γ) at 0, 10 and end.
     ///
     /// # Errors
-    /// If it cannot be read, or is no such file.
+    /// If the file cannot be read, or has another form.
     pub fn read(path: &Path) -> Result<Self, Error> {
         let unread = |source| Error::Read { path: path.into(), source };
         let mut lines = (1..)
@@ -80,9 +80,10 @@ impl Problem {
         }
     }
 
-    /// The given starts until `end` (s), a multiple of ⅛ s that is more than 10 s, with references by
-    /// the collective Gauss method of order 16 and step ⅛ s: right to 1e-13 for tops that turn as fast
-    /// as the paper's.
+    /// Computes the references of the given starts until `end` (s), a multiple of ⅛ s that is more than 10 s.
+    ///
+    /// The method is the collective Gauss method of order 16 with steps of ⅛ s. Its errors are about 1e-13 for tops
+    /// that turn as fast as the paper's.
     ///
     /// # Errors
     /// If a reference cannot be computed.
@@ -106,7 +107,7 @@ impl Problem {
         Ok(Self { top, end, tops, starts, early, late })
     }
 
-    /// The same for the first `count` tops at most.
+    /// Returns the problem with its first `count` tops at most.
     pub(super) fn first(&self, count: usize) -> Self {
         let first = |states: &[Se3Dual]| states.iter().take(count).copied().collect();
         let [starts, early, late] =
@@ -121,10 +122,10 @@ impl Problem {
         }
     }
 
-    /// Where top number `index` starts.
+    /// Returns the start of the top with number `index`.
     #[must_use]
     pub fn start(&self, index: u64) -> Se3Dual {
-        // No more starts than memory holds, and at least one.
+        // There is at least one start, and no more than memory holds.
         self.starts[(index % self.starts.len() as u64) as usize]
     }
 }

@@ -7,23 +7,25 @@ use crate::pictures::render::FONT;
 use crate::vocabulary::{Formulation, Scheme};
 use std::fmt::Write;
 
-/// Two columns of a journal, in units of 0.01 mm.
+/// The width of two columns of a journal, in units of 0.01 mm.
 const WIDTH: f64 = 17_000.0;
 const HEIGHT: f64 = 14_000.0;
 
-/// 7 pt
+/// The size of the text, 7 pt.
 const TEXT: f64 = 247.0;
-/// The upper left corners.
+/// The upper left corners of the panels.
 const CORNERS: [(f64, f64); 4] =
     [(1300.0, 500.0), (7350.0, 500.0), (1300.0, 7000.0), (7350.0, 7000.0)];
 const LEGEND: (f64, f64) = (13_400.0, 700.0);
 const ROW: f64 = 400.0;
 
-/// Larger errors are no solutions, and are not drawn.
+/// The largest error that is drawn; runs with larger errors are no solutions.
 const LARGEST: f64 = 1.0;
 
-/// The chart of the runs, save those that another step of the same method beats in both error and
-/// time; those with the configured step are ringed.
+/// Draws the chart of the runs as SVG.
+///
+/// It leaves out a run that another step of the same method beats in both error and time. It rings the runs with the
+/// configured step.
 pub(super) fn chart(measurements: &[Measurement], step: f64, end: f64) -> String {
     let solutions = measurements.iter().filter(|m| m.outcome.error <= LARGEST);
     let solutions: Vec<Measurement> = solutions.copied().collect();
@@ -102,7 +104,7 @@ fn frame(svg: &mut String, axes: &Axes, title: &str) {
     );
 }
 
-/// The best of all formulations.
+/// Draws the runs of all formulations that no other run beats.
 fn front(svg: &mut String, axes: &Axes, drawn: &[Measurement]) {
     let outcomes = unbeaten(drawn).into_iter().map(|run| run.outcome);
     let points: String =
@@ -114,7 +116,7 @@ fn front(svg: &mut String, axes: &Axes, drawn: &[Measurement]) {
     );
 }
 
-/// The runs that no other beats in both error and time, the fastest first.
+/// Returns the runs that no other run beats in both error and time, the fastest first.
 fn unbeaten(runs: &[Measurement]) -> Vec<Measurement> {
     let mut unbeaten = runs.to_vec();
     unbeaten.sort_by(|a, b| a.outcome.seconds.total_cmp(&b.outcome.seconds));

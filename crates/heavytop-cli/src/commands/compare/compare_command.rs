@@ -1,4 +1,4 @@
-//! Every formulation and scheme on one top, with a ladder of steps.
+//! The command `compare`: runs every formulation and scheme on one top, with a ladder of steps.
 
 use super::chart;
 use super::measurement::{Measure, Measurement, Reference};
@@ -14,32 +14,33 @@ use crate::vocabulary::{Formulation, Raise, Scheme};
 use std::io::Write;
 use std::path::Path;
 
-/// The interval is this many of the configured steps, unless the run ends earlier: later errors of
-/// a chaotic top say more of it than of the integrators.
+/// The number of configured steps in the interval, unless the run ends earlier. Later errors of a chaotic top tell
+/// more about the top than about the integrators.
 const INTERVAL: u64 = 500;
 
-/// The ladder has this many rungs for each factor of ten in the step,
+/// The number of rungs of the ladder for each factor of ten in the step.
 const RUNGS: i32 = 4;
 
-/// so many above the configured step, for high orders are at their best with long steps,
+/// The number of rungs above the configured step; methods of high order are at their best with long steps.
 const ABOVE: i32 = 7;
 
-/// and so many below.
+/// The number of rungs below the configured step.
 const BELOW: i32 = 4;
 
-/// All is timed so often: what disturbs a machine for a while disturbs one pass only.
+/// The number of timings of each run; a short disturbance of the machine affects only one of them.
 const PASSES: u32 = 3;
 
-/// Pixels per CSS pixel: 168 dots per inch.
+/// The number of pixels per CSS pixel: 168 dots per inch.
 const SCALE: f32 = 1.75;
 
-/// Measures every formulation and scheme on the top of the configuration; writes
-/// `work-precision.csv`, `.svg` and `.png` into the folder `out`, and recommends methods.
+/// Measures every formulation and scheme on the top of the configuration, and recommends methods.
+///
+/// It writes `work-precision.csv`, `.svg` and `.png` into the folder `out`.
 ///
 /// # Errors
-/// If the request is wrong, another run writes into the folder, or it is stopped, in which cases nothing
-/// is written; or the reference solution is not certain; or the figure cannot be written, in which case
-/// `work-precision.csv.partial` is kept.
+/// If the request is wrong, another run writes into the folder, or the command is stopped: then nothing is written.
+/// If the reference solution is not certain. If the figure cannot be written: then `work-precision.csv.partial` is
+/// kept.
 ///
 /// # Example
 /// ```
@@ -62,7 +63,7 @@ pub fn compare(config: &Config, out: &Path, watch: &Watch<'_>) -> Result<Compari
     let names = ["work-precision.csv", "work-precision.svg", "work-precision.png"];
     require_no_folders(out, &names)?;
     let [csv, svg, png] = names.map(|name| out.join(name));
-    // Until it is complete, which it is last, no other run writes here.
+    // No other run writes here until the table is complete, which it is last.
     let mut table = Output::create(&csv)?;
 
     let steps = experiment.schedule.steps.min(INTERVAL);
@@ -96,8 +97,8 @@ pub fn compare(config: &Config, out: &Path, watch: &Watch<'_>) -> Result<Compari
     Ok(Comparison::new(&measurements, &reference, out))
 }
 
-/// Every formulation with every scheme that makes sense in it, save those that are there already:
-/// `strang` of the midpoint rule is the midpoint rule.
+/// Returns every formulation with every scheme that makes sense in it, without duplicates: `strang` of the midpoint
+/// rule is the midpoint rule.
 fn methods(tolerance: f64) -> Result<Vec<Method>, Error> {
     let mut methods = Vec::new();
     for &(_, formulation) in Formulation::NAMES {
@@ -111,7 +112,7 @@ fn methods(tolerance: f64) -> Result<Vec<Method>, Error> {
     Ok(methods)
 }
 
-/// Numbers of steps, from a fiftieth to ten times as many as `steps`.
+/// Returns the numbers of steps of the ladder, from a fiftieth of `steps` to ten times as many.
 fn ladder(steps: u64) -> Vec<u64> {
     let rung = |k: i32| steps as f64 * 10_f64.powf(f64::from(k) / f64::from(RUNGS));
     let mut ladder: Vec<u64> = (-ABOVE..=BELOW).map(|k| rung(k).round().max(1.0) as u64).collect();

@@ -1,18 +1,18 @@
-//! Logarithmic axes.
+//! Logarithmic axes of a panel, in powers of ten.
 
 /// Width and height of a panel, in units of 0.01 mm.
 pub(super) const PANEL: (f64, f64) = (5700.0, 5900.0);
 
-/// Smaller errors are round-off by luck, and are drawn here.
+/// The smallest error that the chart distinguishes; smaller errors are accidents of round-off, and are drawn here.
 pub(super) const SMALLEST: f64 = 1e-15;
 
-/// Decades of both axes, and the corner of a panel.
+/// The decades of both axes, and the corner of a panel.
 pub(super) struct Axes {
-    /// Those of the abscissa.
+    /// The decades of the abscissa.
     pub seconds: (i32, i32),
-    /// Those of the ordinate.
+    /// The decades of the ordinate.
     pub error: (i32, i32),
-    /// The upper left one.
+    /// The upper left corner of the panel.
     pub corner: (f64, f64),
 }
 
@@ -30,7 +30,7 @@ fn along((low, high): (i32, i32), value: f64) -> f64 {
     (value.log10() - f64::from(low)) / f64::from(high - low)
 }
 
-/// Decades around all values.
+/// Returns the decades around all values.
 pub(super) fn decades(values: impl Iterator<Item = f64>) -> (i32, i32) {
     let logarithms = values.filter(|x| *x > 0.0 && x.is_finite()).map(f64::log10);
     let (low, high) = logarithms
@@ -42,7 +42,7 @@ pub(super) fn decades(values: impl Iterator<Item = f64>) -> (i32, i32) {
     (low, (high.ceil() as i32).max(low + 1))
 }
 
-/// 10 to the power, with raised digits.
+/// Formats a power of ten with raised digits.
 pub(super) fn power(exponent: i32) -> String {
     const RAISED: [char; 10] = ['⁰', '¹', '²', '³', '⁴', '⁵', '⁶', '⁷', '⁸', '⁹'];
     let digit = |c: char| c.to_digit(10).map_or('⁻', |d| RAISED[d as usize]);

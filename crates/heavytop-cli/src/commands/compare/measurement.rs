@@ -1,4 +1,4 @@
-//! Errors and computing times.
+//! The measurement of errors and computing times.
 
 use crate::Error;
 use crate::runs::{Experiment, Method, Task};
@@ -10,41 +10,41 @@ use lie_poisson::{Covector, Pair, Se3Dual, larger};
 use std::hint::black_box;
 use std::time::{Duration, Instant};
 
-/// How far two references may be from each other, relative to their size.
+/// The largest distance between two references, relative to their size, at which they count as certain.
 const CERTAIN: f64 = 1e-11;
 
-/// In each pass a run is repeated until this time has passed.
+/// The time for which a run is repeated in each pass.
 const LEAST: Duration = Duration::from_millis(5);
 
-/// h, f₁ and f₂.
+/// The invariants whose deviations are measured: h, f₁ and f₂.
 const QUANTITIES: [Invariant; 3] =
     [Invariant::Energy, Invariant::VerticalSquared, Invariant::VerticalMomentum];
 
-/// The solution at the end of the interval.
+/// The reference solution at the end of the interval.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(super) struct Reference {
-    /// The end, s.
+    /// The end of the interval, s.
     pub end: f64,
-    /// (Π, Γ) there.
+    /// The state (Π, Γ) at the end.
     pub point: Se3Dual,
     /// The distance from the solution with the double step.
     pub uncertainty: f64,
 }
 
-/// A run, and what came of it.
+/// A run with its error, its computing time and its deviations.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(super) struct Measurement {
-    /// The integrator.
+    /// The integrator of the run.
     pub method: Method,
     /// The time step, s.
     pub step: f64,
-    /// The end, s.
+    /// The end of the run, s.
     pub end: f64,
-    /// NaN throughout where a step had no result.
+    /// The results of the run; all are NaN where a step had no result.
     pub outcome: Outcome,
 }
 
-/// What comes of a run.
+/// The results of a run.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(super) struct Outcome {
     /// The 2-norm of the error of (Π, Γ) at the end.
@@ -59,18 +59,19 @@ impl Outcome {
     const FAILED: Self =
         Self { error: f64::NAN, seconds: f64::NAN, deviations: [f64::NAN; QUANTITIES.len()] };
 
-    /// Takes the time of another pass if it is less.
+    /// Takes over the time of another pass if it is less.
     pub fn refine(&mut self, other: &Self) {
         self.seconds = self.seconds.min(other.seconds);
     }
 }
 
 impl Reference {
-    /// The Gauss method of order 16 without a lift, with half the step of the experiment, after
-    /// the time of `steps` of its steps.
+    /// Computes the reference after `steps` steps of the experiment.
+    ///
+    /// The method is the Gauss method of order 16 without a lift, with half the step of the experiment.
     ///
     /// # Errors
-    /// If that with the whole step differs, or the command shall end.
+    /// If the result with the whole step differs, or the command shall end.
     pub fn new(experiment: &Experiment, steps: u64, watch: &Watch<'_>) -> Result<Self, Error> {
         let step = experiment.schedule.step;
         let gauss = Method::new(Formulation::Reduced, Scheme::Gauss(8), 0.0)?;
@@ -99,13 +100,13 @@ impl Reference {
 
 /// The task of measuring an integrator.
 pub(super) struct Measure<'a> {
-    /// The top.
+    /// The top to follow.
     pub top: &'a HeavyTop,
-    /// (Π(0), Γ(0))
+    /// The initial state (Π(0), Γ(0)).
     pub start: &'a Se3Dual,
     /// The number of steps until the end.
     pub steps: u64,
-    /// The solution there.
+    /// The reference solution at the end.
     pub reference: &'a Reference,
 }
 
@@ -121,10 +122,10 @@ impl Task for Measure<'_> {
                 *most = larger(*most, (value - initial).abs());
             }
         })?;
-        // Where it breaks down there is nothing to time.
+        // A run that breaks down has no time to measure.
         let Ok(last) = last else { return Ok(Outcome::FAILED) };
 
-        // What is timed reads (Π, Γ) after each step, as users do, and no more.
+        // The timed run reads (Π, Γ) after each step, as users do, and no more.
         let (begin, mut least) = (Instant::now(), Duration::MAX);
         while least == Duration::MAX || begin.elapsed() < LEAST {
             let run = Instant::now();
@@ -144,7 +145,7 @@ impl Measure<'_> {
         QUANTITIES.map(|quantity| quantity.value(self.top, mu))
     }
 
-    /// The last (Π, Γ), unless a step fails; `visit` sees them all.
+    /// Follows a run to its last (Π, Γ), unless a step fails; `visit` receives every state.
     fn follow<I: Start<Momentum = Se3Dual>>(
         &self,
         integrator: &I,

@@ -1,4 +1,4 @@
-//! `heavytop compare`: work against precision, for every formulation and scheme.
+//! The command `heavytop compare`, which measures work against precision for every formulation and scheme.
 
 mod measurement;
 mod logarithmic_axes;

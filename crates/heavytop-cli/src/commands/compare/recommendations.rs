@@ -1,4 +1,4 @@
-//! The table, and what to take for which accuracy.
+//! The table of measurements, and the method to take for each accuracy.
 
 use super::measurement::{Measurement, Reference};
 use serde::Serialize;
@@ -7,7 +7,7 @@ use std::path::{Path, PathBuf};
 
 const TARGETS: [f64; 4] = [1e-3, 1e-6, 1e-9, 1e-12];
 
-/// `work-precision.csv`.
+/// Formats the measurements as `work-precision.csv`.
 pub(super) fn csv(measurements: &[Measurement]) -> String {
     let mut text = String::from("formulation,scheme,step,end,error,seconds,h,f1,f2\n");
     for Measurement { method, step, end, outcome } in measurements {
@@ -21,27 +21,27 @@ pub(super) fn csv(measurements: &[Measurement]) -> String {
     text
 }
 
-/// Which methods to take; its text is a line for each accuracy.
+/// The recommended methods; as text, a line for each accuracy.
 #[derive(Clone, Debug, PartialEq, Serialize)]
 pub struct Comparison {
     /// The folder of the figure and the table.
     pub out: PathBuf,
-    /// The time at which errors are taken, s.
+    /// The time at which errors are measured, s.
     pub end: f64,
-    /// How far the reference solution is certain.
+    /// The uncertainty of the reference solution, relative to its size.
     pub uncertainty: f64,
-    /// For some accuracies.
+    /// The recommendation for each of some accuracies.
     pub recommendations: Vec<Recommendation>,
 }
 
-/// The fastest runs whose errors are at most so large.
+/// The fastest runs whose errors do not exceed a bound.
 #[derive(Clone, Debug, PartialEq, Serialize)]
 pub struct Recommendation {
-    /// The largest error allowed: the 2-norm of that of (Π, Γ).
+    /// The largest error allowed: the 2-norm of the error of (Π, Γ).
     pub error: f64,
-    /// The fastest of all; none if none reaches it, or the reference is not as certain.
+    /// The fastest of all methods; `None` if no method attains the accuracy, or the reference is less certain.
     pub fastest: Option<Choice>,
-    /// The fastest Poisson map.
+    /// The fastest Poisson map that attains the accuracy.
     pub fastest_poisson: Option<Choice>,
 }
 
@@ -54,7 +54,7 @@ pub struct Choice {
     pub scheme: &'static str,
     /// The time step, s.
     pub step: f64,
-    /// Its error.
+    /// The error of the run.
     pub error: f64,
     /// Computing time for a simulated second, s.
     pub seconds: f64,
@@ -83,7 +83,7 @@ impl Choice {
     }
 }
 
-/// The fastest run whose error is at most `target`; of Poisson maps alone, if asked for.
+/// Returns the fastest run whose error is at most `target`, among Poisson maps alone if asked for.
 fn fastest(measurements: &[Measurement], target: f64, poisson: bool) -> Option<&Measurement> {
     let eligible = |m: &&Measurement| {
         let is_poisson = m.method.formulation().is_poisson(m.method.scheme());

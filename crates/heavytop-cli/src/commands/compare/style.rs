@@ -2,12 +2,12 @@
 
 use crate::vocabulary::{Pair, Raise, Scheme};
 
-/// How a curve is drawn.
+/// The style in which a curve is drawn.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(super) struct Style {
-    /// As in CSS.
+    /// The colour, as CSS writes it.
     pub colour: &'static str,
-    /// Dashes and gaps, in units of 0.01 mm; none for a whole line.
+    /// The dashes and gaps, in units of 0.01 mm; empty for a whole line.
     pub dashes: &'static str,
 }
 
@@ -15,7 +15,7 @@ const DASHED: &str = "110 60";
 const DOTTED: &str = "40 40";
 
 impl Style {
-    /// The style of a scheme.
+    /// Returns the style of a scheme.
     pub fn of(scheme: Scheme) -> Self {
         let (colour, dashes) = match scheme {
             Scheme::ImplicitMidpoint => ("#7cc4ee", ""),

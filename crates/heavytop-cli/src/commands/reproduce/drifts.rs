@@ -1,11 +1,11 @@
-//! The table of largest deviations.
+//! The table of the largest deviations of the invariants.
 
 use super::record::{QUANTITIES, Record};
 use serde::Serialize;
 use std::fmt;
 use std::path::PathBuf;
 
-/// What came of the paper's experiment; its text is the table.
+/// The results of the paper's experiment; as text, the table.
 #[derive(Clone, Debug, PartialEq, Serialize)]
 pub struct Reproduction {
     /// The folder of the figures and tables.
@@ -14,8 +14,8 @@ pub struct Reproduction {
     pub runs: Vec<Drift>,
 }
 
-/// How far the invariants of a run went: max |quantity − initial value| over all steps, NaN if the
-/// quantity ever was.
+/// The largest deviations of the invariants in a run: max |quantity − initial value| over all steps, NaN if the
+/// quantity was NaN at any step.
 #[derive(Clone, Debug, PartialEq, Serialize)]
 pub struct Drift {
     /// The formulation's name.
@@ -26,13 +26,13 @@ pub struct Drift {
     pub step: f64,
     /// The time after the last step, s.
     pub end: f64,
-    /// Of h, J.
+    /// The deviation of h, J.
     pub h: f64,
-    /// Of f₁ = |Γ|².
+    /// The deviation of f₁ = |Γ|².
     pub f1: f64,
-    /// Of f₂ = Π·Γ, kg m²/s.
+    /// The deviation of f₂ = Π·Γ, kg m²/s.
     pub f2: f64,
-    /// Of K, (kg m²/s)⁴.
+    /// The deviation of K, (kg m²/s)⁴.
     #[serde(rename = "K")]
     pub k: f64,
 }
@@ -52,7 +52,7 @@ impl Drift {
 }
 
 impl Reproduction {
-    /// `summary.csv`.
+    /// Formats the deviations as `summary.csv`.
     pub(super) fn csv(&self) -> String {
         let mut text = String::from("formulation,scheme,step,end");
         for quantity in QUANTITIES {

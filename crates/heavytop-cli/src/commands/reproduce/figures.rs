@@ -1,4 +1,4 @@
-//! Which curves are in which figure.
+//! The six figures of the paper, and the curves in each.
 
 use super::record::{QUANTITIES, Record};
 use crate::runs::Method;
@@ -9,7 +9,7 @@ use plotters::style::RGBColor;
 /// A figure: one conserved quantity along several runs.
 #[derive(Clone, Debug)]
 pub(super) struct Figure<'a> {
-    /// The name of its file, without ending.
+    /// The name of the figure's file, without ending.
     pub name: &'static str,
     /// The label of the ordinate, as the inside of an SVG text.
     pub label: &'static str,
@@ -20,16 +20,16 @@ pub(super) struct Figure<'a> {
 /// A curve with its place in the legend.
 #[derive(Clone, Debug)]
 pub(super) struct Curve<'a> {
-    /// What it is.
+    /// The name of the curve.
     pub name: String,
-    /// Its colour, that of the paper's captions.
+    /// The colour of the curve, as in the paper's captions.
     pub colour: RGBColor,
-    /// (t, quantity)
+    /// The points (t, quantity).
     pub points: &'a [(f64, f64)],
 }
 
 impl Curve<'_> {
-    /// Highest less lowest.
+    /// Returns the highest value less the lowest.
     pub fn span(&self) -> f64 {
         let values = || self.points.iter().map(|point| point.1);
         values().fold(f64::NEG_INFINITY, f64::max) - values().fold(f64::INFINITY, f64::min)
@@ -43,20 +43,20 @@ const GRAY: RGBColor = RGBColor(140, 140, 140);
 
 type Line = (Formulation, Scheme, RGBColor);
 
-/// Source: the caption of Ohsawa 2019, Fig. 1.
+/// The curves of Fig. 1. Source: its caption in Ohsawa 2019.
 const FIGURE_1: [Line; 3] = [
     (Formulation::Collective, Scheme::ExplicitMidpoint, BLUE),
     (Formulation::Direct, Scheme::ExplicitMidpoint, GREEN),
     (Formulation::Collective, Scheme::ImplicitMidpoint, RED),
 ];
 
-/// Source: the caption of Ohsawa 2019, Fig. 2.
+/// The curves of Fig. 2. Source: its caption in Ohsawa 2019.
 const FIGURE_2: [Line; 2] = [
     (Formulation::Direct, Scheme::ImplicitMidpoint, GRAY),
     (Formulation::Collective, Scheme::ImplicitMidpoint, RED),
 ];
 
-/// The paper's six figures.
+/// Returns the six figures of the paper.
 pub(super) fn all(records: &[Record]) -> Vec<Figure<'_>> {
     [
         ("fig1a", Invariant::Energy, &FIGURE_1[..]),
@@ -83,7 +83,7 @@ fn curve<'a>(records: &'a [Record], quantity: Invariant, line: &Line) -> Option<
     Some(Curve { name, colour, points })
 }
 
-/// Symbol and unit. The subscripts are lowered digits, for `baseline-shift` is not everywhere.
+/// Returns the symbol and the unit. The subscripts are lowered digits, for not every viewer knows `baseline-shift`.
 fn label(quantity: Invariant) -> &'static str {
     match quantity {
         Invariant::Energy => "<tspan font-style='italic'>h</tspan> (J)",

@@ -1,4 +1,4 @@
-//! `heavytop reproduce`: the paper's experiment (Ohsawa 2019, §5.2), its figures and its numbers.
+//! The command `heavytop reproduce`, which repeats the paper's experiment (Ohsawa 2019, §5.2).
 
 mod record;
 mod figures;

@@ -1,4 +1,4 @@
-//! Draws a figure as SVG, with text still text.
+//! Drawing of a figure as SVG whose text is still text.
 
 use super::figures::Figure;
 use crate::Error;
@@ -7,27 +7,27 @@ use crate::pictures::render::FONT;
 use plotters::prelude::*;
 use std::fmt::Write;
 
-/// One column of a journal, in units of 0.01 mm. The backend rounds to whole units, so that
-/// these must be small.
+/// The width of one column of a journal, in units of 0.01 mm. The backend rounds to whole units, so that these must
+/// be small.
 const WIDTH: u32 = 8000;
 const HEIGHT: u32 = 5800;
 
 const MILLIMETRE: u32 = 100;
-/// 7 pt
+/// The size of the text, 7 pt.
 const TEXT: u32 = 247;
-/// The width of a digit of that size, and what is between a label and its tick.
+/// The width of a digit of the text, which is also the distance of a label from its tick.
 const DIGIT: u32 = 157;
-/// 0.6 pt
+/// The width of curves, 0.6 pt.
 const CURVE: u32 = 21;
-/// 0.4 pt
+/// The width of rules, 0.4 pt.
 const RULE: u32 = 14;
 const LEGEND_ROW: u32 = 350;
 const RIGHT: u32 = 4 * MILLIMETRE;
-/// Below the abscissa: its labels and its title.
+/// The space below the abscissa, for its labels and its title.
 const BELOW: u32 = 8 * MILLIMETRE;
 const GRID: RGBColor = RGBColor(225, 225, 225);
 
-/// The figure as an SVG document that asks for the font [`FONT`].
+/// Draws the figure as an SVG document that asks for the font [`FONT`].
 pub(super) fn plot(figure: &Figure<'_>) -> Result<String, Error> {
     let points = || figure.curves.iter().flat_map(|curve| curve.points);
     let end = points().fold(0.0, |end: f64, point| end.max(point.0));
@@ -57,7 +57,7 @@ fn legend_height(figure: &Figure<'_>) -> u32 {
 
 type Failure = Box<dyn std::error::Error>;
 
-/// The axes and the curves.
+/// Draws the axes and the curves.
 fn draw(
     figure: &Figure<'_>,
     time: Axis,
@@ -81,7 +81,7 @@ fn draw(
         // The backend divides the size by 1.24.
         .label_style((FONT, f64::from(TEXT) * 1.24))
         .draw()?;
-    // The flattest on top, where the others cannot hide it.
+    // The flattest curve is on top, where the others cannot hide it.
     let mut curves: Vec<_> = figure.curves.iter().collect();
     curves.sort_by(|one, other| other.span().total_cmp(&one.span()));
     for curve in curves {
@@ -92,7 +92,7 @@ fn draw(
     Ok(())
 }
 
-/// What plotters cannot write: titles in two fonts, and a legend outside the axes.
+/// Writes what plotters cannot write: titles in two fonts, and a legend outside the axes.
 fn lettering(figure: &Figure<'_>, left: u32) -> String {
     let middle = (left + WIDTH - RIGHT) / 2;
     let centre = (legend_height(figure) + HEIGHT - BELOW) / 2;

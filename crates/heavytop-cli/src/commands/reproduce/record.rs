@@ -1,4 +1,4 @@
-//! What is remembered of a run: deviations, and curves thin enough to draw.
+//! The record of a run: its largest deviations, and curves thin enough to draw.
 
 use crate::runs::Experiment;
 use heavytop::Invariant;
@@ -11,24 +11,25 @@ pub(super) const QUANTITIES: [Invariant; 4] = [
     Invariant::Kovalevskaya,
 ];
 
-/// A curve has at most this many pairs of points, more than a page resolves.
+/// The largest number of pairs of points in a curve, which is more than a page resolves.
 const MOST_PAIRS: u64 = 10_000;
 
 /// The curves and the largest deviations of one run.
 #[derive(Clone, Debug)]
 pub(super) struct Record {
-    /// The run.
+    /// The recorded run.
     pub experiment: Experiment,
-    /// max |quantity − initial value|, NaN if the quantity ever was.
+    /// The largest deviation max |quantity − initial value| of each quantity, NaN if the quantity was NaN at any
+    /// step.
     pub deviations: [f64; 4],
-    /// (t, quantity); of a long run, the extremes of equal stretches of time.
+    /// The points (t, quantity) of each curve; of a long run, the extremes of equal intervals of time.
     pub curves: [Vec<(f64, f64)>; 4],
     initial: [f64; 4],
     stretch: u64,
 }
 
 impl Record {
-    /// The empty record of a run.
+    /// Creates the empty record of a run.
     pub fn new(experiment: &Experiment) -> Self {
         Self {
             experiment: *experiment,
@@ -39,14 +40,14 @@ impl Record {
         }
     }
 
-    /// Adds a sample.
+    /// Adds a sample to the record.
     pub fn add(&mut self, step: u64, time: f64, values: [f64; 4]) {
         if step == 0 {
             self.initial = values;
         }
         for (i, value) in values.into_iter().enumerate() {
             let deviation = (value - self.initial[i]).abs();
-            // `f64::max` would swallow a NaN, and a NaN in `deviations` stays for good.
+            // `f64::max` would drop a NaN; a NaN in `deviations` stays.
             if deviation > self.deviations[i] || deviation.is_nan() {
                 self.deviations[i] = deviation;
             }

@@ -1,4 +1,4 @@
-//! The paper's experiment (Ohsawa 2019, §5.2), its figures and its tables.
+//! The command `reproduce`: the paper's experiment (Ohsawa 2019, §5.2), its figures and its tables.
 
 use super::drifts::{Drift, Reproduction};
 use super::record::{QUANTITIES, Record};
@@ -22,16 +22,15 @@ const METHODS: [(Formulation, Scheme); 4] = [
     (Formulation::Direct, Scheme::ImplicitMidpoint),
 ];
 
-/// Pixels per CSS pixel: 576 dots per inch at the figures' own size.
+/// The number of pixels per CSS pixel: 576 dots per inch at the figures' own size.
 const SCALE: f32 = 6.0;
 
 /// Runs the paper's top with the four integrators and writes figures and tables into the folder
 /// `out`.
 ///
 /// # Errors
-/// If the request is wrong, another run writes into the folder, or it is stopped, in which cases nothing
-/// is written; or a run fails, or a figure cannot be written, in which case `trajectories.csv.partial`
-/// is kept.
+/// If the request is wrong, another run writes into the folder, or the command is stopped: then nothing is written.
+/// If a run fails, or a figure cannot be written: then `trajectories.csv.partial` is kept.
 ///
 /// # Example
 /// ```
@@ -57,7 +56,7 @@ pub fn reproduce(
     }
     std::fs::create_dir_all(out).map_err(|source| Error::Create { path: out.into(), source })?;
 
-    // Until it is complete, which it is last, no other run writes here.
+    // No other run writes here until the table is complete, which it is last.
     let mut trajectories = Output::create(&out.join("trajectories.csv"))?;
     let outcome = run(&experiments, &mut trajectories, watch);
     let written = outcome.and_then(|records| write_figures_and_summary(&records, out));
@@ -76,7 +75,7 @@ fn write_figures_and_summary(records: &[Record], out: &Path) -> Result<Reproduct
     Ok(reproduction)
 }
 
-/// Runs all experiments, writing every state and recording what the figures and tables need.
+/// Runs all experiments; writes every state, and records what the figures and tables need.
 fn run(
     experiments: &[Experiment],
     trajectories: &mut Output,

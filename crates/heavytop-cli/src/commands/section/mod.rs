@@ -1,4 +1,4 @@
-//! `heavytop section`: Poincaré sections on an energy level.
+//! The command `heavytop section`, which computes and draws Poincaré sections on an energy level.
 
 mod settings;
 mod orbit;

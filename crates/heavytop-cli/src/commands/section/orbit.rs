@@ -1,4 +1,4 @@
-//! The points of one start.
+//! The orbit of one start: its points on the section.
 
 use super::settings::Settings;
 use crate::Error;
@@ -9,29 +9,29 @@ use collective_integrators::Start;
 use lie_poisson::Se3Dual;
 use nalgebra::Vector2;
 
-/// A point of a section.
+/// A point of a Poincaré section.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(super) struct Crossing {
-    /// When, s; 0 for the start itself.
+    /// The time of the crossing, s; 0 for the start itself.
     pub time: f64,
-    /// (Π, Γ)
+    /// The state (Π, Γ) at the crossing.
     pub mu: Se3Dual,
-    /// (x, y)
+    /// The coordinates (x, y) in the plane of the section.
     pub plane: Vector2<f64>,
 }
 
-/// A start and its returns.
+/// The start of an orbit and its returns to the section.
 #[derive(Clone, Debug, PartialEq)]
 pub(super) struct Orbit {
     /// The number of the start, from 1.
     pub number: usize,
-    /// The start comes first.
+    /// The points of the orbit; the start comes first.
     pub crossings: Vec<Crossing>,
 }
 
-/// A start with its returns, and why it could not be followed further if it could not.
+/// Follows a start, and returns its orbit, with the error if it could not be followed to the end.
 ///
-/// Starts know nothing of each other, so that no bit depends on the number of threads.
+/// Starts are independent of each other, so that no bit depends on the number of threads.
 pub(super) fn orbit(
     settings: &Settings,
     options: &TileOptions<'_>,

@@ -1,4 +1,4 @@
-//! The starts of a section by tiles.
+//! The starts of a section, computed in tiles that outlast an interruption.
 
 use super::orbit::{Crossing, Orbit, orbit};
 use super::settings::Settings;
@@ -14,7 +14,7 @@ use std::fmt::Write;
 use std::ops::Range;
 use std::path::Path;
 
-/// A tile is one start, or as many as have so many returns together. No bit depends on it.
+/// The number of returns in a tile, unless a single start has more. No bit depends on it.
 const TILE: usize = 256;
 
 /// The starts of a section, which are followed tile by tile.
@@ -27,18 +27,19 @@ pub(super) struct Orbits<'a> {
     pub tiles: Tiles,
 }
 
-/// Why the starts of a tile could not be followed to the end, and their points until then.
+/// The failure of a tile whose starts could not be followed to the end, and their points until then.
 pub(super) struct Stuck {
     /// The number of the tile.
     pub tile: u64,
-    /// Its lines.
+    /// The lines of the points.
     pub lines: String,
-    /// Why.
+    /// The first error of the tile.
     pub failure: Error,
 }
 
 impl<'a> Orbits<'a> {
-    /// Those of the settings, with their tiles below this folder. The configuration is theirs.
+    /// Finds the starts of the settings; their tiles are below the folder `out`, for the configuration of the
+    /// settings.
     ///
     /// # Errors
     /// If too few starts are found.
@@ -47,29 +48,28 @@ impl<'a> Orbits<'a> {
         Ok(Self { settings, starts, tiles: Tiles::new(out.join("section.partial"), config)? })
     }
 
-    /// The number of tiles.
+    /// Returns the number of tiles.
     pub fn count(&self) -> u64 {
         self.starts.len().div_ceil(self.size()) as u64
     }
 
-    /// The number of a tile's starts.
+    /// Returns the number of starts in a tile.
     fn size(&self) -> usize {
         (TILE / self.settings.crossings).max(1)
     }
 
-    /// A tile's starts, counted from 0.
+    /// Returns the starts of a tile, counted from 0.
     fn starts(&self, tile: u64) -> Range<usize> {
         let first = tile as usize * self.size();
         first..self.starts.len().min(first + self.size())
     }
 
-    /// Follows all starts of tiles that are not finished, on all threads; `done` is told how many
-    /// starts there were in each tile.
+    /// Follows the starts of all unfinished tiles on all threads; `done` receives the number of starts of each tile.
     ///
-    /// Where starts fail the tiles before the first that does are finished nevertheless.
+    /// If starts fail, the tiles before the first one that fails are finished nevertheless.
     ///
     /// # Errors
-    /// Of the first tile that could not be finished.
+    /// Returns the error of the first tile that could not be finished.
     pub fn finish(
         &self,
         options: &TileOptions<'_>,
@@ -102,22 +102,22 @@ impl<'a> Orbits<'a> {
         self.tiles.write(tile, &lines).map_err(|failure| stuck(lines, failure))
     }
 
-    /// The lines of a finished tile, and its orbits.
+    /// Returns the lines of a finished tile, and its orbits.
     ///
     /// # Errors
-    /// If it is not there.
+    /// If the tile is missing.
     pub fn finished(&self, tile: u64) -> Result<(String, Vec<Orbit>), Error> {
         self.read(tile)?.ok_or_else(|| self.tiles.missing(tile))
     }
 
-    /// What is in a tile; nothing if it is not finished, or not what it should be.
+    /// Reads a tile; `None` if it is unfinished or not what it should be.
     fn read(&self, tile: u64) -> Result<Option<(String, Vec<Orbit>)>, Error> {
         let Some(lines) = self.tiles.read(tile)? else { return Ok(None) };
         let orbits = self.parse(tile, &lines);
         Ok(orbits.map(|orbits| (lines, orbits)))
     }
 
-    /// The orbits of a tile's lines: one for each of its starts.
+    /// Parses the lines of a tile into orbits, one for each of its starts.
     fn parse(&self, tile: u64, lines: &str) -> Option<Vec<Orbit>> {
         let mut orbits: Vec<Orbit> = Vec::new();
         for line in lines.lines() {
@@ -136,12 +136,12 @@ impl<'a> Orbits<'a> {
     }
 }
 
-/// The names of the columns.
+/// Returns the names of the columns.
 pub(super) fn header() -> String {
     format!("start,crossing,{STATE_COLUMNS},x,y")
 }
 
-/// The numbers in the columns after the first two.
+/// Returns the numbers in the columns after the first two.
 pub(super) fn values(crossing: &Crossing) -> impl Iterator<Item = f64> {
     let state = state_values(crossing.time, &crossing.mu);
     state.into_iter().chain([crossing.plane.x, crossing.plane.y])
@@ -158,7 +158,7 @@ fn write_lines(lines: &mut String, orbit: &Orbit) {
     }
 }
 
-/// The number of the start, that of the crossing, and the point of a line.
+/// Parses a line into the number of the start, the number of the crossing, and the point.
 fn point(line: &str) -> Option<(usize, usize, Crossing)> {
     let (number, rest) = line.split_once(',')?;
     let (index, rest) = rest.split_once(',')?;

@@ -10,7 +10,7 @@ use heavytop::{EnergyLevel, Section, Surface};
 use std::f64::consts::TAU;
 use std::fmt::Write;
 
-/// In units of 0.01 mm.
+/// The width of the picture, in units of 0.01 mm.
 const WIDTH: f64 = 12_000.0;
 const HEIGHT: f64 = 10_000.0;
 const LEFT: f64 = 1400.0;
@@ -18,7 +18,7 @@ const TOP: f64 = 700.0;
 const RIGHT: f64 = WIDTH - 450.0;
 const BOTTOM: f64 = HEIGHT - 1100.0;
 
-/// 8 pt
+/// The size of the text, 8 pt.
 const TEXT: f64 = 282.0;
 const RULE: f64 = 14.0;
 
@@ -37,7 +37,7 @@ const COLOURS: [[f64; 3]; 6] = [
     [140.0, 24.0, 84.0],
 ];
 
-/// The section: a colour for each start.
+/// The picture of a section, with a colour for each start.
 ///
 /// Starts are ordered by the mean of |y| over their points: those on one invariant curve, or in one
 /// chaotic sea, have the same mean, and neighbours have similar ones.
@@ -46,14 +46,14 @@ const COLOURS: [[f64; 3]; 6] = [
 pub(super) struct Picture<'a> {
     section: &'a Section,
     means: &'a [f64],
-    /// The least and the largest of them.
+    /// The least and the largest of the means.
     range: [f64; 2],
     axis: Axis,
     svg: String,
 }
 
 impl<'a> Picture<'a> {
-    /// The picture without points.
+    /// Creates the picture without points.
     pub fn begin(section: &'a Section, survey: &'a Survey) -> Self {
         let axis = Axis::around(survey.heights.into_iter(), 6);
         let diameter = (INK / survey.points.max(1) as f64).sqrt().min(LARGEST);
@@ -76,20 +76,20 @@ impl<'a> Picture<'a> {
     pub fn add(&mut self, orbit: &Orbit) {
         let mean = self.means.get(orbit.number.saturating_sub(1)).copied().unwrap_or_default();
         let [low, high] = self.range;
-        // Of one orbit alone the range is empty, and its colour the first.
+        // If there is one orbit alone, the range is empty, and its colour is the first one.
         let [red, green, blue] = colour(&COLOURS, (mean - low) / (high - low));
         let stroke = format!("rgb({red:.0},{green:.0},{blue:.0})");
         let _ = write!(self.svg, "<path stroke=\"{stroke}\" d=\"");
         for point in &orbit.crossings {
             let x = LEFT + (RIGHT - LEFT) * point.plane.x / TAU;
             let y = BOTTOM - (BOTTOM - TOP) * self.axis.along(point.plane.y);
-            // A line of no length may be dropped.
+            // Some viewers drop a line of no length.
             let _ = write!(self.svg, "M{x:.0} {y:.0}h.1");
         }
         self.svg += "\"/>";
     }
 
-    /// The picture as SVG.
+    /// Completes the picture, and returns it as SVG.
     pub fn complete(mut self) -> String {
         self.svg += "</g>";
         frame(&mut self.svg, self.section, &self.axis);
@@ -122,7 +122,7 @@ fn frame(svg: &mut String, section: &Section, axis: &Axis) {
     lettering(svg, section);
 }
 
-/// The number to six digits.
+/// Rounds a number to six digits.
 fn six_digits(x: f64) -> f64 {
     format!("{x:.5e}").parse().unwrap_or(x)
 }

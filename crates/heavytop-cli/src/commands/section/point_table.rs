@@ -1,4 +1,4 @@
-//! The points of a section, as Parquet.
+//! The points of a section as a Parquet file.
 
 use super::orbit::Orbit;
 use super::orbit_tiles::{header, values};
@@ -12,22 +12,22 @@ use parquet::errors::Result;
 use parquet::file::writer::SerializedFileWriter;
 use std::path::{Path, PathBuf};
 
-/// The columns of `section.csv`, with the configuration in the file's metadata.
+/// The table with the columns of `section.csv`, and the configuration in the file's metadata.
 ///
-/// Points are written in groups of so many and the rest of an orbit; no more of them are held.
+/// Points are written in groups that end with an orbit. No more than a group of them is held in memory.
 pub(super) struct PointTable {
     path: PathBuf,
     file: SerializedFileWriter<Output>,
-    /// `start` and `crossing`
+    /// The columns `start` and `crossing`.
     indices: [Vec<i64>; 2],
     columns: Vec<Vec<f64>>,
 }
 
 impl PointTable {
-    /// The table without rows.
+    /// Creates the table without rows.
     ///
     /// # Errors
-    /// If the file cannot be made.
+    /// If the file cannot be created.
     pub fn begin(metadata: &Metadata, path: &Path) -> std::result::Result<Self, Error> {
         let output = Output::create(path).map_err(Error::too_late)?;
         let header = header();
@@ -44,7 +44,7 @@ impl PointTable {
     /// Adds the points of an orbit.
     ///
     /// # Errors
-    /// If they cannot be written.
+    /// If the points cannot be written.
     pub fn add(&mut self, orbit: &Orbit) -> std::result::Result<(), Error> {
         for (index, crossing) in orbit.crossings.iter().enumerate() {
             self.indices[0].push(orbit.number as i64);
@@ -56,10 +56,10 @@ impl PointTable {
         if self.indices[0].len() < GROUP { Ok(()) } else { self.write() }
     }
 
-    /// Gives the file its name.
+    /// Completes the file and gives it its name.
     ///
     /// # Errors
-    /// If it cannot be completed.
+    /// If the file cannot be completed.
     pub fn complete(mut self) -> std::result::Result<(), Error> {
         if !self.indices[0].is_empty() {
             self.write()?;

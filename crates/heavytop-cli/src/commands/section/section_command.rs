@@ -1,4 +1,4 @@
-//! A Poincaré section from its configuration to its table and its picture.
+//! The command `section`: from a configuration to the table and the picture of a Poincaré section.
 
 use super::orbit_tiles::{Orbits, Stuck, header};
 use super::picture::Picture;
@@ -18,17 +18,16 @@ use std::io::Write;
 use std::path::{Path, PathBuf};
 use std::sync::atomic::{AtomicU64, Ordering};
 
-/// Pixels per CSS pixel: 288 dots per inch.
+/// The number of pixels per CSS pixel: 288 dots per inch.
 const SCALE: f32 = 3.0;
 
-/// Finds the section of the configuration, and writes `section.csv`, `.parquet`, `.svg` and `.png`
-/// into the folder `out`. It goes on from the finished starts of an interrupted section if it shall.
+/// Computes the section of the configuration, and writes `section.csv`, `.parquet`, `.svg` and `.png` into the folder
+/// `out`. If asked to, it continues from the finished starts of an interrupted section.
 ///
 /// # Errors
-/// If the request is wrong, or another run writes the section, or there is an interrupted one with which
-/// nothing shall be done, in which cases nothing is written; or a start cannot be followed, in
-/// which case `section.csv.partial` is kept; or it was stopped, or a file cannot be written, in
-/// which case it can go on.
+/// If the request is wrong, another run writes the section, or there is an interrupted section that shall be neither
+/// resumed nor discarded: then nothing is written. If a start cannot be followed: then `section.csv.partial` is kept.
+/// If it was stopped, or a file cannot be written: then it can be resumed.
 ///
 /// # Example
 /// ```
@@ -116,8 +115,10 @@ fn draw(settings: &Settings, orbits: &Orbits<'_>, survey: &Survey) -> Result<Str
     Ok(picture.complete())
 }
 
-/// What a section ends with that could not be finished. What failed for want of something outside
-/// it goes on from its tiles; what failed by its numbers would do so again, and has none.
+/// Ends a section that could not be finished.
+///
+/// If something outside the run failed, the run can be resumed from its tiles. If the numbers failed, they would fail
+/// again, and the tiles are removed.
 fn give_up(orbits: &Orbits<'_>, held: Held, stuck: Stuck, csv: &Path) -> Error {
     let kept = match &stuck.failure {
         Error::Interrupted { .. } | Error::Write { .. } | Error::Tile { .. } => {
@@ -128,19 +129,19 @@ fn give_up(orbits: &Orbits<'_>, held: Held, stuck: Stuck, csv: &Path) -> Error {
     };
     match kept {
         Ok(partial) => {
-            // That they stay does no harm.
+            // It does no harm if they stay.
             let _ = orbits.tiles.remove(held);
             match partial {
                 Some(partial) => Error::Kept { partial, source: Box::new(stuck.failure) },
                 None => stuck.failure,
             }
         }
-        // What cannot be written is lost; the failure says what came first.
+        // What cannot be written is lost; the error reports the first failure.
         Err(_) => stuck.failure,
     }
 }
 
-/// Keeps the points up to one that could not be reached as `section.csv.partial`.
+/// Keeps the points before the one that could not be reached as `section.csv.partial`.
 fn keep(orbits: &Orbits<'_>, stuck: &Stuck, csv: &Path) -> Result<PathBuf, Error> {
     let mut text = Output::create(csv)?;
     text.write(|to| writeln!(to, "{}", header()))?;

@@ -1,4 +1,4 @@
-//! What is said about a section.
+//! The summary of a section, which `heavytop section` prints.
 
 use super::settings::Settings;
 use super::survey::Survey;
@@ -7,14 +7,14 @@ use serde::Serialize;
 use std::fmt;
 use std::path::{Path, PathBuf};
 
-/// A section in numbers.
+/// The summary of a section, in numbers.
 #[derive(Clone, Debug, PartialEq, Serialize)]
 pub struct SectionSummary {
     /// The folder of the picture and the table.
     pub out: PathBuf,
-    /// h, J.
+    /// The energy h of the level, J.
     pub energy: f64,
-    /// Π·Γ, kg m²/s.
+    /// The vertical momentum Π·Γ of the level, kg m²/s.
     pub vertical_momentum: f64,
     /// The formulation's name.
     pub formulation: &'static str,
@@ -26,17 +26,17 @@ pub struct SectionSummary {
     pub starts: usize,
     /// The number of points, the starts included.
     pub points: usize,
-    /// The number of returns asked of each start.
+    /// The number of returns that each start should have.
     pub crossings: usize,
-    /// The number of starts that have fewer.
+    /// The number of starts that have fewer returns.
     pub short: usize,
-    /// How long they were followed, s.
+    /// The time for which a start is followed at most, s.
     pub longest: f64,
     /// The largest deviation of h from the level, J.
     pub h: f64,
-    /// That of f₁ = |Γ|².
+    /// The largest deviation of f₁ = |Γ|².
     pub f1: f64,
-    /// That of f₂ = Π·Γ, kg m²/s.
+    /// The largest deviation of f₂ = Π·Γ, kg m²/s.
     pub f2: f64,
 }
 

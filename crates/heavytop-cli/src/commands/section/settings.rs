@@ -1,4 +1,4 @@
-//! The section of a configuration, and how its points are found.
+//! The settings of a section: energy level, surface, starts and integrator.
 
 use crate::Error;
 use crate::configuration::{Config, Integration, SectionConfig};
@@ -7,17 +7,17 @@ use crate::runs::step_angle::MOST_TURN;
 use crate::vocabulary::{Formulation, Scheme};
 use heavytop::{EnergyLevel, HeavyTop, Invariant, Section, Surface};
 
-/// Without a step no body on the energy level turns further in a step, rad. With Gauss's
-/// method of order 8 the energy is then certain to some 1e-11 of itself.
+/// The largest turn of any body on the energy level in one step, rad, if the configuration gives no step. The Gauss
+/// method of order 8 then conserves the energy to a relative error of some 1e-11.
 const TURN: f64 = 0.5;
 
-/// More points than this are a typing error.
+/// The largest number of points; more must be a typing error.
 const MOST_POINTS: f64 = 1e7;
 
-/// More steps than this for each start are a typing error.
+/// The largest number of steps for each start; more must be a typing error.
 const MOST_STEPS: f64 = 1e12;
 
-/// A section, and how its points are found.
+/// A section, and how its points are computed.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(super) struct Settings {
     pub section: Section,
@@ -34,7 +34,7 @@ pub(super) struct Settings {
 }
 
 impl Settings {
-    /// What the configuration asks for.
+    /// Reads the section that the configuration asks for.
     ///
     /// # Errors
     /// If there is no such section.
@@ -88,7 +88,7 @@ impl Settings {
         Ok(Self { section, method, step, steps, crossings, starts, seed })
     }
 
-    /// The configuration with all that was left out and plays a part.
+    /// Returns the configuration with every key that was left out and plays a part.
     pub fn complete(&self, config: &Config) -> Config {
         let Self { section, method, step, .. } = self;
         let (formulation, scheme) = (method.formulation(), method.scheme());
@@ -103,8 +103,8 @@ impl Settings {
     }
 }
 
-/// More than the angular velocity anywhere on the energy level, and the frequency of a pendulum:
-/// √(2(E + m g l)/I) + √(m g l/I), I the least moment, 1/s.
+/// Returns an upper bound of the angular velocity on the energy level and of the frequency of a pendulum: √(2(E + m g
+/// l)/I) + √(m g l/I), I the least moment, 1/s.
 fn fastest(top: &HeavyTop, energy: f64) -> f64 {
     let (weight, moment) = (top.weight_moment(), top.inertia().min());
     let kinetic = (energy + weight).max(0.0);

@@ -1,4 +1,4 @@
-//! What there is to know of all orbits before they are drawn.
+//! A survey of all orbits before they are drawn.
 
 use super::orbit::Orbit;
 use super::settings::Settings;
@@ -16,18 +16,18 @@ pub(super) struct Survey {
     pub deviations: [f64; 3],
     /// The least and the largest y.
     pub heights: [f64; 2],
-    /// The means of |y| over each orbit.
+    /// The mean of |y| over each orbit.
     pub means: Vec<f64>,
 }
 
 impl Survey {
-    /// Of no orbit.
+    /// Creates the survey of no orbit.
     pub fn new() -> Self {
         let heights = [f64::INFINITY, f64::NEG_INFINITY];
         Self { points: 0, short: 0, deviations: [0.0; 3], heights, means: Vec::new() }
     }
 
-    /// Adds an orbit.
+    /// Adds an orbit to the survey.
     pub fn add(&mut self, settings: &Settings, orbit: &Orbit) {
         let level = settings.section.level();
         let expected = [

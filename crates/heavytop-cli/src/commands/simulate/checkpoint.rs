@@ -1,4 +1,4 @@
-//! What a run needs to go on after it was interrupted.
+//! The checkpoint of a run, from which an interrupted run continues.
 
 use super::growing_file::Mark;
 use crate::Error;
@@ -16,19 +16,19 @@ use std::path::Path;
 /// The first word of the file, before the checksum of what follows its first line.
 const TITLE: &str = "heavytop-checkpoint ";
 
-/// A step of a run, from which it can go on.
+/// The state of a run after a step, from which the run can continue.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
 #[serde(deny_unknown_fields)]
 pub struct Checkpoint {
     version: String,
-    /// That of the output.
+    /// The format of the output.
     format: Format,
     step: u64,
-    /// The coordinates of the integrator's state: written so that they read back as the same bits.
+    /// The coordinates of the integrator's state, written so that they read back as the same bits.
     state: Vec<f64>,
     /// The largest deviations of the invariants so far.
     pub(super) deviations: Vec<f64>,
-    /// The rows so far.
+    /// The extent of the rows so far.
     pub(super) rows: Mark,
     configuration: Config,
 }
@@ -46,10 +46,10 @@ impl Checkpoint {
         Self { version, format, step, state, deviations, rows, configuration: config.clone() }
     }
 
-    /// Reads a checkpoint.
+    /// Reads a checkpoint from its file.
     ///
     /// # Errors
-    /// If it cannot be read, is damaged, or of another version of the program.
+    /// If the file cannot be read, is damaged, or was written by another version of the program.
     pub fn read(path: &Path) -> Result<Self, Error> {
         read(path)
             .and_then(|text| Self::parse(&text))
@@ -60,25 +60,25 @@ impl Checkpoint {
         of_this_version(open(TITLE, text)?)?.try_into().map_err(damaged)
     }
 
-    /// Writes it, whole or not at all.
+    /// Writes the checkpoint, whole or not at all.
     pub(super) fn write(&self, path: &Path) -> Result<(), Error> {
         let contents = toml::to_string(self).map_err(Error::Unwritable)?;
         Output::whole(path, seal(TITLE, &contents).as_bytes())
     }
 
-    /// The configuration of the run.
+    /// Returns the configuration of the run.
     #[must_use]
     pub fn configuration(&self) -> &Config {
         &self.configuration
     }
 
-    /// The step, and the integrator's state after it.
+    /// Returns the number of steps, and the integrator's state after them.
     #[must_use]
     pub fn saved(&self) -> Saved {
         Saved { step: self.step, state: self.state.clone() }
     }
 
-    /// Checks that it is of this configuration and of an output in this format.
+    /// Checks that the checkpoint is for this configuration and this output format.
     pub(super) fn require(
         &self,
         config: &Config,
@@ -99,8 +99,8 @@ impl Checkpoint {
         Ok(())
     }
 
-    /// Checks that a run of this experiment, whose states have so many coordinates, may have made it.
-    /// The experiment is that of its configuration.
+    /// Checks that a run of this experiment, whose states have so many coordinates, can have made the checkpoint. The
+    /// experiment is the one of the checkpoint's configuration.
     ///
     /// # Errors
     /// [`CheckpointError::Impossible`], with what is wrong.
@@ -131,7 +131,7 @@ impl Checkpoint {
     }
 }
 
-/// The argument by which a run goes on from the checkpoint.
+/// Returns the argument that resumes the run from the checkpoint.
 pub(super) fn argument(path: &Path) -> String {
     format!("--resume {}", path.display())
 }

@@ -1,4 +1,4 @@
-//! A file that grows with a run.
+//! A file to which a run appends its rows.
 
 use crate::Error;
 use crate::files::lock;
@@ -9,10 +9,10 @@ use std::fs::File;
 use std::io::{self, BufWriter, Read, Seek, SeekFrom, Write};
 use std::path::{Path, PathBuf};
 
-/// So many bytes are checked at once.
+/// The number of bytes that are read at once.
 const BUFFER: usize = 1 << 20;
 
-/// The file up to some byte.
+/// The length and the checksum of a file up to some byte.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize, Deserialize)]
 #[serde(deny_unknown_fields)]
 pub(super) struct Mark {
@@ -20,7 +20,7 @@ pub(super) struct Mark {
     checksum: u32,
 }
 
-/// A file that is written to at its end, and whose length and checksum are known.
+/// A file that is written at its end, and whose length and checksum are known.
 pub(super) struct Growing {
     path: PathBuf,
     writer: BufWriter<File>,
@@ -29,7 +29,7 @@ pub(super) struct Growing {
 }
 
 impl Growing {
-    /// The file, to be written from the start; if it is a regular one, what is in it is cut off.
+    /// Opens the file for writing from the start; a regular file is truncated.
     pub fn new(path: PathBuf, file: File) -> io::Result<Self> {
         if file.metadata()?.is_file() {
             file.set_len(0)?;
@@ -37,12 +37,13 @@ impl Growing {
         Ok(Self { path, writer: BufWriter::new(file), bytes: 0, checksum: Hasher::new() })
     }
 
-    /// The file as it was at the mark: what has been written since is cut off. Nothing, and
-    /// nothing is cut, if its bytes before the mark are not those that were marked, or it has not
-    /// the right extent there.
+    /// Reopens the file as it was at the mark, and cuts off what has been written since.
+    ///
+    /// Returns `None`, and cuts nothing, if the bytes before the mark are not those that were marked, or the file
+    /// does not have the right extent there.
     ///
     /// # Errors
-    /// If it cannot be read, or another run is writing it.
+    /// If the file cannot be read, or another run is writing it.
     pub fn reopen(
         path: PathBuf,
         mark: &Mark,
@@ -59,7 +60,7 @@ impl Growing {
         Ok(Some(Self { path, writer: BufWriter::new(file), bytes: mark.bytes, checksum }))
     }
 
-    /// The file, in which is what was flushed.
+    /// Returns the file, which holds what was flushed.
     pub fn file(&self) -> &File {
         self.writer.get_ref()
     }
@@ -75,12 +76,12 @@ impl Growing {
         Ok(())
     }
 
-    /// Hands everything to the system.
+    /// Passes all buffered bytes to the operating system.
     pub fn flush(&mut self) -> Result<(), Error> {
         self.writer.flush().map_err(|source| self.failed(source))
     }
 
-    /// What has been written, which outlasts a power cut from now on.
+    /// Returns the mark of what has been written, after making it outlast a power cut.
     pub fn mark(&mut self) -> Result<Mark, Error> {
         self.flush()?;
         self.writer.get_ref().sync_all().map_err(|source| self.failed(source))?;
@@ -92,7 +93,7 @@ impl Growing {
     }
 }
 
-/// The checksum of the first bytes, at most so many, and how far they go.
+/// Computes the checksum of the first bytes, at most so many, and how far they go.
 fn checksum(file: &mut File, bytes: u64) -> io::Result<(Hasher, Extent)> {
     let (mut checksum, mut buffer, mut extent) =
         (Hasher::new(), vec![0; BUFFER], Extent::default());

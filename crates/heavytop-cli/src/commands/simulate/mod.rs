@@ -1,4 +1,4 @@
-//! `heavytop simulate`: one top to one file.
+//! The command `heavytop simulate`, which follows one top and writes one file.
 
 mod growing_file;
 mod checkpoint;

@@ -1,4 +1,4 @@
-//! The rows of a run on their way to its output.
+//! The recording of a run: its rows on their way to the output.
 
 use super::checkpoint::{Checkpoint, argument};
 use super::growing_file::Growing;
@@ -12,9 +12,11 @@ use crate::runs::{Experiment, Saved};
 use std::fs;
 use std::path::{Path, PathBuf};
 
-/// The file that grows: `NAME.partial` for CSV, `NAME.rows` for what is made of the rows at the
-/// end, and the output itself if that is a device. Unless it is a device it is locked: whoever has it
-/// writes the output, and keeps the checkpoint.
+/// The file to which a run appends its rows.
+///
+/// It is `NAME.partial` for CSV, `NAME.rows` for formats that are made of the rows at the end, and the output itself
+/// if that is a device. Unless it is a device it is locked. The run that has the lock writes the output and keeps the
+/// checkpoint.
 pub(super) struct Recording {
     place: Place,
     format: Format,
@@ -26,11 +28,11 @@ pub(super) struct Recording {
 }
 
 impl Recording {
-    /// A recording from the first row, or from a checkpoint.
+    /// Begins a recording, from the first row or from a checkpoint.
     ///
     /// # Errors
-    /// If another run writes the output, or there is a checkpoint that shall neither be
-    /// resumed nor discarded, or one that cannot be resumed; then nothing is changed.
+    /// If another run writes the output, or there is a checkpoint that shall neither be resumed nor discarded, or one
+    /// that cannot be resumed: then nothing is changed.
     pub fn begin(
         out: &Path,
         config: &Config,
@@ -67,7 +69,7 @@ impl Recording {
         Ok(Self { place, format, table, config, metadata, rows, bytes: Vec::new() })
     }
 
-    /// Makes a checkpoint, and says where; a device has none.
+    /// Makes a checkpoint and returns its path; a device has none.
     pub fn save(&mut self, saved: Saved, deviations: &[f64]) -> Result<Option<PathBuf>, Error> {
         let Some(path) = self.checkpoint() else { return Ok(None) };
         let rows = self.rows.mark()?;
@@ -85,9 +87,10 @@ impl Recording {
         self.rows.append(&self.bytes)
     }
 
-    /// Gives the output its name if the run did well. If it failed, what there is is kept as
-    /// `NAME.partial`; if it can go on from a checkpoint, the rows are kept for that; if it was
-    /// refused, nothing is.
+    /// Gives the output its name if the run succeeded.
+    ///
+    /// If the run failed, its rows are kept as `NAME.partial`. If it can continue from a checkpoint, the rows are
+    /// kept for that. If it was refused, nothing is kept.
     pub fn conclude(mut self, outcome: Result<(), Error>) -> Result<(), Error> {
         let checkpoint = self.checkpoint().filter(|path| path.exists());
         let concluded = match outcome {
@@ -131,13 +134,12 @@ impl Recording {
         Ok(())
     }
 
-    /// Makes `NAME.partial` of the rows that there are; where the disk is too full for it, the
-    /// rows stay as they are.
+    /// Turns the rows so far into `NAME.partial`; where the disk is too full for that, the rows stay as they are.
     fn keep(&mut self, failure: Error) -> Error {
         if self.place.is_device {
             return failure;
         }
-        // What cannot be written any more is lost; the failure says what came first.
+        // What cannot be written any more is lost; the error reports the first failure.
         let _ = self.rows.flush();
         let mut partial = self.place.beside("partial");
         if self.format != Format::Csv {
@@ -149,14 +151,14 @@ impl Recording {
         Error::Kept { partial, source: Box::new(failure) }
     }
 
-    /// The output made of the rows, before it has its name.
+    /// Makes the output from the rows, before it has its name.
     fn converted(&self) -> Result<Output, Error> {
         let mut output = Output::create(&self.place.path).map_err(Error::too_late)?;
         self.format.convert(self.rows.file(), &self.table, &self.metadata, &mut output)?;
         Ok(output)
     }
 
-    /// Removes the file that grows, unless it is a device.
+    /// Removes the growing file, unless it is a device.
     fn discard(&self) {
         if !self.place.is_device {
             remove(self.rows.path());
@@ -168,7 +170,7 @@ impl Recording {
     }
 }
 
-/// Removes the checkpoint, and what is left of one if a run was killed while it made it.
+/// Removes the checkpoint, and the incomplete one of a run that was killed while it wrote it.
 fn remove_checkpoint(place: &Place) {
     if !place.is_device {
         remove(&place.beside("checkpoint"));
@@ -176,12 +178,12 @@ fn remove_checkpoint(place: &Place) {
     }
 }
 
-/// Removes a file that is of no use any more, if it is there; that it stays does no harm.
+/// Removes a file that is of no use any more, if it exists; it does no harm if it stays.
 fn remove(path: &Path) {
     let _ = fs::remove_file(path);
 }
 
-/// The file that grows, empty. It is this run's before anything is removed.
+/// Creates the growing file, empty. This run has its lock before anything is removed.
 fn anew(place: &Place, path: PathBuf, restart: bool) -> Result<Growing, Error> {
     let is_there = path.exists();
     let file = place.open(&path)?;
@@ -193,13 +195,13 @@ fn anew(place: &Place, path: PathBuf, restart: bool) -> Result<Growing, Error> {
         let resume = argument(&checkpoint);
         return Err(Error::Unfinished { path: checkpoint, resume });
     }
-    // It would be of another run.
+    // The old checkpoint would be for another run.
     remove_checkpoint(place);
     let refused = |source| Error::Create { path: place.path.clone(), source };
     Growing::new(path, file).map_err(refused)
 }
 
-/// The rows before a checkpoint, to be gone on with.
+/// Reopens the rows before a checkpoint, to continue from them.
 fn reopen(
     path: PathBuf,
     checkpoint: &Checkpoint,

@@ -1,4 +1,4 @@
-//! What is said of a run at its end.
+//! The summary of a run, which `heavytop simulate --json` prints.
 
 use super::checkpoint::Checkpoint;
 use crate::formats::RunTable;
@@ -9,10 +9,10 @@ use serde_json::{Map, Value};
 use std::fmt;
 use std::path::PathBuf;
 
-/// A run in numbers.
+/// The summary of a run, in numbers.
 #[derive(Clone, Debug, PartialEq, Serialize)]
 pub struct RunSummary {
-    /// The output.
+    /// The path of the output.
     pub out: PathBuf,
     /// The formulation's name.
     pub formulation: &'static str,
@@ -24,16 +24,17 @@ pub struct RunSummary {
     pub steps: u64,
     /// The time after the last step, s.
     pub end: f64,
-    /// Π there, kg m²/s.
+    /// Π after the last step, kg m²/s.
     pub angular_momentum: [f64; 3],
-    /// Γ there.
+    /// Γ after the last step.
     pub vertical: [f64; 3],
-    /// max |invariant − initial value| over the rows of the output, by the columns' names.
+    /// The largest deviations max |invariant − initial value| over the rows of the output, by the names of the
+    /// columns.
     pub deviations: Map<String, Value>,
 }
 
 impl RunSummary {
-    /// That of a run that ended in (Π, Γ).
+    /// Creates the summary of a run that ended in (Π, Γ).
     pub(super) fn new(
         out: PathBuf,
         experiment: &Experiment,
@@ -71,7 +72,7 @@ pub(super) struct Deviations {
 }
 
 impl Deviations {
-    /// None yet, or those before a checkpoint.
+    /// Starts from zero, or from the deviations of a checkpoint.
     pub fn new(table: &RunTable, experiment: &Experiment, from: Option<&Checkpoint>) -> Self {
         let Experiment { top, start, .. } = experiment;
         let initial: Vec<f64> = table.invariants().iter().map(|f| f.value(top, start)).collect();

@@ -1,4 +1,4 @@
-//! A run from its configuration to its output.
+//! The command `simulate`: runs a configuration and writes the output.
 
 use super::checkpoint::{Checkpoint, argument};
 use super::recording::Recording;
@@ -15,17 +15,16 @@ use std::path::Path;
 use std::sync::atomic::Ordering;
 use std::time::Instant;
 
-/// Runs the configuration and writes `out`, in the format of its ending.
+/// Runs the configuration and writes `out`, in the format that its ending names.
 ///
-/// Until it is complete the rows are in `OUT.partial` for CSV, and as 64-bit numbers in `OUT.rows`
-/// otherwise, which takes as much disk again as the output does; the run goes on from
-/// `OUT.checkpoint`, to a file that equals that of an uninterrupted run byte for byte.
+/// Until the run is complete its rows are in `OUT.partial` for CSV. Otherwise they are in `OUT.rows` as 64-bit
+/// numbers, which takes as much disk again as the output does. An interrupted run continues from `OUT.checkpoint`.
+/// Its file then equals that of an uninterrupted run byte for byte.
 ///
 /// # Errors
-/// If the request is wrong, or another run is writing the output, or there is a checkpoint with which
-/// nothing shall be done, in which cases nothing is written; or the run fails, in which case
-/// what was computed until then is kept as `OUT.partial`; or it was stopped, or the disk is full,
-/// in which case it can go on from its checkpoint.
+/// If the request is wrong, another run is writing the output, or there is a checkpoint that shall be neither resumed
+/// nor discarded: then nothing is written. If the run fails: then what was computed until then is kept as
+/// `OUT.partial`. If it was stopped, or the disk is full: then it can be resumed from its checkpoint.
 ///
 /// # Example
 /// ```
@@ -46,7 +45,7 @@ pub fn simulate(
 ) -> Result<RunSummary, Error> {
     let experiment = config.experiment()?;
     let table = RunTable::new(&experiment);
-    // With all that was left out, to be written.
+    // The configuration to write includes all that was left out.
     let integrator = config.integrator.or(Integration::default()).into();
     let config = Config { integrator, ..config.clone() };
     let mut recording = Recording::begin(out, &config, &experiment, &table, options)?;
@@ -72,7 +71,7 @@ pub fn simulate(
     Ok(summary)
 }
 
-/// A run underway.
+/// The state of a run underway.
 struct Run<'a> {
     experiment: &'a Experiment,
     table: &'a RunTable,
@@ -82,7 +81,7 @@ struct Run<'a> {
     deviations: Deviations,
     row: Vec<f64>,
     last: Se3Dual,
-    /// When the checkpoint was made.
+    /// The time of the last checkpoint.
     renewed: Instant,
 }
 
@@ -101,7 +100,7 @@ impl Run<'_> {
         Ok(())
     }
 
-    /// Makes a checkpoint when it is time, and ends the run when it shall stop.
+    /// Makes a checkpoint when one is due, and ends the run when it shall stop.
     fn pause(&mut self, moment: &Moment<'_>) -> Result<(), Error> {
         let stop = self.options.stop.is_some_and(|stop| stop.load(Ordering::Relaxed));
         if !stop && self.renewed.elapsed() < self.options.interval {

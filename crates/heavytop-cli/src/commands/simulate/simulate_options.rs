@@ -1,25 +1,25 @@
-//! How a run is accompanied.
+//! The options of `simulate`: checkpoints, requests to stop, and progress.
 
 use super::checkpoint::Checkpoint;
 use std::sync::atomic::AtomicBool;
 use std::time::Duration;
 
-/// How a run is accompanied.
+/// The options of a run: checkpoints, requests to stop, and progress.
 #[derive(Clone, Copy, Debug)]
 pub struct SimulateOptions<'a> {
-    /// What it goes on from.
+    /// The checkpoint to continue from.
     pub resume: Option<&'a Checkpoint>,
-    /// Whether the checkpoint of an interrupted run, if there is one, is discarded.
+    /// Whether to discard the checkpoint of an interrupted run, if there is one.
     pub restart: bool,
-    /// After this time a checkpoint is renewed, at the next step that can have one.
+    /// The time after which a checkpoint is renewed, at the next step that can have one.
     pub interval: Duration,
-    /// Once this is true the run ends with a checkpoint.
+    /// The request to stop: once it is true, the run ends with a checkpoint.
     pub stop: Option<&'a AtomicBool>,
     /// Whether to show no progress bar.
     pub quiet: bool,
 }
 
-/// From the first step, with a checkpoint each minute, and quietly.
+/// Starts from the first step, with a checkpoint each minute and no progress bar.
 impl Default for SimulateOptions<'_> {
     fn default() -> Self {
         let interval = Duration::from_secs(60);

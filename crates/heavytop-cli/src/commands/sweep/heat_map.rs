@@ -11,21 +11,21 @@ use base64::engine::general_purpose::STANDARD;
 use resvg::tiny_skia::{ColorU8, Pixmap};
 use std::fmt::Write;
 
-/// In units of 0.01 mm.
+/// The width of the picture, in units of 0.01 mm.
 const WIDTH: f64 = 12_000.0;
 const HEIGHT: f64 = 10_000.0;
 const LEFT: f64 = 1500.0;
 const TOP: f64 = 500.0;
 const RIGHT: f64 = WIDTH - 2700.0;
 const BOTTOM: f64 = HEIGHT - 1100.0;
-/// The bar of colours.
+/// The left and the right edge of the bar of colours.
 const BAR: (f64, f64) = (RIGHT + 350.0, RIGHT + 650.0);
 
-/// 8 pt
+/// The size of the text, 8 pt.
 const TEXT: f64 = 282.0;
 const RULE: f64 = 14.0;
 
-/// From dark to light.
+/// The colours of the values, from dark to light.
 const COLOURS: [[f64; 3]; 6] = [
     [20.0, 20.0, 60.0],
     [60.0, 40.0, 130.0],
@@ -35,22 +35,22 @@ const COLOURS: [[f64; 3]; 6] = [
     [250.0, 245.0, 190.0],
 ];
 
-/// Of tops without a value.
+/// The colour of tops without a value.
 const NONE: [f64; 3] = [190.0; 3];
 
-/// The logarithms of smaller numbers are of no interest.
+/// The smallest number whose logarithm is distinguished.
 const SMALLEST: f64 = 1e-16;
 
-/// Fewer ticks do not tell a scale.
+/// The number of ticks below which they do not show a scale.
 const FEW: usize = 3;
 
-/// So many of the values, at either end, may lie outside the colours.
+/// The fraction of the values, at either end, that may lie outside the range of colours.
 const OUTLIERS: f64 = 0.005;
 
-/// Of more tops no map is drawn: it would have more pixels than a screen, and take gigabytes.
+/// The largest number of tops of a map; more would have more pixels than a screen, and take gigabytes.
 const MOST_TOPS: u64 = 1 << 24;
 
-/// The number of columns and rows of a sweep's maps; none unless it is a grid with two axes.
+/// Returns the number of columns and rows of a sweep's maps; `None` unless the sweep is a grid with two axes.
 pub(super) fn size(plan: &Plan) -> Option<[u32; 2]> {
     let [first, second] = plan.axes.as_slice() else { return None };
     match (first.spread, second.spread) {
@@ -63,10 +63,10 @@ pub(super) fn size(plan: &Plan) -> Option<[u32; 2]> {
     }
 }
 
-/// The values over the plane of the two axes, of a sweep that has maps of this size.
+/// Draws the values over the plane of the two axes; the sweep has maps of this size.
 ///
 /// # Errors
-/// If it cannot be drawn.
+/// If the map cannot be drawn.
 pub(super) fn heat_map(
     plan: &Plan,
     [columns, rows]: [u32; 2],
@@ -99,19 +99,19 @@ pub(super) fn heat_map(
     Ok(svg + "</svg>")
 }
 
-/// The range of the colours: all values but outliers.
+/// Returns the range of the colours: all values but outliers.
 fn range(values: &[Option<f64>]) -> [f64; 2] {
     let mut sorted: Vec<f64> = values.iter().copied().flatten().collect();
     sorted.sort_by(f64::total_cmp);
     let outliers = (sorted.len() as f64 * OUTLIERS) as usize;
     let least = sorted.get(outliers).copied().unwrap_or(0.0);
     let most = sorted.iter().rev().nth(outliers).copied().unwrap_or(0.0);
-    // Round-off looks like what it is.
+    // The range is not narrowed to round-off, which thus looks constant.
     let room = (1e-9 * least.abs()).max(1e-12);
     if most - least > room { [least, most] } else { [least - room, least + room] }
 }
 
-/// The values as a PNG, a pixel each.
+/// Encodes the values as a PNG with one pixel each.
 fn pixels(
     width: u32,
     height: u32,
@@ -144,7 +144,7 @@ fn image(svg: &mut String, (left, right): (f64, f64), png: &[u8]) {
     );
 }
 
-/// Where the values of an axis lie, and what they are.
+/// The range, the ticks and the label of an axis of the map.
 struct Marks {
     axis: Axis,
     label: String,
@@ -166,7 +166,7 @@ impl Marks {
         Self { axis: Axis::new(low, high, 5), label: axis.parameter.label(), reversed: from > to }
     }
 
-    /// Places from 0 to 1, and labels.
+    /// Returns the places of the ticks, from 0 to 1, and their labels.
     fn ticks(&self) -> impl Iterator<Item = (f64, String)> {
         let turned = |along: f64| if self.reversed { 1.0 - along } else { along };
         self.axis.labels().map(move |(value, label)| (turned(self.axis.along(value)), label))
@@ -220,8 +220,10 @@ fn legend(svg: &mut String, column: &Column, range: [f64; 2]) {
     );
 }
 
-/// The ticks of the bar, from 0 to 1. Of logarithms they are 1, 2 and 5 times powers of ten, or
-/// powers of ten alone if that would be many, or as round as can be if that would be few.
+/// Returns the ticks of the bar, from 0 to 1, and their labels.
+///
+/// On a logarithmic scale they are 1, 2 and 5 times powers of ten. Where that gives too many they are powers of ten
+/// alone; where it gives too few they are other round numbers.
 fn marks(column: &Column, [least, most]: [f64; 2]) -> Vec<(f64, String)> {
     if !column.is_logarithmic {
         let axis = Axis::new(least, most, 6);

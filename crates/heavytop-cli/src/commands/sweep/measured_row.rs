@@ -1,4 +1,4 @@
-//! One top: what is found out about its motion.
+//! The row of one top: the observables of its motion.
 
 use super::sweep_plan::Plan;
 use crate::Error;
@@ -10,23 +10,23 @@ use collective_integrators::{
 use heavytop::{HeavyTop, Invariant, Nutation};
 use lie_poisson::{DualNumber, Se3Dual, Vector, larger};
 
-/// What there is to say about a top.
+/// The values of all observables of a top.
 #[derive(Clone, Debug, Default, PartialEq)]
 pub(super) struct Row {
-    /// The columns of all observables; none where one has no value.
+    /// The values of the columns of all observables; `None` where one has no value.
     pub values: Vec<Option<f64>>,
-    /// Why the top has no values at all.
+    /// The reason why the top has no values at all.
     pub failure: Option<String>,
 }
 
 impl Row {
-    /// The value in a column, if there is one.
+    /// Returns the value in a column, if there is one.
     pub fn value(&self, column: usize) -> Option<f64> {
         self.values.get(column).copied().flatten()
     }
 }
 
-/// Follows the top with this number. What it becomes depends on nothing but the plan.
+/// Follows the top with this number and measures its row, which depends on the plan and the number alone.
 pub(super) fn measure(plan: &Plan, number: u64) -> Row {
     let values = plan.top(&plan.parameters(number)).and_then(|(top, start)| {
         plan.method.differentiate(&top, Follow { plan, top: &top, start: &start })
@@ -57,7 +57,7 @@ impl TangentTask for Follow<'_> {
     where
         I: Start<Momentum = Se3Dual> + Integrator<DualNumber>,
     {
-        // Tangent vectors cost more than the state: no more of them than are asked for.
+        // A tangent vector costs more than the state: there are as many as the observables need.
         let observables = &self.plan.observables;
         if observables.contains(&Observable::Sali) {
             self.follow::<I, 2>(integrator)
@@ -92,7 +92,7 @@ impl Follow<'_> {
         Ok(plan.observables.iter().flat_map(|observable| seen.values(*observable, &flow)).collect())
     }
 
-    /// Makes all steps.
+    /// Makes all steps of the run.
     fn run<I, const K: usize>(
         &self,
         flow: &mut VariationalFlow<'_, I, K>,
@@ -101,7 +101,7 @@ impl Follow<'_> {
         I: Start<Momentum = Se3Dual> + Integrator<DualNumber>,
     {
         let mut seen = Seen::new(self.top, self.start);
-        // Lengths at the start are no stretches.
+        // Lengths at the start do not count as stretches.
         flow.normalise()?;
         while flow.steps() < self.plan.schedule.steps {
             flow.advance()?;
@@ -112,20 +112,20 @@ impl Follow<'_> {
     }
 }
 
-/// The tangent vector with the number: one without symmetry, by Weyl's sequence.
+/// Returns the tangent vector with this number; it has no symmetry, by Weyl's sequence.
 fn tangent<V: Vector<Scalar = f64>>(number: usize) -> V {
     const GOLDEN: f64 = 0.618_033_988_749_894_9;
     V::from_coordinates(|i| ((number * V::DIM + i + 1) as f64 * GOLDEN).fract() - 0.5)
 }
 
-/// What is kept of a motion.
+/// The quantities that are accumulated along a motion.
 struct Seen {
     top: HeavyTop,
     initial: [f64; 3],
     drift: [f64; 3],
     nutation: Nutation,
     megno: Megno,
-    /// Σ ln(δ_k/δ_{k−1})
+    /// The sum `Σ ln(δ_k/δ_{k−1})` of the growth of tangent vectors.
     growth: f64,
 }
 

@@ -1,4 +1,4 @@
-//! `heavytop sweep`: many tops at once.
+//! The command `heavytop sweep`, which follows many tops at once and maps their observables.
 
 mod sweep_plan;
 mod measured_row;

@@ -1,23 +1,23 @@
-//! The processes that share a sweep: one, or those of an MPI job.
+//! The processes that share a sweep: a single one, or those of an MPI job.
 
 use crate::Error;
 
-/// Variables that launchers set: Open MPI's, those of PMIx and those of PMI (MPICH, Slurm).
+/// The variables that launchers set: those of Open MPI, of PMIx and of PMI (MPICH, Slurm).
 #[cfg(feature = "mpi")]
 const LAUNCHED: [&str; 3] = ["OMPI_COMM_WORLD_SIZE", "PMIX_RANK", "PMI_RANK"];
 
-/// This process among those that work together.
+/// This process among those that share the work.
 pub(super) struct Processes {
     #[cfg(feature = "mpi")]
     universe: Option<mpi::environment::Universe>,
 }
 
 impl Processes {
-    /// Joins the others. A program that was not started by `mpirun` is alone.
+    /// Joins the other processes. A program that was not started by `mpirun` is alone.
     pub fn join() -> Self {
         Self {
-            // Only the main thread of a process talks to the others. To initialise MPI outside a job
-            // would start a daemon.
+            // Only the main thread of a process communicates with the others. To initialise MPI outside a job would
+            // start a daemon.
             #[cfg(feature = "mpi")]
             universe: LAUNCHED
                 .iter()
@@ -28,7 +28,7 @@ impl Processes {
         }
     }
 
-    /// The number of this process, from 0, and how many there are.
+    /// Returns the number of this process, from 0, and the number of processes.
     #[cfg(feature = "mpi")]
     pub fn place(&self) -> (u64, u64) {
         use mpi::traits::Communicator;
@@ -38,13 +38,13 @@ impl Processes {
         })
     }
 
-    /// The number of this process, from 0, and how many there are.
+    /// Returns the number of this process, from 0, and the number of processes.
     #[cfg(not(feature = "mpi"))]
     pub fn place(&self) -> (u64, u64) {
         (0, 1)
     }
 
-    /// Waits until all have come here.
+    /// Waits until all processes have come here.
     pub fn wait_for_all(&self) {
         #[cfg(feature = "mpi")]
         if let Some(universe) = &self.universe {
@@ -53,8 +53,8 @@ impl Processes {
         }
     }
 
-    /// Passes the outcome on. A failure of one of many ends them all, after it has said why: the
-    /// others wait for what will not come.
+    /// Returns the outcome. If one of several processes failed, it prints the error and ends all of them, for the
+    /// others would wait for it.
     pub fn conclude<T>(&self, outcome: Result<T, Error>) -> Result<T, Error> {
         #[cfg(feature = "mpi")]
         if let (Err(error), Some(universe)) = (&outcome, &self.universe) {

@@ -1,4 +1,4 @@
-//! A sweep from its configuration to its table and its heat maps.
+//! The command `sweep`: from a configuration to a table and heat maps.
 
 use super::heat_map;
 use super::processes::Processes;
@@ -16,22 +16,23 @@ use crate::supervision::{Progress, TileOptions};
 use std::io::{self, Write};
 use std::path::Path;
 
-/// Pixels per CSS pixel: 288 dots per inch.
+/// The number of pixels per CSS pixel: 288 dots per inch.
 const SCALE: f32 = 3.0;
 
-/// Follows all tops of the configuration; writes `sweep.parquet` into the folder `out`, with a heat map of
-/// each column for a grid with two axes. It goes on from the finished tiles of an interrupted sweep
-/// if it shall.
+/// Follows all tops of the configuration, and writes `sweep.parquet` into the folder `out`.
 ///
-/// Processes of an MPI job (feature `mpi`) share the work; `out` must be on a file system that all
-/// of them see, and the first of them alone has the summary. No bit depends on the number of threads
-/// or processes. Memory does not grow with the number of tops, but for the heat maps.
+/// A grid with two axes also gets a heat map of each column. If asked to, it continues from the finished tiles of an
+/// interrupted sweep.
+///
+/// Processes of an MPI job (feature `mpi`) share the work. The folder `out` must be on a file system that all of them
+/// see, and only the first process returns the summary. No bit depends on the number of threads or processes. Memory
+/// does not grow with the number of tops, except for the heat maps.
 ///
 /// # Errors
-/// If the request is wrong, or another run writes the sweep, or there is an interrupted one with which
-/// nothing shall be done, in which cases nothing is written; or it was stopped, or a file cannot be
-/// written, in which case it can go on. A top that fails is no error: its row says why. If all fail, the
-/// table is kept as `sweep.parquet.partial`.
+/// If the request is wrong, another run writes the sweep, or there is an interrupted sweep that shall be neither
+/// resumed nor discarded: then nothing is written. If it was stopped, or a file cannot be written: then it can be
+/// resumed. If all tops fail: then the table is kept as `sweep.parquet.partial`. A single top that fails is no error:
+/// its row says why.
 ///
 /// # Example
 /// ```
@@ -69,7 +70,7 @@ fn run(
     let (plan, metadata) = (Plan::new(&config)?, Metadata::new(&config)?);
     let tops = Tops::new(&plan, &config, out)?;
     let threads = threads()?;
-    // The first process has the folder for all.
+    // The first process holds the folder for all of them.
     let held = (rank == 0).then(|| tops.tiles.prepare(options)).transpose()?;
     if let (0, Some(warning)) = (rank, plan.method.warning()) {
         // Where stderr is closed nobody can be warned.
@@ -91,8 +92,9 @@ fn run(
     assembled.map(Some)
 }
 
-/// Makes the files of all tiles. Of tops that all failed there are no maps, and the table, which says
-/// why, does not get its name.
+/// Makes the output files of all tiles.
+///
+/// If all tops failed there are no maps, and the table, which says why, does not get its final name.
 fn assemble(
     plan: &Plan,
     tops: &Tops,

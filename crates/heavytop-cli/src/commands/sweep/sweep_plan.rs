@@ -1,4 +1,4 @@
-//! The tops of a sweep, by number.
+//! The plan of a sweep: the parameters of each top, by its number.
 
 use crate::Error;
 use crate::configuration::{
@@ -14,10 +14,10 @@ use rand_chacha::ChaCha8Rng;
 use rand_chacha::rand_core::{Rng, SeedableRng};
 use std::f64::consts::TAU;
 
-/// More tops than this are a typing error.
+/// The largest number of tops; more must be a typing error.
 const MOST_TOPS: f64 = 1e9;
 
-/// A sweep that makes sense.
+/// A sweep whose configuration has been checked.
 #[derive(Clone, Debug, PartialEq)]
 pub(super) struct Plan {
     body: BodyConfig,
@@ -32,7 +32,7 @@ pub(super) struct Plan {
 }
 
 impl Plan {
-    /// The configuration with all that was left out and plays a part.
+    /// Returns the configuration with every key that was left out and plays a part.
     pub fn complete(config: &Config) -> Config {
         let integrator = config.integrator.or(Integration {
             formulation: Formulation::Reduced,
@@ -44,16 +44,16 @@ impl Plan {
         Config { integrator: integrator.into(), sweep: Some(sweep), ..config.clone() }
     }
 
-    /// What the configuration asks for; it is complete.
+    /// Reads the sweep that a complete configuration asks for.
     ///
     /// # Errors
-    /// If it makes no sense for any top.
+    /// If the sweep makes no sense for any top.
     pub fn new(config: &Config) -> Result<Self, Error> {
         let sweep = config.sweep.clone().unwrap_or_default();
         let axes = sweep.axes.iter().map(|axis| axis.axis()).collect::<Result<Vec<_>, _>>()?;
         require_consistent(&axes, &sweep.observables)?;
         let tops = number_of_tops(&axes, sweep.count)?;
-        // What no axis changes is wrong for every top if it is wrong.
+        // What no axis changes is either right or wrong for every top.
         if !axes.iter().any(|axis| axis.parameter.is_of_body()) {
             config.top()?;
         }
@@ -74,15 +74,15 @@ impl Plan {
         })
     }
 
-    /// The columns of all observables.
+    /// Returns the columns of all observables.
     pub fn columns(&self) -> impl Iterator<Item = &'static Column> {
         self.observables.iter().flat_map(|observable| observable.columns())
     }
 
-    /// The values of the axes for a top. In a grid the last axis runs fastest.
+    /// Returns the values of the axes for a top. In a grid the last axis runs fastest.
     ///
-    /// They depend on the configuration and the number alone; random ones are drawn from a stream of
-    /// ChaCha8 that is the top's own.
+    /// The values depend on the configuration and the number alone. Each top draws random values from a ChaCha8
+    /// stream of its own.
     pub fn parameters(&self, number: u64) -> Vec<f64> {
         let mut random = ChaCha8Rng::seed_from_u64(self.seed);
         random.set_stream(number);
@@ -92,7 +92,7 @@ impl Plan {
                 let (count, last) = (u64::from(count), u64::from(count.max(2) - 1));
                 let along = (rest % count) as f64 / last as f64;
                 rest /= count;
-                // Both ends are what they are said to be.
+                // At both ends the value is exactly the configured one.
                 from * (1.0 - along) + to * along
             }
             Spread::Uniform { from, to } => {
@@ -106,10 +106,10 @@ impl Plan {
         values
     }
 
-    /// The top and its start at these values of the axes.
+    /// Returns the top and its start at these values of the axes.
     ///
     /// # Errors
-    /// If there is no such top, or no such start, or it turns too far in a step.
+    /// If there is no such top or no such start, or the top turns too far in a step.
     pub fn top(&self, values: &[f64]) -> Result<(HeavyTop, Se3Dual), Error> {
         let (mut body, mut initial) = (self.body, self.initial);
         for azimuths in [false, true] {
@@ -164,12 +164,12 @@ fn number_of_tops(axes: &[SweepAxis], count: Option<u32>) -> Result<u64, SweepEr
     Ok(tops as u64)
 }
 
-/// In [0, 1).
+/// Draws a uniform random number in [0, 1).
 fn uniform(random: &mut ChaCha8Rng) -> f64 {
     (random.next_u64() >> 11) as f64 * 0.5_f64.powi(53)
 }
 
-/// With mean 0 and variance 1.
+/// Draws a normal random number with mean 0 and variance 1.
 ///
 /// Source: G. E. P. Box & M. E. Muller, *A note on the generation of random normal deviates*,
 /// Ann. Math. Statist. 29 (1958). By `libm`: the same bits on every machine.
@@ -205,7 +205,7 @@ mod tests {
         assert_eq!((values[0][1], values[5][1]), (0.1, 0.7));
     }
 
-    /// Of 4000 tops mean and variance are certain to 1/√4000 = 1.6 %; bounds are five times that.
+    /// The mean and the variance of 4000 tops are known to 1/√4000 = 1.6 %; the bounds are five times that.
     #[test]
     fn random_tops_have_their_distribution_and_know_nothing_of_each_other() {
         let text = "sweep.count = 4000\nsweep.axes = [{ parameter = 'body.mass', normal = [3, 0.5] }, \
@@ -221,7 +221,7 @@ mod tests {
         assert!((mean - 3.0).abs() < 0.04 && (variance / 0.25 - 1.0).abs() < 0.12);
         assert!((middle - 1.5).abs() < 0.03 && (width * 12.0 - 1.0).abs() < 0.1);
         assert!(values.iter().all(|v| (1.0..2.0).contains(&v[1])));
-        // Top 7 of a longer sweep is top 7; of another seed it is another.
+        // Top 7 of a longer sweep is the same; with another seed it is another one.
         let longer = self::plan(&text.replace("4000", "5000"));
         assert_eq!(longer.parameters(7), values[7]);
         assert_ne!(self::plan(&format!("sweep.seed = 1\n{text}")).parameters(7), values[7]);

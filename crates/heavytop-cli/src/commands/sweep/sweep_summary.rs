@@ -1,4 +1,4 @@
-//! A sweep in numbers.
+//! The summary of a sweep, which `heavytop sweep` prints.
 
 use super::measured_row::Row;
 use super::sweep_plan::Plan;
@@ -7,7 +7,7 @@ use serde::Serialize;
 use std::fmt;
 use std::path::{Path, PathBuf};
 
-/// A sweep in numbers.
+/// The summary of a sweep, in numbers.
 #[derive(Clone, Debug, PartialEq, Serialize)]
 pub struct SweepSummary {
     /// The folder of the table and the heat maps.
@@ -20,16 +20,16 @@ pub struct SweepSummary {
     pub scheme: &'static str,
     /// The time step, s.
     pub step: f64,
-    /// How long each was followed, s.
+    /// The time for which each top was followed, s.
     pub end: f64,
     /// The number of tops that could not be followed.
     pub failed: u64,
-    /// Why the first of them could not.
+    /// The reason why the first of the failed tops could not be followed.
     pub first_failure: Option<String>,
 }
 
 impl SweepSummary {
-    /// That of tops of which none has failed yet.
+    /// Creates the summary of a sweep in which no top has failed yet.
     pub(super) fn new(plan: &Plan, out: &Path) -> Self {
         Self {
             out: out.into(),
@@ -43,7 +43,7 @@ impl SweepSummary {
         }
     }
 
-    /// Counts those that failed.
+    /// Counts the tops that failed.
     pub(super) fn add(&mut self, rows: &[Row]) {
         for failure in rows.iter().filter_map(|row| row.failure.as_ref()) {
             self.failed += 1;

@@ -1,4 +1,4 @@
-//! The table of a sweep, as Parquet.
+//! The table of a sweep as a Parquet file.
 
 use super::measured_row::Row;
 use super::sweep_plan::Plan;
@@ -13,24 +13,24 @@ use parquet::file::writer::SerializedFileWriter;
 use parquet::schema::types::Type;
 use std::path::{Path, PathBuf};
 
-/// `index`, the parameters, the observables and `failure` of each top; the last two may be null. The
-/// configuration is in the file's metadata.
+/// The table with `index`, the parameters, the observables and `failure` of each top.
 ///
-/// Rows are written in groups, and no more than a group of them is held.
+/// The observables and `failure` may be null. The configuration is in the file's metadata. Rows are written in
+/// groups, and no more than a group of them is held in memory.
 pub(super) struct TopTable<'a> {
     plan: &'a Plan,
     path: PathBuf,
     file: SerializedFileWriter<Output>,
-    /// The number of the first of the rows that are held.
+    /// The number of the first row in memory.
     first: u64,
     rows: Vec<Row>,
 }
 
 impl<'a> TopTable<'a> {
-    /// The table without rows.
+    /// Creates the table without rows.
     ///
     /// # Errors
-    /// If the file cannot be made.
+    /// If the file cannot be created.
     pub fn begin(
         plan: &'a Plan,
         metadata: &Metadata,
@@ -45,24 +45,24 @@ impl<'a> TopTable<'a> {
     /// Adds the next rows.
     ///
     /// # Errors
-    /// If they cannot be written.
+    /// If the rows cannot be written.
     pub fn add(&mut self, rows: Vec<Row>) -> std::result::Result<(), Error> {
         self.rows.extend(rows);
         if self.rows.len() < GROUP { Ok(()) } else { self.write() }
     }
 
-    /// Gives the file its name.
+    /// Completes the file and gives it its name.
     ///
     /// # Errors
-    /// If it cannot be completed.
+    /// If the file cannot be completed.
     pub fn complete(self) -> std::result::Result<(), Error> {
         self.whole()?.complete()
     }
 
-    /// Leaves the whole file as `NAME.partial`, and says where that is.
+    /// Leaves the complete file as `NAME.partial`, and returns its path.
     ///
     /// # Errors
-    /// If it cannot be completed.
+    /// If the file cannot be completed.
     pub fn keep(self) -> std::result::Result<PathBuf, Error> {
         let partial = Place::of(&self.path)?.beside("partial");
         self.whole()?.keep().map(|()| partial)
@@ -114,7 +114,7 @@ fn failed(path: &Path, source: std::io::Error) -> Error {
 
 fn fields(plan: &Plan) -> Result<Vec<Type>> {
     let axes = plan.axes.iter().map(|axis| required(axis.parameter.name(), PhysicalType::DOUBLE));
-    // A column that may have nulls is what there is without more words.
+    // A column is optional unless it is declared otherwise.
     let optional = |name, kind| Type::primitive_type_builder(name, kind);
     let columns = plan.columns().map(|column| optional(column.name, PhysicalType::DOUBLE).build());
     let failure = optional("failure", PhysicalType::BYTE_ARRAY);

@@ -1,4 +1,4 @@
-//! The tops of a sweep by tiles.
+//! The tops of a sweep, computed in tiles that outlast an interruption.
 
 use super::measured_row::{Row, measure};
 use super::sweep_plan::Plan;
@@ -11,7 +11,7 @@ use std::fmt::Write;
 use std::ops::Range;
 use std::path::Path;
 
-/// The tops of a tile. No bit depends on it.
+/// The number of tops in a tile. No bit depends on it.
 const TILE: u64 = 256;
 
 /// The tops of a sweep, which are followed tile by tile.
@@ -25,7 +25,7 @@ pub(super) struct Tops<'a> {
 }
 
 impl<'a> Tops<'a> {
-    /// Those of the plan, with their tiles below this folder. The configuration is the plan's.
+    /// Creates the tiles of the plan below the folder `out`, for the configuration of the plan.
     ///
     /// # Errors
     /// As [`Config::to_toml`].
@@ -33,19 +33,18 @@ impl<'a> Tops<'a> {
         Ok(Self { plan, tiles: Tiles::new(out.join("sweep.partial"), config)? })
     }
 
-    /// The number of tiles.
+    /// Returns the number of tiles.
     pub fn count(&self) -> u64 {
         self.plan.tops.div_ceil(TILE)
     }
 
-    /// The numbers of a tile's tops.
+    /// Returns the numbers of the tops of a tile.
     pub fn tops(&self, tile: u64) -> Range<u64> {
         let first = tile * TILE;
         first..self.plan.tops.min(first + TILE)
     }
 
-    /// Follows the tops of a tile on all threads, and keeps what comes of it; or sees that it is
-    /// finished.
+    /// Follows the tops of a tile on all threads and keeps their rows, unless the tile is finished already.
     ///
     /// # Errors
     /// If the run was stopped, or the tile cannot be written.
@@ -70,16 +69,16 @@ impl<'a> Tops<'a> {
         self.tiles.write(tile, &text)
     }
 
-    /// Hands the rows of each tile to `visit`, in order. All tiles are finished.
+    /// Passes the rows of each tile to `visit`, in order. All tiles must be finished.
     ///
     /// # Errors
-    /// If one is not, or `visit` fails.
+    /// If a tile is not finished, or `visit` fails.
     pub fn each(&self, mut visit: impl FnMut(Vec<Row>) -> Result<(), Error>) -> Result<(), Error> {
         (0..self.count())
             .try_for_each(|tile| visit(self.read(tile)?.ok_or_else(|| self.tiles.missing(tile))?))
     }
 
-    /// What came of a tile; none if it is not finished, or not what it should be.
+    /// Reads the rows of a tile; `None` if it is unfinished or not what it should be.
     fn read(&self, tile: u64) -> Result<Option<Vec<Row>>, Error> {
         let Some(text) = self.tiles.read(tile)? else { return Ok(None) };
         let rows: Option<Vec<Row>> = text.lines().map(|line| self.row(line)).collect();

@@ -1,11 +1,11 @@
-//! Runs the program in a folder of its own. No test file needs all of this.
+//! The program in a folder of its own, for the tests that run it. No test file needs all of this.
 #![allow(dead_code)]
 
 use std::path::PathBuf;
 use std::process::{Child, Command, Output, Stdio};
 use tempfile::TempDir;
 
-/// A folder that is removed afterwards.
+/// A folder that is removed with its contents when the test ends.
 pub struct Folder(TempDir);
 
 impl Folder {
@@ -25,7 +25,7 @@ impl Folder {
         std::fs::read_to_string(self.path(name)).unwrap()
     }
 
-    /// The names in the folder, sorted.
+    /// Returns the names in the folder, sorted.
     pub fn names(&self) -> Vec<String> {
         let entries = std::fs::read_dir(self.0.path()).unwrap();
         let mut names: Vec<String> =
@@ -39,7 +39,7 @@ impl Folder {
         Finished(self.command(arguments).output().unwrap())
     }
 
-    /// The same on so many threads.
+    /// Runs `heavytop` with these arguments in the folder, on so many threads.
     pub fn heavytop_on(&self, threads: &str, arguments: &[&str]) -> Finished {
         Finished(self.command(arguments).env("RAYON_NUM_THREADS", threads).output().unwrap())
     }
@@ -56,7 +56,7 @@ impl Folder {
     }
 }
 
-/// What the program left behind.
+/// The exit code and the output of a finished run.
 pub struct Finished(Output);
 
 impl Finished {
@@ -73,7 +73,7 @@ impl Finished {
     }
 }
 
-/// The header and the numbers of a table whose cells are all numbers.
+/// Reads the header and the numbers of a table whose cells are all numbers.
 pub fn numbers(csv: &str) -> (Vec<String>, Vec<Vec<f64>>) {
     let mut lines = csv.lines();
     let header = lines.next().unwrap().split(',').map(String::from).collect();

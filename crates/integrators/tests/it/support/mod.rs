@@ -1,4 +1,4 @@
-//! The generic system of the law suites, and whether a scheme does what it claims.
+//! The generic system of the law suites, and the check that a scheme keeps its promises.
 #![allow(dead_code)]
 
 #[cfg(not(feature = "laws"))]
@@ -10,7 +10,7 @@ use lie_poisson::*;
 use momentum_map::{Cotangent, CotangentBundle};
 use nalgebra::Vector2;
 
-/// T*R²
+/// The phase space T*R² of the generic system.
 pub type Phase = CotangentBundle<RealSpace<2>>;
 pub type Z<T = f64> = Cotangent<Vector2<T>>;
 
@@ -26,7 +26,7 @@ pub fn start() -> Z {
     GenericSystem::start()
 }
 
-/// Φ_hⁿ(z), h = time/n.
+/// Returns the state Φ_hⁿ(z) after n steps of size h = time/n.
 pub fn advance<S: Scheme, F: VectorField>(
     scheme: &S,
     field: &F,
@@ -38,10 +38,10 @@ pub fn advance<S: Scheme, F: VectorField>(
     (0..n).fold(z, |z, _| scheme.step(field, &z, time / n as f64, &mut workspace).unwrap().point)
 }
 
-/// The round-off of a step with a few dozen evaluations, with room for cancellation.
+/// The round-off of a step with a few dozen evaluations, with some cancellation.
 pub const ROUND_OFF: f64 = 1e-13;
 
-/// The laws of a scheme, and its claims in the other direction too: it has no property that it does not claim.
+/// Checks the laws of a scheme, and that it has no property that it does not claim.
 pub fn keeps_its_promises<S: Scheme>(scheme: &S, name: &str) {
     if let Err(broken) = laws::scheme(scheme).check(ROUND_OFF) {
         panic!("{name}: {broken}");

@@ -1,4 +1,4 @@
-//! Samples for the law suites, and their tolerance.
+//! The samples of the law suites, and their tolerance.
 
 #[cfg(not(feature = "laws"))]
 compile_error!("these tests need the law suite: cargo test --features laws");
@@ -7,10 +7,10 @@ use lie_poisson::Vector;
 pub use momentum_map::laws;
 use momentum_map::laws::Report;
 
-/// Rounding of the few dozen operations in a law, relative to the sizes that enter it.
+/// The round-off of the few dozen operations in a law, relative to the sizes that enter it.
 pub const TOLERANCE: f64 = 1e-13;
 
-/// Four generic vectors, with coordinates in (−1, 1).
+/// Returns four generic vectors, with coordinates in (−1, 1).
 pub fn samples<V: Vector<Scalar = f64>>() -> Vec<V> {
     let mut seed = 5.0_f64;
     let mut next = move || {
