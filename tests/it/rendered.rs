@@ -6,10 +6,6 @@ use std::error::Error;
 use std::fs;
 use std::path::{Path, PathBuf};
 
-/// Folders whose comments still have such formulas. Delete a line when its folder has none.
-const NOT_YET: &[&str] =
-    &["crates/integrators/src", "crates/heavytop/src/kernels", "crates/heavytop-cli/src"];
-
 /// Returns the files with this extension under the folders of the repository, by their paths from its root.
 fn files(folders: &[&str], extension: &str) -> Result<Vec<(String, String)>, Box<dyn Error>> {
     let root = Path::new(env!("CARGO_MANIFEST_DIR")).join("..");
@@ -27,12 +23,10 @@ fn files(folders: &[&str], extension: &str) -> Result<Vec<(String, String)>, Box
     Ok(found)
 }
 
-/// Returns the sources of the crates and of the library of these tests that are not exempt.
+/// Returns the sources of the crates and of the library of these tests.
 fn sources() -> Result<Vec<(String, String)>, Box<dyn Error>> {
     let mut sources = files(&["crates", "tests/src"], "rs")?;
-    sources.retain(|(name, _)| {
-        name.contains("src/") && !NOT_YET.iter().any(|folder| name.starts_with(folder))
-    });
+    sources.retain(|(name, _)| name.contains("src/"));
     Ok(sources)
 }
 

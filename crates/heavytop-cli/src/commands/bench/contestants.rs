@@ -160,7 +160,7 @@ fn many_tops(contest: &mut Contest<'_, impl FnMut(Run)>) -> Result<(), Error> {
     }
     let (name, midpoint) = ("heavytop lift-free midpoint", TopMidpoint::new(top));
     contest.many(name, 0.01, midpoint, |mu| mu, |mu| *mu)?;
-    let (name, sweep) = ("heavytop lift-free midpoint, a top each", MidpointBatch::new());
+    let (name, sweep) = ("heavytop lift-free midpoint, separate parameters", MidpointBatch::new());
     contest.many(name, 0.01, sweep, |mu| (top, mu), |(_, mu)| *mu)?;
 
     // These integrators are much slower. The time for a top does not depend on the number of tops.
