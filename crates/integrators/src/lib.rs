@@ -97,10 +97,10 @@ pub mod diagnostics;
 #[cfg(feature = "laws")]
 pub mod laws;
 
-pub use batch::alone::advance_alone;
+pub use batch::single_member::advance_alone;
 pub use batch::batch_integrator::BatchIntegrator;
 pub use batch::ensemble::{Chunk, Ensemble, MemberError};
-pub use batch::groups::MOST_LANES;
+pub use batch::group_engine::MOST_LANES;
 pub use batch::lane_kernel::{LaneKernel, LaneResults, Registers};
 pub use batch::laned::Laned;
 pub use chaos::lyapunov::{Exponents, LyapunovExponents, MaximalLyapunovExponent};

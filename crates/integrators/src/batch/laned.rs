@@ -1,7 +1,7 @@
 //! Integrators over SIMD lanes as batch integrators: [`Laned`].
 
-use crate::batch::alone::advance_alone;
-use crate::batch::groups::{Group, advance_groups};
+use crate::batch::single_member::advance_alone;
+use crate::batch::group_engine::{Group, advance_groups};
 use crate::batch::lane_kernel::LaneResults;
 use crate::{BatchIntegrator, IntegrationError, Integrator};
 use core::marker::PhantomData;

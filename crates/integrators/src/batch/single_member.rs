@@ -1,6 +1,6 @@
 //! Advances one member of a batch by itself.
 
-use crate::batch::blocks::blocks;
+use crate::batch::checkpoint_blocks::blocks;
 use crate::{IntegrationError, Integrator, StepError};
 use core::ops::Range;
 use lie_poisson::Real;
