@@ -97,12 +97,12 @@ pub mod diagnostics;
 #[cfg(feature = "laws")]
 pub mod laws;
 
-pub use batch::single_member::advance_alone;
 pub use batch::batch_integrator::BatchIntegrator;
 pub use batch::ensemble::{Chunk, Ensemble, MemberError};
 pub use batch::group_engine::MOST_LANES;
 pub use batch::lane_kernel::{LaneKernel, LaneResults, Registers};
 pub use batch::laned::Laned;
+pub use batch::single_member::advance_alone;
 pub use chaos::lyapunov::{Exponents, LyapunovExponents, MaximalLyapunovExponent};
 pub use chaos::megno::Megno;
 pub use chaos::smaller_alignment::smaller_alignment_index;

@@ -1,8 +1,8 @@
 //! Integrators over SIMD lanes as batch integrators: [`Laned`].
 
-use crate::batch::single_member::advance_alone;
 use crate::batch::group_engine::{Group, advance_groups};
 use crate::batch::lane_kernel::LaneResults;
+use crate::batch::single_member::advance_alone;
 use crate::{BatchIntegrator, IntegrationError, Integrator};
 use core::marker::PhantomData;
 use core::ops::Range;
