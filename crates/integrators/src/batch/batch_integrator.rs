@@ -15,14 +15,14 @@ pub trait BatchIntegrator: Sync {
     /// The type of a member: its state, together with its parameters if they differ from member to member.
     type Member: Copy + Send + Sync;
 
-    /// The storage that [`advance`](Self::advance) needs, allocated once per thread.
+    /// The storage that [`advance`](Self::advance) needs, allocated for each task of a thread.
     type Workspace;
 
     /// Allocates the storage for [`advance`](Self::advance).
     fn workspace(&self) -> Self::Workspace;
 
     /// Advances each member from its state after `steps.start` steps to that after `steps.end` steps. The size `step`
-    /// may be negative. No step allocates.
+    /// may be negative. No step allocates, except one that needs Newton's iteration and those of a member by itself.
     ///
     /// A method that predicts stages from the steps before remembers nothing at the start of a call. It forgets at
     /// every multiple of [`CHECKPOINT`](crate::CHECKPOINT), as a [`Trajectory`](crate::Trajectory) does.

@@ -121,7 +121,8 @@ impl<B: BatchIntegrator> Ensemble<B> {
     /// the failed members by increasing index; they keep the state before the failed step.
     ///
     /// A run in several calls has the bits of one run if the calls meet at multiples of
-    /// [`CHECKPOINT`](crate::CHECKPOINT).
+    /// [`CHECKPOINT`](crate::CHECKPOINT). Leave members that have failed out of later calls, which would advance them from
+    /// where they are and report them again.
     pub fn advance(
         &self,
         members: &mut [B::Member],

@@ -47,9 +47,12 @@ use lie_poisson::{InstructionSet, LaneTask, Lanes, MissingInstructions, Width, d
 ///         steps: Range<u64>,
 ///         (): &mut (),
 ///     ) -> Result<(), IntegrationError> {
-///         // A rotation has a result for every finite start.
-///         StepError::check_start(member, step)
-///             .map_err(|refused| IntegrationError::after(steps.start, step, refused))
+///         let reason = match StepError::check_start(member, step) {
+///             Err(refused) => refused,
+///             Ok(()) if steps.is_empty() => return Ok(()),
+///             Ok(()) => StepError::NotFinite, // The sum has overflowed.
+///         };
+///         Err(IntegrationError::after(steps.start, step, reason))
 ///     }
 /// }
 ///

@@ -98,11 +98,17 @@ fn assemble<T: Real, F: VectorField<T>>(
     progress
 }
 
-/// Returns the unit of each coordinate: the larger of |z_b| and h |k_b| in its block b, or 1 if both are 0.
+/// The smallest unit, as a multiple of the largest one. Blocks of physical quantities differ by less, and quotients of
+/// units do not overflow.
+const SMALLEST_UNIT: f64 = 1e-200;
+
+/// Returns the unit of each coordinate: the larger of |z_b| and h |k_b| in its block b, or 1 if all are 0.
 fn units<T: Real, V: Vector<Scalar = T>>(z: &V, step: f64, k: &[V]) -> V {
     let (start, stages) = (BlockSizes::of(core::slice::from_ref(z)), BlockSizes::of(k));
+    let size = |b: usize| start.at(b).larger(stages.at(b) * step.abs());
+    let largest = (1..V::BLOCKS).fold(size(0), |largest, b| size(b).larger(largest));
     V::from_coordinates(|i| {
-        let unit = start.of_coordinate(i).larger(stages.of_coordinate(i) * step.abs());
+        let unit = size(V::block(i)).larger(largest * SMALLEST_UNIT);
         T::select(unit.at_most(T::zero()), T::one(), unit)
     })
 }

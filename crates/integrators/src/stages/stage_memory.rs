@@ -13,7 +13,6 @@ use lie_poisson::{Mask, Real, Vector};
 /// [`RungeKutta`](crate::RungeKutta) methods do.
 ///
 /// A prediction affects the last bits of a result. [`forget`](Self::forget) makes them independent of the steps before.
-/// steps before.
 ///
 /// # Example
 /// The midpoint rule for a pendulum, with the velocity (dq/dt, dp/dt) = (p, −sin q) at the midpoint as unknown:

@@ -152,6 +152,9 @@ mod tests {
         close(relative(two(1.0, 0.0), two(1.0, 50.0), two(0.0, 0.5)), 0.01);
         close(relative(two(1.0, 0.0), two(1.0, 50.0), two(0.01, 0.0)), 0.01);
         close(relative(two(1.0, 0.0), two(1.0, 0.0), two(0.0, 0.0)), 0.0);
+        // The reciprocal of a block below the normal numbers overflows; it sets no rate either.
+        close(relative(two(1.0, 1e-310), two(1.0, -1e-310), two(0.1, 0.0)), 0.1);
+        close(relative(two(1e-310, 1.0), two(0.0, 1.0), two(0.0, 0.01)), 0.01);
     }
 
     #[test]

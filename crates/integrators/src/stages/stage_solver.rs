@@ -37,8 +37,9 @@ const NEWTON_ITERATIONS: usize = 50;
 /// implicit Runge–Kutta methods*, BIT 48 (2008), §2.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct StageSolver {
-    /// The largest accepted h |Δk|, as a multiple of the larger of |z| and h |k|, in each block of coordinates. It has
-    /// no unit; 0 iterates to the round-off floor.
+    /// The largest accepted h |Δk|, as a multiple of the larger of |z| and h |k|, in each block of coordinates. Where
+    /// the unknowns are not derivatives of the state ([`solve`](Self::solve), [`StageMemory`](crate::StageMemory)), the
+    /// largest accepted |Δk| as a multiple of |k| in each block. It has no unit; 0 iterates to the round-off floor.
     pub tolerance: f64,
     /// The number of sweeps after which the fixed-point iteration is abandoned.
     pub max_iterations: usize,
@@ -245,8 +246,10 @@ pub(crate) fn evenly_scaled<V: Vector>(v: &V, step: f64) -> V {
 const UPPER_HALF: u64 = !0 << 27;
 
 #[cfg(test)]
+#[allow(clippy::unwrap_used)]
 mod tests {
     use crate::{RungeKutta, Scheme, StepError, from_fn};
+    use lie_poisson::Pair;
     use nalgebra::{Vector1, Vector2};
 
     #[test]
@@ -268,6 +271,27 @@ mod tests {
             let exact = Vector2::new(0.5 * z.x + 8.0 * z.y, 0.5 * z.y - 0.25 * z.x) / 1.5;
             // a few times the round-off of ẋ, which is up to 32 ε here
             assert!(step.is_ok_and(|step| (step - exact).amax() < 128.0 * f64::EPSILON));
+        }
+    }
+
+    /// A block below the normal numbers, first or second, does not disturb the other block: by sweeps, and by Newton's
+    /// iteration at a step for which sweeps diverge.
+    #[test]
+    fn a_subnormal_block_does_not_disturb_the_other() {
+        type Two = Pair<Vector1<f64>, Vector1<f64>>;
+        let rate = |x: f64| -x - x * x * x;
+        let alone = from_fn(|x: &Vector1<f64>| Vector1::new(rate(x.x)));
+        let second = from_fn(|z: &Two| Pair(z.0.map(rate), -z.1));
+        let first = from_fn(|z: &Two| Pair(Vector1::new(0.0), z.1.map(rate)));
+        let gauss = RungeKutta::gauss(2).unwrap();
+        for (h, tiny) in [0.1, 8.0].into_iter().flat_map(|h| [5e-324, 1e-310].map(|y| (h, y))) {
+            let (x, y) = (Vector1::new(0.7), Vector1::new(tiny));
+            let expected = gauss.step(&alone, &x, h, &mut gauss.workspace()).unwrap().point;
+            let end = gauss.step(&second, &Pair(x, y), h, &mut gauss.workspace()).unwrap().point.0;
+            assert!((end - expected).amax() < 4.0 * f64::EPSILON, "{h} {tiny:e}: {end}");
+            let end = gauss.step(&first, &Pair(y, x), h, &mut gauss.workspace()).unwrap().point;
+            assert!((end.1 - expected).amax() < 4.0 * f64::EPSILON, "{h} {tiny:e}: {end:?}");
+            assert_eq!(end.0, y);
         }
     }
 }
