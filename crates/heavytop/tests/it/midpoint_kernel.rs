@@ -161,3 +161,17 @@ fn a_start_that_is_no_number_is_an_error() {
         }
     }
 }
+
+/// The sweeps of an abandoned fixed-point iteration count: two more sweeps before Newton's iteration are two more
+/// iterations, and change no bit of the result.
+#[test]
+fn sweeps_without_convergence_are_counted() {
+    let step = |max_iterations: usize| {
+        let solver = StageSolver { max_iterations, ..StageSolver::default() };
+        let midpoint = ReducedMidpoint::new(tops()[1]).with_solver(solver);
+        midpoint.after(&start(), 0.1, 1).unwrap()
+    };
+    let (one, three) = (step(1), step(3));
+    assert_eq!(three.iterations, one.iterations + 2);
+    assert_eq!(three.state, one.state);
+}

@@ -47,7 +47,7 @@ pub(crate) struct Watch<T> {
 /// The last two ratios of changes in an iteration.
 pub(crate) type Ratios<T> = [T; 2];
 
-/// Returns the ratios of an iteration of which nothing is known.
+/// Returns the ratios with which an iteration begins before any change has been measured.
 #[inline]
 pub(crate) fn unknown<T: Real>() -> Ratios<T> {
     [T::from_f64(f64::INFINITY); 2]

@@ -38,7 +38,7 @@ impl Energy for Spins {
     }
 }
 
-/// The flows of the two parts of q̇ = p, ṗ = −q − q³.
+/// The flows of the two parts of dq/dt = p, dp/dt = −q − q³.
 #[derive(Clone, Copy)]
 struct Spring;
 

@@ -105,7 +105,8 @@ impl<H> ReducedMidpoint<H> {
                 let (next, newton) = self.step_by_newton(mu, step, &mut space.newton)?;
                 let converged = unconverged.converged;
                 let point = Vector::select(converged, &found, &next.point);
-                (Step { point, ..next }.finite()?, Vector::select(converged, &a, &newton))
+                let iterations = unconverged.iterations + next.iterations;
+                (Step { point, iterations }.finite()?, Vector::select(converged, &a, &newton))
             }
             Err(unconverged) => return Err(unconverged.into()),
         };
