@@ -4,7 +4,7 @@
 //! The schemes are written here as plain maps of T*C²; [`Collective::new`](collective_integrators::Collective::new) takes them only if
 //! someone promises that they are [`Equivariant`](collective_integrators::Equivariant).
 
-use collective_integrators::{RungeKutta, Scheme};
+use collective_integrators::{RungeKutta, Scheme, VectorField};
 use heavytop::{HeavyTop, Invariant, SpinorPoint, SpinorRealisation};
 use lie_poisson::{DualNumber, Real, Vector, derivative_part, seed};
 use momentum_map::{CollectiveHamiltonian, Cotangent, FibreSymmetry, PoissonMap, SymplecticSpace};
@@ -25,11 +25,9 @@ fn fixed_point<T: Real>(
 /// Makes a step of symplectic Euler, implicit in p: p₁ = p₀ − h H_q(q₀, p₁), q₁ = q₀ + h H_p(q₀, p₁).
 fn euler_p_first<T: Real>(system: &System, z: &SpinorPoint<T>, h: f64) -> SpinorPoint<T> {
     let h = T::from_f64(h);
-    let middle = fixed_point(*z, |guess| Cotangent {
-        q: z.q,
-        p: z.p + system.vector_field::<T>(guess).p.scaled(h),
-    });
-    let q = z.q + system.vector_field::<T>(&middle).q.scaled(h);
+    let middle =
+        fixed_point(*z, |guess| Cotangent { q: z.q, p: z.p + system.at(guess).p.scaled(h) });
+    let q = z.q + system.at(&middle).q.scaled(h);
     Cotangent { q, p: middle.p }
 }
 
@@ -37,11 +35,9 @@ fn euler_p_first<T: Real>(system: &System, z: &SpinorPoint<T>, h: f64) -> Spinor
 /// H_q(q₁, p₀).
 fn euler_q_first<T: Real>(system: &System, z: &SpinorPoint<T>, h: f64) -> SpinorPoint<T> {
     let h = T::from_f64(h);
-    let middle = fixed_point(*z, |guess| Cotangent {
-        p: z.p,
-        q: z.q + system.vector_field::<T>(guess).q.scaled(h),
-    });
-    let p = z.p + system.vector_field::<T>(&middle).p.scaled(h);
+    let middle =
+        fixed_point(*z, |guess| Cotangent { p: z.p, q: z.q + system.at(guess).q.scaled(h) });
+    let p = z.p + system.at(&middle).p.scaled(h);
     Cotangent { q: middle.q, p }
 }
 
@@ -93,8 +89,8 @@ fn they_are_symplectic() -> Outcome {
     assert!(symplectic_defect(|z| stoermer_verlet(&system, z, 0.02), &z) < 1e-13);
     assert!(symplectic_defect(|z| midpoint(&system, z, 0.02), &z) < 1e-13);
     let explicit = |z: &SpinorPoint<DualNumber>| {
-        let half = system.vector_field(z).scaled(DualNumber::constant(0.01));
-        *z + system.vector_field(&(*z + half)).scaled(DualNumber::constant(0.02))
+        let half = system.at(z).scaled(DualNumber::constant(0.01));
+        *z + system.at(&(*z + half)).scaled(DualNumber::constant(0.02))
     };
     assert!(symplectic_defect(explicit, &z) > 1e-5);
     Ok(())

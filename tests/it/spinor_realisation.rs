@@ -1,5 +1,6 @@
 //! §4.1: M in closed form is the composition ϖ∘L, and its generator is a Hamiltonian vector field.
 
+use collective_integrators::VectorField;
 use heavytop::{SPINOR_MOTIONS, SpinorMotions, SpinorPoint, SpinorRealisation, Varpi};
 use lie_poisson::{Covector, Hamiltonian, Pair, PoissonSpace, Vector, differential, from_closure};
 use momentum_map::{
@@ -81,7 +82,7 @@ proptest! {
     fn the_canonical_system(z in point::<SpinorPoint>()) {
         let top = tops::generic().map_err(|e| TestCaseError::fail(e.to_string()))?;
         let system = CollectiveHamiltonian::new(SpinorRealisation, top);
-        let velocity = system.vector_field::<f64>(&z);
+        let velocity = system.at(&z);
         let dh: Covector<SpinorPoint> = differential(
             |z| Hamiltonian::<_, lie_poisson::DualNumber>::value(&system, z),
             &z,
@@ -125,9 +126,5 @@ fn wrong_generators_are_seen() {
     let quadratic = from_closure::<heavytop::HeavyTopSpace, _>(|mu| mu.0.0.dot(&mu.0.0));
     let system = CollectiveHamiltonian::new(SpinorRealisation, quadratic);
     let by_hand = Pair(SpinorRealisation.apply(&z).0.0 * 2.0, Vector3::zeros());
-    assert_near(
-        &system.vector_field(&z),
-        &SpinorRealisation.generator::<f64>(&by_hand, &z),
-        ROUND_OFF,
-    );
+    assert_near(&system.at(&z), &SpinorRealisation.generator::<f64>(&by_hand, &z), ROUND_OFF);
 }

@@ -3,11 +3,7 @@
 use crate::stage_frame::{OwnFrame, StageFrame};
 use core::marker::PhantomData;
 use lie_poisson::{
-    Differential, DualNumber, Hamiltonian, Point, PoissonSpace, Real, Vector, derivative_part,
-    map_coordinates, seed,
-};
-use momentum_map::{
-    CollectiveHamiltonian, PoissonMap, SourcePoint, TargetDifferential, TargetPoint,
+    Differential, DualNumber, Hamiltonian, Point, PoissonSpace, Real, Vector, derivative_part, seed,
 };
 
 /// An autonomous vector field dz/dt = X(z) over the scalar `T`.
@@ -37,31 +33,6 @@ pub trait VectorField<T: Real = f64> {
         Self: Sized,
     {
         OwnFrame
-    }
-}
-
-/// The collective vector field of h∘M on the source of M.
-impl<M, H, T> VectorField<T> for CollectiveHamiltonian<M, H>
-where
-    M: PoissonMap,
-    H: Hamiltonian<M::Target, T>,
-    T: Real,
-{
-    type Point = SourcePoint<M, T>;
-
-    #[inline]
-    fn at(&self, z: &Self::Point) -> Self::Point {
-        self.vector_field(z)
-    }
-
-    fn derivative(&self, z: &Self::Point, v: &Self::Point) -> Option<Self::Point> {
-        let moved: SourcePoint<M, DualNumber<T>> = seed(z, v);
-        let image = self.map.apply::<DualNumber<T>>(&moved);
-        let mu: TargetPoint<M, T> = map_coordinates(&image, |x| x.value);
-        let hessian = self.hamiltonian.hessian(&mu, &derivative_part(&image))?;
-        let dh: TargetDifferential<M, DualNumber<T>> =
-            seed(&self.hamiltonian.differential(&mu), &hessian);
-        Some(derivative_part(&self.map.generator::<DualNumber<T>>(&dh, &moved)))
     }
 }
 

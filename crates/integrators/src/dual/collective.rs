@@ -4,10 +4,14 @@ use crate::stages::block_sizes::BlockSizes;
 use crate::stages::two_sum::two_sum;
 use crate::{
     Compensated, Equivariant, Increment, Increments, Integrator, Scheme, Start, Step, StepError,
+    VectorField,
 };
-use lie_poisson::{DualNumber, Hamiltonian, Mask, Pair, Real, Vector, derivative_part, seed};
+use lie_poisson::{
+    DualNumber, Hamiltonian, Mask, Pair, Real, Vector, derivative_part, map_coordinates, seed,
+};
 use momentum_map::{
-    CollectiveHamiltonian, Lift, LiftError, PoissonMap, RecentringSpace, SourcePoint, TargetPoint,
+    CollectiveHamiltonian, Lift, LiftError, PoissonMap, RecentringSpace, SourcePoint,
+    TargetDifferential, TargetPoint,
 };
 
 /// The collective integrator: a scheme for the Hamiltonian h∘M on the source P of a realisation M: P → 𝔤∗.
@@ -131,6 +135,33 @@ impl<S, M: PoissonMap, H> Collective<S, M, H> {
     }
 }
 
+/// The collective vector field X(z) = generator(dh(M(z)), z) on P, which is the Hamiltonian vector field of h∘M.
+///
+/// It needs no derivative of M if the map implements its generator.
+impl<M, H, T> VectorField<T> for CollectiveHamiltonian<M, H>
+where
+    M: PoissonMap,
+    H: Hamiltonian<M::Target, T>,
+    T: Real,
+{
+    type Point = SourcePoint<M, T>;
+
+    #[inline]
+    fn at(&self, z: &Self::Point) -> Self::Point {
+        self.map.generator::<T>(&self.hamiltonian.differential(&self.map.apply::<T>(z)), z)
+    }
+
+    fn derivative(&self, z: &Self::Point, v: &Self::Point) -> Option<Self::Point> {
+        let moved: SourcePoint<M, DualNumber<T>> = seed(z, v);
+        let image = self.map.apply::<DualNumber<T>>(&moved);
+        let mu: TargetPoint<M, T> = map_coordinates(&image, |x| x.value);
+        let hessian = self.hamiltonian.hessian(&mu, &derivative_part(&image))?;
+        let dh: TargetDifferential<M, DualNumber<T>> =
+            seed(&self.hamiltonian.differential(&mu), &hessian);
+        Some(derivative_part(&self.map.generator::<DualNumber<T>>(&dh, &moved)))
+    }
+}
+
 /// The growth of a block of z beyond which the integrator looks for a point of the fibre nearer to the origin.
 const GROWTH: f64 = 4.0;
 
@@ -200,8 +231,10 @@ where
         workspace: &mut Self::Workspace,
     ) -> Result<Step<Self::State>, StepError> {
         let start = self.recentred::<T>(state, workspace);
-        let next = self.scheme.step::<T, _>(&self.system, &start, step, &mut workspace.scheme)?;
-        Step { point: next.point + self.gauge::<T>(&next.point), ..next }.finite()
+        let Step { point: change, iterations } =
+            self.scheme.increment::<T, _>(&self.system, &start, step, &mut workspace.scheme)?;
+        let end = start + change;
+        Step { point: end + self.gauge::<T>(&end), iterations }.finite()
     }
 
     #[inline]

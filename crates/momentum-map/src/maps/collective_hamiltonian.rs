@@ -19,19 +19,6 @@ impl<M, H> CollectiveHamiltonian<M, H> {
     pub const fn new(map: M, hamiltonian: H) -> Self {
         Self { map, hamiltonian }
     }
-
-    /// Returns the collective vector field of h ∘ M at z, generator(dh(M(z)), z).
-    ///
-    /// It is equal to the Hamiltonian vector field of h ∘ M. It needs no derivative of M if the map
-    /// implements its generator.
-    #[inline]
-    pub fn vector_field<T: Real>(&self, z: &SourcePoint<M, T>) -> SourcePoint<M, T>
-    where
-        M: PoissonMap,
-        H: Hamiltonian<M::Target, T>,
-    {
-        self.map.generator::<T>(&self.hamiltonian.differential(&self.map.apply::<T>(z)), z)
-    }
 }
 
 impl<M, H, T> Hamiltonian<M::Source, T> for CollectiveHamiltonian<M, H>

@@ -12,8 +12,12 @@ impl<T: Real, const R: usize, const C: usize> Vector for SMatrix<T, R, C> {
 
     #[inline]
     fn from_coordinates(mut f: impl FnMut(usize) -> T) -> Self {
-        // nalgebra fills by columns, which is the order of the coordinates.
-        Self::from_fn(|i, j| f(i + R * j))
+        let mut matrix = Self::zeros();
+        // nalgebra stores by columns, which is the order of the coordinates.
+        for (i, x) in matrix.as_mut_slice().iter_mut().enumerate() {
+            *x = f(i);
+        }
+        matrix
     }
 
     #[inline]
@@ -35,10 +39,11 @@ impl<T: Real, const R: usize, const C: usize> Vector for SMatrix<Complex<T>, R, 
 
     #[inline]
     fn from_coordinates(mut f: impl FnMut(usize) -> T) -> Self {
-        Self::from_fn(|i, j| {
-            let k = 2 * (i + R * j);
-            Complex { re: f(k), im: f(k + 1) }
-        })
+        let mut matrix = Self::zeros();
+        for (i, z) in matrix.as_mut_slice().iter_mut().enumerate() {
+            *z = Complex { re: f(2 * i), im: f(2 * i + 1) };
+        }
+        matrix
     }
 
     #[inline]

@@ -136,7 +136,7 @@ impl<T: Real> Vector for Quaternion<T> {
     #[inline]
     fn from_coordinates(mut f: impl FnMut(usize) -> T) -> Self {
         let scalar = f(0);
-        Self { scalar, vector: Vector3::from_fn(|i, _| f(i + 1)) }
+        Self { scalar, vector: Vector3::new(f(1), f(2), f(3)) }
     }
 
     #[inline]
