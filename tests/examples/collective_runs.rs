@@ -60,7 +60,7 @@ impl Runs {
         self.run(name, &Collective::new(RungeKutta::implicit_midpoint(), map, h), z, 0.05, casimir)
     }
 
-    fn run<I: Integrator>(
+    fn run<I: Integrator<State: Vector>>(
         &self,
         name: &str,
         integrator: &I,

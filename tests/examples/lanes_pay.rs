@@ -16,7 +16,7 @@ use heavytop::{
     CollectiveGauss, GaussBatch, HeavyTop, MidpointBatch, ReducedMidpoint, SymmetricTopBatch,
     SymmetricTopSplitting, TopMidpoint,
 };
-use lie_poisson::{DefaultLanes, InstructionSet, Se3Dual, Width};
+use lie_poisson::{DefaultLanes, InstructionSet, Se3Dual, Vector, Width};
 use lie_poisson_systems::{Kirchhoff, SystemError};
 use momentum_map::DualQuaternions;
 use nalgebra::{Matrix3, Vector3};
@@ -176,7 +176,11 @@ fn stages(top: HeavyTop) -> Result<Method, Box<dyn Error>> {
 /// Returns a method without a kernel, on the lanes that every processor has.
 fn without_kernel<I>(name: &str, integrator: I, step: f64, steps: u64) -> Method
 where
-    I: Integrator<f64, State = Se3Dual> + Integrator<DefaultLanes> + Clone + Sync + 'static,
+    I: Integrator<f64, State = Se3Dual>
+        + Integrator<DefaultLanes, State: Vector>
+        + Clone
+        + Sync
+        + 'static,
 {
     let states: Vec<_> = (0..COUNT).map(start).collect();
     let single = Laned::<_, f64>::with_lanes(integrator.clone());

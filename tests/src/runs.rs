@@ -14,7 +14,7 @@ pub fn advance<I: Start>(
     step: f64,
     steps: usize,
 ) -> Result<I::Momentum, Box<dyn Error>> {
-    let mut last = *mu;
+    let mut last = mu.clone();
     for sample in integrator.trajectory(mu, step)?.take(steps + 1) {
         last = sample?.momentum;
     }

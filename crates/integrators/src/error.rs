@@ -1,6 +1,6 @@
 //! Errors of a step, of a run, and of the construction of a scheme.
 
-use lie_poisson::{Real, Vector};
+use lie_poisson::{Real, State};
 use momentum_map::LiftError;
 use thiserror::Error;
 
@@ -16,7 +16,7 @@ pub enum StepError {
     )]
     NotConverged {
         /// The change of the stage derivatives in the last iteration, relative to their size. It is the largest over
-        /// blocks of coordinates ([`Vector::BLOCKS`](lie_poisson::Vector::BLOCKS)), and NaN or ∞ if the iteration
+        /// blocks of coordinates ([`State::BLOCKS`](lie_poisson::State::BLOCKS)), and NaN or ∞ if the iteration
         /// diverged.
         residual: f64,
         /// The largest residual that would have been accepted.
@@ -54,8 +54,8 @@ impl StepError {
     /// # Errors
     /// Returns [`NotFiniteStart`](Self::NotFiniteStart) with the first coordinate that is not finite in some SIMD lane,
     /// or [`StepSize`](Self::StepSize).
-    pub fn check_start<V: Vector>(start: &V, step: f64) -> Result<(), Self> {
-        let sizes = (0..V::DIM).map(|i| start.coordinate(i).max_abs());
+    pub fn check_start<V: State>(start: &V, step: f64) -> Result<(), Self> {
+        let sizes = (0..start.dimension()).map(|i| start.entry(i).max_abs());
         match sizes.enumerate().find(|(_, size)| !size.is_finite()) {
             Some((coordinate, size)) => Err(Self::NotFiniteStart { coordinate, size }),
             None if !step.is_finite() => Err(Self::StepSize { step }),

@@ -1,5 +1,7 @@
 //! Coordinates in which the stage derivatives of successive steps are points of one curve.
 
+use lie_poisson::State;
+
 /// Coordinates in which the stage solver remembers stage derivatives k from step to step, to predict those that follow.
 ///
 /// A field has a frame other than [`OwnFrame`] if each step has its own coordinates. The multipliers of
@@ -11,29 +13,27 @@ pub trait StageFrame<V> {
     /// The starting points of two steps in different coordinates cannot be compared.
     fn continues(&self) -> bool;
 
-    /// Returns k in the coordinates in which all steps are one curve. The map is linear.
-    fn remembered(&self, k: &V) -> V;
+    /// Writes k, in the coordinates in which all steps are one curve, to `past`. The map is linear.
+    fn remember(&self, k: &V, past: &mut V);
 
-    /// Returns a remembered k in the coordinates of this step. It is the inverse of [`remembered`](Self::remembered).
-    fn recalled(&self, k: &V) -> V;
+    /// Changes a remembered k to the coordinates of this step. It is the inverse of [`remember`](Self::remember).
+    fn recall(&self, k: &mut V);
 }
 
 /// The frame of a field that has the same coordinates in every step.
 pub(crate) struct OwnFrame;
 
-impl<V: Copy> StageFrame<V> for OwnFrame {
+impl<V: State> StageFrame<V> for OwnFrame {
     #[inline]
     fn continues(&self) -> bool {
         false
     }
 
     #[inline]
-    fn remembered(&self, k: &V) -> V {
-        *k
+    fn remember(&self, k: &V, past: &mut V) {
+        past.assign(k);
     }
 
     #[inline]
-    fn recalled(&self, k: &V) -> V {
-        *k
-    }
+    fn recall(&self, _: &mut V) {}
 }

@@ -3,16 +3,25 @@
 use crate::stage_frame::{OwnFrame, StageFrame};
 use core::marker::PhantomData;
 use lie_poisson::{
-    Differential, DualNumber, Hamiltonian, Point, PoissonSpace, Real, Vector, derivative_part, seed,
+    Differential, DualNumber, Hamiltonian, Point, PoissonSpace, Real, State, derivative_part, seed,
 };
 
 /// An autonomous vector field dz/dt = X(z) over the scalar `T`.
 pub trait VectorField<T: Real = f64> {
     /// The type of the points z.
-    type Point: Vector<Scalar = T>;
+    type Point: State<Scalar = T>;
 
     /// Returns the value X(z) of the field.
     fn at(&self, z: &Self::Point) -> Self::Point;
+
+    /// Writes the value X(z) of the field to a point of the same space.
+    ///
+    /// Integrators call this method. The default calls [`at`](Self::at); override it for large points, so that a step
+    /// allocates nothing.
+    #[inline(always)]
+    fn at_into(&self, z: &Self::Point, value: &mut Self::Point) {
+        *value = self.at(z);
+    }
 
     /// Returns the exact derivative DX(z)·v, or `None` if it is not known.
     ///
@@ -76,7 +85,7 @@ where
 /// let oscillator = from_fn(|z: &Vector2<f64>| Vector2::new(z.y, -z.x));
 /// assert_eq!(oscillator.at(&Vector2::new(1.0, 2.0)), Vector2::new(2.0, -1.0));
 /// ```
-pub fn from_fn<V: Vector, F: Fn(&V) -> V>(field: F) -> FromFn<V, F> {
+pub fn from_fn<V: State, F: Fn(&V) -> V>(field: F) -> FromFn<V, F> {
     FromFn { field, point: PhantomData }
 }
 
@@ -87,7 +96,7 @@ pub struct FromFn<V, F> {
     point: PhantomData<fn() -> V>,
 }
 
-impl<T: Real, V: Vector<Scalar = T>, F: Fn(&V) -> V> VectorField<T> for FromFn<V, F> {
+impl<T: Real, V: State<Scalar = T>, F: Fn(&V) -> V> VectorField<T> for FromFn<V, F> {
     type Point = V;
 
     #[inline]

@@ -69,6 +69,7 @@
 mod numbers;
 mod lanes;
 mod spaces;
+mod calculus;
 
 pub use lanes::{
     DefaultLanes, FourLanes, FourLanesTask, InstructionSet, LaneTask, Lanes, MissingInstructions,
@@ -80,13 +81,15 @@ pub use numbers::linear_solve::solve_linear;
 pub use numbers::mask::Mask;
 pub use numbers::real::{Real, larger};
 
+pub use calculus::derivative::{derivative_part, differential, seed, transposed_tangent};
+pub use calculus::norm::{euclidean_norm, squaring_scale};
+
 pub use spaces::covector::Covector;
-pub use spaces::derivative::{derivative_part, differential, seed, transposed_tangent};
-pub use spaces::norm::{euclidean_norm, squaring_scale};
 pub use spaces::pair::Pair;
 pub use spaces::power::Power;
 pub use spaces::quaternion::Quaternion;
 pub use spaces::space::{ComplexSpace, Differential, Point, RealSpace, VectorSpace};
+pub use spaces::state::State;
 pub use spaces::vector::{Vector, map_coordinates};
 
 pub use nalgebra;

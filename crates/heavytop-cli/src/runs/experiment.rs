@@ -106,7 +106,7 @@ struct Dimension<'a> {
 impl Task for Dimension<'_> {
     type Output = usize;
 
-    fn perform<I: Start<Momentum = Se3Dual>>(self, _: &I) -> Result<usize, Error> {
+    fn perform<I: Start<State: Vector, Momentum = Se3Dual>>(self, _: &I) -> Result<usize, Error> {
         self.experiment.require_no_attitude().map(|()| I::State::DIM)
     }
 
@@ -125,7 +125,7 @@ struct Follow<'a, V> {
 
 impl<V: FnMut(&Moment<'_>) -> Result<(), Error>> Follow<'_, V> {
     /// Follows an integrator; `attitude` reads the attitude from the state.
-    fn follow<I: Start<Momentum = Se3Dual>>(
+    fn follow<I: Start<State: Vector, Momentum = Se3Dual>>(
         mut self,
         integrator: &I,
         attitude: impl Fn(&I::State) -> Option<&Quaternion>,
@@ -163,7 +163,10 @@ impl<V: FnMut(&Moment<'_>) -> Result<(), Error>> Follow<'_, V> {
 impl<V: FnMut(&Moment<'_>) -> Result<(), Error>> Task for Follow<'_, V> {
     type Output = ();
 
-    fn perform<I: Start<Momentum = Se3Dual>>(self, integrator: &I) -> Result<(), Error> {
+    fn perform<I: Start<State: Vector, Momentum = Se3Dual>>(
+        self,
+        integrator: &I,
+    ) -> Result<(), Error> {
         self.experiment.require_no_attitude()?;
         self.follow(integrator, |_| None)
     }

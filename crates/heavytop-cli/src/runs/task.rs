@@ -3,7 +3,7 @@
 use crate::Error;
 use collective_integrators::{Integrator, Start};
 use heavytop::Turning;
-use lie_poisson::{DualNumber, Se3Dual};
+use lie_poisson::{DualNumber, Se3Dual, Vector};
 
 /// A task to perform with an integrator of the heavy top, whatever its type.
 pub trait Task {
@@ -14,7 +14,10 @@ pub trait Task {
     ///
     /// # Errors
     /// If the task fails.
-    fn perform<I: Start<Momentum = Se3Dual>>(self, integrator: &I) -> Result<Self::Output, Error>;
+    fn perform<I: Start<State: Vector, Momentum = Se3Dual>>(
+        self,
+        integrator: &I,
+    ) -> Result<Self::Output, Error>;
 
     /// Performs the task with an integrator that can carry the attitude along; by default without the attitude.
     ///
@@ -39,7 +42,7 @@ pub trait TangentTask {
     /// If the task fails.
     fn perform<I>(self, integrator: &I) -> Result<Self::Output, Error>
     where
-        I: Start<Momentum = Se3Dual> + Integrator<DualNumber>;
+        I: Start<State: Vector, Momentum = Se3Dual> + Integrator<DualNumber, State: Vector>;
 
     /// Performs the task with an integrator that can carry the attitude along; by default without the attitude.
     ///
@@ -47,7 +50,7 @@ pub trait TangentTask {
     /// If the task fails.
     fn perform_turning<I>(self, integrator: I) -> Result<Self::Output, Error>
     where
-        I: Turning + Start + Integrator<DualNumber>,
+        I: Turning + Start + Integrator<DualNumber, State: Vector>,
         Self: Sized,
     {
         self.perform(&integrator)
@@ -60,7 +63,10 @@ pub(super) struct Plain<K>(pub(super) K);
 impl<K: Task> TangentTask for Plain<K> {
     type Output = K::Output;
 
-    fn perform<I: Start<Momentum = Se3Dual>>(self, integrator: &I) -> Result<K::Output, Error> {
+    fn perform<I: Start<State: Vector, Momentum = Se3Dual>>(
+        self,
+        integrator: &I,
+    ) -> Result<K::Output, Error> {
         self.0.perform(integrator)
     }
 

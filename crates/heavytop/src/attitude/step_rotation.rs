@@ -17,7 +17,7 @@ pub type TurnedStep<S, T> = Result<(Step<S>, Quaternion<T>), StepError>;
 /// The change of Γ alone determines the rotation up to a turn about Γₙ₊₁. The group element that made the
 /// step determines it completely. [`WithAttitude`](crate::WithAttitude) multiplies the rotations of all
 /// steps.
-pub trait Turning<T: Real = f64>: Integrator<T, Momentum = Se3Dual<T>> {
+pub trait Turning<T: Real = f64>: Integrator<T, State: Vector, Momentum = Se3Dual<T>> {
     /// Advances by one step and returns the unit quaternion Q of its rotation v ↦ Q v conj(Q), which turns
     /// Γₙ/|Γₙ| to Γₙ₊₁/|Γₙ₊₁|.
     ///

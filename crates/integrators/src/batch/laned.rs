@@ -73,7 +73,7 @@ impl<I, T> Laned<I, T> {
 
 impl<I, T> BatchIntegrator for Laned<I, T>
 where
-    I: Integrator<f64> + Integrator<T> + Sync,
+    I: Integrator<f64, State: Vector> + Integrator<T, State: Vector> + Sync,
     T: Lanes,
 {
     type Member = <I as Integrator<f64>>::State;
@@ -104,7 +104,7 @@ struct IntegratorGroup<'a, I: Integrator<T>, T: Lanes> {
 
 impl<I, T> Group for IntegratorGroup<'_, I, T>
 where
-    I: Integrator<f64> + Integrator<T>,
+    I: Integrator<f64, State: Vector> + Integrator<T, State: Vector>,
     T: Lanes,
 {
     type Member = <I as Integrator<f64>>::State;

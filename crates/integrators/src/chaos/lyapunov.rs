@@ -60,7 +60,7 @@ pub struct Exponents<S, const K: usize> {
 /// ```
 pub struct LyapunovExponents<'a, I, const K: usize>
 where
-    I: Integrator + Integrator<DualNumber>,
+    I: Integrator<State: Vector> + Integrator<DualNumber, State: Vector>,
 {
     flow: VariationalFlow<'a, I, K>,
     start: u64,
@@ -80,7 +80,7 @@ pub type MaximalLyapunovExponent<'a, I> = LyapunovExponents<'a, I, 1>;
 
 impl<'a, I, const K: usize> LyapunovExponents<'a, I, K>
 where
-    I: Integrator + Integrator<DualNumber>,
+    I: Integrator<State: Vector> + Integrator<DualNumber, State: Vector>,
 {
     /// Starts at a state, with the first K basis vectors as tangent vectors.
     ///
@@ -128,7 +128,7 @@ where
 
 impl<I, const K: usize> Iterator for LyapunovExponents<'_, I, K>
 where
-    I: Integrator + Integrator<DualNumber>,
+    I: Integrator<State: Vector> + Integrator<DualNumber, State: Vector>,
 {
     type Item = Result<Exponents<<I as Integrator>::State, K>, VariationalError>;
 

@@ -73,7 +73,7 @@ pub enum VariationalError {
 /// ```
 pub struct VariationalFlow<'a, I, const K: usize>
 where
-    I: Integrator + Integrator<DualNumber>,
+    I: Integrator<State: Vector> + Integrator<DualNumber, State: Vector>,
 {
     integrator: &'a I,
     workspace: <I as Integrator>::Workspace,
@@ -86,7 +86,7 @@ where
 
 impl<'a, I, const K: usize> VariationalFlow<'a, I, K>
 where
-    I: Integrator + Integrator<DualNumber>,
+    I: Integrator<State: Vector> + Integrator<DualNumber, State: Vector>,
 {
     /// Creates a flow from a state and its tangent vectors at t = 0, with steps of size `step`.
     pub fn new(integrator: &'a I, state: State<I>, tangents: [State<I>; K], step: f64) -> Self {

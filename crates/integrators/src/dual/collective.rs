@@ -1,7 +1,7 @@
 //! The collective integrator: [`Collective`].
 
 use crate::stages::block_sizes::BlockSizes;
-use crate::stages::two_sum::two_sum;
+use crate::stages::two_sum::exact_sum;
 use crate::{
     Compensated, Equivariant, Increment, Increments, Integrator, Scheme, Start, Step, StepError,
     VectorField,
@@ -270,8 +270,8 @@ where
         if start == *state {
             return Ok(Step { point: Pair(change, rest), iterations });
         }
-        let Pair(moved, below) = two_sum(&start, &-*state);
-        let Pair(change, lost) = two_sum(&moved, &change);
+        let Pair(moved, below) = exact_sum(&start, &-*state);
+        let Pair(change, lost) = exact_sum(&moved, &change);
         Ok(Step { point: Pair(change, rest + below + lost), iterations })
     }
 
@@ -289,7 +289,7 @@ where
         }
         let slides: SourcePoint<M, DualNumber<T>> = self.gauge::<DualNumber<T>>(&seed(&z, &carry));
         let along: SourcePoint<M, T> = derivative_part(&slides);
-        let Pair(slid, rounding) = two_sum(&z, &slide);
+        let Pair(slid, rounding) = exact_sum(&z, &slide);
         Vector::select(still, &state, &Pair(slid, carry + along + rounding))
     }
 }

@@ -2,7 +2,7 @@
 
 use crate::stages::two_sum::two_sum;
 use crate::{Increment, Integrator, Start, Step, StepError};
-use lie_poisson::{Pair, Real, Vector};
+use lie_poisson::{Pair, Real, State};
 use momentum_map::LiftError;
 
 /// An integrator that adds a small increment to its state in each step.
@@ -89,10 +89,28 @@ impl<I> Compensated<I> {
 /// assert_eq!(one + tiny.0, one);
 /// ```
 #[inline]
-pub fn compensated_sum<V: Vector>(sum: &Pair<V, V>, increment: &Pair<V, V>) -> Pair<V, V> {
-    let Pair(change, lost) = two_sum(&increment.0, &sum.1);
-    let Pair(next, rounded) = two_sum(&sum.0, &change);
-    Pair(next, rounded + (lost + increment.1))
+pub fn compensated_sum<V: State>(sum: &Pair<V, V>, increment: &Pair<V, V>) -> Pair<V, V> {
+    let mut next = sum.clone();
+    add_compensated(&mut next, increment, &mut V::Pool::default());
+    next
+}
+
+/// Adds (δz, δe) to (z, e), as [`compensated_sum`] does.
+#[inline]
+pub(crate) fn add_compensated<V: State>(
+    Pair(z, e): &mut Pair<V, V>,
+    Pair(dz, de): &Pair<V, V>,
+    pool: &mut V::Pool,
+) {
+    let [mut change, mut lost, mut next, mut spare] = [(); 4].map(|()| V::take(pool, z));
+    two_sum(dz, e, &mut change, &mut lost, &mut spare);
+    two_sum(z, &change, &mut next, e, &mut spare);
+    lost.add(de);
+    e.add(&lost);
+    z.move_from(&mut next);
+    for vector in [change, lost, next, spare] {
+        vector.give(pool);
+    }
 }
 
 impl<I: Increments<T>, T: Real> Integrator<T> for Compensated<I> {
@@ -129,6 +147,8 @@ impl<I: Increments<T>, T: Real> Integrator<T> for Compensated<I> {
 impl<I: Increments<T> + Start<T>, T: Real> Start<T> for Compensated<I> {
     /// Returns the state (z, 0) that represents μ.
     fn start(&self, mu: &Self::Momentum) -> Result<Self::State, LiftError> {
-        Ok(Pair(self.0.start(mu)?, Vector::zero()))
+        let z = self.0.start(mu)?;
+        let exact = z.zeros_like();
+        Ok(Pair(z, exact))
     }
 }

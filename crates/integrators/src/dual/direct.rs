@@ -75,13 +75,23 @@ where
     }
 
     #[inline]
+    fn advance(
+        &self,
+        state: &mut F::Point,
+        step: f64,
+        workspace: &mut Self::Workspace,
+    ) -> Result<usize, StepError> {
+        self.scheme.advance(&self.field, state, step, workspace)
+    }
+
+    #[inline]
     fn forget(&self, workspace: &mut Self::Workspace) {
         self.scheme.forget(workspace);
     }
 
     #[inline]
     fn momentum(&self, state: &F::Point) -> F::Point {
-        *state
+        state.clone()
     }
 }
 

@@ -1,7 +1,7 @@
 //! Integrators on 𝔤∗, their states and momenta, and their trajectories.
 
 use crate::{IntegrationError, RunError, Step, StepError};
-use lie_poisson::{Real, Vector};
+use lie_poisson::{Real, State};
 use momentum_map::LiftError;
 
 /// A method that advances a state and reads a momentum μ from it.
@@ -14,10 +14,10 @@ use momentum_map::LiftError;
 /// See [`Collective`](crate::Collective).
 pub trait Integrator<T: Real = f64> {
     /// The type of the state that is advanced: z ∈ P, or μ itself.
-    type State: Vector<Scalar = T>;
+    type State: State<Scalar = T>;
 
     /// The type of the momentum μ ∈ 𝔤∗. For equations on another space than 𝔤∗ it is [`State`](Self::State).
-    type Momentum: Vector<Scalar = T>;
+    type Momentum: State<Scalar = T>;
 
     /// The storage of a step.
     type Workspace;
@@ -35,6 +35,25 @@ pub trait Integrator<T: Real = f64> {
         step: f64,
         workspace: &mut Self::Workspace,
     ) -> Result<Step<Self::State>, StepError>;
+
+    /// Makes one step in the place of the state, and returns the number of iterations.
+    ///
+    /// The default calls [`step`](Self::step). An integrator for large states overrides it, so that no step after the
+    /// first allocates.
+    ///
+    /// # Errors
+    /// Returns the errors of [`step`](Self::step). The state is not changed then.
+    #[inline]
+    fn advance(
+        &self,
+        state: &mut Self::State,
+        step: f64,
+        workspace: &mut Self::Workspace,
+    ) -> Result<usize, StepError> {
+        let Step { point, iterations } = self.step(state, step, workspace)?;
+        *state = point;
+        Ok(iterations)
+    }
 
     /// Makes the workspace forget the steps before, so that the next step depends on its starting point alone, to the
     /// last bit.
@@ -173,7 +192,7 @@ where
     T: Real,
 {
     fn start(&self, mu: &Self::Momentum) -> Result<Self::State, LiftError> {
-        Ok(*mu)
+        Ok(mu.clone())
     }
 }
 
@@ -258,47 +277,62 @@ impl<'a, I: Integrator<T>, T: Real> Trajectory<'a, I, T> {
     /// Returns the next sample, or the error at which the trajectory ended.
     #[inline]
     fn advance(&mut self) -> Result<SampleOf<I, T>, IntegrationError> {
-        let next = match self.upcoming {
-            Upcoming::First(state, made) => self.first(state, made),
-            Upcoming::After(state, made) => self.following(&state, made),
-            Upcoming::Failed(error) => Err(error),
+        let next = match &self.upcoming {
+            Upcoming::First(state, made) => first(self.integrator, state, *made, self.step),
+            Upcoming::After(state, made) => {
+                following(self.integrator, &mut self.workspace, state, *made, self.step)
+            }
+            Upcoming::Failed(error) => Err(*error),
         };
         self.upcoming = match &next {
-            Ok(sample) => Upcoming::After(sample.state, sample.step),
+            Ok(sample) => Upcoming::After(sample.state.clone(), sample.step),
             Err(error) => Upcoming::Failed(*error),
         };
         next
     }
+}
 
-    fn first(&self, state: I::State, made: u64) -> Result<SampleOf<I, T>, IntegrationError> {
-        match StepError::check_start(&state, self.step) {
-            Ok(()) => Ok(self.sample(state, made, 0)),
-            Err(refused) => Err(IntegrationError::after(made, self.step, refused)),
-        }
-    }
+/// Returns the sample of the state at which a run begins.
+fn first<I: Integrator<T>, T: Real>(
+    integrator: &I,
+    state: &I::State,
+    made: u64,
+    step: f64,
+) -> Result<SampleOf<I, T>, IntegrationError> {
+    StepError::check_start(state, step)
+        .map_err(|refused| IntegrationError::after(made, step, refused))?;
+    Ok(sample(integrator, Step { point: state.clone(), iterations: 0 }, made, step))
+}
 
-    #[inline]
-    fn following(
-        &mut self,
-        state: &I::State,
-        made: u64,
-    ) -> Result<SampleOf<I, T>, IntegrationError> {
-        let number = made.checked_add(1).ok_or(StepError::Uncountable);
-        if made.is_multiple_of(CHECKPOINT) {
-            self.integrator.forget(&mut self.workspace);
-        }
-        let next = number.and_then(|number| {
-            let next = self.integrator.step(state, self.step, &mut self.workspace)?;
-            Ok(self.sample(next.point, number, next.iterations))
-        });
-        next.map_err(|source| IntegrationError::after(made, self.step, source))
+/// Returns the sample one step after a state.
+#[inline]
+fn following<I: Integrator<T>, T: Real>(
+    integrator: &I,
+    workspace: &mut I::Workspace,
+    state: &I::State,
+    made: u64,
+    step: f64,
+) -> Result<SampleOf<I, T>, IntegrationError> {
+    let number = made.checked_add(1).ok_or(StepError::Uncountable);
+    if made.is_multiple_of(CHECKPOINT) {
+        integrator.forget(workspace);
     }
+    let next = number.and_then(|number| {
+        let next = integrator.step(state, step, workspace)?;
+        Ok(sample(integrator, next, number, step))
+    });
+    next.map_err(|source| IntegrationError::after(made, step, source))
+}
 
-    #[inline]
-    fn sample(&self, state: I::State, step: u64, iterations: usize) -> SampleOf<I, T> {
-        let momentum = self.integrator.momentum(&state);
-        Sample { step, time: step as f64 * self.step, state, momentum, iterations }
-    }
+#[inline]
+fn sample<I: Integrator<T>, T: Real>(
+    integrator: &I,
+    Step { point: state, iterations }: Step<I::State>,
+    number: u64,
+    step: f64,
+) -> SampleOf<I, T> {
+    let momentum = integrator.momentum(&state);
+    Sample { step: number, time: number as f64 * step, state, momentum, iterations }
 }
 
 impl<I: Integrator<T>, T: Real> Iterator for Trajectory<'_, I, T> {

@@ -64,16 +64,18 @@ where
         self.continues
     }
 
-    /// Returns k A, the stage derivative in the frame of the course.
+    /// Writes k A, the stage derivative in the frame of the course.
     #[inline]
-    fn remembered(&self, k: &Multiplier<M, T>) -> Multiplier<M, T> {
-        self.frame.map_or(*k, |(moved, _)| self.multipliers.product::<T>(k, &moved))
+    fn remember(&self, k: &Multiplier<M, T>, past: &mut Multiplier<M, T>) {
+        *past = self.frame.map_or(*k, |(moved, _)| self.multipliers.product::<T>(k, &moved));
     }
 
-    /// Returns k A⁻¹, the stage derivative in the frame of this step.
+    /// Changes k to k A⁻¹, the stage derivative in the frame of this step.
     #[inline]
-    fn recalled(&self, k: &Multiplier<M, T>) -> Multiplier<M, T> {
-        self.frame.map_or(*k, |(_, back)| self.multipliers.product::<T>(k, &back))
+    fn recall(&self, k: &mut Multiplier<M, T>) {
+        if let Some((_, back)) = self.frame {
+            *k = self.multipliers.product::<T>(k, &back);
+        }
     }
 }
 

@@ -10,6 +10,7 @@ use lie_poisson::Vector;
 /// Evaluates the laws of an integrator on samples of states, for one step size:
 ///
 /// * `step of size 0`: a step of size 0 keeps μ;
+/// * `step in place`: [`advance`](Integrator::advance) has the bits of the step, and a step that fails changes nothing;
 /// * `samples`: sample n of a trajectory has the number n, the time nh and the momentum of its state;
 /// * `forgetting`: after [`forget`](Integrator::forget) a used workspace gives the bits of a new one;
 /// * `resumption`: a trajectory resumed at a [`CHECKPOINT`] has the bits of the uninterrupted one;
@@ -29,7 +30,7 @@ use lie_poisson::Vector;
 /// laws::integrator(&gauss, &[Vector2::new(1.0, 0.0), Vector2::new(-0.5, 0.8)], 0.1)?.check(1e-13)?;
 /// # Ok::<(), Box<dyn std::error::Error>>(())
 /// ```
-pub fn integrator<I: Integrator>(
+pub fn integrator<I: Integrator<State: Vector, Momentum: Vector>>(
     integrator: &I,
     states: &[I::State],
     step: f64,
@@ -38,6 +39,7 @@ pub fn integrator<I: Integrator>(
     let mut report = Report::default();
     for (state, other) in states.iter().zip(states.iter().cycle().skip(1)) {
         still(integrator, state, &mut report);
+        in_place(integrator, state, step, &mut report);
         samples(integrator, state, step, &mut report);
         forgetting(integrator, (state, other), step, &mut report);
         resumption(integrator, state, step, &mut report);
@@ -49,13 +51,38 @@ pub fn integrator<I: Integrator>(
 /// The number of successive steps for the laws about bits: enough to fill the memory of a workspace.
 const STEPS: usize = 12;
 
-fn still<I: Integrator>(integrator: &I, state: &I::State, report: &mut Report) {
+fn still<I: Integrator<State: Vector, Momentum: Vector>>(
+    integrator: &I,
+    state: &I::State,
+    report: &mut Report,
+) {
     let after = point_or_nan(integrator.step(state, 0.0, &mut integrator.workspace()));
     let mu = integrator.momentum(state);
     report.note("step of size 0", (integrator.momentum(&after) - mu).max_abs(), mu.max_abs());
 }
 
-fn samples<I: Integrator>(integrator: &I, state: &I::State, step: f64, report: &mut Report) {
+fn in_place<I: Integrator<State: Vector, Momentum: Vector>>(
+    integrator: &I,
+    state: &I::State,
+    step: f64,
+    report: &mut Report,
+) {
+    let end = point_or_nan(integrator.step(state, step, &mut integrator.workspace()));
+    let (mut z, workspace) = (*state, &mut integrator.workspace());
+    let made = integrator.advance(&mut z, step, workspace).is_ok();
+    report.note("step in place", different_bits(&z, &end) + broken_unless(made), 1.0);
+    let mut kept = *state;
+    let refused = integrator.advance(&mut kept, f64::NAN, workspace).is_err();
+    let changed = if refused { different_bits(&kept, state) } else { 0.0 };
+    report.note("step in place", changed, 1.0);
+}
+
+fn samples<I: Integrator<State: Vector, Momentum: Vector>>(
+    integrator: &I,
+    state: &I::State,
+    step: f64,
+    report: &mut Report,
+) {
     let run = integrator.trajectory_from(*state, step).take(STEPS);
     for (n, sample) in (0..).zip(run) {
         let fits = |sample: SampleOf<I>| {
@@ -69,7 +96,7 @@ fn samples<I: Integrator>(integrator: &I, state: &I::State, step: f64, report: &
     }
 }
 
-fn forgetting<I: Integrator>(
+fn forgetting<I: Integrator<State: Vector, Momentum: Vector>>(
     integrator: &I,
     (state, other): (&I::State, &I::State),
     step: f64,
@@ -85,7 +112,12 @@ fn forgetting<I: Integrator>(
     report.note("forgetting", different_bits(&again, &new), 1.0);
 }
 
-fn resumption<I: Integrator>(integrator: &I, state: &I::State, step: f64, report: &mut Report) {
+fn resumption<I: Integrator<State: Vector, Momentum: Vector>>(
+    integrator: &I,
+    state: &I::State,
+    step: f64,
+    report: &mut Report,
+) {
     let mut run = integrator.trajectory_from(*state, step).skip(CHECKPOINT as usize);
     let Some(Ok(saved)) = run.next() else {
         report.note("resumption", f64::NAN, 1.0);
@@ -101,7 +133,12 @@ fn resumption<I: Integrator>(integrator: &I, state: &I::State, step: f64, report
     }
 }
 
-fn refusal<I: Integrator>(integrator: &I, state: &I::State, step: f64, report: &mut Report) {
+fn refusal<I: Integrator<State: Vector, Momentum: Vector>>(
+    integrator: &I,
+    state: &I::State,
+    step: f64,
+    report: &mut Report,
+) {
     let bad_states = not_finite(state).map(|bad| (bad, step));
     for (state, step) in bad_states.chain(NOT_FINITE.map(|bad| (*state, bad))) {
         let stepped = integrator.step(&state, step, &mut integrator.workspace());

@@ -39,7 +39,7 @@ pub fn invariants<V: Vector, I: Integrator<Momentum = V>>(
     let mut report = Report::default();
     for state in states {
         let start = integrator.momentum(state);
-        for sample in integrator.trajectory_from(*state, step).take(STEPS + 1) {
+        for sample in integrator.trajectory_from(state.clone(), step).take(STEPS + 1) {
             let Ok(sample) = sample else {
                 report.note("invariants", f64::NAN, 1.0);
                 break;

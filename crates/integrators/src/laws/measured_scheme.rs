@@ -85,7 +85,7 @@ fn order<S: Scheme>(scheme: &S) -> f64 {
 }
 
 /// Returns the point after `count` steps to t = `time`.
-fn after<S: Scheme, F: VectorField>(
+fn after<S: Scheme, F: VectorField<Point: Vector>>(
     scheme: &S,
     field: &F,
     z: F::Point,

@@ -30,7 +30,7 @@ use lie_poisson::Vector;
 /// laws::start(&gauss, &[Covector(Vector3::new(0.6, 0.0, 0.8))], 0.1)?.check(1e-13)?;
 /// # Ok::<(), Box<dyn std::error::Error>>(())
 /// ```
-pub fn start<I: Start>(
+pub fn start<I: Start<State: Vector, Momentum: Vector>>(
     integrator: &I,
     momenta: &[I::Momentum],
     step: f64,
@@ -55,7 +55,7 @@ pub fn start<I: Start>(
 /// The number of steps to the sample that is compared.
 const STEPS: u64 = 12;
 
-fn trajectories<I: Start>(
+fn trajectories<I: Start<State: Vector, Momentum: Vector>>(
     integrator: &I,
     (mu, state): (&I::Momentum, &I::State),
     step: f64,
@@ -75,7 +75,12 @@ fn trajectories<I: Start>(
     }
 }
 
-fn refusal<I: Start>(integrator: &I, mu: &I::Momentum, step: f64, report: &mut Report) {
+fn refusal<I: Start<State: Vector, Momentum: Vector>>(
+    integrator: &I,
+    mu: &I::Momentum,
+    step: f64,
+    report: &mut Report,
+) {
     let bad_momenta = not_finite(mu).map(|bad| (bad, step));
     for (mu, step) in bad_momenta.chain(NOT_FINITE.map(|bad| (*mu, bad))) {
         report.note("refusal", broken_unless(integrator.trajectory(&mu, step).is_err()), 1.0);

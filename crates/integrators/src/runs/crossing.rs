@@ -92,7 +92,7 @@ impl<'a, I: Integrator, G: Fn(&I::Momentum) -> f64> Crossings<'a, I, G> {
         right: &Valued<I>,
     ) -> Result<[Option<SampleOf<I>>; 2], EventError> {
         if !is_least(left.1, middle.1, right.1) {
-            return Ok([None; 2]);
+            return Ok([None, None]);
         }
         let sign = middle.1.signum();
         let lengths = [middle.0.time - left.0.time, right.0.time - middle.0.time];
@@ -105,13 +105,14 @@ impl<'a, I: Integrator, G: Fn(&I::Momentum) -> f64> Crossings<'a, I, G> {
                 (middle, right, x * lengths[1])
             };
             let sample = self.partial.after(&from.0, tau)?;
-            let beyond = (sample, self.value(&sample)?);
+            let value = self.value(&sample)?;
+            let beyond = (sample, value);
             if beyond.1 * sign < 0.0 {
                 return self.both(from, &beyond, to);
             }
             minimum.insert(x, beyond.1 * sign);
         }
-        Ok([None; 2])
+        Ok([None, None])
     }
 
     /// Returns the crossings before and after a point within the step from `from` to `to`.
@@ -139,7 +140,7 @@ impl<'a, I: Integrator, G: Fn(&I::Momentum) -> f64> Crossings<'a, I, G> {
     ) -> Result<SampleOf<I>, EventError> {
         let offset = left.0.time - from.time;
         let mut bracket = Bracket::new(left.1, right.0.time - left.0.time, right.1);
-        let mut best = if right.1.abs() < left.1.abs() { *right } else { *left };
+        let mut best = if right.1.abs() < left.1.abs() { right.clone() } else { left.clone() };
         while let Some(tau) = bracket.next() {
             let sample = self.partial.after(from, offset + tau)?;
             let value = self.value(&sample)?;

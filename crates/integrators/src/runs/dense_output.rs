@@ -74,39 +74,40 @@ where
     /// [`DenseOutputError::Integration`] if the trajectory or the partial step fails.
     pub fn at(&mut self, time: f64) -> Result<SampleOf<I>, DenseOutputError> {
         loop {
-            let left = match self.left {
+            let left = match &mut self.left {
                 Some(left) => left,
-                None => self.advance(time)?,
+                none => none.insert(next_of::<I, _>(&mut self.samples, time)?),
             };
             if time == left.time {
-                return Ok(left);
+                return Ok(left.clone());
             }
-            let right = match self.right {
+            let right = match &mut self.right {
                 Some(right) => right,
-                None => self.advance(time)?,
+                none => none.insert(next_of::<I, _>(&mut self.samples, time)?),
             };
             let (length, tau) = (right.time - left.time, time - left.time);
             if tau * length < 0.0 {
                 return Err(DenseOutputError::Passed { time, reached: left.time });
             }
             if tau.abs() < length.abs() {
-                return Ok(self.partial.after(&left, tau)?);
+                return Ok(self.partial.after(left, tau)?);
             }
             // The end of an endless trajectory does not reach a time that is not a number.
             if !tau.is_finite() || length == 0.0 {
                 return Err(DenseOutputError::Ended { time });
             }
-            (self.left, self.right) = (Some(right), None);
+            self.left = self.right.take();
         }
     }
+}
 
-    /// Takes the next sample into the free place.
-    fn advance(&mut self, time: f64) -> Result<SampleOf<I>, DenseOutputError> {
-        let sample = self.samples.next().ok_or(DenseOutputError::Ended { time })??;
-        let place = if self.left.is_none() { &mut self.left } else { &mut self.right };
-        *place = Some(sample);
-        Ok(sample)
-    }
+/// Returns the next sample of a trajectory in which a sample after t is sought.
+fn next_of<I, J>(samples: &mut J, time: f64) -> Result<SampleOf<I>, DenseOutputError>
+where
+    I: Integrator,
+    J: Iterator<Item = Result<SampleOf<I>, IntegrationError>>,
+{
+    Ok(samples.next().ok_or(DenseOutputError::Ended { time })??)
 }
 
 #[cfg(test)]

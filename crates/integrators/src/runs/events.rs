@@ -66,7 +66,7 @@ where
     /// Creates the events from samples of the trajectory, which must come from this integrator.
     pub fn new(integrator: &'a I, samples: J, g: G, direction: Direction) -> Self {
         let crossings = Crossings::new(integrator, g, direction);
-        Self { crossings, samples, last: [None; 2], second: None, failed: None }
+        Self { crossings, samples, last: [None, None], second: None, failed: None }
     }
 
     /// Proceeds by one sample, and returns the first event that it completes, if any.
@@ -75,15 +75,15 @@ where
         right: Result<SampleOf<I>, IntegrationError>,
     ) -> Result<Option<SampleOf<I>>, EventError> {
         let right = right?;
-        let right = (right, self.crossings.value(&right)?);
-        let [middle, left] = self.last;
-        self.last = [Some(right), middle];
-        let Some(middle) = middle else { return Ok(None) };
-        if let Some(event) = self.crossings.between(&middle, &right)? {
+        let value = self.crossings.value(&right)?;
+        self.last.swap(0, 1);
+        let left = self.last[0].replace((right, value));
+        let [Some(right), Some(middle)] = &self.last else { return Ok(None) };
+        if let Some(event) = self.crossings.between(middle, right)? {
             return Ok(Some(event));
         }
         let Some(left) = left else { return Ok(None) };
-        let [first, second] = self.crossings.near(&left, &middle, &right)?;
+        let [first, second] = self.crossings.near(&left, middle, right)?;
         self.second = second;
         Ok(first)
     }

@@ -1,6 +1,6 @@
 //! Steps of partial size between the samples of a trajectory.
 
-use crate::{IntegrationError, Integrator, Sample, SampleOf};
+use crate::{IntegrationError, Integrator, Sample, SampleOf, Step};
 use core::fmt;
 
 /// A step of partial size τ from a sample, which gives the state a time τ after it.
@@ -25,13 +25,10 @@ impl<'a, I: Integrator> PartialStep<'a, I> {
     ) -> Result<SampleOf<I>, IntegrationError> {
         let Sample { step, time, .. } = *from;
         match self.integrator.step(&from.state, tau, &mut self.workspace) {
-            Ok(next) => Ok(Sample {
-                step,
-                time: time + tau,
-                state: next.point,
-                momentum: self.integrator.momentum(&next.point),
-                iterations: next.iterations,
-            }),
+            Ok(Step { point: state, iterations }) => {
+                let momentum = self.integrator.momentum(&state);
+                Ok(Sample { step, time: time + tau, state, momentum, iterations })
+            }
             Err(source) => Err(IntegrationError { step: step.saturating_add(1), time, source }),
         }
     }

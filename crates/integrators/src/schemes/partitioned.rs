@@ -4,13 +4,14 @@ use crate::stages::block_sizes::MaskOf;
 use crate::stages::extrapolation::Predictor;
 use crate::stages::history::StageHistory;
 use crate::stages::stage_scale::StageScale;
+use crate::stages::stage_solver::{fit, set_combination};
 use crate::tableaux::order_conditions::tree_order;
 use crate::tableaux::tableau::COEFFICIENT_TOLERANCE;
 use crate::{
     Polarisation, Scheme, SchemeError, StageSolver, Step, StepError, Tableau, VectorField,
 };
 use core::marker::PhantomData;
-use lie_poisson::{Real, Vector};
+use lie_poisson::{Real, State};
 
 /// A partitioned Runge–Kutta method, with one tableau (a, b) for q and another tableau (A, B) for p:
 ///
@@ -150,15 +151,21 @@ impl<P: Polarisation> PartitionedRungeKutta<P> {
         Ok(Self::of_equal_stages(q, p))
     }
 
-    /// Returns the sum h (Σ a_j dq_j/dt, Σ A_j dp_j/dt).
+    /// Writes h (Σ a_j dq_j/dt, Σ A_j dp_j/dt) to the sum.
     #[inline]
-    fn sum<V: Vector>(step: f64, (a, a_hat): (&[f64], &[f64]), k: &[V]) -> V {
-        let (mut q, mut p) = (V::zero(), V::zero());
-        for ((&a, &a_hat), k) in a.iter().zip(a_hat).zip(k) {
-            q.add_scaled(V::Scalar::from_f64(a), k);
-            p.add_scaled(V::Scalar::from_f64(a_hat), k);
-        }
-        P::splice(&q, &p).scaled(V::Scalar::from_f64(step))
+    fn set_sum<V: State>(
+        sum: &mut V,
+        step: f64,
+        (a, a_hat): (&[f64], &[f64]),
+        k: &[V],
+        pool: &mut V::Pool,
+    ) {
+        let mut q = V::take(pool, sum);
+        set_combination(&mut q, a, k);
+        set_combination(sum, a_hat, k);
+        P::replace_positions(sum, &q);
+        sum.scale(V::Scalar::from_f64(step));
+        q.give(pool);
     }
 }
 
@@ -166,17 +173,17 @@ impl<P: Polarisation> PartitionedRungeKutta<P> {
 ///
 /// The next stages are predicted from the last steps if q and p have their stages at the same times.
 #[derive(Clone, Debug)]
-pub struct PartitionedSpace<V: Vector> {
+pub struct PartitionedSpace<V: State> {
     k: Vec<V>,
     memory: StageHistory<V>,
+    pool: V::Pool,
 }
 
 impl<P: Polarisation> Scheme for PartitionedRungeKutta<P> {
-    type Workspace<V: Vector> = PartitionedSpace<V>;
+    type Workspace<V: State> = PartitionedSpace<V>;
 
-    fn workspace<V: Vector>(&self) -> PartitionedSpace<V> {
-        let k = vec![V::zero(); self.q.stages()];
-        PartitionedSpace { k, memory: StageHistory::new(&self.predictor) }
+    fn workspace<V: State>(&self) -> PartitionedSpace<V> {
+        PartitionedSpace { k: Vec::new(), memory: StageHistory::new(), pool: V::Pool::default() }
     }
 
     #[inline]
@@ -187,29 +194,28 @@ impl<P: Polarisation> Scheme for PartitionedRungeKutta<P> {
         step: f64,
         workspace: &mut PartitionedSpace<F::Point>,
     ) -> Result<Step<F::Point>, StepError> {
-        let PartitionedSpace { k, memory } = workspace;
-        // A workspace from another method still gives the right result.
-        k.resize(self.q.stages(), F::Point::zero());
-        let derivative = |i: usize, k: &[F::Point], _: MaskOf<F::Point>| {
-            field.at(&(*z + Self::sum(step, (self.q.row(i), self.p.row(i)), k)))
+        let PartitionedSpace { k, memory, pool } = workspace;
+        // A workspace from another method, or for another size, still gives the right result.
+        fit(k, self.q.stages(), z);
+        let (mut point, mut spare) = (F::Point::take(pool, z), F::Point::take(pool, z));
+        let derivative = |i: usize, k: &[F::Point], _: MaskOf<F::Point>, value: &mut F::Point| {
+            Self::set_sum(&mut point, step, (self.q.row(i), self.p.row(i)), k, pool);
+            point.add(z);
+            field.at_into(&point, value);
         };
+        let scale = StageScale::new(z, step);
+        let (from, unknowns) = ((z, step, &scale), (k.as_mut_slice(), &mut spare));
         let iterations = memory
-            .solve(
-                &self.predictor,
-                &self.solver,
-                field,
-                (z, step, &StageScale::new(z, step)),
-                k,
-                derivative,
-            )
+            .solve(&self.predictor, &self.solver, field, from, unknowns, derivative)
             .map_err(|unconverged| unconverged.error)?;
-        let point = Self::sum(step, (self.q.weights(), self.p.weights()), k);
-        memory.end_at(&(*z + point));
+        spare.give(pool);
+        Self::set_sum(&mut point, step, (self.q.weights(), self.p.weights()), k, pool);
+        memory.end_after(z, &point);
         Ok(Step { point, iterations })
     }
 
     #[inline]
-    fn forget<V: Vector>(&self, workspace: &mut PartitionedSpace<V>) {
+    fn forget<V: State>(&self, workspace: &mut PartitionedSpace<V>) {
         workspace.memory.forget();
     }
 

@@ -1,7 +1,7 @@
 //! Polarisations: the division of coordinates into positions and momenta.
 
 use core::fmt::Debug;
-use lie_poisson::Vector;
+use lie_poisson::State;
 
 /// A splitting of the coordinates of a symplectic vector space into positions q and momenta p, with dq ∧ dp.
 ///
@@ -25,10 +25,19 @@ pub trait Polarisation: Copy + Debug + Default + PartialEq + Send + Sync + 'stat
 
     /// Returns the point with the positions q of u and the momenta p of v.
     #[inline]
-    fn splice<V: Vector>(u: &V, v: &V) -> V {
-        V::from_coordinates(|i| {
-            if Self::is_position(i, V::DIM) { u.coordinate(i) } else { v.coordinate(i) }
-        })
+    fn splice<V: State>(u: &V, v: &V) -> V {
+        let mut z = v.clone();
+        Self::replace_positions(&mut z, u);
+        z
+    }
+
+    /// Replaces the positions q of z by those of u.
+    #[inline]
+    fn replace_positions<V: State>(z: &mut V, u: &V) {
+        let dimension = z.dimension();
+        for i in (0..dimension).filter(|&i| Self::is_position(i, dimension)) {
+            z.set_entry(i, u.entry(i));
+        }
     }
 }
 

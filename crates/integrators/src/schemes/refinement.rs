@@ -1,10 +1,10 @@
 //! Stage derivatives of an accuracy beyond that of the rounded stages.
 
 use crate::stages::block_sizes::MaskOf;
-use crate::stages::stage_solver::{combination, evenly_scaled, plus_combination};
+use crate::stages::stage_solver::{scale_evenly, set_combination};
 use crate::stages::two_sum::two_sum;
 use crate::{Tableau, VectorField};
-use lie_poisson::{Mask, Pair, Real, Vector};
+use lie_poisson::{Mask, Real, State};
 
 /// The factor by which the rounding error of a stage is enlarged to measure its effect on the field by a difference.
 ///
@@ -33,23 +33,33 @@ pub(crate) fn refine<T: Real, F: VectorField<T>>(
     (z, step): (&F::Point, f64),
     tableau: &Tableau,
     chosen: MaskOf<F::Point>,
-    k: &mut [F::Point],
-    rest: &mut [F::Point],
+    (k, rest): (&mut [F::Point], &mut [F::Point]),
+    pool: &mut <F::Point as State>::Pool,
 ) {
-    rest.fill(F::Point::zero());
+    rest.iter_mut().for_each(State::set_zero);
     if !chosen.any() {
         return;
     }
+    let [mut sum, mut change, mut stage, mut lost, mut value] =
+        [(); 5].map(|()| F::Point::take(pool, z));
     for n in 0..SWEEPS * k.len() {
         let i = n % k.len();
-        let small = combination(tableau.row_low(i), k);
-        let sum = plus_combination(small, tableau.row(i), k);
-        let Pair(stage, rounding) = two_sum(z, &evenly_scaled(&sum, step));
-        let lost = rounding + combination(tableau.row(i), rest).scaled(T::from_f64(step));
-        let value = field.at(&stage);
-        let moved = field.at(&(stage + lost.scaled(T::from_f64(ENLARGEMENT))));
-        let correction = (moved - value).scaled(T::from_f64(1.0 / ENLARGEMENT));
-        k[i] = F::Point::select(chosen, &value, &k[i]);
-        rest[i] = F::Point::select(chosen, &correction, &rest[i]);
+        set_combination(&mut sum, tableau.row_low(i), k);
+        sum.add_combination(tableau.row(i), k);
+        scale_evenly(&sum, step, &mut change);
+        two_sum(z, &change, &mut stage, &mut lost, &mut value);
+        set_combination(&mut sum, tableau.row(i), rest);
+        sum.scale(T::from_f64(step));
+        lost.add(&sum);
+        field.at_into(&stage, &mut value);
+        stage.add_multiple(T::from_f64(ENLARGEMENT), &lost);
+        field.at_into(&stage, &mut change);
+        change.subtract(&value);
+        change.scale(T::from_f64(1.0 / ENLARGEMENT));
+        k[i].replace_where(chosen, &value);
+        rest[i].replace_where(chosen, &change);
+    }
+    for vector in [sum, change, stage, lost, value] {
+        vector.give(pool);
     }
 }

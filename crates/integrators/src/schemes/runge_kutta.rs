@@ -6,13 +6,13 @@ use crate::stages::extrapolation::Predictor;
 use crate::stages::history::StageHistory;
 use crate::stages::newton::{NewtonSpace, newton_step};
 use crate::stages::stage_scale::StageScale;
-use crate::stages::stage_solver::{Unconverged, combination, evenly_scaled, plus_combination};
+use crate::stages::stage_solver::{Unconverged, fit, scale_evenly, set_combination};
 use crate::tableaux::dop853;
 use crate::{
     Equivariant, Increment, Scheme, SchemeError, StageSolver, Step, StepError, Substeps, Tableau,
     VectorField,
 };
-use lie_poisson::{Mask, Pair, Real, Vector};
+use lie_poisson::{Mask, Pair, Real, State};
 
 /// A Runge–Kutta method: a [`Tableau`], and a solver for its stages if it is implicit.
 ///
@@ -141,6 +141,12 @@ impl RungeKutta {
         Tableau::gauss(stages).map(Self::new)
     }
 
+    /// Returns whether the method is explicit, and therefore without a predictor.
+    #[inline]
+    fn is_explicit(&self) -> bool {
+        self.predictor.stages == 0
+    }
+
     fn literal(a: &[f64], b: &[f64]) -> Self {
         Self::new(Tableau::literal(a, b))
     }
@@ -158,32 +164,46 @@ impl RungeKutta {
         step: f64,
         workspace: &mut StageSpace<F::Point>,
     ) -> Result<(usize, T::Mask), StepError> {
-        let StageSpace { k, small, memory, newton, .. } = workspace;
-        small.fill(F::Point::zero());
+        let StageSpace { k, small, memory, newton, pool, .. } = workspace;
+        small.iter_mut().for_each(State::set_zero);
         let h = T::from_f64(step);
-        let derivative = |i: usize, k: &[F::Point], near: MaskOf<F::Point>| {
-            if near.any() {
-                small[i] =
-                    F::Point::select(near, &combination(self.tableau.row_low(i), k), &small[i]);
-            }
-            let (before, after) = self.tableau.row(i).split_at(i);
-            // The newest stage comes last, so that the other terms need not wait for it.
-            let sum = plus_combination(small[i], after, &k[i..]);
-            field.at(&(*z + plus_combination(sum, before, k).scaled(h)))
-        };
+        let mut spare = F::Point::take(pool, z);
+        let derivative =
+            |i: usize, k: &[F::Point], near: MaskOf<F::Point>, value: &mut F::Point| {
+                let mut stage = F::Point::take(pool, z);
+                if near.any() {
+                    set_combination(&mut stage, self.tableau.row_low(i), k);
+                    small[i].replace_where(near, &stage);
+                }
+                let (before, after) = self.tableau.row(i).split_at(i);
+                // The newest stage comes last, so that the other terms need not wait for it.
+                stage.assign(&small[i]);
+                stage.add_combination(after, &k[i..]);
+                stage.add_combination(before, k);
+                stage.scale(h);
+                stage.add(z);
+                field.at_into(&stage, value);
+                stage.give(pool);
+            };
         let scale = StageScale::new(z, step);
-        let from = (z, step, &scale);
-        match memory.solve(&self.predictor, &self.solver, field, from, k, derivative) {
-            Err(Unconverged { converged, iterations, .. }) if self.solver.newton => {
+        let (from, unknowns) = ((z, step, &scale), (k.as_mut_slice(), &mut spare));
+        let solved = memory.solve(&self.predictor, &self.solver, field, from, unknowns, derivative);
+        let outcome = match solved {
+            Err(Unconverged { converged, iterations, .. })
+                if self.solver.newton && newton.allows(k.len(), z) =>
+            {
+                field.at_into(z, &mut spare);
                 let advance = |done: T::Mask, k: &mut [F::Point]| {
                     newton_step(field, (z, step), &self.tableau, done, k, newton)
                 };
-                let more = self.solver.newton(converged, &field.at(z), &scale, k, advance)?;
-                Ok((iterations + more, converged))
+                let more = self.solver.newton(converged, &spare, &scale, k, advance);
+                more.map(|more| (iterations + more, converged))
             }
             Ok(iterations) => Ok((iterations, T::Mask::from_bool(true))),
             Err(unconverged) => Err(unconverged.error),
-        }
+        };
+        spare.give(pool);
+        outcome
     }
 
     /// Computes the stage derivatives of a step in the workspace. Returns the number of iterations, and the lanes in
@@ -196,27 +216,37 @@ impl RungeKutta {
         step: f64,
         workspace: &mut StageSpace<F::Point>,
     ) -> Result<(usize, T::Mask), StepError> {
-        // A workspace from another method still gives the right result.
-        workspace.k.resize(self.tableau.stages(), F::Point::zero());
-        workspace.small.resize(self.tableau.stages(), F::Point::zero());
-        if !self.tableau.is_explicit() {
+        // A workspace from another method, or for another size, still gives the right result.
+        fit(&mut workspace.k, self.tableau.stages(), z);
+        fit(&mut workspace.small, self.tableau.stages(), z);
+        if !self.is_explicit() {
             return self.solve_stages(field, z, step, workspace);
         }
-        let (k, h) = (&mut workspace.k, T::from_f64(step));
+        let StageSpace { k, pool, .. } = workspace;
+        let mut stage = F::Point::take(pool, z);
         for (i, row) in self.tableau.rows().enumerate() {
-            k[i] = field.at(&(*z + combination(&row[..i], k).scaled(h)));
+            set_combination(&mut stage, &row[..i], k);
+            stage.scale(T::from_f64(step));
+            stage.add(z);
+            field.at_into(&stage, &mut k[i]);
         }
+        stage.give(pool);
         Ok((0, T::Mask::from_bool(true)))
     }
 
     /// Returns h Σ_i (b_i + low_i) k_i for the stage derivatives in the workspace, and records the end of the step
     /// there.
     #[inline]
-    fn end<V: Vector>(&self, z: &V, step: f64, workspace: &mut StageSpace<V>) -> V {
-        let small = combination(self.tableau.weights_low(), &workspace.k);
-        let sum = plus_combination(small, self.tableau.weights(), &workspace.k);
-        let change = evenly_scaled(&sum, step);
-        workspace.memory.end_at(&(*z + change));
+    fn end<V: State>(&self, z: &V, step: f64, workspace: &mut StageSpace<V>) -> V {
+        let StageSpace { k, memory, pool, .. } = workspace;
+        let (mut sum, mut change) = (V::take(pool, z), V::take(pool, z));
+        set_combination(&mut sum, self.tableau.weights_low(), k);
+        sum.add_combination(self.tableau.weights(), k);
+        scale_evenly(&sum, step, &mut change);
+        sum.give(pool);
+        if !self.is_explicit() {
+            memory.end_after(z, &change);
+        }
         change
     }
 }
@@ -224,9 +254,10 @@ impl RungeKutta {
 /// The storage of a Runge–Kutta step: its stage derivatives, those of the last steps, and the matrix of Newton's
 /// iteration.
 ///
-/// An implicit method predicts its stages from the last steps. The matrix is allocated once a step has needed it.
+/// An implicit method predicts its stages from the last steps. The first step allocates what every step needs, and the
+/// first one that needs Newton's iteration allocates its matrix.
 #[derive(Clone, Debug)]
-pub struct StageSpace<V: Vector> {
+pub struct StageSpace<V: State> {
     k: Vec<V>,
     /// The corrections that refinement adds to k.
     rest: Vec<V>,
@@ -234,20 +265,22 @@ pub struct StageSpace<V: Vector> {
     small: Vec<V>,
     memory: StageHistory<V>,
     newton: NewtonSpace<V::Scalar>,
+    pool: V::Pool,
 }
 
 impl Equivariant for RungeKutta {}
 
 impl Scheme for RungeKutta {
-    type Workspace<V: Vector> = StageSpace<V>;
+    type Workspace<V: State> = StageSpace<V>;
 
-    fn workspace<V: Vector>(&self) -> StageSpace<V> {
+    fn workspace<V: State>(&self) -> StageSpace<V> {
         StageSpace {
-            k: vec![V::zero(); self.tableau.stages()],
-            rest: vec![V::zero(); self.tableau.stages()],
-            small: vec![V::zero(); self.tableau.stages()],
-            memory: StageHistory::new(&self.predictor),
+            k: Vec::new(),
+            rest: Vec::new(),
+            small: Vec::new(),
+            memory: StageHistory::new(),
             newton: NewtonSpace::default(),
+            pool: V::Pool::default(),
         }
     }
 
@@ -276,18 +309,43 @@ impl Scheme for RungeKutta {
         workspace: &mut StageSpace<F::Point>,
     ) -> Result<Increment<F::Point>, StepError> {
         let (iterations, contracting) = self.stages(field, z, step, workspace)?;
-        let mut rest = F::Point::zero();
-        if !self.tableau.is_explicit() {
-            let StageSpace { k, rest: parts, .. } = workspace;
-            parts.resize(k.len(), rest);
-            refine(field, (z, step), &self.tableau, contracting, k, parts);
-            rest = combination(self.tableau.weights(), parts).scaled(T::from_f64(step));
+        let implicit = !self.is_explicit();
+        if implicit {
+            let StageSpace { k, rest, pool, .. } = workspace;
+            fit(rest, k.len(), z);
+            refine(field, (z, step), &self.tableau, contracting, (k, rest), pool);
         }
-        Ok(Step { point: Pair(self.end(z, step, workspace), rest), iterations })
+        let change = self.end(z, step, workspace);
+        let mut lost = F::Point::take(&mut workspace.pool, z);
+        lost.set_zero();
+        if implicit {
+            lost.add_combination(self.tableau.weights(), &workspace.rest);
+            lost.scale(T::from_f64(step));
+        }
+        Ok(Step { point: Pair(change, lost), iterations })
+    }
+
+    /// Makes the step in the place of z, without an allocation.
+    #[inline]
+    fn advance<T: Real, F: VectorField<T>>(
+        &self,
+        field: &F,
+        z: &mut F::Point,
+        step: f64,
+        workspace: &mut StageSpace<F::Point>,
+    ) -> Result<usize, StepError> {
+        let Step { point: mut end, iterations } = self.increment(field, z, step, workspace)?;
+        end.add(z);
+        let finite = end.all_finite();
+        if finite {
+            z.move_from(&mut end);
+        }
+        end.give(&mut workspace.pool);
+        if finite { Ok(iterations) } else { Err(StepError::NotFinite) }
     }
 
     #[inline]
-    fn forget<V: Vector>(&self, workspace: &mut StageSpace<V>) {
+    fn forget<V: State>(&self, workspace: &mut StageSpace<V>) {
         workspace.memory.forget();
     }
 

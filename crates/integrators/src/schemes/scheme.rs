@@ -1,7 +1,7 @@
 //! The interface of one-step methods: [`Scheme`].
 
 use crate::{StepError, VectorField};
-use lie_poisson::{Pair, Real, Vector};
+use lie_poisson::{Pair, Real, State};
 
 /// The result of a step.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -15,14 +15,14 @@ pub struct Step<V> {
 /// The change δz + δe of a state in a step, where δe has the size of the rounding errors of δz.
 pub type Increment<V> = Step<Pair<V, V>>;
 
-impl<V: Vector> Step<V> {
+impl<V: State> Step<V> {
     /// Returns the step itself if its point is finite.
     ///
     /// # Errors
     /// Returns [`StepError::NotFinite`] if a coordinate is infinite or not a number, in some SIMD lane of the scalar.
     #[inline]
     pub fn finite(self) -> Result<Self, StepError> {
-        if self.point.is_finite() { Ok(self) } else { Err(StepError::NotFinite) }
+        if self.point.all_finite() { Ok(self) } else { Err(StepError::NotFinite) }
     }
 }
 
@@ -31,10 +31,10 @@ impl<V: Vector> Step<V> {
 /// A scheme does not depend on the origin of the vector field, and works over every scalar.
 pub trait Scheme: Clone {
     /// The storage that a step needs, allocated once per run.
-    type Workspace<V: Vector>;
+    type Workspace<V: State>;
 
-    /// Allocates the storage for steps.
-    fn workspace<V: Vector>(&self) -> Self::Workspace<V>;
+    /// Creates the storage for steps. The first step may allocate, when it knows the size of the points.
+    fn workspace<V: State>(&self) -> Self::Workspace<V>;
 
     /// Returns the increment Φ_h(z) − z of one step.
     ///
@@ -68,7 +68,8 @@ pub trait Scheme: Clone {
         workspace: &mut Self::Workspace<F::Point>,
     ) -> Result<Increment<F::Point>, StepError> {
         let Step { point, iterations } = self.increment(field, z, step, workspace)?;
-        Ok(Step { point: Pair(point, Vector::zero()), iterations })
+        let exact = point.zeros_like();
+        Ok(Step { point: Pair(point, exact), iterations })
     }
 
     /// Returns the step Φ_h(z). Allocates nothing.
@@ -84,15 +85,36 @@ pub trait Scheme: Clone {
         step: f64,
         workspace: &mut Self::Workspace<F::Point>,
     ) -> Result<Step<F::Point>, StepError> {
-        let Step { point, iterations } = self.increment(field, z, step, workspace)?;
-        Step { point: *z + point, iterations }.finite()
+        let Step { mut point, iterations } = self.increment(field, z, step, workspace)?;
+        point.add(z);
+        Step { point, iterations }.finite()
+    }
+
+    /// Makes the step Φ_h in the place of z, and returns the number of iterations.
+    ///
+    /// The default calls [`step`](Self::step). A scheme for large points overrides it, so that no step after the first
+    /// allocates.
+    ///
+    /// # Errors
+    /// Returns the errors of [`step`](Self::step). The point z is not changed then.
+    #[inline]
+    fn advance<T: Real, F: VectorField<T>>(
+        &self,
+        field: &F,
+        z: &mut F::Point,
+        step: f64,
+        workspace: &mut Self::Workspace<F::Point>,
+    ) -> Result<usize, StepError> {
+        let Step { point, iterations } = self.step(field, z, step, workspace)?;
+        *z = point;
+        Ok(iterations)
     }
 
     /// Makes the workspace forget the steps before, from which an implicit method predicts its stages.
     ///
     /// The next step then depends on its starting point alone. The default does nothing.
     #[inline]
-    fn forget<V: Vector>(&self, _workspace: &mut Self::Workspace<V>) {}
+    fn forget<V: State>(&self, _workspace: &mut Self::Workspace<V>) {}
 
     /// Returns the order of convergence.
     fn order(&self) -> usize;

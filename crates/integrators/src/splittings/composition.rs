@@ -4,7 +4,7 @@ use crate::{
     Equivariant, Increment, Integrator, Scheme, Start, Step, StepError, Substeps, VectorField,
     compensated_sum,
 };
-use lie_poisson::{Pair, Real, Vector};
+use lie_poisson::{Pair, Real, State};
 use momentum_map::LiftError;
 
 /// The composition Ψ(h) = Φ(γ_s h) ∘ … ∘ Φ(γ₁ h) of a method Φ(h) with itself.
@@ -55,16 +55,15 @@ impl<S> Composition<S> {
 
     /// Makes one substep after the other, until one fails.
     #[inline]
-    fn chain<V: Copy>(
+    fn chain<V>(
         &self,
-        start: &V,
+        start: V,
         step: f64,
-        mut substep: impl FnMut(&V, f64) -> Result<Step<V>, StepError>,
+        mut substep: impl FnMut(&mut V, f64) -> Result<usize, StepError>,
     ) -> Result<Step<V>, StepError> {
-        let mut total = Step { point: *start, iterations: 0 };
+        let mut total = Step { point: start, iterations: 0 };
         for gamma in self.substeps.fractions() {
-            let next = substep(&total.point, gamma * step)?;
-            total = Step { point: next.point, iterations: total.iterations + next.iterations };
+            total.iterations += substep(&mut total.point, gamma * step)?;
         }
         Ok(total)
     }
@@ -73,9 +72,9 @@ impl<S> Composition<S> {
 impl<S: Equivariant> Equivariant for Composition<S> {}
 
 impl<S: Scheme> Scheme for Composition<S> {
-    type Workspace<V: Vector> = S::Workspace<V>;
+    type Workspace<V: State> = S::Workspace<V>;
 
-    fn workspace<V: Vector>(&self) -> Self::Workspace<V> {
+    fn workspace<V: State>(&self) -> Self::Workspace<V> {
         self.base.workspace()
     }
 
@@ -88,10 +87,12 @@ impl<S: Scheme> Scheme for Composition<S> {
         step: f64,
         workspace: &mut Self::Workspace<F::Point>,
     ) -> Result<Step<F::Point>, StepError> {
-        self.chain(&Vector::zero(), step, |sum: &F::Point, step| {
-            let from = *z + *sum;
+        self.chain(z.zeros_like(), step, |sum: &mut F::Point, step| {
+            let mut from = z.clone();
+            from.add(sum);
             let Step { point, iterations } = self.base.increment(field, &from, step, workspace)?;
-            Ok(Step { point: *sum + point, iterations })
+            sum.add(&point);
+            Ok(iterations)
         })
     }
 
@@ -105,15 +106,18 @@ impl<S: Scheme> Scheme for Composition<S> {
         step: f64,
         workspace: &mut Self::Workspace<F::Point>,
     ) -> Result<Increment<F::Point>, StepError> {
-        self.chain(&Vector::zero(), step, |sum: &Pair<F::Point, F::Point>, step| {
-            let from = *z + sum.0;
+        let zero = Pair(z.zeros_like(), z.zeros_like());
+        self.chain(zero, step, |sum: &mut Pair<F::Point, F::Point>, step| {
+            let mut from = z.clone();
+            from.add(&sum.0);
             let next = self.base.refined_increment(field, &from, step, workspace)?;
-            Ok(Step { point: compensated_sum(sum, &next.point), ..next })
+            *sum = compensated_sum(sum, &next.point);
+            Ok(next.iterations)
         })
     }
 
     #[inline]
-    fn forget<V: Vector>(&self, workspace: &mut Self::Workspace<V>) {
+    fn forget<V: State>(&self, workspace: &mut Self::Workspace<V>) {
         self.base.forget(workspace);
     }
 
@@ -151,7 +155,7 @@ impl<T: Real, I: Integrator<T>> Integrator<T> for Composition<I> {
         step: f64,
         workspace: &mut I::Workspace,
     ) -> Result<Step<I::State>, StepError> {
-        self.chain(state, step, |state, step| self.base.step(state, step, workspace))
+        self.chain(state.clone(), step, |state, step| self.base.advance(state, step, workspace))
     }
 
     #[inline]

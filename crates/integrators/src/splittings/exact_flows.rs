@@ -1,6 +1,6 @@
 //! Vector fields whose parts have flows in closed form: [`ExactFlows`].
 
-use lie_poisson::{Real, Vector};
+use lie_poisson::{Real, State};
 
 /// A vector field X = X₁ + … + X_n whose parts have flows in closed form.
 ///
@@ -12,7 +12,7 @@ use lie_poisson::{Real, Vector};
 /// See [`Splitting`](crate::Splitting).
 pub trait ExactFlows<T: Real = f64> {
     /// The type of the points of the space on which the field acts.
-    type Point: Vector<Scalar = T>;
+    type Point: State<Scalar = T>;
 
     /// The number n of parts.
     const COUNT: usize;

@@ -30,7 +30,7 @@ pub struct LieTrotter;
 impl FlowSequence for LieTrotter {
     #[inline]
     fn run<T: Real, E: ExactFlows<T>>(&self, flows: &E, step: f64, z: &E::Point) -> E::Point {
-        (0..E::COUNT).fold(*z, |z, index| flows.flow(index, step, &z))
+        (0..E::COUNT).fold(z.clone(), |z, index| flows.flow(index, step, &z))
     }
 
     fn order(&self) -> usize {
@@ -58,7 +58,7 @@ impl FlowSequence for Strang {
     fn run<T: Real, E: ExactFlows<T>>(&self, flows: &E, step: f64, z: &E::Point) -> E::Point {
         let flow = |time: f64| move |z: E::Point, index| flows.flow(index, time, &z);
         let last = E::COUNT.saturating_sub(1);
-        let there = (0..last).fold(*z, flow(0.5 * step));
+        let there = (0..last).fold(z.clone(), flow(0.5 * step));
         let middle = flow(step)(there, last);
         (0..last).rev().fold(middle, flow(0.5 * step))
     }
@@ -81,7 +81,7 @@ impl FlowSequence for AlternatingSubsteps {
             if fraction == 0.0 { z } else { flows.flow(index, fraction * step, &z) }
         };
         let (a, b) = (self.first(), self.second());
-        a.iter().zip(b).fold(*z, |z, (&a, &b)| flow(1, b, flow(0, a, z)))
+        a.iter().zip(b).fold(z.clone(), |z, (&a, &b)| flow(1, b, flow(0, a, z)))
     }
 
     fn order(&self) -> usize {

@@ -158,7 +158,7 @@ impl<T: Real, E: ExactFlows<T>, S: FlowSequence> Integrator<T> for Splitting<E, 
     }
 
     fn momentum(&self, z: &E::Point) -> E::Point {
-        *z
+        z.clone()
     }
 }
 

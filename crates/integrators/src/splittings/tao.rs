@@ -2,7 +2,7 @@
 
 use crate::{ExactFlows, Polarisation, VectorField};
 use core::marker::PhantomData;
-use lie_poisson::{Pair, Real, Vector};
+use lie_poisson::{Pair, Real, State};
 
 /// The three exact flows of Tao's method for Hamiltonians that do not separate.
 ///
@@ -67,33 +67,60 @@ impl<T: Real, F: VectorField<T>, P: Polarisation> ExactFlows<T> for TaoFlows<F, 
     #[inline]
     fn flow(&self, index: usize, time: f64, z: &Self::Point) -> Self::Point {
         let Pair(first, second) = z;
-        let zero = F::Point::zero();
         match index {
             0 => {
-                let x = self.field.at(&P::splice(first, second)).scaled(T::from_f64(time));
-                Pair(*first + P::splice(&zero, &x), *second + P::splice(&x, &zero))
+                let (positions, momenta) = self.change(&P::splice(first, second), time);
+                Pair(sum(first, &momenta), sum(second, &positions))
             }
             1 => {
-                let x = self.field.at(&P::splice(second, first)).scaled(T::from_f64(time));
-                Pair(*first + P::splice(&x, &zero), *second + P::splice(&zero, &x))
+                let (positions, momenta) = self.change(&P::splice(second, first), time);
+                Pair(sum(first, &positions), sum(second, &momenta))
             }
             2 => {
                 let (sin, cos) = (2.0 * self.binding * time).sin_cos();
-                let (sum, apart) = (*first + *second, *first - *second);
+                let (both, mut apart) = (sum(first, second), first.clone());
+                apart.subtract(second);
                 let turned = turn::<P, F::Point>(&apart, sin, cos);
-                let half = T::from_f64(0.5);
-                Pair((sum + turned).scaled(half), (sum - turned).scaled(half))
+                let (mut first, mut second) = (sum(&both, &turned), both);
+                second.subtract(&turned);
+                first.scale(T::from_f64(0.5));
+                second.scale(T::from_f64(0.5));
+                Pair(first, second)
             }
-            _ => *z,
+            _ => z.clone(),
         }
     }
 }
 
+impl<F, P: Polarisation> TaoFlows<F, P> {
+    /// Returns t X(z), with its positions alone and with its momenta alone.
+    #[inline]
+    fn change<T: Real>(&self, z: &F::Point, time: f64) -> (F::Point, F::Point)
+    where
+        F: VectorField<T>,
+    {
+        let mut x = self.field.at(z);
+        x.scale(T::from_f64(time));
+        let zero = x.zeros_like();
+        (P::splice(&x, &zero), P::splice(&zero, &x))
+    }
+}
+
+#[inline]
+fn sum<V: State>(v: &V, w: &V) -> V {
+    let mut sum = v.clone();
+    sum.add(w);
+    sum
+}
+
 /// Returns the rotated point (q cos + p sin, p cos − q sin).
 #[inline]
-fn turn<P: Polarisation, V: Vector>(z: &V, sin: f64, cos: f64) -> V {
-    V::from_coordinates(|i| {
-        let sin = if P::is_position(i, V::DIM) { sin } else { -sin };
-        z.coordinate(i) * cos + z.coordinate(P::conjugate(i, V::DIM)) * sin
-    })
+fn turn<P: Polarisation, V: State>(z: &V, sin: f64, cos: f64) -> V {
+    let (mut turned, dimension) = (z.clone(), z.dimension());
+    for i in 0..dimension {
+        let sin = if P::is_position(i, dimension) { sin } else { -sin };
+        let conjugate = z.entry(P::conjugate(i, dimension));
+        turned.set_entry(i, z.entry(i) * cos + conjugate * sin);
+    }
+    turned
 }

@@ -1,19 +1,19 @@
 //! Sizes of vectors, block by block: [`BlockSizes`].
 
-use lie_poisson::{Blocks, Mask, Real, Vector};
+use lie_poisson::{Blocks, Mask, Real, State};
 
 /// The mask type for the SIMD lanes of the scalar of a vector.
-pub(crate) type MaskOf<V> = <<V as Vector>::Scalar as Real>::Mask;
+pub(crate) type MaskOf<V> = <<V as State>::Scalar as Real>::Mask;
 
-/// The largest magnitude in each [block](Vector::BLOCKS) of coordinates of one or several vectors.
+/// The largest magnitude in each [block](State::BLOCKS) of coordinates of one or several vectors.
 #[derive(Clone, Copy, Debug)]
-pub(crate) struct BlockSizes<V: Vector> {
+pub(crate) struct BlockSizes<V: State> {
     most: V::Blocks,
     /// The sum of all magnitudes, which keeps a NaN that the maxima lose.
     sum: V::Scalar,
 }
 
-impl<V: Vector> BlockSizes<V> {
+impl<V: State> BlockSizes<V> {
     /// Returns the sizes of no vector: zero.
     #[inline(always)]
     pub(crate) fn zero() -> Self {
@@ -42,11 +42,13 @@ impl<V: Vector> BlockSizes<V> {
     /// Enlarges the sizes to hold one more vector.
     #[inline(always)]
     pub(crate) fn include(&mut self, v: &V) {
-        for i in 0..V::DIM {
-            let (block, size) = (V::block(i), v.coordinate(i).magnitude());
-            self.most.set(block, size.maximum(self.at(block)));
-            self.sum += size;
-        }
+        v.measure(&mut self.most, &mut self.sum);
+    }
+
+    /// Enlarges the sizes to hold the difference of two vectors.
+    #[inline(always)]
+    pub(crate) fn include_difference(&mut self, v: &V, w: &V) {
+        v.measure_difference(w, &mut self.most, &mut self.sum);
     }
 
     /// Enlarges the sizes to hold those of `other` that are above the bound that f gives for their block.
@@ -63,7 +65,7 @@ impl<V: Vector> BlockSizes<V> {
     /// Selects the first sizes in lanes where the mask is true, and the second elsewhere.
     #[inline]
     pub(crate) fn select(mask: MaskOf<V>, yes: &Self, no: &Self) -> Self {
-        let mut sizes = Self { sum: Real::select(mask, yes.sum, no.sum), ..*yes };
+        let mut sizes = Self { sum: Real::select(mask, yes.sum, no.sum), most: yes.most };
         for block in 0..V::BLOCKS {
             sizes.most.set(block, Real::select(mask, yes.at(block), no.at(block)));
         }
@@ -115,7 +117,7 @@ impl<V: Vector> BlockSizes<V> {
     pub(crate) fn inverse(&self) -> Self {
         let (zero, one) = (V::Scalar::from_f64(0.0), V::Scalar::from_f64(1.0));
         let least = V::Scalar::from_f64(f64::MIN_POSITIVE);
-        let mut inverse = *self;
+        let mut inverse = self.clone();
         for block in 0..V::BLOCKS {
             let size = self.at(block);
             inverse.most.set(block, Real::select(size.at_most(least), zero, one / size));

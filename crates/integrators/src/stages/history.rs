@@ -5,9 +5,9 @@ use crate::stages::block_sizes::{BlockSizes, MaskOf};
 use crate::stages::convergence::{ROUND_OFF, Ratios, unknown};
 use crate::stages::extrapolation::Predictor;
 use crate::stages::stage_scale::Scale;
-use crate::stages::stage_solver::{Unconverged, combination, fill_unless};
+use crate::stages::stage_solver::{Unconverged, fill_unless, fit, set_combination};
 use crate::{StageSolver, VectorField};
-use lie_poisson::{Mask, Real, Vector};
+use lie_poisson::{Mask, Real, State};
 
 /// The largest multiple of the last stage derivatives that a prediction may have.
 const LARGEST_GROWTH: f64 = 2.0;
@@ -16,7 +16,7 @@ const LARGEST_GROWTH: f64 = 2.0;
 ///
 /// They are stored in the coordinates of the [frame](StageFrame). Each lane remembers by itself.
 #[derive(Clone, Debug)]
-pub(crate) struct StageHistory<V: Vector> {
+pub(crate) struct StageHistory<V: State> {
     /// The stage derivatives, oldest first; those before `newest` are valid. There is room for twice the required
     /// number, so that they are moved to the front only rarely.
     past: Vec<V>,
@@ -29,21 +29,21 @@ pub(crate) struct StageHistory<V: Vector> {
     /// The size of the steps.
     size: f64,
     /// The end of the last step, and the ratios of changes in its iteration.
-    end: V,
+    end: Option<V>,
     pace: Ratios<V::Scalar>,
 }
 
-impl<V: Vector> StageHistory<V> {
-    /// Creates an empty history, with room for the needs of a predictor.
-    pub(crate) fn new(predictor: &Predictor) -> Self {
+impl<V: State> StageHistory<V> {
+    /// Creates an empty history. Its first step allocates the storage.
+    pub(crate) fn new() -> Self {
         Self {
-            past: vec![V::zero(); 2 * predictor.capacity()],
+            past: Vec::new(),
             newest: 0,
-            stages: predictor.stages,
+            stages: 0,
             steps: V::Scalar::from_f64(0.0),
             most: 0,
             size: 0.0,
-            end: V::zero(),
+            end: None,
             pace: unknown(),
         }
     }
@@ -59,7 +59,8 @@ impl<V: Vector> StageHistory<V> {
     /// Solves for the stage derivatives k of a step of the given size from z by fixed-point iteration, and remembers
     /// them. Returns the number of iterations.
     ///
-    /// The iteration starts from a prediction if there is one. Otherwise, or if that fails, it starts from X(z).
+    /// The iteration starts from a prediction if there is one. Otherwise, or if that fails, it starts from X(z). The
+    /// vector `spare` is overwritten.
     ///
     /// # Errors
     /// Returns [`Unconverged`] if the iteration fails in some lane. Nothing is remembered in such a lane.
@@ -70,22 +71,24 @@ impl<V: Vector> StageHistory<V> {
         solver: &StageSolver,
         field: &F,
         (z, size, scale): (&V, f64, &impl Scale<V>),
-        k: &mut [V],
-        mut derivative: impl FnMut(usize, &[V], MaskOf<V>) -> V,
+        (k, spare): (&mut [V], &mut V),
+        mut derivative: impl FnMut(usize, &[V], MaskOf<V>, &mut V),
     ) -> Result<usize, Unconverged<MaskOf<V>>> {
         let frame = field.stage_frame();
         self.keep_where(z, size, predictor, &frame);
-        let guessed = self.guess(predictor, &frame, k);
+        let guessed = self.guess(predictor, &frame, k, spare);
         if !guessed.all() {
-            fill_unless(guessed, k, &field.at(z));
+            field.at_into(z, spare);
+            fill_unless(guessed, k, spare);
         }
         let none = MaskOf::<V>::from_bool(false);
-        let mut outcome = solver.solve_from(none, scale, k, &mut self.pace, &mut derivative);
+        let mut outcome = solver.solve_from(none, scale, k, spare, &mut self.pace, &mut derivative);
         if let Err(first) = &outcome {
             let misled = guessed.and(first.converged.not());
             if misled.any() {
-                fill_unless(misled.not(), k, &field.at(z));
-                let second = again(solver, misled.not(), scale, k, &mut derivative);
+                field.at_into(z, spare);
+                fill_unless(misled.not(), k, spare);
+                let second = again(solver, misled.not(), scale, (k, spare), &mut derivative);
                 outcome = retried(first, guessed, second);
             }
         }
@@ -94,10 +97,22 @@ impl<V: Vector> StageHistory<V> {
         outcome
     }
 
+    /// Records that the step that was solved last ends at z + `change`.
+    #[inline]
+    pub(crate) fn end_after(&mut self, z: &V, change: &V) {
+        self.end_at(z);
+        if let Some(end) = &mut self.end {
+            end.add(change);
+        }
+    }
+
     /// Records the end of the step that was solved last.
     #[inline]
     pub(crate) fn end_at(&mut self, z: &V) {
-        self.end = *z;
+        match &mut self.end {
+            Some(end) => end.assign(z),
+            None => self.end = Some(z.clone()),
+        }
     }
 
     /// Forgets all steps in lanes where a step does not continue from the memory, or everywhere if the memory comes
@@ -105,16 +120,17 @@ impl<V: Vector> StageHistory<V> {
     #[inline]
     fn keep_where(&mut self, z: &V, size: f64, predictor: &Predictor, frame: &impl StageFrame<V>) {
         let room = 2 * predictor.capacity();
-        if self.past.len() != room || self.stages != predictor.stages {
-            self.past.resize(room, V::zero());
-            self.stages = predictor.stages;
+        let moved = self.past.first().is_some_and(|past| !past.same_shape(z));
+        if self.past.len() != room || self.stages != predictor.stages || moved {
+            fit(&mut self.past, room, z);
+            (self.stages, self.end) = (predictor.stages, None);
             self.forget();
         }
         if self.size != size {
             self.forget();
         }
-        if self.most > 0 && !frame.continues() && *z != self.end {
-            let near = near(z, &self.end);
+        if self.most > 0 && !frame.continues() && self.end.as_ref() != Some(z) {
+            let near = self.end.as_ref().map_or(Mask::from_bool(false), |end| near(z, end));
             self.steps = Real::select(near, self.steps, V::Scalar::from_f64(0.0));
             self.pace = self
                 .pace
@@ -124,7 +140,13 @@ impl<V: Vector> StageHistory<V> {
 
     /// Writes a prediction to k. Returns the lanes in which there is one.
     #[inline]
-    fn guess(&self, predictor: &Predictor, frame: &impl StageFrame<V>, k: &mut [V]) -> MaskOf<V> {
+    fn guess(
+        &self,
+        predictor: &Predictor,
+        frame: &impl StageFrame<V>,
+        k: &mut [V],
+        spare: &mut V,
+    ) -> MaskOf<V> {
         let none = MaskOf::<V>::from_bool(false);
         let (mut tried, mut guessed) = (none, none);
         for (n, weights) in (1..self.most + 1).zip(&predictor.weights).rev() {
@@ -135,8 +157,12 @@ impl<V: Vector> StageHistory<V> {
             }
             let past = &self.past[self.newest - n * predictor.stages..self.newest];
             for (k, row) in k.iter_mut().zip(weights.chunks_exact(past.len())) {
-                let sum = combination(row, past);
-                *k = if here.all() { sum } else { V::select(here, &sum, k) };
+                if here.all() {
+                    set_combination(k, row, past);
+                } else {
+                    set_combination(spare, row, past);
+                    k.replace_where(here, spare);
+                }
             }
             let last = &past[past.len() - predictor.stages..];
             let last = BlockSizes::of(last);
@@ -148,7 +174,7 @@ impl<V: Vector> StageHistory<V> {
             }
         }
         if guessed.any() {
-            k.iter_mut().for_each(|k| *k = frame.recalled(k));
+            k.iter_mut().for_each(|k| frame.recall(k));
         }
         guessed
     }
@@ -175,11 +201,12 @@ impl<V: Vector> StageHistory<V> {
         }
         if self.newest == self.past.len() {
             let kept = self.past.len() / 2 - k.len();
-            self.past.copy_within(self.newest - kept.., 0);
+            let (oldest, latest) = self.past.split_at_mut(self.newest - kept);
+            oldest[..kept].swap_with_slice(latest);
             self.newest = kept;
         }
         for (past, k) in self.past[self.newest..].iter_mut().zip(k) {
-            *past = frame.remembered(k);
+            frame.remember(k, past);
         }
         self.newest += k.len();
         self.size = size;
@@ -193,14 +220,14 @@ impl<V: Vector> StageHistory<V> {
 /// Makes a second attempt in the lanes that are not `done`. It is rare, and kept out of the way of the first.
 #[cold]
 #[inline(never)]
-fn again<V: Vector>(
+fn again<V: State>(
     solver: &StageSolver,
     done: MaskOf<V>,
     scale: &impl Scale<V>,
-    k: &mut [V],
-    derivative: &mut impl FnMut(usize, &[V], MaskOf<V>) -> V,
+    (k, spare): (&mut [V], &mut V),
+    derivative: &mut impl FnMut(usize, &[V], MaskOf<V>, &mut V),
 ) -> Result<usize, Unconverged<MaskOf<V>>> {
-    solver.solve_from(done, scale, k, &mut unknown(), derivative)
+    solver.solve_from(done, scale, k, spare, &mut unknown(), derivative)
 }
 
 /// Returns the combined result of a first attempt, and of a second one in the lanes that a prediction had misled.
@@ -226,7 +253,8 @@ fn retried<M: Mask>(
 
 /// Returns the lanes in which two points are equal to round-off, in every coordinate.
 #[inline]
-pub(crate) fn near<V: Vector>(a: &V, b: &V) -> MaskOf<V> {
-    let (apart, size) = (BlockSizes::of(&[*a - *b]), BlockSizes::of(core::slice::from_ref(b)));
+pub(crate) fn near<V: State>(a: &V, b: &V) -> MaskOf<V> {
+    let (mut apart, size) = (BlockSizes::zero(), BlockSizes::of(core::slice::from_ref(b)));
+    apart.include_difference(a, b);
     apart.at_most(|block| size.at(block) * ROUND_OFF)
 }

@@ -1,11 +1,10 @@
 //! Newton's iteration for the stage equations.
 
 use crate::stages::block_sizes::BlockSizes;
-
 use crate::stages::stage_scale::Progress;
-use crate::stages::stage_solver::{combination, plus_combination};
+use crate::stages::stage_solver::set_combination;
 use crate::{Tableau, VectorField};
-use lie_poisson::{Real, Vector, solve_linear};
+use lie_poisson::{Mask, Real, State, solve_linear};
 
 /// The storage of Newton's iteration, empty until a step first needs it.
 #[derive(Clone, Debug)]
@@ -17,6 +16,16 @@ pub(crate) struct NewtonSpace<T> {
 impl<T> Default for NewtonSpace<T> {
     fn default() -> Self {
         Self { matrix: Vec::new(), residual: Vec::new() }
+    }
+}
+
+/// The largest number of unknowns for which Newton's iteration is made. Its matrix then has 8 MiB over `f64`.
+const MOST_UNKNOWNS: usize = 1024;
+
+impl<T> NewtonSpace<T> {
+    /// Returns whether the stage equations of points such as z have few enough unknowns for a dense matrix.
+    pub(crate) fn allows<V: State>(&self, stages: usize, z: &V) -> bool {
+        stages * z.dimension() <= MOST_UNKNOWNS
     }
 }
 
@@ -42,10 +51,14 @@ pub(crate) fn newton_step<T: Real, F: VectorField<T>>(
     let units = units(z, step, k);
     let mut progress = assemble(field, (z, step), tableau, k, &units, space);
     let regular = solve_linear(&mut space.matrix, &mut space.residual);
-    for (stage, part) in k.iter_mut().zip(space.residual.chunks_exact(F::Point::DIM)) {
-        let correction = F::Point::from_coordinates(|d| part[d] * units.coordinate(d));
+    for (stage, part) in k.iter_mut().zip(space.residual.chunks_exact(z.dimension())) {
+        let mut correction = units.clone();
+        for (d, part) in part.iter().enumerate() {
+            correction.set_entry(d, *part * units.entry(d));
+        }
         progress.change.include(&correction);
-        *stage = F::Point::select(done, stage, &(*stage - correction));
+        correction.subtract_from(stage);
+        stage.replace_where(done.not(), &correction);
         progress.size.include(stage);
     }
     progress.change = BlockSizes::select(regular, &progress.change, &BlockSizes::infinite());
@@ -64,29 +77,34 @@ fn assemble<T: Real, F: VectorField<T>>(
     units: &F::Point,
     space: &mut NewtonSpace<T>,
 ) -> Progress<F::Point> {
-    let dimension = F::Point::DIM;
+    let dimension = z.dimension();
     let size = k.len() * dimension;
     space.matrix.clear();
     space.matrix.resize(size * size, T::zero());
     space.residual.clear();
     let mut progress = Progress { change: BlockSizes::zero(), size: BlockSizes::zero() };
     for (i, row) in tableau.rows().enumerate() {
-        let small = combination(tableau.row_low(i), k);
-        let point = *z + plus_combination(small, row, k).scaled(T::from_f64(step));
+        let mut point = z.zeros_like();
+        set_combination(&mut point, tableau.row_low(i), k);
+        point.add_combination(row, k);
+        point.scale(T::from_f64(step));
+        point.add(z);
         let value = field.at(&point);
-        let residual = k[i] - value;
-        let in_units = |d| residual.coordinate(d) / units.coordinate(d);
+        let mut residual = k[i].clone();
+        residual.subtract(&value);
+        let in_units = |d| residual.entry(d) / units.entry(d);
         space.residual.extend((0..dimension).map(in_units));
-        let mut terms = BlockSizes::of(&[value]);
+        let mut terms = BlockSizes::of(core::slice::from_ref(&value));
         for column in 0..dimension {
-            let unit = units.coordinate(column);
+            let unit = units.entry(column);
             let slope = derivative(field, &point, &value, column, unit);
-            terms.add_scaled(point.coordinate(column).magnitude(), &BlockSizes::of(&[slope]));
+            let slopes = BlockSizes::of(core::slice::from_ref(&slope));
+            terms.add_scaled(point.entry(column).magnitude(), &slopes);
             for (j, &a) in row.iter().enumerate() {
                 for d in 0..dimension {
                     let at = (i * dimension + d) * size + j * dimension + column;
-                    let entry = slope.coordinate(d) * (-step * a);
-                    space.matrix[at] = entry * (unit / units.coordinate(d));
+                    let entry = slope.entry(d) * (-step * a);
+                    space.matrix[at] = entry * (unit / units.entry(d));
                 }
             }
         }
@@ -103,14 +121,16 @@ fn assemble<T: Real, F: VectorField<T>>(
 const SMALLEST_UNIT: f64 = 1e-200;
 
 /// Returns the unit of each coordinate: the larger of |z_b| and h |k_b| in its block b, or 1 if all are 0.
-fn units<T: Real, V: Vector<Scalar = T>>(z: &V, step: f64, k: &[V]) -> V {
+fn units<T: Real, V: State<Scalar = T>>(z: &V, step: f64, k: &[V]) -> V {
     let (start, stages) = (BlockSizes::of(core::slice::from_ref(z)), BlockSizes::of(k));
     let size = |b: usize| start.at(b).larger(stages.at(b) * step.abs());
     let largest = (1..V::BLOCKS).fold(size(0), |largest, b| size(b).larger(largest));
-    V::from_coordinates(|i| {
-        let unit = size(V::block(i)).larger(largest * SMALLEST_UNIT);
-        T::select(unit.at_most(T::zero()), T::one(), unit)
-    })
+    let mut units = z.zeros_like();
+    for i in 0..z.dimension() {
+        let unit = size(z.block_of(i)).larger(largest * SMALLEST_UNIT);
+        units.set_entry(i, T::select(unit.at_most(T::zero()), T::one(), unit));
+    }
+    units
 }
 
 /// Returns the derivative DX(z)·e_i.
@@ -124,11 +144,15 @@ fn derivative<T: Real, F: VectorField<T>>(
     i: usize,
     unit: T,
 ) -> F::Point {
-    let v = F::Point::basis(i);
+    let mut v = z.zeros_like();
+    v.set_entry(i, T::one());
     field.derivative(z, &v).unwrap_or_else(|| {
         let width = unit * f64::EPSILON.sqrt();
-        let mut moved = *z;
-        moved.add_scaled(width, &v);
-        (field.at(&moved) - *value).scaled(T::one() / width)
+        let mut moved = z.clone();
+        moved.add_multiple(width, &v);
+        let mut slope = field.at(&moved);
+        slope.subtract(value);
+        slope.scale(T::one() / width);
+        slope
     })
 }

@@ -5,7 +5,7 @@ use crate::stages::extrapolation::Predictor;
 use crate::stages::history::StageHistory;
 use crate::stages::stage_scale::OwnScale;
 use crate::{StageSolver, Unconverged, from_fn};
-use lie_poisson::{Mask, Real, Vector};
+use lie_poisson::{Mask, Real, State};
 
 /// The memory of the last steps of an integrator that has its own stage equations k_i = f_i(k).
 ///
@@ -35,17 +35,17 @@ use lie_poisson::{Mask, Real, Vector};
 /// # Ok::<(), collective_integrators::StepError>(())
 /// ```
 #[derive(Clone, Debug)]
-pub struct StageMemory<V: Vector> {
+pub struct StageMemory<V: State> {
     predictor: Predictor,
     memory: StageHistory<V>,
 }
 
-impl<V: Vector> StageMemory<V> {
+impl<V: State> StageMemory<V> {
     /// Creates an empty memory for stages at the times c, in steps. If two of them coincide, nothing is predicted.
     #[must_use]
     pub fn new(nodes: &[f64]) -> Self {
         let predictor = Predictor::new(nodes);
-        Self { memory: StageHistory::new(&predictor), predictor }
+        Self { memory: StageHistory::new(), predictor }
     }
 
     /// Solves k_i = `stage`(i, k) as [`StageSolver::solve`] does, for a step of the given size from z. Returns the
@@ -69,15 +69,18 @@ impl<V: Vector> StageMemory<V> {
         first: impl Fn() -> V,
         stage: impl Fn(usize, &[V]) -> V,
     ) -> Result<usize, Unconverged<<V::Scalar as Real>::Mask>> {
-        let mut stage = |i: usize, k: &[V], _| stage(i, k);
+        let mut stage = |i: usize, k: &[V], _, value: &mut V| *value = stage(i, k);
+        let mut spare = z.clone();
         if k.len() != self.predictor.stages {
             self.memory.forget();
-            k.fill(first());
+            let start = first();
+            k.iter_mut().for_each(|k| k.assign(&start));
             let none = Mask::from_bool(false);
-            return solver.solve_from(none, &OwnScale, k, &mut unknown(), &mut stage);
+            return solver.solve_from(none, &OwnScale, k, &mut spare, &mut unknown(), &mut stage);
         }
         let field = from_fn(|_: &V| first());
-        self.memory.solve(&self.predictor, solver, &field, (z, step, &OwnScale), k, stage)
+        let from = (z, step, &OwnScale);
+        self.memory.solve(&self.predictor, solver, &field, from, (k, &mut spare), stage)
     }
 
     /// Records the end of the step that was solved last.

@@ -2,7 +2,7 @@
 
 use crate::stages::block_sizes::{BlockSizes, MaskOf};
 use crate::stages::convergence::ROUND_OFF;
-use lie_poisson::{Mask, Real, Vector};
+use lie_poisson::{Mask, Real, State};
 
 /// The scales of a step: the sizes |z_b| of the blocks of its starting point, and its length h.
 ///
@@ -17,7 +17,7 @@ use lie_poisson::{Mask, Real, Vector};
 /// so that units do not matter. If k_b is small by cancellation, no more digits are required than it has. A block that
 /// starts at zero is compared with its own derivative alone.
 #[derive(Clone, Copy, Debug)]
-pub(crate) struct StageScale<V: Vector> {
+pub(crate) struct StageScale<V: State> {
     start: BlockSizes<V>,
     /// The reciprocals 1/|z_b|, or 0 for a block that starts at zero.
     inverse: BlockSizes<V>,
@@ -26,7 +26,7 @@ pub(crate) struct StageScale<V: Vector> {
 
 /// The changes of an iteration, and the sizes of its results.
 #[derive(Clone, Copy, Debug)]
-pub(crate) struct Progress<V: Vector> {
+pub(crate) struct Progress<V: State> {
     /// The sizes of the last changes.
     pub(crate) change: BlockSizes<V>,
     /// The sizes of the stage derivatives.
@@ -34,7 +34,7 @@ pub(crate) struct Progress<V: Vector> {
 }
 
 /// A scale with which the changes of an iteration for stage equations are compared.
-pub(crate) trait Scale<V: Vector> {
+pub(crate) trait Scale<V: State> {
     /// Returns a change, and the size with which it is to be compared.
     fn compare(&self, progress: &Progress<V>) -> (V::Scalar, V::Scalar);
 
@@ -46,7 +46,7 @@ pub(crate) trait Scale<V: Vector> {
 #[derive(Clone, Copy, Debug)]
 pub(crate) struct OwnScale;
 
-impl<V: Vector> Scale<V> for OwnScale {
+impl<V: State> Scale<V> for OwnScale {
     #[inline(always)]
     fn compare(&self, progress: &Progress<V>) -> (V::Scalar, V::Scalar) {
         compare_by(progress, |b| progress.size.at(b))
@@ -62,7 +62,7 @@ impl<V: Vector> Scale<V> for OwnScale {
 ///
 /// With a single block, returns its change and its size.
 #[inline(always)]
-fn compare_by<V: Vector>(
+fn compare_by<V: State>(
     Progress { change, size }: &Progress<V>,
     scale: impl Fn(usize) -> V::Scalar,
 ) -> (V::Scalar, V::Scalar) {
@@ -79,7 +79,7 @@ fn compare_by<V: Vector>(
 /// The limit on a change as a multiple of a scale, so that a quotient does not overflow.
 const BEYOND: f64 = 1.0 / (1_u64 << 60) as f64;
 
-impl<V: Vector> Progress<V> {
+impl<V: State> Progress<V> {
     /// Counts residuals above the round-off of terms of the given sizes as changes, and the terms as stage derivatives.
     pub(crate) fn include_residual(&mut self, residual: &BlockSizes<V>, terms: &BlockSizes<V>) {
         self.change.include_above(residual, |b| terms.at(b) * ROUND_OFF);
@@ -87,7 +87,7 @@ impl<V: Vector> Progress<V> {
     }
 }
 
-impl<V: Vector> StageScale<V> {
+impl<V: State> StageScale<V> {
     /// Returns the scales of a step of the given size from z.
     #[inline(always)]
     pub(crate) fn new(z: &V, step: f64) -> Self {
@@ -96,7 +96,7 @@ impl<V: Vector> StageScale<V> {
     }
 }
 
-impl<V: Vector> Scale<V> for StageScale<V> {
+impl<V: State> Scale<V> for StageScale<V> {
     #[inline(always)]
     fn compare(&self, progress: &Progress<V>) -> (V::Scalar, V::Scalar) {
         let (zero, size) = (V::Scalar::from_f64(0.0), &progress.size);

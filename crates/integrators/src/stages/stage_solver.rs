@@ -4,7 +4,7 @@ use crate::StepError;
 use crate::stages::block_sizes::{BlockSizes, MaskOf};
 use crate::stages::convergence::{FLOOR, Ratios, Watch, is_finite, unknown};
 use crate::stages::stage_scale::{OwnScale, Progress, Scale};
-use lie_poisson::{Mask, Real, Vector, larger};
+use lie_poisson::{Mask, Real, State, larger};
 
 /// The number of sweeps after which a fixed-point iteration that has not converged is replaced by Newton's.
 const SLOW: usize = 60;
@@ -30,7 +30,7 @@ const NEWTON_ITERATIONS: usize = 50;
 /// a thirty-second of a rounding, from the ratios of the changes before it, including those of the previous step; or
 /// the changes no longer decrease at the size of round-off. The low parts of coefficients enter once k is within √ε.
 ///
-/// Sizes are compared block by block, in units of the state ([`Vector::BLOCKS`]). For (q, p) with q of size 1e-20 and p
+/// Sizes are compared block by block, in units of the state ([`State::BLOCKS`]). For (q, p) with q of size 1e-20 and p
 /// of size 1, both are found to the same number of digits.
 ///
 /// Source of the last rule: Hairer, McLachlan & Razakarivony, *Achieving Brouwer's law with
@@ -85,15 +85,16 @@ impl StageSolver {
     /// # Errors
     /// Returns [`StepError::NotConverged`] if the iteration diverges or does not converge in some lane.
     #[inline]
-    pub fn solve<V: Vector>(
+    pub fn solve<V: State>(
         &self,
-        start: V,
+        mut start: V,
         k: &mut [V],
         derivative: impl Fn(usize, &[V]) -> V,
     ) -> Result<usize, StepError> {
-        k.fill(start);
+        k.iter_mut().for_each(|k| k.assign(&start));
         let none = MaskOf::<V>::from_bool(false);
-        self.solve_from(none, &OwnScale, k, &mut unknown(), &mut |i, k: &[V], _| derivative(i, k))
+        let mut stage = |i: usize, k: &[V], _, value: &mut V| *value = derivative(i, k);
+        self.solve_from(none, &OwnScale, k, &mut start, &mut unknown(), &mut stage)
             .map_err(|unconverged| unconverged.error)
     }
 
@@ -101,17 +102,20 @@ impl StageSolver {
     /// before.
     ///
     /// Lanes that are `done` stay as they are. The closure `derivative` is also told in which lanes `k` has just come
-    /// [close](CLOSE) to the solution.
+    /// [close](CLOSE) to the solution, and writes its result to the vector that it receives. The vector `spare` is
+    /// overwritten.
     #[inline]
-    pub(crate) fn solve_from<V: Vector>(
+    pub(crate) fn solve_from<V: State>(
         &self,
         done: MaskOf<V>,
         scale: &impl Scale<V>,
         k: &mut [V],
+        spare: &mut V,
         pace: &mut Ratios<V::Scalar>,
-        derivative: &mut impl FnMut(usize, &[V], MaskOf<V>) -> V,
+        derivative: &mut impl FnMut(usize, &[V], MaskOf<V>, &mut V),
     ) -> Result<usize, Unconverged<MaskOf<V>>> {
-        let advance = |done, near| sweep(done, k, |i, k| derivative(i, k, near));
+        let advance =
+            |done, near| sweep(done, k, spare, |i, k, value| derivative(i, k, near, value));
         self.iterate(self.max_iterations, done, scale, pace, advance)
     }
 
@@ -122,7 +126,7 @@ impl StageSolver {
     /// # Errors
     /// Returns [`StepError::NotConverged`] if the iteration does not converge in some lane.
     #[inline]
-    pub(crate) fn newton<V: Vector>(
+    pub(crate) fn newton<V: State>(
         &self,
         done: MaskOf<V>,
         start: &V,
@@ -140,7 +144,7 @@ impl StageSolver {
     /// The closure `advance` receives the lanes that are to stay as they are and those that have just come close. It
     /// returns the changes and the sizes of the stages.
     #[inline]
-    fn iterate<V: Vector>(
+    fn iterate<V: State>(
         &self,
         most: usize,
         done: MaskOf<V>,
@@ -189,57 +193,70 @@ fn keep<T: Real>(ended: T::Mask, [a, b]: Ratios<T>, [c, d]: Ratios<T>) -> Ratios
     [T::select(ended, a, c), T::select(ended, b, d)]
 }
 
-/// Makes one sweep over all stages, in the lanes that are not `done`.
+/// Makes one sweep over all stages, in the lanes that are not `done`. The vector `spare` is overwritten.
 #[inline]
-fn sweep<V: Vector>(
+fn sweep<V: State>(
     done: MaskOf<V>,
     k: &mut [V],
-    mut derivative: impl FnMut(usize, &[V]) -> V,
+    spare: &mut V,
+    mut derivative: impl FnMut(usize, &[V], &mut V),
 ) -> Progress<V> {
     let mut progress = Progress { change: BlockSizes::zero(), size: BlockSizes::zero() };
     for i in 0..k.len() {
-        let value = derivative(i, k);
-        progress.change.include(&(value - k[i]));
-        progress.size.include(&value);
-        k[i] = if done.any() { V::select(done, &k[i], &value) } else { value };
+        // A local variable of a small type stays in registers.
+        let mut local;
+        let value = if size_of::<V::Pool>() == 0 {
+            local = V::take(&mut V::Pool::default(), spare);
+            &mut local
+        } else {
+            &mut *spare
+        };
+        derivative(i, k, value);
+        progress.change.include_difference(value, &k[i]);
+        progress.size.include(value);
+        if done.any() {
+            value.replace_where(done, &k[i]);
+        }
+        k[i].move_from(value);
     }
     progress
 }
 
 /// Sets k_i = `value` in the lanes that are not `done`.
 #[inline]
-pub(crate) fn fill_unless<V: Vector>(done: MaskOf<V>, k: &mut [V], value: &V) {
+pub(crate) fn fill_unless<V: State>(done: MaskOf<V>, k: &mut [V], value: &V) {
     for k in k {
-        *k = V::select(done, k, value);
+        k.replace_where(done.not(), value);
     }
 }
 
-/// Returns the combination Σ_j a_j k_j.
+/// Makes the storage hold `count` vectors of the space of `like`.
 #[inline]
-pub(crate) fn combination<V: Vector>(row: &[f64], k: &[V]) -> V {
-    plus_combination(V::zero(), row, k)
-}
-
-/// Returns the sum with Σ_j a_j k_j added.
-#[inline]
-pub(crate) fn plus_combination<V: Vector>(mut sum: V, row: &[f64], k: &[V]) -> V {
-    for (&a, k) in row.iter().zip(k) {
-        sum.add_scaled(V::Scalar::from_f64(a), k);
+pub(crate) fn fit<V: State>(storage: &mut Vec<V>, count: usize, like: &V) {
+    if storage.len() != count || storage.first().is_some_and(|first| !first.same_shape(like)) {
+        storage.clear();
+        storage.resize(count, like.zeros_like());
     }
-    sum
 }
 
-/// Returns the product h v with unbiased rounding errors.
+/// Writes Σ_j a_j k_j to the sum.
+#[inline]
+pub(crate) fn set_combination<V: State>(sum: &mut V, row: &[f64], k: &[V]) {
+    sum.set_zero();
+    sum.add_combination(row, k);
+}
+
+/// Writes h v to the product, with unbiased rounding errors.
 ///
 /// If h is within a few roundings of a fraction of small denominator, such as 0.05 = 8/5 · 2⁻⁵, the products h x with
 /// neighbouring x round alike. The products with the upper 26 bits of h do not, and the contribution of the lower bits
 /// is small. An infinite h x becomes NaN.
 #[inline]
-pub(crate) fn evenly_scaled<V: Vector>(v: &V, step: f64) -> V {
+pub(crate) fn scale_evenly<V: State>(v: &V, step: f64, product: &mut V) {
     let upper = f64::from_bits(step.to_bits() & UPPER_HALF);
-    let mut product = v.scaled(V::Scalar::from_f64(upper));
-    product.add_scaled(V::Scalar::from_f64(step - upper), v);
-    product
+    product.assign(v);
+    product.scale(V::Scalar::from_f64(upper));
+    product.add_multiple(V::Scalar::from_f64(step - upper), v);
 }
 
 /// The mask of the sign, the exponent and the upper 26 of the 53 bits of a number.

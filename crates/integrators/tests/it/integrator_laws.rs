@@ -98,7 +98,7 @@ fn schemes_that_say_so_are_equivariant() {
 /// Checks the laws of an integrator over `f64` and over SIMD lanes.
 fn integrator_laws<I, V>(integrator: I, momenta: &[V])
 where
-    I: Start<f64, Momentum = V> + Integrator<DefaultLanes> + Sync,
+    I: Start<f64, State: Vector, Momentum = V> + Integrator<DefaultLanes, State: Vector> + Sync,
     V: Vector<Scalar = f64>,
 {
     laws::start(&integrator, momenta, STEP).unwrap().check(ROUND_OFF).unwrap();
@@ -214,12 +214,26 @@ enum FaultyScheme {
     Remembers,
     MixesLanes,
     HidesFailures,
+    AdvancesElsewhere,
+    AdvancesBeforeFailure,
+}
+
+/// Returns z with `little` added to its first coordinate.
+fn shifted<V: State>(z: &V, little: f64) -> V {
+    let mut shifted = z.clone();
+    shifted.set_entry(0, z.entry(0) + little);
+    shifted
+}
+
+/// Returns the largest coordinate of a vector, over all lanes.
+fn largest<V: State>(z: &V) -> f64 {
+    (0..z.dimension()).fold(0.0, |largest, i| larger(largest, z.entry(i).max_abs()))
 }
 
 impl Scheme for FaultyScheme {
-    type Workspace<V: Vector> = u32;
+    type Workspace<V: State> = u32;
 
-    fn workspace<V: Vector>(&self) -> u32 {
+    fn workspace<V: State>(&self) -> u32 {
         0
     }
 
@@ -236,10 +250,10 @@ impl Scheme for FaultyScheme {
         let little = match self {
             Self::MovesAtRest if step == 0.0 => 1e-6,
             Self::Remembers => 1e-12 * step * f64::from(*made),
-            Self::MixesLanes => 1e-12 * step * z.max_abs(),
+            Self::MixesLanes => 1e-12 * step * largest(z),
             _ => 0.0,
         };
-        next.point += F::Point::basis(0).scaled(T::from_f64(little));
+        next.point = shifted(&next.point, little);
         Ok(next)
     }
 
@@ -252,7 +266,7 @@ impl Scheme for FaultyScheme {
     ) -> Result<Increment<F::Point>, StepError> {
         let Step { point, iterations } = self.increment(field, z, step, made)?;
         let little = if *self == Self::RefinesElsewhere { 1e-10 } else { 0.0 };
-        let rest = F::Point::basis(0).scaled(T::from_f64(little));
+        let rest = shifted(&point.zeros_like(), little);
         Ok(Step { point: Pair(point, rest), iterations })
     }
 
@@ -265,13 +279,31 @@ impl Scheme for FaultyScheme {
     ) -> Result<Step<F::Point>, StepError> {
         let Step { point, iterations } = self.increment(field, z, step, made)?;
         let little = if *self == Self::HasAnotherStep { 1e-12 * step } else { 0.0 };
-        let little = F::Point::basis(0).scaled(T::from_f64(little));
-        let next = Step { point: *z + point + little, iterations }.finite();
+        let mut end = shifted(&point, little);
+        end.add(z);
+        let next = Step { point: end, iterations }.finite();
         if *self == Self::HidesFailures {
-            next.or(Ok(Step { point: *z, iterations }))
+            next.or(Ok(Step { point: z.clone(), iterations }))
         } else {
             next
         }
+    }
+
+    fn advance<T: Real, F: VectorField<T>>(
+        &self,
+        field: &F,
+        z: &mut F::Point,
+        step: f64,
+        made: &mut u32,
+    ) -> Result<usize, StepError> {
+        let next = self.step(field, z, step, made);
+        if next.is_err() && *self == Self::AdvancesBeforeFailure {
+            z.set_zero();
+        }
+        let Step { point, iterations } = next?;
+        let little = if *self == Self::AdvancesElsewhere { 1e-12 } else { 0.0 };
+        *z = shifted(&point, little);
+        Ok(iterations)
     }
 
     fn order(&self) -> usize {
@@ -293,7 +325,7 @@ impl Scheme for FaultyScheme {
 
 #[test]
 fn laws_of_schemes_reject_what_breaks_them() {
-    let cases: [(FaultyScheme, &str); 10] = [
+    let cases: [(FaultyScheme, &str); 12] = [
         (FaultyScheme::MovesAtRest, "step of size 0"),
         (FaultyScheme::HasAnotherStep, "step and increment"),
         (FaultyScheme::RefinesElsewhere, "refined increment"),
@@ -304,9 +336,14 @@ fn laws_of_schemes_reject_what_breaks_them() {
         (FaultyScheme::Remembers, "forgetting"),
         (FaultyScheme::MixesLanes, "lanes"),
         (FaultyScheme::HidesFailures, "refusal"),
+        (FaultyScheme::AdvancesElsewhere, "step in place"),
+        (FaultyScheme::AdvancesBeforeFailure, "step in place"),
     ];
     for (scheme, law) in cases {
-        assert_eq!(broken(&laws::scheme(&scheme)), [law], "{scheme:?}");
+        let report = laws::scheme(&scheme);
+        assert!(broken(&report).contains(&law), "{scheme:?}");
+        let others = if scheme == FaultyScheme::HidesFailures { 2 } else { 1 };
+        assert_eq!(broken(&report).len(), others, "{scheme:?}");
     }
 }
 
@@ -317,9 +354,9 @@ struct MixesNothing(PartitionedRungeKutta<FirstHalf>);
 impl Equivariant for MixesNothing {}
 
 impl Scheme for MixesNothing {
-    type Workspace<V: Vector> = ();
+    type Workspace<V: State> = ();
 
-    fn workspace<V: Vector>(&self) {}
+    fn workspace<V: State>(&self) {}
 
     fn increment<T: Real, F: VectorField<T>>(
         &self,
@@ -363,6 +400,7 @@ enum FaultyIntegrator {
     BeginsLater,
     StopsLater,
     StartsAnywhere,
+    AdvancesElsewhere,
 }
 
 impl Integrator for FaultyIntegrator {
@@ -390,6 +428,13 @@ impl Integrator for FaultyIntegrator {
         let point = Vector2::new(z.x * cos + z.y * sin, z.y * cos - z.x * sin);
         let next = Step { point, iterations: 0 };
         if *self == Self::ReturnsNaN { Ok(next) } else { next.finite() }
+    }
+
+    fn advance(&self, z: &mut Vector2<f64>, step: f64, made: &mut u32) -> Result<usize, StepError> {
+        let scale = if *self == Self::AdvancesElsewhere { 2.0 } else { 1.0 };
+        let Step { point, iterations } = self.step(&(*z * scale), step, made)?;
+        *z = point;
+        Ok(iterations)
     }
 
     fn momentum(&self, z: &Vector2<f64>) -> Vector2<f64> {
@@ -424,7 +469,7 @@ impl Start for FaultyIntegrator {
 
 #[test]
 fn laws_of_integrators_reject_what_breaks_them() {
-    let cases: [(FaultyIntegrator, &[&str]); 9] = [
+    let cases: [(FaultyIntegrator, &[&str]); 10] = [
         (FaultyIntegrator::None, &[]),
         (FaultyIntegrator::MovesAtRest, &["step of size 0"]),
         (FaultyIntegrator::Remembers, &["forgetting", "resumption"]),
@@ -434,6 +479,7 @@ fn laws_of_integrators_reject_what_breaks_them() {
         (FaultyIntegrator::BeginsLater, &["first sample"]),
         (FaultyIntegrator::StopsLater, &["after"]),
         (FaultyIntegrator::StartsAnywhere, &["refusal"]),
+        (FaultyIntegrator::AdvancesElsewhere, &["step in place"]),
     ];
     for (integrator, expected) in cases {
         let report = laws::start(&integrator, &points(), STEP).unwrap();

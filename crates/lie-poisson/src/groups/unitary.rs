@@ -1,6 +1,6 @@
 //! The Lie algebra u(N) and the group U(N).
 
-use crate::{Covector, LieAlgebra, LieGroup, Real, Vector};
+use crate::{Covector, LieAlgebra, LieGroup, Real, Vector, state_by_value};
 use core::ops::{Add, AddAssign, Neg, Sub, SubAssign};
 use nalgebra::SMatrix;
 use num_complex::Complex;
@@ -33,10 +33,10 @@ fn adjoint<T: Real, const N: usize>(a: &SMatrix<Complex<T>, N, N>) -> SMatrix<Co
     a.transpose().map(|z| z.conj())
 }
 
+state_by_value!([T: Real, const N: usize] SkewHermitian<T, N>, T, (T,));
+
 impl<T: Real, const N: usize> Vector for SkewHermitian<T, N> {
-    type Scalar = T;
     type Dual = Covector<Self>;
-    type Blocks = (T,);
     const DIM: usize = N * N;
 
     #[inline]

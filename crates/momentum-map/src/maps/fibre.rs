@@ -1,7 +1,7 @@
 //! Fibres of a Poisson map: their symmetries and sections.
 
 use crate::maps::poisson_map::{Identity, PoissonMap, SourcePoint, TargetPoint};
-use lie_poisson::{Point, PoissonSpace, Real, Vector};
+use lie_poisson::{Point, PoissonSpace, Real, State};
 use thiserror::Error;
 
 /// The error of a point that has no finite pre-image.
@@ -21,13 +21,13 @@ impl LiftError {
     ///
     /// # Errors
     /// Returns the error if a coordinate is infinite or not a number in any SIMD lane.
-    pub fn unless_finite<V: Vector>(
+    pub fn unless_finite<V: State>(
         lifted: V,
         quantity: &'static str,
         value: f64,
         reason: &'static str,
     ) -> Result<V, Self> {
-        if lifted.is_finite() { Ok(lifted) } else { Err(Self { quantity, value, reason }) }
+        if lifted.all_finite() { Ok(lifted) } else { Err(Self { quantity, value, reason }) }
     }
 }
 

@@ -4,6 +4,7 @@ use crate::SymplecticSpace;
 use core::ops::{Add, AddAssign, Neg, Sub, SubAssign};
 use lie_poisson::{
     Covector, Differential, Point, PoissonSpace, Real, Vector, VectorSpace, map_coordinates,
+    state_by_value,
 };
 
 /// A point (q, p) ∈ T∗Q = Q × Q∗; the coordinates of q come first.
@@ -23,10 +24,10 @@ impl<Q: Vector> Cotangent<Q> {
     }
 }
 
+state_by_value!([Q: Vector] Cotangent<Q>, Q::Scalar, (Q::Blocks, Q::Blocks));
+
 impl<Q: Vector> Vector for Cotangent<Q> {
-    type Scalar = Q::Scalar;
     type Dual = Covector<Self>;
-    type Blocks = (Q::Blocks, Q::Blocks);
     const DIM: usize = 2 * Q::DIM;
 
     /// Returns the block of a coordinate: the blocks of q come first, then those of p.

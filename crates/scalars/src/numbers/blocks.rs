@@ -6,10 +6,10 @@ use core::fmt::Debug;
 /// vector (q, p): `(T,)` for a vector of one block, a pair `(A, B)` for the blocks of two vectors.
 ///
 /// ```
-/// use generic_scalars::{Blocks, Covector, Pair, Vector};
+/// use generic_scalars::{Blocks, Covector, Pair, State};
 /// use nalgebra::Vector3;
 /// type Momentum = Covector<Pair<Vector3<f64>, Vector3<f64>>>; // (Π, Γ)
-/// let mut sizes = <Momentum as Vector>::Blocks::uniform(0.0);
+/// let mut sizes = <Momentum as State>::Blocks::uniform(0.0);
 /// sizes.set(1, 9.81);
 /// assert_eq!((sizes.at(0), sizes.at(1)), (0.0, 9.81));
 /// ```

@@ -1,6 +1,6 @@
 //! Elements of the dual space, as a type of their own: [`Covector`].
 
-use crate::Vector;
+use crate::{Real, State, Vector};
 use core::ops::{Add, AddAssign, Neg, Sub, SubAssign};
 
 /// An element of the dual space V∗, stored by its coordinates in the dual basis.
@@ -25,10 +25,114 @@ use core::ops::{Add, AddAssign, Neg, Sub, SubAssign};
 #[repr(transparent)]
 pub struct Covector<V>(pub V);
 
-impl<V: Vector<Dual = Covector<V>>> Vector for Covector<V> {
+impl<V: State> State for Covector<V> {
     type Scalar = V::Scalar;
-    type Dual = V;
     type Blocks = V::Blocks;
+    type Pool = V::Pool;
+
+    #[inline(always)]
+    fn dimension(&self) -> usize {
+        self.0.dimension()
+    }
+
+    #[inline(always)]
+    fn same_shape(&self, other: &Self) -> bool {
+        self.0.same_shape(&other.0)
+    }
+
+    #[inline(always)]
+    fn zeros_like(&self) -> Self {
+        Self(self.0.zeros_like())
+    }
+
+    #[inline(always)]
+    fn take(pool: &mut V::Pool, like: &Self) -> Self {
+        Self(V::take(pool, &like.0))
+    }
+
+    #[inline(always)]
+    fn give(self, pool: &mut V::Pool) {
+        self.0.give(pool);
+    }
+
+    #[inline(always)]
+    fn assign(&mut self, x: &Self) {
+        self.0.assign(&x.0);
+    }
+
+    #[inline(always)]
+    fn move_from(&mut self, other: &mut Self) {
+        self.0.move_from(&mut other.0);
+    }
+
+    #[inline(always)]
+    fn entry(&self, i: usize) -> V::Scalar {
+        self.0.entry(i)
+    }
+
+    #[inline(always)]
+    fn set_entry(&mut self, i: usize, x: V::Scalar) {
+        self.0.set_entry(i, x);
+    }
+
+    #[inline(always)]
+    fn block_of(&self, i: usize) -> usize {
+        self.0.block_of(i)
+    }
+
+    #[inline(always)]
+    fn set_zero(&mut self) {
+        self.0.set_zero();
+    }
+
+    #[inline(always)]
+    fn add(&mut self, x: &Self) {
+        self.0.add(&x.0);
+    }
+
+    #[inline(always)]
+    fn subtract(&mut self, x: &Self) {
+        self.0.subtract(&x.0);
+    }
+
+    #[inline(always)]
+    fn subtract_from(&mut self, x: &Self) {
+        self.0.subtract_from(&x.0);
+    }
+
+    #[inline(always)]
+    fn scale(&mut self, s: V::Scalar) {
+        self.0.scale(s);
+    }
+
+    #[inline(always)]
+    fn add_multiple(&mut self, s: V::Scalar, x: &Self) {
+        self.0.add_multiple(s, &x.0);
+    }
+
+    #[inline(always)]
+    fn replace_where(&mut self, mask: <V::Scalar as Real>::Mask, x: &Self) {
+        self.0.replace_where(mask, &x.0);
+    }
+
+    #[inline(always)]
+    fn measure(&self, largest: &mut V::Blocks, sum: &mut V::Scalar) {
+        self.0.measure(largest, sum);
+    }
+
+    #[inline(always)]
+    fn measure_difference(&self, x: &Self, largest: &mut V::Blocks, sum: &mut V::Scalar) {
+        self.0.measure_difference(&x.0, largest, sum);
+    }
+
+    #[inline(always)]
+    fn all_finite(&self) -> bool {
+        self.0.all_finite()
+    }
+}
+
+impl<V: Vector<Dual = Covector<V>>> Vector for Covector<V> {
+    type Dual = V;
     const DIM: usize = V::DIM;
 
     #[inline(always)]

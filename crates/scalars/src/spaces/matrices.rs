@@ -1,13 +1,13 @@
 //! [`Vector`] for matrices of real and of complex numbers.
 
-use crate::{Covector, Real, Vector};
+use crate::{Covector, Real, Vector, state_by_value};
 use nalgebra::SMatrix;
 use num_complex::Complex;
 
+state_by_value!([T: Real, const R: usize, const C: usize] SMatrix<T, R, C>, T, (T,));
+
 impl<T: Real, const R: usize, const C: usize> Vector for SMatrix<T, R, C> {
-    type Scalar = T;
     type Dual = Covector<Self>;
-    type Blocks = (T,);
     const DIM: usize = R * C;
 
     #[inline]
@@ -31,10 +31,10 @@ impl<T: Real, const R: usize, const C: usize> Vector for SMatrix<T, R, C> {
     }
 }
 
+state_by_value!([T: Real, const R: usize, const C: usize] SMatrix<Complex<T>, R, C>, T, (T,));
+
 impl<T: Real, const R: usize, const C: usize> Vector for SMatrix<Complex<T>, R, C> {
-    type Scalar = T;
     type Dual = Covector<Self>;
-    type Blocks = (T,);
     const DIM: usize = 2 * R * C;
 
     #[inline]

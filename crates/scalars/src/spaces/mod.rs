@@ -1,5 +1,6 @@
-//! Vector spaces over every scalar: vectors, duals, sums and powers, and derivatives of maps between them.
+//! Vector spaces over every scalar: states, vectors, duals, sums and powers.
 
+pub(crate) mod state;
 pub(crate) mod vector;
 pub(crate) mod covector;
 pub(crate) mod matrices;
@@ -7,5 +8,3 @@ pub(crate) mod pair;
 pub(crate) mod power;
 pub(crate) mod quaternion;
 pub(crate) mod space;
-pub(crate) mod derivative;
-pub(crate) mod norm;

@@ -1,6 +1,6 @@
 //! Direct sums V ⊕ W of two vector spaces.
 
-use crate::{Covector, Real, Vector};
+use crate::{Covector, Real, State, Vector};
 use core::ops::{Add, AddAssign, Neg, Sub, SubAssign};
 
 /// An element (v, w) of a direct sum V ⊕ W; the coordinates of v come first.
@@ -25,10 +25,130 @@ impl<A, B> Covector<Pair<A, B>> {
     }
 }
 
-impl<T: Real, A: Vector<Scalar = T>, B: Vector<Scalar = T>> Vector for Pair<A, B> {
+impl<T: Real, A: State<Scalar = T>, B: State<Scalar = T>> State for Pair<A, B> {
     type Scalar = T;
-    type Dual = Covector<Self>;
     type Blocks = (A::Blocks, B::Blocks);
+    type Pool = (A::Pool, B::Pool);
+
+    #[inline(always)]
+    fn dimension(&self) -> usize {
+        self.0.dimension() + self.1.dimension()
+    }
+
+    #[inline(always)]
+    fn same_shape(&self, other: &Self) -> bool {
+        self.0.same_shape(&other.0) && self.1.same_shape(&other.1)
+    }
+
+    #[inline(always)]
+    fn zeros_like(&self) -> Self {
+        Self(self.0.zeros_like(), self.1.zeros_like())
+    }
+
+    #[inline(always)]
+    fn take(pool: &mut Self::Pool, like: &Self) -> Self {
+        Self(A::take(&mut pool.0, &like.0), B::take(&mut pool.1, &like.1))
+    }
+
+    #[inline(always)]
+    fn give(self, pool: &mut Self::Pool) {
+        self.0.give(&mut pool.0);
+        self.1.give(&mut pool.1);
+    }
+
+    #[inline(always)]
+    fn assign(&mut self, x: &Self) {
+        self.0.assign(&x.0);
+        self.1.assign(&x.1);
+    }
+
+    #[inline(always)]
+    fn move_from(&mut self, other: &mut Self) {
+        self.0.move_from(&mut other.0);
+        self.1.move_from(&mut other.1);
+    }
+
+    #[inline(always)]
+    fn entry(&self, i: usize) -> T {
+        let first = self.0.dimension();
+        if i < first { self.0.entry(i) } else { self.1.entry(i - first) }
+    }
+
+    #[inline(always)]
+    fn set_entry(&mut self, i: usize, x: T) {
+        let first = self.0.dimension();
+        if i < first { self.0.set_entry(i, x) } else { self.1.set_entry(i - first, x) }
+    }
+
+    /// Returns the block of a coordinate: the blocks of v come first, then those of w.
+    #[inline(always)]
+    fn block_of(&self, i: usize) -> usize {
+        let first = self.0.dimension();
+        if i < first { self.0.block_of(i) } else { A::BLOCKS + self.1.block_of(i - first) }
+    }
+
+    #[inline(always)]
+    fn set_zero(&mut self) {
+        self.0.set_zero();
+        self.1.set_zero();
+    }
+
+    #[inline(always)]
+    fn add(&mut self, x: &Self) {
+        self.0.add(&x.0);
+        self.1.add(&x.1);
+    }
+
+    #[inline(always)]
+    fn subtract(&mut self, x: &Self) {
+        self.0.subtract(&x.0);
+        self.1.subtract(&x.1);
+    }
+
+    #[inline(always)]
+    fn subtract_from(&mut self, x: &Self) {
+        self.0.subtract_from(&x.0);
+        self.1.subtract_from(&x.1);
+    }
+
+    #[inline(always)]
+    fn scale(&mut self, s: T) {
+        self.0.scale(s);
+        self.1.scale(s);
+    }
+
+    #[inline(always)]
+    fn add_multiple(&mut self, s: T, x: &Self) {
+        self.0.add_multiple(s, &x.0);
+        self.1.add_multiple(s, &x.1);
+    }
+
+    #[inline(always)]
+    fn replace_where(&mut self, mask: T::Mask, x: &Self) {
+        self.0.replace_where(mask, &x.0);
+        self.1.replace_where(mask, &x.1);
+    }
+
+    #[inline(always)]
+    fn measure(&self, largest: &mut Self::Blocks, sum: &mut T) {
+        self.0.measure(&mut largest.0, sum);
+        self.1.measure(&mut largest.1, sum);
+    }
+
+    #[inline(always)]
+    fn measure_difference(&self, x: &Self, largest: &mut Self::Blocks, sum: &mut T) {
+        self.0.measure_difference(&x.0, &mut largest.0, sum);
+        self.1.measure_difference(&x.1, &mut largest.1, sum);
+    }
+
+    #[inline(always)]
+    fn all_finite(&self) -> bool {
+        self.0.all_finite() && self.1.all_finite()
+    }
+}
+
+impl<T: Real, A: Vector<Scalar = T>, B: Vector<Scalar = T>> Vector for Pair<A, B> {
+    type Dual = Covector<Self>;
     const DIM: usize = A::DIM + B::DIM;
 
     /// Returns the block of a coordinate: the blocks of v come first, then those of w.

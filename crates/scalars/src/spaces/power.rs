@@ -1,6 +1,6 @@
 //! Powers Vᴺ of a vector space.
 
-use crate::{Covector, Vector};
+use crate::{Covector, Vector, state_by_value};
 use core::array::from_fn;
 use core::ops::{Add, AddAssign, Neg, Sub, SubAssign};
 
@@ -17,10 +17,10 @@ use core::ops::{Add, AddAssign, Neg, Sub, SubAssign};
 #[repr(transparent)]
 pub struct Power<V, const N: usize>(pub [V; N]);
 
+state_by_value!([V: Vector, const N: usize] Power<V, N>, V::Scalar, V::Blocks);
+
 impl<V: Vector, const N: usize> Vector for Power<V, N> {
-    type Scalar = V::Scalar;
     type Dual = Covector<Self>;
-    type Blocks = V::Blocks;
     const DIM: usize = N * V::DIM;
 
     /// Returns the block of a coordinate within its factor: all factors share their blocks.

@@ -1,6 +1,6 @@
 //! Quaternions over any scalar: [`Quaternion`].
 
-use crate::{Covector, Real, Vector};
+use crate::{Covector, Real, Vector, state_by_value};
 use core::ops::{Add, AddAssign, Mul, Neg, Sub, SubAssign};
 use nalgebra::Vector3;
 
@@ -127,10 +127,10 @@ impl<T: Real> Quaternion<T> {
     }
 }
 
+state_by_value!([T: Real] Quaternion<T>, T, (T,));
+
 impl<T: Real> Vector for Quaternion<T> {
-    type Scalar = T;
     type Dual = Covector<Self>;
-    type Blocks = (T,);
     const DIM: usize = 4;
 
     #[inline]

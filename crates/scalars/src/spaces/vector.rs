@@ -1,7 +1,6 @@
 //! Vectors of finite-dimensional real vector spaces, given by their coordinates: [`Vector`].
 
-use crate::{Blocks, Real};
-use core::fmt::Debug;
+use crate::{Real, State};
 use core::ops::{Add, AddAssign, Neg, Sub, SubAssign};
 
 /// A vector of a real vector space V of fixed dimension, with a standard basis e₀, e₁, ….
@@ -23,36 +22,13 @@ use core::ops::{Add, AddAssign, Neg, Sub, SubAssign};
 /// assert_eq!(momentum.pairing(&velocity), 4.0);
 /// ```
 pub trait Vector:
-    Copy
-    + Debug
-    + PartialEq
-    + Send
-    + Sync
-    + 'static
-    + Add<Output = Self>
-    + Sub<Output = Self>
-    + Neg<Output = Self>
-    + AddAssign
-    + SubAssign
+    State + Copy + Add<Output = Self> + Sub<Output = Self> + Neg<Output = Self> + AddAssign + SubAssign
 {
-    /// The type of the real numbers.
-    type Scalar: Real;
-
     /// The dual space V∗, whose dual is V again.
     type Dual: Vector<Scalar = Self::Scalar, Dual = Self>;
 
     /// The dimension of V over the reals.
     const DIM: usize;
-
-    /// The type of one number for each block of coordinates.
-    ///
-    /// It is `(Self::Scalar,)` where all coordinates have the same unit and the same scale, and a pair for
-    /// the two parts of a vector such as (q, p), whose units differ. Tests of size, such as the convergence
-    /// tests of implicit methods, compare each block with itself, so that no result depends on units.
-    type Blocks: Blocks<Self::Scalar>;
-
-    /// The number of blocks of coordinates.
-    const BLOCKS: usize = <Self::Blocks as Blocks<Self::Scalar>>::COUNT;
 
     /// Creates Σ f(i) eᵢ; `f` is called once for each i = 0, …, DIM−1, in this order.
     fn from_coordinates(f: impl FnMut(usize) -> Self::Scalar) -> Self;
@@ -60,10 +36,10 @@ pub trait Vector:
     /// Returns the i-th coordinate, or zero for i ≥ DIM.
     fn coordinate(&self, i: usize) -> Self::Scalar;
 
-    /// Returns the block of the i-th coordinate, a number below [`BLOCKS`](Self::BLOCKS).
+    /// Returns the block of the i-th coordinate, a number below [`BLOCKS`](State::BLOCKS).
     ///
     /// ```
-    /// use generic_scalars::{Covector, Pair, Vector};
+    /// use generic_scalars::{Covector, Pair, State, Vector};
     /// use nalgebra::Vector3;
     /// type Momentum = Covector<Pair<Vector3<f64>, Vector3<f64>>>; // (Π, Γ)
     /// assert_eq!(Momentum::BLOCKS, 2);

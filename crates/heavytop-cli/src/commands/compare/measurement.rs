@@ -6,7 +6,7 @@ use crate::supervision::Watch;
 use crate::vocabulary::{Formulation, Scheme};
 use collective_integrators::{IntegrationError, Start};
 use heavytop::{HeavyTop, Invariant};
-use lie_poisson::{Covector, Pair, Se3Dual, larger};
+use lie_poisson::{Covector, Pair, Se3Dual, Vector, larger};
 use std::hint::black_box;
 use std::time::{Duration, Instant};
 
@@ -113,7 +113,10 @@ pub(super) struct Measure<'a> {
 impl Task for Measure<'_> {
     type Output = Outcome;
 
-    fn perform<I: Start<Momentum = Se3Dual>>(self, integrator: &I) -> Result<Outcome, Error> {
+    fn perform<I: Start<State: Vector, Momentum = Se3Dual>>(
+        self,
+        integrator: &I,
+    ) -> Result<Outcome, Error> {
         let initial = self.values(self.start);
         let mut deviations = [0.0; QUANTITIES.len()];
         let last = self.follow(integrator, |mu| {
@@ -146,7 +149,7 @@ impl Measure<'_> {
     }
 
     /// Follows a run to its last (Π, Γ), unless a step fails; `visit` receives every state.
-    fn follow<I: Start<Momentum = Se3Dual>>(
+    fn follow<I: Start<State: Vector, Momentum = Se3Dual>>(
         &self,
         integrator: &I,
         mut visit: impl FnMut(&Se3Dual),

@@ -6,7 +6,7 @@ use crate::runs::Task;
 use crate::supervision::TileOptions;
 use crate::supervision::tiled_run::interrupted;
 use collective_integrators::Start;
-use lie_poisson::Se3Dual;
+use lie_poisson::{Se3Dual, Vector};
 use nalgebra::Vector2;
 
 /// A point of a Poincaré section.
@@ -55,7 +55,10 @@ struct Follow<'a> {
 impl Task for Follow<'_> {
     type Output = ();
 
-    fn perform<I: Start<Momentum = Se3Dual>>(self, integrator: &I) -> Result<(), Error> {
+    fn perform<I: Start<State: Vector, Momentum = Se3Dual>>(
+        self,
+        integrator: &I,
+    ) -> Result<(), Error> {
         let Self { settings: Settings { section, method, step, steps, .. }, start, .. } = self;
         let Orbit { number, crossings } = self.orbit;
         let crossing = |time: f64, mu: Se3Dual| Crossing { time, mu, plane: section.plane(&mu) };

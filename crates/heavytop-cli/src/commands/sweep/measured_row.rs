@@ -55,7 +55,7 @@ impl TangentTask for Follow<'_> {
 
     fn perform<I>(self, integrator: &I) -> Result<Self::Output, Error>
     where
-        I: Start<Momentum = Se3Dual> + Integrator<DualNumber>,
+        I: Start<State: Vector, Momentum = Se3Dual> + Integrator<DualNumber, State: Vector>,
     {
         // A tangent vector costs more than the state: there are as many as the observables need.
         let observables = &self.plan.observables;
@@ -74,7 +74,7 @@ impl TangentTask for Follow<'_> {
 impl Follow<'_> {
     fn follow<I, const K: usize>(&self, integrator: &I) -> Result<Vec<Option<f64>>, Error>
     where
-        I: Start<Momentum = Se3Dual> + Integrator<DualNumber>,
+        I: Start<State: Vector, Momentum = Se3Dual> + Integrator<DualNumber, State: Vector>,
     {
         let Self { plan, start, .. } = self;
         let state = Start::<f64>::start(integrator, start)?;
@@ -98,7 +98,7 @@ impl Follow<'_> {
         flow: &mut VariationalFlow<'_, I, K>,
     ) -> Result<Seen, VariationalError>
     where
-        I: Start<Momentum = Se3Dual> + Integrator<DualNumber>,
+        I: Start<State: Vector, Momentum = Se3Dual> + Integrator<DualNumber, State: Vector>,
     {
         let mut seen = Seen::new(self.top, self.start);
         // Lengths at the start do not count as stretches.
@@ -158,7 +158,7 @@ impl Seen {
         flow: &VariationalFlow<'_, I, K>,
     ) -> Vec<Option<f64>>
     where
-        I: Start<Momentum = Se3Dual> + Integrator<DualNumber>,
+        I: Start<State: Vector, Momentum = Se3Dual> + Integrator<DualNumber, State: Vector>,
     {
         match observable {
             Observable::FinalState => {

@@ -1,0 +1,278 @@
+//! States of fixed dimension, and of a dimension that is known only when the program runs: [`State`].
+
+use crate::{Blocks, Mask, Real};
+use core::fmt::Debug;
+
+/// A vector that an integrator advances, small and of fixed dimension, or large and on the heap.
+///
+/// The operations work in place, so that a large vector needs no storage for intermediate results. A small vector is
+/// a [`Vector`](crate::Vector): it computes by value, and [`state_by_value!`](crate::state_by_value) derives this
+/// trait from that one.
+///
+/// # Temporary vectors
+/// A method that needs a temporary vector [takes](Self::take) it from a pool and [gives](Self::give) it back. The pool
+/// of a small type is `()`: the vector is a local variable. That of a large type is `Vec<Self>`: after the first step
+/// nothing is allocated.
+///
+/// # Example
+/// ```
+/// use generic_scalars::{Pair, State};
+/// use nalgebra::{Vector1, Vector2};
+///
+/// /// Returns y + 2x.
+/// fn moved<V: State<Scalar = f64>>(y: &V, x: &V, pool: &mut V::Pool) -> V {
+///     let mut z = V::take(pool, y);
+///     z.assign(y);
+///     z.add_multiple(2.0, x);
+///     z
+/// }
+/// let (y, x) = (Pair(Vector1::new(1.0), Vector2::new(0.0, 3.0)), Pair(Vector1::new(0.5), Vector2::x()));
+/// let z = moved(&y, &x, &mut Default::default());
+/// assert_eq!(z, Pair(Vector1::new(2.0), Vector2::new(2.0, 3.0)));
+/// ```
+pub trait State: Clone + Debug + PartialEq + Send + Sync + 'static {
+    /// The type of the real numbers.
+    type Scalar: Real;
+
+    /// The type of one number for each block of coordinates.
+    ///
+    /// It is `(Self::Scalar,)` where all coordinates have the same unit and the same scale, and a pair for
+    /// the two parts of a vector such as (q, p), whose units differ. Tests of size, such as the convergence
+    /// tests of implicit methods, compare each block with itself, so that no result depends on units.
+    type Blocks: Blocks<Self::Scalar>;
+
+    /// The storage of temporary vectors: `()` for a small type, `Vec<Self>` for a large one.
+    type Pool: Clone + Debug + Default + Send + Sync;
+
+    /// The number of blocks of coordinates.
+    const BLOCKS: usize = <Self::Blocks as Blocks<Self::Scalar>>::COUNT;
+
+    /// Returns the dimension over the reals.
+    fn dimension(&self) -> usize;
+
+    /// Returns whether the two vectors belong to one space: sums of them have a meaning.
+    fn same_shape(&self, other: &Self) -> bool;
+
+    /// Returns the zero vector of the same space.
+    #[must_use]
+    fn zeros_like(&self) -> Self;
+
+    /// Takes a vector of the space of `like` from the pool. Its coordinates are arbitrary.
+    #[must_use]
+    fn take(pool: &mut Self::Pool, like: &Self) -> Self;
+
+    /// Gives a vector back to the pool.
+    fn give(self, pool: &mut Self::Pool);
+
+    /// Takes the value of another vector of the same space, in the storage of this one: v ← x.
+    fn assign(&mut self, x: &Self);
+
+    /// Takes the value of another vector of the same space, whose coordinates are arbitrary afterwards.
+    ///
+    /// A small vector is copied, and a large one exchanges its storage.
+    fn move_from(&mut self, other: &mut Self);
+
+    /// Returns the i-th coordinate, or zero for i ≥ [`dimension`](Self::dimension).
+    fn entry(&self, i: usize) -> Self::Scalar;
+
+    /// Sets the i-th coordinate; does nothing for i ≥ [`dimension`](Self::dimension).
+    fn set_entry(&mut self, i: usize, x: Self::Scalar);
+
+    /// Returns the block of the i-th coordinate, a number below [`BLOCKS`](Self::BLOCKS).
+    fn block_of(&self, i: usize) -> usize;
+
+    /// Sets all coordinates to zero.
+    fn set_zero(&mut self);
+
+    /// Adds another vector: v ← v + x.
+    fn add(&mut self, x: &Self);
+
+    /// Subtracts another vector: v ← v − x.
+    fn subtract(&mut self, x: &Self);
+
+    /// Subtracts from another vector: v ← x − v.
+    fn subtract_from(&mut self, x: &Self);
+
+    /// Multiplies by a number: v ← s v.
+    fn scale(&mut self, s: Self::Scalar);
+
+    /// Adds a multiple of another vector: v ← v + s x.
+    fn add_multiple(&mut self, s: Self::Scalar, x: &Self);
+
+    /// Adds a linear combination of vectors: v ← v + Σ aⱼ kⱼ, in the order of the terms. Surplus terms are dropped.
+    #[inline]
+    fn add_combination(&mut self, a: &[f64], k: &[Self]) {
+        for (&a, k) in a.iter().zip(k) {
+            self.add_multiple(Self::Scalar::from_f64(a), k);
+        }
+    }
+
+    /// Replaces the vector by another one in the SIMD lanes in which the mask is true.
+    fn replace_where(&mut self, mask: <Self::Scalar as Real>::Mask, x: &Self);
+
+    /// Raises the number of each block to the largest |vᵢ| in that block, and adds every |vᵢ| to the sum.
+    ///
+    /// The sum is NaN where a coordinate is NaN, which the largest number may lose.
+    fn measure(&self, largest: &mut Self::Blocks, sum: &mut Self::Scalar);
+
+    /// Measures the difference v − x, as [`measure`](Self::measure) does.
+    fn measure_difference(&self, x: &Self, largest: &mut Self::Blocks, sum: &mut Self::Scalar);
+
+    /// Returns whether every coordinate is a finite number in every lane.
+    fn all_finite(&self) -> bool {
+        let zero = Self::Scalar::from_f64(0.0);
+        let (mut largest, mut sum) = (Self::Blocks::uniform(zero), zero);
+        self.measure(&mut largest, &mut sum);
+        // Numbers may be finite although their sum is not.
+        let finite = (0..Self::BLOCKS).all(|block| largest.at(block).max_abs().is_finite());
+        finite && sum.at_most(sum).all()
+    }
+}
+
+/// Implements [`State`] for a small type by its operations as a [`Vector`](crate::Vector).
+///
+/// The arguments are the parameters of the implementation in brackets, the type, its scalar and its
+/// [blocks](State::Blocks).
+///
+/// # Example
+/// ```
+/// use core::ops::{Add, AddAssign, Neg, Sub, SubAssign};
+/// use generic_scalars::{Covector, State, Vector, state_by_value};
+///
+/// /// A length on a line.
+/// #[derive(Clone, Copy, Debug, PartialEq)]
+/// struct Length(f64);
+/// # impl Add for Length { type Output = Self; fn add(self, x: Self) -> Self { Self(self.0 + x.0) } }
+/// # impl Sub for Length { type Output = Self; fn sub(self, x: Self) -> Self { Self(self.0 - x.0) } }
+/// # impl Neg for Length { type Output = Self; fn neg(self) -> Self { Self(-self.0) } }
+/// # impl AddAssign for Length { fn add_assign(&mut self, x: Self) { self.0 += x.0 } }
+/// # impl SubAssign for Length { fn sub_assign(&mut self, x: Self) { self.0 -= x.0 } }
+/// // with Add, Sub, Neg, AddAssign, SubAssign
+/// impl Vector for Length {
+///     type Dual = Covector<Self>;
+///     const DIM: usize = 1;
+///     fn from_coordinates(mut f: impl FnMut(usize) -> f64) -> Self { Self(f(0)) }
+///     fn coordinate(&self, i: usize) -> f64 { if i == 0 { self.0 } else { 0.0 } }
+///     fn scaled(&self, s: f64) -> Self { Self(s * self.0) }
+/// }
+/// state_by_value!([] Length, f64, (f64,));
+///
+/// let mut x = Length(1.0);
+/// x.add_multiple(0.5, &Length(4.0));
+/// assert_eq!(x, Length(3.0));
+/// ```
+#[macro_export]
+macro_rules! state_by_value {
+    ([$($parameters:tt)*] $type:ty, $scalar:ty, $blocks:ty) => {
+        impl<$($parameters)*> $crate::State for $type {
+            type Scalar = $scalar;
+            type Blocks = $blocks;
+            type Pool = ();
+
+            #[inline(always)]
+            fn dimension(&self) -> usize {
+                <Self as $crate::Vector>::DIM
+            }
+
+            #[inline(always)]
+            fn same_shape(&self, _: &Self) -> bool {
+                true
+            }
+
+            #[inline(always)]
+            fn zeros_like(&self) -> Self {
+                <Self as $crate::Vector>::zero()
+            }
+
+            #[inline(always)]
+            fn take((): &mut (), _: &Self) -> Self {
+                <Self as $crate::Vector>::zero()
+            }
+
+            #[inline(always)]
+            fn give(self, (): &mut ()) {}
+
+            #[inline(always)]
+            fn assign(&mut self, x: &Self) {
+                *self = *x;
+            }
+
+            #[inline(always)]
+            fn move_from(&mut self, other: &mut Self) {
+                *self = *other;
+            }
+
+            #[inline(always)]
+            fn entry(&self, i: usize) -> $scalar {
+                $crate::Vector::coordinate(self, i)
+            }
+
+            #[inline]
+            fn set_entry(&mut self, i: usize, x: $scalar) {
+                let set = |j| if i == j { x } else { $crate::Vector::coordinate(self, j) };
+                *self = $crate::Vector::from_coordinates(set);
+            }
+
+            #[inline(always)]
+            fn block_of(&self, i: usize) -> usize {
+                <Self as $crate::Vector>::block(i)
+            }
+
+            #[inline(always)]
+            fn set_zero(&mut self) {
+                *self = $crate::Vector::zero();
+            }
+
+            #[inline(always)]
+            fn add(&mut self, x: &Self) {
+                *self += *x;
+            }
+
+            #[inline(always)]
+            fn subtract(&mut self, x: &Self) {
+                *self -= *x;
+            }
+
+            #[inline(always)]
+            fn subtract_from(&mut self, x: &Self) {
+                *self = *x - *self;
+            }
+
+            #[inline(always)]
+            fn scale(&mut self, s: $scalar) {
+                *self = $crate::Vector::scaled(self, s);
+            }
+
+            #[inline(always)]
+            fn add_multiple(&mut self, s: $scalar, x: &Self) {
+                $crate::Vector::add_scaled(self, s, x);
+            }
+
+            #[inline(always)]
+            fn replace_where(&mut self, mask: <$scalar as $crate::Real>::Mask, x: &Self) {
+                *self = $crate::Vector::select(mask, x, self);
+            }
+
+            #[inline(always)]
+            fn measure(&self, largest: &mut $blocks, sum: &mut $scalar) {
+                for i in 0..<Self as $crate::Vector>::DIM {
+                    let block = <Self as $crate::Vector>::block(i);
+                    let size = $crate::Real::magnitude($crate::Vector::coordinate(self, i));
+                    let most = $crate::Blocks::at(largest, block);
+                    $crate::Blocks::set(largest, block, $crate::Real::maximum(size, most));
+                    *sum += size;
+                }
+            }
+
+            #[inline(always)]
+            fn measure_difference(&self, x: &Self, largest: &mut $blocks, sum: &mut $scalar) {
+                $crate::State::measure(&(*self - *x), largest, sum);
+            }
+
+            #[inline(always)]
+            fn all_finite(&self) -> bool {
+                $crate::Vector::is_finite(self)
+            }
+        }
+    };
+}
