@@ -2,12 +2,14 @@
 #![allow(unsafe_code)] // the allocator that counts
 
 use collective_integrators::{
-    BatchIntegrator, Collective, DenseOutput, Direction, Events, Laned, LiftFree,
-    LyapunovExponents, RungeKutta, Start,
+    BatchIntegrator, Collective, Composition, DenseOutput, Direct, Direction, Events, Integrator,
+    Laned, LiftFree, LyapunovExponents, RungeKutta, SphericalMidpoint, Start, Substeps,
 };
 use heavytop::{CollectiveGauss, SpinorRealisation, TopMidpoint, WithAttitude};
 use lie_poisson::Se3Dual;
+use lie_poisson_systems::ManyVortices;
 use momentum_map::DualQuaternions;
+use nalgebra::Vector3;
 use std::alloc::{GlobalAlloc, Layout, System};
 use std::cell::Cell;
 use std::error::Error;
@@ -42,6 +44,34 @@ fn allocations(f: impl FnOnce() -> Result<(), Box<dyn Error>>) -> Result<usize, 
     let before = ALLOCATIONS.with(Cell::get);
     f()?;
     Ok(ALLOCATIONS.with(Cell::get) - before)
+}
+
+/// Returns the number of allocations of 100 steps in place, after one step that may allocate.
+fn in_place<I: Integrator>(method: &I, mut state: I::State) -> Result<usize, Box<dyn Error>> {
+    let mut workspace = method.workspace();
+    method.advance(&mut state, 0.01, &mut workspace)?;
+    allocations(|| {
+        (0..100).try_for_each(|_| Ok(drop(method.advance(&mut state, 0.01, &mut workspace)?)))
+    })
+}
+
+#[test]
+fn no_step_in_place_of_a_state_on_the_heap_allocates() -> Result<(), Box<dyn Error>> {
+    let vortices = ManyVortices::new(vec![1.0; 50])?;
+    let spiral = |i: usize| {
+        let z = 0.98 - 0.04 * i as f64;
+        let (sin, cos) = (2.4 * i as f64).sin_cos();
+        Vector3::new(cos * (1.0 - z * z).sqrt(), sin * (1.0 - z * z).sqrt(), z)
+    };
+    let start = vortices.momentum((0..50).map(spiral))?;
+    let direct = |scheme| Direct::new(scheme, vortices.clone());
+    assert_eq!(in_place(&direct(RungeKutta::rk4()), start.clone())?, 0);
+    assert_eq!(in_place(&direct(RungeKutta::gauss(3)?), start.clone())?, 0);
+    assert_eq!(in_place(&SphericalMidpoint::new(vortices.clone()), start.clone())?, 0);
+    // control: a composition allocates its partial sums
+    let composed = Composition::new(RungeKutta::implicit_midpoint(), Substeps::suzuki4());
+    assert!(in_place(&Direct::new(composed, vortices.clone()), start)? > 0);
+    Ok(())
 }
 
 #[test]

@@ -115,7 +115,7 @@ pub use dual::integrator::{
     CHECKPOINT, Integrator, Sample, SampleOf, Start, StateIsMomentum, Trajectory,
 };
 pub use dual::lift_free::{LiftFree, MultiplierSpace};
-pub use dual::spherical_midpoint::SphericalMidpoint;
+pub use dual::spherical_midpoint::{OnSpheres, SphericalMidpoint, SphericalSpace};
 pub use error::{IntegrationError, RunError, SchemeError, StepError};
 pub use runs::crossing::{Direction, EventError};
 pub use runs::dense_output::{DenseOutput, DenseOutputError};

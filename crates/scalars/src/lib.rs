@@ -35,7 +35,9 @@
 //! | the widest SIMD lanes of the processor | a [`LaneTask`], run by [`dispatch`] |
 //! | the instructions that the processor has | [`InstructionSet::detected`] |
 //! | one vector of R³ in one register | [`FourLanes`] in a [`FourLanesTask`], run by [`dispatch_four`] |
-//! | a type of your own as a vector | an implementation of [`Vector`], with its [`Blocks`] of coordinates |
+//! | a small type of your own as a vector | an implementation of [`Vector`], and [`state_by_value!`] with its [`Blocks`] of coordinates |
+//! | a large type of your own, on the heap | an implementation of [`State`] |
+//! | N copies of a small space, with N known at run time | [`Sites`] |
 //! | elements of the dual space, as a type of their own | [`Covector`] |
 //! | direct sums V ⊕ W and powers Vᴺ | [`Pair`] and [`Power`] |
 //! | quaternions over any scalar | [`Quaternion`] |
@@ -88,6 +90,7 @@ pub use spaces::covector::Covector;
 pub use spaces::pair::Pair;
 pub use spaces::power::Power;
 pub use spaces::quaternion::Quaternion;
+pub use spaces::sites::Sites;
 pub use spaces::space::{ComplexSpace, Differential, Point, RealSpace, VectorSpace};
 pub use spaces::state::State;
 pub use spaces::vector::{Vector, map_coordinates};

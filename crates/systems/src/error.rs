@@ -36,6 +36,16 @@ pub enum SystemError {
         /// The name of the parameter.
         name: &'static str,
     },
+    /// There are not as many values as there must be.
+    #[error("{expected} {name} are needed, got {found}")]
+    Count {
+        /// The name of the values.
+        name: &'static str,
+        /// The number that is needed.
+        expected: usize,
+        /// The number that was given.
+        found: usize,
+    },
     /// A matrix is not symmetric.
     #[error(
         "{name} must be symmetric to within {tolerance:e} of its largest entry, it differs from its \

@@ -32,6 +32,7 @@
 //! | a heavy body with a spinning rotor, on se(3)∗ | [`Gyrostat`] |
 //! | a rigid body in an ideal fluid, on se(3)∗ | [`Kirchhoff`] |
 //! | point vortices on the sphere, on (so(3)∗)ᴺ | [`PointVortices`] |
+//! | as many point vortices as a file contains | [`ManyVortices`] |
 //! | classical spins in a row, on (so(3)∗)ᴺ | [`HeisenbergChain`] |
 //! | spins on atoms in motion, on (so(3)∗)ᴺ × T∗Rᴺ | [`SpinLattice`], wrapped in [`Automatic`](lie_poisson::Automatic) |
 //! | the type of these phase spaces and of their points | [`SpinSpace`], [`Spins`], [`SpinLatticeSpace`] |
@@ -81,6 +82,7 @@ pub use gyrostat::heavy_gyrostat::Gyrostat;
 pub use spaces::spin_space::{SpinSpace, Spins};
 pub use spin_chain::heisenberg_chain::HeisenbergChain;
 pub use spin_lattice::vibrating_lattice::{SpinLattice, SpinLatticeSpace};
+pub use vortices::many_vortices::ManyVortices;
 pub use vortices::point_vortices::PointVortices;
 
 pub use collective_integrators;

@@ -225,7 +225,8 @@ pub const CHECKPOINT: u64 = 1024;
 /// Once a step fails, every further item is its error, so that adaptors that skip items, such as `nth` or `step_by`,
 /// cannot lose it. The iterator never returns `None`. Bound it by `take`, and leave a loop at the first error, as `?`
 /// and `collect::<Result<…>>` do. Adaptors that skip errors, such as `flatten`, look for the next sample for ever.
-/// [`Start::after`](crate::Start::after) returns one sample. After the first item nothing is allocated.
+/// [`Start::after`](crate::Start::after) returns one sample. After the first item nothing is allocated, except for states on the
+/// heap: each sample has a state of its own. [`Integrator::advance`] makes steps of such states in place.
 ///
 /// A run can be [resumed](Integrator::trajectory_resumed) from any of its samples. From a sample whose number is a
 /// multiple of [`CHECKPOINT`] it continues bit for bit as if it had not been interrupted.

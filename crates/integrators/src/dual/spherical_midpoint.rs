@@ -1,8 +1,9 @@
 //! The spherical midpoint method.
 
+use crate::stages::convergence::unknown;
+use crate::stages::stage_scale::OwnScale;
 use crate::{Integrator, StageSolver, StateIsMomentum, Step, StepError, VectorField};
-use core::array::from_fn;
-use lie_poisson::{Covector, Power, Real, Vector};
+use lie_poisson::{Covector, Mask, Power, Real, Sites, State, Vector};
 use nalgebra::Vector3;
 
 /// The spherical midpoint method on (so(3)∗)ᴺ, a product of spheres |w_i| = r_i:
@@ -61,19 +62,92 @@ impl<F> SphericalMidpoint<F> {
     }
 }
 
-/// A point of (so(3)∗)ᴺ, which is a momentum.
-type Spheres<T, const N: usize> = Covector<Power<Vector3<T>, N>>;
+/// A point w = (w₁, …, w_N) of (so(3)∗)ᴺ, on a product of spheres.
+///
+/// It is implemented for a number N that the compiler knows, and for one that is known when the program runs.
+pub trait OnSpheres: State {
+    /// Moves each vector along its ray to the sphere that contains the vector of w with the same number:
+    ///
+    /// ```text
+    /// u_i ← u_i |w_i|/|u_i|
+    /// ```
+    fn project_to_spheres_of(&mut self, w: &Self);
+}
 
-impl<T, F, const N: usize> Integrator<T> for SphericalMidpoint<F>
+impl<T: Real, const N: usize> OnSpheres for Covector<Power<Vector3<T>, N>> {
+    #[inline]
+    fn project_to_spheres_of(&mut self, w: &Self) {
+        project(&mut self.0.0, &w.0.0);
+    }
+}
+
+impl<T: Real> OnSpheres for Covector<Sites<Vector3<T>>> {
+    #[inline]
+    fn project_to_spheres_of(&mut self, w: &Self) {
+        project(&mut self.0, &w.0);
+    }
+}
+
+#[inline]
+fn project<T: Real>(u: &mut [Vector3<T>], w: &[Vector3<T>]) {
+    for (u, w) in u.iter_mut().zip(w) {
+        *u = u.scaled((w.dot(w) / u.dot(u)).sqrt());
+    }
+}
+
+/// The storage of a step of the [`SphericalMidpoint`] method.
+#[derive(Clone, Debug)]
+pub struct SphericalSpace<V: State> {
+    pool: V::Pool,
+}
+
+impl<F> SphericalMidpoint<F> {
+    /// Returns w + h X(m), with the number of iterations.
+    #[inline]
+    fn end<T: Real>(
+        &self,
+        w: &F::Point,
+        step: f64,
+        pool: &mut <F::Point as State>::Pool,
+    ) -> Result<Step<F::Point>, StepError>
+    where
+        F: VectorField<T, Point: OnSpheres>,
+    {
+        let mut k = [F::Point::take(pool, w)];
+        let [mut spare, mut middle] = [(); 2].map(|()| F::Point::take(pool, w));
+        self.field.at_into(w, &mut k[0]);
+        let mut derivative = |_: usize, k: &[F::Point], _, value: &mut F::Point| {
+            middle.assign(w);
+            middle.add_combination(&[0.5 * step], k);
+            middle.project_to_spheres_of(w);
+            self.field.at_into(&middle, value);
+        };
+        let (none, mut pace) = (T::Mask::from_bool(false), unknown());
+        let solver = &self.solver;
+        let iterations = solver
+            .solve_from(none, &OwnScale, &mut k, &mut spare, &mut pace, &mut derivative)
+            .map_err(|unconverged| unconverged.error)?;
+        spare.give(pool);
+        let [k] = k;
+        middle.assign(w);
+        middle.add_multiple(T::from_f64(step), &k);
+        k.give(pool);
+        Ok(Step { point: middle, iterations })
+    }
+}
+
+impl<T, F> Integrator<T> for SphericalMidpoint<F>
 where
     T: Real,
-    F: VectorField<T, Point = Spheres<T, N>>,
+    F: VectorField<T, Point: OnSpheres>,
 {
-    type State = Spheres<T, N>;
-    type Momentum = Spheres<T, N>;
-    type Workspace = ();
+    type State = F::Point;
+    type Momentum = F::Point;
+    type Workspace = SphericalSpace<F::Point>;
 
-    fn workspace(&self) {}
+    fn workspace(&self) -> Self::Workspace {
+        SphericalSpace { pool: Default::default() }
+    }
 
     /// # Errors
     /// Returns [`StepError::NotConverged`] if the implicit equation is not solved, for example if a w_i is zero or
@@ -81,38 +155,32 @@ where
     #[inline]
     fn step(
         &self,
-        w: &Spheres<T, N>,
+        w: &F::Point,
         step: f64,
-        (): &mut (),
-    ) -> Result<Step<Spheres<T, N>>, StepError> {
-        let mut k = [Vector::zero()];
-        let derivative = |_: usize, k: &[Spheres<T, N>]| {
-            let middle = k.first().map_or(*w, |k| moved(w, k, 0.5 * step));
-            self.field.at(&on_spheres(w, &middle))
-        };
-        let iterations = self.solver.solve(self.field.at(w), &mut k, derivative)?;
-        let point = moved(w, &k[0], step);
-        Step { point, iterations }.finite()
+        SphericalSpace { pool }: &mut Self::Workspace,
+    ) -> Result<Step<F::Point>, StepError> {
+        self.end(w, step, pool)?.finite()
     }
 
-    fn momentum(&self, w: &Spheres<T, N>) -> Spheres<T, N> {
-        *w
+    #[inline]
+    fn advance(
+        &self,
+        w: &mut F::Point,
+        step: f64,
+        SphericalSpace { pool }: &mut Self::Workspace,
+    ) -> Result<usize, StepError> {
+        let Step { point: mut end, iterations } = self.end(w, step, pool)?;
+        let finite = end.all_finite();
+        if finite {
+            w.move_from(&mut end);
+        }
+        end.give(pool);
+        if finite { Ok(iterations) } else { Err(StepError::NotFinite) }
+    }
+
+    fn momentum(&self, w: &F::Point) -> F::Point {
+        w.clone()
     }
 }
 
 impl<F> StateIsMomentum for SphericalMidpoint<F> {}
-
-/// Returns the sum w + s k.
-#[inline]
-fn moved<V: Vector>(w: &V, k: &V, s: f64) -> V {
-    *w + k.scaled(V::Scalar::from_f64(s))
-}
-
-/// Returns the points of the spheres through w on the rays through u.
-#[inline]
-fn on_spheres<T: Real, const N: usize>(w: &Spheres<T, N>, u: &Spheres<T, N>) -> Spheres<T, N> {
-    Covector(Power(from_fn(|i| {
-        let (w, u) = (&w.0.0[i], &u.0.0[i]);
-        u.scaled((w.dot(w) / u.dot(u)).sqrt())
-    })))
-}

@@ -183,7 +183,11 @@ impl<P: Polarisation> Scheme for PartitionedRungeKutta<P> {
     type Workspace<V: State> = PartitionedSpace<V>;
 
     fn workspace<V: State>(&self) -> PartitionedSpace<V> {
-        PartitionedSpace { k: Vec::new(), memory: StageHistory::new(), pool: V::Pool::default() }
+        PartitionedSpace {
+            k: Vec::with_capacity(self.q.stages()),
+            memory: StageHistory::new(&self.predictor),
+            pool: V::Pool::default(),
+        }
     }
 
     #[inline]

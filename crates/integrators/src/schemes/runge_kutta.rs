@@ -254,8 +254,8 @@ impl RungeKutta {
 /// The storage of a Runge–Kutta step: its stage derivatives, those of the last steps, and the matrix of Newton's
 /// iteration.
 ///
-/// An implicit method predicts its stages from the last steps. The first step allocates what every step needs, and the
-/// first one that needs Newton's iteration allocates its matrix.
+/// An implicit method predicts its stages from the last steps. Vectors on the heap are allocated by the first step, and
+/// the matrix of Newton's iteration by the first step that needs it.
 #[derive(Clone, Debug)]
 pub struct StageSpace<V: State> {
     k: Vec<V>,
@@ -274,11 +274,12 @@ impl Scheme for RungeKutta {
     type Workspace<V: State> = StageSpace<V>;
 
     fn workspace<V: State>(&self) -> StageSpace<V> {
+        let room = || Vec::with_capacity(self.tableau.stages());
         StageSpace {
-            k: Vec::new(),
-            rest: Vec::new(),
-            small: Vec::new(),
-            memory: StageHistory::new(),
+            k: room(),
+            rest: room(),
+            small: room(),
+            memory: StageHistory::new(&self.predictor),
             newton: NewtonSpace::default(),
             pool: V::Pool::default(),
         }

@@ -33,7 +33,7 @@ pub trait Scheme: Clone {
     /// The storage that a step needs, allocated once per run.
     type Workspace<V: State>;
 
-    /// Creates the storage for steps. The first step may allocate, when it knows the size of the points.
+    /// Creates the storage for steps. Only for points on the heap does the first step allocate, when it knows their size.
     fn workspace<V: State>(&self) -> Self::Workspace<V>;
 
     /// Returns the increment Φ_h(z) − z of one step.
@@ -72,7 +72,7 @@ pub trait Scheme: Clone {
         Ok(Step { point: Pair(point, exact), iterations })
     }
 
-    /// Returns the step Φ_h(z). Allocates nothing.
+    /// Returns the step Φ_h(z). Allocates nothing but a point on the heap; see [`advance`](Self::advance).
     ///
     /// # Errors
     /// Returns a [`StepError`] if stage equations are not solved, or if the result is not finite. Nothing but the

@@ -34,10 +34,10 @@ pub(crate) struct StageHistory<V: State> {
 }
 
 impl<V: State> StageHistory<V> {
-    /// Creates an empty history. Its first step allocates the storage.
-    pub(crate) fn new() -> Self {
+    /// Creates an empty history, with room for the needs of a predictor. Its first step makes the vectors.
+    pub(crate) fn new(predictor: &Predictor) -> Self {
         Self {
-            past: Vec::new(),
+            past: Vec::with_capacity(2 * predictor.capacity()),
             newest: 0,
             stages: 0,
             steps: V::Scalar::from_f64(0.0),

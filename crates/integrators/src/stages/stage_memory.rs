@@ -45,7 +45,7 @@ impl<V: State> StageMemory<V> {
     #[must_use]
     pub fn new(nodes: &[f64]) -> Self {
         let predictor = Predictor::new(nodes);
-        Self { memory: StageHistory::new(), predictor }
+        Self { memory: StageHistory::new(&predictor), predictor }
     }
 
     /// Solves k_i = `stage`(i, k) as [`StageSolver::solve`] does, for a step of the given size from z. Returns the

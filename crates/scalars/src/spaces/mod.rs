@@ -6,5 +6,6 @@ pub(crate) mod covector;
 pub(crate) mod matrices;
 pub(crate) mod pair;
 pub(crate) mod power;
+pub(crate) mod sites;
 pub(crate) mod quaternion;
 pub(crate) mod space;

@@ -3,3 +3,4 @@
 
 mod four_lanes;
 mod lanes;
+mod states;

@@ -1,3 +1,4 @@
 //! Vortices on the sphere.
 
+pub(crate) mod many_vortices;
 pub(crate) mod point_vortices;

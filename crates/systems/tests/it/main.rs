@@ -4,6 +4,7 @@
 mod drifts;
 mod gyrostat;
 mod kirchhoff;
+mod many_vortices;
 mod point_vortices;
 mod spin_chain;
 mod spin_lattice;

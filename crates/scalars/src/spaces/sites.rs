@@ -1,0 +1,187 @@
+//! Powers Vᴺ of a small vector space, with N known when the program runs: [`Sites`].
+
+use crate::{Real, State, Vector};
+use core::ops::{Deref, DerefMut};
+
+/// An element (v₁, …, v_N) of the power Vᴺ of a small space, with a number N that is known only when the program runs.
+///
+/// It is the state of N spins, N vortices or N particles of a lattice. [`Power`](crate::Power) is the same space for a
+/// number that the compiler knows. The elements are those of a slice:
+///
+/// ```
+/// use generic_scalars::{Sites, State};
+/// use nalgebra::Vector3;
+/// let mut spins = Sites::new(vec![Vector3::z(); 1000]);
+/// spins[0] = Vector3::x();
+/// assert_eq!((spins.len(), spins.dimension()), (1000, 3000));
+/// assert_eq!(spins.iter().sum::<Vector3<f64>>(), Vector3::new(1.0, 0.0, 999.0));
+/// spins.scale(2.0);
+/// assert_eq!(spins.entry(3 * 999 + 2), 2.0);
+/// ```
+#[derive(Clone, Debug, PartialEq)]
+pub struct Sites<V>(Vec<V>);
+
+impl<V> Sites<V> {
+    /// Creates the element with the given vectors.
+    #[must_use]
+    pub const fn new(vectors: Vec<V>) -> Self {
+        Self(vectors)
+    }
+
+    /// Returns the vectors.
+    #[must_use]
+    pub fn into_inner(self) -> Vec<V> {
+        self.0
+    }
+}
+
+/// Collects the vectors of an iterator.
+impl<V> FromIterator<V> for Sites<V> {
+    fn from_iter<I: IntoIterator<Item = V>>(vectors: I) -> Self {
+        Self(vectors.into_iter().collect())
+    }
+}
+
+impl<V> Deref for Sites<V> {
+    type Target = [V];
+
+    #[inline]
+    fn deref(&self) -> &[V] {
+        &self.0
+    }
+}
+
+impl<V> DerefMut for Sites<V> {
+    #[inline]
+    fn deref_mut(&mut self) -> &mut [V] {
+        &mut self.0
+    }
+}
+
+impl<V: Vector> Sites<V> {
+    /// Calls f(vᵢ, xᵢ) for every i.
+    #[inline(always)]
+    fn each(&mut self, x: &Self, mut f: impl FnMut(&mut V, &V)) {
+        self.0.iter_mut().zip(&x.0).for_each(|(v, x)| f(v, x));
+    }
+}
+
+impl<V: Vector> State for Sites<V> {
+    type Scalar = V::Scalar;
+    type Blocks = V::Blocks;
+    type Pool = Vec<Self>;
+
+    #[inline]
+    fn dimension(&self) -> usize {
+        self.len() * V::DIM
+    }
+
+    #[inline]
+    fn same_shape(&self, other: &Self) -> bool {
+        self.len() == other.len()
+    }
+
+    fn zeros_like(&self) -> Self {
+        Self(vec![V::zero(); self.len()])
+    }
+
+    /// Takes the vector from the pool that was given last, or allocates one.
+    #[inline]
+    fn take(pool: &mut Vec<Self>, like: &Self) -> Self {
+        let last = pool.pop().filter(|last| last.same_shape(like));
+        last.unwrap_or_else(|| like.zeros_like())
+    }
+
+    #[inline]
+    fn give(self, pool: &mut Vec<Self>) {
+        pool.push(self);
+    }
+
+    #[inline]
+    fn assign(&mut self, x: &Self) {
+        self.0.clone_from(&x.0);
+    }
+
+    #[inline]
+    fn move_from(&mut self, other: &mut Self) {
+        core::mem::swap(self, other);
+    }
+
+    #[inline]
+    fn entry(&self, i: usize) -> V::Scalar {
+        // Vectors of dimension 0 have no coordinates, and must not divide.
+        let width = V::DIM.max(1);
+        self.get(i / width).map_or_else(num_traits::zero, |v| v.coordinate(i % width))
+    }
+
+    #[inline]
+    fn set_entry(&mut self, i: usize, x: V::Scalar) {
+        let width = V::DIM.max(1);
+        if let Some(v) = self.get_mut(i / width) {
+            v.set_entry(i % width, x);
+        }
+    }
+
+    /// Returns the block of a coordinate within its vector: all vectors share their blocks.
+    #[inline]
+    fn block_of(&self, i: usize) -> usize {
+        V::block(i % V::DIM.max(1))
+    }
+
+    #[inline]
+    fn set_zero(&mut self) {
+        self.0.fill(V::zero());
+    }
+
+    #[inline]
+    fn add(&mut self, x: &Self) {
+        self.each(x, |v, x| *v += *x);
+    }
+
+    #[inline]
+    fn subtract(&mut self, x: &Self) {
+        self.each(x, |v, x| *v -= *x);
+    }
+
+    #[inline]
+    fn subtract_from(&mut self, x: &Self) {
+        self.each(x, |v, x| *v = *x - *v);
+    }
+
+    #[inline]
+    fn scale(&mut self, s: V::Scalar) {
+        self.0.iter_mut().for_each(|v| v.scale(s));
+    }
+
+    #[inline]
+    fn add_multiple(&mut self, s: V::Scalar, x: &Self) {
+        self.each(x, |v, x| v.add_scaled(s, x));
+    }
+
+    /// Adds all terms to one vector before it goes to the next, so that the sum passes through memory once.
+    #[inline]
+    fn add_combination(&mut self, a: &[f64], k: &[Self]) {
+        for (i, v) in self.0.iter_mut().enumerate() {
+            for (&a, k) in a.iter().zip(k) {
+                if let Some(k) = k.get(i) {
+                    v.add_scaled(V::Scalar::from_f64(a), k);
+                }
+            }
+        }
+    }
+
+    #[inline]
+    fn replace_where(&mut self, mask: <V::Scalar as Real>::Mask, x: &Self) {
+        self.each(x, |v, x| v.replace_where(mask, x));
+    }
+
+    #[inline]
+    fn measure(&self, largest: &mut V::Blocks, sum: &mut V::Scalar) {
+        self.iter().for_each(|v| v.measure(largest, sum));
+    }
+
+    #[inline]
+    fn measure_difference(&self, x: &Self, largest: &mut V::Blocks, sum: &mut V::Scalar) {
+        self.iter().zip(x.iter()).for_each(|(v, x)| v.measure_difference(x, largest, sum));
+    }
+}

@@ -1,0 +1,132 @@
+//! Point vortices on the sphere, as many as a program is given.
+
+use crate::error::{SystemError, require_finite};
+use collective_integrators::VectorField;
+use core::f64::consts::PI;
+use lie_poisson::{Covector, Real, Sites, State, Vector};
+use nalgebra::Vector3;
+
+/// N point vortices on the unit sphere, with a number N that is known only when the program runs.
+///
+/// The equations, the variables m_i = k_i x_i and the units are those of [`PointVortices`](crate::PointVortices):
+///
+/// ```text
+/// dm_i/dt = m_i × dh/dm_i,    h(m) = (1/4π) Σ_ij k_i k_j ln(2 − 2 x_i·x_j),    i < j
+/// ```
+///
+/// Integrators for [`State`]s advance it in place: schemes applied to the equations, and the
+/// [`SphericalMidpoint`](collective_integrators::SphericalMidpoint) method, which is a Poisson map.
+///
+/// # Example
+/// A ring of vortices on a parallel of the sphere turns as a rigid body:
+/// ```
+/// use collective_integrators::{Integrator, SphericalMidpoint};
+/// use lie_poisson_systems::ManyVortices;
+/// use nalgebra::Vector3;
+/// let count = 12; // from a file, say
+/// let vortices = ManyVortices::new(vec![1.0; count])?;
+/// let on_parallel = |i: usize| {
+///     let (sin, cos) = (i as f64 * std::f64::consts::TAU / count as f64).sin_cos();
+///     Vector3::new(0.6 * cos, 0.6 * sin, 0.8)
+/// };
+/// let mut m = vortices.momentum((0..count).map(on_parallel))?;
+/// let midpoint = SphericalMidpoint::new(vortices.clone());
+/// let mut workspace = Integrator::<f64>::workspace(&midpoint);
+/// for _ in 0..100 {
+///     midpoint.advance(&mut m, 0.01, &mut workspace)?;
+/// }
+/// assert!(vortices.positions(&m).all(|x| (x.z - 0.8).abs() < 1e-13));
+/// # Ok::<(), Box<dyn std::error::Error>>(())
+/// ```
+#[derive(Clone, Debug, PartialEq)]
+pub struct ManyVortices {
+    strengths: Vec<f64>,
+}
+
+impl ManyVortices {
+    /// Creates vortices of the given strengths k_i.
+    ///
+    /// # Errors
+    /// Returns [`SystemError`] if a strength is zero or not finite.
+    pub fn new(strengths: Vec<f64>) -> Result<Self, SystemError> {
+        for &value in &strengths {
+            require_finite("strength", value)?;
+            if value == 0.0 {
+                return Err(SystemError::Zero { name: "strength" });
+            }
+        }
+        Ok(Self { strengths })
+    }
+
+    /// Returns the strengths k_i.
+    #[must_use]
+    pub fn strengths(&self) -> &[f64] {
+        &self.strengths
+    }
+
+    /// Returns the point m_i = k_i x_i of (so(3)∗)ᴺ for vortices at the given positions.
+    ///
+    /// # Errors
+    /// Returns [`SystemError::Count`] if there are not as many positions as strengths.
+    pub fn momentum(
+        &self,
+        positions: impl IntoIterator<Item = Vector3<f64>>,
+    ) -> Result<Covector<Sites<Vector3<f64>>>, SystemError> {
+        let positions: Vec<_> = positions.into_iter().collect();
+        let (expected, found) = (self.strengths.len(), positions.len());
+        if expected != found {
+            return Err(SystemError::Count { name: "positions", expected, found });
+        }
+        Ok(Covector(positions.iter().zip(&self.strengths).map(|(x, k)| x * *k).collect()))
+    }
+
+    /// Returns the positions x_i = m_i/k_i of the vortices.
+    pub fn positions<T: Real>(
+        &self,
+        m: &Covector<Sites<Vector3<T>>>,
+    ) -> impl Iterator<Item = Vector3<T>> {
+        m.0.iter().zip(&self.strengths).map(|(m, k)| m.scaled(T::from_f64(1.0 / k)))
+    }
+
+    /// Returns the value h(m) of the Hamiltonian.
+    #[must_use]
+    pub fn value<T: Real>(&self, m: &Covector<Sites<Vector3<T>>>) -> T {
+        let x: Vec<_> = self.positions(m).collect();
+        let mut sum = T::zero();
+        for (i, (x_i, k_i)) in x.iter().zip(&self.strengths).enumerate() {
+            for (x_j, k_j) in x[..i].iter().zip(&self.strengths) {
+                sum += (-x_i.dot(x_j) * 2.0 + 2.0).ln() * (k_i * k_j);
+            }
+        }
+        sum / (4.0 * PI)
+    }
+}
+
+impl<T: Real> VectorField<T> for ManyVortices {
+    type Point = Covector<Sites<Vector3<T>>>;
+
+    fn at(&self, m: &Self::Point) -> Self::Point {
+        let mut rate = m.zeros_like();
+        self.at_into(m, &mut rate);
+        rate
+    }
+
+    /// Writes the rates dm_i/dt, by one evaluation for each pair of vortices.
+    fn at_into(&self, m: &Self::Point, rate: &mut Self::Point) {
+        rate.set_zero();
+        let position = |i: usize| m.0[i].scaled(T::from_f64(1.0 / self.strengths[i]));
+        for i in 0..self.strengths.len() {
+            let (before, here) = rate.0.split_at_mut(i);
+            let x_i = position(i);
+            for (j, velocity_j) in before.iter_mut().enumerate() {
+                let x_j = position(j);
+                let inverse = T::from_f64(-0.25 / PI) / (-x_i.dot(&x_j) + 1.0);
+                here[0].add_scaled(inverse * self.strengths[j], &x_j);
+                velocity_j.add_scaled(inverse * self.strengths[i], &x_i);
+            }
+        }
+        for (rate, m) in rate.0.iter_mut().zip(m.0.iter()) {
+            *rate = m.cross(rate);
+        }
+    }
+}
