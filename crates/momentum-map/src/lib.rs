@@ -84,9 +84,8 @@ pub mod laws;
 
 pub use actions::action::{ActingElement, ActionPoint, Generator, GroupAction, Side};
 pub use actions::cotangent_lift::CotangentLift;
-pub use actions::derived_actions::{
-    AffineAction, JointAction, LinearAction, Opposite, ProductAction, RepresentationSpace,
-};
+pub use actions::derived_actions::{JointAction, Opposite, ProductAction};
+pub use actions::represented_actions::{AffineAction, LinearAction, RepresentationSpace};
 pub use maps::collective_hamiltonian::CollectiveHamiltonian;
 pub use maps::fibre::{FibreSymmetry, Lift, LiftError};
 pub use maps::momentum_map::MomentumMap;
@@ -95,9 +94,10 @@ pub use maps::poisson_map::{
     ComposedMap, Identity, PoissonMap, SourcePoint, TargetDifferential, TargetPoint,
 };
 pub use maps::product_map::{PowerMap, ProductMap};
+pub use maps::quadratic_momentum_map::QuadraticMomentumMap;
 pub use maps::recentring::RecentringSpace;
 pub use maps::symplectic_representation::{
-    QuadraticMomentumMap, Reversed, So3OnC2, Symplectic, SymplecticRepresentation,
+    Reversed, So3OnC2, Symplectic, SymplecticRepresentation,
 };
 pub use multipliers::complex_matrices::ComplexMatrices;
 pub use multipliers::dual_quaternions::DualQuaternions;
