@@ -154,7 +154,7 @@ where
     F: Fn(&Point<P, DualNumber>) -> DualNumber,
 {
     fn value(&self, z: &Point<P>) -> f64 {
-        (self.energy)(&crate::map_coordinates(z, DualNumber::constant)).value
+        (self.energy)(&crate::map_coordinates(z, DualNumber::constant)).value()
     }
 
     fn differential(&self, z: &Point<P>) -> Differential<P> {

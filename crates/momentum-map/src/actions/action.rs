@@ -135,7 +135,7 @@ pub trait GroupAction: Clone {
         q: &ActionPoint<Self, T>,
     ) -> ActionPoint<Self, T> {
         let along: Generator<Self, DualNumber<T>> =
-            map_coordinates(xi, |x| DualNumber { value: T::zero(), derivative: x });
+            map_coordinates(xi, |x| DualNumber::new(T::zero(), x));
         let g = self.group().exp::<DualNumber<T>>(&along);
         let q: ActionPoint<Self, DualNumber<T>> = map_coordinates(q, DualNumber::constant);
         derivative_part(&self.act::<DualNumber<T>>(&g, &q))

@@ -68,8 +68,7 @@ pub fn group_action<A: GroupAction>(
 
 /// Returns the derivative of Φ(exp(sξ), q) with respect to s at s = 0.
 fn slope<A: GroupAction>(action: &A, xi: &Generator<A>, q: &ActionPoint<A>) -> ActionPoint<A> {
-    let along: Generator<A, DualNumber> =
-        map_coordinates(xi, |x| DualNumber { value: 0.0, derivative: x });
+    let along: Generator<A, DualNumber> = map_coordinates(xi, |x| DualNumber::new(0.0, x));
     let g = action.group().exp::<DualNumber>(&along);
     derivative_part(&action.act::<DualNumber>(&g, &map_coordinates(q, DualNumber::constant)))
 }

@@ -2,4 +2,5 @@
 #![allow(clippy::unwrap_used, clippy::panic)]
 
 mod four_lanes;
+mod functions;
 mod lanes;
