@@ -97,7 +97,7 @@ proptest! {
         assert_near(&velocity.p, &Covector(-(xi * z.p.0)), 1e-15);
 
         let along: AlgebraElement<SpinorGroup, DualNumber> =
-            map_coordinates(&x, |x| DualNumber { value: 0.0, derivative: x });
+            map_coordinates(&x, |x| DualNumber::new(0.0, x));
         let g = GROUP.exp::<DualNumber>(&along);
         let z: SpinorPoint<DualNumber> = map_coordinates(&z, DualNumber::constant);
         let derivative: SpinorPoint =

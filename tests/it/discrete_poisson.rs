@@ -71,7 +71,7 @@ fn casimirs_are_carried_over() -> Outcome {
             .map(|k| {
                 let mu: Se3Dual<DualNumber> = seed(&start, &Vector::basis(k));
                 let after = value(&map(&integrator, &mu, 0.2));
-                (after - value(&mu)).derivative.abs()
+                (after - value(&mu)).derivative().abs()
             })
             .fold(0.0, lie_poisson::larger)
     };

@@ -17,7 +17,7 @@ fn rate(invariant: Invariant, top: &HeavyTop, mu: &Se3Dual) -> f64 {
     let space: HeavyTopSpace = LiePoisson::minus(Se3::default());
     let velocity = space.hamiltonian_vector::<f64>(mu, &top.differential(mu));
     let along: Se3Dual<DualNumber> = seed(mu, &velocity);
-    invariant.value(top, &along).derivative
+    invariant.value(top, &along).derivative()
 }
 
 fn top(

@@ -106,7 +106,7 @@ fn the_derivative_of_a_step() -> Outcome {
             let other: SpinorPoint<DualNumber> = step(&scheme, top, &seed(&z, &along), 0.9 * h)?;
             assert!((derivative_part::<_, _, SpinorPoint>(&other) - exact).max_abs() > 1e-6);
             // The values are those of the step on f64.
-            let value: SpinorPoint = map_coordinates(&moved, |x: DualNumber| x.value);
+            let value: SpinorPoint = map_coordinates(&moved, |x: DualNumber| x.value());
             assert!(relative_error(&value, &at(0.0)?) <= ROUND_OFF);
         }
     }
@@ -126,14 +126,16 @@ fn derivatives_of_four_steps_at_once() -> Outcome {
         let mut workspace = RungeKutta::implicit_midpoint().workspace();
         Ok(Integrator::<T>::step(direct, mu, 0.05, &mut workspace)?.point)
     }
-    let together = Se3Dual::<DualNumber<DefaultLanes>>::from_coordinates(|i| DualNumber {
-        value: DefaultLanes::load(&states().map(|mu| mu.coordinate(i))),
-        derivative: DefaultLanes::from_f64(if i == 2 { 1.0 } else { 0.0 }),
+    let together = Se3Dual::<DualNumber<DefaultLanes>>::from_coordinates(|i| {
+        DualNumber::new(
+            DefaultLanes::load(&states().map(|mu| mu.coordinate(i))),
+            DefaultLanes::from_f64(if i == 2 { 1.0 } else { 0.0 }),
+        )
     });
     let stepped = one(&direct, &together)?;
     for (lane, mu) in states().iter().enumerate() {
         let alone: Se3Dual<DualNumber> = one(&direct, &seed(mu, &Se3Dual::basis(2)))?;
-        let pick = |x: DualNumber<DefaultLanes>| x.derivative.lane(lane);
+        let pick = |x: DualNumber<DefaultLanes>| x.derivative().lane(lane);
         let derivative: Se3Dual = derivative_part(&alone);
         assert_near(&map_coordinates::<_, Se3Dual>(&stepped, pick), &derivative, ROUND_OFF);
     }

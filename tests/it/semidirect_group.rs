@@ -66,15 +66,13 @@ fn laws<G: LieGroup>(
 
     // d/ds exp(sξ) = ξ at s = 0, in the sense of d/ds exp(sξ) g = ξ-direction: linear in ξ
     let tangent = |x: &AlgebraElement<G>| -> G::Element<f64> {
-        let along: AlgebraElement<G, DualNumber> =
-            map_coordinates(x, |x| DualNumber { value: 0.0, derivative: x });
+        let along: AlgebraElement<G, DualNumber> = map_coordinates(x, |x| DualNumber::new(0.0, x));
         derivative_part(&group.exp::<DualNumber>(&along))
     };
     assert_near(&tangent(&(*xi + *eta)), &(tangent(xi) + tangent(eta)), ROUND_OFF);
 
     // Ad_g ξ = d/ds g exp(sξ) g⁻¹, as a tangent vector at e
-    let along: AlgebraElement<G, DualNumber> =
-        map_coordinates(xi, |x| DualNumber { value: 0.0, derivative: x });
+    let along: AlgebraElement<G, DualNumber> = map_coordinates(xi, |x| DualNumber::new(0.0, x));
     let lifted: G::Element<DualNumber> = map_coordinates(g, DualNumber::constant);
     let conjugate = group.compose::<DualNumber>(
         &group.compose::<DualNumber>(&lifted, &group.exp::<DualNumber>(&along)),
@@ -182,11 +180,10 @@ fn the_exponential_has_the_right_tangent() {
         Vector2::new(Complex::new(0.5, -1.0), Complex::new(2.0, 0.1)),
     );
     let along: AlgebraElement<SpinorGroup, DualNumber> =
-        map_coordinates(&x, |x| DualNumber { value: 0.0, derivative: x });
+        map_coordinates(&x, |x| DualNumber::new(0.0, x));
     let tangent: Motion = derivative_part(&GROUP.exp::<DualNumber>(&along));
     assert_near(&matrix(&tangent.0, &tangent.1, 0.0), &of_algebra(&x), 1e-16);
-    let along: Vector3<DualNumber> =
-        map_coordinates(&x.0, |x| DualNumber { value: 0.0, derivative: x });
+    let along: Vector3<DualNumber> = map_coordinates(&x.0, |x| DualNumber::new(0.0, x));
     let tangent: Matrix3<f64> = derivative_part(&SO3.exp(&along));
     assert_near(&tangent, &So3.hat(&x.0), 1e-16);
 }

@@ -108,6 +108,22 @@ impl Real for Rational {
         unimplemented!("the angle of ({}, {}) is not rational", x.0, self.0)
     }
 
+    fn exp(self) -> Self {
+        unimplemented!("exp {} is not rational in general", self.0)
+    }
+
+    fn sin(self) -> Self {
+        unimplemented!("sin {} is not rational in general", self.0)
+    }
+
+    fn cos(self) -> Self {
+        unimplemented!("cos {} is not rational in general", self.0)
+    }
+
+    fn tanh(self) -> Self {
+        unimplemented!("tanh {} is not rational in general", self.0)
+    }
+
     /// Returns 1/k! at 0, the only argument at which the value is rational.
     fn stumpff(self, order: u32) -> Self {
         assert!(self.is_zero(), "c_{order}({}) is not rational", self.0);

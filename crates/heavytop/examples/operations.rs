@@ -115,6 +115,18 @@ impl Real for Counted {
     fn atan2(self, x: Self) -> Self {
         Self(self.0.atan2(x.0))
     }
+    fn exp(self) -> Self {
+        Self(self.0.exp())
+    }
+    fn sin(self) -> Self {
+        Self(self.0.sin())
+    }
+    fn cos(self) -> Self {
+        Self(self.0.cos())
+    }
+    fn tanh(self) -> Self {
+        Self(self.0.tanh())
+    }
     fn stumpff(self, order: u32) -> Self {
         Self(self.0.stumpff(order))
     }

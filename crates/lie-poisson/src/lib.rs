@@ -105,12 +105,13 @@ pub use charts::cayley::Cayley;
 pub use charts::logarithm::{Logarithm, LogarithmError};
 pub use representations::derived::{Adjoint, Diagonal, Inherited, Sum};
 pub use representations::euclidean::{SE2, SE3, Se2, Se3, Se3Dual};
+pub use representations::real_matrices::{SL2OnR2, SO2OnR2, SO3OnR3};
 pub use representations::representation::{
     GroupRepresentation, Representation, RepresentedElement,
 };
 pub use representations::semidirect::{SemidirectAlgebra, SemidirectGroup};
 pub use representations::sp1::{QuaternionSpace, SP1, SP1OnQuaternions};
-pub use representations::standard::{SL2OnR2, SO2OnR2, SO3OnR3, SU2OnC2, UnitaryOnComplexSpace};
+pub use representations::unitary_matrices::{SU2OnC2, UnitaryOnComplexSpace};
 
 pub use brackets::casimirs::Casimirs;
 pub use brackets::hamiltonian::{

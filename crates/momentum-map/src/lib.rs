@@ -40,9 +40,11 @@
 //! | the momentum map of a linear symplectic action | [`QuadraticMomentumMap`] |
 //! | a Poisson map of your own, by `apply` and `generator` | [`PoissonMap`] |
 //! | compositions, products and powers of Poisson maps | [`ComposedMap`], [`ProductMap`], [`PowerMap`] |
+//! | a product of maps to 𝔤∗ and 𝔥∗ as a map to (𝔤 × 𝔥)∗, with its Casimirs | [`ProductAlgebraMap`] |
 //! | H = h∘M and its vector field | [`CollectiveHamiltonian`] |
 //! | a conserved quantity of a symmetry | [`NoetherQuantity`] |
 //! | a point z with M(z) = μ | [`Lift`] |
+//! | a lift, a gauge or a symmetry for a map whose type is not yours | [`Realisation`], with [`Fibres`], [`SectionOf`] and [`SymmetryOf`] |
 //! | the symmetry along the fibres of M | [`FibreSymmetry`] |
 //! | collective dynamics without a lift | [`Multipliers`]: [`Quaternions`], [`DualQuaternions`], [`ComplexMatrices`] |
 //! | so(3)∗ from C² | [`HOPF`] |
@@ -84,9 +86,8 @@ pub mod laws;
 
 pub use actions::action::{ActingElement, ActionPoint, Generator, GroupAction, Side};
 pub use actions::cotangent_lift::CotangentLift;
-pub use actions::derived_actions::{
-    AffineAction, JointAction, LinearAction, Opposite, ProductAction, RepresentationSpace,
-};
+pub use actions::derived_actions::{JointAction, Opposite, ProductAction};
+pub use actions::represented_actions::{AffineAction, LinearAction, RepresentationSpace};
 pub use maps::collective_hamiltonian::CollectiveHamiltonian;
 pub use maps::fibre::{FibreSymmetry, Lift, LiftError};
 pub use maps::momentum_map::MomentumMap;
@@ -94,10 +95,11 @@ pub use maps::noether::NoetherQuantity;
 pub use maps::poisson_map::{
     ComposedMap, Identity, PoissonMap, SourcePoint, TargetDifferential, TargetPoint,
 };
-pub use maps::product_map::{PowerMap, ProductMap};
+pub use maps::products::{DifferentSigns, PowerMap, ProductAlgebraMap, ProductMap};
+pub use maps::quadratic_momentum_map::QuadraticMomentumMap;
 pub use maps::recentring::RecentringSpace;
 pub use maps::symplectic_representation::{
-    QuadraticMomentumMap, Reversed, So3OnC2, Symplectic, SymplecticRepresentation,
+    Reversed, So3OnC2, Symplectic, SymplecticRepresentation,
 };
 pub use multipliers::complex_matrices::ComplexMatrices;
 pub use multipliers::dual_quaternions::DualQuaternions;
@@ -109,8 +111,8 @@ pub use phase_spaces::cotangent::{Cotangent, CotangentBundle};
 pub use phase_spaces::hopf_fibration::{hopf_map, hopf_pull_back, hopf_section, pauli};
 pub use phase_spaces::symplectic::{SymplecticComplexSpace, SymplecticSpace};
 pub use realisations::{
-    HOPF, HopfRealisation, PARTICLE, ParticleRealisation, PlaneForm, Sl2Realisation,
-    UnitaryRealisation, unitary_realisation,
+    Fibres, HOPF, HopfRealisation, PARTICLE, ParticleRealisation, PlaneForm, Realisation,
+    SectionOf, Sl2Realisation, SymmetryOf, UnitaryRealisation, unitary_realisation,
 };
 
 pub use lie_poisson;

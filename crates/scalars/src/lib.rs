@@ -15,7 +15,7 @@
 //!     x * x * x
 //! }
 //! assert_eq!(cube(2.0), 8.0);
-//! assert_eq!(cube(DualNumber::variable(2.0)).derivative, 12.0);
+//! assert_eq!(cube(DualNumber::variable(2.0)).derivative(), 12.0);
 //! assert_eq!(cube(DefaultLanes::load(&[1.0, 2.0, 3.0, 4.0])).lane(2), 27.0);
 //! ```
 //!
@@ -25,6 +25,7 @@
 //! |---|---|
 //! | a formula over every scalar | [`Real`] as the bound of its type parameter |
 //! | a branch in such a formula | [`Real::at_most`] and [`Real::select`], with a [`Mask`] between them |
+//! | exp, sin, cos, tanh and integer powers in such a formula | the methods of [`Real`], never those of a [`DualNumber::value`] |
 //! | an exact derivative by one variable | [`DualNumber`] |
 //! | the differential of a function of a vector | [`differential`] |
 //! | the transposed tangent map of a map between vector spaces | [`transposed_tangent`] |

@@ -45,7 +45,7 @@ where
     for j in 0..V::DIM {
         let column = f(&seed(z, &V::basis(j)))?;
         for i in 0..W2::DIM {
-            tangent[(i, j)] = column.coordinate(i).derivative;
+            tangent[(i, j)] = column.coordinate(i).derivative();
         }
     }
     Ok(tangent)
@@ -61,5 +61,5 @@ where
     V2: Vector<Scalar = DualNumber<V::Scalar>>,
 {
     let image = f(&map_coordinates(z, DualNumber::constant))?;
-    Ok((map_coordinates(&image, |x: DualNumber<V::Scalar>| x.value), tangent_of(f, z)?))
+    Ok((map_coordinates(&image, |x: DualNumber<V::Scalar>| x.value()), tangent_of(f, z)?))
 }

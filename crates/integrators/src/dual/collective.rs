@@ -154,7 +154,7 @@ where
     fn derivative(&self, z: &Self::Point, v: &Self::Point) -> Option<Self::Point> {
         let moved: SourcePoint<M, DualNumber<T>> = seed(z, v);
         let image = self.map.apply::<DualNumber<T>>(&moved);
-        let mu: TargetPoint<M, T> = map_coordinates(&image, |x| x.value);
+        let mu: TargetPoint<M, T> = map_coordinates(&image, |x| x.value());
         let hessian = self.hamiltonian.hessian(&mu, &derivative_part(&image))?;
         let dh: TargetDifferential<M, DualNumber<T>> =
             seed(&self.hamiltonian.differential(&mu), &hessian);

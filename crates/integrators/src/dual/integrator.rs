@@ -96,6 +96,12 @@ pub trait Integrator<T: Real = f64> {
 }
 
 /// An integrator that can start from a momentum.
+#[diagnostic::on_unimplemented(
+    message = "the integrator `{Self}` cannot start from a momentum over `{T}`",
+    label = "no state is known for a momentum",
+    note = "start from a state with `trajectory_from`; for a point z of phase space its momentum is M(z)",
+    note = "or implement `momentum_map::Lift` for the Poisson map, which chooses z with M(z) = μ"
+)]
 pub trait Start<T: Real = f64>: Integrator<T> {
     /// Returns a state that represents μ.
     ///

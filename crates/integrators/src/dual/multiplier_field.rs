@@ -40,7 +40,7 @@ where
         let start: Point<M::Space, DualNumber<T>> =
             map_coordinates(&self.start, DualNumber::constant);
         let image = self.multipliers.transport::<DualNumber<T>>(&moved, &start);
-        let mu: Point<M::Space, T> = map_coordinates(&image, |x| x.value);
+        let mu: Point<M::Space, T> = map_coordinates(&image, |x| x.value());
         let hessian = self.hamiltonian.hessian(&mu, &derivative_part(&image))?;
         let dh: Differential<M::Space, DualNumber<T>> =
             seed(&self.hamiltonian.differential(&mu), &hessian);

@@ -148,4 +148,11 @@ pub trait Scheme: Clone {
 ///
 /// Source: McLachlan, Modin & Verdier, *Collective symplectic integrators*, Nonlinearity 27
 /// (2014), Thm. 3.2; Hairer, Lubich & Wanner, *Geometric Numerical Integration*, §VI.4.
+#[diagnostic::on_unimplemented(
+    message = "the scheme `{Self}` does not promise to commute with affine changes of variables",
+    label = "its steps need not descend to the dual of the Lie algebra",
+    note = "use `RungeKutta` or a `Composition` of it; for a scheme of your own that treats all coordinates alike, \
+            write `impl Equivariant for …`",
+    note = "partitioned methods, polarisations and splittings of the phase space do not keep the promise"
+)]
 pub trait Equivariant: Scheme {}

@@ -1,7 +1,7 @@
 //! Lie algebras from a table of structure constants: [`StructureConstants`].
 
 use crate::algebras::jacobi::Brackets;
-use crate::{LieAlgebra, Real, larger};
+use crate::{Covector, LieAlgebra, Real, larger};
 use nalgebra::SVector;
 use std::sync::Arc;
 use thiserror::Error;
@@ -164,6 +164,24 @@ impl<const N: usize> LieAlgebra for StructureConstants<N> {
             }
         }
         bracket
+    }
+
+    /// Returns ad∗_ξ μ, with the coordinates `Σ c[i][j][k] ξ_i μ_k`.
+    fn coadjoint<T: Real>(
+        &self,
+        xi: &SVector<T, N>,
+        mu: &Covector<SVector<T, N>>,
+    ) -> Covector<SVector<T, N>> {
+        let mut rate = SVector::zeros();
+        for i in 0..N {
+            for k in 0..N {
+                let weight = xi[i] * mu.0[k];
+                for j in 0..N {
+                    rate[j] += weight * entry::<N>(&self.constants, i, j, k);
+                }
+            }
+        }
+        Covector(rate)
     }
 }
 

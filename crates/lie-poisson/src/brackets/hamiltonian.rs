@@ -15,6 +15,13 @@ use core::marker::PhantomData;
 /// * pass closures over `f64` to [`from_closure`] (differentiated automatically) or to [`from_closures`] (with the
 ///   differential by hand);
 /// * implement this trait with the differential by hand, which is the fastest way.
+#[diagnostic::on_unimplemented(
+    message = "`{Self}` is not a Hamiltonian on `{P}` over `{T}`",
+    label = "no value and differential over `{T}`",
+    note = "implement `Energy` (one formula for all scalars) and pass `Automatic(…)` of it",
+    note = "`from_closure` and `from_closures` make Hamiltonians over `f64` alone",
+    note = "an implementation by hand serves all scalars as `impl<T: Real> Hamiltonian<…, T> for …`"
+)]
 pub trait Hamiltonian<P: PoissonSpace, T: Real = f64> {
     /// Returns the value h(z).
     fn value(&self, z: &Point<P, T>) -> T;
@@ -154,7 +161,7 @@ where
     F: Fn(&Point<P, DualNumber>) -> DualNumber,
 {
     fn value(&self, z: &Point<P>) -> f64 {
-        (self.energy)(&crate::map_coordinates(z, DualNumber::constant)).value
+        (self.energy)(&crate::map_coordinates(z, DualNumber::constant)).value()
     }
 
     fn differential(&self, z: &Point<P>) -> Differential<P> {

@@ -245,12 +245,11 @@ mod tests {
     fn derivatives_at_the_identity_are_exact() {
         // d/ds log exp(sξ) = ξ, through the series at θ = 0.
         let xi = Vector3::new(0.3, -1.1, 0.4);
-        let along: Vector3<DualNumber> =
-            map_coordinates(&xi, |x| DualNumber { value: 0.0, derivative: x });
+        let along: Vector3<DualNumber> = map_coordinates(&xi, |x| DualNumber::new(0.0, x));
         let logs =
             [SO3.log(&SO3.exp(&along)), SU2.log(&SU2.exp(&along)), SL2.log(&SL2.exp(&along))];
         for log in logs {
-            let slope = log.map(|log| log.map(|x| x.derivative));
+            let slope = log.map(|log| log.map(|x| x.derivative()));
             assert!(slope.is_ok_and(|slope| (slope - xi).norm() < 1e-15));
         }
     }

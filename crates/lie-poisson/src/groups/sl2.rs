@@ -1,6 +1,6 @@
 //! The Lie algebra sl(2, R) ≅ so(2, 1) and the group SL(2, R).
 
-use crate::{LieAlgebra, LieGroup, Real};
+use crate::{Covector, LieAlgebra, LieGroup, Real};
 use nalgebra::{Matrix2, Vector3};
 
 /// The Lie algebra sl(2, R) of traceless matrices, ξ = [a b; c −a] with coordinates (a, b, c).
@@ -50,6 +50,17 @@ impl LieAlgebra for Sl2 {
     fn bracket<T: Real>(&self, xi: &Vector3<T>, eta: &Vector3<T>) -> Vector3<T> {
         let c = xi.cross(eta);
         Vector3::new(c.x, c.z + c.z, c.y + c.y)
+    }
+
+    /// Returns ad∗_ξ μ = (α, 2γ, 2β) × ξ for μ = (α, β, γ).
+    #[inline]
+    fn coadjoint<T: Real>(
+        &self,
+        xi: &Vector3<T>,
+        mu: &Covector<Vector3<T>>,
+    ) -> Covector<Vector3<T>> {
+        let Covector(m) = mu;
+        Covector(Vector3::new(m.x, m.z + m.z, m.y + m.y).cross(xi))
     }
 }
 

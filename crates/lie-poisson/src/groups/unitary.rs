@@ -111,6 +111,17 @@ impl<const N: usize> LieAlgebra for UnitaryAlgebra<N> {
     ) -> SkewHermitian<T, N> {
         SkewHermitian(xi.0 * eta.0 - eta.0 * xi.0)
     }
+
+    /// Returns the momentum of the matrix Hξ − ξH, for the Hermitian matrix H of μ.
+    #[inline]
+    fn coadjoint<T: Real>(
+        &self,
+        xi: &SkewHermitian<T, N>,
+        mu: &Covector<SkewHermitian<T, N>>,
+    ) -> Covector<SkewHermitian<T, N>> {
+        let h = self.hermitian(mu);
+        self.momentum(&(h * xi.0 - xi.0 * h))
+    }
 }
 
 impl<const N: usize> UnitaryAlgebra<N> {
@@ -197,5 +208,15 @@ impl<const N: usize> LieGroup for UnitaryGroup<N> {
         xi: &SkewHermitian<T, N>,
     ) -> SkewHermitian<T, N> {
         SkewHermitian::part_of(&(g * xi.0 * adjoint(g)))
+    }
+
+    /// Returns `Ad∗_U μ`, the momentum of the matrix U∗HU, for the Hermitian matrix H of μ.
+    #[inline]
+    fn coadjoint<T: Real>(
+        &self,
+        g: &SMatrix<Complex<T>, N, N>,
+        mu: &Covector<SkewHermitian<T, N>>,
+    ) -> Covector<SkewHermitian<T, N>> {
+        UnitaryAlgebra.momentum(&(adjoint(g) * UnitaryAlgebra.hermitian(mu) * g))
     }
 }

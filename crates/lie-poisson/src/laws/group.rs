@@ -8,15 +8,12 @@ type Dual<G> = AlgebraElement<G, DualNumber>;
 
 /// Returns sξ for the dual number s = 0 + ε.
 fn along<G: LieGroup>(xi: &AlgebraElement<G>) -> Dual<G> {
-    map_coordinates(xi, |x| DualNumber { value: 0.0, derivative: x })
+    map_coordinates(xi, |x| DualNumber::new(0.0, x))
 }
 
 /// Returns sξ for s = 0 + ε + ε′, where the coefficient of εε′ gives second derivatives.
 fn along_twice<G: LieGroup>(xi: &AlgebraElement<G>) -> AlgebraElement<G, DualNumber<DualNumber>> {
-    map_coordinates(xi, |x| DualNumber {
-        value: DualNumber { value: 0.0, derivative: x },
-        derivative: DualNumber::constant(x),
-    })
+    map_coordinates(xi, |x| DualNumber::new(DualNumber::new(0.0, x), DualNumber::constant(x)))
 }
 
 /// Evaluates the laws of a Lie group on samples of its algebra, with group elements made by exp:

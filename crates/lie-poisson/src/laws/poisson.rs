@@ -30,7 +30,7 @@ pub fn poisson_space<P: PoissonSpace>(
         let slopes: Vec<_> = (0..n)
             .map(|l| {
                 let z: Point<P, DualNumber> = seed(&z, &Vector::basis(l));
-                space.poisson_tensor::<DualNumber>(&z).map(|x| x.derivative)
+                space.poisson_tensor::<DualNumber>(&z).map(|x| x.derivative())
             })
             .collect();
         let steepest = slopes.iter().fold(0.0, |m: f64, s| larger(m, largest(s)));

@@ -70,7 +70,7 @@ pub fn group_representation<R: GroupRepresentation>(
                 report.note("homomorphism", difference.max_abs(), size * h.max_abs().max(1.0));
             }
             let along: RepresentedElement<R, DualNumber> =
-                map_coordinates(xi, |x| DualNumber { value: 0.0, derivative: x });
+                map_coordinates(xi, |x| DualNumber::new(0.0, x));
             let slope: R::Space<f64> = derivative_part(&representation.transform::<DualNumber>(
                 &group.exp::<DualNumber>(&along),
                 &map_coordinates(v, DualNumber::constant),

@@ -2,7 +2,8 @@
 
 pub(crate) mod representation;
 pub(crate) mod semidirect;
-pub(crate) mod standard;
+pub(crate) mod real_matrices;
+pub(crate) mod unitary_matrices;
 pub(crate) mod derived;
 pub(crate) mod sp1;
 pub(crate) mod euclidean;

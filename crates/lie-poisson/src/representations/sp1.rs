@@ -84,6 +84,29 @@ impl<const N: usize> Representation for SP1OnQuaternions<N> {
         let half = Quaternion { scalar: T::zero(), vector: xi.scaled(T::from_f64(0.5)) };
         Power(from_fn(|n| half * v.0[n]))
     }
+
+    /// Returns ξᵀ α, which is conj(½ξ) α = −½ξ α in coordinates.
+    #[inline]
+    fn transpose_act<T: Real>(
+        &self,
+        xi: &Vector3<T>,
+        alpha: &Covector<Self::Space<T>>,
+    ) -> Covector<Self::Space<T>> {
+        -Covector(self.act::<T>(xi, &alpha.0))
+    }
+
+    /// Returns the diamond product `v ◇ α` = ½ Im Σ αₙ conj(vₙ).
+    #[inline]
+    fn diamond<T: Real>(
+        &self,
+        v: &Self::Space<T>,
+        alpha: &Covector<Self::Space<T>>,
+    ) -> Covector<Vector3<T>> {
+        let terms = alpha.0.0.iter().zip(&v.0);
+        let sum =
+            terms.fold(Vector3::zeros(), |sum, (a, v)| sum + a.imaginary_part_by_conjugate(v));
+        Covector(sum * T::from_f64(0.5))
+    }
 }
 
 impl<const N: usize> GroupRepresentation for SP1OnQuaternions<N> {

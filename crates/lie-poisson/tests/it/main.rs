@@ -3,4 +3,5 @@
 
 mod algebra_laws;
 mod casimirs;
+mod closed_forms;
 mod support;

@@ -42,18 +42,12 @@ impl<A: GroupAction> GroupAction for CotangentLift<A> {
         Cotangent { q, p: transposed_tangent(undo, &q, &z.p) }
     }
 
+    #[inline]
     fn infinitesimal_generator<T: Real>(
         &self,
         xi: &Generator<A, T>,
         z: &ActionPoint<Self, T>,
     ) -> ActionPoint<Self, T> {
-        let constant: Generator<A, DualNumber<T>> = map_coordinates(xi, DualNumber::constant);
-        let field = |q: &ActionPoint<A, DualNumber<T>>| {
-            self.0.infinitesimal_generator::<DualNumber<T>>(&constant, q)
-        };
-        Cotangent {
-            q: self.0.infinitesimal_generator::<T>(xi, &z.q),
-            p: -transposed_tangent(field, &z.q, &z.p),
-        }
+        self.0.lifted_generator::<T>(xi, z)
     }
 }

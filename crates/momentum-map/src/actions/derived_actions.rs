@@ -1,64 +1,9 @@
-//! Actions that come from representations, and actions made from other actions.
+//! Actions made from other actions: [`Opposite`], [`JointAction`], [`ProductAction`].
 
-use crate::{ActingElement, ActionPoint, GroupAction, Side};
+use crate::{ActingElement, ActionPoint, Cotangent, Generator, GroupAction, Side};
 use lie_poisson::{
-    GroupRepresentation, LieGroup, Pair, ProductGroup, ProductSpace, Real, Representation,
-    SemidirectGroup, VectorSpace,
+    GroupMomentum, LieGroup, Pair, ProductGroup, ProductSpace, Real, Vector, from_parts, parts,
 };
-
-/// The vector space V of a representation, as a [`VectorSpace`].
-#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
-pub struct RepresentationSpace<R>(pub R);
-
-impl<R: Representation> VectorSpace for RepresentationSpace<R> {
-    type Point<T: Real> = R::Space<T>;
-}
-
-/// The linear left action v ↦ g v of a group on V, real, complex or quaternionic.
-#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
-pub struct LinearAction<R>(pub R);
-
-impl<R: GroupRepresentation> GroupAction for LinearAction<R> {
-    type Group = R::Group;
-    type Space = RepresentationSpace<R>;
-    const SIDE: Side = Side::Left;
-
-    fn group(&self) -> R::Group {
-        self.0.group()
-    }
-
-    fn space(&self) -> RepresentationSpace<R> {
-        RepresentationSpace(self.0.clone())
-    }
-
-    #[inline]
-    fn act<T: Real>(&self, g: &ActingElement<Self, T>, v: &R::Space<T>) -> R::Space<T> {
-        self.0.transform::<T>(g, v)
-    }
-}
-
-/// The affine left action x ↦ g x + v of the semidirect product G ⋉ V on V.
-#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
-pub struct AffineAction<R>(pub R);
-
-impl<R: GroupRepresentation> GroupAction for AffineAction<R> {
-    type Group = SemidirectGroup<R>;
-    type Space = RepresentationSpace<R>;
-    const SIDE: Side = Side::Left;
-
-    fn group(&self) -> SemidirectGroup<R> {
-        SemidirectGroup(self.0.clone())
-    }
-
-    fn space(&self) -> RepresentationSpace<R> {
-        RepresentationSpace(self.0.clone())
-    }
-
-    #[inline]
-    fn act<T: Real>(&self, g: &ActingElement<Self, T>, x: &R::Space<T>) -> R::Space<T> {
-        self.0.transform::<T>(&g.0, x) + g.1
-    }
-}
 
 /// The action q ↦ Φ(g⁻¹, q), which turns a left action into a right one and a right one into a left one.
 ///
@@ -93,6 +38,56 @@ impl<A: GroupAction> GroupAction for Opposite<A> {
     fn act<T: Real>(&self, g: &ActingElement<A, T>, q: &ActionPoint<A, T>) -> ActionPoint<A, T> {
         self.0.act::<T>(&self.0.group().inverse::<T>(g), q)
     }
+
+    /// Returns −ξ_Q(q), since exp(sξ)⁻¹ = exp(−sξ).
+    #[inline]
+    fn infinitesimal_generator<T: Real>(
+        &self,
+        xi: &Generator<A, T>,
+        q: &ActionPoint<A, T>,
+    ) -> ActionPoint<A, T> {
+        -self.0.infinitesimal_generator::<T>(xi, q)
+    }
+
+    /// Returns −J(q, p).
+    #[inline]
+    fn momentum<T: Real>(&self, z: &Cotangent<ActionPoint<A, T>>) -> GroupMomentum<A::Group, T> {
+        -self.0.momentum::<T>(z)
+    }
+
+    /// Returns the generator of the lift with the opposite sign.
+    #[inline]
+    fn lifted_generator<T: Real>(
+        &self,
+        xi: &Generator<A, T>,
+        z: &Cotangent<ActionPoint<A, T>>,
+    ) -> Cotangent<ActionPoint<A, T>> {
+        -self.0.lifted_generator::<T>(xi, z)
+    }
+}
+
+/// A point of the cotangent bundle of a direct sum.
+type PairPoint<Q, R> = Cotangent<Pair<Q, R>>;
+
+/// Returns the points (q, p) and (r, s) of the parts of a point ((q, r), (p, s)).
+#[inline]
+fn split<Q, R>(z: &PairPoint<Q, R>) -> (Cotangent<Q>, Cotangent<R>)
+where
+    Q: Vector,
+    R: Vector<Scalar = Q::Scalar>,
+{
+    let (p, s) = parts(&z.p);
+    (Cotangent { q: z.q.0, p }, Cotangent { q: z.q.1, p: s })
+}
+
+/// Returns the point ((q, r), (p, s)) of the parts (q, p) and (r, s).
+#[inline]
+fn join<Q, R>(first: &Cotangent<Q>, second: &Cotangent<R>) -> PairPoint<Q, R>
+where
+    Q: Vector,
+    R: Vector<Scalar = Q::Scalar>,
+{
+    Cotangent { q: Pair(first.q, second.q), p: from_parts(&first.p, &second.p) }
 }
 
 /// The action of one group on two spaces at once: Φ_g(q, r) = (Φ_g(q), Φ_g(r)).
@@ -126,6 +121,35 @@ where
     ) -> ActionPoint<Self, T> {
         Pair(self.0.act::<T>(g, &q.0), self.1.act::<T>(g, &q.1))
     }
+
+    #[inline]
+    fn infinitesimal_generator<T: Real>(
+        &self,
+        xi: &Generator<A, T>,
+        q: &ActionPoint<Self, T>,
+    ) -> ActionPoint<Self, T> {
+        Pair(
+            self.0.infinitesimal_generator::<T>(xi, &q.0),
+            self.1.infinitesimal_generator::<T>(xi, &q.1),
+        )
+    }
+
+    /// Returns the sum of the momenta of the two actions.
+    #[inline]
+    fn momentum<T: Real>(&self, z: &Cotangent<ActionPoint<Self, T>>) -> GroupMomentum<A::Group, T> {
+        let (first, second) = split(z);
+        self.0.momentum::<T>(&first) + self.1.momentum::<T>(&second)
+    }
+
+    #[inline]
+    fn lifted_generator<T: Real>(
+        &self,
+        xi: &Generator<A, T>,
+        z: &Cotangent<ActionPoint<Self, T>>,
+    ) -> Cotangent<ActionPoint<Self, T>> {
+        let (first, second) = split(z);
+        join(&self.0.lifted_generator::<T>(xi, &first), &self.1.lifted_generator::<T>(xi, &second))
+    }
 }
 
 /// The action of two groups, each on a space of its own: Φ_(g,h)(q, r) = (Φ_g(q), Φ_h(r)).
@@ -154,5 +178,43 @@ impl<A: GroupAction, B: GroupAction> GroupAction for ProductAction<A, B> {
         q: &ActionPoint<Self, T>,
     ) -> ActionPoint<Self, T> {
         Pair(self.0.act::<T>(&g.0, &q.0), self.1.act::<T>(&g.1, &q.1))
+    }
+
+    #[inline]
+    fn infinitesimal_generator<T: Real>(
+        &self,
+        xi: &Generator<Self, T>,
+        q: &ActionPoint<Self, T>,
+    ) -> ActionPoint<Self, T> {
+        Pair(
+            self.0.infinitesimal_generator::<T>(&xi.0, &q.0),
+            self.1.infinitesimal_generator::<T>(&xi.1, &q.1),
+        )
+    }
+
+    /// Returns the pair of the momenta of the two actions.
+    #[inline]
+    fn momentum<T: Real>(
+        &self,
+        z: &Cotangent<ActionPoint<Self, T>>,
+    ) -> GroupMomentum<Self::Group, T> {
+        let (first, second) = split(z);
+        GroupMomentum::<Self::Group, T>::new(
+            self.0.momentum::<T>(&first).0,
+            self.1.momentum::<T>(&second).0,
+        )
+    }
+
+    #[inline]
+    fn lifted_generator<T: Real>(
+        &self,
+        xi: &Generator<Self, T>,
+        z: &Cotangent<ActionPoint<Self, T>>,
+    ) -> Cotangent<ActionPoint<Self, T>> {
+        let (first, second) = split(z);
+        join(
+            &self.0.lifted_generator::<T>(&xi.0, &first),
+            &self.1.lifted_generator::<T>(&xi.1, &second),
+        )
     }
 }

@@ -68,8 +68,7 @@ pub fn group_action<A: GroupAction>(
 
 /// Returns the derivative of Φ(exp(sξ), q) with respect to s at s = 0.
 fn slope<A: GroupAction>(action: &A, xi: &Generator<A>, q: &ActionPoint<A>) -> ActionPoint<A> {
-    let along: Generator<A, DualNumber> =
-        map_coordinates(xi, |x| DualNumber { value: 0.0, derivative: x });
+    let along: Generator<A, DualNumber> = map_coordinates(xi, |x| DualNumber::new(0.0, x));
     let g = action.group().exp::<DualNumber>(&along);
     derivative_part(&action.act::<DualNumber>(&g, &map_coordinates(q, DualNumber::constant)))
 }
@@ -90,7 +89,11 @@ fn commutator<A: GroupAction>(
     derivative(eta, &field(xi)) - derivative(xi, &field(eta))
 }
 
-/// Evaluates the law `canonical form`: the cotangent lift of an action conserves Θ = p dq.
+/// Evaluates the laws of the cotangent lift of an action and of its momentum:
+///
+/// * `canonical form`: the lift conserves Θ = p dq;
+/// * `lifted generator`: it is the derivative of the lift by exp(sξ) at s = 0;
+/// * `momentum`: ⟨J(q, p), ξ⟩ = ⟨p, d/ds Φ(exp(sξ), q)⟩ at s = 0.
 ///
 /// # Errors
 /// Returns [`NoSamples`] if there are no samples of one kind.
@@ -101,9 +104,16 @@ pub fn cotangent_lift<A: GroupAction>(
 ) -> Result<Report, NoSamples> {
     let lifted = CotangentLift(action.clone());
     let mut report = Report::default();
-    for (_, g) in group_elements(action, elements)? {
+    for (xi, g) in group_elements(action, elements)? {
         let constant: ActingElement<A, DualNumber> = map_coordinates(&g, DualNumber::constant);
         for z in regimes("points", points)? {
+            let generated = action.lifted_generator::<f64>(&xi, &z);
+            let scale = (1.0 + z.max_abs()) * xi.max_abs().max(1e-300);
+            let difference = slope(&lifted, &xi, &z) - generated;
+            report.note("lifted generator", difference.max_abs(), scale);
+            let expected = slope(action, &xi, &z.q).pairing(&z.p);
+            let difference = action.momentum::<f64>(&z).pairing(&xi) - expected;
+            report.note("momentum", difference.abs(), (1.0 + z.max_abs()) * scale);
             let image = lifted.act::<f64>(&g, &z);
             for i in 0..<ActionPoint<A>>::DIM {
                 let v = <ActionPoint<A>>::basis(i);

@@ -32,6 +32,11 @@ impl LiftError {
 }
 
 /// A section of a Poisson map M: a choice of z with M(z) = μ.
+#[diagnostic::on_unimplemented(
+    message = "the Poisson map `{Self}` has no lift: no point z with M(z) = μ is known",
+    label = "`Lift` is not implemented for this map",
+    note = "implement `Lift` for a map of your own, or start from a point z of the source and use `apply(&z)` as μ"
+)]
 pub trait Lift: PoissonMap {
     /// Returns a point z with M(z) = μ.
     ///

@@ -3,8 +3,9 @@
 pub(crate) mod recentring;
 pub(crate) mod poisson_map;
 pub(crate) mod fibre;
-pub(crate) mod product_map;
+pub(crate) mod products;
 pub(crate) mod momentum_map;
 pub(crate) mod symplectic_representation;
+pub(crate) mod quadratic_momentum_map;
 pub(crate) mod collective_hamiltonian;
 pub(crate) mod noether;

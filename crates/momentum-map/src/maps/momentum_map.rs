@@ -1,10 +1,8 @@
 //! The momentum map of a cotangent-lifted action: [`MomentumMap`].
 
 use crate::maps::poisson_map::TargetDifferential;
-use crate::{
-    ActionPoint, CotangentBundle, CotangentLift, GroupAction, PoissonMap, SourcePoint, TargetPoint,
-};
-use lie_poisson::{LieGroup, LiePoisson, Real, Vector};
+use crate::{CotangentBundle, GroupAction, PoissonMap, SourcePoint, SymplecticSpace, TargetPoint};
+use lie_poisson::{Differential, LieGroup, LiePoisson, Real};
 
 /// The momentum map J: T∗Q → 𝔤∗ of the cotangent lift of an action, derived from the action:
 ///
@@ -62,20 +60,28 @@ impl<A: GroupAction> PoissonMap for MomentumMap<A> {
         LiePoisson::new(self.0.group().algebra(), A::SIDE.lie_poisson_sign())
     }
 
+    #[inline]
     fn apply<T: Real>(&self, z: &SourcePoint<Self, T>) -> TargetPoint<Self, T> {
-        TargetPoint::<Self, T>::from_coordinates(|i| {
-            let direction = Vector::basis(i);
-            let velocity: ActionPoint<A, T> = self.0.infinitesimal_generator::<T>(&direction, &z.q);
-            velocity.pairing(&z.p)
-        })
+        self.0.momentum::<T>(z)
+    }
+
+    /// Returns the covector i_X Ω for the generator X, which is the Hamiltonian vector field of z ↦ ⟨J(z), ξ⟩.
+    #[inline]
+    fn pull_back<T: Real>(
+        &self,
+        xi: &TargetDifferential<Self, T>,
+        z: &SourcePoint<Self, T>,
+    ) -> Differential<Self::Source, T> {
+        self.source().flat::<T>(&self.generator::<T>(xi, z))
     }
 
     /// Returns the generator of the cotangent lift at z.
+    #[inline]
     fn generator<T: Real>(
         &self,
         xi: &TargetDifferential<Self, T>,
         z: &SourcePoint<Self, T>,
     ) -> SourcePoint<Self, T> {
-        CotangentLift(self.0.clone()).infinitesimal_generator::<T>(xi, z)
+        self.0.lifted_generator::<T>(xi, z)
     }
 }

@@ -1,11 +1,9 @@
-//! Linear symplectic actions and their quadratic momentum maps: [`QuadraticMomentumMap`].
+//! Linear symplectic actions: [`SymplecticRepresentation`], [`Symplectic`].
 
-use crate::maps::poisson_map::TargetDifferential;
-use crate::{PoissonMap, Side, SourcePoint, SymplecticComplexSpace, SymplecticSpace, TargetPoint};
+use crate::{SymplecticComplexSpace, SymplecticSpace};
 use lie_poisson::{
-    Covector, Diagonal, LiePoisson, Pair, PoissonSpace, Power, Real, Representation,
-    RepresentedElement, SL2OnR2, SU2OnC2, So3, Su2, Sum, UnitaryOnComplexSpace, Vector,
-    VectorSpace,
+    Covector, Diagonal, Momentum, Pair, PoissonSpace, Power, Real, Representation,
+    RepresentedElement, SL2OnR2, SU2OnC2, So3, Sum, UnitaryOnComplexSpace, Vector, VectorSpace,
 };
 use nalgebra::{SVector, Vector2, Vector3};
 use num_complex::Complex;
@@ -19,6 +17,14 @@ pub trait SymplecticRepresentation: Representation {
 
     /// Returns the vector x with Ω(x, ·) = α.
     fn sharp<T: Real>(&self, alpha: &Covector<Self::Space<T>>) -> Self::Space<T>;
+
+    /// Returns the covector Ω(x, ·), the inverse of [`sharp`](Self::sharp).
+    ///
+    /// The default implementation evaluates the form once for each coordinate.
+    #[inline]
+    fn flat<T: Real>(&self, x: &Self::Space<T>) -> Covector<Self::Space<T>> {
+        Covector::from_coordinates(|i| self.form::<T>(x, &Vector::basis(i)))
+    }
 }
 
 /// The symplectic vector space V of a representation.
@@ -48,85 +54,10 @@ impl<R: SymplecticRepresentation> SymplecticSpace for Symplectic<R> {
     fn symplectic_form<T: Real>(&self, u: &R::Space<T>, v: &R::Space<T>) -> T {
         self.0.form::<T>(u, v)
     }
-}
-
-/// The momentum map of a linear symplectic action, derived from its representation:
-///
-/// ```text
-/// ⟨J(z), ξ⟩ = ½ Ω(ξ_P z, z),    ξ_P z = ξz for the left action, −ξz for the right one
-/// ```
-///
-/// The generator is ξ_P z. The maps to so(3)∗ from C² by the Hopf map, to sl(2, R)∗ from R²ⁿ and to u(N)∗ by
-/// outer products are all of this kind, and share this code.
-///
-/// Source: Marsden & Ratiu, *Introduction to Mechanics and Symmetry*, 2nd ed., Ch. 12
-/// (linear symplectic actions); McLachlan, Modin & Verdier, *Collective symplectic integrators*,
-/// Nonlinearity 27 (2014), §4.
-///
-/// # Example
-/// The right action of SL(2, R) on the plane has J = −(qp, ½p², −½q²), whose image is a cone in sl(2, R)∗:
-/// ```
-/// use lie_poisson::{Casimirs, SL2OnR2, Sl2};
-/// use momentum_map::{PoissonMap, QuadraticMomentumMap, Side};
-/// use nalgebra::Vector2;
-/// let map = QuadraticMomentumMap::new(SL2OnR2, Side::Right);
-/// let j = map.apply(&Vector2::new(3.0, 4.0));
-/// assert_eq!(Sl2.casimir(0, &j), 0.0);
-/// ```
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub struct QuadraticMomentumMap<R> {
-    representation: R,
-    side: Side,
-}
-
-impl<R: SymplecticRepresentation> QuadraticMomentumMap<R> {
-    /// Creates the momentum map of the action v ↦ gv (left) or v ↦ g⁻¹v (right).
-    pub const fn new(representation: R, side: Side) -> Self {
-        Self { representation, side }
-    }
-
-    /// Returns the representation of the action.
-    pub const fn representation(&self) -> &R {
-        &self.representation
-    }
-
-    /// Returns the side of the action.
-    pub const fn side(&self) -> Side {
-        self.side
-    }
-}
-
-impl<R: SymplecticRepresentation> PoissonMap for QuadraticMomentumMap<R> {
-    type Source = Symplectic<R>;
-    type Target = LiePoisson<R::Algebra>;
-
-    fn source(&self) -> Symplectic<R> {
-        Symplectic(self.representation.clone())
-    }
-
-    fn target(&self) -> Self::Target {
-        LiePoisson::new(self.representation.algebra(), self.side.lie_poisson_sign())
-    }
 
     #[inline]
-    fn apply<T: Real>(&self, z: &SourcePoint<Self, T>) -> TargetPoint<Self, T> {
-        TargetPoint::<Self, T>::from_coordinates(|i| {
-            let velocity = self.generator::<T>(&Vector::basis(i), z);
-            self.representation.form::<T>(&velocity, z) * 0.5
-        })
-    }
-
-    #[inline]
-    fn generator<T: Real>(
-        &self,
-        xi: &TargetDifferential<Self, T>,
-        z: &SourcePoint<Self, T>,
-    ) -> SourcePoint<Self, T> {
-        let velocity = self.representation.act::<T>(xi, z);
-        match self.side {
-            Side::Left => velocity,
-            Side::Right => -velocity,
-        }
+    fn flat<T: Real>(&self, x: &R::Space<T>) -> Covector<R::Space<T>> {
+        self.0.flat::<T>(x)
     }
 }
 
@@ -144,7 +75,25 @@ impl Representation for So3OnC2 {
 
     #[inline]
     fn act<T: Real>(&self, xi: &Vector3<T>, v: &Vector2<Complex<T>>) -> Vector2<Complex<T>> {
-        Su2.matrix(xi) * v
+        SU2OnC2.act(xi, v)
+    }
+
+    #[inline]
+    fn transpose_act<T: Real>(
+        &self,
+        xi: &Vector3<T>,
+        alpha: &Covector<Vector2<Complex<T>>>,
+    ) -> Covector<Vector2<Complex<T>>> {
+        SU2OnC2.transpose_act(xi, alpha)
+    }
+
+    #[inline]
+    fn diamond<T: Real>(
+        &self,
+        v: &Vector2<Complex<T>>,
+        alpha: &Covector<Vector2<Complex<T>>>,
+    ) -> Covector<Vector3<T>> {
+        SU2OnC2.diamond(v, alpha)
     }
 }
 
@@ -162,6 +111,11 @@ macro_rules! unitary {
                 let zero: SVector<Complex<T>, $n> = Vector::zero();
                 SymplecticComplexSpace::<$n>.hamiltonian_vector(&zero, alpha)
             }
+
+            #[inline]
+            fn flat<T: Real>(&self, x: &Self::Space<T>) -> Covector<Self::Space<T>> {
+                SymplecticComplexSpace::<$n>.flat(x)
+            }
         }
     )*};
 }
@@ -177,6 +131,11 @@ impl SymplecticRepresentation for SL2OnR2 {
     #[inline]
     fn sharp<T: Real>(&self, alpha: &Covector<Vector2<T>>) -> Vector2<T> {
         Vector2::new(alpha.0.y, -alpha.0.x)
+    }
+
+    #[inline]
+    fn flat<T: Real>(&self, x: &Vector2<T>) -> Covector<Vector2<T>> {
+        Covector(Vector2::new(-x.y, x.x))
     }
 }
 
@@ -196,6 +155,24 @@ impl<R: Representation> Representation for Reversed<R> {
     fn act<T: Real>(&self, xi: &RepresentedElement<R, T>, v: &R::Space<T>) -> R::Space<T> {
         self.0.act::<T>(xi, v)
     }
+
+    #[inline]
+    fn transpose_act<T: Real>(
+        &self,
+        xi: &RepresentedElement<R, T>,
+        alpha: &Covector<R::Space<T>>,
+    ) -> Covector<R::Space<T>> {
+        self.0.transpose_act::<T>(xi, alpha)
+    }
+
+    #[inline]
+    fn diamond<T: Real>(
+        &self,
+        v: &R::Space<T>,
+        alpha: &Covector<R::Space<T>>,
+    ) -> Momentum<R::Algebra, T> {
+        self.0.diamond::<T>(v, alpha)
+    }
 }
 
 impl<R: SymplecticRepresentation> SymplecticRepresentation for Reversed<R> {
@@ -207,6 +184,11 @@ impl<R: SymplecticRepresentation> SymplecticRepresentation for Reversed<R> {
     #[inline]
     fn sharp<T: Real>(&self, alpha: &Covector<R::Space<T>>) -> R::Space<T> {
         -self.0.sharp::<T>(alpha)
+    }
+
+    #[inline]
+    fn flat<T: Real>(&self, x: &R::Space<T>) -> Covector<R::Space<T>> {
+        -self.0.flat::<T>(x)
     }
 }
 
@@ -225,6 +207,11 @@ where
         let Covector(Pair(first, second)) = *alpha;
         Pair(self.0.sharp::<T>(&Covector(first)), self.1.sharp::<T>(&Covector(second)))
     }
+
+    #[inline]
+    fn flat<T: Real>(&self, x: &Self::Space<T>) -> Covector<Self::Space<T>> {
+        Covector(Pair(self.0.flat::<T>(&x.0).0, self.1.flat::<T>(&x.1).0))
+    }
 }
 
 impl<R: SymplecticRepresentation, const N: usize> SymplecticRepresentation for Diagonal<R, N> {
@@ -237,5 +224,10 @@ impl<R: SymplecticRepresentation, const N: usize> SymplecticRepresentation for D
     #[inline]
     fn sharp<T: Real>(&self, alpha: &Covector<Self::Space<T>>) -> Self::Space<T> {
         Power(alpha.0.0.map(|alpha| self.0.sharp::<T>(&Covector(alpha))))
+    }
+
+    #[inline]
+    fn flat<T: Real>(&self, x: &Self::Space<T>) -> Covector<Self::Space<T>> {
+        Covector(Power(x.0.map(|x| self.0.flat::<T>(&x).0)))
     }
 }

@@ -138,4 +138,11 @@ impl<Q: VectorSpace> SymplecticSpace for CotangentBundle<Q> {
     fn symplectic_form<T: Real>(&self, u: &Point<Self, T>, v: &Point<Self, T>) -> T {
         u.q.pairing(&v.p) - v.q.pairing(&u.p)
     }
+
+    /// Returns the covector i_x Ω = (−x.p, x.q), by coordinates.
+    #[inline]
+    fn flat<T: Real>(&self, x: &Point<Self, T>) -> Differential<Self, T> {
+        let p = map_coordinates(&x.q, |x| x);
+        Covector(Cotangent { q: map_coordinates(&x.p, |x: T| -x), p })
+    }
 }

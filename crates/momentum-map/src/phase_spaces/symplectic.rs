@@ -53,4 +53,10 @@ impl<const N: usize> SymplecticSpace for SymplecticComplexSpace<N> {
         let terms = u.iter().zip(v.iter());
         terms.fold(T::zero(), |sum, (u, v)| sum + u.re * v.im - u.im * v.re)
     }
+
+    /// Returns the covector i_x Ω, which is ix in coordinates.
+    #[inline]
+    fn flat<T: Real>(&self, x: &SVector<Complex<T>, N>) -> Covector<SVector<Complex<T>, N>> {
+        Covector(x.map(|x| Complex { re: -x.im, im: x.re }))
+    }
 }

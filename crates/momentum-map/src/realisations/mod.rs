@@ -3,10 +3,12 @@
 
 mod hopf;
 mod particle;
+mod realisation;
 mod sl2;
 mod unitary;
 
 pub use hopf::{HOPF, HopfRealisation};
 pub use particle::{PARTICLE, ParticleRealisation};
+pub use realisation::{Fibres, Realisation, SectionOf, SymmetryOf};
 pub use sl2::{PlaneForm, Sl2Realisation};
 pub use unitary::{UnitaryRealisation, unitary_realisation};

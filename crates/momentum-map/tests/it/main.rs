@@ -1,6 +1,8 @@
 //! The promises of the crate: actions, Poisson maps and their lifts.
 #![allow(clippy::unwrap_used, clippy::panic)]
 
+mod attached_fibres;
+mod closed_forms;
 mod extreme_lifts;
 mod map_laws;
 mod multipliers;

@@ -100,6 +100,35 @@ fn realisations() {
     ));
 }
 
+/// The product of maps to 𝔤∗ and 𝔥∗ is one to (𝔤 × 𝔥)∗, on which the Casimirs of both factors commute with everything.
+#[test]
+fn products_of_maps_to_duals_of_algebras() {
+    let map =
+        ProductAlgebraMap::new(HOPF, ProductAlgebraMap::new(PARTICLE, HOPF).unwrap()).unwrap();
+    realisation_laws(&map);
+    let algebra = *map.target().algebra();
+    for z in samples() {
+        let (mu, parts) = (map.apply::<f64>(&z), map.factors().apply::<f64>(&z));
+        assert_eq!(mu, Covector::new(parts.0.0, parts.1.0));
+        for index in 0..4 {
+            let c = |mu: &_| algebra.casimir_differential::<f64>(index, mu);
+            let rate = |xi: &_| map.target().hamiltonian_vector::<f64>(&mu, xi).max_abs();
+            assert!(rate(&c(&mu)) < TOLERANCE);
+            // A negative control: the differential at another momentum is not that of a Casimir.
+            let other = Vector::from_coordinates(|i| (1.3 * i as f64).cos());
+            assert!(rate(&c(&other)) > 1e-3, "{index}");
+        }
+    }
+}
+
+#[test]
+fn factors_with_brackets_of_different_signs_are_refused() {
+    let left = QuadraticMomentumMap::new(So3OnC2, Side::Left);
+    let refused = ProductAlgebraMap::new(HOPF, left).unwrap_err();
+    assert_eq!(refused, DifferentSigns { first: Sign::Minus, second: Sign::Plus });
+    assert!(ProductAlgebraMap::new(left, left).is_ok());
+}
+
 #[test]
 fn momenta_outside_the_image_have_no_lift() {
     let zero = Covector(Vector3::zeros());

@@ -66,7 +66,7 @@ fn coadjoint_changes_are_accurate_whatever_their_size() {
             // dQ/dt = −½ Ω Q, and dN/dt = −½ Ω N − 2γ Q is its derivative in the direction 4γ of Ω.
             let along: Vector3<DualNumber> = seed(&omega, &(gamma * 4.0));
             let both = SP1.exp::<DualNumber>(&-along);
-            let q: Quaternion = map_coordinates(&both, |x: DualNumber| x.value);
+            let q: Quaternion = map_coordinates(&both, |x: DualNumber| x.value());
             let n: Quaternion = derivative_part(&both);
             let turned = coadjoint_series(&Quaternions.space(), &omega, &pi);
             let moved = coadjoint_series(&DualQuaternions.space(), &Pair(omega, gamma), &mu);

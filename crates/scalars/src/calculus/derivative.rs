@@ -9,7 +9,7 @@ where
     V: Vector,
     W: Vector<Scalar = DualNumber<V::Scalar>>,
 {
-    W::from_coordinates(|i| DualNumber { value: z.coordinate(i), derivative: v.coordinate(i) })
+    W::from_coordinates(|i| DualNumber::new(z.coordinate(i), v.coordinate(i)))
 }
 
 /// Returns the coefficient of ε in w, the derivative of a map that was evaluated at a dual point.
@@ -20,7 +20,7 @@ where
     W: Vector<Scalar = DualNumber<T>>,
     V: Vector<Scalar = T>,
 {
-    V::from_coordinates(|i| w.coordinate(i).derivative)
+    V::from_coordinates(|i| w.coordinate(i).derivative())
 }
 
 /// Computes the differential df(z) ∈ V∗ by dual numbers, with one evaluation of `f` for each coordinate.
@@ -39,7 +39,7 @@ where
     V: Vector,
     W: Vector<Scalar = DualNumber<V::Scalar>>,
 {
-    V::Dual::from_coordinates(|i| f(&seed(z, &V::basis(i))).derivative)
+    V::Dual::from_coordinates(|i| f(&seed(z, &V::basis(i))).derivative())
 }
 
 /// Computes the transposed tangent map (T_z f)ᵀ α ∈ V∗ of f: V → W for a covector α ∈ W∗.

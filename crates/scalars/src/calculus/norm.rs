@@ -108,13 +108,10 @@ mod tests {
     #[test]
     fn dual_numbers_are_scaled_by_their_values() {
         for derivative in [1e-250, 1.0, 1e250] {
-            let v = Vector2::new(
-                DualNumber { value: 3.0, derivative },
-                DualNumber { value: 4.0, derivative: 0.0 },
-            );
+            let v = Vector2::new(DualNumber::new(3.0, derivative), DualNumber::new(4.0, 0.0));
             let norm = euclidean_norm(&v);
-            assert_eq!(norm.value, 5.0);
-            assert!((norm.derivative / (0.6 * derivative) - 1.0).abs() < 1e-15);
+            assert_eq!(norm.value(), 5.0);
+            assert!((norm.derivative() / (0.6 * derivative) - 1.0).abs() < 1e-15);
         }
     }
 }

@@ -116,6 +116,22 @@ impl<R: Register> Real for Packed<R> {
         Self::from_lanes(|i| self.lane(i).atan2(x.lane(i)))
     }
 
+    fn exp(self) -> Self {
+        Self::from_lanes(|i| self.lane(i).exp())
+    }
+
+    fn sin(self) -> Self {
+        Self::from_lanes(|i| self.lane(i).sin())
+    }
+
+    fn cos(self) -> Self {
+        Self::from_lanes(|i| self.lane(i).cos())
+    }
+
+    fn tanh(self) -> Self {
+        Self::from_lanes(|i| self.lane(i).tanh())
+    }
+
     fn stumpff(self, order: u32) -> Self {
         Self::from_lanes(|i| self.lane(i).stumpff(order))
     }

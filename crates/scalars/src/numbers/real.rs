@@ -8,8 +8,8 @@ use num_traits::NumAssign;
 
 /// A scalar that computes like a real number: `f64`, a dual number, or SIMD lanes.
 ///
-/// Every formula of these crates is polynomial, except for √, ln and the exponentials of a Lie group. Code
-/// that is written once over `T: Real` therefore runs on
+/// Every formula of these crates is polynomial, except for √, ln and the exponentials of a Lie group. Energies
+/// of your own may use exp, sin, cos and tanh, too. Code that is written once over `T: Real` runs on
 ///
 /// * `f64`: one trajectory;
 /// * [`DualNumber`](crate::DualNumber): exact derivatives, for differentials, tangent maps and Poisson defects;
@@ -17,6 +17,10 @@ use num_traits::NumAssign;
 ///   one register.
 ///
 /// A branch is taken lane by lane: [`at_most`](Self::at_most) compares, [`select`](Self::select) chooses.
+///
+/// A scalar of your own implements the functions by those of its parts; only formulas such as
+/// [`powi`](Self::powi) and [`larger`](Self::larger) are provided, since no formula for the others is accurate for all
+/// arguments.
 ///
 /// The trait has no fused multiply-add: fused and unfused results differ, and each operation on lanes must
 /// return the same bits as on `f64`. [`Lanes`](crate::Lanes) has one.
@@ -30,7 +34,7 @@ use num_traits::NumAssign;
 /// }
 /// // d(v²/2)/dv = v
 /// let energy = kinetic_energy(DualNumber::variable(3.0));
-/// assert_eq!((energy.value, energy.derivative), (4.5, 3.0));
+/// assert_eq!((energy.value(), energy.derivative()), (4.5, 3.0));
 /// ```
 pub trait Real:
     Copy
@@ -60,6 +64,62 @@ pub trait Real:
 
     /// Returns the angle of the point (x, y), where y is `self`, in (−π, π].
     fn atan2(self, x: Self) -> Self;
+
+    /// Returns the exponential function exp x.
+    ///
+    /// ```
+    /// use generic_scalars::{DualNumber, Real};
+    /// fn morse<T: Real>(x: T) -> T {
+    ///     (-(-x).exp() + 1.0).powi(2)
+    /// }
+    /// // d/dx (1 − exp(−x))² = 2 (1 − exp(−x)) exp(−x)
+    /// let (x, e) = (DualNumber::variable(0.5), (-0.5_f64).exp());
+    /// assert!((morse(x).derivative() - 2.0 * (1.0 - e) * e).abs() < 1e-15);
+    /// ```
+    #[must_use]
+    fn exp(self) -> Self;
+
+    /// Returns sin x, for x in radians.
+    #[must_use]
+    fn sin(self) -> Self;
+
+    /// Returns cos x, for x in radians.
+    #[must_use]
+    fn cos(self) -> Self;
+
+    /// Returns the hyperbolic tangent tanh x.
+    ///
+    /// The derivative of a dual number is accurate for all x, also where tanh x rounds to ±1.
+    #[must_use]
+    fn tanh(self) -> Self;
+
+    /// Returns the integer power xⁿ, with x⁰ = 1 for every x, also for NaN.
+    ///
+    /// The result is a product by repeated squaring, or its reciprocal for n < 0, with about |n| units of
+    /// round-off. In code over all scalars it has the same bits for each of them and on every platform, which the
+    /// method of `f64` itself does not promise.
+    ///
+    /// ```
+    /// use generic_scalars::{DualNumber, Real};
+    /// let power = DualNumber::variable(2.0).powi(-3);
+    /// assert_eq!((power.value(), power.derivative()), (0.125, -0.1875));
+    /// ```
+    #[must_use]
+    #[inline]
+    fn powi(self, n: i32) -> Self {
+        let (mut left, mut square, mut power) = (n.unsigned_abs(), self, Self::one());
+        while left > 0 {
+            if left % 2 == 1 {
+                power *= square;
+            }
+            left /= 2;
+            // The square after the last factor might overflow.
+            if left > 0 {
+                square *= square;
+            }
+        }
+        if n < 0 { Self::one() / power } else { power }
+    }
 
     /// Returns the Stumpff function cₖ(x) of order k:
     ///
@@ -158,6 +218,22 @@ impl Real for f64 {
 
     fn atan2(self, x: Self) -> Self {
         self.atan2(x)
+    }
+
+    fn exp(self) -> Self {
+        self.exp()
+    }
+
+    fn sin(self) -> Self {
+        self.sin()
+    }
+
+    fn cos(self) -> Self {
+        self.cos()
+    }
+
+    fn tanh(self) -> Self {
+        self.tanh()
     }
 
     fn stumpff(self, order: u32) -> Self {

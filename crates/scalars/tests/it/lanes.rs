@@ -49,7 +49,7 @@ type Case<T> = (&'static str, T, fn(f64, f64, f64) -> f64);
 
 /// Returns the operations that every type computes as `f64` does.
 #[inline(always)]
-fn operations<T: Lanes>(a: T, b: T, c: T) -> [Case<T>; 21] {
+fn operations<T: Lanes>(a: T, b: T, c: T) -> [Case<T>; 27] {
     let mut assigned = a;
     assigned += b;
     assigned *= c;
@@ -71,6 +71,12 @@ fn operations<T: Lanes>(a: T, b: T, c: T) -> [Case<T>; 21] {
         ("root", a.sqrt(), |a, _, _| a.sqrt()),
         ("logarithm", a.ln(), |a, _, _| a.ln()),
         ("angle", a.atan2(b), |a, b, _| a.atan2(b)),
+        ("exponential", a.exp(), |a, _, _| a.exp()),
+        ("sine", a.sin(), |a, _, _| a.sin()),
+        ("cosine", a.cos(), |a, _, _| a.cos()),
+        ("hyperbolic tangent", a.tanh(), |a, _, _| a.tanh()),
+        ("power", a.powi(5), |a, _, _| Real::powi(a, 5)),
+        ("reciprocal power", a.powi(-6), |a, _, _| Real::powi(a, -6)),
         ("Stumpff", (one / (one + a * a)).stumpff(2), |a, _, _| (1.0 / (1.0 + a * a)).stumpff(2)),
         ("magnitude", a.magnitude(), |a, _, _| a.abs()),
         ("larger", a.larger(b), |a, b, _| larger(a, b)),
@@ -288,14 +294,14 @@ fn sets_have_their_widths_and_missing_ones_are_refused() {
 /// Dual numbers over lanes are compared by their values.
 #[test]
 fn dual_numbers_over_lanes() {
-    let x = DualNumber {
-        value: DefaultLanes::load(&[1.0, -2.0, 3.0, f64::NAN]),
-        derivative: DefaultLanes::load(&[5.0, 0.5, -4.0, 1.0]),
-    };
+    let x = DualNumber::new(
+        DefaultLanes::load(&[1.0, -2.0, 3.0, f64::NAN]),
+        DefaultLanes::load(&[5.0, 0.5, -4.0, 1.0]),
+    );
     let chosen = x.select_nonnegative(x * 2.0, -x);
-    assert_eq!([0, 1, 2].map(|i| chosen.value.lane(i)), [2.0, 2.0, 6.0]);
-    assert_eq!([0, 1, 2].map(|i| chosen.derivative.lane(i)), [10.0, -0.5, -8.0]);
+    assert_eq!([0, 1, 2].map(|i| chosen.value().lane(i)), [2.0, 2.0, 6.0]);
+    assert_eq!([0, 1, 2].map(|i| chosen.derivative().lane(i)), [10.0, -0.5, -8.0]);
     let size = x.magnitude();
-    assert_eq!([0, 1, 2].map(|i| size.value.lane(i)), [5.0, 2.0, 4.0]);
-    assert!(size.value.lane(3).is_nan() && size.derivative == DefaultLanes::from_f64(0.0));
+    assert_eq!([0, 1, 2].map(|i| size.value().lane(i)), [5.0, 2.0, 4.0]);
+    assert!(size.value().lane(3).is_nan() && size.derivative() == DefaultLanes::from_f64(0.0));
 }

@@ -2,5 +2,6 @@
 #![allow(clippy::unwrap_used, clippy::panic)]
 
 mod four_lanes;
+mod functions;
 mod lanes;
 mod states;

@@ -1,11 +1,7 @@
-//! The defining representations of the classical groups.
+//! The defining representations of the classical groups of real matrices.
 
-use crate::{
-    Covector, GroupRepresentation, Real, Representation, SL2, SO2, SO3, SU2, SkewHermitian, Sl2,
-    So2, So3, Su2, UnitaryAlgebra, UnitaryGroup, Vector,
-};
-use nalgebra::{Matrix2, Matrix3, SMatrix, SVector, Vector1, Vector2, Vector3};
-use num_complex::Complex;
+use crate::{Covector, GroupRepresentation, Real, Representation, SL2, SO2, SO3, Sl2, So2, So3};
+use nalgebra::{Matrix2, Matrix3, Vector1, Vector2, Vector3};
 
 /// The representation of SO(3) on R³ by rotation: ξ v = ξ × v.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
@@ -65,62 +61,6 @@ impl GroupRepresentation for SO3OnR3 {
     }
 }
 
-/// The representation of SU(2) on C² by matrix multiplication.
-#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
-pub struct SU2OnC2;
-
-impl Representation for SU2OnC2 {
-    type Algebra = Su2;
-    type Space<T: Real> = Vector2<Complex<T>>;
-
-    fn algebra(&self) -> Su2 {
-        Su2
-    }
-
-    #[inline]
-    fn act<T: Real>(&self, xi: &Vector3<T>, v: &Vector2<Complex<T>>) -> Vector2<Complex<T>> {
-        Su2.matrix(xi) * v
-    }
-
-    /// Returns ξᵀ α, which is ξ∗ α = −ξ α in coordinates.
-    #[inline]
-    fn transpose_act<T: Real>(
-        &self,
-        xi: &Vector3<T>,
-        alpha: &Covector<Vector2<Complex<T>>>,
-    ) -> Covector<Vector2<Complex<T>>> {
-        Covector(-(Su2.matrix(xi) * alpha.0))
-    }
-}
-
-impl GroupRepresentation for SU2OnC2 {
-    type Group = SU2;
-
-    fn group(&self) -> SU2 {
-        SU2
-    }
-
-    #[inline]
-    fn transform<T: Real>(
-        &self,
-        g: &Matrix2<Complex<T>>,
-        v: &Vector2<Complex<T>>,
-    ) -> Vector2<Complex<T>> {
-        g * v
-    }
-
-    /// Returns c₁(y) φ + c₂(y) ξφ with y = |ξ|²/4, since ξ² = −y I.
-    #[inline]
-    fn exp_integral<T: Real>(
-        &self,
-        xi: &Vector3<T>,
-        phi: &Vector2<Complex<T>>,
-    ) -> Vector2<Complex<T>> {
-        let y = xi.dot(xi) * 0.25;
-        phi.scaled(y.stumpff(1)) + self.act(xi, phi).scaled(y.stumpff(2))
-    }
-}
-
 /// The representation of SO(2) on R² by rotation: ω v = ω (−v₂, v₁).
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub struct SO2OnR2;
@@ -136,6 +76,26 @@ impl Representation for SO2OnR2 {
     #[inline]
     fn act<T: Real>(&self, xi: &Vector1<T>, v: &Vector2<T>) -> Vector2<T> {
         Vector2::new(-v.y, v.x) * xi.x
+    }
+
+    /// Returns the transposed action `ωᵀ α = ω (α₂, −α₁)`.
+    #[inline]
+    fn transpose_act<T: Real>(
+        &self,
+        xi: &Vector1<T>,
+        alpha: &Covector<Vector2<T>>,
+    ) -> Covector<Vector2<T>> {
+        Covector(Vector2::new(alpha.0.y, -alpha.0.x) * xi.x)
+    }
+
+    /// Returns the diamond product `v ◇ α = v₁α₂ − v₂α₁`.
+    #[inline]
+    fn diamond<T: Real>(
+        &self,
+        v: &Vector2<T>,
+        alpha: &Covector<Vector2<T>>,
+    ) -> Covector<Vector1<T>> {
+        Covector(Vector1::new(v.x * alpha.0.y - v.y * alpha.0.x))
     }
 }
 
@@ -175,6 +135,27 @@ impl Representation for SL2OnR2 {
     fn act<T: Real>(&self, xi: &Vector3<T>, v: &Vector2<T>) -> Vector2<T> {
         Sl2.matrix(xi) * v
     }
+
+    /// Returns the transposed action `ξᵀ α` by the transposed matrix.
+    #[inline]
+    fn transpose_act<T: Real>(
+        &self,
+        xi: &Vector3<T>,
+        alpha: &Covector<Vector2<T>>,
+    ) -> Covector<Vector2<T>> {
+        Covector(Sl2.matrix(xi).transpose() * alpha.0)
+    }
+
+    /// Returns the diamond product `v ◇ α = (v₁α₁ − v₂α₂, v₂α₁, v₁α₂)`.
+    #[inline]
+    fn diamond<T: Real>(
+        &self,
+        v: &Vector2<T>,
+        alpha: &Covector<Vector2<T>>,
+    ) -> Covector<Vector3<T>> {
+        let Covector(a) = alpha;
+        Covector(Vector3::new(v.x * a.x - v.y * a.y, v.y * a.x, v.x * a.y))
+    }
 }
 
 impl GroupRepresentation for SL2OnR2 {
@@ -194,44 +175,5 @@ impl GroupRepresentation for SL2OnR2 {
     fn exp_integral<T: Real>(&self, xi: &Vector3<T>, phi: &Vector2<T>) -> Vector2<T> {
         let x = Sl2.determinant(xi);
         phi * x.stumpff(1) + self.act(xi, phi) * x.stumpff(2)
-    }
-}
-
-/// The representation of U(N) on C^N by matrix multiplication.
-#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
-pub struct UnitaryOnComplexSpace<const N: usize>;
-
-impl<const N: usize> Representation for UnitaryOnComplexSpace<N> {
-    type Algebra = UnitaryAlgebra<N>;
-    type Space<T: Real> = SVector<Complex<T>, N>;
-
-    fn algebra(&self) -> UnitaryAlgebra<N> {
-        UnitaryAlgebra
-    }
-
-    #[inline]
-    fn act<T: Real>(
-        &self,
-        xi: &SkewHermitian<T, N>,
-        v: &SVector<Complex<T>, N>,
-    ) -> SVector<Complex<T>, N> {
-        xi.matrix() * v
-    }
-}
-
-impl<const N: usize> GroupRepresentation for UnitaryOnComplexSpace<N> {
-    type Group = UnitaryGroup<N>;
-
-    fn group(&self) -> UnitaryGroup<N> {
-        UnitaryGroup
-    }
-
-    #[inline]
-    fn transform<T: Real>(
-        &self,
-        g: &SMatrix<Complex<T>, N, N>,
-        v: &SVector<Complex<T>, N>,
-    ) -> SVector<Complex<T>, N> {
-        g * v
     }
 }

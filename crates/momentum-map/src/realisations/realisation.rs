@@ -1,0 +1,194 @@
+//! A Poisson map with fibres described by another type: [`Realisation`].
+
+use crate::{
+    FibreSymmetry, Lift, LiftError, PoissonMap, RecentringSpace, SourcePoint, TargetDifferential,
+    TargetPoint,
+};
+use lie_poisson::{Differential, Real};
+
+/// A description of the fibres of a Poisson map M, in a type apart from the map.
+///
+/// Implement it for a type of your own, empty if no gauge is needed, together with [`SectionOf`], [`SymmetryOf`] or
+/// both. [`Realisation`] then attaches it to the map.
+pub trait Fibres<M: PoissonMap>: Clone {
+    /// Returns the displacement [`PoissonMap::gauge`] along the fibre, by default that of the map.
+    #[inline]
+    fn gauge<T: Real>(&self, map: &M, z: &SourcePoint<M, T>) -> SourcePoint<M, T> {
+        map.gauge::<T>(z)
+    }
+
+    /// Returns the point [`PoissonMap::recentred`] of the fibre near the origin, by default that of the map.
+    fn recentred<T: Real>(
+        &self,
+        map: &M,
+        z: &SourcePoint<M, T>,
+        space: &mut RecentringSpace<T>,
+    ) -> SourcePoint<M, T> {
+        map.recentred::<T>(z, space)
+    }
+}
+
+/// A section of a Poisson map M: a choice of z with M(z) = μ, as in [`Lift`].
+pub trait SectionOf<M: PoissonMap>: Fibres<M> {
+    /// Returns a point z with M(z) = μ.
+    ///
+    /// # Errors
+    /// Returns [`LiftError`] if μ is not in the image of M or not finite, in any SIMD lane (one of several
+    /// trajectories in a register).
+    fn lift<T: Real>(
+        &self,
+        map: &M,
+        mu: &TargetPoint<M, T>,
+    ) -> Result<SourcePoint<M, T>, LiftError>;
+}
+
+/// The symmetry along the fibres of a Poisson map M, as in [`FibreSymmetry`].
+pub trait SymmetryOf<M: PoissonMap>: Fibres<M> {
+    /// The number of one-parameter groups.
+    const COUNT: usize;
+
+    /// Returns the flow for parameter s of the group with the given index, or z for `index` ≥ `COUNT`.
+    fn flow<T: Real>(
+        &self,
+        map: &M,
+        index: usize,
+        s: T,
+        z: &SourcePoint<M, T>,
+    ) -> SourcePoint<M, T>;
+
+    /// Returns the momentum of the group with the given index, or zero for `index` ≥ `COUNT`.
+    fn momentum<T: Real>(&self, map: &M, index: usize, z: &SourcePoint<M, T>) -> T;
+}
+
+/// A Poisson map M with the fibres that F describes.
+///
+/// A crate may not implement [`Lift`] for the `MomentumMap` of its own action, since neither the trait nor the type
+/// constructor is its own. It can implement [`Fibres`] and [`SectionOf`] for a type of its own, and attach that. The
+/// result is a Poisson map as M is, with the lift and the symmetry of F. The law suites check both.
+///
+/// The methods of the traits are generic over the scalar, and a closure is not. So F is a type with methods and no
+/// collection of closures.
+///
+/// # Example
+/// The momentum map of the right action of SE(2) on the plane, J(q, p) = −(q₁p₂ − q₂p₁, p), with the lift of (Π, Γ) for
+/// Γ ≠ 0:
+/// ```
+/// use lie_poisson::{Covector, Pair, Real, SO2OnR2};
+/// use momentum_map::{
+///     AffineAction, Cotangent, Fibres, Lift, LiftError, MomentumMap, Opposite, PoissonMap,
+///     Realisation, SectionOf, SourcePoint, TargetPoint,
+/// };
+/// use nalgebra::{Vector1, Vector2};
+/// type Map = MomentumMap<Opposite<AffineAction<SO2OnR2>>>;
+///
+/// #[derive(Clone)]
+/// struct Lines; // the fibres are the lines q + sp
+/// impl Fibres<Map> for Lines {}
+/// impl SectionOf<Map> for Lines {
+///     fn lift<T: Real>(
+///         &self,
+///         _: &Map,
+///         mu: &TargetPoint<Map, T>,
+///     ) -> Result<SourcePoint<Map, T>, LiftError> {
+///         let Covector(Pair(pi, gamma)) = *mu;
+///         let q = Vector2::new(gamma.y, -gamma.x) * (pi.x / gamma.dot(&gamma));
+///         let z = Cotangent::new(q, Covector(-gamma));
+///         LiftError::unless_finite(z, "Γ", 0.0, "Γ must be different from 0")
+///     }
+/// }
+///
+/// let map = Realisation::new(MomentumMap(Opposite(AffineAction(SO2OnR2))), Lines);
+/// let mu = Covector(Pair(Vector1::new(0.7), Vector2::new(0.6, -0.8)));
+/// assert!((map.apply(&map.lift(&mu)?) - mu).0.0.norm() < 1e-15);
+/// assert!(map.lift(&Covector(Pair(Vector1::new(0.7), Vector2::new(0.0, 0.0)))).is_err());
+/// # Ok::<(), LiftError>(())
+/// ```
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+pub struct Realisation<M, F> {
+    map: M,
+    fibres: F,
+}
+
+impl<M: PoissonMap, F: Fibres<M>> Realisation<M, F> {
+    /// Creates the map M with the fibres that F describes.
+    pub const fn new(map: M, fibres: F) -> Self {
+        Self { map, fibres }
+    }
+
+    /// Returns the map M.
+    pub const fn map(&self) -> &M {
+        &self.map
+    }
+
+    /// Returns the description of the fibres.
+    pub const fn fibres(&self) -> &F {
+        &self.fibres
+    }
+}
+
+impl<M: PoissonMap, F: Fibres<M>> PoissonMap for Realisation<M, F> {
+    type Source = M::Source;
+    type Target = M::Target;
+
+    fn source(&self) -> M::Source {
+        self.map.source()
+    }
+
+    fn target(&self) -> M::Target {
+        self.map.target()
+    }
+
+    #[inline]
+    fn apply<T: Real>(&self, z: &SourcePoint<M, T>) -> TargetPoint<M, T> {
+        self.map.apply::<T>(z)
+    }
+
+    #[inline]
+    fn pull_back<T: Real>(
+        &self,
+        alpha: &TargetDifferential<M, T>,
+        z: &SourcePoint<M, T>,
+    ) -> Differential<M::Source, T> {
+        self.map.pull_back::<T>(alpha, z)
+    }
+
+    #[inline]
+    fn generator<T: Real>(
+        &self,
+        alpha: &TargetDifferential<M, T>,
+        z: &SourcePoint<M, T>,
+    ) -> SourcePoint<M, T> {
+        self.map.generator::<T>(alpha, z)
+    }
+
+    #[inline]
+    fn gauge<T: Real>(&self, z: &SourcePoint<M, T>) -> SourcePoint<M, T> {
+        self.fibres.gauge::<T>(&self.map, z)
+    }
+
+    fn recentred<T: Real>(
+        &self,
+        z: &SourcePoint<M, T>,
+        space: &mut RecentringSpace<T>,
+    ) -> SourcePoint<M, T> {
+        self.fibres.recentred::<T>(&self.map, z, space)
+    }
+}
+
+impl<M: PoissonMap, F: SectionOf<M>> Lift for Realisation<M, F> {
+    fn lift<T: Real>(&self, mu: &TargetPoint<M, T>) -> Result<SourcePoint<M, T>, LiftError> {
+        self.fibres.lift::<T>(&self.map, mu)
+    }
+}
+
+impl<M: PoissonMap, F: SymmetryOf<M>> FibreSymmetry for Realisation<M, F> {
+    const COUNT: usize = F::COUNT;
+
+    fn flow<T: Real>(&self, index: usize, s: T, z: &SourcePoint<M, T>) -> SourcePoint<M, T> {
+        self.fibres.flow::<T>(&self.map, index, s, z)
+    }
+
+    fn momentum<T: Real>(&self, index: usize, z: &SourcePoint<M, T>) -> T {
+        self.fibres.momentum::<T>(&self.map, index, z)
+    }
+}

@@ -1,0 +1,211 @@
+//! The closed forms of actions and of quadratic momentum maps, compared with what follows from `act` by dual numbers.
+
+use crate::support::{holds, laws, samples};
+use lie_poisson::*;
+use momentum_map::*;
+use nalgebra::{Matrix3, SVector, Vector3};
+use proptest::prelude::*;
+
+/// An action of which only `act` is known: generators, momenta and lifts are derived by dual numbers.
+#[derive(Clone)]
+struct Derived<A>(A);
+
+impl<A: GroupAction> GroupAction for Derived<A> {
+    type Group = A::Group;
+    type Space = A::Space;
+    const SIDE: Side = A::SIDE;
+    fn group(&self) -> A::Group {
+        self.0.group()
+    }
+    fn space(&self) -> A::Space {
+        self.0.space()
+    }
+    fn act<T: Real>(&self, g: &ActingElement<A, T>, q: &ActionPoint<A, T>) -> ActionPoint<A, T> {
+        self.0.act::<T>(g, q)
+    }
+}
+
+/// The round-off of sums of a dozen products.
+const ROUND_OFF: f64 = 16.0 * f64::EPSILON;
+
+/// Returns the largest relative difference of the closed forms from the derived ones, at ξ and (q, p).
+fn deviation<A: GroupAction>(action: &A, xi: &Generator<A>, z: &Cotangent<ActionPoint<A>>) -> f64 {
+    let derived = Derived(action.clone());
+    let generator = action.infinitesimal_generator::<f64>(xi, &z.q)
+        - derived.infinitesimal_generator::<f64>(xi, &z.q);
+    let lifted = action.lifted_generator::<f64>(xi, z) - derived.lifted_generator::<f64>(xi, z);
+    let momentum = action.momentum::<f64>(z) - derived.momentum::<f64>(z);
+    let pulled = MomentumMap(action.clone()).pull_back::<f64>(xi, z)
+        - by_dual_numbers(&MomentumMap(derived), xi, z);
+    let (size, speed) = (1.0 + z.max_abs(), xi.max_abs().max(f64::MIN_POSITIVE));
+    let deviations = [
+        generator.max_abs() / (size * speed),
+        lifted.max_abs() / (size * speed),
+        momentum.max_abs() / (size * size),
+        pulled.max_abs() / (size * speed),
+    ];
+    deviations.into_iter().fold(0.0, larger)
+}
+
+/// Returns the pull-back as the transposed tangent map of `apply`.
+fn by_dual_numbers<M: PoissonMap>(
+    map: &M,
+    alpha: &TargetDifferential<M>,
+    z: &SourcePoint<M>,
+) -> Differential<M::Source> {
+    let apply = |z: &SourcePoint<M, DualNumber>| map.apply::<DualNumber>(z);
+    transposed_tangent(apply, z, alpha)
+}
+
+/// Compares the closed forms with the derived ones for the given coordinates, at zero, near it and far from it.
+fn agree<A: GroupAction>(action: &A, coordinates: &[f64]) -> Result<(), TestCaseError> {
+    let at = |i: usize| coordinates[i % coordinates.len()];
+    for (near, far) in [(0.0, 1.0), (1e-8, 1.0), (1.0, 0.0), (1.0, 1e-8), (1.0, 1.0), (50.0, 3.0)] {
+        let xi: Generator<A> = Vector::from_coordinates(|i| near * at(i));
+        let z: Cotangent<ActionPoint<A>> = Vector::from_coordinates(|i| far * at(i + 7));
+        let deviation = deviation(action, &xi, &z);
+        prop_assert!(deviation <= ROUND_OFF, "{near} {far}: {deviation:e}");
+    }
+    Ok(())
+}
+
+/// Compares the forms of an action and of its opposite.
+fn both_sides<A: GroupAction>(action: &A, coordinates: &[f64]) -> Result<(), TestCaseError> {
+    agree(action, coordinates)?;
+    agree(&Opposite(action.clone()), coordinates)
+}
+
+/// The coordinates of ξ, q and p, which are used in turn.
+fn coordinates() -> impl Strategy<Value = Vec<f64>> {
+    prop::collection::vec(-2.0..2.0, 23)
+}
+
+proptest! {
+    #![proptest_config(ProptestConfig { cases: 24, ..ProptestConfig::default() })]
+
+    #[test]
+    fn linear_actions(x in coordinates()) {
+        both_sides(&LinearAction(SO2OnR2), &x)?;
+        both_sides(&LinearAction(SO3OnR3), &x)?;
+        both_sides(&LinearAction(SL2OnR2), &x)?;
+        both_sides(&LinearAction(SU2OnC2), &x)?;
+        both_sides(&LinearAction(UnitaryOnComplexSpace::<2>), &x)?;
+        both_sides(&LinearAction(SP1OnQuaternions::<2>), &x)?;
+        both_sides(&LinearAction(Adjoint(SL2)), &x)?;
+        both_sides(&LinearAction(Sum(SU2OnC2, Adjoint(SU2))), &x)?;
+    }
+
+    #[test]
+    fn affine_actions(x in coordinates()) {
+        both_sides(&AffineAction(SO2OnR2), &x)?;
+        both_sides(&AffineAction(Diagonal::<_, 2>(SO3OnR3)), &x)?;
+        both_sides(&AffineAction(SU2OnC2), &x)?;
+        let inherited = Inherited { quotient: SO3OnR3, representation: SO3OnR3 };
+        both_sides(&AffineAction(inherited), &x)?;
+    }
+
+    #[test]
+    fn actions_on_products(x in coordinates()) {
+        both_sides(&JointAction(LinearAction(SO3OnR3), LinearAction(Adjoint(SO3))), &x)?;
+        both_sides(&ProductAction(AffineAction(SO2OnR2), LinearAction(SU2OnC2)), &x)?;
+        let nested = ProductAction(Opposite(AffineAction(SL2OnR2)), Opposite(LinearAction(SO2OnR2)));
+        both_sides(&nested, &x)?;
+    }
+
+    /// The lift of an action is an action with closed forms of its own.
+    #[test]
+    fn cotangent_lifts(x in coordinates()) {
+        both_sides(&CotangentLift(AffineAction(SO2OnR2)), &x)?;
+        both_sides(&CotangentLift(LinearAction(SO3OnR3)), &x)?;
+    }
+
+    /// J(z) has the components ½ Ω(ξ_P z, z), and its pull-back is the transposed derivative.
+    #[test]
+    fn quadratic_momentum_maps(x in coordinates()) {
+        for side in [Side::Left, Side::Right] {
+            quadratic(&QuadraticMomentumMap::new(So3OnC2, side), &x)?;
+            quadratic(&QuadraticMomentumMap::new(SU2OnC2, side), &x)?;
+            quadratic(&QuadraticMomentumMap::new(UnitaryOnComplexSpace::<3>, side), &x)?;
+            quadratic(&QuadraticMomentumMap::new(Sum(SL2OnR2, Reversed(SL2OnR2)), side), &x)?;
+            quadratic(&QuadraticMomentumMap::new(Diagonal::<_, 3>(SL2OnR2), side), &x)?;
+        }
+    }
+}
+
+fn quadratic<R: SymplecticRepresentation>(
+    map: &QuadraticMomentumMap<R>,
+    coordinates: &[f64],
+) -> Result<(), TestCaseError> {
+    let z: R::Space<f64> = Vector::from_coordinates(|i| coordinates[i % coordinates.len()]);
+    let size = (1.0 + z.max_abs()) * (1.0 + z.max_abs());
+    let j = map.apply::<f64>(&z);
+    for i in 0..<RepresentedElement<R>>::DIM {
+        let xi: RepresentedElement<R> = Vector::basis(i);
+        let component = map.representation().form(&map.generator::<f64>(&xi, &z), &z) * 0.5;
+        let error = (j.coordinate(i) - component).abs() / size;
+        prop_assert!(error <= ROUND_OFF, "component {i}: {error:e}");
+        let pulled = map.pull_back::<f64>(&xi, &z) - by_dual_numbers(map, &xi, &z);
+        prop_assert!(pulled.max_abs() <= ROUND_OFF * size, "pull-back {i}");
+    }
+    let back = map.representation().sharp(&map.representation().flat(&z)) - z;
+    prop_assert_eq!(back.max_abs(), 0.0);
+    Ok(())
+}
+
+/// Rotations with one closed form that has the wrong sign.
+#[derive(Clone)]
+enum Wrong {
+    Generator,
+    Momentum,
+    Lift,
+}
+
+impl GroupAction for Wrong {
+    type Group = SO3;
+    type Space = RealSpace<3>;
+    const SIDE: Side = Side::Left;
+    fn group(&self) -> SO3 {
+        SO3
+    }
+    fn space(&self) -> RealSpace<3> {
+        RealSpace
+    }
+    fn act<T: Real>(&self, g: &Matrix3<T>, q: &Vector3<T>) -> Vector3<T> {
+        g * q
+    }
+    fn infinitesimal_generator<T: Real>(&self, xi: &Vector3<T>, q: &Vector3<T>) -> Vector3<T> {
+        if matches!(self, Self::Generator) { q.cross(xi) } else { xi.cross(q) }
+    }
+    fn momentum<T: Real>(&self, z: &Cotangent<SVector<T, 3>>) -> Covector<Vector3<T>> {
+        let j = Covector(z.q.cross(&z.p.0));
+        if matches!(self, Self::Momentum) { -j } else { j }
+    }
+    fn lifted_generator<T: Real>(
+        &self,
+        xi: &Vector3<T>,
+        z: &Cotangent<SVector<T, 3>>,
+    ) -> Cotangent<SVector<T, 3>> {
+        let p = Covector(xi.cross(&z.p.0));
+        Cotangent::new(xi.cross(&z.q), if matches!(self, Self::Lift) { -p } else { p })
+    }
+}
+
+/// A negative control: each closed form with a wrong sign is seen by the comparison and by its own law.
+#[test]
+fn closed_forms_with_a_wrong_sign_are_refused() {
+    let (xi, z): (Vec<Vector3<f64>>, Vec<Cotangent<Vector3<f64>>>) = (samples(), samples());
+    for wrong in [Wrong::Generator, Wrong::Momentum, Wrong::Lift] {
+        assert!(deviation(&wrong, &xi[0], &z[1]) > 0.01);
+    }
+    let report = |action: &Wrong| laws::cotangent_lift(action, &samples(), &samples()).unwrap();
+    let laws = ["momentum", "lifted generator"];
+    for (wrong, broken) in [(Wrong::Momentum, laws[0]), (Wrong::Lift, laws[1])] {
+        let report = report(&wrong);
+        for law in laws {
+            assert_eq!(report.residual(law).unwrap() > 0.1, law == broken, "{law} of {broken}");
+        }
+    }
+    holds(report(&Wrong::Generator));
+    let generator = laws::group_action(&Wrong::Generator, &samples(), &samples()).unwrap();
+    assert!(generator.residual("generator").unwrap() > 0.1);
+}
