@@ -51,7 +51,10 @@ fn in_place<I: Integrator>(method: &I, mut state: I::State) -> Result<usize, Box
     let mut workspace = method.workspace();
     method.advance(&mut state, 0.01, &mut workspace)?;
     allocations(|| {
-        (0..100).try_for_each(|_| Ok(drop(method.advance(&mut state, 0.01, &mut workspace)?)))
+        for _ in 0..100 {
+            method.advance(&mut state, 0.01, &mut workspace)?;
+        }
+        Ok(())
     })
 }
 

@@ -11,7 +11,7 @@ use collective_integrators::{
 };
 use heavytop::{HeavyTop, HeavyTopSpace, Invariant, SpinorPoint, SpinorRealisation};
 use lie_poisson::{
-    DualNumber, Hamiltonian, LiePoisson, Real, SO3OnR3, Se3Dual, SemidirectAlgebra, Vector,
+    DualNumber, Hamiltonian, LiePoisson, Real, SO3OnR3, Se3Dual, SemidirectAlgebra, State, Vector,
 };
 use momentum_map::{
     CollectiveHamiltonian, DualQuaternions, FibreSymmetry, Lift, LiftError, PoissonMap,
@@ -161,9 +161,9 @@ fn symmetric_methods_are_reversible() -> Outcome {
 struct Stretched(RungeKutta);
 
 impl Scheme for Stretched {
-    type Workspace<V: Vector> = StageSpace<V>;
+    type Workspace<V: State> = StageSpace<V>;
 
-    fn workspace<V: Vector>(&self) -> StageSpace<V> {
+    fn workspace<V: State>(&self) -> StageSpace<V> {
         self.0.workspace()
     }
 
@@ -175,8 +175,8 @@ impl Scheme for Stretched {
         workspace: &mut StageSpace<F::Point>,
     ) -> Result<Step<F::Point>, StepError> {
         let mut next = self.0.increment(field, z, step, workspace)?;
-        let end = *z + next.point;
-        next.point.add_scaled(end.coordinate(0) * step, &Vector::basis(0));
+        let (first, change) = (z.entry(0), next.point.entry(0));
+        next.point.set_entry(0, change + (first + change) * step);
         Ok(next)
     }
 

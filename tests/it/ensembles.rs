@@ -39,7 +39,7 @@ type Failures = Vec<(usize, u64)>;
 /// Returns the bits of all members after some steps over the SIMD lanes T, and which member failed at which step.
 fn advanced<I, T>(integrator: I, members: &[State<I>], h: f64, n: u64) -> (Vec<Vec<u64>>, Failures)
 where
-    I: Integrator<f64> + Integrator<T> + Sync,
+    I: Integrator<f64, State: Vector> + Integrator<T, State: Vector> + Sync,
     T: Lanes,
 {
     let laned = Laned::<I, T>::with_lanes(integrator);
@@ -59,7 +59,7 @@ fn alone<I>(
     n: u64,
 ) -> (Vec<Vec<u64>>, Failures, BTreeSet<usize>)
 where
-    I: Integrator<f64>,
+    I: Integrator<f64, State: Vector>,
 {
     let (mut ends, mut failures, mut iterations) = (Vec::new(), Vec::new(), BTreeSet::new());
     for (i, member) in members.iter().enumerate() {

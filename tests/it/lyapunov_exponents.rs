@@ -160,7 +160,7 @@ fn at_equilibrium<I, const K: usize>(
     state: <I as Integrator>::State,
 ) -> Outcome<[f64; K]>
 where
-    I: Integrator + Integrator<DualNumber>,
+    I: Integrator<State: Vector> + Integrator<DualNumber, State: Vector>,
 {
     let basis = core::array::from_fn(Vector::basis);
     let mut flow = VariationalFlow::<_, K>::new(integrator, state, basis, 0.1);

@@ -47,7 +47,7 @@ fn direct(s: usize) -> Direct<RungeKutta, Field> {
 /// Returns the number of iterations of some steps, and the last momentum.
 fn run<I>(integrator: &I, h: f64, steps: usize, forget: bool) -> (f64, Se3Dual)
 where
-    I: Start<f64, Momentum = Se3Dual>,
+    I: Start<f64, State: Vector, Momentum = Se3Dual>,
 {
     let mut workspace = integrator.workspace();
     let mut state = integrator.start(&tops::paper_start()).unwrap();
@@ -64,7 +64,7 @@ where
 }
 
 /// Returns the iterations with guesses, divided by those without; the runs agree up to the growth of round-off.
-fn ratio<I: Start<f64, Momentum = Se3Dual>>(integrator: &I, h: f64) -> f64 {
+fn ratio<I: Start<f64, State: Vector, Momentum = Se3Dual>>(integrator: &I, h: f64) -> f64 {
     let ((warm, a), (cold, b)) = (run(integrator, h, 500, false), run(integrator, h, 500, true));
     assert!((a - b).max_abs() < 1e-11, "{:e}", (a - b).max_abs());
     warm / cold
@@ -146,7 +146,11 @@ fn a_wrong_memory_costs_iterations_and_no_digits() {
 }
 
 /// Returns whether the run that is resumed from the sample with this number continues bit for bit.
-fn resumes<I: Start<f64, Momentum = Se3Dual>>(integrator: &I, h: f64, number: u64) -> bool {
+fn resumes<I: Start<f64, State: Vector, Momentum = Se3Dual>>(
+    integrator: &I,
+    h: f64,
+    number: u64,
+) -> bool {
     let whole = integrator.trajectory(&tops::paper_start(), h).unwrap();
     let mut whole = whole.skip(usize::try_from(number).unwrap());
     let saved = whole.next().unwrap().unwrap();

@@ -50,7 +50,7 @@ fn spectrum<I, const K: usize>(
     steps: usize,
 ) -> Result<[f64; K], Box<dyn Error>>
 where
-    I: Integrator + Integrator<DualNumber>,
+    I: Integrator<State: Vector> + Integrator<DualNumber, State: Vector>,
 {
     let mut items = LyapunovExponents::<_, K>::new(integrator, start, step);
     let last = items.nth(steps - 1).ok_or("no item")??;

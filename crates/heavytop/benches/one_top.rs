@@ -12,7 +12,7 @@ use collective_integrators::{
 use criterion::measurement::WallTime;
 use criterion::{BenchmarkGroup, Criterion, Throughput, criterion_group, criterion_main};
 use heavytop::{CollectiveGauss, HeavyTop, SpinorRealisation, SymmetricTopSplitting};
-use lie_poisson::{InstructionSet, LiePoisson, Se3, Se3Dual};
+use lie_poisson::{InstructionSet, LiePoisson, Se3, Se3Dual, Vector};
 use momentum_map::DualQuaternions;
 use nalgebra::Vector3;
 use std::hint::black_box;
@@ -38,7 +38,7 @@ fn direct(scheme: RungeKutta) -> Direct<RungeKutta, HamiltonianField<LiePoisson<
 }
 
 /// Times so many steps of an integrator.
-fn time<I: Start<f64, Momentum = Se3Dual>>(
+fn time<I: Start<f64, State: Vector, Momentum = Se3Dual>>(
     group: &mut BenchmarkGroup<'_, WallTime>,
     name: &str,
     integrator: &I,
