@@ -49,10 +49,10 @@ fn allocations(f: impl FnOnce() -> Result<(), Box<dyn Error>>) -> Result<usize, 
 /// Returns the number of allocations of 100 steps in place, after one step that may allocate.
 fn in_place<I: Integrator>(method: &I, mut state: I::State) -> Result<usize, Box<dyn Error>> {
     let mut workspace = method.workspace();
-    method.advance(&mut state, 0.01, &mut workspace)?;
+    method.step_in_place(&mut state, 0.01, &mut workspace)?;
     allocations(|| {
         for _ in 0..100 {
-            method.advance(&mut state, 0.01, &mut workspace)?;
+            method.step_in_place(&mut state, 0.01, &mut workspace)?;
         }
         Ok(())
     })

@@ -75,13 +75,13 @@ where
     }
 
     #[inline]
-    fn advance(
+    fn step_in_place(
         &self,
         state: &mut F::Point,
         step: f64,
         workspace: &mut Self::Workspace,
     ) -> Result<usize, StepError> {
-        self.scheme.advance(&self.field, state, step, workspace)
+        self.scheme.step_in_place(&self.field, state, step, workspace)
     }
 
     #[inline]

@@ -44,7 +44,7 @@ pub trait Integrator<T: Real = f64> {
     /// # Errors
     /// Returns the errors of [`step`](Self::step). The state is not changed then.
     #[inline]
-    fn advance(
+    fn step_in_place(
         &self,
         state: &mut Self::State,
         step: f64,
@@ -232,7 +232,7 @@ pub const CHECKPOINT: u64 = 1024;
 /// cannot lose it. The iterator never returns `None`. Bound it by `take`, and leave a loop at the first error, as `?`
 /// and `collect::<Result<…>>` do. Adaptors that skip errors, such as `flatten`, look for the next sample for ever.
 /// [`Start::after`](crate::Start::after) returns one sample. After the first item nothing is allocated, except for states on the
-/// heap: each sample has a state of its own. [`Integrator::advance`] makes steps of such states in place.
+/// heap: each sample has a state of its own. [`Integrator::step_in_place`] makes steps of such states in place.
 ///
 /// A run can be [resumed](Integrator::trajectory_resumed) from any of its samples. From a sample whose number is a
 /// multiple of [`CHECKPOINT`] it continues bit for bit as if it had not been interrupted.

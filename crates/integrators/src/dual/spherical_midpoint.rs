@@ -163,7 +163,7 @@ where
     }
 
     #[inline]
-    fn advance(
+    fn step_in_place(
         &self,
         w: &mut F::Point,
         step: f64,

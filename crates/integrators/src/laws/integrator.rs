@@ -10,7 +10,7 @@ use lie_poisson::Vector;
 /// Evaluates the laws of an integrator on samples of states, for one step size:
 ///
 /// * `step of size 0`: a step of size 0 keeps μ;
-/// * `step in place`: [`advance`](Integrator::advance) has the bits of the step, and a step that fails changes nothing;
+/// * `step in place`: [`step_in_place`](Integrator::step_in_place) has the bits of the step, and a step that fails changes nothing;
 /// * `samples`: sample n of a trajectory has the number n, the time nh and the momentum of its state;
 /// * `forgetting`: after [`forget`](Integrator::forget) a used workspace gives the bits of a new one;
 /// * `resumption`: a trajectory resumed at a [`CHECKPOINT`] has the bits of the uninterrupted one;
@@ -69,10 +69,10 @@ fn in_place<I: Integrator<State: Vector, Momentum: Vector>>(
 ) {
     let end = point_or_nan(integrator.step(state, step, &mut integrator.workspace()));
     let (mut z, workspace) = (*state, &mut integrator.workspace());
-    let made = integrator.advance(&mut z, step, workspace).is_ok();
+    let made = integrator.step_in_place(&mut z, step, workspace).is_ok();
     report.note("step in place", different_bits(&z, &end) + broken_unless(made), 1.0);
     let mut kept = *state;
-    let refused = integrator.advance(&mut kept, f64::NAN, workspace).is_err();
+    let refused = integrator.step_in_place(&mut kept, f64::NAN, workspace).is_err();
     let changed = if refused { different_bits(&kept, state) } else { 0.0 };
     report.note("step in place", changed, 1.0);
 }

@@ -14,7 +14,7 @@ type State<T = f64> = Cotangent<Vector2<T>>;
 ///
 /// * `step of size 0`: Φ₀ = id;
 /// * `step and increment`: the bits of a step are those of z + increment;
-/// * `step in place`: [`advance`](Scheme::advance) has the bits of the step, and a step that fails changes nothing;
+/// * `step in place`: [`step_in_place`](Scheme::step_in_place) has the bits of the step, and a step that fails changes nothing;
 /// * `refined increment`: δz + δe is the increment, to round-off;
 /// * `order`: the residual is the shortfall of the measured order from [`order`](Scheme::order), less 0.3 for the
 ///   accuracy of the fit (an order that [cannot be measured](MeasuredScheme::order) is not refuted);
@@ -86,10 +86,10 @@ fn single_steps<S: Scheme>(scheme: &S, report: &mut Report) {
 fn in_place<S: Scheme>(scheme: &S, end: &State, report: &mut Report) {
     let mut z = GenericSystem::start::<f64>();
     let workspace = &mut scheme.workspace();
-    let advanced = scheme.advance(&GenericSystem::field(), &mut z, STEP, workspace);
+    let advanced = scheme.step_in_place(&GenericSystem::field(), &mut z, STEP, workspace);
     report.note("step in place", different_bits(&z, end) + broken_unless(advanced.is_ok()), 1.0);
     let (mut kept, field) = (z, from_fn(|_: &State| constant::<State>(f64::NAN)));
-    let refused = scheme.advance(&field, &mut kept, STEP, workspace).is_err();
+    let refused = scheme.step_in_place(&field, &mut kept, STEP, workspace).is_err();
     report.note("step in place", different_bits(&kept, &z) + broken_unless(refused), 1.0);
 }
 

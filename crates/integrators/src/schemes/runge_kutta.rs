@@ -328,7 +328,7 @@ impl Scheme for RungeKutta {
 
     /// Makes the step in the place of z, without an allocation.
     #[inline]
-    fn advance<T: Real, F: VectorField<T>>(
+    fn step_in_place<T: Real, F: VectorField<T>>(
         &self,
         field: &F,
         z: &mut F::Point,

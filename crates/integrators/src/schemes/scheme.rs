@@ -72,7 +72,7 @@ pub trait Scheme: Clone {
         Ok(Step { point: Pair(point, exact), iterations })
     }
 
-    /// Returns the step Φ_h(z). Allocates nothing but a point on the heap; see [`advance`](Self::advance).
+    /// Returns the step Φ_h(z). Allocates nothing but a point on the heap; see [`step_in_place`](Self::step_in_place).
     ///
     /// # Errors
     /// Returns a [`StepError`] if stage equations are not solved, or if the result is not finite. Nothing but the
@@ -98,7 +98,7 @@ pub trait Scheme: Clone {
     /// # Errors
     /// Returns the errors of [`step`](Self::step). The point z is not changed then.
     #[inline]
-    fn advance<T: Real, F: VectorField<T>>(
+    fn step_in_place<T: Real, F: VectorField<T>>(
         &self,
         field: &F,
         z: &mut F::Point,

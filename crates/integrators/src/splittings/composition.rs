@@ -155,7 +155,9 @@ impl<T: Real, I: Integrator<T>> Integrator<T> for Composition<I> {
         step: f64,
         workspace: &mut I::Workspace,
     ) -> Result<Step<I::State>, StepError> {
-        self.chain(state.clone(), step, |state, step| self.base.advance(state, step, workspace))
+        self.chain(state.clone(), step, |state, step| {
+            self.base.step_in_place(state, step, workspace)
+        })
     }
 
     #[inline]

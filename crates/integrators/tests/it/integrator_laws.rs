@@ -289,7 +289,7 @@ impl Scheme for FaultyScheme {
         }
     }
 
-    fn advance<T: Real, F: VectorField<T>>(
+    fn step_in_place<T: Real, F: VectorField<T>>(
         &self,
         field: &F,
         z: &mut F::Point,
@@ -430,7 +430,12 @@ impl Integrator for FaultyIntegrator {
         if *self == Self::ReturnsNaN { Ok(next) } else { next.finite() }
     }
 
-    fn advance(&self, z: &mut Vector2<f64>, step: f64, made: &mut u32) -> Result<usize, StepError> {
+    fn step_in_place(
+        &self,
+        z: &mut Vector2<f64>,
+        step: f64,
+        made: &mut u32,
+    ) -> Result<usize, StepError> {
         let scale = if *self == Self::AdvancesElsewhere { 2.0 } else { 1.0 };
         let Step { point, iterations } = self.step(&(*z * scale), step, made)?;
         *z = point;

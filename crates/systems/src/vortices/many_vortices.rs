@@ -33,7 +33,7 @@ use nalgebra::Vector3;
 /// let midpoint = SphericalMidpoint::new(vortices.clone());
 /// let mut workspace = Integrator::<f64>::workspace(&midpoint);
 /// for _ in 0..100 {
-///     midpoint.advance(&mut m, 0.01, &mut workspace)?;
+///     midpoint.step_in_place(&mut m, 0.01, &mut workspace)?;
 /// }
 /// assert!(vortices.positions(&m).all(|x| (x.z - 0.8).abs() < 1e-13));
 /// # Ok::<(), Box<dyn std::error::Error>>(())

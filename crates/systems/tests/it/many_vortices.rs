@@ -39,7 +39,7 @@ fn same_bits(
     for _ in 0..50 {
         let next = few.step(&m, size, &mut spaces.0).unwrap();
         let by_value = many.step(&in_place, size, &mut spaces.1).unwrap();
-        let iterations = many.advance(&mut in_place, size, &mut spaces.2).unwrap();
+        let iterations = many.step_in_place(&mut in_place, size, &mut spaces.2).unwrap();
         m = next.point;
         assert_eq!(m.0.0[..], in_place.0[..]);
         assert_eq!(by_value.point, in_place);
@@ -101,13 +101,16 @@ fn a_hundred_vortices_keep_their_invariants() {
     };
     let midpoint = SphericalMidpoint::new(vortices.clone());
     let (off, moved, energy) = drifts(&|m| {
-        midpoint.advance(m, 0.01, &mut Integrator::<f64>::workspace(&midpoint)).map(drop).unwrap();
+        midpoint
+            .step_in_place(m, 0.01, &mut Integrator::<f64>::workspace(&midpoint))
+            .map(drop)
+            .unwrap();
     });
     assert!(off < 1e-13 && moved < 1e-11 && energy < 1e-4, "{off:e} {moved:e} {energy:e}");
     // control: an explicit method leaves the spheres
     let euler = Direct::new(RungeKutta::explicit_midpoint(), vortices.clone());
     let (off, ..) = drifts(&|m| {
-        euler.advance(m, 0.01, &mut Integrator::<f64>::workspace(&euler)).map(drop).unwrap();
+        euler.step_in_place(m, 0.01, &mut Integrator::<f64>::workspace(&euler)).map(drop).unwrap();
     });
     assert!(off > 1e-9, "{off:e}");
 }
