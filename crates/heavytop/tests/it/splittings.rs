@@ -61,7 +61,7 @@ where
     worst
 }
 
-fn measured_order<I: Integrator>(
+fn measured_order<I: Integrator<State: Vector>>(
     scheme: &I,
     z: I::State,
     exact: I::State,

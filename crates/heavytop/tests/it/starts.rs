@@ -37,7 +37,7 @@ fn refused_as(error: RunError, at: usize) -> bool {
     matches!(error, RunError::Integration(e) if e.step == 1 && names(e.source, at))
 }
 
-fn refuses<I: Start<Momentum = Se3Dual>>(name: &str, integrator: &I) {
+fn refuses<I: Start<State: Vector, Momentum = Se3Dual>>(name: &str, integrator: &I) {
     for (coordinate, mu) in bad_starts() {
         let refused =
             [integrator.trajectory(&mu, 0.02).err(), integrator.after(&mu, 0.02, 3).err()];
@@ -118,7 +118,7 @@ fn every_ensemble_refuses_members_that_are_not_finite() {
 fn tangent_vectors_are_not_carried_from_a_start_that_is_not_finite() {
     fn refuses<I>(integrator: &I)
     where
-        I: Integrator<State = Se3Dual> + Integrator<DualNumber>,
+        I: Integrator<State = Se3Dual> + Integrator<DualNumber, State: Vector>,
     {
         for (coordinate, mu) in bad_starts() {
             let mut flow = VariationalFlow::new(integrator, mu, [Se3Dual::basis(0)], 0.02);

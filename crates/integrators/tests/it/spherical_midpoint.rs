@@ -131,7 +131,7 @@ fn it_is_a_symmetric_poisson_map_of_order_two() {
     };
     let general = Covector(Power([Vector3::new(1.1, -0.3, 0.4), Vector3::new(0.2, 0.7, -0.5)]));
     for w in [start(), general] {
-        let poisson = defect(&|w| method.step(w, 0.2, &mut ()).unwrap().point, w);
+        let poisson = defect(&|w| method.step(w, 0.2, &mut method.workspace()).unwrap().point, w);
         assert!(poisson < 1e-13, "{poisson:e}");
         // Negative control: the midpoint rule applied directly.
         let direct = Direct::new(RungeKutta::implicit_midpoint(), field);
@@ -152,5 +152,8 @@ fn it_is_a_symmetric_poisson_map_of_order_two() {
 fn a_vanishing_spin_is_refused() {
     let method = spherical(Homogeneous);
     let zero: W = Covector(Power([Vector3::<f64>::zeros(), Vector3::x()]));
-    assert!(matches!(method.step(&zero, 0.1, &mut ()), Err(StepError::NotConverged { .. })));
+    assert!(matches!(
+        method.step(&zero, 0.1, &mut method.workspace()),
+        Err(StepError::NotConverged { .. })
+    ));
 }
