@@ -8,14 +8,14 @@
 use collective_integrators::{Collective, Integrator, RungeKutta};
 use lie_poisson::laws::{lie_algebra, lie_group};
 use lie_poisson::*;
-use momentum_map::laws::{equivariance, group_action, poisson_map};
+use momentum_map::laws::{cotangent_lift, equivariance, group_action, poisson_map};
 use momentum_map::*;
 use nalgebra::{Vector2, Vector3};
+type Phase<T> = Cotangent<Vector2<T>>;
 
-/// The algebra, its group and the action, all in one: a unit struct is enough.
+/// The algebra, its group and the action, all in one.
 #[derive(Clone)]
 pub struct Poincare;
-
 /// Boosts commute with each other, and mix the two translations: [K, H] = P, [K, P] = H.
 impl LieAlgebra for Poincare {
     type Element<T: Real> = Vector3<T>; // (boost, time translation, space translation)
@@ -59,8 +59,17 @@ impl LieGroup for Poincare {
     }
 }
 
-/// The right action q ↦ Λ(−θ)(q − a). Its generators, its cotangent lift and its momentum map
-/// need not be written.
+/// An energy, one formula for all scalars; its differential is taken by dual numbers.
+pub struct Rotor;
+impl Energy for Rotor {
+    type Space = LiePoisson<Poincare>;
+    fn energy<T: Real>(&self, Covector(j): &Covector<Vector3<T>>) -> T {
+        j.x * j.x * 0.5 + j.y * j.y + j.z * j.z * 0.5 + j.x * j.z * 0.3 + j.y
+    }
+}
+
+/// The right action q ↦ Λ(−θ)(q − a). `act` is enough: its generators, its cotangent lift and its
+/// momentum map follow. The second stage writes them by hand, for speed; the laws compare both.
 impl GroupAction for Poincare {
     type Group = Self;
     type Space = RealSpace<2>;
@@ -74,15 +83,12 @@ impl GroupAction for Poincare {
     fn act<T: Real>(&self, g: &Vector3<T>, q: &Vector2<T>) -> Vector2<T> {
         boost(-g.x, q - g.yz())
     }
-}
-
-/// An energy, one formula for all scalars; its differential is taken by dual numbers.
-pub struct Rotor;
-
-impl Energy for Rotor {
-    type Space = LiePoisson<Poincare>;
-    fn energy<T: Real>(&self, Covector(j): &Covector<Vector3<T>>) -> T {
-        j.x * j.x * 0.5 + j.y * j.y + j.z * j.z * 0.5 + j.x * j.z * 0.3 + j.y
+    fn momentum<T: Real>(&self, z: &Phase<T>) -> Covector<Vector3<T>> {
+        let (q, Covector(p)) = (&z.q, &z.p);
+        Covector(-Vector3::new(p.x * q.y + p.y * q.x, p.x, p.y))
+    }
+    fn lifted_generator<T: Real>(&self, xi: &Vector3<T>, z: &Phase<T>) -> Phase<T> {
+        Cotangent::new(-(z.q.yx() * xi.x + xi.yz()), Covector(z.p.0.yx() * xi.x))
     }
 }
 
@@ -92,26 +98,21 @@ fn the_laws_hold() -> Result<(), Box<dyn std::error::Error>> {
     let points = samples.map(|s| Cotangent::new(s.xy(), Covector(s.zx())));
     lie_algebra(&Poincare, &samples)?.check(1e-14)?;
     lie_group(&Poincare, &samples)?.check(1e-14)?;
-    let positions = samples.map(|s| s.xy());
-    group_action(&Poincare, &samples, &positions)?.check(1e-14)?;
+    group_action(&Poincare, &samples, &samples.map(|s| s.xy()))?.check(1e-14)?;
+    cotangent_lift(&Poincare, &samples, &points)?.check(1e-14)?;
     equivariance(&Poincare, &samples, &points)?.check(1e-14)?;
-    poisson_map(&MomentumMap(Poincare), &points)?.check(1e-14)?;
-    Ok(())
+    Ok(poisson_map(&MomentumMap(Poincare), &points)?.check(1e-14)?)
 }
 
 #[test]
 fn the_mass_is_conserved_to_round_off() -> Result<(), Box<dyn std::error::Error>> {
     let gauss = Collective::new(RungeKutta::gauss(3)?, MomentumMap(Poincare), Automatic(Rotor));
     let start = Cotangent::new(Vector2::new(0.4, -0.2), Covector(Vector2::new(0.3, 0.8)));
-    let mass = |j: &Vector3<f64>| j.y * j.y - j.z * j.z;
-    let samples: Vec<_> =
-        gauss.trajectory_from(start, 0.05).take(1001).collect::<Result<_, _>>()?;
-    let (first, last) = (samples[0].momentum, samples[1000].momentum);
-    assert!((first - last).0.norm() > 0.1, "it moves");
-    for sample in &samples {
-        assert!((mass(&sample.momentum.0) - mass(&first.0)).abs() < 1e-13);
+    let (first, mass) = (Poincare.momentum(&start), |j: &Vector3<f64>| j.y * j.y - j.z * j.z);
+    for sample in gauss.trajectory_from(start, 0.05).take(100_001) {
+        let j = sample?.momentum;
+        assert!((mass(&j.0) - mass(&first.0)).abs() < 1e-12);
+        assert!((Rotor.energy(&j) - Rotor.energy(&first)).abs() < 1e-8); // of order 6
     }
-    let h = |j: &Covector<Vector3<f64>>| Rotor.energy(j);
-    assert!((h(&last) - h(&first)).abs() < 1e-8); // near-conservation, of order 6
     Ok(())
 }

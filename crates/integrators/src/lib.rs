@@ -41,8 +41,9 @@
 //! | an explicit method for a Hamiltonian that does not separate | [`TaoFlows`] |
 //! | the semiexplicit method for such a Hamiltonian | [`Tableau::semiexplicit`] |
 //! | a method for spins on spheres | [`SphericalMidpoint`] |
+//! | steps in place, for states of any size | [`Integrator::step_in_place`], [`Scheme::step_in_place`] |
 //! | the vector field of a closure, or of a Hamiltonian | [`from_fn`], [`HamiltonianField`] |
-//! | a vector field over every scalar | [`VectorField`] |
+//! | a vector field over every scalar, or of points on the heap | [`VectorField`] |
 //! | a scheme or an integrator of your own | [`Scheme`], [`Equivariant`]; [`Integrator`], [`StateIsMomentum`] |
 //! | other settings for the stage equations | [`StageSolver`] |
 //! | smaller rounding errors in long runs | [`Compensated`] |
