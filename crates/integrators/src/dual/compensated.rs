@@ -105,8 +105,8 @@ pub(crate) fn add_compensated<V: State>(
     let [mut change, mut lost, mut next, mut spare] = [(); 4].map(|()| V::take(pool, z));
     two_sum(dz, e, &mut change, &mut lost, &mut spare);
     two_sum(z, &change, &mut next, e, &mut spare);
-    lost.add(de);
-    e.add(&lost);
+    lost.add_in_place(de);
+    e.add_in_place(&lost);
     z.move_from(&mut next);
     for vector in [change, lost, next, spare] {
         vector.give(pool);

@@ -204,7 +204,7 @@ impl<P: Polarisation> Scheme for PartitionedRungeKutta<P> {
         let (mut point, mut spare) = (F::Point::take(pool, z), F::Point::take(pool, z));
         let derivative = |i: usize, k: &[F::Point], _: MaskOf<F::Point>, value: &mut F::Point| {
             Self::set_sum(&mut point, step, (self.q.row(i), self.p.row(i)), k, pool);
-            point.add(z);
+            point.add_in_place(z);
             field.at_into(&point, value);
         };
         let scale = StageScale::new(z, step);
@@ -216,6 +216,14 @@ impl<P: Polarisation> Scheme for PartitionedRungeKutta<P> {
         Self::set_sum(&mut point, step, (self.q.weights(), self.p.weights()), k, pool);
         memory.end_after(z, &point);
         Ok(Step { point, iterations })
+    }
+
+    #[inline]
+    fn temporaries<'a, V: State>(
+        &self,
+        workspace: &'a mut PartitionedSpace<V>,
+    ) -> Option<&'a mut V::Pool> {
+        Some(&mut workspace.pool)
     }
 
     #[inline]

@@ -181,7 +181,7 @@ impl RungeKutta {
                 stage.add_combination(after, &k[i..]);
                 stage.add_combination(before, k);
                 stage.scale(h);
-                stage.add(z);
+                stage.add_in_place(z);
                 field.at_into(&stage, value);
                 stage.give(pool);
             };
@@ -227,7 +227,7 @@ impl RungeKutta {
         for (i, row) in self.tableau.rows().enumerate() {
             set_combination(&mut stage, &row[..i], k);
             stage.scale(T::from_f64(step));
-            stage.add(z);
+            stage.add_in_place(z);
             field.at_into(&stage, &mut k[i]);
         }
         stage.give(pool);
@@ -326,23 +326,12 @@ impl Scheme for RungeKutta {
         Ok(Step { point: Pair(change, lost), iterations })
     }
 
-    /// Makes the step in the place of z, without an allocation.
     #[inline]
-    fn step_in_place<T: Real, F: VectorField<T>>(
+    fn temporaries<'a, V: State>(
         &self,
-        field: &F,
-        z: &mut F::Point,
-        step: f64,
-        workspace: &mut StageSpace<F::Point>,
-    ) -> Result<usize, StepError> {
-        let Step { point: mut end, iterations } = self.increment(field, z, step, workspace)?;
-        end.add(z);
-        let finite = end.all_finite();
-        if finite {
-            z.move_from(&mut end);
-        }
-        end.give(&mut workspace.pool);
-        if finite { Ok(iterations) } else { Err(StepError::NotFinite) }
+        workspace: &'a mut StageSpace<V>,
+    ) -> Option<&'a mut V::Pool> {
+        Some(&mut workspace.pool)
     }
 
     #[inline]

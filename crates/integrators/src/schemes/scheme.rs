@@ -86,14 +86,13 @@ pub trait Scheme: Clone {
         workspace: &mut Self::Workspace<F::Point>,
     ) -> Result<Step<F::Point>, StepError> {
         let Step { mut point, iterations } = self.increment(field, z, step, workspace)?;
-        point.add(z);
+        point.add_in_place(z);
         Step { point, iterations }.finite()
     }
 
     /// Makes the step Φ_h in the place of z, and returns the number of iterations.
     ///
-    /// The default calls [`step`](Self::step). A scheme for large points overrides it, so that no step after the first
-    /// allocates.
+    /// With a pool of [`temporaries`](Self::temporaries) no step after the first allocates.
     ///
     /// # Errors
     /// Returns the errors of [`step`](Self::step). The point z is not changed then.
@@ -105,9 +104,22 @@ pub trait Scheme: Clone {
         step: f64,
         workspace: &mut Self::Workspace<F::Point>,
     ) -> Result<usize, StepError> {
-        let Step { point, iterations } = self.step(field, z, step, workspace)?;
-        *z = point;
+        let Step { point: mut end, iterations } = self.step(field, z, step, workspace)?;
+        z.move_from(&mut end);
+        give(self, workspace, end);
         Ok(iterations)
+    }
+
+    /// Returns the pool of temporary vectors of a workspace, to which a caller may give the storage of points that
+    /// [`increment`](Self::increment) has returned.
+    ///
+    /// The default returns `None`, for schemes that keep no temporary vectors.
+    #[inline]
+    fn temporaries<'a, V: State>(
+        &self,
+        _workspace: &'a mut Self::Workspace<V>,
+    ) -> Option<&'a mut V::Pool> {
+        None
     }
 
     /// Makes the workspace forget the steps before, from which an implicit method predicts its stages.
@@ -135,6 +147,23 @@ pub trait Scheme: Clone {
     /// Hairer, Lubich & Wanner, Thms. IV.2.2, IV.2.3 and VI.4.3.
     fn preserves_quadratic_invariants(&self) -> bool {
         false
+    }
+}
+
+/// Takes a temporary vector of the space of z from the pool of a workspace, if there is one.
+#[inline]
+pub(crate) fn take<S: Scheme, V: State>(scheme: &S, workspace: &mut S::Workspace<V>, z: &V) -> V {
+    match scheme.temporaries(workspace) {
+        Some(pool) => V::take(pool, z),
+        None => V::take(&mut V::Pool::default(), z),
+    }
+}
+
+/// Gives a vector back to the pool of a workspace, if there is one.
+#[inline]
+pub(crate) fn give<S: Scheme, V: State>(scheme: &S, workspace: &mut S::Workspace<V>, v: V) {
+    if let Some(pool) = scheme.temporaries(workspace) {
+        v.give(pool);
     }
 }
 

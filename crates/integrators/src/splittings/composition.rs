@@ -1,5 +1,6 @@
 //! Composition methods: [`Composition`].
 
+use crate::schemes::scheme::{give, take};
 use crate::{
     Equivariant, Increment, Integrator, Scheme, Start, Step, StepError, Substeps, VectorField,
     compensated_sum,
@@ -87,11 +88,16 @@ impl<S: Scheme> Scheme for Composition<S> {
         step: f64,
         workspace: &mut Self::Workspace<F::Point>,
     ) -> Result<Step<F::Point>, StepError> {
-        self.chain(z.zeros_like(), step, |sum: &mut F::Point, step| {
-            let mut from = z.clone();
-            from.add(sum);
+        let mut zero = take(&self.base, workspace, z);
+        zero.set_zero();
+        self.chain(zero, step, |sum: &mut F::Point, step| {
+            let mut from = take(&self.base, workspace, z);
+            from.assign(z);
+            from.add_in_place(sum);
             let Step { point, iterations } = self.base.increment(field, &from, step, workspace)?;
-            sum.add(&point);
+            sum.add_in_place(&point);
+            give(&self.base, workspace, from);
+            give(&self.base, workspace, point);
             Ok(iterations)
         })
     }
@@ -109,11 +115,19 @@ impl<S: Scheme> Scheme for Composition<S> {
         let zero = Pair(z.zeros_like(), z.zeros_like());
         self.chain(zero, step, |sum: &mut Pair<F::Point, F::Point>, step| {
             let mut from = z.clone();
-            from.add(&sum.0);
+            from.add_in_place(&sum.0);
             let next = self.base.refined_increment(field, &from, step, workspace)?;
             *sum = compensated_sum(sum, &next.point);
             Ok(next.iterations)
         })
+    }
+
+    #[inline]
+    fn temporaries<'a, V: State>(
+        &self,
+        workspace: &'a mut Self::Workspace<V>,
+    ) -> Option<&'a mut V::Pool> {
+        self.base.temporaries(workspace)
     }
 
     #[inline]

@@ -79,10 +79,10 @@ impl<T: Real, F: VectorField<T>, P: Polarisation> ExactFlows<T> for TaoFlows<F, 
             2 => {
                 let (sin, cos) = (2.0 * self.binding * time).sin_cos();
                 let (both, mut apart) = (sum(first, second), first.clone());
-                apart.subtract(second);
+                apart.subtract_in_place(second);
                 let turned = turn::<P, F::Point>(&apart, sin, cos);
                 let (mut first, mut second) = (sum(&both, &turned), both);
-                second.subtract(&turned);
+                second.subtract_in_place(&turned);
                 first.scale(T::from_f64(0.5));
                 second.scale(T::from_f64(0.5));
                 Pair(first, second)
@@ -109,7 +109,7 @@ impl<F, P: Polarisation> TaoFlows<F, P> {
 #[inline]
 fn sum<V: State>(v: &V, w: &V) -> V {
     let mut sum = v.clone();
-    sum.add(w);
+    sum.add_in_place(w);
     sum
 }
 

@@ -102,7 +102,7 @@ impl<V: State> StageHistory<V> {
     pub(crate) fn end_after(&mut self, z: &V, change: &V) {
         self.end_at(z);
         if let Some(end) = &mut self.end {
-            end.add(change);
+            end.add_in_place(change);
         }
     }
 

@@ -88,10 +88,10 @@ fn assemble<T: Real, F: VectorField<T>>(
         set_combination(&mut point, tableau.row_low(i), k);
         point.add_combination(row, k);
         point.scale(T::from_f64(step));
-        point.add(z);
+        point.add_in_place(z);
         let value = field.at(&point);
         let mut residual = k[i].clone();
-        residual.subtract(&value);
+        residual.subtract_in_place(&value);
         let in_units = |d| residual.entry(d) / units.entry(d);
         space.residual.extend((0..dimension).map(in_units));
         let mut terms = BlockSizes::of(core::slice::from_ref(&value));
@@ -151,7 +151,7 @@ fn derivative<T: Real, F: VectorField<T>>(
         let mut moved = z.clone();
         moved.add_multiple(width, &v);
         let mut slope = field.at(&moved);
-        slope.subtract(value);
+        slope.subtract_in_place(value);
         slope.scale(T::one() / width);
         slope
     })

@@ -13,14 +13,14 @@ use lie_poisson::{Pair, State, Vector};
 #[inline]
 pub(crate) fn two_sum<V: State>(a: &V, b: &V, sum: &mut V, error: &mut V, spare: &mut V) {
     sum.assign(a);
-    sum.add(b);
+    sum.add_in_place(b);
     spare.assign(sum);
-    spare.subtract(a);
+    spare.subtract_in_place(a);
     error.assign(sum);
-    error.subtract(spare);
+    error.subtract_in_place(spare);
     error.subtract_from(a);
     spare.subtract_from(b);
-    error.add(spare);
+    error.add_in_place(spare);
 }
 
 /// Returns a + b as its rounded value and the rounding error.

@@ -280,7 +280,7 @@ impl Scheme for FaultyScheme {
         let Step { point, iterations } = self.increment(field, z, step, made)?;
         let little = if *self == Self::HasAnotherStep { 1e-12 * step } else { 0.0 };
         let mut end = shifted(&point, little);
-        end.add(z);
+        end.add_in_place(z);
         let next = Step { point: end, iterations }.finite();
         if *self == Self::HidesFailures {
             next.or(Ok(Step { point: z.clone(), iterations }))

@@ -86,13 +86,13 @@ impl<V: State> State for Covector<V> {
     }
 
     #[inline(always)]
-    fn add(&mut self, x: &Self) {
-        self.0.add(&x.0);
+    fn add_in_place(&mut self, x: &Self) {
+        self.0.add_in_place(&x.0);
     }
 
     #[inline(always)]
-    fn subtract(&mut self, x: &Self) {
-        self.0.subtract(&x.0);
+    fn subtract_in_place(&mut self, x: &Self) {
+        self.0.subtract_in_place(&x.0);
     }
 
     #[inline(always)]

@@ -94,15 +94,15 @@ impl<T: Real, A: State<Scalar = T>, B: State<Scalar = T>> State for Pair<A, B> {
     }
 
     #[inline(always)]
-    fn add(&mut self, x: &Self) {
-        self.0.add(&x.0);
-        self.1.add(&x.1);
+    fn add_in_place(&mut self, x: &Self) {
+        self.0.add_in_place(&x.0);
+        self.1.add_in_place(&x.1);
     }
 
     #[inline(always)]
-    fn subtract(&mut self, x: &Self) {
-        self.0.subtract(&x.0);
-        self.1.subtract(&x.1);
+    fn subtract_in_place(&mut self, x: &Self) {
+        self.0.subtract_in_place(&x.0);
+        self.1.subtract_in_place(&x.1);
     }
 
     #[inline(always)]

@@ -134,12 +134,12 @@ impl<V: Vector> State for Sites<V> {
     }
 
     #[inline]
-    fn add(&mut self, x: &Self) {
+    fn add_in_place(&mut self, x: &Self) {
         self.each(x, |v, x| *v += *x);
     }
 
     #[inline]
-    fn subtract(&mut self, x: &Self) {
+    fn subtract_in_place(&mut self, x: &Self) {
         self.each(x, |v, x| *v -= *x);
     }
 

@@ -85,10 +85,10 @@ pub trait State: Clone + Debug + PartialEq + Send + Sync + 'static {
     fn set_zero(&mut self);
 
     /// Adds another vector: v ← v + x.
-    fn add(&mut self, x: &Self);
+    fn add_in_place(&mut self, x: &Self);
 
     /// Subtracts another vector: v ← v − x.
-    fn subtract(&mut self, x: &Self);
+    fn subtract_in_place(&mut self, x: &Self);
 
     /// Subtracts from another vector: v ← x − v.
     fn subtract_from(&mut self, x: &Self);
@@ -224,12 +224,12 @@ macro_rules! state_by_value {
             }
 
             #[inline(always)]
-            fn add(&mut self, x: &Self) {
+            fn add_in_place(&mut self, x: &Self) {
                 *self += *x;
             }
 
             #[inline(always)]
-            fn subtract(&mut self, x: &Self) {
+            fn subtract_in_place(&mut self, x: &Self) {
                 *self -= *x;
             }
 

@@ -34,8 +34,8 @@ fn check<V: State<Scalar = f64>>(like: &V) {
     becomes(&|v| v.set_zero(), &|_, _| 0.0);
     becomes(&|v| v.assign(&x), &|_, x| x);
     becomes(&|v| v.move_from(&mut x.clone()), &|_, x| x);
-    becomes(&|v| v.add(&x), &|v, x| v + x);
-    becomes(&|v| v.subtract(&x), &|v, x| v - x);
+    becomes(&|v| v.add_in_place(&x), &|v, x| v + x);
+    becomes(&|v| v.subtract_in_place(&x), &|v, x| v - x);
     becomes(&|v| v.subtract_from(&x), &|v, x| x - v);
     becomes(&|v| v.scale(1.7), &|v, _| v * 1.7);
     becomes(&|v| v.add_multiple(1.7, &x), &|v, x| v + x * 1.7);
