@@ -4,6 +4,8 @@
 mod compensated_schemes;
 mod compositions;
 mod extended;
+mod faulty_integrators;
+mod faulty_schemes;
 mod integrator_laws;
 mod lyapunov;
 mod partitioned_schemes;

@@ -58,3 +58,12 @@ pub fn keeps_its_promises<S: Scheme>(scheme: &S, name: &str) {
         assert_eq!(claimed, defect < ROUND_OFF, "{name}: {measured:?}");
     }
 }
+
+/// Returns the laws that do not hold in a report.
+pub fn broken(report: &laws::Report) -> Vec<&'static str> {
+    let residuals = report.residuals().iter();
+    residuals
+        .filter(|(_, residual)| residual.is_nan() || *residual > ROUND_OFF)
+        .map(|(law, _)| *law)
+        .collect()
+}
