@@ -2,7 +2,7 @@
 
 use core::fmt::Debug;
 
-/// One value for each [block](crate::Vector::BLOCKS) of coordinates of a vector, as the size of q and the size of p for a
+/// One value for each [block](crate::State::BLOCKS) of coordinates of a vector, as the size of q and the size of p for a
 /// vector (q, p): `(T,)` for a vector of one block, a pair `(A, B)` for the blocks of two vectors.
 ///
 /// ```

@@ -1,4 +1,4 @@
-//! Vectors of finite-dimensional real vector spaces, given by their coordinates: [`Vector`].
+//! Vectors of finite-dimensional real vector spaces, given by their coordinates, and how they become states: [`Vector`].
 
 use crate::{Real, State};
 use core::ops::{Add, AddAssign, Neg, Sub, SubAssign};
@@ -12,6 +12,9 @@ use core::ops::{Add, AddAssign, Neg, Sub, SubAssign};
 /// [`Power`](crate::Power) and [`Quaternion`](crate::Quaternion).
 ///
 /// The dual V∗ is a different type, paired by coordinates: ⟨α, v⟩ = Σ αᵢ vᵢ.
+///
+/// A type of your own implements this trait, and [`state_by_value!`](crate::state_by_value) derives from it what
+/// integrators need. A vector whose dimension is known only when the program runs implements [`State`] alone.
 ///
 /// # Example
 /// ```
@@ -133,4 +136,152 @@ pub trait Vector:
 #[inline]
 pub fn map_coordinates<V: Vector, W: Vector>(v: &V, f: impl Fn(V::Scalar) -> W::Scalar) -> W {
     W::from_coordinates(|i| f(v.coordinate(i)))
+}
+
+/// Implements [`State`] for a small type by its operations as a [`Vector`](crate::Vector).
+///
+/// The arguments are the parameters of the implementation in brackets, the type, its scalar and its
+/// [blocks](State::Blocks).
+///
+/// # Example
+/// ```
+/// use core::ops::{Add, AddAssign, Neg, Sub, SubAssign};
+/// use generic_scalars::{Covector, State, Vector, state_by_value};
+///
+/// /// A length on a line.
+/// #[derive(Clone, Copy, Debug, PartialEq)]
+/// struct Length(f64);
+/// # impl Add for Length { type Output = Self; fn add(self, x: Self) -> Self { Self(self.0 + x.0) } }
+/// # impl Sub for Length { type Output = Self; fn sub(self, x: Self) -> Self { Self(self.0 - x.0) } }
+/// # impl Neg for Length { type Output = Self; fn neg(self) -> Self { Self(-self.0) } }
+/// # impl AddAssign for Length { fn add_assign(&mut self, x: Self) { self.0 += x.0 } }
+/// # impl SubAssign for Length { fn sub_assign(&mut self, x: Self) { self.0 -= x.0 } }
+/// // with Add, Sub, Neg, AddAssign, SubAssign
+/// impl Vector for Length {
+///     type Dual = Covector<Self>;
+///     const DIM: usize = 1;
+///     fn from_coordinates(mut f: impl FnMut(usize) -> f64) -> Self { Self(f(0)) }
+///     fn coordinate(&self, i: usize) -> f64 { if i == 0 { self.0 } else { 0.0 } }
+///     fn scaled(&self, s: f64) -> Self { Self(s * self.0) }
+/// }
+/// state_by_value!([] Length, f64, (f64,));
+///
+/// let mut x = Length(1.0);
+/// x.add_multiple(0.5, &Length(4.0));
+/// assert_eq!(x, Length(3.0));
+/// ```
+#[macro_export]
+macro_rules! state_by_value {
+    ([$($parameters:tt)*] $type:ty, $scalar:ty, $blocks:ty) => {
+        impl<$($parameters)*> $crate::State for $type {
+            type Scalar = $scalar;
+            type Blocks = $blocks;
+            type Pool = ();
+
+            #[inline(always)]
+            fn dimension(&self) -> usize {
+                <Self as $crate::Vector>::DIM
+            }
+
+            #[inline(always)]
+            fn same_shape(&self, _: &Self) -> bool {
+                true
+            }
+
+            #[inline(always)]
+            fn zeros_like(&self) -> Self {
+                <Self as $crate::Vector>::zero()
+            }
+
+            #[inline(always)]
+            fn take((): &mut (), _: &Self) -> Self {
+                <Self as $crate::Vector>::zero()
+            }
+
+            #[inline(always)]
+            fn give(self, (): &mut ()) {}
+
+            #[inline(always)]
+            fn assign(&mut self, x: &Self) {
+                *self = *x;
+            }
+
+            #[inline(always)]
+            fn move_from(&mut self, other: &mut Self) {
+                *self = *other;
+            }
+
+            #[inline(always)]
+            fn entry(&self, i: usize) -> $scalar {
+                $crate::Vector::coordinate(self, i)
+            }
+
+            #[inline]
+            fn set_entry(&mut self, i: usize, x: $scalar) {
+                let set = |j| if i == j { x } else { $crate::Vector::coordinate(self, j) };
+                *self = $crate::Vector::from_coordinates(set);
+            }
+
+            #[inline(always)]
+            fn block_of(&self, i: usize) -> usize {
+                <Self as $crate::Vector>::block(i)
+            }
+
+            #[inline(always)]
+            fn set_zero(&mut self) {
+                *self = $crate::Vector::zero();
+            }
+
+            #[inline(always)]
+            fn add_in_place(&mut self, x: &Self) {
+                *self += *x;
+            }
+
+            #[inline(always)]
+            fn subtract_in_place(&mut self, x: &Self) {
+                *self -= *x;
+            }
+
+            #[inline(always)]
+            fn subtract_from(&mut self, x: &Self) {
+                *self = *x - *self;
+            }
+
+            #[inline(always)]
+            fn scale(&mut self, s: $scalar) {
+                *self = $crate::Vector::scaled(self, s);
+            }
+
+            #[inline(always)]
+            fn add_multiple(&mut self, s: $scalar, x: &Self) {
+                $crate::Vector::add_scaled(self, s, x);
+            }
+
+            #[inline(always)]
+            fn replace_where(&mut self, mask: <$scalar as $crate::Real>::Mask, x: &Self) {
+                *self = $crate::Vector::select(mask, x, self);
+            }
+
+            #[inline(always)]
+            fn measure(&self, largest: &mut $blocks, sum: &mut $scalar) {
+                for i in 0..<Self as $crate::Vector>::DIM {
+                    let block = <Self as $crate::Vector>::block(i);
+                    let size = $crate::Real::magnitude($crate::Vector::coordinate(self, i));
+                    let most = $crate::Blocks::at(largest, block);
+                    $crate::Blocks::set(largest, block, $crate::Real::maximum(size, most));
+                    *sum += size;
+                }
+            }
+
+            #[inline(always)]
+            fn measure_difference(&self, x: &Self, largest: &mut $blocks, sum: &mut $scalar) {
+                $crate::State::measure(&(*self - *x), largest, sum);
+            }
+
+            #[inline(always)]
+            fn all_finite(&self) -> bool {
+                $crate::Vector::is_finite(self)
+            }
+        }
+    };
 }
