@@ -14,13 +14,41 @@ pub trait VectorField<T: Real = f64> {
     /// Returns the value X(z) of the field.
     fn at(&self, z: &Self::Point) -> Self::Point;
 
-    /// Writes the value X(z) of the field to a point of the same space.
+    /// Writes the value X(z) of the field to a point of the space of z, whose coordinates are arbitrary before.
     ///
     /// Integrators call this method. The default calls [`at`](Self::at); override it for large points, so that a step
-    /// allocates nothing.
+    /// allocates nothing. A value of another space than that of z becomes NaN, so that a step fails.
+    ///
+    /// # Example
+    /// The field dz/dt = −z, for as many sites as z has:
+    /// ```
+    /// use collective_integrators::VectorField;
+    /// use lie_poisson::{Sites, State};
+    /// use nalgebra::Vector1;
+    /// struct Decay;
+    /// impl VectorField for Decay {
+    ///     type Point = Sites<Vector1<f64>>;
+    ///     fn at(&self, z: &Self::Point) -> Self::Point {
+    ///         let mut value = z.zeros_like();
+    ///         self.at_into(z, &mut value);
+    ///         value
+    ///     }
+    ///     fn at_into(&self, z: &Self::Point, value: &mut Self::Point) {
+    ///         value.assign(z);
+    ///         value.scale_in_place(-1.0);
+    ///     }
+    /// }
+    /// let z = Sites::new(vec![Vector1::new(2.0); 3]);
+    /// assert_eq!(Decay.at(&z)[2].x, -2.0);
+    /// ```
     #[inline(always)]
     fn at_into(&self, z: &Self::Point, value: &mut Self::Point) {
-        *value = self.at(z);
+        let mut point = self.at(z);
+        if point.same_shape(value) {
+            value.move_from(&mut point);
+        } else {
+            value.set_entries(|_| T::from_f64(f64::NAN));
+        }
     }
 
     /// Returns the exact derivative DX(z)·v, or `None` if it is not known.

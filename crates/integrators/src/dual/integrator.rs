@@ -39,7 +39,7 @@ pub trait Integrator<T: Real = f64> {
     /// Makes one step in the place of the state, and returns the number of iterations.
     ///
     /// The default calls [`step`](Self::step). An integrator for large states overrides it, so that no step after the
-    /// first allocates.
+    /// first allocates, unless it needs Newton's iteration.
     ///
     /// # Errors
     /// Returns the errors of [`step`](Self::step). The state is not changed then.

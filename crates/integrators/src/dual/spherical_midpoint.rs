@@ -71,6 +71,8 @@ pub trait OnSpheres: State {
     /// ```text
     /// u_i ← u_i |w_i|/|u_i|
     /// ```
+    ///
+    /// The result is NaN for u_i = 0, and where |w_i|² or |u_i|² leaves the range of numbers.
     fn project_to_spheres_of(&mut self, w: &Self);
 }
 
@@ -124,15 +126,20 @@ impl<F> SphericalMidpoint<F> {
         };
         let (none, mut pace) = (T::Mask::from_bool(false), unknown());
         let solver = &self.solver;
-        let iterations = solver
-            .solve_from(none, &OwnScale, &mut k, &mut spare, &mut pace, &mut derivative)
-            .map_err(|unconverged| unconverged.error)?;
-        spare.give(pool);
+        let solved =
+            solver.solve_from(none, &OwnScale, &mut k, &mut spare, &mut pace, &mut derivative);
         let [k] = k;
         middle.assign(w);
         middle.add_multiple(T::from_f64(step), &k);
         k.give(pool);
-        Ok(Step { point: middle, iterations })
+        spare.give(pool);
+        match solved {
+            Ok(iterations) => Ok(Step { point: middle, iterations }),
+            Err(unconverged) => {
+                middle.give(pool);
+                Err(unconverged.error)
+            }
+        }
     }
 }
 

@@ -31,7 +31,8 @@ pub enum DenseOutputError {
 ///
 /// The state at time t is the result of one step of size t − tₙ from the last sample at tₙ ≤ t. It is as accurate as
 /// the integrator, and has its conserved quantities. The output advances in the direction of the trajectory: request
-/// times in order, in the units of the step. It allocates nothing after `new`.
+/// times in order, in the units of the step. It allocates nothing after `new`, except for
+/// states on the heap.
 ///
 /// # Example
 /// ```

@@ -160,12 +160,13 @@ impl<P: Polarisation> PartitionedRungeKutta<P> {
         k: &[V],
         pool: &mut V::Pool,
     ) {
-        let mut q = V::take(pool, sum);
+        let (mut q, mut p) = (V::take(pool, sum), V::take(pool, sum));
         set_combination(&mut q, a, k);
-        set_combination(sum, a_hat, k);
-        P::replace_positions(sum, &q);
-        sum.scale(V::Scalar::from_f64(step));
+        set_combination(&mut p, a_hat, k);
+        P::splice_into(&q, &p, sum);
+        sum.scale_in_place(V::Scalar::from_f64(step));
         q.give(pool);
+        p.give(pool);
     }
 }
 
@@ -209,10 +210,15 @@ impl<P: Polarisation> Scheme for PartitionedRungeKutta<P> {
         };
         let scale = StageScale::new(z, step);
         let (from, unknowns) = ((z, step, &scale), (k.as_mut_slice(), &mut spare));
-        let iterations = memory
-            .solve(&self.predictor, &self.solver, field, from, unknowns, derivative)
-            .map_err(|unconverged| unconverged.error)?;
+        let solved = memory.solve(&self.predictor, &self.solver, field, from, unknowns, derivative);
         spare.give(pool);
+        let iterations = match solved {
+            Ok(iterations) => iterations,
+            Err(unconverged) => {
+                point.give(pool);
+                return Err(unconverged.error);
+            }
+        };
         Self::set_sum(&mut point, step, (self.q.weights(), self.p.weights()), k, pool);
         memory.end_after(z, &point);
         Ok(Step { point, iterations })

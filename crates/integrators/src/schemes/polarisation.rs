@@ -27,17 +27,15 @@ pub trait Polarisation: Copy + Debug + Default + PartialEq + Send + Sync + 'stat
     #[inline]
     fn splice<V: State>(u: &V, v: &V) -> V {
         let mut z = v.clone();
-        Self::replace_positions(&mut z, u);
+        Self::splice_into(u, v, &mut z);
         z
     }
 
-    /// Replaces the positions q of z by those of u.
+    /// Writes the point with the positions q of u and the momenta p of v to z.
     #[inline]
-    fn replace_positions<V: State>(z: &mut V, u: &V) {
+    fn splice_into<V: State>(u: &V, v: &V, z: &mut V) {
         let dimension = z.dimension();
-        for i in (0..dimension).filter(|&i| Self::is_position(i, dimension)) {
-            z.set_entry(i, u.entry(i));
-        }
+        z.set_entries(|i| if Self::is_position(i, dimension) { u.entry(i) } else { v.entry(i) });
     }
 }
 

@@ -49,13 +49,13 @@ pub(crate) fn refine<T: Real, F: VectorField<T>>(
         scale_evenly(&sum, step, &mut change);
         two_sum(z, &change, &mut stage, &mut lost, &mut value);
         set_combination(&mut sum, tableau.row(i), rest);
-        sum.scale(T::from_f64(step));
+        sum.scale_in_place(T::from_f64(step));
         lost.add_in_place(&sum);
         field.at_into(&stage, &mut value);
         stage.add_multiple(T::from_f64(ENLARGEMENT), &lost);
         field.at_into(&stage, &mut change);
         change.subtract_in_place(&value);
-        change.scale(T::from_f64(1.0 / ENLARGEMENT));
+        change.scale_in_place(T::from_f64(1.0 / ENLARGEMENT));
         k[i].replace_where(chosen, &value);
         rest[i].replace_where(chosen, &change);
     }

@@ -180,7 +180,7 @@ impl RungeKutta {
                 stage.assign(&small[i]);
                 stage.add_combination(after, &k[i..]);
                 stage.add_combination(before, k);
-                stage.scale(h);
+                stage.scale_in_place(h);
                 stage.add_in_place(z);
                 field.at_into(&stage, value);
                 stage.give(pool);
@@ -226,7 +226,7 @@ impl RungeKutta {
         let mut stage = F::Point::take(pool, z);
         for (i, row) in self.tableau.rows().enumerate() {
             set_combination(&mut stage, &row[..i], k);
-            stage.scale(T::from_f64(step));
+            stage.scale_in_place(T::from_f64(step));
             stage.add_in_place(z);
             field.at_into(&stage, &mut k[i]);
         }
@@ -321,7 +321,7 @@ impl Scheme for RungeKutta {
         lost.set_zero();
         if implicit {
             lost.add_combination(self.tableau.weights(), &workspace.rest);
-            lost.scale(T::from_f64(step));
+            lost.scale_in_place(T::from_f64(step));
         }
         Ok(Step { point: Pair(change, lost), iterations })
     }

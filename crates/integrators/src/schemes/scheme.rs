@@ -38,8 +38,9 @@ pub trait Scheme: Clone {
 
     /// Returns the increment Φ_h(z) − z of one step.
     ///
-    /// Its rounding errors are those of a sum h Σ b_i k_i, and h times those of the stages. The method allocates
-    /// nothing. The caller checks that the increment is finite.
+    /// Its rounding errors are those of a sum h Σ b_i k_i, and h times those of the stages. The method allocates nothing
+    /// but a point on the heap, and that only if its storage was not given back to [`temporaries`](Self::temporaries).
+    /// The caller checks that the increment is finite.
     ///
     /// # Errors
     /// Returns a [`StepError`] if stage equations are not solved. Nothing but the workspace is changed then.
@@ -92,7 +93,8 @@ pub trait Scheme: Clone {
 
     /// Makes the step Φ_h in the place of z, and returns the number of iterations.
     ///
-    /// With a pool of [`temporaries`](Self::temporaries) no step after the first allocates.
+    /// With a pool of [`temporaries`](Self::temporaries) no step after the first allocates, unless it needs Newton's
+    /// iteration.
     ///
     /// # Errors
     /// Returns the errors of [`step`](Self::step). The point z is not changed then.
@@ -113,7 +115,8 @@ pub trait Scheme: Clone {
     /// Returns the pool of temporary vectors of a workspace, to which a caller may give the storage of points that
     /// [`increment`](Self::increment) has returned.
     ///
-    /// The default returns `None`, for schemes that keep no temporary vectors.
+    /// The default returns `None`, for schemes that keep no temporary vectors. Return a pool only if `increment` takes
+    /// its point from it: otherwise it grows by a vector in each step in place.
     #[inline]
     fn temporaries<'a, V: State>(
         &self,

@@ -83,8 +83,8 @@ impl<T: Real, F: VectorField<T>, P: Polarisation> ExactFlows<T> for TaoFlows<F, 
                 let turned = turn::<P, F::Point>(&apart, sin, cos);
                 let (mut first, mut second) = (sum(&both, &turned), both);
                 second.subtract_in_place(&turned);
-                first.scale(T::from_f64(0.5));
-                second.scale(T::from_f64(0.5));
+                first.scale_in_place(T::from_f64(0.5));
+                second.scale_in_place(T::from_f64(0.5));
                 Pair(first, second)
             }
             _ => z.clone(),
@@ -100,7 +100,7 @@ impl<F, P: Polarisation> TaoFlows<F, P> {
         F: VectorField<T>,
     {
         let mut x = self.field.at(z);
-        x.scale(T::from_f64(time));
+        x.scale_in_place(T::from_f64(time));
         let zero = x.zeros_like();
         (P::splice(&x, &zero), P::splice(&zero, &x))
     }
@@ -117,10 +117,9 @@ fn sum<V: State>(v: &V, w: &V) -> V {
 #[inline]
 fn turn<P: Polarisation, V: State>(z: &V, sin: f64, cos: f64) -> V {
     let (mut turned, dimension) = (z.clone(), z.dimension());
-    for i in 0..dimension {
+    turned.set_entries(|i| {
         let sin = if P::is_position(i, dimension) { sin } else { -sin };
-        let conjugate = z.entry(P::conjugate(i, dimension));
-        turned.set_entry(i, z.entry(i) * cos + conjugate * sin);
-    }
+        z.entry(i) * cos + z.entry(P::conjugate(i, dimension)) * sin
+    });
     turned
 }

@@ -51,11 +51,9 @@ pub(crate) fn newton_step<T: Real, F: VectorField<T>>(
     let units = units(z, step, k);
     let mut progress = assemble(field, (z, step), tableau, k, &units, space);
     let regular = solve_linear(&mut space.matrix, &mut space.residual);
-    for (stage, part) in k.iter_mut().zip(space.residual.chunks_exact(z.dimension())) {
+    for (stage, part) in k.iter_mut().zip(space.residual.chunks_exact(z.dimension().max(1))) {
         let mut correction = units.clone();
-        for (d, part) in part.iter().enumerate() {
-            correction.set_entry(d, *part * units.entry(d));
-        }
+        correction.set_entries(|d| part[d] * units.entry(d));
         progress.change.include(&correction);
         correction.subtract_from(stage);
         stage.replace_where(done.not(), &correction);
@@ -87,9 +85,10 @@ fn assemble<T: Real, F: VectorField<T>>(
         let mut point = z.zeros_like();
         set_combination(&mut point, tableau.row_low(i), k);
         point.add_combination(row, k);
-        point.scale(T::from_f64(step));
+        point.scale_in_place(T::from_f64(step));
         point.add_in_place(z);
-        let value = field.at(&point);
+        let mut value = z.zeros_like();
+        field.at_into(&point, &mut value);
         let mut residual = k[i].clone();
         residual.subtract_in_place(&value);
         let in_units = |d| residual.entry(d) / units.entry(d);
@@ -126,10 +125,10 @@ fn units<T: Real, V: State<Scalar = T>>(z: &V, step: f64, k: &[V]) -> V {
     let size = |b: usize| start.at(b).larger(stages.at(b) * step.abs());
     let largest = (1..V::BLOCKS).fold(size(0), |largest, b| size(b).larger(largest));
     let mut units = z.zeros_like();
-    for i in 0..z.dimension() {
+    units.set_entries(|i| {
         let unit = size(z.block_of(i)).larger(largest * SMALLEST_UNIT);
-        units.set_entry(i, T::select(unit.at_most(T::zero()), T::one(), unit));
-    }
+        T::select(unit.at_most(T::zero()), T::one(), unit)
+    });
     units
 }
 
@@ -150,9 +149,10 @@ fn derivative<T: Real, F: VectorField<T>>(
         let width = unit * f64::EPSILON.sqrt();
         let mut moved = z.clone();
         moved.add_multiple(width, &v);
-        let mut slope = field.at(&moved);
+        let mut slope = z.zeros_like();
+        field.at_into(&moved, &mut slope);
         slope.subtract_in_place(value);
-        slope.scale(T::one() / width);
+        slope.scale_in_place(T::one() / width);
         slope
     })
 }

@@ -24,7 +24,8 @@ const NEWTON_ITERATIONS: usize = 50;
 /// size it begins with the polynomial through their stage derivatives, otherwise with k_i = X(z). The starting point
 /// affects the last bits of a result; [`Scheme::forget`](crate::Scheme::forget) makes them independent of the steps
 /// before. If the iteration is slow or diverges, for large steps, Newton's iteration continues, with the exact
-/// derivative of the field if it is known ([`VectorField::derivative`](crate::VectorField::derivative)).
+/// derivative of the field if it is known ([`VectorField::derivative`](crate::VectorField::derivative)). It solves dense
+/// linear equations, and is made for at most 1024 unknowns: stages times dimension.
 ///
 /// The iteration stops at the round-off floor in one of three cases: nothing changes; the next change is expected below
 /// a thirty-second of a rounding, from the ratios of the changes before it, including those of the previous step; or
@@ -255,7 +256,7 @@ pub(crate) fn set_combination<V: State>(sum: &mut V, row: &[f64], k: &[V]) {
 pub(crate) fn scale_evenly<V: State>(v: &V, step: f64, product: &mut V) {
     let upper = f64::from_bits(step.to_bits() & UPPER_HALF);
     product.assign(v);
-    product.scale(V::Scalar::from_f64(upper));
+    product.scale_in_place(V::Scalar::from_f64(upper));
     product.add_multiple(V::Scalar::from_f64(step - upper), v);
 }
 

@@ -96,7 +96,7 @@ pub trait Real:
     /// Returns the integer power xⁿ, with x⁰ = 1 for every x, also for NaN.
     ///
     /// The result is a product by repeated squaring, or its reciprocal for n < 0, with about |n| units of
-    /// round-off. In code over all scalars it has the same bits for each of them and on every platform, which the
+    /// round-off. For n < 0 it is 0 where x⁻ⁿ overflows. In code over all scalars it has the same bits for each of them and on every platform, which the
     /// method of `f64` itself does not promise.
     ///
     /// ```

@@ -101,13 +101,18 @@ impl<V: State> State for Covector<V> {
     }
 
     #[inline(always)]
-    fn scale(&mut self, s: V::Scalar) {
-        self.0.scale(s);
+    fn scale_in_place(&mut self, s: V::Scalar) {
+        self.0.scale_in_place(s);
     }
 
     #[inline(always)]
     fn add_multiple(&mut self, s: V::Scalar, x: &Self) {
         self.0.add_multiple(s, &x.0);
+    }
+
+    #[inline(always)]
+    fn set_entries(&mut self, f: impl Fn(usize) -> V::Scalar) {
+        self.0.set_entries(f);
     }
 
     #[inline(always)]

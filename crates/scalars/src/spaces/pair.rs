@@ -112,15 +112,22 @@ impl<T: Real, A: State<Scalar = T>, B: State<Scalar = T>> State for Pair<A, B> {
     }
 
     #[inline(always)]
-    fn scale(&mut self, s: T) {
-        self.0.scale(s);
-        self.1.scale(s);
+    fn scale_in_place(&mut self, s: T) {
+        self.0.scale_in_place(s);
+        self.1.scale_in_place(s);
     }
 
     #[inline(always)]
     fn add_multiple(&mut self, s: T, x: &Self) {
         self.0.add_multiple(s, &x.0);
         self.1.add_multiple(s, &x.1);
+    }
+
+    #[inline(always)]
+    fn set_entries(&mut self, f: impl Fn(usize) -> T) {
+        let first = self.0.dimension();
+        self.0.set_entries(&f);
+        self.1.set_entries(|i| f(first + i));
     }
 
     #[inline(always)]

@@ -15,7 +15,7 @@ use core::ops::{Deref, DerefMut};
 /// spins[0] = Vector3::x();
 /// assert_eq!((spins.len(), spins.dimension()), (1000, 3000));
 /// assert_eq!(spins.iter().sum::<Vector3<f64>>(), Vector3::new(1.0, 0.0, 999.0));
-/// spins.scale(2.0);
+/// spins.scale_in_place(2.0);
 /// assert_eq!(spins.entry(3 * 999 + 2), 2.0);
 /// ```
 #[derive(Clone, Debug, PartialEq)]
@@ -149,8 +149,8 @@ impl<V: Vector> State for Sites<V> {
     }
 
     #[inline]
-    fn scale(&mut self, s: V::Scalar) {
-        self.0.iter_mut().for_each(|v| v.scale(s));
+    fn scale_in_place(&mut self, s: V::Scalar) {
+        self.0.iter_mut().for_each(|v| v.scale_in_place(s));
     }
 
     #[inline]

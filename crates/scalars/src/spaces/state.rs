@@ -9,6 +9,9 @@ use core::fmt::Debug;
 /// a [`Vector`](crate::Vector): it computes by value, and [`state_by_value!`](crate::state_by_value) derives this
 /// trait from that one.
 ///
+/// The arguments of an operation belong to one space ([`same_shape`](Self::same_shape)). Otherwise the result has no
+/// meaning, but nothing panics.
+///
 /// # Temporary vectors
 /// A method that needs a temporary vector [takes](Self::take) it from a pool and [gives](Self::give) it back. The pool
 /// of a small type is `()`: the vector is a local variable. That of a large type is `Vec<Self>`: after the first step
@@ -30,6 +33,35 @@ use core::fmt::Debug;
 /// let z = moved(&y, &x, &mut Default::default());
 /// assert_eq!(z, Pair(Vector1::new(2.0), Vector2::new(2.0, 3.0)));
 /// ```
+/// A state of your own on the heap needs nine items; the other methods have defaults:
+/// ```
+/// use generic_scalars::State;
+/// #[derive(Clone, Debug, PartialEq)]
+/// struct Heap(Vec<f64>);
+/// impl State for Heap {
+///     type Scalar = f64;
+///     type Blocks = (f64,);
+///     type Pool = Vec<Self>;
+///     fn dimension(&self) -> usize { self.0.len() }
+///     fn zeros_like(&self) -> Self { Self(vec![0.0; self.0.len()]) }
+///     fn take(pool: &mut Vec<Self>, like: &Self) -> Self {
+///         pool.pop().filter(|v| v.same_shape(like)).unwrap_or_else(|| like.zeros_like())
+///     }
+///     fn give(self, pool: &mut Vec<Self>) { pool.push(self) }
+///     fn entry(&self, i: usize) -> f64 { self.0.get(i).copied().unwrap_or(0.0) }
+///     fn set_entry(&mut self, i: usize, x: f64) {
+///         if let Some(v) = self.0.get_mut(i) { *v = x }
+///     }
+///     fn scale_in_place(&mut self, s: f64) { self.0.iter_mut().for_each(|v| *v *= s) }
+///     fn add_multiple(&mut self, s: f64, x: &Self) {
+///         self.0.iter_mut().zip(&x.0).for_each(|(v, x)| *v += s * x)
+///     }
+/// }
+/// let (mut v, x) = (Heap(vec![1.0, 2.0]), Heap(vec![3.0, -1.0]));
+/// v.subtract_from(&x);
+/// assert_eq!(v, Heap(vec![2.0, -3.0]));
+/// assert!(v.all_finite() && x.zeros_like() == Heap(vec![0.0; 2]));
+/// ```
 pub trait State: Clone + Debug + PartialEq + Send + Sync + 'static {
     /// The type of the real numbers.
     type Scalar: Real;
@@ -50,8 +82,10 @@ pub trait State: Clone + Debug + PartialEq + Send + Sync + 'static {
     /// Returns the dimension over the reals.
     fn dimension(&self) -> usize;
 
-    /// Returns whether the two vectors belong to one space: sums of them have a meaning.
-    fn same_shape(&self, other: &Self) -> bool;
+    /// Returns whether the two vectors belong to one space, by default whether their dimensions are equal.
+    fn same_shape(&self, other: &Self) -> bool {
+        self.dimension() == other.dimension()
+    }
 
     /// Returns the zero vector of the same space.
     #[must_use]
@@ -64,13 +98,19 @@ pub trait State: Clone + Debug + PartialEq + Send + Sync + 'static {
     /// Gives a vector back to the pool.
     fn give(self, pool: &mut Self::Pool);
 
-    /// Takes the value of another vector of the same space, in the storage of this one: v ← x.
-    fn assign(&mut self, x: &Self);
+    /// Takes the value of another vector, in the storage of this one: v ← x.
+    #[inline]
+    fn assign(&mut self, x: &Self) {
+        self.clone_from(x);
+    }
 
-    /// Takes the value of another vector of the same space, whose coordinates are arbitrary afterwards.
+    /// Takes the value of another vector, whose coordinates are arbitrary afterwards.
     ///
     /// A small vector is copied, and a large one exchanges its storage.
-    fn move_from(&mut self, other: &mut Self);
+    #[inline]
+    fn move_from(&mut self, other: &mut Self) {
+        core::mem::swap(self, other);
+    }
 
     /// Returns the i-th coordinate, or zero for i ≥ [`dimension`](Self::dimension).
     fn entry(&self, i: usize) -> Self::Scalar;
@@ -78,28 +118,53 @@ pub trait State: Clone + Debug + PartialEq + Send + Sync + 'static {
     /// Sets the i-th coordinate; does nothing for i ≥ [`dimension`](Self::dimension).
     fn set_entry(&mut self, i: usize, x: Self::Scalar);
 
-    /// Returns the block of the i-th coordinate, a number below [`BLOCKS`](Self::BLOCKS).
-    fn block_of(&self, i: usize) -> usize;
+    /// Sets every coordinate: vᵢ ← f(i).
+    #[inline]
+    fn set_entries(&mut self, f: impl Fn(usize) -> Self::Scalar) {
+        for i in 0..self.dimension() {
+            self.set_entry(i, f(i));
+        }
+    }
+
+    /// Returns the block of the i-th coordinate, a number below [`BLOCKS`](Self::BLOCKS). The default is 0.
+    #[inline]
+    fn block_of(&self, _i: usize) -> usize {
+        0
+    }
 
     /// Sets all coordinates to zero.
-    fn set_zero(&mut self);
+    #[inline]
+    fn set_zero(&mut self) {
+        self.set_entries(|_| Self::Scalar::from_f64(0.0));
+    }
 
     /// Adds another vector: v ← v + x.
-    fn add_in_place(&mut self, x: &Self);
+    #[inline]
+    fn add_in_place(&mut self, x: &Self) {
+        self.add_multiple(Self::Scalar::from_f64(1.0), x);
+    }
 
     /// Subtracts another vector: v ← v − x.
-    fn subtract_in_place(&mut self, x: &Self);
+    #[inline]
+    fn subtract_in_place(&mut self, x: &Self) {
+        self.add_multiple(Self::Scalar::from_f64(-1.0), x);
+    }
 
     /// Subtracts from another vector: v ← x − v.
-    fn subtract_from(&mut self, x: &Self);
+    #[inline]
+    fn subtract_from(&mut self, x: &Self) {
+        self.scale_in_place(Self::Scalar::from_f64(-1.0));
+        self.add_in_place(x);
+    }
 
     /// Multiplies by a number: v ← s v.
-    fn scale(&mut self, s: Self::Scalar);
+    fn scale_in_place(&mut self, s: Self::Scalar);
 
     /// Adds a multiple of another vector: v ← v + s x.
     fn add_multiple(&mut self, s: Self::Scalar, x: &Self);
 
-    /// Adds a linear combination of vectors: v ← v + Σ aⱼ kⱼ, in the order of the terms. Surplus terms are dropped.
+    /// Adds a linear combination of vectors: v ← v + Σ aⱼ kⱼ, in the order of the terms. Surplus coefficients, or
+    /// surplus vectors, are dropped.
     #[inline]
     fn add_combination(&mut self, a: &[f64], k: &[Self]) {
         for (&a, k) in a.iter().zip(k) {
@@ -108,15 +173,34 @@ pub trait State: Clone + Debug + PartialEq + Send + Sync + 'static {
     }
 
     /// Replaces the vector by another one in the SIMD lanes in which the mask is true.
-    fn replace_where(&mut self, mask: <Self::Scalar as Real>::Mask, x: &Self);
+    #[inline]
+    fn replace_where(&mut self, mask: <Self::Scalar as Real>::Mask, x: &Self) {
+        for i in 0..self.dimension() {
+            self.set_entry(i, Real::select(mask, x.entry(i), self.entry(i)));
+        }
+    }
 
     /// Raises the number of each block to the largest |vᵢ| in that block, and adds every |vᵢ| to the sum.
     ///
     /// The sum is NaN where a coordinate is NaN, which the largest number may lose.
-    fn measure(&self, largest: &mut Self::Blocks, sum: &mut Self::Scalar);
+    #[inline]
+    fn measure(&self, largest: &mut Self::Blocks, sum: &mut Self::Scalar) {
+        for i in 0..self.dimension() {
+            let (block, size) = (self.block_of(i), self.entry(i).magnitude());
+            largest.set(block, size.maximum(largest.at(block)));
+            *sum += size;
+        }
+    }
 
     /// Measures the difference v − x, as [`measure`](Self::measure) does.
-    fn measure_difference(&self, x: &Self, largest: &mut Self::Blocks, sum: &mut Self::Scalar);
+    #[inline]
+    fn measure_difference(&self, x: &Self, largest: &mut Self::Blocks, sum: &mut Self::Scalar) {
+        for i in 0..self.dimension() {
+            let (block, size) = (self.block_of(i), (self.entry(i) - x.entry(i)).magnitude());
+            largest.set(block, size.maximum(largest.at(block)));
+            *sum += size;
+        }
+    }
 
     /// Returns whether every coordinate is a finite number in every lane.
     fn all_finite(&self) -> bool {

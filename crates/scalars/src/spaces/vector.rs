@@ -223,6 +223,11 @@ macro_rules! state_by_value {
             }
 
             #[inline(always)]
+            fn set_entries(&mut self, f: impl Fn(usize) -> $scalar) {
+                *self = $crate::Vector::from_coordinates(f);
+            }
+
+            #[inline(always)]
             fn block_of(&self, i: usize) -> usize {
                 <Self as $crate::Vector>::block(i)
             }
@@ -248,7 +253,7 @@ macro_rules! state_by_value {
             }
 
             #[inline(always)]
-            fn scale(&mut self, s: $scalar) {
+            fn scale_in_place(&mut self, s: $scalar) {
                 *self = $crate::Vector::scaled(self, s);
             }
 

@@ -32,16 +32,18 @@ fn check<V: State<Scalar = f64>>(like: &V) {
         assert_eq!(entries(&changed), (0..n).map(|i| expected(f(i), g(i))).collect::<Vec<_>>());
     };
     becomes(&|v| v.set_zero(), &|_, _| 0.0);
+    becomes(&|v| v.set_entries(&g), &|_, x| x);
     becomes(&|v| v.assign(&x), &|_, x| x);
     becomes(&|v| v.move_from(&mut x.clone()), &|_, x| x);
     becomes(&|v| v.add_in_place(&x), &|v, x| v + x);
     becomes(&|v| v.subtract_in_place(&x), &|v, x| v - x);
     becomes(&|v| v.subtract_from(&x), &|v, x| x - v);
-    becomes(&|v| v.scale(1.7), &|v, _| v * 1.7);
+    becomes(&|v| v.scale_in_place(1.7), &|v, _| v * 1.7);
     becomes(&|v| v.add_multiple(1.7, &x), &|v, x| v + x * 1.7);
     becomes(&|v| v.replace_where(true, &x), &|_, x| x);
     becomes(&|v| v.replace_where(false, &x), &|v, _| v);
-    // a surplus coefficient is dropped
+    becomes(&|y| y.add_combination(&[2.0], &[x.clone(), v.clone()]), &|v, x| v + x * 2.0);
+    // surplus terms are dropped
     becomes(&|y| y.add_combination(&[2.0, -3.0, 9.0], &[x.clone(), v.clone()]), &|v, x| {
         v + x * 2.0 + v * -3.0
     });
@@ -102,6 +104,67 @@ fn every_state_computes_coordinate_by_coordinate() {
     check(&Sites::new(vec![Vector3::<f64>::zeros(); 5]));
     check(&Covector(Sites::new(vec![Pair(Vector1::<f64>::zeros(), Vector2::<f64>::zeros()); 2])));
     check(&Pair(Sites::new(vec![Vector2::<f64>::zeros(); 3]), Vector3::<f64>::zeros()));
+}
+
+/// A state with the default of every method that has one.
+#[derive(Clone, Debug, PartialEq)]
+struct ByDefault(Vec<f64>);
+
+impl State for ByDefault {
+    type Scalar = f64;
+    type Blocks = ((f64,), (f64,));
+    type Pool = Vec<Self>;
+
+    fn dimension(&self) -> usize {
+        self.0.len()
+    }
+
+    fn zeros_like(&self) -> Self {
+        Self(vec![0.0; self.0.len()])
+    }
+
+    fn take(pool: &mut Vec<Self>, like: &Self) -> Self {
+        pool.pop().filter(|v| v.same_shape(like)).unwrap_or_else(|| like.zeros_like())
+    }
+
+    fn give(self, pool: &mut Vec<Self>) {
+        pool.push(self);
+    }
+
+    fn entry(&self, i: usize) -> f64 {
+        self.0.get(i).copied().unwrap_or(0.0)
+    }
+
+    fn set_entry(&mut self, i: usize, x: f64) {
+        if let Some(v) = self.0.get_mut(i) {
+            *v = x;
+        }
+    }
+
+    fn block_of(&self, i: usize) -> usize {
+        i % 2
+    }
+
+    fn scale_in_place(&mut self, s: f64) {
+        self.0.iter_mut().for_each(|v| *v *= s);
+    }
+
+    fn add_multiple(&mut self, s: f64, x: &Self) {
+        self.0.iter_mut().zip(&x.0).for_each(|(v, x)| *v += x * s);
+    }
+}
+
+#[test]
+fn the_default_methods_compute_coordinate_by_coordinate() {
+    check(&ByDefault(vec![0.0; 5]));
+}
+
+#[test]
+fn no_sites_are_a_space_of_dimension_0() {
+    let mut none = Sites::<Vector3<f64>>::new(Vec::new());
+    none.set_entry(0, 1.0);
+    none.add_combination(&[1.0], &[none.clone()]);
+    assert_eq!((none.dimension(), none.entry(0), none.all_finite()), (0, 0.0, true));
 }
 
 #[test]

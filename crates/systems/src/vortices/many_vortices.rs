@@ -47,11 +47,11 @@ impl ManyVortices {
     /// Creates vortices of the given strengths k_i.
     ///
     /// # Errors
-    /// Returns [`SystemError`] if a strength is zero or not finite.
+    /// Returns [`SystemError`] if a strength is not finite, or so near zero that its reciprocal is not.
     pub fn new(strengths: Vec<f64>) -> Result<Self, SystemError> {
         for &value in &strengths {
             require_finite("strength", value)?;
-            if value == 0.0 {
+            if !value.recip().is_finite() {
                 return Err(SystemError::Zero { name: "strength" });
             }
         }
@@ -88,9 +88,12 @@ impl ManyVortices {
         m.0.iter().zip(&self.strengths).map(|(m, k)| m.scaled(T::from_f64(1.0 / k)))
     }
 
-    /// Returns the value h(m) of the Hamiltonian.
+    /// Returns the value h(m) of the Hamiltonian, or NaN if m is a point of another number of vortices.
     #[must_use]
     pub fn value<T: Real>(&self, m: &Covector<Sites<Vector3<T>>>) -> T {
+        if m.0.len() != self.strengths.len() {
+            return T::from_f64(f64::NAN);
+        }
         let x: Vec<_> = self.positions(m).collect();
         let mut sum = T::zero();
         for (i, (x_i, k_i)) in x.iter().zip(&self.strengths).enumerate() {
@@ -112,8 +115,14 @@ impl<T: Real> VectorField<T> for ManyVortices {
     }
 
     /// Writes the rates dm_i/dt, by one evaluation for each pair of vortices.
+    ///
+    /// They are NaN if m is a point of another number of vortices, so that a step from it is an error, unless m is
+    /// empty.
     fn at_into(&self, m: &Self::Point, rate: &mut Self::Point) {
         rate.set_zero();
+        if [m.0.len(), rate.0.len()] != [self.strengths.len(); 2] {
+            return rate.scale_in_place(T::from_f64(f64::NAN));
+        }
         let position = |i: usize| m.0[i].scaled(T::from_f64(1.0 / self.strengths[i]));
         for i in 0..self.strengths.len() {
             let (before, here) = rate.0.split_at_mut(i);

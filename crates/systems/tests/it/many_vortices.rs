@@ -1,7 +1,8 @@
 //! Vortices whose number is known at run time, against those whose number the compiler knows.
 
 use collective_integrators::{
-    Composition, Direct, HamiltonianField, Integrator, RungeKutta, SphericalMidpoint, Substeps,
+    Composition, Direct, HamiltonianField, Integrator, RungeKutta, Scheme, SphericalMidpoint,
+    StageSolver, Substeps, from_fn,
 };
 use lie_poisson::{Covector, Hamiltonian, LiePoisson, PowerAlgebra, Sites, So3};
 use lie_poisson_systems::{ManyVortices, PointVortices, SpinSpace, Spins, SystemError};
@@ -72,11 +73,63 @@ fn newtons_iteration_serves_a_number_at_run_time() {
     let step = few.step(&start, 12.0, &mut few.workspace()).unwrap();
     assert!(step.iterations > 60, "sweeps alone took {}", step.iterations);
     let sites = Covector(start.0.0.into_iter().collect());
-    let other = Integrator::<f64>::step(&many, &sites, 12.0, &mut many.workspace()).unwrap().point;
+    let other = Integrator::<f64>::step(&many, &sites, 12.0, &mut many.workspace()).unwrap();
+    assert!(other.iterations > 60);
+    let other = other.point;
     for (a, b) in step.point.0.0.iter().zip(other.0.iter()) {
         // one has exact derivatives, the other difference quotients
         assert!((a - b).norm() < 1e-12, "{a} {b}");
     }
+}
+
+/// Returns n vortices near the equator.
+fn ring(n: usize) -> (ManyVortices, Many) {
+    let vortices = ManyVortices::new((0..n).map(|i| 1.0 + 0.1 * i as f64).collect()).unwrap();
+    let position = |i: usize| {
+        let (sin, cos) = (6.0 * i as f64 / n as f64).sin_cos();
+        Vector3::new(cos, sin, 0.2 * sin * cos).normalize()
+    };
+    let start = vortices.momentum((0..n).map(position)).unwrap();
+    (vortices, start)
+}
+
+/// One workspace serves states of different size, after each other and after a step that failed.
+#[test]
+fn a_workspace_serves_any_number_of_sites() {
+    for scheme in [RungeKutta::rk4(), RungeKutta::gauss(1).unwrap(), RungeKutta::gauss(3).unwrap()]
+    {
+        let mut used = Scheme::workspace(&scheme);
+        for n in [4, 7, 4, 2, 7] {
+            let (vortices, start) = ring(n);
+            let (mut z, mut w) = (start.clone(), start.clone());
+            let mut fresh = Scheme::workspace(&scheme);
+            for _ in 0..5 {
+                scheme.step_in_place::<f64, _>(&vortices, &mut z, 0.05, &mut used).unwrap();
+                scheme.step_in_place::<f64, _>(&vortices, &mut w, 0.05, &mut fresh).unwrap();
+                assert_eq!(z, w, "{n}");
+            }
+            let mut kept = z.clone();
+            let failed = scheme.step_in_place::<f64, _>(&vortices, &mut kept, f64::NAN, &mut used);
+            assert!(failed.is_err() && kept == z);
+        }
+    }
+}
+
+/// A field with a value of another space than its argument makes every step fail, and nothing panics.
+#[test]
+fn a_field_of_another_space_fails() {
+    let wrong = from_fn(|_: &Sites<Vector3<f64>>| Sites::new(vec![Vector3::x()]));
+    let start = Sites::new(vec![Vector3::y(); 3]);
+    for scheme in [RungeKutta::rk4(), RungeKutta::gauss(2).unwrap()] {
+        assert!(scheme.step(&wrong, &start, 0.1, &mut scheme.workspace()).is_err());
+    }
+    // A state without sites stays as it is, even if only Newton's iteration is allowed.
+    let solver = StageSolver { max_iterations: 0, ..Default::default() };
+    let newton = RungeKutta::gauss(1).unwrap().with_solver(solver);
+    let none = Sites::<Vector3<f64>>::new(Vec::new());
+    let field = from_fn(|z: &Sites<Vector3<f64>>| z.clone());
+    let step = newton.step(&field, &none, 0.1, &mut newton.workspace()).unwrap();
+    assert_eq!(step.point, none);
 }
 
 /// A hundred vortices on the spiral of equal areas.
@@ -125,6 +178,20 @@ fn energies_agree_and_parameters_are_checked() {
     let refused = SystemError::Count { name: "positions", expected: 4, found: 3 };
     assert_eq!(many.momentum(positions().into_iter().take(3)), Err(refused));
     assert_eq!(ManyVortices::new(vec![1.0, 0.0]), Err(SystemError::Zero { name: "strength" }));
+    // Three or five positions are no point of four vortices.
+    for count in [3, 5] {
+        let other: Many = Covector(positions().into_iter().cycle().take(count).collect());
+        assert!(many.value::<f64>(&other).is_nan());
+        let gauss = Direct::new(RungeKutta::gauss(2).unwrap(), many.clone());
+        let rk4 = Direct::new(RungeKutta::rk4(), many.clone());
+        let midpoint = SphericalMidpoint::new(many.clone());
+        assert!(Integrator::<f64>::step(&gauss, &other, 0.1, &mut gauss.workspace()).is_err());
+        assert!(Integrator::<f64>::step(&rk4, &other, 0.1, &mut rk4.workspace()).is_err());
+        assert!(
+            Integrator::<f64>::step(&midpoint, &other, 0.1, &mut midpoint.workspace()).is_err()
+        );
+    }
+    assert_eq!(ManyVortices::new(vec![1e-310]), Err(SystemError::Zero { name: "strength" }));
     let infinite = ManyVortices::new(vec![f64::INFINITY]);
     assert!(matches!(infinite, Err(SystemError::NotFinite { .. })));
 }
