@@ -3,7 +3,8 @@
 use crate::stage_frame::{OwnFrame, StageFrame};
 use core::marker::PhantomData;
 use lie_poisson::{
-    Differential, DualNumber, Hamiltonian, Point, PoissonSpace, Real, State, derivative_part, seed,
+    Differential, DualNumber, Hamiltonian, Point, PoissonSpace, Real, State, derivative_part,
+    map_coordinates, seed,
 };
 
 /// An autonomous vector field dz/dt = X(z) over the scalar `T`.
@@ -98,11 +99,20 @@ where
     }
 
     fn derivative(&self, z: &Self::Point, v: &Self::Point) -> Option<Self::Point> {
-        let hessian = self.hamiltonian.hessian(z, v)?;
-        let dh: Differential<P, DualNumber<T>> = seed(&self.hamiltonian.differential(z), &hessian);
-        let rate = self.space.hamiltonian_vector::<DualNumber<T>>(&seed(z, v), &dh);
-        Some(derivative_part(&rate))
+        let moved = seed(z, v);
+        let dh = dual_differential::<P, T, _>(&self.hamiltonian, &moved)?;
+        Some(derivative_part(&self.space.hamiltonian_vector::<DualNumber<T>>(&moved, &dh)))
     }
+}
+
+/// Returns dh at the dual point z + ε v, which is dh(z) + ε D²h(z)·v, or `None` if the Hessian is not known.
+pub(crate) fn dual_differential<P: PoissonSpace, T: Real, H: Hamiltonian<P, T>>(
+    hamiltonian: &H,
+    moved: &Point<P, DualNumber<T>>,
+) -> Option<Differential<P, DualNumber<T>>> {
+    let z: Point<P, T> = map_coordinates(moved, |x| x.value());
+    let hessian = hamiltonian.hessian(&z, &derivative_part(moved))?;
+    Some(seed(&hamiltonian.differential(&z), &hessian))
 }
 
 /// Creates the vector field that a closure computes.

@@ -2,16 +2,14 @@
 
 use crate::stages::block_sizes::BlockSizes;
 use crate::stages::two_sum::exact_sum;
+use crate::vector_field::dual_differential;
 use crate::{
     Compensated, Equivariant, Increment, Increments, Integrator, Scheme, Start, Step, StepError,
     VectorField,
 };
-use lie_poisson::{
-    DualNumber, Hamiltonian, Mask, Pair, Real, Vector, derivative_part, map_coordinates, seed,
-};
+use lie_poisson::{DualNumber, Hamiltonian, Mask, Pair, Real, Vector, derivative_part, seed};
 use momentum_map::{
-    CollectiveHamiltonian, Lift, LiftError, PoissonMap, RecentringSpace, SourcePoint,
-    TargetDifferential, TargetPoint,
+    CollectiveHamiltonian, Lift, LiftError, PoissonMap, RecentringSpace, SourcePoint, TargetPoint,
 };
 
 /// The collective integrator: a scheme for the Hamiltonian h∘M on the source P of a realisation M: P → 𝔤∗.
@@ -154,10 +152,7 @@ where
     fn derivative(&self, z: &Self::Point, v: &Self::Point) -> Option<Self::Point> {
         let moved: SourcePoint<M, DualNumber<T>> = seed(z, v);
         let image = self.map.apply::<DualNumber<T>>(&moved);
-        let mu: TargetPoint<M, T> = map_coordinates(&image, |x| x.value());
-        let hessian = self.hamiltonian.hessian(&mu, &derivative_part(&image))?;
-        let dh: TargetDifferential<M, DualNumber<T>> =
-            seed(&self.hamiltonian.differential(&mu), &hessian);
+        let dh = dual_differential::<M::Target, T, _>(&self.hamiltonian, &image)?;
         Some(derivative_part(&self.map.generator::<DualNumber<T>>(&dh, &moved)))
     }
 }

@@ -36,7 +36,7 @@ pub trait Integrator<T: Real = f64> {
         workspace: &mut Self::Workspace,
     ) -> Result<Step<Self::State>, StepError>;
 
-    /// Makes one step in the place of the state, and returns the number of iterations.
+    /// Replaces the state by the state after one step, in the same storage. Returns the number of iterations.
     ///
     /// The default calls [`step`](Self::step). An integrator for large states overrides it, so that no step after the
     /// first allocates, unless it needs Newton's iteration.
@@ -231,8 +231,9 @@ pub const CHECKPOINT: u64 = 1024;
 /// Once a step fails, every further item is its error, so that adaptors that skip items, such as `nth` or `step_by`,
 /// cannot lose it. The iterator never returns `None`. Bound it by `take`, and leave a loop at the first error, as `?`
 /// and `collect::<Result<…>>` do. Adaptors that skip errors, such as `flatten`, look for the next sample for ever.
-/// [`Start::after`](crate::Start::after) returns one sample. After the first item nothing is allocated, except for states on the
-/// heap: each sample has a state of its own. [`Integrator::step_in_place`] makes steps of such states in place.
+/// [`Start::after`](crate::Start::after) returns one sample. After the first item nothing is allocated, except for
+/// states on the heap: each sample has a state of its own. [`Integrator::step_in_place`] advances such a state in its
+/// own storage.
 ///
 /// A run can be [resumed](Integrator::trajectory_resumed) from any of its samples. From a sample whose number is a
 /// multiple of [`CHECKPOINT`] it continues bit for bit as if it had not been interrupted.

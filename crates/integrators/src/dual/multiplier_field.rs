@@ -2,10 +2,10 @@
 
 use crate::stage_frame::StageFrame;
 use crate::stages::history::near;
+use crate::vector_field::dual_differential;
 use crate::{CHECKPOINT, VectorField};
 use lie_poisson::{
-    Differential, DualNumber, Hamiltonian, Mask, Point, Real, Vector, derivative_part,
-    map_coordinates, seed,
+    DualNumber, Hamiltonian, Mask, Point, Real, Vector, derivative_part, map_coordinates, seed,
 };
 use momentum_map::{Multiplier, Multipliers};
 
@@ -40,10 +40,7 @@ where
         let start: Point<M::Space, DualNumber<T>> =
             map_coordinates(&self.start, DualNumber::constant);
         let image = self.multipliers.transport::<DualNumber<T>>(&moved, &start);
-        let mu: Point<M::Space, T> = map_coordinates(&image, |x| x.value());
-        let hessian = self.hamiltonian.hessian(&mu, &derivative_part(&image))?;
-        let dh: Differential<M::Space, DualNumber<T>> =
-            seed(&self.hamiltonian.differential(&mu), &hessian);
+        let dh = dual_differential::<M::Space, T, _>(self.hamiltonian, &image)?;
         Some(derivative_part(&self.multipliers.generate::<DualNumber<T>>(&dh, &moved)))
     }
 

@@ -22,8 +22,8 @@ use crate::{Direction, EventError, IntegrationError, Integrator, SampleOf};
 /// A sample with g = 0 exactly ends a crossing and begins none, so that each crossing is found once. The adaptor
 /// requests samples until there is an event or none are left: bound the run by `take`. After an error it returns this
 /// error again for each remaining sample, so that `nth` and other adaptors that skip events do not lose it. After `new`
-/// nothing is allocated, except for states on the heap. An event costs about ten steps, and so does an extremum at which |g| is least without a
-/// crossing.
+/// nothing is allocated, except for states on the heap. An event costs about ten steps, and so does an extremum at which
+/// |g| is least without a crossing.
 ///
 /// Source of the idea: M. Hénon, *On the numerical computation of Poincaré maps*, Physica D 5 (1982). Hénon changes the
 /// independent variable for the last step; here, the size of the last step is solved for.

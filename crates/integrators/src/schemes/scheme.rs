@@ -91,7 +91,7 @@ pub trait Scheme: Clone {
         Step { point, iterations }.finite()
     }
 
-    /// Makes the step Φ_h in the place of z, and returns the number of iterations.
+    /// Replaces z by Φ_h(z), in the same storage. Returns the number of iterations.
     ///
     /// With a pool of [`temporaries`](Self::temporaries) no step after the first allocates, unless it needs Newton's
     /// iteration.

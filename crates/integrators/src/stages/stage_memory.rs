@@ -38,6 +38,7 @@ use lie_poisson::{Mask, Real, State};
 pub struct StageMemory<V: State> {
     predictor: Predictor,
     memory: StageHistory<V>,
+    pool: V::Pool,
 }
 
 impl<V: State> StageMemory<V> {
@@ -45,7 +46,7 @@ impl<V: State> StageMemory<V> {
     #[must_use]
     pub fn new(nodes: &[f64]) -> Self {
         let predictor = Predictor::new(nodes);
-        Self { memory: StageHistory::new(&predictor), predictor }
+        Self { memory: StageHistory::new(&predictor), predictor, pool: V::Pool::default() }
     }
 
     /// Solves k_i = `stage`(i, k) as [`StageSolver::solve`] does, for a step of the given size from z. Returns the
@@ -70,17 +71,18 @@ impl<V: State> StageMemory<V> {
         stage: impl Fn(usize, &[V]) -> V,
     ) -> Result<usize, Unconverged<<V::Scalar as Real>::Mask>> {
         let mut stage = |i: usize, k: &[V], _, value: &mut V| *value = stage(i, k);
-        let mut spare = z.clone();
-        if k.len() != self.predictor.stages {
+        let mut spare = V::take(&mut self.pool, z);
+        let solved = if k.len() == self.predictor.stages {
+            let (field, from) = (from_fn(|_: &V| first()), (z, step, &OwnScale));
+            self.memory.solve(&self.predictor, solver, &field, from, (k, &mut spare), stage)
+        } else {
             self.memory.forget();
-            let start = first();
+            let (start, none) = (first(), Mask::from_bool(false));
             k.iter_mut().for_each(|k| k.assign(&start));
-            let none = Mask::from_bool(false);
-            return solver.solve_from(none, &OwnScale, k, &mut spare, &mut unknown(), &mut stage);
-        }
-        let field = from_fn(|_: &V| first());
-        let from = (z, step, &OwnScale);
-        self.memory.solve(&self.predictor, solver, &field, from, (k, &mut spare), stage)
+            solver.solve_from(none, &OwnScale, k, &mut spare, &mut unknown(), &mut stage)
+        };
+        spare.give(&mut self.pool);
+        solved
     }
 
     /// Records the end of the step that was solved last.

@@ -69,7 +69,7 @@ impl SymmetryOf<Map> for Lines {
     }
 }
 
-/// Fibres of which nothing is said.
+/// A description of fibres with every method left to its default.
 #[derive(Clone)]
 struct Silent;
 

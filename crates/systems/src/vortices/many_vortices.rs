@@ -1,8 +1,8 @@
 //! Point vortices on the sphere, as many as a program is given.
 
-use crate::error::{SystemError, require_finite};
+use crate::error::SystemError;
+use crate::vortices::interaction::{add_differential, energy, require_strength};
 use collective_integrators::VectorField;
-use core::f64::consts::PI;
 use lie_poisson::{Covector, Real, Sites, State, Vector};
 use nalgebra::Vector3;
 
@@ -41,6 +41,8 @@ use nalgebra::Vector3;
 #[derive(Clone, Debug, PartialEq)]
 pub struct ManyVortices {
     strengths: Vec<f64>,
+    /// The reciprocals 1/k_i.
+    inverses: Vec<f64>,
 }
 
 impl ManyVortices {
@@ -49,13 +51,9 @@ impl ManyVortices {
     /// # Errors
     /// Returns [`SystemError`] if a strength is not finite, or so near zero that its reciprocal is not.
     pub fn new(strengths: Vec<f64>) -> Result<Self, SystemError> {
-        for &value in &strengths {
-            require_finite("strength", value)?;
-            if !value.recip().is_finite() {
-                return Err(SystemError::Zero { name: "strength" });
-            }
-        }
-        Ok(Self { strengths })
+        strengths.iter().try_for_each(|&strength| require_strength(strength))?;
+        let inverses = strengths.iter().map(|strength| strength.recip()).collect();
+        Ok(Self { strengths, inverses })
     }
 
     /// Returns the strengths k_i.
@@ -85,7 +83,7 @@ impl ManyVortices {
         &self,
         m: &Covector<Sites<Vector3<T>>>,
     ) -> impl Iterator<Item = Vector3<T>> {
-        m.0.iter().zip(&self.strengths).map(|(m, k)| m.scaled(T::from_f64(1.0 / k)))
+        m.0.iter().zip(&self.inverses).map(|(m, inverse)| m.scaled(T::from_f64(*inverse)))
     }
 
     /// Returns the value h(m) of the Hamiltonian, or NaN if m is a point of another number of vortices.
@@ -95,13 +93,7 @@ impl ManyVortices {
             return T::from_f64(f64::NAN);
         }
         let x: Vec<_> = self.positions(m).collect();
-        let mut sum = T::zero();
-        for (i, (x_i, k_i)) in x.iter().zip(&self.strengths).enumerate() {
-            for (x_j, k_j) in x[..i].iter().zip(&self.strengths) {
-                sum += (-x_i.dot(x_j) * 2.0 + 2.0).ln() * (k_i * k_j);
-            }
-        }
-        sum / (4.0 * PI)
+        energy(&self.strengths, |i| x[i])
     }
 }
 
@@ -123,17 +115,8 @@ impl<T: Real> VectorField<T> for ManyVortices {
         if [m.0.len(), rate.0.len()] != [self.strengths.len(); 2] {
             return rate.scale_in_place(T::from_f64(f64::NAN));
         }
-        let position = |i: usize| m.0[i].scaled(T::from_f64(1.0 / self.strengths[i]));
-        for i in 0..self.strengths.len() {
-            let (before, here) = rate.0.split_at_mut(i);
-            let x_i = position(i);
-            for (j, velocity_j) in before.iter_mut().enumerate() {
-                let x_j = position(j);
-                let inverse = T::from_f64(-0.25 / PI) / (-x_i.dot(&x_j) + 1.0);
-                here[0].add_scaled(inverse * self.strengths[j], &x_j);
-                velocity_j.add_scaled(inverse * self.strengths[i], &x_i);
-            }
-        }
+        let position = |i: usize| m.0[i].scaled(T::from_f64(self.inverses[i]));
+        add_differential(&self.strengths, position, &mut rate.0);
         for (rate, m) in rate.0.iter_mut().zip(m.0.iter()) {
             *rate = m.cross(rate);
         }

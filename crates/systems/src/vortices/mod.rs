@@ -1,4 +1,5 @@
 //! Vortices on the sphere.
 
+pub(crate) mod interaction;
 pub(crate) mod many_vortices;
 pub(crate) mod point_vortices;

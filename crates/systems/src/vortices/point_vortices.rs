@@ -1,9 +1,9 @@
 //! Point vortices on the sphere.
 
-use crate::error::{SystemError, require_finite};
+use crate::error::SystemError;
+use crate::vortices::interaction::{add_differential, energy, require_strength};
 use crate::{SpinSpace, Spins};
 use core::array::from_fn;
-use core::f64::consts::PI;
 use lie_poisson::{Covector, Hamiltonian, Power, Real, Vector, hessian_by_dual_numbers};
 use nalgebra::Vector3;
 
@@ -48,14 +48,9 @@ impl<const N: usize> PointVortices<N> {
     /// Creates vortices of the given strengths k_i.
     ///
     /// # Errors
-    /// Returns [`SystemError`] if a strength is zero or not finite.
+    /// Returns [`SystemError`] if a strength is not finite, or so near zero that its reciprocal is not.
     pub fn new(strengths: [f64; N]) -> Result<Self, SystemError> {
-        for value in strengths {
-            require_finite("strength", value)?;
-            if value == 0.0 {
-                return Err(SystemError::Zero { name: "strength" });
-            }
-        }
+        strengths.iter().try_for_each(|&strength| require_strength(strength))?;
         Ok(Self { strengths })
     }
 
@@ -75,27 +70,14 @@ impl<const N: usize> PointVortices<N> {
 impl<const N: usize, T: Real> Hamiltonian<SpinSpace<N>, T> for PointVortices<N> {
     fn value(&self, m: &Spins<N, T>) -> T {
         let x = self.positions(m);
-        let mut sum = T::zero();
-        for i in 0..N {
-            for j in 0..i {
-                let product = self.strengths[i] * self.strengths[j];
-                sum += (-x[i].dot(&x[j]) * 2.0 + 2.0).ln() * product;
-            }
-        }
-        sum / (4.0 * PI)
+        energy(&self.strengths, |i| x[i])
     }
 
     /// Returns the differential dh/dm_i = −(1/4π) Σ_j k_j x_j/(1 − x_i·x_j), with j ≠ i.
     fn differential(&self, m: &Spins<N, T>) -> Power<Vector3<T>, N> {
         let x = self.positions(m);
         let mut velocity = [Vector3::zeros(); N];
-        for i in 0..N {
-            for j in 0..i {
-                let inverse = T::from_f64(-0.25 / PI) / (-x[i].dot(&x[j]) + 1.0);
-                velocity[i].add_scaled(inverse * self.strengths[j], &x[j]);
-                velocity[j].add_scaled(inverse * self.strengths[i], &x[i]);
-            }
-        }
+        add_differential(&self.strengths, |i| x[i], &mut velocity);
         Power(velocity)
     }
 

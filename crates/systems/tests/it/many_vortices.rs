@@ -2,11 +2,11 @@
 
 use collective_integrators::{
     Composition, Direct, HamiltonianField, Integrator, RungeKutta, Scheme, SphericalMidpoint,
-    StageSolver, Substeps, from_fn,
+    StageSolver, StepError, Substeps, from_fn,
 };
 use lie_poisson::{Covector, Hamiltonian, LiePoisson, PowerAlgebra, Sites, So3};
 use lie_poisson_systems::{ManyVortices, PointVortices, SpinSpace, Spins, SystemError};
-use nalgebra::Vector3;
+use nalgebra::{Vector1, Vector3};
 
 const STRENGTHS: [f64; 4] = [1.0, -0.7, 1.5, 0.4];
 
@@ -130,6 +130,20 @@ fn a_field_of_another_space_fails() {
     let field = from_fn(|z: &Sites<Vector3<f64>>| z.clone());
     let step = newton.step(&field, &none, 0.1, &mut newton.workspace()).unwrap();
     assert_eq!(step.point, none);
+}
+
+/// Sweeps diverge for h = 3 and dz/dt = −z. Newton's iteration is made for 1024 unknowns, and not for 1025.
+#[test]
+fn newtons_iteration_is_for_systems_of_moderate_size() {
+    let decay = from_fn(|z: &Sites<Vector1<f64>>| z.iter().map(|z| -z).collect());
+    let midpoint = RungeKutta::implicit_midpoint();
+    let step = |count| {
+        let start = Sites::new(vec![Vector1::new(1.0); count]);
+        midpoint.step(&decay, &start, 3.0, &mut midpoint.workspace())
+    };
+    let end = step(10).unwrap();
+    assert!(end.iterations > 60 && end.point.iter().all(|z| (z.x + 0.2).abs() < 1e-14));
+    assert!(matches!(step(1025), Err(StepError::NotConverged { .. })));
 }
 
 /// A hundred vortices on the spiral of equal areas.
