@@ -118,7 +118,7 @@ impl<F> SphericalMidpoint<F> {
         let mut k = [F::Point::take(pool, w)];
         let [mut spare, mut middle] = [(); 2].map(|()| F::Point::take(pool, w));
         self.field.at_into(w, &mut k[0]);
-        let mut derivative = |_: usize, k: &[F::Point], _, value: &mut F::Point| {
+        let mut derivative = |_: usize, k: &[F::Point], value: &mut F::Point| {
             middle.assign(w);
             middle.add_combination(&[0.5 * step], k);
             middle.project_to_spheres_of(w);

@@ -1,6 +1,5 @@
 //! Partitioned Runge–Kutta methods: [`PartitionedRungeKutta`].
 
-use crate::stages::block_sizes::MaskOf;
 use crate::stages::extrapolation::Predictor;
 use crate::stages::history::StageHistory;
 use crate::stages::stage_scale::StageScale;
@@ -203,7 +202,7 @@ impl<P: Polarisation> Scheme for PartitionedRungeKutta<P> {
         // A workspace from another method, or for another size, still gives the right result.
         fit(k, self.q.stages(), z);
         let (mut point, mut spare) = (F::Point::take(pool, z), F::Point::take(pool, z));
-        let derivative = |i: usize, k: &[F::Point], _: MaskOf<F::Point>, value: &mut F::Point| {
+        let derivative = |i: usize, k: &[F::Point], value: &mut F::Point| {
             Self::set_sum(&mut point, step, (self.q.row(i), self.p.row(i)), k, pool);
             point.add_in_place(z);
             field.at_into(&point, value);

@@ -6,7 +6,9 @@ use crate::stages::extrapolation::Predictor;
 use crate::stages::history::StageHistory;
 use crate::stages::newton::{NewtonSpace, newton_step};
 use crate::stages::stage_scale::StageScale;
-use crate::stages::stage_solver::{Unconverged, fit, scale_evenly, set_combination};
+use crate::stages::stage_solver::{
+    StageEquations, Unconverged, fit, scale_evenly, set_combination,
+};
 use crate::tableaux::dop853;
 use crate::{
     Equivariant, Increment, Scheme, SchemeError, StageSolver, Step, StepError, Substeps, Tableau,
@@ -166,28 +168,12 @@ impl RungeKutta {
     ) -> Result<(usize, T::Mask), StepError> {
         let StageSpace { k, small, memory, newton, pool, .. } = workspace;
         small.iter_mut().for_each(State::set_zero);
-        let h = T::from_f64(step);
         let mut spare = F::Point::take(pool, z);
-        let derivative =
-            |i: usize, k: &[F::Point], near: MaskOf<F::Point>, value: &mut F::Point| {
-                let mut stage = F::Point::take(pool, z);
-                if near.any() {
-                    set_combination(&mut stage, self.tableau.row_low(i), k);
-                    small[i].replace_where(near, &stage);
-                }
-                let (before, after) = self.tableau.row(i).split_at(i);
-                // The newest stage comes last, so that the other terms need not wait for it.
-                stage.assign(&small[i]);
-                stage.add_combination(after, &k[i..]);
-                stage.add_combination(before, k);
-                stage.scale_in_place(h);
-                stage.add_in_place(z);
-                field.at_into(&stage, value);
-                stage.give(pool);
-            };
+        let (tableau, h) = (&self.tableau, T::from_f64(step));
+        let equations = Stages { tableau, field, z, h, small, pool };
         let scale = StageScale::new(z, step);
         let (from, unknowns) = ((z, step, &scale), (k.as_mut_slice(), &mut spare));
-        let solved = memory.solve(&self.predictor, &self.solver, field, from, unknowns, derivative);
+        let solved = memory.solve(&self.predictor, &self.solver, field, from, unknowns, equations);
         let outcome = match solved {
             Err(Unconverged { converged, iterations, .. })
                 if self.solver.newton && newton.allows(k.len(), z) =>
@@ -251,6 +237,42 @@ impl RungeKutta {
     }
 }
 
+/// The equations k_i = X(z + h Σ_j a_ij k_j).
+struct Stages<'a, F, V: State> {
+    tableau: &'a Tableau,
+    field: &'a F,
+    z: &'a V,
+    h: V::Scalar,
+    /// The sums Σ_j low_ij k_j, if the coefficients have low parts.
+    small: &'a mut [V],
+    pool: &'a mut V::Pool,
+}
+
+impl<F: VectorField<V::Scalar, Point = V>, V: State> StageEquations<V> for Stages<'_, F, V> {
+    #[inline]
+    fn has_low_parts(&self) -> bool {
+        !self.tableau.row_low(0).is_empty()
+    }
+
+    #[inline(always)]
+    fn evaluate(&mut self, i: usize, k: &[V], near: MaskOf<V>, value: &mut V) {
+        let mut stage = V::take(self.pool, self.z);
+        if near.any() {
+            set_combination(&mut stage, self.tableau.row_low(i), k);
+            self.small[i].replace_where(near, &stage);
+        }
+        stage.assign(&self.small[i]);
+        let (before, after) = self.tableau.row(i).split_at(i);
+        // The newest stage comes last, so that the other terms need not wait for it.
+        stage.add_combination(after, &k[i..]);
+        stage.add_combination(before, k);
+        stage.scale_in_place(self.h);
+        stage.add_in_place(self.z);
+        self.field.at_into(&stage, value);
+        stage.give(self.pool);
+    }
+}
+
 /// The storage of a Runge–Kutta step: its stage derivatives, those of the last steps, and the matrix of Newton's
 /// iteration.
 ///
@@ -261,7 +283,7 @@ pub struct StageSpace<V: State> {
     k: Vec<V>,
     /// The corrections that refinement adds to k.
     rest: Vec<V>,
-    /// The sums Σ_j low_ij k_j with the low parts of the coefficients, once the stages are close.
+    /// The sums Σ_j low_ij k_j with the low parts of the coefficients, once the stages are close; empty without them.
     small: Vec<V>,
     memory: StageHistory<V>,
     newton: NewtonSpace<V::Scalar>,

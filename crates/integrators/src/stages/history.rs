@@ -5,7 +5,7 @@ use crate::stages::block_sizes::{BlockSizes, MaskOf};
 use crate::stages::convergence::{ROUND_OFF, Ratios, unknown};
 use crate::stages::extrapolation::Predictor;
 use crate::stages::stage_scale::Scale;
-use crate::stages::stage_solver::{Unconverged, fill_unless, fit, set_combination};
+use crate::stages::stage_solver::{StageEquations, Unconverged, fill_unless, fit, set_combination};
 use crate::{StageSolver, VectorField};
 use lie_poisson::{Mask, Real, State};
 
@@ -72,7 +72,7 @@ impl<V: State> StageHistory<V> {
         field: &F,
         (z, size, scale): (&V, f64, &impl Scale<V>),
         (k, spare): (&mut [V], &mut V),
-        mut derivative: impl FnMut(usize, &[V], MaskOf<V>, &mut V),
+        mut equations: impl StageEquations<V>,
     ) -> Result<usize, Unconverged<MaskOf<V>>> {
         let frame = field.stage_frame();
         self.keep_where(z, size, predictor, &frame);
@@ -82,13 +82,13 @@ impl<V: State> StageHistory<V> {
             fill_unless(guessed, k, spare);
         }
         let none = MaskOf::<V>::from_bool(false);
-        let mut outcome = solver.solve_from(none, scale, k, spare, &mut self.pace, &mut derivative);
+        let mut outcome = solver.solve_from(none, scale, k, spare, &mut self.pace, &mut equations);
         if let Err(first) = &outcome {
             let misled = guessed.and(first.converged.not());
             if misled.any() {
                 field.at_into(z, spare);
                 fill_unless(misled.not(), k, spare);
-                let second = again(solver, misled.not(), scale, (k, spare), &mut derivative);
+                let second = again(solver, misled.not(), scale, (k, spare), &mut equations);
                 outcome = retried(first, guessed, second);
             }
         }
@@ -225,9 +225,9 @@ fn again<V: State>(
     done: MaskOf<V>,
     scale: &impl Scale<V>,
     (k, spare): (&mut [V], &mut V),
-    derivative: &mut impl FnMut(usize, &[V], MaskOf<V>, &mut V),
+    equations: &mut impl StageEquations<V>,
 ) -> Result<usize, Unconverged<MaskOf<V>>> {
-    solver.solve_from(done, scale, k, spare, &mut unknown(), derivative)
+    solver.solve_from(done, scale, k, spare, &mut unknown(), equations)
 }
 
 /// Returns the combined result of a first attempt, and of a second one in the lanes that a prediction had misled.

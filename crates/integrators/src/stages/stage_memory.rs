@@ -70,7 +70,7 @@ impl<V: State> StageMemory<V> {
         first: impl Fn() -> V,
         stage: impl Fn(usize, &[V]) -> V,
     ) -> Result<usize, Unconverged<<V::Scalar as Real>::Mask>> {
-        let mut stage = |i: usize, k: &[V], _, value: &mut V| *value = stage(i, k);
+        let mut stage = |i: usize, k: &[V], value: &mut V| *value = stage(i, k);
         let mut spare = V::take(&mut self.pool, z);
         let solved = if k.len() == self.predictor.stages {
             let (field, from) = (from_fn(|_: &V| first()), (z, step, &OwnScale));

@@ -73,6 +73,27 @@ impl<M> From<Unconverged<M>> for StepError {
     }
 }
 
+/// The right-hand sides of stage equations k_i = f_i(k). A closure is one for exact coefficients.
+pub(crate) trait StageEquations<V: State> {
+    /// Returns whether the coefficients have low parts, which enter once k is [close](CLOSE) to the solution.
+    fn has_low_parts(&self) -> bool;
+
+    /// Writes f_i(k) to the value. In the lanes `near`, k has just come close to the solution.
+    fn evaluate(&mut self, i: usize, k: &[V], near: MaskOf<V>, value: &mut V);
+}
+
+impl<V: State, F: FnMut(usize, &[V], &mut V)> StageEquations<V> for F {
+    #[inline(always)]
+    fn has_low_parts(&self) -> bool {
+        false
+    }
+
+    #[inline(always)]
+    fn evaluate(&mut self, i: usize, k: &[V], _near: MaskOf<V>, value: &mut V) {
+        self(i, k, value);
+    }
+}
+
 impl StageSolver {
     /// Solves k_i = `derivative`(i, k) for the stages `k` by fixed-point iteration, and returns the number of
     /// iterations.
@@ -94,7 +115,7 @@ impl StageSolver {
     ) -> Result<usize, StepError> {
         k.iter_mut().for_each(|k| k.assign(&start));
         let none = MaskOf::<V>::from_bool(false);
-        let mut stage = |i: usize, k: &[V], _, value: &mut V| *value = derivative(i, k);
+        let mut stage = |i: usize, k: &[V], value: &mut V| *value = derivative(i, k);
         self.solve_from(none, &OwnScale, k, &mut start, &mut unknown(), &mut stage)
             .map_err(|unconverged| unconverged.error)
     }
@@ -102,9 +123,7 @@ impl StageSolver {
     /// Solves as [`solve`](Self::solve) does, from the guess in `k` and with the ratios of changes of the iteration
     /// before.
     ///
-    /// Lanes that are `done` stay as they are. The closure `derivative` is also told in which lanes `k` has just come
-    /// [close](CLOSE) to the solution, and writes its result to the vector that it receives. The vector `spare` is
-    /// overwritten.
+    /// Lanes that are `done` stay as they are. The vector `spare` is overwritten.
     #[inline]
     pub(crate) fn solve_from<V: State>(
         &self,
@@ -113,11 +132,12 @@ impl StageSolver {
         k: &mut [V],
         spare: &mut V,
         pace: &mut Ratios<V::Scalar>,
-        derivative: &mut impl FnMut(usize, &[V], MaskOf<V>, &mut V),
+        equations: &mut impl StageEquations<V>,
     ) -> Result<usize, Unconverged<MaskOf<V>>> {
+        let whole = MaskOf::<V>::from_bool(!equations.has_low_parts());
         let advance =
-            |done, near| sweep(done, k, spare, |i, k, value| derivative(i, k, near, value));
-        self.iterate(self.max_iterations, done, scale, pace, advance)
+            |done, near| sweep(done, k, spare, |i, k, value| equations.evaluate(i, k, near, value));
+        self.iterate(self.max_iterations, (done, whole), scale, pace, advance)
     }
 
     /// Makes Newton's iteration from k_i = `start`, in the lanes that are not `done`. Returns the number of iterations.
@@ -136,11 +156,13 @@ impl StageSolver {
         mut advance: impl FnMut(MaskOf<V>, &mut [V]) -> Progress<V>,
     ) -> Result<usize, StepError> {
         fill_unless(done, k, start);
-        self.iterate(NEWTON_ITERATIONS, done, scale, &mut unknown(), |done, _| advance(done, k))
+        let lanes = (done, MaskOf::<V>::from_bool(false));
+        self.iterate(NEWTON_ITERATIONS, lanes, scale, &mut unknown(), |done, _| advance(done, k))
             .map_err(|unconverged| unconverged.error)
     }
 
-    /// Iterates until the change has converged, or has become infinite, in every lane that is not `done`.
+    /// Iterates until the change has converged, or has become infinite, in every lane that is not `done`. In the lanes
+    /// `close` the coefficients are whole from the beginning.
     ///
     /// The closure `advance` receives the lanes that are to stay as they are and those that have just come close. It
     /// returns the changes and the sizes of the stages.
@@ -148,14 +170,14 @@ impl StageSolver {
     fn iterate<V: State>(
         &self,
         most: usize,
-        done: MaskOf<V>,
+        (done, mut close): (MaskOf<V>, MaskOf<V>),
         scale: &impl Scale<V>,
         pace: &mut Ratios<V::Scalar>,
         mut advance: impl FnMut(MaskOf<V>, MaskOf<V>) -> Progress<V>,
     ) -> Result<usize, Unconverged<MaskOf<V>>> {
         let mut watch = Watch::new(*pace);
         let none = MaskOf::<V>::from_bool(false);
-        let (mut converged, mut lost, mut near, mut close) = (done, none, none, none);
+        let (mut converged, mut lost, mut near) = (done, none, none);
         let mut progress = Progress { change: BlockSizes::zero(), size: BlockSizes::zero() };
         let mut iterations = 0;
         while iterations < most && !converged.or(lost).all() {
