@@ -35,6 +35,14 @@ pub enum StepError {
         /// The size of the coordinate: ∞ or NaN.
         size: f64,
     },
+    /// The state belongs to another space than the equations.
+    #[error("the equations have dimension {expected}, the state has dimension {found}")]
+    Dimension {
+        /// The dimension of the space of the equations.
+        expected: usize,
+        /// The dimension of the state.
+        found: usize,
+    },
     /// The step size is infinite or not a number.
     #[error("the step size must be finite, it is {step}")]
     StepSize {
@@ -47,6 +55,15 @@ pub enum StepError {
 }
 
 impl StepError {
+    /// Checks that a state has the dimension of the equations, which large states know only when the program runs.
+    ///
+    /// # Errors
+    /// Returns [`Dimension`](Self::Dimension) with both numbers.
+    pub fn check_dimension<V: State>(state: &V, expected: usize) -> Result<(), Self> {
+        let found = state.dimension();
+        if found == expected { Ok(()) } else { Err(Self::Dimension { expected, found }) }
+    }
+
     /// Checks that the start and the step size are finite numbers.
     ///
     /// Trajectories and ensembles make this check before their first step, for every integrator.

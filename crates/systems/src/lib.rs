@@ -74,11 +74,16 @@ mod body_in_fluid;
 mod vortices;
 mod spin_chain;
 mod spin_lattice;
+mod matrix_hydrodynamics;
 pub mod prelude;
 
 pub use body_in_fluid::kirchhoff::Kirchhoff;
 pub use error::SystemError;
 pub use gyrostat::heavy_gyrostat::Gyrostat;
+pub use matrix_hydrodynamics::quantised_laplacian::QuantisedLaplacian;
+pub use matrix_hydrodynamics::spherical_harmonic::associated_legendre;
+pub use matrix_hydrodynamics::vorticity_coefficients::VorticityCoefficients;
+pub use matrix_hydrodynamics::zeitlin::Zeitlin;
 pub use spaces::spin_space::{SpinSpace, Spins};
 pub use spin_chain::heisenberg_chain::HeisenbergChain;
 pub use spin_lattice::vibrating_lattice::{SpinLattice, SpinLatticeSpace};
@@ -86,6 +91,8 @@ pub use vortices::many_vortices::ManyVortices;
 pub use vortices::point_vortices::PointVortices;
 
 pub use collective_integrators;
+pub use isospectral_flows;
+pub use isospectral_flows::num_complex;
 pub use lie_poisson;
 pub use momentum_map;
 pub use nalgebra;

@@ -1,0 +1,51 @@
+//! Isospectral equations as a vector field: [`CommutatorField`].
+
+use crate::fields::isospectral_field::IsospectralField;
+use crate::matrices::products::Products;
+use crate::matrices::skew_hermitian::LargeSkewHermitian;
+use collective_integrators::VectorField;
+use lie_poisson::State;
+use std::sync::{Mutex, PoisonError};
+
+/// The vector field [B(W), W] of an isospectral equation, for schemes that are applied to it directly.
+///
+/// Explicit Runge–Kutta methods applied to it conserve the spectrum to their accuracy only. They are a comparison, and
+/// cheap where a short run is asked for.
+///
+/// # Example
+/// See [`IsospectralField`] for an equation, and `Direct::new(RungeKutta::rk4(), CommutatorField::new(equation))` for
+/// the integrator.
+#[derive(Debug)]
+pub struct CommutatorField<F> {
+    field: F,
+    /// A generator and the storage of products. Only one step at a time uses them.
+    storage: Mutex<(LargeSkewHermitian, Products)>,
+}
+
+impl<F: IsospectralField> CommutatorField<F> {
+    /// Creates the vector field of an equation.
+    pub fn new(field: F) -> Self {
+        let storage = Mutex::new((LargeSkewHermitian::zeros(field.size()), Products::default()));
+        Self { field, storage }
+    }
+}
+
+impl<F: IsospectralField> VectorField for CommutatorField<F> {
+    type Point = LargeSkewHermitian;
+
+    fn at(&self, w: &LargeSkewHermitian) -> LargeSkewHermitian {
+        let mut rate = w.zeros_like();
+        self.at_into(w, &mut rate);
+        rate
+    }
+
+    fn at_into(&self, w: &LargeSkewHermitian, rate: &mut LargeSkewHermitian) {
+        if w.size() != self.field.size() {
+            return rate.scale_in_place(f64::NAN);
+        }
+        let mut storage = self.storage.lock().unwrap_or_else(PoisonError::into_inner);
+        let (generator, products) = &mut *storage;
+        self.field.generator_into(w, generator);
+        products.commutator(generator, w, rate);
+    }
+}

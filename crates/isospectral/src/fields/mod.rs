@@ -1,0 +1,4 @@
+//! Isospectral equations Ẇ = [B(W), W].
+
+pub(crate) mod isospectral_field;
+pub(crate) mod direct_field;

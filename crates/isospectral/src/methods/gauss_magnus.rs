@@ -1,0 +1,237 @@
+//! Exponential Gauss methods on u(N)∗: [`GaussMagnus`].
+
+use crate::fields::isospectral_field::IsospectralField;
+use crate::matrices::large_matrix::LargeMatrix;
+use crate::matrices::products::Products;
+use crate::matrices::skew_hermitian::LargeSkewHermitian;
+use crate::methods::generator_history::GeneratorHistory;
+use crate::methods::generator_sweeps::Sweeps;
+use collective_integrators::{
+    Integrator, SchemeError, StateIsMomentum, Step, StepError, Tableau,
+};
+use lie_poisson::State;
+
+/// The Gauss–Magnus method with s = 1, 2 or 3 stages for [isospectral equations](IsospectralField): order 2s,
+/// isospectral, symmetric, and not a Poisson map.
+///
+/// The Gauss method with s stages gives the generators B_i = B(W_i) at its nodes, the Magnus expansion a skew-Hermitian
+/// Ω, and the step is a conjugation:
+///
+/// ```text
+/// W_i = W₀ + h Σ_j a_ij [B_j, W_j],    W₁ = exp(Ω) W₀ exp(−Ω)
+///
+/// s = 1:  Ω = h B₁
+/// s = 2:  Ω = (h/2)(B₁ + B₂) + (√3/12) h² [B₂, B₁]
+/// s = 3:  Ω = α₁ + α₃/12 + [−20α₁ − α₃ + C₁, α₂ + C₂]/240,    C₁ = [α₁, α₂],    C₂ = −[α₁, 2α₃ + C₁]/60,
+///         α₁ = h B₂,    α₂ = (√15/3) h (B₃ − B₁),    α₃ = (10/3) h (B₃ − 2B₂ + B₁)
+/// ```
+///
+/// The spectrum is conserved to round-off for every Ω, so that the generators are needed only as accurately as the
+/// solution: see [`with_tolerance`](Self::with_tolerance). A sweep costs one product per stage. The error follows the
+/// time scale of the generators, not the spectral radius of h B. This is the method of choice where the spectrum
+/// matters and the bracket does not.
+///
+/// Source: Iserles, Munthe-Kaas, Nørsett & Zanna, *Lie-group methods*, Acta Numerica 9 (2000), §§4–5; Blanes, Casas &
+/// Ros, *Improved high order integrators based on the Magnus expansion*, BIT 40 (2000).
+///
+/// # Example
+/// See [`IsospectralField`] for an equation; the integrator of order 4 is `GaussMagnus::new(2, equation)?`.
+#[derive(Clone, Debug, PartialEq)]
+pub struct GaussMagnus<F> {
+    field: F,
+    tableau: Tableau,
+    tolerance: f64,
+}
+
+/// The largest number of stages for which the Magnus expansion is known here.
+const MOST_STAGES: usize = 3;
+
+impl<F: IsospectralField> GaussMagnus<F> {
+    /// Creates the method with the given number of stages. It solves for the generators to round-off.
+    ///
+    /// # Errors
+    /// Returns [`SchemeError::Family`] if the number of stages is not 1, 2 or 3.
+    pub fn new(stages: usize, field: F) -> Result<Self, SchemeError> {
+        if !(1..=MOST_STAGES).contains(&stages) {
+            let (family, least, most) = ("the Gauss–Magnus method", 1, MOST_STAGES);
+            return Err(SchemeError::Family { family, least, most, stages });
+        }
+        Ok(Self { field, tableau: Tableau::gauss(stages)?, tolerance: 0.0 })
+    }
+
+    /// Returns the method with another accuracy of the generators: the largest accepted h |δB| in the last sweep, where
+    /// |·| is the largest magnitude of a coordinate.
+    ///
+    /// The number has no unit. A hundredth of the error of a step is enough.
+    #[must_use]
+    pub fn with_tolerance(self, tolerance: f64) -> Self {
+        Self { tolerance, ..self }
+    }
+
+    /// Returns the equation.
+    pub fn field(&self) -> &F {
+        &self.field
+    }
+
+    /// Returns the order 2s.
+    #[must_use]
+    pub fn order(&self) -> usize {
+        self.tableau.order()
+    }
+
+    /// Solves for the generators at the nodes. Returns the number of sweeps.
+    fn solve(
+        &self,
+        w: &LargeSkewHermitian,
+        step: f64,
+        space: &mut MagnusSpace,
+    ) -> Result<usize, StepError> {
+        let MagnusSpace { products, generators, fresh, stages, rates, history, .. } = space;
+        if !history.predict(w, step, generators) {
+            self.field.generator_into(w, &mut generators[0]);
+            let (first, others) = generators.split_at_mut(1);
+            others.iter_mut().for_each(|other| other.assign(&first[0]));
+        }
+        stages.iter_mut().for_each(|stage| stage.assign(w));
+        let mut sweeps = Sweeps::new(self.tolerance, step);
+        loop {
+            for ((rate, generator), stage) in rates.iter_mut().zip(&*generators).zip(&*stages) {
+                products.commutator(generator, stage, rate);
+            }
+            for (i, stage) in stages.iter_mut().enumerate() {
+                stage.set_zero();
+                stage.add_combination(self.tableau.row(i), rates);
+                stage.scale_in_place(step);
+                stage.add_in_place(w);
+                self.field.generator_into(stage, &mut fresh[i]);
+            }
+            let last = sweeps.converged(fresh, generators)?;
+            core::mem::swap(generators, fresh);
+            if last {
+                return Ok(sweeps.made);
+            }
+        }
+    }
+}
+
+/// The storage of a step of [`GaussMagnus`].
+#[derive(Clone, Debug)]
+pub struct MagnusSpace {
+    products: Products,
+    generators: Vec<LargeSkewHermitian>,
+    /// The generators of the next sweep.
+    fresh: Vec<LargeSkewHermitian>,
+    stages: Vec<LargeSkewHermitian>,
+    rates: Vec<LargeSkewHermitian>,
+    omega: LargeSkewHermitian,
+    next: LargeSkewHermitian,
+    rotation: LargeMatrix,
+    history: GeneratorHistory,
+}
+
+impl MagnusSpace {
+    /// Writes Ω. The stages and their rates are overwritten.
+    fn set_magnus(&mut self, h: f64) {
+        let Self { products, generators, fresh, stages, rates, omega, .. } = self;
+        match (&generators[..], &mut stages[..], &mut rates[..], &mut fresh[..]) {
+            ([b1, b2], ..) => {
+                products.commutator(b2, b1, omega);
+                omega.scale_in_place(3.0_f64.sqrt() / 12.0 * h * h);
+                omega.add_multiple(0.5 * h, b1);
+                omega.add_multiple(0.5 * h, b2);
+            }
+            ([b1, b2, b3], [a1, a2, a3], [c1, c2, inner], [left, right, _]) => {
+                let factor = 15.0_f64.sqrt() / 3.0 * h;
+                set_combination(a1, &[(h, b2)]);
+                set_combination(a2, &[(factor, b3), (-factor, b1)]);
+                let factor = 10.0 / 3.0 * h;
+                set_combination(a3, &[(factor, b3), (-2.0 * factor, b2), (factor, b1)]);
+                products.commutator(a1, a2, c1);
+                set_combination(inner, &[(2.0, a3), (1.0, c1)]);
+                products.commutator(a1, inner, c2);
+                set_combination(left, &[(-20.0, a1), (-1.0, a3), (1.0, c1)]);
+                set_combination(right, &[(1.0, a2), (-1.0 / 60.0, c2)]);
+                products.commutator(left, right, omega);
+                omega.scale_in_place(1.0 / 240.0);
+                omega.add_multiple(1.0, a1);
+                omega.add_multiple(1.0 / 12.0, a3);
+            }
+            (others, ..) => {
+                omega.set_zero();
+                others.iter().for_each(|b| omega.add_multiple(h, b));
+            }
+        }
+    }
+}
+
+/// Writes a linear combination.
+fn set_combination(sum: &mut LargeSkewHermitian, terms: &[(f64, &LargeSkewHermitian)]) {
+    sum.set_zero();
+    terms.iter().for_each(|(factor, term)| sum.add_multiple(*factor, term));
+}
+
+impl<F: IsospectralField> Integrator for GaussMagnus<F> {
+    type State = LargeSkewHermitian;
+    type Momentum = LargeSkewHermitian;
+    type Workspace = MagnusSpace;
+
+    fn workspace(&self) -> MagnusSpace {
+        let (stages, size) = (self.tableau.stages(), self.field.size());
+        let zero = LargeSkewHermitian::zeros(size);
+        let several = || vec![zero.clone(); stages];
+        // More steps than this enlarge the error of the generators by more than they predict.
+        let steps = if stages > 2 { 1 } else { 2 };
+        MagnusSpace {
+            products: Products::default(),
+            generators: several(),
+            fresh: several(),
+            stages: several(),
+            rates: several(),
+            omega: zero.clone(),
+            next: zero,
+            rotation: LargeMatrix::zeros(size),
+            history: GeneratorHistory::new(self.tableau.nodes(), steps),
+        }
+    }
+
+    fn forget(&self, workspace: &mut MagnusSpace) {
+        workspace.history.forget();
+    }
+
+    fn step(
+        &self,
+        w: &LargeSkewHermitian,
+        step: f64,
+        workspace: &mut MagnusSpace,
+    ) -> Result<Step<LargeSkewHermitian>, StepError> {
+        let mut point = w.clone();
+        let iterations = self.step_in_place(&mut point, step, workspace)?;
+        Ok(Step { point, iterations })
+    }
+
+    fn step_in_place(
+        &self,
+        w: &mut LargeSkewHermitian,
+        step: f64,
+        space: &mut MagnusSpace,
+    ) -> Result<usize, StepError> {
+        StepError::check_dimension(w, self.field.size().pow(2))?;
+        let sweeps = self.solve(w, step, space)?;
+        space.set_magnus(step);
+        let MagnusSpace { products, generators, omega, next, rotation, history, .. } = space;
+        products.exponential_minus_one(omega, rotation);
+        products.conjugate(rotation, w, next);
+        if !next.all_finite() {
+            return Err(StepError::NotFinite);
+        }
+        w.move_from(next);
+        history.remember(generators, step, w);
+        Ok(sweeps)
+    }
+
+    fn momentum(&self, w: &LargeSkewHermitian) -> LargeSkewHermitian {
+        w.clone()
+    }
+}
+
+impl<F> StateIsMomentum for GaussMagnus<F> {}

@@ -1,0 +1,70 @@
+//! The convergence test of sweeps for generators: [`Sweeps`].
+
+use crate::matrices::skew_hermitian::LargeSkewHermitian;
+use collective_integrators::StepError;
+use lie_poisson::State;
+
+/// The number of sweeps after which an iteration counts as not converged.
+const MOST_SWEEPS: usize = 100;
+
+/// The multiple of the size of a generator below which changes that no longer decrease are round-off.
+///
+/// The generator may be small by cancellation, as Δ⁻¹W is for a W of high degree.
+const FLOOR: f64 = 1e-11;
+
+/// The multiple of the size of a generator below which a change is round-off.
+const ROUND_OFF: f64 = 4.0 * f64::EPSILON;
+
+/// Sweeps of a fixed-point iteration for generators B, watched until they change no more, or by less than asked.
+pub(crate) struct Sweeps {
+    tolerance: f64,
+    length: f64,
+    last: f64,
+    size: f64,
+    pub(crate) made: usize,
+}
+
+impl Sweeps {
+    /// Creates the watch for a step of the given size. The largest accepted change h |δB| is `tolerance`.
+    pub(crate) fn new(tolerance: f64, step: f64) -> Self {
+        Self { tolerance, length: step.abs(), last: f64::INFINITY, size: 0.0, made: 0 }
+    }
+
+    /// Records the next sweep, from the pairs of new and old generators. Returns whether it is the last one.
+    ///
+    /// # Errors
+    /// Returns [`StepError::NotConverged`] if the iteration diverges, or after 100 sweeps.
+    pub(crate) fn converged(
+        &mut self,
+        new: &[LargeSkewHermitian],
+        old: &[LargeSkewHermitian],
+    ) -> Result<bool, StepError> {
+        let (mut change, mut size) = ((0.0,), (0.0,));
+        let mut sums = (0.0, 0.0);
+        for (new, old) in new.iter().zip(old) {
+            new.measure_difference(old, &mut change, &mut sums.0);
+            new.measure(&mut size, &mut sums.1);
+        }
+        let ((change,), (size,)) = (change, size);
+        let finite = sums.0.is_finite() && sums.1.is_finite();
+        self.made += 1;
+        let enough = self.length * change <= self.tolerance || change <= size * ROUND_OFF;
+        let floor = change >= self.last && change <= size * FLOOR;
+        self.last = change;
+        self.size = size;
+        if finite && (enough || floor) {
+            return Ok(true);
+        }
+        if finite && self.made < MOST_SWEEPS {
+            return Ok(false);
+        }
+        let residual = if finite { change / size } else { f64::NAN };
+        let required = if self.tolerance > 0.0 { self.tolerance } else { ROUND_OFF };
+        Err(StepError::NotConverged { residual, required, iterations: self.made })
+    }
+
+    /// Returns the last change, relative to the size; ∞ before the second sweep.
+    pub(crate) fn relative_change(&self) -> f64 {
+        if self.size > 0.0 { self.last / self.size } else { f64::INFINITY }
+    }
+}

@@ -1,0 +1,48 @@
+//! Typed errors, and states that stay as they were.
+
+use crate::examples::{Quadratic, generic};
+use isospectral_flows::collective_integrators::{
+    Direct, Integrator, RungeKutta, SchemeError, Start, StepError,
+};
+use isospectral_flows::lie_poisson::State;
+use isospectral_flows::{CommutatorField, ExponentialMidpoint, GaussMagnus, IsospectralRungeKutta};
+
+#[test]
+fn states_of_another_size_are_refused() {
+    let expected = StepError::Dimension { expected: 16, found: 25 };
+    let mut w = generic(5, 0.0);
+    let magnus = GaussMagnus::new(2, Quadratic(4)).unwrap();
+    assert_eq!(magnus.step_in_place(&mut w, 0.1, &mut magnus.workspace()), Err(expected));
+    let midpoint = ExponentialMidpoint::new(Quadratic(4));
+    assert_eq!(midpoint.step_in_place(&mut w, 0.1, &mut midpoint.workspace()), Err(expected));
+    let gauss = IsospectralRungeKutta::new(RungeKutta::gauss(2).unwrap(), Quadratic(4));
+    assert_eq!(gauss.step_in_place(&mut w, 0.1, &mut gauss.workspace()), Err(expected));
+    let direct = Direct::new(RungeKutta::rk4(), CommutatorField::new(Quadratic(4)));
+    assert!(direct.after(&w, 0.1, 1).is_err());
+    assert_eq!(w, generic(5, 0.0));
+}
+
+#[test]
+fn steps_that_do_not_converge_are_errors() {
+    let mut w = generic(4, 0.5);
+    let magnus = GaussMagnus::new(2, Quadratic(4)).unwrap();
+    for h in [50.0, 1e5, 1e200] {
+        let step = magnus.step_in_place(&mut w, h, &mut magnus.workspace());
+        assert!(matches!(step, Err(StepError::NotConverged { .. })), "{h} {step:?}");
+        let midpoint = ExponentialMidpoint::new(Quadratic(4));
+        let step = midpoint.step_in_place(&mut w, h, &mut midpoint.workspace());
+        assert!(matches!(step, Err(StepError::NotConverged { .. })), "{h} {step:?}");
+        assert_eq!(w, generic(4, 0.5));
+    }
+    let mut w = generic(4, 0.5);
+    w.set_entry(3, f64::NAN);
+    assert!(magnus.step_in_place(&mut w, 0.1, &mut magnus.workspace()).is_err());
+}
+
+#[test]
+fn numbers_of_stages_without_an_expansion_are_refused() {
+    for stages in [0, 4, usize::MAX] {
+        let refused = GaussMagnus::new(stages, Quadratic(4)).err();
+        assert!(matches!(refused, Some(SchemeError::Family { stages: n, .. }) if n == stages));
+    }
+}

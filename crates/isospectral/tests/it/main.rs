@@ -1,0 +1,7 @@
+//! What this crate promises.
+
+mod examples;
+mod failures;
+mod matrices;
+mod methods;
+mod poisson;

@@ -1,0 +1,139 @@
+//! Products, commutators and exponentials, against sums written out.
+
+use crate::examples::{distance, generic};
+use isospectral_flows::lie_poisson::State;
+use isospectral_flows::{LargeMatrix, LargeSkewHermitian, Products};
+use num_complex::Complex;
+use proptest::prelude::*;
+
+/// Returns A B by its definition.
+fn product(a: &LargeMatrix, b: &LargeMatrix) -> LargeMatrix {
+    let n = a.size();
+    LargeMatrix::from_fn(n, |j, k| (0..n).map(|l| a.at(j, l) * b.at(l, k)).sum())
+}
+
+fn difference(a: &LargeMatrix, b: &LargeMatrix) -> f64 {
+    let mut c = a.clone();
+    c.subtract_in_place(b);
+    c.norm()
+}
+
+fn complex(size: usize, seed: f64) -> LargeMatrix {
+    LargeMatrix::from_fn(size, |j, k| {
+        let x = (3 * j + 5 * k) as f64 + seed;
+        Complex::new((7.1 * x).sin(), (3.3 * x).cos())
+    })
+}
+
+proptest! {
+    #[test]
+    fn products_are_sums(size in 0_usize..40, seed in 0.0..1.0_f64) {
+        let (a, b) = (complex(size, seed), complex(size, seed + 0.7));
+        let mut ab = LargeMatrix::zeros(size);
+        let mut products = Products::default();
+        products.multiply(&a, &b, &mut ab);
+        // N roundings of a sum of N products, three times
+        let bound = 8.0 * f64::EPSILON * size as f64 * a.norm() * b.norm();
+        prop_assert!(difference(&ab, &product(&a, &b)) <= bound);
+
+        let (v, w) = (generic(size, seed), generic(size, seed + 2.0));
+        let mut commutator = LargeSkewHermitian::zeros(size);
+        products.commutator(&v, &w, &mut commutator);
+        let (vw, wv) = (product(v.matrix(), w.matrix()), product(w.matrix(), v.matrix()));
+        for (j, k) in (0..size).flat_map(|j| (0..size).map(move |k| (j, k))) {
+            let error = commutator.at(j, k) - (vw.at(j, k) - wv.at(j, k));
+            prop_assert!(error.norm() <= 8.0 * f64::EPSILON * size as f64 * 4.0);
+            prop_assert_eq!(commutator.at(j, k), -commutator.at(k, j).conj());
+        }
+        let square = product(v.matrix(), v.matrix());
+        products.multiply_hermitian(v.matrix(), v.matrix(), &mut ab);
+        prop_assert!(difference(&ab, &square) <= 8.0 * f64::EPSILON * size as f64 * v.norm().powi(2));
+    }
+
+    /// The coordinates of the vector space are those of the entries.
+    #[test]
+    fn coordinates_are_linear_and_complete(size in 1_usize..9, seed in 0.0..1.0_f64) {
+        let (v, w) = (generic(size, seed), generic(size, seed + 1.0));
+        let mut copy = v.zeros_like();
+        copy.set_entries(|i| v.entry(i));
+        prop_assert_eq!(&copy, &v);
+        prop_assert_eq!(v.dimension(), size * size);
+        copy.add_multiple(2.0, &w);
+        copy.subtract_from(&w);
+        for i in 0..v.dimension() {
+            prop_assert_eq!(copy.entry(i), w.entry(i) - (v.entry(i) + 2.0 * w.entry(i)));
+        }
+    }
+}
+
+/// Returns the diagonal matrix of the numbers i x_j.
+fn diagonal(x: &[f64]) -> LargeSkewHermitian {
+    LargeSkewHermitian::from_upper(x.len(), |j, k| {
+        if j == k { Complex::new(0.0, x[j]) } else { Complex::ZERO }
+    })
+}
+
+/// exp(V D V*) = V exp(D) V* for a diagonal D and a unitary V, over the sizes of D at which the number of terms
+/// changes, and beyond them.
+#[test]
+fn exponentials_have_the_exponentials_of_the_eigenvalues() {
+    let (size, mut products) = (13, Products::default());
+    let mut v = LargeMatrix::zeros(size);
+    products.exponential_minus_one(&generic(size, 0.4), &mut v);
+    for radius in [0.0, 1e-300, 1e-9, 0.008, 0.2, 0.3, 1.0, 1.2, 2.0, 3.5, 5.0, 40.0, 1e3] {
+        let angles: Vec<f64> = (0..size).map(|j| radius * (1.7 * j as f64).cos()).collect();
+        let mut omega = LargeSkewHermitian::zeros(size);
+        products.conjugate(&v, &diagonal(&angles), &mut omega);
+        let mut z = LargeMatrix::zeros(size);
+        products.exponential_minus_one(&omega, &mut z);
+        let mut one_and_v = v.clone();
+        (0..size).for_each(|j| one_and_v.set(j, j, v.at(j, j) + Complex::ONE));
+        // exp(ix) − 1 = −2 sin²(x/2) + i sin x
+        let minus_one = |x: f64| Complex::new(-2.0 * (0.5 * x).sin().powi(2), x.sin());
+        let expected = LargeMatrix::from_fn(size, |j, k| {
+            (0..size)
+                .map(|l| one_and_v.at(j, l) * minus_one(angles[l]) * one_and_v.at(k, l).conj())
+                .sum()
+        });
+        // The rounding of Ω alone is N ε ρ.
+        let bound = 8.0 * f64::EPSILON * size as f64 * radius;
+        assert!(difference(&z, &expected) <= bound, "{radius} {:e}", difference(&z, &expected));
+        // 1 + Z is unitary: Z + Z* + Z Z* = 0
+        let mut defect = LargeMatrix::zeros(size);
+        let mut adjoint = z.zeros_like();
+        adjoint.add_adjoint(1.0, &z);
+        products.multiply(&z, &adjoint, &mut defect);
+        defect.add_in_place(&z);
+        defect.add_in_place(&adjoint);
+        assert!(defect.norm() <= bound, "{radius} {:e}", defect.norm());
+    }
+}
+
+#[test]
+fn conjugation_is_a_change_of_basis() {
+    let (size, mut products) = (11, Products::default());
+    let (w, mut z) = (generic(size, 0.1), LargeMatrix::zeros(size));
+    let mut moved = w.zeros_like();
+    products.conjugate(&z, &w, &mut moved);
+    assert_eq!(moved, w);
+    products.exponential_minus_one(&generic(size, 0.9), &mut z);
+    products.conjugate(&z, &w, &mut moved);
+    let u = LargeMatrix::from_fn(size, |j, k| z.at(j, k) + if j == k { 1.0 } else { 0.0 });
+    let mut adjoint = u.zeros_like();
+    adjoint.add_adjoint(1.0, &u);
+    let expected = product(&product(&u, w.matrix()), &adjoint);
+    assert!(difference(moved.matrix(), &expected) < 1e-13);
+    assert!(distance(&moved, &w) > 0.1);
+}
+
+#[test]
+fn matrices_of_different_sizes_give_nan() {
+    let (a, b) = (complex(3, 0.0), complex(4, 0.0));
+    let mut ab = LargeMatrix::zeros(7);
+    Products::default().multiply(&a, &b, &mut ab);
+    assert!(ab.size() == 3 && !ab.all_finite());
+    let mut z = LargeMatrix::zeros(3);
+    let infinite = diagonal(&[f64::INFINITY, 0.0, 1.0]);
+    Products::default().exponential_minus_one(&infinite, &mut z);
+    assert!(!z.all_finite());
+}

@@ -1,0 +1,186 @@
+//! Orders, spectra and published formulas.
+
+use crate::examples::{Quadratic, casimirs, distance, generic};
+use isospectral_flows::collective_integrators::{
+    Composition, Direct, Integrator, LiftFree, RungeKutta, Start, Substeps,
+    fitted_order,
+};
+use isospectral_flows::lie_poisson::{
+    Automatic, Covector, Energy, LiePoisson, Real, SkewHermitian, State, UnitaryAlgebra,
+};
+use isospectral_flows::{
+    CommutatorField, ExponentialMidpoint, GaussMagnus, IsospectralField, IsospectralRungeKutta,
+    LargeMatrix, LargeSkewHermitian, Products,
+};
+use momentum_map::ComplexMatrices;
+use num_complex::Complex;
+
+const SIZE: usize = 6;
+
+type Large = LargeSkewHermitian;
+
+fn after<I>(integrator: &I, start: &Large, h: f64, steps: u64) -> Large
+where
+    I: Start<State = Large, Momentum = Large>,
+{
+    integrator.after(start, h, steps).unwrap().state
+}
+
+fn reference(start: &Large) -> Large {
+    after(&GaussMagnus::new(3, Quadratic(SIZE)).unwrap(), start, 1.0 / 256.0, 256)
+}
+
+/// Asserts that the error at t = 1 has the given order.
+fn assert_order<I>(integrator: &I, order: f64, steps: [u64; 4])
+where
+    I: Start<State = Large, Momentum = Large>,
+{
+    let start = generic(SIZE, 0.3);
+    let end = reference(&start);
+    let error = |n: u64| distance(&after(integrator, &start, 1.0 / n as f64, n), &end);
+    let errors = steps.map(|n| (1.0 / n as f64, error(n)));
+    let fitted = fitted_order(&errors, 1e-12).unwrap();
+    assert!((fitted - order).abs() < 0.2, "order {fitted} instead of {order}: {errors:?}");
+}
+
+#[test]
+fn orders_are_as_documented() {
+    let field = || Quadratic(SIZE);
+    assert_order(&GaussMagnus::new(1, field()).unwrap(), 2.0, [8, 16, 32, 64]);
+    assert_order(&GaussMagnus::new(2, field()).unwrap(), 4.0, [8, 16, 32, 64]);
+    assert_order(&GaussMagnus::new(3, field()).unwrap(), 6.0, [6, 9, 12, 18]);
+    let midpoint = ExponentialMidpoint::new(field());
+    assert_order(&midpoint, 2.0, [8, 16, 32, 64]);
+    assert_order(&Composition::new(midpoint, Substeps::suzuki4()), 4.0, [8, 16, 24, 32]);
+    let collective = |scheme| IsospectralRungeKutta::new(scheme, field());
+    assert_order(&collective(RungeKutta::implicit_midpoint()), 2.0, [8, 16, 32, 64]);
+    assert_order(&collective(RungeKutta::gauss(2).unwrap()), 4.0, [8, 16, 32, 64]);
+    let direct = Direct::new(RungeKutta::rk4(), CommutatorField::new(field()));
+    assert_order(&direct, 4.0, [32, 64, 128, 256]);
+}
+
+/// Returns the largest drift of a Casimir over a run.
+fn drift<I>(integrator: &I) -> f64
+where
+    I: Start<State = Large, Momentum = Large>,
+{
+    let start = generic(SIZE, 0.3);
+    let (before, end) = (casimirs(&start), after(integrator, &start, 0.1, 200));
+    assert!(distance(&start, &end) > 0.1);
+    before.iter().zip(casimirs(&end)).map(|(a, b)| (a - b).abs()).fold(0.0, f64::max)
+}
+
+#[test]
+fn spectra_are_conserved_to_round_off_and_by_explicit_methods_not() {
+    // 200 steps of a few roundings each, without a mean
+    let round_off = 1e-14;
+    for stages in [1, 2, 3] {
+        assert!(drift(&GaussMagnus::new(stages, Quadratic(SIZE)).unwrap()) < round_off);
+        let loose = GaussMagnus::new(stages, Quadratic(SIZE)).unwrap().with_tolerance(1e-3);
+        assert!(drift(&loose) < round_off);
+    }
+    assert!(drift(&ExponentialMidpoint::new(Quadratic(SIZE))) < round_off);
+    let gauss = RungeKutta::gauss(3).unwrap();
+    assert!(drift(&IsospectralRungeKutta::new(gauss, Quadratic(SIZE))) < round_off);
+    let rk4 = Direct::new(RungeKutta::rk4(), CommutatorField::new(Quadratic(SIZE)));
+    assert!(drift(&rk4) > 1e-9);
+    let radau = IsospectralRungeKutta::new(RungeKutta::rk4(), Quadratic(SIZE));
+    assert!(drift(&radau) > 1e-9, "a method that is not symplectic gives no unitary Q");
+}
+
+/// Wₘ of the published midpoint rule, from both of its equations.
+#[test]
+fn the_midpoint_rule_is_that_of_modin_and_viviani() {
+    let (start, h) = (generic(SIZE, 0.8), 0.2);
+    let midpoint = IsospectralRungeKutta::new(RungeKutta::implicit_midpoint(), Quadratic(SIZE));
+    let end = midpoint.step(&start, h, &mut midpoint.workspace()).unwrap().point;
+    // Wₘ = W₀ + (h/2)[B, Wₘ] + (h²/4) B Wₘ B by sweeps, W₁ = Wₘ + (h/2)[B, Wₘ] − (h²/4) B Wₘ B
+    let (mut products, mut middle) = (Products::default(), start.clone());
+    let mut b = start.zeros_like();
+    let (mut commutator, mut once, mut twice) =
+        (start.zeros_like(), LargeMatrix::zeros(SIZE), LargeMatrix::zeros(SIZE));
+    let mut published = start.clone();
+    for _ in 0..200 {
+        Quadratic(SIZE).generator_into(&middle, &mut b);
+        products.commutator(&b, &middle, &mut commutator);
+        products.multiply(b.matrix(), middle.matrix(), &mut once);
+        products.multiply(&once, b.matrix(), &mut twice);
+        let square = LargeSkewHermitian::part_of(&twice);
+        published = middle.clone();
+        middle = start.clone();
+        for (sign, sum) in [(1.0, &mut middle), (-1.0, &mut published)] {
+            sum.add_multiple(0.5 * h, &commutator);
+            sum.add_multiple(sign * 0.25 * h * h, &square);
+        }
+    }
+    assert!(distance(&end, &published) < 1e-14, "{:e}", distance(&end, &published));
+    assert!(distance(&end, &start) > 0.01);
+}
+
+const N: usize = 3;
+
+/// The Hamiltonian whose equation is [`Quadratic`], up to a factor, for N known to the compiler.
+#[derive(Clone, Copy)]
+struct Fixed;
+
+impl Energy for Fixed {
+    type Space = LiePoisson<UnitaryAlgebra<N>>;
+
+    fn energy<T: Real>(&self, mu: &Covector<SkewHermitian<T, N>>) -> T {
+        let h = UnitaryAlgebra::<N>.hermitian(mu);
+        let term = |i: usize| {
+            (h[i].re * h[i].re + h[i].im * h[i].im) * Quadratic::factor(i % N, i / N)
+        };
+        (1..N * N).fold(term(0), |sum, i| sum + term(i))
+    }
+}
+
+/// The collective integrators for N known to the compiler make the same steps.
+#[test]
+fn fixed_and_large_sizes_agree() {
+    let start = generic(N, 0.2);
+    // The Hermitian matrix of the momentum is H = iW, and dH/dt = −[ξ, H] with ξ = dh.
+    let hermitian = nalgebra::SMatrix::<Complex<f64>, N, N>::from_fn(|j, k| Complex::<f64>::I * start.at(j, k));
+    let mu = UnitaryAlgebra::<N>.momentum(&hermitian);
+    let fixed = LiftFree::new(RungeKutta::gauss(2).unwrap(), ComplexMatrices::<N>, Automatic(Fixed));
+    let fixed_end = UnitaryAlgebra::<N>.hermitian(&fixed.after(&mu, 0.02, 50).unwrap().momentum);
+    let rate = {
+        // The factor between B and dh follows from the rates at the start.
+        let small = UnitaryAlgebra::<N>.hermitian(&fixed.after(&mu, 1e-6, 1).unwrap().momentum);
+        let exact = Quadratic(N).rate(&start);
+        let slope = (small[3] - hermitian[3]) * 1e6;
+        (slope / (Complex::<f64>::I * exact.at(0, 1))).re
+    };
+    let large = IsospectralRungeKutta::new(RungeKutta::gauss(2).unwrap(), Quadratic(N));
+    let factor = rate.round();
+    assert!((rate - factor).abs() < 1e-4 && factor != 0.0, "{rate}");
+    let large_end = after(&large, &start, 0.02 * factor, 50);
+    for (j, k) in (0..N).flat_map(|j| (0..N).map(move |k| (j, k))) {
+        let error = Complex::<f64>::I * large_end.at(j, k) - fixed_end[(j, k)];
+        assert!(error.norm() < 1e-13, "{error}");
+    }
+    assert!(distance(&large_end, &start) > 0.1);
+}
+
+/// Steps do not depend on units: W and B multiplied by s, and time divided by s.
+#[test]
+fn results_do_not_depend_on_units() {
+    let start = generic(4, 0.6);
+    let field = || Quadratic(4);
+    let magnus = GaussMagnus::new(2, field()).unwrap();
+    let exponential = ExponentialMidpoint::new(field());
+    let gauss = IsospectralRungeKutta::new(RungeKutta::gauss(2).unwrap(), field());
+    for exponent in [-90, -30, 40, 100] {
+        let s = 2.0_f64.powi(exponent);
+        let mut scaled = start.clone();
+        scaled.scale_in_place(s);
+        let compare = |ends: [Large; 2]| {
+            let [mut one, other] = ends;
+            one.scale_in_place(s);
+            assert!(distance(&one, &other) <= 8.0 * f64::EPSILON * s, "{exponent}");
+        };
+        compare([after(&magnus, &start, 0.1, 5), after(&magnus, &scaled, 0.1 / s, 5)]);
+        compare([after(&exponential, &start, 0.1, 5), after(&exponential, &scaled, 0.1 / s, 5)]);
+        compare([after(&gauss, &start, 0.1, 5), after(&gauss, &scaled, 0.1 / s, 5)]);
+    }
+}

@@ -1,0 +1,140 @@
+//! Functions on the sphere by their spherical harmonics: [`VorticityCoefficients`].
+
+use crate::matrix_hydrodynamics::quantised_laplacian::QuantisedLaplacian;
+use crate::matrix_hydrodynamics::spherical_harmonic::associated_legendre;
+use isospectral_flows::LargeSkewHermitian;
+use isospectral_flows::num_complex::Complex;
+
+/// A real function on the unit sphere of degree below N, by its coefficients ω_lm:
+///
+/// ```text
+/// ω(θ, φ) = Σ_lm ω_lm Y_lm(θ, φ),    ω_(l,−m) = (−1)ᵐ ω_lm*
+/// ```
+///
+/// The harmonics Y_lm are orthonormal and have the phase of Condon and Shortley. Only coefficients with m ≥ 0 are
+/// stored; those with m = 0 are real.
+///
+/// The matrix of the function is W = i Σ_lm ω_lm T_lm, with the matrices of [`QuantisedLaplacian::harmonic`].
+///
+/// # Example
+/// ```
+/// use lie_poisson_systems::{QuantisedLaplacian, VorticityCoefficients};
+/// use lie_poisson_systems::num_complex::Complex;
+/// let mut omega = VorticityCoefficients::zeros(16);
+/// omega.set(3, 2, Complex::new(0.5, -1.0));
+/// // the value at the north pole is zero, since m is not
+/// assert_eq!(omega.value(0.0, 0.0), 0.0);
+/// let laplacian = QuantisedLaplacian::new(16)?;
+/// let back = VorticityCoefficients::of_matrix(&laplacian, &omega.matrix(&laplacian));
+/// assert!((back.at(3, 2) - omega.at(3, 2)).norm() < 1e-14);
+/// assert!(back.at(4, 2).norm() < 1e-14);
+/// # Ok::<(), lie_poisson_systems::SystemError>(())
+/// ```
+#[derive(Clone, Debug, PartialEq)]
+pub struct VorticityCoefficients {
+    size: usize,
+    /// The coefficient of degree l and order m has the index l(l + 1)/2 + m.
+    entries: Vec<Complex<f64>>,
+}
+
+impl VorticityCoefficients {
+    /// Creates the zero function, with room for degrees below N.
+    #[must_use]
+    pub fn zeros(size: usize) -> Self {
+        Self { size, entries: vec![Complex::ZERO; size * (size + 1) / 2] }
+    }
+
+    /// Returns N, the number above all degrees.
+    #[must_use]
+    pub fn size(&self) -> usize {
+        self.size
+    }
+
+    /// Returns the coefficient ω_lm with m ≥ 0, or 0 unless m ≤ l < N.
+    #[must_use]
+    pub fn at(&self, l: usize, m: usize) -> Complex<f64> {
+        if m <= l && l < self.size { self.entries[l * (l + 1) / 2 + m] } else { Complex::ZERO }
+    }
+
+    /// Sets the coefficient ω_lm with m ≥ 0, and thereby ω_(l,−m). For m = 0 the imaginary part is dropped. Does nothing
+    /// unless m ≤ l < N.
+    pub fn set(&mut self, l: usize, m: usize, value: Complex<f64>) {
+        if m <= l && l < self.size {
+            let value = if m == 0 { Complex::from(value.re) } else { value };
+            self.entries[l * (l + 1) / 2 + m] = value;
+        }
+    }
+
+    /// Returns the matrix W of the function. Coefficients of degrees that the matrix cannot hold are dropped.
+    #[must_use]
+    pub fn matrix(&self, laplacian: &QuantisedLaplacian) -> LargeSkewHermitian {
+        let n = laplacian.size();
+        let mut w = LargeSkewHermitian::zeros(n);
+        w.change_upper(|re, im| {
+            for (l, m) in (0..self.size.min(n)).flat_map(|l| (0..=l).map(move |m| (l, m))) {
+                let value = Complex::<f64>::I * self.at(l, m);
+                if value == Complex::ZERO {
+                    continue;
+                }
+                for (j, entry) in laplacian.harmonic(l, m).iter().enumerate() {
+                    re[j + n * (j + m)] += value.re * entry;
+                    im[j + n * (j + m)] += value.im * entry;
+                }
+            }
+        });
+        w
+    }
+
+    /// Returns the function of a matrix W.
+    ///
+    /// It is zero if the size of W is not that of the operator.
+    #[must_use]
+    pub fn of_matrix(laplacian: &QuantisedLaplacian, w: &LargeSkewHermitian) -> Self {
+        let n = laplacian.size();
+        let mut omega = Self::zeros(n);
+        if w.size() != n {
+            return omega;
+        }
+        let norm = 4.0 * std::f64::consts::PI / n as f64;
+        for (l, m) in (0..n).flat_map(|l| (0..=l).map(move |m| (l, m))) {
+            let harmonic = laplacian.harmonic(l, m);
+            let terms = harmonic.iter().enumerate().map(|(j, entry)| w.at(j, j + m) * *entry);
+            omega.set(l, m, terms.sum::<Complex<f64>>() * norm / Complex::<f64>::I);
+        }
+        omega
+    }
+
+    /// Returns the value of the function at the colatitude θ and the longitude φ, in radians.
+    #[must_use]
+    pub fn value(&self, colatitude: f64, longitude: f64) -> f64 {
+        let most = self.size.saturating_sub(1);
+        let order = |m: usize| {
+            let legendre = associated_legendre(most, m, colatitude.cos());
+            let sum: Complex<f64> = (m..).zip(legendre).map(|(l, p)| self.at(l, m) * p).sum();
+            let wave = Complex::from_polar(1.0, m as f64 * longitude);
+            (sum * wave).re * if m == 0 { 1.0 } else { 2.0 }
+        };
+        (0..self.size).map(order).sum()
+    }
+
+    /// Returns the values on a circle of constant colatitude, at `count` longitudes 2πn/`count` from 0 on.
+    #[must_use]
+    pub fn values_on_circle(&self, colatitude: f64, count: usize) -> Vec<f64> {
+        let most = self.size.saturating_sub(1);
+        let mut values = vec![0.0; count];
+        for m in 0..self.size {
+            let legendre = associated_legendre(most, m, colatitude.cos());
+            let sum: Complex<f64> = (m..).zip(legendre).map(|(l, p)| self.at(l, m) * p).sum();
+            if sum == Complex::ZERO {
+                continue;
+            }
+            let sum = if m == 0 { sum } else { sum * 2.0 };
+            for (n, value) in values.iter_mut().enumerate() {
+                // The angle is reduced before it is rounded.
+                let turns = ((m * n) % count) as f64 / count as f64;
+                *value += (sum * Complex::from_polar(1.0, std::f64::consts::TAU * turns)).re;
+            }
+        }
+        values
+    }
+}
