@@ -103,34 +103,10 @@ impl LargeMatrix {
         columns.map(|(re, im)| sum(re) + sum(im)).fold(0.0, |a, b| if a > b { a } else { b })
     }
 
-    /// Adds the conjugate transpose of another matrix, multiplied by s: Z ← Z + s X*.
-    ///
-    /// Does nothing if the sizes differ.
-    pub fn add_adjoint(&mut self, s: f64, x: &Self) {
-        let n = self.size;
-        if x.size != n {
-            return;
-        }
-        let (re, im) = self.parts_mut();
-        add_transpose(re, s, x.real(), n);
-        add_transpose(im, -s, x.imaginary(), n);
-    }
-}
-
-/// The width of the tiles in which a transpose is made, so that both matrices stay in the cache.
-const TILE: usize = 16;
-
-/// Adds s Xᵀ to a real matrix.
-fn add_transpose(sum: &mut [f64], s: f64, x: &[f64], n: usize) {
-    for first in (0..n).step_by(TILE) {
-        for above in (0..n).step_by(TILE) {
-            for k in first..(first + TILE).min(n) {
-                let (column, end) = (&mut sum[n * k..n * (k + 1)], (above + TILE).min(n));
-                for (j, entry) in (above..).zip(&mut column[above..end]) {
-                    *entry += s * x[k + n * j];
-                }
-            }
-        }
+    /// Returns the conjugate transpose Z*.
+    #[must_use]
+    pub fn adjoint(&self) -> Self {
+        Self::from_fn(self.size, |j, k| self.at(k, j).conj())
     }
 }
 
@@ -188,12 +164,7 @@ impl State for LargeMatrix {
 
     /// Adds all terms to one part of the matrix before it goes to the next, so that the sum passes through memory once.
     fn add_combination(&mut self, a: &[f64], k: &[Self]) {
-        for (part, sum) in self.entries.chunks_mut(PART).enumerate() {
-            for (a, k) in a.iter().zip(k).filter(|(a, _)| **a != 0.0) {
-                let terms = k.entries.iter().skip(part * PART);
-                sum.iter_mut().zip(terms).for_each(|(v, x)| *v += a * x);
-            }
-        }
+        self.add_terms(a.iter().copied().zip(k));
     }
 
     fn measure(&self, largest: &mut (f64,), sum: &mut f64) {
@@ -205,6 +176,18 @@ impl State for LargeMatrix {
     fn measure_difference(&self, x: &Self, largest: &mut (f64,), sum: &mut f64) {
         for (v, x) in self.entries.iter().zip(&x.entries) {
             include((v - x).abs(), largest, sum);
+        }
+    }
+}
+
+impl LargeMatrix {
+    /// Adds a linear combination, part by part.
+    pub(crate) fn add_terms<'a>(&mut self, terms: impl Iterator<Item = (f64, &'a Self)> + Clone) {
+        for (part, sum) in self.entries.chunks_mut(PART).enumerate() {
+            for (a, k) in terms.clone().filter(|(a, _)| *a != 0.0) {
+                let entries = k.entries.get(part * PART..).unwrap_or_default();
+                sum.iter_mut().zip(entries).for_each(|(v, x)| *v += a * x);
+            }
         }
     }
 }

@@ -1,5 +1,6 @@
 //! Complex matrices with N known when the program runs: products, commutators, exponentials.
 
+mod tiles;
 pub(crate) mod large_matrix;
 pub(crate) mod skew_hermitian;
 pub(crate) mod products;

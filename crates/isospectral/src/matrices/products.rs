@@ -2,7 +2,9 @@
 
 use crate::matrices::large_matrix::LargeMatrix;
 use crate::matrices::skew_hermitian::LargeSkewHermitian;
-use faer::linalg::matmul::{matmul, triangular};
+use crate::matrices::tiles::{for_pairs, mirror};
+use faer::linalg::matmul::matmul;
+use faer::reborrow::ReborrowMut;
 use faer::{Accum, MatMut, MatRef, Par};
 use lie_poisson::State;
 
@@ -32,9 +34,14 @@ use lie_poisson::State;
 /// ```
 #[derive(Clone, Debug, Default)]
 pub struct Products {
-    /// Re A + Im A, Re B + Im B, and one of the three products.
+    /// The size of the last product.
+    size: usize,
+    /// Re A + Im A and Re B + Im B.
     left: Vec<f64>,
     right: Vec<f64>,
+    /// The three real products.
+    first: Vec<f64>,
+    second: Vec<f64>,
     third: Vec<f64>,
     /// Temporary matrices.
     pool: Vec<LargeMatrix>,
@@ -43,46 +50,49 @@ pub struct Products {
 impl Products {
     /// Writes A B.
     pub fn multiply(&mut self, a: &LargeMatrix, b: &LargeMatrix, product: &mut LargeMatrix) {
-        self.multiply_by(a, b, product, |left, right, sum, n| {
-            let [left, right] = [left, right].map(|x| MatRef::from_column_major_slice(x, n, n));
-            let sum = MatMut::from_column_major_slice_mut(sum, n, n);
-            matmul(sum, Accum::Replace, left, right, 1.0, Par::Seq);
+        self.real_products(a, b, 1.0, |left, right, product, alpha| {
+            matmul(product, Accum::Replace, left, right, alpha, Par::Seq);
         });
+        self.write(product);
+    }
+
+    /// Writes A B*.
+    pub fn multiply_adjoint(
+        &mut self,
+        a: &LargeMatrix,
+        b: &LargeMatrix,
+        product: &mut LargeMatrix,
+    ) {
+        self.real_products(a, b, -1.0, |left, right, product, alpha| {
+            matmul(product, Accum::Replace, left, right.transpose(), alpha, Par::Seq);
+        });
+        self.write(product);
     }
 
     /// Writes A B for matrices whose product is Hermitian, such as commuting Hermitian matrices, or two powers of one
     /// skew-Hermitian matrix with an even sum of exponents.
     ///
-    /// Only the lower half is computed.
+    /// Only the upper half is computed, and a little more, in panels of several columns.
     pub fn multiply_hermitian(
         &mut self,
         a: &LargeMatrix,
         b: &LargeMatrix,
         product: &mut LargeMatrix,
     ) {
-        self.multiply_by(a, b, product, |left, right, sum, n| {
-            use triangular::BlockStructure::{Rectangular, TriangularLower};
-            let [left, right] = [left, right].map(|x| MatRef::from_column_major_slice(x, n, n));
-            let sum = MatMut::from_column_major_slice_mut(sum, n, n);
-            triangular::matmul(
-                sum,
-                TriangularLower,
-                Accum::Replace,
-                left,
-                Rectangular,
-                right,
-                Rectangular,
-                1.0,
-                Par::Seq,
-            );
+        self.real_products(a, b, 1.0, |left, right, mut product, alpha| {
+            let n = left.nrows();
+            for first in (0..n).step_by(n.div_ceil(PANELS).max(LEAST_PANEL)) {
+                let end = (first + n.div_ceil(PANELS).max(LEAST_PANEL)).min(n);
+                let panel = product.rb_mut().submatrix_mut(0, first, end, end - first);
+                let (left, right) = (left.subrows(0, end), right.subcols(first, end - first));
+                matmul(panel, Accum::Replace, left, right, alpha, Par::Seq);
+            }
         });
-        let n = product.size();
+        let n = self.write(product);
         let (re, im) = product.parts_mut();
-        for k in 0..n {
-            im[k + n * k] = 0.0;
-        }
-        mirror_lower(re, 1.0, n);
-        mirror_lower(im, -1.0, n);
+        (0..n).for_each(|k| im[k + n * k] = 0.0);
+        mirror(re, 1.0, n);
+        mirror(im, -1.0, n);
     }
 
     /// Writes the commutator [A, B] = A B − B A of skew-Hermitian matrices, by one product: B A = (A B)*.
@@ -92,10 +102,19 @@ impl Products {
         b: &LargeSkewHermitian,
         commutator: &mut LargeSkewHermitian,
     ) {
-        let mut whole = self.take(a.matrix());
-        self.multiply(a.matrix(), b.matrix(), &mut whole);
-        commutator.set_difference_of(&whole);
-        self.give(whole);
+        self.real_products(a.matrix(), b.matrix(), 1.0, |left, right, product, alpha| {
+            matmul(product, Accum::Replace, left, right, alpha, Par::Seq);
+        });
+        let n = self.size;
+        if commutator.size() != n {
+            *commutator = LargeSkewHermitian::zeros(n);
+        }
+        let (re, im) = commutator.parts_mut();
+        let parts = [self.first.as_slice(), &self.second, &self.third];
+        for_pairs(n, parts, [re, im], |[a, b, c], [d, e, f]| {
+            let (re, im) = ((a - b) - (d - e), (c - (a + b)) + (f - (d + e)));
+            ([re, im], [-re, im])
+        });
     }
 
     /// Writes W₁ = (1 + Z) W (1 + Z)*, which has the spectrum of W if 1 + Z is unitary.
@@ -118,15 +137,14 @@ impl Products {
         w: &LargeSkewHermitian,
         change: &mut LargeSkewHermitian,
     ) {
-        let [mut x, mut adjoint, mut second] = [(); 3].map(|()| self.take(z));
+        let [mut x, mut second] = [(); 2].map(|()| self.take(z));
         self.multiply(z, w.matrix(), &mut x);
-        adjoint.set_zero();
-        adjoint.add_adjoint(1.0, z);
-        self.multiply(&x, &adjoint, &mut second);
+        self.multiply_adjoint(&x, z, &mut second);
         // X Z* is skew-Hermitian: the difference contains it twice.
         x.add_multiple(0.5, &second);
         change.set_difference_of(&x);
-        [x, adjoint, second].into_iter().for_each(|temporary| self.give(temporary));
+        self.give(x);
+        self.give(second);
     }
 
     /// Takes a matrix of the size of `like` from the temporary storage. Its entries are arbitrary.
@@ -139,47 +157,57 @@ impl Products {
         self.pool.push(matrix);
     }
 
-    /// Computes a product by three real ones, for which `multiply`(left, right, product, N) writes left·right.
-    fn multiply_by(
+    /// Computes the three real products of A and B, or of A and the complex conjugate of B for the sign −1.
+    ///
+    /// The closure writes α left·right, or α left·rightᵀ.
+    fn real_products(
         &mut self,
         a: &LargeMatrix,
         b: &LargeMatrix,
-        product: &mut LargeMatrix,
-        multiply: impl Fn(&[f64], &[f64], &mut [f64], usize),
+        sign: f64,
+        multiply: impl Fn(MatRef<'_, f64>, MatRef<'_, f64>, MatMut<'_, f64>, f64),
     ) {
         let n = a.size();
-        if !product.same_shape(a) {
-            *product = a.zeros_like();
+        self.size = n;
+        for storage in [&mut self.first, &mut self.second, &mut self.third] {
+            storage.resize(n * n, 0.0);
+        }
+        if b.size() != n {
+            return self.first.fill(f64::NAN);
+        }
+        set_sum(&mut self.left, a.real(), 1.0, a.imaginary());
+        set_sum(&mut self.right, b.real(), sign, b.imaginary());
+        for (left, right, product, alpha) in [
+            (a.real(), b.real(), &mut self.first, 1.0),
+            (a.imaginary(), b.imaginary(), &mut self.second, sign),
+            (&self.left, &self.right, &mut self.third, 1.0),
+        ] {
+            let [left, right] = [left, right].map(|x| MatRef::from_column_major_slice(x, n, n));
+            multiply(left, right, MatMut::from_column_major_slice_mut(product, n, n), alpha);
+        }
+    }
+
+    /// Writes the complex product of the three real ones. Returns its size.
+    fn write(&self, product: &mut LargeMatrix) -> usize {
+        if product.size() != self.size {
+            *product = LargeMatrix::zeros(self.size);
         }
         let (re, im) = product.parts_mut();
-        if b.size() != n {
-            re.fill(f64::NAN);
-            return im.fill(f64::NAN);
+        let terms = self.first.iter().zip(&self.second).zip(&self.third);
+        for ((re, im), ((first, second), third)) in re.iter_mut().zip(im).zip(terms) {
+            *re = first - second;
+            *im = third - (first + second);
         }
-        set_sum(&mut self.left, a.real(), a.imaginary());
-        set_sum(&mut self.right, b.real(), b.imaginary());
-        self.third.resize(n * n, 0.0);
-        multiply(&self.left, &self.right, im, n);
-        multiply(a.real(), b.real(), re, n);
-        multiply(a.imaginary(), b.imaginary(), &mut self.third, n);
-        for ((re, im), third) in re.iter_mut().zip(im.iter_mut()).zip(&self.third) {
-            *im -= *re + third;
-            *re -= third;
-        }
+        self.size
     }
 }
 
-/// Writes x + y.
-fn set_sum(sum: &mut Vec<f64>, x: &[f64], y: &[f64]) {
+/// The number of panels of a Hermitian product, and the least number of columns of a panel.
+const PANELS: usize = 8;
+const LEAST_PANEL: usize = 24;
+
+/// Writes x + s y.
+fn set_sum(sum: &mut Vec<f64>, x: &[f64], s: f64, y: &[f64]) {
     sum.clear();
-    sum.extend(x.iter().zip(y).map(|(x, y)| x + y));
-}
-
-/// Sets the entries above the diagonal of a real matrix to `sign` times those below.
-fn mirror_lower(x: &mut [f64], sign: f64, n: usize) {
-    for k in 0..n {
-        for j in 0..k {
-            x[j + n * k] = sign * x[k + n * j];
-        }
-    }
+    sum.extend(x.iter().zip(y).map(|(x, y)| x + s * y));
 }

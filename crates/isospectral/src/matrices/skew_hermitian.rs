@@ -1,6 +1,7 @@
 //! The elements of u(N), with N known when the program runs: [`LargeSkewHermitian`].
 
 use crate::matrices::large_matrix::LargeMatrix;
+use crate::matrices::tiles::{for_pairs, mirror};
 use lie_poisson::State;
 use num_complex::Complex;
 
@@ -56,8 +57,19 @@ impl LargeSkewHermitian {
 
     /// Takes the value Z − Z*.
     pub fn set_difference_of(&mut self, z: &LargeMatrix) {
-        self.0.assign(z);
-        self.0.add_adjoint(-1.0, z);
+        let n = z.size();
+        if self.size() != n {
+            self.0 = LargeMatrix::zeros(n);
+        }
+        let (re, im) = self.0.parts_mut();
+        for_pairs(n, [z.real(), z.imaginary()], [re, im], |[a, b], [c, d]| {
+            ([a - c, b + d], [c - a, b + d])
+        });
+    }
+
+    /// Returns the real and the imaginary parts, column by column, to be changed by functions that keep W* = −W.
+    pub(crate) fn parts_mut(&mut self) -> (&mut [f64], &mut [f64]) {
+        self.0.parts_mut()
     }
 
     /// Returns the entries.
@@ -136,22 +148,6 @@ impl LargeSkewHermitian {
     }
 }
 
-/// The width of the tiles in which a matrix is mirrored, so that both triangles stay in the cache.
-const TILE: usize = 16;
-
-/// Sets the entries below the diagonal of a real matrix to `sign` times those above.
-fn mirror(x: &mut [f64], sign: f64, n: usize) {
-    for first in (0..n).step_by(TILE) {
-        for above in (0..=first).step_by(TILE) {
-            for k in first..(first + TILE).min(n) {
-                for j in above..(above + TILE).min(k) {
-                    x[k + n * j] = sign * x[j + n * k];
-                }
-            }
-        }
-    }
-}
-
 impl State for LargeSkewHermitian {
     type Scalar = f64;
     type Blocks = (f64,);
@@ -207,6 +203,10 @@ impl State for LargeSkewHermitian {
 
     fn add_multiple(&mut self, s: f64, x: &Self) {
         self.0.add_multiple(s, &x.0);
+    }
+
+    fn add_combination(&mut self, a: &[f64], k: &[Self]) {
+        self.0.add_terms(a.iter().copied().zip(k.iter().map(Self::matrix)));
     }
 
     fn measure(&self, largest: &mut (f64,), sum: &mut f64) {

@@ -36,6 +36,9 @@ proptest! {
         let bound = 8.0 * f64::EPSILON * size as f64 * a.norm() * b.norm();
         prop_assert!(difference(&ab, &product(&a, &b)) <= bound);
 
+        products.multiply_adjoint(&a, &b, &mut ab);
+        prop_assert!(difference(&ab, &product(&a, &b.adjoint())) <= bound);
+
         let (v, w) = (generic(size, seed), generic(size, seed + 2.0));
         let mut commutator = LargeSkewHermitian::zeros(size);
         products.commutator(&v, &w, &mut commutator);
@@ -100,11 +103,9 @@ fn exponentials_have_the_exponentials_of_the_eigenvalues() {
         assert!(difference(&z, &expected) <= bound, "{radius} {:e}", difference(&z, &expected));
         // 1 + Z is unitary: Z + Z* + Z Z* = 0
         let mut defect = LargeMatrix::zeros(size);
-        let mut adjoint = z.zeros_like();
-        adjoint.add_adjoint(1.0, &z);
-        products.multiply(&z, &adjoint, &mut defect);
+        products.multiply_adjoint(&z, &z, &mut defect);
         defect.add_in_place(&z);
-        defect.add_in_place(&adjoint);
+        defect.add_in_place(&z.adjoint());
         assert!(defect.norm() <= bound, "{radius} {:e}", defect.norm());
     }
 }
@@ -119,9 +120,7 @@ fn conjugation_is_a_change_of_basis() {
     products.exponential_minus_one(&generic(size, 0.9), &mut z);
     products.conjugate(&z, &w, &mut moved);
     let u = LargeMatrix::from_fn(size, |j, k| z.at(j, k) + if j == k { 1.0 } else { 0.0 });
-    let mut adjoint = u.zeros_like();
-    adjoint.add_adjoint(1.0, &u);
-    let expected = product(&product(&u, w.matrix()), &adjoint);
+    let expected = product(&product(&u, w.matrix()), &u.adjoint());
     assert!(difference(moved.matrix(), &expected) < 1e-13);
     assert!(distance(&moved, &w) > 0.1);
 }

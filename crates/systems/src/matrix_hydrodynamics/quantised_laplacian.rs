@@ -33,7 +33,7 @@ use isospectral_flows::LargeSkewHermitian;
 /// let laplacian = QuantisedLaplacian::new(size)?;
 /// let w = LargeSkewHermitian::from_upper(size, |j, k| Complex::new((j * k) as f64, if j == k { j as f64 - 3.5 } else { 1.0 }));
 /// let (mut p, mut back) = (w.clone(), w.clone());
-/// laplacian.solve(&w, &mut p);
+/// laplacian.solve(1.0, &w, &mut p);
 /// laplacian.apply(&p, &mut back);
 /// let largest = |f: &dyn Fn(usize) -> f64| (0..size * size).map(f).fold(0.0, f64::max);
 /// let error = largest(&|i| (back.at(i % size, i / size) - w.at(i % size, i / size)).norm());
@@ -137,50 +137,53 @@ impl QuantisedLaplacian {
         });
     }
 
-    /// Writes the matrix P without trace that solves ΔP = W.
+    /// Writes the matrix P without trace that solves ΔP = s W.
     ///
     /// The trace of W, on which the operator is zero, is ignored. The result is NaN if a matrix does not have the size
     /// N.
-    pub fn solve(&self, w: &LargeSkewHermitian, p: &mut LargeSkewHermitian) {
+    pub fn solve(&self, s: f64, w: &LargeSkewHermitian, p: &mut LargeSkewHermitian) {
         let n = self.size;
         if [w.size(), p.size()] != [n; 2] {
             return spoil(p);
         }
         let mean = w.trace() / n as f64;
         p.change_upper(|re, im| {
-            re.iter_mut().zip(w.matrix().real()).for_each(|(p, w)| *p = -w);
-            im.iter_mut().zip(w.matrix().imaginary()).for_each(|(p, w)| *p = -w);
-            (0..n).for_each(|j| im[j + n * j] += mean);
-            self.solve_upper(re);
-            self.solve_upper(im);
+            self.solve_upper(-s, w.matrix().real(), 0.0, re);
+            self.solve_upper(-s, w.matrix().imaginary(), mean, im);
             let mean = (0..n).map(|j| im[j + n * j]).sum::<f64>() / n as f64;
             (0..n).for_each(|j| im[j + n * j] -= mean);
         });
     }
 
-    /// Solves −ΔX = Y for real X on and above the diagonal, in place, one column after the other.
-    fn solve_upper(&self, x: &mut [f64]) {
+    /// Solves −ΔX = s Y for real X on and above the diagonal, one column after the other. The mean is subtracted from
+    /// the diagonal of Y.
+    fn solve_upper(&self, s: f64, y: &[f64], mean: f64, x: &mut [f64]) {
         let n = self.size;
+        x[0] = s * (y[0] - mean);
         for k in 1..n {
             let (before, column) = x.split_at_mut(n * k);
             let (above, factors) = (&before[n * (k - 1)..], &self.factors[n * k..]);
-            for ((x, above), factor) in column[1..=k].iter_mut().zip(above).zip(&factors[1..=k]) {
-                *x += factor * above;
+            let y = &y[n * k..];
+            column[0] = s * y[0];
+            for (((x, y), above), factor) in
+                column[1..k].iter_mut().zip(&y[1..k]).zip(above).zip(&factors[1..k])
+            {
+                *x = s * y + factor * above;
             }
+            column[k] = s * (y[k] - mean) + factors[k] * above[k - 1];
         }
         for k in (0..n).rev() {
             let (columns, after) = x.split_at_mut(n * (k + 1));
             let (column, inverse) = (&mut columns[n * k..], &self.inverse_pivots[n * k..]);
-            for (x, inverse) in column[..=k].iter_mut().zip(inverse) {
-                *x *= inverse;
+            if k + 1 == n {
+                column.iter_mut().zip(inverse).for_each(|(x, inverse)| *x *= inverse);
+                continue;
             }
-            if k + 1 < n {
-                let factors = &self.factors[n * (k + 1)..];
-                for ((x, below), factor) in
-                    column[..=k].iter_mut().zip(&after[1..=k + 1]).zip(&factors[1..=k + 1])
-                {
-                    *x += factor * below;
-                }
+            let (below, factors) = (&after[1..], &self.factors[n * (k + 1) + 1..]);
+            for (((x, inverse), below), factor) in
+                column[..=k].iter_mut().zip(inverse).zip(&below[..=k]).zip(&factors[..=k])
+            {
+                *x = *x * inverse + factor * below;
             }
         }
     }

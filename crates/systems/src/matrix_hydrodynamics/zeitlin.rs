@@ -99,10 +99,15 @@ impl Zeitlin {
 
     /// Writes the matrix P of the stream function. It is NaN if a matrix does not have the size N.
     pub fn stream_into(&self, w: &LargeSkewHermitian, p: &mut LargeSkewHermitian) {
-        self.laplacian.solve(w, p);
+        self.scaled_stream_into(1.0, w, p);
+    }
+
+    /// Writes s P.
+    fn scaled_stream_into(&self, s: f64, w: &LargeSkewHermitian, p: &mut LargeSkewHermitian) {
+        self.laplacian.solve(s, w, p);
         if self.rotation != 0.0 {
             // −Δ⁻¹F = F/2, the matrix of Ω x₃
-            self.add_to_diagonal(p, self.rotation);
+            self.add_to_diagonal(p, s * self.rotation);
         }
     }
 
@@ -174,8 +179,6 @@ impl IsospectralField for Zeitlin {
 
     /// Writes P/ħ.
     fn generator_into(&self, w: &LargeSkewHermitian, generator: &mut LargeSkewHermitian) {
-        use lie_poisson::State;
-        self.stream_into(w, generator);
-        generator.scale_in_place(1.0 / self.planck_constant());
+        self.scaled_stream_into(1.0 / self.planck_constant(), w, generator);
     }
 }
