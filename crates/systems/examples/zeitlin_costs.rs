@@ -64,13 +64,17 @@ fn run<I: Integrator<State = LargeSkewHermitian>>(
 }
 
 fn error(a: &LargeSkewHermitian, b: &LargeSkewHermitian) -> f64 {
-    let largest = |f: &dyn Fn(usize) -> f64| (0..a.dimension()).map(|i| f(i).abs()).fold(0.0, f64::max);
+    let largest =
+        |f: &dyn Fn(usize) -> f64| (0..a.dimension()).map(|i| f(i).abs()).fold(0.0, f64::max);
     largest(&|i| a.entry(i) - b.entry(i)) / largest(&|i| b.entry(i))
 }
 
 fn save(path: &Path, w: &LargeSkewHermitian) -> std::io::Result<()> {
     let parts = w.matrix().real().iter().zip(w.matrix().imaginary());
-    fs::write(path, parts.flat_map(|(re, im)| [re, im]).flat_map(|x| x.to_le_bytes()).collect::<Vec<u8>>())
+    fs::write(
+        path,
+        parts.flat_map(|(re, im)| [re, im]).flat_map(|x| x.to_le_bytes()).collect::<Vec<u8>>(),
+    )
 }
 
 fn main() -> Result<(), Box<dyn Error>> {
@@ -87,12 +91,18 @@ fn main() -> Result<(), Box<dyn Error>> {
     fs::create_dir_all(folder)?;
     save(&folder.join("start.bin"), &start)?;
     save(&folder.join("end.bin"), &reference)?;
-    let print = |name: &str, steps: u32, outcome: Result<(f64, LargeSkewHermitian), Box<dyn Error>>| match outcome {
-        Ok((seconds, w)) => println!("{name}\t{steps}\t{seconds:.6}\t{:.3e}", error(&w, &reference)),
-        Err(reason) => println!("{name}\t{steps}\t-\t{reason}"),
-    };
+    let print =
+        |name: &str, steps: u32, outcome: Result<(f64, LargeSkewHermitian), Box<dyn Error>>| {
+            match outcome {
+                Ok((seconds, w)) => {
+                    println!("{name}\t{steps}\t{seconds:.6}\t{:.3e}", error(&w, &reference))
+                }
+                Err(reason) => println!("{name}\t{steps}\t-\t{reason}"),
+            }
+        };
     // Sweeps converge for steps below the reciprocal of the largest rate of W, which grows with N.
-    let rates = if size <= 128 { [2.0, 4.0, 8.0, 16.0, 32.0] } else { [12.0, 16.0, 24.0, 32.0, 48.0] };
+    let rates =
+        if size <= 128 { [2.0, 4.0, 8.0, 16.0, 32.0] } else { [12.0, 16.0, 24.0, 32.0, 48.0] };
     for rate in rates {
         let steps = per_unit(rate);
         for (stages, tolerance) in [(2, 1e-4), (2, 1e-5), (3, 1e-7), (3, 1e-10)] {

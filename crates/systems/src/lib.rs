@@ -74,6 +74,7 @@ mod body_in_fluid;
 mod vortices;
 mod spin_chain;
 mod spin_lattice;
+mod rigid_body;
 mod matrix_hydrodynamics;
 pub mod prelude;
 
@@ -84,6 +85,7 @@ pub use matrix_hydrodynamics::quantised_laplacian::QuantisedLaplacian;
 pub use matrix_hydrodynamics::spherical_harmonic::associated_legendre;
 pub use matrix_hydrodynamics::vorticity_coefficients::VorticityCoefficients;
 pub use matrix_hydrodynamics::zeitlin::Zeitlin;
+pub use rigid_body::generalised_rigid_body::GeneralisedRigidBody;
 pub use spaces::spin_space::{SpinSpace, Spins};
 pub use spin_chain::heisenberg_chain::HeisenbergChain;
 pub use spin_lattice::vibrating_lattice::{SpinLattice, SpinLatticeSpace};

@@ -55,7 +55,8 @@ impl Products {
             powers[0].scale_in_place(scale * scale);
         }
         let radius = radius * 0.5_f64.powi(halvings);
-        let groups = GROUPS.iter().find(|(most, _)| radius <= *most).map_or(5, |(_, groups)| *groups);
+        let groups =
+            GROUPS.iter().find(|(most, _)| radius <= *most).map_or(5, |(_, groups)| *groups);
         let [first, second, third] = &mut powers;
         self.multiply_hermitian(first, first, second);
         if groups > 1 {

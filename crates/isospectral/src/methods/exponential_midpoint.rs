@@ -157,8 +157,15 @@ impl<F: IsospectralField> Integrator for ExponentialMidpoint<F> {
                 break;
             }
         }
-        let ExponentialSpace { products, generator, terms: [scaled, _], next, rotation, history, .. } =
-            space;
+        let ExponentialSpace {
+            products,
+            generator,
+            terms: [scaled, _],
+            next,
+            rotation,
+            history,
+            ..
+        } = space;
         scaled.assign(&generator[0]);
         scaled.scale_in_place(step);
         products.exponential_minus_one(scaled, rotation);

@@ -6,9 +6,7 @@ use crate::matrices::products::Products;
 use crate::matrices::skew_hermitian::LargeSkewHermitian;
 use crate::methods::generator_history::GeneratorHistory;
 use crate::methods::generator_sweeps::Sweeps;
-use collective_integrators::{
-    Integrator, SchemeError, StateIsMomentum, Step, StepError, Tableau,
-};
+use collective_integrators::{Integrator, SchemeError, StateIsMomentum, Step, StepError, Tableau};
 use lie_poisson::State;
 
 /// The Gauss–Magnus method with s = 1, 2 or 3 stages for [isospectral equations](IsospectralField): order 2s,

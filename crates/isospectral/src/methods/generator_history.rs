@@ -52,7 +52,8 @@ impl GeneratorHistory {
         if self.size != size || self.end.as_ref() != Some(w) {
             self.steps = 0;
         }
-        let Some(weights) = self.steps.checked_sub(1).and_then(|last| self.weights.get(last)) else {
+        let Some(weights) = self.steps.checked_sub(1).and_then(|last| self.weights.get(last))
+        else {
             return false;
         };
         for (generator, row) in generators.iter_mut().zip(weights) {

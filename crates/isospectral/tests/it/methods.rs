@@ -2,8 +2,7 @@
 
 use crate::examples::{Quadratic, casimirs, distance, generic};
 use isospectral_flows::collective_integrators::{
-    Composition, Direct, Integrator, LiftFree, RungeKutta, Start, Substeps,
-    fitted_order,
+    Composition, Direct, Integrator, LiftFree, RungeKutta, Start, Substeps, fitted_order,
 };
 use isospectral_flows::lie_poisson::{
     Automatic, Covector, Energy, LiePoisson, Real, SkewHermitian, State, UnitaryAlgebra,
@@ -128,9 +127,8 @@ impl Energy for Fixed {
 
     fn energy<T: Real>(&self, mu: &Covector<SkewHermitian<T, N>>) -> T {
         let h = UnitaryAlgebra::<N>.hermitian(mu);
-        let term = |i: usize| {
-            (h[i].re * h[i].re + h[i].im * h[i].im) * Quadratic::factor(i % N, i / N)
-        };
+        let term =
+            |i: usize| (h[i].re * h[i].re + h[i].im * h[i].im) * Quadratic::factor(i % N, i / N);
         (1..N * N).fold(term(0), |sum, i| sum + term(i))
     }
 }
@@ -140,9 +138,11 @@ impl Energy for Fixed {
 fn fixed_and_large_sizes_agree() {
     let start = generic(N, 0.2);
     // The Hermitian matrix of the momentum is H = iW, and dH/dt = −[ξ, H] with ξ = dh.
-    let hermitian = nalgebra::SMatrix::<Complex<f64>, N, N>::from_fn(|j, k| Complex::<f64>::I * start.at(j, k));
+    let hermitian =
+        nalgebra::SMatrix::<Complex<f64>, N, N>::from_fn(|j, k| Complex::<f64>::I * start.at(j, k));
     let mu = UnitaryAlgebra::<N>.momentum(&hermitian);
-    let fixed = LiftFree::new(RungeKutta::gauss(2).unwrap(), ComplexMatrices::<N>, Automatic(Fixed));
+    let fixed =
+        LiftFree::new(RungeKutta::gauss(2).unwrap(), ComplexMatrices::<N>, Automatic(Fixed));
     let fixed_end = UnitaryAlgebra::<N>.hermitian(&fixed.after(&mu, 0.02, 50).unwrap().momentum);
     let rate = {
         // The factor between B and dh follows from the rates at the start.

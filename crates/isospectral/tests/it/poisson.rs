@@ -34,9 +34,8 @@ fn bracket(w: &LargeSkewHermitian) -> DMatrix<f64> {
 /// Returns the relative Poisson defect of a step, with a Jacobian by central differences of order four.
 fn defect<I: Integrator<State = LargeSkewHermitian>>(integrator: &I, h: f64) -> f64 {
     let (w, width) = (generic(SIZE, 0.3), 1e-3);
-    let image = |w: &LargeSkewHermitian| {
-        integrator.step(w, h, &mut integrator.workspace()).unwrap().point
-    };
+    let image =
+        |w: &LargeSkewHermitian| integrator.step(w, h, &mut integrator.workspace()).unwrap().point;
     let moved = |b: usize, shift: f64| {
         let mut w = w.clone();
         w.add_multiple(shift, &basis(b));

@@ -2,9 +2,11 @@
 #![allow(clippy::unwrap_used, clippy::panic)]
 
 mod drifts;
+mod generalised_rigid_body;
 mod gyrostat;
 mod kirchhoff;
 mod many_vortices;
 mod point_vortices;
 mod spin_chain;
 mod spin_lattice;
+mod zeitlin;
