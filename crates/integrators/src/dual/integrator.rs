@@ -258,89 +258,79 @@ pub struct Trajectory<'a, I: Integrator<T>, T: Real = f64> {
     integrator: &'a I,
     workspace: I::Workspace,
     step: f64,
-    upcoming: Upcoming<I::State>,
+    /// The state after `made` steps, and the number of iterations of the last of them.
+    state: I::State,
+    made: u64,
+    iterations: usize,
+    progress: Progress,
 }
 
+/// What the next item of a trajectory is.
 #[derive(Debug)]
-enum Upcoming<S> {
-    First(S, u64),
-    After(S, u64),
+enum Progress {
+    /// The sample of the state.
+    First,
+    /// The sample one step after the state.
+    After,
     Failed(IntegrationError),
 }
 
 impl<'a, I: Integrator<T>, T: Real> Trajectory<'a, I, T> {
     pub(crate) fn new(integrator: &'a I, state: I::State, made: u64, step: f64) -> Self {
         let workspace = integrator.workspace();
-        Self { integrator, workspace, step, upcoming: Upcoming::First(state, made) }
+        let (iterations, progress) = (0, Progress::First);
+        Self { integrator, workspace, step, state, made, iterations, progress }
     }
 
-    /// Returns the sample `steps` items after the next one.
+    /// Returns the sample `steps` items after the next one. No other sample is made.
     pub(crate) fn after(mut self, steps: u64) -> Result<SampleOf<I, T>, IntegrationError> {
         for _ in 0..steps {
             self.advance()?;
         }
-        self.advance()
+        self.advance()?;
+        Ok(self.sample())
     }
 
-    /// Returns the next sample, or the error at which the trajectory ended.
+    /// Advances the state to that of the next item.
     #[inline]
-    fn advance(&mut self) -> Result<SampleOf<I, T>, IntegrationError> {
-        let next = match &self.upcoming {
-            Upcoming::First(state, made) => first(self.integrator, state, *made, self.step),
-            Upcoming::After(state, made) => {
-                following(self.integrator, &mut self.workspace, state, *made, self.step)
+    fn advance(&mut self) -> Result<(), IntegrationError> {
+        let outcome = match self.progress {
+            Progress::First => StepError::check_start(&self.state, self.step),
+            Progress::After => self.make_step(),
+            Progress::Failed(error) => return Err(error),
+        };
+        match outcome {
+            Ok(()) => {
+                self.progress = Progress::After;
+                Ok(())
             }
-            Upcoming::Failed(error) => Err(*error),
-        };
-        self.upcoming = match &next {
-            Ok(sample) => Upcoming::After(sample.state.clone(), sample.step),
-            Err(error) => Upcoming::Failed(*error),
-        };
-        next
+            Err(source) => {
+                let error = IntegrationError::after(self.made, self.step, source);
+                self.progress = Progress::Failed(error);
+                Err(error)
+            }
+        }
     }
-}
 
-/// Returns the sample of the state at which a run begins.
-fn first<I: Integrator<T>, T: Real>(
-    integrator: &I,
-    state: &I::State,
-    made: u64,
-    step: f64,
-) -> Result<SampleOf<I, T>, IntegrationError> {
-    StepError::check_start(state, step)
-        .map_err(|refused| IntegrationError::after(made, step, refused))?;
-    Ok(sample(integrator, Step { point: state.clone(), iterations: 0 }, made, step))
-}
-
-/// Returns the sample one step after a state.
-#[inline]
-fn following<I: Integrator<T>, T: Real>(
-    integrator: &I,
-    workspace: &mut I::Workspace,
-    state: &I::State,
-    made: u64,
-    step: f64,
-) -> Result<SampleOf<I, T>, IntegrationError> {
-    let number = made.checked_add(1).ok_or(StepError::Uncountable);
-    if made.is_multiple_of(CHECKPOINT) {
-        integrator.forget(workspace);
+    /// Makes a step in place. The state is not changed by a step that fails.
+    #[inline]
+    fn make_step(&mut self) -> Result<(), StepError> {
+        let number = self.made.checked_add(1).ok_or(StepError::Uncountable)?;
+        if self.made.is_multiple_of(CHECKPOINT) {
+            self.integrator.forget(&mut self.workspace);
+        }
+        let Self { integrator, state, workspace, .. } = self;
+        self.iterations = integrator.step_in_place(state, self.step, workspace)?;
+        self.made = number;
+        Ok(())
     }
-    let next = number.and_then(|number| {
-        let next = integrator.step(state, step, workspace)?;
-        Ok(sample(integrator, next, number, step))
-    });
-    next.map_err(|source| IntegrationError::after(made, step, source))
-}
 
-#[inline]
-fn sample<I: Integrator<T>, T: Real>(
-    integrator: &I,
-    Step { point: state, iterations }: Step<I::State>,
-    number: u64,
-    step: f64,
-) -> SampleOf<I, T> {
-    let momentum = integrator.momentum(&state);
-    Sample { step: number, time: number as f64 * step, state, momentum, iterations }
+    #[inline]
+    fn sample(&self) -> SampleOf<I, T> {
+        let (step, time) = (self.made, self.made as f64 * self.step);
+        let momentum = self.integrator.momentum(&self.state);
+        Sample { step, time, state: self.state.clone(), momentum, iterations: self.iterations }
+    }
 }
 
 impl<I: Integrator<T>, T: Real> Iterator for Trajectory<'_, I, T> {
@@ -348,6 +338,6 @@ impl<I: Integrator<T>, T: Real> Iterator for Trajectory<'_, I, T> {
 
     #[inline]
     fn next(&mut self) -> Option<Self::Item> {
-        Some(self.advance())
+        Some(self.advance().map(|()| self.sample()))
     }
 }
