@@ -56,6 +56,7 @@ const PACKAGES: &[(&str, &str)] = &[
     ("lie-poisson", "lie-poisson"),
     ("momentum-map", "momentum-map"),
     ("integrators", "collective-integrators"),
+    ("isospectral", "isospectral-flows"),
     ("systems", "lie-poisson-systems"),
     ("heavytop", "heavytop"),
     ("heavytop-cli", "heavytop-cli"),

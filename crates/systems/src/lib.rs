@@ -1,5 +1,6 @@
 //! Lie–Poisson systems beside the heavy top: gyrostat, body in a fluid, point vortices, spin chain and spin
-//! lattice, each a Hamiltonian for the integrators of `collective-integrators`.
+//! lattice, each a Hamiltonian for the integrators of `collective-integrators`; rigid bodies in N dimensions and fluids
+//! on the sphere, for those of `isospectral-flows`.
 //!
 //! ```toml
 //! [dependencies]
@@ -35,7 +36,10 @@
 //! | as many point vortices as a file contains | [`ManyVortices`] |
 //! | classical spins in a row, on (so(3)∗)ᴺ | [`HeisenbergChain`] |
 //! | spins on atoms in motion, on (so(3)∗)ᴺ × T∗Rᴺ | [`SpinLattice`], wrapped in [`Automatic`](lie_poisson::Automatic) |
-//! | the type of these phase spaces and of their points | [`SpinSpace`], [`Spins`], [`SpinLatticeSpace`] |
+//! | a free rigid body in N dimensions, on so(N)∗ | [`GeneralisedRigidBody`] |
+| an ideal fluid on the sphere, on u(N)∗ | [`Zeitlin`], with [`VorticityCoefficients`] |
+| the Laplace operator of the sphere on matrices | [`QuantisedLaplacian`] |
+| the type of these phase spaces and of their points | [`SpinSpace`], [`Spins`], [`SpinLatticeSpace`] |
 //! | the reason why parameters are refused | [`SystemError`] |
 //! | the usual names in one line | [`prelude`] |
 //!
@@ -50,6 +54,8 @@
 //!
 //! # Conventions
 //!
+//! * [`GeneralisedRigidBody`] and [`Zeitlin`] are [`IsospectralField`](isospectral_flows::IsospectralField)s, and go with
+//!   the methods of [`isospectral_flows`].
 //! * On se(3)∗ the frame is that of the body, and the bracket is the minus bracket.
 //! * Bodies are in SI units. Spins and their constants are numbers without units.
 //! * The bracket of the spins is the plus bracket: h = −B·s gives ds/dt = s × B.
