@@ -39,6 +39,9 @@
 //! | semidirect products 𝔤 ⋉ V and G ⋉ V | [`SemidirectAlgebra`], [`SemidirectGroup`] |
 //! | a representation of your own | [`Representation`], [`GroupRepresentation`] |
 //! | a representation made from others | [`Adjoint`], [`Inherited`], [`Diagonal`], [`Sum`] |
+//! | the adjoint representation of an algebra without a group | [`InfinitesimalAdjoint`] |
+//! | a derivation of an algebra, and a faithful extension of the adjoint representation | [`Derivation`], [`ExtendedAdjoint`] |
+//! | whether Runge–Kutta steps descend along a representation | [`odd_power_defect`] |
 //! | 𝔤∗ with a Lie–Poisson bracket | [`LiePoisson::minus`], [`LiePoisson::plus`] |
 //! | a Poisson space of your own | [`PoissonSpace`] |
 //! | products and powers of Poisson spaces | [`ProductSpace`], [`PowerSpace`] |
@@ -92,6 +95,7 @@ pub use generic_scalars::{
 };
 
 pub use algebras::algebra::{LieAlgebra, Momentum};
+pub use algebras::derivation::{Derivation, DerivationError};
 pub use algebras::group::{AlgebraElement, GroupMomentum, LieGroup};
 pub use algebras::product::{PowerAlgebra, PowerGroup, ProductAlgebra, ProductGroup};
 pub use algebras::structure_constants::{StructureConstants, StructureError};
@@ -103,8 +107,11 @@ pub use groups::unitary::{SkewHermitian, UnitaryAlgebra, UnitaryGroup};
 
 pub use charts::cayley::Cayley;
 pub use charts::logarithm::{Logarithm, LogarithmError};
-pub use representations::derived::{Adjoint, Diagonal, Inherited, Sum};
+pub use representations::derived::{
+    Adjoint, Diagonal, ExtendedAdjoint, InfinitesimalAdjoint, Inherited, Sum,
+};
 pub use representations::euclidean::{SE2, SE3, Se2, Se3, Se3Dual};
+pub use representations::odd_powers::odd_power_defect;
 pub use representations::real_matrices::{SL2OnR2, SO2OnR2, SO3OnR3};
 pub use representations::representation::{
     GroupRepresentation, Representation, RepresentedElement,

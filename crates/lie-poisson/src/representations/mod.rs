@@ -5,5 +5,6 @@ pub(crate) mod semidirect;
 pub(crate) mod real_matrices;
 pub(crate) mod unitary_matrices;
 pub(crate) mod derived;
+pub(crate) mod odd_powers;
 pub(crate) mod sp1;
 pub(crate) mod euclidean;
