@@ -8,6 +8,7 @@ mod architecture;
 mod audit;
 mod bodies;
 mod brackets;
+mod clebsch_algebras;
 mod collective_dynamics;
 mod compensated;
 mod conservation;

@@ -38,9 +38,9 @@
 //! | direct products and powers | [`ProductAlgebra`], [`ProductGroup`], [`PowerAlgebra`], [`PowerGroup`] |
 //! | semidirect products 𝔤 ⋉ V and G ⋉ V | [`SemidirectAlgebra`], [`SemidirectGroup`] |
 //! | a representation of your own | [`Representation`], [`GroupRepresentation`] |
-//! | a representation made from others | [`Adjoint`], [`Inherited`], [`Diagonal`], [`Sum`] |
+//! | a representation made from others | [`Adjoint`], [`Inherited`], [`Diagonal`], [`Sum`], [`Contragredient`] |
 //! | the adjoint representation of an algebra without a group | [`InfinitesimalAdjoint`] |
-//! | a derivation of an algebra, and a faithful extension of the adjoint representation | [`Derivation`], [`ExtendedAdjoint`] |
+//! | a derivation, and an extension of the adjoint representation that sees the centre | [`Cocycle`], [`ExtendedAdjoint`], [`ExtendedCoadjoint`] |
 //! | whether Runge–Kutta steps descend along a representation | [`odd_power_defect`] |
 //! | 𝔤∗ with a Lie–Poisson bracket | [`LiePoisson::minus`], [`LiePoisson::plus`] |
 //! | a Poisson space of your own | [`PoissonSpace`] |
@@ -95,7 +95,6 @@ pub use generic_scalars::{
 };
 
 pub use algebras::algebra::{LieAlgebra, Momentum};
-pub use algebras::derivation::{Derivation, DerivationError};
 pub use algebras::group::{AlgebraElement, GroupMomentum, LieGroup};
 pub use algebras::product::{PowerAlgebra, PowerGroup, ProductAlgebra, ProductGroup};
 pub use algebras::structure_constants::{StructureConstants, StructureError};
@@ -107,8 +106,10 @@ pub use groups::unitary::{SkewHermitian, UnitaryAlgebra, UnitaryGroup};
 
 pub use charts::cayley::Cayley;
 pub use charts::logarithm::{Logarithm, LogarithmError};
+pub use representations::cocycle::{Cocycle, CocycleError};
 pub use representations::derived::{
-    Adjoint, Diagonal, ExtendedAdjoint, InfinitesimalAdjoint, Inherited, Sum,
+    Adjoint, CocycleExtension, Contragredient, Diagonal, ExtendedAdjoint, ExtendedCoadjoint,
+    InfinitesimalAdjoint, Inherited, Sum,
 };
 pub use representations::euclidean::{SE2, SE3, Se2, Se3, Se3Dual};
 pub use representations::odd_powers::odd_power_defect;

@@ -1,5 +1,5 @@
-//! Lie–Poisson systems beside the heavy top: gyrostat, body in a fluid, point vortices, spin chain and spin
-//! lattice, each a Hamiltonian for the integrators of `collective-integrators`.
+//! Lie–Poisson systems beside the heavy top: gyrostat, body in a fluid, point vortices, spin chain, spin
+//! lattice, elliptical vortex and top on a movable base, each a Hamiltonian for the integrators of `collective-integrators`.
 //!
 //! ```toml
 //! [dependencies]
@@ -35,6 +35,8 @@
 //! | as many point vortices as a file contains | [`ManyVortices`] |
 //! | classical spins in a row, on (so(3)∗)ᴺ | [`HeisenbergChain`] |
 //! | spins on atoms in motion, on (so(3)∗)ᴺ × T∗Rᴺ | [`SpinLattice`], wrapped in [`Automatic`](lie_poisson::Automatic) |
+//! | an elliptical vortex in a strain, on so(2, 1)∗ | [`KidaVortex`], [`So21`] |
+//! | a heavy top on a movable base, on (se(3) ⋉ R³)∗ | [`MovableBaseTop`], [`MovableBaseAlgebra`] |
 //! | the type of these phase spaces and of their points | [`SpinSpace`], [`Spins`], [`SpinLatticeSpace`] |
 //! | the reason why parameters are refused | [`SystemError`] |
 //! | the usual names in one line | [`prelude`] |
@@ -46,6 +48,8 @@
 //! | [`Gyrostat`], [`Kirchhoff`] | minus | `heavytop::SpinorRealisation` | [`DualQuaternions`](momentum_map::DualQuaternions) |
 //! | [`PointVortices`] | minus | `PowerMap(HOPF)` | `PowerMultipliers(Quaternions)` |
 //! | [`HeisenbergChain`] | plus | `PowerMap(QuadraticMomentumMap::new(So3OnC2, Side::Left))` | |
+//! | [`KidaVortex`] | plus | [`clebsch_realisation`](momentum_map::clebsch_realisation) on T∗so(2, 1) | |
+//! | [`MovableBaseTop`] | minus | [`clebsch_realisation`](momentum_map::clebsch_realisation) on T∗(se(3) ⋉ R³) | |
 //! | [`SpinLattice`] | plus | `ProductMap` of that map and `Identity` of T∗Rᴺ | |
 //!
 //! # Conventions
@@ -74,11 +78,18 @@ mod body_in_fluid;
 mod vortices;
 mod spin_chain;
 mod spin_lattice;
+mod kida_vortex;
+mod movable_base;
 pub mod prelude;
 
 pub use body_in_fluid::kirchhoff::Kirchhoff;
 pub use error::SystemError;
 pub use gyrostat::heavy_gyrostat::Gyrostat;
+pub use kida_vortex::elliptical_patch::KidaVortex;
+pub use kida_vortex::lorentz_algebra::So21;
+pub use movable_base::top_on_base::{
+    MovableBaseAlgebra, MovableBaseDual, MovableBaseElement, MovableBaseTop,
+};
 pub use spaces::spin_space::{SpinSpace, Spins};
 pub use spin_chain::heisenberg_chain::HeisenbergChain;
 pub use spin_lattice::vibrating_lattice::{SpinLattice, SpinLatticeSpace};

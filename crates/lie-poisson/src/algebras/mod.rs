@@ -1,8 +1,7 @@
-//! Lie algebras and Lie groups: the traits, structure constants, derivations, and direct products.
+//! Lie algebras and Lie groups: the traits, structure constants, and direct products.
 
 pub(crate) mod algebra;
 pub(crate) mod group;
 pub(crate) mod product;
 pub(crate) mod jacobi;
 pub(crate) mod structure_constants;
-pub(crate) mod derivation;

@@ -3,8 +3,10 @@
 
 mod drifts;
 mod gyrostat;
+mod kida_vortex;
 mod kirchhoff;
 mod many_vortices;
+mod movable_base;
 mod point_vortices;
 mod spin_chain;
 mod spin_lattice;
