@@ -38,6 +38,7 @@ mod scales;
 mod sections;
 mod semidirect_group;
 mod spinor_realisation;
+mod spinsys_oracle;
 mod symmetries;
 mod tangent_vectors;
 mod varpi;

@@ -21,9 +21,12 @@ use lie_poisson::Representation;
 ///
 /// | V | representation | image |
 /// |---|---|---|
-/// | 𝔤 | [`InfinitesimalAdjoint`](lie_poisson::InfinitesimalAdjoint) | μ that vanish on the centraliser of some q |
+/// | 𝔤 | [`InfinitesimalAdjoint`](lie_poisson::InfinitesimalAdjoint) | all μ that vanish on the centraliser of some q |
 /// | 𝔤ᴷ | [`Diagonal<_, K>`](lie_poisson::Diagonal) of it | for K large enough, all μ that vanish on the centre |
 /// | (𝔤 ⋊ RD)ᴷ | `Diagonal<_, K>` of [`ExtendedAdjoint`](lie_poisson::ExtendedAdjoint) | for K large enough, all μ if D is injective on the centre |
+/// | (𝔤∗ ⊕ R)ᴷ | `Diagonal<_, K>` of [`ExtendedCoadjoint`](lie_poisson::ExtendedCoadjoint) | for K large enough, all μ if the cocycle is injective on the centre |
+///
+/// For all 62 indecomposable real Lie algebras of dimension 2 to 5, one of the extensions with K = 2 reaches all of 𝔤∗.
 ///
 /// Whether Runge–Kutta methods descend to 𝔤∗ depends on V too: they do if
 /// [`odd_power_defect`](lie_poisson::odd_power_defect) is 0. Otherwise the image of a step depends on (q, p), the

@@ -3,4 +3,5 @@
 pub(crate) mod cotangent_representation;
 pub(crate) mod clebsch_map;
 mod equations;
+mod search;
 pub(crate) mod clebsch_section;
