@@ -1,63 +1,22 @@
-//! From structure constants to a collective integrator, for every real Lie algebra of dimension up to 5 of a published
-//! list.
+//! Clebsch maps and their lifts, for every real Lie algebra of dimension up to 5 of a published list.
 
-use collective_integrators::{
-    Collective, Direct, HamiltonianField, Integrator, RungeKutta, Start,
-    diagnostics::step_poisson_defect, fitted_order,
-};
 use lie_poisson::{
-    Automatic, Contragredient, Covector, DefaultLanes, Diagonal, DualNumber, Energy,
-    ExtendedAdjoint, ExtendedCoadjoint, InfinitesimalAdjoint, Lanes, LieAlgebra, LiePoisson, Power,
-    Real, Representation, Sign, StructureConstants, StructureError, Vector, larger, laws,
-    odd_power_defect,
+    Contragredient, Covector, DefaultLanes, Diagonal, DualNumber, InfinitesimalAdjoint, Lanes,
+    LieAlgebra, LiePoisson, Real, Representation, Sign, StructureConstants, StructureError, Vector,
+    euclidean_norm, larger, laws,
 };
 use momentum_map::{
-    ClebschMap, ClebschRealisation, Cotangent, Lift, PoissonMap, Side, SourcePoint, TargetPoint,
-    clebsch_map, clebsch_realisation, laws as map_laws,
+    ClebschMap, Lift, PoissonMap, Side, SourcePoint, TargetPoint, clebsch_map, clebsch_realisation,
+    laws as map_laws,
 };
 use nalgebra::SVector;
-use workspace_tests::low_dimensional::{Entry, FIVE, FOUR, THREE, TWO, table};
+use workspace_tests::low_dimensional::{
+    Check, Entry, FIVE, THREE, WITHOUT_DERIVATION, coextended, every_algebra, extended, samples,
+    table,
+};
 
 /// The round-off of a bracket, a sum of up to 60 products of numbers up to 3, relative to the sizes of its factors.
 const ROUND_OFF: f64 = 1e-13;
-
-/// A check of one algebra of any dimension.
-trait Check {
-    fn check<const N: usize>(&mut self, entry: &Entry);
-}
-
-/// Runs a check of every algebra and returns the number of algebras.
-fn every_algebra(check: &mut impl Check) -> usize {
-    TWO.iter().for_each(|entry| check.check::<2>(entry));
-    THREE.iter().for_each(|entry| check.check::<3>(entry));
-    FOUR.iter().for_each(|entry| check.check::<4>(entry));
-    FIVE.iter().for_each(|entry| check.check::<5>(entry));
-    TWO.len() + THREE.len() + FOUR.len() + FIVE.len()
-}
-
-/// The two algebras whose derivations all vanish on the centre.
-const WITHOUT_DERIVATION: [&str; 2] = ["A5,38", "A5,39"];
-
-/// Returns generic vectors with coordinates in (−1, 1).
-fn samples<V: Vector<Scalar = f64>>(count: usize) -> Vec<V> {
-    let mut seed = 7.0_f64;
-    let mut next = move || {
-        seed = (seed * 16_807.0) % 2_147_483_647.0;
-        2.0 * seed / 2_147_483_647.0 - 1.0
-    };
-    (0..count).map(|_| V::from_coordinates(|_| next())).collect()
-}
-
-type Extended<const N: usize> = Diagonal<ExtendedAdjoint<StructureConstants<N>>, 2>;
-type Coextended<const N: usize> = Diagonal<ExtendedCoadjoint<StructureConstants<N>>, 2>;
-
-fn extended<const N: usize>(algebra: &StructureConstants<N>) -> Extended<N> {
-    Diagonal(ExtendedAdjoint::of(algebra.clone()).unwrap())
-}
-
-fn coextended<const N: usize>(algebra: &StructureConstants<N>) -> Coextended<N> {
-    Diagonal(ExtendedCoadjoint::of(algebra.clone()).unwrap())
-}
 
 struct Jacobi {
     refused: usize,
@@ -146,12 +105,12 @@ impl Check for PoissonDefects {
         self.representation(Diagonal::<_, 2>(adjoint.clone()));
         self.representation(Contragredient(adjoint.clone()));
         self.representation(adjoint);
-        self.representation(extended(&algebra));
-        self.representation(coextended(&algebra));
+        self.representation(extended(&algebra).unwrap());
+        self.representation(coextended(&algebra).unwrap());
         if WITHOUT_DERIVATION.contains(&entry.name) {
-            self.control(entry.name, coextended(&algebra));
+            self.control(entry.name, coextended(&algebra).unwrap());
         } else {
-            self.control(entry.name, extended(&algebra));
+            self.control(entry.name, extended(&algebra).unwrap());
         }
     }
 }
@@ -183,7 +142,7 @@ impl Lifts {
                 let z = map.lift::<f64>(&mu).unwrap();
                 let residual = (map.apply::<f64>(&z) - mu).max_abs() / size;
                 assert!(residual < ROUND_OFF, "{name}, {size:e}: {residual:e}");
-                let (q, p) = (lie_poisson::euclidean_norm(&z.q), lie_poisson::euclidean_norm(&z.p));
+                let (q, p) = (euclidean_norm(&z.q), euclidean_norm(&z.p));
                 assert!((q / p - 1.0).abs() < ROUND_OFF, "{name}: |q| = {q:e}, |p| = {p:e}");
             }
         }
@@ -205,11 +164,11 @@ impl Check for Lifts {
         for scale in [1e-30, 1.0, 1e30] {
             let algebra = table::<N>(entry, scale).unwrap();
             if WITHOUT_DERIVATION.contains(&entry.name) {
-                let rank = clebsch_realisation(extended(&algebra), Side::Right).unwrap();
+                let rank = clebsch_realisation(extended(&algebra).unwrap(), Side::Right).unwrap();
                 assert_eq!(rank.fibres().rank(), N - 1, "{}", entry.name);
-                self.representation(entry.name, coextended(&algebra));
+                self.representation(entry.name, coextended(&algebra).unwrap());
             } else {
-                self.representation(entry.name, extended(&algebra));
+                self.representation(entry.name, extended(&algebra).unwrap());
             }
         }
     }
@@ -290,122 +249,12 @@ fn one_copy_of_a537_reaches_one_of_two_halves() {
     assert!((10..=50).contains(&inside), "{inside}");
 }
 
-/// A Hamiltonian on the dual of any algebra: a quadratic form with a cubic term.
-#[derive(Clone, Copy)]
-struct Generic<const N: usize>;
-
-impl<const N: usize> Energy for Generic<N> {
-    type Space = LiePoisson<StructureConstants<N>>;
-
-    fn energy<T: Real>(&self, mu: &Covector<SVector<T, N>>) -> T {
-        let term = |i: usize| mu.0[i] * mu.0[i] * (0.3 + 0.1 * i as f64);
-        let squares = (0..N).fold(T::zero(), |sum, i| sum + term(i));
-        squares + mu.0[0] * mu.0[N - 1] * 0.2 + mu.0[N - 1] * mu.0[N - 1] * mu.0[0] * 0.1
-    }
-}
-
-struct Orders;
-
-fn order<R: Representation<Algebra = StructureConstants<N>>, const N: usize>(r: R) -> f64 {
-    let map = clebsch_realisation(r, Side::Right).unwrap();
-    let mu = samples::<Covector<SVector<f64, N>>>(1)[0];
-    let field = HamiltonianField { space: map.target(), hamiltonian: Automatic(Generic) };
-    let exact = Direct::new(RungeKutta::gauss(4).unwrap(), field).after(&mu, 0.025, 32).unwrap();
-    let gauss = Collective::new(RungeKutta::gauss(2).unwrap(), map, Automatic(Generic));
-    let error = |steps: u64| {
-        let step = 0.8 / steps as f64;
-        let end = gauss.after(&mu, step, steps).unwrap().momentum;
-        (step, (end - exact.momentum).max_abs())
-    };
-    fitted_order(&[2, 4, 8, 16].map(error), 1e-14).unwrap()
-}
-
-impl Check for Orders {
-    fn check<const N: usize>(&mut self, entry: &Entry) {
-        let algebra = table::<N>(entry, 1.0).unwrap();
-        let order = if WITHOUT_DERIVATION.contains(&entry.name) {
-            order(coextended(&algebra))
-        } else {
-            order(extended(&algebra))
-        };
-        assert!((order - 4.0).abs() < 0.4, "{}: {order}", entry.name);
-    }
-}
-
-/// Structure constants in, collective integrator out: the Gauss method of order 4 has order 4 on every 𝔤∗.
-#[test]
-fn collective_gauss_methods_have_their_order_on_all_algebras() {
-    assert_eq!(every_algebra(&mut Orders), 62);
-}
-
-#[derive(Default)]
-struct Descent {
-    descends: Vec<&'static str>,
-    largest_defect: f64,
-    least_control: Option<f64>,
-}
-
-/// Returns the Poisson defect of a step, and the difference of the steps from two points of one fibre.
-fn descent<R: Representation<Algebra = StructureConstants<N>>, const N: usize>(r: R) -> [f64; 2] {
-    let one: ClebschRealisation<R> = clebsch_realisation(r.clone(), Side::Right).unwrap();
-    let two = clebsch_realisation(Diagonal::<_, 2>(r), Side::Right).unwrap();
-    let mu = samples::<Covector<SVector<f64, N>>>(2)[1];
-    let space = two.target();
-    let z = one.lift::<f64>(&mu).unwrap();
-    let embedded =
-        Cotangent::new(Power([z.q, Vector::zero()]), Covector(Power([z.p.0, Vector::zero()])));
-    let scheme = RungeKutta::gauss(2).unwrap();
-    let gauss = Collective::that_does_not_descend(scheme, two, Automatic(Generic));
-    let image = |z| {
-        let end = Integrator::<f64>::step(&gauss, &z, 0.3, &mut gauss.workspace()).unwrap();
-        Integrator::<f64>::momentum(&gauss, &end.point)
-    };
-    let start = Start::<f64>::start(&gauss, &mu).unwrap();
-    let difference = (image(embedded) - image(start)).max_abs();
-    [step_poisson_defect(&space, &gauss, &mu, 0.3).unwrap(), difference]
-}
-
-impl Check for Descent {
-    fn check<const N: usize>(&mut self, entry: &Entry) {
-        if WITHOUT_DERIVATION.contains(&entry.name) {
-            return;
-        }
-        let algebra = table::<N>(entry, 1.0).unwrap();
-        let r = ExtendedAdjoint::of(algebra).unwrap();
-        let closed = odd_power_defect(&r) < 1e-13;
-        let [poisson, difference] = descent(r);
-        if closed {
-            self.descends.push(entry.name);
-            self.largest_defect = larger(self.largest_defect, larger(poisson, difference));
-        } else {
-            let least = self.least_control.map_or(difference, |least| least.min(difference));
-            self.least_control = Some(least);
-        }
-    }
-}
-
-/// Where the odd powers of the representation belong to it, a step depends on μ alone and is a Poisson map of 𝔤∗.
-/// Elsewhere it depends on the point of the fibre.
-#[test]
-fn steps_descend_if_odd_powers_stay_in_the_representation() {
-    let mut check = Descent::default();
-    every_algebra(&mut check);
-    println!("{:?}, {:e}, {:?}", check.descends, check.largest_defect, check.least_control);
-    assert!(check.largest_defect < ROUND_OFF, "{:e}", check.largest_defect);
-    assert!(check.least_control.unwrap() > 1e-9, "{:?}", check.least_control);
-    let expected = [
-        "A2,1", "A3,1", "A3,3", "A3,4", "A3,6", "A3,8", "A3,9", "A4,1", "A4,8", "A4,10", "A4,12",
-        "A5,1", "A5,3", "A5,4", "A5,5",
-    ];
-    assert_eq!(check.descends, expected);
-}
-
 /// A SIMD lane has the bits of its own lift, and the lift over dual numbers is a section to first order.
 #[test]
 fn lifts_over_lanes_and_dual_numbers() {
     let so3 = table::<3>(&THREE[8], 1.0).unwrap();
     let one = clebsch_realisation(InfinitesimalAdjoint(so3.clone()), Side::Left).unwrap();
-    let two = clebsch_realisation(extended(&so3), Side::Left).unwrap();
+    let two = clebsch_realisation(extended(&so3).unwrap(), Side::Left).unwrap();
     let member = |lane: usize| samples::<Covector<SVector<f64, 3>>>(16)[lane % 16];
     let lanes = Covector::<SVector<DefaultLanes, 3>>::from_coordinates(|i| {
         DefaultLanes::from_lanes(|lane| member(lane).coordinate(i))

@@ -9,6 +9,7 @@ mod audit;
 mod bodies;
 mod brackets;
 mod clebsch_algebras;
+mod clebsch_steps;
 mod collective_dynamics;
 mod compensated;
 mod conservation;

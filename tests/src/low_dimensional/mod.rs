@@ -5,9 +5,13 @@
 //! have generic values. Decomposable algebras are direct sums of them.
 
 mod entry;
+mod every_algebra;
+mod extensions;
 mod five;
 mod up_to_four;
 
 pub use entry::{Entry, table};
+pub use every_algebra::{Check, every_algebra, samples};
+pub use extensions::{Coextended, Extended, WITHOUT_DERIVATION, coextended, extended};
 pub use five::FIVE;
 pub use up_to_four::{FOUR, THREE, TWO};
