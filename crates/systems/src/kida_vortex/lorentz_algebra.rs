@@ -17,7 +17,7 @@ use nalgebra::Vector3;
 /// use lie_poisson::{Casimirs, Covector, LieAlgebra};
 /// use lie_poisson_systems::So21;
 /// use nalgebra::Vector3;
-/// assert_eq!(So21.bracket(&Vector3::x(), &Vector3::y()), -Vector3::z());
+/// assert_eq!(So21.bracket::<f64>(&Vector3::x(), &Vector3::y()), -Vector3::z());
 /// assert_eq!(So21.casimir(0, &Covector(Vector3::new(1.0, 2.0, 3.0))), 4.0);
 /// ```
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]

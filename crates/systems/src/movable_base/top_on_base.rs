@@ -30,9 +30,10 @@ pub type MovableBaseDual<T = f64> = Covector<MovableBaseElement<T>>;
 /// Π is the angular momentum about the base (kg m²/s), P the momentum (kg m/s), Γ the upward vertical, and c the direction
 /// of the centre of mass, at the distance l. The Casimirs are |P|², P·Γ and |Γ|². For M → ∞ it is the heavy top.
 ///
-/// Source: C. Contreras & T. Ohsawa, *Controlled Lagrangians and stabilization of Euler–Poincaré equations with symmetry
-/// breaking nonholonomic constraints* (2021) and Jayawardana, Morrison & Ohsawa, *Clebsch canonization of Lie–Poisson
-/// systems*, J. Geom. Mech. 14 (2022), for the phase space; the energy is that of two rigidly joined masses.
+/// Source: C. Contreras & T. Ohsawa, *Controlled Lagrangians and stabilization of Euler–Poincaré mechanical systems with
+/// broken symmetry II: potential shaping*, Math. Control Signals Syst. 34 (2022), and Jayawardana, Morrison & Ohsawa,
+/// *Clebsch canonization of Lie–Poisson systems*, J. Geom. Mech. 14 (2022), for the phase space; the energy is that of two
+/// rigidly joined masses.
 ///
 /// # Example
 /// The base gives way: a top at rest with its axis horizontal starts to fall about the centre of mass of both.

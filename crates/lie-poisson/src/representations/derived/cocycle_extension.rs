@@ -19,7 +19,7 @@ use nalgebra::Vector1;
 /// the centre of 𝔤 as their kernel. Their extensions are faithful if and only if c is injective on the centre. For a
 /// derivation D the space 𝔤 ⊕ R is the algebra 𝔤 ⋊ RD with [D, ξ] = Dξ, on which 𝔤 acts by ad.
 ///
-/// Some algebras have no such derivation. In dimension 5 all derivations of [e₁,e₄] = e₁, [e₂,e₅] = e₂, [e₄,e₅] = e₃
+/// Some algebras have no such derivation. In dimension 5 all derivations of `[e₁, e₄] = e₁`, `[e₂, e₅] = e₂`, `[e₄, e₅] = e₃`
 /// vanish on the centre e₃, and [`ExtendedCoadjoint`] is faithful.
 ///
 /// Source: N. Jacobson, *Lie Algebras* (1962), §III.10.
