@@ -1,19 +1,34 @@
-//! The tests and items that the documents name exist: tests in docs/paper.md and docs/audit.md, items in
-//! docs/notation.md and docs/paper.md.
+//! The tests and items that the documents name exist: tests in docs/paper.md, docs/clebsch.md, docs/collective.md and
+//! docs/audit.md, items in docs/notation.md and in the ledgers.
 
 use std::collections::BTreeMap;
 use std::error::Error;
 use std::fs;
 use std::path::Path;
 
-/// Returns the text of each file of `tests/it`, by its name.
+/// The folders of the tests that the ledgers name. Files of one name in two folders count as one.
+const FOLDERS: [&str; 4] = [
+    "tests/it",
+    "crates/momentum-map/tests/it",
+    "crates/integrators/tests/it",
+    "crates/systems/tests/it",
+];
+
+/// The ledgers, with a number of tests and of items that each of them surpasses.
+const LEDGERS: [(&str, usize, usize); 3] =
+    [("docs/paper.md", 80, 60), ("docs/clebsch.md", 15, 12), ("docs/collective.md", 20, 12)];
+
+/// Returns the text of each file of tests, by its name.
 fn functions() -> Result<BTreeMap<String, String>, Box<dyn Error>> {
-    let mut files = BTreeMap::new();
-    for entry in fs::read_dir(Path::new(env!("CARGO_MANIFEST_DIR")).join("it"))? {
-        let path = entry?.path();
-        if path.extension().is_some_and(|extension| extension == "rs") {
-            let stem = path.file_stem().unwrap_or_default().to_string_lossy().into_owned();
-            files.insert(stem, fs::read_to_string(path)?);
+    let root = Path::new(env!("CARGO_MANIFEST_DIR")).join("..");
+    let mut files = BTreeMap::<String, String>::new();
+    for folder in FOLDERS {
+        for entry in fs::read_dir(root.join(folder))? {
+            let path = entry?.path();
+            if path.extension().is_some_and(|extension| extension == "rs") {
+                let stem = path.file_stem().unwrap_or_default().to_string_lossy().into_owned();
+                files.entry(stem).or_default().push_str(&fs::read_to_string(path)?);
+            }
         }
     }
     Ok(files)
@@ -35,7 +50,8 @@ fn named(text: &str) -> impl Iterator<Item = (&str, &str)> {
 fn every_test_named_in_the_ledger_exists() -> Result<(), Box<dyn Error>> {
     let root = Path::new(env!("CARGO_MANIFEST_DIR")).join("..");
     let files = functions()?;
-    for (page, least) in [("docs/paper.md", 80), ("docs/audit.md", 4)] {
+    let ledgers = LEDGERS.map(|(page, tests, _)| (page, tests));
+    for (page, least) in ledgers.into_iter().chain([("docs/audit.md", 4)]) {
         let ledger = fs::read_to_string(root.join(page))?;
         let mut count = 0;
         for (file, name) in named(&ledger).filter(|pair| *pair != ("file", "name")) {
@@ -114,11 +130,13 @@ fn every_item_named_in_the_notation_and_the_ledger_exists() -> Result<(), Box<dy
     }
     sources(&root.join("tests/src"), &mut text)?;
     let foreign = ["Complex", "SMatrix", "Vector2", "Vector3", "f64", "for"];
-    for (page, least) in [("docs/notation.md", 150), ("docs/paper.md", 60)] {
+    let ledgers = LEDGERS.map(|(page, _, items)| (page, items));
+    for (page, least) in ledgers.into_iter().chain([("docs/notation.md", 150)]) {
         let page_text = fs::read_to_string(root.join(page))?;
         let quoted = page_text.split('`').skip(1).step_by(2);
-        // In the paper's table only names with a capital are items: the others are tests and commands.
-        let items = quoted.filter(|s| page != "docs/paper.md" || s.contains(char::is_uppercase));
+        // In the ledgers only names with a capital are items: the others are tests and commands.
+        let notation = page == "docs/notation.md";
+        let items = quoted.filter(|s| notation || s.contains(char::is_uppercase));
         let words = items.flat_map(|s| s.split(|c: char| !c.is_alphanumeric() && c != '_'));
         // One letter is a parameter, and a digit the value of one.
         let names = words.filter(|w| w.len() > 1 && w.is_ascii() && !foreign.contains(w));

@@ -7,6 +7,7 @@
 //! | the promises of a trait without its shortcuts | [`Derived`] |
 //! | is a map Poisson, is a form conserved | [`bracket_defects`], [`map_defect`], [`largest`], [`OneForm`] |
 //! | rational arithmetic | [`Rational`], [`rational_samples`] |
+//! | every Lie algebra of dimension up to 5 | [`low_dimensional`] |
 //! | tops and runs | [`tops`], [`advance`], [`largest_deviation`] |
 //! | every method for tops, and a top in any units | [`scales`] |
 //! | the table of every scheme and formulation in `docs/audit.md` | [`audit`] |
@@ -18,6 +19,7 @@ mod compare;
 mod defects;
 mod derived;
 mod forms;
+pub mod low_dimensional;
 mod rational;
 mod runs;
 mod strategies;

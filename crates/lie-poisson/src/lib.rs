@@ -38,7 +38,10 @@
 //! | direct products and powers | [`ProductAlgebra`], [`ProductGroup`], [`PowerAlgebra`], [`PowerGroup`] |
 //! | semidirect products 𝔤 ⋉ V and G ⋉ V | [`SemidirectAlgebra`], [`SemidirectGroup`] |
 //! | a representation of your own | [`Representation`], [`GroupRepresentation`] |
-//! | a representation made from others | [`Adjoint`], [`Inherited`], [`Diagonal`], [`Sum`] |
+//! | a representation made from others | [`Adjoint`], [`Inherited`], [`Diagonal`], [`Sum`], [`Contragredient`] |
+//! | the adjoint representation of an algebra without a group | [`InfinitesimalAdjoint`] |
+//! | a derivation, and an extension of the adjoint representation that sees the centre | [`Cocycle`], [`ExtendedAdjoint`], [`ExtendedCoadjoint`] |
+//! | whether Runge–Kutta steps descend along a representation | [`odd_power_defect`] |
 //! | 𝔤∗ with a Lie–Poisson bracket | [`LiePoisson::minus`], [`LiePoisson::plus`] |
 //! | a Poisson space of your own | [`PoissonSpace`] |
 //! | products and powers of Poisson spaces | [`ProductSpace`], [`PowerSpace`] |
@@ -103,8 +106,13 @@ pub use groups::unitary::{SkewHermitian, UnitaryAlgebra, UnitaryGroup};
 
 pub use charts::cayley::Cayley;
 pub use charts::logarithm::{Logarithm, LogarithmError};
-pub use representations::derived::{Adjoint, Diagonal, Inherited, Sum};
+pub use representations::cocycle::{Cocycle, CocycleError};
+pub use representations::derived::{
+    Adjoint, CocycleExtension, Contragredient, Diagonal, ExtendedAdjoint, ExtendedCoadjoint,
+    InfinitesimalAdjoint, Inherited, Sum,
+};
 pub use representations::euclidean::{SE2, SE3, Se2, Se3, Se3Dual};
+pub use representations::odd_powers::odd_power_defect;
 pub use representations::real_matrices::{SL2OnR2, SO2OnR2, SO3OnR3};
 pub use representations::representation::{
     GroupRepresentation, Representation, RepresentedElement,

@@ -50,6 +50,7 @@
 //! | so(3)∗ from C² | [`HOPF`] |
 //! | se(3)∗ from T∗R³ | [`PARTICLE`] |
 //! | sl(2, R)∗ from R⁴, and u(N)∗ from C^N | [`Sl2Realisation`], [`unitary_realisation`] |
+//! | 𝔤∗ of any algebra from T∗𝔤, from structure constants alone, with a lift | [`ClebschMap`], [`clebsch_realisation`] |
 //! | tests of your own types against the laws | the module `laws` (feature `laws`) |
 //!
 //! # Conventions
@@ -80,6 +81,7 @@ mod maps;
 mod multipliers;
 
 mod realisations;
+mod clebsch;
 
 #[cfg(feature = "laws")]
 pub mod laws;
@@ -88,6 +90,9 @@ pub use actions::action::{ActingElement, ActionPoint, Generator, GroupAction, Si
 pub use actions::cotangent_lift::CotangentLift;
 pub use actions::derived_actions::{JointAction, Opposite, ProductAction};
 pub use actions::represented_actions::{AffineAction, LinearAction, RepresentationSpace};
+pub use clebsch::clebsch_map::{ClebschMap, clebsch_map};
+pub use clebsch::clebsch_section::{ClebschRealisation, ClebschSection, clebsch_realisation};
+pub use clebsch::cotangent_representation::CotangentRepresentation;
 pub use maps::collective_hamiltonian::CollectiveHamiltonian;
 pub use maps::fibre::{FibreSymmetry, Lift, LiftError};
 pub use maps::momentum_map::MomentumMap;

@@ -1,6 +1,6 @@
-//! Lie–Poisson systems beside the heavy top: gyrostat, body in a fluid, point vortices, spin chain and spin
-//! lattice, each a Hamiltonian for the integrators of `collective-integrators`; rigid bodies in N dimensions and fluids
-//! on the sphere, for those of `isospectral-flows`.
+//! Lie–Poisson systems beside the heavy top: gyrostat, body in a fluid, point vortices, spin chain, spin lattice,
+//! elliptical vortex and top on a movable base, each a Hamiltonian for the integrators of `collective-integrators`;
+//! rigid bodies in N dimensions and fluids on the sphere, for those of `isospectral-flows`.
 //!
 //! ```toml
 //! [dependencies]
@@ -36,10 +36,12 @@
 //! | as many point vortices as a file contains | [`ManyVortices`] |
 //! | classical spins in a row, on (so(3)∗)ᴺ | [`HeisenbergChain`] |
 //! | spins on atoms in motion, on (so(3)∗)ᴺ × T∗Rᴺ | [`SpinLattice`], wrapped in [`Automatic`](lie_poisson::Automatic) |
+//! | an elliptical vortex in a strain, on so(2, 1)∗ | [`KidaVortex`], [`So21`] |
+//! | a heavy top on a movable base, on (se(3) ⋉ R³)∗ | [`MovableBaseTop`], [`MovableBaseAlgebra`] |
 //! | a free rigid body in N dimensions, on so(N)∗ | [`GeneralisedRigidBody`] |
-| an ideal fluid on the sphere, on u(N)∗ | [`Zeitlin`], with [`VorticityCoefficients`] |
-| the Laplace operator of the sphere on matrices | [`QuantisedLaplacian`] |
-| the type of these phase spaces and of their points | [`SpinSpace`], [`Spins`], [`SpinLatticeSpace`] |
+//! | an ideal fluid on the sphere, on u(N)∗ | [`Zeitlin`], with [`VorticityCoefficients`] |
+//! | the Laplace operator of the sphere on matrices | [`QuantisedLaplacian`] |
+//! | the type of these phase spaces and of their points | [`SpinSpace`], [`Spins`], [`SpinLatticeSpace`] |
 //! | the reason why parameters are refused | [`SystemError`] |
 //! | the usual names in one line | [`prelude`] |
 //!
@@ -50,6 +52,8 @@
 //! | [`Gyrostat`], [`Kirchhoff`] | minus | `heavytop::SpinorRealisation` | [`DualQuaternions`](momentum_map::DualQuaternions) |
 //! | [`PointVortices`] | minus | `PowerMap(HOPF)` | `PowerMultipliers(Quaternions)` |
 //! | [`HeisenbergChain`] | plus | `PowerMap(QuadraticMomentumMap::new(So3OnC2, Side::Left))` | |
+//! | [`KidaVortex`] | plus | [`clebsch_realisation`](momentum_map::clebsch_realisation) on T∗so(2, 1) | |
+//! | [`MovableBaseTop`] | minus | [`clebsch_realisation`](momentum_map::clebsch_realisation) on T∗(se(3) ⋉ R³) | |
 //! | [`SpinLattice`] | plus | `ProductMap` of that map and `Identity` of T∗Rᴺ | |
 //!
 //! # Conventions
@@ -80,6 +84,8 @@ mod body_in_fluid;
 mod vortices;
 mod spin_chain;
 mod spin_lattice;
+mod kida_vortex;
+mod movable_base;
 mod rigid_body;
 mod matrix_hydrodynamics;
 pub mod prelude;
@@ -87,10 +93,15 @@ pub mod prelude;
 pub use body_in_fluid::kirchhoff::Kirchhoff;
 pub use error::SystemError;
 pub use gyrostat::heavy_gyrostat::Gyrostat;
+pub use kida_vortex::elliptical_patch::KidaVortex;
+pub use kida_vortex::lorentz_algebra::So21;
 pub use matrix_hydrodynamics::quantised_laplacian::QuantisedLaplacian;
 pub use matrix_hydrodynamics::spherical_harmonic::associated_legendre;
 pub use matrix_hydrodynamics::vorticity_coefficients::VorticityCoefficients;
 pub use matrix_hydrodynamics::zeitlin::Zeitlin;
+pub use movable_base::top_on_base::{
+    MovableBaseAlgebra, MovableBaseDual, MovableBaseElement, MovableBaseTop,
+};
 pub use rigid_body::generalised_rigid_body::GeneralisedRigidBody;
 pub use spaces::spin_space::{SpinSpace, Spins};
 pub use spin_chain::heisenberg_chain::HeisenbergChain;

@@ -19,8 +19,8 @@
 //! ```
 
 pub use crate::{
-    Gyrostat, HeisenbergChain, Kirchhoff, ManyVortices, PointVortices, SpinLattice,
-    SpinLatticeSpace, SpinSpace, Spins, SystemError,
+    Gyrostat, HeisenbergChain, KidaVortex, Kirchhoff, ManyVortices, MovableBaseTop, PointVortices,
+    So21, SpinLattice, SpinLatticeSpace, SpinSpace, Spins, SystemError,
 };
 pub use collective_integrators::{Collective, Integrator, LiftFree, RungeKutta, Start};
 pub use lie_poisson::{

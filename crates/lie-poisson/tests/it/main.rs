@@ -4,4 +4,5 @@
 mod algebra_laws;
 mod casimirs;
 mod closed_forms;
+mod cocycles;
 mod support;

@@ -25,8 +25,9 @@ pub type TargetDifferential<M, T = f64> = Differential<<M as PoissonMap>::Target
 /// ```
 ///
 /// A scheme that commutes with affine maps descends to Q if the symmetry along the fibres of M acts
-/// affinely, as it does for every realisation of this crate. It conserves Casimirs whose pull-backs are
-/// functions of quadratic invariants.
+/// affinely. It does so for every realisation of this crate, except for a [`ClebschMap`](crate::ClebschMap) of a
+/// representation that lacks its odd powers. The scheme conserves Casimirs whose pull-backs are functions of
+/// quadratic invariants.
 ///
 /// If M is the momentum map of an action, `generator` is the infinitesimal generator ξ_P(z). If it is
 /// implemented by hand, collective dynamics needs no Jacobian.

@@ -2,6 +2,7 @@
 #![allow(clippy::unwrap_used, clippy::panic)]
 
 mod attached_fibres;
+mod clebsch_maps;
 mod closed_forms;
 mod extreme_lifts;
 mod map_laws;

@@ -4,8 +4,10 @@
 mod drifts;
 mod generalised_rigid_body;
 mod gyrostat;
+mod kida_vortex;
 mod kirchhoff;
 mod many_vortices;
+mod movable_base;
 mod point_vortices;
 mod spin_chain;
 mod spin_lattice;

@@ -1,0 +1,152 @@
+//! Lifts of Clebsch maps: [`ClebschSection`].
+
+use super::search::{ACCEPTED, Search};
+use crate::{
+    ClebschMap, Cotangent, Fibres, LiftError, PoissonMap, Realisation, SectionOf, Side,
+    SourcePoint, TargetPoint, clebsch_map,
+};
+use lie_poisson::{Mask, Pair, Real, Representation, RepresentedElement, Vector, euclidean_norm};
+
+/// A lift of a [`ClebschMap`]: for μ ∈ 𝔤∗ a point (q, p) with J(q, p) = μ and |q| = |p|.
+///
+/// For a fixed q the map p ↦ J(q, p) is linear. Its Moore–Penrose inverse is computed once, for a generic q. If it is
+/// onto the momenta that vanish on the kernel of the representation, then the lift is one product with a constant
+/// matrix, and p has the least norm. This is so if ξq = 0 implies that ξ acts trivially. It holds for enough copies of
+/// V = 𝔤, often for two.
+///
+/// Otherwise, as for one copy of 𝔤, where ξ = q is in the way, Newton's iteration changes both q and p, from eight generic
+/// points in turn. With the Moore–Penrose inverse T⁺ of the tangent map T of J at z, its steps are
+///
+/// ```text
+/// z ← ½ z + T⁺ μ    twelve times,    then z ← z + T⁺(μ − J(z))
+/// ```
+///
+/// The first ones lead to a short z. They are Newton's steps with a decay of z, since T z = 2 J(z).
+///
+/// The lift has the units √(μ/c), where c is the largest matrix element of the representation. So it exists for
+/// momenta and structure constants of every size.
+///
+/// # Example
+/// ```
+/// use lie_poisson::{Covector, Diagonal, InfinitesimalAdjoint, So3};
+/// use momentum_map::{Lift, PoissonMap, Side, clebsch_realisation};
+/// use nalgebra::Vector3;
+/// let mu = Covector(Vector3::new(1e30, -2e30, 0.5e30));
+/// let one = clebsch_realisation(InfinitesimalAdjoint(So3), Side::Right)?;
+/// let two = clebsch_realisation(Diagonal::<_, 2>(InfinitesimalAdjoint(So3)), Side::Right)?;
+/// assert!((one.apply(&one.lift(&mu)?) - mu).0.norm() < 1e-13 * mu.0.norm());
+/// assert!((two.apply(&two.lift(&mu)?) - mu).0.norm() < 1e-14 * mu.0.norm());
+/// assert_eq!((one.fibres().rank(), two.fibres().rank()), (2, 3));
+/// # Ok::<(), momentum_map::LiftError>(())
+/// ```
+#[derive(Clone, Debug, PartialEq)]
+pub struct ClebschSection {
+    search: Search,
+}
+
+/// A Clebsch map with its lift.
+pub type ClebschRealisation<R> = Realisation<ClebschMap<R>, ClebschSection>;
+
+/// Returns the Clebsch map of a representation with its lift, for the left or for the right action.
+///
+/// # Errors
+/// Returns [`LiftError`] if a matrix element of the representation is not finite, or if the largest one has no finite
+/// reciprocal.
+///
+/// # Example
+/// From structure constants to a lift, for Heisenberg's algebra [e₁, e₂] = e₀ with its centre e₀:
+/// ```
+/// use lie_poisson::{Covector, Diagonal, ExtendedAdjoint, InfinitesimalAdjoint, StructureConstants};
+/// use momentum_map::{Lift, PoissonMap, Side, clebsch_realisation};
+/// use nalgebra::Vector3;
+/// let heisenberg = StructureConstants::<3>::new(|i, j, k| match (i, j, k) {
+///     (1, 2, 0) => 1.0,
+///     (2, 1, 0) => -1.0,
+///     _ => 0.0,
+/// })?;
+/// let mu = Covector(Vector3::new(2.0, -1.0, 0.5));
+/// let map = clebsch_realisation(ExtendedAdjoint::of(heisenberg.clone())?, Side::Right)?;
+/// assert!((map.apply(&map.lift(&mu)?) - mu).0.norm() < 1e-14);
+/// // the adjoint representation does not see the centre
+/// let adjoint = Diagonal::<_, 3>(InfinitesimalAdjoint(heisenberg));
+/// let error = clebsch_realisation(adjoint, Side::Right)?.lift(&mu).unwrap_err();
+/// assert!(error.to_string().contains("not in the image"));
+/// # Ok::<(), Box<dyn std::error::Error>>(())
+/// ```
+pub fn clebsch_realisation<R: Representation>(
+    representation: R,
+    side: Side,
+) -> Result<ClebschRealisation<R>, LiftError> {
+    let map = clebsch_map(representation, side);
+    let section = ClebschSection::new(&map)?;
+    Ok(Realisation::new(map, section))
+}
+
+impl ClebschSection {
+    /// Creates the lift of a Clebsch map.
+    ///
+    /// # Errors
+    /// Returns [`LiftError`] if a matrix element of the representation is not finite, or if the largest one has no
+    /// finite reciprocal.
+    pub fn new<R: Representation>(map: &ClebschMap<R>) -> Result<Self, LiftError> {
+        Ok(Self { search: Search::new(&map.representation().0)? })
+    }
+
+    /// Returns the dimension of the momenta J(q, p) for the best of the fixed points q, with p ∈ V∗.
+    ///
+    /// The map is onto 𝔤∗ if it is the dimension of 𝔤. It is at most the dimension of 𝔤 minus that of the kernel of the
+    /// representation. If it has this value, the lift needs no iteration.
+    #[must_use]
+    pub fn rank(&self) -> usize {
+        self.search.rank()
+    }
+}
+
+impl<R: Representation> Fibres<ClebschMap<R>> for ClebschSection {}
+
+impl<R: Representation> SectionOf<ClebschMap<R>> for ClebschSection {
+    /// Returns (q, p) with J(q, p) = μ and |q| = |p|, and the origin for μ = 0.
+    ///
+    /// # Errors
+    /// Returns [`LiftError`] if μ is not finite, or if the best point found has an image that differs from μ by more
+    /// than 10⁻¹¹ |μ|. Then μ is not in the image of J, or only at the edge of it, or more copies of V are needed.
+    fn lift<T: Real>(
+        &self,
+        map: &ClebschMap<R>,
+        mu: &TargetPoint<ClebschMap<R>, T>,
+    ) -> Result<SourcePoint<ClebschMap<R>, T>, LiftError> {
+        let mu = LiftError::unless_finite(*mu, "μ", mu.max_abs(), "μ must be finite")?;
+        let size = largest_coordinate(&mu.0);
+        let zero = size.at_most(T::zero());
+        let unit = T::one() / T::select(zero, T::one(), size);
+        let sign = T::from_f64(match map.side() {
+            Side::Left => 1.0,
+            Side::Right => -1.0,
+        });
+        let direction =
+            RepresentedElement::<R, T>::from_coordinates(|i| mu.coordinate(i) * unit * sign);
+        let (z, residual) = self.search.solve(&map.representation().0, &direction);
+        if !residual.at_most(T::from_f64(ACCEPTED)).or(zero).all() {
+            let quantity = "μ − J(q, p), relative to μ";
+            let reason = "μ is not in the image of the Clebsch map; more copies, or an extension, may reach it";
+            return Err(LiftError { quantity, value: residual.max_abs(), reason });
+        }
+        // J is bilinear: q and p take equal parts of the sizes of μ and of the matrix elements.
+        let balance = (euclidean_norm(&z.p) / euclidean_norm(&z.q)).sqrt();
+        let factor = size.sqrt() * self.search.inverse_scale().sqrt();
+        let z = Cotangent { q: z.q.scaled(balance * factor), p: z.p.scaled(factor / balance) };
+        let z = Vector::select(zero, &Vector::zero(), &z);
+        let range = Pair(z, map.apply::<T>(&z));
+        let reason = "μ must be so small that the terms of J(q, p) are numbers";
+        Ok(LiftError::unless_finite(range, "μ", mu.max_abs(), reason)?.0)
+    }
+}
+
+/// Returns the largest |vᵢ| in each SIMD lane, with its derivative.
+fn largest_coordinate<V: Vector>(v: &V) -> V::Scalar {
+    let zero = <V::Scalar as Real>::from_f64(0.0);
+    (0..V::DIM).fold(zero, |most, i| {
+        let x = v.coordinate(i);
+        most.larger(x.select_nonnegative(x, -x))
+    })
+}

@@ -1,0 +1,79 @@
+//! Linear equations with fewer equations than unknowns, for the lifts of Clebsch maps.
+
+use lie_poisson::{Real, larger, solve_linear};
+use nalgebra::DMatrix;
+
+/// The ratio of two singular values below which the smaller one is a rounding error.
+const RANK_TOLERANCE: f64 = 1e-10;
+
+/// The number added to the diagonal of the normal equations, whose diagonal is 1.
+///
+/// A map may reach only a part of its target, and the matrix is singular without the damping. The next iteration
+/// restores what the damping takes from the present one.
+const DAMPING: f64 = 1e-12;
+
+/// The Moore–Penrose inverse of a matrix A with equations of any unit.
+#[derive(Clone, Debug, PartialEq)]
+pub(crate) struct PseudoInverse {
+    /// The inverse of A.
+    pub(crate) matrix: DMatrix<f64>,
+    /// The number of independent equations.
+    pub(crate) rank: usize,
+    /// The ratio of the least and the largest singular value of the independent equations.
+    pub(crate) condition: f64,
+}
+
+impl PseudoInverse {
+    /// Computes the inverse from singular values, after each row of A has been divided by its length.
+    pub(crate) fn of(mut a: DMatrix<f64>) -> Self {
+        let none = Self { matrix: DMatrix::zeros(a.ncols(), a.nrows()), rank: 0, condition: 0.0 };
+        if a.is_empty() || a.iter().any(|x| !x.is_finite()) {
+            return none;
+        }
+        let lengths: Vec<f64> = a.row_iter().map(|row| row.norm()).collect();
+        let units = lengths.iter().map(|&length| if length > 0.0 { length.recip() } else { 0.0 });
+        let units: Vec<f64> = units.collect();
+        a.row_iter_mut().zip(&units).for_each(|(mut row, unit)| row *= *unit);
+        let singular = a.svd(true, true);
+        let (Some(u), Some(v_t)) = (&singular.u, &singular.v_t) else { return none };
+        let largest = singular.singular_values.iter().fold(0.0, |m, s| larger(m, *s));
+        let (mut rank, mut least, mut matrix) = (0, largest, none.matrix);
+        for (i, &value) in singular.singular_values.iter().enumerate() {
+            if value > largest * RANK_TOLERANCE {
+                (rank, least) = (rank + 1, least.min(value));
+                matrix += v_t.row(i).transpose() * u.column(i).transpose() / value;
+            }
+        }
+        matrix.column_iter_mut().zip(&units).for_each(|(mut column, unit)| column *= *unit);
+        let condition = if rank > 0 { least / largest } else { 0.0 };
+        Self { matrix, rank, condition }
+    }
+
+    /// Returns the i-th coordinate of the least solution of A x = y.
+    pub(crate) fn coordinate<T: Real>(&self, i: usize, y: impl Fn(usize) -> T) -> T {
+        (0..self.matrix.ncols()).fold(T::zero(), |sum, j| sum + y(j) * self.matrix[(i, j)])
+    }
+}
+
+/// Returns the least x with A x = y for rows of A over any scalar, damped where the rows depend on each other.
+///
+/// The second result is the mask of the SIMD lanes in which the equations have a solution.
+pub(crate) fn least_solution<T: Real>(mut rows: Vec<Vec<T>>, mut y: Vec<T>) -> (Vec<T>, T::Mask) {
+    let unknowns = rows.first().map_or(0, Vec::len);
+    for (row, y) in rows.iter_mut().zip(&mut y) {
+        let length = row.iter().fold(T::zero(), |sum, x| sum + *x * *x).sqrt();
+        let length = T::select(length.at_most(T::zero()), T::one(), length);
+        row.iter_mut().for_each(|x| *x /= length);
+        *y /= length;
+    }
+    let mut gram = Vec::with_capacity(rows.len() * rows.len());
+    for (i, first) in rows.iter().enumerate() {
+        for (j, second) in rows.iter().enumerate() {
+            let damping = T::from_f64(if i == j { DAMPING } else { 0.0 });
+            gram.push(first.iter().zip(second).fold(damping, |sum, (x, y)| sum + *x * *y));
+        }
+    }
+    let regular = solve_linear(&mut gram, &mut y);
+    let sum = |d: usize| rows.iter().zip(&y).fold(T::zero(), |sum, (row, m)| sum + row[d] * *m);
+    ((0..unknowns).map(sum).collect(), regular)
+}

@@ -1,0 +1,4 @@
+//! An elliptical vortex in a strain.
+
+pub(crate) mod elliptical_patch;
+pub(crate) mod lorentz_algebra;

@@ -1,0 +1,3 @@
+//! The heavy top on a movable base.
+
+pub(crate) mod top_on_base;
