@@ -12,6 +12,7 @@ import sys
 
 page, files = pathlib.Path(sys.argv[1]), [pathlib.Path(name) for name in sys.argv[2:]]
 POISSON = ("exponential midpoint",)
+ISOSPECTRAL = ("exponential midpoint", "Gauss–Magnus of order 4", "Gauss–Magnus of order 6")
 OURS = ("exponential midpoint", "Gauss–Magnus of order 4", "Gauss–Magnus of order 6", "RK4, direct")
 FIXED, EXPLICIT = "quflow isomp_fixedpoint", "quflow rk4"
 
@@ -40,6 +41,7 @@ def main():
         rounds = [rows(path) for path in files if path.name.startswith(f"{size}.")]
         for target, ours, peer, task in (
             (1e-3, OURS, FIXED, "error 1e-3, against `isomp_fixedpoint`"),
+            (1e-3, ISOSPECTRAL, FIXED, "error 1e-3 with the spectrum, against `isomp_fixedpoint`"),
             (1e-3, POISSON, FIXED, "error 1e-3 by a Poisson map, against `isomp_fixedpoint`"),
             (1e-8, OURS, FIXED, "error 1e-8, against `isomp_fixedpoint`"),
             (1e-3, OURS, EXPLICIT, "error 1e-3, against `rk4`"),

@@ -53,6 +53,24 @@
 //! | 𝔤∗ of any algebra from T∗𝔤, from structure constants alone, with a lift | [`ClebschMap`], [`clebsch_realisation`] |
 //! | tests of your own types against the laws | the module `laws` (feature `laws`) |
 //!
+//! # Which realisation for which algebra
+//!
+//! A collective integrator needs a Poisson map M: P → 𝔤∗ and a lift; its form without a lift needs multipliers. The sign
+//! is that of the bracket on 𝔤∗.
+//!
+//! | 𝔤∗, bracket | map, from | lift | without a lift |
+//! |---|---|---|---|
+//! | so(3)∗, minus | [`HOPF`], C² | Π ≠ 0 | [`Quaternions`] |
+//! | so(3)∗, plus | `QuadraticMomentumMap::new(So3OnC2, Side::Left)`, C² | Π ≠ 0 | — |
+//! | se(3)∗, minus | `heavytop::SpinorRealisation`, T∗C² | Γ ≠ 0 | [`DualQuaternions`] |
+//! | se(3)∗, minus | [`PARTICLE`], T∗R³ | Π·Γ = 0, Γ ≠ 0 | [`DualQuaternions`] |
+//! | sl(2, R)∗ | [`Sl2Realisation`], R⁴ | the orbits that its two forms choose | — |
+//! | u(N)∗, minus | [`unitary_realisation`], C^N, or a [`PowerMap`] of it for a higher rank | rank 1, positive | [`ComplexMatrices`] |
+//! | u(N)∗, N known at run time | — | — | the crate `isospectral-flows` |
+//! | (so(3)∗)ᴺ, and products | [`PowerMap`], [`ProductMap`], [`ProductAlgebraMap`] | those of the parts | [`PowerMultipliers`], [`ProductMultipliers`] |
+//! | any 𝔤∗ with a group and a representation | [`MomentumMap`] of your own action | with [`Realisation`] | [`Multipliers`] of your own |
+//! | any 𝔤∗, from structure constants | [`clebsch_realisation`], T∗V | where μ is in the image; [`ClebschSection`] says which | — |
+//!
 //! # Conventions
 //!
 //! * Left actions satisfy Φ(g, Φ(h, q)) = Φ(gh, q), and right actions Φ(g, Φ(h, q)) = Φ(hg, q).

@@ -105,10 +105,10 @@ fn main() -> Result<(), Box<dyn Error>> {
     let (slow, rates) = if size <= 128 {
         ([4.0, 6.0, 8.0], [2.0, 4.0, 6.0])
     } else {
-        ([4.0, 6.0, 8.0], [10.0, 12.0, 16.0])
+        ([4.0, 6.0, 8.0], [8.0, 10.0, 12.0])
     };
     for rate in slow {
-        let midpoint = ExponentialMidpoint::new(&fluid).with_tolerance(1e-8);
+        let midpoint = ExponentialMidpoint::new(&fluid).with_tolerance(1e-6);
         print("exponential midpoint", per_unit(rate), run(&midpoint, &start, end, per_unit(rate)));
     }
     for rate in rates {

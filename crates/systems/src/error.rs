@@ -36,6 +36,12 @@ pub enum SystemError {
         /// The name of the parameter.
         name: &'static str,
     },
+    /// There are more parts than the machine can count.
+    #[error("there are more {name} than the {} of this machine", usize::MAX)]
+    TooMany {
+        /// The name of the parts.
+        name: &'static str,
+    },
     /// There are not as many values as there must be.
     #[error("{expected} {name} are needed, got {found}")]
     Count {

@@ -35,6 +35,7 @@
 //! | point vortices on the sphere, on (so(3)∗)ᴺ | [`PointVortices`] |
 //! | as many point vortices as a file contains | [`ManyVortices`] |
 //! | classical spins in a row, on (so(3)∗)ᴺ | [`HeisenbergChain`] |
+//! | classical spins on a lattice of any size, in one to three dimensions | [`HeisenbergLattice`] |
 //! | spins on atoms in motion, on (so(3)∗)ᴺ × T∗Rᴺ | [`SpinLattice`], wrapped in [`Automatic`](lie_poisson::Automatic) |
 //! | an elliptical vortex in a strain, on so(2, 1)∗ | [`KidaVortex`], [`So21`] |
 //! | a heavy top on a movable base, on (se(3) ⋉ R³)∗ | [`MovableBaseTop`], [`MovableBaseAlgebra`] |
@@ -105,6 +106,7 @@ pub use movable_base::top_on_base::{
 pub use rigid_body::generalised_rigid_body::GeneralisedRigidBody;
 pub use spaces::spin_space::{SpinSpace, Spins};
 pub use spin_chain::heisenberg_chain::HeisenbergChain;
+pub use spin_lattice::heisenberg_lattice::HeisenbergLattice;
 pub use spin_lattice::vibrating_lattice::{SpinLattice, SpinLatticeSpace};
 pub use vortices::many_vortices::ManyVortices;
 pub use vortices::point_vortices::PointVortices;

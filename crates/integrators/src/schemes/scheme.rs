@@ -29,6 +29,56 @@ impl<V: State> Step<V> {
 /// A one-step method z ↦ Φ_h(z) for dz/dt = X(z).
 ///
 /// A scheme does not depend on the origin of the vector field, and works over every scalar.
+///
+/// # Example
+/// A scheme of your own: Heun's method, z₁ = z + (h/2)(X(z) + X(z + h X(z))). Since it commutes with affine maps, it may
+/// be used collectively ([`Equivariant`]).
+/// ```
+/// use collective_integrators::{Direct, Equivariant, Scheme, Start, Step, StepError, VectorField, fitted_order, from_fn};
+/// use lie_poisson::{Real, State};
+/// use nalgebra::Vector2;
+///
+/// #[derive(Clone)]
+/// struct Heun;
+/// impl Scheme for Heun {
+///     type Workspace<V: State> = ();
+///     fn workspace<V: State>(&self) {}
+///     fn increment<T: Real, F: VectorField<T>>(
+///         &self,
+///         field: &F,
+///         z: &F::Point,
+///         h: f64,
+///         (): &mut (),
+///     ) -> Result<Step<F::Point>, StepError> {
+///         let mut slope = field.at(z);
+///         let mut predicted = z.clone();
+///         predicted.add_multiple(T::from_f64(h), &slope);
+///         slope.add_in_place(&field.at(&predicted));
+///         slope.scale_in_place(T::from_f64(h / 2.0));
+///         Ok(Step { point: slope, iterations: 0 })
+///     }
+///     fn order(&self) -> usize {
+///         2
+///     }
+///     fn is_symplectic(&self) -> bool {
+///         false
+///     }
+///     fn is_symmetric(&self) -> bool {
+///         false
+///     }
+/// }
+/// impl Equivariant for Heun {}
+///
+/// let oscillator = from_fn(|z: &Vector2<f64>| Vector2::new(z.y, -z.x));
+/// let heun = Direct::new(Heun, oscillator);
+/// let errors = [50, 100, 200].map(|steps| {
+///     let h = 1.0 / steps as f64;
+///     let end = heun.after(&Vector2::new(1.0, 0.0), h, steps).unwrap().state;
+///     (h, (end - Vector2::new(1.0_f64.cos(), -1.0_f64.sin())).norm())
+/// });
+/// assert!((fitted_order(&errors, 1e-12)? - 2.0).abs() < 0.05);
+/// # Ok::<(), collective_integrators::OrderFitError>(())
+/// ```
 pub trait Scheme: Clone {
     /// The storage that a step needs, allocated once per run.
     type Workspace<V: State>;

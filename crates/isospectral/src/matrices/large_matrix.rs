@@ -28,7 +28,8 @@ impl LargeMatrix {
     /// Creates the zero matrix of size N.
     #[must_use]
     pub fn zeros(size: usize) -> Self {
-        Self { size, entries: vec![0.0; 2 * size * size] }
+        // A size beyond the memory fails as that of any vector does.
+        Self { size, entries: vec![0.0; size.saturating_mul(size).saturating_mul(2)] }
     }
 
     /// Creates the matrix of size N with the entry f(j, k) in row j and column k.

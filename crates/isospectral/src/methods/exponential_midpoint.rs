@@ -141,7 +141,7 @@ impl<F: IsospectralField> Integrator for ExponentialMidpoint<F> {
         step: f64,
         workspace: &mut ExponentialSpace,
     ) -> Result<usize, StepError> {
-        StepError::check_dimension(w, self.field.size().pow(2))?;
+        StepError::check_dimension(w, self.field.size().saturating_pow(2))?;
         let space = workspace;
         if !space.history.predict(w, step, &mut space.generator) {
             self.field.generator_into(w, &mut space.generator[0]);

@@ -213,7 +213,7 @@ impl<F: IsospectralField> Integrator for GaussMagnus<F> {
         step: f64,
         space: &mut MagnusSpace,
     ) -> Result<usize, StepError> {
-        StepError::check_dimension(w, self.field.size().pow(2))?;
+        StepError::check_dimension(w, self.field.size().saturating_pow(2))?;
         let sweeps = self.solve(w, step, space)?;
         space.set_magnus(step);
         let MagnusSpace { products, generators, omega, next, rotation, history, .. } = space;

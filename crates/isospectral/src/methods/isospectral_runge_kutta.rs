@@ -153,7 +153,7 @@ impl<S: Equivariant, F: IsospectralField> Integrator for IsospectralRungeKutta<S
         step: f64,
         workspace: &mut Self::Workspace,
     ) -> Result<usize, StepError> {
-        StepError::check_dimension(w, self.field.size().pow(2))?;
+        StepError::check_dimension(w, self.field.size().saturating_pow(2))?;
         let IsospectralSpace { scheme, stages, next } = workspace;
         let mut zero = stages.borrow_mut().products.take(w.matrix());
         zero.set_zero();

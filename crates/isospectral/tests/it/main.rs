@@ -1,4 +1,5 @@
 //! What this crate promises.
+#![allow(clippy::unwrap_used)]
 
 mod examples;
 mod failures;

@@ -105,6 +105,51 @@ pub trait Energy {
     fn energy<T: Real>(&self, z: &Point<Self::Space, T>) -> T;
 }
 
+/// Defines an [`Energy`] by its name, its parameters, its space and one formula.
+///
+/// The formula is that of a method over the scalar `T: Real`: numbers of type `f64` stand on the right of a product.
+/// Wrap the value in [`Automatic`], which adds the exact differential.
+///
+/// # Example
+/// ```
+/// use lie_poisson::*;
+/// use nalgebra::Vector3;
+///
+/// energy!(FreeBody { inertia: Vector3<f64> } on LiePoisson<So3>: |body, Covector(pi)| {
+///     (pi.x * pi.x / body.inertia.x + pi.y * pi.y / body.inertia.y + pi.z * pi.z / body.inertia.z) * 0.5
+/// });
+/// let h = Automatic(FreeBody { inertia: Vector3::new(1.0, 2.0, 4.0) });
+/// let pi = Covector(Vector3::new(1.0, 1.0, 1.0));
+/// assert_eq!(h.value(&pi), 0.875);
+/// assert_eq!(h.differential(&pi), Vector3::new(1.0, 0.5, 0.25));
+///
+/// energy!(pub Height {} on LiePoisson<Se3>: |_height, Covector(Pair(_, gamma))| gamma.z);
+/// assert_eq!(Automatic(Height {}).value(&Se3Dual::<f64>::new(Vector3::zeros(), Vector3::z())), 1.0);
+/// ```
+#[macro_export]
+macro_rules! energy {
+    (
+        $(#[$attribute:meta])*
+        $visibility:vis $name:ident { $($parameter:ident: $kind:ty),* $(,)? }
+        on $space:ty: |$system:ident, $point:pat_param| $formula:expr
+    ) => {
+        $(#[$attribute])*
+        #[derive(Clone, Debug)]
+        $visibility struct $name {
+            $($visibility $parameter: $kind),*
+        }
+
+        impl $crate::Energy for $name {
+            type Space = $space;
+
+            fn energy<T: $crate::Real>(&self, $point: &$crate::Point<$space, T>) -> T {
+                let $system = self;
+                $formula
+            }
+        }
+    };
+}
+
 /// The [`Hamiltonian`] of an [`Energy`], with its exact differential by dual numbers.
 #[derive(Clone, Copy, Debug, Default)]
 pub struct Automatic<E>(pub E);

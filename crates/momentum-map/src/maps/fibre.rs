@@ -37,6 +37,47 @@ impl LiftError {
     label = "`Lift` is not implemented for this map",
     note = "implement `Lift` for a map of your own, or start from a point z of the source and use `apply(&z)` as μ"
 )]
+///
+/// # Example
+/// A map of your own with its lift: the angular momentum Π = q × p of a particle, with q = e₃ × Π or e₁ × Π.
+/// ```
+/// use lie_poisson::{Covector, LiePoisson, Real, RealSpace, So3};
+/// use momentum_map::{Cotangent, CotangentBundle, Lift, LiftError, PoissonMap};
+/// use nalgebra::Vector3;
+///
+/// #[derive(Clone)]
+/// struct AngularMomentum;
+/// impl PoissonMap for AngularMomentum {
+///     type Source = CotangentBundle<RealSpace<3>>;
+///     type Target = LiePoisson<So3>;
+///     fn source(&self) -> Self::Source {
+///         CotangentBundle(RealSpace)
+///     }
+///     fn target(&self) -> Self::Target {
+///         LiePoisson::plus(So3)
+///     }
+///     fn apply<T: Real>(&self, z: &Cotangent<Vector3<T>>) -> Covector<Vector3<T>> {
+///         Covector(z.q.cross(&z.p.0))
+///     }
+/// }
+/// impl Lift for AngularMomentum {
+///     fn lift<T: Real>(&self, Covector(pi): &Covector<Vector3<T>>) -> Result<Cotangent<Vector3<T>>, LiftError> {
+///         // each SIMD lane takes the vector that does not vanish there
+///         let (zero, steep) = (T::zero(), (pi.x * pi.x + pi.y * pi.y).at_most(pi.z * pi.z));
+///         let choose = |a: T, b: T| T::select(steep, a, b);
+///         let q = Vector3::new(choose(zero, -pi.y), choose(-pi.z, pi.x), choose(pi.y, zero));
+///         let p = pi.cross(&q) * (T::one() / q.dot(&q));
+///         let size = pi.dot(pi).max_abs().sqrt();
+///         LiftError::unless_finite(Cotangent::new(q, Covector(p)), "Π", size, "Π must not be zero")
+///     }
+/// }
+/// let pi = Covector(Vector3::new(1.0, -2.0, 0.5));
+/// let z = AngularMomentum.lift::<f64>(&pi)?;
+/// assert!((AngularMomentum.apply(&z) - pi).0.norm() < 1e-14);
+/// assert!(AngularMomentum.lift::<f64>(&Covector(Vector3::zeros())).is_err());
+/// # Ok::<(), LiftError>(())
+/// ```
+/// For a map whose type is not yours, see [`Realisation`](crate::Realisation).
 pub trait Lift: PoissonMap {
     /// Returns a point z with M(z) = μ.
     ///

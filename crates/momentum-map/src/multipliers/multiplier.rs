@@ -20,6 +20,49 @@ use lie_poisson::{Differential, Point, PoissonSpace, Real, Vector};
 /// A multiplier is determined only up to changes that `transport` does not see. The flow conserves
 /// quadratic invariants of Q (|Q|² = 1 for quaternions) that make `transport` a coadjoint motion. Every
 /// Gauss method conserves them too.
+///
+/// # Example
+/// Multipliers of your own: real 3×3 matrices for so(3)∗ with the minus bracket. On pairs z = (q, p) of vectors with
+/// J(z) = −q × p they act by (Qq, Qp), so that J(Qz₀) is the matrix of cofactors of Q times J(z₀).
+/// ```
+/// use lie_poisson::{Covector, LiePoisson, Real, So3};
+/// use momentum_map::Multipliers;
+/// use nalgebra::{Matrix3, Vector3};
+///
+/// #[derive(Clone)]
+/// struct RealMatrices;
+/// impl Multipliers for RealMatrices {
+///     type Space = LiePoisson<So3>;
+///     type Multiplier<T: Real> = Matrix3<T>;
+///     fn space(&self) -> Self::Space {
+///         LiePoisson::minus(So3)
+///     }
+///     fn one<T: Real>(&self) -> Matrix3<T> {
+///         Matrix3::identity()
+///     }
+///     // ξ acts as −ξ×, the generator of a right action
+///     fn generate<T: Real>(&self, xi: &Vector3<T>, q: &Matrix3<T>) -> Matrix3<T> {
+///         Matrix3::from_columns(&[0, 1, 2].map(|i| q.column(i).into_owned().cross(xi)))
+///     }
+///     fn transport<T: Real>(&self, q: &Matrix3<T>, mu: &Covector<Vector3<T>>) -> Covector<Vector3<T>> {
+///         let column = |i: usize| q.column(i).into_owned();
+///         let cofactors = [(1, 2), (2, 0), (0, 1)].map(|(i, j)| column(i).cross(&column(j)));
+///         Covector(Matrix3::from_columns(&cofactors) * mu.0)
+///     }
+///     fn product<T: Real>(&self, q: &Matrix3<T>, b: &Matrix3<T>) -> Matrix3<T> {
+///         q * b
+///     }
+/// }
+///
+/// // d/dt transport(Q, μ) = ad*_ξ μ = μ × ξ at Q = 1
+/// let (xi, mu) = (Vector3::new(0.3, -0.2, 0.5), Covector(Vector3::new(1.0, 2.0, -1.0)));
+/// let step = 1e-6;
+/// let q = RealMatrices.one::<f64>() + RealMatrices.generate(&xi, &RealMatrices.one::<f64>()) * step;
+/// let rate = (RealMatrices.transport(&q, &mu) - mu).0 / step;
+/// assert!((rate - mu.0.cross(&xi)).norm() < 1e-5);
+/// ```
+/// `LiftFree::new(RungeKutta::gauss(2)?, RealMatrices, hamiltonian)` of `collective-integrators` integrates with them.
+/// The law suite `laws::multipliers` checks the other properties.
 pub trait Multipliers: Clone {
     /// The dual 𝔤∗, or a product of such spaces.
     type Space: PoissonSpace;
