@@ -20,7 +20,7 @@
 //!         self.0.len()
 //!     }
 //!     fn generator_into(&self, m: &LargeSkewHermitian, b: &mut LargeSkewHermitian) {
-//!         let rate = |j: usize, k: usize| m.at(j, k) / (self.0[j] + self.0[k]);
+//!         let rate = |j: usize, k: usize| -m.at(j, k) / (self.0[j] + self.0[k]);
 //!         *b = LargeSkewHermitian::from_upper(self.0.len(), rate);
 //!     }
 //! }
@@ -54,14 +54,14 @@
 //! [`Composition`]: collective_integrators::Composition
 //!
 //! What each structure costs, in complex N×N products per step. A sweep is an iteration for the generators; s is the
-//! number of stages, e the products of an exponential (3 to 7):
+//! number of stages, e the products of an exponential (3 to 7, and one more for each halving of a spectral radius above 3.9):
 //!
 //! | method | order | conserves | products per step |
 //! |---|---|---|---|
 //! | [`IsospectralRungeKutta`] with Gauss | 2s | bracket, spectrum | 3 s per sweep, 2 |
 //! | [`ExponentialMidpoint`] | 2 | bracket, spectrum | one per term of a series and sweep, 2 + e |
 //! | [`GaussMagnus`] | 2s | spectrum | s per sweep, 2 + e, and 0, 1 or 3 commutators |
-//! | explicit Runge–Kutta, direct | any | nothing | one per stage |
+//! | explicit Runge–Kutta, direct | any | the trace | one per stage |
 //!
 //! # Conventions
 //!

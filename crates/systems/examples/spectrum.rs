@@ -43,8 +43,11 @@ fn measure<I: Integrator<State = LargeSkewHermitian>>(
     }
     let (before, after) = (spectrum(start)?, spectrum(&w)?);
     let largest = before.iter().fold(0.0_f64, |most, x| most.max(x.abs()));
-    let change =
-        before.iter().zip(&after).map(|(a, b)| (a - b).abs() / largest).fold(0.0, f64::max);
+    let change = before
+        .iter()
+        .zip(&after)
+        .map(|(a, b)| (a - b).abs() / largest)
+        .fold(0.0, lie_poisson::larger);
     let energy = fluid.energy(&w) / fluid.energy(start) - 1.0;
     println!("{name:28} {change:10.1e} {energy:10.1e}");
     Ok(change)

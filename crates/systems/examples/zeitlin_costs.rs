@@ -67,8 +67,9 @@ fn run<I: Integrator<State = LargeSkewHermitian>>(
 }
 
 fn error(a: &LargeSkewHermitian, b: &LargeSkewHermitian) -> f64 {
-    let largest =
-        |f: &dyn Fn(usize) -> f64| (0..a.dimension()).map(|i| f(i).abs()).fold(0.0, f64::max);
+    let largest = |f: &dyn Fn(usize) -> f64| {
+        (0..a.dimension()).map(|i| f(i).abs()).fold(0.0, lie_poisson::larger)
+    };
     largest(&|i| a.entry(i) - b.entry(i)) / largest(&|i| b.entry(i))
 }
 

@@ -243,7 +243,7 @@ struct Stages<'a, F, V: State> {
     field: &'a F,
     z: &'a V,
     h: V::Scalar,
-    /// The sums Σ_j low_ij k_j, if the coefficients have low parts.
+    /// The sums Σ_j low_ij k_j, or zero if the coefficients have no low parts.
     small: &'a mut [V],
     pool: &'a mut V::Pool,
 }
@@ -283,7 +283,7 @@ pub struct StageSpace<V: State> {
     k: Vec<V>,
     /// The corrections that refinement adds to k.
     rest: Vec<V>,
-    /// The sums Σ_j low_ij k_j with the low parts of the coefficients, once the stages are close; empty without them.
+    /// The sums Σ_j low_ij k_j with the low parts of the coefficients, once the stages are close; zero without them.
     small: Vec<V>,
     memory: StageHistory<V>,
     newton: NewtonSpace<V::Scalar>,

@@ -10,11 +10,11 @@ use std::sync::{Mutex, PoisonError};
 /// The vector field [B(W), W] of an isospectral equation, for schemes that are applied to it directly.
 ///
 /// Explicit Runge–Kutta methods applied to it conserve the spectrum to their accuracy only. They are a comparison, and
-/// cheap where a short run is asked for.
+/// cheap where a short run is asked for. The field is NaN at a matrix of another size, so that a step from it fails with
+/// [`NotFinite`](collective_integrators::StepError::NotFinite).
 ///
 /// # Example
-/// See [`IsospectralField`] for an equation, and `Direct::new(RungeKutta::rk4(), CommutatorField::new(equation))` for
-/// the integrator.
+/// See [`GaussMagnus`](crate::GaussMagnus).
 #[derive(Debug)]
 pub struct CommutatorField<F> {
     field: F,

@@ -17,7 +17,7 @@ use lie_poisson::State;
 /// Source: Modin & Viviani, *Lie–Poisson methods for isospectral flows*, Found. Comput. Math. 20 (2020).
 ///
 /// # Example
-/// The generalised rigid body on so(N)∗ with B_jk = M_jk/(J_j + J_k), M real:
+/// Manakov's rigid body on so(N)∗, with M real and B = −Ω, Ω_jk = M_jk/(J_j + J_k):
 /// ```
 /// use isospectral_flows::{IsospectralField, LargeSkewHermitian};
 /// use num_complex::Complex;
@@ -27,11 +27,12 @@ use lie_poisson::State;
 ///         self.0.len()
 ///     }
 ///     fn generator_into(&self, m: &LargeSkewHermitian, b: &mut LargeSkewHermitian) {
-///         b.change_upper(|re, _| {
+///         b.change_upper(|re, im| {
 ///             let n = self.0.len();
+///             im.fill(0.0);
 ///             for (i, entry) in re.iter_mut().enumerate() {
 ///                 let (j, k) = (i % n, i / n);
-///                 *entry = m.at(j, k).re / (self.0[j] + self.0[k]);
+///                 *entry = -m.at(j, k).re / (self.0[j] + self.0[k]);
 ///             }
 ///         });
 ///     }

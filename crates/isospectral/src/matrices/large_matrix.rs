@@ -1,6 +1,6 @@
 //! Complex matrices of a size that is known when the program runs: [`LargeMatrix`].
 
-use lie_poisson::State;
+use lie_poisson::{State, larger};
 use num_complex::Complex;
 
 /// A complex N×N matrix, with a number N that is known only when the program runs.
@@ -26,6 +26,9 @@ pub struct LargeMatrix {
 
 impl LargeMatrix {
     /// Creates the zero matrix of size N.
+    ///
+    /// # Panics
+    /// Panics, as a vector does, if the matrix is larger than the memory can be.
     #[must_use]
     pub fn zeros(size: usize) -> Self {
         // A size beyond the memory fails as that of any vector does.
@@ -95,13 +98,14 @@ impl LargeMatrix {
         largest * self.entries.iter().map(|x| (x / largest).powi(2)).sum::<f64>().sqrt()
     }
 
-    /// Returns the largest sum of |Re z_jk| + |Im z_jk| over a column, a bound on the spectral radius.
+    /// Returns the largest sum of |Re z_jk| + |Im z_jk| over a column, a bound on the spectral radius. It is NaN if an entry
+    /// is.
     #[must_use]
     pub fn column_norm(&self) -> f64 {
         let n = self.size.max(1);
         let sum = |column: &[f64]| column.iter().map(|x| x.abs()).sum::<f64>();
         let columns = self.real().chunks_exact(n).zip(self.imaginary().chunks_exact(n));
-        columns.map(|(re, im)| sum(re) + sum(im)).fold(0.0, |a, b| if a > b { a } else { b })
+        columns.map(|(re, im)| sum(re) + sum(im)).fold(0.0, larger)
     }
 
     /// Returns the conjugate transpose Z*.

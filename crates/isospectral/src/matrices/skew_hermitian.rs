@@ -117,7 +117,7 @@ impl LargeSkewHermitian {
         (0..self.size()).map(|j| self.at(j, j).im).sum()
     }
 
-    /// Returns the scalar product −tr(V W) = Σ_jk Re(v_jk* w_jk), or 0 if the sizes differ.
+    /// Returns the scalar product −tr(V W) = Σ_jk Re(v_jk* w_jk), or NaN if the sizes differ.
     ///
     /// # Example
     /// ```
@@ -129,7 +129,7 @@ impl LargeSkewHermitian {
     #[must_use]
     pub fn scalar_product(&self, other: &Self) -> f64 {
         if self.size() != other.size() {
-            return 0.0;
+            return f64::NAN;
         }
         let sum = |v: &[f64], w: &[f64]| v.iter().zip(w).map(|(v, w)| v * w).sum::<f64>();
         sum(self.0.real(), other.0.real()) + sum(self.0.imaginary(), other.0.imaginary())

@@ -33,7 +33,27 @@ use lie_poisson::State;
 /// Ros, *Improved high order integrators based on the Magnus expansion*, BIT 40 (2000).
 ///
 /// # Example
-/// See [`IsospectralField`] for an equation; the integrator of order 4 is `GaussMagnus::new(2, equation)?`.
+/// ```
+/// use collective_integrators::{Direct, RungeKutta, Start};
+/// use isospectral_flows::{CommutatorField, GaussMagnus, IsospectralField, LargeSkewHermitian};
+/// use num_complex::Complex;
+/// # struct Weighted(usize);
+/// # impl IsospectralField for Weighted {
+/// #     fn size(&self) -> usize { self.0 }
+/// #     fn generator_into(&self, w: &LargeSkewHermitian, b: &mut LargeSkewHermitian) {
+/// #         *b = LargeSkewHermitian::from_upper(self.0, |j, k| w.at(j, k) / (1 + j + k) as f64);
+/// #     }
+/// # }
+/// // Weighted(N) is an equation with B_jk = W_jk/(1 + j + k)
+/// let start = LargeSkewHermitian::from_upper(6, |j, k| Complex::new(0.1 * j as f64, 0.2 * k as f64));
+/// let magnus = GaussMagnus::new(3, Weighted(6))?.after(&start, 0.1, 50)?.state;
+/// let direct = Direct::new(RungeKutta::rk4(), CommutatorField::new(Weighted(6))).after(&start, 0.1, 50)?.state;
+/// // both are near the solution; one conserves the norm, which is a Casimir
+/// assert!((magnus.at(0, 3) - direct.at(0, 3)).norm() < 1e-5);
+/// let change = |w: &LargeSkewHermitian| (w.norm() - start.norm()).abs();
+/// assert!(change(&magnus) < 1e-14 && change(&direct) > 1e-12);
+/// # Ok::<(), Box<dyn std::error::Error>>(())
+/// ```
 #[derive(Clone, Debug, PartialEq)]
 pub struct GaussMagnus<F> {
     field: F,

@@ -33,7 +33,8 @@ impl Sweeps {
     /// Records the next sweep, from the pairs of new and old generators. Returns whether it is the last one.
     ///
     /// # Errors
-    /// Returns [`StepError::NotConverged`] if the iteration diverges, or after 100 sweeps.
+    /// Returns [`StepError::NotConverged`] if a change is not finite, or after 100 sweeps. Its residual is h |δB| if there
+    /// is a tolerance, and otherwise |δB|/|B|.
     pub(crate) fn converged(
         &mut self,
         new: &[LargeSkewHermitian],
@@ -58,8 +59,12 @@ impl Sweeps {
         if finite && self.made < MOST_SWEEPS {
             return Ok(false);
         }
-        let residual = if finite { change / size } else { f64::NAN };
-        let required = if self.tolerance > 0.0 { self.tolerance } else { ROUND_OFF };
+        let (residual, required) = if self.tolerance > 0.0 {
+            (self.length * change, self.tolerance)
+        } else {
+            (change / size, ROUND_OFF)
+        };
+        let residual = if finite { residual } else { f64::NAN };
         Err(StepError::NotConverged { residual, required, iterations: self.made })
     }
 

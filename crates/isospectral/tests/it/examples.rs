@@ -3,7 +3,7 @@
 use isospectral_flows::{IsospectralField, LargeSkewHermitian};
 use num_complex::Complex;
 
-/// A quadratic Hamiltonian without a symmetry: B_jk = W_jk/(1 + j + k/2 …), a different number for each entry.
+/// A quadratic Hamiltonian without a symmetry: B_jk = W_jk/(1 + jk + 3(j + k)/10).
 #[derive(Clone, Debug)]
 pub struct Quadratic(pub usize);
 
@@ -57,6 +57,6 @@ pub fn casimirs(w: &LargeSkewHermitian) -> Vec<f64> {
 
 /// Returns the largest magnitude of a coordinate of the difference.
 pub fn distance(a: &LargeSkewHermitian, b: &LargeSkewHermitian) -> f64 {
-    use isospectral_flows::lie_poisson::State;
-    (0..a.dimension()).map(|i| (a.entry(i) - b.entry(i)).abs()).fold(0.0, f64::max)
+    use isospectral_flows::lie_poisson::{State, larger};
+    (0..a.dimension()).map(|i| (a.entry(i) - b.entry(i)).abs()).fold(0.0, larger)
 }

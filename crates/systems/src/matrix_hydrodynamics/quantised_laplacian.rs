@@ -35,7 +35,7 @@ use isospectral_flows::LargeSkewHermitian;
 /// let (mut p, mut back) = (w.clone(), w.clone());
 /// laplacian.solve(1.0, &w, &mut p);
 /// laplacian.apply(&p, &mut back);
-/// let largest = |f: &dyn Fn(usize) -> f64| (0..size * size).map(f).fold(0.0, f64::max);
+/// let largest = |f: &dyn Fn(usize) -> f64| (0..size * size).map(f).fold(0.0, lie_poisson::larger);
 /// let error = largest(&|i| (back.at(i % size, i / size) - w.at(i % size, i / size)).norm());
 /// assert!(error < 1e-12);
 /// # Ok::<(), lie_poisson_systems::SystemError>(())
@@ -55,10 +55,13 @@ impl QuantisedLaplacian {
     /// Creates the operator on N×N matrices.
     ///
     /// # Errors
-    /// Returns [`SystemError::Count`] if N is below 2.
+    /// Returns [`SystemError::Count`] if N is below 2, or [`SystemError::TooMany`] if N² is not a number of the machine.
     pub fn new(size: usize) -> Result<Self, SystemError> {
         if size < 2 {
             return Err(SystemError::Count { name: "rows of a matrix", expected: 2, found: size });
+        }
+        if size.checked_mul(size).is_none() {
+            return Err(SystemError::TooMany { name: "entries of a matrix" });
         }
         let alpha = (0..=size).map(|j| ((j * (size - j)) as f64).sqrt()).collect();
         let zeros = vec![0.0; size * size];

@@ -74,7 +74,8 @@ impl QuantisedLaplacian {
 /// ```
 ///
 /// The functions Y_lm are orthonormal on the unit sphere and have the phase of Condon and Shortley. The result is empty
-/// if m is above `most`.
+/// if m is above `most`, and NaN for x outside of [−1, 1]. For m above 600 and x near ±1, functions that are smaller than
+/// the least number become zero, with those of higher degree.
 ///
 /// Source: DLMF §14.10 and §14.30, with the recurrence in l, which is stable upwards.
 ///
@@ -91,6 +92,9 @@ impl QuantisedLaplacian {
 pub fn associated_legendre(most: usize, m: usize, x: f64) -> Vec<f64> {
     if m > most {
         return Vec::new();
+    }
+    if !(-1.0..=1.0).contains(&x) {
+        return vec![f64::NAN; most - m + 1];
     }
     let sine = ((1.0 - x) * (1.0 + x)).max(0.0).sqrt();
     let first = (1..=m).fold((0.25 / std::f64::consts::PI).sqrt(), |p, i| {

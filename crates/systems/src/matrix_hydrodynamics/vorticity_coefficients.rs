@@ -41,7 +41,7 @@ impl VorticityCoefficients {
     /// Creates the zero function, with room for degrees below N.
     #[must_use]
     pub fn zeros(size: usize) -> Self {
-        Self { size, entries: vec![Complex::ZERO; size * (size + 1) / 2] }
+        Self { size, entries: vec![Complex::ZERO; size.saturating_mul(size.saturating_add(1)) / 2] }
     }
 
     /// Returns N, the number above all degrees.
@@ -87,12 +87,13 @@ impl VorticityCoefficients {
 
     /// Returns the function of a matrix W.
     ///
-    /// It is zero if the size of W is not that of the operator.
+    /// It is NaN if the size of W is not that of the operator.
     #[must_use]
     pub fn of_matrix(laplacian: &QuantisedLaplacian, w: &LargeSkewHermitian) -> Self {
         let n = laplacian.size();
         let mut omega = Self::zeros(n);
         if w.size() != n {
+            omega.entries.fill(Complex::new(f64::NAN, f64::NAN));
             return omega;
         }
         let norm = 4.0 * std::f64::consts::PI / n as f64;

@@ -6,8 +6,8 @@ use crate::matrix_hydrodynamics::vorticity_coefficients::VorticityCoefficients;
 use isospectral_flows::num_complex::Complex;
 use isospectral_flows::{IsospectralField, LargeMatrix, LargeSkewHermitian, Products};
 
-/// Euler's equations of an ideal fluid on the unit sphere, in Zeitlin's model: an N×N matrix W in the place of the
-/// vorticity ω.
+/// Euler's equations of an ideal fluid on the unit sphere, in Zeitlin's model: an N×N matrix W instead of the vorticity
+/// ω.
 ///
 /// ```text
 /// dW/dt = [P, W]/ħ,    ΔP = W − F,    ħ = 2/√(N² − 1)
@@ -17,7 +17,7 @@ use isospectral_flows::{IsospectralField, LargeMatrix, LargeSkewHermitian, Produ
 /// that rotates with the angular velocity Ω about the axis x₃, W is the absolute vorticity and F the matrix of 2Ω x₃. As
 /// N → ∞ the equations become ∂ω/∂t + u·∇ω = 0 for functions of bounded degree.
 ///
-/// The model is a Lie–Poisson system on u(N)∗. It conserves the energy, the N traces tr Wᵏ in place of the integrals
+/// The model is a Lie–Poisson system on u(N)∗. It conserves the energy, the N traces tr Wᵏ, which correspond to the integrals
 /// ∫ωᵏ and, if the sphere does not rotate, the angular momentum ∫ω x.
 ///
 /// The matrix of a function is that of [`VorticityCoefficients::matrix`]: 1 becomes i, and x₃ becomes iħ S₃. Units are
@@ -28,8 +28,9 @@ use isospectral_flows::{IsospectralField, LargeMatrix, LargeSkewHermitian, Produ
 /// long-time simulation of spherical ideal hydrodynamics*, J. Fluid Mech. 884 (2020).
 ///
 /// # Example
-/// A Rossby–Haurwitz wave turns about the axis with the angular velocity σ = (c + 2Ω)/(l(l + 1)) − c/2, on a zonal flow
-/// c x₃ and in the frame of the rotating sphere. It is an exact solution for every N.
+/// A Rossby–Haurwitz wave of degree l on a zonal flow with the relative vorticity c x₃: in the frame of the rotating
+/// sphere, ω_lm(t) = exp(imσt) ω_lm(0) with σ = (c + 2Ω)/(l(l + 1)) − c/2. The pattern turns about the axis with the
+/// angular velocity −σ. It is an exact solution for every N.
 /// ```
 /// use collective_integrators::{Integrator, Start};
 /// use lie_poisson_systems::isospectral_flows::GaussMagnus;
@@ -136,7 +137,7 @@ impl Zeitlin {
         4.0 * std::f64::consts::PI / w.size() as f64 * w.scalar_product(w)
     }
 
-    /// Returns the Casimirs (4π/N) tr(−iW)ᵏ in place of ∫ωᵏ, for k = 1 … `most`.
+    /// Returns the Casimirs (4π/N) tr(−iW)ᵏ, which correspond to ∫ωᵏ, for k = 1 … `most`.
     #[must_use]
     pub fn casimirs(&self, w: &LargeSkewHermitian, most: usize) -> Vec<f64> {
         let n = w.size();
@@ -155,9 +156,13 @@ impl Zeitlin {
             .collect()
     }
 
-    /// Returns the angular momentum ∫ω x of the model. It is conserved if the sphere does not rotate.
+    /// Returns the angular momentum ∫ω x of the model. It is conserved if the sphere does not rotate. It
+    /// is NaN if W does not have the size N.
     #[must_use]
     pub fn angular_momentum(&self, w: &LargeSkewHermitian) -> [f64; 3] {
+        if w.size() != self.laplacian.size() {
+            return [f64::NAN; 3];
+        }
         let coefficient = |m: usize| -> Complex<f64> {
             let harmonic = self.laplacian.harmonic(1, m);
             let terms = harmonic.iter().enumerate().map(|(j, entry)| w.at(j, j + m) * *entry);

@@ -1,6 +1,6 @@
 //! The free rigid body in N dimensions: [`GeneralisedRigidBody`].
 
-use crate::error::{SystemError, require_positive};
+use crate::error::{SystemError, require_finite, require_positive};
 use isospectral_flows::num_complex::Complex;
 use isospectral_flows::{IsospectralField, LargeSkewHermitian};
 
@@ -53,14 +53,18 @@ impl GeneralisedRigidBody {
     /// Creates the body with the second moments J_j of its mass; their number is N.
     ///
     /// # Errors
-    /// Returns [`SystemError`] if a moment is not a positive number.
+    /// Returns [`SystemError`] if a moment is not a positive number, or so small that its reciprocal is not finite.
     pub fn new(moments: Vec<f64>) -> Result<Self, SystemError> {
         for &moment in &moments {
             require_positive("second moment of the mass", moment)?;
         }
-        let sum = |k: &f64, j: &f64| (0.5 * (j + k)).recip() * 0.5;
-        let inverses =
-            moments.iter().flat_map(|k| moments.iter().map(move |j| sum(k, j))).collect();
+        // Half of the sum does not overflow.
+        let inverse = |k: &f64, j: &f64| 0.5 / (0.5 * j + 0.5 * k);
+        let inverses: Vec<f64> =
+            moments.iter().flat_map(|k| moments.iter().map(move |j| inverse(k, j))).collect();
+        for &inverse in &inverses {
+            require_finite("reciprocal of the sum of two second moments", inverse)?;
+        }
         Ok(Self { moments, inverses })
     }
 
@@ -78,14 +82,14 @@ impl GeneralisedRigidBody {
         })
     }
 
-    /// Returns the energy h(M), or 0 if M has another size.
+    /// Returns the energy h(M), or NaN if M has another size.
     #[must_use]
     pub fn energy(&self, m: &LargeSkewHermitian) -> f64 {
         // Each entry with j < k occurs twice.
         0.25 * self.sum(m, |i| self.inverses[i])
     }
 
-    /// Returns Manakov's integral tr(M²J²)/2 = −½ Σ_jk M_jk² J_j², or 0 if M has another size.
+    /// Returns Manakov's integral tr(M²J²)/2 = −½ Σ_jk M_jk² J_j², or NaN if M has another size.
     #[must_use]
     pub fn manakov_integral(&self, m: &LargeSkewHermitian) -> f64 {
         -0.5 * self.sum(m, |i| self.moments[i % self.moments.len()].powi(2))
@@ -94,7 +98,7 @@ impl GeneralisedRigidBody {
     /// Returns Σ_jk M_jk² f(j + N k).
     fn sum(&self, m: &LargeSkewHermitian, f: impl Fn(usize) -> f64) -> f64 {
         if m.size() != self.moments.len() {
-            return 0.0;
+            return f64::NAN;
         }
         m.matrix().real().iter().enumerate().map(|(i, entry)| entry * entry * f(i)).sum()
     }
@@ -105,10 +109,13 @@ impl IsospectralField for GeneralisedRigidBody {
         self.moments.len()
     }
 
-    /// Writes −Ω, so that dM/dt = [−Ω, M].
+    /// Writes −Ω, so that dM/dt = [−Ω, M]. It is NaN if M has another size.
     fn generator_into(&self, m: &LargeSkewHermitian, generator: &mut LargeSkewHermitian) {
         generator.change_upper(|re, im| {
             im.fill(0.0);
+            if m.size() != self.moments.len() {
+                return re.fill(f64::NAN);
+            }
             for ((b, m), inverse) in re.iter_mut().zip(m.matrix().real()).zip(&self.inverses) {
                 *b = -m * inverse;
             }

@@ -3,7 +3,7 @@
 use lie_poisson_systems::collective_integrators::{
     Direct, Integrator, RungeKutta, SphericalMidpoint, Start, VectorField, fitted_order,
 };
-use lie_poisson_systems::lie_poisson::{Covector, Hamiltonian, Power, Sites, State};
+use lie_poisson_systems::lie_poisson::{Covector, Hamiltonian, Power, Sites, State, larger};
 use lie_poisson_systems::nalgebra::Vector3;
 use lie_poisson_systems::{HeisenbergChain, HeisenbergLattice, SystemError};
 
@@ -95,7 +95,7 @@ fn spin_waves_turn_at_the_exact_rate() {
         let h = 2.0 / steps as f64;
         let end = Start::<f64>::after(&midpoint, &exact(0.0), h, steps).unwrap().state;
         let error = |(a, b): (&Vector3<f64>, &Vector3<f64>)| (a - b).norm();
-        (h, end.0.iter().zip(exact(2.0).0.iter()).map(error).fold(0.0, f64::max))
+        (h, end.0.iter().zip(exact(2.0).0.iter()).map(error).fold(0.0, larger))
     });
     let order = fitted_order(&errors, 1e-12).unwrap();
     assert!((order - 2.0).abs() < 0.1 && errors[2].1 < 1e-2, "{order} {errors:?}");
@@ -107,7 +107,7 @@ fn energies_and_lengths_are_conserved() {
     let start = spins(&lattice);
     let drift = |end: &Spins| {
         let length = |(a, b): (&Vector3<f64>, &Vector3<f64>)| (a.norm() - b.norm()).abs();
-        let lengths = start.0.iter().zip(end.0.iter()).map(length).fold(0.0, f64::max);
+        let lengths = start.0.iter().zip(end.0.iter()).map(length).fold(0.0, larger);
         (lengths, (lattice.value(end) - lattice.value(&start)).abs())
     };
     let midpoint = SphericalMidpoint::new(lattice.clone());
