@@ -6,8 +6,8 @@ use collective_integrators::{
     diagnostics::step_poisson_defect, fitted_order,
 };
 use lie_poisson::{
-    Automatic, Covector, Diagonal, Energy, ExtendedAdjoint, LiePoisson, Power, Real,
-    Representation, StructureConstants, Vector, larger, odd_power_defect,
+    Automatic, Covector, Diagonal, Energy, ExtendedAdjoint, InfinitesimalAdjoint, LiePoisson,
+    Power, Real, Representation, Se3, So3, StructureConstants, Vector, larger, odd_power_defect,
 };
 use momentum_map::{ClebschRealisation, Cotangent, Lift, PoissonMap, Side, clebsch_realisation};
 use nalgebra::SVector;
@@ -30,6 +30,28 @@ impl<const N: usize> Energy for Generic<N> {
         let squares = (0..N).fold(T::zero(), |sum, i| sum + term(i));
         squares + mu.0[0] * mu.0[N - 1] * 0.2 + mu.0[N - 1] * mu.0[N - 1] * mu.0[0] * 0.1
     }
+}
+
+/// The algebra [e₀, e₂] = e₀, [e₁, e₂] = e₁ + s e₀: A3,3 for s = 0 and A3,2 for s = 1.
+fn dilation(s: f64) -> StructureConstants<3> {
+    let upper = |i, j, k| match (i, j, k) {
+        (0, 2, 0) | (1, 2, 1) => 1.0,
+        (1, 2, 0) => s,
+        _ => 0.0,
+    };
+    StructureConstants::new(|i, j, k| upper(i, j, k) - upper(j, i, k)).unwrap()
+}
+
+/// Returns the largest change of μ₁/μ₀ − s ln μ₀, the Casimir of these algebras, up to t = 4.
+fn casimir_change(s: f64, step: f64) -> f64 {
+    let map = clebsch_realisation(extended(&dilation(s)).unwrap(), Side::Right).unwrap();
+    let gauss = Collective::new(RungeKutta::gauss(2).unwrap(), map, Automatic(Generic));
+    let casimir = |mu: &Covector<SVector<f64, 3>>| mu.0[1] / mu.0[0] - s * mu.0[0].ln();
+    let start = Covector(SVector::<f64, 3>::new(0.8, 0.5, -0.3));
+    let steps = (4.0 / step) as usize;
+    gauss.trajectory(&start, step).unwrap().take(steps).fold(0.0, |most, sample| {
+        larger(most, (casimir(&sample.unwrap().momentum) - casimir(&start)).abs())
+    })
 }
 
 struct Orders;
@@ -64,6 +86,37 @@ impl Check for Orders {
 #[test]
 fn collective_gauss_methods_have_their_order_on_all_algebras() {
     assert_eq!(every_algebra(&mut Orders), 62);
+}
+
+/// On A3,3, whose representation has its odd powers, the Gauss method of order 4 keeps the Casimir to round-off. The
+/// negative control is A3,2, whose representation lacks them: the Casimir changes by the error of the method.
+#[test]
+fn casimirs_are_kept_or_lost_to_the_order_of_the_scheme() {
+    let steps = [0.2, 0.1, 0.05, 0.025];
+    for step in steps {
+        assert!(casimir_change(0.0, step) < ROUND_OFF, "{:e}", casimir_change(0.0, step));
+    }
+    let lost = steps.map(|step| (step, casimir_change(1.0, step)));
+    println!("{lost:?}");
+    assert!(lost[0].1 > 1e5 * ROUND_OFF, "{lost:?}");
+    let order = fitted_order(&lost, 1e-14).unwrap();
+    assert!((order - 4.0).abs() < 0.4, "{order} {lost:?}");
+}
+
+/// The constructor asks the map whether the steps descend. If they do not, it is the constructor that says so.
+#[test]
+fn the_constructor_knows_whether_steps_descend() {
+    let scheme = || RungeKutta::gauss(2).unwrap();
+    let so3 = clebsch_realisation(InfinitesimalAdjoint(So3), Side::Right).unwrap();
+    let se3 = clebsch_realisation(InfinitesimalAdjoint(Se3::default()), Side::Right).unwrap();
+    assert!(Collective::new(scheme(), so3.clone(), ()).descends());
+    assert!(Collective::new(scheme(), se3, ()).descends());
+    assert!(!Collective::that_does_not_descend(scheme(), so3, ()).descends());
+    let of = |s| clebsch_realisation(extended(&dilation(s)).unwrap(), Side::Right).unwrap();
+    assert!(Collective::new(scheme(), of(0.0), ()).descends());
+    assert!(!Collective::new(scheme(), of(1.0), ()).descends());
+    let plain = Collective::that_does_not_descend(scheme(), of(1.0), ());
+    assert_eq!(Collective::new(scheme(), of(1.0), ()), plain);
 }
 
 #[derive(Default)]

@@ -67,4 +67,8 @@ impl<M: PoissonMap> PoissonMap for Derived<M> {
     fn apply<T: Real>(&self, z: &SourcePoint<M, T>) -> TargetPoint<M, T> {
         self.0.apply::<T>(z)
     }
+
+    fn affine_schemes_descend(&self) -> bool {
+        self.0.affine_schemes_descend()
+    }
 }

@@ -112,7 +112,7 @@ pub use representations::derived::{
     InfinitesimalAdjoint, Inherited, Sum,
 };
 pub use representations::euclidean::{SE2, SE3, Se2, Se3, Se3Dual};
-pub use representations::odd_powers::odd_power_defect;
+pub use representations::odd_powers::{odd_power_defect, odd_power_defect_of};
 pub use representations::real_matrices::{SL2OnR2, SO2OnR2, SO3OnR3};
 pub use representations::representation::{
     GroupRepresentation, Representation, RepresentedElement,

@@ -30,6 +30,18 @@ pub enum SystemError {
         /// The value of the parameter.
         value: f64,
     },
+    /// A number is too small or too large.
+    #[error("{name} must be between {least:e} and {most:e}, got {value:?}")]
+    OutOfRange {
+        /// The name of the parameter.
+        name: &'static str,
+        /// The value of the parameter.
+        value: f64,
+        /// The least value allowed.
+        least: f64,
+        /// The largest value allowed.
+        most: f64,
+    },
     /// A number is zero.
     #[error("{name} must not be zero")]
     Zero {
@@ -88,6 +100,15 @@ pub(crate) fn require_positive(name: &'static str, value: f64) -> Result<(), Sys
 pub(crate) fn require_not_negative(name: &'static str, value: f64) -> Result<(), SystemError> {
     require_finite(name, value)?;
     if value < 0.0 { Err(SystemError::Negative { name, value }) } else { Ok(()) }
+}
+
+pub(crate) fn require_within(
+    name: &'static str,
+    value: f64,
+    [least, most]: [f64; 2],
+) -> Result<(), SystemError> {
+    let error = SystemError::OutOfRange { name, value, least, most };
+    if least <= value && value <= most { Ok(()) } else { Err(error) }
 }
 
 pub(crate) fn require_finite(name: &'static str, value: f64) -> Result<(), SystemError> {

@@ -15,7 +15,8 @@ use momentum_map::{
 /// The collective integrator: a scheme for the Hamiltonian h∘M on the source P of a realisation M: P → 𝔤∗.
 ///
 /// If the scheme Φ_h is symplectic and [`Equivariant`], then μ ↦ M(Φ_h(z)) with M(z) = μ is a Poisson map of 𝔤∗ that
-/// does not depend on the lift z: a *collective Lie–Poisson integrator*. It conserves the Casimirs.
+/// does not depend on the lift z: a *collective Lie–Poisson integrator*. It conserves the Casimirs. A few maps M need one
+/// condition more, which [`descends`](Self::descends) reports.
 ///
 /// Source: McLachlan, Modin & Verdier, *Collective symplectic integrators*, Nonlinearity 27
 /// (2014); Ohsawa 2019, §5.1.
@@ -58,9 +59,15 @@ pub struct Collective<S, M, H> {
 }
 
 impl<S: Equivariant, M: PoissonMap, H> Collective<S, M, H> {
-    /// Creates an integrator from a scheme that descends to 𝔤∗, as its bound [`Equivariant`] states.
+    /// Creates an integrator from a scheme that commutes with affine maps, as its bound [`Equivariant`] states.
+    ///
+    /// Its steps descend to 𝔤∗ if the map allows it: see [`PoissonMap::affine_schemes_descend`]. This is so for most maps.
+    /// For others, such as a `ClebschMap` of a representation that lacks its odd powers, the integrator is that of
+    /// [`that_does_not_descend`](Self::that_does_not_descend): the Casimirs are conserved to the order of the scheme, the
+    /// image of a step depends on z, and z is never moved along its fibre. [`descends`](Self::descends) tells.
     pub fn new(scheme: S, map: M, hamiltonian: H) -> Self {
-        Self { scheme, system: CollectiveHamiltonian::new(map, hamiltonian), descends: true }
+        let descends = map.affine_schemes_descend();
+        Self { scheme, system: CollectiveHamiltonian::new(map, hamiltonian), descends }
     }
 }
 
@@ -82,7 +89,8 @@ impl<S: Scheme, M: PoissonMap, H> Collective<S, M, H> {
     /// | Störmer–Verlet | −0.033 | 1.7e-5 apart |
     /// | Lobatto IIIA–IIIB, 3 stages | 8e-8 | 4.1e-10 apart |
     ///
-    /// This constructor exists to show this behaviour. Use [`new`](Self::new) otherwise: it refuses such schemes.
+    /// This constructor exists to show this behaviour. Use [`new`](Self::new) otherwise: it refuses such schemes, and
+    /// treats maps along which no scheme descends as this constructor does.
     ///
     /// ```compile_fail
     /// use collective_integrators::{Collective, FirstHalf, PartitionedRungeKutta};
@@ -112,6 +120,14 @@ impl<S, M, H> Collective<S, M, H> {
     /// Returns the scheme on P.
     pub fn scheme(&self) -> &S {
         &self.scheme
+    }
+
+    /// Returns whether the integrator moves z along its fibre, because M(Φ(z)) depends on M(z) alone.
+    ///
+    /// It is true for an [`Equivariant`] scheme and a map whose
+    /// [`affine_schemes_descend`](PoissonMap::affine_schemes_descend) is true.
+    pub const fn descends(&self) -> bool {
+        self.descends
     }
 
     /// Returns the system h∘M, with M and h.

@@ -14,7 +14,7 @@ pub enum CocycleError {
     /// An entry of a matrix is infinite or not a number.
     #[error("the entry ({row}, {column}) = {value} of the {matrix} is not finite")]
     NotFinite {
-        /// The matrix: that of the linear map, or that of the equations of cocycles.
+        /// The matrix: that of the linear map, of a multiple of it, or of the equations of cocycles.
         matrix: &'static str,
         /// The row of the entry.
         row: usize,
@@ -95,27 +95,23 @@ impl<R: Representation> Cocycle<R> {
     ///
     /// # Errors
     /// Returns [`CocycleError`] if an entry is not finite, or if the equation of cocycles fails for some e_i, e_j by
-    /// more than 10⁻¹⁰, relative to the largest entry of c and to the largest matrix element of the representation.
+    /// more than 10⁻¹⁰, relative to the largest entry of c and to the largest matrix element of the representation. The
+    /// test divides by both sizes first, so that it has no units and neither overflows nor underflows.
     pub fn new(representation: R, c: impl Fn(usize, usize) -> f64) -> Result<Self, CocycleError> {
         let matrix = DMatrix::from_fn(Self::D, Self::N, c);
         finite("matrix of the cocycle", &matrix)?;
-        let size = matrix.iter().fold(0.0, |most, x| larger(most, x.abs()));
-        let cocycle =
-            Self { representation, entries: matrix.transpose().iter().copied().collect() };
-        let r = &cocycle.representation;
-        let scale = size * largest_element(r);
+        let c = &matrix / nonzero(largest(&matrix));
+        let (algebra, unit, matrices) = unit_matrices(&representation);
         for (i, j) in pairs(Self::N) {
-            let (e_i, e_j) = (Vector::basis(i), Vector::basis(j));
-            let whole = cocycle.apply(&r.algebra().bracket::<f64>(&e_i, &e_j));
-            let parts =
-                r.act::<f64>(&e_i, &cocycle.apply(&e_j)) - r.act::<f64>(&e_j, &cocycle.apply(&e_i));
-            let defect = (whole - parts).max_abs();
-            let residual = if defect > 0.0 { defect / scale } else { defect };
+            let bracket = algebra.bracket::<f64>(&Vector::basis(i), &Vector::basis(j));
+            let bracket = DVector::from_fn(Self::N, |l, _| bracket.coordinate(l) / unit);
+            let parts = &matrices[i] * c.column(j) - &matrices[j] * c.column(i);
+            let residual = largest(&(&c * bracket - parts));
             if residual.is_nan() || residual > TOLERANCE {
                 return Err(CocycleError::NotACocycle { i, j, residual, allowed: TOLERANCE });
             }
         }
-        Ok(cocycle)
+        Ok(Self { representation, entries: matrix.transpose().iter().copied().collect() })
     }
 
     /// Returns the cocycle nearest to a linear map with the matrix target(i, j), in the sum of squares of the entries of
@@ -151,7 +147,7 @@ impl<R: Representation> Cocycle<R> {
         let equations = cocycle_equations(&representation);
         finite("equations of cocycles", &equations)?;
         let mut nearest = DVector::from_fn(d * n, |i, _| matrix[(i / n.max(1), i % n.max(1))]);
-        let size = nearest.iter().fold(0.0, |most, x| larger(most, x.abs()));
+        let size = largest(&nearest);
         if !equations.is_empty() {
             let singular = equations.svd(false, true);
             let largest = singular.singular_values.iter().fold(0.0, |m, s| larger(m, *s));
@@ -182,10 +178,14 @@ impl<R: Representation> Cocycle<R> {
     }
 
     /// Returns the cocycle sc.
-    #[must_use]
-    pub fn scaled(&self, s: f64) -> Self {
-        let entries = self.entries.iter().map(|x| x * s).collect();
-        Self { representation: self.representation.clone(), entries }
+    ///
+    /// # Errors
+    /// Returns [`CocycleError::NotFinite`] if an entry of sc is not finite.
+    pub fn scaled(&self, s: f64) -> Result<Self, CocycleError> {
+        let matrix = DMatrix::from_fn(Self::D, Self::N, |i, j| self.entry(i, j) * s);
+        finite("scaled cocycle", &matrix)?;
+        let entries = matrix.transpose().iter().copied().collect();
+        Ok(Self { representation: self.representation.clone(), entries })
     }
 
     /// Returns c(ξ).
@@ -215,9 +215,7 @@ fn pairs(n: usize) -> impl Iterator<Item = (usize, usize)> {
 /// c(i, j) by rows, in units of the largest matrix element.
 fn cocycle_equations<R: Representation>(r: &R) -> DMatrix<f64> {
     let (d, n) = (R::Space::<f64>::DIM, <RepresentedElement<R> as Vector>::DIM);
-    let (algebra, size) = (r.algebra(), largest_element(r));
-    let unit = if size > 0.0 { size } else { 1.0 };
-    let matrices: Vec<_> = (0..n).map(|i| matrix(r, i) / unit).collect();
+    let (algebra, unit, matrices) = unit_matrices(r);
     let mut equations = DMatrix::zeros(d * n * n.saturating_sub(1) / 2, d * n);
     for (place, (i, j)) in pairs(n).enumerate() {
         let bracket = algebra.bracket::<f64>(&Vector::basis(i), &Vector::basis(j));
@@ -235,8 +233,25 @@ fn cocycle_equations<R: Representation>(r: &R) -> DMatrix<f64> {
     equations
 }
 
+/// Returns the algebra, the largest matrix element, and the matrices of all v ↦ e_i v divided by it.
+fn unit_matrices<R: Representation>(r: &R) -> (R::Algebra, f64, Vec<DMatrix<f64>>) {
+    let unit = nonzero(largest_element(r));
+    let n = <RepresentedElement<R> as Vector>::DIM;
+    (r.algebra(), unit, (0..n).map(|i| matrix(r, i) / unit).collect())
+}
+
+/// Returns the largest |x| of the entries, or NaN if one is NaN.
+fn largest<'a>(entries: impl IntoIterator<Item = &'a f64>) -> f64 {
+    entries.into_iter().fold(0.0, |most, x| larger(most, x.abs()))
+}
+
+/// Returns a size, or 1 instead of 0.
+pub(crate) fn nonzero(size: f64) -> f64 {
+    if size == 0.0 { 1.0 } else { size }
+}
+
 /// Returns the matrix of v ↦ e_i v.
-fn matrix<R: Representation>(r: &R, i: usize) -> DMatrix<f64> {
+pub(crate) fn matrix<R: Representation>(r: &R, i: usize) -> DMatrix<f64> {
     let d = R::Space::<f64>::DIM;
     let images: Vec<_> =
         (0..d).map(|j| r.act::<f64>(&Vector::basis(i), &Vector::basis(j))).collect();

@@ -1,5 +1,6 @@
 //! Whether the odd powers of the matrices of a representation belong to it: [`odd_power_defect`].
 
+use crate::representations::cocycle::matrix;
 use crate::{Real, Representation, Vector, larger};
 use nalgebra::{DMatrix, DVector};
 
@@ -21,9 +22,12 @@ const RANK_TOLERANCE: f64 = 1e-10;
 /// This decides whether a Runge–Kutta step descends from T∗V to 𝔤∗. Its stages are z ↦ R z, where R is a rational
 /// function of matrices of the algebra. Since the step is symplectic, it is the exponential of a series in odd
 /// symmetric powers. If these belong to ρ(𝔤), then μ moves by `Ad∗_g` with g near the identity. Otherwise the image of
-/// the step depends on the point (q, p), and not on μ alone. The defining representations of SO(n), Sp(2n, R) and U(n)
+/// the step depends in general on the point (q, p), and not on μ alone. This converse is measured, not proved. The defining representations of SO(n), Sp(2n, R) and U(n)
 /// have the defect 0, and so have the adjoint representations of so(3), sl(2, R), se(3), of so(3) over any commutative
 /// ring, and of every nilpotent algebra of class up to 3. The adjoint representation of most solvable algebras has not.
+///
+/// It is NaN if a matrix element is infinite or not a number. It takes about n³ products of matrices for the dimension n
+/// of 𝔤.
 ///
 /// # Example
 /// ```
@@ -43,7 +47,14 @@ const RANK_TOLERANCE: f64 = 1e-10;
 #[must_use]
 pub fn odd_power_defect<R: Representation>(representation: &R) -> f64 {
     let n = <crate::RepresentedElement<R> as Vector>::DIM;
-    let matrices: Vec<_> = (0..n).map(|i| unit_matrix(representation, i)).collect();
+    odd_power_defect_of((0..n).map(|i| matrix(representation, i)).collect())
+}
+
+/// Returns the defect [`odd_power_defect`] of the space that the given square matrices of one size span.
+#[must_use]
+pub fn odd_power_defect_of(matrices: Vec<DMatrix<f64>>) -> f64 {
+    let matrices: Vec<_> = matrices.into_iter().map(normalised).collect();
+    let n = matrices.len();
     let Some(span) = orthonormal(&matrices) else { return f64::NAN };
     let mut worst = 0.0;
     for i in 0..n {
@@ -61,16 +72,8 @@ pub fn odd_power_defect<R: Representation>(representation: &R) -> f64 {
     worst
 }
 
-/// Returns ρ(e_i), divided by its norm unless it is zero.
-fn unit_matrix<R: Representation>(representation: &R, i: usize) -> DMatrix<f64> {
-    let d = R::Space::<f64>::DIM;
-    let mut matrix = DMatrix::zeros(d, d);
-    for column in 0..d {
-        let image = representation.act::<f64>(&Vector::basis(i), &Vector::basis(column));
-        for row in 0..d {
-            matrix[(row, column)] = image.coordinate(row);
-        }
-    }
+/// Returns a matrix divided by its norm, unless it is zero.
+fn normalised(mut matrix: DMatrix<f64>) -> DMatrix<f64> {
     let size = matrix.iter().fold(0.0, |most, x| larger(most, x.max_abs()));
     if size > 0.0 {
         matrix /= size;
@@ -79,7 +82,7 @@ fn unit_matrix<R: Representation>(representation: &R, i: usize) -> DMatrix<f64> 
     matrix
 }
 
-/// Returns an orthonormal basis of the span of matrices, or `None` if an entry is not a number.
+/// Returns an orthonormal basis of the span of matrices, or `None` if an entry is not finite.
 fn orthonormal(matrices: &[DMatrix<f64>]) -> Option<Vec<DVector<f64>>> {
     let vectors: Vec<_> =
         matrices.iter().map(|m| DVector::from_column_slice(m.as_slice())).collect();

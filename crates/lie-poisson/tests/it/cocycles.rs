@@ -33,6 +33,21 @@ impl Representation for NotExtended {
     }
 }
 
+/// A representation with infinite matrix elements.
+#[derive(Clone)]
+struct NotFinite;
+
+impl Representation for NotFinite {
+    type Algebra = So3;
+    type Space<T: Real> = Vector3<T>;
+    fn algebra(&self) -> So3 {
+        So3
+    }
+    fn act<T: Real>(&self, xi: &Vector3<T>, v: &Vector3<T>) -> Vector3<T> {
+        xi.cross(v) * T::from_f64(f64::INFINITY)
+    }
+}
+
 #[test]
 fn new_representations_obey_the_laws() {
     representation_laws(&InfinitesimalAdjoint(So3));
@@ -102,9 +117,45 @@ fn what_is_not_a_cocycle_is_refused() {
     assert!(matches!(nan, Err(CocycleError::NotFinite { row: 1, column: 2, .. })));
     let nan = Cocycle::nearest_to(adjoint(), |_, _| f64::INFINITY);
     assert!(matches!(nan, Err(CocycleError::NotFinite { .. })));
-    // A bracket that overflows.
-    let huge = heisenberg(f64::MAX);
-    assert!(ExtendedAdjoint::of(huge).is_ok());
+    // The derivation diag(2, 2, 4)/3 times the largest constant overflows in one entry.
+    let huge = ExtendedAdjoint::of(heisenberg(f64::MAX));
+    let expected = CocycleError::NotFinite {
+        matrix: "scaled cocycle",
+        row: 2,
+        column: 2,
+        value: f64::INFINITY,
+    };
+    assert_eq!(huge.unwrap_err(), expected);
+    assert!(ExtendedAdjoint::of(heisenberg(0.5 * f64::MAX)).is_ok());
+    let dilation = Cocycle::new(adjoint(), |i, j| [[1.0, 1.0, 2.0][i], 0.0][usize::from(i != j)]);
+    let dilation = dilation.unwrap();
+    assert_eq!(dilation.scaled(3.0).unwrap().entry(2, 2), 6.0);
+    assert!(matches!(dilation.scaled(f64::NAN), Err(CocycleError::NotFinite { .. })));
+}
+
+/// Derivations are accepted, and other maps refused with one residual, for constants and maps of every size.
+#[test]
+fn the_test_of_a_cocycle_has_no_units() {
+    let sizes = [1e-300, 1e-200, 1.0, 1e200, 1e300];
+    for constants in sizes {
+        for size in sizes {
+            let diagonal = |weights: [f64; 3]| {
+                let adjoint = InfinitesimalAdjoint(heisenberg(constants));
+                Cocycle::new(adjoint, |i, j| if i == j { weights[i] * size } else { 0.0 })
+            };
+            assert!(diagonal([1.0, 1.0, 2.0]).is_ok(), "{constants:e} {size:e}");
+            // Negative control: it misses the equation by 10⁻⁸ of its size.
+            match diagonal([1.0, 1.0, 2.0 + 2e-8]) {
+                Err(CocycleError::NotACocycle { i: 0, j: 1, residual, .. }) => {
+                    assert!(
+                        (residual - 1e-8).abs() < 1e-14,
+                        "{constants:e} {size:e}: {residual:e}"
+                    );
+                }
+                other => panic!("{constants:e} {size:e}: {other:?}"),
+            }
+        }
+    }
 }
 
 /// The matrices of an algebra of dimension 0 and of an abelian one.
@@ -137,4 +188,8 @@ fn odd_powers() {
         _ => 0.0,
     });
     assert!(odd_power_defect(&InfinitesimalAdjoint(rates.unwrap())) > 0.1);
+    // The largest number, and numbers beyond it.
+    let huge = InfinitesimalAdjoint(heisenberg(f64::MAX));
+    assert!(odd_power_defect(&huge) < 1e-15);
+    assert!(odd_power_defect(&NotFinite).is_nan());
 }

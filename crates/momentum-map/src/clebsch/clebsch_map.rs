@@ -30,9 +30,9 @@ use lie_poisson::Representation;
 /// algebras of dimension 2 to 5, with generic parameters (J. Patera et al., J. Math. Phys. 17 (1976) 986).
 ///
 /// Whether Runge–Kutta methods descend to 𝔤∗ depends on V too: they do if
-/// [`odd_power_defect`](lie_poisson::odd_power_defect) is 0. Otherwise the image of a step depends on (q, p), the
-/// Casimirs are conserved only to the order of the scheme, and the integrator is to be created by the constructor
-/// `that_does_not_descend`.
+/// [`odd_power_defect`](lie_poisson::odd_power_defect) is 0. Otherwise the image of a step depends in general on (q, p),
+/// and Casimirs are conserved only to the order of the scheme.
+/// [`affine_schemes_descend`](crate::PoissonMap::affine_schemes_descend) tells integrators which case holds.
 ///
 /// Source: B. Jayawardana, P. J. Morrison & T. Ohsawa, *Clebsch canonization of Lie–Poisson systems*, J. Geom. Mech.
 /// 14 (2022) 635; P. J. Morrison, *Hamiltonian description of the ideal fluid*, Rev. Mod. Phys. 70 (1998), §VI.

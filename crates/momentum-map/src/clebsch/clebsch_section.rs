@@ -23,8 +23,8 @@ use lie_poisson::{Mask, Pair, Real, Representation, RepresentedElement, Vector, 
 ///
 /// The first ones lead to a short z. They are Newton's steps with a decay of z, since T z = 2 J(z).
 ///
-/// The lift has the units √(μ/c), where c is the largest matrix element of the representation. So it exists for
-/// momenta and structure constants of every size.
+/// The lift has the units √(μ/c), where c is the largest matrix element of the representation. It does not depend on
+/// these units, as long as 1/c, the coordinates of the lift and the terms of J(q, p) are finite numbers.
 ///
 /// # Example
 /// ```

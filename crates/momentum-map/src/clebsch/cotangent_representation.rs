@@ -1,7 +1,8 @@
 //! The symplectic representation on T∗V: [`CotangentRepresentation`].
 
+use crate::maps::symplectic_representation::ODD_POWER_TOLERANCE;
 use crate::{Cotangent, SymplecticRepresentation};
-use lie_poisson::{Covector, Momentum, Real, Representation, RepresentedElement};
+use lie_poisson::{Covector, Momentum, Real, Representation, RepresentedElement, odd_power_defect};
 
 /// The representation of 𝔤 on T∗V = V × V∗ that a representation on V lifts to, ξ (q, p) = (ξq, −ξᵀp).
 ///
@@ -72,6 +73,12 @@ impl<R: Representation> SymplecticRepresentation for CotangentRepresentation<R> 
     #[inline]
     fn flat<T: Real>(&self, x: &Self::Space<T>) -> Covector<Self::Space<T>> {
         Covector(Cotangent { q: -x.p.0, p: Covector(x.q) })
+    }
+
+    /// Returns whether the matrices of the representation on V contain their odd powers. Those on T∗V are pairs
+    /// (ξ, −ξᵀ), and contain theirs under the same condition.
+    fn odd_powers_belong(&self) -> bool {
+        odd_power_defect(&self.0) <= ODD_POWER_TOLERANCE
     }
 }
 

@@ -1,8 +1,13 @@
 //! The momentum map of a cotangent-lifted action: [`MomentumMap`].
 
 use crate::maps::poisson_map::TargetDifferential;
-use crate::{CotangentBundle, GroupAction, PoissonMap, SourcePoint, SymplecticSpace, TargetPoint};
-use lie_poisson::{Differential, LieGroup, LiePoisson, Real};
+use crate::maps::symplectic_representation::ODD_POWER_TOLERANCE;
+use crate::{
+    ActionPoint, CotangentBundle, Generator, GroupAction, PoissonMap, SourcePoint, SymplecticSpace,
+    TargetPoint,
+};
+use lie_poisson::{Differential, LieGroup, LiePoisson, Real, Vector, larger, odd_power_defect_of};
+use nalgebra::DMatrix;
 
 /// The momentum map J: T∗Q → 𝔤∗ of the cotangent lift of an action, derived from the action:
 ///
@@ -84,4 +89,39 @@ impl<A: GroupAction> PoissonMap for MomentumMap<A> {
     ) -> SourcePoint<Self, T> {
         self.0.lifted_generator::<T>(xi, z)
     }
+
+    /// Returns whether the generators are affine, ξ_Q(q) = A q + b, and the matrices \[A b; 0 0\] contain their odd
+    /// powers.
+    ///
+    /// It takes about n³ products of matrices for a group of dimension n. See [`odd_power_defect_of`].
+    fn affine_schemes_descend(&self) -> bool {
+        let n = <Generator<A> as Vector>::DIM;
+        let matrices: Option<Vec<_>> = (0..n).map(|i| affine_matrix(&self.0, i)).collect();
+        matrices.is_some_and(|matrices| odd_power_defect_of(matrices) <= ODD_POWER_TOLERANCE)
+    }
 }
+
+/// Returns the matrix \[A b; 0 0\] of the generator A q + b of the i-th basis vector, or `None` if it is not affine.
+fn affine_matrix<A: GroupAction>(action: &A, i: usize) -> Option<DMatrix<f64>> {
+    let d = <ActionPoint<A> as Vector>::DIM;
+    let at = |q: &ActionPoint<A>| action.infinitesimal_generator::<f64>(&Vector::basis(i), q);
+    let offset = at(&Vector::zero());
+    let mut matrix = DMatrix::zeros(d + 1, d + 1);
+    let mut expected = offset;
+    // a point whose coordinates obey no simple relation
+    let coordinate = |j: usize| (1.0 + 1.7 * j as f64).sin();
+    for j in 0..d {
+        let column = at(&Vector::basis(j)) - offset;
+        expected += column.scaled(coordinate(j));
+        for k in 0..d {
+            matrix[(k, j)] = column.coordinate(k);
+            matrix[(k, d)] = offset.coordinate(k);
+        }
+    }
+    let error = (at(&Vector::from_coordinates(coordinate)) - expected).max_abs();
+    let size = matrix.iter().fold(0.0, |most, x| larger(most, x.abs()));
+    (error <= AFFINE_TOLERANCE * size).then_some(matrix)
+}
+
+/// The largest deviation from an affine map, relative to its largest coefficient, that is a rounding error.
+const AFFINE_TOLERANCE: f64 = 1e-12;

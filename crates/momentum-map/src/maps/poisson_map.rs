@@ -25,9 +25,9 @@ pub type TargetDifferential<M, T = f64> = Differential<<M as PoissonMap>::Target
 /// ```
 ///
 /// A scheme that commutes with affine maps descends to Q if the symmetry along the fibres of M acts
-/// affinely. It does so for every realisation of this crate, except for a [`ClebschMap`](crate::ClebschMap) of a
-/// representation that lacks its odd powers. The scheme conserves Casimirs whose pull-backs are functions of
-/// quadratic invariants.
+/// affinely, or if the action is linear and the matrices of the algebra contain their odd powers. The method
+/// [`affine_schemes_descend`](Self::affine_schemes_descend) tells. The scheme conserves Casimirs whose pull-backs
+/// are functions of quadratic invariants.
 ///
 /// If M is the momentum map of an action, `generator` is the infinitesimal generator ξ_P(z). If it is
 /// implemented by hand, collective dynamics needs no Jacobian.
@@ -73,6 +73,34 @@ pub trait PoissonMap: Clone {
         z: &SourcePoint<Self, T>,
     ) -> SourcePoint<Self, T> {
         self.source().hamiltonian_vector::<T>(z, &self.pull_back::<T>(alpha, z))
+    }
+
+    /// Returns whether the collective steps of a symplectic Runge–Kutta method, or of another scheme that commutes with
+    /// affine maps, descend to Q: whether M(Φ(z)) depends on M(z) alone.
+    ///
+    /// Collective integrators move z along its fibre only if it is true. The default is true. Implement it for a map of
+    /// your own whose fibres have no affine symmetry. The maps of this crate compute it from the matrices of their
+    /// action, or ask the maps that they consist of.
+    ///
+    /// # Example
+    /// The [`ClebschMap`](crate::ClebschMap) of so(3), and that of the plane with a dilation with two rates:
+    /// ```
+    /// use lie_poisson::{InfinitesimalAdjoint, So3, StructureConstants};
+    /// use momentum_map::{PoissonMap, Side, clebsch_map};
+    /// assert!(clebsch_map(InfinitesimalAdjoint(So3), Side::Left).affine_schemes_descend());
+    /// // [e₀, e₂] = e₀, [e₁, e₂] = 2e₁
+    /// let rates = StructureConstants::<3>::new(|i, j, k| match (i, j, k) {
+    ///     (0, 2, 0) => 1.0,
+    ///     (2, 0, 0) => -1.0,
+    ///     (1, 2, 1) => 2.0,
+    ///     (2, 1, 1) => -2.0,
+    ///     _ => 0.0,
+    /// })?;
+    /// assert!(!clebsch_map(InfinitesimalAdjoint(rates), Side::Left).affine_schemes_descend());
+    /// # Ok::<(), lie_poisson::StructureError>(())
+    /// ```
+    fn affine_schemes_descend(&self) -> bool {
+        true
     }
 
     /// Returns a displacement along the fibre that keeps z from running away: M(z + gauge(z)) = M(z).
@@ -174,6 +202,11 @@ where
     ) -> SourcePoint<Self, T> {
         let middle = self.outer.pull_back::<T>(alpha, &self.inner.apply::<T>(z));
         self.inner.generator::<T>(&middle, z)
+    }
+
+    /// Returns whether they descend along both maps.
+    fn affine_schemes_descend(&self) -> bool {
+        self.inner.affine_schemes_descend() && self.outer.affine_schemes_descend()
     }
 
     #[inline]

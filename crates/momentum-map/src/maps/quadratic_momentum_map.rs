@@ -94,4 +94,9 @@ impl<R: SymplecticRepresentation> PoissonMap for QuadraticMomentumMap<R> {
             Side::Right => -velocity,
         }
     }
+
+    /// Returns [`SymplecticRepresentation::odd_powers_belong`].
+    fn affine_schemes_descend(&self) -> bool {
+        self.representation.odd_powers_belong()
+    }
 }

@@ -4,6 +4,7 @@ use crate::{SymplecticComplexSpace, SymplecticSpace};
 use lie_poisson::{
     Covector, Diagonal, Momentum, Pair, PoissonSpace, Power, Real, Representation,
     RepresentedElement, SL2OnR2, SU2OnC2, So3, Sum, UnitaryOnComplexSpace, Vector, VectorSpace,
+    odd_power_defect,
 };
 use nalgebra::{SVector, Vector2, Vector3};
 use num_complex::Complex;
@@ -25,7 +26,19 @@ pub trait SymplecticRepresentation: Representation {
     fn flat<T: Real>(&self, x: &Self::Space<T>) -> Covector<Self::Space<T>> {
         Covector::from_coordinates(|i| self.form::<T>(x, &Vector::basis(i)))
     }
+
+    /// Returns whether the matrices of the representation contain their odd powers, so that collective Runge–Kutta
+    /// steps descend: see [`odd_power_defect`].
+    ///
+    /// The default implementation computes this number and allows 10⁻¹². It takes about n³ products of matrices for an
+    /// algebra of dimension n.
+    fn odd_powers_belong(&self) -> bool {
+        odd_power_defect(self) <= ODD_POWER_TOLERANCE
+    }
 }
+
+/// The largest [`odd_power_defect`] that is a rounding error.
+pub(crate) const ODD_POWER_TOLERANCE: f64 = 1e-12;
 
 /// The symplectic vector space V of a representation.
 ///
@@ -116,6 +129,12 @@ macro_rules! unitary {
             fn flat<T: Real>(&self, x: &Self::Space<T>) -> Covector<Self::Space<T>> {
                 SymplecticComplexSpace::<$n>.flat(x)
             }
+
+            /// Returns true: the odd powers of skew-Hermitian matrices are skew-Hermitian, and those of su(2) have no
+            /// trace.
+            fn odd_powers_belong(&self) -> bool {
+                true
+            }
         }
     )*};
 }
@@ -136,6 +155,11 @@ impl SymplecticRepresentation for SL2OnR2 {
     #[inline]
     fn flat<T: Real>(&self, x: &Vector2<T>) -> Covector<Vector2<T>> {
         Covector(Vector2::new(-x.y, x.x))
+    }
+
+    /// Returns true: ξ² is a multiple of the identity.
+    fn odd_powers_belong(&self) -> bool {
+        true
     }
 }
 
@@ -190,6 +214,10 @@ impl<R: SymplecticRepresentation> SymplecticRepresentation for Reversed<R> {
     fn flat<T: Real>(&self, x: &R::Space<T>) -> Covector<R::Space<T>> {
         -self.0.flat::<T>(x)
     }
+
+    fn odd_powers_belong(&self) -> bool {
+        self.0.odd_powers_belong()
+    }
 }
 
 impl<R, S> SymplecticRepresentation for Sum<R, S>
@@ -229,5 +257,9 @@ impl<R: SymplecticRepresentation, const N: usize> SymplecticRepresentation for D
     #[inline]
     fn flat<T: Real>(&self, x: &Self::Space<T>) -> Covector<Self::Space<T>> {
         Covector(Power(x.0.map(|x| self.0.flat::<T>(&x).0)))
+    }
+
+    fn odd_powers_belong(&self) -> bool {
+        self.0.odd_powers_belong()
     }
 }

@@ -161,6 +161,10 @@ impl<M: PoissonMap, F: Fibres<M>> PoissonMap for Realisation<M, F> {
         self.map.generator::<T>(alpha, z)
     }
 
+    fn affine_schemes_descend(&self) -> bool {
+        self.map.affine_schemes_descend()
+    }
+
     #[inline]
     fn gauge<T: Real>(&self, z: &SourcePoint<M, T>) -> SourcePoint<M, T> {
         self.fibres.gauge::<T>(&self.map, z)

@@ -3,7 +3,7 @@
 use crate::support::{TOLERANCE, holds, laws, samples};
 use lie_poisson::*;
 use momentum_map::*;
-use nalgebra::Vector3;
+use nalgebra::{Vector1, Vector3};
 use proptest::prelude::*;
 
 fn map_laws<R: Representation>(r: &R) {
@@ -42,6 +42,62 @@ fn a_group_gives_the_same_map() {
             assert!(difference.max_abs() < TOLERANCE);
         }
     }
+}
+
+/// The nonlinear (local) action q ↦ q/(1 − sq) of R on R, with the generator q².
+#[derive(Clone)]
+struct Curved;
+
+impl GroupAction for Curved {
+    type Group = RealSpace<1>;
+    type Space = RealSpace<1>;
+    const SIDE: Side = Side::Left;
+    fn group(&self) -> RealSpace<1> {
+        RealSpace
+    }
+    fn space(&self) -> RealSpace<1> {
+        RealSpace
+    }
+    fn act<T: Real>(&self, s: &Vector1<T>, q: &Vector1<T>) -> Vector1<T> {
+        Vector1::new(q.x / (T::one() - s.x * q.x))
+    }
+}
+
+/// Maps say whether schemes that commute with affine maps descend, and wrappers ask what they wrap.
+#[test]
+fn maps_know_whether_affine_schemes_descend() {
+    let rates = StructureConstants::<3>::new(|i, j, k| match (i, j, k) {
+        (0, 2, 0) => 1.0,
+        (2, 0, 0) => -1.0,
+        (1, 2, 1) => 2.0,
+        (2, 1, 1) => -2.0,
+        _ => 0.0,
+    });
+    let lacks = clebsch_realisation(InfinitesimalAdjoint(rates.unwrap()), Side::Left).unwrap();
+    let has = clebsch_realisation(InfinitesimalAdjoint(So3), Side::Left).unwrap();
+    assert!(has.affine_schemes_descend() && has.map().affine_schemes_descend());
+    assert!(!lacks.affine_schemes_descend() && !lacks.map().affine_schemes_descend());
+    assert!(PowerMap::<_, 2>(has.clone()).affine_schemes_descend());
+    assert!(!PowerMap::<_, 2>(lacks.clone()).affine_schemes_descend());
+    assert!(ProductMap(has.clone(), HOPF).affine_schemes_descend());
+    assert!(!ProductMap(has.clone(), lacks.clone()).affine_schemes_descend());
+    let product = ProductAlgebraMap::new(has.clone(), lacks.clone()).unwrap();
+    assert!(!product.affine_schemes_descend());
+    let same = |inner: ClebschRealisation<InfinitesimalAdjoint<StructureConstants<3>>>| {
+        ComposedMap { outer: Identity(inner.target()), inner }.affine_schemes_descend()
+    };
+    assert!(!same(lacks.clone()));
+    assert!(ComposedMap { outer: Identity(has.target()), inner: has }.affine_schemes_descend());
+    // Quadratic maps: of one representation twice, and of two that scale their cubes differently.
+    let quadratic = |r| QuadraticMomentumMap::new(r, Side::Left).affine_schemes_descend();
+    assert!(quadratic(Sum(SL2OnR2, SL2OnR2)));
+    let adjoint = CotangentRepresentation(InfinitesimalAdjoint(Sl2));
+    assert!(!QuadraticMomentumMap::new(Sum(SL2OnR2, adjoint), Side::Left).affine_schemes_descend());
+    // Momentum maps of actions: affine ones, with and without their odd powers, and one that is not affine.
+    assert!(PARTICLE.affine_schemes_descend());
+    assert!(MomentumMap(Opposite(LinearAction(Adjoint(SE3::default())))).affine_schemes_descend());
+    assert!(!MomentumMap(LinearAction(Adjoint(UnitaryGroup::<3>))).affine_schemes_descend());
+    assert!(!MomentumMap(Curved).affine_schemes_descend());
 }
 
 /// J(q, p) vanishes on q, whatever p is.

@@ -83,10 +83,14 @@ impl MovableBaseTop {
             require_finite("center_of_mass", value)?;
         }
         let mass = top + base;
+        require_finite("mass of top and base", mass)?;
         let center = center_of_mass * (top / mass);
         let moved =
             Matrix3::identity() * center.dot(&center_of_mass) - center * center_of_mass.transpose();
         let about_center = Matrix3::from_diagonal(&inertia) - moved * top;
+        for &value in &about_center {
+            require_finite("matrix of the moments about the centre of both masses", value)?;
+        }
         let inverse_inertia = about_center.cholesky().map(|cholesky| cholesky.inverse());
         let Some(inverse_inertia) = inverse_inertia else {
             let name = "smallest moment about the centre of both masses";
@@ -99,7 +103,6 @@ impl MovableBaseTop {
         for &value in inverse_inertia.iter().chain(&center).chain(&weight_moment) {
             require_finite("inverse inertia or weight moment", value)?;
         }
-        require_finite("mass of top and base", mass)?;
         Ok(Self { inverse_inertia, center, mass, weight_moment })
     }
 

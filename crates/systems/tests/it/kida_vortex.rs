@@ -83,5 +83,39 @@ fn gauss_conserves_over_a_long_time_what_an_explicit_method_loses() {
 fn parameters_are_checked() {
     assert!(matches!(KidaVortex::new(f64::NAN, 0.0, 0.0), Err(SystemError::NotFinite { .. })));
     assert!(matches!(KidaVortex::momentum(1.0, 0.0, 0.0), Err(SystemError::NotPositive { .. })));
-    assert!(matches!(KidaVortex::momentum(1e200, 1.0, 0.0), Err(SystemError::NotFinite { .. })));
+    assert!(matches!(
+        KidaVortex::momentum(f64::INFINITY, 1.0, 0.0),
+        Err(SystemError::NotFinite { name: "a", .. })
+    ));
+    let refused = |a: f64, b: f64| match KidaVortex::momentum(a, b, 0.3) {
+        Err(SystemError::OutOfRange { name, value, least, most }) => {
+            assert!(value < least || value > most);
+            (name, value)
+        }
+        other => panic!("{a:e} {b:e}: {other:?}"),
+    };
+    // The momentum would be 0, its square infinite, and its Casimir 0.
+    assert_eq!(refused(1e-200, 1e-200), ("a", 1e-200));
+    assert_eq!(refused(1.0, 1e200), ("b", 1e200));
+    assert_eq!(refused(1e70, 1e-70), ("a/b", 1e140));
+    assert_eq!(refused(1e-7, 1.0), ("a/b", 1e-7));
+    let error = KidaVortex::momentum(1e-200, 1.0, 0.0).unwrap_err();
+    assert_eq!(error.to_string(), "a must be between 1e-76 and 1e76, got 1e-200");
+}
+
+/// All axes that are accepted come back, with the rounding error of the difference of squares.
+#[test]
+fn accepted_axes_come_back() {
+    for size in [1.0001e-76, 1e-30, 1.0, 1e30, 0.999e76] {
+        for ratio in [1.0, 0.1, 1e-3, 1.001e-6] {
+            let shorter = size * ratio;
+            if shorter < 1e-76 {
+                continue;
+            }
+            let mu = KidaVortex::momentum(size, shorter, 0.3).unwrap();
+            let (a, b) = KidaVortex::semi_axes(&mu);
+            assert!((a / size - 1.0).abs() < 1e-15, "{size:e} {ratio:e}: {a:e}");
+            assert!((b / shorter - 1.0).abs() < 1e-15 / ratio / ratio, "{size:e} {ratio:e}: {b:e}");
+        }
+    }
 }

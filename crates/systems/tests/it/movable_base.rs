@@ -115,6 +115,16 @@ fn parameters_are_checked() {
     assert!(matches!(new(INERTIA, [0.0, 1.0], 1.0), Err(SystemError::NotPositive { .. })));
     assert!(matches!(new(INERTIA, [1.0, -1.0], 1.0), Err(SystemError::Negative { .. })));
     assert!(matches!(new(INERTIA, [1.0, 1.0], f64::NAN), Err(SystemError::NotFinite { .. })));
+    // Finite numbers whose products are not.
+    let far = MovableBaseTop::new(INERTIA, [1.0, 2.0], 1.0, Vector3::new(0.0, 1e200, 1e200));
+    let expected = "matrix of the moments about the centre of both masses";
+    assert!(
+        matches!(far, Err(SystemError::NotFinite { name, value }) if name == expected && !value.is_finite())
+    );
+    assert!(matches!(
+        new(INERTIA, [f64::MAX, f64::MAX], 1.0),
+        Err(SystemError::NotFinite { name: "mass of top and base", .. })
+    ));
     // The mass of 9 kg at 1 m needs moments of at least 9 kg m².
     assert!(
         matches!(new(INERTIA, [9.0, 0.0], 1.0), Err(SystemError::NotPositive { value, .. }) if value < 0.0)

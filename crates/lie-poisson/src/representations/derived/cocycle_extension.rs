@@ -1,6 +1,6 @@
 //! Representations extended by a cocycle: [`CocycleExtension`].
 
-use crate::representations::cocycle::largest_element;
+use crate::representations::cocycle::{largest_element, nonzero};
 use crate::representations::derived::contragredient::Contragredient;
 use crate::representations::derived::infinitesimal_adjoint::InfinitesimalAdjoint;
 use crate::{
@@ -48,23 +48,26 @@ impl<A: LieAlgebra> ExtendedAdjoint<A> {
     /// both terms of ξ(v, s) have one scale.
     ///
     /// # Errors
-    /// Returns [`CocycleError`] if a structure constant is not finite.
+    /// Returns [`CocycleError`] if a structure constant, or the product of the largest one with the derivation, is not
+    /// finite.
     pub fn of(algebra: A) -> Result<Self, CocycleError> {
         let adjoint = InfinitesimalAdjoint(algebra);
         let identity = |i: usize, j: usize| if i == j { 1.0 } else { 0.0 };
-        let size = scale(&adjoint);
-        Ok(Self(Cocycle::nearest_to(adjoint, identity)?.scaled(size)))
+        let size = nonzero(largest_element(&adjoint));
+        Ok(Self(Cocycle::nearest_to(adjoint, identity)?.scaled(size)?))
     }
 }
 
 impl<A: LieAlgebra> ExtendedCoadjoint<A> {
     /// Creates the extension by a generic cocycle, times the largest structure constant.
     ///
-    /// The cocycle is the one nearest to a fixed matrix whose entries obey no simple relation. It is injective on the
-    /// centre if any cocycle of the coadjoint representation is.
+    /// The cocycle is the one nearest to a fixed matrix whose entries obey no simple relation. If some cocycle of the
+    /// coadjoint representation is injective on the centre, then the cocycle nearest to almost every matrix is. This is
+    /// not proved for the fixed one: the rank of the Clebsch map of the extension tells (`ClebschSection::rank`).
     ///
     /// # Errors
-    /// Returns [`CocycleError`] if a structure constant is not finite.
+    /// Returns [`CocycleError`] if a structure constant, or the product of the largest one with the cocycle, is not
+    /// finite.
     ///
     /// # Example
     /// ```
@@ -84,15 +87,9 @@ impl<A: LieAlgebra> ExtendedCoadjoint<A> {
     pub fn of(algebra: A) -> Result<Self, CocycleError> {
         let coadjoint = Contragredient(InfinitesimalAdjoint(algebra));
         let generic = |i: usize, j: usize| ((2 * i + 1) as f64 * 0.7 + (j * j + j) as f64).sin();
-        let size = scale(&coadjoint);
-        Ok(Self(Cocycle::nearest_to(coadjoint, generic)?.scaled(size)))
+        let size = nonzero(largest_element(&coadjoint));
+        Ok(Self(Cocycle::nearest_to(coadjoint, generic)?.scaled(size)?))
     }
-}
-
-/// Returns the largest matrix element, or 1 if all are 0.
-fn scale<R: Representation>(r: &R) -> f64 {
-    let size = largest_element(r);
-    if size > 0.0 { size } else { 1.0 }
 }
 
 impl<R: Representation> Representation for CocycleExtension<R> {

@@ -42,6 +42,10 @@ where
         Power(from_fn(|n| self.0.generator::<T>(&alpha.0[n], &z.0[n])))
     }
 
+    fn affine_schemes_descend(&self) -> bool {
+        self.0.affine_schemes_descend()
+    }
+
     #[inline]
     fn gauge<T: Real>(&self, z: &SourcePoint<Self, T>) -> SourcePoint<Self, T> {
         Power(from_fn(|n| self.0.gauge::<T>(&z.0[n])))

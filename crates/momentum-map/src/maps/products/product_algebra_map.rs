@@ -105,6 +105,10 @@ where
         Pair(first.generator::<T>(&alpha.0, &z.0), second.generator::<T>(&alpha.1, &z.1))
     }
 
+    fn affine_schemes_descend(&self) -> bool {
+        self.factors.affine_schemes_descend()
+    }
+
     #[inline]
     fn gauge<T: Real>(&self, z: &SourcePoint<Self, T>) -> SourcePoint<Self, T> {
         self.factors.gauge::<T>(z)

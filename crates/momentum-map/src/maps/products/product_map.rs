@@ -43,6 +43,10 @@ impl<M: PoissonMap, N: PoissonMap> PoissonMap for ProductMap<M, N> {
         Pair(self.0.generator::<T>(&first, &z.0), self.1.generator::<T>(&second, &z.1))
     }
 
+    fn affine_schemes_descend(&self) -> bool {
+        self.0.affine_schemes_descend() && self.1.affine_schemes_descend()
+    }
+
     #[inline]
     fn gauge<T: Real>(&self, z: &SourcePoint<Self, T>) -> SourcePoint<Self, T> {
         Pair(self.0.gauge::<T>(&z.0), self.1.gauge::<T>(&z.1))
