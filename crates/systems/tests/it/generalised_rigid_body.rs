@@ -60,8 +60,10 @@ fn moments_that_are_not_positive_are_refused() {
             Err(SystemError::NotPositive { .. } | SystemError::NotFinite { .. })
         ));
     }
-    assert_eq!(
-        GeneralisedRigidBody::new(vec![1.0]).unwrap().energy(&LargeSkewHermitian::zeros(2)),
-        0.0
-    );
+    let body = GeneralisedRigidBody::new(vec![1.0]).unwrap();
+    assert!(body.energy(&LargeSkewHermitian::zeros(2)).is_nan());
+    // Moments at the ends of the range: a finite rate, or a refusal.
+    let large = GeneralisedRigidBody::new(vec![1e308; 3]).unwrap();
+    assert!(large.energy(&large.momentum(|_, _| 1.0)) > 0.0);
+    assert!(GeneralisedRigidBody::new(vec![5e-324, 5e-324]).is_err());
 }
