@@ -7,10 +7,11 @@ use std::fs;
 use std::path::Path;
 
 /// The folders of the tests that the ledgers name. Files of one name in two folders count as one.
-const FOLDERS: [&str; 4] = [
+const FOLDERS: [&str; 5] = [
     "tests/it",
     "crates/momentum-map/tests/it",
     "crates/integrators/tests/it",
+    "crates/isospectral/tests/it",
     "crates/systems/tests/it",
 ];
 
@@ -125,7 +126,15 @@ fn is_item(text: &str, name: &str) -> bool {
 fn every_item_named_in_the_notation_and_the_ledger_exists() -> Result<(), Box<dyn Error>> {
     let root = Path::new(env!("CARGO_MANIFEST_DIR")).join("..");
     let mut text = String::new();
-    for layer in ["scalars", "lie-poisson", "momentum-map", "integrators", "systems", "heavytop"] {
+    for layer in [
+        "scalars",
+        "lie-poisson",
+        "momentum-map",
+        "integrators",
+        "isospectral",
+        "systems",
+        "heavytop",
+    ] {
         sources(&root.join("crates").join(layer).join("src"), &mut text)?;
     }
     sources(&root.join("tests/src"), &mut text)?;
