@@ -58,11 +58,11 @@ fn main() -> Result<(), Box<dyn Error>> {
     let size: usize = arguments.first().map_or(Ok(32), |size| size.parse())?;
     let steps: u32 = arguments.get(1).map_or(Ok(10_000), |steps| steps.parse())?;
     let fluid = Zeitlin::new(size)?;
-    let mut omega = VorticityCoefficients::zeros(size);
-    for (l, m) in (1..=8.min(size - 1)).flat_map(|l| (0..=l).map(move |m| (l, m))) {
+    let omega = VorticityCoefficients::from_fn(size, |l, m| {
         let x = (5 * l + m) as f64;
-        omega.set(l, m, Complex::new((3.1 * x).sin(), (5.3 * x).cos()));
-    }
+        let value = Complex::new((3.1 * x).sin(), (5.3 * x).cos());
+        if (1..=8).contains(&l) { value } else { Complex::ZERO }
+    });
     let mut start = fluid.vorticity(&omega);
     let largest = spectrum(&start)?.iter().fold(0.0_f64, |most, x| most.max(x.abs()));
     start.scale_in_place(1.0 / largest);

@@ -13,6 +13,8 @@ use std::sync::{Mutex, PoisonError};
 /// cheap where a short run is asked for. The field is NaN at a matrix of another size, so that a step from it fails with
 /// [`NotFinite`](collective_integrators::StepError::NotFinite).
 ///
+/// Evaluations on several threads take turns, since the field holds the storage. Give each thread a field of its own.
+///
 /// # Example
 /// See [`GaussMagnus`](crate::GaussMagnus).
 #[derive(Debug)]

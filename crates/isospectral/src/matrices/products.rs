@@ -126,23 +126,13 @@ impl Products {
         w: &LargeSkewHermitian,
         conjugated: &mut LargeSkewHermitian,
     ) {
-        self.change_of_conjugate(z, w, conjugated);
-        conjugated.add_in_place(w);
-    }
-
-    /// Writes the change (1 + Z) W (1 + Z)* − W.
-    pub fn change_of_conjugate(
-        &mut self,
-        z: &LargeMatrix,
-        w: &LargeSkewHermitian,
-        change: &mut LargeSkewHermitian,
-    ) {
         let [mut x, mut second] = [(); 2].map(|()| self.take(z));
         self.multiply(z, w.matrix(), &mut x);
         self.multiply_adjoint(&x, z, &mut second);
         // X Z* is skew-Hermitian: the difference contains it twice.
         x.add_multiple(0.5, &second);
-        change.set_difference_of(&x);
+        conjugated.set_difference_of(&x);
+        conjugated.add_in_place(w);
         self.give(x);
         self.give(second);
     }

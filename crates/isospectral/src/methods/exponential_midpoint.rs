@@ -1,9 +1,9 @@
 //! The exponential midpoint rule on u(N)∗: [`ExponentialMidpoint`].
 
 use crate::fields::isospectral_field::IsospectralField;
-use crate::matrices::large_matrix::LargeMatrix;
 use crate::matrices::products::Products;
 use crate::matrices::skew_hermitian::LargeSkewHermitian;
+use crate::methods::conjugation::{Conjugation, step_of_copy};
 use crate::methods::generator_history::GeneratorHistory;
 use crate::methods::generator_sweeps::Sweeps;
 use collective_integrators::{Integrator, StateIsMomentum, Step, StepError};
@@ -82,8 +82,7 @@ pub struct ExponentialSpace {
     fresh: [LargeSkewHermitian; 1],
     terms: [LargeSkewHermitian; 2],
     mean: LargeSkewHermitian,
-    next: LargeSkewHermitian,
-    rotation: LargeMatrix,
+    conjugation: Conjugation,
     history: GeneratorHistory,
 }
 
@@ -138,8 +137,7 @@ impl<F: IsospectralField> Integrator for ExponentialMidpoint<F> {
             fresh: [zero()],
             terms: [zero(), zero()],
             mean: zero(),
-            next: zero(),
-            rotation: LargeMatrix::zeros(self.field.size()),
+            conjugation: Conjugation::new(self.field.size()),
             history: GeneratorHistory::new(&[0.5], 3),
         }
     }
@@ -154,9 +152,7 @@ impl<F: IsospectralField> Integrator for ExponentialMidpoint<F> {
         step: f64,
         workspace: &mut ExponentialSpace,
     ) -> Result<Step<LargeSkewHermitian>, StepError> {
-        let mut point = w.clone();
-        let iterations = self.step_in_place(&mut point, step, workspace)?;
-        Ok(Step { point, iterations })
+        step_of_copy(self, w, step, workspace)
     }
 
     fn step_in_place(
@@ -186,22 +182,11 @@ impl<F: IsospectralField> Integrator for ExponentialMidpoint<F> {
             }
         }
         let ExponentialSpace {
-            products,
-            generator,
-            terms: [scaled, _],
-            next,
-            rotation,
-            history,
-            ..
+            products, generator, terms: [scaled, _], conjugation, history, ..
         } = space;
         scaled.assign(&generator[0]);
         scaled.scale_in_place(step);
-        products.exponential_minus_one(scaled, rotation);
-        products.conjugate(rotation, w, next);
-        if !next.all_finite() {
-            return Err(StepError::NotFinite);
-        }
-        w.move_from(next);
+        conjugation.by_exponential(products, scaled, w)?;
         history.remember(generator, step, w);
         Ok(sweeps.made)
     }

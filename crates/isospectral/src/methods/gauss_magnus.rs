@@ -1,16 +1,16 @@
 //! Exponential Gauss methods on u(N)∗: [`GaussMagnus`].
 
 use crate::fields::isospectral_field::IsospectralField;
-use crate::matrices::large_matrix::LargeMatrix;
 use crate::matrices::products::Products;
 use crate::matrices::skew_hermitian::LargeSkewHermitian;
+use crate::methods::conjugation::{Conjugation, step_of_copy};
 use crate::methods::generator_history::GeneratorHistory;
 use crate::methods::generator_sweeps::Sweeps;
 use collective_integrators::{Integrator, SchemeError, StateIsMomentum, Step, StepError, Tableau};
 use lie_poisson::State;
 
 /// The Gauss–Magnus method with s = 1, 2 or 3 stages for [isospectral equations](IsospectralField): order 2s,
-/// isospectral, symmetric, and not a Poisson map.
+/// isospectral, but neither symmetric nor a Poisson map.
 ///
 /// The Gauss method with s stages gives the generators B_i = B(W_i) at its nodes, the Magnus expansion a skew-Hermitian
 /// Ω, and the step is a conjugation:
@@ -142,8 +142,7 @@ pub struct MagnusSpace {
     stages: Vec<LargeSkewHermitian>,
     rates: Vec<LargeSkewHermitian>,
     omega: LargeSkewHermitian,
-    next: LargeSkewHermitian,
-    rotation: LargeMatrix,
+    conjugation: Conjugation,
     history: GeneratorHistory,
 }
 
@@ -206,8 +205,7 @@ impl<F: IsospectralField> Integrator for GaussMagnus<F> {
             stages: several(),
             rates: several(),
             omega: zero.clone(),
-            next: zero,
-            rotation: LargeMatrix::zeros(size),
+            conjugation: Conjugation::new(size),
             history: GeneratorHistory::new(self.tableau.nodes(), steps),
         }
     }
@@ -222,9 +220,7 @@ impl<F: IsospectralField> Integrator for GaussMagnus<F> {
         step: f64,
         workspace: &mut MagnusSpace,
     ) -> Result<Step<LargeSkewHermitian>, StepError> {
-        let mut point = w.clone();
-        let iterations = self.step_in_place(&mut point, step, workspace)?;
-        Ok(Step { point, iterations })
+        step_of_copy(self, w, step, workspace)
     }
 
     fn step_in_place(
@@ -236,13 +232,8 @@ impl<F: IsospectralField> Integrator for GaussMagnus<F> {
         StepError::check_dimension(w, self.field.size().saturating_pow(2))?;
         let sweeps = self.solve(w, step, space)?;
         space.set_magnus(step);
-        let MagnusSpace { products, generators, omega, next, rotation, history, .. } = space;
-        products.exponential_minus_one(omega, rotation);
-        products.conjugate(rotation, w, next);
-        if !next.all_finite() {
-            return Err(StepError::NotFinite);
-        }
-        w.move_from(next);
+        let MagnusSpace { products, generators, omega, conjugation, history, .. } = space;
+        conjugation.by_exponential(products, omega, w)?;
         history.remember(generators, step, w);
         Ok(sweeps)
     }

@@ -4,6 +4,7 @@ use crate::fields::isospectral_field::IsospectralField;
 use crate::matrices::large_matrix::LargeMatrix;
 use crate::matrices::products::Products;
 use crate::matrices::skew_hermitian::LargeSkewHermitian;
+use crate::methods::conjugation::{Conjugation, step_of_copy};
 use collective_integrators::{
     Equivariant, Integrator, StateIsMomentum, Step, StepError, VectorField,
 };
@@ -88,7 +89,7 @@ impl<S: Equivariant, F: IsospectralField> IsospectralRungeKutta<S, F> {
 pub struct IsospectralSpace<S: Equivariant> {
     scheme: S::Workspace<LargeMatrix>,
     stages: RefCell<StageStorage>,
-    next: LargeSkewHermitian,
+    conjugation: Conjugation,
 }
 
 /// The temporary matrices of an evaluation of B(Q W₀ Q*) Q.
@@ -130,10 +131,11 @@ impl<S: Equivariant, F: IsospectralField> Integrator for IsospectralRungeKutta<S
     type Workspace = IsospectralSpace<S>;
 
     fn workspace(&self) -> Self::Workspace {
-        let zero = LargeSkewHermitian::zeros(self.field.size());
-        let (moved, generator) = (zero.clone(), zero.clone());
+        let zero = || LargeSkewHermitian::zeros(self.field.size());
+        let (moved, generator) = (zero(), zero());
+        let conjugation = Conjugation::new(self.field.size());
         let stages = RefCell::new(StageStorage { products: Products::default(), moved, generator });
-        IsospectralSpace { scheme: self.scheme.workspace(), stages, next: zero }
+        IsospectralSpace { scheme: self.scheme.workspace(), stages, conjugation }
     }
 
     fn step(
@@ -142,9 +144,7 @@ impl<S: Equivariant, F: IsospectralField> Integrator for IsospectralRungeKutta<S
         step: f64,
         workspace: &mut Self::Workspace,
     ) -> Result<Step<LargeSkewHermitian>, StepError> {
-        let mut point = w.clone();
-        let iterations = self.step_in_place(&mut point, step, workspace)?;
-        Ok(Step { point, iterations })
+        step_of_copy(self, w, step, workspace)
     }
 
     fn step_in_place(
@@ -154,7 +154,7 @@ impl<S: Equivariant, F: IsospectralField> Integrator for IsospectralRungeKutta<S
         workspace: &mut Self::Workspace,
     ) -> Result<usize, StepError> {
         StepError::check_dimension(w, self.field.size().saturating_pow(2))?;
-        let IsospectralSpace { scheme, stages, next } = workspace;
+        let IsospectralSpace { scheme, stages, conjugation } = workspace;
         let mut zero = stages.borrow_mut().products.take(w.matrix());
         zero.set_zero();
         let field = MultiplierField { field: &self.field, start: w, storage: stages };
@@ -164,15 +164,11 @@ impl<S: Equivariant, F: IsospectralField> Integrator for IsospectralRungeKutta<S
         let products = &mut stages.get_mut().products;
         products.give(zero);
         let Step { point: y, iterations } = made?;
-        products.conjugate(&y, w, next);
+        let conjugated = conjugation.by(products, &y, w);
         if let Some(pool) = self.scheme.temporaries(scheme) {
             y.give(pool);
         }
-        if !next.all_finite() {
-            return Err(StepError::NotFinite);
-        }
-        w.move_from(next);
-        Ok(iterations)
+        conjugated.map(|()| iterations)
     }
 
     fn momentum(&self, w: &LargeSkewHermitian) -> LargeSkewHermitian {

@@ -5,7 +5,9 @@ use isospectral_flows::collective_integrators::{
     Direct, Integrator, RungeKutta, SchemeError, StepError,
 };
 use isospectral_flows::lie_poisson::State;
-use isospectral_flows::{CommutatorField, ExponentialMidpoint, GaussMagnus, IsospectralRungeKutta};
+use isospectral_flows::{
+    CommutatorField, ExponentialMidpoint, GaussMagnus, IsospectralRungeKutta, LargeSkewHermitian,
+};
 
 #[test]
 fn states_of_another_size_are_refused() {
@@ -45,5 +47,31 @@ fn numbers_of_stages_without_an_expansion_are_refused() {
     for stages in [0, 4, usize::MAX] {
         let refused = GaussMagnus::new(stages, Quadratic(4)).err();
         assert!(matches!(refused, Some(SchemeError::Family { stages: n, .. }) if n == stages));
+    }
+}
+
+/// Steps of size zero, of W = 0 and of matrices with at most one entry change nothing.
+#[test]
+fn steps_without_motion() {
+    fn assert_still<I: Integrator<State = LargeSkewHermitian>>(
+        integrator: &I,
+        start: &LargeSkewHermitian,
+        h: f64,
+    ) {
+        let (mut w, mut workspace) = (start.clone(), integrator.workspace());
+        for _ in 0..3 {
+            integrator.step_in_place(&mut w, h, &mut workspace).unwrap();
+        }
+        assert_eq!(&w, start);
+    }
+    for (size, scale, h) in [(4, 1.0, 0.0), (4, 0.0, 0.3), (0, 1.0, 0.3), (1, 1.0, 0.3)] {
+        let mut start = generic(size, 0.4);
+        start.scale_in_place(scale);
+        for stages in [1, 2, 3] {
+            assert_still(&GaussMagnus::new(stages, Quadratic(size)).unwrap(), &start, h);
+        }
+        assert_still(&ExponentialMidpoint::new(Quadratic(size)), &start, h);
+        let gauss = RungeKutta::gauss(2).unwrap();
+        assert_still(&IsospectralRungeKutta::new(gauss, Quadratic(size)), &start, h);
     }
 }

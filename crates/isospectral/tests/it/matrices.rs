@@ -136,3 +136,16 @@ fn matrices_of_different_sizes_give_nan() {
     Products::default().exponential_minus_one(&infinite, &mut z);
     assert!(!z.all_finite());
 }
+
+#[test]
+fn exponentials_of_too_large_matrices_are_nan() {
+    let mut z = LargeMatrix::zeros(2);
+    for radius in [1e10, 1e200, f64::INFINITY, f64::NAN] {
+        Products::default().exponential_minus_one(&diagonal(&[radius, 1.0]), &mut z);
+        assert!(!z.all_finite(), "{radius:e}");
+    }
+    Products::default().exponential_minus_one(&diagonal(&[1e8, 1.0]), &mut z);
+    // Each squaring doubles the error of the angle, and adds a few roundings of its own.
+    let error = z.at(0, 0) + 1.0 - Complex::from_polar(1.0, 1e8);
+    assert!(error.norm() < 4e8 * f64::EPSILON, "{:e}", error.norm());
+}

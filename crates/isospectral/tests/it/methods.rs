@@ -214,3 +214,25 @@ fn results_do_not_depend_on_units() {
         compare([after(&gauss, &start, 0.1, 5), after(&gauss, &scaled, 0.1 / s, 5)]);
     }
 }
+
+/// A symmetric method returns by the negative step: Φ₋ₕ ∘ Φₕ = 1.
+#[test]
+fn symmetric_methods_return() {
+    fn error<I: Integrator<State = Large>>(integrator: &I) -> f64 {
+        let (start, mut workspace) = (generic(SIZE, 0.3), integrator.workspace());
+        let mut w = start.clone();
+        for h in [0.2, -0.2] {
+            integrator.step_in_place(&mut w, h, &mut workspace).unwrap();
+        }
+        distance(&start, &w)
+    }
+    // The stages are solved to a few units of round-off of entries up to 1.
+    let round_off = 64.0 * f64::EPSILON;
+    assert!(error(&ExponentialMidpoint::new(Quadratic(SIZE))) < round_off);
+    let collective = |scheme| IsospectralRungeKutta::new(scheme, Quadratic(SIZE));
+    assert!(error(&collective(RungeKutta::gauss(2).unwrap())) < round_off);
+    // The stages of a Gauss–Magnus method end at another point than its step.
+    for stages in [1, 2, 3] {
+        assert!(error(&GaussMagnus::new(stages, Quadratic(SIZE)).unwrap()) > 1e-8, "{stages}");
+    }
+}

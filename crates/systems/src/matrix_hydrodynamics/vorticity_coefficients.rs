@@ -44,6 +44,17 @@ impl VorticityCoefficients {
         Self { size, entries: vec![Complex::ZERO; size.saturating_mul(size.saturating_add(1)) / 2] }
     }
 
+    /// Creates the function with the coefficients ω_lm = f(l, m) for 0 ≤ m ≤ l < N. For m = 0 the imaginary part is
+    /// dropped.
+    #[must_use]
+    pub fn from_fn(size: usize, mut coefficient: impl FnMut(usize, usize) -> Complex<f64>) -> Self {
+        let mut omega = Self::zeros(size);
+        for (l, m) in (0..size).flat_map(|l| (0..=l).map(move |m| (l, m))) {
+            omega.set(l, m, coefficient(l, m));
+        }
+        omega
+    }
+
     /// Returns N, the number above all degrees.
     #[must_use]
     pub fn size(&self) -> usize {

@@ -111,10 +111,14 @@ fn energies_and_lengths_are_conserved() {
         (lengths, (lattice.value(end) - lattice.value(&start)).abs())
     };
     let midpoint = SphericalMidpoint::new(lattice.clone());
-    let (lengths, energy) =
-        drift(&Start::<f64>::after(&midpoint, &start, 0.05, 500).unwrap().state);
-    // 500 roundings of a length of 1
-    assert!(lengths < 1e-13 && energy < 0.05, "{lengths:e} {energy:e}");
+    let [coarse, fine] = [250, 500].map(|steps| {
+        let h = 5.0 / steps as f64;
+        drift(&Start::<f64>::after(&midpoint, &start, h, steps).unwrap().state)
+    });
+    // 500 roundings of a length of 1, and an energy error of order 2
+    assert!(coarse.0 < 500.0 * f64::EPSILON && fine.0 < 500.0 * f64::EPSILON);
+    let ratio = coarse.1 / fine.1;
+    assert!((3.5..4.5).contains(&ratio), "{:e} {:e}", coarse.1, fine.1);
     let direct = Direct::new(RungeKutta::rk4(), lattice.clone());
     let (lengths, _) = drift(&Start::<f64>::after(&direct, &start, 0.05, 500).unwrap().state);
     assert!(lengths > 1e-9, "the control conserves lengths: {lengths:e}");
