@@ -2,17 +2,18 @@
 #![allow(unsafe_code)] // the allocator that counts
 
 use collective_integrators::{
-    BatchIntegrator, Collective, Composition, DenseOutput, Direct, Direction, Events, Integrator,
-    Laned, LiftFree, LyapunovExponents, RungeKutta, SphericalMidpoint, Start, Substeps,
+    Alternating, BatchIntegrator, Collective, Composition, DenseOutput, Direct, Direction, Events,
+    ExactFlows, Integrator, Laned, LiftFree, LyapunovExponents, RungeKutta, SphericalMidpoint,
+    Splitting, Start, Substeps, TaoFlows, VectorField,
 };
 use heavytop::{CollectiveGauss, SpinorRealisation, TopMidpoint, WithAttitude};
 use isospectral_flows::{
     CommutatorField, ExponentialMidpoint, GaussMagnus, IsospectralRungeKutta, Products,
 };
-use lie_poisson::Se3Dual;
+use lie_poisson::{Pair, Se3Dual, Sites};
 use lie_poisson_systems::{GeneralisedRigidBody, ManyVortices};
 use momentum_map::DualQuaternions;
-use nalgebra::Vector3;
+use nalgebra::{Vector2, Vector3};
 use std::alloc::{GlobalAlloc, Layout, System};
 use std::cell::Cell;
 use std::error::Error;
@@ -87,6 +88,46 @@ fn no_step_of_a_matrix_allocates() -> Result<(), Box<dyn Error>> {
     Ok(())
 }
 
+/// Springs of several lengths, one behind the other: dq/dt = p, dp/dt = −q³.
+struct Springs;
+
+impl ExactFlows for Springs {
+    type Point = Sites<Vector2<f64>>;
+    const COUNT: usize = 2;
+
+    fn flow(&self, index: usize, time: f64, z: &Self::Point) -> Self::Point {
+        let mut end = z.clone();
+        self.flow_in_place(index, time, &mut end, &mut Vec::new());
+        end
+    }
+
+    fn flow_in_place(
+        &self,
+        index: usize,
+        time: f64,
+        z: &mut Self::Point,
+        _: &mut Vec<Self::Point>,
+    ) {
+        match index {
+            0 => z.iter_mut().for_each(|z| z.x += time * z.y),
+            1 => z.iter_mut().for_each(|z| z.y -= time * z.x.powi(3)),
+            _ => {}
+        }
+    }
+}
+
+impl VectorField for Springs {
+    type Point = Sites<Vector2<f64>>;
+
+    fn at(&self, z: &Self::Point) -> Self::Point {
+        z.iter().map(|z| Vector2::new(z.y, -z.x.powi(3))).collect()
+    }
+
+    fn at_into(&self, z: &Self::Point, rate: &mut Self::Point) {
+        rate.iter_mut().zip(z.iter()).for_each(|(rate, z)| *rate = Vector2::new(z.y, -z.x.powi(3)));
+    }
+}
+
 #[test]
 fn no_step_in_place_of_a_state_on_the_heap_allocates() -> Result<(), Box<dyn Error>> {
     let vortices = ManyVortices::new(vec![1.0; 50])?;
@@ -102,6 +143,20 @@ fn no_step_in_place_of_a_state_on_the_heap_allocates() -> Result<(), Box<dyn Err
     assert_eq!(in_place(&SphericalMidpoint::new(vortices.clone()), start.clone())?, 0);
     let composed = Composition::new(RungeKutta::implicit_midpoint(), Substeps::suzuki4());
     assert_eq!(in_place(&Direct::new(composed, vortices.clone()), start.clone())?, 0);
+    let midpoint = SphericalMidpoint::new(vortices.clone());
+    let composed = Composition::new(midpoint, Substeps::suzuki4());
+    assert_eq!(in_place(&composed, start.clone())?, 0);
+    let compensated = direct(RungeKutta::gauss(3)?).compensated();
+    assert_eq!(in_place(&compensated, Start::<f64>::start(&compensated, &start)?)?, 0);
+    let composed = Composition::new(RungeKutta::implicit_midpoint(), Substeps::suzuki4());
+    let compensated = Direct::new(composed, vortices.clone()).compensated();
+    assert_eq!(in_place(&compensated, Start::<f64>::start(&compensated, &start)?)?, 0);
+    let springs = Splitting::strang(Springs);
+    let pairs: Sites<_> = (0..50).map(|i| Vector2::new(0.1 * f64::from(i), 1.0)).collect();
+    assert_eq!(in_place(&springs, pairs.clone())?, 0);
+    assert_eq!(in_place(&Composition::new(springs, Substeps::yoshida4()), pairs.clone())?, 0);
+    let copies = TaoFlows::<_, Alternating>::new(Springs, 3.0);
+    assert_eq!(in_place(&Splitting::strang(copies), Pair(pairs.clone(), pairs))?, 0);
     // control: each sample of a trajectory has a state of its own
     let midpoint = direct(RungeKutta::implicit_midpoint());
     let mut run = midpoint.trajectory(&start, 0.01)?.take(10);

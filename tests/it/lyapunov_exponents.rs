@@ -1,10 +1,10 @@
 //! Lyapunov exponents against closed forms, and against equations, Jacobians and methods that are written here.
 
 use collective_integrators::{
-    Integrator, LiftFree, LyapunovExponents, RungeKutta, VariationalFlow,
+    Integrator, LiftFree, LyapunovExponents, RungeKutta, TangentIntegrator, VariationalFlow,
 };
 use heavytop::{HeavyTop, RigidBody};
-use lie_poisson::{Covector, DualNumber, Pair, Se3Dual, Vector, larger};
+use lie_poisson::{Covector, Pair, Se3Dual, Vector, larger};
 use momentum_map::{DualQuaternions, Quaternions};
 use nalgebra::{Matrix3, SMatrix, SVector, Vector3};
 use std::error::Error;
@@ -160,7 +160,7 @@ fn at_equilibrium<I, const K: usize>(
     state: <I as Integrator>::State,
 ) -> Outcome<[f64; K]>
 where
-    I: Integrator<State: Vector> + Integrator<DualNumber, State: Vector>,
+    I: TangentIntegrator + Integrator<State: Vector>,
 {
     let basis = core::array::from_fn(Vector::basis);
     let mut flow = VariationalFlow::<_, K>::new(integrator, state, basis, 0.1);

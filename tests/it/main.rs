@@ -22,6 +22,7 @@ mod exact;
 mod free_rigid_body;
 mod integrable_tops;
 mod involution;
+mod large_states;
 mod large_steps;
 mod ledger;
 mod lift_free;

@@ -2,7 +2,7 @@
 
 use collective_integrators::{
     Collective, Direct, HamiltonianField, Integrator, LiftFree, LyapunovExponents,
-    MaximalLyapunovExponent, RungeKutta, Start, VariationalFlow,
+    MaximalLyapunovExponent, RungeKutta, Start, TangentIntegrator, VariationalFlow,
 };
 use heavytop::{HeavyTop, HeavyTopSpace, SpinorPoint, SpinorRealisation};
 use lie_poisson::{
@@ -50,7 +50,7 @@ fn spectrum<I, const K: usize>(
     steps: usize,
 ) -> Result<[f64; K], Box<dyn Error>>
 where
-    I: Integrator<State: Vector> + Integrator<DualNumber, State: Vector>,
+    I: TangentIntegrator + Integrator<State: Vector>,
 {
     let mut items = LyapunovExponents::<_, K>::new(integrator, start, step);
     let last = items.nth(steps - 1).ok_or("no item")??;

@@ -107,7 +107,7 @@ pub use batch::single_member::advance_alone;
 pub use chaos::lyapunov::{Exponents, LyapunovExponents, MaximalLyapunovExponent};
 pub use chaos::megno::Megno;
 pub use chaos::smaller_alignment::smaller_alignment_index;
-pub use chaos::variational_flow::{VariationalError, VariationalFlow};
+pub use chaos::variational_flow::{TangentIntegrator, VariationalError, VariationalFlow};
 pub use diagnostics::{OrderFitError, fitted_order};
 pub use dual::collective::{Collective, CollectiveSpace};
 pub use dual::compensated::{Compensated, Increments, compensated_sum};

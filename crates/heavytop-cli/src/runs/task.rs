@@ -1,9 +1,9 @@
 //! Tasks that work with every type of integrator.
 
 use crate::Error;
-use collective_integrators::{Integrator, Start};
+use collective_integrators::{Start, TangentIntegrator};
 use heavytop::Turning;
-use lie_poisson::{DualNumber, Se3Dual, Vector};
+use lie_poisson::{Se3Dual, Vector};
 
 /// A task to perform with an integrator of the heavy top, whatever its type.
 pub trait Task {
@@ -42,7 +42,7 @@ pub trait TangentTask {
     /// If the task fails.
     fn perform<I>(self, integrator: &I) -> Result<Self::Output, Error>
     where
-        I: Start<State: Vector, Momentum = Se3Dual> + Integrator<DualNumber, State: Vector>;
+        I: Start<State: Vector, Momentum = Se3Dual> + TangentIntegrator;
 
     /// Performs the task with an integrator that can carry the attitude along; by default without the attitude.
     ///
@@ -50,7 +50,7 @@ pub trait TangentTask {
     /// If the task fails.
     fn perform_turning<I>(self, integrator: I) -> Result<Self::Output, Error>
     where
-        I: Turning + Start + Integrator<DualNumber, State: Vector>,
+        I: Turning + Start + TangentIntegrator,
         Self: Sized,
     {
         self.perform(&integrator)

@@ -148,7 +148,7 @@ impl<I: Turning<T>, T: Real> Turning<T> for Composition<I> {
         &self,
         state: &I::State,
         step: f64,
-        workspace: &mut I::Workspace,
+        (workspace, _): &mut Self::Workspace,
     ) -> TurnedStep<I::State, T> {
         let mut total = (Step { point: *state, iterations: 0 }, Quaternion::one());
         for gamma in self.substeps().fractions() {
@@ -184,9 +184,14 @@ impl<E: TurningFlows<T>, T: Real> ExactFlows<T> for Collected<'_, E> {
 /// The rotation is the product of the rotations of the flows.
 impl<E: TurningFlows<T>, S: FlowSequence, T: Real> Turning<T> for Splitting<E, S> {
     #[inline]
-    fn turn(&self, mu: &Se3Dual<T>, step: f64, (): &mut ()) -> TurnedStep<Se3Dual<T>, T> {
-        let start = Pair(*mu, Quaternion::one());
-        let point = self.sequence().run(&Collected(self.flows()), step, &start);
+    fn turn(
+        &self,
+        mu: &Se3Dual<T>,
+        step: f64,
+        _: &mut Self::Workspace,
+    ) -> TurnedStep<Se3Dual<T>, T> {
+        let mut point = Pair(*mu, Quaternion::one());
+        self.sequence().run(&Collected(self.flows()), step, &mut point, &mut Default::default());
         let Step { point: Pair(end, turn), iterations } = Step { point, iterations: 0 }.finite()?;
         Ok((Step { point: end, iterations }, unit(turn)))
     }

@@ -3,13 +3,13 @@
 use collective_integrators::{
     AlternatingSubsteps, BatchIntegrator, Collective, Composition, Direct, Ensemble,
     HamiltonianField, Integrator, Laned, LiftFree, RunError, RungeKutta, Splitting, Start,
-    StepError, Substeps, VariationalFlow,
+    StepError, Substeps, TangentIntegrator, VariationalFlow,
 };
 use heavytop::{
     CollectiveGauss, GaussBatch, HeavyTop, MidpointBatch, ReducedMidpoint, RotorSplitting,
     SpinorRealisation, SymmetricTopBatch, SymmetricTopSplitting, TopMidpoint, WithAttitude,
 };
-use lie_poisson::{DualNumber, LiePoisson, Se3, Se3Dual, Vector};
+use lie_poisson::{LiePoisson, Se3, Se3Dual, Vector};
 use momentum_map::DualQuaternions;
 use nalgebra::Vector3;
 
@@ -118,7 +118,7 @@ fn every_ensemble_refuses_members_that_are_not_finite() {
 fn tangent_vectors_are_not_carried_from_a_start_that_is_not_finite() {
     fn refuses<I>(integrator: &I)
     where
-        I: Integrator<State = Se3Dual> + Integrator<DualNumber, State: Vector>,
+        I: TangentIntegrator + Integrator<State = Se3Dual>,
     {
         for (coordinate, mu) in bad_starts() {
             let mut flow = VariationalFlow::new(integrator, mu, [Se3Dual::basis(0)], 0.02);

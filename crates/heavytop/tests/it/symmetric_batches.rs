@@ -19,7 +19,7 @@ fn one_by_one(substeps: &AlternatingSubsteps, step: f64, steps: usize) -> Vec<Se
     let tops = tops();
     let end = |(i, z): (usize, Se3Dual)| {
         let integrator = Splitting::alternating(tops[i % tops.len()], substeps.clone());
-        (0..steps).fold(z, |z, _| integrator.step(&z, step, &mut ()).unwrap().point)
+        (0..steps).fold(z, |z, _| integrator.step(&z, step, &mut Default::default()).unwrap().point)
     };
     starts().into_iter().enumerate().map(end).collect()
 }
@@ -101,7 +101,8 @@ fn a_top_that_turns_too_fast_goes_alone() {
     let mut states = members(&[flows]);
     states[5].1.0.0 = Vector3::new(3.0, 200.0, 100.0);
     let alone = Splitting::alternating(flows, substeps.clone());
-    let expected = (0..10).fold(states[5].1, |z, _| alone.step(&z, 0.1, &mut ()).unwrap().point);
+    let expected = (0..10)
+        .fold(states[5].1, |z, _| alone.step(&z, 0.1, &mut Default::default()).unwrap().point);
     let ensemble = SymmetricTopBatch::new(substeps);
     ensemble.advance(&mut states, 0.1, 0..10, &mut (), &mut no_failure);
     assert_eq!(bits(&states[5..6]), bits(&[(flows, expected)]));

@@ -1,7 +1,7 @@
 //! Lyapunov exponents of a trajectory.
 
-use crate::{Integrator, VariationalError, VariationalFlow};
-use lie_poisson::{DualNumber, Vector};
+use crate::{Integrator, TangentIntegrator, VariationalError, VariationalFlow};
+use lie_poisson::State;
 
 /// The first K Lyapunov exponents of a trajectory up to the time t. In the limit they are in decreasing order:
 ///
@@ -31,7 +31,8 @@ pub struct Exponents<S, const K: usize> {
 /// The exponents are those of the discrete map, divided by |h|. They converge slowly, at best as 1/t. For an integrable
 /// system they vanish, and converge as (ln t)/t. With DIM exponents their sum is ln |det DΦ|/t. The sum is zero for a
 /// Poisson integrator that conserves the Casimirs of a unimodular 𝔤∗, such as so(3)∗ or se(3)∗. For negative steps they
-/// are the exponents of the reversed motion. The iterator allocates nothing after its creation.
+/// are the exponents of the reversed motion. For small states the iterator allocates nothing after its
+/// creation; for states on the heap it allocates the states of its items.
 ///
 /// Source: G. Benettin, L. Galgani, A. Giorgilli & J.-M. Strelcyn, *Lyapunov characteristic
 /// exponents for smooth dynamical systems and for Hamiltonian systems; a method for computing all
@@ -60,7 +61,7 @@ pub struct Exponents<S, const K: usize> {
 /// ```
 pub struct LyapunovExponents<'a, I, const K: usize>
 where
-    I: Integrator<State: Vector> + Integrator<DualNumber, State: Vector>,
+    I: TangentIntegrator,
 {
     flow: VariationalFlow<'a, I, K>,
     start: u64,
@@ -80,13 +81,17 @@ pub type MaximalLyapunovExponent<'a, I> = LyapunovExponents<'a, I, 1>;
 
 impl<'a, I, const K: usize> LyapunovExponents<'a, I, K>
 where
-    I: Integrator<State: Vector> + Integrator<DualNumber, State: Vector>,
+    I: TangentIntegrator,
 {
     /// Starts at a state, with the first K basis vectors as tangent vectors.
     ///
     /// If these vectors are special for the system, choose others by [`from_flow`](Self::from_flow).
     pub fn new(integrator: &'a I, state: <I as Integrator>::State, step: f64) -> Self {
-        let tangents = core::array::from_fn(Vector::basis);
+        let tangents = core::array::from_fn(|i| {
+            let mut basis = state.zeros_like();
+            basis.set_entry(i, 1.0);
+            basis
+        });
         Self::from_flow(VariationalFlow::new(integrator, state, tangents, step))
     }
 
@@ -122,13 +127,18 @@ where
         if !elapsed.is_finite() || exponents.iter().any(|exponent| !exponent.is_finite()) {
             return Err(VariationalError::StepSize { steps: steps - self.start, step });
         }
-        Ok(Exponents { step: steps, time: self.flow.time(), state: *self.flow.state(), exponents })
+        Ok(Exponents {
+            step: steps,
+            time: self.flow.time(),
+            state: self.flow.state().clone(),
+            exponents,
+        })
     }
 }
 
 impl<I, const K: usize> Iterator for LyapunovExponents<'_, I, K>
 where
-    I: Integrator<State: Vector> + Integrator<DualNumber, State: Vector>,
+    I: TangentIntegrator,
 {
     type Item = Result<Exponents<<I as Integrator>::State, K>, VariationalError>;
 

@@ -1,6 +1,6 @@
 //! SALI: the smaller alignment index.
 
-use lie_poisson::Vector;
+use lie_poisson::State;
 
 /// Returns SALI, the smaller alignment index of two tangent vectors of length 1, between 0 and √2:
 ///
@@ -47,10 +47,10 @@ use lie_poisson::Vector;
 /// # Ok::<(), Box<dyn std::error::Error>>(())
 /// ```
 #[must_use]
-pub fn smaller_alignment_index<V: Vector<Scalar = f64>>([v, w]: &[V; 2]) -> f64 {
+pub fn smaller_alignment_index<V: State<Scalar = f64>>([v, w]: &[V; 2]) -> f64 {
     let norm = |sign: f64| {
-        let square = |i| (v.coordinate(i) + sign * w.coordinate(i)).powi(2);
-        (0..V::DIM).map(square).sum::<f64>().sqrt()
+        let square = |i| (v.entry(i) + sign * w.entry(i)).powi(2);
+        (0..v.dimension()).map(square).sum::<f64>().sqrt()
     };
     let (sum, difference) = (norm(1.0), norm(-1.0));
     // The comparison returns a NaN if there is one.

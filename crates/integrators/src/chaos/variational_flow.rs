@@ -1,11 +1,27 @@
 //! Trajectories with their tangent vectors.
 
 use crate::{CHECKPOINT, IntegrationError, Integrator, StepError};
-use lie_poisson::{DualNumber, Vector, derivative_part, euclidean_norm, seed, squaring_scale};
+use lie_poisson::{DualNumber, State, euclidean_norm, squaring_scale};
 use thiserror::Error;
 
 /// The type of the states of `I`.
-type State<I> = <I as Integrator>::State;
+type StateOf<I> = <I as Integrator>::State;
+
+/// The type of the states of `I` over dual numbers.
+type DualStateOf<I> = <I as Integrator<DualNumber>>::State;
+
+/// An integrator over `f64` and over dual numbers, whose steps carry tangent vectors along.
+///
+/// Every integrator over both whose states have one [`Shape`](State::Shape) is one.
+pub trait TangentIntegrator:
+    Integrator + Integrator<DualNumber, State: State<Shape = <StateOf<Self> as State>::Shape>>
+{
+}
+
+impl<I> TangentIntegrator for I where
+    I: Integrator + Integrator<DualNumber, State: State<Shape = <StateOf<I> as State>::Shape>>
+{
+}
 
 /// The reason why tangent vectors cannot be advanced.
 #[derive(Clone, Copy, Debug, PartialEq, Error)]
@@ -44,7 +60,7 @@ pub enum VariationalError {
 ///
 /// The derivative DΦ_h is that of the discrete map, computed by dual numbers. With a Poisson integrator it preserves
 /// the Poisson tensor. The state has the bits of the state of a [`Trajectory`](crate::Trajectory) from the same start.
-/// One step costs one step over `f64` and K steps over dual numbers, and allocates nothing.
+/// One step costs one step over `f64` and K steps over dual numbers, and allocates nothing. States may be on the heap.
 ///
 /// The tangent vectors belong to the *state*: to 𝔤∗ for [`LiftFree`](crate::LiftFree) and [`Direct`](crate::Direct),
 /// and to P, with its fibres, for [`Collective`](crate::Collective).
@@ -73,24 +89,29 @@ pub enum VariationalError {
 /// ```
 pub struct VariationalFlow<'a, I, const K: usize>
 where
-    I: Integrator<State: Vector> + Integrator<DualNumber, State: Vector>,
+    I: TangentIntegrator,
 {
     integrator: &'a I,
     workspace: <I as Integrator>::Workspace,
     dual_workspace: <I as Integrator<DualNumber>>::Workspace,
     size: f64,
     steps: u64,
-    state: State<I>,
-    tangents: [State<I>; K],
+    state: StateOf<I>,
+    tangents: [StateOf<I>; K],
+    /// The tangent vectors of the next step, and other temporary vectors.
+    spare: [StateOf<I>; K],
+    dual: DualStateOf<I>,
 }
 
 impl<'a, I, const K: usize> VariationalFlow<'a, I, K>
 where
-    I: Integrator<State: Vector> + Integrator<DualNumber, State: Vector>,
+    I: TangentIntegrator,
 {
     /// Creates a flow from a state and its tangent vectors at t = 0, with steps of size `step`.
-    pub fn new(integrator: &'a I, state: State<I>, tangents: [State<I>; K], step: f64) -> Self {
+    pub fn new(integrator: &'a I, state: StateOf<I>, tangents: [StateOf<I>; K], step: f64) -> Self {
         Self {
+            spare: tangents.clone(),
+            dual: State::zeros_of(&state.shape()),
             integrator,
             workspace: Integrator::<f64>::workspace(integrator),
             dual_workspace: Integrator::<DualNumber>::workspace(integrator),
@@ -121,7 +142,7 @@ where
 
     /// Returns the current state z.
     #[must_use]
-    pub fn state(&self) -> &State<I> {
+    pub fn state(&self) -> &StateOf<I> {
         &self.state
     }
 
@@ -133,39 +154,36 @@ where
 
     /// Returns the tangent vectors v at z.
     #[must_use]
-    pub fn tangents(&self) -> &[State<I>; K] {
+    pub fn tangents(&self) -> &[StateOf<I>; K] {
         &self.tangents
     }
 
     /// Advances the state and the tangent vectors by one step.
     ///
     /// # Errors
-    /// Returns [`VariationalError::Integration`] if the step fails for the state or for a tangent vector. Nothing is
-    /// changed then.
+    /// Returns [`VariationalError::Integration`] if the step fails for the state or for a tangent vector, or if a tangent
+    /// vector has another dimension than the state. Nothing is changed then.
     pub fn advance(&mut self) -> Result<(), VariationalError> {
         let (made, size) = (self.steps, self.size);
         let fail = |source: StepError| IntegrationError::after(made, size, source);
         if made == 0 {
             StepError::check_start(&self.state, size).map_err(fail)?;
+            let dimension = self.state.dimension();
+            let mut tangents = self.tangents.iter();
+            tangents.try_for_each(|v| StepError::check_dimension(v, dimension)).map_err(fail)?;
         }
         if self.steps.is_multiple_of(CHECKPOINT) {
             Integrator::<f64>::forget(self.integrator, &mut self.workspace);
         }
-        let mut tangents = self.tangents;
-        for v in &mut tangents {
-            let along: <I as Integrator<DualNumber>>::State = seed(&self.state, v);
-            let next = Integrator::<DualNumber>::step(
-                self.integrator,
-                &along,
-                self.size,
-                &mut self.dual_workspace,
-            );
-            *v = derivative_part::<f64, _, _>(&next.map_err(fail)?.point);
+        let Self { integrator, workspace, dual_workspace, state, tangents, spare, dual, .. } = self;
+        for (v, next) in tangents.iter().zip(spare.iter_mut()) {
+            dual.set_entries(|i| DualNumber::new(state.entry(i), v.entry(i)));
+            Integrator::<DualNumber>::step_in_place(*integrator, dual, size, dual_workspace)
+                .map_err(fail)?;
+            next.set_entries(|i| dual.entry(i).derivative());
         }
-        let next =
-            Integrator::<f64>::step(self.integrator, &self.state, self.size, &mut self.workspace);
-        self.state = next.map_err(fail)?.point;
-        self.tangents = tangents;
+        Integrator::<f64>::step_in_place(*integrator, state, size, workspace).map_err(fail)?;
+        core::mem::swap(tangents, spare);
         self.steps += 1;
         Ok(())
     }
@@ -182,23 +200,25 @@ where
     pub fn orthonormalise(&mut self) -> Result<[f64; K], VariationalError> {
         let time = self.time();
         let mut lengths = [0.0; K];
-        for (index, stretch) in lengths.iter_mut().enumerate() {
-            let (before, rest) = self.tangents.split_at_mut(index);
-            let Some(v) = rest.first_mut() else { break };
+        for (index, (stretch, rest)) in lengths.iter_mut().zip(&mut self.spare).enumerate() {
+            let (before, others) = self.tangents.split_at_mut(index);
+            let Some(v) = others.first_mut() else { break };
             let scale = squaring_scale(v);
-            let mut rest = v.scaled(scale);
-            let size = euclidean_norm(&rest);
+            rest.assign(v);
+            rest.scale_in_place(scale);
+            let size = euclidean_norm(rest);
             for e in before.iter() {
-                rest.add_scaled(-dot(e, &rest), e);
+                rest.add_multiple(-dot(e, rest), e);
             }
-            let rest_size = euclidean_norm(&rest);
+            let rest_size = euclidean_norm(rest);
             let length = rest_size / scale;
             // The condition is false for a NaN, which is then an error.
             let independent = rest_size > ROUND_OFF * size && length > 0.0 && length.is_finite();
             if !independent {
                 return Err(VariationalError::Dependent { index, length, time });
             }
-            *v = rest.scaled(rest_size.recip());
+            v.move_from(rest);
+            v.scale_in_place(rest_size.recip());
             *stretch = length;
         }
         Ok(lengths)
@@ -214,17 +234,20 @@ where
     pub fn normalise(&mut self) -> Result<[f64; K], VariationalError> {
         let time = self.time();
         let mut lengths = [0.0; K];
-        for (index, (v, stretch)) in self.tangents.iter_mut().zip(&mut lengths).enumerate() {
+        let tangents = self.tangents.iter_mut().zip(&mut self.spare);
+        for (index, ((v, unit), stretch)) in tangents.zip(&mut lengths).enumerate() {
             let scale = squaring_scale(v);
-            let unit = v.scaled(scale);
-            let size = euclidean_norm(&unit);
+            unit.assign(v);
+            unit.scale_in_place(scale);
+            let size = euclidean_norm(unit);
             let length = size / scale;
             // The condition is false for a NaN, which is then an error.
             let has_direction = length > 0.0 && length.is_finite();
             if !has_direction {
                 return Err(VariationalError::Dependent { index, length, time });
             }
-            *v = unit.scaled(size.recip());
+            v.move_from(unit);
+            v.scale_in_place(size.recip());
             *stretch = length;
         }
         Ok(lengths)
@@ -235,8 +258,8 @@ where
 const ROUND_OFF: f64 = 64.0 * f64::EPSILON;
 
 /// Returns the Euclidean product Σ u_i v_i of coordinates.
-fn dot<V: Vector<Scalar = f64>>(u: &V, v: &V) -> f64 {
-    (0..V::DIM).map(|i| u.coordinate(i) * v.coordinate(i)).sum()
+fn dot<V: State<Scalar = f64>>(u: &V, v: &V) -> f64 {
+    (0..u.dimension()).map(|i| u.entry(i) * v.entry(i)).sum()
 }
 
 #[cfg(test)]

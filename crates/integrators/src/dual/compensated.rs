@@ -1,6 +1,6 @@
 //! Compensated summation, which carries the rounding errors of the steps along.
 
-use crate::stages::two_sum::two_sum;
+use crate::stages::two_sum::add_compensated;
 use crate::{Increment, Integrator, Start, Step, StepError};
 use lie_poisson::{Pair, Real, State};
 use momentum_map::LiftError;
@@ -24,6 +24,18 @@ pub trait Increments<T: Real = f64>: Integrator<T> {
         workspace: &mut Self::Workspace,
     ) -> Result<Increment<Self::State>, StepError>;
 
+    /// Returns the pool of temporary vectors of a workspace, from which [`increment`](Self::increment) takes its result.
+    ///
+    /// The default returns `None`: an increment on the heap is allocated in each step. See
+    /// [`Scheme::temporaries`](crate::Scheme::temporaries).
+    #[inline]
+    fn temporaries<'a>(
+        &self,
+        _workspace: &'a mut Self::Workspace,
+    ) -> Option<&'a mut <Self::State as State>::Pool> {
+        None
+    }
+
     /// Returns the state from which the next step starts instead of this z + e, with the same momentum.
     ///
     /// If there are fibres, it is another point of the fibre. The default is the state itself.
@@ -46,7 +58,7 @@ pub trait Increments<T: Real = f64>: Integrator<T> {
 /// the field is added back ([`Scheme::refined_increment`](crate::Scheme::refined_increment)). If a
 /// [`Collective`](crate::Collective) integrator moves z along its fibre, e moves along. Only the rounding errors of the
 /// field remain, and invariants change as t^½. Other methods, and steps that need Newton's iteration, keep biased
-/// rounding errors and may drift. States on the heap are allocated in each step.
+/// rounding errors and may drift.
 ///
 /// Source: W. Kahan, *Further remarks on reducing truncation errors*, Comm. ACM 8 (1965); Hairer,
 /// McLachlan & Razakarivony, *Achieving Brouwer's law with implicit Runge–Kutta methods*, BIT 48
@@ -90,14 +102,10 @@ impl<I> Compensated<I> {
 /// ```
 #[inline]
 pub fn compensated_sum<V: State>(sum: &Pair<V, V>, increment: &Pair<V, V>) -> Pair<V, V> {
-    let (mut pool, Pair(dz, de)) = (V::Pool::default(), increment);
-    let [mut change, mut lost, mut next, mut rounded, mut spare] =
-        [(); 5].map(|()| V::take(&mut pool, dz));
-    two_sum(dz, &sum.1, &mut change, &mut lost, &mut spare);
-    two_sum(&sum.0, &change, &mut next, &mut rounded, &mut spare);
-    lost.add_in_place(de);
-    rounded.add_in_place(&lost);
-    Pair(next, rounded)
+    let mut next = sum.clone();
+    let Pair(dz, de) = increment;
+    add_compensated((&mut next.0, &mut next.1), (dz, de), &mut V::Pool::default());
+    next
 }
 
 impl<I: Increments<T>, T: Real> Integrator<T> for Compensated<I> {
@@ -123,6 +131,32 @@ impl<I: Increments<T>, T: Real> Integrator<T> for Compensated<I> {
     ) -> Result<Step<Self::State>, StepError> {
         let Step { point, iterations } = self.0.increment(&state.0, step, workspace)?;
         Step { point: self.0.gauged(compensated_sum(state, &point)), iterations }.finite()
+    }
+
+    #[inline]
+    fn step_in_place(
+        &self,
+        state: &mut Self::State,
+        step: f64,
+        workspace: &mut Self::Workspace,
+    ) -> Result<usize, StepError> {
+        let Step { point: Pair(change, error), iterations } =
+            self.0.increment(&state.0, step, workspace)?;
+        let mut none = Default::default();
+        let pool = self.0.temporaries(workspace).unwrap_or(&mut none);
+        let [mut z, mut e] = [(); 2].map(|()| I::State::take(pool, &state.0));
+        z.assign(&state.0);
+        e.assign(&state.1);
+        add_compensated((&mut z, &mut e), (&change, &error), pool);
+        let mut end = self.0.gauged(Pair(z, e));
+        let finite = end.all_finite();
+        if finite {
+            state.move_from(&mut end);
+        }
+        for vector in [end.0, end.1, change, error] {
+            vector.give(pool);
+        }
+        if finite { Ok(iterations) } else { Err(StepError::NotFinite) }
     }
 
     #[inline]

@@ -4,7 +4,7 @@ use crate::{
     Compensated, Increment, Increments, Integrator, Scheme, StateIsMomentum, Step, StepError,
     VectorField,
 };
-use lie_poisson::Real;
+use lie_poisson::{Real, State};
 
 /// A scheme applied directly to a vector field, such as that of the Lie–Poisson equations dμ/dt = X_h(μ) on 𝔤∗.
 ///
@@ -109,6 +109,14 @@ where
         workspace: &mut Self::Workspace,
     ) -> Result<Increment<Self::State>, StepError> {
         self.scheme.refined_increment(&self.field, state, step, workspace)
+    }
+
+    #[inline]
+    fn temporaries<'a>(
+        &self,
+        workspace: &'a mut Self::Workspace,
+    ) -> Option<&'a mut <Self::State as State>::Pool> {
+        self.scheme.temporaries(workspace)
     }
 }
 

@@ -2,14 +2,14 @@
 
 use super::NoSamples;
 use crate::{Step, StepError};
-use lie_poisson::{Real, Vector};
+use lie_poisson::{Real, State, larger};
 
 /// Returns the number of coordinates in which the bits of two points differ.
 ///
 /// A NaN differs from every number and from NaN, so that two failures do not count as agreement.
-pub(super) fn different_bits<V: Vector<Scalar = f64>>(a: &V, b: &V) -> f64 {
+pub(super) fn different_bits<V: State<Scalar = f64>>(a: &V, b: &V) -> f64 {
     let differ = |a: f64, b: f64| a.is_nan() || a.to_bits() != b.to_bits();
-    (0..V::DIM).filter(|&i| differ(a.coordinate(i), b.coordinate(i))).count() as f64
+    (0..a.dimension()).filter(|&i| differ(a.entry(i), b.entry(i))).count() as f64
 }
 
 /// Returns 1 for a law that does not hold, and 0 for one that does.
@@ -17,20 +17,40 @@ pub(super) fn broken_unless(holds: bool) -> f64 {
     if holds { 0.0 } else { 1.0 }
 }
 
-/// Returns the point with all its coordinates equal.
-pub(super) fn constant<V: Vector>(x: f64) -> V {
-    V::from_coordinates(|_| Real::from_f64(x))
+/// Returns the point of the space of `like` with all its coordinates equal.
+pub(super) fn constant<V: State>(like: &V, x: f64) -> V {
+    let mut point = like.zeros_like();
+    point.set_entries(|_| Real::from_f64(x));
+    point
 }
 
-/// Returns the point after a step, or the point with all coordinates NaN if the step failed.
-pub(super) fn point_or_nan<V: Vector>(step: Result<Step<V>, StepError>) -> V {
-    step.map_or_else(|_| constant(f64::NAN), |step| step.point)
+/// Returns the point after a step, or the point of the space of `like` with all coordinates NaN if the step failed.
+pub(super) fn point_or_nan<V: State>(step: Result<Step<V>, StepError>, like: &V) -> V {
+    step.map_or_else(|_| constant(like, f64::NAN), |step| step.point)
+}
+
+/// Returns the largest magnitude of a coordinate, or NaN.
+pub(super) fn largest<V: State<Scalar = f64>>(point: &V) -> f64 {
+    (0..point.dimension()).map(|i| point.entry(i).abs()).fold(0.0, larger)
+}
+
+/// Returns the largest magnitude of a coordinate of a − b, or NaN.
+pub(super) fn largest_difference<V: State<Scalar = f64>>(a: &V, b: &V) -> f64 {
+    let mut difference = a.clone();
+    difference.subtract_in_place(b);
+    largest(&difference)
 }
 
 /// Returns the points that differ from a given point in one coordinate, which is infinite or not a number.
-pub(super) fn not_finite<V: Vector<Scalar = f64>>(point: &V) -> impl Iterator<Item = V> {
-    let bad = move |i| NOT_FINITE.map(|x| move |j| if i == j { x } else { point.coordinate(j) });
-    (0..V::DIM).flat_map(bad).map(V::from_coordinates)
+pub(super) fn not_finite<V: State<Scalar = f64>>(point: &V) -> impl Iterator<Item = V> {
+    let bad = move |i| {
+        NOT_FINITE.map(|x| {
+            let mut bad = point.clone();
+            bad.set_entry(i, x);
+            bad
+        })
+    };
+    (0..point.dimension()).flat_map(bad)
 }
 
 /// The numbers that no state, momentum or step size may have.

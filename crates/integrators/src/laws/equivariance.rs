@@ -29,8 +29,8 @@ pub fn equivariance<S: Equivariant>(scheme: &S) -> Report {
     let mut z = GenericSystem::start();
     let mut w = changed(&z) + shift;
     for _ in 0..STEPS {
-        z = point_or_nan(scheme.step(&field, &z, STEP, &mut workspace));
-        w = point_or_nan(scheme.step(&moved_field, &w, STEP, &mut moved_workspace));
+        z = point_or_nan(scheme.step(&field, &z, STEP, &mut workspace), &z);
+        w = point_or_nan(scheme.step(&moved_field, &w, STEP, &mut moved_workspace), &w);
         let difference = w - (changed(&z) + shift);
         report.note("equivariance", difference.max_abs(), w.max_abs());
     }

@@ -93,7 +93,7 @@ fn after<S: Scheme, F: VectorField<Point: Vector>>(
     count: u32,
 ) -> F::Point {
     let (mut workspace, step) = (scheme.workspace(), time / f64::from(count));
-    (0..count).fold(z, |z, _| point_or_nan(scheme.step(field, &z, step, &mut workspace)))
+    (0..count).fold(z, |z, _| point_or_nan(scheme.step(field, &z, step, &mut workspace), &z))
 }
 
 /// Returns the larger change of |Π|² and of the energy of the free rigid body in one step.

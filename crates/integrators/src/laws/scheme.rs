@@ -3,7 +3,7 @@
 use super::differences::{NOT_FINITE, broken_unless, constant, different_bits, point_or_nan};
 use super::{GenericSystem, MeasuredScheme, Report};
 use crate::{Scheme, Step, from_fn};
-use lie_poisson::{DefaultLanes, Lanes, Real, Vector, larger, map_coordinates};
+use lie_poisson::{DefaultLanes, Lanes, Pair, Real, Vector, larger, map_coordinates};
 use momentum_map::Cotangent;
 use nalgebra::Vector2;
 
@@ -58,7 +58,7 @@ fn steps<T: Real, S: Scheme>(
     workspace: &mut S::Workspace<State<T>>,
 ) -> State<T> {
     let field = GenericSystem::field();
-    (0..STEPS).fold(z, |z, _| point_or_nan(scheme.step(&field, &z, STEP, workspace)))
+    (0..STEPS).fold(z, |z, _| point_or_nan(scheme.step(&field, &z, STEP, workspace), &z))
 }
 
 /// Returns the result of a step along the constant field `bad`, which must have none.
@@ -67,25 +67,28 @@ fn broken_step<S: Scheme>(
     bad: f64,
     workspace: &mut S::Workspace<State>,
 ) -> Option<Step<State>> {
-    let field = from_fn(|_: &State| constant::<State>(bad));
+    let field = from_fn(|_: &State| constant(&GenericSystem::start::<f64>(), bad));
     scheme.step(&field, &GenericSystem::start(), STEP, workspace).ok()
 }
 
 fn single_steps<S: Scheme>(scheme: &S, report: &mut Report) {
     let (field, z) = (GenericSystem::field(), GenericSystem::start::<f64>());
-    let step = |size| point_or_nan(scheme.step(&field, &z, size, &mut scheme.workspace()));
+    let step = |size| point_or_nan(scheme.step(&field, &z, size, &mut scheme.workspace()), &z);
     report.note("step of size 0", (step(0.0) - z).max_abs(), 1.0);
-    let increment = point_or_nan(scheme.increment(&field, &z, STEP, &mut scheme.workspace()));
+    let increment = point_or_nan(scheme.increment(&field, &z, STEP, &mut scheme.workspace()), &z);
     report.note("step and increment", different_bits(&step(STEP), &(z + increment)), 1.0);
     in_place(scheme, report);
-    let refined = point_or_nan(scheme.refined_increment(&field, &z, STEP, &mut scheme.workspace()));
+    let refined = point_or_nan(
+        scheme.refined_increment(&field, &z, STEP, &mut scheme.workspace()),
+        &Pair(z, z),
+    );
     let difference = refined.0 + refined.1 - increment;
     report.note("refined increment", difference.max_abs(), increment.max_abs());
 }
 
 fn in_place<S: Scheme>(scheme: &S, report: &mut Report) {
     let (field, start) = (GenericSystem::field(), GenericSystem::start::<f64>());
-    let nan = from_fn(|_: &State| constant::<State>(f64::NAN));
+    let nan = from_fn(|_: &State| constant(&GenericSystem::start::<f64>(), f64::NAN));
     let (mut z, workspace) = (start, &mut scheme.workspace());
     let made = (0..STEPS).all(|_| scheme.step_in_place(&field, &mut z, STEP, workspace).is_ok());
     let end = steps(scheme, start, &mut scheme.workspace());

@@ -1,9 +1,11 @@
 //! The law suite of [`Start`].
 
-use super::differences::{NOT_FINITE, at_least_one, broken_unless, different_bits, not_finite};
+use super::differences::{
+    NOT_FINITE, at_least_one, broken_unless, different_bits, largest, largest_difference,
+    not_finite,
+};
 use super::{NoSamples, Report};
 use crate::{SampleOf, Start};
-use lie_poisson::Vector;
 
 /// Evaluates the laws of an integrator that starts from momenta, on samples of momenta and for one step size.
 ///
@@ -30,7 +32,7 @@ use lie_poisson::Vector;
 /// laws::start(&gauss, &[Covector(Vector3::new(0.6, 0.0, 0.8))], 0.1)?.check(1e-13)?;
 /// # Ok::<(), Box<dyn std::error::Error>>(())
 /// ```
-pub fn start<I: Start<State: Vector, Momentum: Vector>>(
+pub fn start<I: Start>(
     integrator: &I,
     momenta: &[I::Momentum],
     step: f64,
@@ -42,7 +44,7 @@ pub fn start<I: Start<State: Vector, Momentum: Vector>>(
             report.note("start", f64::NAN, 1.0);
             continue;
         };
-        report.note("start", (integrator.momentum(&state) - *mu).max_abs(), mu.max_abs());
+        report.note("start", largest_difference(&integrator.momentum(&state), mu), largest(mu));
         trajectories(integrator, (mu, &state), step, &mut report);
         refusal(integrator, mu, step, &mut report);
         for (law, residual) in super::integrator(integrator, &[state], step)?.residuals() {
@@ -55,7 +57,7 @@ pub fn start<I: Start<State: Vector, Momentum: Vector>>(
 /// The number of steps to the sample that is compared.
 const STEPS: u64 = 12;
 
-fn trajectories<I: Start<State: Vector, Momentum: Vector>>(
+fn trajectories<I: Start>(
     integrator: &I,
     (mu, state): (&I::Momentum, &I::State),
     step: f64,
@@ -75,14 +77,9 @@ fn trajectories<I: Start<State: Vector, Momentum: Vector>>(
     }
 }
 
-fn refusal<I: Start<State: Vector, Momentum: Vector>>(
-    integrator: &I,
-    mu: &I::Momentum,
-    step: f64,
-    report: &mut Report,
-) {
+fn refusal<I: Start>(integrator: &I, mu: &I::Momentum, step: f64, report: &mut Report) {
     let bad_momenta = not_finite(mu).map(|bad| (bad, step));
-    for (mu, step) in bad_momenta.chain(NOT_FINITE.map(|bad| (*mu, bad))) {
+    for (mu, step) in bad_momenta.chain(NOT_FINITE.map(|bad| (mu.clone(), bad))) {
         report.note("refusal", broken_unless(integrator.trajectory(&mu, step).is_err()), 1.0);
         report.note("refusal", broken_unless(integrator.after(&mu, step, 0).is_err()), 1.0);
     }

@@ -119,7 +119,8 @@ pub trait Scheme: Clone {
         workspace: &mut Self::Workspace<F::Point>,
     ) -> Result<Increment<F::Point>, StepError> {
         let Step { point, iterations } = self.increment(field, z, step, workspace)?;
-        let exact = point.zeros_like();
+        let mut exact = take(self, workspace, z);
+        exact.set_zero();
         Ok(Step { point: Pair(point, exact), iterations })
     }
 

@@ -1,9 +1,9 @@
 //! Composition methods: [`Composition`].
 
 use crate::schemes::scheme::{give, take};
+use crate::stages::two_sum::add_compensated;
 use crate::{
     Equivariant, Increment, Integrator, Scheme, Start, Step, StepError, Substeps, VectorField,
-    compensated_sum,
 };
 use lie_poisson::{Pair, Real, State};
 use momentum_map::LiftError;
@@ -54,19 +54,17 @@ impl<S> Composition<S> {
         &self.substeps
     }
 
-    /// Makes one substep after the other, until one fails.
+    /// Makes one substep after the other, until one fails. Returns the number of iterations.
     #[inline]
-    fn chain<V>(
+    fn chain(
         &self,
-        start: V,
         step: f64,
-        mut substep: impl FnMut(&mut V, f64) -> Result<usize, StepError>,
-    ) -> Result<Step<V>, StepError> {
-        let mut total = Step { point: start, iterations: 0 };
-        for gamma in self.substeps.fractions() {
-            total.iterations += substep(&mut total.point, gamma * step)?;
-        }
-        Ok(total)
+        mut substep: impl FnMut(f64) -> Result<usize, StepError>,
+    ) -> Result<usize, StepError> {
+        self.substeps
+            .fractions()
+            .iter()
+            .try_fold(0, |made, gamma| Ok(made + substep(gamma * step)?))
     }
 }
 
@@ -88,18 +86,18 @@ impl<S: Scheme> Scheme for Composition<S> {
         step: f64,
         workspace: &mut Self::Workspace<F::Point>,
     ) -> Result<Step<F::Point>, StepError> {
-        let mut zero = take(&self.base, workspace, z);
-        zero.set_zero();
-        self.chain(zero, step, |sum: &mut F::Point, step| {
-            let mut from = take(&self.base, workspace, z);
+        let [mut sum, mut from] = [(); 2].map(|()| take(&self.base, workspace, z));
+        sum.set_zero();
+        let made = self.chain(step, |step| {
             from.assign(z);
-            from.add_in_place(sum);
+            from.add_in_place(&sum);
             let Step { point, iterations } = self.base.increment(field, &from, step, workspace)?;
             sum.add_in_place(&point);
-            give(&self.base, workspace, from);
             give(&self.base, workspace, point);
             Ok(iterations)
-        })
+        });
+        give(&self.base, workspace, from);
+        made.map(|iterations| Step { point: sum, iterations })
     }
 
     /// Returns the sum of the refined increments of the substeps. Each substep starts from the rounded z + Σ δz,
@@ -112,14 +110,23 @@ impl<S: Scheme> Scheme for Composition<S> {
         step: f64,
         workspace: &mut Self::Workspace<F::Point>,
     ) -> Result<Increment<F::Point>, StepError> {
-        let zero = Pair(z.zeros_like(), z.zeros_like());
-        self.chain(zero, step, |sum: &mut Pair<F::Point, F::Point>, step| {
-            let mut from = z.clone();
-            from.add_in_place(&sum.0);
-            let next = self.base.refined_increment(field, &from, step, workspace)?;
-            *sum = compensated_sum(sum, &next.point);
-            Ok(next.iterations)
-        })
+        let [mut sum, mut rest, mut from] = [(); 3].map(|()| take(&self.base, workspace, z));
+        sum.set_zero();
+        rest.set_zero();
+        let made = self.chain(step, |step| {
+            from.assign(z);
+            from.add_in_place(&sum);
+            let Step { point: Pair(change, error), iterations } =
+                self.base.refined_increment(field, &from, step, workspace)?;
+            let mut none = Default::default();
+            let pool = self.base.temporaries(workspace).unwrap_or(&mut none);
+            add_compensated((&mut sum, &mut rest), (&change, &error), pool);
+            change.give(pool);
+            error.give(pool);
+            Ok(iterations)
+        });
+        give(&self.base, workspace, from);
+        made.map(|iterations| Step { point: Pair(sum, rest), iterations })
     }
 
     #[inline]
@@ -156,10 +163,11 @@ impl<S: Scheme> Scheme for Composition<S> {
 impl<T: Real, I: Integrator<T>> Integrator<T> for Composition<I> {
     type State = I::State;
     type Momentum = I::Momentum;
-    type Workspace = I::Workspace;
+    /// The storage of a step of the base, and the pool of temporary states.
+    type Workspace = (I::Workspace, <I::State as State>::Pool);
 
-    fn workspace(&self) -> I::Workspace {
-        self.base.workspace()
+    fn workspace(&self) -> Self::Workspace {
+        (self.base.workspace(), Default::default())
     }
 
     #[inline]
@@ -167,15 +175,33 @@ impl<T: Real, I: Integrator<T>> Integrator<T> for Composition<I> {
         &self,
         state: &I::State,
         step: f64,
-        workspace: &mut I::Workspace,
+        (workspace, _): &mut Self::Workspace,
     ) -> Result<Step<I::State>, StepError> {
-        self.chain(state.clone(), step, |state, step| {
-            self.base.step_in_place(state, step, workspace)
-        })
+        let mut point = state.clone();
+        let iterations =
+            self.chain(step, |step| self.base.step_in_place(&mut point, step, workspace))?;
+        Ok(Step { point, iterations })
     }
 
     #[inline]
-    fn forget(&self, workspace: &mut I::Workspace) {
+    fn step_in_place(
+        &self,
+        state: &mut I::State,
+        step: f64,
+        (workspace, pool): &mut Self::Workspace,
+    ) -> Result<usize, StepError> {
+        let mut end = I::State::take(pool, state);
+        end.assign(state);
+        let made = self.chain(step, |step| self.base.step_in_place(&mut end, step, workspace));
+        if made.is_ok() {
+            state.move_from(&mut end);
+        }
+        end.give(pool);
+        made
+    }
+
+    #[inline]
+    fn forget(&self, (workspace, _): &mut Self::Workspace) {
         self.base.forget(workspace);
     }
 

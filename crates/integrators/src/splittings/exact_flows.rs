@@ -21,4 +21,19 @@ pub trait ExactFlows<T: Real = f64> {
     ///
     /// It is the identity for `index` ≥ `COUNT`.
     fn flow(&self, index: usize, time: f64, z: &Self::Point) -> Self::Point;
+
+    /// Moves z along the flow of part number `index` + 1, in the same storage.
+    ///
+    /// [`Splitting`](crate::Splitting) calls this method. The default calls [`flow`](Self::flow); override it for large
+    /// points, and take temporary points from the pool, so that a step allocates nothing.
+    #[inline(always)]
+    fn flow_in_place(
+        &self,
+        index: usize,
+        time: f64,
+        z: &mut Self::Point,
+        _pool: &mut <Self::Point as State>::Pool,
+    ) {
+        *z = self.flow(index, time, z);
+    }
 }

@@ -1,14 +1,20 @@
 //! Orders and step fractions of the flows of a splitting: [`FlowSequence`].
 
 use crate::{AlternatingSubsteps, ExactFlows};
-use lie_poisson::Real;
+use lie_poisson::{Real, State};
 
 /// The order in which a [`Splitting`](crate::Splitting) runs its flows, with the fraction of the step for each of them.
 ///
 /// Implementations are [`LieTrotter`], [`Strang`] and [`AlternatingSubsteps`].
 pub trait FlowSequence {
-    /// Returns the point to which the flows lead from z in a step of size `step`, one after the other.
-    fn run<T: Real, E: ExactFlows<T>>(&self, flows: &E, step: f64, z: &E::Point) -> E::Point;
+    /// Moves z along the flows in a step of size `step`, one after the other. Temporary points come from the pool.
+    fn run<T: Real, E: ExactFlows<T>>(
+        &self,
+        flows: &E,
+        step: f64,
+        z: &mut E::Point,
+        pool: &mut <E::Point as State>::Pool,
+    );
 
     /// Returns the order of convergence for flows in general position.
     fn order(&self) -> usize;
@@ -29,8 +35,14 @@ pub struct LieTrotter;
 
 impl FlowSequence for LieTrotter {
     #[inline]
-    fn run<T: Real, E: ExactFlows<T>>(&self, flows: &E, step: f64, z: &E::Point) -> E::Point {
-        (0..E::COUNT).fold(z.clone(), |z, index| flows.flow(index, step, &z))
+    fn run<T: Real, E: ExactFlows<T>>(
+        &self,
+        flows: &E,
+        step: f64,
+        z: &mut E::Point,
+        pool: &mut <E::Point as State>::Pool,
+    ) {
+        (0..E::COUNT).for_each(|index| flows.flow_in_place(index, step, z, pool));
     }
 
     fn order(&self) -> usize {
@@ -55,12 +67,17 @@ pub struct Strang;
 
 impl FlowSequence for Strang {
     #[inline]
-    fn run<T: Real, E: ExactFlows<T>>(&self, flows: &E, step: f64, z: &E::Point) -> E::Point {
-        let flow = |time: f64| move |z: E::Point, index| flows.flow(index, time, &z);
+    fn run<T: Real, E: ExactFlows<T>>(
+        &self,
+        flows: &E,
+        step: f64,
+        z: &mut E::Point,
+        pool: &mut <E::Point as State>::Pool,
+    ) {
         let last = E::COUNT.saturating_sub(1);
-        let there = (0..last).fold(z.clone(), flow(0.5 * step));
-        let middle = flow(step)(there, last);
-        (0..last).rev().fold(middle, flow(0.5 * step))
+        (0..last).for_each(|index| flows.flow_in_place(index, 0.5 * step, z, pool));
+        flows.flow_in_place(last, step, z, pool);
+        (0..last).rev().for_each(|index| flows.flow_in_place(index, 0.5 * step, z, pool));
     }
 
     fn order(&self) -> usize {
@@ -75,13 +92,21 @@ impl FlowSequence for Strang {
 /// The alternating sequence of two flows. A step of more or fewer flows does not compile.
 impl FlowSequence for AlternatingSubsteps {
     #[inline]
-    fn run<T: Real, E: ExactFlows<T>>(&self, flows: &E, step: f64, z: &E::Point) -> E::Point {
+    fn run<T: Real, E: ExactFlows<T>>(
+        &self,
+        flows: &E,
+        step: f64,
+        z: &mut E::Point,
+        pool: &mut <E::Point as State>::Pool,
+    ) {
         const { assert!(E::COUNT == 2, "AlternatingSubsteps run exactly two flows") };
-        let flow = |index: usize, fraction: f64, z: E::Point| {
-            if fraction == 0.0 { z } else { flows.flow(index, fraction * step, &z) }
-        };
-        let (a, b) = (self.first(), self.second());
-        a.iter().zip(b).fold(z.clone(), |z, (&a, &b)| flow(1, b, flow(0, a, z)))
+        for (&a, &b) in self.first().iter().zip(self.second()) {
+            for (index, fraction) in [a, b].into_iter().enumerate() {
+                if fraction != 0.0 {
+                    flows.flow_in_place(index, fraction * step, z, pool);
+                }
+            }
+        }
     }
 
     fn order(&self) -> usize {

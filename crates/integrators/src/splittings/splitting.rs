@@ -4,7 +4,7 @@ use crate::{
     AlternatingSubsteps, ExactFlows, FlowSequence, Integrator, LieTrotter, StateIsMomentum, Step,
     StepError, Strang,
 };
-use lie_poisson::Real;
+use lie_poisson::{Real, State};
 
 /// The composition of exact flows φ_i(t) in the order of a [`FlowSequence`], each for its fraction of the step:
 ///
@@ -148,13 +148,41 @@ impl<E, S: FlowSequence> Splitting<E, S> {
 impl<T: Real, E: ExactFlows<T>, S: FlowSequence> Integrator<T> for Splitting<E, S> {
     type State = E::Point;
     type Momentum = E::Point;
-    type Workspace = ();
+    /// The pool of temporary points, which is `()` for small ones.
+    type Workspace = <E::Point as State>::Pool;
 
-    fn workspace(&self) {}
+    fn workspace(&self) -> Self::Workspace {
+        Self::Workspace::default()
+    }
 
     #[inline]
-    fn step(&self, z: &E::Point, step: f64, (): &mut ()) -> Result<Step<E::Point>, StepError> {
-        Step { point: self.sequence.run(&self.flows, step, z), iterations: 0 }.finite()
+    fn step(
+        &self,
+        z: &E::Point,
+        step: f64,
+        pool: &mut Self::Workspace,
+    ) -> Result<Step<E::Point>, StepError> {
+        let mut point = z.clone();
+        self.sequence.run(&self.flows, step, &mut point, pool);
+        Step { point, iterations: 0 }.finite()
+    }
+
+    #[inline]
+    fn step_in_place(
+        &self,
+        z: &mut E::Point,
+        step: f64,
+        pool: &mut Self::Workspace,
+    ) -> Result<usize, StepError> {
+        let mut end = E::Point::take(pool, z);
+        end.assign(z);
+        self.sequence.run(&self.flows, step, &mut end, pool);
+        let finite = end.all_finite();
+        if finite {
+            z.move_from(&mut end);
+        }
+        end.give(pool);
+        if finite { Ok(0) } else { Err(StepError::NotFinite) }
     }
 
     fn momentum(&self, z: &E::Point) -> E::Point {

@@ -64,62 +64,76 @@ impl<T: Real, F: VectorField<T>, P: Polarisation> ExactFlows<T> for TaoFlows<F, 
     type Point = Pair<F::Point, F::Point>;
     const COUNT: usize = 3;
 
-    #[inline]
     fn flow(&self, index: usize, time: f64, z: &Self::Point) -> Self::Point {
-        let Pair(first, second) = z;
+        let (mut end, mut pool) = (z.clone(), Default::default());
+        self.flow_in_place(index, time, &mut end, &mut pool);
+        end
+    }
+
+    #[inline]
+    fn flow_in_place(
+        &self,
+        index: usize,
+        time: f64,
+        Pair(first, second): &mut Self::Point,
+        (pool, _): &mut <Self::Point as State>::Pool,
+    ) {
         match index {
-            0 => {
-                let (positions, momenta) = self.change(&P::splice(first, second), time);
-                Pair(sum(first, &momenta), sum(second, &positions))
-            }
-            1 => {
-                let (positions, momenta) = self.change(&P::splice(second, first), time);
-                Pair(sum(first, &positions), sum(second, &momenta))
-            }
+            0 => self.kick::<T>(time, first, second, pool),
+            1 => self.kick::<T>(time, second, first, pool),
             2 => {
                 let (sin, cos) = (2.0 * self.binding * time).sin_cos();
-                let (both, mut apart) = (sum(first, second), first.clone());
+                let [mut apart, mut turned] = [(); 2].map(|()| F::Point::take(pool, first));
+                apart.assign(first);
                 apart.subtract_in_place(second);
-                let turned = turn::<P, F::Point>(&apart, sin, cos);
-                let (mut first, mut second) = (sum(&both, &turned), both);
+                turn::<P, F::Point>(&apart, sin, cos, &mut turned);
+                first.add_in_place(second);
+                second.assign(first);
+                first.add_in_place(&turned);
                 second.subtract_in_place(&turned);
                 first.scale_in_place(T::from_f64(0.5));
                 second.scale_in_place(T::from_f64(0.5));
-                Pair(first, second)
+                apart.give(pool);
+                turned.give(pool);
             }
-            _ => z.clone(),
+            _ => {}
         }
     }
 }
 
 impl<F, P: Polarisation> TaoFlows<F, P> {
-    /// Returns t X(z), with its positions alone and with its momenta alone.
+    /// Adds t X(q, y) to (q, p) and (x, y), the momenta to `first` = (q, p) and the positions to `second` = (x, y).
     #[inline]
-    fn change<T: Real>(&self, z: &F::Point, time: f64) -> (F::Point, F::Point)
-    where
+    fn kick<T: Real>(
+        &self,
+        time: f64,
+        first: &mut F::Point,
+        second: &mut F::Point,
+        pool: &mut <F::Point as State>::Pool,
+    ) where
         F: VectorField<T>,
     {
-        let mut x = self.field.at(z);
-        x.scale_in_place(T::from_f64(time));
-        let zero = x.zeros_like();
-        (P::splice(&x, &zero), P::splice(&zero, &x))
+        let [mut mixed, mut change, mut part] = [(); 3].map(|()| F::Point::take(pool, first));
+        P::splice_into(first, second, &mut mixed);
+        self.field.at_into(&mixed, &mut change);
+        change.scale_in_place(T::from_f64(time));
+        mixed.set_zero();
+        P::splice_into(&mixed, &change, &mut part);
+        first.add_in_place(&part);
+        P::splice_into(&change, &mixed, &mut part);
+        second.add_in_place(&part);
+        for point in [mixed, change, part] {
+            point.give(pool);
+        }
     }
 }
 
+/// Writes the rotated point (q cos + p sin, p cos − q sin).
 #[inline]
-fn sum<V: State>(v: &V, w: &V) -> V {
-    let mut sum = v.clone();
-    sum.add_in_place(w);
-    sum
-}
-
-/// Returns the rotated point (q cos + p sin, p cos − q sin).
-#[inline]
-fn turn<P: Polarisation, V: State>(z: &V, sin: f64, cos: f64) -> V {
-    let (mut turned, dimension) = (z.clone(), z.dimension());
+fn turn<P: Polarisation, V: State>(z: &V, sin: f64, cos: f64, turned: &mut V) {
+    let dimension = z.dimension();
     turned.set_entries(|i| {
         let sin = if P::is_position(i, dimension) { sin } else { -sin };
         z.entry(i) * cos + z.entry(P::conjugate(i, dimension)) * sin
     });
-    turned
 }

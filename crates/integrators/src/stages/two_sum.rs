@@ -23,6 +23,24 @@ pub(crate) fn two_sum<V: State>(a: &V, b: &V, sum: &mut V, error: &mut V, spare:
     error.add_in_place(spare);
 }
 
+/// Replaces (z, e) by (z, e) + (δz, δe), where e and δe have the size of rounding errors.
+#[inline]
+pub(crate) fn add_compensated<V: State>(
+    (z, e): (&mut V, &mut V),
+    (dz, de): (&V, &V),
+    pool: &mut V::Pool,
+) {
+    let [mut change, mut lost, mut next, mut spare] = [(); 4].map(|()| V::take(pool, z));
+    two_sum(dz, e, &mut change, &mut lost, &mut spare);
+    two_sum(z, &change, &mut next, e, &mut spare);
+    lost.add_in_place(de);
+    e.add_in_place(&lost);
+    z.move_from(&mut next);
+    for vector in [change, lost, next, spare] {
+        vector.give(pool);
+    }
+}
+
 /// Returns a + b as its rounded value and the rounding error.
 #[inline]
 pub(crate) fn exact_sum<V: Vector>(a: &V, b: &V) -> Pair<V, V> {

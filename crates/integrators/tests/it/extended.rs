@@ -74,7 +74,11 @@ fn taos_method_is_symplectic_on_the_doubled_space() {
     let run = |n: usize, six: bool| {
         let h = 1.0 / n as f64;
         (0..n).fold(copies, |z, _| {
-            let step = if six { raised.step(&z, h, &mut ()) } else { strang.step(&z, h, &mut ()) };
+            let step = if six {
+                raised.step(&z, h, &mut Default::default())
+            } else {
+                strang.step(&z, h, &mut Default::default())
+            };
             step.unwrap().point
         })
     };
@@ -86,14 +90,18 @@ fn taos_method_is_symplectic_on_the_doubled_space() {
         let measured = fitted_order(&errors, 1e-13).unwrap();
         assert!((measured - order).abs() < 0.4, "{measured} {errors:?}");
     }
-    let back = strang.step(&strang.step(&copies, 0.1, &mut ()).unwrap().point, -0.1, &mut ());
+    let back = strang.step(
+        &strang.step(&copies, 0.1, &mut Default::default()).unwrap().point,
+        -0.1,
+        &mut Default::default(),
+    );
     assert!((back.unwrap().point - copies).max_abs() < ROUND_OFF);
 
     // The form is dq∧dp + dx∧dy, and the two copies are apart.
     let z = Pair(start(), start().scaled(0.9));
     let column = |i: usize| -> Pair<Z, Z> {
         let seeded: Pair<Z<DualNumber>, Z<DualNumber>> = seed(&z, &Vector::basis(i));
-        derivative_part(&strang.step(&seeded, 0.1, &mut ()).unwrap().point)
+        derivative_part(&strang.step(&seeded, 0.1, &mut Default::default()).unwrap().point)
     };
     let form = |u: &Pair<Z, Z>, v: &Pair<Z, Z>| {
         phase().symplectic_form::<f64>(&u.0, &v.0) + phase().symplectic_form::<f64>(&u.1, &v.1)

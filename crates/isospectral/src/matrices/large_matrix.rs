@@ -118,14 +118,20 @@ impl LargeMatrix {
 impl State for LargeMatrix {
     type Scalar = f64;
     type Blocks = (f64,);
+    /// The size N.
+    type Shape = usize;
     type Pool = Vec<Self>;
 
     fn dimension(&self) -> usize {
         self.entries.len()
     }
 
-    fn zeros_like(&self) -> Self {
-        Self::zeros(self.size)
+    fn shape(&self) -> usize {
+        self.size()
+    }
+
+    fn zeros_of(size: &usize) -> Self {
+        Self::zeros(*size)
     }
 
     fn take(pool: &mut Vec<Self>, like: &Self) -> Self {

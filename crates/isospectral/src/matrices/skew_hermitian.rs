@@ -151,14 +151,20 @@ impl LargeSkewHermitian {
 impl State for LargeSkewHermitian {
     type Scalar = f64;
     type Blocks = (f64,);
+    /// The size N.
+    type Shape = usize;
     type Pool = Vec<Self>;
 
     fn dimension(&self) -> usize {
         self.size() * self.size()
     }
 
-    fn zeros_like(&self) -> Self {
-        Self::zeros(self.size())
+    fn shape(&self) -> usize {
+        self.size()
+    }
+
+    fn zeros_of(size: &usize) -> Self {
+        Self::zeros(*size)
     }
 
     fn take(pool: &mut Vec<Self>, like: &Self) -> Self {

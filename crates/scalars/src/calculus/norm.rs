@@ -1,6 +1,6 @@
 //! Euclidean norms that neither overflow nor underflow.
 
-use crate::{Mask, Real, Vector};
+use crate::{Mask, Real, State};
 
 /// The size up to which a coordinate may underflow when it is squared.
 const SMALL: f64 = power_of_two(-500);
@@ -27,11 +27,11 @@ const LARGE: f64 = power_of_two(500);
 /// assert!(((v * s).norm() / s / 5e-200 - 1.0).abs() < 1e-15);
 /// ```
 #[inline]
-pub fn squaring_scale<V: Vector>(v: &V) -> V::Scalar {
+pub fn squaring_scale<V: State>(v: &V) -> V::Scalar {
     let within = |bound: f64| {
         let bound = V::Scalar::from_f64(bound);
-        (0..V::DIM).fold(<V::Scalar as Real>::Mask::from_bool(true), |within, i| {
-            let x = v.coordinate(i);
+        (0..v.dimension()).fold(<V::Scalar as Real>::Mask::from_bool(true), |within, i| {
+            let x = v.entry(i);
             within.and(x.at_most(bound)).and((-x).at_most(bound))
         })
     };
@@ -53,11 +53,10 @@ pub fn squaring_scale<V: Vector>(v: &V) -> V::Scalar {
 /// assert_eq!(Vector3::new(2e300, -1e300, 2e300).norm(), f64::INFINITY);
 /// ```
 #[inline]
-pub fn euclidean_norm<V: Vector>(v: &V) -> V::Scalar {
+pub fn euclidean_norm<V: State>(v: &V) -> V::Scalar {
     let scale = squaring_scale(v);
-    let unit = v.scaled(scale);
     let zero: V::Scalar = num_traits::zero();
-    let square = (0..V::DIM).map(|i| unit.coordinate(i)).fold(zero, |sum, x| sum + x * x);
+    let square = (0..v.dimension()).map(|i| v.entry(i) * scale).fold(zero, |sum, x| sum + x * x);
     square.sqrt() / scale
 }
 

@@ -28,6 +28,7 @@ pub struct Covector<V>(pub V);
 impl<V: State> State for Covector<V> {
     type Scalar = V::Scalar;
     type Blocks = V::Blocks;
+    type Shape = V::Shape;
     type Pool = V::Pool;
 
     #[inline(always)]
@@ -36,13 +37,13 @@ impl<V: State> State for Covector<V> {
     }
 
     #[inline(always)]
-    fn same_shape(&self, other: &Self) -> bool {
-        self.0.same_shape(&other.0)
+    fn shape(&self) -> V::Shape {
+        self.0.shape()
     }
 
     #[inline(always)]
-    fn zeros_like(&self) -> Self {
-        Self(self.0.zeros_like())
+    fn zeros_of(shape: &V::Shape) -> Self {
+        Self(V::zeros_of(shape))
     }
 
     #[inline(always)]

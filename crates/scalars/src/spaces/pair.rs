@@ -28,6 +28,7 @@ impl<A, B> Covector<Pair<A, B>> {
 impl<T: Real, A: State<Scalar = T>, B: State<Scalar = T>> State for Pair<A, B> {
     type Scalar = T;
     type Blocks = (A::Blocks, B::Blocks);
+    type Shape = (A::Shape, B::Shape);
     type Pool = (A::Pool, B::Pool);
 
     #[inline(always)]
@@ -36,13 +37,13 @@ impl<T: Real, A: State<Scalar = T>, B: State<Scalar = T>> State for Pair<A, B> {
     }
 
     #[inline(always)]
-    fn same_shape(&self, other: &Self) -> bool {
-        self.0.same_shape(&other.0) && self.1.same_shape(&other.1)
+    fn shape(&self) -> Self::Shape {
+        (self.0.shape(), self.1.shape())
     }
 
     #[inline(always)]
-    fn zeros_like(&self) -> Self {
-        Self(self.0.zeros_like(), self.1.zeros_like())
+    fn zeros_of((a, b): &Self::Shape) -> Self {
+        Self(A::zeros_of(a), B::zeros_of(b))
     }
 
     #[inline(always)]

@@ -69,6 +69,8 @@ impl<V: Vector> Sites<V> {
 impl<V: Vector> State for Sites<V> {
     type Scalar = V::Scalar;
     type Blocks = V::Blocks;
+    /// The number of sites.
+    type Shape = usize;
     type Pool = Vec<Self>;
 
     #[inline]
@@ -77,12 +79,12 @@ impl<V: Vector> State for Sites<V> {
     }
 
     #[inline]
-    fn same_shape(&self, other: &Self) -> bool {
-        self.len() == other.len()
+    fn shape(&self) -> usize {
+        self.len()
     }
 
-    fn zeros_like(&self) -> Self {
-        Self(vec![V::zero(); self.len()])
+    fn zeros_of(sites: &usize) -> Self {
+        Self(vec![V::zero(); *sites])
     }
 
     /// Takes the vector from the pool that was given last, or allocates one.

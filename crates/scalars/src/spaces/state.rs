@@ -33,7 +33,7 @@ use core::fmt::Debug;
 /// let z = moved(&y, &x, &mut Default::default());
 /// assert_eq!(z, Pair(Vector1::new(2.0), Vector2::new(2.0, 3.0)));
 /// ```
-/// A state of your own on the heap needs nine items; the other methods have defaults:
+/// A state of your own on the heap needs eleven items; the other methods have defaults:
 /// ```
 /// use generic_scalars::State;
 /// #[derive(Clone, Debug, PartialEq)]
@@ -41,9 +41,11 @@ use core::fmt::Debug;
 /// impl State for Heap {
 ///     type Scalar = f64;
 ///     type Blocks = (f64,);
+///     type Shape = usize;
 ///     type Pool = Vec<Self>;
 ///     fn dimension(&self) -> usize { self.0.len() }
-///     fn zeros_like(&self) -> Self { Self(vec![0.0; self.0.len()]) }
+///     fn shape(&self) -> usize { self.0.len() }
+///     fn zeros_of(length: &usize) -> Self { Self(vec![0.0; *length]) }
 ///     fn take(pool: &mut Vec<Self>, like: &Self) -> Self {
 ///         pool.pop().filter(|v| v.same_shape(like)).unwrap_or_else(|| like.zeros_like())
 ///     }
@@ -73,6 +75,13 @@ pub trait State: Clone + Debug + PartialEq + Send + Sync + 'static {
     /// tests of implicit methods, compare each block with itself, so that no result depends on units.
     type Blocks: Blocks<Self::Scalar>;
 
+    /// What tells the spaces of one type apart: `()` for a small type, the number of sites or the size of a matrix for a
+    /// large one.
+    ///
+    /// It does not contain numbers of the type [`Scalar`](Self::Scalar): the same space over dual numbers has the same
+    /// shape.
+    type Shape: Clone + Debug + PartialEq + Send + Sync;
+
     /// The storage of temporary vectors: `()` for a small type, `Vec<Self>` for a large one.
     type Pool: Clone + Debug + Default + Send + Sync;
 
@@ -82,14 +91,25 @@ pub trait State: Clone + Debug + PartialEq + Send + Sync + 'static {
     /// Returns the dimension over the reals.
     fn dimension(&self) -> usize;
 
-    /// Returns whether the two vectors belong to one space, by default whether their dimensions are equal.
+    /// Returns what tells the space of the vector apart.
+    fn shape(&self) -> Self::Shape;
+
+    /// Returns the zero vector of the space of a shape.
+    #[must_use]
+    fn zeros_of(shape: &Self::Shape) -> Self;
+
+    /// Returns whether the two vectors belong to one space.
+    #[inline(always)]
     fn same_shape(&self, other: &Self) -> bool {
-        self.dimension() == other.dimension()
+        self.shape() == other.shape()
     }
 
     /// Returns the zero vector of the same space.
     #[must_use]
-    fn zeros_like(&self) -> Self;
+    #[inline(always)]
+    fn zeros_like(&self) -> Self {
+        Self::zeros_of(&self.shape())
+    }
 
     /// Takes a vector of the space of `like` from the pool. Its coordinates are arbitrary.
     #[must_use]

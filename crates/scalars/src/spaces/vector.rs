@@ -176,6 +176,7 @@ macro_rules! state_by_value {
         impl<$($parameters)*> $crate::State for $type {
             type Scalar = $scalar;
             type Blocks = $blocks;
+            type Shape = ();
             type Pool = ();
 
             #[inline(always)]
@@ -184,12 +185,10 @@ macro_rules! state_by_value {
             }
 
             #[inline(always)]
-            fn same_shape(&self, _: &Self) -> bool {
-                true
-            }
+            fn shape(&self) {}
 
             #[inline(always)]
-            fn zeros_like(&self) -> Self {
+            fn zeros_of((): &()) -> Self {
                 <Self as $crate::Vector>::zero()
             }
 

@@ -113,14 +113,19 @@ struct ByDefault(Vec<f64>);
 impl State for ByDefault {
     type Scalar = f64;
     type Blocks = ((f64,), (f64,));
+    type Shape = usize;
     type Pool = Vec<Self>;
 
     fn dimension(&self) -> usize {
         self.0.len()
     }
 
-    fn zeros_like(&self) -> Self {
-        Self(vec![0.0; self.0.len()])
+    fn shape(&self) -> usize {
+        self.0.len()
+    }
+
+    fn zeros_of(length: &usize) -> Self {
+        Self(vec![0.0; *length])
     }
 
     fn take(pool: &mut Vec<Self>, like: &Self) -> Self {

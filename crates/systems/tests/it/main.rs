@@ -5,6 +5,7 @@ mod drifts;
 mod generalised_rigid_body;
 mod gyrostat;
 mod kida_vortex;
+mod heap_states;
 mod heisenberg_lattice;
 mod kirchhoff;
 mod many_vortices;

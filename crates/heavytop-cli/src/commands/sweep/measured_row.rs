@@ -5,10 +5,10 @@ use crate::Error;
 use crate::configuration::Observable;
 use crate::runs::TangentTask;
 use collective_integrators::{
-    Integrator, Megno, Start, VariationalError, VariationalFlow, smaller_alignment_index,
+    Megno, Start, TangentIntegrator, VariationalError, VariationalFlow, smaller_alignment_index,
 };
 use heavytop::{HeavyTop, Invariant, Nutation};
-use lie_poisson::{DualNumber, Se3Dual, Vector, larger};
+use lie_poisson::{Se3Dual, Vector, larger};
 
 /// The values of all observables of a top.
 #[derive(Clone, Debug, Default, PartialEq)]
@@ -55,7 +55,7 @@ impl TangentTask for Follow<'_> {
 
     fn perform<I>(self, integrator: &I) -> Result<Self::Output, Error>
     where
-        I: Start<State: Vector, Momentum = Se3Dual> + Integrator<DualNumber, State: Vector>,
+        I: Start<State: Vector, Momentum = Se3Dual> + TangentIntegrator,
     {
         // A tangent vector costs more than the state: there are as many as the observables need.
         let observables = &self.plan.observables;
@@ -74,7 +74,7 @@ impl TangentTask for Follow<'_> {
 impl Follow<'_> {
     fn follow<I, const K: usize>(&self, integrator: &I) -> Result<Vec<Option<f64>>, Error>
     where
-        I: Start<State: Vector, Momentum = Se3Dual> + Integrator<DualNumber, State: Vector>,
+        I: Start<State: Vector, Momentum = Se3Dual> + TangentIntegrator,
     {
         let Self { plan, start, .. } = self;
         let state = Start::<f64>::start(integrator, start)?;
@@ -98,7 +98,7 @@ impl Follow<'_> {
         flow: &mut VariationalFlow<'_, I, K>,
     ) -> Result<Seen, VariationalError>
     where
-        I: Start<State: Vector, Momentum = Se3Dual> + Integrator<DualNumber, State: Vector>,
+        I: Start<State: Vector, Momentum = Se3Dual> + TangentIntegrator,
     {
         let mut seen = Seen::new(self.top, self.start);
         // Lengths at the start do not count as stretches.
@@ -158,7 +158,7 @@ impl Seen {
         flow: &VariationalFlow<'_, I, K>,
     ) -> Vec<Option<f64>>
     where
-        I: Start<State: Vector, Momentum = Se3Dual> + Integrator<DualNumber, State: Vector>,
+        I: Start<State: Vector, Momentum = Se3Dual> + TangentIntegrator,
     {
         match observable {
             Observable::FinalState => {
