@@ -31,6 +31,7 @@
 //! | when you need | use |
 //! |---|---|
 //! | a Poisson integrator on 𝔤∗ from a realisation M: P → 𝔤∗ | [`Collective`] |
+//! | the same for N copies of M, with N known when the program runs | [`CollectiveSites`] |
 //! | a collective integrator that computes on 𝔤∗ itself | [`LiftFree`] |
 //! | a scheme applied directly to the equations | [`Direct`] |
 //! | a Runge–Kutta method | [`RungeKutta`], such as [`RungeKutta::gauss`] |
@@ -110,6 +111,7 @@ pub use chaos::smaller_alignment::smaller_alignment_index;
 pub use chaos::variational_flow::{TangentIntegrator, VariationalError, VariationalFlow};
 pub use diagnostics::{OrderFitError, fitted_order};
 pub use dual::collective::{Collective, CollectiveSpace};
+pub use dual::collective_sites::{CollectiveSites, CollectiveSitesSpace};
 pub use dual::compensated::{Compensated, Increments, compensated_sum};
 pub use dual::direct::Direct;
 pub use dual::integrator::{

@@ -128,6 +128,7 @@ pub use brackets::hamiltonian::{
 };
 pub use brackets::poisson::{LiePoisson, PoissonSpace, Sign};
 pub use brackets::product_space::{PowerSpace, ProductSpace, from_parts, parts};
+pub use brackets::sites_hamiltonian::SitesHamiltonian;
 
 pub use generic_scalars;
 pub use nalgebra;

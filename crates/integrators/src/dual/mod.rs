@@ -3,6 +3,7 @@
 pub(crate) mod integrator;
 pub(crate) mod compensated;
 pub(crate) mod collective;
+pub(crate) mod collective_sites;
 pub(crate) mod direct;
 pub(crate) mod multiplier_field;
 pub(crate) mod lift_free;
