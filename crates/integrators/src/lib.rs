@@ -82,6 +82,8 @@
 //! maps and realisations. Both are re-exported. `heavytop` adds heavy tops, and `lie-poisson-systems` adds other
 //! Lie–Poisson systems.
 
+#![cfg_attr(docsrs, feature(doc_cfg))]
+
 mod error;
 mod stage_frame;
 mod vector_field;

@@ -77,6 +77,8 @@
 //! maps, `collective-integrators` adds time steps, and `heavytop` adds heavy tops. [`nalgebra`],
 //! [`num_complex`] and [`num_traits`] appear in the public interface and are re-exported.
 
+#![cfg_attr(docsrs, feature(doc_cfg))]
+
 mod algebras;
 mod groups;
 mod representations;

@@ -93,6 +93,8 @@
 //! [`lie_poisson`], which is re-exported, holds Lie algebras, Poisson brackets and Hamiltonians.
 //! `collective-integrators` adds time steps, and `heavytop` adds heavy tops.
 
+#![cfg_attr(docsrs, feature(doc_cfg))]
+
 mod phase_spaces;
 mod actions;
 mod maps;
