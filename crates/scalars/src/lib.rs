@@ -31,7 +31,8 @@
 //! | the transposed tangent map of a map between vector spaces | [`transposed_tangent`] |
 //! | a derivative along one direction | [`seed`], then [`derivative_part`] |
 //! | exponentials of rotations without a small-angle branch | the Stumpff functions [`Real::stumpff`] |
-//! | linear equations over any scalar | [`solve_linear`] |
+//! | linear equations over any scalar | [`linear_solution`], or [`solve_linear`] for a size that is known at run time |
+//! | a constant matrix times a vector over any scalar | [`constant_times`], [`constant_transpose_times`] |
 //! | several trajectories at once | [`DefaultLanes`], four SIMD lanes on every processor |
 //! | the widest SIMD lanes of the processor | a [`LaneTask`], run by [`dispatch`] |
 //! | the instructions that the processor has | [`InstructionSet::detected`] |
@@ -85,9 +86,11 @@ pub use numbers::mask::Mask;
 pub use numbers::real::{Real, larger};
 
 pub use calculus::derivative::{derivative_part, differential, seed, transposed_tangent};
+pub use calculus::linear_solution::linear_solution;
 pub use calculus::norm::{euclidean_norm, squaring_scale};
 
 pub use spaces::covector::Covector;
+pub use spaces::matrices::{constant_times, constant_transpose_times};
 pub use spaces::pair::Pair;
 pub use spaces::power::Power;
 pub use spaces::quaternion::Quaternion;

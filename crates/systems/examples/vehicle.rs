@@ -2,26 +2,114 @@
 //! long axis, but turns broadside on, since the fluid that it drags is heavier there.
 //!
 //! ```text
-//! cargo run --release -p lie-poisson-systems --example vehicle
+//! cargo run --release -p lie-poisson-systems --example vehicle -- [PICTURE]
 //! ```
 //!
 //! Prints, every 4 s up to t = 40 s, the angle of the impulse P with the long axis, which grows from 1° beyond 150°
 //! and returns. Prints also the deviations of h, |P|² and Π·P, which the collective Gauss method of order 6, in its
-//! form without a lift, keeps below 1e-12. The program fails if a deviation is larger, or the angle stays below 90°.
+//! form without a lift, keeps below 1e-12. The program fails if a deviation is larger, or the angle stays below 90°. With a
+//! PICTURE (a path ending in .png or .svg), draws the path of the body, seen from the side, and
+//! the angle.
+
+mod pictures;
 
 use collective_integrators::{LiftFree, RungeKutta, Start};
 use lie_poisson::{Covector, Hamiltonian, Pair, Se3Dual, larger};
 use lie_poisson_systems::Kirchhoff;
 use momentum_map::DualQuaternions;
-use nalgebra::{Matrix3, Vector3};
+use nalgebra::{Matrix3, Rotation3, Vector3};
+use pictures::arguments::Arguments;
+use pictures::canvas::{self, PIXEL};
+use pictures::colours::{BLUE, GREY, RED};
+use pictures::curves::{Axes, Curve, around, axes, curves};
+use plotters::prelude::*;
 use std::error::Error;
+use std::path::Path;
 
 const STEP: f64 = 0.05;
 const STEPS: usize = 800;
 /// The bound of round-off over the run; the error of the method in h is smaller at this step.
 const BOUND: f64 = 1e-12;
+/// The bound of the error of the attitude (rad), for angular velocities of about 1 rad/s.
+const ATTITUDE: f64 = STEP * STEP;
+
+/// A place of the body in space, and its attitude: v in the body frame is `attitude` v in space.
+#[derive(Clone, Copy)]
+struct Pose {
+    place: Vector3<f64>,
+    attitude: Rotation3<f64>,
+}
+
+/// Returns the poses from the momenta, with dR/dt = R hat(Ω) and dx/dt = Rv at the midpoint of each step.
+///
+/// # Errors
+/// Returns a message if the impulse RP changes its direction in space, which it does not in the exact motion.
+fn poses(vehicle: &Kirchhoff, momenta: &[Se3Dual]) -> Result<Vec<Pose>, Box<dyn Error>> {
+    let mut pose = Pose { place: Vector3::zeros(), attitude: Rotation3::identity() };
+    let mut poses = vec![pose];
+    for pair in momenta.windows(2) {
+        let [Pair(turning, velocity), Pair(next_turning, next_velocity)] =
+            [0, 1].map(|i| vehicle.differential(&pair[i]));
+        let half = Rotation3::new((turning + next_turning) * (0.25 * STEP));
+        pose.place += pose.attitude * half * (velocity + next_velocity) * (0.5 * STEP);
+        pose.attitude = pose.attitude * half * half;
+        poses.push(pose);
+        let turned = (pose.attitude * pair[1].0.1).angle(&momenta[0].0.1);
+        if turned > ATTITUDE {
+            return Err(format!("the impulse turns by {turned:e} in space").into());
+        }
+    }
+    Ok(poses)
+}
+
+/// Draws the path of the centre, and the long axis of the body each second, in the plane of the first axis and the impulse.
+fn draw(path: &Path, poses: &[Pose], impulse: &Vector3<f64>) -> Result<(), Box<dyn Error>> {
+    let forward = impulse.normalize();
+    let aside = (Vector3::x() - forward * forward.x).normalize();
+    let seen = |x: Vector3<f64>| (x.dot(&forward), x.dot(&aside));
+    let ends = |pose: &Pose| {
+        let axis = pose.attitude * Vector3::z();
+        [pose.place - axis * 0.5, pose.place + axis * 0.5].map(seen)
+    };
+    let heading = [
+        "A torpedo in an ideal fluid turns broadside on",
+        "Gauss method of order 6 without a lift, steps of 0.05 s, t = 0 to 40 s",
+    ];
+    canvas::save(path, heading, [1300, 600], |area| {
+        let (above, below) = area.split_vertically(250 * PIXEL);
+        let along = around(poses.iter().flat_map(ends).map(|p| p.0));
+        // A metre has the same length on both axes: the frame is 1180 pixels wide and 150 high.
+        let height = (along.end - along.start) * 150.0 / 1180.0;
+        let frame = Axes {
+            title: "side view: the long axis of the body each second, and its head",
+            x: ("distance along the impulse P (m)", along),
+            y: ("sideways (m)", -0.6 * height..0.4 * height),
+            grid: true,
+        };
+        let mut chart = axes(&above, &frame, &[])?;
+        let line = poses.iter().map(|pose| seen(pose.place));
+        chart.draw_series(LineSeries::new(line, GREY.stroke_width(PIXEL as u32)))?;
+        for pose in poses.iter().step_by(20) {
+            let [tail, head] = ends(pose);
+            chart
+                .draw_series(LineSeries::new([tail, head], BLUE.stroke_width(3 * PIXEL as u32)))?;
+            chart.draw_series([Circle::new(head, 4 * PIXEL, RED.filled())])?;
+        }
+        let angle = |pose: &Pose| (pose.attitude * Vector3::z()).angle(impulse).to_degrees();
+        let points = poses.iter().enumerate().map(|(n, pose)| (n as f64 * STEP, angle(pose)));
+        let curve = Curve { name: String::new(), colour: BLUE, points: points.collect() };
+        curves(
+            &below,
+            "angle of the long axis with the impulse P",
+            ["t (s)", "angle (°)"],
+            &[curve],
+        )?;
+        Ok(Vec::new())
+    })
+}
 
 fn main() -> Result<(), Box<dyn Error>> {
+    let arguments = Arguments::read(0)?;
     // Body and fluid have moments of 2, 2, 1 kg m² and masses of 3, 3, 1.5 kg; the long axis is the third.
     let moments = Matrix3::from_diagonal(&Vector3::new(0.5, 0.5, 1.0));
     let masses = Matrix3::from_diagonal(&Vector3::new(1.0 / 3.0, 1.0 / 3.0, 1.0 / 1.5));
@@ -40,8 +128,10 @@ fn main() -> Result<(), Box<dyn Error>> {
         "t (s)", "angle (°)", "Δh (J)", "Δ|P|² (kg²m²/s²)", "ΔΠ·P (kg²m³/s²)"
     );
     let (initial, mut largest, mut widest) = (conserved(&start), [0.0; 3], 0.0);
+    let mut momenta = Vec::new();
     for sample in gauss.trajectory(&start, STEP)?.take(STEPS + 1) {
         let sample = sample?;
+        momenta.push(sample.momentum);
         let Covector(Pair(_, p)) = sample.momentum;
         let angle = p.angle(&Vector3::z()).to_degrees();
         let values = conserved(&sample.momentum);
@@ -56,6 +146,10 @@ fn main() -> Result<(), Box<dyn Error>> {
         for (worst, deviation) in largest.iter_mut().zip([h, square, level]) {
             *worst = larger(*worst, deviation.abs());
         }
+    }
+    let poses = poses(&vehicle, &momenta)?;
+    if let Some(path) = &arguments.picture {
+        draw(path, &poses, &start.0.1)?;
     }
     if largest.iter().all(|worst| *worst < BOUND) && widest > 90.0 {
         Ok(())

@@ -132,6 +132,34 @@ proptest! {
     }
 }
 
+/// Products and powers pull back by their factors, whether these have closed forms or not.
+#[test]
+fn products_of_maps() {
+    let (spins, spin) = (PowerMap::<_, 3>(HOPF), QuadraticMomentumMap::new(So3OnC2, Side::Right));
+    let canonical = Identity(CotangentBundle(RealSpace::<2>));
+    pulls_back(&spins);
+    pulls_back(&PowerMap::<_, 1>(PARTICLE));
+    pulls_back(&ProductMap(spins, canonical));
+    pulls_back(&ProductMap(ProductMap(canonical, PARTICLE), spin));
+    pulls_back(&ProductMap(MomentumMap(Derived(LinearAction(SO3OnR3))), HOPF));
+    pulls_back(&ProductAlgebraMap::new(HOPF, PARTICLE).unwrap());
+    pulls_back(&ProductAlgebraMap::new(spin, ProductAlgebraMap::new(HOPF, spin).unwrap()).unwrap());
+}
+
+/// Compares the pull-back with the derivative by dual numbers at points of many sizes.
+fn pulls_back<M: PoissonMap>(map: &M) {
+    for (n, z) in samples::<SourcePoint<M>>().into_iter().enumerate() {
+        for scale in [1e-30, 1e-3, 1.0, 1e30] {
+            let z = z.scaled(scale);
+            let alpha: TargetDifferential<M> =
+                Vector::from_coordinates(|i| ((n + 2) as f64 * (i as f64 + 0.4)).sin());
+            let error = map.pull_back::<f64>(&alpha, &z) - by_dual_numbers(map, &alpha, &z);
+            let size = alpha.max_abs() * (1.0 + z.max_abs());
+            assert!(error.max_abs() <= ROUND_OFF * size, "{n} {scale:e}: {:e}", error.max_abs());
+        }
+    }
+}
+
 fn quadratic<R: SymplecticRepresentation>(
     map: &QuadraticMomentumMap<R>,
     coordinates: &[f64],

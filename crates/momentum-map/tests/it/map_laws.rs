@@ -98,6 +98,7 @@ fn realisations() {
         PowerMap::<_, 2>(HOPF),
         Identity(CotangentBundle(RealSpace::<2>)),
     ));
+    realisation_laws(&ProductMap(PARTICLE, ProductMap(HOPF, PowerMap::<_, 2>(HOPF))));
 }
 
 /// The product of maps to 𝔤∗ and 𝔥∗ is one to (𝔤 × 𝔥)∗, on which the Casimirs of both factors commute with everything.

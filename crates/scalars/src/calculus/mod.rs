@@ -1,4 +1,5 @@
-//! Exact derivatives of maps between vector spaces, and norms without overflow.
+//! Exact derivatives of maps between vector spaces, norms without overflow, and linear equations.
 
 pub(crate) mod derivative;
+pub(crate) mod linear_solution;
 pub(crate) mod norm;

@@ -1,7 +1,7 @@
-//! [`Vector`] for matrices of real and of complex numbers.
+//! [`Vector`] for matrices of real and of complex numbers; products with constant matrices over every scalar.
 
 use crate::{Covector, Real, Vector, state_by_value};
-use nalgebra::SMatrix;
+use nalgebra::{SMatrix, SVector};
 use num_complex::Complex;
 
 state_by_value!([T: Real, const R: usize, const C: usize] SMatrix<T, R, C>, T, (T,));
@@ -58,11 +58,84 @@ impl<T: Real, const R: usize, const C: usize> Vector for SMatrix<Complex<T>, R, 
     }
 }
 
+/// Returns the product A v of a constant matrix and a vector over any scalar.
+///
+/// nalgebra multiplies matrices of one scalar alone. A constant matrix that is converted to the scalar of v has zero
+/// derivatives, with which it is multiplied.
+///
+/// # Example
+/// ```
+/// use generic_scalars::{DualNumber, Real, constant_times};
+/// use nalgebra::{Matrix2x3, Vector3};
+/// let a = Matrix2x3::new(1.0, 2.0, 3.0, 4.0, 5.0, 6.0);
+/// assert_eq!(constant_times(&a, &Vector3::new(1.0, 0.0, -1.0)), a * Vector3::new(1.0, 0.0, -1.0));
+/// // the derivative by the second component is the second column
+/// let v = Vector3::new(DualNumber::from_f64(1.0), DualNumber::variable(0.0), DualNumber::from_f64(-1.0));
+/// assert_eq!(constant_times(&a, &v).map(|x| x.derivative()), a.column(1));
+/// ```
+#[must_use]
+#[inline]
+pub fn constant_times<T: Real, const R: usize, const C: usize>(
+    a: &SMatrix<f64, R, C>,
+    v: &SVector<T, C>,
+) -> SVector<T, R> {
+    SVector::from_fn(|i, _| sum_of_products(C, |j| v[j] * a[(i, j)]))
+}
+
+/// Returns the product Aᵀ v of the transpose of a constant matrix and a vector over any scalar.
+///
+/// # Example
+/// ```
+/// use generic_scalars::constant_transpose_times;
+/// use nalgebra::{Matrix2x3, Vector2, Vector3};
+/// let a = Matrix2x3::new(1.0, 2.0, 3.0, 4.0, 5.0, 6.0);
+/// assert_eq!(constant_transpose_times(&a, &Vector2::new(1.0, -1.0)), Vector3::new(-3.0, -3.0, -3.0));
+/// ```
+#[must_use]
+#[inline]
+pub fn constant_transpose_times<T: Real, const R: usize, const C: usize>(
+    a: &SMatrix<f64, R, C>,
+    v: &SVector<T, R>,
+) -> SVector<T, C> {
+    SVector::from_fn(|j, _| sum_of_products(R, |i| v[i] * a[(i, j)]))
+}
+
+/// Returns the sum of terms from the first to the last, or zero if there is none.
+#[inline]
+fn sum_of_products<T: Real>(count: usize, term: impl Fn(usize) -> T) -> T {
+    // A sum from zero on would lose the sign of −0.
+    let mut sum = if count == 0 { T::zero() } else { term(0) };
+    for i in 1..count {
+        sum += term(i);
+    }
+    sum
+}
+
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::{Pair, Power};
+    use crate::{DefaultLanes, Lanes, Pair, Power};
     use nalgebra::{Matrix2, Vector2, Vector3};
+
+    #[test]
+    fn products_with_constants_are_those_of_nalgebra() {
+        let a = SMatrix::<f64, 4, 3>::from_fn(|i, j| (1.3 * i as f64 - 2.1 * j as f64).sin());
+        let (v, w) =
+            (Vector3::new(0.3, -7.0, 1e-3), SVector::<f64, 4>::from_fn(|i, _| 0.1 + i as f64));
+        for scale in [1e-30, 1.0, 1e30] {
+            let a = a * scale;
+            assert_eq!(constant_times(&a, &v), a * v);
+            // nalgebra adds four products in another order.
+            let error = (constant_transpose_times(&a, &w) - a.tr_mul(&w)).amax();
+            assert!(error <= 4.0 * f64::EPSILON * a.amax() * w.amax(), "{error:e}");
+            let lanes = constant_times(&a, &v.map(DefaultLanes::from_f64));
+            assert_eq!(lanes.map(|x| x.lane(3)), a * v);
+        }
+        let empty = SMatrix::<f64, 2, 0>::zeros();
+        assert_eq!(constant_times(&empty, &SVector::<f64, 0>::zeros()), Vector2::zeros());
+        let spoilt = Matrix2::new(1.0, f64::NAN, 0.0, 1.0);
+        assert!(constant_times(&spoilt, &Vector2::<f64>::zeros()).x.is_nan());
+    }
 
     fn coordinates_are_a_basis<V: Vector<Scalar = f64>>() {
         let v = V::from_coordinates(|i| i as f64 + 1.0);

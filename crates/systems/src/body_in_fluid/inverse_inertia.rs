@@ -1,7 +1,7 @@
 //! The inverse inertia of a body and the fluid that moves with it.
 
 use crate::error::{SystemError, require_finite};
-use lie_poisson::{Pair, Real};
+use lie_poisson::{Pair, Real, constant_times, constant_transpose_times};
 use nalgebra::{Matrix3, SMatrix, Vector3};
 
 /// The largest difference of A and C from their transposes, relative to their largest entry.
@@ -49,8 +49,11 @@ impl InverseInertia {
         pi: &Vector3<T>,
         p: &Vector3<T>,
     ) -> Pair<Vector3<T>, Vector3<T>> {
-        let [a, b, c] = [&self.a, &self.b, &self.c].map(|m| m.map(T::from_f64));
-        Pair(a * pi + b * p, b.tr_mul(pi) + c * p)
+        let Self { a, b, c } = self;
+        Pair(
+            constant_times(a, pi) + constant_times(b, p),
+            constant_transpose_times(b, pi) + constant_times(c, p),
+        )
     }
 
     /// Checks by Gaussian elimination that all pivots are positive.

@@ -3,7 +3,7 @@
 use crate::error::{SystemError, require_finite, require_not_negative, require_positive};
 use lie_poisson::{
     Covector, Hamiltonian, Inherited, LiePoisson, Pair, Real, SO3OnR3, SemidirectAlgebra,
-    hessian_by_dual_numbers,
+    constant_times, hessian_by_dual_numbers,
 };
 use nalgebra::{Matrix3, Vector3};
 
@@ -110,7 +110,7 @@ impl MovableBaseTop {
     pub fn velocities<T: Real>(&self, mu: &MovableBaseDual<T>) -> (Vector3<T>, Vector3<T>) {
         let Covector(Pair(Pair(pi, p), _)) = mu;
         let center = self.center.map(T::from_f64);
-        let omega = self.inverse_inertia.map(T::from_f64) * (pi - center.cross(p));
+        let omega = constant_times(&self.inverse_inertia, &(pi - center.cross(p)));
         (omega, p / T::from_f64(self.mass) - omega.cross(&center))
     }
 

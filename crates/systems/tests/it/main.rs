@@ -13,4 +13,5 @@ mod movable_base;
 mod point_vortices;
 mod spin_chain;
 mod spin_lattice;
+mod vortex_table;
 mod zeitlin;

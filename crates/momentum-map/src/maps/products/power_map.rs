@@ -4,7 +4,8 @@ use crate::maps::poisson_map::{PoissonMap, SourcePoint, TargetDifferential, Targ
 use crate::{FibreSymmetry, Lift, LiftError, RecentringSpace};
 use core::array::from_fn;
 use lie_poisson::{
-    Covector, LieAlgebra, LiePoisson, Power, PowerAlgebra, PowerSpace, Real, Vector,
+    Covector, Differential, LieAlgebra, LiePoisson, Power, PowerAlgebra, PowerSpace, Real, Vector,
+    map_coordinates,
 };
 
 /// The power Mᴺ: Pᴺ → (𝔤ᴺ)∗ of a realisation M: P → 𝔤∗, for example for N spins or N vortices.
@@ -31,6 +32,17 @@ where
     #[inline]
     fn apply<T: Real>(&self, z: &SourcePoint<Self, T>) -> TargetPoint<Self, T> {
         Covector(Power(from_fn(|n| self.0.apply::<T>(&z.0[n]).0)))
+    }
+
+    /// Returns the pull-backs of the N parts of α by the map.
+    #[inline]
+    fn pull_back<T: Real>(
+        &self,
+        alpha: &TargetDifferential<Self, T>,
+        z: &SourcePoint<Self, T>,
+    ) -> Differential<Self::Source, T> {
+        let part = |n: usize| self.0.pull_back::<T>(&alpha.0[n], &z.0[n]);
+        Covector(Power(from_fn(|n| map_coordinates(&part(n), |x| x))))
     }
 
     #[inline]

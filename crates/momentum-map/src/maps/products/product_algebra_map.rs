@@ -4,7 +4,8 @@ use crate::maps::poisson_map::{PoissonMap, SourcePoint, TargetDifferential, Targ
 use crate::maps::products::ProductMap;
 use crate::{FibreSymmetry, Lift, LiftError, RecentringSpace};
 use lie_poisson::{
-    Covector, LieAlgebra, LiePoisson, Pair, ProductAlgebra, ProductSpace, Real, Sign,
+    Covector, Differential, LieAlgebra, LiePoisson, Pair, ProductAlgebra, ProductSpace, Real, Sign,
+    from_parts,
 };
 use thiserror::Error;
 
@@ -93,6 +94,17 @@ where
     fn apply<T: Real>(&self, z: &SourcePoint<Self, T>) -> TargetPoint<Self, T> {
         let Pair(first, second) = self.factors.apply::<T>(z);
         Covector(Pair(first.0, second.0))
+    }
+
+    /// Returns the pull-backs of the two parts of α by the two maps.
+    #[inline]
+    fn pull_back<T: Real>(
+        &self,
+        alpha: &TargetDifferential<Self, T>,
+        z: &SourcePoint<Self, T>,
+    ) -> Differential<Self::Source, T> {
+        let ProductMap(first, second) = &self.factors;
+        from_parts(&first.pull_back::<T>(&alpha.0, &z.0), &second.pull_back::<T>(&alpha.1, &z.1))
     }
 
     #[inline]

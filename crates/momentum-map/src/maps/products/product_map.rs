@@ -2,7 +2,7 @@
 
 use crate::maps::poisson_map::{PoissonMap, SourcePoint, TargetDifferential, TargetPoint};
 use crate::{FibreSymmetry, Lift, LiftError, RecentringSpace};
-use lie_poisson::{Pair, ProductSpace, Real, parts};
+use lie_poisson::{Differential, Pair, ProductSpace, Real, from_parts, parts};
 
 /// The product (M, N): P₁ × P₂ → Q₁ × Q₂ of two Poisson maps.
 ///
@@ -31,6 +31,17 @@ impl<M: PoissonMap, N: PoissonMap> PoissonMap for ProductMap<M, N> {
     #[inline]
     fn apply<T: Real>(&self, z: &SourcePoint<Self, T>) -> TargetPoint<Self, T> {
         Pair(self.0.apply::<T>(&z.0), self.1.apply::<T>(&z.1))
+    }
+
+    /// Returns the pull-backs of the two parts of α by the two maps, each of which may have a closed form.
+    #[inline]
+    fn pull_back<T: Real>(
+        &self,
+        alpha: &TargetDifferential<Self, T>,
+        z: &SourcePoint<Self, T>,
+    ) -> Differential<Self::Source, T> {
+        let (first, second) = parts(alpha);
+        from_parts(&self.0.pull_back::<T>(&first, &z.0), &self.1.pull_back::<T>(&second, &z.1))
     }
 
     #[inline]
