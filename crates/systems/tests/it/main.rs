@@ -12,4 +12,5 @@ mod movable_base;
 mod point_vortices;
 mod spin_chain;
 mod spin_lattice;
+mod vortices_on_lanes;
 mod zeitlin;
