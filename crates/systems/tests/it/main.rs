@@ -7,6 +7,7 @@ mod gyrostat;
 mod kida_vortex;
 mod heisenberg_lattice;
 mod kirchhoff;
+mod lattice_on_lanes;
 mod many_vortices;
 mod movable_base;
 mod point_vortices;
