@@ -106,11 +106,21 @@ fn spiral(count: usize) -> Result<(ManyVortices, Points), Box<dyn Error>> {
 fn no_step_in_place_on_threads_allocates() -> Result<(), Box<dyn Error>> {
     let (vortices, start) = spiral(500)?;
     let midpoint = SphericalMidpoint::new(vortices);
+    let lattice = HeisenbergLattice::new([33, 20, 15])?.with_exchange([0, 1, 1], 1.0)?;
+    let spins = lattice.state(|[x, y, _]| Vector3::new(x as f64, 1.0, y as f64).normalize());
+    let (general, fast) = (SphericalMidpoint::new(lattice.clone()), LatticeMidpoint::new(lattice));
     for threads in [1, 2] {
         let pool = rayon::ThreadPoolBuilder::new().num_threads(threads).build()?;
-        let count =
-            pool.install(|| in_place(&midpoint, start.clone()).map_err(|e| e.to_string()))?;
-        assert_eq!(count, 0, "{threads} threads");
+        let counts = pool.install(|| {
+            let counts = [
+                in_place(&midpoint, start.clone()),
+                in_place(&general, spins.clone()),
+                in_place(&fast, spins.clone()),
+            ];
+            // An error of any kind cannot leave the thread.
+            counts.map(|count| count.map_err(|error| error.to_string()))
+        });
+        assert_eq!(counts, [const { Ok(0) }; 3], "{threads} threads");
     }
     Ok(())
 }

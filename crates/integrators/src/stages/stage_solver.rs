@@ -137,7 +137,8 @@ impl StageSolver {
     /// let mut k = 0.7_f64;
     /// let solver = StageSolver { max_iterations: 100, ..Default::default() };
     /// solver.solve_by_sweeps(|| {
-    ///     let before = core::mem::replace(&mut k, k.cos());
+    ///     let before = k;
+    ///     k = k.cos();
     ///     [(k - before).abs(), k.abs()]
     /// })?;
     /// assert!((k - k.cos()).abs() < 1e-15);

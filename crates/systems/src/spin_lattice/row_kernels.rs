@@ -94,8 +94,8 @@ pub(crate) fn add_bonds<T: Lanes>(
     }
 }
 
-/// Completes the fields H of a block by the anisotropy, and writes the rates m × H. They are zero for the spins in the
-/// padding, whose factors `mask` are zero.
+/// Completes the fields H of a block by the anisotropy, and writes the rates m × H. They are zero in the padding, where
+/// `mask` is zero instead of one.
 #[inline(always)]
 pub(crate) fn rates<T: Lanes>(
     stencil: &Stencil,
@@ -112,8 +112,11 @@ pub(crate) fn rates<T: Lanes>(
         }
         let mut rate = cross(&m, &h);
         if let Some(mask) = mask {
-            let mask = T::load(&mask[i..]);
-            rate = [rate[0] * mask, rate[1] * mask, rate[2] * mask];
+            // A product would keep a NaN that an earlier step has left beyond the row.
+            let (inside, zero) = (T::from_f64(1.0).at_most(T::load(&mask[i..])), T::from_f64(0.0));
+            for rate in &mut rate {
+                *rate = T::select(inside, *rate, zero);
+            }
         }
         for c in 0..3 {
             progress.include(rate[c], T::load(&k[c][i..]));
