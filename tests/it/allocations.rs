@@ -10,14 +10,16 @@ use heavytop::{CollectiveGauss, SpinorRealisation, TopMidpoint, WithAttitude};
 use isospectral_flows::{
     CommutatorField, ExponentialMidpoint, GaussMagnus, IsospectralRungeKutta, Products,
 };
-use lie_poisson::{Pair, Se3Dual, Sites};
-use lie_poisson_systems::{GeneralisedRigidBody, ManyVortices};
+use lie_poisson::{Covector, Pair, Se3Dual, Sites};
+use lie_poisson_systems::{GeneralisedRigidBody, HeisenbergLattice, LatticeMidpoint, ManyVortices};
 use momentum_map::DualQuaternions;
 use nalgebra::{Vector2, Vector3};
 use std::alloc::{GlobalAlloc, Layout, System};
 use std::cell::Cell;
 use std::error::Error;
 use workspace_tests::tops;
+
+type Points = Covector<Sites<Vector3<f64>>>;
 
 /// The system's allocator with a counter for each thread.
 struct Counting;
@@ -128,15 +130,45 @@ impl VectorField for Springs {
     }
 }
 
-#[test]
-fn no_step_in_place_of_a_state_on_the_heap_allocates() -> Result<(), Box<dyn Error>> {
-    let vortices = ManyVortices::new(vec![1.0; 50])?;
-    let spiral = |i: usize| {
-        let z = 0.98 - 0.04 * i as f64;
+/// Returns vortices of equal strength on a spiral.
+fn spiral(count: usize) -> Result<(ManyVortices, Points), Box<dyn Error>> {
+    let vortices = ManyVortices::new(vec![1.0; count])?;
+    let position = |i: usize| {
+        let z = 1.0 - (2 * i + 1) as f64 / count as f64;
         let (sin, cos) = (2.4 * i as f64).sin_cos();
         Vector3::new(cos * (1.0 - z * z).sqrt(), sin * (1.0 - z * z).sqrt(), z)
     };
-    let start = vortices.momentum((0..50).map(spiral))?;
+    let start = vortices.momentum((0..count).map(position))?;
+    Ok((vortices, start))
+}
+
+/// On several threads, seen from one of them.
+#[test]
+fn no_step_in_place_on_threads_allocates() -> Result<(), Box<dyn Error>> {
+    let (vortices, start) = spiral(500)?;
+    let midpoint = SphericalMidpoint::new(vortices);
+    let lattice = HeisenbergLattice::new([33, 20, 15])?.with_exchange([0, 1, 1], 1.0)?;
+    let spins = lattice.state(|[x, y, _]| Vector3::new(x as f64, 1.0, y as f64).normalize());
+    let (general, fast) = (SphericalMidpoint::new(lattice.clone()), LatticeMidpoint::new(lattice));
+    for threads in [1, 2] {
+        let pool = rayon::ThreadPoolBuilder::new().num_threads(threads).build()?;
+        let counts = pool.install(|| {
+            let counts = [
+                in_place(&midpoint, start.clone()),
+                in_place(&general, spins.clone()),
+                in_place(&fast, spins.clone()),
+            ];
+            // An error of any kind cannot leave the thread.
+            counts.map(|count| count.map_err(|error| error.to_string()))
+        });
+        assert_eq!(counts, [const { Ok(0) }; 3], "{threads} threads");
+    }
+    Ok(())
+}
+
+#[test]
+fn no_step_in_place_of_a_state_on_the_heap_allocates() -> Result<(), Box<dyn Error>> {
+    let (vortices, start) = spiral(50)?;
     let direct = |scheme| Direct::new(scheme, vortices.clone());
     assert_eq!(in_place(&direct(RungeKutta::rk4()), start.clone())?, 0);
     assert_eq!(in_place(&direct(RungeKutta::gauss(3)?), start.clone())?, 0);

@@ -36,6 +36,7 @@
 //! | as many point vortices as a file contains | [`ManyVortices`] |
 //! | classical spins in a row, on (so(3)∗)ᴺ | [`HeisenbergChain`] |
 //! | classical spins on a lattice of any size, in one to three dimensions | [`HeisenbergLattice`] |
+//! | the same lattice advanced on SIMD lanes and all threads | [`LatticeMidpoint`] |
 //! | spins on atoms in motion, on (so(3)∗)ᴺ × T∗Rᴺ | [`SpinLattice`], wrapped in [`Automatic`](lie_poisson::Automatic) |
 //! | an elliptical vortex in a strain, on so(2, 1)∗ | [`KidaVortex`], [`So21`] |
 //! | a heavy top on a movable base, on (se(3) ⋉ R³)∗ | [`MovableBaseTop`], [`MovableBaseAlgebra`] |
@@ -107,6 +108,7 @@ pub use rigid_body::generalised_rigid_body::GeneralisedRigidBody;
 pub use spaces::spin_space::{SpinSpace, Spins};
 pub use spin_chain::heisenberg_chain::HeisenbergChain;
 pub use spin_lattice::heisenberg_lattice::HeisenbergLattice;
+pub use spin_lattice::lattice_midpoint::{LatticeMidpoint, LatticeSpace};
 pub use spin_lattice::vibrating_lattice::{SpinLattice, SpinLatticeSpace};
 pub use vortices::many_vortices::ManyVortices;
 pub use vortices::point_vortices::PointVortices;

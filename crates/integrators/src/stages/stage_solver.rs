@@ -5,6 +5,7 @@ use crate::stages::block_sizes::{BlockSizes, MaskOf};
 use crate::stages::convergence::{FLOOR, Ratios, Watch, is_finite, unknown};
 use crate::stages::stage_scale::{OwnScale, Progress, Scale};
 use lie_poisson::{Mask, Real, State, larger};
+use nalgebra::Vector1;
 
 /// The number of sweeps after which a fixed-point iteration that has not converged is replaced by Newton's.
 const SLOW: usize = 60;
@@ -117,6 +118,39 @@ impl StageSolver {
         let none = MaskOf::<V>::from_bool(false);
         let mut stage = |i: usize, k: &[V], value: &mut V| *value = derivative(i, k);
         self.solve_from(none, &OwnScale, k, &mut start, &mut unknown(), &mut stage)
+            .map_err(|unconverged| unconverged.error)
+    }
+
+    /// Repeats sweeps of the caller's own over the unknowns, until they have converged as [`solve`](Self::solve) tests
+    /// it. Returns the number of sweeps.
+    ///
+    /// The closure makes one sweep and returns the largest |Δk| and the largest |k| of a coordinate, or NaN. It serves
+    /// kernels that compute both along with the sweep. Newton's iteration is not made.
+    ///
+    /// # Errors
+    /// Returns [`StepError::NotConverged`] if the iteration diverges or does not converge.
+    ///
+    /// # Example
+    /// The equation k = cos k:
+    /// ```
+    /// use collective_integrators::StageSolver;
+    /// let mut k = 0.7_f64;
+    /// let solver = StageSolver { max_iterations: 100, ..Default::default() };
+    /// solver.solve_by_sweeps(|| {
+    ///     let before = k;
+    ///     k = k.cos();
+    ///     [(k - before).abs(), k.abs()]
+    /// })?;
+    /// assert!((k - k.cos()).abs() < 1e-15);
+    /// # Ok::<(), collective_integrators::StepError>(())
+    /// ```
+    #[inline]
+    pub fn solve_by_sweeps(&self, mut sweep: impl FnMut() -> [f64; 2]) -> Result<usize, StepError> {
+        let advance = |_, _| {
+            let [change, size] = sweep().map(|x| BlockSizes::of(&[Vector1::new(x)]));
+            Progress { change, size }
+        };
+        self.iterate(self.max_iterations, (false, true), &OwnScale, &mut unknown(), advance)
             .map_err(|unconverged| unconverged.error)
     }
 

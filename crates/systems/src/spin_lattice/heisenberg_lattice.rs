@@ -1,6 +1,7 @@
 //! Classical spins on a lattice of any size, in one to three dimensions.
 
 use crate::error::{SystemError, require_finite};
+use crate::spin_lattice::stencil::Stencil;
 use collective_integrators::VectorField;
 use lie_poisson::{Covector, Real, Sites, State, Vector};
 use nalgebra::Vector3;
@@ -23,7 +24,7 @@ use rayon::slice::ParallelSliceMut;
 /// along one axis the component of Σ s_i along it. Spins, J, K and B are numbers without units.
 ///
 /// Integrators for [`State`]s advance it in place: [`SphericalMidpoint`](collective_integrators::SphericalMidpoint) is a
-/// Poisson map. The field is evaluated on all threads of the current pool, with the same bits for any number of threads.
+/// Poisson map, and [`LatticeMidpoint`](crate::LatticeMidpoint) is its fast path. The field is evaluated on all threads of the current pool, with the same bits for any number of threads.
 ///
 /// Source: Lakshmanan, *The fascinating world of the Landau–Lifshitz–Gilbert equation*, Phil. Trans. R. Soc. A 369
 /// (2011), §4; McLachlan, Modin & Verdier, *Symplectic integrators for spin systems*, Phys. Rev. E 89 (2014).
@@ -165,6 +166,13 @@ impl HeisenbergLattice {
             }
         }
         sum
+    }
+
+    /// Returns the bonds and fields for planes of rows of spins.
+    pub(crate) fn stencil(&self) -> Stencil {
+        let exchanges = self.exchanges.iter().map(|exchange| (exchange.offset, exchange.constant));
+        let (axis, twice_anisotropy) = (self.axis, 2.0 * self.anisotropy);
+        Stencil { axis, twice_anisotropy, field: self.field, ..Stencil::new(self.cells, exchanges) }
     }
 
     /// Returns the row of cells at an offset from a row, and by how many cells along x it is shifted.

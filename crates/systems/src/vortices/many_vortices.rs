@@ -2,9 +2,15 @@
 
 use crate::error::SystemError;
 use crate::vortices::interaction::{add_differential, energy, require_strength};
+use crate::vortices::lane_interaction::Interaction;
+use crate::vortices::sources::{BLOCK, SourcePool};
 use collective_integrators::VectorField;
+use core::f64::consts::PI;
+use lie_poisson::generic_scalars::{InstructionSet, Width, dispatch};
 use lie_poisson::{Covector, Real, Sites, State, Vector};
 use nalgebra::Vector3;
+use rayon::iter::{IndexedParallelIterator, ParallelIterator};
+use rayon::slice::ParallelSliceMut;
 
 /// N point vortices on the unit sphere, with a number N that is known only when the program runs.
 ///
@@ -16,6 +22,10 @@ use nalgebra::Vector3;
 ///
 /// Integrators for [`State`]s advance it in place: schemes applied to the equations, and the
 /// [`SphericalMidpoint`](collective_integrators::SphericalMidpoint) method, which is a Poisson map.
+///
+/// From 32 vortices on, the rates of plain numbers `f64` are computed on the widest SIMD lanes of the processor and on
+/// all threads of the current pool. Their bits are the same for any number of threads. They differ by rounding from
+/// those of fewer vortices, and between processors with and without fused multiply-add.
 ///
 /// # Example
 /// A ring of vortices on a parallel of the sphere turns as a rigid body:
@@ -43,7 +53,14 @@ pub struct ManyVortices {
     strengths: Vec<f64>,
     /// The reciprocals 1/k_i.
     inverses: Vec<f64>,
+    storage: SourcePool,
 }
+
+/// The least number of vortices whose interactions are computed on SIMD lanes.
+const MANY: usize = 32;
+
+/// The number of interactions of a task, so that a few hundred vortices are not spread over threads.
+const TASK: usize = 1 << 16;
 
 impl ManyVortices {
     /// Creates vortices of the given strengths k_i.
@@ -53,7 +70,7 @@ impl ManyVortices {
     pub fn new(strengths: Vec<f64>) -> Result<Self, SystemError> {
         strengths.iter().try_for_each(|&strength| require_strength(strength))?;
         let inverses = strengths.iter().map(|strength| strength.recip()).collect();
-        Ok(Self { strengths, inverses })
+        Ok(Self { strengths, inverses, storage: SourcePool::default() })
     }
 
     /// Returns the strengths k_i.
@@ -95,6 +112,32 @@ impl ManyVortices {
         let x: Vec<_> = self.positions(m).collect();
         energy(&self.strengths, |i| x[i])
     }
+
+    /// Writes the differential on SIMD lanes and on all threads, if the numbers are `f64`. Returns whether they are.
+    fn differential_on_lanes<T: Real>(&self, m: &[Vector3<T>], dh: &mut [Vector3<T>]) -> bool {
+        let number = |x: T| x.as_f64().unwrap_or(f64::NAN);
+        if T::zero().as_f64().is_none() {
+            return false;
+        }
+        self.storage.with(|sources| {
+            let vortex = |(m, inverse): (&Vector3<T>, &f64)| {
+                let m = m.map(number);
+                (m * *inverse, m * (-0.25 / PI))
+            };
+            sources.fill(m.iter().zip(&self.inverses).map(vortex));
+            let (set, sources) = (InstructionSet::detected(), &*sources);
+            let compute = |first, sums: &mut [_]| {
+                let interaction = Interaction { sources, first, sums };
+                dispatch(interaction, set, Width::TwoRegisters).is_ok()
+            };
+            let count = (TASK / m.len()).next_multiple_of(BLOCK);
+            if m.len() <= count {
+                return compute(0, dh);
+            }
+            let tasks = dh.par_chunks_mut(count).enumerate();
+            tasks.map(|(task, sums)| compute(task * count, sums)).reduce(|| true, |a, b| a && b)
+        })
+    }
 }
 
 impl<T: Real> VectorField<T> for ManyVortices {
@@ -106,7 +149,7 @@ impl<T: Real> VectorField<T> for ManyVortices {
         rate
     }
 
-    /// Writes the rates dm_i/dt, by one evaluation for each pair of vortices.
+    /// Writes the rates dm_i/dt: for few vortices by one evaluation for each pair, for many on SIMD lanes and threads.
     ///
     /// They are NaN if m is a point of another number of vortices, so that a step from it is an error, unless m is
     /// empty.
@@ -115,8 +158,10 @@ impl<T: Real> VectorField<T> for ManyVortices {
         if [m.0.len(), rate.0.len()] != [self.strengths.len(); 2] {
             return rate.scale_in_place(T::from_f64(f64::NAN));
         }
-        let position = |i: usize| m.0[i].scaled(T::from_f64(self.inverses[i]));
-        add_differential(&self.strengths, position, &mut rate.0);
+        if m.0.len() < MANY || !self.differential_on_lanes(&m.0, &mut rate.0) {
+            let position = |i: usize| m.0[i].scaled(T::from_f64(self.inverses[i]));
+            add_differential(&self.strengths, position, &mut rate.0);
+        }
         for (rate, m) in rate.0.iter_mut().zip(m.0.iter()) {
             *rate = m.cross(rate);
         }

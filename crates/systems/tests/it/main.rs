@@ -8,10 +8,15 @@ mod kida_vortex;
 mod heap_states;
 mod heisenberg_lattice;
 mod kirchhoff;
+mod lattice_on_lanes;
 mod many_vortices;
 mod movable_base;
 mod point_vortices;
 mod spin_chain;
 mod spin_lattice;
+<<<<<<< HEAD
 mod vortex_table;
+=======
+mod vortices_on_lanes;
+>>>>>>> perf
 mod zeitlin;

@@ -1,0 +1,58 @@
+//! Vectors of spins as blocks of components, for SIMD lanes. Each row is padded with its last spin to whole blocks.
+
+use crate::spin_lattice::stencil::{BLOCK, Spins};
+use nalgebra::Vector3;
+use rayon::iter::{IndexedParallelIterator, ParallelIterator};
+use rayon::slice::{ParallelSlice, ParallelSliceMut};
+
+/// The number of spins of a task, so that small lattices are not spread over threads.
+const TASK: usize = 1 << 14;
+
+/// Writes spins as blocks, for rows of `nx` spins each.
+pub(crate) fn write_blocks(spins: &[Vector3<f64>], nx: usize, blocks: &mut [Spins]) {
+    let (count, width) = (TASK.div_ceil(nx), nx.div_ceil(BLOCK));
+    let tasks = blocks.par_chunks_mut(width * count).zip(spins.par_chunks(nx * count));
+    tasks.for_each(|(blocks, spins)| {
+        for (row, spins) in blocks.chunks_exact_mut(width).zip(spins.chunks_exact(nx)) {
+            for (block, spins) in row.iter_mut().zip(spins.chunks(BLOCK)) {
+                write_block(spins, block);
+            }
+        }
+    });
+}
+
+fn write_block(spins: &[Vector3<f64>], Spins([x, y, z]): &mut Spins) {
+    let components = x.iter_mut().zip(y).zip(z);
+    let last = spins.last().copied().unwrap_or_default();
+    let padded = spins.iter().copied().chain(core::iter::repeat(last));
+    for (((x, y), z), spin) in components.zip(padded) {
+        (*x, *y, *z) = (spin.x, spin.y, spin.z);
+    }
+}
+
+/// Adds h k to spins, for k in blocks and rows of `nx` spins each: s ← s + h k.
+pub(crate) fn add_blocks(spins: &mut [Vector3<f64>], step: f64, k: &[Spins], nx: usize) {
+    let (count, width) = (TASK.div_ceil(nx), nx.div_ceil(BLOCK));
+    let tasks = spins.par_chunks_mut(nx * count).zip(k.par_chunks(width * count));
+    tasks.for_each(|(spins, k)| {
+        for (spins, row) in spins.chunks_exact_mut(nx).zip(k.chunks_exact(width)) {
+            for (spins, Spins([x, y, z])) in spins.chunks_mut(BLOCK).zip(row) {
+                for (((spin, x), y), z) in spins.iter_mut().zip(x).zip(y).zip(z) {
+                    *spin += Vector3::new(*x, *y, *z) * step;
+                }
+            }
+        }
+    });
+}
+
+/// Returns whether every component of s + h k is a finite number.
+pub(crate) fn sum_is_finite(s: &[Spins], step: f64, k: &[Spins]) -> bool {
+    let tasks = s.par_chunks(TASK / BLOCK).zip(k.par_chunks(TASK / BLOCK));
+    tasks.all(|(s, k)| {
+        let finite = |all, (s, k): (&f64, &f64)| all & (s + step * k).is_finite();
+        let blocks = s.iter().zip(k);
+        blocks.fold(true, |all, (Spins(s), Spins(k))| {
+            s.as_flattened().iter().zip(k.as_flattened()).fold(all, finite)
+        })
+    })
+}
