@@ -20,7 +20,7 @@
 mod pictures;
 
 use collective_integrators::{Integrator, SphericalMidpoint, VectorField};
-use lie_poisson::{Covector, Sites, larger};
+use lie_poisson::{Covector, Sites, SitesHamiltonian, larger};
 use lie_poisson_systems::HeisenbergLattice;
 use nalgebra::{Vector2, Vector3};
 use pictures::arguments::Arguments;

@@ -19,7 +19,7 @@ mod vortex_table;
 mod pictures;
 
 use collective_integrators::{Integrator, SphericalMidpoint};
-use lie_poisson::{Covector, Sites, larger};
+use lie_poisson::{Covector, Sites, SitesHamiltonian, larger};
 use lie_poisson_systems::ManyVortices;
 use nalgebra::Vector3;
 use pictures::arguments::Arguments;

@@ -3,7 +3,7 @@
 use crate::error::{SystemError, require_finite};
 use crate::spin_lattice::stencil::Stencil;
 use collective_integrators::VectorField;
-use lie_poisson::{Covector, Real, Sites, State, Vector};
+use lie_poisson::{Covector, Real, Sites, SitesHamiltonian, State, Vector};
 use nalgebra::Vector3;
 use rayon::iter::{IndexedParallelIterator, ParallelIterator};
 use rayon::slice::ParallelSliceMut;
@@ -144,9 +144,70 @@ impl HeisenbergLattice {
         Covector((0..self.count()).map(|i| f([i % nx, i / nx % ny, i / nx / ny])).collect())
     }
 
-    /// Returns the value h(s), or NaN if s is a state of another number of spins.
-    #[must_use]
-    pub fn value<T: Real>(&self, s: &Covector<Sites<Vector3<T>>>) -> T {
+    /// Returns the bonds and fields for planes of rows of spins.
+    pub(crate) fn stencil(&self) -> Stencil {
+        let exchanges = self.exchanges.iter().map(|exchange| (exchange.offset, exchange.constant));
+        let (axis, twice_anisotropy) = (self.axis, 2.0 * self.anisotropy);
+        Stencil { axis, twice_anisotropy, field: self.field, ..Stencil::new(self.cells, exchanges) }
+    }
+
+    /// Returns the row of cells at an offset from a row, and by how many cells along x it is shifted.
+    fn neighbours<'a, V>(&self, row: usize, [x, y, z]: [usize; 3], s: &'a [V]) -> (usize, &'a [V]) {
+        let [nx, ny, nz] = self.cells;
+        let other = (row % ny + y) % ny + ny * ((row / ny + z) % nz);
+        (x, &s[nx * other..nx * (other + 1)])
+    }
+
+    /// Calls f with the spins of each row and the fields H_i = −∂h/∂s_i of that row, on all threads.
+    fn for_rows<T: Real>(
+        &self,
+        s: &[Vector3<T>],
+        fields: &mut [Vector3<T>],
+        f: impl Fn(&[Vector3<T>], &mut [Vector3<T>]) + Sync,
+    ) {
+        let nx = self.cells[0];
+        let rows = TASK.div_ceil(nx);
+        let tasks = fields.par_chunks_mut(nx * rows).enumerate();
+        tasks.for_each(|(task, fields)| {
+            for (row, fields) in (task * rows..).zip(fields.chunks_exact_mut(nx)) {
+                self.fields_into(row, s, fields);
+                f(&s[nx * row..nx * (row + 1)], fields);
+            }
+        });
+    }
+
+    /// Writes the fields H_i of the spins in one row.
+    fn fields_into<T: Real>(&self, row: usize, s: &[Vector3<T>], fields: &mut [Vector3<T>]) {
+        let (nx, field) = (self.cells[0], self.field.map(T::from_f64));
+        fields.fill(field);
+        for Exchange { offset, constant } in &self.exchanges {
+            let opposite = [0, 1, 2].map(|i| (self.cells[i] - offset[i]) % self.cells[i]);
+            for offset in [*offset, opposite] {
+                let (shift, neighbours) = self.neighbours(row, offset, s);
+                let (first, last) = neighbours.split_at(shift);
+                let (before, after) = fields.split_at_mut(last.len());
+                add_scaled(before, *constant, last);
+                add_scaled(after, *constant, first);
+            }
+        }
+        let spins = &s[nx * row..nx * (row + 1)];
+        if self.anisotropy != 0.0 {
+            let (axis, twice) = (self.axis.map(T::from_f64), 2.0 * self.anisotropy);
+            for (field, spin) in fields.iter_mut().zip(spins) {
+                *field += axis.scaled(axis.dot(spin) * twice);
+            }
+        }
+    }
+}
+
+#[inline]
+fn add_scaled<T: Real>(sum: &mut [Vector3<T>], constant: f64, terms: &[Vector3<T>]) {
+    let constant = T::from_f64(constant);
+    sum.iter_mut().zip(terms).for_each(|(sum, term)| *sum += term.scaled(constant));
+}
+
+impl<T: Real> SitesHamiltonian<Vector3<T>> for HeisenbergLattice {
+    fn value(&self, s: &Covector<Sites<Vector3<T>>>) -> T {
         if s.0.len() != self.count() {
             return T::from_f64(f64::NAN);
         }
@@ -168,51 +229,12 @@ impl HeisenbergLattice {
         sum
     }
 
-    /// Returns the bonds and fields for planes of rows of spins.
-    pub(crate) fn stencil(&self) -> Stencil {
-        let exchanges = self.exchanges.iter().map(|exchange| (exchange.offset, exchange.constant));
-        let (axis, twice_anisotropy) = (self.axis, 2.0 * self.anisotropy);
-        Stencil { axis, twice_anisotropy, field: self.field, ..Stencil::new(self.cells, exchanges) }
-    }
-
-    /// Returns the row of cells at an offset from a row, and by how many cells along x it is shifted.
-    fn neighbours<'a, V>(&self, row: usize, [x, y, z]: [usize; 3], s: &'a [V]) -> (usize, &'a [V]) {
-        let [nx, ny, nz] = self.cells;
-        let other = (row % ny + y) % ny + ny * ((row / ny + z) % nz);
-        (x, &s[nx * other..nx * (other + 1)])
-    }
-
-    /// Writes the rates of the spins in one row.
-    fn row_into<T: Real>(&self, row: usize, s: &[Vector3<T>], rates: &mut [Vector3<T>]) {
-        let (nx, field) = (self.cells[0], self.field.map(T::from_f64));
-        rates.fill(field);
-        for Exchange { offset, constant } in &self.exchanges {
-            let opposite = [0, 1, 2].map(|i| (self.cells[i] - offset[i]) % self.cells[i]);
-            for offset in [*offset, opposite] {
-                let (shift, neighbours) = self.neighbours(row, offset, s);
-                let (first, last) = neighbours.split_at(shift);
-                let (before, after) = rates.split_at_mut(last.len());
-                add_scaled(before, *constant, last);
-                add_scaled(after, *constant, first);
-            }
+    fn differential_into(&self, s: &Covector<Sites<Vector3<T>>>, dh: &mut Sites<Vector3<T>>) {
+        if [s.0.len(), dh.len()] != [self.count(); 2] {
+            return dh.set_entries(|_| T::from_f64(f64::NAN));
         }
-        let spins = &s[nx * row..nx * (row + 1)];
-        if self.anisotropy != 0.0 {
-            let (axis, twice) = (self.axis.map(T::from_f64), 2.0 * self.anisotropy);
-            for (rate, spin) in rates.iter_mut().zip(spins) {
-                *rate += axis.scaled(axis.dot(spin) * twice);
-            }
-        }
-        for (rate, spin) in rates.iter_mut().zip(spins) {
-            *rate = spin.cross(rate);
-        }
+        self.for_rows(&s.0, dh, |_, fields| fields.iter_mut().for_each(|field| *field = -*field));
     }
-}
-
-#[inline]
-fn add_scaled<T: Real>(sum: &mut [Vector3<T>], constant: f64, terms: &[Vector3<T>]) {
-    let constant = T::from_f64(constant);
-    sum.iter_mut().zip(terms).for_each(|(sum, term)| *sum += term.scaled(constant));
 }
 
 impl<T: Real> VectorField<T> for HeisenbergLattice {
@@ -229,13 +251,8 @@ impl<T: Real> VectorField<T> for HeisenbergLattice {
         if [s.0.len(), rate.0.len()] != [self.count(); 2] {
             return rate.set_entries(|_| T::from_f64(f64::NAN));
         }
-        let (nx, spins) = (self.cells[0], &s.0[..]);
-        let rows = TASK.div_ceil(nx);
-        let tasks = rate.0.par_chunks_mut(nx * rows).enumerate();
-        tasks.for_each(|(task, rates)| {
-            for (row, rates) in (task * rows..).zip(rates.chunks_exact_mut(nx)) {
-                self.row_into(row, spins, rates);
-            }
+        self.for_rows(&s.0, &mut rate.0, |spins, fields| {
+            fields.iter_mut().zip(spins).for_each(|(field, spin)| *field = spin.cross(field));
         });
     }
 }

@@ -7,7 +7,7 @@ use crate::vortices::sources::{BLOCK, SourcePool};
 use collective_integrators::VectorField;
 use core::f64::consts::PI;
 use lie_poisson::generic_scalars::{InstructionSet, Width, dispatch};
-use lie_poisson::{Covector, Real, Sites, State, Vector};
+use lie_poisson::{Covector, Real, Sites, SitesHamiltonian, State, Vector};
 use nalgebra::Vector3;
 use rayon::iter::{IndexedParallelIterator, ParallelIterator};
 use rayon::slice::ParallelSliceMut;
@@ -21,7 +21,9 @@ use rayon::slice::ParallelSliceMut;
 /// ```
 ///
 /// Integrators for [`State`]s advance it in place: schemes applied to the equations, and the
-/// [`SphericalMidpoint`](collective_integrators::SphericalMidpoint) method, which is a Poisson map.
+/// [`SphericalMidpoint`](collective_integrators::SphericalMidpoint) method, which is a Poisson map of order 2. As a
+/// [`SitesHamiltonian`] they serve [`CollectiveSites`](collective_integrators::CollectiveSites), for Poisson maps of any
+/// order on copies of [`HOPF`](momentum_map::HOPF).
 ///
 /// From 32 vortices on, the rates of plain numbers `f64` are computed on the widest SIMD lanes of the processor and on
 /// all threads of the current pool. Their bits are the same for any number of threads. They differ by rounding from
@@ -103,16 +105,6 @@ impl ManyVortices {
         m.0.iter().zip(&self.inverses).map(|(m, inverse)| m.scaled(T::from_f64(*inverse)))
     }
 
-    /// Returns the value h(m) of the Hamiltonian, or NaN if m is a point of another number of vortices.
-    #[must_use]
-    pub fn value<T: Real>(&self, m: &Covector<Sites<Vector3<T>>>) -> T {
-        if m.0.len() != self.strengths.len() {
-            return T::from_f64(f64::NAN);
-        }
-        let x: Vec<_> = self.positions(m).collect();
-        energy(&self.strengths, |i| x[i])
-    }
-
     /// Writes the differential on SIMD lanes and on all threads, if the numbers are `f64`. Returns whether they are.
     fn differential_on_lanes<T: Real>(&self, m: &[Vector3<T>], dh: &mut [Vector3<T>]) -> bool {
         let number = |x: T| x.as_f64().unwrap_or(f64::NAN);
@@ -140,6 +132,28 @@ impl ManyVortices {
     }
 }
 
+impl<T: Real> SitesHamiltonian<Vector3<T>> for ManyVortices {
+    fn value(&self, m: &Covector<Sites<Vector3<T>>>) -> T {
+        if m.0.len() != self.strengths.len() {
+            return T::from_f64(f64::NAN);
+        }
+        let x: Vec<_> = self.positions(m).collect();
+        energy(&self.strengths, |i| x[i])
+    }
+
+    /// Writes dh/dm_i: for few vortices by one evaluation for each pair, for many on SIMD lanes and threads.
+    fn differential_into(&self, m: &Covector<Sites<Vector3<T>>>, dh: &mut Sites<Vector3<T>>) {
+        if [m.0.len(), dh.len()] != [self.strengths.len(); 2] {
+            return dh.set_entries(|_| T::from_f64(f64::NAN));
+        }
+        dh.set_zero();
+        if m.0.len() < MANY || !self.differential_on_lanes(&m.0, dh) {
+            let position = |i: usize| m.0[i].scaled(T::from_f64(self.inverses[i]));
+            add_differential(&self.strengths, position, dh);
+        }
+    }
+}
+
 impl<T: Real> VectorField<T> for ManyVortices {
     type Point = Covector<Sites<Vector3<T>>>;
 
@@ -149,19 +163,12 @@ impl<T: Real> VectorField<T> for ManyVortices {
         rate
     }
 
-    /// Writes the rates dm_i/dt: for few vortices by one evaluation for each pair, for many on SIMD lanes and threads.
+    /// Writes the rates dm_i/dt = m_i × dh/dm_i.
     ///
     /// They are NaN if m is a point of another number of vortices, so that a step from it is an error, unless m is
     /// empty.
     fn at_into(&self, m: &Self::Point, rate: &mut Self::Point) {
-        rate.set_zero();
-        if [m.0.len(), rate.0.len()] != [self.strengths.len(); 2] {
-            return rate.scale_in_place(T::from_f64(f64::NAN));
-        }
-        if m.0.len() < MANY || !self.differential_on_lanes(&m.0, &mut rate.0) {
-            let position = |i: usize| m.0[i].scaled(T::from_f64(self.inverses[i]));
-            add_differential(&self.strengths, position, &mut rate.0);
-        }
+        self.differential_into(m, &mut rate.0);
         for (rate, m) in rate.0.iter_mut().zip(m.0.iter()) {
             *rate = m.cross(rate);
         }

@@ -1,12 +1,14 @@
 //! What wraps an integrator: the same bits over states on the heap as over small states.
 
 use collective_integrators::{
-    Alternating, Composition, Direct, ExactFlows, HamiltonianField, Integrator, LyapunovExponents,
-    RungeKutta, SphericalMidpoint, Splitting, Start, StepError, Substeps, TangentIntegrator,
-    TaoFlows, VariationalError, VariationalFlow, VectorField, smaller_alignment_index,
+    Alternating, Collective, CollectiveSites, Composition, Direct, ExactFlows, HamiltonianField,
+    Integrator, LyapunovExponents, RungeKutta, SphericalMidpoint, Splitting, Start, StepError,
+    Substeps, TangentIntegrator, TaoFlows, VariationalError, VariationalFlow, VectorField,
+    fitted_order, smaller_alignment_index,
 };
-use lie_poisson::{Covector, LiePoisson, Pair, Power, PowerAlgebra, Sites, So3, State};
-use lie_poisson_systems::{ManyVortices, PointVortices, SpinSpace, Spins};
+use lie_poisson::{Covector, LiePoisson, Pair, Power, PowerAlgebra, Sites, So3, State, larger};
+use lie_poisson_systems::{HeisenbergLattice, ManyVortices, PointVortices, SpinSpace, Spins};
+use momentum_map::{HOPF, PowerMap, QuadraticMomentumMap, Side, So3OnC2};
 use nalgebra::{Vector2, Vector3};
 
 const STRENGTHS: [f64; 3] = [1.0, -0.7, 1.5];
@@ -195,4 +197,52 @@ fn tangent_vectors_of_another_dimension_are_refused() {
     let is_refused = |e| matches!(e, VariationalError::Integration(e) if e.source == refused);
     assert!(flow.advance().is_err_and(is_refused));
     assert_eq!(flow.steps(), 0);
+}
+
+/// Collective Gauss methods on copies of the Hopf map: few vortices by the power of the map, as many as one likes by sites.
+#[test]
+fn collective_vortices() {
+    let gauss = || RungeKutta::gauss(2).unwrap();
+    let small = Collective::new(gauss(), PowerMap::<_, 3>(HOPF), few().hamiltonian);
+    let large = CollectiveSites::new(gauss(), HOPF, many());
+    let (z, w) = (small.start(&start()).unwrap(), large.start(&heap(&start())).unwrap());
+    assert_same_run(&small, &large, z, w);
+    // On another way to the same solution: the difference is the error of both methods.
+    let direct = Direct::new(RungeKutta::gauss(3).unwrap(), many());
+    let end = |steps: u64| {
+        let h = 8.0 / steps as f64;
+        let collective = large.after(&heap(&start()), h, steps).unwrap().momentum;
+        let mut apart = Start::<f64>::after(&direct, &heap(&start()), 0.02, 400).unwrap().state;
+        apart.subtract_in_place(&collective);
+        (h, apart.0.iter().map(|x| x.norm()).fold(0.0, larger))
+    };
+    let order = fitted_order(&[end(10), end(20), end(40)], 1e-12).unwrap();
+    assert!((order - 4.0).abs() < 0.2, "{order}");
+}
+
+/// The lattice has the plus bracket: the Hopf map of the left action.
+#[test]
+fn collective_lattices() {
+    let lattice = HeisenbergLattice::new([4, 3, 2]).unwrap();
+    let lattice = lattice.with_exchange([1, 0, 1], 0.8).unwrap();
+    let lattice = lattice.with_anisotropy(Vector3::z(), -0.3).unwrap();
+    let spin = |i: usize| start().0.0[i % 3].normalize();
+    let spins: Many = Covector((0..24).map(spin).collect());
+    let end = |side: Side, steps: u64| {
+        let map = QuadraticMomentumMap::new(So3OnC2, side);
+        let gauss = CollectiveSites::new(RungeKutta::gauss(2).unwrap(), map, lattice.clone());
+        gauss.after(&spins, 1.0 / steps as f64, steps).unwrap().momentum
+    };
+    let direct = Direct::new(RungeKutta::gauss(3).unwrap(), lattice.clone());
+    let exact = Start::<f64>::after(&direct, &spins, 0.01, 100).unwrap().state;
+    let error = |side, steps| {
+        let mut apart = end(side, steps);
+        apart.subtract_in_place(&exact);
+        apart.0.iter().map(|x| x.norm()).fold(0.0, larger)
+    };
+    let errors = [10, 20, 40].map(|steps| (1.0 / steps as f64, error(Side::Left, steps)));
+    let order = fitted_order(&errors, 1e-12).unwrap();
+    assert!((order - 4.0).abs() < 0.2, "{order} {errors:?}");
+    // control: the other bracket turns the spins the other way
+    assert!(error(Side::Right, 40) > 0.1);
 }

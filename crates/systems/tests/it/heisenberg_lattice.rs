@@ -3,7 +3,9 @@
 use lie_poisson_systems::collective_integrators::{
     Direct, Integrator, RungeKutta, SphericalMidpoint, Start, VectorField, fitted_order,
 };
-use lie_poisson_systems::lie_poisson::{Covector, Hamiltonian, Power, Sites, State, larger};
+use lie_poisson_systems::lie_poisson::{
+    Covector, Hamiltonian, Power, Sites, SitesHamiltonian, State, larger,
+};
 use lie_poisson_systems::nalgebra::Vector3;
 use lie_poisson_systems::{HeisenbergChain, HeisenbergLattice, SystemError};
 
@@ -151,7 +153,10 @@ fn parameters_are_checked() {
     assert!(matches!(no_axis, Err(SystemError::Zero { .. })));
     assert!(lattice().with_anisotropy(Vector3::new(0.0, 1e-300, 0.0), 1.0).is_ok());
     let other = Covector(Sites::new(vec![Vector3::x(); 7]));
-    assert!(lattice().value::<f64>(&other).is_nan() && !lattice().at(&other).all_finite());
+    assert!(
+        SitesHamiltonian::<Vector3<f64>>::value(&lattice(), &other).is_nan()
+            && !lattice().at(&other).all_finite()
+    );
     let midpoint = SphericalMidpoint::new(lattice());
     assert!(
         Integrator::<f64>::step(

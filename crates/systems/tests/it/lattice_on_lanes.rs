@@ -3,7 +3,7 @@
 use lie_poisson_systems::collective_integrators::{
     Integrator, SphericalMidpoint, StageSolver, Start, StepError,
 };
-use lie_poisson_systems::lie_poisson::{Covector, Sites};
+use lie_poisson_systems::lie_poisson::{Covector, Sites, SitesHamiltonian};
 use lie_poisson_systems::nalgebra::Vector3;
 use lie_poisson_systems::{HeisenbergLattice, LatticeMidpoint};
 

@@ -14,9 +14,6 @@ mod movable_base;
 mod point_vortices;
 mod spin_chain;
 mod spin_lattice;
-<<<<<<< HEAD
 mod vortex_table;
-=======
 mod vortices_on_lanes;
->>>>>>> perf
 mod zeitlin;
