@@ -2,9 +2,9 @@
 #![allow(unsafe_code)] // the allocator that counts
 
 use collective_integrators::{
-    Alternating, BatchIntegrator, Collective, Composition, DenseOutput, Direct, Direction, Events,
-    ExactFlows, Integrator, Laned, LiftFree, LyapunovExponents, RungeKutta, SphericalMidpoint,
-    Splitting, Start, Substeps, TaoFlows, VectorField,
+    Alternating, BatchIntegrator, Collective, CollectiveSites, Composition, DenseOutput, Direct,
+    Direction, Events, ExactFlows, Integrator, Laned, LiftFree, LyapunovExponents, RungeKutta,
+    SphericalMidpoint, Splitting, Start, Substeps, TaoFlows, VariationalFlow, VectorField,
 };
 use heavytop::{CollectiveGauss, SpinorRealisation, TopMidpoint, WithAttitude};
 use isospectral_flows::{
@@ -12,7 +12,7 @@ use isospectral_flows::{
 };
 use lie_poisson::{Covector, Pair, Se3Dual, Sites};
 use lie_poisson_systems::{GeneralisedRigidBody, HeisenbergLattice, LatticeMidpoint, ManyVortices};
-use momentum_map::DualQuaternions;
+use momentum_map::{DualQuaternions, HOPF};
 use nalgebra::{Vector2, Vector3};
 use std::alloc::{GlobalAlloc, Layout, System};
 use std::cell::Cell;
@@ -189,6 +189,13 @@ fn no_step_in_place_of_a_state_on_the_heap_allocates() -> Result<(), Box<dyn Err
     assert_eq!(in_place(&Composition::new(springs, Substeps::yoshida4()), pairs.clone())?, 0);
     let copies = TaoFlows::<_, Alternating>::new(Springs, 3.0);
     assert_eq!(in_place(&Splitting::strang(copies), Pair(pairs.clone(), pairs))?, 0);
+    let collective = CollectiveSites::new(RungeKutta::gauss(2)?, HOPF, vortices.clone());
+    assert_eq!(in_place(&collective, collective.start(&start)?)?, 0);
+    let midpoint = SphericalMidpoint::new(vortices.clone());
+    let mut flow = VariationalFlow::new(&midpoint, start.clone(), [start.clone()], 0.01);
+    let mut advance = |steps: u32| (0..steps).try_for_each(|_| flow.advance());
+    advance(4)?;
+    assert_eq!(allocations(|| Ok(advance(100)?))?, 0);
     // control: each sample of a trajectory has a state of its own
     let midpoint = direct(RungeKutta::implicit_midpoint());
     let mut run = midpoint.trajectory(&start, 0.01)?.take(10);

@@ -146,7 +146,7 @@ fn main() -> Result<(), Box<dyn Error>> {
         let angles = momenta.iter().map(|pi| pi.angle(&Vector3::y()).to_degrees());
         *far = angles.fold(0.0, larger);
         println!("{rotor:>10} {far:>22.2} {energy:>10.2e} {length:>14.2e}");
-        // The method of order 6 changes h less than round-off at this step.
+        // An error of order 6 in the step, for numbers of the size of 1.
         if !(energy <= STEP.powi(6) && length <= ROUND_OFF) {
             return Err("the energy or |Π| is not conserved".into());
         }

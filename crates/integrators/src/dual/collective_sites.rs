@@ -12,11 +12,12 @@ use std::cell::RefCell;
 /// when the program runs.
 ///
 /// The state is z = (z₁, …, z_N) ∈ Pᴺ, and μ_i = M(z_i). For a symplectic scheme the integrator is a Poisson map of
-/// (𝔤∗)ᴺ, of any order, and conserves the Casimirs of each μ_i. After the first step it allocates nothing, unless a step
+/// (𝔤∗)ᴺ, of any order, and conserves the Casimirs of each μ_i. The sign of the bracket is that of the target of M: a
+/// Hamiltonian that is meant for the other bracket moves backwards. After the first step it allocates nothing, unless a step
 /// needs Newton's iteration.
 ///
 /// # Example
-/// A ring of spins by Gauss's method of order 4, on N copies of the Hopf map:
+/// A ring of spins with the minus bracket, that of `HOPF`, by Gauss's method of order 4:
 /// ```
 /// use collective_integrators::{CollectiveSites, Integrator, RungeKutta, Start};
 /// use lie_poisson::{Covector, Real, Sites, SitesHamiltonian};

@@ -97,7 +97,13 @@ impl<S: Scheme> Scheme for Composition<S> {
             Ok(iterations)
         });
         give(&self.base, workspace, from);
-        made.map(|iterations| Step { point: sum, iterations })
+        match made {
+            Ok(iterations) => Ok(Step { point: sum, iterations }),
+            Err(failed) => {
+                give(&self.base, workspace, sum);
+                Err(failed)
+            }
+        }
     }
 
     /// Returns the sum of the refined increments of the substeps. Each substep starts from the rounded z + Σ δz,
@@ -126,7 +132,14 @@ impl<S: Scheme> Scheme for Composition<S> {
             Ok(iterations)
         });
         give(&self.base, workspace, from);
-        made.map(|iterations| Step { point: Pair(sum, rest), iterations })
+        match made {
+            Ok(iterations) => Ok(Step { point: Pair(sum, rest), iterations }),
+            Err(failed) => {
+                give(&self.base, workspace, sum);
+                give(&self.base, workspace, rest);
+                Err(failed)
+            }
+        }
     }
 
     #[inline]

@@ -40,8 +40,8 @@ const NEWTON_ITERATIONS: usize = 50;
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct StageSolver {
     /// The largest accepted h |Δk|, as a multiple of the larger of |z| and h |k|, in each block of coordinates. Where
-    /// the unknowns are not derivatives of the state ([`solve`](Self::solve), [`StageMemory`](crate::StageMemory)), the
-    /// largest accepted |Δk| as a multiple of |k| in each block. It has no unit; 0 iterates to the round-off floor.
+    /// the unknowns are not derivatives of the state ([`solve`](Self::solve), [`solve_by_sweeps`](Self::solve_by_sweeps),
+    /// [`StageMemory`](crate::StageMemory)), the largest accepted |Δk| as a multiple of |k| in each block. It has no unit; 0 iterates to the round-off floor.
     pub tolerance: f64,
     /// The number of sweeps after which the fixed-point iteration is abandoned.
     pub max_iterations: usize,
@@ -125,7 +125,7 @@ impl StageSolver {
     /// it. Returns the number of sweeps.
     ///
     /// The closure makes one sweep and returns the largest |Δk| and the largest |k| of a coordinate, or NaN. It serves
-    /// kernels that compute both along with the sweep. Newton's iteration is not made.
+    /// kernels that compute both along with the sweep. All unknowns count as one block. Newton's iteration is not made.
     ///
     /// # Errors
     /// Returns [`StepError::NotConverged`] if the iteration diverges or does not converge.

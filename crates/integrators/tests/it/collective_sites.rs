@@ -76,10 +76,12 @@ fn the_laws_of_integrators_hold() {
     let length = |s: &Covector<Sites<Vector3<f64>>>| s.0[2].norm();
     let sum = |s: &Covector<Sites<Vector3<f64>>>| s.0.iter().sum::<Vector3<f64>>().z;
     let gauss = CollectiveSites::new(RungeKutta::gauss(2).unwrap(), HOPF, Ring);
-    let (momenta, step) = ([spins(4), spins(4)], 0.1);
+    let other: Sites<_> = (5..9).map(spin).collect();
+    let (momenta, step) = ([spins(4), Covector(other)], 0.1);
     laws::start(&gauss, &momenta, step).unwrap().check(1e-13).unwrap();
     let lifted = gauss.start(&momenta[0]).unwrap();
-    let conserved = laws::invariants(&gauss, &[lifted.clone()], step, &[&length, &sum]);
+    let conserved =
+        laws::invariants(&gauss, core::slice::from_ref(&lifted), step, &[&length, &sum]);
     conserved.unwrap().check(1e-13).unwrap();
     // control: a scheme that is not symplectic
     let rk4 = CollectiveSites::new(RungeKutta::rk4(), HOPF, Ring);
@@ -115,14 +117,15 @@ fn points_stay_near_the_origins_of_their_fibres() {
     let z: Sites<_> =
         (1..5).map(|i| momentum_map::Cotangent::new(spin(i), Covector(spin(i + 3)))).collect();
     fn near(z: &impl State<Scalar = f64>) -> f64 {
-        (0..z.dimension()).map(|i| z.entry(i).abs()).fold(0.0, f64::max)
+        (0..z.dimension()).map(|i| z.entry(i).abs()).fold(0.0, larger)
     }
     let (mut moved, mut workspace) = (z.clone(), gauss.workspace());
     let energy = Bodies.value(&gauss.momentum(&z));
     for _ in 0..20_000 {
         gauss.step_in_place(&mut moved, 0.05, &mut workspace).unwrap();
     }
-    assert!(near(&moved) < 40.0, "{}", near(&moved));
+    // Points move back when they have grown fourfold. Without this, they are 500 away after this time.
+    assert!(near(&moved) < 4.0 * 10.0, "{}", near(&moved));
     let after = gauss.momentum(&moved);
     assert!((Bodies.value(&after) - energy).abs() < 1e-4 * energy.abs());
     for (a, b) in after.0.iter().zip(gauss.momentum(&z).0.iter()) {

@@ -24,7 +24,11 @@ use rayon::slice::ParallelSliceMut;
 /// along one axis the component of Σ s_i along it. Spins, J, K and B are numbers without units.
 ///
 /// Integrators for [`State`]s advance it in place: [`SphericalMidpoint`](collective_integrators::SphericalMidpoint) is a
-/// Poisson map, and [`LatticeMidpoint`](crate::LatticeMidpoint) is its fast path. The field is evaluated on all threads of the current pool, with the same bits for any number of threads.
+/// Poisson map, and [`LatticeMidpoint`](crate::LatticeMidpoint) is its fast path. For Poisson maps of other orders take
+/// [`CollectiveSites`](collective_integrators::CollectiveSites) with
+/// `QuadraticMomentumMap::new(So3OnC2, Side::Left)`, whose bracket is the plus bracket. (`HOPF` has the minus bracket, and
+/// turns the spins the other way.) The rows of cells along x are divided among all threads of the current pool, with the
+/// same bits for any number of threads.
 ///
 /// Source: Lakshmanan, *The fascinating world of the Landau–Lifshitz–Gilbert equation*, Phil. Trans. R. Soc. A 369
 /// (2011), §4; McLachlan, Modin & Verdier, *Symplectic integrators for spin systems*, Phys. Rev. E 89 (2014).
@@ -74,14 +78,15 @@ impl HeisenbergLattice {
     /// Creates a lattice with the given numbers of cells along x, y and z, without any interaction.
     ///
     /// # Errors
-    /// Returns [`SystemError::Zero`] if a number is 0, or [`SystemError::TooMany`] if their product is not a number of
-    /// the machine.
+    /// Returns [`SystemError::Zero`] if a number is 0, or [`SystemError::TooMany`] if a state would have more
+    /// than `isize::MAX` coordinates.
     pub fn new(cells: [usize; 3]) -> Result<Self, SystemError> {
         if cells.contains(&0) {
             return Err(SystemError::Zero { name: "the number of cells in a direction" });
         }
         let [x, y, z] = cells;
-        if x.checked_mul(y).and_then(|xy| xy.checked_mul(z)).is_none() {
+        let coordinates = [y, z, 3].iter().try_fold(x, |product, n| product.checked_mul(*n));
+        if coordinates.is_none_or(|coordinates| isize::try_from(coordinates).is_err()) {
             return Err(SystemError::TooMany { name: "cells of the lattice" });
         }
         let (axis, field) = (Vector3::z(), Vector3::zeros());

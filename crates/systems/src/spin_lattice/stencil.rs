@@ -99,6 +99,6 @@ impl Stencil {
 fn shortest(offset: [usize; 3], counts: [usize; 3]) -> [isize; 3] {
     [0, 1, 2].map(|i| {
         let (offset, count) = (offset[i] as isize, counts[i] as isize);
-        if 2 * offset > count { offset - count } else { offset }
+        if offset > count - offset { offset - count } else { offset }
     })
 }

@@ -122,7 +122,7 @@ impl ManyVortices {
                 let interaction = Interaction { sources, first, sums };
                 dispatch(interaction, set, Width::TwoRegisters).is_ok()
             };
-            let count = (TASK / m.len()).next_multiple_of(BLOCK);
+            let count = task_size(m.len());
             if m.len() <= count {
                 return compute(0, dh);
             }
@@ -130,6 +130,11 @@ impl ManyVortices {
             tasks.map(|(task, sums)| compute(task * count, sums)).reduce(|| true, |a, b| a && b)
         })
     }
+}
+
+/// Returns the number of vortices of a task, a multiple of [`BLOCK`] and at least that.
+fn task_size(count: usize) -> usize {
+    (TASK / count.max(1)).max(1).next_multiple_of(BLOCK)
 }
 
 impl<T: Real> SitesHamiltonian<Vector3<T>> for ManyVortices {
@@ -146,8 +151,8 @@ impl<T: Real> SitesHamiltonian<Vector3<T>> for ManyVortices {
         if [m.0.len(), dh.len()] != [self.strengths.len(); 2] {
             return dh.set_entries(|_| T::from_f64(f64::NAN));
         }
-        dh.set_zero();
         if m.0.len() < MANY || !self.differential_on_lanes(&m.0, dh) {
+            dh.set_zero();
             let position = |i: usize| m.0[i].scaled(T::from_f64(self.inverses[i]));
             add_differential(&self.strengths, position, dh);
         }
@@ -172,5 +177,19 @@ impl<T: Real> VectorField<T> for ManyVortices {
         for (rate, m) in rate.0.iter_mut().zip(m.0.iter()) {
             *rate = m.cross(rate);
         }
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn no_task_is_empty() {
+        for count in [1, 32, 4096, 65_536, 65_537, usize::MAX] {
+            let size = task_size(count);
+            assert!(size >= BLOCK && size.is_multiple_of(BLOCK), "{count}");
+        }
+        assert_eq!(task_size(32), 2048);
     }
 }

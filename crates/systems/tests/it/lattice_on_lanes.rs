@@ -3,7 +3,7 @@
 use lie_poisson_systems::collective_integrators::{
     Integrator, SphericalMidpoint, StageSolver, Start, StepError,
 };
-use lie_poisson_systems::lie_poisson::{Covector, Sites, SitesHamiltonian};
+use lie_poisson_systems::lie_poisson::{Covector, Sites, SitesHamiltonian, larger};
 use lie_poisson_systems::nalgebra::Vector3;
 use lie_poisson_systems::{HeisenbergLattice, LatticeMidpoint};
 
@@ -32,7 +32,7 @@ fn spins(lattice: &HeisenbergLattice) -> Spins {
 }
 
 fn largest_difference(a: &Spins, b: &Spins) -> f64 {
-    a.0.iter().zip(b.0.iter()).map(|(a, b)| (a - b).amax()).fold(0.0, f64::max)
+    a.0.iter().zip(b.0.iter()).map(|(a, b)| (a - b).amax()).fold(0.0, larger)
 }
 
 /// Rows shorter than a block, whole blocks and incomplete ones; one, two and three dimensions; bonds around the whole
@@ -91,7 +91,7 @@ fn energies_and_lengths_are_conserved() {
         let midpoint = LatticeMidpoint::new(lattice.clone());
         let end = midpoint.after(&start, 5.0 / steps as f64, steps).unwrap().state;
         let length = |(a, b): (&Vector3<f64>, &Vector3<f64>)| (a.norm() - b.norm()).abs();
-        let lengths = start.0.iter().zip(end.0.iter()).map(length).fold(0.0, f64::max);
+        let lengths = start.0.iter().zip(end.0.iter()).map(length).fold(0.0, larger);
         (lengths, (lattice.value(&end) - lattice.value(&start)).abs())
     };
     let [coarse, fine] = [250, 500].map(drift);

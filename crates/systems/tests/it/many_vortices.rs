@@ -4,7 +4,9 @@ use collective_integrators::{
     Composition, Direct, HamiltonianField, Integrator, RungeKutta, Scheme, SphericalMidpoint,
     StageSolver, StepError, Substeps, from_fn,
 };
-use lie_poisson::{Covector, Hamiltonian, LiePoisson, PowerAlgebra, Sites, SitesHamiltonian, So3};
+use lie_poisson::{
+    Covector, Hamiltonian, LiePoisson, PowerAlgebra, Sites, SitesHamiltonian, So3, larger,
+};
 use lie_poisson_systems::{ManyVortices, PointVortices, SpinSpace, Spins, SystemError};
 use nalgebra::{Vector1, Vector3};
 
@@ -162,7 +164,7 @@ fn a_hundred_vortices_keep_their_invariants() {
     let drifts = |method: &dyn Fn(&mut Many)| {
         let mut m = start.clone();
         (0..100).for_each(|_| method(&mut m));
-        let off = vortices.positions(&m).map(|x| (x.norm() - 1.0).abs()).fold(0.0, f64::max);
+        let off = vortices.positions(&m).map(|x| (x.norm() - 1.0).abs()).fold(0.0, larger);
         let energy = (vortices.value(&m) / vortices.value(&start) - 1.0).abs();
         (off, (moment(&m) - moment(&start)).norm(), energy)
     };
