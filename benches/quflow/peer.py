@@ -45,5 +45,5 @@ for method in (quflow.isomp_fixedpoint, quflow.rk4):
     method(start.copy(), 1e-3, steps=1)
 for rate in (32, 64, 192, 512) if size <= 128 else (96, 192, 400):
     run("quflow isomp_fixedpoint", quflow.isomp_fixedpoint, rate)
-for rate in (3, 4, 6, 8, 32, 48, 64) if size <= 128 else (4, 8, 16, 32, 48, 64):
+for rate in (4, 6, 8, 48, 72, 104):
     run("quflow rk4", quflow.rk4, rate)

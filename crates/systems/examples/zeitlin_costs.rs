@@ -100,9 +100,9 @@ fn main() -> Result<(), Box<dyn Error>> {
     // Sweeps for stages converge for steps below the reciprocal of the largest rate of W, which grows with N. Those of
     // the exponential midpoint rule converge for longer steps.
     let (slow, rates) = if size <= 128 {
-        ([4.0, 6.0, 8.0], [2.0, 4.0, 6.0])
+        ([6.0, 8.0, 12.0], [4.0, 6.0, 9.0])
     } else {
-        ([4.0, 6.0, 8.0], [8.0, 10.0, 12.0])
+        ([6.0, 8.0, 10.0], [8.0, 12.0, 16.0])
     };
     for rate in slow {
         let midpoint = ExponentialMidpoint::new(&fluid).with_tolerance(1e-6);
@@ -116,7 +116,7 @@ fn main() -> Result<(), Box<dyn Error>> {
             print(&name, steps, run(&method, &start, end, steps));
         }
     }
-    for rate in [4.0, 8.0, 16.0, 32.0, 48.0, 64.0] {
+    for rate in [4.0, 8.0, 16.0, 48.0, 72.0, 104.0] {
         let direct = Direct::new(RungeKutta::rk4(), CommutatorField::new(&fluid));
         print("RK4, direct", per_unit(rate), run(&direct, &start, end, per_unit(rate)));
     }
