@@ -45,6 +45,7 @@
 //! | steps in place, for states of any size | [`Integrator::step_in_place`], [`Scheme::step_in_place`] |
 //! | the vector field of a closure, or of a Hamiltonian | [`from_fn`], [`HamiltonianField`] |
 //! | a vector field over every scalar, or of points on the heap | [`VectorField`] |
+//! | storage for the evaluations of such a field | [`StoragePool`] |
 //! | a scheme or an integrator of your own | [`Scheme`], [`Equivariant`]; [`Integrator`], [`StateIsMomentum`] |
 //! | other settings for the stage equations | [`StageSolver`] |
 //! | smaller rounding errors in long runs | [`Compensated`] |
@@ -86,6 +87,7 @@
 
 mod error;
 mod stage_frame;
+mod storage_pool;
 mod vector_field;
 mod step_fractions;
 mod tableaux;
@@ -140,6 +142,7 @@ pub use stages::stage_memory::StageMemory;
 pub use stages::stage_solver::{StageSolver, Unconverged};
 pub use step_fractions::alternating_substeps::AlternatingSubsteps;
 pub use step_fractions::substeps::Substeps;
+pub use storage_pool::StoragePool;
 pub use tableaux::tableau::Tableau;
 pub use vector_field::{FromFn, HamiltonianField, VectorField, from_fn};
 

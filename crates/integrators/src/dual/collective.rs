@@ -1,6 +1,6 @@
 //! The collective integrator: [`Collective`].
 
-use crate::stages::block_sizes::BlockSizes;
+use crate::dual::fibre_distance::FibreDistance;
 use crate::stages::two_sum::exact_sum;
 use crate::vector_field::dual_differential;
 use crate::{
@@ -173,15 +173,11 @@ where
     }
 }
 
-/// The growth of a block of z beyond which the integrator looks for a point of the fibre nearer to the origin.
-const GROWTH: f64 = 4.0;
-
 /// The storage of a step of [`Collective`]: that of the scheme, and the distance of z from the origin.
 #[derive(Clone, Debug)]
 pub struct CollectiveSpace<W, V: Vector> {
     scheme: W,
-    /// The sizes of z when it was near the origin of its fibre, or `None` at the beginning of a run.
-    near: Option<BlockSizes<V>>,
+    distance: FibreDistance<V>,
     recentring: RecentringSpace<V::Scalar>,
 }
 
@@ -199,21 +195,14 @@ impl<S: Scheme, M: PoissonMap, H> Collective<S, M, H> {
         z: &SourcePoint<M, T>,
         workspace: &mut SpaceOf<S, M, T>,
     ) -> SourcePoint<M, T> {
-        if !self.descends {
-            return *z;
+        let mut moved = *z;
+        if self.descends {
+            let CollectiveSpace { distance, recentring, .. } = workspace;
+            distance.keep_short(&mut moved, |moved, grown| {
+                let near = self.system.map.recentred::<T>(z, recentring);
+                *moved = Vector::select(grown, &near, z);
+            });
         }
-        let CollectiveSpace { near, recentring, .. } = workspace;
-        let sizes = BlockSizes::of(core::slice::from_ref(z));
-        let grown = match near {
-            Some(near) => sizes.at_most(|block| near.at(block) * GROWTH).not(),
-            None => Mask::from_bool(true),
-        };
-        if !grown.any() {
-            return *z;
-        }
-        let moved = Vector::select(grown, &self.system.map.recentred::<T>(z, recentring), z);
-        let sizes = BlockSizes::of(core::slice::from_ref(&moved));
-        *near = Some(BlockSizes::select(grown, &sizes, &near.unwrap_or(sizes)));
         moved
     }
 }
@@ -231,7 +220,11 @@ where
 
     fn workspace(&self) -> Self::Workspace {
         let scheme = self.scheme.workspace();
-        CollectiveSpace { scheme, near: None, recentring: RecentringSpace::default() }
+        CollectiveSpace {
+            scheme,
+            distance: FibreDistance::default(),
+            recentring: RecentringSpace::default(),
+        }
     }
 
     #[inline]
@@ -251,7 +244,7 @@ where
     #[inline]
     fn forget(&self, workspace: &mut Self::Workspace) {
         self.scheme.forget(&mut workspace.scheme);
-        workspace.near = None;
+        workspace.distance = FibreDistance::default();
     }
 
     #[inline]

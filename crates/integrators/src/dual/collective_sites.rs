@@ -1,10 +1,8 @@
 //! The collective integrator for N copies of a realisation: [`CollectiveSites`].
 
-use crate::stages::block_sizes::BlockSizes;
+use crate::dual::fibre_distance::FibreDistance;
 use crate::{Equivariant, Integrator, Scheme, Start, Step, StepError, VectorField};
-use lie_poisson::{
-    Covector, LieAlgebra, LiePoisson, Mask, Real, Sites, SitesHamiltonian, State, Vector,
-};
+use lie_poisson::{Covector, LieAlgebra, LiePoisson, Real, Sites, SitesHamiltonian, State, Vector};
 use momentum_map::{Lift, LiftError, PoissonMap, RecentringSpace, SourcePoint};
 use std::cell::RefCell;
 
@@ -85,17 +83,13 @@ impl<S, M, H> CollectiveSites<S, M, H> {
     }
 }
 
-/// The growth of a block of z beyond which points nearer to the origins of their fibres are looked for.
-const GROWTH: f64 = 4.0;
-
 /// The storage of a step of [`CollectiveSites`].
 #[derive(Debug)]
 pub struct CollectiveSitesSpace<W, V: Vector, D> {
     scheme: W,
     velocities: RefCell<(Covector<Sites<D>>, Sites<D>)>,
     pool: Vec<Sites<V>>,
-    /// The sizes of z when it was near the origins of its fibres, or `None` at the beginning of a run.
-    near: Option<BlockSizes<Sites<V>>>,
+    distance: FibreDistance<Sites<V>>,
     recentring: RecentringSpace<V::Scalar>,
 }
 
@@ -142,20 +136,14 @@ impl<S, M: PoissonMap, H> CollectiveSites<S, M, H> {
         z: &mut Sites<SourcePoint<M, T>>,
         workspace: &mut CollectiveSitesSpace<W, SourcePoint<M, T>, D>,
     ) {
-        let CollectiveSitesSpace { near, recentring, .. } = workspace;
-        let sizes = BlockSizes::of(core::slice::from_ref(z));
-        let grown = match near {
-            Some(near) => sizes.at_most(|block| near.at(block) * GROWTH).not(),
-            None => Mask::from_bool(true),
-        };
-        if !self.descends || !grown.any() {
-            return;
+        if self.descends {
+            let CollectiveSitesSpace { distance, recentring, .. } = workspace;
+            distance.keep_short(z, |z, grown| {
+                for z in z.iter_mut() {
+                    *z = Vector::select(grown, &self.map.recentred::<T>(z, recentring), z);
+                }
+            });
         }
-        for z in z.iter_mut() {
-            *z = Vector::select(grown, &self.map.recentred::<T>(z, recentring), z);
-        }
-        let sizes = BlockSizes::of(core::slice::from_ref(z));
-        *near = Some(BlockSizes::select(grown, &sizes, near.as_ref().unwrap_or(&sizes)));
     }
 }
 
@@ -180,7 +168,7 @@ where
             scheme: self.scheme.workspace(),
             velocities: RefCell::new((State::zeros_of(&0), State::zeros_of(&0))),
             pool: Vec::new(),
-            near: None,
+            distance: FibreDistance::default(),
             recentring: RecentringSpace::default(),
         }
     }
@@ -191,9 +179,7 @@ where
         step: f64,
         workspace: &mut Self::Workspace,
     ) -> Result<Step<Self::State>, StepError> {
-        let mut point = state.clone();
-        let iterations = Integrator::<T>::step_in_place(self, &mut point, step, workspace)?;
-        Ok(Step { point, iterations })
+        Step::of_copy(state, |z| Integrator::<T>::step_in_place(self, z, step, workspace))
     }
 
     fn step_in_place(
@@ -226,7 +212,7 @@ where
 
     fn forget(&self, workspace: &mut Self::Workspace) {
         self.scheme.forget(&mut workspace.scheme);
-        workspace.near = None;
+        workspace.distance = FibreDistance::default();
     }
 
     fn momentum(&self, state: &Self::State) -> Self::Momentum {

@@ -16,6 +16,33 @@ pub struct Step<V> {
 pub type Increment<V> = Step<Pair<V, V>>;
 
 impl<V: State> Step<V> {
+    /// Makes a step of a copy of a state, for the method by value of an integrator that steps in place. The closure
+    /// advances the copy and returns the number of iterations.
+    ///
+    /// # Errors
+    /// Returns the error of the closure.
+    ///
+    /// # Example
+    /// ```
+    /// use collective_integrators::Step;
+    /// let twice = |x: &mut nalgebra::Vector1<f64>| {
+    ///     *x *= 2.0;
+    ///     Ok(0)
+    /// };
+    /// let start = nalgebra::Vector1::new(3.0);
+    /// assert_eq!(Step::of_copy(&start, twice)?.point.x, 6.0);
+    /// # Ok::<(), collective_integrators::StepError>(())
+    /// ```
+    #[inline]
+    pub fn of_copy(
+        state: &V,
+        advance: impl FnOnce(&mut V) -> Result<usize, StepError>,
+    ) -> Result<Self, StepError> {
+        let mut point = state.clone();
+        let iterations = advance(&mut point)?;
+        Ok(Self { point, iterations })
+    }
+
     /// Returns the step itself if its point is finite.
     ///
     /// # Errors

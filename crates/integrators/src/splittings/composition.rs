@@ -190,10 +190,9 @@ impl<T: Real, I: Integrator<T>> Integrator<T> for Composition<I> {
         step: f64,
         (workspace, _): &mut Self::Workspace,
     ) -> Result<Step<I::State>, StepError> {
-        let mut point = state.clone();
-        let iterations =
-            self.chain(step, |step| self.base.step_in_place(&mut point, step, workspace))?;
-        Ok(Step { point, iterations })
+        Step::of_copy(state, |z| {
+            self.chain(step, |step| self.base.step_in_place(z, step, workspace))
+        })
     }
 
     #[inline]

@@ -3,9 +3,8 @@
 use crate::fields::isospectral_field::IsospectralField;
 use crate::matrices::products::Products;
 use crate::matrices::skew_hermitian::LargeSkewHermitian;
-use collective_integrators::VectorField;
+use collective_integrators::{StoragePool, VectorField};
 use lie_poisson::State;
-use std::sync::{Mutex, PoisonError};
 
 /// The vector field [B(W), W] of an isospectral equation, for schemes that are applied to it directly.
 ///
@@ -13,22 +12,19 @@ use std::sync::{Mutex, PoisonError};
 /// cheap where a short run is asked for. The field is NaN at a matrix of another size, so that a step from it fails with
 /// [`NotFinite`](collective_integrators::StepError::NotFinite).
 ///
-/// Evaluations on several threads take turns, since the field holds the storage. Give each thread a field of its own.
-///
 /// # Example
 /// See [`GaussMagnus`](crate::GaussMagnus).
-#[derive(Debug)]
+#[derive(Clone, Debug, PartialEq)]
 pub struct CommutatorField<F> {
     field: F,
-    /// A generator and the storage of products. Only one step at a time uses them.
-    storage: Mutex<(LargeSkewHermitian, Products)>,
+    /// The generator and the storage of products.
+    storage: StoragePool<(Option<LargeSkewHermitian>, Products)>,
 }
 
 impl<F: IsospectralField> CommutatorField<F> {
     /// Creates the vector field of an equation.
     pub fn new(field: F) -> Self {
-        let storage = Mutex::new((LargeSkewHermitian::zeros(field.size()), Products::default()));
-        Self { field, storage }
+        Self { field, storage: StoragePool::default() }
     }
 }
 
@@ -45,9 +41,10 @@ impl<F: IsospectralField> VectorField for CommutatorField<F> {
         if w.size() != self.field.size() {
             return rate.scale_in_place(f64::NAN);
         }
-        let mut storage = self.storage.lock().unwrap_or_else(PoisonError::into_inner);
-        let (generator, products) = &mut *storage;
-        self.field.generator_into(w, generator);
-        products.commutator(generator, w, rate);
+        self.storage.with(|(generator, products)| {
+            let generator = generator.get_or_insert_with(|| w.zeros_like());
+            self.field.generator_into(w, generator);
+            products.commutator(generator, w, rate);
+        });
     }
 }

@@ -3,7 +3,7 @@
 use crate::matrices::large_matrix::LargeMatrix;
 use crate::matrices::products::Products;
 use crate::matrices::skew_hermitian::LargeSkewHermitian;
-use collective_integrators::{Integrator, Step, StepError};
+use collective_integrators::StepError;
 use lie_poisson::State;
 
 /// The step W₁ = (1 + Z) W (1 + Z)* with which each method ends, and its storage.
@@ -59,16 +59,4 @@ fn conjugate(
     }
     w.move_from(next);
     Ok(())
-}
-
-/// Makes a step of a copy of W, for the method by value of an integrator that steps in place.
-pub(crate) fn step_of_copy<I: Integrator<State = LargeSkewHermitian>>(
-    integrator: &I,
-    w: &LargeSkewHermitian,
-    step: f64,
-    workspace: &mut I::Workspace,
-) -> Result<Step<LargeSkewHermitian>, StepError> {
-    let mut point = w.clone();
-    let iterations = integrator.step_in_place(&mut point, step, workspace)?;
-    Ok(Step { point, iterations })
 }

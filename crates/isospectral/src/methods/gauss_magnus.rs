@@ -3,7 +3,7 @@
 use crate::fields::isospectral_field::IsospectralField;
 use crate::matrices::products::Products;
 use crate::matrices::skew_hermitian::LargeSkewHermitian;
-use crate::methods::conjugation::{Conjugation, step_of_copy};
+use crate::methods::conjugation::Conjugation;
 use crate::methods::generator_history::GeneratorHistory;
 use crate::methods::generator_sweeps::Sweeps;
 use collective_integrators::{Integrator, SchemeError, StateIsMomentum, Step, StepError, Tableau};
@@ -220,7 +220,7 @@ impl<F: IsospectralField> Integrator for GaussMagnus<F> {
         step: f64,
         workspace: &mut MagnusSpace,
     ) -> Result<Step<LargeSkewHermitian>, StepError> {
-        step_of_copy(self, w, step, workspace)
+        Step::of_copy(w, |w| self.step_in_place(w, step, workspace))
     }
 
     fn step_in_place(

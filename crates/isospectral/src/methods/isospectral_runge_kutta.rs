@@ -4,7 +4,7 @@ use crate::fields::isospectral_field::IsospectralField;
 use crate::matrices::large_matrix::LargeMatrix;
 use crate::matrices::products::Products;
 use crate::matrices::skew_hermitian::LargeSkewHermitian;
-use crate::methods::conjugation::{Conjugation, step_of_copy};
+use crate::methods::conjugation::Conjugation;
 use collective_integrators::{
     Equivariant, Integrator, StateIsMomentum, Step, StepError, VectorField,
 };
@@ -144,7 +144,7 @@ impl<S: Equivariant, F: IsospectralField> Integrator for IsospectralRungeKutta<S
         step: f64,
         workspace: &mut Self::Workspace,
     ) -> Result<Step<LargeSkewHermitian>, StepError> {
-        step_of_copy(self, w, step, workspace)
+        Step::of_copy(w, |w| self.step_in_place(w, step, workspace))
     }
 
     fn step_in_place(

@@ -140,9 +140,7 @@ impl Integrator for LatticeMidpoint {
         step: f64,
         space: &mut LatticeSpace,
     ) -> Result<Step<Self::State>, StepError> {
-        let mut point = s.clone();
-        let iterations = self.step_in_place(&mut point, step, space)?;
-        Ok(Step { point, iterations })
+        Step::of_copy(s, |s| self.step_in_place(s, step, space))
     }
 
     /// Replaces the spins by those after one step. After the first step nothing is allocated, as long as the number of

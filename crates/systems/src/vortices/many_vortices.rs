@@ -3,8 +3,8 @@
 use crate::error::SystemError;
 use crate::vortices::interaction::{add_differential, energy, require_strength};
 use crate::vortices::lane_interaction::Interaction;
-use crate::vortices::sources::{BLOCK, SourcePool};
-use collective_integrators::VectorField;
+use crate::vortices::sources::{BLOCK, Sources};
+use collective_integrators::{StoragePool, VectorField};
 use core::f64::consts::PI;
 use lie_poisson::generic_scalars::{InstructionSet, Width, dispatch};
 use lie_poisson::{Covector, Real, Sites, SitesHamiltonian, State, Vector};
@@ -55,7 +55,7 @@ pub struct ManyVortices {
     strengths: Vec<f64>,
     /// The reciprocals 1/k_i.
     inverses: Vec<f64>,
-    storage: SourcePool,
+    storage: StoragePool<Sources>,
 }
 
 /// The least number of vortices whose interactions are computed on SIMD lanes.
@@ -72,7 +72,7 @@ impl ManyVortices {
     pub fn new(strengths: Vec<f64>) -> Result<Self, SystemError> {
         strengths.iter().try_for_each(|&strength| require_strength(strength))?;
         let inverses = strengths.iter().map(|strength| strength.recip()).collect();
-        Ok(Self { strengths, inverses, storage: SourcePool::default() })
+        Ok(Self { strengths, inverses, storage: StoragePool::default() })
     }
 
     /// Returns the strengths k_i.

@@ -2,7 +2,6 @@
 
 use lie_poisson::generic_scalars::Lanes;
 use nalgebra::Vector3;
-use std::sync::{Mutex, PoisonError};
 
 /// The number of vortices to a multiple of which positions are padded: the largest number of lanes.
 pub(crate) const BLOCK: usize = 16;
@@ -49,36 +48,4 @@ impl Sources {
 #[inline(always)]
 fn from<T: Lanes>(column: &[f64], first: usize) -> T {
     T::load(column.get(first..).unwrap_or_default())
-}
-
-/// Storage of evaluations, one for each that runs at the same time.
-///
-/// It holds no value between evaluations: all are equal, and a clone begins empty.
-#[derive(Debug, Default)]
-pub(crate) struct SourcePool(Mutex<Vec<Sources>>);
-
-impl SourcePool {
-    /// Calls f with storage that no other thread uses meanwhile.
-    pub(crate) fn with<R>(&self, f: impl FnOnce(&mut Sources) -> R) -> R {
-        let mut sources = self.lock(Vec::pop).unwrap_or_default();
-        let result = f(&mut sources);
-        self.lock(|pool| pool.push(sources));
-        result
-    }
-
-    fn lock<R>(&self, f: impl FnOnce(&mut Vec<Sources>) -> R) -> R {
-        f(&mut self.0.lock().unwrap_or_else(PoisonError::into_inner))
-    }
-}
-
-impl Clone for SourcePool {
-    fn clone(&self) -> Self {
-        Self::default()
-    }
-}
-
-impl PartialEq for SourcePool {
-    fn eq(&self, _: &Self) -> bool {
-        true
-    }
 }

@@ -1,0 +1,35 @@
+//! How far a point has moved from the origin of its fibre: [`FibreDistance`].
+
+use crate::stages::block_sizes::{BlockSizes, MaskOf};
+use lie_poisson::{Mask, State};
+
+/// The growth of a block of z beyond which a point of the fibre nearer to the origin is looked for.
+const GROWTH: f64 = 4.0;
+
+/// The sizes of z when it was near the origin of its fibre, or `None` at the beginning of a run.
+#[derive(Clone, Debug)]
+pub(crate) struct FibreDistance<V: State>(Option<BlockSizes<V>>);
+
+impl<V: State> Default for FibreDistance<V> {
+    fn default() -> Self {
+        Self(None)
+    }
+}
+
+impl<V: State> FibreDistance<V> {
+    /// Calls `recentre` with the lanes in which a run begins or z has grown, unless there are none.
+    #[inline]
+    pub(crate) fn keep_short(&mut self, z: &mut V, recentre: impl FnOnce(&mut V, MaskOf<V>)) {
+        let sizes = BlockSizes::of(core::slice::from_ref(z));
+        let grown = match &self.0 {
+            Some(near) => sizes.at_most(|block| near.at(block) * GROWTH).not(),
+            None => Mask::from_bool(true),
+        };
+        if !grown.any() {
+            return;
+        }
+        recentre(z, grown);
+        let sizes = BlockSizes::of(core::slice::from_ref(z));
+        self.0 = Some(BlockSizes::select(grown, &sizes, self.0.as_ref().unwrap_or(&sizes)));
+    }
+}
