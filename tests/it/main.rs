@@ -20,6 +20,7 @@ mod ensembles;
 mod error_chains;
 mod exact;
 mod free_rigid_body;
+mod guide;
 mod integrable_tops;
 mod involution;
 mod large_states;

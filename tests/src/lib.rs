@@ -39,3 +39,32 @@ pub use strategies::{element, momentum_with_vertical, persistent, point};
 #[cfg(doctest)]
 #[doc = include_str!("../../README.md")]
 struct Readme;
+
+/// The examples of the guide, which run as tests: a module for each chapter.
+#[cfg(doctest)]
+mod guide {
+    #[doc = include_str!("../../docs/guide/first-top.md")]
+    mod first_top {}
+    #[doc = include_str!("../../docs/guide/why-collective.md")]
+    mod why_collective {}
+    #[doc = include_str!("../../docs/guide/conventions.md")]
+    mod conventions {}
+    #[doc = include_str!("../../docs/guide/which-integrator.md")]
+    mod which_integrator {}
+    #[doc = include_str!("../../docs/guide/hamiltonian.md")]
+    mod hamiltonian {}
+    #[doc = include_str!("../../docs/guide/algebra-and-action.md")]
+    mod algebra_and_action {}
+    #[doc = include_str!("../../docs/guide/output.md")]
+    mod output {}
+    #[doc = include_str!("../../docs/guide/chaos.md")]
+    mod chaos {}
+    #[doc = include_str!("../../docs/guide/many.md")]
+    mod many {}
+    #[doc = include_str!("../../docs/guide/long-runs.md")]
+    mod long_runs {}
+    #[doc = include_str!("../../docs/guide/systems.md")]
+    mod systems {}
+    #[doc = include_str!("../../docs/guide/errors.md")]
+    mod errors {}
+}
