@@ -8,6 +8,31 @@ use lie_poisson::{
 };
 
 /// An autonomous vector field dz/dt = X(z) over the scalar `T`.
+///
+/// # Example
+/// A field that is written over every scalar also has tangent vectors and SIMD lanes:
+/// ```
+/// use collective_integrators::{Direct, RungeKutta, Start, VectorField};
+/// use lie_poisson::Real;
+/// use nalgebra::Vector2;
+///
+/// struct Pendulum {
+///     gravity: f64,
+/// }
+/// impl<T: Real> VectorField<T> for Pendulum {
+///     type Point = Vector2<T>;
+///     fn at(&self, z: &Vector2<T>) -> Vector2<T> {
+///         Vector2::new(z.y, -z.x.sin() * self.gravity)
+///     }
+/// }
+///
+/// // At g = 9.81 small swings have the period 2π/√g.
+/// let gauss = Direct::new(RungeKutta::gauss(4)?, Pendulum { gravity: 9.81 });
+/// let (start, period) = (Vector2::new(1e-4, 0.0), std::f64::consts::TAU / 9.81_f64.sqrt());
+/// let end = gauss.after(&start, period / 20.0, 20)?.state;
+/// assert!((end - start).norm() < 1e-11);
+/// # Ok::<(), Box<dyn std::error::Error>>(())
+/// ```
 pub trait VectorField<T: Real = f64> {
     /// The type of the points z.
     type Point: State<Scalar = T>;

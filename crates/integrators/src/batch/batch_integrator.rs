@@ -11,6 +11,38 @@ use core::ops::Range;
 /// [`Laned`](crate::Laned) makes a batch integrator of every [`Integrator`](crate::Integrator), by SIMD lanes: several
 /// trajectories in one register. A kernel for a special system is another implementation. [`Ensemble`](crate::Ensemble)
 /// runs either on all threads.
+///
+/// # Example
+/// A batch of decays dx/dt = −k x with a rate k for each member, in closed form:
+/// ```
+/// use collective_integrators::{BatchIntegrator, Ensemble, IntegrationError};
+/// use std::ops::Range;
+///
+/// struct Decays;
+/// impl BatchIntegrator for Decays {
+///     type Member = (f64, f64);
+///     type Workspace = ();
+///     fn workspace(&self) {}
+///     fn advance(
+///         &self,
+///         members: &mut [(f64, f64)],
+///         step: f64,
+///         steps: Range<u64>,
+///         (): &mut (),
+///         _failed: &mut dyn FnMut(usize, IntegrationError),
+///     ) {
+///         for (k, x) in members {
+///             for _ in steps.clone() {
+///                 *x *= (-*k * step).exp();
+///             }
+///         }
+///     }
+/// }
+///
+/// let mut members: Vec<_> = (0..100).map(|i| (0.01 * f64::from(i), 1.0)).collect();
+/// assert!(Ensemble::new(Decays).advance(&mut members, 0.1, 0..10).is_empty());
+/// assert!(members.iter().all(|(k, x)| (x - (-k).exp()).abs() < 1e-14));
+/// ```
 pub trait BatchIntegrator: Sync {
     /// The type of a member: its state, together with its parameters if they differ from member to member.
     type Member: Copy + Send + Sync;

@@ -11,7 +11,20 @@ use momentum_map::LiftError;
 /// identity, and the point is read from [`Sample::state`].
 ///
 /// # Example
-/// See [`Collective`](crate::Collective).
+/// An integrator is a loop of steps, or the trajectory that makes them. One of your own is at [`StateIsMomentum`].
+/// ```
+/// use collective_integrators::{Direct, Integrator, RungeKutta, from_fn};
+/// use nalgebra::Vector2;
+/// let rk4 = Direct::new(RungeKutta::rk4(), from_fn(|z: &Vector2<f64>| Vector2::new(z.y, -z.x)));
+/// let (mut z, mut workspace) = (Vector2::new(1.0, 0.0), rk4.workspace());
+/// for _ in 0..10 {
+///     rk4.step_in_place(&mut z, 0.1, &mut workspace)?;
+/// }
+/// assert!((z - Vector2::new(1.0_f64.cos(), -1.0_f64.sin())).norm() < 1e-6);
+/// let sample = rk4.trajectory_from(Vector2::new(1.0, 0.0), 0.1).nth(10);
+/// assert_eq!(sample.transpose()?.map(|sample| sample.state), Some(z));
+/// # Ok::<(), Box<dyn std::error::Error>>(())
+/// ```
 pub trait Integrator<T: Real = f64> {
     /// The type of the state that is advanced: z ∈ P, or μ itself.
     type State: State<Scalar = T>;

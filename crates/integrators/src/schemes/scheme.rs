@@ -258,6 +258,22 @@ pub(crate) fn give<S: Scheme, V: State>(scheme: &S, workspace: &mut S::Workspace
 ///
 /// Source: McLachlan, Modin & Verdier, *Collective symplectic integrators*, Nonlinearity 27
 /// (2014), Thm. 3.2; Hairer, Lubich & Wanner, *Geometric Numerical Integration*, §VI.4.
+///
+/// # Example
+/// The bound of a function that needs a step on 𝔤∗. Runge–Kutta methods and their compositions fulfil it; a scheme of your
+/// own is at [`Scheme`].
+/// ```
+/// use collective_integrators::{Composition, Equivariant, RungeKutta, Substeps};
+/// fn descends(_: &impl Equivariant) {}
+/// descends(&RungeKutta::gauss(2)?);
+/// descends(&Composition::new(RungeKutta::implicit_midpoint(), Substeps::yoshida4()));
+/// # Ok::<(), collective_integrators::SchemeError>(())
+/// ```
+/// ```compile_fail
+/// use collective_integrators::{Equivariant, FirstHalf, PartitionedRungeKutta};
+/// fn descends(_: &impl Equivariant) {}
+/// descends(&PartitionedRungeKutta::<FirstHalf>::kick_drift_kick());
+/// ```
 #[diagnostic::on_unimplemented(
     message = "the scheme `{Self}` does not promise to commute with affine changes of variables",
     label = "its steps need not descend to the dual of the Lie algebra",

@@ -9,7 +9,31 @@ use lie_poisson::{Real, State};
 /// such h.
 ///
 /// # Example
-/// See [`Splitting`](crate::Splitting).
+/// The pendulum h = p²/2 − cos q, whose parts have the flows of free motion and of a kick:
+/// ```
+/// use collective_integrators::{ExactFlows, Integrator, Splitting};
+/// use nalgebra::Vector2;
+///
+/// struct Pendulum;
+/// impl ExactFlows for Pendulum {
+///     type Point = Vector2<f64>;
+///     const COUNT: usize = 2;
+///     fn flow(&self, index: usize, time: f64, z: &Vector2<f64>) -> Vector2<f64> {
+///         match index {
+///             0 => Vector2::new(z.x + time * z.y, z.y),
+///             1 => Vector2::new(z.x, z.y - time * z.x.sin()),
+///             _ => *z,
+///         }
+///     }
+/// }
+///
+/// let energy = |z: &Vector2<f64>| z.y * z.y * 0.5 - z.x.cos();
+/// let (verlet, start) = (Splitting::strang(Pendulum), Vector2::new(1.0, 0.0));
+/// for sample in verlet.trajectory_from(start, 0.1).take(1000) {
+///     assert!((energy(&sample?.state) - energy(&start)).abs() < 1e-3); // no drift
+/// }
+/// # Ok::<(), collective_integrators::IntegrationError>(())
+/// ```
 pub trait ExactFlows<T: Real = f64> {
     /// The type of the points of the space on which the field acts.
     type Point: State<Scalar = T>;

@@ -15,6 +15,55 @@ pub type GroupMomentum<G, T = f64> = Momentum<<G as LieGroup>::Algebra, T>;
 ///
 /// Source of all conventions: Marsden & Ratiu, *Introduction to Mechanics and Symmetry*,
 /// 2nd ed., §9.1.
+///
+/// # Example
+/// The group of the affine maps x ↦ a x + b of a line, a > 0, with g = (a, b):
+/// ```
+/// use lie_poisson::{LieAlgebra, LieGroup, Real, Vector};
+/// use nalgebra::Vector2;
+///
+/// #[derive(Clone)]
+/// struct AffineLine;
+/// impl LieAlgebra for AffineLine {
+///     type Element<T: Real> = Vector2<T>;
+///     fn bracket<T: Real>(&self, xi: &Vector2<T>, eta: &Vector2<T>) -> Vector2<T> {
+///         Vector2::new(T::zero(), xi.x * eta.y - eta.x * xi.y)
+///     }
+/// }
+/// impl LieGroup for AffineLine {
+///     type Algebra = Self;
+///     type Element<T: Real> = Vector2<T>;
+///     fn algebra(&self) -> Self {
+///         AffineLine
+///     }
+///     fn identity<T: Real>(&self) -> Vector2<T> {
+///         Vector2::new(T::one(), T::zero())
+///     }
+///     fn compose<T: Real>(&self, g: &Vector2<T>, h: &Vector2<T>) -> Vector2<T> {
+///         Vector2::new(g.x * h.x, g.x * h.y + g.y)
+///     }
+///     fn inverse<T: Real>(&self, g: &Vector2<T>) -> Vector2<T> {
+///         Vector2::new(T::one() / g.x, -g.y / g.x)
+///     }
+///     fn exp<T: Real>(&self, xi: &Vector2<T>) -> Vector2<T> {
+///         // (eˣ − 1)/x = e^(x/2) sinh(x/2)/(x/2), without a special case at 0
+///         let half = xi.x * 0.5;
+///         Vector2::new(xi.x.exp(), xi.y * half.exp() * (-half * half).stumpff(1))
+///     }
+///     fn adjoint<T: Real>(&self, g: &Vector2<T>, xi: &Vector2<T>) -> Vector2<T> {
+///         Vector2::new(xi.x, g.x * xi.y - xi.x * g.y)
+///     }
+/// }
+///
+/// let (xi, eta) = (Vector2::new(0.3, -0.7), Vector2::new(0.5, 0.2));
+/// let g = AffineLine.exp(&xi);
+/// // exp(ξ) exp(ξ) = exp(2ξ)
+/// assert!((AffineLine.compose(&g, &g) - AffineLine.exp(&(xi * 2.0))).norm() < 1e-15);
+/// // Ad_g is a homomorphism of the bracket
+/// let moved = |v: &Vector2<f64>| AffineLine.adjoint(&g, v);
+/// let bracket = AffineLine.bracket(&moved(&xi), &moved(&eta));
+/// assert!((bracket - moved(&AffineLine.bracket(&xi, &eta))).norm() < 1e-15);
+/// ```
 pub trait LieGroup: Clone {
     /// The Lie algebra 𝔤 of the group.
     type Algebra: LieAlgebra;

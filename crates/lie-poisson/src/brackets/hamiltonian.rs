@@ -15,6 +15,34 @@ use core::marker::PhantomData;
 /// * pass closures over `f64` to [`from_closure`] (differentiated automatically) or to [`from_closures`] (with the
 ///   differential by hand);
 /// * implement this trait with the differential by hand, which is the fastest way.
+///
+/// # Example
+/// The free rigid body, by hand:
+/// ```
+/// use lie_poisson::{Covector, Hamiltonian, LiePoisson, PoissonSpace, Real, So3};
+/// use nalgebra::Vector3;
+///
+/// struct RigidBody {
+///     moments: [f64; 3],
+/// }
+/// impl<T: Real> Hamiltonian<LiePoisson<So3>, T> for RigidBody {
+///     fn value(&self, pi: &Covector<Vector3<T>>) -> T {
+///         self.differential(pi).dot(&pi.0) * 0.5
+///     }
+///     fn differential(&self, Covector(pi): &Covector<Vector3<T>>) -> Vector3<T> {
+///         let [a, b, c] = self.moments;
+///         Vector3::new(pi.x / a, pi.y / b, pi.z / c)
+///     }
+/// }
+///
+/// let body = RigidBody { moments: [1.0, 2.0, 4.0] };
+/// let pi = Covector(Vector3::new(1.0, 1.0, 1.0));
+/// let omega = body.differential(&pi);
+/// assert_eq!(omega, Vector3::new(1.0, 0.5, 0.25));
+/// // Euler's equations dΠ/dt = Π × Ω
+/// let rate = LiePoisson::minus(So3).hamiltonian_vector(&pi, &omega);
+/// assert_eq!(rate, Covector(pi.0.cross(&omega)));
+/// ```
 #[diagnostic::on_unimplemented(
     message = "`{Self}` is not a Hamiltonian on `{P}` over `{T}`",
     label = "no value and differential over `{T}`",

@@ -7,6 +7,34 @@ pub type RepresentedElement<R, T = f64> =
     <<R as Representation>::Algebra as LieAlgebra>::Element<T>;
 
 /// A linear representation of a Lie algebra 𝔤 on a real vector space V: [ξ, η] v = ξ(ηv) − η(ξv).
+///
+/// # Example
+/// The representation of so(3) on R³, and the semidirect product that it gives:
+/// ```
+/// use lie_poisson::{Covector, LieAlgebra, Pair, Real, Representation, SemidirectAlgebra, So3};
+/// use nalgebra::Vector3;
+///
+/// #[derive(Clone)]
+/// struct Rotations;
+/// impl Representation for Rotations {
+///     type Algebra = So3;
+///     type Space<T: Real> = Vector3<T>;
+///     fn algebra(&self) -> So3 {
+///         So3
+///     }
+///     fn act<T: Real>(&self, xi: &Vector3<T>, v: &Vector3<T>) -> Vector3<T> {
+///         xi.cross(v)
+///     }
+/// }
+///
+/// let (v, alpha) = (Vector3::new(1.0, 2.0, 3.0), Covector(Vector3::new(0.5, 0.0, 1.0)));
+/// // the diamond product follows: v ◇ α = v × α
+/// assert_eq!(Rotations.diamond(&v, &alpha), Covector(v.cross(&alpha.0)));
+/// // so(3) ⋉ R³ = se(3)
+/// let se3 = SemidirectAlgebra(Rotations); // its elements are pairs (ξ, φ)
+/// let (xi, eta) = (Pair(Vector3::x(), Vector3::y()), Pair(Vector3::y(), Vector3::z()));
+/// assert_eq!(se3.bracket::<f64>(&xi, &eta), Pair(Vector3::z(), -Vector3::y()));
+/// ```
 pub trait Representation: Clone {
     /// The Lie algebra 𝔤 that acts.
     type Algebra: LieAlgebra;

@@ -97,6 +97,21 @@ pub trait Lift: PoissonMap {
 ///
 /// Source: Ohsawa 2019, §4.2; McLachlan, Modin & Verdier, *Collective symplectic integrators*,
 /// Nonlinearity 27 (2014).
+///
+/// # Example
+/// The fibres of the Hopf map C² → so(3)∗ are circles:
+/// ```
+/// use momentum_map::{FibreSymmetry, HOPF, HopfRealisation, PoissonMap};
+/// use nalgebra::Vector2;
+/// use num_complex::Complex;
+/// let z = Vector2::new(Complex::new(0.3, -0.7), Complex::new(0.5, 0.2));
+/// let moved = HOPF.flow(0, 0.9, &z);
+/// assert_eq!(HopfRealisation::COUNT, 1);
+/// assert!((moved - z).norm() > 0.5);
+/// assert!((HOPF.apply(&moved) - HOPF.apply(&z)).0.norm() < 1e-15);
+/// // the momentum of the flow is a function of the Casimir |Π|
+/// assert!((HOPF.momentum(0, &z).abs() - 2.0 * HOPF.apply(&z).0.norm()).abs() < 1e-15);
+/// ```
 pub trait FibreSymmetry: PoissonMap {
     /// The number of one-parameter groups.
     const COUNT: usize;
