@@ -52,14 +52,14 @@ fn allocations(f: impl FnOnce() -> Result<(), Box<dyn Error>>) -> Result<usize, 
     Ok(ALLOCATIONS.with(Cell::get) - before)
 }
 
-/// Returns the number of allocations of 100 steps in place, after the steps that fill the memory.
+/// Returns the number of allocations of 20 steps in place, after the steps that fill the memory.
 fn in_place<I: Integrator>(method: &I, mut state: I::State) -> Result<usize, Box<dyn Error>> {
     let mut workspace = method.workspace();
     for _ in 0..4 {
         method.step_in_place(&mut state, 0.01, &mut workspace)?;
     }
     allocations(|| {
-        for _ in 0..100 {
+        for _ in 0..20 {
             method.step_in_place(&mut state, 0.01, &mut workspace)?;
         }
         Ok(())

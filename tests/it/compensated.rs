@@ -11,7 +11,7 @@ use nalgebra::Vector3;
 use std::error::Error;
 use workspace_tests::tops;
 
-const STEPS: usize = 40_000;
+const STEPS: usize = 8_000;
 
 /// Returns starts of the generic top whose coordinates are no short binary fractions.
 fn starts() -> impl Iterator<Item = Se3Dual> {

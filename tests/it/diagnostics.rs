@@ -253,7 +253,7 @@ fn growth_of_the_deviation_of_a_casimir() -> Outcome {
     let field = HamiltonianField { space: SPACE, hamiltonian: top };
     let loss = Direct::new(RungeKutta::rk4(), field);
     let (mut random, mut steady) = (EnsembleGrowth::default(), EnsembleGrowth::default());
-    for k in 0..64 {
+    for k in 0..32 {
         let mu = start.scaled(1.0 + 1e-3 * f64::from(k));
         // The rows are at 0 and at 16, 32, …, 4096 steps.
         let chosen = |step: u64| step == 0 || (step >= 16 && step.is_power_of_two());

@@ -155,14 +155,14 @@ fn resumes<I: Start<f64, State: Vector, Momentum = Se3Dual>>(
     let mut whole = whole.skip(usize::try_from(number).unwrap());
     let saved = whole.next().unwrap().unwrap();
     let resumed = integrator.trajectory_resumed(saved.state, saved.step, h);
-    resumed.skip(1).zip(whole).take(1500).all(|(a, b)| a.unwrap() == b.unwrap())
+    resumed.skip(1).zip(whole).take(1100).all(|(a, b)| a.unwrap() == b.unwrap())
 }
 
 #[test]
 fn a_run_resumes_bit_for_bit() {
     let mut elsewhere = Vec::new();
     for (s, h) in [(1, 0.02), (4, 0.1), (8, 0.1)] {
-        for n in [0, 1, 2] {
+        for n in [0, 1] {
             assert!(resumes(&lifted(s), h, n * CHECKPOINT), "lifted {s} {n}");
             assert!(resumes(&lift_free(s), h, n * CHECKPOINT), "lift-free {s} {n}");
             assert!(resumes(&lift_free(s).compensated(), h, n * CHECKPOINT), "compensated {s}");

@@ -75,7 +75,7 @@ fn a_killed_run_goes_on_to_the_same_bytes_in_every_formulation() {
         ("splitting", "kahan-li-6", true),
     ] {
         let text = format!(
-            "integrator = {{ formulation = '{formulation}', scheme = '{scheme}', end = 1000 }}\n\
+            "integrator = {{ formulation = '{formulation}', scheme = '{scheme}', end = 400 }}\n\
              output = {{ attitude = {attitude} }}"
         );
         kill_and_go_on(&text, "a.csv", [0]);

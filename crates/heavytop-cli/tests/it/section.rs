@@ -224,7 +224,7 @@ fn what_integrator_leaves_out_is_as_without_it() {
 #[cfg(target_os = "linux")]
 fn without_memory_a_section_fails_and_goes_on_once_there_is_some() {
     let folder = Folder::new();
-    folder.write("a.toml", "section = { starts = 12, crossings = 150 }");
+    folder.write("a.toml", "section = { starts = 12, crossings = 20 }");
     let whole = folder.heavytop(&["section", "a.toml", "--out", "whole"]);
     assert_eq!(whole.code(), 0, "{}", whole.stderr());
     let mut failed = 0;

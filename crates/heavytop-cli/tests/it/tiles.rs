@@ -19,7 +19,7 @@ struct Case {
 
 const SECTION: Case = Case {
     command: "section",
-    configuration: "[section]\nenergy = 1.5\nvertical_momentum = 0.5\nstarts = 12\ncrossings = 150",
+    configuration: "[section]\nenergy = 1.5\nvertical_momentum = 0.5\nstarts = 12\ncrossings = 20",
     files: &["section.csv", "section.parquet", "section.svg", "section.png"],
     other: ["energy = 1.5", "energy = 1.6", "[section] energy: 1.5 against 1.6"],
 };
