@@ -1,6 +1,7 @@
 //! The errors of the commands, and the exit codes.
 
 use super::checkpoint_error::CheckpointError;
+use super::quotation::Quotation;
 use super::sweep_error::SweepError;
 use crate::vocabulary::brief::{number, text};
 use crate::vocabulary::{Formulation, Scheme};
@@ -25,7 +26,26 @@ pub enum Error {
         /// The error of the system.
         source: io::Error,
     },
-    /// The configuration file is not TOML, or has unknown keys or wrong types.
+    /// The configuration is not TOML, or has an unknown key or a wrong type.
+    #[error("{0}")]
+    Misread(String),
+    /// A value of the configuration is wrong, and is quoted.
+    #[error("{quotation}")]
+    Quoted {
+        /// The place and the line.
+        quotation: Box<Quotation>,
+        /// What is wrong.
+        source: Box<Error>,
+    },
+    /// An assignment on the command line is wrong.
+    #[error("--set needs table.key=value, got `{}`: {reason}", text(assignment))]
+    Assignment {
+        /// The assignment.
+        assignment: String,
+        /// What is wrong with it.
+        reason: &'static str,
+    },
+    /// A file of tops has a wrong line.
     #[error("{}, line {line}, column {column}: {message}", path.display())]
     Configuration {
         /// The path of the file.

@@ -7,6 +7,7 @@ use super::help::{
 };
 use crate::Error;
 use crate::configuration::{Config, Preset};
+use crate::reading::Sources;
 use clap::{Args, Parser, Subcommand};
 use clap_complete::Shell;
 use std::path::PathBuf;
@@ -131,9 +132,6 @@ pub(super) enum Command {
         /// The number of tops in the ensemble.
         #[arg(long, value_name = "COUNT", default_value_t = 10_000, allow_negative_numbers = true)]
         tops: u64,
-        /// The number of threads for the ensemble.
-        #[arg(long, value_name = "COUNT", default_value_t = 1, allow_negative_numbers = true)]
-        threads: usize,
     },
     /// Print the completions of a shell, to be put where it looks for them.
     #[command(after_long_help = COMPLETIONS_EXAMPLES)]
@@ -146,19 +144,33 @@ pub(super) enum Command {
 /// Which top, and how to follow it.
 #[derive(Debug, Args)]
 pub(super) struct Top {
-    /// The configuration, in TOML; what it leaves out is as in the preset.
+    /// The configuration, in TOML; - is standard input; what it leaves out is as in the preset.
     config: Option<PathBuf>,
     /// A top by name; without it the paper's Kovalevskaya top.
     #[arg(long)]
     preset: Option<Preset>,
+    /// Set a key of the configuration, over the file and the preset; may be given several times.
+    ///
+    /// A name needs no quotation marks: --set integrator.scheme=gauss-4. An index sets one number of a vector: --set
+    /// body.inertia[2]=1.5.
+    #[arg(long = "set", value_name = "TABLE.KEY=VALUE")]
+    assignments: Vec<String>,
+    /// The number of threads for section, sweep and bench; the other commands need one.
+    #[arg(long, value_name = "COUNT", allow_negative_numbers = true)]
+    pub(super) threads: Option<usize>,
 }
 
 impl Top {
     pub(super) fn is_default(&self) -> bool {
-        self.config.is_none() && self.preset.is_none()
+        self.config.is_none() && self.preset.is_none() && self.assignments.is_empty()
     }
 
-    pub(super) fn config(&self) -> Result<Config, Error> {
-        Config::load(self.preset, self.config.as_deref())
+    /// Runs a command with the configuration. A refusal quotes the line of the key at fault.
+    pub(super) fn run<T>(
+        &self,
+        command: impl FnOnce(Config) -> Result<T, Error>,
+    ) -> Result<T, Error> {
+        let sources = Sources::read(self.preset, self.config.as_deref(), &self.assignments)?;
+        command(sources.config().clone()).map_err(|error| sources.locate(error))
     }
 }

@@ -114,6 +114,8 @@ Examples:
   heavytop simulate top.toml --out top.csv
   heavytop simulate --preset multibody-benchmark --out benchmark.npz
   heavytop simulate --preset lagrange top.toml --out top.parquet   # the preset but for top.toml
+  heavytop simulate top.toml --set integrator.end=50 --set integrator.scheme=gauss-4 --out top.csv
+  sed s/0.02/0.01/ top.toml | heavytop simulate - --out top.csv    # from standard input
   heavytop simulate top.toml --out top.csv --resume top.csv.checkpoint
   heavytop simulate top.toml --out top.csv --restart               # discard the checkpoint
   heavytop simulate top.toml --out top.csv --json                  # a summary on stdout
@@ -161,7 +163,7 @@ coloured by the mean of |y| over their points, which is the same all over an inv
 chaotic sea.
 
 Crossings are located to the accuracy of the integrator; those in the first step after a start are
-not seen. Starts are followed in parallel; no bit depends on the number of threads (RAYON_NUM_THREADS).
+not seen. Starts are followed in parallel; no bit depends on the number of threads (--threads).
 
 Written into the folder:
   section.svg .png  the picture
@@ -272,7 +274,8 @@ Written into the folder:
                   first axis is the abscissa; the colours span all values but half a percent at
                   either end; gray has no value
 
-Tops are followed in parallel (RAYON_NUM_THREADS threads); top number n depends on the configuration
+Tops are followed in parallel (--threads, by default all
+processors); top number n depends on the configuration
 and n alone, so that no bit depends on the number of threads, processes or tops. What is finished is
 kept, 256 tops at a time, in DIR/sweep.partial until all is; after an interruption, by Ctrl-C (a second
 one ends at once), a kill or a full disk, --resume continues from there, to the same bytes, and --restart

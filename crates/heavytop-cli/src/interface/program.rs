@@ -50,25 +50,21 @@ fn run(Arguments { quiet, json, command }: Arguments) -> Result<(), Error> {
             done.and_then(|summary| if json { print(&summary, json) } else { Ok(()) })
         }
         Command::Compare { top, out } => top
-            .config()
-            .and_then(|config| compare(&config, &out, &watch(quiet)))
+            .run(|config| compare(&config, &out, &watch(quiet)))
             .and_then(|done| print(&done, json)),
         Command::Section { top, out, resume, restart } => top
-            .config()
-            .and_then(|config| section(&config, &out, &in_tiles(resume, restart, quiet)))
+            .run(|config| section(&config, &out, &in_tiles(&top, resume, restart, quiet)))
             .and_then(|done| print(&done, json)),
         Command::Sweep { top, out, resume, restart } => top
-            .config()
-            .and_then(|config| sweep(&config, &out, &in_tiles(resume, restart, quiet)))
+            .run(|config| sweep(&config, &out, &in_tiles(&top, resume, restart, quiet)))
             .and_then(|done| done.map_or(Ok(()), |done| print(&done, json))),
         Command::Animate { top, out } => top
-            .config()
-            .and_then(|config| animate(config, &out, &watch(quiet)))
+            .run(|config| animate(config, &out, &watch(quiet)))
             // The page itself reports the same.
             .and_then(|summary| if json { print(&summary, json) } else { Ok(()) }),
-        Command::Bench { top, problem, only, tops, threads } => top
-            .config()
-            .and_then(|config| {
+        Command::Bench { top, problem, only, tops } => top
+            .run(|config| {
+                let threads = top.threads.unwrap_or(1);
                 let options = BenchOptions { only, tops, threads };
                 bench(&config, problem.as_deref(), options, quiet)
             })
@@ -99,29 +95,30 @@ fn run_simulate(
 ) -> Result<RunSummary, Error> {
     let Begin { resume, restart, interval } = *begin;
     let resume = resume.map(Checkpoint::read).transpose()?;
-    let config = match &resume {
-        // The checkpoint has its own configuration.
-        Some(checkpoint) if top.is_default() => checkpoint.configuration().clone(),
-        _ => top.config()?,
-    };
     let range = "not negative, and at most 1e9";
     let interval = Duration::try_from_secs_f64(interval)
         .ok()
         .filter(|interval| interval.as_secs_f64() <= 1e9)
         .ok_or(Error::OutOfRange { name: "checkpoint-interval", range, value: interval })?;
-    let method = config.experiment()?.method;
-    if let Some(warning) = method.warning() {
-        // Where stderr is closed nobody can be warned.
-        let _ = writeln!(io::stderr(), "heavytop: {warning}");
-    }
-    let stop = Some(interrupted());
-    let options = SimulateOptions { resume: resume.as_ref(), restart, interval, stop, quiet };
-    simulate(&config, out, &options)
+    top.run(|config| {
+        let config = match &resume {
+            // The checkpoint has its own configuration.
+            Some(checkpoint) if top.is_default() => checkpoint.configuration().clone(),
+            _ => config,
+        };
+        if let Some(warning) = config.experiment()?.method.warning() {
+            // Where stderr is closed nobody can be warned.
+            let _ = writeln!(io::stderr(), "heavytop: {warning}");
+        }
+        let stop = Some(interrupted());
+        let options = SimulateOptions { resume: resume.as_ref(), restart, interval, stop, quiet };
+        simulate(&config, out, &options)
+    })
 }
 
 /// Returns the options of a command that keeps its finished parts.
-fn in_tiles(resume: bool, restart: bool, quiet: bool) -> TileOptions<'static> {
-    TileOptions { resume, restart, stop: Some(interrupted()), quiet }
+fn in_tiles(top: &Top, resume: bool, restart: bool, quiet: bool) -> TileOptions<'static> {
+    TileOptions { resume, restart, stop: Some(interrupted()), threads: top.threads, quiet }
 }
 
 /// Returns the options of a command that keeps nothing when it is interrupted.

@@ -2,6 +2,7 @@
 #![allow(clippy::unwrap_used, clippy::panic)]
 
 mod animate;
+mod assignments;
 mod bench;
 mod checkpoint;
 mod compare;
@@ -14,6 +15,7 @@ mod methods;
 mod mpi;
 mod presets;
 mod program;
+mod quotations;
 mod refusals;
 mod reproduce;
 mod section;

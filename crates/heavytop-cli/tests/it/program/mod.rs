@@ -1,6 +1,7 @@
 //! The program in a folder of its own, for the tests that run it. No test file needs all of this.
 #![allow(dead_code)]
 
+use std::io::Write;
 use std::path::PathBuf;
 use std::process::{Child, Command, Output, Stdio};
 use tempfile::TempDir;
@@ -44,6 +45,16 @@ impl Folder {
         Finished(self.command(arguments).env("RAYON_NUM_THREADS", threads).output().unwrap())
     }
 
+    /// Runs `heavytop` with these arguments in the folder, and with this text as its standard input.
+    pub fn heavytop_fed(&self, text: &str, arguments: &[&str]) -> Finished {
+        let mut command = self.command(arguments);
+        command.stdin(Stdio::piped()).stdout(Stdio::piped()).stderr(Stdio::piped());
+        let mut child = command.spawn().unwrap();
+        // The program may end before it has read everything.
+        let _ = child.stdin.take().unwrap().write_all(text.as_bytes());
+        Finished(child.wait_with_output().unwrap())
+    }
+
     /// Starts `heavytop` with these arguments in the folder.
     pub fn start(&self, arguments: &[&str]) -> Child {
         self.command(arguments).stderr(Stdio::piped()).spawn().unwrap()
@@ -70,6 +81,11 @@ impl Finished {
 
     pub fn stderr(&self) -> String {
         String::from_utf8(self.0.stderr.clone()).unwrap()
+    }
+
+    /// Returns the number of messages, each with the lines that it quotes.
+    pub fn messages(&self) -> usize {
+        self.stderr().lines().filter(|line| line.starts_with("heavytop: ")).count()
     }
 }
 
