@@ -82,6 +82,9 @@ pub enum Error {
     /// Γ(0) is not a unit vector.
     #[error("[initial]")]
     Vertical(#[source] TopError),
+    /// There is an azimuth of Γ(0), but no inclination.
+    #[error("[initial] azimuth needs inclination: the two give the vertical")]
+    AzimuthAlone,
     /// No run can start from the initial state.
     #[error("[initial]")]
     Start(#[from] RunError),

@@ -20,7 +20,7 @@ use std::path::PathBuf;
 #[derive(Debug, Parser)]
 #[command(name = "heavytop", version, after_long_help = EXIT_CODES)]
 pub(super) struct Arguments {
-    /// Show no progress bar. (It shows on a terminal only, in long runs.)
+    /// Show no progress bar and no closing line. (The bar shows on a terminal only, in long runs.)
     #[arg(long, global = true, display_order = 100)]
     pub(super) quiet: bool,
 

@@ -75,10 +75,16 @@ Configuration: every key may be left out, and has then the value below.
   gravity = 1.0                      # m/s²; 0 gives the free rigid body
   length = 1.0                       # m, support to centre of mass
   center_of_mass = [1.0, 0.0, 0.0]   # direction in the body frame; a unit vector
+  normalise = false                  # whether to scale center_of_mass to length 1
 
   [initial]
   angular_momentum = [2.0, 3.0, 4.0]            # Π(0), kg m²/s, body frame
   vertical = [0.5, 0.0, 0.8660254037844386]     # Γ(0), body frame; a unit vector
+  normalise = false                             # whether to scale vertical to length 1
+Instead of angular_momentum: angular_velocity, Ω(0) in rad/s, body frame; Π(0) = (I1 Ω1, I2 Ω2, I3 Ω3).
+Instead of vertical: inclination i and azimuth a (default 0), rad; Γ(0) = (sin i cos a, sin i sin a, cos i).
+i is the angle from e3 to the vertical: at 0 the axis e3 points up, at π down. a is counted from e1, positive
+towards e2: at i = π/2 and a = 0 the axis e1 points up.
 
   [integrator]
   formulation = \"collective\"         # or reduced, direct, splitting; see below

@@ -14,10 +14,12 @@ use crate::commands::sweep::sweep;
 use crate::supervision::{TileOptions, Watch};
 use clap::{CommandFactory, Parser};
 use clap_complete::Shell;
+use serde::Serialize;
+use std::fmt::Display;
 use std::io::{self, Write};
 use std::path::Path;
 use std::process::ExitCode;
-use std::time::Duration;
+use std::time::{Duration, Instant};
 
 /// Runs the program with the arguments of the process.
 #[must_use]
@@ -39,6 +41,7 @@ pub fn main() -> ExitCode {
 }
 
 fn run(Arguments { quiet, json, command }: Arguments) -> Result<(), Error> {
+    let closing = Closing { begun: Instant::now() };
     match command {
         Command::Reproduce { out, end, step } => {
             reproduce(&out, step, end, &watch(quiet)).and_then(|done| print(&done, json))
@@ -46,8 +49,7 @@ fn run(Arguments { quiet, json, command }: Arguments) -> Result<(), Error> {
         Command::Simulate { top, out, resume, restart, checkpoint_interval } => {
             let begin = Begin { resume: resume.as_deref(), restart, interval: checkpoint_interval };
             let done = run_simulate(&top, &out, &begin, quiet);
-            // The numbers are in the file; there is nothing else to report.
-            done.and_then(|summary| if json { print(&summary, json) } else { Ok(()) })
+            done.and_then(|summary| closing.end(&summary, json, quiet))
         }
         Command::Compare { top, out } => top
             .run(|config| compare(&config, &out, &watch(quiet)))
@@ -60,8 +62,7 @@ fn run(Arguments { quiet, json, command }: Arguments) -> Result<(), Error> {
             .and_then(|done| done.map_or(Ok(()), |done| print(&done, json))),
         Command::Animate { top, out } => top
             .run(|config| animate(config, &out, &watch(quiet)))
-            // The page itself reports the same.
-            .and_then(|summary| if json { print(&summary, json) } else { Ok(()) }),
+            .and_then(|summary| closing.end(&summary, json, quiet)),
         Command::Bench { top, problem, only, tops } => top
             .run(|config| {
                 let threads = top.threads.unwrap_or(1);
@@ -70,6 +71,31 @@ fn run(Arguments { quiet, json, command }: Arguments) -> Result<(), Error> {
             })
             .and_then(|done| print(&done, json)),
         Command::Completions { shell } => completions(shell),
+    }
+}
+
+/// The end of a command whose numbers are in its file.
+struct Closing {
+    begun: Instant,
+}
+
+impl Closing {
+    /// Prints the summary as JSON, or says on stderr in one line what was done and how long it took.
+    fn end(
+        &self,
+        summary: &(impl Display + Serialize),
+        json: bool,
+        quiet: bool,
+    ) -> Result<(), Error> {
+        if json {
+            return print(summary, json);
+        }
+        if !quiet {
+            let seconds = self.begun.elapsed().as_secs_f64();
+            // The run has succeeded where stderr is closed, too.
+            let _ = writeln!(io::stderr(), "heavytop: done: {summary}; {seconds:.2} s");
+        }
+        Ok(())
     }
 }
 

@@ -61,10 +61,10 @@ impl ConfigurationText {
     fn misread(&self, error: &toml::de::Error, mut path: KeyPath) -> Error {
         let message = message(error.message());
         // A message about two keys of one table begins with the one to quote.
-        if let Some(key) = message.strip_prefix('`').and_then(|rest| rest.split('`').next()) {
-            path.0.push(Step::Key(key.into()));
-        }
-        let span = error.span().or_else(|| path.span(&self.text).map(|(span, _)| span));
+        let own = message.strip_prefix('`').and_then(|rest| rest.split('`').next());
+        path.0.extend(own.map(|key| Step::Key(key.into())));
+        let at_path = path.span(&self.text).map(|(span, _)| span);
+        let span = if own.is_some() { at_path } else { error.span().or(at_path) };
         let note = repair(&message);
         let quotation = Quotation::new(&self.name, &self.text, span.unwrap_or(0..0), &note);
         let message = match path.to_string().as_str() {

@@ -49,6 +49,9 @@ pub(super) fn repair(message: &str) -> String {
             String::new()
         };
     }
+    if let (true, Some((_, repair))) = (message.starts_with('`'), message.rsplit_once("; ")) {
+        return repair.into();
+    }
     match message.rsplit_once("expected ") {
         Some((_, "fewer elements in array" | "fewer elements")) => "write fewer numbers".into(),
         Some((_, expected)) => format!("write {expected}"),
@@ -67,6 +70,7 @@ mod tests {
             ("unknown field `x`, expected one of `mass`, `length`", "there is no such key"),
             ("invalid type: string \"a\", expected f64", "write a number"),
             ("invalid length 2, expected an array of length 3", "write an array of length 3"),
+            ("`a` excludes `b`; write one of them", "write one of them"),
             ("unclosed array", ""),
         ] {
             assert_eq!(repair(&message(original)), offered);

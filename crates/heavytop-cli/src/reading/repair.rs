@@ -10,8 +10,11 @@ use heavytop::{SectionError, TopError};
 pub(super) type Repair = (String, String);
 
 /// The keys of the numbers that [`Error::OutOfRange`] names.
-const KEYS: [(&str, &str); 10] = [
+const KEYS: [(&str, &str); 13] = [
     ("angular_momentum", "initial.angular_momentum"),
+    ("angular_velocity", "initial.angular_velocity"),
+    ("inclination", "initial.inclination"),
+    ("azimuth", "initial.azimuth"),
     ("every", "output.every"),
     ("step", "integrator.step"),
     ("end", "integrator.end"),
@@ -28,7 +31,8 @@ pub(super) fn repairs(error: &Error, config: &Config) -> Vec<Repair> {
     let repair = |key: &str, note: String| (key.to_string(), note);
     match error {
         Error::Body(top) => vec![of_vector("body", top, config.body.center_of_mass)],
-        Error::Vertical(top) => vec![of_vector("initial", top, config.initial.vertical)],
+        Error::Vertical(top) => vec![of_vector("initial", top, config.initial.direction())],
+        Error::AzimuthAlone => vec![repair("initial.azimuth", "write both".into())],
         Error::OutOfRange { name, range, .. } => KEYS
             .iter()
             .filter(|(known, _)| known == name)
@@ -58,6 +62,7 @@ pub(super) fn repairs(error: &Error, config: &Config) -> Vec<Repair> {
             vec![
                 repair("integrator.step", note),
                 repair("initial.angular_momentum", fast.clone()),
+                repair("initial.angular_velocity", fast.clone()),
                 repair("body.inertia", fast),
             ]
         }
@@ -101,7 +106,7 @@ fn of_vector(table: &str, error: &TopError, vector: [f64; 3]) -> Repair {
 fn unit(vector: [f64; 3], length: f64) -> String {
     if length > 0.0 && length.is_finite() {
         let [x, y, z] = vector.map(|x| x / length);
-        format!("write [{x:?}, {y:?}, {z:?}]")
+        format!("write [{x:?}, {y:?}, {z:?}], or `normalise = true`")
     } else {
         "write a vector of length 1, such as [0.0, 0.0, 1.0]".into()
     }
@@ -137,6 +142,10 @@ fn of_sweep(error: &SweepError) -> Vec<Repair> {
         }
         SweepError::TooMany { most, .. } => {
             vec![repair("axes", &format!("the counts must multiply to at most {most:e}"))]
+        }
+        SweepError::Velocity { .. } => {
+            let note = "write `angular_momentum`, or vary another number".to_string();
+            vec![("initial.angular_velocity".into(), note)]
         }
         SweepError::NoAxes => vec![repair("axes", "add a table [[sweep.axes]]")],
         _ => vec![repair("axes", "")],

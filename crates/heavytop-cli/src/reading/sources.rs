@@ -81,8 +81,9 @@ impl Sources {
 
     /// Overrides the configuration by the keys of a text.
     fn add(&mut self, text: ConfigurationText) -> Result<(), Error> {
-        let mut table = self.table()?;
-        overlay(&mut table, text.table()?);
+        let (mut table, over) = (self.table()?, text.table()?);
+        remove_rivals(&mut table, &over);
+        overlay(&mut table, over);
         self.config = text.read(table)?;
         self.texts.push(text);
         Ok(())
@@ -101,6 +102,24 @@ fn text(path: &Path) -> Result<ConfigurationText, Error> {
     };
     let text = text.map_err(|source| Error::Read { path: name.clone().into(), source })?;
     Ok(ConfigurationText { name, text })
+}
+
+/// Keys of `[initial]` that say the same thing in two ways.
+const RIVALS: [(&[&str], &[&str]); 2] =
+    [(&["angular_momentum"], &["angular_velocity"]), (&["vertical"], &["inclination", "azimuth"])];
+
+/// Removes the keys whose rivals override them.
+fn remove_rivals(base: &mut Table, over: &Table) {
+    let table = "initial";
+    let Some(over) = over.get(table).and_then(Value::as_table) else { return };
+    let Some(base) = base.get_mut(table).and_then(Value::as_table_mut) else { return };
+    for (one, other) in RIVALS {
+        for (given, rivals) in [(one, other), (other, one)] {
+            if given.iter().any(|key| over.contains_key(*key)) {
+                rivals.iter().for_each(|key| drop(base.remove(*key)));
+            }
+        }
+    }
 }
 
 /// Overrides the keys of one table by those of another, in nested tables as well.

@@ -30,7 +30,7 @@ fn each_pair_that_makes_sense_runs_and_conserves_what_it_promises() {
                 let folder = Folder::new();
                 let run =
                     simulate(&folder, formulation, scheme, &format!("step = 0.1\nend = 1{body}"));
-                let (code, said) = (run.code(), run.stderr());
+                let (code, said) = (run.code(), run.complaints());
                 assert_eq!(code, 0, "{formulation} {scheme}: {said}");
                 let (_, rows) = numbers(&folder.read("a.csv"));
                 assert_eq!(rows.len(), 11);

@@ -39,7 +39,7 @@ const QUOTED: &[(&str, &str, &str, &str, &str)] = &[
         "body.center_of_mass = [3, 4, 0]",
         "body.center_of_mass = [3, 4, 0]",
         "[3, 4, 0]",
-        "write [0.6, 0.8, 0.0]",
+        "write [0.6, 0.8, 0.0], or `normalise = true`",
     ),
     (
         "simulate",
@@ -85,6 +85,23 @@ const QUOTED: &[(&str, &str, &str, &str, &str)] = &[
         "'rk4'",
         "write `implicit-midpoint`, or another of its schemes",
     ),
+    // Two keys say the same thing.
+    (
+        "simulate",
+        "[initial]\nangular_momentum = [1, 0, 0]\nangular_velocity = [2, 0, 0]",
+        "angular_velocity = [2, 0, 0]",
+        "[2, 0, 0]",
+        "write one of them",
+    ),
+    (
+        "simulate",
+        "initial = { vertical = [0, 0, 1], inclination = 0.25 }",
+        "initial = { vertical = [0, 0, 1], inclination = 0.25 }",
+        "0.25",
+        "write one of them",
+    ),
+    ("simulate", "[initial]\nazimuth = 1.5", "azimuth = 1.5", "1.5", "write both"),
+    ("simulate", "initial.inclination = nan", "initial.inclination = nan", "nan", "must be finite"),
     ("section", "section.energy = -9", "section.energy = -9", "-9", "write more than "),
     ("section", "section.starts = 0", "section.starts = 0", "0", "must be at least 1"),
     ("section", "section.level = 2", "section.level = 2", "2", "more than -1 and less than 1"),

@@ -83,6 +83,12 @@ impl Finished {
         String::from_utf8(self.0.stderr.clone()).unwrap()
     }
 
+    /// Returns what is on stderr besides the closing line.
+    pub fn complaints(&self) -> String {
+        let (lines, closing) = (self.stderr(), "heavytop: done: ");
+        lines.split_inclusive('\n').filter(|line| !line.starts_with(closing)).collect()
+    }
+
     /// Returns the number of messages, each with the lines that it quotes.
     pub fn messages(&self) -> usize {
         self.stderr().lines().filter(|line| line.starts_with("heavytop: ")).count()
