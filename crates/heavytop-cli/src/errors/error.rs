@@ -45,6 +45,39 @@ pub enum Error {
         /// What is wrong with it.
         reason: &'static str,
     },
+    /// An argument of the command line is wrong.
+    #[error("--{name}")]
+    Argument {
+        /// The name of the argument.
+        name: &'static str,
+        /// What is wrong with it.
+        source: Box<Error>,
+    },
+    /// The output would be absurdly large, and nobody has agreed to it.
+    #[error(
+        "the run would write about {room}, free are {free}: raise [output] every, lower the end, or \
+         agree with --yes"
+    )]
+    Large {
+        /// The room that the run needs.
+        room: String,
+        /// The room that there is.
+        free: String,
+    },
+    /// A file exists that would have to be overwritten.
+    #[error("{} exists, and is not overwritten", path.display())]
+    Exists {
+        /// The path of the file.
+        path: PathBuf,
+    },
+    /// The program has no command of this name.
+    #[error("there is no command `{}`; there are {}", text(name), names.join(", "))]
+    NoCommand {
+        /// The name that was asked for.
+        name: String,
+        /// The names of all commands.
+        names: Vec<String>,
+    },
     /// A file of tops has a wrong line.
     #[error("{}, line {line}, column {column}: {message}", path.display())]
     Configuration {

@@ -2,8 +2,8 @@
 
 use super::help::{
     ANIMATE, ANIMATE_EXAMPLES, BENCH, BENCH_EXAMPLES, COMPARE, COMPARE_EXAMPLES,
-    COMPLETIONS_EXAMPLES, EXIT_CODES, REPRODUCE, REPRODUCE_EXAMPLES, SECTION, SECTION_EXAMPLES,
-    SIMULATE, SIMULATE_EXAMPLES, SWEEP, SWEEP_EXAMPLES,
+    COMPLETIONS_EXAMPLES, EXIT_CODES, INIT_EXAMPLES, MAN_EXAMPLES, REPRODUCE, REPRODUCE_EXAMPLES,
+    SECTION, SECTION_EXAMPLES, SIMULATE, SIMULATE_EXAMPLES, SWEEP, SWEEP_EXAMPLES,
 };
 use crate::Error;
 use crate::configuration::{Config, Preset};
@@ -69,6 +69,12 @@ pub(super) enum Command {
         /// Renew the checkpoint whenever so much time has passed, in seconds.
         #[arg(long, value_name = "SECONDS", default_value_t = 60.0, allow_negative_numbers = true)]
         checkpoint_interval: f64,
+        /// Write nothing; print the rows and the size of the output, and an estimate of the time.
+        #[arg(long)]
+        dry_run: bool,
+        /// Do not ask before a run that needs more room than the disk has, or more than 100 GB.
+        #[arg(long)]
+        yes: bool,
     },
     /// Measure work against precision, for every formulation and scheme.
     #[command(long_about = COMPARE, after_long_help = COMPARE_EXAMPLES)]
@@ -78,6 +84,9 @@ pub(super) enum Command {
         /// The folder for the figure and the table; made if it is not there.
         #[arg(long, value_name = "DIR")]
         out: PathBuf,
+        /// The end of the interval, in seconds: a whole number of configured steps.
+        #[arg(long, value_name = "SECONDS", allow_negative_numbers = true)]
+        end: Option<f64>,
     },
     /// Draw a Poincaré section of a top.
     #[command(long_about = SECTION, after_long_help = SECTION_EXAMPLES)]
@@ -132,6 +141,21 @@ pub(super) enum Command {
         /// The number of tops in the ensemble.
         #[arg(long, value_name = "COUNT", default_value_t = 10_000, allow_negative_numbers = true)]
         tops: u64,
+    },
+    /// Write a configuration with comments, to begin with.
+    #[command(after_long_help = INIT_EXAMPLES)]
+    Init {
+        /// The file to write, which must not exist; without it the text goes to stdout.
+        file: Option<PathBuf>,
+        /// A top by name; without it the paper's Kovalevskaya top.
+        #[arg(long)]
+        preset: Option<Preset>,
+    },
+    /// Print the manual page of the program, or of a command.
+    #[command(after_long_help = MAN_EXAMPLES)]
+    Man {
+        /// The command.
+        command: Option<String>,
     },
     /// Print the completions of a shell, to be put where it looks for them.
     #[command(after_long_help = COMPLETIONS_EXAMPLES)]

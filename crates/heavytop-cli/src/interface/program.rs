@@ -1,6 +1,9 @@
 //! The program: from the arguments of its process to its exit code.
 
 use super::arguments::{Arguments, Command, Top};
+use super::confirmation::confirm;
+use super::first_configuration::init;
+use super::manual::man;
 use super::signals::interrupted;
 use super::standard_output::{print, to_stdout};
 use crate::Error;
@@ -9,7 +12,7 @@ use crate::commands::bench::{BenchOptions, bench};
 use crate::commands::compare::compare;
 use crate::commands::reproduce::reproduce;
 use crate::commands::section::section;
-use crate::commands::simulate::{Checkpoint, RunSummary, SimulateOptions, simulate};
+use crate::commands::simulate::{Checkpoint, Forecast, RunSummary, SimulateOptions, simulate};
 use crate::commands::sweep::sweep;
 use crate::supervision::{TileOptions, Watch};
 use clap::{CommandFactory, Parser};
@@ -46,13 +49,17 @@ fn run(Arguments { quiet, json, command }: Arguments) -> Result<(), Error> {
         Command::Reproduce { out, end, step } => {
             reproduce(&out, step, end, &watch(quiet)).and_then(|done| print(&done, json))
         }
-        Command::Simulate { top, out, resume, restart, checkpoint_interval } => {
-            let begin = Begin { resume: resume.as_deref(), restart, interval: checkpoint_interval };
+        Command::Simulate { top, out, dry_run: true, .. } => {
+            top.run(|config| Forecast::tried(&config, &out)).and_then(|done| print(&done, json))
+        }
+        Command::Simulate { top, out, resume, restart, checkpoint_interval, yes, .. } => {
+            let (resume, interval) = (resume.as_deref(), checkpoint_interval);
+            let begin = Begin { resume, restart, interval, yes };
             let done = run_simulate(&top, &out, &begin, quiet);
             done.and_then(|summary| closing.end(&summary, json, quiet))
         }
-        Command::Compare { top, out } => top
-            .run(|config| compare(&config, &out, &watch(quiet)))
+        Command::Compare { top, out, end } => top
+            .run(|config| compare(&config, &out, end, &watch(quiet)))
             .and_then(|done| print(&done, json)),
         Command::Section { top, out, resume, restart } => top
             .run(|config| section(&config, &out, &in_tiles(&top, resume, restart, quiet)))
@@ -70,6 +77,8 @@ fn run(Arguments { quiet, json, command }: Arguments) -> Result<(), Error> {
                 bench(&config, problem.as_deref(), options, quiet)
             })
             .and_then(|done| print(&done, json)),
+        Command::Init { file, preset } => init(preset, file.as_deref()),
+        Command::Man { command } => man(command.as_deref()),
         Command::Completions { shell } => completions(shell),
     }
 }
@@ -111,6 +120,8 @@ struct Begin<'a> {
     restart: bool,
     /// The time between checkpoints, s.
     interval: f64,
+    /// Whether not to ask before an output that is absurdly large.
+    yes: bool,
 }
 
 fn run_simulate(
@@ -119,7 +130,7 @@ fn run_simulate(
     begin: &Begin<'_>,
     quiet: bool,
 ) -> Result<RunSummary, Error> {
-    let Begin { resume, restart, interval } = *begin;
+    let Begin { resume, restart, interval, yes } = *begin;
     let resume = resume.map(Checkpoint::read).transpose()?;
     let range = "not negative, and at most 1e9";
     let interval = Duration::try_from_secs_f64(interval)
@@ -132,6 +143,9 @@ fn run_simulate(
             Some(checkpoint) if top.is_default() => checkpoint.configuration().clone(),
             _ => config,
         };
+        if resume.is_none() {
+            confirm(&Forecast::of(&config, out)?, yes)?;
+        }
         if let Some(warning) = config.experiment()?.method.warning() {
             // Where stderr is closed nobody can be warned.
             let _ = writeln!(io::stderr(), "heavytop: {warning}");

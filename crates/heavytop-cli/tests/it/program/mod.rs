@@ -95,6 +95,23 @@ impl Finished {
     }
 }
 
+/// Runs a shell command in a terminal, types the answer, and returns all that the terminal shows; `None`, with a message,
+/// where there is no `script` that makes terminals.
+pub fn in_terminal(folder: &Folder, command: &str, answer: &str) -> Option<String> {
+    let mut terminal = Command::new("script");
+    terminal.args(["-q", "-e", "-c", command, "/dev/null"]).current_dir(folder.path("."));
+    terminal.stdin(Stdio::piped()).stdout(Stdio::piped()).stderr(Stdio::piped());
+    let Ok(mut child) = terminal.spawn() else {
+        println!("skipped: there is no script here");
+        return None;
+    };
+    let mut typed = child.stdin.take().unwrap();
+    typed.write_all(answer.as_bytes()).unwrap();
+    let done = child.wait_with_output().unwrap();
+    drop(typed);
+    Some(String::from_utf8_lossy(&done.stdout).into_owned())
+}
+
 /// Reads the header and the numbers of a table whose cells are all numbers.
 pub fn numbers(csv: &str) -> (Vec<String>, Vec<Vec<f64>>) {
     let mut lines = csv.lines();
