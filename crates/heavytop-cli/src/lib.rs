@@ -27,7 +27,8 @@
 //! | when you need | use |
 //! |---|---|
 //! | a command: `simulate`, `reproduce`, `compare`, `section`, `sweep`, `animate`, `bench` | [`commands`] |
-//! | a configuration from a file or by name, and its tables | [`configuration`] |
+//! | a configuration by name, and its tables | [`configuration`] |
+//! | a configuration from a file and assignments, with quotations of what is wrong in it | [`reading`] |
 //! | the samples of a run one by one, the integrator of a formulation and a scheme | [`runs`] |
 //! | the names of formulations and schemes | [`vocabulary`] |
 //! | the columns of a run, and its formats CSV, npz and Parquet | [`formats`] |
@@ -60,6 +61,7 @@ pub mod errors;
 pub mod files;
 pub mod runs;
 pub mod configuration;
+pub mod reading;
 pub mod formats;
 mod pictures;
 pub mod supervision;

@@ -81,6 +81,6 @@ impl Config {
     /// # Errors
     /// The errors of [`InitialConfig::start`].
     pub fn start(&self) -> Result<Se3Dual, Error> {
-        self.initial.start()
+        self.initial.start(self.body.inertia)
     }
 }

@@ -1,4 +1,4 @@
-//! The configuration: its tables, tops by name, reading and writing.
+//! The configuration: its tables, tops by name, and writing it.
 
 mod top_config;
 mod integrator_config;
@@ -8,7 +8,7 @@ mod parameter;
 mod sweep_config;
 mod config;
 mod preset;
-mod reading;
+mod as_toml;
 
 pub use config::{Config, OutputConfig};
 pub use integrator_config::{Integration, IntegratorConfig};

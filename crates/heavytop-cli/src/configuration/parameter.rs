@@ -1,6 +1,6 @@
 //! The parameters that a sweep may vary.
 
-use super::top_config::{BodyConfig, InitialConfig};
+use super::top_config::{BodyConfig, InitialConfig, angles, unit_vector};
 use crate::vocabulary::named::{by_name, name_of};
 use serde::{Deserialize, Serialize};
 
@@ -92,6 +92,12 @@ impl Parameter {
         !matches!(self, Self::AngularMomentum(_) | Self::Vertical(_))
     }
 
+    /// Returns whether the parameter is a component of the angular momentum.
+    #[must_use]
+    pub fn is_angular_momentum(self) -> bool {
+        matches!(self, Self::AngularMomentum(_))
+    }
+
     /// Returns whether the parameter is a component of a unit vector.
     #[must_use]
     pub fn is_component(self) -> bool {
@@ -122,7 +128,12 @@ impl Parameter {
             Self::Length => body.length = value,
             Self::CenterOfMass(part) => part_of(&mut body.center_of_mass, part),
             Self::AngularMomentum(i) => put(&mut initial.angular_momentum, i),
-            Self::Vertical(part) => part_of(&mut initial.vertical, part),
+            Self::Vertical(part) => {
+                // The number is one of the vector, even if the configuration has angles.
+                initial.vertical = initial.direction();
+                (initial.inclination, initial.azimuth) = (None, None);
+                part_of(&mut initial.vertical, part);
+            }
         }
     }
 
@@ -152,17 +163,6 @@ impl TryFrom<String> for Parameter {
     fn try_from(name: String) -> Result<Self, String> {
         by_name("parameter", Self::NAMES, &name)
     }
-}
-
-// Uses `libm`, which gives the same bits on every machine.
-
-fn angles(&[x, y, z]: &[f64; 3]) -> [f64; 2] {
-    [libm::atan2(libm::sqrt(x * x + y * y), z), libm::atan2(y, x)]
-}
-
-fn unit_vector(inclination: f64, azimuth: f64) -> [f64; 3] {
-    let ((s, c), (sin, cos)) = (libm::sincos(inclination), libm::sincos(azimuth));
-    [s * cos, s * sin, c]
 }
 
 #[cfg(test)]

@@ -71,9 +71,11 @@ fn multibody_benchmark(config: &mut Config) {
     let (mass, central, spin) = (15.0, [0.234_375, 0.468_75, 0.234_375], [0.0, 150.0, -4.615_38]);
     let inertia = [central[0] + mass, central[1], central[2] + mass];
     let angular_momentum = std::array::from_fn(|i| inertia[i] * spin[i]);
-    config.body =
-        BodyConfig { inertia, mass, gravity: 9.81, length: 1.0, center_of_mass: [0.0, 1.0, 0.0] };
-    config.initial = InitialConfig { angular_momentum, vertical: [0.0, 0.0, 1.0] };
+    let center_of_mass = [0.0, 1.0, 0.0];
+    let own = BodyConfig::default();
+    config.body = BodyConfig { inertia, mass, gravity: 9.81, length: 1.0, center_of_mass, ..own };
+    let vertical = [0.0, 0.0, 1.0];
+    config.initial = InitialConfig { angular_momentum, vertical, ..InitialConfig::default() };
     // A step of half a radian, which the method of order 16 integrates to round-off.
     config.integrator = Integration {
         formulation: Formulation::Reduced,

@@ -1,6 +1,7 @@
 //! The errors of the commands, and the exit codes.
 
 use super::checkpoint_error::CheckpointError;
+use super::quotation::Quotation;
 use super::sweep_error::SweepError;
 use crate::vocabulary::brief::{number, text};
 use crate::vocabulary::{Formulation, Scheme};
@@ -25,7 +26,59 @@ pub enum Error {
         /// The error of the system.
         source: io::Error,
     },
-    /// The configuration file is not TOML, or has unknown keys or wrong types.
+    /// The configuration is not TOML, or has an unknown key or a wrong type.
+    #[error("{0}")]
+    Misread(String),
+    /// A value of the configuration is wrong, and is quoted.
+    #[error("{quotation}")]
+    Quoted {
+        /// The place and the line.
+        quotation: Box<Quotation>,
+        /// What is wrong.
+        source: Box<Error>,
+    },
+    /// An assignment on the command line is wrong.
+    #[error("--set needs table.key=value, got `{}`: {reason}", text(assignment))]
+    Assignment {
+        /// The assignment.
+        assignment: String,
+        /// What is wrong with it.
+        reason: &'static str,
+    },
+    /// An argument of the command line is wrong.
+    #[error("--{name}")]
+    Argument {
+        /// The name of the argument.
+        name: &'static str,
+        /// What is wrong with it.
+        source: Box<Error>,
+    },
+    /// The output would be absurdly large, and nobody has agreed to it.
+    #[error(
+        "the run would write about {room}, free are {free}: raise [output] every, lower the end, or \
+         agree with --yes"
+    )]
+    Large {
+        /// The room that the run needs.
+        room: String,
+        /// The room that there is.
+        free: String,
+    },
+    /// A file exists that would have to be overwritten.
+    #[error("{} exists, and is not overwritten", path.display())]
+    Exists {
+        /// The path of the file.
+        path: PathBuf,
+    },
+    /// The program has no command of this name.
+    #[error("there is no command `{}`; there are {}", text(name), names.join(", "))]
+    NoCommand {
+        /// The name that was asked for.
+        name: String,
+        /// The names of all commands.
+        names: Vec<String>,
+    },
+    /// A file of tops has a wrong line.
     #[error("{}, line {line}, column {column}: {message}", path.display())]
     Configuration {
         /// The path of the file.
@@ -62,6 +115,9 @@ pub enum Error {
     /// Γ(0) is not a unit vector.
     #[error("[initial]")]
     Vertical(#[source] TopError),
+    /// There is an azimuth of Γ(0), but no inclination.
+    #[error("[initial] azimuth needs inclination: the two give the vertical")]
+    AzimuthAlone,
     /// No run can start from the initial state.
     #[error("[initial]")]
     Start(#[from] RunError),

@@ -4,7 +4,8 @@ use super::checkpoint_error::CheckpointError;
 use super::error::{Error, resumption};
 
 impl Error {
-    /// Returns the text that the program prints: this error and its causes, each once.
+    /// Returns the text that the program prints: this error and its causes, each once, and below them the line of the
+    /// configuration that is at fault, if it is known.
     #[must_use]
     pub fn message(&self) -> String {
         match self {
@@ -12,6 +13,9 @@ impl Error {
             Self::Kept { partial, source } => {
                 let partial = partial.display();
                 format!("{}; what was computed until then is in {partial}", source.message())
+            }
+            Self::Quoted { quotation, source } => {
+                format!("{quotation}: {}\n{}", source.message(), quotation.excerpt())
             }
             Self::Checkpoint { source, .. } => with_causes(self) + remedy(source),
             error => with_causes(error),

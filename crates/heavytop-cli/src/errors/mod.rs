@@ -1,5 +1,6 @@
 //! The errors of the commands, the text that the program prints for them, and the exit codes.
 
+mod quotation;
 mod checkpoint_error;
 mod sweep_error;
 mod error;
@@ -7,4 +8,5 @@ mod message;
 
 pub use checkpoint_error::CheckpointError;
 pub use error::Error;
+pub use quotation::Quotation;
 pub use sweep_error::SweepError;

@@ -31,6 +31,12 @@ pub enum SweepError {
         /// The parameter of the second axis.
         second: &'static str,
     },
+    /// An axis sets the angular momentum of a configuration that gives the angular velocity.
+    #[error("the axis {axis} needs [initial] angular_momentum instead of angular_velocity")]
+    Velocity {
+        /// The parameter of the axis.
+        axis: &'static str,
+    },
     /// Some axes are grids, others are random.
     #[error("the axes must be all grids or all random")]
     Mixed,

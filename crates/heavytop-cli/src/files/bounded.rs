@@ -9,8 +9,16 @@ use std::path::Path;
 /// # Errors
 /// [`io::ErrorKind::FileTooLarge`] if the file is larger. Another error if it cannot be read, or is not text.
 pub(crate) fn read(path: &Path, most: u64) -> io::Result<String> {
+    read_from(File::open(path)?, most)
+}
+
+/// Reads a text that has at most `most` bytes.
+///
+/// # Errors
+/// The errors of [`read`].
+pub(crate) fn read_from(from: impl Read, most: u64) -> io::Result<String> {
     let mut bytes = Vec::new();
-    File::open(path)?.take(most + 1).read_to_end(&mut bytes)?;
+    from.take(most + 1).read_to_end(&mut bytes)?;
     if bytes.len() as u64 > most {
         let message = format!("it has more than {most} bytes");
         return Err(io::Error::new(io::ErrorKind::FileTooLarge, message));

@@ -2,11 +2,12 @@
 
 use super::help::{
     ANIMATE, ANIMATE_EXAMPLES, BENCH, BENCH_EXAMPLES, COMPARE, COMPARE_EXAMPLES,
-    COMPLETIONS_EXAMPLES, EXIT_CODES, REPRODUCE, REPRODUCE_EXAMPLES, SECTION, SECTION_EXAMPLES,
-    SIMULATE, SIMULATE_EXAMPLES, SWEEP, SWEEP_EXAMPLES,
+    COMPLETIONS_EXAMPLES, EXIT_CODES, INIT_EXAMPLES, MAN_EXAMPLES, REPRODUCE, REPRODUCE_EXAMPLES,
+    SECTION, SECTION_EXAMPLES, SIMULATE, SIMULATE_EXAMPLES, SWEEP, SWEEP_EXAMPLES,
 };
 use crate::Error;
 use crate::configuration::{Config, Preset};
+use crate::reading::Sources;
 use clap::{Args, Parser, Subcommand};
 use clap_complete::Shell;
 use std::path::PathBuf;
@@ -19,7 +20,7 @@ use std::path::PathBuf;
 #[derive(Debug, Parser)]
 #[command(name = "heavytop", version, after_long_help = EXIT_CODES)]
 pub(super) struct Arguments {
-    /// Show no progress bar. (It shows on a terminal only, in long runs.)
+    /// Show no progress bar and no closing line. (The bar shows on a terminal only, in long runs.)
     #[arg(long, global = true, display_order = 100)]
     pub(super) quiet: bool,
 
@@ -68,6 +69,12 @@ pub(super) enum Command {
         /// Renew the checkpoint whenever so much time has passed, in seconds.
         #[arg(long, value_name = "SECONDS", default_value_t = 60.0, allow_negative_numbers = true)]
         checkpoint_interval: f64,
+        /// Write nothing; print the rows and the size of the output, and an estimate of the time.
+        #[arg(long)]
+        dry_run: bool,
+        /// Do not ask before a run that needs more room than the disk has, or more than 100 GB.
+        #[arg(long)]
+        yes: bool,
     },
     /// Measure work against precision, for every formulation and scheme.
     #[command(long_about = COMPARE, after_long_help = COMPARE_EXAMPLES)]
@@ -77,6 +84,9 @@ pub(super) enum Command {
         /// The folder for the figure and the table; made if it is not there.
         #[arg(long, value_name = "DIR")]
         out: PathBuf,
+        /// The end of the interval, in seconds: a whole number of configured steps.
+        #[arg(long, value_name = "SECONDS", allow_negative_numbers = true)]
+        end: Option<f64>,
     },
     /// Draw a Poincaré section of a top.
     #[command(long_about = SECTION, after_long_help = SECTION_EXAMPLES)]
@@ -131,9 +141,21 @@ pub(super) enum Command {
         /// The number of tops in the ensemble.
         #[arg(long, value_name = "COUNT", default_value_t = 10_000, allow_negative_numbers = true)]
         tops: u64,
-        /// The number of threads for the ensemble.
-        #[arg(long, value_name = "COUNT", default_value_t = 1, allow_negative_numbers = true)]
-        threads: usize,
+    },
+    /// Write a configuration with comments, to begin with.
+    #[command(after_long_help = INIT_EXAMPLES)]
+    Init {
+        /// The file to write, which must not exist; without it the text goes to stdout.
+        file: Option<PathBuf>,
+        /// A top by name; without it the paper's Kovalevskaya top.
+        #[arg(long)]
+        preset: Option<Preset>,
+    },
+    /// Print the manual page of the program, or of a command.
+    #[command(after_long_help = MAN_EXAMPLES)]
+    Man {
+        /// The command.
+        command: Option<String>,
     },
     /// Print the completions of a shell, to be put where it looks for them.
     #[command(after_long_help = COMPLETIONS_EXAMPLES)]
@@ -146,19 +168,33 @@ pub(super) enum Command {
 /// Which top, and how to follow it.
 #[derive(Debug, Args)]
 pub(super) struct Top {
-    /// The configuration, in TOML; what it leaves out is as in the preset.
+    /// The configuration, in TOML; - is standard input; what it leaves out is as in the preset.
     config: Option<PathBuf>,
     /// A top by name; without it the paper's Kovalevskaya top.
     #[arg(long)]
     preset: Option<Preset>,
+    /// Set a key of the configuration, over the file and the preset; may be given several times.
+    ///
+    /// A name needs no quotation marks: --set integrator.scheme=gauss-4. An index sets one number of a vector: --set
+    /// body.inertia[2]=1.5.
+    #[arg(long = "set", value_name = "TABLE.KEY=VALUE")]
+    assignments: Vec<String>,
+    /// The number of threads for section, sweep and bench; the other commands need one.
+    #[arg(long, value_name = "COUNT", allow_negative_numbers = true)]
+    pub(super) threads: Option<usize>,
 }
 
 impl Top {
     pub(super) fn is_default(&self) -> bool {
-        self.config.is_none() && self.preset.is_none()
+        self.config.is_none() && self.preset.is_none() && self.assignments.is_empty()
     }
 
-    pub(super) fn config(&self) -> Result<Config, Error> {
-        Config::load(self.preset, self.config.as_deref())
+    /// Runs a command with the configuration. A refusal quotes the line of the key at fault.
+    pub(super) fn run<T>(
+        &self,
+        command: impl FnOnce(Config) -> Result<T, Error>,
+    ) -> Result<T, Error> {
+        let sources = Sources::read(self.preset, self.config.as_deref(), &self.assignments)?;
+        command(sources.config().clone()).map_err(|error| sources.locate(error))
     }
 }

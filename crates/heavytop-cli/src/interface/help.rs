@@ -57,7 +57,11 @@ A run that is interrupted, by Ctrl-C (which needs a moment) or by a power cut, l
 FILE.checkpoint; with --resume FILE.checkpoint it goes on, and the file equals that of an
 uninterrupted run byte for byte. A configuration need not be given again; if it is, it must be the
 same, as must the version of the program. Where there is a checkpoint a run without --resume is
-refused, unless --restart discards it. A checkpoint is possible after every 1024th step.";
+refused, unless --restart discards it. A checkpoint is possible after every 1024th step.
+
+Before a run that needs more room than the disk has, or more than 100 GB, there is a question. Where
+nobody can be asked, since stdin or stderr is no terminal, it is refused; --yes answers the question.
+--dry-run writes nothing, tries the run for a fifth of a second, and prints what it would write.";
 
 pub(crate) const SIMULATE_EXAMPLES: &str = "\
 Presets, for --preset; a configuration given as well is put over it, key by key:
@@ -75,10 +79,16 @@ Configuration: every key may be left out, and has then the value below.
   gravity = 1.0                      # m/s²; 0 gives the free rigid body
   length = 1.0                       # m, support to centre of mass
   center_of_mass = [1.0, 0.0, 0.0]   # direction in the body frame; a unit vector
+  normalise = false                  # whether to scale center_of_mass to length 1
 
   [initial]
   angular_momentum = [2.0, 3.0, 4.0]            # Π(0), kg m²/s, body frame
   vertical = [0.5, 0.0, 0.8660254037844386]     # Γ(0), body frame; a unit vector
+  normalise = false                             # whether to scale vertical to length 1
+  # angular_velocity, Ω(0) in rad/s, instead of angular_momentum: Π(0) = (I1 Ω1, I2 Ω2, I3 Ω3).
+  # inclination i and azimuth a (0 by default), rad, instead of vertical:
+  # Γ(0) = (sin i cos a, sin i sin a, cos i). i is the angle from e3 to Γ(0): at 0 the axis e3 points
+  # up, at π down. a is counted from e1, positive towards e2: at i = π/2, a = 0 the axis e1 points up.
 
   [integrator]
   formulation = \"collective\"         # or reduced, direct, splitting; see below
@@ -114,8 +124,11 @@ Examples:
   heavytop simulate top.toml --out top.csv
   heavytop simulate --preset multibody-benchmark --out benchmark.npz
   heavytop simulate --preset lagrange top.toml --out top.parquet   # the preset but for top.toml
+  heavytop simulate top.toml --set integrator.end=50 --set integrator.scheme=gauss-4 --out top.csv
+  sed s/0.02/0.01/ top.toml | heavytop simulate - --out top.csv    # from standard input
   heavytop simulate top.toml --out top.csv --resume top.csv.checkpoint
   heavytop simulate top.toml --out top.csv --restart               # discard the checkpoint
+  heavytop simulate top.toml --out top.csv --dry-run               # rows, size and time only
   heavytop simulate top.toml --out top.csv --json                  # a summary on stdout
   heavytop simulate top.toml --out /dev/stdout | gzip > top.csv.gz";
 
@@ -124,7 +137,7 @@ Measure work against precision, for every formulation and scheme.
 
 The top of the configuration is followed by each of them with twelve steps, from fifty times the
 configured one to a tenth of it. The interval is 500 configured steps, or ends with the run if that
-is earlier: over longer times errors of a chaotic top say more of it than of the integrators.
+is earlier, unless --end sets its end: over longer times errors of a chaotic top say more of it than of the integrators.
 formulation, scheme and output of the configuration play no part; tolerance does.
 
 The error is the 2-norm of that of (Π, Γ) at the end, against a Gauss method of order 16 without a
@@ -144,6 +157,7 @@ pub(crate) const COMPARE_EXAMPLES: &str = "\
 Examples:
   heavytop compare --out comparison               # the paper's top
   heavytop compare --preset lagrange --out comparison
+  heavytop compare top.toml --end 2 --out comparison
   heavytop compare top.toml --out comparison --json";
 
 pub(crate) const SECTION: &str = "\
@@ -161,7 +175,7 @@ coloured by the mean of |y| over their points, which is the same all over an inv
 chaotic sea.
 
 Crossings are located to the accuracy of the integrator; those in the first step after a start are
-not seen. Starts are followed in parallel; no bit depends on the number of threads (RAYON_NUM_THREADS).
+not seen. Starts are followed in parallel; no bit depends on the number of threads (--threads).
 
 Written into the folder:
   section.svg .png  the picture
@@ -228,6 +242,17 @@ Examples:
   heavytop completions zsh > ~/.zfunc/_heavytop
   heavytop completions fish > ~/.config/fish/completions/heavytop.fish";
 
+pub(crate) const INIT_EXAMPLES: &str = "\
+Examples:
+  heavytop init top.toml                          # the paper's top; no file is overwritten
+  heavytop init --preset lagrange top.toml
+  heavytop init > top.toml";
+
+pub(crate) const MAN_EXAMPLES: &str = "\
+Examples:
+  heavytop man | man -l -
+  heavytop man simulate > ~/.local/share/man/man1/heavytop-simulate.1";
+
 pub(crate) const BENCH: &str = "\
 Time the integrators on one top and on many.
 
@@ -272,8 +297,8 @@ Written into the folder:
                   first axis is the abscissa; the colours span all values but half a percent at
                   either end; gray has no value
 
-Tops are followed in parallel (RAYON_NUM_THREADS threads); top number n depends on the configuration
-and n alone, so that no bit depends on the number of threads, processes or tops. What is finished is
+Tops are followed in parallel (--threads, by default all processors); top number n depends on the
+configuration and n alone, so that no bit depends on the number of threads, processes or tops. What is finished is
 kept, 256 tops at a time, in DIR/sweep.partial until all is; after an interruption, by Ctrl-C (a second
 one ends at once), a kill or a full disk, --resume continues from there, to the same bytes, and --restart
 starts anew; one of them is needed. --resume is refused with another configuration or version. But for

@@ -4,6 +4,9 @@ mod help;
 mod arguments;
 mod signals;
 mod standard_output;
+mod confirmation;
+mod first_configuration;
+mod manual;
 mod memory_guard;
 mod program;
 

@@ -1,6 +1,9 @@
 //! The program: from the arguments of its process to its exit code.
 
 use super::arguments::{Arguments, Command, Top};
+use super::confirmation::confirm;
+use super::first_configuration::init;
+use super::manual::man;
 use super::signals::interrupted;
 use super::standard_output::{print, to_stdout};
 use crate::Error;
@@ -9,15 +12,17 @@ use crate::commands::bench::{BenchOptions, bench};
 use crate::commands::compare::compare;
 use crate::commands::reproduce::reproduce;
 use crate::commands::section::section;
-use crate::commands::simulate::{Checkpoint, RunSummary, SimulateOptions, simulate};
+use crate::commands::simulate::{Checkpoint, Forecast, RunSummary, SimulateOptions, simulate};
 use crate::commands::sweep::sweep;
 use crate::supervision::{TileOptions, Watch};
 use clap::{CommandFactory, Parser};
 use clap_complete::Shell;
+use serde::Serialize;
+use std::fmt::Display;
 use std::io::{self, Write};
 use std::path::Path;
 use std::process::ExitCode;
-use std::time::Duration;
+use std::time::{Duration, Instant};
 
 /// Runs the program with the arguments of the process.
 #[must_use]
@@ -39,41 +44,67 @@ pub fn main() -> ExitCode {
 }
 
 fn run(Arguments { quiet, json, command }: Arguments) -> Result<(), Error> {
+    let closing = Closing { begun: Instant::now() };
     match command {
         Command::Reproduce { out, end, step } => {
             reproduce(&out, step, end, &watch(quiet)).and_then(|done| print(&done, json))
         }
-        Command::Simulate { top, out, resume, restart, checkpoint_interval } => {
-            let begin = Begin { resume: resume.as_deref(), restart, interval: checkpoint_interval };
-            let done = run_simulate(&top, &out, &begin, quiet);
-            // The numbers are in the file; there is nothing else to report.
-            done.and_then(|summary| if json { print(&summary, json) } else { Ok(()) })
+        Command::Simulate { top, out, dry_run: true, .. } => {
+            top.run(|config| Forecast::tried(&config, &out)).and_then(|done| print(&done, json))
         }
-        Command::Compare { top, out } => top
-            .config()
-            .and_then(|config| compare(&config, &out, &watch(quiet)))
+        Command::Simulate { top, out, resume, restart, checkpoint_interval, yes, .. } => {
+            let (resume, interval) = (resume.as_deref(), checkpoint_interval);
+            let begin = Begin { resume, restart, interval, yes };
+            let done = run_simulate(&top, &out, &begin, quiet);
+            done.and_then(|summary| closing.end(&summary, json, quiet))
+        }
+        Command::Compare { top, out, end } => top
+            .run(|config| compare(&config, &out, end, &watch(quiet)))
             .and_then(|done| print(&done, json)),
         Command::Section { top, out, resume, restart } => top
-            .config()
-            .and_then(|config| section(&config, &out, &in_tiles(resume, restart, quiet)))
+            .run(|config| section(&config, &out, &in_tiles(&top, resume, restart, quiet)))
             .and_then(|done| print(&done, json)),
         Command::Sweep { top, out, resume, restart } => top
-            .config()
-            .and_then(|config| sweep(&config, &out, &in_tiles(resume, restart, quiet)))
+            .run(|config| sweep(&config, &out, &in_tiles(&top, resume, restart, quiet)))
             .and_then(|done| done.map_or(Ok(()), |done| print(&done, json))),
         Command::Animate { top, out } => top
-            .config()
-            .and_then(|config| animate(config, &out, &watch(quiet)))
-            // The page itself reports the same.
-            .and_then(|summary| if json { print(&summary, json) } else { Ok(()) }),
-        Command::Bench { top, problem, only, tops, threads } => top
-            .config()
-            .and_then(|config| {
+            .run(|config| animate(config, &out, &watch(quiet)))
+            .and_then(|summary| closing.end(&summary, json, quiet)),
+        Command::Bench { top, problem, only, tops } => top
+            .run(|config| {
+                let threads = top.threads.unwrap_or(1);
                 let options = BenchOptions { only, tops, threads };
                 bench(&config, problem.as_deref(), options, quiet)
             })
             .and_then(|done| print(&done, json)),
+        Command::Init { file, preset } => init(preset, file.as_deref()),
+        Command::Man { command } => man(command.as_deref()),
         Command::Completions { shell } => completions(shell),
+    }
+}
+
+/// The end of a command whose numbers are in its file.
+struct Closing {
+    begun: Instant,
+}
+
+impl Closing {
+    /// Prints the summary as JSON, or says on stderr in one line what was done and how long it took.
+    fn end(
+        &self,
+        summary: &(impl Display + Serialize),
+        json: bool,
+        quiet: bool,
+    ) -> Result<(), Error> {
+        if json {
+            return print(summary, json);
+        }
+        if !quiet {
+            let seconds = self.begun.elapsed().as_secs_f64();
+            // The run has succeeded where stderr is closed, too.
+            let _ = writeln!(io::stderr(), "heavytop: done: {summary}; {seconds:.2} s");
+        }
+        Ok(())
     }
 }
 
@@ -89,6 +120,8 @@ struct Begin<'a> {
     restart: bool,
     /// The time between checkpoints, s.
     interval: f64,
+    /// Whether not to ask before an output that is absurdly large.
+    yes: bool,
 }
 
 fn run_simulate(
@@ -97,31 +130,35 @@ fn run_simulate(
     begin: &Begin<'_>,
     quiet: bool,
 ) -> Result<RunSummary, Error> {
-    let Begin { resume, restart, interval } = *begin;
+    let Begin { resume, restart, interval, yes } = *begin;
     let resume = resume.map(Checkpoint::read).transpose()?;
-    let config = match &resume {
-        // The checkpoint has its own configuration.
-        Some(checkpoint) if top.is_default() => checkpoint.configuration().clone(),
-        _ => top.config()?,
-    };
     let range = "not negative, and at most 1e9";
     let interval = Duration::try_from_secs_f64(interval)
         .ok()
         .filter(|interval| interval.as_secs_f64() <= 1e9)
         .ok_or(Error::OutOfRange { name: "checkpoint-interval", range, value: interval })?;
-    let method = config.experiment()?.method;
-    if let Some(warning) = method.warning() {
-        // Where stderr is closed nobody can be warned.
-        let _ = writeln!(io::stderr(), "heavytop: {warning}");
-    }
-    let stop = Some(interrupted());
-    let options = SimulateOptions { resume: resume.as_ref(), restart, interval, stop, quiet };
-    simulate(&config, out, &options)
+    top.run(|config| {
+        let config = match &resume {
+            // The checkpoint has its own configuration.
+            Some(checkpoint) if top.is_default() => checkpoint.configuration().clone(),
+            _ => config,
+        };
+        if resume.is_none() {
+            confirm(&Forecast::of(&config, out)?, yes)?;
+        }
+        if let Some(warning) = config.experiment()?.method.warning() {
+            // Where stderr is closed nobody can be warned.
+            let _ = writeln!(io::stderr(), "heavytop: {warning}");
+        }
+        let stop = Some(interrupted());
+        let options = SimulateOptions { resume: resume.as_ref(), restart, interval, stop, quiet };
+        simulate(&config, out, &options)
+    })
 }
 
 /// Returns the options of a command that keeps its finished parts.
-fn in_tiles(resume: bool, restart: bool, quiet: bool) -> TileOptions<'static> {
-    TileOptions { resume, restart, stop: Some(interrupted()), quiet }
+fn in_tiles(top: &Top, resume: bool, restart: bool, quiet: bool) -> TileOptions<'static> {
+    TileOptions { resume, restart, stop: Some(interrupted()), threads: top.threads, quiet }
 }
 
 /// Returns the options of a command that keeps nothing when it is interrupted.

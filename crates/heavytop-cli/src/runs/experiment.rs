@@ -86,6 +86,13 @@ impl Experiment {
         step / self.every + 1
     }
 
+    /// Returns the number of samples that are written, the initial and the last one included.
+    #[must_use]
+    pub fn rows(&self) -> u64 {
+        let last = u64::from(!self.schedule.steps.is_multiple_of(self.every));
+        self.kept(self.schedule.steps) + last
+    }
+
     fn require_no_attitude(&self) -> Result<(), Error> {
         let formulation = self.method.formulation();
         if self.attitude { Err(Error::NoAttitude { formulation }) } else { Ok(()) }

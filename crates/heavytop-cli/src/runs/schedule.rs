@@ -17,6 +17,11 @@ pub struct Schedule {
     pub steps: u64,
 }
 
+/// Rounds to twelve digits, which is far closer than the slack.
+fn short(end: f64) -> f64 {
+    format!("{end:.11e}").parse().unwrap_or(end)
+}
+
 impl Schedule {
     /// Creates the schedule of steps of size `step` (s) from 0 to `end` (s).
     ///
@@ -43,7 +48,7 @@ impl Schedule {
         }
         if (steps * step - end).abs() > SLACK * end {
             let before = (end / step).floor();
-            let [before, after] = [before, before + 1.0].map(|n| n * step);
+            let [before, after] = [before, before + 1.0].map(|n| short(n * step));
             return Err(Error::BrokenStep { end, step, before, after });
         }
         Ok(Self { step, steps: steps as u64 })

@@ -3,20 +3,23 @@
 use crate::runs::Experiment;
 use indicatif::{ProgressBar, ProgressDrawTarget, ProgressState, ProgressStyle};
 use std::fmt::Write;
-use std::time::{Duration, Instant};
+use std::io::IsTerminal;
+use std::thread;
+use std::time::Duration;
 
-/// The time for which no bar is shown.
+/// The time for which no bar is shown, and from one drawing of a bar that stands still to the next.
 const PATIENCE: Duration = Duration::from_millis(500);
 
-/// The number of steps between readings of the clock.
+/// The number of steps between reports to the bar.
 const STRIDE: u64 = 256;
+
+/// The number of characters of a message, so that the line fits into 80 columns.
+const MESSAGE: usize = 24;
 
 /// A progress bar on stderr, if that is a terminal and the run is long.
 #[derive(Debug)]
 pub struct Progress {
     bar: ProgressBar,
-    started: Instant,
-    quiet: bool,
 }
 
 impl Progress {
@@ -25,22 +28,35 @@ impl Progress {
     pub fn new(experiment: &Experiment, quiet: bool) -> Self {
         let method = &experiment.method;
         let progress = Self::of(experiment.schedule.steps, "steps", quiet);
-        let message = format!("{}, {}", method.formulation().name(), method.scheme().name());
-        progress.bar.set_message(message);
+        progress.say(&format!("{}, {}", method.formulation().name(), method.scheme().name()));
         progress
     }
 
     /// Creates a bar for `items` items of a kind; `quiet` hides it for good.
+    ///
+    /// It shows after half a second, even if no item is done by then.
     #[must_use]
     pub fn of(items: u64, kind: &str, quiet: bool) -> Self {
         let bar = ProgressBar::with_draw_target(Some(items), ProgressDrawTarget::hidden());
         let template = format!(
-            "{{msg}} {{wide_bar}} {{percent:>3}} %  {{pos}}/{{len}} {kind}  {{rate}}  {{eta}} left"
+            "{{msg}} {{wide_bar}} {{percent:>3}} %  {{done}} {kind}  {{rate}}  {{eta}} left"
         );
         if let Ok(style) = ProgressStyle::with_template(&template) {
-            bar.set_style(style.with_key("rate", rate).progress_chars("━╸─"));
+            let style = style.with_key("rate", rate).with_key("done", done);
+            bar.set_style(style.progress_chars("━╸─"));
         }
-        Self { bar, started: Instant::now(), quiet }
+        if !quiet && std::io::stderr().is_terminal() {
+            let shown = bar.clone();
+            // Without a thread there is no bar, and the command goes on.
+            let _ = thread::Builder::new().spawn(move || {
+                thread::sleep(PATIENCE);
+                if !shown.is_finished() {
+                    shown.set_draw_target(ProgressDrawTarget::stderr());
+                    shown.enable_steady_tick(PATIENCE);
+                }
+            });
+        }
+        Self { bar }
     }
 
     /// Starts the bar after so many steps were made before; rate and time left refer to the steps to come.
@@ -52,36 +68,56 @@ impl Progress {
     /// Reports the number of steps made.
     pub fn at(&self, step: u64) {
         if step.is_multiple_of(STRIDE) {
-            self.show(step);
+            self.bar.set_position(step);
         }
     }
 
     /// Reports the number of items done, and the next item.
     pub fn now(&self, item: u64, message: String) {
-        self.bar.set_message(message);
-        self.show(item);
+        self.say(&message);
+        self.bar.set_position(item);
     }
 
-    fn show(&self, position: u64) {
-        if self.quiet {
-            return;
-        }
-        if self.bar.is_hidden() && self.started.elapsed() > PATIENCE {
-            // The bar stays hidden unless stderr is a terminal.
-            self.bar.set_draw_target(ProgressDrawTarget::stderr());
-        }
-        self.bar.set_position(position);
+    fn say(&self, message: &str) {
+        self.bar.set_message(message.chars().take(MESSAGE).collect::<String>());
     }
 }
 
 /// Writes the number of items per second.
 fn rate(state: &ProgressState, to: &mut dyn Write) {
     // The run does not fail for a bar without a rate.
-    let _ = write!(to, "{:.0}/s", state.per_sec());
+    let _ = write!(to, "{}/s", compact(state.per_sec()));
+}
+
+/// Writes the number of items done, and of all.
+fn done(state: &ProgressState, to: &mut dyn Write) {
+    let all = compact(state.len().unwrap_or(0) as f64);
+    let _ = write!(to, "{}/{all}", compact(state.pos() as f64));
+}
+
+/// Formats a number in at most six characters, as in `12.3M`.
+fn compact(number: f64) -> String {
+    let units = [(1e12, "T"), (1e9, "G"), (1e6, "M"), (1e5, "k")];
+    match units.iter().find(|(least, _)| number >= *least) {
+        Some((_, "k")) => format!("{:.0}k", number / 1e3),
+        Some((unit, name)) => format!("{:.1}{name}", number / unit),
+        None => format!("{number:.0}"),
+    }
 }
 
 impl Drop for Progress {
     fn drop(&mut self) {
         self.bar.finish_and_clear();
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn numbers_are_short() {
+        let numbers = [0.0, 99_999.0, 123_456.0, 12_345_678.0, 1e12];
+        assert_eq!(numbers.map(compact), ["0", "99999", "123k", "12.3M", "1.0T"]);
     }
 }

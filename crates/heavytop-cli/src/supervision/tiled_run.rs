@@ -16,6 +16,8 @@ pub struct TileOptions<'a> {
     pub restart: bool,
     /// The request to stop: once it is true, the run ends, and finished tiles are kept.
     pub stop: Option<&'a AtomicBool>,
+    /// The number of threads; by default that of the processors, or what RAYON_NUM_THREADS says.
+    pub threads: Option<usize>,
     /// Whether to show no progress bar.
     pub quiet: bool,
 }
@@ -23,7 +25,7 @@ pub struct TileOptions<'a> {
 /// Starts from the beginning, without a progress bar.
 impl Default for TileOptions<'_> {
     fn default() -> Self {
-        Self { resume: false, restart: false, stop: None, quiet: true }
+        Self { resume: false, restart: false, stop: None, threads: None, quiet: true }
     }
 }
 
@@ -34,12 +36,24 @@ impl TileOptions<'_> {
     }
 }
 
-/// Creates the threads that compute tiles: as many as the processor has, or as RAYON_NUM_THREADS says.
+/// The largest number of threads; more must be a typing error.
+const MOST_THREADS: usize = 1024;
+
+/// Creates the threads that share the work: as many as asked for, or else as the processor has or RAYON_NUM_THREADS
+/// says.
 ///
 /// # Errors
-/// If the system refuses the threads.
-pub(crate) fn threads() -> Result<ThreadPool, Error> {
-    ThreadPoolBuilder::new().build().map_err(Error::Workers)
+/// If the number is not in its range, or the system refuses the threads.
+pub(crate) fn threads(count: Option<usize>) -> Result<ThreadPool, Error> {
+    let Some(threads) = count else {
+        return ThreadPoolBuilder::new().build().map_err(Error::Workers);
+    };
+    if !(1..=MOST_THREADS).contains(&threads) {
+        let range = "at least 1 and at most 1024";
+        return Err(Error::OutOfRange { name: "threads", range, value: threads as f64 });
+    }
+    let pool = ThreadPoolBuilder::new().num_threads(threads).build();
+    pool.map_err(|source| Error::Threads { threads, source })
 }
 
 /// Returns the error that a run in tiles was stopped.

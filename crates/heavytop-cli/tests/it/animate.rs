@@ -34,7 +34,7 @@ fn vertical_error(frame: &[f64]) -> f64 {
 fn the_page_is_complete_loads_nothing_and_has_every_frame() {
     let folder = Folder::new();
     let run = folder.heavytop(&["animate", "--out", "top.html"]);
-    assert_eq!((run.code(), run.stderr()), (0, String::new()));
+    assert_eq!((run.code(), run.complaints()), (0, String::new()));
     assert_eq!(folder.names(), ["top.html"]);
     let page = folder.read("top.html");
     assert!(page.starts_with("<!DOCTYPE html>") && page.ends_with("</html>\n"));
@@ -104,7 +104,7 @@ fn many_steps_are_thinned_out_and_the_last_is_kept() {
         "integrator = { formulation = 'splitting', scheme = 'strang', step = 0.001, end = 50.0 }\noutput.every = 2",
     );
     let run = folder.heavytop(&["animate", "a.toml", "--out", "a.html"]);
-    assert_eq!((run.code(), run.stderr()), (0, String::new()));
+    assert_eq!((run.code(), run.complaints()), (0, String::new()));
     let (json, frames) = motion(&folder.read("a.html"));
     assert_eq!(json["description"], "splitting, strang, step 0.001 s, a frame for every 4 steps");
     assert_eq!((frames.len(), frames[12_500][0]), (12_501, 50.0));
@@ -115,7 +115,7 @@ fn the_summary_in_json_is_that_of_the_page() {
     let folder = Folder::new();
     folder.write("a.toml", "integrator = { end = 2.0, scheme = 'gauss-6' }\noutput.every = 7");
     let run = folder.heavytop(&["animate", "a.toml", "--out", "a.html", "--json"]);
-    assert_eq!((run.code(), run.stderr()), (0, String::new()));
+    assert_eq!((run.code(), run.complaints()), (0, String::new()));
     let summary: Value = serde_json::from_str(&run.stdout()).unwrap();
     let (_, frames) = motion(&folder.read("a.html"));
     for (key, value) in [
@@ -148,7 +148,7 @@ fn frames_that_are_far_apart_are_warned_of() {
     let run = folder.heavytop(&["animate", "a.toml", "--out", "a.html"]);
     assert_eq!(run.code(), 0);
     assert!(run.stderr().contains("rad from frame to frame"), "{}", run.stderr());
-    assert_eq!(run.stderr().lines().count(), 1);
+    assert_eq!(run.complaints().lines().count(), 1);
 }
 
 #[test]
@@ -165,7 +165,7 @@ fn wrong_requests_are_refused_and_nothing_is_written() {
         let run = folder.heavytop(&["animate", "a.toml", "--out", out]);
         assert_eq!(run.code(), 2, "{text}: {}", run.stderr());
         assert!(run.stderr().contains(message), "{text}: {}", run.stderr());
-        assert_eq!((run.stderr().lines().count(), folder.names()), (1, vec!["a.toml".into()]));
+        assert_eq!((run.messages(), folder.names()), (1, vec!["a.toml".into()]));
     }
 }
 

@@ -106,3 +106,21 @@ fn what_cannot_be_written_is_found_before_there_is_any_work() {
         assert_eq!(folder.names(), [name]);
     }
 }
+
+#[test]
+fn the_interval_ends_where_asked() {
+    let folder = Folder::new();
+    let compare = |end: &str| {
+        folder.write("a.toml", "integrator = { step = 0.1, end = 1 }");
+        folder.heavytop(&["compare", "a.toml", "--out", "made", "--end", end])
+    };
+    assert_eq!(compare("0.5").code(), 0);
+    let rows = rows(&folder.read("made/work-precision.csv"));
+    assert!(rows.iter().all(|(_, _, numbers)| numbers[1] == 0.5));
+    // The end of the run plays no part in the refusal.
+    let refused = compare("0.55");
+    let expected = "heavytop: --end: end = 0.55 is not a whole number of steps of 0.1; the nearest \
+                    ends are 0.5 and 0.6\n";
+    assert_eq!((refused.code(), refused.stderr().as_str()), (2, expected));
+    assert_eq!(compare("-1").code(), 2);
+}

@@ -59,22 +59,40 @@ fn bash_completes_commands_options_presets_and_nothing_else() {
 }
 
 #[test]
-fn fish_completes_commands() {
+fn fish_completes_commands_options_and_presets() {
     let folder = completions("fish");
-    let script = "source ./completions\ncomplete --do-complete 'heavytop sec'";
-    let Some(said) = in_shell("fish", &folder, script) else { return };
-    assert!(said.starts_with("section\t") && said.lines().count() == 1, "{said}");
+    let lines = ["sec", "simulate --dry", "simulate --preset gory", "section --rest", "xyz"];
+    for (line, expected) in
+        lines.iter().zip(["section", "--dry-run", "goryachev-chaplygin", "--restart", ""])
+    {
+        let script = format!("source ./completions\ncomplete --do-complete 'heavytop {line}'");
+        let Some(said) = in_shell("fish", &folder, &script) else { return };
+        let words: Vec<&str> = said.lines().filter_map(|line| line.split('\t').next()).collect();
+        let expected: Vec<&str> = Some(expected).into_iter().filter(|e| !e.is_empty()).collect();
+        assert_eq!(words, expected, "{line}: {said}");
+    }
 }
 
 #[test]
-fn zsh_has_the_commands() {
+fn zsh_completes_commands_options_and_presets() {
     let folder = completions("zsh");
-    // Completion itself needs a terminal; the test reads what `_describe` receives.
-    let script = "\
-        autoload -U compinit; compinit -D\n\
-        source ./completions 2>/dev/null\n\
-        function _describe { print -l ${(P)4} }\n\
-        _heavytop_commands";
+    // The name by which zsh finds the completions of heavytop.
+    folder.write("_heavytop", &folder.read("completions"));
+    // Completion needs a terminal: the module zpty makes one, into which the script types each line and the tab key.
+    let script = r#"
+        zmodload zsh/zpty
+        zpty shell zsh -f -i
+        zpty -w shell 'fpath=($PWD $fpath); autoload -U compinit; compinit -D -u'
+        zpty -w shell 'function heavytop { print -r -- "GOT $* END" }; print READY$((1))'
+        zpty -r -m shell line '*READY1*'
+        for typed in 'sec' 'simulate --dry' 'simulate --preset gory' 'section --rest' 'xyz'; do
+            zpty -w -n shell "heavytop $typed"$'\t\n'
+            zpty -r -m shell line '*GOT *END*'
+            print -r -- ${${line##*GOT }%% END*}
+        done
+    "#;
     let Some(said) = in_shell("zsh", &folder, script) else { return };
-    assert!(said.lines().any(|line| line.starts_with("section:")), "{said}");
+    let expected = "section\nsimulate --dry-run\nsimulate --preset goryachev-chaplygin\n\
+                    section --restart\nxyz\n";
+    assert_eq!(said, expected);
 }

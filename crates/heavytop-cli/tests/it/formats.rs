@@ -31,7 +31,7 @@ fn written(configuration: &str) -> (Folder, Vec<String>, Vec<Vec<f64>>) {
     folder.write("a.toml", configuration);
     for out in ["a.csv", "a.npz", "a.parquet"] {
         let run = folder.heavytop(&["simulate", "a.toml", "--out", out]);
-        assert_eq!((run.code(), run.stderr()), (0, String::new()), "{out}");
+        assert_eq!((run.code(), run.complaints()), (0, String::new()), "{out}");
     }
     assert_eq!(folder.names(), ["a.csv", "a.npz", "a.parquet", "a.toml"]);
     let (header, rows) = numbers(&folder.read("a.csv"));
@@ -185,7 +185,7 @@ fn the_summary_in_json_is_that_of_the_rows() {
     let (folder, header, rows) = written(CONFIGURATION);
     let run = folder.heavytop(&["simulate", "a.toml", "--out", "a.npz", "--json"]);
     let summary: serde_json::Value = serde_json::from_str(&run.stdout()).unwrap();
-    assert_eq!((run.code(), run.stderr()), (0, String::new()));
+    assert_eq!((run.code(), run.complaints()), (0, String::new()));
     assert_eq!(summary["steps"], 200);
     assert_eq!(summary["scheme"], "gauss-4");
     let last = rows.last().unwrap();

@@ -2,11 +2,16 @@
 #![allow(clippy::unwrap_used, clippy::panic)]
 
 mod animate;
+mod assignments;
 mod bench;
 mod checkpoint;
+mod closing;
 mod compare;
 mod completions;
+mod forecasts;
 mod formats;
+mod init_and_man;
+mod initial;
 mod interruptions;
 mod locks;
 mod methods;
@@ -14,6 +19,8 @@ mod methods;
 mod mpi;
 mod presets;
 mod program;
+mod progress;
+mod quotations;
 mod refusals;
 mod reproduce;
 mod section;

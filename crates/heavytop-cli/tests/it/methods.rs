@@ -30,7 +30,7 @@ fn each_pair_that_makes_sense_runs_and_conserves_what_it_promises() {
                 let folder = Folder::new();
                 let run =
                     simulate(&folder, formulation, scheme, &format!("step = 0.1\nend = 1{body}"));
-                let (code, said) = (run.code(), run.stderr());
+                let (code, said) = (run.code(), run.complaints());
                 assert_eq!(code, 0, "{formulation} {scheme}: {said}");
                 let (_, rows) = numbers(&folder.read("a.csv"));
                 assert_eq!(rows.len(), 11);
@@ -66,9 +66,9 @@ fn each_other_pair_is_refused_with_the_schemes_that_there_are() {
             let folder = Folder::new();
             let run = simulate(&folder, formulation, scheme, "end = 1");
             let list = here.join(", ");
-            let message =
-                format!("heavytop: {formulation} has no scheme {scheme}; it has {list}\n");
-            assert_eq!((run.code(), run.stderr()), (2, message));
+            let message = format!(": {formulation} has no scheme {scheme}; it has {list}\n");
+            assert_eq!((run.code(), run.messages()), (2, 1));
+            assert!(run.stderr().contains(&message), "{}", run.stderr());
             assert_eq!(folder.names(), ["a.toml"]);
         }
     }

@@ -6,7 +6,7 @@ use crate::program::{Folder, numbers};
 fn last(folder: &Folder, arguments: &[&str]) -> Vec<f64> {
     let arguments = [&["simulate", "--out", "a.csv"], arguments].concat();
     let run = folder.heavytop(&arguments);
-    assert_eq!((run.code(), run.stderr()), (0, String::new()), "{arguments:?}");
+    assert_eq!((run.code(), run.complaints()), (0, String::new()), "{arguments:?}");
     numbers(&folder.read("a.csv")).1.pop().unwrap()
 }
 

@@ -6,7 +6,7 @@ use crate::program::{Folder, numbers};
 fn without_a_configuration_it_is_the_paper_s_top() {
     let folder = Folder::new();
     let run = folder.heavytop(&["simulate", "--out", "top.csv"]);
-    assert_eq!((run.code(), run.stdout(), run.stderr()), (0, String::new(), String::new()));
+    assert_eq!((run.code(), run.stdout(), run.complaints()), (0, String::new(), String::new()));
     assert_eq!(folder.names(), ["top.csv"]);
 
     let (header, rows) = numbers(&folder.read("top.csv"));
@@ -34,7 +34,7 @@ fn an_empty_configuration_is_the_same_as_none_and_as_the_one_in_the_help() {
     for name in ["full", "empty", "part"] {
         let (config, out) = (format!("{name}.toml"), format!("{name}.csv"));
         let run = folder.heavytop(&["simulate", &config, "--out", &out]);
-        assert_eq!((run.code(), run.stderr()), (0, String::new()), "{name}");
+        assert_eq!((run.code(), run.complaints()), (0, String::new()), "{name}");
         assert!(folder.read(&out) == expected, "{name}");
     }
 }
@@ -174,7 +174,7 @@ fn a_link_to_nothing_stays_and_what_it_leads_to_is_made() {
     symlink("below/next.csv", folder.path("link.csv")).unwrap();
     symlink("../real.csv", folder.path("below/next.csv")).unwrap();
     let run = folder.heavytop(&["simulate", "a.toml", "--out", "link.csv"]);
-    assert_eq!((run.code(), run.stderr()), (0, String::new()));
+    assert_eq!((run.code(), run.complaints()), (0, String::new()));
     assert!(folder.path("link.csv").is_symlink() && folder.path("below/next.csv").is_symlink());
     assert_eq!(numbers(&folder.read("real.csv")).1.len(), 6);
     assert_eq!(folder.names(), ["a.toml", "below", "link.csv", "real.csv"]);

@@ -6,6 +6,7 @@ use super::problem::Problem;
 use crate::Error;
 use crate::configuration::Config;
 use crate::supervision::Progress;
+use crate::supervision::tiled_run::threads as pool;
 use lie_poisson::Covector;
 use lie_poisson::{Pair, Se3Dual};
 use nalgebra::{Rotation3, Vector3};
@@ -66,18 +67,11 @@ pub fn bench(
     quiet: bool,
 ) -> Result<Bench, Error> {
     let BenchOptions { only, tops, threads } = options;
-    let range = "at least 1 and at most 1024";
-    if !(1..=1024).contains(&threads) {
-        return Err(Error::OutOfRange { name: "threads", range, value: threads as f64 });
-    }
+    let pool = pool(Some(threads))?;
     let problems = match problem {
         Some(path) => vec![Problem::read(path)?],
         None => own(config, tops)?,
     };
-    let pool = rayon::ThreadPoolBuilder::new()
-        .num_threads(threads)
-        .build()
-        .map_err(|source| Error::Threads { threads, source })?;
     let progress = Progress::of(0, "runs", quiet);
     let (mut runs, mut others) = (Vec::new(), BTreeSet::new());
     for problem in &problems {

@@ -8,7 +8,7 @@ use crate::configuration::{Config, Integration};
 use crate::files::Output;
 use crate::files::place::require_no_folders;
 use crate::pictures::render;
-use crate::runs::{Experiment, Method};
+use crate::runs::{Experiment, Method, Schedule};
 use crate::supervision::{Progress, Watch};
 use crate::vocabulary::{Formulation, Raise, Scheme};
 use std::io::Write;
@@ -35,7 +35,8 @@ const SCALE: f32 = 1.75;
 
 /// Measures every formulation and scheme on the top of the configuration, and recommends methods.
 ///
-/// It writes `work-precision.csv`, `.svg` and `.png` into the folder `out`.
+/// It writes `work-precision.csv`, `.svg` and `.png` into the folder `out`. The interval ends at `end` (s), or after 500
+/// configured steps, or with the run if that is earlier.
 ///
 /// # Errors
 /// If the request is wrong, another run writes into the folder, or the command is stopped: then nothing is written.
@@ -51,13 +52,20 @@ const SCALE: f32 = 1.75;
 /// let folder = tempfile::tempdir()?;
 /// let mut config = Preset::Lagrange.config();
 /// config.integrator = IntegratorConfig { step: Some(0.1), end: Some(0.5), ..Default::default() };
-/// let comparison = compare(&config, folder.path(), &Watch::default())?;
+/// let comparison = compare(&config, folder.path(), None, &Watch::default())?;
 /// let fastest = comparison.recommendations[0].fastest.as_ref().unwrap();
 /// assert!(fastest.error <= 1e-3);
 /// # Ok::<(), Box<dyn std::error::Error>>(())
 /// ```
-pub fn compare(config: &Config, out: &Path, watch: &Watch<'_>) -> Result<Comparison, Error> {
+pub fn compare(
+    config: &Config,
+    out: &Path,
+    end: Option<f64>,
+    watch: &Watch<'_>,
+) -> Result<Comparison, Error> {
     let experiment = config.experiment()?;
+    let own = experiment.schedule.steps.min(INTERVAL);
+    let steps = end.map_or(Ok(own), |end| number_of_steps(&experiment, end))?;
     let methods = methods(config.integrator.or(Integration::default()).tolerance)?;
     std::fs::create_dir_all(out).map_err(|source| Error::Create { path: out.into(), source })?;
     let names = ["work-precision.csv", "work-precision.svg", "work-precision.png"];
@@ -66,12 +74,11 @@ pub fn compare(config: &Config, out: &Path, watch: &Watch<'_>) -> Result<Compari
     // No other run writes here until the table is complete, which it is last.
     let mut table = Output::create(&csv)?;
 
-    let steps = experiment.schedule.steps.min(INTERVAL);
-    let reference = Reference::new(&experiment, steps, watch)?;
     let ladder = ladder(steps);
     let grid: Vec<(Method, u64)> =
         methods.iter().flat_map(|&method| ladder.iter().map(move |&n| (method, n))).collect();
     let progress = Progress::of(u64::from(PASSES) * grid.len() as u64, "runs", watch.quiet);
+    let reference = Reference::new(&experiment, steps, watch)?;
     let (mut measurements, mut done) = (Vec::<Measurement>::with_capacity(grid.len()), 0);
     for pass in 0..PASSES {
         for (i, &(method, steps)) in grid.iter().enumerate() {
@@ -95,6 +102,13 @@ pub fn compare(config: &Config, out: &Path, watch: &Watch<'_>) -> Result<Compari
     });
     table.conclude(drawn)?;
     Ok(Comparison::new(&measurements, &reference, out))
+}
+
+/// Returns the number of configured steps to the end of the interval (s).
+fn number_of_steps(experiment: &Experiment, end: f64) -> Result<u64, Error> {
+    let schedule = Schedule::new(experiment.schedule.step, end);
+    let refused = |source| Error::Argument { name: "end", source: Box::new(source) };
+    schedule.map(|schedule| schedule.steps).map_err(refused)
 }
 
 /// Returns every formulation with every scheme that makes sense in it, without duplicates: `strang` of the midpoint

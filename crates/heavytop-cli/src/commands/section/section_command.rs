@@ -53,7 +53,7 @@ pub fn section(
     let orbits = Orbits::new(&settings, &config, out)?;
     let names = ["section.csv", "section.parquet", "section.svg", "section.png"];
     require_no_folders(out, &names)?;
-    let threads = threads()?;
+    let threads = threads(options.threads)?;
     let held = orbits.tiles.prepare(options)?;
     if let Some(warning) = settings.method.warning() {
         // Where stderr is closed nobody can be warned.

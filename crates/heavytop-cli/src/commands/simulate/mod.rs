@@ -5,9 +5,12 @@ mod checkpoint;
 mod simulate_options;
 mod recording;
 mod run_summary;
+mod forecast;
 mod simulate_command;
 
 pub use checkpoint::Checkpoint;
+pub use forecast::Forecast;
+pub(crate) use forecast::size;
 pub use run_summary::RunSummary;
 pub use simulate_command::simulate;
 pub use simulate_options::SimulateOptions;

@@ -22,6 +22,8 @@ pub struct RunSummary {
     pub step: f64,
     /// The number of steps.
     pub steps: u64,
+    /// The number of rows of the output, that of the initial state included.
+    pub rows: u64,
     /// The time after the last step, s.
     pub end: f64,
     /// Π after the last step, kg m²/s.
@@ -51,6 +53,7 @@ impl RunSummary {
             scheme: method.scheme().name(),
             step: schedule.step,
             steps: schedule.steps,
+            rows: experiment.rows(),
             end: schedule.end(),
             angular_momentum: last.0.0.into(),
             vertical: last.0.1.into(),
@@ -61,7 +64,12 @@ impl RunSummary {
 
 impl fmt::Display for RunSummary {
     fn fmt(&self, to: &mut fmt::Formatter<'_>) -> fmt::Result {
-        write!(to, "{} steps to t = {} s, in {}", self.steps, self.end, self.out.display())
+        write!(to, "{} rows in {}; largest deviations", self.rows, self.out.display())?;
+        for (number, (symbol, deviation)) in self.deviations.iter().enumerate() {
+            let comma = if number == 0 { "" } else { "," };
+            write!(to, "{comma} {symbol} {:.1e}", deviation.as_f64().unwrap_or(f64::NAN))?;
+        }
+        Ok(())
     }
 }
 

@@ -69,7 +69,7 @@ fn run(
     let config = Plan::complete(config);
     let (plan, metadata) = (Plan::new(&config)?, Metadata::new(&config)?);
     let tops = Tops::new(&plan, &config, out)?;
-    let threads = threads()?;
+    let threads = threads(options.threads)?;
     // The first process holds the folder for all of them.
     let held = (rank == 0).then(|| tops.tiles.prepare(options)).transpose()?;
     if let (0, Some(warning)) = (rank, plan.method.warning()) {

@@ -53,6 +53,12 @@ impl Plan {
         let axes = sweep.axes.iter().map(|axis| axis.axis()).collect::<Result<Vec<_>, _>>()?;
         require_consistent(&axes, &sweep.observables)?;
         let tops = number_of_tops(&axes, sweep.count)?;
+        let of_momentum = |axis: &&SweepAxis| axis.parameter.is_angular_momentum();
+        if let (Some(_), Some(axis)) =
+            (config.initial.angular_velocity, axes.iter().find(of_momentum))
+        {
+            return Err(SweepError::Velocity { axis: axis.parameter.name() }.into());
+        }
         // What no axis changes is either right or wrong for every top.
         if !axes.iter().any(|axis| axis.parameter.is_of_body()) {
             config.top()?;

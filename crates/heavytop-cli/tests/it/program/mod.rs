@@ -1,6 +1,7 @@
 //! The program in a folder of its own, for the tests that run it. No test file needs all of this.
 #![allow(dead_code)]
 
+use std::io::Write;
 use std::path::PathBuf;
 use std::process::{Child, Command, Output, Stdio};
 use tempfile::TempDir;
@@ -44,6 +45,16 @@ impl Folder {
         Finished(self.command(arguments).env("RAYON_NUM_THREADS", threads).output().unwrap())
     }
 
+    /// Runs `heavytop` with these arguments in the folder, and with this text as its standard input.
+    pub fn heavytop_fed(&self, text: &str, arguments: &[&str]) -> Finished {
+        let mut command = self.command(arguments);
+        command.stdin(Stdio::piped()).stdout(Stdio::piped()).stderr(Stdio::piped());
+        let mut child = command.spawn().unwrap();
+        // The program may end before it has read everything.
+        let _ = child.stdin.take().unwrap().write_all(text.as_bytes());
+        Finished(child.wait_with_output().unwrap())
+    }
+
     /// Starts `heavytop` with these arguments in the folder.
     pub fn start(&self, arguments: &[&str]) -> Child {
         self.command(arguments).stderr(Stdio::piped()).spawn().unwrap()
@@ -71,6 +82,34 @@ impl Finished {
     pub fn stderr(&self) -> String {
         String::from_utf8(self.0.stderr.clone()).unwrap()
     }
+
+    /// Returns what is on stderr besides the closing line.
+    pub fn complaints(&self) -> String {
+        let (lines, closing) = (self.stderr(), "heavytop: done: ");
+        lines.split_inclusive('\n').filter(|line| !line.starts_with(closing)).collect()
+    }
+
+    /// Returns the number of messages, each with the lines that it quotes.
+    pub fn messages(&self) -> usize {
+        self.stderr().lines().filter(|line| line.starts_with("heavytop: ")).count()
+    }
+}
+
+/// Runs a shell command in a terminal, types the answer, and returns all that the terminal shows; `None`, with a message,
+/// where there is no `script` that makes terminals.
+pub fn in_terminal(folder: &Folder, command: &str, answer: &str) -> Option<String> {
+    let mut terminal = Command::new("script");
+    terminal.args(["-q", "-e", "-c", command, "/dev/null"]).current_dir(folder.path("."));
+    terminal.stdin(Stdio::piped()).stdout(Stdio::piped()).stderr(Stdio::piped());
+    let Ok(mut child) = terminal.spawn() else {
+        println!("skipped: there is no script here");
+        return None;
+    };
+    let mut typed = child.stdin.take().unwrap();
+    typed.write_all(answer.as_bytes()).unwrap();
+    let done = child.wait_with_output().unwrap();
+    drop(typed);
+    Some(String::from_utf8_lossy(&done.stdout).into_owned())
 }
 
 /// Reads the header and the numbers of a table whose cells are all numbers.

@@ -1,0 +1,109 @@
+//! Configurations as TOML, and the differences of two of them.
+
+use super::config::Config;
+use crate::Error;
+use crate::vocabulary::brief;
+use std::collections::BTreeSet;
+use toml::{Table, Value};
+
+impl Config {
+    /// Returns the configuration as TOML, which reads back as the same configuration.
+    ///
+    /// # Errors
+    /// If a number cannot be written in TOML: an integer of more than 63 bits.
+    ///
+    /// # Example
+    /// ```
+    /// use heavytop_cli::configuration::Preset;
+    /// let text = Preset::MultibodyBenchmark.config().to_toml()?;
+    /// assert!(text.contains("[integrator]\nformulation = \"reduced\""));
+    /// # Ok::<(), heavytop_cli::Error>(())
+    /// ```
+    pub fn to_toml(&self) -> Result<String, Error> {
+        toml::to_string(self).map_err(Error::Unwritable)
+    }
+
+    /// Returns the keys in which another configuration differs: `[integrator] step: 0.02 against 0.01`.
+    ///
+    /// # Errors
+    /// The errors of [`Config::to_toml`].
+    pub fn differences(&self, other: &Self) -> Result<Vec<String>, Error> {
+        let table = |config: &Self| Table::try_from(config).map_err(Error::Unwritable);
+        let (here, there) = (table(self)?, table(other)?);
+        let mut differences = Vec::new();
+        for section in union(&here, &there) {
+            let keys = |table: &Table| {
+                table.get(section).and_then(Value::as_table).cloned().unwrap_or_default()
+            };
+            let (here, there) = (keys(&here), keys(&there));
+            for key in union(&here, &there) {
+                let (here, there) = (here.get(key), there.get(key));
+                // Texts are compared, so that NaN equals itself.
+                if here.map(Value::to_string) != there.map(Value::to_string) {
+                    let [here, there] = [here, there]
+                        .map(|value| value.map_or("nothing".into(), |v| brief::message(&short(v))));
+                    differences.push(format!("[{section}] {key}: {here} against {there}"));
+                }
+            }
+        }
+        Ok(differences)
+    }
+}
+
+/// Returns the keys of both tables.
+fn union<'a>(one: &'a Table, other: &'a Table) -> BTreeSet<&'a String> {
+    one.keys().chain(other.keys()).collect()
+}
+
+/// Formats the value, each of its numbers with the fewest digits.
+fn short(value: &Value) -> String {
+    match value {
+        Value::Float(number) => format!("{number:?}"),
+        Value::Array(values) => {
+            let values: Vec<String> = values.iter().map(short).collect();
+            format!("[{}]", values.join(", "))
+        }
+        other => other.to_string(),
+    }
+}
+
+#[cfg(test)]
+#[allow(clippy::unwrap_used)]
+mod tests {
+    use super::*;
+    use crate::configuration::{Preset, SectionConfig};
+
+    #[test]
+    fn a_configuration_reads_back_as_it_was_written() {
+        for preset in [Preset::Kovalevskaya, Preset::MultibodyBenchmark] {
+            let config = preset.config();
+            let again: Config = toml::from_str(&config.to_toml().unwrap()).unwrap();
+            assert_eq!(again, config);
+            assert!(config.differences(&again).unwrap().is_empty());
+        }
+        let differences =
+            Config::default().differences(&Preset::GoryachevChaplygin.config()).unwrap();
+        assert_eq!(differences.len(), 3, "{differences:?}");
+        assert_eq!(differences[0], "[body] inertia: [2.0, 2.0, 1.0] against [4.0, 4.0, 1.0]");
+        let mut heavy = Config::default();
+        (heavy.body.mass, heavy.integrator.step) = (1e308, Some(1e-9));
+        let expected =
+            ["[body] mass: 1.0 against 1e308", "[integrator] step: nothing against 1e-9"];
+        assert_eq!(Config::default().differences(&heavy).unwrap(), expected);
+        // A difference counts even if too much text surrounds it to be shown.
+        let tops = |mass: &str| {
+            let axis = "{ parameter = 'body.length', uniform = [0, 1] }, ".repeat(40);
+            let text =
+                format!("{axis}{{ parameter = 'body.mass', uniform = [0, {mass}] }}, {axis}");
+            toml::from_str::<Config>(&format!("sweep.axes = [{text}]")).unwrap()
+        };
+        assert_eq!(tops("1").differences(&tops("2")).unwrap().len(), 1);
+        assert!(tops("nan").differences(&tops("nan")).unwrap().is_empty());
+        // A table that only one of the two configurations has is a difference, either way.
+        let section = Some(SectionConfig { energy: Some(1.5), ..SectionConfig::default() });
+        let other = Config { section, ..Config::default() };
+        let energy = |differences: Vec<String>| differences.join("; ").contains("[section] energy");
+        assert!(energy(Config::default().differences(&other).unwrap()));
+        assert!(energy(other.differences(&Config::default()).unwrap()));
+    }
+}

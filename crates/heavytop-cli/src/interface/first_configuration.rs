@@ -1,0 +1,106 @@
+//! The command `init`: a configuration with comments, to begin with.
+
+use super::standard_output::to_stdout;
+use crate::Error;
+use crate::configuration::{Config, Integration, Preset};
+use std::fs::File;
+use std::io::{self, Write};
+use std::path::Path;
+
+/// Writes a commented configuration into a new file, or to stdout.
+///
+/// # Errors
+/// If the file exists, or cannot be written.
+pub(super) fn init(preset: Option<Preset>, file: Option<&Path>) -> Result<(), Error> {
+    let text = commented(&preset.map_or_else(Config::default, Preset::config));
+    let Some(path) = file else { return to_stdout(io::stdout().lock().write_all(text.as_bytes())) };
+    // No file is overwritten, even if it appears at this moment.
+    let mut created = File::create_new(path).map_err(|source| match source.kind() {
+        io::ErrorKind::AlreadyExists => Error::Exists { path: path.into() },
+        _ => Error::Create { path: path.into(), source },
+    })?;
+    let written = created.write_all(text.as_bytes());
+    written.map_err(|source| Error::Write { path: path.into(), source })
+}
+
+/// Returns the configuration as TOML with comments.
+fn commented(config: &Config) -> String {
+    let Config { body, initial, output, .. } = config;
+    let integrator = config.integrator.or(Integration::default());
+    let (formulation, scheme) = (integrator.formulation.name(), integrator.scheme.name());
+    let mut text = String::from(
+        "# A heavy top for the program heavytop. Every key may be left out.\n\
+         # Run it: heavytop simulate FILE --out top.csv\n",
+    );
+    let mut table = |name: &str, lines: &[(String, &str)]| {
+        text += &format!("\n[{name}]\n");
+        for (line, comment) in lines {
+            text += &format!("{line:<46} # {comment}\n");
+        }
+    };
+    table(
+        "body",
+        &[
+            (format!("inertia = {:?}", body.inertia), "principal moments, kg m²"),
+            (format!("mass = {:?}", body.mass), "kg"),
+            (format!("gravity = {:?}", body.gravity), "m/s²; 0 gives the free rigid body"),
+            (format!("length = {:?}", body.length), "m, support to centre of mass"),
+            (
+                format!("center_of_mass = {:?}", body.center_of_mass),
+                "direction in the body frame, a unit vector",
+            ),
+            ("# normalise = true".into(), "scale it to length 1 instead"),
+        ],
+    );
+    table(
+        "initial",
+        &[
+            (
+                format!("angular_momentum = {:?}", initial.angular_momentum),
+                "Π(0), kg m²/s, body frame",
+            ),
+            ("# angular_velocity = [1.0, 0.0, 0.0]".into(), "Ω(0), rad/s, instead of it"),
+            (format!("vertical = {:?}", initial.vertical), "Γ(0), body frame, a unit vector"),
+            ("# inclination = 0.3".into(), "rad from e3 to Γ(0), instead of vertical"),
+            ("# azimuth = 0.0".into(), "rad from e1 towards e2, beside inclination"),
+        ],
+    );
+    table(
+        "integrator",
+        &[
+            (format!("formulation = \"{formulation}\""), "collective, reduced, direct, splitting"),
+            (format!("scheme = \"{scheme}\""), "see heavytop help simulate"),
+            (format!("step = {:?}", integrator.step), "s"),
+            (format!("end = {:?}", integrator.end), "s; a whole number of steps"),
+            (
+                format!("tolerance = {:?}", integrator.tolerance),
+                "of the stage equations; 0 iterates to the round-off floor",
+            ),
+        ],
+    );
+    table(
+        "output",
+        &[
+            (format!("every = {}", output.every), "keep every n-th step, and the last"),
+            (format!("attitude = {}", output.attitude), "whether to write the attitude"),
+        ],
+    );
+    text + "\n# heavytop help section and heavytop help sweep show [section] and [sweep].\n"
+}
+
+#[cfg(test)]
+#[allow(clippy::unwrap_used)]
+mod tests {
+    use super::*;
+    use clap::ValueEnum;
+
+    #[test]
+    fn the_text_reads_back_as_the_preset() {
+        for preset in Preset::value_variants() {
+            let mut config = preset.config();
+            config.integrator = config.integrator.or(Integration::default()).into();
+            let read: Config = toml::from_str(&commented(&config)).unwrap();
+            assert_eq!(read, config);
+        }
+    }
+}

@@ -1,0 +1,79 @@
+//! A text with keys of a configuration: a file, standard input, or an assignment on the command line.
+
+use super::key_path::{KeyPath, Step};
+use super::plain_words::{UNKNOWN, message, repair};
+use crate::Error;
+use crate::configuration::Config;
+use crate::errors::Quotation;
+use crate::vocabulary::brief;
+use serde::Deserializer;
+use toml::Table;
+
+/// A text with keys of a configuration.
+#[derive(Clone, Debug, PartialEq)]
+pub(super) struct ConfigurationText {
+    /// The name in messages.
+    pub name: String,
+    pub text: String,
+}
+
+impl ConfigurationText {
+    /// Returns the keys of the text, each with a value of its type.
+    ///
+    /// # Errors
+    /// If the text is not TOML, or has unknown keys or wrong types.
+    pub fn table(&self) -> Result<Table, Error> {
+        let unread = |error| self.misread(&error, KeyPath::default());
+        // The text is first read by itself, since only its own text has lines to quote.
+        self.read(toml::Deserializer::parse(&self.text).map_err(unread)?)?;
+        toml::from_str(&self.text).map_err(unread)
+    }
+
+    /// Reads a configuration, whose keys may be of other texts too.
+    ///
+    /// # Errors
+    /// If there are unknown keys or wrong types.
+    pub fn read<'de>(
+        &self,
+        from: impl Deserializer<'de, Error = toml::de::Error>,
+    ) -> Result<Config, Error> {
+        serde_path_to_error::deserialize(from).map_err(|error| {
+            let path = KeyPath::from(error.path());
+            self.misread(&error.into_inner(), path)
+        })
+    }
+
+    /// Adds to an error the place of the value with this path, and the repair. If the text does not have the key, the
+    /// error comes back as it is.
+    pub fn quote(&self, path: &str, note: &str, error: Error) -> Result<Error, Error> {
+        let path = KeyPath::from(path);
+        match path.span(&self.text) {
+            // A table alone tells nothing about a key in it.
+            Some((span, steps)) if steps >= path.0.len().min(2) => {
+                let quotation = Box::new(Quotation::new(&self.name, &self.text, span, note));
+                Ok(Error::Quoted { quotation, source: Box::new(error) })
+            }
+            _ => Err(error),
+        }
+    }
+
+    /// Returns the error of the TOML reader with its place in the text, the key to which the path leads, and a repair.
+    fn misread(&self, error: &toml::de::Error, mut path: KeyPath) -> Error {
+        let message = message(error.message());
+        // A message about two keys of one table begins with the one to quote.
+        let own = message.strip_prefix('`').and_then(|rest| rest.split('`').next());
+        path.0.extend(own.map(|key| Step::Key(key.into())));
+        let at_path = path.span(&self.text).map(|(span, _)| span);
+        let span = if own.is_some() { at_path } else { error.span().or(at_path) };
+        let note = repair(&message);
+        let quotation = Quotation::new(&self.name, &self.text, span.unwrap_or(0..0), &note);
+        let message = match path.to_string().as_str() {
+            // The message names the key already.
+            _ if message.starts_with(UNKNOWN) || message.starts_with('`') => message,
+            "" => message,
+            key => format!("{key}: {message}"),
+        };
+        let source = Box::new(Error::Misread(brief::message(&message)));
+        Error::Quoted { quotation: Box::new(quotation), source }
+    }
+}

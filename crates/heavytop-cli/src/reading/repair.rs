@@ -1,0 +1,153 @@
+//! Repairs: the keys to which a refusal refers, and what to write instead.
+
+use crate::Error;
+use crate::configuration::Config;
+use crate::errors::SweepError;
+use crate::vocabulary::brief::number;
+use heavytop::{SectionError, TopError};
+
+/// A key that may be at fault, and what to write there.
+pub(super) type Repair = (String, String);
+
+/// The keys of the numbers that [`Error::OutOfRange`] names.
+const KEYS: [(&str, &str); 13] = [
+    ("angular_momentum", "initial.angular_momentum"),
+    ("angular_velocity", "initial.angular_velocity"),
+    ("inclination", "initial.inclination"),
+    ("azimuth", "initial.azimuth"),
+    ("every", "output.every"),
+    ("step", "integrator.step"),
+    ("end", "integrator.end"),
+    ("tolerance", "integrator.tolerance"),
+    ("longest", "section.longest"),
+    ("starts", "section.starts"),
+    ("crossings", "section.crossings"),
+    ("starts × crossings", "section.starts"),
+    ("starts × crossings", "section.crossings"),
+];
+
+/// Returns the keys to which the refusal refers, the likeliest first, each with a repair.
+pub(super) fn repairs(error: &Error, config: &Config) -> Vec<Repair> {
+    let repair = |key: &str, note: String| (key.to_string(), note);
+    match error {
+        Error::Body(top) => vec![of_vector("body", top, config.body.center_of_mass)],
+        Error::Vertical(top) => vec![of_vector("initial", top, config.initial.direction())],
+        Error::AzimuthAlone => vec![repair("initial.azimuth", "write both".into())],
+        Error::OutOfRange { name, range, .. } => KEYS
+            .iter()
+            .filter(|(known, _)| known == name)
+            .map(|(_, key)| repair(key, format!("must be {range}")))
+            .collect(),
+        Error::BrokenStep { before, after, .. } => {
+            let ends = [*before, *after].into_iter().filter(|end| *end > 0.0).map(number);
+            let ends = ends.collect::<Vec<_>>().join(" or ");
+            let step = "does not divide the end".to_string();
+            vec![repair("integrator.end", format!("write {ends}")), repair("integrator.step", step)]
+        }
+        Error::TooManySteps { steps, most } => {
+            let times = number((steps / most).ceil());
+            vec![
+                repair("integrator.step", format!("write {times} times as much, or more")),
+                repair("integrator.end", format!("write {times} times less")),
+                repair("section.longest", format!("write {times} times less")),
+            ]
+        }
+        Error::AbsurdStep { step, angle, most } => {
+            let bound = step * most / angle;
+            let note = match bound > 0.0 {
+                true => format!("write at most {bound:.3e}"),
+                false => "write less".into(),
+            };
+            let fast = "the body is too fast for the step".to_string();
+            vec![
+                repair("integrator.step", note),
+                repair("initial.angular_momentum", fast.clone()),
+                repair("initial.angular_velocity", fast.clone()),
+                repair("body.inertia", fast),
+            ]
+        }
+        Error::NoSuchPair { formulation, .. } => {
+            let schemes = formulation.schemes().map(|scheme| format!("`{}`", scheme.name()));
+            let first = schemes.take(1).collect::<String>();
+            vec![
+                repair("integrator.scheme", format!("write {first}, or another of its schemes")),
+                repair("integrator.formulation", format!("write `scheme` too, such as {first}")),
+            ]
+        }
+        Error::NoAttitude { .. } => vec![
+            repair("output.attitude", "write false, or choose another formulation".into()),
+            repair("integrator.formulation", "write `collective`, `reduced` or `splitting`".into()),
+        ],
+        Error::Section(section) => of_section(section),
+        Error::Sweep(sweep) => of_sweep(sweep),
+        _ => Vec::new(),
+    }
+}
+
+/// Returns the repair of a number in a table, or of its unit vector.
+fn of_vector(table: &str, error: &TopError, vector: [f64; 3]) -> Repair {
+    let (name, note) = match error {
+        TopError::NotFinite { name, .. } => (*name, "write a finite number".into()),
+        TopError::NotPositive { name, .. } => (*name, "write a number above 0".into()),
+        TopError::Negative { name, value } => (*name, format!("write {}", number(-value))),
+        TopError::OutOfRange { name, least, greatest, .. } => {
+            (*name, format!("write {} to {}", number(*least), number(*greatest)))
+        }
+        TopError::Triangle { first, second, .. } => {
+            ("inertia", format!("the largest must be at most {}", number(first + second)))
+        }
+        TopError::NotUnit { name, length, .. } => (*name, unit(vector, *length)),
+        _ => ("", String::new()),
+    };
+    (format!("{table}.{name}"), note)
+}
+
+/// Offers the vector of length 1 in the same direction.
+fn unit(vector: [f64; 3], length: f64) -> String {
+    if length > 0.0 && length.is_finite() {
+        let [x, y, z] = vector.map(|x| x / length);
+        format!("write [{x:?}, {y:?}, {z:?}], or `normalise = true`")
+    } else {
+        "write a vector of length 1, such as [0.0, 0.0, 1.0]".into()
+    }
+}
+
+fn of_section(error: &SectionError) -> Vec<Repair> {
+    let repair = |key: &str, note: String| (format!("section.{key}"), note);
+    match error {
+        SectionError::NotFinite { name, .. } => vec![repair(name, "write a finite number".into())],
+        SectionError::NoSuchVertical { .. } => {
+            vec![repair("level", "write more than -1 and less than 1".into())]
+        }
+        SectionError::Empty { least, .. } => {
+            vec![repair("energy", format!("write more than {}", number(*least)))]
+        }
+        SectionError::TooSmall { .. } => {
+            vec![repair("energy", "write more".into()), repair("starts", "write fewer".into())]
+        }
+        _ => Vec::new(),
+    }
+}
+
+fn of_sweep(error: &SweepError) -> Vec<Repair> {
+    let repair = |key: &str, note: &str| (format!("sweep.{key}"), note.to_string());
+    match error {
+        SweepError::NoObservables => vec![repair("observables", "write one, such as [\"megno\"]")],
+        SweepError::Twice => vec![repair("observables", "name each once")],
+        SweepError::Count => {
+            vec![
+                repair("count", "write 1 or more for random axes"),
+                repair("axes", "random axes need `count`"),
+            ]
+        }
+        SweepError::TooMany { most, .. } => {
+            vec![repair("axes", &format!("the counts must multiply to at most {most:e}"))]
+        }
+        SweepError::Velocity { .. } => {
+            let note = "write `angular_momentum`, or vary another number".to_string();
+            vec![("initial.angular_velocity".into(), note)]
+        }
+        SweepError::NoAxes => vec![repair("axes", "add a table [[sweep.axes]]")],
+        _ => vec![repair("axes", "")],
+    }
+}

@@ -1,0 +1,135 @@
+//! The sources of a configuration: a preset, a file, and assignments on the command line.
+
+use super::assignment::{OPTION, line};
+use super::configuration_text::ConfigurationText;
+use super::repair::repairs;
+use crate::Error;
+use crate::configuration::{Config, Preset};
+use crate::files::bounded;
+use std::path::Path;
+use toml::{Table, Value};
+
+/// The largest size of a configuration file, in bytes.
+const MOST_BYTES: u64 = 1 << 20;
+
+/// The file name that stands for standard input.
+const STANDARD_INPUT: &str = "-";
+
+/// A configuration, and the texts that it was read from.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Sources {
+    config: Config,
+    /// The texts; a later one overrides those before it.
+    texts: Vec<ConfigurationText>,
+}
+
+impl Sources {
+    /// Reads the configuration of a preset, or the default one, overridden by the keys of a file, overridden by
+    /// assignments such as `integrator.end=50`. The file `-` is standard input.
+    ///
+    /// # Errors
+    /// If the file cannot be read, has more than a mebibyte, or is not TOML; or if there are unknown keys or wrong
+    /// types: the error then quotes the line, and offers a repair.
+    ///
+    /// # Example
+    /// ```
+    /// use heavytop_cli::configuration::Preset;
+    /// use heavytop_cli::reading::Sources;
+    /// let sources = Sources::read(Some(Preset::Lagrange), None, &["integrator.end=50".into()])?;
+    /// assert_eq!(sources.config().experiment()?.schedule.steps, 2500);
+    /// # Ok::<(), heavytop_cli::Error>(())
+    /// ```
+    pub fn read(
+        preset: Option<Preset>,
+        file: Option<&Path>,
+        assignments: &[String],
+    ) -> Result<Self, Error> {
+        let config = preset.map_or_else(Config::default, Preset::config);
+        let mut sources = Self { config, texts: Vec::new() };
+        if let Some(path) = file {
+            sources.add(text(path)?)?;
+        }
+        for assignment in assignments {
+            let text = line(assignment, &sources.table()?)?;
+            sources.add(ConfigurationText { name: OPTION.into(), text })?;
+        }
+        Ok(sources)
+    }
+
+    /// Returns the configuration.
+    #[must_use]
+    pub fn config(&self) -> &Config {
+        &self.config
+    }
+
+    /// Adds to a refusal the line of the key at fault, with the repair under it, where one of the texts has the key.
+    #[must_use]
+    pub fn locate(&self, mut error: Error) -> Error {
+        if error.exit_code() != 2 || matches!(error, Error::Quoted { .. }) {
+            return error;
+        }
+        for (key, note) in repairs(&error, &self.config) {
+            for text in self.texts.iter().rev() {
+                error = match text.quote(&key, &note, error) {
+                    Ok(quoted) => return quoted,
+                    Err(error) => error,
+                };
+            }
+        }
+        error
+    }
+
+    /// Overrides the configuration by the keys of a text.
+    fn add(&mut self, text: ConfigurationText) -> Result<(), Error> {
+        let (mut table, over) = (self.table()?, text.table()?);
+        remove_rivals(&mut table, &over);
+        overlay(&mut table, over);
+        self.config = text.read(table)?;
+        self.texts.push(text);
+        Ok(())
+    }
+
+    fn table(&self) -> Result<Table, Error> {
+        Table::try_from(&self.config).map_err(Error::Unwritable)
+    }
+}
+
+fn text(path: &Path) -> Result<ConfigurationText, Error> {
+    let is_input = path == Path::new(STANDARD_INPUT);
+    let (name, text) = match is_input {
+        true => ("standard input".into(), bounded::read_from(std::io::stdin(), MOST_BYTES)),
+        false => (path.display().to_string(), bounded::read(path, MOST_BYTES)),
+    };
+    let text = text.map_err(|source| Error::Read { path: name.clone().into(), source })?;
+    Ok(ConfigurationText { name, text })
+}
+
+/// Keys of `[initial]` that say the same thing in two ways.
+const RIVALS: [(&[&str], &[&str]); 2] =
+    [(&["angular_momentum"], &["angular_velocity"]), (&["vertical"], &["inclination", "azimuth"])];
+
+/// Removes the keys whose rivals override them.
+fn remove_rivals(base: &mut Table, over: &Table) {
+    let table = "initial";
+    let Some(over) = over.get(table).and_then(Value::as_table) else { return };
+    let Some(base) = base.get_mut(table).and_then(Value::as_table_mut) else { return };
+    for (one, other) in RIVALS {
+        for (given, rivals) in [(one, other), (other, one)] {
+            if given.iter().any(|key| over.contains_key(*key)) {
+                rivals.iter().for_each(|key| drop(base.remove(*key)));
+            }
+        }
+    }
+}
+
+/// Overrides the keys of one table by those of another, in nested tables as well.
+fn overlay(base: &mut Table, over: Table) {
+    for (key, value) in over {
+        match (base.get_mut(&key), value) {
+            (Some(Value::Table(base)), Value::Table(over)) => overlay(base, over),
+            (_, value) => {
+                base.insert(key, value);
+            }
+        }
+    }
+}

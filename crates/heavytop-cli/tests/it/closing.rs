@@ -1,0 +1,32 @@
+//! The closing line of `simulate` and `animate`.
+
+use crate::program::Folder;
+
+#[test]
+fn a_run_ends_with_a_line_about_its_file() {
+    let folder = Folder::new();
+    let end = ["--set", "integrator.end=1", "--set", "output.every=7"];
+    let simulate = |more: &[&str]| {
+        folder.heavytop(&[&["simulate", "--out", "a.csv"], &end[..], more].concat())
+    };
+    let run = simulate(&[]);
+    let said = run.stderr();
+    // The steps 0, 7, ..., 49 and the last one.
+    assert_eq!(folder.read("a.csv").lines().count(), 1 + 9);
+    assert!(said.starts_with("heavytop: done: 9 rows in a.csv; largest deviations"), "{said}");
+    assert!(said.contains(" h ") && said.contains(" f1 ") && said.ends_with(" s\n"), "{said}");
+    assert_eq!((run.code(), said.lines().count(), run.stdout()), (0, 1, String::new()));
+    // The summary in JSON says the same, and --quiet nothing.
+    let json = simulate(&["--json"]);
+    assert!(json.stdout().contains("\"rows\": 9") && json.stderr().is_empty());
+    assert!(simulate(&["--quiet"]).stderr().is_empty());
+
+    let page = folder.heavytop(&[&["animate", "--out", "a.html"], &end[..]].concat());
+    let said = page.stderr();
+    assert!(said.starts_with("heavytop: done: 9 frames to t = 1 s, in a.html; "), "{said}");
+    // Negative control: a run that fails has no such line.
+    let fail = ["--set", "integrator.step=0.5", "--set", "integrator.scheme=lobatto-iiia-iiib-4"];
+    let failed = simulate(&fail);
+    assert_eq!(failed.code(), 1);
+    assert!(!failed.stderr().contains("done"), "{}", failed.stderr());
+}

@@ -1,0 +1,69 @@
+//! `--dry-run`, and the question before outputs that are absurdly large.
+
+use crate::program::{Folder, in_terminal};
+
+#[test]
+fn a_dry_run_says_what_a_run_would_write_and_writes_nothing() {
+    for (out, end) in [("a.csv", "20"), ("a.npz", "20"), ("a.parquet", "20")] {
+        let folder = Folder::new();
+        let end = format!("integrator.end={end}");
+        let arguments = ["simulate", "--set", &end, "--out", out, "--quiet"];
+        let dry = folder.heavytop(&[&arguments[..], &["--dry-run", "--json"]].concat());
+        assert_eq!((dry.code(), dry.stderr(), folder.names().len()), (0, String::new(), 0));
+        let forecast: serde_json::Value = serde_json::from_str(&dry.stdout()).unwrap();
+        assert_eq!(folder.heavytop(&arguments).code(), 0);
+        let bytes = folder.path(out).metadata().unwrap().len() as f64;
+        let forecast_bytes = forecast["bytes"].as_f64().unwrap();
+        assert_eq!((&forecast["steps"], &forecast["rows"]), (&1000.into(), &1001.into()));
+        // The names of columns and the metadata do not count; they are less than a tenth here.
+        assert!((forecast_bytes / bytes - 1.0).abs() < 0.1, "{out}: {forecast_bytes} {bytes}");
+        assert!(forecast["seconds"].as_f64().unwrap() > 0.0);
+    }
+    let folder = Folder::new();
+    let said = folder.heavytop(&["simulate", "--out", "a.npz", "--dry-run"]).stdout();
+    let expected = "5000 steps, 5001 rows, about 440.1 kB in a.npz (880.2 kB of disk until it is";
+    assert!(said.starts_with(expected) && said.contains("; about "), "{said}");
+    // A wrong request is refused as without --dry-run.
+    let wrong = ["simulate", "--set", "body.mass=0", "--out", "a.npz", "--dry-run"];
+    assert_eq!(folder.heavytop(&wrong).code(), 2);
+}
+
+/// Eleven numbers in each of 5e10 rows.
+const LARGE: [&str; 5] = ["simulate", "--set", "integrator.end=1e9", "--out", "a.npz"];
+
+#[test]
+fn an_absurdly_large_output_is_refused_where_nobody_can_be_asked() {
+    let folder = Folder::new();
+    let run = folder.heavytop(&LARGE);
+    assert_eq!((run.code(), folder.names().len()), (2, 0), "{}", run.stderr());
+    let said = run.stderr();
+    let expected = "heavytop: the run would write about 8.8 TB, free are ";
+    assert!(said.starts_with(expected) && said.ends_with("or agree with --yes\n"), "{said}");
+    // Negative controls: --yes agrees; every n-th row is less; a device has room.
+    let less = folder.heavytop(&[&LARGE[..], &["--dry-run"]].concat());
+    assert_eq!(less.code(), 0);
+    for more in [&["--yes"][..], &["--set", "output.every=1000000"], &["--out", "/dev/null"]] {
+        let arguments = match more[0] {
+            "--out" => [&LARGE[..3], more].concat(),
+            _ => [&LARGE[..], more].concat(),
+        };
+        let mut child = folder.start(&arguments);
+        std::thread::sleep(std::time::Duration::from_millis(700));
+        assert!(child.try_wait().unwrap().is_none(), "{more:?}: the run did not begin");
+        child.kill().unwrap();
+        child.wait().unwrap();
+    }
+}
+
+#[test]
+fn on_a_terminal_there_is_a_question() {
+    for (answer, begins) in [("n\n", false), ("\n", false), ("y\n", true)] {
+        let folder = Folder::new();
+        // With the answer yes the run is interrupted by the time limit.
+        let limited = format!("timeout 2 {} {}", env!("CARGO_BIN_EXE_heavytop"), LARGE.join(" "));
+        let Some(said) = in_terminal(&folder, &limited, answer) else { return };
+        assert!(said.contains("free are ") && said.contains("go on? [y/N] "), "{said}");
+        assert_eq!(said.contains("agree with --yes"), !begins, "{said}");
+        assert_eq!(folder.names().contains(&"a.npz.rows".into()), begins, "{:?}", folder.names());
+    }
+}

@@ -1,0 +1,75 @@
+//! `heavytop init` and `heavytop man`.
+
+use crate::program::Folder;
+use std::process::Command;
+
+#[test]
+fn the_first_configuration_is_the_preset_and_overwrites_nothing() {
+    for preset in ["kovalevskaya", "lagrange", "multibody-benchmark"] {
+        let folder = Folder::new();
+        let made = folder.heavytop(&["init", "--preset", preset, "a.toml"]);
+        assert_eq!((made.code(), made.stderr(), made.stdout()), (0, String::new(), String::new()));
+        let text = folder.read("a.toml");
+        assert_eq!(folder.heavytop(&["init", "--preset", preset]).stdout(), text);
+        for key in ["[body]", "inertia = ", "# principal moments, kg m²", "[output]", "every = 1"]
+        {
+            assert!(text.contains(key), "{text}");
+        }
+        // It runs as the preset does, to the last bit.
+        let end = ["--set", "integrator.end=0.1", "--set", "integrator.step=0.0125", "--quiet"];
+        let run = |first: &[&str], out: &str| {
+            let run = folder.heavytop(&[&["simulate", "--out", out], first, &end[..]].concat());
+            assert_eq!((run.code(), run.stderr()), (0, String::new()));
+            folder.read(out)
+        };
+        assert_eq!(run(&["a.toml"], "a.csv"), run(&["--preset", preset], "b.csv"));
+
+        folder.write("a.toml", "mine");
+        let again = folder.heavytop(&["init", "a.toml"]);
+        assert_eq!((again.code(), folder.read("a.toml").as_str()), (2, "mine"));
+        assert_eq!(again.stderr(), "heavytop: a.toml exists, and is not overwritten\n");
+    }
+    let folder = Folder::new();
+    let nowhere = folder.heavytop(&["init", "missing/a.toml"]);
+    assert_eq!(nowhere.code(), 2);
+    assert!(nowhere.stderr().contains("cannot create missing/a.toml"), "{}", nowhere.stderr());
+}
+
+#[test]
+fn manual_pages_are_pages() {
+    let folder = Folder::new();
+    for (arguments, title, parts) in [
+        (&["man"][..], ".TH heavytop 1", ["simulate", "Exit codes"]),
+        (
+            &["man", "simulate"],
+            ".TH heavytop-simulate 1",
+            ["checkpoint\\-interval", "Formulations"],
+        ),
+        (&["man", "sweep"], ".TH heavytop-sweep 1", ["threads", "lyapunov"]),
+    ] {
+        let run = folder.heavytop(arguments);
+        let page = run.stdout();
+        assert_eq!((run.code(), run.stderr()), (0, String::new()));
+        assert!(page.contains(title), "{page}");
+        assert!(parts.iter().all(|part| page.contains(part)), "{page}");
+        folder.write("page.1", &page);
+        let shown = Command::new("man")
+            .args(["--warnings", "-l", "page.1"])
+            .env("MANPAGER", "cat")
+            .current_dir(folder.path("."))
+            .output();
+        match shown {
+            Ok(shown) if shown.status.success() => {
+                let warned = String::from_utf8_lossy(&shown.stderr);
+                assert!(!warned.contains("macro"), "{warned}");
+                assert!(String::from_utf8_lossy(&shown.stdout).contains("heavytop"));
+            }
+            _ => println!("skipped: there is no man here"),
+        }
+    }
+    let wrong = folder.heavytop(&["man", "levitate"]);
+    assert_eq!(wrong.code(), 2);
+    assert!(
+        wrong.stderr().contains("there is no command `levitate`; there are reproduce, simulate")
+    );
+}

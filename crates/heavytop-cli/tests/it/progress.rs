@@ -1,0 +1,50 @@
+//! The progress bar, as a terminal shows it.
+
+use crate::program::{Folder, in_terminal};
+
+/// Returns the lines that a terminal of 80 columns shows one after the other, without control sequences.
+fn drawn(said: &str) -> Vec<String> {
+    let mut lines = Vec::new();
+    for piece in said.split(['\r', '\n']) {
+        let mut line = String::new();
+        let mut characters = piece.chars();
+        while let Some(c) = characters.next() {
+            if c != '\u{1b}' {
+                line.push(c);
+            } else if let Some('[') = characters.next() {
+                // A sequence ends with a letter.
+                let _ = characters.find(|c| c.is_ascii_alphabetic());
+            }
+        }
+        lines.push(line);
+    }
+    lines
+}
+
+#[test]
+fn a_bar_shows_from_the_first_second_on_and_fits_the_terminal() {
+    let heavytop = env!("CARGO_BIN_EXE_heavytop");
+    let scheme =
+        "--set integrator.formulation=collective --set integrator.scheme=lobatto-iiia-iiib-4";
+    let long = "--set integrator.end=1e7 --set output.every=1000";
+    // The first tile of this sweep takes far longer than a second.
+    let sweep = "--set integrator.end=1e6 --out map --threads 1";
+    for (command, kind) in [
+        (format!("simulate {scheme} {long} --out a.csv"), "/500.0M steps"),
+        (format!("sweep {sweep}"), "0/1024 tops"),
+    ] {
+        let folder = Folder::new();
+        let limited = format!("stty cols 80; timeout -s KILL 3 {heavytop} {command}");
+        let Some(said) = in_terminal(&folder, &limited, "") else { return };
+        let bars: Vec<String> = drawn(&said).into_iter().filter(|l| l.contains(kind)).collect();
+        assert!(!bars.is_empty(), "{said:?}");
+        for bar in bars {
+            assert!(bar.chars().count() <= 80 && bar.contains("left"), "{bar:?}");
+        }
+        // Negative control: --quiet hides it.
+        let quiet =
+            format!("stty cols 80; timeout -s KILL 2 {heavytop} {command} --quiet --restart");
+        let said = in_terminal(&folder, &quiet, "").unwrap();
+        assert!(!said.contains(kind), "{said:?}");
+    }
+}

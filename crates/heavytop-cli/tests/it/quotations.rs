@@ -1,0 +1,147 @@
+//! Messages about configurations: they quote the line, mark the value, and offer a repair.
+
+use crate::program::Folder;
+
+/// A command, a configuration, the quoted line, the marked text and the repair.
+const QUOTED: &[(&str, &str, &str, &str, &str)] = &[
+    // The text is no TOML, or has wrong keys or types.
+    ("simulate", "[body]\nmas = 2.0", "mas = 2.0", "mas", "did you mean `mass`?"),
+    ("simulate", "body.weight = 2", "body.weight = 2", "weight", "there is no such key"),
+    (
+        "simulate",
+        "body.mass = 'heavy' # kg",
+        "body.mass = 'heavy' # kg",
+        "'heavy'",
+        "write a number",
+    ),
+    ("simulate", "output.attitude = 1", "output.attitude = 1", "1", "write a boolean"),
+    (
+        "simulate",
+        "[integrator]\nscheme = 'gaus-4'",
+        "scheme = 'gaus-4'",
+        "'gaus-4'",
+        "did you mean `gauss-4`?",
+    ),
+    // A value is out of its range.
+    ("simulate", "[body]\n\ninertia = [2, -2, 1]", "inertia = [2, -2, 1]", "-2", "write 2"),
+    ("animate", "body.mass = 0", "body.mass = 0", "0", "write a number above 0"),
+    ("simulate", "body.gravity = -9.81", "body.gravity = -9.81", "-9.81", "write 9.81"),
+    ("compare", "body.mass = inf", "body.mass = inf", "inf", "write a finite number"),
+    (
+        "simulate",
+        "body.inertia = [2, 2, 5]",
+        "body.inertia = [2, 2, 5]",
+        "[2, 2, 5]",
+        "the largest must be at most 4",
+    ),
+    (
+        "simulate",
+        "body.center_of_mass = [3, 4, 0]",
+        "body.center_of_mass = [3, 4, 0]",
+        "[3, 4, 0]",
+        "write [0.6, 0.8, 0.0], or `normalise = true`",
+    ),
+    (
+        "simulate",
+        "initial.vertical = [0, 0, 2]",
+        "initial.vertical = [0, 0, 2]",
+        "[0, 0, 2]",
+        "write [0.0, 0.0, 1.0]",
+    ),
+    ("simulate", "integrator.end = 1.01", "integrator.end = 1.01", "1.01", "write 1 or 1.02"),
+    (
+        "simulate",
+        "integrator.step = 0.03",
+        "integrator.step = 0.03",
+        "0.03",
+        "does not divide the end",
+    ),
+    ("simulate", "output.every = 0", "output.every = 0", "0", "must be at least 1"),
+    (
+        "simulate",
+        "integrator.tolerance = -1",
+        "integrator.tolerance = -1",
+        "-1",
+        "must be finite and not negative",
+    ),
+    (
+        "simulate",
+        "integrator = { step = 100, end = 100 }",
+        "integrator = { step = 100, end = 100 }",
+        "100",
+        "write at most 1.856e1",
+    ),
+    (
+        "simulate",
+        "integrator.formulation = 'splitting'",
+        "integrator.formulation = 'splitting'",
+        "'splitting'",
+        "write `scheme` too, such as `strang`",
+    ),
+    (
+        "simulate",
+        "[integrator]\nscheme = 'rk4'\nformulation = 'reduced'",
+        "scheme = 'rk4'",
+        "'rk4'",
+        "write `implicit-midpoint`, or another of its schemes",
+    ),
+    // Two keys say the same thing.
+    (
+        "simulate",
+        "[initial]\nangular_momentum = [1, 0, 0]\nangular_velocity = [2, 0, 0]",
+        "angular_velocity = [2, 0, 0]",
+        "[2, 0, 0]",
+        "write one of them",
+    ),
+    (
+        "simulate",
+        "initial = { vertical = [0, 0, 1], inclination = 0.25 }",
+        "initial = { vertical = [0, 0, 1], inclination = 0.25 }",
+        "0.25",
+        "write one of them",
+    ),
+    ("simulate", "[initial]\nazimuth = 1.5", "azimuth = 1.5", "1.5", "write both"),
+    ("simulate", "initial.inclination = nan", "initial.inclination = nan", "nan", "must be finite"),
+    ("section", "section.energy = -9", "section.energy = -9", "-9", "write more than "),
+    ("section", "section.starts = 0", "section.starts = 0", "0", "must be at least 1"),
+    ("section", "section.level = 2", "section.level = 2", "2", "more than -1 and less than 1"),
+    ("sweep", "sweep.observables = []", "sweep.observables = []", "[]", "write one, such as"),
+    ("sweep", "sweep.axes = []", "sweep.axes = []", "[]", "add a table [[sweep.axes]]"),
+];
+
+#[test]
+fn messages_quote_the_line_mark_the_value_and_offer_a_repair() {
+    for (command, text, line, marked, repair) in QUOTED {
+        let folder = Folder::new();
+        folder.write("a.toml", text);
+        let out = ["a.csv", "a.html"][usize::from(*command == "animate")];
+        let run = folder.heavytop(&[command, "a.toml", "--out", out]);
+        let said = run.stderr();
+        let lines: Vec<&str> = said.lines().collect();
+        assert_eq!((run.code(), lines.len()), (2, 4), "{text}: {said}");
+        let number = text.lines().position(|other| other == *line).unwrap() + 1;
+        assert_eq!(lines[2], format!("{number} | {line}"), "{said}");
+        assert!(lines[0].contains(&format!("a.toml, line {number}, column ")), "{said}");
+        // The mark is under the value, and as long.
+        let from = lines[3].find('^').unwrap();
+        let to = lines[3].rfind('^').unwrap();
+        assert_eq!(&lines[2][from..=to], *marked, "{said}");
+        assert!(lines[3][to + 1..].contains(repair), "{said}");
+    }
+}
+
+/// Negative control: what no text says is not quoted.
+#[test]
+fn what_no_text_says_is_not_quoted() {
+    let folder = Folder::new();
+    folder.write("a.toml", "[body]\nmass = 2.0");
+    for arguments in [
+        &["simulate", "a.toml", "--out", "a.xls"][..],
+        &["simulate", "a.toml", "--out", "a.csv", "--checkpoint-interval", "-1"],
+        &["simulate", "missing.toml", "--out", "a.csv"],
+    ] {
+        let run = folder.heavytop(arguments);
+        assert_eq!((run.code(), run.stderr().lines().count()), (2, 1), "{}", run.stderr());
+        assert!(!run.stderr().contains('^'));
+    }
+}
