@@ -262,7 +262,8 @@ fn line<'a>(contents: &'a str, key: &str) -> (&'a str, &'a str) {
 fn with(key: &str, value: impl Fn(&str) -> String) -> impl Fn(&str) -> String {
     move |contents| {
         let (line, old) = line(contents, key);
-        contents.replace(line, &format!("{key} = {}", value(old)))
+        // The whole line: "step = 0" is also the beginning of "step = 0.02".
+        contents.replacen(&format!("{line}\n"), &format!("{key} = {}\n", value(old)), 1)
     }
 }
 
