@@ -46,7 +46,7 @@ impl Curve<'_> {
 const BLUE: RGBColor = RGBColor(0, 114, 178);
 const GREEN: RGBColor = RGBColor(0, 158, 115);
 const RED: RGBColor = RGBColor(213, 94, 0);
-const GRAY: RGBColor = RGBColor(140, 140, 140);
+const GRAY: RGBColor = RGBColor(85, 85, 85);
 
 const WHOLE: &str = "";
 const DASHED: &str = "150 60";
