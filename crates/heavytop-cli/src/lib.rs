@@ -38,7 +38,7 @@
 //! | the whole program in one call | [`main`] |
 //! | a message instead of an abort when memory runs out | [`MemoryGuard`] |
 //!
-//! The private modules `pictures` and `interface` hold axes, colours and the rendering of SVG, and the command line with
+//! The private modules `pictures` and `interface` hold axes, captions, colours and the rendering of SVG, and the command line with
 //! its help, signals and standard output.
 //!
 //! # Conventions

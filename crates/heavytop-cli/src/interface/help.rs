@@ -144,11 +144,14 @@ The error is the 2-norm of that of (Π, Γ) at the end, against a Gauss method o
 lift at half the configured step; if that with the whole step differs by more than 1e-11 of its
 size, the command fails. The time is the wall-clock time for one simulated second, (Π, Γ) read after
 each step, the best of at least three repetitions; it is of your machine, so let it rest meanwhile.
+Π and Γ have different units: the table has their errors apart, and the figure shows the larger of
+|δΠ| / max |Π| and |δΓ| / max |Γ|.
 
 Written into the folder:
   work-precision.svg .png  error against time, a panel for each formulation
   work-precision.csv       formulation,scheme,step,end,error,seconds,h,f1,f2, the last three the
-                           largest deviations; NaN where a step had no result
+                           largest deviations, then error_Pi (kg m²/s), error_Gamma,
+                           relative_error; NaN where a step had no result
 Printed: for some accuracies the fastest method that reaches them, and the fastest Poisson one.
 
 Of the midpoint rule strang is the rule itself, and is listed as implicit-midpoint.";
@@ -295,7 +298,7 @@ Written into the folder:
                   if all fail, the table is kept as sweep.parquet.partial, and the exit code is 1
   NAME.svg .png   for a grid with two axes and at most 4096 × 4096 tops, a map of each column: the
                   first axis is the abscissa; the colours span all values but half a percent at
-                  either end; gray has no value
+                  either end; gray has no value; the value 2 of MEGNO, regular motion, is marked
 
 Tops are followed in parallel (--threads, by default all processors); top number n depends on the
 configuration and n alone, so that no bit depends on the number of threads, processes or tops. What is finished is

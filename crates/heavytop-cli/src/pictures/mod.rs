@@ -1,7 +1,14 @@
-//! The common parts of all pictures: axes, colours, text as outlines, and PNG.
+//! The common parts of all pictures: axes, colours, captions, text as outlines, and PNG.
 
+pub(crate) mod numerals;
+pub(crate) mod lettering;
 mod axis;
+mod scale;
 pub(crate) mod colour_scale;
+pub(crate) mod caption;
+pub(crate) mod frame;
 pub(crate) mod render;
 
 pub(crate) use axis::Axis;
+pub(crate) use frame::Frame;
+pub(crate) use scale::Scale;

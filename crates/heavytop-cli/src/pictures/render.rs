@@ -1,21 +1,13 @@
 //! Rendering of SVG: text to outlines, and SVG to PNG.
 
+use super::lettering::OPTIONS;
 use crate::Error;
 use resvg::tiny_skia::{Pixmap, Transform};
-use resvg::usvg::{Options, Tree, WriteOptions, fontdb::Database};
-use std::sync::Arc;
-
-/// The font family of all text; the program contains the font.
-pub(crate) const FONT: &str = "DejaVu Sans";
+use resvg::usvg::{Tree, WriteOptions};
 
 /// Returns the drawing with its text as outlines, and the same as PNG with `scale` pixels per CSS pixel.
 pub(crate) fn render(drawing: &str, scale: f32) -> Result<(String, Vec<u8>), Error> {
-    let mut fonts = Database::new();
-    fonts.load_font_data(dejavu::sans::regular().to_vec());
-    fonts.load_font_data(dejavu::sans::oblique().to_vec());
-    let options =
-        Options { font_family: FONT.into(), fontdb: Arc::new(fonts), ..Options::default() };
-    let tree = Tree::from_str(drawing, &options).map_err(failed)?;
+    let tree = Tree::from_str(drawing, &OPTIONS).map_err(failed)?;
     let writing = WriteOptions { coordinates_precision: 2, ..WriteOptions::default() };
     let svg = tree.to_string(&writing);
 

@@ -51,6 +51,9 @@ fn the_page_is_complete_loads_nothing_and_has_every_frame() {
         json["description"],
         "collective, implicit-midpoint, step 0.02 s, a frame for each step"
     );
+    let words = "I = (2, 2, 1) kg m², m g l = 1 N m, c = (1, 0, 0); \
+                 Π(0) = (2, 3, 4) kg m²/s, Γ(0) = (0.5, 0, 0.866025)";
+    assert_eq!(json["top"], words);
     assert_eq!(json["inertia"], serde_json::json!([2.0, 2.0, 1.0]));
     assert_eq!(json["centerOfMass"], serde_json::json!([1.0, 0.0, 0.0]));
     let symbols: Vec<&Value> =

@@ -7,7 +7,9 @@ const FILES: [&str; 3] = ["work-precision.csv", "work-precision.png", "work-prec
 /// Reads the rows of the table: formulation, scheme, and the numbers.
 fn rows(csv: &str) -> Vec<(String, String, Vec<f64>)> {
     let mut lines = csv.lines();
-    assert_eq!(lines.next(), Some("formulation,scheme,step,end,error,seconds,h,f1,f2"));
+    let header =
+        "formulation,scheme,step,end,error,seconds,h,f1,f2,error_Pi,error_Gamma,relative_error";
+    assert_eq!(lines.next(), Some(header));
     lines
         .map(|line| {
             let cells: Vec<&str> = line.split(',').collect();
@@ -37,11 +39,16 @@ fn a_short_comparison_has_all_methods_and_says_which_to_take() {
     let ladder = [1.0, 2.0, 3.0, 6.0, 10.0, 18.0, 32.0, 56.0, 100.0];
     assert_eq!(rows.len(), (17 + 12 + 14 + 6) * ladder.len());
     for (i, (formulation, scheme, numbers)) in rows.iter().enumerate() {
-        let [step, end, error, seconds, h, f1, f2] = numbers[..] else { panic!("{numbers:?}") };
+        let [step, end, error, seconds, h, f1, f2, pi, gamma, relative] = numbers[..] else {
+            panic!("{numbers:?}")
+        };
         assert_eq!((step, end), (1.0 / ladder[i % ladder.len()], 1.0));
         let what = format!("{formulation} {scheme} {step}: {numbers:?}");
         let failed = error.is_nan();
         assert!(failed || (error >= 0.0 && seconds > 0.0 && h.is_finite()), "{what}");
+        // The parts of the error; |Γ| = 1, and |Π| ≥ 4 kg m²/s at the start.
+        assert!(failed || (pi.hypot(gamma) - error).abs() <= 1e-14 * error, "{what}");
+        assert!(failed || (relative - gamma).abs() < 1e-14 * gamma || relative < pi, "{what}");
         // With a hundred steps all methods are near the solution.
         assert!(step > 0.011 || error < 0.1, "{what}");
         // Poisson maps conserve the Casimirs with any number of steps.
@@ -59,11 +66,48 @@ fn a_short_comparison_has_all_methods_and_says_which_to_take() {
     for target in ["1e-3", "1e-6", "1e-9"] {
         let line = said.lines().find(|line| line.starts_with(&format!("error {target}: fastest ")));
         assert!(
-            line.is_some_and(|line| line.contains("Poisson") && line.contains(" µs")),
+            line.is_some_and(|line| line.contains("Poisson") && line.contains(" µs (Pi ")),
             "{said}"
         );
     }
     assert!(said.contains("error 1e-12: ") && said.contains("made/here"), "{said}");
+}
+
+/// A top of the laboratory in another unit of mass: the numbers are others, the motion and its relative errors are not.
+#[test]
+fn relative_errors_do_not_depend_on_the_unit_of_mass() {
+    let compared = |unit: f64| {
+        let folder = Folder::new();
+        let text = format!(
+            "body = {{ inertia = [{}, {}, {}], mass = {unit}, gravity = 9.81, length = 0.005 }}\n\
+             initial.angular_momentum = [{}, 0.0, {}]\nintegrator = {{ step = 0.002, end = 0.02 }}",
+            2e-3 * unit,
+            1.6e-3 * unit,
+            1e-3 * unit,
+            4e-3 * unit,
+            2e-2 * unit,
+        );
+        folder.write("a.toml", &text);
+        let run = folder.heavytop(&["compare", "a.toml", "--out", "."]);
+        assert_eq!((run.code(), run.stderr().as_str()), (0, ""));
+        rows(&folder.read("work-precision.csv"))
+    };
+    let [small, large] = [0.1, 1e6].map(compared);
+    // Runge–Kutta methods on (Π, Γ) do not see units; on T∗C², where Π and Γ are both quadratic, they do.
+    let direct = small.iter().zip(&large).filter(|((formulation, ..), _)| formulation == "direct");
+    for ((_, scheme, one), (.., other)) in direct {
+        let [(error, relative), (other_error, other_relative)] =
+            [(one[2], one[9]), (other[2], other[9])];
+        // Round-off is no longer the same motion.
+        if relative > 1e-9 {
+            assert!(
+                (relative / other_relative - 1.0).abs() < 1e-3,
+                "{scheme} {relative} {other_relative}"
+            );
+            // Control: the errors in SI units differ.
+            assert!(other_error > 2.0 * error, "{scheme} {error} {other_error}");
+        }
+    }
 }
 
 #[test]

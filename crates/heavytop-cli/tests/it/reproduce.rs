@@ -93,7 +93,7 @@ fn trajectories_hold_every_step_of_every_integrator() {
 fn figures_need_no_font_and_have_the_paper_s_colours() {
     let folder = Folder::new();
     assert_eq!(folder.heavytop(&["reproduce", "--out", ".", "--end", "2"]).code(), 0);
-    let (blue, green, red, gray) = ("#0054c8", "#009646", "#d62020", "#8c8c8c");
+    let (blue, green, red, gray) = ("#0072b2", "#009e73", "#d55e00", "#555555");
     for (name, colours, others) in [
         ("fig1a", &[blue, green, red][..], &[gray][..]),
         ("fig1b", &[blue, green, red], &[gray]),

@@ -5,6 +5,7 @@ use super::page_summary::PageSummary;
 use crate::Error;
 use crate::configuration::Config;
 use crate::files::Output;
+use crate::pictures::caption;
 use crate::runs::Experiment;
 use crate::supervision::{Progress, Watch};
 use std::io::Write;
@@ -95,13 +96,12 @@ fn frame_every(experiment: &Experiment) -> u64 {
 
 /// Describes in words how the motion was computed.
 fn description(experiment: &Experiment) -> String {
-    let (method, step) = (&experiment.method, experiment.schedule.step);
-    let (formulation, scheme) = (method.formulation().name(), method.scheme().name());
+    let method = caption::method(&experiment.method, experiment.schedule.step);
     let frames = match experiment.every {
         1 => "a frame for each step".into(),
         every => format!("a frame for every {every} steps"),
     };
-    format!("{formulation}, {scheme}, step {step} s, {frames}")
+    format!("{method}, {frames}")
 }
 
 /// Checks that the name ends in `.html`, or that the output is a device such as `/dev/stdout`.

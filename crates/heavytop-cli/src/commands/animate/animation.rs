@@ -1,9 +1,11 @@
 //! The HTML page of a motion: its frames inside the files of the folder `page`.
 
+use crate::pictures::caption;
 use base64::Engine;
 use base64::prelude::BASE64_STANDARD;
 use heavytop::{HeavyTop, Invariant};
 use lie_poisson::{Covector, Pair, Quaternion, Se3Dual};
+use nalgebra::Vector3;
 use serde::Serialize;
 use std::io::{self, Write};
 
@@ -11,6 +13,7 @@ const PAGE: &str = include_str!("page/page.html");
 const STYLE: &str = include_str!("page/page.css");
 /// The scripts of the page, in the order in which they need each other.
 const SCRIPTS: &[&str] = &[
+    include_str!("page/numbers.js"),
     include_str!("page/vectors.js"),
     include_str!("page/motion.js"),
     include_str!("page/camera.js"),
@@ -73,6 +76,8 @@ pub struct Animation {
 #[serde(rename_all = "camelCase")]
 struct Motion<'a> {
     description: &'a str,
+    /// The numbers of the top and of its start.
+    top: String,
     inertia: [f64; 3],
     center_of_mass: [f64; 3],
     /// The symbols and units of the invariants.
@@ -134,6 +139,7 @@ impl Animation {
         let bytes: Vec<u8> = self.numbers.iter().flat_map(|number| number.to_le_bytes()).collect();
         let motion = Motion {
             description: &self.description,
+            top: self.words(),
             inertia: self.top.inertia().into(),
             center_of_mass: self.top.center_of_mass().into(),
             invariants: self.invariants.iter().map(|i| [i.symbol(), unit(*i)]).collect(),
@@ -143,6 +149,21 @@ impl Animation {
         let motion = serde_json::to_string(&motion)?.replace('<', "\\u003c");
         let script = SCRIPTS.concat();
         write_filled(to, PAGE, &[("style", STYLE), ("script", &script), ("motion", &motion)])
+    }
+}
+
+impl Animation {
+    /// Returns the numbers of the top and of its start.
+    fn words(&self) -> String {
+        let top = caption::top(&self.top);
+        match self.numbers.as_slice() {
+            [_, pi1, pi2, pi3, gamma1, gamma2, gamma3, ..] => {
+                let pi = Vector3::new(*pi1, *pi2, *pi3);
+                let gamma = Vector3::new(*gamma1, *gamma2, *gamma3);
+                format!("{top}; {}", caption::start(&Se3Dual::new(pi, gamma)))
+            }
+            _ => top,
+        }
     }
 }
 

@@ -96,7 +96,7 @@ pub fn compare(
     drop(progress);
 
     table.write(|to| to.write_all(recommendations::csv(&measurements).as_bytes()))?;
-    let chart = chart::chart(&measurements, experiment.schedule.step, reference.end);
+    let chart = chart::chart(&measurements, &experiment, reference.end);
     let drawn = render::render(&chart, SCALE).and_then(|(drawing, pixels)| {
         Output::whole(&svg, drawing.as_bytes()).and_then(|()| Output::whole(&png, &pixels))
     });

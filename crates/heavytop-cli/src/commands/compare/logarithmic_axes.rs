@@ -42,13 +42,6 @@ pub(super) fn decades(values: impl Iterator<Item = f64>) -> (i32, i32) {
     (low, (high.ceil() as i32).max(low + 1))
 }
 
-/// Formats a power of ten with raised digits.
-pub(super) fn power(exponent: i32) -> String {
-    const RAISED: [char; 10] = ['⁰', '¹', '²', '³', '⁴', '⁵', '⁶', '⁷', '⁸', '⁹'];
-    let digit = |c: char| c.to_digit(10).map_or('⁻', |d| RAISED[d as usize]);
-    format!("10{}", exponent.to_string().chars().map(digit).collect::<String>())
-}
-
 #[cfg(test)]
 mod tests {
     use super::*;
@@ -58,6 +51,5 @@ mod tests {
         assert_eq!(decades([2e-3, 5.0, f64::NAN, 0.0].into_iter()), (-3, 1));
         assert_eq!(decades([1.0].into_iter()), (0, 1));
         assert_eq!(decades([f64::NAN].into_iter()), (-1, 0));
-        assert_eq!(power(-12), "10⁻¹²");
     }
 }

@@ -1,6 +1,7 @@
 //! The table of measurements, and the method to take for each accuracy.
 
 use super::measurement::{Measurement, Reference};
+use crate::vocabulary::brief::number;
 use serde::Serialize;
 use std::fmt;
 use std::path::{Path, PathBuf};
@@ -9,12 +10,16 @@ const TARGETS: [f64; 4] = [1e-3, 1e-6, 1e-9, 1e-12];
 
 /// Formats the measurements as `work-precision.csv`.
 pub(super) fn csv(measurements: &[Measurement]) -> String {
-    let mut text = String::from("formulation,scheme,step,end,error,seconds,h,f1,f2\n");
+    let mut text = String::from(
+        "formulation,scheme,step,end,error,seconds,h,f1,f2,error_Pi,error_Gamma,relative_error\n",
+    );
     for Measurement { method, step, end, outcome } in measurements {
         let (formulation, scheme) = (method.formulation().name(), method.scheme().name());
         let [h, f1, f2] = outcome.deviations;
+        let ([pi, gamma], relative) = (outcome.parts, outcome.relative);
         text += &format!(
-            "{formulation},{scheme},{step:?},{end:?},{:?},{:?},{h:?},{f1:?},{f2:?}\n",
+            "{formulation},{scheme},{step:?},{end:?},{:?},{:?},{h:?},{f1:?},{f2:?},{pi:?},\
+             {gamma:?},{relative:?}\n",
             outcome.error, outcome.seconds
         );
     }
@@ -54,8 +59,16 @@ pub struct Choice {
     pub scheme: &'static str,
     /// The time step, s.
     pub step: f64,
-    /// The error of the run.
+    /// The error of the run: the 2-norm of the error of (Π, Γ), in SI units.
     pub error: f64,
+    /// The error of Π, kg m²/s.
+    #[serde(rename = "error_Pi")]
+    pub error_pi: f64,
+    /// The error of Γ.
+    #[serde(rename = "error_Gamma")]
+    pub error_gamma: f64,
+    /// The larger of the errors of Π and Γ, relative to the largest |Π| and |Γ| of the motion.
+    pub relative_error: f64,
     /// Computing time for a simulated second, s.
     pub seconds: f64,
 }
@@ -79,7 +92,17 @@ impl Choice {
     fn of(Measurement { method, step, outcome, .. }: &Measurement) -> Self {
         let (formulation, scheme) = (method.formulation().name(), method.scheme().name());
         let (error, seconds) = (outcome.error, outcome.seconds);
-        Self { formulation, scheme, step: *step, error, seconds }
+        let ([error_pi, error_gamma], relative_error) = (outcome.parts, outcome.relative);
+        Self {
+            formulation,
+            scheme,
+            step: *step,
+            error,
+            error_pi,
+            error_gamma,
+            relative_error,
+            seconds,
+        }
     }
 }
 
@@ -111,9 +134,10 @@ impl fmt::Display for Comparison {
         }
         write!(
             to,
-            "error: 2-norm of that of (Pi, Gamma) at t = {} s; the reference is certain to {:.0e}\n\
+            "error: 2-norm of that of (Pi, Gamma) in SI units at t = {} s, and in parentheses that of Pi \
+             (kg m²/s) and that of Gamma;\nthe reference is certain to {:.0e}\n\
              time: computing time per simulated second; figure and table are in {}",
-            self.end,
+            number(self.end),
             self.uncertainty,
             self.out.display()
         )
@@ -122,7 +146,10 @@ impl fmt::Display for Comparison {
 
 impl fmt::Display for Choice {
     fn fmt(&self, to: &mut fmt::Formatter<'_>) -> fmt::Result {
-        let Self { formulation, scheme, step, seconds, .. } = self;
-        write!(to, "{formulation}, {scheme} at step {step:.3}, {:.2} µs", seconds * 1e6)
+        let Self { formulation, scheme, step, seconds, error_pi, error_gamma, .. } = self;
+        // Three digits of a step of any size.
+        let step = number(format!("{step:.2e}").parse().unwrap_or(*step));
+        write!(to, "{formulation}, {scheme} at step {step}, {:.2} µs", seconds * 1e6)?;
+        write!(to, " (Pi {error_pi:.0e}, Gamma {error_gamma:.0e})")
     }
 }

@@ -1,4 +1,4 @@
-//! Colours and dashes: a hue for each family of schemes, darker for higher order.
+//! Colours, dashes and marks: a hue and a mark for each family of schemes, darker for higher order.
 
 use crate::vocabulary::{Pair, Raise, Scheme};
 
@@ -9,6 +9,17 @@ pub(super) struct Style {
     pub colour: &'static str,
     /// The dashes and gaps, in units of 0.01 mm; empty for a whole line.
     pub dashes: &'static str,
+    /// The mark of each run.
+    pub mark: Mark,
+}
+
+/// The mark of a run, one for each family.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(super) enum Mark {
+    Circle,
+    Square,
+    Triangle,
+    Diamond,
 }
 
 const DASHED: &str = "110 60";
@@ -16,27 +27,71 @@ const DOTTED: &str = "40 40";
 
 impl Style {
     /// Returns the style of a scheme.
+    ///
+    /// The hues are the blue, bluish green, reddish purple, orange and vermillion of Okabe and Ito, which readers with
+    /// all kinds of colour vision tell apart. Source: M. Okabe & K. Ito, *Color Universal Design* (2008).
     pub fn of(scheme: Scheme) -> Self {
-        let (colour, dashes) = match scheme {
-            Scheme::ImplicitMidpoint => ("#7cc4ee", ""),
-            Scheme::Gauss(2) => ("#4aa3df", ""),
-            Scheme::Gauss(3) => ("#2f83c9", ""),
-            Scheme::Gauss(4) => ("#2466ad", ""),
-            Scheme::Gauss(5) => ("#1d4b8f", ""),
-            Scheme::Gauss(6) => ("#17346f", ""),
-            Scheme::Gauss(_) => ("#0c1a45", ""),
-            Scheme::ExplicitMidpoint => ("#6cc070", ""),
-            Scheme::Rk4 => ("#14802f", ""),
-            Scheme::Partitioned(Pair::SymplecticEuler) => ("#c9a3dc", DOTTED),
-            Scheme::Partitioned(Pair::StormerVerlet) => ("#9b59b6", DOTTED),
-            Scheme::Partitioned(Pair::Lobatto) => ("#5e2a7e", DOTTED),
-            Scheme::Composed(Raise::Strang) => ("#f2b134", ""),
-            Scheme::Composed(Raise::Yoshida4) => ("#ef7d1a", DASHED),
-            Scheme::Composed(Raise::Suzuki4) => ("#ef7d1a", ""),
-            Scheme::Composed(Raise::Yoshida6) => ("#d62728", DASHED),
-            Scheme::Composed(Raise::KahanLi6) => ("#d62728", ""),
-            Scheme::Composed(Raise::KahanLi8) => ("#6e0f12", ""),
+        use Mark::{Circle, Diamond, Square, Triangle};
+        let (colour, dashes, mark) = match scheme {
+            Scheme::ImplicitMidpoint => ("#80c4ec", "", Circle),
+            Scheme::Gauss(2) => ("#80c4ec", DASHED, Circle),
+            Scheme::Gauss(3) => ("#2a95d5", "", Circle),
+            Scheme::Gauss(4) => ("#2a95d5", DASHED, Circle),
+            Scheme::Gauss(5) => ("#0072b2", "", Circle),
+            Scheme::Gauss(6) => ("#00436a", DASHED, Circle),
+            Scheme::Gauss(_) => ("#002338", "", Circle),
+            Scheme::ExplicitMidpoint => ("#4fc7a5", DASHED, Square),
+            Scheme::Rk4 => ("#009e73", "", Square),
+            Scheme::Partitioned(Pair::SymplecticEuler) => ("#e0a9c8", DOTTED, Triangle),
+            Scheme::Partitioned(Pair::StormerVerlet) => ("#cc79a7", DASHED, Triangle),
+            Scheme::Partitioned(Pair::Lobatto) => ("#8f3f6b", "", Triangle),
+            Scheme::Composed(Raise::Strang) => ("#e69f00", "", Diamond),
+            Scheme::Composed(Raise::Yoshida4) => ("#e69f00", DASHED, Diamond),
+            Scheme::Composed(Raise::Suzuki4) => ("#d55e00", "", Diamond),
+            Scheme::Composed(Raise::Yoshida6) => ("#d55e00", DASHED, Diamond),
+            Scheme::Composed(Raise::KahanLi6) => ("#7a3600", "", Diamond),
+            Scheme::Composed(Raise::KahanLi8) => ("#7a3600", DASHED, Diamond),
         };
-        Self { colour, dashes }
+        Self { colour, dashes, mark }
+    }
+}
+
+impl Mark {
+    /// Returns the outline of the mark about a place, as the data of an SVG path.
+    pub fn path(self, x: f64, y: f64, radius: f64) -> String {
+        let polygon = |corners: &[(f64, f64)]| {
+            let corners =
+                corners.iter().map(|(a, b)| format!("{:.0},{:.0}", x + radius * a, y + radius * b));
+            format!("M{}Z", corners.collect::<Vec<_>>().join("L"))
+        };
+        match self {
+            Self::Circle => format!(
+                "M{:.0},{y:.0}a{radius},{radius} 0 1 0 {d},0a{radius},{radius} 0 1 0 -{d},0Z",
+                x - radius,
+                d = 2.0 * radius
+            ),
+            Self::Square => polygon(&[(-0.9, -0.9), (0.9, -0.9), (0.9, 0.9), (-0.9, 0.9)]),
+            Self::Triangle => polygon(&[(0.0, -1.2), (1.1, 0.8), (-1.1, 0.8)]),
+            Self::Diamond => polygon(&[(0.0, -1.3), (1.1, 0.0), (0.0, 1.3), (-1.1, 0.0)]),
+        }
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn no_two_schemes_look_alike() {
+        for (n, (name, scheme)) in Scheme::NAMES.iter().enumerate() {
+            for (other, second) in &Scheme::NAMES[..n] {
+                let (one, two) = (Style::of(*scheme), Style::of(*second));
+                assert_ne!(one, two, "{name} and {other}");
+                // Control: colours alone would not do.
+                assert!(
+                    one.mark != two.mark || one.colour != two.colour || one.dashes != two.dashes
+                );
+            }
+        }
     }
 }

@@ -88,7 +88,8 @@ impl fmt::Display for Reproduction {
         }
         write!(
             to,
-            "max |quantity - initial value| over all steps; figures and tables are in {}",
+            "max |quantity - initial value| over all steps, h in J, f2 in kg m²/s, K in (kg m²/s)⁴;\n\
+             figures and tables are in {}",
             self.out.display()
         )
     }

@@ -1,6 +1,7 @@
 //! The six figures of the paper, and the curves in each.
 
 use super::record::{QUANTITIES, Record};
+use crate::pictures::caption;
 use crate::runs::Method;
 use crate::vocabulary::{Formulation, Scheme};
 use heavytop::Invariant;
@@ -15,6 +16,8 @@ pub(super) struct Figure<'a> {
     pub label: &'static str,
     /// The curves in the order of the legend.
     pub curves: Vec<Curve<'a>>,
+    /// The parts of the caption: the top, its start, and the steps.
+    pub caption: Vec<String>,
 }
 
 /// A curve with its place in the legend.
@@ -22,8 +25,10 @@ pub(super) struct Figure<'a> {
 pub(super) struct Curve<'a> {
     /// The name of the curve.
     pub name: String,
-    /// The colour of the curve, as in the paper's captions.
+    /// The colour of the curve, named as in the paper's captions.
     pub colour: RGBColor,
+    /// The dashes and gaps, in units of 0.01 mm; empty for a whole line.
+    pub dashes: &'static str,
     /// The points (t, quantity).
     pub points: &'a [(f64, f64)],
 }
@@ -36,24 +41,30 @@ impl Curve<'_> {
     }
 }
 
-const BLUE: RGBColor = RGBColor(0, 84, 200);
-const GREEN: RGBColor = RGBColor(0, 150, 70);
-const RED: RGBColor = RGBColor(214, 32, 32);
-const GRAY: RGBColor = RGBColor(140, 140, 140);
+// The colours of Okabe and Ito, which readers with all kinds of colour vision tell apart, and a gray. Dashes tell the
+// curves apart in black and white. Source: M. Okabe & K. Ito, *Color Universal Design* (2008).
+const BLUE: RGBColor = RGBColor(0, 114, 178);
+const GREEN: RGBColor = RGBColor(0, 158, 115);
+const RED: RGBColor = RGBColor(213, 94, 0);
+const GRAY: RGBColor = RGBColor(85, 85, 85);
 
-type Line = (Formulation, Scheme, RGBColor);
+const WHOLE: &str = "";
+const DASHED: &str = "150 60";
+const DOTTED: &str = "35 35";
+
+type Line = (Formulation, Scheme, RGBColor, &'static str);
 
 /// The curves of Fig. 1. Source: its caption in Ohsawa 2019.
 const FIGURE_1: [Line; 3] = [
-    (Formulation::Collective, Scheme::ExplicitMidpoint, BLUE),
-    (Formulation::Direct, Scheme::ExplicitMidpoint, GREEN),
-    (Formulation::Collective, Scheme::ImplicitMidpoint, RED),
+    (Formulation::Collective, Scheme::ExplicitMidpoint, BLUE, DASHED),
+    (Formulation::Direct, Scheme::ExplicitMidpoint, GREEN, DOTTED),
+    (Formulation::Collective, Scheme::ImplicitMidpoint, RED, WHOLE),
 ];
 
 /// The curves of Fig. 2. Source: its caption in Ohsawa 2019.
 const FIGURE_2: [Line; 2] = [
-    (Formulation::Direct, Scheme::ImplicitMidpoint, GRAY),
-    (Formulation::Collective, Scheme::ImplicitMidpoint, RED),
+    (Formulation::Direct, Scheme::ImplicitMidpoint, GRAY, DASHED),
+    (Formulation::Collective, Scheme::ImplicitMidpoint, RED, WHOLE),
 ];
 
 /// Returns the six figures of the paper.
@@ -69,18 +80,27 @@ pub(super) fn all(records: &[Record]) -> Vec<Figure<'_>> {
     .into_iter()
     .map(|(name, quantity, lines)| {
         let curves = lines.iter().filter_map(|line| curve(records, quantity, line)).collect();
-        Figure { name, label: label(quantity), curves }
+        let caption = records.first().map_or_else(Vec::new, words);
+        Figure { name, label: label(quantity), curves, caption }
     })
     .collect()
 }
 
+/// Returns what all curves share.
+fn words(record: &Record) -> Vec<String> {
+    let run = &record.experiment;
+    let [step, end] = [run.schedule.step, run.schedule.end()].map(caption::number);
+    let steps = format!("step {step} s, 0 to {end} s");
+    vec![caption::top(&run.top), caption::start(&run.start), steps]
+}
+
 fn curve<'a>(records: &'a [Record], quantity: Invariant, line: &Line) -> Option<Curve<'a>> {
-    let &(formulation, scheme, colour) = line;
+    let &(formulation, scheme, colour, dashes) = line;
     let column = QUANTITIES.iter().position(|&q| q == quantity)?;
     let of_line = |m: &Method| m.formulation() == formulation && m.scheme() == scheme;
     let points = &records.iter().find(|r| of_line(&r.experiment.method))?.curves[column];
     let name = format!("{}, {}", scheme.name().replace('-', " "), formulation.name());
-    Some(Curve { name, colour, points })
+    Some(Curve { name, colour, dashes, points })
 }
 
 /// Returns the symbol and the unit. The subscripts are lowered digits, for not every viewer knows `baseline-shift`.
@@ -89,7 +109,7 @@ fn label(quantity: Invariant) -> &'static str {
         Invariant::Energy => "<tspan font-style='italic'>h</tspan> (J)",
         Invariant::VerticalSquared => "<tspan font-style='italic'>f</tspan>₁",
         Invariant::VerticalMomentum => "<tspan font-style='italic'>f</tspan>₂ (kg m²/s)",
-        Invariant::Kovalevskaya => "<tspan font-style='italic'>K</tspan> (kg⁴ m⁸/s⁴)",
+        Invariant::Kovalevskaya => "<tspan font-style='italic'>K</tspan> ((kg m²/s)⁴)",
         Invariant::AxialMomentum | Invariant::GoryachevChaplygin => "",
     }
 }

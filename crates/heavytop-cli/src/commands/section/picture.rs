@@ -1,26 +1,15 @@
 //! The picture of a section, as SVG.
 
 use super::orbit::Orbit;
+use super::settings::Settings;
 use super::survey::Survey;
-use crate::pictures::Axis;
+use crate::pictures::caption::{self, number};
 use crate::pictures::colour_scale::colour;
-use crate::pictures::render::FONT;
+use crate::pictures::{Axis, Frame, Scale};
 use collective_integrators::Direction;
 use heavytop::{EnergyLevel, Section, Surface};
 use std::f64::consts::TAU;
 use std::fmt::Write;
-
-/// The width of the picture, in units of 0.01 mm.
-const WIDTH: f64 = 12_000.0;
-const HEIGHT: f64 = 10_000.0;
-const LEFT: f64 = 1400.0;
-const TOP: f64 = 700.0;
-const RIGHT: f64 = WIDTH - 450.0;
-const BOTTOM: f64 = HEIGHT - 1100.0;
-
-/// The size of the text, 8 pt.
-const TEXT: f64 = 282.0;
-const RULE: f64 = 14.0;
 
 /// The area that all points together cover, in square units.
 const INK: f64 = 1.6e7;
@@ -28,14 +17,11 @@ const INK: f64 = 1.6e7;
 /// The largest diameter of a point.
 const LARGEST: f64 = 30.0;
 
-const COLOURS: [[f64; 3]; 6] = [
-    [36.0, 44.0, 122.0],
-    [26.0, 120.0, 178.0],
-    [40.0, 160.0, 130.0],
-    [232.0, 170.0, 40.0],
-    [214.0, 84.0, 40.0],
-    [140.0, 24.0, 84.0],
-];
+/// The part of the colour scale that is used; its lightest colours do not show on white.
+const DARK: f64 = 0.82;
+
+/// The number of colours of the bar.
+const SHADES: u32 = 64;
 
 /// The picture of a section, with a colour for each start.
 ///
@@ -44,45 +30,56 @@ const COLOURS: [[f64; 3]; 6] = [
 ///
 /// Source: Z. Levnajić & I. Mezić, *Ergodic theory and visualization. I*, Chaos 20 (2010).
 pub(super) struct Picture<'a> {
-    section: &'a Section,
     means: &'a [f64],
-    /// The least and the largest of the means.
-    range: [f64; 2],
+    /// The range of the means.
+    range: Axis,
     axis: Axis,
+    frame: Frame,
     svg: String,
+    abscissa: String,
 }
 
 impl<'a> Picture<'a> {
     /// Creates the picture without points.
-    pub fn begin(section: &'a Section, survey: &'a Survey) -> Self {
+    pub fn begin(settings: &Settings, survey: &'a Survey) -> Self {
+        let section = &settings.section;
         let axis = Axis::around(survey.heights.into_iter(), 6);
-        let diameter = (INK / survey.points.max(1) as f64).sqrt().min(LARGEST);
-        let svg = format!(
-            "<svg xmlns=\"http://www.w3.org/2000/svg\" width=\"{}mm\" height=\"{}mm\" \
-             viewBox=\"0 0 {WIDTH} {HEIGHT}\" font-family=\"{FONT}\" font-size=\"{TEXT}\">\
-             <rect width=\"{WIDTH}\" height=\"{HEIGHT}\" fill=\"white\"/>\
-             <g fill=\"none\" stroke-linecap=\"round\" stroke-width=\"{diameter:.1}\">",
-            WIDTH / 100.0,
-            HEIGHT / 100.0
-        );
         let means = &survey.means;
-        let range = means
+        let extremes = means
             .iter()
             .fold([f64::INFINITY, 0.0], |[low, high], &mean| [mean.min(low), mean.max(high)]);
-        Self { section, means, range, axis, svg }
+        let [low, high] = if means.is_empty() { [0.0, 1.0] } else { extremes };
+        let range = Axis::new(low, high, 6);
+        let (index, free, unit) = coordinate(section);
+        let quantity = format!("{free}{unit}");
+        let bar = Scale::linear(&range, &format!("mean of |{free}| over a start{unit}"), false);
+        let frame = Frame::new(&words(settings), Scale::linear(&axis, &quantity, false), Some(bar));
+        let diameter = (INK / survey.points.max(1) as f64).sqrt().min(LARGEST);
+        let mut svg = Frame::begin();
+        shades(&mut svg, &frame);
+        let _ = write!(
+            svg,
+            "<g fill=\"none\" stroke-linecap=\"round\" stroke-width=\"{diameter:.1}\">"
+        );
+        Self {
+            means,
+            range,
+            axis,
+            frame,
+            svg,
+            abscissa: format!("angle of Γ about e{index} (rad)"),
+        }
     }
 
     /// Adds the points of an orbit.
     pub fn add(&mut self, orbit: &Orbit) {
         let mean = self.means.get(orbit.number.saturating_sub(1)).copied().unwrap_or_default();
-        let [low, high] = self.range;
-        // If there is one orbit alone, the range is empty, and its colour is the first one.
-        let [red, green, blue] = colour(&COLOURS, (mean - low) / (high - low));
-        let stroke = format!("rgb({red:.0},{green:.0},{blue:.0})");
-        let _ = write!(self.svg, "<path stroke=\"{stroke}\" d=\"");
+        let [red, green, blue] = colour(DARK * self.range.along(mean));
+        let _ = write!(self.svg, "<path stroke=\"rgb({red},{green},{blue})\" d=\"");
+        let Frame { left, right, top, bottom, .. } = self.frame;
         for point in &orbit.crossings {
-            let x = LEFT + (RIGHT - LEFT) * point.plane.x / TAU;
-            let y = BOTTOM - (BOTTOM - TOP) * self.axis.along(point.plane.y);
+            let x = left + (right - left) * point.plane.x / TAU;
+            let y = bottom - (bottom - top) * self.axis.along(point.plane.y);
             // Some viewers drop a line of no length.
             let _ = write!(self.svg, "M{x:.0} {y:.0}h.1");
         }
@@ -92,67 +89,116 @@ impl<'a> Picture<'a> {
     /// Completes the picture, and returns it as SVG.
     pub fn complete(mut self) -> String {
         self.svg += "</g>";
-        frame(&mut self.svg, self.section, &self.axis);
+        let labels = ["0", "π/2", "π", "3π/2", "2π"].into_iter().map(String::from);
+        let ticks = [0.0, 0.25, 0.5, 0.75, 1.0].into_iter().zip(labels).collect();
+        self.frame.draw(&mut self.svg, &Scale { ticks, title: self.abscissa, line: None });
         self.svg + "</svg>"
     }
 }
 
-// Writing to a string does not fail.
-
-fn frame(svg: &mut String, section: &Section, axis: &Axis) {
-    let (width, height) = (RIGHT - LEFT, BOTTOM - TOP);
-    let _ = write!(
-        svg,
-        "<rect x=\"{LEFT}\" y=\"{TOP}\" width=\"{width}\" height=\"{height}\" fill=\"none\" \
-         stroke=\"black\" stroke-width=\"{RULE}\"/><g text-anchor=\"middle\">"
-    );
-    let mut ticks = String::new();
-    for (quarter, label) in ["0", "π/2", "π", "3π/2", "2π"].iter().enumerate() {
-        let x = LEFT + width * quarter as f64 / 4.0;
-        let _ = write!(ticks, "M{x:.0} {BOTTOM}v-90M{x:.0} {TOP}v90");
-        let _ = write!(svg, "<text x=\"{x:.0}\" y=\"{}\">{label}</text>", BOTTOM + 380.0);
-    }
-    svg.push_str("</g><g text-anchor=\"end\">");
-    for (value, label) in axis.labels() {
-        let y = BOTTOM - height * axis.along(value);
-        let _ = write!(ticks, "M{LEFT} {y:.0}h90M{RIGHT} {y:.0}h-90");
-        let _ = write!(svg, "<text x=\"{}\" y=\"{:.0}\">{label}</text>", LEFT - 110.0, y + 100.0);
-    }
-    let _ = write!(svg, "</g><path d=\"{ticks}\" stroke=\"black\" stroke-width=\"{RULE}\"/>");
-    lettering(svg, section);
-}
-
-/// Rounds a number to six digits.
-fn six_digits(x: f64) -> f64 {
-    format!("{x:.5e}").parse().unwrap_or(x)
-}
-
-fn lettering(svg: &mut String, section: &Section) {
-    let (middle, centre) = ((LEFT + RIGHT) / 2.0, (TOP + BOTTOM) / 2.0);
-    let Surface { coordinate, level, direction } = section.surface();
-    let EnergyLevel { energy, vertical_momentum, .. } = section.level();
-    let [energy, vertical_momentum, level] = [*energy, *vertical_momentum, *level].map(six_digits);
-    let axis = ["₁", "₂", "₃"][coordinate.axis()];
-    let (fixed, free, unit) = if coordinate.is_momentum() {
-        (format!("Π{axis} = {level} kg m²/s"), format!("Γ{axis}"), "")
+/// Returns the index of the axis, the free coordinate, and its unit in parentheses.
+fn coordinate(section: &Section) -> (&'static str, String, &'static str) {
+    let coordinate = section.surface().coordinate;
+    let index = ["₁", "₂", "₃"][coordinate.axis()];
+    if coordinate.is_momentum() {
+        (index, format!("Γ{index}"), "")
     } else {
-        (format!("Γ{axis} = {level}"), format!("Π{axis}"), " (kg m²/s)")
+        (index, format!("Π{index}"), " (kg m²/s)")
+    }
+}
+
+/// Returns the parts of the caption: level, surface, top, method and starts.
+fn words(settings: &Settings) -> Vec<String> {
+    let Settings { section, method, step, steps, crossings, starts, .. } = settings;
+    let EnergyLevel { top, energy, vertical_momentum } = section.level();
+    let Surface { coordinate, level, direction } = section.surface();
+    let index = ["₁", "₂", "₃"][coordinate.axis()];
+    let level = number(*level);
+    let fixed = if coordinate.is_momentum() {
+        format!("Π{index} = {level} kg m²/s")
+    } else {
+        format!("Γ{index} = {level}")
     };
     let crossed = match direction {
         Direction::Up => ", increasing",
         Direction::Down => ", decreasing",
         Direction::Both => "",
     };
-    let numbers = format!(
-        "<tspan font-style='italic'>h</tspan> = {energy} J, Π·Γ = {vertical_momentum} kg m²/s; {fixed}{crossed}"
-    );
-    let numbers = numbers.replace("= -", "= −");
-    let _ = write!(
-        svg,
-        "<g text-anchor=\"middle\"><text x=\"{middle}\" y=\"{}\">{numbers}</text>\
-         <text x=\"{middle}\" y=\"{}\">angle of Γ about e{axis} (rad)</text>\
-         <text transform=\"translate(400 {centre}) rotate(-90)\">{free}{unit}</text></g>",
-        TOP - 250.0,
-        HEIGHT - 260.0,
-    );
+    let [energy, vertical_momentum] = [*energy, *vertical_momentum].map(number);
+    let longest = number(*steps as f64 * step);
+    vec![
+        format!(
+            "<tspan font-style='italic'>h</tspan> = {energy} J, Π·Γ = {vertical_momentum} kg m²/s"
+        ),
+        format!("{fixed}{crossed}"),
+        caption::top(top),
+        caption::method(method, *step),
+        format!("{starts} starts, {crossings} returns each, at most {longest} s"),
+    ]
+}
+
+// Writing to a string does not fail.
+
+/// Fills the bar of colours.
+fn shades(svg: &mut String, frame: &Frame) {
+    let (left, right) = frame.bar();
+    let height = (frame.bottom - frame.top) / f64::from(SHADES);
+    for n in 0..SHADES {
+        let [red, green, blue] = colour(DARK * (f64::from(n) + 0.5) / f64::from(SHADES));
+        let y = frame.bottom - height * f64::from(n + 1);
+        // A bit higher than it is, which closes the seams.
+        let _ = write!(
+            svg,
+            "<rect x=\"{left:.0}\" y=\"{y:.1}\" width=\"{:.0}\" height=\"{:.1}\" \
+             fill=\"rgb({red},{green},{blue})\"/>",
+            right - left,
+            height + if n > 0 { 10.0 } else { 0.0 }
+        );
+    }
+}
+
+#[cfg(test)]
+#[allow(clippy::unwrap_used)]
+mod tests {
+    use super::*;
+    use crate::configuration::Config;
+    use crate::pictures::frame::{HEIGHT, WIDTH};
+    use crate::pictures::lettering::{boxes, checks::collisions};
+
+    /// A picture of a top whose angular momenta are of this size, in kg m²/s.
+    fn picture(size: f64, surface: &str) -> String {
+        let text = format!(
+            "body = {{ inertia = [{0:e}, {1:e}, {2:e}], mass = {size:e}, gravity = 1.0 }}\n\
+             initial.angular_momentum = [{0:e}, 0.0, {0:e}]\nsection.surface = '{surface}'",
+            2.0 * size,
+            1.5 * size,
+            size
+        );
+        let config: Config = toml::from_str(&text).unwrap();
+        let settings = Settings::new(&config).unwrap();
+        let mut survey = Survey::new();
+        (survey.points, survey.heights) = (2, [-1.3 * size, 1.3 * size]);
+        survey.means = vec![0.2 * size, 0.9 * size];
+        Picture::begin(&settings, &survey).complete()
+    }
+
+    #[test]
+    fn labels_are_apart_and_differ_at_every_scale() {
+        for size in [1e-20, 2e-4, 1e-3, 1.0, 1e4, 1e20] {
+            for surface in ["Gamma3", "Pi1"] {
+                let drawing = picture(size, surface);
+                assert_eq!(collisions(&drawing, (WIDTH, HEIGHT)), [""; 0], "{size}");
+                let texts: Vec<String> =
+                    boxes(&drawing).into_iter().map(|(text, _)| text).collect();
+                let has = |part: &str| texts.iter().any(|text| text.contains(part));
+                assert!(
+                    has("reduced, gauss-8, step ") && has("60 starts, 500 returns"),
+                    "{texts:?}"
+                );
+                assert!(has("mean of |") && has("angle of Γ about e"), "{texts:?}");
+            }
+        }
+        let texts = boxes(&picture(1e-20, "Gamma3"));
+        assert!(texts.iter().any(|(text, _)| text == "Π₃ (10⁻²⁰ kg m²/s)"), "{texts:?}");
+    }
 }

@@ -108,7 +108,7 @@ fn write_points(
 }
 
 fn draw(settings: &Settings, orbits: &Orbits<'_>, survey: &Survey) -> Result<String, Error> {
-    let mut picture = Picture::begin(&settings.section, survey);
+    let mut picture = Picture::begin(settings, survey);
     for tile in 0..orbits.count() {
         orbits.finished(tile)?.1.iter().for_each(|orbit| picture.add(orbit));
     }

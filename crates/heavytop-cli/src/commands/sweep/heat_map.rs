@@ -1,51 +1,30 @@
 //! The heat map of a grid with two axes, as SVG.
 
+use super::fixed_values::fixed_values;
 use super::sweep_plan::Plan;
 use crate::Error;
-use crate::configuration::{Column, Spread, SweepAxis};
-use crate::pictures::Axis;
+use crate::configuration::{Column, Observable, Spread, SweepAxis};
+use crate::pictures::caption::{self, number};
 use crate::pictures::colour_scale::colour;
-use crate::pictures::render::FONT;
+use crate::pictures::frame::{EDGE, HEIGHT, TEXT, WIDTH};
+use crate::pictures::lettering::width;
+use crate::pictures::{Axis, Frame, Scale};
 use base64::Engine;
 use base64::engine::general_purpose::STANDARD;
 use resvg::tiny_skia::{ColorU8, Pixmap};
 use std::fmt::Write;
 
-/// The width of the picture, in units of 0.01 mm.
-const WIDTH: f64 = 12_000.0;
-const HEIGHT: f64 = 10_000.0;
-const LEFT: f64 = 1500.0;
-const TOP: f64 = 500.0;
-const RIGHT: f64 = WIDTH - 2700.0;
-const BOTTOM: f64 = HEIGHT - 1100.0;
-/// The left and the right edge of the bar of colours.
-const BAR: (f64, f64) = (RIGHT + 350.0, RIGHT + 650.0);
-
-/// The size of the text, 8 pt.
-const TEXT: f64 = 282.0;
-const RULE: f64 = 14.0;
-
-/// The colours of the values, from dark to light.
-const COLOURS: [[f64; 3]; 6] = [
-    [20.0, 20.0, 60.0],
-    [60.0, 40.0, 130.0],
-    [150.0, 50.0, 130.0],
-    [225.0, 90.0, 80.0],
-    [250.0, 170.0, 70.0],
-    [250.0, 245.0, 190.0],
-];
-
 /// The colour of tops without a value.
-const NONE: [f64; 3] = [190.0; 3];
+const NONE: u8 = 190;
 
-/// The smallest number whose logarithm is distinguished.
+/// The smallest number whose logarithm is distinguished, relative to the largest number of the map.
 const SMALLEST: f64 = 1e-16;
-
-/// The number of ticks below which they do not show a scale.
-const FEW: usize = 3;
 
 /// The fraction of the values, at either end, that may lie outside the range of colours.
 const OUTLIERS: f64 = 0.005;
+
+/// The value of MEGNO for regular motion.
+const REGULAR: f64 = 2.0;
 
 /// The largest number of tops of a map; more would have more pixels than a screen, and take gigabytes.
 const MOST_TOPS: u64 = 1 << 24;
@@ -63,7 +42,7 @@ pub(super) fn size(plan: &Plan) -> Option<[u32; 2]> {
     }
 }
 
-/// Draws the values over the plane of the two axes; the sweep has maps of this size.
+/// Draws the values over the plane of the two axes; the sweep has maps of this size. So many tops could not be followed.
 ///
 /// # Errors
 /// If the map cannot be drawn.
@@ -72,43 +51,100 @@ pub(super) fn heat_map(
     [columns, rows]: [u32; 2],
     column: &Column,
     values: &[Option<f64>],
+    failed: u64,
 ) -> Result<String, Error> {
+    let numbers = values.iter().flatten().copied().filter(|value| value.is_finite());
+    let smallest = SMALLEST * numbers.fold(0.0, f64::max);
+    // Where all is zero there are no logarithms.
+    let column = &Column { is_logarithmic: column.is_logarithmic && smallest > 0.0, ..*column };
     let scaled =
-        |value: f64| if column.is_logarithmic { value.max(SMALLEST).log10() } else { value };
-    let scaled: Vec<Option<f64>> = values.iter().map(|value| value.map(scaled)).collect();
-    let range = range(&scaled);
-    let bar = (1..=256).map(|n| Some(range[1] + (range[0] - range[1]) * f64::from(n) / 256.0));
-    let bar: Vec<Option<f64>> = bar.collect();
+        |value: f64| if column.is_logarithmic { value.max(smallest).log10() } else { value };
+    let finite = |value: &Option<f64>| value.map(scaled).filter(|value| value.is_finite());
+    let scaled: Vec<Option<f64>> = values.iter().map(finite).collect();
+    let missing = scaled.iter().filter(|value| value.is_none()).count();
+    let range = range(&scaled, column);
     // The first axis is the abscissa, and the top row has the largest value of the second.
     let (width, height) = (columns as usize, rows as usize);
     let from_top = (0..height).rev().flat_map(|y| (0..width).map(move |x| x * height + y));
     let cells: Vec<Option<f64>> =
         from_top.map(|index| scaled.get(index).copied().flatten()).collect();
 
-    let mut svg = format!(
-        "<svg xmlns=\"http://www.w3.org/2000/svg\" width=\"{}mm\" height=\"{}mm\" \
-         viewBox=\"0 0 {WIDTH} {HEIGHT}\" font-family=\"{FONT}\" font-size=\"{TEXT}\">\
-         <rect width=\"{WIDTH}\" height=\"{HEIGHT}\" fill=\"white\"/>",
-        WIDTH / 100.0,
-        HEIGHT / 100.0
-    );
-    image(&mut svg, (LEFT, RIGHT), &pixels(columns, rows, &cells, range)?);
-    image(&mut svg, BAR, &pixels(1, 256, &bar, range)?);
-    frame(&mut svg, &plan.axes);
-    legend(&mut svg, column, range);
+    let [first, second] = plan.axes.as_slice() else {
+        return Err(Error::Figure("a heat map needs two axes".into()));
+    };
+    let (low, high) = ends(second);
+    let ordinate = Axis::new(low, high, 5);
+    let ordinate = Scale::linear(&ordinate, &second.parameter.label(), is_reversed(second));
+    let frame = Frame::new(&words(plan), ordinate, range.map(|range| bar_scale(column, range)));
+    let (low, high) = ends(first);
+    let abscissa = Axis::along_line(low, high, 5, frame.length());
+    let abscissa = Scale::linear(&abscissa, &first.parameter.label(), is_reversed(first));
+
+    let mut svg = Frame::begin();
+    image(&mut svg, &frame, (frame.left, frame.right), &pixels(columns, rows, &cells, range)?);
+    if let Some([least, most]) = range {
+        let bar = (1..=256).map(|n| Some(most + (least - most) * f64::from(n) / 256.0));
+        let bar: Vec<Option<f64>> = bar.collect();
+        image(&mut svg, &frame, frame.bar(), &pixels(1, 256, &bar, range)?);
+        if missing > 0 {
+            key(&mut svg, missing);
+        }
+    } else {
+        blank(&mut svg, &frame, column, failed, plan.tops);
+    }
+    frame.draw(&mut svg, &abscissa);
     Ok(svg + "</svg>")
 }
 
-/// Returns the range of the colours: all values but outliers.
-fn range(values: &[Option<f64>]) -> [f64; 2] {
+/// Returns the parts of the caption: how many tops, by which method, and what all of them share.
+fn words(plan: &Plan) -> Vec<String> {
+    let (step, end) = (plan.schedule.step, number(plan.schedule.end()));
+    let mut parts = vec![
+        format!("{} tops", plan.tops),
+        caption::method(&plan.method, step),
+        format!("0 to {end} s"),
+    ];
+    parts.extend(fixed_values(&plan.body, &plan.initial, &plan.axes));
+    parts
+}
+
+/// Returns the range of the colours: all values but outliers, and regular motion; `None` where there is no value.
+fn range(values: &[Option<f64>], column: &Column) -> Option<[f64; 2]> {
     let mut sorted: Vec<f64> = values.iter().copied().flatten().collect();
     sorted.sort_by(f64::total_cmp);
     let outliers = (sorted.len() as f64 * OUTLIERS) as usize;
-    let least = sorted.get(outliers).copied().unwrap_or(0.0);
-    let most = sorted.iter().rev().nth(outliers).copied().unwrap_or(0.0);
+    let least = *sorted.get(outliers)?;
+    let most = *sorted.iter().rev().nth(outliers)?;
+    let (least, most) = match is_megno(column) && column.is_logarithmic {
+        true => (least.min(REGULAR.log10()), most.max(REGULAR.log10())),
+        false => (least, most),
+    };
     // The range is not narrowed to round-off, which thus looks constant.
-    let room = (1e-9 * least.abs()).max(1e-12);
-    if most - least > room { [least, most] } else { [least - room, least + room] }
+    let size = if column.is_logarithmic { 1.0 } else { least.abs().max(most.abs()) };
+    let room = 1e-9 * size;
+    Some(match most - least > room {
+        true => [least, most],
+        false if size > 0.0 => [least - room, least + room],
+        false => [-1.0, 1.0],
+    })
+}
+
+fn is_megno(column: &Column) -> bool {
+    Observable::Megno.columns().iter().any(|megno| megno.name == column.name)
+}
+
+/// Returns the scale of the bar of colours. MEGNO has a line at regular motion.
+fn bar_scale(column: &Column, [least, most]: [f64; 2]) -> Scale {
+    if !column.is_logarithmic {
+        return Scale::linear(&Axis::new(least, most, 6), column.label, false);
+    }
+    let scale = Scale::logarithmic([least, most], column.label);
+    if is_megno(column) {
+        // Labels are some 4 % of the bar high.
+        scale.with_line((REGULAR.log10() - least) / (most - least), "2 (regular)", 0.05)
+    } else {
+        scale
+    }
 }
 
 /// Encodes the values as a PNG with one pixel each.
@@ -116,160 +152,163 @@ fn pixels(
     width: u32,
     height: u32,
     values: &[Option<f64>],
-    [least, most]: [f64; 2],
+    range: Option<[f64; 2]>,
 ) -> Result<Vec<u8>, Error> {
     let mut picture = Pixmap::new(width, height)
         .ok_or_else(|| Error::Figure(format!("{width} × {height} tops are too many")))?;
+    let [least, most] = range.unwrap_or([0.0, 1.0]);
     for (pixel, value) in picture.pixels_mut().iter_mut().zip(values) {
-        let [red, green, blue] = value.map_or(NONE, |value| {
-            colour(&COLOURS, (value - least) / (most - least)).map(f64::round)
-        });
-        *pixel = ColorU8::from_rgba(red as u8, green as u8, blue as u8, 255).premultiply();
+        let [red, green, blue] =
+            value.map_or([NONE; 3], |value| colour((value - least) / (most - least)));
+        *pixel = ColorU8::from_rgba(red, green, blue, 255).premultiply();
     }
     picture.encode_png().map_err(|error| Error::Figure(error.to_string()))
 }
 
+/// Returns the edges of an axis of the map: values are in the middle of their pixels.
+fn ends(axis: &SweepAxis) -> (f64, f64) {
+    let (from, to, count) = match axis.spread {
+        Spread::Grid { from, to, count } => (from, to, count),
+        Spread::Uniform { from, to } => (from, to, 2),
+        Spread::Normal { mean, deviation } => (mean - deviation, mean + deviation, 2),
+    };
+    let half = (to - from).abs() / f64::from(2 * count.max(2) - 2);
+    (from.min(to) - half, from.max(to) + half)
+}
+
+fn is_reversed(axis: &SweepAxis) -> bool {
+    matches!(axis.spread, Spread::Grid { from, to, .. } if from > to)
+}
+
 // Writing to a string does not fail.
 
-fn image(svg: &mut String, (left, right): (f64, f64), png: &[u8]) {
-    let (width, height) = (right - left, BOTTOM - TOP);
+fn image(svg: &mut String, frame: &Frame, (left, right): (f64, f64), png: &[u8]) {
+    let (width, top, height) = (right - left, frame.top, frame.bottom - frame.top);
     let _ = write!(
         svg,
-        "<image x=\"{left}\" y=\"{TOP}\" width=\"{width}\" height=\"{height}\" \
+        "<image x=\"{left:.0}\" y=\"{top:.0}\" width=\"{width:.0}\" height=\"{height:.0}\" \
          preserveAspectRatio=\"none\" image-rendering=\"optimizeSpeed\" \
-         href=\"data:image/png;base64,{}\"/>\
-         <rect x=\"{left}\" y=\"{TOP}\" width=\"{width}\" height=\"{height}\" fill=\"none\" \
-         stroke=\"black\" stroke-width=\"{RULE}\"/>",
+         href=\"data:image/png;base64,{}\"/>",
         STANDARD.encode(png)
     );
 }
 
-/// The range, the ticks and the label of an axis of the map.
-struct Marks {
-    axis: Axis,
-    label: String,
-    reversed: bool,
-}
-
-impl Marks {
-    fn of(axis: &SweepAxis) -> Self {
-        let (from, to, count) = match axis.spread {
-            Spread::Grid { from, to, count } => (from, to, count),
-            Spread::Uniform { from, to } => (from, to, 2),
-            Spread::Normal { mean, deviation } => (mean - deviation, mean + deviation, 2),
-        };
-        // Values are in the middle of their pixels.
-        let half = (to - from).abs() / f64::from(2 * count.max(2) - 2);
-        let (low, high) = (from.min(to) - half, from.max(to) + half);
-        let room = (1e-9 * low.abs()).max(1e-12);
-        let high = if high - low > room { high } else { low + room };
-        Self { axis: Axis::new(low, high, 5), label: axis.parameter.label(), reversed: from > to }
-    }
-
-    /// Returns the places of the ticks, from 0 to 1, and their labels.
-    fn ticks(&self) -> impl Iterator<Item = (f64, String)> {
-        let turned = |along: f64| if self.reversed { 1.0 - along } else { along };
-        self.axis.labels().map(move |(value, label)| (turned(self.axis.along(value)), label))
-    }
-}
-
-fn frame(svg: &mut String, axes: &[SweepAxis]) {
-    let marks: Vec<Marks> = axes.iter().map(Marks::of).collect();
-    let [first, second] = marks.as_slice() else { return };
-    let (width, height) = (RIGHT - LEFT, BOTTOM - TOP);
-    let mut ticks = String::new();
-    svg.push_str("<g text-anchor=\"middle\">");
-    for (along, label) in first.ticks() {
-        let x = LEFT + width * along;
-        let _ = write!(ticks, "M{x:.0} {BOTTOM}v90");
-        let _ = write!(svg, "<text x=\"{x:.0}\" y=\"{}\">{label}</text>", BOTTOM + 400.0);
-    }
+/// Explains the colour of tops without a value, below the bar of colours.
+fn key(svg: &mut String, missing: usize) {
+    let label = format!("no value: {missing}");
+    let (right, y) = (WIDTH - EDGE, HEIGHT - 2.0 * EDGE);
     let _ = write!(
         svg,
-        "<text x=\"{}\" y=\"{}\">{}</text><text transform=\"translate(400 {}) rotate(-90)\">{}</text>\
-         </g><g text-anchor=\"end\">",
-        (LEFT + RIGHT) / 2.0,
-        HEIGHT - 240.0,
-        first.label,
-        (TOP + BOTTOM) / 2.0,
-        second.label,
-    );
-    for (along, label) in second.ticks() {
-        let y = BOTTOM - height * along;
-        let _ = write!(ticks, "M{LEFT} {y:.0}h-90");
-        let _ = write!(svg, "<text x=\"{}\" y=\"{:.0}\">{label}</text>", LEFT - 150.0, y + 100.0);
-    }
-    let _ = write!(svg, "</g><path d=\"{ticks}\" stroke=\"black\" stroke-width=\"{RULE}\"/>");
-}
-
-fn legend(svg: &mut String, column: &Column, range: [f64; 2]) {
-    let (from, right) = (BAR.1, BAR.1 + 150.0);
-    let mut ticks = String::new();
-    for (along, label) in marks(column, range) {
-        let y = BOTTOM - (BOTTOM - TOP) * along;
-        let _ = write!(ticks, "M{from} {y:.0}h90");
-        let _ = write!(svg, "<text x=\"{right}\" y=\"{:.0}\">{label}</text>", y + 100.0);
-    }
-    let _ = write!(
-        svg,
-        "<path d=\"{ticks}\" stroke=\"black\" stroke-width=\"{RULE}\"/>\
-         <text transform=\"translate({} {}) rotate(-90)\" text-anchor=\"middle\">{}</text>",
-        BAR.1 + 1250.0,
-        (TOP + BOTTOM) / 2.0,
-        column.label
+        "<rect x=\"{:.0}\" y=\"{:.0}\" width=\"300\" height=\"260\" fill=\"rgb({NONE},{NONE},{NONE})\"/>\
+         <text x=\"{right:.0}\" y=\"{y:.0}\" text-anchor=\"end\">{label}</text>",
+        right - width(&label) * TEXT - 420.0,
+        y - 230.0
     );
 }
 
-/// Returns the ticks of the bar, from 0 to 1, and their labels.
-///
-/// On a logarithmic scale they are 1, 2 and 5 times powers of ten. Where that gives too many they are powers of ten
-/// alone; where it gives too few they are other round numbers.
-fn marks(column: &Column, [least, most]: [f64; 2]) -> Vec<(f64, String)> {
-    if !column.is_logarithmic {
-        let axis = Axis::new(least, most, 6);
-        return axis.labels().map(|(value, label)| (axis.along(value), label)).collect();
+/// Says in a map without values why it is blank.
+fn blank(svg: &mut String, frame: &Frame, column: &Column, failed: u64, tops: u64) {
+    let (x, y) = ((frame.left + frame.right) / 2.0, (frame.top + frame.bottom) / 2.0);
+    let lines = [
+        "No top has a value of".to_owned(),
+        column.label.to_owned(),
+        format!("{failed} of {tops} tops could not be followed"),
+        "sweep.parquet has the reasons".to_owned(),
+    ];
+    for (row, line) in lines.iter().enumerate() {
+        let y = y + 1.6 * TEXT * (row as f64 - 1.0);
+        let _ = write!(svg, "<text x=\"{x:.0}\" y=\"{y:.0}\" text-anchor=\"middle\">{line}</text>");
     }
-    let decades = least.floor() as i32..=most.ceil() as i32;
-    let digits: &[f64] = if most - least > 3.0 { &[1.0] } else { &[1.0, 2.0, 5.0] };
-    let every = if most - least > 8.0 { 2 } else { 1 };
-    let ticks = decades.filter(|decade| decade % every == 0);
-    let ticks = ticks.flat_map(|decade| digits.iter().map(move |digit| (decade, digit)));
-    let along = |(decade, digit): (i32, &f64)| {
-        let along = (f64::from(decade) + digit.log10() - least) / (most - least);
-        let value = digit * 10_f64.powi(decade);
-        let label = if (-2..4).contains(&decade) {
-            format!("{value:.*}", usize::try_from(-decade).unwrap_or(0))
-        } else {
-            format!("{value:.0e}").replace('-', "−")
-        };
-        (0.0..=1.0).contains(&along).then_some((along, label))
-    };
-    let ticks: Vec<(f64, String)> = ticks.filter_map(along).collect();
-    if ticks.len() >= FEW {
-        return ticks;
-    }
-    let axis = Axis::new(10_f64.powf(least), 10_f64.powf(most), 4);
-    let along = |value: f64| (value.log10() - least) / (most - least);
-    axis.labels().map(|(value, label)| (along(value), label)).collect()
 }
 
 #[cfg(test)]
+#[allow(clippy::unwrap_used)]
 mod tests {
     use super::*;
-    use crate::configuration::Observable;
+    use crate::pictures::lettering::{boxes, checks::collisions};
+
+    /// The map of an observable of 3 × 3 tops whose sizes are all of this size, and its texts.
+    fn map(size: f64, observable: &str, values: &[Option<f64>; 9]) -> (String, Vec<String>) {
+        let text = format!(
+            "body = {{ inertia = [{0:e}, {1:e}, {size:e}], mass = {size:e}, gravity = 1.0 }}\n\
+             sweep.observables = ['{observable}']\n\
+             [[sweep.axes]]\nparameter = 'initial.angular_momentum[0]'\n\
+             from = -{0:e}\nto = {0:e}\ncount = 3\n\
+             [[sweep.axes]]\nparameter = 'body.inertia[1]'\nfrom = {0:e}\nto = {1:e}\ncount = 3",
+            2.0 * size,
+            2.5 * size,
+        );
+        let plan = Plan::new(&toml::from_str(&text).unwrap()).unwrap();
+        let column = plan.columns().next().unwrap();
+        let failed = values.iter().filter(|value| value.is_none()).count() as u64;
+        let drawing = heat_map(&plan, [3, 3], column, values, failed).unwrap();
+        let texts = boxes(&drawing).into_iter().map(|(text, _)| text).collect();
+        (drawing, texts)
+    }
+
+    fn with(values: [f64; 9]) -> [Option<f64>; 9] {
+        values.map(Some)
+    }
+
+    const VALUES: [f64; 9] = [0.1, 0.2, 0.9, 0.4, 0.5, -0.7, 0.3, 0.8, 0.6];
 
     #[test]
-    fn a_bar_of_logarithms_has_ticks_enough_and_in_order() {
-        let [megno] = Observable::Megno.columns() else { return };
-        let labels = |least: f64, most: f64| -> Vec<String> {
-            let marks = marks(megno, [least.log10(), most.log10()]);
-            assert!(marks.is_sorted_by(|a, b| a.0 < b.0), "{marks:?}");
-            assert!(marks.iter().all(|(along, _)| (0.0..=1.0).contains(along)), "{marks:?}");
-            marks.into_iter().map(|(_, label)| label).collect()
-        };
-        // Between 1 and 5 there is only 2 among 1, 2 and 5 times powers of ten.
-        assert_eq!(labels(1.45, 2.35), ["1.6", "1.8", "2.0", "2.2"]);
-        assert_eq!(labels(0.9, 11.0), ["1", "2", "5", "10"]);
-        assert_eq!(labels(1e-3, 50.0), ["1e−3", "0.01", "0.1", "1", "10"]);
+    fn labels_are_apart_and_cut_at_no_scale() {
+        for size in [1e-20, 2e-4, 1.0, 1e20] {
+            for observable in ["final-state", "megno", "invariant-drift"] {
+                for values in [
+                    VALUES.map(|x| x * size),
+                    [size; 9],
+                    [size, 1.0, 2.0, 3.0, 4.0, 5.0, 6.0, 7.0, 8.0],
+                ] {
+                    let (drawing, texts) = map(size, observable, &with(values));
+                    let found = collisions(&drawing, (WIDTH, HEIGHT));
+                    assert_eq!(found, [""; 0], "{size} {observable} {texts:?}");
+                    let has = |part: &str| texts.iter().any(|text| text.contains(part));
+                    assert!(
+                        has("9 tops; ") && has("step 0.02 s") && has("0 to 100 s"),
+                        "{texts:?}"
+                    );
+                    assert!(has("Γ(0) = (0.5, 0, 0.866025)"), "{texts:?}");
+                }
+            }
+        }
+        let (_, texts) = map(2e-4, "final-state", &with(VALUES.map(|x| 1e-3 * x)));
+        for text in ["Π₁(0) (10⁻⁴ kg m²/s)", "I₂ (10⁻⁴ kg m²)", "Π₁ at the end (10⁻⁴ kg m²/s)"]
+        {
+            assert!(texts.iter().any(|found| found == text), "{text}: {texts:?}");
+        }
+    }
+
+    #[test]
+    fn regular_motion_is_marked_on_the_bar_of_megno() {
+        // All tops are chaotic, all are regular, or the bar is narrow.
+        for values in [VALUES.map(|x| 100.0 + x), VALUES, [2.0; 9]] {
+            let (_, texts) = map(1.0, "megno", &with(values));
+            assert!(texts.iter().any(|text| text == "2 (regular)"), "{texts:?}");
+        }
+        // A deviation far below that of large tops has colours of its own, and one of zero is no deviation.
+        let (_, texts) = map(1.0, "invariant-drift", &with(VALUES.map(|x| 1e-18 * x.abs())));
+        assert!(texts.iter().any(|text| text.starts_with("2×10⁻¹⁹")), "{texts:?}");
+        let (_, texts) = map(1.0, "invariant-drift", &with([0.0; 9]));
+        assert!(texts.iter().any(|text| text == "0.0"), "{texts:?}");
+        // Control: other observables have no such value.
+        let (_, texts) = map(1.0, "lyapunov", &with(VALUES));
+        assert!(!texts.iter().any(|text| text.contains("regular")));
+    }
+
+    #[test]
+    fn a_map_without_values_says_why() {
+        let (drawing, texts) = map(1.0, "megno", &[None; 9]);
+        assert!(texts.iter().any(|text| text == "9 of 9 tops could not be followed"), "{texts:?}");
+        assert_eq!(collisions(&drawing, (WIDTH, HEIGHT)), [""; 0]);
+        // A value that is not a number is none.
+        assert_eq!(map(1.0, "megno", &[Some(f64::NAN); 9]).1.len(), texts.len());
+        // Controls: one value is enough for a bar of colours; the others are counted beside the colour of no value.
+        let (_, texts) =
+            map(1.0, "megno", &[Some(3.0), None, None, None, None, None, None, None, None]);
+        assert!(texts.iter().any(|text| text == "no value: 8"));
+        assert!(!texts.iter().any(|text| text.contains("could not be followed")));
+        assert!(!map(1.0, "megno", &with(VALUES)).1.iter().any(|text| text.contains("no value")));
     }
 }

@@ -4,6 +4,7 @@ mod sweep_plan;
 mod measured_row;
 mod top_tiles;
 mod top_table;
+mod fixed_values;
 mod heat_map;
 mod processes;
 mod sweep_summary;

@@ -119,7 +119,7 @@ fn assemble(
             values.extend(rows.iter().map(|row| row.value(index)));
             Ok(())
         })?;
-        let drawing = heat_map::heat_map(plan, size, column, &values)?;
+        let drawing = heat_map::heat_map(plan, size, column, &values, summary.failed)?;
         let (svg, png) = render::render(&drawing, SCALE)?;
         Output::whole(&out.join(column.name).with_extension("svg"), svg.as_bytes())?;
         Output::whole(&out.join(column.name).with_extension("png"), &png)?;

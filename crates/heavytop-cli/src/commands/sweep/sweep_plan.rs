@@ -20,8 +20,8 @@ const MOST_TOPS: f64 = 1e9;
 /// A sweep whose configuration has been checked.
 #[derive(Clone, Debug, PartialEq)]
 pub(super) struct Plan {
-    body: BodyConfig,
-    initial: InitialConfig,
+    pub body: BodyConfig,
+    pub initial: InitialConfig,
     pub axes: Vec<SweepAxis>,
     pub observables: Vec<Observable>,
     pub method: Method,

@@ -30,7 +30,9 @@ class Camera {
     this.right = [-sa, ca, 0];
     this.up = [-se * ca, -se * sa, ce];
     this.center = [width / 2, height / 2];
-    this.scale = 0.33 * Math.min(width, height) * this.zoom;
+    // The longest arrows reach 1.32 from the support, and their names 30 pixels further.
+    const size = Math.min(width, height);
+    this.scale = Math.min(0.33 * size, (size / 2 - 30) / 1.32) * this.zoom;
   }
 
   /** The point's place in the picture, its nearness (larger is nearer), and pixels per unit there. */

@@ -1,6 +1,8 @@
 // Playing, and what keys and pointers do.
 
 const SPEEDS = [0.01, 0.02, 0.05, 0.1, 0.25, 0.5, 1, 2, 5, 10];
+/** The rate at which an eye can follow, rad/s. */
+const CALM = 6;
 const MOST_TRACE = 6000;
 const PLAY = "M7 4v16l13-8z";
 const PAUSE = "M6 4h4v16H6zm8 0h4v16h-4z";
@@ -12,12 +14,19 @@ class Player {
     this.strip = new Strip(byId("strip"), motion);
     [this.time, this.playing, this.pending] = [0, false, false];
     byId("description").textContent = motion.description;
-    byId("time").max = motion.end;
+    byId("values").textContent = `${motion.top}, 0 to ${readable(motion.end, 6)} s`;
+    // The slider counts the part of the motion that has passed; not every browser has room for tiny steps.
+    byId("time").max = 1;
     // Four digits, at least two of them decimals.
-    this.decimals = Math.min(Math.max(4 - Math.ceil(Math.log10(motion.end || 1)), 2), 12);
-    // So fast that an eye can follow.
-    const calm = SPEEDS.findLastIndex((speed) => speed <= 1 && speed * motion.meanRate() <= 6);
-    byId("speed").replaceChildren(...SPEEDS.map((speed) => new Option(`${speed} ×`, speed)));
+    const decimals = Math.min(Math.max(4 - Math.ceil(Math.log10(motion.end || 1)), 2), 12);
+    const { exponent } = notation(motion.end, 0);
+    this.clock = exponent < -3
+      ? (time) => `${shifted(time, exponent).toFixed(4)} · ${powerOfTen(exponent)} s`
+      : (time) => `${time.toFixed(decimals)} s`;
+    this.momentum = notation(motion.largestMomentum(), 4);
+    this.speeds = speeds(CALM / motion.meanRate());
+    const calm = this.speeds.findLastIndex((speed) => (speed <= 1 || this.speeds[0] > 1) && speed * motion.meanRate() <= CALM);
+    byId("speed").replaceChildren(...this.speeds.map((speed) => new Option(`${readable(speed, 3)} ×`, speed)));
     byId("speed").selectedIndex = Math.max(calm, 0);
     const traces = [["short", 2], ["long", 15], ["longest", Infinity]];
     byId("trace").replaceChildren(...traces.map(([name, seconds]) => new Option(name, seconds)));
@@ -69,10 +78,10 @@ class Player {
     const state = this.motion.at(this.time);
     this.scene.draw(state, this.traceFrames);
     this.strip.draw(state);
-    const clock = `${this.time.toFixed(this.decimals)} s`;
-    byId("time").value = this.time;
+    const clock = this.clock(this.time);
+    byId("time").value = this.time / (this.motion.end || 1);
     byId("time").setAttribute("aria-valuetext", clock);
-    byId("clock").textContent = `${clock} of ${Number(this.motion.end.toPrecision(6))} s`;
+    byId("clock").textContent = `${clock} of ${readable(this.motion.end, 6)} s`;
     byId("play").setAttribute("aria-label", this.playing ? "Pause" : "Play");
     byId("play").querySelector("path").setAttribute("d", this.playing ? PAUSE : PLAY);
     this.table(state);
@@ -81,11 +90,11 @@ class Player {
   /** The state in numbers, Π and Γ in the body frame. */
   table({ pi, gamma, invariants }) {
     const rows = [
-      ...pi.map((value, i) => [`Π${"₁₂₃"[i]}`, value.toFixed(4), "kg m²/s"]),
+      ...pi.map((value, i) => [`Π${"₁₂₃"[i]}`, this.momentum.text(value), this.momentum.unit("kg m²/s")]),
       ...gamma.map((value, i) => [`Γ${"₁₂₃"[i]}`, value.toFixed(4), ""]),
       ...invariants.map((value, i) => {
         const { symbol, unit } = this.motion.invariants[i];
-        return [pretty(symbol), String(Number(value.toPrecision(9))), unit];
+        return [pretty(symbol), readable(value, 9), unit];
       }),
     ];
     const table = byId("now");
@@ -110,7 +119,7 @@ class Player {
     };
     const faster = (by) => () => {
       const select = byId("speed");
-      select.selectedIndex = Math.min(Math.max(select.selectedIndex + by, 0), SPEEDS.length - 1);
+      select.selectedIndex = Math.min(Math.max(select.selectedIndex + by, 0), this.speeds.length - 1);
       this.show();
     };
     const view = (change) => () => {
@@ -129,7 +138,7 @@ class Player {
 
   listen() {
     byId("play").addEventListener("click", () => this.toggle());
-    byId("time").addEventListener("input", (event) => this.go(Number(event.target.value)));
+    byId("time").addEventListener("input", (event) => this.go(Number(event.target.value) * this.motion.end));
     for (const id of ["speed", "trace"]) byId(id).addEventListener("change", () => this.show());
     document.addEventListener("keydown", (event) => {
       const { target } = event;
@@ -143,14 +152,22 @@ class Player {
     });
 
     const { canvas, camera } = this.scene;
-    drag(canvas, (event) => {
-      camera.turn(-0.008 * event.movementX, 0.008 * event.movementY);
+    const turn = (x, y) => {
+      camera.turn(-0.008 * x, 0.008 * y);
+      this.show();
+    };
+    const enlarge = (factor) => {
+      camera.enlarge(factor);
+      this.show();
+    };
+    turnAndPinch(canvas, turn, enlarge);
+    canvas.addEventListener("dblclick", () => {
+      camera.reset();
       this.show();
     });
     canvas.addEventListener("wheel", (event) => {
       event.preventDefault();
-      camera.enlarge(Math.exp(-0.001 * event.deltaY));
-      this.show();
+      enlarge(Math.exp(-0.001 * event.deltaY));
     }, { passive: false });
     const seek = (event) => this.go(this.strip.timeAt(event.offsetX));
     this.strip.canvas.addEventListener("pointerdown", seek);
@@ -174,6 +191,37 @@ function drag(element, moved) {
   });
 }
 
+/** Calls back while one pointer drags, and while two of them come closer or part. */
+function turnAndPinch(element, turn, enlarge) {
+  const pointers = new Map();
+  const distance = () => {
+    const [a, b] = [...pointers.values()];
+    return Math.hypot(a.x - b.x, a.y - b.y) || 1;
+  };
+  element.addEventListener("pointerdown", (event) => {
+    element.setPointerCapture(event.pointerId);
+    pointers.set(event.pointerId, { x: event.clientX, y: event.clientY });
+  });
+  element.addEventListener("pointermove", (event) => {
+    const last = pointers.get(event.pointerId);
+    if (!last) return;
+    const before = pointers.size === 2 ? distance() : undefined;
+    pointers.set(event.pointerId, { x: event.clientX, y: event.clientY });
+    if (before) enlarge(distance() / before);
+    else if (pointers.size === 1) turn(event.clientX - last.x, event.clientY - last.y);
+  });
+  for (const end of ["pointerup", "pointercancel"]) {
+    element.addEventListener(end, (event) => pointers.delete(event.pointerId));
+  }
+}
+
+/** The speeds to choose from; about the calm one where the usual ones are all too fast or too slow. */
+function speeds(calm) {
+  if (!Number.isFinite(calm) || (calm >= SPEEDS[0] && calm <= 1000)) return SPEEDS;
+  const middle = Math.floor(Math.log10(calm));
+  return [-1, 0, 1, 2].flatMap((by) => [1, 2, 5].map((digit) => Number(`${digit}e${middle + by}`)));
+}
+
 function start(motion) {
   if (motion.frames === 0) {
     byId("description").textContent = "There are no frames.";
@@ -182,7 +230,7 @@ function start(motion) {
   const player = new Player(motion);
   player.listen();
   // page.html#t=12.5 shows that moment.
-  const asked = /^#t=([0-9.]+)$/.exec(location.hash);
+  const asked = /^#t=([0-9.]+(?:e[-+]?[0-9]+)?)$/i.exec(location.hash);
   if (asked) player.go(Number(asked[1]));
   else if (!matchMedia("(prefers-reduced-motion: reduce)").matches) player.toggle(true);
 }

@@ -1,16 +1,19 @@
 // The conserved quantities against time, one below the other, with a marker that moves.
 
-const PANEL = 54;
-const AXIS = 24;
-const LEFT = 150;
+/** The height of a curve. */
+const CURVE = 54;
+/** The height of a line of text. */
+const ROW = 19;
 const RIGHT = 14;
+/** Below this width labels stand above their curves, not beside them. */
+const NARROW = 560;
+const BOLD = "600 13px system-ui, 'DejaVu Sans', sans-serif";
+const PLAIN = "12px system-ui, 'DejaVu Sans', sans-serif";
 
 class Strip {
   constructor(canvas, motion) {
     Object.assign(this, { canvas, motion });
     this.still = document.createElement("canvas");
-    this.height = PANEL * motion.invariants.length + AXIS;
-    canvas.style.height = `${this.height}px`;
     this.largest = motion.invariants.map((_, index) => {
       let largest = 0;
       for (let i = 0; i < motion.frames; i++) {
@@ -25,6 +28,7 @@ class Strip {
   prepare() {
     const ratio = window.devicePixelRatio || 1;
     this.width = this.canvas.clientWidth;
+    this.layOut();
     for (const canvas of [this.canvas, this.still]) {
       canvas.width = Math.round(this.width * ratio);
       canvas.height = Math.round(this.height * ratio);
@@ -36,73 +40,114 @@ class Strip {
     this.axis();
   }
 
-  panel({ symbol, unit }, index) {
+  /** Chooses the places of labels and curves from the width of the labels. */
+  layOut() {
+    const { invariants } = this.motion;
     const paint = this.still.getContext("2d");
-    const middle = PANEL * (index + 0.5);
+    const widths = invariants.flatMap((invariant, index) => {
+      const [name, range] = this.labels(invariant, index);
+      paint.font = BOLD;
+      const bold = paint.measureText(name).width;
+      paint.font = PLAIN;
+      return [bold, paint.measureText(range).width];
+    });
+    const widest = Math.max(0, ...widths);
+    this.narrow = this.width < NARROW;
+    this.head = this.narrow ? ROW : 0;
+    this.left = this.narrow ? 8 : widest + 16;
+    this.panelHeight = CURVE + this.head;
+    this.axisHeight = this.narrow ? 24 + ROW : 24;
+    this.height = this.panelHeight * invariants.length + this.axisHeight;
+    this.canvas.style.height = `${this.height}px`;
+  }
+
+  labels({ symbol, unit }, index) {
     const name = pretty(symbol);
+    return [`${name} − ${name}(0)`, `± ${scientific(this.largest[index])} ${unit}`.trim()];
+  }
+
+  middle(index) {
+    return this.panelHeight * index + this.head + CURVE / 2;
+  }
+
+  panel(invariant, index) {
+    const paint = this.still.getContext("2d");
+    const middle = this.middle(index);
+    const [name, range] = this.labels(invariant, index);
     paint.strokeStyle = this.color("--rule");
     paint.lineWidth = 1;
     paint.beginPath();
-    paint.moveTo(LEFT, middle);
+    paint.moveTo(this.left, middle);
     paint.lineTo(this.width - RIGHT, middle);
     paint.stroke();
     paint.textAlign = "left";
     paint.textBaseline = "middle";
     paint.fillStyle = this.color("--ink");
-    paint.font = "600 13px system-ui, 'DejaVu Sans', sans-serif";
-    paint.fillText(`${name} − ${name}(0)`, 0, middle - 9);
+    paint.font = BOLD;
+    const top = middle - CURVE / 2 - ROW / 2;
+    paint.fillText(name, 0, this.narrow ? top : middle - 9);
+    const indent = this.narrow ? paint.measureText(name).width + 12 : 0;
     paint.fillStyle = this.color("--quiet");
-    paint.font = "12px system-ui, 'DejaVu Sans', sans-serif";
-    paint.fillText(`± ${scientific(this.largest[index])} ${unit}`, 0, middle + 9);
+    paint.font = PLAIN;
+    paint.fillText(range, indent, this.narrow ? top : middle + 9);
 
     // The least and the largest value of the frames of each pixel.
-    const scale = 0.4 * PANEL / (this.largest[index] || 1);
-    const ranges = new Map();
+    const scale = 0.4 * CURVE / (this.largest[index] || 1);
+    const pixels = new Map();
     for (let i = 0; i < this.motion.frames; i++) {
       const value = this.motion.deviation(i, index);
       if (!Number.isFinite(value)) continue;
       const pixel = Math.round(this.place(this.motion.time(i)));
-      const range = ranges.get(pixel) || [value, value, value];
-      ranges.set(pixel, [Math.min(range[0], value), Math.max(range[1], value), value]);
+      const seen = pixels.get(pixel) || [value, value, value];
+      pixels.set(pixel, [Math.min(seen[0], value), Math.max(seen[1], value), value]);
     }
     paint.strokeStyle = this.color(["--third", "--second", "--first", "--momentum", "--tip"][index % 5]);
     paint.lineWidth = 1.3;
     paint.lineJoin = "round";
     paint.beginPath();
-    for (const [pixel, range] of ranges) for (const value of range) paint.lineTo(pixel, middle - scale * value);
+    for (const [pixel, values] of pixels) for (const value of values) paint.lineTo(pixel, middle - scale * value);
     paint.stroke();
   }
 
   axis() {
     const paint = this.still.getContext("2d");
-    const top = this.height - AXIS;
+    const top = this.height - this.axisHeight;
+    const { end } = this.motion;
     paint.fillStyle = paint.strokeStyle = this.color("--quiet");
-    paint.font = "12px system-ui, 'DejaVu Sans', sans-serif";
+    paint.font = PLAIN;
     paint.textAlign = "center";
     paint.textBaseline = "top";
     paint.beginPath();
-    const spacing = roundSpacing(this.motion.end / 8);
-    for (let k = 0; k * spacing <= this.motion.end * (1 + 1e-9); k++) {
+    const { exponent, unit } = notation(end, 0);
+    const text = (value) => String(Number(shifted(value, exponent).toPrecision(6)));
+    // As many ticks as their labels have room, at most eight.
+    let spacing = roundSpacing(end / 8);
+    const room = () => (this.width - this.left - RIGHT) * spacing / (end || 1);
+    const label = () => paint.measureText(text(spacing * Math.floor(end / spacing))).width + 14;
+    while (room() < label() && spacing < end) spacing = roundSpacing(1.5 * spacing);
+    for (let k = 0; k * spacing <= end * (1 + 1e-9); k++) {
       const x = this.place(k * spacing);
       paint.moveTo(x, top);
       paint.lineTo(x, top + 5);
-      paint.fillText(String(Number((k * spacing).toPrecision(6))), x, top + 8);
+      const half = paint.measureText(text(k * spacing)).width / 2;
+      paint.fillText(text(k * spacing), Math.min(x, this.width - half), top + 8);
     }
-    paint.moveTo(LEFT, top);
+    paint.moveTo(this.left, top);
     paint.lineTo(this.width - RIGHT, top);
     paint.lineWidth = 1;
     paint.stroke();
-    paint.textAlign = "left";
-    paint.fillText("t in s", 0, top + 8);
+    paint.textAlign = this.narrow ? "center" : "left";
+    const middle = (this.left + this.width - RIGHT) / 2;
+    paint.fillText(`t in ${unit("s")}`, this.narrow ? middle : 0, top + 8 + (this.narrow ? ROW : 0));
   }
 
   place(time) {
-    return LEFT + (this.width - LEFT - RIGHT) * time / (this.motion.end || 1);
+    return this.left + (this.width - this.left - RIGHT) * time / (this.motion.end || 1);
   }
 
   /** The time at a place, x in pixels. */
   timeAt(x) {
-    const share = (x - LEFT) / (this.width - LEFT - RIGHT);
+    const share = (x - this.left) / (this.width - this.left - RIGHT);
     return Math.min(Math.max(share, 0), 1) * this.motion.end;
   }
 
@@ -115,36 +160,19 @@ class Strip {
     paint.strokeStyle = paint.fillStyle = this.color("--ink");
     paint.lineWidth = 1;
     paint.beginPath();
-    paint.moveTo(x, 2);
-    paint.lineTo(x, this.height - AXIS);
+    // Over the curves, not over the labels above them.
+    invariants.forEach((_, index) => {
+      paint.moveTo(x, this.middle(index) - CURVE / 2);
+      paint.lineTo(x, this.middle(index) + CURVE / 2);
+    });
     paint.stroke();
     invariants.forEach((value, index) => {
       const deviation = value - this.motion.number(0, 11 + index);
       if (!Number.isFinite(deviation)) return;
-      const y = PANEL * (index + 0.5) - 0.4 * PANEL * deviation / (this.largest[index] || 1);
+      const y = this.middle(index) - 0.4 * CURVE * deviation / (this.largest[index] || 1);
       paint.beginPath();
       paint.arc(x, y, 3.5, 0, 2 * Math.PI);
       paint.fill();
     });
   }
-}
-
-/** The least of 1, 2, 5 times a power of ten that is not below. */
-function roundSpacing(least) {
-  const power = 10 ** Math.floor(Math.log10(least || 1));
-  return power * [1, 2, 5, 10].find((digit) => digit * power >= least * 0.999);
-}
-
-/** A symbol with its digit as a subscript. */
-function pretty(symbol) {
-  return symbol.replace(/[0-9]/g, (digit) => String.fromCharCode(0x2080 + Number(digit)));
-}
-
-/** A number in two digits and a power of ten. */
-function scientific(value) {
-  if (value === 0) return "0";
-  if (!Number.isFinite(value)) return String(value);
-  const [digits, power] = value.toExponential(1).split("e");
-  const raised = Math.abs(Number(power)).toString().replace(/[0-9]/g, (digit) => "⁰¹²³⁴⁵⁶⁷⁸⁹"[digit]);
-  return `${digits} · 10${Number(power) < 0 ? "⁻" : ""}${raised}`.replace("-", "−");
 }

@@ -1,0 +1,66 @@
+//! The values of a sweep that no axis changes, in the words of a caption.
+
+use crate::configuration::{BodyConfig, InitialConfig, Parameter, Part, SweepAxis};
+use crate::pictures::caption::number;
+
+/// Returns the numbers of `[body]` and `[initial]` that all tops share. A vector has the symbols of the components that
+/// an axis changes.
+pub(super) fn fixed_values(
+    body: &BodyConfig,
+    initial: &InitialConfig,
+    axes: &[SweepAxis],
+) -> Vec<String> {
+    let changed = |parameter| axes.iter().any(|axis| axis.parameter == parameter);
+    let mut values = Vec::new();
+    values.extend(vector("I", "I", body.inertia, " kg m²", |i| changed(Parameter::Inertia(i))));
+    for (symbol, value, unit, parameter) in [
+        ("m", body.mass, "kg", Parameter::Mass),
+        ("g", body.gravity, "m/s²", Parameter::Gravity),
+        ("l", body.length, "m", Parameter::Length),
+    ] {
+        if !changed(parameter) {
+            values.push(format!("{symbol} = {} {unit}", number(value)));
+        }
+    }
+    values.extend(direction("c", "c", body.center_of_mass, |part| {
+        changed(Parameter::CenterOfMass(part))
+    }));
+    let momentum = |i| changed(Parameter::AngularMomentum(i));
+    values.extend(vector("Π(0)", "Π", initial.angular_momentum, " kg m²/s", momentum));
+    values.extend(direction("Γ(0)", "Γ", initial.vertical, |part| {
+        changed(Parameter::Vertical(part))
+    }));
+    values
+}
+
+/// Returns the components of a vector, unless all change.
+fn vector(
+    name: &str,
+    symbol: &str,
+    components: [f64; 3],
+    unit: &str,
+    changed: impl Fn(usize) -> bool,
+) -> Option<String> {
+    let component = |i: usize| match changed(i) {
+        true => format!("{symbol}{}", ["₁", "₂", "₃"][i]),
+        false => number(components[i]),
+    };
+    let text = format!("{name} = ({}){unit}", [0, 1, 2].map(component).join(", "));
+    (0..3).any(|i| !changed(i)).then_some(text)
+}
+
+/// Returns what a unit vector keeps: components, or the angle that does not change.
+fn direction(
+    name: &str,
+    symbol: &str,
+    [x, y, z]: [f64; 3],
+    changed: impl Fn(Part) -> bool,
+) -> Option<String> {
+    let angle = |kind: &str, value: f64| Some(format!("{kind} of {name} = {} rad", number(value)));
+    match (changed(Part::Inclination), changed(Part::Azimuth)) {
+        (true, true) => None,
+        (true, false) => angle("azimuth", y.atan2(x)),
+        (false, true) => angle("inclination", x.hypot(y).atan2(z)),
+        (false, false) => vector(name, symbol, [x, y, z], "", |i| changed(Part::Component(i))),
+    }
+}

@@ -1,0 +1,38 @@
+//! The words of captions: how a motion was computed, and of which top.
+
+use super::numerals::significant;
+use crate::runs::Method;
+use heavytop::HeavyTop;
+use lie_poisson::{Covector, Pair, Se3Dual};
+
+/// The number of significant digits in captions.
+const DIGITS: usize = 6;
+
+/// Formats a number of a caption.
+pub(crate) fn number(x: f64) -> String {
+    significant(x, DIGITS)
+}
+
+/// Formats a vector of a caption.
+pub(crate) fn vector(components: impl IntoIterator<Item = f64>) -> String {
+    format!("({})", components.into_iter().map(number).collect::<Vec<_>>().join(", "))
+}
+
+/// Returns the formulation, the scheme and the step (s).
+pub(crate) fn method(method: &Method, step: f64) -> String {
+    format!("{}, {}, step {} s", method.formulation().name(), method.scheme().name(), number(step))
+}
+
+/// Returns the numbers of a top.
+pub(crate) fn top(top: &HeavyTop) -> String {
+    let inertia: [f64; 3] = top.inertia().into();
+    let center: [f64; 3] = top.center_of_mass().into();
+    let weight = number(top.weight_moment());
+    format!("I = {} kg m², m g l = {weight} N m, c = {}", vector(inertia), vector(center))
+}
+
+/// Returns the numbers of an initial state.
+pub(crate) fn start(Covector(Pair(pi, gamma)): &Se3Dual) -> String {
+    let (pi, gamma) = (pi.iter().copied(), gamma.iter().copied());
+    format!("Π(0) = {} kg m²/s, Γ(0) = {}", vector(pi), vector(gamma))
+}

@@ -1,0 +1,96 @@
+//! The ticks and the title of an axis or of a bar of colours, by their places.
+
+use super::axis::Axis;
+use super::lettering::widest;
+use super::numerals::exact;
+
+/// The number of ticks below which they do not show a logarithmic scale.
+const FEW: usize = 3;
+
+/// The ticks and the title of an axis.
+#[derive(Clone, Debug, PartialEq)]
+pub(crate) struct Scale {
+    /// The places of the ticks, from 0 to 1, and their labels.
+    pub ticks: Vec<(f64, String)>,
+    /// The quantity with its unit.
+    pub title: String,
+    /// The place of a line across a bar of colours.
+    pub line: Option<f64>,
+}
+
+impl Scale {
+    /// Creates the scale of an axis for a quantity, written as "symbol (unit)". A reversed axis begins at its end.
+    pub fn linear(axis: &Axis, quantity: &str, reversed: bool) -> Self {
+        let place = |value: f64| if reversed { 1.0 - axis.along(value) } else { axis.along(value) };
+        let ticks = axis.labels().map(|(value, label)| (place(value), label.into())).collect();
+        Self { ticks, title: axis.title(quantity), line: None }
+    }
+
+    /// Creates the scale of a quantity between these decimal logarithms.
+    ///
+    /// Its ticks are 1, 2 and 5 times powers of ten. Where that gives too many they are powers of ten alone; where it
+    /// gives too few they are other round numbers.
+    pub fn logarithmic([least, most]: [f64; 2], quantity: &str) -> Self {
+        let decades = least.floor() as i32..=most.ceil() as i32;
+        let digits: &[i32] = if most - least > 3.0 { &[1] } else { &[1, 2, 5] };
+        let every = ((most - least) / 8.0).ceil().max(1.0) as i32;
+        let along = |value: f64| (value.log10() - least) / (most - least);
+        let ticks = decades.filter(|decade| decade % every == 0);
+        let values =
+            ticks.flat_map(|decade| digits.iter().map(move |digit| format!("{digit}e{decade}")));
+        let values = values.filter_map(|text| text.parse::<f64>().ok());
+        let ticks: Vec<(f64, String)> = values
+            .map(|value| (along(value), exact(value)))
+            .filter(|(along, _)| (0.0..=1.0).contains(along))
+            .collect();
+        if ticks.len() >= FEW {
+            return Self { ticks, title: quantity.into(), line: None };
+        }
+        let axis = Axis::new(10_f64.powf(least), 10_f64.powf(most), 4);
+        let labels = axis.labels().map(|(value, label)| (along(value), label.into()));
+        let ticks = labels.filter(|(along, _)| (0.0..=1.0).contains(along)).collect();
+        Self { ticks, title: axis.title(quantity), line: None }
+    }
+
+    /// Draws a line at a place, with a label instead of those of the ticks that are nearer to it than `apart`.
+    pub fn with_line(mut self, place: f64, label: &str, apart: f64) -> Self {
+        self.ticks.retain(|(tick, _)| (tick - place).abs() > apart);
+        self.ticks.push((place, label.into()));
+        self.ticks.sort_by(|one, other| one.0.total_cmp(&other.0));
+        self.line = Some(place);
+        self
+    }
+
+    /// Returns the width of the widest label, as a multiple of its size.
+    pub fn label_width(&self) -> f64 {
+        widest(self.ticks.iter().map(|(_, label)| label.as_str()))
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn a_logarithmic_scale_has_ticks_enough_and_in_order() {
+        let labels = |least: f64, most: f64| -> Vec<String> {
+            let ticks = Scale::logarithmic([least.log10(), most.log10()], "MEGNO").ticks;
+            assert!(ticks.is_sorted_by(|a, b| a.0 < b.0), "{ticks:?}");
+            assert!(ticks.iter().all(|(along, _)| (0.0..=1.0).contains(along)), "{ticks:?}");
+            ticks.into_iter().map(|(_, label)| label).collect()
+        };
+        // Between 1 and 5 there is only 2 among 1, 2 and 5 times powers of ten.
+        assert_eq!(labels(1.45, 2.35), ["1.6", "1.8", "2.0", "2.2"]);
+        assert_eq!(labels(0.9, 11.0), ["1", "2", "5", "10"]);
+        assert_eq!(labels(1e-3, 50.0), ["0.001", "0.01", "0.1", "1", "10"]);
+        assert_eq!(labels(9e-21, 1.9e-19), ["10⁻²⁰", "2×10⁻²⁰", "5×10⁻²⁰", "10⁻¹⁹"]);
+        assert!(labels(1e-20, 1e20).len() <= 9);
+    }
+
+    #[test]
+    fn a_marked_value_replaces_the_ticks_beside_it() {
+        let scale = Scale::logarithmic([0.0, 1.0], "MEGNO").with_line(0.31, "2 (regular)", 0.05);
+        let labels: Vec<&str> = scale.ticks.iter().map(|(_, label)| label.as_str()).collect();
+        assert_eq!(labels, ["1", "2 (regular)", "5", "10"]);
+    }
+}
