@@ -39,9 +39,9 @@ impl<T: Default> StoragePool<T> {
     }
 }
 
-impl<T: Default> Clone for StoragePool<T> {
+impl<T> Clone for StoragePool<T> {
     fn clone(&self) -> Self {
-        Self::default()
+        Self(Mutex::default())
     }
 }
 

@@ -1,6 +1,6 @@
 //! The collective integrator: [`Collective`].
 
-use crate::dual::fibre_distance::FibreDistance;
+use crate::dual::recentring_threshold::RecentringThreshold;
 use crate::stages::two_sum::exact_sum;
 use crate::vector_field::dual_differential;
 use crate::{
@@ -173,11 +173,11 @@ where
     }
 }
 
-/// The storage of a step of [`Collective`]: that of the scheme, and the distance of z from the origin.
+/// The storage of a step of [`Collective`]: that of the scheme, and what moves z along its fibre.
 #[derive(Clone, Debug)]
 pub struct CollectiveSpace<W, V: Vector> {
     scheme: W,
-    distance: FibreDistance<V>,
+    threshold: RecentringThreshold<V>,
     recentring: RecentringSpace<V::Scalar>,
 }
 
@@ -197,8 +197,8 @@ impl<S: Scheme, M: PoissonMap, H> Collective<S, M, H> {
     ) -> SourcePoint<M, T> {
         let mut moved = *z;
         if self.descends {
-            let CollectiveSpace { distance, recentring, .. } = workspace;
-            distance.keep_short(&mut moved, |moved, grown| {
+            let CollectiveSpace { threshold, recentring, .. } = workspace;
+            threshold.recentre_if_grown(&mut moved, |moved, grown| {
                 let near = self.system.map.recentred::<T>(z, recentring);
                 *moved = Vector::select(grown, &near, z);
             });
@@ -222,7 +222,7 @@ where
         let scheme = self.scheme.workspace();
         CollectiveSpace {
             scheme,
-            distance: FibreDistance::default(),
+            threshold: RecentringThreshold::default(),
             recentring: RecentringSpace::default(),
         }
     }
@@ -244,7 +244,7 @@ where
     #[inline]
     fn forget(&self, workspace: &mut Self::Workspace) {
         self.scheme.forget(&mut workspace.scheme);
-        workspace.distance = FibreDistance::default();
+        workspace.threshold = RecentringThreshold::default();
     }
 
     #[inline]

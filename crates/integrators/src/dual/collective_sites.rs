@@ -1,6 +1,6 @@
 //! The collective integrator for N copies of a realisation: [`CollectiveSites`].
 
-use crate::dual::fibre_distance::FibreDistance;
+use crate::dual::recentring_threshold::RecentringThreshold;
 use crate::{Equivariant, Integrator, Scheme, Start, Step, StepError, VectorField};
 use lie_poisson::{Covector, LieAlgebra, LiePoisson, Real, Sites, SitesHamiltonian, State, Vector};
 use momentum_map::{Lift, LiftError, PoissonMap, RecentringSpace, SourcePoint};
@@ -89,7 +89,7 @@ pub struct CollectiveSitesSpace<W, V: Vector, D> {
     scheme: W,
     velocities: RefCell<(Covector<Sites<D>>, Sites<D>)>,
     pool: Vec<Sites<V>>,
-    distance: FibreDistance<Sites<V>>,
+    threshold: RecentringThreshold<Sites<V>>,
     recentring: RecentringSpace<V::Scalar>,
 }
 
@@ -137,8 +137,8 @@ impl<S, M: PoissonMap, H> CollectiveSites<S, M, H> {
         workspace: &mut CollectiveSitesSpace<W, SourcePoint<M, T>, D>,
     ) {
         if self.descends {
-            let CollectiveSitesSpace { distance, recentring, .. } = workspace;
-            distance.keep_short(z, |z, grown| {
+            let CollectiveSitesSpace { threshold, recentring, .. } = workspace;
+            threshold.recentre_if_grown(z, |z, grown| {
                 for z in z.iter_mut() {
                     *z = Vector::select(grown, &self.map.recentred::<T>(z, recentring), z);
                 }
@@ -168,7 +168,7 @@ where
             scheme: self.scheme.workspace(),
             velocities: RefCell::new((State::zeros_of(&0), State::zeros_of(&0))),
             pool: Vec::new(),
-            distance: FibreDistance::default(),
+            threshold: RecentringThreshold::default(),
             recentring: RecentringSpace::default(),
         }
     }
@@ -212,7 +212,7 @@ where
 
     fn forget(&self, workspace: &mut Self::Workspace) {
         self.scheme.forget(&mut workspace.scheme);
-        workspace.distance = FibreDistance::default();
+        workspace.threshold = RecentringThreshold::default();
     }
 
     fn momentum(&self, state: &Self::State) -> Self::Momentum {

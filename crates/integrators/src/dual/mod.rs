@@ -2,7 +2,7 @@
 
 pub(crate) mod integrator;
 pub(crate) mod compensated;
-pub(crate) mod fibre_distance;
+pub(crate) mod recentring_threshold;
 pub(crate) mod collective;
 pub(crate) mod collective_sites;
 pub(crate) mod direct;

@@ -1,4 +1,4 @@
-//! How far a point has moved from the origin of its fibre: [`FibreDistance`].
+//! When a point is moved back along its fibre: [`RecentringThreshold`].
 
 use crate::stages::block_sizes::{BlockSizes, MaskOf};
 use lie_poisson::{Mask, State};
@@ -8,18 +8,23 @@ const GROWTH: f64 = 4.0;
 
 /// The sizes of z when it was near the origin of its fibre, or `None` at the beginning of a run.
 #[derive(Clone, Debug)]
-pub(crate) struct FibreDistance<V: State>(Option<BlockSizes<V>>);
+pub(crate) struct RecentringThreshold<V: State>(Option<BlockSizes<V>>);
 
-impl<V: State> Default for FibreDistance<V> {
+impl<V: State> Default for RecentringThreshold<V> {
     fn default() -> Self {
         Self(None)
     }
 }
 
-impl<V: State> FibreDistance<V> {
-    /// Calls `recentre` with the lanes in which a run begins or z has grown, unless there are none.
+impl<V: State> RecentringThreshold<V> {
+    /// Lets `recentre` move z in the lanes in which a run begins or z has grown fourfold, and remembers its sizes then.
+    /// Does nothing where there is no such lane.
     #[inline]
-    pub(crate) fn keep_short(&mut self, z: &mut V, recentre: impl FnOnce(&mut V, MaskOf<V>)) {
+    pub(crate) fn recentre_if_grown(
+        &mut self,
+        z: &mut V,
+        recentre: impl FnOnce(&mut V, MaskOf<V>),
+    ) {
         let sizes = BlockSizes::of(core::slice::from_ref(z));
         let grown = match &self.0 {
             Some(near) => sizes.at_most(|block| near.at(block) * GROWTH).not(),
