@@ -4,10 +4,9 @@ use crate::program::{Folder, in_terminal};
 
 #[test]
 fn a_dry_run_says_what_a_run_would_write_and_writes_nothing() {
-    for (out, end) in [("a.csv", "20"), ("a.npz", "20"), ("a.parquet", "20")] {
+    for out in ["a.csv", "a.npz", "a.parquet"] {
         let folder = Folder::new();
-        let end = format!("integrator.end={end}");
-        let arguments = ["simulate", "--set", &end, "--out", out, "--quiet"];
+        let arguments = ["simulate", "--set", "integrator.end=20", "--out", out, "--quiet"];
         let dry = folder.heavytop(&[&arguments[..], &["--dry-run", "--json"]].concat());
         assert_eq!((dry.code(), dry.stderr(), folder.names().len()), (0, String::new(), 0));
         let forecast: serde_json::Value = serde_json::from_str(&dry.stdout()).unwrap();
@@ -37,7 +36,7 @@ fn an_absurdly_large_output_is_refused_where_nobody_can_be_asked() {
     let run = folder.heavytop(&LARGE);
     assert_eq!((run.code(), folder.names().len()), (2, 0), "{}", run.stderr());
     let said = run.stderr();
-    let expected = "heavytop: the run would write about 8.8 TB, free are ";
+    let expected = "heavytop: the run would write about 8.8 TB, and ";
     assert!(said.starts_with(expected) && said.ends_with("or agree with --yes\n"), "{said}");
     // Negative controls: --yes agrees; every n-th row is less; a device has room.
     let less = folder.heavytop(&[&LARGE[..], &["--dry-run"]].concat());
@@ -60,9 +59,10 @@ fn on_a_terminal_there_is_a_question() {
     for (answer, begins) in [("n\n", false), ("\n", false), ("y\n", true)] {
         let folder = Folder::new();
         // With the answer yes the run is interrupted by the time limit.
-        let limited = format!("timeout 2 {} {}", env!("CARGO_BIN_EXE_heavytop"), LARGE.join(" "));
+        let heavytop = env!("CARGO_BIN_EXE_heavytop");
+        let limited = format!("exec timeout --foreground 2 {heavytop} {}", LARGE.join(" "));
         let Some(said) = in_terminal(&folder, &limited, answer) else { return };
-        assert!(said.contains("free are ") && said.contains("go on? [y/N] "), "{said}");
+        assert!(said.contains(" are free; ") && said.contains("go on? [y/N] "), "{said}");
         assert_eq!(said.contains("agree with --yes"), !begins, "{said}");
         assert_eq!(folder.names().contains(&"a.npz.rows".into()), begins, "{:?}", folder.names());
     }

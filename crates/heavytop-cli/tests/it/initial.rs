@@ -74,9 +74,9 @@ fn vectors_are_scaled_if_asked() {
     }
 }
 
-/// The configuration in an output is the one that was given, and makes the same output again.
+/// A run from angles and a velocity is repeatable, and a sweep over bodies keeps Ω(0).
 #[test]
-fn a_configuration_by_angles_and_velocity_goes_through_a_checkpoint() {
+fn a_configuration_by_angles_and_velocity_serves_runs_and_sweeps() {
     let folder = Folder::new();
     let text = "[initial]\nangular_velocity = [1, 1.5, 4]\ninclination = 0.3\n\
                 [integrator]\nend = 200";

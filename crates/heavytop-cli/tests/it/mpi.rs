@@ -7,7 +7,7 @@ const GRID: &str = "\
     [sweep]\nobservables = ['megno', 'final-state']\n\
     axes = [{ parameter = 'body.inertia[1]', from = 1, to = 3, count = 40 }, \
     { parameter = 'initial.angular_momentum[2]', from = 0, to = 4, count = 40 }]\n\
-    [integrator]\nformulation = 'reduced'\nscheme = 'gauss-4'\nstep = 0.1\nend = 2.0";
+    [integrator]\nformulation = 'reduced'\nscheme = 'gauss-4'\nstep = 0.1\nend = 0.5";
 
 fn mpirun(folder: &Folder, processes: u32, arguments: &[&str]) -> Output {
     let mut command = Command::new("mpirun");

@@ -34,7 +34,8 @@ fn a_bar_shows_from_the_first_second_on_and_fits_the_terminal() {
         (format!("sweep {sweep}"), "0/1024 tops"),
     ] {
         let folder = Folder::new();
-        let limited = format!("stty cols 80; timeout -s KILL 3 {heavytop} {command}");
+        // By exec, so that no shell is left that reports the end by a signal in the line of the bar.
+        let limited = format!("stty cols 80; exec timeout -s KILL 3 {heavytop} {command}");
         let Some(said) = in_terminal(&folder, &limited, "") else { return };
         let bars: Vec<String> = drawn(&said).into_iter().filter(|l| l.contains(kind)).collect();
         assert!(!bars.is_empty(), "{said:?}");
@@ -43,7 +44,7 @@ fn a_bar_shows_from_the_first_second_on_and_fits_the_terminal() {
         }
         // Negative control: --quiet hides it.
         let quiet =
-            format!("stty cols 80; timeout -s KILL 2 {heavytop} {command} --quiet --restart");
+            format!("stty cols 80; exec timeout -s KILL 2 {heavytop} {command} --quiet --restart");
         let said = in_terminal(&folder, &quiet, "").unwrap();
         assert!(!said.contains(kind), "{said:?}");
     }
