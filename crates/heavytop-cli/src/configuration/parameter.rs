@@ -1,6 +1,6 @@
 //! The parameters that a sweep may vary.
 
-use super::top_config::{BodyConfig, InitialConfig, angles, unit_vector};
+use super::top_config::{BodyConfig, InitialConfig, angles, normalised, unit_vector};
 use crate::vocabulary::named::{by_name, name_of};
 use serde::{Deserialize, Serialize};
 
@@ -144,10 +144,7 @@ impl Parameter {
             Self::Vertical(_) => &mut initial.vertical,
             _ => return,
         };
-        let length = vector.iter().map(|x| x * x).sum::<f64>().sqrt();
-        if length > 0.0 {
-            vector.iter_mut().for_each(|x| *x /= length);
-        }
+        *vector = normalised(*vector);
     }
 }
 
@@ -197,8 +194,16 @@ mod tests {
         assert_eq!(body.center_of_mass, [1.0, 0.75, 0.0]);
         parameter.normalise(&mut body, &mut initial);
         assert_eq!(body.center_of_mass, [0.8, 0.6, 0.0]);
-        body.center_of_mass = [0.0; 3];
-        parameter.normalise(&mut body, &mut initial);
-        assert_eq!(body.center_of_mass, [0.0; 3]);
+        for scale in [1e-300, 1e200] {
+            body.center_of_mass = [3.0 * scale, 0.0, 4.0 * scale];
+            parameter.normalise(&mut body, &mut initial);
+            let expected = [0.6, 0.0, 0.8];
+            assert!((0..3).all(|i| (body.center_of_mass[i] - expected[i]).abs() < 1e-15));
+        }
+        for none in [[0.0; 3], [f64::INFINITY, 0.0, 0.0]] {
+            body.center_of_mass = none;
+            parameter.normalise(&mut body, &mut initial);
+            assert_eq!(body.center_of_mass, none);
+        }
     }
 }

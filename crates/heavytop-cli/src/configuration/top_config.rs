@@ -2,7 +2,7 @@
 
 use crate::Error;
 use heavytop::{Body, HeavyTop, require_unit};
-use lie_poisson::Se3Dual;
+use lie_poisson::{Se3Dual, euclidean_norm};
 use nalgebra::Vector3;
 use serde::{Deserialize, Serialize};
 
@@ -125,14 +125,19 @@ impl From<InitialConfig> for InitialKeys {
 }
 
 impl BodyConfig {
+    /// Returns the direction of the centre of mass, which is no unit vector if the configuration has none.
+    #[must_use]
+    pub fn center(&self) -> [f64; 3] {
+        scaled(self.center_of_mass, self.normalise)
+    }
+
     /// Returns the top with these parameters.
     ///
     /// # Errors
     /// If there is no such top.
     pub fn top(&self) -> Result<HeavyTop, Error> {
-        let Self { inertia, mass, gravity, length, center_of_mass, normalise } = *self;
-        let center_of_mass = scaled(center_of_mass, normalise);
-        let (inertia, center_of_mass) = (inertia.into(), center_of_mass.into());
+        let Self { inertia, mass, gravity, length, .. } = *self;
+        let (inertia, center_of_mass) = (inertia.into(), self.center().into());
         HeavyTop::new(&Body { inertia, mass, gravity, length, center_of_mass }).map_err(Error::Body)
     }
 }
@@ -184,10 +189,15 @@ impl InitialConfig {
     }
 }
 
-/// Returns the vector, scaled to length 1 if it shall be and has a direction.
+/// Returns the vector, scaled to length 1 if it shall be.
 fn scaled(vector: [f64; 3], normalise: bool) -> [f64; 3] {
-    let length = Vector3::from(vector).norm();
-    if normalise && length > 0.0 { vector.map(|x| x / length) } else { vector }
+    if normalise { normalised(vector) } else { vector }
+}
+
+/// Returns the vector, scaled to length 1 if it has a direction.
+pub(super) fn normalised(vector: [f64; 3]) -> [f64; 3] {
+    let length = euclidean_norm(&Vector3::from(vector));
+    if length > 0.0 && length.is_finite() { vector.map(|x| x / length) } else { vector }
 }
 
 // Uses `libm`, which gives the same bits on every machine.

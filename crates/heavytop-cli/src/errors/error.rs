@@ -55,13 +55,13 @@ pub enum Error {
     },
     /// The output would be absurdly large, and nobody has agreed to it.
     #[error(
-        "the run would write about {room}, free are {free}: raise [output] every, lower the end, or \
-         agree with --yes"
+        "the run would write about {room}, and {free}: raise [output] every, lower the end, or agree \
+         with --yes"
     )]
     Large {
         /// The room that the run needs.
         room: String,
-        /// The room that there is.
+        /// What is known of the room that there is.
         free: String,
     },
     /// A file exists that would have to be overwritten.

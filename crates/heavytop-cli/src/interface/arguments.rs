@@ -70,7 +70,7 @@ pub(super) enum Command {
         #[arg(long, value_name = "SECONDS", default_value_t = 60.0, allow_negative_numbers = true)]
         checkpoint_interval: f64,
         /// Write nothing; print the rows and the size of the output, and an estimate of the time.
-        #[arg(long)]
+        #[arg(long, conflicts_with = "resume")]
         dry_run: bool,
         /// Do not ask before a run that needs more room than the disk has, or more than 100 GB.
         #[arg(long)]

@@ -2,6 +2,7 @@
 
 use crate::Error;
 use crate::commands::simulate::{Forecast, size};
+use crate::files::Place;
 use std::io::{self, IsTerminal, Write};
 use std::path::Path;
 
@@ -13,21 +14,24 @@ const LARGE: u64 = 100_000_000_000;
 /// # Errors
 /// If the user says no, or cannot be asked since stdin or stderr is no terminal.
 pub(super) fn confirm(forecast: &Forecast, yes: bool) -> Result<(), Error> {
-    let folder = forecast.out.parent().filter(|folder| *folder != Path::new(""));
+    // A link leads to the disk of its target.
+    let out = Place::of(&forecast.out)?.path;
+    let folder = out.parent().filter(|folder| *folder != Path::new(""));
     // Where the file system does not tell, the stated bound has to do.
     let free = fs4::available_space(folder.unwrap_or(Path::new("."))).ok();
     let bound = free.unwrap_or(LARGE).min(LARGE);
     if yes || forecast.room <= bound {
         return Ok(());
     }
-    let (room, free) = (size(forecast.room), free.map_or("unknown".into(), size));
+    let room = size(forecast.room);
+    let free =
+        free.map_or("free disk space is unknown".into(), |free| format!("{} are free", size(free)));
     let large = || Error::Large { room: room.clone(), free: free.clone() };
     if !(io::stdin().is_terminal() && io::stderr().is_terminal()) {
         return Err(large());
     }
     let mut asked = io::stderr().lock();
-    let question =
-        format!("heavytop: the run would write about {room}, free are {free}; go on? [y/N] ");
+    let question = format!("heavytop: the run would write about {room}, and {free}; go on? [y/N] ");
     let asked = asked.write_all(question.as_bytes()).and_then(|()| asked.flush());
     let mut answer = String::new();
     match asked.and_then(|()| io::stdin().read_line(&mut answer)) {

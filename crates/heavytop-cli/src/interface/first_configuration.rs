@@ -19,8 +19,11 @@ pub(super) fn init(preset: Option<Preset>, file: Option<&Path>) -> Result<(), Er
         io::ErrorKind::AlreadyExists => Error::Exists { path: path.into() },
         _ => Error::Create { path: path.into(), source },
     })?;
-    let written = created.write_all(text.as_bytes());
-    written.map_err(|source| Error::Write { path: path.into(), source })
+    created.write_all(text.as_bytes()).map_err(|source| {
+        // A part of a configuration would be another one.
+        let _ = std::fs::remove_file(path);
+        Error::Write { path: path.into(), source }
+    })
 }
 
 /// Returns the configuration as TOML with comments.

@@ -136,9 +136,9 @@ pub(crate) const COMPARE: &str = "\
 Measure work against precision, for every formulation and scheme.
 
 The top of the configuration is followed by each of them with twelve steps, from fifty times the
-configured one to a tenth of it. The interval is 500 configured steps, or ends with the run if that
-is earlier, unless --end sets its end: over longer times errors of a chaotic top say more of it than of the integrators.
-formulation, scheme and output of the configuration play no part; tolerance does.
+configured one to a tenth of it. The interval is 500 configured steps, or the whole run if that is
+shorter; --end sets another end. Over longer times the errors of a chaotic top say more about the
+top than about the integrators. formulation, scheme and output of the configuration play no part; tolerance does.
 
 The error is the 2-norm of that of (Π, Γ) at the end, against a Gauss method of order 16 without a
 lift at half the configured step; if that with the whole step differs by more than 1e-11 of its
@@ -301,10 +301,10 @@ Written into the folder:
                   either end; gray has no value; the value 2 of MEGNO, regular motion, is marked
 
 Tops are followed in parallel (--threads, by default all processors); top number n depends on the
-configuration and n alone, so that no bit depends on the number of threads, processes or tops. What is finished is
-kept, 256 tops at a time, in DIR/sweep.partial until all is; after an interruption, by Ctrl-C (a second
-one ends at once), a kill or a full disk, --resume continues from there, to the same bytes, and --restart
-starts anew; one of them is needed. --resume is refused with another configuration or version. But for
+configuration and n alone, so that no bit depends on the number of threads, processes or tops. What
+is finished is kept, 256 tops at a time, in DIR/sweep.partial until all is; after an interruption, by
+Ctrl-C (a second one ends at once), a kill or a full disk, --resume continues from there, to the same
+bytes, and --restart starts anew; one of them is needed. --resume is refused with another configuration or version. But for
 the maps memory does not grow with the number of tops.
 
 A program built with the feature mpi shares the work among the processes of an MPI job. DIR must be

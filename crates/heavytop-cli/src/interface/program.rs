@@ -83,7 +83,7 @@ fn run(Arguments { quiet, json, command }: Arguments) -> Result<(), Error> {
     }
 }
 
-/// The end of a command whose numbers are in its file.
+/// Prints the closing line of a command whose numbers are in its file.
 struct Closing {
     begun: Instant,
 }

@@ -37,7 +37,7 @@ impl KeyPath {
     }
 }
 
-/// Reads a path that this program has written itself: names, dots, and indices in brackets.
+/// Reads names, dots, and indices in brackets. What is no such path becomes one that leads nowhere.
 impl From<&str> for KeyPath {
     fn from(path: &str) -> Self {
         let steps = path.split(['.', '[']).map(|step| match step.strip_suffix(']') {

@@ -22,12 +22,16 @@ pub(super) fn fixed_values(
             values.push(format!("{symbol} = {} {unit}", number(value)));
         }
     }
-    values.extend(direction("c", "c", body.center_of_mass, |part| {
-        changed(Parameter::CenterOfMass(part))
-    }));
-    let momentum = |i| changed(Parameter::AngularMomentum(i));
-    values.extend(vector("Π(0)", "Π", initial.angular_momentum, " kg m²/s", momentum));
-    values.extend(direction("Γ(0)", "Γ", initial.vertical, |part| {
+    values
+        .extend(direction("c", "c", body.center(), |part| changed(Parameter::CenterOfMass(part))));
+    values.extend(match initial.angular_velocity {
+        // Π(0) = I Ω(0) differs from top to top if the moments do.
+        Some(velocity) => vector("Ω(0)", "Ω", velocity, " rad/s", |_| false),
+        None => vector("Π(0)", "Π", initial.angular_momentum, " kg m²/s", |i| {
+            changed(Parameter::AngularMomentum(i))
+        }),
+    });
+    values.extend(direction("Γ(0)", "Γ", initial.direction(), |part| {
         changed(Parameter::Vertical(part))
     }));
     values
@@ -62,5 +66,31 @@ fn direction(
         (true, false) => angle("azimuth", y.atan2(x)),
         (false, true) => angle("inclination", x.hypot(y).atan2(z)),
         (false, false) => vector(name, symbol, [x, y, z], "", |i| changed(Part::Component(i))),
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn what_plays_no_part_is_not_told() {
+        let body = BodyConfig { center_of_mass: [3.0, 0.0, 4.0], ..BodyConfig::default() };
+        let told = |body: BodyConfig, initial| fixed_values(&body, &initial, &[]).join("; ");
+        let plain = told(body, InitialConfig::default());
+        assert!(
+            plain.contains("c = (3, 0, 4)") && plain.contains("Π(0) = (2, 3, 4) kg m²/s"),
+            "{plain}"
+        );
+        let initial = InitialConfig {
+            angular_velocity: Some([0.0, 0.0, 5.0]),
+            inclination: Some(0.0),
+            ..InitialConfig::default()
+        };
+        let keys = told(BodyConfig { normalise: true, ..body }, initial);
+        for part in ["c = (0.6, 0, 0.8)", "Ω(0) = (0, 0, 5) rad/s", "Γ(0) = (0, 0, 1)"] {
+            assert!(keys.contains(part), "{keys}");
+        }
+        assert!(!keys.contains('Π'), "{keys}");
     }
 }
