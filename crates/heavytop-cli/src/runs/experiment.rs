@@ -5,7 +5,7 @@ use super::moment::{Moment, Saved};
 use super::schedule::Schedule;
 use super::task::Task;
 use crate::Error;
-use collective_integrators::{Integrator, Start};
+use collective_integrators::{CHECKPOINT, Integrator, Start};
 use heavytop::{HeavyTop, Turning, WithAttitude};
 use lie_poisson::{Quaternion, Se3Dual, Vector};
 
@@ -27,8 +27,8 @@ pub struct Experiment {
 }
 
 impl Experiment {
-    /// Passes each sample to `visit`: the number of the step, the time (s), (Π, Γ), and the attitude if it is
-    /// followed. The initial state comes first.
+    /// Passes the samples of [`Experiment::follow`] to `visit`: the number of the step, the time (s), (Π, Γ), and the
+    /// attitude if it is followed. The initial state comes first.
     ///
     /// # Errors
     /// The errors of [`Experiment::follow`].
@@ -39,10 +39,11 @@ impl Experiment {
         self.follow(None, |m| visit(m.step, m.time, m.momentum, m.attitude))
     }
 
-    /// Passes each moment of the run to `visit`, from the initial one or from the first after a saved one.
+    /// Passes moments of the run to `visit`, from the initial one or from the first after a saved one: those that are
+    /// [written](Self::keeps), those of a step whose number is a multiple of
+    /// [`CHECKPOINT`](collective_integrators::CHECKPOINT), and the last one. The steps between them cost nothing else.
     ///
-    /// A run that continues from a step whose number is a multiple of
-    /// [`CHECKPOINT`](collective_integrators::CHECKPOINT) equals the uninterrupted run to the last bit.
+    /// A run that continues from such a multiple equals the uninterrupted run to the last bit.
     ///
     /// # Errors
     /// If the initial state has no lift, a step fails, `visit` fails, the formulation does not determine the attitude
@@ -93,6 +94,12 @@ impl Experiment {
         self.kept(self.schedule.steps) + last
     }
 
+    /// Returns the number of the next step, after `step`, whose sample is visited.
+    fn next_visited(&self, step: u64) -> u64 {
+        let after = |stride: u64| (step - step % stride).saturating_add(stride);
+        after(self.every.max(1)).min(after(CHECKPOINT)).min(self.schedule.steps)
+    }
+
     fn require_no_attitude(&self) -> Result<(), Error> {
         let formulation = self.method.formulation();
         if self.attitude { Err(Error::NoAttitude { formulation }) } else { Ok(()) }
@@ -138,7 +145,7 @@ impl<V: FnMut(&Moment<'_>) -> Result<(), Error>> Follow<'_, V> {
         attitude: impl Fn(&I::State) -> Option<&Quaternion>,
     ) -> Result<(), Error> {
         let Experiment { start, method, schedule, .. } = self.experiment;
-        let (trajectory, seen) = match self.from {
+        let (mut trajectory, made) = match self.from {
             None => (integrator.trajectory(start, schedule.step)?, 0),
             Some(Saved { step, state }) => {
                 let (expected, found) = (I::State::DIM, state.len());
@@ -146,10 +153,13 @@ impl<V: FnMut(&Moment<'_>) -> Result<(), Error>> Follow<'_, V> {
                     return Err(Error::SavedState { expected, found });
                 }
                 let state = I::State::from_coordinates(|i| state[i]);
-                (integrator.trajectory_resumed(state, *step, schedule.step), 1)
+                (integrator.trajectory_resumed(state, *step, schedule.step), *step)
             }
         };
-        for sample in trajectory.skip(seen) {
+        // The saved moment has been visited before.
+        let mut visited = self.from.map_or(0, |_| self.experiment.next_visited(made));
+        let mut following = made;
+        while let Some(sample) = trajectory.nth(visited.saturating_sub(following) as usize) {
             let sample = sample.map_err(|source| Error::Integration {
                 formulation: method.formulation().name(),
                 scheme: method.scheme().name(),
@@ -162,6 +172,8 @@ impl<V: FnMut(&Moment<'_>) -> Result<(), Error>> Follow<'_, V> {
             if step >= schedule.steps {
                 break;
             }
+            following = step.saturating_add(1);
+            visited = self.experiment.next_visited(step);
         }
         Ok(())
     }

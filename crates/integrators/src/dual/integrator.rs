@@ -217,6 +217,7 @@ where
 
 /// One point of a trajectory, with its time and its momentum.
 #[derive(Clone, Copy, Debug, PartialEq)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 pub struct Sample<S, M> {
     /// The number of steps made; 0 for the initial state.
     pub step: u64,
@@ -242,7 +243,8 @@ pub const CHECKPOINT: u64 = 1024;
 /// The endless trajectory of an integrator: the initial state, then one sample per step.
 ///
 /// Once a step fails, every further item is its error, so that adaptors that skip items, such as `nth` or `step_by`,
-/// cannot lose it. The iterator never returns `None`. Bound it by `take`, and leave a loop at the first error, as `?`
+/// cannot lose it. These adaptors make no sample that they skip: `step_by(n)` costs what n steps cost. The iterator never
+/// returns `None`. Bound it by `take`, and leave a loop at the first error, as `?`
 /// and `collect::<Result<…>>` do. Adaptors that skip errors, such as `flatten`, look for the next sample for ever.
 /// [`Start::after`](crate::Start::after) returns one sample. After the first item nothing is allocated, except for
 /// states on the heap: each sample has a state of its own. [`Integrator::step_in_place`] advances such a state in its
@@ -352,5 +354,16 @@ impl<I: Integrator<T>, T: Real> Iterator for Trajectory<'_, I, T> {
     #[inline]
     fn next(&mut self) -> Option<Self::Item> {
         Some(self.advance().map(|()| self.sample()))
+    }
+
+    /// Skips `n` items without making their samples.
+    #[inline]
+    fn nth(&mut self, n: usize) -> Option<Self::Item> {
+        for _ in 0..n {
+            if let Err(error) = self.advance() {
+                return Some(Err(error));
+            }
+        }
+        self.next()
     }
 }

@@ -13,9 +13,6 @@ use std::time::{Duration, Instant};
 /// The time for which a run is tried.
 const TRIAL: Duration = Duration::from_millis(200);
 
-/// The number of first steps whose rows count for the size of a row, whether they are kept or not.
-const FIRST: u64 = 64;
-
 /// The bytes of a number in text: digits, sign, point, perhaps an exponent, and a comma.
 const BYTES_OF_TEXT: u64 = 20;
 
@@ -107,13 +104,11 @@ impl Trial {
         let mut trial = Self { steps: 1, rows: 0, bytes: 0, seconds: 0.0 };
         let begun = Instant::now();
         let outcome = experiment.follow(None, |moment| {
-            if moment.step < FIRST || experiment.keeps(moment.step) {
-                table.fill(&mut row, moment);
-                let written = format.encode(&row, &mut encoded);
-                written.map_err(|source| Error::Write { path: PathBuf::new(), source })?;
-                trial.rows += 1;
-                trial.bytes += encoded.len() as u64;
-            }
+            table.fill(&mut row, moment);
+            let written = format.encode(&row, &mut encoded);
+            written.map_err(|source| Error::Write { path: PathBuf::new(), source })?;
+            trial.rows += 1;
+            trial.bytes += encoded.len() as u64;
             trial.steps = moment.step.max(1);
             match begun.elapsed() > TRIAL {
                 true => Err(Error::Interrupted { resume: None }),
