@@ -40,6 +40,7 @@ mod scalars;
 mod scales;
 mod sections;
 mod semidirect_group;
+mod serialisation;
 mod spinor_realisation;
 mod spinsys_oracle;
 mod symmetries;

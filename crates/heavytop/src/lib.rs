@@ -66,8 +66,8 @@
 //!
 //! # Features and versions
 //!
-//! The crate has no features. The SIMD lanes of the processor (several trajectories in one register) are
-//! found at run time. The oldest supported compiler is Rust 1.89.
+//! The feature `serde` serialises states, samples and tops; a top is checked when it is read. The SIMD lanes of the
+//! processor (several trajectories in one register) are found at run time. The oldest supported compiler is Rust 1.89.
 //!
 //! # Related crates
 //!
@@ -75,6 +75,7 @@
 //! [`collective_integrators`] the integrators, trajectories and diagnostics. These, [`nalgebra`] and
 //! [`num_complex`] appear in the public interface and are re-exported. The crate `lie-poisson-systems` holds
 //! gyrostats, bodies in a fluid, point vortices and spins, and `heavytop-cli` the program `heavytop`.
+#![cfg_attr(docsrs, feature(doc_cfg))]
 
 mod error;
 mod tops;

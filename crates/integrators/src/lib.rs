@@ -74,8 +74,8 @@
 //!
 //! # Features and versions
 //!
-//! The feature `laws` adds the module `laws`, which returns the laws as residuals. The oldest supported compiler is
-//! Rust 1.89.
+//! The feature `laws` adds the module `laws`, which returns the laws as residuals. The feature `serde`
+//! serialises states, samples and drifts. The oldest supported compiler is Rust 1.89.
 //!
 //! # Related crates
 //!

@@ -68,8 +68,8 @@
 //!
 //! # Features and versions
 //!
-//! The feature `laws` adds the module `laws`, which returns the axioms as residuals. The oldest supported
-//! compiler is Rust 1.89.
+//! The feature `laws` adds the module `laws`, which returns the axioms as residuals. The feature `serde`
+//! serialises points. The oldest supported compiler is Rust 1.89.
 //!
 //! # Related crates
 //!

@@ -60,7 +60,7 @@
 //!
 //! # Features and versions
 //!
-//! The crate has no optional features. SIMD instructions are detected when the program runs. The oldest
+//! The feature `serde` serialises vectors of all spaces. SIMD instructions are detected when the program runs. The oldest
 //! supported compiler is Rust 1.89.
 //!
 //! # Related crates
@@ -69,6 +69,7 @@
 //! `momentum-map` adds momentum maps, `collective-integrators` adds time steps, and `heavytop` adds heavy
 //! tops. [`nalgebra`], [`num_complex`] and [`num_traits`] appear in the public interface and are
 //! re-exported.
+#![cfg_attr(docsrs, feature(doc_cfg))]
 
 mod numbers;
 mod lanes;

@@ -12,6 +12,7 @@ const CANDIDATES: u64 = 10_000_000;
 
 /// A surface in se(3)∗ on which a coordinate has a given level.
 #[derive(Clone, Copy, Debug, PartialEq)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 pub struct Surface {
     /// The coordinate that is fixed.
     pub coordinate: Coordinate,

@@ -16,6 +16,7 @@ use lie_poisson::{Covector, Pair, Se3Dual};
 /// assert_eq!(Coordinate::Gamma3.to_string(), "Gamma3");
 /// ```
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 pub enum Coordinate {
     /// The first component Π₁ of the angular momentum.
     Pi1,

@@ -21,6 +21,7 @@ use num_complex::Complex;
 /// # Ok::<(), heavytop::TopError>(())
 /// ```
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 pub enum Invariant {
     /// The energy h = ½ Π·(I⁻¹Π) + m g l Γ·c, conserved by every top, in joules. Source: Ohsawa 2019, eq.
     /// (1.3).

@@ -13,6 +13,7 @@ pub type HeavyTopSpace = LiePoisson<Se3>;
 
 /// The parameters of a rigid body with a fixed point in a gravitational field, in SI units.
 #[derive(Clone, Copy, Debug, PartialEq)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 pub struct Body {
     /// The principal moments I₁, I₂, I₃ with respect to the point of support, kg m².
     pub inertia: Vector3<f64>,
@@ -55,11 +56,38 @@ pub struct Body {
 /// # Ok::<(), heavytop::TopError>(())
 /// ```
 #[derive(Clone, Copy, Debug, PartialEq)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
+#[cfg_attr(feature = "serde", serde(try_from = "Parameters", into = "Parameters"))]
 pub struct HeavyTop {
     inertia: Vector3<f64>,
     inverse_inertia: Vector3<f64>,
     weight_moment: f64,
     center_of_mass: Vector3<f64>,
+}
+
+/// What a serialised top consists of. Reading checks it, as [`HeavyTop::new`] does.
+#[cfg(feature = "serde")]
+#[derive(serde::Serialize, serde::Deserialize)]
+struct Parameters {
+    inertia: Vector3<f64>,
+    weight_moment: f64,
+    center_of_mass: Vector3<f64>,
+}
+
+#[cfg(feature = "serde")]
+impl TryFrom<Parameters> for HeavyTop {
+    type Error = TopError;
+
+    fn try_from(read: Parameters) -> Result<Self, TopError> {
+        Self::from_moment(read.inertia, read.weight_moment, read.center_of_mass)
+    }
+}
+
+#[cfg(feature = "serde")]
+impl From<HeavyTop> for Parameters {
+    fn from(HeavyTop { inertia, weight_moment, center_of_mass, .. }: HeavyTop) -> Self {
+        Self { inertia, weight_moment, center_of_mass }
+    }
 }
 
 impl HeavyTop {

@@ -25,6 +25,7 @@ pub enum EventError {
 ///
 /// For negative steps the trajectory runs backwards in time.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 pub enum Direction {
     /// A crossing upwards, from g < 0 to g ≥ 0.
     Up,

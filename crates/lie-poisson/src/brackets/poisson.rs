@@ -42,6 +42,7 @@ pub trait PoissonSpace: VectorSpace {
 /// Momentum maps of right actions are Poisson maps to 𝔤∗ with the minus sign, those of left actions to 𝔤∗
 /// with the plus sign. Dynamics in the body frame has the minus sign.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 pub enum Sign {
     /// The plus sign: {f, h}(μ) = +⟨μ, [df, dh]⟩, so that dμ/dt = −`ad∗_ξ μ` with ξ = dh(μ).
     Plus,

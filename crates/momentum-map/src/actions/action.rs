@@ -8,6 +8,7 @@ use lie_poisson::{
 
 /// The side on which a group acts, left or right.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 pub enum Side {
     /// The group acts from the left: Φ_g ∘ Φ_h = Φ_gh.
     Left,

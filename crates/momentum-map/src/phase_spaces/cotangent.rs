@@ -9,6 +9,14 @@ use lie_poisson::{
 
 /// A point (q, p) ∈ T∗Q = Q × Q∗; the coordinates of q come first.
 #[derive(Clone, Copy, Debug, PartialEq)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
+#[cfg_attr(
+    feature = "serde",
+    serde(bound(
+        serialize = "Q: serde::Serialize, Q::Dual: serde::Serialize",
+        deserialize = "Q: serde::Deserialize<'de>, Q::Dual: serde::Deserialize<'de>"
+    ))
+)]
 pub struct Cotangent<Q: Vector> {
     /// The configuration q, a vector of Q.
     pub q: Q,

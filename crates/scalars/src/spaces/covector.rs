@@ -22,6 +22,7 @@ use core::ops::{Add, AddAssign, Neg, Sub, SubAssign};
 /// let _ = velocity + Covector(velocity); // 𝔤 + 𝔤* has no meaning
 /// ```
 #[derive(Clone, Copy, Debug, PartialEq)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 #[repr(transparent)]
 pub struct Covector<V>(pub V);
 

@@ -15,6 +15,7 @@ use core::ops::{Add, AddAssign, Neg, Sub, SubAssign};
 /// assert_eq!(angular.x, linear.y);
 /// ```
 #[derive(Clone, Copy, Debug, PartialEq)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 pub struct Pair<A, B>(pub A, pub B);
 
 impl<A, B> Covector<Pair<A, B>> {

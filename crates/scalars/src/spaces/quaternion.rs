@@ -19,6 +19,14 @@ use nalgebra::Vector3;
 /// assert_eq!(pure(u) * pure(v), Quaternion { scalar: -u.dot(&v), vector: u.cross(&v) });
 /// ```
 #[derive(Clone, Copy, Debug, PartialEq)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
+#[cfg_attr(
+    feature = "serde",
+    serde(bound(
+        serialize = "T: nalgebra::Scalar + serde::Serialize",
+        deserialize = "T: nalgebra::Scalar + serde::Deserialize<'de>"
+    ))
+)]
 pub struct Quaternion<T = f64> {
     /// The real part s.
     pub scalar: T,

@@ -19,6 +19,7 @@ use core::ops::{Deref, DerefMut};
 /// assert_eq!(spins.entry(3 * 999 + 2), 2.0);
 /// ```
 #[derive(Clone, Debug, PartialEq)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 pub struct Sites<V>(Vec<V>);
 
 impl<V> Sites<V> {
