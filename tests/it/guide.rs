@@ -1,4 +1,9 @@
-//! The guide: every link of a page leads to a file, and every chapter is in the book and runs as a test.
+//! The guide: every link of a page leads to a file, every formula is LaTeX, and every chapter is in the book and runs as
+//! a test.
+
+// The program that builds the guide, and is no member of the workspace, typesets the formulas.
+#[path = "../../docs/guide/builder/src/formulas.rs"]
+mod formulas;
 
 use pulldown_cmark::{Event, Parser, Tag};
 use std::error::Error;
@@ -64,5 +69,17 @@ fn every_chapter_is_in_the_book_and_runs() -> Result<(), Box<dyn Error>> {
         assert!(book.contains(&format!("guide/{name}")), "{name} is not in the book");
         assert!(tests.contains(&format!("docs/guide/{name}\"")), "{name} does not run");
     }
+    Ok(())
+}
+
+#[test]
+fn every_formula_is_latex() -> Result<(), Box<dyn Error>> {
+    let mut count = 0;
+    for page in pages(&root().join("docs"))? {
+        let typeset = formulas::typeset(&fs::read_to_string(&page)?);
+        let typeset = typeset.map_err(|message| format!("{}: {message}", page.display()))?;
+        count += typeset.matches("<math").count();
+    }
+    assert!(count > 8, "{count}");
     Ok(())
 }
