@@ -3,7 +3,7 @@
 
 // The program that builds the guide, and is no member of the workspace, typesets the formulas.
 #[path = "../../docs/guide/builder/src/formulas.rs"]
-pub(crate) mod formulas;
+mod formulas;
 
 use pulldown_cmark::{Event, Parser, Tag};
 use std::error::Error;

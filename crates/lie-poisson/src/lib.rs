@@ -69,7 +69,7 @@
 //! # Features and versions
 //!
 //! The feature `laws` adds the module `laws`, which returns the axioms as residuals. The feature `serde`
-//! serialises points. The oldest supported compiler is Rust 1.89.
+//! serialises signs, pairs, covectors, quaternions and sites. The oldest supported compiler is Rust 1.89.
 //!
 //! # Related crates
 //!

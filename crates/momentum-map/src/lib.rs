@@ -86,7 +86,7 @@
 //! # Features and versions
 //!
 //! The feature `laws` adds the module `laws`, which returns the laws as residuals. The feature `serde`
-//! serialises points. The oldest supported compiler is Rust 1.89.
+//! serialises sides and points of cotangent bundles. The oldest supported compiler is Rust 1.89.
 //!
 //! # Related crates
 //!

@@ -60,7 +60,7 @@
 //!
 //! # Features and versions
 //!
-//! The feature `serde` serialises vectors of all spaces. SIMD instructions are detected when the program runs. The oldest
+//! The feature `serde` serialises quaternions, pairs, covectors and sites. SIMD instructions are detected when the program runs. The oldest
 //! supported compiler is Rust 1.89.
 //!
 //! # Related crates

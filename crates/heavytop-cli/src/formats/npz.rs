@@ -12,6 +12,9 @@ use zip::{CompressionMethod, DateTime, ZipWriter};
 /// The number of bytes at whose multiples the arrays start in their files.
 const ALIGNMENT: usize = 64;
 
+/// The number of bytes that are written at once.
+const BLOCK: usize = 1 << 16;
+
 /// The length of the magic string, the version, and the length of the header.
 const PREFIX: usize = 10;
 
@@ -44,7 +47,16 @@ fn write_arrays<W: Write + Seek>(
             width => format!("({n}, {width})"),
         };
         begin(archive, name, "<f8", &shape, n * bytes.len() as u64)?;
-        rows.each(|row| archive.write_all(&row[bytes.clone()]))?;
+        let mut block = Vec::with_capacity(BLOCK + bytes.len());
+        rows.each(|row| {
+            block.extend_from_slice(&row[bytes.clone()]);
+            if block.len() >= BLOCK {
+                archive.write_all(&block)?;
+                block.clear();
+            }
+            Ok(())
+        })?;
+        archive.write_all(&block)?;
     }
     // A string is an array of dimension 0 whose characters have four bytes.
     let text = serde_json::to_string(metadata)?;

@@ -1,7 +1,7 @@
 //! The rows of 64-bit numbers in a growing file.
 
 use std::fs::File;
-use std::io::{self, BufReader, Read, Seek};
+use std::io::{self, Read, Seek};
 
 /// The number of bytes that are read at once.
 const BUFFER: usize = 1 << 20;
@@ -22,12 +22,15 @@ impl<'a> Rows<'a> {
 
     /// Passes the bytes of each row to `visit`.
     pub fn each(&self, mut visit: impl FnMut(&[u8]) -> io::Result<()>) -> io::Result<()> {
-        let mut from = BufReader::with_capacity(BUFFER, self.file);
+        let row = 8 * self.width;
+        let mut block = vec![0; (BUFFER / row).max(1) * row];
+        let (mut from, mut left) = (self.file, self.count.saturating_mul(row as u64));
         from.rewind()?;
-        let mut row = vec![0; 8 * self.width];
-        for _ in 0..self.count {
-            from.read_exact(&mut row)?;
-            visit(&row)?;
+        while left > 0 {
+            let bytes = left.min(block.len() as u64) as usize;
+            from.read_exact(&mut block[..bytes])?;
+            block[..bytes].chunks_exact(row).try_for_each(&mut visit)?;
+            left -= bytes as u64;
         }
         Ok(())
     }

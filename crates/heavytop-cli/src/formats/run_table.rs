@@ -23,11 +23,14 @@ pub fn state_values(time: f64, Covector(Pair(pi, gamma)): &Se3Dual) -> [f64; 7] 
 /// # Errors
 /// Returns the error of the writer.
 pub fn write_row(to: &mut impl Write, numbers: impl IntoIterator<Item = f64>) -> io::Result<()> {
+    let mut text = zmij::Buffer::new();
     for (i, number) in numbers.into_iter().enumerate() {
-        let comma = if i == 0 { "" } else { "," };
-        write!(to, "{comma}{number:?}")?;
+        if i > 0 {
+            to.write_all(b",")?;
+        }
+        to.write_all(text.format(number).as_bytes())?;
     }
-    writeln!(to)
+    to.write_all(b"\n")
 }
 
 /// The table of a run: t, Π, Γ, invariants, and the attitude if it is asked for.

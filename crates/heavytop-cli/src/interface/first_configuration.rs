@@ -46,7 +46,10 @@ fn commented(config: &Config) -> String {
         &[
             (format!("inertia = {:?}", body.inertia), "principal moments, kg m²"),
             (format!("mass = {:?}", body.mass), "kg"),
-            (format!("gravity = {:?}", body.gravity), "m/s²; 0 gives the free rigid body"),
+            (
+                format!("gravity = {:?}", body.gravity),
+                "m/s²; 9.81 on Earth, 0 for the free rigid body",
+            ),
             (format!("length = {:?}", body.length), "m, support to centre of mass"),
             (
                 format!("center_of_mass = {:?}", body.center_of_mass),
@@ -64,7 +67,7 @@ fn commented(config: &Config) -> String {
             ),
             ("# angular_velocity = [1.0, 0.0, 0.0]".into(), "Ω(0), rad/s, instead of it"),
             (format!("vertical = {:?}", initial.vertical), "Γ(0), body frame, a unit vector"),
-            ("# inclination = 0.3".into(), "rad from e3 to Γ(0), instead of vertical"),
+            ("# inclination = 0.349".into(), "rad (20°) from e3 to Γ(0), instead of vertical"),
             ("# azimuth = 0.0".into(), "rad from e1 towards e2, beside inclination"),
         ],
     );
@@ -88,7 +91,8 @@ fn commented(config: &Config) -> String {
             (format!("attitude = {}", output.attitude), "whether to write the attitude"),
         ],
     );
-    text + "\n# heavytop help section and heavytop help sweep show [section] and [sweep].\n"
+    text + "\n# heavytop help section and heavytop help sweep show [section] and [sweep]. They choose formulation,\n\
+            # scheme and step if these are left out.\n"
 }
 
 #[cfg(test)]

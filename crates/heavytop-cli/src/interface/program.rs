@@ -14,6 +14,7 @@ use crate::commands::reproduce::reproduce;
 use crate::commands::section::section;
 use crate::commands::simulate::{Checkpoint, Forecast, RunSummary, SimulateOptions, simulate};
 use crate::commands::sweep::sweep;
+use crate::runs::step_angle::long_step;
 use crate::supervision::{TileOptions, Watch};
 use clap::{CommandFactory, Parser};
 use clap_complete::Shell;
@@ -146,7 +147,8 @@ fn run_simulate(
         if resume.is_none() {
             confirm(&Forecast::of(&config, out)?, yes)?;
         }
-        if let Some(warning) = config.experiment()?.method.warning() {
+        let experiment = config.experiment()?;
+        for warning in [experiment.method.warning(), long_step(&experiment)].into_iter().flatten() {
             // Where stderr is closed nobody can be warned.
             let _ = writeln!(io::stderr(), "heavytop: {warning}");
         }

@@ -166,7 +166,8 @@ fn widened(low: f64, high: f64) -> (f64, f64) {
     if high - low > LEAST_SPAN * size {
         (low, high)
     } else if size > 0.0 {
-        (low - LEAST_SPAN * size, high + LEAST_SPAN * size)
+        let room = LEAST_SPAN * size;
+        ((low - room).max(-f64::MAX), (high + room).min(f64::MAX))
     } else {
         (-1.0, 1.0)
     }
@@ -186,7 +187,10 @@ fn decade(x: f64) -> i32 {
 fn round_spacing(spacing: f64) -> (i64, i32) {
     let power = spacing.log10().floor() as i32;
     // The factor compensates for the rounding of the logarithm.
-    let fits = |digit: &&i64| decimal(**digit, power) <= spacing * 1.001;
+    let fits = |digit: &&i64| {
+        let rounded = decimal(**digit, power);
+        rounded.is_finite() && rounded <= spacing * 1.001
+    };
     match [10, 5, 2].iter().find(fits) {
         Some(10) => (1, power + 1),
         Some(digit) => (*digit, power),
@@ -313,10 +317,14 @@ mod tests {
 
     #[test]
     fn huge_ranges_end() {
-        for end in [1e300, 1e308, f64::MAX] {
-            let axis = Axis::around([-end, end].into_iter(), 4);
-            assert!((3..12).contains(&axis.ticks.len()), "{end:e}: {:?}", axis.ticks);
+        for (end, count) in
+            [1e300, 1e308, f64::MAX].into_iter().flat_map(|e| [(e, 1), (e, 2), (e, 4)])
+        {
+            let axis = Axis::around([-end, end].into_iter(), count);
+            assert!((1..12).contains(&axis.ticks.len()), "{end:e}: {:?}", axis.ticks);
             assert!((axis.along(0.0) - 0.5).abs() < 1e-15);
         }
+        let axis = Axis::new(f64::MAX, f64::MAX, 4);
+        assert!((0.0..=1.0).contains(&axis.along(f64::MAX)), "{}", axis.along(f64::MAX));
     }
 }

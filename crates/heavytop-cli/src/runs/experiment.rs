@@ -156,6 +156,9 @@ impl<V: FnMut(&Moment<'_>) -> Result<(), Error>> Follow<'_, V> {
                 (integrator.trajectory_resumed(state, *step, schedule.step), *step)
             }
         };
+        if self.from.is_some() && made >= schedule.steps {
+            return Ok(());
+        }
         // The saved moment has been visited before.
         let mut visited = self.from.map_or(0, |_| self.experiment.next_visited(made));
         let mut following = made;

@@ -1,5 +1,6 @@
 //! The largest angle by which a body may turn in one step.
 
+use super::experiment::Experiment;
 use crate::Error;
 use heavytop::HeavyTop;
 use lie_poisson::Se3Dual;
@@ -7,13 +8,39 @@ use lie_poisson::Se3Dual;
 /// The largest angle by which a body may turn in one step, rad: sixteen turns.
 pub(crate) const MOST_TURN: f64 = 100.0;
 
-/// Checks that the angle of a step, h (|Ω(0)| + √(m g l/I)) with I the least moment, is not too large.
-pub(crate) fn require_sane_step(top: &HeavyTop, start: &Se3Dual, step: f64) -> Result<(), Error> {
+/// Returns the angle by which the body turns in a step, h (|Ω(0)| + √(m g l/I)) with I the least moment, rad.
+fn angle(top: &HeavyTop, start: &Se3Dual, step: f64) -> f64 {
     let spin = top.angular_velocity(&start.0.0).norm();
-    let angle = step * (spin + (top.weight_moment() / top.inertia().min()).sqrt());
+    step * (spin + (top.weight_moment() / top.inertia().min()).sqrt())
+}
+
+/// Checks that the body does not turn absurdly far in a step.
+pub(crate) fn require_sane_step(top: &HeavyTop, start: &Se3Dual, step: f64) -> Result<(), Error> {
+    let angle = angle(top, start, step);
     if angle <= MOST_TURN || step <= 0.0 || step.is_nan() {
         Ok(())
     } else {
         Err(Error::AbsurdStep { step, angle, most: MOST_TURN })
     }
+}
+
+/// Returns a warning if the body turns so far in a step that the motion is wrong, however well the invariants hold.
+///
+/// Methods of high order may be accurate at far longer steps, which depends on the motion: nothing is said of them.
+pub(crate) fn long_step(experiment: &Experiment) -> Option<String> {
+    let Experiment { top, start, method, schedule, .. } = experiment;
+    let (angle, scheme) = (angle(top, start, schedule.step), method.scheme());
+    let most = match scheme.order() {
+        ..3 => 1.0,
+        3..5 => 3.0,
+        _ => return None,
+    };
+    (angle > most).then(|| {
+        let name = scheme.name();
+        format!(
+            "warning: the body turns by about {angle:.1} rad in a step, too far for {name}: the motion is wrong where \
+             it shows in no invariant; shorten the step to {:.1e} s or less",
+            schedule.step * most / angle
+        )
+    })
 }

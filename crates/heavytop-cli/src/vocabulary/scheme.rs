@@ -79,6 +79,21 @@ impl Scheme {
     pub fn name(self) -> &'static str {
         name_of(Self::NAMES, self)
     }
+
+    /// Returns the order p of the method: the error after a given time decreases as the p-th power of the step.
+    #[must_use]
+    pub fn order(self) -> u8 {
+        match self {
+            Self::Gauss(stages) => 2 * stages,
+            Self::Partitioned(Pair::SymplecticEuler) => 1,
+            Self::ImplicitMidpoint | Self::ExplicitMidpoint => 2,
+            Self::Partitioned(Pair::StormerVerlet) | Self::Composed(Raise::Strang) => 2,
+            Self::Rk4 | Self::Partitioned(Pair::Lobatto) => 4,
+            Self::Composed(Raise::Yoshida4 | Raise::Suzuki4) => 4,
+            Self::Composed(Raise::Yoshida6 | Raise::KahanLi6) => 6,
+            Self::Composed(Raise::KahanLi8) => 8,
+        }
+    }
 }
 
 impl Raise {

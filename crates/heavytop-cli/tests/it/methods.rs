@@ -1,6 +1,7 @@
 //! Formulations and schemes: which pairs run, which are refused, and what they conserve.
 
 use crate::program::{Finished, Folder, numbers};
+use heavytop_cli::vocabulary::Scheme;
 
 const GAUSS: &[&str] =
     &["implicit-midpoint", "gauss-4", "gauss-6", "gauss-8", "gauss-10", "gauss-12", "gauss-16"];
@@ -93,7 +94,7 @@ fn reduced_is_collective() {
 
 #[test]
 fn the_orders_are_those_of_the_names() {
-    let orders = [2, 4, 4, 6, 6, 8];
+    let orders = [2_u8, 4, 4, 6, 6, 8];
     for formulation in ["collective", "direct", "splitting"] {
         let end = |scheme: &str, step: f64| {
             let folder = Folder::new();
@@ -113,6 +114,8 @@ fn the_orders_are_those_of_the_names() {
                 [step, step / 2.0].map(|step| distance(&end(scheme, step), &exact));
             let found = (coarse / fine).log2();
             assert!((found - f64::from(order)).abs() < 0.5, "{formulation} {scheme}: {found}");
+            let named = Scheme::NAMES.iter().find(|(name, _)| name == scheme).unwrap().1;
+            assert_eq!(named.order(), order);
         }
     }
 }

@@ -1,10 +1,11 @@
 //! Trajectories: where they start, where they end, and that no failure is lost.
 
 use collective_integrators::{
-    Direct, IntegrationError, Integrator, RunError, RungeKutta, Start, StepError, VectorField,
-    from_fn,
+    Direct, IntegrationError, Integrator, RunError, RungeKutta, Start, Step, StepError,
+    VectorField, from_fn,
 };
 use nalgebra::{Vector1, Vector2};
+use std::cell::Cell;
 
 /// Returns the vector field ẋ = x², whose solution from 1 is infinite at t = 1.
 fn blow_up() -> Direct<RungeKutta, impl VectorField<Point = Vector1<f64>>> {
@@ -29,6 +30,41 @@ fn a_failure_is_not_lost_by_skipping() {
     let collected: Result<Vec<_>, _> = run().collect();
     assert_eq!(collected.err(), error);
     assert_eq!(run().map_while(Result::ok).count(), failed);
+}
+
+/// The implicit Euler method for ẋ = −x, which counts the momenta that are read.
+#[derive(Default)]
+struct Counting(Cell<usize>);
+
+impl Integrator for Counting {
+    type State = Vector1<f64>;
+    type Momentum = Vector1<f64>;
+    type Workspace = ();
+
+    fn workspace(&self) {}
+
+    fn step(&self, x: &Vector1<f64>, h: f64, (): &mut ()) -> Result<Step<Self::State>, StepError> {
+        Step { point: x / (1.0 + h), iterations: 0 }.finite()
+    }
+
+    fn momentum(&self, x: &Vector1<f64>) -> Vector1<f64> {
+        self.0.set(self.0.get() + 1);
+        *x
+    }
+}
+
+#[test]
+fn samples_that_are_skipped_are_not_made_and_the_others_are_the_same() {
+    let all: Vec<_> = Counting::default().trajectory_from(Vector1::x(), 0.1).take(31).collect();
+    let counting = Counting::default();
+    let run = || counting.trajectory_from(Vector1::x(), 0.1);
+    let tenth: Vec<_> = run().step_by(10).take(4).collect();
+    assert_eq!(tenth, [0, 10, 20, 30].map(|n| all[n]));
+    assert_eq!(counting.0.take(), 4);
+    assert_eq!(run().skip(7).nth(5), Some(all[12]));
+    assert_eq!(counting.0.take(), 1);
+    // Control: a sample that is asked for is counted.
+    assert_eq!((run().take(5).count(), counting.0.take()), (5, 5));
 }
 
 #[test]

@@ -1,9 +1,9 @@
-//! Formulas in LaTeX, between lines of `$$`, as MathML.
+//! Formulas in LaTeX, in blocks of code with the language `math`, as MathML.
 
 use pulldown_latex::config::DisplayMode;
 use pulldown_latex::{Parser, RenderConfig, Storage, push_mathml};
 
-/// Returns the page with each formula between two lines `$$` as MathML.
+/// Returns the page with each block of code in the language `math` as MathML.
 ///
 /// # Errors
 /// If a formula is not ended, or is not LaTeX.
@@ -11,7 +11,7 @@ pub fn typeset(page: &str) -> Result<String, String> {
     let mut typeset = String::with_capacity(page.len());
     let mut lines = page.lines();
     while let Some(line) = lines.next() {
-        if line != "$$" {
+        if line != "```math" {
             typeset += line;
             typeset.push('\n');
             continue;
@@ -19,7 +19,7 @@ pub fn typeset(page: &str) -> Result<String, String> {
         let mut formula = String::new();
         loop {
             match lines.next() {
-                Some("$$") => break,
+                Some("```") => break,
                 Some(line) => formula = formula + line + "\n",
                 None => return Err(format!("a formula is not ended: {formula}")),
             }
@@ -40,8 +40,8 @@ fn mathml(formula: &str) -> Result<String, String> {
     let mut mathml = String::new();
     push_mathml(&mut mathml, events.into_iter().map(Ok::<_, std::fmt::Error>), config)
         .map_err(|error| format!("{formula}{error}"))?;
-    // A blank line would end the block of HTML.
-    Ok(mathml.replace('\n', " "))
+    // A blank line would end the block of HTML. Browsers slant the Greek letter mu, and not the micro sign.
+    Ok(mathml.replace('\n', " ").replace('\u{b5}', "\u{3bc}"))
 }
 
 #[cfg(test)]
@@ -50,17 +50,18 @@ mod tests {
 
     #[test]
     fn a_formula_becomes_mathml() {
-        let page = typeset("a\n$$\n\\dot\\Pi = \\Pi \\times \\Omega\n$$\nb\n").unwrap();
+        let page = typeset("a\n```math\n\\dot\\Pi = \\mu \\times \\Omega\n```\nb\n").unwrap();
         assert!(page.starts_with("a\n<math display=\"block\">") && page.ends_with("</math>\nb\n"));
-        assert!(page.contains("Π") && page.contains("Ω"));
+        assert!(["Π", "μ", "Ω"].iter().all(|letter| page.contains(letter)));
     }
 
     #[test]
     fn what_is_no_formula_is_an_error() {
-        assert!(typeset("$$\n\\frac{1}\n$$\n").is_err());
-        assert!(typeset("$$\n\\nonsense\n$$\n").is_err());
-        assert!(typeset("$$\nx\n").is_err());
+        assert!(typeset("```math\n\\frac{1}\n```\n").is_err());
+        assert!(typeset("```math\n\\nonsense\n```\n").is_err());
+        assert!(typeset("```math\nx\n").is_err());
         // Negative control
-        assert_eq!(typeset("no formula\n").unwrap(), "no formula\n");
+        let code = "no formula\n```rust\nlet x = 1;\n```\n";
+        assert_eq!(typeset(code).unwrap(), code);
     }
 }

@@ -1,4 +1,4 @@
-//! Builds the guide in `target/guide`: mdBook, with the formulas between `$$` typeset as MathML, and with the font that
+//! Builds the guide in `target/guide`: mdBook, with the formulas typeset as MathML, and with the font that
 //! browsers draw them with. The pages need no network.
 
 mod formulas;
@@ -38,7 +38,12 @@ fn font() -> Result<PathBuf> {
     let manifest = concat!(env!("CARGO_MANIFEST_DIR"), "/Cargo.toml");
     let mut metadata = Command::new(cargo);
     metadata.args(["metadata", "--format-version=1", "--locked", "--manifest-path", manifest]);
-    let metadata: serde_json::Value = serde_json::from_slice(&metadata.output()?.stdout)?;
+    // The packages of other platforms need not be here.
+    let output = metadata.args(["--filter-platform", env!("TARGET")]).output()?;
+    if !output.status.success() {
+        return Err(Error::msg(String::from_utf8_lossy(&output.stderr).into_owned()));
+    }
+    let metadata: serde_json::Value = serde_json::from_slice(&output.stdout)?;
     let mut packages = metadata["packages"].as_array().into_iter().flatten();
     let package = packages.find(|package| package["name"] == "pulldown-latex");
     let manifest = package.and_then(|package| package["manifest_path"].as_str());

@@ -91,6 +91,8 @@ impl Reference {
             let mut experiment = *experiment;
             experiment.method = gauss;
             experiment.attitude = false;
+            // The sizes are those of all states.
+            experiment.every = 1;
             experiment.schedule.step = step / halvings as f64;
             experiment.schedule.steps = steps * halvings;
             let mut end = experiment.start;

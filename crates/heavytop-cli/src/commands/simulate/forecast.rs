@@ -58,7 +58,8 @@ impl Forecast {
         Ok(forecast)
     }
 
-    /// Returns the forecast after trying the run for a fifth of a second. Nothing is written.
+    /// Returns the forecast after trying the run for a fifth of a second, or a little longer if steps are slow. Nothing is
+    /// written.
     ///
     /// # Errors
     /// If there is no such run, the output has no format, or one of the first steps fails.

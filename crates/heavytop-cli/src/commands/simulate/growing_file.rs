@@ -12,6 +12,9 @@ use std::path::{Path, PathBuf};
 /// The number of bytes that are read at once.
 const BUFFER: usize = 1 << 20;
 
+/// The number of bytes that are written at once.
+const BLOCK: usize = 1 << 16;
+
 /// The length and the checksum of a file up to some byte.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize, Deserialize)]
 #[serde(deny_unknown_fields)]
@@ -34,7 +37,12 @@ impl Growing {
         if file.metadata()?.is_file() {
             file.set_len(0)?;
         }
-        Ok(Self { path, writer: BufWriter::new(file), bytes: 0, checksum: Hasher::new() })
+        Ok(Self {
+            path,
+            writer: BufWriter::with_capacity(BLOCK, file),
+            bytes: 0,
+            checksum: Hasher::new(),
+        })
     }
 
     /// Reopens the file as it was at the mark, and cuts off what has been written since.
@@ -57,7 +65,8 @@ impl Growing {
         }
         file.set_len(mark.bytes)?;
         file.seek(SeekFrom::End(0))?;
-        Ok(Some(Self { path, writer: BufWriter::new(file), bytes: mark.bytes, checksum }))
+        let writer = BufWriter::with_capacity(BLOCK, file);
+        Ok(Some(Self { path, writer, bytes: mark.bytes, checksum }))
     }
 
     /// Returns the file, which holds what was flushed.
