@@ -52,7 +52,7 @@ fn states_parameters_and_results_are_read_as_they_were_written() -> Result<(), B
     Ok(())
 }
 
-/// A run that goes on from a sample in a file makes the same bits as one that was never interrupted.
+/// A run that starts from a serialised sample ends in the same bits as an uninterrupted run.
 #[test]
 fn a_run_goes_on_from_a_sample_in_a_file() -> Result<(), Box<dyn Error>> {
     let top = HeavyTop::kovalevskaya(1.0, 1.0)?;

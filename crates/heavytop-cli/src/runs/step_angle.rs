@@ -24,9 +24,11 @@ pub(crate) fn require_sane_step(top: &HeavyTop, start: &Se3Dual, step: f64) -> R
     }
 }
 
-/// Returns a warning if the body turns so far in a step that the motion is wrong, however well the invariants hold.
+/// Returns a warning if the body turns so far in a step that the motion may be wrong, however well the invariants hold.
 ///
-/// Methods of high order may be accurate at far longer steps, which depends on the motion: nothing is said of them.
+/// The bounds, 1 rad up to order 2 and 3 rad up to order 4, are rules of thumb. The angle does not know whether the
+/// method follows the rotation exactly, as a splitting of a symmetric top does, and methods of high order may be accurate
+/// at far longer steps: nothing is said of them.
 pub(crate) fn long_step(experiment: &Experiment) -> Option<String> {
     let Experiment { top, start, method, schedule, .. } = experiment;
     let (angle, scheme) = (angle(top, start, schedule.step), method.scheme());
@@ -38,8 +40,8 @@ pub(crate) fn long_step(experiment: &Experiment) -> Option<String> {
     (angle > most).then(|| {
         let name = scheme.name();
         format!(
-            "warning: the body turns by about {angle:.1} rad in a step, too far for {name}: the motion is wrong where \
-             it shows in no invariant; shorten the step to {:.1e} s or less",
+            "warning: the body turns by about {angle:.1} rad in a step, which may be too far for {name}; the \
+             invariants do not show it: compare with a step of {:.1e} s or less",
             schedule.step * most / angle
         )
     })
