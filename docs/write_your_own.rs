@@ -68,8 +68,8 @@ impl Energy for Rotor {
     }
 }
 
-/// The right action q ↦ Λ(−θ)(q − a). `act` is enough: its generators, its cotangent lift and its
-/// momentum map follow. The second stage writes them by hand, for speed; the laws compare both.
+/// The right action q ↦ Λ(−θ)(q − a). First stage: `act`, from which all else follows. Second stage,
+/// for speed: `momentum` and `lifted_generator` by hand. The laws compare the two.
 impl GroupAction for Poincare {
     type Group = Self;
     type Space = RealSpace<2>;

@@ -6,8 +6,9 @@ use collective_integrators::{
     diagnostics::step_poisson_defect, fitted_order,
 };
 use lie_poisson::{
-    Automatic, Covector, Diagonal, Energy, ExtendedAdjoint, InfinitesimalAdjoint, LiePoisson,
-    Power, Real, Representation, Se3, So3, StructureConstants, Vector, larger, odd_power_defect,
+    Automatic, Covector, Diagonal, Differential, Energy, ExtendedAdjoint, Hamiltonian,
+    InfinitesimalAdjoint, LiePoisson, Point, PoissonSpace, Power, Real, Representation, Se3, So3,
+    StructureConstants, Vector, larger, odd_power_defect,
 };
 use momentum_map::{ClebschRealisation, Cotangent, Lift, PoissonMap, Side, clebsch_realisation};
 use nalgebra::SVector;
@@ -103,20 +104,34 @@ fn casimirs_are_kept_or_lost_to_the_order_of_the_scheme() {
     assert!((order - 4.0).abs() < 0.4, "{order} {lost:?}");
 }
 
+/// The Hamiltonian 0 on every space.
+#[derive(Clone, Debug, PartialEq)]
+struct Rest;
+
+impl<P: PoissonSpace> Hamiltonian<P> for Rest {
+    fn value(&self, _: &Point<P, f64>) -> f64 {
+        0.0
+    }
+
+    fn differential(&self, _: &Point<P, f64>) -> Differential<P, f64> {
+        Vector::zero()
+    }
+}
+
 /// The constructor asks the map whether the steps descend. If they do not, it is the constructor that says so.
 #[test]
 fn the_constructor_knows_whether_steps_descend() {
     let scheme = || RungeKutta::gauss(2).unwrap();
     let so3 = clebsch_realisation(InfinitesimalAdjoint(So3), Side::Right).unwrap();
     let se3 = clebsch_realisation(InfinitesimalAdjoint(Se3::default()), Side::Right).unwrap();
-    assert!(Collective::new(scheme(), so3.clone(), ()).descends());
-    assert!(Collective::new(scheme(), se3, ()).descends());
-    assert!(!Collective::that_does_not_descend(scheme(), so3, ()).descends());
+    assert!(Collective::new(scheme(), so3.clone(), Rest).descends());
+    assert!(Collective::new(scheme(), se3, Rest).descends());
+    assert!(!Collective::that_does_not_descend(scheme(), so3, Rest).descends());
     let of = |s| clebsch_realisation(extended(&dilation(s)).unwrap(), Side::Right).unwrap();
-    assert!(Collective::new(scheme(), of(0.0), ()).descends());
-    assert!(!Collective::new(scheme(), of(1.0), ()).descends());
-    let plain = Collective::that_does_not_descend(scheme(), of(1.0), ());
-    assert_eq!(Collective::new(scheme(), of(1.0), ()), plain);
+    assert!(Collective::new(scheme(), of(0.0), Rest).descends());
+    assert!(!Collective::new(scheme(), of(1.0), Rest).descends());
+    let plain = Collective::that_does_not_descend(scheme(), of(1.0), Rest);
+    assert_eq!(Collective::new(scheme(), of(1.0), Rest), plain);
 }
 
 #[derive(Default)]

@@ -28,18 +28,17 @@
 //! |---|---|
 //! | a command: `simulate`, `reproduce`, `compare`, `section`, `sweep`, `animate`, `bench` | [`commands`] |
 //! | a configuration by name, and its tables | [`configuration`] |
-//! | a configuration from a file and assignments, with quotations of what is wrong in it | [`reading`] |
 //! | the samples of a run one by one, the integrator of a formulation and a scheme | [`runs`] |
 //! | the names of formulations and schemes | [`vocabulary`] |
-//! | the columns of a run, and its formats CSV, npz and Parquet | [`formats`] |
-//! | files that appear under their names only when they are complete, and have one writer | [`files`] |
 //! | to stop a command, or to hide or show its progress | [`supervision`] |
 //! | the reason why a command failed, its text and its exit code | [`Error`], [`errors`] |
 //! | the whole program in one call | [`main`] |
 //! | a message instead of an abort when memory runs out | [`MemoryGuard`] |
 //!
-//! The private modules `pictures` and `interface` hold axes, captions, colours and the rendering of SVG, and the command line with
-//! its help, signals and standard output.
+//! The other modules serve the commands: `reading` for configurations from files and assignments, `formats` for the
+//! columns of a run and CSV, npz and Parquet, `files` for outputs that appear under their names only when they are complete,
+//! `pictures` for axes, captions, colours and the rendering of SVG, and `interface` for the command line with its help, signals and
+//! standard output.
 //!
 //! # Conventions
 //!
@@ -58,10 +57,13 @@
 
 pub mod vocabulary;
 pub mod errors;
+#[doc(hidden)]
 pub mod files;
 pub mod runs;
 pub mod configuration;
+#[doc(hidden)]
 pub mod reading;
+#[doc(hidden)]
 pub mod formats;
 mod pictures;
 pub mod supervision;

@@ -5,12 +5,15 @@
 //! ```
 
 use collective_integrators::{
-    AlternatingSubsteps, BatchIntegrator, IntegrationError, Integrator, Start,
+    AlternatingSubsteps, BatchIntegrator, Collective, Direct, HamiltonianField, IntegrationError,
+    Integrator, LiftFree, RungeKutta, Start,
 };
 use heavytop::{
-    CollectiveGauss, HeavyTop, MidpointBatch, SymmetricTopBatch, SymmetricTopSplitting, TopMidpoint,
+    CollectiveGauss, HeavyTop, MidpointBatch, ReducedMidpoint, SpinorRealisation,
+    SymmetricTopBatch, SymmetricTopSplitting, TopMidpoint,
 };
-use lie_poisson::{InstructionSet, Se3Dual, Width};
+use lie_poisson::{InstructionSet, LiePoisson, Se3, Se3Dual, Width};
+use momentum_map::DualQuaternions;
 use nalgebra::Vector3;
 use std::error::Error;
 use std::hint::black_box;
@@ -72,6 +75,20 @@ fn main() -> Result<(), Box<dyn Error>> {
             let splitting = SymmetricTopBatch::new(AlternatingSubsteps::blanes_moan6());
             let splitting = splitting.on(set, Width::TwoRegisters)?;
             many(&splitting, SymmetricTopSplitting::new(top)?, 0.2, steps)
+        }
+        // These integrators are for any system, and have no instructions to choose.
+        "any-gauss-8" => {
+            one(&Collective::new(RungeKutta::gauss(8)?, SpinorRealisation, top), 0.25, steps)
+        }
+        "any-midpoint" => {
+            let midpoint = RungeKutta::implicit_midpoint();
+            one(&LiftFree::new(midpoint, DualQuaternions, top), 0.01, steps)
+        }
+        "any-hamiltonian" => one(&ReducedMidpoint::new(top), 0.01, steps),
+        "rk4" => {
+            let field =
+                HamiltonianField { space: LiePoisson::minus(Se3::default()), hamiltonian: top };
+            one(&Direct::new(RungeKutta::rk4(), field), 0.01, steps)
         }
         other => Err(format!("no kernel called {other}").into()),
     }

@@ -54,15 +54,14 @@ pub enum Error {
         source: Box<Error>,
     },
     /// The output would be absurdly large, and nobody has agreed to it.
-    #[error(
-        "the run would write about {room}, and {free}: raise [output] every, lower the end, or agree \
-         with --yes"
-    )]
+    #[error("the run would write about {room}, and {free}: {remedy}, or agree with --yes")]
     Large {
         /// The room that the run needs.
         room: String,
         /// What is known of the room that there is.
         free: String,
+        /// How to make the output smaller.
+        remedy: &'static str,
     },
     /// A file exists that would have to be overwritten.
     #[error("{} exists, and is not overwritten", path.display())]

@@ -2,6 +2,8 @@
 
 use super::checkpoint_error::CheckpointError;
 use super::error::{Error, resumption};
+use std::io;
+use std::path::Path;
 
 impl Error {
     /// Returns the text that the program prints: this error and its causes, each once, and below them the line of the
@@ -18,6 +20,9 @@ impl Error {
                 format!("{quotation}: {}\n{}", source.message(), quotation.excerpt())
             }
             Self::Checkpoint { source, .. } => with_causes(self) + remedy(source),
+            Self::Create { path, source } if source.kind() == io::ErrorKind::NotFound => {
+                with_causes(self) + &missing_folder(path)
+            }
             error => with_causes(error),
         }
     }
@@ -42,6 +47,12 @@ fn causes(error: &dyn std::error::Error) -> impl Iterator<Item = String> {
     std::iter::successors(error.source(), |&cause| cause.source()).map(ToString::to_string)
 }
 
+/// Names the folder of an output if it does not exist.
+fn missing_folder(path: &Path) -> String {
+    let folder = path.parent().filter(|folder| !folder.as_os_str().is_empty() && !folder.exists());
+    folder.map_or_else(String::new, |folder| format!("; make the folder {}", folder.display()))
+}
+
 fn remedy(source: &CheckpointError) -> &'static str {
     if source.is_of_no_use() { "; start anew with --restart" } else { "" }
 }
@@ -54,7 +65,6 @@ mod tests {
     use heavytop::{SectionError, TopError};
     use momentum_map::LiftError;
     use std::error::Error as _;
-    use std::io;
     use std::path::PathBuf;
 
     fn step() -> IntegrationError {

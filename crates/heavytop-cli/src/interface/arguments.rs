@@ -96,12 +96,8 @@ pub(super) enum Command {
         /// The folder for the figure and the table; made if it is not there.
         #[arg(long, value_name = "DIR")]
         out: PathBuf,
-        /// Go on from the finished starts that an interrupted section has left in the folder.
-        #[arg(long)]
-        resume: bool,
-        /// Start anew, and discard those starts if there are any.
-        #[arg(long, conflicts_with = "resume")]
-        restart: bool,
+        #[command(flatten)]
+        parts: Parts,
     },
     /// Follow many tops at once, and map what becomes of them.
     #[command(long_about = SWEEP, after_long_help = SWEEP_EXAMPLES)]
@@ -111,12 +107,8 @@ pub(super) enum Command {
         /// The folder for the table and the heat maps; made if it is not there.
         #[arg(long, value_name = "DIR")]
         out: PathBuf,
-        /// Go on from the finished tiles that an interrupted sweep has left in the folder.
-        #[arg(long)]
-        resume: bool,
-        /// Start anew, and discard those tiles if there are any.
-        #[arg(long, conflicts_with = "resume")]
-        restart: bool,
+        #[command(flatten)]
+        parts: Parts,
     },
     /// Show a top in motion, on a page for a browser.
     #[command(long_about = ANIMATE, after_long_help = ANIMATE_EXAMPLES)]
@@ -163,6 +155,23 @@ pub(super) enum Command {
         /// The shell.
         shell: Shell,
     },
+}
+
+/// How to begin a command that keeps its finished parts.
+#[derive(Clone, Copy, Debug, Args)]
+pub(super) struct Parts {
+    /// Go on from the finished parts that an interrupted run has left in the folder.
+    #[arg(long)]
+    pub(super) resume: bool,
+    /// Start anew, and discard those parts if there are any.
+    #[arg(long, conflicts_with = "resume")]
+    pub(super) restart: bool,
+    /// Write nothing; print the rows and the size of the output, and an estimate of the time.
+    #[arg(long, conflicts_with = "resume")]
+    pub(super) dry_run: bool,
+    /// Do not ask before a run that needs more room than the disk has, or more than 100 GB.
+    #[arg(long)]
+    pub(super) yes: bool,
 }
 
 /// Which top, and how to follow it.

@@ -1,8 +1,9 @@
 //! The question before an output that is absurdly large.
 
 use crate::Error;
-use crate::commands::simulate::{Forecast, size};
 use crate::files::Place;
+use crate::supervision::Forecast;
+use crate::supervision::forecast::size;
 use std::io::{self, IsTerminal, Write};
 use std::path::Path;
 
@@ -14,11 +15,11 @@ const LARGE: u64 = 100_000_000_000;
 /// # Errors
 /// If the user says no, or cannot be asked since stdin or stderr is no terminal.
 pub(super) fn confirm(forecast: &Forecast, yes: bool) -> Result<(), Error> {
-    // A link leads to the disk of its target.
-    let out = Place::of(&forecast.out)?.path;
-    let folder = out.parent().filter(|folder| *folder != Path::new(""));
+    // A link leads to the disk of its target, and a folder that is to be made is on the disk of the one above it.
+    let out = Place::of(&forecast.out).map_or(forecast.out.clone(), |place| place.path);
+    let folder = out.ancestors().find(|path| path.is_dir()).unwrap_or(Path::new("."));
     // Where the file system does not tell, the stated bound has to do.
-    let free = fs4::available_space(folder.unwrap_or(Path::new("."))).ok();
+    let free = fs4::available_space(folder).ok();
     let bound = free.unwrap_or(LARGE).min(LARGE);
     if yes || forecast.room <= bound {
         return Ok(());
@@ -26,7 +27,7 @@ pub(super) fn confirm(forecast: &Forecast, yes: bool) -> Result<(), Error> {
     let room = size(forecast.room);
     let free =
         free.map_or("free disk space is unknown".into(), |free| format!("{} are free", size(free)));
-    let large = || Error::Large { room: room.clone(), free: free.clone() };
+    let large = || Error::Large { room: room.clone(), free: free.clone(), remedy: forecast.remedy };
     if !(io::stdin().is_terminal() && io::stderr().is_terminal()) {
         return Err(large());
     }

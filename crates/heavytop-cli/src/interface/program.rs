@@ -1,6 +1,6 @@
 //! The program: from the arguments of its process to its exit code.
 
-use super::arguments::{Arguments, Command, Top};
+use super::arguments::{Arguments, Command, Parts, Top};
 use super::confirmation::confirm;
 use super::first_configuration::init;
 use super::manual::man;
@@ -11,11 +11,11 @@ use crate::commands::animate::animate;
 use crate::commands::bench::{BenchOptions, bench};
 use crate::commands::compare::compare;
 use crate::commands::reproduce::reproduce;
-use crate::commands::section::section;
-use crate::commands::simulate::{Checkpoint, Forecast, RunSummary, SimulateOptions, simulate};
-use crate::commands::sweep::sweep;
+use crate::commands::section::{self, section};
+use crate::commands::simulate::{self, Checkpoint, RunSummary, SimulateOptions, simulate};
+use crate::commands::sweep::{self, sweep};
 use crate::runs::step_angle::long_step;
-use crate::supervision::{TileOptions, Watch};
+use crate::supervision::{Forecast, TileOptions, Watch};
 use clap::{CommandFactory, Parser};
 use clap_complete::Shell;
 use serde::Serialize;
@@ -45,32 +45,44 @@ pub fn main() -> ExitCode {
 }
 
 fn run(Arguments { quiet, json, command }: Arguments) -> Result<(), Error> {
-    let closing = Closing { begun: Instant::now() };
+    let closing = Closing { begun: Instant::now(), json, quiet };
     match command {
         Command::Reproduce { out, end, step } => {
-            reproduce(&out, step, end, &watch(quiet)).and_then(|done| print(&done, json))
+            reproduce(&out, step, end, &watch(quiet)).and_then(|done| closing.print(&done))
         }
         Command::Simulate { top, out, dry_run: true, .. } => {
-            top.run(|config| Forecast::tried(&config, &out)).and_then(|done| print(&done, json))
+            top.run(|config| simulate::dry_run(&config, &out)).and_then(|done| print(&done, json))
         }
         Command::Simulate { top, out, resume, restart, checkpoint_interval, yes, .. } => {
             let (resume, interval) = (resume.as_deref(), checkpoint_interval);
             let begin = Begin { resume, restart, interval, yes };
             let done = run_simulate(&top, &out, &begin, quiet);
-            done.and_then(|summary| closing.end(&summary, json, quiet))
+            done.and_then(|summary| closing.end(&summary))
         }
         Command::Compare { top, out, end } => top
             .run(|config| compare(&config, &out, end, &watch(quiet)))
+            .and_then(|done| closing.print(&done)),
+        Command::Section { top, out, parts: Parts { dry_run: true, .. } } => top
+            .run(|config| section::dry_run(&config, &out, top.threads))
             .and_then(|done| print(&done, json)),
-        Command::Section { top, out, resume, restart } => top
-            .run(|config| section(&config, &out, &in_tiles(&top, resume, restart, quiet)))
+        Command::Section { top, out, parts } => top
+            .run(|config| {
+                confirm_unless_resumed(parts, || section::forecast(&config, &out))?;
+                section(&config, &out, &in_tiles(&top, parts, quiet))
+            })
+            .and_then(|done| closing.print(&done)),
+        Command::Sweep { top, out, parts: Parts { dry_run: true, .. } } => top
+            .run(|config| sweep::dry_run(&config, &out, top.threads))
             .and_then(|done| print(&done, json)),
-        Command::Sweep { top, out, resume, restart } => top
-            .run(|config| sweep(&config, &out, &in_tiles(&top, resume, restart, quiet)))
-            .and_then(|done| done.map_or(Ok(()), |done| print(&done, json))),
+        Command::Sweep { top, out, parts } => top
+            .run(|config| {
+                confirm_unless_resumed(parts, || sweep::forecast(&config, &out))?;
+                sweep(&config, &out, &in_tiles(&top, parts, quiet))
+            })
+            .and_then(|done| done.map_or(Ok(()), |done| closing.print(&done))),
         Command::Animate { top, out } => top
             .run(|config| animate(config, &out, &watch(quiet)))
-            .and_then(|summary| closing.end(&summary, json, quiet)),
+            .and_then(|summary| closing.end(&summary)),
         Command::Bench { top, problem, only, tops } => top
             .run(|config| {
                 let threads = top.threads.unwrap_or(1);
@@ -84,28 +96,36 @@ fn run(Arguments { quiet, json, command }: Arguments) -> Result<(), Error> {
     }
 }
 
-/// Prints the closing line of a command whose numbers are in its file.
+/// The end of a command: its summary, and a line on stderr that says how long it took.
 struct Closing {
     begun: Instant,
+    json: bool,
+    quiet: bool,
 }
 
 impl Closing {
-    /// Prints the summary as JSON, or says on stderr in one line what was done and how long it took.
-    fn end(
-        &self,
-        summary: &(impl Display + Serialize),
-        json: bool,
-        quiet: bool,
-    ) -> Result<(), Error> {
-        if json {
-            return print(summary, json);
+    /// Ends a command whose numbers are in its file: the summary is part of the line.
+    fn end(&self, summary: &(impl Display + Serialize)) -> Result<(), Error> {
+        if self.json {
+            return print(summary, true);
         }
-        if !quiet {
-            let seconds = self.begun.elapsed().as_secs_f64();
-            // The run has succeeded where stderr is closed, too.
-            let _ = writeln!(io::stderr(), "heavytop: done: {summary}; {seconds:.2} s");
-        }
+        self.say(&format!(": {summary}"));
         Ok(())
+    }
+
+    /// Ends a command whose summary goes to stdout.
+    fn print(&self, summary: &(impl Display + Serialize)) -> Result<(), Error> {
+        print(summary, self.json)?;
+        self.say("");
+        Ok(())
+    }
+
+    fn say(&self, what: &str) {
+        if !(self.json || self.quiet) {
+            let seconds = self.begun.elapsed().as_secs_f64();
+            // The command has succeeded where stderr is closed, too.
+            let _ = writeln!(io::stderr(), "heavytop: done{what}; {seconds:.2} s");
+        }
     }
 }
 
@@ -145,7 +165,7 @@ fn run_simulate(
             _ => config,
         };
         if resume.is_none() {
-            confirm(&Forecast::of(&config, out)?, yes)?;
+            confirm(&simulate::forecast(&config, out)?, yes)?;
         }
         let experiment = config.experiment()?;
         for warning in [experiment.method.warning(), long_step(&experiment)].into_iter().flatten() {
@@ -158,8 +178,17 @@ fn run_simulate(
     })
 }
 
+/// Asks before an output that is absurdly large, unless the run continues an earlier one.
+fn confirm_unless_resumed(
+    parts: Parts,
+    forecast: impl FnOnce() -> Result<Forecast, Error>,
+) -> Result<(), Error> {
+    if parts.resume { Ok(()) } else { confirm(&forecast()?, parts.yes) }
+}
+
 /// Returns the options of a command that keeps its finished parts.
-fn in_tiles(top: &Top, resume: bool, restart: bool, quiet: bool) -> TileOptions<'static> {
+fn in_tiles(top: &Top, parts: Parts, quiet: bool) -> TileOptions<'static> {
+    let Parts { resume, restart, .. } = parts;
     TileOptions { resume, restart, stop: Some(interrupted()), threads: top.threads, quiet }
 }
 

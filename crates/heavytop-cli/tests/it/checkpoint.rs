@@ -203,9 +203,9 @@ fn a_run_without_room_goes_on_once_there_is_some() {
         assert!(std::fs::read(folder.path(out)).unwrap() == bytes, "{out}");
         assert_eq!(folder.names(), [out, "a.toml"]);
 
-        // Without a checkpoint the rows so far are kept, and the message says where.
+        // Without a checkpoint the rows so far are kept, as a file if it has room, and the message says where.
         let (code, said) = in_little_room(&folder, &format!("a.toml --out b-{out}"));
-        let kept = format!("b-{out}.{}", if out == "a.csv" { "partial" } else { "rows" });
+        let kept = format!("b-{out}.{}", if out == "a.npz" { "rows" } else { "partial" });
         assert_eq!(code, Some(1));
         assert!(said.ends_with(&format!("until then is in {kept}\n")), "{said}");
         assert_eq!(folder.names(), [out, "a.toml", &kept]);

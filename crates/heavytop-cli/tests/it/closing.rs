@@ -1,4 +1,4 @@
-//! The closing line of `simulate` and `animate`.
+//! The closing line of a command.
 
 use crate::program::Folder;
 
@@ -24,6 +24,15 @@ fn a_run_ends_with_a_line_about_its_file() {
     let page = folder.heavytop(&[&["animate", "--out", "a.html"], &end[..]].concat());
     let said = page.stderr();
     assert!(said.starts_with("heavytop: done: 9 frames to t = 1 s, in a.html; "), "{said}");
+    // A command whose summary goes to stdout says on stderr that it is done, and the time.
+    let small =
+        ["section", "--out", "a", "--set", "section.starts=2", "--set", "section.crossings=3"];
+    let section = folder.heavytop(&small);
+    let said = section.stderr();
+    assert!(said.starts_with("heavytop: done; ") && said.ends_with(" s\n"), "{said}");
+    assert!(section.stdout().ends_with("picture and table are in a\n"));
+    assert!(folder.heavytop(&[&small[..], &["--quiet"]].concat()).stderr().is_empty());
+
     // Negative control: a run that fails has no such line.
     let fail = ["--set", "integrator.step=0.5", "--set", "integrator.scheme=lobatto-iiia-iiib-4"];
     let failed = simulate(&fail);

@@ -27,6 +27,48 @@ fn a_dry_run_says_what_a_run_would_write_and_writes_nothing() {
     assert_eq!(folder.heavytop(&wrong).code(), 2);
 }
 
+#[test]
+fn dry_runs_of_sections_and_sweeps_say_what_they_would_write_and_write_nothing() {
+    let section = ["--set", "section.starts=12", "--set", "section.crossings=100"];
+    let sweep = ["--set", "integrator.end=2", "--set", "sweep.observables=[\"final-state\"]"];
+    for (command, more, rows) in [("section", section, 12 * 101), ("sweep", sweep, 32 * 32)] {
+        let folder = Folder::new();
+        let arguments = [&[command, "--out", "a", "--quiet"], &more[..]].concat();
+        let dry = folder.heavytop(&[&arguments[..], &["--dry-run", "--json"]].concat());
+        assert_eq!((dry.code(), dry.stderr(), folder.names().len()), (0, String::new(), 0));
+        let forecast: serde_json::Value = serde_json::from_str(&dry.stdout()).unwrap();
+        assert_eq!(forecast["rows"], rows, "{command}");
+        assert!(forecast["seconds"].as_f64().unwrap() > 0.0);
+
+        assert_eq!(folder.heavytop(&arguments).code(), 0);
+        let files = std::fs::read_dir(folder.path("a")).unwrap();
+        let bytes = files.map(|file| file.unwrap().metadata().unwrap().len()).sum::<u64>();
+        // The sizes of pictures depend on what they show.
+        let ratio = forecast["bytes"].as_f64().unwrap() / bytes as f64;
+        assert!((0.75..1.33).contains(&ratio), "{command}: {ratio}");
+    }
+    let folder = Folder::new();
+    let said = folder.heavytop(&["sweep", "--out", "a", "--dry-run"]).stdout();
+    assert!(said.starts_with("1024 tops of 1000 steps, about 201.7 kB in a ("), "{said}");
+    assert_eq!(folder.heavytop(&["section", "--out", "a", "--dry-run", "--resume"]).code(), 2);
+}
+
+#[test]
+fn an_absurdly_large_sweep_is_refused_where_nobody_can_be_asked() {
+    let folder = Folder::new();
+    folder.write(
+        "large.toml",
+        "sweep.observables = ['final-state', 'invariant-drift']\nsweep.count = 1000000000\n\
+         [[sweep.axes]]\nparameter = 'body.mass'\nuniform = [1.0, 2.0]",
+    );
+    let run = folder.heavytop(&["sweep", "large.toml", "--out", "a"]);
+    let said = run.stderr();
+    assert_eq!((run.code(), folder.names().len()), (2, 1), "{said}");
+    // Eleven numbers of eight bytes, compressed to six tenths, and nine of up to twenty in the tiles, for 1e9 tops.
+    assert!(said.starts_with("heavytop: the run would write about 232.8 GB, and "), "{said}");
+    assert!(said.ends_with(": lower the number of tops, or agree with --yes\n"), "{said}");
+}
+
 /// Eleven numbers in each of 5e10 rows.
 const LARGE: [&str; 5] = ["simulate", "--set", "integrator.end=1e9", "--out", "a.npz"];
 

@@ -1,7 +1,9 @@
 //! The formats CSV, npz and Parquet: they hold the same numbers, and the configuration that made them.
 
 use crate::program::{Folder, numbers};
+use parquet::basic::{Compression, Encoding};
 use parquet::file::reader::{FileReader, SerializedFileReader};
+use parquet::file::statistics::Statistics;
 use parquet::record::RowAccessor;
 use std::collections::BTreeMap;
 use std::fs::File;
@@ -161,6 +163,27 @@ fn parquet_goes_by_groups_of_rows() {
     let groups = reader.metadata().row_groups();
     let counts: Vec<i64> = groups.iter().map(|group| group.num_rows()).collect();
     assert_eq!(counts, [1 << 16, 1 << 16, 1]);
+}
+
+#[test]
+fn parquet_is_compressed_and_knows_the_ranges_of_its_columns() {
+    let (folder, header, rows) = written(CONFIGURATION);
+    let file = File::open(folder.path("a.parquet")).unwrap();
+    let reader = SerializedFileReader::new(file).unwrap();
+    let group = reader.metadata().row_group(0);
+    for (i, (column, name)) in group.columns().iter().zip(&header).enumerate() {
+        assert!(matches!(column.compression(), Compression::ZSTD(_)), "{name}");
+        assert!(column.encodings().any(|e| e == Encoding::BYTE_STREAM_SPLIT), "{name}");
+        let Some(Statistics::Double(range)) = column.statistics() else { panic!("{name}") };
+        let values = rows.iter().map(|row| row[i]);
+        let extremes = values.fold([f64::INFINITY, f64::NEG_INFINITY], |[least, most], x| {
+            [least.min(x), most.max(x)]
+        });
+        assert_eq!(range.min_opt().zip(range.max_opt()), Some((&extremes[0], &extremes[1])));
+    }
+    // Random digits cannot be compressed, but signs, exponents and leading digits can.
+    let [stored, plain] = [group.compressed_size(), (8 * header.len() * rows.len()) as i64];
+    assert!(stored < plain * 4 / 5, "{stored} {plain}");
 }
 
 #[test]

@@ -32,7 +32,7 @@ const FILES: [&str; 14] = [
 fn the_paper_is_reproduced() {
     let folder = Folder::new();
     let run = folder.heavytop(&["reproduce"]);
-    assert_eq!((run.code(), run.stderr().as_str()), (0, ""));
+    assert_eq!((run.code(), run.complaints().as_str()), (0, ""));
 
     let mut names: Vec<_> = std::fs::read_dir(folder.path("figures"))
         .unwrap()

@@ -18,7 +18,7 @@ fn the_points_are_on_level_and_surface_and_on_curves_of_kovalevskaya() {
     let folder = Folder::new();
     folder.write("a.toml", SMALL);
     let run = folder.heavytop(&["section", "a.toml", "--out", "made/here"]);
-    assert_eq!((run.code(), run.stderr().as_str()), (0, ""));
+    assert_eq!((run.code(), run.complaints().as_str()), (0, ""));
     let (header, rows) = numbers(&folder.read("made/here/section.csv"));
     assert_eq!(header.join(","), "start,crossing,t,Pi1,Pi2,Pi3,Gamma1,Gamma2,Gamma3,x,y");
     assert_eq!(rows.len(), 5 * 21);
@@ -216,7 +216,7 @@ fn what_integrator_leaves_out_is_as_without_it() {
     let folder = Folder::new();
     folder.write("a.toml", "integrator.step = 0.125\nsection = { starts = 2, crossings = 2 }");
     let run = folder.heavytop(&["section", "a.toml", "--out", "."]);
-    assert_eq!((run.code(), run.stderr()), (0, String::new()));
+    assert_eq!((run.code(), run.complaints()), (0, String::new()));
     assert!(run.stdout().contains("by reduced, gauss-8, step 1.250e-1 s"), "{}", run.stdout());
 }
 
@@ -252,7 +252,7 @@ fn without_memory_a_section_fails_and_goes_on_once_there_is_some() {
                     "--restart"
                 };
                 let run = folder.heavytop(&["section", "a.toml", "--out", "cut", option]);
-                assert_eq!((run.code(), run.stderr()), (0, String::new()), "{room}");
+                assert_eq!((run.code(), run.complaints()), (0, String::new()), "{room}");
             }
             code => panic!("{room}: {code:?} {said}"),
         }

@@ -42,7 +42,7 @@ fn no_bit_depends_on_the_number_of_threads_and_maps_are_drawn() {
     folder.write("a.toml", GRID);
     for threads in ["1", "2", "5"] {
         let run = folder.heavytop_on(threads, &["sweep", "a.toml", "--out", threads]);
-        assert_eq!((run.code(), run.stderr().as_str()), (0, ""));
+        assert_eq!((run.code(), run.complaints().as_str()), (0, ""));
         assert!(run.stdout().contains("600 tops, each by reduced, gauss-4"), "{}", run.stdout());
     }
     folder.write("b.toml", &GRID.replace("to = 4,", "to = 4.1,"));
@@ -131,7 +131,7 @@ fn the_table_goes_by_groups_of_rows() {
     };
     folder.write("a.toml", &text(0.0, 65_537));
     let run = folder.heavytop(&["sweep", "a.toml", "--out", "."]);
-    assert_eq!((run.code(), run.stderr().as_str()), (0, ""));
+    assert_eq!((run.code(), run.complaints().as_str()), (0, ""));
     let file = std::fs::File::open(folder.path("sweep.parquet")).unwrap();
     let reader = SerializedFileReader::new(file).unwrap();
     let groups = reader.metadata().row_groups();
@@ -283,7 +283,7 @@ fn what_integrator_leaves_out_is_as_without_it() {
     ] {
         folder.write("a.toml", &format!("{keys}\n{tops}"));
         let run = folder.heavytop(&["sweep", "a.toml", "--out", "made"]);
-        assert_eq!((run.code(), run.stderr()), (0, String::new()), "{keys}");
+        assert_eq!((run.code(), run.complaints()), (0, String::new()), "{keys}");
         let [formulation, scheme, step, end, tolerance] = expected;
         let expected = format!(
             "formulation = \"{formulation}\"\nscheme = \"{scheme}\"\nstep = {step}\nend = {end}\n\

@@ -42,7 +42,7 @@ impl Case {
         folder.write("a.toml", self.configuration);
         folder.write("b.toml", &self.configuration.replace(self.other[0], self.other[1]));
         let run = folder.heavytop(&[self.command, "a.toml", "--out", "whole"]);
-        assert_eq!((run.code(), run.stderr().as_str()), (0, ""));
+        assert_eq!((run.code(), run.complaints().as_str()), (0, ""));
         folder
     }
 
@@ -107,7 +107,7 @@ fn a_killed_run_goes_on_to_the_same_bytes() {
             assert_eq!(modified(&tile), before);
 
             let resumed = folder.heavytop(&[case.command, "a.toml", "--out", "cut", "--resume"]);
-            assert_eq!((resumed.code(), resumed.stderr().as_str()), (0, ""));
+            assert_eq!((resumed.code(), resumed.complaints().as_str()), (0, ""));
             case.assert_same_bytes(&folder);
             std::fs::remove_dir_all(folder.path("cut")).unwrap();
             if interrupted == 3 {
@@ -153,7 +153,7 @@ fn ctrl_c_ends_a_run_whose_tiles_stay_also_twice() {
         }
         assert_eq!(interrupted, 2, "{}: no run was interrupted twice", case.command);
         let resumed = folder.heavytop(&[case.command, "a.toml", "--out", "cut", "--resume"]);
-        assert_eq!((resumed.code(), resumed.stderr().as_str()), (0, ""));
+        assert_eq!((resumed.code(), resumed.complaints().as_str()), (0, ""));
         case.assert_same_bytes(&folder);
     }
 }
@@ -175,7 +175,7 @@ fn a_run_without_room_goes_on_once_there_is_some() {
         assert!(said.ends_with("; go on by the same command with --resume\n"), "{said}");
         assert_eq!(said.lines().count(), 1, "{said}");
         let resumed = folder.heavytop(&[case.command, "a.toml", "--out", "cut", "--resume"]);
-        assert_eq!((resumed.code(), resumed.stderr().as_str()), (0, ""));
+        assert_eq!((resumed.code(), resumed.complaints().as_str()), (0, ""));
         case.assert_same_bytes(&folder);
     }
 }
@@ -197,7 +197,7 @@ fn tiles_of_another_run_are_not_taken() {
         }
         std::fs::remove_file(case.tiles(&folder).join("identity")).unwrap();
         let run = folder.heavytop(&[case.command, "a.toml", "--out", "cut"]);
-        assert_eq!((run.code(), run.stderr().as_str()), (0, ""));
+        assert_eq!((run.code(), run.complaints().as_str()), (0, ""));
         case.assert_same_bytes(&folder);
     }
 }
@@ -239,7 +239,7 @@ fn a_damaged_identity_is_refused() {
         assert_eq!(run.code(), 2, "{}", run.stderr());
         assert!(run.stderr().contains("it is damaged, or no checkpoint"), "{}", run.stderr());
         let run = folder.heavytop(&[case.command, "a.toml", "--out", "cut", "--restart"]);
-        assert_eq!((run.code(), run.stderr().as_str()), (0, ""));
+        assert_eq!((run.code(), run.complaints().as_str()), (0, ""));
         case.assert_same_bytes(&folder);
     }
 }
@@ -274,7 +274,7 @@ fn tiles_that_were_swapped_are_made_again() {
         std::fs::rename(&second, &first).unwrap();
         std::fs::write(&second, bytes).unwrap();
         let resumed = folder.heavytop(&[case.command, "a.toml", "--out", "cut", "--resume"]);
-        assert_eq!((resumed.code(), resumed.stderr().as_str()), (0, ""));
+        assert_eq!((resumed.code(), resumed.complaints().as_str()), (0, ""));
         case.assert_same_bytes(&folder);
     }
 }
@@ -301,7 +301,7 @@ fn tiles_that_are_whole_and_not_what_they_should_be_are_made_again() {
             std::fs::write(&path, format!("{start} {checksum:08x}\n{changed}")).unwrap();
         }
         let resumed = folder.heavytop(&[case.command, "a.toml", "--out", "cut", "--resume"]);
-        assert_eq!((resumed.code(), resumed.stderr().as_str()), (0, ""));
+        assert_eq!((resumed.code(), resumed.complaints().as_str()), (0, ""));
         case.assert_same_bytes(&folder);
     }
 }
@@ -312,13 +312,13 @@ fn a_run_that_shall_start_anew_discards_the_tiles() {
         let folder = interrupted(&case);
         // A run of another configuration discards what there is.
         let run = folder.heavytop(&[case.command, "b.toml", "--out", "cut", "--restart"]);
-        assert_eq!((run.code(), run.stderr().as_str()), (0, ""));
+        assert_eq!((run.code(), run.complaints().as_str()), (0, ""));
         assert!(!case.tiles(&folder).exists());
         let both = [case.command, "a.toml", "--out", "cut", "--restart", "--resume"];
         assert_eq!(folder.heavytop(&both).code(), 2);
         // The option is allowed where there is nothing to discard.
         let run = folder.heavytop(&[case.command, "a.toml", "--out", "cut", "--restart"]);
-        assert_eq!((run.code(), run.stderr().as_str()), (0, ""));
+        assert_eq!((run.code(), run.complaints().as_str()), (0, ""));
         case.assert_same_bytes(&folder);
     }
 }

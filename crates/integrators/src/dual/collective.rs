@@ -65,7 +65,10 @@ impl<S: Equivariant, M: PoissonMap, H> Collective<S, M, H> {
     /// For others, such as a `ClebschMap` of a representation that lacks its odd powers, the integrator is that of
     /// [`that_does_not_descend`](Self::that_does_not_descend): the Casimirs are conserved to the order of the scheme, the
     /// image of a step depends on z, and z is never moved along its fibre. [`descends`](Self::descends) tells.
-    pub fn new(scheme: S, map: M, hamiltonian: H) -> Self {
+    pub fn new(scheme: S, map: M, hamiltonian: H) -> Self
+    where
+        H: Hamiltonian<M::Target>,
+    {
         let descends = map.affine_schemes_descend();
         Self { scheme, system: CollectiveHamiltonian::new(map, hamiltonian), descends }
     }
@@ -111,7 +114,10 @@ impl<S: Scheme, M: PoissonMap, H> Collective<S, M, H> {
     ///
     /// Source: McLachlan, Modin & Verdier, Nonlinearity 27 (2014), Thm. 3.2. Ohsawa 2019, §5.1, says that any
     /// symplectic scheme will do, but an equivariant one is required.
-    pub fn that_does_not_descend(scheme: S, map: M, hamiltonian: H) -> Self {
+    pub fn that_does_not_descend(scheme: S, map: M, hamiltonian: H) -> Self
+    where
+        H: Hamiltonian<M::Target>,
+    {
         Self { scheme, system: CollectiveHamiltonian::new(map, hamiltonian), descends: false }
     }
 }

@@ -20,7 +20,8 @@ use momentum_map::{Multiplier, Multipliers};
 ///
 /// For a scheme that commutes with linear maps ([`Equivariant`]) it equals the [`Collective`](crate::Collective)
 /// integrator with the same scheme to round-off. There is no lift to choose, and no fibre to drift along. Symplectic
-/// schemes conserve Casimirs up to an unbiased rounding error per step, since Q moves μ by its normalised part.
+/// schemes conserve Casimirs up to an unbiased rounding error per step, if the multipliers override
+/// [`coadjoint_change`](Multipliers::coadjoint_change), as those of the library do.
 ///
 /// This generalises the closed form of the collective midpoint rule. For every Runge–Kutta method it answers the
 /// question that Ohsawa 2019, §5.1 leaves open, that of an integrator defined on the symplectic leaves.
@@ -48,7 +49,10 @@ pub struct LiftFree<S, M, H> {
 
 impl<S: Equivariant, M: Multipliers, H> LiftFree<S, M, H> {
     /// Creates an integrator that applies the scheme to the multipliers.
-    pub fn new(scheme: S, multipliers: M, hamiltonian: H) -> Self {
+    pub fn new(scheme: S, multipliers: M, hamiltonian: H) -> Self
+    where
+        H: Hamiltonian<M::Space>,
+    {
         Self { scheme, multipliers, hamiltonian }
     }
 

@@ -1,5 +1,6 @@
 //! Runge–Kutta methods: [`RungeKutta`].
 
+use crate::schemes::explicit_step::four_stages;
 use crate::schemes::refinement::refine;
 use crate::stages::block_sizes::MaskOf;
 use crate::stages::extrapolation::Predictor;
@@ -315,6 +316,14 @@ impl Scheme for RungeKutta {
         step: f64,
         workspace: &mut StageSpace<F::Point>,
     ) -> Result<Step<F::Point>, StepError> {
+        if self.is_explicit()
+            && size_of::<<F::Point as State>::Pool>() == 0
+            && let Some(sum) = four_stages(&self.tableau, field, z, step)
+        {
+            let mut change = z.zeros_like();
+            scale_evenly(&sum, step, &mut change);
+            return Ok(Step { point: change, iterations: 0 });
+        }
         let (iterations, _) = self.stages(field, z, step, workspace)?;
         Ok(Step { point: self.end(z, step, workspace), iterations })
     }

@@ -109,7 +109,7 @@ fn coordinate(section: &Section) -> (&'static str, String, &'static str) {
 
 /// Returns the parts of the caption: level, surface, top, method and starts.
 fn words(settings: &Settings) -> Vec<String> {
-    let Settings { section, method, step, steps, crossings, starts, .. } = settings;
+    let Settings { section, method, step, longest, crossings, starts, .. } = settings;
     let EnergyLevel { top, energy, vertical_momentum } = section.level();
     let Surface { coordinate, level, direction } = section.surface();
     let index = ["₁", "₂", "₃"][coordinate.axis()];
@@ -125,7 +125,7 @@ fn words(settings: &Settings) -> Vec<String> {
         Direction::Both => "",
     };
     let [energy, vertical_momentum] = [*energy, *vertical_momentum].map(number);
-    let longest = number(*steps as f64 * step);
+    let longest = number(*longest);
     vec![
         format!(
             "<tspan font-style='italic'>h</tspan> = {energy} J, Π·Γ = {vertical_momentum} kg m²/s"

@@ -35,7 +35,7 @@ impl PointTable {
             required(name, if i < 2 { PhysicalType::INT64 } else { PhysicalType::DOUBLE })
         });
         let file = fields.collect::<Result<Vec<_>>>();
-        let file = file.and_then(|fields| begin("section", fields, metadata, false, output));
+        let file = file.and_then(|fields| begin("section", fields, metadata, |_| false, output));
         let file = file.map_err(|source| failed(path, source.into()))?;
         let columns = vec![Vec::new(); header.split(',').count() - 2];
         Ok(Self { path: path.into(), file, indices: Default::default(), columns })

@@ -2,7 +2,7 @@
 
 use super::settings::Settings;
 use super::survey::Survey;
-use crate::vocabulary::brief::number;
+use crate::pictures::caption::number;
 use serde::Serialize;
 use std::fmt;
 use std::path::{Path, PathBuf};
@@ -42,7 +42,7 @@ pub struct SectionSummary {
 
 impl SectionSummary {
     pub(super) fn new(settings: &Settings, survey: &Survey, out: &Path) -> Self {
-        let Settings { section, method, step, steps, crossings, .. } = *settings;
+        let Settings { section, method, step, longest, crossings, .. } = *settings;
         let level = section.level();
         let [h, f1, f2] = survey.deviations;
         Self {
@@ -56,7 +56,7 @@ impl SectionSummary {
             points: survey.points,
             crossings,
             short: survey.short,
-            longest: steps as f64 * step,
+            longest,
             h,
             f1,
             f2,

@@ -24,6 +24,8 @@ pub(super) struct Settings {
     pub method: Method,
     /// The time step, s.
     pub step: f64,
+    /// The time for which a start is followed at most, up to a step, s.
+    pub longest: f64,
     /// The number of steps for each start.
     pub steps: usize,
     /// The number of returns of each start.
@@ -85,7 +87,8 @@ impl Settings {
             return Err(Error::OutOfRange { name, range, value: points });
         }
         let (starts, crossings, steps) = (starts as usize, crossings as usize, steps as usize);
-        Ok(Self { section, method, step, steps, crossings, starts, seed })
+        let longest = settings.longest;
+        Ok(Self { section, method, step, longest, steps, crossings, starts, seed })
     }
 
     /// Returns the configuration with every key that was left out and plays a part.

@@ -9,8 +9,7 @@ mod forecast;
 mod simulate_command;
 
 pub use checkpoint::Checkpoint;
-pub use forecast::Forecast;
-pub(crate) use forecast::size;
+pub use forecast::{dry_run, forecast};
 pub use run_summary::RunSummary;
 pub use simulate_command::simulate;
 pub use simulate_options::SimulateOptions;

@@ -4,11 +4,12 @@ mod sweep_plan;
 mod measured_row;
 mod top_tiles;
 mod top_table;
-mod fixed_values;
-mod heat_map;
+mod heat_maps;
 mod processes;
 mod sweep_summary;
+mod forecast;
 mod sweep_command;
 
+pub use forecast::{dry_run, forecast};
 pub use sweep_command::sweep;
 pub use sweep_summary::SweepSummary;

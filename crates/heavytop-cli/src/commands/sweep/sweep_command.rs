@@ -1,6 +1,6 @@
 //! The command `sweep`: from a configuration to a table and heat maps.
 
-use super::heat_map;
+use super::heat_maps;
 use super::processes::Processes;
 use super::sweep_plan::Plan;
 use super::sweep_summary::SweepSummary;
@@ -112,14 +112,14 @@ fn assemble(
         return Err(Error::Kept { partial: table.keep()?, source: Box::new(failure) });
     }
     table.complete()?;
-    let Some(size) = heat_map::size(plan) else { return Ok(summary) };
+    let Some(size) = heat_maps::size(plan) else { return Ok(summary) };
     for (index, column) in plan.columns().enumerate() {
         let mut values: Vec<Option<f64>> = Vec::new();
         tops.each(|rows| {
             values.extend(rows.iter().map(|row| row.value(index)));
             Ok(())
         })?;
-        let drawing = heat_map::heat_map(plan, size, column, &values, summary.failed)?;
+        let drawing = heat_maps::heat_map(plan, size, column, &values, summary.failed)?;
         let (svg, png) = render::render(&drawing, SCALE)?;
         Output::whole(&out.join(column.name).with_extension("svg"), svg.as_bytes())?;
         Output::whole(&out.join(column.name).with_extension("png"), &png)?;

@@ -28,7 +28,7 @@ pub(super) struct Plan {
     pub schedule: Schedule,
     /// The number of tops.
     pub tops: u64,
-    seed: u64,
+    pub seed: u64,
 }
 
 impl Plan {

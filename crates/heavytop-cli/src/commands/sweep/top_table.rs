@@ -37,7 +37,11 @@ impl<'a> TopTable<'a> {
         path: &Path,
     ) -> std::result::Result<Self, Error> {
         let output = Output::create(path).map_err(Error::too_late)?;
-        let file = fields(plan).and_then(|fields| begin("sweep", fields, metadata, true, output));
+        let repeated = |name: &str| {
+            plan.axes.iter().any(|axis| axis.is_grid() && axis.parameter.name() == name)
+        };
+        let file = fields(plan);
+        let file = file.and_then(|fields| begin("sweep", fields, metadata, repeated, output));
         let file = file.map_err(|source| failed(path, source.into()))?;
         Ok(Self { plan, path: path.into(), file, first: 0, rows: Vec::new() })
     }

@@ -85,7 +85,7 @@ impl Finished {
 
     /// Returns what is on stderr besides the closing line.
     pub fn complaints(&self) -> String {
-        let (lines, closing) = (self.stderr(), "heavytop: done: ");
+        let (lines, closing) = (self.stderr(), "heavytop: done");
         lines.split_inclusive('\n').filter(|line| !line.starts_with(closing)).collect()
     }
 

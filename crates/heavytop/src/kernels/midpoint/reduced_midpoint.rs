@@ -6,7 +6,7 @@ use crate::{HeavyTopSpace, TurnedStep, Turning};
 use collective_integrators::{
     Integrator, LiftFree, RungeKutta, StageMemory, StageSolver, StateIsMomentum, Step, StepError,
 };
-use lie_poisson::{Hamiltonian, Real, Se3Dual, Vector};
+use lie_poisson::{Hamiltonian, LiePoisson, Real, Se3, Se3Dual, Vector};
 use momentum_map::DualQuaternions;
 use nalgebra::Vector3;
 
@@ -62,7 +62,10 @@ const FIXED_POINT: StageSolver = StageSolver { tolerance: 0.0, max_iterations: 2
 
 impl<H> ReducedMidpoint<H> {
     /// Creates the rule for h, solved to the round-off floor.
-    pub fn new(hamiltonian: H) -> Self {
+    pub fn new(hamiltonian: H) -> Self
+    where
+        H: Hamiltonian<LiePoisson<Se3>>,
+    {
         let lift_free =
             LiftFree::new(RungeKutta::implicit_midpoint(), DualQuaternions, hamiltonian);
         Self { lift_free, solver: FIXED_POINT }

@@ -1,36 +1,26 @@
 //! The heat map of a grid with two axes, as SVG.
 
+use super::colours::{NONE, bar_scale, pixels, range};
 use super::fixed_values::fixed_values;
-use super::sweep_plan::Plan;
 use crate::Error;
-use crate::configuration::{Column, Observable, Spread, SweepAxis};
+use crate::commands::sweep::sweep_plan::Plan;
+use crate::configuration::{Column, Spread, SweepAxis};
 use crate::pictures::caption::{self, number};
-use crate::pictures::colour_scale::colour;
 use crate::pictures::frame::{EDGE, HEIGHT, TEXT, WIDTH};
 use crate::pictures::lettering::width;
 use crate::pictures::{Axis, Frame, Scale};
 use base64::Engine;
 use base64::engine::general_purpose::STANDARD;
-use resvg::tiny_skia::{ColorU8, Pixmap};
 use std::fmt::Write;
-
-/// The colour of tops without a value.
-const NONE: u8 = 190;
 
 /// The smallest number whose logarithm is distinguished, relative to the largest number of the map.
 const SMALLEST: f64 = 1e-16;
-
-/// The fraction of the values, at either end, that may lie outside the range of colours.
-const OUTLIERS: f64 = 0.005;
-
-/// The value of MEGNO for regular motion.
-const REGULAR: f64 = 2.0;
 
 /// The largest number of tops of a map; more would have more pixels than a screen, and take gigabytes.
 const MOST_TOPS: u64 = 1 << 24;
 
 /// Returns the number of columns and rows of a sweep's maps; `None` unless the sweep is a grid with two axes.
-pub(super) fn size(plan: &Plan) -> Option<[u32; 2]> {
+pub(in crate::commands::sweep) fn size(plan: &Plan) -> Option<[u32; 2]> {
     let [first, second] = plan.axes.as_slice() else { return None };
     match (first.spread, second.spread) {
         (Spread::Grid { count: columns, .. }, Spread::Grid { count: rows, .. })
@@ -46,7 +36,7 @@ pub(super) fn size(plan: &Plan) -> Option<[u32; 2]> {
 ///
 /// # Errors
 /// If the map cannot be drawn.
-pub(super) fn heat_map(
+pub(in crate::commands::sweep) fn heat_map(
     plan: &Plan,
     [columns, rows]: [u32; 2],
     column: &Column,
@@ -106,63 +96,6 @@ fn words(plan: &Plan) -> Vec<String> {
     ];
     parts.extend(fixed_values(&plan.body, &plan.initial, &plan.axes));
     parts
-}
-
-/// Returns the range of the colours: all values but outliers, and regular motion; `None` where there is no value.
-fn range(values: &[Option<f64>], column: &Column) -> Option<[f64; 2]> {
-    let mut sorted: Vec<f64> = values.iter().copied().flatten().collect();
-    sorted.sort_by(f64::total_cmp);
-    let outliers = (sorted.len() as f64 * OUTLIERS) as usize;
-    let least = *sorted.get(outliers)?;
-    let most = *sorted.iter().rev().nth(outliers)?;
-    let (least, most) = match is_megno(column) && column.is_logarithmic {
-        true => (least.min(REGULAR.log10()), most.max(REGULAR.log10())),
-        false => (least, most),
-    };
-    // The range is not narrowed to round-off, which thus looks constant.
-    let size = if column.is_logarithmic { 1.0 } else { least.abs().max(most.abs()) };
-    let room = 1e-9 * size;
-    Some(match most - least > room {
-        true => [least, most],
-        false if size > 0.0 => [least - room, least + room],
-        false => [-1.0, 1.0],
-    })
-}
-
-fn is_megno(column: &Column) -> bool {
-    Observable::Megno.columns().iter().any(|megno| megno.name == column.name)
-}
-
-/// Returns the scale of the bar of colours. MEGNO has a line at regular motion.
-fn bar_scale(column: &Column, [least, most]: [f64; 2]) -> Scale {
-    if !column.is_logarithmic {
-        return Scale::linear(&Axis::new(least, most, 6), column.label, false);
-    }
-    let scale = Scale::logarithmic([least, most], column.label);
-    if is_megno(column) {
-        // Labels are some 4 % of the bar high.
-        scale.with_line((REGULAR.log10() - least) / (most - least), "2 (regular)", 0.05)
-    } else {
-        scale
-    }
-}
-
-/// Encodes the values as a PNG with one pixel each.
-fn pixels(
-    width: u32,
-    height: u32,
-    values: &[Option<f64>],
-    range: Option<[f64; 2]>,
-) -> Result<Vec<u8>, Error> {
-    let mut picture = Pixmap::new(width, height)
-        .ok_or_else(|| Error::Figure(format!("{width} × {height} tops are too many")))?;
-    let [least, most] = range.unwrap_or([0.0, 1.0]);
-    for (pixel, value) in picture.pixels_mut().iter_mut().zip(values) {
-        let [red, green, blue] =
-            value.map_or([NONE; 3], |value| colour((value - least) / (most - least)));
-        *pixel = ColorU8::from_rgba(red, green, blue, 255).premultiply();
-    }
-    picture.encode_png().map_err(|error| Error::Figure(error.to_string()))
 }
 
 /// Returns the edges of an axis of the map: values are in the middle of their pixels.

@@ -1,0 +1,116 @@
+//! The forecast of a section: how much it would write, and how long that would take.
+
+use super::orbit::orbit;
+use super::settings::Settings;
+use crate::Error;
+use crate::configuration::Config;
+use crate::supervision::forecast::{BYTES_OF_TEXT, TRIAL, compressed, spread};
+use crate::supervision::tiled_run::threads;
+use crate::supervision::{Forecast, TileOptions};
+use lie_poisson::Se3Dual;
+use rayon::prelude::*;
+use std::path::Path;
+use std::time::Instant;
+
+/// The largest number of steps of a start in a trial.
+const MOST_STEPS: usize = 50_000;
+
+/// The largest number of returns of a start in a trial.
+const MOST_RETURNS: usize = 8;
+
+/// The numbers of a point in a table: the start, the crossing, the time, the state and the place in the plane.
+const NUMBERS: u64 = 11;
+
+/// The bytes of a point in `section.svg`.
+const BYTES_OF_DRAWING: u64 = 26;
+
+/// The bytes of both pictures without points; lettering takes most of them.
+const BYTES_OF_FRAMES: u64 = 280_000;
+
+/// Returns the forecast of a section without trying it.
+///
+/// # Errors
+/// If there is no such section.
+pub fn forecast(config: &Config, out: &Path) -> Result<Forecast, Error> {
+    Settings::new(config).map(|settings| of(&settings, out))
+}
+
+/// Returns the forecast of a section after trying some of its starts for a fifth of a second, or a little longer if
+/// they return rarely. Nothing is written.
+///
+/// # Errors
+/// If there is no such section, its threads cannot be started, or one of the starts cannot be followed.
+///
+/// # Example
+/// ```
+/// use heavytop_cli::commands::section::dry_run;
+/// use heavytop_cli::configuration::Config;
+/// let forecast = dry_run(&Config::default(), "section".as_ref(), Some(1))?;
+/// assert_eq!(forecast.rows, 60 * (1 + 500));
+/// assert!(forecast.seconds.is_some_and(|seconds| seconds > 0.0));
+/// # Ok::<(), heavytop_cli::Error>(())
+/// ```
+pub fn dry_run(config: &Config, out: &Path, count: Option<usize>) -> Result<Forecast, Error> {
+    let (settings, threads) = (Settings::new(config)?, threads(count)?);
+    let starts = settings.section.starts(settings.starts, settings.seed)?;
+    let seconds = threads.install(|| seconds(&settings, &starts))?;
+    Ok(Forecast { seconds: Some(seconds), ..of(&settings, out) })
+}
+
+fn of(settings: &Settings, out: &Path) -> Forecast {
+    let Settings { starts, crossings, .. } = *settings;
+    let rows = starts as u64 * (1 + crossings as u64);
+    let text = rows * BYTES_OF_TEXT * (NUMBERS - 2);
+    let table = compressed(rows * 8 * NUMBERS);
+    let bytes = text + table + rows * BYTES_OF_DRAWING + BYTES_OF_FRAMES;
+    Forecast {
+        out: out.into(),
+        work: format!("{starts} starts, at most {rows} points"),
+        remedy: "lower starts or crossings",
+        steps: None,
+        rows,
+        bytes,
+        // Until the tables are complete there are the tiles besides them.
+        room: bytes + text,
+        seconds: None,
+        is_device: false,
+    }
+}
+
+/// Follows some of the starts for some returns, and returns the time that all would take, s.
+fn seconds(settings: &Settings, starts: &[Se3Dual]) -> Result<f64, Error> {
+    let (steps, crossings) = (settings.steps.min(MOST_STEPS), settings.crossings.min(MOST_RETURNS));
+    let shortened = Settings { steps, crossings, ..*settings };
+    let threads = rayon::current_num_threads();
+    let (begun, mut followed, mut sum) = (Instant::now(), 0, 0.0);
+    while followed == 0 || begun.elapsed() < TRIAL {
+        let group = (followed..followed + threads).into_par_iter().map(|n| {
+            let number = spread(n as u64, starts.len() as u64) as usize;
+            of_start(settings, &shortened, number, starts.get(number))
+        });
+        sum += group.try_reduce(|| 0.0, |a, b| Ok(a + b))?;
+        followed += threads;
+    }
+    Ok(sum / followed as f64 * settings.starts as f64 / threads as f64)
+}
+
+/// Returns the time that a start would take on one thread, s.
+fn of_start(
+    settings: &Settings,
+    shortened: &Settings,
+    number: usize,
+    start: Option<&Se3Dual>,
+) -> Result<f64, Error> {
+    let Some(start) = start else { return Ok(0.0) };
+    let begun = Instant::now();
+    let (orbit, failure) = orbit(shortened, &TileOptions::default(), number + 1, start);
+    if let Some(failure) = failure {
+        return Err(failure);
+    }
+    let seconds = begun.elapsed().as_secs_f64();
+    let returns = orbit.crossings.len().saturating_sub(1);
+    let of_all_returns = settings.crossings as f64 / returns as f64;
+    let of_all_steps = settings.steps as f64 / shortened.steps as f64;
+    let is_short = returns < shortened.crossings;
+    Ok(seconds * if is_short { of_all_returns.min(of_all_steps) } else { of_all_returns })
+}

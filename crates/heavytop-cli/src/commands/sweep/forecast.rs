@@ -1,0 +1,89 @@
+//! The forecast of a sweep: how much it would write, and how long that would take.
+
+use super::heat_maps;
+use super::measured_row::measure;
+use super::sweep_plan::Plan;
+use crate::Error;
+use crate::configuration::Config;
+use crate::runs::Schedule;
+use crate::supervision::Forecast;
+use crate::supervision::forecast::{BYTES_OF_TEXT, TRIAL, compressed, spread};
+use crate::supervision::tiled_run::threads;
+use rayon::prelude::*;
+use std::path::Path;
+use std::time::Instant;
+
+/// The largest number of steps of a top in a trial.
+const MOST_STEPS: u64 = 1000;
+
+/// The bytes of the two pictures of a map without tops; lettering takes most of them.
+const BYTES_OF_FRAMES: u64 = 180_000;
+
+/// The bytes of a top in the two pictures of a map.
+const BYTES_OF_PIXEL: u64 = 2;
+
+/// Returns the forecast of a sweep without trying it.
+///
+/// # Errors
+/// If there is no such sweep.
+pub fn forecast(config: &Config, out: &Path) -> Result<Forecast, Error> {
+    Ok(of(&Plan::new(&Plan::complete(config))?, out))
+}
+
+/// Returns the forecast of a sweep after trying some of its tops for a fifth of a second, or a little longer if steps
+/// are slow. Nothing is written.
+///
+/// # Errors
+/// If there is no such sweep, or its threads cannot be started.
+///
+/// # Example
+/// ```
+/// use heavytop_cli::commands::sweep::dry_run;
+/// use heavytop_cli::configuration::Config;
+/// let forecast = dry_run(&Config::default(), "map".as_ref(), Some(1))?;
+/// assert_eq!(forecast.rows, 32 * 32);
+/// assert!(forecast.seconds.is_some_and(|seconds| seconds > 0.0));
+/// # Ok::<(), heavytop_cli::Error>(())
+/// ```
+pub fn dry_run(config: &Config, out: &Path, count: Option<usize>) -> Result<Forecast, Error> {
+    let (plan, threads) = (Plan::new(&Plan::complete(config))?, threads(count)?);
+    let seconds = threads.install(|| seconds(&plan));
+    Ok(Forecast { seconds: Some(seconds), ..of(&plan, out) })
+}
+
+fn of(plan: &Plan, out: &Path) -> Forecast {
+    let Plan { tops, schedule: Schedule { steps, .. }, .. } = *plan;
+    let (axes, columns) = (plan.axes.len() as u64, plan.columns().count() as u64);
+    let maps = heat_maps::size(plan).map_or(0, |_| columns);
+    let table = compressed(tops * 8 * (1 + axes + columns));
+    let bytes = table + maps * (BYTES_OF_FRAMES + BYTES_OF_PIXEL * tops);
+    Forecast {
+        out: out.into(),
+        work: format!("{tops} tops of {steps} steps"),
+        remedy: "lower the number of tops",
+        steps: Some(tops.saturating_mul(steps)),
+        rows: tops,
+        bytes,
+        // Until the table is complete there are the tiles besides it, in text.
+        room: bytes + tops * BYTES_OF_TEXT * columns,
+        seconds: None,
+        is_device: false,
+    }
+}
+
+/// Follows tops from all over the sweep, for some of their steps, and returns the time that all would take, s.
+fn seconds(plan: &Plan) -> f64 {
+    let schedule =
+        Schedule { steps: plan.schedule.steps.min(MOST_STEPS), step: plan.schedule.step };
+    let shortened = Plan { schedule, ..plan.clone() };
+    let group = 4 * rayon::current_num_threads() as u64;
+    let (begun, mut followed) = (Instant::now(), 0);
+    while followed == 0 || begun.elapsed() < TRIAL {
+        (followed..followed + group).into_par_iter().for_each(|n| {
+            std::hint::black_box(measure(&shortened, spread(n, plan.tops)));
+        });
+        followed += group;
+    }
+    let steps = (followed * schedule.steps) as f64;
+    begun.elapsed().as_secs_f64() / steps * (plan.tops as f64 * plan.schedule.steps as f64)
+}

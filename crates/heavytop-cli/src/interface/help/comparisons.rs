@@ -1,0 +1,51 @@
+//! The long texts of `--help` of the commands that compare integrators.
+
+pub(crate) const COMPARE: &str = "\
+Measure work against precision, for every formulation and scheme.
+
+The top of the configuration is followed by each of them with twelve steps, from fifty times the
+configured one to a tenth of it. The interval is 500 configured steps, or the whole run if that is
+shorter; --end sets another end. Over longer times the errors of a chaotic top say more about the
+top than about the integrators. formulation, scheme and output of the configuration play no part; tolerance does.
+
+The error is the 2-norm of that of (Π, Γ) at the end, against a Gauss method of order 16 without a
+lift at half the configured step; if that with the whole step differs by more than 1e-11 of its
+size, the command fails. The time is the wall-clock time for one simulated second, (Π, Γ) read after
+each step, the best of at least three repetitions; it is of your machine, so let it rest meanwhile.
+Π and Γ have different units: the table has their errors apart, and the figure shows the larger of
+|δΠ| / max |Π| and |δΓ| / max |Γ|.
+
+Written into the folder:
+  work-precision.svg .png  error against time, a panel for each formulation
+  work-precision.csv       formulation,scheme,step,end,error,seconds,h,f1,f2, the last three the
+                           largest deviations, then error_Pi (kg m²/s), error_Gamma,
+                           relative_error; NaN where a step had no result
+Printed: for some accuracies the fastest method that reaches them, and the fastest Poisson one.
+
+Of the midpoint rule strang is the rule itself, and is listed as implicit-midpoint.";
+
+pub(crate) const COMPARE_EXAMPLES: &str = "\
+Examples:
+  heavytop compare --out comparison               # the paper's top
+  heavytop compare --preset lagrange --out comparison
+  heavytop compare top.toml --end 2 --out comparison
+  heavytop compare top.toml --out comparison --json";
+
+pub(crate) const BENCH: &str = "\
+Time the integrators on one top and on many.
+
+The configured top is followed to t = 1000 s, and an ensemble of starts about its own to t = 20 s, by
+each fast path and by the general one, which serves any system. For each: the least computing time of
+several runs (ms), that per top and step (ns), and the error of (Π, Γ) at t = 10 s and at the end: its
+2-norm, in an ensemble the mean over at most 10000 tops. References are by the collective Gauss
+method of order 16 with step 1/8 s.
+
+A problem file is text: I1 I2 I3 mgl c1 c2 c3 end on the first line (kg m², N m, s), and on each other
+line a top: (Π, Γ) at t = 0, t = 10 and end.";
+
+pub(crate) const BENCH_EXAMPLES: &str = "\
+Examples:
+  heavytop bench                                  # the paper's top
+  heavytop bench top.toml --threads 2
+  heavytop bench --only midpoint --json
+  heavytop bench --only \"splitting of order 4\" --tops 10000000";

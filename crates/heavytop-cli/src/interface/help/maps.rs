@@ -1,0 +1,129 @@
+//! The long texts of `--help` of the commands that follow many starts or tops.
+
+pub(crate) const SECTION: &str = "\
+Draw a Poincaré section of a top.
+
+On the states with h = energy, Π·Γ = vertical_momentum and |Γ| = 1 starts are spread evenly over a
+surface, and followed from crossing to crossing. The surface fixes one coordinate, Γ_i or Π_i; the
+section is drawn over
+
+  x   the angle of Γ about e_i, rad
+  y   Π_i (kg m²/s) where Γ_i is fixed, Γ_i where Π_i is fixed
+
+Where Γ_i is fixed these are canonical: areas are conserved from crossing to crossing. Starts are
+coloured by the mean of |y| over their points, which is the same all over an invariant curve or a
+chaotic sea.
+
+Crossings are located to the accuracy of the integrator; those in the first step after a start are
+not seen. Starts are followed in parallel; no bit depends on the number of threads (--threads).
+
+Written into the folder:
+  section.svg .png  the picture
+  section.csv       start,crossing,t,Pi1,...,Gamma3,x,y; crossing 0 is the start itself
+  section.parquet   the same columns; version and configuration, with all that was left out, are in
+                    its key-value metadata
+
+What is finished, a start or some 256 points at a time, is kept in DIR/section.partial until all is.
+After an interruption, by Ctrl-C (which needs a moment; a second one ends at once), a kill or a full
+disk, --resume continues from there, to the same bytes, and --restart starts anew; one of them is
+needed. --resume is refused with another configuration or version. No more points are held than
+those of the picture. --dry-run writes nothing, tries some starts for a fifth of a second, and
+prints what would be written, and the time; it takes every start to have all its returns.";
+
+pub(crate) const SECTION_EXAMPLES: &str = "\
+Configuration: [body] and [initial] as of simulate, and
+  [section]
+  energy = 11.75                     # h, J; without it that of [initial]
+  vertical_momentum = 4.46           # Π·Γ, kg m²/s; without it that of [initial]
+  surface = \"Gamma3\"                 # or Gamma1, Gamma2, Pi1, Pi2, Pi3
+  level = 0.0                        # its value on the surface
+  direction = \"up\"                   # the crossings that count: up, down or both; the two sheets
+                                     # of both are drawn over one another
+  starts = 60                        # 1 or more
+  crossings = 500                    # of each start, 1 or more
+  longest = 10000.0                  # s; no start is followed longer
+  seed = 0                           # which starts
+
+  [integrator]                       # as of simulate; end plays no part
+What [integrator] leaves out: reduced, gauss-8, a step in which no body on the energy level turns by
+more than 0.5 rad.
+
+Examples:
+  heavytop section --out section                  # the paper's top
+  heavytop section --preset euler --out section
+  heavytop section top.toml --out section --json
+  heavytop section top.toml --out section --resume   # after an interruption
+  heavytop section top.toml --out section --restart  # or all anew";
+
+pub(crate) const SWEEP: &str = "\
+Follow many tops at once, and map what becomes of them.
+
+Each axis varies one number of [body] or [initial], over a grid or at random; the observables are
+
+  final-state         (Π, Γ) at the end: Pi1,Pi2,Pi3 (kg m²/s), Gamma1,Gamma2,Gamma3
+  invariant-drift     largest deviations over all steps: drift_h (J), drift_f1, drift_f2 (kg m²/s)
+  lyapunov            the maximal Lyapunov exponent so far, 1/s
+  megno               mean exponential growth factor of nearby orbits: about 2 in order, λt/2 in chaos
+  sali                smaller alignment index of two tangent vectors: round-off in chaos
+  rotation-number     mean advance of Γ about the centre of mass's line, seen from the body, from one
+                      maximum of its height to the next, in turns; null with fewer than two maxima
+  nutation-amplitude  range of the angle between that line and the vertical, rad
+
+Tangent vectors are those of the states that the integrator advances: under collective those of
+T*C², fibres included; use reduced.
+
+Written into the folder:
+  sweep.parquet   a row for each top: index, the parameters by their paths, the observables, failure;
+                  a top that could not be followed has nulls and the reason there, and harms no other;
+                  if all fail, the table is kept as sweep.parquet.partial, and the exit code is 1
+  NAME.svg .png   for a grid with two axes and at most 4096 × 4096 tops, a map of each column: the
+                  first axis is the abscissa; the colours span all values but half a percent at
+                  either end; gray has no value; the value 2 of MEGNO, regular motion, is marked
+
+Tops are followed in parallel (--threads, by default all processors); top number n depends on the
+configuration and n alone, so that no bit depends on the number of threads, processes or tops. What
+is finished is kept, 256 tops at a time, in DIR/sweep.partial until all is; after an interruption, by
+Ctrl-C (a second one ends at once), a kill or a full disk, --resume continues from there, to the same
+bytes, and --restart starts anew; one of them is needed. --resume is refused with another
+configuration or version. But for the maps memory does not grow with the number of tops. --dry-run
+writes nothing, tries some tops for a fifth of a second, and prints what would be written, and the
+time.
+
+A program built with the feature mpi shares the work among the processes of an MPI job. DIR must be
+on a file system that all of them see. A process that fails says why and ends the job.";
+
+pub(crate) const SWEEP_EXAMPLES: &str = "\
+Configuration: [body] and [initial] as of simulate, and
+  [sweep]
+  observables = [\"megno\"]            # one or more
+  count = 10000                      # how many tops; where the axes are random, and only there
+  seed = 0                           # which random numbers
+
+  [[sweep.axes]]                     # a grid; where there are several the last one runs fastest
+  parameter = \"body.inertia[1]\"     # see below
+  from = 1.0
+  to = 3.0
+  count = 512
+
+  [[sweep.axes]]                     # or random: the axes are all grids or all random
+  parameter = \"initial.vertical[0]\"
+  uniform = [-1.0, 1.0]              # least and largest value; or
+  # normal = [0.0, 0.5]              # mean and standard deviation
+  normalise = true                   # scale the unit vector to length 1 afterwards; default false
+
+  [integrator]                       # as of simulate
+What [integrator] leaves out: reduced, gauss-8, step 0.1 s, end 100 s.
+
+Parameters:
+  body.inertia[i], body.mass, body.gravity, body.length, body.center_of_mass[i],
+  initial.angular_momentum[i], initial.vertical[i]                    i = 0, 1, 2
+  body.center_of_mass.inclination, body.center_of_mass.azimuth,
+  initial.vertical.inclination, initial.vertical.azimuth              rad
+with the unit vector (sin i cos a, sin i sin a, cos i) of inclination i and azimuth a.
+
+Examples:
+  heavytop sweep --out sweep                      # a small map about the paper's top
+  heavytop sweep map.toml --out map
+  heavytop sweep map.toml --out map --resume      # after an interruption
+  heavytop sweep map.toml --out map --restart     # or all anew
+  mpirun -n 4 heavytop sweep map.toml --out map   # built with --features mpi";

@@ -1,0 +1,143 @@
+//! The long texts of `--help` of the commands that run one top.
+
+pub(crate) const REPRODUCE: &str = "\
+Reproduce the paper's figures: Kovalevskaya's top with four integrators.
+
+The top has m = g = l = I3 = 1, I1 = I2 = 2 and its centre of mass along e1 (SI units throughout);
+Π(0) = (2, 3, 4) and Γ(0) = (1/2, 0, √3/2). It is followed by the implicit and by the explicit
+midpoint rule, each applied collectively, on T*C², and directly, to the six equations of the top.
+
+Written into the folder, the figures each as .svg and .png:
+  fig1a fig1b fig1c fig1d  h, f1, f2 and K: explicit midpoint collectively (blue) and directly
+                           (green), implicit midpoint collectively (red)
+  fig2a fig2b              h and K: implicit midpoint directly (gray) and collectively (red)
+  trajectories.csv         all states: formulation,scheme,t,Pi1,...,Gamma3,h,f1,f2,K
+  summary.csv              the largest deviation of h, f1, f2 and K from the initial value over all
+                           steps; also printed";
+
+pub(crate) const REPRODUCE_EXAMPLES: &str = "\
+Examples:
+  heavytop reproduce                              # the paper's Figures 1 and 2, in ./figures
+  heavytop reproduce --out half --step 0.01       # half the step
+  heavytop reproduce --out long --end 1000        # ten times as long";
+
+pub(crate) const SIMULATE: &str = "\
+Simulate a top and write its states and invariants.
+
+Columns: t (s), Pi1,Pi2,Pi3 (kg m²/s, body frame), Gamma1,Gamma2,Gamma3 (the upward vertical, body
+frame), h (J), f1 = |Γ|², f2 = Π·Γ (kg m²/s), then K ((kg m²/s)⁴) for a Kovalevskaya top, G
+((kg m²/s)³) for a Goryachev–Chaplygin top, then where asked for the attitude qw,qx,qy,qz: the unit
+quaternion of the rotation R from the body frame to the spatial one, Γ = Rᵀe3, which starts with the
+shortest rotation that has it. Row 0 is the initial state. Each number reads back as the same 64-bit
+number.
+
+Formats, by the file's ending:
+  .csv      text
+  .npz      for NumPy, the arrays t, Pi, Gamma, h, f1, f2, ... with a row for each time, q for the
+            attitude, and the string metadata, in JSON: version and configuration
+  .parquet  the columns of the CSV, compressed (Zstandard); version and configuration are in its
+            key-value metadata
+Memory does not grow with the run. While it goes on the rows are in FILE.partial for .csv, and in
+FILE.rows for the others, 8 bytes for each number, until the file is made of them at the end.
+
+A run that is interrupted, by Ctrl-C (which needs a moment) or by a power cut, leaves
+FILE.checkpoint; with --resume FILE.checkpoint it goes on, and the file equals that of an
+uninterrupted run byte for byte. A configuration need not be given again; if it is, it must be the
+same, as must the version of the program. Where there is a checkpoint a run without --resume is
+refused, unless --restart discards it. A checkpoint is possible after every 1024th step.
+
+Before a run that needs more room than the disk has, or more than 100 GB, there is a question. Where
+nobody can be asked, since stdin or stderr is no terminal, it is refused; --yes answers the question.
+--dry-run writes nothing, tries the run for a fifth of a second, and prints what it would write.";
+
+pub(crate) const SIMULATE_EXAMPLES: &str = "\
+Presets, for --preset; a configuration given as well is put over it, key by key:
+  kovalevskaya         the paper's top, the values below
+  lagrange             a symmetric top let go while it spins: its nutation has cusps
+  euler                a free body that turns nearly about its middle axis, and tumbles
+  goryachev-chaplygin  I1 = I2 = 4 I3, centre of mass on e1, Π·Γ = 0
+  multibody-benchmark  the fast top on which multibody codes are compared: 15 kg, 150 rad/s, 2 s;
+                       the height of its centre of mass at the end, Gamma2, is -0.67302226956 m
+
+Configuration: every key may be left out, and has then the value below.
+  [body]
+  inertia = [2.0, 2.0, 1.0]          # principal moments, kg m²
+  mass = 1.0                         # kg
+  gravity = 1.0                      # m/s²; 0 gives the free rigid body
+  length = 1.0                       # m, support to centre of mass
+  center_of_mass = [1.0, 0.0, 0.0]   # direction in the body frame; a unit vector
+  normalise = false                  # whether to scale center_of_mass to length 1
+
+  [initial]
+  angular_momentum = [2.0, 3.0, 4.0]            # Π(0), kg m²/s, body frame
+  vertical = [0.5, 0.0, 0.8660254037844386]     # Γ(0), body frame; a unit vector
+  normalise = false                             # whether to scale vertical to length 1
+  # angular_velocity, Ω(0) in rad/s, instead of angular_momentum: Π(0) = (I1 Ω1, I2 Ω2, I3 Ω3).
+  # inclination i and azimuth a (0 by default), rad, instead of vertical:
+  # Γ(0) = (sin i cos a, sin i sin a, cos i). i is the angle from e3 to Γ(0): at 0 the axis e3 points
+  # up, at π down. a is counted from e1, positive towards e2: at i = π/2, a = 0 the axis e1 points up.
+
+  [integrator]
+  formulation = \"collective\"         # or reduced, direct, splitting; see below
+  scheme = \"implicit-midpoint\"       # see below
+  step = 0.02                        # s
+  end = 100.0                        # s; a whole number of steps
+  tolerance = 0.0                    # of the stage equations; 0 iterates to the round-off floor
+
+  [output]
+  every = 1                          # keep every n-th step; the last step is always kept
+  attitude = false                   # whether to write the attitude; direct has none
+
+Formulations:
+  collective   on T*C², read through M: T*C² → se(3)*
+  reduced      the same maps without a lift, on se(3)* itself
+  direct       on the six equations of the top: not Poisson, whatever the scheme
+  splitting    exact flows of the free top and of its weight, explicit and Poisson; of the free top
+               as three rotors unless I1 = I2
+
+Schemes; the number is the order:
+  implicit-midpoint, gauss-4, gauss-6, gauss-8, gauss-10, gauss-12, gauss-16
+                                        collective, reduced, direct
+  explicit-midpoint, rk4                collective, direct
+  symplectic-euler, stormer-verlet, lobatto-iiia-iiib-4
+                                        collective, with a warning: they do not descend to se(3)*
+  strang, yoshida-4, suzuki-4, yoshida-6, kahan-li-6, kahan-li-8
+                                        all: compositions of Strang's splitting under splitting, of
+                                        the implicit midpoint rule elsewhere, where strang is that
+                                        rule itself
+
+Examples:
+  heavytop simulate --out kovalevskaya.csv        # the paper's top
+  heavytop simulate top.toml --out top.csv
+  heavytop simulate --preset multibody-benchmark --out benchmark.npz
+  heavytop simulate --preset lagrange top.toml --out top.parquet   # the preset but for top.toml
+  heavytop simulate top.toml --set integrator.end=50 --set integrator.scheme=gauss-4 --out top.csv
+  sed s/0.02/0.01/ top.toml | heavytop simulate - --out top.csv    # from standard input
+  heavytop simulate top.toml --out top.csv --resume top.csv.checkpoint
+  heavytop simulate top.toml --out top.csv --restart               # discard the checkpoint
+  heavytop simulate top.toml --out top.csv --dry-run               # rows, size and time only
+  heavytop simulate top.toml --out top.csv --json                  # a summary on stdout
+  heavytop simulate top.toml --out /dev/stdout | gzip > top.csv.gz";
+
+pub(crate) const ANIMATE: &str = "\
+Show a top in motion, on a page for a browser.
+
+The page is one file, which needs neither others nor a network. It shows in space the body, as the
+homogeneous ellipsoid about the support that has its principal moments, its principal axes, the
+centre of mass with the trace of its direction on the sphere, the angular momentum and the vertical;
+and below h, f1, f2 and, where the top has them, f3, K and G against time. Play, pause, go anywhere
+in time, choose the speed, drag to turn the view; the page says which keys do it.
+
+The attitude is followed along with (Π, Γ); the direct equations have none. It starts with the shortest
+rotation R for which Γ = Rᵀe3.
+
+Every n-th step is a frame, and the last; n is [output] every, or the least multiple of it that gives
+at most 20000 frames, some 3.5 MB. Between frames the page interpolates, and there is a warning where
+the body turns by more than 1 rad from one to the next.";
+
+pub(crate) const ANIMATE_EXAMPLES: &str = "\
+Examples:
+  heavytop animate --out kovalevskaya.html        # the paper's top
+  heavytop animate top.toml --out top.html
+  heavytop animate --preset lagrange --out lagrange.html --json   # a summary on stdout
+Open the page in a browser; top.html#t=12.5 shows the moment t = 12.5 s.";
