@@ -1,8 +1,9 @@
 // Measures one top from t = 0 to the problem's end with hand-written fixed-step methods: RK4, DOP853's method of
-// order 8 and the implicit midpoint rule on the six equations (not a Poisson map). The last two also with w and Γ in a
-// register each ("vectors"); RK4, bound by latency, gains nothing from that.
+// order 8, the Gauss method of order 16 and the implicit midpoint rule on the six equations (not Poisson maps). The second
+// and the last also with w and Γ in a register each ("vectors"); RK4, bound by latency, gains nothing from that.
 //
 //     single PROBLEM
+#include "irkgl.hpp"
 #include "kernels.hpp"
 #include <immintrin.h>
 
@@ -59,8 +60,7 @@ template <class Method, class S> __attribute__((noinline)) bool advance(Method &
   return converged;
 }
 
-template <template <class> class Method, class S>
-void compete(const char *name, const Problem &problem, double h) {
+template <class Method, class S> void compete_with(const char *name, const Problem &problem, double h) {
   char setting[32];
   std::snprintf(setting, sizeof setting, "h = %g", h);
   contest(name, setting, problem, [&](std::vector<State> &states, double end) {
@@ -68,11 +68,15 @@ void compete(const char *name, const Problem &problem, double h) {
     const double *inertia = problem.top.inertia;
     S y{};
     for (int i = 0; i < 6; ++i) set(y, i, states[0][i] * (i < 3 ? h / inertia[i] : 1));
-    Method<S> method(problem.top, h);
+    Method method(problem.top, h);
     if (!advance(method, y, steps)) std::exit(1);
     for (int i = 0; i < 6; ++i) states[0][i] = get(y, i) * (i < 3 ? inertia[i] / h : 1);
     return steps;
   });
+}
+
+template <template <class> class Method, class S> void compete(const char *name, const Problem &problem, double h) {
+  compete_with<Method<S>, S>(name, problem, h);
 }
 
 int main(int, char **arguments) {
@@ -80,6 +84,10 @@ int main(int, char **arguments) {
   for (double h : {0.0025, 0.01, 0.04}) compete<RungeKutta4, Scalars>("C++ RK4", problem, h);
   for (double h : {0.025, 0.05, 0.1}) compete<RungeKutta8, Scalars>("C++ RK8", problem, h);
   for (double h : {0.025, 0.05, 0.1}) compete<RungeKutta8, Vectors>("C++ RK8, vectors", problem, h);
+  for (double h : {0.4, 1 / 3.0, 2 / 7.0, 0.25}) {
+    compete_with<Gauss16WithTolerance, Scalars>("C++ IRKGL16", problem, h);
+    compete_with<Gauss16ToTheFloor, Scalars>("C++ IRKGL16, to the floor", problem, h);
+  }
   compete<ImplicitMidpoint, Scalars>("C++ implicit midpoint", problem, 0.01);
   compete<ImplicitMidpoint, Vectors>("C++ implicit midpoint, vectors", problem, 0.01);
 }

@@ -6,7 +6,7 @@
 
 use collective_integrators::{
     AlternatingSubsteps, BatchIntegrator, Collective, Direct, HamiltonianField, IntegrationError,
-    Integrator, LiftFree, RungeKutta, Start,
+    Integrator, LiftFree, RungeKutta, Splitting, Start,
 };
 use heavytop::{
     CollectiveGauss, HeavyTop, MidpointBatch, ReducedMidpoint, SpinorRealisation,
@@ -90,6 +90,7 @@ fn main() -> Result<(), Box<dyn Error>> {
                 HamiltonianField { space: LiePoisson::minus(Se3::default()), hamiltonian: top };
             one(&Direct::new(RungeKutta::rk4(), field), 0.01, steps)
         }
+        "strang" => one(&Splitting::strang(SymmetricTopSplitting::new(top)?), 0.02, steps),
         other => Err(format!("no kernel called {other}").into()),
     }
 }

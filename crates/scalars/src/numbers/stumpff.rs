@@ -12,6 +12,48 @@ fn series(x: f64, order: u32) -> f64 {
     if order >= UNDERFLOW {
         return x * 0.0;
     }
+    // Few terms suffice for small x: the next one is below 2⁻⁶⁴ and 2⁻⁶¹ of the first for k = 0, and smaller for k > 0.
+    let short = match x.abs() {
+        size if size <= 1.0 / 64.0 => nested::<5>(x, order),
+        size if size <= 1.0 => nested::<9>(x, order),
+        _ => None,
+    };
+    let sum = short.unwrap_or_else(|| long_series(x, order));
+    match order {
+        0 | 1 => sum,
+        2 => 0.5 * sum,
+        _ => sum / factorial(order),
+    }
+}
+
+/// Returns k! cₖ(x) by the first terms of the series, in nested form; `None` for orders that the table does not serve.
+///
+/// ```text
+/// 1 − x/((k+1)(k+2)) (1 − x/((k+3)(k+4)) (1 − …))
+/// ```
+#[inline]
+fn nested<const TERMS: usize>(x: f64, order: u32) -> Option<f64> {
+    let factors = RECIPROCALS.get(order as usize..)?.get(..2 * TERMS)?;
+    let mut sum = 1.0;
+    for pair in factors.as_chunks::<2>().0.iter().rev() {
+        sum = 1.0 - (x * pair[0]) * sum;
+    }
+    Some(sum)
+}
+
+/// The numbers 1/((i+1)(i+2)).
+const RECIPROCALS: [f64; 32] = {
+    let mut reciprocals = [0.0; 32];
+    let mut i = 0;
+    while i < reciprocals.len() {
+        reciprocals[i] = 1.0 / ((i + 1) * (i + 2)) as f64;
+        i += 1;
+    }
+    reciprocals
+};
+
+/// Returns k! cₖ(x) by as many terms as it takes.
+fn long_series(x: f64, order: u32) -> f64 {
     let k = f64::from(order);
     let step = |j: u32| {
         let n = k + 2.0 * f64::from(j);
@@ -22,8 +64,7 @@ fn series(x: f64, order: u32) -> f64 {
         terms += 1;
         size *= x.abs() / step(terms);
     }
-    let sum = (1..=terms).rev().fold(1.0, |tail, j| 1.0 - x * tail / step(j));
-    sum / factorial(order)
+    (1..=terms).rev().fold(1.0, |tail, j| 1.0 - x * tail / step(j))
 }
 
 /// The lowest order k for which 1/k! is not a normal number.
@@ -70,6 +111,26 @@ mod tests {
             // A handful of roundings of the recursion.
             assert!(error < 4.0 * f64::EPSILON, "c_{order}({x}): {error:e}");
         }
+    }
+
+    /// The seams of the short series, where they have the fewest terms for the size of x, against the long one.
+    #[test]
+    fn short_series_have_enough_terms() {
+        for order in 0..24 {
+            for size in [0.0, 1e-300, 1e-9, 1.0 / 65.0, 1.0 / 64.0, 1.0 / 63.0, 0.5, 1.0] {
+                for x in [size, -size] {
+                    let long = long_series(x, order) / factorial(order);
+                    let error = (series(x, order) / long - 1.0).abs();
+                    // A rounding of each factor and of the quotient by k!.
+                    assert!(error < 2.0 * f64::EPSILON, "c_{order}({x}): {error:e}");
+                }
+            }
+            // Control: with fewer terms the error shows where all of them count.
+            let short =
+                nested::<4>(1.0, order.min(1)).map(|sum| sum / long_series(1.0, order.min(1)));
+            assert!(short.is_some_and(|ratio| (ratio - 1.0).abs() > 4.0 * f64::EPSILON));
+        }
+        assert!(series(f64::NAN, 1).is_nan());
     }
 
     #[test]

@@ -7,9 +7,9 @@ mod survey;
 mod picture;
 mod point_table;
 mod section_summary;
-mod forecast;
+mod section_forecast;
 mod section_command;
 
-pub use forecast::{dry_run, forecast};
 pub use section_command::section;
+pub use section_forecast::{dry_run, forecast};
 pub use section_summary::SectionSummary;

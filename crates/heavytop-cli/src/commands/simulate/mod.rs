@@ -5,11 +5,11 @@ mod checkpoint;
 mod simulate_options;
 mod recording;
 mod run_summary;
-mod forecast;
+mod run_forecast;
 mod simulate_command;
 
 pub use checkpoint::Checkpoint;
-pub use forecast::{dry_run, forecast};
+pub use run_forecast::{dry_run, forecast};
 pub use run_summary::RunSummary;
 pub use simulate_command::simulate;
 pub use simulate_options::SimulateOptions;

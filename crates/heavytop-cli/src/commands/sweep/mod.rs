@@ -7,9 +7,9 @@ mod top_table;
 mod heat_maps;
 mod processes;
 mod sweep_summary;
-mod forecast;
+mod sweep_forecast;
 mod sweep_command;
 
-pub use forecast::{dry_run, forecast};
 pub use sweep_command::sweep;
+pub use sweep_forecast::{dry_run, forecast};
 pub use sweep_summary::SweepSummary;

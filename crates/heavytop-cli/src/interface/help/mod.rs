@@ -1,13 +1,13 @@
 //! The long texts of `--help`.
 
-mod program;
-mod runs;
-mod comparisons;
-mod maps;
+mod program_help;
+mod run_help;
+mod comparison_help;
+mod map_help;
 
-pub(crate) use comparisons::{BENCH, BENCH_EXAMPLES, COMPARE, COMPARE_EXAMPLES};
-pub(crate) use maps::{SECTION, SECTION_EXAMPLES, SWEEP, SWEEP_EXAMPLES};
-pub(crate) use program::{COMPLETIONS_EXAMPLES, EXIT_CODES, INIT_EXAMPLES, MAN_EXAMPLES};
-pub(crate) use runs::{
+pub(crate) use comparison_help::{BENCH, BENCH_EXAMPLES, COMPARE, COMPARE_EXAMPLES};
+pub(crate) use map_help::{SECTION, SECTION_EXAMPLES, SWEEP, SWEEP_EXAMPLES};
+pub(crate) use program_help::{COMPLETIONS_EXAMPLES, EXIT_CODES, INIT_EXAMPLES, MAN_EXAMPLES};
+pub(crate) use run_help::{
     ANIMATE, ANIMATE_EXAMPLES, REPRODUCE, REPRODUCE_EXAMPLES, SIMULATE, SIMULATE_EXAMPLES,
 };
