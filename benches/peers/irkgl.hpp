@@ -6,7 +6,6 @@
 // The first guess is the polynomial through the stages of the last step. The iteration ends when no Y_i moves by more
 // than a tolerance, or, to the floor, when the largest move has not become smaller.
 #pragma once
-#pragma GCC diagnostic ignored "-Wpsabi" // vectors wider than the registers are passed within this file only
 #include "kernels.hpp"
 #include <algorithm>
 #include <array>
@@ -15,7 +14,7 @@ struct GaussCoefficients {
   static constexpr int S = 8;
   typedef long double Real;
   // Column j of a matrix is the vector over i.
-  double b[S], mu[S][S], nu[S][S];
+  alignas(64) double b[S], mu[S][S], nu[S][S];
 
   GaussCoefficients() {
     Real c[S], weight[S];
@@ -58,67 +57,103 @@ struct GaussCoefficients {
   }
 };
 
+// Eight numbers, one for each stage: a register of AVX-512, or two of AVX2.
+struct Stages {
+#ifdef __AVX512F__
+  static constexpr int REGISTERS = 1;
+#else
+  static constexpr int REGISTERS = 2;
+#endif
+  static constexpr int LANES = GaussCoefficients::S / REGISTERS;
+  typedef double Register __attribute__((vector_size(8 * LANES)));
+  Register part[REGISTERS];
+
+  static INLINE Stages load(const double *from) {
+    Stages result;
+    for (int n = 0; n < REGISTERS; ++n) result.part[n] = *reinterpret_cast<const Register *>(from + LANES * n);
+    return result;
+  }
+  INLINE void store(double *to) const {
+    for (int n = 0; n < REGISTERS; ++n) *reinterpret_cast<Register *>(to + LANES * n) = part[n];
+  }
+  static INLINE Stages all(double x) {
+    Stages result;
+    for (int n = 0; n < REGISTERS; ++n) result.part[n] = Register{} + x;
+    return result;
+  }
+};
+
+template <class F> INLINE Stages in_parts(F f) {
+  Stages result;
+  result.part[0] = f(0);
+  if constexpr (Stages::REGISTERS > 1) result.part[1] = f(1);
+  return result;
+}
+static INLINE Stages operator+(const Stages &a, const Stages &b) {
+  return in_parts([&](int n) __attribute__((always_inline)) { return a.part[n] + b.part[n]; });
+}
+static INLINE Stages operator-(const Stages &a, const Stages &b) {
+  return in_parts([&](int n) __attribute__((always_inline)) { return a.part[n] - b.part[n]; });
+}
+static INLINE Stages operator*(const Stages &a, const Stages &b) {
+  return in_parts([&](int n) __attribute__((always_inline)) { return a.part[n] * b.part[n]; });
+}
+static INLINE Stages operator*(double a, const Stages &b) {
+  return in_parts([&](int n) __attribute__((always_inline)) { return a * b.part[n]; });
+}
+static INLINE Stages magnitude(const Stages &a) {
+  return in_parts([&](int n) __attribute__((always_inline)) { return a.part[n] > -a.part[n] ? a.part[n] : -a.part[n]; });
+}
+static INLINE Stages larger(const Stages &a, const Stages &b) {
+  return in_parts([&](int n) __attribute__((always_inline)) { return a.part[n] > b.part[n] ? a.part[n] : b.part[n]; });
+}
+
 struct Gauss16 {
   static constexpr int S = GaussCoefficients::S;
-  // Eight lanes: one register of AVX-512, two of AVX2.
-  typedef double Stages __attribute__((vector_size(8 * S)));
-  struct Columns {
-    Stages column[S];
-    explicit Columns(const double (&matrix)[S][S]) {
-      for (int j = 0; j < S; ++j)
-        for (int i = 0; i < S; ++i) column[j][i] = matrix[j][i];
-    }
-  };
 
   Components<Stages>::Equations top;
-  Columns mu, nu;
-  Stages b;
+  GaussCoefficients gauss;
   alignas(64) double L[6][S]; // the increments L_i of the last step, by component
   double tolerance;           // 0 iterates to the floor
   bool begun = false;
 
-  Gauss16(const Top &top, double h, double tolerance) : Gauss16(GaussCoefficients(), top, h, tolerance) {}
-  Gauss16(const GaussCoefficients &gauss, const Top &top, double h, double tolerance)
-      : top(top, h), mu(gauss.mu), nu(gauss.nu), tolerance(tolerance) {
-    for (int i = 0; i < S; ++i) b[i] = gauss.b[i];
-  }
+  Gauss16(const Top &top, double h, double tolerance) : top(top, h), tolerance(tolerance) {}
 
   // y + Σ_j M_ij L_j, as two sums of four products each, which wait for each other half as long.
-  INLINE Stages combined(const Columns &matrix, const double *increments, double y) const {
-    Stages even = matrix.column[0] * increments[0] + y, odd = matrix.column[1] * increments[1];
+  static INLINE Stages combined(const double (&columns)[S][S], const double *increments, double y) {
+    Stages even = increments[0] * Stages::load(columns[0]) + Stages::all(y);
+    Stages odd = increments[1] * Stages::load(columns[1]);
     unrolled<S / 2 - 1>([&](auto n) __attribute__((always_inline)) {
       constexpr int j = 2 * n + 2;
-      even += matrix.column[j] * increments[j], odd += matrix.column[j + 1] * increments[j + 1];
+      even = increments[j] * Stages::load(columns[j]) + even;
+      odd = increments[j + 1] * Stages::load(columns[j + 1]) + odd;
     });
     return even + odd;
   }
 
-  static INLINE Stages larger(Stages a, Stages b) { return a > b ? a : b; }
-
-  // The largest lane, or NaN.
-  static INLINE double largest(Stages a) {
-    double most = 0, sum = 0;
-    unrolled<S>([&](auto i) __attribute__((always_inline)) {
-      constexpr int lane = i;
-      most = a[lane] > most ? a[lane] : most, sum += a[lane];
-    });
-    return sum == sum ? most : sum;
+  // The largest number, or NaN.
+  static INLINE double largest(const Stages &a) {
+    alignas(64) double x[S];
+    a.store(x);
+    const auto two = [](double a, double b) __attribute__((always_inline)) { return a > b || a != a ? a : b; };
+    return two(two(two(x[0], x[1]), two(x[2], x[3])), two(two(x[4], x[5]), two(x[6], x[7])));
   }
 
   INLINE bool step(Components<double> &y) {
     Components<Stages> Y;
     unrolled<6>([&](auto c) __attribute__((always_inline)) {
-      Y.x[c] = begun ? combined(nu, L[c], y.x[c]) : Stages{} + y.x[c];
+      Y.x[c] = begun ? combined(gauss.nu, L[c], y.x[c]) : Stages::all(y.x[c]);
     });
     begun = true;
+    const Stages b = Stages::load(gauss.b);
     double before = INFINITY;
     for (int sweep = 0; sweep < 100; ++sweep) {
       const Components<Stages> f = top.derivative(Y);
-      unrolled<6>([&](auto c) __attribute__((always_inline)) { *reinterpret_cast<Stages *>(L[c]) = f.x[c] * b; });
-      Stages moved{};
+      unrolled<6>([&](auto c) __attribute__((always_inline)) { (f.x[c] * b).store(L[c]); });
+      Stages moved = Stages::all(0);
       unrolled<6>([&](auto c) __attribute__((always_inline)) {
-        const Stages next = combined(mu, L[c], y.x[c]), move = next - Y.x[c];
-        moved = larger(larger(move, -move), moved);
+        const Stages next = combined(gauss.mu, L[c], y.x[c]);
+        moved = larger(magnitude(next - Y.x[c]), moved);
         Y.x[c] = next;
       });
       const double move = largest(moved);
