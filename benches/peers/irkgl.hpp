@@ -4,11 +4,9 @@
 // written by hand over the six equations in w = h I⁻¹Π and Γ:
 //     L_i = b_i f(Y_i),    Y_i = y + Σ_j μ_ij L_j,    y⁺ = y + Σ_i L_i,    μ_ij = a_ij/b_j, μ_ij + μ_ji = 1.
 // The first guess is the polynomial through the stages of the last step. The iteration ends when no Y_i moves by more
-// than a tolerance, or, to the floor, when the largest move has not become smaller.
+// than a tolerance, or, to the floor, when the largest move, below 1e-12, has not become smaller.
 #pragma once
 #include "kernels.hpp"
-#include <algorithm>
-#include <array>
 
 struct GaussCoefficients {
   static constexpr int S = 8;
@@ -50,9 +48,9 @@ struct GaussCoefficients {
         nu[j][i] = double(integral(1, 1 + c[i]) / weight[j]);
       }
     }
-    // exact symplecticity: the sum of the rounded coefficients is 1
+    // Exact symplecticity: the small coefficient is the exact difference of 1 and the large one.
     for (int i = 0; i < S; ++i)
-      for (int j = 0; j < i; ++j) mu[j][i] = 1 - mu[i][j];
+      for (int j = 0; j < i; ++j) mu[i][j] = 1 - mu[j][i];
     for (int i = 0; i < S; ++i) mu[i][i] = 0.5;
   }
 };
@@ -105,7 +103,9 @@ static INLINE Stages magnitude(const Stages &a) {
   return in_parts([&](int n) __attribute__((always_inline)) { return a.part[n] > -a.part[n] ? a.part[n] : -a.part[n]; });
 }
 static INLINE Stages larger(const Stages &a, const Stages &b) {
-  return in_parts([&](int n) __attribute__((always_inline)) { return a.part[n] > b.part[n] ? a.part[n] : b.part[n]; });
+  return in_parts([&](int n) __attribute__((always_inline)) {
+    return (a.part[n] > b.part[n]) | (a.part[n] != a.part[n]) ? a.part[n] : b.part[n]; // keeps NaN
+  });
 }
 
 struct Gauss16 {

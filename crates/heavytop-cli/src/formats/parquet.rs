@@ -48,8 +48,8 @@ const LEVEL: i32 = 1;
 
 /// Begins a file with these fields and key–value metadata.
 ///
-/// A dictionary makes columns smaller whose values are `repeated`. Other numbers are split into streams of their first
-/// bytes, their second bytes and so on: signs, exponents and leading digits compress well.
+/// A dictionary makes columns of numbers smaller whose values are `repeated`. The other columns of numbers are split into
+/// streams of their first bytes, their second bytes and so on: signs, exponents and leading digits compress well.
 pub(crate) fn begin<W: Write + Send>(
     name: &str,
     fields: Vec<Type>,

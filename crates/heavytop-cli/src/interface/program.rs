@@ -13,7 +13,7 @@ use crate::commands::compare::compare;
 use crate::commands::reproduce::reproduce;
 use crate::commands::section::{self, section};
 use crate::commands::simulate::{self, Checkpoint, RunSummary, SimulateOptions, simulate};
-use crate::commands::sweep::{self, sweep};
+use crate::commands::sweep::{self, sweep_if};
 use crate::runs::step_angle::long_step;
 use crate::supervision::{Forecast, TileOptions, Watch};
 use clap::{CommandFactory, Parser};
@@ -67,17 +67,19 @@ fn run(Arguments { quiet, json, command }: Arguments) -> Result<(), Error> {
             .and_then(|done| print(&done, json)),
         Command::Section { top, out, parts } => top
             .run(|config| {
-                confirm_unless_resumed(parts, || section::forecast(&config, &out))?;
+                if !parts.resume {
+                    confirm(&section::forecast(&config, &out)?, parts.yes)?;
+                }
                 section(&config, &out, &in_tiles(&top, parts, quiet))
             })
             .and_then(|done| closing.print(&done)),
         Command::Sweep { top, out, parts: Parts { dry_run: true, .. } } => top
             .run(|config| sweep::dry_run(&config, &out, top.threads))
-            .and_then(|done| print(&done, json)),
+            .and_then(|done| done.map_or(Ok(()), |done| print(&done, json))),
         Command::Sweep { top, out, parts } => top
             .run(|config| {
-                confirm_unless_resumed(parts, || sweep::forecast(&config, &out))?;
-                sweep(&config, &out, &in_tiles(&top, parts, quiet))
+                let agree = |forecast: &Forecast| confirm(forecast, parts.yes);
+                sweep_if(&config, &out, &in_tiles(&top, parts, quiet), agree)
             })
             .and_then(|done| done.map_or(Ok(()), |done| closing.print(&done))),
         Command::Animate { top, out } => top
@@ -176,14 +178,6 @@ fn run_simulate(
         let options = SimulateOptions { resume: resume.as_ref(), restart, interval, stop, quiet };
         simulate(&config, out, &options)
     })
-}
-
-/// Asks before an output that is absurdly large, unless the run continues an earlier one.
-fn confirm_unless_resumed(
-    parts: Parts,
-    forecast: impl FnOnce() -> Result<Forecast, Error>,
-) -> Result<(), Error> {
-    if parts.resume { Ok(()) } else { confirm(&forecast()?, parts.yes) }
 }
 
 /// Returns the options of a command that keeps its finished parts.

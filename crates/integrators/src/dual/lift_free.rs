@@ -21,7 +21,7 @@ use momentum_map::{Multiplier, Multipliers};
 /// For a scheme that commutes with linear maps ([`Equivariant`]) it equals the [`Collective`](crate::Collective)
 /// integrator with the same scheme to round-off. There is no lift to choose, and no fibre to drift along. Symplectic
 /// schemes conserve Casimirs up to an unbiased rounding error per step, if the multipliers override
-/// [`coadjoint_change`](Multipliers::coadjoint_change), as those of the library do.
+/// [`coadjoint_change`](Multipliers::coadjoint_change), as quaternions and dual quaternions do.
 ///
 /// This generalises the closed form of the collective midpoint rule. For every Runge–Kutta method it answers the
 /// question that Ohsawa 2019, §5.1 leaves open, that of an integrator defined on the symplectic leaves.

@@ -317,7 +317,6 @@ impl Scheme for RungeKutta {
         workspace: &mut StageSpace<F::Point>,
     ) -> Result<Step<F::Point>, StepError> {
         if self.is_explicit()
-            && size_of::<<F::Point as State>::Pool>() == 0
             && let Some(sum) = four_stages(&self.tableau, field, z, step)
         {
             let mut change = z.zeros_like();

@@ -13,7 +13,7 @@ use std::path::Path;
 use std::time::Instant;
 
 /// The largest number of steps of a start in a trial.
-const MOST_STEPS: usize = 50_000;
+const MOST_STEPS: usize = 10_000;
 
 /// The largest number of returns of a start in a trial.
 const MOST_RETURNS: usize = 8;
@@ -91,7 +91,7 @@ fn seconds(settings: &Settings, starts: &[Se3Dual]) -> Result<f64, Error> {
         sum += group.try_reduce(|| 0.0, |a, b| Ok(a + b))?;
         followed += threads;
     }
-    Ok(sum / followed as f64 * settings.starts as f64 / threads as f64)
+    Ok(sum / followed as f64 * settings.starts as f64 / threads.min(settings.starts) as f64)
 }
 
 /// Returns the time that a start would take on one thread, s.
@@ -109,8 +109,38 @@ fn of_start(
     }
     let seconds = begun.elapsed().as_secs_f64();
     let returns = orbit.crossings.len().saturating_sub(1);
-    let of_all_returns = settings.crossings as f64 / returns as f64;
-    let of_all_steps = settings.steps as f64 / shortened.steps as f64;
-    let is_short = returns < shortened.crossings;
-    Ok(seconds * if is_short { of_all_returns.min(of_all_steps) } else { of_all_returns })
+    let last = orbit.crossings.last().map_or(0.0, |crossing| crossing.time);
+    Ok(seconds * multiple(settings, shortened, returns, last))
+}
+
+/// Returns how many times as long a start takes as its trial, which ended after some returns, the last one at this time
+/// (s), or after all its steps.
+fn multiple(settings: &Settings, shortened: &Settings, returns: usize, last: f64) -> f64 {
+    let of_returns = settings.crossings as f64 / returns as f64;
+    let of_time = if returns < shortened.crossings {
+        settings.steps as f64 / shortened.steps as f64
+    } else {
+        settings.longest / last
+    };
+    of_returns.min(of_time)
+}
+
+#[cfg(test)]
+#[allow(clippy::unwrap_used)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn a_start_ends_after_its_returns_or_its_time() {
+        let settings = Settings::new(&Config::default()).unwrap();
+        let all = Settings { crossings: 500, longest: 1e4, steps: 100_000, ..settings };
+        let few = Settings { crossings: 8, steps: 10_000, ..all };
+        // Eight returns in 20 s: 500 take 1250 s, and with 1e5 of them the time ends first.
+        assert_eq!(multiple(&all, &few, 8, 20.0), 62.5);
+        assert_eq!(multiple(&Settings { crossings: 100_000, ..all }, &few, 8, 20.0), 500.0);
+        // The trial ended after its steps, with some returns or none.
+        assert_eq!(multiple(&all, &few, 5, 700.0), 10.0);
+        assert_eq!(multiple(&Settings { crossings: 8, ..all }, &few, 4, 700.0), 2.0);
+        assert_eq!(multiple(&all, &few, 0, 0.0), 10.0);
+    }
 }

@@ -10,6 +10,6 @@ mod sweep_summary;
 mod sweep_forecast;
 mod sweep_command;
 
-pub use sweep_command::sweep;
-pub use sweep_forecast::{dry_run, forecast};
+pub use sweep_command::{sweep, sweep_if};
+pub use sweep_forecast::dry_run;
 pub use sweep_summary::SweepSummary;

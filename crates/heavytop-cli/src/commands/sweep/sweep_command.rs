@@ -2,6 +2,7 @@
 
 use super::heat_maps;
 use super::processes::Processes;
+use super::sweep_forecast::forecast;
 use super::sweep_plan::Plan;
 use super::sweep_summary::SweepSummary;
 use super::top_table::TopTable;
@@ -12,7 +13,7 @@ use crate::files::Output;
 use crate::formats::Metadata;
 use crate::pictures::render;
 use crate::supervision::tiled_run::{resumable, threads};
-use crate::supervision::{Progress, TileOptions};
+use crate::supervision::{Forecast, Progress, TileOptions};
 use std::io::{self, Write};
 use std::path::Path;
 
@@ -54,8 +55,22 @@ pub fn sweep(
     out: &Path,
     options: &TileOptions<'_>,
 ) -> Result<Option<SweepSummary>, Error> {
+    sweep_if(config, out, options, |_| Ok(()))
+}
+
+/// Sweeps as [`sweep`] does, if the caller agrees to the forecast. Only the first process of several asks, and only
+/// where a sweep begins, not where it is resumed.
+///
+/// # Errors
+/// Returns the errors of [`sweep`], and that of the caller: then nothing is written.
+pub fn sweep_if(
+    config: &Config,
+    out: &Path,
+    options: &TileOptions<'_>,
+    agree: impl FnOnce(&Forecast) -> Result<(), Error>,
+) -> Result<Option<SweepSummary>, Error> {
     let processes = Processes::join();
-    let outcome = run(&processes, config, out, options);
+    let outcome = run(&processes, config, out, options, agree);
     processes.conclude(outcome)
 }
 
@@ -64,12 +79,16 @@ fn run(
     config: &Config,
     out: &Path,
     options: &TileOptions<'_>,
+    agree: impl FnOnce(&Forecast) -> Result<(), Error>,
 ) -> Result<Option<SweepSummary>, Error> {
     let (rank, size) = processes.place();
     let config = Plan::complete(config);
     let (plan, metadata) = (Plan::new(&config)?, Metadata::new(&config)?);
     let tops = Tops::new(&plan, &config, out)?;
     let threads = threads(options.threads)?;
+    if rank == 0 && !options.resume {
+        agree(&forecast(&plan, out))?;
+    }
     // The first process holds the folder for all of them.
     let held = (rank == 0).then(|| tops.tiles.prepare(options)).transpose()?;
     if let (0, Some(warning)) = (rank, plan.method.warning()) {

@@ -2,6 +2,7 @@
 
 use super::heat_maps;
 use super::measured_row::measure;
+use super::processes::Processes;
 use super::sweep_plan::Plan;
 use crate::Error;
 use crate::configuration::Config;
@@ -22,36 +23,42 @@ const BYTES_OF_FRAMES: u64 = 180_000;
 /// The bytes of a top in the two pictures of a map.
 const BYTES_OF_PIXEL: u64 = 2;
 
-/// Returns the forecast of a sweep without trying it.
-///
-/// # Errors
-/// If there is no such sweep.
-pub fn forecast(config: &Config, out: &Path) -> Result<Forecast, Error> {
-    Ok(of(&Plan::new(&Plan::complete(config))?, out))
-}
-
 /// Returns the forecast of a sweep after trying some of its tops for a fifth of a second, or a little longer if steps
 /// are slow. Nothing is written.
 ///
 /// # Errors
 /// If there is no such sweep, or its threads cannot be started.
 ///
+/// Of the processes of an MPI job only the first one tries tops and returns the forecast for all of them.
+///
 /// # Example
 /// ```
 /// use heavytop_cli::commands::sweep::dry_run;
 /// use heavytop_cli::configuration::Config;
-/// let forecast = dry_run(&Config::default(), "map".as_ref(), Some(1))?;
+/// let forecast = dry_run(&Config::default(), "map".as_ref(), Some(1))?.ok_or("not the first process")?;
 /// assert_eq!(forecast.rows, 32 * 32);
 /// assert!(forecast.seconds.is_some_and(|seconds| seconds > 0.0));
-/// # Ok::<(), heavytop_cli::Error>(())
+/// # Ok::<(), Box<dyn std::error::Error>>(())
 /// ```
-pub fn dry_run(config: &Config, out: &Path, count: Option<usize>) -> Result<Forecast, Error> {
-    let (plan, threads) = (Plan::new(&Plan::complete(config))?, threads(count)?);
-    let seconds = threads.install(|| seconds(&plan));
-    Ok(Forecast { seconds: Some(seconds), ..of(&plan, out) })
+pub fn dry_run(
+    config: &Config,
+    out: &Path,
+    count: Option<usize>,
+) -> Result<Option<Forecast>, Error> {
+    let processes = Processes::join();
+    let (rank, size) = processes.place();
+    let tried = Plan::new(&Plan::complete(config)).and_then(|plan| {
+        if rank > 0 {
+            return Ok(None);
+        }
+        let seconds = threads(count)?.install(|| seconds(&plan)) / size as f64;
+        Ok(Some(Forecast { seconds: Some(seconds), ..forecast(&plan, out) }))
+    });
+    processes.conclude(tried)
 }
 
-fn of(plan: &Plan, out: &Path) -> Forecast {
+/// Returns the forecast of a sweep without trying it.
+pub(super) fn forecast(plan: &Plan, out: &Path) -> Forecast {
     let Plan { tops, schedule: Schedule { steps, .. }, .. } = *plan;
     let (axes, columns) = (plan.axes.len() as u64, plan.columns().count() as u64);
     let maps = heat_maps::size(plan).map_or(0, |_| columns);
@@ -84,6 +91,9 @@ fn seconds(plan: &Plan) -> f64 {
         });
         followed += group;
     }
+    let threads = rayon::current_num_threads() as u64;
+    // Few tops leave threads without work.
+    let waste = threads as f64 / threads.min(plan.tops) as f64;
     let steps = (followed * schedule.steps) as f64;
-    begun.elapsed().as_secs_f64() / steps * (plan.tops as f64 * plan.schedule.steps as f64)
+    begun.elapsed().as_secs_f64() / steps * (plan.tops as f64 * plan.schedule.steps as f64) * waste
 }
