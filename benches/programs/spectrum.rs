@@ -1,7 +1,7 @@
 //! The change of the eigenvalues of W over 10⁴ steps of each method for Zeitlin's model:
 //!
 //! ```text
-//! cargo run --release -p lie-poisson-systems --example spectrum -- [SIZE [STEPS]]
+//! cargo run --release -p measurements --bin spectrum -- [SIZE [STEPS]]
 //! ```
 //!
 //! The start has harmonics of degree 1 to 8 and a largest eigenvalue near 1 (default: SIZE 32). The numbers are the

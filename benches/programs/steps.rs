@@ -1,7 +1,7 @@
 //! Makes steps of one kernel, for `benches/instructions` to count its instructions:
 //!
 //! ```text
-//! cargo run --release -p heavytop --example steps -- KERNEL (avx2 | avx512 | portable) STEPS
+//! cargo run --release -p measurements --bin steps -- KERNEL (avx2 | avx512 | portable) STEPS
 //! ```
 
 use collective_integrators::{

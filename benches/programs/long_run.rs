@@ -1,6 +1,6 @@
 //! Measures round-off over a long run: how f₁, f₂ and h change, with and without compensated summation.
 //!
-//! `cargo run --release -p workspace-tests --example long_run -- [steps] [starts] [method]`
+//! `cargo run --release -p measurements --bin long_run -- [steps] [starts] [method]`
 //!
 //! For an ensemble of starts of a generic top it prints the root mean square of each deviation at geometrically
 //! growing times, its mean, and the slope of ln(rms) against ln(t): ½ for a random walk, 1 for a drift.

@@ -2,7 +2,7 @@
 //! instruction set of the processor:
 //!
 //! ```text
-//! cargo run --release -p heavytop --example collective_gauss
+//! cargo run --release -p measurements --bin collective_gauss
 //! ```
 //!
 //! Errors are 2-norms of the error of μ, at t = 10 against eight stages of step 1/25 without a lift. The bench `one_top`

@@ -1,6 +1,6 @@
 //! Measures how well structure is conserved in any units: the table of `docs/audit.md`.
 //!
-//! `cargo run --release -p workspace-tests --example scales` prints, for a generic top and 1000 steps of 1/50, the
+//! `cargo run --release -p measurements --bin scales` prints, for a generic top and 1000 steps of 1/50, the
 //! largest deviations of f₁, f₂ and h, each in its own unit, in units of 1 and at the worst of twelve others. With
 //! the argument `all`, rows for compensated summation and for difference quotients follow.
 

@@ -2,7 +2,7 @@
 //! by top, and fails if one is slower:
 //!
 //! ```text
-//! cargo run --release -p heavytop --example lanes_pay
+//! cargo run --release -p measurements --bin lanes_pay
 //! ```
 //!
 //! Every path runs once in each round, and its best time over the rounds counts. A machine with other work makes both

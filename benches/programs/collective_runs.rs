@@ -1,6 +1,6 @@
 //! Makes long collective runs through every realisation of the crates, and through that of `docs/write_your_own.rs`.
 //!
-//! `cargo run --release -p workspace-tests --example collective_runs -- [steps] [name]` prints |z| at the beginning,
+//! `cargo run --release -p measurements --bin collective_runs -- [steps] [name]` prints |z| at the beginning,
 //! its largest value, the iterations of a step in the first and the last thousand steps, and the largest relative
 //! change of the first Casimir. A step that fails ends the program with its error.
 

@@ -1,7 +1,7 @@
 //! Counts the operations on real numbers in a step of each general integrator, by a scalar that counts:
 //!
 //! ```text
-//! cargo run --release -p heavytop --example operations
+//! cargo run --release -p measurements --bin operations
 //! ```
 //!
 //! Iterations are counted as they occur, on Kovalevskaya's top from the paper's start, over the last quarter of a run

@@ -1,7 +1,7 @@
 //! Times and errors of the methods for Zeitlin's model, for `benches/quflow`:
 //!
 //! ```text
-//! cargo run --release -p lie-poisson-systems --example zeitlin_costs -- SIZE END FOLDER
+//! cargo run --release -p measurements --bin zeitlin_costs -- SIZE END FOLDER
 //! ```
 //!
 //! The start has coefficients without a pattern of degree 1 to 20 and a root mean square vorticity of 1. The folder receives the

@@ -1,6 +1,6 @@
 //! Prints a row for every scheme and formulation: what is claimed, and what is measured.
 //!
-//! `cargo run --release -p workspace-tests --example audit -- [steps]` prints that table of `docs/audit.md`. It takes
+//! `cargo run --release -p measurements --bin audit -- [steps]` prints that table of `docs/audit.md`. It takes
 //! about a minute for 10⁶ steps. The columns are explained at [`workspace_tests::audit::Row`].
 
 use workspace_tests::audit::{Failure, HEADER, LONG, methods};
