@@ -1,4 +1,4 @@
-"""Writes what was measured into docs/performance.md, between its markers, and draws docs/performance.png.
+"""Writes what was measured into docs/performance.md, between its markers, and has docs/performance.png drawn.
 
 Two parts of the page are generated: the ratios of computing times at its top, and the tables from which they come.
 """
@@ -9,6 +9,8 @@ import subprocess
 from fnmatch import fnmatchcase
 from importlib.metadata import PackageNotFoundError, version
 from pathlib import Path
+
+import chart
 
 PARTS = ("ratios", "measured")  # what stands between <!-- NAME: begin --> and <!-- NAME: end -->
 OURS = "heavytop"  # our names start with it
@@ -157,8 +159,7 @@ def peak(rows):
 
 
 def generated(rows, missing, rounds):
-    chart = "Computing time against error for each contestant: one top and ensembles, Kovalevskaya's and a generic one"
-    lines = [f"![{chart}](performance.png)", "", *machine(), *peak(rows)]
+    lines = [*machine(), *peak(rows)]
     lines += [f"Rounds: {rounds}; spread: how much the slowest was above the fastest.", ""]
     if missing:
         lines += ["Did not run here:", ""] + [f"* `{name}`: {why}" for name, why in missing.items()] + [""]
@@ -167,33 +168,14 @@ def generated(rows, missing, rounds):
     return lines + settings(rows) + general(rows)
 
 
-def draw(path, rows):
-    try:
-        import matplotlib
-    except ImportError:
-        print("no Matplotlib: no chart")
-        return
-    matplotlib.use("Agg")
-    from matplotlib import pyplot
-
-    figure, panels = pyplot.subplots(2, 2, figsize=(15, 13), layout="constrained")
-    colours = pyplot.get_cmap("tab20").colors
-    for panel, (problem, title) in zip(panels.flat, TITLES.items()):
-        ensemble = problem.endswith("ensemble")
-        series = {}
-        for row in rows:
-            if row["problem"] == problem:
-                units = 20e4 if ensemble else 1000
-                series.setdefault(row["name"], []).append((row["error_10"], row["seconds"] / units * 1e6))
-        for number, (name, points) in enumerate(series.items()):
-            ours = name.startswith(OURS)
-            panel.loglog(*zip(*sorted(points)), marker="o" if ours else "s", linewidth=2.5 if ours else 1, label=name,
-                         color=colours[number % len(colours)])
-        panel.set(title=title, xlabel="error of (Π, Γ) at t = 10, 2-norm" + (", mean" if ensemble else ""),
-                  ylabel="µs for one time unit" + (" of one top" if ensemble else ""))
-        panel.grid(alpha=0.3)
-        panel.legend(fontsize="x-small", ncols=3, loc="upper center", bbox_to_anchor=(0.5, -0.1))
-    figure.savefig(path, dpi=110)
+def panels(rows):
+    found = {}
+    for row in rows:
+        if row["problem"] in TITLES:
+            units = 20e4 if row["problem"].endswith("ensemble") else 1000
+            points = found.setdefault(row["problem"], {}).setdefault(row["name"], [])
+            points.append((row["error_10"], row["seconds"] / units * 1e6))
+    return found
 
 
 def write(docs, rows, missing, rounds):
@@ -204,5 +186,8 @@ def write(docs, rows, missing, rounds):
         before, rest = text.split(begin)
         text = before + "\n".join([begin, "", *lines]) + end + rest.split(end)[1]
     page.write_text(text)
-    draw(docs / "performance.png", rows)
+    try:
+        chart.draw(docs / "performance.png", TITLES, panels(rows))
+    except ImportError:
+        print("no Matplotlib: no chart")
     print(f"wrote {page}")
