@@ -85,9 +85,10 @@ proptest! {
         let start = Se3Dual::new(pi, gamma);
         let reference = general(stages, top);
         // Rounding errors grow as an error of the start does. Of 9000 runs one half is below 1, one in a thousand
-        // above 40, the largest at 95: fixed points that are approached slowly.
+        // above 40, the largest at 95: fixed points that are approached slowly. A rarer one, with one stage and a long
+        // step, was at 625: the solvers accept sweeps that no longer improve below 8·1024 roundings.
         let rounding = f64::EPSILON * (1.0 + start.max_abs());
-        let bound = 500.0 * rounding * growth(&reference, &start, step, 20);
+        let bound = 8.0 * 1024.0 * rounding * growth(&reference, &start, step, 20);
         for gauss in everywhere(&kernel(stages, top)) {
             let error = distance(&gauss, &reference, &start, step, 20);
             prop_assert!(error < bound, "{}: {error:e} {bound:e}", gauss.instructions());
