@@ -11,13 +11,10 @@ use workspace_tests::scales::{Method, Outcome, methods, scaled};
 /// Binary exponents of s and λ. 2¹⁰⁰ = 1.3e30.
 const SCALES: [(i32, i32); 5] = [(100, 0), (0, -100), (-27, 0), (100, -100), (-100, 100)];
 
-/// More steps than any method remembers.
-const STEPS: usize = 12;
-
 /// Returns the outcome for the top in units of s and λ, back in units of 1.
 fn outcome(method: &Method, symmetric: bool, [s, lambda]: [f64; 2], step: f64) -> Option<Outcome> {
     let (top, mu) = scaled(symmetric, s, lambda).unwrap();
-    let outcome = (method.run)(&top, &mu, step, STEPS)?;
+    let outcome = (method.run)(&top, &mu, step, 25)?;
     let Covector(Pair(pi, gamma)) = outcome.last;
     // Where sweeps diverge, the number of sweeps before an overflow depends on where they began.
     let iterations = if step < 0.5 { outcome.iterations } else { 0 };
