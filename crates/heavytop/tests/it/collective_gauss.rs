@@ -84,15 +84,33 @@ proptest! {
         let top = top(inertia, weight, c.normalize());
         let start = Se3Dual::new(pi, gamma);
         let reference = general(stages, top);
-        // Rounding errors grow as an error of the start does. Of 9000 runs one half is below 1, one in a thousand
-        // above 40, the largest at 95: fixed points that are approached slowly. A rarer one, with one stage and a long
-        // step, was at 625: the solvers accept sweeps that no longer improve below 8·1024 roundings.
+        // Rounding errors grow as an error of the start does. Of 9000 runs one half is below 1, one in a thousand above
+        // 7, the largest at 19.
         let rounding = f64::EPSILON * (1.0 + start.max_abs());
-        let bound = 8.0 * 1024.0 * rounding * growth(&reference, &start, step, 20);
+        let bound = 100.0 * rounding * growth(&reference, &start, step, 20);
         for gauss in everywhere(&kernel(stages, top)) {
             let error = distance(&gauss, &reference, &start, step, 20);
             prop_assert!(error < bound, "{}: {error:e} {bound:e}", gauss.instructions());
         }
+    }
+}
+
+/// The sweeps contract by a factor of about ½, which is complex: their changes rise now and then, long before they are
+/// round-off. Sweeps that end at the first larger change leave an error of 550 roundings in each step.
+#[test]
+fn a_step_with_slow_sweeps_is_solved_to_round_off() {
+    let axis = Vector3::new(0.8719195882730504, 0.0, 0.2769206184590991).normalize();
+    let inertia = Vector3::new(1.2582604815934655, 1.2163993935904147, 1.1060662460753574);
+    let top = top(inertia, 1.6133388767595658, axis);
+    let start = Se3Dual::new(
+        Vector3::new(-3.8699523180721713, 2.932515487813616, -2.90354713982175),
+        Vector3::new(0.5522205370593267, 1.1473272497390399, 0.0),
+    );
+    let step = 0.23566872657570703;
+    for gauss in everywhere(&kernel(1, top)) {
+        // The general method ends within 28 roundings of Newton's.
+        let error = distance(&gauss, &general(1, top), &start, step, 20);
+        assert!(error < 100.0 * f64::EPSILON, "{}: {error:e}", gauss.instructions());
     }
 }
 

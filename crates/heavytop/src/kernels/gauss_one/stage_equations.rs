@@ -21,7 +21,14 @@ pub(super) const MOST: usize = 48;
 /// per unit of time.
 const FEW_ROUNDINGS: f64 = 0.25 * f64::EPSILON;
 
-/// A change below this multiple of the size that no longer shrinks is round-off.
+/// A change of at most this multiple of the size is round-off if it is not smaller than the one before it.
+const CLOSE: f64 = f64::EPSILON;
+
+/// A change of at most this multiple of the size is round-off if neither it nor the change before it was smaller than its
+/// predecessor.
+///
+/// A single larger change says nothing: where the sweeps contract slowly, by complex factors, their changes rise now and
+/// then. Two in succession need a factor above ½, with which [`MOST`] sweeps do not converge.
 const ROUND_OFF: f64 = 256.0 * f64::EPSILON;
 
 /// One attempted step from a point, with room for S stages; `None` if the stage equations do not converge.
@@ -75,6 +82,7 @@ impl StageEquations<'_> {
         let mut turns = [[T::zero(); 3]; WIDTH];
         let mut changes = [T::from_f64(f64::INFINITY); WIDTH];
         let mut converged = [T::Mask::from_bool(false); WIDTH];
+        let mut grew = [T::Mask::from_bool(false); WIDTH];
         for block in 0..blocks {
             let z = self.stage_points::<T, S>(&self.coefficients.guess, last, block);
             turns[block] = self.turn(&z, block);
@@ -93,10 +101,12 @@ impl StageEquations<'_> {
                 if watched {
                     let change = distance(&turn, &turns[block]);
                     let size = self.size(&turn, block);
-                    let now = is_round_off(change, changes[block], size);
+                    let grows = changes[block].at_most(change);
+                    let now = is_round_off(change, size, grows, grew[block]);
                     converged[block] = converged[block].or(now);
                     all = all.and(converged[block]);
                     changes[block] = change;
+                    grew[block] = grows;
                 }
                 turns[block] = turn;
                 store(&values, stages, block);
@@ -200,9 +210,10 @@ fn distance<T: Lanes>(a: &[T; 3], b: &[T; 3]) -> T {
     (a[0] - b[0]).magnitude() + (a[1] - b[1]).magnitude() + (a[2] - b[2]).magnitude()
 }
 
-/// Returns where a change is round-off, lane by lane.
+/// Returns where a change is round-off, lane by lane. The masks say whether it, and the change before it, were not smaller
+/// than their predecessors.
 #[inline(always)]
-fn is_round_off<T: Lanes>(change: T, previous: T, size: T) -> T::Mask {
-    let floor = change.at_most(size * ROUND_OFF).and(previous.at_most(change));
-    floor.or(change.at_most(size * FEW_ROUNDINGS))
+fn is_round_off<T: Lanes>(change: T, size: T, grows: T::Mask, grew: T::Mask) -> T::Mask {
+    let [few, close, floor] = [FEW_ROUNDINGS, CLOSE, ROUND_OFF].map(T::from_f64);
+    change.at_most(size * T::select(grows, T::select(grew, floor, close), few))
 }
