@@ -28,8 +28,8 @@
 //! |---|---|
 //! | a command: `simulate`, `reproduce`, `compare`, `section`, `sweep`, `animate`, `bench` | [`commands`] |
 //! | a configuration by name, and its tables | [`configuration`] |
-//! | the samples of a run one by one, the integrator of a formulation and a scheme | [`runs`] |
-//! | the names of formulations and schemes | [`vocabulary`] |
+//! | the samples of a run one by one | [`runs`] |
+//! | formulations and schemes by name, the integrator of both | [`heavytop::methods`] |
 //! | to stop a command, or to hide or show its progress | [`supervision`] |
 //! | the reason why a command failed, its text and its exit code | [`Error`], [`errors`] |
 //! | the whole program in one call | [`main`] |
@@ -55,7 +55,7 @@
 //!
 //! The oldest compiler that is supported is Rust 1.89.
 
-pub mod vocabulary;
+mod vocabulary;
 pub mod errors;
 #[doc(hidden)]
 pub mod files;

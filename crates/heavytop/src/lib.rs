@@ -46,6 +46,7 @@
 //! | a Poincaré section: its energy level, surface, starts and returns | [`EnergyLevel`], [`Surface`], [`Section`] |
 //! | one of the six coordinates of (Π, Γ) | [`Coordinate`] |
 //! | the nutation of any top: amplitude and rotation number | [`Nutation`] |
+//! | an integrator by the names of a formulation and a scheme | [`Method`](methods::Method), of the module [`methods`] |
 //! | the motion in closed form | [`EulerSolution`], [`LagrangeNutation`] |
 //! | Jacobi's elliptic functions | [`JacobiElliptic`], [`jacobi_elliptic`] |
 //! | the paper's maps L, ϖ and M = ϖ∘L | [`SpinorMomentum`], [`Varpi`], [`SpinorRealisation`] |
@@ -85,6 +86,7 @@ mod splittings;
 mod kernels;
 mod closed_forms;
 mod analysis;
+pub mod methods;
 pub mod prelude;
 
 pub use analysis::nutation::Nutation;

@@ -6,9 +6,9 @@ use super::sweep_config::SweepConfig;
 use super::top_config::{BodyConfig, InitialConfig};
 use crate::Error;
 use crate::runs::step_angle::require_sane_step;
-use crate::runs::{Experiment, Method, Schedule};
-use crate::vocabulary::Formulation;
+use crate::runs::{Experiment, Schedule};
 use heavytop::HeavyTop;
+use heavytop::methods::{Formulation, Method};
 use lie_poisson::Se3Dual;
 use serde::{Deserialize, Serialize};
 

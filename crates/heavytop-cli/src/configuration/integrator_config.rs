@@ -1,6 +1,7 @@
 //! The table `[integrator]`: the method and its steps.
 
-use crate::vocabulary::{Formulation, Scheme};
+use crate::vocabulary::method_names;
+use heavytop::methods::{Formulation, Scheme};
 use serde::{Deserialize, Serialize};
 
 /// The table `[integrator]`: the method and its steps. The defaults of its keys depend on the command.
@@ -8,8 +9,10 @@ use serde::{Deserialize, Serialize};
 #[serde(default, deny_unknown_fields)]
 pub struct IntegratorConfig {
     /// The formulation: where the scheme is applied.
+    #[serde(with = "method_names::formulation")]
     pub formulation: Option<Formulation>,
     /// The scheme's name in configurations.
+    #[serde(with = "method_names::scheme")]
     pub scheme: Option<Scheme>,
     /// The time step, s.
     pub step: Option<f64>,

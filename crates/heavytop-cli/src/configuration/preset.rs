@@ -3,8 +3,8 @@
 use super::config::Config;
 use super::integrator_config::Integration;
 use super::top_config::{BodyConfig, InitialConfig};
-use crate::vocabulary::{Formulation, Scheme};
 use clap::ValueEnum;
+use heavytop::methods::{Formulation, Scheme};
 
 /// A top by name, with its start and its integrator: the defaults of a configuration.
 ///

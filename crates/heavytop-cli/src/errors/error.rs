@@ -4,10 +4,8 @@ use super::checkpoint_error::CheckpointError;
 use super::quotation::Quotation;
 use super::sweep_error::SweepError;
 use crate::vocabulary::brief::{number, text};
-use crate::vocabulary::{Formulation, Scheme};
-use collective_integrators::{
-    EventError, IntegrationError, RunError, SchemeError, VariationalError,
-};
+use collective_integrators::{EventError, IntegrationError, RunError, VariationalError};
+use heavytop::methods::{Formulation, MethodError};
 use heavytop::{SectionError, TopError};
 use momentum_map::LiftError;
 use std::io;
@@ -120,16 +118,9 @@ pub enum Error {
     /// No run can start from the initial state.
     #[error("[initial]")]
     Start(#[from] RunError),
-    /// The formulation does not have the scheme.
-    #[error(
-        "{} has no scheme {}; it has {}", formulation.name(), scheme.name(), scheme_names(*formulation)
-    )]
-    NoSuchPair {
-        /// The formulation that was asked for.
-        formulation: Formulation,
-        /// The scheme that was asked for.
-        scheme: Scheme,
-    },
+    /// There is no integrator of the formulation and the scheme.
+    #[error(transparent)]
+    Method(MethodError),
     /// The formulation does not determine the attitude.
     #[error(
         "{} has no attitude: its six equations do not determine it; collective, reduced and \
@@ -138,14 +129,6 @@ pub enum Error {
     NoAttitude {
         /// The formulation that was asked for.
         formulation: Formulation,
-    },
-    /// The scheme could not be made.
-    #[error("{scheme}")]
-    Scheme {
-        /// The scheme's name.
-        scheme: &'static str,
-        /// The reason why the scheme could not be made.
-        source: SchemeError,
     },
     /// A number is out of its range.
     #[error("{name} must be {range}, got {}", number(*value))]
@@ -356,6 +339,17 @@ pub enum Error {
     },
 }
 
+impl From<MethodError> for Error {
+    fn from(error: MethodError) -> Self {
+        match error {
+            MethodError::Tolerance { value } => {
+                Self::OutOfRange { name: "tolerance", range: "finite and not negative", value }
+            }
+            error => Self::Method(error),
+        }
+    }
+}
+
 impl From<LiftError> for Error {
     fn from(error: LiftError) -> Self {
         Self::Start(error.into())
@@ -400,8 +394,4 @@ impl Error {
 /// Returns the end of a message, which names the argument that resumes the run.
 pub(super) fn resumption(argument: &str) -> String {
     format!("; go on by the same command with {argument}")
-}
-
-fn scheme_names(formulation: Formulation) -> String {
-    formulation.schemes().map(Scheme::name).collect::<Vec<_>>().join(", ")
 }

@@ -14,6 +14,7 @@ use crate::commands::reproduce::reproduce;
 use crate::commands::section::{self, section};
 use crate::commands::simulate::{self, Checkpoint, RunSummary, SimulateOptions, simulate};
 use crate::commands::sweep::{self, sweep_if};
+use crate::runs::method_warning::method_warning;
 use crate::runs::step_angle::long_step;
 use crate::supervision::{Forecast, TileOptions, Watch};
 use clap::{CommandFactory, Parser};
@@ -170,7 +171,9 @@ fn run_simulate(
             confirm(&simulate::forecast(&config, out)?, yes)?;
         }
         let experiment = config.experiment()?;
-        for warning in [experiment.method.warning(), long_step(&experiment)].into_iter().flatten() {
+        for warning in
+            [method_warning(&experiment.method), long_step(&experiment)].into_iter().flatten()
+        {
             // Where stderr is closed nobody can be warned.
             let _ = writeln!(io::stderr(), "heavytop: {warning}");
         }

@@ -1,8 +1,8 @@
 //! The words of captions: how a motion was computed, and of which top.
 
 use super::numerals::significant;
-use crate::runs::Method;
 use heavytop::HeavyTop;
+use heavytop::methods::Method;
 use lie_poisson::{Covector, Pair, Se3Dual};
 
 /// The number of significant digits in captions.

@@ -4,6 +4,7 @@ use crate::Error;
 use crate::configuration::Config;
 use crate::errors::SweepError;
 use crate::vocabulary::brief::number;
+use heavytop::methods::MethodError;
 use heavytop::{SectionError, TopError};
 
 /// A key that may be at fault, and what to write there.
@@ -66,7 +67,7 @@ pub(super) fn repairs(error: &Error, config: &Config) -> Vec<Repair> {
                 repair("body.inertia", fast),
             ]
         }
-        Error::NoSuchPair { formulation, .. } => {
+        Error::Method(MethodError::NoSuchPair { formulation, .. }) => {
             let schemes = formulation.schemes().map(|scheme| format!("`{}`", scheme.name()));
             let first = schemes.take(1).collect::<String>();
             vec![

@@ -1,11 +1,10 @@
 //! An experiment: a run, sample by sample.
 
-use super::method::Method;
 use super::moment::{Moment, Saved};
 use super::schedule::Schedule;
-use super::task::Task;
 use crate::Error;
 use collective_integrators::{CHECKPOINT, Integrator, Start};
+use heavytop::methods::{Method, Task};
 use heavytop::{HeavyTop, Turning, WithAttitude};
 use lie_poisson::{Quaternion, Se3Dual, Vector};
 
@@ -70,7 +69,7 @@ impl Experiment {
     where
         V: FnMut(&Moment<'_>) -> Result<(), Error>,
     {
-        self.method.integrate(&self.top, Follow { experiment: self, from, visit })
+        self.method.integrate(&self.top, Follow { experiment: self, from, visit })?
     }
 
     /// Returns the number of coordinates of the state that the integrator advances.
@@ -78,7 +77,7 @@ impl Experiment {
     /// # Errors
     /// If there is no such integrator, or the formulation does not determine the attitude that is asked for.
     pub fn dimension(&self) -> Result<usize, Error> {
-        self.method.integrate(&self.top, Dimension { experiment: self })
+        self.method.integrate(&self.top, Dimension { experiment: self })?
     }
 
     /// Returns the number of samples written up to a step before the last, the initial one included.
@@ -118,7 +117,7 @@ struct Dimension<'a> {
 }
 
 impl Task for Dimension<'_> {
-    type Output = usize;
+    type Output = Result<usize, Error>;
 
     fn perform<I: Start<State: Vector, Momentum = Se3Dual>>(self, _: &I) -> Result<usize, Error> {
         self.experiment.require_no_attitude().map(|()| I::State::DIM)
@@ -183,7 +182,7 @@ impl<V: FnMut(&Moment<'_>) -> Result<(), Error>> Follow<'_, V> {
 }
 
 impl<V: FnMut(&Moment<'_>) -> Result<(), Error>> Task for Follow<'_, V> {
-    type Output = ();
+    type Output = Result<(), Error>;
 
     fn perform<I: Start<State: Vector, Momentum = Se3Dual>>(
         self,

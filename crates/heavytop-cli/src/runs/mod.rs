@@ -2,13 +2,10 @@
 
 mod schedule;
 pub(crate) mod step_angle;
-mod task;
-mod method;
+pub(crate) mod method_warning;
 mod moment;
 mod experiment;
 
 pub use experiment::Experiment;
-pub use method::Method;
 pub use moment::{Moment, Saved};
 pub use schedule::Schedule;
-pub use task::{TangentTask, Task};

@@ -3,8 +3,4 @@
 pub(crate) mod brief;
 pub(crate) mod suggestion;
 pub(crate) mod named;
-mod scheme;
-mod formulation;
-
-pub use formulation::Formulation;
-pub use scheme::{Pair, Raise, Scheme};
+pub(crate) mod method_names;

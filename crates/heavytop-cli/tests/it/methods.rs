@@ -1,7 +1,7 @@
 //! Formulations and schemes: which pairs run, which are refused, and what they conserve.
 
 use crate::program::{Finished, Folder, numbers};
-use heavytop_cli::vocabulary::Scheme;
+use heavytop::methods::Scheme;
 
 const GAUSS: &[&str] =
     &["implicit-midpoint", "gauss-4", "gauss-6", "gauss-8", "gauss-10", "gauss-12", "gauss-16"];

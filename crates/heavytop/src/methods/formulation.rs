@@ -1,12 +1,22 @@
 //! The formulations by name, and the schemes that each offers.
 
-use super::named::{by_name, name_of};
 use super::scheme::Scheme;
-use serde::{Deserialize, Serialize};
+use super::unknown_name::{UnknownName, by_name, name_of};
+use core::fmt;
+use core::str::FromStr;
 
 /// The formulation of an integrator: where its scheme is applied.
-#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Deserialize, Serialize)]
-#[serde(try_from = "String", into = "&'static str")]
+///
+/// # Example
+/// ```
+/// use heavytop::methods::{Formulation, Scheme};
+/// let reduced: Formulation = "reduced".parse()?;
+/// assert!(reduced.offers(Scheme::Gauss(4)) && !reduced.offers(Scheme::Rk4));
+/// assert_eq!("lifted".parse::<Formulation>().unwrap_err().to_string(),
+///     "unknown formulation `lifted`; there are collective, reduced, direct, splitting");
+/// # Ok::<(), heavytop::methods::UnknownName>(())
+/// ```
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Hash)]
 pub enum Formulation {
     /// A scheme on T∗C², read through M: T∗C² → se(3)∗.
     #[default]
@@ -28,7 +38,7 @@ impl Formulation {
         ("splitting", Self::Splitting),
     ];
 
-    /// Returns the name in configurations and tables.
+    /// Returns the name of the formulation.
     #[must_use]
     pub fn name(self) -> &'static str {
         name_of(Self::NAMES, self)
@@ -63,16 +73,16 @@ impl Formulation {
     }
 }
 
-impl TryFrom<String> for Formulation {
-    type Error = String;
+impl FromStr for Formulation {
+    type Err = UnknownName;
 
-    fn try_from(name: String) -> Result<Self, String> {
-        by_name("formulation", Self::NAMES, &name)
+    fn from_str(name: &str) -> Result<Self, UnknownName> {
+        by_name("formulation", Self::NAMES, name)
     }
 }
 
-impl From<Formulation> for &'static str {
-    fn from(formulation: Formulation) -> Self {
-        formulation.name()
+impl fmt::Display for Formulation {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        f.write_str(self.name())
     }
 }

@@ -1,20 +1,21 @@
 //! The integrator for a formulation and a scheme.
 
 use super::task::{Plain, TangentTask, Task};
-use crate::Error;
-use crate::vocabulary::{Formulation, Pair, Raise, Scheme};
+use super::{ComposedScheme, Formulation, MethodError, PartitionedScheme, Scheme};
+use crate::{
+    CollectiveGauss, HeavyTop, RotorSplitting, SpinorRealisation, SymmetricTopSplitting,
+    TopMidpoint,
+};
 use collective_integrators::{
     Collective, Composition, Direct, Equivariant, FirstHalf, HamiltonianField, LiftFree,
     PartitionedRungeKutta, RungeKutta, SchemeError, Splitting, StageSolver,
 };
-use heavytop::{
-    CollectiveGauss, HeavyTop, RotorSplitting, SpinorRealisation, SymmetricTopSplitting,
-    TopMidpoint,
-};
 use lie_poisson::{LiePoisson, Se3};
 use momentum_map::DualQuaternions;
 
-/// A formulation, a scheme, and the tolerance of its stage equations.
+/// A formulation, a scheme, and the tolerance of its stage equations: an integrator for every top.
+///
+/// [The module](super) has an example.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Method {
     formulation: Formulation,
@@ -27,14 +28,18 @@ impl Method {
     /// round-off floor.
     ///
     /// # Errors
-    /// If the formulation does not offer the scheme.
-    pub fn new(formulation: Formulation, scheme: Scheme, tolerance: f64) -> Result<Self, Error> {
+    /// Returns [`MethodError::NoSuchPair`] if the formulation does not offer the scheme, and
+    /// [`MethodError::Tolerance`] for a tolerance that is negative or not finite.
+    pub fn new(
+        formulation: Formulation,
+        scheme: Scheme,
+        tolerance: f64,
+    ) -> Result<Self, MethodError> {
         if !formulation.offers(scheme) {
-            return Err(Error::NoSuchPair { formulation, scheme });
+            return Err(MethodError::NoSuchPair { formulation, scheme });
         }
         if !(tolerance >= 0.0 && tolerance.is_finite()) {
-            let range = "finite and not negative";
-            return Err(Error::OutOfRange { name: "tolerance", range, value: tolerance });
+            return Err(MethodError::Tolerance { value: tolerance });
         }
         Ok(Self { formulation, scheme, tolerance })
     }
@@ -51,23 +56,11 @@ impl Method {
         self.scheme
     }
 
-    /// Returns a warning for users about what the method does not conserve.
-    #[must_use]
-    pub fn warning(&self) -> Option<String> {
-        matches!(self.scheme, Scheme::Partitioned(_)).then(|| {
-            format!(
-                "warning: {} does not descend from T*C² to se(3)*: what comes out depends on the \
-                 lift, and f1 and f2 are not conserved",
-                self.scheme.name()
-            )
-        })
-    }
-
     /// Performs the task with the integrator for this top.
     ///
     /// # Errors
-    /// If the task fails.
-    pub fn integrate<K: Task>(&self, top: &HeavyTop, task: K) -> Result<K::Output, Error> {
+    /// Returns [`MethodError::Scheme`] if the coefficients of the scheme cannot be made.
+    pub fn integrate<K: Task>(&self, top: &HeavyTop, task: K) -> Result<K::Output, MethodError> {
         let (formulation, to_the_floor) = (self.formulation, self.tolerance == 0.0);
         match self.scheme {
             // These kernels compute the same maps, faster.
@@ -75,10 +68,10 @@ impl Method {
                 if formulation == Formulation::Collective && to_the_floor =>
             {
                 let gauss = CollectiveGauss::new(stages.into(), *top);
-                task.perform_turning(gauss.map_err(|e| self.failed(e))?)
+                Ok(task.perform_turning(gauss.map_err(|e| self.failed(e))?))
             }
             Scheme::ImplicitMidpoint if formulation == Formulation::Reduced && to_the_floor => {
-                task.perform_turning(TopMidpoint::new(*top))
+                Ok(task.perform_turning(TopMidpoint::new(*top)))
             }
             _ => self.differentiate(top, Plain(task)),
         }
@@ -87,12 +80,12 @@ impl Method {
     /// Performs the task with an integrator for this top that has tangent maps.
     ///
     /// # Errors
-    /// If the task fails.
+    /// Returns [`MethodError::Scheme`] if the coefficients of the scheme cannot be made.
     pub fn differentiate<K: TangentTask>(
         &self,
         top: &HeavyTop,
         task: K,
-    ) -> Result<K::Output, Error> {
+    ) -> Result<K::Output, MethodError> {
         match self.scheme {
             Scheme::ImplicitMidpoint => self.equivariant(self.midpoint(), top, task),
             Scheme::Gauss(stages) => {
@@ -119,8 +112,8 @@ impl Method {
         scheme: S,
         top: &HeavyTop,
         task: K,
-    ) -> Result<K::Output, Error> {
-        match self.formulation {
+    ) -> Result<K::Output, MethodError> {
+        Ok(match self.formulation {
             Formulation::Collective => {
                 task.perform_turning(Collective::new(scheme, SpinorRealisation, *top))
             }
@@ -132,44 +125,45 @@ impl Method {
                 task.perform(&Direct::new(scheme, HamiltonianField { space, hamiltonian: *top }))
             }
             // `new` has refused every such pair.
-            Formulation::Splitting => Err(self.impossible()),
-        }
+            Formulation::Splitting => return Err(self.impossible()),
+        })
     }
 
     fn partitioned<K: TangentTask>(
         &self,
-        pair: Pair,
+        pair: PartitionedScheme,
         top: &HeavyTop,
         task: K,
-    ) -> Result<K::Output, Error> {
+    ) -> Result<K::Output, MethodError> {
         let scheme = match pair {
-            Pair::SymplecticEuler => {
+            PartitionedScheme::SymplecticEuler => {
                 PartitionedRungeKutta::<FirstHalf>::symplectic_euler_implicit_in_p()
             }
-            Pair::StormerVerlet => PartitionedRungeKutta::kick_drift_kick(),
-            Pair::Lobatto => {
+            PartitionedScheme::StormerVerlet => PartitionedRungeKutta::kick_drift_kick(),
+            PartitionedScheme::Lobatto => {
                 PartitionedRungeKutta::lobatto_iiia_iiib(3).map_err(|e| self.failed(e))?
             }
         };
         let scheme = scheme.with_solver(self.solver());
-        task.perform_turning(Collective::that_does_not_descend(scheme, SpinorRealisation, *top))
+        let integrator = Collective::that_does_not_descend(scheme, SpinorRealisation, *top);
+        Ok(task.perform_turning(integrator))
     }
 
     fn splitting<K: TangentTask>(
         &self,
-        raise: Raise,
+        raise: ComposedScheme,
         top: &HeavyTop,
         task: K,
-    ) -> Result<K::Output, Error> {
+    ) -> Result<K::Output, MethodError> {
         let substeps = raise.substeps().map_err(|e| self.failed(e))?;
         // This splitting is refused unless I₁ = I₂; the rotors suit every top.
-        match SymmetricTopSplitting::new(*top) {
+        Ok(match SymmetricTopSplitting::new(*top) {
             Ok(flows) => task.perform_turning(Composition::new(Splitting::strang(flows), substeps)),
             Err(_) => {
                 let flows = RotorSplitting(*top);
                 task.perform_turning(Composition::new(Splitting::strang(flows), substeps))
             }
-        }
+        })
     }
 
     fn midpoint(&self) -> RungeKutta {
@@ -180,11 +174,11 @@ impl Method {
         StageSolver { tolerance: self.tolerance, ..StageSolver::default() }
     }
 
-    fn impossible(&self) -> Error {
-        Error::NoSuchPair { formulation: self.formulation, scheme: self.scheme }
+    fn impossible(&self) -> MethodError {
+        MethodError::NoSuchPair { formulation: self.formulation, scheme: self.scheme }
     }
 
-    fn failed(&self, source: SchemeError) -> Error {
-        Error::Scheme { scheme: self.scheme.name(), source }
+    fn failed(&self, source: SchemeError) -> MethodError {
+        MethodError::Scheme { scheme: self.scheme.name(), source }
     }
 }

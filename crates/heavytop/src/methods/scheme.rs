@@ -1,12 +1,21 @@
 //! The schemes by name.
 
-use super::named::{by_name, name_of};
+use super::unknown_name::{UnknownName, by_name, name_of};
 use collective_integrators::{SchemeError, Substeps};
-use serde::{Deserialize, Serialize};
+use core::fmt;
+use core::str::FromStr;
 
 /// A one-step method by name.
-#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Deserialize, Serialize)]
-#[serde(try_from = "String", into = "&'static str")]
+///
+/// # Example
+/// ```
+/// use heavytop::methods::Scheme;
+/// let gauss: Scheme = "gauss-12".parse()?;
+/// assert_eq!((gauss, gauss.order()), (Scheme::Gauss(6), 12));
+/// assert!("gauss-13".parse::<Scheme>().is_err());
+/// # Ok::<(), heavytop::methods::UnknownName>(())
+/// ```
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Hash)]
 pub enum Scheme {
     /// The implicit midpoint rule.
     #[default]
@@ -18,14 +27,14 @@ pub enum Scheme {
     /// The classical method of Runge and Kutta.
     Rk4,
     /// A partitioned method, which treats q and p differently.
-    Partitioned(Pair),
+    Partitioned(PartitionedScheme),
     /// A composition of the implicit midpoint rule, or of Strang's splitting.
-    Composed(Raise),
+    Composed(ComposedScheme),
 }
 
 /// The partitioned Runge–Kutta methods by name.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub enum Pair {
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
+pub enum PartitionedScheme {
     /// The symplectic Euler method, implicit in p.
     SymplecticEuler,
     /// The Störmer–Verlet method that moves p first.
@@ -35,8 +44,8 @@ pub enum Pair {
 }
 
 /// The compositions by name, by their substeps.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub enum Raise {
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
+pub enum ComposedScheme {
     /// One whole step, of order 2.
     Strang,
     /// Three substeps, of order 4.
@@ -63,18 +72,18 @@ impl Scheme {
         ("gauss-16", Self::Gauss(8)),
         ("explicit-midpoint", Self::ExplicitMidpoint),
         ("rk4", Self::Rk4),
-        ("symplectic-euler", Self::Partitioned(Pair::SymplecticEuler)),
-        ("stormer-verlet", Self::Partitioned(Pair::StormerVerlet)),
-        ("lobatto-iiia-iiib-4", Self::Partitioned(Pair::Lobatto)),
-        ("strang", Self::Composed(Raise::Strang)),
-        ("yoshida-4", Self::Composed(Raise::Yoshida4)),
-        ("suzuki-4", Self::Composed(Raise::Suzuki4)),
-        ("yoshida-6", Self::Composed(Raise::Yoshida6)),
-        ("kahan-li-6", Self::Composed(Raise::KahanLi6)),
-        ("kahan-li-8", Self::Composed(Raise::KahanLi8)),
+        ("symplectic-euler", Self::Partitioned(PartitionedScheme::SymplecticEuler)),
+        ("stormer-verlet", Self::Partitioned(PartitionedScheme::StormerVerlet)),
+        ("lobatto-iiia-iiib-4", Self::Partitioned(PartitionedScheme::Lobatto)),
+        ("strang", Self::Composed(ComposedScheme::Strang)),
+        ("yoshida-4", Self::Composed(ComposedScheme::Yoshida4)),
+        ("suzuki-4", Self::Composed(ComposedScheme::Suzuki4)),
+        ("yoshida-6", Self::Composed(ComposedScheme::Yoshida6)),
+        ("kahan-li-6", Self::Composed(ComposedScheme::KahanLi6)),
+        ("kahan-li-8", Self::Composed(ComposedScheme::KahanLi8)),
     ];
 
-    /// Returns the name in configurations and tables.
+    /// Returns the name of the scheme.
     #[must_use]
     pub fn name(self) -> &'static str {
         name_of(Self::NAMES, self)
@@ -85,18 +94,19 @@ impl Scheme {
     pub fn order(self) -> u8 {
         match self {
             Self::Gauss(stages) => 2 * stages,
-            Self::Partitioned(Pair::SymplecticEuler) => 1,
+            Self::Partitioned(PartitionedScheme::SymplecticEuler) => 1,
             Self::ImplicitMidpoint | Self::ExplicitMidpoint => 2,
-            Self::Partitioned(Pair::StormerVerlet) | Self::Composed(Raise::Strang) => 2,
-            Self::Rk4 | Self::Partitioned(Pair::Lobatto) => 4,
-            Self::Composed(Raise::Yoshida4 | Raise::Suzuki4) => 4,
-            Self::Composed(Raise::Yoshida6 | Raise::KahanLi6) => 6,
-            Self::Composed(Raise::KahanLi8) => 8,
+            Self::Partitioned(PartitionedScheme::StormerVerlet)
+            | Self::Composed(ComposedScheme::Strang) => 2,
+            Self::Rk4 | Self::Partitioned(PartitionedScheme::Lobatto) => 4,
+            Self::Composed(ComposedScheme::Yoshida4 | ComposedScheme::Suzuki4) => 4,
+            Self::Composed(ComposedScheme::Yoshida6 | ComposedScheme::KahanLi6) => 6,
+            Self::Composed(ComposedScheme::KahanLi8) => 8,
         }
     }
 }
 
-impl Raise {
+impl ComposedScheme {
     /// Returns the substeps as fractions of a step.
     ///
     /// # Errors
@@ -113,16 +123,16 @@ impl Raise {
     }
 }
 
-impl TryFrom<String> for Scheme {
-    type Error = String;
+impl FromStr for Scheme {
+    type Err = UnknownName;
 
-    fn try_from(name: String) -> Result<Self, String> {
-        by_name("scheme", Self::NAMES, &name)
+    fn from_str(name: &str) -> Result<Self, UnknownName> {
+        by_name("scheme", Self::NAMES, name)
     }
 }
 
-impl From<Scheme> for &'static str {
-    fn from(scheme: Scheme) -> Self {
-        scheme.name()
+impl fmt::Display for Scheme {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        f.write_str(self.name())
     }
 }

@@ -1,29 +1,22 @@
 //! Tasks that work with every type of integrator.
 
-use crate::Error;
+use crate::Turning;
 use collective_integrators::{Start, TangentIntegrator};
-use heavytop::Turning;
 use lie_poisson::{Se3Dual, Vector};
 
-/// A task to perform with an integrator of the heavy top, whatever its type.
+/// A task to perform with an integrator of a heavy top, whatever its type.
+///
+/// The state of the integrator is that of its formulation: a pair of spinors and their momenta for a collective one, and
+/// (Π, Γ) for the others. Its momentum is (Π, Γ) for all of them. [The module](super) has an example.
 pub trait Task {
     /// The result of the task.
     type Output;
 
     /// Performs the task with an integrator.
-    ///
-    /// # Errors
-    /// If the task fails.
-    fn perform<I: Start<State: Vector, Momentum = Se3Dual>>(
-        self,
-        integrator: &I,
-    ) -> Result<Self::Output, Error>;
+    fn perform<I: Start<State: Vector, Momentum = Se3Dual>>(self, integrator: &I) -> Self::Output;
 
     /// Performs the task with an integrator that can carry the attitude along; by default without the attitude.
-    ///
-    /// # Errors
-    /// If the task fails.
-    fn perform_turning<I: Turning + Start>(self, integrator: I) -> Result<Self::Output, Error>
+    fn perform_turning<I: Turning + Start>(self, integrator: I) -> Self::Output
     where
         Self: Sized,
     {
@@ -37,18 +30,12 @@ pub trait TangentTask {
     type Output;
 
     /// Performs the task with an integrator.
-    ///
-    /// # Errors
-    /// If the task fails.
-    fn perform<I>(self, integrator: &I) -> Result<Self::Output, Error>
+    fn perform<I>(self, integrator: &I) -> Self::Output
     where
         I: Start<State: Vector, Momentum = Se3Dual> + TangentIntegrator;
 
     /// Performs the task with an integrator that can carry the attitude along; by default without the attitude.
-    ///
-    /// # Errors
-    /// If the task fails.
-    fn perform_turning<I>(self, integrator: I) -> Result<Self::Output, Error>
+    fn perform_turning<I>(self, integrator: I) -> Self::Output
     where
         I: Turning + Start + TangentIntegrator,
         Self: Sized,
@@ -63,14 +50,11 @@ pub(super) struct Plain<K>(pub(super) K);
 impl<K: Task> TangentTask for Plain<K> {
     type Output = K::Output;
 
-    fn perform<I: Start<State: Vector, Momentum = Se3Dual>>(
-        self,
-        integrator: &I,
-    ) -> Result<K::Output, Error> {
+    fn perform<I: Start<State: Vector, Momentum = Se3Dual>>(self, integrator: &I) -> K::Output {
         self.0.perform(integrator)
     }
 
-    fn perform_turning<I: Turning + Start>(self, integrator: I) -> Result<K::Output, Error> {
+    fn perform_turning<I: Turning + Start>(self, integrator: I) -> K::Output {
         self.0.perform_turning(integrator)
     }
 }

@@ -7,6 +7,7 @@ use crate::configuration::Config;
 use crate::files::Output;
 use crate::pictures::caption;
 use crate::runs::Experiment;
+use crate::runs::method_warning::method_warning;
 use crate::runs::step_angle::long_step;
 use crate::supervision::{Progress, Watch};
 use std::io::Write;
@@ -44,7 +45,9 @@ pub fn animate(mut config: Config, out: &Path, watch: &Watch<'_>) -> Result<Page
     experiment.every = frame_every(&experiment);
     require_html(out)?;
     let mut output = Output::create(out)?;
-    for warning in [experiment.method.warning(), long_step(&experiment)].into_iter().flatten() {
+    for warning in
+        [method_warning(&experiment.method), long_step(&experiment)].into_iter().flatten()
+    {
         // Where stderr is closed nobody can be warned.
         let _ = writeln!(std::io::stderr(), "heavytop: {warning}");
     }

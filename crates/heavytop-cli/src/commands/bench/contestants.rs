@@ -7,6 +7,7 @@ use collective_integrators::{
     AlternatingSubsteps, BatchIntegrator, Chunk, Collective, Direct, Ensemble, HamiltonianField,
     IntegrationError, Laned, LiftFree, RungeKutta, SchemeError, Splitting, Start, Substeps,
 };
+use heavytop::methods::MethodError;
 use heavytop::{
     CollectiveGauss, GaussBatch, MidpointBatch, ReducedMidpoint, SpinorRealisation,
     SymmetricTopBatch, SymmetricTopSplitting, TopMidpoint,
@@ -200,5 +201,5 @@ fn failed(name: &str, source: IntegrationError) -> Error {
 }
 
 fn refused(source: SchemeError) -> Error {
-    Error::Scheme { scheme: "gauss-16", source }
+    MethodError::Scheme { scheme: "gauss-16", source }.into()
 }

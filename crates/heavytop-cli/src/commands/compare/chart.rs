@@ -7,7 +7,7 @@ use crate::pictures::caption::{self, number};
 use crate::pictures::lettering::{FONT, fitting, width};
 use crate::pictures::numerals::power_of_ten;
 use crate::runs::Experiment;
-use crate::vocabulary::{Formulation, Scheme};
+use heavytop::methods::{Formulation, Scheme};
 use std::fmt::Write;
 
 /// The width of two columns of a journal, in units of 0.01 mm.
@@ -225,7 +225,7 @@ mod tests {
     use super::*;
     use crate::configuration::Config;
     use crate::pictures::lettering::{boxes, checks::collisions};
-    use crate::runs::Method;
+    use heavytop::methods::Method;
 
     /// The chart of a top whose numbers and times are of this size.
     fn drawing(size: f64, time: f64) -> String {

@@ -8,9 +8,9 @@ use crate::configuration::{Config, Integration};
 use crate::files::Output;
 use crate::files::place::require_no_folders;
 use crate::pictures::render;
-use crate::runs::{Experiment, Method, Schedule};
+use crate::runs::{Experiment, Schedule};
 use crate::supervision::{Progress, Watch};
-use crate::vocabulary::{Formulation, Raise, Scheme};
+use heavytop::methods::{ComposedScheme, Formulation, Method, Scheme};
 use std::io::Write;
 use std::path::Path;
 
@@ -117,7 +117,7 @@ fn methods(tolerance: f64) -> Result<Vec<Method>, Error> {
     let mut methods = Vec::new();
     for &(_, formulation) in Formulation::NAMES {
         for scheme in formulation.schemes() {
-            let again = scheme == Scheme::Composed(Raise::Strang);
+            let again = scheme == Scheme::Composed(ComposedScheme::Strang);
             if !again || formulation == Formulation::Splitting {
                 methods.push(Method::new(formulation, scheme, tolerance)?);
             }
@@ -141,7 +141,7 @@ fn measure(
     reference: &Reference,
 ) -> Result<Measurement, Error> {
     let task = Measure { top: &experiment.top, start: &experiment.start, steps, reference };
-    let outcome = method.integrate(&experiment.top, task)?;
+    let outcome = method.integrate(&experiment.top, task)??;
     Ok(Measurement { method, step: reference.end / steps as f64, end: reference.end, outcome })
 }
 

@@ -1,10 +1,10 @@
 //! The measurement of errors and computing times.
 
 use crate::Error;
-use crate::runs::{Experiment, Method, Task};
+use crate::runs::Experiment;
 use crate::supervision::Watch;
-use crate::vocabulary::{Formulation, Scheme};
 use collective_integrators::{IntegrationError, Start};
+use heavytop::methods::{Formulation, Method, Scheme, Task};
 use heavytop::{HeavyTop, Invariant};
 use lie_poisson::{Covector, Pair, Se3Dual, Vector, larger};
 use std::hint::black_box;
@@ -131,7 +131,7 @@ pub(super) struct Measure<'a> {
 }
 
 impl Task for Measure<'_> {
-    type Output = Outcome;
+    type Output = Result<Outcome, Error>;
 
     fn perform<I: Start<State: Vector, Momentum = Se3Dual>>(
         self,

@@ -1,6 +1,6 @@
 //! Colours, dashes and marks: a hue and a mark for each family of schemes, darker for higher order.
 
-use crate::vocabulary::{Pair, Raise, Scheme};
+use heavytop::methods::{ComposedScheme, PartitionedScheme, Scheme};
 
 /// The style in which a curve is drawn.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -42,15 +42,17 @@ impl Style {
             Scheme::Gauss(_) => ("#002338", "", Circle),
             Scheme::ExplicitMidpoint => ("#4fc7a5", DASHED, Square),
             Scheme::Rk4 => ("#009e73", "", Square),
-            Scheme::Partitioned(Pair::SymplecticEuler) => ("#e0a9c8", DOTTED, Triangle),
-            Scheme::Partitioned(Pair::StormerVerlet) => ("#cc79a7", DASHED, Triangle),
-            Scheme::Partitioned(Pair::Lobatto) => ("#8f3f6b", "", Triangle),
-            Scheme::Composed(Raise::Strang) => ("#e69f00", "", Diamond),
-            Scheme::Composed(Raise::Yoshida4) => ("#e69f00", DASHED, Diamond),
-            Scheme::Composed(Raise::Suzuki4) => ("#d55e00", "", Diamond),
-            Scheme::Composed(Raise::Yoshida6) => ("#d55e00", DASHED, Diamond),
-            Scheme::Composed(Raise::KahanLi6) => ("#7a3600", "", Diamond),
-            Scheme::Composed(Raise::KahanLi8) => ("#7a3600", DASHED, Diamond),
+            Scheme::Partitioned(PartitionedScheme::SymplecticEuler) => {
+                ("#e0a9c8", DOTTED, Triangle)
+            }
+            Scheme::Partitioned(PartitionedScheme::StormerVerlet) => ("#cc79a7", DASHED, Triangle),
+            Scheme::Partitioned(PartitionedScheme::Lobatto) => ("#8f3f6b", "", Triangle),
+            Scheme::Composed(ComposedScheme::Strang) => ("#e69f00", "", Diamond),
+            Scheme::Composed(ComposedScheme::Yoshida4) => ("#e69f00", DASHED, Diamond),
+            Scheme::Composed(ComposedScheme::Suzuki4) => ("#d55e00", "", Diamond),
+            Scheme::Composed(ComposedScheme::Yoshida6) => ("#d55e00", DASHED, Diamond),
+            Scheme::Composed(ComposedScheme::KahanLi6) => ("#7a3600", "", Diamond),
+            Scheme::Composed(ComposedScheme::KahanLi8) => ("#7a3600", DASHED, Diamond),
         };
         Self { colour, dashes, mark }
     }

@@ -2,9 +2,8 @@
 
 use super::record::{QUANTITIES, Record};
 use crate::pictures::caption;
-use crate::runs::Method;
-use crate::vocabulary::{Formulation, Scheme};
 use heavytop::Invariant;
+use heavytop::methods::{Formulation, Method, Scheme};
 use plotters::style::RGBColor;
 
 /// A figure: one conserved quantity along several runs.

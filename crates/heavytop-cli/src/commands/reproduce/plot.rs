@@ -183,7 +183,7 @@ mod tests {
     use super::*;
     use crate::configuration::Config;
     use crate::pictures::lettering::{boxes, checks::collisions};
-    use crate::vocabulary::{Formulation, Scheme};
+    use heavytop::methods::{Formulation, Scheme};
 
     /// The records of quantities that oscillate about `value` with this amplitude, up to time `end`.
     fn records(value: f64, amplitude: f64, end: f64) -> Vec<Record> {

@@ -10,7 +10,7 @@ use crate::formats::run_table::{STATE_COLUMNS, state_values, write_row};
 use crate::pictures::render;
 use crate::runs::Experiment;
 use crate::supervision::{Progress, Watch};
-use crate::vocabulary::{Formulation, Scheme};
+use heavytop::methods::{Formulation, Scheme};
 use std::io::Write;
 use std::path::Path;
 

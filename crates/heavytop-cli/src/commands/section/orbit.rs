@@ -2,10 +2,10 @@
 
 use super::settings::Settings;
 use crate::Error;
-use crate::runs::Task;
 use crate::supervision::TileOptions;
 use crate::supervision::tiled_run::interrupted;
 use collective_integrators::Start;
+use heavytop::methods::Task;
 use lie_poisson::{Se3Dual, Vector};
 use nalgebra::Vector2;
 
@@ -40,7 +40,8 @@ pub(super) fn orbit(
 ) -> (Orbit, Option<Error>) {
     let mut orbit = Orbit { number, crossings: Vec::new() };
     let task = Follow { settings, options, start, orbit: &mut orbit };
-    let failure = settings.method.integrate(&settings.section.level().top, task).err();
+    let followed = settings.method.integrate(&settings.section.level().top, task);
+    let failure = followed.map_err(Error::from).flatten().err();
     (orbit, failure)
 }
 
@@ -53,7 +54,7 @@ struct Follow<'a> {
 }
 
 impl Task for Follow<'_> {
-    type Output = ();
+    type Output = Result<(), Error>;
 
     fn perform<I: Start<State: Vector, Momentum = Se3Dual>>(
         self,

@@ -12,6 +12,7 @@ use crate::files::place::require_no_folders;
 use crate::files::{Output, Place};
 use crate::formats::Metadata;
 use crate::pictures::render;
+use crate::runs::method_warning::method_warning;
 use crate::supervision::tiled_run::{resumable, threads};
 use crate::supervision::{Held, Progress, TileOptions};
 use std::io::Write;
@@ -55,7 +56,7 @@ pub fn section(
     require_no_folders(out, &names)?;
     let threads = threads(options.threads)?;
     let held = orbits.tiles.prepare(options)?;
-    if let Some(warning) = settings.method.warning() {
+    if let Some(warning) = method_warning(&settings.method) {
         // Where stderr is closed nobody can be warned.
         let _ = writeln!(std::io::stderr(), "heavytop: {warning}");
     }

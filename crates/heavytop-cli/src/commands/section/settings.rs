@@ -2,9 +2,8 @@
 
 use crate::Error;
 use crate::configuration::{Config, Integration, SectionConfig};
-use crate::runs::Method;
 use crate::runs::step_angle::MOST_TURN;
-use crate::vocabulary::{Formulation, Scheme};
+use heavytop::methods::{Formulation, Method, Scheme};
 use heavytop::{EnergyLevel, HeavyTop, Invariant, Section, Surface};
 
 /// The largest turn of any body on the energy level in one step, rad, if the configuration gives no step. The Gauss

@@ -3,10 +3,10 @@
 use super::sweep_plan::Plan;
 use crate::Error;
 use crate::configuration::Observable;
-use crate::runs::TangentTask;
 use collective_integrators::{
     Megno, Start, TangentIntegrator, VariationalError, VariationalFlow, smaller_alignment_index,
 };
+use heavytop::methods::TangentTask;
 use heavytop::{HeavyTop, Invariant, Nutation};
 use lie_poisson::{Se3Dual, Vector, larger};
 
@@ -29,7 +29,7 @@ impl Row {
 /// Follows the top with this number and measures its row, which depends on the plan and the number alone.
 pub(super) fn measure(plan: &Plan, number: u64) -> Row {
     let values = plan.top(&plan.parameters(number)).and_then(|(top, start)| {
-        plan.method.differentiate(&top, Follow { plan, top: &top, start: &start })
+        plan.method.differentiate(&top, Follow { plan, top: &top, start: &start })?
     });
     match values {
         Ok(values) => {
@@ -51,9 +51,9 @@ struct Follow<'a> {
 }
 
 impl TangentTask for Follow<'_> {
-    type Output = Vec<Option<f64>>;
+    type Output = Result<Vec<Option<f64>>, Error>;
 
-    fn perform<I>(self, integrator: &I) -> Result<Self::Output, Error>
+    fn perform<I>(self, integrator: &I) -> Self::Output
     where
         I: Start<State: Vector, Momentum = Se3Dual> + TangentIntegrator,
     {

@@ -12,6 +12,7 @@ use crate::configuration::Config;
 use crate::files::Output;
 use crate::formats::Metadata;
 use crate::pictures::render;
+use crate::runs::method_warning::method_warning;
 use crate::supervision::tiled_run::{resumable, threads};
 use crate::supervision::{Forecast, Progress, TileOptions};
 use std::io::{self, Write};
@@ -91,7 +92,7 @@ fn run(
     }
     // The first process holds the folder for all of them.
     let held = (rank == 0).then(|| tops.tiles.prepare(options)).transpose()?;
-    if let (0, Some(warning)) = (rank, plan.method.warning()) {
+    if let (0, Some(warning)) = (rank, method_warning(&plan.method)) {
         // Where stderr is closed nobody can be warned.
         let _ = writeln!(io::stderr(), "heavytop: {warning}");
     }

@@ -5,10 +5,10 @@ use crate::configuration::{
     BodyConfig, Column, Config, InitialConfig, Integration, Observable, Spread, SweepAxis,
 };
 use crate::errors::SweepError;
+use crate::runs::Schedule;
 use crate::runs::step_angle::require_sane_step;
-use crate::runs::{Method, Schedule};
-use crate::vocabulary::{Formulation, Scheme};
 use heavytop::HeavyTop;
+use heavytop::methods::{Formulation, Method, Scheme};
 use lie_poisson::Se3Dual;
 use rand_chacha::ChaCha8Rng;
 use rand_chacha::rand_core::{Rng, SeedableRng};

@@ -1,0 +1,39 @@
+//! Errors of formulations and schemes.
+
+use super::{Formulation, Scheme, UnknownName};
+use collective_integrators::SchemeError;
+use thiserror::Error;
+
+/// The reason why there is no integrator of a formulation and a scheme.
+#[derive(Clone, Debug, PartialEq, Error)]
+#[non_exhaustive]
+pub enum MethodError {
+    /// There is no formulation or no scheme of this name.
+    #[error(transparent)]
+    UnknownName(#[from] UnknownName),
+    /// The formulation does not have the scheme.
+    #[error(
+        "{formulation} has no scheme {scheme}; it has {}",
+        formulation.schemes().map(Scheme::name).collect::<Vec<_>>().join(", ")
+    )]
+    NoSuchPair {
+        /// The formulation that was asked for.
+        formulation: Formulation,
+        /// The scheme that was asked for.
+        scheme: Scheme,
+    },
+    /// The tolerance of the stage equations is negative or not finite.
+    #[error("tolerance must be finite and not negative, got {value:?}")]
+    Tolerance {
+        /// The tolerance that was asked for.
+        value: f64,
+    },
+    /// The scheme could not be made.
+    #[error("{scheme}")]
+    Scheme {
+        /// The name of the scheme.
+        scheme: &'static str,
+        /// The reason why the scheme could not be made.
+        source: SchemeError,
+    },
+}

@@ -1,0 +1,33 @@
+//! Items by name.
+
+use thiserror::Error;
+
+/// The error of a name that no formulation, or no scheme, has.
+#[derive(Clone, Debug, PartialEq, Eq, Error)]
+#[error("unknown {kind} `{name}`; there are {}", known.join(", "))]
+pub struct UnknownName {
+    /// What was named: a formulation or a scheme.
+    pub kind: &'static str,
+    /// The name that was asked for.
+    pub name: String,
+    /// All names of the kind.
+    pub known: Vec<&'static str>,
+}
+
+/// Returns the name of an item.
+pub(super) fn name_of<T: Copy + PartialEq>(names: &[(&'static str, T)], item: T) -> &'static str {
+    names.iter().find(|(_, other)| *other == item).map_or("", |(name, _)| name)
+}
+
+/// Returns the item with a name.
+pub(super) fn by_name<T: Copy>(
+    kind: &'static str,
+    names: &[(&'static str, T)],
+    name: &str,
+) -> Result<T, UnknownName> {
+    let found = names.iter().find(|(known, _)| *known == name).map(|(_, item)| *item);
+    found.ok_or_else(|| {
+        let known = names.iter().map(|(known, _)| *known).collect();
+        UnknownName { kind, name: name.into(), known }
+    })
+}
