@@ -6,8 +6,17 @@ use std::path::Path;
 use workspace_tests::architecture::{Sources, cycles, declared_order, imports, room, sources};
 
 /// The crates, from the bottom to the top.
-const CRATES: &[&str] =
-    &["scalars", "lie-poisson", "momentum-map", "integrators", "systems", "heavytop", PROGRAM];
+const CRATES: &[&str] = &[
+    "scalars",
+    "lie-poisson",
+    "momentum-map",
+    "integrators",
+    "isospectral",
+    "systems",
+    "heavytop",
+    "python",
+    PROGRAM,
+];
 
 /// The crate of the program `heavytop`.
 const PROGRAM: &str = "heavytop-cli";
@@ -59,6 +68,7 @@ const PACKAGES: &[(&str, &str)] = &[
     ("isospectral", "isospectral-flows"),
     ("systems", "lie-poisson-systems"),
     ("heavytop", "heavytop"),
+    ("python", "heavytop-python"),
     ("heavytop-cli", "heavytop-cli"),
 ];
 

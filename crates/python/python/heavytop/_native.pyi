@@ -1,0 +1,76 @@
+from collections.abc import Sequence
+from typing import Optional
+
+import numpy as np
+from numpy.typing import NDArray
+
+class IntegrationError(RuntimeError): ...
+
+class Top:
+    inertia: list[float]
+    weight_moment: float
+    center_of_mass: list[float]
+    invariants: list[str]
+    def __new__(
+        cls,
+        inertia: Sequence[float],
+        mass: float,
+        gravity: float,
+        length: float,
+        center_of_mass: Sequence[float],
+    ) -> Top: ...
+    @staticmethod
+    def free_rigid_body(inertia: Sequence[float]) -> Top: ...
+    @staticmethod
+    def lagrange(transverse: float, axial: float, weight_moment: float) -> Top: ...
+    @staticmethod
+    def kovalevskaya(axial: float, weight_moment: float) -> Top: ...
+    @staticmethod
+    def goryachev_chaplygin(axial: float, weight_moment: float) -> Top: ...
+    def invariant_values(self, states: NDArray[np.float64]) -> NDArray[np.float64]: ...
+    def follow(
+        self,
+        start: Sequence[float],
+        step: float,
+        end: float,
+        formulation: str,
+        scheme: str,
+        tolerance: float,
+        every: int,
+        attitude: bool,
+    ) -> tuple[
+        NDArray[np.float64],
+        NDArray[np.float64],
+        NDArray[np.float64],
+        int,
+        Optional[IntegrationError],
+    ]: ...
+    def states_at(
+        self,
+        start: Sequence[float],
+        step: float,
+        times: Sequence[float],
+        formulation: str,
+        scheme: str,
+        tolerance: float,
+    ) -> NDArray[np.float64]: ...
+    def crossings(
+        self,
+        start: Sequence[float],
+        step: float,
+        end: float,
+        formulation: str,
+        scheme: str,
+        tolerance: float,
+        normal: Sequence[float],
+        level: float,
+        direction: int,
+        most: int,
+    ) -> tuple[NDArray[np.float64], NDArray[np.float64]]: ...
+
+def advance_states(
+    top: Top, states: NDArray[np.float64], step: float, end: float, scheme: str
+) -> tuple[NDArray[np.float64], list[tuple[int, str]]]: ...
+def advance_tops(
+    tops: Sequence[Top], states: NDArray[np.float64], step: float, end: float, scheme: str
+) -> tuple[NDArray[np.float64], list[tuple[int, str]]]: ...

@@ -1,0 +1,22 @@
+//! The native part of the Python package `heavytop`: tops, their runs, and many tops at once.
+//!
+//! Users see the classes of `python/heavytop`, which adds keyword arguments with defaults, documentation and results with
+//! names. Here are the loops, which release Python's global lock.
+
+mod errors;
+mod arrays;
+mod runs;
+mod tops;
+
+use pyo3::pymodule;
+
+/// The native part of the package `heavytop`.
+#[pymodule]
+mod _native {
+    #[pymodule_export]
+    use crate::errors::IntegrationError;
+    #[pymodule_export]
+    use crate::tops::many::{advance_states, advance_tops};
+    #[pymodule_export]
+    use crate::tops::top::Top;
+}

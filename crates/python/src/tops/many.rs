@@ -1,0 +1,111 @@
+//! Many tops at once, on SIMD lanes and on all threads.
+
+use super::top::Top;
+use crate::arrays::{numbers, read_rows, rows, state};
+use crate::errors::{message, refused};
+use crate::runs::schedule::steps;
+use collective_integrators::{BatchIntegrator, Ensemble, MemberError};
+use heavytop::{GaussBatch, HeavyTop, MidpointBatch, TopMidpoint};
+use lie_poisson::Se3Dual;
+use numpy::{PyArray2, PyReadonlyArray2};
+use pyo3::exceptions::PyValueError;
+use pyo3::{Bound, PyRef, PyResult, Python, pyfunction};
+
+/// The states at the end, and the index and the message of each member that failed.
+type Ends<'py> = (Bound<'py, PyArray2<f64>>, Vec<(u64, String)>);
+
+/// Advances many states of one top to the end.
+#[pyfunction]
+pub fn advance_states<'py>(
+    py: Python<'py>,
+    top: PyRef<'py, Top>,
+    states: PyReadonlyArray2<'py, f64>,
+    step: f64,
+    end: f64,
+    scheme: &str,
+) -> PyResult<Ends<'py>> {
+    let mut states: Vec<Se3Dual> =
+        read_rows("the states", &states)?.into_iter().map(state).collect();
+    let (steps, top) = (steps(step, end)?, top.0);
+    if scheme != "implicit-midpoint" {
+        return advance_members(
+            py,
+            states.into_iter().map(|mu| (top, mu)).collect(),
+            step,
+            steps,
+            scheme,
+        );
+    }
+    let failures =
+        py.detach(|| Ensemble::new(TopMidpoint::new(top)).advance(&mut states, step, 0..steps));
+    ends(py, states.iter(), failures)
+}
+
+/// Advances many tops, each with a state of its own, to the end.
+#[pyfunction]
+pub fn advance_tops<'py>(
+    py: Python<'py>,
+    tops: Vec<PyRef<'py, Top>>,
+    states: PyReadonlyArray2<'py, f64>,
+    step: f64,
+    end: f64,
+    scheme: &str,
+) -> PyResult<Ends<'py>> {
+    let states = read_rows("the states", &states)?;
+    if tops.len() != states.len() {
+        let text = format!("there are {} tops and {} states", tops.len(), states.len());
+        return Err(PyValueError::new_err(text));
+    }
+    let members = tops.iter().map(|top| top.0).zip(states.into_iter().map(state)).collect();
+    advance_members(py, members, step, steps(step, end)?, scheme)
+}
+
+fn advance_members<'py>(
+    py: Python<'py>,
+    mut members: Vec<(HeavyTop, Se3Dual)>,
+    step: f64,
+    steps: u64,
+    scheme: &str,
+) -> PyResult<Ends<'py>> {
+    let all = &mut members;
+    let failures = py.detach(|| match scheme {
+        "implicit-midpoint" => Ok(advance(MidpointBatch::new(), all, step, steps)),
+        "gauss-4" => gauss::<2>(all, step, steps),
+        "gauss-6" => gauss::<3>(all, step, steps),
+        "gauss-8" => gauss::<4>(all, step, steps),
+        "gauss-10" => gauss::<5>(all, step, steps),
+        "gauss-12" => gauss::<6>(all, step, steps),
+        "gauss-16" => gauss::<8>(all, step, steps),
+        other => Err(PyValueError::new_err(format!(
+            "unknown scheme `{other}` for many tops; there are implicit-midpoint, gauss-4, gauss-6, gauss-8, \
+             gauss-10, gauss-12, gauss-16"
+        ))),
+    })?;
+    ends(py, members.iter().map(|(_, mu)| mu), failures)
+}
+
+fn gauss<const S: usize>(
+    members: &mut [(HeavyTop, Se3Dual)],
+    step: f64,
+    steps: u64,
+) -> PyResult<Vec<MemberError>> {
+    Ok(advance(GaussBatch::<S>::new().map_err(refused)?, members, step, steps))
+}
+
+fn advance<B: BatchIntegrator>(
+    integrator: B,
+    members: &mut [B::Member],
+    step: f64,
+    steps: u64,
+) -> Vec<MemberError> {
+    Ensemble::new(integrator).advance(members, step, 0..steps)
+}
+
+fn ends<'py, 'a>(
+    py: Python<'py>,
+    states: impl Iterator<Item = &'a Se3Dual>,
+    failures: Vec<MemberError>,
+) -> PyResult<Ends<'py>> {
+    let failures = failures.iter().map(|failure| (failure.index, message(&failure.source)));
+    Ok((rows(py, states.flat_map(numbers).collect(), 6)?, failures.collect()))
+}

@@ -1,0 +1,4 @@
+//! One top, and many tops at once.
+
+pub(crate) mod top;
+pub(crate) mod many;

@@ -1,0 +1,30 @@
+"""The code of the notebook."""
+
+import json
+import pathlib
+
+import pytest
+
+NOTEBOOK = pathlib.Path(__file__).parent.parent / "examples" / "paper.ipynb"
+
+
+def test_the_notebook_runs_and_shows_what_it_says():
+    matplotlib = pytest.importorskip("matplotlib")
+    matplotlib.use("Agg")
+    cells = json.loads(NOTEBOOK.read_text(encoding="utf-8"))["cells"]
+    names = {}
+    for cell in cells:
+        if cell["cell_type"] == "code":
+            exec(compile("".join(cell["source"]), str(NOTEBOOK), "exec"), names)
+    runs = names["runs"]
+    drift = {name: {f: run.drift(f) for f in run.invariants} for name, run in runs.items()}
+    ours, direct = drift["collective, implicit midpoint"], drift["direct, implicit midpoint"]
+    # "The collective implicit rule conserves both Casimirs to round-off", and the explicit ones do not
+    assert max(ours["f1"], ours["f2"]) < 1e-12
+    for name in ("collective, explicit midpoint", "direct, explicit midpoint"):
+        assert min(drift[name]["f1"], drift[name]["f2"]) > 1e-3
+    # "all quadratic functions", "oscillates five times as much"
+    assert max(direct["h"], direct["f1"], direct["f2"]) < 1e-12
+    assert 5 < direct["K"] / ours["K"] < 6
+    # "conserves everything to round-off"
+    assert all(names["best"].drift(f) < 1e-13 * abs(names["best"].invariants[f][0]) for f in ours)
