@@ -1,0 +1,120 @@
+//! The brackets of basis vectors modulo a prime: [`BracketTable`].
+
+use super::casimir_error::CasimirError;
+use super::null_space::rank;
+use super::residue::Residue;
+use super::surd::Surd;
+use lie_poisson::{LieAlgebra, Vector};
+
+/// The coordinates of [e_i, e_j] that are not zero.
+#[derive(Clone, Debug)]
+pub(crate) struct BracketTable {
+    brackets: Vec<Vec<Vec<(usize, Residue)>>>,
+}
+
+/// Returns residues that behave like random ones and are the same in every run.
+pub(crate) fn generic(count: usize, seed: i64) -> Vec<Residue> {
+    let mut state = Residue::new(0x5deece66d + seed);
+    (0..count)
+        .map(|_| {
+            state = state * Residue::new(0x2545_f491_4f6c_dd1d) + Residue::new(0xb + seed);
+            state
+        })
+        .collect()
+}
+
+impl BracketTable {
+    /// Creates the table of an algebra; small fractions, and their products with square roots, are recognised.
+    pub(crate) fn new<A: LieAlgebra>(algebra: &A) -> Result<Self, CasimirError> {
+        let dimension = A::Element::<f64>::DIM;
+        let mut brackets = vec![vec![Vec::new(); dimension]; dimension];
+        for (i, row) in brackets.iter_mut().enumerate() {
+            for (j, entry) in row.iter_mut().enumerate() {
+                let bracket = algebra.bracket::<f64>(&Vector::basis(i), &Vector::basis(j));
+                for k in 0..dimension {
+                    let constant = bracket.coordinate(k);
+                    if !constant.is_finite() {
+                        return Err(CasimirError::NotFinite { i, j });
+                    }
+                    if constant != 0.0 {
+                        let exact = Surd::recognise(constant);
+                        let residue =
+                            exact.map_or_else(|| Residue::of_float(constant), Surd::residue);
+                        entry.push((k, residue));
+                    }
+                }
+            }
+        }
+        Ok(Self { brackets })
+    }
+
+    /// Returns the dimension of the algebra.
+    pub(crate) fn dimension(&self) -> usize {
+        self.brackets.len()
+    }
+
+    /// Returns the coordinates of [e_i, e_j] that are not zero.
+    pub(crate) fn bracket(&self, i: usize, j: usize) -> &[(usize, Residue)] {
+        self.brackets.get(i).and_then(|row| row.get(j)).map_or(&[], Vec::as_slice)
+    }
+
+    /// Returns the rank of the Poisson tensor at a generic point, which is the largest dimension of an orbit.
+    pub(crate) fn generic_rank(&self) -> usize {
+        let (n, point) = (self.dimension(), generic(self.dimension(), 0));
+        let entry = |i: usize, j: usize| {
+            self.bracket(i, j).iter().fold(Residue::ZERO, |sum, &(k, constant)| {
+                sum + constant * point.get(k).copied().unwrap_or_default()
+            })
+        };
+        rank((0..n).map(|i| (0..n).map(|j| (j, entry(i, j))).collect()).collect())
+    }
+
+    /// Returns basis vectors that generate the algebra. A function is a Casimir if its brackets with them vanish.
+    pub(crate) fn generators(&self) -> Vec<usize> {
+        let n = self.dimension();
+        let (mut generators, mut spanned) = (Vec::new(), Vec::<Vec<(usize, Residue)>>::new());
+        for i in 0..n {
+            let mut with = spanned.clone();
+            with.push(vec![(i, Residue::ONE)]);
+            if rank(with.clone()) == spanned.len() {
+                continue;
+            }
+            generators.push(i);
+            spanned = self.closure(with, &generators);
+        }
+        generators
+    }
+
+    /// Returns a basis of the smallest space that contains the vectors and their brackets with the generators.
+    fn closure(
+        &self,
+        mut spanned: Vec<Vec<(usize, Residue)>>,
+        generators: &[usize],
+    ) -> Vec<Vec<(usize, Residue)>> {
+        let mut next = 0;
+        while let Some(vector) = spanned.get(next).cloned() {
+            for &generator in generators {
+                let mut with = spanned.clone();
+                with.push(self.bracket_with(generator, &vector));
+                if rank(with.clone()) == with.len() {
+                    spanned = with;
+                }
+            }
+            next += 1;
+        }
+        spanned
+    }
+
+    /// Returns [e_i, v].
+    fn bracket_with(&self, i: usize, v: &[(usize, Residue)]) -> Vec<(usize, Residue)> {
+        let mut sum = vec![Residue::ZERO; self.dimension()];
+        for &(j, weight) in v {
+            for &(k, constant) in self.bracket(i, j) {
+                if let Some(entry) = sum.get_mut(k) {
+                    *entry = *entry + weight * constant;
+                }
+            }
+        }
+        sum.into_iter().enumerate().filter(|(_, entry)| !entry.is_zero()).collect()
+    }
+}

@@ -1,0 +1,156 @@
+//! Expressions as a graph in which equal expressions are one node: [`Graph`].
+
+use std::collections::HashMap;
+
+/// A function of one scalar.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
+pub(crate) enum Unary {
+    Sqrt,
+    Exp,
+    Ln,
+    Sin,
+    Cos,
+    Sinh,
+    Cosh,
+    Tanh,
+    Absolute,
+    /// 1 for x ≥ 0 and −1 elsewhere, the slope of |x|.
+    Sign,
+}
+
+/// A node, by its place in the graph.
+pub(crate) type Id = usize;
+
+/// An expression in terms of nodes that were added before it.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
+pub(crate) enum Node {
+    /// A number, by its bits.
+    Number(u64),
+    Input(usize),
+    Add(Id, Id),
+    Multiply(Id, Id),
+    Divide(Id, Id),
+    /// A power with a constant exponent, by the bits of the exponent.
+    Power(Id, u64),
+    Function(Unary, Id),
+    /// The angle of the point (x, y), with y first.
+    Angle(Id, Id),
+}
+
+impl Node {
+    /// Returns the nodes that this one refers to.
+    pub(crate) fn parts(self) -> impl Iterator<Item = Id> {
+        let (first, second) = match self {
+            Self::Number(_) | Self::Input(_) => (None, None),
+            Self::Add(a, b) | Self::Multiply(a, b) | Self::Divide(a, b) | Self::Angle(a, b) => {
+                (Some(a), Some(b))
+            }
+            Self::Power(a, _) | Self::Function(_, a) => (Some(a), None),
+        };
+        first.into_iter().chain(second)
+    }
+}
+
+/// What is known of the values of a node.
+#[derive(Clone, Copy, Debug, Default, PartialEq)]
+pub(crate) struct Known {
+    /// The value is a real number for all real coordinates, as that of a polynomial is.
+    pub(crate) everywhere: bool,
+    /// The value is not negative where it is a real number.
+    pub(crate) nonnegative: bool,
+}
+
+/// A graph of expressions, each after those that it refers to.
+#[derive(Clone, Debug, Default)]
+pub(crate) struct Graph {
+    nodes: Vec<Node>,
+    known: Vec<Known>,
+    places: HashMap<Node, Id>,
+}
+
+impl Graph {
+    /// Returns the node at a place.
+    pub(crate) fn node(&self, id: Id) -> Node {
+        self.nodes.get(id).copied().unwrap_or(Node::Number(0))
+    }
+
+    /// Returns what is known of the values of a node.
+    pub(crate) fn known(&self, id: Id) -> Known {
+        self.known.get(id).copied().unwrap_or_default()
+    }
+
+    /// Returns the number of nodes.
+    pub(crate) fn len(&self) -> usize {
+        self.nodes.len()
+    }
+
+    /// Returns the value of a number, and `None` for every other node.
+    pub(crate) fn as_number(&self, id: Id) -> Option<f64> {
+        match self.node(id) {
+            Node::Number(bits) => Some(f64::from_bits(bits)),
+            _ => None,
+        }
+    }
+
+    /// Returns the place of a node, which is added if it is new.
+    pub(crate) fn place(&mut self, node: Node) -> Id {
+        if let Some(&place) = self.places.get(&node) {
+            return place;
+        }
+        let known = self.judge(node);
+        self.nodes.push(node);
+        self.known.push(known);
+        self.places.insert(node, self.nodes.len() - 1);
+        self.nodes.len() - 1
+    }
+
+    /// Decides what is known of the values of a new node.
+    fn judge(&self, node: Node) -> Known {
+        let both = |a: Id, b: Id| self.known(a).everywhere && self.known(b).everywhere;
+        let positive = |a: Id| self.known(a).nonnegative;
+        let (everywhere, nonnegative) = match node {
+            Node::Number(bits) => (f64::from_bits(bits).is_finite(), f64::from_bits(bits) >= 0.0),
+            Node::Input(_) => (true, false),
+            Node::Add(a, b) => (both(a, b), positive(a) && positive(b)),
+            Node::Multiply(a, b) => (both(a, b), a == b || positive(a) && positive(b)),
+            Node::Divide(a, b) => (
+                self.known(a).everywhere && self.as_number(b).is_some_and(|b| b != 0.0),
+                positive(a) && positive(b),
+            ),
+            Node::Power(a, bits) => {
+                let exponent = f64::from_bits(bits);
+                let whole = exponent.fract() == 0.0;
+                let even = whole && exponent % 2.0 == 0.0;
+                (self.known(a).everywhere && whole && exponent >= 0.0, even || positive(a))
+            }
+            Node::Function(function, a) => {
+                let entire = !matches!(function, Unary::Sqrt | Unary::Ln);
+                let even =
+                    matches!(function, Unary::Sqrt | Unary::Exp | Unary::Cosh | Unary::Absolute);
+                (self.known(a).everywhere && entire, even)
+            }
+            Node::Angle(..) => (false, false),
+        };
+        Known { everywhere, nonnegative }
+    }
+
+    /// Returns whether each node is one of `roots` or a part of them.
+    pub(crate) fn reachable(&self, roots: &[Id]) -> Vec<bool> {
+        let mut reachable = vec![false; self.len()];
+        for &root in roots {
+            if let Some(mark) = reachable.get_mut(root) {
+                *mark = true;
+            }
+        }
+        for id in (0..self.len()).rev() {
+            if reachable.get(id) == Some(&true) {
+                for part in self.node(id).parts() {
+                    if let Some(mark) = reachable.get_mut(part) {
+                        *mark = true;
+                    }
+                }
+            }
+        }
+        reachable
+    }
+}

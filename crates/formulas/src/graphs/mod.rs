@@ -1,0 +1,8 @@
+//! Expressions as graphs in which equal parts are one node: simplification, derivatives, and what a text means.
+
+pub(crate) mod graph;
+pub(crate) mod simplification;
+pub(crate) mod elaboration;
+pub(crate) mod gradient;
+pub(crate) mod tangent;
+pub(crate) mod products;

@@ -1,0 +1,213 @@
+//! Sums, products and functions in simple form.
+//!
+//! A simplification changes a value by rounding at most, wherever the original is a real number:
+//!
+//! * constants are computed, and constant factors of one product are multiplied, unless the product would be zero,
+//!   subnormal or infinite;
+//! * a quotient by a constant is a product with its reciprocal, unless that is subnormal or infinite;
+//! * 0 x is 0, and terms cancel, only where x is a real number for all real coordinates, as for polynomials; 0/y and
+//!   0 ln y stay as they are;
+//! * c₁ x + c₂ x is (c₁ + c₂) x;
+//! * (√x)ᶜ is x^(c/2) where x is a sum of squares or otherwise never negative.
+
+use super::graph::{Graph, Id, Node, Unary};
+use lie_poisson::Real;
+use std::collections::HashMap;
+
+impl Graph {
+    /// Returns a number.
+    pub(crate) fn number(&mut self, value: f64) -> Id {
+        // −0 and 0 are one node.
+        self.place(Node::Number((value + 0.0).to_bits()))
+    }
+
+    /// Returns the coordinate of an index.
+    pub(crate) fn input(&mut self, index: usize) -> Id {
+        self.place(Node::Input(index))
+    }
+
+    /// Returns c x for a constant c.
+    pub(crate) fn scale(&mut self, c: f64, x: Id) -> Id {
+        if c == 1.0 || (c == 0.0 && self.as_number(x) == Some(0.0)) {
+            return x;
+        }
+        if c == 0.0 && self.known(x).everywhere {
+            return self.number(0.0);
+        }
+        if let Some(value) = self.as_number(x) {
+            let product = c * value;
+            if !value.is_finite() || !product.is_finite() || product.is_normal() {
+                return self.number(product);
+            }
+        }
+        let (factor, base) = self.split(x);
+        if factor != 1.0 && (c * factor).is_normal() {
+            return self.scale(c * factor, base);
+        }
+        let c = self.number(c);
+        self.place(Node::Multiply(c, x))
+    }
+
+    /// Returns c and y such that a node is c y; c is 1 if the node is not a product with a constant.
+    fn split(&self, x: Id) -> (f64, Id) {
+        match self.node(x) {
+            Node::Multiply(c, base) => self.as_number(c).map_or((1.0, x), |c| (c, base)),
+            _ => (1.0, x),
+        }
+    }
+
+    /// Returns x y.
+    pub(crate) fn multiply(&mut self, x: Id, y: Id) -> Id {
+        if let Some(c) = self.as_number(x) {
+            return self.scale(c, y);
+        }
+        if let Some(c) = self.as_number(y) {
+            return self.scale(c, x);
+        }
+        for (x, y) in [(x, y), (y, x)] {
+            // A sign, which is exact, moves to the front.
+            if let (-1.0, base) = self.split(x) {
+                let product = self.multiply(base, y);
+                return self.scale(-1.0, product);
+            }
+        }
+        if let (true, Node::Function(Unary::Sqrt, square)) = (x == y, self.node(x))
+            && self.known(square).nonnegative
+        {
+            return square;
+        }
+        self.place(Node::Multiply(x.min(y), x.max(y)))
+    }
+
+    /// Returns x + y.
+    pub(crate) fn add(&mut self, x: Id, y: Id) -> Id {
+        match (self.as_number(x), self.as_number(y)) {
+            (Some(x), Some(y)) => return self.number(x + y),
+            (Some(0.0), _) => return y,
+            (_, Some(0.0)) => return x,
+            _ => {}
+        }
+        let ((c, base), (d, other)) = (self.split(x), self.split(y));
+        let sum = c + d;
+        if base == other && sum.is_finite() && (sum != 0.0 || self.known(base).everywhere) {
+            return self.scale(sum, base);
+        }
+        self.place(Node::Add(x.min(y), x.max(y)))
+    }
+
+    /// Returns the sum of terms, of which those with the same non-constant factor are added first.
+    pub(crate) fn sum(&mut self, terms: &[Id]) -> Id {
+        let (mut sums, mut places) = (Vec::new(), HashMap::new());
+        for &term in terms {
+            let base = self.split(term).1;
+            let known = places.get(&base).and_then(|&place: &usize| sums.get(place).copied());
+            let place = *places.entry(base).or_insert(sums.len());
+            match (known, sums.get_mut(place)) {
+                (Some(sum), Some(entry)) => *entry = self.add(sum, term),
+                _ => sums.push(term),
+            }
+        }
+        let zero = self.number(0.0);
+        sums.into_iter().fold(zero, |total, sum| self.add(total, sum))
+    }
+
+    /// Returns −x.
+    pub(crate) fn negate(&mut self, x: Id) -> Id {
+        self.scale(-1.0, x)
+    }
+
+    /// Returns x/y.
+    pub(crate) fn divide(&mut self, x: Id, y: Id) -> Id {
+        if let Some(divisor) = self.as_number(y) {
+            if let Some(value) = self.as_number(x) {
+                let quotient = value / divisor;
+                if value == 0.0 || !quotient.is_finite() || quotient.is_normal() {
+                    return self.number(quotient);
+                }
+            }
+            if (1.0 / divisor).is_normal() {
+                return self.scale(1.0 / divisor, x);
+            }
+        }
+        if let (-1.0, base) = self.split(x) {
+            let quotient = self.divide(base, y);
+            return self.scale(-1.0, quotient);
+        }
+        self.place(Node::Divide(x, y))
+    }
+
+    /// Returns xᶜ for a constant c.
+    pub(crate) fn power(&mut self, x: Id, c: f64) -> Id {
+        if c == 0.0 {
+            return self.number(1.0);
+        } else if c == 1.0 {
+            return x;
+        } else if c == 2.0 {
+            return self.multiply(x, x);
+        } else if c == -1.0 {
+            let one = self.number(1.0);
+            return self.divide(one, x);
+        } else if c == 0.5 {
+            return self.function(Unary::Sqrt, x);
+        }
+        if let Some(base) = self.as_number(x) {
+            let value = power(base, c);
+            if !value.is_finite() || value.is_normal() {
+                return self.number(value);
+            }
+        }
+        if let Node::Function(Unary::Sqrt, square) = self.node(x)
+            && self.known(square).nonnegative
+        {
+            return self.power(square, c / 2.0);
+        }
+        self.place(Node::Power(x, c.to_bits()))
+    }
+
+    /// Returns f(x).
+    pub(crate) fn function(&mut self, function: Unary, x: Id) -> Id {
+        match self.as_number(x) {
+            Some(x) => self.number(function.apply(x)),
+            None => self.place(Node::Function(function, x)),
+        }
+    }
+
+    /// Returns the angle of the point (x, y).
+    pub(crate) fn angle(&mut self, y: Id, x: Id) -> Id {
+        match (self.as_number(y), self.as_number(x)) {
+            (Some(y), Some(x)) => self.number(y.atan2(x)),
+            _ => self.place(Node::Angle(y, x)),
+        }
+    }
+}
+
+/// Returns the exponent as `i32` if it is a whole number of that range.
+pub(crate) fn whole(exponent: f64) -> Option<i32> {
+    let fits = exponent.fract() == 0.0 && exponent.abs() <= f64::from(i32::MAX);
+    fits.then_some(exponent as i32)
+}
+
+/// Returns xᶜ: a product for a whole c, and exp(c ln x) for any other.
+fn power(x: f64, c: f64) -> f64 {
+    whole(c).map_or_else(|| (c * x.ln()).exp(), |n| Real::powi(x, n))
+}
+
+impl Unary {
+    /// Returns f(x), over any scalar.
+    #[inline(always)]
+    pub(crate) fn apply<T: Real>(self, x: T) -> T {
+        match self {
+            Self::Sqrt => x.sqrt(),
+            Self::Exp => x.exp(),
+            Self::Ln => x.ln(),
+            Self::Sin => x.sin(),
+            Self::Cos => x.cos(),
+            // sinh x = x c₁(−x²) and cosh x = c₀(−x²), accurate near 0 too
+            Self::Sinh => x * (-(x * x)).stumpff(1),
+            Self::Cosh => (-(x * x)).stumpff(0),
+            Self::Tanh => x.tanh(),
+            Self::Absolute => x.select_nonnegative(x, -x),
+            Self::Sign => x.select_nonnegative(T::from_f64(1.0), T::from_f64(-1.0)),
+        }
+    }
+}

@@ -1,0 +1,98 @@
+//! Hamiltonians on the dual of any Lie algebra, written as text and differentiated by the rules of calculus; Casimirs
+//! from structure constants alone.
+//!
+//! ```toml
+//! [dependencies]
+//! lie-poisson = "0.1"
+//! lie-poisson-formulas = "0.1"
+//! ```
+//!
+//! The heavy top on se(3)∗: its energy as text, its equations of motion, and its Casimirs.
+//!
+//! ```
+//! use lie_poisson::{Hamiltonian, LiePoisson, PoissonSpace, Se3, Se3Dual};
+//! use lie_poisson_formulas::{FormulaHamiltonian, NamedAlgebra, Parameters, Vocabulary, find_casimirs};
+//! use nalgebra::Vector3;
+//!
+//! let se3 = Se3::default();
+//! let parameters = Parameters::new().vector("I", &[2.0, 2.0, 1.0])?.number("mgl", 1.0)?;
+//! let names = Vocabulary::of(&se3, &parameters)?;
+//! let h = FormulaHamiltonian::<Se3>::new("0.5*(Pi1^2/I1 + Pi2^2/I2 + Pi3^2/I3) + mgl*Gamma1", &names)?;
+//!
+//! let (pi, gamma) = (Vector3::new(2.0, 3.0, 4.0), Vector3::new(0.0, 0.6, 0.8));
+//! let mu = Se3Dual::new(pi, gamma);
+//! let omega = Vector3::new(1.0, 1.5, 4.0); // I⁻¹Π
+//! let rate = LiePoisson::minus(se3).hamiltonian_vector(&mu, &h.differential(&mu));
+//! assert_eq!(rate, Se3Dual::new(pi.cross(&omega) + gamma.cross(&Vector3::x()), gamma.cross(&omega)));
+//!
+//! let casimirs = find_casimirs(&se3, &se3.coordinates()?)?;
+//! let texts: Vec<String> = casimirs.formulas().iter().map(ToString::to_string).collect();
+//! assert_eq!(texts, ["Pi·Gamma", "|Gamma|^2"]);
+//! assert_eq!(casimirs.missing(), 0);
+//! # Ok::<(), Box<dyn std::error::Error>>(())
+//! ```
+//!
+//! # The language
+//!
+//! | to write | write |
+//! |---|---|
+//! | numbers | `2`, `0.5`, `6.02e23`, `½`, `pi` |
+//! | a coordinate, a component of a vector | `Pi1`, `Pi[1]`, `Π₁`, `(Pi×Gamma)[3]` |
+//! | sums and products | `+`, `-`, `*`, `/`; there is no product without a sign |
+//! | powers, which bind most tightly and to the right | `x^3`, `x**3`, `x²`, `2^3^2` = 2⁹, `-x^2` = −(x²) |
+//! | products of vectors | `a·b` or `dot(a, b)`; `a×b` or `cross(a, b)`, which binds more tightly: `a·b×c` |
+//! | the length of a vector, the size of a number | <code>&#124;v&#124;</code>, `norm(v)`, `abs(x)` |
+//! | functions | `sqrt` or `√`, `exp`, `ln` or `log`, `sin`, `cos`, `tan`, `sinh`, `cosh`, `tanh`, `atan2(y, x)` |
+//!
+//! A whole power is a product, x^(n+½) is xⁿ√x, and every other power is exp(c ln x). The slope of |x| at 0 is 1.
+//! Names are letters, digits and underscores, with Greek letters by their names: `Γ₁` is `Gamma1`.
+//! A simplification changes a value by rounding at most, wherever the formula is a real number: 0·x becomes 0 only
+//! if x is a real number for all real coordinates, as a polynomial is.
+//!
+//! # Which item when
+//!
+//! | when you need | use |
+//! |---|---|
+//! | a Hamiltonian from text, over every scalar | [`FormulaHamiltonian`] |
+//! | a function from text with its derivatives | [`Formula`] |
+//! | the names of coordinates and parameters | [`Coordinates`], [`Parameters`], together [`Vocabulary`] |
+//! | the usual names for an algebra | [`NamedAlgebra`] |
+//! | what is wrong with a text, and where | [`FormulaError`], [`Problem`], [`Shape`]; for names [`NameError`] |
+//! | the Casimirs of an algebra of your own | [`find_casimirs`], [`PolynomialCasimirs`] |
+//! | structure constants from the entries of a table | [`structure_constants`], [`StructureEntry`] |
+//! | an algebra whose dimension is known when the program runs | [`for_dimension`], [`DimensionTask`] |
+//!
+//! # Related crates
+//!
+//! `lie-poisson` holds the algebras, brackets and scalars, `collective-integrators` the time steps. The program
+//! `heavytop` simulates formulas from a configuration file.
+
+#![cfg_attr(docsrs, feature(doc_cfg))]
+
+mod names;
+mod text;
+mod graphs;
+mod tapes;
+mod hamiltonians;
+mod tables;
+mod casimirs;
+
+pub use names::coordinates::Coordinates;
+pub use names::name_error::NameError;
+pub use names::named_algebra::NamedAlgebra;
+pub use names::parameters::Parameters;
+pub use names::vocabulary::Vocabulary;
+pub use text::formula_error::{FormulaError, Problem, Shape};
+
+pub use hamiltonians::formula::Formula;
+pub use hamiltonians::formula_hamiltonian::FormulaHamiltonian;
+
+pub use casimirs::casimir_error::CasimirError;
+pub use casimirs::polynomial_casimirs::{PolynomialCasimirs, find_casimirs};
+pub use tables::any_dimension::{DimensionTask, for_dimension};
+pub use tables::structure_entries::{EntryError, StructureEntry, structure_constants};
+
+/// Compiles and runs the examples of the README.
+#[cfg(doctest)]
+#[doc = include_str!("../README.md")]
+struct Readme;

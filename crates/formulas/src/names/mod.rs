@@ -1,0 +1,8 @@
+//! The names in a formula: coordinates, parameters, and the letters that they are made of.
+
+pub(crate) mod letters;
+pub(crate) mod name_error;
+pub(crate) mod coordinates;
+pub(crate) mod parameters;
+pub(crate) mod vocabulary;
+pub(crate) mod named_algebra;

@@ -1,0 +1,55 @@
+//! The error of names that cannot stand side by side in a formula: [`NameError`].
+
+use thiserror::Error;
+
+/// The error of a name, or of the number that it stands for.
+#[derive(Clone, Debug, PartialEq, Error)]
+#[non_exhaustive]
+pub enum NameError {
+    /// The text is not a letter followed by letters, digits and underscores.
+    #[error("`{name}` is not a name: write a letter, then letters, digits or underscores")]
+    NotAName {
+        /// The text.
+        name: String,
+    },
+    /// The name is that of a function or of a constant.
+    #[error("the name `{name}` is reserved: it is a function or a constant of formulas")]
+    Reserved {
+        /// The name.
+        name: String,
+    },
+    /// Two coordinates or parameters have one name, or one is a component of the other.
+    ///
+    /// A vector `Pi` of dimension three takes the names `Pi`, `Pi1`, `Pi2` and `Pi3`.
+    #[error("the name `{name}` stands for two things")]
+    Repeated {
+        /// The name.
+        name: String,
+    },
+    /// A parameter is infinite or not a number.
+    #[error("the parameter `{name}` is {value}, which is not a finite number")]
+    NotFinite {
+        /// The name.
+        name: String,
+        /// The value.
+        value: f64,
+    },
+    /// A vector has no components, or more than a formula can have.
+    #[error("the vector `{name}` has {dimension} components; it needs between 1 and {limit}")]
+    Dimension {
+        /// The name.
+        name: String,
+        /// The number of its components.
+        dimension: usize,
+        /// The largest number of components.
+        limit: usize,
+    },
+    /// There are more coordinates than a formula can have.
+    #[error("there are {count} coordinates; a formula has at most {limit}")]
+    TooMany {
+        /// The number of coordinates.
+        count: usize,
+        /// The largest number of coordinates.
+        limit: usize,
+    },
+}

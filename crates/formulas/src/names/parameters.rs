@@ -1,0 +1,73 @@
+//! Named numbers and vectors of numbers: [`Parameters`].
+
+use super::coordinates::{MOST_COORDINATES, checked};
+use super::name_error::NameError;
+
+/// The named numbers in a formula, such as moments of inertia, and vectors of them.
+///
+/// # Example
+/// ```
+/// use lie_poisson_formulas::Parameters;
+/// let parameters = Parameters::new().number("mgl", 1.5)?.vector("c", &[0.0, 0.0, 1.0])?;
+/// assert!(parameters.clone().number("sin", 1.0).is_err()); // a function
+/// assert!(parameters.number("I1", f64::NAN).is_err());
+/// # Ok::<(), lie_poisson_formulas::NameError>(())
+/// ```
+#[derive(Clone, Debug, Default, PartialEq)]
+pub struct Parameters {
+    entries: Vec<Parameter>,
+}
+
+/// A named number or vector.
+#[derive(Clone, Debug, PartialEq)]
+pub(crate) struct Parameter {
+    pub(crate) name: String,
+    pub(crate) values: Vec<f64>,
+    pub(crate) is_vector: bool,
+}
+
+impl Parameters {
+    /// Creates no parameters.
+    #[must_use]
+    pub const fn new() -> Self {
+        Self { entries: Vec::new() }
+    }
+
+    /// Adds a number.
+    ///
+    /// # Errors
+    /// Returns [`NameError`] if the name is malformed, reserved or taken, or if the number is not finite.
+    pub fn number(self, name: &str, value: f64) -> Result<Self, NameError> {
+        self.with(name, vec![value], false)
+    }
+
+    /// Adds a vector, with the components `name1`, `name2` and so on.
+    ///
+    /// # Errors
+    /// Returns [`NameError`] if the name is malformed, reserved or taken, if a component is not finite, or if there
+    /// are no components or more than 256.
+    pub fn vector(self, name: &str, values: &[f64]) -> Result<Self, NameError> {
+        if values.is_empty() || values.len() > MOST_COORDINATES {
+            let (name, dimension) = (name.to_owned(), values.len());
+            return Err(NameError::Dimension { name, dimension, limit: MOST_COORDINATES });
+        }
+        self.with(name, values.to_vec(), true)
+    }
+
+    fn with(mut self, name: &str, values: Vec<f64>, is_vector: bool) -> Result<Self, NameError> {
+        let name = checked(name)?;
+        if let Some(&value) = values.iter().find(|value| !value.is_finite()) {
+            return Err(NameError::NotFinite { name, value });
+        }
+        if self.entries.iter().any(|entry| entry.name == name) {
+            return Err(NameError::Repeated { name });
+        }
+        self.entries.push(Parameter { name, values, is_vector });
+        Ok(self)
+    }
+
+    /// Returns the parameters in their order.
+    pub(crate) fn entries(&self) -> &[Parameter] {
+        &self.entries
+    }
+}

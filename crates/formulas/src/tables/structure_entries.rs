@@ -1,0 +1,102 @@
+//! Structure constants from the entries of a table that are not zero: [`structure_constants`].
+
+use lie_poisson::{StructureConstants, StructureError};
+use thiserror::Error;
+
+/// An entry of a table: the coordinate `value` of [e_i, e_j] at e_k. Indices count from 0.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct StructureEntry {
+    /// The first index of the bracket.
+    pub i: usize,
+    /// The second index of the bracket.
+    pub j: usize,
+    /// The index of the coordinate.
+    pub k: usize,
+    /// The value.
+    pub value: f64,
+}
+
+/// The error of entries that are no table of structure constants.
+#[derive(Clone, Copy, Debug, PartialEq, Error)]
+#[non_exhaustive]
+pub enum EntryError {
+    /// An index is as large as the dimension, or larger.
+    #[error("entry {entry} has the index {index}; the indices of dimension {dimension} end at {last}", last = .dimension.saturating_sub(1))]
+    IndexTooLarge {
+        /// The place of the entry in the list, from 0.
+        entry: usize,
+        /// The index.
+        index: usize,
+        /// The dimension.
+        dimension: usize,
+    },
+    /// An entry contradicts one before it: the same bracket and coordinate, or the opposite bracket.
+    #[error("entry {entry} contradicts entry {earlier}, which has the same bracket up to its sign")]
+    Contradiction {
+        /// The place of the entry in the list, from 0.
+        entry: usize,
+        /// The place of the entry before it.
+        earlier: usize,
+    },
+    /// The bracket of a basis vector with itself is not zero.
+    #[error("entry {entry} says that [e{index}, e{index}] is not zero")]
+    WithItself {
+        /// The place of the entry in the list, from 0.
+        entry: usize,
+        /// The index of the basis vector.
+        index: usize,
+    },
+    /// The table is not a Lie algebra.
+    #[error(transparent)]
+    Structure(#[from] StructureError),
+}
+
+/// Creates the algebra of dimension N with the given entries; all others are zero.
+///
+/// The opposite of an entry, with i and j exchanged and the sign changed, need not be in the list.
+///
+/// # Errors
+/// Returns [`EntryError`] if an index is too large, if two entries contradict each other, if some [e_i, e_i] is not
+/// zero, or if [`StructureConstants::new`] refuses the table, as when the Jacobi identity fails.
+///
+/// # Example
+/// ```
+/// use lie_poisson::LieAlgebra;
+/// use lie_poisson_formulas::{StructureEntry, structure_constants};
+/// use nalgebra::Vector3;
+/// // Heisenberg: [e₀, e₁] = e₂
+/// let heisenberg = structure_constants::<3>(&[StructureEntry { i: 0, j: 1, k: 2, value: 1.0 }])?;
+/// assert_eq!(heisenberg.bracket::<f64>(&Vector3::y(), &Vector3::x()), -Vector3::z());
+/// # Ok::<(), lie_poisson_formulas::EntryError>(())
+/// ```
+pub fn structure_constants<const N: usize>(
+    entries: &[StructureEntry],
+) -> Result<StructureConstants<N>, EntryError> {
+    for (entry, &StructureEntry { i, j, k, value }) in entries.iter().enumerate() {
+        if let Some(index) = [i, j, k].into_iter().find(|&index| index >= N) {
+            return Err(EntryError::IndexTooLarge { entry, index, dimension: N });
+        }
+        if i == j && value != 0.0 {
+            return Err(EntryError::WithItself { entry, index: i });
+        }
+        let contradicts = |other: &&StructureEntry| {
+            other.k == k
+                && ((other.i, other.j) == (i, j) && other.value != value
+                    || (other.j, other.i) == (i, j) && other.value != -value)
+        };
+        let before = entries.get(..entry).unwrap_or_default();
+        if let Some(earlier) = before.iter().position(|other| contradicts(&other)) {
+            return Err(EntryError::Contradiction { entry, earlier });
+        }
+    }
+    let mut table = vec![0.0; N * N * N];
+    for &StructureEntry { i, j, k, value } in entries {
+        for (i, j, value) in [(i, j, value), (j, i, -value)] {
+            if let Some(constant) = table.get_mut((i * N + j) * N + k) {
+                *constant = value;
+            }
+        }
+    }
+    let at = |i: usize, j: usize, k: usize| table.get((i * N + j) * N + k).copied();
+    Ok(StructureConstants::new(|i, j, k| at(i, j, k).unwrap_or(0.0))?)
+}

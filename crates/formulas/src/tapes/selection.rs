@@ -1,0 +1,81 @@
+//! The instructions of a graph: which nodes become one of their own.
+
+use super::instruction::{Instruction, Operation};
+use crate::graphs::graph::{Graph, Id, Node};
+use crate::graphs::simplification::whole;
+
+/// Returns the instructions that compute the roots, in order; numbers and coordinates need none.
+pub(crate) fn select(graph: &Graph, roots: &[Id]) -> Vec<Instruction<Id>> {
+    let uses = uses(graph, roots);
+    let mut needed = vec![false; graph.len()];
+    for &root in roots {
+        mark(&mut needed, root);
+    }
+    let mut instructions = Vec::new();
+    for id in (0..graph.len()).rev() {
+        if needed.get(id) == Some(&true)
+            && let Some((operation, operands)) = choose(graph, id, &uses)
+        {
+            operands.iter().for_each(|&operand| mark(&mut needed, operand));
+            instructions.push(Instruction { operation, target: id, operands });
+        }
+    }
+    instructions.reverse();
+    instructions
+}
+
+fn mark(needed: &mut [bool], id: Id) {
+    if let Some(mark) = needed.get_mut(id) {
+        *mark = true;
+    }
+}
+
+/// Returns how often each node is a part of another one or a root.
+fn uses(graph: &Graph, roots: &[Id]) -> Vec<usize> {
+    let reachable = graph.reachable(roots);
+    let mut uses = vec![0; graph.len()];
+    let parts = (0..graph.len()).filter(|&id| reachable.get(id) == Some(&true));
+    for part in parts.flat_map(|id| graph.node(id).parts()).chain(roots.iter().copied()) {
+        if let Some(count) = uses.get_mut(part) {
+            *count += 1;
+        }
+    }
+    uses
+}
+
+/// Returns the operation of a node with its operands, or `None` for a number or a coordinate.
+fn choose(graph: &Graph, id: Id, uses: &[usize]) -> Option<(Operation, [Id; 3])> {
+    let node = graph.node(id);
+    let (operation, operands) = match node {
+        Node::Number(_) | Node::Input(_) => return None,
+        Node::Add(a, b) => return Some(sum(graph, a, b, uses)),
+        Node::Multiply(a, b) if graph.as_number(a) == Some(-1.0) => (Operation::Negate, [b; 3]),
+        Node::Multiply(a, b) => (Operation::Multiply, [a, b, a]),
+        Node::Divide(a, b) => (Operation::Divide, [a, b, a]),
+        Node::Power(a, bits) => {
+            (Operation::Power(whole(f64::from_bits(bits)).unwrap_or(1)), [a; 3])
+        }
+        Node::Function(function, a) => (Operation::Function(function), [a; 3]),
+        Node::Angle(y, x) => (Operation::Angle, [y, x, y]),
+    };
+    Some((operation, operands))
+}
+
+/// Returns a sum as a difference or with a product, if one side is a negative or a product that nothing else uses.
+fn sum(graph: &Graph, a: Id, b: Id, uses: &[usize]) -> (Operation, [Id; 3]) {
+    for (a, b) in [(a, b), (b, a)] {
+        if let Node::Multiply(c, x) = graph.node(b)
+            && graph.as_number(c) == Some(-1.0)
+        {
+            return (Operation::Subtract, [a, x, a]);
+        }
+    }
+    for (a, b) in [(a, b), (b, a)] {
+        if let Node::Multiply(x, y) = graph.node(b)
+            && uses.get(b) == Some(&1)
+        {
+            return (Operation::MultiplyAdd, [x, y, a]);
+        }
+    }
+    (Operation::Add, [a, b, a])
+}

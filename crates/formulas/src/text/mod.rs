@@ -1,0 +1,9 @@
+//! The language of formulas: errors with a position, tokens, the syntax tree, the parser and the printer.
+
+pub(crate) mod formula_error;
+pub(crate) mod suggestion;
+pub(crate) mod token;
+pub(crate) mod lexer;
+pub(crate) mod syntax;
+pub(crate) mod parser;
+pub(crate) mod printer;

@@ -1,0 +1,21 @@
+//! What was meant by a misspelt name.
+
+use strsim::damerau_levenshtein;
+
+/// The length of a name from which on no suggestion is looked for.
+const LONGEST: usize = 64;
+
+/// Returns the closest name, if it is close: one change in a short name, or a third of the letters.
+///
+/// A name that differs only between capital and small letters is closest.
+pub(crate) fn closest<'a>(name: &str, names: impl Iterator<Item = &'a str>) -> Option<String> {
+    let length = name.chars().count();
+    if length > LONGEST {
+        return None;
+    }
+    let distance = |other: &str| {
+        if name.eq_ignore_ascii_case(other) { 0 } else { damerau_levenshtein(name, other) }
+    };
+    let (away, best) = names.map(|other| (distance(other), other)).min()?;
+    (length > 1 && away <= length.div_ceil(3) || away == 0).then(|| best.to_owned())
+}

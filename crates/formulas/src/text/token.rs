@@ -1,0 +1,62 @@
+//! The tokens of a formula: [`Token`].
+
+use core::fmt;
+use core::ops::Range;
+
+/// A word of a formula.
+#[derive(Clone, Debug, PartialEq)]
+pub(crate) enum Token {
+    Number(f64),
+    /// A name in plain letters.
+    Name(String),
+    Plus,
+    Minus,
+    Times,
+    Over,
+    Power,
+    Dot,
+    Cross,
+    Root,
+    /// An exponent in raised digits.
+    Superscript(f64),
+    Open,
+    Close,
+    OpenIndex,
+    CloseIndex,
+    Bar,
+    Comma,
+    End,
+}
+
+/// A token with its bytes in the text.
+#[derive(Clone, Debug, PartialEq)]
+pub(crate) struct Placed {
+    pub(crate) token: Token,
+    pub(crate) span: Range<usize>,
+}
+
+impl fmt::Display for Token {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        let sign = match self {
+            Self::Number(value) => return write!(f, "the number {value}"),
+            Self::Name(name) => return write!(f, "`{name}`"),
+            Self::Superscript(_) => return write!(f, "a raised digit"),
+            Self::End => return write!(f, "the end of the formula"),
+            Self::Plus => "+",
+            Self::Minus => "-",
+            Self::Times => "*",
+            Self::Over => "/",
+            Self::Power => "^",
+            Self::Dot => "·",
+            Self::Cross => "×",
+            Self::Root => "√",
+            Self::Open => "(",
+            Self::Close => ")",
+            Self::OpenIndex => "[",
+            Self::CloseIndex => "]",
+            Self::Bar => "|",
+            Self::Comma => ",",
+        };
+        write!(f, "`{sign}`")
+    }
+}

@@ -1,0 +1,168 @@
+//! Casimirs from structure constants alone.
+
+use lie_poisson::*;
+use lie_poisson_formulas::{
+    CasimirError, Coordinates, NamedAlgebra, StructureEntry, find_casimirs, structure_constants,
+};
+
+/// Returns the Casimirs as text, and how many are missing.
+fn found<A: LieAlgebra>(algebra: &A, coordinates: &Coordinates) -> (Vec<String>, usize) {
+    let found = find_casimirs(algebra, coordinates).unwrap();
+    assert_eq!(found.independent(), found.formulas().len() + found.missing());
+    (found.formulas().iter().map(ToString::to_string).collect(), found.missing())
+}
+
+/// Returns the Casimirs of a table of brackets [e_i, e_j] = value e_k + … with named coordinates.
+fn of_table<const N: usize>(
+    names: [&str; N],
+    entries: &[(usize, usize, usize, f64)],
+) -> (Vec<String>, usize) {
+    let entries: Vec<_> =
+        entries.iter().map(|&(i, j, k, value)| StructureEntry { i, j, k, value }).collect();
+    let table = structure_constants::<N>(&entries).unwrap();
+    found(&table, &Coordinates::scalars(names).unwrap())
+}
+
+fn named<A: NamedAlgebra>(algebra: &A) -> (Vec<String>, usize) {
+    found(algebra, &algebra.coordinates().unwrap())
+}
+
+fn texts(texts: &[&str]) -> (Vec<String>, usize) {
+    (texts.iter().map(|text| (*text).to_owned()).collect(), 0)
+}
+
+#[test]
+fn algebras_of_the_library() {
+    assert_eq!(named(&So3), texts(&["|Pi|^2"]));
+    assert_eq!(named(&Su2), texts(&["|mu|^2"]));
+    assert_eq!(named(&Se3::default()), texts(&["Pi·Gamma", "|Gamma|^2"]));
+    assert_eq!(named(&Se2::default()), texts(&["|Gamma|^2"]));
+    assert_eq!(named(&Sl2), texts(&["alpha^2 + 4*beta*gamma"]));
+    assert_eq!(named(&RealSpace::<3>), texts(&["p1", "p2", "p3"]));
+    assert_eq!(named(&ProductAlgebra(So3, Se2::default())), texts(&["|Gamma_2|^2", "|Pi_1|^2"]));
+    assert_eq!(named(&SemidirectAlgebra(SU2OnC2)), texts(&["|alpha|^2"]));
+    let base = SemidirectAlgebra(Inherited { quotient: SO3OnR3, representation: SO3OnR3 });
+    assert_eq!(named(&base), texts(&["|P|^2", "P·Gamma", "|Gamma|^2"]));
+}
+
+/// The Casimirs of u(3) have the degrees 1, 2 and 3.
+#[test]
+fn the_unitary_algebra() {
+    let (casimirs, missing) = named(&UnitaryAlgebra::<3>);
+    assert_eq!((casimirs.len(), missing), (3, 0));
+    assert_eq!(casimirs[0], "mu1 + mu5 + mu9");
+}
+
+#[test]
+fn algebras_from_tables() {
+    // Heisenberg
+    assert_eq!(of_table(["p", "q", "z"], &[(0, 1, 2, 1.0)]), texts(&["z"]));
+    // Poincaré in one space dimension
+    let poincare = [(0, 1, 2, 1.0), (0, 2, 1, 1.0)];
+    assert_eq!(of_table(["K", "H", "P"], &poincare), texts(&["H^2 - P^2"]));
+    // affine maps of the line have an open orbit
+    assert_eq!(of_table(["a", "b"], &[(0, 1, 1, 1.0)]), texts(&[]));
+    // [a, x] = x, [a, y] = 2y has the Casimir x²/y, and [a, x] = x, [a, y] = √2 y has x^√2/y: neither is polynomial
+    for weight in [2.0, 2.0_f64.sqrt()] {
+        let dilations = [(0, 1, 1, 1.0), (0, 2, 2, weight)];
+        assert_eq!(of_table(["a", "x", "y"], &dilations), (Vec::new(), 1));
+    }
+    // [a, x] = x, [a, y] = −2y has the Casimir x²y
+    let squeeze = [(0, 1, 1, 1.0), (0, 2, 2, -2.0)];
+    assert_eq!(of_table(["a", "x", "y"], &squeeze), texts(&["x^2*y"]));
+}
+
+/// Returns the brackets of so(n) in the basis L_ab, a < b: [L_ab, L_bc] = L_ac with signs.
+fn orthogonal(n: usize) -> Vec<StructureEntry> {
+    let basis: Vec<(usize, usize)> = (0..n).flat_map(|a| (a + 1..n).map(move |b| (a, b))).collect();
+    let place = |a: usize, b: usize| {
+        let sign = if a < b { 1.0 } else { -1.0 };
+        basis.iter().position(|&pair| pair == (a.min(b), a.max(b))).map(|k| (k, sign))
+    };
+    let mut entries = Vec::new();
+    for (i, &(a, b)) in basis.iter().enumerate() {
+        for (j, &(c, d)) in basis.iter().enumerate() {
+            // [L_ab, L_cd] = δ_bc L_ad − δ_ac L_bd − δ_bd L_ac + δ_ad L_bc
+            let terms = [
+                (b == c, 1.0, a, d),
+                (a == c, -1.0, b, d),
+                (b == d, -1.0, a, c),
+                (a == d, 1.0, b, c),
+            ];
+            for (_, factor, first, second) in
+                terms.into_iter().filter(|term| term.0 && term.2 != term.3)
+            {
+                if let Some((k, sign)) = place(first, second) {
+                    entries.push(StructureEntry { i, j, k, value: factor * sign });
+                }
+            }
+        }
+    }
+    entries
+}
+
+#[test]
+fn orthogonal_algebras() {
+    let so4 = structure_constants::<6>(&orthogonal(4)).unwrap();
+    let names = Coordinates::scalars(["L12", "L13", "L14", "L23", "L24", "L34"]).unwrap();
+    let squares = "L12^2 + L13^2 + L14^2 + L23^2 + L24^2 + L34^2";
+    let pfaffian = "L12*L34 - L13*L24 + L14*L23";
+    assert_eq!(found(&so4, &names), texts(&[pfaffian, squares]));
+    // so(5) has Casimirs of degrees 2 and 4, and so(6) of degrees 2, 3 and 4
+    let so5 = find_casimirs(&structure_constants::<10>(&orthogonal(5)).unwrap(), &mu(10)).unwrap();
+    assert_eq!((so5.formulas().len(), so5.missing(), so5.degree()), (2, 0, 4));
+    let so6 = find_casimirs(&structure_constants::<15>(&orthogonal(6)).unwrap(), &mu(15)).unwrap();
+    assert_eq!((so6.formulas().len(), so6.missing(), so6.degree()), (3, 0, 4));
+}
+
+fn mu(dimension: usize) -> Coordinates {
+    Coordinates::new().vector("mu", dimension).unwrap()
+}
+
+/// su(3) in Gell-Mann's basis, with structure constants ½ and √3/2: Casimirs of degrees 2 and 3.
+#[test]
+fn square_roots_in_the_table() {
+    let (half, root) = (0.5, 3.0_f64.sqrt() / 2.0);
+    let entries = [
+        (0, 1, 2, 1.0),
+        (0, 3, 6, half),
+        (0, 4, 5, -half),
+        (1, 3, 5, half),
+        (1, 4, 6, half),
+        (2, 3, 4, half),
+        (2, 5, 6, -half),
+        (3, 4, 7, root),
+        (5, 6, 7, root),
+    ];
+    // totally antisymmetric
+    let cyclic = entries.iter().flat_map(|&(i, j, k, value)| {
+        [(i, j, k), (j, k, i), (k, i, j)].map(|(i, j, k)| StructureEntry { i, j, k, value })
+    });
+    let su3 = structure_constants::<8>(&cyclic.collect::<Vec<_>>()).unwrap();
+    let found = find_casimirs(&su3, &mu(8)).unwrap();
+    assert_eq!((found.formulas().len(), found.missing()), (2, 0));
+    assert_eq!(found.formulas()[0].to_string(), "|mu|^2");
+    assert!(found.formulas()[1].to_string().contains("sqrt(3)"), "{}", found.formulas()[1]);
+}
+
+/// The Casimirs that are found are those of the trait, whose differentials span the kernel.
+#[test]
+fn they_are_casimirs() {
+    let se3 = Se3::default();
+    let casimirs = find_casimirs(&se3, &se3.coordinates().unwrap()).unwrap();
+    let mu = crate::support::point([0.3, -1.2, 0.7, 1.1, 0.4, -0.9]);
+    for casimir in casimirs.formulas() {
+        let rate = se3.coadjoint(&casimir.differential(&mu), &mu);
+        // three products of numbers near 1 in each coordinate
+        assert!(rate.max_abs() < 1e-15);
+    }
+    // Negative control: the energy of a body is no Casimir.
+    let rate = se3.coadjoint(&crate::support::formula("Pi1^2").differential(&mu), &mu);
+    assert!(rate.max_abs() > 0.1);
+}
+
+#[test]
+fn as_many_names_as_dimensions() {
+    let error = find_casimirs(&So3, &mu(4)).unwrap_err();
+    assert_eq!(error, CasimirError::WrongDimension { names: 4, dimension: 3 });
+}

@@ -1,0 +1,141 @@
+//! Errors point at what is wrong.
+
+use crate::support::heavy_top;
+use lie_poisson_formulas::{Formula, Problem};
+
+/// Returns the text that the error points at, and its message.
+fn error(text: &str) -> (String, String) {
+    let error = Formula::new(text, &heavy_top()).expect_err(text);
+    (text[error.span()].to_owned(), error.to_string())
+}
+
+#[test]
+fn errors_name_the_place_and_the_remedy() {
+    for (text, place, message) in [
+        ("", "", "the formula is empty"),
+        (" \n", "", "the formula is empty"),
+        ("Pi1 +", "", "a number, a name or `(` is missing here; found the end of the formula"),
+        ("Pi1 * / 2", "/", "a number, a name or `(` is missing here; found `/`"),
+        ("2 Pi1", "Pi1", "an operator is missing before `Pi1`; write `*` for a product"),
+        ("½Π₁²", "Π₁", "an operator is missing before `Pi1`; write `*` for a product"),
+        ("2(Pi1)", "(", "an operator is missing before `(`; write `*` for a product"),
+        ("Pi1(2)", "Pi1", "`Pi1` is not a function; write `*` for a product"),
+        ("(Pi1 + Pi2", "(", "this `(` is not closed by `)`"),
+        ("Pi1)", ")", "there is no open bracket or function to which this `)` belongs"),
+        ("Pi1, Pi2", ",", "there is no open bracket or function to which this `,` belongs"),
+        ("|Pi", "|", "this `|` is not closed by `|`"),
+        ("Pi[1", "[", "this `[` is not closed by `]`"),
+        ("Pi[0]", "0", "the index of a component is a whole number from 1 on"),
+        ("Pi[1.5]", "1.5", "the index of a component is a whole number from 1 on"),
+        (
+            "Pi[4]",
+            "4",
+            "there is no component 4 of a vector of dimension 3; components count from 1",
+        ),
+        ("mgl[1]", "1", "there is no component 1 of a scalar; components count from 1"),
+        ("Pi1 + Gama2", "Gama2", "there is no `Gama2`; did you mean `Gamma2`?"),
+        ("gamma1", "gamma1", "there is no `gamma1`; did you mean `Gamma1`?"),
+        ("PI", "PI", "there is no `PI`; did you mean `Pi`?"),
+        ("zebra", "zebra", "there is no `zebra`"),
+        ("sqr(Pi1)", "sqr", "there is no function `sqr`; did you mean `sqrt`?"),
+        ("sin", "sin", "the function `sin` needs its argument in parentheses"),
+        ("sin*2", "sin", "the function `sin` needs its argument in parentheses"),
+        ("sin(Pi1, Pi2)", "sin", "`sin` takes 1 argument(s), not 2"),
+        ("atan2(Pi1)", "atan2", "`atan2` takes 2 argument(s), not 1"),
+        ("dot()", "dot", "`dot` takes 2 argument(s), not 0"),
+        (
+            "1 + Pi",
+            "+",
+            "`+` needs two scalars or two vectors of one dimension, not a scalar and a vector of dimension 3",
+        ),
+        (
+            "Pi*Gamma",
+            "*",
+            "`*` needs a scalar, not a vector of dimension 3; write `·` or `×` between vectors",
+        ),
+        (
+            "Pi1·Gamma",
+            "·",
+            "`·` needs two vectors of one dimension, not a scalar and a vector of dimension 3",
+        ),
+        (
+            "Pi×2",
+            "×",
+            "`×` needs two vectors of dimension 3, not a vector of dimension 3 and a scalar",
+        ),
+        ("2/Pi", "/", "`/` needs a scalar, not a vector of dimension 3"),
+        (
+            "Pi^2",
+            "^",
+            "`^` needs a scalar, not a vector of dimension 3; write |v|^2 for the square of a vector",
+        ),
+        (
+            "Pi²",
+            "²",
+            "`^` needs a scalar, not a vector of dimension 3; write |v|^2 for the square of a vector",
+        ),
+        ("sqrt(Pi)", "sqrt", "`sqrt` needs a scalar, not a vector of dimension 3"),
+        (
+            "Pi + Gamma",
+            "+",
+            "a Hamiltonian is a scalar, and this formula is a vector of dimension 3",
+        ),
+        ("Pi1/0", "/", "the divisor is 0"),
+        (
+            "Pi1 + ln(0)",
+            "ln",
+            "this part of the formula has the constant value -inf, which is not a finite number",
+        ),
+        ("Pi1.Gamma", ".", "the character `.` has no meaning in a formula; did you mean `·`?"),
+        ("Pi1 $ 2", "$", "the character `$` has no meaning in a formula"),
+        ("1.2.3", "1.2.3", "`1.2.3` is not a number"),
+        ("1e400*Pi1", "1e400", "`1e400` is outside of the range of numbers, 2.3e-308 to 1.8e308"),
+        (
+            "1e-400*Pi1",
+            "1e-400",
+            "`1e-400` is outside of the range of numbers, 2.3e-308 to 1.8e308",
+        ),
+    ] {
+        assert_eq!(error(text), (place.to_owned(), message.to_owned()), "{text}");
+    }
+}
+
+#[test]
+fn quotations_mark_the_place() {
+    let text = "Π₁ +\n  Γ₁*Gama2 + 1";
+    let error = Formula::new(text, &heavy_top()).unwrap_err();
+    let quoted = "  Γ₁*Gama2 + 1\n     ^^^^^ there is no `Gama2`; did you mean `Gamma2`?";
+    assert_eq!(error.quoted(text), quoted);
+}
+
+#[test]
+fn depth_and_length_have_limits() {
+    let repeated = |part: &str, count: usize| part.repeat(count);
+    for part in ["(", "|", "-", "√", "2^", "sin(", "Pi1*(", "+", "-(", "√(", "|-", "2^-"] {
+        for count in [150, 1000, 10_000] {
+            let text = repeated(part, count.min(60_000 / part.len()));
+            assert!(Formula::new(&text, &heavy_top()).is_err(), "{part} {count}");
+            let whole = format!("{text}Pi1");
+            let error = Formula::new(&whole, &heavy_top()).map_err(|error| error.problem().clone());
+            if count > 200 {
+                assert!(matches!(error, Err(Problem::TooDeep { .. })), "{part} {count} {error:?}");
+            }
+        }
+    }
+    let long = format!("Pi1{}", repeated(" + Pi1", 20_000));
+    let error = Formula::new(&long, &heavy_top()).unwrap_err();
+    assert!(matches!(error.problem(), Problem::TooLong { length: 120_003, .. }));
+    // Below the limits, long and deep formulas are read.
+    let long = format!("Pi1{}", repeated(" + Pi1", 10_000));
+    assert!(Formula::new(&long, &heavy_top()).is_ok());
+    let deep = format!("{}Pi1{}", repeated("sin(", 190), repeated(")", 190));
+    assert!(Formula::new(&deep, &heavy_top()).is_ok());
+}
+
+/// A formula whose differential needs more numbers at a time than there are registers.
+#[test]
+fn registers_have_a_limit() {
+    let factors: Vec<String> = (1..2000).map(|n| format!("sin({n}*Pi1)")).collect();
+    let error = Formula::new(&factors.join("*"), &heavy_top()).unwrap_err();
+    assert!(matches!(error.problem(), Problem::TooLarge { limit: 1024, .. }), "{error}");
+}

@@ -1,0 +1,62 @@
+//! Formulas over SIMD lanes have the bits of formulas over `f64`.
+
+use crate::support::{FORMULAS, POINTS, formula, point};
+use lie_poisson::{
+    DefaultLanes, InstructionSet, LaneTask, Lanes, Se3Dual, Vector, Width, dispatch,
+};
+use lie_poisson_formulas::Formula;
+
+/// Returns the point of lane `i` in all coordinates, and the points of all lanes.
+fn lanes_of<T: Lanes>(points: &[Se3Dual]) -> Se3Dual<T> {
+    Vector::from_coordinates(|i| T::from_lanes(|lane| points[lane % points.len()].coordinate(i)))
+}
+
+fn compare<T: Lanes>(h: &Formula, text: &str) {
+    let points: Vec<Se3Dual> = POINTS.iter().map(|x| point(*x)).collect();
+    let z = lanes_of::<T>(&points);
+    let (value, gradient, second) = (h.value(&z), h.differential(&z), h.second_derivative(&z, &z));
+    for lane in 0..T::COUNT {
+        let z = points[lane % points.len()];
+        assert_eq!(value.lane(lane).to_bits(), h.value(&z).to_bits(), "{text}");
+        for i in 0..6 {
+            let (alone, beside) = (h.differential(&z).coordinate(i), gradient.coordinate(i));
+            assert_eq!(alone.to_bits(), beside.lane(lane).to_bits(), "{text} {i}");
+            let alone = h.second_derivative(&z, &z).coordinate(i);
+            assert_eq!(alone.to_bits(), second.coordinate(i).lane(lane).to_bits(), "{text} {i}");
+        }
+    }
+}
+
+/// Compares on the lanes of an instruction set.
+struct OnWideLanes;
+
+impl LaneTask for OnWideLanes {
+    type Output = ();
+    fn run<T: Lanes>(self) {
+        FORMULAS.iter().for_each(|text| compare::<T>(&formula(text), text));
+    }
+}
+
+#[test]
+fn lanes_have_the_bits_of_single_numbers() {
+    for text in FORMULAS {
+        compare::<f64>(&formula(text), text);
+        compare::<DefaultLanes>(&formula(text), text);
+    }
+    dispatch(OnWideLanes, InstructionSet::detected(), Width::Register).unwrap();
+}
+
+/// Negative control: the lanes hold different numbers.
+#[test]
+fn lanes_differ() {
+    let points: Vec<Se3Dual> = POINTS.iter().map(|x| point(*x)).collect();
+    let value = formula(FORMULAS[0]).value(&lanes_of::<DefaultLanes>(&points));
+    assert_ne!(value.lane(0).to_bits(), value.lane(1).to_bits());
+}
+
+#[test]
+fn formulas_can_be_shared_between_threads() {
+    fn shared<T: Send + Sync + Clone + core::fmt::Debug + PartialEq>() {}
+    shared::<Formula>();
+    shared::<lie_poisson_formulas::FormulaHamiltonian<lie_poisson::So3>>();
+}
