@@ -10,7 +10,8 @@ use heavytop::{CollectiveGauss, SpinorRealisation, TopMidpoint, WithAttitude};
 use isospectral_flows::{
     CommutatorField, ExponentialMidpoint, GaussMagnus, IsospectralRungeKutta, Products,
 };
-use lie_poisson::{Covector, Pair, Se3Dual, Sites};
+use lie_poisson::{Covector, Pair, Se3, Se3Dual, Sites};
+use lie_poisson_formulas::{FormulaHamiltonian, Parameters, Vocabulary};
 use lie_poisson_systems::{GeneralisedRigidBody, HeisenbergLattice, LatticeMidpoint, ManyVortices};
 use momentum_map::{DualQuaternions, HOPF};
 use nalgebra::{Vector2, Vector3};
@@ -218,6 +219,12 @@ fn no_step_allocates() -> Result<(), Box<dyn Error>> {
     }
 
     let mut run = lifted.trajectory(&start, 0.05)?.take(200);
+    assert_eq!(allocations(|| Ok(run.try_for_each(|sample| sample.map(drop))?))?, 0);
+
+    let names = Vocabulary::of(&Se3::default(), &Parameters::new())?;
+    let text = FormulaHamiltonian::<Se3>::new("|Pi|^2/2 + sin(Gamma1*Pi2)/|Gamma|", &names)?;
+    let of_text = Collective::new(RungeKutta::gauss(2)?, SpinorRealisation, text);
+    let mut run = of_text.trajectory(&start, 0.05)?.take(200);
     assert_eq!(allocations(|| Ok(run.try_for_each(|sample| sample.map(drop))?))?, 0);
 
     let kernel = CollectiveGauss::new(8, top)?;

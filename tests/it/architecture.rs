@@ -9,6 +9,7 @@ use workspace_tests::architecture::{Sources, cycles, declared_order, imports, ro
 const CRATES: &[&str] = &[
     "scalars",
     "lie-poisson",
+    "formulas",
     "momentum-map",
     "integrators",
     "isospectral",
@@ -63,6 +64,7 @@ fn rooms_import_the_rooms_before_them() {
 const PACKAGES: &[(&str, &str)] = &[
     ("scalars", "generic-scalars"),
     ("lie-poisson", "lie-poisson"),
+    ("formulas", "lie-poisson-formulas"),
     ("momentum-map", "momentum-map"),
     ("integrators", "collective-integrators"),
     ("isospectral", "isospectral-flows"),

@@ -129,6 +129,7 @@ fn every_item_named_in_the_notation_and_the_ledger_exists() -> Result<(), Box<dy
     for layer in [
         "scalars",
         "lie-poisson",
+        "formulas",
         "momentum-map",
         "integrators",
         "isospectral",

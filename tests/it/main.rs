@@ -19,6 +19,7 @@ mod discrete_poisson;
 mod ensembles;
 mod error_chains;
 mod exact;
+mod formulas;
 mod free_rigid_body;
 mod guide;
 mod integrable_tops;

@@ -78,14 +78,14 @@ impl Formula {
         let inputs = names.coordinates().dimension();
         let gradient = graph.gradient(value, inputs);
         let tangents = graph.tangents(&gradient, inputs);
-        let tape = |roots: &[usize], inputs| {
-            Tape::new(&graph, roots, inputs)
+        let tape = |roots: &[usize], inputs, first| {
+            Tape::new(&graph, roots, inputs, first)
                 .map_err(|problem| FormulaError::new(0..text.len(), problem))
         };
         Ok(Self(Arc::new(Compiled {
-            value: tape(&[value], inputs)?,
-            gradient: tape(&gradient, inputs)?,
-            second_derivative: tape(&tangents, 2 * inputs)?,
+            value: tape(&[value], inputs, 0)?,
+            gradient: tape(&gradient, inputs, 0)?,
+            second_derivative: tape(&tangents, 2 * inputs, inputs)?,
             names: names.clone(),
             dimension: inputs,
             syntax,
@@ -104,18 +104,17 @@ impl Formula {
         self.0.dimension
     }
 
-    /// Returns the value h(z). Coordinates that z does not have are zero.
+    /// Returns the value h(z), or NaN if z has fewer or more coordinates than the formula.
     #[inline]
     pub fn value<V: Vector>(&self, z: &V) -> V::Scalar {
-        self.0.value.evaluate(|i| z.coordinate(i), |results| results.get(0))
+        self.0.value.scalar(V::DIM, |i| z.coordinate(i))
     }
 
-    /// Returns the differential dh(z), with the coordinates ∂h/∂zᵢ. Coordinates that z does not have are zero.
+    /// Returns the differential dh(z), with the coordinates ∂h/∂zᵢ, or NaN if z has fewer or more coordinates
+    /// than the formula.
     #[inline]
     pub fn differential<V: Vector>(&self, z: &V) -> V::Dual {
-        self.0
-            .gradient
-            .evaluate(|i| z.coordinate(i), |results| V::Dual::from_coordinates(|i| results.get(i)))
+        self.0.gradient.vector(V::DIM, |i| z.coordinate(i), |i| z.coordinate(i))
     }
 
     /// Returns the derivative D²h(z)·v of the differential along v, with the coordinates Σⱼ ∂²h/∂zᵢ∂zⱼ vⱼ.
@@ -132,11 +131,8 @@ impl Formula {
     /// ```
     #[inline]
     pub fn second_derivative<V: Vector>(&self, z: &V, v: &V) -> V::Dual {
-        let n = self.0.dimension;
-        self.0.second_derivative.evaluate(
-            |i| if i < n { z.coordinate(i) } else { v.coordinate(i - n) },
-            |results| V::Dual::from_coordinates(|i| results.get(i)),
-        )
+        let both = |i| if i < V::DIM { z.coordinate(i) } else { v.coordinate(i - V::DIM) };
+        self.0.second_derivative.vector(2 * V::DIM, both, |i| v.coordinate(i))
     }
 }
 

@@ -5,11 +5,18 @@ use crate::graphs::graph::Unary;
 /// What an instruction computes from its operands a, b and c.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(crate) enum Operation {
+    Copy,
     Add,
     Subtract,
     Multiply,
     /// a b + c, rounded twice.
     MultiplyAdd,
+    /// a times a number.
+    Scale(f64),
+    /// a times a number, plus b, rounded twice.
+    ScaleAdd(f64),
+    /// a plus a number.
+    Offset(f64),
     Divide,
     Negate,
     Power(i32),

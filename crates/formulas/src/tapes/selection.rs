@@ -49,8 +49,11 @@ fn choose(graph: &Graph, id: Id, uses: &[usize]) -> Option<(Operation, [Id; 3])>
     let (operation, operands) = match node {
         Node::Number(_) | Node::Input(_) => return None,
         Node::Add(a, b) => return Some(sum(graph, a, b, uses)),
-        Node::Multiply(a, b) if graph.as_number(a) == Some(-1.0) => (Operation::Negate, [b; 3]),
-        Node::Multiply(a, b) => (Operation::Multiply, [a, b, a]),
+        Node::Multiply(a, b) => match graph.as_number(a) {
+            Some(-1.0) => (Operation::Negate, [b; 3]),
+            Some(number) => (Operation::Scale(number), [b; 3]),
+            None => (Operation::Multiply, [a, b, a]),
+        },
         Node::Divide(a, b) => (Operation::Divide, [a, b, a]),
         Node::Power(a, bits) => {
             (Operation::Power(whole(f64::from_bits(bits)).unwrap_or(1)), [a; 3])
@@ -61,13 +64,19 @@ fn choose(graph: &Graph, id: Id, uses: &[usize]) -> Option<(Operation, [Id; 3])>
     Some((operation, operands))
 }
 
-/// Returns a sum as a difference or with a product, if one side is a negative or a product that nothing else uses.
+/// Returns a sum as an operation that includes a side that is a number, a multiple, or a product that nothing else uses.
 fn sum(graph: &Graph, a: Id, b: Id, uses: &[usize]) -> (Operation, [Id; 3]) {
     for (a, b) in [(a, b), (b, a)] {
+        if let Some(number) = graph.as_number(b) {
+            return (Operation::Offset(number), [a; 3]);
+        }
         if let Node::Multiply(c, x) = graph.node(b)
-            && graph.as_number(c) == Some(-1.0)
+            && let Some(number) = graph.as_number(c)
         {
-            return (Operation::Subtract, [a, x, a]);
+            return match number {
+                -1.0 => (Operation::Subtract, [a, x, a]),
+                _ => (Operation::ScaleAdd(number), [x, a, x]),
+            };
         }
     }
     for (a, b) in [(a, b), (b, a)] {

@@ -1,85 +1,141 @@
 //! A list of instructions that computes numbers from coordinates: [`Tape`].
 
-use super::allocation::{SIZES, allocate};
+use super::affine::Affine;
+use super::allocation::{Allocation, SIZES, allocate};
 use super::instruction::{Instruction, Operation};
 use super::selection::select;
 use crate::graphs::graph::{Graph, Id};
 use crate::text::formula_error::Problem;
-use core::array::from_fn;
-use lie_poisson::Real;
+use lie_poisson::{Real, Vector};
 
 /// Instructions without branches and without loops, which are the same for every scalar.
 #[derive(Clone, Debug, PartialEq)]
 pub(crate) struct Tape {
-    instructions: Box<[Instruction<u16>]>,
-    /// The numbers in the registers before the first instruction, as many as there are registers.
-    numbers: Box<[f64]>,
-    outputs: Box<[u16]>,
+    /// The number of coordinates x, which are in the first registers. The results are in those that follow.
     inputs: usize,
-}
-
-/// The results of a tape.
-pub(crate) struct Results<'a, T> {
-    registers: &'a [T],
-    outputs: &'a [u16],
-}
-
-impl<T: Real> Results<'_, T> {
-    /// Returns the i-th result, or zero if there are fewer.
-    #[inline(always)]
-    pub(crate) fn get(&self, i: usize) -> T {
-        let register = self.outputs.get(i).map(|&register| usize::from(register));
-        let result = register.and_then(|register| self.registers.get(register));
-        result.copied().unwrap_or_else(T::zero)
-    }
+    /// The i-th result s x + b before the first instruction, where x is the coordinate that belongs to the result.
+    results: Box<[Affine]>,
+    instructions: Box<[Instruction<u16>]>,
+    /// The numbers that are in further registers before the first instruction.
+    numbers: Box<[(u16, f64)]>,
+    /// The number of registers, one of [`SIZES`].
+    size: usize,
 }
 
 impl Tape {
     /// Creates the tape that computes the roots of a graph from `inputs` coordinates.
-    pub(crate) fn new(graph: &Graph, roots: &[Id], inputs: usize) -> Result<Self, Problem> {
+    ///
+    /// The coordinate that belongs to the i-th root has the index `first` + i. No instruction is needed for a root that is
+    /// a multiple of it and a constant.
+    pub(crate) fn new(
+        graph: &Graph,
+        roots: &[Id],
+        inputs: usize,
+        first: usize,
+    ) -> Result<Self, Problem> {
         let (graph, roots) = graph.without_powers(roots);
-        let allocation = allocate(&graph, &select(&graph, &roots), &roots, inputs)?;
+        let affine = (first..).zip(&roots).map(|(input, &root)| Affine::of(&graph, root, input));
+        let affine: Vec<_> = affine.collect();
+        let left = roots.iter().zip(&affine);
+        let left: Vec<_> = left.map(|(&root, known)| known.is_none().then_some(root)).collect();
+        let selected = select(&graph, &left.iter().flatten().copied().collect::<Vec<_>>());
+        let allocation = allocate(&graph, &selected, &left, inputs)?;
+        let Allocation { instructions, numbers, size } = allocation;
         Ok(Self {
-            instructions: allocation.instructions.into(),
-            numbers: allocation.numbers.into(),
-            outputs: allocation.outputs.into(),
             inputs,
+            results: affine.into_iter().map(Option::unwrap_or_default).collect(),
+            instructions: instructions.into(),
+            numbers: numbers.into(),
+            size,
         })
     }
 
-    /// Computes the results at coordinates and passes them on.
-    ///
-    /// The registers are an array on the stack, of the smallest of four sizes that suffices. Nothing is allocated.
+    /// Returns the number of instructions.
+    #[cfg(test)]
+    fn len(&self) -> usize {
+        self.instructions.len()
+    }
+
+    /// Computes the results at `inputs` coordinates as a vector; NaN if the tape has another number of coordinates or
+    /// results. The coordinate that belongs to the i-th result is `own(i)`.
     #[inline]
-    pub(crate) fn evaluate<T: Real, R>(
+    pub(crate) fn vector<V: Vector>(
         &self,
-        input: impl Fn(usize) -> T,
-        results: impl FnOnce(&Results<'_, T>) -> R,
-    ) -> R {
-        match self.numbers.len() {
-            16 => self.evaluate_in::<T, R, { SIZES[0] }>(input, results),
-            64 => self.evaluate_in::<T, R, { SIZES[1] }>(input, results),
-            256 => self.evaluate_in::<T, R, { SIZES[2] }>(input, results),
-            _ => self.evaluate_in::<T, R, { SIZES[3] }>(input, results),
+        inputs: usize,
+        input: impl Fn(usize) -> V::Scalar,
+        own: impl Fn(usize) -> V::Scalar,
+    ) -> V {
+        let results = self.results.get(..V::DIM).filter(|_| self.inputs == inputs);
+        match results.filter(|_| self.instructions.is_empty()) {
+            Some(affine) => V::from_coordinates(|i| affine[i].at(own(i))),
+            None => self.evaluate((inputs, V::DIM), input, own, |results| {
+                V::from_coordinates(|i| result(results, i))
+            }),
         }
     }
 
+    /// Computes the first result at `inputs` coordinates; NaN if the tape has another number of coordinates.
     #[inline]
+    pub(crate) fn scalar<T: Real>(&self, inputs: usize, input: impl Fn(usize) -> T) -> T {
+        self.evaluate((inputs, 1), &input, &input, |results| result(results, 0))
+    }
+
+    /// Computes the results at `inputs` coordinates and passes the first `outputs` of them on; none if the tape has
+    /// another number of coordinates.
+    ///
+    /// The registers are an array on the stack, of the smallest of five sizes that suffices. Nothing is allocated.
+    #[inline]
+    fn evaluate<T: Real, R>(
+        &self,
+        counts: (usize, usize),
+        input: impl Fn(usize) -> T,
+        own: impl Fn(usize) -> T,
+        results: impl Fn(&[T]) -> R,
+    ) -> R {
+        match self.size {
+            16 => self.evaluate_in::<T, R, { SIZES[0] }>(counts, input, own, results),
+            32 => self.evaluate_in::<T, R, { SIZES[1] }>(counts, input, own, results),
+            64 => self.evaluate_in::<T, R, { SIZES[2] }>(counts, input, own, results),
+            256 => self.evaluate_in::<T, R, { SIZES[3] }>(counts, input, own, results),
+            _ => self.evaluate_in::<T, R, { SIZES[4] }>(counts, input, own, results),
+        }
+    }
+
+    #[inline(always)]
     fn evaluate_in<T: Real, R, const SIZE: usize>(
         &self,
+        (inputs, outputs): (usize, usize),
         input: impl Fn(usize) -> T,
-        results: impl FnOnce(&Results<'_, T>) -> R,
+        own: impl Fn(usize) -> T,
+        results: impl Fn(&[T]) -> R,
     ) -> R {
-        let numbers = self.numbers.first_chunk::<SIZE>().unwrap_or(&[0.0; SIZE]);
-        let mut registers: [T; SIZE] = from_fn(|i| T::from_f64(numbers[i]));
-        for (i, register) in registers.iter_mut().enumerate().take(self.inputs) {
+        let mut registers = [T::from_f64(0.0); SIZE];
+        let affine = self.results.get(..outputs).filter(|_| inputs == self.inputs);
+        let (Some(affine), Some((first, others))) =
+            (affine, registers.split_at_mut_checked(inputs))
+        else {
+            return results(&[]);
+        };
+        for (i, register) in first.iter_mut().enumerate() {
             *register = input(i);
+        }
+        for (i, (register, affine)) in others.iter_mut().zip(affine).enumerate() {
+            *register = affine.at(own(i));
+        }
+        for &(register, number) in &*self.numbers {
+            registers[usize::from(register) % SIZE] = T::from_f64(number);
         }
         for instruction in &*self.instructions {
             instruction.execute(&mut registers);
         }
-        results(&Results { registers: &registers, outputs: &self.outputs })
+        results(registers.get(inputs..inputs + outputs).unwrap_or_default())
     }
+}
+
+/// Returns one of the results, or NaN if there is none.
+#[inline(always)]
+fn result<T: Real>(results: &[T], i: usize) -> T {
+    results.get(i).copied().unwrap_or_else(|| T::from_f64(f64::NAN))
 }
 
 impl Instruction<u16> {
@@ -91,10 +147,14 @@ impl Instruction<u16> {
         let a = registers[place(a)];
         let b = || registers[place(b)];
         let result = match self.operation {
+            Operation::Copy => a,
             Operation::Add => a + b(),
             Operation::Subtract => a - b(),
             Operation::Multiply => a * b(),
             Operation::MultiplyAdd => a * b() + registers[place(c)],
+            Operation::Scale(number) => a * number,
+            Operation::ScaleAdd(number) => a * number + b(),
+            Operation::Offset(number) => a + number,
             Operation::Divide => a / b(),
             Operation::Negate => -a,
             Operation::Power(n) => a.powi(n),
@@ -102,5 +162,54 @@ impl Instruction<u16> {
             Operation::Angle => a.atan2(b()),
         };
         registers[place(self.target)] = result;
+    }
+}
+
+#[cfg(test)]
+#[allow(clippy::unwrap_used)]
+mod tests {
+    use super::*;
+    use crate::graphs::elaboration::elaborate;
+    use crate::names::coordinates::Coordinates;
+    use crate::names::parameters::Parameters;
+    use crate::names::vocabulary::Vocabulary;
+    use crate::text::parser::parse;
+
+    /// Returns the numbers of instructions of the value, the gradient and the second derivative.
+    fn lengths(text: &str) -> [usize; 3] {
+        let coordinates = Coordinates::new().vector("Pi", 3).unwrap().vector("Gamma", 3).unwrap();
+        let parameters = Parameters::new().vector("I", &[2.0, 3.0, 4.0]).unwrap();
+        let names = Vocabulary::new(&coordinates, &parameters).unwrap();
+        let mut graph = Graph::default();
+        let value = elaborate(&parse(text).unwrap(), &names, &mut graph).unwrap();
+        let gradient = graph.gradient(value, 6);
+        let tangents = graph.tangents(&gradient, 6);
+        let roots = [(vec![value], 6), (gradient, 6), (tangents, 12)];
+        roots.map(|(roots, inputs)| Tape::new(&graph, &roots, inputs, inputs - 6).unwrap().len())
+    }
+
+    #[test]
+    fn derivatives_of_quadratic_forms_are_a_few_products() {
+        // dh = (Π₁/I₁, Π₂/I₂, Π₃/I₃, c): each a multiple of its own coordinate and a constant
+        let top = "0.5*(Pi1^2/I1 + Pi2^2/I2 + Pi3^2/I3) + 1.5*Gamma1 + 0*Gamma2";
+        assert_eq!(lengths(top)[1..], [0, 0]);
+        // dh = (0.6 Π₁ + 0.1 Π₂, 0.1 Π₁ + 2 Π₂, 0, …): two products, each added to a product
+        assert_eq!(lengths("0.3*Pi1^2 + 0.1*Pi1*Pi2 + Pi2^2")[1], 4);
+        // dh = (Γ, Π): copies
+        assert_eq!(lengths("Pi·Gamma"), [3, 6, 6]);
+        // the length of Γ is computed once for all slopes, and 2Γᵢ is added by the instruction that multiplies
+        let length = lengths("1/|Gamma|^3")[1];
+        assert!(lengths("|Gamma|^2 + 1/|Gamma|^3")[1] <= length + 3);
+        assert!(length < 16, "{length}");
+    }
+
+    #[test]
+    fn another_number_of_coordinates_has_no_results() {
+        let mut graph = Graph::default();
+        let root = graph.input(1);
+        let tape = Tape::new(&graph, &[root], 2, 0).unwrap();
+        let value = |inputs: usize| tape.scalar(inputs, |i| i as f64);
+        assert_eq!(value(2), 1.0);
+        assert!(value(1).is_nan() && value(3).is_nan());
     }
 }
