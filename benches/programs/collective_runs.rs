@@ -5,41 +5,24 @@
 //! change of the first Casimir. A step that fails ends the program with its error.
 
 use collective_integrators::{Collective, Integrator, RungeKutta};
-use core::marker::PhantomData;
 use heavytop::SpinorRealisation;
 use lie_poisson::nalgebra::{Vector2, Vector3};
 use lie_poisson::num_complex::Complex;
 use lie_poisson::{
-    Automatic, Covector, Diagonal, Energy, Pair, Point, PoissonSpace, Power, Real, SL2OnR2,
-    SO3OnR3, Sum, UnitaryAlgebra, Vector, larger,
+    Automatic, Covector, Diagonal, Pair, Power, SL2OnR2, SO3OnR3, Sum, UnitaryAlgebra, Vector,
+    larger,
 };
 use momentum_map::{
     AffineAction, Cotangent, HOPF, MomentumMap, Opposite, PARTICLE, PoissonMap, PowerMap,
     QuadraticMomentumMap, Reversed, Side, SourcePoint, TargetPoint, unitary_realisation,
 };
 use std::error::Error;
+use workspace_tests::Quadratic;
 use write_your_own::{Poincare, Rotor};
 
 #[path = "../../docs/write_your_own.rs"]
 #[allow(dead_code, missing_docs, unused_imports)]
 mod write_your_own;
-
-/// The Hamiltonian ½ Σ_i a_i μ_i² + b_i μ_i with a_i between 1 and 2 and small b_i: bounded from below, without
-/// symmetry.
-struct Quadratic<P>(PhantomData<P>);
-
-impl<P: PoissonSpace> Energy for Quadratic<P> {
-    type Space = P;
-
-    fn energy<T: Real>(&self, mu: &Point<P, T>) -> T {
-        let mut sum = T::zero();
-        for i in 0..<Point<P, T> as Vector>::DIM {
-            let (x, i) = (mu.coordinate(i), i as f64);
-            sum += x * x * (0.5 + 0.5 * (i * 0.618).fract()) + x * (0.2 * (i * 0.755).fract());
-        }
-        sum
-    }
-}
 
 /// The options of the program: the number of steps, and the realisation.
 struct Runs {
@@ -56,7 +39,7 @@ impl Runs {
         z: SourcePoint<M>,
         casimir: impl Fn(&TargetPoint<M>) -> f64,
     ) -> Result<(), Box<dyn Error>> {
-        let h = Automatic(Quadratic::<M::Target>(PhantomData));
+        let h = Automatic(Quadratic::<M::Target>::default());
         self.run(name, &Collective::new(RungeKutta::implicit_midpoint(), map, h), z, 0.05, casimir)
     }
 

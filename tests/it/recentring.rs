@@ -1,11 +1,9 @@
 //! Points of a fibre near the origin, and collective runs that continue from them.
 
 use collective_integrators::{CHECKPOINT, Collective, Integrator, RungeKutta, Start};
-use core::marker::PhantomData;
 use lie_poisson::{
-    Automatic, Covector, DefaultLanes, Diagonal, DualNumber, Energy, Lanes, Pair, Point,
-    PoissonSpace, Power, Real, SL2OnR2, SO3OnR3, Se3Dual, Sum, Vector, derivative_part,
-    map_coordinates, seed,
+    Automatic, Covector, DefaultLanes, Diagonal, DualNumber, Lanes, Pair, Point, Power, SL2OnR2,
+    SO3OnR3, Se3Dual, Sum, Vector, derivative_part, map_coordinates, seed,
 };
 use momentum_map::{
     AffineAction, Cotangent, FibreSymmetry, HOPF, Lift, MomentumMap, Opposite, PARTICLE,
@@ -14,23 +12,7 @@ use momentum_map::{
 };
 use nalgebra::{Vector2, Vector3};
 use proptest::prelude::*;
-use workspace_tests::{persistent, point};
-
-/// A definite quadratic Hamiltonian without symmetry, whose motions explore 𝔤∗ and stay bounded.
-struct Quadratic<P>(PhantomData<P>);
-
-impl<P: PoissonSpace> Energy for Quadratic<P> {
-    type Space = P;
-
-    fn energy<T: Real>(&self, mu: &Point<P, T>) -> T {
-        let mut sum = T::zero();
-        for i in 0..<Point<P, T> as Vector>::DIM {
-            let (x, i) = (mu.coordinate(i), i as f64);
-            sum += x * x * (0.5 + 0.5 * (i * 0.618).fract()) + x * (0.2 * (i * 0.755).fract());
-        }
-        sum
-    }
-}
+use workspace_tests::{Quadratic, persistent, point};
 
 fn recentred<M: PoissonMap>(map: &M, z: &SourcePoint<M>) -> SourcePoint<M> {
     map.recentred::<f64>(z, &mut RecentringSpace::default())
@@ -42,7 +24,7 @@ type TwoFields = MomentumMap<Opposite<AffineAction<Diagonal<SO3OnR3, 2>>>>;
 const TWO_FIELDS: TwoFields = MomentumMap(Opposite(AffineAction(Diagonal(SO3OnR3))));
 
 fn midpoint<M: PoissonMap>(map: M) -> Collective<RungeKutta, M, Automatic<Quadratic<M::Target>>> {
-    Collective::new(RungeKutta::implicit_midpoint(), map, Automatic(Quadratic(PhantomData)))
+    Collective::new(RungeKutta::implicit_midpoint(), map, Automatic(Quadratic::default()))
 }
 
 /// Returns the momentum after some steps of 1/20 from z.

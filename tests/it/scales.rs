@@ -14,7 +14,10 @@ const SCALES: [(i32, i32); 5] = [(100, 0), (0, -100), (-27, 0), (100, -100), (-1
 /// Returns the outcome for the top in units of s and λ, back in units of 1.
 fn outcome(method: &Method, symmetric: bool, [s, lambda]: [f64; 2], step: f64) -> Option<Outcome> {
     let (top, mu) = scaled(symmetric, s, lambda).unwrap();
-    let outcome = (method.run)(&top, &mu, step, 25)?;
+    // A run that blows up ends where its invariants overflow.
+    let finite =
+        |outcome: &Outcome| outcome.deviations.iter().all(|deviation| deviation.is_finite());
+    let outcome = (method.run)(&top, &mu, step, 25).filter(finite)?;
     let Covector(Pair(pi, gamma)) = outcome.last;
     // Where sweeps diverge, the number of sweeps before an overflow depends on where they began.
     let iterations = if step < 0.5 { outcome.iterations } else { 0 };

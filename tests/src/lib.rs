@@ -6,6 +6,7 @@
 //! | comparison of numbers and vectors | [`assert_near`], [`assert_close`], [`relative_error`] |
 //! | the promises of a trait without its shortcuts | [`Derived`] |
 //! | is a map Poisson, is a form conserved | [`bracket_defects`], [`map_defect`], [`largest`], [`OneForm`] |
+//! | a Hamiltonian for every Poisson space | [`Quadratic`] |
 //! | rational arithmetic | [`Rational`], [`rational_samples`] |
 //! | every Lie algebra of dimension up to 5 | [`low_dimensional`] |
 //! | tops and runs | [`tops`], [`advance`], [`largest_deviation`] |
@@ -20,6 +21,7 @@ mod defects;
 mod derived;
 mod forms;
 pub mod low_dimensional;
+mod quadratic;
 mod rational;
 mod runs;
 mod strategies;
@@ -31,6 +33,7 @@ pub use compare::{assert_close, assert_near, relative_error};
 pub use defects::{bracket_defects, largest, map_defect};
 pub use derived::Derived;
 pub use forms::OneForm;
+pub use quadratic::Quadratic;
 pub use rational::{Rational, rational_samples};
 pub use runs::{advance, largest_deviation};
 pub use strategies::{element, momentum_with_vertical, persistent, point};
