@@ -17,9 +17,13 @@ def test_examples_run(name):
     assert doctest.testmod(module, optionflags=doctest.ELLIPSIS).failed == 0
 
 
-def test_the_readme_runs():
-    readme = pathlib.Path(__file__).parent.parent / "README.md"
-    found = doctest.testfile(str(readme), module_relative=False, optionflags=doctest.ELLIPSIS)
+PACKAGE = pathlib.Path(__file__).parent.parent
+PAGES = [PACKAGE / "README.md", PACKAGE.parent.parent / "docs/guide/python.md"]
+
+
+@pytest.mark.parametrize("page", PAGES, ids=lambda page: page.name)
+def test_pages_run(page):
+    found = doctest.testfile(str(page), module_relative=False, optionflags=doctest.ELLIPSIS)
     assert found.failed == 0 and found.attempted > 5
 
 
