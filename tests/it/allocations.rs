@@ -3,8 +3,9 @@
 
 use collective_integrators::{
     Alternating, BatchIntegrator, Collective, CollectiveSites, Composition, DenseOutput, Direct,
-    Direction, Events, ExactFlows, Integrator, Laned, LiftFree, LyapunovExponents, RungeKutta,
-    SphericalMidpoint, Splitting, Start, Substeps, TaoFlows, VariationalFlow, VectorField,
+    Direction, Events, ExactFlows, Integrator, Laned, LiftFree, LiftFreeSites, LyapunovExponents,
+    RungeKutta, SphericalMidpoint, Splitting, Start, Substeps, TaoFlows, VariationalFlow,
+    VectorField,
 };
 use heavytop::{CollectiveGauss, SpinorRealisation, TopMidpoint, WithAttitude};
 use isospectral_flows::{
@@ -13,7 +14,7 @@ use isospectral_flows::{
 use lie_poisson::{Covector, Pair, Se3, Se3Dual, Sites};
 use lie_poisson_formulas::{FormulaHamiltonian, Parameters, Vocabulary};
 use lie_poisson_systems::{GeneralisedRigidBody, HeisenbergLattice, LatticeMidpoint, ManyVortices};
-use momentum_map::{DualQuaternions, HOPF};
+use momentum_map::{DualQuaternions, HOPF, Quaternions};
 use nalgebra::{Vector2, Vector3};
 use std::alloc::{GlobalAlloc, Layout, System};
 use std::cell::Cell;
@@ -192,6 +193,8 @@ fn no_step_in_place_of_a_state_on_the_heap_allocates() -> Result<(), Box<dyn Err
     assert_eq!(in_place(&Splitting::strang(copies), Pair(pairs.clone(), pairs))?, 0);
     let collective = CollectiveSites::new(RungeKutta::gauss(2)?, HOPF, vortices.clone());
     assert_eq!(in_place(&collective, collective.start(&start)?)?, 0);
+    let free = LiftFreeSites::new(RungeKutta::gauss(2)?, Quaternions, vortices.clone());
+    assert_eq!(in_place(&free, start.clone())?, 0);
     let midpoint = SphericalMidpoint::new(vortices.clone());
     let mut flow = VariationalFlow::new(&midpoint, start.clone(), [start.clone()], 0.01);
     let mut advance = |steps: u32| (0..steps).try_for_each(|_| flow.advance());

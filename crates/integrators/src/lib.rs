@@ -31,7 +31,7 @@
 //! | when you need | use |
 //! |---|---|
 //! | a Poisson integrator on 𝔤∗ from a realisation M: P → 𝔤∗ | [`Collective`] |
-//! | the same for N copies of M, with N known when the program runs | [`CollectiveSites`] |
+//! | the same for N copies of M, with N known when the program runs | [`CollectiveSites`]; [`LiftFreeSites`] without a lift |
 //! | a collective integrator that computes on 𝔤∗ itself | [`LiftFree`] |
 //! | a scheme applied directly to the equations | [`Direct`] |
 //! | a Runge–Kutta method | [`RungeKutta`], such as [`RungeKutta::gauss`] |
@@ -115,13 +115,14 @@ pub use chaos::smaller_alignment::smaller_alignment_index;
 pub use chaos::variational_flow::{TangentIntegrator, VariationalError, VariationalFlow};
 pub use diagnostics::{OrderFitError, fitted_order};
 pub use dual::collective::{Collective, CollectiveSpace};
-pub use dual::collective_sites::{CollectiveSites, CollectiveSitesSpace};
 pub use dual::compensated::{Compensated, Increments, compensated_sum};
 pub use dual::direct::Direct;
 pub use dual::integrator::{
     CHECKPOINT, Integrator, Sample, SampleOf, Start, StateIsMomentum, Trajectory,
 };
 pub use dual::lift_free::{LiftFree, MultiplierSpace};
+pub use dual::sites::collective_sites::{CollectiveSites, CollectiveSitesSpace};
+pub use dual::sites::lift_free_sites::{LiftFreeSites, LiftFreeSitesSpace};
 pub use dual::spherical_midpoint::{OnSpheres, SphericalMidpoint, SphericalSpace};
 pub use error::{IntegrationError, RunError, SchemeError, StepError};
 pub use runs::crossing::{Direction, EventError};

@@ -6,11 +6,11 @@ use lie_poisson::*;
 use momentum_map::{HOPF, PARTICLE, PoissonMap, PowerMap};
 use nalgebra::Vector3;
 
-const COUNT: usize = 3;
+pub const COUNT: usize = 3;
 
 /// h(s) = −Σ s_i·s_(i+1) + Σ (e₃·s_i)² on a ring.
 #[derive(Clone, Copy)]
-struct Ring;
+pub struct Ring;
 
 fn axis<T: Real>() -> Vector3<T> {
     Vector3::new(T::zero(), T::zero(), T::one())
@@ -45,12 +45,12 @@ impl<T: Real> Hamiltonian<SpinSpace, T> for Ring {
     }
 }
 
-fn spin(i: usize) -> Vector3<f64> {
+pub fn spin(i: usize) -> Vector3<f64> {
     let x = i as f64;
     Vector3::new((2.3 * x).sin(), (1.7 * x).cos(), 0.4 - 0.3 * x)
 }
 
-fn spins(count: usize) -> Covector<Sites<Vector3<f64>>> {
+pub fn spins(count: usize) -> Covector<Sites<Vector3<f64>>> {
     Covector((0..count).map(spin).collect())
 }
 

@@ -8,6 +8,7 @@ mod extended;
 mod faulty_integrators;
 mod faulty_schemes;
 mod integrator_laws;
+mod lift_free_sites;
 mod lyapunov;
 mod partitioned_schemes;
 mod runge_kutta;
