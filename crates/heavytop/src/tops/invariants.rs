@@ -57,6 +57,23 @@ impl Invariant {
         }
     }
 
+    /// Returns the unit, in SI units; the empty text for f₁, which is a number.
+    ///
+    /// ```
+    /// use heavytop::Invariant;
+    /// assert_eq!((Invariant::Energy.unit(), Invariant::VerticalSquared.unit()), ("J", ""));
+    /// ```
+    #[must_use]
+    pub const fn unit(self) -> &'static str {
+        match self {
+            Self::Energy => "J",
+            Self::VerticalSquared => "",
+            Self::VerticalMomentum | Self::AxialMomentum => "kg m²/s",
+            Self::Kovalevskaya => "(kg m²/s)⁴",
+            Self::GoryachevChaplygin => "(kg m²/s)³",
+        }
+    }
+
     /// Returns the value of the invariant for a top in the state (Π, Γ).
     pub fn value<T: Real>(self, top: &HeavyTop, mu: &Se3Dual<T>) -> T {
         let Covector(Pair(pi, gamma)) = mu;

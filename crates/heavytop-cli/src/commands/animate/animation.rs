@@ -142,7 +142,7 @@ impl Animation {
             top: self.words(),
             inertia: self.top.inertia().into(),
             center_of_mass: self.top.center_of_mass().into(),
-            invariants: self.invariants.iter().map(|i| [i.symbol(), unit(*i)]).collect(),
+            invariants: self.invariants.iter().map(|i| [i.symbol(), i.unit()]).collect(),
             numbers: BASE64_STANDARD.encode(bytes),
         };
         // In a script element HTML knows no escapes, but JSON does: nothing can end the element.
@@ -183,15 +183,4 @@ fn placeholder(text: &str) -> Option<(&str, &str, &str)> {
     let (before, rest) = text.split_once("{{")?;
     let (name, after) = rest.split_once("}}")?;
     Some((before, name, after))
-}
-
-/// Returns the unit of an invariant.
-fn unit(invariant: Invariant) -> &'static str {
-    match invariant {
-        Invariant::Energy => "J",
-        Invariant::VerticalSquared => "",
-        Invariant::VerticalMomentum | Invariant::AxialMomentum => "kg m²/s",
-        Invariant::Kovalevskaya => "(kg m²/s)⁴",
-        Invariant::GoryachevChaplygin => "(kg m²/s)³",
-    }
 }
