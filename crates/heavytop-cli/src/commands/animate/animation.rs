@@ -10,14 +10,18 @@ use serde::Serialize;
 use std::io::{self, Write};
 
 const PAGE: &str = include_str!("page/page.html");
-const STYLE: &str = include_str!("page/page.css");
-/// The scripts of the page, in the order in which they need each other.
+const STYLE: &str = concat!(include_str!("page/common/palette.css"), include_str!("page/page.css"));
+/// The scripts of the page, in the order in which they need each other. Those of the folder `common` serve the page to
+/// play with (`crates/page`), too.
 const SCRIPTS: &[&str] = &[
-    include_str!("page/numbers.js"),
-    include_str!("page/vectors.js"),
+    include_str!("page/common/theme.js"),
+    include_str!("page/common/numbers.js"),
+    include_str!("page/common/vectors.js"),
     include_str!("page/motion.js"),
-    include_str!("page/camera.js"),
-    include_str!("page/scene.js"),
+    include_str!("page/common/camera.js"),
+    include_str!("page/common/ellipsoid.js"),
+    include_str!("page/common/scene.js"),
+    include_str!("page/common/pointers.js"),
     include_str!("page/strip.js"),
     include_str!("page/controls.js"),
 ];

@@ -10,7 +10,7 @@ const PAUSE = "M6 4h4v16H6zm8 0h4v16h-4z";
 class Player {
   constructor(motion) {
     this.motion = motion;
-    this.scene = new Scene(byId("scene"), motion);
+    this.scene = new Scene(byId("scene"), motion.inertia, motion.largestMomentum());
     this.strip = new Strip(byId("strip"), motion);
     [this.time, this.playing, this.pending] = [0, false, false];
     byId("description").textContent = motion.description;
@@ -76,7 +76,7 @@ class Player {
 
   draw() {
     const state = this.motion.at(this.time);
-    this.scene.draw(state, this.traceFrames);
+    this.scene.draw(state, this.motion.trace(state, this.traceFrames), this.traceFrames < this.motion.frames);
     this.strip.draw(state);
     const clock = this.clock(this.time);
     byId("time").value = this.time / (this.motion.end || 1);
@@ -122,16 +122,10 @@ class Player {
       select.selectedIndex = Math.min(Math.max(select.selectedIndex + by, 0), this.speeds.length - 1);
       this.show();
     };
-    const view = (change) => () => {
-      change();
-      this.show();
-    };
     const actions = {
       " ": () => this.toggle(), ArrowRight: skip(1), ArrowLeft: skip(-1), ArrowUp: faster(1), ArrowDown: faster(-1),
       Home: () => this.go(0), End: () => this.go(motion.end),
-      a: view(() => camera.turn(0.1, 0)), d: view(() => camera.turn(-0.1, 0)),
-      w: view(() => camera.turn(0, 0.1)), s: view(() => camera.turn(0, -0.1)),
-      "+": view(() => camera.enlarge(1.1)), "-": view(() => camera.enlarge(1 / 1.1)), "0": view(() => camera.reset()),
+      ...viewKeys(camera, () => this.show()),
     };
     return actions[key.length === 1 ? key.toLowerCase() : key];
   }
@@ -151,67 +145,17 @@ class Player {
       }
     });
 
-    const { canvas, camera } = this.scene;
-    const turn = (x, y) => {
-      camera.turn(-0.008 * x, 0.008 * y);
-      this.show();
-    };
-    const enlarge = (factor) => {
-      camera.enlarge(factor);
-      this.show();
-    };
-    turnAndPinch(canvas, turn, enlarge);
-    canvas.addEventListener("dblclick", () => {
-      camera.reset();
-      this.show();
-    });
-    canvas.addEventListener("wheel", (event) => {
-      event.preventDefault();
-      enlarge(Math.exp(-0.001 * event.deltaY));
-    }, { passive: false });
+    const { canvas } = this.scene;
+    viewByPointers(this.scene, () => this.show());
     const seek = (event) => this.go(this.strip.timeAt(event.offsetX));
     this.strip.canvas.addEventListener("pointerdown", seek);
     drag(this.strip.canvas, seek);
 
     new ResizeObserver(() => this.show()).observe(canvas);
-    matchMedia("(prefers-color-scheme: dark)").addEventListener("change", () => {
+    theme.onChange(() => {
       this.strip.prepare();
       this.show();
     });
-  }
-}
-
-const byId = (id) => document.getElementById(id);
-
-/** Calls back while the pointer, pressed on the element, moves. */
-function drag(element, moved) {
-  element.addEventListener("pointerdown", (event) => element.setPointerCapture(event.pointerId));
-  element.addEventListener("pointermove", (event) => {
-    if (element.hasPointerCapture(event.pointerId)) moved(event);
-  });
-}
-
-/** Calls back while one pointer drags, and while two of them come closer or part. */
-function turnAndPinch(element, turn, enlarge) {
-  const pointers = new Map();
-  const distance = () => {
-    const [a, b] = [...pointers.values()];
-    return Math.hypot(a.x - b.x, a.y - b.y) || 1;
-  };
-  element.addEventListener("pointerdown", (event) => {
-    element.setPointerCapture(event.pointerId);
-    pointers.set(event.pointerId, { x: event.clientX, y: event.clientY });
-  });
-  element.addEventListener("pointermove", (event) => {
-    const last = pointers.get(event.pointerId);
-    if (!last) return;
-    const before = pointers.size === 2 ? distance() : undefined;
-    pointers.set(event.pointerId, { x: event.clientX, y: event.clientY });
-    if (before) enlarge(distance() / before);
-    else if (pointers.size === 1) turn(event.clientX - last.x, event.clientY - last.y);
-  });
-  for (const end of ["pointerup", "pointercancel"]) {
-    element.addEventListener(end, (event) => pointers.delete(event.pointerId));
   }
 }
 

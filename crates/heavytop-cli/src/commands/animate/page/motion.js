@@ -47,14 +47,15 @@ class Motion {
     const share = gap > 0 ? Math.min((time - this.time(frame)) / gap, 1) : 0;
     const state = mix(this.columns(frame, 1, 7), this.columns(next, 1, 7), share);
     const attitude = slerp(this.attitude(frame), this.attitude(next), share);
-    const pi = state.slice(0, 3);
+    const [pi, gamma] = [state.slice(0, 3), state.slice(3)];
     return {
       time,
       frame,
       attitude,
       pi,
-      gamma: state.slice(3),
+      gamma,
       momentum: rotate(attitude, pi),
+      vertical: [0, 0, norm(gamma)],
       tip: rotate(attitude, this.centerOfMass),
       invariants: mix(this.columns(frame, 11, this.width), this.columns(next, 11, this.width), share),
     };
@@ -62,6 +63,14 @@ class Motion {
 
   tip(frame) {
     return rotate(this.attitude(frame), this.centerOfMass);
+  }
+
+  /** The way of the tip over so many frames, up to the state. */
+  trace({ frame, tip }, frames) {
+    const points = [];
+    for (let i = Math.max(0, frame - frames); i <= frame; i++) points.push(this.tip(i));
+    points.push(tip);
+    return points;
   }
 
   deviation(frame, index) {

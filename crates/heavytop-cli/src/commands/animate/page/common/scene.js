@@ -6,15 +6,21 @@ const FLOOR = -1.22;
 const LIGHT = unit([0.35, -0.5, 0.8]);
 
 class Scene {
-  constructor(canvas, motion) {
-    Object.assign(this, { canvas, motion });
+  constructor(canvas, inertia, largestMomentum) {
+    this.canvas = canvas;
     this.camera = new Camera();
     this.paint = canvas.getContext("2d");
-    this.faces = ellipsoid(motion.inertia);
-    this.momentumScale = 1.3 / (motion.largestMomentum() || 1);
+    this.show(inertia, largestMomentum);
   }
 
-  draw(state, traceFrames) {
+  /** Shows a body with these moments, with an arrow of full length for this angular momentum. */
+  show(inertia, largestMomentum) {
+    this.faces = ellipsoid(inertia);
+    this.momentumScale = 1.3 / (largestMomentum || 1);
+  }
+
+  /** Draws a state and the way of the tip up to it, which fades if it began before. */
+  draw(state, trace, fades) {
     const { paint, canvas, camera } = this;
     const ratio = window.devicePixelRatio || 1;
     const { clientWidth: width, clientHeight: height } = canvas;
@@ -32,8 +38,8 @@ class Scene {
 
     this.surroundings();
     this.body(state);
-    this.trace(state, traceFrames);
-    this.arrow([0, 0, 1.3 * norm(state.gamma)], "--ink", "Γ", 3);
+    this.trace(trace, fades);
+    this.arrow(times(1.3, state.vertical), "--ink", "Γ", 3);
     this.arrow(times(this.momentumScale, state.momentum), "--momentum", "Π", 3.5);
 
     this.items.sort((a, b) => a.near - b.near);
@@ -127,12 +133,7 @@ class Scene {
   }
 
   /** The way of the tip on the sphere, up to now. */
-  trace({ frame, tip }, frames) {
-    const first = Math.max(0, frame - frames);
-    const points = [];
-    for (let i = first; i <= frame; i++) points.push(this.motion.tip(i));
-    points.push(tip);
-    const fades = frames < this.motion.frames;
+  trace(points, fades) {
     const opacity = (near, share) => (near > 0 ? 1 : 0.4) * (fades ? share ** 0.8 : 0.8);
     this.stroke(points, "--tip", fades ? 2.2 : 1.5, opacity);
   }
@@ -198,31 +199,4 @@ function pieces(from, to, count = 24) {
 /** Red, green and blue of #rrggbb. */
 function channels(color) {
   return [1, 3, 5].map((i) => parseInt(color.slice(i, i + 2), 16));
-}
-
-/** The faces of the homogeneous ellipsoid with these moments, its largest semi-axis 0.62. */
-function ellipsoid([first, second, third]) {
-  const squares = [second + third - first, third + first - second, first + second - third];
-  const largest = Math.max(...squares);
-  // A plate has some thickness to be seen.
-  const axes = squares.map((square) => 0.62 * Math.max(Math.sqrt(Math.max(square, 0) / largest), 0.05));
-  const [around, across] = [40, 20];
-  const direction = (i, j) => {
-    const [a, b] = [2 * Math.PI * i / around, Math.PI * j / across];
-    return [Math.sin(b) * Math.cos(a), Math.sin(b) * Math.sin(a), Math.cos(b)];
-  };
-  const faces = [];
-  for (let i = 0; i < around; i++) {
-    for (let j = 0; j < across; j++) {
-      const corners = [[i, j], [i + 1, j], [i + 1, j + 1], [i, j + 1]];
-      const middle = direction(i + 0.5, j + 0.5);
-      faces.push({
-        corners: corners.map(([k, l]) => direction(k, l).map((x, axis) => axes[axis] * x)),
-        normal: unit(middle.map((x, axis) => x / axes[axis])),
-        // Octants, so that one sees it turn about each axis.
-        tint: middle[0] * middle[1] * middle[2] > 0 ? 1 : 0,
-      });
-    }
-  }
-  return faces;
 }
