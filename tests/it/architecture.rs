@@ -16,6 +16,7 @@ const CRATES: &[&str] = &[
     "systems",
     "heavytop",
     "python",
+    "page",
     PROGRAM,
 ];
 
@@ -71,6 +72,7 @@ const PACKAGES: &[(&str, &str)] = &[
     ("systems", "lie-poisson-systems"),
     ("heavytop", "heavytop"),
     ("python", "heavytop-python"),
+    ("page", "heavytop-page"),
     ("heavytop-cli", "heavytop-cli"),
 ];
 

@@ -1,0 +1,39 @@
+//! The computations of the page to play with: a heavy top whose method and step change while it moves.
+//!
+//! [`Simulation`] is the whole of it. It makes steps, and records how far the invariants deviate and where the motion
+//! crosses a Poincaré section. It compiles for every platform. In a browser [`exports`] offers it to JavaScript, as
+//! functions of numbers.
+//!
+//! All methods use the [portable](lie_poisson::InstructionSet::Portable) instruction set, on every processor. A
+//! trajectory therefore has the same bits in a browser and elsewhere, as long as it needs no sine or cosine of a C
+//! library: see `docs/page.md`.
+//!
+//! # Example
+//! ```
+//! use heavytop::HeavyTop;
+//! use heavytop_page::{PageMethod, Simulation};
+//! use lie_poisson::Se3Dual;
+//! use nalgebra::Vector3;
+//! let top = HeavyTop::kovalevskaya(1.0, 1.0)?;
+//! let start = Se3Dual::new(Vector3::new(2.0, 3.0, 4.0), Vector3::new(0.6, 0.0, 0.8));
+//! let mut simulation = Simulation::new(top, &start, PageMethod::Gauss { stages: 2 }, 0.02)?;
+//! simulation.advance(10.0, 1000)?;
+//! let energy = simulation.deviations()[0];
+//! simulation.change_method(PageMethod::ExplicitMidpoint, simulation.time())?;
+//! simulation.advance(20.0, 1000)?;
+//! assert!(energy.abs() < 1e-6 && simulation.deviations()[0].abs() > 1e-3);
+//! # Ok::<(), Box<dyn std::error::Error>>(())
+//! ```
+
+mod error;
+mod motions;
+mod records;
+mod simulation;
+pub mod exports;
+
+pub use error::PageError;
+pub use motions::moment::Moment;
+pub use motions::page_method::PageMethod;
+pub use records::deviation_record::{Column, MOST_COLUMNS, MOST_INVARIANTS};
+pub use records::section_record::{MOST_POINTS, SectionPoint};
+pub use simulation::running_top::Simulation;

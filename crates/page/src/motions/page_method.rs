@@ -1,0 +1,120 @@
+//! The methods of the page: [`PageMethod`].
+
+use crate::PageError;
+use crate::motions::direct_with_attitude::DirectWithAttitude;
+use crate::motions::moment::Moment;
+use crate::motions::motion::{Motion, Running};
+use collective_integrators::{Composition, RungeKutta, Splitting, Start, StepError, Substeps};
+use heavytop::{
+    HeavyTop, RotorSplitting, SymmetricTopSplitting, TopMidpoint, Turning, WithAttitude,
+};
+use lie_poisson::{InstructionSet, Pair, Se3Dual};
+
+/// A method that the page offers.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum PageMethod {
+    /// The collective Gauss method with this number of stages, of twice that order.
+    Gauss {
+        /// The number of stages, from 1 to 8.
+        stages: u8,
+    },
+    /// The collective midpoint rule.
+    Midpoint,
+    /// Strang's splitting, of order 2.
+    Splitting,
+    /// Suzuki's composition of five Strang splittings, of order 4.
+    Suzuki,
+    /// The method of Runge and Kutta of order 4, applied to the equations directly.
+    RungeKutta4,
+    /// The explicit midpoint rule, applied to the equations directly.
+    ExplicitMidpoint,
+}
+
+impl PageMethod {
+    /// The methods of the page. Their places in this list are their numbers in [`exports`](crate::exports).
+    pub const ALL: [Self; 10] = [
+        Self::Gauss { stages: 2 },
+        Self::Gauss { stages: 3 },
+        Self::Gauss { stages: 4 },
+        Self::Gauss { stages: 6 },
+        Self::Gauss { stages: 8 },
+        Self::Midpoint,
+        Self::Splitting,
+        Self::Suzuki,
+        Self::RungeKutta4,
+        Self::ExplicitMidpoint,
+    ];
+
+    /// Returns the name in the addresses of the page.
+    #[must_use]
+    pub const fn name(self) -> &'static str {
+        match self {
+            Self::Gauss { stages: 2 } => "gauss-4",
+            Self::Gauss { stages: 3 } => "gauss-6",
+            Self::Gauss { stages: 4 } => "gauss-8",
+            Self::Gauss { stages: 6 } => "gauss-12",
+            Self::Gauss { stages: 8 } => "gauss-16",
+            Self::Gauss { .. } => "gauss",
+            Self::Midpoint => "midpoint",
+            Self::Splitting => "strang",
+            Self::Suzuki => "suzuki-4",
+            Self::RungeKutta4 => "rk4",
+            Self::ExplicitMidpoint => "explicit-midpoint",
+        }
+    }
+
+    /// Starts a motion of the top, with portable instructions.
+    ///
+    /// # Errors
+    /// Returns [`PageError`] if a number is not finite, if Γ = 0, or if there is no Gauss method with these stages.
+    pub(crate) fn motion(
+        self,
+        top: &HeavyTop,
+        from: &Moment,
+    ) -> Result<Box<dyn Motion>, PageError> {
+        let portable = InstructionSet::Portable;
+        match self {
+            Self::Gauss { stages } => {
+                turning(top.gauss(stages.into())?.with_instructions(portable)?, from)
+            }
+            Self::Midpoint => turning(TopMidpoint::new(*top).with_instructions(portable)?, from),
+            Self::Splitting => split(top, Substeps::new(&[1.0])?, from),
+            Self::Suzuki => split(top, Substeps::suzuki4(), from),
+            Self::RungeKutta4 => direct(RungeKutta::rk4(), top, from),
+            Self::ExplicitMidpoint => direct(RungeKutta::explicit_midpoint(), top, from),
+        }
+    }
+}
+
+/// Starts the motion by an integrator that computes the attitude.
+fn turning<I>(integrator: I, from: &Moment) -> Result<Box<dyn Motion>, PageError>
+where
+    I: Turning + Start<Momentum = Se3Dual> + 'static,
+{
+    let integrator = WithAttitude(integrator);
+    check(from)?;
+    let Pair(state, _) = integrator.start(&from.momentum)?;
+    Ok(Box::new(Running::new(integrator, Pair(state, from.attitude))))
+}
+
+/// Starts the motion by the composition of Strang splittings that suits the top.
+fn split(top: &HeavyTop, substeps: Substeps, from: &Moment) -> Result<Box<dyn Motion>, PageError> {
+    match SymmetricTopSplitting::new(*top) {
+        Ok(flows) => turning(Composition::new(Splitting::strang(flows), substeps), from),
+        Err(_) => {
+            turning(Composition::new(Splitting::strang(RotorSplitting(*top)), substeps), from)
+        }
+    }
+}
+
+/// Starts the motion by an explicit method, applied to the equations directly.
+fn direct(scheme: RungeKutta, top: &HeavyTop, from: &Moment) -> Result<Box<dyn Motion>, PageError> {
+    check(from)?;
+    let state = Pair(from.momentum, from.attitude);
+    Ok(Box::new(Running::new(DirectWithAttitude::new(scheme, *top), state)))
+}
+
+fn check(from: &Moment) -> Result<(), PageError> {
+    let start = Pair(from.momentum, from.attitude);
+    StepError::check_start(&start, 1.0).map_err(|error| PageError::of_step(0, 0.0, error))
+}

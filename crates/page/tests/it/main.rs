@@ -1,0 +1,6 @@
+//! Tests of what the page promises.
+
+mod exports;
+mod failures;
+mod records;
+mod trajectories;
