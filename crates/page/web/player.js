@@ -1,0 +1,254 @@
+// Playing: steps within a budget of time, then the pictures.
+
+/** The time for computing in a frame, ms; a frame of 60 in a second has 16.7. */
+const BUDGET = 7;
+/** The steps between two looks at the clock. */
+const CHUNK = 8;
+/** The most pieces of a frame: after each the trace gets a point. */
+const MOST_PIECES = 32;
+/** The most points of the trace of the centre of mass; the least and the most distance between two of them. */
+const MOST_TRACE = 500;
+const TRACE_SPACING = 0.025;
+const MOST_CHORD = 0.8;
+
+class Player {
+  constructor(library, form) {
+    Object.assign(this, { library, form, playing: false, pending: false, catchUp: 0, dirty: true });
+    this.scene = new Scene(byId("scene"), [1, 1, 1], 1);
+    this.deviations = new DeviationChart(byId("chart"));
+    this.section = new SectionChart(byId("section"));
+    this.frames = { since: undefined, count: 0, steps: 0, computing: 0, longest: 0 };
+    this.chartsDrawn = -Infinity;
+  }
+
+  /** Throws the top of the form. Returns whether it could be thrown. */
+  throwTop() {
+    return this.trying(() => {
+      const parameters = this.form.read();
+      this.library.throwTop(parameters, this.form.method, this.form.step);
+      this.parameters = parameters;
+      this.center = parameters.center.some((x) => x) ? unit(parameters.center) : [0, 0, 1];
+      this.restart();
+      this.changeSection();
+    });
+  }
+
+  /** Throws the top from a point of the section, and lets it move. */
+  beginOrbit(x, y) {
+    this.library.attempt("begin_orbit", x, y);
+    this.restart();
+    this.toggle(true);
+  }
+
+  /** What begins anew with each throw. */
+  restart() {
+    Object.assign(this, { shown: 0, tip: [], catchUp: 0, largest: 0 });
+    this.changes = [{ time: 0, method: this.form.method }];
+    this.scene.show(this.parameters.inertia, 1);
+    this.rows = undefined;
+    this.say();
+    this.redraw();
+  }
+
+  changeMethod(method) {
+    this.trying(() => {
+      this.library.attempt("change_method", method, this.shown);
+      const last = this.changes.at(-1);
+      if (last.time === this.shown) last.method = method;
+      else this.changes.push({ time: this.shown, method });
+    });
+  }
+
+  changeStep(step) {
+    this.trying(() => this.library.attempt("change_step", step));
+  }
+
+  changeSection() {
+    this.section.clear(this.form.coordinate);
+    [byId("section-x").textContent, byId("section-y").textContent] = this.section.names;
+    try {
+      this.library.attempt("change_section", this.form.coordinate);
+      this.section.say(SECTION_HELP);
+    } catch (error) {
+      // The top moves on without a section.
+      this.section.say(error.message);
+    }
+    this.redraw();
+  }
+
+  measureAnew() {
+    this.trying(() => {
+      this.library.attempt("measure_anew");
+      this.changes = [{ time: this.library.time, method: this.form.method }];
+    });
+  }
+
+  /** Does something that can fail. Then the top stops, and the message is on the page. */
+  trying(task) {
+    try {
+      task();
+      this.say();
+      this.redraw();
+      return true;
+    } catch (error) {
+      this.toggle(false);
+      this.say(error.message);
+      return false;
+    }
+  }
+
+  /** Shows a message, or none. */
+  say(message = "") {
+    byId("trouble").hidden = !message;
+    byId("trouble").textContent = message;
+  }
+
+  toggle(playing = !this.playing) {
+    this.playing = playing;
+    [this.last, this.frames.since] = [undefined, undefined];
+    byId("play").textContent = playing ? "Pause" : "Play";
+    if (playing) this.say();
+    this.redraw();
+  }
+
+  redraw() {
+    this.dirty = true;
+    if (this.pending) return;
+    this.pending = true;
+    requestAnimationFrame((now) => this.frame(now));
+  }
+
+  frame(now) {
+    this.pending = false;
+    const before = performance.now();
+    if (this.playing) {
+      // A page that was hidden goes on where it was.
+      const passed = Math.min((now - (this.last ?? now)) / 1000, 0.1);
+      this.last = now;
+      const catchesUp = () => this.catchUp > this.shown;
+      try {
+        // The way to a time that is asked for goes second by second, so that the trace has points enough.
+        do this.proceed(catchesUp() ? Math.min(this.catchUp, this.shown + 1) : this.shown + passed * this.form.speed, before);
+        while (catchesUp() && performance.now() - before < BUDGET);
+      } catch (error) {
+        this.toggle(false);
+        this.say(`${error.message}. The top has stopped before this step: choose another method, a shorter step or another throw.`);
+      }
+    }
+    this.draw(now);
+    this.count(now, performance.now() - before);
+    if (this.shown >= this.pauseAt) {
+      this.pauseAt = undefined;
+      this.toggle(false);
+    }
+    if (this.playing) this.redraw();
+  }
+
+  /** Makes the steps up to a time, as many as the budget allows, and shows the top there. */
+  proceed(target, begin) {
+    const { library } = this;
+    const pieces = Math.min(Math.max(Math.ceil((target - this.shown) * this.rate / 0.1), 1), MOST_PIECES);
+    const from = this.shown;
+    const before = library.show().steps;
+    for (let k = 1, late = false; k <= pieces && !late; k++) {
+      const time = from + (target - from) * k / pieces;
+      while (library.time < time && !late) {
+        library.attempt("advance", time, CHUNK);
+        late = performance.now() - begin > BUDGET;
+      }
+      this.shown = Math.min(time, library.time);
+      this.follow(library.show(this.shown));
+    }
+    this.frames.steps += library.show().steps - before;
+  }
+
+  /** How fast the body turns at most, rad/s. */
+  get rate() {
+    const { pi } = this.state ?? this.library.show();
+    return Math.max(...pi.map((x, i) => Math.abs(x / this.parameters.inertia[i])));
+  }
+
+  /** Takes a state, unless it is not finite, and adds the tip to the trace. */
+  follow(state) {
+    if (![...state.pi, ...state.gamma, ...state.attitude].every(Number.isFinite)) throw new Error("the state is not finite");
+    this.state = state;
+    const tip = rotate(state.attitude, this.center);
+    const last = this.tip.at(-1);
+    const way = last ? norm(plus(tip, times(-1, last))) : Infinity;
+    // Where the top moves too fast for a trace, none is better than a wrong one.
+    if (way > MOST_CHORD) this.tip = [];
+    if (way > TRACE_SPACING) this.tip.push(tip);
+    if (this.tip.length > MOST_TRACE) this.tip.shift();
+  }
+
+  draw(now) {
+    if (this.shown === undefined) return;
+    const state = this.library.show(this.shown);
+    if (![...state.pi, ...state.gamma, ...state.attitude].every(Number.isFinite)) return;
+    const { attitude, pi, gamma } = state;
+    const size = norm(pi);
+    // The longest arrow is the largest angular momentum since the throw.
+    if (size > this.largest) this.largest = size;
+    this.scene.momentumScale = 1.3 / (this.largest || 1);
+    // A vertical that has become very long is cut off.
+    const vertical = times(Math.min(1, 1.6 / (norm(gamma) || 1)), rotate(attitude, gamma));
+    const tip = rotate(attitude, this.center);
+    this.scene.draw({ attitude, tip, vertical, momentum: rotate(attitude, pi) }, [...this.tip, tip], true);
+    byId("clock").textContent = `t = ${this.shown.toFixed(2)} s`;
+    // Charts and numbers ten times a second: faster ones nobody reads.
+    if (this.dirty && (now - this.chartsDrawn > 90 || !this.playing)) {
+      this.chartsDrawn = now;
+      this.dirty = false;
+      const { columns, points, values } = state;
+      this.deviations.draw(this.library.columns(columns), values.length, this.changes);
+      this.section.draw(this.library.points(points));
+      byId("section").setAttribute("aria-label", `The Poincaré section with ${points} points.`);
+      this.table(state);
+    }
+  }
+
+  table({ values, deviations }) {
+    const body = byId("invariants").tBodies[0];
+    if (this.rows !== this.library.invariants) {
+      this.rows = this.library.invariants;
+      body.replaceChildren(...this.rows.map(({ symbol, unit }, i) => {
+        const row = document.createElement("tr");
+        const { color, dash } = CURVES[i % CURVES.length];
+        row.innerHTML = '<th scope="row"><svg viewBox="0 0 35 10" aria-hidden="true"><path d="M0 5H35" fill="none" stroke-width="2.5"/></svg>'
+          + "<b></b> <span class=\"long\"></span></th><td></td><td></td>";
+        row.querySelector("path").style.stroke = `var(${color})`;
+        row.querySelector("path").setAttribute("stroke-dasharray", dash.join(" "));
+        row.querySelector("b").textContent = pretty(symbol);
+        row.querySelector("span").textContent = INVARIANT_NAMES[symbol] ?? "";
+        row.cells[1].title = unit || "no unit";
+        return row;
+      }));
+    }
+    this.rows.forEach(({ symbol, unit }, i) => {
+      const { cells } = body.rows[i];
+      cells[1].textContent = `${readable(values[i], 8)} ${unit}`.trim().replace("-", "−");
+      cells[2].textContent = `${deviations[i] < 0 ? "−" : ""}${scientific(Math.abs(deviations[i]))}`;
+      cells[2].dataset.deviation = `${symbol}=${deviations[i]}`;
+    });
+  }
+
+  /** Counts frames, and says once a second how long they take. */
+  count(now, computing) {
+    const { frames } = this;
+    if (!this.playing || frames.since === undefined) {
+      Object.assign(frames, { since: now, count: 0, steps: 0, computing: 0, longest: 0 });
+      return;
+    }
+    frames.count += 1;
+    frames.computing += computing;
+    frames.longest = Math.max(frames.longest, computing);
+    if (now - frames.since < 1000) return;
+    const rate = 1000 * frames.count / (now - frames.since);
+    this.speedSaid = {
+      rate, steps: frames.steps / frames.count, mean: frames.computing / frames.count, longest: frames.longest,
+    };
+    byId("frames").textContent = `${rate.toFixed(0)} frames a second, ${readable(this.speedSaid.steps, 3)} steps a frame; `
+      + `a frame takes ${this.speedSaid.mean.toFixed(1)} ms, at most ${frames.longest.toFixed(1)} ms.`;
+    Object.assign(frames, { since: now, count: 0, steps: 0, computing: 0, longest: 0 });
+  }
+}
