@@ -42,7 +42,7 @@ class Scene {
     this.arrow(times(1.3, state.vertical), "--ink", "Γ", 3);
     this.arrow(times(this.momentumScale, state.momentum), "--momentum", "Π", 3.5);
 
-    this.items.sort((a, b) => a.near - b.near);
+    this.items.sort((a, b) => (a.near < b.near ? -1 : a.near > b.near ? 1 : 0));
     for (const item of this.items) item.draw();
     for (const label of this.labels) label();
     paint.globalAlpha = 1;
@@ -52,45 +52,74 @@ class Scene {
     return this.colors.getPropertyValue(name).trim();
   }
 
-  /** A polyline in space. Each piece has a nearness and an opacity of its own. */
+  /** A polyline in space. Each piece, up to three segments of a long line, has a nearness and an opacity of its own. */
   stroke(points, name, thickness, opacity) {
     const color = this.color(name);
     const places = points.map((point) => this.camera.project(point));
-    for (let i = 1; i < places.length; i++) {
-      const [a, b] = [places[i - 1], places[i]];
-      const near = (a.near + b.near) / 2;
+    const size = Math.min(Math.ceil(places.length / 200), 3);
+    // A bit longer than it is, which closes the seams between pieces.
+    const beyond = (a, b) => {
+      const seam = 0.3 / (Math.hypot(b.x - a.x, b.y - a.y) || 1);
+      return [b.x + seam * (b.x - a.x), b.y + seam * (b.y - a.y)];
+    };
+    for (let first = 0; first < places.length - 1; first += size) {
+      const last = Math.min(first + size, places.length - 1);
+      const near = (places[first].near + places[last].near) / 2;
       this.items.push({
         near,
         draw: () => {
           const { paint } = this;
-          paint.globalAlpha = typeof opacity === "function" ? opacity(near, i / (places.length - 1)) : opacity;
+          paint.globalAlpha = typeof opacity === "function" ? opacity(near, last / (places.length - 1)) : opacity;
           paint.strokeStyle = color;
           paint.lineWidth = thickness;
           paint.beginPath();
-          // A bit longer than it is, which closes the seams between pieces.
-          const seam = 0.3 / (Math.hypot(b.x - a.x, b.y - a.y) || 1);
-          paint.moveTo(a.x - seam * (b.x - a.x), a.y - seam * (b.y - a.y));
-          paint.lineTo(b.x + seam * (b.x - a.x), b.y + seam * (b.y - a.y));
+          paint.moveTo(...beyond(places[first + 1], places[first]));
+          for (let i = first + 1; i < last; i++) paint.lineTo(places[i].x, places[i].y);
+          paint.lineTo(...beyond(places[last - 1], places[last]));
           paint.stroke();
         },
       });
     }
   }
 
+  /** A polyline about the body, as two lines: its farther half behind everything, its nearer half before everything. */
+  halves(points, name, thickness, opacities) {
+    const places = points.map((point) => this.camera.project(point));
+    const color = this.color(name);
+    opacities.forEach((opacity, half) => {
+      const draw = () => {
+        const { paint } = this;
+        paint.globalAlpha = opacity;
+        paint.strokeStyle = color;
+        paint.lineWidth = thickness;
+        paint.beginPath();
+        let inside = false;
+        for (let i = 1; i < places.length; i++) {
+          const [a, b] = [places[i - 1], places[i]];
+          const belongs = (a.near + b.near > 0) === (half === 1);
+          if (belongs && !inside) paint.moveTo(a.x, a.y);
+          if (belongs) paint.lineTo(b.x, b.y);
+          inside = belongs;
+        }
+        paint.stroke();
+      };
+      this.items.push({ near: half === 1 ? Infinity : -Infinity, draw });
+    });
+  }
+
   /** The sphere of directions with meridians and parallels, the support and the floor. */
   surroundings() {
     const circle = (f) => Array.from({ length: 61 }, (_, i) => f(2 * Math.PI * i / 60));
-    const faint = (near) => (near > 0 ? 0.3 : 0.13);
     for (let k = 0; k < 6; k++) {
       const [c, s] = [Math.cos(k * Math.PI / 6), Math.sin(k * Math.PI / 6)];
-      this.stroke(circle((a) => [c * Math.cos(a), s * Math.cos(a), Math.sin(a)]), "--sphere", 1, faint);
+      this.halves(circle((a) => [c * Math.cos(a), s * Math.cos(a), Math.sin(a)]), "--sphere", 1, [0.13, 0.3]);
     }
     for (let k = -2; k <= 2; k++) {
       const [r, z] = [Math.cos(k * Math.PI / 6), Math.sin(k * Math.PI / 6)];
-      this.stroke(circle((a) => [r * Math.cos(a), r * Math.sin(a), z]), "--sphere", k === 0 ? 1.4 : 1, faint);
+      this.halves(circle((a) => [r * Math.cos(a), r * Math.sin(a), z]), "--sphere", k === 0 ? 1.4 : 1, [0.13, 0.3]);
     }
     for (const r of [0.2, 0.5]) {
-      this.stroke(circle((a) => [r * Math.cos(a), r * Math.sin(a), FLOOR]), "--quiet", 1.2, 0.45);
+      this.halves(circle((a) => [r * Math.cos(a), r * Math.sin(a), FLOOR]), "--quiet", 1.2, [0.45, 0.45]);
     }
     this.stroke(pieces([0, 0, FLOOR], [0, 0, 0]), "--quiet", 2.5, 0.75);
   }
