@@ -17,7 +17,8 @@ class Player {
     this.scene = new Scene(byId("scene"), [1, 1, 1], 1);
     this.deviations = new DeviationChart(byId("chart"));
     this.section = new SectionChart(byId("section"));
-    this.frames = { since: undefined, count: 0, steps: 0, computing: 0, longest: 0 };
+    this.table = new InvariantTable(byId("invariants"));
+    this.frames = new FrameCounter(byId("frames"));
     this.chartsDrawn = -Infinity;
   }
 
@@ -45,7 +46,6 @@ class Player {
     Object.assign(this, { shown: 0, tip: [], catchUp: 0, largest: 0 });
     this.changes = [{ time: 0, method: this.form.method }];
     this.scene.show(this.parameters.inertia, 1);
-    this.rows = undefined;
     this.say();
     this.redraw();
   }
@@ -105,7 +105,8 @@ class Player {
 
   toggle(playing = !this.playing) {
     this.playing = playing;
-    [this.last, this.frames.since] = [undefined, undefined];
+    this.last = undefined;
+    this.frames.restart();
     byId("play").textContent = playing ? "Pause" : "Play";
     if (playing) this.say();
     this.redraw();
@@ -136,7 +137,7 @@ class Player {
       }
     }
     this.draw(now);
-    this.count(now, performance.now() - before);
+    if (this.playing) this.frames.count(now, performance.now() - before, this.library.show().steps);
     if (this.shown >= this.pauseAt) {
       this.pauseAt = undefined;
       this.toggle(false);
@@ -149,7 +150,6 @@ class Player {
     const { library } = this;
     const pieces = Math.min(Math.max(Math.ceil((target - this.shown) * this.rate / 0.1), 1), MOST_PIECES);
     const from = this.shown;
-    const before = library.show().steps;
     for (let k = 1, late = false; k <= pieces && !late; k++) {
       const time = from + (target - from) * k / pieces;
       while (library.time < time && !late) {
@@ -159,7 +159,6 @@ class Player {
       this.shown = Math.min(time, library.time);
       this.follow(library.show(this.shown));
     }
-    this.frames.steps += library.show().steps - before;
   }
 
   /** How fast the body turns at most, rad/s. */
@@ -203,52 +202,7 @@ class Player {
       this.deviations.draw(this.library.columns(columns), values.length, this.changes);
       this.section.draw(this.library.points(points));
       byId("section").setAttribute("aria-label", `The Poincaré section with ${points} points.`);
-      this.table(state);
+      this.table.draw(this.library.invariants, state);
     }
-  }
-
-  table({ values, deviations }) {
-    const body = byId("invariants").tBodies[0];
-    if (this.rows !== this.library.invariants) {
-      this.rows = this.library.invariants;
-      body.replaceChildren(...this.rows.map(({ symbol, unit }, i) => {
-        const row = document.createElement("tr");
-        const { color, dash } = CURVES[i % CURVES.length];
-        row.innerHTML = '<th scope="row"><svg viewBox="0 0 35 10" aria-hidden="true"><path d="M0 5H35" fill="none" stroke-width="2.5"/></svg>'
-          + "<b></b> <span class=\"long\"></span></th><td></td><td></td>";
-        row.querySelector("path").style.stroke = `var(${color})`;
-        row.querySelector("path").setAttribute("stroke-dasharray", dash.join(" "));
-        row.querySelector("b").textContent = pretty(symbol);
-        row.querySelector("span").textContent = INVARIANT_NAMES[symbol] ?? "";
-        row.cells[1].title = unit || "no unit";
-        return row;
-      }));
-    }
-    this.rows.forEach(({ symbol, unit }, i) => {
-      const { cells } = body.rows[i];
-      cells[1].textContent = `${readable(values[i], 8)} ${unit}`.trim().replace("-", "−");
-      cells[2].textContent = `${deviations[i] < 0 ? "−" : ""}${scientific(Math.abs(deviations[i]))}`;
-      cells[2].dataset.deviation = `${symbol}=${deviations[i]}`;
-    });
-  }
-
-  /** Counts frames, and says once a second how long they take. */
-  count(now, computing) {
-    const { frames } = this;
-    if (!this.playing || frames.since === undefined) {
-      Object.assign(frames, { since: now, count: 0, steps: 0, computing: 0, longest: 0 });
-      return;
-    }
-    frames.count += 1;
-    frames.computing += computing;
-    frames.longest = Math.max(frames.longest, computing);
-    if (now - frames.since < 1000) return;
-    const rate = 1000 * frames.count / (now - frames.since);
-    this.speedSaid = {
-      rate, steps: frames.steps / frames.count, mean: frames.computing / frames.count, longest: frames.longest,
-    };
-    byId("frames").textContent = `${rate.toFixed(0)} frames a second, ${readable(this.speedSaid.steps, 3)} steps a frame; `
-      + `a frame takes ${this.speedSaid.mean.toFixed(1)} ms, at most ${frames.longest.toFixed(1)} ms.`;
-    Object.assign(frames, { since: now, count: 0, steps: 0, computing: 0, longest: 0 });
   }
 }

@@ -2,8 +2,6 @@
 
 /** The least exponent; deviations of 0 are drawn there. */
 const FLOOR_EXPONENT = -17;
-const CHART_FONT = "12px system-ui, 'Segoe UI', 'DejaVu Sans', sans-serif";
-
 /** The most points of a curve: each is the largest deviation in its span of time. */
 const MOST_CHART_POINTS = 96;
 
@@ -18,24 +16,6 @@ function joined(columns) {
     if (value > result[to]) result[to] = value;
   });
   return result;
-}
-
-/** Sets the size of a canvas in pixels of the screen, and returns what paints on it. */
-function sized(canvas) {
-  const ratio = window.devicePixelRatio || 1;
-  const { clientWidth: width, clientHeight: height } = canvas;
-  const [w, h] = [Math.round(width * ratio), Math.round(height * ratio)];
-  const changed = canvas.width !== w || canvas.height !== h;
-  if (changed) [canvas.width, canvas.height] = [w, h];
-  const paint = canvas.getContext("2d");
-  paint.setTransform(ratio, 0, 0, ratio, 0, 0);
-  paint.font = CHART_FONT;
-  paint.lineJoin = "round";
-  return { paint, width, height, changed };
-}
-
-function colorOf(name) {
-  return getComputedStyle(document.documentElement).getPropertyValue(name).trim();
 }
 
 class DeviationChart {
