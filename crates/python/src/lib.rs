@@ -13,6 +13,17 @@ use pyo3::pymodule;
 /// The native part of the package `heavytop`.
 #[pymodule]
 mod _native {
+    use numpy::PyArray1;
+    use pyo3::types::PyModule;
+    use pyo3::{Bound, PyResult};
+
+    /// Loads NumPy, which otherwise happens at the first array, where Ctrl-C may have come in between.
+    #[pymodule_init]
+    fn init(module: &Bound<'_, PyModule>) -> PyResult<()> {
+        PyArray1::<f64>::zeros(module.py(), 0, false);
+        Ok(())
+    }
+
     #[pymodule_export]
     use crate::errors::IntegrationError;
     #[pymodule_export]

@@ -77,5 +77,5 @@ def test_a_member_that_fails_is_reported_and_harms_no_other():
 def test_wrong_shapes_are_value_errors(tops, shape, words):
     with pytest.raises(ValueError, match=words):
         solve_many(tops, np.ones(shape), step=0.1, end=1)
-    with pytest.raises(ValueError, match="unknown scheme"):
+    with pytest.raises(ValueError, match="scheme must be one of"):
         solve_many(Top.kovalevskaya(), np.ones((6, 3)), step=0.1, end=1, scheme="rk4")

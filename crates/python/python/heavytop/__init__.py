@@ -1,8 +1,8 @@
 """Heavy tops by collective Lie-Poisson integrators.
 
 A heavy top is a rigid body that turns about a fixed point under gravity. Its state is (Pi, Gamma): the angular momentum
-and the upward vertical, both in the body frame. The integrators conserve the Casimirs |Gamma|^2 and Pi.Gamma to
-round-off and the energy without drift, over as many steps as you like.
+and the upward vertical, both in the body frame. The default method, and every other that `Top.solve` says so of, conserves the
+Casimirs |Gamma|^2 and Pi.Gamma to round-off and the energy without drift, in runs of any length.
 
     >>> import heavytop
     >>> top = heavytop.Top.kovalevskaya()
@@ -12,14 +12,18 @@ round-off and the energy without drift, over as many steps as you like.
     >>> bool(abs(run.invariants["f1"] - 1).max() < 1e-13)
     True
 
-Signs and frames: dPi/dt = Pi x Omega + m g l Gamma x c and dGamma/dt = Gamma x Omega, where Omega = Pi / I. All numbers are
+The energy is h = (Pi1^2/I1 + Pi2^2/I2 + Pi3^2/I3)/2 + m g l c.Gamma. Signs and frames: dPi/dt = Pi x Omega + m g l Gamma x c and dGamma/dt = Gamma x Omega, where Omega = Pi / I. All numbers are
 in SI units, or in any other consistent ones.
 """
+
+from importlib.metadata import version
 
 from ._native import IntegrationError
 from .ensembles import Ends, solve_many
 from .solution import Crossings, Solution
 from .top import FORMULATIONS, SCHEMES, Top
+
+__version__ = version("heavytop")
 
 __all__ = [
     "Crossings",

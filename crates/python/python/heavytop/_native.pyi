@@ -11,6 +11,7 @@ class Top:
     weight_moment: float
     center_of_mass: list[float]
     invariants: list[str]
+    def __reduce__(self) -> tuple[object, ...]: ...
     def __new__(
         cls,
         inertia: Sequence[float],
@@ -39,6 +40,7 @@ class Top:
         every: int,
         attitude: bool,
     ) -> tuple[
+        NDArray[np.float64],
         NDArray[np.float64],
         NDArray[np.float64],
         NDArray[np.float64],

@@ -2,7 +2,8 @@
 
 use crate::arrays::numbers;
 use crate::errors::{failed, refused};
-use collective_integrators::{Direction, EventError, Events, Start};
+use crate::runs::interruption::Interruption;
+use collective_integrators::{Direction, EventError, Events, SampleOf, Start};
 use heavytop::methods::Task;
 use lie_poisson::{Se3Dual, Vector};
 use pyo3::PyResult;
@@ -28,17 +29,18 @@ impl Task for Crossings {
             let terms = numbers(mu).into_iter().zip(self.normal);
             terms.map(|(x, n)| n * x).sum::<f64>() - self.level
         };
-        let samples = samples.take(self.steps as usize + 1);
+        let interruption = Interruption::default();
+        let samples = interruption.until(samples.take(self.steps as usize + 1));
         let events = Events::new(integrator, samples, distance, self.direction);
-        let (mut times, mut states) = (Vec::new(), Vec::new());
-        for event in events.take(self.most) {
-            let event = event.map_err(|error| match error {
-                EventError::Integration(error) => failed(error),
-                error => refused(error),
-            })?;
-            times.push(event.time);
-            states.extend(numbers(&event.momentum));
-        }
-        Ok((times, states))
+        let event = |event: Result<_, EventError>| match event {
+            Ok(sample) => Ok(sample),
+            Err(EventError::Integration(error)) => Err(failed(error)),
+            Err(error) => Err(refused(error)),
+        };
+        let found = events.take(self.most).map(event).collect::<PyResult<Vec<SampleOf<I>>>>();
+        interruption.or(found.map(|found| {
+            let states = found.iter().flat_map(|sample| numbers(&sample.momentum)).collect();
+            (found.iter().map(|sample| sample.time).collect(), states)
+        }))
     }
 }

@@ -2,6 +2,7 @@
 
 use crate::arrays::numbers;
 use crate::errors::{failed, refused};
+use crate::runs::interruption::Interruption;
 use collective_integrators::{DenseOutput, DenseOutputError, Start};
 use heavytop::methods::Task;
 use lie_poisson::{Se3Dual, Vector};
@@ -19,17 +20,18 @@ impl Task for Dense<'_> {
     type Output = PyResult<Vec<f64>>;
 
     fn perform<I: Start<State: Vector, Momentum = Se3Dual>>(self, integrator: &I) -> Self::Output {
+        let interruption = Interruption::default();
         let samples = integrator.trajectory(&self.start, self.step).map_err(refused)?;
-        let mut run = DenseOutput::new(integrator, samples);
-        let mut states = Vec::with_capacity(6 * self.times.len());
-        for &time in self.times {
+        let mut run = DenseOutput::new(integrator, interruption.until(samples));
+        let mut state = |&time: &f64| -> PyResult<[f64; 6]> {
             let sample = run.at(time).map_err(|error| match error {
                 DenseOutputError::Integration(error) => failed(error),
                 error => refused(error),
             })?;
-            let momentum = if time == 0.0 { &self.start } else { &sample.momentum };
-            states.extend(numbers(momentum));
-        }
-        Ok(states)
+            Ok(numbers(if time == 0.0 { &self.start } else { &sample.momentum }))
+        };
+        let states = self.times.iter().map(&mut state).collect::<PyResult<Vec<_>>>();
+        drop(run);
+        interruption.or(states.map(|states| states.into_iter().flatten().collect()))
     }
 }

@@ -1,16 +1,14 @@
-//! The task of recording a run: times, states, attitudes.
+//! The task of recording a run: times, states, conserved quantities, attitudes.
 
 use crate::arrays::numbers;
 use crate::errors::{failed, refused};
-use collective_integrators::{Sample, Start};
+use crate::runs::interruption::Interruption;
+use collective_integrators::{IntegrationError, Sample, Start};
 use heavytop::methods::Task;
-use heavytop::{Turning, WithAttitude};
+use heavytop::{HeavyTop, Invariant, Turning, WithAttitude};
 use lie_poisson::{Quaternion, Se3Dual, Vector};
-use pyo3::exceptions::PyValueError;
-use pyo3::{PyErr, PyResult, Python};
-
-/// The number of steps after which a run looks for Ctrl-C.
-const BETWEEN_SIGNALS: u64 = 1 << 16;
+use pyo3::exceptions::{PyMemoryError, PyValueError};
+use pyo3::{PyErr, PyResult};
 
 /// What is recorded of a run.
 #[derive(Default)]
@@ -19,6 +17,8 @@ pub(crate) struct Record {
     pub(crate) times: Vec<f64>,
     /// The states (Π, Γ) of the samples, six numbers each.
     pub(crate) states: Vec<f64>,
+    /// The conserved quantities, as many numbers each as the top has.
+    pub(crate) invariants: Vec<f64>,
     /// The attitude quaternions, four numbers each.
     pub(crate) attitudes: Vec<f64>,
     /// The number of iterations of all steps.
@@ -27,8 +27,32 @@ pub(crate) struct Record {
     pub(crate) failure: Option<PyErr>,
 }
 
+impl Record {
+    /// Creates an empty record with room for all samples.
+    fn new(samples: u64, invariants: usize, attitude: bool) -> PyResult<Self> {
+        let mut record = Self::default();
+        let Self { times, states, invariants: values, attitudes, .. } = &mut record;
+        let width = if attitude { 4 } else { 0 };
+        let columns = [(times, 1), (states, 6), (values, invariants), (attitudes, width)];
+        let bytes: usize = columns.iter().map(|(_, width)| 8 * width).sum();
+        for (column, width) in columns {
+            let count =
+                usize::try_from(samples).ok().and_then(|samples| samples.checked_mul(width));
+            let room = count.is_some_and(|count| column.try_reserve_exact(count).is_ok());
+            if !room {
+                return Err(PyMemoryError::new_err(format!(
+                    "{samples} samples of {bytes} bytes do not fit into memory; keep fewer with `every`"
+                )));
+            }
+        }
+        Ok(record)
+    }
+}
+
 /// The task of recording every n-th sample of a run, and the last one.
-pub(crate) struct Recording {
+pub(crate) struct Recording<'a> {
+    pub(crate) top: &'a HeavyTop,
+    pub(crate) invariants: &'a [Invariant],
     pub(crate) start: Se3Dual,
     pub(crate) step: f64,
     pub(crate) steps: u64,
@@ -36,17 +60,27 @@ pub(crate) struct Recording {
     pub(crate) attitude: bool,
 }
 
-impl Recording {
+impl Recording<'_> {
     fn follow<I: Start<State: Vector, Momentum = Se3Dual>>(
         &self,
         integrator: &I,
         attitude: impl Fn(&I::State) -> Option<&Quaternion>,
     ) -> PyResult<Record> {
-        let rows = (self.steps / self.every) as usize + 2;
-        let mut record = Record::default();
-        record.times.reserve(rows);
-        record.states.reserve(6 * rows);
-        for sample in integrator.trajectory(&self.start, self.step).map_err(refused)? {
+        let samples = (self.steps / self.every).saturating_add(2);
+        let record = Record::new(samples, self.invariants.len(), self.attitude)?;
+        let run = integrator.trajectory(&self.start, self.step).map_err(refused)?;
+        let interruption = Interruption::default();
+        let record = self.record(interruption.until(run), record, attitude);
+        interruption.or(Ok(record))
+    }
+
+    fn record<S>(
+        &self,
+        run: impl Iterator<Item = Result<Sample<S, Se3Dual>, IntegrationError>>,
+        mut record: Record,
+        attitude: impl Fn(&S) -> Option<&Quaternion>,
+    ) -> Record {
+        for sample in run {
             let sample = match sample {
                 Ok(sample) => sample,
                 Err(error) => {
@@ -61,11 +95,8 @@ impl Recording {
             if sample.step >= self.steps {
                 break;
             }
-            if sample.step.is_multiple_of(BETWEEN_SIGNALS) {
-                Python::attach(|py| py.check_signals())?;
-            }
         }
-        Ok(record)
+        record
     }
 
     fn keep<S>(
@@ -78,13 +109,15 @@ impl Recording {
         let momentum = if sample.step == 0 { &self.start } else { &sample.momentum };
         record.times.push(sample.time);
         record.states.extend(numbers(momentum));
+        let values = self.invariants.iter().map(|invariant| invariant.value(self.top, momentum));
+        record.invariants.extend(values);
         if let Some(Quaternion { scalar, vector }) = attitude {
             record.attitudes.extend([*scalar, vector.x, vector.y, vector.z]);
         }
     }
 }
 
-impl Task for Recording {
+impl Task for Recording<'_> {
     type Output = PyResult<Record>;
 
     fn perform<I: Start<State: Vector, Momentum = Se3Dual>>(

@@ -4,7 +4,7 @@ use super::top::Top;
 use crate::arrays::{numbers, read_rows, rows, state};
 use crate::errors::{message, refused};
 use crate::runs::schedule::steps;
-use collective_integrators::{BatchIntegrator, Ensemble, MemberError};
+use collective_integrators::{BatchIntegrator, CHECKPOINT, Ensemble, MemberError};
 use heavytop::{GaussBatch, HeavyTop, MidpointBatch, TopMidpoint};
 use lie_poisson::Se3Dual;
 use numpy::{PyArray2, PyReadonlyArray2};
@@ -36,8 +36,7 @@ pub fn advance_states<'py>(
             scheme,
         );
     }
-    let failures =
-        py.detach(|| Ensemble::new(TopMidpoint::new(top)).advance(&mut states, step, 0..steps));
+    let failures = py.detach(|| advance(TopMidpoint::new(top), &mut states, step, steps))?;
     ends(py, states.iter(), failures)
 }
 
@@ -69,7 +68,7 @@ fn advance_members<'py>(
 ) -> PyResult<Ends<'py>> {
     let all = &mut members;
     let failures = py.detach(|| match scheme {
-        "implicit-midpoint" => Ok(advance(MidpointBatch::new(), all, step, steps)),
+        "implicit-midpoint" => advance(MidpointBatch::new(), all, step, steps),
         "gauss-4" => gauss::<2>(all, step, steps),
         "gauss-6" => gauss::<3>(all, step, steps),
         "gauss-8" => gauss::<4>(all, step, steps),
@@ -89,16 +88,35 @@ fn gauss<const S: usize>(
     step: f64,
     steps: u64,
 ) -> PyResult<Vec<MemberError>> {
-    Ok(advance(GaussBatch::<S>::new().map_err(refused)?, members, step, steps))
+    advance(GaussBatch::<S>::new().map_err(refused)?, members, step, steps)
 }
 
+/// Advances members in parts, between which Ctrl-C ends the run. A member that fails is left out of the later parts.
 fn advance<B: BatchIntegrator>(
     integrator: B,
     members: &mut [B::Member],
     step: f64,
     steps: u64,
-) -> Vec<MemberError> {
-    Ensemble::new(integrator).advance(members, step, 0..steps)
+) -> PyResult<Vec<MemberError>> {
+    let ensemble = Ensemble::new(integrator);
+    let mut running: Vec<u64> = (0..members.len() as u64).collect();
+    let (mut failures, mut made) = (Vec::new(), 0);
+    while made < steps && !running.is_empty() {
+        let until = steps.min(made + CHECKPOINT);
+        let mut part: Vec<_> = running.iter().map(|&i| members[i as usize]).collect();
+        let failed = ensemble.advance(&mut part, step, made..until);
+        running.iter().zip(part).for_each(|(&i, member)| members[i as usize] = member);
+        let failed: Vec<_> = failed
+            .into_iter()
+            .map(|error| MemberError { index: running[error.index as usize], ..error })
+            .collect();
+        running.retain(|i| failed.binary_search_by_key(i, |error| error.index).is_err());
+        failures.extend(failed);
+        made = until;
+        Python::attach(|py| py.check_signals())?;
+    }
+    failures.sort_unstable_by_key(|error| error.index);
+    Ok(failures)
 }
 
 fn ends<'py, 'a>(

@@ -12,6 +12,7 @@ use heavytop::{Body, HeavyTop};
 use nalgebra::Vector3;
 use numpy::{PyArray1, PyArray2};
 use pyo3::exceptions::PyValueError;
+use pyo3::types::{PyAnyMethods, PyType};
 use pyo3::{Bound, PyErr, PyResult, Python, pyclass, pymethods};
 
 /// A heavy top: a rigid body that turns about a fixed point, under gravity.
@@ -19,9 +20,11 @@ use pyo3::{Bound, PyErr, PyResult, Python, pyclass, pymethods};
 #[derive(Clone, Copy)]
 pub struct Top(pub(crate) HeavyTop);
 
-/// The columns of a run: times, states, attitudes, the number of iterations, and the error that ended it.
+/// The columns of a run: times, states, conserved quantities, attitudes, the number of iterations, and the error that
+/// ended it.
 type Run<'py> = (
     Bound<'py, PyArray1<f64>>,
+    Bound<'py, PyArray2<f64>>,
     Bound<'py, PyArray2<f64>>,
     Bound<'py, PyArray2<f64>>,
     u64,
@@ -30,6 +33,9 @@ type Run<'py> = (
 
 /// The times and the states of points.
 type Points<'py> = (Bound<'py, PyArray1<f64>>, Bound<'py, PyArray2<f64>>);
+
+/// The class of a top, and the arguments that make it.
+type Reduced<'py> = (Bound<'py, PyType>, ([f64; 3], f64, f64, f64, [f64; 3]));
 
 #[pymethods]
 impl Top {
@@ -69,6 +75,15 @@ impl Top {
     #[staticmethod]
     fn goryachev_chaplygin(axial: f64, weight_moment: f64) -> PyResult<Self> {
         HeavyTop::goryachev_chaplygin(axial, weight_moment).map(Self).map_err(refused)
+    }
+
+    /// Returns what pickle needs to make an equal top.
+    fn __reduce__<'py>(slf: &Bound<'py, Self>) -> PyResult<Reduced<'py>> {
+        let Self(top) = *slf.get();
+        let weight = top.weight_moment();
+        let [mass, gravity] = if weight > 0.0 { [weight, 1.0] } else { [1.0, 0.0] };
+        let parameters = (top.inertia().into(), mass, gravity, 1.0, top.center_of_mass().into());
+        Ok((slf.get_type(), parameters))
     }
 
     /// The principal moments of inertia.
@@ -112,7 +127,8 @@ impl Top {
         rows(py, values.collect(), invariants.len())
     }
 
-    /// Follows the top from (Π, Γ), and returns times, states, attitudes, the number of iterations and the error.
+    /// Follows the top from (Π, Γ), and returns times, states, conserved quantities, attitudes, the number of iterations
+    /// and the error.
     #[expect(clippy::too_many_arguments)]
     fn follow<'py>(
         &self,
@@ -130,11 +146,12 @@ impl Top {
         if every == 0 {
             return Err(PyValueError::new_err("every must be at least 1, got 0"));
         }
-        let recording = Recording { start: state(start), step, steps, every, attitude };
-        let record = py.detach(|| method.integrate(&self.0, recording)).map_err(refused)??;
-        let Record { times, states, attitudes, iterations, failure } = record;
-        let times = PyArray1::from_vec(py, times);
-        Ok((times, rows(py, states, 6)?, rows(py, attitudes, 4)?, iterations, failure))
+        let (top, invariants, start) = (&self.0, &self.0.invariants()[..], state(start));
+        let recording = Recording { top, invariants, start, step, steps, every, attitude };
+        let record = py.detach(|| method.integrate(top, recording)).map_err(refused)??;
+        let Record { times, states, invariants: values, attitudes, iterations, failure } = record;
+        let (times, values) = (PyArray1::from_vec(py, times), rows(py, values, invariants.len())?);
+        Ok((times, rows(py, states, 6)?, values, rows(py, attitudes, 4)?, iterations, failure))
     }
 
     /// Returns the states at times that do not decrease, as rows.

@@ -1,0 +1,79 @@
+"""Arguments as numbers, or an error that names the argument, its value and its bound."""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Sequence
+from typing import Any
+
+import numpy as np
+from numpy.typing import ArrayLike, NDArray
+
+
+def real(name: str, value: Any) -> float:
+    """Returns a finite number."""
+    if value is None or isinstance(value, (str, bool)):
+        raise ValueError(f"{name} must be a number, got {value!r}")
+    try:
+        number = float(np.asarray(value, dtype=float)[()])
+    except (TypeError, ValueError, OverflowError):
+        raise ValueError(f"{name} must be a number, got {value!r}") from None
+    if not math.isfinite(number):
+        raise ValueError(f"{name} must be finite, got {number}")
+    return number
+
+
+def positive(name: str, value: Any) -> float:
+    """Returns a positive number."""
+    number = real(name, value)
+    if number <= 0:
+        raise ValueError(f"{name} must be positive, got {number}")
+    return number
+
+
+def count(name: str, value: Any, least: int) -> int:
+    """Returns a whole number that is not below `least`."""
+    number = real(name, value)
+    if number != math.floor(number) or not least <= number < 2**63:
+        raise ValueError(f"{name} must be a whole number from {least} on, got {value!r}")
+    return int(number)
+
+
+def flag(name: str, value: Any) -> bool:
+    """Returns True or False."""
+    if not isinstance(value, (bool, np.bool_)):
+        raise ValueError(f"{name} must be True or False, got {value!r}")
+    return bool(value)
+
+
+def choice(name: str, value: Any, choices: Sequence[Any]) -> Any:
+    """Returns one of the choices."""
+    if isinstance(value, (str, int, float)) and value in choices:
+        return value
+    raise ValueError(f"{name} must be one of {', '.join(map(str, choices))}, got {value!r}")
+
+
+def array(name: str, values: ArrayLike) -> NDArray[np.float64]:
+    """Returns an array of real numbers."""
+    try:
+        if np.iscomplexobj(values):
+            raise TypeError
+        return np.asarray(values, dtype=float)
+    except (TypeError, ValueError):
+        raise ValueError(f"{name} must be an array of real numbers, got {values!r}") from None
+
+
+def vector(name: str, values: ArrayLike) -> list[float]:
+    """Returns three finite numbers."""
+    numbers = array(name, values)
+    if numbers.shape != (3,):
+        raise ValueError(f"{name} must have three components, got the shape {numbers.shape}")
+    return [real(f"{name}[{i}]", x) for i, x in enumerate(numbers)]
+
+
+def states(name: str, values: ArrayLike) -> NDArray[np.float64]:
+    """Returns states of shape (6, n)."""
+    numbers = array(name, values)
+    if numbers.ndim != 2 or numbers.shape[0] != 6:
+        raise ValueError(f"{name} must have the shape (6, n), got {numbers.shape}")
+    return numbers
