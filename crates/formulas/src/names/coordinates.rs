@@ -2,6 +2,7 @@
 
 use super::letters::{RESERVED, canonical, is_name};
 use super::name_error::NameError;
+use core::ops::Range;
 
 /// The largest number of coordinates, since a formula computes in a bounded number of registers.
 pub(crate) const MOST_COORDINATES: usize = 256;
@@ -132,6 +133,32 @@ impl Coordinates {
     /// Returns the name of each coordinate, such as `Pi1`.
     pub fn names(&self) -> impl Iterator<Item = String> + '_ {
         self.fields.iter().flat_map(Field::names)
+    }
+
+    /// Returns the indices of the coordinates with a name: those of a vector, or of one component or scalar.
+    ///
+    /// ```
+    /// use lie_poisson_formulas::Coordinates;
+    /// let heavy_top = Coordinates::new().vector("Pi", 3)?.vector("Gamma", 3)?;
+    /// assert_eq!((heavy_top.places("Γ"), heavy_top.places("Gamma2")), (Some(3..6), Some(4..5)));
+    /// assert_eq!(heavy_top.places("Omega"), None);
+    /// # Ok::<(), lie_poisson_formulas::NameError>(())
+    /// ```
+    #[must_use]
+    pub fn places(&self, name: &str) -> Option<Range<usize>> {
+        let name = canonical(name);
+        self.fields.iter().find_map(|field| {
+            if field.name == name {
+                return Some(field.start..field.start + field.width());
+            }
+            let i = field.names().position(|own| own == name)?;
+            Some(field.start + i..field.start + i + 1)
+        })
+    }
+
+    /// Returns the names of the scalars and vectors, with the indices of their coordinates.
+    pub fn groups(&self) -> impl Iterator<Item = (&str, Range<usize>)> {
+        self.fields.iter().map(|f| (f.name.as_str(), f.start..f.start + f.width()))
     }
 
     /// Returns the scalars and vectors.

@@ -3,10 +3,12 @@
 use super::integrator_config::{Integration, IntegratorConfig};
 use super::section_config::SectionConfig;
 use super::sweep_config::SweepConfig;
+use super::system::SystemConfig;
 use super::top_config::{BodyConfig, InitialConfig};
 use crate::Error;
+use crate::errors::SystemError;
 use crate::runs::step_angle::require_sane_step;
-use crate::runs::{Experiment, Schedule};
+use crate::runs::{Experiment, Schedule, SystemExperiment};
 use heavytop::HeavyTop;
 use heavytop::methods::{Formulation, Method};
 use lie_poisson::Se3Dual;
@@ -28,6 +30,8 @@ pub struct Config {
     pub section: Option<SectionConfig>,
     /// The table `[sweep]`; without it, a small sweep over angular momenta.
     pub sweep: Option<SweepConfig>,
+    /// The table `[system]`: a system that is simulated instead of a top.
+    pub system: Option<SystemConfig>,
 }
 
 /// The table `[output]`: what is written.
@@ -68,12 +72,41 @@ impl Config {
         Ok(Experiment { top, start, method, schedule, every, attitude })
     }
 
+    /// Returns the configuration with all keys of `[integrator]` that `simulate` uses, also those left out.
+    #[must_use]
+    pub(crate) fn with_integrator(&self) -> Self {
+        let mut integrator: IntegratorConfig = self.integrator.or(Integration::default()).into();
+        if self.system.is_some() {
+            // The formulation of a system depends on its algebra.
+            integrator.formulation = self.integrator.formulation;
+        }
+        Self { integrator, ..self.clone() }
+    }
+
+    /// Returns the run of the system that the configuration asks for, or `None` if it asks for a top.
+    ///
+    /// # Errors
+    /// If there is no such run.
+    pub fn system_experiment(&self) -> Result<Option<SystemExperiment>, Error> {
+        let Some(system) = &self.system else { return Ok(None) };
+        if self.output.attitude {
+            return Err(SystemError::NoAttitude.into());
+        }
+        if self.output.every == 0 {
+            return Err(Error::OutOfRange { name: "every", range: "at least 1", value: 0.0 });
+        }
+        system.experiment(self.integrator, self.output.every).map(Some)
+    }
+
     /// Returns the top of `[body]`.
     ///
     /// # Errors
-    /// The errors of [`BodyConfig::top`].
+    /// The errors of [`BodyConfig::top`], or that there is a system instead of a top.
     pub fn top(&self) -> Result<HeavyTop, Error> {
-        self.body.top()
+        match self.system {
+            Some(_) => Err(SystemError::OnlySimulate.into()),
+            None => self.body.top(),
+        }
     }
 
     /// Returns the state of `[initial]`.

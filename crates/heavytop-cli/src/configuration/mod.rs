@@ -2,6 +2,7 @@
 
 mod top_config;
 mod integrator_config;
+mod system;
 mod section_config;
 mod observable;
 mod parameter;
@@ -18,4 +19,5 @@ pub use preset::Preset;
 pub use section_config::SectionConfig;
 pub use sweep_config::{AxisConfig, SweepConfig};
 pub(crate) use sweep_config::{Spread, SweepAxis};
+pub use system::{Numbers, SystemConfig};
 pub use top_config::{BodyConfig, InitialConfig};

@@ -3,6 +3,7 @@
 use super::checkpoint_error::CheckpointError;
 use super::quotation::Quotation;
 use super::sweep_error::SweepError;
+use super::system_error::SystemError;
 use crate::vocabulary::brief::{number, text};
 use collective_integrators::{EventError, IntegrationError, RunError, VariationalError};
 use heavytop::methods::{Formulation, MethodError};
@@ -261,6 +262,9 @@ pub enum Error {
     /// The sweep that the configuration asks for does not exist.
     #[error("[sweep]")]
     Sweep(#[from] SweepError),
+    /// The Lie–Poisson system that the configuration asks for does not exist.
+    #[error("[system]")]
+    System(#[from] SystemError),
     /// No top of a sweep could be followed.
     #[error("all {tops} tops failed; the first: {first}")]
     AllFailed {

@@ -3,6 +3,7 @@
 mod quotation;
 mod checkpoint_error;
 mod sweep_error;
+mod system_error;
 mod error;
 mod message;
 
@@ -10,3 +11,4 @@ pub use checkpoint_error::CheckpointError;
 pub use error::Error;
 pub use quotation::Quotation;
 pub use sweep_error::SweepError;
+pub use system_error::SystemError;

@@ -13,6 +13,9 @@ pub struct Metadata {
     pub version: &'static str,
     /// The whole configuration, in TOML.
     pub configuration: String,
+    /// The Casimirs of a system, the formulas of its columns c1, c2 and so on.
+    #[serde(skip_serializing_if = "Vec::is_empty")]
+    pub casimirs: Vec<String>,
 }
 
 impl Metadata {
@@ -22,6 +25,12 @@ impl Metadata {
     /// The errors of [`Config::to_toml`].
     pub fn new(config: &Config) -> Result<Self, Error> {
         let (program, version) = ("heavytop", env!("CARGO_PKG_VERSION"));
-        Ok(Self { program, version, configuration: config.to_toml()? })
+        Ok(Self { program, version, configuration: config.to_toml()?, casimirs: Vec::new() })
+    }
+
+    /// Returns the metadata with the Casimirs of a system.
+    #[must_use]
+    pub fn with_casimirs(self, casimirs: Vec<String>) -> Self {
+        Self { casimirs, ..self }
     }
 }

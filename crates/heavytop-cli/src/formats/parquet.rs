@@ -63,12 +63,14 @@ pub(crate) fn begin<W: Write + Send>(
     let split: Vec<_> = fields.iter().filter(is_split).map(|f| f.name().to_owned()).collect();
     let fields = fields.into_iter().map(Arc::new).collect();
     let schema = Type::group_type_builder(name).with_fields(fields).build()?;
-    let Metadata { program, version, configuration } = metadata;
+    let Metadata { program, version, configuration, casimirs } = metadata;
     let pairs = [("program", *program), ("version", version), ("configuration", configuration)];
-    let pairs = pairs.map(|(key, value)| KeyValue::new(key.into(), value.to_string()));
+    let pairs = pairs.into_iter().map(|(key, value)| KeyValue::new(key.into(), value.to_string()));
+    let numbered = (1..).zip(casimirs);
+    let pairs = pairs.chain(numbered.map(|(i, text)| KeyValue::new(format!("c{i}"), text.clone())));
     let mut properties = WriterProperties::builder()
         .set_created_by(format!("{program} version {version}"))
-        .set_key_value_metadata(Some(pairs.into()))
+        .set_key_value_metadata(Some(pairs.collect()))
         .set_compression(Compression::ZSTD(ZstdLevel::try_new(LEVEL)?))
         .set_statistics_enabled(EnabledStatistics::Chunk);
     for name in split {

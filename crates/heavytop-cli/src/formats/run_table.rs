@@ -1,6 +1,6 @@
 //! The table of a run: its columns and rows.
 
-use crate::runs::{Experiment, Moment};
+use crate::runs::{Experiment, Moment, SystemExperiment};
 use heavytop::{HeavyTop, Invariant};
 use lie_poisson::{Covector, Pair, Se3Dual};
 use std::io::{self, Write};
@@ -33,69 +33,115 @@ pub fn write_row(to: &mut impl Write, numbers: impl IntoIterator<Item = f64>) ->
     to.write_all(b"\n")
 }
 
-/// The table of a run: t, Π, Γ, invariants, and the attitude if it is asked for.
+/// The table of a run: t, the state, invariants, and the attitude if it is asked for.
 #[derive(Clone, Debug, PartialEq)]
 pub struct RunTable {
-    top: HeavyTop,
-    invariants: Vec<Invariant>,
-    attitude: bool,
+    /// The names of the columns.
+    columns: Vec<String>,
+    /// The groups of columns that form one array.
+    arrays: Vec<(String, Range<usize>)>,
+    /// The columns of the invariants.
+    invariants: Range<usize>,
+    /// What the invariants of a top are computed from.
+    top: Option<(HeavyTop, Vec<Invariant>)>,
 }
 
 impl RunTable {
-    /// Creates the table of an experiment. The invariants are h, f₁, f₂, and K or G.
+    /// Creates the table of a top: t, Π, Γ, the invariants h, f₁, f₂, and K or G, and the attitude if it is asked for.
     #[must_use]
     pub fn new(experiment: &Experiment) -> Self {
         let mut invariants = experiment.top.invariants();
         // f₃ is Π₃, which is a column already.
         invariants.retain(|invariant| *invariant != Invariant::AxialMomentum);
-        Self { top: experiment.top, invariants, attitude: experiment.attitude }
+        let mut table = Self::of(STATE_COLUMNS, &[("t", 1), ("Pi", 3), ("Gamma", 3)]);
+        for invariant in &invariants {
+            table.push(invariant.symbol());
+        }
+        table.invariants = 7..table.columns.len();
+        if experiment.attitude {
+            let first = table.columns.len();
+            table.columns.extend(ATTITUDE_COLUMNS.split(',').map(String::from));
+            table.arrays.push(("q".into(), first..table.columns.len()));
+        }
+        Self { top: Some((experiment.top, invariants)), ..table }
     }
 
-    /// Returns the invariants in the table.
+    /// Creates the table of a system: t, the coordinates, h, and the Casimirs c1, c2 and so on.
     #[must_use]
-    pub fn invariants(&self) -> &[Invariant] {
-        &self.invariants
+    pub fn of_system(experiment: &SystemExperiment) -> Self {
+        let coordinates = &experiment.algebra().coordinates;
+        let names: Vec<String> = coordinates.names().collect();
+        let groups = coordinates.groups().map(|(name, places)| (name, places.len()));
+        let groups: Vec<_> = [("t", 1)].into_iter().chain(groups).collect();
+        let mut table = Self::of(&format!("t,{}", names.join(",")), &groups);
+        let first = table.columns.len();
+        table.push("h");
+        for i in 1..=experiment.casimirs().len() {
+            table.push(&format!("c{i}"));
+        }
+        table.invariants = first..table.columns.len();
+        table
+    }
+
+    /// Creates a table of columns in groups, each with its width.
+    fn of(columns: &str, groups: &[(&str, usize)]) -> Self {
+        let mut start = 0;
+        let arrays = groups.iter().map(|(name, width)| {
+            start += width;
+            ((*name).to_owned(), start - width..start)
+        });
+        let (columns, arrays) = (columns.split(',').map(String::from).collect(), arrays.collect());
+        Self { columns, arrays, invariants: 0..0, top: None }
+    }
+
+    /// Adds a column that is an array.
+    fn push(&mut self, name: &str) {
+        let place = self.columns.len();
+        self.columns.push(name.to_owned());
+        self.arrays.push((name.to_owned(), place..place + 1));
+    }
+
+    /// Returns the names of the invariants in the table.
+    #[must_use]
+    pub fn invariants(&self) -> &[String] {
+        self.columns.get(self.invariants.clone()).unwrap_or_default()
     }
 
     /// Returns the names of the columns, separated by commas.
     #[must_use]
     pub fn header(&self) -> String {
-        let mut header = String::from(STATE_COLUMNS);
-        for invariant in &self.invariants {
-            header = header + "," + invariant.symbol();
-        }
-        if self.attitude { header + "," + ATTITUDE_COLUMNS } else { header }
+        self.columns.join(",")
     }
 
     /// Returns the number of columns.
     #[must_use]
     pub fn width(&self) -> usize {
-        7 + self.invariants.len() + if self.attitude { 4 } else { 0 }
+        self.columns.len()
     }
 
     /// Returns the groups of columns that form one array: t, Pi, Gamma, the invariants, q.
     #[must_use]
-    pub fn arrays(&self) -> Vec<(&'static str, Range<usize>)> {
-        let mut arrays = vec![("t", 0..1), ("Pi", 1..4), ("Gamma", 4..7)];
-        let numbered = self.invariants.iter().zip(7..);
-        arrays.extend(numbered.map(|(invariant, i)| (invariant.symbol(), i..i + 1)));
-        if self.attitude {
-            arrays.push(("q", self.width() - 4..self.width()));
-        }
-        arrays
+    pub fn arrays(&self) -> &[(String, Range<usize>)] {
+        &self.arrays
     }
 
     /// Returns the values of the invariants in a row.
     #[must_use]
     pub fn invariant_values<'a>(&self, row: &'a [f64]) -> &'a [f64] {
-        row.get(7..7 + self.invariants.len()).unwrap_or_default()
+        row.get(self.invariants.clone()).unwrap_or_default()
     }
 
-    /// Replaces `row` by the row of a moment.
+    /// Returns the values of the invariants of a top.
+    pub fn values_at<'a>(&'a self, mu: &'a Se3Dual) -> impl Iterator<Item = f64> + 'a {
+        let top = self.top.iter();
+        top.flat_map(move |(top, invariants)| invariants.iter().map(move |f| f.value(top, mu)))
+    }
+
+    /// Replaces `row` by the row of a moment of a top.
     pub fn fill(&self, row: &mut Vec<f64>, moment: &Moment<'_>) {
         row.clear();
         row.extend(state_values(moment.time, moment.momentum));
-        row.extend(self.invariants.iter().map(|f| f.value(&self.top, moment.momentum)));
+        row.extend(self.values_at(moment.momentum));
         if let Some(q) = moment.attitude {
             row.extend([q.scalar, q.vector.x, q.vector.y, q.vector.z]);
         }

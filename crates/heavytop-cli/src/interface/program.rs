@@ -12,7 +12,9 @@ use crate::commands::bench::{BenchOptions, bench};
 use crate::commands::compare::compare;
 use crate::commands::reproduce::reproduce;
 use crate::commands::section::{self, section};
-use crate::commands::simulate::{self, Checkpoint, RunSummary, SimulateOptions, simulate};
+use crate::commands::simulate::{
+    self, Checkpoint, RunSummary, SimulateOptions, SystemSummary, simulate, simulate_system,
+};
 use crate::commands::sweep::{self, sweep_if};
 use crate::runs::method_warning::method_warning;
 use crate::runs::step_angle::long_step;
@@ -57,8 +59,10 @@ fn run(Arguments { quiet, json, command }: Arguments) -> Result<(), Error> {
         Command::Simulate { top, out, resume, restart, checkpoint_interval, yes, .. } => {
             let (resume, interval) = (resume.as_deref(), checkpoint_interval);
             let begin = Begin { resume, restart, interval, yes };
-            let done = run_simulate(&top, &out, &begin, quiet);
-            done.and_then(|summary| closing.end(&summary))
+            match run_simulate(&top, &out, &begin, quiet)? {
+                Simulated::Top(summary) => closing.end(&summary),
+                Simulated::System(summary) => closing.end(&summary),
+            }
         }
         Command::Compare { top, out, end } => top
             .run(|config| compare(&config, &out, end, &watch(quiet)))
@@ -148,12 +152,13 @@ struct Begin<'a> {
     yes: bool,
 }
 
-fn run_simulate(
-    top: &Top,
-    out: &Path,
-    begin: &Begin<'_>,
-    quiet: bool,
-) -> Result<RunSummary, Error> {
+/// What `simulate` has followed.
+enum Simulated {
+    Top(RunSummary),
+    System(SystemSummary),
+}
+
+fn run_simulate(top: &Top, out: &Path, begin: &Begin<'_>, quiet: bool) -> Result<Simulated, Error> {
     let Begin { resume, restart, interval, yes } = *begin;
     let resume = resume.map(Checkpoint::read).transpose()?;
     let range = "not negative, and at most 1e9";
@@ -170,6 +175,11 @@ fn run_simulate(
         if resume.is_none() {
             confirm(&simulate::forecast(&config, out)?, yes)?;
         }
+        let stop = Some(interrupted());
+        let options = SimulateOptions { resume: resume.as_ref(), restart, interval, stop, quiet };
+        if let Some(system) = config.system_experiment()? {
+            return simulate_system(&config, &system, out, &options).map(Simulated::System);
+        }
         let experiment = config.experiment()?;
         for warning in
             [method_warning(&experiment.method), long_step(&experiment)].into_iter().flatten()
@@ -177,9 +187,7 @@ fn run_simulate(
             // Where stderr is closed nobody can be warned.
             let _ = writeln!(io::stderr(), "heavytop: {warning}");
         }
-        let stop = Some(interrupted());
-        let options = SimulateOptions { resume: resume.as_ref(), restart, interval, stop, quiet };
-        simulate(&config, out, &options)
+        simulate(&config, out, &options).map(Simulated::Top)
     })
 }
 

@@ -1,5 +1,6 @@
 //! A text with keys of a configuration: a file, standard input, or an assignment on the command line.
 
+use super::formula_place::within;
 use super::key_path::{KeyPath, Step};
 use super::plain_words::{UNKNOWN, message, repair};
 use crate::Error;
@@ -50,6 +51,7 @@ impl ConfigurationText {
         match path.span(&self.text) {
             // A table alone tells nothing about a key in it.
             Some((span, steps)) if steps >= path.0.len().min(2) => {
+                let span = within(&self.text, span, &error);
                 let quotation = Box::new(Quotation::new(&self.name, &self.text, span, note));
                 Ok(Error::Quoted { quotation, source: Box::new(error) })
             }

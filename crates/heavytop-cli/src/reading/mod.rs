@@ -3,6 +3,7 @@
 
 mod key_path;
 mod plain_words;
+mod formula_place;
 mod configuration_text;
 mod assignment;
 mod repair;

@@ -79,6 +79,10 @@ pub(super) fn repairs(error: &Error, config: &Config) -> Vec<Repair> {
             repair("output.attitude", "write false, or choose another formulation".into()),
             repair("integrator.formulation", "write `collective`, `reduced` or `splitting`".into()),
         ],
+        Error::System(system) => system.key().map_or_else(Vec::new, |(key, note)| {
+            let path = if key.is_empty() { "system".into() } else { format!("system.{key}") };
+            vec![(path, note.to_owned())]
+        }),
         Error::Section(section) => of_section(section),
         Error::Sweep(sweep) => of_sweep(sweep),
         _ => Vec::new(),

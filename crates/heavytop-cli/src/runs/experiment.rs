@@ -1,9 +1,10 @@
 //! An experiment: a run, sample by sample.
 
 use super::moment::{Moment, Saved};
+use super::pace::Pace;
 use super::schedule::Schedule;
 use crate::Error;
-use collective_integrators::{CHECKPOINT, Integrator, Start};
+use collective_integrators::{Integrator, Start};
 use heavytop::methods::{Method, Task};
 use heavytop::{HeavyTop, Turning, WithAttitude};
 use lie_poisson::{Quaternion, Se3Dual, Vector};
@@ -80,23 +81,16 @@ impl Experiment {
         self.method.integrate(&self.top, Dimension { experiment: self })?
     }
 
-    /// Returns the number of samples written up to a step before the last, the initial one included.
+    /// Returns the steps, and which of them are written.
     #[must_use]
-    pub fn kept(&self, step: u64) -> u64 {
-        step / self.every + 1
+    pub fn pace(&self) -> Pace {
+        Pace { schedule: self.schedule, every: self.every }
     }
 
     /// Returns the number of samples that are written, the initial and the last one included.
     #[must_use]
     pub fn rows(&self) -> u64 {
-        let last = u64::from(!self.schedule.steps.is_multiple_of(self.every));
-        self.kept(self.schedule.steps) + last
-    }
-
-    /// Returns the number of the next step, after `step`, whose sample is visited.
-    fn next_visited(&self, step: u64) -> u64 {
-        let after = |stride: u64| (step - step % stride).saturating_add(stride);
-        after(self.every.max(1)).min(after(CHECKPOINT)).min(self.schedule.steps)
+        self.pace().rows()
     }
 
     fn require_no_attitude(&self) -> Result<(), Error> {
@@ -107,7 +101,7 @@ impl Experiment {
     /// Returns whether the sample after this step is written.
     #[must_use]
     pub fn keeps(&self, step: u64) -> bool {
-        step.is_multiple_of(self.every) || step == self.schedule.steps
+        self.pace().keeps(step)
     }
 }
 
@@ -159,7 +153,7 @@ impl<V: FnMut(&Moment<'_>) -> Result<(), Error>> Follow<'_, V> {
             return Ok(());
         }
         // The saved moment has been visited before.
-        let mut visited = self.from.map_or(0, |_| self.experiment.next_visited(made));
+        let mut visited = self.from.map_or(0, |_| self.experiment.pace().next_visited(made));
         let mut following = made;
         while let Some(sample) = trajectory.nth(visited.saturating_sub(following) as usize) {
             let sample = sample.map_err(|source| Error::Integration {
@@ -175,7 +169,7 @@ impl<V: FnMut(&Moment<'_>) -> Result<(), Error>> Follow<'_, V> {
                 break;
             }
             following = step.saturating_add(1);
-            visited = self.experiment.next_visited(step);
+            visited = self.experiment.pace().next_visited(step);
         }
         Ok(())
     }

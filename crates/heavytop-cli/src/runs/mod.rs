@@ -1,11 +1,15 @@
-//! A run of a top: its steps, its integrator, and its samples one by one.
+//! A run of a top or of another Lie–Poisson system: its steps, its integrator, and its samples one by one.
 
 mod schedule;
+mod pace;
 pub(crate) mod step_angle;
 pub(crate) mod method_warning;
 mod moment;
 mod experiment;
+mod systems;
 
 pub use experiment::Experiment;
 pub use moment::{Moment, Saved};
+pub use pace::Pace;
 pub use schedule::Schedule;
+pub use systems::{SystemAlgebra, SystemExperiment, SystemMoment, WIDEST};

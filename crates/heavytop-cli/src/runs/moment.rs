@@ -35,7 +35,7 @@ impl Moment<'_> {
 }
 
 /// The coordinates of a state, whatever the integrator.
-pub(super) trait Coordinates {
+pub(in crate::runs) trait Coordinates {
     fn coordinates(&self) -> Vec<f64>;
 }
 

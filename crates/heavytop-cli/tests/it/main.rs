@@ -26,4 +26,5 @@ mod reproduce;
 mod section;
 mod simulate;
 mod sweep;
+mod systems;
 mod tiles;

@@ -7,7 +7,7 @@ use crate::errors::CheckpointError;
 use crate::files::Output;
 use crate::files::sealed::{damaged, of_this_version, open, read, seal};
 use crate::formats::{Format, RunTable};
-use crate::runs::{Experiment, Saved};
+use crate::runs::Saved;
 use crate::vocabulary::brief::number;
 use collective_integrators::CHECKPOINT;
 use serde::{Deserialize, Serialize};
@@ -99,18 +99,18 @@ impl Checkpoint {
         Ok(())
     }
 
-    /// Checks that a run of this experiment, whose states have so many coordinates, can have made the checkpoint. The
-    /// experiment is the one of the checkpoint's configuration.
+    /// Checks that a run of so many steps, whose states have so many coordinates, can have made the checkpoint. The run is
+    /// the one of the checkpoint's configuration.
     ///
     /// # Errors
     /// [`CheckpointError::Impossible`], with what is wrong.
     pub(super) fn require_possible(
         &self,
-        experiment: &Experiment,
+        steps: u64,
         dimension: usize,
         table: &RunTable,
     ) -> Result<(), CheckpointError> {
-        let (steps, step) = (experiment.schedule.steps, self.step);
+        let step = self.step;
         let invariants = table.invariants().len();
         let impossible = if step >= steps {
             format!("step {step} of a run of {steps}")

@@ -1,4 +1,4 @@
-//! The command `heavytop simulate`, which follows one top and writes one file.
+//! The command `heavytop simulate`, which follows one top, or another system, and writes one file.
 
 mod growing_file;
 mod checkpoint;
@@ -6,10 +6,13 @@ mod simulate_options;
 mod recording;
 mod run_summary;
 mod run_forecast;
+mod renewal;
 mod simulate_command;
+mod systems;
 
 pub use checkpoint::Checkpoint;
 pub use run_forecast::{dry_run, forecast};
 pub use run_summary::RunSummary;
 pub use simulate_command::simulate;
 pub use simulate_options::SimulateOptions;
+pub use systems::{SystemSummary, simulate_system};

@@ -8,7 +8,7 @@ use crate::configuration::Config;
 use crate::errors::CheckpointError;
 use crate::files::{Output, Place};
 use crate::formats::{Extent, Format, Metadata, RunTable};
-use crate::runs::{Experiment, Saved};
+use crate::runs::{Pace, Saved};
 use std::fs;
 use std::path::{Path, PathBuf};
 
@@ -27,6 +27,16 @@ pub(super) struct Recording {
     bytes: Vec<u8>,
 }
 
+/// What a recording needs to know of a run.
+pub(super) struct RecordedRun<'a> {
+    pub pace: Pace,
+    /// The number of coordinates of the state that the integrator advances.
+    pub dimension: usize,
+    pub table: &'a RunTable,
+    /// The Casimirs of a system, as formulas.
+    pub casimirs: Vec<String>,
+}
+
 impl Recording {
     /// Begins a recording, from the first row or from a checkpoint.
     ///
@@ -36,12 +46,12 @@ impl Recording {
     pub fn begin(
         out: &Path,
         config: &Config,
-        experiment: &Experiment,
-        table: &RunTable,
+        run: &RecordedRun<'_>,
         options: &SimulateOptions<'_>,
     ) -> Result<Self, Error> {
         let (format, place) = (Format::of(out)?, Place::of(out)?);
-        let metadata = Metadata::new(config)?;
+        let RecordedRun { pace, dimension, table, casimirs } = run;
+        let metadata = Metadata::new(config)?.with_casimirs(casimirs.clone());
         let path = match format {
             _ if place.is_device => place.path.clone(),
             Format::Csv => place.beside("partial"),
@@ -49,11 +59,11 @@ impl Recording {
         };
         let rows = match options.resume {
             Some(checkpoint) => {
-                let dimension = experiment.dimension()?;
+                let steps = pace.schedule.steps;
                 checkpoint
                     .require(config, format, out)
-                    .and_then(|()| checkpoint.require_possible(experiment, dimension, table))
-                    .and_then(|()| reopen(path, checkpoint, experiment, format, table))
+                    .and_then(|()| checkpoint.require_possible(steps, *dimension, table))
+                    .and_then(|()| reopen(path, checkpoint, pace, format, table))
                     .map_err(|source| Error::Checkpoint {
                         path: place.beside("checkpoint"),
                         source,
@@ -65,7 +75,7 @@ impl Recording {
                 rows
             }
         };
-        let (table, config) = (table.clone(), config.clone());
+        let (table, config) = ((*table).clone(), config.clone());
         Ok(Self { place, format, table, config, metadata, rows, bytes: Vec::new() })
     }
 
@@ -205,11 +215,11 @@ fn anew(place: &Place, path: PathBuf, restart: bool) -> Result<Growing, Error> {
 fn reopen(
     path: PathBuf,
     checkpoint: &Checkpoint,
-    experiment: &Experiment,
+    pace: &Pace,
     format: Format,
     table: &RunTable,
 ) -> Result<Growing, CheckpointError> {
-    let kept = experiment.kept(checkpoint.saved().step);
+    let kept = pace.kept(checkpoint.saved().step);
     let is_right = |extent: &Extent| format.rows(table, extent) == Some(kept);
     match Growing::reopen(path.clone(), &checkpoint.rows, is_right) {
         Ok(Some(rows)) => Ok(rows),

@@ -4,7 +4,7 @@ use crate::Error;
 use crate::configuration::Config;
 use crate::files::Place;
 use crate::formats::{Format, RunTable};
-use crate::runs::Experiment;
+use crate::runs::Pace;
 use crate::supervision::Forecast;
 use crate::supervision::forecast::{BYTES_OF_TEXT, TRIAL, compressed};
 use std::path::{Path, PathBuf};
@@ -15,11 +15,16 @@ use std::time::Instant;
 /// # Errors
 /// If there is no such run, or the output has no format.
 pub fn forecast(config: &Config, out: &Path) -> Result<Forecast, Error> {
-    let experiment = config.experiment()?;
-    let width = RunTable::new(&experiment).width() as u64;
+    let (width, pace) = match config.system_experiment()? {
+        Some(system) => (RunTable::of_system(&system).width() as u64, system.pace()),
+        None => {
+            let experiment = config.experiment()?;
+            (RunTable::new(&experiment).width() as u64, experiment.pace())
+        }
+    };
     let format = Format::of(out)?;
     let row = if format == Format::Csv { BYTES_OF_TEXT * width } else { 8 * width };
-    with_rows(&experiment, format, out, row as f64)
+    with_rows(pace, format, out, row as f64)
 }
 
 /// Returns the forecast of a run after trying it for a fifth of a second, or a little longer if steps are slow. Nothing
@@ -28,21 +33,33 @@ pub fn forecast(config: &Config, out: &Path) -> Result<Forecast, Error> {
 /// # Errors
 /// If there is no such run, the output has no format, or one of the first steps fails.
 pub fn dry_run(config: &Config, out: &Path) -> Result<Forecast, Error> {
-    let (experiment, format) = (config.experiment()?, Format::of(out)?);
-    let trial = Trial::run(&experiment, format)?;
-    let forecast = with_rows(&experiment, format, out, trial.bytes as f64 / trial.rows as f64)?;
-    let steps = experiment.schedule.steps as f64;
+    let format = Format::of(out)?;
+    let mut trial = Trial::begin(format);
+    let pace = match config.system_experiment()? {
+        Some(system) => {
+            let outcome = system.follow(None, |moment| trial.add(moment.step, moment.row));
+            trial.end(outcome)?;
+            system.pace()
+        }
+        None => {
+            let experiment = config.experiment()?;
+            let (table, mut row) = (RunTable::new(&experiment), Vec::new());
+            let outcome = experiment.follow(None, |moment| {
+                table.fill(&mut row, moment);
+                trial.add(moment.step, &row)
+            });
+            trial.end(outcome)?;
+            experiment.pace()
+        }
+    };
+    let forecast = with_rows(pace, format, out, trial.bytes as f64 / trial.rows as f64)?;
+    let steps = pace.schedule.steps as f64;
     Ok(Forecast { seconds: Some(trial.seconds / trial.steps as f64 * steps), ..forecast })
 }
 
 /// Returns the forecast for rows of a size. The formats that are made of the rows at the end need twice the room.
-fn with_rows(
-    experiment: &Experiment,
-    format: Format,
-    out: &Path,
-    row: f64,
-) -> Result<Forecast, Error> {
-    let (steps, rows, place) = (experiment.schedule.steps, experiment.rows(), Place::of(out)?);
+fn with_rows(pace: Pace, format: Format, out: &Path, row: f64) -> Result<Forecast, Error> {
+    let (steps, rows, place) = (pace.schedule.steps, pace.rows(), Place::of(out)?);
     let rows_of_run = (rows as f64 * row) as u64;
     let (bytes, room) = match format {
         Format::Csv => (rows_of_run, rows_of_run),
@@ -67,6 +84,9 @@ fn with_rows(
 
 /// The beginning of a run.
 struct Trial {
+    format: Format,
+    encoded: Vec<u8>,
+    begun: Instant,
     steps: u64,
     rows: u64,
     bytes: u64,
@@ -74,26 +94,28 @@ struct Trial {
 }
 
 impl Trial {
-    fn run(experiment: &Experiment, format: Format) -> Result<Self, Error> {
-        let table = RunTable::new(experiment);
-        let (mut row, mut encoded) = (Vec::new(), Vec::new());
-        let mut trial = Self { steps: 1, rows: 0, bytes: 0, seconds: 0.0 };
-        let begun = Instant::now();
-        let outcome = experiment.follow(None, |moment| {
-            table.fill(&mut row, moment);
-            let written = format.encode(&row, &mut encoded);
-            written.map_err(|source| Error::Write { path: PathBuf::new(), source })?;
-            trial.rows += 1;
-            trial.bytes += encoded.len() as u64;
-            trial.steps = moment.step.max(1);
-            match begun.elapsed() > TRIAL {
-                true => Err(Error::Interrupted { resume: None }),
-                false => Ok(()),
-            }
-        });
-        trial.seconds = begun.elapsed().as_secs_f64();
+    fn begin(format: Format) -> Self {
+        let (begun, encoded) = (Instant::now(), Vec::new());
+        Self { format, encoded, begun, steps: 1, rows: 0, bytes: 0, seconds: 0.0 }
+    }
+
+    /// Counts a row after a step, and ends the trial when it has taken its time.
+    fn add(&mut self, step: u64, row: &[f64]) -> Result<(), Error> {
+        let written = self.format.encode(row, &mut self.encoded);
+        written.map_err(|source| Error::Write { path: PathBuf::new(), source })?;
+        self.rows += 1;
+        self.bytes += self.encoded.len() as u64;
+        self.steps = step.max(1);
+        match self.begun.elapsed() > TRIAL {
+            true => Err(Error::Interrupted { resume: None }),
+            false => Ok(()),
+        }
+    }
+
+    fn end(&mut self, outcome: Result<(), Error>) -> Result<(), Error> {
+        self.seconds = self.begun.elapsed().as_secs_f64();
         match outcome {
-            Ok(()) | Err(Error::Interrupted { .. }) => Ok(trial),
+            Ok(()) | Err(Error::Interrupted { .. }) => Ok(()),
             Err(failure) => Err(failure),
         }
     }

@@ -44,8 +44,6 @@ impl RunSummary {
         deviations: &Deviations,
         table: &RunTable,
     ) -> Self {
-        let symbols = table.invariants().iter().map(|invariant| invariant.symbol().to_string());
-        let values = deviations.largest.iter().map(|&deviation| Value::from(deviation));
         let Experiment { method, schedule, .. } = experiment;
         Self {
             out,
@@ -57,7 +55,7 @@ impl RunSummary {
             end: schedule.end(),
             angular_momentum: last.0.0.into(),
             vertical: last.0.1.into(),
-            deviations: symbols.zip(values).collect(),
+            deviations: deviations.by_name(table),
         }
     }
 }
@@ -65,12 +63,20 @@ impl RunSummary {
 impl fmt::Display for RunSummary {
     fn fmt(&self, to: &mut fmt::Formatter<'_>) -> fmt::Result {
         write!(to, "{} rows in {}; largest deviations", self.rows, self.out.display())?;
-        for (number, (symbol, deviation)) in self.deviations.iter().enumerate() {
-            let comma = if number == 0 { "" } else { "," };
-            write!(to, "{comma} {symbol} {:.1e}", deviation.as_f64().unwrap_or(f64::NAN))?;
-        }
-        Ok(())
+        write_deviations(to, &self.deviations)
     }
+}
+
+/// Writes the names of the invariants with their deviations.
+pub(super) fn write_deviations(
+    to: &mut fmt::Formatter<'_>,
+    deviations: &Map<String, Value>,
+) -> fmt::Result {
+    for (number, (symbol, deviation)) in deviations.iter().enumerate() {
+        let comma = if number == 0 { "" } else { "," };
+        write!(to, "{comma} {symbol} {:.1e}", deviation.as_f64().unwrap_or(f64::NAN))?;
+    }
+    Ok(())
 }
 
 /// The largest deviations of the invariants from their initial values.
@@ -81,11 +87,15 @@ pub(super) struct Deviations {
 
 impl Deviations {
     /// Starts from zero, or from the deviations of a checkpoint.
-    pub fn new(table: &RunTable, experiment: &Experiment, from: Option<&Checkpoint>) -> Self {
-        let Experiment { top, start, .. } = experiment;
-        let initial: Vec<f64> = table.invariants().iter().map(|f| f.value(top, start)).collect();
+    pub fn new(initial: Vec<f64>, from: Option<&Checkpoint>) -> Self {
         let before = from.map(|checkpoint| checkpoint.deviations.clone());
         Self { largest: before.unwrap_or_else(|| vec![0.0; initial.len()]), initial }
+    }
+
+    /// Returns the deviations by the names of the columns.
+    pub fn by_name(&self, table: &RunTable) -> Map<String, Value> {
+        let values = self.largest.iter().map(|&deviation| Value::from(deviation));
+        table.invariants().iter().cloned().zip(values).collect()
     }
 
     pub fn add(&mut self, values: &[f64]) {

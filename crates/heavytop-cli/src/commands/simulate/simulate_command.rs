@@ -1,19 +1,15 @@
 //! The command `simulate`: runs a configuration and writes the output.
 
-use super::checkpoint::{Checkpoint, argument};
-use super::recording::Recording;
+use super::checkpoint::Checkpoint;
+use super::recording::{RecordedRun, Recording};
+use super::renewal::Renewal;
 use super::run_summary::{Deviations, RunSummary};
 use super::simulate_options::SimulateOptions;
 use crate::Error;
-use crate::configuration::{Config, Integration};
+use crate::configuration::Config;
 use crate::formats::RunTable;
-use crate::runs::{Experiment, Moment};
 use crate::supervision::Progress;
-use collective_integrators::CHECKPOINT;
-use lie_poisson::Se3Dual;
 use std::path::Path;
-use std::sync::atomic::Ordering;
-use std::time::Instant;
 
 /// Runs the configuration and writes `out`, in the format that its ending names.
 ///
@@ -44,74 +40,30 @@ pub fn simulate(
     options: &SimulateOptions<'_>,
 ) -> Result<RunSummary, Error> {
     let experiment = config.experiment()?;
-    let table = RunTable::new(&experiment);
-    // The configuration to write includes all that was left out.
-    let integrator = config.integrator.or(Integration::default()).into();
-    let config = Config { integrator, ..config.clone() };
-    let mut recording = Recording::begin(out, &config, &experiment, &table, options)?;
-    let deviations = Deviations::new(&table, &experiment, options.resume);
+    let (table, pace) = (RunTable::new(&experiment), experiment.pace());
+    let config = config.with_integrator();
+    let dimension = experiment.dimension()?;
+    let recorded = RecordedRun { pace, dimension, table: &table, casimirs: Vec::new() };
+    let mut recording = Recording::begin(out, &config, &recorded, options)?;
+    let initial = table.values_at(&experiment.start).collect();
+    let mut deviations = Deviations::new(initial, options.resume);
     let progress = Progress::new(&experiment, options.quiet);
     let saved = options.resume.map(Checkpoint::saved);
     progress.begin(saved.as_ref().map_or(0, |saved| saved.step));
-    let mut run = Run {
-        experiment: &experiment,
-        table: &table,
-        options,
-        recording: &mut recording,
-        progress,
-        deviations,
-        row: Vec::with_capacity(table.width()),
-        last: experiment.start,
-        renewed: Instant::now(),
-    };
-    let outcome = experiment.follow(saved.as_ref(), |moment| run.visit(moment));
-    let summary = RunSummary::new(out.into(), &experiment, &run.last, &run.deviations, &table);
-    drop(run);
+    let mut renewal = Renewal::new(options, pace.schedule.steps);
+    let (mut row, mut last) = (Vec::with_capacity(table.width()), experiment.start);
+    let outcome = experiment.follow(saved.as_ref(), |moment| {
+        progress.at(moment.step);
+        last = *moment.momentum;
+        if pace.keeps(moment.step) {
+            table.fill(&mut row, moment);
+            deviations.add(table.invariant_values(&row));
+            recording.append(&row)?;
+        }
+        renewal.pause(moment.step, || moment.saved(), &mut recording, &deviations)
+    });
+    drop(progress);
+    let summary = RunSummary::new(out.into(), &experiment, &last, &deviations, &table);
     recording.conclude(outcome)?;
     Ok(summary)
-}
-
-/// The state of a run underway.
-struct Run<'a> {
-    experiment: &'a Experiment,
-    table: &'a RunTable,
-    options: &'a SimulateOptions<'a>,
-    recording: &'a mut Recording,
-    progress: Progress,
-    deviations: Deviations,
-    row: Vec<f64>,
-    last: Se3Dual,
-    /// The time of the last checkpoint.
-    renewed: Instant,
-}
-
-impl Run<'_> {
-    fn visit(&mut self, moment: &Moment<'_>) -> Result<(), Error> {
-        self.progress.at(moment.step);
-        self.last = *moment.momentum;
-        if self.experiment.keeps(moment.step) {
-            self.table.fill(&mut self.row, moment);
-            self.deviations.add(self.table.invariant_values(&self.row));
-            self.recording.append(&self.row)?;
-        }
-        if moment.step.is_multiple_of(CHECKPOINT) && moment.step < self.experiment.schedule.steps {
-            self.pause(moment)?;
-        }
-        Ok(())
-    }
-
-    /// Makes a checkpoint when one is due, and ends the run when it shall stop.
-    fn pause(&mut self, moment: &Moment<'_>) -> Result<(), Error> {
-        let stop = self.options.stop.is_some_and(|stop| stop.load(Ordering::Relaxed));
-        if !stop && self.renewed.elapsed() < self.options.interval {
-            return Ok(());
-        }
-        let checkpoint = self.recording.save(moment.saved(), &self.deviations.largest)?;
-        self.renewed = Instant::now();
-        if stop {
-            Err(Error::Interrupted { resume: checkpoint.as_deref().map(argument) })
-        } else {
-            Ok(())
-        }
-    }
 }

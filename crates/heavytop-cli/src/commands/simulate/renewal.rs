@@ -1,0 +1,50 @@
+//! When a run makes its checkpoint, and when it stops.
+
+use super::checkpoint::argument;
+use super::recording::Recording;
+use super::run_summary::Deviations;
+use super::simulate_options::SimulateOptions;
+use crate::Error;
+use crate::runs::Saved;
+use collective_integrators::CHECKPOINT;
+use std::sync::atomic::Ordering;
+use std::time::Instant;
+
+/// The checkpoints of a run underway.
+pub(super) struct Renewal<'a> {
+    options: &'a SimulateOptions<'a>,
+    /// The number of steps of the run.
+    steps: u64,
+    /// The time of the last checkpoint.
+    renewed: Instant,
+}
+
+impl<'a> Renewal<'a> {
+    pub fn new(options: &'a SimulateOptions<'a>, steps: u64) -> Self {
+        Self { options, steps, renewed: Instant::now() }
+    }
+
+    /// Makes a checkpoint after a step when one is due, and ends the run when it shall stop.
+    pub fn pause(
+        &mut self,
+        step: u64,
+        saved: impl FnOnce() -> Saved,
+        recording: &mut Recording,
+        deviations: &Deviations,
+    ) -> Result<(), Error> {
+        if !step.is_multiple_of(CHECKPOINT) || step >= self.steps {
+            return Ok(());
+        }
+        let stop = self.options.stop.is_some_and(|stop| stop.load(Ordering::Relaxed));
+        if !stop && self.renewed.elapsed() < self.options.interval {
+            return Ok(());
+        }
+        let checkpoint = recording.save(saved(), &deviations.largest)?;
+        self.renewed = Instant::now();
+        if stop {
+            Err(Error::Interrupted { resume: checkpoint.as_deref().map(argument) })
+        } else {
+            Ok(())
+        }
+    }
+}

@@ -1,0 +1,78 @@
+//! The summary of a run of a system, which `heavytop simulate --json` prints.
+
+use crate::commands::simulate::run_summary::{Deviations, write_deviations};
+use crate::formats::RunTable;
+use crate::runs::SystemExperiment;
+use serde::Serialize;
+use serde_json::{Map, Value};
+use std::fmt;
+use std::path::PathBuf;
+
+/// The summary of a run of a system, in numbers.
+#[derive(Clone, Debug, PartialEq, Serialize)]
+pub struct SystemSummary {
+    /// The path of the output.
+    pub out: PathBuf,
+    /// The name of the algebra.
+    pub algebra: String,
+    /// The Hamiltonian.
+    pub hamiltonian: String,
+    /// The formulation's name.
+    pub formulation: &'static str,
+    /// The scheme's name.
+    pub scheme: &'static str,
+    /// The time step, s.
+    pub step: f64,
+    /// The number of steps.
+    pub steps: u64,
+    /// The number of rows of the output, that of the initial state included.
+    pub rows: u64,
+    /// The time after the last step, s.
+    pub end: f64,
+    /// The coordinates after the last step, by their names.
+    pub last: Map<String, Value>,
+    /// The Casimirs by the names of their columns, as formulas.
+    pub casimirs: Map<String, Value>,
+    /// The largest deviations max |invariant − initial value| over the rows of the output, by the names of the
+    /// columns.
+    pub deviations: Map<String, Value>,
+}
+
+impl SystemSummary {
+    /// Creates the summary of a run that ended in a row.
+    pub(super) fn new(
+        out: PathBuf,
+        experiment: &SystemExperiment,
+        last: &[f64],
+        deviations: &Deviations,
+        table: &RunTable,
+    ) -> Self {
+        let (pace, names) = (experiment.pace(), experiment.algebra().coordinates.names());
+        let casimirs = experiment.casimirs().iter().map(|casimir| casimir.to_string().into());
+        Self {
+            out,
+            algebra: experiment.algebra().name.clone(),
+            hamiltonian: experiment.hamiltonian().to_string(),
+            formulation: experiment.formulation().name(),
+            scheme: experiment.scheme().name(),
+            step: pace.schedule.step,
+            steps: pace.schedule.steps,
+            rows: pace.rows(),
+            end: pace.schedule.end(),
+            last: names.zip(last.iter().skip(1).map(|&x| x.into())).collect(),
+            casimirs: (1..).map(|i| format!("c{i}")).zip(casimirs).collect(),
+            deviations: deviations.by_name(table),
+        }
+    }
+}
+
+impl fmt::Display for SystemSummary {
+    fn fmt(&self, to: &mut fmt::Formatter<'_>) -> fmt::Result {
+        write!(to, "{} rows in {}", self.rows, self.out.display())?;
+        for (name, text) in &self.casimirs {
+            write!(to, "; {name} = {}", text.as_str().unwrap_or_default())?;
+        }
+        write!(to, "; largest deviations")?;
+        write_deviations(to, &self.deviations)
+    }
+}

@@ -1,0 +1,56 @@
+//! Brackets of coordinates as text, such as `"K, H" = "P"`.
+
+use crate::errors::SystemError;
+use lie_poisson::{Covector, RealSpace, Vector, VectorSpace};
+use lie_poisson_formulas::{
+    Coordinates, DimensionTask, Formula, Parameters, StructureEntry, Vocabulary, for_dimension,
+};
+use std::collections::BTreeMap;
+
+/// Returns the structure constants of brackets [x, y] = Σ c z, given by the names of the coordinates of 𝔤∗.
+///
+/// # Errors
+/// If a key is no pair of coordinates, or a bracket is no linear combination of them.
+pub(super) fn entries(
+    coordinates: &Coordinates,
+    parameters: &Parameters,
+    brackets: &BTreeMap<String, String>,
+) -> Result<Vec<StructureEntry>, SystemError> {
+    let vocabulary = Vocabulary::new(coordinates, parameters)
+        .map_err(|source| SystemError::Name { key: "coordinates".into(), source })?;
+    let names: Vec<String> = coordinates.names().collect();
+    let mut entries = Vec::new();
+    for (key, text) in brackets {
+        let place = |name: &str| names.iter().position(|known| known == name.trim());
+        let pair = key.split_once(',').and_then(|(x, y)| Some((place(x)?, place(y)?)));
+        let (i, j) = pair.ok_or_else(|| SystemError::NoPair { key: key.clone() })?;
+        let key = format!("brackets.{key}");
+        let bracket = Formula::new(text, &vocabulary)
+            .map_err(|source| SystemError::Formula { key: key.clone(), source })?;
+        let task = Coefficients { bracket };
+        let constants = for_dimension(names.len(), task).flatten();
+        let constants = constants.ok_or(SystemError::NotLinear { key })?;
+        let nonzero = constants.into_iter().enumerate().filter(|(_, value)| *value != 0.0);
+        entries.extend(nonzero.map(|(k, value)| StructureEntry { i, j, k, value }));
+    }
+    Ok(entries)
+}
+
+/// The coefficients of a linear form, or none if the formula is none.
+struct Coefficients {
+    bracket: Formula,
+}
+
+impl DimensionTask for Coefficients {
+    type Output = Option<Vec<f64>>;
+
+    fn run<const N: usize>(self) -> Option<Vec<f64>> {
+        type Point<const N: usize> = Covector<<RealSpace<N> as VectorSpace>::Point<f64>>;
+        let (zero, other) =
+            (Point::<N>::zero(), Point::<N>::from_coordinates(|i| (i + 1) as f64 + 0.25));
+        let (slope, again) = (self.bracket.differential(&zero), self.bracket.differential(&other));
+        // A linear form vanishes at 0 and has the same differential everywhere.
+        let is_linear = self.bracket.value(&zero) == 0.0 && slope == again;
+        is_linear.then(|| (0..N).map(|i| slope.coordinate(i)).collect())
+    }
+}

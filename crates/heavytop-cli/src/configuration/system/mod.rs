@@ -1,0 +1,8 @@
+//! The table `[system]`: any Lie–Poisson system, by its algebra and a formula.
+
+mod numbers;
+mod bracket_texts;
+mod system_config;
+
+pub use numbers::Numbers;
+pub use system_config::SystemConfig;
