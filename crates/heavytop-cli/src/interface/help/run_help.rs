@@ -88,6 +88,27 @@ Configuration: every key may be left out, and has then the value below.
   every = 1                          # keep every n-th step; the last step is always kept
   attitude = false                   # whether to write the attitude; direct has none
 
+Another Lie–Poisson system instead of a top, with the minus bracket, by its algebra and a formula:
+
+  [system]
+  algebra = \"se(3)\"                # or so(3), su(2), sl(2), se(2), se(3)+R3
+  hamiltonian = \"½*(Π₁²/I₁ + Π₂²/I₂ + Π₃²/I₃) + mgl*c·Γ\"
+  parameters = { I = [2, 2, 1], mgl = 1, c = [1, 0, 0] }
+  initial = { Pi = [2, 3, 4], Gamma = [0.6, 0, 0.8] }
+
+  [system]
+  coordinates = [\"K\", \"H\", \"P\"]    # an algebra of your own, by its brackets
+  brackets = { \"K, H\" = \"P\", \"K, P\" = \"H\" }
+  hamiltonian = \"K^2/2 + H^2\"
+  initial = { K = 0.1, H = 0.3, P = -0.2 }
+
+Its columns are t, the coordinates, h and the Casimirs c1, c2, ..., which are found: polynomials up
+to degree 4, named in the summary and in the metadata. Formulas have + - * / ^, · and × between
+vectors, |v|, sqrt, exp, ln, sin, cos, tan, sinh, cosh, tanh, atan2, pi, and Greek letters by name
+(Gamma1) or as they are (Γ₁); there is no product without *. so(3), su(2) and se(3) have the
+formulations collective, reduced and direct; other algebras of dimension 3 or 6 collective, on T*V
+by a Clebsch map, and direct; the others direct, which is not Poisson.
+
 Formulations:
   collective   on T*C², read through M: T*C² → se(3)*
   reduced      the same maps without a lift, on se(3)* itself

@@ -102,7 +102,7 @@ impl SystemExperiment {
     /// # Errors
     /// If there is no such integrator.
     pub fn dimension(&self) -> Result<usize, Error> {
-        self.method.integrate(&self.algebra, &self.hamiltonian, Dimension)
+        self.method.integrate(&self.algebra, &self.hamiltonian, &self.start, Dimension)
     }
 
     /// Passes the rows of the run to `visit`, from the initial one or from the first after a saved one: those that are
@@ -116,7 +116,7 @@ impl SystemExperiment {
         V: FnMut(&SystemMoment<'_>) -> Result<(), Error>,
     {
         let task = Follow { experiment: self, from, visit };
-        self.method.integrate(&self.algebra, &self.hamiltonian, task)
+        self.method.integrate(&self.algebra, &self.hamiltonian, &self.start, task)
     }
 
     /// Returns the initial values of h and of the Casimirs.

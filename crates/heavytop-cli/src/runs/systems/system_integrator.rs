@@ -9,9 +9,15 @@ use collective_integrators::{
     StageSolver, Start,
 };
 use heavytop::SpinorRealisation;
-use lie_poisson::{LieAlgebra, LiePoisson, Se3, So3, StructureConstants, Vector};
+use lie_poisson::{
+    Diagonal, ExtendedAdjoint, ExtendedCoadjoint, LieAlgebra, LiePoisson, Momentum, Se3, So3,
+    StructureConstants, Vector,
+};
 use lie_poisson_formulas::{Formula, FormulaHamiltonian, structure_constants};
-use momentum_map::{DualQuaternions, HOPF, Quaternions};
+use momentum_map::{DualQuaternions, HOPF, Lift, Quaternions, Side, clebsch_realisation};
+
+/// The dimensions of the algebras with a Clebsch map.
+const CLEBSCH: [usize; 2] = [3, 6];
 
 /// A task to perform with an integrator of a system, whatever its type.
 pub(super) trait SystemTask {
@@ -40,7 +46,10 @@ impl SystemMethod {
         let formulated = match formulation {
             Formulation::Direct => true,
             Formulation::Splitting => false,
-            Formulation::Collective | Formulation::Reduced => algebra.family != Family::Other,
+            Formulation::Collective => {
+                algebra.family != Family::Other || CLEBSCH.contains(&algebra.dimension())
+            }
+            Formulation::Reduced => algebra.family != Family::Other,
         };
         if formulated && !partitioned && formulation.offers(scheme) {
             return Ok(());
@@ -50,24 +59,28 @@ impl SystemMethod {
             let names: Vec<_> = schemes.map(Scheme::name).collect();
             format!("{} has {}", formulation.name(), names.join(", "))
         } else if algebra.family == Family::Other {
-            "write formulation = \"direct\"".into()
+            match CLEBSCH.contains(&algebra.dimension()) {
+                true => "it has direct and collective".into(),
+                false => "write formulation = \"direct\"".into(),
+            }
         } else {
             "it has collective, reduced and direct".into()
         };
         Err(SystemError::NoMethod { algebra: algebra.name.clone(), formulation, scheme, has })
     }
 
-    /// Performs a task with the integrator of a Hamiltonian.
+    /// Performs a task with the integrator of a Hamiltonian, for runs from a start.
     pub fn integrate<K: SystemTask>(
         &self,
         algebra: &SystemAlgebra,
         hamiltonian: &Formula,
+        start: &[f64],
         task: K,
     ) -> Result<K::Output, Error> {
         let solver = StageSolver { tolerance: self.tolerance, ..StageSolver::default() };
         let midpoint = || RungeKutta::implicit_midpoint().with_solver(solver);
         let failed = |source| Error::Scheme { scheme: self.scheme.name(), source };
-        let system = System { method: self, algebra, hamiltonian };
+        let system = System { method: self, algebra, hamiltonian, start };
         match self.scheme {
             Scheme::ImplicitMidpoint => system.with(midpoint(), task),
             Scheme::Gauss(stages) => {
@@ -90,6 +103,7 @@ struct System<'a> {
     method: &'a SystemMethod,
     algebra: &'a SystemAlgebra,
     hamiltonian: &'a Formula,
+    start: &'a [f64],
 }
 
 impl System<'_> {
@@ -114,9 +128,36 @@ impl System<'_> {
             (Formulation::Reduced, Family::Motions) => {
                 task.perform(&LiftFree::new(scheme, DualQuaternions, self.hamiltonian::<Se3>()?))
             }
+            (Formulation::Collective, Family::Other) => match self.algebra.dimension() {
+                3 => self.clebsch::<3, S, K>(scheme, task),
+                6 => self.clebsch::<6, S, K>(scheme, task),
+                _ => Err(self.impossible()),
+            },
             // `require` has refused every such pair.
             _ => Err(self.impossible()),
         }
+    }
+
+    /// Applies the scheme on T∗V, read through the Clebsch map of two copies of the adjoint representation, extended by a
+    /// derivation so that it sees the centre. Where the start has no lift, the coadjoint representation is extended.
+    fn clebsch<const N: usize, S: Equivariant, K: SystemTask>(
+        &self,
+        scheme: S,
+        task: K,
+    ) -> Result<K::Output, Error> {
+        let table =
+            structure_constants::<N>(&self.algebra.entries).map_err(SystemError::Brackets)?;
+        let hamiltonian = self.hamiltonian::<StructureConstants<N>>()?;
+        let start: Momentum<StructureConstants<N>> =
+            Vector::from_coordinates(|i| self.start.get(i).copied().unwrap_or(0.0));
+        let adjoint = ExtendedAdjoint::of(table.clone()).map_err(|_| self.impossible())?;
+        let map = clebsch_realisation(Diagonal::<_, 2>(adjoint), Side::Right)?;
+        if map.lift(&start).is_ok() {
+            return task.perform(&Collective::new(scheme, map, hamiltonian));
+        }
+        let coadjoint = ExtendedCoadjoint::of(table).map_err(|_| self.impossible())?;
+        let map = clebsch_realisation(Diagonal::<_, 2>(coadjoint), Side::Right)?;
+        task.perform(&Collective::new(scheme, map, hamiltonian))
     }
 
     /// Applies the scheme to the equations, on the algebra that is completed to the dimension N.
