@@ -89,6 +89,12 @@ impl Config {
     /// If there is no such run.
     pub fn system_experiment(&self) -> Result<Option<SystemExperiment>, Error> {
         let Some(system) = &self.system else { return Ok(None) };
+        if self.body != BodyConfig::default() {
+            return Err(SystemError::Top("body").into());
+        }
+        if self.initial != InitialConfig::default() {
+            return Err(SystemError::Top("initial").into());
+        }
         if self.output.attitude {
             return Err(SystemError::NoAttitude.into());
         }

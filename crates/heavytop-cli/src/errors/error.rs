@@ -264,7 +264,7 @@ pub enum Error {
     Sweep(#[from] SweepError),
     /// The Lie–Poisson system that the configuration asks for does not exist.
     #[error("[system]")]
-    System(#[from] SystemError),
+    System(#[source] Box<SystemError>),
     /// No top of a sweep could be followed.
     #[error("all {tops} tops failed; the first: {first}")]
     AllFailed {
@@ -351,6 +351,12 @@ impl From<MethodError> for Error {
             }
             error => Self::Method(error),
         }
+    }
+}
+
+impl From<SystemError> for Error {
+    fn from(error: SystemError) -> Self {
+        Self::System(Box::new(error))
     }
 }
 

@@ -1,6 +1,6 @@
 //! Errors of `[system]`: why a configuration describes no Lie–Poisson system.
 
-use crate::vocabulary::{Formulation, Scheme};
+use heavytop::methods::{Formulation, Scheme};
 use lie_poisson_formulas::{CasimirError, EntryError, FormulaError, NameError};
 use thiserror::Error;
 
@@ -11,6 +11,9 @@ pub enum SystemError {
     /// A command for tops got a system.
     #[error("only simulate runs a system; the other commands are for tops")]
     OnlySimulate,
+    /// A table of tops stands beside the system.
+    #[error("a system has no [{0}], which is of tops: its keys are in [system]")]
+    Top(&'static str),
     /// A key is missing.
     #[error("{0} is missing")]
     Missing(&'static str),
@@ -116,6 +119,7 @@ impl SystemError {
         let (key, note) = match self {
             Self::OnlySimulate => (String::new(), "use simulate"),
             Self::Missing(_) => (String::new(), "add the key"),
+            Self::Top(_) => return None,
             Self::TwoAlgebras | Self::NoAlgebra { .. } => ("algebra".into(), ""),
             Self::Dimension { .. } => ("coordinates".into(), ""),
             Self::NoPair { key } => (format!("brackets.{key}"), "the key is a pair, \"x, y\""),

@@ -9,7 +9,8 @@ use std::ops::Range;
 ///
 /// In a text with escapes, such as `\"`, places cannot be counted: all of the value is marked.
 pub(super) fn within(text: &str, span: Range<usize>, error: &Error) -> Range<usize> {
-    let Error::System(SystemError::Formula { source, .. }) = error else { return span };
+    let Error::System(system) = error else { return span };
+    let SystemError::Formula { source, .. } = &**system else { return span };
     let value = text.get(span.clone()).unwrap_or_default();
     let Some(quotes) = ["\"\"\"", "'''", "\"", "'"].into_iter().find(|q| value.starts_with(q))
     else {

@@ -2,7 +2,7 @@
 
 use crate::Error;
 use crate::configuration::Config;
-use crate::errors::SweepError;
+use crate::errors::{SweepError, SystemError};
 use crate::vocabulary::brief::number;
 use heavytop::methods::MethodError;
 use heavytop::{SectionError, TopError};
@@ -79,10 +79,7 @@ pub(super) fn repairs(error: &Error, config: &Config) -> Vec<Repair> {
             repair("output.attitude", "write false, or choose another formulation".into()),
             repair("integrator.formulation", "write `collective`, `reduced` or `splitting`".into()),
         ],
-        Error::System(system) => system.key().map_or_else(Vec::new, |(key, note)| {
-            let path = if key.is_empty() { "system".into() } else { format!("system.{key}") };
-            vec![(path, note.to_owned())]
-        }),
+        Error::System(system) => of_system(system),
         Error::Section(section) => of_section(section),
         Error::Sweep(sweep) => of_sweep(sweep),
         _ => Vec::new(),
@@ -115,6 +112,15 @@ fn unit(vector: [f64; 3], length: f64) -> String {
     } else {
         "write a vector of length 1, such as [0.0, 0.0, 1.0]".into()
     }
+}
+
+fn of_system(error: &SystemError) -> Vec<Repair> {
+    if let SystemError::Top(table) = error {
+        return vec![((*table).to_owned(), "remove the table".to_owned())];
+    }
+    let (key, note) = error.key().unwrap_or_default();
+    let path = if key.is_empty() { "system".into() } else { format!("system.{key}") };
+    vec![(path, note.to_owned())]
 }
 
 fn of_section(error: &SectionError) -> Vec<Repair> {

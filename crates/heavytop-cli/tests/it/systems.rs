@@ -197,8 +197,17 @@ fn methods_that_do_not_exist_are_refused() {
     is_refused("poincare.toml", "formulation=reduced", "it has direct and collective");
     is_refused("top.toml", "formulation=splitting", "it has collective, reduced and direct");
     is_refused("top.toml", "scheme=stormer-verlet", "collective has implicit-midpoint");
-    for command in ["compare", "section", "sweep"] {
-        let error = refused(&folder.heavytop(&[command, "top.toml", "--out", "folder"]));
+    for (key, message) in [
+        ("body.mass=2", "a system has no [body]"),
+        ("initial.vertical=[0, 0, 1]", "a system has no [initial]"),
+        ("output.attitude=true", "a system has no attitude"),
+    ] {
+        let out = ["simulate", "top.toml", "--out", "out.csv", "--set", key];
+        let error = refused(&folder.heavytop(&out));
+        assert!(error.contains(message), "{error}");
+    }
+    for command in ["compare", "section", "sweep", "animate"] {
+        let error = refused(&folder.heavytop(&[command, "top.toml", "--out", "page.html"]));
         assert!(error.contains("only simulate runs a system"), "{error}");
     }
 }

@@ -6,7 +6,7 @@ use crate::Error;
 use crate::configuration::{Integration, IntegratorConfig};
 use crate::errors::SystemError;
 use crate::runs::{Pace, Schedule, SystemAlgebra, SystemExperiment, WIDEST};
-use crate::vocabulary::Formulation;
+use heavytop::methods::Formulation;
 use lie_poisson_formulas::{
     Coordinates, DimensionTask, Formula, Parameters, PolynomialCasimirs, StructureEntry,
     Vocabulary, find_casimirs, for_dimension, structure_constants,

@@ -3,12 +3,12 @@
 use super::system_algebra::{Family, SystemAlgebra};
 use crate::Error;
 use crate::errors::SystemError;
-use crate::vocabulary::{Formulation, Scheme};
 use collective_integrators::{
     Collective, Composition, Direct, Equivariant, HamiltonianField, LiftFree, RungeKutta,
     StageSolver, Start,
 };
 use heavytop::SpinorRealisation;
+use heavytop::methods::{Formulation, MethodError, Scheme};
 use lie_poisson::{
     Diagonal, ExtendedAdjoint, ExtendedCoadjoint, LieAlgebra, LiePoisson, Momentum, Se3, So3,
     StructureConstants, Vector,
@@ -79,7 +79,7 @@ impl SystemMethod {
     ) -> Result<K::Output, Error> {
         let solver = StageSolver { tolerance: self.tolerance, ..StageSolver::default() };
         let midpoint = || RungeKutta::implicit_midpoint().with_solver(solver);
-        let failed = |source| Error::Scheme { scheme: self.scheme.name(), source };
+        let failed = |source| MethodError::Scheme { scheme: self.scheme.name(), source };
         let system = System { method: self, algebra, hamiltonian, start };
         match self.scheme {
             Scheme::ImplicitMidpoint => system.with(midpoint(), task),
@@ -179,7 +179,11 @@ impl System<'_> {
 
     fn impossible(&self) -> Error {
         self.method.require(self.algebra).err().map_or(
-            Error::NoSuchPair { formulation: self.method.formulation, scheme: self.method.scheme },
+            MethodError::NoSuchPair {
+                formulation: self.method.formulation,
+                scheme: self.method.scheme,
+            }
+            .into(),
             Error::from,
         )
     }
