@@ -91,10 +91,11 @@ pub mod laws;
 pub use generic_scalars::{
     Blocks, ComplexSpace, Covector, DefaultLanes, Differential, DualNumber, FourLanes,
     FourLanesTask, InstructionSet, LaneTask, Lanes, Mask, MissingInstructions, Pair, Point, Power,
-    Quaternion, Real, RealSpace, Sites, State, Vector, VectorSpace, Width, constant_times,
-    constant_transpose_times, derivative_part, differential, dispatch, dispatch_four,
-    euclidean_norm, larger, linear_solution, map_coordinates, seed, solve_linear, squaring_scale,
-    state_by_value, transposed_tangent,
+    Quaternion, Real, RealSpace, Sites, State, StorageOver, TaskOver, UnfusedSpace, UnfusedStorage,
+    UnfusedTask, Vector, VectorSpace, Width, constant_times, constant_transpose_times, cross,
+    derivative_part, differential, dispatch, dispatch_four, dispatch_unfused, dot, euclidean_norm,
+    larger, linear_solution, map_coordinates, seed, solve_linear, squaring_scale, state_by_value,
+    transposed_tangent,
 };
 
 pub use algebras::algebra::{LieAlgebra, Momentum};

@@ -35,12 +35,14 @@
 //! | a constant matrix times a vector over any scalar | [`constant_times`], [`constant_transpose_times`] |
 //! | several trajectories at once | [`DefaultLanes`], four SIMD lanes on every processor |
 //! | the widest SIMD lanes of the processor | a [`LaneTask`], run by [`dispatch`] |
+//! | the bits of `f64` in every lane, whatever the processor | a [`TaskOver`] the lanes that [`dispatch_unfused`] chooses |
 //! | the instructions that the processor has | [`InstructionSet::detected`] |
 //! | one vector of R³ in one register | [`FourLanes`] in a [`FourLanesTask`], run by [`dispatch_four`] |
 //! | a small type of your own as a vector | an implementation of [`Vector`], and [`state_by_value!`] with its [`Blocks`] of coordinates |
 //! | a large type of your own, on the heap | an implementation of [`State`] |
 //! | N copies of a small space, with N known at run time | [`Sites`] |
 //! | elements of the dual space, as a type of their own | [`Covector`] |
+//! | dot and cross products of vectors over any scalar | [`dot`], [`cross`] |
 //! | direct sums V ⊕ W and powers Vᴺ | [`Pair`] and [`Power`] |
 //! | quaternions over any scalar | [`Quaternion`] |
 //! | a vector space over every scalar at once | [`VectorSpace`]: [`RealSpace`], [`ComplexSpace`] |
@@ -78,7 +80,8 @@ mod calculus;
 
 pub use lanes::{
     DefaultLanes, FourLanes, FourLanesTask, InstructionSet, LaneTask, Lanes, MissingInstructions,
-    Width, dispatch, dispatch_four,
+    StorageOver, TaskOver, UnfusedSpace, UnfusedStorage, UnfusedTask, Width, dispatch,
+    dispatch_four, dispatch_unfused,
 };
 pub use numbers::blocks::Blocks;
 pub use numbers::dual_number::DualNumber;
@@ -91,7 +94,7 @@ pub use calculus::linear_solution::linear_solution;
 pub use calculus::norm::{euclidean_norm, squaring_scale};
 
 pub use spaces::covector::Covector;
-pub use spaces::matrices::{constant_times, constant_transpose_times};
+pub use spaces::matrices::{constant_times, constant_transpose_times, cross, dot};
 pub use spaces::pair::Pair;
 pub use spaces::power::Power;
 pub use spaces::quaternion::Quaternion;

@@ -106,8 +106,9 @@ pub struct MissingInstructions {
 /// the compiler leaves outside of the function that is compiled for the processor's features is correct,
 /// but five to ten times slower. Registers above 128 bits are not inlined across that boundary if a
 /// function is only `#[inline]`, and closures, iterators and the operators of nalgebra and num-complex are
-/// only `#[inline]`. So compute with components, in plain loops. [`DefaultLanes`](super::DefaultLanes) has
-/// no such restriction.
+/// only `#[inline]`. So compute with components, in plain loops, or with [`cross`](crate::cross) and
+/// [`dot`](crate::dot). A closure that is an argument can have the mark. [`DefaultLanes`](super::DefaultLanes)
+/// has no such restriction.
 pub trait LaneTask {
     /// The result of the computation.
     type Output;

@@ -10,9 +10,13 @@ mod four;
 mod single;
 mod dispatch;
 mod dispatch_four;
+mod dispatch_unfused;
 
 pub use dispatch::{InstructionSet, LaneTask, MissingInstructions, Width, dispatch};
 pub use dispatch_four::{FourLanesTask, dispatch_four};
+pub use dispatch_unfused::{
+    StorageOver, TaskOver, UnfusedSpace, UnfusedStorage, UnfusedTask, dispatch_unfused,
+};
 pub use four::FourLanes;
 
 use crate::Real;

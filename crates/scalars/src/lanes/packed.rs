@@ -96,6 +96,7 @@ impl<R: Register> Num for Packed<R> {
 }
 
 impl<R: Register> Real for Packed<R> {
+    const HAS_SLOW_PATHS: bool = R::HAS_SLOW_PATHS;
     type Mask = R::Mask;
 
     #[inline(always)]

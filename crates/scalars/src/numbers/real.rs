@@ -50,6 +50,18 @@ pub trait Real:
     + Mul<f64, Output = Self>
     + Div<f64, Output = Self>
 {
+    /// Whether a method over this scalar treats rare cases that are slow, such as a stage iteration that has not
+    /// converged.
+    ///
+    /// It is `false` for the lanes that [`dispatch_unfused`](crate::dispatch_unfused) passes to a task. A method may
+    /// fail there in a rare case, and the caller repeats its work over another scalar.
+    ///
+    /// ```
+    /// use generic_scalars::{DefaultLanes, DualNumber, Real};
+    /// assert!(f64::HAS_SLOW_PATHS && DefaultLanes::HAS_SLOW_PATHS && DualNumber::<f64>::HAS_SLOW_PATHS);
+    /// ```
+    const HAS_SLOW_PATHS: bool = true;
+
     /// The type of the result of a comparison: one truth value for each lane.
     type Mask: Mask;
 

@@ -147,17 +147,17 @@ impl<V: Vector<Dual = Covector<V>>> Vector for Covector<V> {
         V::block(i)
     }
 
-    #[inline]
+    #[cfg_attr(not(debug_assertions), inline(always))]
     fn from_coordinates(f: impl FnMut(usize) -> V::Scalar) -> Self {
         Self(V::from_coordinates(f))
     }
 
-    #[inline]
+    #[cfg_attr(not(debug_assertions), inline(always))]
     fn coordinate(&self, i: usize) -> V::Scalar {
         self.0.coordinate(i)
     }
 
-    #[inline]
+    #[cfg_attr(not(debug_assertions), inline(always))]
     fn scaled(&self, s: V::Scalar) -> Self {
         Self(self.0.scaled(s))
     }
@@ -165,7 +165,7 @@ impl<V: Vector<Dual = Covector<V>>> Vector for Covector<V> {
 
 impl<V: Add<Output = V>> Add for Covector<V> {
     type Output = Self;
-    #[inline]
+    #[cfg_attr(not(debug_assertions), inline(always))]
     fn add(self, rhs: Self) -> Self {
         Self(self.0 + rhs.0)
     }
@@ -173,7 +173,7 @@ impl<V: Add<Output = V>> Add for Covector<V> {
 
 impl<V: Sub<Output = V>> Sub for Covector<V> {
     type Output = Self;
-    #[inline]
+    #[cfg_attr(not(debug_assertions), inline(always))]
     fn sub(self, rhs: Self) -> Self {
         Self(self.0 - rhs.0)
     }
@@ -181,21 +181,21 @@ impl<V: Sub<Output = V>> Sub for Covector<V> {
 
 impl<V: Neg<Output = V>> Neg for Covector<V> {
     type Output = Self;
-    #[inline]
+    #[cfg_attr(not(debug_assertions), inline(always))]
     fn neg(self) -> Self {
         Self(-self.0)
     }
 }
 
 impl<V: AddAssign> AddAssign for Covector<V> {
-    #[inline]
+    #[cfg_attr(not(debug_assertions), inline(always))]
     fn add_assign(&mut self, rhs: Self) {
         self.0 += rhs.0;
     }
 }
 
 impl<V: SubAssign> SubAssign for Covector<V> {
-    #[inline]
+    #[cfg_attr(not(debug_assertions), inline(always))]
     fn sub_assign(&mut self, rhs: Self) {
         self.0 -= rhs.0;
     }

@@ -1,7 +1,7 @@
 //! [`Vector`] for matrices of real and of complex numbers; products with constant matrices over every scalar.
 
 use crate::{Covector, Real, Vector, state_by_value};
-use nalgebra::{SMatrix, SVector};
+use nalgebra::{ArrayStorage, SMatrix, SVector, Vector3};
 use num_complex::Complex;
 
 state_by_value!([T: Real, const R: usize, const C: usize] SMatrix<T, R, C>, T, (T,));
@@ -10,9 +10,9 @@ impl<T: Real, const R: usize, const C: usize> Vector for SMatrix<T, R, C> {
     type Dual = Covector<Self>;
     const DIM: usize = R * C;
 
-    #[inline]
+    #[cfg_attr(not(debug_assertions), inline(always))]
     fn from_coordinates(mut f: impl FnMut(usize) -> T) -> Self {
-        let mut matrix = Self::zeros();
+        let mut matrix = Self::from_array_storage(ArrayStorage([[T::zero(); R]; C]));
         // nalgebra stores by columns, which is the order of the coordinates.
         for (i, x) in matrix.as_mut_slice().iter_mut().enumerate() {
             *x = f(i);
@@ -20,14 +20,21 @@ impl<T: Real, const R: usize, const C: usize> Vector for SMatrix<T, R, C> {
         matrix
     }
 
-    #[inline]
+    #[cfg_attr(not(debug_assertions), inline(always))]
     fn coordinate(&self, i: usize) -> T {
-        self.as_slice().get(i).copied().unwrap_or_else(T::zero)
+        match self.as_slice().get(i) {
+            Some(x) => *x,
+            None => T::zero(),
+        }
     }
 
-    #[inline]
+    #[cfg_attr(not(debug_assertions), inline(always))]
     fn scaled(&self, s: T) -> Self {
-        self.map(|x| x * s)
+        let mut product = Self::from_array_storage(ArrayStorage([[T::zero(); R]; C]));
+        for (product, x) in product.as_mut_slice().iter_mut().zip(self.as_slice()) {
+            *product = *x * s;
+        }
+        product
     }
 }
 
@@ -37,25 +44,67 @@ impl<T: Real, const R: usize, const C: usize> Vector for SMatrix<Complex<T>, R, 
     type Dual = Covector<Self>;
     const DIM: usize = 2 * R * C;
 
-    #[inline]
+    #[cfg_attr(not(debug_assertions), inline(always))]
     fn from_coordinates(mut f: impl FnMut(usize) -> T) -> Self {
-        let mut matrix = Self::zeros();
+        let zero = Complex { re: T::zero(), im: T::zero() };
+        let mut matrix = Self::from_array_storage(ArrayStorage([[zero; R]; C]));
         for (i, z) in matrix.as_mut_slice().iter_mut().enumerate() {
             *z = Complex { re: f(2 * i), im: f(2 * i + 1) };
         }
         matrix
     }
 
-    #[inline]
+    #[cfg_attr(not(debug_assertions), inline(always))]
     fn coordinate(&self, i: usize) -> T {
-        let z = self.as_slice().get(i / 2);
-        z.map_or_else(T::zero, |z| if i.is_multiple_of(2) { z.re } else { z.im })
+        match self.as_slice().get(i / 2) {
+            Some(z) if i.is_multiple_of(2) => z.re,
+            Some(z) => z.im,
+            None => T::zero(),
+        }
     }
 
-    #[inline]
+    #[cfg_attr(not(debug_assertions), inline(always))]
     fn scaled(&self, s: T) -> Self {
-        self.map(|z| Complex { re: z.re * s, im: z.im * s })
+        let zero = Complex { re: T::zero(), im: T::zero() };
+        let mut product = Self::from_array_storage(ArrayStorage([[zero; R]; C]));
+        for (product, z) in product.as_mut_slice().iter_mut().zip(self.as_slice()) {
+            *product = Complex { re: z.re * s, im: z.im * s };
+        }
+        product
     }
+}
+
+/// Returns the cross product u×v over any scalar.
+///
+/// It is that of nalgebra, bit for bit. The compiler inlines it in code for every register, as [`LaneTask`] requires of
+/// fast code.
+///
+/// [`LaneTask`]: crate::LaneTask
+///
+/// # Example
+/// ```
+/// use generic_scalars::cross;
+/// use nalgebra::Vector3;
+/// assert_eq!(cross(&Vector3::new(1.0, 2.0, 3.0), &Vector3::new(4.0, 5.0, 6.0)), Vector3::new(-3.0, 6.0, -3.0));
+/// ```
+#[must_use]
+#[cfg_attr(not(debug_assertions), inline(always))]
+pub fn cross<T: Real>(u: &Vector3<T>, v: &Vector3<T>) -> Vector3<T> {
+    Vector3::new(u.y * v.z - u.z * v.y, u.z * v.x - u.x * v.z, u.x * v.y - u.y * v.x)
+}
+
+/// Returns the dot product u·v over any scalar, as [`cross`] returns the cross product.
+///
+/// # Example
+/// ```
+/// use generic_scalars::dot;
+/// use nalgebra::Vector3;
+/// assert_eq!(dot(&Vector3::new(1.0, 2.0, 3.0), &Vector3::new(4.0, 5.0, 6.0)), 32.0);
+/// ```
+#[must_use]
+#[cfg_attr(not(debug_assertions), inline(always))]
+pub fn dot<T: Real>(u: &Vector3<T>, v: &Vector3<T>) -> T {
+    u.x * v.x + u.y * v.y + u.z * v.z
 }
 
 /// Returns the product A v of a constant matrix and a vector over any scalar.
@@ -74,12 +123,20 @@ impl<T: Real, const R: usize, const C: usize> Vector for SMatrix<Complex<T>, R, 
 /// assert_eq!(constant_times(&a, &v).map(|x| x.derivative()), a.column(1));
 /// ```
 #[must_use]
-#[inline]
+#[cfg_attr(not(debug_assertions), inline(always))]
 pub fn constant_times<T: Real, const R: usize, const C: usize>(
     a: &SMatrix<f64, R, C>,
     v: &SVector<T, C>,
 ) -> SVector<T, R> {
-    SVector::from_fn(|i, _| sum_of_products(C, |j| v[j] * a[(i, j)]))
+    let mut product = SVector::<T, R>::from_array_storage(ArrayStorage([[T::zero(); R]; 1]));
+    for (i, x) in product.as_mut_slice().iter_mut().enumerate() {
+        *x = sum_of_products(
+            C,
+            #[inline(always)]
+            |j| v[j] * a[(i, j)],
+        );
+    }
+    product
 }
 
 /// Returns the product Aᵀ v of the transpose of a constant matrix and a vector over any scalar.
@@ -92,16 +149,24 @@ pub fn constant_times<T: Real, const R: usize, const C: usize>(
 /// assert_eq!(constant_transpose_times(&a, &Vector2::new(1.0, -1.0)), Vector3::new(-3.0, -3.0, -3.0));
 /// ```
 #[must_use]
-#[inline]
+#[cfg_attr(not(debug_assertions), inline(always))]
 pub fn constant_transpose_times<T: Real, const R: usize, const C: usize>(
     a: &SMatrix<f64, R, C>,
     v: &SVector<T, R>,
 ) -> SVector<T, C> {
-    SVector::from_fn(|j, _| sum_of_products(R, |i| v[i] * a[(i, j)]))
+    let mut product = SVector::<T, C>::from_array_storage(ArrayStorage([[T::zero(); C]; 1]));
+    for (j, x) in product.as_mut_slice().iter_mut().enumerate() {
+        *x = sum_of_products(
+            R,
+            #[inline(always)]
+            |i| v[i] * a[(i, j)],
+        );
+    }
+    product
 }
 
 /// Returns the sum of terms from the first to the last, or zero if there is none.
-#[inline]
+#[cfg_attr(not(debug_assertions), inline(always))]
 fn sum_of_products<T: Real>(count: usize, term: impl Fn(usize) -> T) -> T {
     // A sum from zero on would lose the sign of −0.
     let mut sum = if count == 0 { T::zero() } else { term(0) };

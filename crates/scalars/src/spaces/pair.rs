@@ -20,7 +20,7 @@ pub struct Pair<A, B>(pub A, pub B);
 
 impl<A, B> Covector<Pair<A, B>> {
     /// Creates the covector (α, β) from its two parts, for example the momentum (Π, Γ) of a heavy top.
-    #[inline]
+    #[cfg_attr(not(debug_assertions), inline(always))]
     pub const fn new(alpha: A, beta: B) -> Self {
         Self(Pair(alpha, beta))
     }
@@ -129,7 +129,10 @@ impl<T: Real, A: State<Scalar = T>, B: State<Scalar = T>> State for Pair<A, B> {
     fn set_entries(&mut self, f: impl Fn(usize) -> T) {
         let first = self.0.dimension();
         self.0.set_entries(&f);
-        self.1.set_entries(|i| f(first + i));
+        self.1.set_entries(
+            #[inline(always)]
+            |i| f(first + i),
+        );
     }
 
     #[inline(always)]
@@ -166,18 +169,25 @@ impl<T: Real, A: Vector<Scalar = T>, B: Vector<Scalar = T>> Vector for Pair<A, B
         if i < A::DIM { A::block(i) } else { A::BLOCKS + B::block(i - A::DIM) }
     }
 
-    #[inline]
+    #[cfg_attr(not(debug_assertions), inline(always))]
     fn from_coordinates(mut f: impl FnMut(usize) -> T) -> Self {
-        let first = A::from_coordinates(&mut f);
-        Self(first, B::from_coordinates(|i| f(A::DIM + i)))
+        let first = A::from_coordinates(
+            #[inline(always)]
+            |i| f(i),
+        );
+        let second = B::from_coordinates(
+            #[inline(always)]
+            |i| f(A::DIM + i),
+        );
+        Self(first, second)
     }
 
-    #[inline]
+    #[cfg_attr(not(debug_assertions), inline(always))]
     fn coordinate(&self, i: usize) -> T {
         if i < A::DIM { self.0.coordinate(i) } else { self.1.coordinate(i - A::DIM) }
     }
 
-    #[inline]
+    #[cfg_attr(not(debug_assertions), inline(always))]
     fn scaled(&self, s: T) -> Self {
         Self(self.0.scaled(s), self.1.scaled(s))
     }
@@ -185,7 +195,7 @@ impl<T: Real, A: Vector<Scalar = T>, B: Vector<Scalar = T>> Vector for Pair<A, B
 
 impl<A: Add<Output = A>, B: Add<Output = B>> Add for Pair<A, B> {
     type Output = Self;
-    #[inline]
+    #[cfg_attr(not(debug_assertions), inline(always))]
     fn add(self, rhs: Self) -> Self {
         Self(self.0 + rhs.0, self.1 + rhs.1)
     }
@@ -193,7 +203,7 @@ impl<A: Add<Output = A>, B: Add<Output = B>> Add for Pair<A, B> {
 
 impl<A: Sub<Output = A>, B: Sub<Output = B>> Sub for Pair<A, B> {
     type Output = Self;
-    #[inline]
+    #[cfg_attr(not(debug_assertions), inline(always))]
     fn sub(self, rhs: Self) -> Self {
         Self(self.0 - rhs.0, self.1 - rhs.1)
     }
@@ -201,14 +211,14 @@ impl<A: Sub<Output = A>, B: Sub<Output = B>> Sub for Pair<A, B> {
 
 impl<A: Neg<Output = A>, B: Neg<Output = B>> Neg for Pair<A, B> {
     type Output = Self;
-    #[inline]
+    #[cfg_attr(not(debug_assertions), inline(always))]
     fn neg(self) -> Self {
         Self(-self.0, -self.1)
     }
 }
 
 impl<A: AddAssign, B: AddAssign> AddAssign for Pair<A, B> {
-    #[inline]
+    #[cfg_attr(not(debug_assertions), inline(always))]
     fn add_assign(&mut self, rhs: Self) {
         self.0 += rhs.0;
         self.1 += rhs.1;
@@ -216,7 +226,7 @@ impl<A: AddAssign, B: AddAssign> AddAssign for Pair<A, B> {
 }
 
 impl<A: SubAssign, B: SubAssign> SubAssign for Pair<A, B> {
-    #[inline]
+    #[cfg_attr(not(debug_assertions), inline(always))]
     fn sub_assign(&mut self, rhs: Self) {
         self.0 -= rhs.0;
         self.1 -= rhs.1;

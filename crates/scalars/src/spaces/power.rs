@@ -29,19 +29,19 @@ impl<V: Vector, const N: usize> Vector for Power<V, N> {
         if V::BLOCKS == 1 { 0 } else { V::block(i % V::DIM.max(1)) }
     }
 
-    #[inline]
+    #[cfg_attr(not(debug_assertions), inline(always))]
     fn from_coordinates(mut f: impl FnMut(usize) -> V::Scalar) -> Self {
         Self(from_fn(|n| V::from_coordinates(|i| f(n * V::DIM + i))))
     }
 
-    #[inline]
+    #[cfg_attr(not(debug_assertions), inline(always))]
     fn coordinate(&self, i: usize) -> V::Scalar {
         // A factor of dimension 0 has no coordinates, and must not divide.
         let width = V::DIM.max(1);
         self.0.get(i / width).map_or_else(num_traits::zero, |v| v.coordinate(i % width))
     }
 
-    #[inline]
+    #[cfg_attr(not(debug_assertions), inline(always))]
     fn scaled(&self, s: V::Scalar) -> Self {
         Self(from_fn(|n| self.0[n].scaled(s)))
     }
@@ -49,7 +49,7 @@ impl<V: Vector, const N: usize> Vector for Power<V, N> {
 
 impl<V: Copy + Add<Output = V>, const N: usize> Add for Power<V, N> {
     type Output = Self;
-    #[inline]
+    #[cfg_attr(not(debug_assertions), inline(always))]
     fn add(self, rhs: Self) -> Self {
         Self(from_fn(|n| self.0[n] + rhs.0[n]))
     }
@@ -57,7 +57,7 @@ impl<V: Copy + Add<Output = V>, const N: usize> Add for Power<V, N> {
 
 impl<V: Copy + Sub<Output = V>, const N: usize> Sub for Power<V, N> {
     type Output = Self;
-    #[inline]
+    #[cfg_attr(not(debug_assertions), inline(always))]
     fn sub(self, rhs: Self) -> Self {
         Self(from_fn(|n| self.0[n] - rhs.0[n]))
     }
@@ -65,21 +65,21 @@ impl<V: Copy + Sub<Output = V>, const N: usize> Sub for Power<V, N> {
 
 impl<V: Neg<Output = V>, const N: usize> Neg for Power<V, N> {
     type Output = Self;
-    #[inline]
+    #[cfg_attr(not(debug_assertions), inline(always))]
     fn neg(self) -> Self {
         Self(self.0.map(V::neg))
     }
 }
 
 impl<V: Copy + AddAssign, const N: usize> AddAssign for Power<V, N> {
-    #[inline]
+    #[cfg_attr(not(debug_assertions), inline(always))]
     fn add_assign(&mut self, rhs: Self) {
         self.0.iter_mut().zip(rhs.0).for_each(|(v, w)| *v += w);
     }
 }
 
 impl<V: Copy + SubAssign, const N: usize> SubAssign for Power<V, N> {
-    #[inline]
+    #[cfg_attr(not(debug_assertions), inline(always))]
     fn sub_assign(&mut self, rhs: Self) {
         self.0.iter_mut().zip(rhs.0).for_each(|(v, w)| *v -= w);
     }

@@ -1,5 +1,6 @@
 //! Quaternions over any scalar: [`Quaternion`].
 
+use crate::spaces::matrices::{cross, dot};
 use crate::{Covector, Real, Vector, state_by_value};
 use core::ops::{Add, AddAssign, Mul, Neg, Sub, SubAssign};
 use nalgebra::Vector3;
@@ -37,22 +38,22 @@ pub struct Quaternion<T = f64> {
 impl<T: Real> Quaternion<T> {
     /// Returns the quaternion 1.
     #[must_use]
-    #[inline]
+    #[cfg_attr(not(debug_assertions), inline(always))]
     pub fn one() -> Self {
         Self { scalar: T::one(), vector: Vector3::zeros() }
     }
 
     /// Returns the conjugate s − v.
     #[must_use]
-    #[inline]
+    #[cfg_attr(not(debug_assertions), inline(always))]
     pub fn conjugate(&self) -> Self {
         Self { scalar: self.scalar, vector: -self.vector }
     }
 
     /// Returns the square of the norm, |q|² = s² + |v|².
-    #[inline]
+    #[cfg_attr(not(debug_assertions), inline(always))]
     pub fn norm_squared(&self) -> T {
-        self.scalar * self.scalar + self.vector.dot(&self.vector)
+        self.scalar * self.scalar + dot(&self.vector, &self.vector)
     }
 
     /// Returns the product q v for imaginary v, that is −u·v + (s v + u×v) for q = s + u, without
@@ -66,9 +67,9 @@ impl<T: Real> Quaternion<T> {
     /// assert_eq!(q.times_imaginary(&v), q * Quaternion { scalar: 0.0, vector: v });
     /// ```
     #[must_use]
-    #[inline]
+    #[cfg_attr(not(debug_assertions), inline(always))]
     pub fn times_imaginary(&self, v: &Vector3<T>) -> Self {
-        Self { scalar: -self.vector.dot(v), vector: v * self.scalar + self.vector.cross(v) }
+        Self { scalar: -dot(&self.vector, v), vector: v * self.scalar + cross(&self.vector, v) }
     }
 
     /// Returns the product v q for imaginary v, that is −v·u + (s v + v×u) for q = s + u, without
@@ -82,9 +83,9 @@ impl<T: Real> Quaternion<T> {
     /// assert_eq!(Quaternion::imaginary_times(&v, &q), Quaternion { scalar: 0.0, vector: v } * q);
     /// ```
     #[must_use]
-    #[inline]
+    #[cfg_attr(not(debug_assertions), inline(always))]
     pub fn imaginary_times(v: &Vector3<T>, q: &Self) -> Self {
-        Self { scalar: -v.dot(&q.vector), vector: v * q.scalar + v.cross(&q.vector) }
+        Self { scalar: -dot(v, &q.vector), vector: v * q.scalar + cross(v, &q.vector) }
     }
 
     /// Returns the imaginary part t u − s w − u×w of p conj(q), for p = s + u and q = t + w.
@@ -97,19 +98,19 @@ impl<T: Real> Quaternion<T> {
     /// assert_eq!(p.imaginary_part_by_conjugate(&q), (p * q.conjugate()).vector);
     /// ```
     #[must_use]
-    #[inline]
+    #[cfg_attr(not(debug_assertions), inline(always))]
     pub fn imaginary_part_by_conjugate(&self, q: &Self) -> Vector3<T> {
-        self.vector * q.scalar - q.vector * self.scalar - self.vector.cross(&q.vector)
+        self.vector * q.scalar - q.vector * self.scalar - cross(&self.vector, &q.vector)
     }
 
     /// Returns the imaginary part of q v conj(q) for imaginary v, which is |q|² times a rotation of v.
-    #[inline]
+    #[cfg_attr(not(debug_assertions), inline(always))]
     pub fn sandwich(&self, v: &Vector3<T>) -> Vector3<T> {
         v * self.norm_squared() + self.twist(v)
     }
 
     /// Returns the rotation v + (2/|q|²)(s u×v + u×(u×v)) of v by q = s + u, for q ≠ 0 of any size.
-    #[inline]
+    #[cfg_attr(not(debug_assertions), inline(always))]
     pub fn rotate(&self, v: &Vector3<T>) -> Vector3<T> {
         v + self.twist(v) / self.norm_squared()
     }
@@ -119,18 +120,18 @@ impl<T: Real> Quaternion<T> {
     /// The relative error is a few units of round-off. The formula uses d = |q|² − 1 = (s − 1)(s + 1) +
     /// |u|² instead of |q|²: rounding |q|² to a number next to 1 would give a biased error, since numbers
     /// lie twice as dense below 1 as above.
-    #[inline]
+    #[cfg_attr(not(debug_assertions), inline(always))]
     pub fn rotation_change(&self, v: &Vector3<T>) -> Vector3<T> {
-        let excess = (self.scalar - 1.0) * (self.scalar + 1.0) + self.vector.dot(&self.vector);
+        let excess = (self.scalar - 1.0) * (self.scalar + 1.0) + dot(&self.vector, &self.vector);
         let twist = self.twist(v);
         twist - twist * (excess / (excess + 1.0))
     }
 
     /// Returns the vector 2 (s u×v + u×(u×v)), which is |q|² times the change of v under the rotation.
-    #[inline]
+    #[cfg_attr(not(debug_assertions), inline(always))]
     fn twist(&self, v: &Vector3<T>) -> Vector3<T> {
-        let turned = self.vector.cross(v);
-        let sum = turned * self.scalar + self.vector.cross(&turned);
+        let turned = cross(&self.vector, v);
+        let sum = turned * self.scalar + cross(&self.vector, &turned);
         sum + sum
     }
 }
@@ -141,18 +142,18 @@ impl<T: Real> Vector for Quaternion<T> {
     type Dual = Covector<Self>;
     const DIM: usize = 4;
 
-    #[inline]
+    #[cfg_attr(not(debug_assertions), inline(always))]
     fn from_coordinates(mut f: impl FnMut(usize) -> T) -> Self {
         let scalar = f(0);
         Self { scalar, vector: Vector3::new(f(1), f(2), f(3)) }
     }
 
-    #[inline]
+    #[cfg_attr(not(debug_assertions), inline(always))]
     fn coordinate(&self, i: usize) -> T {
         if i == 0 { self.scalar } else { self.vector.coordinate(i - 1) }
     }
 
-    #[inline]
+    #[cfg_attr(not(debug_assertions), inline(always))]
     fn scaled(&self, s: T) -> Self {
         Self { scalar: self.scalar * s, vector: self.vector * s }
     }
@@ -160,20 +161,20 @@ impl<T: Real> Vector for Quaternion<T> {
 
 impl<T: Real> Mul for Quaternion<T> {
     type Output = Self;
-    #[inline]
+    #[cfg_attr(not(debug_assertions), inline(always))]
     fn mul(self, rhs: Self) -> Self {
         Self {
-            scalar: self.scalar * rhs.scalar - self.vector.dot(&rhs.vector),
+            scalar: self.scalar * rhs.scalar - dot(&self.vector, &rhs.vector),
             vector: rhs.vector * self.scalar
                 + self.vector * rhs.scalar
-                + self.vector.cross(&rhs.vector),
+                + cross(&self.vector, &rhs.vector),
         }
     }
 }
 
 impl<T: Real> Add for Quaternion<T> {
     type Output = Self;
-    #[inline]
+    #[cfg_attr(not(debug_assertions), inline(always))]
     fn add(self, rhs: Self) -> Self {
         Self { scalar: self.scalar + rhs.scalar, vector: self.vector + rhs.vector }
     }
@@ -181,7 +182,7 @@ impl<T: Real> Add for Quaternion<T> {
 
 impl<T: Real> Sub for Quaternion<T> {
     type Output = Self;
-    #[inline]
+    #[cfg_attr(not(debug_assertions), inline(always))]
     fn sub(self, rhs: Self) -> Self {
         Self { scalar: self.scalar - rhs.scalar, vector: self.vector - rhs.vector }
     }
@@ -189,21 +190,21 @@ impl<T: Real> Sub for Quaternion<T> {
 
 impl<T: Real> Neg for Quaternion<T> {
     type Output = Self;
-    #[inline]
+    #[cfg_attr(not(debug_assertions), inline(always))]
     fn neg(self) -> Self {
         Self { scalar: -self.scalar, vector: -self.vector }
     }
 }
 
 impl<T: Real> AddAssign for Quaternion<T> {
-    #[inline]
+    #[cfg_attr(not(debug_assertions), inline(always))]
     fn add_assign(&mut self, rhs: Self) {
         *self = *self + rhs;
     }
 }
 
 impl<T: Real> SubAssign for Quaternion<T> {
-    #[inline]
+    #[cfg_attr(not(debug_assertions), inline(always))]
     fn sub_assign(&mut self, rhs: Self) {
         *self = *self - rhs;
     }

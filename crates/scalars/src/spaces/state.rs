@@ -119,7 +119,7 @@ pub trait State: Clone + Debug + PartialEq + Send + Sync + 'static {
     fn give(self, pool: &mut Self::Pool);
 
     /// Takes the value of another vector, in the storage of this one: v ← x.
-    #[inline]
+    #[cfg_attr(not(debug_assertions), inline(always))]
     fn assign(&mut self, x: &Self) {
         self.clone_from(x);
     }
@@ -127,7 +127,7 @@ pub trait State: Clone + Debug + PartialEq + Send + Sync + 'static {
     /// Takes the value of another vector, whose coordinates are arbitrary afterwards.
     ///
     /// A small vector is copied, and a large one exchanges its storage.
-    #[inline]
+    #[cfg_attr(not(debug_assertions), inline(always))]
     fn move_from(&mut self, other: &mut Self) {
         core::mem::swap(self, other);
     }
@@ -139,7 +139,7 @@ pub trait State: Clone + Debug + PartialEq + Send + Sync + 'static {
     fn set_entry(&mut self, i: usize, x: Self::Scalar);
 
     /// Sets every coordinate: vᵢ ← f(i).
-    #[inline]
+    #[cfg_attr(not(debug_assertions), inline(always))]
     fn set_entries(&mut self, f: impl Fn(usize) -> Self::Scalar) {
         for i in 0..self.dimension() {
             self.set_entry(i, f(i));
@@ -147,31 +147,31 @@ pub trait State: Clone + Debug + PartialEq + Send + Sync + 'static {
     }
 
     /// Returns the block of the i-th coordinate, a number below [`BLOCKS`](Self::BLOCKS). The default is 0.
-    #[inline]
+    #[cfg_attr(not(debug_assertions), inline(always))]
     fn block_of(&self, _i: usize) -> usize {
         0
     }
 
     /// Sets all coordinates to zero.
-    #[inline]
+    #[cfg_attr(not(debug_assertions), inline(always))]
     fn set_zero(&mut self) {
         self.set_entries(|_| Self::Scalar::from_f64(0.0));
     }
 
     /// Adds another vector: v ← v + x.
-    #[inline]
+    #[cfg_attr(not(debug_assertions), inline(always))]
     fn add_in_place(&mut self, x: &Self) {
         self.add_multiple(Self::Scalar::from_f64(1.0), x);
     }
 
     /// Subtracts another vector: v ← v − x.
-    #[inline]
+    #[cfg_attr(not(debug_assertions), inline(always))]
     fn subtract_in_place(&mut self, x: &Self) {
         self.add_multiple(Self::Scalar::from_f64(-1.0), x);
     }
 
     /// Subtracts from another vector: v ← x − v.
-    #[inline]
+    #[cfg_attr(not(debug_assertions), inline(always))]
     fn subtract_from(&mut self, x: &Self) {
         self.scale_in_place(Self::Scalar::from_f64(-1.0));
         self.add_in_place(x);
@@ -185,7 +185,7 @@ pub trait State: Clone + Debug + PartialEq + Send + Sync + 'static {
 
     /// Adds a linear combination of vectors: v ← v + Σ aⱼ kⱼ, in the order of the terms. Surplus coefficients, or
     /// surplus vectors, are dropped.
-    #[inline]
+    #[cfg_attr(not(debug_assertions), inline(always))]
     fn add_combination(&mut self, a: &[f64], k: &[Self]) {
         for (&a, k) in a.iter().zip(k) {
             self.add_multiple(Self::Scalar::from_f64(a), k);
@@ -193,7 +193,7 @@ pub trait State: Clone + Debug + PartialEq + Send + Sync + 'static {
     }
 
     /// Replaces the vector by another one in the SIMD lanes in which the mask is true.
-    #[inline]
+    #[cfg_attr(not(debug_assertions), inline(always))]
     fn replace_where(&mut self, mask: <Self::Scalar as Real>::Mask, x: &Self) {
         for i in 0..self.dimension() {
             self.set_entry(i, Real::select(mask, x.entry(i), self.entry(i)));
@@ -203,7 +203,7 @@ pub trait State: Clone + Debug + PartialEq + Send + Sync + 'static {
     /// Raises the number of each block to the largest |vᵢ| in that block, and adds every |vᵢ| to the sum.
     ///
     /// The sum is NaN where a coordinate is NaN, which the largest number may lose.
-    #[inline]
+    #[cfg_attr(not(debug_assertions), inline(always))]
     fn measure(&self, largest: &mut Self::Blocks, sum: &mut Self::Scalar) {
         for i in 0..self.dimension() {
             let (block, size) = (self.block_of(i), self.entry(i).magnitude());
@@ -213,7 +213,7 @@ pub trait State: Clone + Debug + PartialEq + Send + Sync + 'static {
     }
 
     /// Measures the difference v − x, as [`measure`](Self::measure) does.
-    #[inline]
+    #[cfg_attr(not(debug_assertions), inline(always))]
     fn measure_difference(&self, x: &Self, largest: &mut Self::Blocks, sum: &mut Self::Scalar) {
         for i in 0..self.dimension() {
             let (block, size) = (self.block_of(i), (self.entry(i) - x.entry(i)).magnitude());

@@ -1,6 +1,6 @@
 //! Vectors of finite-dimensional real vector spaces, given by their coordinates, and how they become states: [`Vector`].
 
-use crate::{Real, State};
+use crate::{Mask, Real, State};
 use core::ops::{Add, AddAssign, Neg, Sub, SubAssign};
 
 /// A vector of a real vector space V of fixed dimension, with a standard basis e₀, e₁, ….
@@ -60,26 +60,32 @@ pub trait Vector:
 
     /// Returns the zero vector.
     #[must_use]
-    #[inline]
+    #[cfg_attr(not(debug_assertions), inline(always))]
     fn zero() -> Self {
-        Self::from_coordinates(|_| num_traits::zero())
+        Self::from_coordinates(
+            #[inline(always)]
+            |_| num_traits::zero(),
+        )
     }
 
     /// Returns the basis vector eᵢ, or zero for i ≥ DIM.
     #[must_use]
-    #[inline]
+    #[cfg_attr(not(debug_assertions), inline(always))]
     fn basis(i: usize) -> Self {
-        Self::from_coordinates(|j| if i == j { num_traits::one() } else { num_traits::zero() })
+        Self::from_coordinates(
+            #[inline(always)]
+            |j| if i == j { num_traits::one() } else { num_traits::zero() },
+        )
     }
 
     /// Adds a multiple of another vector: v ← v + s x.
-    #[inline]
+    #[cfg_attr(not(debug_assertions), inline(always))]
     fn add_scaled(&mut self, s: Self::Scalar, x: &Self) {
         *self += x.scaled(s);
     }
 
     /// Returns the natural pairing ⟨α, v⟩ = Σ αᵢ vᵢ, which is symmetric in the roles of V and V∗.
-    #[inline]
+    #[cfg_attr(not(debug_assertions), inline(always))]
     fn pairing(&self, dual: &Self::Dual) -> Self::Scalar {
         let mut sum: Self::Scalar = num_traits::zero();
         for i in 0..Self::DIM {
@@ -89,7 +95,7 @@ pub trait Vector:
     }
 
     /// Returns the maximum norm max |vᵢ| in each SIMD lane; NaN where any coordinate is NaN.
-    #[inline]
+    #[cfg_attr(not(debug_assertions), inline(always))]
     fn max_norm(&self) -> Self::Scalar {
         let (mut most, mut sum): (Self::Scalar, Self::Scalar) =
             (num_traits::zero(), num_traits::zero());
@@ -103,22 +109,25 @@ pub trait Vector:
     }
 
     /// Returns max |vᵢ| over all coordinates and lanes, or NaN if any of them is NaN.
-    #[inline]
+    #[cfg_attr(not(debug_assertions), inline(always))]
     fn max_abs(&self) -> f64 {
         self.max_norm().max_abs()
     }
 
     /// Returns `yes` in the lanes in which the mask is true, and `no` in the others, bit for bit.
     #[must_use]
-    #[inline]
+    #[cfg_attr(not(debug_assertions), inline(always))]
     fn select(mask: <Self::Scalar as Real>::Mask, yes: &Self, no: &Self) -> Self {
-        Self::from_coordinates(|i| Real::select(mask, yes.coordinate(i), no.coordinate(i)))
+        Self::from_coordinates(
+            #[inline(always)]
+            |i| Real::select(mask, yes.coordinate(i), no.coordinate(i)),
+        )
     }
 
     /// Returns whether every coordinate is a finite number in every lane.
-    #[inline]
+    #[cfg_attr(not(debug_assertions), inline(always))]
     fn is_finite(&self) -> bool {
-        self.max_abs().is_finite()
+        self.max_norm().at_most(Self::Scalar::from_f64(f64::MAX)).all()
     }
 }
 
@@ -133,9 +142,12 @@ pub trait Vector:
 /// let x: Vector2<DualNumber> = map_coordinates(&Vector2::new(1.0, 2.0), DualNumber::constant);
 /// assert_eq!(x.y.value(), 2.0);
 /// ```
-#[inline]
+#[cfg_attr(not(debug_assertions), inline(always))]
 pub fn map_coordinates<V: Vector, W: Vector>(v: &V, f: impl Fn(V::Scalar) -> W::Scalar) -> W {
-    W::from_coordinates(|i| f(v.coordinate(i)))
+    W::from_coordinates(
+        #[inline(always)]
+        |i| f(v.coordinate(i)),
+    )
 }
 
 /// Implements [`State`] for a small type by its operations as a [`Vector`](crate::Vector).
@@ -215,10 +227,12 @@ macro_rules! state_by_value {
                 $crate::Vector::coordinate(self, i)
             }
 
-            #[inline]
+            #[cfg_attr(not(debug_assertions), inline(always))]
             fn set_entry(&mut self, i: usize, x: $scalar) {
-                let set = |j| if i == j { x } else { $crate::Vector::coordinate(self, j) };
-                *self = $crate::Vector::from_coordinates(set);
+                *self = $crate::Vector::from_coordinates(
+                    #[inline(always)]
+                    |j| if i == j { x } else { $crate::Vector::coordinate(self, j) },
+                );
             }
 
             #[inline(always)]

@@ -5,3 +5,4 @@ mod four_lanes;
 mod functions;
 mod lanes;
 mod states;
+mod unfused_lanes;

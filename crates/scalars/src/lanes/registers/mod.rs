@@ -8,6 +8,8 @@ pub(crate) mod intrinsics;
 #[cfg(all(target_arch = "x86_64", target_feature = "sse2"))]
 pub(crate) mod sse2;
 #[cfg(target_arch = "x86_64")]
+pub(crate) mod unfused;
+#[cfg(target_arch = "x86_64")]
 pub(crate) mod avx2;
 #[cfg(target_arch = "x86_64")]
 pub(crate) mod avx512;

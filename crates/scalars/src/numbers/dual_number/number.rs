@@ -45,13 +45,13 @@ impl<T> DualNumber<T> {
 
 impl<T: Real> DualNumber<T> {
     /// Creates the constant x + 0 ε, whose derivative is zero.
-    #[inline]
+    #[cfg_attr(not(debug_assertions), inline(always))]
     pub fn constant(value: T) -> Self {
         Self { value, derivative: T::zero() }
     }
 
     /// Creates x + 1 ε, the variable with respect to which a function is differentiated.
-    #[inline]
+    #[cfg_attr(not(debug_assertions), inline(always))]
     pub fn variable(value: T) -> Self {
         Self { value, derivative: T::one() }
     }
@@ -66,20 +66,20 @@ impl<T: Real> DualNumber<T> {
     /// assert_eq!(x.sqrt().derivative(), 0.25);
     /// ```
     #[must_use]
-    #[inline]
+    #[cfg_attr(not(debug_assertions), inline(always))]
     pub fn value(self) -> T {
         self.value
     }
 
     /// Returns the derivative x′ of x + ε x′, the coefficient of ε.
     #[must_use]
-    #[inline]
+    #[cfg_attr(not(debug_assertions), inline(always))]
     pub fn derivative(self) -> T {
         self.derivative
     }
 
     /// Applies the chain rule: returns f(x) + ε f′(x) x′ for the given value f(x) and slope f′(x).
-    #[inline]
+    #[cfg_attr(not(debug_assertions), inline(always))]
     pub(super) fn chain(self, value: T, slope: T) -> Self {
         Self { value, derivative: slope * self.derivative }
     }

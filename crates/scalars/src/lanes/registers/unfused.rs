@@ -1,0 +1,73 @@
+//! Registers whose products and sums are rounded separately: [`Unfused`].
+
+use super::register::Register;
+
+/// A register without fused multiply-add, which computes in each lane bit for bit what `f64` computes.
+///
+/// It is for formulas that run on `f64` too, where a result must not depend on the register.
+#[derive(Clone, Copy)]
+pub struct Unfused<R>(R);
+
+/// Defines functions that are those of the register.
+macro_rules! inherited {
+    ($($name:ident($($argument:ident),*);)*) => {$(
+        #[inline(always)]
+        fn $name($($argument: Self),*) -> Self {
+            Self(R::$name($($argument.0),*))
+        }
+    )*};
+}
+
+/// The three functions with a product and a sum are those that round twice.
+impl<R: Register> Register for Unfused<R> {
+    const COUNT: usize = R::COUNT;
+    const FUSED: bool = false;
+    const HAS_SLOW_PATHS: bool = false;
+    type Mask = R::Mask;
+
+    inherited! {
+        add(a, b);
+        subtract(a, b);
+        multiply(a, b);
+        divide(a, b);
+        negate(a);
+        root(a);
+        magnitude(a);
+        maximum(a, b);
+    }
+
+    #[inline(always)]
+    fn splat(x: f64) -> Self {
+        Self(R::splat(x))
+    }
+
+    #[inline(always)]
+    fn from_lanes(f: &mut impl FnMut(usize) -> f64) -> Self {
+        Self(R::from_lanes(f))
+    }
+
+    #[inline(always)]
+    fn load(values: &[f64]) -> Option<Self> {
+        R::load(values).map(Self)
+    }
+
+    #[inline(always)]
+    fn store(a: Self, values: &mut [f64]) -> Option<()> {
+        R::store(a.0, values)
+    }
+
+    #[inline(always)]
+    fn lane(a: Self, i: usize) -> f64 {
+        R::lane(a.0, i)
+    }
+
+    #[inline(always)]
+    fn at_most(a: Self, b: Self) -> R::Mask {
+        R::at_most(a.0, b.0)
+    }
+
+    #[inline(always)]
+    fn select(mask: R::Mask, yes: Self, no: Self) -> Self {
+        Self(R::select(mask, yes.0, no.0))
+    }
+}
