@@ -9,7 +9,7 @@
 //! sides slower, and more rounds reduce its effect. Rounds are added until every path pays, [`MOST_ROUNDS`] at most.
 
 use collective_integrators::{
-    AlternatingSubsteps, BatchIntegrator, IntegrationError, Integrator, Laned, LiftFree,
+    AlternatingSubsteps, BatchIntegrator, IntegrationError, Integrator, Laned, LanedOver, LiftFree,
     RungeKutta, Start, Substeps,
 };
 use heavytop::{
@@ -17,7 +17,7 @@ use heavytop::{
     SymmetricTopBatch, SymmetricTopSplitting, TopMidpoint,
 };
 use lie_poisson::{
-    Covector, DefaultLanes, Hamiltonian, InstructionSet, Pair, Real, Se3Dual, Vector, Width,
+    Covector, Hamiltonian, InstructionSet, MissingInstructions, Pair, Real, Se3Dual, Width,
 };
 use momentum_map::DualQuaternions;
 use nalgebra::Vector3;
@@ -142,7 +142,7 @@ fn midpoint(top: HeavyTop) -> Result<[Method; 2], Box<dyn Error>> {
     let states: Vec<_> = (0..COUNT).map(start).collect();
     let rule = |set| TopMidpoint::new(top).with_instructions(set);
     let single = || -> Result<Path, Box<dyn Error>> {
-        let one_by_one = Laned::<_, f64>::with_lanes(rule(InstructionSet::Portable)?);
+        let one_by_one = LanedOver::<_, f64>::new(rule(InstructionSet::Portable)?);
         Ok(Path::new("f64".to_owned(), one_by_one, &states, step, steps))
     };
     let mut one_system =
@@ -162,9 +162,9 @@ fn stages(top: HeavyTop) -> Result<Method, Box<dyn Error>> {
     let (step, steps) = (0.25, 1000);
     let gauss = CollectiveGauss::new(8, top)?;
     let state = [gauss.start(&start(0))?];
-    let alone = Laned::<_, f64>::with_lanes(gauss.general().clone());
+    let alone = LanedOver::<_, f64>::new(gauss.general().clone());
     let path = |set: InstructionSet| -> Result<Path, Box<dyn Error>> {
-        let gauss = Laned::<_, f64>::with_lanes(gauss.clone().with_instructions(set)?);
+        let gauss = LanedOver::<_, f64>::new(gauss.clone().with_instructions(set)?);
         Ok(Path::new(set.to_string(), gauss, &state, step, steps))
     };
     Ok(Method {
@@ -174,23 +174,28 @@ fn stages(top: HeavyTop) -> Result<Method, Box<dyn Error>> {
     })
 }
 
-/// Returns a method without a kernel, on the lanes that every processor has.
-fn without_kernel<I>(name: &str, integrator: I, step: f64, steps: u64) -> Method
+/// Returns a method without a kernel.
+fn without_kernel<I>(
+    name: &str,
+    integrator: I,
+    step: f64,
+    steps: u64,
+) -> Result<Method, MissingInstructions>
 where
-    I: Integrator<f64, State = Se3Dual>
-        + Integrator<DefaultLanes, State: Vector>
-        + Clone
-        + Sync
-        + 'static,
+    I: Integrator<f64, State = Se3Dual> + Clone + Sync + 'static,
+    Laned<I>: BatchIntegrator<Member = Se3Dual>,
 {
     let states: Vec<_> = (0..COUNT).map(start).collect();
-    let single = Laned::<_, f64>::with_lanes(integrator.clone());
-    let lanes = Laned::new(integrator);
-    Method {
+    let single = LanedOver::<_, f64>::new(integrator.clone());
+    let path = |set: InstructionSet| {
+        let lanes = Laned::new(integrator.clone()).with_instructions(set)?;
+        Ok(Path::new(set.to_string(), lanes, &states, step, steps))
+    };
+    Ok(Method {
         name: format!("Laned, {name}"),
         single: Path::new("f64".to_owned(), single, &states, step, steps),
-        lanes: vec![Path::new("DefaultLanes".to_owned(), lanes, &states, step, steps)],
-    }
+        lanes: InstructionSet::available().map(path).collect::<Result<_, _>>()?,
+    })
 }
 
 /// A body in an ideal fluid, h(L, P) = ½L·AL + L·BP + ½P·CP with diagonal A, B, C, for which there is no kernel.
@@ -236,9 +241,9 @@ fn methods() -> Result<Vec<Method>, Box<dyn Error>> {
     methods.push(stages(top)?);
     let free = |scheme| LiftFree::new(scheme, DualQuaternions, top);
     let (four, one) = (free(RungeKutta::gauss(4)?), free(RungeKutta::implicit_midpoint()));
-    methods.push(without_kernel("LiftFree, Gauss, 4 stages", four, 0.1, 20));
-    methods.push(without_kernel("LiftFree, midpoint", one, 0.01, 200));
-    methods.push(without_kernel("ReducedMidpoint", ReducedMidpoint::new(FluidBody), 0.01, 200));
+    methods.push(without_kernel("LiftFree, Gauss, 4 stages", four, 0.1, 20)?);
+    methods.push(without_kernel("LiftFree, midpoint", one, 0.01, 200)?);
+    methods.push(without_kernel("ReducedMidpoint", ReducedMidpoint::new(FluidBody), 0.01, 200)?);
     Ok(methods)
 }
 

@@ -6,7 +6,7 @@
 
 use collective_integrators::{
     AlternatingSubsteps, BatchIntegrator, Collective, Direct, HamiltonianField, IntegrationError,
-    Integrator, LiftFree, RungeKutta, Splitting, Start,
+    Integrator, Laned, LiftFree, RungeKutta, Splitting, Start,
 };
 use heavytop::{
     CollectiveGauss, HeavyTop, MidpointBatch, ReducedMidpoint, SpinorRealisation,
@@ -55,6 +55,26 @@ where
     Ok(failure?)
 }
 
+/// Makes the steps of many tops by an integrator for one.
+fn laned<I>(integrator: I, set: InstructionSet, step: f64, steps: u64) -> Result<(), Box<dyn Error>>
+where
+    I: Start + Integrator<Momentum = Se3Dual>,
+    Laned<I>: BatchIntegrator<Member = <I as Integrator>::State>,
+{
+    let mut members = Vec::new();
+    for i in 0..COUNT {
+        let mut mu = start();
+        mu.0.0.x += 0.01 * f64::from(i);
+        members.push(integrator.start(&mu)?);
+    }
+    let batch = Laned::new(integrator).with_instructions(set)?;
+    let mut failure: Result<(), IntegrationError> = Ok(());
+    let mut failed = |_, error| failure = Err(error);
+    batch.advance(&mut members, step, 0..steps, &mut batch.workspace(), &mut failed);
+    black_box(members);
+    Ok(failure?)
+}
+
 fn main() -> Result<(), Box<dyn Error>> {
     let arguments: Vec<_> = std::env::args().skip(1).collect();
     let [kernel, set, steps] = arguments.as_slice() else {
@@ -75,6 +95,20 @@ fn main() -> Result<(), Box<dyn Error>> {
             let splitting = SymmetricTopBatch::new(AlternatingSubsteps::blanes_moan6());
             let splitting = splitting.on(set, Width::TwoRegisters)?;
             many(&splitting, SymmetricTopSplitting::new(top)?, 0.2, steps)
+        }
+        "any-gauss-8-ensemble" => {
+            let gauss = Collective::new(RungeKutta::gauss(8)?, SpinorRealisation, top);
+            laned(gauss, set, 0.25, steps)
+        }
+        "any-midpoint-ensemble" => {
+            let midpoint = RungeKutta::implicit_midpoint();
+            laned(LiftFree::new(midpoint, DualQuaternions, top), set, 0.01, steps)
+        }
+        "any-hamiltonian-ensemble" => laned(ReducedMidpoint::new(top), set, 0.01, steps),
+        "rk4-ensemble" => {
+            let space = LiePoisson::minus(Se3::default());
+            let field = HamiltonianField { space, hamiltonian: top };
+            laned(Direct::new(RungeKutta::rk4(), field), set, 0.01, steps)
         }
         // These integrators are for any system, and have no instructions to choose.
         "any-gauss-8" => {

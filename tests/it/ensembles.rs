@@ -2,15 +2,15 @@
 
 use collective_integrators::{
     Alternating, BatchIntegrator, CHECKPOINT, Collective, Compensated, Composition, Direct,
-    Ensemble, HamiltonianField, Integrator, Laned, LiftFree, MemberError, PartitionedRungeKutta,
-    RungeKutta, StageSolver, Start, StepError, Substeps, VectorField,
+    Ensemble, HamiltonianField, Integrator, Laned, LanedOver, LiftFree, MemberError,
+    PartitionedRungeKutta, RungeKutta, StageSolver, Start, StepError, Substeps, VectorField,
 };
 use heavytop::{
     HeavyTop, HeavyTopSpace, MidpointBatch, ReducedMidpoint, SpinorRealisation, TopMidpoint,
 };
 use lie_poisson::{
-    Automatic, Covector, DefaultLanes, Energy, InstructionSet, LaneTask, Lanes, LiePoisson, Pair,
-    Point, Real, RealSpace, Se3, Se3Dual, So3, Vector, Width, dispatch,
+    Automatic, Covector, Energy, InstructionSet, LaneTask, Lanes, LiePoisson, Pair, Point, Real,
+    RealSpace, Se3, Se3Dual, So3, Vector, Width, dispatch,
 };
 use momentum_map::{Cotangent, CotangentBundle, DualQuaternions, Lift, PoissonMap};
 use nalgebra::{Vector1, Vector3};
@@ -42,12 +42,34 @@ where
     I: Integrator<f64, State: Vector> + Integrator<T, State: Vector> + Sync,
     T: Lanes,
 {
-    let laned = Laned::<I, T>::with_lanes(integrator);
+    ends(&LanedOver::<I, T>::new(integrator), members, h, n)
+}
+
+/// Returns the same in the registers of an instruction set.
+fn in_registers<I>(
+    integrator: I,
+    set: InstructionSet,
+    members: &[State<I>],
+    h: f64,
+    n: u64,
+) -> (Vec<Vec<u64>>, Failures)
+where
+    I: Integrator<f64, State: Vector>,
+    Laned<I>: BatchIntegrator<Member = State<I>>,
+{
+    ends(&Laned::new(integrator).with_instructions(set).unwrap(), members, h, n)
+}
+
+fn ends<B>(batch: &B, members: &[B::Member], h: f64, n: u64) -> (Vec<Vec<u64>>, Failures)
+where
+    B: BatchIntegrator<Member: Vector<Scalar = f64>>,
+{
     let (mut members, mut failures) = (members.to_vec(), Vec::new());
     let mut failed = |i, error: collective_integrators::IntegrationError| {
         failures.push((i, error.step));
     };
-    laned.advance(&mut members, h, 0..n, &mut laned.workspace(), &mut failed);
+    batch.advance(&mut members, h, 0..n, &mut batch.workspace(), &mut failed);
+    failures.sort_unstable();
     (members.iter().map(bits).collect(), failures)
 }
 
@@ -107,12 +129,17 @@ macro_rules! same_bits_at_every_width {
             for set in InstructionSet::available() {
                 for width in Width::ALL {
                     let task = Task(&integrator, &members);
-                    let (lanes, mut reported) = dispatch(task, set, width).unwrap();
-                    reported.sort_unstable();
+                    let (lanes, reported) = dispatch(task, set, width).unwrap();
                     assert_eq!(reported, failures);
                     for (i, (lane, alone)) in lanes.iter().zip(&ends).enumerate() {
                         assert_eq!(lane, alone, "{set} {width:?} member {i}");
                     }
+                }
+                let (lanes, reported) =
+                    in_registers(integrator.clone(), set, &members, $h, $steps);
+                assert_eq!(reported, failures, "{set}");
+                for (i, (lane, alone)) in lanes.iter().zip(&ends).enumerate() {
+                    assert_eq!(lane, alone, "{set} member {i}");
                 }
             }
         }
@@ -228,24 +255,26 @@ fn every_machine_has_three_widths() {
 fn a_member_that_is_no_number_harms_no_other() {
     let integrator = free(gauss(2));
     let members = momenta(8);
-    let (clean, failures) = advanced::<_, DefaultLanes>(integrator.clone(), &members, 0.05, 1100);
-    assert!(failures.is_empty());
-    for poison in [f64::NAN, f64::INFINITY] {
-        for position in 0..members.len() {
-            let mut poisoned = members.clone();
-            poisoned[position] = poisoned[position].scaled(poison);
-            let (ends, failures) =
-                advanced::<_, DefaultLanes>(integrator.clone(), &poisoned, 0.05, 1100);
-            assert_eq!(failures, [(position, 1)]);
-            for (i, (end, clean)) in ends.iter().zip(&clean).enumerate() {
-                assert_eq!(end == clean, i != position, "{i} of {position}");
+    for set in InstructionSet::available() {
+        let run = |members: &[Se3Dual]| in_registers(integrator.clone(), set, members, 0.05, 1100);
+        let (clean, failures) = run(&members);
+        assert!(failures.is_empty());
+        for poison in [f64::NAN, f64::INFINITY] {
+            for position in 0..members.len() {
+                let mut poisoned = members.clone();
+                poisoned[position] = poisoned[position].scaled(poison);
+                let (ends, failures) = run(&poisoned);
+                assert_eq!(failures, [(position, 1)]);
+                for (i, (end, clean)) in ends.iter().zip(&clean).enumerate() {
+                    assert_eq!(end == clean, i != position, "{set} {i} of {position}");
+                }
+                assert_eq!(ends[position], bits(&poisoned[position]));
             }
-            assert_eq!(ends[position], bits(&poisoned[position]));
         }
+        // Negative control: without a report at its first step, the group would be lost.
+        let all = vec![members[0].scaled(f64::NAN); 5];
+        assert_eq!(run(&all).1.len(), 5);
     }
-    // Negative control: without a report at its first step, the group would be lost.
-    let all = vec![members[0].scaled(f64::NAN); 5];
-    assert_eq!(advanced::<_, DefaultLanes>(integrator, &all, 0.05, 10).1.len(), 5);
 }
 
 /// The vector field ẋ = x², whose solution is infinite at t = 1/x(0).
@@ -269,9 +298,10 @@ fn members_fail_at_the_step_and_state_of_their_trajectories() {
         let (ends, failures, _) = alone(&integrator, &members, 0.01, 500);
         let steps: BTreeSet<_> = failures.iter().map(|failure| failure.1).collect();
         assert!(steps.len() > 5 && failures.len() < members.len(), "{failures:?}");
-        let (lanes, mut reported) = advanced::<_, DefaultLanes>(integrator, &members, 0.01, 500);
-        reported.sort_unstable();
-        assert_eq!((lanes, reported), (ends, failures));
+        for set in InstructionSet::available() {
+            let (lanes, reported) = in_registers(integrator.clone(), set, &members, 0.01, 500);
+            assert_eq!((&lanes, &reported), (&ends, &failures), "{set}");
+        }
     }
 }
 

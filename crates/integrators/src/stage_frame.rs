@@ -24,16 +24,16 @@ pub trait StageFrame<V> {
 pub(crate) struct OwnFrame;
 
 impl<V: State> StageFrame<V> for OwnFrame {
-    #[inline]
+    #[cfg_attr(not(debug_assertions), inline(always))]
     fn continues(&self) -> bool {
         false
     }
 
-    #[inline]
+    #[cfg_attr(not(debug_assertions), inline(always))]
     fn remember(&self, k: &V, past: &mut V) {
         past.assign(k);
     }
 
-    #[inline]
+    #[cfg_attr(not(debug_assertions), inline(always))]
     fn recall(&self, _: &mut V) {}
 }

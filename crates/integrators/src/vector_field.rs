@@ -81,7 +81,7 @@ pub trait VectorField<T: Real = f64> {
     ///
     /// Newton's iteration for the stages of an implicit method asks for it. It uses difference quotients if the
     /// derivative is not known.
-    #[inline]
+    #[cfg_attr(not(debug_assertions), inline(always))]
     fn derivative(&self, _z: &Self::Point, _v: &Self::Point) -> Option<Self::Point> {
         None
     }
@@ -90,7 +90,7 @@ pub trait VectorField<T: Real = f64> {
     ///
     /// Only the field of [`LiftFree`](crate::LiftFree) has a reason to change the default.
     #[doc(hidden)]
-    #[inline]
+    #[cfg_attr(not(debug_assertions), inline(always))]
     fn stage_frame(&self) -> impl StageFrame<Self::Point>
     where
         Self: Sized,
@@ -118,7 +118,7 @@ where
 {
     type Point = Point<P, T>;
 
-    #[inline]
+    #[cfg_attr(not(debug_assertions), inline(always))]
     fn at(&self, z: &Self::Point) -> Self::Point {
         self.space.hamiltonian_vector::<T>(z, &self.hamiltonian.differential(z))
     }
@@ -162,7 +162,7 @@ pub struct FromFn<V, F> {
 impl<T: Real, V: State<Scalar = T>, F: Fn(&V) -> V> VectorField<T> for FromFn<V, F> {
     type Point = V;
 
-    #[inline]
+    #[cfg_attr(not(debug_assertions), inline(always))]
     fn at(&self, z: &V) -> V {
         (self.field)(z)
     }

@@ -60,26 +60,18 @@ impl PoissonMap for SpinorRealisation {
         LiePoisson::minus(SemidirectAlgebra(SO3OnR3))
     }
 
-    #[inline]
+    #[cfg_attr(not(debug_assertions), inline(always))]
     fn apply<T: Real>(&self, z: &SpinorPoint<T>) -> Se3Dual<T> {
-        let (chi, psi) = (&z.q, &z.p.0);
-        let (a, b) = (chi.x * psi.y.conj(), chi.y * psi.x.conj());
-        let (c, d) = (chi.x * psi.x.conj(), chi.y * psi.y.conj());
-        let pi = Vector3::new(-(a.im + b.im), b.re - a.re, d.im - c.im);
-        Se3Dual::new(pi * T::from_f64(0.5), hopf_map(psi))
+        if T::HAS_SLOW_PATHS { momentum(z) } else { inlined_momentum(z) }
     }
 
-    #[inline]
+    #[cfg_attr(not(debug_assertions), inline(always))]
     fn generator<T: Real>(
         &self,
         dh: &Pair<Vector3<T>, Vector3<T>>,
         z: &SpinorPoint<T>,
     ) -> SpinorPoint<T> {
-        let Pair(omega, gamma) = dh;
-        let (chi, psi) = (&z.q, &z.p.0);
-        let half = omega * T::from_f64(0.5);
-        let turn = |spinor| pauli(&half, spinor).map(|z| Complex { re: -z.im, im: z.re });
-        Cotangent::new(turn(chi) + pauli(&(gamma + gamma), psi), Covector(turn(psi)))
+        if T::HAS_SLOW_PATHS { velocity(dh, z) } else { inlined_velocity(dh, z) }
     }
 
     /// Returns the slide (bψ, 0) along the fibre where ‖χ‖ has grown beyond √2 of its least on the line χ +
@@ -91,7 +83,7 @@ impl PoissonMap for SpinorRealisation {
     /// Along collective dynamics d/dt Re(ψ∗χ) = 2γ·Γ, so that χ may grow linearly along ψ. A slide breaks the
     /// sequence of stages from which a scheme extrapolates the next ones
     /// ([`StageSolver`](collective_integrators::StageSolver)). It is therefore made only where ‖χ‖ has grown.
-    #[inline]
+    #[cfg_attr(not(debug_assertions), inline(always))]
     fn gauge<T: Real>(&self, z: &SpinorPoint<T>) -> SpinorPoint<T> {
         let (chi, psi) = (&z.q, &z.p.0);
         let overlap = (psi.x.conj() * chi.x + psi.y.conj() * chi.y).re;
@@ -101,15 +93,45 @@ impl PoissonMap for SpinorRealisation {
         // For ψ = 0 the fibre is not a line, and z stays.
         let line = (overlap / square).magnitude().at_most(T::from_f64(LONGEST));
         let along = T::select(line.and(short.not()), power_of_two(-overlap / square), T::zero());
-        Cotangent { q: psi.map(|x| x.scale(along)), ..Vector::zero() }
+        let slide = Vector2::new(psi.x.scale(along), psi.y.scale(along));
+        Cotangent { q: slide, ..Vector::zero() }
     }
 
     /// Returns z, since the [gauge](Self::gauge) keeps ‖χ‖ within √2 of its least.
-    #[inline]
+    #[cfg_attr(not(debug_assertions), inline(always))]
     fn recentred<T: Real>(&self, z: &SpinorPoint<T>, _: &mut RecentringSpace<T>) -> SpinorPoint<T> {
         *z
     }
 }
+
+/// Defines M(z) and its generator with an attribute.
+macro_rules! formulas {
+    (#[$attribute:meta] $momentum:ident, $velocity:ident) => {
+        #[$attribute]
+        fn $momentum<T: Real>(z: &SpinorPoint<T>) -> Se3Dual<T> {
+            let (chi, psi) = (&z.q, &z.p.0);
+            let (a, b) = (chi.x * psi.y.conj(), chi.y * psi.x.conj());
+            let (c, d) = (chi.x * psi.x.conj(), chi.y * psi.y.conj());
+            let pi = Vector3::new(-(a.im + b.im), b.re - a.re, d.im - c.im);
+            Se3Dual::new(pi * T::from_f64(0.5), hopf_map(psi))
+        }
+
+        #[$attribute]
+        fn $velocity<T: Real>(
+            Pair(omega, gamma): &Pair<Vector3<T>, Vector3<T>>,
+            z: &SpinorPoint<T>,
+        ) -> SpinorPoint<T> {
+            let (chi, psi) = (&z.q, &z.p.0);
+            let half = omega * T::from_f64(0.5);
+            let turn = |spinor| pauli(&half, spinor).map(|z| Complex { re: -z.im, im: z.re });
+            Cotangent::new(turn(chi) + pauli(&(gamma + gamma), psi), Covector(turn(psi)))
+        }
+    };
+}
+// The compiler simplifies these two before it inlines them, with fewer instructions for plain numbers.
+formulas! { #[inline] momentum, velocity }
+// Wide registers need these two.
+formulas! { #[cfg_attr(not(debug_assertions), inline(always))] inlined_momentum, inlined_velocity }
 
 /// The largest b of a slide χ + bψ; a longer slide is not made.
 const LONGEST: f64 = 1e100;
@@ -119,7 +141,7 @@ const LONGEST: f64 = 1e100;
 /// Over dual numbers the derivative is a multiple of that of x and is not zero.
 ///
 /// Source: S. M. Rump, *Ultimately fast accurate summation*, SIAM J. Sci. Comput. 31 (2009), Alg. 3.5.
-#[inline]
+#[cfg_attr(not(debug_assertions), inline(always))]
 pub(crate) fn power_of_two<T: Real>(x: T) -> T {
     let q = x * (4.0 / 3.0 * (1.0 + 1.0 / f64::EPSILON));
     q - q * (1.0 - 0.5 * f64::EPSILON)

@@ -182,9 +182,10 @@ impl HeavyTop {
     }
 
     /// Returns the angular velocity Ω = I⁻¹Π in the body frame, rad/s.
-    #[inline]
+    #[cfg_attr(not(debug_assertions), inline(always))]
     pub fn angular_velocity<T: Real>(&self, pi: &Vector3<T>) -> Vector3<T> {
-        pi.zip_map(&self.inverse_inertia, |pi, inverse| pi * inverse)
+        let inverse = &self.inverse_inertia;
+        Vector3::new(pi.x * inverse.x, pi.y * inverse.y, pi.z * inverse.z)
     }
 
     /// Returns the diagonal of I⁻¹.
@@ -194,9 +195,10 @@ impl HeavyTop {
     }
 
     /// Returns the constant part γ = m g l c of dh.
-    #[inline]
+    #[cfg_attr(not(debug_assertions), inline(always))]
     pub(crate) fn force<T: Real>(&self) -> Vector3<T> {
-        self.center_of_mass.map(|c| T::from_f64(self.weight_moment * c))
+        let force = self.center_of_mass * self.weight_moment;
+        Vector3::new(T::from_f64(force.x), T::from_f64(force.y), T::from_f64(force.z))
     }
 }
 
@@ -204,14 +206,14 @@ impl HeavyTop {
 type Velocity<T> = Pair<Vector3<T>, Vector3<T>>;
 
 impl<T: Real> Hamiltonian<HeavyTopSpace, T> for HeavyTop {
-    #[inline]
+    #[cfg_attr(not(debug_assertions), inline(always))]
     fn value(&self, mu: &Se3Dual<T>) -> T {
         let Covector(Pair(pi, gamma)) = mu;
         let height = gamma.dot(&self.center_of_mass.map(T::from_f64));
         pi.dot(&self.angular_velocity(pi)) * 0.5 + height * self.weight_moment
     }
 
-    #[inline]
+    #[cfg_attr(not(debug_assertions), inline(always))]
     fn differential(&self, mu: &Se3Dual<T>) -> Velocity<T> {
         Pair(self.angular_velocity(&mu.0.0), self.force())
     }

@@ -1,24 +1,37 @@
-//! Integrators over SIMD lanes as batch integrators: [`Laned`].
+//! Integrators over SIMD lanes, which are chosen when the program runs, as batch integrators: [`Laned`].
 
 use crate::batch::group_engine::{Group, advance_groups};
 use crate::batch::lane_kernel::LaneResults;
+use crate::batch::laned_over::IntegratorGroup;
 use crate::batch::single_member::advance_alone;
-use crate::{BatchIntegrator, IntegrationError, Integrator};
-use core::marker::PhantomData;
+use crate::{BatchIntegrator, IntegrationError, Integrator, StepError};
 use core::ops::Range;
-use lie_poisson::{DefaultLanes, Lanes, Vector};
+use lie_poisson::{
+    DefaultLanes, InstructionSet, Lanes, MissingInstructions, StorageOver, TaskOver, UnfusedSpace,
+    UnfusedStorage, UnfusedTask, Vector, dispatch_unfused,
+};
 
-/// An integrator that advances as many states side by side as the scalar `T` has SIMD lanes: several trajectories in
-/// one register.
+/// An integrator that advances several states side by side, in the SIMD lanes of a register (several trajectories in
+/// one register).
 ///
-/// Every integrator whose formulas are written over all scalars is suitable. Each member has the bits of its
-/// [trajectory](Integrator::trajectory_from) over `f64`, for all lanes and all neighbours: operations on lanes round as
-/// those of `f64` do, and iterations stop in each lane by itself. An integrator with other formulas over `f64`, such as
-/// a fused kernel, differs from its lanes by rounding. The neighbours do not matter then either.
+/// [`new`](Self::new) takes the lanes that every processor has, and [`widest`](Self::widest) the widest registers of this
+/// one, for code that fulfils the rules below. Every integrator whose formulas are written over all scalars is suitable. Each member has the bits of its
+/// [trajectory](Integrator::trajectory_from) over `f64`, for all instruction sets and all neighbours: operations on
+/// lanes round as those of `f64` do, and iterations stop in each lane by itself. An integrator with other formulas over
+/// `f64`, such as a fused kernel, differs from its lanes by rounding. The neighbours do not matter then either.
 ///
 /// The steps are made in blocks that end at the multiples of [`CHECKPOINT`](crate::CHECKPOINT). If a step of some lane
-/// fails, the block is repeated from its start, with one member at a time in all lanes. A member that fails there too
-/// takes no further step; the others continue together.
+/// fails, or needs Newton's iteration in wide registers, the block is repeated from its start: first with four members at
+/// a time, on the [lanes](DefaultLanes) that every processor has, and then with each member of a group that fails there by
+/// itself, over `f64`. A member that fails there too takes no further step; the others continue together.
+///
+/// # Speed of wide registers
+/// The rules of [`LaneTask`](lie_poisson::LaneTask) hold for the field or the Hamiltonian of the integrator: mark its
+/// methods, and what they call, with `#[inline(always)]`, and compute with components. A method without the mark is
+/// correct, but its operations are calls of functions, and its steps may be several times slower in wide registers than
+/// on the lanes that every processor has. [`Direct`](crate::Direct), [`LiftFree`](crate::LiftFree) and
+/// [`Collective`](crate::Collective) integrators with [`RungeKutta`](crate::RungeKutta) methods and their compositions
+/// fulfil the rules; compensated sums, partitioned methods and splittings do not.
 ///
 /// # Example
 /// Six harmonic oscillators, of which the fifth starts at NaN:
@@ -30,11 +43,12 @@ use lie_poisson::{DefaultLanes, Lanes, Vector};
 /// struct Oscillator;
 /// impl<T: Real> VectorField<T> for Oscillator {
 ///     type Point = Vector2<T>;
+///     #[inline(always)]
 ///     fn at(&self, z: &Vector2<T>) -> Vector2<T> {
 ///         Vector2::new(z.y, -z.x)
 ///     }
 /// }
-/// let gauss = Laned::new(Direct::new(RungeKutta::gauss(4)?, Oscillator));
+/// let gauss = Laned::widest(Direct::new(RungeKutta::gauss(4)?, Oscillator));
 /// let mut members = [1.0, 2.0, 3.0, 4.0, f64::NAN, 6.0].map(|x| Vector2::new(x, 0.0));
 /// let mut failures = Vec::new();
 /// let mut report = |index, error| failures.push((index, error));
@@ -44,25 +58,38 @@ use lie_poisson::{DefaultLanes, Lanes, Vector};
 /// # Ok::<(), Box<dyn std::error::Error>>(())
 /// ```
 #[derive(Clone, Copy, Debug)]
-pub struct Laned<I, T = DefaultLanes> {
+pub struct Laned<I> {
     integrator: I,
-    lanes: PhantomData<fn() -> T>,
+    instructions: InstructionSet,
 }
 
 impl<I> Laned<I> {
     /// Creates a batch integrator on the lanes that every processor has.
     pub fn new(integrator: I) -> Self {
-        Self::with_lanes(integrator)
+        Self { integrator, instructions: InstructionSet::Portable }
     }
-}
 
-impl<I, T> Laned<I, T> {
-    /// Creates a batch integrator on the lanes of the scalar `T`.
+    /// Creates a batch integrator on the widest instruction set that this processor has, for integrators whose code
+    /// [fulfils the rules](Self#speed-of-wide-registers).
+    pub fn widest(integrator: I) -> Self {
+        Self { integrator, instructions: InstructionSet::detected() }
+    }
+
+    /// Replaces the instruction set. The steps on two sets have the same bits.
     ///
-    /// The scalar `f64` advances the members one by one. Lanes of other widths come from
-    /// [`dispatch`](lie_poisson::dispatch), whose [`LaneTask`](lie_poisson::LaneTask) states what fast code requires.
-    pub fn with_lanes(integrator: I) -> Self {
-        Self { integrator, lanes: PhantomData }
+    /// # Errors
+    /// Returns [`MissingInstructions`] if the processor lacks them.
+    pub fn with_instructions(self, set: InstructionSet) -> Result<Self, MissingInstructions> {
+        if set.is_available() {
+            Ok(Self { instructions: set, ..self })
+        } else {
+            Err(MissingInstructions { set })
+        }
+    }
+
+    /// Returns the instruction set.
+    pub fn instructions(&self) -> InstructionSet {
+        self.instructions
     }
 
     /// Returns the integrator for one member.
@@ -71,16 +98,45 @@ impl<I, T> Laned<I, T> {
     }
 }
 
-impl<I, T> BatchIntegrator for Laned<I, T>
+/// The storage is the workspace of the integrator.
+impl<I: Integrator<T>, T: Lanes> StorageOver<T> for Laned<I> {
+    type Storage = I::Workspace;
+
+    fn storage(&self) -> I::Workspace {
+        self.integrator.workspace()
+    }
+}
+
+/// The storage of a [`Laned`] integrator: the workspaces for the lanes of its registers and for members that fail there.
+pub struct LanedSpace<I>
 where
-    I: Integrator<f64, State: Vector> + Integrator<T, State: Vector> + Sync,
-    T: Lanes,
+    I: Integrator<f64> + Integrator<DefaultLanes>,
+    Laned<I>: UnfusedStorage,
+{
+    lanes: UnfusedSpace<Laned<I>>,
+    repeats: Repeats<I>,
+}
+
+/// The workspaces for members whose group has failed, created when they are first needed.
+struct Repeats<I: Integrator<f64> + Integrator<DefaultLanes>> {
+    four: Option<<I as Integrator<DefaultLanes>>::Workspace>,
+    one: Option<<I as Integrator<f64>>::Workspace>,
+}
+
+impl<I> BatchIntegrator for Laned<I>
+where
+    I: Integrator<f64, State: Vector> + Integrator<DefaultLanes, State: Vector> + Sync,
+    Laned<I>: UnfusedStorage,
+    for<'a> Advance<'a, I>: UnfusedTask<Laned<I>>,
 {
     type Member = <I as Integrator<f64>>::State;
-    type Workspace = <I as Integrator<T>>::Workspace;
+    type Workspace = LanedSpace<I>;
 
-    fn workspace(&self) -> Self::Workspace {
-        Integrator::<T>::workspace(&self.integrator)
+    fn workspace(&self) -> LanedSpace<I> {
+        // The constructors have tested the processor for the instructions.
+        let lanes = UnfusedSpace::new(self, self.instructions)
+            .unwrap_or_else(|_| UnfusedSpace::portable(self));
+        LanedSpace { lanes, repeats: Repeats { four: None, one: None } }
     }
 
     fn advance(
@@ -88,58 +144,150 @@ where
         members: &mut [Self::Member],
         step: f64,
         steps: Range<u64>,
-        workspace: &mut Self::Workspace,
+        LanedSpace { lanes, repeats }: &mut LanedSpace<I>,
         failed: &mut dyn FnMut(usize, IntegrationError),
     ) {
-        let mut group = IntegratorGroup::<I, T> { integrator: &self.integrator, workspace };
+        let integrator = &self.integrator;
+        dispatch_unfused(Advance { integrator, members, step, steps, repeats, failed }, lanes);
+    }
+}
+
+/// The task to advance all members on the lanes that [`dispatch_unfused`] chooses.
+pub struct Advance<'a, I: Integrator<f64> + Integrator<DefaultLanes>> {
+    integrator: &'a I,
+    members: &'a mut [<I as Integrator<f64>>::State],
+    step: f64,
+    steps: Range<u64>,
+    repeats: &'a mut Repeats<I>,
+    failed: &'a mut dyn FnMut(usize, IntegrationError),
+}
+
+impl<I, T> TaskOver<T, Laned<I>> for Advance<'_, I>
+where
+    I: Integrator<f64, State: Vector>
+        + Integrator<DefaultLanes, State: Vector>
+        + Integrator<T, State: Vector>,
+    T: Lanes,
+{
+    #[inline(always)]
+    fn run(self, workspace: &mut <I as Integrator<T>>::Workspace) {
+        let Self { integrator, members, step, steps, repeats, failed } = self;
+        let mut group = LaneGroup::<I, T> { integrator, workspace, repeats };
         advance_groups(&mut group, members, step, steps, failed);
     }
 }
 
-/// An integrator over lanes, as a group of members.
-struct IntegratorGroup<'a, I: Integrator<T>, T: Lanes> {
+/// An integrator over lanes of type `T`, as a group of members.
+struct LaneGroup<'a, I: Integrator<f64> + Integrator<DefaultLanes> + Integrator<T>, T: Lanes> {
     integrator: &'a I,
-    workspace: &'a mut I::Workspace,
+    workspace: &'a mut <I as Integrator<T>>::Workspace,
+    repeats: &'a mut Repeats<I>,
 }
 
-impl<I, T> Group for IntegratorGroup<'_, I, T>
+impl<I, T> LaneGroup<'_, I, T>
 where
-    I: Integrator<f64, State: Vector> + Integrator<T, State: Vector>,
+    I: Integrator<f64, State: Vector>
+        + Integrator<DefaultLanes, State: Vector>
+        + Integrator<T, State: Vector>,
+    T: Lanes,
+{
+    /// Makes the steps of a block with all members. If a step fails in some lane, no member is changed.
+    #[inline(always)]
+    fn steps(
+        &mut self,
+        group: &mut [<I as Integrator<f64>>::State],
+        step: f64,
+        count: u64,
+    ) -> Result<(), StepError> {
+        let Some(last) = group.len().checked_sub(1) else { return Ok(()) };
+        for member in group.iter() {
+            StepError::check_start(member, step)?;
+        }
+        let mut state = <I as Integrator<T>>::State::from_coordinates(
+            #[inline(always)]
+            |i| {
+                T::from_lanes(
+                    #[inline(always)]
+                    |lane| group[lane.min(last)].coordinate(i),
+                )
+            },
+        );
+        Integrator::<T>::forget(self.integrator, self.workspace);
+        for _ in 0..count {
+            state = Integrator::<T>::step(self.integrator, &state, step, self.workspace)?.point;
+        }
+        for (lane, member) in group.iter_mut().enumerate() {
+            *member = Vector::from_coordinates(
+                #[inline(always)]
+                |i| state.coordinate(i).lane(lane),
+            );
+        }
+        Ok(())
+    }
+}
+
+impl<I, T> Group for LaneGroup<'_, I, T>
+where
+    I: Integrator<f64, State: Vector>
+        + Integrator<DefaultLanes, State: Vector>
+        + Integrator<T, State: Vector>,
     T: Lanes,
 {
     type Member = <I as Integrator<f64>>::State;
 
+    #[inline(always)]
     fn width(&self) -> usize {
         T::COUNT
     }
 
-    /// Advances all members together. Either all have a result, or none is known to have one.
+    #[inline(always)]
     fn together(&mut self, group: &mut [Self::Member], step: f64, count: u64) -> LaneResults {
-        let mut results = LaneResults::default();
-        let Some(last) = group.len().checked_sub(1) else { return results };
-        let mut state = <I as Integrator<T>>::State::from_coordinates(|i| {
-            T::from_lanes(|lane| group[lane.min(last)].coordinate(i))
-        });
-        let steps = 0..count;
-        if advance_alone::<T, I>(self.integrator, &mut state, step, steps, self.workspace).is_ok() {
-            for (lane, member) in group.iter_mut().enumerate() {
-                *member = Vector::from_coordinates(|i| state.coordinate(i).lane(lane));
-                results[lane] = true;
-            }
+        match self.steps(group, step, count) {
+            Ok(()) => core::array::from_fn(|lane| lane < group.len()),
+            Err(_) if T::HAS_SLOW_PATHS => LaneResults::default(),
+            Err(_) => self.repeats.four_at_a_time(self.integrator, group, step, count),
         }
-        results
     }
 
+    #[cold]
+    #[inline(never)]
     fn alone(
         &mut self,
         member: &mut Self::Member,
         step: f64,
         steps: Range<u64>,
     ) -> Result<(), IntegrationError> {
-        let mut state =
-            <I as Integrator<T>>::State::from_coordinates(|i| T::from_f64(member.coordinate(i)));
-        let end = advance_alone::<T, I>(self.integrator, &mut state, step, steps, self.workspace);
-        *member = Vector::from_coordinates(|i| state.coordinate(i).lane(0));
-        end
+        let integrator = self.integrator;
+        let workspace =
+            self.repeats.one.get_or_insert_with(|| Integrator::<f64>::workspace(integrator));
+        advance_alone::<f64, I>(integrator, member, step, steps, workspace)
+    }
+}
+
+impl<I> Repeats<I>
+where
+    I: Integrator<f64, State: Vector> + Integrator<DefaultLanes, State: Vector>,
+{
+    /// Makes the steps of a block on the lanes that every processor has, which treat slow cases. Returns which members
+    /// have a result.
+    #[cold]
+    #[inline(never)]
+    fn four_at_a_time(
+        &mut self,
+        integrator: &I,
+        group: &mut [<I as Integrator<f64>>::State],
+        step: f64,
+        count: u64,
+    ) -> LaneResults {
+        let workspace =
+            self.four.get_or_insert_with(|| Integrator::<DefaultLanes>::workspace(integrator));
+        let mut four = IntegratorGroup::<I, DefaultLanes> { integrator, workspace };
+        let mut results = LaneResults::default();
+        let width = DefaultLanes::COUNT;
+        for (members, results) in group.chunks_mut(width).zip(results.chunks_mut(width)) {
+            let found = four.together(members, step, count);
+            results.iter_mut().zip(found).for_each(|(result, found)| *result = found);
+        }
+        results
     }
 }

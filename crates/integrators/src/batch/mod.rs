@@ -5,5 +5,6 @@ pub(crate) mod checkpoint_blocks;
 pub(crate) mod single_member;
 pub(crate) mod group_engine;
 pub(crate) mod lane_kernel;
+pub(crate) mod laned_over;
 pub(crate) mod laned;
 pub(crate) mod ensemble;

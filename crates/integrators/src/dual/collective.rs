@@ -149,7 +149,7 @@ impl<S, M: PoissonMap, H> Collective<S, M, H> {
     }
 
     /// Returns the displacement from z to the point of its fibre from which the next step starts.
-    #[inline]
+    #[cfg_attr(not(debug_assertions), inline(always))]
     fn gauge<T: Real>(&self, z: &SourcePoint<M, T>) -> SourcePoint<M, T> {
         if self.descends { self.system.map.gauge::<T>(z) } else { Vector::zero() }
     }
@@ -166,7 +166,7 @@ where
 {
     type Point = SourcePoint<M, T>;
 
-    #[inline]
+    #[cfg_attr(not(debug_assertions), inline(always))]
     fn at(&self, z: &Self::Point) -> Self::Point {
         self.map.generator::<T>(&self.hamiltonian.differential(&self.map.apply::<T>(z)), z)
     }
@@ -195,7 +195,7 @@ impl<S: Scheme, M: PoissonMap, H> Collective<S, M, H> {
     /// Returns the point of the fibre through z from which a step starts.
     ///
     /// It is z itself, or a point nearer to the origin if a run begins with a z far from the origin, or if z has grown.
-    #[inline]
+    #[cfg_attr(not(debug_assertions), inline(always))]
     fn recentred<T: Real>(
         &self,
         z: &SourcePoint<M, T>,
@@ -204,10 +204,14 @@ impl<S: Scheme, M: PoissonMap, H> Collective<S, M, H> {
         let mut moved = *z;
         if self.descends {
             let CollectiveSpace { threshold, recentring, .. } = workspace;
-            threshold.recentre_if_grown(&mut moved, |moved, grown| {
-                let near = self.system.map.recentred::<T>(z, recentring);
-                *moved = Vector::select(grown, &near, z);
-            });
+            threshold.recentre_if_grown(
+                &mut moved,
+                #[inline(always)]
+                |moved, grown| {
+                    let near = self.system.map.recentred::<T>(z, recentring);
+                    *moved = Vector::select(grown, &near, z);
+                },
+            );
         }
         moved
     }
@@ -233,7 +237,7 @@ where
         }
     }
 
-    #[inline]
+    #[cfg_attr(not(debug_assertions), inline(always))]
     fn step(
         &self,
         state: &Self::State,
@@ -247,13 +251,13 @@ where
         Step { point: end + self.gauge::<T>(&end), iterations }.finite()
     }
 
-    #[inline]
+    #[cfg_attr(not(debug_assertions), inline(always))]
     fn forget(&self, workspace: &mut Self::Workspace) {
         self.scheme.forget(&mut workspace.scheme);
         workspace.threshold = RecentringThreshold::default();
     }
 
-    #[inline]
+    #[cfg_attr(not(debug_assertions), inline(always))]
     fn momentum(&self, state: &Self::State) -> Self::Momentum {
         self.system.map.apply::<T>(state)
     }
@@ -266,7 +270,7 @@ where
     H: Hamiltonian<M::Target, T>,
     T: Real,
 {
-    #[inline]
+    #[cfg_attr(not(debug_assertions), inline(always))]
     fn increment(
         &self,
         state: &Self::State,
@@ -289,7 +293,7 @@ where
     ///
     /// The derivative of a gauge, such as that of a power of two, may have no meaning except along the fibre. M is
     /// constant there.
-    #[inline]
+    #[cfg_attr(not(debug_assertions), inline(always))]
     fn gauged(&self, state: Pair<Self::State, Self::State>) -> Pair<Self::State, Self::State> {
         let Pair(z, carry) = state;
         let slide = self.gauge::<T>(&z);

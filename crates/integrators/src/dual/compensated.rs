@@ -28,7 +28,7 @@ pub trait Increments<T: Real = f64>: Integrator<T> {
     ///
     /// The default returns `None`: an increment on the heap is allocated in each step. See
     /// [`Scheme::temporaries`](crate::Scheme::temporaries).
-    #[inline]
+    #[cfg_attr(not(debug_assertions), inline(always))]
     fn temporaries<'a>(
         &self,
         _workspace: &'a mut Self::Workspace,
@@ -39,7 +39,7 @@ pub trait Increments<T: Real = f64>: Integrator<T> {
     /// Returns the state from which the next step starts instead of this z + e, with the same momentum.
     ///
     /// If there are fibres, it is another point of the fibre. The default is the state itself.
-    #[inline]
+    #[cfg_attr(not(debug_assertions), inline(always))]
     fn gauged(&self, state: Pair<Self::State, Self::State>) -> Pair<Self::State, Self::State> {
         state
     }
@@ -100,7 +100,7 @@ impl<I> Compensated<I> {
 /// // without e, each addition would be lost
 /// assert_eq!(one + tiny.0, one);
 /// ```
-#[inline]
+#[cfg_attr(not(debug_assertions), inline(always))]
 pub fn compensated_sum<V: State>(sum: &Pair<V, V>, increment: &Pair<V, V>) -> Pair<V, V> {
     let mut next = sum.clone();
     let Pair(dz, de) = increment;
@@ -117,12 +117,12 @@ impl<I: Increments<T>, T: Real> Integrator<T> for Compensated<I> {
         self.0.workspace()
     }
 
-    #[inline]
+    #[cfg_attr(not(debug_assertions), inline(always))]
     fn forget(&self, workspace: &mut Self::Workspace) {
         self.0.forget(workspace);
     }
 
-    #[inline]
+    #[cfg_attr(not(debug_assertions), inline(always))]
     fn step(
         &self,
         state: &Self::State,
@@ -133,7 +133,7 @@ impl<I: Increments<T>, T: Real> Integrator<T> for Compensated<I> {
         Step { point: self.0.gauged(compensated_sum(state, &point)), iterations }.finite()
     }
 
-    #[inline]
+    #[cfg_attr(not(debug_assertions), inline(always))]
     fn step_in_place(
         &self,
         state: &mut Self::State,
@@ -159,7 +159,7 @@ impl<I: Increments<T>, T: Real> Integrator<T> for Compensated<I> {
         if finite { Ok(iterations) } else { Err(StepError::NotFinite) }
     }
 
-    #[inline]
+    #[cfg_attr(not(debug_assertions), inline(always))]
     fn momentum(&self, state: &Self::State) -> Self::Momentum {
         self.0.momentum(&state.0)
     }

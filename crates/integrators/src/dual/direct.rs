@@ -64,7 +64,7 @@ where
         self.scheme.workspace()
     }
 
-    #[inline]
+    #[cfg_attr(not(debug_assertions), inline(always))]
     fn step(
         &self,
         state: &F::Point,
@@ -74,7 +74,7 @@ where
         self.scheme.step(&self.field, state, step, workspace)
     }
 
-    #[inline]
+    #[cfg_attr(not(debug_assertions), inline(always))]
     fn step_in_place(
         &self,
         state: &mut F::Point,
@@ -84,12 +84,12 @@ where
         self.scheme.step_in_place(&self.field, state, step, workspace)
     }
 
-    #[inline]
+    #[cfg_attr(not(debug_assertions), inline(always))]
     fn forget(&self, workspace: &mut Self::Workspace) {
         self.scheme.forget(workspace);
     }
 
-    #[inline]
+    #[cfg_attr(not(debug_assertions), inline(always))]
     fn momentum(&self, state: &F::Point) -> F::Point {
         state.clone()
     }
@@ -101,7 +101,7 @@ where
     F: VectorField<T>,
     T: Real,
 {
-    #[inline]
+    #[cfg_attr(not(debug_assertions), inline(always))]
     fn increment(
         &self,
         state: &F::Point,
@@ -111,7 +111,7 @@ where
         self.scheme.refined_increment(&self.field, state, step, workspace)
     }
 
-    #[inline]
+    #[cfg_attr(not(debug_assertions), inline(always))]
     fn temporaries<'a>(
         &self,
         workspace: &'a mut Self::Workspace,

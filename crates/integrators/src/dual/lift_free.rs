@@ -72,7 +72,7 @@ impl<S: Equivariant, M: Multipliers, H> LiftFree<S, M, H> {
     }
 
     /// Returns the change of μ under the motion by a multiplier.
-    #[inline]
+    #[cfg_attr(not(debug_assertions), inline(always))]
     pub fn change<T: Real>(
         &self,
         q: &Multiplier<M, T>,
@@ -87,7 +87,7 @@ impl<S: Equivariant, M: Multipliers, H> LiftFree<S, M, H> {
     ///
     /// # Errors
     /// Returns a [`StepError`] if the step has no result.
-    #[inline]
+    #[cfg_attr(not(debug_assertions), inline(always))]
     pub fn multiplier<T: Real>(
         &self,
         mu: &Point<M::Space, T>,
@@ -106,7 +106,7 @@ impl<S: Equivariant, M: Multipliers, H> LiftFree<S, M, H> {
     ///
     /// # Errors
     /// Returns a [`StepError`] if the step has no result.
-    #[inline]
+    #[cfg_attr(not(debug_assertions), inline(always))]
     pub fn refined_multiplier<T: Real>(
         &self,
         mu: &Point<M::Space, T>,
@@ -119,7 +119,7 @@ impl<S: Equivariant, M: Multipliers, H> LiftFree<S, M, H> {
         self.refined_motion::<T>(mu, step, workspace)?.0.finite()
     }
 
-    #[inline]
+    #[cfg_attr(not(debug_assertions), inline(always))]
     fn motion<T: Real>(
         &self,
         mu: &Point<M::Space, T>,
@@ -129,13 +129,18 @@ impl<S: Equivariant, M: Multipliers, H> LiftFree<S, M, H> {
     where
         H: Hamiltonian<M::Space, T>,
     {
-        self.motion_by(mu, workspace, |field, one, storage| {
-            let next = self.scheme.increment::<T, _>(field, one, step, storage)?;
-            Ok(Step { point: *one + next.point, iterations: next.iterations })
-        })
+        self.motion_by(
+            mu,
+            workspace,
+            #[inline(always)]
+            |field, one, storage| {
+                let next = self.scheme.increment::<T, _>(field, one, step, storage)?;
+                Ok(Step { point: *one + next.point, iterations: next.iterations })
+            },
+        )
     }
 
-    #[inline]
+    #[cfg_attr(not(debug_assertions), inline(always))]
     fn refined_motion<T: Real>(
         &self,
         mu: &Point<M::Space, T>,
@@ -145,15 +150,20 @@ impl<S: Equivariant, M: Multipliers, H> LiftFree<S, M, H> {
     where
         H: Hamiltonian<M::Space, T>,
     {
-        self.motion_by(mu, workspace, |field, one, storage| {
-            let next = self.scheme.refined_increment::<T, _>(field, one, step, storage)?;
-            let Pair(change, rest) = next.point;
-            Ok(Step { point: *one + (change + rest), iterations: next.iterations })
-        })
+        self.motion_by(
+            mu,
+            workspace,
+            #[inline(always)]
+            |field, one, storage| {
+                let next = self.scheme.refined_increment::<T, _>(field, one, step, storage)?;
+                let Pair(change, rest) = next.point;
+                Ok(Step { point: *one + (change + rest), iterations: next.iterations })
+            },
+        )
     }
 
     /// Returns the multiplier and the change of μ in one step that `make` computes from Q = 1.
-    #[inline]
+    #[cfg_attr(not(debug_assertions), inline(always))]
     fn motion_by<T: Real>(
         &self,
         mu: &Point<M::Space, T>,
@@ -169,13 +179,18 @@ impl<S: Equivariant, M: Multipliers, H> LiftFree<S, M, H> {
     {
         let one = self.multipliers.one::<T>();
         let MultiplierSpace { scheme: storage, course } = workspace;
-        let here = course.take().filter(|course| course.goes_on_from(mu));
-        let (moved, steps) = here.map_or((one, 0), |course| (course.moved, course.steps));
+        let (moved, steps) = match course {
+            Some(course) if course.goes_on_from(mu) => (course.moved, course.steps),
+            _ => (one, 0),
+        };
+        *course = None;
         if steps == 0 {
             self.scheme.forget(storage);
         }
-        let back = self.multipliers.inverse::<T>(&moved);
-        let frame = back.map(|back| (moved, back));
+        let frame = self.multipliers.inverse::<T>(&moved).map(
+            #[inline(always)]
+            |back| (moved, back),
+        );
         let (multipliers, hamiltonian) = (&self.multipliers, &self.hamiltonian);
         let continues = steps > 0;
         let field = MultiplierField { multipliers, hamiltonian, start: *mu, frame, continues };
@@ -183,11 +198,12 @@ impl<S: Equivariant, M: Multipliers, H> LiftFree<S, M, H> {
         let change = self.change::<T>(&next.point, mu);
         // Explicit methods make no iterations and predict nothing.
         let guesses = next.iterations > 0;
-        *course = frame.filter(|_| guesses).map(|(moved, _)| Course {
-            end: *mu + change,
-            moved: self.multipliers.product::<T>(&next.point, &moved),
-            steps: steps + 1,
-        });
+        if let Some((moved, _)) = field.frame
+            && guesses
+        {
+            let moved = self.multipliers.product::<T>(&next.point, &moved);
+            *course = Some(Course { end: *mu + change, moved, steps: steps + 1 });
+        }
         Ok((next, change))
     }
 }
@@ -220,12 +236,12 @@ where
         MultiplierSpace { scheme: self.scheme.workspace(), course: None }
     }
 
-    #[inline]
+    #[cfg_attr(not(debug_assertions), inline(always))]
     fn forget(&self, workspace: &mut Self::Workspace) {
         workspace.course = None;
     }
 
-    #[inline]
+    #[cfg_attr(not(debug_assertions), inline(always))]
     fn step(
         &self,
         mu: &Self::State,
@@ -236,7 +252,7 @@ where
         Step { point: *mu + change, iterations }.finite()
     }
 
-    #[inline]
+    #[cfg_attr(not(debug_assertions), inline(always))]
     fn momentum(&self, mu: &Self::State) -> Self::Momentum {
         *mu
     }
@@ -252,7 +268,7 @@ where
     /// Returns δμ, the change of μ under the motion by Q₁, which conserves Casimirs for every rounding of Q₁.
     ///
     /// Only the real part of Q₁ = 1 + … is rounded at size 1. This changes the motion by h times a rounding error.
-    #[inline]
+    #[cfg_attr(not(debug_assertions), inline(always))]
     fn increment(
         &self,
         mu: &Self::State,

@@ -29,7 +29,7 @@ where
 {
     type Point = Multiplier<M, T>;
 
-    #[inline]
+    #[cfg_attr(not(debug_assertions), inline(always))]
     fn at(&self, q: &Multiplier<M, T>) -> Multiplier<M, T> {
         let mu = self.multipliers.transport::<T>(q, &self.start);
         self.multipliers.generate::<T>(&self.hamiltonian.differential(&mu), q)
@@ -44,7 +44,7 @@ where
         Some(derivative_part(&self.multipliers.generate::<DualNumber<T>>(&dh, &moved)))
     }
 
-    #[inline]
+    #[cfg_attr(not(debug_assertions), inline(always))]
     fn stage_frame(&self) -> impl StageFrame<Multiplier<M, T>> {
         self
     }
@@ -56,19 +56,22 @@ where
     M: Multipliers,
     T: Real,
 {
-    #[inline]
+    #[cfg_attr(not(debug_assertions), inline(always))]
     fn continues(&self) -> bool {
         self.continues
     }
 
     /// Writes k A, the stage derivative in the frame of the course.
-    #[inline]
+    #[cfg_attr(not(debug_assertions), inline(always))]
     fn remember(&self, k: &Multiplier<M, T>, past: &mut Multiplier<M, T>) {
-        *past = self.frame.map_or(*k, |(moved, _)| self.multipliers.product::<T>(k, &moved));
+        *past = match &self.frame {
+            Some((moved, _)) => self.multipliers.product::<T>(k, moved),
+            None => *k,
+        };
     }
 
     /// Changes k to k A⁻¹, the stage derivative in the frame of this step.
-    #[inline]
+    #[cfg_attr(not(debug_assertions), inline(always))]
     fn recall(&self, k: &mut Multiplier<M, T>) {
         if let Some((_, back)) = self.frame {
             *k = self.multipliers.product::<T>(k, &back);
@@ -90,8 +93,10 @@ impl<V: Vector, Q> Course<V, Q> {
     /// Returns whether a step from μ continues the course.
     ///
     /// A trajectory begins a new course at every checkpoint, and so do steps outside of a trajectory, since A may grow.
-    #[inline]
+    #[cfg_attr(not(debug_assertions), inline(always))]
     pub(crate) fn goes_on_from(&self, mu: &V) -> bool {
-        self.steps < CHECKPOINT && (self.end == *mu || near(mu, &self.end).all())
+        // In wide registers the compiler would call the comparison, which only saves the more exact one.
+        let same = V::Scalar::HAS_SLOW_PATHS && self.end == *mu;
+        self.steps < CHECKPOINT && (same || near(mu, &self.end).all())
     }
 }

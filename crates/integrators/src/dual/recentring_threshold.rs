@@ -19,7 +19,7 @@ impl<V: State> Default for RecentringThreshold<V> {
 impl<V: State> RecentringThreshold<V> {
     /// Lets `recentre` move z in the lanes in which a run begins or z has grown fourfold, and remembers its sizes then.
     /// Does nothing where there is no such lane.
-    #[inline]
+    #[cfg_attr(not(debug_assertions), inline(always))]
     pub(crate) fn recentre_if_grown(
         &mut self,
         z: &mut V,
@@ -27,7 +27,12 @@ impl<V: State> RecentringThreshold<V> {
     ) {
         let sizes = BlockSizes::of(core::slice::from_ref(z));
         let grown = match &self.0 {
-            Some(near) => sizes.at_most(|block| near.at(block) * GROWTH).not(),
+            Some(near) => sizes
+                .at_most(
+                    #[inline(always)]
+                    |block| near.at(block) * GROWTH,
+                )
+                .not(),
             None => Mask::from_bool(true),
         };
         if !grown.any() {

@@ -36,12 +36,15 @@ pub(crate) fn refine<T: Real, F: VectorField<T>>(
     (k, rest): (&mut [F::Point], &mut [F::Point]),
     pool: &mut <F::Point as State>::Pool,
 ) {
-    rest.iter_mut().for_each(State::set_zero);
+    for rest in &mut *rest {
+        rest.set_zero();
+    }
     if !chosen.any() {
         return;
     }
-    let [mut sum, mut change, mut stage, mut lost, mut value] =
-        [(); 5].map(|()| F::Point::take(pool, z));
+    let (mut sum, mut change) = (F::Point::take(pool, z), F::Point::take(pool, z));
+    let (mut stage, mut lost) = (F::Point::take(pool, z), F::Point::take(pool, z));
+    let mut value = F::Point::take(pool, z);
     for n in 0..SWEEPS * k.len() {
         let i = n % k.len();
         set_combination(&mut sum, tableau.row_low(i), k);

@@ -15,6 +15,7 @@ use crate::{
     Equivariant, Increment, Scheme, SchemeError, StageSolver, Step, StepError, Substeps, Tableau,
     VectorField,
 };
+use core::hint::black_box;
 use lie_poisson::{Mask, Pair, Real, State};
 
 /// A Runge–Kutta method: a [`Tableau`], and a solver for its stages if it is implicit.
@@ -145,7 +146,7 @@ impl RungeKutta {
     }
 
     /// Returns whether the method is explicit, and therefore without a predictor.
-    #[inline]
+    #[cfg_attr(not(debug_assertions), inline(always))]
     fn is_explicit(&self) -> bool {
         self.predictor.stages == 0
     }
@@ -159,7 +160,7 @@ impl RungeKutta {
     ///
     /// The iteration starts from a prediction if the workspace has one. Otherwise, or if that fails, it starts from
     /// X(z). Then follows Newton's iteration, whose results are not suitable for predictions.
-    #[inline]
+    #[cfg_attr(not(debug_assertions), inline(always))]
     fn solve_stages<T: Real, F: VectorField<T>>(
         &self,
         field: &F,
@@ -168,7 +169,9 @@ impl RungeKutta {
         workspace: &mut StageSpace<F::Point>,
     ) -> Result<(usize, T::Mask), StepError> {
         let StageSpace { k, small, memory, newton, pool, .. } = workspace;
-        small.iter_mut().for_each(State::set_zero);
+        for small in &mut *small {
+            small.set_zero();
+        }
         let mut spare = F::Point::take(pool, z);
         let (tableau, h) = (&self.tableau, T::from_f64(step));
         let equations = Stages { tableau, field, z, h, small, pool };
@@ -177,7 +180,7 @@ impl RungeKutta {
         let solved = memory.solve(&self.predictor, &self.solver, field, from, unknowns, equations);
         let outcome = match solved {
             Err(Unconverged { converged, iterations, .. })
-                if self.solver.newton && newton.allows(k.len(), z) =>
+                if T::HAS_SLOW_PATHS && self.solver.newton && newton.allows(k.len(), z) =>
             {
                 field.at_into(z, &mut spare);
                 let advance = |done: T::Mask, k: &mut [F::Point]| {
@@ -195,7 +198,7 @@ impl RungeKutta {
 
     /// Computes the stage derivatives of a step in the workspace. Returns the number of iterations, and the lanes in
     /// which the fixed-point iteration converged.
-    #[inline]
+    #[cfg_attr(not(debug_assertions), inline(always))]
     fn stages<T: Real, F: VectorField<T>>(
         &self,
         field: &F,
@@ -223,7 +226,7 @@ impl RungeKutta {
 
     /// Returns h Σ_i (b_i + low_i) k_i for the stage derivatives in the workspace, and records the end of the step
     /// there.
-    #[inline]
+    #[cfg_attr(not(debug_assertions), inline(always))]
     fn end<V: State>(&self, z: &V, step: f64, workspace: &mut StageSpace<V>) -> V {
         let StageSpace { k, memory, pool, .. } = workspace;
         let (mut sum, mut change) = (V::take(pool, z), V::take(pool, z));
@@ -250,7 +253,7 @@ struct Stages<'a, F, V: State> {
 }
 
 impl<F: VectorField<V::Scalar, Point = V>, V: State> StageEquations<V> for Stages<'_, F, V> {
-    #[inline]
+    #[cfg_attr(not(debug_assertions), inline(always))]
     fn has_low_parts(&self) -> bool {
         !self.tableau.row_low(0).is_empty()
     }
@@ -269,9 +272,23 @@ impl<F: VectorField<V::Scalar, Point = V>, V: State> StageEquations<V> for Stage
         stage.add_combination(before, k);
         stage.scale_in_place(self.h);
         stage.add_in_place(self.z);
-        self.field.at_into(&stage, value);
+        if is_plain_and_small::<V>() {
+            // In memory, so that the compiler pairs the coordinates in the sums in the order in which it loads them, and
+            // not in one that suits the field.
+            let mut point = stage.clone();
+            black_box(&mut point);
+            self.field.at_into(&point, value);
+        } else {
+            self.field.at_into(&stage, value);
+        }
         stage.give(self.pool);
     }
+}
+
+/// Returns whether the state has plain numbers for scalars, and is not on the heap.
+#[inline(always)]
+fn is_plain_and_small<V: State>() -> bool {
+    size_of::<V::Pool>() == 0 && V::Scalar::from_f64(0.0).as_f64().is_some()
 }
 
 /// The storage of a Runge–Kutta step: its stage derivatives, those of the last steps, and the matrix of Newton's
@@ -308,7 +325,7 @@ impl Scheme for RungeKutta {
         }
     }
 
-    #[inline]
+    #[cfg_attr(not(debug_assertions), inline(always))]
     fn increment<T: Real, F: VectorField<T>>(
         &self,
         field: &F,
@@ -316,7 +333,9 @@ impl Scheme for RungeKutta {
         step: f64,
         workspace: &mut StageSpace<F::Point>,
     ) -> Result<Step<F::Point>, StepError> {
-        if self.is_explicit()
+        // In wide registers the field has to be called at one place, to be inlined there.
+        if T::HAS_SLOW_PATHS
+            && self.is_explicit()
             && let Some(sum) = four_stages(&self.tableau, field, z, step)
         {
             let mut change = z.zeros_like();
@@ -331,7 +350,7 @@ impl Scheme for RungeKutta {
     /// iteration converged.
     ///
     /// This takes six more evaluations of the field for each stage.
-    #[inline]
+    #[cfg_attr(not(debug_assertions), inline(always))]
     fn refined_increment<T: Real, F: VectorField<T>>(
         &self,
         field: &F,
@@ -356,7 +375,7 @@ impl Scheme for RungeKutta {
         Ok(Step { point: Pair(change, lost), iterations })
     }
 
-    #[inline]
+    #[cfg_attr(not(debug_assertions), inline(always))]
     fn temporaries<'a, V: State>(
         &self,
         workspace: &'a mut StageSpace<V>,
@@ -364,7 +383,7 @@ impl Scheme for RungeKutta {
         Some(&mut workspace.pool)
     }
 
-    #[inline]
+    #[cfg_attr(not(debug_assertions), inline(always))]
     fn forget<V: State>(&self, workspace: &mut StageSpace<V>) {
         workspace.memory.forget();
     }

@@ -33,7 +33,7 @@ impl<V: State> Step<V> {
     /// assert_eq!(Step::of_copy(&start, twice)?.point.x, 6.0);
     /// # Ok::<(), collective_integrators::StepError>(())
     /// ```
-    #[inline]
+    #[cfg_attr(not(debug_assertions), inline(always))]
     pub fn of_copy(
         state: &V,
         advance: impl FnOnce(&mut V) -> Result<usize, StepError>,
@@ -47,7 +47,7 @@ impl<V: State> Step<V> {
     ///
     /// # Errors
     /// Returns [`StepError::NotFinite`] if a coordinate is infinite or not a number, in some SIMD lane of the scalar.
-    #[inline]
+    #[cfg_attr(not(debug_assertions), inline(always))]
     pub fn finite(self) -> Result<Self, StepError> {
         if self.point.all_finite() { Ok(self) } else { Err(StepError::NotFinite) }
     }
@@ -137,7 +137,7 @@ pub trait Scheme: Clone {
     ///
     /// # Errors
     /// Returns the errors of [`increment`](Self::increment).
-    #[inline]
+    #[cfg_attr(not(debug_assertions), inline(always))]
     fn refined_increment<T: Real, F: VectorField<T>>(
         &self,
         field: &F,
@@ -156,7 +156,7 @@ pub trait Scheme: Clone {
     /// # Errors
     /// Returns a [`StepError`] if stage equations are not solved, or if the result is not finite. Nothing but the
     /// workspace is changed then.
-    #[inline]
+    #[cfg_attr(not(debug_assertions), inline(always))]
     fn step<T: Real, F: VectorField<T>>(
         &self,
         field: &F,
@@ -176,7 +176,7 @@ pub trait Scheme: Clone {
     ///
     /// # Errors
     /// Returns the errors of [`step`](Self::step). The point z is not changed then.
-    #[inline]
+    #[cfg_attr(not(debug_assertions), inline(always))]
     fn step_in_place<T: Real, F: VectorField<T>>(
         &self,
         field: &F,
@@ -195,7 +195,7 @@ pub trait Scheme: Clone {
     ///
     /// The default returns `None`, for schemes that keep no temporary vectors. Return a pool only if `increment` takes
     /// its point from it: otherwise it grows by a vector in each step in place.
-    #[inline]
+    #[cfg_attr(not(debug_assertions), inline(always))]
     fn temporaries<'a, V: State>(
         &self,
         _workspace: &'a mut Self::Workspace<V>,
@@ -206,7 +206,7 @@ pub trait Scheme: Clone {
     /// Makes the workspace forget the steps before, from which an implicit method predicts its stages.
     ///
     /// The next step then depends on its starting point alone. The default does nothing.
-    #[inline]
+    #[cfg_attr(not(debug_assertions), inline(always))]
     fn forget<V: State>(&self, _workspace: &mut Self::Workspace<V>) {}
 
     /// Returns the order of convergence.
@@ -232,7 +232,7 @@ pub trait Scheme: Clone {
 }
 
 /// Takes a temporary vector of the space of z from the pool of a workspace, if there is one.
-#[inline]
+#[cfg_attr(not(debug_assertions), inline(always))]
 pub(crate) fn take<S: Scheme, V: State>(scheme: &S, workspace: &mut S::Workspace<V>, z: &V) -> V {
     match scheme.temporaries(workspace) {
         Some(pool) => V::take(pool, z),
@@ -241,7 +241,7 @@ pub(crate) fn take<S: Scheme, V: State>(scheme: &S, workspace: &mut S::Workspace
 }
 
 /// Gives a vector back to the pool of a workspace, if there is one.
-#[inline]
+#[cfg_attr(not(debug_assertions), inline(always))]
 pub(crate) fn give<S: Scheme, V: State>(scheme: &S, workspace: &mut S::Workspace<V>, v: V) {
     if let Some(pool) = scheme.temporaries(workspace) {
         v.give(pool);

@@ -55,16 +55,17 @@ impl<S> Composition<S> {
     }
 
     /// Makes one substep after the other, until one fails. Returns the number of iterations.
-    #[inline]
+    #[cfg_attr(not(debug_assertions), inline(always))]
     fn chain(
         &self,
         step: f64,
         mut substep: impl FnMut(f64) -> Result<usize, StepError>,
     ) -> Result<usize, StepError> {
-        self.substeps
-            .fractions()
-            .iter()
-            .try_fold(0, |made, gamma| Ok(made + substep(gamma * step)?))
+        let mut iterations = 0;
+        for gamma in self.substeps.fractions() {
+            iterations += substep(gamma * step)?;
+        }
+        Ok(iterations)
     }
 }
 
@@ -78,7 +79,7 @@ impl<S: Scheme> Scheme for Composition<S> {
     }
 
     /// Returns the sum of the increments of the substeps.
-    #[inline]
+    #[cfg_attr(not(debug_assertions), inline(always))]
     fn increment<T: Real, F: VectorField<T>>(
         &self,
         field: &F,
@@ -86,16 +87,22 @@ impl<S: Scheme> Scheme for Composition<S> {
         step: f64,
         workspace: &mut Self::Workspace<F::Point>,
     ) -> Result<Step<F::Point>, StepError> {
-        let [mut sum, mut from] = [(); 2].map(|()| take(&self.base, workspace, z));
+        let mut sum = take(&self.base, workspace, z);
+        let mut from = take(&self.base, workspace, z);
         sum.set_zero();
-        let made = self.chain(step, |step| {
-            from.assign(z);
-            from.add_in_place(&sum);
-            let Step { point, iterations } = self.base.increment(field, &from, step, workspace)?;
-            sum.add_in_place(&point);
-            give(&self.base, workspace, point);
-            Ok(iterations)
-        });
+        let made = self.chain(
+            step,
+            #[inline(always)]
+            |step| {
+                from.assign(z);
+                from.add_in_place(&sum);
+                let Step { point, iterations } =
+                    self.base.increment(field, &from, step, workspace)?;
+                sum.add_in_place(&point);
+                give(&self.base, workspace, point);
+                Ok(iterations)
+            },
+        );
         give(&self.base, workspace, from);
         match made {
             Ok(iterations) => Ok(Step { point: sum, iterations }),
@@ -108,7 +115,7 @@ impl<S: Scheme> Scheme for Composition<S> {
 
     /// Returns the sum of the refined increments of the substeps. Each substep starts from the rounded z + Σ δz,
     /// without the carried error.
-    #[inline]
+    #[cfg_attr(not(debug_assertions), inline(always))]
     fn refined_increment<T: Real, F: VectorField<T>>(
         &self,
         field: &F,
@@ -116,21 +123,27 @@ impl<S: Scheme> Scheme for Composition<S> {
         step: f64,
         workspace: &mut Self::Workspace<F::Point>,
     ) -> Result<Increment<F::Point>, StepError> {
-        let [mut sum, mut rest, mut from] = [(); 3].map(|()| take(&self.base, workspace, z));
+        let mut sum = take(&self.base, workspace, z);
+        let mut rest = take(&self.base, workspace, z);
+        let mut from = take(&self.base, workspace, z);
         sum.set_zero();
         rest.set_zero();
-        let made = self.chain(step, |step| {
-            from.assign(z);
-            from.add_in_place(&sum);
-            let Step { point: Pair(change, error), iterations } =
-                self.base.refined_increment(field, &from, step, workspace)?;
-            let mut none = Default::default();
-            let pool = self.base.temporaries(workspace).unwrap_or(&mut none);
-            add_compensated((&mut sum, &mut rest), (&change, &error), pool);
-            change.give(pool);
-            error.give(pool);
-            Ok(iterations)
-        });
+        let made = self.chain(
+            step,
+            #[inline(always)]
+            |step| {
+                from.assign(z);
+                from.add_in_place(&sum);
+                let Step { point: Pair(change, error), iterations } =
+                    self.base.refined_increment(field, &from, step, workspace)?;
+                let mut none = Default::default();
+                let pool = self.base.temporaries(workspace).unwrap_or(&mut none);
+                add_compensated((&mut sum, &mut rest), (&change, &error), pool);
+                change.give(pool);
+                error.give(pool);
+                Ok(iterations)
+            },
+        );
         give(&self.base, workspace, from);
         match made {
             Ok(iterations) => Ok(Step { point: Pair(sum, rest), iterations }),
@@ -142,7 +155,7 @@ impl<S: Scheme> Scheme for Composition<S> {
         }
     }
 
-    #[inline]
+    #[cfg_attr(not(debug_assertions), inline(always))]
     fn temporaries<'a, V: State>(
         &self,
         workspace: &'a mut Self::Workspace<V>,
@@ -150,7 +163,7 @@ impl<S: Scheme> Scheme for Composition<S> {
         self.base.temporaries(workspace)
     }
 
-    #[inline]
+    #[cfg_attr(not(debug_assertions), inline(always))]
     fn forget<V: State>(&self, workspace: &mut Self::Workspace<V>) {
         self.base.forget(workspace);
     }
@@ -183,19 +196,27 @@ impl<T: Real, I: Integrator<T>> Integrator<T> for Composition<I> {
         (self.base.workspace(), Default::default())
     }
 
-    #[inline]
+    #[cfg_attr(not(debug_assertions), inline(always))]
     fn step(
         &self,
         state: &I::State,
         step: f64,
         (workspace, _): &mut Self::Workspace,
     ) -> Result<Step<I::State>, StepError> {
-        Step::of_copy(state, |z| {
-            self.chain(step, |step| self.base.step_in_place(z, step, workspace))
-        })
+        Step::of_copy(
+            state,
+            #[inline(always)]
+            |z| {
+                self.chain(
+                    step,
+                    #[inline(always)]
+                    |step| self.base.step_in_place(z, step, workspace),
+                )
+            },
+        )
     }
 
-    #[inline]
+    #[cfg_attr(not(debug_assertions), inline(always))]
     fn step_in_place(
         &self,
         state: &mut I::State,
@@ -212,7 +233,7 @@ impl<T: Real, I: Integrator<T>> Integrator<T> for Composition<I> {
         made
     }
 
-    #[inline]
+    #[cfg_attr(not(debug_assertions), inline(always))]
     fn forget(&self, (workspace, _): &mut Self::Workspace) {
         self.base.forget(workspace);
     }

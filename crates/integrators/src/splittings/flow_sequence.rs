@@ -42,7 +42,9 @@ impl FlowSequence for LieTrotter {
         z: &mut E::Point,
         pool: &mut <E::Point as State>::Pool,
     ) {
-        (0..E::COUNT).for_each(|index| flows.flow_in_place(index, step, z, pool));
+        for index in 0..E::COUNT {
+            flows.flow_in_place(index, step, z, pool);
+        }
     }
 
     fn order(&self) -> usize {

@@ -35,7 +35,9 @@ impl<V: State> BlockSizes<V> {
     #[inline(always)]
     pub(crate) fn of(vectors: &[V]) -> Self {
         let mut sizes = Self::zero();
-        vectors.iter().for_each(|v| sizes.include(v));
+        for v in vectors {
+            sizes.include(v);
+        }
         sizes
     }
 
@@ -52,7 +54,7 @@ impl<V: State> BlockSizes<V> {
     }
 
     /// Enlarges the sizes to hold those of `other` that are above the bound that f gives for their block.
-    #[inline]
+    #[cfg_attr(not(debug_assertions), inline(always))]
     pub(crate) fn include_above(&mut self, other: &Self, f: impl Fn(usize) -> V::Scalar) {
         for block in 0..V::BLOCKS {
             let below = other.at(block).at_most(f(block));
@@ -63,7 +65,7 @@ impl<V: State> BlockSizes<V> {
     }
 
     /// Selects the first sizes in lanes where the mask is true, and the second elsewhere.
-    #[inline]
+    #[cfg_attr(not(debug_assertions), inline(always))]
     pub(crate) fn select(mask: MaskOf<V>, yes: &Self, no: &Self) -> Self {
         let mut sizes = Self { sum: Real::select(mask, yes.sum, no.sum), most: yes.most };
         for block in 0..V::BLOCKS {
@@ -73,7 +75,7 @@ impl<V: State> BlockSizes<V> {
     }
 
     /// Adds other sizes, multiplied by a factor.
-    #[inline]
+    #[cfg_attr(not(debug_assertions), inline(always))]
     pub(crate) fn add_scaled(&mut self, factor: V::Scalar, other: &Self) {
         for block in 0..V::BLOCKS {
             self.most.set(block, self.at(block) + factor * other.at(block));
@@ -108,7 +110,10 @@ impl<V: State> BlockSizes<V> {
     /// Returns the largest size, or NaN if a coordinate was NaN.
     #[inline(always)]
     pub(crate) fn largest(&self) -> V::Scalar {
-        let largest = self.largest_unchecked(|block| self.at(block));
+        let largest = self.largest_unchecked(
+            #[inline(always)]
+            |block| self.at(block),
+        );
         Real::select(self.sum.at_most(self.sum), largest, self.sum)
     }
 

@@ -48,27 +48,27 @@ pub(crate) struct Watch<T> {
 pub(crate) type Ratios<T> = [T; 2];
 
 /// Returns the ratios with which an iteration begins before any change has been measured.
-#[inline]
+#[cfg_attr(not(debug_assertions), inline(always))]
 pub(crate) fn unknown<T: Real>() -> Ratios<T> {
     [T::from_f64(f64::INFINITY); 2]
 }
 
 impl<T: Real> Watch<T> {
     /// Creates a watch for an iteration that is expected to have the given ratios of changes.
-    #[inline]
+    #[cfg_attr(not(debug_assertions), inline(always))]
     pub(crate) fn new(ratios: Ratios<T>) -> Self {
         let infinity = T::from_f64(f64::INFINITY);
         Self { previous: infinity, least: infinity, ratios, expected: infinity, stalled: T::zero() }
     }
 
     /// Returns the last two ratios of changes.
-    #[inline]
+    #[cfg_attr(not(debug_assertions), inline(always))]
     pub(crate) fn ratios(&self) -> Ratios<T> {
         self.ratios
     }
 
     /// Returns the lanes in which a change is the last meaningful one, for stages of the given size.
-    #[inline]
+    #[cfg_attr(not(debug_assertions), inline(always))]
     pub(crate) fn converged(&mut self, change: T, size: T) -> T::Mask {
         let better = change.at_most(self.least).and(self.least.at_most(change).not());
         self.stalled = T::select(better, T::zero(), self.stalled + 1.0);
@@ -95,7 +95,7 @@ impl<T: Real> Watch<T> {
 }
 
 /// Returns the lanes in which a magnitude is a finite number.
-#[inline]
+#[cfg_attr(not(debug_assertions), inline(always))]
 pub(crate) fn is_finite<T: Real>(magnitude: T) -> T::Mask {
     magnitude.at_most(T::from_f64(f64::MAX))
 }

@@ -49,6 +49,7 @@ impl<V: State> StageHistory<V> {
     }
 
     /// Forgets all steps.
+    #[cfg_attr(not(debug_assertions), inline(always))]
     pub(crate) fn forget(&mut self) {
         self.steps = V::Scalar::from_f64(0.0);
         self.most = 0;
@@ -64,7 +65,7 @@ impl<V: State> StageHistory<V> {
     ///
     /// # Errors
     /// Returns [`Unconverged`] if the iteration fails in some lane. Nothing is remembered in such a lane.
-    #[inline]
+    #[cfg_attr(not(debug_assertions), inline(always))]
     pub(crate) fn solve<F: VectorField<V::Scalar, Point = V>>(
         &mut self,
         predictor: &Predictor,
@@ -78,27 +79,28 @@ impl<V: State> StageHistory<V> {
         self.keep_where(z, size, predictor, &frame);
         let guessed = self.guess(predictor, &frame, k, spare);
         if !guessed.all() {
-            field.at_into(z, spare);
-            fill_unless(guessed, k, spare);
+            begin(field, z, guessed, (k, spare));
         }
         let none = MaskOf::<V>::from_bool(false);
         let mut outcome = solver.solve_from(none, scale, k, spare, &mut self.pace, &mut equations);
         if let Err(first) = &outcome {
             let misled = guessed.and(first.converged.not());
-            if misled.any() {
-                field.at_into(z, spare);
-                fill_unless(misled.not(), k, spare);
+            if V::Scalar::HAS_SLOW_PATHS && misled.any() {
+                begin(field, z, misled.not(), (k, spare));
                 let second = again(solver, misled.not(), scale, (k, spare), &mut equations);
                 outcome = retried(first, guessed, second);
             }
         }
-        let converged = outcome.as_ref().map_or_else(|e| e.converged, |_| none.not());
+        let converged = match &outcome {
+            Ok(_) => none.not(),
+            Err(unconverged) => unconverged.converged,
+        };
         self.remember(predictor, &frame, size, k, converged);
         outcome
     }
 
     /// Records that the step that was solved last ends at z + `change`.
-    #[inline]
+    #[cfg_attr(not(debug_assertions), inline(always))]
     pub(crate) fn end_after(&mut self, z: &V, change: &V) {
         self.end_at(z);
         if let Some(end) = &mut self.end {
@@ -107,7 +109,7 @@ impl<V: State> StageHistory<V> {
     }
 
     /// Records the end of the step that was solved last.
-    #[inline]
+    #[cfg_attr(not(debug_assertions), inline(always))]
     pub(crate) fn end_at(&mut self, z: &V) {
         match &mut self.end {
             Some(end) => end.assign(z),
@@ -117,7 +119,7 @@ impl<V: State> StageHistory<V> {
 
     /// Forgets all steps in lanes where a step does not continue from the memory, or everywhere if the memory comes
     /// from another method.
-    #[inline]
+    #[cfg_attr(not(debug_assertions), inline(always))]
     fn keep_where(&mut self, z: &V, size: f64, predictor: &Predictor, frame: &impl StageFrame<V>) {
         let room = 2 * predictor.capacity();
         let moved = self.past.first().is_some_and(|past| !past.same_shape(z));
@@ -129,17 +131,22 @@ impl<V: State> StageHistory<V> {
         if self.size != size {
             self.forget();
         }
-        if self.most > 0 && !frame.continues() && self.end.as_ref() != Some(z) {
-            let near = self.end.as_ref().map_or(Mask::from_bool(false), |end| near(z, end));
+        // In wide registers the compiler would call the comparison, which only saves the more exact one.
+        let same = V::Scalar::HAS_SLOW_PATHS && self.end.as_ref() == Some(z);
+        if self.most > 0 && !frame.continues() && !same {
+            let near = match &self.end {
+                Some(end) => near(z, end),
+                None => Mask::from_bool(false),
+            };
             self.steps = Real::select(near, self.steps, V::Scalar::from_f64(0.0));
-            self.pace = self
-                .pace
-                .map(|ratio| Real::select(near, ratio, V::Scalar::from_f64(f64::INFINITY)));
+            for ratio in &mut self.pace {
+                *ratio = Real::select(near, *ratio, V::Scalar::from_f64(f64::INFINITY));
+            }
         }
     }
 
     /// Writes a prediction to k. Returns the lanes in which there is one.
-    #[inline]
+    #[cfg_attr(not(debug_assertions), inline(always))]
     fn guess(
         &self,
         predictor: &Predictor,
@@ -166,7 +173,10 @@ impl<V: State> StageHistory<V> {
             }
             let last = &past[past.len() - predictor.stages..];
             let last = BlockSizes::of(last);
-            let modest = BlockSizes::of(k).at_most(|block| last.at(block) * LARGEST_GROWTH);
+            let modest = BlockSizes::of(k).at_most(
+                #[inline(always)]
+                |block| last.at(block) * LARGEST_GROWTH,
+            );
             guessed = guessed.or(here.and(modest));
             tried = tried.or(here);
             if tried.all() {
@@ -174,20 +184,22 @@ impl<V: State> StageHistory<V> {
             }
         }
         if guessed.any() {
-            k.iter_mut().for_each(|k| frame.recall(k));
+            for k in k {
+                frame.recall(k);
+            }
         }
         guessed
     }
 
     /// Returns the lanes in which n steps are remembered.
-    #[inline]
+    #[cfg_attr(not(debug_assertions), inline(always))]
     fn remembers(&self, n: usize) -> MaskOf<V> {
         let n = V::Scalar::from_f64(n as f64);
         self.steps.at_most(n).and(n.at_most(self.steps))
     }
 
     /// Remembers one more step in the lanes where it has converged, and forgets all steps in the others.
-    #[inline]
+    #[cfg_attr(not(debug_assertions), inline(always))]
     fn remember(
         &mut self,
         predictor: &Predictor,
@@ -215,6 +227,18 @@ impl<V: State> StageHistory<V> {
         self.steps = Real::select(converged, steps, V::Scalar::from_f64(0.0));
         self.most = (self.most + 1).min(predictor.weights.len());
     }
+}
+
+/// Sets k_i = X(z) in the lanes that are not `done`. It is rare, except for methods without predictions.
+#[inline(never)]
+fn begin<V: State, F: VectorField<V::Scalar, Point = V>>(
+    field: &F,
+    z: &V,
+    done: MaskOf<V>,
+    (k, spare): (&mut [V], &mut V),
+) {
+    field.at_into(z, spare);
+    fill_unless(done, k, spare);
 }
 
 /// Makes a second attempt in the lanes that are not `done`. It is rare, and kept out of the way of the first.
@@ -252,9 +276,12 @@ fn retried<M: Mask>(
 }
 
 /// Returns the lanes in which two points are equal to round-off, in every coordinate.
-#[inline]
+#[cfg_attr(not(debug_assertions), inline(always))]
 pub(crate) fn near<V: State>(a: &V, b: &V) -> MaskOf<V> {
     let (mut apart, size) = (BlockSizes::zero(), BlockSizes::of(core::slice::from_ref(b)));
     apart.include_difference(a, b);
-    apart.at_most(|block| size.at(block) * ROUND_OFF)
+    apart.at_most(
+        #[inline(always)]
+        |block| size.at(block) * ROUND_OFF,
+    )
 }

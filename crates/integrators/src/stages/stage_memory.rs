@@ -1,9 +1,11 @@
 //! Predictions for integrators with their own stage equations: [`StageMemory`].
 
+use crate::stages::block_sizes::MaskOf;
 use crate::stages::convergence::unknown;
 use crate::stages::extrapolation::Predictor;
 use crate::stages::history::StageHistory;
 use crate::stages::stage_scale::OwnScale;
+use crate::stages::stage_solver::StageEquations;
 use crate::{StageSolver, Unconverged, from_fn};
 use lie_poisson::{Mask, Real, State};
 
@@ -60,7 +62,7 @@ impl<V: State> StageMemory<V> {
     /// Returns [`Unconverged`] if the iteration diverges or does not converge in some SIMD lane (one of several
     /// trajectories in one register). The other lanes hold their k, and remember it. The operator `?` converts the
     /// error into a [`StepError`](crate::StepError).
-    #[inline]
+    #[cfg_attr(not(debug_assertions), inline(always))]
     pub fn solve(
         &mut self,
         solver: &StageSolver,
@@ -70,31 +72,58 @@ impl<V: State> StageMemory<V> {
         first: impl Fn() -> V,
         stage: impl Fn(usize, &[V]) -> V,
     ) -> Result<usize, Unconverged<<V::Scalar as Real>::Mask>> {
-        let mut stage = |i: usize, k: &[V], value: &mut V| *value = stage(i, k);
         let mut spare = V::take(&mut self.pool, z);
+        let mut stage = ByValue(stage);
         let solved = if k.len() == self.predictor.stages {
             let (field, from) = (from_fn(|_: &V| first()), (z, step, &OwnScale));
             self.memory.solve(&self.predictor, solver, &field, from, (k, &mut spare), stage)
         } else {
             self.memory.forget();
-            let (start, none) = (first(), Mask::from_bool(false));
-            k.iter_mut().for_each(|k| k.assign(&start));
-            solver.solve_from(none, &OwnScale, k, &mut spare, &mut unknown(), &mut stage)
+            without_guess(solver, &first(), (k, &mut spare), &mut stage)
         };
         spare.give(&mut self.pool);
         solved
     }
 
     /// Records the end of the step that was solved last.
-    #[inline]
+    #[cfg_attr(not(debug_assertions), inline(always))]
     pub fn end_at(&mut self, z: &V) {
         self.memory.end_at(z);
     }
 
     /// Forgets all the steps before.
-    #[inline]
+    #[cfg_attr(not(debug_assertions), inline(always))]
     pub fn forget(&mut self) {
         self.memory.forget();
+    }
+}
+
+/// Solves the stage equations from k_i = `start`.
+#[cold]
+#[inline(never)]
+fn without_guess<V: State>(
+    solver: &StageSolver,
+    start: &V,
+    (k, spare): (&mut [V], &mut V),
+    equations: &mut impl StageEquations<V>,
+) -> Result<usize, Unconverged<MaskOf<V>>> {
+    k.iter_mut().for_each(|k| k.assign(start));
+    let none = Mask::from_bool(false);
+    solver.solve_from(none, &OwnScale, k, spare, &mut unknown(), equations)
+}
+
+/// Stage equations given by a function that returns f_i(k).
+struct ByValue<F>(F);
+
+impl<V: State, F: Fn(usize, &[V]) -> V> StageEquations<V> for ByValue<F> {
+    #[inline(always)]
+    fn has_low_parts(&self) -> bool {
+        false
+    }
+
+    #[inline(always)]
+    fn evaluate(&mut self, i: usize, k: &[V], _near: MaskOf<V>, value: &mut V) {
+        *value = (self.0)(i, k);
     }
 }
 

@@ -49,12 +49,19 @@ pub(crate) struct OwnScale;
 impl<V: State> Scale<V> for OwnScale {
     #[inline(always)]
     fn compare(&self, progress: &Progress<V>) -> (V::Scalar, V::Scalar) {
-        compare_by(progress, |b| progress.size.at(b))
+        compare_by(
+            progress,
+            #[inline(always)]
+            |b| progress.size.at(b),
+        )
     }
 
-    #[inline]
+    #[cfg_attr(not(debug_assertions), inline(always))]
     fn accepts(&self, progress: &Progress<V>, tolerance: f64) -> MaskOf<V> {
-        progress.change.at_most(|b| progress.size.at(b) * tolerance)
+        progress.change.at_most(
+            #[inline(always)]
+            |b| progress.size.at(b) * tolerance,
+        )
     }
 }
 
@@ -70,9 +77,11 @@ fn compare_by<V: State>(
         return (change.largest(), size.largest());
     }
     let least = V::Scalar::from_f64(f64::MIN_POSITIVE);
-    let change = change.largest_of(size, |b| {
-        change.at(b) / scale(b).maximum((change.at(b) * BEYOND).maximum(least))
-    });
+    let change = change.largest_of(
+        size,
+        #[inline(always)]
+        |b| change.at(b) / scale(b).maximum((change.at(b) * BEYOND).maximum(least)),
+    );
     (change, V::Scalar::from_f64(1.0))
 }
 
@@ -100,19 +109,29 @@ impl<V: State> Scale<V> for StageScale<V> {
     #[inline(always)]
     fn compare(&self, progress: &Progress<V>) -> (V::Scalar, V::Scalar) {
         let (zero, size) = (V::Scalar::from_f64(0.0), &progress.size);
-        let rate = size.largest_unchecked(|b| {
-            let outgrown = (size.at(b) * self.length).at_most(self.start.at(b)).not();
-            Real::select(outgrown, zero, size.at(b) * self.inverse.at(b))
-        });
-        compare_by(progress, |b| size.at(b).maximum(rate * self.start.at(b)))
+        let rate = size.largest_unchecked(
+            #[inline(always)]
+            |b| {
+                let outgrown = (size.at(b) * self.length).at_most(self.start.at(b)).not();
+                Real::select(outgrown, zero, size.at(b) * self.inverse.at(b))
+            },
+        );
+        compare_by(
+            progress,
+            #[inline(always)]
+            |b| size.at(b).maximum(rate * self.start.at(b)),
+        )
     }
 
-    #[inline]
+    #[cfg_attr(not(debug_assertions), inline(always))]
     fn accepts(&self, progress: &Progress<V>, tolerance: f64) -> MaskOf<V> {
-        progress.change.at_most(|b| {
-            let moved = progress.size.at(b) * self.length;
-            self.start.at(b).larger(moved) * (tolerance / self.length)
-        })
+        progress.change.at_most(
+            #[inline(always)]
+            |b| {
+                let moved = progress.size.at(b) * self.length;
+                self.start.at(b).larger(moved) * (tolerance / self.length)
+            },
+        )
     }
 }
 

@@ -107,7 +107,7 @@ impl StageSolver {
     ///
     /// # Errors
     /// Returns [`StepError::NotConverged`] if the iteration diverges or does not converge in some lane.
-    #[inline]
+    #[cfg_attr(not(debug_assertions), inline(always))]
     pub fn solve<V: State>(
         &self,
         mut start: V,
@@ -144,7 +144,7 @@ impl StageSolver {
     /// assert!((k - k.cos()).abs() < 1e-15);
     /// # Ok::<(), collective_integrators::StepError>(())
     /// ```
-    #[inline]
+    #[cfg_attr(not(debug_assertions), inline(always))]
     pub fn solve_by_sweeps(&self, mut sweep: impl FnMut() -> [f64; 2]) -> Result<usize, StepError> {
         let advance = |_, _| {
             let [change, size] = sweep().map(|x| BlockSizes::of(&[Vector1::new(x)]));
@@ -158,7 +158,7 @@ impl StageSolver {
     /// before.
     ///
     /// Lanes that are `done` stay as they are. The vector `spare` is overwritten.
-    #[inline]
+    #[cfg_attr(not(debug_assertions), inline(always))]
     pub(crate) fn solve_from<V: State>(
         &self,
         done: MaskOf<V>,
@@ -169,9 +169,22 @@ impl StageSolver {
         equations: &mut impl StageEquations<V>,
     ) -> Result<usize, Unconverged<MaskOf<V>>> {
         let whole = MaskOf::<V>::from_bool(!equations.has_low_parts());
-        let advance =
-            |done, near| sweep(done, k, spare, |i, k, value| equations.evaluate(i, k, near, value));
-        self.iterate(self.max_iterations, (done, whole), scale, pace, advance)
+        self.iterate(
+            self.max_iterations,
+            (done, whole),
+            scale,
+            pace,
+            #[inline(always)]
+            |done, near| {
+                sweep(
+                    done,
+                    k,
+                    spare,
+                    #[inline(always)]
+                    |i, k, value| equations.evaluate(i, k, near, value),
+                )
+            },
+        )
     }
 
     /// Makes Newton's iteration from k_i = `start`, in the lanes that are not `done`. Returns the number of iterations.
@@ -180,7 +193,7 @@ impl StageSolver {
     ///
     /// # Errors
     /// Returns [`StepError::NotConverged`] if the iteration does not converge in some lane.
-    #[inline]
+    #[cfg_attr(not(debug_assertions), inline(always))]
     pub(crate) fn newton<V: State>(
         &self,
         done: MaskOf<V>,
@@ -200,7 +213,7 @@ impl StageSolver {
     ///
     /// The closure `advance` receives the lanes that are to stay as they are and those that have just come close. It
     /// returns the changes and the sizes of the stages.
-    #[inline]
+    #[cfg_attr(not(debug_assertions), inline(always))]
     fn iterate<V: State>(
         &self,
         most: usize,
@@ -245,13 +258,13 @@ impl StageSolver {
 }
 
 /// Returns the ratios that a lane had when it ended.
-#[inline]
+#[cfg_attr(not(debug_assertions), inline(always))]
 fn keep<T: Real>(ended: T::Mask, [a, b]: Ratios<T>, [c, d]: Ratios<T>) -> Ratios<T> {
     [T::select(ended, a, c), T::select(ended, b, d)]
 }
 
 /// Makes one sweep over all stages, in the lanes that are not `done`. The vector `spare` is overwritten.
-#[inline]
+#[cfg_attr(not(debug_assertions), inline(always))]
 fn sweep<V: State>(
     done: MaskOf<V>,
     k: &mut [V],
@@ -280,7 +293,7 @@ fn sweep<V: State>(
 }
 
 /// Sets k_i = `value` in the lanes that are not `done`.
-#[inline]
+#[cfg_attr(not(debug_assertions), inline(always))]
 pub(crate) fn fill_unless<V: State>(done: MaskOf<V>, k: &mut [V], value: &V) {
     for k in k {
         k.replace_where(done.not(), value);
@@ -288,7 +301,7 @@ pub(crate) fn fill_unless<V: State>(done: MaskOf<V>, k: &mut [V], value: &V) {
 }
 
 /// Makes the storage hold `count` vectors of the space of `like`.
-#[inline]
+#[cfg_attr(not(debug_assertions), inline(always))]
 pub(crate) fn fit<V: State>(storage: &mut Vec<V>, count: usize, like: &V) {
     if storage.len() != count || storage.first().is_some_and(|first| !first.same_shape(like)) {
         storage.clear();
@@ -297,7 +310,7 @@ pub(crate) fn fit<V: State>(storage: &mut Vec<V>, count: usize, like: &V) {
 }
 
 /// Writes Σ_j a_j k_j to the sum.
-#[inline]
+#[cfg_attr(not(debug_assertions), inline(always))]
 pub(crate) fn set_combination<V: State>(sum: &mut V, row: &[f64], k: &[V]) {
     sum.set_zero();
     sum.add_combination(row, k);
@@ -308,7 +321,7 @@ pub(crate) fn set_combination<V: State>(sum: &mut V, row: &[f64], k: &[V]) {
 /// If h is within a few roundings of a fraction of small denominator, such as 0.05 = 8/5 · 2⁻⁵, the products h x with
 /// neighbouring x round alike. The products with the upper 26 bits of h do not, and the contribution of the lower bits
 /// is small. An infinite h x becomes NaN.
-#[inline]
+#[cfg_attr(not(debug_assertions), inline(always))]
 pub(crate) fn scale_evenly<V: State>(v: &V, step: f64, product: &mut V) {
     let upper = f64::from_bits(step.to_bits() & UPPER_HALF);
     product.assign(v);

@@ -10,7 +10,7 @@ use lie_poisson::{Pair, State, Vector};
 /// ```
 ///
 /// Source: D. E. Knuth, *The Art of Computer Programming*, vol. 2, §4.2.2, Thm. B.
-#[inline]
+#[cfg_attr(not(debug_assertions), inline(always))]
 pub(crate) fn two_sum<V: State>(a: &V, b: &V, sum: &mut V, error: &mut V, spare: &mut V) {
     sum.assign(a);
     sum.add_in_place(b);
@@ -24,13 +24,14 @@ pub(crate) fn two_sum<V: State>(a: &V, b: &V, sum: &mut V, error: &mut V, spare:
 }
 
 /// Replaces (z, e) by (z, e) + (δz, δe), where e and δe have the size of rounding errors.
-#[inline]
+#[cfg_attr(not(debug_assertions), inline(always))]
 pub(crate) fn add_compensated<V: State>(
     (z, e): (&mut V, &mut V),
     (dz, de): (&V, &V),
     pool: &mut V::Pool,
 ) {
-    let [mut change, mut lost, mut next, mut spare] = [(); 4].map(|()| V::take(pool, z));
+    let (mut change, mut lost) = (V::take(pool, z), V::take(pool, z));
+    let (mut next, mut spare) = (V::take(pool, z), V::take(pool, z));
     two_sum(dz, e, &mut change, &mut lost, &mut spare);
     two_sum(z, &change, &mut next, e, &mut spare);
     lost.add_in_place(de);
@@ -42,7 +43,7 @@ pub(crate) fn add_compensated<V: State>(
 }
 
 /// Returns a + b as its rounded value and the rounding error.
-#[inline]
+#[cfg_attr(not(debug_assertions), inline(always))]
 pub(crate) fn exact_sum<V: Vector>(a: &V, b: &V) -> Pair<V, V> {
     let [mut sum, mut error, mut spare] = [V::zero(); 3];
     two_sum(a, b, &mut sum, &mut error, &mut spare);

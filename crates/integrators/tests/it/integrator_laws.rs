@@ -97,14 +97,15 @@ fn schemes_that_say_so_are_equivariant() {
 /// Checks the laws of an integrator over `f64` and over SIMD lanes.
 fn integrator_laws<I, V>(integrator: I, momenta: &[V])
 where
-    I: Start<f64, State: Vector, Momentum = V> + Integrator<DefaultLanes, State: Vector> + Sync,
+    I: Start<f64, State: Vector, Momentum = V>,
+    Laned<I>: BatchIntegrator<Member = <I as Integrator>::State>,
     V: Vector<Scalar = f64>,
 {
     laws::start(&integrator, momenta, STEP).unwrap().check(ROUND_OFF).unwrap();
     let start = |mu: &V| Start::<f64>::start(&integrator, mu).unwrap();
     let members: Vec<_> = momenta.iter().map(start).collect();
     let failing = members[0].scaled(f64::NAN);
-    let batch = Laned::new(integrator);
+    let batch = Laned::widest(integrator);
     laws::batch(&batch, &members, &failing, STEP).unwrap().check(0.0).unwrap();
 }
 
@@ -164,7 +165,7 @@ impl<T: Real> VectorField<T> for BlowUp {
 
 #[test]
 fn a_member_that_fails_after_some_steps() {
-    let batch = Laned::new(Direct::new(RungeKutta::implicit_midpoint(), BlowUp));
+    let batch = Laned::widest(Direct::new(RungeKutta::implicit_midpoint(), BlowUp));
     let (members, failing) = ([-1.0, 0.001, -0.3].map(Vector1::new), Vector1::new(1.0));
     let mut failed_at = Vec::new();
     let mut report = |_, error: IntegrationError| failed_at.push(error.step);

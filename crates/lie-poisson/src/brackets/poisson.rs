@@ -19,7 +19,7 @@ pub trait PoissonSpace: VectorSpace {
     ) -> Point<Self, T>;
 
     /// Returns the bracket {f, h}(z) of functions with the differentials `df` and `dh` at z.
-    #[inline]
+    #[cfg_attr(not(debug_assertions), inline(always))]
     fn bracket<T: Real>(
         &self,
         z: &Point<Self, T>,
@@ -103,7 +103,7 @@ impl<A: LieAlgebra> VectorSpace for LiePoisson<A> {
 
 impl<A: LieAlgebra> PoissonSpace for LiePoisson<A> {
     /// Returns ∓`ad∗_ξ μ` with ξ = dh, for the (±)-bracket.
-    #[inline]
+    #[cfg_attr(not(debug_assertions), inline(always))]
     fn hamiltonian_vector<T: Real>(
         &self,
         mu: &Momentum<A, T>,

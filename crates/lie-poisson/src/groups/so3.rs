@@ -1,6 +1,6 @@
 //! The Lie algebra so(3) and the rotation group SO(3).
 
-use crate::{Covector, LieAlgebra, LieGroup, Real};
+use crate::{Covector, LieAlgebra, LieGroup, Real, cross};
 use nalgebra::{Matrix3, Vector3};
 
 /// The Lie algebra so(3) ≅ R³ with [ξ, η] = ξ × η.
@@ -36,19 +36,19 @@ impl So3 {
 impl LieAlgebra for So3 {
     type Element<T: Real> = Vector3<T>;
 
-    #[inline]
+    #[cfg_attr(not(debug_assertions), inline(always))]
     fn bracket<T: Real>(&self, xi: &Vector3<T>, eta: &Vector3<T>) -> Vector3<T> {
-        xi.cross(eta)
+        cross(xi, eta)
     }
 
     /// Returns the coadjoint operator `ad∗_ξ μ = μ × ξ`.
-    #[inline]
+    #[cfg_attr(not(debug_assertions), inline(always))]
     fn coadjoint<T: Real>(
         &self,
         xi: &Vector3<T>,
         mu: &Covector<Vector3<T>>,
     ) -> Covector<Vector3<T>> {
-        Covector(mu.0.cross(xi))
+        Covector(cross(&mu.0, xi))
     }
 }
 

@@ -1,6 +1,8 @@
 //! The defining representations of the classical groups of real matrices.
 
-use crate::{Covector, GroupRepresentation, Real, Representation, SL2, SO2, SO3, Sl2, So2, So3};
+use crate::{
+    Covector, GroupRepresentation, Real, Representation, SL2, SO2, SO3, Sl2, So2, So3, cross,
+};
 use nalgebra::{Matrix2, Matrix3, Vector1, Vector2, Vector3};
 
 /// The representation of SO(3) on R³ by rotation: ξ v = ξ × v.
@@ -15,29 +17,29 @@ impl Representation for SO3OnR3 {
         So3
     }
 
-    #[inline]
+    #[cfg_attr(not(debug_assertions), inline(always))]
     fn act<T: Real>(&self, xi: &Vector3<T>, v: &Vector3<T>) -> Vector3<T> {
-        xi.cross(v)
+        cross(xi, v)
     }
 
     /// Returns the transposed action `ξᵀ α = α × ξ`.
-    #[inline]
+    #[cfg_attr(not(debug_assertions), inline(always))]
     fn transpose_act<T: Real>(
         &self,
         xi: &Vector3<T>,
         alpha: &Covector<Vector3<T>>,
     ) -> Covector<Vector3<T>> {
-        Covector(alpha.0.cross(xi))
+        Covector(cross(&alpha.0, xi))
     }
 
     /// Returns the diamond product `v ◇ α = v × α`.
-    #[inline]
+    #[cfg_attr(not(debug_assertions), inline(always))]
     fn diamond<T: Real>(
         &self,
         v: &Vector3<T>,
         alpha: &Covector<Vector3<T>>,
     ) -> Covector<Vector3<T>> {
-        Covector(v.cross(&alpha.0))
+        Covector(cross(v, &alpha.0))
     }
 }
 
@@ -73,13 +75,13 @@ impl Representation for SO2OnR2 {
         So2
     }
 
-    #[inline]
+    #[cfg_attr(not(debug_assertions), inline(always))]
     fn act<T: Real>(&self, xi: &Vector1<T>, v: &Vector2<T>) -> Vector2<T> {
         Vector2::new(-v.y, v.x) * xi.x
     }
 
     /// Returns the transposed action `ωᵀ α = ω (α₂, −α₁)`.
-    #[inline]
+    #[cfg_attr(not(debug_assertions), inline(always))]
     fn transpose_act<T: Real>(
         &self,
         xi: &Vector1<T>,
@@ -89,7 +91,7 @@ impl Representation for SO2OnR2 {
     }
 
     /// Returns the diamond product `v ◇ α = v₁α₂ − v₂α₁`.
-    #[inline]
+    #[cfg_attr(not(debug_assertions), inline(always))]
     fn diamond<T: Real>(
         &self,
         v: &Vector2<T>,
@@ -131,13 +133,13 @@ impl Representation for SL2OnR2 {
         Sl2
     }
 
-    #[inline]
+    #[cfg_attr(not(debug_assertions), inline(always))]
     fn act<T: Real>(&self, xi: &Vector3<T>, v: &Vector2<T>) -> Vector2<T> {
         Sl2.matrix(xi) * v
     }
 
     /// Returns the transposed action `ξᵀ α` by the transposed matrix.
-    #[inline]
+    #[cfg_attr(not(debug_assertions), inline(always))]
     fn transpose_act<T: Real>(
         &self,
         xi: &Vector3<T>,
@@ -147,7 +149,7 @@ impl Representation for SL2OnR2 {
     }
 
     /// Returns the diamond product `v ◇ α = (v₁α₁ − v₂α₂, v₂α₁, v₁α₂)`.
-    #[inline]
+    #[cfg_attr(not(debug_assertions), inline(always))]
     fn diamond<T: Real>(
         &self,
         v: &Vector2<T>,

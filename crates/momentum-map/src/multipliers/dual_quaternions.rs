@@ -3,6 +3,7 @@
 use crate::Multipliers;
 use lie_poisson::{
     Covector, LiePoisson, Pair, Quaternion, Real, SO3OnR3, Se3, Se3Dual, SemidirectAlgebra, Vector,
+    cross, dot,
 };
 use nalgebra::Vector3;
 
@@ -30,12 +31,12 @@ impl Multipliers for DualQuaternions {
         LiePoisson::minus(SemidirectAlgebra(SO3OnR3))
     }
 
-    #[inline]
+    #[cfg_attr(not(debug_assertions), inline(always))]
     fn one<T: Real>(&self) -> Self::Multiplier<T> {
         Pair(Quaternion::one(), Vector::zero())
     }
 
-    #[inline]
+    #[cfg_attr(not(debug_assertions), inline(always))]
     fn generate<T: Real>(
         &self,
         dh: &Pair<Vector3<T>, Vector3<T>>,
@@ -47,7 +48,7 @@ impl Multipliers for DualQuaternions {
         Pair(times(&turn, &q.0), times(&turn, &q.1) + times(&push, &q.0))
     }
 
-    #[inline]
+    #[cfg_attr(not(debug_assertions), inline(always))]
     fn transport<T: Real>(&self, q: &Self::Multiplier<T>, mu: &Se3Dual<T>) -> Se3Dual<T> {
         let (Pair(q, n), Covector(Pair(pi, gamma))) = (q, mu);
         let half = gamma * T::from_f64(0.5);
@@ -63,11 +64,11 @@ impl Multipliers for DualQuaternions {
         let (Pair(q, n), Covector(Pair(pi, gamma))) = (q, mu);
         let change = q.rotation_change(gamma);
         let x = (*n * q.conjugate()).vector * (T::from_f64(0.5) / q.norm_squared());
-        Se3Dual::new(q.rotation_change(pi) + x.cross(&(gamma + change)), change)
+        Se3Dual::new(q.rotation_change(pi) + cross(&x, &(gamma + change)), change)
     }
 
     /// Returns the product (Q + εN)(A + εB) = QA + ε(QB + NA).
-    #[inline]
+    #[cfg_attr(not(debug_assertions), inline(always))]
     fn product<T: Real>(
         &self,
         q: &Self::Multiplier<T>,
@@ -78,12 +79,12 @@ impl Multipliers for DualQuaternions {
 
     /// Returns (A + εB)⁻¹ = A′/|A|² + ε (B′ − 2 ⟨A, B⟩ A′/|A|²)/|A|² for A ≠ 0, where A′ = conj(A) and B′ =
     /// conj(B).
-    #[inline]
+    #[cfg_attr(not(debug_assertions), inline(always))]
     fn inverse<T: Real>(&self, b: &Self::Multiplier<T>) -> Option<Self::Multiplier<T>> {
         let Pair(a, b) = b;
         let scale = T::one() / a.norm_squared();
         let turn = a.conjugate().scaled(scale);
-        let along = a.scalar * b.scalar + a.vector.dot(&b.vector);
+        let along = a.scalar * b.scalar + dot(&a.vector, &b.vector);
         Some(Pair(turn, b.conjugate().scaled(scale) - turn.scaled((along + along) * scale)))
     }
 }

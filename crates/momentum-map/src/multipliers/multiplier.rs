@@ -96,7 +96,7 @@ pub trait Multipliers: Clone {
     /// method restores them first. If it then computes the change without cancellation, the change is exact
     /// to a few units of round-off of its own size, and the Casimirs of μ are conserved up to unbiased
     /// rounding errors.
-    #[inline]
+    #[cfg_attr(not(debug_assertions), inline(always))]
     fn coadjoint_change<T: Real>(
         &self,
         q: &Self::Multiplier<T>,
@@ -117,7 +117,7 @@ pub trait Multipliers: Clone {
     ///
     /// The result is exact for a B whose quadratic invariants hold. If they hold only approximately, the
     /// result is near the inverse.
-    #[inline]
+    #[cfg_attr(not(debug_assertions), inline(always))]
     fn inverse<T: Real>(&self, _b: &Self::Multiplier<T>) -> Option<Self::Multiplier<T>> {
         None
     }

@@ -22,17 +22,17 @@ impl Multipliers for Quaternions {
         LiePoisson::minus(So3)
     }
 
-    #[inline]
+    #[cfg_attr(not(debug_assertions), inline(always))]
     fn one<T: Real>(&self) -> Quaternion<T> {
         Quaternion::one()
     }
 
-    #[inline]
+    #[cfg_attr(not(debug_assertions), inline(always))]
     fn generate<T: Real>(&self, omega: &Vector3<T>, q: &Quaternion<T>) -> Quaternion<T> {
         Quaternion::imaginary_times(&(omega * T::from_f64(-0.5)), q)
     }
 
-    #[inline]
+    #[cfg_attr(not(debug_assertions), inline(always))]
     fn transport<T: Real>(
         &self,
         q: &Quaternion<T>,
@@ -42,7 +42,7 @@ impl Multipliers for Quaternions {
     }
 
     /// Returns the change of μ under the rotation by Q/|Q|.
-    #[inline]
+    #[cfg_attr(not(debug_assertions), inline(always))]
     fn coadjoint_change<T: Real>(
         &self,
         q: &Quaternion<T>,
@@ -51,13 +51,13 @@ impl Multipliers for Quaternions {
         Covector(q.rotation_change(&mu.0))
     }
 
-    #[inline]
+    #[cfg_attr(not(debug_assertions), inline(always))]
     fn product<T: Real>(&self, q: &Quaternion<T>, b: &Quaternion<T>) -> Quaternion<T> {
         *q * *b
     }
 
     /// Returns B⁻¹ = conj(B)/|B|² for any B ≠ 0.
-    #[inline]
+    #[cfg_attr(not(debug_assertions), inline(always))]
     fn inverse<T: Real>(&self, b: &Quaternion<T>) -> Option<Quaternion<T>> {
         Some(b.conjugate().scaled(T::one() / b.norm_squared()))
     }

@@ -169,13 +169,13 @@ fn many_tops(contest: &mut Contest<'_, impl FnMut(Run)>) -> Result<(), Error> {
     let Contest { only, others, done, .. } = contest;
     let mut contest = Contest { problem: &few, only: *only, others, done };
     let gauss = RungeKutta::gauss(8).map_err(refused)?;
-    let general = Laned::new(LiftFree::new(gauss, DualQuaternions, top));
+    let general = Laned::widest(LiftFree::new(gauss, DualQuaternions, top));
     let name = "heavytop any system: Gauss-16";
     contest.many(name, 1.0 / 3.0, general, |mu| mu, |mu| *mu)?;
     let midpoint = LiftFree::new(RungeKutta::implicit_midpoint(), DualQuaternions, top);
-    let (name, general) = ("heavytop any system: lift-free midpoint", Laned::new(midpoint));
+    let (name, general) = ("heavytop any system: lift-free midpoint", Laned::widest(midpoint));
     contest.many(name, 0.01, general, |mu| mu, |mu| *mu)?;
-    let closed = Laned::new(ReducedMidpoint::new(top));
+    let closed = Laned::widest(ReducedMidpoint::new(top));
     contest.many("heavytop any Hamiltonian: midpoint", 0.01, closed, |mu| mu, |mu| *mu)?;
     Ok(())
 }

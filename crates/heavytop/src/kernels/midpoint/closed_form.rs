@@ -1,21 +1,21 @@
 //! The midpoint rule on se(3)∗ for a given velocity at the midpoint.
 
 use crate::attitude::step_rotation::unit;
-use lie_poisson::{Covector, Pair, Quaternion, Real, Se3Dual};
+use lie_poisson::{Covector, Pair, Quaternion, Real, Se3Dual, cross, dot};
 use nalgebra::Vector3;
 
 /// The velocity (Ωₘ, γₘ) = dh at the midpoint.
 pub(super) type Velocity<T> = Pair<Vector3<T>, Vector3<T>>;
 
 /// Returns the rotated vector R_a v, for n = 1/(1+|a|²).
-#[inline]
+#[cfg_attr(not(debug_assertions), inline(always))]
 fn half_turn<T: Real>(a: &Vector3<T>, n: T, v: &Vector3<T>) -> Vector3<T> {
-    let turned = v.cross(a);
-    v + (turned + turned.cross(a)) * (n + n)
+    let turned = cross(v, a);
+    v + (turned + cross(&turned, a)) * (n + n)
 }
 
 /// Returns the unit quaternion of the rotation R_a R_a of the step.
-#[inline]
+#[cfg_attr(not(debug_assertions), inline(always))]
 pub(super) fn whole_turn<T: Real>(a: &Vector3<T>) -> Quaternion<T> {
     // R_a is the rotation by the quaternion 1 − a.
     let half = Quaternion { scalar: T::one(), vector: -a };
@@ -23,36 +23,36 @@ pub(super) fn whole_turn<T: Real>(a: &Vector3<T>) -> Quaternion<T> {
 }
 
 /// Returns a from the unit quaternion (1 − |a|² − 2a)/(1 + |a|²) of R_a R_a.
-#[inline]
+#[cfg_attr(not(debug_assertions), inline(always))]
 pub(super) fn half_angle<T: Real>(turn: &Quaternion<T>) -> Vector3<T> {
     turn.vector * (-T::one() / (turn.scalar + 1.0))
 }
 
 /// Returns the half angle a = (h/4) Ωₘ and the factor n = 1/(1+|a|²).
-#[inline]
+#[cfg_attr(not(debug_assertions), inline(always))]
 fn angle<T: Real>(omega: &Vector3<T>, step: f64) -> (Vector3<T>, T) {
     let a = omega * T::from_f64(0.25 * step);
-    (a, T::one() / (a.dot(&a) + 1.0))
+    (a, T::one() / (dot(&a, &a) + 1.0))
 }
 
 /// Returns the midpoint (Πₘ, Γₘ) of the step.
-#[inline]
+#[cfg_attr(not(debug_assertions), inline(always))]
 pub(super) fn middle<T: Real>(start: &Se3Dual<T>, velocity: &Velocity<T>, step: f64) -> Se3Dual<T> {
     let (Covector(Pair(pi, gamma)), Pair(omega, force)) = (start, velocity);
     let (a, n) = angle(omega, step);
     let vertical = half_turn(&a, n, gamma) * n;
-    let torque = vertical.cross(&(force + force.cross(&a))) - vertical * a.dot(force);
+    let torque = cross(&vertical, &(force + cross(force, &a))) - vertical * dot(&a, force);
     let pi = half_turn(&a, n, pi) + torque * T::from_f64(0.5 * step);
     Se3Dual::new(pi * n, vertical)
 }
 
 /// Returns the end (Π₁, Γ₁) of the step.
-#[inline]
+#[cfg_attr(not(debug_assertions), inline(always))]
 pub(super) fn end<T: Real>(start: &Se3Dual<T>, velocity: &Velocity<T>, step: f64) -> Se3Dual<T> {
     let (Covector(Pair(pi, gamma)), Pair(omega, force)) = (start, velocity);
     let (a, n) = angle(omega, step);
     let half = half_turn(&a, n, gamma);
-    let torque = half.cross(force) * (n * T::from_f64(step));
+    let torque = cross(&half, force) * (n * T::from_f64(step));
     let pi = half_turn(&a, n, &(half_turn(&a, n, pi) + torque));
     Se3Dual::new(pi, half_turn(&a, n, &half))
 }

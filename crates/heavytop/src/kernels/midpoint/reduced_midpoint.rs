@@ -83,7 +83,7 @@ impl<H> ReducedMidpoint<H> {
     }
 
     /// Advances by one step, and returns a = (h/4) Ωₘ with the end.
-    #[inline]
+    #[cfg_attr(not(debug_assertions), inline(always))]
     fn step_and_angle<T: Real>(
         &self,
         mu: &Se3Dual<T>,
@@ -95,16 +95,23 @@ impl<H> ReducedMidpoint<H> {
     {
         let mut velocity = [Vector::zero()];
         let first = || self.hamiltonian().differential(mu);
-        let solve = |_, velocity: &[Velocity<T>]| {
-            self.hamiltonian().differential(&middle(mu, &velocity[0], step))
-        };
-        let solved = space.velocities.solve(&self.solver, &mu.0, step, &mut velocity, first, solve);
+        let solved = space.velocities.solve(
+            &self.solver,
+            &mu.0,
+            step,
+            &mut velocity,
+            first,
+            #[inline(always)]
+            |_, velocity: &[Velocity<T>]| {
+                self.hamiltonian().differential(&middle(mu, &velocity[0], step))
+            },
+        );
         let [velocity] = velocity;
         let found = end(mu, &velocity, step);
         let a = velocity.0 * T::from_f64(0.25 * step);
         let (next, a) = match solved {
             Ok(iterations) => (Step { point: found, iterations }.finite()?, a),
-            Err(unconverged) if self.solver.newton => {
+            Err(unconverged) if T::HAS_SLOW_PATHS && self.solver.newton => {
                 let (next, newton) = self.step_by_newton(mu, step, &mut space.newton)?;
                 let converged = unconverged.converged;
                 let point = Vector::select(converged, &found, &next.point);
@@ -160,7 +167,7 @@ where
         ReducedMidpointSpace { velocities, newton: Integrator::<T>::workspace(&self.lift_free) }
     }
 
-    #[inline]
+    #[cfg_attr(not(debug_assertions), inline(always))]
     fn step(
         &self,
         mu: &Se3Dual<T>,
@@ -170,12 +177,12 @@ where
         self.step_and_angle(mu, step, workspace).map(|(next, _)| next)
     }
 
-    #[inline]
+    #[cfg_attr(not(debug_assertions), inline(always))]
     fn forget(&self, workspace: &mut Self::Workspace) {
         workspace.velocities.forget();
     }
 
-    #[inline]
+    #[cfg_attr(not(debug_assertions), inline(always))]
     fn momentum(&self, mu: &Se3Dual<T>) -> Se3Dual<T> {
         *mu
     }
@@ -187,7 +194,7 @@ where
     H: Hamiltonian<HeavyTopSpace, T>,
     T: Real,
 {
-    #[inline]
+    #[cfg_attr(not(debug_assertions), inline(always))]
     fn turn(
         &self,
         mu: &Se3Dual<T>,
