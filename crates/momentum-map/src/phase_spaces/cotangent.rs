@@ -44,6 +44,7 @@ impl<Q: Vector> Vector for Cotangent<Q> {
         if i < Q::DIM { Q::block(i) } else { Q::BLOCKS + Q::block(i - Q::DIM) }
     }
 
+    #[allow(clippy::redundant_closure)] // `&mut f` would be called, and this closure is inlined.
     #[cfg_attr(not(debug_assertions), inline(always))]
     fn from_coordinates(mut f: impl FnMut(usize) -> Q::Scalar) -> Self {
         let q = Q::from_coordinates(

@@ -169,6 +169,7 @@ impl<T: Real, A: Vector<Scalar = T>, B: Vector<Scalar = T>> Vector for Pair<A, B
         if i < A::DIM { A::block(i) } else { A::BLOCKS + B::block(i - A::DIM) }
     }
 
+    #[allow(clippy::redundant_closure)] // `&mut f` would be called, and this closure is inlined.
     #[cfg_attr(not(debug_assertions), inline(always))]
     fn from_coordinates(mut f: impl FnMut(usize) -> T) -> Self {
         let first = A::from_coordinates(

@@ -14,7 +14,7 @@ impl<T: Lanes> StorageOver<T> for Counter {
     type Storage = (u32, usize, bool);
 
     fn storage(&self) -> (u32, usize, bool) {
-        assert_eq!(T::FUSED, false);
+        assert!(!T::FUSED);
         (0, T::COUNT, T::HAS_SLOW_PATHS)
     }
 }
