@@ -62,6 +62,12 @@
 //! | structure constants from the entries of a table | [`structure_constants`], [`StructureEntry`] |
 //! | an algebra whose dimension is known when the program runs | [`for_dimension`], [`DimensionTask`] |
 //!
+//! # Cost
+//!
+//! An evaluation allocates nothing. A step of RK4 for a heavy top takes 1.3 times the instructions of the same Hamiltonian
+//! in Rust, and 1.4 times in SIMD lanes; with a cosine and an exponential in the Hamiltonian, 1.9 and 1.5 times
+//! (`benches/programs/formula_steps.rs` of the source repository, by callgrind).
+//!
 //! # Related crates
 //!
 //! `lie-poisson` holds the algebras, brackets and scalars, `collective-integrators` the time steps. The program

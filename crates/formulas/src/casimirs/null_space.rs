@@ -6,9 +6,13 @@ use std::collections::BTreeMap;
 /// A row, or a vector: columns with their entries, from left to right.
 pub(crate) type Row = Vec<(usize, Residue)>;
 
-/// The rows of an echelon form, by the column of their first entry, which is 1.
-fn echelon(rows: Vec<Row>) -> BTreeMap<usize, Row> {
+/// The largest number of changes of entries in an elimination, which take a few seconds.
+const MOST_CHANGES: usize = 20_000_000;
+
+/// The rows of an echelon form, by the column of their first entry, which is 1; `None` if it takes too many changes.
+fn echelon(rows: Vec<Row>, most_changes: usize) -> Option<BTreeMap<usize, Row>> {
     let mut pivots: BTreeMap<usize, Row> = BTreeMap::new();
+    let mut changes = 0_usize;
     for row in rows {
         let mut left: BTreeMap<usize, Residue> = BTreeMap::new();
         for (column, entry) in row.into_iter().filter(|(_, entry)| !entry.is_zero()) {
@@ -21,6 +25,10 @@ fn echelon(rows: Vec<Row>) -> BTreeMap<usize, Row> {
                 pivots.insert(column, row.collect());
                 break;
             };
+            changes = changes.saturating_add(pivot.len());
+            if changes > most_changes {
+                return None;
+            }
             for &(column, entry) in pivot {
                 let old = left.get(&column).copied().unwrap_or_default();
                 let new = old - lead * entry;
@@ -32,19 +40,20 @@ fn echelon(rows: Vec<Row>) -> BTreeMap<usize, Row> {
             }
         }
     }
-    pivots
+    Some(pivots)
 }
 
 /// Returns the rank of a matrix.
 pub(crate) fn rank(rows: Vec<Row>) -> usize {
-    echelon(rows).len()
+    echelon(rows, usize::MAX).map_or(0, |pivots| pivots.len())
 }
 
-/// Returns a basis of the vectors on which all rows vanish, each with an entry 1 where the others are 0.
-pub(crate) fn null_space(rows: Vec<Row>, columns: usize) -> Vec<Row> {
-    let pivots = echelon(rows);
+/// Returns a basis of the vectors on which all rows vanish, each with an entry 1 where the others are 0; `None` if the
+/// elimination takes too long.
+pub(crate) fn null_space(rows: Vec<Row>, columns: usize) -> Option<Vec<Row>> {
+    let pivots = echelon(rows, MOST_CHANGES)?;
     let free = (0..columns).filter(|column| !pivots.contains_key(column));
-    free.map(|column| {
+    let basis = free.map(|column| {
         let mut vector = BTreeMap::from([(column, Residue::ONE)]);
         for (&pivot, row) in pivots.range(..column).rev() {
             let sum = row.iter().skip(1).fold(Residue::ZERO, |sum, (column, entry)| {
@@ -55,6 +64,38 @@ pub(crate) fn null_space(rows: Vec<Row>, columns: usize) -> Vec<Row> {
             }
         }
         vector.into_iter().collect()
-    })
-    .collect()
+    });
+    Some(basis.collect())
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    /// Returns a matrix by rows of whole numbers.
+    fn matrix(rows: &[&[i64]]) -> Vec<Row> {
+        let row = |row: &&[i64]| row.iter().map(|&n| Residue::new(n)).enumerate().collect();
+        rows.iter().map(row).collect()
+    }
+
+    #[test]
+    fn null_vectors_are_orthogonal_to_all_rows() {
+        let rows = matrix(&[&[1, 2, 3, 4], &[2, 4, 6, 9], &[3, 6, 9, 13]]);
+        assert_eq!(rank(rows.clone()), 2);
+        let basis = null_space(rows.clone(), 4).unwrap_or_default();
+        assert_eq!(basis.len(), 2);
+        for vector in &basis {
+            for row in &rows {
+                let products = vector.iter().map(|&(column, entry)| entry * row[column].1);
+                assert!(products.fold(Residue::ZERO, |sum, product| sum + product).is_zero());
+            }
+        }
+    }
+
+    #[test]
+    fn an_elimination_that_takes_too_long_is_given_up() {
+        let rows = matrix(&[&[1, 2, 3], &[1, 3, 5], &[1, 4, 8]]);
+        assert!(echelon(rows.clone(), 7).is_none());
+        assert_eq!(echelon(rows, 100).map(|pivots| pivots.len()), Some(3));
+    }
 }

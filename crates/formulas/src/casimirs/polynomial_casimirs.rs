@@ -48,7 +48,7 @@ impl PolynomialCasimirs {
     }
 
     /// Returns the highest degree that was searched: 4, or less if the Casimirs were found before, or if there are
-    /// more than 4096 monomials of the next degree.
+    /// more than 4096 monomials of the next degree, or too many operations for them.
     #[must_use]
     pub const fn degree(&self) -> u8 {
         self.degree
@@ -60,7 +60,8 @@ impl PolynomialCasimirs {
 /// The number of independent Casimirs is dim 𝔤 − r, where r is the rank of the Poisson tensor Λ_ij(μ) = Σ_k c_ijk μ_k
 /// at a generic point. A polynomial C is a Casimir if {μ_i, C} = 0 for every i, which is linear in its coefficients.
 /// The null space is computed exactly, modulo a prime of 61 bits, for structure constants that are small fractions,
-/// or small fractions times square roots of products of 2, 3, 5 and 7. Each Casimir is checked at three points in
+/// or small fractions times square roots of products of 2, 3, 5 and 7. For other constants, such as those in a basis with
+/// rounded coordinates, some or all Casimirs may be missing. Each Casimir is checked at three points in
 /// floating point, and none is listed that is a function of the others.
 ///
 /// # Errors
@@ -98,7 +99,8 @@ pub fn find_casimirs<A: LieAlgebra>(
         if formulas.len() >= independent || count(dimension, degree) > MOST_MONOMIALS {
             break;
         }
-        for polynomial in invariants(&table, degree) {
+        let Some(invariants) = invariants(&table, degree) else { break };
+        for polynomial in invariants {
             let mut with = gradients.clone();
             with.push(polynomial.gradient(&point));
             if rank(with.clone()) < with.len() {
@@ -118,10 +120,10 @@ pub fn find_casimirs<A: LieAlgebra>(
     Ok(PolynomialCasimirs { formulas, independent, degree: searched })
 }
 
-/// Returns a basis of the Casimirs of a degree, those with few terms first.
-fn invariants(table: &BracketTable, degree: u8) -> Vec<Polynomial> {
+/// Returns a basis of the Casimirs of a degree, those with few terms first, or `None` if the search takes too long.
+fn invariants(table: &BracketTable, degree: u8) -> Option<Vec<Polynomial>> {
     let monomials = monomials(table.dimension(), degree);
-    let space = null_space(equations(table, &monomials), monomials.len());
+    let space = null_space(equations(table, &monomials), monomials.len())?;
     let polynomial = |vector: Vec<(usize, _)>| {
         let terms = vector.into_iter();
         let named =
@@ -130,7 +132,7 @@ fn invariants(table: &BracketTable, degree: u8) -> Vec<Polynomial> {
     };
     let mut found: Vec<Polynomial> = space.into_iter().map(polynomial).collect();
     found.sort_by_key(|polynomial| polynomial.terms.len());
-    found
+    Some(found)
 }
 
 /// Returns whether `ad∗_ξ μ` = 0 for ξ = dC(μ) at three points, up to rounding.

@@ -88,6 +88,24 @@ Configuration: every key may be left out, and has then the value below.
   every = 1                          # keep every n-th step; the last step is always kept
   attitude = false                   # whether to write the attitude; direct has none
 
+Formulations:
+  collective   on T*C², read through M: T*C² → se(3)*
+  reduced      the same maps without a lift, on se(3)* itself
+  direct       on the six equations of the top: not Poisson, whatever the scheme
+  splitting    exact flows of the free top and of its weight, explicit and Poisson; of the free top
+               as three rotors unless I1 = I2
+
+Schemes; the number is the order:
+  implicit-midpoint, gauss-4, gauss-6, gauss-8, gauss-10, gauss-12, gauss-16
+                                        collective, reduced, direct
+  explicit-midpoint, rk4                collective, direct
+  symplectic-euler, stormer-verlet, lobatto-iiia-iiib-4
+                                        collective, with a warning: they do not descend to se(3)*
+  strang, yoshida-4, suzuki-4, yoshida-6, kahan-li-6, kahan-li-8
+                                        all: compositions of Strang's splitting under splitting, of
+                                        the implicit midpoint rule elsewhere, where strang is that
+                                        rule itself
+
 Another Lie–Poisson system instead of a top, with the minus bracket, by its algebra and a formula:
 
   [system]
@@ -108,24 +126,6 @@ vectors, |v|, sqrt, exp, ln, sin, cos, tan, sinh, cosh, tanh, atan2, pi, and Gre
 (Gamma1) or as they are (Γ₁); there is no product without *. so(3), su(2) and se(3) have the
 formulations collective, reduced and direct; other algebras of dimension 3 or 6 collective, on T*V
 by a Clebsch map, and direct; the others direct, which is not Poisson.
-
-Formulations:
-  collective   on T*C², read through M: T*C² → se(3)*
-  reduced      the same maps without a lift, on se(3)* itself
-  direct       on the six equations of the top: not Poisson, whatever the scheme
-  splitting    exact flows of the free top and of its weight, explicit and Poisson; of the free top
-               as three rotors unless I1 = I2
-
-Schemes; the number is the order:
-  implicit-midpoint, gauss-4, gauss-6, gauss-8, gauss-10, gauss-12, gauss-16
-                                        collective, reduced, direct
-  explicit-midpoint, rk4                collective, direct
-  symplectic-euler, stormer-verlet, lobatto-iiia-iiib-4
-                                        collective, with a warning: they do not descend to se(3)*
-  strang, yoshida-4, suzuki-4, yoshida-6, kahan-li-6, kahan-li-8
-                                        all: compositions of Strang's splitting under splitting, of
-                                        the implicit midpoint rule elsewhere, where strang is that
-                                        rule itself
 
 Examples:
   heavytop simulate --out kovalevskaya.csv        # the paper's top
