@@ -240,3 +240,22 @@ fn an_interrupted_run_of_a_system_continues_byte_for_byte() {
     assert_eq!(folder.read("parts.csv"), folder.read("whole.csv"));
     assert_eq!(resumed.deviations, whole.deviations);
 }
+
+/// The systems in the help run as they are written there, and so do those of the guide.
+#[test]
+fn the_systems_of_the_help_and_of_the_guide_run() {
+    let folder = Folder::new();
+    let help = folder.heavytop(&["simulate", "--help"]).stdout();
+    let guide = include_str!("../../../../docs/guide/systems.md");
+    let in_help = help.split("  [system]\n").skip(1).map(|text| text.split("\n\n").next().unwrap());
+    let in_guide = guide.split("[system]\n").skip(1).map(|text| text.split("```").next().unwrap());
+    let mut count = 0;
+    for text in in_help.chain(in_guide).filter(|text| text.contains("hamiltonian = ")) {
+        folder.write("system.toml", &format!("[system]\n{text}"));
+        let end = ["--set", "integrator.end=2"];
+        let run = [&["simulate", "system.toml", "--out", "system.csv"], &end[..]].concat();
+        succeeded(&folder.heavytop(&run));
+        count += 1;
+    }
+    assert_eq!(count, 4);
+}
