@@ -140,6 +140,8 @@ def test_steps_that_are_too_long_are_told():
 
 INTERRUPTED = """
 import heavytop, signal, sys, threading, time, numpy as np
+# A job in the background of a shell begins with the signal ignored.
+signal.signal(signal.SIGINT, signal.default_int_handler)
 top = heavytop.Top.kovalevskaya()
 start = dict(Pi=[2, 3, 4], Gamma=[0.6, 0, 0.8])
 y = np.tile([[2.0], [3.0], [4.0], [0.6], [0.0], [0.8]], 50)
