@@ -17,7 +17,11 @@ use std::cell::RefCell;
 /// for the [multipliers](Multipliers) Q_i of all sites together, and moves each μ_i by its Q_i. For a symplectic scheme it
 /// is a Poisson map of (𝔤∗)ᴺ, of any order, and conserves the Casimirs of each μ_i. It equals
 /// [`CollectiveSites`](crate::CollectiveSites) with the same scheme to round-off; there is no lift to choose, and no fibre
-/// to drift along. After the first step it allocates nothing, unless a step needs Newton's iteration.
+/// to drift along. The sign of the bracket is that of the [space](Multipliers::space) of the multipliers. After the first step
+/// it allocates nothing, unless a step needs Newton's iteration.
+///
+/// Source: as for [`LiftFree`](crate::LiftFree), the question that Ohsawa 2019, §5.1 leaves open; the multipliers of all sites
+/// are one element of a product of algebras.
 ///
 /// # Example
 /// A ring of spins, by Gauss's method of order 4 for N quaternions:
