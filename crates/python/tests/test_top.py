@@ -139,16 +139,19 @@ def test_steps_that_are_too_long_are_told():
 
 
 INTERRUPTED = """
-import heavytop, signal, sys, threading, time, numpy as np
+import dataclasses, heavytop, signal, sys, threading, numpy as np
 # A job in the background of a shell begins with the signal ignored.
 signal.signal(signal.SIGINT, signal.default_int_handler)
 top = heavytop.Top.kovalevskaya()
 start = dict(Pi=[2, 3, 4], Gamma=[0.6, 0, 0.8])
 y = np.tile([[2.0], [3.0], [4.0], [0.6], [0.0], [0.8]], 50)
+# the record of a run that would take hours
+long = dataclasses.replace(top.solve(**start, step=1e-4, end=1e-3), t=np.array([0.0, 1e6]))
 calls = {
     "solve": lambda: top.solve(**start, step=1e-4, end=1e6, every=10**6),
     "section": lambda: top.section(**start, coordinate="Pi3", value=1e3, step=1e-4, end=1e6),
     "solve_many": lambda: heavytop.solve_many(top, y, step=1e-4, end=1e6),
+    "sol": lambda: long.sol(1e6),
 }
 threading.Timer(0.3, lambda: signal.raise_signal(signal.SIGINT)).start()
 try:
@@ -158,7 +161,7 @@ except KeyboardInterrupt:
 """
 
 
-@pytest.mark.parametrize("call", ["solve", "section", "solve_many"])
+@pytest.mark.parametrize("call", ["solve", "section", "solve_many", "sol"])
 def test_control_c_ends_every_loop(call):
     # A minute is far above the second that it takes, and far below the hours of the run.
     done = subprocess.run([sys.executable, "-c", INTERRUPTED, call], capture_output=True, text=True, timeout=60)
