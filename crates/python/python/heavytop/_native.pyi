@@ -4,6 +4,10 @@ from typing import Optional
 import numpy as np
 from numpy.typing import NDArray
 
+MethodNames = tuple[str, str, float]
+Setting = tuple[Sequence[float], float, MethodNames]
+Surface = tuple[Sequence[float], float, int]
+
 class IntegrationError(RuntimeError): ...
 
 class Top:
@@ -31,12 +35,8 @@ class Top:
     def invariant_values(self, states: NDArray[np.float64]) -> NDArray[np.float64]: ...
     def follow(
         self,
-        start: Sequence[float],
-        step: float,
+        setting: Setting,
         end: float,
-        formulation: str,
-        scheme: str,
-        tolerance: float,
         every: int,
         attitude: bool,
     ) -> tuple[
@@ -49,24 +49,14 @@ class Top:
     ]: ...
     def states_at(
         self,
-        start: Sequence[float],
-        step: float,
+        setting: Setting,
         times: Sequence[float],
-        formulation: str,
-        scheme: str,
-        tolerance: float,
     ) -> NDArray[np.float64]: ...
     def crossings(
         self,
-        start: Sequence[float],
-        step: float,
+        setting: Setting,
         end: float,
-        formulation: str,
-        scheme: str,
-        tolerance: float,
-        normal: Sequence[float],
-        level: float,
-        direction: int,
+        surface: Surface,
         most: int,
     ) -> tuple[NDArray[np.float64], NDArray[np.float64]]: ...
 

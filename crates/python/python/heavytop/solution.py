@@ -20,11 +20,7 @@ class Run(NamedTuple):
     """What a run is made from: enough to make it again."""
 
     top: _native.Top
-    start: list[float]
-    step: float
-    formulation: str
-    scheme: str
-    tolerance: float
+    setting: tuple[list[float], float, tuple[str, str, float]]
 
 
 @dataclass(frozen=True, eq=False, repr=False)
@@ -111,11 +107,9 @@ class Solution:
             raise ValueError(f"t must be from 0 to {end}, got {outside[0]}")
         flat = np.minimum(flat, end)
         order = np.argsort(flat, kind="stable")
-        top, start, step, formulation, scheme, tolerance = self._run
+        top, setting = self._run
         states = np.empty((6, flat.size))
-        states[:, order] = top.states_at(
-            start, step, flat[order].tolist(), formulation, scheme, tolerance
-        ).T
+        states[:, order] = top.states_at(setting, flat[order].tolist()).T
         return states.reshape((6, *times.shape))
 
     def __repr__(self) -> str:

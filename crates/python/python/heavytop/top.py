@@ -220,10 +220,7 @@ class Top:
         """
         run = self._run(Pi, Gamma, step, formulation, scheme, tolerance)
         end, attitude, every = positive("end", end), flag("attitude", attitude), count("every", every, 1)
-        start, method = run.start, run[3:]
-        t, y, values, quaternions, iterations, error = self._top.follow(
-            start, run.step, end, *method, every, attitude
-        )
+        t, y, values, quaternions, iterations, error = self._top.follow(run.setting, end, every, attitude)
         finite = np.isfinite(values).all(axis=1)
         if not finite.all():
             kept = max(int(finite.argmin()), 1)
@@ -248,14 +245,8 @@ class Top:
         if turn > LONG_STEP:
             text = f"the body turns by {turn:.3g} rad in the first step: a step of {step / turn:.3g} turns it by 1 rad"
             warnings.warn(text, RuntimeWarning, stacklevel=3)
-        return Run(
-            top=self._top,
-            start=angular_momentum + vector("Gamma", Gamma),
-            step=step,
-            formulation=choice("formulation", formulation, FORMULATIONS),
-            scheme=choice("scheme", scheme, SCHEMES),
-            tolerance=tolerance,
-        )
+        method = (choice("formulation", formulation, FORMULATIONS), choice("scheme", scheme, SCHEMES), tolerance)
+        return Run(self._top, (angular_momentum + vector("Gamma", Gamma), step, method))
 
     def section(
         self,
@@ -294,9 +285,8 @@ class Top:
         normal = [float(name == coordinate) for name in COORDINATES]
         way = int(choice("direction", direction, (1, -1, 0)))
         bound = 2**63 - 1 if most is None else count("most", most, 1)
-        t, y = self._top.crossings(
-            run.start, run.step, positive("end", end), *run[3:], normal, real("value", value), way, bound
-        )
+        surface = (normal, real("value", value), way)
+        t, y = self._top.crossings(run.setting, positive("end", end), surface, bound)
         return Crossings(t, y.T)
 
     def _parameters(self) -> tuple[tuple[float, ...], float, tuple[float, ...]]:

@@ -34,6 +34,12 @@ type Run<'py> = (
 /// The times and the states of points.
 type Points<'py> = (Bound<'py, PyArray1<f64>>, Bound<'py, PyArray2<f64>>);
 
+/// A formulation, a scheme, and the tolerance of its stage equations.
+type MethodNames = (String, String, f64);
+
+/// The start (Π, Γ), the step and the method of a run.
+type Setting = ([f64; 6], f64, MethodNames);
+
 /// The class of a top, and the arguments that make it.
 type Reduced<'py> = (Bound<'py, PyType>, ([f64; 3], f64, f64, f64, [f64; 3]));
 
@@ -129,20 +135,16 @@ impl Top {
 
     /// Follows the top from (Π, Γ), and returns times, states, conserved quantities, attitudes, the number of iterations
     /// and the error.
-    #[expect(clippy::too_many_arguments)]
     fn follow<'py>(
         &self,
         py: Python<'py>,
-        start: [f64; 6],
-        step: f64,
+        setting: Setting,
         end: f64,
-        formulation: &str,
-        scheme: &str,
-        tolerance: f64,
         every: u64,
         attitude: bool,
     ) -> PyResult<Run<'py>> {
-        let (method, steps) = (method(formulation, scheme, tolerance)?, steps(step, end)?);
+        let (start, step, method) = setting;
+        let (method, steps) = (made(method)?, steps(step, end)?);
         if every == 0 {
             return Err(PyValueError::new_err("every must be at least 1, got 0"));
         }
@@ -155,40 +157,30 @@ impl Top {
     }
 
     /// Returns the states at times that do not decrease, as rows.
-    #[expect(clippy::too_many_arguments)]
     fn states_at<'py>(
         &self,
         py: Python<'py>,
-        start: [f64; 6],
-        step: f64,
+        setting: Setting,
         times: Vec<f64>,
-        formulation: &str,
-        scheme: &str,
-        tolerance: f64,
     ) -> PyResult<Bound<'py, PyArray2<f64>>> {
-        let method = method(formulation, scheme, tolerance)?;
+        let (start, step, method) = setting;
+        let method = made(method)?;
         let dense = Dense { start: state(start), step, times: &times };
         let states = py.detach(|| method.integrate(&self.0, dense)).map_err(refused)??;
         rows(py, states, 6)
     }
 
-    /// Returns the times and the states at which n·(Π, Γ) = c; direction is 1, −1 or 0.
-    #[expect(clippy::too_many_arguments)]
+    /// Returns the times and the states at which n·(Π, Γ) = c, for a surface (n, c, direction); direction is 1, −1 or 0.
     fn crossings<'py>(
         &self,
         py: Python<'py>,
-        start: [f64; 6],
-        step: f64,
+        setting: Setting,
         end: f64,
-        formulation: &str,
-        scheme: &str,
-        tolerance: f64,
-        normal: [f64; 6],
-        level: f64,
-        direction: i8,
+        surface: ([f64; 6], f64, i8),
         most: usize,
     ) -> PyResult<Points<'py>> {
-        let (method, steps) = (method(formulation, scheme, tolerance)?, steps(step, end)?);
+        let ((start, step, method), (normal, level, direction)) = (setting, surface);
+        let (method, steps) = (made(method)?, steps(step, end)?);
         let direction = match direction {
             1 => Direction::Up,
             -1 => Direction::Down,
@@ -205,7 +197,7 @@ impl Top {
     }
 }
 
-fn method(formulation: &str, scheme: &str, tolerance: f64) -> PyResult<Method> {
+fn made((formulation, scheme, tolerance): MethodNames) -> PyResult<Method> {
     let method = || -> Result<_, MethodError> {
         Method::new(formulation.parse()?, scheme.parse()?, tolerance)
     };
