@@ -6,7 +6,7 @@
 
 use collective_integrators::{
     AlternatingSubsteps, BatchIntegrator, Collective, Direct, HamiltonianField, IntegrationError,
-    Integrator, Laned, LiftFree, RungeKutta, Splitting, Start,
+    Integrator, Laned, LiftFree, RungeKutta, Splitting, StagesInLanes, Start,
 };
 use heavytop::{
     CollectiveGauss, HeavyTop, MidpointBatch, ReducedMidpoint, SpinorRealisation,
@@ -113,6 +113,17 @@ fn main() -> Result<(), Box<dyn Error>> {
         // These integrators are for any system, and have no instructions to choose.
         "any-gauss-8" => {
             one(&Collective::new(RungeKutta::gauss(8)?, SpinorRealisation, top), 0.25, steps)
+        }
+        "any-gauss-8-lanes" => {
+            let gauss = Collective::new(RungeKutta::gauss(8)?, SpinorRealisation, top);
+            one(&StagesInLanes::widest(gauss).with_instructions(set)?, 0.25, steps)
+        }
+        "lift-free-gauss-4" | "lift-free-gauss-4-lanes" => {
+            let gauss = LiftFree::new(RungeKutta::gauss(4)?, DualQuaternions, top);
+            match kernel.ends_with("lanes") {
+                true => one(&StagesInLanes::widest(gauss).with_instructions(set)?, 0.1, steps),
+                false => one(&gauss, 0.1, steps),
+            }
         }
         "any-midpoint" => {
             let midpoint = RungeKutta::implicit_midpoint();

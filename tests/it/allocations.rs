@@ -4,8 +4,8 @@
 use collective_integrators::{
     Alternating, BatchIntegrator, Collective, CollectiveSites, Composition, DenseOutput, Direct,
     Direction, Events, ExactFlows, Integrator, Laned, LiftFree, LiftFreeSites, LyapunovExponents,
-    RungeKutta, SphericalMidpoint, Splitting, Start, Substeps, TaoFlows, VariationalFlow,
-    VectorField,
+    RungeKutta, SphericalMidpoint, Splitting, StagesInLanes, Start, Substeps, TaoFlows,
+    VariationalFlow, VectorField,
 };
 use heavytop::{CollectiveGauss, SpinorRealisation, TopMidpoint, WithAttitude};
 use isospectral_flows::{
@@ -222,6 +222,10 @@ fn no_step_allocates() -> Result<(), Box<dyn Error>> {
     }
 
     let mut run = lifted.trajectory(&start, 0.05)?.take(200);
+    assert_eq!(allocations(|| Ok(run.try_for_each(|sample| sample.map(drop))?))?, 0);
+
+    let side_by_side = StagesInLanes::widest(lifted.clone());
+    let mut run = side_by_side.trajectory(&start, 0.05)?.take(200);
     assert_eq!(allocations(|| Ok(run.try_for_each(|sample| sample.map(drop))?))?, 0);
 
     let names = Vocabulary::of(&Se3::default(), &Parameters::new())?;

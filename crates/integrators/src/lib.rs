@@ -54,6 +54,7 @@
 //! | states between the samples | [`DenseOutput`] |
 //! | Poincaré sections and other events | [`Events`] |
 //! | many trajectories, in SIMD lanes (several trajectories in one register) and on all threads | [`Laned`], run by an [`Ensemble`] |
+//! | one trajectory of a method with several stages, faster | [`StagesInLanes`] |
 //! | a kernel of your own for many trajectories | [`LaneKernel`], [`BatchIntegrator`] |
 //! | tangent vectors and Lyapunov exponents | [`VariationalFlow`], [`LyapunovExponents`] |
 //! | fast indicators of chaos: MEGNO and SALI | [`Megno`], [`smaller_alignment_index`] |
@@ -88,9 +89,10 @@
 mod error;
 mod stage_frame;
 mod storage_pool;
-mod vector_field;
 mod step_fractions;
 mod tableaux;
+mod iteration;
+mod vector_field;
 mod stages;
 mod schemes;
 mod dual;
@@ -121,6 +123,8 @@ pub use dual::direct::Direct;
 pub use dual::integrator::{
     CHECKPOINT, Integrator, Sample, SampleOf, Start, StateIsMomentum, Trajectory,
 };
+pub use dual::lanes::field_in_lanes::FieldInLanes;
+pub use dual::lanes::stages_in_lanes::StagesInLanes;
 pub use dual::lift_free::{LiftFree, MultiplierSpace};
 pub use dual::sites::collective_sites::{CollectiveSites, CollectiveSitesSpace};
 pub use dual::sites::lift_free_sites::{LiftFreeSites, LiftFreeSitesSpace};
@@ -130,6 +134,7 @@ pub use runs::crossing::{Direction, EventError};
 pub use runs::dense_output::{DenseOutput, DenseOutputError};
 pub use runs::events::Events;
 
+pub use iteration::stage_solver::{StageSolver, Unconverged};
 pub use schemes::partitioned::{PartitionedRungeKutta, PartitionedSpace};
 pub use schemes::polarisation::{Alternating, FirstHalf, Polarisation};
 pub use schemes::runge_kutta::{RungeKutta, StageSpace};
@@ -140,8 +145,8 @@ pub use splittings::flow_sequence::{FlowSequence, LieTrotter, Strang};
 pub use splittings::splitting::Splitting;
 pub use splittings::tao::TaoFlows;
 pub use stages::extrapolation::lagrange_polynomial;
+pub use stages::lane_field::LaneField;
 pub use stages::stage_memory::StageMemory;
-pub use stages::stage_solver::{StageSolver, Unconverged};
 pub use step_fractions::alternating_substeps::AlternatingSubsteps;
 pub use step_fractions::substeps::Substeps;
 pub use storage_pool::StoragePool;

@@ -1,5 +1,6 @@
 //! Vector fields, which schemes integrate: [`VectorField`].
 
+use crate::iteration::lane_problem::{LaneProblem, Outcome};
 use crate::stage_frame::{OwnFrame, StageFrame};
 use core::marker::PhantomData;
 use lie_poisson::{
@@ -83,6 +84,18 @@ pub trait VectorField<T: Real = f64> {
     /// derivative is not known.
     #[cfg_attr(not(debug_assertions), inline(always))]
     fn derivative(&self, _z: &Self::Point, _v: &Self::Point) -> Option<Self::Point> {
+        None
+    }
+
+    /// Solves stage equations with one stage in each SIMD lane, if the field is one for that.
+    ///
+    /// Only the field of [`StagesInLanes`](crate::StagesInLanes) has a reason to change the default.
+    #[doc(hidden)]
+    #[inline(always)]
+    fn solve_in_lanes(
+        &self,
+        _problem: &mut LaneProblem<'_, Self::Point>,
+    ) -> Option<Outcome<Self::Point>> {
         None
     }
 

@@ -3,7 +3,7 @@
 use crate::{HeavyTopSpace, SpinorPoint, SpinorRealisation};
 use collective_integrators::{
     Collective, Compensated, Composition, Equivariant, ExactFlows, FlowSequence, Integrator,
-    LiftFree, Scheme, Splitting, Step, StepError, compensated_sum,
+    LiftFree, Scheme, Splitting, StagesInLanes, Step, StepError, compensated_sum,
 };
 use lie_poisson::{Hamiltonian, Pair, Quaternion, Real, Se3Dual, Vector, squaring_scale};
 use momentum_map::DualQuaternions;
@@ -105,6 +105,38 @@ where
         step: f64,
         workspace: &mut Self::Workspace,
     ) -> TurnedStep<Self::State, T> {
+        turned_by_spinors(self, state, step, workspace, |state| &state.0)
+    }
+}
+
+/// The rotation is the Q with ψₙ₊₁ = Q ψₙ.
+impl<S, H> Turning for StagesInLanes<Collective<S, SpinorRealisation, H>>
+where
+    Self: Integrator<State = SpinorPoint, Momentum = Se3Dual>,
+{
+    #[inline]
+    fn turn(
+        &self,
+        z: &SpinorPoint,
+        step: f64,
+        workspace: &mut Self::Workspace,
+    ) -> TurnedStep<SpinorPoint, f64> {
+        turned_by_spinors(self, z, step, workspace, |z| z)
+    }
+}
+
+/// The rotation is the Q with ψₙ₊₁ = Q ψₙ.
+impl<S, H> Turning for Compensated<StagesInLanes<Collective<S, SpinorRealisation, H>>>
+where
+    Self: Integrator<State = Pair<SpinorPoint, SpinorPoint>, Momentum = Se3Dual>,
+{
+    #[inline]
+    fn turn(
+        &self,
+        state: &Self::State,
+        step: f64,
+        workspace: &mut Self::Workspace,
+    ) -> TurnedStep<Self::State, f64> {
         turned_by_spinors(self, state, step, workspace, |state| &state.0)
     }
 }

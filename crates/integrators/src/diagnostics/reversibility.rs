@@ -1,6 +1,6 @@
 //! The symmetry of an integrator in time.
 
-use crate::stages::block_sizes::BlockSizes;
+use crate::iteration::block_sizes::BlockSizes;
 use crate::{Integrator, StepError};
 use lie_poisson::Real;
 

@@ -215,6 +215,42 @@ impl<S: Scheme, M: PoissonMap, H> Collective<S, M, H> {
         }
         moved
     }
+
+    /// Makes a step with the collective vector field, in whatever form it is given.
+    #[cfg_attr(not(debug_assertions), inline(always))]
+    pub(crate) fn step_of<T: Real, F: VectorField<T, Point = SourcePoint<M, T>>>(
+        &self,
+        field: &F,
+        state: &SourcePoint<M, T>,
+        step: f64,
+        workspace: &mut SpaceOf<S, M, T>,
+    ) -> Result<Step<SourcePoint<M, T>>, StepError> {
+        let start = self.recentred::<T>(state, workspace);
+        let Step { point: change, iterations } =
+            self.scheme.increment::<T, _>(field, &start, step, &mut workspace.scheme)?;
+        let end = start + change;
+        Step { point: end + self.gauge::<T>(&end), iterations }.finite()
+    }
+
+    /// Returns the increment of a step with the collective vector field, in whatever form it is given.
+    #[cfg_attr(not(debug_assertions), inline(always))]
+    pub(crate) fn increment_of<T: Real, F: VectorField<T, Point = SourcePoint<M, T>>>(
+        &self,
+        field: &F,
+        state: &SourcePoint<M, T>,
+        step: f64,
+        workspace: &mut SpaceOf<S, M, T>,
+    ) -> Result<Increment<SourcePoint<M, T>>, StepError> {
+        let start = self.recentred::<T>(state, workspace);
+        let Step { point: Pair(change, rest), iterations } =
+            self.scheme.refined_increment::<T, _>(field, &start, step, &mut workspace.scheme)?;
+        if start == *state {
+            return Ok(Step { point: Pair(change, rest), iterations });
+        }
+        let Pair(moved, below) = exact_sum(&start, &-*state);
+        let Pair(change, lost) = exact_sum(&moved, &change);
+        Ok(Step { point: Pair(change, rest + below + lost), iterations })
+    }
 }
 
 impl<S, M, H, T> Integrator<T> for Collective<S, M, H>
@@ -244,11 +280,7 @@ where
         step: f64,
         workspace: &mut Self::Workspace,
     ) -> Result<Step<Self::State>, StepError> {
-        let start = self.recentred::<T>(state, workspace);
-        let Step { point: change, iterations } =
-            self.scheme.increment::<T, _>(&self.system, &start, step, &mut workspace.scheme)?;
-        let end = start + change;
-        Step { point: end + self.gauge::<T>(&end), iterations }.finite()
+        self.step_of::<T, _>(&self.system, state, step, workspace)
     }
 
     #[cfg_attr(not(debug_assertions), inline(always))]
@@ -277,16 +309,7 @@ where
         step: f64,
         workspace: &mut Self::Workspace,
     ) -> Result<Increment<Self::State>, StepError> {
-        let start = self.recentred::<T>(state, workspace);
-        let Step { point: Pair(change, rest), iterations } = self
-            .scheme
-            .refined_increment::<T, _>(&self.system, &start, step, &mut workspace.scheme)?;
-        if start == *state {
-            return Ok(Step { point: Pair(change, rest), iterations });
-        }
-        let Pair(moved, below) = exact_sum(&start, &-*state);
-        let Pair(change, lost) = exact_sum(&moved, &change);
-        Ok(Step { point: Pair(change, rest + below + lost), iterations })
+        self.increment_of::<T, _>(&self.system, state, step, workspace)
     }
 
     /// Returns z + e + gauge(z + e), to first order in e.

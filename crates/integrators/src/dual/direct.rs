@@ -44,6 +44,16 @@ impl<S: Scheme, F> Direct<S, F> {
         Self { scheme, field }
     }
 
+    /// Returns the scheme.
+    pub fn scheme(&self) -> &S {
+        &self.scheme
+    }
+
+    /// Returns the vector field.
+    pub fn field(&self) -> &F {
+        &self.field
+    }
+
     /// Returns the integrator with [`Compensated`] summation.
     pub fn compensated(self) -> Compensated<Self> {
         Compensated(self)

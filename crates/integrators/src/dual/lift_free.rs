@@ -3,7 +3,7 @@
 use crate::dual::multiplier_field::{Course, MultiplierField};
 use crate::{
     Compensated, Equivariant, Increment, Increments, Integrator, Scheme, StateIsMomentum, Step,
-    StepError,
+    StepError, VectorField,
 };
 use lie_poisson::{Hamiltonian, Pair, Point, Real, Vector};
 use momentum_map::{Multiplier, Multipliers};
@@ -133,10 +133,7 @@ impl<S: Equivariant, M: Multipliers, H> LiftFree<S, M, H> {
             mu,
             workspace,
             #[inline(always)]
-            |field, one, storage| {
-                let next = self.scheme.increment::<T, _>(field, one, step, storage)?;
-                Ok(Step { point: *one + next.point, iterations: next.iterations })
-            },
+            |field, one, storage| self.advance::<T, _>(field, one, step, storage),
         )
     }
 
@@ -154,17 +151,40 @@ impl<S: Equivariant, M: Multipliers, H> LiftFree<S, M, H> {
             mu,
             workspace,
             #[inline(always)]
-            |field, one, storage| {
-                let next = self.scheme.refined_increment::<T, _>(field, one, step, storage)?;
-                let Pair(change, rest) = next.point;
-                Ok(Step { point: *one + (change + rest), iterations: next.iterations })
-            },
+            |field, one, storage| self.refined_advance::<T, _>(field, one, step, storage),
         )
+    }
+
+    /// Returns the multiplier after a step from Q = 1 with the field of multipliers, in whatever form it is given.
+    #[cfg_attr(not(debug_assertions), inline(always))]
+    pub(crate) fn advance<T: Real, F: VectorField<T, Point = Multiplier<M, T>>>(
+        &self,
+        field: &F,
+        one: &Multiplier<M, T>,
+        step: f64,
+        storage: &mut S::Workspace<Multiplier<M, T>>,
+    ) -> Result<Step<Multiplier<M, T>>, StepError> {
+        let next = self.scheme.increment::<T, _>(field, one, step, storage)?;
+        Ok(Step { point: *one + next.point, iterations: next.iterations })
+    }
+
+    /// Returns the multiplier after a step from Q = 1 with unbiased rounding errors.
+    #[cfg_attr(not(debug_assertions), inline(always))]
+    pub(crate) fn refined_advance<T: Real, F: VectorField<T, Point = Multiplier<M, T>>>(
+        &self,
+        field: &F,
+        one: &Multiplier<M, T>,
+        step: f64,
+        storage: &mut S::Workspace<Multiplier<M, T>>,
+    ) -> Result<Step<Multiplier<M, T>>, StepError> {
+        let next = self.scheme.refined_increment::<T, _>(field, one, step, storage)?;
+        let Pair(change, rest) = next.point;
+        Ok(Step { point: *one + (change + rest), iterations: next.iterations })
     }
 
     /// Returns the multiplier and the change of μ in one step that `make` computes from Q = 1.
     #[cfg_attr(not(debug_assertions), inline(always))]
-    fn motion_by<T: Real>(
+    pub(crate) fn motion_by<T: Real>(
         &self,
         mu: &Point<M::Space, T>,
         workspace: &mut MultiplierSpace<S, M, T>,
@@ -212,7 +232,8 @@ impl<S: Equivariant, M: Multipliers, H> LiftFree<S, M, H> {
 type CourseOf<M, T> = Course<Point<<M as Multipliers>::Space, T>, Multiplier<M, T>>;
 
 /// The multiplier of a step, and its change of μ.
-type MultiplierStep<M, T> = (Step<Multiplier<M, T>>, Point<<M as Multipliers>::Space, T>);
+pub(crate) type MultiplierStep<M, T> =
+    (Step<Multiplier<M, T>>, Point<<M as Multipliers>::Space, T>);
 
 /// The storage of a lift-free step: that of the scheme for multipliers, and a record of the steps before.
 #[derive(Debug)]

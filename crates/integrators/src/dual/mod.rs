@@ -7,5 +7,6 @@ pub(crate) mod collective;
 pub(crate) mod direct;
 pub(crate) mod multiplier_field;
 pub(crate) mod lift_free;
+pub(crate) mod lanes;
 pub(crate) mod sites;
 pub(crate) mod spherical_midpoint;

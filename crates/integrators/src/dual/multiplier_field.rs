@@ -50,6 +50,26 @@ where
     }
 }
 
+/// The vector field of multipliers over any scalar, from its start over `f64`.
+pub(crate) struct AnyScalar<'a, M: Multipliers, H>(pub(crate) &'a MultiplierField<'a, M, H, f64>);
+
+impl<M, H, T> VectorField<T> for AnyScalar<'_, M, H>
+where
+    M: Multipliers,
+    H: Hamiltonian<M::Space, T>,
+    T: Real,
+{
+    type Point = Multiplier<M, T>;
+
+    #[inline(always)]
+    fn at(&self, q: &Multiplier<M, T>) -> Multiplier<M, T> {
+        let MultiplierField { multipliers, hamiltonian, start, .. } = *self.0;
+        let start: Point<M::Space, T> = map_coordinates(&start, T::from_f64);
+        let mu = multipliers.transport::<T>(q, &start);
+        multipliers.generate::<T>(&hamiltonian.differential(&mu), q)
+    }
+}
+
 /// The frame of the course, in which the stage derivatives are k A.
 impl<M, H, T> StageFrame<Multiplier<M, T>> for &MultiplierField<'_, M, H, T>
 where

@@ -1,6 +1,6 @@
 //! When a point is moved back along its fibre: [`RecentringThreshold`].
 
-use crate::stages::block_sizes::{BlockSizes, MaskOf};
+use crate::iteration::block_sizes::{BlockSizes, MaskOf};
 use lie_poisson::{Mask, State};
 
 /// The growth of a block of z beyond which a point of the fibre nearer to the origin is looked for.

@@ -1,7 +1,7 @@
 //! The spherical midpoint method.
 
-use crate::stages::convergence::unknown;
-use crate::stages::stage_scale::OwnScale;
+use crate::iteration::convergence::unknown;
+use crate::iteration::stage_scale::OwnScale;
 use crate::{Integrator, StageSolver, StateIsMomentum, Step, StepError, VectorField};
 use lie_poisson::{Covector, Mask, Power, Real, Sites, State, Vector};
 use nalgebra::Vector3;

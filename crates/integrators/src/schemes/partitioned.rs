@@ -1,9 +1,9 @@
 //! Partitioned Runge–Kutta methods: [`PartitionedRungeKutta`].
 
+use crate::iteration::stage_scale::StageScale;
+use crate::iteration::stage_solver::{fit, set_combination};
 use crate::stages::extrapolation::Predictor;
 use crate::stages::history::StageHistory;
-use crate::stages::stage_scale::StageScale;
-use crate::stages::stage_solver::{fit, set_combination};
 use crate::tableaux::order_conditions::tree_order;
 use crate::tableaux::tableau::COEFFICIENT_TOLERANCE;
 use crate::{

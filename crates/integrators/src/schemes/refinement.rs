@@ -1,7 +1,7 @@
 //! Stage derivatives of an accuracy beyond that of the rounded stages.
 
-use crate::stages::block_sizes::MaskOf;
-use crate::stages::stage_solver::{scale_evenly, set_combination};
+use crate::iteration::block_sizes::MaskOf;
+use crate::iteration::stage_solver::{scale_evenly, set_combination};
 use crate::stages::two_sum::two_sum;
 use crate::{Tableau, VectorField};
 use lie_poisson::{Mask, Real, State};

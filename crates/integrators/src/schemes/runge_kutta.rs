@@ -1,15 +1,18 @@
 //! Runge–Kutta methods: [`RungeKutta`].
 
+use crate::iteration::block_sizes::MaskOf;
+use crate::iteration::convergence::Ratios;
+use crate::iteration::lane_problem::{LaneProblem, Outcome};
+use crate::iteration::stage_rows::{StageColumns, StageRows};
+use crate::iteration::stage_scale::StageScale;
+use crate::iteration::stage_solver::{
+    StageEquations, Unconverged, fit, scale_evenly, set_combination,
+};
 use crate::schemes::explicit_step::four_stages;
 use crate::schemes::refinement::refine;
-use crate::stages::block_sizes::MaskOf;
 use crate::stages::extrapolation::Predictor;
 use crate::stages::history::StageHistory;
 use crate::stages::newton::{NewtonSpace, newton_step};
-use crate::stages::stage_scale::StageScale;
-use crate::stages::stage_solver::{
-    StageEquations, Unconverged, fit, scale_evenly, set_combination,
-};
 use crate::tableaux::dop853;
 use crate::{
     Equivariant, Increment, Scheme, SchemeError, StageSolver, Step, StepError, Substeps, Tableau,
@@ -38,6 +41,7 @@ pub struct RungeKutta {
     tableau: Tableau,
     solver: StageSolver,
     predictor: Predictor,
+    columns: Option<StageColumns>,
 }
 
 impl RungeKutta {
@@ -46,7 +50,8 @@ impl RungeKutta {
     pub fn new(tableau: Tableau) -> Self {
         let predictor =
             if tableau.is_explicit() { Predictor::none() } else { Predictor::new(tableau.nodes()) };
-        Self { tableau, solver: StageSolver::default(), predictor }
+        let columns = StageColumns::new(&tableau);
+        Self { tableau, solver: StageSolver::default(), predictor, columns }
     }
 
     /// Returns the same method with another stage solver.
@@ -168,14 +173,14 @@ impl RungeKutta {
         step: f64,
         workspace: &mut StageSpace<F::Point>,
     ) -> Result<(usize, T::Mask), StepError> {
-        let StageSpace { k, small, memory, newton, pool, .. } = workspace;
+        let StageSpace { k, small, memory, newton, pool, rows, .. } = workspace;
         for small in &mut *small {
             small.set_zero();
         }
         let mut spare = F::Point::take(pool, z);
-        let (tableau, h) = (&self.tableau, T::from_f64(step));
-        let equations = Stages { tableau, field, z, h, small, pool };
-        let scale = StageScale::new(z, step);
+        let (tableau, h, scale) = (&self.tableau, T::from_f64(step), StageScale::new(z, step));
+        let lanes = self.columns.as_ref().map(|columns| (columns, step, &scale, rows));
+        let equations = Stages { tableau, field, z, h, small, pool, lanes };
         let (from, unknowns) = ((z, step, &scale), (k.as_mut_slice(), &mut spare));
         let solved = memory.solve(&self.predictor, &self.solver, field, from, unknowns, equations);
         let outcome = match solved {
@@ -250,12 +255,27 @@ struct Stages<'a, F, V: State> {
     /// The sums Σ_j low_ij k_j, or zero if the coefficients have no low parts.
     small: &'a mut [V],
     pool: &'a mut V::Pool,
+    /// What else a field needs that computes the stages side by side.
+    lanes: Option<(&'a StageColumns, f64, &'a StageScale<V>, &'a mut StageRows)>,
 }
 
 impl<F: VectorField<V::Scalar, Point = V>, V: State> StageEquations<V> for Stages<'_, F, V> {
     #[cfg_attr(not(debug_assertions), inline(always))]
     fn has_low_parts(&self) -> bool {
         !self.tableau.row_low(0).is_empty()
+    }
+
+    #[inline(always)]
+    fn solve_in_lanes(
+        &mut self,
+        solver: &StageSolver,
+        k: &mut [V],
+        pace: &mut Ratios<V::Scalar>,
+    ) -> Option<Outcome<V>> {
+        let (columns, step, scale, rows) = self.lanes.as_mut()?;
+        let (z, step) = (self.z, *step);
+        let mut problem = LaneProblem { columns, solver, scale, z, step, k, pace, rows };
+        self.field.solve_in_lanes(&mut problem)
     }
 
     #[inline(always)]
@@ -304,6 +324,7 @@ pub struct StageSpace<V: State> {
     /// The sums Σ_j low_ij k_j with the low parts of the coefficients, once the stages are close; zero without them.
     small: Vec<V>,
     memory: StageHistory<V>,
+    rows: StageRows,
     newton: NewtonSpace<V::Scalar>,
     pool: V::Pool,
 }
@@ -315,11 +336,14 @@ impl Scheme for RungeKutta {
 
     fn workspace<V: State>(&self) -> StageSpace<V> {
         let room = || Vec::with_capacity(self.tableau.stages());
+        let side_by_side = self.columns.is_some() && is_plain_and_small::<V>();
+        let coordinates = if side_by_side { size_of::<V>() / size_of::<f64>() } else { 0 };
         StageSpace {
             k: room(),
             rest: room(),
             small: room(),
             memory: StageHistory::new(&self.predictor),
+            rows: StageRows::with_room(coordinates),
             newton: NewtonSpace::default(),
             pool: V::Pool::default(),
         }

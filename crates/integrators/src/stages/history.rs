@@ -1,11 +1,13 @@
 //! The memory of the steps before, and predictions from it: [`StageHistory`].
 
+use crate::iteration::block_sizes::{BlockSizes, MaskOf};
+use crate::iteration::convergence::{ROUND_OFF, Ratios, unknown};
+use crate::iteration::stage_scale::Scale;
+use crate::iteration::stage_solver::{
+    StageEquations, Unconverged, fill_unless, fit, set_combination,
+};
 use crate::stage_frame::StageFrame;
-use crate::stages::block_sizes::{BlockSizes, MaskOf};
-use crate::stages::convergence::{ROUND_OFF, Ratios, unknown};
 use crate::stages::extrapolation::Predictor;
-use crate::stages::stage_scale::Scale;
-use crate::stages::stage_solver::{StageEquations, Unconverged, fill_unless, fit, set_combination};
 use crate::{StageSolver, VectorField};
 use lie_poisson::{Mask, Real, State};
 
@@ -82,7 +84,10 @@ impl<V: State> StageHistory<V> {
             begin(field, z, guessed, (k, spare));
         }
         let none = MaskOf::<V>::from_bool(false);
-        let mut outcome = solver.solve_from(none, scale, k, spare, &mut self.pace, &mut equations);
+        let mut outcome = match equations.solve_in_lanes(solver, k, &mut self.pace) {
+            Some(outcome) => outcome,
+            None => solver.solve_from(none, scale, k, spare, &mut self.pace, &mut equations),
+        };
         if let Err(first) = &outcome {
             let misled = guessed.and(first.converged.not());
             if V::Scalar::HAS_SLOW_PATHS && misled.any() {

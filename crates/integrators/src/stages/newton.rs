@@ -1,8 +1,8 @@
 //! Newton's iteration for the stage equations.
 
-use crate::stages::block_sizes::BlockSizes;
-use crate::stages::stage_scale::Progress;
-use crate::stages::stage_solver::set_combination;
+use crate::iteration::block_sizes::BlockSizes;
+use crate::iteration::stage_scale::Progress;
+use crate::iteration::stage_solver::set_combination;
 use crate::{Tableau, VectorField};
 use lie_poisson::{Mask, Real, State, solve_linear};
 

@@ -1,11 +1,11 @@
 //! Predictions for integrators with their own stage equations: [`StageMemory`].
 
-use crate::stages::block_sizes::MaskOf;
-use crate::stages::convergence::unknown;
+use crate::iteration::block_sizes::MaskOf;
+use crate::iteration::convergence::unknown;
+use crate::iteration::stage_scale::OwnScale;
+use crate::iteration::stage_solver::StageEquations;
 use crate::stages::extrapolation::Predictor;
 use crate::stages::history::StageHistory;
-use crate::stages::stage_scale::OwnScale;
-use crate::stages::stage_solver::StageEquations;
 use crate::{StageSolver, Unconverged, from_fn};
 use lie_poisson::{Mask, Real, State};
 

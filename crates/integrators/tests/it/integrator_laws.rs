@@ -11,7 +11,7 @@ use nalgebra::{Vector1, Vector2, Vector3};
 
 /// A rigid body with h(Π) = ½Π₁² + Π₂² + ³⁄₁₀ Π₁Π₃.
 #[derive(Clone, Copy)]
-struct Body;
+pub(crate) struct Body;
 
 impl Energy for Body {
     type Space = LiePoisson<So3>;

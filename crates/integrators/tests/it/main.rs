@@ -13,5 +13,6 @@ mod lyapunov;
 mod partitioned_schemes;
 mod runge_kutta;
 mod spherical_midpoint;
+mod stages_in_lanes;
 mod support;
 mod trajectory;

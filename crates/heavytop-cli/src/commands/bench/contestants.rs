@@ -5,7 +5,8 @@ use super::problem::Problem;
 use crate::Error;
 use collective_integrators::{
     AlternatingSubsteps, BatchIntegrator, Chunk, Collective, Direct, Ensemble, HamiltonianField,
-    IntegrationError, Laned, LiftFree, RungeKutta, SchemeError, Splitting, Start, Substeps,
+    IntegrationError, Laned, LiftFree, RungeKutta, SchemeError, Splitting, StagesInLanes, Start,
+    Substeps,
 };
 use heavytop::methods::MethodError;
 use heavytop::{
@@ -132,8 +133,10 @@ fn one_top(contest: &mut Contest<'_, impl FnMut(Run)>) -> Result<(), Error> {
 
     let gauss = RungeKutta::gauss(8).map_err(refused)?;
     let general = Collective::new(gauss, SpinorRealisation, top);
-    contest.single("heavytop any system: Gauss-16", 0.25, &general)?;
-    let compensated = general.compensated();
+    contest.single("heavytop any system: Gauss-16, one stage at a time", 0.25, &general)?;
+    let side_by_side = StagesInLanes::widest(general);
+    contest.single("heavytop any system: Gauss-16", 0.25, &side_by_side)?;
+    let compensated = side_by_side.compensated();
     contest.single("heavytop any system: Gauss-16, compensated", 0.25, &compensated)?;
     let general = LiftFree::new(RungeKutta::implicit_midpoint(), DualQuaternions, top);
     contest.single("heavytop any system: lift-free midpoint", 0.01, &general)?;

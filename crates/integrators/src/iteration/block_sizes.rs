@@ -31,6 +31,22 @@ impl<V: State> BlockSizes<V> {
         Self { most: V::Blocks::uniform(size), sum: size }
     }
 
+    /// Returns the sizes f(block) of vectors whose magnitudes have the given sum.
+    #[inline(always)]
+    pub(crate) fn from_parts(f: impl Fn(usize) -> V::Scalar, sum: V::Scalar) -> Self {
+        let mut sizes = Self { sum, ..Self::zero() };
+        for block in 0..V::BLOCKS {
+            sizes.most.set(block, f(block));
+        }
+        sizes
+    }
+
+    /// Returns the sum of all magnitudes.
+    #[inline(always)]
+    pub(crate) fn sum(&self) -> V::Scalar {
+        self.sum
+    }
+
     /// Returns the sizes of several vectors.
     #[inline(always)]
     pub(crate) fn of(vectors: &[V]) -> Self {

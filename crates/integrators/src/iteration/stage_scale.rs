@@ -1,7 +1,7 @@
 //! Scales with which changes of stage derivatives are compared.
 
-use crate::stages::block_sizes::{BlockSizes, MaskOf};
-use crate::stages::convergence::ROUND_OFF;
+use crate::iteration::block_sizes::{BlockSizes, MaskOf};
+use crate::iteration::convergence::ROUND_OFF;
 use lie_poisson::{Mask, Real, State};
 
 /// The scales of a step: the sizes |z_b| of the blocks of its starting point, and its length h.
@@ -138,7 +138,7 @@ impl<V: State> Scale<V> for StageScale<V> {
 #[cfg(test)]
 mod tests {
     use super::{Progress, Scale, StageScale};
-    use crate::stages::block_sizes::BlockSizes;
+    use crate::iteration::block_sizes::BlockSizes;
     use lie_poisson::Pair;
     use nalgebra::Vector1;
 

@@ -1,9 +1,9 @@
 //! Iterations for the stage equations to the round-off floor: [`StageSolver`].
 
 use crate::StepError;
-use crate::stages::block_sizes::{BlockSizes, MaskOf};
-use crate::stages::convergence::{FLOOR, Ratios, Watch, is_finite, unknown};
-use crate::stages::stage_scale::{OwnScale, Progress, Scale};
+use crate::iteration::block_sizes::{BlockSizes, MaskOf};
+use crate::iteration::convergence::{FLOOR, Ratios, Watch, is_finite, unknown};
+use crate::iteration::stage_scale::{OwnScale, Progress, Scale};
 use lie_poisson::{Mask, Real, State, larger};
 use nalgebra::Vector1;
 
@@ -81,6 +81,19 @@ pub(crate) trait StageEquations<V: State> {
 
     /// Writes f_i(k) to the value. In the lanes `near`, k has just come close to the solution.
     fn evaluate(&mut self, i: usize, k: &[V], near: MaskOf<V>, value: &mut V);
+
+    /// Solves the equations from the guess in `k` with one stage in each SIMD lane, if they are equations for that.
+    ///
+    /// The ratios are those of the changes of the iteration before.
+    #[inline(always)]
+    fn solve_in_lanes(
+        &mut self,
+        _solver: &StageSolver,
+        _k: &mut [V],
+        _pace: &mut Ratios<V::Scalar>,
+    ) -> Option<Result<usize, Unconverged<MaskOf<V>>>> {
+        None
+    }
 }
 
 impl<V: State, F: FnMut(usize, &[V], &mut V)> StageEquations<V> for F {
@@ -214,7 +227,7 @@ impl StageSolver {
     /// The closure `advance` receives the lanes that are to stay as they are and those that have just come close. It
     /// returns the changes and the sizes of the stages.
     #[cfg_attr(not(debug_assertions), inline(always))]
-    fn iterate<V: State>(
+    pub(crate) fn iterate<V: State>(
         &self,
         most: usize,
         (done, mut close): (MaskOf<V>, MaskOf<V>),

@@ -1,0 +1,168 @@
+//! Stage equations that are to be solved with one stage in each SIMD lane: [`LaneProblem`].
+
+use crate::StageSolver;
+use crate::iteration::block_sizes::{BlockSizes, MaskOf};
+use crate::iteration::convergence::Ratios;
+use crate::iteration::stage_rows::{StageColumns, StageRow, StageRows, WIDTH};
+use crate::iteration::stage_scale::{Progress, StageScale};
+use crate::iteration::stage_solver::Unconverged;
+use core::hint::black_box;
+use lie_poisson::{Lanes, Mask, Real, State, Vector};
+
+/// The number of iterations, or the error of the iteration.
+pub type Outcome<V> = Result<usize, Unconverged<MaskOf<V>>>;
+
+/// The stage equations k_i = X(z + h Σ_j a_ij k_j) of a step over `f64`, with a guess of their solution.
+#[derive(Debug)]
+pub struct LaneProblem<'a, V: State> {
+    pub(crate) columns: &'a StageColumns,
+    pub(crate) solver: &'a StageSolver,
+    pub(crate) scale: &'a StageScale<V>,
+    pub(crate) z: &'a V,
+    pub(crate) step: f64,
+    /// The guess, and after the iteration the stage derivatives.
+    pub(crate) k: &'a mut [V],
+    pub(crate) pace: &'a mut Ratios<V::Scalar>,
+    pub(crate) rows: &'a mut StageRows,
+}
+
+impl<V: State> LaneProblem<'_, V> {
+    /// Solves the equations by sweeps with room for S stages side by side, for a field over the lanes `T`.
+    #[inline(always)]
+    pub(crate) fn solve<T: Lanes, W: Vector<Scalar = T>, const S: usize>(
+        &mut self,
+        field: impl Fn(&W) -> W,
+    ) -> Outcome<V> {
+        self.write_rows();
+        let Self { columns, solver, scale, z, step, pace, rows, .. } = self;
+        let sweep = Sweep { columns, z: *z, step: *step };
+        let whole = MaskOf::<V>::from_bool(columns.low.is_none());
+        let outcome = solver.iterate(
+            solver.max_iterations,
+            (whole.and(whole.not()), whole),
+            *scale,
+            pace,
+            #[inline(always)]
+            |_, near| {
+                // Each number is broadcast from memory, which costs nothing. Without the black box the compiler would
+                // take it from the registers in which it was computed, which costs shuffles.
+                let rows = black_box(&mut **rows);
+                let mut progress =
+                    Progress { change: BlockSizes::zero(), size: BlockSizes::zero() };
+                for block in 0..S.div_ceil(T::COUNT) {
+                    sweep.advance::<T, W, S>(&field, near.any(), block, rows, &mut progress);
+                }
+                let Progress { change, size } = &progress;
+                Progress { change: largest_lanes(change), size: largest_lanes(size) }
+            },
+        );
+        self.read_rows();
+        outcome
+    }
+
+    /// Writes the guess to the rows.
+    #[inline(always)]
+    fn write_rows(&mut self) {
+        let dimension = self.z.dimension();
+        self.rows.fit(dimension);
+        let Some(last) = self.k.len().checked_sub(1) else { return };
+        for i in 0..WIDTH {
+            let k = &self.k[i.min(last)];
+            for c in 0..dimension {
+                self.rows.k[c].0[i] = number(k.entry(c));
+            }
+        }
+    }
+
+    /// Reads the stage derivatives from the rows.
+    #[inline(always)]
+    fn read_rows(&mut self) {
+        for (i, k) in self.k.iter_mut().enumerate() {
+            k.set_entries(
+                #[inline(always)]
+                |c| V::Scalar::from_f64(self.rows.k[c].0[i]),
+            );
+        }
+    }
+}
+
+/// What does not change from sweep to sweep.
+struct Sweep<'a, V> {
+    columns: &'a StageColumns,
+    z: &'a V,
+    step: f64,
+}
+
+impl<V: State> Sweep<'_, V> {
+    /// Replaces the stage derivatives in a block of lanes. If they are `near` the solution, the sums with the low parts
+    /// of the coefficients are computed first.
+    #[inline(always)]
+    fn advance<T: Lanes, W: Vector<Scalar = T>, const S: usize>(
+        &self,
+        field: &impl Fn(&W) -> W,
+        near: bool,
+        block: usize,
+        StageRows { k, small }: &mut StageRows,
+        progress: &mut Progress<W>,
+    ) {
+        if near && let Some(low) = &self.columns.low {
+            for (small, k) in small.iter_mut().zip(&*k) {
+                small.store(combination::<T, S>(low, k, T::zero(), block), block);
+            }
+        }
+        let (k, small) = (&mut k[..W::DIM], &small[..W::DIM]);
+        let h = T::from_f64(self.step);
+        let point = W::from_coordinates(
+            #[inline(always)]
+            |c| {
+                let small = small[c].load(block);
+                let sum = combination::<T, S>(&self.columns.whole, &k[c], small, block);
+                sum * h + T::from_f64(number(self.z.entry(c)))
+            },
+        );
+        let value = field(&point);
+        let before = W::from_coordinates(
+            #[inline(always)]
+            |c| k[c].load(block),
+        );
+        progress.change.include_difference(&value, &before);
+        progress.size.include(&value);
+        for (c, row) in k.iter_mut().enumerate() {
+            row.store(value.coordinate(c), block);
+        }
+    }
+}
+
+/// Returns `start` + Σ_j a_ij k_j for the stages i of a block.
+#[inline(always)]
+fn combination<T: Lanes, const S: usize>(
+    columns: &[StageRow; WIDTH],
+    k: &StageRow,
+    start: T,
+    block: usize,
+) -> T {
+    let mut sum = start;
+    for (column, &k) in columns[..S].iter().zip(&k.0[..S]) {
+        sum += column.load::<T>(block) * T::from_f64(k);
+    }
+    sum
+}
+
+/// Returns a coordinate as a number. There are lanes for `f64` alone.
+#[inline(always)]
+fn number<T: Real>(x: T) -> f64 {
+    x.as_f64().unwrap_or(f64::NAN)
+}
+
+/// Returns the largest sizes in all lanes.
+#[inline(always)]
+fn largest_lanes<T: Lanes, W: Vector<Scalar = T>, V: State>(
+    sizes: &BlockSizes<W>,
+) -> BlockSizes<V> {
+    let all = |x: T, f: fn(f64, f64) -> f64| (1..T::COUNT).fold(x.lane(0), |y, i| f(x.lane(i), y));
+    BlockSizes::from_parts(
+        #[inline(always)]
+        |block| V::Scalar::from_f64(all(sizes.at(block), Real::maximum)),
+        V::Scalar::from_f64(all(sizes.sum(), |x, y| x + y)),
+    )
+}

@@ -1,0 +1,79 @@
+//! Numbers for all stages of a method, side by side: [`StageRow`].
+
+use crate::Tableau;
+use core::array::from_fn;
+use lie_poisson::Lanes;
+
+/// The largest number of stages that are computed side by side.
+pub(crate) const WIDTH: usize = 8;
+
+/// A number for each stage, aligned for the widest register. Those of missing stages repeat the last stage.
+#[derive(Clone, Copy, Debug, PartialEq)]
+#[repr(align(64))]
+pub(crate) struct StageRow(pub(crate) [f64; WIDTH]);
+
+impl StageRow {
+    pub(crate) const ZERO: Self = Self([0.0; WIDTH]);
+
+    /// Loads the numbers of the stages in a block of lanes.
+    #[inline(always)]
+    pub(crate) fn load<T: Lanes>(&self, block: usize) -> T {
+        T::load(&self.0[block * T::COUNT..])
+    }
+
+    /// Stores the numbers of the stages in a block of lanes.
+    #[inline(always)]
+    pub(crate) fn store<T: Lanes>(&mut self, x: T, block: usize) {
+        x.store(&mut self.0[block * T::COUNT..]);
+    }
+}
+
+/// The columns a_0j, a_1j, … of the matrix of a method, for stages side by side. Missing columns are zero.
+#[derive(Clone, Debug, PartialEq)]
+pub(crate) struct StageColumns {
+    pub(crate) stages: usize,
+    pub(crate) whole: [StageRow; WIDTH],
+    /// The columns of the low parts; `None` if there are none.
+    pub(crate) low: Option<[StageRow; WIDTH]>,
+}
+
+impl StageColumns {
+    /// Creates the columns of an implicit method of two to [`WIDTH`] stages. Returns `None` for other methods.
+    pub(crate) fn new(tableau: &Tableau) -> Option<Self> {
+        let stages = tableau.stages();
+        if tableau.is_explicit() || !(2..=WIDTH).contains(&stages) {
+            return None;
+        }
+        let low = (!tableau.row_low(0).is_empty()).then(|| columns(stages, |i| tableau.row_low(i)));
+        Some(Self { stages, whole: columns(stages, |i| tableau.row(i)), low })
+    }
+}
+
+/// Returns the columns of the matrix with the given rows.
+fn columns<'a>(stages: usize, row: impl Fn(usize) -> &'a [f64]) -> [StageRow; WIDTH] {
+    let entry = |i: usize, j: usize| row(i.min(stages - 1)).get(j).copied().unwrap_or(0.0);
+    from_fn(|j| StageRow(from_fn(|i| entry(i, j))))
+}
+
+/// The storage of an iteration with stages side by side: a row for each coordinate.
+#[derive(Clone, Debug, Default)]
+pub(crate) struct StageRows {
+    /// The stage derivatives.
+    pub(crate) k: Vec<StageRow>,
+    /// The sums Σ_j low_ij k_j.
+    pub(crate) small: Vec<StageRow>,
+}
+
+impl StageRows {
+    /// Creates empty storage with room for vectors of a dimension.
+    pub(crate) fn with_room(dimension: usize) -> Self {
+        Self { k: Vec::with_capacity(dimension), small: Vec::with_capacity(dimension) }
+    }
+
+    /// Makes room for vectors of a dimension, and sets the sums with the low parts to zero.
+    pub(crate) fn fit(&mut self, dimension: usize) {
+        self.k.resize(dimension, StageRow::ZERO);
+        self.small.clear();
+        self.small.resize(dimension, StageRow::ZERO);
+    }
+}

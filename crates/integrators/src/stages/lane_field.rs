@@ -1,0 +1,127 @@
+//! Vector fields that are known over SIMD lanes: [`LaneField`].
+
+use crate::VectorField;
+use crate::iteration::lane_problem::{LaneProblem, Outcome};
+use crate::stage_frame::StageFrame;
+use lie_poisson::{
+    InstructionSet, Lanes, StorageOver, TaskOver, UnfusedSpace, UnfusedTask, Vector,
+    dispatch_unfused,
+};
+
+/// A vector field that is known over `f64` and over the SIMD lanes of every processor.
+///
+/// Every field that is has this trait.
+#[diagnostic::on_unimplemented(
+    message = "the vector field `{Self}` is not known over SIMD lanes",
+    note = "a closure serves `f64` alone: implement `VectorField<T>` or `Hamiltonian<_, T>` for every `T: Real`"
+)]
+pub trait LaneField: VectorField<f64, Point: Vector<Scalar = f64>> {
+    /// Solves stage equations with one stage in each lane of a register, if the processor has the instructions.
+    #[doc(hidden)]
+    fn solve_over_lanes(
+        &self,
+        instructions: InstructionSet,
+        problem: &mut LaneProblem<'_, Self::Point>,
+    ) -> Option<Outcome<Self::Point>>;
+}
+
+impl<F, V> LaneField for F
+where
+    F: VectorField<f64, Point = V>,
+    V: Vector<Scalar = f64>,
+    for<'a, 'b> Attempt<'a, 'b, F, V, 4>: UnfusedTask<NoStorage>,
+    for<'a, 'b> Attempt<'a, 'b, F, V, 8>: UnfusedTask<NoStorage>,
+{
+    #[cfg_attr(not(debug_assertions), inline(always))]
+    fn solve_over_lanes(
+        &self,
+        instructions: InstructionSet,
+        problem: &mut LaneProblem<'_, V>,
+    ) -> Option<Outcome<V>> {
+        let few = problem.columns.stages <= 4;
+        // Four stages fit a register of AVX2, which is faster than a wider one that is half empty.
+        let set = match instructions {
+            InstructionSet::Avx512 if few => InstructionSet::Avx2,
+            set => set,
+        };
+        let mut space = UnfusedSpace::new(&NoStorage, set).ok()?;
+        let (field, mut result) = (self, None);
+        let outcome = &mut result;
+        if few {
+            dispatch_unfused(Attempt::<_, _, 4> { field, problem, outcome }, &mut space);
+        } else {
+            dispatch_unfused(Attempt::<_, _, 8> { field, problem, outcome }, &mut space);
+        }
+        result
+    }
+}
+
+/// The storage that an [`Attempt`] keeps: none.
+#[derive(Debug)]
+pub struct NoStorage;
+
+impl<T: Lanes> StorageOver<T> for NoStorage {
+    type Storage = ();
+
+    fn storage(&self) {}
+}
+
+/// The task to solve stage equations with room for S stages.
+#[derive(Debug)]
+pub struct Attempt<'a, 'b, F, V: Vector, const S: usize> {
+    field: &'a F,
+    problem: &'a mut LaneProblem<'b, V>,
+    outcome: &'a mut Option<Outcome<V>>,
+}
+
+impl<F, V, T, const S: usize> TaskOver<T, NoStorage> for Attempt<'_, '_, F, V, S>
+where
+    F: VectorField<f64, Point = V> + VectorField<T, Point: Vector>,
+    V: Vector<Scalar = f64>,
+    T: Lanes,
+{
+    #[inline(always)]
+    fn run(self, (): &mut ()) {
+        let Self { field, problem, outcome } = self;
+        *outcome = Some(problem.solve::<T, <F as VectorField<T>>::Point, S>(
+            #[inline(always)]
+            |z| VectorField::<T>::at(field, z),
+        ));
+    }
+}
+
+/// A vector field over `f64` whose stages are computed side by side in SIMD lanes.
+#[derive(Debug)]
+pub(crate) struct InLanes<'a, F, L> {
+    pub(crate) field: &'a F,
+    /// The same field, over lanes.
+    pub(crate) lanes: &'a L,
+    pub(crate) instructions: InstructionSet,
+}
+
+impl<F, L> VectorField<f64> for InLanes<'_, F, L>
+where
+    F: VectorField<f64, Point = L::Point>,
+    L: LaneField,
+{
+    type Point = F::Point;
+
+    #[cfg_attr(not(debug_assertions), inline(always))]
+    fn at(&self, z: &F::Point) -> F::Point {
+        self.field.at(z)
+    }
+
+    fn derivative(&self, z: &F::Point, v: &F::Point) -> Option<F::Point> {
+        self.field.derivative(z, v)
+    }
+
+    #[cfg_attr(not(debug_assertions), inline(always))]
+    fn stage_frame(&self) -> impl StageFrame<F::Point> {
+        self.field.stage_frame()
+    }
+
+    #[cfg_attr(not(debug_assertions), inline(always))]
+    fn solve_in_lanes(&self, problem: &mut LaneProblem<'_, F::Point>) -> Option<Outcome<F::Point>> {
+        self.lanes.solve_over_lanes(self.instructions, problem)
+    }
+}
