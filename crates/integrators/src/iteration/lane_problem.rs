@@ -36,10 +36,10 @@ impl<V: State> LaneProblem<'_, V> {
         self.write_rows();
         let Self { columns, solver, scale, z, step, pace, rows, .. } = self;
         let sweep = Sweep { columns, z: *z, step: *step };
-        let whole = MaskOf::<V>::from_bool(columns.low.is_none());
+        let (none, whole) = (Mask::from_bool(false), Mask::from_bool(columns.low.is_none()));
         let outcome = solver.iterate(
             solver.max_iterations,
-            (whole.and(whole.not()), whole),
+            (none, whole),
             *scale,
             pace,
             #[inline(always)]
