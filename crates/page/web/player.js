@@ -13,7 +13,7 @@ const MOST_CHORD = 0.8;
 
 class Player {
   constructor(library, form) {
-    Object.assign(this, { library, form, playing: false, pending: false, catchUp: 0, dirty: true });
+    Object.assign(this, { library, form, playing: false, interrupted: false, pending: false, catchUp: 0, dirty: true });
     this.scene = new Scene(byId("scene"), [1, 1, 1], 1);
     this.deviations = new DeviationChart(byId("chart"));
     this.section = new SectionChart(byId("section"));
@@ -22,15 +22,21 @@ class Player {
     this.chartsDrawn = -Infinity;
   }
 
-  /** Throws the top of the form. Returns whether it could be thrown. */
+  /** Throws the top of the form. Returns whether it could be thrown. It moves on after a refused throw that had stopped it. */
   throwTop() {
+    const { interrupted } = this;
     return this.trying(() => {
       const parameters = this.form.read();
-      this.library.throwTop(parameters, this.form.method, this.form.step);
+      try {
+        this.library.throwTop(parameters, this.form.method, this.form.step);
+      } catch (error) {
+        throw new Error(this.form.explain(error.message));
+      }
       this.parameters = parameters;
-      this.center = parameters.center.some((x) => x) ? unit(parameters.center) : [0, 0, 1];
+      this.center = unit(parameters.center);
       this.restart();
       this.changeSection();
+      if (interrupted) this.toggle(true);
     });
   }
 
@@ -91,7 +97,9 @@ class Player {
       this.redraw();
       return true;
     } catch (error) {
+      const interrupted = this.playing || this.interrupted;
       this.toggle(false);
+      this.interrupted = interrupted;
       this.say(error.message);
       return false;
     }
@@ -104,8 +112,7 @@ class Player {
   }
 
   toggle(playing = !this.playing) {
-    this.playing = playing;
-    this.last = undefined;
+    Object.assign(this, { playing, interrupted: false, last: undefined });
     this.frames.restart();
     byId("play").textContent = playing ? "Pause" : "Play";
     if (playing) this.say();
