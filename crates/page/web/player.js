@@ -22,7 +22,7 @@ class Player {
     this.chartsDrawn = -Infinity;
   }
 
-  /** Throws the top of the form. Returns whether it could be thrown. It moves on after a refused throw that had stopped it. */
+  /** Throws the top of the form. Returns whether it could be thrown. It moves on if a failure has stopped it. */
   throwTop() {
     const { interrupted } = this;
     return this.trying(() => {
@@ -97,10 +97,7 @@ class Player {
       this.redraw();
       return true;
     } catch (error) {
-      const interrupted = this.playing || this.interrupted;
-      this.toggle(false);
-      this.interrupted = interrupted;
-      this.say(error.message);
+      this.interrupt(error.message);
       return false;
     }
   }
@@ -109,6 +106,14 @@ class Player {
   say(message = "") {
     byId("trouble").hidden = !message;
     byId("trouble").textContent = message;
+  }
+
+  /** Stops the top with a message. The next throw lets it move on if it has moved. */
+  interrupt(message) {
+    const interrupted = this.playing || this.interrupted;
+    this.toggle(false);
+    this.interrupted = interrupted;
+    this.say(message);
   }
 
   toggle(playing = !this.playing) {
@@ -139,8 +144,9 @@ class Player {
         do this.proceed(catchesUp() ? Math.min(this.catchUp, this.shown + 1) : this.shown + passed * this.form.speed, before);
         while (catchesUp() && performance.now() - before < BUDGET);
       } catch (error) {
-        this.toggle(false);
-        this.say(`${error.message}. The top has stopped before this step: choose another method, a shorter step or another throw.`);
+        // After a semicolon the library advises those who write programs.
+        const [what] = error.message.split("; ");
+        this.interrupt(`${what}. The top has stopped before this step: choose another method, a shorter step or another throw.`);
       }
     }
     this.draw(now);
