@@ -14,6 +14,11 @@ function chips(container, group, items, chosen) {
 class Form {
   static NUMBERS = ["i1", "i2", "i3", "weight", "c1", "c2", "c3", "tilt", "turn", "p1", "p2", "p3"];
 
+  /** What the library calls the numbers that it can refuse. */
+  static LIBRARY_NAMES = {
+    "inertia[0]": ["i1"], "inertia[1]": ["i2"], "inertia[2]": ["i3"], "principal moments": ["i1", "i2", "i3"], gravity: ["weight"],
+  };
+
   /** Calls `told.method(index)`, `told.step(seconds)`, `told.section(coordinate)` and `told.thrown()`. */
   constructor(told) {
     this.told = told;
@@ -109,14 +114,38 @@ class Form {
     for (const id of ["p1", "p2", "p3"]) byId(id).value = random(-5, 5);
   }
 
-  /** The parameters of the throw. What is no number is marked, and is NaN. */
+  /** The parameters of the throw. Throws the message of the first field that holds no number, and marks each of them. */
   read() {
-    const [i1, i2, i3, weight, c1, c2, c3, tilt, turn, p1, p2, p3] = Form.NUMBERS.map((id) => {
-      const value = byId(id).valueAsNumber;
-      byId(id).setAttribute("aria-invalid", String(Number.isNaN(value)));
-      return value;
-    });
+    const numbers = Form.NUMBERS.map((id) => byId(id).valueAsNumber);
+    const missing = Form.NUMBERS.filter((_, i) => Number.isNaN(numbers[i]));
+    this.mark(missing);
+    if (missing.length) throw new Error(`${Form.label(missing[0])} must be a number`);
+    const [i1, i2, i3, weight, c1, c2, c3, tilt, turn, p1, p2, p3] = numbers;
+    if (c1 === 0 && c2 === 0 && c3 === 0) {
+      this.mark(["c1", "c2", "c3"]);
+      throw new Error("c₁, c₂ and c₃ must not all be 0: they are a direction. A top without gravity has m g l = 0");
+    }
     const vertical = verticalOf(tilt, turn);
     return { inertia: [i1, i2, i3], weight, center: [c1, c2, c3], momentum: [p1, p2, p3], vertical };
+  }
+
+  static label(id) {
+    return byId(id).closest("label").textContent.trim();
+  }
+
+  /** Marks these fields as invalid, and no others, and brings the first one into the window. */
+  mark(ids) {
+    for (const id of Form.NUMBERS) byId(id).setAttribute("aria-invalid", String(ids.includes(id)));
+    if (!ids.length) return;
+    byId(ids[0]).closest("details").open = true;
+    byId(ids[0]).scrollIntoView({ block: "nearest" });
+  }
+
+  /** Returns the message of the library with the labels of the fields that it is about, and marks these. */
+  explain(message) {
+    const [name, ids] = Object.entries(Form.LIBRARY_NAMES).find(([name]) => message.includes(name)) ?? [];
+    if (!ids) return message;
+    this.mark(ids);
+    return ids.length === 1 ? message.replace(name, Form.label(ids[0])) : message;
   }
 }

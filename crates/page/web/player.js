@@ -13,7 +13,7 @@ const MOST_CHORD = 0.8;
 
 class Player {
   constructor(library, form) {
-    Object.assign(this, { library, form, playing: false, pending: false, catchUp: 0, dirty: true });
+    Object.assign(this, { library, form, playing: false, interrupted: false, pending: false, catchUp: 0, dirty: true });
     this.scene = new Scene(byId("scene"), [1, 1, 1], 1);
     this.deviations = new DeviationChart(byId("chart"));
     this.section = new SectionChart(byId("section"));
@@ -22,15 +22,21 @@ class Player {
     this.chartsDrawn = -Infinity;
   }
 
-  /** Throws the top of the form. Returns whether it could be thrown. */
+  /** Throws the top of the form. Returns whether it could be thrown. It moves on if a failure has stopped it. */
   throwTop() {
+    const { interrupted } = this;
     return this.trying(() => {
       const parameters = this.form.read();
-      this.library.throwTop(parameters, this.form.method, this.form.step);
+      try {
+        this.library.throwTop(parameters, this.form.method, this.form.step);
+      } catch (error) {
+        throw new Error(this.form.explain(error.message));
+      }
       this.parameters = parameters;
-      this.center = parameters.center.some((x) => x) ? unit(parameters.center) : [0, 0, 1];
+      this.center = unit(parameters.center);
       this.restart();
       this.changeSection();
+      if (interrupted) this.toggle(true);
     });
   }
 
@@ -91,8 +97,7 @@ class Player {
       this.redraw();
       return true;
     } catch (error) {
-      this.toggle(false);
-      this.say(error.message);
+      this.interrupt(error.message);
       return false;
     }
   }
@@ -103,9 +108,16 @@ class Player {
     byId("trouble").textContent = message;
   }
 
+  /** Stops the top with a message. The next throw lets it move on if it has moved. */
+  interrupt(message) {
+    const interrupted = this.playing || this.interrupted;
+    this.toggle(false);
+    this.interrupted = interrupted;
+    this.say(message);
+  }
+
   toggle(playing = !this.playing) {
-    this.playing = playing;
-    this.last = undefined;
+    Object.assign(this, { playing, interrupted: false, last: undefined });
     this.frames.restart();
     byId("play").textContent = playing ? "Pause" : "Play";
     if (playing) this.say();
@@ -132,8 +144,9 @@ class Player {
         do this.proceed(catchesUp() ? Math.min(this.catchUp, this.shown + 1) : this.shown + passed * this.form.speed, before);
         while (catchesUp() && performance.now() - before < BUDGET);
       } catch (error) {
-        this.toggle(false);
-        this.say(`${error.message}. The top has stopped before this step: choose another method, a shorter step or another throw.`);
+        // After a semicolon the library advises those who write programs.
+        const [what] = error.message.split("; ");
+        this.interrupt(`${what}. The top has stopped before this step: choose another method, a shorter step or another throw.`);
       }
     }
     this.draw(now);

@@ -80,7 +80,7 @@ fn thrown(desk: &Desk) -> Result<(HeavyTop, Se3Dual), PageError> {
         mass: 1.0,
         gravity: weight_moment,
         length: 1.0,
-        center_of_mass: center.try_normalize(0.0).unwrap_or(Vector3::z()),
+        center_of_mass: center.try_normalize(0.0).unwrap_or(center),
     })?;
     Ok((top, Se3Dual::new(Vector3::new(pi1, pi2, pi3), Vector3::new(gamma1, gamma2, gamma3))))
 }

@@ -2,7 +2,8 @@
 
 const ORBIT_COLORS = ["--third", "--first", "--second", "--momentum", "--tip", "--ink"];
 
-const SECTION_HELP = "Each passage is a point. Click, tap or press “New orbit” to throw the top from another point of the same energy and Π·Γ.";
+const SECTION_HELP = "Each passage is a point; a higher speed fills the section sooner. Click or tap in it, or press “New orbit”, "
+  + "to throw the top from another point with the same energy and Π·Γ.";
 
 /** The least bound with a short half that is not below. */
 function roundBound(least) {
