@@ -8,7 +8,6 @@ use crate::vocabulary::brief::{number, text};
 use collective_integrators::{EventError, IntegrationError, RunError, VariationalError};
 use heavytop::methods::{Formulation, MethodError};
 use heavytop::{SectionError, TopError};
-use momentum_map::LiftError;
 use std::io;
 use std::path::PathBuf;
 use thiserror::Error;
@@ -341,29 +340,6 @@ pub enum Error {
         /// The error that made the run fail.
         source: Box<Error>,
     },
-}
-
-impl From<MethodError> for Error {
-    fn from(error: MethodError) -> Self {
-        match error {
-            MethodError::Tolerance { value } => {
-                Self::OutOfRange { name: "tolerance", range: "finite and not negative", value }
-            }
-            error => Self::Method(error),
-        }
-    }
-}
-
-impl From<SystemError> for Error {
-    fn from(error: SystemError) -> Self {
-        Self::System(Box::new(error))
-    }
-}
-
-impl From<LiftError> for Error {
-    fn from(error: LiftError) -> Self {
-        Self::Start(error.into())
-    }
 }
 
 impl Error {

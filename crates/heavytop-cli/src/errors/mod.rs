@@ -5,6 +5,7 @@ mod checkpoint_error;
 mod sweep_error;
 mod system_error;
 mod error;
+mod conversions;
 mod message;
 
 pub use checkpoint_error::CheckpointError;

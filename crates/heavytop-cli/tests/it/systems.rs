@@ -194,7 +194,7 @@ fn methods_that_do_not_exist_are_refused() {
         let error = refused(&folder.heavytop(&out));
         assert!(error.contains(message), "{error}");
     };
-    is_refused("poincare.toml", "formulation=reduced", "it has direct and collective");
+    is_refused("poincare.toml", "formulation=reduced", "it has collective and direct");
     is_refused("top.toml", "formulation=splitting", "it has collective, reduced and direct");
     is_refused("top.toml", "scheme=stormer-verlet", "collective has implicit-midpoint");
     for (key, message) in [

@@ -1,7 +1,6 @@
 //! The table `[system]`: any Lie–Poisson system, by its algebra and a formula.
 
 mod numbers;
-mod bracket_texts;
 mod system_config;
 
 pub use numbers::Numbers;

@@ -1,16 +1,12 @@
 //! The table `[system]`: its keys, and the run that they ask for.
 
-use super::bracket_texts::entries;
 use super::numbers::Numbers;
 use crate::Error;
 use crate::configuration::{Integration, IntegratorConfig};
 use crate::errors::SystemError;
-use crate::runs::{Pace, Schedule, SystemAlgebra, SystemExperiment, WIDEST};
-use heavytop::methods::Formulation;
-use lie_poisson_formulas::{
-    Coordinates, DimensionTask, Formula, Parameters, PolynomialCasimirs, StructureEntry,
-    Vocabulary, find_casimirs, for_dimension, structure_constants,
-};
+use crate::runs::{Pace, Schedule, SystemExperiment};
+use lie_poisson_formula_systems::{FormulaSystem, FormulaSystemError, SystemAlgebra, SystemMethod};
+use lie_poisson_formulas::{Coordinates, Parameters};
 use serde::{Deserialize, Serialize};
 use std::collections::BTreeMap;
 
@@ -56,7 +52,7 @@ impl SystemConfig {
     ///     end = 10.0
     /// "#)?;
     /// let experiment = config.system_experiment()?.ok_or("no system")?;
-    /// assert_eq!(experiment.casimirs()[0].to_string(), "|Pi|^2");
+    /// assert_eq!(experiment.system.casimirs()[0].to_string(), "|Pi|^2");
     /// # Ok::<(), Box<dyn std::error::Error>>(())
     /// ```
     pub fn experiment(
@@ -64,35 +60,31 @@ impl SystemConfig {
         integrator: IntegratorConfig,
         every: u64,
     ) -> Result<SystemExperiment, Error> {
+        let system = self.formula_system()?;
+        let start = system.algebra().state(self.initial_values())?;
+        let Integration { scheme, step, end, tolerance, .. } =
+            integrator.or(Integration::default());
+        let formulation = SystemMethod::default_formulation(system.algebra());
+        let formulation = integrator.formulation.unwrap_or(formulation);
+        let method = SystemMethod::new(system.algebra(), formulation, scheme, tolerance)?;
+        let pace = Pace { schedule: Schedule::new(step, end)?, every };
+        Ok(SystemExperiment { system, start, method, pace })
+    }
+
+    /// Returns the system of the table, with its Casimirs.
+    fn formula_system(&self) -> Result<FormulaSystem, Error> {
         let parameters = self.parameters()?;
         let algebra = self.algebra(&parameters)?;
-        let named = |key: &str| {
-            let key = key.to_owned();
-            move |source| SystemError::Name { key, source }
-        };
-        let formula = |key: &str, text: &str, names: &Vocabulary| {
-            Formula::new(text, names)
-                .map_err(|source| SystemError::Formula { key: key.into(), source })
-        };
         if self.hamiltonian.trim().is_empty() {
             return Err(SystemError::Missing("hamiltonian").into());
         }
-        let names = algebra.vocabulary(&parameters).map_err(named("parameters"))?;
-        let hamiltonian = formula("hamiltonian", &self.hamiltonian, &names)?;
-        let found = casimirs(&algebra)?;
-        let plain = algebra.vocabulary(&Parameters::new()).map_err(named("coordinates"))?;
-        let casimirs = found.formulas().iter().map(|c| formula("brackets", &c.to_string(), &plain));
-        let casimirs = casimirs.collect::<Result<Vec<_>, _>>()?;
-        let start = self.start(&algebra.coordinates)?;
-        let Integration { formulation, scheme, step, end, tolerance } =
-            integrator.or(Integration::default());
-        let formulation = integrator.formulation.unwrap_or(match self.algebra.as_deref() {
-            Some("so(3)" | "su(2)" | "se(3)") => formulation,
-            _ => Formulation::Direct,
-        });
-        let pace = Pace { schedule: Schedule::new(step, end)?, every };
-        let method = (formulation, scheme, tolerance);
-        SystemExperiment::new(algebra, (hamiltonian, casimirs), start, method, pace)
+        let system = FormulaSystem::new(algebra, &self.hamiltonian, &parameters)?;
+        Ok(system.with_found_casimirs()?)
+    }
+
+    /// Returns the initial values by the names of the coordinates.
+    fn initial_values(&self) -> impl Iterator<Item = (&str, &[f64])> {
+        self.initial.iter().map(|(name, numbers)| (name.as_str(), numbers.values()))
     }
 
     fn parameters(&self) -> Result<Parameters, SystemError> {
@@ -101,85 +93,24 @@ impl SystemConfig {
                 Numbers::One(value) => all.number(name, *value),
                 Numbers::Many(values) => all.vector(name, values),
             };
-            added.map_err(|source| SystemError::Name { key: format!("parameters.{name}"), source })
+            added.map_err(|source| SystemError::Parameter { name: name.clone(), source })
         })
     }
 
     /// Returns the algebra by name, or of the brackets.
-    fn algebra(&self, parameters: &Parameters) -> Result<SystemAlgebra, SystemError> {
+    fn algebra(&self, parameters: &Parameters) -> Result<SystemAlgebra, Error> {
         let Some(name) = &self.algebra else {
             let names = self.coordinates.as_ref();
             let names =
                 names.ok_or(SystemError::Missing("algebra, or coordinates and brackets,"))?;
-            if names.is_empty() || names.len() > WIDEST {
-                return Err(SystemError::Dimension { count: names.len(), most: WIDEST });
-            }
             let coordinates = Coordinates::scalars(names.iter().map(String::as_str))
-                .map_err(|source| SystemError::Name { key: "coordinates".into(), source })?;
-            let entries = entries(&coordinates, parameters, &self.brackets)?;
-            return Ok(SystemAlgebra::of_table(coordinates, entries));
+                .map_err(FormulaSystemError::Coordinates)?;
+            let brackets = self.brackets.iter().map(|(key, text)| (key.as_str(), text.as_str()));
+            return Ok(SystemAlgebra::of_brackets(coordinates, brackets, parameters)?);
         };
         if self.coordinates.is_some() || !self.brackets.is_empty() {
-            return Err(SystemError::TwoAlgebras);
+            return Err(SystemError::TwoAlgebras.into());
         }
-        SystemAlgebra::named(name).ok_or_else(|| SystemError::NoAlgebra {
-            name: name.clone(),
-            names: SystemAlgebra::NAMES.to_vec(),
-        })
-    }
-
-    /// Returns the coordinates of the initial state.
-    fn start(&self, coordinates: &Coordinates) -> Result<Vec<f64>, SystemError> {
-        let mut start = vec![None; coordinates.dimension()];
-        for (name, numbers) in &self.initial {
-            let places = coordinates.places(name).ok_or_else(|| SystemError::NoCoordinate {
-                name: name.clone(),
-                names: coordinates.names().collect::<Vec<_>>().join(", "),
-            })?;
-            let values = numbers.values();
-            let wrong = |needed: String| SystemError::WrongValue { name: name.clone(), needed };
-            if values.len() != places.len() {
-                return Err(wrong(match places.len() {
-                    1 => "one number".into(),
-                    count => format!("an array of {count} numbers"),
-                }));
-            }
-            if values.iter().any(|value| !value.is_finite()) {
-                return Err(wrong("finite numbers".into()));
-            }
-            for (entry, value) in start.iter_mut().skip(places.start).zip(values) {
-                *entry = Some(*value);
-            }
-        }
-        let missing = coordinates.names().zip(&start).filter(|(_, value)| value.is_none());
-        let missing: Vec<String> = missing.map(|(name, _)| name).collect();
-        if missing.is_empty() {
-            Ok(start.into_iter().flatten().collect())
-        } else {
-            Err(SystemError::NoValue { names: missing.join(", ") })
-        }
-    }
-}
-
-/// Finds the Casimirs of an algebra, and checks that its brackets are those of one.
-fn casimirs(algebra: &SystemAlgebra) -> Result<PolynomialCasimirs, SystemError> {
-    let dimension = algebra.dimension();
-    let task = Find { entries: &algebra.entries, coordinates: &algebra.coordinates };
-    for_dimension(dimension, task)
-        .unwrap_or(Err(SystemError::Dimension { count: dimension, most: WIDEST }))
-}
-
-/// The search for the Casimirs of a table.
-struct Find<'a> {
-    entries: &'a [StructureEntry],
-    coordinates: &'a Coordinates,
-}
-
-impl DimensionTask for Find<'_> {
-    type Output = Result<PolynomialCasimirs, SystemError>;
-
-    fn run<const N: usize>(self) -> Self::Output {
-        let table = structure_constants::<N>(self.entries).map_err(SystemError::Brackets)?;
-        Ok(find_casimirs(&table, self.coordinates)?)
+        Ok(SystemAlgebra::named(name)?)
     }
 }

@@ -47,14 +47,15 @@ impl SystemSummary {
         deviations: &Deviations,
         table: &RunTable,
     ) -> Self {
-        let (pace, names) = (experiment.pace(), experiment.algebra().coordinates.names());
-        let casimirs = experiment.casimirs().iter().map(|casimir| casimir.to_string().into());
+        let SystemExperiment { system, method, pace, .. } = experiment;
+        let names = system.algebra().coordinates().names();
+        let casimirs = system.casimirs().iter().map(|casimir| casimir.to_string().into());
         Self {
             out,
-            algebra: experiment.algebra().name.clone(),
-            hamiltonian: experiment.hamiltonian().to_string(),
-            formulation: experiment.formulation().name(),
-            scheme: experiment.scheme().name(),
+            algebra: system.algebra().name().into(),
+            hamiltonian: system.hamiltonian().to_string(),
+            formulation: method.formulation().name(),
+            scheme: method.scheme().name(),
             step: pace.schedule.step,
             steps: pace.schedule.steps,
             rows: pace.rows(),
