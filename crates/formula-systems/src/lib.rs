@@ -28,11 +28,12 @@
 //! | when you need | use |
 //! |---|---|
 //! | an algebra by name, from brackets, or from structure constants | [`SystemAlgebra`] |
+//! | structure constants from a text with a line for each | [`structure_table`] |
 //! | the coordinates of a state by their names | [`SystemAlgebra::state`] |
 //! | a Hamiltonian as text on it, and the Casimirs | [`FormulaSystem`] |
 //! | a formulation and a scheme for it | [`SystemMethod`] |
 //! | what to do with the integrator | [`SystemTask`] |
-//! | the reason why something is refused | [`FormulaSystemError`] |
+//! | the reason why something is refused | [`FormulaSystemError`], [`StructureTableError`] |
 //!
 //! # Conventions
 //!
@@ -53,6 +54,7 @@ mod algebras;
 mod systems;
 mod methods;
 
+pub use algebras::structure_table::{StructureTableError, structure_table};
 pub use algebras::system_algebra::SystemAlgebra;
 pub use error::FormulaSystemError;
 pub use methods::system_method::SystemMethod;

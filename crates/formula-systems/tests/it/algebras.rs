@@ -1,6 +1,8 @@
 //! Algebras by name and by brackets, their states, and what is refused.
 
-use lie_poisson_formula_systems::{FormulaSystem, FormulaSystemError, SystemAlgebra};
+use lie_poisson_formula_systems::{
+    FormulaSystem, FormulaSystemError, SystemAlgebra, structure_table,
+};
 use lie_poisson_formulas::{Coordinates, EntryError, Parameters, StructureEntry};
 
 /// Returns coordinates that are numbers.
@@ -79,4 +81,35 @@ fn invariants_need_as_many_numbers_as_there_are_dimensions() {
     assert_eq!(body.invariants(&[3.0, 0.0, 0.0]), Ok(vec![9.0]));
     let error = body.invariants(&[3.0, 0.0]).unwrap_err();
     assert_eq!(error, FormulaSystemError::StateLength { expected: 3, found: 2 });
+}
+
+#[test]
+fn a_table_of_structure_constants_has_a_line_for_each() {
+    let so3 = "i, j, k, value\n1,2,3, 1 # [e1, e2] = e3\n\n2,3,1, 1.0\n3,1,2, 1e0\n";
+    let entries = structure_table(so3).unwrap();
+    let algebra = SystemAlgebra::of_entries(scalars(&["x", "y", "z"]), entries).unwrap();
+    assert_eq!(algebra.entries(), SystemAlgebra::named("so(3)").unwrap().entries());
+    let refused = |text: &str| structure_table(text).unwrap_err().to_string();
+    for (text, message) in [
+        ("1, 2, 3", "line 1 has 3 fields; it needs four: i, j, k, value"),
+        ("\n1, 2, 3, 1, 5", "line 2 has 5 fields; it needs four: i, j, k, value"),
+        ("1, -2, 3, 1", "line 1: the index `-2` is not a whole number from 1 to 15"),
+        ("1, 2, 16, 1", "line 1: the index `16` is not a whole number from 1 to 15"),
+        ("1, 2, 3, 1\n1, 3, 2, one", "line 2: the value `one` is not a finite number"),
+        ("1, 2, 3, nan", "line 1: the value `nan` is not a finite number"),
+        ("1, 1, 3, 1", "line 1 says that [e1, e1] is not zero"),
+        (
+            "1, 2, 3, 1\n\n2, 1, 3, 1",
+            "line 3 contradicts line 1, which has the same bracket up to its sign",
+        ),
+    ] {
+        assert_eq!(refused(text), message);
+    }
+    // [e1, e2] = e3, [e1, e3] = e2, [e2, e3] = e2: [e1, [e2, e3]] = e3 does not cancel, and three constants are summed.
+    let message = refused("1, 2, 3, 1\n1, 3, 2, 1\n2, 3, 2, 1");
+    assert!(message.starts_with("the Jacobi identity fails for e1, e2, e3 by 3.3"), "{message}");
+    // The defect is relative to the constants.
+    let small = 0.5_f64.powi(100);
+    let scaled = refused(&format!("1, 2, 3, {small:e}\n1, 3, 2, {small:e}\n2, 3, 2, {small:e}"));
+    assert_eq!(scaled, message);
 }

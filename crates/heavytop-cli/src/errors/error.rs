@@ -24,6 +24,14 @@ pub enum Error {
         /// The error of the system.
         source: io::Error,
     },
+    /// The file of the structure constants could not be read.
+    #[error("[system] structure_constants: cannot read {}", path.display())]
+    ReadTable {
+        /// The path of the file.
+        path: PathBuf,
+        /// The error of the system.
+        source: io::Error,
+    },
     /// The configuration is not TOML, or has an unknown key or a wrong type.
     #[error("{0}")]
     Misread(String),

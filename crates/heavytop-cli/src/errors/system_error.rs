@@ -1,6 +1,6 @@
 //! Errors of `[system]`: why a configuration describes no Lie–Poisson system.
 
-use lie_poisson_formula_systems::FormulaSystemError;
+use lie_poisson_formula_systems::{FormulaSystemError, StructureTableError};
 use lie_poisson_formulas::NameError;
 use thiserror::Error;
 
@@ -17,9 +17,14 @@ pub enum SystemError {
     /// A key is missing.
     #[error("{0} is missing")]
     Missing(&'static str),
-    /// There is both a named algebra and a table of brackets.
-    #[error("algebra excludes coordinates and brackets: write the one or the others")]
+    /// There are several algebras: by name, of brackets, of structure constants.
+    #[error(
+        "write one of algebra, coordinates with brackets, and structure_constants with or without coordinates"
+    )]
     TwoAlgebras,
+    /// The structure constants are no table of a Lie algebra.
+    #[error("structure_constants")]
+    StructureConstants(#[source] StructureTableError),
     /// A name cannot be that of a parameter.
     #[error("parameters.{name}")]
     Parameter {
@@ -43,7 +48,8 @@ impl SystemError {
         Some(match self {
             Self::OnlySimulate => (String::new(), "use simulate"),
             Self::Missing(_) => (String::new(), "add the key"),
-            Self::TwoAlgebras => ("algebra".into(), ""),
+            Self::TwoAlgebras => (String::new(), "leave out all but one"),
+            Self::StructureConstants(_) => ("structure_constants".into(), ""),
             Self::Parameter { name, .. } => (format!("parameters.{name}"), ""),
             Self::Formula(error) => return key_of(error),
             Self::Top(_) | Self::NoAttitude => return None,
@@ -55,6 +61,7 @@ impl SystemError {
 fn key_of(error: &FormulaSystemError) -> Option<(String, &'static str)> {
     use FormulaSystemError as E;
     Some(match error {
+        E::Structure(_) => ("structure_constants".into(), ""),
         E::NoAlgebra { .. } => ("algebra".into(), ""),
         E::Dimension { .. } | E::Coordinates(_) => ("coordinates".into(), ""),
         E::Parameters(_) => ("parameters".into(), ""),

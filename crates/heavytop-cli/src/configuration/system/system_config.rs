@@ -1,11 +1,14 @@
 //! The table `[system]`: its keys, and the run that they ask for.
 
 use super::numbers::Numbers;
+use super::table_file::{is_table, read_table};
 use crate::Error;
 use crate::configuration::{Integration, IntegratorConfig};
 use crate::errors::SystemError;
 use crate::runs::{Pace, Schedule, SystemExperiment};
-use lie_poisson_formula_systems::{FormulaSystem, FormulaSystemError, SystemAlgebra, SystemMethod};
+use lie_poisson_formula_systems::{
+    FormulaSystem, FormulaSystemError, SystemAlgebra, SystemMethod, structure_table,
+};
 use lie_poisson_formulas::{Coordinates, Parameters};
 use serde::{Deserialize, Serialize};
 use std::collections::BTreeMap;
@@ -25,6 +28,10 @@ pub struct SystemConfig {
     /// The brackets of the algebra that are not zero, such as `"K, H" = "P"`.
     #[serde(skip_serializing_if = "BTreeMap::is_empty")]
     pub brackets: BTreeMap<String, String>,
+    /// The structure constants, as a text with a line `i, j, k, value` for each; a text of a single line is the path of
+    /// a file with such a text.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub structure_constants: Option<String>,
     /// The numbers and vectors of numbers in the Hamiltonian and the brackets, by name.
     #[serde(skip_serializing_if = "BTreeMap::is_empty")]
     pub parameters: BTreeMap<String, Numbers>,
@@ -97,20 +104,49 @@ impl SystemConfig {
         })
     }
 
-    /// Returns the algebra by name, or of the brackets.
+    /// Returns the algebra by name, of the brackets, or of the structure constants.
     fn algebra(&self, parameters: &Parameters) -> Result<SystemAlgebra, Error> {
-        let Some(name) = &self.algebra else {
-            let names = self.coordinates.as_ref();
-            let names =
-                names.ok_or(SystemError::Missing("algebra, or coordinates and brackets,"))?;
-            let coordinates = Coordinates::scalars(names.iter().map(String::as_str))
-                .map_err(FormulaSystemError::Coordinates)?;
-            let brackets = self.brackets.iter().map(|(key, text)| (key.as_str(), text.as_str()));
-            return Ok(SystemAlgebra::of_brackets(coordinates, brackets, parameters)?);
-        };
-        if self.coordinates.is_some() || !self.brackets.is_empty() {
-            return Err(SystemError::TwoAlgebras.into());
+        let has_brackets = !self.brackets.is_empty();
+        match (&self.algebra, &self.structure_constants) {
+            (Some(name), None) if self.coordinates.is_none() && !has_brackets => {
+                Ok(SystemAlgebra::named(name)?)
+            }
+            (None, Some(constants)) if !has_brackets => self.of_table(constants),
+            (None, None) => {
+                let missing = "algebra, or coordinates and brackets,";
+                let coordinates = self.coordinates()?.ok_or(SystemError::Missing(missing))?;
+                let texts = self.brackets.iter();
+                let brackets = texts.map(|(key, text)| (key.as_str(), text.as_str()));
+                Ok(SystemAlgebra::of_brackets(coordinates, brackets, parameters)?)
+            }
+            _ => Err(SystemError::TwoAlgebras.into()),
         }
-        Ok(SystemAlgebra::named(name)?)
+    }
+
+    /// Returns the algebra of structure constants; without names, the coordinates are those of a vector `mu`.
+    fn of_table(&self, constants: &str) -> Result<SystemAlgebra, Error> {
+        let text = if is_table(constants) {
+            constants.to_owned()
+        } else {
+            read_table(constants.as_ref())?
+        };
+        let entries = structure_table(&text).map_err(SystemError::StructureConstants)?;
+        let dimension = entries.iter().flat_map(|entry| [entry.i, entry.j, entry.k]).max();
+        let dimension = dimension.map_or(0, |last| last + 1);
+        let coordinates = match self.coordinates()? {
+            Some(coordinates) => coordinates,
+            None if dimension == 0 => return Err(SystemError::Missing("coordinates").into()),
+            None => Coordinates::new()
+                .vector("mu", dimension)
+                .map_err(FormulaSystemError::Coordinates)?,
+        };
+        Ok(SystemAlgebra::of_entries(coordinates, entries)?)
+    }
+
+    /// Returns the coordinates by their names, if there are names.
+    fn coordinates(&self) -> Result<Option<Coordinates>, FormulaSystemError> {
+        let names = self.coordinates.as_ref();
+        let scalars = names.map(|names| Coordinates::scalars(names.iter().map(String::as_str)));
+        scalars.transpose().map_err(FormulaSystemError::Coordinates)
     }
 }

@@ -120,6 +120,15 @@ Another Lie–Poisson system instead of a top, with the minus bracket, by its al
   hamiltonian = \"K^2/2 + H^2\"
   initial = { K = 0.1, H = 0.3, P = -0.2 }
 
+  [system]
+  structure_constants = '''       # or by lines i, j, k, value: [e_i, e_j] has the value at e_k;
+  1, 2, 3, 1
+  2, 3, 1, 1
+  3, 1, 2, 1
+  '''                              # a text of one line is the path of a file with such lines,
+  hamiltonian = \"|mu|^2 + mu1^2\"   # relative to the configuration
+  initial = { mu = [1, 2, 3] }       # without coordinates, they are a vector mu
+
 Its columns are t, the coordinates, h and the Casimirs c1, c2, ..., which are found: polynomials up
 to degree 4, named in the summary and in the metadata. Formulas have + - * / ^, · and × between
 vectors, |v|, sqrt, exp, ln, sin, cos, tan, sinh, cosh, tanh, atan2, pi, and Greek letters by name
