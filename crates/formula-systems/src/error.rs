@@ -106,6 +106,42 @@ pub enum FormulaSystemError {
         /// The number of numbers.
         found: usize,
     },
+    /// The text of the surface of a section is no formula.
+    #[error("surface")]
+    Surface(#[source] FormulaError),
+    /// The text of an axis of a section is no formula.
+    #[error("axes")]
+    Axis {
+        /// The number of the axis, 0 or 1.
+        axis: usize,
+        /// What is wrong, and where in the text.
+        source: FormulaError,
+    },
+    /// A section needs two axes besides its surface.
+    #[error("a section of {dimension} coordinates has no two axes")]
+    NoAxes {
+        /// The dimension of the algebra.
+        dimension: usize,
+    },
+    /// The level of a surface, or of a conserved quantity, is infinite or not a number.
+    #[error("the level must be a finite number, got {value:?}")]
+    Level {
+        /// The level.
+        value: f64,
+    },
+    /// Too few states of a section were found.
+    #[error(
+        "of {guesses} guesses {found} lead to a state of the section, {count} are needed: is there a state with these \
+         invariants on the surface?"
+    )]
+    TooSmall {
+        /// The number of states asked for.
+        count: usize,
+        /// The number of states found.
+        found: usize,
+        /// The number of guesses.
+        guesses: usize,
+    },
     /// The formulation does not exist for the algebra, or not with the scheme.
     #[error("{algebra} has no {formulation} {scheme}; {has}")]
     NoMethod {

@@ -32,6 +32,7 @@
 //! | the coordinates of a state by their names | [`SystemAlgebra::state`] |
 //! | a Hamiltonian as text on it, and the Casimirs | [`FormulaSystem`] |
 //! | a formulation and a scheme for it | [`SystemMethod`] |
+//! | a Poincaré section on a level set of h and the Casimirs | [`SystemSection`] |
 //! | what to do with the integrator | [`SystemTask`] |
 //! | the reason why something is refused | [`FormulaSystemError`], [`StructureTableError`] |
 //!
@@ -53,12 +54,14 @@ mod error;
 mod algebras;
 mod systems;
 mod methods;
+mod sections;
 
 pub use algebras::structure_table::{StructureTableError, structure_table};
 pub use algebras::system_algebra::SystemAlgebra;
 pub use error::FormulaSystemError;
 pub use methods::system_method::SystemMethod;
 pub use methods::system_task::SystemTask;
+pub use sections::system_section::SystemSection;
 pub use systems::formula_system::FormulaSystem;
 
 pub use collective_integrators;
