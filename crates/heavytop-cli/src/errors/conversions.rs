@@ -33,6 +33,13 @@ impl From<FormulaSystemError> for Error {
     }
 }
 
+impl Error {
+    /// Returns the error of a section of a system.
+    pub(crate) fn of_system_section(error: FormulaSystemError) -> Self {
+        Self::SystemSection(Box::new(error))
+    }
+}
+
 impl From<LiftError> for Error {
     fn from(error: LiftError) -> Self {
         Self::Start(error.into())

@@ -8,6 +8,7 @@ use crate::vocabulary::brief::{number, text};
 use collective_integrators::{EventError, IntegrationError, RunError, VariationalError};
 use heavytop::methods::{Formulation, MethodError};
 use heavytop::{SectionError, TopError};
+use lie_poisson_formula_systems::FormulaSystemError;
 use std::io;
 use std::path::PathBuf;
 use thiserror::Error;
@@ -254,6 +255,31 @@ pub enum Error {
     /// The section that the configuration asks for does not exist.
     #[error("[section]")]
     Section(#[from] SectionError),
+    /// The section of a system that the configuration asks for does not exist.
+    #[error("[section]")]
+    SystemSection(#[source] Box<FormulaSystemError>),
+    /// No coordinate of a top has the name of the surface.
+    #[error("section.surface: {0}")]
+    UnknownSurface(String),
+    /// The section of a system has no surface.
+    #[error("[section] surface is missing: a formula, such as a coordinate")]
+    NoSurface,
+    /// A key of the section is for systems, or for tops.
+    #[error("[section] {key} is of the section of {of} alone")]
+    SectionKey {
+        /// The key.
+        key: &'static str,
+        /// What has the key.
+        of: &'static str,
+    },
+    /// A state that is given does not reach the surface.
+    #[error("[section] state {state} does not cross the surface within {longest} s")]
+    NeverCrosses {
+        /// The number of the state, from 1.
+        state: usize,
+        /// The time for which it was followed, s.
+        longest: f64,
+    },
     /// The motion through a start of a section could not be followed.
     #[error("{formulation}, {scheme}, start {start}")]
     Crossing {

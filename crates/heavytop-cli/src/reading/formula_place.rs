@@ -3,6 +3,7 @@
 use crate::Error;
 use crate::errors::SystemError;
 use lie_poisson_formula_systems::FormulaSystemError;
+use lie_poisson_formulas::FormulaError;
 use std::ops::Range;
 
 /// Returns the place of an error of a formula within the text of its value, which stands at `span`, or else all of the
@@ -10,13 +11,7 @@ use std::ops::Range;
 ///
 /// In a text with escapes, such as `\"`, places cannot be counted: all of the value is marked.
 pub(super) fn within(text: &str, span: Range<usize>, error: &Error) -> Range<usize> {
-    let Error::System(system) = error else { return span };
-    let SystemError::Formula(system) = &**system else { return span };
-    let (FormulaSystemError::Bracket { source, .. } | FormulaSystemError::Hamiltonian(source)) =
-        system
-    else {
-        return span;
-    };
+    let Some(source) = formula_error(error) else { return span };
     let value = text.get(span.clone()).unwrap_or_default();
     let Some(quotes) = ["\"\"\"", "'''", "\"", "'"].into_iter().find(|q| value.starts_with(q))
     else {
@@ -33,6 +28,24 @@ pub(super) fn within(text: &str, span: Range<usize>, error: &Error) -> Range<usi
     let last = span.end.saturating_sub(quotes.len()).max(first);
     let Range { start, end } = source.span();
     (first + start).min(last)..(first + end).min(last)
+}
+
+/// Returns the error of the formula that an error is about.
+fn formula_error(error: &Error) -> Option<&FormulaError> {
+    use FormulaSystemError as E;
+    let error = match error {
+        Error::System(error) => match &**error {
+            SystemError::Formula(error) => error,
+            _ => return None,
+        },
+        Error::SystemSection(error) => error,
+        _ => return None,
+    };
+    match error {
+        E::Bracket { source, .. } | E::Axis { source, .. } => Some(source),
+        E::Hamiltonian(source) | E::Surface(source) => Some(source),
+        _ => None,
+    }
 }
 
 #[cfg(test)]

@@ -12,6 +12,7 @@ use lie_poisson_formula_systems::{
 use lie_poisson_formulas::{Coordinates, Parameters};
 use serde::{Deserialize, Serialize};
 use std::collections::BTreeMap;
+use std::path::Path;
 
 /// The table `[system]`: a Lie algebra, a Hamiltonian on its dual, and the state at t = 0.
 #[derive(Clone, Debug, Default, PartialEq, Deserialize, Serialize)]
@@ -68,7 +69,7 @@ impl SystemConfig {
         every: u64,
     ) -> Result<SystemExperiment, Error> {
         let system = self.formula_system()?;
-        let start = system.algebra().state(self.initial_values())?;
+        let start = self.start(&system)?;
         let Integration { scheme, step, end, tolerance, .. } =
             integrator.or(Integration::default());
         let formulation = SystemMethod::default_formulation(system.algebra());
@@ -79,7 +80,10 @@ impl SystemConfig {
     }
 
     /// Returns the system of the table, with its Casimirs.
-    fn formula_system(&self) -> Result<FormulaSystem, Error> {
+    ///
+    /// # Errors
+    /// If there is no such system.
+    pub(crate) fn formula_system(&self) -> Result<FormulaSystem, Error> {
         let parameters = self.parameters()?;
         let algebra = self.algebra(&parameters)?;
         if self.hamiltonian.trim().is_empty() {
@@ -89,12 +93,21 @@ impl SystemConfig {
         Ok(system.with_found_casimirs()?)
     }
 
-    /// Returns the initial values by the names of the coordinates.
-    fn initial_values(&self) -> impl Iterator<Item = (&str, &[f64])> {
-        self.initial.iter().map(|(name, numbers)| (name.as_str(), numbers.values()))
+    /// Returns the coordinates of the initial state.
+    ///
+    /// # Errors
+    /// If a coordinate has no value, or something else has one.
+    pub(crate) fn start(&self, system: &FormulaSystem) -> Result<Vec<f64>, Error> {
+        let values = self.initial.iter();
+        let values = values.map(|(name, numbers)| (name.as_str(), numbers.values()));
+        Ok(system.algebra().state(values)?)
     }
 
-    fn parameters(&self) -> Result<Parameters, SystemError> {
+    /// Returns the parameters of formulas.
+    ///
+    /// # Errors
+    /// If a name cannot be that of a parameter.
+    pub(crate) fn parameters(&self) -> Result<Parameters, SystemError> {
         self.parameters.iter().try_fold(Parameters::new(), |all, (name, numbers)| {
             let added = match numbers {
                 Numbers::One(value) => all.number(name, *value),
@@ -141,6 +154,18 @@ impl SystemConfig {
                 .map_err(FormulaSystemError::Coordinates)?,
         };
         Ok(SystemAlgebra::of_entries(coordinates, entries)?)
+    }
+
+    /// Replaces the path of the structure constants by the table in the file, so that the configuration says everything
+    /// by itself. A path is relative to `folder`.
+    ///
+    /// # Errors
+    /// If the file cannot be read, has more than a mebibyte, or is not text.
+    pub(crate) fn read_structure_constants(&mut self, folder: &Path) -> Result<(), Error> {
+        if let Some(constants) = self.structure_constants.as_mut().filter(|text| !is_table(text)) {
+            *constants = read_table(&folder.join(&constants))?;
+        }
+        Ok(())
     }
 
     /// Returns the coordinates by their names, if there are names.

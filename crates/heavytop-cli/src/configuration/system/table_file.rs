@@ -1,7 +1,6 @@
 //! Structure constants in a file of their own.
 
 use crate::Error;
-use crate::configuration::Config;
 use crate::files::bounded;
 use std::path::Path;
 
@@ -22,23 +21,4 @@ pub(super) fn read_table(path: &Path) -> Result<String, Error> {
         .map_err(|source| Error::ReadTable { path: path.into(), source })?;
     // A table of a single line needs its line end to be told from a path.
     Ok(if is_table(&text) { text } else { text + "\n" })
-}
-
-impl Config {
-    /// Replaces the path of the structure constants by the table in the file, so that the configuration says everything
-    /// by itself. A path is relative to `folder`.
-    ///
-    /// # Errors
-    /// If the file cannot be read, has more than a mebibyte, or is not text.
-    pub(crate) fn read_structure_constants(&mut self, folder: &Path) -> Result<(), Error> {
-        let system = self.system.as_mut();
-        let constants = system.and_then(|system| system.structure_constants.as_mut());
-        match constants {
-            Some(constants) if !is_table(constants) => {
-                *constants = read_table(&folder.join(&constants))?;
-                Ok(())
-            }
-            _ => Ok(()),
-        }
-    }
 }
