@@ -1,5 +1,6 @@
 //! The integrator of a system: one type for each algebra, formulation and scheme.
 
+use super::clebsch_maps::{adjoint_map, coadjoint_map};
 use super::offers::refusal;
 use super::system_task::SystemTask;
 use crate::algebras::system_algebra::Family;
@@ -10,12 +11,9 @@ use collective_integrators::{
 };
 use heavytop::SpinorRealisation;
 use heavytop::methods::{Formulation, MethodError, Scheme};
-use lie_poisson::{
-    Diagonal, ExtendedAdjoint, ExtendedCoadjoint, LieAlgebra, LiePoisson, Momentum, Se3, So3,
-    StructureConstants, Vector,
-};
+use lie_poisson::{LieAlgebra, LiePoisson, Momentum, Se3, So3, StructureConstants, Vector};
 use lie_poisson_formulas::{Formula, FormulaHamiltonian, structure_constants};
-use momentum_map::{DualQuaternions, HOPF, Lift, Quaternions, Side, clebsch_realisation};
+use momentum_map::{DualQuaternions, HOPF, Lift, PoissonMap, Quaternions};
 
 /// A system with the method of its integration, for runs from a state.
 pub(super) struct Integration<'a> {
@@ -78,7 +76,10 @@ impl Integration<'_> {
             }
             (Formulation::Collective, Family::Other) => {
                 return match algebra.dimension() {
+                    2 => self.clebsch::<2, S, K>(scheme, task),
                     3 => self.clebsch::<3, S, K>(scheme, task),
+                    4 => self.clebsch::<4, S, K>(scheme, task),
+                    5 => self.clebsch::<5, S, K>(scheme, task),
                     6 => self.clebsch::<6, S, K>(scheme, task),
                     _ => Err(self.impossible()),
                 };
@@ -88,25 +89,49 @@ impl Integration<'_> {
         })
     }
 
-    /// Applies the scheme on T∗V, read through the Clebsch map of two copies of the adjoint representation, extended by a
-    /// derivation so that it sees the centre. Where the start has no lift, the coadjoint representation is extended.
+    /// Applies the scheme on T∗V, read through the Clebsch map of the adjoint representation, or, where the start has no
+    /// lift, of the coadjoint representation.
     fn clebsch<const N: usize, S: Equivariant, K: SystemTask>(
         &self,
         scheme: S,
         task: K,
     ) -> Performed<K> {
-        let table = self.table::<N>()?;
         let hamiltonian = self.hamiltonian::<StructureConstants<N>>()?;
-        let start: Momentum<StructureConstants<N>> =
-            Vector::from_coordinates(|i| self.start.get(i).copied().unwrap_or(0.0));
-        let adjoint = ExtendedAdjoint::of(table.clone()).map_err(|_| self.impossible())?;
-        let map = clebsch_realisation(Diagonal::<_, 2>(adjoint), Side::Right)?;
-        if map.lift(&start).is_ok() {
+        let map = adjoint_map(self.table::<N>()?, || self.impossible())?;
+        if map.lift(&self.momentum::<N>()).is_ok() {
             return Ok(task.perform(&Collective::new(scheme, map, hamiltonian)));
         }
-        let coadjoint = ExtendedCoadjoint::of(table).map_err(|_| self.impossible())?;
-        let map = clebsch_realisation(Diagonal::<_, 2>(coadjoint), Side::Right)?;
+        let map = coadjoint_map(self.table::<N>()?, || self.impossible())?;
         Ok(task.perform(&Collective::new(scheme, map, hamiltonian)))
+    }
+
+    /// Returns whether the steps of affine schemes descend to 𝔤∗ along the map that [`perform`](Self::perform) takes.
+    pub(super) fn descends(&self) -> Result<bool, FormulaSystemError> {
+        if self.formulation != Formulation::Collective {
+            return Ok(true);
+        }
+        match (self.system.algebra().family, self.system.algebra().dimension()) {
+            (Family::Other, 2) => self.clebsch_descends::<2>(),
+            (Family::Other, 3) => self.clebsch_descends::<3>(),
+            (Family::Other, 4) => self.clebsch_descends::<4>(),
+            (Family::Other, 5) => self.clebsch_descends::<5>(),
+            (Family::Other, 6) => self.clebsch_descends::<6>(),
+            _ => Ok(true),
+        }
+    }
+
+    fn clebsch_descends<const N: usize>(&self) -> Result<bool, FormulaSystemError> {
+        let map = adjoint_map(self.table::<N>()?, || self.impossible())?;
+        if map.lift(&self.momentum::<N>()).is_ok() {
+            return Ok(map.affine_schemes_descend());
+        }
+        let map = coadjoint_map(self.table::<N>()?, || self.impossible())?;
+        Ok(map.affine_schemes_descend())
+    }
+
+    /// Returns the start as a momentum.
+    fn momentum<const N: usize>(&self) -> Momentum<StructureConstants<N>> {
+        Vector::from_coordinates(|i| self.start.get(i).copied().unwrap_or(0.0))
     }
 
     /// Applies the scheme to the equations, on the algebra that is completed to the dimension N.

@@ -2,5 +2,6 @@
 
 pub(crate) mod system_task;
 pub(crate) mod offers;
+pub(crate) mod clebsch_maps;
 pub(crate) mod integration;
 pub(crate) mod system_method;

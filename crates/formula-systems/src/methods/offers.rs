@@ -5,7 +5,7 @@ use crate::{FormulaSystemError, SystemAlgebra};
 use heavytop::methods::{Formulation, Scheme};
 
 /// The dimensions of the algebras with a Clebsch map.
-const CLEBSCH: [usize; 2] = [3, 6];
+const CLEBSCH: [usize; 5] = [2, 3, 4, 5, 6];
 
 /// Returns the formulations that an algebra has.
 pub(super) fn formulations(algebra: &SystemAlgebra) -> impl Iterator<Item = Formulation> {

@@ -12,7 +12,7 @@ use heavytop::methods::{Formulation, MethodError, Scheme};
 /// | algebra | formulations |
 /// |---|---|
 /// | so(3), su(2), se(3) by name | collective, reduced, direct |
-/// | another of dimension 3 or 6 | collective, by a Clebsch map; direct |
+/// | another of dimension 2 to 6 | collective, by a Clebsch map; direct |
 /// | any other | direct |
 ///
 /// Every scheme of [`Formulation::schemes`] exists but the partitioned ones.
@@ -136,9 +136,49 @@ impl SystemMethod {
         start: &[f64],
         task: K,
     ) -> Result<K::Output, FormulaSystemError> {
+        self.integration(system, start)?.perform(task)
+    }
+
+    /// Returns whether the steps descend to 𝔤∗: false for a collective method by a Clebsch map whose
+    /// [`affine_schemes_descend`](momentum_map::PoissonMap::affine_schemes_descend) is false. Its steps are not Poisson
+    /// maps, and Casimirs are conserved to the order of the scheme alone.
+    ///
+    /// # Errors
+    /// Those of [`integrate`](Self::integrate).
+    ///
+    /// # Example
+    /// ```
+    /// use heavytop::methods::{Formulation, Scheme};
+    /// use lie_poisson_formula_systems::{FormulaSystem, SystemAlgebra, SystemMethod};
+    /// use lie_poisson_formulas::{Coordinates, Parameters};
+    /// let descends = |brackets: [(&str, &str); 2]| -> Result<bool, Box<dyn std::error::Error>> {
+    ///     let names = Coordinates::scalars(["x", "y", "z"])?;
+    ///     let algebra = SystemAlgebra::of_brackets(names, brackets, &Parameters::new())?;
+    ///     let method = SystemMethod::new(&algebra, Formulation::Collective, Scheme::Gauss(2), 0.0)?;
+    ///     let system = FormulaSystem::new(algebra, "x^2 + y^2 + z^2", &Parameters::new())?;
+    ///     Ok(method.descends(&system, &[0.1, 0.3, -0.2])?)
+    /// };
+    /// assert!(descends([("x, y", "z"), ("x, z", "y")])?); // the Poincaré algebra
+    /// assert!(!descends([("x, z", "x"), ("y, z", "2*y")])?); // the cube of ad z is no multiple of it
+    /// # Ok::<(), Box<dyn std::error::Error>>(())
+    /// ```
+    pub fn descends(
+        &self,
+        system: &FormulaSystem,
+        start: &[f64],
+    ) -> Result<bool, FormulaSystemError> {
+        self.integration(system, start)?.descends()
+    }
+
+    /// Checks that the method exists for the system and the start, and returns it with them.
+    fn integration<'a>(
+        &self,
+        system: &'a FormulaSystem,
+        start: &'a [f64],
+    ) -> Result<Integration<'a>, FormulaSystemError> {
         let Self { formulation, scheme, tolerance } = *self;
         require(system.algebra(), formulation, scheme)?;
         system.require_length(start)?;
-        Integration { formulation, scheme, tolerance, system, start }.perform(task)
+        Ok(Integration { formulation, scheme, tolerance, system, start })
     }
 }

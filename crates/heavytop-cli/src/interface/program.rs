@@ -18,7 +18,8 @@ use crate::commands::simulate::{
     self, Checkpoint, RunSummary, SimulateOptions, SystemSummary, simulate, simulate_system,
 };
 use crate::commands::sweep::{self, sweep_if};
-use crate::runs::method_warning::method_warning;
+use crate::runs::SystemExperiment;
+use crate::runs::method_warning::{method_warning, system_warning};
 use crate::runs::step_angle::long_step;
 use crate::supervision::{Forecast, TileOptions, Watch};
 use clap::{CommandFactory, Parser};
@@ -194,6 +195,11 @@ fn run_simulate(top: &Top, out: &Path, begin: &Begin<'_>, quiet: bool) -> Result
         let stop = Some(interrupted());
         let options = SimulateOptions { resume: resume.as_ref(), restart, interval, stop, quiet };
         if let Some(system) = config.system_experiment()? {
+            let SystemExperiment { system: formula, start, method, .. } = &system;
+            if let Some(warning) = system_warning(method, formula, start)? {
+                // Where stderr is closed nobody can be warned.
+                let _ = writeln!(io::stderr(), "heavytop: {warning}");
+            }
             return simulate_system(&config, &system, out, &options).map(Simulated::System);
         }
         let experiment = config.experiment()?;

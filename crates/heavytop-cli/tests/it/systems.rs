@@ -213,6 +213,29 @@ fn methods_that_do_not_exist_are_refused() {
 }
 
 #[test]
+fn steps_that_are_not_poisson_are_warned_of() {
+    let folder = Folder::new();
+    // [x, z] = x and [y, z] = 2y: the cube of ad z is no multiple of it
+    let text = "[system]\ncoordinates = ['x', 'y', 'z']\nbrackets = { 'x, z' = 'x', 'y, z' = '2*y' }\n\
+                hamiltonian = 'x^2 + y^2 + z^2'\ninitial = { x = 0.1, y = 0.3, z = -0.2 }\n\
+                [integrator]\nformulation = 'collective'\nend = 1\n";
+    folder.write("solvable.toml", text);
+    folder.write("poincare.toml", POINCARE);
+    let run = |file: &str| {
+        let set = "integrator.formulation=collective";
+        let run = folder.heavytop(&["simulate", file, "--out", "out.csv", "--set", set]);
+        assert_eq!(run.code(), 0, "{}", run.stderr());
+        run.stderr()
+    };
+    let warned = run("solvable.toml");
+    let warnings =
+        warned.lines().filter(|line| line.starts_with("heavytop: warning: the steps of"));
+    assert_eq!(warnings.count(), 1, "{warned}");
+    assert!(warned.contains("; the steps are not Poisson maps; largest deviations"), "{warned}");
+    assert!(!run("poincare.toml").contains("not Poisson"));
+}
+
+#[test]
 fn an_interrupted_run_of_a_system_continues_byte_for_byte() {
     use heavytop_cli::commands::simulate::{Checkpoint, SimulateOptions, simulate_system};
     use heavytop_cli::configuration::Config;
@@ -312,5 +335,5 @@ fn the_systems_of_the_help_and_of_the_guide_run() {
         }
         count += 1;
     }
-    assert_eq!(count, 7);
+    assert_eq!(count, 8);
 }

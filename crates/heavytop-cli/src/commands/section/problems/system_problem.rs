@@ -7,6 +7,7 @@ use crate::Error;
 use crate::configuration::{Config, Integration, SectionConfig};
 use crate::errors::SystemError;
 use crate::pictures::caption::{self, number};
+use crate::runs::method_warning::system_warning;
 use crate::vocabulary::brief;
 use collective_integrators::{Events, Start};
 use heavytop::methods::{Formulation, Scheme};
@@ -111,7 +112,8 @@ impl Problem for SystemProblem {
     }
 
     fn warning(&self) -> Option<String> {
-        None
+        // A method whose steps fail to be made has no warning, and refuses the first start.
+        system_warning(&self.method, self.system(), &self.initial).ok().flatten()
     }
 
     fn require_step(&self, _: f64) -> Result<(), Error> {

@@ -69,7 +69,6 @@ pub fn simulate_system(
         renewal.pause(moment.step, || moment.saved(), &mut recording, &deviations)
     });
     drop(progress);
-    let summary = SystemSummary::new(out.into(), experiment, &last, &deviations, &table);
     recording.conclude(outcome)?;
-    Ok(summary)
+    SystemSummary::new(out.into(), experiment, &last, &deviations, &table)
 }
