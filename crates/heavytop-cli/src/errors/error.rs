@@ -1,4 +1,4 @@
-//! The errors of the commands, and the exit codes.
+//! The errors of the commands.
 
 use super::checkpoint_error::CheckpointError;
 use super::quotation::Quotation;
@@ -382,31 +382,6 @@ impl Error {
         match self {
             Self::Create { path, source } => Self::Write { path, source },
             other => other,
-        }
-    }
-
-    /// Returns the exit code of the error.
-    ///
-    /// It is 2 if the request is wrong and nothing was written, 1 if the command failed underway, and 130 if it was
-    /// interrupted, as shells have it.
-    #[must_use]
-    pub fn exit_code(&self) -> u8 {
-        match self {
-            Self::Reference { .. }
-            | Self::Write { .. }
-            | Self::Integration { .. }
-            | Self::Timed { .. }
-            | Self::Crossing { .. }
-            | Self::AllFailed { .. }
-            | Self::Tangent(_)
-            | Self::Workers(_)
-            | Self::Tile { .. }
-            | Self::MissingTile { .. }
-            | Self::Figure(_)
-            | Self::Resumable { .. }
-            | Self::Kept { .. } => 1,
-            Self::Interrupted { .. } => 130,
-            _ => 2,
         }
     }
 }

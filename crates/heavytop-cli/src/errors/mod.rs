@@ -6,6 +6,7 @@ mod sweep_error;
 mod system_error;
 mod error;
 mod conversions;
+mod exit_code;
 mod message;
 
 pub use checkpoint_error::CheckpointError;
