@@ -23,29 +23,40 @@ pub(crate) fn generic(count: usize, seed: i64) -> Vec<Residue> {
         .collect()
 }
 
+/// Returns the unit in which all constants are small fractions times square roots: 1, or the largest constant. Casimirs do
+/// not depend on it, since all conditions on them are linear in the constants. If neither is one, it is 1.
+fn unit(constants: impl Iterator<Item = f64> + Clone) -> f64 {
+    let largest = constants.clone().fold(0.0_f64, |largest, constant| largest.max(constant.abs()));
+    let suits = |unit: f64| constants.clone().all(|c| Surd::recognise(c / unit).is_some());
+    if largest > 0.0 && !suits(1.0) && suits(largest) { largest } else { 1.0 }
+}
+
 impl BracketTable {
     /// Creates the table of an algebra; small fractions, and their products with square roots, are recognised.
     pub(crate) fn new<A: LieAlgebra>(algebra: &A) -> Result<Self, CasimirError> {
         let dimension = A::Element::<f64>::DIM;
-        let mut brackets = vec![vec![Vec::new(); dimension]; dimension];
-        for (i, row) in brackets.iter_mut().enumerate() {
+        let mut constants = vec![vec![Vec::new(); dimension]; dimension];
+        for (i, row) in constants.iter_mut().enumerate() {
             for (j, entry) in row.iter_mut().enumerate() {
                 let bracket = algebra.bracket::<f64>(&Vector::basis(i), &Vector::basis(j));
-                for k in 0..dimension {
-                    let constant = bracket.coordinate(k);
-                    if !constant.is_finite() {
-                        return Err(CasimirError::NotFinite { i, j });
-                    }
-                    if constant != 0.0 {
-                        let exact = Surd::recognise(constant);
-                        let residue =
-                            exact.map_or_else(|| Residue::of_float(constant), Surd::residue);
-                        entry.push((k, residue));
-                    }
+                *entry = (0..dimension).map(|k| (k, bracket.coordinate(k))).collect();
+                if entry.iter().any(|(_, constant): &(usize, f64)| !constant.is_finite()) {
+                    return Err(CasimirError::NotFinite { i, j });
                 }
+                entry.retain(|(_, constant)| *constant != 0.0);
             }
         }
-        Ok(Self { brackets })
+        let unit = unit(constants.iter().flatten().flatten().map(|(_, constant)| *constant));
+        let residue = |constant: f64| {
+            let exact = Surd::recognise(constant / unit);
+            exact.map_or_else(|| Residue::of_float(constant), Surd::residue)
+        };
+        let residues = |entry: Vec<(usize, f64)>| {
+            entry.into_iter().map(|(k, constant)| (k, residue(constant))).collect()
+        };
+        let brackets = constants.into_iter();
+        let brackets = brackets.map(|row| row.into_iter().map(residues).collect());
+        Ok(Self { brackets: brackets.collect() })
     }
 
     /// Returns the dimension of the algebra.

@@ -110,11 +110,42 @@ impl Formula {
         self.0.value.scalar(V::DIM, |i| z.coordinate(i))
     }
 
+    /// Returns the value h(z) at coordinates in a slice, or NaN if there are fewer or more than the formula has.
+    ///
+    /// ```
+    /// use lie_poisson::So3;
+    /// use lie_poisson_formulas::{Formula, Parameters, Vocabulary};
+    /// let h = Formula::new("Pi1*Pi2 + Pi3", &Vocabulary::of(&So3, &Parameters::new())?)?;
+    /// assert_eq!(h.value_at(&[2.0, 3.0, 4.0]), 10.0);
+    /// assert!(h.value_at(&[2.0, 3.0]).is_nan());
+    /// # Ok::<(), Box<dyn std::error::Error>>(())
+    /// ```
+    #[must_use]
+    pub fn value_at(&self, z: &[f64]) -> f64 {
+        self.0.value.scalar(z.len(), |i| z.get(i).copied().unwrap_or(f64::NAN))
+    }
+
     /// Returns the differential dh(z), with the coordinates ∂h/∂zᵢ, or NaN if z has fewer or more coordinates
     /// than the formula.
     #[inline]
     pub fn differential<V: Vector>(&self, z: &V) -> V::Dual {
         self.0.gradient.vector(V::DIM, |i| z.coordinate(i), |i| z.coordinate(i))
+    }
+
+    /// Returns the coordinates ∂h/∂zᵢ of the differential at coordinates in a slice, or NaN if there are fewer or more
+    /// than the formula has.
+    ///
+    /// ```
+    /// use lie_poisson::So3;
+    /// use lie_poisson_formulas::{Formula, Parameters, Vocabulary};
+    /// let h = Formula::new("Pi1*Pi2 + Pi3", &Vocabulary::of(&So3, &Parameters::new())?)?;
+    /// assert_eq!(h.differential_at(&[2.0, 3.0, 4.0]), [3.0, 2.0, 1.0]);
+    /// assert!(h.differential_at(&[2.0, 3.0]).iter().all(|slope| slope.is_nan()));
+    /// # Ok::<(), Box<dyn std::error::Error>>(())
+    /// ```
+    #[must_use]
+    pub fn differential_at(&self, z: &[f64]) -> Vec<f64> {
+        self.0.gradient.list(z)
     }
 
     /// Returns the derivative D²h(z)·v of the differential along v, with the coordinates Σⱼ ∂²h/∂zᵢ∂zⱼ vⱼ.

@@ -74,6 +74,16 @@ impl Tape {
         }
     }
 
+    /// Computes as many results as there are coordinates in a slice, with the i-th coordinate as that of the i-th
+    /// result; NaN if the tape has another number of coordinates.
+    pub(crate) fn list(&self, z: &[f64]) -> Vec<f64> {
+        let input = |i: usize| z.get(i).copied().unwrap_or(f64::NAN);
+        let count = z.len();
+        self.evaluate((count, count), input, input, |results| {
+            (0..count).map(|i| result(results, i)).collect()
+        })
+    }
+
     /// Computes the first result at `inputs` coordinates; NaN if the tape has another number of coordinates.
     #[inline]
     pub(crate) fn scalar<T: Real>(&self, inputs: usize, input: impl Fn(usize) -> T) -> T {

@@ -53,6 +53,25 @@ fn the_unitary_algebra() {
     assert_eq!(casimirs[0], "mu1 + mu5 + mu9");
 }
 
+/// The conditions on Casimirs are linear in the constants, whose unit is therefore free.
+#[test]
+fn the_unit_of_the_constants_does_not_matter() {
+    // [K, H] = P and [K, P] = H; so(3) in an orthonormal basis of another invariant product; a fraction and a square root
+    let poincare = [(0, 1, 2, 1.0), (0, 2, 1, 1.0)];
+    let stretched = [(0, 1, 2, 2.0 / 3.0), (1, 2, 0, 1.5), (2, 0, 1, 0.6)];
+    let roots = [(0, 1, 2, 2.0_f64.sqrt()), (1, 2, 0, 2.0_f64.sqrt() / 3.0), (2, 0, 1, 0.5)];
+    for table in [&poincare[..], &stretched, &roots] {
+        let plain = of_table(["x", "y", "z"], table);
+        assert_eq!((plain.0.len(), plain.1), (1, 0), "{plain:?}");
+        for scale in [1e-30, 1e30, 1e-3, 7e11] {
+            let scaled: Vec<_> = table.iter().map(|&(i, j, k, c)| (i, j, k, scale * c)).collect();
+            assert_eq!(of_table(["x", "y", "z"], &scaled), plain, "{scale:e}");
+        }
+    }
+    // Control: other ratios have another Casimir.
+    assert_ne!(of_table(["x", "y", "z"], &stretched), of_table(["x", "y", "z"], &roots));
+}
+
 #[test]
 fn algebras_from_tables() {
     // Heisenberg

@@ -88,13 +88,7 @@ impl Config {
     /// # Errors
     /// If there is no such run.
     pub fn system_experiment(&self) -> Result<Option<SystemExperiment>, Error> {
-        let Some(system) = &self.system else { return Ok(None) };
-        if self.body != BodyConfig::default() {
-            return Err(SystemError::Top("body").into());
-        }
-        if self.initial != InitialConfig::default() {
-            return Err(SystemError::Top("initial").into());
-        }
+        let Some(system) = self.system()? else { return Ok(None) };
         if self.output.attitude {
             return Err(SystemError::NoAttitude.into());
         }
@@ -102,6 +96,21 @@ impl Config {
             return Err(Error::OutOfRange { name: "every", range: "at least 1", value: 0.0 });
         }
         system.experiment(self.integrator, self.output.every).map(Some)
+    }
+
+    /// Returns the table `[system]`, or `None` if the configuration asks for a top.
+    ///
+    /// # Errors
+    /// If a table of tops stands beside it.
+    pub(crate) fn system(&self) -> Result<Option<&SystemConfig>, Error> {
+        let Some(system) = &self.system else { return Ok(None) };
+        if self.body != BodyConfig::default() {
+            return Err(SystemError::Top("body").into());
+        }
+        if self.initial != InitialConfig::default() {
+            return Err(SystemError::Top("initial").into());
+        }
+        Ok(Some(system))
     }
 
     /// Returns the top of `[body]`.

@@ -9,10 +9,10 @@ use serde::{Deserialize, Serialize};
 #[serde(default, deny_unknown_fields)]
 pub struct IntegratorConfig {
     /// The formulation: where the scheme is applied.
-    #[serde(with = "method_names::formulation")]
+    #[serde(with = "method_names")]
     pub formulation: Option<Formulation>,
     /// The scheme's name in configurations.
-    #[serde(with = "method_names::scheme")]
+    #[serde(with = "method_names")]
     pub scheme: Option<Scheme>,
     /// The time step, s.
     pub step: Option<f64>,

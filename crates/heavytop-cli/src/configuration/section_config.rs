@@ -1,23 +1,25 @@
 //! The table `[section]`: which Poincaré section, and how many points.
 
+use super::system::Numbers;
+use crate::Error;
 use crate::vocabulary::named::{by_name, name_of};
 use collective_integrators::Direction;
 use heavytop::Coordinate;
 use serde::de::Error as _;
 use serde::{Deserialize, Deserializer, Serialize, Serializer};
+use std::collections::BTreeMap;
 
 /// The table `[section]`: which Poincaré section, and how many points.
-#[derive(Clone, Copy, Debug, PartialEq, Deserialize, Serialize)]
+#[derive(Clone, Debug, PartialEq, Deserialize, Serialize)]
 #[serde(default, deny_unknown_fields)]
 pub struct SectionConfig {
-    /// The energy h, J; by default that of `[initial]`.
+    /// The energy h, J; by default that of the initial state.
     pub energy: Option<f64>,
-    /// The vertical momentum Π·Γ, kg m²/s; by default that of `[initial]`.
+    /// The vertical momentum Π·Γ of a top, kg m²/s; by default that of `[initial]`.
     pub vertical_momentum: Option<f64>,
-    /// The coordinate that the surface fixes.
-    #[serde(deserialize_with = "surface", serialize_with = "surface_name")]
-    pub surface: Coordinate,
-    /// The value of that coordinate on the surface.
+    /// The coordinate that the surface fixes, by default Γ₃ of a top; for a system a formula.
+    pub surface: Option<String>,
+    /// The value of that coordinate or formula on the surface.
     pub level: f64,
     /// The direction in which the surface is crossed.
     #[serde(deserialize_with = "direction", serialize_with = "direction_name")]
@@ -30,6 +32,12 @@ pub struct SectionConfig {
     pub longest: f64,
     /// The seed of the random choice of starts.
     pub seed: u64,
+    /// The formulas over which the section of a system is drawn.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub axes: Option<[String; 2]>,
+    /// The initial states of the motions of a system, instead of random starts: values of the coordinates, by name.
+    #[serde(skip_serializing_if = "Vec::is_empty")]
+    pub states: Vec<BTreeMap<String, Numbers>>,
 }
 
 impl Default for SectionConfig {
@@ -37,24 +45,52 @@ impl Default for SectionConfig {
         Self {
             energy: None,
             vertical_momentum: None,
-            surface: Coordinate::Gamma3,
+            surface: None,
             level: 0.0,
             direction: Direction::Up,
             starts: 60,
             crossings: 500,
             longest: 10_000.0,
             seed: 0,
+            axes: None,
+            states: Vec::new(),
         }
     }
 }
 
-fn surface<'de, D: Deserializer<'de>>(from: D) -> Result<Coordinate, D::Error> {
-    let names = Coordinate::ALL.map(|coordinate| (coordinate.name(), coordinate));
-    by_name("surface", &names, &String::deserialize(from)?).map_err(D::Error::custom)
-}
+impl SectionConfig {
+    /// Returns the coordinate that the surface of a top fixes.
+    ///
+    /// # Errors
+    /// If there is no coordinate of this name.
+    pub(crate) fn coordinate(&self) -> Result<Coordinate, Error> {
+        let names = Coordinate::ALL.map(|coordinate| (coordinate.name(), coordinate));
+        let surface = self.surface.as_deref().unwrap_or(Coordinate::Gamma3.name());
+        by_name("surface", &names, surface).map_err(Error::UnknownSurface)
+    }
 
-fn surface_name<S: Serializer>(surface: &Coordinate, to: S) -> Result<S::Ok, S::Error> {
-    to.serialize_str(surface.name())
+    /// Checks that no key is of systems alone.
+    ///
+    /// # Errors
+    /// If there is such a key.
+    pub(crate) fn require_top(&self) -> Result<(), Error> {
+        match (&self.axes, self.states.as_slice()) {
+            (Some(_), _) => Err(Error::SectionKey { key: "axes", of: "[system]" }),
+            (None, [_, ..]) => Err(Error::SectionKey { key: "states", of: "[system]" }),
+            (None, []) => Ok(()),
+        }
+    }
+
+    /// Checks that no key is of tops alone.
+    ///
+    /// # Errors
+    /// If there is such a key.
+    pub(crate) fn require_system(&self) -> Result<(), Error> {
+        match self.vertical_momentum {
+            Some(_) => Err(Error::SectionKey { key: "vertical_momentum", of: "a top" }),
+            None => Ok(()),
+        }
+    }
 }
 
 const DIRECTIONS: &[(&str, Direction)] =

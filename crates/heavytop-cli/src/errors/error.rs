@@ -1,4 +1,4 @@
-//! The errors of the commands, and the exit codes.
+//! The errors of the commands.
 
 use super::checkpoint_error::CheckpointError;
 use super::quotation::Quotation;
@@ -8,7 +8,7 @@ use crate::vocabulary::brief::{number, text};
 use collective_integrators::{EventError, IntegrationError, RunError, VariationalError};
 use heavytop::methods::{Formulation, MethodError};
 use heavytop::{SectionError, TopError};
-use momentum_map::LiftError;
+use lie_poisson_formula_systems::FormulaSystemError;
 use std::io;
 use std::path::PathBuf;
 use thiserror::Error;
@@ -20,6 +20,14 @@ pub enum Error {
     /// The configuration file could not be read.
     #[error("cannot read the configuration {}", path.display())]
     Read {
+        /// The path of the file.
+        path: PathBuf,
+        /// The error of the system.
+        source: io::Error,
+    },
+    /// The file of the structure constants could not be read.
+    #[error("[system] structure_constants: cannot read {}", path.display())]
+    ReadTable {
         /// The path of the file.
         path: PathBuf,
         /// The error of the system.
@@ -247,6 +255,31 @@ pub enum Error {
     /// The section that the configuration asks for does not exist.
     #[error("[section]")]
     Section(#[from] SectionError),
+    /// The section of a system that the configuration asks for does not exist.
+    #[error("[section]")]
+    SystemSection(#[source] Box<FormulaSystemError>),
+    /// No coordinate of a top has the name of the surface.
+    #[error("section.surface: {0}")]
+    UnknownSurface(String),
+    /// The section of a system has no surface.
+    #[error("[section] surface is missing: a formula, such as a coordinate")]
+    NoSurface,
+    /// A key of the section is for systems, or for tops.
+    #[error("[section] {key} is of the section of {of} alone")]
+    SectionKey {
+        /// The key.
+        key: &'static str,
+        /// What has the key.
+        of: &'static str,
+    },
+    /// A state that is given does not reach the surface.
+    #[error("[section] state {state} does not cross the surface within {longest} s")]
+    NeverCrosses {
+        /// The number of the state, from 1.
+        state: usize,
+        /// The time for which it was followed, s.
+        longest: f64,
+    },
     /// The motion through a start of a section could not be followed.
     #[error("{formulation}, {scheme}, start {start}")]
     Crossing {
@@ -343,60 +376,12 @@ pub enum Error {
     },
 }
 
-impl From<MethodError> for Error {
-    fn from(error: MethodError) -> Self {
-        match error {
-            MethodError::Tolerance { value } => {
-                Self::OutOfRange { name: "tolerance", range: "finite and not negative", value }
-            }
-            error => Self::Method(error),
-        }
-    }
-}
-
-impl From<SystemError> for Error {
-    fn from(error: SystemError) -> Self {
-        Self::System(Box::new(error))
-    }
-}
-
-impl From<LiftError> for Error {
-    fn from(error: LiftError) -> Self {
-        Self::Start(error.into())
-    }
-}
-
 impl Error {
     /// Turns an error about creating a file into one about writing it, when it is too late to refuse the request.
     pub(crate) fn too_late(self) -> Self {
         match self {
             Self::Create { path, source } => Self::Write { path, source },
             other => other,
-        }
-    }
-
-    /// Returns the exit code of the error.
-    ///
-    /// It is 2 if the request is wrong and nothing was written, 1 if the command failed underway, and 130 if it was
-    /// interrupted, as shells have it.
-    #[must_use]
-    pub fn exit_code(&self) -> u8 {
-        match self {
-            Self::Reference { .. }
-            | Self::Write { .. }
-            | Self::Integration { .. }
-            | Self::Timed { .. }
-            | Self::Crossing { .. }
-            | Self::AllFailed { .. }
-            | Self::Tangent(_)
-            | Self::Workers(_)
-            | Self::Tile { .. }
-            | Self::MissingTile { .. }
-            | Self::Figure(_)
-            | Self::Resumable { .. }
-            | Self::Kept { .. } => 1,
-            Self::Interrupted { .. } => 130,
-            _ => 2,
         }
     }
 }

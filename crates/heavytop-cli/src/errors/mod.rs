@@ -5,6 +5,8 @@ mod checkpoint_error;
 mod sweep_error;
 mod system_error;
 mod error;
+mod conversions;
+mod exit_code;
 mod message;
 
 pub use checkpoint_error::CheckpointError;

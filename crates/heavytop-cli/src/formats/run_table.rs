@@ -69,14 +69,14 @@ impl RunTable {
     /// Creates the table of a system: t, the coordinates, h, and the Casimirs c1, c2 and so on.
     #[must_use]
     pub fn of_system(experiment: &SystemExperiment) -> Self {
-        let coordinates = &experiment.algebra().coordinates;
+        let coordinates = experiment.system.algebra().coordinates();
         let names: Vec<String> = coordinates.names().collect();
         let groups = coordinates.groups().map(|(name, places)| (name, places.len()));
         let groups: Vec<_> = [("t", 1)].into_iter().chain(groups).collect();
         let mut table = Self::of(&format!("t,{}", names.join(",")), &groups);
         let first = table.columns.len();
         table.push("h");
-        for i in 1..=experiment.casimirs().len() {
+        for i in 1..=experiment.system.casimirs().len() {
             table.push(&format!("c{i}"));
         }
         table.invariants = first..table.columns.len();

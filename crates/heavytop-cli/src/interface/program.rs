@@ -11,12 +11,15 @@ use crate::commands::animate::animate;
 use crate::commands::bench::{BenchOptions, bench};
 use crate::commands::compare::compare;
 use crate::commands::reproduce::reproduce;
-use crate::commands::section::{self, section};
+use crate::commands::section::{
+    self, SectionSummary, SystemSectionSummary, section, section_system,
+};
 use crate::commands::simulate::{
     self, Checkpoint, RunSummary, SimulateOptions, SystemSummary, simulate, simulate_system,
 };
 use crate::commands::sweep::{self, sweep_if};
-use crate::runs::method_warning::method_warning;
+use crate::runs::SystemExperiment;
+use crate::runs::method_warning::{method_warning, system_warning};
 use crate::runs::step_angle::long_step;
 use crate::supervision::{Forecast, TileOptions, Watch};
 use clap::{CommandFactory, Parser};
@@ -75,9 +78,17 @@ fn run(Arguments { quiet, json, command }: Arguments) -> Result<(), Error> {
                 if !parts.resume {
                     confirm(&section::forecast(&config, &out)?, parts.yes)?;
                 }
-                section(&config, &out, &in_tiles(&top, parts, quiet))
+                let options = in_tiles(&top, parts, quiet);
+                if config.system.is_some() {
+                    section_system(&config, &out, &options).map(Sectioned::System)
+                } else {
+                    section(&config, &out, &options).map(Sectioned::Top)
+                }
             })
-            .and_then(|done| closing.print(&done)),
+            .and_then(|done| match done {
+                Sectioned::Top(summary) => closing.print(&summary),
+                Sectioned::System(summary) => closing.print(&summary),
+            }),
         Command::Sweep { top, out, parts: Parts { dry_run: true, .. } } => top
             .run(|config| sweep::dry_run(&config, &out, top.threads))
             .and_then(|done| done.map_or(Ok(()), |done| print(&done, json))),
@@ -152,6 +163,12 @@ struct Begin<'a> {
     yes: bool,
 }
 
+/// What `section` has cut.
+enum Sectioned {
+    Top(SectionSummary),
+    System(SystemSectionSummary),
+}
+
 /// What `simulate` has followed.
 enum Simulated {
     Top(RunSummary),
@@ -178,6 +195,11 @@ fn run_simulate(top: &Top, out: &Path, begin: &Begin<'_>, quiet: bool) -> Result
         let stop = Some(interrupted());
         let options = SimulateOptions { resume: resume.as_ref(), restart, interval, stop, quiet };
         if let Some(system) = config.system_experiment()? {
+            let SystemExperiment { system: formula, start, method, .. } = &system;
+            if let Some(warning) = system_warning(method, formula, start)? {
+                // Where stderr is closed nobody can be warned.
+                let _ = writeln!(io::stderr(), "heavytop: {warning}");
+            }
             return simulate_system(&config, &system, out, &options).map(Simulated::System);
         }
         let experiment = config.experiment()?;

@@ -122,16 +122,14 @@ impl Axis {
 
     /// Creates the axis around all finite numbers, with room above and below.
     pub fn around(values: impl Iterator<Item = f64>, count: u32) -> Self {
-        let finite = values.filter(|value| value.is_finite());
-        let (low, high) = finite.fold((f64::INFINITY, f64::NEG_INFINITY), |(low, high), value| {
-            (low.min(value), high.max(value))
-        });
-        if low > high {
-            return Self::new(0.0, 1.0, count);
-        }
-        let (low, high) = widened(low, high);
-        let room = 0.05 * high - 0.05 * low;
-        Self::new(low - room, high + room, count)
+        let (low, high) = surroundings(values);
+        Self::new(low, high, count)
+    }
+
+    /// Creates the axis around all finite numbers as [`along_line`](Self::along_line) does.
+    pub fn around_along_line(values: impl Iterator<Item = f64>, count: u32, length: f64) -> Self {
+        let (low, high) = surroundings(values);
+        Self::along_line(low, high, count, length)
     }
 }
 
@@ -157,6 +155,20 @@ impl ValueFormatter<f64> for Axis {
     fn format_ext(&self, tick: &f64) -> String {
         self.labels().find(|(other, _)| other == tick).map_or_else(String::new, |(_, l)| l.into())
     }
+}
+
+/// Returns a range around all finite numbers, with room below and above; from 0 to 1 if there are none.
+fn surroundings(values: impl Iterator<Item = f64>) -> (f64, f64) {
+    let finite = values.filter(|value| value.is_finite());
+    let (low, high) = finite.fold((f64::INFINITY, f64::NEG_INFINITY), |(low, high), value| {
+        (low.min(value), high.max(value))
+    });
+    if low > high {
+        return (0.0, 1.0);
+    }
+    let (low, high) = widened(low, high);
+    let room = 0.05 * high - 0.05 * low;
+    (low - room, high + room)
 }
 
 /// Returns the range, or a wider one where it is narrower than round-off.

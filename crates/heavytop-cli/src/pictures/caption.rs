@@ -2,7 +2,7 @@
 
 use super::numerals::significant;
 use heavytop::HeavyTop;
-use heavytop::methods::Method;
+use heavytop::methods::{Formulation, Scheme};
 use lie_poisson::{Covector, Pair, Se3Dual};
 
 /// The number of significant digits in captions.
@@ -19,8 +19,8 @@ pub(crate) fn vector(components: impl IntoIterator<Item = f64>) -> String {
 }
 
 /// Returns the formulation, the scheme and the step (s).
-pub(crate) fn method(method: &Method, step: f64) -> String {
-    format!("{}, {}, step {} s", method.formulation().name(), method.scheme().name(), number(step))
+pub(crate) fn method(formulation: Formulation, scheme: Scheme, step: f64) -> String {
+    format!("{formulation}, {scheme}, step {} s", number(step))
 }
 
 /// Returns the numbers of a top.

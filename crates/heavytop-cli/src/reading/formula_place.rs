@@ -2,6 +2,8 @@
 
 use crate::Error;
 use crate::errors::SystemError;
+use lie_poisson_formula_systems::FormulaSystemError;
+use lie_poisson_formulas::FormulaError;
 use std::ops::Range;
 
 /// Returns the place of an error of a formula within the text of its value, which stands at `span`, or else all of the
@@ -9,8 +11,7 @@ use std::ops::Range;
 ///
 /// In a text with escapes, such as `\"`, places cannot be counted: all of the value is marked.
 pub(super) fn within(text: &str, span: Range<usize>, error: &Error) -> Range<usize> {
-    let Error::System(system) = error else { return span };
-    let SystemError::Formula { source, .. } = &**system else { return span };
+    let Some(source) = formula_error(error) else { return span };
     let value = text.get(span.clone()).unwrap_or_default();
     let Some(quotes) = ["\"\"\"", "'''", "\"", "'"].into_iter().find(|q| value.starts_with(q))
     else {
@@ -29,6 +30,24 @@ pub(super) fn within(text: &str, span: Range<usize>, error: &Error) -> Range<usi
     (first + start).min(last)..(first + end).min(last)
 }
 
+/// Returns the error of the formula that an error is about.
+fn formula_error(error: &Error) -> Option<&FormulaError> {
+    use FormulaSystemError as E;
+    let error = match error {
+        Error::System(error) => match &**error {
+            SystemError::Formula(error) => error,
+            _ => return None,
+        },
+        Error::SystemSection(error) => error,
+        _ => return None,
+    };
+    match error {
+        E::Bracket { source, .. } | E::Axis { source, .. } => Some(source),
+        E::Hamiltonian(source) | E::Surface(source) => Some(source),
+        _ => None,
+    }
+}
+
 #[cfg(test)]
 #[allow(clippy::unwrap_used)]
 mod tests {
@@ -40,7 +59,7 @@ mod tests {
     fn the_place_in_the_formula_is_found_in_the_text() {
         let names = Vocabulary::of(&So3, &Parameters::new()).unwrap();
         let source = Formula::new("Π₁ + Pj2", &names).unwrap_err();
-        let error = SystemError::Formula { key: "hamiltonian".into(), source }.into();
+        let error = FormulaSystemError::Hamiltonian(source).into();
         for (text, marked) in [
             ("h = 'Π₁ + Pj2' # 1", "Pj2"),
             ("h = \"Π₁ + Pj2\"", "Pj2"),

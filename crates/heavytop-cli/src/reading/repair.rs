@@ -6,6 +6,7 @@ use crate::errors::{SweepError, SystemError};
 use crate::vocabulary::brief::number;
 use heavytop::methods::MethodError;
 use heavytop::{SectionError, TopError};
+use lie_poisson_formula_systems::FormulaSystemError;
 
 /// A key that may be at fault, and what to write there.
 pub(super) type Repair = (String, String);
@@ -81,6 +82,16 @@ pub(super) fn repairs(error: &Error, config: &Config) -> Vec<Repair> {
         ],
         Error::System(system) => of_system(system),
         Error::Section(section) => of_section(section),
+        Error::SystemSection(error) => of_system_section(error),
+        Error::UnknownSurface(_) => vec![repair("section.surface", String::new())],
+        Error::NoSurface => vec![repair("section", "add the key".into())],
+        Error::SectionKey { key, .. } => {
+            vec![repair(&format!("section.{key}"), "remove the key".into())]
+        }
+        Error::NeverCrosses { state, .. } => {
+            let key = format!("section.states[{}]", state.saturating_sub(1));
+            vec![repair(&key, String::new()), repair("section.surface", String::new())]
+        }
         Error::Sweep(sweep) => of_sweep(sweep),
         _ => Vec::new(),
     }
@@ -138,6 +149,17 @@ fn of_section(error: &SectionError) -> Vec<Repair> {
         }
         _ => Vec::new(),
     }
+}
+
+fn of_system_section(error: &FormulaSystemError) -> Vec<Repair> {
+    let key = match error {
+        FormulaSystemError::Surface(_) => "surface".into(),
+        FormulaSystemError::Axis { axis, .. } => format!("axes[{axis}]"),
+        FormulaSystemError::Level { .. } => "level".into(),
+        FormulaSystemError::TooSmall { .. } => "surface".into(),
+        _ => "states".into(),
+    };
+    vec![(format!("section.{key}"), String::new())]
 }
 
 fn of_sweep(error: &SweepError) -> Vec<Repair> {

@@ -84,7 +84,15 @@ impl Sources {
         let (mut table, over) = (self.table()?, text.table()?);
         remove_rivals(&mut table, &over);
         overlay(&mut table, over);
-        self.config = text.read(table)?;
+        let mut config = text.read(table)?;
+        // Paths in a file are relative to it.
+        let folder = Path::new(&text.name).parent().unwrap_or(Path::new(""));
+        let system = config.system.as_mut();
+        let read = system.map_or(Ok(()), |system| system.read_structure_constants(folder));
+        if let Err(error) = read {
+            return Err(text.quote("system.structure_constants", "", error).unwrap_or_else(|e| e));
+        }
+        self.config = config;
         self.texts.push(text);
         Ok(())
     }

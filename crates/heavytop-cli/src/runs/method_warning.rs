@@ -1,6 +1,8 @@
 //! Warnings about what a method does not conserve.
 
+use crate::Error;
 use heavytop::methods::{Method, Scheme};
+use lie_poisson_formula_systems::{FormulaSystem, SystemMethod};
 
 /// Returns a warning for users about what the method does not conserve.
 pub(crate) fn method_warning(method: &Method) -> Option<String> {
@@ -11,4 +13,22 @@ pub(crate) fn method_warning(method: &Method) -> Option<String> {
             method.scheme()
         )
     })
+}
+
+/// Returns a warning for users about what the method of a system does not conserve for runs from a state.
+pub(crate) fn system_warning(
+    method: &SystemMethod,
+    system: &FormulaSystem,
+    start: &[f64],
+) -> Result<Option<String>, Error> {
+    let descends = method.descends(system, start)?;
+    Ok((!descends).then(|| {
+        format!(
+            "warning: the steps of {}, {} by the Clebsch map of {} are not Poisson maps: the Casimirs are \
+             conserved to the order of the scheme alone",
+            method.formulation(),
+            method.scheme(),
+            system.algebra().name()
+        )
+    }))
 }

@@ -12,4 +12,4 @@ pub use experiment::Experiment;
 pub use moment::{Moment, Saved};
 pub use pace::Pace;
 pub use schedule::Schedule;
-pub use systems::{SystemAlgebra, SystemExperiment, SystemMoment, WIDEST};
+pub use systems::{SystemExperiment, SystemMoment};

@@ -1,59 +1,55 @@
-//! Formulations and schemes in configurations: by their names.
+//! Formulations and schemes in configurations: by their names, for `#[serde(with = …)]`.
 
 use super::named::by_name;
 use heavytop::methods::{Formulation, Scheme};
 use serde::de::Error;
 use serde::{Deserialize, Deserializer, Serializer};
 
-/// Reads and writes the name of a formulation, for `#[serde(with = …)]`.
-pub(crate) mod formulation {
-    use super::*;
+/// A part of a method that has a name.
+pub(crate) trait MethodPart: Copy + 'static {
+    /// What it is, in messages.
+    const KIND: &'static str;
+    /// All names.
+    const NAMES: &'static [(&'static str, Self)];
 
-    pub(crate) fn deserialize<'de, D>(from: D) -> Result<Option<Formulation>, D::Error>
-    where
-        D: Deserializer<'de>,
-    {
-        read("formulation", Formulation::NAMES, from)
-    }
+    /// Returns the name.
+    fn name(self) -> &'static str;
+}
 
-    pub(crate) fn serialize<S>(to: &Option<Formulation>, serializer: S) -> Result<S::Ok, S::Error>
-    where
-        S: Serializer,
-    {
-        write(to.map(Formulation::name), serializer)
+impl MethodPart for Formulation {
+    const KIND: &'static str = "formulation";
+    const NAMES: &'static [(&'static str, Self)] = Self::NAMES;
+
+    fn name(self) -> &'static str {
+        self.name()
     }
 }
 
-/// Reads and writes the name of a scheme, for `#[serde(with = …)]`.
-pub(crate) mod scheme {
-    use super::*;
+impl MethodPart for Scheme {
+    const KIND: &'static str = "scheme";
+    const NAMES: &'static [(&'static str, Self)] = Self::NAMES;
 
-    pub(crate) fn deserialize<'de, D>(from: D) -> Result<Option<Scheme>, D::Error>
-    where
-        D: Deserializer<'de>,
-    {
-        read("scheme", Scheme::NAMES, from)
-    }
-
-    pub(crate) fn serialize<S>(to: &Option<Scheme>, serializer: S) -> Result<S::Ok, S::Error>
-    where
-        S: Serializer,
-    {
-        write(to.map(Scheme::name), serializer)
+    fn name(self) -> &'static str {
+        self.name()
     }
 }
 
-fn read<'de, T: Copy, D>(kind: &str, names: &[(&str, T)], from: D) -> Result<Option<T>, D::Error>
+/// Reads the name of a part of a method.
+pub(crate) fn deserialize<'de, T: MethodPart, D>(from: D) -> Result<Option<T>, D::Error>
 where
     D: Deserializer<'de>,
 {
     let name = Option::<String>::deserialize(from)?;
-    name.map(|name| by_name(kind, names, &name)).transpose().map_err(D::Error::custom)
+    name.map(|name| by_name(T::KIND, T::NAMES, &name)).transpose().map_err(D::Error::custom)
 }
 
-fn write<S: Serializer>(name: Option<&str>, to: S) -> Result<S::Ok, S::Error> {
-    match name {
-        Some(name) => to.serialize_some(name),
+/// Writes the name of a part of a method.
+pub(crate) fn serialize<T: MethodPart, S: Serializer>(
+    part: &Option<T>,
+    to: S,
+) -> Result<S::Ok, S::Error> {
+    match part {
+        Some(part) => to.serialize_some(part.name()),
         None => to.serialize_none(),
     }
 }

@@ -26,5 +26,6 @@ mod reproduce;
 mod section;
 mod simulate;
 mod sweep;
+mod system_sections;
 mod systems;
 mod tiles;

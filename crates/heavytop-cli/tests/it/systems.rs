@@ -194,7 +194,7 @@ fn methods_that_do_not_exist_are_refused() {
         let error = refused(&folder.heavytop(&out));
         assert!(error.contains(message), "{error}");
     };
-    is_refused("poincare.toml", "formulation=reduced", "it has direct and collective");
+    is_refused("poincare.toml", "formulation=reduced", "it has collective and direct");
     is_refused("top.toml", "formulation=splitting", "it has collective, reduced and direct");
     is_refused("top.toml", "scheme=stormer-verlet", "collective has implicit-midpoint");
     for (key, message) in [
@@ -206,10 +206,33 @@ fn methods_that_do_not_exist_are_refused() {
         let error = refused(&folder.heavytop(&out));
         assert!(error.contains(message), "{error}");
     }
-    for command in ["compare", "section", "sweep", "animate"] {
+    for command in ["compare", "sweep", "animate"] {
         let error = refused(&folder.heavytop(&[command, "top.toml", "--out", "page.html"]));
-        assert!(error.contains("only simulate runs a system"), "{error}");
+        assert!(error.contains("only simulate and section run a system"), "{error}");
     }
+}
+
+#[test]
+fn steps_that_are_not_poisson_are_warned_of() {
+    let folder = Folder::new();
+    // [x, z] = x and [y, z] = 2y: the cube of ad z is no multiple of it
+    let text = "[system]\ncoordinates = ['x', 'y', 'z']\nbrackets = { 'x, z' = 'x', 'y, z' = '2*y' }\n\
+                hamiltonian = 'x^2 + y^2 + z^2'\ninitial = { x = 0.1, y = 0.3, z = -0.2 }\n\
+                [integrator]\nformulation = 'collective'\nend = 1\n";
+    folder.write("solvable.toml", text);
+    folder.write("poincare.toml", POINCARE);
+    let run = |file: &str| {
+        let set = "integrator.formulation=collective";
+        let run = folder.heavytop(&["simulate", file, "--out", "out.csv", "--set", set]);
+        assert_eq!(run.code(), 0, "{}", run.stderr());
+        run.stderr()
+    };
+    let warned = run("solvable.toml");
+    let warnings =
+        warned.lines().filter(|line| line.starts_with("heavytop: warning: the steps of"));
+    assert_eq!(warnings.count(), 1, "{warned}");
+    assert!(warned.contains("; the steps are not Poisson maps; largest deviations"), "{warned}");
+    assert!(!run("poincare.toml").contains("not Poisson"));
 }
 
 #[test]
@@ -241,6 +264,54 @@ fn an_interrupted_run_of_a_system_continues_byte_for_byte() {
     assert_eq!(resumed.deviations, whole.deviations);
 }
 
+/// so(4) by the momenta M of three planes and N of the other three: [Mᵢ, Mⱼ] = Mₖ, [Mᵢ, Nⱼ] = Nₖ, [Nᵢ, Nⱼ] = Mₖ.
+const SO4: &str = "\
+i, j, k, value
+1, 2, 3, 1
+2, 3, 1, 1
+3, 1, 2, 1
+1, 5, 6, 1
+1, 6, 5, -1
+2, 6, 4, 1
+2, 4, 6, -1
+3, 4, 5, 1
+3, 5, 4, -1
+4, 5, 3, 1
+5, 6, 1, 1
+6, 4, 2, 1
+";
+
+#[test]
+fn structure_constants_come_from_a_file_beside_the_configuration() {
+    let folder = Folder::new();
+    std::fs::create_dir(folder.path("bodies")).unwrap();
+    folder.write("bodies/so4.csv", SO4);
+    let text = "[system]\nstructure_constants = 'so4.csv'\nhamiltonian = 'mu1^2 + mu2^2/2 + mu4^2/3 + mu5*mu6'\n\
+                initial.mu = [1, 0.5, 0.2, -0.3, 0.4, 0.1]\n[integrator]\nscheme = 'gauss-8'\nend = 2\n";
+    folder.write("bodies/body.toml", text);
+    let run = ["simulate", "bodies/body.toml", "--out", "body.csv", "--json"];
+    let summary = succeeded(&folder.heavytop(&run));
+    assert!(summary.contains("mu1*mu4 + mu2*mu5 + mu3*mu6") && summary.contains("|mu|^2"));
+    // The same table within the configuration, as metadata and checkpoints contain it.
+    let inner = text.replace("'so4.csv'", &format!("'''\n{SO4}'''"));
+    folder.write("inner.toml", &inner);
+    succeeded(&folder.heavytop(&["simulate", "inner.toml", "--out", "inner.csv"]));
+    assert_eq!(folder.read("body.csv"), folder.read("inner.csv"));
+    // Negative controls: a wrong line, no Lie algebra, and no file.
+    let is_refused = |message: &str| {
+        let error =
+            refused(&folder.heavytop(&["simulate", "bodies/body.toml", "--out", "out.csv"]));
+        assert!(error.contains(message) && error.contains("bodies/body.toml, line 2"), "{error}");
+        assert!(!folder.names().contains(&"out.csv".into()));
+    };
+    folder.write("bodies/so4.csv", &SO4.replace("5, 6, 1, 1", "5, 6, 1, l"));
+    is_refused("structure_constants: line 12: the value `l` is not a finite number");
+    folder.write("bodies/so4.csv", &SO4.replace("5, 6, 1, 1", "5, 6, 1, -1"));
+    is_refused("the Jacobi identity fails for e");
+    std::fs::remove_file(folder.path("bodies/so4.csv")).unwrap();
+    is_refused("cannot read bodies/so4.csv");
+}
+
 /// The systems in the help run as they are written there, and so do those of the guide.
 #[test]
 fn the_systems_of_the_help_and_of_the_guide_run() {
@@ -250,12 +321,19 @@ fn the_systems_of_the_help_and_of_the_guide_run() {
     let in_help = help.split("  [system]\n").skip(1).map(|text| text.split("\n\n").next().unwrap());
     let in_guide = guide.split("[system]\n").skip(1).map(|text| text.split("```").next().unwrap());
     let mut count = 0;
+    let table = guide.split("```text\n").find(|text| text.starts_with("i, j, k, value"));
+    folder.write("so4.csv", table.unwrap().split("```").next().unwrap());
     for text in in_help.chain(in_guide).filter(|text| text.contains("hamiltonian = ")) {
         folder.write("system.toml", &format!("[system]\n{text}"));
         let end = ["--set", "integrator.end=2"];
         let run = [&["simulate", "system.toml", "--out", "system.csv"], &end[..]].concat();
         succeeded(&folder.heavytop(&run));
+        if text.contains("[section]") {
+            let few = ["--set", "section.starts=2", "--set", "section.crossings=3"];
+            let run = [&["section", "system.toml", "--out", "section"], &few[..]].concat();
+            succeeded(&folder.heavytop(&run));
+        }
         count += 1;
     }
-    assert_eq!(count, 4);
+    assert_eq!(count, 8);
 }

@@ -100,7 +100,8 @@ fn frame_every(experiment: &Experiment) -> u64 {
 
 /// Describes in words how the motion was computed.
 fn description(experiment: &Experiment) -> String {
-    let method = caption::method(&experiment.method, experiment.schedule.step);
+    let (method, step) = (experiment.method, experiment.schedule.step);
+    let method = caption::method(method.formulation(), method.scheme(), step);
     let frames = match experiment.every {
         1 => "a frame for each step".into(),
         every => format!("a frame for every {every} steps"),

@@ -1,15 +1,16 @@
 //! The command `heavytop section`, which computes and draws Poincaré sections on an energy level.
 
+mod problems;
 mod settings;
 mod orbit;
 mod orbit_tiles;
-mod survey;
+mod summaries;
 mod picture;
 mod point_table;
-mod section_summary;
 mod section_forecast;
 mod section_command;
 
-pub use section_command::section;
+pub use section_command::{section, section_system};
 pub use section_forecast::{dry_run, forecast};
-pub use section_summary::SectionSummary;
+pub use summaries::section_summary::SectionSummary;
+pub use summaries::system_section_summary::SystemSectionSummary;

@@ -4,11 +4,8 @@ use super::orbit::{Crossing, Orbit, orbit};
 use super::settings::Settings;
 use crate::Error;
 use crate::configuration::Config;
-use crate::formats::run_table::{STATE_COLUMNS, state_values};
 use crate::supervision::tiled_run::interrupted;
 use crate::supervision::{TileOptions, Tiles};
-use lie_poisson::Se3Dual;
-use nalgebra::{Vector2, Vector3};
 use rayon::prelude::*;
 use std::fmt::Write;
 use std::ops::Range;
@@ -23,7 +20,7 @@ const TILE: usize = 256;
 #[derive(Debug)]
 pub(super) struct Orbits<'a> {
     settings: &'a Settings,
-    starts: Vec<Se3Dual>,
+    starts: Vec<Vec<f64>>,
     pub tiles: Tiles,
 }
 
@@ -44,7 +41,7 @@ impl<'a> Orbits<'a> {
     /// # Errors
     /// If too few starts are found.
     pub fn new(settings: &'a Settings, config: &Config, out: &Path) -> Result<Self, Error> {
-        let starts = settings.section.starts(settings.starts, settings.seed)?;
+        let starts = settings.problem.starts(&settings.limits)?;
         Ok(Self { settings, starts, tiles: Tiles::new(out.join("section.partial"), config)? })
     }
 
@@ -55,7 +52,7 @@ impl<'a> Orbits<'a> {
 
     /// Returns the number of starts in a tile.
     fn size(&self) -> usize {
-        (TILE / self.settings.crossings).max(1)
+        (TILE / self.settings.limits.crossings).max(1)
     }
 
     /// Returns the starts of a tile, counted from 0.
@@ -119,15 +116,16 @@ impl<'a> Orbits<'a> {
 
     /// Parses the lines of a tile into orbits, one for each of its starts.
     fn parse(&self, tile: u64, lines: &str) -> Option<Vec<Orbit>> {
+        let dimension = self.settings.problem.columns().len();
         let mut orbits: Vec<Orbit> = Vec::new();
         for line in lines.lines() {
-            let (number, index, crossing) = point(line)?;
+            let (number, index, crossing) = point(line, dimension)?;
             if index == 0 {
                 orbits.push(Orbit { number, crossings: Vec::new() });
             }
             let orbit = orbits.last_mut().filter(|orbit| {
                 (orbit.number, orbit.crossings.len()) == (number, index)
-                    && index <= self.settings.crossings
+                    && index <= self.settings.limits.crossings
             })?;
             orbit.crossings.push(crossing);
         }
@@ -137,14 +135,14 @@ impl<'a> Orbits<'a> {
 }
 
 /// Returns the names of the columns.
-pub(super) fn header() -> String {
-    format!("start,crossing,{STATE_COLUMNS},x,y")
+pub(super) fn header(settings: &Settings) -> String {
+    format!("start,crossing,t,{},x,y", settings.problem.columns().join(","))
 }
 
 /// Returns the numbers in the columns after the first two.
 pub(super) fn values(crossing: &Crossing) -> impl Iterator<Item = f64> {
-    let state = state_values(crossing.time, &crossing.mu);
-    state.into_iter().chain([crossing.plane.x, crossing.plane.y])
+    let Crossing { time, state, plane } = crossing;
+    [*time].into_iter().chain(state.iter().copied()).chain(*plane)
 }
 
 fn write_lines(lines: &mut String, orbit: &Orbit) {
@@ -158,14 +156,16 @@ fn write_lines(lines: &mut String, orbit: &Orbit) {
     }
 }
 
-/// Parses a line into the number of the start, the number of the crossing, and the point.
-fn point(line: &str) -> Option<(usize, usize, Crossing)> {
+/// Parses a line into the number of the start, the number of the crossing, and the point, whose state has a dimension.
+fn point(line: &str, dimension: usize) -> Option<(usize, usize, Crossing)> {
     let (number, rest) = line.split_once(',')?;
     let (index, rest) = rest.split_once(',')?;
     let finite = |cell: &str| cell.parse().ok().filter(|value: &f64| value.is_finite());
     let values: Vec<f64> = rest.split(',').map(finite).collect::<Option<_>>()?;
-    let [time, p1, p2, p3, g1, g2, g3, x, y] = values.try_into().ok()?;
-    let mu = Se3Dual::new(Vector3::new(p1, p2, p3), Vector3::new(g1, g2, g3));
-    let crossing = Crossing { time, mu, plane: Vector2::new(x, y) };
+    let [time, state @ .., x, y] = values.as_slice() else { return None };
+    if state.len() != dimension {
+        return None;
+    }
+    let crossing = Crossing { time: *time, state: state.to_vec(), plane: [*x, *y] };
     Some((number.parse().ok()?, index.parse().ok()?, crossing))
 }

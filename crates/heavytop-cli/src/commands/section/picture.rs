@@ -1,13 +1,11 @@
 //! The picture of a section, as SVG.
 
 use super::orbit::Orbit;
+use super::problems::section_problem::Drawing;
 use super::settings::Settings;
-use super::survey::Survey;
-use crate::pictures::caption::{self, number};
+use super::summaries::survey::Survey;
 use crate::pictures::colour_scale::colour;
 use crate::pictures::{Axis, Frame, Scale};
-use collective_integrators::Direction;
-use heavytop::{EnergyLevel, Section, Surface};
 use std::f64::consts::TAU;
 use std::fmt::Write;
 
@@ -34,15 +32,17 @@ pub(super) struct Picture<'a> {
     /// The range of the means.
     range: Axis,
     axis: Axis,
+    /// The title of the abscissa, and its axis unless it is an angle.
+    abscissa: (String, Option<Axis>),
     frame: Frame,
     svg: String,
-    abscissa: String,
 }
 
 impl<'a> Picture<'a> {
     /// Creates the picture without points.
     pub fn begin(settings: &Settings, survey: &'a Survey) -> Self {
-        let section = &settings.section;
+        let drawing = settings.problem.drawing(&settings.limits);
+        let Drawing { caption, abscissa: (title, is_angle), ordinate: (free, unit) } = drawing;
         let axis = Axis::around(survey.heights.into_iter(), 6);
         let means = &survey.means;
         let extremes = means
@@ -50,10 +50,11 @@ impl<'a> Picture<'a> {
             .fold([f64::INFINITY, 0.0], |[low, high], &mean| [mean.min(low), mean.max(high)]);
         let [low, high] = if means.is_empty() { [0.0, 1.0] } else { extremes };
         let range = Axis::new(low, high, 6);
-        let (index, free, unit) = coordinate(section);
         let quantity = format!("{free}{unit}");
         let bar = Scale::linear(&range, &format!("mean of |{free}| over a start{unit}"), false);
-        let frame = Frame::new(&words(settings), Scale::linear(&axis, &quantity, false), Some(bar));
+        let frame = Frame::new(&caption, Scale::linear(&axis, &quantity, false), Some(bar));
+        let across = (!is_angle)
+            .then(|| Axis::around_along_line(survey.widths.into_iter(), 6, frame.length()));
         let diameter = (INK / survey.points.max(1) as f64).sqrt().min(LARGEST);
         let mut svg = Frame::begin();
         shades(&mut svg, &frame);
@@ -61,14 +62,7 @@ impl<'a> Picture<'a> {
             svg,
             "<g fill=\"none\" stroke-linecap=\"round\" stroke-width=\"{diameter:.1}\">"
         );
-        Self {
-            means,
-            range,
-            axis,
-            frame,
-            svg,
-            abscissa: format!("angle of Γ about e{index} (rad)"),
-        }
+        Self { means, range, axis, abscissa: (title, across), frame, svg }
     }
 
     /// Adds the points of an orbit.
@@ -78,8 +72,12 @@ impl<'a> Picture<'a> {
         let _ = write!(self.svg, "<path stroke=\"rgb({red},{green},{blue})\" d=\"");
         let Frame { left, right, top, bottom, .. } = self.frame;
         for point in &orbit.crossings {
-            let x = left + (right - left) * point.plane.x / TAU;
-            let y = bottom - (bottom - top) * self.axis.along(point.plane.y);
+            let [x, y] = point.plane;
+            let x = match &self.abscissa.1 {
+                Some(across) => left + (right - left) * across.along(x),
+                None => left + (right - left) * x / TAU,
+            };
+            let y = bottom - (bottom - top) * self.axis.along(y);
             // Some viewers drop a line of no length.
             let _ = write!(self.svg, "M{x:.0} {y:.0}h.1");
         }
@@ -89,52 +87,18 @@ impl<'a> Picture<'a> {
     /// Completes the picture, and returns it as SVG.
     pub fn complete(mut self) -> String {
         self.svg += "</g>";
-        let labels = ["0", "π/2", "π", "3π/2", "2π"].into_iter().map(String::from);
-        let ticks = [0.0, 0.25, 0.5, 0.75, 1.0].into_iter().zip(labels).collect();
-        self.frame.draw(&mut self.svg, &Scale { ticks, title: self.abscissa, line: None });
+        let (title, across) = self.abscissa;
+        let abscissa = match across {
+            Some(across) => Scale::linear(&across, &title, false),
+            None => {
+                let labels = ["0", "π/2", "π", "3π/2", "2π"].into_iter().map(String::from);
+                let ticks = [0.0, 0.25, 0.5, 0.75, 1.0].into_iter().zip(labels).collect();
+                Scale { ticks, title, line: None }
+            }
+        };
+        self.frame.draw(&mut self.svg, &abscissa);
         self.svg + "</svg>"
     }
-}
-
-/// Returns the index of the axis, the free coordinate, and its unit in parentheses.
-fn coordinate(section: &Section) -> (&'static str, String, &'static str) {
-    let coordinate = section.surface().coordinate;
-    let index = ["₁", "₂", "₃"][coordinate.axis()];
-    if coordinate.is_momentum() {
-        (index, format!("Γ{index}"), "")
-    } else {
-        (index, format!("Π{index}"), " (kg m²/s)")
-    }
-}
-
-/// Returns the parts of the caption: level, surface, top, method and starts.
-fn words(settings: &Settings) -> Vec<String> {
-    let Settings { section, method, step, longest, crossings, starts, .. } = settings;
-    let EnergyLevel { top, energy, vertical_momentum } = section.level();
-    let Surface { coordinate, level, direction } = section.surface();
-    let index = ["₁", "₂", "₃"][coordinate.axis()];
-    let level = number(*level);
-    let fixed = if coordinate.is_momentum() {
-        format!("Π{index} = {level} kg m²/s")
-    } else {
-        format!("Γ{index} = {level}")
-    };
-    let crossed = match direction {
-        Direction::Up => ", increasing",
-        Direction::Down => ", decreasing",
-        Direction::Both => "",
-    };
-    let [energy, vertical_momentum] = [*energy, *vertical_momentum].map(number);
-    let longest = number(*longest);
-    vec![
-        format!(
-            "<tspan font-style='italic'>h</tspan> = {energy} J, Π·Γ = {vertical_momentum} kg m²/s"
-        ),
-        format!("{fixed}{crossed}"),
-        caption::top(top),
-        caption::method(method, *step),
-        format!("{starts} starts, {crossings} returns each, at most {longest} s"),
-    ]
 }
 
 // Writing to a string does not fail.
@@ -175,11 +139,29 @@ mod tests {
             size
         );
         let config: Config = toml::from_str(&text).unwrap();
-        let settings = Settings::new(&config).unwrap();
-        let mut survey = Survey::new();
+        let settings = Settings::of(&config).unwrap();
+        let mut survey = Survey::new(&settings);
         (survey.points, survey.heights) = (2, [-1.3 * size, 1.3 * size]);
         survey.means = vec![0.2 * size, 0.9 * size];
         Picture::begin(&settings, &survey).complete()
+    }
+
+    #[test]
+    fn labels_of_a_system_are_apart() {
+        let text = "system.algebra = 'se(3)'\nsystem.hamiltonian = '|Pi|^2 + |Gamma|^2'\n\
+                    section.surface = 'Gamma3'\nsection.axes = ['Pi1 + (Pi2)', 'Pi3']\n\
+                    system.initial = { Pi = [1, 2, 3], Gamma = [0, 0, 1] }";
+        let settings = Settings::of(&toml::from_str(text).unwrap()).unwrap();
+        let mut survey = Survey::new(&settings);
+        (survey.points, survey.means) = (2, vec![0.2, 0.9]);
+        for size in [1e-20, 1.0, 1e20] {
+            (survey.widths, survey.heights) = ([-1.4 * size, 1.4 * size], [-1.3, 1.3]);
+            let drawing = Picture::begin(&settings, &survey).complete();
+            assert_eq!(collisions(&drawing, (WIDTH, HEIGHT)), [""; 0], "{size}");
+            let texts: Vec<String> = boxes(&drawing).into_iter().map(|(text, _)| text).collect();
+            let has = |part: &str| texts.iter().any(|text| text.contains(part));
+            assert!(has("Pi1 + Pi2") && has("Pi3") && has("Gamma3 = 0, increasing"), "{texts:?}");
+        }
     }
 
     #[test]

@@ -1,7 +1,7 @@
 //! The points of a section as a Parquet file.
 
 use super::orbit::Orbit;
-use super::orbit_tiles::{header, values};
+use super::orbit_tiles::values;
 use crate::Error;
 use crate::files::Output;
 use crate::formats::Metadata;
@@ -28,9 +28,12 @@ impl PointTable {
     ///
     /// # Errors
     /// If the file cannot be created.
-    pub fn begin(metadata: &Metadata, path: &Path) -> std::result::Result<Self, Error> {
+    pub fn begin(
+        header: &str,
+        metadata: &Metadata,
+        path: &Path,
+    ) -> std::result::Result<Self, Error> {
         let output = Output::create(path).map_err(Error::too_late)?;
-        let header = header();
         let fields = header.split(',').enumerate().map(|(i, name)| {
             required(name, if i < 2 { PhysicalType::INT64 } else { PhysicalType::DOUBLE })
         });

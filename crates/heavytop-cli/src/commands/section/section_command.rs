@@ -3,20 +3,23 @@
 use super::orbit_tiles::{Orbits, Stuck, header};
 use super::picture::Picture;
 use super::point_table::PointTable;
-use super::section_summary::SectionSummary;
+use super::problems::system_problem::SystemProblem;
+use super::problems::top_problem::TopProblem;
 use super::settings::Settings;
-use super::survey::Survey;
+use super::summaries::section_summary::SectionSummary;
+use super::summaries::survey::Survey;
+use super::summaries::system_section_summary::SystemSectionSummary;
 use crate::Error;
 use crate::configuration::Config;
 use crate::files::place::require_no_folders;
 use crate::files::{Output, Place};
 use crate::formats::Metadata;
 use crate::pictures::render;
-use crate::runs::method_warning::method_warning;
 use crate::supervision::tiled_run::{resumable, threads};
 use crate::supervision::{Held, Progress, TileOptions};
 use std::io::Write;
 use std::path::{Path, PathBuf};
+use std::sync::Arc;
 use std::sync::atomic::{AtomicU64, Ordering};
 
 /// The number of pixels per CSS pixel: 288 dots per inch.
@@ -48,20 +51,76 @@ pub fn section(
     out: &Path,
     options: &TileOptions<'_>,
 ) -> Result<SectionSummary, Error> {
-    let settings = Settings::new(config)?;
+    let section = config.section.clone().unwrap_or_default();
+    let (problem, own) = TopProblem::new(config, &section)?;
+    let settings = Settings::new(config, &section, (Arc::new(problem), own))?;
+    let survey = write(&settings, config, out, options)?;
+    Ok(SectionSummary::new(&problem, &settings.limits, &survey, out))
+}
+
+/// Computes the section of the system of the configuration, as [`section`] does for a top. In the table the coordinates of
+/// the system stand for Π and Γ.
+///
+/// # Errors
+/// Those of [`section`].
+///
+/// # Example
+/// ```
+/// use heavytop_cli::configuration::Config;
+/// use heavytop_cli::commands::section::section_system;
+/// use heavytop_cli::supervision::TileOptions;
+/// let config: Config = toml::from_str(r#"
+///     [system]
+///     algebra = "se(3)"
+///     hamiltonian = "(Pi1^2 + Pi2^2/2 + Pi3^2/3 + Gamma1^2 + Gamma2^2/2 + Gamma3^2/3)/2"
+///     initial = { Pi = [1.0, 0.5, 0.3], Gamma = [0.6, 0.0, 0.8] }
+///
+///     [section]
+///     surface = "Gamma3"
+///     starts = 3
+///     crossings = 5
+///
+///     [integrator]
+///     step = 0.1
+/// "#)?;
+/// let folder = tempfile::tempdir()?;
+/// let summary = section_system(&config, folder.path(), &TileOptions::default())?;
+/// assert_eq!(summary.points, 3 * (1 + 5));
+/// assert!(summary.deviations["h"].as_f64() < Some(1e-9));
+/// # Ok::<(), Box<dyn std::error::Error>>(())
+/// ```
+pub fn section_system(
+    config: &Config,
+    out: &Path,
+    options: &TileOptions<'_>,
+) -> Result<SystemSectionSummary, Error> {
+    let section = config.section.clone().unwrap_or_default();
+    let (problem, own) = SystemProblem::new(config, &section)?;
+    let settings = Settings::new(config, &section, (Arc::new(problem.clone()), own))?;
+    let survey = write(&settings, config, out, options)?;
+    Ok(SystemSectionSummary::new(&problem, &settings.limits, &survey, out))
+}
+
+/// Computes a section, writes its files, and returns its survey.
+fn write(
+    settings: &Settings,
+    config: &Config,
+    out: &Path,
+    options: &TileOptions<'_>,
+) -> Result<Survey, Error> {
     let config = settings.complete(config);
     let metadata = Metadata::new(&config)?;
-    let orbits = Orbits::new(&settings, &config, out)?;
+    let orbits = Orbits::new(settings, &config, out)?;
     let names = ["section.csv", "section.parquet", "section.svg", "section.png"];
     require_no_folders(out, &names)?;
     let threads = threads(options.threads)?;
     let held = orbits.tiles.prepare(options)?;
-    if let Some(warning) = method_warning(&settings.method) {
+    if let Some(warning) = settings.problem.warning() {
         // Where stderr is closed nobody can be warned.
         let _ = writeln!(std::io::stderr(), "heavytop: {warning}");
     }
 
-    let progress = Progress::of(settings.starts as u64, "starts", options.quiet);
+    let progress = Progress::of(settings.limits.starts as u64, "starts", options.quiet);
     let done = AtomicU64::new(0);
     let count = |starts: usize| {
         let starts = starts as u64;
@@ -72,16 +131,16 @@ pub fn section(
 
     let [csv, parquet, svg, png] = names.map(|name| out.join(name));
     if let Err(stuck) = finished {
-        return Err(give_up(&orbits, held, stuck, &csv));
+        return Err(give_up(settings, &orbits, held, stuck, &csv));
     }
-    let written = write_points(&settings, &orbits, &metadata, [&csv, &parquet]);
+    let written = write_points(settings, &orbits, &metadata, [&csv, &parquet]);
     let survey = written.map_err(resumable)?;
-    let drawing = draw(&settings, &orbits, &survey).map_err(resumable)?;
+    let drawing = draw(settings, &orbits, &survey).map_err(resumable)?;
     let (drawing, pixels) = render::render(&drawing, SCALE)?;
     let drawn = Output::whole(&svg, drawing.as_bytes()).and_then(|()| Output::whole(&png, &pixels));
     drawn.map_err(resumable)?;
     orbits.tiles.remove(held)?;
-    Ok(SectionSummary::new(&settings, &survey, out))
+    Ok(survey)
 }
 
 /// Writes the table, as CSV and as Parquet.
@@ -91,10 +150,10 @@ fn write_points(
     metadata: &Metadata,
     [csv, parquet]: [&Path; 2],
 ) -> Result<Survey, Error> {
-    let mut survey = Survey::new();
+    let mut survey = Survey::new(settings);
     let mut text = Output::create(csv).map_err(Error::too_late)?;
-    let mut table = PointTable::begin(metadata, parquet)?;
-    text.write(|to| writeln!(to, "{}", header()))?;
+    let mut table = PointTable::begin(&header(settings), metadata, parquet)?;
+    text.write(|to| writeln!(to, "{}", header(settings)))?;
     for tile in 0..orbits.count() {
         let (lines, orbits) = orbits.finished(tile)?;
         text.write(|to| to.write_all(lines.as_bytes()))?;
@@ -120,12 +179,18 @@ fn draw(settings: &Settings, orbits: &Orbits<'_>, survey: &Survey) -> Result<Str
 ///
 /// If something outside the run failed, the run can be resumed from its tiles. If the numbers failed, they would fail
 /// again, and the tiles are removed.
-fn give_up(orbits: &Orbits<'_>, held: Held, stuck: Stuck, csv: &Path) -> Error {
+fn give_up(
+    settings: &Settings,
+    orbits: &Orbits<'_>,
+    held: Held,
+    stuck: Stuck,
+    csv: &Path,
+) -> Error {
     let kept = match &stuck.failure {
         Error::Interrupted { .. } | Error::Write { .. } | Error::Tile { .. } => {
             return resumable(stuck.failure);
         }
-        Error::Crossing { .. } => keep(orbits, &stuck, csv).map(Some),
+        Error::Crossing { .. } => keep(settings, orbits, &stuck, csv).map(Some),
         _ => Ok(None),
     };
     match kept {
@@ -143,9 +208,14 @@ fn give_up(orbits: &Orbits<'_>, held: Held, stuck: Stuck, csv: &Path) -> Error {
 }
 
 /// Keeps the points before the one that could not be reached as `section.csv.partial`.
-fn keep(orbits: &Orbits<'_>, stuck: &Stuck, csv: &Path) -> Result<PathBuf, Error> {
+fn keep(
+    settings: &Settings,
+    orbits: &Orbits<'_>,
+    stuck: &Stuck,
+    csv: &Path,
+) -> Result<PathBuf, Error> {
     let mut text = Output::create(csv)?;
-    text.write(|to| writeln!(to, "{}", header()))?;
+    text.write(|to| writeln!(to, "{}", header(settings)))?;
     for tile in 0..stuck.tile {
         let (lines, _) = orbits.finished(tile)?;
         text.write(|to| to.write_all(lines.as_bytes()))?;

@@ -1,7 +1,7 @@
 //! The table `[system]`: any Lie–Poisson system, by its algebra and a formula.
 
 mod numbers;
-mod bracket_texts;
+mod table_file;
 mod system_config;
 
 pub use numbers::Numbers;

@@ -1,18 +1,18 @@
 //! The table `[system]`: its keys, and the run that they ask for.
 
-use super::bracket_texts::entries;
 use super::numbers::Numbers;
+use super::table_file::{is_table, read_table};
 use crate::Error;
 use crate::configuration::{Integration, IntegratorConfig};
 use crate::errors::SystemError;
-use crate::runs::{Pace, Schedule, SystemAlgebra, SystemExperiment, WIDEST};
-use heavytop::methods::Formulation;
-use lie_poisson_formulas::{
-    Coordinates, DimensionTask, Formula, Parameters, PolynomialCasimirs, StructureEntry,
-    Vocabulary, find_casimirs, for_dimension, structure_constants,
+use crate::runs::{Pace, Schedule, SystemExperiment};
+use lie_poisson_formula_systems::{
+    FormulaSystem, FormulaSystemError, SystemAlgebra, SystemMethod, structure_table,
 };
+use lie_poisson_formulas::{Coordinates, Parameters};
 use serde::{Deserialize, Serialize};
 use std::collections::BTreeMap;
+use std::path::Path;
 
 /// The table `[system]`: a Lie algebra, a Hamiltonian on its dual, and the state at t = 0.
 #[derive(Clone, Debug, Default, PartialEq, Deserialize, Serialize)]
@@ -29,6 +29,10 @@ pub struct SystemConfig {
     /// The brackets of the algebra that are not zero, such as `"K, H" = "P"`.
     #[serde(skip_serializing_if = "BTreeMap::is_empty")]
     pub brackets: BTreeMap<String, String>,
+    /// The structure constants, as a text with a line `i, j, k, value` for each; a text of a single line is the path of
+    /// a file with such a text.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub structure_constants: Option<String>,
     /// The numbers and vectors of numbers in the Hamiltonian and the brackets, by name.
     #[serde(skip_serializing_if = "BTreeMap::is_empty")]
     pub parameters: BTreeMap<String, Numbers>,
@@ -56,7 +60,7 @@ impl SystemConfig {
     ///     end = 10.0
     /// "#)?;
     /// let experiment = config.system_experiment()?.ok_or("no system")?;
-    /// assert_eq!(experiment.casimirs()[0].to_string(), "|Pi|^2");
+    /// assert_eq!(experiment.system.casimirs()[0].to_string(), "|Pi|^2");
     /// # Ok::<(), Box<dyn std::error::Error>>(())
     /// ```
     pub fn experiment(
@@ -64,122 +68,110 @@ impl SystemConfig {
         integrator: IntegratorConfig,
         every: u64,
     ) -> Result<SystemExperiment, Error> {
+        let system = self.formula_system()?;
+        let start = self.start(&system)?;
+        let Integration { scheme, step, end, tolerance, .. } =
+            integrator.or(Integration::default());
+        let formulation = SystemMethod::default_formulation(system.algebra());
+        let formulation = integrator.formulation.unwrap_or(formulation);
+        let method = SystemMethod::new(system.algebra(), formulation, scheme, tolerance)?;
+        let pace = Pace { schedule: Schedule::new(step, end)?, every };
+        Ok(SystemExperiment { system, start, method, pace })
+    }
+
+    /// Returns the system of the table, with its Casimirs.
+    ///
+    /// # Errors
+    /// If there is no such system.
+    pub(crate) fn formula_system(&self) -> Result<FormulaSystem, Error> {
         let parameters = self.parameters()?;
         let algebra = self.algebra(&parameters)?;
-        let named = |key: &str| {
-            let key = key.to_owned();
-            move |source| SystemError::Name { key, source }
-        };
-        let formula = |key: &str, text: &str, names: &Vocabulary| {
-            Formula::new(text, names)
-                .map_err(|source| SystemError::Formula { key: key.into(), source })
-        };
         if self.hamiltonian.trim().is_empty() {
             return Err(SystemError::Missing("hamiltonian").into());
         }
-        let names = algebra.vocabulary(&parameters).map_err(named("parameters"))?;
-        let hamiltonian = formula("hamiltonian", &self.hamiltonian, &names)?;
-        let found = casimirs(&algebra)?;
-        let plain = algebra.vocabulary(&Parameters::new()).map_err(named("coordinates"))?;
-        let casimirs = found.formulas().iter().map(|c| formula("brackets", &c.to_string(), &plain));
-        let casimirs = casimirs.collect::<Result<Vec<_>, _>>()?;
-        let start = self.start(&algebra.coordinates)?;
-        let Integration { formulation, scheme, step, end, tolerance } =
-            integrator.or(Integration::default());
-        let formulation = integrator.formulation.unwrap_or(match self.algebra.as_deref() {
-            Some("so(3)" | "su(2)" | "se(3)") => formulation,
-            _ => Formulation::Direct,
-        });
-        let pace = Pace { schedule: Schedule::new(step, end)?, every };
-        let method = (formulation, scheme, tolerance);
-        SystemExperiment::new(algebra, (hamiltonian, casimirs), start, method, pace)
+        let system = FormulaSystem::new(algebra, &self.hamiltonian, &parameters)?;
+        Ok(system.with_found_casimirs()?)
     }
 
-    fn parameters(&self) -> Result<Parameters, SystemError> {
+    /// Returns the coordinates of the initial state.
+    ///
+    /// # Errors
+    /// If a coordinate has no value, or something else has one.
+    pub(crate) fn start(&self, system: &FormulaSystem) -> Result<Vec<f64>, Error> {
+        let values = self.initial.iter();
+        let values = values.map(|(name, numbers)| (name.as_str(), numbers.values()));
+        Ok(system.algebra().state(values)?)
+    }
+
+    /// Returns the parameters of formulas.
+    ///
+    /// # Errors
+    /// If a name cannot be that of a parameter.
+    pub(crate) fn parameters(&self) -> Result<Parameters, SystemError> {
         self.parameters.iter().try_fold(Parameters::new(), |all, (name, numbers)| {
             let added = match numbers {
                 Numbers::One(value) => all.number(name, *value),
                 Numbers::Many(values) => all.vector(name, values),
             };
-            added.map_err(|source| SystemError::Name { key: format!("parameters.{name}"), source })
+            added.map_err(|source| SystemError::Parameter { name: name.clone(), source })
         })
     }
 
-    /// Returns the algebra by name, or of the brackets.
-    fn algebra(&self, parameters: &Parameters) -> Result<SystemAlgebra, SystemError> {
-        let Some(name) = &self.algebra else {
-            let names = self.coordinates.as_ref();
-            let names =
-                names.ok_or(SystemError::Missing("algebra, or coordinates and brackets,"))?;
-            if names.is_empty() || names.len() > WIDEST {
-                return Err(SystemError::Dimension { count: names.len(), most: WIDEST });
+    /// Returns the algebra by name, of the brackets, or of the structure constants.
+    fn algebra(&self, parameters: &Parameters) -> Result<SystemAlgebra, Error> {
+        let has_brackets = !self.brackets.is_empty();
+        match (&self.algebra, &self.structure_constants) {
+            (Some(name), None) if self.coordinates.is_none() && !has_brackets => {
+                Ok(SystemAlgebra::named(name)?)
             }
-            let coordinates = Coordinates::scalars(names.iter().map(String::as_str))
-                .map_err(|source| SystemError::Name { key: "coordinates".into(), source })?;
-            let entries = entries(&coordinates, parameters, &self.brackets)?;
-            return Ok(SystemAlgebra::of_table(coordinates, entries));
-        };
-        if self.coordinates.is_some() || !self.brackets.is_empty() {
-            return Err(SystemError::TwoAlgebras);
+            (None, Some(constants)) if !has_brackets => self.of_table(constants),
+            (None, None) => {
+                let missing = "algebra, or coordinates and brackets,";
+                let coordinates = self.coordinates()?.ok_or(SystemError::Missing(missing))?;
+                let texts = self.brackets.iter();
+                let brackets = texts.map(|(key, text)| (key.as_str(), text.as_str()));
+                Ok(SystemAlgebra::of_brackets(coordinates, brackets, parameters)?)
+            }
+            _ => Err(SystemError::TwoAlgebras.into()),
         }
-        SystemAlgebra::named(name).ok_or_else(|| SystemError::NoAlgebra {
-            name: name.clone(),
-            names: SystemAlgebra::NAMES.to_vec(),
-        })
     }
 
-    /// Returns the coordinates of the initial state.
-    fn start(&self, coordinates: &Coordinates) -> Result<Vec<f64>, SystemError> {
-        let mut start = vec![None; coordinates.dimension()];
-        for (name, numbers) in &self.initial {
-            let places = coordinates.places(name).ok_or_else(|| SystemError::NoCoordinate {
-                name: name.clone(),
-                names: coordinates.names().collect::<Vec<_>>().join(", "),
-            })?;
-            let values = numbers.values();
-            let wrong = |needed: String| SystemError::WrongValue { name: name.clone(), needed };
-            if values.len() != places.len() {
-                return Err(wrong(match places.len() {
-                    1 => "one number".into(),
-                    count => format!("an array of {count} numbers"),
-                }));
-            }
-            if values.iter().any(|value| !value.is_finite()) {
-                return Err(wrong("finite numbers".into()));
-            }
-            for (entry, value) in start.iter_mut().skip(places.start).zip(values) {
-                *entry = Some(*value);
-            }
-        }
-        let missing = coordinates.names().zip(&start).filter(|(_, value)| value.is_none());
-        let missing: Vec<String> = missing.map(|(name, _)| name).collect();
-        if missing.is_empty() {
-            Ok(start.into_iter().flatten().collect())
+    /// Returns the algebra of structure constants; without names, the coordinates are those of a vector `mu`.
+    fn of_table(&self, constants: &str) -> Result<SystemAlgebra, Error> {
+        let text = if is_table(constants) {
+            constants.to_owned()
         } else {
-            Err(SystemError::NoValue { names: missing.join(", ") })
-        }
+            read_table(constants.as_ref())?
+        };
+        let entries = structure_table(&text).map_err(SystemError::StructureConstants)?;
+        let dimension = entries.iter().flat_map(|entry| [entry.i, entry.j, entry.k]).max();
+        let dimension = dimension.map_or(0, |last| last + 1);
+        let coordinates = match self.coordinates()? {
+            Some(coordinates) => coordinates,
+            None if dimension == 0 => return Err(SystemError::Missing("coordinates").into()),
+            None => Coordinates::new()
+                .vector("mu", dimension)
+                .map_err(FormulaSystemError::Coordinates)?,
+        };
+        Ok(SystemAlgebra::of_entries(coordinates, entries)?)
     }
-}
 
-/// Finds the Casimirs of an algebra, and checks that its brackets are those of one.
-fn casimirs(algebra: &SystemAlgebra) -> Result<PolynomialCasimirs, SystemError> {
-    let dimension = algebra.dimension();
-    let task = Find { entries: &algebra.entries, coordinates: &algebra.coordinates };
-    for_dimension(dimension, task)
-        .unwrap_or(Err(SystemError::Dimension { count: dimension, most: WIDEST }))
-}
+    /// Replaces the path of the structure constants by the table in the file, so that the configuration says everything
+    /// by itself. A path is relative to `folder`.
+    ///
+    /// # Errors
+    /// If the file cannot be read, has more than a mebibyte, or is not text.
+    pub(crate) fn read_structure_constants(&mut self, folder: &Path) -> Result<(), Error> {
+        if let Some(constants) = self.structure_constants.as_mut().filter(|text| !is_table(text)) {
+            *constants = read_table(&folder.join(&constants))?;
+        }
+        Ok(())
+    }
 
-/// The search for the Casimirs of a table.
-struct Find<'a> {
-    entries: &'a [StructureEntry],
-    coordinates: &'a Coordinates,
-}
-
-impl DimensionTask for Find<'_> {
-    type Output = Result<PolynomialCasimirs, SystemError>;
-
-    fn run<const N: usize>(self) -> Self::Output {
-        let table = structure_constants::<N>(self.entries).map_err(SystemError::Brackets)?;
-        Ok(find_casimirs(&table, self.coordinates)?)
+    /// Returns the coordinates by their names, if there are names.
+    fn coordinates(&self) -> Result<Option<Coordinates>, FormulaSystemError> {
+        let names = self.coordinates.as_ref();
+        let scalars = names.map(|names| Coordinates::scalars(names.iter().map(String::as_str)));
+        scalars.transpose().map_err(FormulaSystemError::Coordinates)
     }
 }

@@ -1,7 +1,7 @@
 //! The long texts of `--help` of the commands that follow many starts or tops.
 
 pub(crate) const SECTION: &str = "\
-Draw a Poincaré section of a top.
+Draw a Poincaré section of a top, or of another Lie–Poisson system (at the end of this help).
 
 On the states with h = energy, Π·Γ = vertical_momentum and |Γ| = 1 starts are spread evenly over a
 surface, and followed from crossing to crossing. The surface fixes one coordinate, Γ_i or Π_i; the
@@ -47,6 +47,17 @@ Configuration: [body] and [initial] as of simulate, and
   [integrator]                       # as of simulate; end plays no part
 What [integrator] leaves out: reduced, gauss-8, a step in which no body on the energy level turns by
 more than 0.5 rad.
+
+Another Lie–Poisson system instead of a top: [system] as of simulate, and
+  [section]
+  energy = 1.0                       # h; without it that of the initial state
+  surface = \"P1 - P2\"              # any formula in the coordinates
+  axes = [\"Pi1\", \"Pi2\"]            # what is drawn; without them, the first coordinates
+  states = [{ Pi = [1, 0, 2], ... }] # motions to follow, each on its own level; without them random
+                                     # starts with the h and the Casimirs of the initial state
+Each state is followed to the surface, and its first point there is crossing 0. The columns are
+start,crossing,t, the coordinates,x,y. What [integrator] leaves out: reduced where there is one, or
+as for simulate; gauss-8; the step of simulate.
 
 Examples:
   heavytop section --out section                  # the paper's top

@@ -24,7 +24,8 @@ pub(crate) const INIT_EXAMPLES: &str = "\
 Examples:
   heavytop init top.toml                          # the paper's top; no file is overwritten
   heavytop init --preset lagrange top.toml
-  heavytop init > top.toml";
+  heavytop init > top.toml
+A system that is no top has a table [system]: heavytop simulate --help shows some.";
 
 pub(crate) const MAN_EXAMPLES: &str = "\
 Examples:

@@ -120,12 +120,24 @@ Another Lie–Poisson system instead of a top, with the minus bracket, by its al
   hamiltonian = \"K^2/2 + H^2\"
   initial = { K = 0.1, H = 0.3, P = -0.2 }
 
+  [system]
+  structure_constants = '''       # or by lines i, j, k, value: [e_i, e_j] has the value at e_k;
+  1, 2, 3, 1
+  2, 3, 1, 1
+  3, 1, 2, 1
+  '''                              # a text of one line is the path of a file with such lines,
+  hamiltonian = \"|mu|^2 + mu1^2\"   # relative to the configuration
+  initial = { mu = [1, 2, 3] }       # without coordinates, they are a vector mu
+
+Coordinates: so(3) Pi; su(2) mu; sl(2) alpha, beta, gamma; se(2) Pi, Gamma of two components; se(3)
+Pi, Gamma; se(3)+R3 Pi, P, Gamma.
 Its columns are t, the coordinates, h and the Casimirs c1, c2, ..., which are found: polynomials up
 to degree 4, named in the summary and in the metadata. Formulas have + - * / ^, · and × between
 vectors, |v|, sqrt, exp, ln, sin, cos, tan, sinh, cosh, tanh, atan2, pi, and Greek letters by name
 (Gamma1) or as they are (Γ₁); there is no product without *. so(3), su(2) and se(3) have the
-formulations collective, reduced and direct; other algebras of dimension 3 or 6 collective, on T*V
-by a Clebsch map, and direct; the others direct, which is not Poisson.
+formulations collective, reduced and direct; other algebras of dimension 2 to 6 collective, on T*V
+by a Clebsch map, with a warning where its steps are not Poisson, and direct; the others direct,
+which is not Poisson.
 
 Examples:
   heavytop simulate --out kovalevskaya.csv        # the paper's top

@@ -1,25 +1,23 @@
 //! A run of a Lie–Poisson system, row by row.
 
-use super::system_algebra::SystemAlgebra;
-use super::system_integrator::{SystemMethod, SystemTask};
 use crate::Error;
 use crate::runs::moment::{Coordinates, Saved};
 use crate::runs::pace::Pace;
 use collective_integrators::Start;
-use heavytop::methods::{Formulation, Scheme};
 use lie_poisson::Vector;
-use lie_poisson_formulas::Formula;
-use nalgebra::SVector;
+use lie_poisson_formula_systems::{FormulaSystem, SystemMethod, SystemTask};
 
 /// A Lie–Poisson system, its initial state, and the method and steps of a run.
 #[derive(Clone, Debug, PartialEq)]
 pub struct SystemExperiment {
-    algebra: SystemAlgebra,
-    hamiltonian: Formula,
-    casimirs: Vec<Formula>,
-    start: Vec<f64>,
-    method: SystemMethod,
-    pace: Pace,
+    /// The system that is followed.
+    pub system: FormulaSystem,
+    /// The coordinates of the initial state.
+    pub start: Vec<f64>,
+    /// The integrator of the run.
+    pub method: SystemMethod,
+    /// The steps of the run, and which of them are written.
+    pub pace: Pace,
 }
 
 /// A moment of a run: the step, and the row with the time, the coordinates, h and the Casimirs.
@@ -41,68 +39,12 @@ impl SystemMoment<'_> {
 }
 
 impl SystemExperiment {
-    /// Creates the run of a Hamiltonian from a start, with a formulation, a scheme and the tolerance of its stage equations.
-    ///
-    /// # Errors
-    /// If the algebra does not have the formulation with the scheme, or the tolerance is negative or not finite.
-    pub fn new(
-        algebra: SystemAlgebra,
-        (hamiltonian, casimirs): (Formula, Vec<Formula>),
-        start: Vec<f64>,
-        (formulation, scheme, tolerance): (Formulation, Scheme, f64),
-        pace: Pace,
-    ) -> Result<Self, Error> {
-        let method = SystemMethod { formulation, scheme, tolerance };
-        method.require(&algebra)?;
-        if !(tolerance >= 0.0 && tolerance.is_finite()) {
-            let range = "finite and not negative";
-            return Err(Error::OutOfRange { name: "tolerance", range, value: tolerance });
-        }
-        Ok(Self { algebra, hamiltonian, casimirs, start, method, pace })
-    }
-
-    /// Returns the algebra.
-    #[must_use]
-    pub fn algebra(&self) -> &SystemAlgebra {
-        &self.algebra
-    }
-
-    /// Returns the Hamiltonian.
-    #[must_use]
-    pub fn hamiltonian(&self) -> &Formula {
-        &self.hamiltonian
-    }
-
-    /// Returns the Casimirs that are written.
-    #[must_use]
-    pub fn casimirs(&self) -> &[Formula] {
-        &self.casimirs
-    }
-
-    /// Returns the formulation: where the scheme is applied.
-    #[must_use]
-    pub fn formulation(&self) -> Formulation {
-        self.method.formulation
-    }
-
-    /// Returns the scheme of the method.
-    #[must_use]
-    pub fn scheme(&self) -> Scheme {
-        self.method.scheme
-    }
-
-    /// Returns the steps, and which of them are written.
-    #[must_use]
-    pub fn pace(&self) -> Pace {
-        self.pace
-    }
-
     /// Returns the number of coordinates of the state that the integrator advances.
     ///
     /// # Errors
     /// If there is no such integrator.
     pub fn dimension(&self) -> Result<usize, Error> {
-        self.method.integrate(&self.algebra, &self.hamiltonian, &self.start, Dimension)
+        Ok(self.method.integrate(&self.system, &self.start, Dimension)?)
     }
 
     /// Passes the rows of the run to `visit`, from the initial one or from the first after a saved one: those that are
@@ -116,35 +58,28 @@ impl SystemExperiment {
         V: FnMut(&SystemMoment<'_>) -> Result<(), Error>,
     {
         let task = Follow { experiment: self, from, visit };
-        self.method.integrate(&self.algebra, &self.hamiltonian, &self.start, task)
+        self.method.integrate(&self.system, &self.start, task)?
     }
 
     /// Returns the initial values of h and of the Casimirs.
-    #[must_use]
-    pub fn initial_invariants(&self) -> Vec<f64> {
-        let mut row = Vec::new();
-        // The formulas are in as many coordinates as the state is wide.
-        match self.algebra.width() {
-            3 => self.fill(&mut row, 0.0, &self.start::<3>()),
-            6 => self.fill(&mut row, 0.0, &self.start::<6>()),
-            10 => self.fill(&mut row, 0.0, &self.start::<10>()),
-            _ => self.fill(&mut row, 0.0, &self.start::<15>()),
-        }
-        row.split_off(self.algebra.dimension() + 1)
-    }
-
-    /// Returns the initial state, completed by zeros.
-    fn start<const N: usize>(&self) -> SVector<f64, N> {
-        Vector::from_coordinates(|i| self.start.get(i).copied().unwrap_or(0.0))
+    ///
+    /// # Errors
+    /// If the initial state does not fit the system.
+    pub fn initial_invariants(&self) -> Result<Vec<f64>, Error> {
+        Ok(self.system.invariants(&self.start)?)
     }
 
     /// Replaces `row` by the row of a momentum.
-    fn fill<M: Vector<Scalar = f64>>(&self, row: &mut Vec<f64>, time: f64, mu: &M) {
+    fn fill<M>(&self, row: &mut Vec<f64>, time: f64, mu: &M) -> Result<(), Error>
+    where
+        M: Vector<Scalar = f64>,
+    {
         row.clear();
         row.push(time);
-        row.extend((0..self.algebra.dimension()).map(|i| mu.coordinate(i)));
-        row.push(self.hamiltonian.value(mu));
-        row.extend(self.casimirs.iter().map(|casimir| casimir.value(mu)));
+        row.extend((0..self.start.len()).map(|i| mu.coordinate(i)));
+        let invariants = self.system.invariants(row.get(1..).unwrap_or_default())?;
+        row.extend(invariants);
+        Ok(())
     }
 }
 
@@ -154,11 +89,11 @@ struct Dimension;
 impl SystemTask for Dimension {
     type Output = usize;
 
-    fn perform<I>(self, _: &I) -> Result<usize, Error>
+    fn perform<I>(self, _: &I) -> usize
     where
         I: Start<State: Vector, Momentum: Vector<Scalar = f64>>,
     {
-        Ok(I::State::DIM)
+        I::State::DIM
     }
 }
 
@@ -170,13 +105,13 @@ struct Follow<'a, V> {
 }
 
 impl<V: FnMut(&SystemMoment<'_>) -> Result<(), Error>> SystemTask for Follow<'_, V> {
-    type Output = ();
+    type Output = Result<(), Error>;
 
     fn perform<I>(mut self, integrator: &I) -> Result<(), Error>
     where
         I: Start<State: Vector, Momentum: Vector<Scalar = f64>>,
     {
-        let SystemExperiment { start, pace, .. } = self.experiment;
+        let SystemExperiment { start, method, pace, .. } = self.experiment;
         let (step, steps) = (pace.schedule.step, pace.schedule.steps);
         let start = I::Momentum::from_coordinates(|i| start.get(i).copied().unwrap_or(0.0));
         let (mut trajectory, made) = match self.from {
@@ -198,14 +133,14 @@ impl<V: FnMut(&SystemMoment<'_>) -> Result<(), Error>> SystemTask for Follow<'_,
         let (mut following, mut row) = (made, Vec::new());
         while let Some(sample) = trajectory.nth(visited.saturating_sub(following) as usize) {
             let sample = sample.map_err(|source| Error::Integration {
-                formulation: self.experiment.formulation().name(),
-                scheme: self.experiment.scheme().name(),
+                formulation: method.formulation().name(),
+                scheme: method.scheme().name(),
                 source,
             })?;
             let made = sample.step;
             // The map of the lift of the start equals the start only up to rounding; the start itself is reported.
             let momentum = if made == 0 { &start } else { &sample.momentum };
-            self.experiment.fill(&mut row, sample.time, momentum);
+            self.experiment.fill(&mut row, sample.time, momentum)?;
             (self.visit)(&SystemMoment { step: made, row: &row, state: &sample.state })?;
             if made >= steps {
                 break;

@@ -47,13 +47,13 @@ pub fn simulate_system(
     out: &Path,
     options: &SimulateOptions<'_>,
 ) -> Result<SystemSummary, Error> {
-    let (table, pace) = (RunTable::of_system(experiment), experiment.pace());
+    let (table, pace) = (RunTable::of_system(experiment), experiment.pace);
     let config = config.with_integrator();
-    let casimirs = experiment.casimirs().iter().map(ToString::to_string).collect();
+    let casimirs = experiment.system.casimirs().iter().map(ToString::to_string).collect();
     let dimension = experiment.dimension()?;
     let recorded = RecordedRun { pace, dimension, table: &table, casimirs };
     let mut recording = Recording::begin(out, &config, &recorded, options)?;
-    let mut deviations = Deviations::new(experiment.initial_invariants(), options.resume);
+    let mut deviations = Deviations::new(experiment.initial_invariants()?, options.resume);
     let progress = Progress::of(pace.schedule.steps, "steps", options.quiet);
     let saved = options.resume.map(Checkpoint::saved);
     progress.begin(saved.as_ref().map_or(0, |saved| saved.step));
@@ -69,7 +69,6 @@ pub fn simulate_system(
         renewal.pause(moment.step, || moment.saved(), &mut recording, &deviations)
     });
     drop(progress);
-    let summary = SystemSummary::new(out.into(), experiment, &last, &deviations, &table);
     recording.conclude(outcome)?;
-    Ok(summary)
+    SystemSummary::new(out.into(), experiment, &last, &deviations, &table)
 }

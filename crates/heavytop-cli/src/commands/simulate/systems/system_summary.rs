@@ -1,5 +1,6 @@
 //! The summary of a run of a system, which `heavytop simulate --json` prints.
 
+use crate::Error;
 use crate::commands::simulate::run_summary::{Deviations, write_deviations};
 use crate::formats::RunTable;
 use crate::runs::SystemExperiment;
@@ -21,6 +22,8 @@ pub struct SystemSummary {
     pub formulation: &'static str,
     /// The scheme's name.
     pub scheme: &'static str,
+    /// Whether the steps descend to 𝔤∗; if not, they are not Poisson maps.
+    pub descends: bool,
     /// The time step, s.
     pub step: f64,
     /// The number of steps.
@@ -46,15 +49,17 @@ impl SystemSummary {
         last: &[f64],
         deviations: &Deviations,
         table: &RunTable,
-    ) -> Self {
-        let (pace, names) = (experiment.pace(), experiment.algebra().coordinates.names());
-        let casimirs = experiment.casimirs().iter().map(|casimir| casimir.to_string().into());
-        Self {
+    ) -> Result<Self, Error> {
+        let SystemExperiment { system, method, pace, .. } = experiment;
+        let names = system.algebra().coordinates().names();
+        let casimirs = system.casimirs().iter().map(|casimir| casimir.to_string().into());
+        Ok(Self {
             out,
-            algebra: experiment.algebra().name.clone(),
-            hamiltonian: experiment.hamiltonian().to_string(),
-            formulation: experiment.formulation().name(),
-            scheme: experiment.scheme().name(),
+            algebra: system.algebra().name().into(),
+            hamiltonian: system.hamiltonian().to_string(),
+            formulation: method.formulation().name(),
+            scheme: method.scheme().name(),
+            descends: method.descends(system, &experiment.start)?,
             step: pace.schedule.step,
             steps: pace.schedule.steps,
             rows: pace.rows(),
@@ -62,7 +67,7 @@ impl SystemSummary {
             last: names.zip(last.iter().skip(1).map(|&x| x.into())).collect(),
             casimirs: (1..).map(|i| format!("c{i}")).zip(casimirs).collect(),
             deviations: deviations.by_name(table),
-        }
+        })
     }
 }
 
@@ -71,6 +76,9 @@ impl fmt::Display for SystemSummary {
         write!(to, "{} rows in {}", self.rows, self.out.display())?;
         for (name, text) in &self.casimirs {
             write!(to, "; {name} = {}", text.as_str().unwrap_or_default())?;
+        }
+        if !self.descends {
+            write!(to, "; the steps are not Poisson maps")?;
         }
         write!(to, "; largest deviations")?;
         write_deviations(to, &self.deviations)

@@ -91,7 +91,7 @@ fn words(plan: &Plan) -> Vec<String> {
     let (step, end) = (plan.schedule.step, number(plan.schedule.end()));
     let mut parts = vec![
         format!("{} tops", plan.tops),
-        caption::method(&plan.method, step),
+        caption::method(plan.method.formulation(), plan.method.scheme(), step),
         format!("0 to {end} s"),
     ];
     parts.extend(fixed_values(&plan.body, &plan.initial, &plan.axes));

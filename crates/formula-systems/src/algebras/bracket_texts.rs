@@ -1,35 +1,33 @@
 //! Brackets of coordinates as text, such as `"K, H" = "P"`.
 
-use crate::errors::SystemError;
+use crate::FormulaSystemError;
 use lie_poisson::{Covector, RealSpace, Vector, VectorSpace};
 use lie_poisson_formulas::{
     Coordinates, DimensionTask, Formula, Parameters, StructureEntry, Vocabulary, for_dimension,
 };
-use std::collections::BTreeMap;
 
 /// Returns the structure constants of brackets [x, y] = Σ c z, given by the names of the coordinates of 𝔤∗.
 ///
 /// # Errors
 /// If a key is no pair of coordinates, or a bracket is no linear combination of them.
-pub(super) fn entries(
+pub(super) fn entries<'a>(
     coordinates: &Coordinates,
     parameters: &Parameters,
-    brackets: &BTreeMap<String, String>,
-) -> Result<Vec<StructureEntry>, SystemError> {
-    let vocabulary = Vocabulary::new(coordinates, parameters)
-        .map_err(|source| SystemError::Name { key: "coordinates".into(), source })?;
+    brackets: impl IntoIterator<Item = (&'a str, &'a str)>,
+) -> Result<Vec<StructureEntry>, FormulaSystemError> {
+    let vocabulary =
+        Vocabulary::new(coordinates, parameters).map_err(FormulaSystemError::Parameters)?;
     let names: Vec<String> = coordinates.names().collect();
     let mut entries = Vec::new();
     for (key, text) in brackets {
         let place = |name: &str| names.iter().position(|known| known == name.trim());
         let pair = key.split_once(',').and_then(|(x, y)| Some((place(x)?, place(y)?)));
-        let (i, j) = pair.ok_or_else(|| SystemError::NoPair { key: key.clone() })?;
-        let key = format!("brackets.{key}");
+        let (i, j) = pair.ok_or_else(|| FormulaSystemError::NoPair { key: key.into() })?;
         let bracket = Formula::new(text, &vocabulary)
-            .map_err(|source| SystemError::Formula { key: key.clone(), source })?;
-        let task = Coefficients { bracket };
-        let constants = for_dimension(names.len(), task).flatten();
-        let constants = constants.ok_or(SystemError::NotLinear { key })?;
+            .map_err(|source| FormulaSystemError::Bracket { key: key.into(), source })?;
+        let constants = for_dimension(names.len(), Coefficients { bracket }).flatten();
+        let constants =
+            constants.ok_or_else(|| FormulaSystemError::NotLinear { key: key.into() })?;
         let nonzero = constants.into_iter().enumerate().filter(|(_, value)| *value != 0.0);
         entries.extend(nonzero.map(|(k, value)| StructureEntry { i, j, k, value }));
     }

@@ -1,7 +1,9 @@
 //! The summary of a section, which `heavytop section` prints.
 
-use super::settings::Settings;
 use super::survey::Survey;
+use crate::commands::section::problems::limits::Limits;
+use crate::commands::section::problems::section_problem::Problem;
+use crate::commands::section::problems::top_problem::TopProblem;
 use crate::pictures::caption::number;
 use serde::Serialize;
 use std::fmt;
@@ -41,16 +43,22 @@ pub struct SectionSummary {
 }
 
 impl SectionSummary {
-    pub(super) fn new(settings: &Settings, survey: &Survey, out: &Path) -> Self {
-        let Settings { section, method, step, longest, crossings, .. } = *settings;
-        let level = section.level();
-        let [h, f1, f2] = survey.deviations;
+    pub(in crate::commands::section) fn new(
+        problem: &TopProblem,
+        limits: &Limits,
+        survey: &Survey,
+        out: &Path,
+    ) -> Self {
+        let Limits { step, longest, crossings, .. } = *limits;
+        let (level, (formulation, scheme)) = (problem.section.level(), problem.method());
+        let deviation = |i: usize| survey.deviations.get(i).copied().unwrap_or(f64::NAN);
+        let [h, f1, f2] = [0, 1, 2].map(deviation);
         Self {
             out: out.into(),
             energy: level.energy,
             vertical_momentum: level.vertical_momentum,
-            formulation: method.formulation().name(),
-            scheme: method.scheme().name(),
+            formulation: formulation.name(),
+            scheme: scheme.name(),
             step,
             starts: survey.means.len(),
             points: survey.points,
@@ -70,14 +78,31 @@ impl fmt::Display for SectionSummary {
         let [energy, vertical_momentum] = [*energy, *vertical_momentum].map(number);
         writeln!(to, "h = {energy} J, Pi.Gamma = {vertical_momentum} kg m²/s")?;
         let Self { points, starts, crossings, short, longest, h, f1, f2, .. } = self;
-        writeln!(
+        write_counts(
             to,
-            "{points} points of {starts} starts, by {formulation}, {scheme}, step {step:.3e} s"
+            [*points, *starts, *crossings, *short],
+            (formulation, scheme),
+            [*step, *longest],
         )?;
-        if *short > 0 {
-            writeln!(to, "{short} starts have fewer than {crossings} returns in {longest:.0} s")?;
-        }
         writeln!(to, "largest deviations from the level: h {h:.1e}, f1 {f1:.1e}, f2 {f2:.1e}")?;
         write!(to, "picture and table are in {}", self.out.display())
     }
+}
+
+/// Writes the numbers of points, starts, returns and starts that have fewer returns, the method, the step and the longest
+/// time (s).
+pub(in crate::commands::section) fn write_counts(
+    to: &mut fmt::Formatter<'_>,
+    [points, starts, crossings, short]: [usize; 4],
+    (formulation, scheme): (&str, &str),
+    [step, longest]: [f64; 2],
+) -> fmt::Result {
+    writeln!(
+        to,
+        "{points} points of {starts} starts, by {formulation}, {scheme}, step {step:.3e} s"
+    )?;
+    if short > 0 {
+        writeln!(to, "{short} starts have fewer than {crossings} returns in {longest:.0} s")?;
+    }
+    Ok(())
 }

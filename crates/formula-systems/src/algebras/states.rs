@@ -1,0 +1,59 @@
+//! States by the names of their coordinates.
+
+use super::system_algebra::SystemAlgebra;
+use crate::FormulaSystemError;
+
+impl SystemAlgebra {
+    /// Returns the coordinates of a state on 𝔤∗ from their values by name: those of a vector together or one by one.
+    ///
+    /// # Errors
+    /// Returns [`FormulaSystemError::NoCoordinate`] for a name that is no coordinate,
+    /// [`FormulaSystemError::WrongValue`] for a value with the wrong number of components or one that is not finite, and
+    /// [`FormulaSystemError::NoValue`] if a coordinate has no value.
+    ///
+    /// # Example
+    /// ```
+    /// use lie_poisson_formula_systems::SystemAlgebra;
+    /// let se3 = SystemAlgebra::named("se(3)")?;
+    /// let state = se3.state([("Pi", &[2.0, 3.0, 4.0][..]), ("Gamma", &[0.6, 0.0, 0.8])])?;
+    /// assert_eq!(state, [2.0, 3.0, 4.0, 0.6, 0.0, 0.8]);
+    /// let error = se3.state([("Pi", &[2.0, 3.0, 4.0][..]), ("Gamma1", &[0.6])]).unwrap_err();
+    /// assert_eq!(error.to_string(), "initial has no value for Gamma2, Gamma3");
+    /// # Ok::<(), lie_poisson_formula_systems::FormulaSystemError>(())
+    /// ```
+    pub fn state<'a>(
+        &self,
+        values: impl IntoIterator<Item = (&'a str, &'a [f64])>,
+    ) -> Result<Vec<f64>, FormulaSystemError> {
+        let coordinates = self.coordinates();
+        let mut state = vec![None; self.dimension()];
+        for (name, values) in values {
+            let places =
+                coordinates.places(name).ok_or_else(|| FormulaSystemError::NoCoordinate {
+                    name: name.into(),
+                    names: coordinates.names().collect::<Vec<_>>().join(", "),
+                })?;
+            let wrong =
+                |needed: String| FormulaSystemError::WrongValue { name: name.into(), needed };
+            if values.len() != places.len() {
+                return Err(wrong(match places.len() {
+                    1 => "one number".into(),
+                    count => format!("an array of {count} numbers"),
+                }));
+            }
+            if values.iter().any(|value| !value.is_finite()) {
+                return Err(wrong("finite numbers".into()));
+            }
+            for (entry, value) in state.iter_mut().skip(places.start).zip(values) {
+                *entry = Some(*value);
+            }
+        }
+        let missing = coordinates.names().zip(&state).filter(|(_, value)| value.is_none());
+        let missing: Vec<String> = missing.map(|(name, _)| name).collect();
+        if missing.is_empty() {
+            Ok(state.into_iter().flatten().collect())
+        } else {
+            Err(FormulaSystemError::NoValue { names: missing.join(", ") })
+        }
+    }
+}

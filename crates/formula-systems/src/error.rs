@@ -1,0 +1,163 @@
+//! The reasons why there is no such system, method or initial state: [`FormulaSystemError`].
+
+use heavytop::methods::{Formulation, MethodError, Scheme};
+use lie_poisson_formulas::{CasimirError, EntryError, FormulaError, NameError};
+use momentum_map::LiftError;
+use thiserror::Error;
+
+/// The reason why there is no such system, no such method for it, or no such initial state.
+#[derive(Clone, Debug, PartialEq, Error)]
+#[non_exhaustive]
+pub enum FormulaSystemError {
+    /// No algebra of the library has this name.
+    #[error("there is no algebra {name}; there are {}", names.join(", "))]
+    NoAlgebra {
+        /// The name.
+        name: String,
+        /// The names of all algebras.
+        names: Vec<&'static str>,
+    },
+    /// The algebra has no coordinates, or too many.
+    #[error("a system has 1 to {most} coordinates, not {count}")]
+    Dimension {
+        /// The number of coordinates.
+        count: usize,
+        /// The largest number of coordinates.
+        most: usize,
+    },
+    /// A name cannot be that of a coordinate.
+    #[error("coordinates")]
+    Coordinates(#[from] NameError),
+    /// A name of a parameter is that of a coordinate too.
+    #[error("parameters")]
+    Parameters(#[source] NameError),
+    /// The key of a bracket is not a pair of coordinates.
+    #[error("brackets: `{key}` is not a pair of coordinates such as \"x, y\"")]
+    NoPair {
+        /// The key.
+        key: String,
+    },
+    /// The text of a bracket is no formula.
+    #[error("brackets.{key}")]
+    Bracket {
+        /// The pair of coordinates.
+        key: String,
+        /// What is wrong, and where in the text.
+        source: FormulaError,
+    },
+    /// A bracket is not a linear combination of the coordinates.
+    #[error("brackets.{key}: a bracket is a sum of multiples of coordinates, such as 2*x - y")]
+    NotLinear {
+        /// The pair of coordinates.
+        key: String,
+    },
+    /// The Jacobi identity fails: the cyclic sum of [x, [y, z]] is not zero.
+    #[error(
+        "the Jacobi identity fails for {} by {residual:e} of the size of its terms (allowed {allowed:e})",
+        names.join(", ")
+    )]
+    Jacobi {
+        /// The names of the three coordinates.
+        names: [String; 3],
+        /// The largest coordinate of the sum, relative to the size of its terms.
+        residual: f64,
+        /// The relative rounding error that is allowed.
+        allowed: f64,
+    },
+    /// The brackets contradict each other.
+    #[error("brackets, numbered from 0 in the order of their keys")]
+    Brackets(#[source] EntryError),
+    /// The structure constants contradict each other, or have too large an index.
+    #[error("structure constants")]
+    Structure(#[source] EntryError),
+    /// The text of the Hamiltonian is no formula.
+    #[error("hamiltonian")]
+    Hamiltonian(#[source] FormulaError),
+    /// The Casimirs cannot be looked for.
+    #[error("brackets")]
+    Casimirs(#[from] CasimirError),
+    /// A coordinate of a state has no value.
+    #[error("initial has no value for {names}")]
+    NoValue {
+        /// The names of the coordinates, separated by commas.
+        names: String,
+    },
+    /// The value of a state is of something else than a coordinate.
+    #[error("initial.{name} is not a coordinate; there are {names}")]
+    NoCoordinate {
+        /// The name.
+        name: String,
+        /// The names of all coordinates, separated by commas.
+        names: String,
+    },
+    /// The value of a coordinate has the wrong number of components, or is not finite.
+    #[error("initial.{name} needs {needed}")]
+    WrongValue {
+        /// The name of the coordinates.
+        name: String,
+        /// What it needs.
+        needed: String,
+    },
+    /// A state has fewer or more numbers than the algebra has dimensions.
+    #[error("the initial state has {found} numbers; the dimension is {expected}")]
+    StateLength {
+        /// The dimension of the algebra.
+        expected: usize,
+        /// The number of numbers.
+        found: usize,
+    },
+    /// The text of the surface of a section is no formula.
+    #[error("surface")]
+    Surface(#[source] FormulaError),
+    /// The text of an axis of a section is no formula.
+    #[error("axes")]
+    Axis {
+        /// The number of the axis, 0 or 1.
+        axis: usize,
+        /// What is wrong, and where in the text.
+        source: FormulaError,
+    },
+    /// A section needs two axes besides its surface.
+    #[error("a section of {dimension} coordinates has no two axes")]
+    NoAxes {
+        /// The dimension of the algebra.
+        dimension: usize,
+    },
+    /// The level of a surface, or of a conserved quantity, is infinite or not a number.
+    #[error("the level must be a finite number, got {value:?}")]
+    Level {
+        /// The level.
+        value: f64,
+    },
+    /// Too few states of a section were found.
+    #[error(
+        "of {guesses} guesses {found} lead to a state of the section, {count} are needed: is there a state with these \
+         invariants on the surface?"
+    )]
+    TooSmall {
+        /// The number of states asked for.
+        count: usize,
+        /// The number of states found.
+        found: usize,
+        /// The number of guesses.
+        guesses: usize,
+    },
+    /// The formulation does not exist for the algebra, or not with the scheme.
+    #[error("{algebra} has no {formulation} {scheme}; {has}")]
+    NoMethod {
+        /// The name of the algebra.
+        algebra: String,
+        /// The formulation.
+        formulation: Formulation,
+        /// The scheme.
+        scheme: Scheme,
+        /// The formulations or the schemes that there are.
+        has: String,
+    },
+    /// The tolerance is negative or not finite, or the scheme could not be made.
+    #[error(transparent)]
+    Method(#[from] MethodError),
+    /// The Clebsch map of the algebra has no lift.
+    #[error(transparent)]
+    Lift(#[from] LiftError),
+}

@@ -1,0 +1,75 @@
+//! Any Lie–Poisson system from its brackets and a formula: its Casimirs, and its integrators by name.
+//!
+//! ```toml
+//! [dependencies]
+//! lie-poisson-formula-systems = "0.1"
+//! ```
+//!
+//! Algebra, Hamiltonian and method may be known only when the program runs. Kirchhoff's body in a fluid, with its
+//! Casimirs:
+//!
+//! ```
+//! use lie_poisson_formula_systems::{FormulaSystem, SystemAlgebra};
+//! use lie_poisson_formulas::Parameters;
+//!
+//! let parameters = Parameters::new().vector("I", &[2.0, 2.0, 1.0])?.vector("M", &[3.0, 3.0, 1.5])?;
+//! let text = "(Pi1^2/I1 + Pi2^2/I2 + Pi3^2/I3 + Gamma1^2/M1 + Gamma2^2/M2 + Gamma3^2/M3)/2";
+//! let body = FormulaSystem::new(SystemAlgebra::named("se(3)")?, text, &parameters)?.with_found_casimirs()?;
+//! let casimirs: Vec<String> = body.casimirs().iter().map(ToString::to_string).collect();
+//! assert_eq!(casimirs, ["Pi·Gamma", "|Gamma|^2"]);
+//! assert_eq!(body.missing_casimirs(), Some(0));
+//! let state = body.algebra().state([("Pi", &[2.0, 0.0, 1.0][..]), ("Gamma", &[0.0, 3.0, 0.0])])?;
+//! assert_eq!(body.invariants(&state)?, [3.0, 0.0, 9.0]); // h, then the Casimirs
+//! # Ok::<(), Box<dyn std::error::Error>>(())
+//! ```
+//!
+//! # Which item when
+//!
+//! | when you need | use |
+//! |---|---|
+//! | an algebra by name, from brackets, or from structure constants | [`SystemAlgebra`] |
+//! | structure constants from a text with a line for each | [`structure_table`] |
+//! | the coordinates of a state by their names | [`SystemAlgebra::state`] |
+//! | a Hamiltonian as text on it, and the Casimirs | [`FormulaSystem`] |
+//! | a formulation and a scheme for it | [`SystemMethod`] |
+//! | a Poincaré section on a level set of h and the Casimirs | [`SystemSection`] |
+//! | what to do with the integrator | [`SystemTask`] |
+//! | the reason why something is refused | [`FormulaSystemError`], [`StructureTableError`] |
+//!
+//! # Conventions
+//!
+//! * The bracket is the minus bracket: dμ/dt = ad∗_ξ μ with ξ = dh(μ), as for a top.
+//! * The coordinates of 𝔤∗ are those of the basis dual to that of the brackets: the bracket [x, y] = z of basis vectors
+//!   is written with the names of the coordinates that belong to them.
+//!
+//! # Related crates
+//!
+//! `lie-poisson-formulas` reads the formulas and finds the Casimirs, `heavytop` names the formulations and schemes,
+//! `collective-integrators` has the integrators. A system whose algebra is known when the program is compiled is
+//! faster and safer with these crates directly.
+
+#![cfg_attr(docsrs, feature(doc_cfg))]
+
+mod error;
+mod algebras;
+mod systems;
+mod methods;
+mod sections;
+
+pub use algebras::structure_table::{StructureTableError, structure_table};
+pub use algebras::system_algebra::SystemAlgebra;
+pub use error::FormulaSystemError;
+pub use methods::system_method::SystemMethod;
+pub use methods::system_task::SystemTask;
+pub use sections::system_section::SystemSection;
+pub use systems::formula_system::FormulaSystem;
+
+pub use collective_integrators;
+pub use heavytop;
+pub use lie_poisson;
+pub use lie_poisson_formulas;
+
+/// Compiles and runs the examples of the README.
+#[cfg(doctest)]
+#[doc = include_str!("../README.md")]
+struct Readme;

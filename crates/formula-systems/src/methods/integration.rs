@@ -1,0 +1,165 @@
+//! The integrator of a system: one type for each algebra, formulation and scheme.
+
+use super::clebsch_maps::{adjoint_map, coadjoint_map};
+use super::offers::refusal;
+use super::system_task::SystemTask;
+use crate::algebras::system_algebra::Family;
+use crate::{FormulaSystem, FormulaSystemError};
+use collective_integrators::{
+    Collective, Composition, Direct, Equivariant, HamiltonianField, LiftFree, RungeKutta,
+    StageSolver,
+};
+use heavytop::SpinorRealisation;
+use heavytop::methods::{Formulation, MethodError, Scheme};
+use lie_poisson::{LieAlgebra, LiePoisson, Momentum, Se3, So3, StructureConstants, Vector};
+use lie_poisson_formulas::{Formula, FormulaHamiltonian, structure_constants};
+use momentum_map::{DualQuaternions, HOPF, Lift, PoissonMap, Quaternions};
+
+/// A system with the method of its integration, for runs from a state.
+pub(super) struct Integration<'a> {
+    pub(super) formulation: Formulation,
+    pub(super) scheme: Scheme,
+    pub(super) tolerance: f64,
+    pub(super) system: &'a FormulaSystem,
+    pub(super) start: &'a [f64],
+}
+
+/// The result of a task.
+type Performed<K> = Result<<K as SystemTask>::Output, FormulaSystemError>;
+
+impl Integration<'_> {
+    /// Performs a task with the integrator.
+    pub(super) fn perform<K: SystemTask>(&self, task: K) -> Performed<K> {
+        let scheme = self.scheme;
+        let solver = StageSolver { tolerance: self.tolerance, ..StageSolver::default() };
+        let midpoint = || RungeKutta::implicit_midpoint().with_solver(solver);
+        let failed = |source| MethodError::Scheme { scheme: scheme.name(), source };
+        match scheme {
+            Scheme::ImplicitMidpoint => self.with(midpoint(), task),
+            Scheme::Gauss(stages) => {
+                let gauss = RungeKutta::gauss(stages.into()).map_err(failed)?;
+                self.with(gauss.with_solver(solver), task)
+            }
+            Scheme::ExplicitMidpoint => self.with(RungeKutta::explicit_midpoint(), task),
+            Scheme::Rk4 => self.with(RungeKutta::rk4(), task),
+            Scheme::Composed(raise) => {
+                let substeps = raise.substeps().map_err(failed)?;
+                self.with(Composition::new(midpoint(), substeps), task)
+            }
+            Scheme::Partitioned(_) => Err(self.impossible()),
+        }
+    }
+
+    fn with<S: Equivariant, K: SystemTask>(&self, scheme: S, task: K) -> Performed<K> {
+        let algebra = self.system.algebra();
+        Ok(match (self.formulation, algebra.family) {
+            (Formulation::Direct, _) => {
+                return match algebra.width() {
+                    3 => self.direct::<3, S, K>(scheme, task),
+                    6 => self.direct::<6, S, K>(scheme, task),
+                    10 => self.direct::<10, S, K>(scheme, task),
+                    _ => self.direct::<15, S, K>(scheme, task),
+                };
+            }
+            (Formulation::Collective, Family::Rotations) => {
+                task.perform(&Collective::new(scheme, HOPF, self.hamiltonian::<So3>()?))
+            }
+            (Formulation::Reduced, Family::Rotations) => {
+                task.perform(&LiftFree::new(scheme, Quaternions, self.hamiltonian::<So3>()?))
+            }
+            (Formulation::Collective, Family::Motions) => {
+                let hamiltonian = self.hamiltonian::<Se3>()?;
+                task.perform(&Collective::new(scheme, SpinorRealisation, hamiltonian))
+            }
+            (Formulation::Reduced, Family::Motions) => {
+                task.perform(&LiftFree::new(scheme, DualQuaternions, self.hamiltonian::<Se3>()?))
+            }
+            (Formulation::Collective, Family::Other) => {
+                return match algebra.dimension() {
+                    2 => self.clebsch::<2, S, K>(scheme, task),
+                    3 => self.clebsch::<3, S, K>(scheme, task),
+                    4 => self.clebsch::<4, S, K>(scheme, task),
+                    5 => self.clebsch::<5, S, K>(scheme, task),
+                    6 => self.clebsch::<6, S, K>(scheme, task),
+                    _ => Err(self.impossible()),
+                };
+            }
+            // `require` has refused every such pair.
+            _ => return Err(self.impossible()),
+        })
+    }
+
+    /// Applies the scheme on T∗V, read through the Clebsch map of the adjoint representation, or, where the start has no
+    /// lift, of the coadjoint representation.
+    fn clebsch<const N: usize, S: Equivariant, K: SystemTask>(
+        &self,
+        scheme: S,
+        task: K,
+    ) -> Performed<K> {
+        let hamiltonian = self.hamiltonian::<StructureConstants<N>>()?;
+        let map = adjoint_map(self.table::<N>()?, || self.impossible())?;
+        if map.lift(&self.momentum::<N>()).is_ok() {
+            return Ok(task.perform(&Collective::new(scheme, map, hamiltonian)));
+        }
+        let map = coadjoint_map(self.table::<N>()?, || self.impossible())?;
+        Ok(task.perform(&Collective::new(scheme, map, hamiltonian)))
+    }
+
+    /// Returns whether the steps of affine schemes descend to 𝔤∗ along the map that [`perform`](Self::perform) takes.
+    pub(super) fn descends(&self) -> Result<bool, FormulaSystemError> {
+        if self.formulation != Formulation::Collective {
+            return Ok(true);
+        }
+        match (self.system.algebra().family, self.system.algebra().dimension()) {
+            (Family::Other, 2) => self.clebsch_descends::<2>(),
+            (Family::Other, 3) => self.clebsch_descends::<3>(),
+            (Family::Other, 4) => self.clebsch_descends::<4>(),
+            (Family::Other, 5) => self.clebsch_descends::<5>(),
+            (Family::Other, 6) => self.clebsch_descends::<6>(),
+            _ => Ok(true),
+        }
+    }
+
+    fn clebsch_descends<const N: usize>(&self) -> Result<bool, FormulaSystemError> {
+        let map = adjoint_map(self.table::<N>()?, || self.impossible())?;
+        if map.lift(&self.momentum::<N>()).is_ok() {
+            return Ok(map.affine_schemes_descend());
+        }
+        let map = coadjoint_map(self.table::<N>()?, || self.impossible())?;
+        Ok(map.affine_schemes_descend())
+    }
+
+    /// Returns the start as a momentum.
+    fn momentum<const N: usize>(&self) -> Momentum<StructureConstants<N>> {
+        Vector::from_coordinates(|i| self.start.get(i).copied().unwrap_or(0.0))
+    }
+
+    /// Applies the scheme to the equations, on the algebra that is completed to the dimension N.
+    fn direct<const N: usize, S: Equivariant, K: SystemTask>(
+        &self,
+        scheme: S,
+        task: K,
+    ) -> Performed<K> {
+        let space = LiePoisson::minus(self.table::<N>()?);
+        let hamiltonian = of(self.system.completed())?;
+        Ok(task.perform(&Direct::new(scheme, HamiltonianField { space, hamiltonian })))
+    }
+
+    fn table<const N: usize>(&self) -> Result<StructureConstants<N>, FormulaSystemError> {
+        let entries = self.system.algebra().entries();
+        structure_constants::<N>(entries).map_err(FormulaSystemError::Structure)
+    }
+
+    fn hamiltonian<A: LieAlgebra>(&self) -> Result<FormulaHamiltonian<A>, FormulaSystemError> {
+        of(self.system.hamiltonian())
+    }
+
+    fn impossible(&self) -> FormulaSystemError {
+        refusal(self.system.algebra(), self.formulation, self.scheme)
+    }
+}
+
+/// Returns the Hamiltonian of a formula.
+fn of<A: LieAlgebra>(formula: &Formula) -> Result<FormulaHamiltonian<A>, FormulaSystemError> {
+    FormulaHamiltonian::of(formula).map_err(FormulaSystemError::Hamiltonian)
+}

@@ -1,0 +1,60 @@
+//! The formulations and schemes that an algebra has.
+
+use crate::algebras::system_algebra::Family;
+use crate::{FormulaSystemError, SystemAlgebra};
+use heavytop::methods::{Formulation, Scheme};
+
+/// The dimensions of the algebras with a Clebsch map.
+const CLEBSCH: [usize; 5] = [2, 3, 4, 5, 6];
+
+/// Returns the formulations that an algebra has.
+pub(super) fn formulations(algebra: &SystemAlgebra) -> impl Iterator<Item = Formulation> {
+    let known = algebra.family != Family::Other;
+    let clebsch = CLEBSCH.contains(&algebra.dimension());
+    let all = [Formulation::Collective, Formulation::Reduced, Formulation::Direct];
+    all.into_iter().filter(move |formulation| match formulation {
+        Formulation::Direct => true,
+        Formulation::Collective => known || clebsch,
+        _ => known,
+    })
+}
+
+/// Checks that an algebra has a formulation with a scheme.
+pub(super) fn require(
+    algebra: &SystemAlgebra,
+    formulation: Formulation,
+    scheme: Scheme,
+) -> Result<(), FormulaSystemError> {
+    let partitioned = matches!(scheme, Scheme::Partitioned(_));
+    if has(algebra, formulation) && !partitioned && formulation.offers(scheme) {
+        Ok(())
+    } else {
+        Err(refusal(algebra, formulation, scheme))
+    }
+}
+
+/// Returns the error that an algebra does not have a formulation with a scheme, which names those that it has.
+pub(super) fn refusal(
+    algebra: &SystemAlgebra,
+    formulation: Formulation,
+    scheme: Scheme,
+) -> FormulaSystemError {
+    let has = if has(algebra, formulation) {
+        let schemes = formulation.schemes().filter(|s| !matches!(s, Scheme::Partitioned(_)));
+        let names: Vec<_> = schemes.map(Scheme::name).collect();
+        format!("{formulation} has {}", names.join(", "))
+    } else {
+        let names: Vec<_> = formulations(algebra).map(Formulation::name).collect();
+        match names.split_last() {
+            Some((last, before)) if !before.is_empty() => {
+                format!("it has {} and {last}", before.join(", "))
+            }
+            _ => format!("it has {}", names.concat()),
+        }
+    };
+    FormulaSystemError::NoMethod { algebra: algebra.name().into(), formulation, scheme, has }
+}
+
+fn has(algebra: &SystemAlgebra, formulation: Formulation) -> bool {
+    formulations(algebra).any(|other| other == formulation)
+}

@@ -1,0 +1,184 @@
+//! A method for a system, by names: [`SystemMethod`].
+
+use super::integration::Integration;
+use super::offers::{formulations, require};
+use super::system_task::SystemTask;
+use crate::algebras::system_algebra::Family;
+use crate::{FormulaSystem, FormulaSystemError, SystemAlgebra};
+use heavytop::methods::{Formulation, MethodError, Scheme};
+
+/// A formulation, a scheme, and the tolerance of its stage equations: an integrator for the systems on an algebra.
+///
+/// | algebra | formulations |
+/// |---|---|
+/// | so(3), su(2), se(3) by name | collective, reduced, direct |
+/// | another of dimension 2 to 6 | collective, by a Clebsch map; direct |
+/// | any other | direct |
+///
+/// Every scheme of [`Formulation::schemes`] exists but the partitioned ones.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct SystemMethod {
+    formulation: Formulation,
+    scheme: Scheme,
+    tolerance: f64,
+}
+
+impl SystemMethod {
+    /// Creates the method from a formulation and a scheme for an algebra. Stages are solved to `tolerance`, relative to
+    /// the state; 0 iterates to the round-off floor.
+    ///
+    /// # Errors
+    /// Returns [`FormulaSystemError::NoMethod`] if the algebra does not have the formulation with the scheme, and
+    /// [`FormulaSystemError::Method`] for a tolerance that is negative or not finite.
+    ///
+    /// # Example
+    /// ```
+    /// use heavytop::methods::{Formulation, Scheme};
+    /// use lie_poisson_formula_systems::{SystemAlgebra, SystemMethod};
+    /// let se2 = SystemAlgebra::named("se(2)")?;
+    /// assert!(SystemMethod::new(&se2, Formulation::Collective, Scheme::Gauss(2), 0.0).is_ok());
+    /// let error = SystemMethod::new(&se2, Formulation::Reduced, Scheme::Gauss(2), 0.0).unwrap_err();
+    /// assert_eq!(error.to_string(), "se(2) has no reduced gauss-4; it has collective and direct");
+    /// # Ok::<(), lie_poisson_formula_systems::FormulaSystemError>(())
+    /// ```
+    pub fn new(
+        algebra: &SystemAlgebra,
+        formulation: Formulation,
+        scheme: Scheme,
+        tolerance: f64,
+    ) -> Result<Self, FormulaSystemError> {
+        require(algebra, formulation, scheme)?;
+        if !(tolerance >= 0.0 && tolerance.is_finite()) {
+            return Err(MethodError::Tolerance { value: tolerance }.into());
+        }
+        Ok(Self { formulation, scheme, tolerance })
+    }
+
+    /// Returns the formulation that suits an algebra best: collective where that is a Poisson integrator for every
+    /// Hamiltonian, on so(3), su(2) and se(3) by name, and direct otherwise.
+    #[must_use]
+    pub fn default_formulation(algebra: &SystemAlgebra) -> Formulation {
+        match algebra.family {
+            Family::Rotations | Family::Motions => Formulation::Collective,
+            Family::Other => Formulation::Direct,
+        }
+    }
+
+    /// Returns the formulations that an algebra has.
+    pub fn formulations(algebra: &SystemAlgebra) -> impl Iterator<Item = Formulation> {
+        formulations(algebra)
+    }
+
+    /// Returns the formulation: where the scheme is applied.
+    #[must_use]
+    pub const fn formulation(&self) -> Formulation {
+        self.formulation
+    }
+
+    /// Returns the scheme of the method.
+    #[must_use]
+    pub const fn scheme(&self) -> Scheme {
+        self.scheme
+    }
+
+    /// Returns the tolerance of the stage equations.
+    #[must_use]
+    pub const fn tolerance(&self) -> f64 {
+        self.tolerance
+    }
+
+    /// Performs a task with the integrator of a system, for runs from a state.
+    ///
+    /// The state is needed since some Clebsch maps have a lift of one state and not of another.
+    ///
+    /// # Errors
+    /// Returns [`FormulaSystemError`] if the algebra of this system does not have the method, if the state has another
+    /// length than the dimension, or if the integrator cannot be made.
+    ///
+    /// # Example
+    /// The drift of the Casimir |Π|² of a free rigid body over 100 steps:
+    /// ```
+    /// use collective_integrators::Start;
+    /// use heavytop::methods::{Formulation, Scheme};
+    /// use lie_poisson::Vector;
+    /// use lie_poisson_formula_systems::{FormulaSystem, SystemAlgebra, SystemMethod, SystemTask};
+    /// use lie_poisson_formulas::Parameters;
+    ///
+    /// /// The state after 100 steps of 0.1.
+    /// struct End<'a>(&'a [f64]);
+    /// impl SystemTask for End<'_> {
+    ///     type Output = Option<Vec<f64>>;
+    ///     fn perform<I>(self, integrator: &I) -> Option<Vec<f64>>
+    ///     where
+    ///         I: Start<State: Vector, Momentum: Vector<Scalar = f64>>,
+    ///     {
+    ///         let start = Vector::from_coordinates(|i| self.0.get(i).copied().unwrap_or(0.0));
+    ///         let end = integrator.trajectory(&start, 0.1).ok()?.nth(100)?.ok()?.momentum;
+    ///         Some((0..self.0.len()).map(|i| end.coordinate(i)).collect())
+    ///     }
+    /// }
+    ///
+    /// let body = FormulaSystem::new(SystemAlgebra::named("so(3)")?, "(Pi1^2 + Pi2^2/2 + Pi3^2/4)/2", &Parameters::new())?;
+    /// let body = body.with_found_casimirs()?;
+    /// let start = [1.0, 2.0, 0.5];
+    /// let drift = |formulation, scheme| -> Result<f64, Box<dyn std::error::Error>> {
+    ///     let method = SystemMethod::new(body.algebra(), formulation, scheme, 0.0)?;
+    ///     let end = method.integrate(&body, &start, End(&start))?.ok_or("a step failed")?;
+    ///     Ok((body.invariants(&end)?[1] - body.invariants(&start)?[1]).abs())
+    /// };
+    /// assert!(drift(Formulation::Collective, Scheme::Gauss(2))? < 1e-13);
+    /// assert!(drift(Formulation::Direct, Scheme::Rk4)? > 1e-8);
+    /// # Ok::<(), Box<dyn std::error::Error>>(())
+    /// ```
+    pub fn integrate<K: SystemTask>(
+        &self,
+        system: &FormulaSystem,
+        start: &[f64],
+        task: K,
+    ) -> Result<K::Output, FormulaSystemError> {
+        self.integration(system, start)?.perform(task)
+    }
+
+    /// Returns whether the steps descend to 𝔤∗: false for a collective method by a Clebsch map whose
+    /// [`affine_schemes_descend`](momentum_map::PoissonMap::affine_schemes_descend) is false. Its steps are not Poisson
+    /// maps, and Casimirs are conserved to the order of the scheme alone.
+    ///
+    /// # Errors
+    /// Those of [`integrate`](Self::integrate).
+    ///
+    /// # Example
+    /// ```
+    /// use heavytop::methods::{Formulation, Scheme};
+    /// use lie_poisson_formula_systems::{FormulaSystem, SystemAlgebra, SystemMethod};
+    /// use lie_poisson_formulas::{Coordinates, Parameters};
+    /// let descends = |brackets: [(&str, &str); 2]| -> Result<bool, Box<dyn std::error::Error>> {
+    ///     let names = Coordinates::scalars(["x", "y", "z"])?;
+    ///     let algebra = SystemAlgebra::of_brackets(names, brackets, &Parameters::new())?;
+    ///     let method = SystemMethod::new(&algebra, Formulation::Collective, Scheme::Gauss(2), 0.0)?;
+    ///     let system = FormulaSystem::new(algebra, "x^2 + y^2 + z^2", &Parameters::new())?;
+    ///     Ok(method.descends(&system, &[0.1, 0.3, -0.2])?)
+    /// };
+    /// assert!(descends([("x, y", "z"), ("x, z", "y")])?); // the Poincaré algebra
+    /// assert!(!descends([("x, z", "x"), ("y, z", "2*y")])?); // the cube of ad z is no multiple of it
+    /// # Ok::<(), Box<dyn std::error::Error>>(())
+    /// ```
+    pub fn descends(
+        &self,
+        system: &FormulaSystem,
+        start: &[f64],
+    ) -> Result<bool, FormulaSystemError> {
+        self.integration(system, start)?.descends()
+    }
+
+    /// Checks that the method exists for the system and the start, and returns it with them.
+    fn integration<'a>(
+        &self,
+        system: &'a FormulaSystem,
+        start: &'a [f64],
+    ) -> Result<Integration<'a>, FormulaSystemError> {
+        let Self { formulation, scheme, tolerance } = *self;
+        require(system.algebra(), formulation, scheme)?;
+        system.require_length(start)?;
+        Ok(Integration { formulation, scheme, tolerance, system, start })
+    }
+}

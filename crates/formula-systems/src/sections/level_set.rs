@@ -1,0 +1,77 @@
+//! The common level set of several functions, and the projection to it: [`LevelSet`].
+
+use lie_poisson_formulas::Formula;
+use nalgebra::{DMatrix, DVector};
+
+/// The largest number of Newton steps of a projection.
+const MOST_STEPS: usize = 60;
+
+/// The largest last step of a projection, and its largest residual, both relative. Newton's method converges
+/// quadratically, and a step of this size is followed by rounding errors alone.
+const CONVERGED: f64 = 1e-9;
+
+/// The smallest singular value, relative to the largest one, of a direction in which a projection moves. Functions
+/// whose differentials are more nearly dependent than that count as dependent.
+const INDEPENDENT: f64 = 1e-10;
+
+/// The set where functions have given values.
+#[derive(Clone, Debug)]
+pub(crate) struct LevelSet<'a> {
+    /// The functions with their values.
+    pub(crate) levels: Vec<(&'a Formula, f64)>,
+    /// The sizes of the coordinates, by which they are compared with each other.
+    pub(crate) scales: Vec<f64>,
+}
+
+impl LevelSet<'_> {
+    /// Returns a point of the set near `guess`, or `None` if there is none or it cannot be found.
+    ///
+    /// The steps are those of Newton's method of least length, in coordinates that are divided by their sizes:
+    /// x ← x − S (J S)⁺ f(x) with the pseudo-inverse of the matrix J S of differentials. Source: A. Ben-Israel, *A
+    /// Newton–Raphson method for the solution of systems of equations*, J. Math. Anal. Appl. 15 (1966).
+    pub(crate) fn project(&self, guess: Vec<f64>) -> Option<Vec<f64>> {
+        let mut point = guess;
+        for _ in 0..MOST_STEPS {
+            let (step, residual) = self.step(&point)?;
+            for ((x, dx), scale) in point.iter_mut().zip(&step).zip(&self.scales) {
+                *x -= scale * dx;
+            }
+            let length = step.amax();
+            if !length.is_finite() {
+                return None;
+            }
+            if length <= CONVERGED && residual <= CONVERGED {
+                // One step more, down to rounding.
+                let (last, _) = self.step(&point)?;
+                for ((x, dx), scale) in point.iter_mut().zip(&last).zip(&self.scales) {
+                    *x -= scale * dx;
+                }
+                return point.iter().all(|x| x.is_finite()).then_some(point);
+            }
+        }
+        None
+    }
+
+    /// Returns a Newton step, in sizes of the coordinates, and the largest residual relative to the slopes.
+    fn step(&self, point: &[f64]) -> Option<(DVector<f64>, f64)> {
+        let (rows, columns) = (self.levels.len(), point.len());
+        let mut matrix = DMatrix::zeros(rows, columns);
+        let mut residual = DVector::zeros(rows);
+        for (row, (function, value)) in self.levels.iter().enumerate() {
+            let slopes = function.differential_at(point);
+            let scaled: Vec<f64> = slopes.iter().zip(&self.scales).map(|(x, s)| x * s).collect();
+            let size = scaled.iter().fold(0.0_f64, |size, x| size.max(x.abs()));
+            // A function without a slope cannot be corrected.
+            let unit = if size > 0.0 { size } else { value.abs().max(f64::MIN_POSITIVE) };
+            scaled.iter().enumerate().for_each(|(i, x)| matrix[(row, i)] = x / unit);
+            residual[row] = (function.value_at(point) - value) / unit;
+        }
+        if residual.iter().chain(matrix.iter()).any(|x: &f64| !x.is_finite()) {
+            return None;
+        }
+        let largest = residual.amax();
+        let decomposition = matrix.svd(true, true);
+        let cut = INDEPENDENT * decomposition.singular_values.max();
+        Some((decomposition.solve(&residual, cut).ok()?, largest))
+    }
+}

@@ -1,0 +1,226 @@
+//! The Poincaré section of a system on a level set of its conserved quantities: [`SystemSection`].
+
+use super::level_set::LevelSet;
+use crate::{FormulaSystem, FormulaSystemError};
+use collective_integrators::Direction;
+use lie_poisson_formulas::{Formula, Parameters, Vocabulary};
+use rand_chacha::ChaCha8Rng;
+use rand_chacha::rand_core::{Rng, SeedableRng};
+
+/// The number of guesses that are tried for each start.
+const GUESSES: usize = 1000;
+
+/// The states on a surface F(μ) = c where h and the Casimirs have given values, with the direction of the crossings.
+///
+/// # Example
+/// Kirchhoff's body in a fluid, where P₃ = 0:
+/// ```
+/// use collective_integrators::Direction;
+/// use lie_poisson_formula_systems::{FormulaSystem, SystemAlgebra, SystemSection};
+/// use lie_poisson_formulas::Parameters;
+/// let text = "(Pi1^2 + Pi2^2/2 + Pi3^2/3 + Gamma1^2 + Gamma2^2/2 + Gamma3^2/3)/2";
+/// let body = FormulaSystem::new(SystemAlgebra::named("se(3)")?, text, &Parameters::new())?;
+/// let body = body.with_found_casimirs()?;
+/// let state = [1.0, 0.5, 0.3, 0.6, 0.0, 0.8];
+/// let section = SystemSection::new(&body, "Gamma3", &Parameters::new(), (0.0, Direction::Up))?;
+/// let level = body.invariants(&state)?;
+/// for start in section.starts(&state, &level, 5, 0)? {
+///     assert!(section.value(&start).abs() < 1e-15);
+///     for (value, level) in body.invariants(&start)?.iter().zip(&level) {
+///         assert!((value - level).abs() < 1e-14);
+///     }
+///     assert!(body.rate(&start)?[5] > 0.0);
+/// }
+/// # Ok::<(), lie_poisson_formula_systems::FormulaSystemError>(())
+/// ```
+#[derive(Clone, Debug, PartialEq)]
+pub struct SystemSection {
+    system: FormulaSystem,
+    surface: Formula,
+    level: f64,
+    direction: Direction,
+    axes: [Formula; 2],
+}
+
+impl SystemSection {
+    /// Creates the section of a system by the surface where a formula has a level, with the directions of the crossings
+    /// that count. Its axes are the first two coordinates, without one that the surface fixes.
+    ///
+    /// # Errors
+    /// Returns [`FormulaSystemError::Surface`] if the text is no formula, [`FormulaSystemError::Level`] if the level
+    /// is not finite, and [`FormulaSystemError::NoAxes`] if the algebra has too few coordinates.
+    pub fn new(
+        system: &FormulaSystem,
+        surface: &str,
+        parameters: &Parameters,
+        (level, direction): (f64, Direction),
+    ) -> Result<Self, FormulaSystemError> {
+        let names = system.algebra().vocabulary(parameters)?;
+        let surface = Formula::new(surface, &names).map_err(FormulaSystemError::Surface)?;
+        if !level.is_finite() {
+            return Err(FormulaSystemError::Level { value: level });
+        }
+        let dimension = system.algebra().dimension();
+        let fixed = surface.to_string();
+        let mut free = system.algebra().coordinates().names().filter(|name| *name != fixed);
+        let (Some(x), Some(y)) = (free.next(), free.next()) else {
+            return Err(FormulaSystemError::NoAxes { dimension });
+        };
+        let axes = axes([&x, &y], &names)?;
+        Ok(Self { system: system.clone(), surface, level, direction, axes })
+    }
+
+    /// Returns the section with axes, the formulas over which it is drawn.
+    ///
+    /// # Errors
+    /// Returns [`FormulaSystemError::Axis`] if a text is no formula.
+    pub fn with_axes(
+        self,
+        texts: [&str; 2],
+        parameters: &Parameters,
+    ) -> Result<Self, FormulaSystemError> {
+        let axes = axes(texts, &self.system.algebra().vocabulary(parameters)?)?;
+        Ok(Self { axes, ..self })
+    }
+
+    /// Returns the axes, the formulas over which the section is drawn.
+    #[must_use]
+    pub const fn axes(&self) -> &[Formula; 2] {
+        &self.axes
+    }
+
+    /// Returns the values of the axes at a state, or NaN if it has another length than the dimension.
+    #[must_use]
+    pub fn plane(&self, state: &[f64]) -> [f64; 2] {
+        let [x, y] = &self.axes;
+        [x.value_at(state), y.value_at(state)]
+    }
+
+    /// Returns the system.
+    #[must_use]
+    pub const fn system(&self) -> &FormulaSystem {
+        &self.system
+    }
+
+    /// Returns the formula of the surface.
+    #[must_use]
+    pub const fn surface(&self) -> &Formula {
+        &self.surface
+    }
+
+    /// Returns the level of the surface.
+    #[must_use]
+    pub const fn level(&self) -> f64 {
+        self.level
+    }
+
+    /// Returns the directions of the crossings that count.
+    #[must_use]
+    pub const fn direction(&self) -> Direction {
+        self.direction
+    }
+
+    /// Returns F(μ) − c at a state, or NaN if it has another length than the dimension.
+    #[must_use]
+    pub fn value(&self, state: &[f64]) -> f64 {
+        self.surface.value_at(state) - self.level
+    }
+
+    /// Returns states of the section, where h and the Casimirs have the values `levels`.
+    ///
+    /// Each begins with a random guess, of the size of `state`, that is projected to the section; what crosses the surface
+    /// in the wrong direction, or not at all, does not count. The seed determines the sequence, and a longer one begins with
+    /// the states of a shorter one. The sizes of the vectors in `state` are their units: a system in other units of these has
+    /// the same starts in other units. Coordinates that are numbers count as numbers of one unit.
+    ///
+    /// # Errors
+    /// Returns [`FormulaSystemError::StateLength`] if `state` has another length than the dimension,
+    /// [`FormulaSystemError::Level`] if a level is not finite, and [`FormulaSystemError::TooSmall`] if too few guesses lead to a state of the section.
+    pub fn starts(
+        &self,
+        state: &[f64],
+        levels: &[f64],
+        count: usize,
+        seed: u64,
+    ) -> Result<Vec<Vec<f64>>, FormulaSystemError> {
+        self.system.require_length(state)?;
+        if let Some(&value) = levels.iter().find(|level| !level.is_finite()) {
+            return Err(FormulaSystemError::Level { value });
+        }
+        let formulas = core::iter::once(self.system.hamiltonian()).chain(self.system.casimirs());
+        let levels = formulas.zip(levels.iter().copied());
+        let levels = levels.chain([(&self.surface, self.level)]).collect();
+        let scales = self.scales(state);
+        let set = LevelSet { levels, scales };
+        let mut random = ChaCha8Rng::seed_from_u64(seed);
+        let mut starts = Vec::new();
+        let guesses = GUESSES.saturating_mul(count);
+        for _ in 0..guesses {
+            if starts.len() >= count {
+                break;
+            }
+            let guess = set.scales.iter().map(|scale| scale * (2.0 * uniform(&mut random) - 1.0));
+            let Some(start) = set.project(guess.collect()) else { continue };
+            if self.crosses(&start)? {
+                starts.push(start);
+            }
+        }
+        match starts.len() {
+            found if found < count => Err(FormulaSystemError::TooSmall { count, found, guesses }),
+            _ => Ok(starts),
+        }
+    }
+
+    /// Returns whether the motion through a state crosses the surface in a direction that counts.
+    fn crosses(&self, state: &[f64]) -> Result<bool, FormulaSystemError> {
+        let slopes = self.surface.differential_at(state);
+        let rate: f64 =
+            self.system.rate(state)?.iter().zip(slopes).map(|(rate, slope)| rate * slope).sum();
+        Ok(match self.direction {
+            Direction::Up => rate > 0.0,
+            Direction::Down => rate < 0.0,
+            Direction::Both => rate != 0.0,
+        })
+    }
+
+    /// Returns the sizes of the coordinates: for components of a vector its length, for numbers the length of all numbers
+    /// together, and the length of the whole state if that is zero.
+    fn scales(&self, state: &[f64]) -> Vec<f64> {
+        let length = |x: &[f64]| {
+            let size = x.iter().fold(0.0_f64, |size, x| size.max(x.abs()));
+            if size > 0.0 {
+                size * x.iter().map(|x| (x / size).powi(2)).sum::<f64>().sqrt()
+            } else {
+                0.0
+            }
+        };
+        let all = length(state);
+        let groups = self.system.algebra().coordinates().groups();
+        let numbers = self.system.algebra().coordinates().groups();
+        let numbers = numbers.filter(|(_, places)| places.len() == 1);
+        let numbers = numbers.filter_map(|(_, places)| state.get(places.start).copied());
+        let numbers = length(&numbers.collect::<Vec<f64>>());
+        let scales = groups.flat_map(|(_, places)| {
+            let own = match places.len() {
+                1 => numbers,
+                _ => length(state.get(places.clone()).unwrap_or_default()),
+            };
+            let scale = if own > 0.0 { own } else { all };
+            places.map(move |_| if scale > 0.0 { scale } else { 1.0 })
+        });
+        scales.collect()
+    }
+}
+
+/// Returns the formulas of two axes.
+fn axes(texts: [&str; 2], names: &Vocabulary) -> Result<[Formula; 2], FormulaSystemError> {
+    let axis = |axis: usize| {
+        Formula::new(texts[axis], names).map_err(|source| FormulaSystemError::Axis { axis, source })
+    };
+    Ok([axis(0)?, axis(1)?])
+}
+
+/// Draws a uniform random number in [0, 1).
+fn uniform(random: &mut ChaCha8Rng) -> f64 {
+    (random.next_u64() >> 11) as f64 * 0.5_f64.powi(53)
+}

@@ -1,0 +1,147 @@
+//! A Lie–Poisson system whose Hamiltonian is a formula: [`FormulaSystem`].
+
+use super::casimir_search::casimirs;
+use crate::{FormulaSystemError, SystemAlgebra};
+use lie_poisson_formulas::{Formula, Parameters, StructureEntry};
+
+/// A Lie algebra 𝔤, a Hamiltonian h on its dual as a formula, and Casimirs of 𝔤.
+///
+/// The bracket is the minus bracket: dμ/dt = ad∗_ξ μ with ξ = dh(μ), in coordinates dμ_i/dt = Σ_jk c_jik ξ_j μ_k
+/// with the structure constants [e_i, e_j] = Σ_k c_ijk e_k.
+///
+/// # Example
+/// The free relativistic rotor, with the Casimir of mass:
+/// ```
+/// use lie_poisson_formula_systems::{FormulaSystem, SystemAlgebra};
+/// use lie_poisson_formulas::{Coordinates, Parameters};
+/// let parameters = Parameters::new().number("a", 0.75)?;
+/// let brackets = [("K, H", "P"), ("K, P", "H")];
+/// let algebra = SystemAlgebra::of_brackets(Coordinates::scalars(["K", "H", "P"])?, brackets, &parameters)?;
+/// let rotor = FormulaSystem::new(algebra, "K^2/2 + a*H^2 + P^2/2", &parameters)?.with_found_casimirs()?;
+/// assert_eq!(rotor.casimirs()[0].to_string(), "H^2 - P^2");
+/// assert_eq!(rotor.invariants(&[1.0, 2.0, 1.0])?, [4.0, 3.0]);
+/// # Ok::<(), Box<dyn std::error::Error>>(())
+/// ```
+#[derive(Clone, Debug, PartialEq)]
+pub struct FormulaSystem {
+    algebra: SystemAlgebra,
+    hamiltonian: Formula,
+    /// The Hamiltonian in the coordinates of the completed algebra.
+    completed: Formula,
+    casimirs: Vec<Formula>,
+    missing: Option<usize>,
+}
+
+impl FormulaSystem {
+    /// Creates the system of a Hamiltonian in the coordinates of the algebra and in parameters, without Casimirs.
+    ///
+    /// # Errors
+    /// Returns [`FormulaSystemError::Parameters`] if a parameter has the name of a coordinate, and
+    /// [`FormulaSystemError::Hamiltonian`] if the text is no formula.
+    pub fn new(
+        algebra: SystemAlgebra,
+        hamiltonian: &str,
+        parameters: &Parameters,
+    ) -> Result<Self, FormulaSystemError> {
+        let formula =
+            |names| Formula::new(hamiltonian, &names).map_err(FormulaSystemError::Hamiltonian);
+        let hamiltonian = formula(algebra.vocabulary(parameters)?)?;
+        let completed = if algebra.width() == algebra.dimension() {
+            hamiltonian.clone()
+        } else {
+            formula(algebra.completed(parameters).map_err(FormulaSystemError::Parameters)?)?
+        };
+        Ok(Self { algebra, hamiltonian, completed, casimirs: Vec::new(), missing: None })
+    }
+
+    /// Returns the system with the polynomial Casimirs up to degree 4, which
+    /// [`find_casimirs`](lie_poisson_formulas::find_casimirs) finds from the structure constants.
+    ///
+    /// # Errors
+    /// Returns [`FormulaSystemError::Casimirs`] if the algebra is none in which they can be looked for.
+    pub fn with_found_casimirs(self) -> Result<Self, FormulaSystemError> {
+        let found = casimirs(&self.algebra)?;
+        let (casimirs, missing) = (found.formulas().to_vec(), Some(found.missing()));
+        Ok(Self { casimirs, missing, ..self })
+    }
+
+    /// Returns the algebra.
+    #[must_use]
+    pub const fn algebra(&self) -> &SystemAlgebra {
+        &self.algebra
+    }
+
+    /// Returns the Hamiltonian, in the coordinates of the algebra.
+    #[must_use]
+    pub const fn hamiltonian(&self) -> &Formula {
+        &self.hamiltonian
+    }
+
+    /// Returns the Hamiltonian in as many coordinates as a direct integrator has.
+    pub(crate) const fn completed(&self) -> &Formula {
+        &self.completed
+    }
+
+    /// Returns the Casimirs that were found; none if they have not been looked for.
+    #[must_use]
+    pub fn casimirs(&self) -> &[Formula] {
+        &self.casimirs
+    }
+
+    /// Returns how many independent Casimirs were not found, or `None` if they have not been looked for.
+    #[must_use]
+    pub const fn missing_casimirs(&self) -> Option<usize> {
+        self.missing
+    }
+
+    /// Returns the values of h and of the Casimirs at a state.
+    ///
+    /// # Errors
+    /// Returns [`FormulaSystemError::StateLength`] if the state has another length than the dimension.
+    pub fn invariants(&self, state: &[f64]) -> Result<Vec<f64>, FormulaSystemError> {
+        self.require_length(state)?;
+        let formulas = core::iter::once(&self.hamiltonian).chain(&self.casimirs);
+        Ok(formulas.map(|formula| formula.value_at(state)).collect())
+    }
+
+    /// Returns the rate dμ/dt = ad∗_ξ μ, ξ = dh(μ), at a state: the coordinates Σ_ik c_ijk ξ_i μ_k.
+    ///
+    /// # Errors
+    /// Returns [`FormulaSystemError::StateLength`] if the state has another length than the dimension.
+    ///
+    /// # Example
+    /// The free rigid body, dΠ/dt = Π × Ω:
+    /// ```
+    /// use lie_poisson_formula_systems::{FormulaSystem, SystemAlgebra};
+    /// use lie_poisson_formulas::Parameters;
+    /// let text = "(Pi1^2 + Pi2^2/2 + Pi3^2/4)/2";
+    /// let body = FormulaSystem::new(SystemAlgebra::named("so(3)")?, text, &Parameters::new())?;
+    /// // Ω = (1, 1, 1)
+    /// assert_eq!(body.rate(&[1.0, 2.0, 4.0])?, [-2.0, 3.0, -1.0]);
+    /// # Ok::<(), lie_poisson_formula_systems::FormulaSystemError>(())
+    /// ```
+    pub fn rate(&self, state: &[f64]) -> Result<Vec<f64>, FormulaSystemError> {
+        self.require_length(state)?;
+        let xi = self.hamiltonian.differential_at(state);
+        let mut rate = vec![0.0; state.len()];
+        for &StructureEntry { i, j, k, value } in self.algebra.entries() {
+            let at = |v: &[f64], i: usize| v.get(i).copied().unwrap_or(f64::NAN);
+            for (i, j, value) in [(i, j, value), (j, i, -value)] {
+                if let Some(entry) = rate.get_mut(j) {
+                    *entry += value * at(&xi, i) * at(state, k);
+                }
+            }
+        }
+        Ok(rate)
+    }
+
+    /// Checks that a state has as many numbers as the algebra has dimensions.
+    pub(crate) fn require_length(&self, state: &[f64]) -> Result<(), FormulaSystemError> {
+        let (expected, found) = (self.algebra.dimension(), state.len());
+        if expected == found {
+            Ok(())
+        } else {
+            Err(FormulaSystemError::StateLength { expected, found })
+        }
+    }
+}

@@ -1,0 +1,92 @@
+//! Poincaré sections: starts on the level set, in all units, and what is refused.
+
+use crate::support::system;
+use collective_integrators::Direction;
+use lie_poisson_formula_systems::{
+    FormulaSystem, FormulaSystemError, SystemAlgebra, SystemSection,
+};
+use lie_poisson_formulas::Parameters;
+
+const BODY: &str = "(Pi1^2 + Pi2^2/2 + Pi3^2/3 + Gamma1^2 + Gamma2^2/2 + Gamma3^2/3)/2";
+
+fn body() -> FormulaSystem {
+    system(SystemAlgebra::named("se(3)").unwrap(), BODY)
+}
+
+fn section(body: &FormulaSystem, surface: &str, at: (f64, Direction)) -> SystemSection {
+    SystemSection::new(body, surface, &Parameters::new(), at).unwrap()
+}
+
+#[test]
+fn starts_are_on_the_level_and_cross_in_the_direction() {
+    let (body, state) = (body(), [1.0, 0.5, 0.3, 0.6, 0.0, 0.8]);
+    let levels = body.invariants(&state).unwrap();
+    for direction in [Direction::Up, Direction::Down] {
+        let section = section(&body, "Gamma3 + Pi1*Pi2/10", (0.1, direction));
+        let starts = section.starts(&state, &levels, 20, 0).unwrap();
+        for start in &starts {
+            assert!(section.value(start).abs() < 1e-15);
+            // Rounding of numbers of size 1.
+            for (value, level) in body.invariants(start).unwrap().iter().zip(&levels) {
+                assert!((value - level).abs() < 1e-14, "{value} {level}");
+            }
+            let rate = body.rate(start).unwrap();
+            let along = rate[5] + (rate[0] * start[1] + rate[1] * start[0]) / 10.0;
+            assert!(if direction == Direction::Up { along > 0.0 } else { along < 0.0 });
+        }
+        // The starts differ from each other, and a longer list begins with a shorter one.
+        assert!(starts.windows(2).all(|pair| (pair[0][0] - pair[1][0]).abs() > 1e-6));
+        assert_eq!(section.starts(&state, &levels, 3, 0).unwrap(), starts[..3]);
+        assert_ne!(section.starts(&state, &levels, 3, 1).unwrap(), starts[..3]);
+    }
+}
+
+#[test]
+fn units_do_not_matter() {
+    let state = [1.0, 0.5, 0.3, 0.6, 0.0, 0.8];
+    let at = (0.0, Direction::Up);
+    let plain = body();
+    let starts = |body: &FormulaSystem, state: &[f64]| {
+        let levels = body.invariants(state).unwrap();
+        section(body, "Gamma3", at).starts(state, &levels, 10, 0).unwrap()
+    };
+    let expected = starts(&plain, &state);
+    for scale in [2.0_f64.powi(100), 2.0_f64.powi(-100)] {
+        // Π in another unit: h keeps its values with Π/scale for Π.
+        let factor = 1.0 / scale;
+        let text = BODY.replace("Pi", &format!("{:e}*Pi", factor * factor));
+        let scaled = system(SystemAlgebra::named("se(3)").unwrap(), &text);
+        let mut large = state;
+        large[..3].iter_mut().for_each(|x| *x *= scale);
+        for (start, expected) in starts(&scaled, &large).iter().zip(&expected) {
+            for (i, (x, y)) in start.iter().zip(expected).enumerate() {
+                let x = if i < 3 { x / scale } else { *x };
+                assert!((x - y).abs() < 1e-9, "{i}: {x} {y}");
+            }
+        }
+    }
+}
+
+#[test]
+fn what_is_no_section_is_refused() {
+    type E = FormulaSystemError;
+    let (body, state) = (body(), [1.0, 0.5, 0.3, 0.6, 0.0, 0.8]);
+    let none = Parameters::new();
+    let new = |text, level| SystemSection::new(&body, text, &none, (level, Direction::Both));
+    assert!(matches!(new("Gama3", 0.0), Err(E::Surface(_))));
+    assert!(matches!(new("Gamma3", f64::NAN), Err(E::Level { .. })));
+    let wrong = new("Gamma3", 0.0).unwrap().with_axes(["Pi1", "Pi4"], &none);
+    assert!(matches!(wrong, Err(E::Axis { axis: 1, .. })));
+    let levels = body.invariants(&state).unwrap();
+    let starts = |level| new("Gamma3", level).unwrap().starts(&state, &levels, 2, 0);
+    // |Γ| = 1
+    assert!(matches!(starts(1.5), Err(E::TooSmall { count: 2, found: 0, guesses: 2000 })));
+    assert_eq!(starts(0.5).map(|starts| starts.len()), Ok(2));
+    let two = SystemAlgebra::of_entries(
+        lie_poisson_formulas::Coordinates::scalars(["x", "y"]).unwrap(),
+        Vec::new(),
+    );
+    let two = FormulaSystem::new(two.unwrap(), "x", &none).unwrap();
+    let error = SystemSection::new(&two, "x", &none, (0.0, Direction::Up)).unwrap_err();
+    assert_eq!(error, E::NoAxes { dimension: 2 });
+}

@@ -1,0 +1,66 @@
+//! The motion of which a section is made: its states as numbers, its crossings, and how it is drawn.
+
+use super::limits::Limits;
+use crate::Error;
+use crate::configuration::SectionConfig;
+use heavytop::methods::{Formulation, Scheme};
+use std::fmt::Debug;
+
+/// What is done with the returns of a start: the time (s) and the state of each.
+pub(in crate::commands::section) type Visit<'a> =
+    &'a mut dyn FnMut(f64, &[f64]) -> Result<(), Error>;
+
+/// The motion of which a section is made.
+pub(in crate::commands::section) trait Problem:
+    Debug + Send + Sync
+{
+    /// Returns the names of the coordinates of a state.
+    fn columns(&self) -> Vec<String>;
+
+    /// Returns the method by which the motion is followed.
+    fn method(&self) -> (Formulation, Scheme);
+
+    /// Returns a warning for users about what the method does not conserve.
+    fn warning(&self) -> Option<String>;
+
+    /// Checks that the step (s) resolves the motion.
+    fn require_step(&self, step: f64) -> Result<(), Error>;
+
+    /// Returns the table `[section]` with every key that was left out and plays a part.
+    fn complete(&self, section: SectionConfig) -> SectionConfig;
+
+    /// Finds the starts.
+    fn starts(&self, limits: &Limits) -> Result<Vec<Vec<f64>>, Error>;
+
+    /// Passes the returns of a start with this number to `visit`.
+    fn follow(
+        &self,
+        limits: &Limits,
+        number: usize,
+        start: &[f64],
+        visit: Visit<'_>,
+    ) -> Result<(), Error>;
+
+    /// Returns the place (x, y) at which a state is drawn.
+    fn plane(&self, state: &[f64]) -> [f64; 2];
+
+    /// Returns the names of the conserved quantities.
+    fn conserved(&self) -> Vec<String>;
+
+    /// Returns how much the conserved quantities at a state of an orbit deviate from those of the section.
+    fn deviations(&self, start: &[f64], state: &[f64]) -> Vec<f64>;
+
+    /// Returns the words of the picture.
+    fn drawing(&self, limits: &Limits) -> Drawing;
+}
+
+/// The words of the picture of a section.
+#[derive(Clone, Debug, PartialEq)]
+pub(in crate::commands::section) struct Drawing {
+    /// The parts of the caption.
+    pub caption: Vec<String>,
+    /// The title of the abscissa, and whether it is an angle from 0 to 2π.
+    pub abscissa: (String, bool),
+    /// The symbol of the ordinate, and its unit in parentheses.
+    pub ordinate: (String, &'static str),
+}

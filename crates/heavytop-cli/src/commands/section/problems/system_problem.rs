@@ -1,0 +1,235 @@
+//! The section of another Lie–Poisson system.
+
+use super::limits::Limits;
+use super::section_problem::{Drawing, Problem, Visit};
+use super::top_problem::{crossed, followed};
+use crate::Error;
+use crate::configuration::{Config, Integration, SectionConfig};
+use crate::errors::SystemError;
+use crate::pictures::caption::{self, number};
+use crate::runs::method_warning::system_warning;
+use crate::vocabulary::brief;
+use collective_integrators::{Events, Start};
+use heavytop::methods::{Formulation, Scheme};
+use lie_poisson::Vector;
+use lie_poisson_formula_systems::{FormulaSystem, SystemMethod, SystemSection, SystemTask};
+use lie_poisson_formulas::Formula;
+
+/// The section of a system, and how its points are computed.
+#[derive(Clone, Debug, PartialEq)]
+pub(in crate::commands::section) struct SystemProblem {
+    pub section: SystemSection,
+    method: SystemMethod,
+    /// The initial state of `[system]`, whose invariants are those of the section.
+    initial: Vec<f64>,
+    /// The values of h and of the Casimirs of random starts.
+    levels: Vec<f64>,
+    /// The states that are given instead of random starts.
+    given: Vec<Vec<f64>>,
+}
+
+impl SystemProblem {
+    /// Reads the section that the configuration asks for, and what `[integrator]` leaves out.
+    ///
+    /// # Errors
+    /// If there is no such section.
+    pub fn new(config: &Config, settings: &SectionConfig) -> Result<(Self, Integration), Error> {
+        let Some(table) = config.system()? else {
+            return Err(SystemError::Missing("hamiltonian").into());
+        };
+        let (system, parameters) = (table.formula_system()?, table.parameters()?);
+        let algebra = system.algebra().clone();
+        settings.require_system()?;
+        let Some(surface) = &settings.surface else { return Err(Error::NoSurface) };
+        let at = (settings.level, settings.direction);
+        let mut section = SystemSection::new(&system, surface, &parameters, at)
+            .map_err(Error::of_system_section)?;
+        if let Some([x, y]) = &settings.axes {
+            section = section.with_axes([x, y], &parameters).map_err(Error::of_system_section)?;
+        }
+        let given = settings.states.iter();
+        let given =
+            given.map(|values| algebra.state(values.iter().map(|(n, v)| (&**n, v.values()))));
+        let given = given.collect::<Result<Vec<_>, _>>().map_err(Error::of_system_section)?;
+        let initial = match given.first() {
+            // The other states do not need that of `[system]`.
+            Some(first) if table.initial.is_empty() => first.clone(),
+            _ => table.start(&system)?,
+        };
+        let mut levels = system.invariants(&initial)?;
+        if let (Some(level), Some(energy)) = (levels.first_mut(), settings.energy) {
+            *level = energy;
+        }
+        let reduced =
+            SystemMethod::formulations(&algebra).any(|other| other == Formulation::Reduced);
+        let formulation = match reduced {
+            true => Formulation::Reduced,
+            false => SystemMethod::default_formulation(&algebra),
+        };
+        let own = Integration { formulation, scheme: Scheme::Gauss(4), ..Integration::default() };
+        let Integration { formulation, scheme, tolerance, .. } = config.integrator.or(own);
+        let method = SystemMethod::new(&algebra, formulation, scheme, tolerance)?;
+        Ok((Self { section, method, initial, levels, given }, own))
+    }
+
+    fn system(&self) -> &FormulaSystem {
+        self.section.system()
+    }
+
+    /// Follows a state to the surface, and returns the point there.
+    fn first_crossing(
+        &self,
+        limits: &Limits,
+        number: usize,
+        state: &[f64],
+    ) -> Result<Vec<f64>, Error> {
+        let mut first = None;
+        let mut visit = |_: f64, state: &[f64]| {
+            first = Some(state.to_vec());
+            Ok(())
+        };
+        let limits = Limits { crossings: 1, ..*limits };
+        let task = Follow {
+            problem: self,
+            limits: &limits,
+            number,
+            start: state,
+            skip: 0,
+            visit: &mut visit,
+        };
+        self.method.integrate(self.system(), state, task)??;
+        first.ok_or(Error::NeverCrosses { state: number, longest: limits.longest })
+    }
+}
+
+impl Problem for SystemProblem {
+    fn columns(&self) -> Vec<String> {
+        self.system().algebra().coordinates().names().collect()
+    }
+
+    fn method(&self) -> (Formulation, Scheme) {
+        (self.method.formulation(), self.method.scheme())
+    }
+
+    fn warning(&self) -> Option<String> {
+        // A method whose steps fail to be made has no warning, and refuses the first start.
+        system_warning(&self.method, self.system(), &self.initial).ok().flatten()
+    }
+
+    fn require_step(&self, _: f64) -> Result<(), Error> {
+        Ok(())
+    }
+
+    fn complete(&self, section: SectionConfig) -> SectionConfig {
+        let axes = self.section.axes().each_ref().map(ToString::to_string);
+        SectionConfig { axes: Some(axes), ..section }
+    }
+
+    fn starts(&self, limits: &Limits) -> Result<Vec<Vec<f64>>, Error> {
+        if !self.given.is_empty() {
+            let given = (1..).zip(&self.given);
+            return given.map(|(n, state)| self.first_crossing(limits, n, state)).collect();
+        }
+        self.section
+            .starts(&self.initial, &self.levels, limits.starts, limits.seed)
+            .map_err(Error::of_system_section)
+    }
+
+    fn follow(
+        &self,
+        limits: &Limits,
+        number: usize,
+        start: &[f64],
+        visit: Visit<'_>,
+    ) -> Result<(), Error> {
+        // The start lies on the surface up to rounding, so that its side is random.
+        let task = Follow { problem: self, limits, number, start, skip: 1, visit };
+        self.method.integrate(self.system(), start, task)?
+    }
+
+    fn plane(&self, state: &[f64]) -> [f64; 2] {
+        self.section.plane(state)
+    }
+
+    fn conserved(&self) -> Vec<String> {
+        let casimirs = (1..=self.system().casimirs().len()).map(|i| format!("c{i}"));
+        ["h".to_owned()].into_iter().chain(casimirs).collect()
+    }
+
+    fn deviations(&self, start: &[f64], state: &[f64]) -> Vec<f64> {
+        let invariants = |state| self.system().invariants(state).unwrap_or_default();
+        let levels = match self.given.is_empty() {
+            true => self.levels.clone(),
+            false => invariants(start),
+        };
+        invariants(state).iter().zip(levels).map(|(value, level)| (value - level).abs()).collect()
+    }
+
+    fn drawing(&self, limits: &Limits) -> Drawing {
+        let [x, y] = self.section.axes().each_ref().map(title);
+        let (formulation, scheme) = self.method();
+        let hamiltonian = brief::text(&self.system().hamiltonian().to_string());
+        let names = self.conserved();
+        let levels = names.iter().zip(&self.levels);
+        let levels = levels.map(|(name, level)| format!("{name} = {}", number(*level)));
+        let levels = match self.given.is_empty() {
+            true => levels.collect::<Vec<_>>().join(", "),
+            false => "given states".into(),
+        };
+        let surface = brief::text(&self.section.surface().to_string());
+        let fixed = number(self.section.level());
+        let caption = vec![
+            format!("<tspan font-style='italic'>h</tspan> = {hamiltonian}"),
+            levels,
+            format!("{surface} = {fixed}{}", crossed(self.section.direction())),
+            caption::method(formulation, scheme, limits.step),
+            followed(limits),
+        ];
+        Drawing { caption, abscissa: (x, false), ordinate: (y, "") }
+    }
+}
+
+/// Returns the title of an axis. What follows a plain space and a parenthesis would be read as a unit.
+fn title(axis: &Formula) -> String {
+    brief::text(&axis.to_string()).replace(" (", "\u{a0}(")
+}
+
+/// The task of following a start.
+struct Follow<'a> {
+    problem: &'a SystemProblem,
+    limits: &'a Limits,
+    number: usize,
+    start: &'a [f64],
+    /// The number of first samples that are left out.
+    skip: usize,
+    visit: Visit<'a>,
+}
+
+impl SystemTask for Follow<'_> {
+    type Output = Result<(), Error>;
+
+    fn perform<I>(self, integrator: &I) -> Result<(), Error>
+    where
+        I: Start<State: Vector, Momentum: Vector<Scalar = f64>>,
+    {
+        let Self { problem, limits, number, start, skip, visit } = self;
+        let dimension = start.len();
+        let start = I::Momentum::from_coordinates(|i| start.get(i).copied().unwrap_or(0.0));
+        let samples = integrator.trajectory(&start, limits.step)?;
+        let samples = samples.take(limits.steps.saturating_add(1)).skip(skip);
+        let numbers =
+            |mu: &I::Momentum| -> Vec<f64> { (0..dimension).map(|i| mu.coordinate(i)).collect() };
+        let value = |mu: &I::Momentum| problem.section.value(&numbers(mu));
+        let returns = Events::new(integrator, samples, value, problem.section.direction());
+        for event in returns.take(limits.crossings) {
+            let sample = event.map_err(|source| Error::Crossing {
+                formulation: problem.method.formulation().name(),
+                scheme: problem.method.scheme().name(),
+                start: number,
+                source,
+            })?;
+            visit(sample.time, &numbers(&sample.momentum))?;
+        }
+        Ok(())
+    }
+}

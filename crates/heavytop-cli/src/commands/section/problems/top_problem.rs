@@ -1,0 +1,228 @@
+//! The section of a top.
+
+use super::limits::Limits;
+use super::section_problem::{Drawing, Problem, Visit};
+use crate::Error;
+use crate::configuration::{Config, Integration, SectionConfig};
+use crate::formats::run_table::STATE_COLUMNS;
+use crate::pictures::caption::{self, number};
+use crate::runs::method_warning::method_warning;
+use crate::runs::step_angle::MOST_TURN;
+use collective_integrators::{Direction, Start};
+use heavytop::methods::{Formulation, Method, Scheme, Task};
+use heavytop::{Coordinate, EnergyLevel, HeavyTop, Invariant, Section, Surface};
+use lie_poisson::{Se3Dual, Vector};
+
+/// The largest turn of any body on the energy level in one step, rad, if the configuration gives no step. The Gauss
+/// method of order 8 then conserves the energy to a relative error of some 1e-11.
+const TURN: f64 = 0.5;
+
+/// The section of an energy level of a top, and how its points are computed.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub(in crate::commands::section) struct TopProblem {
+    pub section: Section,
+    method: Method,
+}
+
+impl TopProblem {
+    /// Reads the section that the configuration asks for, and what `[integrator]` leaves out.
+    ///
+    /// # Errors
+    /// If there is no such section.
+    pub fn new(config: &Config, settings: &SectionConfig) -> Result<(Self, Integration), Error> {
+        let (top, initial) = (config.top()?, config.start()?);
+        let of_initial = |invariant: Invariant| invariant.value(&top, &initial);
+        let level = EnergyLevel {
+            top,
+            energy: settings.energy.unwrap_or(of_initial(Invariant::Energy)),
+            vertical_momentum: settings
+                .vertical_momentum
+                .unwrap_or(of_initial(Invariant::VerticalMomentum)),
+        };
+        settings.require_top()?;
+        let (coordinate, direction) = (settings.coordinate()?, settings.direction);
+        let section =
+            Section::new(level, Surface { coordinate, level: settings.level, direction })?;
+        let own = Integration {
+            formulation: Formulation::Reduced,
+            scheme: Scheme::Gauss(4),
+            step: TURN / fastest(&top, level.energy),
+            ..Integration::default()
+        };
+        let Integration { formulation, scheme, tolerance, .. } = config.integrator.or(own);
+        Ok((Self { section, method: Method::new(formulation, scheme, tolerance)? }, own))
+    }
+}
+
+impl Problem for TopProblem {
+    fn columns(&self) -> Vec<String> {
+        STATE_COLUMNS.split(',').skip(1).map(String::from).collect()
+    }
+
+    fn method(&self) -> (Formulation, Scheme) {
+        (self.method.formulation(), self.method.scheme())
+    }
+
+    fn warning(&self) -> Option<String> {
+        method_warning(&self.method)
+    }
+
+    fn require_step(&self, step: f64) -> Result<(), Error> {
+        let EnergyLevel { top, energy, .. } = self.section.level();
+        let angle = step * fastest(top, *energy);
+        if angle > MOST_TURN {
+            return Err(Error::AbsurdStep { step, angle, most: MOST_TURN });
+        }
+        Ok(())
+    }
+
+    fn complete(&self, section: SectionConfig) -> SectionConfig {
+        let level = self.section.level();
+        SectionConfig {
+            energy: Some(level.energy),
+            vertical_momentum: Some(level.vertical_momentum),
+            surface: Some(self.section.surface().coordinate.name().into()),
+            ..section
+        }
+    }
+
+    fn starts(&self, limits: &Limits) -> Result<Vec<Vec<f64>>, Error> {
+        let starts = self.section.starts(limits.starts, limits.seed)?;
+        Ok(starts.iter().map(numbers).collect())
+    }
+
+    fn follow(
+        &self,
+        limits: &Limits,
+        number: usize,
+        start: &[f64],
+        visit: Visit<'_>,
+    ) -> Result<(), Error> {
+        let task = Follow { problem: self, limits, number, start: state(start), visit };
+        self.method.integrate(&self.section.level().top, task)?
+    }
+
+    fn plane(&self, numbers: &[f64]) -> [f64; 2] {
+        self.section.plane(&state(numbers)).into()
+    }
+
+    fn conserved(&self) -> Vec<String> {
+        ["h", "f1", "f2"].map(String::from).to_vec()
+    }
+
+    fn deviations(&self, _: &[f64], numbers: &[f64]) -> Vec<f64> {
+        let level = self.section.level();
+        let expected = [
+            (Invariant::Energy, level.energy),
+            (Invariant::VerticalSquared, 1.0),
+            (Invariant::VerticalMomentum, level.vertical_momentum),
+        ];
+        let mu = state(numbers);
+        let deviation = |(f, value): (Invariant, f64)| (f.value(&level.top, &mu) - value).abs();
+        expected.map(deviation).to_vec()
+    }
+
+    fn drawing(&self, limits: &Limits) -> Drawing {
+        let Surface { coordinate, .. } = self.section.surface();
+        let index = index(*coordinate);
+        let ordinate = if coordinate.is_momentum() {
+            (format!("Γ{index}"), "")
+        } else {
+            (format!("Π{index}"), " (kg m²/s)")
+        };
+        let abscissa = (format!("angle of Γ about e{index} (rad)"), true);
+        Drawing { caption: words(&self.section, &self.method, limits), abscissa, ordinate }
+    }
+}
+
+/// The task of following a start.
+struct Follow<'a> {
+    problem: &'a TopProblem,
+    limits: &'a Limits,
+    number: usize,
+    start: Se3Dual,
+    visit: Visit<'a>,
+}
+
+impl Task for Follow<'_> {
+    type Output = Result<(), Error>;
+
+    fn perform<I: Start<State: Vector, Momentum = Se3Dual>>(
+        self,
+        integrator: &I,
+    ) -> Result<(), Error> {
+        let Self { problem: TopProblem { section, method }, limits, number, start, visit } = self;
+        let returns = section.crossings(integrator, &start, limits.step, limits.steps)?;
+        for event in returns.take(limits.crossings) {
+            let sample = event.map_err(|source| Error::Crossing {
+                formulation: method.formulation().name(),
+                scheme: method.scheme().name(),
+                start: number,
+                source,
+            })?;
+            visit(sample.time, &numbers(&sample.momentum))?;
+        }
+        Ok(())
+    }
+}
+
+/// Returns the state with these coordinates.
+fn state(numbers: &[f64]) -> Se3Dual {
+    Se3Dual::from_coordinates(|i| numbers.get(i).copied().unwrap_or(f64::NAN))
+}
+
+/// Returns the coordinates of a state.
+fn numbers(mu: &Se3Dual) -> Vec<f64> {
+    (0..Se3Dual::<f64>::DIM).map(|i| mu.coordinate(i)).collect()
+}
+
+fn index(coordinate: Coordinate) -> &'static str {
+    ["₁", "₂", "₃"][coordinate.axis()]
+}
+
+/// Returns the parts of the caption: level, surface, top, method and starts.
+fn words(section: &Section, method: &Method, limits: &Limits) -> Vec<String> {
+    let EnergyLevel { top, energy, vertical_momentum } = section.level();
+    let Surface { coordinate, level, direction } = section.surface();
+    let index = index(*coordinate);
+    let level = number(*level);
+    let fixed = if coordinate.is_momentum() {
+        format!("Π{index} = {level} kg m²/s")
+    } else {
+        format!("Γ{index} = {level}")
+    };
+    let [energy, vertical_momentum] = [*energy, *vertical_momentum].map(number);
+    vec![
+        format!(
+            "<tspan font-style='italic'>h</tspan> = {energy} J, Π·Γ = {vertical_momentum} kg m²/s"
+        ),
+        format!("{fixed}{}", crossed(*direction)),
+        caption::top(top),
+        caption::method(method.formulation(), method.scheme(), limits.step),
+        followed(limits),
+    ]
+}
+
+/// Returns the words for the direction of the crossings that count.
+pub(super) fn crossed(direction: Direction) -> &'static str {
+    match direction {
+        Direction::Up => ", increasing",
+        Direction::Down => ", decreasing",
+        Direction::Both => "",
+    }
+}
+
+/// Returns the words for how far the starts are followed.
+pub(super) fn followed(limits: &Limits) -> String {
+    let Limits { starts, crossings, longest, .. } = limits;
+    let longest = number(*longest);
+    format!("{starts} starts, {crossings} returns each, at most {longest} s")
+}
+
+/// Returns an upper bound of the angular velocity on the energy level and of the frequency of a pendulum: √(2(E + m g
+/// l)/I) + √(m g l/I), I the least moment, 1/s.
+fn fastest(top: &HeavyTop, energy: f64) -> f64 {
+    let (weight, moment) = (top.weight_moment(), top.inertia().min());
+    let kinetic = (energy + weight).max(0.0);
+    (2.0 * kinetic / moment).sqrt() + (weight / moment).sqrt()
+}

@@ -1,0 +1,47 @@
+//! Errors of the libraries as errors of the program.
+
+use super::error::Error;
+use super::system_error::SystemError;
+use heavytop::methods::MethodError;
+use lie_poisson_formula_systems::FormulaSystemError;
+use momentum_map::LiftError;
+
+impl From<MethodError> for Error {
+    fn from(error: MethodError) -> Self {
+        match error {
+            MethodError::Tolerance { value } => {
+                Self::OutOfRange { name: "tolerance", range: "finite and not negative", value }
+            }
+            error => Self::Method(error),
+        }
+    }
+}
+
+impl From<SystemError> for Error {
+    fn from(error: SystemError) -> Self {
+        Self::System(Box::new(error))
+    }
+}
+
+impl From<FormulaSystemError> for Error {
+    fn from(error: FormulaSystemError) -> Self {
+        match error {
+            FormulaSystemError::Method(error) => error.into(),
+            FormulaSystemError::Lift(error) => error.into(),
+            error => SystemError::from(error).into(),
+        }
+    }
+}
+
+impl Error {
+    /// Returns the error of a section of a system.
+    pub(crate) fn of_system_section(error: FormulaSystemError) -> Self {
+        Self::SystemSection(Box::new(error))
+    }
+}
+
+impl From<LiftError> for Error {
+    fn from(error: LiftError) -> Self {
+        Self::Start(error.into())
+    }
+}

@@ -1,0 +1,30 @@
+//! The exit codes of the program.
+
+use super::error::Error;
+
+impl Error {
+    /// Returns the exit code of the error.
+    ///
+    /// It is 2 if the request is wrong and nothing was written, 1 if the command failed underway, and 130 if it was
+    /// interrupted, as shells have it.
+    #[must_use]
+    pub fn exit_code(&self) -> u8 {
+        match self {
+            Self::Reference { .. }
+            | Self::Write { .. }
+            | Self::Integration { .. }
+            | Self::Timed { .. }
+            | Self::Crossing { .. }
+            | Self::AllFailed { .. }
+            | Self::Tangent(_)
+            | Self::Workers(_)
+            | Self::Tile { .. }
+            | Self::MissingTile { .. }
+            | Self::Figure(_)
+            | Self::Resumable { .. }
+            | Self::Kept { .. } => 1,
+            Self::Interrupted { .. } => 130,
+            _ => 2,
+        }
+    }
+}
