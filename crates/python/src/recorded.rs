@@ -7,7 +7,7 @@ use numpy::{PyArray1, PyArray2};
 use pyo3::{Py, PyErr, PyResult, Python, pyclass};
 
 /// The times and the states of points, as rows.
-pub(crate) type PointArrays = (Py<PyArray1<f64>>, Py<PyArray2<f64>>);
+type PointArrays = (Py<PyArray1<f64>>, Py<PyArray2<f64>>);
 
 /// The columns of a run.
 #[pyclass(frozen, get_all, module = "heavytop._native")]
@@ -56,7 +56,7 @@ impl Recorded {
 }
 
 /// Returns the times and the states of points.
-pub(crate) fn arrays(py: Python<'_>, points: Points, dimension: usize) -> PyResult<PointArrays> {
+fn arrays(py: Python<'_>, points: Points, dimension: usize) -> PyResult<PointArrays> {
     let count = points.times.len();
     let states = rows(py, points.states, [count, dimension])?;
     Ok((PyArray1::from_vec(py, points.times).unbind(), states.unbind()))

@@ -62,9 +62,6 @@ class Top:
         events: Sequence[Event],
     ) -> Recorded: ...
     def states_at(self, setting: Setting, times: Sequence[float]) -> Floats: ...
-    def crossings(
-        self, setting: Setting, end: float, surface: Event, most: int
-    ) -> tuple[Floats, Floats]: ...
 
 AlgebraSource = Union[
     str,
@@ -95,9 +92,6 @@ class System:
         self, setting: SystemSetting, end: float, every: int, events: Sequence[Event]
     ) -> Recorded: ...
     def states_at(self, setting: SystemSetting, times: Sequence[float]) -> Floats: ...
-    def crossings(
-        self, setting: SystemSetting, end: float, surface: Event, most: int
-    ) -> tuple[Floats, Floats]: ...
 
 def advance_system(
     system: System, states: Floats, step: float, end: float, method: SystemMethod

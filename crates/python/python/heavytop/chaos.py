@@ -76,8 +76,8 @@ def lyapunov(
         sali: whether to compute SALI, for which there must be one exponent.
         every: keep the indicators after each n-th step, too; without it those of the end alone.
         scheme: as for `Top.solve` and `System.solve`.
-        formulation: as for them; the default is "reduced" where there is one, and "direct" elsewhere. "collective" has
-            tangent vectors of another space, and no second exponent.
+        formulation: as for them, but not "collective", whose tangent vectors belong to another space; "reduced" makes the
+            same steps. The default is "reduced" where there is one, and "direct" elsewhere.
 
     Raises:
         ValueError: if an argument is out of its range.
@@ -102,8 +102,8 @@ def lyapunov(
     number = count("exponents", exponents, 1)
     if number > dimension:
         raise ValueError(f"exponents must be from 1 to {dimension}, got {number}")
-    if number > 1 and formulation == "collective":
-        raise ValueError("exponents must be 1 if the formulation is collective; reduced and direct have all")
+    if formulation == "collective":
+        raise ValueError("formulation must not be collective: its tangent vectors belong to another space; use reduced")
     times = (positive("step", step), positive("end", end), 0 if every is None else count("every", every, 1))
     rows, tangents = states.reshape(dimension, -1).T, tangent_vectors(number, flag("sali", sali))
     if isinstance(system, System):

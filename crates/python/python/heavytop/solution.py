@@ -15,6 +15,9 @@ from .arguments import array
 
 Floats = NDArray[np.float64]
 
+NEVER = 2**63 - 1
+"""The number of steps after which a run keeps a sample if only its events are asked for."""
+
 
 class Native(Protocol):
     """The native part of a top or a system."""
@@ -169,6 +172,18 @@ def solution(columns: _native.Recorded, symbols: Sequence[str], run: Run, *, has
         _ended_by=columns.ended_by,
         _run=run,
     )
+
+
+def crossings(columns: _native.Recorded) -> Crossings:
+    """Returns the points of the only event of a run.
+
+    Raises:
+        IntegrationError: if a step failed.
+    """
+    if columns.failure is not None:
+        raise columns.failure
+    (t, y) = columns.events[0]
+    return Crossings(t, y.T)
 
 
 def solution_at(times: Floats, states: Floats, invariants: Mapping[str, Floats], run: Run) -> Solution:

@@ -10,7 +10,7 @@ from numpy.typing import ArrayLike
 from .arguments import array, choice, positive, real
 from .arguments import count as whole
 from .events import Events, Function, native_events, surface_source
-from .solution import Crossings, Run, Solution, solution, solution_at
+from .solution import NEVER, Crossings, Run, Solution, crossings, solution, solution_at
 from .system_description import State, SystemDescription
 
 
@@ -86,10 +86,11 @@ class System(SystemDescription):
             end: the end: a multiple of the step, to within 1e-9 of itself.
             scheme: "implicit-midpoint", "gauss-4" ... "gauss-16", "explicit-midpoint", "rk4", or one of the compositions
                 "strang", "yoshida-4", "suzuki-4", "yoshida-6", "kahan-li-6" and "kahan-li-8".
-            formulation: "collective", by a Poisson map from a canonical space, conserves every Casimir to round-off with the
-                implicit schemes; "reduced" makes the same steps without a lift. so(3), su(2) and se(3) by name have both,
-                and "collective" is their default. Other algebras have "direct", and those of dimension 3 or 6 "collective",
-                too, by a Clebsch map.
+            formulation: so(3), su(2) and se(3) by name have "collective", by a Poisson map from a canonical space, which is
+                their default, and "reduced", the same steps without a lift. With the implicit schemes and the compositions
+                both conserve every Casimir to round-off. Every algebra has "direct", which keeps quadratic Casimirs with
+                the implicit schemes. Those of dimension 3 or 6 have "collective" by a Clebsch map, too, which keeps
+                Casimirs to the order of the scheme, or to round-off where the representation allows it.
             tolerance: of the stage equations of implicit schemes, relative to the state, at most 1e-3; 0 iterates to
                 round-off.
             every: keep each n-th sample; the last one is always kept.
@@ -105,6 +106,7 @@ class System(SystemDescription):
             MemoryError: if there is no room for the samples.
 
         Example:
+            >>> import numpy as np
             >>> body = System("so(3)", "(Pi1^2 + Pi2^2/2 + Pi3^2/4)/2")
             >>> run = body.solve([1, 2, 0.5], np.linspace(0, 10, 101))
             >>> run.y.shape, run["Pi3"].shape, run.deviation("c1") < 1e-13
@@ -163,10 +165,9 @@ class System(SystemDescription):
         """
         run = self._run(y0, step, (formulation, scheme, 0.0))
         way = int(choice("direction", direction, (1, -1, 0)))
-        bound = 2**63 - 1 if most is None else whole("most", most, 1)
+        bound = 0 if most is None else whole("most", most, 1)
         function = surface_source(surface, real("value", value), self._names, self._parameters)
-        t, y = self._system.crossings(run.setting, positive("end", end), (function, way, 0), bound)
-        return Crossings(t, y.T)
+        return crossings(self._system.follow(run.setting, positive("end", end), NEVER, [(function, way, bound)]))
 
     def _run(self, y0: State, step: Any, method: tuple[Any, Any, Any]) -> Run:
         return Run(self._system, (self._state(y0).tolist(), positive("step", step), self._method(*method)), self._names)

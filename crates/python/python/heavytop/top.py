@@ -13,7 +13,7 @@ from .arguments import choice, flag, positive, quaternion, real, vector
 from .arguments import count as whole
 from .events import Events, Function, native_events, surface_source
 from .methods import method
-from .solution import Crossings, Floats, Run, Solution, names_of_groups, solution
+from .solution import NEVER, Crossings, Floats, Run, Solution, crossings, names_of_groups, solution
 from .top_parameters import TopParameters
 
 COORDINATES = ("Pi1", "Pi2", "Pi3", "Gamma1", "Gamma2", "Gamma3")
@@ -171,10 +171,9 @@ class Top(TopParameters):
         """
         run = self._run(Pi, Gamma, step, formulation, scheme, 0.0)
         way = int(choice("direction", direction, (1, -1, 0)))
-        bound = 2**63 - 1 if most is None else whole("most", most, 1)
-        surface = (surface_source(coordinate, real("value", value), NAMES, {}), way, 0)
-        t, y = self._top.crossings(run.setting, positive("end", end), surface, bound)
-        return Crossings(t, y.T)
+        bound = 0 if most is None else whole("most", most, 1)
+        surface = (surface_source(coordinate, real("value", value), NAMES, {}), way, bound)
+        return crossings(self._top.follow(run.setting, positive("end", end), NEVER, (False, None), [surface]))
 
     def section_starts(
         self,

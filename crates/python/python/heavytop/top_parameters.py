@@ -12,7 +12,7 @@ from .arguments import array, positive, real, vector
 from .solution import Floats
 
 if TYPE_CHECKING:
-    from typing import Self
+    from typing_extensions import Self
 
 
 class TopParameters:

@@ -22,6 +22,18 @@ pub(crate) enum Tangents {
     All,
 }
 
+/// The reason why an integrator has no tangent vectors.
+pub(crate) const NO_TANGENTS: &str =
+    "a collective integrator has tangent vectors of another space, with its fibres";
+
+/// Returns whether the states of an integrator are momenta, so that its tangent vectors are those of momenta.
+pub(crate) const fn has_tangents_of_momenta<I>() -> bool
+where
+    I: Integrator<State: Vector, Momentum: Vector>,
+{
+    <I::State as Vector>::DIM == <I::Momentum as Vector>::DIM
+}
+
 /// The growth of tangent vectors along a run.
 #[derive(Clone, Default)]
 pub(crate) struct Growth {
@@ -47,7 +59,7 @@ pub(crate) struct GrowthTask<'a> {
 }
 
 impl GrowthTask<'_> {
-    /// Follows K tangent vectors. The first of them, as many as the space has dimensions, have exponents.
+    /// Follows K tangent vectors of momenta. The first of them, as many as the space has dimensions, have exponents.
     ///
     /// # Errors
     /// Returns the reason why a step fails.
@@ -62,11 +74,8 @@ impl GrowthTask<'_> {
         let Schedule { start, step, steps } = self.schedule;
         let state = Start::<f64>::start(integrator, &self.schedule.start())
             .map_err(|error| message(&error))?;
-        // A space may be completed by coordinates that stay zero.
-        let completed = <<I as Integrator>::State as Vector>::DIM
-            == <<I as Integrator>::Momentum as Vector>::DIM;
-        let dimension =
-            if completed { start.len() } else { <<I as Integrator>::State as Vector>::DIM };
+        // The space may be completed by coordinates that stay zero.
+        let dimension = start.len();
         let initial = core::array::from_fn(|number| tangent(number, dimension));
         let mut flow = VariationalFlow::<_, K>::new(integrator, state, initial, *step);
         let (mut sums, mut megno, mut growth) = ([0.0; K], Megno::default(), Growth::default());

@@ -6,5 +6,4 @@ pub(crate) mod event;
 pub(crate) mod record;
 pub(crate) mod recording;
 pub(crate) mod dense;
-pub(crate) mod crossings;
 pub(crate) mod growth;

@@ -1,11 +1,11 @@
 //! A Lie–Poisson system as a Python class.
 
 use super::algebra::{AlgebraSource, ParameterArgument, parameters};
-use super::tasks::{Crossings, Invariants, RecordSystem, StatesAt};
+use super::tasks::{Invariants, RecordSystem, StatesAt};
 use crate::arrays::rows;
 use crate::errors::refused;
 use crate::formulas::{FormulaSource, expressions};
-use crate::recorded::{PointArrays, Recorded, arrays};
+use crate::recorded::Recorded;
 use crate::runs::event::{Event, EventArgument};
 use crate::runs::recording::Recording;
 use crate::runs::schedule::Schedule;
@@ -155,23 +155,6 @@ impl System {
         let task = StatesAt { schedule: &schedule, times: &times };
         let states = py.detach(|| method.integrate(&self.system, &schedule.start, task));
         rows(py, states.map_err(refused)??, [times.len(), dimension])
-    }
-
-    /// Returns the times and the states at which a function of the state is zero.
-    fn crossings(
-        &self,
-        py: Python<'_>,
-        setting: Setting,
-        end: f64,
-        surface: EventArgument,
-        most: usize,
-    ) -> PyResult<PointArrays> {
-        let (start, step, method) = setting;
-        let (method, schedule) = (self.method(method)?, Schedule::new(start, step, end)?);
-        let surface = Event::new(&surface, &self.names)?;
-        let task = Crossings { schedule: &schedule, surface: &surface, most };
-        let found = py.detach(|| method.integrate(&self.system, &schedule.start, task));
-        arrays(py, found.map_err(refused)??, schedule.start.len())
     }
 }
 

@@ -1,11 +1,9 @@
 //! What is done along a run, as tasks for the integrators of systems.
 
 use crate::errors::{message, refused};
-use crate::runs::crossings::crossings;
 use crate::runs::dense::states_at;
-use crate::runs::event::Event;
-use crate::runs::growth::{Growth, GrowthTask, Tangents};
-use crate::runs::record::{Points, Record};
+use crate::runs::growth::{Growth, GrowthTask, NO_TANGENTS, Tangents, has_tangents_of_momenta};
+use crate::runs::record::Record;
 use crate::runs::recording::{Quantities, Recording};
 use crate::runs::schedule::{MOST_DIMENSIONS, Schedule, coordinates};
 use collective_integrators::{CHECKPOINT, Integrator, Start, TangentIntegrator};
@@ -64,24 +62,6 @@ impl SystemTask for StatesAt<'_> {
     }
 }
 
-/// The task of finding the crossings of a surface.
-pub(super) struct Crossings<'a> {
-    pub(super) schedule: &'a Schedule,
-    pub(super) surface: &'a Event,
-    pub(super) most: usize,
-}
-
-impl SystemTask for Crossings<'_> {
-    type Output = PyResult<Points>;
-
-    fn perform<I>(self, integrator: &I) -> Self::Output
-    where
-        I: Start<State: Vector, Momentum: Vector<Scalar = f64>> + TangentIntegrator,
-    {
-        crossings(integrator, self.schedule, self.surface, self.most)
-    }
-}
-
 /// The task of following tangent vectors.
 pub(super) struct Stretching<'a> {
     pub(super) task: GrowthTask<'a>,
@@ -96,13 +76,19 @@ impl SystemTask for Stretching<'_> {
         I: Start<State: Vector, Momentum: Vector<Scalar = f64>> + TangentIntegrator,
     {
         let (task, tangents) = (self.task, self.tangents);
-        match (tangents, <<I as Integrator>::Momentum as Vector>::DIM) {
-            (Tangents::One, _) => task.follow::<I, 1>(integrator, tangents),
-            (Tangents::Two, _) => task.follow::<I, 2>(integrator, tangents),
-            (Tangents::All, 3) => task.follow::<I, 3>(integrator, tangents),
-            (Tangents::All, 6) => task.follow::<I, 6>(integrator, tangents),
-            (Tangents::All, 10) => task.follow::<I, 10>(integrator, tangents),
-            (Tangents::All, _) => task.follow::<I, 15>(integrator, tangents),
+        // The compiler makes no code for branches that a constant excludes.
+        if const { !has_tangents_of_momenta::<I>() } {
+            return Err(NO_TANGENTS.into());
+        }
+        match tangents {
+            Tangents::One => task.follow::<I, 1>(integrator, tangents),
+            Tangents::Two => task.follow::<I, 2>(integrator, tangents),
+            Tangents::All => match const { <<I as Integrator>::Momentum as Vector>::DIM } {
+                3 => task.follow::<I, 3>(integrator, tangents),
+                6 => task.follow::<I, 6>(integrator, tangents),
+                10 => task.follow::<I, 10>(integrator, tangents),
+                _ => task.follow::<I, 15>(integrator, tangents),
+            },
         }
     }
 }

@@ -1,11 +1,9 @@
 //! What is done along a run, as tasks for the integrators of tops.
 
 use crate::errors::refused;
-use crate::runs::crossings::crossings;
 use crate::runs::dense::states_at;
-use crate::runs::event::Event;
-use crate::runs::growth::{Growth, GrowthTask, Tangents};
-use crate::runs::record::{Points, Record};
+use crate::runs::growth::{Growth, GrowthTask, NO_TANGENTS, Tangents, has_tangents_of_momenta};
+use crate::runs::record::Record;
 use crate::runs::recording::{Quantities, Recording};
 use crate::runs::schedule::Schedule;
 use collective_integrators::{Integrator, Start, TangentIntegrator};
@@ -85,21 +83,6 @@ impl Task for StatesAt<'_> {
     }
 }
 
-/// The task of finding the crossings of a surface.
-pub(super) struct Crossings<'a> {
-    pub(super) schedule: &'a Schedule,
-    pub(super) surface: &'a Event,
-    pub(super) most: usize,
-}
-
-impl Task for Crossings<'_> {
-    type Output = PyResult<Points>;
-
-    fn perform<I: Start<State: Vector, Momentum = Se3Dual>>(self, integrator: &I) -> Self::Output {
-        crossings(integrator, self.schedule, self.surface, self.most)
-    }
-}
-
 /// The task of following tangent vectors.
 pub(super) struct Stretching<'a> {
     pub(super) task: GrowthTask<'a>,
@@ -113,6 +96,10 @@ impl TangentTask for Stretching<'_> {
     where
         I: Start<State: Vector, Momentum = Se3Dual> + TangentIntegrator,
     {
+        // The compiler makes no code for branches that a constant excludes.
+        if const { !has_tangents_of_momenta::<I>() } {
+            return Err(NO_TANGENTS.into());
+        }
         match self.tangents {
             Tangents::One => self.task.follow::<I, 1>(integrator, self.tangents),
             Tangents::Two => self.task.follow::<I, 2>(integrator, self.tangents),

@@ -1,9 +1,9 @@
 //! The heavy top as a Python class.
 
-use super::tasks::{Crossings, Invariants, RecordTop, StatesAt};
+use super::tasks::{Invariants, RecordTop, StatesAt};
 use crate::arrays::{read_rows, rows, state};
 use crate::errors::refused;
-use crate::recorded::{PointArrays, Recorded, arrays};
+use crate::recorded::Recorded;
 use crate::runs::event::{Event, EventArgument};
 use crate::runs::recording::Recording;
 use crate::runs::schedule::Schedule;
@@ -164,23 +164,6 @@ impl Top {
         let task = StatesAt { schedule: &schedule, times: &times };
         let states = py.detach(|| method.integrate(&self.0, task)).map_err(refused)??;
         rows(py, states, [times.len(), 6])
-    }
-
-    /// Returns the times and the states at which a function of the state is zero.
-    fn crossings(
-        &self,
-        py: Python<'_>,
-        setting: Setting,
-        end: f64,
-        surface: EventArgument,
-        most: usize,
-    ) -> PyResult<PointArrays> {
-        let (start, step, method) = setting;
-        let (method, schedule) = (made(method)?, Schedule::new(start.into(), step, end)?);
-        let surface = Event::new(&surface, &names()?)?;
-        let task = Crossings { schedule: &schedule, surface: &surface, most };
-        let found = py.detach(|| method.integrate(&self.0, task)).map_err(refused)??;
-        arrays(py, found, 6)
     }
 }
 
