@@ -116,6 +116,45 @@ proptest! {
     }
 }
 
+/// A rotation of the body frame that permutes the axes changes neither what is conserved nor its value.
+#[test]
+fn the_symmetry_axis_may_be_any_of_the_three() -> Result<(), TestCaseError> {
+    let turned = |v: Vector3<f64>, by: usize| Vector3::from_fn(|i, _| v[(i + 3 - by) % 3]);
+    let (pi, gamma) = (Vector3::new(1.3, -0.7, 2.1), Vector3::new(0.48, 0.6, 0.64));
+    for (inertia, center, invariant) in [
+        (Vector3::new(1.5, 1.5, 0.8), Vector3::z(), Invariant::AxialMomentum),
+        (Vector3::new(1.4, 1.4, 0.7), equator(0.4), Invariant::Kovalevskaya),
+        (Vector3::new(2.8, 2.8, 0.7), equator(0.4), Invariant::GoryachevChaplygin),
+    ] {
+        let third = top(inertia, 1.2, center)?;
+        let value = invariant.value(&third, &Se3Dual::new(pi, gamma));
+        for by in 1..3 {
+            let other = top(turned(inertia, by), 1.2, turned(center, by))?;
+            assert_eq!(other.invariants().last(), Some(&invariant));
+            let mu = Se3Dual::new(turned(pi, by), turned(gamma, by));
+            assert_close(invariant.value(&other, &mu), value, 1e-15);
+            // Control: the state in the frame of the other top has another value.
+            let unturned = Se3Dual::new(pi, gamma);
+            assert!((invariant.value(&other, &unturned) - value).abs() > 0.1);
+        }
+    }
+    Ok(())
+}
+
+/// The rate of C = |Π|² is that of 2Π·(m g l Γ × c): zero for a free body alone.
+#[test]
+fn c_is_conserved_without_gravity() -> Result<(), TestCaseError> {
+    let (mu, inertia) = (tops::generic_start(), Vector3::new(1.0, 1.4, 2.1));
+    let free = fail(HeavyTop::free_rigid_body(inertia))?;
+    assert_eq!(free.invariants().last(), Some(&Invariant::MomentumSquared));
+    // The bound is for three products of four numbers of size 1, which cancel.
+    assert!(rate(Invariant::MomentumSquared, &free, &mu).abs() <= 1e-14);
+    let heavy = top(inertia, 1.0, Vector3::z())?;
+    assert!(!heavy.invariants().contains(&Invariant::MomentumSquared));
+    assert!(rate(Invariant::MomentumSquared, &heavy, &mu).abs() > 0.1);
+    Ok(())
+}
+
 /// Negative controls: each fourth invariant is conserved by its own top alone.
 #[test]
 fn other_tops_do_not_conserve_them() -> Result<(), TestCaseError> {

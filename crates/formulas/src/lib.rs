@@ -55,6 +55,7 @@
 //! |---|---|
 //! | a Hamiltonian from text, over every scalar | [`FormulaHamiltonian`] |
 //! | a function from text with its derivatives | [`Formula`] |
+//! | a formula that a program builds, without text | [`Expressions`] |
 //! | the names of coordinates and parameters | [`Coordinates`], [`Parameters`], together [`Vocabulary`] |
 //! | the usual names for an algebra | [`NamedAlgebra`] |
 //! | what is wrong with a text, and where | [`FormulaError`], [`Problem`], [`Shape`]; for names [`NameError`] |
@@ -89,6 +90,8 @@ pub use names::named_algebra::NamedAlgebra;
 pub use names::parameters::Parameters;
 pub use names::vocabulary::Vocabulary;
 pub use text::formula_error::{FormulaError, Problem, Shape};
+
+pub use text::expressions::{Expression, Expressions};
 
 pub use hamiltonians::formula::Formula;
 pub use hamiltonians::formula_hamiltonian::FormulaHamiltonian;

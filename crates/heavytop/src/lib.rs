@@ -31,7 +31,7 @@
 //! |---|---|
 //! | a top from its parameters, or one of the integrable tops | [`HeavyTop`], with [`Body`] |
 //! | the free rigid body on so(3)∗ | [`RigidBody`] |
-//! | the conserved quantities h, f₁, f₂, f₃, K and G | [`Invariant`] |
+//! | the conserved quantities h, f₁, f₂, f₃, K, G and C | [`Invariant`] |
 //! | one top, accurately | [`HeavyTop::gauss`], which makes a [`CollectiveGauss`] with up to 8 stages |
 //! | one top, by the midpoint rule | [`HeavyTop::midpoint`], which makes a [`TopMidpoint`] |
 //! | another Hamiltonian h(Π, Γ), with any scheme | [`SpinorRealisation`] in a [`Collective`](collective_integrators::Collective) |

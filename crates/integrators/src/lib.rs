@@ -52,7 +52,7 @@
 //! | a trajectory, or its end alone | [`Start::trajectory`], [`Start::after`] |
 //! | to resume a run | [`Integrator::trajectory_resumed`] |
 //! | states between the samples | [`DenseOutput`] |
-//! | Poincaré sections and other events | [`Events`] |
+//! | Poincaré sections and other events | [`Events`]; [`EventSearch`] for several along one run |
 //! | many trajectories, in SIMD lanes (several trajectories in one register) and on all threads | [`Laned`], run by an [`Ensemble`] |
 //! | one trajectory of a method with several stages, faster | [`StagesInLanes`] |
 //! | a kernel of your own for many trajectories | [`LaneKernel`], [`BatchIntegrator`] |
@@ -132,6 +132,7 @@ pub use dual::spherical_midpoint::{OnSpheres, SphericalMidpoint, SphericalSpace}
 pub use error::{IntegrationError, RunError, SchemeError, StepError};
 pub use runs::crossing::{Direction, EventError};
 pub use runs::dense_output::{DenseOutput, DenseOutputError};
+pub use runs::event_search::EventSearch;
 pub use runs::events::Events;
 
 pub use iteration::stage_solver::{StageSolver, Unconverged};

@@ -6,14 +6,13 @@ use numpy::{PyArray1, PyArray2, PyArrayMethods, PyReadonlyArray2, PyUntypedArray
 use pyo3::exceptions::PyValueError;
 use pyo3::{Bound, PyResult, Python};
 
-/// Returns an array of rows of equal length.
+/// Returns an array of rows.
 pub(crate) fn rows<'py>(
     py: Python<'py>,
     values: Vec<f64>,
-    width: usize,
+    shape: [usize; 2],
 ) -> PyResult<Bound<'py, PyArray2<f64>>> {
-    let count = values.len() / width.max(1);
-    PyArray1::from_vec(py, values).reshape([count, width])
+    PyArray1::from_vec(py, values).reshape(shape)
 }
 
 /// Returns the state (Π, Γ) of six numbers.

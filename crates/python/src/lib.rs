@@ -5,8 +5,11 @@
 
 mod errors;
 mod arrays;
+mod formulas;
 mod runs;
+mod recorded;
 mod tops;
+mod systems;
 
 use pyo3::pymodule;
 
@@ -27,7 +30,19 @@ mod _native {
     #[pymodule_export]
     use crate::errors::IntegrationError;
     #[pymodule_export]
-    use crate::tops::many::{advance_states, advance_tops};
+    use crate::recorded::{Indicators, Recorded};
+    #[pymodule_export]
+    use crate::systems::algebra::coordinate_groups;
+    #[pymodule_export]
+    use crate::systems::many::{advance_system, growth_of_system};
+    #[pymodule_export]
+    use crate::systems::system::System;
+    #[pymodule_export]
+    use crate::tops::chaos::growth_of_tops;
+    #[pymodule_export]
+    use crate::tops::many::{advance_states, advance_tops, invariants_of_tops};
+    #[pymodule_export]
+    use crate::tops::sections::section_starts;
     #[pymodule_export]
     use crate::tops::top::Top;
 }

@@ -30,3 +30,12 @@ def test_the_notebook_runs_and_shows_what_it_says():
     assert 3.5 < spans[0] / spans[1] < 4.5
     # "conserves everything to round-off"
     assert all(names["best"].deviation(f) < 1e-13 * abs(names["best"].invariants[f][0]) for f in ours)
+    # "The returns of Kovalevskaya's top lie on curves", "loses some of them to chaos"
+    regular, raised = (names["chaos"][name].megno[:, -1] for name in names["chaos"])
+    assert regular.max() < 4 and raised.max() > 10
+    assert all(abs(points.y[5]).max() < 1e-12 and points.t.size > 50 for every in names["sections"].values() for points in every)
+    # "formula and function", and the Casimir that was found
+    same = names["same"].solve(names["swim"].y[:, 0], step=0.1, end=50)
+    assert np.abs(same.y - names["swim"].y).max() < 1e-12 and names["swim"].deviation("c1") < 1e-13
+    assert names["rotor"].casimirs == {"c1": "H^2 - P^2"}
+    assert all(orbit.deviation("c1") < 1e-12 for orbit in names["orbits"])

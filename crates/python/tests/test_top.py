@@ -143,6 +143,7 @@ import dataclasses, heavytop, signal, sys, threading, numpy as np
 # A job in the background of a shell begins with the signal ignored.
 signal.signal(signal.SIGINT, signal.default_int_handler)
 top = heavytop.Top.kovalevskaya()
+system = heavytop.System("se(3)", "0.5*(Pi1^2/2 + Pi2^2/2 + Pi3^2) + Gamma1")
 start = dict(Pi=[2, 3, 4], Gamma=[0.6, 0, 0.8])
 y = np.tile([[2.0], [3.0], [4.0], [0.6], [0.0], [0.8]], 50)
 # the record of a run that would take hours
@@ -152,6 +153,12 @@ calls = {
     "section": lambda: top.section(**start, coordinate="Pi3", value=1e3, step=1e-4, end=1e6),
     "solve_many": lambda: heavytop.solve_many(top, y, step=1e-4, end=1e6),
     "sol": lambda: long.sol(1e6),
+    "events": lambda: top.solve(**start, step=1e-4, end=1e6, every=10**6, events="Pi3 - 1e3"),
+    "lyapunov": lambda: heavytop.lyapunov(top, y[:, :5], step=1e-4, end=1e6),
+    "system": lambda: system.solve(y[:, 0], step=1e-4, end=1e6, every=10**6),
+    "system section": lambda: system.section(y[:, 0], "Pi3", value=1e3, step=1e-4, end=1e6),
+    "many systems": lambda: heavytop.solve_many(system, y, step=1e-4, end=1e6),
+    "system lyapunov": lambda: heavytop.lyapunov(system, y[:, :5], step=1e-4, end=1e6),
 }
 threading.Timer(0.3, lambda: signal.raise_signal(signal.SIGINT)).start()
 try:
@@ -161,7 +168,11 @@ except KeyboardInterrupt:
 """
 
 
-@pytest.mark.parametrize("call", ["solve", "section", "solve_many", "sol"])
+CALLS = ["solve", "section", "solve_many", "sol", "events", "lyapunov"]
+CALLS += ["system", "system section", "many systems", "system lyapunov"]
+
+
+@pytest.mark.parametrize("call", CALLS)
 def test_control_c_ends_every_loop(call):
     # A minute is far above the second that it takes, and far below the hours of the run.
     done = subprocess.run([sys.executable, "-c", INTERRUPTED, call], capture_output=True, text=True, timeout=60)

@@ -2,7 +2,9 @@
 
 use super::casimir_search::casimirs;
 use crate::{FormulaSystemError, SystemAlgebra};
-use lie_poisson_formulas::{Formula, Parameters, StructureEntry};
+use lie_poisson_formulas::{
+    Expression, Expressions, Formula, FormulaError, Parameters, StructureEntry, Vocabulary,
+};
 
 /// A Lie algebra 𝔤, a Hamiltonian h on its dual as a formula, and Casimirs of 𝔤.
 ///
@@ -43,8 +45,44 @@ impl FormulaSystem {
         hamiltonian: &str,
         parameters: &Parameters,
     ) -> Result<Self, FormulaSystemError> {
-        let formula =
-            |names| Formula::new(hamiltonian, &names).map_err(FormulaSystemError::Hamiltonian);
+        Self::of(algebra, parameters, |names| Formula::new(hamiltonian, names))
+    }
+
+    /// Creates the system of a Hamiltonian that a program has built, in the coordinates of the algebra and in parameters,
+    /// without Casimirs.
+    ///
+    /// # Errors
+    /// Returns [`FormulaSystemError::Parameters`] if a parameter has the name of a coordinate, and
+    /// [`FormulaSystemError::Hamiltonian`] if the expression is no scalar in these names.
+    ///
+    /// # Example
+    /// ```
+    /// use lie_poisson_formula_systems::{FormulaSystem, SystemAlgebra};
+    /// use lie_poisson_formulas::{Expressions, Parameters};
+    /// let mut parts = Expressions::new();
+    /// let pi = parts.name("Pi");
+    /// let square = parts.dot(pi, pi);
+    /// let body = FormulaSystem::of_expressions(SystemAlgebra::named("so(3)")?, &parts, square, &Parameters::new())?;
+    /// assert_eq!(body.invariants(&[1.0, 2.0, 2.0])?, [9.0]);
+    /// # Ok::<(), lie_poisson_formula_systems::FormulaSystemError>(())
+    /// ```
+    pub fn of_expressions(
+        algebra: SystemAlgebra,
+        expressions: &Expressions,
+        hamiltonian: Expression,
+        parameters: &Parameters,
+    ) -> Result<Self, FormulaSystemError> {
+        Self::of(algebra, parameters, |names| {
+            Formula::of_expressions(expressions, hamiltonian, names)
+        })
+    }
+
+    fn of(
+        algebra: SystemAlgebra,
+        parameters: &Parameters,
+        hamiltonian: impl Fn(&Vocabulary) -> Result<Formula, FormulaError>,
+    ) -> Result<Self, FormulaSystemError> {
+        let formula = |names| hamiltonian(&names).map_err(FormulaSystemError::Hamiltonian);
         let hamiltonian = formula(algebra.vocabulary(parameters)?)?;
         let completed = if algebra.width() == algebra.dimension() {
             hamiltonian.clone()

@@ -44,7 +44,7 @@ pub(crate) fn elaborate(
     let mut last = 0..0;
     for (part, span) in syntax.parts() {
         let fail = |problem| FormulaError::new(span.clone(), problem);
-        let value = Elaboration { syntax, names, graph, values: &mut values }.value(part);
+        let value = Elaboration { syntax, names, graph, values: &values }.value(part);
         let value = value.map_err(fail)?;
         let components = match &value {
             Value::Scalar(id) => core::slice::from_ref(id),
@@ -73,22 +73,21 @@ struct Elaboration<'a> {
     syntax: &'a Syntax,
     names: &'a Vocabulary,
     graph: &'a mut Graph,
-    values: &'a mut Vec<Value>,
+    values: &'a [Value],
 }
 
 impl Elaboration<'_> {
-    /// Takes the value of a part, which no other part uses.
-    fn take(&mut self, place: usize) -> Value {
-        let taken = self.values.get_mut(place);
-        taken.map_or(Value::Scalar(0), |value| core::mem::replace(value, Value::Scalar(0)))
+    /// Returns the value of a part, which others may use, too.
+    fn at(&self, place: usize) -> Value {
+        self.values.get(place).cloned().unwrap_or(Value::Scalar(0))
     }
 
     fn value(&mut self, part: Part) -> Result<Value, Problem> {
         Ok(match part {
             Part::Number(value) => Value::Scalar(self.graph.number(value)),
             Part::Name(place) => return self.name(place),
-            Part::Negate(x) => self.take(x).map(|x| self.graph.negate(x)),
-            Part::Norm(x) => Value::Scalar(match self.take(x) {
+            Part::Negate(x) => self.at(x).map(|x| self.graph.negate(x)),
+            Part::Norm(x) => Value::Scalar(match self.at(x) {
                 Value::Scalar(x) => self.graph.function(Unary::Absolute, x),
                 Value::Vector(v) => {
                     let square = self.dot(&v, &v);
@@ -96,9 +95,9 @@ impl Elaboration<'_> {
                 }
             }),
             Part::Component(x, index) => {
-                let value = self.take(x);
+                let value = self.at(x);
                 let component = match &value {
-                    Value::Vector(v) => v.get(index - 1),
+                    Value::Vector(v) => index.checked_sub(1).and_then(|i| v.get(i)),
                     Value::Scalar(_) => None,
                 };
                 let missing = Problem::NoComponent { index, of: value.shape() };
@@ -106,7 +105,7 @@ impl Elaboration<'_> {
             }
             Part::Call(function, [x, y]) => return self.call(function, x, y).map(Value::Scalar),
             Part::Binary(operator, x, y) => {
-                let (x, y) = (self.take(x), self.take(y));
+                let (x, y) = (self.at(x), self.at(y));
                 return self.binary(operator, x, y);
             }
         })
@@ -137,10 +136,10 @@ impl Elaboration<'_> {
     fn call(&mut self, function: Function, x: usize, y: usize) -> Result<Id, Problem> {
         let place = || format!("`{}`", function.name());
         if function == Function::Atan2 {
-            let (y, x) = (self.take(x).scalar(place)?, self.take(y).scalar(place)?);
+            let (y, x) = (self.at(x).scalar(place)?, self.at(y).scalar(place)?);
             return Ok(self.graph.angle(y, x));
         }
-        let x = self.take(x).scalar(place)?;
+        let x = self.at(x).scalar(place)?;
         let unary = match function {
             Function::Sqrt => Unary::Sqrt,
             Function::Exp => Unary::Exp,

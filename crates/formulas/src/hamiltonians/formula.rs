@@ -4,11 +4,13 @@ use crate::graphs::elaboration::elaborate;
 use crate::graphs::graph::Graph;
 use crate::names::vocabulary::Vocabulary;
 use crate::tapes::tape::Tape;
+use crate::text::expressions::{Expression, Expressions};
 use crate::text::formula_error::FormulaError;
 use crate::text::parser::parse;
 use crate::text::printer::print;
 use crate::text::syntax::Syntax;
 use core::fmt;
+use core::ops::Range;
 use lie_poisson::Vector;
 use std::sync::Arc;
 
@@ -72,7 +74,29 @@ impl Formula {
     /// # Ok::<(), lie_poisson_formulas::NameError>(())
     /// ```
     pub fn new(text: &str, names: &Vocabulary) -> Result<Self, FormulaError> {
-        let syntax = parse(text)?;
+        Self::of_syntax(parse(text)?, names, 0..text.len())
+    }
+
+    /// Creates the formula of a part of expressions that a program has built.
+    ///
+    /// A part that several others use is computed once. The text of the formula names such parts: `s1 = …; s1*exp(s1)`.
+    ///
+    /// # Errors
+    /// Returns [`FormulaError`] as [`new`](Self::new) does, or if the part is not one of these expressions. Its span is
+    /// empty, since there is no text.
+    pub fn of_expressions(
+        expressions: &Expressions,
+        value: Expression,
+        names: &Vocabulary,
+    ) -> Result<Self, FormulaError> {
+        Self::of_syntax(expressions.syntax_of(value)?, names, 0..0)
+    }
+
+    fn of_syntax(
+        syntax: Syntax,
+        names: &Vocabulary,
+        whole: Range<usize>,
+    ) -> Result<Self, FormulaError> {
         let mut graph = Graph::default();
         let value = elaborate(&syntax, names, &mut graph)?;
         let inputs = names.coordinates().dimension();
@@ -80,7 +104,7 @@ impl Formula {
         let tangents = graph.tangents(&gradient, inputs);
         let tape = |roots: &[usize], inputs, first| {
             Tape::new(&graph, roots, inputs, first)
-                .map_err(|problem| FormulaError::new(0..text.len(), problem))
+                .map_err(|problem| FormulaError::new(whole.clone(), problem))
         };
         Ok(Self(Arc::new(Compiled {
             value: tape(&[value], inputs, 0)?,
@@ -173,7 +197,9 @@ impl PartialEq for Formula {
     }
 }
 
-/// Prints the formula with plain names and no superfluous parentheses, so that it parses to an equal one.
+/// Prints the formula with plain names and no superfluous parentheses, so that one that was text parses to an equal one.
+///
+/// A part of [`Expressions`] that several others use is printed once, before the formula: `s1 = …; s1*exp(s1)`.
 impl fmt::Display for Formula {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         f.write_str(&print(&self.0.syntax))

@@ -5,5 +5,6 @@ pub(crate) mod suggestion;
 pub(crate) mod token;
 pub(crate) mod lexer;
 pub(crate) mod syntax;
+pub(crate) mod expressions;
 pub(crate) mod parser;
 pub(crate) mod printer;

@@ -17,14 +17,21 @@ pub(crate) fn number(value: f64) -> String {
 }
 
 /// Returns the text of a syntax tree, with no more parentheses than it needs.
+///
+/// A part that several others use is defined before them, unless it is a number or a name: `s1 = …; s1*exp(s1)`.
 pub(crate) fn print(syntax: &Syntax) -> String {
+    let (uses, mut shared) = (syntax.uses(), Shared::new(syntax));
     // Each part is printed once and becomes a piece of the part that contains it.
     let mut printed: Vec<(String, u8)> = Vec::new();
-    for (part, _) in syntax.parts() {
+    for (place, (part, _)) in syntax.parts().enumerate() {
+        let is_shared = |place: usize| uses.get(place).is_some_and(|uses| *uses > 1);
         let mut text = |place: usize, least: u8| {
-            let (text, binding) = printed
-                .get_mut(place)
-                .map_or((String::new(), WHOLE), |entry| (core::mem::take(&mut entry.0), entry.1));
+            let (text, binding) = printed.get_mut(place).map_or((String::new(), WHOLE), |entry| {
+                match is_shared(place) {
+                    true => (entry.0.clone(), entry.1),
+                    false => (core::mem::take(&mut entry.0), entry.1),
+                }
+            });
             if binding < least { format!("({text})") } else { text }
         };
         let next = match part {
@@ -61,7 +68,38 @@ pub(crate) fn print(syntax: &Syntax) -> String {
                 (both, left)
             }
         };
-        printed.push(next);
+        let small = matches!(part, Part::Number(_) | Part::Name(_));
+        printed.push(if is_shared(place) && !small {
+            (shared.define(&next.0), WHOLE)
+        } else {
+            next
+        });
     }
-    printed.pop().map_or_else(String::new, |(text, _)| text)
+    shared.definitions + &printed.pop().map_or_else(String::new, |(text, _)| text)
+}
+
+/// The definitions of parts that several others use.
+struct Shared<'a> {
+    syntax: &'a Syntax,
+    count: usize,
+    definitions: String,
+}
+
+impl<'a> Shared<'a> {
+    fn new(syntax: &'a Syntax) -> Self {
+        Self { syntax, count: 0, definitions: String::new() }
+    }
+
+    /// Adds the definition of a part, and returns its name, which is none of the formula's names.
+    fn define(&mut self, text: &str) -> String {
+        let name = loop {
+            self.count += 1;
+            let name = format!("s{}", self.count);
+            if !self.syntax.names().any(|known| known == name) {
+                break name;
+            }
+        };
+        self.definitions.push_str(&format!("{name} = {text}; "));
+        name
+    }
 }

@@ -72,9 +72,35 @@ pub(crate) enum Part {
     Component(usize, usize),
 }
 
+impl Part {
+    /// Returns the places of its own parts.
+    pub(crate) fn parts(self) -> impl Iterator<Item = usize> {
+        let (first, second) = match self {
+            Self::Number(_) | Self::Name(_) => (None, None),
+            Self::Negate(x) | Self::Norm(x) | Self::Component(x, _) => (Some(x), None),
+            Self::Call(function, [x, _]) if function.arguments() == 1 => (Some(x), None),
+            Self::Binary(_, x, y) | Self::Call(_, [x, y]) => (Some(x), Some(y)),
+        };
+        first.into_iter().chain(second)
+    }
+
+    /// Returns the part with its own parts at other places.
+    fn with_parts(self, mut place: impl FnMut(usize) -> Option<usize>) -> Option<Self> {
+        Some(match self {
+            Self::Number(_) | Self::Name(_) => self,
+            Self::Negate(x) => Self::Negate(place(x)?),
+            Self::Norm(x) => Self::Norm(place(x)?),
+            Self::Component(x, index) => Self::Component(place(x)?, index),
+            Self::Call(function, [x, y]) => Self::Call(function, [place(x)?, place(y)?]),
+            Self::Binary(operator, x, y) => Self::Binary(operator, place(x)?, place(y)?),
+        })
+    }
+}
+
 /// The syntax tree of a formula: its parts, each after its own parts, so that the last one is the whole.
 ///
-/// Two trees are equal if they say the same, wherever it stands in the text.
+/// A part of a text belongs to one other part. One of [`Expressions`](super::expressions::Expressions) may belong to any
+/// number of them. Two trees are equal if they say the same, wherever it stands in the text.
 #[derive(Clone, Debug, Default)]
 pub(crate) struct Syntax {
     parts: Vec<Part>,
@@ -103,9 +129,48 @@ impl Syntax {
         self.add(Part::Name(self.names.len() - 1), span)
     }
 
+    /// Returns the tree whose whole is the part at a place, without the parts that it does not need, or `None` if it
+    /// refers to a part that does not stand before it.
+    pub(crate) fn up_to(&self, place: usize) -> Option<Self> {
+        let mut needed = vec![false; place.checked_add(1)?];
+        *needed.last_mut()? = true;
+        for i in (0..=place).rev() {
+            if *needed.get(i)? {
+                for part in self.parts.get(i)?.parts() {
+                    *needed.get_mut(part).filter(|_| part < i)? = true;
+                }
+            }
+        }
+        let (mut tree, mut places) = (Self::default(), vec![0; needed.len()]);
+        for (i, _) in needed.iter().enumerate().filter(|(_, needed)| **needed) {
+            let new = match self.parts.get(i)?.with_parts(|part| places.get(part).copied())? {
+                Part::Name(name) => tree.add_name(self.names.get(name)?.clone(), 0..0),
+                part => tree.add(part, 0..0),
+            };
+            *places.get_mut(i)? = new;
+        }
+        Some(tree)
+    }
+
+    /// Returns how many parts use each part.
+    pub(crate) fn uses(&self) -> Vec<usize> {
+        let mut uses = vec![0; self.parts.len()];
+        for part in self.parts.iter().flat_map(|part| part.parts()) {
+            if let Some(count) = uses.get_mut(part) {
+                *count += 1;
+            }
+        }
+        uses
+    }
+
     /// Returns the parts with their spans, each after its own parts.
     pub(crate) fn parts(&self) -> impl Iterator<Item = (Part, &Range<usize>)> {
         self.parts.iter().copied().zip(&self.spans)
+    }
+
+    /// Returns the names, those that stand twice in the formula twice.
+    pub(crate) fn names(&self) -> impl Iterator<Item = &str> {
+        self.names.iter().map(String::as_str)
     }
 
     /// Returns a name by its place.

@@ -5,6 +5,7 @@ mod algebras;
 mod casimirs;
 mod derivatives;
 mod errors;
+mod expressions;
 mod language;
 mod random_texts;
 mod scalars;

@@ -47,11 +47,11 @@ pub struct RunTable {
 }
 
 impl RunTable {
-    /// Creates the table of a top: t, Π, Γ, the invariants h, f₁, f₂, and K or G, and the attitude if it is asked for.
+    /// Creates the table of a top: t, Π, Γ, the invariants h, f₁, f₂, and C, K or G, and the attitude if it is asked for.
     #[must_use]
     pub fn new(experiment: &Experiment) -> Self {
         let mut invariants = experiment.top.invariants();
-        // f₃ is Π₃, which is a column already.
+        // f₃ is a component of Π, which is a column already.
         invariants.retain(|invariant| *invariant != Invariant::AxialMomentum);
         let mut table = Self::of(STATE_COLUMNS, &[("t", 1), ("Pi", 3), ("Gamma", 3)]);
         for invariant in &invariants {

@@ -148,7 +148,8 @@ fn each_top_has_its_own_columns() {
         ("inertia = [2.0, 2.0, 1.0]", ",K"),
         ("inertia = [2.0, 2.0, 1.0]\ncenter_of_mass = [0.6, 0.8, 0.0]", ",K"),
         ("inertia = [3.0, 2.0, 1.5]", ""),
-        ("inertia = [3.0, 3.0, 1.5]\ngravity = 0\ncenter_of_mass = [0, 0, 1]", ""),
+        ("inertia = [3.0, 3.0, 1.5]\ngravity = 0\ncenter_of_mass = [0, 0, 1]", ",C"),
+        ("inertia = [2.0, 1.0, 2.0]", ",K"),
     ] {
         let folder = Folder::new();
         folder.write("a.toml", &format!("[body]\n{body}\n[integrator]\nend = 0.1"));

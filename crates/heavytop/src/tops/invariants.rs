@@ -30,21 +30,29 @@ pub enum Invariant {
     VerticalSquared,
     /// The Casimir f₂ = Π·Γ, the vertical angular momentum, kg m²/s. Source: Ohsawa 2019, §4.2.
     VerticalMomentum,
-    /// The axial angular momentum f₃ = Π₃ of Lagrange's top, kg m²/s. Source: Ohsawa 2019, §4.3.
+    /// The axial angular momentum f₃ of Lagrange's top, kg m²/s: Π₃, or Π₁ or Π₂ if that axis is the symmetry axis.
+    ///
+    /// Source: Ohsawa 2019, §4.3.
     AxialMomentum,
     /// The invariant K = |(Π₁+iΠ₂)² − 4 m g l I₃ (c₁+ic₂)(Γ₁+iΓ₂)|² of Kovalevskaya's top, (kg m²/s)⁴.
     ///
-    /// Source: Ohsawa 2019, §5.2, for c = e₁. A rotation about e₃ gives the general case.
+    /// Source: Ohsawa 2019, §5.2, for c = e₁. A rotation about e₃ gives the general case. If another axis is the
+    /// symmetry axis, the indices are permuted cyclically.
     Kovalevskaya,
     /// The invariant G = Π₃(Π₁²+Π₂²) − 4 I₃ m g l Γ₃ (c₁Π₁+c₂Π₂) of Goryachev and Chaplygin's top, (kg
     /// m²/s)³.
     ///
-    /// It is conserved on Π·Γ = 0 only, where dG/dt = −m g l (c₁Π₂−c₂Π₁)(Π·Γ) vanishes.
+    /// It is conserved on Π·Γ = 0 only, where dG/dt = −m g l (c₁Π₂−c₂Π₁)(Π·Γ) vanishes. If another axis is the
+    /// symmetry axis, the indices are permuted cyclically.
     GoryachevChaplygin,
+    /// The square C = |Π|² of the angular momentum of the free rigid body, (kg m²/s)²: the Casimir of so(3)∗.
+    ///
+    /// Source: Marsden & Ratiu, *Introduction to Mechanics and Symmetry*, §15.1.
+    MomentumSquared,
 }
 
 impl Invariant {
-    /// Returns the symbol: `h`, `f1`, `f2`, `f3`, `K` or `G`.
+    /// Returns the symbol: `h`, `f1`, `f2`, `f3`, `K`, `G` or `C`.
     #[must_use]
     pub const fn symbol(self) -> &'static str {
         match self {
@@ -54,6 +62,7 @@ impl Invariant {
             Self::AxialMomentum => "f3",
             Self::Kovalevskaya => "K",
             Self::GoryachevChaplygin => "G",
+            Self::MomentumSquared => "C",
         }
     }
 
@@ -71,6 +80,7 @@ impl Invariant {
             Self::VerticalMomentum | Self::AxialMomentum => "kg m²/s",
             Self::Kovalevskaya => "(kg m²/s)⁴",
             Self::GoryachevChaplygin => "(kg m²/s)³",
+            Self::MomentumSquared => "(kg m²/s)²",
         }
     }
 
@@ -81,20 +91,25 @@ impl Invariant {
             Self::Energy => top.value(mu),
             Self::VerticalSquared => gamma.dot(gamma),
             Self::VerticalMomentum => pi.dot(gamma),
-            Self::AxialMomentum => pi.z,
+            Self::AxialMomentum => pi[top.axis(HeavyTop::is_lagrange_about)],
             Self::Kovalevskaya => {
-                let center = equatorial::<T>(top);
-                let vertical = Complex { re: gamma.x, im: gamma.y } * center;
-                let spin = Complex { re: pi.x, im: pi.y };
-                let strength = T::from_f64(4.0 * top.weight_moment() * top.inertia().z);
+                let axis = top.axis(HeavyTop::is_kovalevskaya_about);
+                let [x, y] = equator(axis);
+                let center = equatorial::<T>(top, axis);
+                let vertical = Complex { re: gamma[x], im: gamma[y] } * center;
+                let spin = Complex { re: pi[x], im: pi[y] };
+                let strength = T::from_f64(4.0 * top.weight_moment() * top.inertia()[axis]);
                 (spin * spin - vertical.scale(strength)).norm_sqr()
             }
             Self::GoryachevChaplygin => {
-                let center = equatorial::<T>(top);
-                let along = center.re * pi.x + center.im * pi.y;
-                let strength = 4.0 * top.weight_moment() * top.inertia().z;
-                pi.z * (pi.x * pi.x + pi.y * pi.y) - gamma.z * along * strength
+                let axis = top.axis(HeavyTop::is_goryachev_chaplygin_about);
+                let [x, y] = equator(axis);
+                let center = equatorial::<T>(top, axis);
+                let along = pi[x] * center.re + pi[y] * center.im;
+                let strength = 4.0 * top.weight_moment() * top.inertia()[axis];
+                pi[axis] * (pi[x] * pi[x] + pi[y] * pi[y]) - gamma[axis] * along * strength
             }
+            Self::MomentumSquared => pi.dot(pi),
         }
     }
 }
@@ -105,54 +120,99 @@ impl fmt::Display for Invariant {
     }
 }
 
-/// Returns the equatorial part c₁ + ic₂ of the centre of mass.
-fn equatorial<T: Real>(top: &HeavyTop) -> Complex<T> {
-    let center = top.center_of_mass();
-    Complex { re: T::from_f64(center.x), im: T::from_f64(center.y) }
+/// Returns the two axes that follow an axis cyclically.
+fn equator(axis: usize) -> [usize; 2] {
+    [(axis + 1) % 3, (axis + 2) % 3]
+}
+
+/// Returns the part of the centre of mass at right angles to an axis: c₁ + ic₂ for the third.
+fn equatorial<T: Real>(top: &HeavyTop, axis: usize) -> Complex<T> {
+    let (center, [x, y]) = (top.center_of_mass(), equator(axis));
+    Complex { re: T::from_f64(center[x]), im: T::from_f64(center[y]) }
 }
 
 impl HeavyTop {
     /// Returns whether I₁ = I₂ and the centre of mass is on the third axis (or there is no gravity).
     #[must_use]
     pub fn is_lagrange(&self) -> bool {
-        self.has_transverse_moment(self.inertia().x)
-            && (self.weight_moment() == 0.0 || is_small(self.center_of_mass().xy().norm()))
+        self.is_lagrange_about(2)
     }
 
     /// Returns whether I₁ = I₂ = 2I₃ and the centre of mass is in the equatorial plane.
     #[must_use]
     pub fn is_kovalevskaya(&self) -> bool {
-        self.has_transverse_moment(2.0 * self.inertia().z) && is_small(self.center_of_mass().z)
+        self.is_kovalevskaya_about(2)
     }
 
     /// Returns whether I₁ = I₂ = 4I₃ and the centre of mass is in the equatorial plane.
     #[must_use]
     pub fn is_goryachev_chaplygin(&self) -> bool {
-        self.has_transverse_moment(4.0 * self.inertia().z) && is_small(self.center_of_mass().z)
+        self.is_goryachev_chaplygin_about(2)
     }
 
-    /// Returns the invariants of this top: h, f₁ and f₂, and the fourth one if the top is integrable.
+    fn is_lagrange_about(&self, axis: usize) -> bool {
+        let ([x, y], center) = (equator(axis), self.center_of_mass());
+        self.has_transverse_moment(axis, self.inertia()[x])
+            && (self.weight_moment() == 0.0 || is_small(center[x].hypot(center[y])))
+    }
+
+    fn is_kovalevskaya_about(&self, axis: usize) -> bool {
+        self.has_transverse_moment(axis, 2.0 * self.inertia()[axis])
+            && is_small(self.center_of_mass()[axis])
+    }
+
+    fn is_goryachev_chaplygin_about(&self, axis: usize) -> bool {
+        self.has_transverse_moment(axis, 4.0 * self.inertia()[axis])
+            && is_small(self.center_of_mass()[axis])
+    }
+
+    /// Returns the axis about which the top is of a kind: the third if it can be, which is also the answer if none is.
+    fn axis(&self, is_of_kind: impl Fn(&Self, usize) -> bool) -> usize {
+        [2, 0, 1].into_iter().find(|axis| is_of_kind(self, *axis)).unwrap_or(2)
+    }
+
+    /// Returns the invariants of this top: h, f₁ and f₂; C of a free body; and the one of an integrable top.
     ///
-    /// G is listed for a Goryachev–Chaplygin top at every level of Π·Γ.
+    /// The symmetry axis may be any of the three. G is listed for a Goryachev–Chaplygin top at every level of Π·Γ.
+    ///
+    /// ```
+    /// use heavytop::{Body, HeavyTop, Invariant};
+    /// use nalgebra::Vector3;
+    /// // a Kovalevskaya top whose symmetry axis is the second
+    /// let body = Body {
+    ///     inertia: Vector3::new(2.0, 1.0, 2.0),
+    ///     mass: 1.0,
+    ///     gravity: 1.0,
+    ///     length: 1.0,
+    ///     center_of_mass: Vector3::new(0.0, 0.0, 1.0),
+    /// };
+    /// assert_eq!(HeavyTop::new(&body)?.invariants().last(), Some(&Invariant::Kovalevskaya));
+    /// let free = HeavyTop::free_rigid_body(Vector3::new(1.0, 1.5, 2.0))?;
+    /// assert_eq!(free.invariants().last(), Some(&Invariant::MomentumSquared));
+    /// # Ok::<(), heavytop::TopError>(())
+    /// ```
     #[must_use]
     pub fn invariants(&self) -> Vec<Invariant> {
         use Invariant::{
-            AxialMomentum, Energy, GoryachevChaplygin, Kovalevskaya, VerticalMomentum,
-            VerticalSquared,
+            AxialMomentum, Energy, GoryachevChaplygin, Kovalevskaya, MomentumSquared,
+            VerticalMomentum, VerticalSquared,
         };
+        let about_some_axis =
+            |is_of_kind: fn(&Self, usize) -> bool| is_of_kind(self, self.axis(is_of_kind));
         let special = [
-            (self.is_lagrange(), AxialMomentum),
-            (self.is_kovalevskaya(), Kovalevskaya),
-            (self.is_goryachev_chaplygin(), GoryachevChaplygin),
+            (self.weight_moment() == 0.0, MomentumSquared),
+            (about_some_axis(Self::is_lagrange_about), AxialMomentum),
+            (about_some_axis(Self::is_kovalevskaya_about), Kovalevskaya),
+            (about_some_axis(Self::is_goryachev_chaplygin_about), GoryachevChaplygin),
         ];
-        let fourth =
+        let others =
             special.into_iter().filter_map(|(holds, invariant)| holds.then_some(invariant));
-        [Energy, VerticalSquared, VerticalMomentum].into_iter().chain(fourth).collect()
+        [Energy, VerticalSquared, VerticalMomentum].into_iter().chain(others).collect()
     }
 
-    fn has_transverse_moment(&self, moment: f64) -> bool {
-        let inertia = self.inertia();
-        [inertia.x, inertia.y].iter().all(|i| is_small(i / moment - 1.0))
+    /// Returns whether both moments at right angles to an axis have a value.
+    fn has_transverse_moment(&self, axis: usize, moment: f64) -> bool {
+        equator(axis).iter().all(|&i| is_small(self.inertia()[i] / moment - 1.0))
     }
 }
 

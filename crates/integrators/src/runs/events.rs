@@ -1,6 +1,6 @@
 //! Events along a trajectory, such as Poincaré sections: [`Events`].
 
-use crate::runs::crossing::Crossings;
+use crate::runs::event_search::EventSearch;
 use crate::{Direction, EventError, IntegrationError, Integrator, SampleOf};
 
 /// An iterator adaptor that returns the points of a trajectory where g(μ) crosses zero.
@@ -25,6 +25,8 @@ use crate::{Direction, EventError, IntegrationError, Integrator, SampleOf};
 /// nothing is allocated, except for states on the heap. An event costs about ten steps, and so does an extremum at which
 /// |g| is least without a crossing.
 ///
+/// [`EventSearch`] does the same for samples that the caller makes, so that several events are found along one run.
+///
 /// Source of the idea: M. Hénon, *On the numerical computation of Poincaré maps*, Physica D 5 (1982). Hénon changes the
 /// independent variable for the last step; here, the size of the last step is solved for.
 ///
@@ -48,10 +50,8 @@ use crate::{Direction, EventError, IntegrationError, Integrator, SampleOf};
 /// ```
 #[derive(Debug)]
 pub struct Events<'a, I: Integrator, J, G> {
-    crossings: Crossings<'a, I, G>,
+    search: EventSearch<'a, I, G>,
     samples: J,
-    /// The last two samples with their values of g, the last one first.
-    last: [Option<(SampleOf<I>, f64)>; 2],
     /// The second of two crossings within one step.
     second: Option<SampleOf<I>>,
     failed: Option<EventError>,
@@ -65,25 +65,16 @@ where
 {
     /// Creates the events from samples of the trajectory, which must come from this integrator.
     pub fn new(integrator: &'a I, samples: J, g: G, direction: Direction) -> Self {
-        let crossings = Crossings::new(integrator, g, direction);
-        Self { crossings, samples, last: [None, None], second: None, failed: None }
+        let search = EventSearch::new(integrator, g, direction);
+        Self { search, samples, second: None, failed: None }
     }
 
     /// Proceeds by one sample, and returns the first event that it completes, if any.
     fn advance(
         &mut self,
-        right: Result<SampleOf<I>, IntegrationError>,
+        sample: Result<SampleOf<I>, IntegrationError>,
     ) -> Result<Option<SampleOf<I>>, EventError> {
-        let right = right?;
-        let value = self.crossings.value(&right)?;
-        self.last.swap(0, 1);
-        let left = self.last[0].replace((right, value));
-        let [Some(right), Some(middle)] = &self.last else { return Ok(None) };
-        if let Some(event) = self.crossings.between(middle, right)? {
-            return Ok(Some(event));
-        }
-        let Some(left) = left else { return Ok(None) };
-        let [first, second] = self.crossings.near(&left, middle, right)?;
+        let [first, second] = self.search.observe(&sample?)?;
         self.second = second;
         Ok(first)
     }

@@ -5,4 +5,5 @@ pub(crate) mod dense_output;
 pub(crate) mod root_bracketing;
 pub(crate) mod minimum;
 pub(crate) mod crossing;
+pub(crate) mod event_search;
 pub(crate) mod events;

@@ -1,6 +1,6 @@
 //! The largest deviations of the invariants, in columns of time.
 
-/// The largest number of invariants of a top: h, f₁, f₂, and f₃, K and G.
+/// The largest number of invariants of a top: h, f₁, f₂, and C, f₃, K and G, of which a top has at most one of the last two.
 pub const MOST_INVARIANTS: usize = 6;
 
 /// The largest number of columns.

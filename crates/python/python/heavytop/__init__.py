@@ -12,26 +12,40 @@ Casimirs |Gamma|^2 and Pi.Gamma to round-off and the energy without drift, in ru
     >>> bool(abs(run.invariants["f1"] - 1).max() < 1e-13)
     True
 
+Any other Lie-Poisson system is a `System`: an algebra by its name or its brackets, and a Hamiltonian as a formula or as a
+Python function, which is called once.
+
 The energy is h = (Pi1^2/I1 + Pi2^2/I2 + Pi3^2/I3)/2 + m g l c.Gamma. Signs and frames: dPi/dt = Pi x Omega + m g l Gamma x c and dGamma/dt = Gamma x Omega, where Omega = Pi / I. All numbers are
 in SI units, or in any other consistent ones.
 """
 
 from importlib.metadata import version
 
+from . import functions
 from ._native import IntegrationError
-from .ensembles import Ends, solve_many
+from .chaos import Chaos, lyapunov
+from .ends import Ends
+from .ensembles import solve_many
+from .events import Event
+from .methods import FORMULATIONS, SCHEMES
 from .solution import Crossings, Solution
-from .top import FORMULATIONS, SCHEMES, Top
+from .system import System
+from .top import Top
 
 __version__ = version("heavytop")
 
 __all__ = [
+    "Chaos",
     "Crossings",
     "Ends",
+    "Event",
     "FORMULATIONS",
     "IntegrationError",
     "SCHEMES",
     "Solution",
+    "System",
     "Top",
+    "functions",
+    "lyapunov",
     "solve_many",
 ]

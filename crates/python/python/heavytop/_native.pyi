@@ -1,14 +1,34 @@
 from collections.abc import Sequence
-from typing import Optional
+from typing import Optional, Union
 
 import numpy as np
 from numpy.typing import NDArray
 
+Floats = NDArray[np.float64]
 MethodNames = tuple[str, str, float]
 Setting = tuple[Sequence[float], float, MethodNames]
-Surface = tuple[Sequence[float], float, int]
+Source = Union[str, Sequence[tuple[str, float, int, int]]]
+Event = tuple[Source, int, int]
 
 class IntegrationError(RuntimeError): ...
+
+class Recorded:
+    times: Floats
+    states: Floats
+    values: Floats
+    attitudes: Floats
+    events: list[tuple[Floats, Floats]]
+    iterations: int
+    ended_by: Optional[int]
+    failure: Optional[IntegrationError]
+
+class Indicators:
+    times: list[float]
+    exponents: list[list[float]]
+    megno: list[list[float]]
+    sali: list[list[float]]
+    ends: list[list[float]]
+    failures: list[tuple[int, str]]
 
 class Top:
     inertia: list[float]
@@ -32,37 +52,71 @@ class Top:
     def kovalevskaya(axial: float, weight_moment: float) -> Top: ...
     @staticmethod
     def goryachev_chaplygin(axial: float, weight_moment: float) -> Top: ...
-    def invariant_values(self, states: NDArray[np.float64]) -> NDArray[np.float64]: ...
+    def invariant_values(self, states: Floats) -> Floats: ...
     def follow(
         self,
         setting: Setting,
         end: float,
         every: int,
-        attitude: bool,
-    ) -> tuple[
-        NDArray[np.float64],
-        NDArray[np.float64],
-        NDArray[np.float64],
-        NDArray[np.float64],
-        int,
-        Optional[IntegrationError],
-    ]: ...
-    def states_at(
-        self,
-        setting: Setting,
-        times: Sequence[float],
-    ) -> NDArray[np.float64]: ...
-    def crossings(
-        self,
-        setting: Setting,
-        end: float,
-        surface: Surface,
-        most: int,
-    ) -> tuple[NDArray[np.float64], NDArray[np.float64]]: ...
+        attitude: tuple[bool, Optional[Sequence[float]]],
+        events: Sequence[Event],
+    ) -> Recorded: ...
+    def states_at(self, setting: Setting, times: Sequence[float]) -> Floats: ...
 
+AlgebraSource = Union[
+    str,
+    tuple[list[str], list[tuple[str, str]]],
+    tuple[Union[str, list[str]], list[tuple[int, int, int, float]], int],
+]
+Parameter = tuple[str, list[float], bool]
+SystemMethod = tuple[Optional[str], str, float]
+SystemSetting = tuple[Sequence[float], float, SystemMethod]
+
+def coordinate_groups(
+    algebra: AlgebraSource, parameters: Sequence[Parameter]
+) -> list[tuple[str, int]]: ...
+
+class System:
+    hamiltonian: str
+    casimirs: list[str]
+    missing_casimirs: int
+    structure_constants: list[tuple[int, int, int, float]]
+    formulations: list[str]
+    def __reduce__(self) -> tuple[object, ...]: ...
+    def __new__(
+        cls, algebra: AlgebraSource, hamiltonian: Source, parameters: Sequence[Parameter]
+    ) -> System: ...
+    def invariant_values(self, states: Floats) -> Floats: ...
+    def rates(self, states: Floats) -> Floats: ...
+    def follow(
+        self, setting: SystemSetting, end: float, every: int, events: Sequence[Event]
+    ) -> Recorded: ...
+    def states_at(self, setting: SystemSetting, times: Sequence[float]) -> Floats: ...
+
+def advance_system(
+    system: System, states: Floats, step: float, end: float, method: SystemMethod
+) -> tuple[Floats, list[tuple[int, str]]]: ...
+def growth_of_system(
+    system: System,
+    states: Floats,
+    times: tuple[float, float, int],
+    method: SystemMethod,
+    tangents: str,
+) -> Indicators: ...
 def advance_states(
-    top: Top, states: NDArray[np.float64], step: float, end: float, scheme: str
-) -> tuple[NDArray[np.float64], list[tuple[int, str]]]: ...
+    top: Top, states: Floats, step: float, end: float, scheme: str
+) -> tuple[Floats, list[tuple[int, str]]]: ...
 def advance_tops(
-    tops: Sequence[Top], states: NDArray[np.float64], step: float, end: float, scheme: str
-) -> tuple[NDArray[np.float64], list[tuple[int, str]]]: ...
+    tops: Sequence[Top], states: Floats, step: float, end: float, scheme: str
+) -> tuple[Floats, list[tuple[int, str]]]: ...
+def invariants_of_tops(tops: Sequence[Top], states: Floats) -> tuple[list[str], Floats]: ...
+def section_starts(
+    top: Top, level: tuple[float, float], surface: tuple[str, float, int], count: int, seed: int
+) -> Floats: ...
+def growth_of_tops(
+    tops: Sequence[Top],
+    states: Floats,
+    times: tuple[float, float, int],
+    method: MethodNames,
+    tangents: str,
+) -> Indicators: ...

@@ -71,6 +71,27 @@ def vector(name: str, values: ArrayLike) -> list[float]:
     return [real(f"{name}[{i}]", x) for i, x in enumerate(numbers)]
 
 
+def quaternion(values: ArrayLike, vertical: Sequence[float]) -> list[float]:
+    """Returns a unit quaternion that rotates the direction of Gamma to (0, 0, 1)."""
+    numbers = array("attitude0", values)
+    if numbers.shape != (4,) or not np.isfinite(numbers).all():
+        raise ValueError(f"attitude0 must be four finite numbers (w, x, y, z), got {values!r}")
+    length = float(np.linalg.norm(numbers))
+    if abs(length - 1) > 1e-9:
+        raise ValueError(f"attitude0 must be a unit quaternion, to within 1e-9, got the length {length}")
+    numbers = numbers / length
+    gamma = np.array(vertical) / max(math.hypot(*vertical), np.finfo(float).tiny)
+    axis = numbers[1:]
+    across = np.cross(axis, gamma)
+    turned = gamma + 2 * numbers[0] * across + 2 * np.cross(axis, across)
+    if math.dist(turned, (0, 0, 1)) > 1e-9:
+        raise ValueError(
+            "attitude0 must rotate Gamma to the vertical (0, 0, 1), to within 1e-9, but rotates it to "
+            f"({', '.join(f'{x:.6g}' for x in turned)})"
+        )
+    return [float(x) for x in numbers]
+
+
 def states(name: str, values: ArrayLike) -> NDArray[np.float64]:
     """Returns states of shape (6, n)."""
     numbers = array(name, values)

@@ -2,9 +2,9 @@
 
 from __future__ import annotations
 
-from collections.abc import Mapping
+from collections.abc import Iterable, Mapping, Sequence
 from dataclasses import dataclass, field
-from typing import NamedTuple, Optional
+from typing import Any, NamedTuple, Optional, Protocol
 
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
@@ -15,28 +15,42 @@ from .arguments import array
 
 Floats = NDArray[np.float64]
 
+NEVER = 2**63 - 1
+"""The number of steps after which a run keeps a sample if only its events are asked for."""
+
+
+class Native(Protocol):
+    """The native part of a top or a system."""
+
+    def states_at(self, setting: Any, times: list[float]) -> Floats: ...
+
 
 class Run(NamedTuple):
-    """What a run is made from: enough to make it again."""
+    """What a run is made from: enough to make it again. The setting is the start, the step and the method."""
 
-    top: _native.Top
-    setting: tuple[list[float], float, tuple[str, str, float]]
+    native: Native
+    setting: Any
+    names: Mapping[str, slice]
 
 
 @dataclass(frozen=True, eq=False, repr=False)
 class Solution:
-    """A run of a top, with the names of SciPy's `solve_ivp`.
+    """A run, with the names of SciPy's `solve_ivp`.
 
     Attributes:
-        t: the times of the n samples, s, shape (n,).
-        y: the states (Pi1, Pi2, Pi3, Gamma1, Gamma2, Gamma3), shape (6, n).
-        invariants: the invariants of the top by symbol, each of shape (n,); `Top.invariants` lists them.
-        attitude: the unit quaternions (w, x, y, z) of the attitude, shape (4, n), or None if they were not asked for.
-            They rotate the body frame to the spatial frame. The run begins with the shortest rotation of Gamma to the
-            spatial vertical (0, 0, 1).
-        iterations: the number of iterations of the stage equations in all steps.
-        success: whether every step was made. If not, the samples until the failure are there.
-        message: the reason why a step failed, or a sentence that says that none did.
+        t: the times of the n samples, shape (n,).
+        y: the states, shape (d, n): for a top (Pi1, Pi2, Pi3, Gamma1, Gamma2, Gamma3). `run["Gamma"]` are the rows of a
+            vector, and `run["Gamma3"]` is one row.
+        invariants: the invariants by symbol, each of shape (n,): those that `Top.invariants` lists; for a system h and the
+            Casimirs, by their formulas.
+        attitude: the unit quaternions (w, x, y, z) of the attitude of a top, shape (4, n), or None if they were not asked
+            for. They rotate the body frame to the spatial frame.
+        t_events: for each event the times of its zeros, or None if there are no events.
+        y_events: for each event the states at its zeros, shape (k, d), or None.
+        iterations: the number of iterations of the stage equations in all steps; 0 if the times were given.
+        status: 0 if the run reached its end, 1 if an event ended it, -1 if a step failed.
+        success: whether no step failed. If one did, the samples before it are there.
+        message: the reason for the status, in words.
         error: the exception of the step that failed, or None.
     """
 
@@ -44,29 +58,49 @@ class Solution:
     y: Floats
     invariants: Mapping[str, Floats]
     attitude: Optional[Floats]
+    t_events: Optional[list[Floats]]
+    y_events: Optional[list[Floats]]
     iterations: int
     error: Optional[IntegrationError]
+    _ended_by: Optional[int] = field(repr=False)
     _run: Run = field(repr=False)
+
+    def __getitem__(self, name: str) -> Floats:
+        """Returns the rows of a coordinate or of a vector of coordinates, by name."""
+        names = self._run.names
+        if name not in names:
+            raise KeyError(f"the coordinates are {', '.join(names)}, got {name!r}")
+        places = names[name]
+        return self.y[places] if places.stop - places.start > 1 else self.y[places.start]
 
     @property
     def Pi(self) -> Floats:
         """The angular momentum in the body frame, shape (3, n)."""
-        return self.y[:3]
+        return self["Pi"]
 
     @property
     def Gamma(self) -> Floats:
         """The vertical in the body frame, shape (3, n)."""
-        return self.y[3:]
+        return self["Gamma"]
 
     @property
     def success(self) -> bool:
-        """Whether every step was made."""
+        """Whether no step failed."""
         return self.error is None
 
     @property
+    def status(self) -> int:
+        """0 if the run reached its end, 1 if an event ended it, -1 if a step failed."""
+        if self.error is not None:
+            return -1
+        return 0 if self._ended_by is None else 1
+
+    @property
     def message(self) -> str:
-        """The reason why a step failed, or a sentence that says that none did."""
-        return "every step was made" if self.error is None else str(self.error)
+        """The reason for the status, in words."""
+        if self.error is not None:
+            return str(self.error)
+        return "every step was made" if self._ended_by is None else f"event {self._ended_by} ended the run"
 
     def deviation(self, symbol: str, *, relative: bool = False) -> float:
         """Returns the largest |f(t) - f(0)| of an invariant, over all samples.
@@ -93,7 +127,7 @@ class Solution:
             t: a time, or an array of them in any order.
 
         Returns:
-            The states, of shape (6,) for one time and (6, k) for k times.
+            The states, of shape (d,) for one time and (d, k) for k times.
 
         Raises:
             ValueError: if a time is negative, beyond the end, or not a number.
@@ -107,10 +141,9 @@ class Solution:
             raise ValueError(f"t must be from 0 to {end}, got {outside[0]}")
         flat = np.minimum(flat, end)
         order = np.argsort(flat, kind="stable")
-        top, setting = self._run
-        states = np.empty((6, flat.size))
-        states[:, order] = top.states_at(setting, flat[order].tolist()).T
-        return states.reshape((6, *times.shape))
+        states = np.empty((self.y.shape[0], flat.size))
+        states[:, order] = self._run.native.states_at(self._run.setting, flat[order].tolist()).T
+        return states.reshape((self.y.shape[0], *times.shape))
 
     def __repr__(self) -> str:
         span = f"t = {self.t[0]:g} ... {self.t[-1]:g}, {self.t.size} samples"
@@ -118,13 +151,81 @@ class Solution:
         return f"<Solution: {span}; {self.message}; deviations: {deviations}>"
 
 
+def solution(columns: _native.Recorded, symbols: Sequence[str], run: Run, *, has_events: bool) -> Solution:
+    """Returns the solution of the columns of a run. It ends before the first sample with an infinite invariant."""
+    t, y, values, attitudes = columns.times, columns.states, columns.values, columns.attitudes
+    error = columns.failure
+    finite = np.isfinite(values).all(axis=1)
+    if not finite.all():
+        kept = max(int(finite.argmin()), 1)
+        error = IntegrationError(f"an invariant is not finite after t = {t[kept - 1]}")
+        t, y, values, attitudes = t[:kept], y[:kept], values[:kept], attitudes[:kept]
+    return Solution(
+        t=t,
+        y=y.T,
+        invariants={symbol: values[:, i] for i, symbol in enumerate(symbols)},
+        attitude=attitudes.T if len(attitudes) else None,
+        t_events=[times for times, _ in columns.events] if has_events else None,
+        y_events=[states for _, states in columns.events] if has_events else None,
+        iterations=columns.iterations,
+        error=error,
+        _ended_by=columns.ended_by,
+        _run=run,
+    )
+
+
+def crossings(columns: _native.Recorded) -> Crossings:
+    """Returns the points of the only event of a run.
+
+    Raises:
+        IntegrationError: if a step failed.
+    """
+    if columns.failure is not None:
+        raise columns.failure
+    (t, y) = columns.events[0]
+    return Crossings(t, y.T)
+
+
+def solution_at(times: Floats, states: Floats, invariants: Mapping[str, Floats], run: Run) -> Solution:
+    """Returns the solution of states, as rows, at times."""
+    return Solution(
+        t=times,
+        y=states.T,
+        invariants=invariants,
+        attitude=None,
+        t_events=None,
+        y_events=None,
+        iterations=0,
+        error=None,
+        _ended_by=None,
+        _run=run,
+    )
+
+
+def names_of_groups(groups: Iterable[tuple[str, int]]) -> dict[str, slice]:
+    """Returns the places of coordinates, of vectors of them and of their components, from the dimensions of the vectors.
+
+    The dimension 0 is that of a scalar.
+    """
+    names: dict[str, slice] = {}
+    start = 0
+    for name, dimension in groups:
+        width = max(dimension, 1)
+        names[name] = slice(start, start + width)
+        separator = "_" if name[-1].isdigit() else ""
+        for i in range(dimension):
+            names[f"{name}{separator}{i + 1}"] = slice(start + i, start + i + 1)
+        start += width
+    return names
+
+
 @dataclass(frozen=True, eq=False, repr=False)
 class Crossings:
     """The points where a run crosses a surface.
 
     Attributes:
-        t: the times of the n crossings, s, shape (n,).
-        y: the states there, shape (6, n).
+        t: the times of the n crossings, shape (n,).
+        y: the states there, shape (d, n).
     """
 
     t: Floats

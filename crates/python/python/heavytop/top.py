@@ -9,43 +9,21 @@ import numpy as np
 from numpy.typing import ArrayLike
 
 from . import _native
-from ._native import IntegrationError
-from .arguments import array, choice, count, flag, positive, real, vector
-from .solution import Crossings, Floats, Run, Solution
-
-FORMULATIONS = ("collective", "reduced", "direct", "splitting")
-"""Where a scheme is applied; `Top.solve` describes them."""
-
-SCHEMES = (
-    "implicit-midpoint",
-    "gauss-4",
-    "gauss-6",
-    "gauss-8",
-    "gauss-10",
-    "gauss-12",
-    "gauss-16",
-    "explicit-midpoint",
-    "rk4",
-    "symplectic-euler",
-    "stormer-verlet",
-    "lobatto-iiia-iiib-4",
-    "strang",
-    "yoshida-4",
-    "suzuki-4",
-    "yoshida-6",
-    "kahan-li-6",
-    "kahan-li-8",
-)
-"""The one-step methods; `Top.solve` describes them."""
+from .arguments import choice, flag, positive, quaternion, real, vector
+from .arguments import count as whole
+from .events import Events, Function, native_events, surface_source
+from .methods import method
+from .solution import NEVER, Crossings, Floats, Run, Solution, crossings, names_of_groups, solution
+from .top_parameters import TopParameters
 
 COORDINATES = ("Pi1", "Pi2", "Pi3", "Gamma1", "Gamma2", "Gamma3")
 
-MOST_TOLERANCE = 1e-3
+NAMES = names_of_groups([("Pi", 3), ("Gamma", 3)])
 
 LONG_STEP = 2.0
 
 
-class Top:
+class Top(TopParameters):
     """A heavy top: a rigid body that turns about a fixed point, under gravity.
 
     The energy is h = (Pi1^2/I1 + Pi2^2/I2 + Pi3^2/I3)/2 + m g l c.Gamma. Mass, gravity and length enter by their product
@@ -69,91 +47,6 @@ class Top:
         ('h', 'f1', 'f2')
     """
 
-    def __init__(
-        self,
-        inertia: ArrayLike,
-        mass: float,
-        gravity: float,
-        length: float,
-        center_of_mass: ArrayLike = (0.0, 0.0, 1.0),
-    ) -> None:
-        center = vector("center_of_mass", center_of_mass)
-        moments = [positive(f"inertia[{i}]", x) for i, x in enumerate(vector("inertia", inertia))]
-        numbers = (real("mass", mass), real("gravity", gravity), real("length", length))
-        self._top = _native.Top(moments, *numbers, center)
-
-    @classmethod
-    def _of(cls, native: _native.Top) -> Top:
-        top = cls.__new__(cls)
-        top._top = native
-        return top
-
-    @classmethod
-    def free_rigid_body(cls, inertia: ArrayLike) -> Top:
-        """Returns a rigid body without gravity: Euler's top. Its Gamma is any unit vector that is fixed in space."""
-        moments = [positive(f"inertia[{i}]", x) for i, x in enumerate(vector("inertia", inertia))]
-        return cls._of(_native.Top.free_rigid_body(moments))
-
-    @classmethod
-    def lagrange(cls, transverse: float, axial: float, weight_moment: float = 1.0) -> Top:
-        """Returns Lagrange's top: I1 = I2 = transverse, I3 = axial (kg m^2), with the centre of mass on the third axis.
-
-        The weight moment is m g l, N m. A fourth invariant is f3 = Pi3.
-        """
-        moments = (positive("transverse", transverse), positive("axial", axial))
-        return cls._of(_native.Top.lagrange(*moments, real("weight_moment", weight_moment)))
-
-    @classmethod
-    def kovalevskaya(cls, axial: float = 1.0, weight_moment: float = 1.0) -> Top:
-        """Returns Kovalevskaya's top: I1 = I2 = 2 I3, I3 = axial (kg m^2), with the centre of mass on the first axis.
-
-        The weight moment is m g l, N m. A fourth invariant is K = |(Pi1 + i Pi2)^2 - 4 m g l I3 (Gamma1 + i Gamma2)|^2.
-        """
-        return cls._of(_native.Top.kovalevskaya(positive("axial", axial), real("weight_moment", weight_moment)))
-
-    @classmethod
-    def goryachev_chaplygin(cls, axial: float = 1.0, weight_moment: float = 1.0) -> Top:
-        """Returns the top of Goryachev and Chaplygin: I1 = I2 = 4 I3, with the centre of mass on the first axis.
-
-        The weight moment is m g l, N m. G = Pi3 (Pi1^2 + Pi2^2) - 4 m g l I3 Gamma3 Pi1 is conserved if Pi.Gamma = 0, and
-        only then.
-        """
-        moments = (positive("axial", axial), real("weight_moment", weight_moment))
-        return cls._of(_native.Top.goryachev_chaplygin(*moments))
-
-    @property
-    def inertia(self) -> Floats:
-        """The principal moments of inertia, kg m^2."""
-        return np.array(self._top.inertia)
-
-    @property
-    def weight_moment(self) -> float:
-        """The weight moment m g l, N m."""
-        return self._top.weight_moment
-
-    @property
-    def center_of_mass(self) -> Floats:
-        """The direction of the centre of mass in the body frame."""
-        return np.array(self._top.center_of_mass)
-
-    @property
-    def invariants(self) -> tuple[str, ...]:
-        """The symbols of the invariants.
-
-        Every top has the energy h (J) and the Casimirs f1 = |Gamma|^2 and f2 = Pi.Gamma (kg m^2/s). A top with the moments
-        and the axis of one of these, with the symmetry axis third, has a fourth: Lagrange's f3 = Pi3, Kovalevskaya's K, and
-        G of Goryachev and Chaplygin, which is conserved only if Pi.Gamma = 0. The constructors give their formulas.
-        """
-        return tuple(self._top.invariants)
-
-    def invariant_values(self, y: ArrayLike) -> dict[str, Floats]:
-        """Returns the invariants of states of shape (6,) or (6, n), by symbol."""
-        states = array("y", y)
-        if states.ndim not in (1, 2) or states.shape[0] != 6:
-            raise ValueError(f"y must have the shape (6,) or (6, n), got {states.shape}")
-        values = self._top.invariant_values(states.reshape(6, -1).T)
-        return {name: values[:, i].reshape(states.shape[1:]) for i, name in enumerate(self.invariants)}
-
     def solve(
         self,
         Pi: ArrayLike,
@@ -166,6 +59,8 @@ class Top:
         tolerance: float = 0.0,
         every: int = 1,
         attitude: bool = False,
+        attitude0: Optional[ArrayLike] = None,
+        events: Events = None,
     ) -> Solution:
         """Follows the top from t = 0 to the end, in equal steps.
 
@@ -195,12 +90,19 @@ class Top:
             every: keep each n-th sample; the last one is always kept. A sample takes 56 bytes, 8 for each invariant, and 32
                 for the attitude.
             attitude: whether to follow the attitude of the body, too.
+            attitude0: the attitude at the start, a unit quaternion (w, x, y, z) that rotates Gamma to the spatial vertical
+                (0, 0, 1). Without it the run begins with the shortest such rotation.
+            events: functions of the state whose zeros are found: formulas such as "Gamma3 - 0.5", Python functions of the
+                coordinates such as `lambda x: x.Pi @ x.Gamma - 1`, or `Event`s, which have a direction and may end the run.
+                A function is called once, with symbols. Two zeros within one step are found unless they are very close.
 
         Returns:
-            The samples. If a step fails, or an invariant is no longer finite, those until then, with `success` false.
+            The samples. If a step fails, or an invariant is no longer finite, those until then, with `success` false. If an
+            event ends the run, the last sample is the state there.
 
         Raises:
             ValueError: if an argument is out of its range, or the formulation does not offer the scheme.
+            TypeError: if the function of an event branches on the state or returns no scalar.
             MemoryError: if there is no room for the samples.
 
         Warns:
@@ -219,41 +121,28 @@ class Top:
             True
         """
         run = self._run(Pi, Gamma, step, formulation, scheme, tolerance)
-        end, attitude, every = positive("end", end), flag("attitude", attitude), count("every", every, 1)
-        t, y, values, quaternions, iterations, error = self._top.follow(run.setting, end, every, attitude)
-        finite = np.isfinite(values).all(axis=1)
-        if not finite.all():
-            kept = max(int(finite.argmin()), 1)
-            error = IntegrationError(f"an invariant is not finite after t = {t[kept - 1]}")
-            t, y, values, quaternions = t[:kept], y[:kept], values[:kept], quaternions[:kept]
-        return Solution(
-            t=t,
-            y=y.T,
-            invariants={symbol: values[:, i] for i, symbol in enumerate(self.invariants)},
-            attitude=quaternions.T if attitude else None,
-            iterations=iterations,
-            error=error,
-            _run=run,
-        )
+        end, every = positive("end", end), whole("every", every, 1)
+        initial = None if attitude0 is None else quaternion(attitude0, run.setting[0][3:])
+        followed = (flag("attitude", attitude) or initial is not None, initial)
+        watched = native_events(events, NAMES, {})
+        columns = self._top.follow(run.setting, end, every, followed, watched)
+        return solution(columns, self.invariants, run, has_events=events is not None)
 
     def _run(self, Pi: ArrayLike, Gamma: ArrayLike, step: Any, formulation: Any, scheme: Any, tolerance: Any) -> Run:
         angular_momentum, step = vector("Pi", Pi), positive("step", step)
-        tolerance = real("tolerance", tolerance)
-        if not 0 <= tolerance <= MOST_TOLERANCE:
-            raise ValueError(f"tolerance must be from 0 to {MOST_TOLERANCE}, got {tolerance}")
+        names = method(formulation, scheme, tolerance)
         turn = step * float(np.linalg.norm(np.divide(angular_momentum, self._top.inertia)))
         if turn > LONG_STEP:
             text = f"the body turns by {turn:.3g} rad in the first step: a step of {step / turn:.3g} turns it by 1 rad"
             warnings.warn(text, RuntimeWarning, stacklevel=3)
-        method = (choice("formulation", formulation, FORMULATIONS), choice("scheme", scheme, SCHEMES), tolerance)
-        return Run(self._top, (angular_momentum + vector("Gamma", Gamma), step, method))
+        return Run(self._top, (angular_momentum + vector("Gamma", Gamma), step, names), NAMES)
 
     def section(
         self,
         Pi: ArrayLike,
         Gamma: ArrayLike,
         *,
-        coordinate: str,
+        coordinate: Function,
         value: float = 0.0,
         direction: int = 1,
         step: float,
@@ -262,15 +151,15 @@ class Top:
         scheme: str = "gauss-8",
         formulation: str = "collective",
     ) -> Crossings:
-        """Returns the points at which a coordinate passes a value: a Poincare section.
+        """Returns the points at which a function of the state passes a value: a Poincare section.
 
         They lie on the surface to round-off, and have the order of the method. The start is no crossing. Two crossings
         within one step are found unless they are very close together; more than two are not: choose a step that resolves
         the motion.
 
         Args:
-            coordinate: "Pi1", "Pi2", "Pi3", "Gamma1", "Gamma2" or "Gamma3".
-            value: the value of the coordinate on the surface.
+            coordinate: "Pi1", "Pi2", "Pi3", "Gamma1", "Gamma2" or "Gamma3"; or any formula or Python function of them.
+            value: its value on the surface.
             direction: 1 for crossings upwards, -1 for crossings downwards, 0 for both.
             most: the number of crossings after which the run ends; None for no bound.
 
@@ -281,23 +170,51 @@ class Top:
             IntegrationError: if a step fails.
         """
         run = self._run(Pi, Gamma, step, formulation, scheme, 0.0)
-        coordinate = choice("coordinate", coordinate, COORDINATES)
-        normal = [float(name == coordinate) for name in COORDINATES]
         way = int(choice("direction", direction, (1, -1, 0)))
-        bound = 2**63 - 1 if most is None else count("most", most, 1)
-        surface = (normal, real("value", value), way)
-        t, y = self._top.crossings(run.setting, positive("end", end), surface, bound)
-        return Crossings(t, y.T)
+        bound = 0 if most is None else whole("most", most, 1)
+        surface = (surface_source(coordinate, real("value", value), NAMES, {}), way, bound)
+        return crossings(self._top.follow(run.setting, positive("end", end), NEVER, (False, None), [surface]))
 
-    def _parameters(self) -> tuple[tuple[float, ...], float, tuple[float, ...]]:
-        return tuple(self._top.inertia), self._top.weight_moment, tuple(self._top.center_of_mass)
+    def section_starts(
+        self,
+        *,
+        h: float,
+        f2: float,
+        coordinate: str,
+        value: float = 0.0,
+        direction: int = 1,
+        count: int = 1,
+        seed: int = 0,
+    ) -> Floats:
+        """Returns states on a Poincare section with an energy and a vertical momentum, to begin runs of `section` at.
 
-    def __eq__(self, other: object) -> bool:
-        return self._parameters() == other._parameters() if isinstance(other, Top) else NotImplemented
+        They are spread evenly over the accessible part of the plane of the section, and have |Gamma| = 1. More states of
+        the same seed begin with the same ones.
 
-    def __hash__(self) -> int:
-        return hash(self._parameters())
+        Args:
+            h: the energy, J.
+            f2: the vertical momentum Pi.Gamma, kg m^2/s.
+            coordinate: "Pi1", "Pi2", "Pi3", "Gamma1", "Gamma2" or "Gamma3".
+            value: the value of the coordinate on the surface.
+            direction: 1 for states that cross it upwards, -1 for downwards, 0 for both.
+            count: the number of states.
+            seed: chooses the states.
 
-    def __repr__(self) -> str:
-        inertia, center = (", ".join(f"{x:g}" for x in v) for v in (self.inertia, self.center_of_mass))
-        return f"<Top: I = ({inertia}), m g l = {self.weight_moment:g}, c = ({center})>"
+        Returns:
+            The states, shape (6, count).
+
+        Raises:
+            ValueError: if no state of the section has the energy, with the least energy, or an argument is out of its range.
+
+        Example:
+            >>> top = Top.kovalevskaya()
+            >>> y = top.section_starts(h=2, f2=0.3, coordinate="Gamma3", count=5)
+            >>> bool(abs(top.invariant_values(y)["h"] - 2).max() < 1e-14)
+            True
+            >>> points = [top.section(s[:3], s[3:], coordinate="Gamma3", step=0.1, end=50) for s in y.T]
+        """
+        level = (real("h", h), real("f2", f2))
+        way = int(choice("direction", direction, (1, -1, 0)))
+        surface = (choice("coordinate", coordinate, COORDINATES), real("value", value), way)
+        number, seed = whole("count", count, 1), whole("seed", seed, 0)
+        return _native.section_starts(self._top, level, surface, number, seed).T

@@ -1,37 +1,32 @@
-//! The task of finding states between the samples of a run.
+//! The states between the samples of a run.
 
-use crate::arrays::numbers;
+use super::interruption::Interruption;
+use super::schedule::Schedule;
 use crate::errors::{failed, refused};
-use crate::runs::interruption::Interruption;
 use collective_integrators::{DenseOutput, DenseOutputError, Start};
-use heavytop::methods::Task;
-use lie_poisson::{Se3Dual, Vector};
+use lie_poisson::Vector;
 use pyo3::PyResult;
 
-/// The task of finding the states at times, which do not decrease.
-pub(crate) struct Dense<'a> {
-    pub(crate) start: Se3Dual,
-    pub(crate) step: f64,
-    pub(crate) times: &'a [f64],
-}
-
-impl Task for Dense<'_> {
-    /// The states at the times, six numbers each.
-    type Output = PyResult<Vec<f64>>;
-
-    fn perform<I: Start<State: Vector, Momentum = Se3Dual>>(self, integrator: &I) -> Self::Output {
-        let interruption = Interruption::default();
-        let samples = integrator.trajectory(&self.start, self.step).map_err(refused)?;
-        let mut run = DenseOutput::new(integrator, interruption.until(samples));
-        let mut state = |&time: &f64| -> PyResult<[f64; 6]> {
-            let sample = run.at(time).map_err(|error| match error {
-                DenseOutputError::Integration(error) => failed(error),
-                error => refused(error),
-            })?;
-            Ok(numbers(if time == 0.0 { &self.start } else { &sample.momentum }))
-        };
-        let states = self.times.iter().map(&mut state).collect::<PyResult<Vec<_>>>();
-        drop(run);
-        interruption.or(states.map(|states| states.into_iter().flatten().collect()))
-    }
+/// Returns the coordinates of the states at times, which do not decrease.
+pub(crate) fn states_at<I>(integrator: &I, schedule: &Schedule, times: &[f64]) -> PyResult<Vec<f64>>
+where
+    I: Start<State: Vector, Momentum: Vector<Scalar = f64>>,
+{
+    let interruption = Interruption::default();
+    let start = schedule.start();
+    let samples = integrator.trajectory(&start, schedule.step).map_err(refused)?;
+    let mut run = DenseOutput::new(integrator, interruption.until(samples));
+    let mut states = Vec::with_capacity(times.len() * schedule.start.len());
+    let mut append = |&time: &f64| -> PyResult<()> {
+        let sample = run.at(time).map_err(|error| match error {
+            DenseOutputError::Integration(error) => failed(error),
+            error => refused(error),
+        })?;
+        let momentum = if time == 0.0 { &start } else { &sample.momentum };
+        states.extend(schedule.coordinates(momentum));
+        Ok(())
+    };
+    let done = times.iter().try_for_each(&mut append);
+    drop(run);
+    interruption.or(done.map(|()| states))
 }

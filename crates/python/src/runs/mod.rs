@@ -1,7 +1,9 @@
-//! What is done along one run: recording, states between samples, crossings.
+//! What is done along one run: recording, states between samples, events, tangent vectors.
 
 pub(crate) mod schedule;
 pub(crate) mod interruption;
+pub(crate) mod event;
+pub(crate) mod record;
 pub(crate) mod recording;
 pub(crate) mod dense;
-pub(crate) mod crossings;
+pub(crate) mod growth;

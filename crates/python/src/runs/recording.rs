@@ -1,86 +1,52 @@
-//! The task of recording a run: times, states, conserved quantities, attitudes.
+//! The task of recording a run: times, states, conserved quantities, attitudes, events.
 
-use crate::arrays::numbers;
-use crate::errors::{failed, refused};
-use crate::runs::interruption::Interruption;
-use collective_integrators::{IntegrationError, Sample, Start};
-use heavytop::methods::Task;
-use heavytop::{HeavyTop, Invariant, Turning, WithAttitude};
-use lie_poisson::{Quaternion, Se3Dual, Vector};
-use pyo3::exceptions::{PyMemoryError, PyValueError};
-use pyo3::{PyErr, PyResult};
+use super::event::{Event, event_failed};
+use super::interruption::Interruption;
+use super::record::Record;
+use super::schedule::Schedule;
+use crate::errors::failed;
+use collective_integrators::{EventSearch, Integrator, SampleOf, Trajectory};
+use lie_poisson::{Quaternion, Vector};
+use pyo3::PyResult;
 
-/// What is recorded of a run.
-#[derive(Default)]
-pub(crate) struct Record {
-    /// The times of the samples.
-    pub(crate) times: Vec<f64>,
-    /// The states (Π, Γ) of the samples, six numbers each.
-    pub(crate) states: Vec<f64>,
-    /// The conserved quantities, as many numbers each as the top has.
-    pub(crate) invariants: Vec<f64>,
-    /// The attitude quaternions, four numbers each.
-    pub(crate) attitudes: Vec<f64>,
-    /// The number of iterations of all steps.
-    pub(crate) iterations: u64,
-    /// The error that ended the run, if any.
-    pub(crate) failure: Option<PyErr>,
-}
+/// Functions of the state that are recorded.
+pub(crate) trait Quantities {
+    /// Returns their number.
+    fn count(&self) -> usize;
 
-impl Record {
-    /// Creates an empty record with room for all samples.
-    fn new(samples: u64, invariants: usize, attitude: bool) -> PyResult<Self> {
-        let mut record = Self::default();
-        let Self { times, states, invariants: values, attitudes, .. } = &mut record;
-        let width = if attitude { 4 } else { 0 };
-        let columns = [(times, 1), (states, 6), (values, invariants), (attitudes, width)];
-        let bytes: usize = columns.iter().map(|(_, width)| 8 * width).sum();
-        for (column, width) in columns {
-            let count =
-                usize::try_from(samples).ok().and_then(|samples| samples.checked_mul(width));
-            let room = count.is_some_and(|count| column.try_reserve_exact(count).is_ok());
-            if !room {
-                return Err(PyMemoryError::new_err(format!(
-                    "{samples} samples of {bytes} bytes do not fit into memory; keep fewer with `every`"
-                )));
-            }
-        }
-        Ok(record)
-    }
+    /// Appends their values.
+    fn append<M: Vector<Scalar = f64>>(&self, mu: &M, values: &mut Vec<f64>);
 }
 
 /// The task of recording every n-th sample of a run, and the last one.
-pub(crate) struct Recording<'a> {
-    pub(crate) top: &'a HeavyTop,
-    pub(crate) invariants: &'a [Invariant],
-    pub(crate) start: Se3Dual,
-    pub(crate) step: f64,
-    pub(crate) steps: u64,
+pub(crate) struct Recording<'a, Q> {
+    pub(crate) schedule: &'a Schedule,
     pub(crate) every: u64,
+    pub(crate) quantities: Q,
+    pub(crate) events: &'a [Event],
+    /// Whether the attitude is recorded.
     pub(crate) attitude: bool,
 }
 
-impl Recording<'_> {
-    fn follow<I: Start<State: Vector, Momentum = Se3Dual>>(
+impl<Q: Quantities> Recording<'_, Q> {
+    /// Records a run of an integrator whose states may have an attitude.
+    pub(crate) fn follow<I>(
         &self,
         integrator: &I,
+        run: Trajectory<'_, I>,
         attitude: impl Fn(&I::State) -> Option<&Quaternion>,
-    ) -> PyResult<Record> {
-        let samples = (self.steps / self.every).saturating_add(2);
-        let record = Record::new(samples, self.invariants.len(), self.attitude)?;
-        let run = integrator.trajectory(&self.start, self.step).map_err(refused)?;
+    ) -> PyResult<Record>
+    where
+        I: Integrator<State: Vector, Momentum: Vector<Scalar = f64>>,
+    {
+        let samples = (self.schedule.steps / self.every).saturating_add(2);
+        let attitude_width = if self.attitude { 4 } else { 0 };
+        let widths = [self.schedule.start.len(), self.quantities.count(), attitude_width];
+        let mut record = Record::new(samples, widths, self.events.len())?;
+        let mut searches: Vec<_> =
+            self.events.iter().map(|event| event.search(integrator)).collect();
         let interruption = Interruption::default();
-        let record = self.record(interruption.until(run), record, attitude);
-        interruption.or(Ok(record))
-    }
-
-    fn record<S>(
-        &self,
-        run: impl Iterator<Item = Result<Sample<S, Se3Dual>, IntegrationError>>,
-        mut record: Record,
-        attitude: impl Fn(&S) -> Option<&Quaternion>,
-    ) -> Record {
-        for sample in run {
+        for sample in interruption.until(run) {
             let sample = match sample {
                 Ok(sample) => sample,
                 Err(error) => {
@@ -89,55 +55,72 @@ impl Recording<'_> {
                 }
             };
             record.iterations += sample.iterations as u64;
-            if sample.step.is_multiple_of(self.every) || sample.step >= self.steps {
-                self.keep(&sample, attitude(&sample.state), &mut record);
+            let end = self.observe::<I, _>(&mut searches, &sample, &mut record)?;
+            let (last, whole) = (self.schedule.steps, sample.step.is_multiple_of(self.every));
+            if end.is_none() && (whole || sample.step >= last) {
+                self.keep::<I>(&sample, &attitude, &mut record);
             }
-            if sample.step >= self.steps {
+            if let Some(end) = &end {
+                record.cut(end.time, widths);
+                if record.samples.times.last() != Some(&end.time) {
+                    self.keep::<I>(end, &attitude, &mut record);
+                }
+            }
+            if end.is_some() || sample.step >= last {
                 break;
             }
         }
-        record
+        interruption.or(Ok(record))
     }
 
-    fn keep<S>(
+    /// Adds the events that a sample completes, and returns the one that ends the run, if any.
+    fn observe<I, G>(
         &self,
-        sample: &Sample<S, Se3Dual>,
-        attitude: Option<&Quaternion>,
+        searches: &mut [EventSearch<'_, I, G>],
+        sample: &SampleOf<I>,
         record: &mut Record,
-    ) {
+    ) -> PyResult<Option<SampleOf<I>>>
+    where
+        I: Integrator<State: Vector, Momentum: Vector<Scalar = f64>>,
+        G: Fn(&I::Momentum) -> f64,
+    {
+        let mut end: Option<SampleOf<I>> = None;
+        for (index, search) in searches.iter_mut().enumerate() {
+            let found = search.observe(sample).map_err(|error| event_failed(index, error))?;
+            let (Some(points), Some(event)) =
+                (record.events.get_mut(index), self.events.get(index))
+            else {
+                continue;
+            };
+            for occurrence in found.into_iter().flatten() {
+                points.times.push(occurrence.time);
+                points.states.extend(self.schedule.coordinates(&occurrence.momentum));
+                let is_last = points.times.len() as u64 == event.last;
+                if is_last && end.as_ref().is_none_or(|end| occurrence.time < end.time) {
+                    record.ended_by = Some(index);
+                    end = Some(occurrence);
+                }
+            }
+        }
+        Ok(end)
+    }
+
+    fn keep<I>(
+        &self,
+        sample: &SampleOf<I>,
+        attitude: &impl Fn(&I::State) -> Option<&Quaternion>,
+        record: &mut Record,
+    ) where
+        I: Integrator<State: Vector, Momentum: Vector<Scalar = f64>>,
+    {
         // M of the lift of the start equals the start only up to rounding; the start itself is reported.
-        let momentum = if sample.step == 0 { &self.start } else { &sample.momentum };
-        record.times.push(sample.time);
-        record.states.extend(numbers(momentum));
-        let values = self.invariants.iter().map(|invariant| invariant.value(self.top, momentum));
-        record.invariants.extend(values);
-        if let Some(Quaternion { scalar, vector }) = attitude {
+        let start = self.schedule.start();
+        let momentum = if sample.time == 0.0 { &start } else { &sample.momentum };
+        record.samples.times.push(sample.time);
+        record.samples.states.extend(self.schedule.coordinates(momentum));
+        self.quantities.append(momentum, &mut record.values);
+        if let Some(Quaternion { scalar, vector }) = attitude(&sample.state) {
             record.attitudes.extend([*scalar, vector.x, vector.y, vector.z]);
-        }
-    }
-}
-
-impl Task for Recording<'_> {
-    type Output = PyResult<Record>;
-
-    fn perform<I: Start<State: Vector, Momentum = Se3Dual>>(
-        self,
-        integrator: &I,
-    ) -> PyResult<Record> {
-        if self.attitude {
-            return Err(PyValueError::new_err(
-                "direct has no attitude: its six equations do not determine it; collective, reduced and \
-                 splitting have one",
-            ));
-        }
-        self.follow(integrator, |_| None)
-    }
-
-    fn perform_turning<I: Turning + Start>(self, integrator: I) -> PyResult<Record> {
-        if self.attitude {
-            self.follow(&WithAttitude(integrator), |state| Some(&state.1))
-        } else {
-            self.follow(&integrator, |_| None)
         }
     }
 }

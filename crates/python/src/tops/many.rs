@@ -51,10 +51,7 @@ pub fn advance_tops<'py>(
     scheme: &str,
 ) -> PyResult<Ends<'py>> {
     let states = read_rows("the states", &states)?;
-    if tops.len() != states.len() {
-        let text = format!("there are {} tops and {} states", tops.len(), states.len());
-        return Err(PyValueError::new_err(text));
-    }
+    require_equal(tops.len(), states.len())?;
     let members = tops.iter().map(|top| top.0).zip(states.into_iter().map(state)).collect();
     advance_members(py, members, step, steps(step, end)?, scheme)
 }
@@ -125,5 +122,37 @@ fn ends<'py, 'a>(
     failures: Vec<MemberError>,
 ) -> PyResult<Ends<'py>> {
     let failures = failures.iter().map(|failure| (failure.index, message(&failure.source)));
-    Ok((rows(py, states.flat_map(numbers).collect(), 6)?, failures.collect()))
+    let states: Vec<f64> = states.flat_map(numbers).collect();
+    let count = states.len() / 6;
+    Ok((rows(py, states, [count, 6])?, failures.collect()))
+}
+
+/// Returns the symbols of the invariants that all the tops have, and their values for a state of each top, as rows.
+#[pyfunction]
+pub fn invariants_of_tops<'py>(
+    py: Python<'py>,
+    tops: Vec<PyRef<'py, Top>>,
+    states: PyReadonlyArray2<'py, f64>,
+) -> PyResult<(Vec<&'static str>, Bound<'py, PyArray2<f64>>)> {
+    let states: Vec<[f64; 6]> = read_rows("the states", &states)?;
+    require_equal(tops.len(), states.len())?;
+    let mut common = tops.first().map(|top| top.0.invariants()).unwrap_or_default();
+    for top in &tops {
+        let own = top.0.invariants();
+        common.retain(|invariant| own.contains(invariant));
+    }
+    let members = tops.iter().zip(&states);
+    let values = members.flat_map(|(top, numbers)| {
+        let mu = state(*numbers);
+        common.iter().map(move |invariant| invariant.value(&top.0, &mu))
+    });
+    let values = rows(py, values.collect(), [states.len(), common.len()])?;
+    Ok((common.iter().map(|invariant| invariant.symbol()).collect(), values))
+}
+
+fn require_equal(tops: usize, states: usize) -> PyResult<()> {
+    if tops == states {
+        return Ok(());
+    }
+    Err(PyValueError::new_err(format!("there are {tops} tops and {states} states")))
 }

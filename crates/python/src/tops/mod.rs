@@ -1,4 +1,7 @@
-//! One top, and many tops at once.
+//! One top, its sections and its chaos, and many tops at once.
 
+pub(crate) mod tasks;
 pub(crate) mod top;
 pub(crate) mod many;
+pub(crate) mod sections;
+pub(crate) mod chaos;

@@ -1,44 +1,35 @@
 //! The heavy top as a Python class.
 
-use crate::arrays::{rows, state};
+use super::tasks::{Invariants, RecordTop, StatesAt};
+use crate::arrays::{read_rows, rows, state};
 use crate::errors::refused;
-use crate::runs::crossings::Crossings;
-use crate::runs::dense::Dense;
-use crate::runs::recording::{Record, Recording};
-use crate::runs::schedule::steps;
-use collective_integrators::Direction;
+use crate::recorded::Recorded;
+use crate::runs::event::{Event, EventArgument};
+use crate::runs::recording::Recording;
+use crate::runs::schedule::Schedule;
 use heavytop::methods::{Method, MethodError};
 use heavytop::{Body, HeavyTop};
+use lie_poisson::{Quaternion, Se3};
+use lie_poisson_formulas::{Parameters, Vocabulary};
 use nalgebra::Vector3;
-use numpy::{PyArray1, PyArray2};
+use numpy::{PyArray2, PyReadonlyArray2};
 use pyo3::exceptions::PyValueError;
 use pyo3::types::{PyAnyMethods, PyType};
-use pyo3::{Bound, PyErr, PyResult, Python, pyclass, pymethods};
+use pyo3::{Bound, PyResult, Python, pyclass, pymethods};
 
 /// A heavy top: a rigid body that turns about a fixed point, under gravity.
 #[pyclass(frozen, module = "heavytop._native", from_py_object)]
 #[derive(Clone, Copy)]
 pub struct Top(pub(crate) HeavyTop);
 
-/// The columns of a run: times, states, conserved quantities, attitudes, the number of iterations, and the error that
-/// ended it.
-type Run<'py> = (
-    Bound<'py, PyArray1<f64>>,
-    Bound<'py, PyArray2<f64>>,
-    Bound<'py, PyArray2<f64>>,
-    Bound<'py, PyArray2<f64>>,
-    u64,
-    Option<PyErr>,
-);
-
-/// The times and the states of points.
-type Points<'py> = (Bound<'py, PyArray1<f64>>, Bound<'py, PyArray2<f64>>);
-
 /// A formulation, a scheme, and the tolerance of its stage equations.
-type MethodNames = (String, String, f64);
+pub(crate) type MethodNames = (String, String, f64);
 
 /// The start (Π, Γ), the step and the method of a run.
 type Setting = ([f64; 6], f64, MethodNames);
+
+/// The attitude at the start: none is recorded, or the shortest rotation, or this quaternion.
+type AttitudeArgument = (bool, Option<[f64; 4]>);
 
 /// The class of a top, and the arguments that make it.
 type Reduced<'py> = (Bound<'py, PyType>, ([f64; 3], f64, f64, f64, [f64; 3]));
@@ -120,40 +111,44 @@ impl Top {
     fn invariant_values<'py>(
         &self,
         py: Python<'py>,
-        states: numpy::PyReadonlyArray2<'py, f64>,
+        states: PyReadonlyArray2<'py, f64>,
     ) -> PyResult<Bound<'py, PyArray2<f64>>> {
-        let states = crate::arrays::read_rows::<6>("the states", &states)?;
-        let invariants = self.0.invariants();
+        let states = read_rows::<6>("the states", &states)?;
+        let (invariants, count) = (self.0.invariants(), states.len());
         let values = states.into_iter().map(state).flat_map(|mu| {
             invariants
                 .iter()
                 .map(move |invariant| invariant.value(&self.0, &mu))
                 .collect::<Vec<_>>()
         });
-        rows(py, values.collect(), invariants.len())
+        rows(py, values.collect(), [count, invariants.len()])
     }
 
-    /// Follows the top from (Π, Γ), and returns times, states, conserved quantities, attitudes, the number of iterations
-    /// and the error.
-    fn follow<'py>(
+    /// Follows the top from (Π, Γ), and returns the columns of the run.
+    fn follow(
         &self,
-        py: Python<'py>,
+        py: Python<'_>,
         setting: Setting,
         end: f64,
         every: u64,
-        attitude: bool,
-    ) -> PyResult<Run<'py>> {
+        attitude: AttitudeArgument,
+        events: Vec<EventArgument>,
+    ) -> PyResult<Recorded> {
         let (start, step, method) = setting;
-        let (method, steps) = (made(method)?, steps(step, end)?);
+        let (method, schedule) = (made(method)?, Schedule::new(start.into(), step, end)?);
         if every == 0 {
             return Err(PyValueError::new_err("every must be at least 1, got 0"));
         }
-        let (top, invariants, start) = (&self.0, &self.0.invariants()[..], state(start));
-        let recording = Recording { top, invariants, start, step, steps, every, attitude };
-        let record = py.detach(|| method.integrate(top, recording)).map_err(refused)??;
-        let Record { times, states, invariants: values, attitudes, iterations, failure } = record;
-        let (times, values) = (PyArray1::from_vec(py, times), rows(py, values, invariants.len())?);
-        Ok((times, rows(py, states, 6)?, values, rows(py, attitudes, 4)?, iterations, failure))
+        let (list, events) = (self.0.invariants(), Event::all(&events, &names()?)?);
+        let (attitude, initial) = attitude;
+        let quantities = Invariants { top: &self.0, list: &list };
+        let recording =
+            Recording { schedule: &schedule, every, quantities, events: &events, attitude };
+        let initial_attitude =
+            initial.map(|[scalar, x, y, z]| Quaternion { scalar, vector: Vector3::new(x, y, z) });
+        let task = RecordTop { recording, initial_attitude };
+        let record = py.detach(|| method.integrate(&self.0, task)).map_err(refused)??;
+        Recorded::new(py, record, [6, list.len()])
     }
 
     /// Returns the states at times that do not decrease, as rows.
@@ -165,39 +160,20 @@ impl Top {
     ) -> PyResult<Bound<'py, PyArray2<f64>>> {
         let (start, step, method) = setting;
         let method = made(method)?;
-        let dense = Dense { start: state(start), step, times: &times };
-        let states = py.detach(|| method.integrate(&self.0, dense)).map_err(refused)??;
-        rows(py, states, 6)
-    }
-
-    /// Returns the times and the states at which n·(Π, Γ) = c, for a surface (n, c, direction); direction is 1, −1 or 0.
-    fn crossings<'py>(
-        &self,
-        py: Python<'py>,
-        setting: Setting,
-        end: f64,
-        surface: ([f64; 6], f64, i8),
-        most: usize,
-    ) -> PyResult<Points<'py>> {
-        let ((start, step, method), (normal, level, direction)) = (setting, surface);
-        let (method, steps) = (made(method)?, steps(step, end)?);
-        let direction = match direction {
-            1 => Direction::Up,
-            -1 => Direction::Down,
-            0 => Direction::Both,
-            other => {
-                let text = format!("direction must be 1, -1 or 0, got {other}");
-                return Err(PyValueError::new_err(text));
-            }
-        };
-        let start = state(start);
-        let crossings = Crossings { start, step, steps, normal, level, direction, most };
-        let found = py.detach(|| method.integrate(&self.0, crossings)).map_err(refused)??;
-        Ok((PyArray1::from_vec(py, found.0), rows(py, found.1, 6)?))
+        let schedule = Schedule { start: start.into(), step, steps: u64::MAX };
+        let task = StatesAt { schedule: &schedule, times: &times };
+        let states = py.detach(|| method.integrate(&self.0, task)).map_err(refused)??;
+        rows(py, states, [times.len(), 6])
     }
 }
 
-fn made((formulation, scheme, tolerance): MethodNames) -> PyResult<Method> {
+/// Returns the names of the coordinates in events.
+fn names() -> PyResult<Vocabulary> {
+    Vocabulary::of(&Se3::default(), &Parameters::new()).map_err(refused)
+}
+
+/// Returns the method of these names.
+pub(crate) fn made((formulation, scheme, tolerance): MethodNames) -> PyResult<Method> {
     let method = || -> Result<_, MethodError> {
         Method::new(formulation.parse()?, scheme.parse()?, tolerance)
     };

@@ -109,6 +109,6 @@ fn label(quantity: Invariant) -> &'static str {
         Invariant::VerticalSquared => "<tspan font-style='italic'>f</tspan>₁",
         Invariant::VerticalMomentum => "<tspan font-style='italic'>f</tspan>₂ (kg m²/s)",
         Invariant::Kovalevskaya => "<tspan font-style='italic'>K</tspan> ((kg m²/s)⁴)",
-        Invariant::AxialMomentum | Invariant::GoryachevChaplygin => "",
+        Invariant::AxialMomentum | Invariant::GoryachevChaplygin | Invariant::MomentumSquared => "",
     }
 }

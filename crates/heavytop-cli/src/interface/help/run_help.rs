@@ -158,7 +158,7 @@ Show a top in motion, on a page for a browser.
 The page is one file, which needs neither others nor a network. It shows in space the body, as the
 homogeneous ellipsoid about the support that has its principal moments, its principal axes, the
 centre of mass with the trace of its direction on the sphere, the angular momentum and the vertical;
-and below h, f1, f2 and, where the top has them, f3, K and G against time. Play, pause, go anywhere
+and below h, f1, f2 and, where the top has them, f3, K, G and C against time. Play, pause, go anywhere
 in time, choose the speed, drag to turn the view; the page says which keys do it.
 
 The attitude is followed along with (Π, Γ); the direct equations have none. It starts with the shortest

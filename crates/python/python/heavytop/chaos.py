@@ -1,0 +1,146 @@
+"""Lyapunov exponents, MEGNO and SALI."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping, Sequence
+from dataclasses import dataclass
+from typing import Any, Optional, Union
+
+import numpy as np
+from numpy.typing import ArrayLike
+
+from . import _native
+from ._native import IntegrationError
+from .arguments import array, count, flag, positive
+from .ensembles import natives
+from .methods import method
+from .solution import Floats
+from .system import System
+from .top import Top
+
+
+@dataclass(frozen=True, eq=False, repr=False)
+class Chaos:
+    """Indicators of chaos of one run or of many.
+
+    The shapes are those for one run. For n runs there is an axis of n after that of the exponents; with `every` the last
+    axis is that of the m times.
+
+    Attributes:
+        t: the end, or the times of shape (m,) with `every`.
+        exponents: the Lyapunov exponents up to t per unit of time, the largest first in the limit of long runs, shape (k,).
+        megno: the mean exponential growth factor of nearby orbits: about 2 for regular motion, and half of the largest
+            exponent times t for chaotic motion.
+        sali: the smaller alignment index of two tangent vectors, or None: round-off for chaotic motion.
+        y: the states at the end, shape (d,) or (d, n).
+        failures: the reason by the index of each of many runs that failed; its numbers are NaN.
+    """
+
+    t: Floats
+    exponents: Floats
+    megno: Floats
+    sali: Optional[Floats]
+    y: Floats
+    failures: Mapping[int, str]
+
+    def __repr__(self) -> str:
+        runs = 1 if self.y.ndim == 1 else self.y.shape[1]
+        return f"<Chaos: {runs} run(s) up to t = {np.max(self.t):g}, {self.exponents.shape[0]} exponent(s)>"
+
+
+def lyapunov(
+    system: Union[Top, Sequence[Top], System],
+    y0: ArrayLike,
+    *,
+    step: float,
+    end: float,
+    exponents: int = 1,
+    sali: bool = False,
+    every: Optional[int] = None,
+    scheme: str = "gauss-8",
+    formulation: Optional[str] = None,
+) -> Chaos:
+    """Returns Lyapunov exponents and other indicators of chaos of one run, or of many on all threads.
+
+    The tangent vectors are advanced by the exact derivative of each step of the method, so that they are those of the
+    discrete map. The exponents converge slowly: for regular motion they vanish as (ln t)/t. MEGNO separates order from
+    chaos sooner. A step costs about three plain steps for each tangent vector.
+
+    Args:
+        system: a top or a system; or a sequence of n tops, one for each state.
+        y0: the initial state, shape (d,), for a top (Pi1, Pi2, Pi3, Gamma1, Gamma2, Gamma3); or n states, shape (d, n).
+        step: the time step.
+        end: the end: a multiple of the step, to within 1e-9 of itself.
+        exponents: the number of exponents, from 1 to d. All six of a top add up to 0, and come in pairs of opposite signs,
+            with two zeros for the Casimirs.
+        sali: whether to compute SALI, for which there must be one exponent.
+        every: keep the indicators after each n-th step, too; without it those of the end alone.
+        scheme: as for `Top.solve` and `System.solve`.
+        formulation: as for them, but not "collective", whose tangent vectors belong to another space; "reduced" makes the
+            same steps. The default is "reduced" where there is one, and "direct" elsewhere.
+
+    Raises:
+        ValueError: if an argument is out of its range.
+        IntegrationError: if a step of the only run fails.
+
+    Example:
+        A top near the unstable upright spin, and one that is integrable:
+
+        >>> import numpy as np
+        >>> top = Top(inertia=[1.0, 1.7, 2.2], mass=1.0, gravity=9.81, length=0.5, center_of_mass=[0.6, 0.0, 0.8])
+        >>> chaotic = lyapunov(top, [1, 2, 1, 0, 0.6, 0.8], step=0.05, end=200)
+        >>> regular = lyapunov(Top.kovalevskaya(), [2, 3, 4, 0.6, 0, 0.8], step=0.05, end=200)
+        >>> bool(chaotic.exponents[0] > 0.1), bool(regular.exponents[0] < 0.05)
+        (True, True)
+        >>> bool(chaotic.megno > 5), bool(regular.megno < 3)
+        (True, True)
+    """
+    dimension = system.dimension if isinstance(system, System) else 6
+    states = array("y0", y0)
+    if states.ndim not in (1, 2) or states.shape[0] != dimension:
+        raise ValueError(f"y0 must have the shape ({dimension},) or ({dimension}, n), got {states.shape}")
+    number = count("exponents", exponents, 1)
+    if number > dimension:
+        raise ValueError(f"exponents must be from 1 to {dimension}, got {number}")
+    if formulation == "collective":
+        raise ValueError("formulation must not be collective: its tangent vectors belong to another space; use reduced")
+    times = (positive("step", step), positive("end", end), 0 if every is None else count("every", every, 1))
+    rows, tangents = states.reshape(dimension, -1).T, tangent_vectors(number, flag("sali", sali))
+    if isinstance(system, System):
+        reduced = "reduced" if "reduced" in system.formulations else "direct"
+        names = system._method(formulation or reduced, scheme, 0.0)
+        found = _native.growth_of_system(system._system, rows, times, names, tangents)
+    else:
+        names_of_top = method(formulation or "reduced", scheme, 0.0)
+        found = _native.growth_of_tops(natives(system), rows, times, names_of_top, tangents)
+    return chaos(found, states, number, times[1], every is not None)
+
+
+def tangent_vectors(exponents: int, sali: bool) -> str:
+    """Returns which tangent vectors are followed."""
+    if sali and exponents > 1:
+        raise ValueError(f"exponents must be 1 if sali is True, got {exponents}")
+    return "two" if sali else "one" if exponents == 1 else "all"
+
+
+def chaos(found: _native.Indicators, states: Floats, exponents: int, end: float, history: bool) -> Chaos:
+    """Returns the indicators of runs from states of shape (d,) or (d, n) as arrays."""
+    if states.ndim == 1 and found.failures:
+        raise IntegrationError(found.failures[0][1])
+    members, times = states.shape[1:], np.array(found.times or [end])
+
+    def columns(values: Sequence[Sequence[float]], count: int) -> Floats:
+        """Returns the first columns of each run, of shape (count, n, m), in the axes that there are."""
+        runs = [np.reshape(v, (times.size, -1))[:, :count] if len(v) else np.full((times.size, count), np.nan) for v in values]
+        every = np.moveaxis(np.array(runs).reshape(-1, times.size, count), 2, 0).reshape(count, *members, times.size)
+        return every if history else every[..., -1]
+
+    ends = [end if len(end) else np.full(states.shape[0], np.nan) for end in found.ends]
+    return Chaos(
+        t=times if history else times[-1],
+        exponents=columns(found.exponents, exponents),
+        megno=columns(found.megno, 1)[0],
+        sali=columns(found.sali, 1)[0] if any(len(values) for values in found.sali) else None,
+        y=np.array(ends).T.reshape(states.shape),
+        failures=dict(found.failures),
+    )

@@ -1,0 +1,88 @@
+"""Events: zeros of a function of the state along a run."""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Mapping, Sequence
+from dataclasses import dataclass
+from typing import Any, Union
+
+import numpy as np
+
+from .arguments import real
+from .symbols import Part
+from .tracing import trace
+
+Function = Union[str, Callable[[Any], Any]]
+"""A function of the state: a formula, or a Python function of the coordinates that is called once, with symbols."""
+
+NativeEvent = tuple[Union[str, list[Part]], int, int]
+
+
+@dataclass(frozen=True)
+class Event:
+    """A function of the state whose zeros are found along a run.
+
+    Attributes:
+        function: a formula in the coordinates, such as "Gamma3 - 0.5" or "Pi·Gamma - 1", or a Python function of them, such
+            as `lambda x: x.Gamma3 - 0.5`, which is called once, with symbols.
+        direction: 1 for zeros where the function grows, -1 where it falls, 0 for both.
+        terminal: whether the run ends at the first zero; a whole number ends it at that zero, counted from 1.
+    """
+
+    function: Function
+    direction: float = 0
+    terminal: Union[bool, int] = False
+
+
+Events = Union[None, Event, Function, Sequence[Union[Event, Function]]]
+"""One event or several; a Python function may have the attributes `direction` and `terminal`, as those of SciPy."""
+
+
+def function_source(
+    name: str, function: Function, names: Mapping[str, slice], parameters: Mapping[str, Any]
+) -> Union[str, list[Part]]:
+    """Returns a formula, or the parts of a Python function."""
+    if isinstance(function, str):
+        return function
+    if callable(function):
+        return trace(name, function, names, parameters)
+    raise ValueError(f"{name} must be a formula or a function of the coordinates, got {function!r}")
+
+
+def surface_source(
+    coordinate: Function, value: float, names: Mapping[str, slice], parameters: Mapping[str, Any]
+) -> Union[str, list[Part]]:
+    """Returns the function that is zero where another has a value."""
+    if isinstance(coordinate, str):
+        return coordinate if value == 0 else f"{coordinate} - {value!r}"
+    if not callable(coordinate):
+        raise ValueError(f"coordinate must be a coordinate, a formula or a function of them, got {coordinate!r}")
+    return trace("coordinate", lambda x: coordinate(x) - value, names, parameters)
+
+
+def is_list(events: Events) -> bool:
+    """Returns whether there are several events, or a list of one."""
+    return not isinstance(events, (Event, str)) and not callable(events)
+
+
+def native_events(
+    events: Events, names: Mapping[str, slice], parameters: Mapping[str, Any]
+) -> list[NativeEvent]:
+    """Returns events as the native part takes them."""
+    if events is None:
+        return []
+    every: Sequence[Any] = list(events) if is_list(events) else [events]  # type: ignore[arg-type]
+    return [native_event(f"events[{i}]", event, names, parameters) for i, event in enumerate(every)]
+
+
+def native_event(
+    name: str, event: Union[Event, Function], names: Mapping[str, slice], parameters: Mapping[str, Any]
+) -> NativeEvent:
+    """Returns an event as the native part takes it."""
+    if not isinstance(event, Event):
+        event = Event(event, getattr(event, "direction", 0), getattr(event, "terminal", False))
+    terminal = event.terminal
+    if not isinstance(terminal, (bool, np.bool_, int, np.integer)) or terminal < 0:
+        raise ValueError(f"the terminal of {name} must be True, False or a whole number from 1 on, got {terminal!r}")
+    direction = int(np.sign(real(f"the direction of {name}", event.direction)))
+    return function_source(name, event.function, names, parameters), direction, int(terminal)

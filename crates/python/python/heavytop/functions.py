@@ -1,0 +1,78 @@
+"""Functions for Hamiltonians and events that are written in Python: of numbers, of symbols, and of NumPy arrays of both."""
+
+from __future__ import annotations
+
+from typing import Any
+
+import numpy as np
+
+from .symbols import Symbol
+
+__all__ = ["atan2", "cos", "cosh", "cross", "dot", "exp", "log", "norm", "sin", "sinh", "sqrt", "tan", "tanh"]
+
+
+def sqrt(x: Any) -> Any:
+    """Returns the square root of x."""
+    return np.sqrt(x)
+
+
+def exp(x: Any) -> Any:
+    """Returns the exponential of x."""
+    return np.exp(x)
+
+
+def log(x: Any) -> Any:
+    """Returns the natural logarithm of x."""
+    return np.log(x)
+
+
+def sin(x: Any) -> Any:
+    """Returns the sine of x."""
+    return np.sin(x)
+
+
+def cos(x: Any) -> Any:
+    """Returns the cosine of x."""
+    return np.cos(x)
+
+
+def tan(x: Any) -> Any:
+    """Returns the tangent of x."""
+    return np.tan(x)
+
+
+def sinh(x: Any) -> Any:
+    """Returns the hyperbolic sine of x."""
+    return np.sinh(x)
+
+
+def cosh(x: Any) -> Any:
+    """Returns the hyperbolic cosine of x."""
+    return np.cosh(x)
+
+
+def tanh(x: Any) -> Any:
+    """Returns the hyperbolic tangent of x."""
+    return np.tanh(x)
+
+
+def atan2(y: Any, x: Any) -> Any:
+    """Returns the angle of the point (x, y)."""
+    if isinstance(x, Symbol):
+        return x.angle_from(y)
+    return np.arctan2(y, x)
+
+
+def dot(a: Any, b: Any) -> Any:
+    """Returns the inner product of two vectors."""
+    return np.dot(a, b)
+
+
+def cross(a: Any, b: Any) -> Any:
+    """Returns the cross product of two vectors with three components."""
+    return np.cross(a, b)
+
+
+def norm(a: Any) -> Any:
+    """Returns the length of a vector."""
+    return np.sqrt(np.dot(a, a))

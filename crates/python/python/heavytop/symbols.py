@@ -1,0 +1,195 @@
+"""The symbols of functions that are traced: called once, and computed in Rust from then on."""
+
+from __future__ import annotations
+
+from typing import Any, NoReturn
+
+import numpy as np
+
+Part = tuple[str, float, int, int]
+"""An operation, a number, and the places of the parts that it combines."""
+
+BRANCH = (
+    "{what} of a symbol: the function is called once, with symbols instead of numbers, so that it cannot branch on the "
+    "state. Write it as one formula, for example with abs(): max(a, b) is (a + b + abs(a - b))/2"
+)
+
+NUMBER = (
+    "a symbol is no number: the function is called once, with symbols. Use the functions of numpy or of heavytop.functions "
+    "instead of those of math, such as numpy.sin(x.Pi1)"
+)
+
+
+class Trace:
+    """The parts of a function that is being traced, each once."""
+
+    def __init__(self) -> None:
+        self.parts: list[Part] = []
+        self._places: dict[Part, int] = {}
+
+    def add(self, operation: str, number: float = 0.0, first: int = 0, second: int = 0) -> Symbol:
+        """Returns the symbol of a part, which is added if it is new."""
+        part = (operation, number, first, second)
+        place = self._places.setdefault(part, len(self.parts))
+        if place == len(self.parts):
+            self.parts.append(part)
+        return Symbol(self, place)
+
+
+class Symbol:
+    """A scalar of a function that is being traced: a coordinate, or what the function makes of coordinates.
+
+    It has the operators +, -, *, / and **, abs(), and the functions of NumPy sqrt, exp, log, sin, cos, tan, sinh, cosh, tanh
+    and arctan2. Arrays of symbols are NumPy arrays, with `@`, `numpy.dot`, `numpy.cross` and `numpy.linalg.norm`. A symbol
+    has no value: a comparison, `if` or float() is a TypeError.
+    """
+
+    __slots__ = ("_place", "_trace")
+
+    def __init__(self, trace: Trace, place: int) -> None:
+        self._trace = trace
+        self._place = place
+
+    def _part(self, other: Any) -> Any:
+        """Returns a symbol or number as a symbol of this trace, or NotImplemented."""
+        if isinstance(other, Symbol):
+            if other._trace is not self._trace:
+                raise TypeError("symbols of two functions meet: a symbol is valid only while its own function is traced")
+            return other
+        if isinstance(other, (bool, np.bool_, np.ndarray, str)):
+            return NotImplemented
+        try:
+            return self._trace.add("number", float(other))
+        except (TypeError, ValueError):
+            return NotImplemented
+
+    def _binary(self, operation: str, other: Any, swapped: bool = False) -> Any:
+        other = self._part(other)
+        if other is NotImplemented:
+            return NotImplemented
+        first, second = (other, self) if swapped else (self, other)
+        return self._trace.add(operation, 0.0, first._place, second._place)
+
+    def _function(self, name: str) -> Symbol:
+        return self._trace.add(name, 0.0, self._place)
+
+    def __add__(self, other: Any) -> Any:
+        return self._binary("add", other)
+
+    def __radd__(self, other: Any) -> Any:
+        return self._binary("add", other, swapped=True)
+
+    def __sub__(self, other: Any) -> Any:
+        return self._binary("subtract", other)
+
+    def __rsub__(self, other: Any) -> Any:
+        return self._binary("subtract", other, swapped=True)
+
+    def __mul__(self, other: Any) -> Any:
+        return self._binary("multiply", other)
+
+    def __rmul__(self, other: Any) -> Any:
+        return self._binary("multiply", other, swapped=True)
+
+    def __truediv__(self, other: Any) -> Any:
+        return self._binary("divide", other)
+
+    def __rtruediv__(self, other: Any) -> Any:
+        return self._binary("divide", other, swapped=True)
+
+    def __pow__(self, other: Any) -> Any:
+        return self._binary("power", other)
+
+    def __rpow__(self, other: Any) -> Any:
+        return self._binary("power", other, swapped=True)
+
+    def __neg__(self) -> Symbol:
+        return self._function("negate")
+
+    def __pos__(self) -> Symbol:
+        return self
+
+    def __abs__(self) -> Symbol:
+        return self._function("abs")
+
+    # NumPy calls the method of the name of a function on the objects of an array.
+
+    def sqrt(self) -> Symbol:
+        """Returns the square root."""
+        return self._function("sqrt")
+
+    def exp(self) -> Symbol:
+        """Returns the exponential."""
+        return self._function("exp")
+
+    def log(self) -> Symbol:
+        """Returns the natural logarithm."""
+        return self._function("ln")
+
+    def sin(self) -> Symbol:
+        """Returns the sine."""
+        return self._function("sin")
+
+    def cos(self) -> Symbol:
+        """Returns the cosine."""
+        return self._function("cos")
+
+    def tan(self) -> Symbol:
+        """Returns the tangent."""
+        return self._function("tan")
+
+    def sinh(self) -> Symbol:
+        """Returns the hyperbolic sine."""
+        return self._function("sinh")
+
+    def cosh(self) -> Symbol:
+        """Returns the hyperbolic cosine."""
+        return self._function("cosh")
+
+    def tanh(self) -> Symbol:
+        """Returns the hyperbolic tangent."""
+        return self._function("tanh")
+
+    def arctan2(self, x: Any) -> Any:
+        """Returns the angle of the point (x, self)."""
+        return self._binary("atan2", x)
+
+    def angle_from(self, y: Any) -> Any:
+        """Returns the angle of the point (self, y)."""
+        return self._binary("atan2", y, swapped=True)
+
+    def hypot(self, other: Any) -> Any:
+        """Returns the length of the vector (self, other)."""
+        return (self * self + other * other).sqrt()
+
+    def conjugate(self) -> Symbol:
+        """Returns the symbol itself: every symbol is real."""
+        return self
+
+    def _refuse_branch(self, what: str) -> NoReturn:
+        raise TypeError(BRANCH.format(what=what))
+
+    def __bool__(self) -> NoReturn:
+        self._refuse_branch("the truth value")
+
+    def __lt__(self, other: object) -> NoReturn:
+        self._refuse_branch("a comparison")
+
+    __le__ = __gt__ = __ge__ = __lt__
+
+    def __eq__(self, other: object) -> NoReturn:
+        self._refuse_branch("a comparison")
+
+    def __ne__(self, other: object) -> NoReturn:
+        self._refuse_branch("a comparison")
+
+    __hash__ = object.__hash__
+
+    def __float__(self) -> NoReturn:
+        raise TypeError(NUMBER)
+
+    __int__ = __index__ = __complex__ = __float__
+
+    def __repr__(self) -> str:
+        operation, _, _, _ = self._trace.parts[self._place]
+        return f"<Symbol: {operation}, part {self._place} of a traced function>"

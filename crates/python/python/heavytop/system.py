@@ -1,0 +1,173 @@
+"""Lie-Poisson systems, whose Hamiltonian is a formula or a Python function."""
+
+from __future__ import annotations
+
+from typing import Any, Optional
+
+import numpy as np
+from numpy.typing import ArrayLike
+
+from .arguments import array, choice, positive, real
+from .arguments import count as whole
+from .events import Events, Function, native_events, surface_source
+from .solution import NEVER, Crossings, Run, Solution, crossings, solution, solution_at
+from .system_description import State, SystemDescription
+
+
+class System(SystemDescription):
+    """A Lie-Poisson system: a Lie algebra, and a Hamiltonian h on its dual.
+
+    The equations are those of the minus bracket, dmu/dt = ad*_xi mu with xi = dh(mu), as for a top. In coordinates
+    dmu_j/dt = sum_ik c_ijk xi_i mu_k, where [e_i, e_j] = sum_k c_ijk e_k. The polynomial Casimirs up to degree 4 are found
+    from the brackets alone.
+
+    Args:
+        algebra: the name of an algebra. Its coordinates are, for "so(3)", Pi; "su(2)", mu; "sl(2)", alpha, beta and gamma;
+            "se(2)", Pi (one) and Gamma (two); "se(3)", Pi and Gamma; "se(3)+R3", Pi, P and Gamma. A vector `Pi` has the
+            components `Pi1`, `Pi2` and `Pi3`.
+        hamiltonian: a formula, such as "0.5*(Pi1^2/I1 + Pi2^2/I2) + m*g*l*c·Gamma"; or a Python function of the
+            coordinates, such as `lambda x: 0.5 * x.Pi @ (x.Pi / x.I) + x.Gamma3`. A function is called once, with symbols
+            instead of numbers, and computed in Rust from then on. Vectors are NumPy arrays; use the functions of NumPy or of
+            `heavytop.functions`.
+        parameters: numbers and vectors in the formula by name. A function has them as `x.I`, too.
+        coordinates: the names of the coordinates of an algebra of your own, in their order; with structure constants also
+            the name of one vector, whose components they are.
+        brackets: the brackets of the algebra that are not zero, such as `{("K", "H"): "P"}` for [K, H] = P. They are sums of
+            multiples of coordinates, such as "2*x - a*y" with a parameter a.
+        structure_constants: instead of brackets, the array c of shape (d, d, d) with [e_i, e_j] = sum_k c[i, j, k] e_k.
+
+    Raises:
+        ValueError: if the formula is none, with the place in its text; if the brackets break the Jacobi identity; if there
+            are more than 15 coordinates; or if names clash.
+        TypeError: if a function branches on the state, or returns no scalar.
+
+    Example:
+        The heavy top by a formula, and by a function:
+
+        >>> I = [2.0, 2.0, 1.0]
+        >>> top = System("se(3)", "0.5*(Pi1^2/I1 + Pi2^2/I2 + Pi3^2/I3) + Gamma1", parameters={"I": I})
+        >>> top.casimirs
+        {'c1': 'Pi·Gamma', 'c2': '|Gamma|^2'}
+        >>> same = System("se(3)", lambda x: 0.5 * x.Pi @ (x.Pi / I) + x.Gamma1)
+        >>> run = same.solve({"Pi": [2, 3, 4], "Gamma": [0.6, 0, 0.8]}, step=0.1, end=100, scheme="gauss-12")
+        >>> run.deviation("c1") < 1e-12, run.deviation("h") < 1e-10
+        (True, True)
+
+        A rotor on the line, by its brackets:
+
+        >>> rotor = System(
+        ...     coordinates=["K", "H", "P"], brackets={("K", "H"): "P", ("K", "P"): "H"}, hamiltonian="K^2/2 + H^2 + P^2/2"
+        ... )
+        >>> rotor.casimirs
+        {'c1': 'H^2 - P^2'}
+    """
+
+    def solve(
+        self,
+        y0: State,
+        t: Optional[ArrayLike] = None,
+        *,
+        step: Optional[float] = None,
+        end: Optional[float] = None,
+        scheme: str = "gauss-8",
+        formulation: Optional[str] = None,
+        tolerance: float = 0.0,
+        every: int = 1,
+        events: Events = None,
+    ) -> Solution:
+        """Follows the system from t = 0, in equal steps.
+
+        Args:
+            y0: the state at t = 0: the coordinates in their order, or their values by name, such as
+                `{"Pi": [2, 3, 4], "Gamma": [0.6, 0, 0.8]}`.
+            t: the times of the samples, which do not decrease; instead of an end. Without `step` they must be equally
+                spaced from 0, and their distance is the step.
+            step: the time step.
+            end: the end: a multiple of the step, to within 1e-9 of itself.
+            scheme: "implicit-midpoint", "gauss-4" ... "gauss-16", "explicit-midpoint", "rk4", or one of the compositions
+                "strang", "yoshida-4", "suzuki-4", "yoshida-6", "kahan-li-6" and "kahan-li-8".
+            formulation: so(3), su(2) and se(3) by name have "collective", by a Poisson map from a canonical space, which is
+                their default, and "reduced", the same steps without a lift. With the implicit schemes and the compositions
+                both conserve every Casimir to round-off. Every algebra has "direct", which keeps quadratic Casimirs with
+                the implicit schemes. Those of dimension 3 or 6 have "collective" by a Clebsch map, too, which keeps
+                Casimirs to the order of the scheme, or to round-off where the representation allows it.
+            tolerance: of the stage equations of implicit schemes, relative to the state, at most 1e-3; 0 iterates to
+                round-off.
+            every: keep each n-th sample; the last one is always kept.
+            events: functions of the state whose zeros are found; as for `Top.solve`.
+
+        Returns:
+            The samples. If a step fails, those until then, with `success` false. If an event ends the run, the last sample
+            is the state there.
+
+        Raises:
+            ValueError: if an argument is out of its range, or the algebra has no such method.
+            IntegrationError: if a step fails and the times are given by `t`.
+            MemoryError: if there is no room for the samples.
+
+        Example:
+            >>> import numpy as np
+            >>> body = System("so(3)", "(Pi1^2 + Pi2^2/2 + Pi3^2/4)/2")
+            >>> run = body.solve([1, 2, 0.5], np.linspace(0, 10, 101))
+            >>> run.y.shape, run["Pi3"].shape, run.deviation("c1") < 1e-13
+            ((3, 101), (101,), True)
+        """
+        if t is not None:
+            return self._solve_at(y0, t, step, end, (formulation, scheme, tolerance), (every, events))
+        if step is None or end is None:
+            raise ValueError("write either t, or step and end")
+        run = self._run(y0, step, (formulation, scheme, tolerance))
+        watched = native_events(events, self._names, self._parameters)
+        columns = self._system.follow(run.setting, positive("end", end), whole("every", every, 1), watched)
+        return solution(columns, self.invariants, run, has_events=events is not None)
+
+    def _solve_at(self, y0: State, t: ArrayLike, step: Any, end: Any, names: Any, others: tuple[int, Events]) -> Solution:
+        times = array("t", t)
+        if end is not None or others != (1, None):
+            raise ValueError("end, every and events go with step, not with t: write step and end instead of t")
+        if times.ndim != 1 or times.size < 2 or not (np.diff(times) >= 0).all() or not 0 <= times[0]:
+            raise ValueError("t must be a list of times from 0 on that do not decrease")
+        if step is None:
+            step = float(times[-1]) / (times.size - 1)
+            if np.abs(times - step * np.arange(times.size)).max() > 1e-9 * times[-1]:
+                raise ValueError("step is missing: the times t are not equally spaced from 0")
+        run = self._run(y0, step, names)
+        states = self._system.states_at(run.setting, times.tolist())
+        return solution_at(times, states, self.invariant_values(states.T), run)
+
+    def section(
+        self,
+        y0: State,
+        surface: Function,
+        *,
+        value: float = 0.0,
+        direction: int = 1,
+        step: float,
+        end: float,
+        most: Optional[int] = None,
+        scheme: str = "gauss-8",
+        formulation: Optional[str] = None,
+    ) -> Crossings:
+        """Returns the points at which a function of the state passes a value: a Poincare section.
+
+        Args:
+            y0: the state at t = 0, as for `solve`.
+            surface: a coordinate, a formula or a Python function of the coordinates.
+            value: its value on the surface.
+            direction: 1 for crossings upwards, -1 for crossings downwards, 0 for both.
+            most: the number of crossings after which the run ends; None for no bound.
+
+        The other arguments are those of `solve`.
+
+        Raises:
+            ValueError: if an argument is out of its range.
+            IntegrationError: if a step fails.
+        """
+        run = self._run(y0, step, (formulation, scheme, 0.0))
+        way = int(choice("direction", direction, (1, -1, 0)))
+        bound = 0 if most is None else whole("most", most, 1)
+        function = surface_source(surface, real("value", value), self._names, self._parameters)
+        return crossings(self._system.follow(run.setting, positive("end", end), NEVER, [(function, way, bound)]))
+
+    def _run(self, y0: State, step: Any, method: tuple[Any, Any, Any]) -> Run:
+        return Run(self._system, (self._state(y0).tolist(), positive("step", step), self._method(*method)), self._names)

@@ -1,0 +1,146 @@
+"""The algebra, the Hamiltonian and the Casimirs of Lie-Poisson systems."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping, Sequence
+from typing import Any, Optional, Union
+
+import numpy as np
+from numpy.typing import ArrayLike
+
+from . import _native
+from .algebras import Algebra, Brackets, algebra_source, native_parameters
+from .arguments import array, choice, real
+from .events import Function, function_source
+from .methods import SCHEMES, tolerance_of
+from .solution import Floats, names_of_groups
+
+Parameters = Mapping[str, Union[float, ArrayLike]]
+
+State = Union[ArrayLike, Mapping[str, ArrayLike]]
+"""A state: the coordinates in their order, or their values by name."""
+
+
+class SystemDescription:
+    """A Lie algebra, and a Hamiltonian h on its dual, with what is known of them. `System` describes the arguments."""
+
+    def __init__(
+        self,
+        algebra: Optional[str] = None,
+        hamiltonian: Optional[Function] = None,
+        *,
+        parameters: Optional[Parameters] = None,
+        coordinates: Union[None, str, Sequence[str]] = None,
+        brackets: Optional[Brackets] = None,
+        structure_constants: Optional[ArrayLike] = None,
+    ) -> None:
+        if hamiltonian is None:
+            raise ValueError("hamiltonian is missing: a formula or a function of the coordinates")
+        source = algebra_source(Algebra(algebra, coordinates, brackets, structure_constants))
+        numbers, self._parameters = native_parameters(parameters or {})
+        self._names = names_of_groups(_native.coordinate_groups(source, numbers))
+        function = function_source("hamiltonian", hamiltonian, self._names, self._parameters)
+        self._system = _native.System(source, function, numbers)
+        self._algebra = algebra or "brackets"
+
+    @property
+    def dimension(self) -> int:
+        """The number of coordinates."""
+        return max(int(places.stop) for places in self._names.values())
+
+    @property
+    def coordinates(self) -> tuple[str, ...]:
+        """The names of the coordinates, in their order."""
+        names: list[str] = [""] * self.dimension
+        for name, places in self._names.items():
+            if places.stop - places.start == 1:
+                names[places.start] = name
+        return tuple(names)
+
+    @property
+    def hamiltonian(self) -> str:
+        """The Hamiltonian as text. A part of a traced function that is used several times is named first: s1 = ...; ..."""
+        return self._system.hamiltonian
+
+    @property
+    def casimirs(self) -> dict[str, str]:
+        """The Casimirs that were found, by the symbols that runs give them."""
+        return {f"c{i + 1}": text for i, text in enumerate(self._system.casimirs)}
+
+    @property
+    def missing_casimirs(self) -> int:
+        """How many independent Casimirs were not found, since they are no polynomials up to degree 4."""
+        return self._system.missing_casimirs
+
+    @property
+    def invariants(self) -> tuple[str, ...]:
+        """The symbols of what is conserved: "h", and "c1" and so on for the Casimirs."""
+        return ("h", *self.casimirs)
+
+    @property
+    def formulations(self) -> tuple[str, ...]:
+        """The formulations that the algebra has, the default one first."""
+        return tuple(self._system.formulations)
+
+    @property
+    def structure_constants(self) -> Floats:
+        """The structure constants c of shape (d, d, d): [e_i, e_j] = sum_k c[i, j, k] e_k."""
+        constants = np.zeros((self.dimension,) * 3)
+        for i, j, k, value in self._system.structure_constants:
+            constants[i, j, k], constants[j, i, k] = value, -value
+        return constants
+
+    def invariant_values(self, y: ArrayLike) -> dict[str, Floats]:
+        """Returns h and the Casimirs of states of shape (d,) or (d, n), by symbol."""
+        states = self._states("y", y)
+        values = self._system.invariant_values(states.reshape(self.dimension, -1).T)
+        return {name: values[:, i].reshape(states.shape[1:]) for i, name in enumerate(self.invariants)}
+
+    def rate(self, y: ArrayLike) -> Floats:
+        """Returns dmu/dt at states of shape (d,) or (d, n), in the same shape."""
+        states = self._states("y", y)
+        return self._system.rates(states.reshape(self.dimension, -1).T).T.reshape(states.shape)
+
+    def _method(self, formulation: Any, scheme: Any, tolerance: Any) -> tuple[Optional[str], str, float]:
+        if formulation is not None:
+            formulation = choice("formulation", formulation, self.formulations)
+        return formulation, choice("scheme", scheme, SCHEMES), tolerance_of(tolerance)
+
+    def _states(self, name: str, y: ArrayLike) -> Floats:
+        states = array(name, y)
+        if states.ndim not in (1, 2) or states.shape[0] != self.dimension:
+            d = self.dimension
+            raise ValueError(f"{name} must have the shape ({d},) or ({d}, n), got {states.shape}")
+        return states
+
+    def _state(self, y0: State) -> Floats:
+        """Returns the coordinates of one state."""
+        if isinstance(y0, Mapping):
+            y0 = self._by_name(y0)
+        state = self._states("y0", y0)
+        if state.ndim != 1:
+            raise ValueError("y0 must be one state; heavytop.solve_many follows many")
+        for name, x in zip(self.coordinates, state):
+            real(f"y0 at {name}", x)
+        return state
+
+    def _by_name(self, values: Mapping[str, ArrayLike]) -> Floats:
+        state = np.full(self.dimension, np.nan)
+        for name, value in values.items():
+            if name not in self._names:
+                raise ValueError(f"y0 has no coordinate {name!r}; there are {', '.join(self._names)}")
+            places = self._names[name]
+            numbers = array(f"y0[{name!r}]", value).reshape(-1)
+            if numbers.size != places.stop - places.start:
+                raise ValueError(f"y0[{name!r}] must have {places.stop - places.start} numbers, got {numbers.size}")
+            state[places] = numbers
+        missing = [name for name, x in zip(self.coordinates, state) if np.isnan(x)]
+        if missing:
+            raise ValueError(f"y0 has no value for {', '.join(missing)}")
+        return state
+
+    def __repr__(self) -> str:
+        text = self.hamiltonian
+        short = text if len(text) <= 120 else f"{text[:117]}..."
+        casimirs = ", ".join(self.casimirs.values()) or "none"
+        return f"<System: {self._algebra}, h = {short}; Casimirs: {casimirs}>"

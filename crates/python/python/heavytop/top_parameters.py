@@ -1,0 +1,134 @@
+"""The parameters of heavy tops."""
+
+from __future__ import annotations
+
+from typing import TYPE_CHECKING
+
+import numpy as np
+from numpy.typing import ArrayLike
+
+from . import _native
+from .arguments import array, positive, real, vector
+from .solution import Floats
+
+if TYPE_CHECKING:
+    from typing_extensions import Self
+
+
+class TopParameters:
+    """The parameters of a heavy top, and its invariants.
+
+    The energy is h = (Pi1^2/I1 + Pi2^2/I2 + Pi3^2/I3)/2 + m g l c.Gamma. Mass, gravity and length enter by their product
+    alone, the weight moment m g l.
+
+    Args:
+        inertia: the principal moments about the fixed point, kg m^2. They must be positive, and none may be larger than the
+            sum of the other two. Whether they leave room for a body with this mass at this distance, I >= m l^2 about the
+            axes at right angles to c, is not checked.
+        mass: kg.
+        gravity: m/s^2; 0 gives a free rigid body.
+        length: the distance of the centre of mass from the fixed point, m.
+        center_of_mass: the direction c of the centre of mass in the body frame, a unit vector.
+
+    Raises:
+        ValueError: if a parameter is out of its range. The message names the number and its bound.
+    """
+
+    def __init__(
+        self,
+        inertia: ArrayLike,
+        mass: float,
+        gravity: float,
+        length: float,
+        center_of_mass: ArrayLike = (0.0, 0.0, 1.0),
+    ) -> None:
+        center = vector("center_of_mass", center_of_mass)
+        moments = [positive(f"inertia[{i}]", x) for i, x in enumerate(vector("inertia", inertia))]
+        numbers = (real("mass", mass), real("gravity", gravity), real("length", length))
+        self._top = _native.Top(moments, *numbers, center)
+
+    @classmethod
+    def _of(cls, native: _native.Top) -> Self:
+        top = cls.__new__(cls)
+        top._top = native
+        return top
+
+    @classmethod
+    def free_rigid_body(cls, inertia: ArrayLike) -> Self:
+        """Returns a rigid body without gravity: Euler's top. Its Gamma is any unit vector that is fixed in space."""
+        moments = [positive(f"inertia[{i}]", x) for i, x in enumerate(vector("inertia", inertia))]
+        return cls._of(_native.Top.free_rigid_body(moments))
+
+    @classmethod
+    def lagrange(cls, transverse: float, axial: float, weight_moment: float = 1.0) -> Self:
+        """Returns Lagrange's top: I1 = I2 = transverse, I3 = axial (kg m^2), with the centre of mass on the third axis.
+
+        The weight moment is m g l, N m. A fourth invariant is f3 = Pi3.
+        """
+        moments = (positive("transverse", transverse), positive("axial", axial))
+        return cls._of(_native.Top.lagrange(*moments, real("weight_moment", weight_moment)))
+
+    @classmethod
+    def kovalevskaya(cls, axial: float = 1.0, weight_moment: float = 1.0) -> Self:
+        """Returns Kovalevskaya's top: I1 = I2 = 2 I3, I3 = axial (kg m^2), with the centre of mass on the first axis.
+
+        The weight moment is m g l, N m. A fourth invariant is K = |(Pi1 + i Pi2)^2 - 4 m g l I3 (Gamma1 + i Gamma2)|^2.
+        """
+        return cls._of(_native.Top.kovalevskaya(positive("axial", axial), real("weight_moment", weight_moment)))
+
+    @classmethod
+    def goryachev_chaplygin(cls, axial: float = 1.0, weight_moment: float = 1.0) -> Self:
+        """Returns the top of Goryachev and Chaplygin: I1 = I2 = 4 I3, with the centre of mass on the first axis.
+
+        The weight moment is m g l, N m. G = Pi3 (Pi1^2 + Pi2^2) - 4 m g l I3 Gamma3 Pi1 is conserved if Pi.Gamma = 0, and
+        only then.
+        """
+        moments = (positive("axial", axial), real("weight_moment", weight_moment))
+        return cls._of(_native.Top.goryachev_chaplygin(*moments))
+
+    @property
+    def inertia(self) -> Floats:
+        """The principal moments of inertia, kg m^2."""
+        return np.array(self._top.inertia)
+
+    @property
+    def weight_moment(self) -> float:
+        """The weight moment m g l, N m."""
+        return self._top.weight_moment
+
+    @property
+    def center_of_mass(self) -> Floats:
+        """The direction of the centre of mass in the body frame."""
+        return np.array(self._top.center_of_mass)
+
+    @property
+    def invariants(self) -> tuple[str, ...]:
+        """The symbols of the invariants.
+
+        Every top has the energy h (J) and the Casimirs f1 = |Gamma|^2 and f2 = Pi.Gamma (kg m^2/s). A free body has
+        C = |Pi|^2. A top with the moments and the axis of one of these has another: Lagrange's f3 = Pi3, Kovalevskaya's K,
+        and G of Goryachev and Chaplygin, which is conserved only if Pi.Gamma = 0. The constructors give their formulas;
+        if the symmetry axis is not the third, the indices are permuted cyclically.
+        """
+        return tuple(self._top.invariants)
+
+    def invariant_values(self, y: ArrayLike) -> dict[str, Floats]:
+        """Returns the invariants of states of shape (6,) or (6, n), by symbol."""
+        states = array("y", y)
+        if states.ndim not in (1, 2) or states.shape[0] != 6:
+            raise ValueError(f"y must have the shape (6,) or (6, n), got {states.shape}")
+        values = self._top.invariant_values(states.reshape(6, -1).T)
+        return {name: values[:, i].reshape(states.shape[1:]) for i, name in enumerate(self.invariants)}
+
+    def _parameters(self) -> tuple[tuple[float, ...], float, tuple[float, ...]]:
+        return tuple(self._top.inertia), self._top.weight_moment, tuple(self._top.center_of_mass)
+
+    def __eq__(self, other: object) -> bool:
+        return self._parameters() == other._parameters() if isinstance(other, TopParameters) else NotImplemented
+
+    def __hash__(self) -> int:
+        return hash(self._parameters())
+
+    def __repr__(self) -> str:
+        inertia, center = (", ".join(f"{x:g}" for x in v) for v in (self.inertia, self.center_of_mass))
+        return f"<Top: I = ({inertia}), m g l = {self.weight_moment:g}, c = ({center})>"

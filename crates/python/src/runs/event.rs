@@ -1,0 +1,71 @@
+//! Functions of the state whose zeros are found along a run: [`Event`].
+
+use super::schedule::{MOST_DIMENSIONS, coordinates};
+use crate::errors::{failed, message};
+use crate::formulas::FormulaSource;
+use collective_integrators::{Direction, EventError, EventSearch, Integrator};
+use lie_poisson::Vector;
+use lie_poisson_formulas::{Formula, Vocabulary};
+use pyo3::exceptions::PyValueError;
+use pyo3::{PyErr, PyResult};
+
+/// An event as Python passes it: the function, the direction 1, −1 or 0, and after how many occurrences the run ends.
+pub(crate) type EventArgument = (FormulaSource, i8, u64);
+
+/// A function of the state whose zeros are found.
+#[derive(Clone)]
+pub(crate) struct Event {
+    function: Formula,
+    direction: Direction,
+    /// The number of occurrences after which the run ends; 0 if it does not.
+    pub(crate) last: u64,
+}
+
+impl Event {
+    /// Creates an event in the names of a space.
+    pub(crate) fn new(argument: &EventArgument, names: &Vocabulary) -> PyResult<Self> {
+        let (function, way, last) = argument;
+        Ok(Self { function: function.formula(names)?, direction: direction(*way)?, last: *last })
+    }
+
+    /// Creates several events.
+    pub(crate) fn all(arguments: &[EventArgument], names: &Vocabulary) -> PyResult<Vec<Self>> {
+        arguments.iter().map(|argument| Self::new(argument, names)).collect()
+    }
+
+    /// Returns the search for the event along a run of an integrator.
+    pub(crate) fn search<'a, I>(
+        &'a self,
+        integrator: &'a I,
+    ) -> EventSearch<'a, I, impl Fn(&I::Momentum) -> f64 + use<'a, I>>
+    where
+        I: Integrator<Momentum: Vector<Scalar = f64>>,
+    {
+        let function = |mu: &I::Momentum| {
+            let mut state = [0.0; MOST_DIMENSIONS];
+            self.function.value_at(coordinates(mu, &mut state, self.function.dimension()))
+        };
+        EventSearch::new(integrator, function, self.direction)
+    }
+}
+
+/// Converts the error of an event with an index.
+pub(crate) fn event_failed(index: usize, error: EventError) -> PyErr {
+    match error {
+        EventError::Integration(error) => failed(error),
+        error => PyValueError::new_err(format!("event {index}: {}", message(&error))),
+    }
+}
+
+/// Returns the direction 1, −1 or 0.
+pub(crate) fn direction(way: i8) -> PyResult<Direction> {
+    match way {
+        1 => Ok(Direction::Up),
+        -1 => Ok(Direction::Down),
+        0 => Ok(Direction::Both),
+        other => {
+            let text = format!("direction must be 1, -1 or 0, got {other}");
+            Err(PyValueError::new_err(text))
+        }
+    }
+}

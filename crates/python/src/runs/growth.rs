@@ -1,0 +1,124 @@
+//! Tangent vectors along a run: Lyapunov exponents, MEGNO and SALI.
+
+use super::schedule::Schedule;
+use crate::errors::message;
+use collective_integrators::{
+    Integrator, Megno, Start, TangentIntegrator, VariationalFlow, smaller_alignment_index,
+};
+use core::sync::atomic::{AtomicBool, Ordering};
+use lie_poisson::Vector;
+
+/// The number of steps after which a run looks for a request to stop.
+const BETWEEN_REQUESTS: u64 = 1 << 10;
+
+/// The tangent vectors that are followed.
+#[derive(Clone, Copy, PartialEq)]
+pub(crate) enum Tangents {
+    /// One, for the largest exponent and MEGNO.
+    One,
+    /// Two, each by itself, for SALI.
+    Two,
+    /// As many as the space has dimensions, for all exponents.
+    All,
+}
+
+/// The reason why an integrator has no tangent vectors.
+pub(crate) const NO_TANGENTS: &str =
+    "a collective integrator has tangent vectors of another space, with its fibres";
+
+/// Returns whether the states of an integrator are momenta, so that its tangent vectors are those of momenta.
+pub(crate) const fn has_tangents_of_momenta<I>() -> bool
+where
+    I: Integrator<State: Vector, Momentum: Vector>,
+{
+    <I::State as Vector>::DIM == <I::Momentum as Vector>::DIM
+}
+
+/// The growth of tangent vectors along a run.
+#[derive(Clone, Default)]
+pub(crate) struct Growth {
+    /// The times at which the indicators are recorded; the last one is the end.
+    pub(crate) times: Vec<f64>,
+    /// The exponents at each time: all, or the largest.
+    pub(crate) exponents: Vec<f64>,
+    /// MEGNO at each time.
+    pub(crate) megno: Vec<f64>,
+    /// SALI at each time; none unless there are two tangent vectors.
+    pub(crate) sali: Vec<f64>,
+    /// The state at the end.
+    pub(crate) end: Vec<f64>,
+}
+
+/// The task of following tangent vectors.
+pub(crate) struct GrowthTask<'a> {
+    pub(crate) schedule: &'a Schedule,
+    /// The number of steps between two records; 0 records the end alone.
+    pub(crate) every: u64,
+    /// Set by others if the task is to end.
+    pub(crate) stop: &'a AtomicBool,
+}
+
+impl GrowthTask<'_> {
+    /// Follows K tangent vectors of momenta. The first of them, as many as the space has dimensions, have exponents.
+    ///
+    /// # Errors
+    /// Returns the reason why a step fails.
+    pub(crate) fn follow<I, const K: usize>(
+        &self,
+        integrator: &I,
+        tangents: Tangents,
+    ) -> Result<Growth, String>
+    where
+        I: Start<State: Vector, Momentum: Vector<Scalar = f64>> + TangentIntegrator,
+    {
+        let Schedule { start, step, steps } = self.schedule;
+        let state = Start::<f64>::start(integrator, &self.schedule.start())
+            .map_err(|error| message(&error))?;
+        // The space may be completed by coordinates that stay zero.
+        let dimension = start.len();
+        let initial = core::array::from_fn(|number| tangent(number, dimension));
+        let mut flow = VariationalFlow::<_, K>::new(integrator, state, initial, *step);
+        let (mut sums, mut megno, mut growth) = ([0.0; K], Megno::default(), Growth::default());
+        let kept = if tangents == Tangents::All { K.min(dimension) } else { 1 };
+        let stretch = |flow: &mut VariationalFlow<'_, I, K>| {
+            if tangents == Tangents::Two { flow.normalise() } else { flow.orthonormalise() }
+        };
+        // Lengths at the start do not count as stretches.
+        stretch(&mut flow).map_err(|error| message(&error))?;
+        while flow.steps() < *steps {
+            flow.advance().map_err(|error| message(&error))?;
+            let stretches = stretch(&mut flow).map_err(|error| message(&error))?;
+            sums.iter_mut().zip(stretches).for_each(|(sum, stretch)| *sum += stretch.ln());
+            stretches.first().into_iter().for_each(|stretch| megno.observe(*stretch));
+            let made = flow.steps();
+            if made == *steps || self.every > 0 && made.is_multiple_of(self.every) {
+                growth.times.push(flow.time());
+                let exponents = sums.iter().take(kept).map(|sum| sum / flow.time());
+                growth.exponents.extend(exponents);
+                growth.megno.push(megno.mean());
+                growth.sali.extend(flow.tangents().first_chunk().map(smaller_alignment_index));
+            }
+            if made.is_multiple_of(BETWEEN_REQUESTS) && self.stop.load(Ordering::Relaxed) {
+                break;
+            }
+        }
+        if tangents != Tangents::Two {
+            growth.sali.clear();
+        }
+        growth.end = self.schedule.coordinates(&flow.momentum()).collect();
+        Ok(growth)
+    }
+}
+
+/// Returns the tangent vector with this number: without symmetry, by the squares in Weyl's sequence, so that all of them
+/// are independent; and a basis vector for each coordinate that completes the space.
+fn tangent<V: Vector<Scalar = f64>>(number: usize, dimension: usize) -> V {
+    const GOLDEN: f64 = 0.618_033_988_749_894_9;
+    V::from_coordinates(|i| {
+        if number >= dimension || i >= dimension {
+            return f64::from(u8::from(number == i));
+        }
+        let place = number * dimension + i + 1;
+        ((place * place) as f64 * GOLDEN).fract() - 0.5
+    })
+}

@@ -1,0 +1,193 @@
+//! A Lie–Poisson system as a Python class.
+
+use super::algebra::{AlgebraSource, ParameterArgument, parameters};
+use super::tasks::{Invariants, RecordSystem, StatesAt};
+use crate::arrays::rows;
+use crate::errors::refused;
+use crate::formulas::{FormulaSource, expressions};
+use crate::recorded::Recorded;
+use crate::runs::event::{Event, EventArgument};
+use crate::runs::recording::Recording;
+use crate::runs::schedule::Schedule;
+use heavytop::methods::MethodError;
+use lie_poisson_formula_systems::{FormulaSystem, FormulaSystemError, SystemMethod};
+use lie_poisson_formulas::Vocabulary;
+use numpy::{PyArray2, PyReadonlyArray2, PyUntypedArrayMethods};
+use pyo3::exceptions::PyValueError;
+use pyo3::types::{PyAnyMethods, PyType};
+use pyo3::{Bound, PyResult, Python, pyclass, pymethods};
+
+/// A Lie–Poisson system: an algebra, a Hamiltonian, and the Casimirs that were found.
+#[pyclass(frozen, module = "heavytop._native")]
+pub struct System {
+    pub(crate) system: FormulaSystem,
+    names: Vocabulary,
+    source: Source,
+}
+
+/// What a system is made from.
+type Source = (AlgebraSource, FormulaSource, Vec<ParameterArgument>);
+
+/// A formulation, which may be left to the algebra, a scheme, and the tolerance of its stage equations.
+pub(crate) type MethodArgument = (Option<String>, String, f64);
+
+/// The start, the step and the method of a run.
+type Setting = (Vec<f64>, f64, MethodArgument);
+
+#[pymethods]
+impl System {
+    /// Creates the system and finds the Casimirs of its algebra.
+    #[new]
+    fn new(
+        py: Python<'_>,
+        algebra: AlgebraSource,
+        hamiltonian: FormulaSource,
+        arguments: Vec<ParameterArgument>,
+    ) -> PyResult<Self> {
+        let parameters = parameters(&arguments)?;
+        let named = algebra.algebra(&parameters)?;
+        let names = named.vocabulary(&parameters).map_err(refused)?;
+        // A formula that is refused is refused here, with its text.
+        hamiltonian.formula(&names)?;
+        let system = match &hamiltonian {
+            FormulaSource::Text(text) => FormulaSystem::new(named, text, &parameters),
+            FormulaSource::Traced(parts) => {
+                let (parts, value) = expressions(parts, names.coordinates())?;
+                FormulaSystem::of_expressions(named, &parts, value, &parameters)
+            }
+        };
+        let find = || system.and_then(FormulaSystem::with_found_casimirs);
+        let system = py.detach(find).map_err(refused)?;
+        Ok(Self { system, names, source: (algebra, hamiltonian, arguments) })
+    }
+
+    /// Returns what pickle needs to make an equal system.
+    fn __reduce__<'py>(slf: &Bound<'py, Self>) -> (Bound<'py, PyType>, Source) {
+        (slf.get_type(), slf.get().source.clone())
+    }
+
+    /// The Hamiltonian as text.
+    #[getter]
+    fn hamiltonian(&self) -> String {
+        self.system.hamiltonian().to_string()
+    }
+
+    /// The Casimirs as text.
+    #[getter]
+    fn casimirs(&self) -> Vec<String> {
+        self.system.casimirs().iter().map(ToString::to_string).collect()
+    }
+
+    /// The number of independent Casimirs that were not found.
+    #[getter]
+    fn missing_casimirs(&self) -> usize {
+        self.system.missing_casimirs().unwrap_or(0)
+    }
+
+    /// The structure constants (i, j, k, c) with i < j that are not zero.
+    #[getter]
+    fn structure_constants(&self) -> Vec<(usize, usize, usize, f64)> {
+        let entries = self.system.algebra().entries().iter();
+        entries.map(|entry| (entry.i, entry.j, entry.k, entry.value)).collect()
+    }
+
+    /// The formulations that the algebra has, the default one first.
+    #[getter]
+    fn formulations(&self) -> Vec<String> {
+        let algebra = self.system.algebra();
+        let first = SystemMethod::default_formulation(algebra);
+        let others = SystemMethod::formulations(algebra).filter(|other| *other != first);
+        core::iter::once(first).chain(others).map(|f| f.name().to_owned()).collect()
+    }
+
+    /// Returns h and the Casimirs of each of n states, as n rows.
+    fn invariant_values<'py>(
+        &self,
+        py: Python<'py>,
+        states: PyReadonlyArray2<'py, f64>,
+    ) -> PyResult<Bound<'py, PyArray2<f64>>> {
+        self.each(py, &states, 1 + self.system.casimirs().len(), FormulaSystem::invariants)
+    }
+
+    /// Returns the rate of each of n states, as n rows.
+    fn rates<'py>(
+        &self,
+        py: Python<'py>,
+        states: PyReadonlyArray2<'py, f64>,
+    ) -> PyResult<Bound<'py, PyArray2<f64>>> {
+        self.each(py, &states, self.system.algebra().dimension(), FormulaSystem::rate)
+    }
+
+    /// Follows the system, and returns the columns of the run.
+    fn follow(
+        &self,
+        py: Python<'_>,
+        setting: Setting,
+        end: f64,
+        every: u64,
+        events: Vec<EventArgument>,
+    ) -> PyResult<Recorded> {
+        let (start, step, method) = setting;
+        let (method, schedule) = (self.method(method)?, Schedule::new(start, step, end)?);
+        if every == 0 {
+            return Err(PyValueError::new_err("every must be at least 1, got 0"));
+        }
+        let events = Event::all(&events, &self.names)?;
+        let quantities = Invariants(&self.system);
+        let recording =
+            Recording { schedule: &schedule, every, quantities, events: &events, attitude: false };
+        let task = RecordSystem(recording);
+        let record = py.detach(|| method.integrate(&self.system, &schedule.start, task));
+        let widths = [self.system.algebra().dimension(), 1 + self.system.casimirs().len()];
+        Recorded::new(py, record.map_err(refused)??, widths)
+    }
+
+    /// Returns the states at times that do not decrease, as rows.
+    fn states_at<'py>(
+        &self,
+        py: Python<'py>,
+        setting: Setting,
+        times: Vec<f64>,
+    ) -> PyResult<Bound<'py, PyArray2<f64>>> {
+        let (start, step, method) = setting;
+        let (method, dimension) = (self.method(method)?, start.len());
+        let schedule = Schedule { start, step, steps: u64::MAX };
+        let task = StatesAt { schedule: &schedule, times: &times };
+        let states = py.detach(|| method.integrate(&self.system, &schedule.start, task));
+        rows(py, states.map_err(refused)??, [times.len(), dimension])
+    }
+}
+
+impl System {
+    /// Returns the method of these names.
+    pub(crate) fn method(
+        &self,
+        (formulation, scheme, tolerance): MethodArgument,
+    ) -> PyResult<SystemMethod> {
+        let algebra = self.system.algebra();
+        let method = || -> Result<SystemMethod, FormulaSystemError> {
+            let formulation = match formulation {
+                Some(name) => name.parse().map_err(MethodError::from)?,
+                None => SystemMethod::default_formulation(algebra),
+            };
+            let scheme = scheme.parse().map_err(MethodError::from)?;
+            SystemMethod::new(algebra, formulation, scheme, tolerance)
+        };
+        method().map_err(refused)
+    }
+
+    /// Returns a function of each state, as rows.
+    fn each<'py>(
+        &self,
+        py: Python<'py>,
+        states: &PyReadonlyArray2<'py, f64>,
+        width: usize,
+        function: impl Fn(&FormulaSystem, &[f64]) -> Result<Vec<f64>, FormulaSystemError>,
+    ) -> PyResult<Bound<'py, PyArray2<f64>>> {
+        let mut values = Vec::with_capacity(states.len());
+        for state in states.as_array().outer_iter() {
+            values.extend(function(&self.system, &state.to_vec()).map_err(refused)?);
+        }
+        rows(py, values, [states.as_array().nrows(), width])
+    }
+}

@@ -1,0 +1,36 @@
+//! Poincaré sections of an energy level: states to begin at.
+
+use super::top::Top;
+use crate::arrays::{numbers, rows};
+use crate::errors::refused;
+use crate::runs::event::direction;
+use heavytop::{Coordinate, EnergyLevel, Section, Surface};
+use numpy::PyArray2;
+use pyo3::exceptions::PyValueError;
+use pyo3::{Bound, PyRef, PyResult, Python, pyfunction};
+
+/// The coordinate that is fixed, its value, and the direction 1, −1 or 0.
+type SurfaceArgument = (String, f64, i8);
+
+/// Returns states of a section with an energy and a vertical momentum, as rows.
+#[pyfunction]
+pub fn section_starts<'py>(
+    py: Python<'py>,
+    top: PyRef<'py, Top>,
+    level: (f64, f64),
+    surface: SurfaceArgument,
+    count: usize,
+    seed: u64,
+) -> PyResult<Bound<'py, PyArray2<f64>>> {
+    let ((energy, vertical_momentum), top) = (level, top.0);
+    let (name, value, way) = surface;
+    let named = Coordinate::ALL.into_iter().find(|coordinate| coordinate.name() == name);
+    let coordinate =
+        named.ok_or_else(|| PyValueError::new_err(format!("there is no coordinate {name}")))?;
+    let surface = Surface { coordinate, level: value, direction: direction(way)? };
+    let starts = py.detach(|| {
+        Section::new(EnergyLevel { top, energy, vertical_momentum }, surface)?.starts(count, seed)
+    });
+    let starts: Vec<f64> = starts.map_err(refused)?.iter().flat_map(numbers).collect();
+    rows(py, starts, [count, 6])
+}

@@ -1,0 +1,109 @@
+//! What is done along a run, as tasks for the integrators of tops.
+
+use crate::errors::refused;
+use crate::runs::dense::states_at;
+use crate::runs::growth::{Growth, GrowthTask, NO_TANGENTS, Tangents, has_tangents_of_momenta};
+use crate::runs::record::Record;
+use crate::runs::recording::{Quantities, Recording};
+use crate::runs::schedule::Schedule;
+use collective_integrators::{Integrator, Start, TangentIntegrator};
+use heavytop::methods::{TangentTask, Task};
+use heavytop::{HeavyTop, Invariant, Turning, WithAttitude};
+use lie_poisson::{Pair, Quaternion, Se3Dual, Vector};
+use pyo3::PyResult;
+use pyo3::exceptions::PyValueError;
+
+/// The invariants of a top.
+pub(super) struct Invariants<'a> {
+    pub(super) top: &'a HeavyTop,
+    pub(super) list: &'a [Invariant],
+}
+
+impl Quantities for Invariants<'_> {
+    fn count(&self) -> usize {
+        self.list.len()
+    }
+
+    fn append<M: Vector<Scalar = f64>>(&self, mu: &M, values: &mut Vec<f64>) {
+        let mu: Se3Dual = Vector::from_coordinates(|i| mu.coordinate(i));
+        values.extend(self.list.iter().map(|invariant| invariant.value(self.top, &mu)));
+    }
+}
+
+/// The task of recording a run of a top.
+pub(super) struct RecordTop<'a> {
+    pub(super) recording: Recording<'a, Invariants<'a>>,
+    /// The attitude at the start; `None` for the shortest rotation of Γ to the vertical.
+    pub(super) initial_attitude: Option<Quaternion>,
+}
+
+impl Task for RecordTop<'_> {
+    type Output = PyResult<Record>;
+
+    fn perform<I: Start<State: Vector, Momentum = Se3Dual>>(
+        self,
+        integrator: &I,
+    ) -> PyResult<Record> {
+        if self.recording.attitude {
+            return Err(PyValueError::new_err(
+                "direct has no attitude: its six equations do not determine it; collective, reduced and \
+                 splitting have one",
+            ));
+        }
+        let Schedule { step, .. } = *self.recording.schedule;
+        let start = self.recording.schedule.start();
+        let run = integrator.trajectory(&start, step).map_err(refused)?;
+        self.recording.follow(integrator, run, |_| None)
+    }
+
+    fn perform_turning<I: Turning + Start>(self, integrator: I) -> PyResult<Record> {
+        if !self.recording.attitude {
+            return self.perform(&integrator);
+        }
+        let integrator = WithAttitude(integrator);
+        let start = self.recording.schedule.start();
+        let Pair(state, shortest) = integrator.start(&start).map_err(refused)?;
+        let attitude = self.initial_attitude.unwrap_or(shortest);
+        let run = integrator.trajectory_from(Pair(state, attitude), self.recording.schedule.step);
+        self.recording.follow(&integrator, run, |state| Some(&state.1))
+    }
+}
+
+/// The task of finding states between the samples.
+pub(super) struct StatesAt<'a> {
+    pub(super) schedule: &'a Schedule,
+    pub(super) times: &'a [f64],
+}
+
+impl Task for StatesAt<'_> {
+    type Output = PyResult<Vec<f64>>;
+
+    fn perform<I: Start<State: Vector, Momentum = Se3Dual>>(self, integrator: &I) -> Self::Output {
+        states_at(integrator, self.schedule, self.times)
+    }
+}
+
+/// The task of following tangent vectors.
+pub(super) struct Stretching<'a> {
+    pub(super) task: GrowthTask<'a>,
+    pub(super) tangents: Tangents,
+}
+
+impl TangentTask for Stretching<'_> {
+    type Output = Result<Growth, String>;
+
+    fn perform<I>(self, integrator: &I) -> Self::Output
+    where
+        I: Start<State: Vector, Momentum = Se3Dual> + TangentIntegrator,
+    {
+        // The compiler makes no code for branches that a constant excludes.
+        if const { !has_tangents_of_momenta::<I>() } {
+            return Err(NO_TANGENTS.into());
+        }
+        match self.tangents {
+            Tangents::One => self.task.follow::<I, 1>(integrator, self.tangents),
+            Tangents::Two => self.task.follow::<I, 2>(integrator, self.tangents),
+            Tangents::All => self.task.follow::<I, 6>(integrator, self.tangents),
+        }
+    }
+}
