@@ -74,7 +74,7 @@ pub fn contest(
     }
     println!(
         "{{\"name\": \"{name}\", \"setting\": \"{setting}\", \"seconds\": {best:e}, \"steps\": {steps}, \
-         \"error_10\": {error_10:e}, \"error_{}\": {:e}}}",
+         \"error_10\": {error_10:.3e}, \"error_{}\": {:.3e}}}",
         problem.end,
         distance(&at_end, &problem.at_end)
     );

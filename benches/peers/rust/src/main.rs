@@ -8,7 +8,7 @@
 
 use contest::{Problem, State, Top, contest};
 use differential_equations::prelude::{ExplicitRungeKutta, IVP, ODE};
-use diffsol::{NalgebraMat, OdeBuilder, OdeSolverMethod, OdeSolverStopReason, VectorHost};
+use diffsol::{NalgebraMat, OdeBuilder, OdeSolverMethod, OdeSolverStopReason};
 use ode_solvers::{Dop853, OutputType, System, Vector6};
 use std::error::Error;
 
@@ -85,7 +85,7 @@ fn diffsol(problem: &Problem, tolerance: f64) -> Outcome {
         solver.set_stop_time(end)?;
         while !matches!(solver.step()?, OdeSolverStopReason::TstopReached) {}
         let steps = solver.get_statistics().number_of_steps;
-        Ok((solver.state().y.as_slice().try_into()?, steps))
+        Ok((solver.state().y.batch_as_slice(0).try_into()?, steps))
     })
 }
 
