@@ -94,7 +94,8 @@ fn main() -> Result<(), Box<dyn Error>> {
         return Err("four arguments: (text | rust) (top | periodic) (f64 | lanes) STEPS".into());
     };
     let steps = steps.parse()?;
-    let inverse = Vector3::new(1.0 / 2.0, 1.0 / 2.0, 1.0);
+    // The parameters are known at run time only, as those of a formula are.
+    let inverse = black_box(Vector3::new(1.0 / 2.0, 1.0 / 2.0, 1.0));
     let parameters = Parameters::new().vector("I", &[2.0, 2.0, 1.0])?.number("mgl", 1.0)?;
     let parameters = parameters.vector("c", &[1.0, 0.0, 0.0])?.number("k", 3.0)?;
     let names = Vocabulary::of(&Se3::default(), &parameters)?;
@@ -104,14 +105,15 @@ fn main() -> Result<(), Box<dyn Error>> {
             let h = text("0.5*(Pi1^2/I1 + Pi2^2/I2 + Pi3^2/I3) + mgl*c·Gamma")?;
             on(scalar, h, steps)
         }
-        ("rust", "top") => on(scalar, Top { inverse, torque: Vector3::x() }, steps),
+        ("rust", "top") => on(scalar, Top { inverse, torque: black_box(Vector3::x()) }, steps),
         ("text", "periodic") => {
             let kinetic = "0.5*(Pi1^2/I1 + Pi2^2/I2 + Pi3^2/I3)";
             let h = text(&format!("{kinetic} + 0.7*cos(k*Gamma1) + 0.4*exp(-Gamma3^2)"))?;
             on(scalar, h, steps)
         }
         ("rust", "periodic") => {
-            on(scalar, InPeriodicField { inverse, a: 0.7, k: 3.0, b: 0.4 }, steps)
+            let [a, k, b] = black_box([0.7, 3.0, 0.4]);
+            on(scalar, InPeriodicField { inverse, a, k, b }, steps)
         }
         _ => Err("no such Hamiltonian".into()),
     }
