@@ -58,7 +58,7 @@ impl Tape {
 
     /// Computes the results at `inputs` coordinates as a vector; NaN if the tape has another number of coordinates or
     /// results. The coordinate that belongs to the i-th result is `own(i)`.
-    #[inline]
+    #[cfg_attr(not(debug_assertions), inline(always))]
     pub(crate) fn vector<V: Vector>(
         &self,
         inputs: usize,
@@ -153,6 +153,7 @@ impl Instruction<u16> {
             Operation::Multiply => a * b(),
             Operation::MultiplyAdd => a * b() + registers[place(c)],
             Operation::Scale(number) => a * number,
+            Operation::ScaleProduct(number) => a * b() * number,
             Operation::ScaleAdd(number) => a * number + b(),
             Operation::Offset(number) => a + number,
             Operation::Divide => a / b(),
@@ -195,6 +196,9 @@ mod tests {
         assert_eq!(lengths(top)[1..], [0, 0]);
         // dh = (0.6 Π₁ + 0.1 Π₂, 0.1 Π₁ + 2 Π₂, 0, …): two products, each added to a product
         assert_eq!(lengths("0.3*Pi1^2 + 0.1*Pi1*Pi2 + Pi2^2")[1], 4);
+        // h = ½ Π₁Π₂ is one instruction, and exp(−Γ₃²) needs one before exp, its slope −2 exp(−Γ₃²) Γ₃ one after it
+        assert_eq!(lengths("0.5*(Pi1*Pi2)")[0], 1);
+        assert_eq!(lengths("exp(-Gamma3^2)")[..2], [2, 3]);
         // dh = (Γ, Π): copies
         assert_eq!(lengths("Pi·Gamma"), [3, 6, 6]);
         // the length of Γ is computed once for all slopes, and 2Γᵢ is added by the instruction that multiplies
