@@ -40,7 +40,7 @@ trait Body {
     type Energy: Hamiltonian<<Self::Map as PoissonMap>::Target>;
 
     /// Returns the integrator, and the point z at which it starts.
-    fn gauss4(&self) -> Result<(GaussOf<Self>, SourcePoint<Self::Map>), Box<dyn Error>>;
+    fn gauss4(&self) -> Result<Start<Self>, Box<dyn Error>>;
 
     /// Makes steps of RK4 on the coordinates of μ, by hand.
     ///
@@ -49,7 +49,10 @@ trait Body {
 }
 
 /// The collective integrator of a body.
-type GaussOf<B> = Collective<RungeKutta, <B as Body>::Map, <B as Body>::Energy>;
+type Gauss<B> = Collective<RungeKutta, <B as Body>::Map, <B as Body>::Energy>;
+
+/// The integrator of a body, and the point z at which it starts.
+type Start<B> = (Gauss<B>, SourcePoint<<B as Body>::Map>);
 
 /// Returns the coordinates of a vector.
 fn coordinates<V: Vector<Scalar = f64>>(v: &V) -> Vec<f64> {
@@ -114,7 +117,7 @@ fn times<B: Body>(name: &str, body: &B) -> Result<(), Box<dyn Error>> {
     let (steps, bound) = AGREEMENT;
     let ends = by_library(body, steps)?.0.into_iter().zip(by_hand(body, steps)?.0);
     let distance = ends.map(|(a, b)| (a - b) * (a - b)).sum::<f64>().sqrt();
-    if !(distance < bound) {
+    if distance.is_nan() || distance > bound {
         return Err(format!("{name}: the two methods are {distance:e} apart").into());
     }
     let (mut best, mut sweeps) = ([f64::INFINITY; 2], [0; 2]);

@@ -1,6 +1,6 @@
 //! A rigid body in four dimensions.
 
-use super::{Body, GaussOf, cross, rk4};
+use super::{Body, Start, cross, rk4};
 use collective_integrators::{Collective, RungeKutta};
 use lie_poisson::{
     Covector, Hamiltonian, LiePoisson, Pair, ProductAlgebra, Real, So3, VectorSpace,
@@ -90,7 +90,7 @@ impl Body for RigidBody {
     type Map = AngularMomenta;
     type Energy = Self;
 
-    fn gauss4(&self) -> Result<(GaussOf<Self>, Cotangent<Two<f64>>), Box<dyn Error>> {
+    fn gauss4(&self) -> Result<Start<Self>, Box<dyn Error>> {
         let q = Pair(Vector3::new(0.3, -1.0, 0.7), Vector3::new(0.9, 0.4, -0.5));
         let p = Pair(Vector3::new(1.1, 0.2, -0.6), Vector3::new(-0.3, 0.8, 1.0));
         let gauss = Collective::new(RungeKutta::gauss(2)?, AngularMomenta, *self);

@@ -1,6 +1,6 @@
 //! A generalised rigid body on su(3)∗.
 
-use super::{Body, GaussOf, rk4};
+use super::{Body, Start, rk4};
 use collective_integrators::{Collective, RungeKutta};
 use lie_poisson::num_complex::Complex;
 use lie_poisson::{ComplexSpace, Covector, Hamiltonian, LieAlgebra, LiePoisson, Real};
@@ -139,7 +139,7 @@ impl Body for Body8 {
     type Map = OnTriples;
     type Energy = Self;
 
-    fn gauss4(&self) -> Result<(GaussOf<Self>, Cotangent<Triple<f64>>), Box<dyn Error>> {
+    fn gauss4(&self) -> Result<Start<Self>, Box<dyn Error>> {
         let c = Complex::new;
         let q = Vector3::new(c(1.0, 0.2), c(0.1, -0.5), c(0.5, 0.0));
         let p = Vector3::new(c(0.3, -0.7), c(0.9, 0.4), c(-0.2, 0.6));

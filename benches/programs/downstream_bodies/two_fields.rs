@@ -1,6 +1,6 @@
 //! A rigid body in two constant fields, such as gravity and a magnetic field.
 
-use super::{Body, GaussOf, cross, rk4};
+use super::{Body, Start, cross, rk4};
 use collective_integrators::{Collective, RungeKutta};
 use lie_poisson::{
     Covector, Diagonal, Hamiltonian, LiePoisson, Pair, Power, Real, SO3OnR3, SemidirectAlgebra,
@@ -89,7 +89,7 @@ impl Body for BodyInTwoFields {
     type Map = TwoParticles;
     type Energy = Self;
 
-    fn gauss4(&self) -> Result<(GaussOf<Self>, Cotangent<Fields<f64>>), Box<dyn Error>> {
+    fn gauss4(&self) -> Result<Start<Self>, Box<dyn Error>> {
         let q = Power([Vector3::new(0.3, -1.0, 0.7), Vector3::new(0.9, 0.4, -0.5)]);
         let p = Power([Vector3::new(0.6, 0.0, -0.8), Vector3::new(0.0, 1.0, 0.0)]);
         let gauss = Collective::new(RungeKutta::gauss(2)?, TwoParticles, *self);
