@@ -2,15 +2,21 @@
 //!
 //! ```text
 //! cargo build --release -p measurements --bin formula_steps
-//! valgrind --tool=callgrind target/release/formula_steps (text | rust) (top | periodic) (f64 | lanes) STEPS
+//! valgrind --tool=callgrind target/release/formula_steps (text | rust) (top | periodic) (f64 | lanes | avx2) STEPS
 //! ```
+//!
+//! The steps on `lanes` are those of the four trajectories of [`DefaultLanes`], those of `avx2` of an ensemble of four by
+//! [`Laned`] on registers of 256 bits.
 //!
 //! A count is the difference of two runs, divided by the steps that one makes more: what comes before the first step is in
 //! both.
 
-use collective_integrators::{Direct, HamiltonianField, Integrator, RungeKutta};
+use collective_integrators::{
+    BatchIntegrator, Direct, HamiltonianField, IntegrationError, Integrator, Laned, RungeKutta,
+};
 use lie_poisson::{
-    Covector, DefaultLanes, Hamiltonian, Lanes, LiePoisson, Pair, Real, Se3, Se3Dual, Vector,
+    Covector, DefaultLanes, Hamiltonian, InstructionSet, Lanes, LiePoisson, Pair, Real, Se3,
+    Se3Dual, Vector,
 };
 use lie_poisson_formulas::{FormulaHamiltonian, Parameters, Vocabulary};
 use nalgebra::Vector3;
@@ -58,16 +64,17 @@ impl<T: Real> Hamiltonian<LiePoisson<Se3>, T> for InPeriodicField {
     }
 }
 
+/// The coordinates of the start of the first lane.
+const START: [f64; 6] = [2.0, 3.0, 4.0, 0.5, 0.0, 0.866];
+
 /// Makes the steps, from a start that differs from lane to lane.
 fn steps<T: Lanes, H>(hamiltonian: H, steps: u64) -> Result<(), Box<dyn Error>>
 where
     H: Hamiltonian<LiePoisson<Se3>, T>,
 {
-    let start = [2.0, 3.0, 4.0, 0.5, 0.0, 0.75_f64.sqrt()];
     let mut state: Se3Dual<T> =
-        Vector::from_coordinates(|i| T::from_lanes(|lane| start[i] + 0.01 * lane as f64));
-    let field = HamiltonianField { space: LiePoisson::minus(Se3::default()), hamiltonian };
-    let rk4 = Direct::new(RungeKutta::rk4(), field);
+        Vector::from_coordinates(|i| T::from_lanes(|lane| START[i] + 0.01 * lane as f64));
+    let rk4 = rk4(hamiltonian);
     let mut workspace = rk4.workspace();
     for _ in 0..steps {
         state = rk4.step(&state, 0.01, &mut workspace)?.point;
@@ -76,12 +83,39 @@ where
     Ok(())
 }
 
+/// Returns RK4 on se(3)∗.
+fn rk4<H>(hamiltonian: H) -> Rk4<H> {
+    let field = HamiltonianField { space: LiePoisson::minus(Se3::default()), hamiltonian };
+    Direct::new(RungeKutta::rk4(), field)
+}
+
+/// The integrator of a Hamiltonian.
+type Rk4<H> = Direct<RungeKutta, HamiltonianField<LiePoisson<Se3>, H>>;
+
+/// Makes the steps of an ensemble of four.
+fn ensemble<H>(hamiltonian: H, steps: u64) -> Result<(), Box<dyn Error>>
+where
+    Laned<Rk4<H>>: BatchIntegrator<Member = Se3Dual>,
+{
+    let batch = Laned::new(rk4(hamiltonian)).with_instructions(InstructionSet::Avx2)?;
+    let mut members: Vec<Se3Dual> = (0..4)
+        .map(|lane| Vector::from_coordinates(|i| START[i] + 0.01 * f64::from(lane)))
+        .collect();
+    let mut failure: Result<(), IntegrationError> = Ok(());
+    let mut failed = |_, error| failure = Err(error);
+    batch.advance(&mut members, 0.01, 0..steps, &mut batch.workspace(), &mut failed);
+    black_box(members);
+    Ok(failure?)
+}
+
 /// Makes the steps on numbers or on SIMD lanes (several trajectories in one register).
 fn on<H>(scalar: &str, hamiltonian: H, count: u64) -> Result<(), Box<dyn Error>>
 where
     H: Hamiltonian<LiePoisson<Se3>, f64> + Hamiltonian<LiePoisson<Se3>, DefaultLanes>,
+    Laned<Rk4<H>>: BatchIntegrator<Member = Se3Dual>,
 {
     match scalar {
+        "avx2" => ensemble(hamiltonian, count),
         "f64" => steps::<f64, H>(hamiltonian, count),
         "lanes" => steps::<DefaultLanes, H>(hamiltonian, count),
         other => Err(format!("no scalar called {other}").into()),
@@ -91,7 +125,9 @@ where
 fn main() -> Result<(), Box<dyn Error>> {
     let arguments: Vec<_> = std::env::args().skip(1).collect();
     let [source, system, scalar, steps] = arguments.as_slice() else {
-        return Err("four arguments: (text | rust) (top | periodic) (f64 | lanes) STEPS".into());
+        return Err(
+            "four arguments: (text | rust) (top | periodic) (f64 | lanes | avx2) STEPS".into()
+        );
     };
     let steps = steps.parse()?;
     // The parameters are known at run time only, as those of a formula are.
