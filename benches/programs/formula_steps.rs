@@ -38,6 +38,7 @@ impl<T: Real> Hamiltonian<LiePoisson<Se3>, T> for Top {
         kinetic + gamma.zip_map(&self.torque, |x, c| x * c).sum()
     }
 
+    #[inline(always)]
     fn differential(&self, Covector(Pair(pi, _)): &Point<T>) -> Pair<Vector3<T>, Vector3<T>> {
         Pair(pi.zip_map(&self.inverse, |x, inverse| x * inverse), self.torque.map(T::from_f64))
     }
@@ -57,6 +58,7 @@ impl<T: Real> Hamiltonian<LiePoisson<Se3>, T> for InPeriodicField {
         kinetic + (gamma.x * self.k).cos() * self.a + (-(gamma.z * gamma.z)).exp() * self.b
     }
 
+    #[inline(always)]
     fn differential(&self, Covector(Pair(pi, gamma)): &Point<T>) -> Pair<Vector3<T>, Vector3<T>> {
         let x = (gamma.x * self.k).sin() * (-self.a * self.k);
         let z = (-(gamma.z * gamma.z)).exp() * gamma.z * (-2.0 * self.b);

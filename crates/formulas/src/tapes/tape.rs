@@ -83,9 +83,27 @@ impl Tape {
     /// Computes the results at `inputs` coordinates and passes the first `outputs` of them on; none if the tape has
     /// another number of coordinates.
     ///
-    /// The registers are an array on the stack, of the smallest of five sizes that suffices. Nothing is allocated.
-    #[inline]
+    /// The registers are an array on the stack, of the smallest of five sizes that suffices, or of three for SIMD lanes in
+    /// wide registers. Nothing is allocated.
+    #[cfg_attr(not(debug_assertions), inline(always))]
     fn evaluate<T: Real, R>(
+        &self,
+        counts: (usize, usize),
+        input: impl Fn(usize) -> T,
+        own: impl Fn(usize) -> T,
+        results: impl Fn(&[T]) -> R,
+    ) -> R {
+        // Only what is inlined where wide registers are in use has their instructions.
+        match self.size {
+            _ if T::HAS_SLOW_PATHS => self.evaluate_apart(counts, input, own, results),
+            16 => self.evaluate_in::<T, R, { SIZES[0] }>(counts, input, own, results),
+            32 | 64 => self.evaluate_in::<T, R, { SIZES[2] }>(counts, input, own, results),
+            _ => self.evaluate_in::<T, R, { SIZES[4] }>(counts, input, own, results),
+        }
+    }
+
+    #[inline]
+    fn evaluate_apart<T: Real, R>(
         &self,
         counts: (usize, usize),
         input: impl Fn(usize) -> T,
