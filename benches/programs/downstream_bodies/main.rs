@@ -151,8 +151,11 @@ fn steps<B: Body>(body: &B, method: &str, steps: u64) -> Result<(), Box<dyn Erro
 
 fn main() -> Result<(), Box<dyn Error>> {
     // What the bodies are is known at run time only.
-    let (so4, two_fields, su3) =
-        black_box((so4::RigidBody::new(), two_fields::BodyInTwoFields::new(), su3::Body8::new()));
+    let (so4, two_fields, su3) = black_box((
+        so4::RigidBody::new(),
+        two_fields::BodyInTwoFields::new(),
+        su3::BodyOnSu3::new(),
+    ));
     let arguments: Vec<_> = std::env::args().skip(1).collect();
     let arguments: Vec<_> = arguments.iter().map(String::as_str).collect();
     match arguments.as_slice() {

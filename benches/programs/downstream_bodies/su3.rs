@@ -113,18 +113,18 @@ impl PoissonMap for OnTriples {
 
 /// The body with h = ½ Σ μ_a²/I_a.
 #[derive(Clone, Copy)]
-pub struct Body8 {
+pub struct BodyOnSu3 {
     inverse: Element<f64>,
 }
 
-impl Body8 {
+impl BodyOnSu3 {
     /// Creates the body with I = (1, 1.2, …, 2.4).
     pub fn new() -> Self {
         Self { inverse: Element::from_fn(|a, _| 1.0 / (1.0 + 0.2 * a as f64)) }
     }
 }
 
-impl<T: Real> Hamiltonian<LiePoisson<Su3>, T> for Body8 {
+impl<T: Real> Hamiltonian<LiePoisson<Su3>, T> for BodyOnSu3 {
     fn value(&self, Covector(mu): &Covector<Element<T>>) -> T {
         mu.zip_map(&self.inverse, |x, inverse| x * x * inverse).sum() * 0.5
     }
@@ -135,7 +135,7 @@ impl<T: Real> Hamiltonian<LiePoisson<Su3>, T> for Body8 {
     }
 }
 
-impl Body for Body8 {
+impl Body for BodyOnSu3 {
     type Map = OnTriples;
     type Energy = Self;
 
