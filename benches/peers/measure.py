@@ -7,7 +7,8 @@ A contestant is a command that prints one line of JSON for each setting,
 with seconds for the whole problem (for all tops of an ensemble), steps of one top, and the 2-norm of the error of the
 state (Π, Γ), its arithmetic mean over an ensemble, at t = 10 and at the end (an ensemble ends at t = 20: "error_20").
 The names of ours begin with "heavytop"; `page.PEERS` asks for "heavytop collective Gauss" and "heavytop lift-free
-midpoint". The bodies of a downstream crate are their own peers: their lines have no error. In each round every contestant runs once, on each problem; the next round starts with another one.
+midpoint". The bodies of a downstream crate are their own peers: their lines have no error. In each round every
+contestant runs once, on each problem; the next round starts with another one.
 """
 
 import argparse
@@ -29,7 +30,8 @@ PROBLEMS = {
 
 # What runs. {built}, {folder}, {peers}, {python} and {problem} are filled in.
 OURS = ["{built}/heavytop bench --json --problem {problem}"]
-ONE_TOP = ["{folder}/single {problem}", "{folder}/splitting {problem}", "{folder}/rust-peers {problem}", "{folder}/gsl {problem}", "{folder}/odeint {problem}",
+ONE_TOP = ["{folder}/single {problem}", "{folder}/splitting {problem}", "{folder}/rust-peers {problem}",
+           "{folder}/gsl {problem}", "{folder}/odeint {problem}",
            "{python} -B {peers}/heyoka_peer.py {problem}", "{python} -B {peers}/scipy_peer.py {problem}"]
 ENSEMBLE = ["{folder}/ensemble {problem}", "{python} -B {peers}/heyoka_peer.py {problem}"]
 PEAK = "{folder}/peak"

@@ -161,7 +161,8 @@ def bodies(rows):
         ours, theirs = found.get(f"{GAUSS_4}, {body}"), found.get(f"{RK4_BY_HAND}, {body}")
         if ours and theirs:
             a, b = (row["seconds"] / row["steps"] * 1e9 for row in (ours, theirs))
-            ratio = statistics.median(ours["rounds"][n] / theirs["rounds"][n] for n in ours["rounds"] if n in theirs["rounds"])
+            a_rounds, b_rounds = ours["rounds"], theirs["rounds"]
+            ratio = statistics.median(a_rounds[n] / b_rounds[n] for n in a_rounds if n in b_rounds)
             lines.append(f"| {body} | {a:.1f} | {b:.1f} | {ratio:.1f} |")
     return lines + [""] if len(lines) > 6 else []
 
