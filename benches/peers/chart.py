@@ -27,7 +27,7 @@ SERIES = [
     ("RK8, C++", RIGHT, ("C++ RK8, vectors", "C++ SIMD RK8"), VERMILLION, "s"),
     ("IRKGL16, C++", RIGHT, ("C++ IRKGL16*",), GREY, "^"),
     ("midpoint, C++", LEFT, ("C++ implicit midpoint, vectors", "C++ SIMD implicit midpoint"), PURPLE, "s"),
-    ("heyoka", RIGHT, ("heyoka*",), BLACK, "D"),
+    ("heyoka", RIGHT, ("heyoka", "heyoka, batch*"), BLACK, "D"),
 ]
 
 

@@ -7,7 +7,8 @@ A contestant is a command that prints one line of JSON for each setting,
 with seconds for the whole problem (for all tops of an ensemble), steps of one top, and the 2-norm of the error of the
 state (Π, Γ), its arithmetic mean over an ensemble, at t = 10 and at the end (an ensemble ends at t = 20: "error_20").
 The names of ours begin with "heavytop"; `page.PEERS` asks for "heavytop collective Gauss" and "heavytop lift-free
-midpoint". In each round every contestant runs once, on each problem; the next round starts with another one.
+midpoint". The bodies of a downstream crate are their own peers: their lines have no error. In each round every
+contestant runs once, on each problem; the next round starts with another one.
 """
 
 import argparse
@@ -27,12 +28,14 @@ PROBLEMS = {
     "generic-ensemble": "2.9 2.1 1.3 1 0.48 0.6 0.64 20 10000",
 }
 
-# What runs. {heavytop}, {folder}, {peers}, {python} and {problem} are filled in.
-OURS = ["{heavytop} bench --json --problem {problem}"]
-ONE_TOP = ["{folder}/single {problem}", "{folder}/gsl {problem}", "{folder}/odeint {problem}",
+# What runs. {built}, {folder}, {peers}, {python} and {problem} are filled in.
+OURS = ["{built}/heavytop bench --json --problem {problem}"]
+ONE_TOP = ["{folder}/single {problem}", "{folder}/splitting {problem}", "{folder}/rust-peers {problem}",
+           "{folder}/gsl {problem}", "{folder}/odeint {problem}",
            "{python} -B {peers}/heyoka_peer.py {problem}", "{python} -B {peers}/scipy_peer.py {problem}"]
 ENSEMBLE = ["{folder}/ensemble {problem}", "{python} -B {peers}/heyoka_peer.py {problem}"]
 PEAK = "{folder}/peak"
+BODIES = "{built}/downstream_bodies times"
 
 
 def ours(text):
@@ -90,7 +93,7 @@ def write_problems(folder):
 
 def main():
     parser = argparse.ArgumentParser(description=__doc__.splitlines()[0])
-    for name in ("--folder", "--root", "--heavytop"):
+    for name in ("--folder", "--root", "--built"):
         parser.add_argument(name, type=Path, required=True)
     parser.add_argument("--rounds", type=int, default=5)
     options = parser.parse_args()
@@ -102,13 +105,13 @@ def main():
         commands = OURS + (ENSEMBLE if problem.endswith("ensemble") else ONE_TOP)
         return [(command, problem) for command in commands]
 
-    schedule = [(PEAK, "peak")] + [pair for problem in PROBLEMS for pair in contestants(problem)]
+    schedule = [(PEAK, "peak"), (BODIES, "bodies")] + [pair for problem in PROBLEMS for pair in contestants(problem)]
     results = Results()
     for round_number in range(options.rounds):
         print(f"== round {round_number + 1} of {options.rounds}", flush=True)
         first = round_number * len(schedule) // options.rounds
         for command, problem in schedule[first:] + schedule[:first]:
-            words = [word.format(heavytop=options.heavytop, folder=options.folder, python=sys.executable,
+            words = [word.format(built=options.built, folder=options.folder, python=sys.executable,
                                  peers=Path(__file__).parent, problem=options.folder / f"{problem}.txt")
                      for word in command.split()]
             results.run(words, problem, round_number)

@@ -6,6 +6,7 @@ Two parts of the page are generated: the ratios of computing times at its top, a
 import platform
 import statistics
 import subprocess
+import tomllib
 from fnmatch import fnmatchcase
 from importlib.metadata import PackageNotFoundError, version
 from pathlib import Path
@@ -27,6 +28,7 @@ TITLES = {
 ANY = float("inf")
 KOVALEVSKAYA, GENERIC = "kovalevskaya", "generic"
 GAUSS, MIDPOINT = ("heavytop collective Gauss*", None, 2e-14), ("heavytop lift-free midpoint*", "h = 0.01", ANY)
+GAUSS_11 = ("heavytop collective Gauss*", None, 1e-11)
 ENSEMBLE_13, ENSEMBLE_8 = ("heavytop*", None, 3e-13), ("heavytop*", None, 1e-8)
 RK8, RK8_VECTORS = ("C++ RK8", "h = 0.025", ANY), ("C++ RK8, vectors", "h = 0.025", ANY)
 SIMD_RK8_13, SIMD_RK8_8 = ("C++ SIMD RK8", None, 3e-13), ("C++ SIMD RK8", None, 1e-8)
@@ -36,11 +38,20 @@ PEERS = [
     ("one top, error 2e-14", "heyoka, fastest setting", "", (KOVALEVSKAYA, GENERIC), GAUSS, ("heyoka", None, 2e-14)),
     ("one top, error 2e-14", "heyoka, finest tolerance", "", (KOVALEVSKAYA, GENERIC), GAUSS,
      ("heyoka", "tolerance 1e-16", ANY)),
+    ("one top, error 2e-14", "heyoka, compiled parameters", "", (KOVALEVSKAYA, GENERIC), GAUSS,
+     ("heyoka, compiled parameters", None, 2e-14)),
     ("one top, error 2e-14", "RK8, h = 0.025", "", (KOVALEVSKAYA, GENERIC), GAUSS, RK8),
     ("one top, error 2e-14", "RK8 in vectors, h = 0.025", "", (KOVALEVSKAYA, GENERIC), GAUSS, RK8_VECTORS),
     ("one top, error 2e-14", "IRKGL16", "", (KOVALEVSKAYA, GENERIC), GAUSS, ("C++ IRKGL16*", None, 2e-14)),
     ("one top, RK4", "C++", "", (KOVALEVSKAYA, GENERIC), ("heavytop any system: RK4, direct", "h = 0.01", ANY),
      ("C++ RK4", "h = 0.01", ANY)),
+    ("one top, splitting of order 4", "C++", "", (KOVALEVSKAYA,),
+     ("heavytop splitting of order 4, one top", "h = 0.2", ANY), ("C++ splitting of order 4", "h = 0.2", ANY)),
+    ("one top, error 1e-11", "DOP853 of ode_solvers", "", (KOVALEVSKAYA, GENERIC), GAUSS_11,
+     ("ode_solvers DOP853", None, 1e-11)),
+    ("one top, error 1e-11", "DOP853 of differential-equations", "", (KOVALEVSKAYA, GENERIC), GAUSS_11,
+     ("differential-equations DOP853", None, 1e-11)),
+    ("one top, error 1e-11", "Tsit45 of diffsol", "", (KOVALEVSKAYA, GENERIC), GAUSS_11, ("diffsol Tsit45", None, 1e-11)),
     ("one top, midpoint rule", "C++", "", (KOVALEVSKAYA,), MIDPOINT, ("C++ implicit midpoint", None, ANY)),
     ("one top, midpoint rule", "C++ in vectors", "", (KOVALEVSKAYA,), MIDPOINT,
      ("C++ implicit midpoint, vectors", None, ANY)),
@@ -50,6 +61,8 @@ PEERS = [
     ("ensemble, error 3e-13", "SIMD RK8", "-ensemble", (KOVALEVSKAYA, GENERIC), ENSEMBLE_13, SIMD_RK8_13),
     ("ensemble, error 3e-13", "heyoka", "-ensemble", (KOVALEVSKAYA, GENERIC), ENSEMBLE_13,
      ("heyoka, batch*", None, 3e-13)),
+    ("ensemble, error 3e-13", "heyoka, compiled parameters", "-ensemble", (KOVALEVSKAYA, GENERIC), ENSEMBLE_13,
+     ("heyoka, compiled parameters*", None, 3e-13)),
     ("ensemble, error 1e-8", "SIMD RK8", "-ensemble", (KOVALEVSKAYA,), ENSEMBLE_8, SIMD_RK8_8),
 ]
 
@@ -63,6 +76,11 @@ GENERAL = [
     ("any system: lift-free midpoint", "lift-free midpoint", "-ensemble", "h = 0.01"),
     ("any Hamiltonian: midpoint", "lift-free midpoint", "-ensemble", "h = 0.01"),
 ]
+
+
+# The bodies of `downstream_bodies`, and its two methods.
+BODIES = ("rigid body on so(4)", "body in two fields", "body on su(3)")
+GAUSS_4, RK4_BY_HAND = "heavytop any system: Gauss-4", "RK4 by hand"
 
 
 def final_error(row):
@@ -134,6 +152,21 @@ def general(rows):
     return lines + [""] if len(lines) > 6 else []
 
 
+def bodies(rows):
+    found = {row["name"]: row for row in rows if row["problem"] == "bodies"}
+    lines = ["### Bodies of a downstream crate", "",
+             "The time of Gauss-4 of any system, with maps written by hand, divided by that of RK4 by hand; h = 0.01.", "",
+             "| body | Gauss-4, ns per step | RK4 by hand, ns per step | ratio |", "|---|--:|--:|--:|"]
+    for body in BODIES:
+        ours, theirs = found.get(f"{GAUSS_4}, {body}"), found.get(f"{RK4_BY_HAND}, {body}")
+        if ours and theirs:
+            a, b = (row["seconds"] / row["steps"] * 1e9 for row in (ours, theirs))
+            a_rounds, b_rounds = ours["rounds"], theirs["rounds"]
+            ratio = statistics.median(a_rounds[n] / b_rounds[n] for n in a_rounds if n in b_rounds)
+            lines.append(f"| {body} | {a:.1f} | {b:.1f} | {ratio:.1f} |")
+    return lines + [""] if len(lines) > 6 else []
+
+
 def machine():
     def first_line(*command):
         try:
@@ -149,6 +182,9 @@ def machine():
             packages.append(f"{package} {version(package)}")
         except PackageNotFoundError:
             pass
+    manifest = tomllib.loads((Path(__file__).parent / "rust/Cargo.toml").read_text())
+    for crate, wanted in manifest["dependencies"].items():
+        packages.append(f"{crate} {(wanted if isinstance(wanted, str) else wanted['version']).lstrip('=')}")
     return [f"{names[0] if names else platform.machine()}, {len(names)} cores; {first_line('g++', '--version')}; "
             f"{first_line('rustc', '--version')}; Python {platform.python_version()}, {', '.join(packages)}.", ""]
 
@@ -165,7 +201,7 @@ def generated(rows, missing, rounds):
         lines += ["Did not run here:", ""] + [f"* `{name}`: {why}" for name, why in missing.items()] + [""]
     for problem in TITLES:
         lines += table(problem, rows)
-    return lines + settings(rows) + general(rows)
+    return lines + settings(rows) + general(rows) + bodies(rows)
 
 
 def panels(rows):

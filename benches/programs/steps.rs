@@ -135,6 +135,11 @@ fn main() -> Result<(), Box<dyn Error>> {
                 HamiltonianField { space: LiePoisson::minus(Se3::default()), hamiltonian: top };
             one(&Direct::new(RungeKutta::rk4(), field), 0.01, steps)
         }
+        "splitting-4" => {
+            let (flows, four) =
+                (SymmetricTopSplitting::new(top)?, AlternatingSubsteps::blanes_moan4());
+            one(&Splitting::alternating(flows, four), 0.2, steps)
+        }
         "strang" => one(&Splitting::strang(SymmetricTopSplitting::new(top)?), 0.02, steps),
         other => Err(format!("no kernel called {other}").into()),
     }

@@ -73,7 +73,7 @@ impl<A: LieAlgebra, T: Real> Hamiltonian<LiePoisson<A>, T> for FormulaHamiltonia
         self.formula.value(mu)
     }
 
-    #[inline]
+    #[cfg_attr(not(debug_assertions), inline(always))]
     fn differential(&self, mu: &Momentum<A, T>) -> A::Element<T> {
         self.formula.differential(mu)
     }

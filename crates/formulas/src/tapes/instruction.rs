@@ -13,6 +13,8 @@ pub(crate) enum Operation {
     MultiplyAdd,
     /// a times a number.
     Scale(f64),
+    /// a b times a number, rounded twice.
+    ScaleProduct(f64),
     /// a times a number, plus b, rounded twice.
     ScaleAdd(f64),
     /// a plus a number.

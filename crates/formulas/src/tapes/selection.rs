@@ -50,8 +50,7 @@ fn choose(graph: &Graph, id: Id, uses: &[usize]) -> Option<(Operation, [Id; 3])>
         Node::Number(_) | Node::Input(_) => return None,
         Node::Add(a, b) => return Some(sum(graph, a, b, uses)),
         Node::Multiply(a, b) => match graph.as_number(a) {
-            Some(-1.0) => (Operation::Negate, [b; 3]),
-            Some(number) => (Operation::Scale(number), [b; 3]),
+            Some(number) => multiple(graph, number, b, uses),
             None => (Operation::Multiply, [a, b, a]),
         },
         Node::Divide(a, b) => (Operation::Divide, [a, b, a]),
@@ -62,6 +61,17 @@ fn choose(graph: &Graph, id: Id, uses: &[usize]) -> Option<(Operation, [Id; 3])>
         Node::Angle(y, x) => (Operation::Angle, [y, x, y]),
     };
     Some((operation, operands))
+}
+
+/// Returns a multiple of a node as an operation that includes a product that nothing else uses.
+fn multiple(graph: &Graph, number: f64, x: Id, uses: &[usize]) -> (Operation, [Id; 3]) {
+    match graph.node(x) {
+        Node::Multiply(a, b) if uses.get(x) == Some(&1) && graph.as_number(a).is_none() => {
+            (Operation::ScaleProduct(number), [a, b, a])
+        }
+        _ if number == -1.0 => (Operation::Negate, [x; 3]),
+        _ => (Operation::Scale(number), [x; 3]),
+    }
 }
 
 /// Returns a sum as an operation that includes a side that is a number, a multiple, or a product that nothing else uses.

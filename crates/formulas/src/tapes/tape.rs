@@ -58,7 +58,7 @@ impl Tape {
 
     /// Computes the results at `inputs` coordinates as a vector; NaN if the tape has another number of coordinates or
     /// results. The coordinate that belongs to the i-th result is `own(i)`.
-    #[inline]
+    #[cfg_attr(not(debug_assertions), inline(always))]
     pub(crate) fn vector<V: Vector>(
         &self,
         inputs: usize,
@@ -93,9 +93,27 @@ impl Tape {
     /// Computes the results at `inputs` coordinates and passes the first `outputs` of them on; none if the tape has
     /// another number of coordinates.
     ///
-    /// The registers are an array on the stack, of the smallest of five sizes that suffices. Nothing is allocated.
-    #[inline]
+    /// The registers are an array on the stack, of the smallest of five sizes that suffices, or of three for SIMD lanes in
+    /// wide registers. Nothing is allocated.
+    #[cfg_attr(not(debug_assertions), inline(always))]
     fn evaluate<T: Real, R>(
+        &self,
+        counts: (usize, usize),
+        input: impl Fn(usize) -> T,
+        own: impl Fn(usize) -> T,
+        results: impl Fn(&[T]) -> R,
+    ) -> R {
+        // Only what is inlined where wide registers are in use has their instructions.
+        match self.size {
+            _ if T::HAS_SLOW_PATHS => self.evaluate_apart(counts, input, own, results),
+            16 => self.evaluate_in::<T, R, { SIZES[0] }>(counts, input, own, results),
+            32 | 64 => self.evaluate_in::<T, R, { SIZES[2] }>(counts, input, own, results),
+            _ => self.evaluate_in::<T, R, { SIZES[4] }>(counts, input, own, results),
+        }
+    }
+
+    #[inline]
+    fn evaluate_apart<T: Real, R>(
         &self,
         counts: (usize, usize),
         input: impl Fn(usize) -> T,
@@ -163,6 +181,7 @@ impl Instruction<u16> {
             Operation::Multiply => a * b(),
             Operation::MultiplyAdd => a * b() + registers[place(c)],
             Operation::Scale(number) => a * number,
+            Operation::ScaleProduct(number) => a * b() * number,
             Operation::ScaleAdd(number) => a * number + b(),
             Operation::Offset(number) => a + number,
             Operation::Divide => a / b(),
@@ -205,6 +224,9 @@ mod tests {
         assert_eq!(lengths(top)[1..], [0, 0]);
         // dh = (0.6 Π₁ + 0.1 Π₂, 0.1 Π₁ + 2 Π₂, 0, …): two products, each added to a product
         assert_eq!(lengths("0.3*Pi1^2 + 0.1*Pi1*Pi2 + Pi2^2")[1], 4);
+        // h = ½ Π₁Π₂ is one instruction, and exp(−Γ₃²) needs one before exp, its slope −2 exp(−Γ₃²) Γ₃ one after it
+        assert_eq!(lengths("0.5*(Pi1*Pi2)")[0], 1);
+        assert_eq!(lengths("exp(-Gamma3^2)")[..2], [2, 3]);
         // dh = (Γ, Π): copies
         assert_eq!(lengths("Pi·Gamma"), [3, 6, 6]);
         // the length of Γ is computed once for all slopes, and 2Γᵢ is added by the instruction that multiplies
