@@ -14,10 +14,9 @@ use momentum_map::LiftError;
 /// k_i = X(z + h Σ_j a_ij k_j),    i = 1, …, s
 /// ```
 ///
-/// A sweep evaluates X once over lanes, for all i, instead of s times over `f64`. This takes a third to a half of the time
-/// for Gauss methods of four to eight stages. Implicit [`RungeKutta`](crate::RungeKutta) methods with two to eight stages are
-/// computed so, also as parts of a [`Composition`](crate::Composition). For other methods a step is that of the
-/// integrator alone, to the last bit.
+/// A sweep evaluates X once for each register, for several i at a time, instead of s times over `f64`. Implicit
+/// [`RungeKutta`](crate::RungeKutta) methods with two to eight stages are computed so, also as parts of a
+/// [`Composition`](crate::Composition). For other methods a step is that of the integrator alone, to the last bit.
 ///
 /// The stages solve the same equations to the same accuracy. A sweep uses the k_j of the sweep before where the
 /// integrator alone uses the newest ones, so the two results differ by round-off, and so do those on two instruction sets.
