@@ -2,7 +2,8 @@
 
 use collective_integrators::{
     AlternatingSubsteps, Collective, Composition, Direct, FirstHalf, LiftFree,
-    PartitionedRungeKutta, RungeKutta, Splitting, Start, Substeps, fitted_order, from_fn,
+    PartitionedRungeKutta, RungeKutta, Splitting, StagesInLanes, Start, Substeps, fitted_order,
+    from_fn,
 };
 use heavytop::{
     HeavyTop, ReducedMidpoint, RotorSplitting, SpinorRealisation, SymmetricTopSplitting,
@@ -49,6 +50,9 @@ fn every_formulation(task: &impl Task) {
     task.perform("collective midpoint", 2.0, collective(midpoint.clone()));
     task.perform("collective Gauss", 4.0, collective(gauss(2)));
     task.perform("collective, compensated", 4.0, collective(gauss(2)).compensated());
+    let side_by_side = StagesInLanes::new(collective(gauss(2)));
+    task.perform("collective, stages side by side", 4.0, side_by_side.clone());
+    task.perform("stages side by side, compensated", 4.0, side_by_side.compensated());
     let composed = Collective::new(yoshida(), SpinorRealisation, top);
     task.perform("collective composition", 4.0, composed);
     task.perform(
