@@ -75,8 +75,10 @@ fn ratio<I: Start<f64, State: Vector, Momentum = Se3Dual>>(integrator: &I, h: f6
 fn guesses_save_iterations() {
     for (s, h, bound) in [
         (1, 0.02, 0.7),
-        (2, 0.02, 0.9),
-        (3, 0.02, 0.8),
+        (2, 0.02, 0.6),
+        (2, 0.1, 0.9),
+        (3, 0.02, 0.6),
+        (3, 0.1, 0.8),
         (4, 0.1, 0.9),
         (6, 0.1, 0.8),
         (8, 0.1, 0.7),
