@@ -83,6 +83,26 @@ mod tests {
         assert!(!solve_linear(&mut [1.0], &mut [1.0, 1.0]), "the wrong size");
     }
 
+    /// Row k of the matrix has its largest number in another column than k. Each step of the elimination must exchange
+    /// rows: the pivots without it are some 1e-17, and lose all digits.
+    #[test]
+    fn every_pivot_is_the_largest_of_its_column() {
+        for n in 2..=6 {
+            let entry = |i: usize, j: usize| {
+                let (i, j) = (i as f64, j as f64);
+                if i == j { 1e-17 } else { (1.3 * i + 2.9 * j * j + i * j).sin() }
+            };
+            let mut a: Vec<f64> = (0..n * n).map(|m| entry(m / n, m % n)).collect();
+            let x: Vec<f64> = (0..n).map(|i| 1.0 - 0.4 * i as f64).collect();
+            let mut b: Vec<f64> =
+                a.chunks(n).map(|row| row.iter().zip(&x).map(|(a, x)| a * x).sum()).collect();
+            assert!(solve_linear(&mut a, &mut b));
+            // Rounding errors times the condition number of these matrices, at most 36.
+            let error = b.iter().zip(&x).map(|(b, x)| (b - x).abs()).fold(0.0, f64::max);
+            assert!(error < 36.0 * 10.0 * f64::EPSILON, "{n}: {error:e}");
+        }
+    }
+
     #[test]
     fn each_lane_is_solved_as_if_alone() {
         // The lanes need different pivots; the second is singular, the last is not a number.

@@ -22,6 +22,7 @@ fn check<V: State<Scalar = f64>>(like: &V) {
     let (v, x) = (with_entries(like, f), with_entries(like, g));
     let n = like.dimension();
     assert!(n > 0 && v.same_shape(&x) && v != x);
+    assert!((0..n).all(|i| v.block_of(i) < V::BLOCKS));
     assert_eq!(entries(&v), (0..n).map(f).collect::<Vec<_>>());
     assert_eq!((v.entry(n), entries(&v.zeros_like())), (0.0, vec![0.0; n]));
 
