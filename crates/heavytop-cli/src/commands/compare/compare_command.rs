@@ -5,8 +5,8 @@ use super::measurement::{Measure, Measurement, Reference};
 use super::recommendations::{self, Comparison};
 use crate::Error;
 use crate::configuration::{Config, Integration};
-use crate::files::Output;
 use crate::files::place::require_no_folders;
+use crate::files::{Output, OutputSet};
 use crate::pictures::render;
 use crate::runs::{Experiment, Schedule};
 use crate::supervision::{Progress, Watch};
@@ -71,7 +71,7 @@ pub fn compare(
     let names = ["work-precision.csv", "work-precision.svg", "work-precision.png"];
     require_no_folders(out, &names)?;
     let [csv, svg, png] = names.map(|name| out.join(name));
-    // No other run writes here until the table is complete, which it is last.
+    // No other run writes here until the table has its name, which it gets last.
     let mut table = Output::create(&csv)?;
 
     let ladder = ladder(steps);
@@ -97,10 +97,12 @@ pub fn compare(
 
     table.write(|to| to.write_all(recommendations::csv(&measurements).as_bytes()))?;
     let chart = chart::chart(&measurements, &experiment, reference.end);
+    let mut pictures = OutputSet::default();
     let drawn = render::render(&chart, SCALE).and_then(|(drawing, pixels)| {
-        Output::whole(&svg, drawing.as_bytes()).and_then(|()| Output::whole(&png, &pixels))
+        pictures.add(&svg, drawing.as_bytes())?;
+        pictures.add(&png, &pixels)
     });
-    table.conclude(drawn)?;
+    pictures.conclude(table, drawn)?;
     Ok(Comparison::new(&measurements, &reference, out))
 }
 

@@ -59,16 +59,15 @@ impl PointTable {
         if self.indices[0].len() < GROUP { Ok(()) } else { self.write() }
     }
 
-    /// Completes the file and gives it its name.
+    /// Returns the file, complete but for its name.
     ///
     /// # Errors
     /// If the file cannot be completed.
-    pub fn complete(mut self) -> std::result::Result<(), Error> {
+    pub fn whole(mut self) -> std::result::Result<Output, Error> {
         if !self.indices[0].is_empty() {
             self.write()?;
         }
-        let output = self.file.into_inner().map_err(|source| failed(&self.path, source.into()))?;
-        output.complete()
+        self.file.into_inner().map_err(|source| failed(&self.path, source.into()))
     }
 
     fn write(&mut self) -> std::result::Result<(), Error> {

@@ -55,14 +55,6 @@ impl<'a> TopTable<'a> {
         if self.rows.len() < GROUP { Ok(()) } else { self.write() }
     }
 
-    /// Completes the file and gives it its name.
-    ///
-    /// # Errors
-    /// If the file cannot be completed.
-    pub fn complete(self) -> std::result::Result<(), Error> {
-        self.whole()?.complete()
-    }
-
     /// Leaves the complete file as `NAME.partial`, and returns its path.
     ///
     /// # Errors
@@ -72,7 +64,11 @@ impl<'a> TopTable<'a> {
         self.whole()?.keep().map(|()| partial)
     }
 
-    fn whole(mut self) -> std::result::Result<Output, Error> {
+    /// Returns the file, complete but for its name.
+    ///
+    /// # Errors
+    /// If the file cannot be completed.
+    pub fn whole(mut self) -> std::result::Result<Output, Error> {
         if !self.rows.is_empty() {
             self.write()?;
         }
