@@ -84,6 +84,24 @@ impl Output {
         Ok(())
     }
 
+    /// Completes the file and gives it its name, unless there is a file of this name, even if it appeared at this moment.
+    ///
+    /// # Errors
+    /// [`Error::Exists`] if there is one. The errors of [`Self::complete`].
+    pub fn complete_new(mut self) -> Result<(), Error> {
+        self.finish()?;
+        let Some(partial) = &self.partial.0 else { return Ok(()) };
+        match fs::hard_link(partial, &self.path) {
+            Err(error) if error.kind() == io::ErrorKind::AlreadyExists => {
+                Err(Error::Exists { path: self.path.clone() })
+            }
+            // Some file systems have no hard links.
+            Err(_) => self.complete(),
+            // The other name of the file is removed.
+            Ok(()) => Ok(()),
+        }
+    }
+
     /// Writes the last bytes, and makes all of them outlast a power cut; the file does not have its name yet.
     ///
     /// So the name never stands for an incomplete file, and a full disk is found while the old file is still there.
