@@ -55,6 +55,11 @@ pub enum CheckpointError {
 impl CheckpointError {
     /// Returns whether the way to continue is to discard the checkpoint.
     pub(crate) fn is_of_no_use(&self) -> bool {
-        !matches!(self, Self::Read(_) | Self::Format { .. } | Self::Rows { .. })
+        match self {
+            // The run may have been killed when its output was complete and the checkpoint still there.
+            Self::Rows { source, .. } => source.kind() == io::ErrorKind::NotFound,
+            Self::Read(_) | Self::Format { .. } => false,
+            _ => true,
+        }
     }
 }

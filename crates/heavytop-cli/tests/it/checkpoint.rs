@@ -159,7 +159,7 @@ fn what_a_run_cannot_go_on_from_is_refused_and_left_as_it_is() {
     }
     for (out, message) in [
         ("a.npz", "it is of an output in CSV, and a.npz is not"),
-        ("b.csv", "the rows in b.csv.partial: No such file"),
+        ("b.csv", "cannot go on from a.csv.checkpoint: the rows in b.csv.partial: No such file"),
     ] {
         let run = folder.heavytop(&["simulate", "--out", out, "--resume", "a.csv.checkpoint"]);
         assert_eq!(run.code(), 2);

@@ -11,7 +11,7 @@ use crate::runs::Saved;
 use crate::vocabulary::brief::number;
 use collective_integrators::CHECKPOINT;
 use serde::{Deserialize, Serialize};
-use std::path::Path;
+use std::path::{Path, PathBuf};
 
 /// The first word of the file, before the checksum of what follows its first line.
 const TITLE: &str = "heavytop-checkpoint ";
@@ -20,6 +20,9 @@ const TITLE: &str = "heavytop-checkpoint ";
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
 #[serde(deny_unknown_fields)]
 pub struct Checkpoint {
+    /// The file from which it was read.
+    #[serde(skip)]
+    pub(super) path: PathBuf,
     version: String,
     /// The format of the output.
     format: Format,
@@ -42,8 +45,9 @@ impl Checkpoint {
         rows: Mark,
     ) -> Self {
         let Saved { step, state } = saved;
-        let (version, deviations) = (env!("CARGO_PKG_VERSION").into(), deviations.into());
-        Self { version, format, step, state, deviations, rows, configuration: config.clone() }
+        let (version, configuration) = (env!("CARGO_PKG_VERSION").into(), config.clone());
+        let (path, deviations) = (PathBuf::new(), deviations.into());
+        Self { path, version, format, step, state, deviations, rows, configuration }
     }
 
     /// Reads a checkpoint from its file.
@@ -53,6 +57,7 @@ impl Checkpoint {
     pub fn read(path: &Path) -> Result<Self, Error> {
         read(path)
             .and_then(|text| Self::parse(&text))
+            .map(|checkpoint| Self { path: path.into(), ..checkpoint })
             .map_err(|source| Error::Checkpoint { path: path.into(), source })
     }
 

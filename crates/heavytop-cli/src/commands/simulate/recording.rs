@@ -64,10 +64,7 @@ impl Recording {
                     .require(config, format, out)
                     .and_then(|()| checkpoint.require_possible(steps, *dimension, table))
                     .and_then(|()| reopen(path, checkpoint, pace, format, table))
-                    .map_err(|source| Error::Checkpoint {
-                        path: place.beside("checkpoint"),
-                        source,
-                    })?
+                    .map_err(|source| Error::Checkpoint { path: checkpoint.path.clone(), source })?
             }
             None => {
                 let mut rows = anew(&place, path, options.restart)?;
