@@ -6,11 +6,11 @@ use super::sweep_config::SweepConfig;
 use super::system::SystemConfig;
 use super::top_config::{BodyConfig, InitialConfig};
 use crate::Error;
-use crate::errors::SystemError;
+use crate::errors::{CheckpointError, SystemError};
 use crate::runs::step_angle::require_sane_step;
 use crate::runs::{Experiment, Schedule, SystemExperiment};
 use heavytop::HeavyTop;
-use heavytop::methods::{Formulation, Method};
+use heavytop::methods::Formulation;
 use lie_poisson::Se3Dual;
 use serde::{Deserialize, Serialize};
 
@@ -57,9 +57,9 @@ impl Config {
     /// If there is no such experiment.
     pub fn experiment(&self) -> Result<Experiment, Error> {
         let (top, start) = (self.top()?, self.start()?);
-        let Integration { formulation, scheme, step, end, tolerance } =
-            self.integrator.or(Integration::default());
-        let method = Method::new(formulation, scheme, tolerance)?;
+        let integration = self.integrator.or(Integration::default());
+        let Integration { formulation, step, end, .. } = integration;
+        let method = integration.method()?;
         let OutputConfig { every, attitude } = self.output;
         if every == 0 {
             return Err(Error::OutOfRange { name: "every", range: "at least 1", value: 0.0 });
@@ -70,6 +70,27 @@ impl Config {
         require_sane_step(&top, &start, step)?;
         let schedule = Schedule::new(step, end)?;
         Ok(Experiment { top, start, method, schedule, every, attitude })
+    }
+
+    /// Returns whether the steps fuse multiplications and additions on this processor: [`Method::is_fused`].
+    ///
+    /// [`Method::is_fused`]: heavytop::methods::Method::is_fused
+    #[must_use]
+    pub(crate) fn is_fused(&self) -> bool {
+        let method = self.integrator.or(Integration::default()).method();
+        // No method of a system does.
+        self.system.is_none() && method.is_ok_and(|method| method.is_fused())
+    }
+
+    /// Checks that the steps round here as those of an interrupted run did.
+    ///
+    /// # Errors
+    /// [`CheckpointError::Instructions`] if the one fuses multiplications and additions and the other does not.
+    pub(crate) fn require_instructions(&self, fused: bool) -> Result<(), CheckpointError> {
+        match fused == self.is_fused() {
+            true => Ok(()),
+            false => Err(CheckpointError::Instructions { fused }),
+        }
     }
 
     /// Returns the configuration with all keys of `[integrator]` that `simulate` uses, also those left out.

@@ -25,6 +25,16 @@ pub enum CheckpointError {
         /// The version of this program.
         here: &'static str,
     },
+    /// A processor with other instructions made the checkpoint, and this one would not compute the same bits.
+    #[error(
+        "it is of a run {} fused multiply-add, and this processor would go on {} it, to other last digits",
+        if *fused { "with" } else { "without" },
+        if *fused { "without" } else { "with" }
+    )]
+    Instructions {
+        /// Whether the run fused multiplications and additions.
+        fused: bool,
+    },
     /// The checkpoint belongs to another configuration.
     #[error("it is of another configuration: {}", .0.join("; "))]
     Configuration(Vec<String>),

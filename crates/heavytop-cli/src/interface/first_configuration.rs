@@ -79,6 +79,7 @@ fn commented(config: &Config) -> String {
                 format!("tolerance = {:?}", integrator.tolerance),
                 "of the stage equations; 0 iterates to the round-off floor",
             ),
+            ("# instructions = \"portable\"".into(), "the same bytes on every processor, slower"),
         ],
     );
     table(

@@ -292,6 +292,11 @@ fn what_no_run_can_have_kept_is_refused_though_it_is_whole() {
                 changed(&checkpoint, with("step", |step| (number(step) + 1024).to_string())),
                 "are not those that belong to it",
             ),
+            // As if the run had begun on a processor with other instructions.
+            (
+                changed(&checkpoint, with("fused", |fused| (fused == "false").to_string())),
+                " fused multiply-add, and this processor would go on ",
+            ),
             (changed(&checkpoint, with("state", shorter)), "it has a state of "),
             (changed(&checkpoint, with("state", |s| other(s, "nan"))), "it has a state with NaN"),
             (

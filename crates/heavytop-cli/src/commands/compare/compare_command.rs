@@ -66,7 +66,7 @@ pub fn compare(
     let experiment = config.experiment()?;
     let own = experiment.schedule.steps.min(INTERVAL);
     let steps = end.map_or(Ok(own), |end| number_of_steps(&experiment, end))?;
-    let methods = methods(config.integrator.or(Integration::default()).tolerance)?;
+    let methods = methods(config.integrator.or(Integration::default()))?;
     std::fs::create_dir_all(out).map_err(|source| Error::Create { path: out.into(), source })?;
     let names = ["work-precision.csv", "work-precision.svg", "work-precision.png"];
     require_no_folders(out, &names)?;
@@ -115,13 +115,13 @@ fn number_of_steps(experiment: &Experiment, end: f64) -> Result<u64, Error> {
 
 /// Returns every formulation with every scheme that makes sense in it, without duplicates: `strang` of the midpoint
 /// rule is the midpoint rule.
-fn methods(tolerance: f64) -> Result<Vec<Method>, Error> {
+fn methods(integration: Integration) -> Result<Vec<Method>, Error> {
     let mut methods = Vec::new();
     for &(_, formulation) in Formulation::NAMES {
         for scheme in formulation.schemes() {
             let again = scheme == Scheme::Composed(ComposedScheme::Strang);
             if !again || formulation == Formulation::Splitting {
-                methods.push(Method::new(formulation, scheme, tolerance)?);
+                methods.push(Integration { formulation, scheme, ..integration }.method()?);
             }
         }
     }

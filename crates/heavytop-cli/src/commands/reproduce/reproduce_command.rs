@@ -50,8 +50,8 @@ pub fn reproduce(
     let mut config = Config::default();
     let mut experiments = Vec::with_capacity(METHODS.len());
     for (formulation, scheme) in METHODS {
-        let tolerance = Integration::default().tolerance;
-        config.integrator = Integration { formulation, scheme, step, end, tolerance }.into();
+        let own = Integration::default();
+        config.integrator = Integration { formulation, scheme, step, end, ..own }.into();
         experiments.push(config.experiment()?);
     }
     std::fs::create_dir_all(out).map_err(|source| Error::Create { path: out.into(), source })?;

@@ -24,6 +24,8 @@ pub struct Checkpoint {
     #[serde(skip)]
     pub(super) path: PathBuf,
     version: String,
+    /// Whether the steps fuse multiplications and additions; their bits depend on it.
+    fused: bool,
     /// The format of the output.
     format: Format,
     step: u64,
@@ -46,8 +48,8 @@ impl Checkpoint {
     ) -> Self {
         let Saved { step, state } = saved;
         let (version, configuration) = (env!("CARGO_PKG_VERSION").into(), config.clone());
-        let (path, deviations) = (PathBuf::new(), deviations.into());
-        Self { path, version, format, step, state, deviations, rows, configuration }
+        let (path, fused, deviations) = (PathBuf::new(), config.is_fused(), deviations.into());
+        Self { path, version, fused, format, step, state, deviations, rows, configuration }
     }
 
     /// Reads a checkpoint from its file.
@@ -95,6 +97,7 @@ impl Checkpoint {
         if !differences.is_empty() {
             return Err(CheckpointError::Configuration(differences));
         }
+        config.require_instructions(self.fused)?;
         if self.format != format {
             return Err(CheckpointError::Format {
                 there: self.format.to_string(),
