@@ -81,9 +81,17 @@ impl Tiles {
     pub fn prepare(&self, options: &TileOptions<'_>) -> Result<Held, Error> {
         let folder = || self.folder.clone();
         let refused = |source| Error::Create { path: folder(), source };
-        fs::create_dir_all(&self.folder).map_err(refused)?;
         let path = self.folder.join(LOCK);
-        let file = lock::open(&path, true).map_err(|source| {
+        let take = || {
+            fs::create_dir_all(&self.folder)?;
+            lock::open(&path, true)
+        };
+        let opened = match take() {
+            // A run that was done with the folder has removed it at this moment.
+            Err(error) if error.kind() == io::ErrorKind::NotFound => take(),
+            opened => opened,
+        };
+        let file = opened.map_err(|source| {
             // A folder that was created here is still empty.
             let _ = fs::remove_dir(&self.folder);
             refused(source)
