@@ -11,7 +11,7 @@ use crate::runs::step_angle::require_sane_step;
 use crate::runs::{Experiment, Schedule, SystemExperiment};
 use heavytop::HeavyTop;
 use heavytop::methods::Formulation;
-use lie_poisson::Se3Dual;
+use lie_poisson::{InstructionSet, Se3Dual};
 use serde::{Deserialize, Serialize};
 
 /// A configuration file; what it leaves out is as for the paper's Kovalevskaya top.
@@ -72,24 +72,27 @@ impl Config {
         Ok(Experiment { top, start, method, schedule, every, attitude })
     }
 
-    /// Returns whether the steps fuse multiplications and additions on this processor: [`Method::is_fused`].
+    /// Returns the instruction set on which the last digits of a run depend here: [`Method::instructions`].
     ///
-    /// [`Method::is_fused`]: heavytop::methods::Method::is_fused
-    #[must_use]
-    pub(crate) fn is_fused(&self) -> bool {
+    /// [`Method::instructions`]: heavytop::methods::Method::instructions
+    pub(crate) fn instructions(&self) -> InstructionSet {
         let method = self.integrator.or(Integration::default()).method();
-        // No method of a system does.
-        self.system.is_none() && method.is_ok_and(|method| method.is_fused())
+        match method {
+            Ok(method) if self.system.is_none() => method.instructions(),
+            // All methods of systems are portable.
+            _ => InstructionSet::Portable,
+        }
     }
 
     /// Checks that the steps round here as those of an interrupted run did.
     ///
     /// # Errors
-    /// [`CheckpointError::Instructions`] if the one fuses multiplications and additions and the other does not.
-    pub(crate) fn require_instructions(&self, fused: bool) -> Result<(), CheckpointError> {
-        match fused == self.is_fused() {
+    /// [`CheckpointError::Instructions`] if their last digits depend on another instruction set.
+    pub(crate) fn require_instructions(&self, there: &str) -> Result<(), CheckpointError> {
+        let here = self.instructions().to_string();
+        match there == here {
             true => Ok(()),
-            false => Err(CheckpointError::Instructions { fused }),
+            false => Err(CheckpointError::Instructions { there: there.into(), here }),
         }
     }
 

@@ -27,13 +27,13 @@ pub enum CheckpointError {
     },
     /// A processor with other instructions made the checkpoint, and this one would not compute the same bits.
     #[error(
-        "it is of a run {} fused multiply-add, and this processor would go on {} it, to other last digits",
-        if *fused { "with" } else { "without" },
-        if *fused { "without" } else { "with" }
+        "it is of a run on the instructions {there}, and this processor would go on with {here}, to other last digits"
     )]
     Instructions {
-        /// Whether the run fused multiplications and additions.
-        fused: bool,
+        /// The instruction set on which the bits of the run depend.
+        there: String,
+        /// That on which they would depend here.
+        here: String,
     },
     /// The checkpoint belongs to another configuration.
     #[error("it is of another configuration: {}", .0.join("; "))]

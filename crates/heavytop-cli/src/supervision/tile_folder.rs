@@ -54,8 +54,8 @@ impl Drop for Held {
 #[serde(deny_unknown_fields)]
 struct Identity {
     version: String,
-    /// Whether the steps fuse multiplications and additions; their bits depend on it.
-    fused: bool,
+    /// The instruction set on which the bits of the steps depend.
+    instructions: String,
     configuration: Config,
 }
 
@@ -66,8 +66,8 @@ impl Tiles {
     /// The errors of [`Config::to_toml`].
     pub fn new(folder: PathBuf, config: &Config) -> Result<Self, Error> {
         let version = env!("CARGO_PKG_VERSION").into();
-        let (fused, configuration) = (config.is_fused(), config.clone());
-        let identity = Identity { version, fused, configuration };
+        let instructions = config.instructions().to_string();
+        let identity = Identity { version, instructions, configuration: config.clone() };
         let identity = seal(TITLE, &toml::to_string(&identity).map_err(Error::Unwritable)?);
         let title = format!("heavytop-tile {:08x}", crc32fast::hash(identity.as_bytes()));
         Ok(Self { folder, config: config.clone(), identity, title })
@@ -133,11 +133,11 @@ impl Tiles {
             return Ok(());
         }
         let table = of_this_version(open(TITLE, found)?)?;
-        let Identity { fused, configuration, .. } = table.try_into().map_err(damaged)?;
+        let Identity { instructions, configuration, .. } = table.try_into().map_err(damaged)?;
         let differences = configuration.differences(&self.config);
         let differences = differences.map_err(|e| CheckpointError::Damaged(e.to_string()))?;
         if differences.is_empty() {
-            self.config.require_instructions(fused)?;
+            self.config.require_instructions(&instructions)?;
         }
         Err(CheckpointError::Configuration(differences))
     }

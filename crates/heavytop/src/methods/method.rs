@@ -49,8 +49,7 @@ impl Method {
     /// Replaces the instruction set of the kernels [`CollectiveGauss`] and [`TopMidpoint`], which is otherwise the one that is
     /// fastest on this processor.
     ///
-    /// With [`InstructionSet::Portable`] every processor computes the same bits. The sets with fused multiply-add have
-    /// the same bits among themselves; they differ from the portable ones by round-off.
+    /// With [`InstructionSet::Portable`] every processor computes the same bits. The steps on two sets differ by round-off.
     ///
     /// # Errors
     /// Returns [`MissingInstructions`] if the processor lacks them.
@@ -62,26 +61,33 @@ impl Method {
         }
     }
 
-    /// Returns whether the steps of this method fuse multiplications and additions here, so that their bits are not those of
-    /// the portable instructions.
+    /// Returns the instruction set on which the last bits of the steps depend: the narrowest one with the same bits.
     ///
-    /// Only the kernels do: Gauss's methods under `collective`, and the midpoint rule under `reduced`, if their stages are
-    /// solved to the round-off floor.
+    /// It is the portable one but for the kernels: Gauss's methods under `collective`, and the midpoint rule under `reduced`,
+    /// if their stages are solved to the round-off floor. These fuse multiplications and additions, and with more than
+    /// four stages a Gauss method adds numbers up in the order of the lanes.
     ///
     /// # Example
     /// ```
     /// use heavytop::lie_poisson::InstructionSet;
     /// use heavytop::methods::{Formulation, Method, Scheme};
-    /// let gauss = Method::new(Formulation::Collective, Scheme::Gauss(2), 0.0)?;
-    /// assert_eq!(gauss.is_fused(), InstructionSet::detected() != InstructionSet::Portable);
-    /// assert!(!gauss.with_instructions(InstructionSet::Portable)?.is_fused());
-    /// assert!(!Method::new(Formulation::Collective, Scheme::Gauss(2), 1e-12)?.is_fused());
+    /// let portable = InstructionSet::Portable;
+    /// let gauss = Method::new(Formulation::Collective, Scheme::Gauss(8), 0.0)?;
+    /// assert_eq!(gauss.instructions(), InstructionSet::detected());
+    /// assert_eq!(gauss.with_instructions(portable)?.instructions(), portable);
+    /// let looser = Method::new(Formulation::Collective, Scheme::Gauss(8), 1e-12)?;
+    /// assert_eq!(looser.instructions(), portable);
     /// # Ok::<(), Box<dyn std::error::Error>>(())
     /// ```
     #[must_use]
-    pub fn is_fused(&self) -> bool {
+    pub fn instructions(&self) -> InstructionSet {
         let set = self.instructions.unwrap_or_else(InstructionSet::detected);
-        self.has_kernel() && set != InstructionSet::Portable
+        match self.scheme {
+            _ if !self.has_kernel() => InstructionSet::Portable,
+            Scheme::Gauss(5..) => set,
+            // Registers of 512 bits compute the same as those of 256.
+            _ => set.min(InstructionSet::Avx2),
+        }
     }
 
     /// Returns whether there is a kernel that computes the steps of this method faster.

@@ -24,8 +24,8 @@ pub struct Checkpoint {
     #[serde(skip)]
     pub(super) path: PathBuf,
     version: String,
-    /// Whether the steps fuse multiplications and additions; their bits depend on it.
-    fused: bool,
+    /// The instruction set on which the bits of the steps depend.
+    instructions: String,
     /// The format of the output.
     format: Format,
     step: u64,
@@ -48,8 +48,9 @@ impl Checkpoint {
     ) -> Self {
         let Saved { step, state } = saved;
         let (version, configuration) = (env!("CARGO_PKG_VERSION").into(), config.clone());
-        let (path, fused, deviations) = (PathBuf::new(), config.is_fused(), deviations.into());
-        Self { path, version, fused, format, step, state, deviations, rows, configuration }
+        let (path, deviations) = (PathBuf::new(), deviations.into());
+        let instructions = config.instructions().to_string();
+        Self { path, version, instructions, format, step, state, deviations, rows, configuration }
     }
 
     /// Reads a checkpoint from its file.
@@ -97,7 +98,7 @@ impl Checkpoint {
         if !differences.is_empty() {
             return Err(CheckpointError::Configuration(differences));
         }
-        config.require_instructions(self.fused)?;
+        config.require_instructions(&self.instructions)?;
         if self.format != format {
             return Err(CheckpointError::Format {
                 there: self.format.to_string(),
