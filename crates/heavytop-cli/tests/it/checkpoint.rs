@@ -294,8 +294,8 @@ fn what_no_run_can_have_kept_is_refused_though_it_is_whole() {
             ),
             // As if the run had begun on a processor with other instructions.
             (
-                changed(&checkpoint, with("fused", |fused| (fused == "false").to_string())),
-                " fused multiply-add, and this processor would go on ",
+                changed(&checkpoint, with("instructions", |_| "\"others\"".into())),
+                "it is of a run on the instructions others, and this processor would go on with ",
             ),
             (changed(&checkpoint, with("state", shorter)), "it has a state of "),
             (changed(&checkpoint, with("state", |s| other(s, "nan"))), "it has a state with NaN"),

@@ -272,13 +272,12 @@ fn tiles_with_other_last_digits_are_refused() {
         let folder = interrupted(&case);
         let path = case.tiles(&folder).join("identity");
         let identity = std::fs::read_to_string(&path).unwrap();
-        let contents =
-            identity.split_once('\n').unwrap().1.replace("fused = false", "fused = true");
+        let contents = identity.split_once('\n').unwrap().1.replace("\"portable\"", "\"others\"");
         let checksum = crc32fast::hash(contents.as_bytes());
         std::fs::write(&path, format!("heavytop-tiles {checksum:08x}\n{contents}")).unwrap();
         let run = folder.heavytop(&[case.command, "a.toml", "--out", "cut", "--resume"]);
-        let expected = "it is of a run with fused multiply-add, and this processor would go on \
-                        without it, to other last digits; start anew with --restart\n";
+        let expected = "it is of a run on the instructions others, and this processor would go on \
+                        with portable, to other last digits; start anew with --restart\n";
         assert!(run.code() == 2 && run.stderr().ends_with(expected), "{}", run.stderr());
     }
 }
