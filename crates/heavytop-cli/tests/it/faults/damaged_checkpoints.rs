@@ -158,7 +158,7 @@ fn no_contents_of_a_checkpoint_make_the_program_panic() {
     let contents = std::str::from_utf8(checkpoint).unwrap().split_once('\n').unwrap().1;
     let lines: Vec<_> = contents.lines().collect();
     let mut refused = 0;
-    for number in 0..lines.len() {
+    for (number, left_out) in lines.iter().enumerate() {
         for times in [0, 2] {
             let repeat = |(index, line): (usize, &&str)| {
                 format!("{line}\n").repeat(if index == number { times } else { 1 })
@@ -167,7 +167,7 @@ fn no_contents_of_a_checkpoint_make_the_program_panic() {
             let checksum = crc32fast::hash(changed.as_bytes());
             let sealed = format!("heavytop-checkpoint {checksum:08x}\n{changed}");
             let resumed = run.resume(sealed.as_bytes(), rows, &["--quiet"]);
-            assert!([0, 2].contains(&resumed.code()), "{}: {}", lines[number], resumed.stderr());
+            assert!([0, 2].contains(&resumed.code()), "{left_out}: {}", resumed.stderr());
             refused += usize::from(resumed.code() == 2);
         }
     }

@@ -67,6 +67,8 @@ fn send(child: &Child, signal: i32) {
 }
 
 /// Waits for a process, and returns how it ended and the most memory that it had, KiB.
+///
+/// Linux counts what this process had when it started the other, so that the number may be too large.
 #[allow(unsafe_code)]
 fn wait(child: &Child) -> (ExitStatus, u64) {
     let mut status = 0;

@@ -24,11 +24,6 @@ impl Growth {
         self.peaks.entry(kind).or_default().push((number, peak));
     }
 
-    /// Returns the lowest peak, KiB.
-    pub fn least(&self) -> u64 {
-        self.peaks.values().flatten().map(|peak| peak.1).min().unwrap()
-    }
-
     /// Fits one slope to all runs, by least squares, after the mean of each kind of run is taken away.
     fn fit(&self) -> Fit {
         let (mut centred, mut sum) = (Vec::new(), 0.0);

@@ -191,8 +191,6 @@ fn ten_thousand_runs_64_at_a_time_with_kills_lose_nothing_and_leave_nothing() {
     let begun = Instant::now();
     let (tally, growth) = Service::new().serve_all(10_000, 64);
     println!("{:.0} s; {tally:#?}; {growth}", begun.elapsed().as_secs_f64());
-    // What this process has counts as the peak of a run that it starts.
-    assert!(attempt::resident() < growth.least(), "the peaks are those of the test");
     growth.assert_flat();
 }
 
