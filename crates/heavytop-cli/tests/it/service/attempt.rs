@@ -36,6 +36,7 @@ pub struct Attempt {
 
 impl Attempt {
     /// Runs the program on a request, and sends it a signal.
+    #[allow(clippy::zombie_processes)] // `wait` waits for it.
     pub fn make(
         folder: &Folder,
         request: &Request,
