@@ -6,12 +6,12 @@ use super::sweep_config::SweepConfig;
 use super::system::SystemConfig;
 use super::top_config::{BodyConfig, InitialConfig};
 use crate::Error;
-use crate::errors::SystemError;
+use crate::errors::{CheckpointError, SystemError};
 use crate::runs::step_angle::require_sane_step;
 use crate::runs::{Experiment, Schedule, SystemExperiment};
 use heavytop::HeavyTop;
-use heavytop::methods::{Formulation, Method};
-use lie_poisson::Se3Dual;
+use heavytop::methods::Formulation;
+use lie_poisson::{InstructionSet, Se3Dual};
 use serde::{Deserialize, Serialize};
 
 /// A configuration file; what it leaves out is as for the paper's Kovalevskaya top.
@@ -57,9 +57,9 @@ impl Config {
     /// If there is no such experiment.
     pub fn experiment(&self) -> Result<Experiment, Error> {
         let (top, start) = (self.top()?, self.start()?);
-        let Integration { formulation, scheme, step, end, tolerance } =
-            self.integrator.or(Integration::default());
-        let method = Method::new(formulation, scheme, tolerance)?;
+        let integration = self.integrator.or(Integration::default());
+        let Integration { formulation, step, end, .. } = integration;
+        let method = integration.method()?;
         let OutputConfig { every, attitude } = self.output;
         if every == 0 {
             return Err(Error::OutOfRange { name: "every", range: "at least 1", value: 0.0 });
@@ -70,6 +70,30 @@ impl Config {
         require_sane_step(&top, &start, step)?;
         let schedule = Schedule::new(step, end)?;
         Ok(Experiment { top, start, method, schedule, every, attitude })
+    }
+
+    /// Returns the instruction set on which the last digits of a run depend here: [`Method::instructions`].
+    ///
+    /// [`Method::instructions`]: heavytop::methods::Method::instructions
+    pub(crate) fn instructions(&self) -> InstructionSet {
+        let method = self.integrator.or(Integration::default()).method();
+        match method {
+            Ok(method) if self.system.is_none() => method.instructions(),
+            // All methods of systems are portable.
+            _ => InstructionSet::Portable,
+        }
+    }
+
+    /// Checks that the steps round here as those of an interrupted run did.
+    ///
+    /// # Errors
+    /// [`CheckpointError::Instructions`] if their last digits depend on another instruction set.
+    pub(crate) fn require_instructions(&self, there: &str) -> Result<(), CheckpointError> {
+        let here = self.instructions().to_string();
+        match there == here {
+            true => Ok(()),
+            false => Err(CheckpointError::Instructions { there: there.into(), here }),
+        }
     }
 
     /// Returns the configuration with all keys of `[integrator]` that `simulate` uses, also those left out.

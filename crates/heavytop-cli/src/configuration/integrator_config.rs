@@ -1,7 +1,9 @@
 //! The table `[integrator]`: the method and its steps.
 
+use crate::Error;
 use crate::vocabulary::method_names;
-use heavytop::methods::{Formulation, Scheme};
+use heavytop::methods::{Formulation, Method, Scheme};
+use lie_poisson::InstructionSet;
 use serde::{Deserialize, Serialize};
 
 /// The table `[integrator]`: the method and its steps. The defaults of its keys depend on the command.
@@ -20,6 +22,19 @@ pub struct IntegratorConfig {
     pub end: Option<f64>,
     /// The tolerance of the stage equations; 0 iterates to the round-off floor.
     pub tolerance: Option<f64>,
+    /// The instructions of the processor that are used.
+    pub instructions: Option<Instructions>,
+}
+
+/// The instructions of the processor that a run uses.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Deserialize, Serialize)]
+#[serde(rename_all = "kebab-case")]
+pub enum Instructions {
+    /// The fastest ones that this processor has; others may give other last digits.
+    #[default]
+    Native,
+    /// Those that every processor has, with the same bits on each.
+    Portable,
 }
 
 /// An integrator with no key left out; the default is that of `simulate`.
@@ -35,6 +50,25 @@ pub struct Integration {
     pub end: f64,
     /// The tolerance of the stage equations.
     pub tolerance: f64,
+    /// The instructions of the processor that are used.
+    pub instructions: Instructions,
+}
+
+impl Integration {
+    /// Returns the method for tops.
+    ///
+    /// # Errors
+    /// If there is no such method.
+    pub fn method(&self) -> Result<Method, Error> {
+        let method = Method::new(self.formulation, self.scheme, self.tolerance)?;
+        match self.instructions {
+            Instructions::Native => Ok(method),
+            Instructions::Portable => {
+                let method = method.with_instructions(InstructionSet::Portable);
+                method.map_err(|error| Error::Method(error.into()))
+            }
+        }
+    }
 }
 
 impl Default for Integration {
@@ -45,6 +79,7 @@ impl Default for Integration {
             step: 0.02,
             end: 100.0,
             tolerance: 0.0,
+            instructions: Instructions::default(),
         }
     }
 }
@@ -67,18 +102,22 @@ impl IntegratorConfig {
             step: self.step.unwrap_or(own.step),
             end: self.end.unwrap_or(own.end),
             tolerance: self.tolerance.unwrap_or(own.tolerance),
+            instructions: self.instructions.unwrap_or(own.instructions),
         }
     }
 }
 
 impl From<Integration> for IntegratorConfig {
+    /// Names all keys, except `instructions` if they are the usual ones.
     fn from(all: Integration) -> Self {
+        let instructions = Some(all.instructions).filter(|set| *set != Instructions::default());
         Self {
             formulation: Some(all.formulation),
             scheme: Some(all.scheme),
             step: Some(all.step),
             end: Some(all.end),
             tolerance: Some(all.tolerance),
+            instructions,
         }
     }
 }

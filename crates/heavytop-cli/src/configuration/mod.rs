@@ -12,7 +12,7 @@ mod preset;
 mod as_toml;
 
 pub use config::{Config, OutputConfig};
-pub use integrator_config::{Integration, IntegratorConfig};
+pub use integrator_config::{Instructions, Integration, IntegratorConfig};
 pub use observable::{Column, Observable};
 pub use parameter::{Parameter, Part};
 pub use preset::Preset;

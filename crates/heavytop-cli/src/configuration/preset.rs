@@ -82,7 +82,7 @@ fn multibody_benchmark(config: &mut Config) {
         scheme: Scheme::Gauss(8),
         step: 0.003_125,
         end: 2.0,
-        tolerance: 0.0,
+        ..Integration::default()
     }
     .into();
 }

@@ -25,6 +25,16 @@ pub enum CheckpointError {
         /// The version of this program.
         here: &'static str,
     },
+    /// A processor with other instructions made the checkpoint, and this one would not compute the same bits.
+    #[error(
+        "it is of a run on the instructions {there}, and this processor would go on with {here}, to other last digits"
+    )]
+    Instructions {
+        /// The instruction set on which the bits of the run depend.
+        there: String,
+        /// That on which they would depend here.
+        here: String,
+    },
     /// The checkpoint belongs to another configuration.
     #[error("it is of another configuration: {}", .0.join("; "))]
     Configuration(Vec<String>),
@@ -55,6 +65,11 @@ pub enum CheckpointError {
 impl CheckpointError {
     /// Returns whether the way to continue is to discard the checkpoint.
     pub(crate) fn is_of_no_use(&self) -> bool {
-        !matches!(self, Self::Read(_) | Self::Format { .. } | Self::Rows { .. })
+        match self {
+            // The run may have been killed when its output was complete and the checkpoint still there.
+            Self::Rows { source, .. } => source.kind() == io::ErrorKind::NotFound,
+            Self::Read(_) | Self::Format { .. } => false,
+            _ => true,
+        }
     }
 }

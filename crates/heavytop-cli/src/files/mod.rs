@@ -3,8 +3,11 @@
 pub(crate) mod bounded;
 pub(crate) mod lock;
 pub(crate) mod place;
+pub(crate) mod torn_line;
 mod output;
+mod output_set;
 pub(crate) mod sealed;
 
 pub use output::Output;
+pub(crate) use output_set::OutputSet;
 pub use place::Place;

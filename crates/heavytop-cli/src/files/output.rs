@@ -1,6 +1,7 @@
 //! Output files that appear under their names only when they are complete.
 
 use super::place::Place;
+use super::torn_line::cut_torn_line;
 use crate::Error;
 use std::fs::{self, File};
 use std::io::{self, BufWriter, Write};
@@ -15,9 +16,22 @@ use std::path::{Path, PathBuf};
 #[derive(Debug)]
 pub struct Output {
     path: PathBuf,
-    /// The path of the partial file; `None` once it is complete or kept, or if the place is written directly.
-    partial: Option<PathBuf>,
+    partial: Partial,
     writer: BufWriter<File>,
+}
+
+/// The path of a partial file, which is removed when this is dropped; `None` once the file is complete or kept, or if the
+/// place is written directly.
+#[derive(Debug)]
+struct Partial(Option<PathBuf>);
+
+impl Drop for Partial {
+    fn drop(&mut self) {
+        if let Some(path) = &self.0 {
+            // The error that matters has been reported already.
+            let _ = fs::remove_file(path);
+        }
+    }
 }
 
 impl Output {
@@ -33,7 +47,7 @@ impl Output {
             // Discards what a killed run left.
             file.set_len(0).map_err(|source| Error::Create { path: path.into(), source })?;
         }
-        Ok(Self { path: place.path, partial, writer: BufWriter::new(file) })
+        Ok(Self { path: place.path, partial: Partial(partial), writer: BufWriter::new(file) })
     }
 
     /// Writes a whole file at once, at the end of a run.
@@ -62,35 +76,59 @@ impl Output {
     /// # Errors
     /// If the last bytes cannot be written, or the file cannot be renamed.
     pub fn complete(mut self) -> Result<(), Error> {
-        self.write(Write::flush)?;
-        if let Some(partial) = &self.partial {
-            // Makes the bytes outlast a power cut before the file has its name, so that the name never stands for an
-            // incomplete file.
-            let renamed = self.writer.get_ref().sync_all();
-            renamed.and_then(|()| fs::rename(partial, &self.path)).map_err(|e| self.failed(e))?;
+        self.finish()?;
+        if let Some(partial) = &self.partial.0 {
+            fs::rename(partial, &self.path).map_err(|e| self.failed(e))?;
         }
-        self.partial = None;
+        self.partial.0 = None;
         Ok(())
+    }
+
+    /// Completes the file and gives it its name, unless there is a file of this name, even if it appeared at this moment.
+    ///
+    /// # Errors
+    /// [`Error::Exists`] if there is one. The errors of [`Self::complete`].
+    pub fn complete_new(mut self) -> Result<(), Error> {
+        self.finish()?;
+        let Some(partial) = &self.partial.0 else { return Ok(()) };
+        match fs::hard_link(partial, &self.path) {
+            Err(error) if error.kind() == io::ErrorKind::AlreadyExists => {
+                Err(Error::Exists { path: self.path.clone() })
+            }
+            // Some file systems have no hard links.
+            Err(_) => self.complete(),
+            // The other name of the file is removed.
+            Ok(()) => Ok(()),
+        }
+    }
+
+    /// Writes the last bytes, and makes all of them outlast a power cut; the file does not have its name yet.
+    ///
+    /// So the name never stands for an incomplete file, and a full disk is found while the old file is still there.
+    ///
+    /// # Errors
+    /// If the last bytes cannot be written.
+    pub fn finish(&mut self) -> Result<(), Error> {
+        self.write(Write::flush)?;
+        match self.partial.0 {
+            Some(_) => self.writer.get_ref().sync_all().map_err(|e| self.failed(e)),
+            None => Ok(()),
+        }
     }
 
     /// Completes the file if the run that wrote it succeeded.
     ///
-    /// If the run failed underway, what it wrote is kept as `NAME.partial`. If it was refused, nothing is kept.
+    /// If the run failed underway, the lines that it wrote are kept as `NAME.partial`. If it was refused, nothing is kept.
     ///
     /// # Errors
     /// The reason why the run or the completion failed, and the path of the partial file.
     pub fn conclude<T>(self, outcome: Result<T, Error>) -> Result<T, Error> {
         match outcome {
             Ok(value) => self.complete().map(|()| value),
-            Err(failure) if failure.exit_code() == 1 => {
-                let partial = self.partial.clone();
-                // What cannot be written any more is lost; the error reports the first failure.
-                let _ = self.keep();
-                Err(match partial {
-                    Some(partial) => Error::Kept { partial, source: Box::new(failure) },
-                    None => failure,
-                })
-            }
+            Err(failure) if failure.exit_code() == 1 => Err(match self.keep_lines() {
+                Some(partial) => Error::Kept { partial, source: Box::new(failure) },
+                None => failure,
+            }),
             Err(refusal) => Err(refusal),
         }
     }
@@ -98,10 +136,24 @@ impl Output {
     /// Leaves the file as `NAME.partial`, and closes it.
     ///
     /// # Errors
-    /// If the last bytes cannot be written.
+    /// If the last bytes cannot be written: then the partial file is removed.
     pub fn keep(mut self) -> Result<(), Error> {
-        self.partial = None;
-        self.write(Write::flush)
+        self.write(Write::flush)?;
+        self.partial.0 = None;
+        Ok(())
+    }
+
+    /// Leaves those lines as `NAME.partial` for which there is room, and returns its path; a device has none.
+    fn keep_lines(mut self) -> Option<PathBuf> {
+        let flushed = self.writer.flush();
+        let partial = self.partial.0.take()?;
+        // Without its parts, the writer would try to write the rest when it is dropped.
+        let (mut file, _) = self.writer.into_parts();
+        if flushed.is_err() {
+            // The error reports the first failure.
+            let _ = cut_torn_line(&mut file);
+        }
+        Some(partial)
     }
 
     /// Returns the error that the output cannot be written.
@@ -118,14 +170,5 @@ impl Write for Output {
 
     fn flush(&mut self) -> io::Result<()> {
         self.writer.flush()
-    }
-}
-
-impl Drop for Output {
-    fn drop(&mut self) {
-        if let Some(partial) = &self.partial {
-            // The error that matters has been reported already.
-            let _ = fs::remove_file(partial);
-        }
     }
 }

@@ -25,22 +25,35 @@ pub(super) fn write<W: Write + Send>(
     let header = table.header();
     let fields = header.split(',').map(|name| required(name, PhysicalType::DOUBLE));
     // The numbers of a motion hardly ever repeat.
-    let mut file = begin("run", fields.collect::<Result<_>>()?, metadata, |_| false, to)?;
+    let file = fields.collect::<Result<_>>();
+    let file = file.and_then(|fields| begin("run", fields, metadata, |_| false, to));
+    let mut file = file.map_err(io_error)?;
     let mut columns = vec![Vec::with_capacity(GROUP); table.width()];
     rows.each(|row| {
         for (column, number) in columns.iter_mut().zip(row.as_chunks().0) {
             column.push(f64::from_le_bytes(*number));
         }
         if columns[0].len() == GROUP {
-            write_group(&mut file, &mut columns)?
+            write_group(&mut file, &mut columns).map_err(io_error)?;
         }
         Ok(())
     })?;
     if !columns[0].is_empty() {
-        write_group(&mut file, &mut columns)?;
+        write_group(&mut file, &mut columns).map_err(io_error)?;
     }
-    file.close()?;
+    file.close().map_err(io_error)?;
     Ok(())
+}
+
+/// Returns the error of the system that the writer of Parquet passes on.
+pub(crate) fn io_error(error: ParquetError) -> io::Error {
+    match error {
+        ParquetError::External(cause) => match cause.downcast::<io::Error>() {
+            Ok(cause) => *cause,
+            Err(cause) => io::Error::other(cause),
+        },
+        error => error.into(),
+    }
 }
 
 /// The level of compression: higher ones are several times as slow, and make files of numbers a few percent smaller.

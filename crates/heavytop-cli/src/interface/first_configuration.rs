@@ -3,7 +3,7 @@
 use super::standard_output::to_stdout;
 use crate::Error;
 use crate::configuration::{Config, Integration, Preset};
-use std::fs::File;
+use crate::files::Output;
 use std::io::{self, Write};
 use std::path::Path;
 
@@ -14,16 +14,13 @@ use std::path::Path;
 pub(super) fn init(preset: Option<Preset>, file: Option<&Path>) -> Result<(), Error> {
     let text = commented(&preset.map_or_else(Config::default, Preset::config));
     let Some(path) = file else { return to_stdout(io::stdout().lock().write_all(text.as_bytes())) };
-    // No file is overwritten, even if it appears at this moment.
-    let mut created = File::create_new(path).map_err(|source| match source.kind() {
-        io::ErrorKind::AlreadyExists => Error::Exists { path: path.into() },
-        _ => Error::Create { path: path.into(), source },
-    })?;
-    created.write_all(text.as_bytes()).map_err(|source| {
-        // A part of a configuration would be another one.
-        let _ = std::fs::remove_file(path);
-        Error::Write { path: path.into(), source }
-    })
+    // A link to nowhere is there, too.
+    if path.symlink_metadata().is_ok() {
+        return Err(Error::Exists { path: path.into() });
+    }
+    let mut output = Output::create(path)?;
+    output.write(|to| to.write_all(text.as_bytes()))?;
+    output.complete_new()
 }
 
 /// Returns the configuration as TOML with comments.
@@ -82,6 +79,7 @@ fn commented(config: &Config) -> String {
                 format!("tolerance = {:?}", integrator.tolerance),
                 "of the stage equations; 0 iterates to the round-off floor",
             ),
+            ("# instructions = \"portable\"".into(), "the same bytes on every processor, slower"),
         ],
     );
     table(

@@ -54,6 +54,8 @@ impl Drop for Held {
 #[serde(deny_unknown_fields)]
 struct Identity {
     version: String,
+    /// The instruction set on which the bits of the steps depend.
+    instructions: String,
     configuration: Config,
 }
 
@@ -64,7 +66,8 @@ impl Tiles {
     /// The errors of [`Config::to_toml`].
     pub fn new(folder: PathBuf, config: &Config) -> Result<Self, Error> {
         let version = env!("CARGO_PKG_VERSION").into();
-        let identity = Identity { version, configuration: config.clone() };
+        let instructions = config.instructions().to_string();
+        let identity = Identity { version, instructions, configuration: config.clone() };
         let identity = seal(TITLE, &toml::to_string(&identity).map_err(Error::Unwritable)?);
         let title = format!("heavytop-tile {:08x}", crc32fast::hash(identity.as_bytes()));
         Ok(Self { folder, config: config.clone(), identity, title })
@@ -78,9 +81,17 @@ impl Tiles {
     pub fn prepare(&self, options: &TileOptions<'_>) -> Result<Held, Error> {
         let folder = || self.folder.clone();
         let refused = |source| Error::Create { path: folder(), source };
-        fs::create_dir_all(&self.folder).map_err(refused)?;
         let path = self.folder.join(LOCK);
-        let file = lock::open(&path, true).map_err(|source| {
+        let take = || {
+            fs::create_dir_all(&self.folder)?;
+            lock::open(&path, true)
+        };
+        let opened = match take() {
+            // A run that was done with the folder has removed it at this moment.
+            Err(error) if error.kind() == io::ErrorKind::NotFound => take(),
+            opened => opened,
+        };
+        let file = opened.map_err(|source| {
             // A folder that was created here is still empty.
             let _ = fs::remove_dir(&self.folder);
             refused(source)
@@ -122,9 +133,12 @@ impl Tiles {
             return Ok(());
         }
         let table = of_this_version(open(TITLE, found)?)?;
-        let Identity { configuration, .. } = table.try_into().map_err(damaged)?;
+        let Identity { instructions, configuration, .. } = table.try_into().map_err(damaged)?;
         let differences = configuration.differences(&self.config);
         let differences = differences.map_err(|e| CheckpointError::Damaged(e.to_string()))?;
+        if differences.is_empty() {
+            self.config.require_instructions(&instructions)?;
+        }
         Err(CheckpointError::Configuration(differences))
     }
 

@@ -159,7 +159,7 @@ fn what_a_run_cannot_go_on_from_is_refused_and_left_as_it_is() {
     }
     for (out, message) in [
         ("a.npz", "it is of an output in CSV, and a.npz is not"),
-        ("b.csv", "the rows in b.csv.partial: No such file"),
+        ("b.csv", "cannot go on from a.csv.checkpoint: the rows in b.csv.partial: No such file"),
     ] {
         let run = folder.heavytop(&["simulate", "--out", out, "--resume", "a.csv.checkpoint"]);
         assert_eq!(run.code(), 2);
@@ -291,6 +291,11 @@ fn what_no_run_can_have_kept_is_refused_though_it_is_whole() {
             (
                 changed(&checkpoint, with("step", |step| (number(step) + 1024).to_string())),
                 "are not those that belong to it",
+            ),
+            // As if the run had begun on a processor with other instructions.
+            (
+                changed(&checkpoint, with("instructions", |_| "\"others\"".into())),
+                "it is of a run on the instructions others, and this processor would go on with ",
             ),
             (changed(&checkpoint, with("state", shorter)), "it has a state of "),
             (changed(&checkpoint, with("state", |s| other(s, "nan"))), "it has a state with NaN"),

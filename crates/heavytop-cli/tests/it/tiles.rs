@@ -265,6 +265,23 @@ fn interrupted(case: &Case) -> Folder {
     panic!("{TRIES} runs were over before they could be interrupted");
 }
 
+/// As if the run had begun on a processor with other instructions.
+#[test]
+fn tiles_with_other_last_digits_are_refused() {
+    for case in [SECTION, SWEEP] {
+        let folder = interrupted(&case);
+        let path = case.tiles(&folder).join("identity");
+        let identity = std::fs::read_to_string(&path).unwrap();
+        let contents = identity.split_once('\n').unwrap().1.replace("\"portable\"", "\"others\"");
+        let checksum = crc32fast::hash(contents.as_bytes());
+        std::fs::write(&path, format!("heavytop-tiles {checksum:08x}\n{contents}")).unwrap();
+        let run = folder.heavytop(&[case.command, "a.toml", "--out", "cut", "--resume"]);
+        let expected = "it is of a run on the instructions others, and this processor would go on \
+                        with portable, to other last digits; start anew with --restart\n";
+        assert!(run.code() == 2 && run.stderr().ends_with(expected), "{}", run.stderr());
+    }
+}
+
 #[test]
 fn tiles_that_were_swapped_are_made_again() {
     for case in [SECTION, SWEEP] {

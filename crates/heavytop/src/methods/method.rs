@@ -10,7 +10,7 @@ use collective_integrators::{
     Collective, Composition, Direct, Equivariant, FirstHalf, HamiltonianField, LiftFree,
     PartitionedRungeKutta, RungeKutta, SchemeError, Splitting, StageSolver,
 };
-use lie_poisson::{LiePoisson, Se3};
+use lie_poisson::{InstructionSet, LiePoisson, MissingInstructions, Se3};
 use momentum_map::DualQuaternions;
 
 /// A formulation, a scheme, and the tolerance of its stage equations: an integrator for every top.
@@ -21,6 +21,8 @@ pub struct Method {
     formulation: Formulation,
     scheme: Scheme,
     tolerance: f64,
+    /// The instruction set of the kernels; `None` for the one that is fastest here.
+    instructions: Option<InstructionSet>,
 }
 
 impl Method {
@@ -41,7 +43,61 @@ impl Method {
         if !(tolerance >= 0.0 && tolerance.is_finite()) {
             return Err(MethodError::Tolerance { value: tolerance });
         }
-        Ok(Self { formulation, scheme, tolerance })
+        Ok(Self { formulation, scheme, tolerance, instructions: None })
+    }
+
+    /// Replaces the instruction set of the kernels [`CollectiveGauss`] and [`TopMidpoint`], which is otherwise the one that is
+    /// fastest on this processor.
+    ///
+    /// With [`InstructionSet::Portable`] every processor computes the same bits. The steps on two sets differ by round-off.
+    ///
+    /// # Errors
+    /// Returns [`MissingInstructions`] if the processor lacks them.
+    pub fn with_instructions(self, set: InstructionSet) -> Result<Self, MissingInstructions> {
+        if set.is_available() {
+            Ok(Self { instructions: Some(set), ..self })
+        } else {
+            Err(MissingInstructions { set })
+        }
+    }
+
+    /// Returns the instruction set on which the last bits of the steps depend: the narrowest one with the same bits.
+    ///
+    /// It is the portable one but for the kernels: Gauss's methods under `collective`, and the midpoint rule under `reduced`,
+    /// if their stages are solved to the round-off floor. These fuse multiplications and additions, and with more than
+    /// four stages a Gauss method adds numbers up in the order of the lanes.
+    ///
+    /// # Example
+    /// ```
+    /// use heavytop::lie_poisson::InstructionSet;
+    /// use heavytop::methods::{Formulation, Method, Scheme};
+    /// let portable = InstructionSet::Portable;
+    /// let gauss = Method::new(Formulation::Collective, Scheme::Gauss(8), 0.0)?;
+    /// assert_eq!(gauss.instructions(), InstructionSet::detected());
+    /// assert_eq!(gauss.with_instructions(portable)?.instructions(), portable);
+    /// let looser = Method::new(Formulation::Collective, Scheme::Gauss(8), 1e-12)?;
+    /// assert_eq!(looser.instructions(), portable);
+    /// # Ok::<(), Box<dyn std::error::Error>>(())
+    /// ```
+    #[must_use]
+    pub fn instructions(&self) -> InstructionSet {
+        let set = self.instructions.unwrap_or_else(InstructionSet::detected);
+        match self.scheme {
+            _ if !self.has_kernel() => InstructionSet::Portable,
+            Scheme::Gauss(5..) => set,
+            // Registers of 512 bits compute the same as those of 256.
+            _ => set.min(InstructionSet::Avx2),
+        }
+    }
+
+    /// Returns whether there is a kernel that computes the steps of this method faster.
+    fn has_kernel(&self) -> bool {
+        self.tolerance == 0.0
+            && matches!(
+                (self.formulation, self.scheme),
+                (Formulation::Collective, Scheme::Gauss(1..=8))
+                    | (Formulation::Reduced, Scheme::ImplicitMidpoint)
+            )
     }
 
     /// Returns the formulation: where the scheme is applied.
@@ -61,17 +117,22 @@ impl Method {
     /// # Errors
     /// Returns [`MethodError::Scheme`] if the coefficients of the scheme cannot be made.
     pub fn integrate<K: Task>(&self, top: &HeavyTop, task: K) -> Result<K::Output, MethodError> {
-        let (formulation, to_the_floor) = (self.formulation, self.tolerance == 0.0);
         match self.scheme {
             // These kernels compute the same maps, faster.
-            Scheme::Gauss(stages @ 1..=8)
-                if formulation == Formulation::Collective && to_the_floor =>
-            {
-                let gauss = CollectiveGauss::new(stages.into(), *top);
-                Ok(task.perform_turning(gauss.map_err(|e| self.failed(e))?))
+            Scheme::Gauss(stages) if self.has_kernel() => {
+                let gauss =
+                    CollectiveGauss::new(stages.into(), *top).map_err(|e| self.failed(e))?;
+                Ok(task.perform_turning(match self.instructions {
+                    Some(set) => gauss.with_instructions(set)?,
+                    None => gauss,
+                }))
             }
-            Scheme::ImplicitMidpoint if formulation == Formulation::Reduced && to_the_floor => {
-                Ok(task.perform_turning(TopMidpoint::new(*top)))
+            Scheme::ImplicitMidpoint if self.has_kernel() => {
+                let midpoint = TopMidpoint::new(*top);
+                Ok(task.perform_turning(match self.instructions {
+                    Some(set) => midpoint.with_instructions(set)?,
+                    None => midpoint,
+                }))
             }
             _ => self.differentiate(top, Plain(task)),
         }

@@ -2,6 +2,7 @@
 
 use super::{Formulation, Scheme, UnknownName};
 use collective_integrators::SchemeError;
+use lie_poisson::MissingInstructions;
 use thiserror::Error;
 
 /// The reason why there is no integrator of a formulation and a scheme.
@@ -28,6 +29,9 @@ pub enum MethodError {
         /// The tolerance that was asked for.
         value: f64,
     },
+    /// The processor lacks the instructions that were asked for.
+    #[error(transparent)]
+    Instructions(#[from] MissingInstructions),
     /// The scheme could not be made.
     #[error("{scheme}")]
     Scheme {

@@ -8,6 +8,7 @@ mod descent;
 mod euler_top;
 mod extreme_momenta;
 mod gauss_batches;
+mod instruction_sets;
 mod jacobi_elliptic;
 mod lagrange_nutation;
 mod midpoint_kernel;

@@ -57,7 +57,7 @@ pub fn animate(mut config: Config, out: &Path, watch: &Watch<'_>) -> Result<Page
     let written = match &outcome {
         Err(Error::Interrupted { .. }) => Ok(()),
         _ if animation.is_empty() => Ok(()),
-        _ => output.write(|to| animation.write(to)),
+        _ => output.write(|to| animation.write(to)).and_then(|()| output.finish()),
     };
     if let Err(unwritten) = written {
         // An incomplete page is of no use. The failure of the run takes precedence over the failure to write.

@@ -5,8 +5,8 @@ use super::measurement::{Measure, Measurement, Reference};
 use super::recommendations::{self, Comparison};
 use crate::Error;
 use crate::configuration::{Config, Integration};
-use crate::files::Output;
 use crate::files::place::require_no_folders;
+use crate::files::{Output, OutputSet};
 use crate::pictures::render;
 use crate::runs::{Experiment, Schedule};
 use crate::supervision::{Progress, Watch};
@@ -66,12 +66,12 @@ pub fn compare(
     let experiment = config.experiment()?;
     let own = experiment.schedule.steps.min(INTERVAL);
     let steps = end.map_or(Ok(own), |end| number_of_steps(&experiment, end))?;
-    let methods = methods(config.integrator.or(Integration::default()).tolerance)?;
+    let methods = methods(config.integrator.or(Integration::default()))?;
     std::fs::create_dir_all(out).map_err(|source| Error::Create { path: out.into(), source })?;
     let names = ["work-precision.csv", "work-precision.svg", "work-precision.png"];
     require_no_folders(out, &names)?;
     let [csv, svg, png] = names.map(|name| out.join(name));
-    // No other run writes here until the table is complete, which it is last.
+    // No other run writes here until the table has its name, which it gets last.
     let mut table = Output::create(&csv)?;
 
     let ladder = ladder(steps);
@@ -97,10 +97,12 @@ pub fn compare(
 
     table.write(|to| to.write_all(recommendations::csv(&measurements).as_bytes()))?;
     let chart = chart::chart(&measurements, &experiment, reference.end);
+    let mut pictures = OutputSet::default();
     let drawn = render::render(&chart, SCALE).and_then(|(drawing, pixels)| {
-        Output::whole(&svg, drawing.as_bytes()).and_then(|()| Output::whole(&png, &pixels))
+        pictures.add(&svg, drawing.as_bytes())?;
+        pictures.add(&png, &pixels)
     });
-    table.conclude(drawn)?;
+    pictures.conclude(table, drawn)?;
     Ok(Comparison::new(&measurements, &reference, out))
 }
 
@@ -113,13 +115,13 @@ fn number_of_steps(experiment: &Experiment, end: f64) -> Result<u64, Error> {
 
 /// Returns every formulation with every scheme that makes sense in it, without duplicates: `strang` of the midpoint
 /// rule is the midpoint rule.
-fn methods(tolerance: f64) -> Result<Vec<Method>, Error> {
+fn methods(integration: Integration) -> Result<Vec<Method>, Error> {
     let mut methods = Vec::new();
     for &(_, formulation) in Formulation::NAMES {
         for scheme in formulation.schemes() {
             let again = scheme == Scheme::Composed(ComposedScheme::Strang);
             if !again || formulation == Formulation::Splitting {
-                methods.push(Method::new(formulation, scheme, tolerance)?);
+                methods.push(Integration { formulation, scheme, ..integration }.method()?);
             }
         }
     }

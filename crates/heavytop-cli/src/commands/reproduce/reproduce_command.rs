@@ -5,7 +5,7 @@ use super::record::{QUANTITIES, Record};
 use super::{figures, plot};
 use crate::Error;
 use crate::configuration::{Config, Integration};
-use crate::files::Output;
+use crate::files::{Output, OutputSet};
 use crate::formats::run_table::{STATE_COLUMNS, state_values, write_row};
 use crate::pictures::render;
 use crate::runs::Experiment;
@@ -30,7 +30,7 @@ const SCALE: f32 = 6.0;
 ///
 /// # Errors
 /// If the request is wrong, another run writes into the folder, or the command is stopped: then nothing is written.
-/// If a run fails, or a figure cannot be written: then `trajectories.csv.partial` is kept.
+/// If a run fails, or a file cannot be written: then `trajectories.csv.partial` is kept, and no other file is written.
 ///
 /// # Example
 /// ```
@@ -50,28 +50,33 @@ pub fn reproduce(
     let mut config = Config::default();
     let mut experiments = Vec::with_capacity(METHODS.len());
     for (formulation, scheme) in METHODS {
-        let tolerance = Integration::default().tolerance;
-        config.integrator = Integration { formulation, scheme, step, end, tolerance }.into();
+        let own = Integration::default();
+        config.integrator = Integration { formulation, scheme, step, end, ..own }.into();
         experiments.push(config.experiment()?);
     }
     std::fs::create_dir_all(out).map_err(|source| Error::Create { path: out.into(), source })?;
 
-    // No other run writes here until the table is complete, which it is last.
+    // No other run writes here until the table has its name, which it gets last.
     let mut trajectories = Output::create(&out.join("trajectories.csv"))?;
+    let mut others = OutputSet::default();
     let outcome = run(&experiments, &mut trajectories, watch);
-    let written = outcome.and_then(|records| write_figures_and_summary(&records, out));
-    trajectories.conclude(written)
+    let written = outcome.and_then(|records| write_figures_and_summary(&records, out, &mut others));
+    others.conclude(trajectories, written)
 }
 
-fn write_figures_and_summary(records: &[Record], out: &Path) -> Result<Reproduction, Error> {
+fn write_figures_and_summary(
+    records: &[Record],
+    out: &Path,
+    files: &mut OutputSet,
+) -> Result<Reproduction, Error> {
     for figure in figures::all(records) {
         let (svg, png) = render::render(&plot::plot(&figure)?, SCALE)?;
-        Output::whole(&out.join(figure.name).with_extension("svg"), svg.as_bytes())?;
-        Output::whole(&out.join(figure.name).with_extension("png"), &png)?;
+        files.add(&out.join(figure.name).with_extension("svg"), svg.as_bytes())?;
+        files.add(&out.join(figure.name).with_extension("png"), &png)?;
     }
     let runs = records.iter().map(Drift::of).collect();
     let reproduction = Reproduction { out: out.into(), runs };
-    Output::whole(&out.join("summary.csv"), reproduction.csv().as_bytes())?;
+    files.add(&out.join("summary.csv"), reproduction.csv().as_bytes())?;
     Ok(reproduction)
 }
 

@@ -5,10 +5,10 @@ use super::orbit_tiles::values;
 use crate::Error;
 use crate::files::Output;
 use crate::formats::Metadata;
-use crate::formats::parquet::{GROUP, begin, required, write_column};
+use crate::formats::parquet::{GROUP, begin, io_error, required, write_column};
 use parquet::basic::Type as PhysicalType;
 use parquet::data_type::{DoubleType, Int64Type};
-use parquet::errors::Result;
+use parquet::errors::{ParquetError, Result};
 use parquet::file::writer::SerializedFileWriter;
 use std::path::{Path, PathBuf};
 
@@ -39,7 +39,7 @@ impl PointTable {
         });
         let file = fields.collect::<Result<Vec<_>>>();
         let file = file.and_then(|fields| begin("section", fields, metadata, |_| false, output));
-        let file = file.map_err(|source| failed(path, source.into()))?;
+        let file = file.map_err(|source| failed(path, source))?;
         let columns = vec![Vec::new(); header.split(',').count() - 2];
         Ok(Self { path: path.into(), file, indices: Default::default(), columns })
     }
@@ -59,20 +59,19 @@ impl PointTable {
         if self.indices[0].len() < GROUP { Ok(()) } else { self.write() }
     }
 
-    /// Completes the file and gives it its name.
+    /// Returns the file, complete but for its name.
     ///
     /// # Errors
     /// If the file cannot be completed.
-    pub fn complete(mut self) -> std::result::Result<(), Error> {
+    pub fn whole(mut self) -> std::result::Result<Output, Error> {
         if !self.indices[0].is_empty() {
             self.write()?;
         }
-        let output = self.file.into_inner().map_err(|source| failed(&self.path, source.into()))?;
-        output.complete()
+        self.file.into_inner().map_err(|source| failed(&self.path, source))
     }
 
     fn write(&mut self) -> std::result::Result<(), Error> {
-        self.write_group().map_err(|source| failed(&self.path, source.into()))
+        self.write_group().map_err(|source| failed(&self.path, source))
     }
 
     fn write_group(&mut self) -> Result<()> {
@@ -90,6 +89,6 @@ impl PointTable {
     }
 }
 
-fn failed(path: &Path, source: std::io::Error) -> Error {
-    Error::Write { path: path.into(), source }
+fn failed(path: &Path, source: ParquetError) -> Error {
+    Error::Write { path: path.into(), source: io_error(source) }
 }

@@ -12,7 +12,7 @@ use super::summaries::system_section_summary::SystemSectionSummary;
 use crate::Error;
 use crate::configuration::Config;
 use crate::files::place::require_no_folders;
-use crate::files::{Output, Place};
+use crate::files::{Output, OutputSet, Place};
 use crate::formats::Metadata;
 use crate::pictures::render;
 use crate::supervision::tiled_run::{resumable, threads};
@@ -133,12 +133,14 @@ fn write(
     if let Err(stuck) = finished {
         return Err(give_up(settings, &orbits, held, stuck, &csv));
     }
-    let written = write_points(settings, &orbits, &metadata, [&csv, &parquet]);
+    let mut files = OutputSet::default();
+    let written = write_points(settings, &orbits, &metadata, [&csv, &parquet], &mut files);
     let survey = written.map_err(resumable)?;
     let drawing = draw(settings, &orbits, &survey).map_err(resumable)?;
     let (drawing, pixels) = render::render(&drawing, SCALE)?;
-    let drawn = Output::whole(&svg, drawing.as_bytes()).and_then(|()| Output::whole(&png, &pixels));
-    drawn.map_err(resumable)?;
+    files.add(&svg, drawing.as_bytes()).map_err(resumable)?;
+    files.add(&png, &pixels).map_err(resumable)?;
+    files.complete().map_err(resumable)?;
     orbits.tiles.remove(held)?;
     Ok(survey)
 }
@@ -149,6 +151,7 @@ fn write_points(
     orbits: &Orbits<'_>,
     metadata: &Metadata,
     [csv, parquet]: [&Path; 2],
+    files: &mut OutputSet,
 ) -> Result<Survey, Error> {
     let mut survey = Survey::new(settings);
     let mut text = Output::create(csv).map_err(Error::too_late)?;
@@ -162,8 +165,8 @@ fn write_points(
             table.add(orbit)?;
         }
     }
-    text.complete()?;
-    table.complete()?;
+    files.push(text)?;
+    files.push(table.whole()?)?;
     Ok(survey)
 }
 

@@ -11,7 +11,7 @@ use crate::runs::Saved;
 use crate::vocabulary::brief::number;
 use collective_integrators::CHECKPOINT;
 use serde::{Deserialize, Serialize};
-use std::path::Path;
+use std::path::{Path, PathBuf};
 
 /// The first word of the file, before the checksum of what follows its first line.
 const TITLE: &str = "heavytop-checkpoint ";
@@ -20,7 +20,12 @@ const TITLE: &str = "heavytop-checkpoint ";
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
 #[serde(deny_unknown_fields)]
 pub struct Checkpoint {
+    /// The file from which it was read.
+    #[serde(skip)]
+    pub(super) path: PathBuf,
     version: String,
+    /// The instruction set on which the bits of the steps depend.
+    instructions: String,
     /// The format of the output.
     format: Format,
     step: u64,
@@ -42,8 +47,10 @@ impl Checkpoint {
         rows: Mark,
     ) -> Self {
         let Saved { step, state } = saved;
-        let (version, deviations) = (env!("CARGO_PKG_VERSION").into(), deviations.into());
-        Self { version, format, step, state, deviations, rows, configuration: config.clone() }
+        let (version, configuration) = (env!("CARGO_PKG_VERSION").into(), config.clone());
+        let (path, deviations) = (PathBuf::new(), deviations.into());
+        let instructions = config.instructions().to_string();
+        Self { path, version, instructions, format, step, state, deviations, rows, configuration }
     }
 
     /// Reads a checkpoint from its file.
@@ -53,6 +60,7 @@ impl Checkpoint {
     pub fn read(path: &Path) -> Result<Self, Error> {
         read(path)
             .and_then(|text| Self::parse(&text))
+            .map(|checkpoint| Self { path: path.into(), ..checkpoint })
             .map_err(|source| Error::Checkpoint { path: path.into(), source })
     }
 
@@ -90,6 +98,7 @@ impl Checkpoint {
         if !differences.is_empty() {
             return Err(CheckpointError::Configuration(differences));
         }
+        config.require_instructions(&self.instructions)?;
         if self.format != format {
             return Err(CheckpointError::Format {
                 there: self.format.to_string(),

@@ -2,6 +2,7 @@
 
 use crate::Error;
 use crate::files::lock;
+use crate::files::torn_line::cut_torn_line;
 use crate::formats::Extent;
 use crc32fast::Hasher;
 use serde::{Deserialize, Serialize};
@@ -95,6 +96,17 @@ impl Growing {
         self.flush()?;
         self.writer.get_ref().sync_all().map_err(|source| self.failed(source))?;
         Ok(Mark { bytes: self.bytes, checksum: self.checksum.clone().finalize() })
+    }
+
+    /// Ends a file of text: a line for which there is no room is cut off.
+    pub fn keep_lines(mut self) {
+        let flushed = self.writer.flush();
+        // Without its parts, the writer would try to write the rest when it is dropped.
+        let (mut file, _) = self.writer.into_parts();
+        if flushed.is_err() {
+            // What cannot be written any more is lost; the error reports the first failure.
+            let _ = cut_torn_line(&mut file);
+        }
     }
 
     fn failed(&self, source: io::Error) -> Error {

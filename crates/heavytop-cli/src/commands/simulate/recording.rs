@@ -64,10 +64,7 @@ impl Recording {
                     .require(config, format, out)
                     .and_then(|()| checkpoint.require_possible(steps, *dimension, table))
                     .and_then(|()| reopen(path, checkpoint, pace, format, table))
-                    .map_err(|source| Error::Checkpoint {
-                        path: place.beside("checkpoint"),
-                        source,
-                    })?
+                    .map_err(|source| Error::Checkpoint { path: checkpoint.path.clone(), source })?
             }
             None => {
                 let mut rows = anew(&place, path, options.restart)?;
@@ -107,9 +104,8 @@ impl Recording {
             Ok(()) => self.complete(),
             // A run that failed would fail there again.
             Err(failure @ Error::Integration { .. }) => {
-                let kept = self.keep(failure);
                 remove_checkpoint(&self.place);
-                return Err(kept);
+                return Err(self.keep(failure));
             }
             Err(failure) => Err(failure),
         };
@@ -145,14 +141,16 @@ impl Recording {
     }
 
     /// Turns the rows so far into `NAME.partial`; where the disk is too full for that, the rows stay as they are.
-    fn keep(&mut self, failure: Error) -> Error {
+    fn keep(mut self, failure: Error) -> Error {
         if self.place.is_device {
             return failure;
         }
-        // What cannot be written any more is lost; the error reports the first failure.
-        let _ = self.rows.flush();
         let mut partial = self.place.beside("partial");
-        if self.format != Format::Csv {
+        if self.format == Format::Csv {
+            self.rows.keep_lines();
+        } else {
+            // What cannot be written any more is lost; the error reports the first failure.
+            let _ = self.rows.flush();
             match self.converted().and_then(Output::keep) {
                 Ok(()) => self.discard(),
                 Err(_) => partial = self.rows.path().into(),

@@ -9,7 +9,7 @@ use super::top_table::TopTable;
 use super::top_tiles::Tops;
 use crate::Error;
 use crate::configuration::Config;
-use crate::files::Output;
+use crate::files::OutputSet;
 use crate::formats::Metadata;
 use crate::pictures::render;
 use crate::runs::method_warning::method_warning;
@@ -131,18 +131,34 @@ fn assemble(
         let failure = Error::AllFailed { tops: plan.tops, first: first.clone() };
         return Err(Error::Kept { partial: table.keep()?, source: Box::new(failure) });
     }
-    table.complete()?;
-    let Some(size) = heat_maps::size(plan) else { return Ok(summary) };
+    let mut files = OutputSet::default();
+    files.push(table.whole()?)?;
+    if let Some(size) = heat_maps::size(plan) {
+        draw_maps(plan, size, tops, summary.failed, out, &mut files)?;
+    }
+    files.complete()?;
+    Ok(summary)
+}
+
+/// Writes the heat map of each column.
+fn draw_maps(
+    plan: &Plan,
+    size: [u32; 2],
+    tops: &Tops,
+    failed: u64,
+    out: &Path,
+    files: &mut OutputSet,
+) -> Result<(), Error> {
     for (index, column) in plan.columns().enumerate() {
         let mut values: Vec<Option<f64>> = Vec::new();
         tops.each(|rows| {
             values.extend(rows.iter().map(|row| row.value(index)));
             Ok(())
         })?;
-        let drawing = heat_maps::heat_map(plan, size, column, &values, summary.failed)?;
+        let drawing = heat_maps::heat_map(plan, size, column, &values, failed)?;
         let (svg, png) = render::render(&drawing, SCALE)?;
-        Output::whole(&out.join(column.name).with_extension("svg"), svg.as_bytes())?;
-        Output::whole(&out.join(column.name).with_extension("png"), &png)?;
+        files.add(&out.join(column.name).with_extension("svg"), svg.as_bytes())?;
+        files.add(&out.join(column.name).with_extension("png"), &png)?;
     }
-    Ok(summary)
+    Ok(())
 }

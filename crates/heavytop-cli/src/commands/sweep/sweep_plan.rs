@@ -66,15 +66,14 @@ impl Plan {
         if axes.iter().all(|axis| axis.parameter.is_of_body()) {
             config.start()?;
         }
-        let Integration { formulation, scheme, step, end, tolerance } =
-            config.integrator.or(Integration::default());
+        let integration = config.integrator.or(Integration::default());
         Ok(Self {
             body: config.body,
             initial: config.initial,
             axes,
             observables: sweep.observables.clone(),
-            method: Method::new(formulation, scheme, tolerance)?,
-            schedule: Schedule::new(step, end)?,
+            method: integration.method()?,
+            schedule: Schedule::new(integration.step, integration.end)?,
             tops,
             seed: sweep.seed,
         })

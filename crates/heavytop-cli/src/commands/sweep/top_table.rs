@@ -5,10 +5,10 @@ use super::sweep_plan::Plan;
 use crate::Error;
 use crate::files::{Output, Place};
 use crate::formats::Metadata;
-use crate::formats::parquet::{GROUP, begin, required, write_column};
+use crate::formats::parquet::{GROUP, begin, io_error, required, write_column};
 use parquet::basic::{LogicalType, Type as PhysicalType};
 use parquet::data_type::{ByteArray, ByteArrayType, DoubleType, Int64Type};
-use parquet::errors::Result;
+use parquet::errors::{ParquetError, Result};
 use parquet::file::writer::SerializedFileWriter;
 use parquet::schema::types::Type;
 use std::path::{Path, PathBuf};
@@ -42,7 +42,7 @@ impl<'a> TopTable<'a> {
         };
         let file = fields(plan);
         let file = file.and_then(|fields| begin("sweep", fields, metadata, repeated, output));
-        let file = file.map_err(|source| failed(path, source.into()))?;
+        let file = file.map_err(|source| failed(path, source))?;
         Ok(Self { plan, path: path.into(), file, first: 0, rows: Vec::new() })
     }
 
@@ -55,14 +55,6 @@ impl<'a> TopTable<'a> {
         if self.rows.len() < GROUP { Ok(()) } else { self.write() }
     }
 
-    /// Completes the file and gives it its name.
-    ///
-    /// # Errors
-    /// If the file cannot be completed.
-    pub fn complete(self) -> std::result::Result<(), Error> {
-        self.whole()?.complete()
-    }
-
     /// Leaves the complete file as `NAME.partial`, and returns its path.
     ///
     /// # Errors
@@ -72,15 +64,19 @@ impl<'a> TopTable<'a> {
         self.whole()?.keep().map(|()| partial)
     }
 
-    fn whole(mut self) -> std::result::Result<Output, Error> {
+    /// Returns the file, complete but for its name.
+    ///
+    /// # Errors
+    /// If the file cannot be completed.
+    pub fn whole(mut self) -> std::result::Result<Output, Error> {
         if !self.rows.is_empty() {
             self.write()?;
         }
-        self.file.into_inner().map_err(|source| failed(&self.path, source.into()))
+        self.file.into_inner().map_err(|source| failed(&self.path, source))
     }
 
     fn write(&mut self) -> std::result::Result<(), Error> {
-        self.write_group().map_err(|source| failed(&self.path, source.into()))?;
+        self.write_group().map_err(|source| failed(&self.path, source))?;
         self.first += self.rows.len() as u64;
         self.rows.clear();
         Ok(())
@@ -112,8 +108,8 @@ impl<'a> TopTable<'a> {
     }
 }
 
-fn failed(path: &Path, source: std::io::Error) -> Error {
-    Error::Write { path: path.into(), source }
+fn failed(path: &Path, source: ParquetError) -> Error {
+    Error::Write { path: path.into(), source: io_error(source) }
 }
 
 fn fields(plan: &Plan) -> Result<Vec<Type>> {

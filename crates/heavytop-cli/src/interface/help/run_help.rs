@@ -83,6 +83,7 @@ Configuration: every key may be left out, and has then the value below.
   step = 0.02                        # s
   end = 100.0                        # s; a whole number of steps
   tolerance = 0.0                    # of the stage equations; 0 iterates to the round-off floor
+  instructions = \"native\"            # or portable: the same bytes on every processor, slower
 
   [output]
   every = 1                          # keep every n-th step; the last step is always kept

@@ -60,6 +60,12 @@ impl Folder {
         self.command(arguments).stderr(Stdio::piped()).spawn().unwrap()
     }
 
+    /// Starts `heavytop` with these arguments in the folder, and keeps its standard output too.
+    pub fn start_piped(&self, arguments: &[&str]) -> Child {
+        let mut command = self.command(arguments);
+        command.stdout(Stdio::piped()).stderr(Stdio::piped()).spawn().unwrap()
+    }
+
     fn command(&self, arguments: &[&str]) -> Command {
         let mut command = Command::new(env!("CARGO_BIN_EXE_heavytop"));
         command.args(arguments).current_dir(self.0.path());
@@ -71,6 +77,10 @@ impl Folder {
 pub struct Finished(Output);
 
 impl Finished {
+    pub fn of(output: Output) -> Self {
+        Self(output)
+    }
+
     pub fn code(&self) -> i32 {
         self.0.status.code().unwrap()
     }

@@ -49,8 +49,7 @@ impl TopProblem {
             step: TURN / fastest(&top, level.energy),
             ..Integration::default()
         };
-        let Integration { formulation, scheme, tolerance, .. } = config.integrator.or(own);
-        Ok((Self { section, method: Method::new(formulation, scheme, tolerance)? }, own))
+        Ok((Self { section, method: config.integrator.or(own).method()? }, own))
     }
 }
 

@@ -1,0 +1,104 @@
+//! The same steps on each instruction set of this processor: where bits differ, and by how much.
+
+use collective_integrators::Start;
+use heavytop::HeavyTop;
+use heavytop::methods::{Formulation, Method, Scheme, Task};
+use lie_poisson::{InstructionSet, Se3Dual, Vector, larger};
+use nalgebra::Vector3;
+
+const STEP: f64 = 0.02;
+
+/// Kovalevskaya's top where the paper starts it.
+fn top() -> (HeavyTop, Se3Dual) {
+    let start = Se3Dual::new(Vector3::new(2.0, 3.0, 4.0), Vector3::new(0.5, 0.0, 0.75_f64.sqrt()));
+    (HeavyTop::kovalevskaya(1.0, 1.0).unwrap(), start)
+}
+
+/// The states after each of so many steps.
+struct States(Se3Dual, usize);
+
+impl Task for States {
+    type Output = Vec<Se3Dual>;
+
+    fn perform<I: Start<State: Vector, Momentum = Se3Dual>>(self, integrator: &I) -> Vec<Se3Dual> {
+        let run = integrator.trajectory(&self.0, STEP).unwrap().skip(1).take(self.1);
+        run.map(|sample| sample.unwrap().momentum).collect()
+    }
+}
+
+fn states(method: Method, steps: usize) -> Vec<Se3Dual> {
+    let (top, start) = top();
+    method.integrate(&top, States(start, steps)).unwrap()
+}
+
+fn bits(states: &[Se3Dual]) -> Vec<[u64; 6]> {
+    let coordinate = |mu: &Se3Dual, i| mu.coordinate(i).to_bits();
+    states.iter().map(|mu| core::array::from_fn(|i| coordinate(mu, i))).collect()
+}
+
+/// Returns all methods for tops whose stages are solved to round-off.
+fn methods() -> impl Iterator<Item = Method> {
+    Formulation::NAMES.iter().flat_map(|&(_, formulation)| {
+        let schemes = formulation.schemes();
+        schemes.map(move |scheme| Method::new(formulation, scheme, 0.0).unwrap())
+    })
+}
+
+/// Returns the largest distance up to a step, in roundings of the largest coordinate: 2⁻⁵³ of it.
+fn roundings(a: &[Se3Dual], b: &[Se3Dual], steps: usize) -> f64 {
+    let distances = a.iter().zip(b).take(steps).map(|(a, b)| (*a - *b).max_abs() / a.max_abs());
+    distances.fold(0.0, larger) / (f64::EPSILON / 2.0)
+}
+
+/// A method says on which instruction set its bits depend.
+#[test]
+fn bits_are_those_of_the_instruction_set_that_the_method_names() {
+    let mut kernels = Vec::new();
+    for method in methods() {
+        // AVX2 and AVX-512 take a while to differ; methods without a kernel never do.
+        let steps = if method.instructions() == InstructionSet::Portable { 50 } else { 1000 };
+        let native = bits(&states(method, steps));
+        for set in InstructionSet::available() {
+            let other = method.with_instructions(set).unwrap();
+            // Control: on another set there are other bits.
+            let alike = method.instructions() == other.instructions();
+            assert_eq!(bits(&states(other, steps)) == native, alike, "{method:?} on {set}");
+        }
+        if method.instructions() != InstructionSet::Portable {
+            kernels.push((method.formulation(), method.scheme()));
+        }
+    }
+    let gauss = |stages| (Formulation::Collective, Scheme::Gauss(stages));
+    let mut expected: Vec<_> = [2, 3, 4, 5, 6, 8].map(gauss).into();
+    expected.push((Formulation::Reduced, Scheme::ImplicitMidpoint));
+    let any = InstructionSet::detected() != InstructionSet::Portable;
+    assert_eq!(kernels, if any { expected } else { Vec::new() });
+}
+
+/// The steps on two sets are equally good roundings of the same map: they differ by some roundings in the first steps, and
+/// by what the motion makes of these later. The bounds are some four times what was found.
+#[test]
+fn on_two_instruction_sets_the_steps_differ_by_roundings() {
+    let kernels = methods().filter(|method| method.instructions() != InstructionSet::Portable);
+    for method in kernels {
+        let on = |set| states(method.with_instructions(set).unwrap(), 1000);
+        let portable = on(InstructionSet::Portable);
+        for set in InstructionSet::available().skip(1) {
+            let states = on(set);
+            let after = [1, 100, 1000].map(|steps| roundings(&states, &portable, steps));
+            println!("{} {}, {set}: {after:.1?}", method.formulation(), method.scheme());
+            let bounds = [4.0, 40.0, 2000.0];
+            assert!(after.iter().zip(bounds).all(|(found, bound)| *found <= bound), "{after:?}");
+        }
+    }
+}
+
+/// Instructions that the processor lacks are refused.
+#[test]
+fn missing_instructions_are_refused() {
+    for set in InstructionSet::ALL {
+        let method = Method::new(Formulation::Collective, Scheme::Gauss(2), 0.0).unwrap();
+        let refused = method.with_instructions(set);
+        assert_eq!(refused.is_ok(), set.is_available(), "{set}");
+    }
+}
