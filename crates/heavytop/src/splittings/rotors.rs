@@ -95,14 +95,33 @@ impl<T: Real> ExactFlows<T> for RotorSplitting<RigidBody> {
 }
 
 /// Rotates v about e_axis by the angle, in the positive sense.
+///
+/// Three shears make the rotation, about the nearer of v and −v:
+///
+/// ```text
+/// x ← x − y tan θ/2,    y ← y + x sin θ,    x ← x − y tan θ/2
+/// ```
+///
+/// Shears with any coefficients conserve areas, so that many rotations by one angle, as those of Lagrange's top about its
+/// axis, stay on an ellipse that is a circle to round-off. A matrix of rounded cosines and sines stretches each time by
+/// the same 1e-16.
+///
+/// Source: Paeth, *A fast algorithm for general raster rotation*, Graphics Interface (1986).
 #[inline]
 pub(crate) fn turn<T: Real>(axis: usize, angle: T, v: &Vector3<T>) -> Vector3<T> {
     let square = angle * angle;
     let (cos, sin) = (square.stumpff(0), angle * square.stumpff(1));
+    let forwards = T::zero().at_most(cos);
+    let sign = T::select(forwards, T::one(), -T::one());
+    let (cos, sin) = (sign * cos, sign * sin);
+    let half_tangent = sin / (cos + T::one());
     let (i, j) = ((axis + 1) % 3, (axis + 2) % 3);
+    let (mut x, mut y) = (sign * v[i], sign * v[j]);
+    x -= half_tangent * y;
+    y += sin * x;
+    x -= half_tangent * y;
     let mut turned = *v;
-    turned[i] = cos * v[i] - sin * v[j];
-    turned[j] = sin * v[i] + cos * v[j];
+    (turned[i], turned[j]) = (x, y);
     turned
 }
 

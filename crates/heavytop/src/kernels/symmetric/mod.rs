@@ -2,6 +2,6 @@
 
 pub(crate) mod stumpff_polynomials;
 pub(crate) mod flows;
-pub(crate) mod meridian_axes;
+pub(crate) mod axial_turn;
 pub(crate) mod steps;
 pub(crate) mod symmetric_batch;

@@ -1,8 +1,8 @@
 //! The two flows of a symmetric top in components, for as many tops as there are SIMD lanes.
 
 use crate::SymmetricTopSplitting;
+use crate::kernels::symmetric::axial_turn::AxialTurn;
 use crate::kernels::symmetric::flows::DriftPolynomials;
-use crate::kernels::symmetric::meridian_axes::MeridianAxes;
 use collective_integrators::MOST_LANES;
 use lie_poisson::{Covector, Lanes, Pair, Se3Dual};
 use nalgebra::Vector3;
@@ -36,7 +36,7 @@ pub(crate) struct FlowParameters<T> {
     elongation: T,
     /// The force (f₁, f₃) = m g l (c₁, c₃)h²/I₁ in the turned axes.
     force: [T; 2],
-    axes: MeridianAxes<T>,
+    axes: AxialTurn<T>,
 }
 
 impl<T: Lanes> MomentumLanes<T> {
@@ -48,15 +48,15 @@ impl<T: Lanes> MomentumLanes<T> {
     ) -> Self {
         let w = |k: usize| T::from_lanes(|i| f(i).0.0[k]) * top.scale;
         let gamma = |k: usize| T::from_lanes(|i| f(i).0.1[k]);
-        let w = top.axes.components([w(0), w(1), w(2)]);
-        let gamma = top.axes.components([gamma(0), gamma(1), gamma(2)]);
+        let w = top.axes.undo([w(0), w(1), w(2)]);
+        let gamma = top.axes.undo([gamma(0), gamma(1), gamma(2)]);
         Self { w, gamma, vertical: dot(&w, &gamma), largest: T::from_f64(0.0) }
     }
 
     /// Returns a function that reads the state in each lane.
     #[inline(always)]
     pub(crate) fn momenta(&self, top: &FlowParameters<T>) -> impl Fn(usize) -> Se3Dual {
-        let (w, gamma) = (top.axes.vector(self.w), top.axes.vector(self.gamma));
+        let (w, gamma) = (top.axes.apply(self.w), top.axes.apply(self.gamma));
         let pi = w.map(|w| w / top.scale);
         let vector = |v: &[T; 3], i| Vector3::new(v[0].lane(i), v[1].lane(i), v[2].lane(i));
         move |i| Covector(Pair(vector(&pi, i), vector(&gamma, i)))
@@ -91,17 +91,16 @@ impl<T: Lanes> MomentumLanes<T> {
         let rate = -top.elongation * w[2];
         let (x, y) = (dot(&w, &w), rate * rate);
         self.largest = x.maximum(y.maximum(self.largest));
-        let ((first, second), (sine, versine)) = drift.sines_and_versines(x, y);
-        let cosine = |x: T, versine: T| x.negative_multiply_add(versine, T::from_f64(1.0));
-        let (about_w, along) = (cosine(x, second), second * self.vertical);
+        let ((first, second), (sine, half_tangent)) = drift.at(x, y);
+        let about_w = x.negative_multiply_add(second, T::from_f64(1.0));
+        let along = second * self.vertical;
         let turned = |k: usize| {
             let longitudinal = along.multiply_add(w[k], about_w * g[k]);
             first.negative_multiply_add(transverse[k], longitudinal)
         };
         let g = [turned(0), turned(1), turned(2)];
-        let (sine, cosine) = (rate * sine, cosine(y, versine));
-        self.w = turn(&w, cosine, sine);
-        self.gamma = turn(&g, cosine, sine);
+        let turn = AxialTurn { half_tangent: rate * half_tangent, sine: rate * sine };
+        (self.w, self.gamma) = (turn.apply(w), turn.apply(g));
     }
 }
 
@@ -112,10 +111,10 @@ impl<T: Lanes> FlowParameters<T> {
         step: f64,
         f: impl Fn(usize) -> &'a SymmetricTopSplitting,
     ) -> Self {
-        let mut turned = [(MeridianAxes::default(), [0.0; 2]); MOST_LANES];
+        let mut turned = [(AxialTurn::default(), [0.0; 2]); MOST_LANES];
         for (i, turned) in turned.iter_mut().enumerate().take(T::COUNT) {
             let top = f(i).top();
-            *turned = MeridianAxes::new(&(top.center_of_mass() * top.weight_moment()));
+            *turned = AxialTurn::of_axes(&(top.center_of_mass() * top.weight_moment()));
         }
         let scale = T::from_lanes(|i| step / f(i).top().inertia().x);
         let unit = scale * step;
@@ -124,7 +123,7 @@ impl<T: Lanes> FlowParameters<T> {
             scale,
             elongation: T::from_lanes(|i| elongation(f(i).top().inertia())),
             force: [0, 1].map(|k| T::from_lanes(|i| turned[i].1[k]) * unit),
-            axes: MeridianAxes::from_lanes(|i| &turned[i].0),
+            axes: AxialTurn::from_lanes(|i| &turned[i].0),
         }
     }
 
@@ -145,12 +144,6 @@ impl<T: Lanes> FlowParameters<T> {
         let least = d.select_nonnegative(one, d + 1.0);
         (doubled + potential * 2.0) * (one / least).maximum(d * d / (d + 1.0))
     }
-}
-
-/// Returns v turned about e₃ by the angle with this cosine and sine.
-#[inline(always)]
-fn turn<T: Lanes>(v: &[T; 3], cosine: T, sine: T) -> [T; 3] {
-    [cosine.multiply_subtract(v[0], sine * v[1]), sine.multiply_add(v[0], cosine * v[1]), v[2]]
 }
 
 #[inline(always)]

@@ -1,26 +1,31 @@
-//! The Stumpff functions c₁ and c₂ as polynomials on ranges of different length.
+//! The Stumpff functions c₁ and c₂ and half tangents as polynomials on ranges of different length.
 
-/// Polynomials for the Stumpff functions c₁ and c₂ on [0, `range`], exact to 1.5e-16.
+/// Polynomials for the Stumpff functions c₁ and c₂ and for the half tangent on [0, `range`], exact to 1.5e-16.
 ///
 /// The functions are
 ///
 /// ```text
-/// c₁(θ²) = sin θ/θ,  c₂(θ²) = (1 − cos θ)/θ²
+/// c₁(θ²) = sin θ/θ,  c₂(θ²) = (1 − cos θ)/θ²,  tan(θ/2)/θ
 /// ```
 ///
-/// c₂ is interpolated at Chebyshev's nodes, shifted so that one of them is 0. c₁ interpolates √(c₂(2 − x c₂))
+/// c₂ and the half tangent are interpolated at Chebyshev's nodes, shifted so that one of them is 0. c₁ interpolates √(c₂(2 − x c₂))
 /// with that polynomial for c₂, so that the errors of the two compensate each other. Cosine and sine are on
 /// the unit circle to 7e-19, except for the rounding of the coefficients.
 pub(crate) struct StumpffPolynomials {
     pub(crate) range: f64,
+    /// The coefficient of x² in cos² + sin² − 1, x = θ², for which this has the mean 0 on the range. That of the rounded
+    /// coefficients differs by up to 2e-17.
+    pub(crate) defect: f64,
     pub(crate) first: &'static [f64],
     pub(crate) second: &'static [f64],
+    pub(crate) half_tangent: &'static [f64],
 }
 
 /// The polynomials for five ranges, the shortest last.
 pub(crate) const STUMPFF: [StumpffPolynomials; 5] = [
     StumpffPolynomials {
         range: 2.0,
+        defect: -1.870_505e-17,
         first: &[
             1.0,
             -0.166_666_666_666_666_63,
@@ -42,9 +47,25 @@ pub(crate) const STUMPFF: [StumpffPolynomials; 5] = [
             1.146_683_995_656_349e-11,
             -4.657_258_655_232_234_4e-14,
         ],
+        half_tangent: &[
+            0.5,
+            0.041_666_666_666_661_17,
+            0.004_166_666_666_853_301,
+            0.000_421_626_981_923_764_77,
+            4.271_385_780_264_313_5e-5,
+            4.327_706_895_085_445e-6,
+            4.385_901_203_597_446e-7,
+            4.428_676_256_492_590_6e-8,
+            4.640_377_243_093_501e-9,
+            3.642_253_187_430_797e-10,
+            8.627_843_363_720_687e-11,
+            -6.082_346_580_803_740_6e-12,
+            1.972_975_098_874_143_7e-12,
+        ],
     },
     StumpffPolynomials {
         range: 0.7,
+        defect: -6.171_989e-18,
         first: &[
             1.0,
             -0.166_666_666_666_666_63,
@@ -64,9 +85,22 @@ pub(crate) const STUMPFF: [StumpffPolynomials; 5] = [
             -2.087_567_052_229_883_7e-9,
             1.135_568_983_418_209_7e-11,
         ],
+        half_tangent: &[
+            0.5,
+            0.041_666_666_666_667_36,
+            0.004_166_666_666_627_164,
+            0.000_421_626_984_903_822_1,
+            4.271_383_732_244_2e-5,
+            4.327_792_296_797_129e-6,
+            4.383_597_329_565_627e-7,
+            4.469_308_555_148_336e-8,
+            4.187_512_541_960_397e-9,
+            6.551_911_976_411_15e-10,
+        ],
     },
     StumpffPolynomials {
         range: 0.3,
+        defect: -3.645_823e-17,
         first: &[
             1.0,
             -0.166_666_666_666_666,
@@ -84,9 +118,20 @@ pub(crate) const STUMPFF: [StumpffPolynomials; 5] = [
             2.755_698_647_801_558_4e-7,
             -2.077_554_403_584_540_7e-9,
         ],
+        half_tangent: &[
+            0.5,
+            0.041_666_666_666_669_64,
+            0.004_166_666_666_413_641,
+            0.000_421_626_991_390_438_8,
+            4.271_374_610_042_089_6e-5,
+            4.328_467_121_796_350_5e-6,
+            4.356_564_558_246_341e-7,
+            5.018_362_800_555_603e-8,
+        ],
     },
     StumpffPolynomials {
         range: 0.125,
+        defect: -8.252_257e-16,
         first: &[
             1.0,
             -0.166_666_666_666_631_57,
@@ -102,9 +147,19 @@ pub(crate) const STUMPFF: [StumpffPolynomials; 5] = [
             -2.480_152_060_002_264e-5,
             2.749_378_566_040_617_6e-7,
         ],
+        half_tangent: &[
+            0.5,
+            0.041_666_666_666_665_2,
+            0.004_166_666_666_894_711,
+            0.000_421_626_972_332_396_5,
+            4.271_412_497_078_358_4e-5,
+            4.324_393_292_212_683e-6,
+            4.582_053_884_727_773e-7,
+        ],
     },
     StumpffPolynomials {
         range: 0.015_625,
+        defect: -5.751_732e-16,
         first: &[
             1.0,
             -0.166_666_666_666_474_12,
@@ -117,6 +172,13 @@ pub(crate) const STUMPFF: [StumpffPolynomials; 5] = [
             -0.041_666_666_666_473_826,
             0.001_388_888_813_991_381,
             -2.479_331_768_242_987_3e-5,
+        ],
+        half_tangent: &[
+            0.5,
+            0.041_666_666_666_648_595,
+            0.004_166_666_677_902_314_4,
+            0.000_421_624_813_262_978_6,
+            4.287_907_439_801_374e-5,
         ],
     },
 ];
@@ -131,18 +193,21 @@ mod tests {
         coefficients.iter().rev().fold(0.0, |sum, c| sum * x + c)
     }
 
-    /// The worst errors of c₁ and c₂ on [from, to].
+    /// The worst errors of the three polynomials on [from, to].
     fn worst(polynomials: &StumpffPolynomials, from: f64, to: f64) -> f64 {
         (0..=1000).fold(0.0, |worst: f64, n| {
             let x = from + (to - from) * f64::from(n) / 1000.0;
             let first = value(polynomials.first, x) - x.stumpff(1);
             let second = value(polynomials.second, x) - x.stumpff(2);
-            worst.max(first.abs()).max(second.abs())
+            let angle = x.sqrt();
+            let ratio = if x > 0.0 { (angle / 2.0).tan() / angle } else { 0.5 };
+            let third = value(polynomials.half_tangent, x) - ratio;
+            worst.max(first.abs()).max(second.abs()).max(third.abs())
         })
     }
 
     #[test]
-    fn polynomials_are_stumpff_functions_on_their_range() {
+    fn polynomials_are_their_functions_on_their_range() {
         for polynomials in &STUMPFF {
             let range = polynomials.range;
             // 1.5e-16 of the polynomials, and some roundings of sums up to 1 here and there.
@@ -155,7 +220,8 @@ mod tests {
     #[test]
     fn leading_coefficients_are_exact() {
         for polynomials in &STUMPFF {
-            assert_eq!([polynomials.first[0], polynomials.second[0]], [1.0, 0.5]);
+            let StumpffPolynomials { first, second, half_tangent, .. } = polynomials;
+            assert_eq!([first[0], second[0], half_tangent[0]], [1.0, 0.5, 0.5]);
             assert_eq!(polynomials.first.len(), polynomials.second.len() + 1);
         }
         assert!(STUMPFF.is_sorted_by(|a, b| a.range > b.range));
