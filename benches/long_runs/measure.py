@@ -1,0 +1,122 @@
+"""Fits how the invariants of long runs change, for docs/testing.md and docs/long-runs.png. See the script run."""
+
+import argparse
+import pathlib
+import re
+
+import matplotlib
+
+matplotlib.use("Agg")
+import matplotlib.pyplot as plt
+import numpy as np
+
+# M. Okabe & K. Ito, Color universal design (2008).
+COLOURS = ["#0072B2", "#D55E00", "#E69F00", "#282828"]
+TOPS = {"lagrange": ("Lagrange", "Pi3", "Π₃"), "kovalevskaya": ("Kovalevskaya", "K", "K")}
+METHODS = {
+    "gauss-16": ("collective Gauss-16", "1/4"),
+    "implicit-midpoint": ("reduced midpoint", "1/50"),
+}
+# Larger deviations are truncation errors, not round-off.
+LARGEST_DRAWN = 1e-6
+# Of all lags up to this part of the run there are at least four intervals.
+LONGEST_LAG = 0.25
+
+
+def deviations(path, invariant):
+    """Returns the deviations from the initial values, by name."""
+    table = np.genfromtxt(path, delimiter=",", names=True)
+    columns = {"f₁": "f1", "f₂": "f2", invariant[1]: invariant[0], "h": "h"}
+    return {name: table[column] - table[column][0] for name, column in columns.items()}
+
+
+def changes(deviation):
+    """Returns lags in samples, and the root mean square of the change over each of them."""
+    most = int(LONGEST_LAG * len(deviation))
+    lags = np.unique(np.geomspace(1, most, 30).astype(int))
+    return lags, np.array([np.sqrt(np.mean((deviation[n:] - deviation[:-n]) ** 2)) for n in lags])
+
+
+def fit(deviation, steps):
+    """Returns the largest deviation, the change per step with its standard error, and the exponent of the changes."""
+    lags, rms = changes(deviation)
+    exponent = np.polyfit(np.log(lags), np.log(rms), 1)[0] if np.all(rms > 0) else 0.0
+    error = np.std(np.diff(deviation)) * np.sqrt(len(deviation) - 1) / steps
+    return np.max(np.abs(deviation)), deviation[-1] / steps, error, exponent
+
+
+def number(x):
+    """Returns a number with two digits and a minus sign."""
+    return f"{x:.1e}".replace("e-0", "e-").replace("-", "−")
+
+
+def rows(runs, steps):
+    """Returns the rows of the table."""
+    for (top, method), run in runs.items():
+        name, step = METHODS[method]
+        for quantity, deviation in run.items():
+            most, drift, error, exponent = fit(deviation, steps)
+            yield (
+                f"| {TOPS[top][0]} | {name} | {step} | {quantity} | {number(most)} "
+                f"| {number(drift)} ± {number(error)} | {exponent:.2f} |"
+            )
+
+
+def draw(runs, steps, path):
+    """Draws the deviations of each run."""
+    figure, panels = plt.subplots(2, 2, figsize=(11, 7), sharex=True, layout="constrained")
+    for panel, ((top, method), run) in zip(panels.T.flat, runs.items()):
+        # The midpoint rule changes h and K with its own error; the table has them.
+        bounded = {name: d for name, d in run.items() if np.max(np.abs(d)) < LARGEST_DRAWN}
+        unit = 10 ** np.floor(np.log10(max(np.max(np.abs(d)) for d in bounded.values())))
+        times = np.linspace(0, steps, len(next(iter(run.values()))))
+        for colour, (name, deviation) in zip(COLOURS, bounded.items()):
+            panel.plot(times, deviation / unit, color=colour, linewidth=1)
+            panel.annotate(
+                name, (times[-1], deviation[-1] / unit), (4, 0), textcoords="offset points",
+                color=colour, va="center",
+            )
+        panel.axhline(0, color="#969696", linewidth=0.5)
+        name, step = METHODS[method]
+        panel.set_title(f"{TOPS[top][0]}'s top, {name}, steps of {step} s", fontsize=11)
+        panel.set_ylabel(f"deviation / 10^{int(np.log10(unit))}")
+        panel.margins(x=0)
+    for panel in panels[-1]:
+        panel.set_xlabel("steps")
+    figure.savefig(path, dpi=110)
+
+
+def main():
+    parser = argparse.ArgumentParser()
+    for option in ["folder", "root"]:
+        parser.add_argument(f"--{option}", type=pathlib.Path, required=True)
+    parser.add_argument("--steps", type=int, required=True)
+    options = parser.parse_args()
+    runs = {
+        (top, method): deviations(
+            options.folder / f"{top}-{method}-{options.steps}.csv", TOPS[top][1:]
+        )
+        for top in TOPS
+        for method in METHODS
+    }
+    docs = options.root / "docs"
+    draw(runs, options.steps, docs / "long-runs.png")
+    table = "\n".join(
+        [
+            "| top | method | step, s | quantity | largest deviation | change per step | exponent |",
+            "|---|---|---|---|---|---|---|",
+            *rows(runs, options.steps),
+        ]
+    )
+    page = docs / "testing.md"
+    text = page.read_text()
+    text, found = re.subn(
+        r"(<!-- long-runs: begin -->\n).*?(<!-- long-runs: end -->)", rf"\g<1>{table}\n\g<2>", text, flags=re.S
+    )
+    if found != 1:
+        raise SystemExit(f"{page}: the place of the table is not marked")
+    page.write_text(text)
+    print(table)
+
+
+main()
