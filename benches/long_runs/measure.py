@@ -24,10 +24,10 @@ LONGEST_LAG = 0.25
 
 
 def deviations(path, invariant):
-    """Returns the deviations from the initial values, by name."""
+    """Returns the deviations from the initial values, divided by those, by name."""
     table = np.genfromtxt(path, delimiter=",", names=True)
     columns = {"f₁": "f1", "f₂": "f2", invariant[1]: invariant[0], "h": "h"}
-    return {name: table[column] - table[column][0] for name, column in columns.items()}
+    return {name: table[column] / table[column][0] - 1 for name, column in columns.items()}
 
 
 def changes(deviation):
@@ -79,7 +79,7 @@ def draw(runs, steps, path):
         panel.axhline(0, color="#969696", linewidth=0.5)
         name, step = METHODS[method]
         panel.set_title(f"{TOPS[top][0]}'s top, {name}, steps of {step} s", fontsize=11)
-        panel.set_ylabel(f"deviation / 10^{int(np.log10(unit))}")
+        panel.set_ylabel(f"relative deviation / $10^{{{round(np.log10(unit))}}}$")
         panel.margins(x=0)
     for panel in panels[-1]:
         panel.set_xlabel("steps")
@@ -103,7 +103,7 @@ def main():
     draw(runs, options.steps, docs / "long-runs.png")
     table = "\n".join(
         [
-            "| top | method | step, s | quantity | largest deviation | change per step | exponent |",
+            "| top | method | step, s | quantity | largest relative deviation | change per step | exponent |",
             "|---|---|---|---|---|---|---|",
             *rows(runs, options.steps),
         ]
