@@ -66,11 +66,11 @@ impl Experiment {
     /// assert_eq!(last, again);
     /// # Ok::<(), heavytop_cli::Error>(())
     /// ```
-    pub fn follow<V>(&self, from: Option<&Saved>, visit: V) -> Result<(), Error>
+    pub fn follow<V>(&self, from: Option<&Saved>, mut visit: V) -> Result<(), Error>
     where
         V: FnMut(&Moment<'_>) -> Result<(), Error>,
     {
-        self.method.integrate(&self.top, Follow { experiment: self, from, visit })?
+        self.method.integrate(&self.top, Follow { experiment: self, from, visit: &mut visit })?
     }
 
     /// Returns the number of coordinates of the state that the integrator advances.
@@ -123,17 +123,20 @@ impl Task for Dimension<'_> {
     }
 }
 
+/// A function of the moments of a run. As a trait object, so that the integrators are compiled once for all of them.
+type Visit<'a> = &'a mut dyn FnMut(&Moment<'_>) -> Result<(), Error>;
+
 /// The task of following an experiment.
-struct Follow<'a, V> {
+struct Follow<'a> {
     experiment: &'a Experiment,
     from: Option<&'a Saved>,
-    visit: V,
+    visit: Visit<'a>,
 }
 
-impl<V: FnMut(&Moment<'_>) -> Result<(), Error>> Follow<'_, V> {
+impl Follow<'_> {
     /// Follows an integrator; `attitude` reads the attitude from the state.
     fn follow<I: Start<State: Vector, Momentum = Se3Dual>>(
-        mut self,
+        self,
         integrator: &I,
         attitude: impl Fn(&I::State) -> Option<&Quaternion>,
     ) -> Result<(), Error> {
@@ -175,7 +178,7 @@ impl<V: FnMut(&Moment<'_>) -> Result<(), Error>> Follow<'_, V> {
     }
 }
 
-impl<V: FnMut(&Moment<'_>) -> Result<(), Error>> Task for Follow<'_, V> {
+impl Task for Follow<'_> {
     type Output = Result<(), Error>;
 
     fn perform<I: Start<State: Vector, Momentum = Se3Dual>>(

@@ -53,11 +53,11 @@ impl SystemExperiment {
     ///
     /// # Errors
     /// If the initial state has no lift, a step fails, `visit` fails, or the saved state does not fit.
-    pub fn follow<V>(&self, from: Option<&Saved>, visit: V) -> Result<(), Error>
+    pub fn follow<V>(&self, from: Option<&Saved>, mut visit: V) -> Result<(), Error>
     where
         V: FnMut(&SystemMoment<'_>) -> Result<(), Error>,
     {
-        let task = Follow { experiment: self, from, visit };
+        let task = Follow { experiment: self, from, visit: &mut visit };
         self.method.integrate(&self.system, &self.start, task)?
     }
 
@@ -97,17 +97,20 @@ impl SystemTask for Dimension {
     }
 }
 
+/// A function of the moments of a run. As a trait object, so that the integrators are compiled once for all of them.
+type Visit<'a> = &'a mut dyn FnMut(&SystemMoment<'_>) -> Result<(), Error>;
+
 /// The task of following an experiment.
-struct Follow<'a, V> {
+struct Follow<'a> {
     experiment: &'a SystemExperiment,
     from: Option<&'a Saved>,
-    visit: V,
+    visit: Visit<'a>,
 }
 
-impl<V: FnMut(&SystemMoment<'_>) -> Result<(), Error>> SystemTask for Follow<'_, V> {
+impl SystemTask for Follow<'_> {
     type Output = Result<(), Error>;
 
-    fn perform<I>(mut self, integrator: &I) -> Result<(), Error>
+    fn perform<I>(self, integrator: &I) -> Result<(), Error>
     where
         I: Start<State: Vector, Momentum: Vector<Scalar = f64>>,
     {
