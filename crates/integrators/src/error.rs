@@ -24,7 +24,7 @@ pub enum StepError {
         /// The number of iterations made.
         iterations: usize,
     },
-    /// The result of the step has a coordinate that is infinite or not a number.
+    /// The result of the step, or its momentum, has a coordinate that is infinite or not a number.
     #[error("the state is not finite after the step")]
     NotFinite,
     /// A coordinate of the initial state or momentum is infinite or not a number.

@@ -11,6 +11,9 @@ const HEIGHTS: u32 = 12;
 /// The number of times that the step lengths are halved, until rounding ends the search.
 const HALVINGS: u32 = 28;
 
+/// The number of moves of a search, far more than a valley takes. Along a slope without end there would be no last one.
+const MOVES: u32 = 10_000;
+
 /// Returns the least value of f(angle, height) over all angles and −1 < height < 1.
 ///
 /// It is found by compass search from a grid, down to the rounding of f.
@@ -31,15 +34,16 @@ pub(crate) fn least_energy(f: impl Fn(f64, f64) -> f64) -> f64 {
 }
 
 fn compass(f: &impl Fn(f64, f64) -> f64, mut at: [f64; 2], mut steps: [f64; 2]) -> f64 {
-    let mut least = f(at[0], at[1]);
+    let (mut least, mut moves) = (f(at[0], at[1]), 0);
     for _ in 0..HALVINGS {
-        loop {
+        while moves < MOVES {
             let [[x, y], [dx, dy]] = [at, steps];
             let around = [[x + dx, y], [x - dx, y], [x, y + dy], [x, y - dy]];
             let lower =
                 around.iter().filter(|[_, y]| y.abs() < 1.0).find(|[x, y]| f(*x, *y) < least);
             let Some(&[x, y]) = lower else { break };
             (at, least) = ([x, y], f(x, y));
+            moves += 1;
         }
         steps = steps.map(|step| 0.5 * step);
     }
@@ -85,6 +89,8 @@ mod tests {
         assert!((least_energy(f) + 1.0 + 1e-6).abs() < 1e-14);
         // NaN is no minimum
         assert_eq!(least_energy(|_, y: f64| if y > 0.5 { f64::NAN } else { 2.0 }), 2.0);
+        // a slope without end
+        assert!(least_energy(|x, _| -x) < -100.0);
     }
 
     /// Each box of a 16 × 16 grid gets its share of 2560 points to within a few; the pseudorandom

@@ -106,6 +106,7 @@ impl LagrangeNutation {
         for (name, value) in [
             ("lowest height", solution.lowest),
             ("highest height", solution.highest),
+            ("range of the height", solution.range),
             ("rate", solution.rate),
             ("phase", solution.phase),
         ] {

@@ -1,5 +1,6 @@
 //! The collective integrator: [`Collective`].
 
+use crate::dual::finite_momentum::has_finite_momentum;
 use crate::dual::recentring_threshold::RecentringThreshold;
 use crate::stages::two_sum::exact_sum;
 use crate::vector_field::dual_differential;
@@ -229,7 +230,18 @@ impl<S: Scheme, M: PoissonMap, H> Collective<S, M, H> {
         let Step { point: change, iterations } =
             self.scheme.increment::<T, _>(field, &start, step, &mut workspace.scheme)?;
         let end = start + change;
-        Step { point: end + self.gauge::<T>(&end), iterations }.finite()
+        let point = end + self.gauge::<T>(&end);
+        self.require_momentum::<T>(&point)?;
+        Ok(Step { point, iterations })
+    }
+
+    #[cfg_attr(not(debug_assertions), inline(always))]
+    fn require_momentum<T: Real>(&self, z: &SourcePoint<M, T>) -> Result<(), StepError> {
+        if has_finite_momentum::<M, T>(&self.system.map, z) {
+            Ok(())
+        } else {
+            Err(StepError::NotFinite)
+        }
     }
 
     /// Returns the increment of a step with the collective vector field, in whatever form it is given.
@@ -244,6 +256,7 @@ impl<S: Scheme, M: PoissonMap, H> Collective<S, M, H> {
         let start = self.recentred::<T>(state, workspace);
         let Step { point: Pair(change, rest), iterations } =
             self.scheme.refined_increment::<T, _>(field, &start, step, &mut workspace.scheme)?;
+        self.require_momentum::<T>(&(start + change))?;
         if start == *state {
             return Ok(Step { point: Pair(change, rest), iterations });
         }

@@ -3,6 +3,7 @@
 pub(crate) mod integrator;
 pub(crate) mod compensated;
 pub(crate) mod recentring_threshold;
+pub(crate) mod finite_momentum;
 pub(crate) mod collective;
 pub(crate) mod direct;
 pub(crate) mod multiplier_field;

@@ -1,11 +1,8 @@
 //! The coefficients a, b of splittings into two parts: [`AlternatingSubsteps`].
 
 use crate::step_fractions::alternating_conditions::{nystrom_order, order_of_words};
+use crate::step_fractions::substeps::{COEFFICIENT_TOLERANCE, require_unit_sum};
 use crate::{SchemeError, Substeps};
-
-/// The largest relative difference of equal fractions, and of the sum of the fractions of a part from 1, that counts as
-/// rounding.
-const COEFFICIENT_TOLERANCE: f64 = 1e-14;
 
 /// The fractions of a step for which the flows φ_1 and φ_2 of two parts alternate:
 ///
@@ -41,7 +38,7 @@ impl AlternatingSubsteps {
     /// # Errors
     /// Returns [`SchemeError::NoStages`] if there are no fractions, [`SchemeError::Stages`] if a and b differ in
     /// number, [`SchemeError::NotFinite`] if one is not finite, and [`SchemeError::SubstepSum`] if a or b does not add
-    /// up to 1 to within 1e-14 Σ|a_i|.
+    /// up to 1 to within 1e-14 Σ|a_i|, and to within 1e-8.
     pub fn new(first: &[f64], second: &[f64]) -> Result<Self, SchemeError> {
         if first.len() != second.len() {
             return Err(SchemeError::Stages { q: first.len(), p: second.len() });
@@ -52,14 +49,8 @@ impl AlternatingSubsteps {
         if first.iter().chain(second).any(|x| !x.is_finite()) {
             return Err(SchemeError::NotFinite);
         }
-        for part in [first, second] {
-            let sum: f64 = part.iter().sum();
-            let size: f64 = part.iter().map(|x| x.abs()).sum();
-            let adds_up = (sum - 1.0).abs() <= COEFFICIENT_TOLERANCE * size;
-            if !adds_up || !size.is_finite() {
-                return Err(SchemeError::SubstepSum { sum });
-            }
-        }
+        require_unit_sum(first)?;
+        require_unit_sum(second)?;
         Ok(Self { first: first.to_vec(), second: second.to_vec() })
     }
 

@@ -4,7 +4,10 @@ use crate::SchemeError;
 use crate::step_fractions::composition_conditions::order_over;
 
 /// The largest difference of fractions at mirrored places, and of their sum from 1, that counts as rounding.
-const COEFFICIENT_TOLERANCE: f64 = 1e-14;
+pub(super) const COEFFICIENT_TOLERANCE: f64 = 1e-14;
+
+/// The largest deviation of a sum from 1, whatever the size of the fractions.
+const LARGEST_DEFECT: f64 = 1e-8;
 
 /// The fractions γ₁, …, γ_s into which a composition divides its step:
 ///
@@ -31,12 +34,23 @@ pub struct Substeps {
     fractions: Vec<f64>,
 }
 
+/// Checks that fractions add up to 1, up to the rounding of fractions that are not so large that nothing is left of a sum.
+///
+/// # Errors
+/// Returns [`SchemeError::SubstepSum`] with their sum.
+pub(super) fn require_unit_sum(fractions: &[f64]) -> Result<(), SchemeError> {
+    let sum: f64 = fractions.iter().sum();
+    let size: f64 = fractions.iter().map(|x| x.abs()).sum();
+    let allowed = (COEFFICIENT_TOLERANCE * size).min(LARGEST_DEFECT);
+    if (sum - 1.0).abs() <= allowed { Ok(()) } else { Err(SchemeError::SubstepSum { sum }) }
+}
+
 impl Substeps {
     /// Creates the substeps from the given fractions, the first substep first.
     ///
     /// # Errors
     /// Returns [`SchemeError::NoStages`] if there are no fractions, [`SchemeError::NotFinite`] if one is not finite,
-    /// and [`SchemeError::SubstepSum`] if their sum is not 1 to within 1e-14 Σ|γ_i|.
+    /// and [`SchemeError::SubstepSum`] if their sum is not 1 to within 1e-14 Σ|γ_i|, and to within 1e-8.
     pub fn new(fractions: &[f64]) -> Result<Self, SchemeError> {
         if fractions.is_empty() {
             return Err(SchemeError::NoStages);
@@ -44,12 +58,7 @@ impl Substeps {
         if fractions.iter().any(|x| !x.is_finite()) {
             return Err(SchemeError::NotFinite);
         }
-        let sum: f64 = fractions.iter().sum();
-        let size: f64 = fractions.iter().map(|x| x.abs()).sum();
-        let adds_up = (sum - 1.0).abs() <= COEFFICIENT_TOLERANCE * size;
-        if !adds_up || !size.is_finite() {
-            return Err(SchemeError::SubstepSum { sum });
-        }
+        require_unit_sum(fractions)?;
         Ok(Self { fractions: fractions.to_vec() })
     }
 
@@ -230,6 +239,10 @@ mod tests {
         assert_eq!(Substeps::new(&[f64::NAN]), Err(SchemeError::NotFinite));
         let sum = f64::INFINITY;
         assert_eq!(Substeps::new(&[1e308, 1e308]), Err(SchemeError::SubstepSum { sum }));
+        // Large fractions cancel, but not to anything but 1.
+        assert!(Substeps::new(&[1e5, 1.0 - 1e5]).is_ok());
+        let cancelled = Substeps::new(&[1e20, 0.5, -1e20]);
+        assert!(matches!(cancelled, Err(SchemeError::SubstepSum { .. })));
         assert!(Substeps::new(&[0.25, 0.75]).is_ok_and(|s| !s.is_symmetric()));
     }
 }

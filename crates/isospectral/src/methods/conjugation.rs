@@ -4,7 +4,13 @@ use crate::matrices::large_matrix::LargeMatrix;
 use crate::matrices::products::Products;
 use crate::matrices::skew_hermitian::LargeSkewHermitian;
 use collective_integrators::StepError;
-use lie_poisson::State;
+use lie_poisson::{State, larger};
+
+/// The largest deviation of the squared length of a column of a unitary matrix from 1.
+///
+/// If a generator times the step is so large that its rounding errors have this size, the iteration converges to a matrix
+/// that is not unitary. A loose tolerance of the iteration is no reason for it.
+const LARGEST_DEFECT: f64 = 1e-3;
 
 /// The step W₁ = (1 + Z) W (1 + Z)* with which each method ends, and its storage.
 #[derive(Clone, Debug)]
@@ -33,18 +39,34 @@ impl Conjugation {
         conjugate(products, &self.rotation, w, &mut self.next)
     }
 
-    /// Replaces W by (1 + Z) W (1 + Z)*.
+    /// Replaces W by (1 + Z) W (1 + Z)*, for 1 + Z that was found in so many iterations.
     ///
     /// # Errors
-    /// Returns [`StepError::NotFinite`], and leaves W, if the result is not finite.
+    /// Returns [`StepError::NotFinite`], and leaves W, if the result is not finite, and [`StepError::NotConverged`] if
+    /// 1 + Z is far from unitary.
     pub(crate) fn by(
         &mut self,
         products: &mut Products,
-        z: &LargeMatrix,
+        (z, iterations): (&LargeMatrix, usize),
         w: &mut LargeSkewHermitian,
     ) -> Result<(), StepError> {
+        let residual = unit_column_defect(z);
+        if residual > LARGEST_DEFECT {
+            let required = LARGEST_DEFECT;
+            return Err(StepError::NotConverged { residual, required, iterations });
+        }
         conjugate(products, z, w, &mut self.next)
     }
+}
+
+/// Returns the largest deviation of the squared lengths of the columns of 1 + Z from 1, which is 0 if 1 + Z is unitary.
+fn unit_column_defect(z: &LargeMatrix) -> f64 {
+    let size = z.size();
+    let columns = z.real().chunks_exact(size).zip(z.imaginary().chunks_exact(size));
+    columns.enumerate().fold(0.0, |largest, (k, (real, imaginary))| {
+        let squares: f64 = real.iter().zip(imaginary).map(|(x, y)| x * x + y * y).sum();
+        larger(largest, (squares + 2.0 * real[k]).abs())
+    })
 }
 
 fn conjugate(

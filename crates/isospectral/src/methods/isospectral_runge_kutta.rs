@@ -164,7 +164,7 @@ impl<S: Equivariant, F: IsospectralField> Integrator for IsospectralRungeKutta<S
         let products = &mut stages.get_mut().products;
         products.give(zero);
         let Step { point: y, iterations } = made?;
-        let conjugated = conjugation.by(products, &y, w);
+        let conjugated = conjugation.by(products, (&y, iterations), w);
         if let Some(pool) = self.scheme.temporaries(scheme) {
             y.give(pool);
         }

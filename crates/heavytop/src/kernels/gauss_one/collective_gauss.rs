@@ -11,7 +11,7 @@ use collective_integrators::{
     Collective, CollectiveSpace, Compensated, Integrator, RungeKutta, SchemeError, StageSpace,
     Start, Step, StepError,
 };
-use lie_poisson::{InstructionSet, MissingInstructions, Pair, Se3Dual, Width, dispatch};
+use lie_poisson::{InstructionSet, MissingInstructions, Pair, Se3Dual, Vector, Width, dispatch};
 use momentum_map::LiftError;
 
 /// The general integrator of the same method.
@@ -199,9 +199,9 @@ impl Integrator for CollectiveGauss {
             5 | 6 => self.attempt::<6>(step, &start, history),
             _ => self.attempt::<8>(step, &start, history),
         };
-        match attempt {
-            Some((end, iterations)) => Ok(Step { point: end.state(), iterations }),
-            None => self.rescue(state, step, workspace),
+        match attempt.map(|(end, iterations)| Step { point: end.state(), iterations }) {
+            Some(next) if self.momentum(&next.point).is_finite() => Ok(next),
+            _ => self.rescue(state, step, workspace),
         }
     }
 

@@ -1,5 +1,6 @@
 //! The collective integrator for N copies of a realisation: [`CollectiveSites`].
 
+use crate::dual::finite_momentum::has_finite_momentum;
 use crate::dual::recentring_threshold::RecentringThreshold;
 use crate::{Equivariant, Integrator, Scheme, Start, Step, StepError, VectorField};
 use lie_poisson::{Covector, LieAlgebra, LiePoisson, Real, Sites, SitesHamiltonian, State, Vector};
@@ -201,7 +202,8 @@ where
             if self.descends {
                 z.iter_mut().for_each(|z| *z += self.map.gauge::<T>(z));
             }
-            if z.all_finite() { Ok(made.iterations) } else { Err(StepError::NotFinite) }
+            let finite = z.iter().all(|z| has_finite_momentum::<M, T>(&self.map, z));
+            if finite { Ok(made.iterations) } else { Err(StepError::NotFinite) }
         });
         if made.is_ok() {
             state.move_from(&mut z);

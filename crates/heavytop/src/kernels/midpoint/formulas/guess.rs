@@ -11,6 +11,9 @@ const FLOOR: f64 = 2.0 * f64::EPSILON;
 /// The bound, as a multiple of |a|, below which a correction that no longer shrinks is round-off.
 const ROUND_OFF: f64 = 128.0 * f64::EPSILON;
 
+/// The greatest |4d|² of a correction. The end of a step is correct to the first order in 4d, and its lengths to |4d|².
+const LARGEST_CHANGE: f64 = f64::EPSILON;
+
 /// The rotation R_a, stored as the matrix R_a − 1.
 ///
 /// Its entries have the size of |a|, so that their rounding errors are small against those of the vectors
@@ -48,6 +51,12 @@ impl<V: RegisterVector> HalfTurn<V> {
         let sum = self.next.multiply_add(turned.next, self.diagonal.multiply_add(v, v));
         self.previous.multiply_add(turned.previous, sum)
     }
+}
+
+/// Returns where a squared change |4d|² is small enough for the end of a step.
+#[inline(always)]
+fn is_small<T: Real>(change: T) -> T::Mask {
+    change.at_most(T::from_f64(LARGEST_CHANGE))
 }
 
 /// The first half of a step, with a guess of a.
@@ -110,8 +119,8 @@ impl<V: RegisterVector> Guess<V> {
     #[inline(always)]
     pub fn converged(&self, top: &MidpointParameters<V, V::Scalar>) -> MaskOf<V> {
         let rate = (self.square * self.square).multiply_add(top.turning_rate, top.kick_rate);
-        let size = self.square + top.least_square;
-        (self.change() * rate).at_most(size * (16.0 * FLOOR * FLOOR))
+        let (change, size) = (self.change(), self.square + top.least_square);
+        (change * rate).at_most(size * (16.0 * FLOOR * FLOOR)).and(is_small(change))
     }
 
     /// Returns where the correction is round-off and the iteration no longer improves.
@@ -123,7 +132,8 @@ impl<V: RegisterVector> Guess<V> {
     ) -> MaskOf<V> {
         let change = self.change();
         let size = self.square + top.least_square;
-        previous.at_most(change).and(change.at_most(size * (16.0 * ROUND_OFF * ROUND_OFF)))
+        let round_off = change.at_most(size * (16.0 * ROUND_OFF * ROUND_OFF));
+        previous.at_most(change).and(round_off).and(is_small(change))
     }
 
     /// Returns the corrected guess a − d.
