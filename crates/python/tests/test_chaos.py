@@ -3,7 +3,7 @@
 import numpy as np
 import pytest
 
-from heavytop import IntegrationError, Top, lyapunov
+from heavytop import IntegrationError, System, Top, lyapunov
 
 CHAOTIC = Top(inertia=[1.0, 1.7, 2.2], mass=1.0, gravity=9.81, length=0.5, center_of_mass=[0.6, 0.0, 0.8])
 WILD = [1.0, 2.0, 1.0, 0.0, 0.6, 0.8]
@@ -88,3 +88,15 @@ def test_wrong_arguments_are_value_errors(change, words):
     arguments = {"y0": TAME, "step": 0.05, "end": 1.0, **change}
     with pytest.raises(ValueError, match=words):
         lyapunov(REGULAR, **arguments)
+
+
+def test_a_result_shows_its_indicators():
+    assert repr(lyapunov(REGULAR, TAME, step=0.1, end=10)).startswith("<Chaos: up to t = 10, the largest exponent is ")
+    many = lyapunov(REGULAR, np.array([TAME, TAME]).T, step=0.1, end=10)
+    assert repr(many) == "<Chaos: up to t = 10, 2 runs, 0 failures>"
+
+
+def test_systems_do_not_come_in_a_sequence():
+    system = System("so(3)", "Pi·Pi/2")
+    with pytest.raises(ValueError, match="a sequence must be one of tops, .* at 1"):
+        lyapunov([REGULAR, system], np.array([TAME, TAME]).T, step=0.1, end=1)

@@ -221,3 +221,21 @@ def test_g_is_conserved_if_the_vertical_momentum_is_zero():
     assert level.invariants["f2"][0] == pytest.approx(0.0, abs=1e-15) and level.deviation("G") < 1e-11
     other = top.solve(Pi=[2, 3, 4], Gamma=[0.6, 0, 0.8], step=0.05, end=20, scheme="gauss-12")
     assert other.deviation("G") > 1
+
+
+@pytest.mark.filterwarnings("error")
+def test_many_steps_that_are_too_long_are_told():
+    top, fast = Top.kovalevskaya(), np.array([[0.2, 0.3, 40.0, 0.6, 0, 0.8]]).T
+    slow = fast * np.array([[1], [1], [0.01], [1], [1], [1]])
+    both = np.hstack([slow, fast])
+    for one_or_many in (top, [top, top]):
+        with pytest.raises(RuntimeWarning, match="the body number 1 turns by 4 rad"):
+            heavytop.solve_many(one_or_many, both, step=0.1, end=1)
+        with pytest.raises(RuntimeWarning, match="the body number 1 turns by 4 rad"):
+            heavytop.lyapunov(one_or_many, both, step=0.1, end=1)
+        heavytop.solve_many(one_or_many, np.hstack([slow, slow]), step=0.1, end=1)
+
+
+def test_a_name_that_is_nearly_right_is_offered():
+    with pytest.raises(ValueError, match="got 'Gauss8'; did you mean 'gauss-8'"):
+        Top.kovalevskaya().solve(**START, step=0.1, end=1, scheme="Gauss8")

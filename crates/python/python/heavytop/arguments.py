@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import difflib
 import math
 from collections.abc import Sequence
 from typing import Any
@@ -50,7 +51,9 @@ def choice(name: str, value: Any, choices: Sequence[Any]) -> Any:
     """Returns one of the choices."""
     if isinstance(value, (str, int, float)) and value in choices:
         return value
-    raise ValueError(f"{name} must be one of {', '.join(map(str, choices))}, got {value!r}")
+    near = difflib.get_close_matches(str(value).lower(), list(map(str, choices)), n=1)
+    hint = f"; did you mean {near[0]!r}?" if near else ""
+    raise ValueError(f"{name} must be one of {', '.join(map(str, choices))}, got {value!r}{hint}")
 
 
 def array(name: str, values: ArrayLike) -> NDArray[np.float64]:

@@ -13,6 +13,7 @@ from . import _native
 from ._native import IntegrationError
 from .arguments import array, count, flag, positive
 from .ensembles import natives
+from .long_steps import warn_of_long_step
 from .methods import method
 from .solution import Floats
 from .system import System
@@ -44,8 +45,12 @@ class Chaos:
     failures: Mapping[int, str]
 
     def __repr__(self) -> str:
-        runs = 1 if self.y.ndim == 1 else self.y.shape[1]
-        return f"<Chaos: {runs} run(s) up to t = {np.max(self.t):g}, {self.exponents.shape[0]} exponent(s)>"
+        if self.y.ndim == 1:
+            exponent, megno = np.atleast_2d(self.exponents.T)[-1, 0], np.atleast_1d(self.megno)[-1]
+            found = f"the largest exponent is {exponent:.3g}, MEGNO {megno:.3g}"
+        else:
+            found = f"{self.y.shape[1]} runs, {len(self.failures)} failures"
+        return f"<Chaos: up to t = {np.max(self.t):g}, {found}>"
 
 
 def lyapunov(
@@ -83,6 +88,9 @@ def lyapunov(
         ValueError: if an argument is out of its range.
         IntegrationError: if a step of the only run fails.
 
+    Warns:
+        RuntimeWarning: if a body turns by more than two radians in the first step, where no indicator means anything.
+
     Example:
         A top near the unstable upright spin, and one that is integrable:
 
@@ -95,6 +103,7 @@ def lyapunov(
         >>> bool(chaotic.megno > 5), bool(regular.megno < 3)
         (True, True)
     """
+    tops = [] if isinstance(system, System) else natives(system)
     dimension = system.dimension if isinstance(system, System) else 6
     states = array("y0", y0)
     if states.ndim not in (1, 2) or states.shape[0] != dimension:
@@ -112,7 +121,8 @@ def lyapunov(
         found = _native.growth_of_system(system._system, rows, times, names, tangents)
     else:
         names_of_top = method(formulation or "reduced", scheme, 0.0)
-        found = _native.growth_of_tops(natives(system), rows, times, names_of_top, tangents)
+        warn_of_long_step(tops, rows[:, :3], times[0], 3)
+        found = _native.growth_of_tops(tops, rows, times, names_of_top, tangents)
     return chaos(found, states, number, times[1], every is not None)
 
 

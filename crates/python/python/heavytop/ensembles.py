@@ -11,6 +11,7 @@ from numpy.typing import ArrayLike
 from . import _native
 from .arguments import array, choice, positive, states
 from .ends import Ends
+from .long_steps import warn_of_long_step
 from .solution import Floats
 from .system import System
 from .top import Top
@@ -37,7 +38,7 @@ def natives(tops: Any) -> list[_native.Top]:
         every = [tops]
     for i, top in enumerate(every):
         if not isinstance(top, Top):
-            raise ValueError(f"tops must be a Top or a sequence of them, got {top!r} at {i}")
+            raise ValueError(f"a sequence must be one of tops, and a system stands alone: got {top!r} at {i}")
     return [top._top for top in every]
 
 
@@ -77,6 +78,9 @@ def solve_many(
     Raises:
         ValueError: if an argument is out of its range, or the numbers of tops and states differ.
 
+    Warns:
+        RuntimeWarning: if a body turns by more than two radians in the first step, where no method is accurate.
+
     Example:
         >>> import numpy as np
         >>> top = Top.kovalevskaya()
@@ -94,9 +98,10 @@ def solve_many(
         raise ValueError(f"formulation must be collective for tops, got {formulation!r}")
     starts = states("y", y)
     scheme = choice("scheme", scheme, SCHEMES_OF_MANY)
+    every = [tops._top] if isinstance(tops, Top) else natives(tops)
+    warn_of_long_step(every, starts.T[:, :3], step, 3)
     if isinstance(tops, Top):
         last, failures = _native.advance_states(tops._top, starts.T, step, end, scheme)
         return Ends(last.T, dict(failures), starts, tops.invariant_values)
-    every = natives(tops)
     last, failures = _native.advance_tops(every, starts.T, step, end, scheme)
     return Ends(last.T, dict(failures), starts, InvariantsOfTops(tuple(every)))

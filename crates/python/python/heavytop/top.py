@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import warnings
 from typing import Any, Optional
 
 import numpy as np
@@ -12,6 +11,7 @@ from . import _native
 from .arguments import choice, flag, positive, quaternion, real, vector
 from .arguments import count as whole
 from .events import Events, Function, native_events, surface_source
+from .long_steps import warn_of_long_step
 from .methods import method
 from .solution import NEVER, Crossings, Floats, Run, Solution, crossings, names_of_groups, solution
 from .top_parameters import TopParameters
@@ -19,8 +19,6 @@ from .top_parameters import TopParameters
 COORDINATES = ("Pi1", "Pi2", "Pi3", "Gamma1", "Gamma2", "Gamma3")
 
 NAMES = names_of_groups([("Pi", 3), ("Gamma", 3)])
-
-LONG_STEP = 2.0
 
 
 class Top(TopParameters):
@@ -131,10 +129,7 @@ class Top(TopParameters):
     def _run(self, Pi: ArrayLike, Gamma: ArrayLike, step: Any, formulation: Any, scheme: Any, tolerance: Any) -> Run:
         angular_momentum, step = vector("Pi", Pi), positive("step", step)
         names = method(formulation, scheme, tolerance)
-        turn = step * float(np.linalg.norm(np.divide(angular_momentum, self._top.inertia)))
-        if turn > LONG_STEP:
-            text = f"the body turns by {turn:.3g} rad in the first step: a step of {step / turn:.3g} turns it by 1 rad"
-            warnings.warn(text, RuntimeWarning, stacklevel=3)
+        warn_of_long_step([self._top], np.array([angular_momentum]), step, 4)
         return Run(self._top, (angular_momentum + vector("Gamma", Gamma), step, names), NAMES)
 
     def section(
