@@ -10,6 +10,9 @@ use crate::vocabulary::brief;
 use serde::Deserializer;
 use toml::Table;
 
+/// The repair of a state of a system that stands in the table for those of tops.
+const SYSTEM_STATE: &str = "write the state of a system as initial = { ... } in [system]";
+
 /// A text with keys of a configuration.
 #[derive(Clone, Debug, PartialEq)]
 pub(super) struct ConfigurationText {
@@ -67,7 +70,10 @@ impl ConfigurationText {
         path.0.extend(own.map(|key| Step::Key(key.into())));
         let at_path = path.span(&self.text).map(|(span, _)| span);
         let span = if own.is_some() { at_path } else { error.span().or(at_path) };
-        let note = repair(&message);
+        let of_system = message.starts_with(UNKNOWN)
+            && matches!(path.0.first(), Some(Step::Key(table)) if table == "initial")
+            && self.text.lines().any(|line| line.trim() == "[system]");
+        let note = if of_system { SYSTEM_STATE.into() } else { repair(&message) };
         let quotation = Quotation::new(&self.name, &self.text, span.unwrap_or(0..0), &note);
         let message = match path.to_string().as_str() {
             // The message names the key already.

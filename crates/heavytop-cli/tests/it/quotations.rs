@@ -6,6 +6,13 @@ use crate::program::Folder;
 const QUOTED: &[(&str, &str, &str, &str, &str)] = &[
     // The text is no TOML, or has wrong keys or types.
     ("simulate", "[body]\nmas = 2.0", "mas = 2.0", "mas", "did you mean `mass`?"),
+    (
+        "simulate",
+        "[system]\nalgebra = 'so(3)'\nhamiltonian = 'Pi1'\n[initial]\nPi = [1, 0, 0]",
+        "Pi = [1, 0, 0]",
+        "Pi",
+        "write the state of a system as initial = { ... } in [system]",
+    ),
     ("simulate", "body.weight = 2", "body.weight = 2", "weight", "there is no such key"),
     (
         "simulate",

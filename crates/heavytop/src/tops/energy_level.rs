@@ -1,7 +1,7 @@
 //! The states of a top with given energy and vertical angular momentum.
 
 use crate::HeavyTop;
-use lie_poisson::Se3Dual;
+use lie_poisson::{Se3Dual, Vector};
 use nalgebra::Vector3;
 
 /// The level set h = E, Π·Γ = c, |Γ| = 1 of a top in se(3)∗, of dimension 3.
@@ -66,15 +66,18 @@ impl EnergyLevel {
     /// the principal axis 0, 1 or 2.
     ///
     /// The first has dΓ/dt ≥ 0 along that axis, the other dΓ/dt ≤ 0. There are none where the energy is too
-    /// low, nor where Γ is along that axis.
+    /// low, where Γ is along that axis, and where the momentum overflows.
     #[must_use]
     pub fn states(&self, gamma: &Vector3<f64>, axis: usize, momentum: f64) -> Option<[Se3Dual; 2]> {
         let Slowest { pi, along, mobility, energy } = self.slowest(gamma, axis, momentum)?;
         let square = 2.0 * (self.energy - energy) / mobility;
         // The comparison is false for NaN, too.
-        (square >= 0.0).then(|| {
-            [square.sqrt(), -square.sqrt()].map(|beta| Se3Dual::new(pi + along * beta, *gamma))
-        })
+        if !(square >= 0.0) {
+            return None;
+        }
+        let states =
+            [square.sqrt(), -square.sqrt()].map(|beta| Se3Dual::new(pi + along * beta, *gamma));
+        states.iter().all(Vector::is_finite).then_some(states)
     }
 
     /// Returns the amended potential U_c(Γ), J: the least energy over Γ on Π·Γ = c.

@@ -61,7 +61,8 @@ impl Conjugation {
 
 /// Returns the largest deviation of the squared lengths of the columns of 1 + Z from 1, which is 0 if 1 + Z is unitary.
 fn unit_column_defect(z: &LargeMatrix) -> f64 {
-    let size = z.size();
+    // There is no column of length 0.
+    let size = z.size().max(1);
     let columns = z.real().chunks_exact(size).zip(z.imaginary().chunks_exact(size));
     columns.enumerate().fold(0.0, |largest, (k, (real, imaginary))| {
         let squares: f64 = real.iter().zip(imaginary).map(|(x, y)| x * x + y * y).sum();

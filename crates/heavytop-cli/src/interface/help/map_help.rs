@@ -52,7 +52,7 @@ Another Lie–Poisson system instead of a top: [system] as of simulate, and
   [section]
   energy = 1.0                       # h; without it that of the initial state
   surface = \"P1 - P2\"              # any formula in the coordinates
-  axes = [\"Pi1\", \"Pi2\"]            # what is drawn; without them, the first coordinates
+  axes = [\"Pi1\", \"Pi2\"]            # what is drawn: two formulas; without them, the first coordinates
   states = [{ Pi = [1, 0, 2], ... }] # motions to follow, each on its own level; without them random
                                      # starts with the h and the Casimirs of the initial state
 Each state is followed to the surface, and its first point there is crossing 0. The columns are

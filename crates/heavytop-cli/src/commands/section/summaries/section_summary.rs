@@ -97,12 +97,17 @@ pub(in crate::commands::section) fn write_counts(
     (formulation, scheme): (&str, &str),
     [step, longest]: [f64; 2],
 ) -> fmt::Result {
-    writeln!(
-        to,
-        "{points} points of {starts} starts, by {formulation}, {scheme}, step {step:.3e} s"
-    )?;
+    let starts = counted(starts, "start");
+    writeln!(to, "{points} points of {starts}, by {formulation}, {scheme}, step {step:.3e} s")?;
     if short > 0 {
-        writeln!(to, "{short} starts have fewer than {crossings} returns in {longest:.0} s")?;
+        let (short, verb) = (counted(short, "start"), if short == 1 { "has" } else { "have" });
+        let fewer = format!("{short} {verb} fewer than {crossings} returns in {longest:.0} s");
+        writeln!(to, "{fewer}; raise [section] longest for more")?;
     }
     Ok(())
+}
+
+/// Returns a number with a word, in the plural where there is not one.
+fn counted(number: usize, word: &str) -> String {
+    format!("{number} {word}{}", if number == 1 { "" } else { "s" })
 }
