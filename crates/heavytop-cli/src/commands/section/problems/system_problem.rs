@@ -4,7 +4,7 @@ use super::limits::Limits;
 use super::section_problem::{Drawing, Problem, Visit};
 use super::top_problem::{crossed, followed};
 use crate::Error;
-use crate::configuration::{Config, Integration, SectionConfig};
+use crate::configuration::{Config, Integration, SectionConfig, SystemConfig};
 use crate::errors::SystemError;
 use crate::pictures::caption::{self, number};
 use crate::runs::method_warning::system_warning;
@@ -60,12 +60,7 @@ impl SystemProblem {
         if let (Some(level), Some(energy)) = (levels.first_mut(), settings.energy) {
             *level = energy;
         }
-        let reduced =
-            SystemMethod::formulations(&algebra).any(|other| other == Formulation::Reduced);
-        let formulation = match reduced {
-            true => Formulation::Reduced,
-            false => SystemMethod::default_formulation(&algebra),
-        };
+        let formulation = SystemConfig::formulation_of_many(&algebra);
         let own = Integration { formulation, scheme: Scheme::Gauss(4), ..Integration::default() };
         let Integration { formulation, scheme, tolerance, .. } = config.integrator.or(own);
         let method = SystemMethod::new(&algebra, formulation, scheme, tolerance)?;
