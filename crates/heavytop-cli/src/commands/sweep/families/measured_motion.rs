@@ -100,3 +100,20 @@ where
         false => ((number * width + i + 1) as f64 * GOLDEN).fract() - 0.5,
     })
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use collective_integrators::{Collective, LiftFree, RungeKutta};
+    use heavytop::{HeavyTop, SpinorRealisation};
+    use momentum_map::DualQuaternions;
+
+    #[test]
+    fn tangent_vectors_are_zero_along_what_completes_a_system() {
+        let momentum = tangent::<LiftFree<RungeKutta, DualQuaternions, HeavyTop>>(1, 4);
+        assert!((0..6).all(|i| (momentum.coordinate(i) == 0.0) == (i >= 4)), "{momentum:?}");
+        // Control: a point of T*C² has no such coordinates.
+        let point = tangent::<Collective<RungeKutta, SpinorRealisation, HeavyTop>>(1, 4);
+        assert!((0..8).all(|i| point.coordinate(i) != 0.0), "{point:?}");
+    }
+}

@@ -72,7 +72,8 @@ impl SystemFamily {
         let integration = config.integrator.or(own);
         let Integration { formulation, scheme, tolerance, .. } = integration;
         let method = SystemMethod::new(algebra, formulation, scheme, tolerance)?;
-        let table = table.clone();
+        // Structure constants, which may be a long text, do not vary.
+        let table = SystemConfig { structure_constants: None, ..table.clone() };
         Ok((Self { table, system, start, numbers, has_one_algebra, method }, integration))
     }
 
