@@ -103,6 +103,34 @@ impl FormulaSystem {
         Ok(Self { casimirs, missing, ..self })
     }
 
+    /// Returns the system of another Hamiltonian, or of the same one with other parameters, on the same algebra. It has the
+    /// same Casimirs, which depend on the algebra alone, without a new search.
+    ///
+    /// # Errors
+    /// Those of [`new`](Self::new).
+    ///
+    /// # Example
+    /// ```
+    /// use lie_poisson_formula_systems::{FormulaSystem, SystemAlgebra};
+    /// use lie_poisson_formulas::Parameters;
+    /// let text = "a*|Pi|^2";
+    /// let a = |value| Parameters::new().number("a", value);
+    /// let body = FormulaSystem::new(SystemAlgebra::named("so(3)")?, text, &a(0.5)?)?.with_found_casimirs()?;
+    /// let other = body.with_hamiltonian(text, &a(2.0)?)?;
+    /// // h, then the Casimir |Π|²
+    /// assert_eq!(body.invariants(&[1.0, 2.0, 2.0])?, [4.5, 9.0]);
+    /// assert_eq!(other.invariants(&[1.0, 2.0, 2.0])?, [18.0, 9.0]);
+    /// # Ok::<(), Box<dyn std::error::Error>>(())
+    /// ```
+    pub fn with_hamiltonian(
+        &self,
+        hamiltonian: &str,
+        parameters: &Parameters,
+    ) -> Result<Self, FormulaSystemError> {
+        let other = Self::new(self.algebra.clone(), hamiltonian, parameters)?;
+        Ok(Self { casimirs: self.casimirs.clone(), missing: self.missing, ..other })
+    }
+
     /// Returns the algebra.
     #[must_use]
     pub const fn algebra(&self) -> &SystemAlgebra {

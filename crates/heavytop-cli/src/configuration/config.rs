@@ -2,7 +2,7 @@
 
 use super::integrator_config::{Integration, IntegratorConfig};
 use super::section_config::SectionConfig;
-use super::sweep_config::SweepConfig;
+use super::sweep::SweepConfig;
 use super::system::SystemConfig;
 use super::top_config::{BodyConfig, InitialConfig};
 use crate::Error;
@@ -28,9 +28,9 @@ pub struct Config {
     pub output: OutputConfig,
     /// The table `[section]`; without it, the section with the energy and vertical momentum of `[initial]`.
     pub section: Option<SectionConfig>,
-    /// The table `[sweep]`; without it, a small sweep over angular momenta.
+    /// The table `[sweep]`; without it, for a top, a small sweep over angular momenta.
     pub sweep: Option<SweepConfig>,
-    /// The table `[system]`: a system that is simulated instead of a top.
+    /// The table `[system]`: a system instead of a top.
     pub system: Option<SystemConfig>,
 }
 
@@ -143,7 +143,7 @@ impl Config {
     /// The errors of [`BodyConfig::top`], or that there is a system instead of a top.
     pub fn top(&self) -> Result<HeavyTop, Error> {
         match self.system {
-            Some(_) => Err(SystemError::OnlySimulate.into()),
+            Some(_) => Err(SystemError::CommandOfTops.into()),
             None => self.body.top(),
         }
     }

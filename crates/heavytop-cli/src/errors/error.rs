@@ -298,15 +298,17 @@ pub enum Error {
     /// The Lie–Poisson system that the configuration asks for does not exist.
     #[error("[system]")]
     System(#[source] Box<SystemError>),
-    /// No top of a sweep could be followed.
-    #[error("all {tops} tops failed; the first: {first}")]
+    /// No member of a sweep could be followed.
+    #[error("all {members} {nouns} failed; the first: {first}")]
     AllFailed {
-        /// The number of tops.
-        tops: u64,
-        /// The reason why the first top could not be followed.
+        /// The number of members.
+        members: u64,
+        /// The word for several members.
+        nouns: &'static str,
+        /// The reason why the first member could not be followed.
         first: String,
     },
-    /// The tangent vectors of a top in a sweep have lost their directions.
+    /// The tangent vectors of a member of a sweep have lost their directions.
     #[error(transparent)]
     Tangent(VariationalError),
     /// An interrupted run has left a checkpoint or tiles.

@@ -19,36 +19,97 @@ pub enum SweepError {
     #[error("the axis {parameter} needs {needs}")]
     Axis {
         /// The parameter of the axis.
-        parameter: &'static str,
+        parameter: String,
         /// The keys that the axis needs, and those that it has.
         needs: String,
+    },
+    /// An axis of a top is asked of a system, or one of a system of a top.
+    #[error("the axis {parameter} is of {of}, and there is none here: {has}")]
+    OfAnother {
+        /// The parameter of the axis.
+        parameter: String,
+        /// What has the parameter.
+        of: &'static str,
+        /// The parameters that can be varied here.
+        has: String,
+    },
+    /// An observable of tops is asked of a system.
+    #[error("the observable {observable} is of a top; a system has {}", has.join(", "))]
+    OfTops {
+        /// The name of the observable.
+        observable: &'static str,
+        /// The names of the observables of systems.
+        has: Vec<&'static str>,
+    },
+    /// The table of a parameter does not have its name.
+    #[error("there is no {parameter}; {has}")]
+    NoParameter {
+        /// The parameter of the axis.
+        parameter: String,
+        /// The parameters that there are, and that most like the one asked for.
+        has: String,
+    },
+    /// A number of a vector is asked for without its index, or with too large a one.
+    #[error(
+        "the axis {parameter} needs an index from 0 to {most}{}",
+        index.map_or_else(String::new, |index| format!(", got {index}"))
+    )]
+    Index {
+        /// The parameter of the axis.
+        parameter: String,
+        /// The index, if there is one.
+        index: Option<usize>,
+        /// The largest index.
+        most: usize,
+    },
+    /// A number that is no vector has an index.
+    #[error("the axis {parameter} needs no index: it is one number, not a vector")]
+    NoVector {
+        /// The parameter of the axis.
+        parameter: String,
+    },
+    /// Two columns of the table would have one name.
+    #[error(
+        "two columns would have the name {name}: rename the coordinate, or leave out final-state"
+    )]
+    SameColumn {
+        /// The name.
+        name: String,
+    },
+    /// The algebra of a member has other Casimirs than that of the configuration, so that they have no columns.
+    #[error("it has {found} Casimirs, and the system with the configured parameters {expected}")]
+    Casimirs {
+        /// The number of Casimirs of the member.
+        found: usize,
+        /// The number of columns for them.
+        expected: usize,
     },
     /// Two axes set the same number.
     #[error("the axes {first} and {second} set the same thing")]
     Clash {
         /// The parameter of the first axis.
-        first: &'static str,
+        first: String,
         /// The parameter of the second axis.
-        second: &'static str,
+        second: String,
     },
     /// An axis sets the angular momentum of a configuration that gives the angular velocity.
     #[error("the axis {axis} needs [initial] angular_momentum instead of angular_velocity")]
     Velocity {
         /// The parameter of the axis.
-        axis: &'static str,
+        axis: String,
     },
     /// Some axes are grids, others are random.
     #[error("the axes must be all grids or all random")]
     Mixed,
-    /// The axes are random and the number of tops is missing, or the axes are grids and it is given.
+    /// The axes are random and the number of runs is missing, or the axes are grids and it is given.
     #[error("count is needed where the axes are random, and only there; at least 1")]
     Count,
-    /// There are too many tops.
-    #[error("the sweep has {tops:e} tops, more than {most:e}")]
+    /// There are too many runs.
+    #[error("the sweep has {runs:e} runs, more than {most:e}")]
     TooMany {
-        /// The number of tops.
-        tops: f64,
-        /// The largest number of tops allowed.
+        /// The number of runs.
+        runs: f64,
+        /// The largest number of runs allowed.
         most: f64,
     },
 }

@@ -9,8 +9,8 @@ use thiserror::Error;
 #[non_exhaustive]
 pub enum SystemError {
     /// A command for tops got a system.
-    #[error("only simulate and section run a system; the other commands are for tops")]
-    OnlySimulate,
+    #[error("only simulate, section and sweep run a system; the other commands are for tops")]
+    CommandOfTops,
     /// A table of tops stands beside the system.
     #[error("a system has no [{0}], which is of tops: its keys are in [system]")]
     Top(&'static str),
@@ -46,7 +46,7 @@ impl SystemError {
     #[must_use]
     pub fn key(&self) -> Option<(String, &'static str)> {
         Some(match self {
-            Self::OnlySimulate => (String::new(), "use simulate or section"),
+            Self::CommandOfTops => (String::new(), "use simulate, section or sweep"),
             Self::Missing(_) => (String::new(), "add the key"),
             Self::TwoAlgebras => (String::new(), "leave out all but one"),
             Self::StructureConstants(_) => ("structure_constants".into(), ""),

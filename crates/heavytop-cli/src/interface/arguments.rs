@@ -99,7 +99,7 @@ pub(super) enum Command {
         #[command(flatten)]
         parts: Parts,
     },
-    /// Follow many tops at once, and map what becomes of them.
+    /// Follow many tops, or motions of a system, at once, and map what becomes of them.
     #[command(long_about = SWEEP, after_long_help = SWEEP_EXAMPLES)]
     Sweep {
         #[command(flatten)]

@@ -11,9 +11,7 @@ use crate::commands::animate::animate;
 use crate::commands::bench::{BenchOptions, bench};
 use crate::commands::compare::compare;
 use crate::commands::reproduce::reproduce;
-use crate::commands::section::{
-    self, SectionSummary, SystemSectionSummary, section, section_system,
-};
+use crate::commands::section::{self, section};
 use crate::commands::simulate::{
     self, Checkpoint, RunSummary, SimulateOptions, SystemSummary, simulate, simulate_system,
 };
@@ -78,17 +76,9 @@ fn run(Arguments { quiet, json, command }: Arguments) -> Result<(), Error> {
                 if !parts.resume {
                     confirm(&section::forecast(&config, &out)?, parts.yes)?;
                 }
-                let options = in_tiles(&top, parts, quiet);
-                if config.system.is_some() {
-                    section_system(&config, &out, &options).map(Sectioned::System)
-                } else {
-                    section(&config, &out, &options).map(Sectioned::Top)
-                }
+                section(&config, &out, &in_tiles(&top, parts, quiet))
             })
-            .and_then(|done| match done {
-                Sectioned::Top(summary) => closing.print(&summary),
-                Sectioned::System(summary) => closing.print(&summary),
-            }),
+            .and_then(|done| closing.print(&done)),
         Command::Sweep { top, out, parts: Parts { dry_run: true, .. } } => top
             .run(|config| sweep::dry_run(&config, &out, top.threads))
             .and_then(|done| done.map_or(Ok(()), |done| print(&done, json))),
@@ -161,12 +151,6 @@ struct Begin<'a> {
     interval: f64,
     /// Whether not to ask before an output that is absurdly large.
     yes: bool,
-}
-
-/// What `section` has cut.
-enum Sectioned {
-    Top(SectionSummary),
-    System(SystemSectionSummary),
 }
 
 /// What `simulate` has followed.

@@ -18,6 +18,18 @@ pub(crate) fn vector(components: impl IntoIterator<Item = f64>) -> String {
     format!("({})", components.into_iter().map(number).collect::<Vec<_>>().join(", "))
 }
 
+/// Returns the components of a vector, with the symbols of those that have one; `None` if all have one.
+pub(crate) fn vector_of(
+    name: &str,
+    components: &[f64],
+    symbol: impl Fn(usize) -> Option<String>,
+) -> Option<String> {
+    let shown = |(i, x): (usize, &f64)| symbol(i).unwrap_or_else(|| number(*x));
+    let text = components.iter().enumerate().map(shown).collect::<Vec<_>>().join(", ");
+    let is_known = (0..components.len()).any(|i| symbol(i).is_none());
+    is_known.then(|| format!("{name} = ({text})"))
+}
+
 /// Returns the formulation, the scheme and the step (s).
 pub(crate) fn method(formulation: Formulation, scheme: Scheme, step: f64) -> String {
     format!("{formulation}, {scheme}, step {} s", number(step))

@@ -92,7 +92,7 @@ pub(super) fn repairs(error: &Error, config: &Config) -> Vec<Repair> {
             let key = format!("section.states[{}]", state.saturating_sub(1));
             vec![repair(&key, String::new()), repair("section.surface", String::new())]
         }
-        Error::Sweep(sweep) => of_sweep(sweep),
+        Error::Sweep(sweep) => of_sweep(sweep, config),
         _ => Vec::new(),
     }
 }
@@ -162,8 +162,13 @@ fn of_system_section(error: &FormulaSystemError) -> Vec<Repair> {
     vec![(format!("section.{key}"), String::new())]
 }
 
-fn of_sweep(error: &SweepError) -> Vec<Repair> {
+fn of_sweep(error: &SweepError, config: &Config) -> Vec<Repair> {
     let repair = |key: &str, note: &str| (format!("sweep.{key}"), note.to_string());
+    let of_axis = |parameter: &str, note: &str| {
+        let axes = config.sweep.iter().filter_map(|sweep| sweep.axes.as_ref());
+        let place = axes.flatten().position(|axis| axis.parameter.name() == parameter);
+        place.map(|place| repair(&format!("axes[{place}].parameter"), note)).into_iter().collect()
+    };
     match error {
         SweepError::NoObservables => vec![repair("observables", "write one, such as [\"megno\"]")],
         SweepError::Twice => vec![repair("observables", "name each once")],
@@ -180,6 +185,14 @@ fn of_sweep(error: &SweepError) -> Vec<Repair> {
             let note = "write `angular_momentum`, or vary another number".to_string();
             vec![("initial.angular_velocity".into(), note)]
         }
+        SweepError::OfTops { .. } => vec![repair("observables", "leave it out")],
+        SweepError::OfAnother { parameter, .. } => of_axis(parameter, "vary another number"),
+        SweepError::NoParameter { parameter, .. } => of_axis(parameter, ""),
+        SweepError::NoVector { parameter } => of_axis(parameter, "write it without [ ]"),
+        SweepError::Index { parameter, most, .. } => {
+            of_axis(parameter, &format!("write an index from 0 to {most}"))
+        }
+        SweepError::SameColumn { .. } => vec![repair("observables", "")],
         SweepError::NoAxes => vec![repair("axes", "add a table [[sweep.axes]]")],
         _ => vec![repair("axes", "")],
     }

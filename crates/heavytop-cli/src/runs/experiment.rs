@@ -3,6 +3,7 @@
 use super::moment::{Moment, Saved};
 use super::pace::Pace;
 use super::schedule::Schedule;
+use super::visited_samples::visit_samples;
 use crate::Error;
 use collective_integrators::{Integrator, Start};
 use heavytop::methods::{Method, Task};
@@ -140,41 +141,12 @@ impl Follow<'_> {
         integrator: &I,
         attitude: impl Fn(&I::State) -> Option<&Quaternion>,
     ) -> Result<(), Error> {
-        let Experiment { start, method, schedule, .. } = self.experiment;
-        let (mut trajectory, made) = match self.from {
-            None => (integrator.trajectory(start, schedule.step)?, 0),
-            Some(Saved { step, state }) => {
-                let (expected, found) = (I::State::DIM, state.len());
-                if expected != found {
-                    return Err(Error::SavedState { expected, found });
-                }
-                let state = I::State::from_coordinates(|i| state[i]);
-                (integrator.trajectory_resumed(state, *step, schedule.step), *step)
-            }
-        };
-        if self.from.is_some() && made >= schedule.steps {
-            return Ok(());
-        }
-        // The saved moment has been visited before.
-        let mut visited = self.from.map_or(0, |_| self.experiment.pace().next_visited(made));
-        let mut following = made;
-        while let Some(sample) = trajectory.nth(visited.saturating_sub(following) as usize) {
-            let sample = sample.map_err(|source| Error::Integration {
-                formulation: method.formulation().name(),
-                scheme: method.scheme().name(),
-                source,
-            })?;
-            let (step, time, state) = (sample.step, sample.time, &sample.state);
-            // M of the lift of the start equals the start only up to rounding; the start itself is reported.
-            let momentum = if step == 0 { start } else { &sample.momentum };
-            (self.visit)(&Moment { step, time, momentum, attitude: attitude(state), state })?;
-            if step >= schedule.steps {
-                break;
-            }
-            following = step.saturating_add(1);
-            visited = self.experiment.pace().next_visited(step);
-        }
-        Ok(())
+        let Experiment { start, method, .. } = self.experiment;
+        let names = (method.formulation(), method.scheme());
+        let place = (self.experiment.pace(), self.from);
+        visit_samples(integrator, start, place, names, |step, time, momentum, state| {
+            (self.visit)(&Moment { step, time, momentum, attitude: attitude(state), state })
+        })
     }
 }
 

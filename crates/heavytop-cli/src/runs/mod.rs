@@ -5,6 +5,7 @@ mod pace;
 pub(crate) mod step_angle;
 pub(crate) mod method_warning;
 mod moment;
+mod visited_samples;
 mod experiment;
 mod systems;
 

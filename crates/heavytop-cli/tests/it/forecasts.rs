@@ -66,7 +66,7 @@ fn an_absurdly_large_sweep_is_refused_where_nobody_can_be_asked() {
     assert_eq!((run.code(), folder.names().len()), (2, 1), "{said}");
     // Eleven numbers of eight bytes, compressed to six tenths, and nine of up to twenty in the tiles, for 1e9 tops.
     assert!(said.starts_with("heavytop: the run would write about 232.8 GB, and "), "{said}");
-    assert!(said.ends_with(": lower the number of tops, or agree with --yes\n"), "{said}");
+    assert!(said.ends_with(": lower the count, or agree with --yes\n"), "{said}");
 }
 
 /// Eleven numbers in each of 5e10 rows.

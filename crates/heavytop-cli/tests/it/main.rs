@@ -30,6 +30,7 @@ mod simulate;
 mod service;
 mod sweep;
 mod system_sections;
+mod system_sweeps;
 mod systems;
 mod tiles;
 mod writing;

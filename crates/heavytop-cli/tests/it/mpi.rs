@@ -9,6 +9,14 @@ const GRID: &str = "\
     { parameter = 'initial.angular_momentum[2]', from = 0, to = 4, count = 40 }]\n\
     [integrator]\nformulation = 'reduced'\nscheme = 'gauss-4'\nstep = 0.1\nend = 0.5";
 
+const SYSTEM: &str = "\
+    [system]\nalgebra = 'so(3)'\nhamiltonian = '(Pi1^2/I1 + Pi2^2/I2 + Pi3^2/I3)/2'\n\
+    parameters.I = [3, 2, 1]\ninitial.Pi = [0.1, 1, 0.2]\n\
+    [sweep]\nobservables = ['megno', 'invariant-drift']\n\
+    axes = [{ parameter = 'system.parameters.I[1]', from = 1, to = 3, count = 40 }, \
+    { parameter = 'system.initial.Pi[2]', from = 0, to = 1, count = 40 }]\n\
+    [integrator]\nscheme = 'gauss-4'\nstep = 0.1\nend = 0.5";
+
 fn mpirun(folder: &Folder, processes: u32, arguments: &[&str]) -> Output {
     let mut command = Command::new("mpirun");
     command.args(["--oversubscribe", "-n", &processes.to_string()]);
@@ -20,19 +28,21 @@ fn mpirun(folder: &Folder, processes: u32, arguments: &[&str]) -> Output {
 
 #[test]
 fn no_bit_depends_on_the_number_of_processes() {
-    let folder = Folder::new();
-    folder.write("a.toml", GRID);
-    let alone = folder.heavytop(&["sweep", "a.toml", "--out", "alone"]);
-    assert_eq!(alone.code(), 0, "{}", alone.stderr());
-    for processes in [1, 2, 4] {
-        let name = processes.to_string();
-        let run = mpirun(&folder, processes, &["sweep", "a.toml", "--out", &name]);
-        assert!(run.status.success(), "{run:?}");
-        for file in ["sweep.parquet", "megno.svg", "megno.png"] {
-            let read = |name: &str| std::fs::read(folder.path(name).join(file)).unwrap();
-            assert!(read("alone") == read(&name), "{processes}: {file}");
+    for configuration in [GRID, SYSTEM] {
+        let folder = Folder::new();
+        folder.write("a.toml", configuration);
+        let alone = folder.heavytop(&["sweep", "a.toml", "--out", "alone"]);
+        assert_eq!(alone.code(), 0, "{}", alone.stderr());
+        for processes in [1, 2, 4] {
+            let name = processes.to_string();
+            let run = mpirun(&folder, processes, &["sweep", "a.toml", "--out", &name]);
+            assert!(run.status.success(), "{run:?}");
+            for file in ["sweep.parquet", "megno.svg", "megno.png"] {
+                let read = |name: &str| std::fs::read(folder.path(name).join(file)).unwrap();
+                assert!(read("alone") == read(&name), "{processes}: {file}");
+            }
+            assert!(!folder.path(&name).join("sweep.partial").exists());
         }
-        assert!(!folder.path(&name).join("sweep.partial").exists());
     }
 }
 

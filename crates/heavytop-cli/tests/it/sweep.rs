@@ -12,14 +12,14 @@ const GRID: &str = "\
     { parameter = 'initial.angular_momentum[2]', from = 0, to = 4, count = 25 }]\n\
     [integrator]\nformulation = 'reduced'\nscheme = 'gauss-4'\nstep = 0.1\nend = 1.0";
 
-fn rows(folder: &Folder, file: &str) -> Vec<Row> {
+pub fn rows(folder: &Folder, file: &str) -> Vec<Row> {
     let file = std::fs::File::open(folder.path(file)).unwrap();
     let reader = SerializedFileReader::new(file).unwrap();
     reader.get_row_iter(None).unwrap().map(Result::unwrap).collect()
 }
 
 /// Returns the values of a column; `None` where a value is null.
-fn column(rows: &[Row], name: &str) -> Vec<Option<f64>> {
+pub fn column(rows: &[Row], name: &str) -> Vec<Option<f64>> {
     let cell = |row: &Row| match row.get_column_iter().find(|(key, _)| *key == name).unwrap().1 {
         Field::Double(value) => Some(*value),
         Field::Null => None,
@@ -28,7 +28,7 @@ fn column(rows: &[Row], name: &str) -> Vec<Option<f64>> {
     rows.iter().map(cell).collect()
 }
 
-fn failures(rows: &[Row]) -> Vec<Option<String>> {
+pub fn failures(rows: &[Row]) -> Vec<Option<String>> {
     let cell = |row: &Row| match row.get_column_iter().last().unwrap().1 {
         Field::Str(reason) => Some(reason.clone()),
         _ => None,

@@ -93,7 +93,7 @@ fn given_states_are_followed_to_the_surface() {
 
 #[test]
 fn an_interrupted_section_of_a_system_continues_byte_for_byte() {
-    use heavytop_cli::commands::section::section_system;
+    use heavytop_cli::commands::section::section;
     use heavytop_cli::configuration::Config;
     use heavytop_cli::supervision::TileOptions;
     use std::sync::atomic::AtomicBool;
@@ -101,9 +101,7 @@ fn an_interrupted_section_of_a_system_continues_byte_for_byte() {
     let mut config: Config = toml::from_str(BODY).unwrap();
     // A tile has some 256 returns.
     config.section.as_mut().unwrap().crossings = 200;
-    let run = |name: &str, options: &TileOptions<'_>| {
-        section_system(&config, &folder.path(name), options)
-    };
+    let run = |name: &str, options: &TileOptions<'_>| section(&config, &folder.path(name), options);
     let whole = run("whole", &TileOptions::default()).unwrap();
     let stop = AtomicBool::new(true);
     let stopped = run("parts", &TileOptions { stop: Some(&stop), ..TileOptions::default() });

@@ -206,9 +206,9 @@ fn methods_that_do_not_exist_are_refused() {
         let error = refused(&folder.heavytop(&out));
         assert!(error.contains(message), "{error}");
     }
-    for command in ["compare", "sweep", "animate"] {
+    for command in ["compare", "animate"] {
         let error = refused(&folder.heavytop(&[command, "top.toml", "--out", "page.html"]));
-        assert!(error.contains("only simulate and section run a system"), "{error}");
+        assert!(error.contains("only simulate, section and sweep run a system"), "{error}");
     }
 }
 
@@ -333,7 +333,12 @@ fn the_systems_of_the_help_and_of_the_guide_run() {
             let run = [&["section", "system.toml", "--out", "section"], &few[..]].concat();
             succeeded(&folder.heavytop(&run));
         }
+        if text.contains("[sweep]") {
+            let short = ["--set", "integrator.end=0.2"];
+            let run = [&["sweep", "system.toml", "--out", "sweep"], &short[..]].concat();
+            assert!(succeeded(&folder.heavytop(&run)).starts_with("1024 runs, each by reduced"));
+        }
         count += 1;
     }
-    assert_eq!(count, 8);
+    assert_eq!(count, 9);
 }

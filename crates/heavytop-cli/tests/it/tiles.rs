@@ -35,6 +35,18 @@ const SWEEP: Case = Case {
     other: ["end = 2.0", "end = 3.0", "[integrator] end: 2.0 against 3.0"],
 };
 
+const SYSTEM_SWEEP: Case = Case {
+    command: "sweep",
+    configuration: "[system]\nalgebra = 'so(3)'\nhamiltonian = '(Pi1^2/I1 + Pi2^2/I2 + Pi3^2/I3)/2'\n\
+        parameters.I = [3, 2, 1]\ninitial.Pi = [0.1, 1, 0.2]\n\
+        [sweep]\nobservables = ['megno']\naxes = [\
+        { parameter = 'system.parameters.I[1]', from = 1, to = 3, count = 48 }, \
+        { parameter = 'system.initial.Pi[2]', from = 0, to = 4, count = 64 }]\n\
+        [integrator]\nscheme = 'gauss-4'\nstep = 0.1\nend = 2.0",
+    files: &["sweep.parquet", "megno.svg", "megno.png"],
+    other: ["end = 2.0", "end = 3.0", "[integrator] end: 2.0 against 3.0"],
+};
+
 impl Case {
     /// Returns a folder with the configuration, another one, and the files of an uninterrupted run.
     fn folder(&self) -> Folder {
@@ -77,7 +89,7 @@ impl Case {
 
 #[test]
 fn a_killed_run_goes_on_to_the_same_bytes() {
-    for case in [SECTION, SWEEP] {
+    for case in [SECTION, SWEEP, SYSTEM_SWEEP] {
         let folder = case.folder();
         let mut interrupted = 0;
         for time in [0, 10, 30].into_iter().cycle().take(TRIES) {
@@ -120,7 +132,7 @@ fn a_killed_run_goes_on_to_the_same_bytes() {
 
 #[test]
 fn ctrl_c_ends_a_run_whose_tiles_stay_also_twice() {
-    for case in [SECTION, SWEEP] {
+    for case in [SECTION, SWEEP, SYSTEM_SWEEP] {
         let folder = case.folder();
         let mut interrupted = 0;
         for _ in 0..TRIES {
@@ -160,7 +172,7 @@ fn ctrl_c_ends_a_run_whose_tiles_stay_also_twice() {
 
 #[test]
 fn a_run_without_room_goes_on_once_there_is_some() {
-    for case in [SECTION, SWEEP] {
+    for case in [SECTION, SWEEP, SYSTEM_SWEEP] {
         let folder = case.folder();
         let heavytop = env!("CARGO_BIN_EXE_heavytop");
         // There is room for the identity and for tiles, but not for the table: files of 40 or 20 KB, since shells
@@ -183,7 +195,7 @@ fn a_run_without_room_goes_on_once_there_is_some() {
 /// A run that was killed while it removed its tiles may have left some of them.
 #[test]
 fn tiles_of_another_run_are_not_taken() {
-    for case in [SECTION, SWEEP] {
+    for case in [SECTION, SWEEP, SYSTEM_SWEEP] {
         let folder = case.folder();
         let mut child = folder.start(&[case.command, "b.toml", "--out", "cut"]);
         let tile = case.tiles(&folder).join("0000001");
@@ -204,7 +216,7 @@ fn tiles_of_another_run_are_not_taken() {
 
 #[test]
 fn a_damaged_identity_is_refused() {
-    for case in [SECTION, SWEEP] {
+    for case in [SECTION, SWEEP, SYSTEM_SWEEP] {
         let folder = case.folder();
         let title = "heavytop-tiles 00000000\n";
         std::fs::create_dir_all(case.tiles(&folder)).unwrap();
@@ -268,7 +280,7 @@ fn interrupted(case: &Case) -> Folder {
 /// As if the run had begun on a processor with other instructions.
 #[test]
 fn tiles_with_other_last_digits_are_refused() {
-    for case in [SECTION, SWEEP] {
+    for case in [SECTION, SWEEP, SYSTEM_SWEEP] {
         let folder = interrupted(&case);
         let path = case.tiles(&folder).join("identity");
         let identity = std::fs::read_to_string(&path).unwrap();
@@ -284,7 +296,7 @@ fn tiles_with_other_last_digits_are_refused() {
 
 #[test]
 fn tiles_that_were_swapped_are_made_again() {
-    for case in [SECTION, SWEEP] {
+    for case in [SECTION, SWEEP, SYSTEM_SWEEP] {
         let folder = interrupted(&case);
         let [first, second] = ["0000000", "0000001"].map(|name| case.tiles(&folder).join(name));
         let bytes = std::fs::read(&first).unwrap();
@@ -299,7 +311,7 @@ fn tiles_that_were_swapped_are_made_again() {
 /// A tile lacks its last line, or has it twice, with the checksum of its present contents.
 #[test]
 fn tiles_that_are_whole_and_not_what_they_should_be_are_made_again() {
-    for case in [SECTION, SWEEP] {
+    for case in [SECTION, SWEEP, SYSTEM_SWEEP] {
         let folder = interrupted(&case);
         for (name, times) in [("0000000", 0), ("0000001", 2)] {
             let path = case.tiles(&folder).join(name);
@@ -325,7 +337,7 @@ fn tiles_that_are_whole_and_not_what_they_should_be_are_made_again() {
 
 #[test]
 fn a_run_that_shall_start_anew_discards_the_tiles() {
-    for case in [SECTION, SWEEP] {
+    for case in [SECTION, SWEEP, SYSTEM_SWEEP] {
         let folder = interrupted(&case);
         // A run of another configuration discards what there is.
         let run = folder.heavytop(&[case.command, "b.toml", "--out", "cut", "--restart"]);
@@ -342,7 +354,7 @@ fn a_run_that_shall_start_anew_discards_the_tiles() {
 
 #[test]
 fn a_file_where_the_folder_should_be_is_refused() {
-    for case in [SECTION, SWEEP] {
+    for case in [SECTION, SWEEP, SYSTEM_SWEEP] {
         let folder = Folder::new();
         folder.write("taken", "");
         for out in ["taken", "taken/below"] {

@@ -4,13 +4,13 @@ mod problems;
 mod settings;
 mod orbit;
 mod orbit_tiles;
-mod summaries;
+mod survey;
+mod section_summary;
 mod picture;
 mod point_table;
 mod section_forecast;
 mod section_command;
 
-pub use section_command::{section, section_system};
+pub use section_command::section;
 pub use section_forecast::{dry_run, forecast};
-pub use summaries::section_summary::SectionSummary;
-pub use summaries::system_section_summary::SystemSectionSummary;
+pub use section_summary::SectionSummary;

@@ -3,7 +3,7 @@
 use super::orbit::Orbit;
 use super::problems::section_problem::Drawing;
 use super::settings::Settings;
-use super::summaries::survey::Survey;
+use super::survey::Survey;
 use crate::pictures::colour_scale::colour;
 use crate::pictures::{Axis, Frame, Scale};
 use std::f64::consts::TAU;

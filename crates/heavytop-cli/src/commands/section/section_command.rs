@@ -3,12 +3,9 @@
 use super::orbit_tiles::{Orbits, Stuck, header};
 use super::picture::Picture;
 use super::point_table::PointTable;
-use super::problems::system_problem::SystemProblem;
-use super::problems::top_problem::TopProblem;
+use super::section_summary::SectionSummary;
 use super::settings::Settings;
-use super::summaries::section_summary::SectionSummary;
-use super::summaries::survey::Survey;
-use super::summaries::system_section_summary::SystemSectionSummary;
+use super::survey::Survey;
 use crate::Error;
 use crate::configuration::Config;
 use crate::files::place::require_no_folders;
@@ -19,14 +16,15 @@ use crate::supervision::tiled_run::{resumable, threads};
 use crate::supervision::{Held, Progress, TileOptions};
 use std::io::Write;
 use std::path::{Path, PathBuf};
-use std::sync::Arc;
 use std::sync::atomic::{AtomicU64, Ordering};
 
 /// The number of pixels per CSS pixel: 288 dots per inch.
 const SCALE: f32 = 3.0;
 
-/// Computes the section of the configuration, and writes `section.csv`, `.parquet`, `.svg` and `.png` into the folder
-/// `out`. If asked to, it continues from the finished starts of an interrupted section.
+/// Computes the section of the top or of the system of the configuration, and writes `section.csv`, `.parquet`, `.svg`
+/// and `.png` into the folder `out`. If asked to, it continues from the finished starts of an interrupted section.
+///
+/// In the table of a system its coordinates stand for Π and Γ.
 ///
 /// # Errors
 /// If the request is wrong, another run writes the section, or there is an interrupted section that shall be neither
@@ -43,33 +41,9 @@ const SCALE: f32 = 3.0;
 /// let config = Config { section: Some(small), ..Config::default() };
 /// let summary = section(&config, folder.path(), &TileOptions::default())?;
 /// assert_eq!(summary.points, 3 * (1 + 5));
-/// assert!(summary.h < 1e-9);
-/// # Ok::<(), Box<dyn std::error::Error>>(())
-/// ```
-pub fn section(
-    config: &Config,
-    out: &Path,
-    options: &TileOptions<'_>,
-) -> Result<SectionSummary, Error> {
-    let section = config.section.clone().unwrap_or_default();
-    let (problem, own) = TopProblem::new(config, &section)?;
-    let settings = Settings::new(config, &section, (Arc::new(problem), own))?;
-    let survey = write(&settings, config, out, options)?;
-    Ok(SectionSummary::new(&problem, &settings.limits, &survey, out))
-}
-
-/// Computes the section of the system of the configuration, as [`section`] does for a top. In the table the coordinates of
-/// the system stand for Π and Γ.
+/// assert!(summary.deviations.iter().all(|(_, deviation)| *deviation < 1e-9));
 ///
-/// # Errors
-/// Those of [`section`].
-///
-/// # Example
-/// ```
-/// use heavytop_cli::configuration::Config;
-/// use heavytop_cli::commands::section::section_system;
-/// use heavytop_cli::supervision::TileOptions;
-/// let config: Config = toml::from_str(r#"
+/// let kirchhoff: Config = toml::from_str(r#"
 ///     [system]
 ///     algebra = "se(3)"
 ///     hamiltonian = "(Pi1^2 + Pi2^2/2 + Pi3^2/3 + Gamma1^2 + Gamma2^2/2 + Gamma3^2/3)/2"
@@ -83,22 +57,19 @@ pub fn section(
 ///     [integrator]
 ///     step = 0.1
 /// "#)?;
-/// let folder = tempfile::tempdir()?;
-/// let summary = section_system(&config, folder.path(), &TileOptions::default())?;
-/// assert_eq!(summary.points, 3 * (1 + 5));
-/// assert!(summary.deviations["h"].as_f64() < Some(1e-9));
+/// let summary = section(&kirchhoff, folder.path(), &TileOptions::default())?;
+/// assert_eq!(summary.of["casimirs"]["c1"], "Pi·Gamma");
+/// assert!(summary.deviations.iter().all(|(_, deviation)| *deviation < 1e-9));
 /// # Ok::<(), Box<dyn std::error::Error>>(())
 /// ```
-pub fn section_system(
+pub fn section(
     config: &Config,
     out: &Path,
     options: &TileOptions<'_>,
-) -> Result<SystemSectionSummary, Error> {
-    let section = config.section.clone().unwrap_or_default();
-    let (problem, own) = SystemProblem::new(config, &section)?;
-    let settings = Settings::new(config, &section, (Arc::new(problem.clone()), own))?;
+) -> Result<SectionSummary, Error> {
+    let settings = Settings::of(config)?;
     let survey = write(&settings, config, out, options)?;
-    Ok(SystemSectionSummary::new(&problem, &settings.limits, &survey, out))
+    Ok(SectionSummary::new(&settings, &survey, out))
 }
 
 /// Computes a section, writes its files, and returns its survey.

@@ -42,7 +42,7 @@ impl Settings {
     ///
     /// # Errors
     /// If a number makes no sense.
-    pub fn new(
+    fn new(
         config: &Config,
         settings: &SectionConfig,
         (problem, own): (Arc<dyn Problem>, Integration),

@@ -1,9 +1,10 @@
-//! The command `heavytop sweep`, which follows many tops at once and maps their observables.
+//! The command `heavytop sweep`, which follows many tops, or motions of another system, at once and maps their observables.
 
+mod families;
 mod sweep_plan;
 mod measured_row;
-mod top_tiles;
-mod top_table;
+mod member_tiles;
+mod member_table;
 mod heat_maps;
 mod processes;
 mod sweep_summary;

@@ -1,18 +1,17 @@
 //! The command `sweep`: from a configuration to a table and heat maps.
 
 use super::heat_maps;
+use super::member_table::MemberTable;
+use super::member_tiles::Members;
 use super::processes::Processes;
 use super::sweep_forecast::forecast;
 use super::sweep_plan::Plan;
 use super::sweep_summary::SweepSummary;
-use super::top_table::TopTable;
-use super::top_tiles::Tops;
 use crate::Error;
 use crate::configuration::Config;
 use crate::files::OutputSet;
 use crate::formats::Metadata;
 use crate::pictures::render;
-use crate::runs::method_warning::method_warning;
 use crate::supervision::tiled_run::{resumable, threads};
 use crate::supervision::{Forecast, Progress, TileOptions};
 use std::io::{self, Write};
@@ -21,34 +20,45 @@ use std::path::Path;
 /// The number of pixels per CSS pixel: 288 dots per inch.
 const SCALE: f32 = 3.0;
 
-/// Follows all tops of the configuration, and writes `sweep.parquet` into the folder `out`.
+/// Follows all tops of the configuration, or all motions of its system, and writes `sweep.parquet` into the folder `out`.
 ///
 /// A grid with two axes also gets a heat map of each column. If asked to, it continues from the finished tiles of an
 /// interrupted sweep.
 ///
 /// Processes of an MPI job (feature `mpi`) share the work. The folder `out` must be on a file system that all of them
 /// see, and only the first process returns the summary. No bit depends on the number of threads or processes. Memory
-/// does not grow with the number of tops, except for the heat maps.
+/// does not grow with the number of rows, except for the heat maps.
 ///
 /// # Errors
 /// If the request is wrong, another run writes the sweep, or there is an interrupted sweep that shall be neither
 /// resumed nor discarded: then nothing is written. If it was stopped, or a file cannot be written: then it can be
-/// resumed. If all tops fail: then the table is kept as `sweep.parquet.partial`. A single top that fails is no error:
+/// resumed. If all members fail: then the table is kept as `sweep.parquet.partial`. A single one that fails is no error:
 /// its row says why.
 ///
 /// # Example
 /// ```
-/// use heavytop_cli::configuration::{Config, IntegratorConfig, Observable, SweepConfig};
+/// use heavytop_cli::configuration::Config;
 /// use heavytop_cli::commands::sweep::sweep;
 /// use heavytop_cli::supervision::TileOptions;
 /// let folder = tempfile::tempdir()?;
-/// let mut map = SweepConfig { observables: vec![Observable::Sali], ..SweepConfig::default() };
-/// map.axes.iter_mut().for_each(|axis| axis.count = Some(3));
-/// let integrator = IntegratorConfig { end: Some(1.0), ..IntegratorConfig::default() };
-/// let config = Config { sweep: Some(map), integrator, ..Config::default() };
+/// let config: Config = toml::from_str(r#"
+///     [system]
+///     algebra = "so(3)"
+///     hamiltonian = "½*(Π₁²/I₁ + Π₂²/I₂ + Π₃²/I₃)"
+///     parameters = { I = [3, 2, 1] }
+///     initial = { Pi = [0, 1, 0.1] }
+///
+///     [integrator]
+///     end = 1.0
+///
+///     [sweep]
+///     observables = ["invariant-drift"]
+///     axes = [{ parameter = "system.parameters.I[0]", from = 2, to = 3, count = 3 },
+///             { parameter = "system.initial.Pi[2]", from = 0, to = 1, count = 3 }]
+/// "#)?;
 /// let summary = sweep(&config, folder.path(), &TileOptions::default())?.ok_or("not the first process")?;
-/// assert_eq!((summary.tops, summary.failed), (9, 0));
-/// assert!(folder.path().join("sali.png").exists());
+/// assert_eq!((summary.runs, summary.failed), (9, 0));
+/// assert!(folder.path().join("drift_c1.png").exists());
 /// # Ok::<(), Box<dyn std::error::Error>>(())
 /// ```
 pub fn sweep(
@@ -83,58 +93,59 @@ fn run(
     agree: impl FnOnce(&Forecast) -> Result<(), Error>,
 ) -> Result<Option<SweepSummary>, Error> {
     let (rank, size) = processes.place();
-    let config = Plan::complete(config);
-    let (plan, metadata) = (Plan::new(&config)?, Metadata::new(&config)?);
-    let tops = Tops::new(&plan, &config, out)?;
+    let plan = Plan::new(config)?;
+    let metadata = Metadata::new(&plan.config)?.with_casimirs(plan.family.casimirs());
+    let members = Members::new(&plan, out)?;
     let threads = threads(options.threads)?;
     if rank == 0 && !options.resume {
         agree(&forecast(&plan, out))?;
     }
     // The first process holds the folder for all of them.
-    let held = (rank == 0).then(|| tops.tiles.prepare(options)).transpose()?;
-    if let (0, Some(warning)) = (rank, method_warning(&plan.method)) {
+    let held = (rank == 0).then(|| members.tiles.prepare(options)).transpose()?;
+    if let (0, Some(warning)) = (rank, plan.family.warning()) {
         // Where stderr is closed nobody can be warned.
         let _ = writeln!(io::stderr(), "heavytop: {warning}");
     }
     processes.wait_for_all();
-    let progress = Progress::of(plan.tops, "tops", options.quiet || rank > 0);
-    for tile in (rank..tops.count()).step_by(size as usize) {
-        threads.install(|| tops.finish(tile, options)).map_err(resumable)?;
-        progress.now(tops.tops(tile).end, String::new());
+    let progress = Progress::of(plan.members, plan.nouns(), options.quiet || rank > 0);
+    for tile in (rank..members.count()).step_by(size as usize) {
+        threads.install(|| members.finish(tile, options)).map_err(resumable)?;
+        progress.now(members.numbers(tile).end, String::new());
     }
     drop(progress);
     processes.wait_for_all();
     let Some(held) = held else { return Ok(None) };
-    let assembled = assemble(&plan, &tops, &metadata, out).map_err(resumable);
+    let assembled = assemble(&plan, &members, &metadata, out).map_err(resumable);
     if matches!(assembled, Ok(_) | Err(Error::Kept { .. })) {
-        tops.tiles.remove(held)?;
+        members.tiles.remove(held)?;
     }
     assembled.map(Some)
 }
 
 /// Makes the output files of all tiles.
 ///
-/// If all tops failed there are no maps, and the table, which says why, does not get its final name.
+/// If all members failed there are no maps, and the table, which says why, does not get its final name.
 fn assemble(
     plan: &Plan,
-    tops: &Tops,
+    members: &Members,
     metadata: &Metadata,
     out: &Path,
 ) -> Result<SweepSummary, Error> {
     let mut summary = SweepSummary::new(plan, out);
-    let mut table = TopTable::begin(plan, metadata, &out.join("sweep.parquet"))?;
-    tops.each(|rows| {
+    let mut table = MemberTable::begin(plan, metadata, &out.join("sweep.parquet"))?;
+    members.each(|rows| {
         summary.add(&rows);
         table.add(rows)
     })?;
-    if let (true, Some(first)) = (summary.failed == plan.tops, &summary.first_failure) {
-        let failure = Error::AllFailed { tops: plan.tops, first: first.clone() };
+    if let (true, Some(first)) = (summary.failed == plan.members, &summary.first_failure) {
+        let (members, nouns) = (plan.members, plan.nouns());
+        let failure = Error::AllFailed { members, nouns, first: first.clone() };
         return Err(Error::Kept { partial: table.keep()?, source: Box::new(failure) });
     }
     let mut files = OutputSet::default();
     files.push(table.whole()?)?;
     if let Some(size) = heat_maps::size(plan) {
-        draw_maps(plan, size, tops, summary.failed, out, &mut files)?;
+        draw_maps(plan, size, members, summary.failed, out, &mut files)?;
     }
     files.complete()?;
     Ok(summary)
@@ -144,21 +155,21 @@ fn assemble(
 fn draw_maps(
     plan: &Plan,
     size: [u32; 2],
-    tops: &Tops,
+    members: &Members,
     failed: u64,
     out: &Path,
     files: &mut OutputSet,
 ) -> Result<(), Error> {
-    for (index, column) in plan.columns().enumerate() {
+    for (index, column) in plan.columns.iter().enumerate() {
         let mut values: Vec<Option<f64>> = Vec::new();
-        tops.each(|rows| {
+        members.each(|rows| {
             values.extend(rows.iter().map(|row| row.value(index)));
             Ok(())
         })?;
         let drawing = heat_maps::heat_map(plan, size, column, &values, failed)?;
         let (svg, png) = render::render(&drawing, SCALE)?;
-        files.add(&out.join(column.name).with_extension("svg"), svg.as_bytes())?;
-        files.add(&out.join(column.name).with_extension("png"), &png)?;
+        files.add(&out.join(&column.name).with_extension("svg"), svg.as_bytes())?;
+        files.add(&out.join(&column.name).with_extension("png"), &png)?;
     }
     Ok(())
 }

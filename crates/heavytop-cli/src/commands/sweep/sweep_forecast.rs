@@ -14,22 +14,22 @@ use rayon::prelude::*;
 use std::path::Path;
 use std::time::Instant;
 
-/// The largest number of steps of a top in a trial.
+/// The largest number of steps of a member in a trial.
 const MOST_STEPS: u64 = 1000;
 
-/// The bytes of the two pictures of a map without tops; lettering takes most of them.
+/// The bytes of the two pictures of a map without values; lettering takes most of them.
 const BYTES_OF_FRAMES: u64 = 180_000;
 
-/// The bytes of a top in the two pictures of a map.
+/// The bytes of a member in the two pictures of a map.
 const BYTES_OF_PIXEL: u64 = 2;
 
-/// Returns the forecast of a sweep after trying some of its tops for a fifth of a second, or a little longer if steps
+/// Returns the forecast of a sweep after trying some of its members for a fifth of a second, or a little longer if steps
 /// are slow. Nothing is written.
 ///
 /// # Errors
 /// If there is no such sweep, or its threads cannot be started.
 ///
-/// Of the processes of an MPI job only the first one tries tops and returns the forecast for all of them.
+/// Of the processes of an MPI job only the first one tries members and returns the forecast for all of them.
 ///
 /// # Example
 /// ```
@@ -47,7 +47,7 @@ pub fn dry_run(
 ) -> Result<Option<Forecast>, Error> {
     let processes = Processes::join();
     let (rank, size) = processes.place();
-    let tried = Plan::new(&Plan::complete(config)).and_then(|plan| {
+    let tried = Plan::new(config).and_then(|plan| {
         if rank > 0 {
             return Ok(None);
         }
@@ -59,41 +59,42 @@ pub fn dry_run(
 
 /// Returns the forecast of a sweep without trying it.
 pub(super) fn forecast(plan: &Plan, out: &Path) -> Forecast {
-    let Plan { tops, schedule: Schedule { steps, .. }, .. } = *plan;
-    let (axes, columns) = (plan.axes.len() as u64, plan.columns().count() as u64);
+    let (members, steps) = (plan.members, plan.course.schedule.steps);
+    let (axes, columns) = (plan.axes.len() as u64, plan.columns.len() as u64);
     let maps = heat_maps::size(plan).map_or(0, |_| columns);
-    let table = compressed(tops * 8 * (1 + axes + columns));
-    let bytes = table + maps * (BYTES_OF_FRAMES + BYTES_OF_PIXEL * tops);
+    let table = compressed(members * 8 * (1 + axes + columns));
+    let bytes = table + maps * (BYTES_OF_FRAMES + BYTES_OF_PIXEL * members);
     Forecast {
         out: out.into(),
-        work: format!("{tops} tops of {steps} steps"),
-        remedy: "lower the number of tops",
-        steps: Some(tops.saturating_mul(steps)),
-        rows: tops,
+        work: format!("{members} {} of {steps} steps", plan.nouns()),
+        remedy: "lower the count",
+        steps: Some(members.saturating_mul(steps)),
+        rows: members,
         bytes,
         // Until the table is complete there are the tiles besides it, in text.
-        room: bytes + tops * BYTES_OF_TEXT * columns,
+        room: bytes + members * BYTES_OF_TEXT * columns,
         seconds: None,
         is_device: false,
     }
 }
 
-/// Follows tops from all over the sweep, for some of their steps, and returns the time that all would take, s.
+/// Follows members from all over the sweep, for some of their steps, and returns the time that all would take, s.
 fn seconds(plan: &Plan) -> f64 {
-    let schedule =
-        Schedule { steps: plan.schedule.steps.min(MOST_STEPS), step: plan.schedule.step };
-    let shortened = Plan { schedule, ..plan.clone() };
+    let Schedule { step, steps } = plan.course.schedule;
+    let schedule = Schedule { steps: steps.min(MOST_STEPS), step };
+    let mut shortened = plan.clone();
+    shortened.course.schedule = schedule;
     let group = 4 * rayon::current_num_threads() as u64;
     let (begun, mut followed) = (Instant::now(), 0);
     while followed == 0 || begun.elapsed() < TRIAL {
         (followed..followed + group).into_par_iter().for_each(|n| {
-            std::hint::black_box(measure(&shortened, spread(n, plan.tops)));
+            std::hint::black_box(measure(&shortened, spread(n, plan.members)));
         });
         followed += group;
     }
     let threads = rayon::current_num_threads() as u64;
-    // Few tops leave threads without work.
-    let waste = threads as f64 / threads.min(plan.tops) as f64;
-    let steps = (followed * schedule.steps) as f64;
-    begun.elapsed().as_secs_f64() / steps * (plan.tops as f64 * plan.schedule.steps as f64) * waste
+    // Few members leave threads without work.
+    let waste = threads as f64 / threads.min(plan.members) as f64;
+    let tried = (followed * schedule.steps) as f64;
+    begun.elapsed().as_secs_f64() / tried * (plan.members as f64 * steps as f64) * waste
 }

@@ -1,92 +1,83 @@
-//! The plan of a sweep: the parameters of each top, by its number.
+//! The plan of a sweep: the family of its members, and the values of the axes for each, by its number.
 
+use super::families::course::Course;
+use super::families::family::Family;
+use super::families::system_family::SystemFamily;
+use super::families::top_family::TopFamily;
 use crate::Error;
-use crate::configuration::{
-    BodyConfig, Column, Config, InitialConfig, Integration, Observable, Spread, SweepAxis,
-};
+use crate::configuration::{Column, Config, Integration, Spread, SweepAxis, SweepConfig};
 use crate::errors::SweepError;
 use crate::runs::Schedule;
-use crate::runs::step_angle::require_sane_step;
-use heavytop::HeavyTop;
-use heavytop::methods::{Formulation, Method, Scheme};
-use lie_poisson::Se3Dual;
 use rand_chacha::ChaCha8Rng;
 use rand_chacha::rand_core::{Rng, SeedableRng};
 use std::f64::consts::TAU;
+use std::sync::Arc;
 
-/// The largest number of tops; more must be a typing error.
-const MOST_TOPS: f64 = 1e9;
+/// The largest number of members; more must be a typing error.
+const MOST_MEMBERS: f64 = 1e9;
+
+/// The columns of the table besides those of axes and observables.
+pub(super) const INDEX: &str = "index";
+pub(super) const FAILURE: &str = "failure";
 
 /// A sweep whose configuration has been checked.
-#[derive(Clone, Debug, PartialEq)]
+#[derive(Clone, Debug)]
 pub(super) struct Plan {
-    pub body: BodyConfig,
-    pub initial: InitialConfig,
+    pub family: Arc<dyn Family>,
     pub axes: Vec<SweepAxis>,
-    pub observables: Vec<Observable>,
-    pub method: Method,
-    pub schedule: Schedule,
-    /// The number of tops.
-    pub tops: u64,
-    pub seed: u64,
+    /// The columns of all observables.
+    pub columns: Vec<Column>,
+    pub course: Course,
+    /// The number of members.
+    pub members: u64,
+    seed: u64,
+    /// The configuration with every key that was left out and plays a part.
+    pub config: Config,
 }
 
 impl Plan {
-    /// Returns the configuration with every key that was left out and plays a part.
-    pub fn complete(config: &Config) -> Config {
-        let integrator = config.integrator.or(Integration {
-            formulation: Formulation::Reduced,
-            scheme: Scheme::Gauss(4),
-            step: 0.1,
-            ..Integration::default()
-        });
-        let sweep = config.sweep.clone().unwrap_or_default();
-        Config { integrator: integrator.into(), sweep: Some(sweep), ..config.clone() }
-    }
-
-    /// Reads the sweep that a complete configuration asks for.
+    /// Reads the sweep of the tops or of the system that a configuration asks for.
     ///
     /// # Errors
-    /// If the sweep makes no sense for any top.
+    /// If the sweep makes no sense for any member.
     pub fn new(config: &Config) -> Result<Self, Error> {
-        let sweep = config.sweep.clone().unwrap_or_default();
-        let axes = sweep.axes.iter().map(|axis| axis.axis()).collect::<Result<Vec<_>, _>>()?;
-        require_consistent(&axes, &sweep.observables)?;
-        let tops = number_of_tops(&axes, sweep.count)?;
-        let of_momentum = |axis: &&SweepAxis| axis.parameter.is_angular_momentum();
-        if let (Some(_), Some(axis)) =
-            (config.initial.angular_velocity, axes.iter().find(of_momentum))
-        {
-            return Err(SweepError::Velocity { axis: axis.parameter.name() }.into());
-        }
-        // What no axis changes is either right or wrong for every top.
-        if !axes.iter().any(|axis| axis.parameter.is_of_body()) {
-            config.top()?;
-        }
-        if axes.iter().all(|axis| axis.parameter.is_of_body()) {
-            config.start()?;
-        }
-        let integration = config.integrator.or(Integration::default());
-        Ok(Self {
-            body: config.body,
-            initial: config.initial,
-            axes,
-            observables: sweep.observables.clone(),
-            method: integration.method()?,
-            schedule: Schedule::new(integration.step, integration.end)?,
-            tops,
-            seed: sweep.seed,
-        })
+        let system = config.system()?;
+        let mut sweep = config.sweep.clone().unwrap_or_default();
+        // The numbers of a system have names of its own, of which none varies by default.
+        let own = || if system.is_some() { Vec::new() } else { SweepConfig::axes_of_tops() };
+        let axes = &*sweep.axes.get_or_insert_with(own);
+        let axes = axes.iter().map(|axis| axis.axis()).collect::<Result<Vec<_>, _>>()?;
+        require_some(&axes, &sweep)?;
+        let members = number_of_members(&axes, sweep.count)?;
+        let (family, integration): (Arc<dyn Family>, Integration) = match system {
+            Some(system) => {
+                let (family, integration) = SystemFamily::new(system, config, &axes)?;
+                (Arc::new(family), integration)
+            }
+            None => {
+                let (family, integration) = TopFamily::new(config, &axes)?;
+                (Arc::new(family), integration)
+            }
+        };
+        let (observables, seed) = (sweep.observables.clone(), sweep.seed);
+        let columns = observables.iter().map(|observable| family.columns(*observable));
+        let columns = columns.collect::<Result<Vec<_>, _>>()?.concat();
+        require_different_names(&axes, &columns)?;
+        let schedule = Schedule::new(integration.step, integration.end)?;
+        let course = Course { schedule, observables };
+        let integrator = integration.into();
+        let config = Config { integrator, sweep: Some(sweep), ..config.clone() };
+        Ok(Self { family, axes, columns, course, members, seed, config })
     }
 
-    /// Returns the columns of all observables.
-    pub fn columns(&self) -> impl Iterator<Item = &'static Column> {
-        self.observables.iter().flat_map(|observable| observable.columns())
+    /// Returns the word for several members.
+    pub fn nouns(&self) -> &'static str {
+        self.family.nouns()[1]
     }
 
-    /// Returns the values of the axes for a top. In a grid the last axis runs fastest.
+    /// Returns the values of the axes for a member. In a grid the last axis runs fastest.
     ///
-    /// The values depend on the configuration and the number alone. Each top draws random values from a ChaCha8
+    /// The values depend on the configuration and the number alone. Each member draws random values from a ChaCha8
     /// stream of its own.
     pub fn parameters(&self, number: u64) -> Vec<f64> {
         let mut random = ChaCha8Rng::seed_from_u64(self.seed);
@@ -110,30 +101,11 @@ impl Plan {
         values.reverse();
         values
     }
-
-    /// Returns the top and its start at these values of the axes.
-    ///
-    /// # Errors
-    /// If there is no such top or no such start, or the top turns too far in a step.
-    pub fn top(&self, values: &[f64]) -> Result<(HeavyTop, Se3Dual), Error> {
-        let (mut body, mut initial) = (self.body, self.initial);
-        for azimuths in [false, true] {
-            let axes = self.axes.iter().zip(values);
-            for (axis, value) in axes.filter(|(axis, _)| axis.parameter.is_azimuth() == azimuths) {
-                axis.parameter.set(*value, &mut body, &mut initial);
-            }
-        }
-        for axis in self.axes.iter().filter(|axis| axis.normalise) {
-            axis.parameter.normalise(&mut body, &mut initial);
-        }
-        let config = Config { body, initial, ..Config::default() };
-        let (top, start) = (config.top()?, config.start()?);
-        require_sane_step(&top, &start, self.schedule.step)?;
-        Ok((top, start))
-    }
 }
 
-fn require_consistent(axes: &[SweepAxis], observables: &[Observable]) -> Result<(), SweepError> {
+/// Checks that there are axes and observables, none of these twice.
+fn require_some(axes: &[SweepAxis], sweep: &SweepConfig) -> Result<(), SweepError> {
+    let observables = &sweep.observables;
     if axes.is_empty() {
         return Err(SweepError::NoAxes);
     }
@@ -143,30 +115,36 @@ fn require_consistent(axes: &[SweepAxis], observables: &[Observable]) -> Result<
     if observables.iter().enumerate().any(|(n, o)| observables[..n].contains(o)) {
         return Err(SweepError::Twice);
     }
-    for (n, axis) in axes.iter().enumerate() {
-        if let Some(other) = axes[..n].iter().find(|other| other.clashes(axis)) {
-            let (first, second) = (other.parameter.name(), axis.parameter.name());
-            return Err(SweepError::Clash { first, second });
-        }
-    }
     Ok(())
 }
 
-fn number_of_tops(axes: &[SweepAxis], count: Option<u32>) -> Result<u64, SweepError> {
+/// Checks that no two columns of the table have one name: coordinates of a system may have any.
+fn require_different_names(axes: &[SweepAxis], columns: &[Column]) -> Result<(), SweepError> {
+    let axes = axes.iter().map(|axis| axis.parameter.name());
+    let names = [INDEX, FAILURE].map(String::from).into_iter().chain(axes);
+    let mut names: Vec<String> = names.chain(columns.iter().map(|c| c.name.clone())).collect();
+    names.sort();
+    match names.windows(2).find(|pair| pair[0] == pair[1]) {
+        Some(pair) => Err(SweepError::SameColumn { name: pair[0].clone() }),
+        None => Ok(()),
+    }
+}
+
+fn number_of_members(axes: &[SweepAxis], count: Option<u32>) -> Result<u64, SweepError> {
     let counts = axes.iter().filter_map(|axis| match axis.spread {
         Spread::Grid { count, .. } => Some(f64::from(count)),
         _ => None,
     });
-    let tops = match axes.iter().filter(|axis| axis.is_grid()).count() {
+    let runs = match axes.iter().filter(|axis| axis.is_grid()).count() {
         0 => f64::from(count.filter(|count| *count > 0).ok_or(SweepError::Count)?),
         grids if grids < axes.len() => return Err(SweepError::Mixed),
         _ if count.is_some() => return Err(SweepError::Count),
         _ => counts.product(),
     };
-    if tops > MOST_TOPS {
-        return Err(SweepError::TooMany { tops, most: MOST_TOPS });
+    if runs > MOST_MEMBERS {
+        return Err(SweepError::TooMany { runs, most: MOST_MEMBERS });
     }
-    Ok(tops as u64)
+    Ok(runs as u64)
 }
 
 /// Draws a uniform random number in [0, 1).
@@ -198,7 +176,7 @@ mod tests {
             "[[sweep.axes]]\nparameter = 'body.mass'\nfrom = 1\nto = 2\ncount = 2\n\
              [[sweep.axes]]\nparameter = 'body.length'\nfrom = 0.1\nto = 0.7\ncount = 3",
         );
-        let values: Vec<Vec<f64>> = (0..plan.tops).map(|n| plan.parameters(n)).collect();
+        let values: Vec<Vec<f64>> = (0..plan.members).map(|n| plan.parameters(n)).collect();
         let expected = [[1.0, 0.1], [1.0, 0.4], [1.0, 0.7], [2.0, 0.1], [2.0, 0.4], [2.0, 0.7]];
         assert!(
             values
@@ -216,7 +194,7 @@ mod tests {
         let text = "sweep.count = 4000\nsweep.axes = [{ parameter = 'body.mass', normal = [3, 0.5] }, \
                     { parameter = 'body.length', uniform = [1, 2] }]";
         let plan = plan(text);
-        let values: Vec<Vec<f64>> = (0..plan.tops).map(|n| plan.parameters(n)).collect();
+        let values: Vec<Vec<f64>> = (0..plan.members).map(|n| plan.parameters(n)).collect();
         let moments = |axis: usize| {
             let n = values.len() as f64;
             let mean = values.iter().map(|v| v[axis]).sum::<f64>() / n;
@@ -231,18 +209,5 @@ mod tests {
         assert_eq!(longer.parameters(7), values[7]);
         assert_ne!(self::plan(&format!("sweep.seed = 1\n{text}")).parameters(7), values[7]);
         assert_ne!(values[7], values[8]);
-    }
-
-    #[test]
-    fn the_inclination_is_set_before_the_azimuth() {
-        let plan = plan(
-            "initial.vertical = [0, 0, 1]\nsweep.axes = [\
-             { parameter = 'initial.vertical.azimuth', from = 1.5, to = 1.5, count = 1 }, \
-             { parameter = 'initial.vertical.inclination', from = 0.5, to = 0.5, count = 1 }]",
-        );
-        let gamma = plan.top(&plan.parameters(0)).unwrap().1.0.1;
-        assert!(
-            (gamma.y.atan2(gamma.x) - 1.5).abs() < 1e-15 && (gamma.z.acos() - 0.5).abs() < 1e-15
-        );
     }
 }

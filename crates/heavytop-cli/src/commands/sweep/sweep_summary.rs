@@ -4,6 +4,7 @@ use super::measured_row::Row;
 use super::sweep_plan::Plan;
 use crate::vocabulary::brief::number;
 use serde::Serialize;
+use serde_json::{Map, Value};
 use std::fmt;
 use std::path::{Path, PathBuf};
 
@@ -12,38 +13,52 @@ use std::path::{Path, PathBuf};
 pub struct SweepSummary {
     /// The folder of the table and the heat maps.
     pub out: PathBuf,
-    /// The number of tops.
-    pub tops: u64,
+    /// The number of tops, where tops are swept.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub tops: Option<u64>,
+    /// The number of runs: of tops, or of motions of another system.
+    pub runs: u64,
+    /// The Casimirs of a system by the names of their columns, as formulas, where all members have the same.
+    #[serde(skip_serializing_if = "Map::is_empty")]
+    pub casimirs: Map<String, Value>,
     /// The formulation's name.
     pub formulation: &'static str,
     /// The scheme's name.
     pub scheme: &'static str,
     /// The time step, s.
     pub step: f64,
-    /// The time for which each top was followed, s.
+    /// The time for which each run was followed, s.
     pub end: f64,
-    /// The number of tops that could not be followed.
+    /// The number of runs that could not be followed.
     pub failed: u64,
-    /// The reason why the first of the failed tops could not be followed.
+    /// The reason why the first of the failed runs could not be followed.
     pub first_failure: Option<String>,
+    /// The word for the runs.
+    #[serde(skip)]
+    nouns: &'static str,
 }
 
 impl SweepSummary {
-    /// Creates the summary of a sweep in which no top has failed yet.
+    /// Creates the summary of a sweep in which nothing has failed yet.
     pub(super) fn new(plan: &Plan, out: &Path) -> Self {
+        let (formulation, scheme) = plan.family.method();
+        let casimirs = plan.family.casimirs().into_iter().map(Value::from);
         Self {
             out: out.into(),
-            tops: plan.tops,
-            formulation: plan.method.formulation().name(),
-            scheme: plan.method.scheme().name(),
-            step: plan.schedule.step,
-            end: plan.schedule.end(),
+            tops: Some(plan.members).filter(|_| plan.config.system.is_none()),
+            runs: plan.members,
+            casimirs: (1..).map(|i| format!("c{i}")).zip(casimirs).collect(),
+            formulation: formulation.name(),
+            scheme: scheme.name(),
+            step: plan.course.schedule.step,
+            end: plan.course.schedule.end(),
             failed: 0,
             first_failure: None,
+            nouns: plan.nouns(),
         }
     }
 
-    /// Counts the tops that failed.
+    /// Counts the rows that failed.
     pub(super) fn add(&mut self, rows: &[Row]) {
         for failure in rows.iter().filter_map(|row| row.failure.as_ref()) {
             self.failed += 1;
@@ -54,10 +69,13 @@ impl SweepSummary {
 
 impl fmt::Display for SweepSummary {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        let Self { out, tops, formulation, scheme, step, end, failed, first_failure } = self;
+        let Self { out, runs, nouns, formulation, scheme, step, end, failed, .. } = self;
         let (step, end) = (number(*step), number(*end));
-        writeln!(f, "{tops} tops, each by {formulation}, {scheme}, step {step} s, to {end} s")?;
-        if let Some(reason) = first_failure {
+        writeln!(f, "{runs} {nouns}, each by {formulation}, {scheme}, step {step} s, to {end} s")?;
+        for (name, formula) in &self.casimirs {
+            writeln!(f, "{name} = {}", formula.as_str().unwrap_or_default())?;
+        }
+        if let Some(reason) = &self.first_failure {
             writeln!(f, "{failed} failed, see the column failure; the first: {reason}")?;
         }
         write!(f, "table and heat maps are in {}", out.display())

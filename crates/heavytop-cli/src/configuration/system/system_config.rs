@@ -6,6 +6,7 @@ use crate::Error;
 use crate::configuration::{Integration, IntegratorConfig};
 use crate::errors::SystemError;
 use crate::runs::{Pace, Schedule, SystemExperiment};
+use heavytop::methods::Formulation;
 use lie_poisson_formula_systems::{
     FormulaSystem, FormulaSystemError, SystemAlgebra, SystemMethod, structure_table,
 };
@@ -91,6 +92,44 @@ impl SystemConfig {
         }
         let system = FormulaSystem::new(algebra, &self.hamiltonian, &parameters)?;
         Ok(system.with_found_casimirs()?)
+    }
+
+    /// Returns the system of the table, in which parameters may differ from those of `base`. The Casimirs of an algebra
+    /// that is the same are not looked for again.
+    ///
+    /// # Errors
+    /// If there is no such system.
+    pub(crate) fn formula_system_near(&self, base: &FormulaSystem) -> Result<FormulaSystem, Error> {
+        let parameters = self.parameters()?;
+        // Only brackets contain parameters.
+        let is_same = self.brackets.is_empty() || self.algebra(&parameters)? == *base.algebra();
+        match is_same {
+            true => Ok(base.with_hamiltonian(&self.hamiltonian, &parameters)?),
+            false => self.formula_system(),
+        }
+    }
+
+    /// Returns whether the brackets contain one of these parameters.
+    pub(crate) fn has_algebra_of<'a>(&self, parameters: impl Iterator<Item = &'a str>) -> bool {
+        let mut without = self.clone();
+        parameters.for_each(|name| drop(without.parameters.remove(name)));
+        // Brackets that can be read without a parameter do not contain it.
+        !self.brackets.is_empty()
+            && without
+                .parameters()
+                .map_err(Error::from)
+                .and_then(|rest| without.algebra(&rest))
+                .is_err()
+    }
+
+    /// Returns the formulation by which many motions on an algebra are followed unless one is asked for: reduced, where
+    /// tangent vectors have no fibres, or that of [`SystemMethod::default_formulation`].
+    pub(crate) fn formulation_of_many(algebra: &SystemAlgebra) -> Formulation {
+        let mut formulations = SystemMethod::formulations(algebra);
+        match formulations.any(|formulation| formulation == Formulation::Reduced) {
+            true => Formulation::Reduced,
+            false => SystemMethod::default_formulation(algebra),
+        }
     }
 
     /// Returns the coordinates of the initial state.

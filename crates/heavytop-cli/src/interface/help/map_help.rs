@@ -67,7 +67,8 @@ Examples:
   heavytop section top.toml --out section --restart  # or all anew";
 
 pub(crate) const SWEEP: &str = "\
-Follow many tops at once, and map what becomes of them.
+Follow many tops at once, or many motions of another Lie–Poisson system (at the end of this help),
+and map what becomes of them.
 
 Each axis varies one number of [body] or [initial], over a grid or at random; the observables are
 
@@ -131,6 +132,23 @@ Parameters:
   body.center_of_mass.inclination, body.center_of_mass.azimuth,
   initial.vertical.inclination, initial.vertical.azimuth              rad
 with the unit vector (sin i cos a, sin i sin a, cos i) of inclination i and azimuth a.
+
+Another Lie–Poisson system instead of a top: [system] as of simulate, and
+  [[sweep.axes]]
+  parameter = \"system.parameters.k\" # a number of [system.parameters]; of a vector, such as I[0]
+  from = 0.0
+  to = 1.0
+  count = 100
+
+  [[sweep.axes]]
+  parameter = \"system.initial.Pi[2]\" # or system.initial.Pi3: a coordinate of the initial state
+  from = -1.0
+  to = 1.0
+  count = 100
+Axes must be given. The observables are final-state, with the coordinates as columns;
+invariant-drift, with drift_h, and drift_c1, drift_c2, ... of the Casimirs, which are those of each
+run if an axis varies a parameter of the brackets; lyapunov, megno and sali. What [integrator] leaves
+out: reduced where there is one, or as for simulate; gauss-8, step 0.1 s, end 100 s.
 
 Examples:
   heavytop sweep --out sweep                      # a small map about the paper's top

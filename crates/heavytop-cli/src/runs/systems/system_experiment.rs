@@ -3,6 +3,7 @@
 use crate::Error;
 use crate::runs::moment::{Coordinates, Saved};
 use crate::runs::pace::Pace;
+use crate::runs::visited_samples::visit_samples;
 use collective_integrators::Start;
 use lie_poisson::Vector;
 use lie_poisson_formula_systems::{FormulaSystem, SystemMethod, SystemTask};
@@ -115,42 +116,18 @@ impl SystemTask for Follow<'_> {
         I: Start<State: Vector, Momentum: Vector<Scalar = f64>>,
     {
         let SystemExperiment { start, method, pace, .. } = self.experiment;
-        let (step, steps) = (pace.schedule.step, pace.schedule.steps);
         let start = I::Momentum::from_coordinates(|i| start.get(i).copied().unwrap_or(0.0));
-        let (mut trajectory, made) = match self.from {
-            None => (integrator.trajectory(&start, step)?, 0),
-            Some(Saved { step: made, state }) => {
-                let (expected, found) = (I::State::DIM, state.len());
-                if expected != found {
-                    return Err(Error::SavedState { expected, found });
-                }
-                let coordinate = |i: usize| state.get(i).copied().unwrap_or(f64::NAN);
-                let state = I::State::from_coordinates(coordinate);
-                (integrator.trajectory_resumed(state, *made, step), *made)
-            }
-        };
-        if self.from.is_some() && made >= steps {
-            return Ok(());
-        }
-        let mut visited = self.from.map_or(0, |_| pace.next_visited(made));
-        let (mut following, mut row) = (made, Vec::new());
-        while let Some(sample) = trajectory.nth(visited.saturating_sub(following) as usize) {
-            let sample = sample.map_err(|source| Error::Integration {
-                formulation: method.formulation().name(),
-                scheme: method.scheme().name(),
-                source,
-            })?;
-            let made = sample.step;
-            // The map of the lift of the start equals the start only up to rounding; the start itself is reported.
-            let momentum = if made == 0 { &start } else { &sample.momentum };
-            self.experiment.fill(&mut row, sample.time, momentum)?;
-            (self.visit)(&SystemMoment { step: made, row: &row, state: &sample.state })?;
-            if made >= steps {
-                break;
-            }
-            following = made.saturating_add(1);
-            visited = pace.next_visited(made);
-        }
-        Ok(())
+        let names = (method.formulation(), method.scheme());
+        let mut row = Vec::new();
+        visit_samples(
+            integrator,
+            &start,
+            (*pace, self.from),
+            names,
+            |step, time, momentum, state| {
+                self.experiment.fill(&mut row, time, momentum)?;
+                (self.visit)(&SystemMoment { step, row: &row, state })
+            },
+        )
     }
 }

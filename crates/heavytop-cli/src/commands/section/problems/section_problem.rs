@@ -4,6 +4,7 @@ use super::limits::Limits;
 use crate::Error;
 use crate::configuration::SectionConfig;
 use heavytop::methods::{Formulation, Scheme};
+use serde_json::{Map, Value};
 use std::fmt::Debug;
 
 /// What is done with the returns of a start: the time (s) and the state of each.
@@ -49,6 +50,12 @@ pub(in crate::commands::section) trait Problem:
 
     /// Returns how much the conserved quantities at a state of an orbit deviate from those of the section.
     fn deviations(&self, start: &[f64], state: &[f64]) -> Vec<f64>;
+
+    /// Returns the level and the surface, on a line.
+    fn title(&self) -> String;
+
+    /// Returns what the section is of, and the largest deviations of the conserved quantities, for machines.
+    fn summary(&self, deviations: &[f64]) -> Map<String, Value>;
 
     /// Returns the words of the picture.
     fn drawing(&self, limits: &Limits) -> Drawing;

@@ -4,7 +4,7 @@ use super::limits::Limits;
 use super::section_problem::{Drawing, Problem, Visit};
 use super::top_problem::{crossed, followed};
 use crate::Error;
-use crate::configuration::{Config, Integration, SectionConfig};
+use crate::configuration::{Config, Integration, SectionConfig, SystemConfig};
 use crate::errors::SystemError;
 use crate::pictures::caption::{self, number};
 use crate::runs::method_warning::system_warning;
@@ -14,11 +14,12 @@ use heavytop::methods::{Formulation, Scheme};
 use lie_poisson::Vector;
 use lie_poisson_formula_systems::{FormulaSystem, SystemMethod, SystemSection, SystemTask};
 use lie_poisson_formulas::Formula;
+use serde_json::{Map, Value};
 
 /// The section of a system, and how its points are computed.
 #[derive(Clone, Debug, PartialEq)]
 pub(in crate::commands::section) struct SystemProblem {
-    pub section: SystemSection,
+    section: SystemSection,
     method: SystemMethod,
     /// The initial state of `[system]`, whose invariants are those of the section.
     initial: Vec<f64>,
@@ -60,12 +61,7 @@ impl SystemProblem {
         if let (Some(level), Some(energy)) = (levels.first_mut(), settings.energy) {
             *level = energy;
         }
-        let reduced =
-            SystemMethod::formulations(&algebra).any(|other| other == Formulation::Reduced);
-        let formulation = match reduced {
-            true => Formulation::Reduced,
-            false => SystemMethod::default_formulation(&algebra),
-        };
+        let formulation = SystemConfig::formulation_of_many(&algebra);
         let own = Integration { formulation, scheme: Scheme::Gauss(4), ..Integration::default() };
         let Integration { formulation, scheme, tolerance, .. } = config.integrator.or(own);
         let method = SystemMethod::new(&algebra, formulation, scheme, tolerance)?;
@@ -163,6 +159,32 @@ impl Problem for SystemProblem {
             false => invariants(start),
         };
         invariants(state).iter().zip(levels).map(|(value, level)| (value - level).abs()).collect()
+    }
+
+    fn title(&self) -> String {
+        let (section, system) = (&self.section, self.system());
+        let names = self.conserved();
+        let formulas = std::iter::once(system.hamiltonian()).chain(system.casimirs());
+        let formulas = names.iter().zip(formulas).map(|(name, text)| format!("{name} = {text}"));
+        let formulas = formulas.collect::<Vec<_>>().join("; ");
+        format!("{formulas}; on {} = {}", section.surface(), section.level())
+    }
+
+    fn summary(&self, deviations: &[f64]) -> Map<String, Value> {
+        let (section, system, names) = (&self.section, self.system(), self.conserved());
+        let casimirs = system.casimirs().iter().map(|casimir| casimir.to_string().into());
+        let casimirs = names.iter().skip(1).cloned().zip(casimirs).collect();
+        let deviations = deviations.iter().map(|&deviation| deviation.into());
+        let deviations = names.iter().cloned().zip(deviations).collect();
+        let keys = [
+            ("algebra", system.algebra().name().into()),
+            ("hamiltonian", system.hamiltonian().to_string().into()),
+            ("casimirs", Value::Object(casimirs)),
+            ("surface", section.surface().to_string().into()),
+            ("level", section.level().into()),
+            ("deviations", Value::Object(deviations)),
+        ];
+        keys.into_iter().map(|(key, value)| (key.to_owned(), value)).collect()
     }
 
     fn drawing(&self, limits: &Limits) -> Drawing {

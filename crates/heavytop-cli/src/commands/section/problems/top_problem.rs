@@ -12,6 +12,7 @@ use collective_integrators::{Direction, Start};
 use heavytop::methods::{Formulation, Method, Scheme, Task};
 use heavytop::{Coordinate, EnergyLevel, HeavyTop, Invariant, Section, Surface};
 use lie_poisson::{Se3Dual, Vector};
+use serde_json::{Map, Value};
 
 /// The largest turn of any body on the energy level in one step, rad, if the configuration gives no step. The Gauss
 /// method of order 8 then conserves the energy to a relative error of some 1e-11.
@@ -20,7 +21,7 @@ const TURN: f64 = 0.5;
 /// The section of an energy level of a top, and how its points are computed.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(in crate::commands::section) struct TopProblem {
-    pub section: Section,
+    section: Section,
     method: Method,
 }
 
@@ -119,6 +120,20 @@ impl Problem for TopProblem {
         let mu = state(numbers);
         let deviation = |(f, value): (Invariant, f64)| (f.value(&level.top, &mu) - value).abs();
         expected.map(deviation).to_vec()
+    }
+
+    fn title(&self) -> String {
+        let EnergyLevel { energy, vertical_momentum, .. } = self.section.level();
+        let [energy, vertical_momentum] = [*energy, *vertical_momentum].map(number);
+        format!("h = {energy} J, Pi.Gamma = {vertical_momentum} kg m²/s")
+    }
+
+    fn summary(&self, deviations: &[f64]) -> Map<String, Value> {
+        let EnergyLevel { energy, vertical_momentum, .. } = *self.section.level();
+        let level = [("energy", energy), ("vertical_momentum", vertical_momentum)];
+        let level = level.map(|(name, value)| (name.to_owned(), value));
+        let deviations = self.conserved().into_iter().zip(deviations.iter().copied());
+        level.into_iter().chain(deviations).map(|(name, value)| (name, value.into())).collect()
     }
 
     fn drawing(&self, limits: &Limits) -> Drawing {

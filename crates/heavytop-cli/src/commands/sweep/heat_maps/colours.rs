@@ -6,7 +6,7 @@ use crate::pictures::colour_scale::colour;
 use crate::pictures::{Axis, Scale};
 use resvg::tiny_skia::{ColorU8, Pixmap};
 
-/// The colour of tops without a value.
+/// The colour of what has no value.
 pub(super) const NONE: u8 = 190;
 
 /// The fraction of the values, at either end, that may lie outside the range of colours.
@@ -43,9 +43,9 @@ fn is_megno(column: &Column) -> bool {
 /// Returns the scale of the bar of colours. MEGNO has a line at regular motion.
 pub(super) fn bar_scale(column: &Column, [least, most]: [f64; 2]) -> Scale {
     if !column.is_logarithmic {
-        return Scale::linear(&Axis::new(least, most, 6), column.label, false);
+        return Scale::linear(&Axis::new(least, most, 6), &column.label, false);
     }
-    let scale = Scale::logarithmic([least, most], column.label);
+    let scale = Scale::logarithmic([least, most], &column.label);
     if is_megno(column) {
         // Labels are some 4 % of the bar high.
         scale.with_line((REGULAR.log10() - least) / (most - least), "2 (regular)", 0.05)
@@ -62,7 +62,7 @@ pub(super) fn pixels(
     range: Option<[f64; 2]>,
 ) -> Result<Vec<u8>, Error> {
     let mut picture = Pixmap::new(width, height)
-        .ok_or_else(|| Error::Figure(format!("{width} × {height} tops are too many")))?;
+        .ok_or_else(|| Error::Figure(format!("{width} × {height} pixels are too many")))?;
     let [least, most] = range.unwrap_or([0.0, 1.0]);
     for (pixel, value) in picture.pixels_mut().iter_mut().zip(values) {
         let [red, green, blue] =

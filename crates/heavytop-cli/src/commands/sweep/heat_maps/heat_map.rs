@@ -1,7 +1,6 @@
 //! The heat map of a grid with two axes, as SVG.
 
 use super::colours::{NONE, bar_scale, pixels, range};
-use super::fixed_values::fixed_values;
 use crate::Error;
 use crate::commands::sweep::sweep_plan::Plan;
 use crate::configuration::{Column, Spread, SweepAxis};
@@ -16,15 +15,15 @@ use std::fmt::Write;
 /// The smallest number whose logarithm is distinguished, relative to the largest number of the map.
 const SMALLEST: f64 = 1e-16;
 
-/// The largest number of tops of a map; more would have more pixels than a screen, and take gigabytes.
-const MOST_TOPS: u64 = 1 << 24;
+/// The largest number of values of a map; more would have more pixels than a screen, and take gigabytes.
+const MOST_VALUES: u64 = 1 << 24;
 
 /// Returns the number of columns and rows of a sweep's maps; `None` unless the sweep is a grid with two axes.
 pub(in crate::commands::sweep) fn size(plan: &Plan) -> Option<[u32; 2]> {
     let [first, second] = plan.axes.as_slice() else { return None };
     match (first.spread, second.spread) {
         (Spread::Grid { count: columns, .. }, Spread::Grid { count: rows, .. })
-            if plan.tops <= MOST_TOPS =>
+            if plan.members <= MOST_VALUES =>
         {
             Some([columns, rows])
         }
@@ -32,7 +31,7 @@ pub(in crate::commands::sweep) fn size(plan: &Plan) -> Option<[u32; 2]> {
     }
 }
 
-/// Draws the values over the plane of the two axes; the sweep has maps of this size. So many tops could not be followed.
+/// Draws the values over the plane of the two axes; the sweep has maps of this size. So many members could not be followed.
 ///
 /// # Errors
 /// If the map cannot be drawn.
@@ -46,7 +45,8 @@ pub(in crate::commands::sweep) fn heat_map(
     let numbers = values.iter().flatten().copied().filter(|value| value.is_finite());
     let smallest = SMALLEST * numbers.fold(0.0, f64::max);
     // Where all is zero there are no logarithms.
-    let column = &Column { is_logarithmic: column.is_logarithmic && smallest > 0.0, ..*column };
+    let is_logarithmic = column.is_logarithmic && smallest > 0.0;
+    let column = &Column { is_logarithmic, ..column.clone() };
     let scaled =
         |value: f64| if column.is_logarithmic { value.max(smallest).log10() } else { value };
     let finite = |value: &Option<f64>| value.map(scaled).filter(|value| value.is_finite());
@@ -59,16 +59,17 @@ pub(in crate::commands::sweep) fn heat_map(
     let cells: Vec<Option<f64>> =
         from_top.map(|index| scaled.get(index).copied().flatten()).collect();
 
-    let [first, second] = plan.axes.as_slice() else {
+    let labels = plan.family.labels();
+    let ([first, second], [along, upward]) = (plan.axes.as_slice(), labels.as_slice()) else {
         return Err(Error::Figure("a heat map needs two axes".into()));
     };
     let (low, high) = ends(second);
     let ordinate = Axis::new(low, high, 5);
-    let ordinate = Scale::linear(&ordinate, &second.parameter.label(), is_reversed(second));
+    let ordinate = Scale::linear(&ordinate, upward, is_reversed(second));
     let frame = Frame::new(&words(plan), ordinate, range.map(|range| bar_scale(column, range)));
     let (low, high) = ends(first);
     let abscissa = Axis::along_line(low, high, 5, frame.length());
-    let abscissa = Scale::linear(&abscissa, &first.parameter.label(), is_reversed(first));
+    let abscissa = Scale::linear(&abscissa, along, is_reversed(first));
 
     let mut svg = Frame::begin();
     image(&mut svg, &frame, (frame.left, frame.right), &pixels(columns, rows, &cells, range)?);
@@ -80,21 +81,21 @@ pub(in crate::commands::sweep) fn heat_map(
             key(&mut svg, missing);
         }
     } else {
-        blank(&mut svg, &frame, column, failed, plan.tops);
+        blank(&mut svg, &frame, column, (failed, plan));
     }
     frame.draw(&mut svg, &abscissa);
     Ok(svg + "</svg>")
 }
 
-/// Returns the parts of the caption: how many tops, by which method, and what all of them share.
+/// Returns the parts of the caption: how many members, by which method, and what all of them share.
 fn words(plan: &Plan) -> Vec<String> {
-    let (step, end) = (plan.schedule.step, number(plan.schedule.end()));
+    let (schedule, (formulation, scheme)) = (plan.course.schedule, plan.family.method());
     let mut parts = vec![
-        format!("{} tops", plan.tops),
-        caption::method(plan.method.formulation(), plan.method.scheme(), step),
-        format!("0 to {end} s"),
+        format!("{} {}", plan.members, plan.nouns()),
+        caption::method(formulation, scheme, schedule.step),
+        format!("0 to {} s", number(schedule.end())),
     ];
-    parts.extend(fixed_values(&plan.body, &plan.initial, &plan.axes));
+    parts.extend(plan.family.shared());
     parts
 }
 
@@ -126,7 +127,7 @@ fn image(svg: &mut String, frame: &Frame, (left, right): (f64, f64), png: &[u8])
     );
 }
 
-/// Explains the colour of tops without a value, below the bar of colours.
+/// Explains the colour of what has no value, below the bar of colours.
 fn key(svg: &mut String, missing: usize) {
     let label = format!("no value: {missing}");
     let (right, y) = (WIDTH - EDGE, HEIGHT - 2.0 * EDGE);
@@ -140,12 +141,13 @@ fn key(svg: &mut String, missing: usize) {
 }
 
 /// Says in a map without values why it is blank.
-fn blank(svg: &mut String, frame: &Frame, column: &Column, failed: u64, tops: u64) {
+fn blank(svg: &mut String, frame: &Frame, column: &Column, (failed, plan): (u64, &Plan)) {
     let (x, y) = ((frame.left + frame.right) / 2.0, (frame.top + frame.bottom) / 2.0);
+    let [noun, nouns] = plan.family.nouns();
     let lines = [
-        "No top has a value of".to_owned(),
-        column.label.to_owned(),
-        format!("{failed} of {tops} tops could not be followed"),
+        format!("No {noun} has a value of"),
+        column.label.clone(),
+        format!("{failed} of {} {nouns} could not be followed", plan.members),
         "sweep.parquet has the reasons".to_owned(),
     ];
     for (row, line) in lines.iter().enumerate() {
@@ -172,7 +174,7 @@ mod tests {
             2.5 * size,
         );
         let plan = Plan::new(&toml::from_str(&text).unwrap()).unwrap();
-        let column = plan.columns().next().unwrap();
+        let column = plan.columns.first().unwrap();
         let failed = values.iter().filter(|value| value.is_none()).count() as u64;
         let drawing = heat_map(&plan, [3, 3], column, values, failed).unwrap();
         let texts = boxes(&drawing).into_iter().map(|(text, _)| text).collect();
@@ -198,10 +200,7 @@ mod tests {
                     let found = collisions(&drawing, (WIDTH, HEIGHT));
                     assert_eq!(found, [""; 0], "{size} {observable} {texts:?}");
                     let has = |part: &str| texts.iter().any(|text| text.contains(part));
-                    assert!(
-                        has("9 tops; ") && has("step 0.02 s") && has("0 to 100 s"),
-                        "{texts:?}"
-                    );
+                    assert!(has("9 tops; ") && has("step 0.1 s") && has("0 to 100 s"), "{texts:?}");
                     assert!(has("Γ(0) = (0.5, 0, 0.866025)"), "{texts:?}");
                 }
             }
@@ -211,6 +210,43 @@ mod tests {
         {
             assert!(texts.iter().any(|found| found == text), "{text}: {texts:?}");
         }
+    }
+
+    #[test]
+    fn the_map_of_a_system_tells_what_all_runs_share() {
+        let text = "[system]\nalgebra = 'se(3)'\n\
+            hamiltonian = 'Pi1^2/I1 + Pi2^2/I2 + Pi3^2/I3 + k*c·Gamma'\n\
+            parameters = { I = [1, 2, 3], c = [0, 0, 1], k = 0.25 }\n\
+            initial = { Pi = [1, 0.5, 0.3], Gamma = [0.6, 0, 0.8] }\n\
+            [sweep]\nobservables = ['invariant-drift']\naxes = [\
+            { parameter = 'system.parameters.I[1]', from = 1, to = 3, count = 3 }, \
+            { parameter = 'system.initial.Gamma[0]', from = 0, to = 1, count = 3 }]";
+        let plan = Plan::new(&toml::from_str(text).unwrap()).unwrap();
+        let names: Vec<&str> = plan.columns.iter().map(|column| &*column.name).collect();
+        assert_eq!(names, ["drift_h", "drift_c1", "drift_c2"]);
+        let drawing = heat_map(&plan, [3, 3], &plan.columns[1], &with(VALUES), 0).unwrap();
+        assert_eq!(collisions(&drawing, (WIDTH, HEIGHT)), [""; 0]);
+        let texts: Vec<String> = boxes(&drawing).into_iter().map(|(text, _)| text).collect();
+        let caption = texts.join("; ");
+        for part in [
+            "9 runs",
+            "reduced, gauss-8, step 0.1 s",
+            "c1 = Pi·Gamma",
+            "c2 = |Gamma|^2",
+            "I = (1, I2, 3)",
+            "c = (0, 0, 1)",
+            "k = 0.25",
+            "Pi(0) = (1, 0.5, 0.3)",
+            "Gamma(0) = (Gamma1, 0, 0.8)",
+        ] {
+            assert!(caption.contains(part), "{part}: {caption}");
+        }
+        for title in ["I2", "Gamma1(0)", "deviation of c1"] {
+            assert!(texts.iter().any(|text| text == title), "{title}: {texts:?}");
+        }
+        let blank = heat_map(&plan, [3, 3], &plan.columns[0], &[None; 9], 9).unwrap();
+        let texts: Vec<String> = boxes(&blank).into_iter().map(|(text, _)| text).collect();
+        assert!(texts.iter().any(|text| text == "9 of 9 runs could not be followed"), "{texts:?}");
     }
 
     #[test]

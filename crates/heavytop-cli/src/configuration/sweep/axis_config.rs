@@ -1,27 +1,12 @@
-//! The table `[sweep]`: which tops, and which observables of them.
+//! The table `[[sweep.axes]]`: a number that varies, and how.
 
-use super::observable::Observable;
-use super::parameter::{Parameter, Part};
+use super::parameter::Parameter;
 use crate::errors::SweepError;
 use crate::vocabulary::brief::number;
 use serde::{Deserialize, Serialize};
 
-/// The table `[sweep]`: which tops, and which observables of them.
-#[derive(Clone, Debug, PartialEq, Deserialize, Serialize)]
-#[serde(default, deny_unknown_fields)]
-pub struct SweepConfig {
-    /// The quantities that are measured for each top.
-    pub observables: Vec<Observable>,
-    /// The number of tops, where the axes are random.
-    pub count: Option<u32>,
-    /// The seed of the random numbers.
-    pub seed: u64,
-    /// The parameters that are varied, and how.
-    pub axes: Vec<AxisConfig>,
-}
-
 /// The table `[[sweep.axes]]`: a grid by `from`, `to` and `count`, or random values by `uniform` or `normal`.
-#[derive(Clone, Copy, Debug, PartialEq, Deserialize, Serialize)]
+#[derive(Clone, Debug, PartialEq, Deserialize, Serialize)]
 #[serde(deny_unknown_fields)]
 pub struct AxisConfig {
     /// The parameter that is varied.
@@ -41,23 +26,6 @@ pub struct AxisConfig {
     pub normalise: bool,
 }
 
-/// Returns a grid of 32 × 32 angular momenta.
-impl Default for SweepConfig {
-    fn default() -> Self {
-        let axis = |i| AxisConfig {
-            parameter: Parameter::AngularMomentum(i),
-            from: Some(-4.0),
-            to: Some(4.0),
-            count: Some(32),
-            uniform: None,
-            normal: None,
-            normalise: false,
-        };
-        let axes = vec![axis(0), axis(2)];
-        Self { observables: vec![Observable::Megno], count: None, seed: 0, axes }
-    }
-}
-
 /// The rule by which the values of an axis are chosen.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(crate) enum Spread {
@@ -67,7 +35,7 @@ pub(crate) enum Spread {
 }
 
 /// An axis of a sweep that has been checked.
-#[derive(Clone, Copy, Debug, PartialEq)]
+#[derive(Clone, Debug, PartialEq)]
 pub(crate) struct SweepAxis {
     pub parameter: Parameter,
     pub spread: Spread,
@@ -80,7 +48,7 @@ impl AxisConfig {
     /// # Errors
     /// If it does not have exactly the keys of one kind, with finite numbers.
     pub(crate) fn axis(&self) -> Result<SweepAxis, SweepError> {
-        let Self { parameter, from, to, count, uniform, normal, normalise } = *self;
+        let Self { ref parameter, from, to, count, uniform, normal, normalise } = *self;
         let wrong = |needs: String| SweepError::Axis { parameter: parameter.name(), needs };
         let spread = match (from, to, count, uniform, normal) {
             (Some(from), Some(to), Some(count), None, None) => Spread::Grid { from, to, count },
@@ -105,10 +73,11 @@ impl AxisConfig {
             }
             _ => {}
         }
-        if normalise && !parameter.is_component() {
+        let is_component = matches!(parameter, Parameter::Top(top) if top.is_component());
+        if normalise && !is_component {
             return Err(wrong("no normalise: it is not a component of a unit vector".into()));
         }
-        Ok(SweepAxis { parameter, spread, normalise })
+        Ok(SweepAxis { parameter: parameter.clone(), spread, normalise })
     }
 }
 
@@ -116,19 +85,5 @@ impl SweepAxis {
     /// Returns whether the values are a grid.
     pub fn is_grid(&self) -> bool {
         matches!(self.spread, Spread::Grid { .. })
-    }
-
-    /// Returns whether two axes contradict each other: one sets an angle of a vector, the other a component of it.
-    pub fn clashes(&self, other: &Self) -> bool {
-        let components = |one, other| {
-            matches!((one, other), (Part::Component(_), Part::Inclination | Part::Azimuth))
-        };
-        let either = |a, b| components(a, b) || components(b, a);
-        self.parameter == other.parameter
-            || match (self.parameter, other.parameter) {
-                (Parameter::CenterOfMass(a), Parameter::CenterOfMass(b))
-                | (Parameter::Vertical(a), Parameter::Vertical(b)) => either(a, b),
-                _ => false,
-            }
     }
 }

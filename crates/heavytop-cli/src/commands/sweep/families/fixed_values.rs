@@ -1,38 +1,38 @@
-//! The values of a sweep that no axis changes, in the words of a caption.
+//! The values of a family of tops that no axis changes, in the words of a caption.
 
-use crate::configuration::{BodyConfig, InitialConfig, Parameter, Part, SweepAxis};
-use crate::pictures::caption::number;
+use crate::configuration::{BodyConfig, InitialConfig, Part, TopParameter};
+use crate::pictures::caption::{number, vector_of};
 
-/// Returns the numbers of `[body]` and `[initial]` that all tops share. A vector has the symbols of the components that
-/// an axis changes.
+/// Returns the numbers of `[body]` and `[initial]` that all tops share, where `changed` tells which ones an axis changes.
+/// A vector has the symbols of the components that change.
 pub(super) fn fixed_values(
     body: &BodyConfig,
     initial: &InitialConfig,
-    axes: &[SweepAxis],
+    changed: impl Fn(TopParameter) -> bool,
 ) -> Vec<String> {
-    let changed = |parameter| axes.iter().any(|axis| axis.parameter == parameter);
     let mut values = Vec::new();
-    values.extend(vector("I", "I", body.inertia, " kg m²", |i| changed(Parameter::Inertia(i))));
+    values.extend(vector("I", "I", body.inertia, " kg m²", |i| changed(TopParameter::Inertia(i))));
     for (symbol, value, unit, parameter) in [
-        ("m", body.mass, "kg", Parameter::Mass),
-        ("g", body.gravity, "m/s²", Parameter::Gravity),
-        ("l", body.length, "m", Parameter::Length),
+        ("m", body.mass, "kg", TopParameter::Mass),
+        ("g", body.gravity, "m/s²", TopParameter::Gravity),
+        ("l", body.length, "m", TopParameter::Length),
     ] {
         if !changed(parameter) {
             values.push(format!("{symbol} = {} {unit}", number(value)));
         }
     }
-    values
-        .extend(direction("c", "c", body.center(), |part| changed(Parameter::CenterOfMass(part))));
+    values.extend(direction("c", "c", body.center(), |part| {
+        changed(TopParameter::CenterOfMass(part))
+    }));
     values.extend(match initial.angular_velocity {
         // Π(0) = I Ω(0) differs from top to top if the moments do.
         Some(velocity) => vector("Ω(0)", "Ω", velocity, " rad/s", |_| false),
         None => vector("Π(0)", "Π", initial.angular_momentum, " kg m²/s", |i| {
-            changed(Parameter::AngularMomentum(i))
+            changed(TopParameter::AngularMomentum(i))
         }),
     });
     values.extend(direction("Γ(0)", "Γ", initial.direction(), |part| {
-        changed(Parameter::Vertical(part))
+        changed(TopParameter::Vertical(part))
     }));
     values
 }
@@ -45,12 +45,8 @@ fn vector(
     unit: &str,
     changed: impl Fn(usize) -> bool,
 ) -> Option<String> {
-    let component = |i: usize| match changed(i) {
-        true => format!("{symbol}{}", ["₁", "₂", "₃"][i]),
-        false => number(components[i]),
-    };
-    let text = format!("{name} = ({}){unit}", [0, 1, 2].map(component).join(", "));
-    (0..3).any(|i| !changed(i)).then_some(text)
+    let symbol = |i: usize| changed(i).then(|| format!("{symbol}{}", ["₁", "₂", "₃"][i]));
+    vector_of(name, &components, symbol).map(|text| text + unit)
 }
 
 /// Returns what a unit vector keeps: components, or the angle that does not change.
@@ -76,7 +72,7 @@ mod tests {
     #[test]
     fn what_plays_no_part_is_not_told() {
         let body = BodyConfig { center_of_mass: [3.0, 0.0, 4.0], ..BodyConfig::default() };
-        let told = |body: BodyConfig, initial| fixed_values(&body, &initial, &[]).join("; ");
+        let told = |body: BodyConfig, initial| fixed_values(&body, &initial, |_| false).join("; ");
         let plain = told(body, InitialConfig::default());
         assert!(
             plain.contains("c = (3, 0, 4)") && plain.contains("Π(0) = (2, 3, 4) kg m²/s"),

@@ -1,13 +1,13 @@
-//! The parameters that a sweep may vary.
+//! The numbers of a top that a sweep may vary.
 
-use super::top_config::{BodyConfig, InitialConfig, angles, normalised, unit_vector};
+use crate::configuration::top_config::{
+    BodyConfig, InitialConfig, angles, normalised, unit_vector,
+};
 use crate::vocabulary::named::{by_name, name_of};
-use serde::{Deserialize, Serialize};
 
-/// A number of `[body]` or `[initial]`, named by its path in the configuration.
-#[derive(Clone, Copy, Debug, PartialEq, Eq, Deserialize, Serialize)]
-#[serde(try_from = "String", into = "&'static str")]
-pub enum Parameter {
+/// A number of `[body]` or `[initial]`.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum TopParameter {
     /// A principal moment of inertia, `body.inertia[i]`.
     Inertia(usize),
     /// The mass of the top, `body.mass`.
@@ -37,7 +37,7 @@ pub enum Part {
 
 use Part::{Azimuth, Component, Inclination};
 
-impl Parameter {
+impl TopParameter {
     const NAMES: &[(&'static str, Self)] = &[
         ("body.inertia[0]", Self::Inertia(0)),
         ("body.inertia[1]", Self::Inertia(1)),
@@ -60,7 +60,15 @@ impl Parameter {
         ("initial.vertical.azimuth", Self::Vertical(Azimuth)),
     ];
 
-    /// Returns the path in the configuration, which is also the name of the column.
+    /// Returns the parameter with this path in the configuration.
+    ///
+    /// # Errors
+    /// Returns a message with the paths that there are.
+    pub(super) fn by_name(name: &str) -> Result<Self, String> {
+        by_name("parameter", Self::NAMES, name)
+    }
+
+    /// Returns the path in the configuration.
     #[must_use]
     pub fn name(self) -> &'static str {
         name_of(Self::NAMES, self)
@@ -111,6 +119,20 @@ impl Parameter {
         matches!(self, Self::CenterOfMass(Azimuth) | Self::Vertical(Azimuth))
     }
 
+    /// Returns whether two parameters contradict each other: they are one, or one is an angle of a vector and the other
+    /// a component of it.
+    #[must_use]
+    pub fn clashes(self, other: Self) -> bool {
+        let components = |one, other| matches!((one, other), (Component(_), Inclination | Azimuth));
+        let either = |a, b| components(a, b) || components(b, a);
+        self == other
+            || match (self, other) {
+                (Self::CenterOfMass(a), Self::CenterOfMass(b))
+                | (Self::Vertical(a), Self::Vertical(b)) => either(a, b),
+                _ => false,
+            }
+    }
+
     /// Sets the parameter to a value.
     pub fn set(self, value: f64, body: &mut BodyConfig, initial: &mut InitialConfig) {
         let put = |vector: &mut [f64; 3], i: usize| {
@@ -148,20 +170,6 @@ impl Parameter {
     }
 }
 
-impl From<Parameter> for &'static str {
-    fn from(parameter: Parameter) -> Self {
-        parameter.name()
-    }
-}
-
-impl TryFrom<String> for Parameter {
-    type Error = String;
-
-    fn try_from(name: String) -> Result<Self, String> {
-        by_name("parameter", Self::NAMES, &name)
-    }
-}
-
 #[cfg(test)]
 #[allow(clippy::unwrap_used)]
 mod tests {
@@ -169,27 +177,27 @@ mod tests {
 
     #[test]
     fn every_path_sets_its_number_and_no_other() {
-        for &(name, parameter) in Parameter::NAMES {
-            assert_eq!(Parameter::try_from(name.to_string()).unwrap(), parameter);
+        for &(name, parameter) in TopParameter::NAMES {
+            assert_eq!(TopParameter::by_name(name).unwrap(), parameter);
             let (mut body, mut initial) = (BodyConfig::default(), InitialConfig::default());
             parameter.set(0.3, &mut body, &mut initial);
             assert_eq!(body != BodyConfig::default(), parameter.is_of_body(), "{name}");
             assert_eq!(initial != InitialConfig::default(), !parameter.is_of_body(), "{name}");
             let [inclination, azimuth] = angles(&initial.vertical);
             match parameter {
-                Parameter::Vertical(Inclination) => assert!((inclination - 0.3).abs() < 1e-15),
-                Parameter::Vertical(Azimuth) => assert!((azimuth - 0.3).abs() < 1e-15),
-                Parameter::Vertical(Component(i)) => assert_eq!(initial.vertical[i], 0.3),
+                TopParameter::Vertical(Inclination) => assert!((inclination - 0.3).abs() < 1e-15),
+                TopParameter::Vertical(Azimuth) => assert!((azimuth - 0.3).abs() < 1e-15),
+                TopParameter::Vertical(Component(i)) => assert_eq!(initial.vertical[i], 0.3),
                 _ => {}
             }
         }
-        assert!(Parameter::try_from("body.inertia[3]".to_string()).is_err());
+        assert!(TopParameter::by_name("body.inertia[3]").is_err());
     }
 
     #[test]
     fn vectors_are_scaled_only_when_asked() {
         let (mut body, mut initial) = (BodyConfig::default(), InitialConfig::default());
-        let parameter = Parameter::CenterOfMass(Component(1));
+        let parameter = TopParameter::CenterOfMass(Component(1));
         parameter.set(0.75, &mut body, &mut initial);
         assert_eq!(body.center_of_mass, [1.0, 0.75, 0.0]);
         parameter.normalise(&mut body, &mut initial);

@@ -1,7 +1,7 @@
 //! The table of a sweep as a Parquet file.
 
 use super::measured_row::Row;
-use super::sweep_plan::Plan;
+use super::sweep_plan::{FAILURE, INDEX, Plan};
 use crate::Error;
 use crate::files::{Output, Place};
 use crate::formats::Metadata;
@@ -13,11 +13,11 @@ use parquet::file::writer::SerializedFileWriter;
 use parquet::schema::types::Type;
 use std::path::{Path, PathBuf};
 
-/// The table with `index`, the parameters, the observables and `failure` of each top.
+/// The table with `index`, the parameters, the observables and `failure` of each member.
 ///
 /// The observables and `failure` may be null. The configuration is in the file's metadata. Rows are written in
 /// groups, and no more than a group of them is held in memory.
-pub(super) struct TopTable<'a> {
+pub(super) struct MemberTable<'a> {
     plan: &'a Plan,
     path: PathBuf,
     file: SerializedFileWriter<Output>,
@@ -26,7 +26,7 @@ pub(super) struct TopTable<'a> {
     rows: Vec<Row>,
 }
 
-impl<'a> TopTable<'a> {
+impl<'a> MemberTable<'a> {
     /// Creates the table without rows.
     ///
     /// # Errors
@@ -93,7 +93,7 @@ impl<'a> TopTable<'a> {
             let values: Vec<f64> = indices.clone().filter_map(value).collect();
             write_column::<DoubleType>(&mut group, &values, None)?;
         }
-        for column in 0..plan.columns().count() {
+        for column in 0..plan.columns.len() {
             let cells = || rows.iter().map(|row| row.value(column));
             let values: Vec<f64> = cells().flatten().collect();
             let present: Vec<i16> = cells().map(|cell| i16::from(cell.is_some())).collect();
@@ -113,12 +113,13 @@ fn failed(path: &Path, source: ParquetError) -> Error {
 }
 
 fn fields(plan: &Plan) -> Result<Vec<Type>> {
-    let axes = plan.axes.iter().map(|axis| required(axis.parameter.name(), PhysicalType::DOUBLE));
+    let axes = plan.axes.iter().map(|axis| required(&axis.parameter.name(), PhysicalType::DOUBLE));
     // A column is optional unless it is declared otherwise.
     let optional = |name, kind| Type::primitive_type_builder(name, kind);
-    let columns = plan.columns().map(|column| optional(column.name, PhysicalType::DOUBLE).build());
-    let failure = optional("failure", PhysicalType::BYTE_ARRAY);
+    let columns = plan.columns.iter();
+    let columns = columns.map(|column| optional(&column.name, PhysicalType::DOUBLE).build());
+    let failure = optional(FAILURE, PhysicalType::BYTE_ARRAY);
     let failure = failure.with_logical_type(Some(LogicalType::String)).build();
-    let index = required("index", PhysicalType::INT64);
+    let index = required(INDEX, PhysicalType::INT64);
     [index].into_iter().chain(axes).chain(columns).chain([failure]).collect()
 }

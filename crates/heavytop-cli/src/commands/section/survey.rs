@@ -1,12 +1,12 @@
 //! A survey of all orbits before they are drawn.
 
-use crate::commands::section::orbit::Orbit;
-use crate::commands::section::settings::Settings;
+use super::orbit::Orbit;
+use super::settings::Settings;
 use lie_poisson::larger;
 
 /// Sums and extremes over the orbits so far.
 #[derive(Clone, Debug, PartialEq)]
-pub(in crate::commands::section) struct Survey {
+pub(super) struct Survey {
     /// The number of points, the starts included.
     pub points: usize,
     /// The number of starts that have fewer returns than were asked for.

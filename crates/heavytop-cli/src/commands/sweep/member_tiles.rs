@@ -1,9 +1,8 @@
-//! The tops of a sweep, computed in tiles that outlast an interruption.
+//! The members of a sweep, computed in tiles that outlast an interruption.
 
 use super::measured_row::{Row, measure};
 use super::sweep_plan::Plan;
 use crate::Error;
-use crate::configuration::Config;
 use crate::supervision::tiled_run::interrupted;
 use crate::supervision::{TileOptions, Tiles};
 use rayon::prelude::*;
@@ -11,40 +10,40 @@ use std::fmt::Write;
 use std::ops::Range;
 use std::path::Path;
 
-/// The number of tops in a tile. No bit depends on it.
+/// The number of members in a tile. No bit depends on it.
 const TILE: u64 = 256;
 
-/// The tops of a sweep, which are followed tile by tile.
+/// The members of a sweep, which are followed tile by tile.
 ///
-/// A tile has a line for each top: the values, separated by commas, nothing where there is none; a
+/// A tile has a line for each member: the values, separated by commas, nothing where there is none; a
 /// tab; the failure.
 #[derive(Debug)]
-pub(super) struct Tops<'a> {
+pub(super) struct Members<'a> {
     plan: &'a Plan,
     pub tiles: Tiles,
 }
 
-impl<'a> Tops<'a> {
-    /// Creates the tiles of the plan below the folder `out`, for the configuration of the plan.
+impl<'a> Members<'a> {
+    /// Creates the tiles of the plan below the folder `out`.
     ///
     /// # Errors
-    /// As [`Config::to_toml`].
-    pub fn new(plan: &'a Plan, config: &Config, out: &Path) -> Result<Self, Error> {
-        Ok(Self { plan, tiles: Tiles::new(out.join("sweep.partial"), config)? })
+    /// If the configuration cannot be written as TOML.
+    pub fn new(plan: &'a Plan, out: &Path) -> Result<Self, Error> {
+        Ok(Self { plan, tiles: Tiles::new(out.join("sweep.partial"), &plan.config)? })
     }
 
     /// Returns the number of tiles.
     pub fn count(&self) -> u64 {
-        self.plan.tops.div_ceil(TILE)
+        self.plan.members.div_ceil(TILE)
     }
 
-    /// Returns the numbers of the tops of a tile.
-    pub fn tops(&self, tile: u64) -> Range<u64> {
+    /// Returns the numbers of the members of a tile.
+    pub fn numbers(&self, tile: u64) -> Range<u64> {
         let first = tile * TILE;
-        first..self.plan.tops.min(first + TILE)
+        first..self.plan.members.min(first + TILE)
     }
 
-    /// Follows the tops of a tile on all threads and keeps their rows, unless the tile is finished already.
+    /// Follows the members of a tile on all threads and keeps their rows, unless the tile is finished already.
     ///
     /// # Errors
     /// If the run was stopped, or the tile cannot be written.
@@ -53,7 +52,8 @@ impl<'a> Tops<'a> {
             return Ok(());
         }
         let unless_stopped = |number| (!options.stopped()).then(|| measure(self.plan, number));
-        let rows: Option<Vec<Row>> = self.tops(tile).into_par_iter().map(unless_stopped).collect();
+        let rows: Option<Vec<Row>> =
+            self.numbers(tile).into_par_iter().map(unless_stopped).collect();
         let mut text = String::new();
         for row in rows.ok_or_else(interrupted)? {
             for (index, value) in row.values.iter().enumerate() {
@@ -82,8 +82,8 @@ impl<'a> Tops<'a> {
     fn read(&self, tile: u64) -> Result<Option<Vec<Row>>, Error> {
         let Some(text) = self.tiles.read(tile)? else { return Ok(None) };
         let rows: Option<Vec<Row>> = text.lines().map(|line| self.row(line)).collect();
-        let tops = self.tops(tile);
-        Ok(rows.filter(|rows| rows.len() as u64 == tops.end - tops.start))
+        let numbers = self.numbers(tile);
+        Ok(rows.filter(|rows| rows.len() as u64 == numbers.end - numbers.start))
     }
 
     fn row(&self, line: &str) -> Option<Row> {
@@ -94,6 +94,6 @@ impl<'a> Tops<'a> {
         };
         let values: Vec<Option<f64>> = numbers.split(',').map(number).collect::<Option<_>>()?;
         let failure = (!failure.is_empty()).then(|| failure.to_string());
-        (values.len() == self.plan.columns().count()).then_some(Row { values, failure })
+        (values.len() == self.plan.columns.len()).then_some(Row { values, failure })
     }
 }

@@ -1,0 +1,67 @@
+//! The family of motions that a sweep follows.
+
+use super::course::Course;
+use crate::Error;
+use crate::configuration::{Column, Integration, Observable, SweepAxis};
+use crate::errors::SweepError;
+use heavytop::methods::{Formulation, Scheme};
+use std::fmt::Debug;
+
+/// A family of motions, whose members differ by the values of the axes.
+pub(in crate::commands::sweep) trait Family:
+    Debug + Send + Sync
+{
+    /// Returns the word for a member, and that for several.
+    fn nouns(&self) -> [&'static str; 2];
+
+    /// Returns the method by which the members are followed.
+    fn method(&self) -> (Formulation, Scheme);
+
+    /// Returns a warning for users about what the method does not conserve.
+    fn warning(&self) -> Option<String>;
+
+    /// Returns the columns of an observable.
+    ///
+    /// # Errors
+    /// If the members do not have the observable.
+    fn columns(&self, observable: Observable) -> Result<Vec<Column>, SweepError>;
+
+    /// Returns the symbol of the number that each axis varies, with its unit.
+    fn labels(&self) -> Vec<String>;
+
+    /// Returns what all members share, as parts of a caption.
+    fn shared(&self) -> Vec<String>;
+
+    /// Returns the Casimirs that the table numbers, as formulas.
+    fn casimirs(&self) -> Vec<String>;
+
+    /// Follows the member at these values of the axes, and returns the values of the columns of all observables.
+    ///
+    /// # Errors
+    /// If there is no such member, or it cannot be followed to the end.
+    fn measure(&self, values: &[f64], course: &Course) -> Result<Vec<Option<f64>>, Error>;
+}
+
+/// Returns the integrator of a sweep whose `[integrator]` is empty.
+pub(super) fn own_integration(formulation: Formulation) -> Integration {
+    Integration { formulation, scheme: Scheme::Gauss(4), step: 0.1, ..Integration::default() }
+}
+
+/// Checks that no two axes set the same number, where `clashes` tells of two numbers whether they do.
+///
+/// # Errors
+/// [`SweepError::Clash`] if there are two such axes.
+pub(super) fn require_apart<T>(
+    axes: &[SweepAxis],
+    numbers: &[T],
+    clashes: impl Fn(&T, &T) -> bool,
+) -> Result<(), SweepError> {
+    for (n, (axis, number)) in axes.iter().zip(numbers).enumerate() {
+        let mut before = axes.iter().zip(numbers).take(n);
+        if let Some((other, _)) = before.find(|(_, other)| clashes(other, number)) {
+            let (first, second) = (other.parameter.name(), axis.parameter.name());
+            return Err(SweepError::Clash { first, second });
+        }
+    }
+    Ok(())
+}

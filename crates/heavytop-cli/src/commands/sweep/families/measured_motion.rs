@@ -1,0 +1,119 @@
+//! The measurement of a motion, whatever its integrator.
+
+use super::course::Course;
+use crate::Error;
+use crate::configuration::Observable;
+use collective_integrators::{
+    Integrator, Megno, Start, TangentIntegrator, VariationalError, VariationalFlow,
+    smaller_alignment_index,
+};
+use heavytop::methods::{Formulation, Scheme};
+use lie_poisson::Vector;
+
+/// What is measured of a motion besides its tangent vectors.
+pub(super) trait Gauge<M> {
+    /// Takes notice of the momentum after a step, at a time (s).
+    fn observe(&mut self, time: f64, momentum: &M);
+
+    /// Returns the values of the columns of an observable that needs no tangent vectors, at the end of the motion.
+    fn values(&self, observable: Observable, end: &M) -> Vec<Option<f64>>;
+}
+
+/// Follows the motion from a start, and returns the values of the columns of all observables. `method` is the one of the
+/// integrator; coordinates from `dimension` on are none of the system.
+///
+/// # Errors
+/// If no state represents the start, or the motion cannot be followed to the end.
+pub(super) fn measure<I, G>(
+    integrator: &I,
+    (start, dimension): (&<I as Integrator>::Momentum, usize),
+    gauge: G,
+    course: &Course,
+    (formulation, scheme): (Formulation, Scheme),
+) -> Result<Vec<Option<f64>>, Error>
+where
+    I: Start<State: Vector, Momentum: Vector<Scalar = f64>> + TangentIntegrator,
+    G: Gauge<<I as Integrator>::Momentum>,
+{
+    let state = Start::<f64>::start(integrator, start)?;
+    // A tangent vector costs more than the state: there are as many as the observables need.
+    let measured = match course.tangents() {
+        2 => follow::<I, G, 2>(integrator, (state, dimension), gauge, course),
+        1 => follow::<I, G, 1>(integrator, (state, dimension), gauge, course),
+        _ => follow::<I, G, 0>(integrator, (state, dimension), gauge, course),
+    };
+    measured.map_err(|failure| match failure {
+        VariationalError::Integration(source) => {
+            Error::Integration { formulation: formulation.name(), scheme: scheme.name(), source }
+        }
+        lost => Error::Tangent(lost),
+    })
+}
+
+/// Makes all steps of a motion with K tangent vectors.
+fn follow<I, G, const K: usize>(
+    integrator: &I,
+    (state, dimension): (<I as Integrator>::State, usize),
+    mut gauge: G,
+    course: &Course,
+) -> Result<Vec<Option<f64>>, VariationalError>
+where
+    I: Start<State: Vector, Momentum: Vector<Scalar = f64>> + TangentIntegrator,
+    G: Gauge<<I as Integrator>::Momentum>,
+{
+    let tangents = core::array::from_fn(|number| tangent::<I>(number, dimension));
+    let mut flow = VariationalFlow::<_, K>::new(integrator, state, tangents, course.schedule.step);
+    // Sums of ln(δ_k/δ_{k−1}) over the growth δ of the first tangent vector.
+    let (mut megno, mut growth) = (Megno::default(), 0.0);
+    // Lengths at the start do not count as stretches.
+    flow.normalise()?;
+    while flow.steps() < course.schedule.steps {
+        flow.advance()?;
+        let stretches = flow.normalise()?;
+        gauge.observe(flow.time(), &flow.momentum());
+        if let Some(stretch) = stretches.first() {
+            megno.observe(*stretch);
+            growth += stretch.ln();
+        }
+    }
+    let end = flow.momentum();
+    let values = |observable: &Observable| match observable {
+        Observable::Lyapunov => vec![Some(growth / flow.time())],
+        Observable::Megno => vec![Some(megno.mean())],
+        Observable::Sali => vec![flow.tangents().first_chunk().map(smaller_alignment_index)],
+        other => gauge.values(*other, &end),
+    };
+    Ok(course.observables.iter().flat_map(values).collect())
+}
+
+/// Returns the tangent vector with this number; it has no symmetry, by Weyl's sequence. Where states are momenta, it is
+/// zero along the coordinates that complete the system, which stay zero.
+fn tangent<I>(number: usize, dimension: usize) -> <I as Integrator>::State
+where
+    I: Integrator<State: Vector<Scalar = f64>, Momentum: Vector>,
+{
+    const GOLDEN: f64 = 0.618_033_988_749_894_9;
+    let width = <<I as Integrator>::State as Vector>::DIM;
+    let are_momenta = width == <<I as Integrator>::Momentum as Vector>::DIM;
+    Vector::from_coordinates(|i| match are_momenta && i >= dimension {
+        true => 0.0,
+        false => ((number * width + i + 1) as f64 * GOLDEN).fract() - 0.5,
+    })
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use collective_integrators::{Collective, LiftFree, RungeKutta};
+    use heavytop::{HeavyTop, SpinorRealisation};
+    use momentum_map::DualQuaternions;
+
+    #[test]
+    fn tangent_vectors_are_zero_along_what_completes_a_system() {
+        let momentum = tangent::<LiftFree<RungeKutta, DualQuaternions, HeavyTop>>(1, 4);
+        assert!((0..6).all(|i| (momentum.coordinate(i) == 0.0) == (i >= 4)), "{momentum:?}");
+        // Control: a point of T*C² has no such coordinates.
+        let point = tangent::<Collective<RungeKutta, SpinorRealisation, HeavyTop>>(1, 4);
+        assert!((0..8).all(|i| point.coordinate(i) != 0.0), "{point:?}");
+    }
+}

@@ -1,0 +1,10 @@
+//! What a sweep follows: a family of tops, or of motions of another Lie–Poisson system.
+
+pub(super) mod course;
+pub(super) mod family;
+mod measured_motion;
+mod fixed_values;
+pub(super) mod top_family;
+mod varied_number;
+mod system_gauge;
+pub(super) mod system_family;

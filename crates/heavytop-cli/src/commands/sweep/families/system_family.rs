@@ -1,0 +1,225 @@
+//! A family of motions of a Lie–Poisson system.
+
+use super::course::Course;
+use super::family::{Family, own_integration, require_apart};
+use super::measured_motion::measure;
+use super::system_gauge::SystemGauge;
+use super::varied_number::{VariedNumber, component};
+use crate::Error;
+use crate::configuration::{
+    Column, Config, Integration, Numbers, Observable, Parameter, SweepAxis, SystemConfig,
+};
+use crate::errors::SweepError;
+use crate::pictures::caption::{number, vector_of};
+use crate::runs::method_warning::system_warning;
+use crate::vocabulary::brief;
+use collective_integrators::{Integrator, Start, TangentIntegrator};
+use heavytop::methods::{Formulation, Scheme};
+use lie_poisson::Vector;
+use lie_poisson_formula_systems::{FormulaSystem, SystemMethod, SystemTask};
+
+/// Motions of a system, whose parameters or initial states differ.
+#[derive(Clone, Debug, PartialEq)]
+pub(in crate::commands::sweep) struct SystemFamily {
+    table: SystemConfig,
+    /// The system with the configured parameters.
+    system: FormulaSystem,
+    /// The configured initial state.
+    start: Vec<f64>,
+    /// The number of each axis.
+    numbers: Vec<VariedNumber>,
+    /// Whether all members have the same algebra.
+    has_one_algebra: bool,
+    method: SystemMethod,
+}
+
+impl SystemFamily {
+    /// The observables of systems.
+    const OBSERVABLES: [Observable; 5] = [
+        Observable::FinalState,
+        Observable::InvariantDrift,
+        Observable::Lyapunov,
+        Observable::Megno,
+        Observable::Sali,
+    ];
+
+    /// Reads the motions that the axes describe, and the integrator with what `[integrator]` leaves out.
+    ///
+    /// # Errors
+    /// If there is no system with the configured parameters and initial state, or an axis varies no number of it.
+    pub fn new(
+        table: &SystemConfig,
+        config: &Config,
+        axes: &[SweepAxis],
+    ) -> Result<(Self, Integration), Error> {
+        let system = table.formula_system()?;
+        let (start, algebra) = (table.start(&system)?, system.algebra());
+        let of_axis = |axis: &SweepAxis| match &axis.parameter {
+            Parameter::System(parameter) => {
+                VariedNumber::of(parameter, table, algebra.coordinates())
+            }
+            Parameter::Top(parameter) => Err(SweepError::OfAnother {
+                parameter: parameter.name().into(),
+                of: "a top",
+                has: "vary system.parameters.NAME or system.initial.NAME".into(),
+            }),
+        };
+        let numbers = axes.iter().map(of_axis).collect::<Result<Vec<_>, _>>()?;
+        require_apart(axes, &numbers, |one, other| one == other)?;
+        let varied = numbers.iter().filter_map(VariedNumber::parameter);
+        let has_one_algebra = !table.has_algebra_of(varied);
+        let own = own_integration(SystemConfig::formulation_of_many(algebra));
+        let integration = config.integrator.or(own);
+        let Integration { formulation, scheme, tolerance, .. } = integration;
+        let method = SystemMethod::new(algebra, formulation, scheme, tolerance)?;
+        // Structure constants, which may be a long text, do not vary.
+        let table = SystemConfig { structure_constants: None, ..table.clone() };
+        Ok((Self { table, system, start, numbers, has_one_algebra, method }, integration))
+    }
+
+    /// Returns the system and its initial state at these values of the axes.
+    ///
+    /// # Errors
+    /// If there is no such system, or its Casimirs do not fit the columns.
+    fn member(&self, values: &[f64]) -> Result<(FormulaSystem, Vec<f64>), Error> {
+        let (mut table, mut start) = (self.table.clone(), self.start.clone());
+        for (varied, value) in self.numbers.iter().zip(values) {
+            varied.set(*value, &mut table, &mut start);
+        }
+        let is_same = self.numbers.iter().all(|varied| varied.parameter().is_none());
+        let system = match is_same {
+            true => self.system.clone(),
+            false => table.formula_system_near(&self.system)?,
+        };
+        let (found, expected) = (system.casimirs().len(), self.system.casimirs().len());
+        match found == expected {
+            true => Ok((system, start)),
+            false => Err(SweepError::Casimirs { found, expected }.into()),
+        }
+    }
+
+    /// Returns the names of h and of the Casimirs.
+    fn conserved(&self) -> impl Iterator<Item = String> {
+        let casimirs = (1..=self.system.casimirs().len()).map(|i| format!("c{i}"));
+        ["h".to_owned()].into_iter().chain(casimirs)
+    }
+
+    /// Returns the parameters that all members share, in the words of a caption.
+    fn shared_parameters(&self) -> impl Iterator<Item = String> {
+        self.table.parameters.iter().filter_map(|(name, numbers)| {
+            let is_varied =
+                |index| self.numbers.contains(&VariedNumber::Parameter(name.clone(), index));
+            match numbers {
+                Numbers::One(_) if is_varied(None) => None,
+                Numbers::One(value) => Some(format!("{name} = {}", number(*value))),
+                Numbers::Many(values) => {
+                    let symbol = |i| is_varied(Some(i)).then(|| component(name, i));
+                    vector_of(name, values, symbol)
+                }
+            }
+        })
+    }
+
+    /// Returns the coordinates of the initial state that all members share, in the words of a caption.
+    fn shared_coordinates(&self) -> impl Iterator<Item = String> {
+        let coordinates = self.system.algebra().coordinates();
+        coordinates.groups().filter_map(|(name, places)| {
+            let values = self.start.get(places.clone()).unwrap_or_default();
+            let symbol = |i: usize| {
+                let varied = VariedNumber::Coordinate(places.start + i);
+                self.numbers.contains(&varied).then(|| component(name, i))
+            };
+            match values {
+                [_] if symbol(0).is_some() => None,
+                [value] => Some(format!("{name}(0) = {}", number(*value))),
+                values => vector_of(&format!("{name}(0)"), values, symbol),
+            }
+        })
+    }
+}
+
+impl Family for SystemFamily {
+    fn nouns(&self) -> [&'static str; 2] {
+        ["run", "runs"]
+    }
+
+    fn method(&self) -> (Formulation, Scheme) {
+        (self.method.formulation(), self.method.scheme())
+    }
+
+    fn warning(&self) -> Option<String> {
+        // A method whose steps fail to be made has no warning, and the rows say why.
+        system_warning(&self.method, &self.system, &self.start).ok().flatten()
+    }
+
+    fn columns(&self, observable: Observable) -> Result<Vec<Column>, SweepError> {
+        match observable {
+            Observable::FinalState => {
+                let names = self.system.algebra().coordinates().names();
+                Ok(names.map(|name| Column::linear(&name, &format!("{name} at the end"))).collect())
+            }
+            Observable::InvariantDrift => {
+                let column = |name: String| {
+                    Column::logarithmic(&format!("drift_{name}"), &format!("deviation of {name}"))
+                };
+                Ok(self.conserved().map(column).collect())
+            }
+            shared if Self::OBSERVABLES.contains(&shared) => Ok(shared.columns()),
+            other => {
+                let has = Self::OBSERVABLES.map(Observable::name).to_vec();
+                Err(SweepError::OfTops { observable: other.name(), has })
+            }
+        }
+    }
+
+    fn labels(&self) -> Vec<String> {
+        let coordinates = self.system.algebra().coordinates();
+        self.numbers.iter().map(|varied| varied.label(coordinates)).collect()
+    }
+
+    fn shared(&self) -> Vec<String> {
+        let formula = brief::text(&self.system.hamiltonian().to_string());
+        let hamiltonian = format!("<tspan font-style='italic'>h</tspan> = {formula}");
+        let casimirs = self.casimirs().into_iter();
+        let casimirs = self.conserved().skip(1).zip(casimirs);
+        let casimirs =
+            casimirs.map(|(name, formula)| format!("{name} = {}", brief::text(&formula)));
+        let numbers = self.shared_parameters().chain(self.shared_coordinates());
+        [hamiltonian].into_iter().chain(casimirs).chain(numbers).collect()
+    }
+
+    fn casimirs(&self) -> Vec<String> {
+        let shared = self.system.casimirs().iter().filter(|_| self.has_one_algebra);
+        shared.map(ToString::to_string).collect()
+    }
+
+    fn measure(&self, values: &[f64], course: &Course) -> Result<Vec<Option<f64>>, Error> {
+        let (system, start) = self.member(values)?;
+        let task = Follow { family: self, course, system: &system, start: &start };
+        self.method.integrate(&system, &start, task)?
+    }
+}
+
+/// The task of following a member.
+struct Follow<'a> {
+    family: &'a SystemFamily,
+    course: &'a Course,
+    system: &'a FormulaSystem,
+    start: &'a [f64],
+}
+
+impl SystemTask for Follow<'_> {
+    type Output = Result<Vec<Option<f64>>, Error>;
+
+    fn perform<I>(self, integrator: &I) -> Self::Output
+    where
+        I: Start<State: Vector, Momentum: Vector<Scalar = f64>> + TangentIntegrator,
+    {
+        let Self { family, course, system, start } = self;
+        let gauge = SystemGauge::new(system, start);
+        let dimension = start.len();
+        let start: <I as Integrator>::Momentum =
+            Vector::from_coordinates(|i| start.get(i).copied().unwrap_or(0.0));
+        measure(integrator, (&start, dimension), gauge, course, family.method())
+    }
+}

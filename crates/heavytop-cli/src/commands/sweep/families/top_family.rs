@@ -1,0 +1,204 @@
+//! A family of tops.
+
+use super::course::Course;
+use super::family::{Family, own_integration, require_apart};
+use super::fixed_values::fixed_values;
+use super::measured_motion::{Gauge, measure};
+use crate::Error;
+use crate::configuration::{
+    BodyConfig, Column, Config, InitialConfig, Integration, Observable, Parameter, SweepAxis,
+    TopParameter,
+};
+use crate::errors::SweepError;
+use crate::runs::method_warning::method_warning;
+use crate::runs::step_angle::require_sane_step;
+use collective_integrators::{Start, TangentIntegrator};
+use heavytop::methods::{Formulation, Method, Scheme, TangentTask};
+use heavytop::{HeavyTop, Invariant, Nutation};
+use lie_poisson::{Se3Dual, Vector, larger};
+
+/// Tops whose parameters or initial states differ.
+#[derive(Clone, Debug, PartialEq)]
+pub(in crate::commands::sweep) struct TopFamily {
+    body: BodyConfig,
+    initial: InitialConfig,
+    /// The parameter of each axis, and whether its unit vector is scaled to length 1.
+    parameters: Vec<(TopParameter, bool)>,
+    method: Method,
+}
+
+impl TopFamily {
+    /// Reads the tops that the axes describe, and the integrator with what `[integrator]` leaves out.
+    ///
+    /// # Errors
+    /// If the family makes no sense for any top.
+    pub fn new(config: &Config, axes: &[SweepAxis]) -> Result<(Self, Integration), Error> {
+        let parameter = |axis: &SweepAxis| match &axis.parameter {
+            Parameter::Top(parameter) => Ok((*parameter, axis.normalise)),
+            Parameter::System(parameter) => Err(SweepError::OfAnother {
+                parameter: parameter.to_string(),
+                of: "[system]",
+                has: "vary a number of [body] or [initial]".into(),
+            }),
+        };
+        let parameters = axes.iter().map(parameter).collect::<Result<Vec<_>, _>>()?;
+        require_apart(axes, &parameters, |(one, _), (other, _)| one.clashes(*other))?;
+        let of_momentum = parameters.iter().find(|(parameter, _)| parameter.is_angular_momentum());
+        if let (Some(_), Some((parameter, _))) = (config.initial.angular_velocity, of_momentum) {
+            return Err(SweepError::Velocity { axis: parameter.name().into() }.into());
+        }
+        // What no axis changes is either right or wrong for every top.
+        if !parameters.iter().any(|(parameter, _)| parameter.is_of_body()) {
+            config.top()?;
+        }
+        if parameters.iter().all(|(parameter, _)| parameter.is_of_body()) {
+            config.start()?;
+        }
+        let integration = config.integrator.or(own_integration(Formulation::Reduced));
+        let (body, initial, method) = (config.body, config.initial, integration.method()?);
+        Ok((Self { body, initial, parameters, method }, integration))
+    }
+
+    /// Returns the top and its start at these values of the axes.
+    ///
+    /// # Errors
+    /// If there is no such top or no such start, or the top turns too far in a step (s).
+    pub fn top(&self, values: &[f64], step: f64) -> Result<(HeavyTop, Se3Dual), Error> {
+        let (mut body, mut initial) = (self.body, self.initial);
+        for azimuths in [false, true] {
+            for ((parameter, _), value) in self.parameters.iter().zip(values) {
+                if parameter.is_azimuth() == azimuths {
+                    parameter.set(*value, &mut body, &mut initial);
+                }
+            }
+        }
+        for (parameter, _) in self.parameters.iter().filter(|(_, normalise)| *normalise) {
+            parameter.normalise(&mut body, &mut initial);
+        }
+        let config = Config { body, initial, ..Config::default() };
+        let (top, start) = (config.top()?, config.start()?);
+        require_sane_step(&top, &start, step)?;
+        Ok((top, start))
+    }
+}
+
+impl Family for TopFamily {
+    fn nouns(&self) -> [&'static str; 2] {
+        ["top", "tops"]
+    }
+
+    fn method(&self) -> (Formulation, Scheme) {
+        (self.method.formulation(), self.method.scheme())
+    }
+
+    fn warning(&self) -> Option<String> {
+        method_warning(&self.method)
+    }
+
+    fn columns(&self, observable: Observable) -> Result<Vec<Column>, SweepError> {
+        Ok(observable.columns())
+    }
+
+    fn labels(&self) -> Vec<String> {
+        self.parameters.iter().map(|(parameter, _)| parameter.label()).collect()
+    }
+
+    fn shared(&self) -> Vec<String> {
+        let is_varied = |number| self.parameters.iter().any(|(parameter, _)| *parameter == number);
+        fixed_values(&self.body, &self.initial, is_varied)
+    }
+
+    fn casimirs(&self) -> Vec<String> {
+        Vec::new()
+    }
+
+    fn measure(&self, values: &[f64], course: &Course) -> Result<Vec<Option<f64>>, Error> {
+        let (top, start) = self.top(values, course.schedule.step)?;
+        let task = Follow { family: self, course, top: &top, start: &start };
+        self.method.differentiate(&top, task)?
+    }
+}
+
+/// The task of following a top.
+struct Follow<'a> {
+    family: &'a TopFamily,
+    course: &'a Course,
+    top: &'a HeavyTop,
+    start: &'a Se3Dual,
+}
+
+impl TangentTask for Follow<'_> {
+    type Output = Result<Vec<Option<f64>>, Error>;
+
+    fn perform<I>(self, integrator: &I) -> Self::Output
+    where
+        I: Start<State: Vector, Momentum = Se3Dual> + TangentIntegrator,
+    {
+        let Self { family, course, top, start } = self;
+        let gauge = TopGauge::new(top, start);
+        measure(integrator, (start, Se3Dual::<f64>::DIM), gauge, course, family.method())
+    }
+}
+
+const CONSERVED: [Invariant; 3] =
+    [Invariant::Energy, Invariant::VerticalSquared, Invariant::VerticalMomentum];
+
+/// What is measured of a top: the deviations of its invariants, and its nutation.
+struct TopGauge {
+    top: HeavyTop,
+    initial: [f64; 3],
+    drift: [f64; 3],
+    nutation: Nutation,
+}
+
+impl TopGauge {
+    fn new(top: &HeavyTop, start: &Se3Dual) -> Self {
+        let mut nutation = Nutation::new(top);
+        nutation.observe(0.0, start);
+        let initial = CONSERVED.map(|invariant| invariant.value(top, start));
+        Self { top: *top, initial, drift: [0.0; 3], nutation }
+    }
+}
+
+impl Gauge<Se3Dual> for TopGauge {
+    fn observe(&mut self, time: f64, mu: &Se3Dual) {
+        self.nutation.observe(time, mu);
+        for ((drift, initial), invariant) in self.drift.iter_mut().zip(self.initial).zip(CONSERVED)
+        {
+            *drift = larger(*drift, (invariant.value(&self.top, mu) - initial).abs());
+        }
+    }
+
+    fn values(&self, observable: Observable, end: &Se3Dual) -> Vec<Option<f64>> {
+        match observable {
+            Observable::FinalState => (0..6).map(|i| Some(end.coordinate(i))).collect(),
+            Observable::InvariantDrift => self.drift.map(Some).to_vec(),
+            Observable::RotationNumber => vec![self.nutation.rotation_number()],
+            Observable::NutationAmplitude => vec![self.nutation.amplitude()],
+            Observable::Lyapunov | Observable::Megno | Observable::Sali => Vec::new(),
+        }
+    }
+}
+
+#[cfg(test)]
+#[allow(clippy::unwrap_used)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn the_inclination_is_set_before_the_azimuth() {
+        let config: Config = toml::from_str(
+            "initial.vertical = [0, 0, 1]\nsweep.axes = [\
+             { parameter = 'initial.vertical.azimuth', from = 1.5, to = 1.5, count = 1 }, \
+             { parameter = 'initial.vertical.inclination', from = 0.5, to = 0.5, count = 1 }]",
+        )
+        .unwrap();
+        let axes = config.sweep.as_ref().unwrap().axes.as_ref().unwrap();
+        let axes: Vec<SweepAxis> = axes.iter().map(|axis| axis.axis().unwrap()).collect();
+        let (family, integration) = TopFamily::new(&config, &axes).unwrap();
+        let gamma = family.top(&[1.5, 0.5], integration.step).unwrap().1.0.1;
+        assert!(
+            (gamma.y.atan2(gamma.x) - 1.5).abs() < 1e-15 && (gamma.z.acos() - 0.5).abs() < 1e-15
+        );
+    }
+}

@@ -1,0 +1,43 @@
+//! The numbers that an axis of a sweep may vary.
+
+use super::system_parameter::SystemParameter;
+use super::top_parameter::TopParameter;
+use serde::{Deserialize, Serialize};
+
+/// A number that an axis of a sweep varies, named by its path in the configuration.
+#[derive(Clone, Debug, PartialEq, Eq, Deserialize, Serialize)]
+#[serde(try_from = "String", into = "String")]
+pub enum Parameter {
+    /// A number of `[body]` or `[initial]`.
+    Top(TopParameter),
+    /// A number of `[system]`.
+    System(SystemParameter),
+}
+
+impl Parameter {
+    /// Returns the path in the configuration, which is also the name of the column.
+    #[must_use]
+    pub fn name(&self) -> String {
+        match self {
+            Self::Top(parameter) => parameter.name().into(),
+            Self::System(parameter) => parameter.to_string(),
+        }
+    }
+}
+
+impl From<Parameter> for String {
+    fn from(parameter: Parameter) -> Self {
+        parameter.name()
+    }
+}
+
+impl TryFrom<String> for Parameter {
+    type Error = String;
+
+    fn try_from(name: String) -> Result<Self, String> {
+        match name.strip_prefix("system.") {
+            Some(path) => SystemParameter::of_path(path).map(Self::System),
+            None => TopParameter::by_name(&name).map(Self::Top),
+        }
+    }
+}
