@@ -58,6 +58,7 @@
 //! | a kernel of your own for many trajectories | [`LaneKernel`], [`BatchIntegrator`] |
 //! | tangent vectors and Lyapunov exponents | [`VariationalFlow`], [`LyapunovExponents`] |
 //! | fast indicators of chaos: MEGNO and SALI | [`Megno`], [`smaller_alignment_index`] |
+//! | tangent vectors to begin with | [`generic_tangent`] |
 //! | the order or a defect of a method, measured | the module [`diagnostics`] |
 //! | tests of your own types against the laws | the module `laws` (feature `laws`) |
 //!
@@ -112,6 +113,7 @@ pub use batch::lane_kernel::{LaneKernel, LaneResults, Registers};
 pub use batch::laned::{Laned, LanedSpace};
 pub use batch::laned_over::LanedOver;
 pub use batch::single_member::advance_alone;
+pub use chaos::generic_tangent::generic_tangent;
 pub use chaos::lyapunov::{Exponents, LyapunovExponents, MaximalLyapunovExponent};
 pub use chaos::megno::Megno;
 pub use chaos::smaller_alignment::smaller_alignment_index;

@@ -4,3 +4,4 @@ pub(crate) mod variational_flow;
 pub(crate) mod lyapunov;
 pub(crate) mod megno;
 pub(crate) mod smaller_alignment;
+pub(crate) mod generic_tangent;

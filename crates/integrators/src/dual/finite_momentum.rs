@@ -6,6 +6,9 @@ use momentum_map::{PoissonMap, SourcePoint};
 /// A size of a state below which its momentum is finite: products of three coordinates do not overflow.
 const SAFE: f64 = 1e100;
 
+/// The largest momentum, a little below an overflow, so that rounding errors of z do not matter.
+const LARGEST: f64 = f64::MAX / 16.0;
+
 /// Returns whether z and M(z) are finite, in all SIMD lanes.
 ///
 /// A method that is unstable for a step leads to states that are still finite, and whose momentum is not.
@@ -16,5 +19,6 @@ pub(crate) fn has_finite_momentum<M: PoissonMap, T: Real>(map: &M, z: &SourcePoi
 
 #[cold]
 fn both_finite<M: PoissonMap, T: Real>(map: &M, z: &SourcePoint<M, T>) -> bool {
-    z.is_finite() && map.apply::<T>(z).is_finite()
+    let momentum = map.apply::<T>(z).max_norm();
+    z.is_finite() && momentum.at_most(T::from_f64(LARGEST)).all()
 }

@@ -3,7 +3,8 @@
 use super::schedule::Schedule;
 use crate::errors::message;
 use collective_integrators::{
-    Integrator, Megno, Start, TangentIntegrator, VariationalFlow, smaller_alignment_index,
+    Integrator, Megno, Start, TangentIntegrator, VariationalFlow, generic_tangent,
+    smaller_alignment_index,
 };
 use core::sync::atomic::{AtomicBool, Ordering};
 use lie_poisson::Vector;
@@ -76,7 +77,7 @@ impl GrowthTask<'_> {
             .map_err(|error| message(&error))?;
         // The space may be completed by coordinates that stay zero.
         let dimension = start.len();
-        let initial = core::array::from_fn(|number| tangent(number, dimension));
+        let initial = core::array::from_fn(|number| generic_tangent(number, dimension));
         let mut flow = VariationalFlow::<_, K>::new(integrator, state, initial, *step);
         let (mut sums, mut megno, mut growth) = ([0.0; K], Megno::default(), Growth::default());
         let kept = if tangents == Tangents::All { K.min(dimension) } else { 1 };
@@ -108,17 +109,4 @@ impl GrowthTask<'_> {
         growth.end = self.schedule.coordinates(&flow.momentum()).collect();
         Ok(growth)
     }
-}
-
-/// Returns the tangent vector with this number: without symmetry, by the squares in Weyl's sequence, so that all of them
-/// are independent; and a basis vector for each coordinate that completes the space.
-fn tangent<V: Vector<Scalar = f64>>(number: usize, dimension: usize) -> V {
-    const GOLDEN: f64 = 0.618_033_988_749_894_9;
-    V::from_coordinates(|i| {
-        if number >= dimension || i >= dimension {
-            return f64::from(u8::from(number == i));
-        }
-        let place = number * dimension + i + 1;
-        ((place * place) as f64 * GOLDEN).fract() - 0.5
-    })
 }

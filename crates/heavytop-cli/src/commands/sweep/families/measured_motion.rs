@@ -5,7 +5,7 @@ use crate::Error;
 use crate::configuration::Observable;
 use collective_integrators::{
     Integrator, Megno, Start, TangentIntegrator, VariationalError, VariationalFlow,
-    smaller_alignment_index,
+    generic_tangent, smaller_alignment_index,
 };
 use heavytop::methods::{Formulation, Scheme};
 use lie_poisson::Vector;
@@ -86,19 +86,15 @@ where
     Ok(course.observables.iter().flat_map(values).collect())
 }
 
-/// Returns the tangent vector with this number; it has no symmetry, by Weyl's sequence. Where states are momenta, it is
-/// zero along the coordinates that complete the system, which stay zero.
+/// Returns the tangent vector with this number. Where states are momenta, it is zero along the coordinates that complete
+/// the system, which stay zero.
 fn tangent<I>(number: usize, dimension: usize) -> <I as Integrator>::State
 where
     I: Integrator<State: Vector<Scalar = f64>, Momentum: Vector>,
 {
-    const GOLDEN: f64 = 0.618_033_988_749_894_9;
     let width = <<I as Integrator>::State as Vector>::DIM;
     let are_momenta = width == <<I as Integrator>::Momentum as Vector>::DIM;
-    Vector::from_coordinates(|i| match are_momenta && i >= dimension {
-        true => 0.0,
-        false => ((number * width + i + 1) as f64 * GOLDEN).fract() - 0.5,
-    })
+    generic_tangent(number, if are_momenta { dimension } else { width })
 }
 
 #[cfg(test)]

@@ -1,0 +1,34 @@
+//! Tangent vectors to begin with.
+
+use lie_poisson::Vector;
+
+/// Returns the tangent vector of this number, from 0, from which a measurement of chaos begins: without symmetry, and
+/// independent of the others.
+///
+/// It has the coordinates x_i = (n² g mod 1) − ½ with n = `number`·d + i + 1 and g = (√5 − 1)/2, for the first d =
+/// `dimension` coordinates, and zeros in those that complete a space. A vector whose number is d or above is that of the
+/// basis.
+///
+/// Source: the squares in Weyl's sequence; H. Weyl, *Über die Gleichverteilung von Zahlen mod. Eins*, Math. Ann. 77
+/// (1916).
+///
+/// # Example
+/// ```
+/// use collective_integrators::generic_tangent;
+/// use nalgebra::{Matrix3, Vector3};
+/// let tangents: [Vector3<f64>; 3] = [0, 1, 2].map(|number| generic_tangent(number, 3));
+/// assert!(Matrix3::from_columns(&tangents).determinant().abs() > 1e-3);
+/// let first: Vector3<f64> = generic_tangent(0, 2);
+/// assert!(first.x != 0.0 && first.z == 0.0);
+/// ```
+#[must_use]
+pub fn generic_tangent<V: Vector<Scalar = f64>>(number: usize, dimension: usize) -> V {
+    const GOLDEN: f64 = 0.618_033_988_749_894_9;
+    V::from_coordinates(|i| {
+        if number >= dimension || i >= dimension {
+            return f64::from(u8::from(number == i));
+        }
+        let place = number * dimension + i + 1;
+        ((place * place) as f64 * GOLDEN).fract() - 0.5
+    })
+}
