@@ -7,7 +7,8 @@ use std::collections::BTreeSet;
 use toml::{Table, Value};
 
 impl Config {
-    /// Returns the configuration as TOML, which reads back as the same configuration.
+    /// Returns the configuration as TOML, which reads back as the same configuration. For a system it lacks the tables of
+    /// tops.
     ///
     /// # Errors
     /// If a number cannot be written in TOML: an integer of more than 63 bits.
@@ -20,7 +21,13 @@ impl Config {
     /// # Ok::<(), heavytop_cli::Error>(())
     /// ```
     pub fn to_toml(&self) -> Result<String, Error> {
-        toml::to_string(self).map_err(Error::Unwritable)
+        if self.system.is_none() {
+            return toml::to_string(self).map_err(Error::Unwritable);
+        }
+        let mut table = Table::try_from(self).map_err(Error::Unwritable)?;
+        // `Config::system` makes sure that they have nothing but the values of keys left out.
+        ["body", "initial"].map(|name| table.remove(name));
+        toml::to_string(&table).map_err(Error::Unwritable)
     }
 
     /// Returns the keys in which another configuration differs: `[integrator] step: 0.02 against 0.01`.
@@ -81,6 +88,12 @@ mod tests {
             assert_eq!(again, config);
             assert!(config.differences(&again).unwrap().is_empty());
         }
+        let system =
+            "[system]\nalgebra = 'so(3)'\nhamiltonian = 'Pi·Pi'\ninitial = { Pi = [1, 2, 3] }";
+        let system: Config = toml::from_str(system).unwrap();
+        let text = system.to_toml().unwrap();
+        assert!(!text.contains("[body]") && !text.contains("[initial]"), "{text}");
+        assert_eq!(toml::from_str::<Config>(&text).unwrap(), system);
         let differences =
             Config::default().differences(&Preset::GoryachevChaplygin.config()).unwrap();
         assert_eq!(differences.len(), 3, "{differences:?}");

@@ -5,10 +5,12 @@ use crate::kernels::symmetric::flows::Flows;
 use crate::kernels::symmetric::steps::{FlowParameters, MomentumLanes};
 use collective_integrators::{
     AlternatingSubsteps, BatchIntegrator, IntegrationError, Integrator, LaneKernel, LaneResults,
-    Registers, Splitting, advance_alone,
+    MOST_LANES, Registers, Splitting, advance_alone,
 };
 use core::ops::Range;
-use lie_poisson::{InstructionSet, Lanes, Mask, MissingInstructions, Se3Dual, Vector, Width};
+use lie_poisson::{
+    Covector, InstructionSet, Lanes, Mask, MissingInstructions, Pair, Se3Dual, Vector, Width,
+};
 
 /// The largest squared angles, rad², of a flow and of a step, for the longest polynomials.
 const LONG: [f64; 2] = [2.0, f64::INFINITY];
@@ -121,6 +123,8 @@ impl LaneKernel for SymmetricTopBatch {
         let last = group.len() - 1;
         let top = FlowParameters::<T>::from_lanes(step, |i| &group[i.min(last)].0);
         let start = MomentumLanes::<T>::from_lanes(&top, |i| &group[i.min(last)].1);
+        let mut in_range = [false; MOST_LANES];
+        group.iter().zip(&mut in_range).for_each(|(member, is)| *is = is_in_range(member, step));
         let within = |flows: &Flows, square: T| square.at_most(T::from_f64(flows.limit));
         let mut results = LaneResults::default();
         let short = within(&self.short, top.bound(&start));
@@ -133,7 +137,7 @@ impl LaneKernel for SymmetricTopBatch {
                 let done = due.and(within(flows, motion.largest));
                 let momenta = motion.momenta(&top);
                 for (i, (_, state)) in group.iter_mut().enumerate() {
-                    if done.lane(i) {
+                    if done.lane(i) && in_range[i] {
                         *state = momenta(i);
                         results[i] = state.is_finite();
                     }
@@ -155,6 +159,14 @@ impl LaneKernel for SymmetricTopBatch {
         let workspace = &mut Integrator::<f64>::workspace(&integrator);
         advance_alone(&integrator, state, step, steps, workspace)
     }
+}
+
+/// Returns whether hΠ/I₁ and (h/I₁)² keep their digits, the numbers in which the flows compute.
+fn is_in_range((top, Covector(Pair(pi, _))): &(SymmetricTopSplitting, Se3Dual), step: f64) -> bool {
+    const LEAST: f64 = 1e-140;
+    let factor = (step / top.top().inertia().x).abs();
+    let turn = factor * pi.amax();
+    factor >= LEAST && (turn >= LEAST || turn == 0.0 && pi.amax() == 0.0)
 }
 
 /// Advances a group by n steps.
