@@ -53,6 +53,8 @@ pub struct Outcome {
 pub struct Method {
     /// The formulation and the scheme.
     pub name: String,
+    /// Whether its steps are Poisson maps, so that they conserve the Casimirs to round-off.
+    pub is_poisson: bool,
     /// The function that makes a number of steps.
     pub run: Run,
 }
@@ -89,12 +91,26 @@ pub fn methods(symmetric: bool) -> Result<Vec<Method>, SchemeError> {
     Ok(list)
 }
 
+/// Parts of the names of methods whose steps are not Poisson maps: of those on the six equations, of explicit methods, and
+/// of pairs of methods, which do not descend.
+const NOT_POISSON: [&str; 7] = [
+    "direct",
+    "explicit midpoint",
+    "RK4",
+    "DOP853",
+    "symplectic Euler",
+    "Störmer–Verlet",
+    "Lobatto IIIA–IIIB",
+];
+
 fn add(
     list: &mut Vec<Method>,
     name: impl Into<String>,
     run: impl Fn(&HeavyTop, &Se3Dual, f64, usize) -> Option<Outcome> + 'static,
 ) {
-    list.push(Method { name: name.into(), run: Box::new(run) });
+    let name = name.into();
+    let is_poisson = !NOT_POISSON.iter().any(|part| name.contains(part));
+    list.push(Method { name, is_poisson, run: Box::new(run) });
 }
 
 /// The largest deviations seen so far.

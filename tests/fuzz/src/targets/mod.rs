@@ -1,0 +1,41 @@
+//! The targets by name.
+
+mod checkpoint;
+mod configuration;
+mod constructors;
+mod formula;
+mod lifts;
+mod one_step;
+
+/// A function that must hold for every input.
+#[derive(Clone, Copy, Debug)]
+pub struct Target {
+    /// The name, by which the fuzzer and the corpus know it.
+    pub name: &'static str,
+    /// The function, which panics if a law is broken.
+    pub run: fn(&[u8]),
+}
+
+/// Returns all targets.
+#[must_use]
+pub const fn targets() -> [Target; 6] {
+    [
+        Target { name: "checkpoint", run: checkpoint::run },
+        Target { name: "configuration", run: configuration::run },
+        Target { name: "constructors", run: constructors::run },
+        Target { name: "formula", run: formula::run },
+        Target { name: "lifts", run: lifts::run },
+        Target { name: "one_step", run: one_step::run },
+    ]
+}
+
+/// Runs the target with this name.
+///
+/// # Panics
+/// If there is none, or if a law is broken.
+pub fn run(name: &str, case: &[u8]) {
+    let Some(target) = targets().into_iter().find(|target| target.name == name) else {
+        panic!("there is no target {name}")
+    };
+    (target.run)(case);
+}
