@@ -33,9 +33,12 @@ const SYSTEM: &str = "system={algebra='so(3)',hamiltonian='Pi1^2+2*Pi2^2+3*Pi3^2
 const MAP: &str = "sweep={observables=['megno'],axes=[\
     {parameter='body.inertia[1]',from=1,to=3,count=9},\
     {parameter='initial.angular_momentum[2]',from=0,to=4,count=9}]}";
+const MAP_OF_SYSTEM: &str = "sweep={observables=['invariant-drift'],axes=[\
+    {parameter='system.initial.Pi[0]',from=1,to=3,count=9},\
+    {parameter='system.initial.Pi[2]',from=0,to=4,count=9}]}";
 
 /// All commands that write files, in each of their formats.
-pub static WRITING: [Writing; 10] = [
+pub static WRITING: [Writing; 11] = [
     Writing {
         arguments: &["simulate", "--out", "a.csv", "--set", "integrator.end=24"],
         files: &["a.csv"],
@@ -108,6 +111,29 @@ pub static WRITING: [Writing; 10] = [
     Writing {
         arguments: &["sweep", "--out", "made", "--set", MAP, "--set", "integrator.end=1"],
         files: &["made/megno.png", "made/megno.svg", "made/sweep.parquet"],
+        anew: &["--restart"],
+        repeats: true,
+        undisturbed: OnceLock::new(),
+    },
+    Writing {
+        arguments: &[
+            "sweep",
+            "--out",
+            "runs",
+            "--set",
+            SYSTEM,
+            "--set",
+            MAP_OF_SYSTEM,
+            "--set",
+            SHORT,
+        ],
+        files: &[
+            "runs/drift_c1.png",
+            "runs/drift_c1.svg",
+            "runs/drift_h.png",
+            "runs/drift_h.svg",
+            "runs/sweep.parquet",
+        ],
         anew: &["--restart"],
         repeats: true,
         undisturbed: OnceLock::new(),

@@ -101,7 +101,7 @@ impl SystemConfig {
     /// If there is no such system.
     pub(crate) fn formula_system_near(&self, base: &FormulaSystem) -> Result<FormulaSystem, Error> {
         let parameters = self.parameters()?;
-        // Only brackets contain parameters.
+        // Parameters of an algebra are in its brackets.
         let is_same = self.brackets.is_empty() || self.algebra(&parameters)? == *base.algebra();
         match is_same {
             true => Ok(base.with_hamiltonian(&self.hamiltonian, &parameters)?),
@@ -110,7 +110,7 @@ impl SystemConfig {
     }
 
     /// Returns whether the brackets contain one of these parameters.
-    pub(crate) fn has_algebra_of<'a>(&self, parameters: impl Iterator<Item = &'a str>) -> bool {
+    pub(crate) fn brackets_contain<'a>(&self, parameters: impl Iterator<Item = &'a str>) -> bool {
         let mut without = self.clone();
         parameters.for_each(|name| drop(without.parameters.remove(name)));
         // Brackets that can be read without a parameter do not contain it.

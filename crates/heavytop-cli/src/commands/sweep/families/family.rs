@@ -32,7 +32,7 @@ pub(in crate::commands::sweep) trait Family:
     /// Returns what all members share, as parts of a caption.
     fn shared(&self) -> Vec<String>;
 
-    /// Returns the Casimirs that the table numbers, as formulas.
+    /// Returns the Casimirs that the table numbers, as formulas; none where those of the members differ.
     fn casimirs(&self) -> Vec<String>;
 
     /// Follows the member at these values of the axes, and returns the values of the columns of all observables.

@@ -67,7 +67,7 @@ impl SystemFamily {
         let numbers = axes.iter().map(of_axis).collect::<Result<Vec<_>, _>>()?;
         require_apart(axes, &numbers, |one, other| one == other)?;
         let varied = numbers.iter().filter_map(VariedNumber::parameter);
-        let has_one_algebra = !table.has_algebra_of(varied);
+        let has_one_algebra = !table.brackets_contain(varied);
         let own = own_integration(SystemConfig::formulation_of_many(algebra));
         let integration = config.integrator.or(own);
         let Integration { formulation, scheme, tolerance, .. } = integration;
