@@ -21,6 +21,9 @@ use lie_poisson_systems::{
 use momentum_map::{DualQuaternions, PowerMultipliers, Quaternions};
 use nalgebra::{Matrix3, Vector3};
 
+/// The angle, rad, of a step of some matrix above which the rounding errors of its increments are not those of the matrix.
+const LARGEST_TURN: f64 = 1e3;
+
 /// The sizes between which no square overflows or loses digits.
 const SAFE: core::ops::Range<f64> = 1e-140..1e140;
 
@@ -302,11 +305,20 @@ fn isospectral<I: Integrator<f64, State = LargeSkewHermitian>>(
         step.abs() * generator.norm()
     };
     let (norm, before) = (w.norm(), rate(&w));
+    let size = w.size();
+    let stiff = (0..size).any(|i| {
+        let unit = LargeSkewHermitian::from_upper(size, |j, k| {
+            nalgebra::Complex::new(if j == i && k > j { norm } else { 0.0 }, 0.0)
+        });
+        rate(&unit) > LARGEST_TURN
+    });
     let mut workspace = integrator.workspace();
     if integrator.step_in_place(&mut w, step, &mut workspace).is_ok() {
         assert!((0..w.dimension()).all(|i| w.entry(i).is_finite()), "{step:e}: {w:?}");
         let after = w.norm();
-        let allowed = (1e-11 + 1e-12 * before.max(rate(&w))).min(1e-2);
+        let round_off = 1e-11 + 1e-12 * before.max(rate(&w));
+        // Where another matrix of this norm turns by many radians, Q need only be unitary to 1e-3.
+        let allowed = if stiff { 1e-2 } else { round_off.min(1e-2) };
         assert!(
             (after / norm - 1.0).abs() <= allowed || !SAFE.contains(&norm),
             "{step:e}: {norm:e} {after:e}, {before:e} {:e}",
