@@ -36,9 +36,8 @@ pub fn algebras() -> Vec<String> {
     let none = Parameters::new();
     let taken = Parameters::new().number("x", 1.0).unwrap();
     let named = |name| SystemAlgebra::of_entries(Coordinates::scalars([name])?, Vec::new());
-    let entries = |entries| {
-        SystemAlgebra::of_entries(Coordinates::scalars(["x", "y"]).unwrap(), entries)
-    };
+    let entries =
+        |entries| SystemAlgebra::of_entries(Coordinates::scalars(["x", "y"]).unwrap(), entries);
     let beyond = vec![StructureEntry { i: 0, j: 1, k: 2, value: 1.0 }];
     vec![
         refused(SystemAlgebra::named("so(4)")),
@@ -66,15 +65,13 @@ pub fn systems_and_states() -> Vec<String> {
     let so3 = SystemAlgebra::named("so(3)").unwrap();
     let system = |text| FormulaSystem::new(so3.clone(), text, &Parameters::new());
     let body = system("Pi1^2 + Pi2^2/2").unwrap();
-    let section = |text, level| {
-        SystemSection::new(&body, text, &Parameters::new(), (level, Direction::Both))
-    };
+    let section =
+        |text, level| SystemSection::new(&body, text, &Parameters::new(), (level, Direction::Both));
     let plane = SystemAlgebra::of_entries(Coordinates::scalars(["x", "y"]).unwrap(), Vec::new());
     let plane = FormulaSystem::new(plane.unwrap(), "x", &none).unwrap();
     let state = [1.0, 0.5, 0.2];
-    let method = |formulation, tolerance| {
-        SystemMethod::new(&so3, formulation, Scheme::Gauss(2), tolerance)
-    };
+    let method =
+        |formulation, tolerance| SystemMethod::new(&so3, formulation, Scheme::Gauss(2), tolerance);
     // The reciprocal of the only constant is not finite, so that the Clebsch map has no units.
     let tiny = brackets(&[("x, y", "1e-310*z")], &none);
     let unlifted = || -> Outcome<()> {
@@ -84,9 +81,8 @@ pub fn systems_and_states() -> Vec<String> {
         method.integrate(&tiny, &state, Nothing)
     };
     // A program may look for the Casimirs of a system before it makes the system.
-    let casimirs = || -> Outcome<_> {
-        Ok(find_casimirs(&So3, &Coordinates::scalars(["x", "y"])?)?)
-    };
+    let casimirs =
+        || -> Outcome<_> { Ok(find_casimirs(&So3, &Coordinates::scalars(["x", "y"])?)?) };
     vec![
         refused(system("Pi4")),
         refused(casimirs()),

@@ -64,9 +64,28 @@ pub fn problems() -> Vec<String> {
     let long = format!("Pi1{}", " + Pi1".repeat(20_000));
     let deep = format!("{}Pi1", "-(".repeat(500));
     let texts = [
-        "", &long, &deep, "Pi1 $ 2", "1.2.3", "1e400", "Pi1 +", "2 Pi1", "(Pi1", "Pi1)", "zebra",
-        "sqr(Pi1)", "Pi1(2)", "sin", "sin(Pi1, 2)", "sqrt(Pi)", "1 + Pi", "Pi[4]", "Pi[0]", "Pi",
-        "Pi1/0", "ln(0)",
+        "",
+        &long,
+        &deep,
+        "Pi1 $ 2",
+        "1.2.3",
+        "1e400",
+        "Pi1 +",
+        "2 Pi1",
+        "(Pi1",
+        "Pi1)",
+        "zebra",
+        "sqr(Pi1)",
+        "Pi1(2)",
+        "sin",
+        "sin(Pi1, 2)",
+        "sqrt(Pi)",
+        "1 + Pi",
+        "Pi[4]",
+        "Pi[0]",
+        "Pi",
+        "Pi1/0",
+        "ln(0)",
     ];
     let mut found: Vec<String> = texts.iter().map(|text| refused(problem(text))).collect();
     found.push(refused(problem(&product.join("*"))));

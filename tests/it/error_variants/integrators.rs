@@ -5,7 +5,7 @@ use collective_integrators::diagnostics::{Drift, EnsembleGrowth, fitted_order, s
 use collective_integrators::{
     Collective, DenseOutput, Direct, Direction, Events, FirstHalf, Integrator, LyapunovExponents,
     PartitionedRungeKutta, RungeKutta, StageSolver, Start, StepError, Substeps, Tableau,
-    VectorField, from_fn,
+    VectorField,
 };
 use heavytop::{HeavyTop, SpinorRealisation};
 use lie_poisson::{Real, Se3Dual};
@@ -70,15 +70,15 @@ pub fn runs_and_measurements() -> Vec<String> {
     let events = |g: fn(&Vector1<f64>) -> f64, step| {
         Events::new(&rk4, run(step), g, Direction::Both).next().unwrap()
     };
-    let exponents = |x: f64, step| LyapunovExponents::<_, 1>::new(&rk4, Vector1::new(x), step).next();
+    let exponents =
+        |x: f64, step| LyapunovExponents::<_, 1>::new(&rk4, Vector1::new(x), step).next();
     let growing = |times: [f64; 2]| times.map(|time| (time, time));
     let mut ensemble = EnsembleGrowth::default();
     ensemble.add(growing([0.0, 1.0])).unwrap();
     // Γ = 0 is the momentum of no pair of spinors.
     let top = HeavyTop::kovalevskaya(1.0, 1.0).unwrap();
     let collective = Collective::new(RungeKutta::implicit_midpoint(), SpinorRealisation, top);
-    let lifeless = Se3Dual::new(Vector3::x(), Vector3::zeros());
-    let two = Direct::new(RungeKutta::rk4(), from_fn(|x: &Vector1<f64>| *x));
+    let lifeless = Se3Dual::<f64>::new(Vector3::x(), Vector3::zeros());
     vec![
         refused(collective.after(&lifeless, 0.1, 1)),
         refused(collective.after(&tops::paper_start(), f64::NAN, 1)),

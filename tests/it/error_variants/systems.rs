@@ -19,7 +19,7 @@ pub fn errors() -> Vec<String> {
         refused(small.step_in_place(&mut spins, 0.1, &mut Integrator::<f64>::workspace(&small))),
         refused(KidaVortex::new(f64::NAN, 0.0, 0.0)),
         refused(Kirchhoff::new(-one, zero, one)),
-        refused(SpinLattice::new(1.0, -1.0, 1.0, 0.0)),
+        refused(SpinLattice::<3>::new(1.0, -1.0, 1.0, 0.0)),
         refused(KidaVortex::momentum(1e-200, 1.0, 0.0)),
         refused(lattice(0)),
         refused(lattice(usize::MAX)),
