@@ -73,7 +73,8 @@ pub fn systems_and_states() -> Vec<String> {
     let method =
         |formulation, tolerance| SystemMethod::new(&so3, formulation, Scheme::Gauss(2), tolerance);
     // The reciprocal of the only constant is not finite, so that the Clebsch map has no units.
-    let tiny = brackets(&[("x, y", "1e-310*z")], &none);
+    let constants = vec![StructureEntry { i: 0, j: 1, k: 2, value: 1e-310 }];
+    let tiny = SystemAlgebra::of_entries(Coordinates::scalars(["x", "y", "z"]).unwrap(), constants);
     let unlifted = || -> Outcome<()> {
         let tiny = FormulaSystem::new(tiny?, "x^2 + z", &Parameters::new())?;
         let collective = Formulation::Collective;
@@ -94,7 +95,7 @@ pub fn systems_and_states() -> Vec<String> {
         refused(section("Pi3", 0.0).unwrap().with_axes(["Pi1", "Pi4"], &none)),
         refused(SystemSection::new(&plane, "x", &none, (0.0, Direction::Up))),
         refused(section("Pi3", f64::NAN)),
-        refused(section("Pi3", 9.0).unwrap().starts(&state, &[1.0], 1, 0)),
+        refused(section("Pi3", 0.5).unwrap().starts(&state, &[-1.0], 1, 0)),
         refused(method(Formulation::Splitting, 0.0)),
         refused(method(Formulation::Direct, -1.0)),
         refused(unlifted()),

@@ -37,6 +37,7 @@ const UNREACHED: [(&str, &str); 1] = [(
 )];
 
 /// Returns the type and the variant of the error of a call, such as `StepError::NotFinite`.
+#[track_caller]
 fn refused<T, E: Error>(outcome: Result<T, E>) -> String {
     let kind = type_name::<E>().rsplit("::").next().unwrap_or_default();
     let Err(error) = outcome else { panic!("{kind}: the call succeeded") };
