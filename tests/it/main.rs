@@ -18,6 +18,7 @@ mod diagnostics;
 mod discrete_poisson;
 mod ensembles;
 mod error_chains;
+mod error_variants;
 mod exact;
 mod formulas;
 mod free_rigid_body;

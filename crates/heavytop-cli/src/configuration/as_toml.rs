@@ -26,7 +26,9 @@ impl Config {
         }
         let mut table = Table::try_from(self).map_err(Error::Unwritable)?;
         // `Config::system` makes sure that they have nothing but the values of keys left out.
-        ["body", "initial"].map(|name| table.remove(name));
+        for of_tops in ["body", "initial"] {
+            table.remove(of_tops);
+        }
         toml::to_string(&table).map_err(Error::Unwritable)
     }
 

@@ -83,10 +83,14 @@ impl Scheme {
         ("kahan-li-8", Self::Composed(ComposedScheme::KahanLi8)),
     ];
 
-    /// Returns the name of the scheme.
+    /// Returns the name of the scheme, or `gauss` for a Gauss method with another number of stages than those in
+    /// [`NAMES`](Self::NAMES).
     #[must_use]
     pub fn name(self) -> &'static str {
-        name_of(Self::NAMES, self)
+        match name_of(Self::NAMES, self) {
+            "" => "gauss",
+            name => name,
+        }
     }
 
     /// Returns the order p of the method: the error after a given time decreases as the p-th power of the step.

@@ -1,0 +1,28 @@
+//! Errors of Lie algebras and their representations.
+
+use super::refused;
+use lie_poisson::{Cocycle, InfinitesimalAdjoint, StructureConstants};
+
+/// Returns the errors of tables of constants and of linear maps that are what they should not be.
+pub fn errors() -> Vec<String> {
+    let heisenberg = |i, j, k| match (i, j, k) {
+        (0, 1, 2) => 1.0,
+        (1, 0, 2) => -1.0,
+        _ => 0.0,
+    };
+    // [e₀, e₁] = e₂ and [e₀, e₂] = e₁, but [e₁, e₂] = e₁
+    let broken = |i, j, k| match (i, j, k) {
+        (0, 1, 2) | (0, 2, 1) | (1, 2, 1) => 1.0,
+        (1, 0, 2) | (2, 0, 1) | (2, 1, 1) => -1.0,
+        _ => 0.0,
+    };
+    let identity = |i, j| if i == j { 1.0 } else { 0.0 };
+    let adjoint = || StructureConstants::<3>::new(heisenberg).map(InfinitesimalAdjoint).unwrap();
+    vec![
+        refused(StructureConstants::<3>::new(|_, _, _| f64::NAN)),
+        refused(StructureConstants::<3>::new(|_, _, _| 1.0)),
+        refused(StructureConstants::<3>::new(broken)),
+        refused(Cocycle::new(adjoint(), identity)),
+        refused(Cocycle::new(adjoint(), |_, _| f64::INFINITY)),
+    ]
+}

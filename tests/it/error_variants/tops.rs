@@ -1,0 +1,76 @@
+//! Errors of tops, their methods and their sections.
+
+use super::refused;
+use collective_integrators::{Direction, Start};
+use heavytop::methods::{Formulation, Method, MethodError, Scheme, Task};
+use heavytop::{
+    Body, Coordinate, EnergyLevel, HeavyTop, JacobiElliptic, LagrangeNutation, Section, Surface,
+    SymmetricTopSplitting, require_unit,
+};
+use lie_poisson::{InstructionSet, MissingInstructions, Se3Dual, Vector};
+use nalgebra::Vector3;
+use workspace_tests::tops;
+
+/// A task that does nothing.
+struct Nothing;
+
+impl Task for Nothing {
+    type Output = ();
+
+    fn perform<I: Start<State: Vector, Momentum = Se3Dual>>(self, _: &I) {}
+}
+
+/// Returns a method by the names of its formulation and its scheme, on an instruction set.
+fn method(formulation: &str, scheme: &str, set: InstructionSet) -> Result<Method, MethodError> {
+    let method = Method::new(formulation.parse()?, scheme.parse()?, 0.0)?;
+    Ok(method.with_instructions(set)?)
+}
+
+/// Returns the error of a method with instructions that the processor lacks. One that has all of them refuses none.
+fn missing_instructions() -> String {
+    let missing = InstructionSet::ALL.into_iter().find(|set| !set.is_available());
+    match missing {
+        Some(set) => refused(method("direct", "rk4", set)),
+        None => refused::<(), MethodError>(
+            Err(MissingInstructions { set: InstructionSet::Avx512 }).map_err(MethodError::from),
+        ),
+    }
+}
+
+/// Returns the errors of parameters of tops, of methods, and of sections.
+pub fn errors() -> Vec<String> {
+    let body = Body {
+        inertia: Vector3::new(2.0, 2.0, 1.0),
+        mass: 1.0,
+        gravity: 9.81,
+        length: 0.1,
+        center_of_mass: Vector3::z(),
+    };
+    let top = tops::paper().unwrap();
+    let generic = tops::generic().unwrap();
+    let portable = InstructionSet::Portable;
+    let no_stages = Method::new(Formulation::Direct, Scheme::Gauss(0), 0.0).unwrap();
+    let section = |energy, level| {
+        let surface = Surface { coordinate: Coordinate::Gamma3, level, direction: Direction::Up };
+        Section::new(EnergyLevel { top, energy, vertical_momentum: 0.0 }, surface)
+    };
+    vec![
+        refused(HeavyTop::new(&Body { length: f64::INFINITY, ..body })),
+        refused(HeavyTop::new(&Body { mass: 0.0, ..body })),
+        refused(HeavyTop::new(&Body { gravity: -9.81, ..body })),
+        refused(HeavyTop::new(&Body { inertia: Vector3::new(1.0, 1.0, 3.0), ..body })),
+        refused(JacobiElliptic::new(1.5)),
+        refused(LagrangeNutation::new(&generic, &tops::generic_start())),
+        refused(SymmetricTopSplitting::new(generic)),
+        refused(require_unit("axis", &Vector3::new(1.0, 1.0, 0.0))),
+        refused(method("direct", "rk5", portable)),
+        refused(method("direct", "stormer-verlet", portable)),
+        refused(Method::new(Formulation::Direct, Scheme::Rk4, -1.0)),
+        missing_instructions(),
+        refused(no_stages.integrate(&top, Nothing)),
+        refused(section(f64::NAN, 0.0)),
+        refused(section(1.0, -1.0)),
+        refused(section(-2.0, 0.0)),
+        refused(section(-1.0 + 1e-13, 0.0).unwrap().starts(1000, 0)),
+    ]
+}
