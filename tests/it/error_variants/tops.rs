@@ -31,9 +31,11 @@ fn missing_instructions() -> String {
     let missing = InstructionSet::ALL.into_iter().find(|set| !set.is_available());
     match missing {
         Some(set) => refused(method("direct", "rk4", set)),
-        None => refused::<(), MethodError>(
-            Err(MissingInstructions { set: InstructionSet::Avx512 }).map_err(MethodError::from),
-        ),
+        None => {
+            refused::<(), MethodError>(Err(
+                MissingInstructions { set: InstructionSet::Avx512 }.into()
+            ))
+        }
     }
 }
 
