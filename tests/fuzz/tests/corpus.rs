@@ -1,4 +1,5 @@
 //! The corpora of the fuzzer: each case ends as its target says.
+#![allow(clippy::unwrap_used)]
 
 use fuzz_targets::{cases, targets};
 use std::panic::{AssertUnwindSafe, catch_unwind};
