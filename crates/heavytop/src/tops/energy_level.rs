@@ -71,8 +71,7 @@ impl EnergyLevel {
     pub fn states(&self, gamma: &Vector3<f64>, axis: usize, momentum: f64) -> Option<[Se3Dual; 2]> {
         let Slowest { pi, along, mobility, energy } = self.slowest(gamma, axis, momentum)?;
         let square = 2.0 * (self.energy - energy) / mobility;
-        // The comparison is false for NaN, too.
-        if !(square >= 0.0) {
+        if square.is_nan() || square < 0.0 {
             return None;
         }
         let states =
