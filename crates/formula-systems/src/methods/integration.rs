@@ -33,7 +33,7 @@ impl Integration<'_> {
         let scheme = self.scheme;
         let solver = StageSolver { tolerance: self.tolerance, ..StageSolver::default() };
         let midpoint = || RungeKutta::implicit_midpoint().with_solver(solver);
-        let failed = |source| MethodError::Scheme { scheme: scheme.name(), source };
+        let failed = |source| MethodError::Scheme { scheme, source };
         match scheme {
             Scheme::ImplicitMidpoint => self.with(midpoint(), task),
             Scheme::Gauss(stages) => {

@@ -3,5 +3,6 @@
 
 mod algebras;
 mod methods;
+mod schemes;
 mod sections;
 mod support;

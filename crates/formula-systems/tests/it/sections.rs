@@ -90,3 +90,26 @@ fn what_is_no_section_is_refused() {
     let error = SystemSection::new(&two, "x", &none, (0.0, Direction::Up)).unwrap_err();
     assert_eq!(error, E::NoAxes { dimension: 2 });
 }
+
+/// A section is drawn over the first two coordinates that its surface does not fix, or over the formulas asked for.
+#[test]
+fn axes_are_the_free_coordinates_or_formulas() {
+    let (body, state) = (body(), [1.0, 0.5, 0.3, 0.6, 0.0, 0.8]);
+    let plain = section(&body, "Pi1", (0.25, Direction::Down));
+    assert_eq!(plain.axes().each_ref().map(ToString::to_string), ["Pi2", "Pi3"]);
+    assert_eq!(plain.plane(&state), [0.5, 0.3]);
+    assert_eq!(plain.value(&state), 0.75);
+    let parts = (plain.surface().to_string(), plain.level(), plain.direction());
+    assert_eq!(parts, ("Pi1".to_owned(), 0.25, Direction::Down));
+    assert_eq!(plain.system(), &body);
+    let other = plain.with_axes(["Pi1 + 2*Pi2", "Gamma·Gamma"], &Parameters::new()).unwrap();
+    assert_eq!(other.plane(&state)[0], 2.0);
+    // Rounding of two squares and their sum.
+    assert!((other.plane(&state)[1] - 1.0).abs() < 4.0 * f64::EPSILON);
+    // Negative control: the axes change nothing else, and a state of another length has no place.
+    assert_eq!(other.value(&state), 0.75);
+    assert!(other.plane(&state[..4]).iter().all(|x| x.is_nan()));
+    let levels = [f64::NAN];
+    let lost = other.starts(&state, &levels, 1, 0);
+    assert!(matches!(lost, Err(FormulaSystemError::Level { .. })));
+}

@@ -62,7 +62,7 @@ mod tests {
     use super::*;
     use crate::errors::SweepError;
     use collective_integrators::{IntegrationError, RunError, SchemeError, StepError};
-    use heavytop::methods::MethodError;
+    use heavytop::methods::{MethodError, Scheme};
     use heavytop::{SectionError, TopError};
     use momentum_map::LiftError;
     use std::error::Error as _;
@@ -107,7 +107,8 @@ mod tests {
                 "[initial] step 5 at t = 0.5: the state is not finite after the step",
             ),
             (
-                MethodError::Scheme { scheme: "gauss-0", source: SchemeError::NotFinite }.into(),
+                MethodError::Scheme { scheme: Scheme::Gauss(0), source: SchemeError::NotFinite }
+                    .into(),
                 "gauss-0: a coefficient of the method is not finite",
             ),
             (

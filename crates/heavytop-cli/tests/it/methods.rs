@@ -94,7 +94,7 @@ fn reduced_is_collective() {
 
 #[test]
 fn the_orders_are_those_of_the_names() {
-    let orders = [2_u8, 4, 4, 6, 6, 8];
+    let orders = [2_u16, 4, 4, 6, 6, 8];
     for formulation in ["collective", "direct", "splitting"] {
         let end = |scheme: &str, step: f64| {
             let folder = Folder::new();

@@ -240,6 +240,6 @@ impl Method {
     }
 
     fn failed(&self, source: SchemeError) -> MethodError {
-        MethodError::Scheme { scheme: self.scheme.name(), source }
+        MethodError::Scheme { scheme: self.scheme, source }
     }
 }

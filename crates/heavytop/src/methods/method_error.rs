@@ -35,8 +35,8 @@ pub enum MethodError {
     /// The scheme could not be made.
     #[error("{scheme}")]
     Scheme {
-        /// The name of the scheme.
-        scheme: &'static str,
+        /// The scheme that was asked for.
+        scheme: Scheme,
         /// The reason why the scheme could not be made.
         source: SchemeError,
     },

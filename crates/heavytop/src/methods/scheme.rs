@@ -83,21 +83,17 @@ impl Scheme {
         ("kahan-li-8", Self::Composed(ComposedScheme::KahanLi8)),
     ];
 
-    /// Returns the name of the scheme, or `gauss` for a Gauss method with another number of stages than those in
-    /// [`NAMES`](Self::NAMES).
+    /// Returns the name of the scheme; it is empty for a Gauss method that is not among [`NAMES`](Self::NAMES).
     #[must_use]
     pub fn name(self) -> &'static str {
-        match name_of(Self::NAMES, self) {
-            "" => "gauss",
-            name => name,
-        }
+        name_of(Self::NAMES, self)
     }
 
     /// Returns the order p of the method: the error after a given time decreases as the p-th power of the step.
     #[must_use]
-    pub fn order(self) -> u8 {
+    pub fn order(self) -> u16 {
         match self {
-            Self::Gauss(stages) => 2 * stages,
+            Self::Gauss(stages) => 2 * u16::from(stages),
             Self::Partitioned(PartitionedScheme::SymplecticEuler) => 1,
             Self::ImplicitMidpoint | Self::ExplicitMidpoint => 2,
             Self::Partitioned(PartitionedScheme::StormerVerlet)
@@ -137,6 +133,32 @@ impl FromStr for Scheme {
 
 impl fmt::Display for Scheme {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        f.write_str(self.name())
+        match self {
+            // Messages name Gauss methods of every number of stages.
+            Self::Gauss(_) => write!(f, "gauss-{}", self.order()),
+            _ => f.write_str(self.name()),
+        }
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn the_text_of_a_scheme_is_its_name() {
+        for &(name, scheme) in Scheme::NAMES {
+            assert_eq!((scheme.to_string().as_str(), scheme.name()), (name, name));
+        }
+    }
+
+    /// Messages about schemes without a name must not be empty, and the order of the largest one must not overflow.
+    #[test]
+    fn gauss_methods_without_a_name_have_a_text_and_an_order() {
+        for (stages, text, order) in [(0, "gauss-0", 0), (255, "gauss-510", 510)] {
+            let scheme = Scheme::Gauss(stages);
+            assert_eq!((scheme.name(), scheme.to_string().as_str()), ("", text));
+            assert_eq!(scheme.order(), order);
+        }
     }
 }

@@ -8,7 +8,7 @@ use collective_integrators::{
     IntegrationError, Laned, LiftFree, RungeKutta, SchemeError, Splitting, StagesInLanes, Start,
     Substeps,
 };
-use heavytop::methods::MethodError;
+use heavytop::methods::{MethodError, Scheme};
 use heavytop::{
     CollectiveGauss, GaussBatch, MidpointBatch, ReducedMidpoint, SpinorRealisation,
     SymmetricTopBatch, SymmetricTopSplitting, TopMidpoint,
@@ -204,5 +204,5 @@ fn failed(name: &str, source: IntegrationError) -> Error {
 }
 
 fn refused(source: SchemeError) -> Error {
-    MethodError::Scheme { scheme: "gauss-16", source }.into()
+    MethodError::Scheme { scheme: Scheme::Gauss(8), source }.into()
 }

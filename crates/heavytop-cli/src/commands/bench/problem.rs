@@ -4,7 +4,7 @@ use crate::Error;
 use crate::files::bounded;
 use crate::vocabulary::brief;
 use collective_integrators::{IntegrationError, Start};
-use heavytop::methods::MethodError;
+use heavytop::methods::{MethodError, Scheme};
 use heavytop::{Body, CollectiveGauss, HeavyTop};
 use lie_poisson::Se3Dual;
 use nalgebra::Vector3;
@@ -90,7 +90,7 @@ impl Problem {
     /// If a reference cannot be computed.
     pub fn with_references(top: HeavyTop, end: f64, starts: Vec<Se3Dual>) -> Result<Self, Error> {
         let gauss = CollectiveGauss::new(8, top)
-            .map_err(|source| MethodError::Scheme { scheme: "gauss-16", source })?;
+            .map_err(|source| MethodError::Scheme { scheme: Scheme::Gauss(8), source })?;
         let failed =
             |source: IntegrationError| Error::Timed { name: "reference".to_owned(), source };
         let (mut early, mut late) = (Vec::new(), Vec::new());

@@ -1,0 +1,78 @@
+//! The iteration that solves stage equations, for equations of the caller.
+
+use collective_integrators::{StageSolver, StepError};
+use lie_poisson::{DefaultLanes, Lanes, Real};
+use nalgebra::Vector1;
+
+/// Returns k₁ = 1/2 + k₂/4 and k₂ = 1 + k₁/8, whose solution is (24/31, 34/31).
+fn linear(i: usize, k: &[Vector1<f64>]) -> Vector1<f64> {
+    match i {
+        0 => k[1].map(|k| 0.5 + k / 4.0),
+        _ => k[0].map(|k| 1.0 + k / 8.0),
+    }
+}
+
+#[test]
+fn equations_with_a_known_solution() {
+    let mut k = [Vector1::new(0.0); 2];
+    let made = StageSolver::default().solve(Vector1::new(1.0), &mut k, linear).unwrap();
+    // Each sweep contracts by at least 4, so that 2⁻⁵³ is reached after 27 sweeps at most.
+    assert!((2..=28).contains(&made), "{made}");
+    for (k, exact) in k.iter().zip([24.0 / 31.0, 34.0 / 31.0]) {
+        // A sweep rounds three times.
+        assert!((k.x - exact).abs() <= 3.0 * f64::EPSILON, "{k}, not {exact}");
+    }
+}
+
+/// Negative control: an iteration without a limit, or with too few sweeps, is an error.
+#[test]
+fn iterations_that_do_not_converge() {
+    let plain = StageSolver { newton: false, ..StageSolver::default() };
+    let mut k = [Vector1::new(0.0)];
+    let outcome = plain.solve(Vector1::new(1.0), &mut k, |_, k| k[0] * 3.0);
+    assert!(matches!(outcome, Err(StepError::NotConverged { .. })), "{outcome:?}");
+    let hasty = StageSolver { max_iterations: 2, ..plain };
+    let outcome = hasty.solve(Vector1::new(1.0), &mut [Vector1::new(0.0); 2], linear);
+    assert!(matches!(outcome, Err(StepError::NotConverged { .. })), "{outcome:?}");
+}
+
+/// The equation k = c cos k with another c in each SIMD lane (several numbers in one register).
+#[test]
+fn a_lane_has_the_bits_that_it_has_alone() {
+    fn solved<T: Real>(c: T) -> T {
+        let mut k = [Vector1::new(T::from_f64(0.0))];
+        let solver = StageSolver { max_iterations: 200, newton: false, ..StageSolver::default() };
+        let start = Vector1::new(T::from_f64(0.3));
+        solver.solve(start, &mut k, |_, k| Vector1::new(k[0].x.cos() * c)).unwrap();
+        k[0].x
+    }
+    let c = [0.1, 0.9, 0.5, 0.3];
+    let together = solved(DefaultLanes::load(&c));
+    for (i, c) in c.into_iter().enumerate() {
+        let alone = solved(c);
+        assert_eq!(together.lane(i).to_bits(), alone.to_bits(), "{c}");
+        assert!((alone - c * alone.cos()).abs() < 1e-15, "{c}: {alone}");
+    }
+    // Negative control: the lanes differ from each other.
+    assert_ne!(together.lane(0), together.lane(1));
+}
+
+#[test]
+fn sweeps_that_diverge_or_lose_their_numbers_are_errors() {
+    let solver = StageSolver::default();
+    let mut k = 1.0_f64;
+    let grown = solver.solve_by_sweeps(|| {
+        k *= 2.0;
+        [k / 2.0, k]
+    });
+    assert!(matches!(grown, Err(StepError::NotConverged { .. })), "{grown:?}");
+    let lost = solver.solve_by_sweeps(|| [f64::NAN, 1.0]);
+    assert!(lost.is_err(), "{lost:?}");
+    // Negative control: sweeps whose changes decrease converge.
+    let mut change = 1.0;
+    let made = solver.solve_by_sweeps(|| {
+        change /= 16.0;
+        [change, 1.0]
+    });
+    assert!(made.is_ok(), "{made:?}");
+}
