@@ -6,7 +6,7 @@
 //! | target | input | what must hold |
 //! |---|---|---|
 //! | `configuration` | TOML | the error quotes the input, or the first steps are finite and the configuration reads back |
-//! | `checkpoint` | a sealed file | it is refused, or the run goes on from a finite state |
+//! | `checkpoint` | a sealed file | it is refused, or the run continues with finite states |
 //! | `formula` | text | the error has a place in the text, or the printed formula has the same values |
 //! | `constructors` | numbers | refused, or solutions and steps are finite and conserve what they should |
 //! | `lifts` | points of duals | no lift, or M(lift(μ)) = μ |
@@ -16,6 +16,7 @@
 #![allow(clippy::panic)]
 
 mod input;
+mod case_file;
 mod corpus;
 mod targets;
 

@@ -72,7 +72,7 @@ impl ConfigurationText {
         let span = if own.is_some() { at_path } else { error.span().or(at_path) };
         let of_system = message.starts_with(UNKNOWN)
             && matches!(path.0.first(), Some(Step::Key(table)) if table == "initial")
-            && self.text.lines().any(|line| line.trim() == "[system]");
+            && toml::from_str::<Table>(&self.text).is_ok_and(|table| table.contains_key("system"));
         let note = if of_system { SYSTEM_STATE.into() } else { repair(&message) };
         let quotation = Quotation::new(&self.name, &self.text, span.unwrap_or(0..0), &note);
         let message = match path.to_string().as_str() {

@@ -13,6 +13,8 @@ const QUOTED: &[(&str, &str, &str, &str, &str)] = &[
         "Pi",
         "write the state of a system as initial = { ... } in [system]",
     ),
+    // Without a system there is no such key in [initial], and no more to say.
+    ("simulate", "[initial]\nPi = [1, 0, 0]", "Pi = [1, 0, 0]", "Pi", "there is no such key"),
     ("simulate", "body.weight = 2", "body.weight = 2", "weight", "there is no such key"),
     (
         "simulate",

@@ -44,7 +44,7 @@ fn the_transposed_tangent_map_is_adjoint_to_the_tangent_map() {
     }
 }
 
-/// The derivative of q q̄ = |q|² along q is 2 |q|², and along a rotation of q, which is normal to q, zero.
+/// The derivative of q q* = |q|², with the conjugate q*, along q is 2 |q|², and along a rotation of q, which is normal to q, zero.
 #[test]
 fn derivatives_of_products_of_quaternions() {
     let q = Quaternion { scalar: 1.0, vector: Vector3::new(2.0, -3.0, 4.0) };

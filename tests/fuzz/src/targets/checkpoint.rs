@@ -1,15 +1,9 @@
 //! Checkpoints: sealed contents that no run has written, and the steps that follow them.
 
 use super::configuration::first_steps;
+use crate::case_file::case_file;
 use heavytop_cli::Error;
 use heavytop_cli::commands::simulate::Checkpoint;
-use std::cell::OnceCell;
-use std::fs;
-use tempfile::TempDir;
-
-thread_local! {
-    static FOLDER: OnceCell<Option<TempDir>> = const { OnceCell::new() };
-}
 
 /// Returns the file: the bytes as they are if the first is a zero, and otherwise under a title with their checksum.
 fn sealed(case: &[u8]) -> Vec<u8> {
@@ -22,25 +16,15 @@ fn sealed(case: &[u8]) -> Vec<u8> {
     }
 }
 
-fn read(file: &[u8]) -> Option<Result<Checkpoint, Error>> {
-    FOLDER.with(|folder| {
-        let folder = folder.get_or_init(|| tempfile::tempdir().ok()).as_ref()?;
-        let path = folder.path().join("case.checkpoint");
-        fs::write(&path, file).ok()?;
-        Some(Checkpoint::read(&path))
-    })
-}
-
 pub(super) fn run(case: &[u8]) {
-    let checkpoint = match read(&sealed(case)) {
-        None => return,
-        Some(Err(error)) => {
+    let checkpoint = match Checkpoint::read(&case_file("case.checkpoint", &sealed(case))) {
+        Ok(checkpoint) => checkpoint,
+        Err(error) => {
             assert!(matches!(error, Error::Checkpoint { .. }), "{}", error.message());
             return;
         }
-        Some(Ok(checkpoint)) => checkpoint,
     };
-    // What a run would check before it continues is not of importance here: none may panic.
+    // The checks of `simulate` before it continues are left out, so that more states are tried.
     let config = checkpoint.configuration();
     let _ = first_steps(config);
     let saved = checkpoint.saved();

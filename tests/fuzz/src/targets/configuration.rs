@@ -1,34 +1,22 @@
 //! Configurations: what is read from TOML, and the first steps of the run that it asks for.
 
+use crate::case_file::case_file;
 use heavytop_cli::Error;
 use heavytop_cli::configuration::Config;
 use heavytop_cli::reading::Sources;
-use std::cell::OnceCell;
-use std::fs;
-use tempfile::TempDir;
 
 /// The number of samples that are computed of a run.
 const SAMPLES: usize = 3;
 
-thread_local! {
-    static FOLDER: OnceCell<Option<TempDir>> = const { OnceCell::new() };
-}
-
 /// Reads the text as the program does: from a file.
-fn read(text: &[u8]) -> Option<Result<Sources, Error>> {
-    FOLDER.with(|folder| {
-        let folder = folder.get_or_init(|| tempfile::tempdir().ok()).as_ref()?;
-        let path = folder.path().join("case.toml");
-        fs::write(&path, text).ok()?;
-        Some(Sources::read(None, Some(&path), &[]))
-    })
+fn read(text: &[u8]) -> Result<Sources, Error> {
+    Sources::read(None, Some(&case_file("case.toml", text)), &[])
 }
 
 pub(super) fn run(case: &[u8]) {
     let sources = match read(case) {
-        None => return,
-        Some(Err(error)) => return assert_refused(&error),
-        Some(Ok(sources)) => sources,
+        Err(error) => return assert_refused(&error),
+        Ok(sources) => sources,
     };
     let config = sources.config();
     assert_reads_back(config);
@@ -53,7 +41,7 @@ fn assert_refused(error: &Error) {
 /// Asserts that the configuration as TOML is the same configuration.
 fn assert_reads_back(config: &Config) {
     let Ok(text) = config.to_toml() else { return };
-    let Some(Ok(again)) = read(text.as_bytes()) else { panic!("cannot be read again:\n{text}") };
+    let Ok(again) = read(text.as_bytes()) else { panic!("cannot be read again:\n{text}") };
     // Texts are compared, so that NaN equals itself.
     assert_eq!(again.config().to_toml().ok().as_deref(), Some(&*text));
 }
