@@ -125,6 +125,13 @@ pub(crate) fn turn<T: Real>(axis: usize, angle: T, v: &Vector3<T>) -> Vector3<T>
     turned
 }
 
+/// Rotates v by a rotation vector ω: v + c₁ ω×v + c₂ ω×(ω×v), with Stumpff functions of |ω|².
+#[inline]
+pub(crate) fn rotated<T: Real>(omega: &Vector3<T>, v: &Vector3<T>) -> Vector3<T> {
+    let (x, turned) = (omega.dot(omega), omega.cross(v));
+    v + (turned * x.stumpff(1) + omega.cross(&turned) * x.stumpff(2))
+}
+
 /// Returns the unit quaternion of the rotation about e_axis by the angle.
 #[inline]
 pub(crate) fn axial_turn<T: Real>(axis: usize, angle: T) -> Quaternion<T> {

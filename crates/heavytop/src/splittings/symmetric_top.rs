@@ -1,9 +1,9 @@
 //! The splitting of a symmetric top into the free symmetric top and its weight.
 
-use crate::splittings::rotors::{axial_turn, kick, turn};
+use crate::splittings::rotors::{axial_turn, kick, rotated, turn};
 use crate::{HeavyTop, TopError, TurningFlows};
 use collective_integrators::ExactFlows;
-use lie_poisson::{Covector, LieGroup, Pair, Quaternion, Real, SO3, SP1, Se3Dual};
+use lie_poisson::{Covector, LieGroup, Pair, Quaternion, Real, SP1, Se3Dual};
 use nalgebra::Vector3;
 
 /// The splitting of a top with I₁ = I₂ into the free symmetric top, solved exactly, and the weight.
@@ -82,7 +82,7 @@ impl<T: Real> ExactFlows<T> for SymmetricTopSplitting {
         match index {
             0 => {
                 let (about_pi, angle) = self.free_turns(time, pi);
-                let gamma = SO3.exp(&about_pi) * gamma;
+                let gamma = rotated(&about_pi, gamma);
                 Se3Dual::new(turn(2, angle, pi), turn(2, angle, &gamma))
             }
             1 => kick(&self.top, time, mu),

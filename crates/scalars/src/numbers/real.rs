@@ -267,6 +267,7 @@ impl Real for f64 {
         self.tanh()
     }
 
+    #[inline]
     fn stumpff(self, order: u32) -> Self {
         stumpff(self, order)
     }
