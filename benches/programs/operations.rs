@@ -7,13 +7,13 @@
 //! Iterations are counted as they occur, on Kovalevskaya's top from the paper's start, over the last quarter of a run
 //! of 4096 steps.
 
-use collective_integrators::{Collective, LiftFree, RungeKutta, Start};
+use collective_integrators::{Collective, Direct, HamiltonianField, LiftFree, RungeKutta, Start};
 use core::ops::{
     Add, AddAssign, Div, DivAssign, Mul, MulAssign, Neg, Rem, RemAssign, Sub, SubAssign,
 };
 use heavytop::{HeavyTop, ReducedMidpoint, SpinorRealisation};
 use lie_poisson::num_traits::{Num, One, Zero};
-use lie_poisson::{Real, Se3Dual};
+use lie_poisson::{LiePoisson, Real, Se3, Se3Dual};
 use momentum_map::DualQuaternions;
 use nalgebra::Vector3;
 use std::cell::Cell;
@@ -197,5 +197,7 @@ fn main() -> Result<(), Box<dyn Error>> {
     )?;
     let midpoint = LiftFree::new(RungeKutta::implicit_midpoint(), DualQuaternions, top);
     row("`LiftFree`, midpoint, h = 1/100", &midpoint, 0.01)?;
-    row("`ReducedMidpoint`, h = 1/100", &ReducedMidpoint::new(top), 0.01)
+    row("`ReducedMidpoint`, h = 1/100", &ReducedMidpoint::new(top), 0.01)?;
+    let field = HamiltonianField { space: LiePoisson::minus(Se3::default()), hamiltonian: top };
+    row("`Direct`, RK4, h = 1/100", &Direct::new(RungeKutta::rk4(), field), 0.01)
 }
