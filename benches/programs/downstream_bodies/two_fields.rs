@@ -51,7 +51,7 @@ impl PoissonMap for TwoParticles {
 
     #[inline]
     fn generator<T: Real>(&self, xi: &Motion<T>, z: &Cotangent<Fields<T>>) -> Cotangent<Fields<T>> {
-        let back = |v: Fields<T>| Power(v.0.map(|v| v.cross(&xi.0)));
+        let back = |v: Fields<T>| Power::from_factors(|n| v.0[n].cross(&xi.0));
         Cotangent::new(back(z.q) - xi.1, Covector(back(z.p.0)))
     }
 }
@@ -80,8 +80,8 @@ impl<T: Real> Hamiltonian<LiePoisson<Algebra>, T> for BodyInTwoFields {
 
     #[inline]
     fn differential(&self, Covector(Pair(pi, _)): &Covector<Motion<T>>) -> Motion<T> {
-        let torques = self.torques.map(|c| c.map(T::from_f64));
-        Pair(pi.zip_map(&self.inverse, |x, inverse| x * inverse), Power(torques))
+        let torques = Power::from_factors(|n| self.torques[n].map(T::from_f64));
+        Pair(pi.zip_map(&self.inverse, |x, inverse| x * inverse), torques)
     }
 }
 

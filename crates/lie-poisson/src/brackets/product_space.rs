@@ -4,7 +4,6 @@ use crate::{
     Covector, Differential, Pair, Point, PoissonSpace, Power, Real, Vector, VectorSpace,
     map_coordinates,
 };
-use core::array::from_fn;
 
 /// The product P × Q of Poisson spaces with the sum of the two brackets; functions of different factors
 /// commute.
@@ -47,10 +46,10 @@ impl<P: PoissonSpace, const N: usize> PoissonSpace for PowerSpace<P, N> {
         z: &Point<Self, T>,
         dh: &Differential<Self, T>,
     ) -> Point<Self, T> {
-        Power(from_fn(|n| {
+        Power::from_factors(|n| {
             let part: Differential<P, T> = map_coordinates(&dh.0.0[n], |x| x);
             self.0.hamiltonian_vector::<T>(&z.0[n], &part)
-        }))
+        })
     }
 }
 

@@ -4,7 +4,6 @@ use crate::{
     AlgebraElement, LieGroup, Pair, Power, PowerGroup, ProductGroup, Quaternion, Real, RealSpace,
     SE2, SE3, SL2, SO2, SO3, SP1, SU2, Sl2, So3, Su2,
 };
-use core::array::from_fn;
 use nalgebra::{Matrix2, Matrix3, SVector, Vector1, Vector2, Vector3};
 use num_complex::Complex;
 
@@ -117,6 +116,6 @@ impl<G: Cayley, const N: usize> Cayley for PowerGroup<G, N> {
     /// Returns (cay ξ₁, …, cay ξ_N), factor by factor.
     #[inline]
     fn cayley<T: Real>(&self, xi: &AlgebraElement<Self, T>) -> Self::Element<T> {
-        Power(from_fn(|n| self.0.cayley::<T>(&xi.0[n])))
+        Power::from_factors(|n| self.0.cayley::<T>(&xi.0[n]))
     }
 }

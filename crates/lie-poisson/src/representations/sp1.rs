@@ -4,7 +4,6 @@ use crate::{
     Covector, GroupRepresentation, LieGroup, Power, Quaternion, Real, Representation, Su2, Vector,
     VectorSpace,
 };
-use core::array::from_fn;
 use nalgebra::Vector3;
 
 /// The space H^N as a real vector space of dimension 4N, with ⟨p, q⟩ = Re Σ conj(p) q.
@@ -82,7 +81,7 @@ impl<const N: usize> Representation for SP1OnQuaternions<N> {
     #[inline]
     fn act<T: Real>(&self, xi: &Vector3<T>, v: &Self::Space<T>) -> Self::Space<T> {
         let half = Quaternion { scalar: T::zero(), vector: xi.scaled(T::from_f64(0.5)) };
-        Power(from_fn(|n| half * v.0[n]))
+        Power::from_factors(|n| half * v.0[n])
     }
 
     /// Returns ξᵀ α, which is conj(½ξ) α = −½ξ α in coordinates.
@@ -118,6 +117,6 @@ impl<const N: usize> GroupRepresentation for SP1OnQuaternions<N> {
 
     #[inline]
     fn transform<T: Real>(&self, g: &Quaternion<T>, v: &Self::Space<T>) -> Self::Space<T> {
-        Power(from_fn(|n| *g * v.0[n]))
+        Power::from_factors(|n| *g * v.0[n])
     }
 }

@@ -251,12 +251,12 @@ impl<R: SymplecticRepresentation, const N: usize> SymplecticRepresentation for D
 
     #[inline]
     fn sharp<T: Real>(&self, alpha: &Covector<Self::Space<T>>) -> Self::Space<T> {
-        Power(alpha.0.0.map(|alpha| self.0.sharp::<T>(&Covector(alpha))))
+        Power::from_factors(|n| self.0.sharp::<T>(&Covector(alpha.0.0[n])))
     }
 
     #[inline]
     fn flat<T: Real>(&self, x: &Self::Space<T>) -> Covector<Self::Space<T>> {
-        Covector(Power(x.0.map(|x| self.0.flat::<T>(&x).0)))
+        Covector(Power::from_factors(|n| self.0.flat::<T>(&x.0[n]).0))
     }
 
     fn odd_powers_belong(&self) -> bool {

@@ -1,7 +1,6 @@
 //! Powers of an algebra of multipliers: [`PowerMultipliers`].
 
 use crate::Multipliers;
-use core::array::from_fn;
 use lie_poisson::{Covector, LieAlgebra, LiePoisson, Point, Power, PowerAlgebra, Real};
 
 /// The N-th power of an algebra of multipliers, factor by factor, for example for N spins.
@@ -32,7 +31,7 @@ where
         xi: &Power<A::Element<T>, N>,
         q: &Self::Multiplier<T>,
     ) -> Self::Multiplier<T> {
-        Power(from_fn(|n| self.0.generate::<T>(&xi.0[n], &q.0[n])))
+        Power::from_factors(|n| self.0.generate::<T>(&xi.0[n], &q.0[n]))
     }
 
     #[inline]
@@ -42,7 +41,7 @@ where
         mu: &Point<Self::Space, T>,
     ) -> Point<Self::Space, T> {
         let factor = |n: usize| self.0.transport::<T>(&q.0[n], &Covector(mu.0.0[n])).0;
-        Covector(Power(from_fn(factor)))
+        Covector(Power::from_factors(factor))
     }
 
     #[inline]
@@ -52,7 +51,7 @@ where
         mu: &Point<Self::Space, T>,
     ) -> Point<Self::Space, T> {
         let factor = |n: usize| self.0.coadjoint_change::<T>(&q.0[n], &Covector(mu.0.0[n])).0;
-        Covector(Power(from_fn(factor)))
+        Covector(Power::from_factors(factor))
     }
 
     #[inline]
@@ -61,7 +60,7 @@ where
         q: &Self::Multiplier<T>,
         b: &Self::Multiplier<T>,
     ) -> Self::Multiplier<T> {
-        Power(from_fn(|n| self.0.product::<T>(&q.0[n], &b.0[n])))
+        Power::from_factors(|n| self.0.product::<T>(&q.0[n], &b.0[n]))
     }
 
     #[inline]

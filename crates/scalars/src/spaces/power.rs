@@ -1,7 +1,6 @@
 //! Powers Vᴺ of a vector space.
 
 use crate::{Covector, Vector, state_by_value};
-use core::array::from_fn;
 use core::ops::{Add, AddAssign, Neg, Sub, SubAssign};
 
 /// An element (v₁, …, v_N) of the power Vᴺ, for example the state of N spins or of N vortices.
@@ -17,6 +16,21 @@ use core::ops::{Add, AddAssign, Neg, Sub, SubAssign};
 #[repr(transparent)]
 pub struct Power<V, const N: usize>(pub [V; N]);
 
+impl<V: Vector, const N: usize> Power<V, N> {
+    /// Creates (f(0), …, f(N − 1)).
+    ///
+    /// The factors of a small power stay in registers. [`core::array::from_fn`] and the `map` of arrays copy them through
+    /// memory.
+    #[cfg_attr(not(debug_assertions), inline(always))]
+    pub fn from_factors(mut f: impl FnMut(usize) -> V) -> Self {
+        let mut factors = [V::zero(); N];
+        for (n, factor) in factors.iter_mut().enumerate() {
+            *factor = f(n);
+        }
+        Self(factors)
+    }
+}
+
 state_by_value!([V: Vector, const N: usize] Power<V, N>, V::Scalar, V::Blocks);
 
 impl<V: Vector, const N: usize> Vector for Power<V, N> {
@@ -31,7 +45,7 @@ impl<V: Vector, const N: usize> Vector for Power<V, N> {
 
     #[cfg_attr(not(debug_assertions), inline(always))]
     fn from_coordinates(mut f: impl FnMut(usize) -> V::Scalar) -> Self {
-        Self(from_fn(|n| V::from_coordinates(|i| f(n * V::DIM + i))))
+        Self::from_factors(|n| V::from_coordinates(|i| f(n * V::DIM + i)))
     }
 
     #[cfg_attr(not(debug_assertions), inline(always))]
@@ -43,44 +57,57 @@ impl<V: Vector, const N: usize> Vector for Power<V, N> {
 
     #[cfg_attr(not(debug_assertions), inline(always))]
     fn scaled(&self, s: V::Scalar) -> Self {
-        Self(from_fn(|n| self.0[n].scaled(s)))
+        Self::from_factors(|n| self.0[n].scaled(s))
     }
 }
 
 impl<V: Copy + Add<Output = V>, const N: usize> Add for Power<V, N> {
     type Output = Self;
     #[cfg_attr(not(debug_assertions), inline(always))]
-    fn add(self, rhs: Self) -> Self {
-        Self(from_fn(|n| self.0[n] + rhs.0[n]))
+    fn add(mut self, rhs: Self) -> Self {
+        for (v, w) in self.0.iter_mut().zip(&rhs.0) {
+            *v = *v + *w;
+        }
+        self
     }
 }
 
 impl<V: Copy + Sub<Output = V>, const N: usize> Sub for Power<V, N> {
     type Output = Self;
     #[cfg_attr(not(debug_assertions), inline(always))]
-    fn sub(self, rhs: Self) -> Self {
-        Self(from_fn(|n| self.0[n] - rhs.0[n]))
+    fn sub(mut self, rhs: Self) -> Self {
+        for (v, w) in self.0.iter_mut().zip(&rhs.0) {
+            *v = *v - *w;
+        }
+        self
     }
 }
 
-impl<V: Neg<Output = V>, const N: usize> Neg for Power<V, N> {
+impl<V: Copy + Neg<Output = V>, const N: usize> Neg for Power<V, N> {
     type Output = Self;
     #[cfg_attr(not(debug_assertions), inline(always))]
-    fn neg(self) -> Self {
-        Self(self.0.map(V::neg))
+    fn neg(mut self) -> Self {
+        for v in &mut self.0 {
+            *v = -*v;
+        }
+        self
     }
 }
 
 impl<V: Copy + AddAssign, const N: usize> AddAssign for Power<V, N> {
     #[cfg_attr(not(debug_assertions), inline(always))]
     fn add_assign(&mut self, rhs: Self) {
-        self.0.iter_mut().zip(rhs.0).for_each(|(v, w)| *v += w);
+        for (v, w) in self.0.iter_mut().zip(&rhs.0) {
+            *v += *w;
+        }
     }
 }
 
 impl<V: Copy + SubAssign, const N: usize> SubAssign for Power<V, N> {
     #[cfg_attr(not(debug_assertions), inline(always))]
     fn sub_assign(&mut self, rhs: Self) {
-        self.0.iter_mut().zip(rhs.0).for_each(|(v, w)| *v -= w);
+        for (v, w) in self.0.iter_mut().zip(&rhs.0) {
+            *v -= *w;
+        }
     }
 }

@@ -2,7 +2,6 @@
 
 use crate::error::{SystemError, require_finite};
 use crate::{SpinSpace, Spins};
-use core::array::from_fn;
 use lie_poisson::{Hamiltonian, Power, Real, Vector, hessian_by_dual_numbers};
 use nalgebra::Vector3;
 
@@ -63,10 +62,10 @@ impl<const N: usize, T: Real> Hamiltonian<SpinSpace<N>, T> for HeisenbergChain<N
 
     fn differential(&self, s: &Spins<N, T>) -> Power<Vector3<T>, N> {
         let (spins, field) = (&s.0.0, self.field.map(T::from_f64));
-        Power(from_fn(|i| {
+        Power::from_factors(|i| {
             let neighbours = spins[(i + 1) % N] + spins[(i + N - 1) % N];
             neighbours.scaled(T::from_f64(-self.exchange)) - field
-        }))
+        })
     }
 
     fn hessian(&self, s: &Spins<N, T>, v: &Spins<N, T>) -> Option<Power<Vector3<T>, N>> {

@@ -57,7 +57,7 @@ impl<const N: usize> PointVortices<N> {
     /// Returns the point m_i = k_i x_i of (so(3)∗)ᴺ for vortices at the given positions.
     #[must_use]
     pub fn momentum(&self, positions: &[Vector3<f64>; N]) -> Spins<N> {
-        Covector(Power(from_fn(|i| positions[i] * self.strengths[i])))
+        Covector(Power::from_factors(|i| positions[i] * self.strengths[i]))
     }
 
     /// Returns the positions x_i = m_i/k_i of the vortices.

@@ -4,7 +4,6 @@ use crate::{
     AlgebraElement, Covector, GroupRepresentation, LieGroup, Momentum, Power, Real, Representation,
     RepresentedElement, Vector,
 };
-use core::array::from_fn;
 
 /// The diagonal representation on N copies of V: ξ (v₁, …, v_N) = (ξv₁, …, ξv_N).
 ///
@@ -22,7 +21,7 @@ impl<R: Representation, const N: usize> Representation for Diagonal<R, N> {
 
     #[inline]
     fn act<T: Real>(&self, xi: &RepresentedElement<R, T>, v: &Self::Space<T>) -> Self::Space<T> {
-        Power(from_fn(|n| self.0.act::<T>(xi, &v.0[n])))
+        Power::from_factors(|n| self.0.act::<T>(xi, &v.0[n]))
     }
 
     #[inline]
@@ -32,7 +31,7 @@ impl<R: Representation, const N: usize> Representation for Diagonal<R, N> {
         alpha: &Covector<Self::Space<T>>,
     ) -> Covector<Self::Space<T>> {
         let part = |n: usize| self.0.transpose_act::<T>(xi, &Covector(alpha.0.0[n])).0;
-        Covector(Power(from_fn(part)))
+        Covector(Power::from_factors(part))
     }
 
     /// Returns the sum Σ vₙ ◇ αₙ.
@@ -61,7 +60,7 @@ impl<R: GroupRepresentation, const N: usize> GroupRepresentation for Diagonal<R,
         g: &<R::Group as LieGroup>::Element<T>,
         v: &Self::Space<T>,
     ) -> Self::Space<T> {
-        Power(from_fn(|n| self.0.transform::<T>(g, &v.0[n])))
+        Power::from_factors(|n| self.0.transform::<T>(g, &v.0[n]))
     }
 
     #[inline]
@@ -70,6 +69,6 @@ impl<R: GroupRepresentation, const N: usize> GroupRepresentation for Diagonal<R,
         xi: &AlgebraElement<R::Group, T>,
         phi: &Self::Space<T>,
     ) -> Self::Space<T> {
-        Power(from_fn(|n| self.0.exp_integral::<T>(xi, &phi.0[n])))
+        Power::from_factors(|n| self.0.exp_integral::<T>(xi, &phi.0[n]))
     }
 }

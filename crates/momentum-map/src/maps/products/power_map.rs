@@ -2,7 +2,6 @@
 
 use crate::maps::poisson_map::{PoissonMap, SourcePoint, TargetDifferential, TargetPoint};
 use crate::{FibreSymmetry, Lift, LiftError, RecentringSpace};
-use core::array::from_fn;
 use lie_poisson::{
     Covector, Differential, LieAlgebra, LiePoisson, Power, PowerAlgebra, PowerSpace, Real, Vector,
     map_coordinates,
@@ -31,7 +30,7 @@ where
 
     #[inline]
     fn apply<T: Real>(&self, z: &SourcePoint<Self, T>) -> TargetPoint<Self, T> {
-        Covector(Power(from_fn(|n| self.0.apply::<T>(&z.0[n]).0)))
+        Covector(Power::from_factors(|n| self.0.apply::<T>(&z.0[n]).0))
     }
 
     /// Returns the pull-backs of the N parts of α by the map.
@@ -42,7 +41,7 @@ where
         z: &SourcePoint<Self, T>,
     ) -> Differential<Self::Source, T> {
         let part = |n: usize| self.0.pull_back::<T>(&alpha.0[n], &z.0[n]);
-        Covector(Power(from_fn(|n| map_coordinates(&part(n), |x| x))))
+        Covector(Power::from_factors(|n| map_coordinates(&part(n), |x| x)))
     }
 
     #[inline]
@@ -51,7 +50,7 @@ where
         alpha: &TargetDifferential<Self, T>,
         z: &SourcePoint<Self, T>,
     ) -> SourcePoint<Self, T> {
-        Power(from_fn(|n| self.0.generator::<T>(&alpha.0[n], &z.0[n])))
+        Power::from_factors(|n| self.0.generator::<T>(&alpha.0[n], &z.0[n]))
     }
 
     fn affine_schemes_descend(&self) -> bool {
@@ -60,7 +59,7 @@ where
 
     #[inline]
     fn gauge<T: Real>(&self, z: &SourcePoint<Self, T>) -> SourcePoint<Self, T> {
-        Power(from_fn(|n| self.0.gauge::<T>(&z.0[n])))
+        Power::from_factors(|n| self.0.gauge::<T>(&z.0[n]))
     }
 
     fn recentred<T: Real>(
@@ -68,7 +67,7 @@ where
         z: &SourcePoint<Self, T>,
         space: &mut RecentringSpace<T>,
     ) -> SourcePoint<Self, T> {
-        Power(from_fn(|n| self.0.recentred::<T>(&z.0[n], space)))
+        Power::from_factors(|n| self.0.recentred::<T>(&z.0[n], space))
     }
 }
 
