@@ -46,9 +46,11 @@ where
 #[test]
 fn orders_are_as_documented() {
     let field = || Quadratic(SIZE);
-    assert_order(&GaussMagnus::new(1, field()).unwrap(), 2.0, [8, 16, 32, 64]);
-    assert_order(&GaussMagnus::new(2, field()).unwrap(), 4.0, [8, 16, 32, 64]);
-    assert_order(&GaussMagnus::new(3, field()).unwrap(), 6.0, [6, 9, 12, 18]);
+    for (stages, steps) in [(1, [8, 16, 32, 64]), (2, [8, 16, 32, 64]), (3, [6, 9, 12, 18])] {
+        let magnus = GaussMagnus::new(stages, field()).unwrap();
+        assert_eq!(magnus.order(), 2 * stages);
+        assert_order(&magnus, magnus.order() as f64, steps);
+    }
     let midpoint = ExponentialMidpoint::new(field());
     assert_order(&midpoint, 2.0, [8, 16, 32, 64]);
     assert_order(&Composition::new(midpoint, Substeps::suzuki4()), 4.0, [8, 16, 24, 32]);
@@ -231,4 +233,22 @@ fn symmetric_methods_return() {
     for stages in [1, 2, 3] {
         assert!(error(&GaussMagnus::new(stages, Quadratic(SIZE)).unwrap()) > 1e-8, "{stages}");
     }
+}
+
+/// The generators of the steps before predict that of the next step better than the field at its start does.
+#[test]
+fn predictions_save_sweeps() {
+    let sweeps = |forgets: bool| -> usize {
+        let midpoint = ExponentialMidpoint::new(Quadratic(SIZE));
+        let (mut w, mut workspace) = (generic(SIZE, 0.3), midpoint.workspace());
+        let sweeps = (0..20).map(|_| {
+            if forgets {
+                midpoint.forget(&mut workspace);
+            }
+            midpoint.step_in_place(&mut w, 0.05, &mut workspace).unwrap()
+        });
+        sweeps.sum()
+    };
+    let [with, without] = [false, true].map(sweeps);
+    assert!(with + 20 < without, "{with} sweeps instead of {without}");
 }
