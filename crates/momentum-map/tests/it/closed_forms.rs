@@ -262,3 +262,14 @@ fn closed_forms_with_a_wrong_sign_are_refused() {
     let generator = laws::group_action(&Wrong::Generator, &samples(), &samples()).unwrap();
     assert!(generator.residual("generator").unwrap() > 0.1);
 }
+
+/// Coordinates of q and of p are compared with those of one kind alone, block by block.
+#[test]
+fn positions_and_momenta_are_blocks_of_their_own() {
+    fn blocks<V: Vector>() -> Vec<usize> {
+        (0..V::DIM).map(V::block).collect()
+    }
+    type Place = Pair<nalgebra::Vector1<f64>, Vector2<f64>>;
+    assert_eq!(blocks::<Cotangent<Vector3<f64>>>(), [0, 0, 0, 1, 1, 1]);
+    assert_eq!(blocks::<Cotangent<Place>>(), [0, 1, 1, 2, 3, 3]);
+}
