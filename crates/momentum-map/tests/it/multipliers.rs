@@ -98,6 +98,7 @@ enum Wrong {
     HalfAngle,
     HalfAngleNearZero,
     Side,
+    SideNearZero,
     Product,
     Inverse,
     Change,
@@ -127,7 +128,12 @@ impl Multipliers for Wrong {
         q: &Quaternion<T>,
         mu: &Covector<Vector3<T>>,
     ) -> Covector<Vector3<T>> {
-        let q = if *self == Self::Side { q.conjugate() } else { *q };
+        let other = match self {
+            Self::Side => true,
+            Self::SideNearZero => mu.0.iter().all(|x| x.all_below(1e-7)),
+            _ => false,
+        };
+        let q = if other { q.conjugate() } else { *q };
         Quaternions.transport(&q, mu)
     }
     fn coadjoint_change<T: Real>(
@@ -159,6 +165,7 @@ fn laws_of_multipliers_reject_what_breaks_them() {
     assert_eq!(broken(Wrong::HalfAngle), ["motion"]);
     assert_eq!(broken(Wrong::HalfAngleNearZero), ["motion"]);
     assert_eq!(broken(Wrong::Side), ["action", "motion"]);
+    assert_eq!(broken(Wrong::SideNearZero), ["action", "motion"]);
     assert_eq!(broken(Wrong::Product), ["left multiplication", "action"]);
     assert_eq!(broken(Wrong::Inverse), ["inverse"]);
     assert_eq!(broken(Wrong::Change), ["coadjoint change"]);
