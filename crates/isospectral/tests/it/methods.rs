@@ -252,3 +252,27 @@ fn predictions_save_sweeps() {
     let [with, without] = [false, true].map(sweeps);
     assert!(with + 20 < without, "{with} sweeps instead of {without}");
 }
+
+/// A tolerance saves sweeps, and costs as much accuracy as it says.
+#[test]
+fn tolerances_save_sweeps() {
+    fn check<I: Integrator<State = Large>>(exact: &I, within: &I, tolerance: f64) {
+        let start = generic(SIZE, 0.3);
+        let steps = [exact, within].map(|integrator| {
+            let mut w = start.clone();
+            let sweeps = integrator.step_in_place(&mut w, 0.05, &mut integrator.workspace());
+            (w, sweeps.unwrap())
+        });
+        let [(expected, most), (found, sweeps)] = steps;
+        assert!(sweeps + 2 < most, "{sweeps} sweeps instead of {most}");
+        let error = distance(&found, &expected);
+        assert!(error < 10.0 * tolerance && error > 0.0, "{error:e}");
+    }
+    let tolerance = 1e-7;
+    let midpoint = || ExponentialMidpoint::new(Quadratic(SIZE));
+    check(&midpoint(), &midpoint().with_tolerance(tolerance), tolerance);
+    for stages in 1..=3 {
+        let magnus = || GaussMagnus::new(stages, Quadratic(SIZE)).unwrap();
+        check(&magnus(), &magnus().with_tolerance(tolerance), tolerance);
+    }
+}
