@@ -75,3 +75,30 @@ impl LevelSet<'_> {
         Some((decomposition.solve(&residual, cut).ok()?, largest))
     }
 }
+
+#[cfg(test)]
+mod tests {
+    use super::LevelSet;
+    use lie_poisson::So3;
+    use lie_poisson_formulas::{Formula, FormulaError, NameError, Parameters, Vocabulary};
+
+    fn formula(text: &str) -> Result<Formula, Option<FormulaError>> {
+        let names: Result<_, NameError> = Vocabulary::of(&So3, &Parameters::new());
+        Formula::new(text, &names.map_err(|_| None)?).map_err(Some)
+    }
+
+    /// |Π|² = 4 with a function without slope: the point exists if the function has its value, and not otherwise.
+    #[test]
+    fn functions_without_a_slope_hold_or_do_not() -> Result<(), Option<FormulaError>> {
+        let (sphere, constant) = (formula("|Pi|^2")?, formula("0*Pi1 + 3")?);
+        let project = |value: f64| {
+            let levels = vec![(&sphere, 4.0), (&constant, value)];
+            LevelSet { levels, scales: vec![1.0; 3] }.project(vec![1.0, 2.0, -1.0])
+        };
+        let point = project(3.0).unwrap_or_default();
+        assert_eq!(point.len(), 3);
+        assert!((point.iter().map(|x| x * x).sum::<f64>() - 4.0).abs() < 1e-14, "{point:?}");
+        assert_eq!(project(2.0), None);
+        Ok(())
+    }
+}

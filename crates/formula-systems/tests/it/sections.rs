@@ -41,6 +41,21 @@ fn starts_are_on_the_level_and_cross_in_the_direction() {
     }
 }
 
+/// Half turns about the axes keep the energy, |Π| and Π₁Π₂Π₃, and move four points into each other. Guesses lead to all.
+#[test]
+fn starts_are_on_all_sides() {
+    let body = system(SystemAlgebra::named("so(3)").unwrap(), "(Pi1^2 + Pi2^2/2 + Pi3^2/3)/2");
+    let state = [0.6, 0.5, (1.0_f64 - 0.36 - 0.25).sqrt()];
+    let levels = body.invariants(&state).unwrap();
+    let section = section(&body, "Pi1*Pi2*Pi3", (state.iter().product(), Direction::Both));
+    let starts = section.starts(&state, &levels, 60, 0).unwrap();
+    for signs in [[1.0, 1.0, 1.0], [1.0, -1.0, -1.0], [-1.0, 1.0, -1.0], [-1.0, -1.0, 1.0]] {
+        let found = starts.iter().filter(|x| x.iter().zip(signs).all(|(x, s)| x * s > 0.0)).count();
+        // 15 are expected, with a standard deviation of 3.4.
+        assert!(found > 1, "{signs:?}: {found}");
+    }
+}
+
 #[test]
 fn units_do_not_matter() {
     let state = [1.0, 0.5, 0.3, 0.6, 0.0, 0.8];

@@ -129,3 +129,32 @@ impl BracketTable {
         sum.into_iter().enumerate().filter(|(_, entry)| !entry.is_zero()).collect()
     }
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use lie_poisson::{So3, StructureConstants, StructureError};
+
+    /// Returns the number of generators of the algebra of e_0 and a space on which e_0 acts, [e_0, e_j] = Σ_k a_jk e_k.
+    fn generators(action: [[f64; 3]; 3]) -> Result<Vec<usize>, StructureError> {
+        let constant = |i: usize, j: usize, k: usize| match (i, j, k) {
+            (0, 1.., 1..) => action[j - 1][k - 1],
+            (1.., 0, 1..) => -action[i - 1][k - 1],
+            _ => 0.0,
+        };
+        let algebra = StructureConstants::<4>::new(constant)?;
+        Ok(BracketTable::new(&algebra).map_or(Vec::new(), |table| table.generators()))
+    }
+
+    #[test]
+    fn generators_span_the_algebra_by_their_brackets() -> Result<(), StructureError> {
+        assert_eq!(BracketTable::new(&So3).map(|table| table.generators()).ok(), Some(vec![0, 1]));
+        // abelian
+        assert_eq!(generators([[0.0; 3]; 3])?, [0, 1, 2, 3]);
+        // e_1 ↦ e_2 ↦ e_3 ↦ 0
+        assert_eq!(generators([[0.0, 1.0, 0.0], [0.0, 0.0, 1.0], [0.0; 3]])?, [0, 1]);
+        // e_1 ↦ w = e_2 + 2 e_3 and w ↦ w: a third generator spans what w does not
+        assert_eq!(generators([[0.0, 1.0, 2.0], [0.0, 1.0, 0.0], [0.0, 0.0, 1.0]])?, [0, 1, 2]);
+        Ok(())
+    }
+}

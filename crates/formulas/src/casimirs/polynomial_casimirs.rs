@@ -149,3 +149,25 @@ fn is_casimir<A: LieAlgebra>(algebra: &A, casimir: &Formula) -> bool {
         rate.max_abs() <= ROUNDING * terms.sum::<f64>()
     })
 }
+
+#[cfg(test)]
+mod tests {
+    use super::{CasimirError, is_casimir};
+    use crate::{Formula, NamedAlgebra, Parameters, Vocabulary};
+    use lie_poisson::Se3;
+
+    #[test]
+    fn what_is_no_casimir_is_not_listed() -> Result<(), CasimirError> {
+        let se3 = Se3::default();
+        let names = Vocabulary::new(&se3.coordinates()?, &Parameters::new())?;
+        let casimirs = ["|Gamma|^2", "Pi·Gamma", "1e20*Pi·Gamma", "1e-20*|Gamma|^2"];
+        let others = ["|Pi|^2", "1e-20*|Pi|^2", "Gamma3", "|Gamma|^2 + 1e-6*Pi1^2"];
+        for (texts, expected) in [(casimirs, true), (others, false)] {
+            for text in texts {
+                let found = Formula::new(text, &names).map(|formula| is_casimir(&se3, &formula));
+                assert_eq!(found.ok(), Some(expected), "{text}");
+            }
+        }
+        Ok(())
+    }
+}

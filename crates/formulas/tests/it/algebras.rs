@@ -80,3 +80,19 @@ fn names_of_another_space_are_refused() {
     let error = FormulaHamiltonian::<So3>::new("Pi1", &names).unwrap_err();
     assert_eq!(*error.problem(), Problem::WrongDimension { formula: 6, space: 3 });
 }
+
+/// The names of coordinates and groups of them, by which formulas find their places.
+#[test]
+fn places_of_names() {
+    let base = SemidirectAlgebra(Inherited { quotient: SO3OnR3, representation: SO3OnR3 });
+    let coordinates = base.coordinates().unwrap();
+    for (i, name) in coordinates.names().enumerate() {
+        assert_eq!(coordinates.places(&name), Some(i..i + 1), "{name}");
+    }
+    let groups: Vec<_> = coordinates.groups().collect();
+    assert_eq!(groups, [("Pi", 0..3), ("P", 3..6), ("Gamma", 6..9)]);
+    for (name, places) in groups {
+        assert_eq!(coordinates.places(name), Some(places));
+    }
+    assert_eq!(coordinates.places("Gamma4"), None);
+}

@@ -72,6 +72,18 @@ fn the_unit_of_the_constants_does_not_matter() {
     assert_ne!(of_table(["x", "y", "z"], &stretched), of_table(["x", "y", "z"], &roots));
 }
 
+/// [x, y] = c z and cyclic permutations have the Casimir a x² + b y² + c z².
+#[test]
+fn coefficients_have_no_common_divisor() {
+    let casimir = |a: f64, b: f64, c: f64| {
+        of_table(["x", "y", "z"], &[(0, 1, 2, c), (1, 2, 0, a), (2, 0, 1, b)])
+    };
+    assert_eq!(casimir(12.0, 3.0, 2.0), texts(&["12*x^2 + 3*y^2 + 2*z^2"]));
+    assert_eq!(casimir(12.0, 6.0, 4.0), texts(&["6*x^2 + 3*y^2 + 2*z^2"]));
+    // A unit in which the constants are small fractions is not replaced by one in which they are not.
+    assert_eq!(casimir(1.0 / 37.0, 1.0, 31.0), texts(&["x^2 + 37*y^2 + 1147*z^2"]));
+}
+
 #[test]
 fn algebras_from_tables() {
     // Heisenberg

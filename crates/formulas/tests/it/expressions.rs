@@ -104,3 +104,14 @@ fn wrong_expressions_have_the_errors_of_texts() {
     let foreign = Formula::of_expressions(&Expressions::new(), last, &heavy_top());
     assert!(foreign.is_err());
 }
+
+#[test]
+fn values_at_coordinates_in_a_slice() {
+    for text in crate::support::FORMULAS {
+        let h = formula(text);
+        for x in crate::support::POINTS {
+            assert_eq!(h.value_at(x).to_bits(), h.value(&point(*x)).to_bits(), "{text}");
+            assert!(h.value_at(&x[..5]).is_nan() && h.value_at(&[*x, *x].concat()).is_nan());
+        }
+    }
+}

@@ -17,3 +17,4 @@ mod splittings;
 mod starts;
 mod symmetric_batches;
 mod top_ensembles;
+mod tops;

@@ -166,3 +166,43 @@ fn largest_lanes<T: Lanes, W: Vector<Scalar = T>, V: State>(
         V::Scalar::from_f64(all(sizes.sum(), |x, y| x + y)),
     )
 }
+
+#[cfg(test)]
+mod tests {
+    use super::{BlockSizes, largest_lanes};
+    use lie_poisson::{DefaultLanes, Lanes, Pair, Vector};
+    use nalgebra::{Vector1, Vector2};
+
+    type Point<T> = Pair<Vector1<T>, Vector2<T>>;
+
+    /// Returns the sizes of four vectors that were measured side by side.
+    fn side_by_side(vectors: &[Point<f64>; 4]) -> BlockSizes<Point<f64>> {
+        let lanes: Point<DefaultLanes> =
+            Point::from_coordinates(|c| DefaultLanes::from_lanes(|i| vectors[i].coordinate(c)));
+        largest_lanes(&BlockSizes::of(&[lanes]))
+    }
+
+    /// All numbers are multiples of 1/4, whose sums are exact.
+    #[test]
+    fn vectors_side_by_side_have_the_sizes_of_the_same_vectors_one_by_one() {
+        let vectors =
+            [0.25, -8.0, 2.0, -1.0].map(|x| Pair(Vector1::new(x), Vector2::new(3.0 - x, 4.0 * x)));
+        let (found, expected) = (side_by_side(&vectors), BlockSizes::of(&vectors));
+        assert_eq!([found.at(0), found.at(1)], [8.0, 32.0]);
+        assert_eq!([found.at(0), found.at(1)], [expected.at(0), expected.at(1)]);
+        assert_eq!(found.sum(), expected.sum());
+    }
+
+    #[test]
+    fn what_is_not_finite_is_seen_in_each_lane() {
+        for lane in 0..4 {
+            for fault in [f64::NAN, f64::INFINITY, f64::NEG_INFINITY] {
+                let mut vectors = [Pair(Vector1::new(1.0), Vector2::new(-2.0, 3.0)); 4];
+                vectors[lane].1.x = fault;
+                let sizes = side_by_side(&vectors);
+                let largest = sizes.largest_of(&BlockSizes::zero(), |_| 0.0);
+                assert!(!largest.is_finite(), "{fault} in lane {lane}: {largest}");
+            }
+        }
+    }
+}

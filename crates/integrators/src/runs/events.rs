@@ -182,6 +182,23 @@ mod tests {
         assert_eq!(events(|x| dip(0.02, 0.08)(x), Direction::Both), []);
     }
 
+    /// Beyond t = 1, g dips below zero in each step. The sample at 1 is the least one, and the search around it ends at
+    /// the next sample.
+    #[test]
+    fn the_search_for_a_dip_ends_at_the_next_sample() {
+        let turn = core::f64::consts::TAU / 0.25;
+        let dips = move |x: f64| (1.0 + 0.5 * (x - 1.0)) * (0.99 - (turn * (x - 1.05)).cos());
+        let g = move |x: f64| if x < 1.0 { 2.0 - x } else { dips(x) };
+        let found = events(g, Direction::Both);
+        // cos α = 0.99
+        let half = 0.99_f64.acos() / turn;
+        assert_eq!(found.len(), 2, "{found:?}");
+        for (found, zero) in found.into_iter().zip([1.05 - half, 1.05 + half]) {
+            // g has rounding errors of a few ε, and slopes of 3.5 at its zeros
+            assert!(found.as_ref().is_ok_and(|t| (t - zero).abs() < 1e-14), "{found:?} {zero}");
+        }
+    }
+
     #[test]
     fn a_nan_ends_the_events() {
         let g = |x: f64| if x > 1.1 { f64::NAN } else { x - 0.9 };

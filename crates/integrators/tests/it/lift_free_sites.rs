@@ -92,3 +92,22 @@ fn a_state_that_is_not_finite_is_an_error_and_is_not_changed() {
     gauss.step_in_place(&mut good, 0.1, &mut workspace).unwrap();
     assert_eq!(good, gauss.step(&spins(3), 0.1, &mut gauss.workspace()).unwrap().point);
 }
+
+/// Tangent vectors on the heap know their dimension only when the program runs.
+#[test]
+fn tangent_vectors_of_another_dimension_are_refused() {
+    let gauss = lift_free(1);
+    for (count, expected) in [(4, true), (3, false), (5, false), (0, false)] {
+        let mut flow = VariationalFlow::new(&gauss, spins(4), [spins(4), spins(count)], 0.1);
+        let refused = StepError::Dimension { expected: 12, found: 3 * count };
+        match flow.advance() {
+            Ok(()) => assert!(expected, "{count} sites"),
+            Err(VariationalError::Integration(error)) => {
+                assert_eq!((expected, error.source), (false, refused));
+                // nothing has changed
+                assert_eq!((flow.steps(), flow.state()), (0, &spins(4)));
+            }
+            Err(error) => panic!("{error}"),
+        }
+    }
+}

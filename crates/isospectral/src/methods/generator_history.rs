@@ -90,3 +90,42 @@ impl GeneratorHistory {
         }
     }
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    /// Steps of size 1 whose generators are a polynomial in time. From n steps with s stages, a polynomial of degree
+    /// n s − 1 is predicted exactly, also after the storage of old steps has been used again.
+    #[test]
+    fn polynomials_are_predicted() {
+        let (nodes, steps) = ([0.2, 0.7], 3);
+        let mut history = GeneratorHistory::new(&nodes, steps);
+        let matrix = |x: f64| {
+            let mut matrix = LargeSkewHermitian::zeros(2);
+            matrix.set_entries(|i| x * (1.0 + i as f64));
+            matrix
+        };
+        let value = |t: f64, degree: i32| 1.0 + 0.5 * t + (0.1 * t).powi(degree);
+        let at = |step: i32, degree| nodes.map(|c| matrix(value(f64::from(step) + c, degree)));
+        let end = |step: i32| matrix(f64::from(step));
+        for (degree, exact) in [(9, false), (5, true)] {
+            history.forget();
+            let mut predicted = nodes.map(|_| matrix(0.0));
+            assert!(!history.predict(&end(0), 1.0, &mut predicted), "nothing is known yet");
+            for step in 0..10 {
+                history.remember(&at(step, degree), 1.0, &end(step + 1));
+                assert!(history.predict(&end(step + 1), 1.0, &mut predicted));
+                for (found, expected) in predicted.iter().zip(at(step + 1, degree)) {
+                    let error = (found.entry(0) - expected.entry(0)).abs();
+                    if step >= 2 {
+                        // The weights of the extrapolation add up to a few hundred.
+                        assert_eq!(error < 1e-12, exact, "{degree} {step} {error:e}");
+                    }
+                }
+            }
+            assert!(!history.predict(&end(3), 1.0, &mut predicted), "another start");
+            assert!(!history.predict(&end(10), 0.5, &mut predicted), "another step size");
+        }
+    }
+}

@@ -110,6 +110,14 @@ fn exponentials_have_the_exponentials_of_the_eigenvalues() {
     }
 }
 
+/// i diag(x) has the trace i Σ x, which a change of basis keeps.
+#[test]
+fn traces_are_sums_of_eigenvalues() {
+    let start = diagonal(&[0.5, -2.25, 4.0, 0.125]);
+    assert_eq!(start.trace(), 2.375);
+    assert_eq!(LargeSkewHermitian::zeros(3).trace(), 0.0);
+}
+
 #[test]
 fn conjugation_is_a_change_of_basis() {
     let (size, mut products) = (11, Products::default());

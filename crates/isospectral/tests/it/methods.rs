@@ -46,9 +46,11 @@ where
 #[test]
 fn orders_are_as_documented() {
     let field = || Quadratic(SIZE);
-    assert_order(&GaussMagnus::new(1, field()).unwrap(), 2.0, [8, 16, 32, 64]);
-    assert_order(&GaussMagnus::new(2, field()).unwrap(), 4.0, [8, 16, 32, 64]);
-    assert_order(&GaussMagnus::new(3, field()).unwrap(), 6.0, [6, 9, 12, 18]);
+    for (stages, steps) in [(1, [8, 16, 32, 64]), (2, [8, 16, 32, 64]), (3, [6, 9, 12, 18])] {
+        let magnus = GaussMagnus::new(stages, field()).unwrap();
+        assert_eq!(magnus.order(), 2 * stages);
+        assert_order(&magnus, magnus.order() as f64, steps);
+    }
     let midpoint = ExponentialMidpoint::new(field());
     assert_order(&midpoint, 2.0, [8, 16, 32, 64]);
     assert_order(&Composition::new(midpoint, Substeps::suzuki4()), 4.0, [8, 16, 24, 32]);
@@ -230,5 +232,47 @@ fn symmetric_methods_return() {
     // The stages of a Gauss–Magnus method end at another point than its step.
     for stages in [1, 2, 3] {
         assert!(error(&GaussMagnus::new(stages, Quadratic(SIZE)).unwrap()) > 1e-8, "{stages}");
+    }
+}
+
+/// The generators of the steps before predict that of the next step better than the field at its start does.
+#[test]
+fn predictions_save_sweeps() {
+    let sweeps = |forgets: bool| -> usize {
+        let midpoint = ExponentialMidpoint::new(Quadratic(SIZE));
+        let (mut w, mut workspace) = (generic(SIZE, 0.3), midpoint.workspace());
+        let sweeps = (0..20).map(|_| {
+            if forgets {
+                midpoint.forget(&mut workspace);
+            }
+            midpoint.step_in_place(&mut w, 0.05, &mut workspace).unwrap()
+        });
+        sweeps.sum()
+    };
+    let [with, without] = [false, true].map(sweeps);
+    assert!(with + 20 < without, "{with} sweeps instead of {without}");
+}
+
+/// A tolerance saves sweeps, and costs as much accuracy as it says.
+#[test]
+fn tolerances_save_sweeps() {
+    fn check<I: Integrator<State = Large>>(exact: &I, within: &I, tolerance: f64) {
+        let start = generic(SIZE, 0.3);
+        let steps = [exact, within].map(|integrator| {
+            let mut w = start.clone();
+            let sweeps = integrator.step_in_place(&mut w, 0.05, &mut integrator.workspace());
+            (w, sweeps.unwrap())
+        });
+        let [(expected, most), (found, sweeps)] = steps;
+        assert!(sweeps + 2 < most, "{sweeps} sweeps instead of {most}");
+        let error = distance(&found, &expected);
+        assert!(error < 10.0 * tolerance && error > 0.0, "{error:e}");
+    }
+    let tolerance = 1e-7;
+    let midpoint = || ExponentialMidpoint::new(Quadratic(SIZE));
+    check(&midpoint(), &midpoint().with_tolerance(tolerance), tolerance);
+    for stages in 1..=3 {
+        let magnus = || GaussMagnus::new(stages, Quadratic(SIZE)).unwrap();
+        check(&magnus(), &magnus().with_tolerance(tolerance), tolerance);
     }
 }

@@ -221,6 +221,26 @@ mod tests {
         }
     }
 
+    /// Two components of the quaternion are largest, equal up to 10⁻¹², and a third one is 10⁻⁶. No formula may divide by
+    /// that one.
+    #[test]
+    fn logarithms_of_quarter_turns_and_of_half_turns_between_axes() {
+        let (axes, tilt) = ([Vector3::x(), Vector3::y(), Vector3::z()], 1e-6);
+        for (i, j) in (0..9).map(|n| (n / 3, n % 3)) {
+            for other in [axes[j] * tilt, -axes[j] * tilt] {
+                let quarter = (axes[i] + other).normalize() * (0.5 * (PI + tilt * tilt));
+                let between = axes[i] + axes[(i + 1) % 3] * other.sum().signum();
+                let half = (between + other).normalize() * PI;
+                let nearly_half = between.normalize() * (PI - 2.0 * tilt);
+                for xi in [quarter, half, nearly_half].into_iter().flat_map(|xi| [xi, -xi]) {
+                    let g = SO3.exp(&xi);
+                    let error = SO3.log(&g).map(|log| (SO3.exp(&log) - g).amax());
+                    assert!(error.is_ok_and(|error| error < 2e-15), "{xi} {error:?}");
+                }
+            }
+        }
+    }
+
     #[test]
     fn elements_without_logarithm_are_errors() {
         assert_eq!(SU2.log(&(-SU2.identity::<f64>())), Err(LogarithmError));

@@ -239,6 +239,18 @@ fn an_antisymmetric_bracket_that_is_not_lie_is_rejected() {
 }
 
 #[test]
+fn structure_constants_are_those_of_the_table() {
+    let table = |i: usize, j: usize, k: usize| {
+        So3.bracket::<f64>(&Vector3::basis(i), &Vector3::basis(j))[k] * 2.5
+    };
+    let algebra = StructureConstants::<3>::new(table).unwrap();
+    for (i, j, k) in (0..64).map(|n| (n / 16, n / 4 % 4, n % 4)) {
+        let expected = if i.max(j).max(k) < 3 { table(i, j, k) } else { 0.0 };
+        assert_eq!(algebra.constant(i, j, k), expected, "c[{i}][{j}][{k}]");
+    }
+}
+
+#[test]
 fn many_structure_constants_stay_off_the_stack() {
     // 200³ numbers are 64 MB, more than any thread's stack.
     let abelian = StructureConstants::<200>::new(|_, _, _| 0.0).unwrap();

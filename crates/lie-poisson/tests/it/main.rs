@@ -5,4 +5,5 @@ mod algebra_laws;
 mod casimirs;
 mod closed_forms;
 mod cocycles;
+mod faults_near_zero;
 mod support;

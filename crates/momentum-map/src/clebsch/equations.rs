@@ -77,3 +77,24 @@ pub(crate) fn least_solution<T: Real>(mut rows: Vec<Vec<T>>, mut y: Vec<T>) -> (
     let sum = |d: usize| rows.iter().zip(&y).fold(T::zero(), |sum, (row, m)| sum + row[d] * *m);
     ((0..unknowns).map(sum).collect(), regular)
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use nalgebra::DVector;
+
+    /// A A⁺ y = y for independent rows, whatever their units, and A⁺ y is orthogonal to the kernel of A.
+    #[test]
+    fn the_inverse_gives_the_least_solution() {
+        for unit in [1e-100, 1.0, 1e100] {
+            let a = DMatrix::from_row_slice(2, 3, &[1.0, 2.0, -1.0, 3.0 * unit, 0.0, unit]);
+            let (y, kernel) = ([0.7, -1.9 * unit], [2.0, -4.0, -6.0]);
+            let inverse = PseudoInverse::of(a.clone());
+            assert_eq!(inverse.rank, 2);
+            let x = DVector::from_fn(3, |i, _| inverse.coordinate(i, |j| y[j]));
+            let back = a * &x;
+            assert!((back[0] / y[0] - 1.0).abs() < 1e-14 && (back[1] / y[1] - 1.0).abs() < 1e-14);
+            assert!(x.iter().zip(kernel).map(|(x, k)| x * k).sum::<f64>().abs() < 1e-14);
+        }
+    }
+}

@@ -3,7 +3,8 @@
 use crate::support::{holds, laws, samples};
 use lie_poisson::*;
 use momentum_map::*;
-use nalgebra::{Matrix3, SVector, Vector3};
+use nalgebra::{Matrix3, SVector, Vector2, Vector3};
+use num_complex::Complex;
 use proptest::prelude::*;
 
 /// An action of which only `act` is known: generators, momenta and lifts are derived by dual numbers.
@@ -133,6 +134,30 @@ proptest! {
 }
 
 /// Products and powers pull back by their factors, whether these have closed forms or not.
+/// (v·σ)(w·σ) = v·w + i (v×w)·σ, with σ₁ from the definition; and (T_α ϖ₂)ᵀ γ is the gradient of γ·ϖ₂.
+#[test]
+fn pauli_matrices_and_the_pull_back_of_the_hopf_map() {
+    let (i, swap) = (Complex::<f64>::i(), |chi: &Vector2<Complex<f64>>| chi.yx());
+    let vectors = [Vector3::new(0.3, -1.1, 0.7), Vector3::new(-0.4, 0.2, 1.9)];
+    let [v, w] = vectors;
+    let chi = Vector2::new(Complex::new(0.8, -0.5), Complex::new(1.3, 0.6));
+    let both = pauli(&v, &pauli(&w, &chi));
+    let expected = chi.map(|x| x * v.dot(&w)) + pauli(&v.cross(&w), &chi).map(|x| x * i);
+    // A dozen products of numbers up to 4.
+    assert!((both - expected).norm() < 1e-14, "{both} {expected}");
+    assert_eq!(pauli(&Vector3::x(), &chi), swap(&chi));
+    assert_eq!(pauli(&Vector3::z(), &chi), Vector2::new(chi.x, -chi.y));
+    assert_eq!(pauli(&Vector3::y(), &chi), Vector2::new(-i * chi.y, i * chi.x));
+    for gamma in vectors {
+        let gradient = hopf_pull_back(&gamma, &chi);
+        for k in 0..4 {
+            let moved: Vector2<Complex<DualNumber>> = seed(&chi, &Vector::basis(k));
+            let slope = hopf_map(&moved).map(|x| x.derivative()).dot(&gamma);
+            assert!((gradient.coordinate(k) - slope).abs() < 1e-14, "{k}");
+        }
+    }
+}
+
 #[test]
 fn products_of_maps() {
     let (spins, spin) = (PowerMap::<_, 3>(HOPF), QuadraticMomentumMap::new(So3OnC2, Side::Right));
@@ -236,4 +261,15 @@ fn closed_forms_with_a_wrong_sign_are_refused() {
     holds(report(&Wrong::Generator));
     let generator = laws::group_action(&Wrong::Generator, &samples(), &samples()).unwrap();
     assert!(generator.residual("generator").unwrap() > 0.1);
+}
+
+/// Coordinates of q and of p are compared with those of one kind alone, block by block.
+#[test]
+fn positions_and_momenta_are_blocks_of_their_own() {
+    fn blocks<V: Vector>() -> Vec<usize> {
+        (0..V::DIM).map(V::block).collect()
+    }
+    type Place = Pair<nalgebra::Vector1<f64>, Vector2<f64>>;
+    assert_eq!(blocks::<Cotangent<Vector3<f64>>>(), [0, 0, 0, 1, 1, 1]);
+    assert_eq!(blocks::<Cotangent<Place>>(), [0, 1, 1, 2, 3, 3]);
 }

@@ -3,9 +3,9 @@
 use core::fmt::Debug;
 use lie_poisson::{Covector, DefaultLanes, Lanes, SL2OnR2, Se3Dual, Sum, Vector, map_coordinates};
 use momentum_map::{
-    HOPF, HopfRealisation, Lift, LiftError, PARTICLE, PoissonMap, QuadraticMomentumMap, Reversed,
-    Side, So3OnC2, SourcePoint, TargetPoint, UnitaryRealisation, hopf_map, hopf_section,
-    unitary_realisation,
+    Cotangent, HOPF, HopfRealisation, Lift, LiftError, PARTICLE, PoissonMap, QuadraticMomentumMap,
+    RecentringSpace, Reversed, Side, So3OnC2, SourcePoint, TargetPoint, UnitaryRealisation,
+    hopf_map, hopf_section, unitary_realisation,
 };
 use nalgebra::{SVector, Vector3};
 use num_complex::Complex;
@@ -131,5 +131,24 @@ fn reasons_name_what_is_wrong() {
     for size in SIZES {
         let mu = Se3Dual::new(Vector3::new(size, 0.0, size), Vector3::x() * size);
         contains(reason(&PARTICLE, &mu), "perpendicular");
+    }
+}
+
+/// The fibres of the particle are the lines q + s p. A point far out loses the digits of q × p, and comes back.
+#[test]
+fn points_far_out_on_their_fibres_come_back() {
+    let (q, p) = (Vector3::new(0.6, -0.3, 1.1), Covector(Vector3::new(-0.8, 0.5, 0.9)));
+    for s in [1e3_f64, -1e5] {
+        let far = Cotangent::new(q + p.0 * s, p);
+        let space = &mut RecentringSpace::default();
+        let near = PARTICLE.recentred::<f64>(&far, space);
+        // Each of eight iterations halves the distance.
+        assert!(near.q.norm() < far.q.norm() / 200.0, "{}", near.q.norm());
+        let lost = (PARTICLE.apply::<f64>(&near) - PARTICLE.apply::<f64>(&far)).max_abs();
+        // The momentum is known to the rounding of terms of size s.
+        assert!(lost < 16.0 * f64::EPSILON * s.abs() * 3.0, "{lost:e}");
+        // control: a point near the origin stays
+        let start = Cotangent::new(q, p);
+        assert_eq!(PARTICLE.recentred::<f64>(&start, space), start);
     }
 }

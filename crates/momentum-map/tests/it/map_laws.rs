@@ -107,6 +107,10 @@ fn products_of_maps_to_duals_of_algebras() {
     let map =
         ProductAlgebraMap::new(HOPF, ProductAlgebraMap::new(PARTICLE, HOPF).unwrap()).unwrap();
     realisation_laws(&map);
+    fn count<M: FibreSymmetry>(_: &M) -> usize {
+        M::COUNT
+    }
+    assert_eq!((count(&map), count(map.factors())), (3, 3));
     let algebra = *map.target().algebra();
     for z in samples() {
         let (mu, parts) = (map.apply::<f64>(&z), map.factors().apply::<f64>(&z));
@@ -213,9 +217,10 @@ impl PoissonMap for WrongGenerator {
 }
 
 impl FibreSymmetry for WrongGenerator {
-    const COUNT: usize = 1;
-    fn flow<T: Real>(&self, _: usize, s: T, z: &Vector2<Complex<T>>) -> Vector2<Complex<T>> {
-        z.map(|x| x.scale(T::one() + s))
+    const COUNT: usize = 2;
+    /// The two flows are a dilation, up to second order, and a translation, which do not commute.
+    fn flow<T: Real>(&self, index: usize, s: T, z: &Vector2<Complex<T>>) -> Vector2<Complex<T>> {
+        if index == 0 { z.map(|x| x.scale(T::one() + s)) } else { z.map(|x| x + s) }
     }
     fn momentum<T: Real>(&self, _: usize, z: &Vector2<Complex<T>>) -> T {
         HOPF.momentum(0, z)
@@ -237,7 +242,7 @@ fn laws_of_poisson_maps_reject_what_breaks_them() {
     assert!(report.residual("generator").unwrap() > 0.1);
     assert!(report.residual("Poisson").unwrap() < TOLERANCE);
     let report = laws::fibre_symmetry(&WrongGenerator, &samples(), &[0.3]).unwrap();
-    for law in ["invariance", "momentum", "one-parameter group"] {
+    for law in ["invariance", "momentum", "one-parameter group", "commuting flows"] {
         assert!(report.residual(law).unwrap() > 0.01, "{law}");
     }
     let momenta: Vec<_> = samples().iter().map(|z| HOPF.apply::<f64>(z)).collect();
@@ -273,6 +278,37 @@ fn laws_of_actions_reject_the_wrong_side() {
     assert!(report.residual("equivariance").unwrap() > 0.01);
     let report = laws::poisson_map(&MomentumMap(WrongSide), &samples()).unwrap();
     assert!(report.residual("Poisson").unwrap() > 0.1);
+}
+
+/// Rotations with an infinitesimal generator that is wrong for elements of so(3) of the size 10⁻⁸.
+#[derive(Clone)]
+struct WrongNearZero;
+
+impl GroupAction for WrongNearZero {
+    type Group = SO3;
+    type Space = RealSpace<3>;
+    const SIDE: Side = Side::Left;
+    fn group(&self) -> SO3 {
+        SO3
+    }
+    fn space(&self) -> RealSpace<3> {
+        RealSpace
+    }
+    fn act<T: Real>(&self, g: &nalgebra::Matrix3<T>, q: &Vector3<T>) -> Vector3<T> {
+        g * q
+    }
+    fn infinitesimal_generator<T: Real>(&self, xi: &Vector3<T>, q: &Vector3<T>) -> Vector3<T> {
+        let small = xi.iter().all(|x| x.all_below(1e-7));
+        xi.cross(q) * T::from_f64(if small { 1.5 } else { 1.0 })
+    }
+}
+
+/// Residuals are relative to the elements, so that small ones count as much as others.
+#[test]
+fn a_wrong_generator_of_small_elements_is_rejected() {
+    let report = laws::group_action(&WrongNearZero, &samples(), &samples()).unwrap();
+    assert!(report.residual("generator").unwrap() > 0.1);
+    assert!(report.residual("composition").unwrap() < TOLERANCE);
 }
 
 #[test]

@@ -31,6 +31,10 @@ fn inverses_where_quadratic_invariants_do_not_hold() {
     // The inverse is exact for quaternions: samples are far from |Q|² = 1 and x₀ = 0.
     assert!(samples().iter().all(|q| inverse_error(&Quaternions, q) < TOLERANCE));
     assert!(samples().iter().all(|q| inverse_error(&DualQuaternions, q) < TOLERANCE));
+    let pairs = ProductMultipliers(Quaternions, DualQuaternions);
+    assert!(samples().iter().all(|q| inverse_error(&pairs, q) < TOLERANCE));
+    let powers = PowerMultipliers::<_, 2>(Quaternions);
+    assert!(samples().iter().all(|q| inverse_error(&powers, q) < TOLERANCE));
     // The inverse is of second order for matrices: they are off by 1 − BB∗ ≈ 2ε, and the inverse by its square.
     for (xi, direction) in samples().iter().zip(samples::<Matrix2<Complex<f64>>>()) {
         let unitary = UnitaryGroup::<2>.exp::<f64>(xi);
@@ -92,7 +96,9 @@ fn coadjoint_changes_are_accurate_whatever_their_size() {
 enum Wrong {
     One,
     HalfAngle,
+    HalfAngleNearZero,
     Side,
+    SideNearZero,
     Product,
     Inverse,
     Change,
@@ -110,14 +116,24 @@ impl Multipliers for Wrong {
     }
     fn generate<T: Real>(&self, omega: &Vector3<T>, q: &Quaternion<T>) -> Quaternion<T> {
         let turned = Quaternions.generate(omega, q);
-        if *self == Self::HalfAngle { turned + turned } else { turned }
+        let twice = match self {
+            Self::HalfAngle => true,
+            Self::HalfAngleNearZero => omega.iter().all(|x| x.all_below(1e-7)),
+            _ => false,
+        };
+        if twice { turned + turned } else { turned }
     }
     fn transport<T: Real>(
         &self,
         q: &Quaternion<T>,
         mu: &Covector<Vector3<T>>,
     ) -> Covector<Vector3<T>> {
-        let q = if *self == Self::Side { q.conjugate() } else { *q };
+        let other = match self {
+            Self::Side => true,
+            Self::SideNearZero => mu.0.iter().all(|x| x.all_below(1e-7)),
+            _ => false,
+        };
+        let q = if other { q.conjugate() } else { *q };
         Quaternions.transport(&q, mu)
     }
     fn coadjoint_change<T: Real>(
@@ -147,7 +163,9 @@ fn laws_of_multipliers_reject_what_breaks_them() {
     };
     assert_eq!(broken(Wrong::One), ["identity", "motion", "inverse"]);
     assert_eq!(broken(Wrong::HalfAngle), ["motion"]);
+    assert_eq!(broken(Wrong::HalfAngleNearZero), ["motion"]);
     assert_eq!(broken(Wrong::Side), ["action", "motion"]);
+    assert_eq!(broken(Wrong::SideNearZero), ["action", "motion"]);
     assert_eq!(broken(Wrong::Product), ["left multiplication", "action"]);
     assert_eq!(broken(Wrong::Inverse), ["inverse"]);
     assert_eq!(broken(Wrong::Change), ["coadjoint change"]);

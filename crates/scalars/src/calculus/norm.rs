@@ -76,6 +76,8 @@ mod tests {
         for size in [1e-300, 1e-160, 1e-150, 1e-3, 1.0, 1e150, 1e160, 1e307] {
             let v = Vector3::new(2.0, -1.0, 2.0) * size;
             assert!((euclidean_norm(&v) / (3.0 * size) - 1.0).abs() < 4e-16, "{size:e}");
+            assert_eq!(euclidean_norm(&-v), euclidean_norm(&v), "{size:e}");
+            assert_eq!(euclidean_norm(&-v.abs()), euclidean_norm(&v), "{size:e}");
             // One large coordinate among small ones.
             let v = Vector3::new(size, 1e-30 * size, 0.0);
             assert!((euclidean_norm(&v) / size - 1.0).abs() < 4e-16, "{size:e}");

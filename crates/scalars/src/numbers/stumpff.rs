@@ -191,6 +191,21 @@ mod tests {
         assert!(stumpff(f64::NAN, 1000).is_nan());
     }
 
+    /// Where √x is a multiple of 2π, c₁ and c₂ vanish up to the rounding of √x, and the recursion goes on from there.
+    #[test]
+    fn functions_at_whole_turns() {
+        for turns in 1..6 {
+            let x = (core::f64::consts::TAU * f64::from(turns)).powi(2);
+            assert_eq!(stumpff(x, 0), 1.0);
+            assert_eq!(stumpff(x, 2), 0.0);
+            for (order, expected) in [(3, 1.0 / x), (4, 0.5 / x)] {
+                let error = (stumpff(x, order) / expected - 1.0).abs();
+                // The rounding of the angle, at most 31 rad, and those of the recursion.
+                assert!(error < 32.0 * f64::EPSILON, "c_{order}({x}): {error:e}");
+            }
+        }
+    }
+
     #[test]
     fn both_branches_agree_at_their_seam() {
         for order in 0..6_u32 {

@@ -61,3 +61,22 @@ fn powers_at_the_ends_of_the_range() {
     assert_eq!(power(f64::NAN, 0), 1.0);
     assert!(power(f64::NAN, 1).is_nan() && power(f64::NAN, -1).is_nan());
 }
+
+/// a mod b is a − q b, and the truncated quotient q has no derivative.
+#[test]
+fn derivatives_of_remainders() {
+    for (a, b, quotient) in [(7.5, 2.0, 3.0), (-7.5, 2.0, -3.0), (7.5, -2.0, -3.0), (1.5, 2.0, 0.0)]
+    {
+        let remainder = DualNumber::new(a, 5.0) % DualNumber::new(b, 3.0);
+        assert_eq!(remainder.value(), a - quotient * b);
+        assert_eq!(remainder.derivative(), 5.0 - quotient * 3.0);
+    }
+}
+
+/// A scalar with a derivative, or with several lanes, must not take the path of plain numbers.
+#[test]
+fn plain_numbers_alone_are_numbers() {
+    assert_eq!(Real::as_f64(-2.5), Some(-2.5));
+    assert_eq!(DualNumber::new(-2.5, 1.0).as_f64(), None);
+    assert_eq!(DefaultLanes::from_f64(-2.5).as_f64(), None);
+}

@@ -195,3 +195,20 @@ fn sites_of_different_number_belong_to_different_spaces() {
     sites(2).give(&mut pool);
     assert_eq!(Sites::take(&mut pool, &sites(3)).len(), 3);
 }
+
+#[test]
+fn the_maximum_norm_loses_nothing_that_is_not_finite() {
+    let v = Vector3::new(2.0, -5.0, 3.0);
+    assert_eq!((v.max_norm(), Vector3::<f64>::zeros().max_norm()), (5.0, 0.0));
+    for i in 0..3 {
+        let with = |x: f64| {
+            let mut v = v;
+            v[i] = x;
+            v.max_norm()
+        };
+        assert_eq!([f64::INFINITY, f64::NEG_INFINITY].map(with), [f64::INFINITY; 2]);
+        assert!(with(f64::NAN).is_nan());
+    }
+    // the sum overflows, and the numbers do not
+    assert_eq!(Vector3::repeat(-f64::MAX).max_norm(), f64::MAX);
+}

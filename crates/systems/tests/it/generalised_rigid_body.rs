@@ -15,6 +15,7 @@ fn the_body_in_three_dimensions_is_that_of_euler() {
     let pi = Vector3::new(0.3, -0.8, 0.5);
     // M₃₂ = Π₁, M₁₃ = Π₂, M₂₁ = Π₃
     let m = body.momentum(|j, k| [-pi.z, pi.y, -pi.x][j + k - 1]);
+    assert_eq!(body.moments(), moments);
     let inertia =
         Vector3::new(moments[1] + moments[2], moments[0] + moments[2], moments[0] + moments[1]);
     let energy = 0.5 * pi.component_mul(&pi).component_div(&inertia).sum();

@@ -2,6 +2,7 @@
 #![allow(clippy::unwrap_used, clippy::panic)]
 
 mod drifts;
+mod fluid_on_sphere;
 mod generalised_rigid_body;
 mod gyrostat;
 mod kida_vortex;

@@ -2,7 +2,7 @@
 
 use crate::drifts::{ROUND_OFF, drifts, energy_bound, schemes};
 use collective_integrators::Collective;
-use lie_poisson::{Hamiltonian, LiePoisson, PoissonSpace, PowerAlgebra, So3};
+use lie_poisson::{Hamiltonian, LiePoisson, PoissonSpace, PowerAlgebra, So3, Vector};
 use lie_poisson_systems::{PointVortices, SystemError};
 use momentum_map::{HOPF, PowerMap};
 use nalgebra::Vector3;
@@ -31,6 +31,20 @@ fn vortices_conserve_energy_spheres_and_the_moment_of_vorticity() {
         }
         assert!(energy < energy_bound(&scheme, 0.1), "{energy:e}");
     }
+}
+
+/// D²h(m) v is the slope of dh along v, which Newton's iteration needs.
+#[test]
+fn the_second_derivative_is_the_slope_of_the_differential() {
+    let vortices = PointVortices::new([1.0, -0.7]).unwrap();
+    let m = vortices.momentum(&[Vector3::new(0.6, 0.0, 0.8), Vector3::new(0.0, -1.0, 0.0)]);
+    let v = vortices.momentum(&[Vector3::new(0.3, -0.2, 0.9), Vector3::new(-0.5, 0.1, 0.4)]);
+    let at = |s: f64| vortices.differential(&(m + v.scaled(s)));
+    let slope = (at(1e-5) - at(-1e-5)).scaled(0.5e5);
+    let found = vortices.hessian(&m, &v).unwrap();
+    // The difference quotient has errors of 1e-10 by truncation and of 1e-11 by rounding, times a few.
+    assert!((found - slope).max_abs() < 1e-9, "{:e}", (found - slope).max_abs());
+    assert!(found.max_abs() > 0.01);
 }
 
 #[test]

@@ -14,11 +14,11 @@ use lie_poisson_systems::{
 };
 use std::f64::consts::PI;
 
-fn largest(w: &LargeSkewHermitian) -> f64 {
+pub fn largest(w: &LargeSkewHermitian) -> f64 {
     (0..w.dimension()).map(|i| w.entry(i).abs()).fold(0.0, larger)
 }
 
-fn difference(a: &LargeSkewHermitian, b: &LargeSkewHermitian) -> f64 {
+pub fn difference(a: &LargeSkewHermitian, b: &LargeSkewHermitian) -> f64 {
     let mut c = a.clone();
     c.subtract_in_place(b);
     largest(&c)
