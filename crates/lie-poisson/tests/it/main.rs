@@ -5,4 +5,6 @@ mod algebra_laws;
 mod casimirs;
 mod closed_forms;
 mod cocycles;
+mod hamiltonian_laws;
+mod sizes;
 mod support;
