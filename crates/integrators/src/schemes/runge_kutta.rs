@@ -1,7 +1,7 @@
 //! Runge–Kutta methods: [`RungeKutta`].
 
-use crate::iteration::block_sizes::MaskOf;
-use crate::iteration::convergence::Ratios;
+use crate::iteration::block_sizes::{BlockSizes, MaskOf};
+use crate::iteration::convergence::{Ratios, is_finite};
 use crate::iteration::lane_problem::{LaneProblem, Outcome};
 use crate::iteration::stage_rows::{StageColumns, StageRows};
 use crate::iteration::stage_scale::StageScale;
@@ -184,15 +184,21 @@ impl RungeKutta {
         let (from, unknowns) = ((z, step, &scale), (k.as_mut_slice(), &mut spare));
         let solved = memory.solve(&self.predictor, &self.solver, field, from, unknowns, equations);
         let outcome = match solved {
-            Err(Unconverged { converged, iterations, .. })
+            Err(Unconverged { converged, iterations, error })
                 if T::HAS_SLOW_PATHS && self.solver.newton && newton.allows(k.len(), z) =>
             {
                 field.at_into(z, &mut spare);
                 let advance = |done: T::Mask, k: &mut [F::Point]| {
                     newton_step(field, (z, step), &self.tableau, done, k, newton)
                 };
-                let more = self.solver.newton(converged, &spare, &scale, k, advance);
-                more.map(|more| (iterations + more, converged))
+                // Newton's iteration begins at X(z). Where that is no number, its dense matrix would be in vain.
+                let begins = is_finite(BlockSizes::of(core::slice::from_ref(&spare)).largest());
+                if begins.and(converged.not()).any() && step.is_finite() {
+                    let more = self.solver.newton(converged, &spare, &scale, k, advance);
+                    more.map(|more| (iterations + more, converged))
+                } else {
+                    Err(error)
+                }
             }
             Ok(iterations) => Ok((iterations, T::Mask::from_bool(true))),
             Err(unconverged) => Err(unconverged.error),

@@ -1,8 +1,9 @@
 //! The iteration that solves stage equations, for equations of the caller.
 
-use collective_integrators::{StageSolver, StepError};
+use collective_integrators::{Direct, Integrator, RungeKutta, StageSolver, StepError, from_fn};
+use core::sync::atomic::{AtomicUsize, Ordering};
 use lie_poisson::{DefaultLanes, Lanes, Real};
-use nalgebra::Vector1;
+use nalgebra::{SVector, Vector1};
 
 /// Returns k₁ = 1/2 + k₂/4 and k₂ = 1 + k₁/8, whose solution is (24/31, 34/31).
 fn linear(i: usize, k: &[Vector1<f64>]) -> Vector1<f64> {
@@ -75,4 +76,32 @@ fn sweeps_that_diverge_or_lose_their_numbers_are_errors() {
         [change, 1.0]
     });
     assert!(made.is_ok(), "{made:?}");
+}
+
+/// Newton's iteration has a dense matrix, whose entries take an evaluation for each coordinate. A state or a step that is no
+/// number does not get that far.
+#[test]
+fn what_is_no_number_is_refused_without_newtons_iteration() {
+    const COORDINATES: usize = 32;
+    let evaluations = |start: f64, step: f64| {
+        let count = AtomicUsize::new(0);
+        let stiff = from_fn(|z: &SVector<f64, COORDINATES>| {
+            count.fetch_add(1, Ordering::Relaxed);
+            z * -1e3
+        });
+        let gauss = Direct::new(RungeKutta::gauss(2).unwrap(), stiff);
+        let mut z = SVector::repeat(0.5);
+        z[7] = start;
+        let outcome = gauss.step(&z, step, &mut Integrator::<f64>::workspace(&gauss));
+        (outcome.is_ok(), count.load(Ordering::Relaxed))
+    };
+    for (start, step) in
+        [(f64::NAN, 0.1), (f64::INFINITY, 0.1), (1.0, f64::NAN), (1.0, f64::INFINITY)]
+    {
+        let (made, count) = evaluations(start, step);
+        assert!(!made && count < COORDINATES, "{start} {step}: {count}");
+    }
+    // control: sweeps diverge in a long step, and Newton's iteration makes it
+    let (made, count) = evaluations(1.0, 0.1);
+    assert!(made && count > COORDINATES, "{count}");
 }

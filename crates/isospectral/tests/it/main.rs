@@ -1,6 +1,7 @@
 //! What this crate promises.
 #![allow(clippy::unwrap_used)]
 
+mod algebra;
 mod examples;
 mod failures;
 mod matrices;

@@ -18,12 +18,14 @@
 
 mod algebra;
 mod group;
+mod hamiltonian;
 mod poisson;
 mod representation;
 
 pub use algebra::lie_algebra;
 pub use group::{cayley, lie_group, logarithm};
-pub use poisson::{casimirs, hamiltonian, poisson_space};
+pub use hamiltonian::{hamiltonian, sites_hamiltonian};
+pub use poisson::{casimirs, poisson_space};
 pub use representation::{group_representation, representation};
 
 use crate::{Vector, larger};

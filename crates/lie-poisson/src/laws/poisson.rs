@@ -1,8 +1,5 @@
 use super::{NoSamples, Report, regimes};
-use crate::{
-    Casimirs, Differential, DualNumber, Hamiltonian, Momentum, Point, PoissonSpace, Vector,
-    differential, larger, seed,
-};
+use crate::{Casimirs, DualNumber, Momentum, Point, PoissonSpace, Vector, larger, seed};
 use nalgebra::DMatrix;
 
 /// Returns max |entry|, and unlike `amax`, NaN if an entry is NaN.
@@ -93,24 +90,4 @@ fn rank<V: Vector<Scalar = f64>>(vectors: impl Iterator<Item = V>) -> usize {
         }
     }
     basis.len()
-}
-
-/// Evaluates the law `differential` on samples of points: dh against the exact derivative of h by dual
-/// numbers.
-///
-/// # Errors
-/// Returns [`NoSamples`] if there are no samples.
-pub fn hamiltonian<P, H>(hamiltonian: &H, samples: &[Point<P>]) -> Result<Report, NoSamples>
-where
-    P: PoissonSpace,
-    H: Hamiltonian<P> + Hamiltonian<P, DualNumber>,
-{
-    let mut report = Report::default();
-    for z in regimes("points", samples)? {
-        let exact: Differential<P> =
-            differential(|z: &Point<P, DualNumber>| hamiltonian.value(z), &z);
-        let claimed: Differential<P> = Hamiltonian::<P>::differential(hamiltonian, &z);
-        report.note("differential", (claimed - exact).max_abs(), exact.max_abs().max(1e-300));
-    }
-    Ok(report)
 }

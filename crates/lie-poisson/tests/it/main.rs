@@ -6,4 +6,6 @@ mod casimirs;
 mod closed_forms;
 mod cocycles;
 mod faults_near_zero;
+mod hamiltonian_laws;
+mod sizes;
 mod support;

@@ -7,4 +7,5 @@ mod closed_forms;
 mod extreme_lifts;
 mod map_laws;
 mod multipliers;
+mod phase_space_laws;
 mod support;

@@ -62,16 +62,6 @@ fn an_action_that_is_not_affine() {
     action_laws(&Shear);
 }
 
-#[test]
-fn symplectic_spaces() {
-    holds(laws::symplectic_space(&CotangentBundle(RealSpace::<3>), &samples()).unwrap());
-    holds(laws::symplectic_space(&SymplecticComplexSpace::<2>, &samples()).unwrap());
-    holds(laws::symplectic_space(&Symplectic(SL2OnR2), &samples()).unwrap());
-    let sum = Sum(SL2OnR2, Reversed(SL2OnR2));
-    holds(laws::symplectic_space(&Symplectic(sum), &samples()).unwrap());
-    holds(laws::symplectic_space(&Symplectic(Diagonal::<_, 3>(SU2OnC2)), &samples()).unwrap());
-}
-
 /// Checks the map, the fibre symmetry and the lift of the images of samples.
 fn realisation_laws<M: FibreSymmetry + Lift>(map: &M) {
     let points = samples();
@@ -86,6 +76,7 @@ fn realisation_laws<M: FibreSymmetry + Lift>(map: &M) {
 fn realisations() {
     for side in [Side::Left, Side::Right] {
         realisation_laws(&QuadraticMomentumMap::new(So3OnC2, side));
+        realisation_laws(&QuadraticMomentumMap::new(UnitaryOnComplexSpace::<1>, side));
         realisation_laws(&QuadraticMomentumMap::new(UnitaryOnComplexSpace::<3>, side));
         realisation_laws(&QuadraticMomentumMap::new(Sum(SL2OnR2, SL2OnR2), side));
         realisation_laws(&QuadraticMomentumMap::new(Sum(SL2OnR2, Reversed(SL2OnR2)), side));
@@ -93,7 +84,9 @@ fn realisations() {
         realisation_laws(&QuadraticMomentumMap::new(negative, side));
     }
     realisation_laws(&PARTICLE);
+    realisation_laws(&PowerMap::<_, 1>(HOPF));
     realisation_laws(&PowerMap::<_, 3>(HOPF));
+    realisation_laws(&PowerMap::<_, 12>(HOPF));
     realisation_laws(&ProductMap(
         PowerMap::<_, 2>(HOPF),
         Identity(CotangentBundle(RealSpace::<2>)),

@@ -14,9 +14,13 @@ fn multipliers() {
     }
     check(&Quaternions);
     check(&DualQuaternions);
+    check(&ComplexMatrices::<1>);
     check(&ComplexMatrices::<2>);
     check(&ComplexMatrices::<3>);
+    check(&ComplexMatrices::<6>);
+    check(&PowerMultipliers::<_, 1>(Quaternions));
     check(&PowerMultipliers::<_, 2>(Quaternions));
+    check(&PowerMultipliers::<_, 9>(Quaternions));
     check(&ProductMultipliers(Quaternions, DualQuaternions));
 }
 

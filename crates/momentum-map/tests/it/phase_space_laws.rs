@@ -1,0 +1,81 @@
+//! The law suites of symplectic spaces, of representations that make them, and of the Hamiltonians on them that a map
+//! gives.
+
+use crate::support::{holds, laws, samples};
+use lie_poisson::*;
+use momentum_map::*;
+use nalgebra::{Vector2, Vector3};
+use num_complex::Complex;
+
+/// Checks the laws of a symplectic space as one, and as a Poisson space.
+fn symplectic_laws<P: SymplecticSpace>(space: &P) {
+    holds(laws::symplectic_space(space, &samples()).unwrap());
+    holds(lie_poisson::laws::poisson_space(space, &samples()).unwrap());
+}
+
+#[test]
+fn symplectic_spaces() {
+    symplectic_laws(&CotangentBundle(RealSpace::<1>));
+    symplectic_laws(&CotangentBundle(RealSpace::<9>));
+    symplectic_laws(&SymplecticComplexSpace::<2>);
+    symplectic_laws(&SymplecticComplexSpace::<7>);
+    symplectic_laws(&Symplectic(SL2OnR2));
+    symplectic_laws(&Symplectic(So3OnC2));
+    symplectic_laws(&Symplectic(UnitaryOnComplexSpace::<5>));
+    symplectic_laws(&Symplectic(Sum(SL2OnR2, Reversed(SL2OnR2))));
+    symplectic_laws(&Symplectic(Diagonal::<_, 3>(SU2OnC2)));
+}
+
+#[test]
+fn symplectic_representations() {
+    fn check<R: Representation>(r: &R) {
+        holds(lie_poisson::laws::representation(r, &samples(), &samples()).unwrap());
+    }
+    check(&So3OnC2);
+    check(&Reversed(SL2OnR2));
+    check(&Reversed(UnitaryOnComplexSpace::<3>));
+}
+
+energy!(Body {} on LiePoisson<So3>: |_body, Covector(pi)| pi.x * pi.y + pi.z * pi.z * pi.z * 0.5);
+
+/// Functions on the source of a map: h∘M for a Hamiltonian on its target, and the components ⟨J, ξ⟩.
+#[test]
+fn hamiltonians_by_maps() {
+    let collective = CollectiveHamiltonian::new(HOPF, Automatic(Body {}));
+    holds(lie_poisson::laws::hamiltonian(&collective, &samples()).unwrap());
+    for xi in samples::<Vector3<f64>>() {
+        let spin = NoetherQuantity::new(HOPF, xi);
+        holds(lie_poisson::laws::hamiltonian(&spin, &samples()).unwrap());
+        let rotation = NoetherQuantity::new(MomentumMap(LinearAction(SO3OnR3)), xi);
+        holds(lie_poisson::laws::hamiltonian(&rotation, &samples()).unwrap());
+    }
+    // control: the generator is right, and the map is not the one whose derivative is pulled back
+    let wrong = CollectiveHamiltonian::new(WrongPullBack, Automatic(Body {}));
+    let report = lie_poisson::laws::hamiltonian(&wrong, &samples()).unwrap();
+    assert!(report.residual("differential").unwrap() > 0.1);
+}
+
+/// The Hopf map with the pull-back of another one.
+#[derive(Clone)]
+struct WrongPullBack;
+
+impl PoissonMap for WrongPullBack {
+    type Source = Symplectic<So3OnC2>;
+    type Target = LiePoisson<So3>;
+    fn source(&self) -> Self::Source {
+        HOPF.source()
+    }
+    fn target(&self) -> Self::Target {
+        HOPF.target()
+    }
+    fn apply<T: Real>(&self, z: &Vector2<Complex<T>>) -> Covector<Vector3<T>> {
+        HOPF.apply(z)
+    }
+    fn pull_back<T: Real>(
+        &self,
+        alpha: &Vector3<T>,
+        z: &Vector2<Complex<T>>,
+    ) -> Covector<Vector2<Complex<T>>> {
+        -HOPF.pull_back(alpha, z)
+    }
+}
