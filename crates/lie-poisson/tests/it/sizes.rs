@@ -136,8 +136,8 @@ impl PoissonSpace for NotPoisson {
 #[test]
 fn products_and_powers_of_poisson_spaces() {
     let so3 = LiePoisson::plus(So3);
-    holds(laws::poisson_space(&ProductSpace(so3.clone(), Plane), &samples()).unwrap());
-    holds(laws::poisson_space(&PowerSpace::<_, 1>(so3.clone()), &samples()).unwrap());
+    holds(laws::poisson_space(&ProductSpace(so3, Plane), &samples()).unwrap());
+    holds(laws::poisson_space(&PowerSpace::<_, 1>(so3), &samples()).unwrap());
     let many = ProductSpace(PowerSpace::<_, 6>(so3), PowerSpace::<_, 5>(Plane));
     holds(laws::poisson_space(&many, &samples()[..1]).unwrap());
     // control: a factor that breaks the identity breaks that of the product
