@@ -1,5 +1,6 @@
 //! The splitting of a top into four exactly solvable parts.
 
+use crate::splittings::principal_turn::PrincipalTurn;
 use crate::{HeavyTop, RigidBody, TurningFlows};
 use collective_integrators::ExactFlows;
 use lie_poisson::{Covector, LieGroup, Pair, Quaternion, Real, SP1, Se3Dual, Vector};
@@ -59,8 +60,8 @@ impl<T: Real> ExactFlows<T> for RotorSplitting<HeavyTop> {
     fn flow(&self, index: usize, time: f64, mu: &Se3Dual<T>) -> Se3Dual<T> {
         let Covector(Pair(pi, gamma)) = mu;
         if index < 3 {
-            let angle = self.angle(index, time, pi);
-            Se3Dual::new(turn(index, angle, pi), turn(index, angle, gamma))
+            let turn = PrincipalTurn::new(index, self.angle(index, time, pi));
+            Se3Dual::new(turn.apply(pi), turn.apply(gamma))
         } else if index == 3 {
             kick(&self.0, time, mu)
         } else {
@@ -90,39 +91,8 @@ impl<T: Real> ExactFlows<T> for RotorSplitting<RigidBody> {
             return *mu;
         }
         let angle = mu.0[index] * (-time / self.0.inertia()[index]);
-        Covector(turn(index, angle, &mu.0))
+        Covector(PrincipalTurn::new(index, angle).apply(&mu.0))
     }
-}
-
-/// Rotates v about e_axis by the angle, in the positive sense.
-///
-/// Three shears make the rotation, about the nearer of v and −v:
-///
-/// ```text
-/// x ← x − y tan θ/2,    y ← y + x sin θ,    x ← x − y tan θ/2
-/// ```
-///
-/// Shears with any coefficients conserve areas, so that many rotations by one angle, as those of Lagrange's top about its
-/// axis, stay on an ellipse that is a circle to round-off. A matrix of rounded cosines and sines stretches each time by
-/// the same 1e-16.
-///
-/// Source: Paeth, *A fast algorithm for general raster rotation*, Graphics Interface (1986).
-#[inline]
-pub(crate) fn turn<T: Real>(axis: usize, angle: T, v: &Vector3<T>) -> Vector3<T> {
-    let square = angle * angle;
-    let (cos, sin) = (square.stumpff(0), angle * square.stumpff(1));
-    let forwards = T::zero().at_most(cos);
-    let sign = T::select(forwards, T::one(), -T::one());
-    let (cos, sin) = (sign * cos, sign * sin);
-    let half_tangent = sin / (cos + T::one());
-    let (i, j) = ((axis + 1) % 3, (axis + 2) % 3);
-    let (mut x, mut y) = (sign * v[i], sign * v[j]);
-    x -= half_tangent * y;
-    y += sin * x;
-    x -= half_tangent * y;
-    let mut turned = *v;
-    (turned[i], turned[j]) = (x, y);
-    turned
 }
 
 /// Rotates v by a rotation vector ω: v + c₁ ω×v + c₂ ω×(ω×v), with Stumpff functions of |ω|².

@@ -1,6 +1,7 @@
 //! The splitting of a symmetric top into the free symmetric top and its weight.
 
-use crate::splittings::rotors::{axial_turn, kick, rotated, turn};
+use crate::splittings::principal_turn::PrincipalTurn;
+use crate::splittings::rotors::{axial_turn, kick, rotated};
 use crate::{HeavyTop, TopError, TurningFlows};
 use collective_integrators::ExactFlows;
 use lie_poisson::{Covector, LieGroup, Pair, Quaternion, Real, SP1, Se3Dual};
@@ -82,8 +83,8 @@ impl<T: Real> ExactFlows<T> for SymmetricTopSplitting {
         match index {
             0 => {
                 let (about_pi, angle) = self.free_turns(time, pi);
-                let gamma = rotated(&about_pi, gamma);
-                Se3Dual::new(turn(2, angle, pi), turn(2, angle, &gamma))
+                let about_axis = PrincipalTurn::new(2, angle);
+                Se3Dual::new(about_axis.apply(pi), about_axis.apply(&rotated(&about_pi, gamma)))
             }
             1 => kick(&self.top, time, mu),
             _ => *mu,
