@@ -39,7 +39,7 @@ pub fn dispatch_four<K: FourLanesTask>(
         return Err(MissingInstructions { set });
     }
     match set {
-        InstructionSet::Portable => Ok(task.run::<Packed<Two<Baseline>>>()),
+        InstructionSet::Portable => Ok(four_portable(task)),
         // SAFETY: the processor has AVX2 and FMA, as was checked above.
         #[cfg(target_arch = "x86_64")]
         InstructionSet::Avx2 => Ok(unsafe { four_with_avx2(task) }),
@@ -49,6 +49,10 @@ pub fn dispatch_four<K: FourLanesTask>(
         #[cfg(not(target_arch = "x86_64"))]
         set => Err(MissingInstructions { set }),
     }
+}
+
+fn four_portable<K: FourLanesTask>(task: K) -> K::Output {
+    task.run::<Packed<Two<Baseline>>>()
 }
 
 #[cfg(target_arch = "x86_64")]

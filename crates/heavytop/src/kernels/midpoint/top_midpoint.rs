@@ -91,6 +91,18 @@ impl TopMidpoint {
     pub fn general(&self) -> &ReducedMidpoint<HeavyTop> {
         &self.general
     }
+
+    /// Makes a step for which the formulas for tops do not converge. It is a call, so that `step` is short enough to be
+    /// inlined.
+    #[cold]
+    fn general_step(
+        &self,
+        mu: &Se3Dual,
+        step: f64,
+        workspace: &mut TopMidpointSpace,
+    ) -> Result<Step<Se3Dual>, StepError> {
+        self.general.step(mu, step, &mut workspace.general)
+    }
 }
 
 /// The workspace of [`TopMidpoint`].
@@ -121,7 +133,7 @@ impl Integrator for TopMidpoint {
     ) -> Result<Step<Se3Dual>, StepError> {
         match workspace.history.step(self.top(), mu, step, self.instructions()) {
             Some(next) => Ok(next),
-            None => self.general.step(mu, step, &mut workspace.general),
+            None => self.general_step(mu, step, workspace),
         }
     }
 

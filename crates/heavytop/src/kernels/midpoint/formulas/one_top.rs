@@ -57,13 +57,19 @@ impl GuessHistory {
         let numbers = numbers(top, step);
         let known = self.numbers.as_ref().is_some_and(|known| same(known, &numbers));
         if !(known && same(&self.end.numbers(), &TopState::of(mu).numbers())) {
-            self.parameters = MidpointParameters::stored(top, mu.0.1.norm_squared(), step);
-            self.numbers = Some(numbers);
-            self.end = TopState::of(mu);
-            self.past = Extrapolation::new([0.0; 4]);
+            self.begin(top, mu, step);
         }
         let iterations = dispatch_four(OneStep(self), set).ok()??;
         Some(Step { point: self.end.point(), iterations })
+    }
+
+    /// Makes the history that of a step from a new point.
+    #[cold]
+    fn begin(&mut self, top: &HeavyTop, mu: &Se3Dual, step: f64) {
+        self.parameters = MidpointParameters::stored(top, mu.0.1.norm_squared(), step);
+        self.numbers = Some(numbers(top, step));
+        self.end = TopState::of(mu);
+        self.past = Extrapolation::new([0.0; 4]);
     }
 }
 
