@@ -4,5 +4,6 @@ pub(crate) mod scheme;
 pub(crate) mod explicit_step;
 pub(crate) mod refinement;
 pub(crate) mod runge_kutta;
+pub(crate) mod named_runge_kutta;
 pub(crate) mod polarisation;
 pub(crate) mod partitioned;

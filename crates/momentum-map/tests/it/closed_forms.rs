@@ -1,9 +1,10 @@
 //! The closed forms of actions and of quadratic momentum maps, compared with what follows from `act` by dual numbers.
 
+use crate::support::faulty::FaultyRotations;
 use crate::support::{holds, laws, samples};
 use lie_poisson::*;
 use momentum_map::*;
-use nalgebra::{Matrix3, SVector, Vector2, Vector3};
+use nalgebra::{Vector2, Vector3};
 use num_complex::Complex;
 use proptest::prelude::*;
 
@@ -205,61 +206,26 @@ fn quadratic<R: SymplecticRepresentation>(
     Ok(())
 }
 
-/// Rotations with one closed form that has the wrong sign.
-#[derive(Clone)]
-enum Wrong {
-    Generator,
-    Momentum,
-    Lift,
-}
-
-impl GroupAction for Wrong {
-    type Group = SO3;
-    type Space = RealSpace<3>;
-    const SIDE: Side = Side::Left;
-    fn group(&self) -> SO3 {
-        SO3
-    }
-    fn space(&self) -> RealSpace<3> {
-        RealSpace
-    }
-    fn act<T: Real>(&self, g: &Matrix3<T>, q: &Vector3<T>) -> Vector3<T> {
-        g * q
-    }
-    fn infinitesimal_generator<T: Real>(&self, xi: &Vector3<T>, q: &Vector3<T>) -> Vector3<T> {
-        if matches!(self, Self::Generator) { q.cross(xi) } else { xi.cross(q) }
-    }
-    fn momentum<T: Real>(&self, z: &Cotangent<SVector<T, 3>>) -> Covector<Vector3<T>> {
-        let j = Covector(z.q.cross(&z.p.0));
-        if matches!(self, Self::Momentum) { -j } else { j }
-    }
-    fn lifted_generator<T: Real>(
-        &self,
-        xi: &Vector3<T>,
-        z: &Cotangent<SVector<T, 3>>,
-    ) -> Cotangent<SVector<T, 3>> {
-        let p = Covector(xi.cross(&z.p.0));
-        Cotangent::new(xi.cross(&z.q), if matches!(self, Self::Lift) { -p } else { p })
-    }
-}
-
 /// A negative control: each closed form with a wrong sign is seen by the comparison and by its own law.
 #[test]
 fn closed_forms_with_a_wrong_sign_are_refused() {
     let (xi, z): (Vec<Vector3<f64>>, Vec<Cotangent<Vector3<f64>>>) = (samples(), samples());
-    for wrong in [Wrong::Generator, Wrong::Momentum, Wrong::Lift] {
+    for wrong in [FaultyRotations::Generator, FaultyRotations::Momentum, FaultyRotations::Lift] {
         assert!(deviation(&wrong, &xi[0], &z[1]) > 0.01);
     }
-    let report = |action: &Wrong| laws::cotangent_lift(action, &samples(), &samples()).unwrap();
+    let report =
+        |action: &FaultyRotations| laws::cotangent_lift(action, &samples(), &samples()).unwrap();
     let laws = ["momentum", "lifted generator"];
-    for (wrong, broken) in [(Wrong::Momentum, laws[0]), (Wrong::Lift, laws[1])] {
+    for (wrong, broken) in [(FaultyRotations::Momentum, laws[0]), (FaultyRotations::Lift, laws[1])]
+    {
         let report = report(&wrong);
         for law in laws {
             assert_eq!(report.residual(law).unwrap() > 0.1, law == broken, "{law} of {broken}");
         }
     }
-    holds(report(&Wrong::Generator));
-    let generator = laws::group_action(&Wrong::Generator, &samples(), &samples()).unwrap();
+    holds(report(&FaultyRotations::Generator));
+    let generator =
+        laws::group_action(&FaultyRotations::Generator, &samples(), &samples()).unwrap();
     assert!(generator.residual("generator").unwrap() > 0.1);
 }
 

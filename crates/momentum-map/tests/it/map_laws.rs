@@ -1,11 +1,11 @@
 //! The law suites of actions, momentum maps and realisations: every type of the crate obeys its laws, and each law
 //! rejects something that breaks it.
 
+use crate::support::faulty::{FaultyHopf, FaultyRotations};
 use crate::support::{TOLERANCE, holds, laws, samples};
 use lie_poisson::*;
 use momentum_map::*;
 use nalgebra::{Vector2, Vector3};
-use num_complex::Complex;
 
 fn action_laws<A: GroupAction>(action: &A) {
     holds(laws::group_action(action, &samples(), &samples()).unwrap());
@@ -169,77 +169,22 @@ fn momenta_on_the_cone_of_sl2_have_a_lift() {
     }
 }
 
-/// The Hopf map with the sign of a coordinate reversed: neither Poisson nor equivariant.
-#[derive(Clone)]
-struct Mirrored;
-
-impl PoissonMap for Mirrored {
-    type Source = Symplectic<So3OnC2>;
-    type Target = LiePoisson<So3>;
-    fn source(&self) -> Self::Source {
-        HOPF.source()
-    }
-    fn target(&self) -> Self::Target {
-        HOPF.target()
-    }
-    fn apply<T: Real>(&self, z: &Vector2<Complex<T>>) -> Covector<Vector3<T>> {
-        let pi = HOPF.apply(z).0;
-        Covector(Vector3::new(pi.x, -pi.y, pi.z))
-    }
-}
-
-/// The Hopf map with the generator of the other side.
-#[derive(Clone)]
-struct WrongGenerator;
-
-impl PoissonMap for WrongGenerator {
-    type Source = Symplectic<So3OnC2>;
-    type Target = LiePoisson<So3>;
-    fn source(&self) -> Self::Source {
-        HOPF.source()
-    }
-    fn target(&self) -> Self::Target {
-        HOPF.target()
-    }
-    fn apply<T: Real>(&self, z: &Vector2<Complex<T>>) -> Covector<Vector3<T>> {
-        HOPF.apply(z)
-    }
-    fn generator<T: Real>(&self, xi: &Vector3<T>, z: &Vector2<Complex<T>>) -> Vector2<Complex<T>> {
-        -HOPF.generator(xi, z)
-    }
-}
-
-impl FibreSymmetry for WrongGenerator {
-    const COUNT: usize = 2;
-    /// The two flows are a dilation, up to second order, and a translation, which do not commute.
-    fn flow<T: Real>(&self, index: usize, s: T, z: &Vector2<Complex<T>>) -> Vector2<Complex<T>> {
-        if index == 0 { z.map(|x| x.scale(T::one() + s)) } else { z.map(|x| x + s) }
-    }
-    fn momentum<T: Real>(&self, _: usize, z: &Vector2<Complex<T>>) -> T {
-        HOPF.momentum(0, z)
-    }
-}
-
-impl Lift for WrongGenerator {
-    fn lift<T: Real>(&self, mu: &Covector<Vector3<T>>) -> Result<Vector2<Complex<T>>, LiftError> {
-        HOPF.lift(&-*mu)
-    }
-}
-
 #[test]
 fn laws_of_poisson_maps_reject_what_breaks_them() {
-    let report = laws::poisson_map(&Mirrored, &samples()).unwrap();
+    let report = laws::poisson_map(&FaultyHopf::Mirrored, &samples()).unwrap();
     assert!(report.residual("Poisson").unwrap() > 0.1);
     assert!(report.residual("pull-back").unwrap() < TOLERANCE);
-    let report = laws::poisson_map(&WrongGenerator, &samples()).unwrap();
+    let report = laws::poisson_map(&FaultyHopf::Generator, &samples()).unwrap();
     assert!(report.residual("generator").unwrap() > 0.1);
     assert!(report.residual("Poisson").unwrap() < TOLERANCE);
-    let report = laws::fibre_symmetry(&WrongGenerator, &samples(), &[0.3]).unwrap();
+    let report = laws::poisson_map(&FaultyHopf::PullBack, &samples()).unwrap();
+    assert!(report.residual("pull-back").unwrap() > 0.1);
+    let report = laws::fibre_symmetry(&FaultyHopf::Fibres, &samples(), &[0.3]).unwrap();
     for law in ["invariance", "momentum", "one-parameter group", "commuting flows"] {
         assert!(report.residual(law).unwrap() > 0.01, "{law}");
     }
     let momenta: Vec<_> = samples().iter().map(|z| HOPF.apply::<f64>(z)).collect();
-    assert!(laws::lift(&WrongGenerator, &momenta).unwrap().residual("section").unwrap() > 0.1);
+    assert!(laws::lift(&FaultyHopf::Lift, &momenta).unwrap().residual("section").unwrap() > 0.1);
 }
 
 /// A left action that wrongly claims to be a right one.
@@ -273,33 +218,11 @@ fn laws_of_actions_reject_the_wrong_side() {
     assert!(report.residual("Poisson").unwrap() > 0.1);
 }
 
-/// Rotations with an infinitesimal generator that is wrong for elements of so(3) of the size 10⁻⁸.
-#[derive(Clone)]
-struct WrongNearZero;
-
-impl GroupAction for WrongNearZero {
-    type Group = SO3;
-    type Space = RealSpace<3>;
-    const SIDE: Side = Side::Left;
-    fn group(&self) -> SO3 {
-        SO3
-    }
-    fn space(&self) -> RealSpace<3> {
-        RealSpace
-    }
-    fn act<T: Real>(&self, g: &nalgebra::Matrix3<T>, q: &Vector3<T>) -> Vector3<T> {
-        g * q
-    }
-    fn infinitesimal_generator<T: Real>(&self, xi: &Vector3<T>, q: &Vector3<T>) -> Vector3<T> {
-        let small = xi.iter().all(|x| x.all_below(1e-7));
-        xi.cross(q) * T::from_f64(if small { 1.5 } else { 1.0 })
-    }
-}
-
 /// Residuals are relative to the elements, so that small ones count as much as others.
 #[test]
 fn a_wrong_generator_of_small_elements_is_rejected() {
-    let report = laws::group_action(&WrongNearZero, &samples(), &samples()).unwrap();
+    let report =
+        laws::group_action(&FaultyRotations::GeneratorNearZero, &samples(), &samples()).unwrap();
     assert!(report.residual("generator").unwrap() > 0.1);
     assert!(report.residual("composition").unwrap() < TOLERANCE);
 }

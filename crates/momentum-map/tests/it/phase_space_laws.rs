@@ -1,11 +1,11 @@
 //! The law suites of symplectic spaces, of representations that make them, and of the Hamiltonians on them that a map
 //! gives.
 
+use crate::support::faulty::FaultyHopf;
 use crate::support::{holds, laws, samples};
 use lie_poisson::*;
 use momentum_map::*;
-use nalgebra::{Vector2, Vector3};
-use num_complex::Complex;
+use nalgebra::Vector3;
 
 /// Checks the laws of a symplectic space as one, and as a Poisson space.
 fn symplectic_laws<P: SymplecticSpace>(space: &P) {
@@ -50,32 +50,7 @@ fn hamiltonians_by_maps() {
         holds(lie_poisson::laws::hamiltonian(&rotation, &samples()).unwrap());
     }
     // control: the generator is right, and the map is not the one whose derivative is pulled back
-    let wrong = CollectiveHamiltonian::new(WrongPullBack, Automatic(Body {}));
+    let wrong = CollectiveHamiltonian::new(FaultyHopf::PullBack, Automatic(Body {}));
     let report = lie_poisson::laws::hamiltonian(&wrong, &samples()).unwrap();
     assert!(report.residual("differential").unwrap() > 0.1);
-}
-
-/// The Hopf map with the pull-back of another one.
-#[derive(Clone)]
-struct WrongPullBack;
-
-impl PoissonMap for WrongPullBack {
-    type Source = Symplectic<So3OnC2>;
-    type Target = LiePoisson<So3>;
-    fn source(&self) -> Self::Source {
-        HOPF.source()
-    }
-    fn target(&self) -> Self::Target {
-        HOPF.target()
-    }
-    fn apply<T: Real>(&self, z: &Vector2<Complex<T>>) -> Covector<Vector3<T>> {
-        HOPF.apply(z)
-    }
-    fn pull_back<T: Real>(
-        &self,
-        alpha: &Vector3<T>,
-        z: &Vector2<Complex<T>>,
-    ) -> Covector<Vector2<Complex<T>>> {
-        -HOPF.pull_back(alpha, z)
-    }
 }

@@ -191,7 +191,7 @@ mod tests {
         assert!(stumpff(f64::NAN, 1000).is_nan());
     }
 
-    /// Where √x is a multiple of 2π, c₁ and c₂ vanish up to the rounding of √x, and the recursion goes on from there.
+    /// For x = (2πn)² the recursion starts from c₁ or c₂, which are zero up to the rounding of √x.
     #[test]
     fn functions_at_whole_turns() {
         for turns in 1..6 {

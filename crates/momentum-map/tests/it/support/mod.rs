@@ -3,6 +3,8 @@
 #[cfg(not(feature = "laws"))]
 compile_error!("these tests need the law suite: cargo test --features laws");
 
+pub mod faulty;
+
 use lie_poisson::Vector;
 pub use momentum_map::laws;
 use momentum_map::laws::Report;

@@ -1,0 +1,121 @@
+//! Negative controls: the Hopf map and the rotations of R³, each with one part that is wrong.
+
+use lie_poisson::*;
+use momentum_map::*;
+use nalgebra::{Matrix3, SVector, Vector2, Vector3};
+use num_complex::Complex;
+
+/// The Hopf map with one wrong part.
+#[derive(Clone, PartialEq)]
+pub enum FaultyHopf {
+    /// The sign of a coordinate is reversed: the map is neither Poisson nor equivariant.
+    Mirrored,
+    /// The generator has the wrong sign.
+    Generator,
+    /// The pull-back has the wrong sign.
+    PullBack,
+    /// The lift is that of −μ.
+    Lift,
+    /// The two flows are a dilation, up to second order, and a translation, which do not commute.
+    Fibres,
+}
+
+impl PoissonMap for FaultyHopf {
+    type Source = Symplectic<So3OnC2>;
+    type Target = LiePoisson<So3>;
+    fn source(&self) -> Self::Source {
+        HOPF.source()
+    }
+    fn target(&self) -> Self::Target {
+        HOPF.target()
+    }
+    fn apply<T: Real>(&self, z: &Vector2<Complex<T>>) -> Covector<Vector3<T>> {
+        let mut pi = HOPF.apply(z);
+        if *self == Self::Mirrored {
+            pi.0.y = -pi.0.y;
+        }
+        pi
+    }
+    fn generator<T: Real>(&self, xi: &Vector3<T>, z: &Vector2<Complex<T>>) -> Vector2<Complex<T>> {
+        let generator = HOPF.generator(xi, z);
+        if *self == Self::Generator { -generator } else { generator }
+    }
+    fn pull_back<T: Real>(
+        &self,
+        alpha: &Vector3<T>,
+        z: &Vector2<Complex<T>>,
+    ) -> Covector<Vector2<Complex<T>>> {
+        let alpha =
+            if *self == Self::Mirrored { Vector3::new(alpha.x, -alpha.y, alpha.z) } else { *alpha };
+        let pulled = HOPF.pull_back(&alpha, z);
+        if *self == Self::PullBack { -pulled } else { pulled }
+    }
+}
+
+impl FibreSymmetry for FaultyHopf {
+    const COUNT: usize = 2;
+    fn flow<T: Real>(&self, index: usize, s: T, z: &Vector2<Complex<T>>) -> Vector2<Complex<T>> {
+        match self {
+            Self::Fibres if index == 0 => z.map(|x| x.scale(T::one() + s)),
+            Self::Fibres => z.map(|x| x + s),
+            _ => HOPF.flow(0, s, z),
+        }
+    }
+    fn momentum<T: Real>(&self, _: usize, z: &Vector2<Complex<T>>) -> T {
+        HOPF.momentum(0, z)
+    }
+}
+
+impl Lift for FaultyHopf {
+    fn lift<T: Real>(&self, mu: &Covector<Vector3<T>>) -> Result<Vector2<Complex<T>>, LiftError> {
+        HOPF.lift(&if *self == Self::Lift { -*mu } else { *mu })
+    }
+}
+
+/// The rotations of R³ with one wrong part.
+#[derive(Clone, PartialEq)]
+pub enum FaultyRotations {
+    /// The infinitesimal generator has the wrong sign.
+    Generator,
+    /// The infinitesimal generator is wrong for elements of so(3) below 10⁻⁷ alone.
+    GeneratorNearZero,
+    /// The momentum has the wrong sign.
+    Momentum,
+    /// The generator of the cotangent lift has the wrong sign in p.
+    Lift,
+}
+
+impl GroupAction for FaultyRotations {
+    type Group = SO3;
+    type Space = RealSpace<3>;
+    const SIDE: Side = Side::Left;
+    fn group(&self) -> SO3 {
+        SO3
+    }
+    fn space(&self) -> RealSpace<3> {
+        RealSpace
+    }
+    fn act<T: Real>(&self, g: &Matrix3<T>, q: &Vector3<T>) -> Vector3<T> {
+        g * q
+    }
+    fn infinitesimal_generator<T: Real>(&self, xi: &Vector3<T>, q: &Vector3<T>) -> Vector3<T> {
+        let factor = match self {
+            Self::Generator => -1.0,
+            Self::GeneratorNearZero if xi.iter().all(|x| x.all_below(1e-7)) => 1.5,
+            _ => 1.0,
+        };
+        xi.cross(q) * T::from_f64(factor)
+    }
+    fn momentum<T: Real>(&self, z: &Cotangent<SVector<T, 3>>) -> Covector<Vector3<T>> {
+        let j = Covector(z.q.cross(&z.p.0));
+        if *self == Self::Momentum { -j } else { j }
+    }
+    fn lifted_generator<T: Real>(
+        &self,
+        xi: &Vector3<T>,
+        z: &Cotangent<SVector<T, 3>>,
+    ) -> Cotangent<SVector<T, 3>> {
+        let p = Covector(xi.cross(&z.p.0));
+        Cotangent::new(xi.cross(&z.q), if *self == Self::Lift { -p } else { p })
+    }
+}
