@@ -16,7 +16,7 @@ use lie_poisson_systems::momentum_map::{
 /// A system as it is, or with a fault in one coordinate of its result: of a differential, a rate, a generator, a Lie
 /// bracket, a map or a step.
 ///
-/// The coordinate has the wrong sign. That of a step is doubled instead: squares, and so many invariants, do not depend
+/// The coordinate has the wrong sign. That of a step is halved instead: squares, and so many invariants, do not depend
 /// on a sign.
 #[derive(Clone, Debug)]
 pub struct Faulty<S> {
@@ -198,7 +198,7 @@ impl<I: Integrator> Integrator for Faulty<I> {
         workspace: &mut I::Workspace,
     ) -> Result<Step<I::State>, StepError> {
         let mut made = self.system.step(state, step, workspace)?;
-        self.spoil(&mut made.point, 2.0);
+        self.spoil(&mut made.point, 0.5);
         Ok(made)
     }
 
@@ -209,7 +209,7 @@ impl<I: Integrator> Integrator for Faulty<I> {
         workspace: &mut I::Workspace,
     ) -> Result<usize, StepError> {
         let iterations = self.system.step_in_place(state, step, workspace)?;
-        self.spoil(state, 2.0);
+        self.spoil(state, 0.5);
         Ok(iterations)
     }
 
