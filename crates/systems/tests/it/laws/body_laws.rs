@@ -65,8 +65,8 @@ fn kirchhoff_laws() {
 #[test]
 fn movable_base_algebra_laws() {
     let algebra = MovableBaseAlgebra::default();
-    obeys(algebra.clone(), 0, ROUND_OFF, |algebra| lie_algebra(algebra, &samples()));
-    obeys(algebra.clone(), 0, ROUND_OFF, |algebra| {
+    obeys(algebra, 0, ROUND_OFF, |algebra| lie_algebra(algebra, &samples()));
+    obeys(algebra, 0, ROUND_OFF, |algebra| {
         poisson_space(&LiePoisson::minus(algebra.clone()), &samples())
     });
 }

@@ -39,7 +39,7 @@ fn chain<const N: usize>() -> HeisenbergChain<N> {
 fn spin_space_laws() {
     let space: SpinSpace<2> = LiePoisson::plus(PowerAlgebra(So3));
     for sign in [Sign::Plus, Sign::Minus] {
-        obeys(space.algebra().clone(), 4, ROUND_OFF, |algebra| {
+        obeys(*space.algebra(), 4, ROUND_OFF, |algebra| {
             poisson_space(&LiePoisson::new(algebra.clone(), sign), &samples())
         });
     }
@@ -83,7 +83,7 @@ const DIFFERENCES: f64 = 1e-9;
 fn spin_lattice_space_laws() {
     let bundle = CotangentBundle(RealSpace::<2>);
     let space: SpinLatticeSpace<2> = ProductSpace(LiePoisson::plus(PowerAlgebra(So3)), bundle);
-    obeys(space.0.algebra().clone(), 4, ROUND_OFF, |algebra| {
+    obeys(*space.0.algebra(), 4, ROUND_OFF, |algebra| {
         poisson_space(&ProductSpace(LiePoisson::plus(algebra.clone()), bundle), &samples())
     });
 }
