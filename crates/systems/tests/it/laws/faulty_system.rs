@@ -24,7 +24,7 @@ pub struct Faulty<S> {
     coordinate: Option<usize>,
 }
 
-/// Checks that a suite accepts a system.
+/// Checks that a suite accepts a system, where no fault can be seen, or where the same suite has its control beside it.
 pub fn holds<S>(
     system: S,
     tolerance: f64,
