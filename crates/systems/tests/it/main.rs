@@ -10,6 +10,7 @@ mod heap_states;
 mod heisenberg_lattice;
 mod kirchhoff;
 mod lattice_on_lanes;
+mod laws;
 mod many_vortices;
 mod movable_base;
 mod point_vortices;

@@ -1,0 +1,90 @@
+//! The law suites of matrices: rigid bodies in N dimensions and fluids on the sphere.
+
+use super::faulty_system::{holds, obeys};
+use super::field_laws::generator;
+use super::law_samples::{ENERGY_OF_ORDER_TWO, ROUND_OFF, ROUND_OFF_OF_RUNS, SHORT_STEP};
+use core::f64::consts::PI;
+use lie_poisson_systems::collective_integrators::{RungeKutta, laws};
+use lie_poisson_systems::isospectral_flows::{
+    IsospectralField, IsospectralRungeKutta, LargeSkewHermitian,
+};
+use lie_poisson_systems::num_complex::Complex;
+use lie_poisson_systems::{GeneralisedRigidBody, Zeitlin};
+
+/// Returns a generic matrix without trace of norm 1.
+fn generic(size: usize) -> LargeSkewHermitian {
+    let entry = |j: usize, k: usize| {
+        let x = (j * size + k) as f64 + 1.0;
+        Complex::new((12.9898 * x).sin(), (35.0725 * x + 0.3).sin())
+    };
+    let mean = (0..size).map(|j| entry(j, j).im).sum::<f64>() / size as f64;
+    let w = LargeSkewHermitian::from_upper(size, |j, k| {
+        entry(j, k) - if j == k { Complex::new(0.0, mean) } else { Complex::ZERO }
+    });
+    let norm = w.norm();
+    LargeSkewHermitian::from_upper(size, |j, k| w.at(j, k) / norm)
+}
+
+/// A function of a matrix that should be conserved.
+type Function<'a> = &'a dyn Fn(&LargeSkewHermitian) -> f64;
+
+/// Runs the suites of the collective midpoint rule, with functions that it conserves to round-off, and with others.
+fn obeys_as_midpoint<F: IsospectralField + Clone>(
+    field: F,
+    matrices: &[LargeSkewHermitian],
+    (exact, others): (&[Function<'_>], &[Function<'_>]),
+) {
+    let midpoint = IsospectralRungeKutta::new(RungeKutta::implicit_midpoint(), field);
+    // The suite takes more than a thousand steps, and one from each matrix with a coordinate that is not a number.
+    if midpoint.field().size() == 3 {
+        obeys(midpoint.clone(), 1, ROUND_OFF, |i| laws::integrator(i, matrices, SHORT_STEP));
+    }
+    obeys(midpoint.clone(), 1, ROUND_OFF_OF_RUNS, |i| {
+        laws::invariants(i, matrices, SHORT_STEP, exact)
+    });
+    holds(midpoint, ENERGY_OF_ORDER_TWO, |i| laws::invariants(i, matrices, SHORT_STEP, others));
+}
+
+/// The dimensions of the rigid bodies.
+const DIMENSIONS: [usize; 4] = [1, 2, 3, 7];
+
+#[test]
+fn generalised_rigid_body_laws() {
+    for size in DIMENSIONS {
+        let moments = (0..size).map(|j| 1.0 + 0.5 * j as f64).collect();
+        let body = GeneralisedRigidBody::new(moments).unwrap();
+        let m = [body.momentum(|j, k| ((j * j + 7 * k) as f64).cos())];
+        // The energy counts each pair of axes once, the scalar product twice.
+        let suite = |field: &_| generator(field, |m| body.energy(m), (-2.0, 1e-8), &m);
+        if size == 1 {
+            // In one dimension nothing can turn, and no fault can be seen.
+            holds(body.clone(), ROUND_OFF, suite);
+            continue;
+        }
+        obeys(body.clone(), 1, ROUND_OFF, suite);
+        let others: [Function<'_>; 2] = [&|m| body.energy(m), &|m| body.manakov_integral(m)];
+        obeys_as_midpoint(body.clone(), &m, (&[&LargeSkewHermitian::norm], &others));
+    }
+}
+
+/// The sizes of the matrices of fluids.
+const SIZES: [usize; 3] = [2, 3, 8];
+
+#[test]
+fn zeitlin_laws() {
+    for size in SIZES {
+        let w = [generic(size)];
+        let still = Zeitlin::new(size).unwrap();
+        for fluid in [still.clone(), still.clone().with_rotation(0.7).unwrap()] {
+            // The scalar product of functions is 4π/N times that of matrices, and their bracket has the factor 1/ħ.
+            let c = -(size as f64) / (4.0 * PI * fluid.planck_constant());
+            obeys(fluid.clone(), 1, ROUND_OFF, |field| {
+                generator(field, |w| fluid.energy(w), (c, 1.0), &w)
+            });
+        }
+        let cube = |w: &LargeSkewHermitian| still.casimirs(w, 3)[2];
+        let angular = |w: &LargeSkewHermitian| still.angular_momentum(w)[0];
+        let exact: [Function<'_>; 3] = [&|w| still.enstrophy(w), &cube, &angular];
+        obeys_as_midpoint(still.clone(), &w, (&exact, &[&|w| still.energy(w)]));
+    }
+}
