@@ -170,3 +170,24 @@ fn grow(
         grow(method, branches, order, &stem, &product, grown)
     })
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    /// Ten times 0.1 is not 1. No term has another sign here, so that the sizes add nothing to the tolerance of 1.
+    #[test]
+    fn rounded_substeps_do_not_lower_the_order() {
+        let mut first = [0.1; 11];
+        (first[0], first[10]) = (0.05, 0.05);
+        let mut second = [0.1; 11];
+        second[10] = 0.0;
+        assert_ne!(second.iter().sum::<f64>(), 1.0);
+        assert_eq!(nystrom_order(&first, &second), 2);
+        assert_eq!(order_of_words(&first, &second), 2);
+        // Control: an error beyond round-off is not accepted.
+        second[0] += 1e-13;
+        assert_eq!(nystrom_order(&first, &second), 0);
+        assert_eq!(order_of_words(&first, &second), 0);
+    }
+}

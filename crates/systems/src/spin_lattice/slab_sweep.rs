@@ -178,3 +178,49 @@ fn row_of(all: &[Spins], row: usize, blocks: usize) -> &[Spins] {
 fn zip([x, y, z]: [&[Block]; 3]) -> impl Iterator<Item = [&Block; 3]> {
     x.iter().zip(y).zip(z).map(|((x, y), z)| [x, y, z])
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use generic_scalars::{InstructionSet, Width, dispatch};
+    use lie_poisson::generic_scalars;
+    use nalgebra::Vector3;
+
+    /// Spins along the field rest. What is beyond the end of a row turns, and must not keep the iteration going.
+    #[test]
+    fn padding_takes_no_part_in_the_convergence() {
+        for nx in [1, 3, BLOCK - 1, BLOCK, BLOCK + 1] {
+            let mut stencil = Stencil::new([nx, 1, 1], core::iter::empty());
+            stencil.field = Vector3::z();
+            let mut slab = Slab::default();
+            slab.fit(&stencil);
+            let along = |site: usize| if site < nx { [0.0, 0.0, 1.0] } else { [100.0, 0.0, 0.0] };
+            let mut start = vec![Spins::default(); stencil.blocks()];
+            for site in 0..start.len() * BLOCK {
+                for (c, component) in along(site).into_iter().enumerate() {
+                    start[site / BLOCK].0[c][site % BLOCK] = component;
+                }
+            }
+            let (rates, mut next) = (vec![Spins::default(); start.len()], start.clone());
+            let mut progress = |start: &[Spins]| {
+                let (next, slab) = (&mut next[..], &mut slab);
+                let sweep = SlabSweep {
+                    stencil: &stencil,
+                    half_step: 0.5,
+                    start,
+                    rates: &rates,
+                    planes: 0..1,
+                    next,
+                    slab,
+                };
+                dispatch(sweep, InstructionSet::Portable, Width::Register).unwrap_or_default();
+                slab.progress
+            };
+            assert_eq!(progress(&start), [0.0; 2], "{nx} spins");
+            // Control: the last spin of the row counts.
+            let last = nx - 1;
+            start[last / BLOCK].0[0][last % BLOCK] = 3.0;
+            assert_eq!(progress(&start), [3.0; 2], "{nx} spins");
+        }
+    }
+}
