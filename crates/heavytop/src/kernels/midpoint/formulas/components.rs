@@ -1,7 +1,7 @@
 //! Vectors of R³ as three components, with everything inlined into the function that has the processor's
 //! features.
 
-use super::register_vector::RegisterVector;
+use super::register_vector::{MaskOf, RegisterVector};
 use lie_poisson::{Lanes, Real, Se3Dual};
 use nalgebra::Vector3;
 
@@ -49,6 +49,14 @@ impl<T: Lanes> RegisterVector for Components<T> {
         each!(i => self[i] * v[i])
     }
     #[inline(always)]
+    fn plus(self, v: Self) -> Self {
+        each!(i => self[i] + v[i])
+    }
+    #[inline(always)]
+    fn minus(self, v: Self) -> Self {
+        each!(i => self[i] - v[i])
+    }
+    #[inline(always)]
     fn multiply_add(self, v: Self, x: Self) -> Self {
         each!(i => self[i].multiply_add(v[i], x[i]))
     }
@@ -82,11 +90,12 @@ pub(super) struct TopState<V> {
 }
 
 impl<V: RegisterVector> TopState<V> {
-    /// Returns the sum of the squares of all components.
+    /// Returns where all components are finite, and Π·Γ too.
     #[inline(always)]
-    pub fn square(&self) -> V::Scalar {
-        let Self { momentum, vertical } = *self;
-        momentum.multiply_add(momentum, vertical.times(vertical)).sum()
+    pub fn is_finite(&self) -> MaskOf<V> {
+        // A component that is not finite leaves a sum that is not, even beside zeros. Its product with 0 is NaN.
+        let zero = V::Scalar::from_f64(0.0);
+        (self.momentum.times(self.vertical).sum() * zero).at_most(zero)
     }
 }
 

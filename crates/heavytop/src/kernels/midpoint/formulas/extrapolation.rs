@@ -55,8 +55,8 @@ impl<S: Copy> Extrapolation<S> {
         let weights = WEIGHTS.get(self.known.checked_sub(1)?)?;
         let window = self.values.get(self.oldest..)?.first_chunk::<DEPTH>()?;
         let number = |x| V::uniform(V::Scalar::from_f64(x));
-        let mut sum = number(0.0);
-        let mut k = 0;
+        let mut sum = number(weights[0]).times(read(&window[0]));
+        let mut k = 1;
         while k < DEPTH {
             sum = number(weights[k]).multiply_add(read(&window[k]), sum);
             k += 1;

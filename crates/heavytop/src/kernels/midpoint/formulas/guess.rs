@@ -8,16 +8,19 @@ use lie_poisson::{Lanes, Mask, Real};
 /// The bound of the error after the correction, as a multiple of |a|, below which a guess is accepted.
 const FLOOR: f64 = 2.0 * f64::EPSILON;
 
+/// The square of the bound for 2d instead of d.
+pub(super) const SQUARED_FLOOR: f64 = 4.0 * FLOOR * FLOOR;
+
 /// The bound, as a multiple of |a|, below which a correction that no longer shrinks is round-off.
 const ROUND_OFF: f64 = 128.0 * f64::EPSILON;
 
-/// The greatest |4d|² of a correction. The end of a step is correct to the first order in 4d, and its lengths to |4d|².
-const LARGEST_CHANGE: f64 = f64::EPSILON;
+/// The greatest |2d|² of a correction. The end of a step is correct to the first order in 4d, and its lengths to |4d|².
+const LARGEST_CHANGE: f64 = f64::EPSILON / 4.0;
 
-/// The rotation R_a, stored as the matrix R_a − 1.
+/// The rotation R_a, stored as the matrix W = (R_a − 1)/2n and the factor 2n, n = 1/(1+|a|²).
 ///
-/// Its entries have the size of |a|, so that their rounding errors are small against those of the vectors
-/// that it rotates.
+/// The entries of W have the size of |a|, so that their rounding errors, and those of W v, are small against those of
+/// the vectors that are rotated.
 struct HalfTurn<V: RegisterVector> {
     /// The entries (i, i) of the diagonal.
     diagonal: V,
@@ -25,35 +28,40 @@ struct HalfTurn<V: RegisterVector> {
     next: V,
     /// The entries (i, i−1) below it, cyclically.
     previous: V,
-    /// The factor 2n of the matrix, n = 1/(1+|a|²).
+    /// The factor 2n.
     scale: V::Scalar,
 }
 
 impl<V: RegisterVector> HalfTurn<V> {
-    /// Creates the matrix R_a − 1 = 2n (a aᵀ − |a|² − [a]×) of a, where [a]× v = a×v.
+    /// Creates the matrix W = a aᵀ − |a|² − [a]× of a, where [a]× v = a×v, from the squares of the components of a and their
+    /// sum |a|².
     ///
-    /// The factors of n are computed while the division is under way.
+    /// The division is under way while vectors are multiplied by W.
     #[inline(always)]
-    fn new(a: V, turned: CyclicShifts<V>, square: V::Scalar) -> Self {
-        let scale = V::Scalar::from_f64(2.0) / (square + 1.0);
-        let twice = V::uniform(scale);
+    fn new(a: V, turned: CyclicShifts<V>, squares: V, square: V::Scalar) -> Self {
         Self {
-            diagonal: twice.times(a.multiply_subtract(a, V::uniform(square))),
-            next: twice.times(a.multiply_add(turned.next, turned.previous)),
-            previous: twice.times(a.multiply_subtract(turned.previous, turned.next)),
-            scale,
+            diagonal: squares.minus(V::uniform(square)),
+            next: a.multiply_add(turned.next, turned.previous),
+            previous: a.multiply_subtract(turned.previous, turned.next),
+            scale: V::Scalar::from_f64(2.0) / (square + 1.0),
         }
+    }
+
+    /// Returns the change W v = (R_a v − v)/2n of a vector.
+    #[inline(always)]
+    fn change(&self, v: V, turned: CyclicShifts<V>) -> V {
+        let sum = self.next.multiply_add(turned.next, self.diagonal.times(v));
+        self.previous.multiply_add(turned.previous, sum)
     }
 
     /// Returns the rotated vector R_a v.
     #[inline(always)]
     fn apply(&self, v: V, turned: CyclicShifts<V>) -> V {
-        let sum = self.next.multiply_add(turned.next, self.diagonal.multiply_add(v, v));
-        self.previous.multiply_add(turned.previous, sum)
+        V::uniform(self.scale).multiply_add(self.change(v, turned), v)
     }
 }
 
-/// Returns where a squared change |4d|² is small enough for the end of a step.
+/// Returns where a squared change |2d|² is small enough for the end of a step.
 #[inline(always)]
 fn is_small<T: Real>(change: T) -> T::Mask {
     change.at_most(T::from_f64(LARGEST_CHANGE))
@@ -71,7 +79,7 @@ pub(super) struct Guess<V: RegisterVector> {
     along: V,
     /// The vector X of [`new`](Self::new).
     middle: V,
-    /// The correction 4d, where a − d is nearer to the solution.
+    /// The correction 2d, where a − d is nearer to the solution.
     correction: V,
 }
 
@@ -86,11 +94,12 @@ impl<V: RegisterVector> Guess<V> {
     /// ```
     ///
     /// and the correction is d = (1 − M)⁻¹r ≈ r + M r by the leading part 1 − M of the derivative, M r =
-    /// (h/4) I⁻¹ (2 Πₘ×r) = 2 I⁻¹((I a)×r).
+    /// (h/4) I⁻¹ (2 Πₘ×r).
     #[inline(always)]
     pub fn new(top: &MidpointParameters<V, V::Scalar>, start: &TopState<V>, a: V) -> Self {
-        let (square, turned) = (a.times(a).sum(), CyclicShifts::new(a));
-        let half_turn = HalfTurn::new(a, turned, square);
+        let (squares, turned) = (a.times(a), CyclicShifts::new(a));
+        let square = squares.sum();
+        let half_turn = HalfTurn::new(a, turned, squares, square);
         let scale = V::uniform(half_turn.scale);
         let force = CyclicShifts::new(add_cross(top.force, turned, CyclicShifts::new(top.force)));
         let along = V::uniform(a.dot(top.force));
@@ -99,17 +108,15 @@ impl<V: RegisterVector> Guess<V> {
         let torque = across.next.multiply_subtract(force.previous, torque);
         let kicked = scale.multiply_add(torque, start.momentum);
         let middle = half_turn.apply(kicked, CyclicShifts::new(kicked));
-        let four = V::uniform(V::Scalar::from_f64(4.0));
-        let residual = top.rate.times(scale).negative_multiply_add(middle, four.times(a));
-        let spin = CyclicShifts {
-            next: top.next_ratio.times(turned.next),
-            previous: top.previous_ratio.times(turned.previous),
-        };
-        let correction = add_cross(residual, spin, CyclicShifts::new(residual));
+        let rate = top.rate.times(scale);
+        let residual = rate.negative_multiply_add(middle, a.plus(a));
+        let (x, r) = (CyclicShifts::new(middle), CyclicShifts::new(residual));
+        let cross = x.next.multiply_subtract(r.previous, x.previous.times(r.next));
+        let correction = rate.multiply_add(cross, residual);
         Self { a, square, half_turn, force, along, middle, correction }
     }
 
-    /// Returns the squared change |4d|².
+    /// Returns the squared change |2d|².
     #[inline(always)]
     pub fn change(&self) -> V::Scalar {
         self.correction.dot(self.correction)
@@ -120,7 +127,7 @@ impl<V: RegisterVector> Guess<V> {
     pub fn converged(&self, top: &MidpointParameters<V, V::Scalar>) -> MaskOf<V> {
         let rate = (self.square * self.square).multiply_add(top.turning_rate, top.kick_rate);
         let (change, size) = (self.change(), self.square + top.least_square);
-        (change * rate).at_most(size * (16.0 * FLOOR * FLOOR)).and(is_small(change))
+        (change * rate).at_most(size).and(is_small(change))
     }
 
     /// Returns where the correction is round-off and the iteration no longer improves.
@@ -132,14 +139,14 @@ impl<V: RegisterVector> Guess<V> {
     ) -> MaskOf<V> {
         let change = self.change();
         let size = self.square + top.least_square;
-        let round_off = change.at_most(size * (16.0 * ROUND_OFF * ROUND_OFF));
+        let round_off = change.at_most(size * (4.0 * ROUND_OFF * ROUND_OFF));
         previous.at_most(change).and(round_off).and(is_small(change))
     }
 
     /// Returns the corrected guess a − d.
     #[inline(always)]
     pub fn corrected(&self) -> V {
-        V::uniform(V::Scalar::from_f64(0.25)).negative_multiply_add(self.correction, self.a)
+        V::uniform(V::Scalar::from_f64(0.5)).negative_multiply_add(self.correction, self.a)
     }
 
     /// Returns the end of the step with a − d instead of a.
@@ -150,29 +157,36 @@ impl<V: RegisterVector> Guess<V> {
     /// Y = X + 2n (G×f + α G),  Γ₁ = R_a G,  Π₁ = R_a Y
     /// ```
     ///
-    /// where a solves the equation. With b = a − d, R_b R_b = R_a (1 + 4n [d]×) R_a to the first order in d.
-    /// The parts that do not depend on d can therefore be computed before d is known:
+    /// where a solves the equation. With b = a − d, R_b R_b = R_a (1 + 4n [d]×) R_a to the first order in d. With
+    /// R_a = 1 + 2n W, the corrected vectors are therefore
     ///
     /// ```text
-    /// Γ₁ = R_a (G + 4d×G),    Π₁ = R_a (Y + 4d×Y)
+    /// Γ₁ = R_a ( Γ₀ + 2n (W Γ₀ + 2d×G) ),    Π₁ = R_a ( X + 2n (G×f + α G + 2d×Y) )
     /// ```
     ///
-    /// This omits 4(1 − n) d and, in Π₁, a term 2hn² G×(γ×d). The bound κ of the error after a correction
-    /// includes both.
+    /// of which the parts without d are computed before d is known. This omits, in Π₁, a term 2hn² G×(γ×d). The bound κ of
+    /// the error after a correction includes it.
+    ///
+    /// The vector 4n d×G is about a unit of round-off of G. Added to G, it would be rounded to whole units, or to none, of
+    /// each component by itself. Since d depends on where the top is, these errors do not cancel, and |Γ|² and Π·Γ would
+    /// drift. Added to W Γ₀, whose unit is smaller by the factor |a|, it keeps its digits.
     #[inline(always)]
     pub fn end(&self, start: &TopState<V>) -> TopState<V> {
         let turn = &self.half_turn;
-        let vertical = turn.apply(start.vertical, CyclicShifts::new(start.vertical));
+        let scale = V::uniform(turn.scale);
+        let delta = CyclicShifts::new(self.correction);
+        let gamma = start.vertical;
+        let change = turn.change(gamma, CyclicShifts::new(gamma));
+        let vertical = scale.multiply_add(change, gamma);
         let across = CyclicShifts::new(vertical);
+        let change = add_cross(change, delta, across);
+        let end = scale.multiply_add(change, gamma);
+        let end = turn.apply(end, CyclicShifts::new(end));
         let torque = across.previous.multiply_subtract(self.force.next, self.along.times(vertical));
         let torque = across.next.multiply_subtract(self.force.previous, torque);
-        let momentum = V::uniform(turn.scale).multiply_add(torque, self.middle);
-        let delta = CyclicShifts::new(self.correction);
-        let vertical = add_cross(vertical, delta, across);
-        let momentum = add_cross(momentum, delta, CyclicShifts::new(momentum));
-        TopState {
-            momentum: turn.apply(momentum, CyclicShifts::new(momentum)),
-            vertical: turn.apply(vertical, CyclicShifts::new(vertical)),
-        }
+        let momentum = scale.multiply_add(torque, self.middle);
+        let torque = add_cross(torque, delta, CyclicShifts::new(momentum));
+        let momentum = scale.multiply_add(torque, self.middle);
+        TopState { momentum: turn.apply(momentum, CyclicShifts::new(momentum)), vertical: end }
     }
 }

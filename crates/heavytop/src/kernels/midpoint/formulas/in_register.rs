@@ -49,6 +49,14 @@ impl<T: FourLanes> RegisterVector for InRegister<T> {
         Self(self.0 * v.0)
     }
     #[inline(always)]
+    fn plus(self, v: Self) -> Self {
+        Self(self.0 + v.0)
+    }
+    #[inline(always)]
+    fn minus(self, v: Self) -> Self {
+        Self(self.0 - v.0)
+    }
+    #[inline(always)]
     fn multiply_add(self, v: Self, x: Self) -> Self {
         Self(self.0.multiply_add(v.0, x.0))
     }

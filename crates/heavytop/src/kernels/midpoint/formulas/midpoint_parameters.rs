@@ -1,6 +1,7 @@
 //! The parameters of tops: of one in registers, or of many in SIMD lanes.
 
 use super::components::{Components, each};
+use super::guess::SQUARED_FLOOR;
 use super::in_register::{InRegister, Stored};
 use crate::HeavyTop;
 use lie_poisson::{FourLanes, Lanes, larger};
@@ -15,17 +16,13 @@ pub(super) fn numbers(top: &HeavyTop, step: f64) -> [f64; 7] {
 /// The parameters of a top that a step depends on, with the step size h as a factor.
 #[derive(Clone, Copy, Debug)]
 pub(super) struct MidpointParameters<V, T> {
-    /// The ratios 2 Iᵢ₊₁/Iᵢ, cyclically.
-    pub next_ratio: V,
-    /// The ratios 2 Iᵢ₋₁/Iᵢ, cyclically.
-    pub previous_ratio: V,
-    /// The diagonal of (h/2) I⁻¹.
+    /// The diagonal of (h/4) I⁻¹.
     pub rate: V,
     /// The scaled force (h/4) γ of the weight.
     pub force: V,
     /// The first number of the bound κ|d| of the error after a correction d of a guess.
     ///
-    /// κ² = `turning_rate` |a|⁴ + `kick_rate` includes the terms that
+    /// κ² = (`turning_rate` |a|⁴ + `kick_rate`) [`SQUARED_FLOOR`] includes the terms that
     /// [`Guess::end`](super::guess::Guess::end) omits.
     pub turning_rate: T,
     pub kick_rate: T,
@@ -44,12 +41,10 @@ impl<T: Lanes> MidpointParameters<Components<T>, T> {
         let inverse = each!(k => T::from_lanes(|i| top(i).inverse_inertia()[k]));
         let kick = T::from_lanes(|i| kick(&top(i), square(i), step));
         Self {
-            next_ratio: each!(k => (inverse[k] + inverse[k]) / inverse[(k + 1) % 3]),
-            previous_ratio: each!(k => (inverse[k] + inverse[k]) / inverse[(k + 2) % 3]),
-            rate: each!(k => inverse[k] * (0.5 * step)),
+            rate: each!(k => inverse[k] * (0.25 * step)),
             force: each!(k => T::from_lanes(|i| top(i).force::<f64>()[k]) * (0.25 * step)),
-            turning_rate: T::from_lanes(|i| turning(&top(i))),
-            kick_rate: kick * (25.0 / 32.0),
+            turning_rate: T::from_lanes(|i| turning(&top(i))) / SQUARED_FLOOR,
+            kick_rate: kick * (25.0 / 32.0 / SQUARED_FLOOR),
             least_square: kick * (1.0 / 64.0),
         }
     }
@@ -61,8 +56,6 @@ impl MidpointParameters<Stored, f64> {
         let one = MidpointParameters::<Components<f64>, f64>::gather(|_| *top, |_| square, step);
         let stored = |[x, y, z]: Components<f64>| [x, y, z, 0.0];
         Self {
-            next_ratio: stored(one.next_ratio),
-            previous_ratio: stored(one.previous_ratio),
             rate: stored(one.rate),
             force: stored(one.force),
             turning_rate: one.turning_rate,
@@ -75,8 +68,6 @@ impl MidpointParameters<Stored, f64> {
     #[inline(always)]
     pub fn load<T: FourLanes>(&self) -> MidpointParameters<InRegister<T>, T> {
         MidpointParameters {
-            next_ratio: InRegister::load(&self.next_ratio),
-            previous_ratio: InRegister::load(&self.previous_ratio),
             rate: InRegister::load(&self.rate),
             force: InRegister::load(&self.force),
             turning_rate: T::from_f64(self.turning_rate),

@@ -21,6 +21,10 @@ pub(super) trait RegisterVector: Copy {
 
     /// Returns the products uᵢ vᵢ of components.
     fn times(self, v: Self) -> Self;
+    /// Returns the sums uᵢ + vᵢ.
+    fn plus(self, v: Self) -> Self;
+    /// Returns the differences uᵢ − vᵢ.
+    fn minus(self, v: Self) -> Self;
     /// Returns the sums uᵢ vᵢ + xᵢ.
     fn multiply_add(self, v: Self, x: Self) -> Self;
     /// Returns the differences uᵢ vᵢ − xᵢ.

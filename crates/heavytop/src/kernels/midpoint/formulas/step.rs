@@ -36,7 +36,7 @@ pub(super) fn step<V: RegisterVector>(
     let number = V::Scalar::from_f64;
     let mut a = match guess {
         Some(a) => a,
-        None => top.rate.times(V::uniform(number(0.5))).times(start.momentum),
+        None => top.rate.times(start.momentum),
     };
     let mut previous = number(f64::INFINITY);
     let mut guesses = 1;
@@ -53,7 +53,7 @@ pub(super) fn step<V: RegisterVector>(
             }
         }
         let end = guess.end(start);
-        let converged = converged.and(end.square().at_most(number(f64::MAX)));
+        let converged = converged.and(end.is_finite());
         return Outcome { end, a: guess.corrected(), converged, guesses };
     }
 }
