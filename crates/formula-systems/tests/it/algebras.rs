@@ -70,6 +70,7 @@ fn a_state_has_every_coordinate_once() {
     assert_eq!(message(&all[..1]), "initial has no value for Gamma1, Gamma2, Gamma3");
     assert!(message(&[("P", &[1.0])]).starts_with("initial.P is not a coordinate; there are Pi1"));
     assert_eq!(message(&[("Pi", &[1.0])]), "initial.Pi needs an array of 3 numbers");
+    assert_eq!(message(&[("Pi1", &[1.0, 2.0])]), "initial.Pi1 needs one number");
     assert_eq!(message(&[("Pi1", &[f64::NAN])]), "initial.Pi1 needs finite numbers");
 }
 

@@ -86,8 +86,8 @@ fn dimensions_between_the_compiled_widths_run() {
     }
 }
 
-/// Algebras of dimension 2, 4 and 5: the affine group of the line, the oscillator algebra [a, b] = c, [d, a] = b, [d, b] = −a,
-/// and the Heisenberg algebra of two pairs.
+/// Algebras of dimension 2, 4, 5 and 6: the affine group of the line, the oscillator algebra [a, b] = c, [d, a] = b,
+/// [d, b] = −a, the Heisenberg algebra of two pairs, and two of so(3).
 #[test]
 fn clebsch_maps_of_other_dimensions_integrate_the_same_equations() {
     for (names, brackets, hamiltonian) in [
@@ -98,13 +98,25 @@ fn clebsch_maps_of_other_dimensions_integrate_the_same_equations() {
             "a^2/2 + b^2 + c*d + d^2/4",
         ),
         (&["p", "q", "r", "s", "z"], &[("p, q", "z"), ("r, s", "z")], "p^2/2 + q^2 + r*s + z^2/2"),
+        (
+            &["a", "b", "c", "p", "q", "r"],
+            &[
+                ("a, b", "c"),
+                ("b, c", "a"),
+                ("c, a", "b"),
+                ("p, q", "r"),
+                ("q, r", "p"),
+                ("r, p", "q"),
+            ],
+            "a^2/2 + b^2 + c*p + q^2/4 + r^2",
+        ),
     ] {
         let coordinates = Coordinates::scalars(names.iter().copied()).unwrap();
         let brackets = brackets.iter().copied();
         let none = Parameters::new();
         let algebra = SystemAlgebra::of_brackets(coordinates, brackets, &none).unwrap();
         let system = system(algebra, hamiltonian);
-        let start = &[0.4, 0.3, -0.5, 0.2, 0.6][..names.len()];
+        let start = &[0.4, 0.3, -0.5, 0.2, 0.6, -0.7][..names.len()];
         let run = |formulation| end(&system, (formulation, GAUSS), start, (0.05, 40));
         let (direct, collective) = (run(Formulation::Direct), run(Formulation::Collective));
         assert!(distance(&direct, start) > 0.1, "{names:?} does not move");

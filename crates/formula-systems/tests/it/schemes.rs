@@ -56,6 +56,46 @@ fn the_coadjoint_clebsch_map_reaches_what_the_adjoint_one_does_not() {
     assert_eq!(direct.descends(&system, &start), Ok(true));
 }
 
+/// Steps descend where the cubes of the matrices ad ξ are such matrices: for the affine group of the line, on sl(2) and
+/// on two of so(3), and not where z has the eigenvalues 1 and 2. There alone the midpoint rule, of order 2, loses the
+/// Casimir x²/y.
+#[test]
+fn casimirs_are_lost_where_steps_do_not_descend() {
+    let of_brackets = |names: &str, brackets: &[&str]| {
+        let names = Coordinates::scalars(names.split_whitespace()).unwrap();
+        let brackets = brackets.iter().map(|text| text.split_once(" = ").unwrap());
+        SystemAlgebra::of_brackets(names, brackets, &Parameters::new()).unwrap()
+    };
+    let both = ["a, b = c", "b, c = a", "c, a = b", "p, q = r", "q, r = p", "r, p = q"];
+    let two_rates = ["a, b = c", "b, c = a", "c, a = b", "x, z = x", "y, z = 2*y"];
+    let line = of_brackets("x y", &["x, y = y"]);
+    let sl2 = SystemAlgebra::named("sl(2)").unwrap();
+    let so3_twice = of_brackets("a b c p q r", &both);
+    let rates = of_brackets("x y z", &two_rates[3..]);
+    let so3_and_rates = of_brackets("a b c x y z", &two_rates);
+    for (algebra, hamiltonian, casimir, descends) in [
+        (line, "x^2/2 + y^2", "1", true),
+        (sl2, "alpha^2 + beta^2/2 + gamma^2/3", "alpha^2 + 4*beta*gamma", true),
+        (so3_twice, "a^2 + b^2/2 + c*p + q^2/3", "p^2 + q^2 + r^2", true),
+        (rates, "x^2/2 + y^2 + z^2/2", "x^2/y", false),
+        (so3_and_rates, "a^2 + b^2/2 + c*z + x^2/2 + y^2 + z^2/2", "x^2/y", false),
+    ] {
+        let casimir = system(algebra.clone(), casimir);
+        let system = system(algebra, hamiltonian);
+        let start = &[0.4, 0.3, -0.5, 0.2, 0.6, -0.7][..system.algebra().dimension()];
+        let scheme = Scheme::ImplicitMidpoint;
+        let method = SystemMethod::new(system.algebra(), Formulation::Collective, scheme, 0.0);
+        assert_eq!(method.unwrap().descends(&system, start), Ok(descends), "{hamiltonian}");
+        let last = end(&system, (Formulation::Collective, scheme), start, (0.1, 20));
+        assert!(distance(&last, start) > 0.01, "{hamiltonian} does not move");
+        let value = |state: &[f64]| casimir.invariants(state).unwrap()[0];
+        let change = (value(&last) - value(start)).abs();
+        // 20 steps, each with rounding errors of some dozen operations on numbers below 1.
+        let round_off = 20.0 * 32.0 * f64::EPSILON;
+        assert!(if descends { change < round_off } else { change > 1e-6 }, "{change:e}");
+    }
+}
+
 #[test]
 fn a_method_says_what_it_is_and_which_formulation_suits() {
     let named = |name| SystemAlgebra::named(name).unwrap();

@@ -82,6 +82,23 @@ fn units_do_not_matter() {
     }
 }
 
+/// Coordinates that are numbers are measured by their length together. A power of two is exact.
+#[test]
+fn units_of_numbers_do_not_matter() {
+    let body = system(SystemAlgebra::named("sl(2)").unwrap(), "alpha^2 + beta^2/2 + gamma^2/3");
+    let section = section(&body, "alpha", (0.0, Direction::Both));
+    let starts = |scale: f64| {
+        let state = [0.6, 0.5, 0.3].map(|x| x * scale);
+        section.starts(&state, &body.invariants(&state).unwrap(), 10, 0).unwrap()
+    };
+    let plain = starts(1.0);
+    for scale in [2.0_f64.powi(100), 2.0_f64.powi(-100)] {
+        for (start, expected) in starts(scale).iter().zip(&plain) {
+            assert!(start.iter().zip(expected).all(|(x, y)| (x / scale - y).abs() < 1e-9));
+        }
+    }
+}
+
 #[test]
 fn what_is_no_section_is_refused() {
     type E = FormulaSystemError;

@@ -2,10 +2,10 @@
 
 use crate::support::{FORMULAS, POINTS, formula, point};
 use lie_poisson::{
-    DualNumber, Hamiltonian, LiePoisson, Se3, Se3Dual, Vector, differential,
+    DualNumber, Hamiltonian, LiePoisson, Se3, Se3Dual, So3, Vector, differential,
     hessian_by_dual_numbers,
 };
-use lie_poisson_formulas::{Formula, FormulaHamiltonian};
+use lie_poisson_formulas::{Formula, FormulaHamiltonian, Problem};
 
 /// The relative error of a few dozen operations, some of which lose a digit.
 const TOLERANCE: f64 = 1e-12;
@@ -47,6 +47,20 @@ fn second_derivatives_are_those_of_dual_numbers() {
             }
         }
     }
+}
+
+/// The Hamiltonian of a formula has its text, and the algebra has its dimension.
+#[test]
+fn hamiltonians_are_compared_and_shown_by_their_formulas() {
+    let h = FormulaHamiltonian::<Se3>::of(&formula("½*Pi1^2 + Gamma3")).unwrap();
+    assert_eq!(h.to_string(), "0.5*Pi1^2 + Gamma3");
+    assert_eq!(format!("{h:?}"), "FormulaHamiltonian(\"0.5*Pi1^2 + Gamma3\")");
+    assert_eq!(format!("{:?}", h.formula()), "Formula(\"0.5*Pi1^2 + Gamma3\")");
+    assert!(h.clone() == h && *h.formula() == formula("½*Pi1^2 + Gamma3"));
+    assert!(h != FormulaHamiltonian::<Se3>::of(&formula("Gamma3 + ½*Pi1^2")).unwrap());
+    assert_eq!(h.formula().dimension(), 6);
+    let refused = FormulaHamiltonian::<So3>::of(h.formula()).unwrap_err();
+    assert_eq!(*refused.problem(), Problem::WrongDimension { formula: 6, space: 3 });
 }
 
 /// The symmetric quotient with the step s has the error s²h‴/6 + ε|h|/s, near 1e-10 for s = 1e-5 and h of order 1.

@@ -1,7 +1,7 @@
 //! Errors point at what is wrong.
 
 use crate::support::heavy_top;
-use lie_poisson_formulas::{Formula, Problem};
+use lie_poisson_formulas::{Coordinates, Formula, Parameters, Problem, Vocabulary};
 
 /// Returns the text that the error points at, and its message.
 fn error(text: &str) -> (String, String) {
@@ -89,6 +89,12 @@ fn errors_name_the_place_and_the_remedy() {
         ),
         ("Pi1.Gamma", ".", "the character `.` has no meaning in a formula; did you mean `·`?"),
         ("Pi1 $ 2", "$", "the character `$` has no meaning in a formula"),
+        ("Pi • c", "•", "the character `•` has no meaning in a formula; did you mean `·`?"),
+        ("{Pi1", "{", "the character `{` has no meaning in a formula; did you mean `(`?"),
+        ("Pi1⟩", "⟩", "the character `⟩` has no meaning in a formula; did you mean `)`?"),
+        ("Pi ∧ c", "∧", "the character `∧` has no meaning in a formula; did you mean `×`?"),
+        ("Pi1′", "′", "the character `′` has no meaning in a formula; did you mean `_`?"),
+        ("Pi1; 2", ";", "the character `;` has no meaning in a formula; did you mean `,`?"),
         ("1.2.3", "1.2.3", "`1.2.3` is not a number"),
         ("1e400*Pi1", "1e400", "`1e400` is outside of the range of numbers, 2.3e-308 to 1.8e308"),
         (
@@ -99,6 +105,20 @@ fn errors_name_the_place_and_the_remedy() {
     ] {
         assert_eq!(error(text), (place.to_owned(), message.to_owned()), "{text}");
     }
+}
+
+/// A cross product has three dimensions. A name of more than 64 letters is compared with no other name.
+#[test]
+fn vectors_of_the_plane_and_long_names() {
+    let long = "a".repeat(65);
+    let coordinates = Coordinates::new().scalar(&long).unwrap().vector("v", 2).unwrap();
+    let names = Vocabulary::new(&coordinates, &Parameters::new()).unwrap();
+    let message = |text: &str| Formula::new(text, &names).unwrap_err().to_string();
+    let vector = "a vector of dimension 2";
+    let needed = format!("`×` needs two vectors of dimension 3, not {vector} and {vector}");
+    assert_eq!(message("(v×v)[1]"), needed);
+    let misspelt = format!("{long}b");
+    assert_eq!(message(&misspelt), format!("there is no `{misspelt}`"));
 }
 
 #[test]

@@ -50,6 +50,13 @@ fn operators_bind_as_in_mathematics() {
         ("||x| - |y||*2", 2.0),
         ("x÷y − 1", -0.25),
         ("1e-3*x", 3e-3),
+        ("⅓*x + ⅔*x", 3.0),
+        ("¼*y + ¾*y", 4.0),
+        ("⅙*x + ⅛*y", 1.0),
+        ("x⁰ + x⁵ − 10", 234.0),
+        ("x⁶ + x⁷", 2916.0),
+        ("x⁸ + x⁹", 26_244.0),
+        ("y^1 + x¹", 7.0),
     ] {
         assert!(near(value(text), exact), "{text}: {} {exact}", value(text));
     }
@@ -160,6 +167,11 @@ fn constants_are_not_multiplied_out_of_range() {
     for text in ["1e-200*Pi1*1e-200*Pi2", "(1e-200*Pi1)*(1e-200*Pi2)", "Pi1/1e200*(Pi2/1e200)"] {
         assert!(near(formula(text).value(&large), 1.0), "{text}");
     }
+    // Quotients and powers below the normal numbers, whose reciprocals are none.
+    assert_eq!(value("(x - x + 1e-200)/1e120"), 1e-320);
+    assert_eq!(value("1e-200/1e120*x"), 1e-320 * 3.0);
+    assert_eq!(value("x/1.6e308"), 3.0 / 1.6e308);
+    assert_eq!(value("1e-110^3 + x"), 3.0);
     assert_eq!(formula("Pi1*1e-300*1e-300*1e300").value(&point([1.0; 6])), 1e-300);
 }
 
@@ -178,6 +190,8 @@ fn names_are_checked() {
         Parameters::new().number("v", f64::INFINITY),
         Err(NameError::NotFinite { .. })
     ));
+    let one = || Parameters::new().number("Π", 1.0).unwrap();
+    assert_eq!(one().vector("Pi", &[1.0]).err(), repeated("Pi"));
     let clash = Parameters::new().number("Pi", 1.0).unwrap();
     assert_eq!(Vocabulary::new(&pi(), &clash).err(), repeated("Pi"));
     // eleven copies of a vector have different names, since a component of `x_1` is `x_1_1`

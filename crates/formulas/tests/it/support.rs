@@ -37,6 +37,7 @@ pub const FORMULAS: &[&str] = &[
     "Pi1^Gamma1 + Pi2^0.3 + 2^Pi3",
     "exp(-Pi1^2/2)*cos(3*Gamma1) + sin(Gamma2*Gamma3)*tan(Pi2/4)",
     "ln(Pi1 + Gamma1) + atan2(Pi2, Gamma2) + tanh(Pi3 - Gamma3)",
+    "atan2(Pi1, Gamma1)^2*Pi2 + Gamma3*atan2(1, Pi3)",
     "sinh(Pi1/2)*cosh(Gamma1/2) + abs(Pi2 - 10)*|Gamma3 + 1|",
     "norm(Pi + k*Gamma - 2*c) + dot(Pi, c)/(1 + |cross(Pi, Gamma)|^2)",
     "Pi1/(Pi2/(Pi3/(Gamma1/(Gamma2/Gamma3))))",

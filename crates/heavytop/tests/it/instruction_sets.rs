@@ -1,8 +1,8 @@
 //! The same steps on each instruction set of this processor: where bits differ, and by how much.
 
 use collective_integrators::Start;
-use heavytop::HeavyTop;
 use heavytop::methods::{Formulation, Method, Scheme, Task};
+use heavytop::{CollectiveGauss, HeavyTop, TopMidpoint};
 use lie_poisson::{InstructionSet, Se3Dual, Vector, larger};
 use nalgebra::Vector3;
 
@@ -48,6 +48,21 @@ fn methods() -> impl Iterator<Item = Method> {
 fn roundings(a: &[Se3Dual], b: &[Se3Dual], steps: usize) -> f64 {
     let distances = a.iter().zip(b).take(steps).map(|(a, b)| (*a - *b).max_abs() / a.max_abs());
     distances.fold(0.0, larger) / (f64::EPSILON / 2.0)
+}
+
+/// What asks for instructions gets them, or the error that names them.
+#[test]
+fn instructions_that_the_processor_lacks_are_refused() {
+    let (top, _) = top();
+    for set in InstructionSet::ALL {
+        let missing = (!set.is_available()).then_some(set);
+        let gauss = CollectiveGauss::new(3, top).unwrap().with_instructions(set);
+        assert_eq!(gauss.as_ref().err().map(|error| error.set), missing);
+        assert!(gauss.is_err() || gauss.unwrap().instructions() == set);
+        let midpoint = TopMidpoint::new(top).with_instructions(set);
+        assert_eq!(midpoint.as_ref().err().map(|error| error.set), missing);
+        assert!(midpoint.is_err() || midpoint.unwrap().instructions() == set);
+    }
 }
 
 /// A method says on which instruction set its bits depend.

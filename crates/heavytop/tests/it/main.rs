@@ -12,6 +12,7 @@ mod instruction_sets;
 mod jacobi_elliptic;
 mod lagrange_nutation;
 mod midpoint_kernel;
+mod names_and_kinds;
 mod poincare;
 mod splittings;
 mod starts;

@@ -14,6 +14,7 @@ mod multipliers_of_steps;
 mod partitioned_schemes;
 mod runge_kutta;
 mod spherical_midpoint;
+mod splitting_orders;
 mod stage_solver;
 mod stages_in_lanes;
 mod storage_pool;

@@ -37,6 +37,18 @@ fn steps_that_do_not_converge_are_errors() {
         assert!(matches!(step, Err(StepError::NotConverged { .. })), "{h} {step:?}");
         assert_eq!(w, generic(4, 0.5));
     }
+    // With a tolerance, the error compares the last change with it. Where the sweeps stay finite they may end like that.
+    let loose = ExponentialMidpoint::new(Quadratic(4)).with_tolerance(1e-6);
+    let unsolved = [2.0, 3.0, 4.0, 6.0, 9.0, 14.0, 20.0].into_iter().filter(|h| {
+        let step = loose.step_in_place(&mut generic(4, 0.5), *h, &mut loose.workspace());
+        match step {
+            Err(StepError::NotConverged { residual, required, .. }) => {
+                required == 1e-6 && residual > required
+            }
+            _ => false,
+        }
+    });
+    assert!(unsolved.count() > 0);
     let mut w = generic(4, 0.5);
     w.set_entry(3, f64::NAN);
     assert!(magnus.step_in_place(&mut w, 0.1, &mut magnus.workspace()).is_err());

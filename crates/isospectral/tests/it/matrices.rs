@@ -139,10 +139,27 @@ fn matrices_of_different_sizes_give_nan() {
     let mut ab = LargeMatrix::zeros(7);
     Products::default().multiply(&a, &b, &mut ab);
     assert!(ab.size() == 3 && !ab.all_finite());
+    assert!(generic(3, 0.0).scalar_product(&generic(4, 0.0)).is_nan());
+    assert_eq!([a.at(3, 0), a.at(0, 3)], [Complex::ZERO; 2]);
     let mut z = LargeMatrix::zeros(3);
     let infinite = diagonal(&[f64::INFINITY, 0.0, 1.0]);
     Products::default().exponential_minus_one(&infinite, &mut z);
     assert!(!z.all_finite());
+}
+
+/// What is written takes the size of what it is computed from.
+#[test]
+fn results_of_another_size_are_resized() {
+    let (v, w) = (generic(3, 0.2), generic(3, 0.7));
+    let (mut small, mut right) = (LargeSkewHermitian::zeros(2), v.zeros_like());
+    for result in [&mut small, &mut right] {
+        Products::default().commutator(&v, &w, result);
+    }
+    assert!(small == right && small.norm() > 0.1);
+    let z = complex(3, 0.5);
+    let mut small = LargeSkewHermitian::zeros(2);
+    small.set_difference_of(&z);
+    assert_eq!(*small.matrix(), LargeMatrix::from_fn(3, |j, k| z.at(j, k) - z.at(k, j).conj()));
 }
 
 #[test]

@@ -8,4 +8,5 @@ mod extreme_lifts;
 mod map_laws;
 mod multipliers;
 mod phase_space_laws;
+mod required_items;
 mod support;

@@ -70,6 +70,11 @@ fn realisation_laws<M: FibreSymmetry + Lift>(map: &M) {
     holds(laws::fibre_symmetry(map, &points, &[0.3, -1.2]).unwrap());
     // The lift divides by sizes that a sample may make small.
     laws::lift(map, &momenta).unwrap().check(10.0 * TOLERANCE).unwrap();
+    // There is no group beyond the last one.
+    for z in &points {
+        assert_eq!(map.flow::<f64>(M::COUNT, 0.3, z), *z);
+        assert_eq!(map.momentum::<f64>(M::COUNT, z), 0.0);
+    }
 }
 
 #[test]
@@ -105,6 +110,13 @@ fn products_of_maps_to_duals_of_algebras() {
     }
     assert_eq!((count(&map), count(map.factors())), (3, 3));
     let algebra = *map.target().algebra();
+    // The second flow moves the particle by 1000 p along its fibre.
+    let far = map.flow::<f64>(1, 1e3, &samples()[0]);
+    let near = map.recentred::<f64>(&far, &mut RecentringSpace::default());
+    // Ten of the products that J subtracts are as large as q × p.
+    let lost = 10.0 * far.max_abs() * f64::EPSILON;
+    assert!((map.apply::<f64>(&near) - map.apply::<f64>(&far)).max_abs() < lost);
+    assert!(near.max_abs() < 0.1 * far.max_abs());
     for z in samples() {
         let (mu, parts) = (map.apply::<f64>(&z), map.factors().apply::<f64>(&z));
         assert_eq!(mu, Covector::new(parts.0.0, parts.1.0));

@@ -45,6 +45,7 @@ fn hamiltonians_by_maps() {
     holds(lie_poisson::laws::hamiltonian(&collective, &samples()).unwrap());
     for xi in samples::<Vector3<f64>>() {
         let spin = NoetherQuantity::new(HOPF, xi);
+        assert_eq!(*spin.map(), HOPF);
         holds(lie_poisson::laws::hamiltonian(&spin, &samples()).unwrap());
         let rotation = NoetherQuantity::new(MomentumMap(LinearAction(SO3OnR3)), xi);
         holds(lie_poisson::laws::hamiltonian(&rotation, &samples()).unwrap());

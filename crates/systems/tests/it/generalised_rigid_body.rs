@@ -4,7 +4,7 @@ use lie_poisson_systems::collective_integrators::{Direct, HamiltonianField, Rung
 use lie_poisson_systems::isospectral_flows::{
     IsospectralField, IsospectralRungeKutta, LargeSkewHermitian,
 };
-use lie_poisson_systems::lie_poisson::{Covector, LiePoisson, So3, from_closure};
+use lie_poisson_systems::lie_poisson::{Covector, LiePoisson, So3, State, from_closure};
 use lie_poisson_systems::nalgebra::Vector3;
 use lie_poisson_systems::{GeneralisedRigidBody, SystemError};
 
@@ -62,7 +62,12 @@ fn moments_that_are_not_positive_are_refused() {
         ));
     }
     let body = GeneralisedRigidBody::new(vec![1.0]).unwrap();
-    assert!(body.energy(&LargeSkewHermitian::zeros(2)).is_nan());
+    let other = LargeSkewHermitian::zeros(2);
+    assert!(body.energy(&other).is_nan() && body.manakov_integral(&other).is_nan());
+    let (flat, mut generator) =
+        (GeneralisedRigidBody::new(vec![1.0, 2.0]).unwrap(), LargeSkewHermitian::zeros(2));
+    flat.generator_into(&LargeSkewHermitian::zeros(3), &mut generator);
+    assert!(!generator.all_finite());
     // Moments at the ends of the range: a finite rate, or a refusal.
     let large = GeneralisedRigidBody::new(vec![1e308; 3]).unwrap();
     assert!(large.energy(&large.momentum(|_, _| 1.0)) > 0.0);

@@ -40,6 +40,10 @@ fn the_parameters_are_checked() {
         refused(Vector3::new(1.0, -1.0, 1.0), 1.0, x, zero),
         Err(SystemError::NotPositive { name: "inertia[1]", .. })
     ));
+    assert!(matches!(
+        refused(MOMENTS, 1.0, Vector3::new(0.0, f64::NAN, 0.0), zero),
+        Err(SystemError::NotFinite { name: "center_of_mass[1]", .. })
+    ));
     assert!(matches!(refused(MOMENTS, -1.0, x, zero), Err(SystemError::Negative { .. })));
     assert!(matches!(
         refused(MOMENTS, 1e200, x * 1e200, zero),

@@ -157,6 +157,14 @@ fn parameters_are_checked() {
         SitesHamiltonian::<Vector3<f64>>::value(&lattice(), &other).is_nan()
             && !lattice().at(&other).all_finite()
     );
+    assert_eq!(lattice().cells(), [2; 3]);
+    // Each of the two has another number of spins once.
+    for [spins, rates] in [[7, 8], [8, 7]] {
+        let s = Covector(Sites::new(vec![Vector3::x(); spins]));
+        let mut dh = Sites::new(vec![Vector3::<f64>::x(); rates]);
+        lattice().differential_into(&s, &mut dh);
+        assert!(dh.iter().all(|dh| dh.iter().all(|x| x.is_nan())));
+    }
     let midpoint = SphericalMidpoint::new(lattice());
     assert!(
         Integrator::<f64>::step(

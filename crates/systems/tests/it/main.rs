@@ -8,6 +8,7 @@ mod gyrostat;
 mod kida_vortex;
 mod heap_states;
 mod heisenberg_lattice;
+mod hessians;
 mod kirchhoff;
 mod lattice_on_lanes;
 mod laws;

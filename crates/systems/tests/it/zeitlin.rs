@@ -155,6 +155,26 @@ fn functions_are_sums_of_harmonics() {
     assert!((integral - enstrophy).abs() < 1e-11 * enstrophy, "{integral} {enstrophy}");
 }
 
+/// Coefficients that no function of the size has stay 0, and orders without coefficients add nothing to a circle.
+#[test]
+fn one_coefficient_is_one_harmonic() {
+    let mut omega = VorticityCoefficients::zeros(4);
+    assert_eq!(omega.size(), 4);
+    omega.set(2, 1, Complex::new(0.3, -0.2));
+    let one = omega.clone();
+    omega.set(4, 0, Complex::from(1.0));
+    omega.set(2, 3, Complex::from(1.0));
+    assert_eq!(omega, one);
+    let (colatitude, columns) = (0.7_f64, 5);
+    let height = associated_legendre(2, 1, colatitude.cos())[1];
+    for (n, value) in one.values_on_circle(colatitude, columns).into_iter().enumerate() {
+        let longitude = 2.0 * PI * n as f64 / columns as f64;
+        // ω_21 Y_21 and its conjugate for m = −1
+        let expected = 2.0 * height * (0.3 * longitude.cos() + 0.2 * longitude.sin());
+        assert!((value - expected).abs() < 4.0 * f64::EPSILON, "{n} {value} {expected}");
+    }
+}
+
 /// The angular velocity of a Rossby–Haurwitz wave is exact for every N, so that errors are those of the methods.
 #[test]
 fn waves_turn_at_the_exact_rate() {
@@ -325,7 +345,14 @@ fn sizes_and_rotations_are_checked() {
     assert!(!p.all_finite());
     assert!(fluid.coefficients(&generic(5)).at(1, 0).is_nan());
     assert!(fluid.angular_momentum(&generic(5))[0].is_nan());
+    let laplacian = fluid.laplacian();
+    assert_eq!(laplacian.size(), 4);
+    for (w, mut image) in [(generic(5), generic(4)), (generic(4), generic(5))] {
+        laplacian.apply(&w, &mut image);
+        assert!(!image.all_finite());
+    }
     let huge = QuantisedLaplacian::new(usize::MAX);
     assert!(matches!(huge, Err(SystemError::TooMany { .. })));
     assert!(associated_legendre(3, 1, f64::NAN).iter().all(|x| x.is_nan()));
+    assert!(associated_legendre(2, 3, 0.5).is_empty());
 }
