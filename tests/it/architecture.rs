@@ -221,3 +221,37 @@ fn broken_rules_of_the_program_are_found() {
     assert_eq!(repeated_names(&broken), ["table.rs"]);
     assert_eq!(code_in_mod_files(&broken).len(), 2);
 }
+
+/// Returns the names of Rust files below a folder, with their folders. Files that every test binary has do not count.
+fn test_files(folder: &Path, found: &mut BTreeMap<String, Vec<String>>) {
+    for entry in std::fs::read_dir(folder).into_iter().flatten().flatten() {
+        let (path, name) = (entry.path(), entry.file_name().to_string_lossy().into_owned());
+        if path.is_dir() {
+            test_files(&path, found);
+        } else if name.ends_with(".rs") && !["main.rs", "mod.rs", "support.rs"].contains(&&*name) {
+            found.entry(name).or_default().push(folder.display().to_string());
+        }
+    }
+}
+
+/// Returns the names that more than one file has.
+fn repeated(files: BTreeMap<String, Vec<String>>) -> Vec<String> {
+    let files = files.into_iter().filter(|(_, folders)| folders.len() > 1);
+    files.map(|(name, folders)| format!("{name}: {}", folders.join(", "))).collect()
+}
+
+#[test]
+fn no_two_files_of_tests_have_one_name() {
+    let root = Path::new(env!("CARGO_MANIFEST_DIR"));
+    let mut files = BTreeMap::new();
+    test_files(&root.join("it"), &mut files);
+    for name in CRATES {
+        test_files(&root.join("../crates").join(name).join("tests/it"), &mut files);
+    }
+    // Control: the files have been read, and a second one of a name is found.
+    assert!(files.contains_key("architecture.rs") && files.contains_key("lanes.rs"));
+    let mut planted = files.clone();
+    planted.entry("lanes.rs".into()).or_default().push("elsewhere".into());
+    assert_eq!(repeated(files), [""; 0]);
+    assert_eq!(repeated(planted).len(), 1);
+}

@@ -3,12 +3,12 @@
 //! The variants are read from the sources, and the errors come from calls of the public interface. A variant that is
 //! added without such a call fails the test, and so does a variant that nothing can return any more.
 
-mod formula_systems;
-mod formulas;
-mod integrators;
-mod lie_poisson;
-mod systems;
-mod tops;
+mod errors_of_formula_systems;
+mod errors_of_formulas;
+mod errors_of_integrators;
+mod errors_of_lie_poisson;
+mod errors_of_systems;
+mod errors_of_tops;
 
 use std::any::type_name;
 use std::collections::BTreeSet;
@@ -96,15 +96,15 @@ fn every_variant_of_every_error_is_returned() -> Result<(), Box<dyn Error>> {
     }
     let mut returned = BTreeSet::new();
     for errors in [
-        lie_poisson::errors(),
-        integrators::steps_and_schemes(),
-        integrators::runs_and_measurements(),
-        systems::errors(),
-        tops::errors(),
-        formulas::names_and_tables(),
-        formulas::problems(),
-        formula_systems::algebras(),
-        formula_systems::systems_and_states(),
+        errors_of_lie_poisson::errors(),
+        errors_of_integrators::steps_and_schemes(),
+        errors_of_integrators::runs_and_measurements(),
+        errors_of_systems::errors(),
+        errors_of_tops::errors(),
+        errors_of_formulas::names_and_tables(),
+        errors_of_formulas::problems(),
+        errors_of_formula_systems::algebras(),
+        errors_of_formula_systems::systems_and_states(),
     ] {
         returned.extend(errors);
     }

@@ -1,8 +1,8 @@
 //! The promises of the crate: algebras, states, methods and sections, what is refused, and what runs conserve.
 #![allow(clippy::unwrap_used, clippy::panic)]
 
-mod algebras;
-mod methods;
+mod algebras_of_systems;
+mod methods_by_name;
 mod schemes;
-mod sections;
+mod sections_of_systems;
 mod support;

@@ -1,13 +1,13 @@
 //! The promises of the crate: the language, its errors, derivatives, scalars, algebras and Casimirs.
 #![allow(clippy::unwrap_used, clippy::panic)]
 
-mod algebras;
-mod casimirs;
+mod named_algebras;
+mod casimirs_found;
 mod derivatives;
 mod errors;
 mod expressions;
 mod language;
 mod random_texts;
-mod scalars;
+mod formulas_in_lanes;
 mod support;
 mod tables;

@@ -3,7 +3,7 @@
 
 mod algebra;
 mod examples;
-mod failures;
+mod isospectral_failures;
 mod matrices;
-mod methods;
+mod isospectral_methods;
 mod poisson;

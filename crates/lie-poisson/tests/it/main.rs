@@ -3,7 +3,7 @@
 
 mod algebra_laws;
 mod casimirs;
-mod closed_forms;
+mod closed_representations;
 mod cocycles;
 mod faults_near_zero;
 mod hamiltonian_laws;

@@ -3,7 +3,7 @@
 
 mod attached_fibres;
 mod clebsch_maps;
-mod closed_forms;
+mod closed_generators;
 mod extreme_lifts;
 mod map_laws;
 mod multipliers;
