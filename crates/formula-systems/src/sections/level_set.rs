@@ -99,6 +99,11 @@ mod tests {
         assert_eq!(point.len(), 3);
         assert!((point.iter().map(|x| x * x).sum::<f64>() - 4.0).abs() < 1e-14, "{point:?}");
         assert_eq!(project(2.0), None);
+        let logarithm = formula("ln(Pi1)")?;
+        let levels = vec![(&logarithm, 0.0)];
+        let set = LevelSet { levels, scales: vec![1.0; 3] };
+        assert_eq!(set.project(vec![-1.0, 2.0, -1.0]), None, "no value at the guess");
+        assert!(set.project(vec![0.5, 2.0, -1.0]).is_some());
         Ok(())
     }
 }

@@ -67,7 +67,7 @@ fn unknown(character: char) -> Problem {
         '.' | '•' => Some("·"),
         '{' | '⟨' => Some("("),
         '}' | '⟩' => Some(")"),
-        'x' | '⊗' | '∧' => Some("×"),
+        '⊗' | '∧' => Some("×"),
         '′' | '\'' => Some("_"),
         ';' => Some(","),
         _ => None,
