@@ -5,12 +5,6 @@ use super::midpoint_parameters::MidpointParameters;
 use super::register_vector::{CyclicShifts, MaskOf, RegisterVector, add_cross};
 use lie_poisson::{Lanes, Mask, Real};
 
-/// The bound of the error after the correction, as a multiple of |a|, below which a guess is accepted.
-const FLOOR: f64 = 2.0 * f64::EPSILON;
-
-/// The square of the bound for 2d instead of d.
-pub(super) const SQUARED_FLOOR: f64 = 4.0 * FLOOR * FLOOR;
-
 /// The bound, as a multiple of |a|, below which a correction that no longer shrinks is round-off.
 const ROUND_OFF: f64 = 128.0 * f64::EPSILON;
 

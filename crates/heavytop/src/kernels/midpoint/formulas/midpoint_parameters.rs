@@ -1,10 +1,15 @@
 //! The parameters of tops: of one in registers, or of many in SIMD lanes.
 
 use super::components::{Components, each};
-use super::guess::SQUARED_FLOOR;
 use super::in_register::{InRegister, Stored};
 use crate::HeavyTop;
 use lie_poisson::{FourLanes, Lanes, larger};
+
+/// The bound of the error after the correction, as a multiple of |a|, below which a [`Guess`](super::guess::Guess) is accepted.
+const FLOOR: f64 = 2.0 * f64::EPSILON;
+
+/// The square of the bound for 2d instead of d.
+pub(super) const SQUARED_FLOOR: f64 = 4.0 * FLOOR * FLOOR;
 
 /// Returns the numbers of a top that a step depends on, with the step size h.
 #[inline]

@@ -2,8 +2,8 @@
 #![allow(clippy::unwrap_used)]
 
 use super::components::{TopState, each};
-use super::guess::{Guess, SQUARED_FLOOR};
-use super::midpoint_parameters::MidpointParameters;
+use super::guess::Guess;
+use super::midpoint_parameters::{MidpointParameters, SQUARED_FLOOR};
 use super::register_vector::RegisterVector;
 use super::{GuessHistory, Member, together};
 use crate::{Body, HeavyTop};
