@@ -5,7 +5,7 @@ use super::in_register::{InRegister, Stored};
 use crate::HeavyTop;
 use lie_poisson::{FourLanes, Lanes, larger};
 
-/// The bound of the error after the correction, as a multiple of |a|, below which a [`Guess`](super::guess::Guess) is accepted.
+/// The bound of the error after the correction of a guess, as a multiple of |a|, below which the guess is accepted.
 const FLOOR: f64 = 2.0 * f64::EPSILON;
 
 /// The square of the bound for 2d instead of d.
