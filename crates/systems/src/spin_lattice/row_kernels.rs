@@ -1,6 +1,6 @@
 //! The formulas of the spherical midpoint method for one row of a lattice of spins, on SIMD lanes.
 
-use crate::spin_lattice::stencil::{BLOCK, Block, Spins, Stencil};
+use crate::spin_lattice::stencil::{BLOCK, Spins, Stencil};
 use lie_poisson::Real;
 use lie_poisson::generic_scalars::Lanes;
 
@@ -37,35 +37,20 @@ impl<T: Lanes> Progress<T> {
     }
 }
 
-/// Returns the x, y and z of consecutive spins, in blocks, from a place in a row of `width` numbers on.
-#[inline(always)]
-pub(crate) fn three(all: &[f64], from: usize, width: usize, blocks: usize) -> [&[Block]; 3] {
-    [0, 1, 2].map(|c| {
-        let rest = all.get(from + c * width..).unwrap_or_default();
-        rest.as_chunks().0.get(..blocks).unwrap_or_default()
-    })
-}
-
 /// Computes the midpoints m = |w| u/|u|, u = w + (h/2) k, of a row.
 #[inline(always)]
-pub(crate) fn middles<T: Lanes>(
-    w: &[Spins],
-    k: &[Spins],
-    half_step: f64,
-    [m_x, m_y, m_z]: [&mut [Block]; 3],
-) {
+pub(crate) fn middles<T: Lanes>(w: &[Spins], k: &[Spins], half_step: f64, m: &mut [Spins]) {
     let half_step = T::from_f64(half_step);
-    let m = m_x.iter_mut().zip(m_y).zip(m_z);
-    for ((Spins(w), Spins(k)), ((m_x, m_y), m_z)) in w.iter().zip(k).zip(m) {
+    for ((Spins(w), Spins(k)), Spins(m)) in w.iter().zip(k).zip(m) {
         for i in (0..BLOCK).step_by(T::COUNT) {
             let w = [T::load(&w[0][i..]), T::load(&w[1][i..]), T::load(&w[2][i..])];
             let x = T::load(&k[0][i..]).multiply_add(half_step, w[0]);
             let y = T::load(&k[1][i..]).multiply_add(half_step, w[1]);
             let z = T::load(&k[2][i..]).multiply_add(half_step, w[2]);
             let factor = Real::sqrt(square(&w) / square(&[x, y, z]));
-            (x * factor).store(&mut m_x[i..]);
-            (y * factor).store(&mut m_y[i..]);
-            (z * factor).store(&mut m_z[i..]);
+            (x * factor).store(&mut m[0][i..]);
+            (y * factor).store(&mut m[1][i..]);
+            (z * factor).store(&mut m[2][i..]);
         }
     }
 }
@@ -75,53 +60,86 @@ fn square<T: Lanes>(v: &[T; 3]) -> T {
     v[0].multiply_add(v[0], v[1].multiply_add(v[1], v[2] * v[2]))
 }
 
-/// Adds J (a + b) to the fields, for the spins a and b at both ends of bonds.
+/// The two ends of a bond of each spin.
+#[derive(Clone, Copy, Debug, Default)]
+pub(crate) struct Ends {
+    /// How many blocks of midpoints they are after that of the spin.
+    pub(crate) distances: [isize; 2],
+    /// The exchange constant J.
+    pub(crate) constant: f64,
+}
+
+/// A row of spins.
+#[derive(Clone, Copy)]
+pub(crate) struct Row<'a> {
+    /// The midpoints m of this row and of all others that its bonds reach.
+    pub(crate) midpoints: &'a [Spins],
+    /// The place of its first block among them.
+    pub(crate) first: usize,
+    /// Its rates in the sweep before.
+    pub(crate) k: &'a [Spins],
+}
+
+/// Writes the rates m × H of a row. They are zero in the padding.
 #[inline(always)]
-pub(crate) fn add_bonds<T: Lanes>(
-    fields: &mut [Spins],
-    constant: f64,
-    a: [&[Block]; 3],
-    b: [&[Block]; 3],
+pub(crate) fn rates<T: Lanes>(
+    stencil: &Stencil,
+    row: Row<'_>,
+    ends: &[Ends],
+    next: &mut [Spins],
+    progress: &mut Progress<T>,
 ) {
-    let constant = T::from_f64(constant);
-    for c in 0..3 {
-        for ((Spins(sum), a), b) in fields.iter_mut().zip(a[c]).zip(b[c]) {
-            for i in (0..BLOCK).step_by(T::COUNT) {
-                let ends = T::load(&a[i..]) + T::load(&b[i..]);
-                ends.multiply_add(constant, T::load(&sum[c][i..])).store(&mut sum[c][i..]);
+    for (block, (Spins(k), Spins(next))) in row.k.iter().zip(next).enumerate() {
+        let at = row.first + block;
+        let Spins(m) = &row.midpoints[at];
+        for i in (0..BLOCK).step_by(T::COUNT) {
+            let m = [T::load(&m[0][i..]), T::load(&m[1][i..]), T::load(&m[2][i..])];
+            let mut h = exchange(stencil, row.midpoints, ends, (at, i));
+            if stencil.twice_anisotropy != 0.0 {
+                add_anisotropy(stencil, &m, &mut h);
+            }
+            let mut rate = cross(&m, &h);
+            if let Some(mask) = stencil.masks.get(block) {
+                clear_padding(&T::load(&mask[i..]), &mut rate);
+            }
+            for c in 0..3 {
+                progress.include(rate[c], T::load(&k[c][i..]));
+                rate[c].store(&mut next[c][i..]);
             }
         }
     }
 }
 
-/// Completes the fields H of a block by the anisotropy, and writes the rates m × H. They are zero in the padding, where
-/// `mask` is zero instead of one.
+/// Returns B and the exchange terms Σ J (a + b) of the field H of the spins from lane `i` of a block on, for the spins a
+/// and b at both ends of each bond.
 #[inline(always)]
-pub(crate) fn rates<T: Lanes>(
+fn exchange<T: Lanes>(
     stencil: &Stencil,
-    (m, Spins(fields)): ([&Block; 3], &Spins),
-    mask: Option<&Block>,
-    (Spins(k), Spins(next)): (&Spins, &mut Spins),
-    progress: &mut Progress<T>,
-) {
-    for i in (0..BLOCK).step_by(T::COUNT) {
-        let m = [T::load(&m[0][i..]), T::load(&m[1][i..]), T::load(&m[2][i..])];
-        let mut h = [T::load(&fields[0][i..]), T::load(&fields[1][i..]), T::load(&fields[2][i..])];
-        if stencil.twice_anisotropy != 0.0 {
-            add_anisotropy(stencil, &m, &mut h);
-        }
-        let mut rate = cross(&m, &h);
-        if let Some(mask) = mask {
-            // A product would keep a NaN that an earlier step has left beyond the row.
-            let (inside, zero) = (T::from_f64(1.0).at_most(T::load(&mask[i..])), T::from_f64(0.0));
-            for rate in &mut rate {
-                *rate = T::select(inside, *rate, zero);
-            }
-        }
+    midpoints: &[Spins],
+    ends: &[Ends],
+    (at, i): (usize, usize),
+) -> [T; 3] {
+    let b = stencil.field;
+    let mut h = [T::from_f64(b.x), T::from_f64(b.y), T::from_f64(b.z)];
+    for Ends { distances: [to, from], constant } in ends {
+        let Spins(to) = &midpoints[at.wrapping_add_signed(*to)];
+        let Spins(from) = &midpoints[at.wrapping_add_signed(*from)];
+        let constant = T::from_f64(*constant);
         for c in 0..3 {
-            progress.include(rate[c], T::load(&k[c][i..]));
-            rate[c].store(&mut next[c][i..]);
+            let ends = T::load(&to[c][i..]) + T::load(&from[c][i..]);
+            h[c] = ends.multiply_add(constant, h[c]);
         }
+    }
+    h
+}
+
+/// Replaces rates by zero where the mask is zero instead of one.
+#[inline(always)]
+fn clear_padding<T: Lanes>(mask: &T, rates: &mut [T; 3]) {
+    // A product would keep a NaN that an earlier step has left beyond the row.
+    let (inside, zero) = (T::from_f64(1.0).at_most(*mask), T::from_f64(0.0));
+    for rate in rates {
+        *rate = T::select(inside, *rate, zero);
     }
 }
 

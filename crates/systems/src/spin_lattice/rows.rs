@@ -14,19 +14,18 @@ pub(crate) fn write_blocks(spins: &[Vector3<f64>], nx: usize, blocks: &mut [Spin
     let tasks = blocks.par_chunks_mut(width * count).zip(spins.par_chunks(nx * count));
     tasks.for_each(|(blocks, spins)| {
         for (row, spins) in blocks.chunks_exact_mut(width).zip(spins.chunks_exact(nx)) {
-            for (block, spins) in row.iter_mut().zip(spins.chunks(BLOCK)) {
-                write_block(spins, block);
-            }
+            write_row(spins, row);
         }
     });
 }
 
-fn write_block(spins: &[Vector3<f64>], Spins([x, y, z]): &mut Spins) {
-    let components = x.iter_mut().zip(y).zip(z);
-    let last = spins.last().copied().unwrap_or_default();
-    let padded = spins.iter().copied().chain(core::iter::repeat(last));
-    for (((x, y), z), spin) in components.zip(padded) {
-        (*x, *y, *z) = (spin.x, spin.y, spin.z);
+fn write_row(spins: &[Vector3<f64>], row: &mut [Spins]) {
+    let (blocks, last) = (row.len(), spins.last().copied().unwrap_or_default());
+    for (block, Spins([x, y, z])) in row.iter_mut().enumerate() {
+        for (lane, ((x, y), z)) in x.iter_mut().zip(y).zip(z).enumerate() {
+            let spin = spins.get(lane * blocks + block).unwrap_or(&last);
+            (*x, *y, *z) = (spin.x, spin.y, spin.z);
+        }
     }
 }
 
@@ -36,13 +35,20 @@ pub(crate) fn add_blocks(spins: &mut [Vector3<f64>], step: f64, k: &[Spins], nx:
     let tasks = spins.par_chunks_mut(nx * count).zip(k.par_chunks(width * count));
     tasks.for_each(|(spins, k)| {
         for (spins, row) in spins.chunks_exact_mut(nx).zip(k.chunks_exact(width)) {
-            for (spins, Spins([x, y, z])) in spins.chunks_mut(BLOCK).zip(row) {
-                for (((spin, x), y), z) in spins.iter_mut().zip(x).zip(y).zip(z) {
-                    *spin += Vector3::new(*x, *y, *z) * step;
-                }
-            }
+            add_row(spins, step, row);
         }
     });
+}
+
+fn add_row(spins: &mut [Vector3<f64>], step: f64, row: &[Spins]) {
+    let blocks = row.len();
+    for (block, Spins([x, y, z])) in row.iter().enumerate() {
+        for (lane, ((x, y), z)) in x.iter().zip(y).zip(z).enumerate() {
+            if let Some(spin) = spins.get_mut(lane * blocks + block) {
+                *spin += Vector3::new(*x, *y, *z) * step;
+            }
+        }
+    }
 }
 
 /// Returns whether every component of s + h k is a finite number.

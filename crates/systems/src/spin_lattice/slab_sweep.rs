@@ -1,15 +1,15 @@
 //! One sweep of the spherical midpoint method over consecutive planes of a lattice, on SIMD lanes: [`SlabSweep`].
 
-use crate::spin_lattice::row_kernels::{Progress, add_bonds, middles, rates, three};
-use crate::spin_lattice::stencil::{BLOCK, Block, LINE, Spins, Stencil};
+use crate::spin_lattice::row_kernels::{Ends, Progress, Row, middles, rates};
+use crate::spin_lattice::stencil::{Place, Spins, Stencil};
 use core::ops::Range;
 use lie_poisson::generic_scalars::{LaneTask, Lanes};
 
 /// A sweep k′ = X(m), m_i = |w_i| u_i/|u_i|, u = w + (h/2) k, over some planes.
 ///
-/// The midpoints m are kept only for as many planes as bonds reach, which stay in the cache. So w and k pass through
-/// memory once, and k′ is written once. The midpoints of the planes beside are computed here too. Rows are padded to
-/// whole blocks.
+/// It is made for some rows of all planes, then for the next rows. The midpoints m are kept only for these rows, in as
+/// many planes as bonds reach, which stay in the cache. So w and k pass through memory once, and k′ is written once. The
+/// midpoints of the rows and planes beside are computed here too. Rows are padded to whole blocks.
 pub(crate) struct SlabSweep<'a> {
     /// The bonds and fields of the lattice.
     pub(crate) stencil: &'a Stencil,
@@ -27,15 +27,18 @@ pub(crate) struct SlabSweep<'a> {
     pub(crate) slab: &'a mut Slab,
 }
 
+/// The number of blocks of midpoints that stay in the cache of a processor beside the rest.
+const CACHE: usize = (128 << 10) / size_of::<Spins>();
+
 /// The storage of one slab: consecutive planes of a lattice that one thread computes.
 #[derive(Clone, Debug, Default)]
 pub(crate) struct Slab {
     /// The midpoints of the planes in reach, whose rows are continued periodically at both ends.
-    midpoints: Vec<f64>,
-    /// The fields H of a row.
-    fields: Vec<Spins>,
-    /// One for each spin in the last block of a row, and zero for the padding.
-    mask: Block,
+    midpoints: Vec<Spins>,
+    /// The ends of the bonds of each midpoint of a plane.
+    ends: Vec<Ends>,
+    /// For how many rows of each plane the sweep is made at once.
+    rows: usize,
     /// The largest change of a component of a rate, and the largest such component, or NaN.
     pub(crate) progress: [f64; 2],
 }
@@ -44,22 +47,34 @@ impl Slab {
     /// Returns the size of the storage in bytes.
     #[cfg(test)]
     pub(crate) fn bytes(&self) -> usize {
-        size_of::<f64>() * self.midpoints.capacity() + size_of::<Spins>() * self.fields.capacity()
-    }
-
-    /// Returns the place of the first midpoint, at the start of a line of the cache.
-    #[inline(always)]
-    fn first(&self) -> usize {
-        self.midpoints.as_ptr().align_offset(8 * LINE).min(LINE)
+        size_of::<Spins>() * self.midpoints.capacity()
     }
 
     /// Makes the storage fit a lattice.
     pub(crate) fn fit(&mut self, stencil: &Stencil) {
-        let Stencil { counts: [nx, rows, _], .. } = *stencil;
-        self.midpoints.resize(stencil.window() * rows * 3 * stencil.continued() + LINE, 0.0);
-        self.fields.resize(stencil.blocks(), Spins::default());
-        let last = nx - (stencil.blocks() - 1) * BLOCK;
-        self.mask = core::array::from_fn(|i| if i < last { 1.0 } else { 0.0 });
+        let Stencil { counts: [_, rows, _], reach: [_, reach, _], .. } = *stencil;
+        let row = stencil.window() * stencil.continued();
+        let most = (CACHE / row).saturating_sub(2 * reach).max(4 * reach).max(1);
+        // Nearly the same number of rows each time.
+        self.rows = rows.div_ceil(rows.div_ceil(most));
+        self.midpoints.resize((self.rows + 2 * reach) * row, Spins::default());
+        self.ends.resize(stencil.bonds.len(), Ends::default());
+    }
+
+    /// Finds the ends of the bonds of a plane that is kept in the given place.
+    #[inline(always)]
+    fn find_ends(&mut self, stencil: &Stencil, place: usize) {
+        let width = stencil.continued() as isize;
+        let plane = width * (self.rows + 2 * stencil.reach[1]) as isize;
+        let distance = |[x, y, z]: [isize; 3]| {
+            let planes = wrapped(place, z, stencil.window()) as isize - place as isize;
+            plane * planes + width * y + x
+        };
+        for (ends, bond) in self.ends.iter_mut().zip(&stencil.bonds) {
+            let [x, y, z] = bond.offset;
+            let distances = [distance([x, y, z]), distance([-x, -y, -z])];
+            *ends = Ends { distances, constant: bond.constant };
+        }
     }
 }
 
@@ -68,15 +83,18 @@ impl LaneTask for SlabSweep<'_> {
 
     #[inline(always)]
     fn run<T: Lanes>(mut self) {
-        let Stencil { counts: [_, _, planes], reach: [_, reach], .. } = *self.stencil;
+        let Stencil { counts: [_, rows, planes], reach: [_, _, reach], .. } = *self.stencil;
         let window = self.stencil.window();
         let mut progress = Progress::<T>::zero();
         let (first, end) = (self.planes.start, self.planes.end);
-        // The plane p is kept in the place (p + reach) % window.
-        for ahead in first..end + 2 * reach {
-            self.midpoints::<T>((ahead + planes - reach) % planes, ahead % window);
-            if ahead >= first + 2 * reach {
-                self.rates::<T>(ahead - 2 * reach, &mut progress);
+        for from in (0..rows).step_by(self.slab.rows) {
+            let part = from..rows.min(from + self.slab.rows);
+            // The plane p is kept in the place (p + reach) % window.
+            for ahead in first..end + 2 * reach {
+                self.midpoints::<T>(&part, (ahead + planes - reach) % planes, ahead % window);
+                if ahead >= first + 2 * reach {
+                    self.rates::<T>(&part, ahead - 2 * reach, &mut progress);
+                }
             }
         }
         self.slab.progress = progress.largest();
@@ -84,73 +102,63 @@ impl LaneTask for SlabSweep<'_> {
 }
 
 impl SlabSweep<'_> {
-    /// Computes the midpoints of a plane.
+    /// Computes the midpoints of some rows of a plane, and of the rows beside that bonds reach.
     #[inline(always)]
-    fn midpoints<T: Lanes>(&mut self, plane: usize, place: usize) {
-        let Stencil { counts: [nx, rows, _], reach: [reach, _], .. } = *self.stencil;
+    fn midpoints<T: Lanes>(&mut self, part: &Range<usize>, plane: usize, place: usize) {
+        let Stencil { counts: [_, rows, _], reach: [margin, reach, _], .. } = *self.stencil;
         let (width, blocks) = (self.stencil.continued(), self.stencil.blocks());
-        let (line, margin) = (self.slab.first(), self.stencil.margin());
-        let all = self.slab.midpoints.get_mut(line..).unwrap_or_default();
-        let places = all.chunks_exact_mut(3 * width).skip(rows * place);
-        for (row, m) in (rows * plane..).zip(places.take(rows)) {
-            let [w, k] = [self.start, self.rates].map(|all| row_of(all, row, blocks));
-            let (x, rest) = m.split_at_mut(width);
-            let (y, z) = rest.split_at_mut(width);
-            let inner = [&mut *x, &mut *y, &mut *z]
-                .map(|row| row.get_mut(margin..).unwrap_or_default().as_chunks_mut().0);
-            middles::<T>(w, k, self.half_step, inner);
-            for row in [x, y, z] {
-                // Copies of one or two numbers are too short for a function of their own.
-                for i in 0..reach {
-                    row[margin - 1 - i] = row[margin + nx - 1 - i];
-                    row[margin + nx + i] = row[margin + i];
-                }
+        let kept = self.slab.rows + 2 * reach;
+        let places = self.slab.midpoints.chunks_exact_mut(width).skip(kept * place);
+        for (row, m) in (part.start..part.end + 2 * reach).zip(places.take(kept)) {
+            let row = rows * plane + (row + rows - reach) % rows;
+            let w = row_of(self.start, row, blocks);
+            let k = row_of(self.rates, row, blocks);
+            middles::<T>(w, k, self.half_step, &mut m[margin..margin + blocks]);
+            continue_row(m, margin, &self.stencil.repeated);
+        }
+    }
+
+    /// Computes the rates of some rows of a plane.
+    #[inline(always)]
+    fn rates<T: Lanes>(&mut self, part: &Range<usize>, plane: usize, progress: &mut Progress<T>) {
+        let stencil = self.stencil;
+        let Stencil { counts: [_, rows, _], reach: [margin, reach, ahead], .. } = *stencil;
+        let (width, blocks) = (stencil.continued(), stencil.blocks());
+        let place = (plane + ahead) % stencil.window();
+        self.slab.find_ends(stencil, place);
+        let Slab { midpoints, ends, rows: kept, .. } = &*self.slab;
+        let first = width * ((kept + 2 * reach) * place + reach) + margin;
+        let to = rows * (plane - self.planes.start) + part.start;
+        let next = self.next.chunks_exact_mut(blocks).skip(to).take(part.len());
+        for (i, next) in next.enumerate() {
+            let k = row_of(self.rates, rows * plane + part.start + i, blocks);
+            let row = Row { midpoints, first: first + width * i, k };
+            match &ends[..] {
+                // A known number of bonds is faster.
+                &[a, b, c] => rates::<T>(stencil, row, &[a, b, c], next, progress),
+                ends => rates::<T>(stencil, row, ends, next, progress),
             }
         }
     }
+}
 
-    /// Computes the rates of a plane.
-    #[inline(always)]
-    fn rates<T: Lanes>(&mut self, plane: usize, progress: &mut Progress<T>) {
-        let (rows, blocks) = (self.stencil.counts[1], self.stencil.blocks());
-        let padded = !self.stencil.counts[0].is_multiple_of(BLOCK);
-        let next = core::mem::take(&mut self.next);
-        let to = rows * (plane - self.planes.start);
-        let place = (plane + self.stencil.reach[1]) % self.stencil.window();
-        for (row, next) in next.chunks_exact_mut(blocks).skip(to).take(rows).enumerate() {
-            self.fields::<T>(place, row);
-            let m = self.midpoints_at(place, row, [0; 3]);
-            let k = row_of(self.rates, rows * plane + row, blocks);
-            let spins = zip(m).zip(&self.slab.fields).zip(k.iter().zip(next));
-            for (block, ((m, h), (k, next))) in spins.enumerate() {
-                let mask = (padded && block + 1 == blocks).then_some(&self.slab.mask);
-                rates::<T>(self.stencil, (m, h), mask, (k, next), progress);
-            }
+/// Continues the midpoints of a row periodically at both ends.
+#[inline(always)]
+fn continue_row(m: &mut [Spins], reach: usize, repeated: &[[Place; 2]]) {
+    let blocks = m.len() - 2 * reach;
+    for i in 0..reach {
+        let (before, after) = (reach - 1 - i, reach + blocks + i);
+        for component in 0..3 {
+            let [a, b, c, d, e, f, g, h] = m[before + blocks].0[component];
+            m[before].0[component] = [h, a, b, c, d, e, f, g];
+            let [a, b, c, d, e, f, g, h] = m[after - blocks].0[component];
+            m[after].0[component] = [b, c, d, e, f, g, h, a];
         }
-        self.next = next;
     }
-
-    /// Computes B and the exchange terms of the field H of a row, whose plane is kept in the given place.
-    #[inline(always)]
-    fn fields<T: Lanes>(&mut self, place: usize, row: usize) {
-        let mut fields = core::mem::take(&mut self.slab.fields);
-        let [x, y, z] = self.stencil.field.into();
-        fields.fill(Spins([[x; BLOCK], [y; BLOCK], [z; BLOCK]]));
-        for bond in &self.stencil.bonds {
-            let to = self.midpoints_at(place, row, bond.offset);
-            let from = self.midpoints_at(place, row, bond.offset.map(|x| -x));
-            add_bonds::<T>(&mut fields, bond.constant, to, from);
+    for &[to, from] in repeated {
+        for component in 0..3 {
+            m[to.block].0[component][to.lane] = m[from.block].0[component][from.lane];
         }
-        self.slab.fields = fields;
-    }
-
-    /// Returns the midpoints of the row at an offset from a row.
-    #[inline(always)]
-    fn midpoints_at(&self, place: usize, row: usize, [x, y, z]: [isize; 3]) -> [&[Block]; 3] {
-        let (width, rows) = (self.stencil.continued(), self.stencil.counts[1]);
-        let (place, row) = (wrapped(place, z, self.stencil.window()), wrapped(row, y, rows));
-        let first = self.slab.first() + 3 * width * (place * rows + row) + self.stencil.margin();
-        three(&self.slab.midpoints, first.wrapping_add_signed(x), width, self.stencil.blocks())
     }
 }
 
@@ -173,15 +181,10 @@ fn row_of(all: &[Spins], row: usize, blocks: usize) -> &[Spins] {
     all.get(row * blocks..(row + 1) * blocks).unwrap_or_default()
 }
 
-/// Returns the x, y and z of the same spins together.
-#[inline(always)]
-fn zip([x, y, z]: [&[Block]; 3]) -> impl Iterator<Item = [&Block; 3]> {
-    x.iter().zip(y).zip(z).map(|((x, y), z)| [x, y, z])
-}
-
 #[cfg(test)]
 mod tests {
     use super::*;
+    use crate::spin_lattice::stencil::BLOCK;
     use generic_scalars::{InstructionSet, Width, dispatch};
     use lie_poisson::generic_scalars;
     use nalgebra::Vector3;
@@ -195,10 +198,11 @@ mod tests {
             let mut slab = Slab::default();
             slab.fit(&stencil);
             let along = |site: usize| if site < nx { [0.0, 0.0, 1.0] } else { [100.0, 0.0, 0.0] };
-            let mut start = vec![Spins::default(); stencil.blocks()];
-            for site in 0..start.len() * BLOCK {
+            let blocks = stencil.blocks();
+            let mut start = vec![Spins::default(); blocks];
+            for site in 0..blocks * BLOCK {
                 for (c, component) in along(site).into_iter().enumerate() {
-                    start[site / BLOCK].0[c][site % BLOCK] = component;
+                    start[site % blocks].0[c][site / blocks] = component;
                 }
             }
             let (rates, mut next) = (vec![Spins::default(); start.len()], start.clone());
@@ -219,7 +223,7 @@ mod tests {
             assert_eq!(progress(&start), [0.0; 2], "{nx} spins");
             // Control: the last spin of the row counts.
             let last = nx - 1;
-            start[last / BLOCK].0[0][last % BLOCK] = 3.0;
+            start[last % blocks].0[0][last / blocks] = 3.0;
             assert_eq!(progress(&start), [3.0; 2], "{nx} spins");
         }
     }
