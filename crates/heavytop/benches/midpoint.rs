@@ -85,7 +85,14 @@ fn many_tops(c: &mut Criterion) {
                 let mut states: Vec<_> = (0..TOPS).map(start).collect();
                 let mut space = BatchIntegrator::workspace(&midpoint);
                 let failed = &mut |i, e| panic!("{i}: {e}");
-                midpoint.advance(&mut states, STEP, 0..STEPS, &mut space, failed);
+                BatchIntegrator::advance(
+                    &midpoint,
+                    &mut states,
+                    STEP,
+                    0..STEPS,
+                    &mut space,
+                    failed,
+                );
                 states
             });
         });

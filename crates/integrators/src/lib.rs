@@ -42,7 +42,8 @@
 //! | an explicit method for a Hamiltonian that does not separate | [`TaoFlows`] |
 //! | the semiexplicit method for such a Hamiltonian | [`Tableau::semiexplicit`] |
 //! | a method for spins on spheres | [`SphericalMidpoint`] |
-//! | steps in place, for states of any size | [`Integrator::step_in_place`], [`Scheme::step_in_place`] |
+//! | a step in place, for states of any size | [`Integrator::step_in_place`], [`Scheme::step_in_place`] |
+//! | many steps in place, without samples | [`Integrator::advance`] |
 //! | the vector field of a closure, or of a Hamiltonian | [`from_fn`], [`HamiltonianField`] |
 //! | a vector field over every scalar, or of points on the heap | [`VectorField`] |
 //! | storage for the evaluations of such a field | [`StoragePool`] |
@@ -50,6 +51,7 @@
 //! | other settings for the stage equations | [`StageSolver`] |
 //! | smaller rounding errors in long runs | [`Compensated`] |
 //! | a trajectory, or its end alone | [`Start::trajectory`], [`Start::after`] |
+//! | every n-th sample of a trajectory | [`Trajectory::every`] |
 //! | to resume a run | [`Integrator::trajectory_resumed`] |
 //! | states between the samples | [`DenseOutput`] |
 //! | Poincaré sections and other events | [`Events`]; [`EventSearch`] for several along one run |
@@ -112,7 +114,6 @@ pub use batch::group_engine::MOST_LANES;
 pub use batch::lane_kernel::{LaneKernel, LaneResults, Registers};
 pub use batch::laned::{Laned, LanedSpace};
 pub use batch::laned_over::LanedOver;
-pub use batch::single_member::advance_alone;
 pub use chaos::generic_tangent::generic_tangent;
 pub use chaos::lyapunov::{Exponents, LyapunovExponents, MaximalLyapunovExponent};
 pub use chaos::megno::Megno;
@@ -122,9 +123,7 @@ pub use diagnostics::{OrderFitError, fitted_order};
 pub use dual::collective::{Collective, CollectiveSpace};
 pub use dual::compensated::{Compensated, Increments, compensated_sum};
 pub use dual::direct::Direct;
-pub use dual::integrator::{
-    CHECKPOINT, Integrator, Sample, SampleOf, Start, StateIsMomentum, Trajectory,
-};
+pub use dual::integrator::{Integrator, Sample, SampleOf, Start, StateIsMomentum, Trajectory};
 pub use dual::lanes::field_in_lanes::FieldInLanes;
 pub use dual::lanes::stages_in_lanes::StagesInLanes;
 pub use dual::lift_free::{LiftFree, MultiplierSpace};
@@ -147,6 +146,7 @@ pub use splittings::exact_flows::ExactFlows;
 pub use splittings::flow_sequence::{FlowSequence, LieTrotter, Strang};
 pub use splittings::splitting::Splitting;
 pub use splittings::tao::TaoFlows;
+pub use stages::checkpoints::CHECKPOINT;
 pub use stages::extrapolation::lagrange_polynomial;
 pub use stages::lane_field::LaneField;
 pub use stages::stage_memory::StageMemory;

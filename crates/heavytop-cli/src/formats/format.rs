@@ -1,20 +1,19 @@
 //! The formats of a run: how its rows are kept while it proceeds, and how the output is made of them.
 //!
 //! During a run its rows are appended to one file. For CSV that is the output itself, as text. Otherwise it holds
-//! 64-bit little-endian numbers, from which the output is made at the end, in a pass for each array, by blocks.
-//! Memory does not grow with the run.
+//! 64-bit little-endian numbers, from which the output is made at the end, by blocks, in several passes if the run is
+//! long. Memory does not grow with the run.
 
 use super::extent::Extent;
 use super::metadata::Metadata;
 use super::rows::Rows;
-use super::run_table::{RunTable, write_row};
+use super::run_table::{RunTable, append_row};
 use super::{npz, parquet};
 use crate::Error;
 use crate::files::Output;
 use serde::{Deserialize, Serialize};
 use std::fmt;
 use std::fs::File;
-use std::io;
 use std::path::Path;
 
 /// A file format for the table of a run.
@@ -61,14 +60,14 @@ impl Format {
         if self == Self::Csv { table.header() + "\n" } else { String::new() }
     }
 
-    /// Encodes a row as in the growing file, and puts it into `bytes`.
-    pub(crate) fn encode(self, row: &[f64], bytes: &mut Vec<u8>) -> io::Result<()> {
-        bytes.clear();
-        if self == Self::Csv {
-            return write_row(bytes, row.iter().copied());
+    /// Appends a row, encoded as in the growing file.
+    pub(crate) fn append(self, row: &[f64], bytes: &mut Vec<u8>) {
+        match self {
+            Self::Csv => append_row(bytes, row),
+            Self::Npz | Self::Parquet => {
+                bytes.extend(row.iter().flat_map(|number| number.to_le_bytes()));
+            }
         }
-        bytes.extend(row.iter().flat_map(|number| number.to_le_bytes()));
-        Ok(())
     }
 
     /// Returns the number of rows in the growing file up to an extent; `None` if the last row is incomplete.

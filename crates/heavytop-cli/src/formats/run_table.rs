@@ -3,7 +3,7 @@
 use crate::runs::{Experiment, Moment, SystemExperiment};
 use heavytop::{HeavyTop, Invariant};
 use lie_poisson::{Covector, Pair, Se3Dual};
-use std::io::{self, Write};
+use std::array;
 use std::ops::Range;
 
 /// The names of the columns of a state.
@@ -18,19 +18,34 @@ pub fn state_values(time: f64, Covector(Pair(pi, gamma)): &Se3Dual) -> [f64; 7] 
     [time, pi.x, pi.y, pi.z, gamma.x, gamma.y, gamma.z]
 }
 
-/// Writes a line of numbers, each with the fewest digits that read back as the same `f64`.
+/// The number of numbers that are formatted before their texts are copied.
+const GROUP: usize = 8;
+
+/// Appends a line of numbers, each with the fewest digits that read back as the same `f64`.
 ///
-/// # Errors
-/// Returns the error of the writer.
-pub fn write_row(to: &mut impl Write, numbers: impl IntoIterator<Item = f64>) -> io::Result<()> {
-    let mut text = zmij::Buffer::new();
-    for (i, number) in numbers.into_iter().enumerate() {
-        if i > 0 {
-            to.write_all(b",")?;
+/// # Example
+/// ```
+/// let mut lines = b"x,y\n".to_vec();
+/// heavytop_cli::formats::run_table::append_row(&mut lines, &[0.1, -2.0]);
+/// assert_eq!(lines, b"x,y\n0.1,-2.0\n");
+/// ```
+pub fn append_row(lines: &mut Vec<u8>, numbers: &[f64]) {
+    let mut buffers: [_; GROUP] = array::from_fn(|_| zmij::Buffer::new());
+    for numbers in numbers.chunks(GROUP) {
+        // A processor waits where it reads bytes that it has just written in other pieces: the copies come later.
+        let mut texts = [""; GROUP];
+        for ((text, buffer), number) in texts.iter_mut().zip(&mut buffers).zip(numbers) {
+            *text = buffer.format(*number);
         }
-        to.write_all(text.format(number).as_bytes())?;
+        for text in &texts[..numbers.len()] {
+            lines.extend_from_slice(text.as_bytes());
+            lines.push(b',');
+        }
     }
-    to.write_all(b"\n")
+    if !numbers.is_empty() {
+        lines.pop();
+    }
+    lines.push(b'\n');
 }
 
 /// The table of a run: t, the state, invariants, and the attitude if it is asked for.
@@ -144,6 +159,24 @@ impl RunTable {
         row.extend(self.values_at(moment.momentum));
         if let Some(q) = moment.attitude {
             row.extend([q.scalar, q.vector.x, q.vector.y, q.vector.z]);
+        }
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn a_row_is_its_numbers_with_commas_between_them() {
+        let numbers = [-0.1, 0.0, -0.0, 1e300, f64::NAN, 5e-324, f64::NEG_INFINITY, -1.0 / 3.0];
+        for count in 0..3 * GROUP {
+            let row: Vec<f64> = numbers.into_iter().cycle().take(count).collect();
+            let texts = row.iter().map(|number| zmij::Buffer::new().format(*number).to_owned());
+            let expected = format!("0\n{}\n", texts.collect::<Vec<_>>().join(","));
+            let mut lines = b"0\n".to_vec();
+            append_row(&mut lines, &row);
+            assert_eq!(String::from_utf8_lossy(&lines), expected);
         }
     }
 }

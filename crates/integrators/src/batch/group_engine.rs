@@ -1,7 +1,7 @@
 //! The engine of all batches: it advances groups of members block by block and treats those that fail.
 
 use crate::IntegrationError;
-use crate::batch::checkpoint_blocks::blocks;
+use crate::stages::checkpoints::blocks;
 use core::ops::Range;
 
 /// The largest number of members that are advanced together. It is the number of SIMD lanes of the widest type.

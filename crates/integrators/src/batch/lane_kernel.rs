@@ -78,7 +78,8 @@ pub trait LaneKernel: Sync {
     fn together<T: Lanes>(&self, group: &mut [Self::Member], step: f64, count: u64) -> LaneResults;
 
     /// Makes the steps of [`together`](Self::together) with one member by itself, if its lane has no result.
-    /// [`advance_alone`](crate::advance_alone) does this with an [`Integrator`](crate::Integrator).
+    /// [`Integrator::forget`](crate::Integrator::forget) and then [`Integrator::advance`](crate::Integrator::advance) do
+    /// this.
     ///
     /// # Errors
     /// Returns an [`IntegrationError`] if the member cannot be advanced. The member keeps the state before the failed

@@ -3,7 +3,6 @@
 use crate::batch::group_engine::{Group, advance_groups};
 use crate::batch::lane_kernel::LaneResults;
 use crate::batch::laned_over::IntegratorGroup;
-use crate::batch::single_member::advance_alone;
 use crate::{BatchIntegrator, IntegrationError, Integrator, StepError};
 use core::ops::Range;
 use lie_poisson::{
@@ -260,7 +259,8 @@ where
         let integrator = self.integrator;
         let workspace =
             self.repeats.one.get_or_insert_with(|| Integrator::<f64>::workspace(integrator));
-        advance_alone::<f64, I>(integrator, member, step, steps, workspace)
+        Integrator::<f64>::forget(integrator, workspace);
+        Integrator::<f64>::advance(integrator, member, step, steps, workspace).map(drop)
     }
 }
 

@@ -2,7 +2,6 @@
 
 use crate::batch::group_engine::{Group, advance_groups};
 use crate::batch::lane_kernel::LaneResults;
-use crate::batch::single_member::advance_alone;
 use crate::{BatchIntegrator, IntegrationError, Integrator};
 use core::marker::PhantomData;
 use core::ops::Range;
@@ -94,6 +93,19 @@ pub(crate) struct IntegratorGroup<'a, I: Integrator<T>, T: Lanes> {
     pub(crate) workspace: &'a mut I::Workspace,
 }
 
+impl<I: Integrator<T>, T: Lanes> IntegratorGroup<'_, I, T> {
+    /// Makes the steps of a state over lanes, without a memory of earlier steps.
+    fn steps(
+        &mut self,
+        state: &mut I::State,
+        step: f64,
+        steps: Range<u64>,
+    ) -> Result<(), IntegrationError> {
+        self.integrator.forget(self.workspace);
+        self.integrator.advance(state, step, steps, self.workspace).map(drop)
+    }
+}
+
 impl<I, T> Group for IntegratorGroup<'_, I, T>
 where
     I: Integrator<f64, State: Vector> + Integrator<T, State: Vector>,
@@ -112,8 +124,7 @@ where
         let mut state = <I as Integrator<T>>::State::from_coordinates(|i| {
             T::from_lanes(|lane| group[lane.min(last)].coordinate(i))
         });
-        let steps = 0..count;
-        if advance_alone::<T, I>(self.integrator, &mut state, step, steps, self.workspace).is_ok() {
+        if self.steps(&mut state, step, 0..count).is_ok() {
             for (lane, member) in group.iter_mut().enumerate() {
                 *member = Vector::from_coordinates(|i| state.coordinate(i).lane(lane));
                 results[lane] = true;
@@ -130,7 +141,7 @@ where
     ) -> Result<(), IntegrationError> {
         let mut state =
             <I as Integrator<T>>::State::from_coordinates(|i| T::from_f64(member.coordinate(i)));
-        let end = advance_alone::<T, I>(self.integrator, &mut state, step, steps, self.workspace);
+        let end = self.steps(&mut state, step, steps);
         *member = Vector::from_coordinates(|i| state.coordinate(i).lane(0));
         end
     }

@@ -1,8 +1,6 @@
 //! Many trajectories at once: in SIMD lanes and on all threads.
 
 pub(crate) mod batch_integrator;
-pub(crate) mod checkpoint_blocks;
-pub(crate) mod single_member;
 pub(crate) mod group_engine;
 pub(crate) mod lane_kernel;
 pub(crate) mod laned_over;

@@ -1,6 +1,10 @@
 //! Integrators on 𝔤∗, their states and momenta, and their trajectories.
 
+use crate::stages::checkpoints::{CHECKPOINT, blocks};
 use crate::{IntegrationError, RunError, Step, StepError};
+use core::iter::StepBy;
+use core::num::NonZero;
+use core::ops::Range;
 use lie_poisson::{Real, State};
 use momentum_map::LiftError;
 
@@ -11,15 +15,14 @@ use momentum_map::LiftError;
 /// identity, and the point is read from [`Sample::state`].
 ///
 /// # Example
-/// An integrator is a loop of steps, or the trajectory that makes them. One of your own is at [`StateIsMomentum`].
+/// An integrator makes steps one by one, many at once, or for a trajectory. One of your own is at [`StateIsMomentum`].
 /// ```
 /// use collective_integrators::{Direct, Integrator, RungeKutta, from_fn};
 /// use nalgebra::Vector2;
 /// let rk4 = Direct::new(RungeKutta::rk4(), from_fn(|z: &Vector2<f64>| Vector2::new(z.y, -z.x)));
 /// let (mut z, mut workspace) = (Vector2::new(1.0, 0.0), rk4.workspace());
-/// for _ in 0..10 {
-///     rk4.step_in_place(&mut z, 0.1, &mut workspace)?;
-/// }
+/// rk4.step_in_place(&mut z, 0.1, &mut workspace)?;
+/// rk4.advance(&mut z, 0.1, 1..10, &mut workspace)?;
 /// assert!((z - Vector2::new(1.0_f64.cos(), -1.0_f64.sin())).norm() < 1e-6);
 /// let sample = rk4.trajectory_from(Vector2::new(1.0, 0.0), 0.1).nth(10);
 /// assert_eq!(sample.transpose()?.map(|sample| sample.state), Some(z));
@@ -65,6 +68,61 @@ pub trait Integrator<T: Real = f64> {
     ) -> Result<usize, StepError> {
         let Step { point, iterations } = self.step(state, step, workspace)?;
         *state = point;
+        Ok(iterations)
+    }
+
+    /// Advances a state from that after `steps.start` steps to that after `steps.end` steps, in the same storage. Returns
+    /// the number of iterations of the last step, 0 without a step.
+    ///
+    /// It makes the steps of a [`Trajectory`] in which the state has the number `steps.start`, to the last bit. As there,
+    /// the workspace [forgets](Self::forget) the steps before at every multiple of [`CHECKPOINT`], 0 included. So a run
+    /// can be divided anywhere: a call that continues with the same workspace continues the steps. For another run call
+    /// [`forget`](Self::forget) first, or begin at 0. The state of a [`Compensated`](crate::Compensated) integrator
+    /// includes the rounding errors, which are carried along.
+    ///
+    /// An override must keep these bits.
+    ///
+    /// # Errors
+    /// Returns an [`IntegrationError`] with the number, the time and the reason if a coordinate of the state or the step
+    /// size is not finite, or if a step fails. The state is then that before the failed step.
+    ///
+    /// # Example
+    /// Gauss's method of order 4 is symmetric: with steps of the opposite size it returns to its start.
+    /// ```
+    /// use collective_integrators::{Direct, Integrator, RungeKutta, from_fn};
+    /// use nalgebra::Vector2;
+    /// let pendulum = from_fn(|z: &Vector2<f64>| Vector2::new(z.y, -z.x.sin()));
+    /// let gauss = Direct::new(RungeKutta::gauss(2)?, pendulum);
+    /// let start = Vector2::new(1.0, 0.0);
+    /// let (mut z, mut workspace) = (start, gauss.workspace());
+    /// gauss.advance(&mut z, 0.1, 0..300, &mut workspace)?;
+    /// gauss.advance(&mut z, 0.1, 300..1000, &mut workspace)?;
+    /// let thousandth = gauss.trajectory_from(start, 0.1).nth(1000);
+    /// assert_eq!(thousandth.transpose()?.map(|sample| sample.state), Some(z));
+    /// gauss.advance(&mut z, -0.1, 0..1000, &mut workspace)?;
+    /// assert!((z - start).norm() < 1e-11);
+    /// # Ok::<(), Box<dyn std::error::Error>>(())
+    /// ```
+    fn advance(
+        &self,
+        state: &mut Self::State,
+        step: f64,
+        steps: Range<u64>,
+        workspace: &mut Self::Workspace,
+    ) -> Result<usize, IntegrationError> {
+        StepError::check_start(state, step)
+            .map_err(|refused| IntegrationError::after(steps.start, step, refused))?;
+        let mut iterations = 0;
+        for block in blocks(steps) {
+            if block.start.is_multiple_of(CHECKPOINT) {
+                self.forget(workspace);
+            }
+            for made in block {
+                iterations = self
+                    .step_in_place(state, step, workspace)
+                    .map_err(|source| IntegrationError::after(made, step, source))?;
+            }
+        }
         Ok(iterations)
     }
 
@@ -234,21 +292,15 @@ pub struct Sample<S, M> {
 /// The sample type of the trajectories of an integrator.
 pub type SampleOf<I, T = f64> = Sample<<I as Integrator<T>>::State, <I as Integrator<T>>::Momentum>;
 
-/// The number of steps between two checkpoints.
-///
-/// A step whose number is a multiple of it begins without the memory of the steps before, from which implicit methods
-/// [predict](crate::StageSolver) their stages.
-pub const CHECKPOINT: u64 = 1024;
-
 /// The endless trajectory of an integrator: the initial state, then one sample per step.
 ///
 /// Once a step fails, every further item is its error, so that adaptors that skip items, such as `nth` or `step_by`,
-/// cannot lose it. These adaptors make no sample that they skip: `step_by(n)` costs what n steps cost. The iterator never
-/// returns `None`. Bound it by `take`, and leave a loop at the first error, as `?`
+/// cannot lose it. These adaptors make no sample that they skip: [`every`](Self::every) n-th sample costs what n steps
+/// cost. The iterator never returns `None`. Bound it by `take`, and leave a loop at the first error, as `?`
 /// and `collect::<Result<…>>` do. Adaptors that skip errors, such as `flatten`, look for the next sample for ever.
 /// [`Start::after`](crate::Start::after) returns one sample. After the first item nothing is allocated, except for
-/// states on the heap: each sample has a state of its own. [`Integrator::step_in_place`] advances such a state in its
-/// own storage.
+/// states on the heap: each sample has a state of its own. [`Integrator::advance`] advances such a state in its own
+/// storage.
 ///
 /// A run can be [resumed](Integrator::trajectory_resumed) from any of its samples. From a sample whose number is a
 /// multiple of [`CHECKPOINT`] it continues bit for bit as if it had not been interrupted.
@@ -297,11 +349,35 @@ impl<'a, I: Integrator<T>, T: Real> Trajectory<'a, I, T> {
         Self { integrator, workspace, step, state, made, iterations, progress }
     }
 
+    /// Returns the iterator over every n-th item, beginning with the next one: `step_by(n)` that cannot panic.
+    ///
+    /// [`Integrator::advance`] makes the steps between two items, without samples. The items have the bits that they have
+    /// in the whole trajectory. If a step fails on the way to an item, that item and all after it are its error.
+    ///
+    /// # Example
+    /// With 100 steps in a period, 4K(sin²(θ/2)) for θ = 1 (DLMF §22.19(i)), every 100th sample of a pendulum is the start:
+    /// ```
+    /// use collective_integrators::{Direct, RungeKutta, Start, from_fn};
+    /// use nalgebra::Vector2;
+    /// use std::num::NonZero;
+    /// const STEPS: NonZero<usize> = NonZero::new(100).unwrap();
+    /// let pendulum = from_fn(|z: &Vector2<f64>| Vector2::new(z.y, -z.x.sin()));
+    /// let gauss = Direct::new(RungeKutta::gauss(5)?, pendulum);
+    /// let (start, step) = (Vector2::new(1.0, 0.0), 6.699975664370453 / 100.0);
+    /// for (period, sample) in (0..10).zip(gauss.trajectory(&start, step)?.every(STEPS)) {
+    ///     let sample = sample?;
+    ///     assert_eq!(sample.step, 100 * period);
+    ///     assert!((sample.state - start).norm() < 1e-11);
+    /// }
+    /// # Ok::<(), Box<dyn std::error::Error>>(())
+    /// ```
+    pub fn every(self, n: NonZero<usize>) -> StepBy<Self> {
+        self.step_by(n.get())
+    }
+
     /// Returns the sample `steps` items after the next one. No other sample is made.
     pub(crate) fn after(mut self, steps: u64) -> Result<SampleOf<I, T>, IntegrationError> {
-        for _ in 0..steps {
-            self.advance()?;
-        }
+        self.skip_items(steps)?;
         self.advance()?;
         Ok(self.sample())
     }
@@ -319,11 +395,7 @@ impl<'a, I: Integrator<T>, T: Real> Trajectory<'a, I, T> {
                 self.progress = Progress::After;
                 Ok(())
             }
-            Err(source) => {
-                let error = IntegrationError::after(self.made, self.step, source);
-                self.progress = Progress::Failed(error);
-                Err(error)
-            }
+            Err(source) => Err(self.fail(IntegrationError::after(self.made, self.step, source))),
         }
     }
 
@@ -338,6 +410,28 @@ impl<'a, I: Integrator<T>, T: Real> Trajectory<'a, I, T> {
         self.iterations = integrator.step_in_place(state, self.step, workspace)?;
         self.made = number;
         Ok(())
+    }
+
+    /// Advances the state to that of the n-th of the next items.
+    #[inline]
+    fn skip_items(&mut self, n: u64) -> Result<(), IntegrationError> {
+        let Some(others) = n.checked_sub(1) else { return Ok(()) };
+        self.advance()?;
+        let end = self.made.saturating_add(others);
+        if end > self.made {
+            let Self { integrator, state, workspace, .. } = self;
+            let advanced = integrator.advance(state, self.step, self.made..end, workspace);
+            self.iterations = advanced.map_err(|error| self.fail(error))?;
+        }
+        let uncountable = others > end - self.made;
+        self.made = end;
+        if uncountable { self.advance() } else { Ok(()) }
+    }
+
+    /// Makes every further item this error, and returns it.
+    fn fail(&mut self, error: IntegrationError) -> IntegrationError {
+        self.progress = Progress::Failed(error);
+        error
     }
 
     #[inline]
@@ -359,11 +453,9 @@ impl<I: Integrator<T>, T: Real> Iterator for Trajectory<'_, I, T> {
     /// Skips `n` items without making their samples.
     #[inline]
     fn nth(&mut self, n: usize) -> Option<Self::Item> {
-        for _ in 0..n {
-            if let Err(error) = self.advance() {
-                return Some(Err(error));
-            }
+        match self.skip_items(n as u64) {
+            Ok(()) => self.next(),
+            Err(error) => Some(Err(error)),
         }
-        self.next()
     }
 }

@@ -11,6 +11,7 @@ use crate::{CHECKPOINT, Integrator, SampleOf};
 ///
 /// * `step of size 0`: a step of size 0 keeps μ;
 /// * `step in place`: [`step_in_place`](Integrator::step_in_place) has the bits of the step, and a step that fails changes nothing;
+/// * `advance`: [`advance`](Integrator::advance) has the bits of as many steps, also in two parts, and refuses what a step refuses;
 /// * `samples`: sample n of a trajectory has the number n, the time nh and the momentum of its state;
 /// * `forgetting`: after [`forget`](Integrator::forget) a used workspace gives the bits of a new one;
 /// * `resumption`: a trajectory resumed at a [`CHECKPOINT`] has the bits of the uninterrupted one;
@@ -40,6 +41,7 @@ pub fn integrator<I: Integrator>(
     for (state, other) in states.iter().zip(states.iter().cycle().skip(1)) {
         still(integrator, state, &mut report);
         in_place(integrator, state, step, &mut report);
+        advance(integrator, state, step, &mut report);
         samples(integrator, state, step, &mut report);
         forgetting(integrator, (state, other), step, &mut report);
         resumption(integrator, state, step, &mut report);
@@ -78,6 +80,22 @@ fn in_place<I: Integrator>(integrator: &I, state: &I::State, step: f64, report: 
     let refused = integrator.step_in_place(&mut kept, f64::NAN, workspace).is_err();
     let changed = if refused { different_bits(&kept, state) } else { 0.0 };
     report.note("step in place", changed, 1.0);
+}
+
+fn advance<I: Integrator>(integrator: &I, state: &I::State, step: f64, report: &mut Report) {
+    let (end, middle) = (STEPS as u64, STEPS as u64 / 3);
+    let one_by_one = steps(integrator, state, step, &mut integrator.workspace());
+    for part in [0, 1, middle, end] {
+        let (mut z, workspace) = (state.clone(), &mut integrator.workspace());
+        let made = [0..part, part..end]
+            .into_iter()
+            .all(|steps| integrator.advance(&mut z, step, steps, workspace).is_ok());
+        report.note("advance", different_bits(&z, &one_by_one) + broken_unless(made), 1.0);
+    }
+    let (mut kept, workspace) = (state.clone(), &mut integrator.workspace());
+    let refused = integrator.advance(&mut kept, f64::NAN, middle..end, workspace);
+    let named = refused.is_err_and(|error| error.step == middle + 1);
+    report.note("advance", different_bits(&kept, state) + broken_unless(named), 1.0);
 }
 
 fn samples<I: Integrator>(integrator: &I, state: &I::State, step: f64, report: &mut Report) {

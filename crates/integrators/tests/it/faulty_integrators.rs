@@ -21,6 +21,7 @@ enum FaultyIntegrator {
     StopsLater,
     StartsAnywhere,
     AdvancesElsewhere,
+    SkipsASecondPart,
 }
 
 impl Integrator for FaultyIntegrator {
@@ -62,6 +63,23 @@ impl Integrator for FaultyIntegrator {
         Ok(iterations)
     }
 
+    fn advance(
+        &self,
+        z: &mut Vector2<f64>,
+        step: f64,
+        steps: Range<u64>,
+        made: &mut u32,
+    ) -> Result<usize, IntegrationError> {
+        StepError::check_start(z, step)
+            .map_err(|refused| IntegrationError::after(steps.start, step, refused))?;
+        let skipped = *self == Self::SkipsASecondPart && *made > 0;
+        for n in steps.filter(|_| !skipped) {
+            self.step_in_place(z, step, made)
+                .map_err(|source| IntegrationError::after(n, step, source))?;
+        }
+        Ok(0)
+    }
+
     fn momentum(&self, z: &Vector2<f64>) -> Vector2<f64> {
         *z
     }
@@ -94,7 +112,7 @@ impl Start for FaultyIntegrator {
 
 #[test]
 fn laws_of_integrators_reject_what_breaks_them() {
-    let cases: [(FaultyIntegrator, &[&str]); 10] = [
+    let cases: [(FaultyIntegrator, &[&str]); 11] = [
         (FaultyIntegrator::None, &[]),
         (FaultyIntegrator::MovesAtRest, &["step of size 0"]),
         (FaultyIntegrator::Remembers, &["forgetting", "resumption"]),
@@ -104,7 +122,8 @@ fn laws_of_integrators_reject_what_breaks_them() {
         (FaultyIntegrator::BeginsLater, &["first sample"]),
         (FaultyIntegrator::StopsLater, &["after"]),
         (FaultyIntegrator::StartsAnywhere, &["refusal"]),
-        (FaultyIntegrator::AdvancesElsewhere, &["step in place", "resumption"]),
+        (FaultyIntegrator::AdvancesElsewhere, &["step in place", "advance", "resumption"]),
+        (FaultyIntegrator::SkipsASecondPart, &["advance"]),
     ];
     for (integrator, expected) in cases {
         let report = laws::start(&integrator, &points(), STEP).unwrap();

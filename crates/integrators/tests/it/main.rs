@@ -1,6 +1,7 @@
 //! The promises of the crate: schemes, integrators and indicators of chaos.
 #![allow(clippy::unwrap_used, clippy::panic)]
 
+mod advance;
 mod collective_sites;
 mod compensated_schemes;
 mod compositions;

@@ -6,7 +6,7 @@ use super::{figures, plot};
 use crate::Error;
 use crate::configuration::{Config, Integration};
 use crate::files::{Output, OutputSet};
-use crate::formats::run_table::{STATE_COLUMNS, state_values, write_row};
+use crate::formats::run_table::{STATE_COLUMNS, append_row, state_values};
 use crate::pictures::render;
 use crate::runs::Experiment;
 use crate::supervision::{Progress, Watch};
@@ -100,10 +100,9 @@ fn run(
                 progress.at(step);
                 let values = QUANTITIES.map(|quantity| quantity.value(&experiment.top, mu));
                 record.add(step, time, values);
-                trajectories.write(|to| {
-                    write!(to, "{formulation},{scheme},")?;
-                    write_row(to, state_values(time, mu).into_iter().chain(values))
-                })
+                let mut line = format!("{formulation},{scheme},").into_bytes();
+                append_row(&mut line, &[&state_values(time, mu)[..], &values].concat());
+                trajectories.write(|to| to.write_all(&line))
             })?;
             Ok(record)
         })

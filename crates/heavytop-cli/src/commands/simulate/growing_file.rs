@@ -7,13 +7,13 @@ use crate::formats::Extent;
 use crc32fast::Hasher;
 use serde::{Deserialize, Serialize};
 use std::fs::File;
-use std::io::{self, BufWriter, Read, Seek, SeekFrom, Write};
+use std::io::{self, Read, Seek, SeekFrom, Write};
 use std::path::{Path, PathBuf};
 
 /// The number of bytes that are read at once.
 const BUFFER: usize = 1 << 20;
 
-/// The number of bytes that are written at once.
+/// The least number of bytes that are written at once, but for the last ones.
 const BLOCK: usize = 1 << 16;
 
 /// The length and the checksum of a file up to some byte.
@@ -25,9 +25,15 @@ pub(super) struct Mark {
 }
 
 /// A file that is written at its end, and whose length and checksum are known.
+///
+/// It is written in blocks of whole rows. A block that cannot be written is lost, but for its beginning. As a
+/// [`BufWriter`](io::BufWriter) does, it writes the last block when it is dropped.
 pub(super) struct Growing {
     path: PathBuf,
-    writer: BufWriter<File>,
+    file: File,
+    /// What will be written next.
+    block: Vec<u8>,
+    /// The number of bytes that have been written, and their checksum.
     bytes: u64,
     checksum: Hasher,
 }
@@ -38,12 +44,7 @@ impl Growing {
         if file.metadata()?.is_file() {
             file.set_len(0)?;
         }
-        Ok(Self {
-            path,
-            writer: BufWriter::with_capacity(BLOCK, file),
-            bytes: 0,
-            checksum: Hasher::new(),
-        })
+        Ok(Self { path, file, block: Vec::new(), bytes: 0, checksum: Hasher::new() })
     }
 
     /// Reopens the file as it was at the mark, and cuts off what has been written since.
@@ -66,51 +67,56 @@ impl Growing {
         }
         file.set_len(mark.bytes)?;
         file.seek(SeekFrom::End(0))?;
-        let writer = BufWriter::with_capacity(BLOCK, file);
-        Ok(Some(Self { path, writer, bytes: mark.bytes, checksum }))
+        Ok(Some(Self { path, file, block: Vec::new(), bytes: mark.bytes, checksum }))
     }
 
     /// Returns the file, which holds what was flushed.
     pub fn file(&self) -> &File {
-        self.writer.get_ref()
+        &self.file
     }
 
     pub fn path(&self) -> &Path {
         &self.path
     }
 
-    pub fn append(&mut self, bytes: &[u8]) -> Result<(), Error> {
-        self.writer.write_all(bytes).map_err(|source| self.failed(source))?;
-        self.checksum.update(bytes);
-        self.bytes += bytes.len() as u64;
-        Ok(())
+    /// Appends a row, which `encode` adds to the bytes that are given to it.
+    pub fn append(&mut self, encode: impl FnOnce(&mut Vec<u8>)) -> Result<(), Error> {
+        encode(&mut self.block);
+        if self.block.len() >= BLOCK { self.flush() } else { Ok(()) }
     }
 
-    /// Passes all buffered bytes to the operating system.
+    /// Passes all bytes to the operating system.
     pub fn flush(&mut self) -> Result<(), Error> {
-        self.writer.flush().map_err(|source| self.failed(source))
+        let written = self.file.write_all(&self.block);
+        self.checksum.update(&self.block);
+        self.bytes += self.block.len() as u64;
+        self.block.clear();
+        written.map_err(|source| self.failed(source))
     }
 
     /// Returns the mark of what has been written, after making it outlast a power cut.
     pub fn mark(&mut self) -> Result<Mark, Error> {
         self.flush()?;
-        self.writer.get_ref().sync_all().map_err(|source| self.failed(source))?;
+        self.file.sync_all().map_err(|source| self.failed(source))?;
         Ok(Mark { bytes: self.bytes, checksum: self.checksum.clone().finalize() })
     }
 
     /// Ends a file of text: a line for which there is no room is cut off.
     pub fn keep_lines(mut self) {
-        let flushed = self.writer.flush();
-        // Without its parts, the writer would try to write the rest when it is dropped.
-        let (mut file, _) = self.writer.into_parts();
-        if flushed.is_err() {
-            // What cannot be written any more is lost; the error reports the first failure.
-            let _ = cut_torn_line(&mut file);
-        }
+        // What cannot be written any more is lost; the error reports the first failure.
+        let _ = self.flush();
+        let _ = cut_torn_line(&mut self.file);
     }
 
     fn failed(&self, source: io::Error) -> Error {
         Error::Write { path: self.path.clone(), source }
+    }
+}
+
+impl Drop for Growing {
+    fn drop(&mut self) {
+        // The error that matters has been reported already.
+        let _ = self.flush();
     }
 }
 

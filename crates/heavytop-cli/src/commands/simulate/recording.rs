@@ -24,7 +24,6 @@ pub(super) struct Recording {
     config: Config,
     metadata: Metadata,
     rows: Growing,
-    bytes: Vec<u8>,
 }
 
 /// What a recording needs to know of a run.
@@ -68,12 +67,12 @@ impl Recording {
             }
             None => {
                 let mut rows = anew(&place, path, options.restart)?;
-                rows.append(format.start(table).as_bytes())?;
+                rows.append(|bytes| bytes.extend_from_slice(format.start(table).as_bytes()))?;
                 rows
             }
         };
         let (table, config) = ((*table).clone(), config.clone());
-        Ok(Self { place, format, table, config, metadata, rows, bytes: Vec::new() })
+        Ok(Self { place, format, table, config, metadata, rows })
     }
 
     /// Makes a checkpoint and returns its path; a device has none.
@@ -89,9 +88,8 @@ impl Recording {
     }
 
     pub fn append(&mut self, row: &[f64]) -> Result<(), Error> {
-        let encoded = self.format.encode(row, &mut self.bytes);
-        encoded.map_err(|source| Error::Write { path: self.place.path.clone(), source })?;
-        self.rows.append(&self.bytes)
+        let format = self.format;
+        self.rows.append(|bytes| format.append(row, bytes))
     }
 
     /// Gives the output its name if the run succeeded.

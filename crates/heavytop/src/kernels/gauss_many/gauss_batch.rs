@@ -5,7 +5,7 @@ use crate::kernels::gauss_many::spinor_field::FieldParameters;
 use crate::kernels::gauss_many::spinor_step::{ExtendedTableau, SpinorLanes};
 use collective_integrators::{
     BatchIntegrator, IntegrationError, Integrator, LaneKernel, LaneResults, LiftFree, Registers,
-    RungeKutta, SchemeError, Tableau, advance_alone, lagrange_polynomial,
+    RungeKutta, SchemeError, Tableau, lagrange_polynomial,
 };
 use core::ops::Range;
 use lie_poisson::{InstructionSet, Lanes, Mask, MissingInstructions, Se3Dual, Vector, Width};
@@ -166,6 +166,6 @@ impl<const S: usize> LaneKernel for ScaledGauss<'_, S> {
     ) -> Result<(), IntegrationError> {
         let integrator = LiftFree::new(self.scheme.clone(), DualQuaternions, *top);
         let workspace = &mut Integrator::<f64>::workspace(&integrator);
-        advance_alone(&integrator, state, step, steps, workspace)
+        integrator.advance(state, step, steps, workspace).map(drop)
     }
 }

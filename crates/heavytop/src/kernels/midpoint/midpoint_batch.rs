@@ -5,7 +5,6 @@ use crate::kernels::midpoint::formulas::{Member, together};
 use crate::kernels::midpoint::top_midpoint::{TopMidpoint, TopMidpointSpace};
 use collective_integrators::{
     BatchIntegrator, IntegrationError, Integrator, LaneKernel, LaneResults, Registers,
-    advance_alone,
 };
 use core::ops::Range;
 use lie_poisson::{InstructionSet, Lanes, MissingInstructions, Se3Dual, Width};
@@ -74,7 +73,8 @@ impl LaneKernel for TopMidpoint {
         steps: Range<u64>,
         space: &mut TopMidpointSpace,
     ) -> Result<(), IntegrationError> {
-        advance_alone(self, state, step, steps, space)
+        self.forget(space);
+        Integrator::advance(self, state, step, steps, space).map(drop)
     }
 }
 
@@ -166,7 +166,8 @@ impl LaneKernel for MidpointBatch {
         (): &mut (),
     ) -> Result<(), IntegrationError> {
         let midpoint = TopMidpoint::on(*top, self.registers);
-        advance_alone(&midpoint, state, step, steps, &mut Integrator::workspace(&midpoint))
+        let space = &mut Integrator::workspace(&midpoint);
+        Integrator::advance(&midpoint, state, step, steps, space).map(drop)
     }
 }
 

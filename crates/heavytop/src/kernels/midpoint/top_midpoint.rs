@@ -17,7 +17,8 @@ use lie_poisson::{InstructionSet, MissingInstructions, Se3Dual, Width};
 /// not converge, for large steps, [`ReducedMidpoint`] makes the step.
 ///
 /// As a [`BatchIntegrator`](collective_integrators::BatchIntegrator) it advances many states of one top at
-/// once. [`MidpointBatch`](crate::MidpointBatch) has separate parameters per top.
+/// once. [`MidpointBatch`](crate::MidpointBatch) has separate parameters per top. Where both traits are in scope, write
+/// `Integrator::advance` or `BatchIntegrator::advance`, and the same for `workspace`.
 ///
 /// Source: the formulas are those of [`ReducedMidpoint`].
 ///

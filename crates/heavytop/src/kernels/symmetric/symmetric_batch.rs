@@ -5,7 +5,7 @@ use crate::kernels::symmetric::flows::Flows;
 use crate::kernels::symmetric::steps::{FlowParameters, MomentumLanes};
 use collective_integrators::{
     AlternatingSubsteps, BatchIntegrator, IntegrationError, Integrator, LaneKernel, LaneResults,
-    MOST_LANES, Registers, Splitting, advance_alone,
+    MOST_LANES, Registers, Splitting,
 };
 use core::ops::Range;
 use lie_poisson::{
@@ -157,7 +157,7 @@ impl LaneKernel for SymmetricTopBatch {
     ) -> Result<(), IntegrationError> {
         let integrator = Splitting::alternating(*top, self.substeps.clone());
         let workspace = &mut Integrator::<f64>::workspace(&integrator);
-        advance_alone(&integrator, state, step, steps, workspace)
+        integrator.advance(state, step, steps, workspace).map(drop)
     }
 }
 

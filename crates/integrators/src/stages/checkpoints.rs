@@ -1,7 +1,12 @@
-//! Ranges of steps, divided at the checkpoints.
+//! Checkpoints, where the steps before are forgotten, and ranges of steps that are divided there.
 
-use crate::CHECKPOINT;
 use core::ops::Range;
+
+/// The number of steps between two checkpoints.
+///
+/// A step whose number is a multiple of it begins without the memory of the steps before, from which implicit methods
+/// [predict](crate::StageSolver) their stages.
+pub const CHECKPOINT: u64 = 1024;
 
 /// Divides a range of steps at the multiples of [`CHECKPOINT`].
 pub(crate) fn blocks(steps: Range<u64>) -> impl Iterator<Item = Range<u64>> {
