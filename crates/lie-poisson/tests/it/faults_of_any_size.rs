@@ -159,6 +159,13 @@ fn of_groups() {
         }
         assert_eq!(broken(&report), laws, "{size:e}");
         assert!(report.residual("Ad is a homomorphism").unwrap() >= DEFECT, "{size:e}");
+        // For g = 1 it is exp(η) − exp(1.5 η), relative to 1 + |η|.
+        let at_the_identity = |eta: Vector3<f64>| {
+            let difference = SO3.exp::<f64>(&eta) - SO3.exp::<f64>(&(eta * 1.5));
+            difference.max_abs() / (1.0 + eta.max_abs()) - TOLERANCE
+        };
+        let least = scaled(size).into_iter().map(at_the_identity).fold(0.0, larger);
+        assert!(report.residual("exp is Ad-equivariant").unwrap() >= least, "{size:e}");
     }
 }
 
