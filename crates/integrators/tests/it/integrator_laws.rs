@@ -7,7 +7,7 @@ use crate::support::{ROUND_OFF, field, keeps_its_promises, laws, start};
 use collective_integrators::*;
 use core::sync::atomic::{AtomicUsize, Ordering};
 use lie_poisson::*;
-use momentum_map::{HOPF, Quaternions};
+use momentum_map::{Cotangent, HOPF, Quaternions};
 use nalgebra::{Vector1, Vector2, Vector3};
 
 /// A rigid body with h(Π) = ½Π₁² + Π₂² + ³⁄₁₀ Π₁Π₃.
@@ -230,4 +230,19 @@ fn members_of_a_batch_advance_together() {
     let groups = members.len().div_ceil(DefaultLanes::COUNT);
     // Ten steps of four stages.
     assert_eq!(calls.load(Ordering::Relaxed), groups * 10 * 4);
+}
+
+/// Hamilton's equations of the documented energy of [`laws::GenericSystem`], differentiated by hand.
+#[test]
+fn the_generic_system_moves_by_its_equations() {
+    let (q, p) = (Vector2::new(0.7, -1.3), Vector2::new(-0.4, 0.9));
+    let rate = laws::GenericSystem::field().at(&Cotangent::new(q, Covector(p)));
+    let q_dot = Vector2::new((q.x * q.x + 1.0) * p.x, p.y + 0.3 * q.x * q.y);
+    let p_dot = Vector2::new(
+        -q.x * (p.x * p.x + 1.0) - 0.3 * q.y * p.y,
+        -q.y - 0.4 * q.y.powi(3) - 0.3 * q.x * p.y,
+    );
+    // A few sums of numbers near 1.
+    assert!((rate.q - q_dot).amax() < 1e-15, "{rate:?}");
+    assert!((rate.p.0 - p_dot).amax() < 1e-15, "{rate:?}");
 }
