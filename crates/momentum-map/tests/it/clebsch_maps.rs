@@ -46,7 +46,7 @@ fn a_group_gives_the_same_map() {
 
 /// The nonlinear (local) action q ↦ q/(1 − rsq) of R on R, with the generator rq² for the rate r.
 #[derive(Clone)]
-struct Curved(f64);
+pub(crate) struct Curved(pub(crate) f64);
 
 impl GroupAction for Curved {
     type Group = RealSpace<1>;

@@ -166,5 +166,9 @@ fn units_do_not_matter_on_the_way_back() {
     for (a, b) in [(-60, 0), (60, 0), (0, -60), (0, 60), (-80, 80), (70, 50)] {
         let (a, b) = (2.0_f64.powi(a), 2.0_f64.powi(b));
         assert_eq!(in_units(a, b).1, Cotangent::new(near.q * a, near.p.scaled(b)), "{a:e} {b:e}");
+        // A point that has lost no more than a digit stays.
+        let start = Cotangent::new((q + p * 5.0) * a, Covector(p * b));
+        let stays = PARTICLE.recentred::<f64>(&start, &mut RecentringSpace::default());
+        assert_eq!(stays, start, "{a:e} {b:e}");
     }
 }
