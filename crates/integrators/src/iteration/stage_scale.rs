@@ -174,6 +174,9 @@ mod tests {
         // The reciprocal of a block below the normal numbers overflows; it sets no rate either.
         close(relative(two(1.0, 1e-310), two(1.0, -1e-310), two(0.1, 0.0)), 0.1);
         close(relative(two(1e-310, 1.0), two(0.0, 1.0), two(0.0, 0.01)), 0.01);
+        // A change may be many times the derivative, but the quotient does not overflow.
+        close(relative(two(1.0, 1.0), two(1.0, 1.0), two(0.0, 1e6)), 1e6);
+        close(relative(two(1.0, 1.0), two(1e-300, 1e-300), two(0.0, 1e300)), 2.0_f64.powi(60));
     }
 
     #[test]

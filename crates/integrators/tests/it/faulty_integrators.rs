@@ -143,6 +143,8 @@ enum FaultyBatch {
     ReportsNothing,
     ReportsAnotherStep,
     StopsForAll,
+    StopsThoseBehind,
+    StopsThoseBefore,
 }
 
 impl BatchIntegrator for FaultyBatch {
@@ -166,7 +168,16 @@ impl BatchIntegrator for FaultyBatch {
         if *self == Self::StopsForAll && members.iter().any(|x| !x.is_finite()) {
             return failed(members.iter().position(|x| !x.is_finite()).unwrap(), at(1, step));
         }
+        let fails = members.iter().position(|x| !x.is_finite());
         for (place, x) in members.iter_mut().enumerate() {
+            let stops = fails.is_some_and(|fails| match self {
+                Self::StopsThoseBehind => place > fails,
+                Self::StopsThoseBefore => place < fails,
+                _ => false,
+            });
+            if stops {
+                continue;
+            }
             let little = match self {
                 Self::CountsMembers => count as f64,
                 Self::CountsPlaces => place as f64,
@@ -197,7 +208,7 @@ fn at(number: u64, step: f64) -> IntegrationError {
 
 #[test]
 fn laws_of_batches_reject_what_breaks_them() {
-    let cases: [(FaultyBatch, &[&str]); 9] = [
+    let cases: [(FaultyBatch, &[&str]); 11] = [
         (FaultyBatch::None, &[]),
         (FaultyBatch::CountsMembers, &["number", "neighbours", "isolation"]),
         (FaultyBatch::CountsPlaces, &["place", "neighbours", "isolation"]),
@@ -207,6 +218,8 @@ fn laws_of_batches_reject_what_breaks_them() {
         (FaultyBatch::ReportsNothing, &["report"]),
         (FaultyBatch::ReportsAnotherStep, &["report"]),
         (FaultyBatch::StopsForAll, &["isolation"]),
+        (FaultyBatch::StopsThoseBehind, &["isolation"]),
+        (FaultyBatch::StopsThoseBefore, &["isolation"]),
     ];
     for (batch, expected) in cases {
         let report = laws::batch(&batch, &[1.0, 0.5, -0.7], &f64::NAN, 1e-3).unwrap();

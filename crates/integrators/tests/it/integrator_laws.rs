@@ -5,8 +5,9 @@
 
 use crate::support::{ROUND_OFF, field, keeps_its_promises, laws, start};
 use collective_integrators::*;
+use core::sync::atomic::{AtomicUsize, Ordering};
 use lie_poisson::*;
-use momentum_map::{HOPF, Quaternions};
+use momentum_map::{Cotangent, HOPF, Quaternions};
 use nalgebra::{Vector1, Vector2, Vector3};
 
 /// A rigid body with h(Π) = ½Π₁² + Π₂² + ³⁄₁₀ Π₁Π₃.
@@ -205,4 +206,43 @@ fn casimirs_are_invariants_of_collective_integrators() {
     let nowhere = Direct::new(RungeKutta::rk4(), from_fn(|z: &Vector2<f64>| z * f64::NAN));
     let report = laws::invariants(&nowhere, &points(), STEP, &[&|z: &Vector2<f64>| z.x]).unwrap();
     assert!(report.residual("invariants").unwrap().is_nan());
+}
+
+/// An oscillator that counts how often it is asked for its field.
+struct Counted<'a>(&'a AtomicUsize);
+
+impl<T: Real> VectorField<T> for Counted<'_> {
+    type Point = Vector2<T>;
+    fn at(&self, z: &Vector2<T>) -> Vector2<T> {
+        self.0.fetch_add(1, Ordering::Relaxed);
+        Vector2::new(z.y, -z.x)
+    }
+}
+
+/// The members of a group share each evaluation of the field.
+#[test]
+fn members_of_a_batch_advance_together() {
+    let calls = AtomicUsize::new(0);
+    let batch = Laned::new(Direct::new(RungeKutta::rk4(), Counted(&calls)));
+    let mut members: Vec<_> = (1..=9).map(|x| Vector2::new(f64::from(x), 0.0)).collect();
+    let mut fails = |member, error| panic!("{member}: {error}");
+    batch.advance(&mut members, STEP, 0..10, &mut batch.workspace(), &mut fails);
+    let groups = members.len().div_ceil(DefaultLanes::COUNT);
+    // Ten steps of four stages.
+    assert_eq!(calls.load(Ordering::Relaxed), groups * 10 * 4);
+}
+
+/// Hamilton's equations of the documented energy of [`laws::GenericSystem`], differentiated by hand.
+#[test]
+fn the_generic_system_moves_by_its_equations() {
+    let (q, p) = (Vector2::new(0.7, -1.3), Vector2::new(-0.4, 0.9));
+    let rate = laws::GenericSystem::field().at(&Cotangent::new(q, Covector(p)));
+    let q_dot = Vector2::new((q.x * q.x + 1.0) * p.x, p.y + 0.3 * q.x * q.y);
+    let p_dot = Vector2::new(
+        -q.x * (p.x * p.x + 1.0) - 0.3 * q.y * p.y,
+        -q.y - 0.4 * q.y.powi(3) - 0.3 * q.x * p.y,
+    );
+    // A few sums of numbers near 1.
+    assert!((rate.q - q_dot).amax() < 1e-15, "{rate:?}");
+    assert!((rate.p.0 - p_dot).amax() < 1e-15, "{rate:?}");
 }

@@ -6,6 +6,7 @@ mod casimirs;
 mod closed_representations;
 mod cocycles;
 mod faults_near_zero;
+mod faults_of_any_size;
 mod hamiltonian_laws;
 mod sizes;
 mod support;

@@ -97,4 +97,20 @@ mod tests {
             assert!(x.iter().zip(kernel).map(|(x, k)| x * k).sum::<f64>().abs() < 1e-14);
         }
     }
+
+    /// The singular values of two unit rows at the angle φ are √(1 ± cos φ), with the ratio tan(φ/2).
+    #[test]
+    fn the_condition_is_that_of_the_directions_of_the_rows() {
+        for angle in [0.1_f64, 1.0, 1.5] {
+            for unit in [1e-100, 1.0, 1e100] {
+                let rows = [2.0, 0.0, unit * angle.cos(), unit * angle.sin()];
+                let inverse = PseudoInverse::of(DMatrix::from_row_slice(2, 2, &rows));
+                assert!((inverse.condition / (angle / 2.0).tan() - 1.0).abs() < 1e-14);
+            }
+        }
+        let parallel = PseudoInverse::of(DMatrix::from_row_slice(2, 2, &[1.0, 2.0, -3.0, -6.0]));
+        assert!(parallel.rank == 1 && (parallel.condition - 1.0).abs() < 1e-15);
+        let nothing = PseudoInverse::of(DMatrix::zeros(2, 2));
+        assert_eq!((nothing.rank, nothing.condition), (0, 0.0));
+    }
 }

@@ -152,3 +152,23 @@ fn points_far_out_on_their_fibres_come_back() {
         assert_eq!(PARTICLE.recentred::<f64>(&start, space), start);
     }
 }
+
+/// Powers of two as units of q and of p multiply the point that is found, to the last bit.
+#[test]
+fn units_do_not_matter_on_the_way_back() {
+    let (q, p) = (Vector3::new(0.6, -0.3, 1.1), Vector3::new(-0.8, 0.5, 0.9));
+    let in_units = |a: f64, b: f64| {
+        let far = Cotangent::new((q + p * 1e4) * a, Covector(p * b));
+        (far, PARTICLE.recentred::<f64>(&far, &mut RecentringSpace::default()))
+    };
+    let (far, near) = in_units(1.0, 1.0);
+    assert!(near.q.norm() < far.q.norm() / 200.0);
+    for (a, b) in [(-60, 0), (60, 0), (0, -60), (0, 60), (-80, 80), (70, 50)] {
+        let (a, b) = (2.0_f64.powi(a), 2.0_f64.powi(b));
+        assert_eq!(in_units(a, b).1, Cotangent::new(near.q * a, near.p.scaled(b)), "{a:e} {b:e}");
+        // A point that has lost no more than a digit stays.
+        let start = Cotangent::new((q + p * 5.0) * a, Covector(p * b));
+        let stays = PARTICLE.recentred::<f64>(&start, &mut RecentringSpace::default());
+        assert_eq!(stays, start, "{a:e} {b:e}");
+    }
+}

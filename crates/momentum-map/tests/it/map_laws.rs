@@ -1,7 +1,7 @@
 //! The law suites of actions, momentum maps and realisations: every type of the crate obeys its laws, and each law
 //! rejects something that breaks it.
 
-use crate::support::faulty::{FaultyHopf, FaultyRotations};
+use crate::support::faulty::{FaultyHopf, FaultyRotations, WrongSide};
 use crate::support::{TOLERANCE, holds, laws, samples};
 use lie_poisson::*;
 use momentum_map::*;
@@ -197,25 +197,6 @@ fn laws_of_poisson_maps_reject_what_breaks_them() {
     }
     let momenta: Vec<_> = samples().iter().map(|z| HOPF.apply::<f64>(z)).collect();
     assert!(laws::lift(&FaultyHopf::Lift, &momenta).unwrap().residual("section").unwrap() > 0.1);
-}
-
-/// A left action that wrongly claims to be a right one.
-#[derive(Clone)]
-struct WrongSide;
-
-impl GroupAction for WrongSide {
-    type Group = SO3;
-    type Space = RealSpace<3>;
-    const SIDE: Side = Side::Right;
-    fn group(&self) -> SO3 {
-        SO3
-    }
-    fn space(&self) -> RealSpace<3> {
-        RealSpace
-    }
-    fn act<T: Real>(&self, g: &nalgebra::Matrix3<T>, q: &Vector3<T>) -> Vector3<T> {
-        g * q
-    }
 }
 
 #[test]

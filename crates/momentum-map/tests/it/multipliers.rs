@@ -104,6 +104,10 @@ enum Wrong {
     Side,
     SideNearZero,
     Product,
+    /// The product is ½(QB + BQ).
+    Symmetric,
+    /// The product is 2QB.
+    Twice,
     Inverse,
     Change,
 }
@@ -151,7 +155,13 @@ impl Multipliers for Wrong {
         self.transport(q, mu) - *mu
     }
     fn product<T: Real>(&self, q: &Quaternion<T>, b: &Quaternion<T>) -> Quaternion<T> {
-        if *self == Self::Product { *b * *q } else { *q * *b }
+        let (there, back) = (*q * *b, *b * *q);
+        match self {
+            Self::Product => back,
+            Self::Symmetric => (there + back).scaled(T::from_f64(0.5)),
+            Self::Twice => there + there,
+            _ => there,
+        }
     }
     fn inverse<T: Real>(&self, b: &Quaternion<T>) -> Option<Quaternion<T>> {
         if *self == Self::Inverse { Some(*b) } else { Quaternions.inverse(b) }
@@ -171,8 +181,48 @@ fn laws_of_multipliers_reject_what_breaks_them() {
     assert_eq!(broken(Wrong::Side), ["action", "motion"]);
     assert_eq!(broken(Wrong::SideNearZero), ["action", "motion"]);
     assert_eq!(broken(Wrong::Product), ["left multiplication", "action"]);
+    assert_eq!(broken(Wrong::Symmetric), ["associativity", "left multiplication", "action"]);
+    assert_eq!(broken(Wrong::Twice), ["identity", "action", "inverse"]);
     assert_eq!(broken(Wrong::Inverse), ["inverse"]);
     assert_eq!(broken(Wrong::Change), ["coadjoint change"]);
+}
+
+/// Residuals are relative to what enters a law, so that the size of the samples does not matter.
+#[test]
+fn faults_of_any_size_are_seen() {
+    let sizes = [1e-30, 1.0, 1e30];
+    let scaled = |size| samples::<Quaternion<f64>>().iter().map(|q| q.scaled(size)).collect();
+    for size in sizes {
+        let (q, xi): (Vec<_>, Vec<Vector3<f64>>) = (scaled(size), samples());
+        let mu: Vec<_> = xi.iter().map(|mu| Covector(mu * size)).collect();
+        let is_broken = |law: &str, report: &laws::Report| report.residual(law).unwrap() > 0.1;
+        let report = laws::multipliers(&Wrong::Symmetric, &q, &xi, &samples()).unwrap();
+        for law in ["associativity", "left multiplication", "action"] {
+            assert!(is_broken(law, &report), "{size:e} {report:?}");
+        }
+        let report = laws::multipliers(&Wrong::Twice, &q, &xi, &samples()).unwrap();
+        assert!(is_broken("identity", &report), "{size:e} {report:?}");
+        let report = laws::multipliers(&Wrong::Side, &samples(), &xi, &mu).unwrap();
+        for law in ["action", "motion"] {
+            assert!(is_broken(law, &report), "{size:e} {report:?}");
+        }
+        let report = laws::multipliers(&Wrong::Change, &samples(), &xi, &mu).unwrap();
+        assert!(is_broken("coadjoint change", &report), "{size:e} {report:?}");
+    }
+    // ξ(QB) and (ξQ)B differ, and so do the motion and the Hamiltonian vector, also for small ξ.
+    let small: Vec<_> = samples::<Vector3<f64>>().iter().map(|xi| xi * 1e-30).collect();
+    for (wrong, law) in [(Wrong::Symmetric, "left multiplication"), (Wrong::HalfAngle, "motion")] {
+        let report = laws::multipliers(&wrong, &samples(), &small, &samples()).unwrap();
+        assert!(report.residual(law).unwrap() > 0.1, "{law} {report:?}");
+    }
+}
+
+/// Translations have no bound, and rounding errors grow with their square.
+#[test]
+fn round_off_of_large_multipliers_is_allowed() {
+    let far = |Pair(omega, gamma): Pair<Vector3<f64>, Vector3<f64>>| Pair(omega, gamma * 1e6);
+    let differentials: Vec<_> = samples().into_iter().map(far).collect();
+    holds(laws::multipliers(&DualQuaternions, &samples(), &differentials, &samples()).unwrap());
 }
 
 #[test]

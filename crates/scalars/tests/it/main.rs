@@ -5,5 +5,6 @@ mod differentials;
 mod four_lanes;
 mod functions;
 mod lanes;
+mod operators;
 mod states;
 mod unfused_lanes;

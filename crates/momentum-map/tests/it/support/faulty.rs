@@ -16,6 +16,8 @@ pub enum FaultyHopf {
     PullBack,
     /// The lift is that of −μ.
     Lift,
+    /// The gauge term is z, and does not stay on the fibre.
+    Gauge,
     /// The two flows are a dilation, up to second order, and a translation, which do not commute.
     Fibres,
 }
@@ -49,6 +51,9 @@ impl PoissonMap for FaultyHopf {
             if *self == Self::Mirrored { Vector3::new(alpha.x, -alpha.y, alpha.z) } else { *alpha };
         let pulled = HOPF.pull_back(&alpha, z);
         if *self == Self::PullBack { -pulled } else { pulled }
+    }
+    fn gauge<T: Real>(&self, z: &Vector2<Complex<T>>) -> Vector2<Complex<T>> {
+        if *self == Self::Gauge { *z } else { Vector2::zeros() }
     }
 }
 
@@ -117,5 +122,24 @@ impl GroupAction for FaultyRotations {
     ) -> Cotangent<SVector<T, 3>> {
         let p = Covector(xi.cross(&z.p.0));
         Cotangent::new(xi.cross(&z.q), if *self == Self::Lift { -p } else { p })
+    }
+}
+
+/// A left action that wrongly claims to be a right one.
+#[derive(Clone)]
+pub struct WrongSide;
+
+impl GroupAction for WrongSide {
+    type Group = SO3;
+    type Space = RealSpace<3>;
+    const SIDE: Side = Side::Right;
+    fn group(&self) -> SO3 {
+        SO3
+    }
+    fn space(&self) -> RealSpace<3> {
+        RealSpace
+    }
+    fn act<T: Real>(&self, g: &Matrix3<T>, q: &Vector3<T>) -> Vector3<T> {
+        g * q
     }
 }

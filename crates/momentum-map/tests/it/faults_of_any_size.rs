@@ -1,0 +1,144 @@
+//! Residuals are relative to what enters a law: the suites see a fault of small and of large elements as well as one of
+//! elements near 1, and allow round-off where group elements are large.
+
+use crate::clebsch_maps::Curved;
+use crate::support::faulty::{FaultyHopf, FaultyRotations, WrongSide};
+use crate::support::{holds, laws, samples};
+use lie_poisson::*;
+use momentum_map::*;
+use nalgebra::{Vector2, Vector3};
+
+/// Sizes of samples, far from 1 on both sides.
+const SIZES: [f64; 3] = [1e-30, 1.0, 1e30];
+
+fn scaled<V: Vector<Scalar = f64>>(size: f64) -> Vec<V> {
+    samples::<V>().iter().map(|v| v.scaled(size)).collect()
+}
+
+/// Returns the laws that fail by a hundredth or more.
+fn broken(report: &laws::Report) -> Vec<&'static str> {
+    let laws = report.residuals().iter();
+    laws.filter(|(_, residual)| *residual > 0.01).map(|(law, _)| *law).collect()
+}
+
+#[test]
+fn of_actions() {
+    for size in [1.0, 1e30] {
+        let report = laws::group_action(&WrongSide, &samples(), &scaled(size)).unwrap();
+        assert_eq!(broken(&report), ["composition", "generators and brackets"], "{size:e}");
+        let report = laws::equivariance(&WrongSide, &samples(), &scaled(size)).unwrap();
+        assert_eq!(broken(&report), ["equivariance"], "{size:e}");
+        for xi in SIZES {
+            let wrong = FaultyRotations::Generator;
+            let report = laws::group_action(&wrong, &scaled(xi), &scaled(size)).unwrap();
+            assert_eq!(
+                broken(&report),
+                ["generator", "generators and brackets"],
+                "{xi:e} {size:e}"
+            );
+            let wrong = FaultyRotations::Momentum;
+            let report = laws::cotangent_lift(&wrong, &scaled(xi), &scaled(size)).unwrap();
+            assert_eq!(broken(&report), ["momentum"], "{xi:e} {size:e}");
+            let wrong = FaultyRotations::Lift;
+            let report = laws::cotangent_lift(&wrong, &scaled(xi), &scaled(size)).unwrap();
+            assert_eq!(broken(&report), ["lifted generator"], "{xi:e} {size:e}");
+        }
+    }
+}
+
+#[test]
+fn of_maps_and_fibres() {
+    for size in SIZES {
+        let map = |wrong| broken(&laws::poisson_map(&wrong, &scaled(size)).unwrap());
+        assert_eq!(map(FaultyHopf::Mirrored), ["generator", "Poisson"], "{size:e}");
+        assert_eq!(map(FaultyHopf::Generator), ["generator"], "{size:e}");
+        assert_eq!(map(FaultyHopf::PullBack), ["pull-back"], "{size:e}");
+        let momenta: Vec<_> = scaled(size).iter().map(|z| HOPF.apply::<f64>(z)).collect();
+        let report = laws::lift(&FaultyHopf::Lift, &momenta).unwrap();
+        assert_eq!(broken(&report), ["section"], "{size:e}");
+        let report = laws::fibre_symmetry(&FaultyHopf::Gauge, &scaled(size), &[0.3]).unwrap();
+        assert!(broken(&report).contains(&"gauge"), "{size:e}");
+    }
+}
+
+/// Elements of SL(2, R) and translations have no bound, and rounding errors grow with them. Those of small elements are of
+/// the size of the point.
+#[test]
+fn round_off_is_allowed_for_elements_of_any_size() {
+    fn check<A: GroupAction>(action: &A, xi: f64, q: f64) {
+        holds(laws::group_action(action, &scaled(xi), &scaled(q)).unwrap());
+        holds(laws::cotangent_lift(action, &scaled(xi), &scaled(q)).unwrap());
+        holds(laws::equivariance(action, &scaled(xi), &scaled(q)).unwrap());
+    }
+    for q in SIZES {
+        check(&LinearAction(SL2OnR2), 10.0, q);
+        check(&AffineAction(SO2OnR2), 1e-30, q);
+        check(&Opposite(AffineAction(SO2OnR2)), 10.0, q);
+    }
+    // The elements of a vector group may be zero.
+    check(&Curved(1.0), 1e-30, 1.0);
+    check(&Curved(1.0), 0.2, 1.0);
+}
+
+/// A plane with one thing wrong: with the flat of −x, or with the form of a dot product.
+#[derive(Clone, PartialEq)]
+enum FaultyPlane {
+    Flat,
+    Form,
+}
+
+impl VectorSpace for FaultyPlane {
+    type Point<T: Real> = Vector2<T>;
+}
+
+impl PoissonSpace for FaultyPlane {
+    fn hamiltonian_vector<T: Real>(&self, _: &Vector2<T>, dh: &Covector<Vector2<T>>) -> Vector2<T> {
+        Vector2::new(dh.0.y, -dh.0.x)
+    }
+}
+
+impl SymplecticSpace for FaultyPlane {
+    fn symplectic_form<T: Real>(&self, u: &Vector2<T>, v: &Vector2<T>) -> T {
+        if *self == Self::Form { u.dot(v) } else { u.x * v.y - u.y * v.x }
+    }
+    fn flat<T: Real>(&self, x: &Vector2<T>) -> Covector<Vector2<T>> {
+        let flat = Covector(Vector2::new(-x.y, x.x));
+        if *self == Self::Flat { -flat } else { flat }
+    }
+}
+
+#[test]
+fn of_symplectic_spaces() {
+    for size in SIZES {
+        let plane = |wrong| broken(&laws::symplectic_space(&wrong, &scaled(size)).unwrap());
+        assert_eq!(plane(FaultyPlane::Flat), ["flat inverts sharp"], "{size:e}");
+        assert_eq!(plane(FaultyPlane::Form), ["antisymmetry"], "{size:e}");
+    }
+}
+
+/// Maps of R³ that are no action: (1 + |q|²) R q is not q for R = 1.
+#[derive(Clone)]
+struct Swollen;
+
+impl GroupAction for Swollen {
+    type Group = SO3;
+    type Space = RealSpace<3>;
+    const SIDE: Side = Side::Left;
+    fn group(&self) -> SO3 {
+        SO3
+    }
+    fn space(&self) -> RealSpace<3> {
+        RealSpace
+    }
+    fn act<T: Real>(&self, g: &nalgebra::Matrix3<T>, q: &Vector3<T>) -> Vector3<T> {
+        g * q * (T::one() + q.dot(q))
+    }
+}
+
+#[test]
+fn of_the_identity_and_of_the_canonical_form() {
+    let report = laws::group_action(&Swollen, &samples(), &samples()).unwrap();
+    assert!(report.residual("identity").unwrap() > 0.1);
+    let report = laws::cotangent_lift(&Swollen, &samples(), &samples()).unwrap();
+    assert!(report.residual("canonical form").unwrap() > 0.1);
+}
