@@ -5,7 +5,7 @@ mod attached_fibres;
 mod clebsch_maps;
 mod closed_generators;
 mod extreme_lifts;
-mod faults_of_any_size;
+mod map_faults_of_any_size;
 mod map_laws;
 mod multipliers;
 mod phase_space_laws;
