@@ -22,13 +22,6 @@ pub fn state_values(time: f64, Covector(Pair(pi, gamma)): &Se3Dual) -> [f64; 7] 
 const GROUP: usize = 8;
 
 /// Appends a line of numbers, each with the fewest digits that read back as the same `f64`.
-///
-/// # Example
-/// ```
-/// let mut lines = b"x,y\n".to_vec();
-/// heavytop_cli::formats::run_table::append_row(&mut lines, &[0.1, -2.0]);
-/// assert_eq!(lines, b"x,y\n0.1,-2.0\n");
-/// ```
 pub fn append_row(lines: &mut Vec<u8>, numbers: &[f64]) {
     let mut buffers: [_; GROUP] = array::from_fn(|_| zmij::Buffer::new());
     for numbers in numbers.chunks(GROUP) {
