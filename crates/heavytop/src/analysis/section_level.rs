@@ -93,6 +93,18 @@ mod tests {
         assert!(least_energy(|x, _| -x) < -100.0);
     }
 
+    #[test]
+    fn a_search_goes_in_all_directions() {
+        let bowl = |x: f64, y: f64| (x - 0.1).powi(2) + (y + 0.2).powi(2);
+        for [x, y] in [[0.33, 0.31], [0.33, -0.31], [-0.33, 0.31], [-0.33, -0.31]] {
+            let start = [0.1 + x, -0.2 + y];
+            // The last steps have the length 0.1 / 2²⁷.
+            assert!(compass(&bowl, start, [0.1; 2]) < 1e-17, "from {start:?}");
+            // Control: the start is no minimum.
+            assert!(bowl(start[0], start[1]) > 0.1);
+        }
+    }
+
     /// Each box of a 16 × 16 grid gets its share of 2560 points to within a few; the pseudorandom
     /// numbers of the shift alone would be 10 ± 10.
     #[test]
