@@ -1,6 +1,7 @@
 //! Integrators on 𝔤∗, with their states, their momenta and their trajectories.
 
 pub(crate) mod integrator;
+pub(crate) mod state_is_momentum;
 pub(crate) mod compensated;
 pub(crate) mod recentring_threshold;
 pub(crate) mod finite_momentum;
@@ -10,4 +11,3 @@ pub(crate) mod multiplier_field;
 pub(crate) mod lift_free;
 pub(crate) mod lanes;
 pub(crate) mod sites;
-pub(crate) mod spherical_midpoint;

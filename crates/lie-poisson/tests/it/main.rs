@@ -5,7 +5,6 @@ mod algebra_laws;
 mod casimirs;
 mod closed_representations;
 mod cocycles;
-mod faults_near_zero;
 mod faults_of_any_size;
 mod hamiltonian_laws;
 mod sizes;

@@ -6,7 +6,7 @@ use crate::support::faulty::{FaultyHopf, FaultyRotations, WrongSide};
 use crate::support::{holds, laws, samples};
 use lie_poisson::*;
 use momentum_map::*;
-use nalgebra::{Vector2, Vector3};
+use nalgebra::Vector2;
 
 /// Sizes of samples, far from 1 on both sides.
 const SIZES: [f64; 3] = [1e-30, 1.0, 1e30];
@@ -116,29 +116,10 @@ fn of_symplectic_spaces() {
     }
 }
 
-/// Maps of R³ that are no action: (1 + |q|²) R q is not q for R = 1.
-#[derive(Clone)]
-struct Swollen;
-
-impl GroupAction for Swollen {
-    type Group = SO3;
-    type Space = RealSpace<3>;
-    const SIDE: Side = Side::Left;
-    fn group(&self) -> SO3 {
-        SO3
-    }
-    fn space(&self) -> RealSpace<3> {
-        RealSpace
-    }
-    fn act<T: Real>(&self, g: &nalgebra::Matrix3<T>, q: &Vector3<T>) -> Vector3<T> {
-        g * q * (T::one() + q.dot(q))
-    }
-}
-
 #[test]
 fn of_the_identity_and_of_the_canonical_form() {
-    let report = laws::group_action(&Swollen, &samples(), &samples()).unwrap();
+    let report = laws::group_action(&FaultyRotations::Swollen, &samples(), &samples()).unwrap();
     assert!(report.residual("identity").unwrap() > 0.1);
-    let report = laws::cotangent_lift(&Swollen, &samples(), &samples()).unwrap();
+    let report = laws::cotangent_lift(&FaultyRotations::Swollen, &samples(), &samples()).unwrap();
     assert!(report.residual("canonical form").unwrap() > 0.1);
 }

@@ -36,7 +36,7 @@ fn largest_difference(a: &Spins, b: &Spins) -> f64 {
 }
 
 /// Rows shorter than a block, whole blocks and incomplete ones; one, two and three dimensions; bonds around the whole
-/// lattice.
+/// lattice, and beyond all blocks of a row; 41 rows, of which the cache takes a part at a time.
 #[test]
 fn it_is_the_spherical_midpoint_method() {
     let shapes = [
@@ -46,6 +46,8 @@ fn it_is_the_spherical_midpoint_method() {
         [16, 1, 1],
         [17, 3, 1],
         [5, 4, 3],
+        [8, 3, 2],
+        [9, 41, 7],
         [15, 2, 2],
         [32, 3, 5],
         [33, 1, 4],
@@ -64,6 +66,23 @@ fn it_is_the_spherical_midpoint_method() {
         assert!(largest_difference(&end, &expected) < 64.0 * f64::EPSILON, "{cells:?}");
         // Control: the spins move.
         assert!(largest_difference(&end, &start) > 1e-3, "{cells:?}");
+    }
+}
+
+/// Bonds that reach half of the lattice pass several times through all blocks of a row.
+#[test]
+fn bonds_may_reach_half_of_a_row() {
+    for nx in [7_i64, 16, 19, 24] {
+        for reach in [nx / 2 - 1, nx / 2] {
+            let lattice = HeisenbergLattice::new([nx as usize, 5, 1]).unwrap();
+            let lattice = lattice.with_exchange([reach, 2, 0], 1.0).unwrap();
+            let start = spins(&lattice);
+            let expected = SphericalMidpoint::new(lattice.clone()).after(&start, 0.05, 5).unwrap();
+            let end = LatticeMidpoint::new(lattice).after(&start, 0.05, 5).unwrap();
+            assert!(largest_difference(&end.state, &expected.state) < 64.0 * f64::EPSILON);
+            // Control: the spins move.
+            assert!(largest_difference(&end.state, &start) > 1e-3, "{nx} {reach}");
+        }
     }
 }
 

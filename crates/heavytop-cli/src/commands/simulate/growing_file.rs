@@ -88,8 +88,10 @@ impl Growing {
     /// Passes all bytes to the operating system.
     pub fn flush(&mut self) -> Result<(), Error> {
         let written = self.file.write_all(&self.block);
-        self.checksum.update(&self.block);
-        self.bytes += self.block.len() as u64;
+        if written.is_ok() {
+            self.checksum.update(&self.block);
+            self.bytes += self.block.len() as u64;
+        }
         self.block.clear();
         written.map_err(|source| self.failed(source))
     }

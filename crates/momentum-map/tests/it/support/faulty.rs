@@ -88,6 +88,8 @@ pub enum FaultyRotations {
     Momentum,
     /// The generator of the cotangent lift has the wrong sign in p.
     Lift,
+    /// The maps (1 + |q|²) R q are no action: for R = 1 it is not q.
+    Swollen,
 }
 
 impl GroupAction for FaultyRotations {
@@ -101,7 +103,7 @@ impl GroupAction for FaultyRotations {
         RealSpace
     }
     fn act<T: Real>(&self, g: &Matrix3<T>, q: &Vector3<T>) -> Vector3<T> {
-        g * q
+        if *self == Self::Swollen { g * q * (T::one() + q.dot(q)) } else { g * q }
     }
     fn infinitesimal_generator<T: Real>(&self, xi: &Vector3<T>, q: &Vector3<T>) -> Vector3<T> {
         let factor = match self {
