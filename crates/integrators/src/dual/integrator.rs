@@ -15,7 +15,7 @@ use momentum_map::LiftError;
 /// identity, and the point is read from [`Sample::state`].
 ///
 /// # Example
-/// An integrator makes steps one by one, many at once, or for a trajectory. One of your own is at [`StateIsMomentum`].
+/// An integrator makes steps one by one, many at once, or for a trajectory. One of your own is at [`StateIsMomentum`](crate::StateIsMomentum).
 /// ```
 /// use collective_integrators::{Direct, Integrator, RungeKutta, from_fn};
 /// use nalgebra::Vector2;
