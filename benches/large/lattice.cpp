@@ -13,15 +13,23 @@
 #include <cstdlib>
 #include <memory>
 
-typedef double Lanes __attribute__((vector_size(32), aligned(8), may_alias));
-constexpr long LANES = 4, GHOST = 4;
+#ifdef __AVX512F__
+constexpr long LANES = 8;
+#else
+constexpr long LANES = 4;
+#endif
+typedef double Lanes __attribute__((vector_size(8 * LANES), aligned(8), may_alias));
+constexpr long GHOST = 8;
 constexpr double STEP = 0.05, FIELD[3] = {0.1, -0.2, 0.5};
 
 static Lanes &at(double *p) { return *reinterpret_cast<Lanes *>(p); }
 static Lanes all(double x) { return Lanes{} + x; }
 static Lanes larger(Lanes a, Lanes b) { return a > b ? a : b; }
 static Lanes magnitude(Lanes a) { return larger(a, -a); }
-static Lanes root(Lanes a) { return Lanes{std::sqrt(a[0]), std::sqrt(a[1]), std::sqrt(a[2]), std::sqrt(a[3])}; }
+static Lanes root(Lanes a) {
+  for (long lane = 0; lane < LANES; ++lane) a[lane] = std::sqrt(a[lane]);
+  return a;
+}
 
 struct Numbers {
   std::unique_ptr<double, decltype(&std::free)> data;

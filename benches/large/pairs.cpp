@@ -2,7 +2,7 @@
 //
 //     pairs COUNT REPEATS
 //
-// Prints a row of a name and the least time. COUNT is a multiple of 8. Threads: OMP_NUM_THREADS.
+// Prints a row of a name and the least time. COUNT is a multiple of 16. Threads: OMP_NUM_THREADS.
 #include <algorithm>
 #include <chrono>
 #include <cmath>
@@ -10,8 +10,12 @@
 #include <cstdlib>
 #include <vector>
 
-typedef double Lanes __attribute__((vector_size(32), aligned(8), may_alias));
+#ifdef __AVX512F__
+constexpr long LANES = 8, REGISTERS = 2;
+#else
 constexpr long LANES = 4, REGISTERS = 2;
+#endif
+typedef double Lanes __attribute__((vector_size(8 * LANES), aligned(8), may_alias));
 
 static Lanes load(const double *p) { return *reinterpret_cast<const Lanes *>(p); }
 

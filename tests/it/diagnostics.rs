@@ -263,6 +263,7 @@ fn growth_of_the_deviation_of_a_casimir() -> Outcome {
         let run = loss.trajectory(&mu, 0.05)?.take(4097).collect::<Result<Vec<_>, _>>()?;
         steady.add(run.iter().filter(|s| chosen(s.step)).map(values))?;
     }
+    assert_eq!(random.runs(), 32);
     let (random, steady) = (random.exponent(3e-16)?, steady.exponent(1e-13)?);
     assert!((random - 0.5).abs() < 0.15, "{random}");
     assert!((steady - 1.0).abs() < 0.15, "{steady}");

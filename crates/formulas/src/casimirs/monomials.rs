@@ -73,3 +73,19 @@ pub(crate) fn equations(
     rows.sort_by_key(|row| (row.len(), row.first().map(|entry| entry.0)));
     rows
 }
+
+#[cfg(test)]
+mod tests {
+    use super::{count, monomials};
+
+    #[test]
+    fn monomials_are_as_many_as_are_counted() {
+        for (dimension, degree) in [(1, 0), (1, 7), (2, 5), (3, 1), (3, 4), (6, 3), (10, 2)] {
+            let all = monomials(dimension, degree);
+            assert_eq!(all.len(), count(dimension, degree), "{dimension} {degree}");
+            assert!(all.iter().all(|exponents| exponents.iter().sum::<u8>() == degree));
+        }
+        assert_eq!(count(6, 3), 56);
+        assert_eq!(count(usize::MAX / 2, 3), usize::MAX);
+    }
+}

@@ -87,6 +87,9 @@ fn functions_have_their_values() {
         ("x^y", x.powf(y)),
         ("x^100", x.powi(100)),
         ("x^0", 1.0),
+        // A power of a constant is a number.
+        ("x*2^0.3", x * 2.0_f64.powf(0.3)),
+        ("x*0.3^-1.7", x * 0.3_f64.powf(-1.7)),
     ] {
         // exp(c ln x) and the power by repeated squares differ from `powf` by up to c units of rounding.
         let error = (value(text) - exact).abs();
@@ -158,6 +161,32 @@ fn zero_times_what_may_be_infinite_is_kept() {
         assert!(formula(text).value(&one).is_finite(), "{text}");
     }
     assert!(formula("ln(Pi1) - ln(Pi1)").value(&zero).is_nan());
+}
+
+/// The square of √x is x where x cannot be negative, and not a number elsewhere.
+#[test]
+fn squares_of_roots_are_kept_where_the_root_may_be_none() {
+    let negative = point([-1.0; 6]);
+    for (square, possible) in [
+        ("Pi1*exp(Pi2)", false),
+        ("exp(Pi2)*Pi1", false),
+        ("Pi1 + exp(Pi2)", false),
+        ("Pi1/exp(Pi2)", false),
+        ("exp(Pi2)/Pi1", false),
+        ("Pi1^3", false),
+        ("Pi1*Pi1", true),
+        ("exp(Pi1)*exp(Pi2)", true),
+        ("cosh(Pi1)/exp(Pi2)", true),
+        ("Pi1^2*exp(Pi2)", true),
+        ("abs(Pi1) + Pi2^4", true),
+    ] {
+        for text in [format!("sqrt({square})*sqrt({square})"), format!("sqrt({square})^2")] {
+            let value = formula(&text).value(&negative);
+            assert_eq!(value.is_nan(), !possible, "{text}: {value}");
+            let exact = formula(square).value(&negative);
+            assert!(!possible || near(value, exact), "{text}: {value} {exact}");
+        }
+    }
 }
 
 #[test]

@@ -165,6 +165,9 @@ fn every_vertical_has_an_attitude() {
     verticals.push(Vector3::new(1e-9, 0.0, -1.0).normalize());
     verticals.push(Vector3::new(0.0, 1e-9, 1.0).normalize());
     verticals.push(Vector3::new(0.36, 0.48, -0.8) * 3.0);
+    // The square of the horizontal part underflows.
+    verticals.push(Vector3::new(3e-200, -4e-200, -1.0));
+    verticals.push(Vector3::new(3e-200, -4e-200, 1.0));
     for gamma in verticals {
         let attitude = attitude_of_vertical(&gamma);
         let seen = attitude.conjugate().rotate(&Vector3::z()) * gamma.norm();

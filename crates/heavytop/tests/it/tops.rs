@@ -28,6 +28,21 @@ fn zero_is_refused_where_it_has_no_meaning() {
     }
 }
 
+/// In units in which no moment is 1.
+#[test]
+fn integrable_tops_have_their_ratios_of_moments() {
+    let tops = [
+        (HeavyTop::kovalevskaya(0.3, 1.7), [0.6, 0.6, 0.3], Vector3::x()),
+        (HeavyTop::goryachev_chaplygin(0.3, 1.7), [1.2, 1.2, 0.3], Vector3::x()),
+        (HeavyTop::lagrange(0.4, 0.3, 1.7), [0.4, 0.4, 0.3], Vector3::z()),
+    ];
+    for (top, inertia, center) in tops {
+        let top = top.unwrap();
+        assert!((top.inertia() - Vector3::from(inertia)).amax() < f64::EPSILON);
+        assert_eq!((top.weight_moment(), top.center_of_mass()), (1.7, center));
+    }
+}
+
 /// Γ moves by dΓ/dt = Γ × Ω: along the axis in the first state, and against it in the second.
 #[test]
 fn the_first_state_of_a_level_rises_along_the_axis() {

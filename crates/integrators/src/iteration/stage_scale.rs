@@ -179,6 +179,21 @@ mod tests {
         close(relative(two(1.0, 1.0), two(1e-300, 1e-300), two(0.0, 1e300)), 2.0_f64.powi(60));
     }
 
+    /// A change of k moves the end of a step of 1/10 by a tenth of it, and less than the tolerance of what moves.
+    #[test]
+    fn a_change_is_accepted_if_the_end_moves_by_less_than_the_tolerance() {
+        let accepts = |z: Two, k: Two, change: Two| {
+            let progress =
+                Progress { change: BlockSizes::of(&[change]), size: BlockSizes::of(&[k]) };
+            StageScale::new(&z, 0.1).accepts(&progress, 1e-3)
+        };
+        for (z, k, largest) in [(4.0, 1.0, 4e-2), (0.5, 20.0, 2e-2), (0.0, 1e-20, 1e-23)] {
+            let (z, k) = (two(1.0, z), two(1.0, k));
+            assert!(accepts(z, k, two(0.0, 0.999 * largest)), "{largest}");
+            assert!(!accepts(z, k, two(0.0, 1.001 * largest)), "{largest}");
+        }
+    }
+
     #[test]
     fn what_is_no_number_is_no_small_change() {
         for bad in [f64::NAN, f64::INFINITY] {

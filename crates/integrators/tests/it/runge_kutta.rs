@@ -27,6 +27,19 @@ fn runge_kutta_methods_keep_their_promises() {
     }
 }
 
+/// Σ b = 1, Σ b c = 1/2 and Σ b a c = 1/6 hold. The tree with two equal branches asks for Σ b c² = 1/3, which is 1/4.
+#[test]
+fn trees_with_equal_branches_have_conditions_too() {
+    let weights = [0.0, 0.5, 0.5];
+    let mut matrix = [0.0; 9];
+    (matrix[3], matrix[6], matrix[7]) = (0.5, -1.0 / 6.0, 2.0 / 3.0);
+    assert_eq!(Tableau::new(&matrix, &weights).unwrap().order(), 2);
+    // Control: Kutta's method of order 3 meets all four.
+    let weights = [1.0, 4.0, 1.0].map(|b| b / 6.0);
+    (matrix[3], matrix[6], matrix[7]) = (0.5, -1.0, 2.0);
+    assert_eq!(Tableau::new(&matrix, &weights).unwrap().order(), 3);
+}
+
 #[test]
 fn a_diagonally_implicit_method_is_a_composition() {
     let substeps = Substeps::mclachlan8();

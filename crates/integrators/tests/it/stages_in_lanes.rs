@@ -59,6 +59,20 @@ fn steps_are_those_of_the_integrator_alone_to_round_off() {
     }
 }
 
+/// A sweep that misses some stages would not converge, and the step would be made again by the integrator alone.
+#[test]
+fn sweeps_side_by_side_converge_as_those_of_the_integrator_alone() {
+    for method in implicit_methods() {
+        let direct = Direct::new(method, field());
+        let alone = direct.step(&start(), STEP, &mut direct.workspace()).unwrap().iterations;
+        for lanes in on_every_set(&direct) {
+            let together = lanes.step(&start(), STEP, &mut lanes.workspace()).unwrap().iterations;
+            // Both end by their own measure of what is round-off.
+            assert!(together <= alone + 2, "{:?}: {together} {alone}", lanes.instructions());
+        }
+    }
+}
+
 /// Negative control: with a tolerance of 1e-6 the two iterations end at stages of that accuracy.
 #[test]
 fn stages_that_are_not_solved_to_round_off_differ() {

@@ -1,7 +1,7 @@
 //! The spherical midpoint method for the lattice of spins, on SIMD lanes and threads: [`LatticeMidpoint`].
 
 use crate::HeisenbergLattice;
-use crate::spin_lattice::rows::{add_blocks, sum_is_finite, write_blocks};
+use crate::spin_lattice::rows::{add_blocks, clear, sum_is_finite, write_blocks};
 use crate::spin_lattice::slab_sweep::{Slab, SlabSweep};
 use crate::spin_lattice::stencil::{BLOCK, Spins, Stencil};
 use collective_integrators::{Integrator, StageSolver, StateIsMomentum, Step, StepError};
@@ -104,6 +104,27 @@ impl LatticeMidpoint {
         progress.fold([0.0; 2], |[a, b], [c, d]| [larger(a, c), larger(b, d)])
     }
 
+    /// Makes a step in storage that fits.
+    fn step_within_pool(
+        &self,
+        s: &mut Covector<Sites<Vector3<f64>>>,
+        step: f64,
+        space: &mut LatticeSpace,
+    ) -> Result<usize, StepError> {
+        let nx = self.stencil.counts[0];
+        write_blocks(&s.0, nx, &mut space.start);
+        // The midpoints of k = 0 are the spins themselves: the first guess is X(s).
+        clear(&mut space.rates[0]);
+        self.sweep(0.0, space);
+        let iterations = self.solver.solve_by_sweeps(|| self.sweep(0.5 * step, space))?;
+        let rates = &space.rates[0];
+        if !sum_is_finite(&space.start, step, rates) {
+            return Err(StepError::NotFinite);
+        }
+        add_blocks(&mut s.0, step, rates, nx);
+        Ok(iterations)
+    }
+
     /// Makes the storage fit the lattice and the threads of the current pool.
     fn fit(&self, space: &mut LatticeSpace) {
         let count = self.stencil.counts[2];
@@ -163,18 +184,11 @@ impl Integrator for LatticeMidpoint {
     ) -> Result<usize, StepError> {
         StepError::check_dimension(s, 3 * self.stencil.spins())?;
         self.fit(space);
-        let nx = self.stencil.counts[0];
-        write_blocks(&s.0, nx, &mut space.start);
-        // The midpoints of k = 0 are the spins themselves: the first guess is X(s).
-        space.rates[0].fill(Spins::default());
-        self.sweep(0.0, space);
-        let iterations = self.solver.solve_by_sweeps(|| self.sweep(0.5 * step, space))?;
-        let rates = &space.rates[0];
-        if !sum_is_finite(&space.start, step, rates) {
-            return Err(StepError::NotFinite);
+        if space.slabs.len() == 1 {
+            return self.step_within_pool(s, step, space);
         }
-        add_blocks(&mut s.0, step, rates, nx);
-        Ok(iterations)
+        // Within the pool a sweep finds threads that are awake.
+        rayon::scope(|_| self.step_within_pool(s, step, space))
     }
 
     fn momentum(&self, s: &Self::State) -> Self::State {

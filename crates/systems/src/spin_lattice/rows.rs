@@ -19,6 +19,11 @@ pub(crate) fn write_blocks(spins: &[Vector3<f64>], nx: usize, blocks: &mut [Spin
     });
 }
 
+/// Sets all components to zero.
+pub(crate) fn clear(blocks: &mut [Spins]) {
+    blocks.par_chunks_mut(TASK / BLOCK).for_each(|blocks| blocks.fill(Spins::default()));
+}
+
 fn write_row(spins: &[Vector3<f64>], row: &mut [Spins]) {
     let (blocks, last) = (row.len(), spins.last().copied().unwrap_or_default());
     for (block, Spins([x, y, z])) in row.iter_mut().enumerate() {

@@ -3,12 +3,12 @@
 use crate::drifts::{ROUND_OFF, drifts, energy_bound, schemes};
 use crate::spin_chain::spins;
 use collective_integrators::Collective;
-use lie_poisson::{Automatic, Covector, Energy, Pair, RealSpace, larger};
+use lie_poisson::{Automatic, Covector, Energy, Pair, Power, RealSpace, larger};
 use lie_poisson_systems::{SpinLattice, SystemError};
 use momentum_map::{
     Cotangent, CotangentBundle, Identity, PowerMap, ProductMap, QuadraticMomentumMap, Side, So3OnC2,
 };
-use nalgebra::{SVector, Vector3};
+use nalgebra::{SVector, Vector2, Vector3};
 
 #[test]
 fn the_spin_lattice_conserves_both_momenta() {
@@ -30,6 +30,23 @@ fn the_spin_lattice_conserves_both_momenta() {
         assert!(larger(larger(x, y), larger(z, p)) < ROUND_OFF, "{x:e} {y:e} {z:e} {p:e}");
         assert!(energy < energy_bound(&scheme, 0.05), "{energy:e}");
     }
+}
+
+/// Two cells, of which each is the neighbour of the other on both sides.
+#[test]
+fn the_energy_is_that_of_the_formula() {
+    let (mass, stiffness, exchange, coupling) = (0.7, 3.0, 1.1, 0.4);
+    let lattice = SpinLattice::<2>::new(mass, stiffness, exchange, coupling).unwrap();
+    let spins = [Vector3::new(0.6, 0.0, 0.8), Vector3::new(0.0, 0.28, 0.96)];
+    let (q, p) = (Vector2::new(0.3, -0.2), Vector2::new(0.5, 0.9));
+    let state = Pair(Covector(Power(spins)), Cotangent::new(q, Covector(p)));
+    let (stretch, overlap) = (q.y - q.x, spins[0].dot(&spins[1]));
+    let springs = stiffness * stretch * stretch;
+    // The exchange falls with the distance on one side as it rises on the other.
+    let expected = p.norm_squared() / (2.0 * mass) + springs - 2.0 * exchange * overlap;
+    assert!((lattice.energy(&state) - expected).abs() < 1e-15 * 8.0);
+    let bent = SpinLattice::<2>::new(mass, stiffness, exchange, 0.0).unwrap();
+    assert!((lattice.energy(&state) - bent.energy(&state)).abs() < 1e-15);
 }
 
 #[test]

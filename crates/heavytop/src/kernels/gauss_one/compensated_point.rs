@@ -138,3 +138,33 @@ fn spinor_point(z: &Row) -> SpinorPoint {
     let [q1, q2, q3, q4, p1, p2, p3, p4] = z.0;
     Cotangent::new(spinor(q1, q2, q3, q4), Covector(spinor(p1, p2, p3, p4)))
 }
+
+#[cfg(test)]
+mod tests {
+    use super::{CompensatedPoint, Row};
+
+    /// Returns x as a multiple of 2⁻¹⁰⁰. All numbers here are multiples of it.
+    fn units(x: f64) -> i128 {
+        (x * 2.0_f64.powi(100)) as i128
+    }
+
+    /// Both have digits that χ + bψ has no place for.
+    #[test]
+    fn a_slide_keeps_what_rounding_removes() {
+        let ulp = f64::EPSILON;
+        let z = [3.5 + 2.0 * ulp, -7.0, -2.5, -3.75 + ulp, 1.0 + 2.0 * ulp, 2.0, 1.5 + ulp, 1.0];
+        let carry = [1.0, -3.0, 5.0, 2.0, -1.0, 2.0, 3.0, -7.0].map(|x| x * 2.0_f64.powi(-90));
+        let start = CompensatedPoint { z: Row(z), carry: Row(carry) };
+        let mut end = start;
+        let along = end.slide();
+        assert_eq!(along, 2.0);
+        let exact =
+            |point: &CompensatedPoint, c: usize| units(point.z.0[c]) + units(point.carry.0[c]);
+        for c in 0..4 {
+            assert_eq!(exact(&end, c), exact(&start, c) + 2 * exact(&start, c + 4));
+            assert_eq!((end.z.0[c + 4], end.carry.0[c + 4]), (z[c + 4], carry[c + 4]));
+        }
+        // Control: the sums are not numbers of 53 digits.
+        assert!((0..4).any(|c| units(end.z.0[c]) != units(z[c]) + 2 * units(z[c + 4])));
+    }
+}
