@@ -27,6 +27,10 @@ fn operators_bind_as_in_mathematics() {
         ("24/4/2", 3.0),
         ("24/(4/2)", 12.0),
         ("-x^2", -9.0),
+        ("(x - y)^3", -1.0),
+        ("(x - y)^4", 1.0),
+        ("(3 - 5)^3", -8.0),
+        ("(-2)^-2", 0.25),
         ("(-x)^2", 9.0),
         ("2^3^2", 512.0),
         ("(2^3)^2", 64.0),
@@ -153,9 +157,16 @@ fn what_is_printed_is_what_was_read() {
 fn zero_times_what_may_be_infinite_is_kept() {
     // 0·x is 0 for polynomials, but not for 1/x and √x.
     let (zero, one) = (point([0.0; 6]), point([1.0; 6]));
-    for (text, singular) in
-        [("0*Pi1", false), ("0/Pi1", true), ("0*ln(Pi1)", true), ("Pi1/Pi1", true)]
-    {
+    for (text, singular) in [
+        ("0*Pi1", false),
+        ("0/Pi1", true),
+        ("0*ln(Pi1)", true),
+        ("Pi1/Pi1", true),
+        ("0*Pi1^3", false),
+        ("0*Pi1^-1", true),
+        ("0*(Pi1/2)", false),
+        ("0*(1/Pi1 + Pi2)", true),
+    ] {
         let value = formula(text).value(&zero);
         assert_eq!(value.is_nan(), singular, "{text}");
         assert!(formula(text).value(&one).is_finite(), "{text}");

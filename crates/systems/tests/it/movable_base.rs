@@ -16,8 +16,12 @@ use nalgebra::Vector3;
 
 const INERTIA: Vector3<f64> = Vector3::new(2.0, 2.2, 1.0);
 
+/// The mass of the top and the acceleration of gravity, in units in which neither is 1.
+const MASS: f64 = 1.4;
+const GRAVITY: f64 = 1.3;
+
 fn top() -> MovableBaseTop {
-    MovableBaseTop::new(INERTIA, [1.0, 2.0], 1.0, Vector3::new(0.1, 0.0, 0.8)).unwrap()
+    MovableBaseTop::new(INERTIA, [MASS, 2.0], GRAVITY, Vector3::new(0.1, 0.0, 0.8)).unwrap()
 }
 
 fn start() -> MovableBaseDual {
@@ -44,16 +48,17 @@ fn the_differential_and_the_equations() {
     assert!((rate - expected).max_abs() < 1e-14);
     // The momenta of the velocities are Π and P.
     let c = Vector3::new(0.1, 0.0, 0.8);
-    assert!((INERTIA.component_mul(&omega) + c.cross(&y) - pi).norm() < 1e-14);
-    assert!((y * 3.0 + omega.cross(&c) - p).norm() < 1e-14);
+    assert!((INERTIA.component_mul(&omega) + c.cross(&y) * MASS - pi).norm() < 1e-14);
+    assert!((y * (MASS + 2.0) + omega.cross(&c) * MASS - p).norm() < 1e-14);
+    assert!((force - c * (MASS * GRAVITY)).norm() < 1e-15);
 }
 
 /// On a base of 10⁹ kg at rest the top is a heavy top with a fixed point.
 #[test]
 fn a_heavy_base_is_a_fixed_point() {
     let c = Vector3::new(0.1, 0.0, 0.8);
-    let top = MovableBaseTop::new(INERTIA, [1.0, 1e9], 1.0, c).unwrap();
-    let fixed = Gyrostat::new(INERTIA, 1.0, c, Vector3::zeros()).unwrap();
+    let top = MovableBaseTop::new(INERTIA, [MASS, 1e9], GRAVITY, c).unwrap();
+    let fixed = Gyrostat::new(INERTIA, MASS * GRAVITY, c, Vector3::zeros()).unwrap();
     let Covector(Pair(Pair(pi, _), gamma)) = start();
     let map = clebsch_realisation(Diagonal::<_, 2>(adjoint()), Side::Right).unwrap();
     let on_base = Collective::new(RungeKutta::gauss(4).unwrap(), map, top);
