@@ -14,6 +14,7 @@ enum FaultyIntegrator {
     None,
     MovesAtRest,
     Remembers,
+    NeverForgets,
     ReturnsNaN,
     MiscountsSamples,
     StartsElsewhere,
@@ -27,26 +28,32 @@ enum FaultyIntegrator {
 impl Integrator for FaultyIntegrator {
     type State = Vector2<f64>;
     type Momentum = Vector2<f64>;
-    type Workspace = u32;
+    /// The number of steps that were made one from the end of the other, and the last end.
+    type Workspace = (u32, Vector2<f64>);
 
-    fn workspace(&self) -> u32 {
-        0
+    fn workspace(&self) -> Self::Workspace {
+        (0, Vector2::zeros())
     }
 
     fn step(
         &self,
         z: &Vector2<f64>,
         step: f64,
-        made: &mut u32,
+        (made, end): &mut Self::Workspace,
     ) -> Result<Step<Vector2<f64>>, StepError> {
+        // From another state, and at checkpoints, it begins anew by itself.
+        if *self == Self::NeverForgets && (end != z || u64::from(*made) >= CHECKPOINT) {
+            *made = 0;
+        }
         *made += 1;
         let angle = match self {
             Self::MovesAtRest => step + 1e-6,
-            Self::Remembers => step * f64::from(*made),
+            Self::Remembers | Self::NeverForgets => step * f64::from(*made),
             _ => step,
         };
         let (sin, cos) = angle.sin_cos();
         let point = Vector2::new(z.x * cos + z.y * sin, z.y * cos - z.x * sin);
+        *end = point;
         let next = Step { point, iterations: 0 };
         if *self == Self::ReturnsNaN { Ok(next) } else { next.finite() }
     }
@@ -55,10 +62,10 @@ impl Integrator for FaultyIntegrator {
         &self,
         z: &mut Vector2<f64>,
         step: f64,
-        made: &mut u32,
+        workspace: &mut Self::Workspace,
     ) -> Result<usize, StepError> {
         let scale = if *self == Self::AdvancesElsewhere { 2.0 } else { 1.0 };
-        let Step { point, iterations } = self.step(&(*z * scale), step, made)?;
+        let Step { point, iterations } = self.step(&(*z * scale), step, workspace)?;
         *z = point;
         Ok(iterations)
     }
@@ -68,13 +75,13 @@ impl Integrator for FaultyIntegrator {
         z: &mut Vector2<f64>,
         step: f64,
         steps: Range<u64>,
-        made: &mut u32,
+        workspace: &mut Self::Workspace,
     ) -> Result<usize, IntegrationError> {
         StepError::check_start(z, step)
             .map_err(|refused| IntegrationError::after(steps.start, step, refused))?;
-        let skipped = *self == Self::SkipsASecondPart && *made > 0;
+        let skipped = *self == Self::SkipsASecondPart && workspace.0 > 0;
         for n in steps.filter(|_| !skipped) {
-            self.step_in_place(z, step, made)
+            self.step_in_place(z, step, workspace)
                 .map_err(|source| IntegrationError::after(n, step, source))?;
         }
         Ok(0)
@@ -112,10 +119,11 @@ impl Start for FaultyIntegrator {
 
 #[test]
 fn laws_of_integrators_reject_what_breaks_them() {
-    let cases: [(FaultyIntegrator, &[&str]); 11] = [
+    let cases: [(FaultyIntegrator, &[&str]); 12] = [
         (FaultyIntegrator::None, &[]),
         (FaultyIntegrator::MovesAtRest, &["step of size 0"]),
         (FaultyIntegrator::Remembers, &["forgetting", "resumption"]),
+        (FaultyIntegrator::NeverForgets, &["forgetting"]),
         (FaultyIntegrator::ReturnsNaN, &["refusal"]),
         (FaultyIntegrator::MiscountsSamples, &["first sample", "after", "samples"]),
         (FaultyIntegrator::StartsElsewhere, &["start"]),

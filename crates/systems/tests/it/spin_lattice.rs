@@ -8,7 +8,7 @@ use lie_poisson_systems::{SpinLattice, SystemError};
 use momentum_map::{
     Cotangent, CotangentBundle, Identity, PowerMap, ProductMap, QuadraticMomentumMap, Side, So3OnC2,
 };
-use nalgebra::{SVector, Vector2, Vector3};
+use nalgebra::{SVector, Vector3};
 
 #[test]
 fn the_spin_lattice_conserves_both_momenta() {
@@ -32,21 +32,20 @@ fn the_spin_lattice_conserves_both_momenta() {
     }
 }
 
-/// Two cells, of which each is the neighbour of the other on both sides.
 #[test]
 fn the_energy_is_that_of_the_formula() {
-    let (mass, stiffness, exchange, coupling) = (0.7, 3.0, 1.1, 0.4);
-    let lattice = SpinLattice::<2>::new(mass, stiffness, exchange, coupling).unwrap();
-    let spins = [Vector3::new(0.6, 0.0, 0.8), Vector3::new(0.0, 0.28, 0.96)];
-    let (q, p) = (Vector2::new(0.3, -0.2), Vector2::new(0.5, 0.9));
+    let lattice = SpinLattice::<3>::new(0.7, 3.0, 1.1, 0.4).unwrap();
+    let spins = [[0.6, 0.0, 0.8], [0.0, 0.28, 0.96], [0.48, 0.6, 0.64]].map(Vector3::from);
+    let (q, p) = (Vector3::new(0.3, -0.2, 0.6), Vector3::new(0.5, 0.9, -0.4));
     let state = Pair(Covector(Power(spins)), Cotangent::new(q, Covector(p)));
-    let (stretch, overlap) = (q.y - q.x, spins[0].dot(&spins[1]));
-    let springs = stiffness * stretch * stretch;
-    // The exchange falls with the distance on one side as it rises on the other.
-    let expected = p.norm_squared() / (2.0 * mass) + springs - 2.0 * exchange * overlap;
-    assert!((lattice.energy(&state) - expected).abs() < 1e-15 * 8.0);
-    let bent = SpinLattice::<2>::new(mass, stiffness, exchange, 0.0).unwrap();
-    assert!((lattice.energy(&state) - bent.energy(&state)).abs() < 1e-15);
+    // q₂ − q₁, q₃ − q₂, q₁ − q₃, and the products of neighbouring spins
+    let (stretches, overlaps) = ([-0.5, 0.8, -0.3], [0.768, 0.7824, 0.8]);
+    // 1.22/(2m), ½ κ times the squares of the stretches, (a stretch − J) times the products
+    let (kinetic, springs) = (1.22 / 1.4, 1.5 * 0.98);
+    let exchange: f64 = stretches.iter().zip(overlaps).map(|(x, s)| (0.4 * x - 1.1) * s).sum();
+    let expected = kinetic + springs + exchange;
+    // Some twenty roundings of numbers below 4.
+    assert!((lattice.energy(&state) - expected).abs() < 40.0 * f64::EPSILON);
 }
 
 #[test]

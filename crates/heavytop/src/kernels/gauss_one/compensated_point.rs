@@ -148,7 +148,7 @@ mod tests {
         (x * 2.0_f64.powi(100)) as i128
     }
 
-    /// Both have digits that χ + bψ has no place for.
+    /// The sums χ + bψ need more than 53 digits, of the coordinates and of what was carried over.
     #[test]
     fn a_slide_keeps_what_rounding_removes() {
         let ulp = f64::EPSILON;

@@ -13,7 +13,7 @@
 //! reaches three quarters of the peak of the processor.
 //!
 //! One top takes 71 products and sums of registers and 31 exchanges of lanes. Its speed is bound by the
-//! latency of one step after the other, on two paths of some 80 cycles each. One leads from a − d through
+//! latency of one step after the other, on two paths of more than 80 cycles. One leads from a − d through
 //! memory, |a|², the division, R_a and the residual to the next d. The other leads from Γ₁ through memory,
 //! the kick, R_a, the residual, d and W Γ + 2d×G to the next Γ₁.
 
