@@ -41,17 +41,12 @@ impl<V: RegisterVector> HalfTurn<V> {
         }
     }
 
-    /// Returns the change W v = (R_a v − v)/2n of a vector.
-    #[inline(always)]
-    fn change(&self, v: V, turned: CyclicShifts<V>) -> V {
-        let sum = self.next.multiply_add(turned.next, self.diagonal.times(v));
-        self.previous.multiply_add(turned.previous, sum)
-    }
-
     /// Returns the rotated vector R_a v.
     #[inline(always)]
     fn apply(&self, v: V, turned: CyclicShifts<V>) -> V {
-        V::uniform(self.scale).multiply_add(self.change(v, turned), v)
+        let sum = self.next.multiply_add(turned.next, self.diagonal.times(v));
+        let change = self.previous.multiply_add(turned.previous, sum);
+        V::uniform(self.scale).multiply_add(change, v)
     }
 }
 
@@ -161,20 +156,22 @@ impl<V: RegisterVector> Guess<V> {
     /// of which the parts without d are computed before d is known. This omits, in Π₁, a term 2hn² G×(γ×d). The bound κ of
     /// the error after a correction includes it.
     ///
-    /// The vector 4n d×G is about a unit of round-off of G. Added to G, it would be rounded to whole units, or to none, of
-    /// each component by itself. Since d depends on where the top is, these errors do not cancel, and |Γ|² and Π·Γ would
-    /// drift. Added to W Γ₀, whose unit is smaller by the factor |a|, it keeps its digits.
+    /// The vector 2d×G is about a unit of round-off of W Γ₀. Added to G or to W Γ₀, it would be rounded to whole units, or to
+    /// none, of each component by itself. Since d depends on where the top is, these errors do not cancel, and |Γ|² would
+    /// drift. It is added to the diagonal part of W Γ₀, whose unit is smaller by the factor |a|, and keeps its digits.
+    /// The sum with the other part then rounds the digits of the diagonal part, which are arbitrary.
     #[inline(always)]
     pub fn end(&self, start: &TopState<V>) -> TopState<V> {
         let turn = &self.half_turn;
         let scale = V::uniform(turn.scale);
         let delta = CyclicShifts::new(self.correction);
         let gamma = start.vertical;
-        let change = turn.change(gamma, CyclicShifts::new(gamma));
-        let vertical = scale.multiply_add(change, gamma);
+        let shifted = CyclicShifts::new(gamma);
+        let large = turn.next.multiply_add(shifted.next, turn.previous.times(shifted.previous));
+        let small = turn.diagonal.times(gamma);
+        let vertical = scale.multiply_add(large.plus(small), gamma);
         let across = CyclicShifts::new(vertical);
-        let change = add_cross(change, delta, across);
-        let end = scale.multiply_add(change, gamma);
+        let end = scale.multiply_add(large.plus(add_cross(small, delta, across)), gamma);
         let end = turn.apply(end, CyclicShifts::new(end));
         let torque = across.previous.multiply_subtract(self.force.next, self.along.times(vertical));
         let torque = across.next.multiply_subtract(self.force.previous, torque);
@@ -182,5 +179,51 @@ impl<V: RegisterVector> Guess<V> {
         let torque = add_cross(torque, delta, CyclicShifts::new(momentum));
         let momentum = scale.multiply_add(torque, self.middle);
         TopState { momentum: turn.apply(momentum, CyclicShifts::new(momentum)), vertical: end }
+    }
+}
+
+#[cfg(test)]
+#[allow(clippy::unwrap_used)]
+mod tests {
+    use super::*;
+    use crate::HeavyTop;
+    use nalgebra::Vector3;
+
+    /// A sphere turns about e₃ by the angle of a, so that the correction turns Γ by 4n d about e₃. Here that is below the
+    /// unit of round-off of W Γ, and is seen in the mean over many Γ.
+    #[test]
+    fn corrections_below_round_off_act() {
+        const COUNT: u32 = 500_000;
+        let sphere = HeavyTop::free_rigid_body(Vector3::repeat(1.0)).unwrap();
+        let parameters = MidpointParameters::<[f64; 3], f64>::gather(|_| sphere, |_| 1.0, 0.0625);
+        let a = 0.0156;
+        let guess = |vertical, momentum| {
+            let start = TopState { momentum: [0.0, 0.0, momentum], vertical };
+            (Guess::new(&parameters, &start, [0.0, 0.0, a]), start)
+        };
+        // a = (h/4) n Π, less half a unit of Π.
+        let solution = a * (1.0 + a * a) / 0.015625;
+        let momentum = solution * (1.0 - 0.5 * f64::EPSILON);
+        let twice = guess([1.0, 0.0, 0.0], momentum).0.correction[2];
+        let mut sums = [[0.0; 3]; 2];
+        for n in 0..COUNT {
+            let x = 0.6 + 0.2 * (f64::from(n) * 0.618).fract();
+            let (mut guess, start) = guess([x, 0.1 + 1e-6 * f64::from(n), 0.5], momentum);
+            let with = guess.end(&start).vertical;
+            guess.correction = [0.0; 3];
+            let without = guess.end(&start).vertical;
+            for i in 0..3 {
+                sums[0][i] += with[i] - without[i];
+                sums[1][i] += without[i];
+            }
+        }
+        let angle = 2.0 * twice / (1.0 + a * a);
+        // A rounding of Γ is 60 times as large as the correction, and has another sign for another Γ.
+        for (found, exact) in [(sums[0][0], -angle * sums[1][1]), (sums[0][1], angle * sums[1][0])]
+        {
+            assert!((found / exact - 1.0).abs() < 0.03, "{found:e} {exact:e}");
+        }
+        // Control: the correction is below half the unit of W Γ.
+        assert!(twice > 0.0 && 0.1 * twice < 0.25 * f64::EPSILON * a);
     }
 }

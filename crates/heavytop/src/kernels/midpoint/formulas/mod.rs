@@ -7,12 +7,12 @@
 //! them.
 //!
 //! # Cost
-//! A step with one guess takes 307 floating-point operations in each lane, a fused multiply-add counted as
+//! A step with one guess takes 310 floating-point operations in each lane, a fused multiply-add counted as
 //! two: 57 for the extrapolation of a, 22 for R_a, 86 for the correction d, 16 to test it against the floor
-//! and to apply it, 120 for the end, and 6 to test that the end is finite. With two registers of AVX-512 it
+//! and to apply it, 123 for the end, and 6 to test that the end is finite. With two registers of AVX-512 it
 //! reaches three quarters of the peak of the processor.
 //!
-//! One top takes 71 products and sums of registers and 31 exchanges of lanes. Its speed is bound by the
+//! One top takes 73 products and sums of registers and 31 exchanges of lanes. Its speed is bound by the
 //! latency of one step after the other, on two paths of more than 80 cycles. One leads from a − d through
 //! memory, |a|², the division, R_a and the residual to the next d. The other leads from Γ₁ through memory,
 //! the kick, R_a, the residual, d and W Γ + 2d×G to the next Γ₁.
