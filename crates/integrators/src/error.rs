@@ -174,3 +174,16 @@ pub enum SchemeError {
         stages: usize,
     },
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn a_failed_step_is_named_with_its_start() {
+        let failed = |made, step| IntegrationError::after(made, step, StepError::NotFinite);
+        assert_eq!((failed(3, 0.5).step, failed(3, 0.5).time), (4, 1.5));
+        assert_eq!((failed(0, f64::NAN).step, failed(0, f64::NAN).time), (1, 0.0));
+        assert_eq!(failed(u64::MAX, 1.0).step, u64::MAX);
+    }
+}

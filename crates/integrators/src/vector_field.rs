@@ -180,3 +180,33 @@ impl<T: Real, V: State<Scalar = T>, F: Fn(&V) -> V> VectorField<T> for FromFn<V,
         (self.field)(z)
     }
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use lie_poisson::{Automatic, Covector, Energy, LiePoisson, Real, So3};
+    use nalgebra::Vector3;
+
+    /// h(Π) = ½Π₁² + Π₂² + ³⁄₁₀ Π₁Π₃
+    struct Body;
+
+    impl Energy for Body {
+        type Space = LiePoisson<So3>;
+        fn energy<T: Real>(&self, Covector(pi): &Covector<Vector3<T>>) -> T {
+            pi.x * pi.x * 0.5 + pi.y * pi.y + pi.x * pi.z * 0.3
+        }
+    }
+
+    /// Of a quadratic field central differences are exact.
+    #[test]
+    fn a_hamiltonian_field_has_the_derivative_of_its_differences() {
+        let field =
+            HamiltonianField { space: LiePoisson::minus(So3), hamiltonian: Automatic(Body) };
+        let (z, v) = (Vector3::new(0.7, -1.2, 0.4), Vector3::new(0.3, 0.9, -0.5));
+        let at = |t: f64| field.at(&Covector(z + v * t)).0;
+        let derivative = field.derivative(&Covector(z), &Covector(v));
+        let difference = (at(0.5) - at(-0.5)).norm();
+        assert!(derivative.is_some_and(|d| (d.0 - (at(0.5) - at(-0.5))).norm() < 1e-15));
+        assert!(difference > 0.5);
+    }
+}

@@ -58,3 +58,26 @@ pub(super) fn refusal(
 fn has(algebra: &SystemAlgebra, formulation: Formulation) -> bool {
     formulations(algebra).any(|other| other == formulation)
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    /// A message names the schemes that are accepted, and no others.
+    #[test]
+    fn what_a_refusal_names_is_offered() -> Result<(), FormulaSystemError> {
+        let algebra = SystemAlgebra::named("so(3)")?;
+        for formulation in formulations(&algebra) {
+            let accepted = |scheme: &Scheme| require(&algebra, formulation, *scheme).is_ok();
+            let refused = formulation.schemes().find(|scheme| !accepted(scheme));
+            let names: Vec<_> = formulation.schemes().filter(accepted).map(Scheme::name).collect();
+            let Some(refused) = refused else { continue };
+            let error = require(&algebra, formulation, refused).err();
+            let expected = format!("{formulation} has {}", names.join(", "));
+            let named = matches!(&error,
+                Some(FormulaSystemError::NoMethod { has, .. }) if *has == expected);
+            assert!(named, "{error:?} {expected}");
+        }
+        Ok(())
+    }
+}

@@ -224,3 +224,21 @@ fn axes(texts: [&str; 2], names: &Vocabulary) -> Result<[Formula; 2], FormulaSys
 fn uniform(random: &mut ChaCha8Rng) -> f64 {
     (random.next_u64() >> 11) as f64 * 0.5_f64.powi(53)
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn random_numbers_are_uniform() {
+        let mut random = ChaCha8Rng::seed_from_u64(1);
+        let mut counts = [0_u32; 8];
+        for _ in 0..8000 {
+            let x = uniform(&mut random);
+            assert!((0.0..1.0).contains(&x), "{x}");
+            counts[(8.0 * x) as usize] += 1;
+        }
+        // Five standard errors of 30.
+        assert!(counts.iter().all(|count| count.abs_diff(1000) < 150), "{counts:?}");
+    }
+}

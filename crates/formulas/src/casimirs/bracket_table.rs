@@ -157,4 +157,20 @@ mod tests {
         assert_eq!(generators([[0.0, 1.0, 2.0], [0.0, 1.0, 0.0], [0.0, 0.0, 1.0]])?, [0, 1, 2]);
         Ok(())
     }
+
+    #[test]
+    fn constants_are_compared_with_the_largest_only_if_they_are_no_fractions() {
+        let unit_of = |constants: &[f64]| unit(constants.iter().copied());
+        let pi = core::f64::consts::PI;
+        for (constants, expected) in [
+            (&[1.0, -2.0][..], 1.0),
+            (&[0.5, 2.0_f64.sqrt()], 1.0),
+            (&[pi, -2.0 * pi], 2.0 * pi),
+            (&[pi, 1.0], 1.0),
+            (&[0.0], 1.0),
+            (&[], 1.0),
+        ] {
+            assert_eq!(unit_of(constants), expected, "{constants:?}");
+        }
+    }
 }

@@ -139,3 +139,16 @@ fn append(text: &mut String, (coefficient, radicand): (i64, u32), product: &str)
     }
     text.push_str(product);
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn the_gradient_is_that_of_powers() {
+        // 5 x²y³ − x, at (7, 2)
+        let terms = vec![(vec![2, 3], Residue::new(5)), (vec![1, 0], Residue::new(-1))];
+        let gradient = Polynomial { terms }.gradient(&[7, 2].map(Residue::new));
+        assert_eq!(gradient, [(0, Residue::new(10 * 7 * 8 - 1)), (1, Residue::new(15 * 49 * 4))]);
+    }
+}

@@ -154,3 +154,33 @@ impl Graph {
         reachable
     }
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn quotients_and_powers_have_a_value_everywhere_or_not() {
+        let mut graph = Graph::default();
+        let (x, two, zero) = (graph.input(0), graph.number(2.0), graph.number(0.0));
+        let root = graph.place(Node::Function(Unary::Sqrt, x));
+        let mut everywhere = |node| {
+            let id = graph.place(node);
+            graph.known(id).everywhere
+        };
+        let power = |a, exponent: f64| Node::Power(a, exponent.to_bits());
+        for (node, expected) in [
+            (Node::Divide(x, two), true),
+            (Node::Divide(x, zero), false),
+            (Node::Divide(two, x), false),
+            (Node::Divide(root, two), false),
+            (power(x, 2.0), true),
+            (power(x, 3.0), true),
+            (power(x, -1.0), false),
+            (power(x, 0.5), false),
+            (power(root, 2.0), false),
+        ] {
+            assert_eq!(everywhere(node), expected, "{node:?}");
+        }
+    }
+}

@@ -211,3 +211,46 @@ impl Unary {
         }
     }
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    /// A result below the normal numbers has lost digits, which the factors still have.
+    #[test]
+    fn numbers_are_combined_if_they_keep_their_digits() {
+        let mut graph = Graph::default();
+        let [tiny, zero, infinite] = [1e-300, 0.0, f64::INFINITY].map(|x| graph.number(x));
+        let [small, large, two] = [1e-10, 1e10, 2.0].map(|x| graph.number(x));
+        for (id, expected) in [
+            (graph.scale(2.0, tiny), Some(2e-300)),
+            (graph.scale(1e-10, tiny), None),
+            (graph.scale(2.0, infinite), Some(f64::INFINITY)),
+            (graph.divide(zero, two), Some(0.0)),
+            (graph.divide(tiny, small), Some(1e-300 / 1e-10)),
+            (graph.divide(tiny, large), None),
+            (graph.divide(two, zero), Some(f64::INFINITY)),
+        ] {
+            assert_eq!(graph.as_number(id), expected);
+        }
+    }
+
+    #[test]
+    fn equal_terms_are_added_where_the_sum_has_the_same_values() {
+        let mut graph = Graph::default();
+        let x = graph.input(0);
+        let root = graph.function(Unary::Sqrt, x);
+        let (twice, opposite) = (graph.scale(2.0, root), graph.negate(root));
+        assert_eq!(graph.add(root, root), twice);
+        // Not a number for negative x, as the root is.
+        let rest = graph.add(root, opposite);
+        assert_eq!(graph.as_number(rest), None);
+        let opposite = graph.negate(x);
+        let rest = graph.add(x, opposite);
+        assert_eq!(graph.as_number(rest), Some(0.0));
+        let largest = graph.scale(f64::MAX, x);
+        assert!(
+            matches!(graph.add(largest, largest), id if matches!(graph.node(id), Node::Add(..)))
+        );
+    }
+}

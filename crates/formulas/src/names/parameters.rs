@@ -71,3 +71,18 @@ impl Parameters {
         &self.entries
     }
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn vectors_have_one_to_256_components() {
+        let vector = |count: usize| Parameters::new().vector("a", &vec![1.0; count]);
+        for count in [0, 257, 300, 1000] {
+            let expected = NameError::Dimension { name: "a".into(), dimension: count, limit: 256 };
+            assert_eq!(vector(count), Err(expected));
+        }
+        assert!(vector(1).is_ok() && vector(256).is_ok());
+    }
+}

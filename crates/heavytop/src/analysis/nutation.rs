@@ -232,4 +232,47 @@ mod tests {
         nutation.observe(11.0, &upright);
         assert_eq!(nutation.amplitude(), None);
     }
+
+    /// Two maxima make a period, whatever is seen of the minima.
+    #[test]
+    fn a_period_begins_and_ends_at_a_maximum() {
+        let top = HeavyTop::lagrange(1.0, 1.0, 1.0).unwrap();
+        // u = ½ cos 2t has maxima at 0 and π, and minima at ±½π.
+        for (start, end, known) in [(-0.3, 3.5, true), (-1.8, 1.8, false)] {
+            let mut nutation = Nutation::new(&top);
+            let [_, e, f] = nutation.frame;
+            for n in 0..=1000_u32 {
+                let t = start + (end - start) * f64::from(n) / 1000.0;
+                let (u, du) = (0.5 * (2.0 * t).cos(), -(2.0 * t).sin());
+                let w = (1.0 - u * u).sqrt();
+                let (sin, cos) = (0.7 * t).sin_cos();
+                let gamma = (e * cos + f * sin) * w + Vector3::z() * u;
+                let rate = (e * cos + f * sin) * (-u * du / w)
+                    + (f * cos - e * sin) * (w * 0.7)
+                    + Vector3::z() * du;
+                nutation.observe(t, &Se3Dual::new(rate.cross(&gamma), gamma));
+            }
+            assert_eq!(nutation.rotation_number().is_some(), known);
+        }
+    }
+
+    /// A spherical top is Lagrange's top for every centre of mass.
+    #[test]
+    fn the_frame_is_orthonormal_for_every_center_of_mass() {
+        for c in [[0.48, 0.6, 0.64], [0.0, -0.6, 0.8], [1.0, 0.0, 0.0]] {
+            let body = crate::Body {
+                inertia: Vector3::repeat(1.0),
+                mass: 1.0,
+                gravity: 1.0,
+                length: 1.0,
+                center_of_mass: Vector3::from(c),
+            };
+            let [a, b, c] = Nutation::new(&HeavyTop::new(&body).unwrap()).frame;
+            for (u, v, product) in
+                [(a, a, 1.0), (b, b, 1.0), (c, c, 1.0), (a, b, 0.0), (b, c, 0.0), (c, a, 0.0)]
+            {
+                assert!((u.dot(&v) - product).abs() < 4.0 * f64::EPSILON, "{u} {v}");
+            }
+        }
+    }
 }

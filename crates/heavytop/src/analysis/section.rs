@@ -235,3 +235,42 @@ fn vertical(axis: usize, angle: f64, height: f64) -> Vector3<f64> {
     gamma[(axis + 2) % 3] = radius * angle.sin();
     gamma
 }
+
+#[cfg(test)]
+#[allow(clippy::unwrap_used)]
+mod tests {
+    use super::*;
+    use crate::{Body, HeavyTop};
+
+    /// The bound of Π_i on Γ_i = level is that of the energy at the most favourable angle.
+    #[test]
+    fn the_bound_of_a_momentum_is_attained() {
+        let body = Body {
+            inertia: Vector3::new(1.5, 1.2, 0.7),
+            mass: 1.3,
+            gravity: 0.9,
+            length: 0.7,
+            center_of_mass: Vector3::new(0.48, 0.6, 0.64),
+        };
+        let top = HeavyTop::new(&body).unwrap();
+        let energy = 2.0;
+        let level = EnergyLevel { top, energy, vertical_momentum: 0.3 };
+        for coordinate in [Coordinate::Gamma1, Coordinate::Gamma2, Coordinate::Gamma3] {
+            for height in [-0.6, 0.2, 0.9] {
+                let surface = Surface { coordinate, level: height, direction: Direction::Both };
+                let section = Section::new(level, surface).unwrap();
+                let axis = coordinate.axis();
+                let momentum = |angle: f64| {
+                    let gamma = vertical(axis, angle, height);
+                    let weight = top.weight_moment() * gamma.dot(&top.center_of_mass());
+                    (2.0 * top.inertia()[axis] * (energy - weight)).sqrt()
+                };
+                let angles = (0..100_000).map(|n| TAU * f64::from(n) / 100_000.0);
+                let most = angles.map(momentum).fold(0.0, f64::max);
+                // Between angles the maximum is larger by the square of their distance.
+                let bound = section.bound();
+                assert!((bound - most).abs() < 1e-8, "{coordinate:?} {height}: {bound} {most}");
+            }
+        }
+    }
+}

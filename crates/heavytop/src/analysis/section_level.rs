@@ -120,4 +120,19 @@ mod tests {
         let first = |seed| quasi_random(seed).next();
         assert!(first(0) != first(1));
     }
+
+    /// Of each box of the grid, only the search that begins in its middle finds a valley within the box.
+    #[test]
+    fn a_search_begins_in_every_box() {
+        for (i, j) in (0..ANGLES).flat_map(|i| (0..HEIGHTS).map(move |j| (i, j))) {
+            let angle = (f64::from(i) + 0.5) / f64::from(ANGLES) * 2.0 * PI - PI;
+            let height = (f64::from(j) + 0.5) / f64::from(HEIGHTS) * 2.0 - 1.0;
+            let sides = [PI / f64::from(ANGLES), 1.0 / f64::from(HEIGHTS)];
+            let valley = |x: f64, y: f64| {
+                let distance = ((x - angle) / sides[0]).hypot((y - height) / sides[1]);
+                if distance < 0.4 { distance - 1.0 } else { 0.0 }
+            };
+            assert!((least_energy(valley) + 1.0).abs() < 1e-12, "{i} {j}");
+        }
+    }
 }

@@ -1,7 +1,7 @@
 //! The attitude along a motion, in every formulation that has one: vertical, order and the rotation of a step.
 
 use collective_integrators::{
-    AlternatingSubsteps, Collective, Composition, Direct, FirstHalf, LiftFree,
+    AlternatingSubsteps, Collective, Composition, Direct, FirstHalf, Integrator, LiftFree,
     PartitionedRungeKutta, RungeKutta, Splitting, StagesInLanes, Start, Substeps, fitted_order,
     from_fn,
 };
@@ -101,11 +101,18 @@ impl Task for Vertical {
             // The rotation belongs to this very step.
             integrator.0.forget(&mut workspace);
             let plain = integrator.0.step(&state, 0.02, &mut workspace).unwrap();
-            assert_eq!(plain.point, next.point, "{name}");
+            assert_eq!((plain.point, plain.iterations), (next.point, next.iterations), "{name}");
             state = next.point;
             wrong = turn.conjugate() * wrong;
         }
         assert!(most < tolerance, "{name}: {most:e}");
+        // The workspace is that of the last step.
+        integrator.forget(&mut workspace);
+        let next = |workspace: &mut _| {
+            let next = integrator.step(&Pair(state, Quaternion::one()), 0.02, workspace).unwrap();
+            (next.point, next.iterations)
+        };
+        assert_eq!(next(&mut workspace), next(&mut integrator.workspace()), "{name}");
         assert!(most_of_wrong > 0.1, "{name}: {most_of_wrong:e}");
     }
 }

@@ -32,3 +32,21 @@ pub fn generic_tangent<V: Vector<Scalar = f64>>(number: usize, dimension: usize)
         ((place * place) as f64 * GOLDEN).fract() - 0.5
     })
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use nalgebra::{Matrix4, SVector};
+
+    #[test]
+    fn tangents_have_no_zeros_but_those_that_complete_a_space() {
+        type Space = SVector<f64, 6>;
+        let tangents: [Space; 4] = [0, 1, 2, 3].map(|number| generic_tangent(number, 4));
+        for v in &tangents {
+            assert!((0..6).all(|i| (v[i] != 0.0) == (i < 4) && v[i].abs() < 0.5), "{v}");
+        }
+        let square = Matrix4::from_fn(|i, j| tangents[j][i]);
+        assert!(square.determinant().abs() > 1e-3);
+        assert_eq!(generic_tangent::<Space>(4, 4), Space::ith(4, 1.0));
+    }
+}

@@ -22,3 +22,22 @@ fn both_finite<M: PoissonMap, T: Real>(map: &M, z: &SourcePoint<M, T>) -> bool {
     let momentum = map.apply::<T>(z).max_norm();
     z.is_finite() && momentum.at_most(T::from_f64(LARGEST)).all()
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use momentum_map::HOPF;
+    use nalgebra::Vector2;
+    use num_complex::Complex;
+
+    /// Products of the coordinates of a large state need not overflow.
+    #[test]
+    fn large_states_have_finite_momenta_up_to_an_overflow() {
+        let finite = |x: f64, y: f64| {
+            let z = Vector2::new(Complex::new(x, 0.0), Complex::new(0.0, y));
+            has_finite_momentum::<_, f64>(&HOPF, &z)
+        };
+        assert!(finite(1.0, -1.0) && finite(1e120, 1e-120) && finite(1e150, 1e150));
+        assert!(!finite(1e160, 1e160) && !finite(f64::NAN, 1.0) && !finite(f64::INFINITY, 0.0));
+    }
+}

@@ -43,3 +43,26 @@ impl<V: State> RecentringThreshold<V> {
         self.0 = Some(BlockSizes::select(grown, &sizes, self.0.as_ref().unwrap_or(&sizes)));
     }
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use nalgebra::Vector2;
+
+    /// The threshold is a ratio of sizes, whatever their unit.
+    #[test]
+    fn a_point_is_moved_back_when_it_has_grown_fourfold() {
+        for unit in [1e-30, 1.0, 1e30] {
+            let mut threshold = RecentringThreshold::<Vector2<f64>>::default();
+            let mut is_moved = |factor: f64| {
+                let mut moved = false;
+                let mut z = Vector2::new(1.0, -0.5) * (factor * unit);
+                threshold.recentre_if_grown(&mut z, |_, _| moved = true);
+                moved
+            };
+            // A run begins, grows to less and to more than the threshold, and goes on from the new size.
+            let moves = [1.0, 3.9, 4.1, 16.0, 16.5].map(&mut is_moved);
+            assert_eq!(moves, [true, false, true, false, true], "{unit:e}");
+        }
+    }
+}

@@ -194,4 +194,15 @@ mod tests {
         let three = BlockSizes::of(&[Three::from_coordinates(|i| i as f64)]);
         assert_eq!([three.at(0), three.at(1), three.at(2)], [0.0, 2.0, 3.0]);
     }
+
+    #[test]
+    fn scaled_sizes_are_added_block_by_block() {
+        type Two = Pair<Vector1<f64>, Vector2<f64>>;
+        let sizes = |x, y, z| BlockSizes::of(&[Pair(Vector1::new(x), Vector2::new(y, z)) as Two]);
+        let mut sum = sizes(-1.0, 3.0, -4.0);
+        sum.add_scaled(0.5, &sizes(8.0, 2.0, -1.0));
+        assert_eq!((sum.at(0), sum.at(1), sum.sum()), (5.0, 5.0, 13.5));
+        sum.add_scaled(1.0, &sizes(0.0, f64::NAN, 0.0));
+        assert!(sum.sum().is_nan() && sum.largest().is_nan());
+    }
 }

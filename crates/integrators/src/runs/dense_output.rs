@@ -146,4 +146,16 @@ mod tests {
         }
         assert!(matches!(run.at(0.0), Err(DenseOutputError::Passed { .. })));
     }
+
+    #[test]
+    fn no_time_is_sought_without_end() {
+        let decay = from_fn(|x: &Vector1<f64>| -*x);
+        let rk4 = Direct::new(RungeKutta::rk4(), decay);
+        let at =
+            |step, time| DenseOutput::new(&rk4, rk4.trajectory_from(Vector1::x(), step)).at(time);
+        for (step, time) in [(0.1, f64::NAN), (0.1, f64::INFINITY), (0.0, 1.0)] {
+            assert!(matches!(at(step, time), Err(DenseOutputError::Ended { .. })), "{step} {time}");
+        }
+        assert!(at(0.1, 1.0).is_ok());
+    }
 }

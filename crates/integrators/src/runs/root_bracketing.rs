@@ -85,11 +85,13 @@ mod tests {
     #[test]
     fn zeros_to_round_off_in_a_few_evaluations() {
         for (f, end, root, most) in [
-            ((|x| x - 0.3) as fn(f64) -> f64, 1.0, 0.3, 5),
-            (|x: f64| x.cos() - 0.9, 1.0, 0.9_f64.acos(), 12),
-            (|x: f64| x.sin() + 0.2, -1.0, -(0.2_f64.asin()), 12),
-            (|x: f64| 1e-30 * ((x - 0.1).powi(3)), 1.0, 0.1, 120),
-            (|x: f64| if x < 0.7 { -1.0 } else { 1e9 }, 1.0, 0.7, 60),
+            ((|x| x - 0.3) as fn(f64) -> f64, 1.0, 0.3, 2),
+            (|x: f64| x.cos() - 0.9, 1.0, 0.9_f64.acos(), 9),
+            (|x: f64| x.sin() + 0.2, -1.0, -(0.2_f64.asin()), 7),
+            (|x: f64| 1e-30 * ((x - 0.1).powi(3)), 1.0, 0.1, 53),
+            (|x: f64| if x < 0.7 { -1.0 } else { 1e9 }, 1.0, 0.7, 52),
+            (|x: f64| (x - 0.2) * (x + 2.0) * (x + 5.0), 1.0, 0.2, 6),
+            (|x: f64| x * x - 3e-4, 1.0, 3e-4_f64.sqrt(), 13),
             (|x: f64| x, 1.0, 0.0, 0),
         ] {
             let (found, evaluations) = zero(f, end);

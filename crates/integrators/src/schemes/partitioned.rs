@@ -268,3 +268,21 @@ impl<P: Polarisation> Scheme for PartitionedRungeKutta<P> {
         self.q == self.p && self.q.is_symplectic()
     }
 }
+
+#[cfg(test)]
+#[allow(clippy::unwrap_used)]
+mod tests {
+    use super::*;
+    use crate::FirstHalf;
+
+    /// Stages at the same times are extrapolated from the last step together.
+    #[test]
+    fn pairs_with_the_same_nodes_predict_their_stages() {
+        for stages in [3, 4] {
+            let pair = PartitionedRungeKutta::<FirstHalf>::lobatto_iiia_iiib(stages).unwrap();
+            assert_eq!(pair.predictor, Predictor::new(pair.q.nodes()));
+        }
+        let euler = PartitionedRungeKutta::<FirstHalf>::symplectic_euler_implicit_in_p();
+        assert_eq!(euler.predictor, Predictor::none());
+    }
+}

@@ -131,7 +131,7 @@ impl<V: State, F: Fn(usize, &[V]) -> V> StageEquations<V> for ByValue<F> {
 #[allow(clippy::unwrap_used)]
 mod tests {
     use super::*;
-    use nalgebra::Vector1;
+    use nalgebra::{Vector1, Vector2};
 
     /// The equation at every stage is k = (k + z)/2, and the last k is the solution.
     #[test]
@@ -156,5 +156,34 @@ mod tests {
             assert_eq!(sweeps(2), cold);
             assert!(sweeps(2) < cold);
         }
+    }
+
+    /// Makes a step of the midpoint rule of a pendulum, and returns its end with the number of sweeps.
+    fn step(memory: &mut StageMemory<Vector2<f64>>, z: Vector2<f64>) -> (Vector2<f64>, usize) {
+        let (h, rate) = (0.1, |z: Vector2<f64>| Vector2::new(z.y, -z.x.sin()));
+        let mut k = [Vector2::zeros()];
+        let solve = |_, k: &[Vector2<f64>]| rate(z + k[0] * (h / 2.0));
+        let solver = StageSolver::default();
+        let sweeps = memory.solve(&solver, &z, h, &mut k, || rate(z), solve).unwrap();
+        let end = z + k[0] * h;
+        memory.end_at(&end);
+        (end, sweeps)
+    }
+
+    /// A memory that is forgotten, or belongs to another point, is that of no step.
+    #[test]
+    fn a_step_that_continues_nothing_is_the_first_one() {
+        let (mut memory, start) = (StageMemory::new(&[0.5]), Vector2::new(1.0, 0.3));
+        let first = step(&mut memory, start);
+        let mut z = first.0;
+        for _ in 0..20 {
+            z = step(&mut memory, z).0;
+        }
+        let anew = step(&mut StageMemory::new(&[0.5]), z);
+        // Control: the next step of the motion needs fewer sweeps.
+        assert!(step(&mut memory.clone(), z).1 < anew.1);
+        assert_eq!(step(&mut memory.clone(), start), first);
+        memory.forget();
+        assert_eq!(step(&mut memory, z), anew);
     }
 }

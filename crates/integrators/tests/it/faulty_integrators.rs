@@ -23,6 +23,7 @@ enum FaultyIntegrator {
     StartsAnywhere,
     AdvancesElsewhere,
     SkipsASecondPart,
+    RefusesALastStep,
 }
 
 impl Integrator for FaultyIntegrator {
@@ -67,7 +68,9 @@ impl Integrator for FaultyIntegrator {
         let scale = if *self == Self::AdvancesElsewhere { 2.0 } else { 1.0 };
         let Step { point, iterations } = self.step(&(*z * scale), step, workspace)?;
         *z = point;
-        Ok(iterations)
+        // The suite makes twelve steps.
+        let refused = *self == Self::RefusesALastStep && workspace.0 == 12;
+        if refused { Err(StepError::NotFinite) } else { Ok(iterations) }
     }
 
     fn advance(
@@ -119,7 +122,7 @@ impl Start for FaultyIntegrator {
 
 #[test]
 fn laws_of_integrators_reject_what_breaks_them() {
-    let cases: [(FaultyIntegrator, &[&str]); 12] = [
+    let cases: [(FaultyIntegrator, &[&str]); 13] = [
         (FaultyIntegrator::None, &[]),
         (FaultyIntegrator::MovesAtRest, &["step of size 0"]),
         (FaultyIntegrator::Remembers, &["forgetting", "resumption"]),
@@ -132,6 +135,7 @@ fn laws_of_integrators_reject_what_breaks_them() {
         (FaultyIntegrator::StartsAnywhere, &["refusal"]),
         (FaultyIntegrator::AdvancesElsewhere, &["step in place", "advance", "resumption"]),
         (FaultyIntegrator::SkipsASecondPart, &["advance"]),
+        (FaultyIntegrator::RefusesALastStep, &["after", "step in place", "advance", "resumption"]),
     ];
     for (integrator, expected) in cases {
         let report = laws::start(&integrator, &points(), STEP).unwrap();

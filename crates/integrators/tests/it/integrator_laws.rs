@@ -5,6 +5,7 @@
 
 use crate::support::{ROUND_OFF, field, keeps_its_promises, laws, start};
 use collective_integrators::*;
+use core::ops::Range;
 use core::sync::atomic::{AtomicUsize, Ordering};
 use lie_poisson::*;
 use momentum_map::{Cotangent, HOPF, Quaternions};
@@ -223,13 +224,61 @@ impl<T: Real> VectorField<T> for Counted<'_> {
 #[test]
 fn members_of_a_batch_advance_together() {
     let calls = AtomicUsize::new(0);
-    let batch = Laned::new(Direct::new(RungeKutta::rk4(), Counted(&calls)));
+    let rk4 = || Direct::new(RungeKutta::rk4(), Counted(&calls));
+    let batch = Laned::new(rk4());
     let mut members: Vec<_> = (1..=9).map(|x| Vector2::new(f64::from(x), 0.0)).collect();
     let mut fails = |member, error| panic!("{member}: {error}");
     batch.advance(&mut members, STEP, 0..10, &mut batch.workspace(), &mut fails);
     let groups = members.len().div_ceil(DefaultLanes::COUNT);
     // Ten steps of four stages.
-    assert_eq!(calls.load(Ordering::Relaxed), groups * 10 * 4);
+    assert_eq!(calls.swap(0, Ordering::Relaxed), groups * 10 * 4);
+    let batch = LanedOver::<_, DefaultLanes>::new(rk4());
+    batch.advance(&mut members, STEP, 0..10, &mut batch.workspace(), &mut fails);
+    assert_eq!(calls.swap(0, Ordering::Relaxed), groups * 10 * 4);
+    let batch = LanedOver::<_, f64>::new(rk4());
+    batch.advance(&mut members, STEP, 0..10, &mut batch.workspace(), &mut fails);
+    assert_eq!(calls.load(Ordering::Relaxed), members.len() * 10 * 4);
+}
+
+/// A kernel that counts its calls, and notes the number of lanes.
+#[derive(Default)]
+struct Calls {
+    made: AtomicUsize,
+    lanes: AtomicUsize,
+}
+
+impl LaneKernel for Calls {
+    type Member = f64;
+    type Workspace = ();
+
+    fn together<T: Lanes>(&self, group: &mut [f64], _: f64, _: u64) -> LaneResults {
+        self.made.fetch_add(1, Ordering::Relaxed);
+        self.lanes.store(T::COUNT, Ordering::Relaxed);
+        assert!(group.len() <= T::COUNT);
+        [true; MOST_LANES]
+    }
+
+    fn alone(
+        &self,
+        _: &mut f64,
+        _: f64,
+        _: Range<u64>,
+        (): &mut (),
+    ) -> Result<(), IntegrationError> {
+        panic!("every member has a result")
+    }
+}
+
+#[test]
+fn a_kernel_gets_groups_that_fill_its_registers() {
+    for (set, width) in InstructionSet::available().flat_map(|set| Width::ALL.map(|w| (set, w))) {
+        let calls = Calls::default();
+        let registers = Registers::new(set, width).unwrap();
+        let mut members = [0.0; 4 * MOST_LANES + 1];
+        registers.advance(&calls, &mut members, STEP, 0..1, &mut (), &mut |_, _| ());
+        let lanes = calls.lanes.into_inner();
+        assert_eq!(calls.made.into_inner(), members.len().div_ceil(lanes), "{set} {width:?}");
+    }
 }
 
 /// Hamilton's equations of the documented energy of [`laws::GenericSystem`], differentiated by hand.

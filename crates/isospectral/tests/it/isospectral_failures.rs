@@ -37,6 +37,17 @@ fn steps_that_do_not_converge_are_errors() {
         assert!(matches!(step, Err(StepError::NotConverged { .. })), "{h} {step:?}");
         assert_eq!(w, generic(4, 0.5));
     }
+    // B is linear in W: a large W in a short step fails as a small one in a long step does.
+    let midpoint = ExponentialMidpoint::new(Quadratic(4));
+    let failure = |unit: f64| {
+        let mut w = generic(4, 0.5);
+        w.scale_in_place(unit);
+        midpoint.step_in_place(&mut w, 50.0 / unit, &mut midpoint.workspace()).err()
+    };
+    assert!(failure(1.0).is_some());
+    for unit in [0.25, 1024.0, 2.0_f64.powi(100)] {
+        assert_eq!(failure(unit), failure(1.0), "{unit}");
+    }
     // With a tolerance, the error compares the last change with it. Where the sweeps stay finite they may end like that.
     let loose = ExponentialMidpoint::new(Quadratic(4)).with_tolerance(1e-6);
     let unsolved = [2.0, 3.0, 4.0, 6.0, 9.0, 14.0, 20.0].into_iter().filter(|h| {

@@ -91,3 +91,19 @@ fn rank<V: Vector<Scalar = f64>>(vectors: impl Iterator<Item = V>) -> usize {
     }
     basis.len()
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use nalgebra::Vector3;
+
+    #[test]
+    fn ranks_do_not_depend_on_sizes() {
+        let [x, y, z] = [Vector3::x(), Vector3::y(), Vector3::z()];
+        let rank_of = |vectors: &[Vector3<f64>]| rank(vectors.iter().copied());
+        assert_eq!(rank_of(&[x * 1e-200, y * 1e200, x + y]), 2);
+        assert_eq!(rank_of(&[x, x + y * 1e-8, z * 1e-300]), 3);
+        assert_eq!(rank_of(&[x, Vector3::zeros(), x + y * 1e-14]), 1);
+        assert_eq!(rank_of(&[]), 0);
+    }
+}

@@ -83,5 +83,10 @@ mod tests {
         (0..3).for_each(|block| values.set(block, block as i32 + 1));
         assert_eq!(values, (((1,), (2,)), (3,)));
         assert_eq!([0, 1, 2, 9].map(|block| values.at(block)), [1, 2, 3, 3]);
+        type Second = (((i32,), (i32,)), ((i32,), ((i32,), (i32,))));
+        let mut values = Second::uniform(0);
+        (0..5).for_each(|block| values.set(block, block as i32 + 1));
+        assert_eq!(values, (((1,), (2,)), ((3,), ((4,), (5,)))));
+        assert_eq!([0, 1, 2, 3, 4].map(|block| values.at(block)), [1, 2, 3, 4, 5]);
     }
 }

@@ -233,3 +233,22 @@ impl<A: SubAssign, B: SubAssign> SubAssign for Pair<A, B> {
         self.1 -= rhs.1;
     }
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use nalgebra::{Vector1, Vector2};
+
+    #[test]
+    fn blocks_are_numbered_from_the_left() {
+        type First = Pair<Vector2<f64>, Vector1<f64>>;
+        type Second = Pair<Vector1<f64>, Pair<Vector2<f64>, Vector1<f64>>>;
+        type Both = Pair<First, Second>;
+        let expected = [0, 0, 1, 2, 3, 3, 4];
+        let point = Both::from_coordinates(|i| i as f64);
+        for (i, block) in expected.into_iter().enumerate() {
+            assert_eq!((Both::block(i), point.block_of(i)), (block, block), "{i}");
+        }
+        assert_eq!((Both::BLOCKS, Both::DIM), (5, expected.len()));
+    }
+}

@@ -47,3 +47,25 @@ fn require_triangle(inertia: &Vector3<f64>) -> Result<(), SystemError> {
     }
     Ok(())
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn each_moment_is_compared_with_the_sum_of_the_others() {
+        for axis in 0..3 {
+            let mut inertia = Vector3::new(1.0, 1.5, 2.0);
+            assert!(require_triangle(&inertia).is_ok());
+            inertia[axis] = 4.0;
+            let others = [inertia[(axis + 1) % 3], inertia[(axis + 2) % 3]];
+            let refused = require_triangle(&inertia);
+            let named = matches!(refused, Err(SystemError::Triangle { largest, first, second })
+                if largest == 4.0 && [first, second] == others);
+            assert!(named, "{refused:?}");
+            // A flat body, rounded.
+            inertia[axis] = (others[0] + others[1]) * (1.0 + f64::EPSILON);
+            assert!(require_triangle(&inertia).is_ok());
+        }
+    }
+}

@@ -67,3 +67,24 @@ pub(crate) fn sum_is_finite(s: &[Spins], step: f64, k: &[Spins]) -> bool {
         })
     })
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    /// The sum is finite where the product is not, and the other way round.
+    #[test]
+    fn sums_are_tested_and_not_products() {
+        let spins = |x: f64| vec![Spins([[x; BLOCK]; 3]); 3];
+        let finite = |s: f64, step: f64, k: f64| sum_is_finite(&spins(s), step, &spins(k));
+        assert!(finite(1e300, 1.0, 1e10) && finite(1e200, -0.5, 1e200));
+        assert!(
+            !finite(1e308, 1.0, 1e308)
+                && !finite(f64::NAN, 0.0, 0.0)
+                && !finite(0.0, 1.0, f64::INFINITY)
+        );
+        let mut last = spins(1.0);
+        last[2].0[2][BLOCK - 1] = f64::NAN;
+        assert!(!sum_is_finite(&last, 0.1, &spins(1.0)));
+    }
+}

@@ -20,6 +20,12 @@ fn the_body_in_three_dimensions_is_that_of_euler() {
         Vector3::new(moments[1] + moments[2], moments[0] + moments[2], moments[0] + moments[1]);
     let energy = 0.5 * pi.component_mul(&pi).component_div(&inertia).sum();
     assert!((body.energy(&m) - energy).abs() < 1e-15);
+    let square = |j: usize| moments[j] * moments[j];
+    let manakov = -0.5
+        * (pi.z * pi.z * (square(0) + square(1))
+            + pi.y * pi.y * (square(0) + square(2))
+            + pi.x * pi.x * (square(1) + square(2)));
+    assert!((body.manakov_integral(&m) - manakov).abs() < 1e-14);
     let rate = body.rate(&m);
     let expected = pi.cross(&pi.component_div(&inertia));
     let found = Vector3::new(rate.at(2, 1).re, rate.at(0, 2).re, rate.at(1, 0).re);

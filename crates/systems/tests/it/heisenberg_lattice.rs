@@ -56,6 +56,28 @@ fn rates_follow_from_the_energy() {
 }
 
 #[test]
+fn cells_are_numbered_row_by_row() {
+    let lattice = generic([2, 3, 4]);
+    let state = lattice.state(|cell| Vector3::from(cell.map(|i| i as f64)));
+    for (i, cell) in state.0.iter().enumerate() {
+        let expected = [i % 2, i / 2 % 3, i / 6].map(|x| x as f64);
+        assert_eq!(cell, &Vector3::from(expected), "{i}");
+    }
+}
+
+/// A lattice that is shared by threads has the rates of its unit cell, which one thread computes.
+#[test]
+fn a_periodic_state_has_periodic_rates() {
+    let (cell, copies) = (generic([32, 16, 4]), generic([32, 16, 64]));
+    let small = spins(&cell);
+    let repeated = (0..copies.count()).map(|i| small.0[i % cell.count()]);
+    let (rate, rates) = (cell.at(&small), copies.at(&Covector(repeated.collect())));
+    for (i, found) in rates.0.iter().enumerate() {
+        assert_eq!(found, &rate.0[i % cell.count()], "{i}");
+    }
+}
+
+#[test]
 fn a_row_is_the_heisenberg_chain() {
     const N: usize = 6;
     let field = Vector3::new(0.2, 0.1, -0.4);

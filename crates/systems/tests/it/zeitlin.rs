@@ -106,9 +106,16 @@ fn harmonics_are_orthonormal_eigenvectors() {
     assert!(laplacian.harmonic(3, 4).is_empty() && laplacian.harmonic(24, 0).is_empty());
     // The entries of a matrix of size 512 neither overflow nor vanish.
     let large = QuantisedLaplacian::new(512).unwrap();
-    for (l, m) in [(511, 0), (511, 255), (300, 299)] {
+    for (l, m) in [(511, 0), (511, 255), (300, 299), (511, 128)] {
         let square: f64 = large.harmonic(l, m).iter().map(|x| x * x).sum();
         assert!((square * 4.0 * PI / 512.0 - 1.0).abs() < 1e-12);
+    }
+    // Nor do those of a matrix so large that the numbers of the recurrence would overflow.
+    let huge = QuantisedLaplacian::new(4096).unwrap();
+    for (l, m) in [(4095, 0), (2048, 2000), (4095, 3000), (4090, 4089)] {
+        let entries = huge.harmonic(l, m);
+        let square: f64 = entries.iter().map(|x| x * x).sum();
+        assert!((square * 4.0 * PI / 4096.0 - 1.0).abs() < 1e-12, "{l} {m}: {square}");
     }
 }
 

@@ -112,7 +112,7 @@ impl<const S: usize> BatchIntegrator for GaussBatch<S> {
 /// the next.
 ///
 /// Its entry W_jl is the product over m ≠ l of (1 + c_j − c_m)/(c_l − c_m).
-fn coefficients<const S: usize>(gauss: &Tableau) -> ExtendedTableau<S> {
+pub(super) fn coefficients<const S: usize>(gauss: &Tableau) -> ExtendedTableau<S> {
     let c = gauss.nodes();
     let extension = |j: usize, l: usize| lagrange_polynomial(c, l, 1.0 + c[j]);
     let a = |i: usize, j: usize| gauss.row(i)[j];
@@ -167,5 +167,34 @@ impl<const S: usize> LaneKernel for ScaledGauss<'_, S> {
         let integrator = LiftFree::new(self.scheme.clone(), DualQuaternions, *top);
         let workspace = &mut Integrator::<f64>::workspace(&integrator);
         integrator.advance(state, step, steps, workspace).map(drop)
+    }
+}
+
+#[cfg(test)]
+#[allow(clippy::unwrap_used)]
+mod tests {
+    use super::*;
+
+    /// Of a polynomial of degree 3 the integral up to each node of the next step is exact.
+    #[test]
+    fn the_extension_integrates_polynomials() {
+        let gauss = Tableau::gauss(4).unwrap();
+        let found = coefficients::<4>(&gauss);
+        for power in 0..4 {
+            for i in 0..4 {
+                let value = |time: f64| time.powi(power);
+                let extended: f64 =
+                    (0..4).map(|l| found.extended[i][l] * value(gauss.nodes()[l])).sum();
+                let exact: f64 =
+                    (0..4).map(|j| found.a[i][j] * value(1.0 + gauss.nodes()[j])).sum();
+                // The weights of the extension are up to 30.
+                assert!((extended - exact).abs() < 1e-13, "{power} {i}: {extended} {exact}");
+            }
+        }
+        // Control: no polynomial of degree 3 is τ⁴.
+        let quartic = |j: usize| gauss.nodes()[j].powi(4);
+        let extended: f64 = (0..4).map(|l| found.extended[3][l] * quartic(l)).sum();
+        let exact: f64 = (0..4).map(|j| found.a[3][j] * (1.0 + gauss.nodes()[j]).powi(4)).sum();
+        assert!((extended - exact).abs() > 1e-3);
     }
 }

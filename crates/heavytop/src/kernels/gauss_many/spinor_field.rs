@@ -100,3 +100,21 @@ pub(crate) fn imaginary_overlap<T: Lanes>(z: &Spinors<T>) -> T {
     let [q1, q2, q3, q4, p1, p2, p3, p4] = *z;
     p1.multiply_subtract(q2, p2 * q1) + p3.multiply_subtract(q4, p4 * q3)
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use nalgebra::Vector2;
+    use num_complex::Complex;
+
+    #[test]
+    fn overlaps_are_those_of_complex_spinors() {
+        let z: Spinors<f64> = [0.3, -1.2, 0.7, 2.1, -0.4, 1.5, 0.9, -0.6];
+        let spinor = |x: &[f64]| Vector2::new(Complex::new(x[0], x[1]), Complex::new(x[2], x[3]));
+        let (chi, psi) = (spinor(&z[..4]), spinor(&z[4..]));
+        let overlap = psi.dotc(&chi);
+        assert!((real_overlap(&z) - overlap.re).abs() < 1e-15);
+        assert!((imaginary_overlap(&z) - overlap.im).abs() < 1e-15);
+        assert!((square(&z) - psi.norm_squared()).abs() < 1e-15);
+    }
+}

@@ -167,4 +167,11 @@ mod tests {
         // Control: the sums are not numbers of 53 digits.
         assert!((0..4).any(|c| units(end.z.0[c]) != units(z[c]) + 2 * units(z[c + 4])));
     }
+
+    #[test]
+    fn products_are_those_of_the_norms() {
+        let point =
+            CompensatedPoint { z: Row([1.0, 2.0, 2.0, 4.0, 2.0, 0.0, 0.0, 0.0]), carry: Row::ZERO };
+        assert_eq!((point.chi_square(), point.square(), point.products()), (25.0, 4.0, 10.0));
+    }
 }

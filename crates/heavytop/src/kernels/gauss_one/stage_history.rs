@@ -76,3 +76,27 @@ impl StageHistory {
         }
     }
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    /// The derivatives of χ + bψ are ℓ_χ + bℓ_ψ.
+    #[test]
+    fn stages_slide_with_the_point() {
+        let mut history = StageHistory::new();
+        let row = |c: usize| core::array::from_fn(|j| (c * WIDTH + j) as f64 - 30.0);
+        *history.stages().1 = core::array::from_fn(|c| Row(row(c)));
+        history.keep(&CompensatedPoint::ZERO, 0.1, 5, 0.5);
+        let kept = *history.stages().0;
+        for c in 0..4 {
+            let (chi, psi): ([f64; WIDTH], [f64; WIDTH]) = (row(c), row(c + 4));
+            assert_eq!(kept[c].0, core::array::from_fn(|j| chi[j] + 0.5 * psi[j]));
+            assert_eq!(kept[c + 4].0, psi);
+        }
+        assert_eq!(history.recall(&CompensatedPoint::ZERO, 0.1), 5);
+        // Control: a step of another length continues nothing.
+        assert_eq!(history.recall(&CompensatedPoint::ZERO, 0.2), 0);
+        assert_eq!(history.stages().0, &[Row::ZERO; WIDTH]);
+    }
+}

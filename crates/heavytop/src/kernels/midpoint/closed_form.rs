@@ -56,3 +56,19 @@ pub(super) fn end<T: Real>(start: &Se3Dual<T>, velocity: &Velocity<T>, step: f64
     let pi = half_turn(&a, n, &(half_turn(&a, n, pi) + torque));
     Se3Dual::new(pi, half_turn(&a, n, &half))
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn the_half_angle_of_a_whole_turn_is_found_again() {
+        for a in [[0.0; 3], [1e-9, 0.0, 0.0], [0.3, -0.2, 0.9], [3.0, 4.0, -1.0]] {
+            let a = Vector3::from(a);
+            let found = half_angle(&whole_turn(&a));
+            // For large |a| the scalar 2/(1+|a|²) of 1 + turn.scalar loses digits.
+            let bound = 4.0 * f64::EPSILON * (1.0 + a.norm_squared()) * a.norm();
+            assert!((found - a).norm() <= bound, "{a}: {found}");
+        }
+    }
+}

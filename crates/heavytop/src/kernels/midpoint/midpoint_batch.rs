@@ -188,3 +188,33 @@ impl Member for (HeavyTop, Se3Dual) {
         &mut self.1
     }
 }
+
+#[cfg(test)]
+#[allow(clippy::unwrap_used)]
+mod tests {
+    use super::*;
+    use lie_poisson::{Covector, Vector};
+    use nalgebra::Vector3;
+
+    /// The ensemble would advance members without a result alone, to the same end in more time.
+    #[test]
+    fn lanes_have_results() {
+        let top = HeavyTop::kovalevskaya(1.0, 1.0).unwrap();
+        let start = Se3Dual::new(Vector3::new(2.0, 3.0, 4.0), Vector3::new(0.6, 0.0, 0.8));
+        let one = TopMidpoint::new(top);
+        let mut states = [start; 1];
+        assert!(LaneKernel::together::<f64>(&one, &mut states, 0.02, 7)[0]);
+        let mut members = [(top, start); 1];
+        assert!(MidpointBatch::new().together::<f64>(&mut members, 0.02, 7)[0]);
+        let mut end = start;
+        Integrator::advance(&one, &mut end, 0.02, 0..7, &mut Integrator::workspace(&one)).unwrap();
+        for Covector(moved) in [states[0] - end, members[0].1 - end] {
+            // Without fused operations the last bits differ.
+            assert!(moved.max_abs() < 1e-13);
+        }
+        assert!((end - start).0.max_abs() > 0.1);
+        // Control: no step from a state that is no number has a result.
+        let mut states = [Se3Dual::new(Vector3::repeat(f64::NAN), Vector3::z()); 1];
+        assert!(!LaneKernel::together::<f64>(&one, &mut states, 0.02, 7)[0]);
+    }
+}

@@ -244,4 +244,22 @@ mod tests {
         // Negative control: rounded one by one they do.
         assert!(rounded[0] > 1e-17 && rounded[1] > 1e-19, "{rounded:?}");
     }
+
+    /// At θ² = c²x the polynomials of a fraction c are those of a step at x.
+    #[test]
+    fn a_fraction_scales_the_polynomials() {
+        let (whole, half) = (DriftPolynomials::new(1.0, 0.1), DriftPolynomials::new(0.5, 0.4));
+        assert_eq!((whole.terms, whole.sine.len()), (half.terms, half.sine.len()));
+        assert!(whole.defect != 0.0);
+        assert_eq!(half.defect, whole.defect / 16.0);
+        let scaled = |power: f64| move |(n, x): (i32, f64)| power * x * 0.25_f64.powi(n);
+        for (one, other, power) in [
+            (&whole.sine[..], &half.sine[..], 0.5),
+            (&whole.versine, &half.versine, 0.25),
+            (&whole.half_tangent, &half.half_tangent, 0.5),
+        ] {
+            let expected = (0..).zip(one.iter().copied()).map(scaled(power));
+            assert!(expected.eq(other.iter().copied()), "{one:?} {other:?}");
+        }
+    }
 }

@@ -159,3 +159,28 @@ fn cross<T: Lanes>(a: &[T; 3], b: &[T; 3]) -> [T; 3] {
         a[0].multiply_subtract(b[1], a[1] * b[0]),
     ]
 }
+
+#[cfg(test)]
+#[allow(clippy::unwrap_used)]
+mod tests {
+    use super::*;
+    use crate::HeavyTop;
+
+    /// With Γ against the force, the energy is kinetic. The bound is then attained by turns about e₃ if I₃ is large or
+    /// small, and by those about e₁ in between.
+    #[test]
+    fn the_bound_of_the_angles_is_attained() {
+        for (third, axis) in [(1.5, 2), (1.0, 0), (0.6, 0), (0.25, 2)] {
+            let top = HeavyTop::lagrange(1.0, third, 1.0).unwrap();
+            let splitting = SymmetricTopSplitting::new(top).unwrap();
+            let parameters = FlowParameters::<f64>::from_lanes(0.1, |_| &splitting);
+            let force = top.center_of_mass() * top.weight_moment();
+            let start = Se3Dual::new(Vector3::ith(axis, 2.0), -force.normalize());
+            let motion = MomentumLanes::from_lanes(&parameters, |_| &start);
+            let [turn, drift] = [dot(&motion.w, &motion.w), parameters.elongation * motion.w[2]];
+            let largest = turn.max(drift * drift);
+            let bound = parameters.bound(&motion);
+            assert!((bound - largest).abs() < 1e-14 * largest, "{third}: {bound} {largest}");
+        }
+    }
+}

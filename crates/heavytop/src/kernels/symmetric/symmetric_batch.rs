@@ -253,4 +253,24 @@ mod tests {
         assert_eq!(failures, 0);
         Ok(())
     }
+
+    #[test]
+    fn numbers_that_lose_digits_are_out_of_range() -> Result<(), Box<dyn std::error::Error>> {
+        let flows = SymmetricTopSplitting::new(HeavyTop::kovalevskaya(0.5, 1.0)?)?;
+        let within = |momentum: f64, step: f64| {
+            is_in_range(&(flows, Se3Dual::new(Vector3::x() * momentum, Vector3::z())), step)
+        };
+        for (momentum, step, expected) in [
+            (1.0, 0.1, true),
+            (0.0, 0.1, true),
+            (-1.0, -0.1, true),
+            (1e-200, 0.1, false),
+            (1.0, 1e-200, false),
+            (1e100, 1e-200, false),
+            (0.0, 1e-200, false),
+        ] {
+            assert_eq!(within(momentum, step), expected, "{momentum:e} {step:e}");
+        }
+        Ok(())
+    }
 }

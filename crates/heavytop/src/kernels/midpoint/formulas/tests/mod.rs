@@ -1,6 +1,8 @@
 //! The same bits in lanes and alone, and the error bound that the stopping rule assumes.
 #![allow(clippy::unwrap_used)]
 
+mod guesses;
+
 use super::components::{TopState, each};
 use super::guess::Guess;
 use super::midpoint_parameters::{MidpointParameters, SQUARED_FLOOR};
