@@ -63,10 +63,30 @@ def judge(number, tests):
     return number, "missed"
 
 
+def keys(names):
+    """Returns the name of each change without its place, with a number if a function has several like it."""
+    seen, result = collections.Counter(), []
+    for name in names:
+        path, _, _, change = name.split(":", 3)
+        key = f"{path}:{change}"
+        seen[key] += 1
+        result.append(key if seen[key] == 1 else f"{key} #{seen[key]}")
+    return result
+
+
+def listed_equivalents():
+    """Returns the keys of the changes that are known to change nothing that can be tested."""
+    lines = (pathlib.Path(__file__).parent / "equivalent.txt").read_text().splitlines()
+    return {line for line in lines if line and not line.startswith("#")}
+
+
 def main():
     (folder / "notes").mkdir(exist_ok=True)
     changes = json.loads((folder / "changes.json").read_text())
     names = changes["names"]
+    keyed, equivalent = keys(names), listed_equivalents()
+    if unknown := sorted(equivalent - set(keyed)):
+        print("equivalent.txt names changes that are not there:", *unknown, sep="\n", flush=True)
     tests = [test for program in changes["programs"] for test in listed(*program)]
     reached = collections.defaultdict(list)
     drawn = random.Random(seed).sample(range(len(names)), min(sample, len(names)))
@@ -76,16 +96,18 @@ def main():
                 reached[number].append((seconds, test))
         print(f"{len(tests)} tests, {len(reached)} of {len(names)} changes are reached", flush=True)
         verdicts = list(pool.map(lambda number: judge(number, sorted(reached[number])), drawn))
-    survivors = sorted(names[number] for number, verdict in verdicts if verdict == "missed")
+    verdicts = [(n, "equivalent" if verdict == "missed" and keyed[n] in equivalent else verdict) for n, verdict in verdicts]
+    survivors = sorted(f"{names[n].split(':', 3)[1]}: {keyed[n]}" for n, verdict in verdicts if verdict == "missed")
     (folder / "survivors.txt").write_text("".join(f"{name}\n" for name in survivors))
     counts = collections.defaultdict(collections.Counter)
     for number, verdict in verdicts:
         for crate in (names[number].split("/")[1], "all"):
             counts[crate][verdict] += 1
-    print("| crate | tried | caught | time limit | missed | caught of all |\n|---|---|---|---|---|---|")
+    print("| crate | tried | caught | time limit | change nothing | missed | caught of the others |\n|---|---|---|---|---|---|---|")
     for crate, count in sorted(counts.items(), key=lambda item: (item[0] == "all", item[0])):
-        tried, seen = count.total(), count["caught"] + count["time limit"]
-        print(f"| `{crate}` | {tried} | {count['caught']} | {count['time limit']} | {count['missed']} | {100 * seen / tried:.0f} % |")
+        tried, seen, same = count.total(), count["caught"] + count["time limit"], count["equivalent"]
+        share = f"{100 * seen / (tried - same):.0f} %" if tried > same else ""
+        print(f"| `{crate}` | {tried} | {count['caught']} | {count['time limit']} | {same} | {count['missed']} | {share} |")
 
 
 main()

@@ -1,5 +1,7 @@
 """Rewrites Rust sources so that each change of them is behind a switch."""
 
+import re
+
 import tree_sitter
 import tree_sitter_rust
 
@@ -20,6 +22,8 @@ UNTOUCHED = {
     "token_tree", "macro_definition", "use_declaration", "struct_item", "enum_item", "line_comment", "block_comment",
 }
 SWITCH = "crate::change_switch::on"
+# The characters of an operand that the name of a change tells.
+CLIP = 30
 
 
 def returned(kind):
@@ -33,6 +37,19 @@ def returned(kind):
     if kind.startswith("Result<"):
         return ["Ok(())"] if kind.startswith("Result<()") else ["Ok(Default::default())"]
     return ["Default::default()"]
+
+
+def has_value(body, value):
+    """Returns whether a body has this value anyway: it is the same, or its type has one value."""
+    body = body.strip("{} \n").split("\n")[-1].strip()
+    default = value == "Default::default()" and re.fullmatch(r"(\w+::)*default\(\)|[A-Z][A-Za-z0-9]*[a-z]", body)
+    return body == value or bool(default)
+
+
+def clipped(text, last):
+    """Returns an operand in one line, and of a long one the last or the first characters."""
+    text = " ".join(text.split())
+    return text if len(text) <= CLIP else f"…{text[-CLIP:]}" if last else f"{text[:CLIP]}…"
 
 
 class Changes:
@@ -52,7 +69,7 @@ class Source:
     """A file, whose lines keep their numbers when it is rewritten."""
 
     def __init__(self, path, text, changes):
-        self.path, self.bytes, self.changes = path, text.encode(), changes
+        self.path, self.bytes, self.changes, self.within = path, text.encode(), changes, ""
 
     def rewritten(self):
         root = tree_sitter.Parser(tree_sitter.Language(tree_sitter_rust.language())).parse(self.bytes).root_node
@@ -64,7 +81,7 @@ class Source:
 
     def numbers(self, node, change):
         row, column = node.start_point
-        return self.changes.number(f"{self.path}:{row + 1}:{column + 1}: {change}")
+        return self.changes.number(f"{self.path}:{row + 1}:{column + 1}: {self.within}: {change}")
 
     def written(self, node):
         """Returns the text of a node with its changes."""
@@ -90,19 +107,22 @@ class Source:
         if any("const" in words.split() for words in modifiers):
             return self.text(node)
         body, kind = node.child_by_field_name("body"), node.child_by_field_name("return_type")
-        name, returns = self.text(node.child_by_field_name("name")), ""
+        outer, self.within, returns = self.within, self.text(node.child_by_field_name("name")), ""
         for value in returned(self.text(kind) if kind else "()") if body.named_child_count else []:
-            number = self.numbers(body, f"{name} returns {value}")
+            number = None if has_value(self.text(body), value) else self.numbers(body, f"returns {value}")
             if number is not None:
                 returns += f" if {SWITCH}({number}) {{ return {value}; }}"
         head = self.bytes[node.start_byte : body.start_byte].decode()
-        return head + "{" + returns + self.inside(body)[1:]
+        written = head + "{" + returns + self.inside(body)[1:]
+        self.within = outer
+        return written
 
     def operands(self, node):
         left, right = node.child_by_field_name("left"), node.child_by_field_name("right")
         sign = node.child_by_field_name("operator")
-        operator = self.text(sign)
-        numbers = [(other, self.numbers(sign, f"{operator} becomes {other}")) for other in OPERATORS.get(operator, [])]
+        operator, sides = self.text(sign), (clipped(self.text(left), True), clipped(self.text(right), False))
+        names = {other: f"{operator} becomes {other} in {f' {operator} '.join(sides)}" for other in OPERATORS.get(operator, [])}
+        numbers = [(other, self.numbers(sign, name)) for other, name in names.items()]
         return left, right, operator, [pair for pair in numbers if pair[1] is not None]
 
     def operation(self, node):
@@ -128,7 +148,7 @@ class Source:
     def sign(self, node):
         sign, operand = self.text(node)[0], node.named_children[-1]
         literal = operand.type in ("float_literal", "integer_literal")
-        number = None if literal or sign not in "-!" else self.numbers(node, f"{sign} is deleted")
+        number = None if literal or sign not in "-!" else self.numbers(node, f"{sign} is deleted in {clipped(self.text(node), False)}")
         if number is None:
             return self.inside(node)
         return f"(match {self.written(operand)} {{ a_ => if {SWITCH}({number}) {{ a_ }} else {{ {sign}a_ }} }})"
