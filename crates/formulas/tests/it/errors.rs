@@ -151,6 +151,9 @@ fn depth_and_length_have_limits() {
     assert!(Formula::new(&long, &heavy_top()).is_ok());
     let deep = format!("{}Pi1{}", repeated("sin(", 190), repeated(")", 190));
     assert!(Formula::new(&deep, &heavy_top()).is_ok());
+    // Roots side by side are not within each other.
+    let many = format!("√Pi1{}", repeated(" + √Pi1", 1000));
+    assert!(Formula::new(&many, &heavy_top()).is_ok());
 }
 
 /// A formula whose differential needs more numbers at a time than there are registers.
