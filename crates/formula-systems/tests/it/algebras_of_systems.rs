@@ -33,6 +33,15 @@ fn brackets_with_parameters_are_structure_constants() {
     assert_eq!(algebra, same);
 }
 
+/// dΠ/dt = Π×Ω with Ω = (Π₁, Π₂/2, Π₃/4) = (1, −1, 1).
+#[test]
+fn rates_are_those_of_euler() {
+    let (text, so3) = ("(Pi1^2 + Pi2^2/2 + Pi3^2/4)/2", SystemAlgebra::named("so(3)").unwrap());
+    let body = FormulaSystem::new(so3, text, &Parameters::new()).unwrap();
+    assert_eq!(body.rate(&[1.0, -2.0, 4.0]).unwrap(), [2.0, 3.0, 1.0]);
+    assert!(body.rate(&[1.0, 2.0]).is_err());
+}
+
 #[test]
 fn what_is_no_algebra_is_refused() {
     let refused = |names: &[&str], brackets: &[(&str, &str)]| {

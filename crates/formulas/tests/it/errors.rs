@@ -151,6 +151,11 @@ fn depth_and_length_have_limits() {
     assert!(Formula::new(&long, &heavy_top()).is_ok());
     let deep = format!("{}Pi1{}", repeated("sin(", 190), repeated(")", 190));
     assert!(Formula::new(&deep, &heavy_top()).is_ok());
+    // Raised exponents have at most nine digits.
+    for (digits, is_read) in [(1, true), (9, true), (10, false), (20, false)] {
+        let power = format!("Pi1{}", repeated("¹", digits));
+        assert_eq!(Formula::new(&power, &heavy_top()).is_ok(), is_read, "{power}");
+    }
     // Roots side by side are not within each other.
     let many = format!("√Pi1{}", repeated(" + √Pi1", 1000));
     assert!(Formula::new(&many, &heavy_top()).is_ok());

@@ -136,3 +136,21 @@ impl<R: PlaneForm, S: PlaneForm> FibreSymmetry for Sl2Realisation<R, S> {
         if index > 0 { T::zero() } else { area * R::SIGN }
     }
 }
+
+#[cfg(test)]
+mod tests {
+    use super::round_off_to_zero;
+
+    #[test]
+    fn only_negative_round_off_becomes_zero() {
+        for (x, size, expected) in [
+            (-1e-16, 1.0, 0.0),
+            (-1e-14, 1.0, -1e-14),
+            (-1e-14, 1e3, 0.0),
+            (1e-16, 1.0, 1e-16),
+            (-1e-300, 0.0, -1e-300),
+        ] {
+            assert_eq!(round_off_to_zero(x, size), expected, "{x:e} {size:e}");
+        }
+    }
+}

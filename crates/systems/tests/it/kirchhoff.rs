@@ -27,6 +27,21 @@ fn the_equations_are_kirchhoffs() {
     assert_eq!(rate, Se3Dual::new(pi.cross(&omega) + p.cross(&v), p.cross(&omega)));
 }
 
+/// A coupling of any two components may make the energy indefinite.
+#[test]
+fn every_entry_of_the_coupling_counts() {
+    let one = Matrix3::identity();
+    for place in 0..9 {
+        let coupled = |size: f64| {
+            let mut coupling = Matrix3::zeros();
+            coupling[(place / 3, place % 3)] = size;
+            Kirchhoff::new(one, coupling, one)
+        };
+        assert!(coupled(0.9).is_ok() && coupled(-0.9).is_ok(), "{place}");
+        assert!(coupled(1.1).is_err() && coupled(-1.1).is_err(), "{place}");
+    }
+}
+
 #[test]
 fn the_body_conserves_energy_and_casimirs() {
     let body = body();

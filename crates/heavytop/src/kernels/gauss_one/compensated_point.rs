@@ -174,4 +174,16 @@ mod tests {
             CompensatedPoint { z: Row([1.0, 2.0, 2.0, 4.0, 2.0, 0.0, 0.0, 0.0]), carry: Row::ZERO };
         assert_eq!((point.chi_square(), point.square(), point.products()), (25.0, 4.0, 10.0));
     }
+
+    #[test]
+    fn one_coordinate_that_is_no_number_is_noticed() {
+        let finite = CompensatedPoint { z: Row([1.0; 8]), carry: Row([-1e-20; 8]) };
+        assert!(finite.is_finite() && finite.is(&finite));
+        for c in 0..8 {
+            let (mut point, mut carried) = (finite, finite);
+            (point.z.0[c], carried.carry.0[c]) = (f64::NAN, f64::INFINITY);
+            assert!(!point.is_finite() && !carried.is_finite());
+            assert!(!point.is(&finite) && !carried.is(&finite));
+        }
+    }
 }

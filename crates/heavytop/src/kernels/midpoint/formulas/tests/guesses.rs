@@ -72,6 +72,12 @@ fn only_round_off_counts_as_a_stall() {
         Guess::new(&parameters, &start, nearby).stalled(&parameters, previous)
     };
     assert!(stalled(0.0, 0.0) && stalled(1e-15, 0.0));
+    let converged = |part: f64| {
+        let nearby = [a[0] * (1.0 + part), a[1], a[2]];
+        Guess::new(&parameters, &start, nearby).converged(&parameters)
+    };
+    // The error after a correction is smaller by a factor of some hundredths.
+    assert!(converged(1e-15) && !converged(1e-11) && !converged(1e-9));
     // Larger corrections, and those that still shrink, are no stall.
     assert!(!stalled(1e-11, 0.0) && !stalled(1e-9, 0.0) && !stalled(1e-15, 1.0));
 }
