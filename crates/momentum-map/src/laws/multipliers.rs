@@ -139,3 +139,20 @@ fn exponential<M: Multipliers>(multipliers: &M, xi: &Differential<M::Space>) -> 
     }
     (0..halvings as usize).fold(sum, |u, _| multipliers.product::<f64>(&u, &u))
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::Quaternions;
+    use nalgebra::Vector3;
+
+    /// The series is that of a small vector, however large the turn is.
+    #[test]
+    fn exponentials_of_large_turns_are_unit_quaternions() {
+        for angle in [0.0, 1e-9, 0.7, 3.0, 10.0, 100.0] {
+            let turn = exponential(&Quaternions, &(Vector3::new(0.48, 0.6, 0.64) * angle));
+            // Up to nine squarings, each of which doubles the error.
+            assert!((turn.norm_squared() - 1.0).abs() < 1e-12, "{angle}: {turn:?}");
+        }
+    }
+}

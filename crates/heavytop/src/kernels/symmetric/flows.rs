@@ -249,8 +249,7 @@ mod tests {
     #[test]
     fn a_fraction_scales_the_polynomials() {
         let (whole, half) = (DriftPolynomials::new(1.0, 0.1), DriftPolynomials::new(0.5, 0.4));
-        assert_eq!((whole.terms, whole.sine.len()), (half.terms, half.sine.len()));
-        assert!(whole.defect != 0.0);
+        assert!(whole.terms == half.terms && whole.defect != 0.0);
         assert_eq!(half.defect, whole.defect / 16.0);
         let scaled = |power: f64| move |(n, x): (i32, f64)| power * x * 0.25_f64.powi(n);
         for (one, other, power) in [
