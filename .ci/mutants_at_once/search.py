@@ -1,4 +1,4 @@
-"""Finds the changes that no fast test sees, from what compile.py left in FOLDER."""
+"""Finds the changes that no test sees, from what compile.py left in FOLDER."""
 
 import collections
 import concurrent.futures
@@ -11,9 +11,11 @@ import sys
 import time
 
 folder, sample, seed = pathlib.Path(sys.argv[1]), int(sys.argv[2]), int(sys.argv[3])
-LIMIT = float(os.environ.get("LIMIT", "4"))
-# A change that passes tests for so many seconds counts as missed.
-PATIENCE = 5 * LIMIT
+LIMIT = float(os.environ.get("LIMIT", "3"))
+# What fast tests do not see is looked for by those that take less than so many seconds.
+SLOW = float(os.environ.get("SLOW", "20"))
+# A change that passes tests for so many of their limits counts as missed by them.
+PATIENCE = 4
 # As few random cases as find what is wrong in general.
 CASES = {"PROPTEST_CASES": "8", "RUST_BACKTRACE": "0"}
 
@@ -38,29 +40,48 @@ def listed(program, directory):
     return [(program, directory, line[:-6]) for line in names.stdout.splitlines() if line.endswith(": test")]
 
 
-def reach(test):
-    """Returns the changes that a test reaches and its time; nothing if it is slow, or fails with notes."""
+def reach(test, limit):
+    """Returns the changes that a test reaches and its time; `None` if it is slow, and nothing if it fails with notes."""
     notes = folder / "notes" / str(abs(hash(test)))
     notes.unlink(missing_ok=True)
-    result = run(test, LIMIT, CHANGE="note", CHANGES_REACHED=str(notes))
-    if result is None or not result[0] or not notes.exists():
-        return test, 0.0, []
-    return test, result[1], [int(line) for line in notes.read_text().split()]
+    result = run(test, limit, CHANGE="note", CHANGES_REACHED=str(notes))
+    if result is None:
+        return None
+    passed, seconds = result
+    reached = notes.read_text().split() if passed and notes.exists() else []
+    return seconds, [int(line) for line in reached]
 
 
-def judge(number, tests):
-    """Returns the number of a change with what becomes of it."""
+def judge(number, tests, patience):
+    """Returns what becomes of a change, and the tests for which there was no time."""
     spent = 0.0
-    for seconds, test in tests:
-        if spent > PATIENCE:
-            break
+    for place, (seconds, test) in enumerate(tests):
+        if spent > patience:
+            return "missed", tests[place:]
         result = run(test, 5 + 8 * seconds, CHANGE=str(number))
         if result is None:
-            return number, "time limit"
+            return "time limit", []
         if not result[0]:
-            return number, "caught"
+            return "caught", []
         spent += result[1]
-    return number, "missed"
+    return "missed", []
+
+
+def judge_all(pool, left, tests, limit):
+    """Judges changes by the tests that are left for them, and by those of the others that are fast enough.
+
+    Returns the verdicts, and the tests that are not.
+    """
+    reached, slow = collections.defaultdict(list, left), []
+    for test, result in zip(tests, pool.map(lambda test: reach(test, limit), tests)):
+        if result is None:
+            slow.append(test)
+            continue
+        for number in result[1]:
+            reached[number].append((result[0], test))
+    print(f"{len(tests) - len(slow)} tests of less than {limit:g} s, which reach {len(reached)} changes", flush=True)
+    verdicts = pool.map(lambda number: judge(number, sorted(reached[number]), PATIENCE * limit), left)
+    return dict(zip(left, verdicts)), slow
 
 
 def keys(names):
@@ -88,15 +109,14 @@ def main():
     if unknown := sorted(equivalent - set(keyed)):
         print("equivalent.txt names changes that are not there:", *unknown, sep="\n", flush=True)
     tests = [test for program in changes["programs"] for test in listed(*program)]
-    reached = collections.defaultdict(list)
     drawn = random.Random(seed).sample(range(len(names)), min(sample, len(names)))
     with concurrent.futures.ThreadPoolExecutor(os.cpu_count()) as pool:
-        for test, seconds, numbers in pool.map(reach, tests):
-            for number in numbers:
-                reached[number].append((seconds, test))
-        print(f"{len(tests)} tests, {len(reached)} of {len(names)} changes are reached", flush=True)
-        verdicts = list(pool.map(lambda number: judge(number, sorted(reached[number])), drawn))
-    verdicts = [(n, "equivalent" if verdict == "missed" and keyed[n] in equivalent else verdict) for n, verdict in verdicts]
+        verdicts, slow = judge_all(pool, {n: [] for n in drawn}, tests, LIMIT)
+        left = {n: left for n, (verdict, left) in verdicts.items() if verdict == "missed" and keyed[n] not in equivalent}
+        print(f"{len(left)} changes are left", flush=True)
+        verdicts |= judge_all(pool, left, slow, SLOW)[0]
+    same = lambda n, verdict: verdict == "missed" and keyed[n] in equivalent
+    verdicts = [(n, "equivalent" if same(n, verdict) else verdict) for n, (verdict, _) in verdicts.items()]
     survivors = sorted(f"{names[n].split(':', 3)[1]}: {keyed[n]}" for n, verdict in verdicts if verdict == "missed")
     (folder / "survivors.txt").write_text("".join(f"{name}\n" for name in survivors))
     counts = collections.defaultdict(collections.Counter)

@@ -183,4 +183,23 @@ mod tests {
             assert_eq!(everywhere(node), expected, "{node:?}");
         }
     }
+
+    #[test]
+    fn even_powers_and_powers_of_roots_are_not_negative() {
+        let mut graph = Graph::default();
+        let x = graph.input(0);
+        let root = graph.place(Node::Function(Unary::Sqrt, x));
+        for (base, exponent, expected) in [
+            (x, 4.0, true),
+            (x, -2.0, true),
+            (x, 3.0, false),
+            (x, 0.5, false),
+            (x, 2.5, false),
+            (root, 3.0, true),
+            (root, 2.5, true),
+        ] {
+            let power = graph.place(Node::Power(base, f64::to_bits(exponent)));
+            assert_eq!(graph.known(power).nonnegative, expected, "{base} {exponent}");
+        }
+    }
 }

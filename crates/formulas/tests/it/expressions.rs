@@ -105,6 +105,23 @@ fn wrong_expressions_have_the_errors_of_texts() {
     assert!(foreign.is_err());
 }
 
+/// Each cross product adds nine results or more at a time.
+#[test]
+fn numbers_of_results_on_the_way_have_a_limit() {
+    let products = |count: usize| {
+        let mut parts = Expressions::new();
+        let (pi, mut product) = (parts.name("Pi"), parts.name("Gamma"));
+        for _ in 0..count {
+            product = parts.cross(product, pi);
+        }
+        let value = parts.component(product, 1);
+        Formula::of_expressions(&parts, value, &heavy_top())
+    };
+    assert!(products(20).is_ok());
+    let error = products(30_000).unwrap_err();
+    assert!(matches!(error.problem(), Problem::TooLarge { limit: 262_144, .. }), "{error}");
+}
+
 #[test]
 fn values_at_coordinates_in_a_slice() {
     for text in crate::support::FORMULAS {

@@ -105,6 +105,20 @@ mod tests {
         }
     }
 
+    /// The first output of SplitMix64 for three seeds, computed with whole numbers of arbitrary length.
+    #[test]
+    fn random_shifts_are_those_of_split_mix() {
+        for (seed, output) in SPLIT_MIX {
+            assert_eq!(split_mix(seed), (output >> 11) as f64 / 2.0_f64.powi(53), "{seed}");
+        }
+    }
+
+    const SPLIT_MIX: [(u64, u64); 3] = [
+        (0, 16_294_208_416_658_607_535),
+        (1234567, 6_457_827_717_110_365_317),
+        (u64::MAX, 16_490_336_266_968_443_936),
+    ];
+
     /// Each box of a 16 × 16 grid gets its share of 2560 points to within a few; the pseudorandom
     /// numbers of the shift alone would be 10 ± 10.
     #[test]

@@ -122,3 +122,61 @@ impl UprightCubic {
         y
     }
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use nalgebra::Vector3;
+
+    fn cubic(b: f64, c: f64, d: f64) -> UprightCubic {
+        UprightCubic { b, c, d, depth: 0.0 }
+    }
+
+    /// y³ = d², y³ + by² = 0 and y³ + cy = 0 have the largest roots d^(2/3), −b and √(−c).
+    #[test]
+    fn the_search_for_the_largest_root_begins_above_it() {
+        for size in [1e-90, 1e-9, 0.1, 1.0, 7.0, 1e9, 1e90] {
+            let y = [
+                (cubic(0.0, 0.0, size).largest_root(), size.cbrt() * size.cbrt()),
+                (cubic(-size, 0.0, 0.0).largest_root(), size),
+                (cubic(0.0, -size, 0.0).largest_root(), size.sqrt()),
+            ];
+            for (y, root) in y {
+                // The last step of Newton's iteration has a few roundings.
+                assert!((y - root).abs() < 1e-15 * root, "{size:e}: {y:e} {root:e}");
+            }
+        }
+        assert_eq!(cubic(1.0, 2.0, 0.0).largest_root(), 0.0);
+        assert!(cubic(f64::NAN, 0.0, 0.0).largest_root().is_nan());
+    }
+
+    /// (y − r)((y + m)² + n²) in all ratios of its terms, of which b may have either sign.
+    #[test]
+    fn largest_roots_of_generic_cubics() {
+        for r in [1e-3, 0.3, 2.0, 50.0] {
+            for m in [1e-3, 0.2, 3.0, 40.0] {
+                for n in [0.0, 0.1, 5.0] {
+                    let square = m * m + n * n;
+                    let cubic = cubic(2.0 * m - r, square - 2.0 * m * r, (r * square).sqrt());
+                    let y = cubic.largest_root();
+                    // d, b and c have roundings, and the root follows them by its distance from the others.
+                    let condition = (r + m + n) / r;
+                    assert!((y - r).abs() < 1e-15 * r * condition * condition, "{r} {m} {n}: {y}");
+                }
+            }
+        }
+    }
+
+    /// In units of other powers of 2, in which squares of the moment or of the weight overflow, every bit is the same.
+    #[test]
+    fn units_change_no_bit() {
+        let start = Se3Dual::new(Vector3::new(0.3, -0.2, 0.9), Vector3::new(0.2, 0.1, 0.95));
+        let cubic = |unit: f64| NutationCubic::new(1.3 * unit, 0.7 / unit, &start);
+        let expected = cubic(1.0);
+        for unit in [2.0_f64.powi(-1000), 2.0_f64.powi(-600), 2.0_f64.powi(1000)] {
+            let other = cubic(unit);
+            assert_eq!((other.roots, other.rising), (expected.roots, expected.rising), "{unit:e}");
+        }
+        assert!(expected.roots.iter().all(|root| root.is_finite() && *root != 0.0));
+    }
+}

@@ -115,6 +115,7 @@ mod tests {
             assert_eq!(growth.add(walk(seed)), Ok(()));
         }
         // the rms over 400 runs has a relative error of 1/√800 = 3.5 %, over 7 octaves
+        assert_eq!(growth.runs(), 400);
         assert!(growth.exponent(1.5).is_ok_and(|a| (a - 0.5).abs() < 0.04), "{growth:?}");
         assert!(matches!(growth.exponent(40.0), Err(DriftError::Exponent(_))));
     }

@@ -71,6 +71,33 @@ fn a_number_at_run_time_changes_no_bit() {
     }
 }
 
+/// The same for fibres that are lines: the gauge and the way back to the origin are those of one point.
+#[test]
+fn a_gauge_at_run_time_changes_no_bit() {
+    #[derive(Clone, Copy)]
+    struct Body;
+    impl Hamiltonian<LiePoisson<Se3>, f64> for Body {
+        fn value(&self, mu: &Se3Dual) -> f64 {
+            Bodies.value(&Covector(Sites::new(vec![mu.0])))
+        }
+        fn differential(&self, mu: &Se3Dual) -> Wrench {
+            let mut dh = Sites::new(vec![Pair::zero()]);
+            Bodies.differential_into(&Covector(Sites::new(vec![mu.0])), &mut dh);
+            dh[0]
+        }
+    }
+    for distance in [0.0, 1.0, 1e6] {
+        let one = Collective::new(RungeKutta::gauss(2).unwrap(), PARTICLE, Body);
+        let many = CollectiveSites::new(RungeKutta::gauss(2).unwrap(), PARTICLE, Bodies);
+        let (q, p) = (spin(1), spin(4));
+        let z = momentum_map::Cotangent::new(q + p * distance, Covector(p));
+        let a = one.trajectory_from(z, 0.1).take(2000).last().unwrap().unwrap();
+        let b = many.trajectory_from(Sites::new(vec![z]), 0.1).take(2000).last().unwrap().unwrap();
+        assert_eq!(a.state, b.state[0], "{distance}");
+        assert!(a.state != z);
+    }
+}
+
 #[test]
 fn the_laws_of_integrators_hold() {
     let length = |s: &Covector<Sites<Vector3<f64>>>| s.0[2].norm();

@@ -110,6 +110,12 @@ fn the_last_number_of_a_step_is_followed_by_none() {
     let end = run.next().and_then(Result::err);
     assert!(end.is_some_and(|e| (e.step, e.source) == (u64::MAX, StepError::Uncountable)));
     assert!(run.next().is_some_and(|sample| sample.err() == end));
+    // So it is where the last one is skipped.
+    for skipped in [3, 4, 100] {
+        let mut run = rk4.trajectory_resumed(Vector2::x(), u64::MAX - 3, 1e-9);
+        let last = run.nth(skipped).and_then(|sample| sample.map(|s| s.step).ok());
+        assert_eq!(last, (skipped == 3).then_some(u64::MAX), "{skipped}");
+    }
     let mut run = rk4.trajectory_resumed(Vector2::x(), u64::MAX, 1e-9);
     assert!(run.next().is_some_and(|s| s.is_ok()) && run.next().is_some_and(|s| s.is_err()));
 }

@@ -83,6 +83,8 @@ fn maps_know_whether_affine_schemes_descend() {
     assert!(!ProductMap(has.clone(), lacks.clone()).affine_schemes_descend());
     let product = ProductAlgebraMap::new(has.clone(), lacks.clone()).unwrap();
     assert!(!product.affine_schemes_descend());
+    let product = ProductAlgebraMap::new(has.clone(), has.clone()).unwrap();
+    assert!(product.affine_schemes_descend());
     let same = |inner: ClebschRealisation<InfinitesimalAdjoint<StructureConstants<3>>>| {
         ComposedMap { outer: Identity(inner.target()), inner }.affine_schemes_descend()
     };

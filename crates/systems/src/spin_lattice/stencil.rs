@@ -129,3 +129,15 @@ fn shortest(offset: [usize; 3], counts: [usize; 3]) -> [isize; 3] {
         if offset > count - offset { offset - count } else { offset }
     })
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn offsets_take_the_shortest_way_around() {
+        assert_eq!(shortest([0, 1, 3], [7, 7, 7]), [0, 1, 3]);
+        assert_eq!(shortest([4, 6, 5], [7, 7, 7]), [-3, -1, -2]);
+        assert_eq!(shortest([4, 5, 0], [8, 8, 1]), [4, -3, 0]);
+    }
+}
