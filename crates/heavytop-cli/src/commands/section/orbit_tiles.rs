@@ -116,7 +116,7 @@ impl<'a> Orbits<'a> {
 
     /// Parses the lines of a tile into orbits, one for each of its starts.
     fn parse(&self, tile: u64, lines: &str) -> Option<Vec<Orbit>> {
-        let dimension = self.settings.problem.columns().len();
+        let dimension = self.settings.problem.as_problem().columns().len();
         let mut orbits: Vec<Orbit> = Vec::new();
         for line in lines.lines() {
             let (number, index, crossing) = point(line, dimension)?;
@@ -136,7 +136,7 @@ impl<'a> Orbits<'a> {
 
 /// Returns the names of the columns.
 pub(super) fn header(settings: &Settings) -> String {
-    format!("start,crossing,t,{},x,y", settings.problem.columns().join(","))
+    format!("start,crossing,t,{},x,y", settings.problem.as_problem().columns().join(","))
 }
 
 /// Returns the numbers in the columns after the first two.

@@ -86,7 +86,7 @@ fn write(
     require_no_folders(out, &names)?;
     let threads = threads(options.threads)?;
     let held = orbits.tiles.prepare(options)?;
-    if let Some(warning) = settings.problem.warning() {
+    if let Some(warning) = settings.problem.as_problem().warning() {
         // Where stderr is closed nobody can be warned.
         let _ = writeln!(std::io::stderr(), "heavytop: {warning}");
     }

@@ -43,7 +43,7 @@ pub struct SectionSummary {
 
 impl SectionSummary {
     pub(super) fn new(settings: &Settings, survey: &Survey, out: &Path) -> Self {
-        let Settings { problem, limits } = settings;
+        let (problem, limits) = (settings.problem.as_problem(), &settings.limits);
         let (formulation, scheme) = problem.method();
         Self {
             out: out.into(),

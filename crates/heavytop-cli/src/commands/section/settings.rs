@@ -1,12 +1,11 @@
 //! The settings of a section: what it is of, and how far its starts are followed.
 
+use super::problems::any_problem::AnyProblem;
 use super::problems::limits::Limits;
-use super::problems::section_problem::Problem;
 use super::problems::system_problem::SystemProblem;
 use super::problems::top_problem::TopProblem;
 use crate::Error;
 use crate::configuration::{Config, Integration, SectionConfig};
-use std::sync::Arc;
 
 /// The largest number of points; more must be a typing error.
 const MOST_POINTS: f64 = 1e7;
@@ -17,7 +16,7 @@ const MOST_STEPS: f64 = 1e12;
 /// A section, and how its points are computed.
 #[derive(Clone, Debug)]
 pub(super) struct Settings {
-    pub problem: Arc<dyn Problem>,
+    pub problem: AnyProblem,
     pub limits: Limits,
 }
 
@@ -28,12 +27,12 @@ impl Settings {
     /// If there is no such section.
     pub fn of(config: &Config) -> Result<Self, Error> {
         let section = config.section.clone().unwrap_or_default();
-        let problem: (Arc<dyn Problem>, _) = if config.system.is_some() {
+        let problem = if config.system.is_some() {
             let (problem, own) = SystemProblem::new(config, &section)?;
-            (Arc::new(problem), own)
+            (AnyProblem::System(problem), own)
         } else {
             let (problem, own) = TopProblem::new(config, &section)?;
-            (Arc::new(problem), own)
+            (AnyProblem::Top(problem), own)
         };
         Self::new(config, &section, problem)
     }
@@ -45,7 +44,7 @@ impl Settings {
     fn new(
         config: &Config,
         settings: &SectionConfig,
-        (problem, own): (Arc<dyn Problem>, Integration),
+        (problem, own): (AnyProblem, Integration),
     ) -> Result<Self, Error> {
         let (step, longest) = (config.integrator.or(own).step, settings.longest);
         for (name, value) in [("step", step), ("longest", longest)] {
@@ -53,7 +52,7 @@ impl Settings {
                 return Err(Error::OutOfRange { name, range: "positive and finite", value });
             }
         }
-        problem.require_step(step)?;
+        problem.as_problem().require_step(step)?;
         let steps = (longest / step).ceil();
         if steps > MOST_STEPS {
             return Err(Error::TooManySteps { steps, most: MOST_STEPS });
@@ -78,10 +77,11 @@ impl Settings {
 
     /// Returns the configuration with every key that was left out and plays a part.
     pub fn complete(&self, config: &Config) -> Config {
-        let (formulation, scheme) = self.problem.method();
+        let (formulation, scheme) = self.problem.as_problem().method();
         let step = self.limits.step;
         let own = Integration { formulation, scheme, step, ..Integration::default() };
-        let section = self.problem.complete(config.section.clone().unwrap_or_default());
+        let section =
+            self.problem.as_problem().complete(config.section.clone().unwrap_or_default());
         let integrator = config.integrator.or(own).into();
         Config { integrator, section: Some(section), ..config.clone() }
     }

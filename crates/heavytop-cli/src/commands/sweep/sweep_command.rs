@@ -94,7 +94,7 @@ fn run(
 ) -> Result<Option<SweepSummary>, Error> {
     let (rank, size) = processes.place();
     let plan = Plan::new(config)?;
-    let metadata = Metadata::new(&plan.config)?.with_casimirs(plan.family.casimirs());
+    let metadata = Metadata::new(&plan.config)?.with_casimirs(plan.family.as_family().casimirs());
     let members = Members::new(&plan, out)?;
     let threads = threads(options.threads)?;
     if rank == 0 && !options.resume {
@@ -102,7 +102,7 @@ fn run(
     }
     // The first process holds the folder for all of them.
     let held = (rank == 0).then(|| members.tiles.prepare(options)).transpose()?;
-    if let (0, Some(warning)) = (rank, plan.family.warning()) {
+    if let (0, Some(warning)) = (rank, plan.family.as_family().warning()) {
         // Where stderr is closed nobody can be warned.
         let _ = writeln!(io::stderr(), "heavytop: {warning}");
     }

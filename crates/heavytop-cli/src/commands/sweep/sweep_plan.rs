@@ -1,17 +1,16 @@
 //! The plan of a sweep: the family of its members, and the values of the axes for each, by its number.
 
+use super::families::any_family::AnyFamily;
 use super::families::course::Course;
-use super::families::family::Family;
 use super::families::system_family::SystemFamily;
 use super::families::top_family::TopFamily;
 use crate::Error;
-use crate::configuration::{Column, Config, Integration, Spread, SweepAxis, SweepConfig};
+use crate::configuration::{Column, Config, Spread, SweepAxis, SweepConfig};
 use crate::errors::SweepError;
 use crate::runs::Schedule;
 use rand_chacha::ChaCha8Rng;
 use rand_chacha::rand_core::{Rng, SeedableRng};
 use std::f64::consts::TAU;
-use std::sync::Arc;
 
 /// The largest number of members; more must be a typing error.
 const MOST_MEMBERS: f64 = 1e9;
@@ -23,7 +22,7 @@ pub(super) const FAILURE: &str = "failure";
 /// A sweep whose configuration has been checked.
 #[derive(Clone, Debug)]
 pub(super) struct Plan {
-    pub family: Arc<dyn Family>,
+    pub family: AnyFamily,
     pub axes: Vec<SweepAxis>,
     /// The columns of all observables.
     pub columns: Vec<Column>,
@@ -49,18 +48,18 @@ impl Plan {
         let axes = axes.iter().map(|axis| axis.axis()).collect::<Result<Vec<_>, _>>()?;
         require_some(&axes, &sweep)?;
         let members = number_of_members(&axes, sweep.count)?;
-        let (family, integration): (Arc<dyn Family>, Integration) = match system {
+        let (family, integration) = match system {
             Some(system) => {
                 let (family, integration) = SystemFamily::new(system, config, &axes)?;
-                (Arc::new(family), integration)
+                (AnyFamily::System(family), integration)
             }
             None => {
                 let (family, integration) = TopFamily::new(config, &axes)?;
-                (Arc::new(family), integration)
+                (AnyFamily::Tops(family), integration)
             }
         };
         let (observables, seed) = (sweep.observables.clone(), sweep.seed);
-        let columns = observables.iter().map(|observable| family.columns(*observable));
+        let columns = observables.iter().map(|observable| family.as_family().columns(*observable));
         let columns = columns.collect::<Result<Vec<_>, _>>()?.concat();
         require_different_names(&axes, &columns)?;
         let schedule = Schedule::new(integration.step, integration.end)?;
@@ -72,7 +71,7 @@ impl Plan {
 
     /// Returns the word for several members.
     pub fn nouns(&self) -> &'static str {
-        self.family.nouns()[1]
+        self.family.as_family().nouns()[1]
     }
 
     /// Returns the values of the axes for a member. In a grid the last axis runs fastest.

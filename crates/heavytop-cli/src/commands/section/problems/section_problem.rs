@@ -1,20 +1,17 @@
-//! The motion of which a section is made: its states as numbers, its crossings, and how it is drawn.
+//! What a section tells of the motion of which it is made: its states as numbers, and how it is drawn.
 
 use super::limits::Limits;
 use crate::Error;
 use crate::configuration::SectionConfig;
 use heavytop::methods::{Formulation, Scheme};
 use serde_json::{Map, Value};
-use std::fmt::Debug;
 
 /// What is done with the returns of a start: the time (s) and the state of each.
 pub(in crate::commands::section) type Visit<'a> =
     &'a mut dyn FnMut(f64, &[f64]) -> Result<(), Error>;
 
-/// The motion of which a section is made.
-pub(in crate::commands::section) trait Problem:
-    Debug + Send + Sync
-{
+/// What a section tells of the motion of which it is made.
+pub(in crate::commands::section) trait Problem {
     /// Returns the names of the coordinates of a state.
     fn columns(&self) -> Vec<String>;
 
@@ -29,18 +26,6 @@ pub(in crate::commands::section) trait Problem:
 
     /// Returns the table `[section]` with every key that was left out and plays a part.
     fn complete(&self, section: SectionConfig) -> SectionConfig;
-
-    /// Finds the starts.
-    fn starts(&self, limits: &Limits) -> Result<Vec<Vec<f64>>, Error>;
-
-    /// Passes the returns of a start with this number to `visit`.
-    fn follow(
-        &self,
-        limits: &Limits,
-        number: usize,
-        start: &[f64],
-        visit: Visit<'_>,
-    ) -> Result<(), Error>;
 
     /// Returns the place (x, y) at which a state is drawn.
     fn plane(&self, state: &[f64]) -> [f64; 2];

@@ -96,6 +96,36 @@ impl SystemProblem {
         self.method.integrate(self.system(), state, task)??;
         first.ok_or(Error::NeverCrosses { state: number, longest: limits.longest })
     }
+
+    /// Finds the starts: on the surface at random, or where the given states come to it first.
+    ///
+    /// # Errors
+    /// If there are none, or a given state never comes to the surface.
+    pub(super) fn starts(&self, limits: &Limits) -> Result<Vec<Vec<f64>>, Error> {
+        if !self.given.is_empty() {
+            let given = (1..).zip(&self.given);
+            return given.map(|(n, state)| self.first_crossing(limits, n, state)).collect();
+        }
+        self.section
+            .starts(&self.initial, &self.levels, limits.starts, limits.seed)
+            .map_err(Error::of_system_section)
+    }
+
+    /// Passes the returns of a start with this number to `visit`.
+    ///
+    /// # Errors
+    /// If the start cannot be followed, or `visit` fails.
+    pub(super) fn follow(
+        &self,
+        limits: &Limits,
+        number: usize,
+        start: &[f64],
+        visit: Visit<'_>,
+    ) -> Result<(), Error> {
+        // The start lies on the surface up to rounding, so that its side is random.
+        let task = Follow { problem: self, limits, number, start, skip: 1, visit };
+        self.method.integrate(self.system(), start, task)?
+    }
 }
 
 impl Problem for SystemProblem {
@@ -119,28 +149,6 @@ impl Problem for SystemProblem {
     fn complete(&self, section: SectionConfig) -> SectionConfig {
         let axes = self.section.axes().each_ref().map(ToString::to_string);
         SectionConfig { axes: Some(axes), ..section }
-    }
-
-    fn starts(&self, limits: &Limits) -> Result<Vec<Vec<f64>>, Error> {
-        if !self.given.is_empty() {
-            let given = (1..).zip(&self.given);
-            return given.map(|(n, state)| self.first_crossing(limits, n, state)).collect();
-        }
-        self.section
-            .starts(&self.initial, &self.levels, limits.starts, limits.seed)
-            .map_err(Error::of_system_section)
-    }
-
-    fn follow(
-        &self,
-        limits: &Limits,
-        number: usize,
-        start: &[f64],
-        visit: Visit<'_>,
-    ) -> Result<(), Error> {
-        // The start lies on the surface up to rounding, so that its side is random.
-        let task = Follow { problem: self, limits, number, start, skip: 1, visit };
-        self.method.integrate(self.system(), start, task)?
     }
 
     fn plane(&self, state: &[f64]) -> [f64; 2] {

@@ -52,6 +52,30 @@ impl TopProblem {
         };
         Ok((Self { section, method: config.integrator.or(own).method()? }, own))
     }
+
+    /// Finds the starts.
+    ///
+    /// # Errors
+    /// If there are none.
+    pub(super) fn starts(&self, limits: &Limits) -> Result<Vec<Vec<f64>>, Error> {
+        let starts = self.section.starts(limits.starts, limits.seed)?;
+        Ok(starts.iter().map(numbers).collect())
+    }
+
+    /// Passes the returns of a start with this number to `visit`.
+    ///
+    /// # Errors
+    /// If the start cannot be followed, or `visit` fails.
+    pub(super) fn follow(
+        &self,
+        limits: &Limits,
+        number: usize,
+        start: &[f64],
+        visit: Visit<'_>,
+    ) -> Result<(), Error> {
+        let task = Follow { problem: self, limits, number, start: state(start), visit };
+        self.method.integrate(&self.section.level().top, task)?
+    }
 }
 
 impl Problem for TopProblem {
@@ -84,22 +108,6 @@ impl Problem for TopProblem {
             surface: Some(self.section.surface().coordinate.name().into()),
             ..section
         }
-    }
-
-    fn starts(&self, limits: &Limits) -> Result<Vec<Vec<f64>>, Error> {
-        let starts = self.section.starts(limits.starts, limits.seed)?;
-        Ok(starts.iter().map(numbers).collect())
-    }
-
-    fn follow(
-        &self,
-        limits: &Limits,
-        number: usize,
-        start: &[f64],
-        visit: Visit<'_>,
-    ) -> Result<(), Error> {
-        let task = Follow { problem: self, limits, number, start: state(start), visit };
-        self.method.integrate(&self.section.level().top, task)?
     }
 
     fn plane(&self, numbers: &[f64]) -> [f64; 2] {

@@ -1,16 +1,11 @@
-//! The family of motions that a sweep follows.
+//! What a sweep tells of the family of motions that it follows.
 
-use super::course::Course;
-use crate::Error;
 use crate::configuration::{Column, Integration, Observable, SweepAxis};
 use crate::errors::SweepError;
 use heavytop::methods::{Formulation, Scheme};
-use std::fmt::Debug;
 
-/// A family of motions, whose members differ by the values of the axes.
-pub(in crate::commands::sweep) trait Family:
-    Debug + Send + Sync
-{
+/// What a sweep tells of a family of motions, whose members differ by the values of the axes.
+pub(in crate::commands::sweep) trait Family {
     /// Returns the word for a member, and that for several.
     fn nouns(&self) -> [&'static str; 2];
 
@@ -34,12 +29,6 @@ pub(in crate::commands::sweep) trait Family:
 
     /// Returns the Casimirs that the table numbers, as formulas; none where those of the members differ.
     fn casimirs(&self) -> Vec<String>;
-
-    /// Follows the member at these values of the axes, and returns the values of the columns of all observables.
-    ///
-    /// # Errors
-    /// If there is no such member, or it cannot be followed to the end.
-    fn measure(&self, values: &[f64], course: &Course) -> Result<Vec<Option<f64>>, Error>;
 }
 
 /// Returns the integrator of a sweep whose `[integrator]` is empty.

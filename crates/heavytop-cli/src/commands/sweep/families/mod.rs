@@ -8,3 +8,4 @@ pub(super) mod top_family;
 mod varied_number;
 mod system_gauge;
 pub(super) mod system_family;
+pub(super) mod any_family;

@@ -136,6 +136,20 @@ impl SystemFamily {
             }
         })
     }
+
+    /// Follows the member at these values of the axes, and returns the values of the columns of all observables.
+    ///
+    /// # Errors
+    /// If there is no such member, or it cannot be followed to the end.
+    pub(super) fn measure(
+        &self,
+        values: &[f64],
+        course: &Course,
+    ) -> Result<Vec<Option<f64>>, Error> {
+        let (system, start) = self.member(values)?;
+        let task = Follow { family: self, course, system: &system, start: &start };
+        self.method.integrate(&system, &start, task)?
+    }
 }
 
 impl Family for SystemFamily {
@@ -191,12 +205,6 @@ impl Family for SystemFamily {
     fn casimirs(&self) -> Vec<String> {
         let shared = self.system.casimirs().iter().filter(|_| self.has_one_algebra);
         shared.map(ToString::to_string).collect()
-    }
-
-    fn measure(&self, values: &[f64], course: &Course) -> Result<Vec<Option<f64>>, Error> {
-        let (system, start) = self.member(values)?;
-        let task = Follow { family: self, course, system: &system, start: &start };
-        self.method.integrate(&system, &start, task)?
     }
 }
 

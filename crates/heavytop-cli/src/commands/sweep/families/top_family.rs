@@ -80,6 +80,20 @@ impl TopFamily {
         require_sane_step(&top, &start, step)?;
         Ok((top, start))
     }
+
+    /// Follows the top at these values of the axes, and returns the values of the columns of all observables.
+    ///
+    /// # Errors
+    /// If there is no such top, or it cannot be followed to the end.
+    pub(super) fn measure(
+        &self,
+        values: &[f64],
+        course: &Course,
+    ) -> Result<Vec<Option<f64>>, Error> {
+        let (top, start) = self.top(values, course.schedule.step)?;
+        let task = Follow { family: self, course, top: &top, start: &start };
+        self.method.differentiate(&top, task)?
+    }
 }
 
 impl Family for TopFamily {
@@ -110,12 +124,6 @@ impl Family for TopFamily {
 
     fn casimirs(&self) -> Vec<String> {
         Vec::new()
-    }
-
-    fn measure(&self, values: &[f64], course: &Course) -> Result<Vec<Option<f64>>, Error> {
-        let (top, start) = self.top(values, course.schedule.step)?;
-        let task = Follow { family: self, course, top: &top, start: &start };
-        self.method.differentiate(&top, task)?
     }
 }
 
