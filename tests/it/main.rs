@@ -27,6 +27,7 @@ mod integrable_tops;
 mod involution;
 mod large_states;
 mod large_steps;
+mod lanes_of_members;
 mod ledger;
 mod lift_free;
 mod lifts;

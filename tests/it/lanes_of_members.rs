@@ -1,0 +1,271 @@
+//! Many members in SIMD lanes: each has the bits of its own trajectory, up to the step at which it fails.
+
+use collective_integrators::{
+    Alternating, BatchIntegrator, CHECKPOINT, Collective, Compensated, Composition, Direct,
+    HamiltonianField, Integrator, Laned, LanedOver, LiftFree, PartitionedRungeKutta, RungeKutta,
+    StageSolver, Start, Substeps, VectorField,
+};
+use heavytop::{HeavyTop, HeavyTopSpace, ReducedMidpoint, SpinorRealisation};
+use lie_poisson::{
+    Automatic, Covector, Energy, InstructionSet, LaneTask, Lanes, LiePoisson, Pair, Real, Se3,
+    Se3Dual, Vector, Width, dispatch,
+};
+use momentum_map::DualQuaternions;
+use nalgebra::Vector1;
+use std::collections::BTreeSet;
+use workspace_tests::tops;
+
+/// Returns tops from fast to slow, near rest and far from it, so that their iterations differ.
+pub fn momenta(count: usize) -> Vec<Se3Dual> {
+    let x = [1.2, -0.7, 2.3, 0.4, 0.8, -0.5];
+    let speed = |n: usize| [0.01, 0.3, 1.0, 2.0, 0.1][n % 5] * (1.0 + 1e-3 * n as f64);
+    let momentum = |n: usize| {
+        Se3Dual::from_coordinates(|i| x[(i + n) % 6] * if i < 3 { speed(n) } else { 1.0 })
+    };
+    (0..count).map(momentum).collect()
+}
+
+pub fn bits<V: Vector<Scalar = f64>>(v: &V) -> Vec<u64> {
+    (0..V::DIM).map(|i| v.coordinate(i).to_bits()).collect()
+}
+
+pub type State<I> = <I as Integrator<f64>>::State;
+pub type Failures = Vec<(usize, u64)>;
+
+/// Returns the bits of all members after some steps over the SIMD lanes T, and which member failed at which step.
+fn advanced<I, T>(integrator: I, members: &[State<I>], h: f64, n: u64) -> (Vec<Vec<u64>>, Failures)
+where
+    I: Integrator<f64, State: Vector> + Integrator<T, State: Vector> + Sync,
+    T: Lanes,
+{
+    ends(&LanedOver::<I, T>::new(integrator), members, h, n)
+}
+
+/// Returns the same in the registers of an instruction set.
+fn in_registers<I>(
+    integrator: I,
+    set: InstructionSet,
+    members: &[State<I>],
+    h: f64,
+    n: u64,
+) -> (Vec<Vec<u64>>, Failures)
+where
+    I: Integrator<f64, State: Vector>,
+    Laned<I>: BatchIntegrator<Member = State<I>>,
+{
+    ends(&Laned::new(integrator).with_instructions(set).unwrap(), members, h, n)
+}
+
+fn ends<B>(batch: &B, members: &[B::Member], h: f64, n: u64) -> (Vec<Vec<u64>>, Failures)
+where
+    B: BatchIntegrator<Member: Vector<Scalar = f64>>,
+{
+    let (mut members, mut failures) = (members.to_vec(), Vec::new());
+    let mut failed = |i, error: collective_integrators::IntegrationError| {
+        failures.push((i, error.step));
+    };
+    batch.advance(&mut members, h, 0..n, &mut batch.workspace(), &mut failed);
+    failures.sort_unstable();
+    (members.iter().map(bits).collect(), failures)
+}
+
+/// Returns the same by trajectories, and all numbers of iterations that occurred.
+pub fn alone<I>(
+    integrator: &I,
+    members: &[State<I>],
+    h: f64,
+    n: u64,
+) -> (Vec<Vec<u64>>, Failures, BTreeSet<usize>)
+where
+    I: Integrator<f64, State: Vector>,
+{
+    let (mut ends, mut failures, mut iterations) = (Vec::new(), Vec::new(), BTreeSet::new());
+    for (i, member) in members.iter().enumerate() {
+        let mut end = *member;
+        for sample in integrator.trajectory_from(*member, h).take(n as usize + 1) {
+            match sample {
+                Ok(sample) => {
+                    end = sample.state;
+                    if sample.step > 0 {
+                        iterations.insert(sample.iterations);
+                    }
+                }
+                Err(error) => {
+                    failures.push((i, error.step));
+                    break;
+                }
+            }
+        }
+        ends.push(bits(&end));
+    }
+    (ends, failures, iterations)
+}
+
+/// Tests that an integrator of tops returns the bits of its trajectories in all lanes of all widths
+/// that this processor has; `$differing` says whether members must differ in their iterations, the
+/// negative control.
+macro_rules! same_bits_at_every_width {
+    ($($name:ident: $type:ty = $integrator:expr, $h:expr, $steps:expr, $differing:expr;)*) => {$(
+        #[test]
+        fn $name() {
+            struct Task<'a>(&'a $type, &'a [State<$type>]);
+            impl LaneTask for Task<'_> {
+                type Output = (Vec<Vec<u64>>, Failures);
+                fn run<T: Lanes>(self) -> Self::Output {
+                    advanced::<$type, T>(self.0.clone(), self.1, $h, $steps)
+                }
+            }
+            let integrator: $type = $integrator;
+            let start = |mu: &Se3Dual| Start::<f64>::start(&integrator, mu).unwrap();
+            let members: Vec<_> = momenta(21).iter().map(start).collect();
+            let (ends, failures, iterations) = alone(&integrator, &members, $h, $steps);
+            assert_eq!(iterations.len() > 1, $differing, "{iterations:?}");
+            // Some members do not fail.
+            assert!(failures.len() < members.len() / 2, "{failures:?}");
+            for set in InstructionSet::available() {
+                for width in Width::ALL {
+                    let task = Task(&integrator, &members);
+                    let (lanes, reported) = dispatch(task, set, width).unwrap();
+                    assert_eq!(reported, failures);
+                    for (i, (lane, alone)) in lanes.iter().zip(&ends).enumerate() {
+                        assert_eq!(lane, alone, "{set} {width:?} member {i}");
+                    }
+                }
+                let (lanes, reported) =
+                    in_registers(integrator.clone(), set, &members, $h, $steps);
+                assert_eq!(reported, failures, "{set}");
+                for (i, (lane, alone)) in lanes.iter().zip(&ends).enumerate() {
+                    assert_eq!(lane, alone, "{set} member {i}");
+                }
+            }
+        }
+    )*};
+}
+
+pub type Lifted<S> = Collective<S, SpinorRealisation, HeavyTop>;
+type Free<S> = LiftFree<S, DualQuaternions, HeavyTop>;
+type Equations = HamiltonianField<LiePoisson<Se3>, HeavyTop>;
+
+pub fn top() -> HeavyTop {
+    tops::generic().unwrap()
+}
+
+pub fn gauss(stages: usize) -> RungeKutta {
+    RungeKutta::gauss(stages).unwrap()
+}
+
+pub fn lifted<S: collective_integrators::Equivariant>(scheme: S) -> Lifted<S> {
+    Collective::new(scheme, SpinorRealisation, top())
+}
+
+fn free<S: collective_integrators::Equivariant>(scheme: S) -> Free<S> {
+    LiftFree::new(scheme, DualQuaternions, top())
+}
+
+fn equations() -> Equations {
+    HamiltonianField { space: LiePoisson::minus(Se3::default()), hamiltonian: top() }
+}
+
+same_bits_at_every_width! {
+    explicit_steps: Direct<RungeKutta, Equations> =
+        Direct::new(RungeKutta::rk4(), equations()), 0.02, 100, false;
+    midpoint_steps_beyond_a_checkpoint: Lifted<RungeKutta> =
+        lifted(RungeKutta::implicit_midpoint()), 0.05, CHECKPOINT + 30, true;
+    gauss_steps: Lifted<RungeKutta> = lifted(gauss(4)), 0.2, 300, true;
+    lift_free_steps: Free<RungeKutta> = free(gauss(2)), 0.05, 300, true;
+    lift_free_steps_beyond_a_checkpoint: Free<RungeKutta> =
+        free(gauss(1)), 0.05, CHECKPOINT + 30, true;
+    compensated_steps: Compensated<Free<RungeKutta>> = free(gauss(3)).compensated(), 0.05, 100, true;
+    compensated_lifted_steps: Compensated<Lifted<RungeKutta>> =
+        lifted(gauss(2)).compensated(), 0.05, CHECKPOINT + 30, true;
+    large_compensated_steps: Compensated<Lifted<RungeKutta>> =
+        lifted(gauss(2)).compensated(), 1.0, 20, true;
+    // Newton's iteration takes over in some lanes, with exact derivatives and with quotients.
+    large_lift_free_steps: Free<RungeKutta> = free(gauss(2)), 2.0, 20, true;
+    large_direct_steps: Direct<RungeKutta, Equations> =
+        Direct::new(gauss(2), equations()), 0.6, 20, true;
+    compositions: Free<Composition<RungeKutta>> =
+        free(Composition::new(gauss(1), Substeps::suzuki(4).unwrap())), 0.1, 100, true;
+    partitioned_steps: Lifted<PartitionedRungeKutta<Alternating>> =
+        Collective::that_does_not_descend(
+            PartitionedRungeKutta::lobatto_iiia_iiib(3).unwrap(), SpinorRealisation, top(),
+        ), 0.02, 100, true;
+    reduced_steps: ReducedMidpoint<Automatic<Body>> =
+        ReducedMidpoint::new(Automatic(Body)), 0.05, CHECKPOINT + 30, true;
+    large_reduced_steps: ReducedMidpoint<Automatic<Body>> =
+        ReducedMidpoint::new(Automatic(Body)), 1.5, 20, true;
+}
+
+/// A top given by its formula.
+#[derive(Clone)]
+struct Body;
+
+impl Energy for Body {
+    type Space = HeavyTopSpace;
+    fn energy<T: Real>(&self, Covector(Pair(pi, gamma)): &Se3Dual<T>) -> T {
+        pi.x * pi.x * 0.5 + pi.y * pi.y * 0.4 + pi.z * pi.z * 0.3 + gamma.x * 0.2 - gamma.z
+    }
+}
+
+/// The widths above are those of this machine; others may have fewer.
+#[test]
+fn every_machine_has_three_widths() {
+    let sets: Vec<_> = InstructionSet::available().map(|set| set.to_string()).collect();
+    println!("tested on: {}", sets.join("; "));
+    assert!(sets.len() <= 3 && sets[0] == InstructionSet::Portable.to_string());
+}
+
+/// A member that is NaN or infinite, in every lane of two groups, is reported, and the others keep their bits.
+#[test]
+fn a_member_that_is_no_number_harms_no_other() {
+    let integrator = free(gauss(2));
+    let members = momenta(8);
+    for set in InstructionSet::available() {
+        let run = |members: &[Se3Dual]| in_registers(integrator.clone(), set, members, 0.05, 1100);
+        let (clean, failures) = run(&members);
+        assert!(failures.is_empty());
+        for poison in [f64::NAN, f64::INFINITY] {
+            for position in 0..members.len() {
+                let mut poisoned = members.clone();
+                poisoned[position] = poisoned[position].scaled(poison);
+                let (ends, failures) = run(&poisoned);
+                assert_eq!(failures, [(position, 1)]);
+                for (i, (end, clean)) in ends.iter().zip(&clean).enumerate() {
+                    assert_eq!(end == clean, i != position, "{set} {i} of {position}");
+                }
+                assert_eq!(ends[position], bits(&poisoned[position]));
+            }
+        }
+        // Negative control: without a report at its first step, the group would be lost.
+        let all = vec![members[0].scaled(f64::NAN); 5];
+        assert_eq!(run(&all).1.len(), 5);
+    }
+}
+
+/// The vector field ẋ = x², whose solution is infinite at t = 1/x(0).
+#[derive(Clone)]
+struct BlowUp;
+
+impl<T: Real> VectorField<T> for BlowUp {
+    type Point = Vector1<T>;
+    fn at(&self, z: &Vector1<T>) -> Vector1<T> {
+        z.map(|x| x * x)
+    }
+}
+
+/// Members that fail late, each at its own time, by an infinity and by no convergence.
+#[test]
+fn members_fail_at_the_step_and_state_of_their_trajectories() {
+    let members: Vec<_> = (1..=11).map(|n| Vector1::new(1.0 / (0.7 * f64::from(n)))).collect();
+    let implicit = gauss(2).with_solver(StageSolver { newton: false, ..StageSolver::default() });
+    for scheme in [RungeKutta::rk4(), implicit] {
+        let integrator = Direct::new(scheme, BlowUp);
+        let (ends, failures, _) = alone(&integrator, &members, 0.01, 500);
+        let steps: BTreeSet<_> = failures.iter().map(|failure| failure.1).collect();
+        assert!(steps.len() > 5 && failures.len() < members.len(), "{failures:?}");
+        for set in InstructionSet::available() {
+            let (lanes, reported) = in_registers(integrator.clone(), set, &members, 0.01, 500);
+            assert_eq!((&lanes, &reported), (&ends, &failures), "{set}");
+        }
+    }
+}
