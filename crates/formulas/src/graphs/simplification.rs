@@ -226,6 +226,7 @@ mod tests {
             (graph.scale(2.0, tiny), Some(2e-300)),
             (graph.scale(1e-10, tiny), None),
             (graph.scale(2.0, infinite), Some(f64::INFINITY)),
+            (graph.scale(1e305, large), Some(f64::INFINITY)),
             (graph.divide(zero, two), Some(0.0)),
             (graph.divide(tiny, small), Some(1e-300 / 1e-10)),
             (graph.divide(tiny, large), None),
@@ -233,6 +234,7 @@ mod tests {
         ] {
             assert_eq!(graph.as_number(id), expected);
         }
+        assert_eq!(graph.number(-0.0), zero);
     }
 
     #[test]

@@ -196,6 +196,17 @@ mod tests {
     }
 
     #[test]
+    fn sizes_below_their_bounds_are_left_out() {
+        type Two = Pair<Vector1<f64>, Vector2<f64>>;
+        let sizes = |x, y| BlockSizes::of(&[Pair(Vector1::new(x), Vector2::new(y, 0.0)) as Two]);
+        let mut largest = sizes(1.0, 1.0);
+        largest.include_above(&sizes(5.0, 7.0), |block| [6.0, 2.0][block]);
+        assert_eq!((largest.at(0), largest.at(1)), (1.0, 7.0));
+        largest.include_above(&sizes(5.0, f64::NAN), |_| 1e3);
+        assert!(largest.at(0) == 1.0 && largest.largest().is_nan());
+    }
+
+    #[test]
     fn scaled_sizes_are_added_block_by_block() {
         type Two = Pair<Vector1<f64>, Vector2<f64>>;
         let sizes = |x, y, z| BlockSizes::of(&[Pair(Vector1::new(x), Vector2::new(y, z)) as Two]);

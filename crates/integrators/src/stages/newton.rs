@@ -156,3 +156,26 @@ fn derivative<T: Real, F: VectorField<T>>(
         slope
     })
 }
+
+#[cfg(test)]
+mod tests {
+    use super::units;
+    use lie_poisson::{Pair, Vector};
+    use nalgebra::{Vector1, Vector2};
+
+    /// The unit is that of the state, of h k, or of neither.
+    #[test]
+    fn units_are_the_sizes_of_blocks() {
+        type Two = Pair<Vector1<f64>, Vector2<f64>>;
+        let z: Two = Pair(Vector1::new(0.5), Vector2::new(3.0, -4.0));
+        let none: Two = Vector::zero();
+        assert_eq!(units(&z, 0.1, &[none]), Pair(Vector1::new(0.5), Vector2::repeat(4.0)));
+        let k: Two = Pair(Vector1::new(-80.0), Vector2::new(1.0, 20.0));
+        for (step, expected) in [(0.25, [20.0, 5.0]), (-0.25, [20.0, 5.0]), (1e-3, [0.5, 4.0])] {
+            let [first, second] = expected;
+            let expected = Pair(Vector1::new(first), Vector2::repeat(second));
+            assert_eq!(units(&z, step, &[none, k]), expected, "{step}");
+        }
+        assert_eq!(units(&none, 0.1, &[none]), Pair(Vector1::new(1.0), Vector2::repeat(1.0)));
+    }
+}

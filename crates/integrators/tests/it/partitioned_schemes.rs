@@ -91,6 +91,23 @@ fn quadratic_invariants_that_mix_q_and_p_are_lost() {
 
 type ComplexPoint = SVector<Complex<DualNumber>, 2>;
 
+/// The conjugate of a position is a momentum, whose conjugate is that position.
+#[test]
+fn coordinates_come_in_conjugate_pairs() {
+    fn check<P: Polarisation>(position_and_momentum: [usize; 2]) {
+        for i in 0..6 {
+            let other = P::conjugate(i, 6);
+            assert!(
+                P::conjugate(other, 6) == i && P::is_position(other, 6) != P::is_position(i, 6)
+            );
+        }
+        let [q, p] = position_and_momentum;
+        assert_eq!((P::conjugate(q, 6), P::is_position(q, 6)), (p, true));
+    }
+    check::<FirstHalf>([1, 4]);
+    check::<Alternating>([2, 3]);
+}
+
 #[test]
 fn complex_points_alternate() {
     // z = q + ip, H = ¼ |z|⁴: ż = −i |z|² z

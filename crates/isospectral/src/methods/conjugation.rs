@@ -83,3 +83,27 @@ fn conjugate(
     w.move_from(next);
     Ok(())
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use num_complex::Complex;
+
+    #[test]
+    fn the_defect_is_that_of_the_longest_or_shortest_column() {
+        let defect = |entries: [(usize, usize, f64, f64); 2]| {
+            let mut z = LargeMatrix::zeros(3);
+            entries.iter().for_each(|&(j, k, re, im)| z.set(j, k, Complex::new(re, im)));
+            unit_column_defect(&z)
+        };
+        // 1 + Z has the columns (1, 0, 0), (0, 1, ½ i) and (0, 0, 1), and then (½, 0, 0) and (0, 1.25, 0).
+        assert_eq!(defect([(2, 1, 0.0, 0.5), (0, 0, 0.0, 0.0)]), 0.25);
+        assert_eq!(defect([(0, 0, -0.5, 0.0), (1, 1, 0.25, 0.0)]), 0.75);
+        // A rotation by a right angle has none.
+        let mut rotation = LargeMatrix::zeros(2);
+        for (j, k, x) in [(0, 0, -1.0), (1, 1, -1.0), (0, 1, 1.0), (1, 0, -1.0)] {
+            rotation.set(j, k, Complex::new(x, 0.0));
+        }
+        assert_eq!(unit_column_defect(&rotation), 0.0);
+    }
+}

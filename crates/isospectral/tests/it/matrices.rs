@@ -163,6 +163,19 @@ fn results_of_another_size_are_resized() {
 }
 
 #[test]
+fn entries_outside_of_a_matrix_are_not_there() {
+    let (mut z, one) = (complex(3, 0.5), Complex::ONE);
+    let before = z.clone();
+    for (j, k) in [(3, 0), (0, 3), (4, 1), (3, 3)] {
+        z.set(j, k, one);
+        assert_eq!(z.at(j, k), Complex::ZERO);
+    }
+    assert_eq!(z, before);
+    z.set(2, 1, one);
+    assert!(z.at(2, 1) == one && z != before);
+}
+
+#[test]
 fn exponentials_of_too_large_matrices_are_nan() {
     let mut z = LargeMatrix::zeros(2);
     for radius in [1e10, 1e200, f64::INFINITY, f64::NAN] {

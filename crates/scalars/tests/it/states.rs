@@ -197,6 +197,18 @@ fn sites_of_different_number_belong_to_different_spaces() {
 }
 
 #[test]
+fn both_parts_of_a_pair_go_back_to_the_pool() {
+    let pair = Pair(Sites::new(vec![Vector1::new(1.0)]), Sites::new(vec![Vector2::new(3.0, 4.0)]));
+    let places = |pair: &Pair<Sites<Vector1<f64>>, Sites<Vector2<f64>>>| {
+        (pair.0.as_ptr() as usize, pair.1.as_ptr() as usize)
+    };
+    let (like, given, mut pool) = (pair.clone(), places(&pair), Default::default());
+    pair.give(&mut pool);
+    let taken = Pair::take(&mut pool, &like);
+    assert!(places(&taken) == given && taken.same_shape(&like));
+}
+
+#[test]
 fn the_maximum_norm_loses_nothing_that_is_not_finite() {
     let v = Vector3::new(2.0, -5.0, 3.0);
     assert_eq!((v.max_norm(), Vector3::<f64>::zeros().max_norm()), (5.0, 0.0));

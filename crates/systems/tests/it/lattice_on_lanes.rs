@@ -86,18 +86,23 @@ fn bonds_may_reach_half_of_a_row() {
     }
 }
 
-/// Bonds that reach several planes, of which the method keeps as many as it needs.
+/// Bonds that reach several rows or planes, of which the method keeps as many as it needs.
 #[test]
-fn bonds_may_reach_several_planes() {
-    for reach in [1, 2, 3, 4] {
-        for planes in [7, 9, 12] {
-            let lattice = HeisenbergLattice::new([5, 2, planes]).unwrap();
-            let lattice = lattice.with_exchange([1, 0, reach], 1.0).unwrap();
+fn bonds_may_reach_several_rows_and_planes() {
+    let along = |axis: usize, reach: i64| match axis {
+        1 => [1, reach, 0],
+        _ => [1, 0, reach],
+    };
+    for (axis, reach) in [1, 2].into_iter().flat_map(|axis| (1..=4).map(move |n| (axis, n))) {
+        for count in [7, 9, 12] {
+            let cells = [5, count, count];
+            let lattice = HeisenbergLattice::new(cells).unwrap();
+            let lattice = lattice.with_exchange(along(axis, reach), 1.0).unwrap();
             let start = spins(&lattice);
             let expected = SphericalMidpoint::new(lattice.clone()).after(&start, 0.05, 5).unwrap();
             let end = LatticeMidpoint::new(lattice).after(&start, 0.05, 5).unwrap();
             assert!(largest_difference(&end.state, &expected.state) < 64.0 * f64::EPSILON);
-            assert!(largest_difference(&end.state, &start) > 1e-3, "{reach} {planes}");
+            assert!(largest_difference(&end.state, &start) > 1e-3, "{axis} {reach} {count}");
         }
     }
 }
