@@ -82,6 +82,12 @@ fn a_given_re_chi1_next_to_the_lower_pole() {
     }
     let text = SpinorRealisation.lift_with(&mu(0.5), 1e308).unwrap_err().to_string();
     assert!(text.contains("Re χ₁ must be so small"), "{text}");
+    // Below the equator ψ₁ of the minimal lift is not real.
+    let mu = Se3Dual::new(Vector3::new(1.0, 2.0, 3.0), Vector3::new(0.4, -0.5, -0.6));
+    assert!(SpinorRealisation.lift(&mu).unwrap().p.0.x.im.abs() > 0.1);
+    let z = SpinorRealisation.lift_with(&mu, 1.0).unwrap();
+    assert!(z.p.0.x.re > 0.0 && z.p.0.x.im.abs() < 1e-16, "{z:?}");
+    assert!((SpinorRealisation.apply(&z) - mu).max_abs() < 1e-14);
 }
 
 #[test]

@@ -207,6 +207,14 @@ mod tests {
     }
 
     #[test]
+    fn large_sizes_are_numbers() {
+        let (large, none) = (Vector2::new(1e200, 0.0), Vector2::new(1e200, f64::INFINITY));
+        let sizes = |v: Vector2<f64>| BlockSizes::of(&[v]);
+        assert_eq!(sizes(large).largest_of(&sizes(large), |_| 3.0), 3.0);
+        assert_eq!(sizes(large).largest_of(&sizes(none), |_| 3.0), f64::INFINITY);
+    }
+
+    #[test]
     fn scaled_sizes_are_added_block_by_block() {
         type Two = Pair<Vector1<f64>, Vector2<f64>>;
         let sizes = |x, y, z| BlockSizes::of(&[Pair(Vector1::new(x), Vector2::new(y, z)) as Two]);
