@@ -106,7 +106,7 @@ fn products_of_maps_to_duals_of_algebras() {
         ProductAlgebraMap::new(HOPF, ProductAlgebraMap::new(PARTICLE, HOPF).unwrap()).unwrap();
     realisation_laws(&map);
     // Each copy has three symmetries.
-    realisation_laws(&PowerMap::<_, 2>(map.clone()));
+    realisation_laws(&PowerMap::<_, 2>(map));
     fn count<M: FibreSymmetry>(_: &M) -> usize {
         M::COUNT
     }
