@@ -57,9 +57,9 @@ pub trait Increments<T: Real = f64>: Integrator<T> {
 /// If the fixed-point iteration solves the stages of an implicit Runge–Kutta method, the effect of their rounding on
 /// the field is added back ([`Scheme::refined_increment`](crate::Scheme::refined_increment)). If a
 /// [`Collective`](crate::Collective) integrator moves z along its fibre, e moves along. What remains are the rounding
-/// errors of the field, and that a step starts from z instead of z + e. Invariants then change as t^½, until a drift of
-/// 1e-21 to 2e-20 per step, which methods with several stages keep, exceeds this after 10⁷ steps or so. Other methods,
-/// and steps that need Newton's iteration, keep biased rounding errors and may drift more.
+/// errors of the field and of the sums over the stages, and that a step starts from z instead of z + e. Invariants then
+/// change as t^½, until a drift exceeds this: methods with several stages keep one of 1e-21 to 2e-20 per step. Other
+/// methods, and steps that need Newton's iteration, keep biased rounding errors and may drift more.
 ///
 /// Source: W. Kahan, *Further remarks on reducing truncation errors*, Comm. ACM 8 (1965); Hairer,
 /// McLachlan & Razakarivony, *Achieving Brouwer's law with implicit Runge–Kutta methods*, BIT 48
