@@ -94,6 +94,7 @@ mod stage_frame;
 mod storage_pool;
 mod step_fractions;
 mod tableaux;
+mod sums;
 mod iteration;
 mod vector_field;
 mod stages;

@@ -65,9 +65,9 @@ where
         step: f64,
         workspace: &mut Self::Workspace,
     ) -> TurnedStep<Self::State, T> {
-        let (mu, base) = (&state.0, self.base());
+        let (Pair(mu, e), base) = (state, self.base());
         let Step { point: q, iterations } = base.refined_multiplier::<T>(mu, step, workspace)?;
-        let increment = Pair(base.change::<T>(&q, mu), Vector::zero());
+        let increment = Pair(base.change::<T>(&q, mu), base.change::<T>(&q, e));
         let point = compensated_sum(state, &increment);
         Ok((Step { point, iterations }.finite()?, unit(q.0)))
     }

@@ -2,7 +2,7 @@
 
 use crate::dual::finite_momentum::has_finite_momentum;
 use crate::dual::recentring_threshold::RecentringThreshold;
-use crate::stages::two_sum::exact_sum;
+use crate::sums::two_sum::exact_sum;
 use crate::vector_field::dual_differential;
 use crate::{
     Compensated, Equivariant, Increment, Increments, Integrator, Scheme, Start, Step, StepError,
@@ -249,13 +249,14 @@ impl<S: Scheme, M: PoissonMap, H> Collective<S, M, H> {
     pub(crate) fn increment_of<T: Real, F: VectorField<T, Point = SourcePoint<M, T>>>(
         &self,
         field: &F,
-        state: &SourcePoint<M, T>,
+        Pair(state, e): &Pair<SourcePoint<M, T>, SourcePoint<M, T>>,
         step: f64,
         workspace: &mut SpaceOf<S, M, T>,
     ) -> Result<Increment<SourcePoint<M, T>>, StepError> {
         let start = self.recentred::<T>(state, workspace);
-        let Step { point: Pair(change, rest), iterations } =
-            self.scheme.refined_increment::<T, _>(field, &start, step, &mut workspace.scheme)?;
+        let Step { point: Pair(change, rest), iterations } = self
+            .scheme
+            .refined_increment::<T, _>(field, (&start, e), step, &mut workspace.scheme)?;
         self.require_momentum::<T>(&(start + change))?;
         if start == *state {
             return Ok(Step { point: Pair(change, rest), iterations });
@@ -318,7 +319,7 @@ where
     #[cfg_attr(not(debug_assertions), inline(always))]
     fn increment(
         &self,
-        state: &Self::State,
+        state: &Pair<Self::State, Self::State>,
         step: f64,
         workspace: &mut Self::Workspace,
     ) -> Result<Increment<Self::State>, StepError> {

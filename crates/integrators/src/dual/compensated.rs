@@ -1,6 +1,6 @@
 //! Compensated summation, which carries the rounding errors of the steps along.
 
-use crate::stages::two_sum::add_compensated;
+use crate::sums::two_sum::add_compensated;
 use crate::{Increment, Integrator, Start, Step, StepError};
 use lie_poisson::{Pair, Real, State};
 use momentum_map::LiftError;
@@ -10,8 +10,8 @@ use momentum_map::LiftError;
 /// # Example
 /// See [`Compensated`].
 pub trait Increments<T: Real = f64>: Integrator<T> {
-    /// Returns the change δz + δe of the state in one step, before the state is [`gauged`](Self::gauged). δe has the
-    /// size of the rounding errors of δz.
+    /// Returns the change δz + δe of a state z + e in one step, before it is [`gauged`](Self::gauged). e has the size of
+    /// the rounding errors of z, and δe that of δz.
     ///
     /// The caller checks that the result is finite.
     ///
@@ -19,7 +19,7 @@ pub trait Increments<T: Real = f64>: Integrator<T> {
     /// Returns a [`StepError`] if the step has no result.
     fn increment(
         &self,
-        state: &Self::State,
+        state: &Pair<Self::State, Self::State>,
         step: f64,
         workspace: &mut Self::Workspace,
     ) -> Result<Increment<Self::State>, StepError>;
@@ -54,12 +54,12 @@ pub trait Increments<T: Real = f64>: Integrator<T> {
 /// The errors of a step then have the size of the rounding errors of δz, a factor h|Ω| below those of z. The state is
 /// (z, e). For a [`LiftFree`](crate::LiftFree) integrator z is μ.
 ///
-/// If the fixed-point iteration solves the stages of an implicit Runge–Kutta method, the effect of their rounding on
-/// the field is added back ([`Scheme::refined_increment`](crate::Scheme::refined_increment)). If a
-/// [`Collective`](crate::Collective) integrator moves z along its fibre, e moves along. What remains are the rounding
-/// errors of the field and of the sums over the stages, and that a step starts from z instead of z + e. Invariants then
-/// change as t^½, until a drift exceeds this: methods with several stages keep one of 1e-21 to 2e-20 per step. Other
-/// methods, and steps that need Newton's iteration, keep biased rounding errors and may drift more.
+/// If the fixed-point iteration solves the stages of an implicit Runge–Kutta method, the increment has about twice the
+/// digits but for the rounding errors of the field: stages start from z + e, sums over stages keep what they round off, and
+/// the effect of both on the field is added back ([`Scheme::refined_increment`](crate::Scheme::refined_increment)). If a
+/// [`Collective`](crate::Collective) integrator moves z along its fibre, e moves along. A
+/// [`LiftFree`](crate::LiftFree) integrator moves e with the multiplier that it computes from μ. The errors of invariants
+/// then grow as t^½. Other methods, and steps that need Newton's iteration, keep biased rounding errors and may drift.
 ///
 /// Source: W. Kahan, *Further remarks on reducing truncation errors*, Comm. ACM 8 (1965); Hairer,
 /// McLachlan & Razakarivony, *Achieving Brouwer's law with implicit Runge–Kutta methods*, BIT 48
@@ -130,7 +130,7 @@ impl<I: Increments<T>, T: Real> Integrator<T> for Compensated<I> {
         step: f64,
         workspace: &mut Self::Workspace,
     ) -> Result<Step<Self::State>, StepError> {
-        let Step { point, iterations } = self.0.increment(&state.0, step, workspace)?;
+        let Step { point, iterations } = self.0.increment(state, step, workspace)?;
         Step { point: self.0.gauged(compensated_sum(state, &point)), iterations }.finite()
     }
 
@@ -142,7 +142,7 @@ impl<I: Increments<T>, T: Real> Integrator<T> for Compensated<I> {
         workspace: &mut Self::Workspace,
     ) -> Result<usize, StepError> {
         let Step { point: Pair(change, error), iterations } =
-            self.0.increment(&state.0, step, workspace)?;
+            self.0.increment(state, step, workspace)?;
         let mut none = Default::default();
         let pool = self.0.temporaries(workspace).unwrap_or(&mut none);
         let [mut z, mut e] = [(); 2].map(|()| I::State::take(pool, &state.0));

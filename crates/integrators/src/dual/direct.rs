@@ -4,7 +4,7 @@ use crate::{
     Compensated, Increment, Increments, Integrator, Scheme, StateIsMomentum, Step, StepError,
     VectorField,
 };
-use lie_poisson::{Real, State};
+use lie_poisson::{Pair, Real, State};
 
 /// A scheme applied directly to a vector field, such as that of the Lie–Poisson equations dμ/dt = X_h(μ) on 𝔤∗.
 ///
@@ -114,11 +114,11 @@ where
     #[cfg_attr(not(debug_assertions), inline(always))]
     fn increment(
         &self,
-        state: &F::Point,
+        Pair(z, e): &Pair<F::Point, F::Point>,
         step: f64,
         workspace: &mut Self::Workspace,
     ) -> Result<Increment<Self::State>, StepError> {
-        self.scheme.refined_increment(&self.field, state, step, workspace)
+        self.scheme.refined_increment(&self.field, (z, e), step, workspace)
     }
 
     #[cfg_attr(not(debug_assertions), inline(always))]

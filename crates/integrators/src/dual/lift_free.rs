@@ -177,7 +177,8 @@ impl<S: Equivariant, M: Multipliers, H> LiftFree<S, M, H> {
         step: f64,
         storage: &mut S::Workspace<Multiplier<M, T>>,
     ) -> Result<Step<Multiplier<M, T>>, StepError> {
-        let next = self.scheme.refined_increment::<T, _>(field, one, step, storage)?;
+        let exact = Vector::zero();
+        let next = self.scheme.refined_increment::<T, _>(field, (one, &exact), step, storage)?;
         let Pair(change, rest) = next.point;
         Ok(Step { point: *one + (change + rest), iterations: next.iterations })
     }
@@ -292,12 +293,13 @@ where
     #[cfg_attr(not(debug_assertions), inline(always))]
     fn increment(
         &self,
-        mu: &Self::State,
+        Pair(mu, e): &Pair<Self::State, Self::State>,
         step: f64,
         workspace: &mut Self::Workspace,
     ) -> Result<Increment<Self::State>, StepError> {
-        let (Step { iterations, .. }, change) = self.refined_motion::<T>(mu, step, workspace)?;
-        Ok(Step { point: Pair(change, Vector::zero()), iterations })
+        let (Step { point: q, iterations }, change) =
+            self.refined_motion::<T>(mu, step, workspace)?;
+        Ok(Step { point: Pair(change, self.change::<T>(&q, e)), iterations })
     }
 }
 

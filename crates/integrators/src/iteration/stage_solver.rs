@@ -329,22 +329,6 @@ pub(crate) fn set_combination<V: State>(sum: &mut V, row: &[f64], k: &[V]) {
     sum.add_combination(row, k);
 }
 
-/// Writes h v to the product, with unbiased rounding errors.
-///
-/// If h is within a few roundings of a fraction of small denominator, such as 0.05 = 8/5 · 2⁻⁵, the products h x with
-/// neighbouring x round alike. The products with the upper 26 bits of h do not, and the contribution of the lower bits
-/// is small. An infinite h x becomes NaN.
-#[cfg_attr(not(debug_assertions), inline(always))]
-pub(crate) fn scale_evenly<V: State>(v: &V, step: f64, product: &mut V) {
-    let upper = f64::from_bits(step.to_bits() & UPPER_HALF);
-    product.assign(v);
-    product.scale_in_place(V::Scalar::from_f64(upper));
-    product.add_multiple(V::Scalar::from_f64(step - upper), v);
-}
-
-/// The mask of the sign, the exponent and the upper 26 of the 53 bits of a number.
-const UPPER_HALF: u64 = !0 << 27;
-
 #[cfg(test)]
 #[allow(clippy::unwrap_used)]
 mod tests {

@@ -79,7 +79,7 @@ fn single_steps<S: Scheme>(scheme: &S, report: &mut Report) {
     report.note("step and increment", different_bits(&step(STEP), &(z + increment)), 1.0);
     in_place(scheme, report);
     let refined = point_or_nan(
-        scheme.refined_increment(&field, &z, STEP, &mut scheme.workspace()),
+        scheme.refined_increment(&field, (&z, &Vector::zero()), STEP, &mut scheme.workspace()),
         &Pair(z, z),
     );
     let difference = refined.0 + refined.1 - increment;

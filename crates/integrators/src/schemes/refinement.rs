@@ -1,8 +1,8 @@
 //! Stage derivatives of an accuracy beyond that of the rounded stages.
 
 use crate::iteration::block_sizes::MaskOf;
-use crate::iteration::stage_solver::{scale_evenly, set_combination};
-use crate::stages::two_sum::two_sum;
+use crate::iteration::stage_solver::{fit, set_combination};
+use crate::sums::exact_combination::add_exactly;
 use crate::{Tableau, VectorField};
 use lie_poisson::{Mask, Real, State};
 
@@ -18,51 +18,110 @@ const ENLARGEMENT: f64 = 67_108_864.0;
 /// fixed-point iteration. After two of these the error is lost among the rounding errors of the field.
 const SWEEPS: usize = 3;
 
-/// Replaces k_i by X at the rounded stage Z_i, and writes the corrections δk_i = X′·δZ_i to `rest`.
-///
-/// Then k_i + δk_i is X at the unrounded stage Z_i + δZ_i = z + h Σ_j a_ij (k_j + δk_j). The correction is smaller than
-/// a rounding of k_i, and would be lost there. Only the chosen lanes are refined; in the others δk_i = 0.
-///
-/// An iteration to the round-off floor ends at one of several neighbouring fixed points in floating-point arithmetic,
-/// always the one on the side from which it comes. The rounding errors δZ are therefore biased, by some hundredths of a
-/// rounding. In a long run this is a drift of the invariants. If the field conserves |z|², the drift of |z|² in a step
-/// is 2h Σ_i b_i k_i·δZ_i.
-#[inline]
-pub(crate) fn refine<T: Real, F: VectorField<T>>(
-    field: &F,
-    (z, step): (&F::Point, f64),
-    tableau: &Tableau,
-    chosen: MaskOf<F::Point>,
-    (k, rest): (&mut [F::Point], &mut [F::Point]),
-    pool: &mut <F::Point as State>::Pool,
-) {
-    for rest in &mut *rest {
-        rest.set_zero();
+/// The corrections δk_i of stage derivatives, and what they are computed from.
+#[derive(Clone, Debug)]
+pub(crate) struct Refinement<V> {
+    corrections: Vec<V>,
+    stages: Vec<V>,
+    lost: Vec<V>,
+    values: Vec<V>,
+}
+
+impl<V: State> Refinement<V> {
+    /// Creates the storage for a number of stages.
+    pub(crate) fn with_room(stages: usize) -> Self {
+        let room = || Vec::with_capacity(stages);
+        Self { corrections: room(), stages: room(), lost: room(), values: room() }
     }
-    if !chosen.any() {
-        return;
+
+    /// Returns the corrections δk_i.
+    pub(crate) fn corrections(&self) -> &[V] {
+        &self.corrections
     }
-    let (mut sum, mut change) = (F::Point::take(pool, z), F::Point::take(pool, z));
-    let (mut stage, mut lost) = (F::Point::take(pool, z), F::Point::take(pool, z));
-    let mut value = F::Point::take(pool, z);
-    for n in 0..SWEEPS * k.len() {
-        let i = n % k.len();
-        set_combination(&mut sum, tableau.row_low(i), k);
-        sum.add_combination(tableau.row(i), k);
-        scale_evenly(&sum, step, &mut change);
-        two_sum(z, &change, &mut stage, &mut lost, &mut value);
-        set_combination(&mut sum, tableau.row(i), rest);
-        sum.scale_in_place(T::from_f64(step));
-        lost.add_in_place(&sum);
-        field.at_into(&stage, &mut value);
-        stage.add_multiple(T::from_f64(ENLARGEMENT), &lost);
-        field.at_into(&stage, &mut change);
-        change.subtract_in_place(&value);
-        change.scale_in_place(T::from_f64(1.0 / ENLARGEMENT));
-        k[i].replace_where(chosen, &value);
-        rest[i].replace_where(chosen, &change);
+
+    /// Computes corrections δk_i for which k_i + δk_i is X at the unrounded stage z + e + h Σ_j a_ij (k_j + δk_j).
+    ///
+    /// A correction has the size of a rounding error of k_i, and would be lost if it were added. Only the chosen lanes are
+    /// refined; in the others δk_i = 0.
+    ///
+    /// An iteration to the round-off floor ends at one of several neighbouring fixed points in floating-point arithmetic,
+    /// always the one on the side from which it comes. The rounding errors of the stages are therefore biased, by some
+    /// hundredths of a rounding. In a long run this is a drift of the invariants. If the field conserves |z|², an error
+    /// δZ_i of the stages changes |z|² in a step by 2h Σ_i b_i k_i·δZ_i.
+    #[inline]
+    pub(crate) fn refine<F: VectorField<V::Scalar, Point = V>>(
+        &mut self,
+        field: &F,
+        (start, step): ((&V, &V), f64),
+        tableau: &Tableau,
+        chosen: MaskOf<V>,
+        k: &[V],
+        pool: &mut V::Pool,
+    ) {
+        for vectors in [&mut self.corrections, &mut self.stages, &mut self.lost, &mut self.values] {
+            fit(vectors, k.len(), start.0);
+        }
+        for correction in &mut self.corrections {
+            correction.set_zero();
+        }
+        if chosen.any() {
+            self.evaluate(field, (start, step), tableau, k, pool);
+            self.sweep(field, step, tableau, chosen, k, pool);
+        }
     }
-    for vector in [sum, change, stage, lost, value] {
-        vector.give(pool);
+
+    /// Computes the stages z + e + h Σ_j a_ij k_j, as their rounded values and the rounding errors, and X at the rounded
+    /// values.
+    #[cfg_attr(not(debug_assertions), inline(always))]
+    fn evaluate<F: VectorField<V::Scalar, Point = V>>(
+        &mut self,
+        field: &F,
+        ((z, e), step): ((&V, &V), f64),
+        tableau: &Tableau,
+        k: &[V],
+        pool: &mut V::Pool,
+    ) {
+        for i in 0..k.len() {
+            let (stage, lost) = (&mut self.stages[i], &mut self.lost[i]);
+            stage.assign(z);
+            lost.assign(e);
+            add_exactly((stage, lost), (step, tableau.row(i), tableau.row_low(i)), k, pool);
+            field.at_into(stage, &mut self.values[i]);
+        }
+    }
+
+    /// Improves the corrections δk_i = X(Z_i) − k_i + X′·(δZ_i + h Σ_j a_ij δk_j) by turns, where Z_i + δZ_i is a stage.
+    #[cfg_attr(not(debug_assertions), inline(always))]
+    fn sweep<F: VectorField<V::Scalar, Point = V>>(
+        &mut self,
+        field: &F,
+        step: f64,
+        tableau: &Tableau,
+        chosen: MaskOf<V>,
+        k: &[V],
+        pool: &mut V::Pool,
+    ) {
+        let Some(first) = k.first() else { return };
+        let (mut error, mut stage) = (V::take(pool, first), V::take(pool, first));
+        let mut change = V::take(pool, first);
+        let number = V::Scalar::from_f64;
+        for n in 0..SWEEPS * k.len() {
+            let i = n % k.len();
+            set_combination(&mut error, tableau.row(i), &self.corrections);
+            error.scale_in_place(number(step));
+            error.add_in_place(&self.lost[i]);
+            stage.assign(&self.stages[i]);
+            stage.add_multiple(number(ENLARGEMENT), &error);
+            field.at_into(&stage, &mut change);
+            change.subtract_in_place(&self.values[i]);
+            change.scale_in_place(number(1.0 / ENLARGEMENT));
+            error.assign(&self.values[i]);
+            error.subtract_in_place(&k[i]);
+            change.add_in_place(&error);
+            self.corrections[i].replace_where(chosen, &change);
+        }
+        for vector in [error, stage, change] {
+            vector.give(pool);
+        }
     }
 }

@@ -5,14 +5,14 @@ use crate::iteration::convergence::{Ratios, is_finite};
 use crate::iteration::lane_problem::{LaneProblem, Outcome};
 use crate::iteration::stage_rows::{StageColumns, StageRows};
 use crate::iteration::stage_scale::StageScale;
-use crate::iteration::stage_solver::{
-    StageEquations, Unconverged, fit, scale_evenly, set_combination,
-};
+use crate::iteration::stage_solver::{StageEquations, Unconverged, fit, set_combination};
 use crate::schemes::explicit_step::four_stages;
-use crate::schemes::refinement::refine;
+use crate::schemes::refinement::Refinement;
 use crate::stages::extrapolation::Predictor;
 use crate::stages::history::StageHistory;
 use crate::stages::newton::{NewtonSpace, newton_step};
+use crate::sums::exact_combination::add_exactly;
+use crate::sums::halves::scale_evenly;
 use crate::{Equivariant, Increment, Scheme, StageSolver, Step, StepError, Tableau, VectorField};
 use core::hint::black_box;
 use lie_poisson::{Mask, Pair, Real, State};
@@ -233,8 +233,7 @@ fn is_plain_and_small<V: State>() -> bool {
 #[derive(Clone, Debug)]
 pub struct StageSpace<V: State> {
     k: Vec<V>,
-    /// The corrections that refinement adds to k.
-    rest: Vec<V>,
+    refinement: Refinement<V>,
     /// The sums Σ_j low_ij k_j with the low parts of the coefficients, once the stages are close; zero without them.
     small: Vec<V>,
     memory: StageHistory<V>,
@@ -254,7 +253,7 @@ impl Scheme for RungeKutta {
         let coordinates = if side_by_side { size_of::<V>() / size_of::<f64>() } else { 0 };
         StageSpace {
             k: room(),
-            rest: room(),
+            refinement: Refinement::with_room(self.tableau.stages()),
             small: room(),
             memory: StageHistory::new(&self.predictor),
             rows: StageRows::with_room(coordinates),
@@ -284,32 +283,35 @@ impl Scheme for RungeKutta {
         Ok(Step { point: self.end(z, step, workspace), iterations })
     }
 
-    /// Returns the increment with rounding errors of the stages of an implicit method removed, if the fixed-point
-    /// iteration converged.
+    /// Returns the increment of an implicit method without the rounding errors of the stages and of the sums over them.
     ///
-    /// This takes six more evaluations of the field for each stage.
+    /// This takes four more evaluations of the field for each stage. What remains are the rounding errors of the field,
+    /// and of the stages where Newton's iteration solves for them. Explicit methods have the default.
     #[cfg_attr(not(debug_assertions), inline(always))]
     fn refined_increment<T: Real, F: VectorField<T>>(
         &self,
         field: &F,
-        z: &F::Point,
+        (z, e): (&F::Point, &F::Point),
         step: f64,
         workspace: &mut StageSpace<F::Point>,
     ) -> Result<Increment<F::Point>, StepError> {
         let (iterations, contracting) = self.stages(field, z, step, workspace)?;
-        let implicit = !self.is_explicit();
-        if implicit {
-            let StageSpace { k, rest, pool, .. } = workspace;
-            fit(rest, k.len(), z);
-            refine(field, (z, step), &self.tableau, contracting, (k, rest), pool);
+        if self.is_explicit() {
+            let change = self.end(z, step, workspace);
+            let mut lost = F::Point::take(&mut workspace.pool, z);
+            lost.set_zero();
+            return Ok(Step { point: Pair(change, lost), iterations });
         }
-        let change = self.end(z, step, workspace);
-        let mut lost = F::Point::take(&mut workspace.pool, z);
-        lost.set_zero();
-        if implicit {
-            lost.add_combination(self.tableau.weights(), &workspace.rest);
-            lost.scale_in_place(T::from_f64(step));
-        }
+        let StageSpace { k, refinement, memory, pool, .. } = workspace;
+        let tableau = &self.tableau;
+        refinement.refine(field, ((z, e), step), tableau, contracting, k, pool);
+        let (mut change, mut lost) = (F::Point::take(pool, z), F::Point::take(pool, z));
+        set_combination(&mut lost, tableau.weights(), refinement.corrections());
+        lost.scale_in_place(T::from_f64(step));
+        change.set_zero();
+        let weights = (step, tableau.weights(), tableau.weights_low());
+        add_exactly((&mut change, &mut lost), weights, k, pool);
+        memory.end_after(z, &change);
         Ok(Step { point: Pair(change, lost), iterations })
     }
 

@@ -129,11 +129,11 @@ pub trait Scheme: Clone {
         workspace: &mut Self::Workspace<F::Point>,
     ) -> Result<Step<F::Point>, StepError>;
 
-    /// Returns the increment as δz + δe, for [`Compensated`](crate::Compensated) summation, where δe has the size of
-    /// the rounding errors of δz.
+    /// Returns the increment Φ_h(z + e) − (z + e) as δz + δe, for [`Compensated`](crate::Compensated) summation, where e
+    /// has the size of the rounding errors of z, and δe that of δz.
     ///
-    /// A scheme that can makes its rounding errors unbiased. The default is ([`increment`](Self::increment), 0), whose
-    /// rounding errors are biased.
+    /// A scheme that can makes its rounding errors small and unbiased. The default is ([`increment`](Self::increment), 0)
+    /// of a step from z, whose rounding errors are biased.
     ///
     /// # Errors
     /// Returns the errors of [`increment`](Self::increment).
@@ -141,7 +141,7 @@ pub trait Scheme: Clone {
     fn refined_increment<T: Real, F: VectorField<T>>(
         &self,
         field: &F,
-        z: &F::Point,
+        (z, _e): (&F::Point, &F::Point),
         step: f64,
         workspace: &mut Self::Workspace<F::Point>,
     ) -> Result<Increment<F::Point>, StepError> {

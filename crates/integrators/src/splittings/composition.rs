@@ -1,7 +1,7 @@
 //! Composition methods: [`Composition`].
 
 use crate::schemes::scheme::{give, take};
-use crate::stages::two_sum::add_compensated;
+use crate::sums::two_sum::add_compensated;
 use crate::{
     Equivariant, Increment, Integrator, Scheme, Start, Step, StepError, Substeps, VectorField,
 };
@@ -113,38 +113,39 @@ impl<S: Scheme> Scheme for Composition<S> {
         }
     }
 
-    /// Returns the sum of the refined increments of the substeps. Each substep starts from the rounded z + Σ δz,
-    /// without the carried error.
+    /// Returns the sum of the refined increments of the substeps. Each substep starts where the one before it ended,
+    /// with the rounding error that is carried along.
     #[cfg_attr(not(debug_assertions), inline(always))]
     fn refined_increment<T: Real, F: VectorField<T>>(
         &self,
         field: &F,
-        z: &F::Point,
+        (z, e): (&F::Point, &F::Point),
         step: f64,
         workspace: &mut Self::Workspace<F::Point>,
     ) -> Result<Increment<F::Point>, StepError> {
-        let mut sum = take(&self.base, workspace, z);
-        let mut rest = take(&self.base, workspace, z);
-        let mut from = take(&self.base, workspace, z);
+        let [mut sum, mut rest, mut from, mut carried] =
+            [(); 4].map(|()| take(&self.base, workspace, z));
         sum.set_zero();
         rest.set_zero();
+        from.assign(z);
+        carried.assign(e);
         let made = self.chain(
             step,
             #[inline(always)]
             |step| {
-                from.assign(z);
-                from.add_in_place(&sum);
                 let Step { point: Pair(change, error), iterations } =
-                    self.base.refined_increment(field, &from, step, workspace)?;
+                    self.base.refined_increment(field, (&from, &carried), step, workspace)?;
                 let mut none = Default::default();
                 let pool = self.base.temporaries(workspace).unwrap_or(&mut none);
                 add_compensated((&mut sum, &mut rest), (&change, &error), pool);
+                add_compensated((&mut from, &mut carried), (&change, &error), pool);
                 change.give(pool);
                 error.give(pool);
                 Ok(iterations)
             },
         );
         give(&self.base, workspace, from);
+        give(&self.base, workspace, carried);
         match made {
             Ok(iterations) => Ok(Step { point: Pair(sum, rest), iterations }),
             Err(failed) => {

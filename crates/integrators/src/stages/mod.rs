@@ -1,7 +1,6 @@
 //! The stages of implicit methods: first guesses from the steps before, where these are forgotten, and Newton's iteration.
 
 pub(crate) mod checkpoints;
-pub(crate) mod two_sum;
 pub(crate) mod newton;
 pub(crate) mod extrapolation;
 pub(crate) mod history;

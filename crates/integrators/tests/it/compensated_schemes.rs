@@ -60,36 +60,48 @@ fn oscillator(z: &Vector2<f64>) -> Vector2<f64> {
     Vector2::new(z.y, -z.x)
 }
 
-/// Tests that refined increments satisfy the stage equation far beyond the rounding error of the stage.
+/// Returns α d − β h J (2u + d) − γ h² d for h = 2⁻⁶ and J (x, y) = (y, −x).
 ///
-/// With a step of a power of two the midpoint rule gives k + δk from δz + δe without rounding. Then k + δk = X(z +
-/// ½h(k + δk)) should hold.
+/// A step from u to u + d for ż = J z makes it zero: with (2, 1, 0) that of the midpoint rule, and with (12, 6, 1) that of
+/// Gauss's method with two stages.
+fn residual([alpha, beta, gamma]: [i128; 3], u: [i128; 2], d: [i128; 2]) -> [i128; 2] {
+    let middle = [0, 1].map(|i| 2 * u[i] + d[i]);
+    let turned = [middle[1], -middle[0]];
+    [0, 1].map(|i| alpha * d[i] - ((beta * turned[i]) >> 6) - ((gamma * d[i]) >> 12))
+}
+
+/// Tests that refined increments satisfy the equation of a step far beyond the rounding errors of the stages, of the sums
+/// over them, and of the point from which the step starts.
 #[test]
-fn refined_increments_belong_to_stages_without_rounding() {
-    const SHIFT: i32 = 6;
-    let step = f64::from(-SHIFT).exp2();
-    let midpoint = RungeKutta::implicit_midpoint();
-    let mut largest = [0.0_f64; 2];
-    let numbers: Vec<f64> = mantissas().take(64).collect();
-    for pair in numbers.chunks(2) {
-        let z = Vector2::new(pair[0], -pair[1]);
-        let mut workspace = midpoint.workspace();
-        let increment =
-            midpoint.refined_increment(&from_fn(oscillator), &z, step, &mut workspace).unwrap();
-        let Pair(change, rest) = increment.point;
-        let k = [change.x, change.y, rest.x, rest.y].map(|x| fixed(x) << SHIFT);
-        for (defect, rest) in largest.iter_mut().zip([1, 0]) {
-            let k = [k[0] + rest * k[2], k[1] + rest * k[3]];
-            let middle = |z: f64, k: i128| fixed(z) + (k >> (SHIFT + 1));
-            let residual = [k[0] - middle(z.y, k[1]), k[1] + middle(z.x, k[0])];
-            for r in residual {
-                *defect = defect.max(r.unsigned_abs() as f64 / 110.0_f64.exp2());
+fn refined_increments_have_more_digits_than_their_stages() {
+    let schemes =
+        [(RungeKutta::implicit_midpoint(), [2, 1, 0]), (RungeKutta::gauss(2).unwrap(), [12, 6, 1])];
+    let numbers: Vec<f64> = mantissas().take(256).collect();
+    for (scheme, equation) in schemes {
+        let mut largest = [0.0_f64; 3];
+        for numbers in numbers.chunks(4) {
+            let z = Vector2::new(numbers[0], -numbers[1]);
+            let e = Vector2::new(numbers[2] - 0.75, numbers[3] - 0.75) * f64::EPSILON;
+            let (field, mut workspace) = (from_fn(oscillator), scheme.workspace());
+            let made = scheme.refined_increment(&field, (&z, &e), 1.0 / 64.0, &mut workspace);
+            let Pair(change, rest) = made.unwrap().point;
+            for (defect, (e, rest)) in
+                largest.iter_mut().zip([(e, rest), (e, 0.0 * rest), (0.0 * e, rest)])
+            {
+                let u = [0, 1].map(|i| fixed(z[i]) + fixed(e[i]));
+                let d = [0, 1].map(|i| fixed(change[i]) + fixed(rest[i]));
+                for r in residual(equation, u, d) {
+                    let size = r.unsigned_abs() as f64 / equation[0] as f64;
+                    *defect = defect.max(size / 110.0_f64.exp2());
+                }
             }
         }
+        // In units of the rounding error hε/2 of h k, where |k| < 1: three sweeps leave (½h)³ = 5e-7 of it, and the
+        // computed difference adds 1e-8.
+        let [refined, rounded, from_z] = largest.map(|defect| defect / (f64::EPSILON / 128.0));
+        assert!(refined < 1e-6, "{refined:e}");
+        // Controls: without δe a rounding error remains, and without e that of a start.
+        assert!(rounded > 0.2, "{rounded:e}");
+        assert!(from_z > 0.2, "{from_z:e}");
     }
-    // Three sweeps leave (½h)³ = 5e-7 of a rounding error; the computed difference adds 1e-8.
-    let [refined, rounded] = largest;
-    assert!(refined < 1e-6 * f64::EPSILON, "{refined:e}");
-    // Control: without refinement half a rounding error of the stage remains.
-    assert!(rounded > 0.2 * f64::EPSILON, "{rounded:e}");
 }

@@ -63,7 +63,7 @@ impl Scheme for FaultyScheme {
     fn refined_increment<T: Real, F: VectorField<T>>(
         &self,
         field: &F,
-        z: &F::Point,
+        (z, _): (&F::Point, &F::Point),
         step: f64,
         made: &mut u32,
     ) -> Result<Increment<F::Point>, StepError> {

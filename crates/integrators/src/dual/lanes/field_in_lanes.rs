@@ -6,7 +6,7 @@ use crate::dual::lift_free::LiftFree;
 use crate::dual::multiplier_field::AnyScalar;
 use crate::stages::lane_field::{InLanes, LaneField};
 use crate::{Equivariant, Increment, Increments, Scheme, Step, StepError};
-use lie_poisson::{Hamiltonian, InstructionSet, Pair, Vector};
+use lie_poisson::{Hamiltonian, InstructionSet, Pair};
 use momentum_map::{CollectiveHamiltonian, Multiplier, Multipliers, PoissonMap};
 
 /// An integrator that applies a scheme to a vector field which is known over SIMD lanes (several numbers in one
@@ -38,7 +38,7 @@ pub trait FieldInLanes: Increments<f64> {
     fn increment_in_lanes(
         &self,
         instructions: InstructionSet,
-        state: &Self::State,
+        state: &Pair<Self::State, Self::State>,
         step: f64,
         workspace: &mut Self::Workspace,
     ) -> Result<Increment<Self::State>, StepError>;
@@ -61,12 +61,12 @@ impl<S: Scheme, F: LaneField> FieldInLanes for Direct<S, F> {
     fn increment_in_lanes(
         &self,
         instructions: InstructionSet,
-        state: &F::Point,
+        Pair(z, e): &Pair<F::Point, F::Point>,
         step: f64,
         workspace: &mut Self::Workspace,
     ) -> Result<Increment<F::Point>, StepError> {
         let field = InLanes { field: self.field(), lanes: self.field(), instructions };
-        self.scheme().refined_increment::<f64, _>(&field, state, step, workspace)
+        self.scheme().refined_increment::<f64, _>(&field, (z, e), step, workspace)
     }
 }
 
@@ -93,7 +93,7 @@ where
     fn increment_in_lanes(
         &self,
         instructions: InstructionSet,
-        state: &Self::State,
+        state: &Pair<Self::State, Self::State>,
         step: f64,
         workspace: &mut Self::Workspace,
     ) -> Result<Increment<Self::State>, StepError> {
@@ -133,11 +133,11 @@ where
     fn increment_in_lanes(
         &self,
         instructions: InstructionSet,
-        mu: &Self::State,
+        Pair(mu, e): &Pair<Self::State, Self::State>,
         step: f64,
         workspace: &mut Self::Workspace,
     ) -> Result<Increment<Self::State>, StepError> {
-        let (Step { iterations, .. }, change) = self.motion_by::<f64>(
+        let (Step { point: q, iterations }, change) = self.motion_by::<f64>(
             mu,
             workspace,
             #[inline(always)]
@@ -146,6 +146,6 @@ where
                 self.refined_advance::<f64, _>(&field, one, step, storage)
             },
         )?;
-        Ok(Step { point: Pair(change, Vector::zero()), iterations })
+        Ok(Step { point: Pair(change, self.change::<f64>(&q, e)), iterations })
     }
 }

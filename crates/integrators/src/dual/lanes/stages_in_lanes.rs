@@ -131,7 +131,7 @@ impl<I: FieldInLanes> Increments for StagesInLanes<I> {
     #[cfg_attr(not(debug_assertions), inline(always))]
     fn increment(
         &self,
-        state: &Self::State,
+        state: &Pair<Self::State, Self::State>,
         step: f64,
         workspace: &mut Self::Workspace,
     ) -> Result<Increment<Self::State>, StepError> {
