@@ -2,7 +2,7 @@
 
 use crate::SymmetricTopSplitting;
 use crate::kernels::symmetric::axial_turn::AxialTurn;
-use crate::kernels::symmetric::flows::DriftPolynomials;
+use crate::kernels::symmetric::drift_polynomials::DriftPolynomials;
 use collective_integrators::MOST_LANES;
 use lie_poisson::{Covector, Lanes, Pair, Se3Dual};
 use nalgebra::Vector3;
@@ -22,6 +22,9 @@ pub(crate) struct MomentumLanes<T> {
     w: [T; 3],
     gamma: [T; 3],
     vertical: T,
+    /// The sum of the rounding errors of w₃² so far. The next square includes it: where w₃ is constant, all squares would
+    /// have the same error, and |Γ|² would drift.
+    lost: T,
     /// The largest |w|² or δ²w₃² of all drifts, whose angles are the roots of these numbers times the drift's
     /// time. A NaN may be missing.
     pub(crate) largest: T,
@@ -50,7 +53,13 @@ impl<T: Lanes> MomentumLanes<T> {
         let gamma = |k: usize| T::from_lanes(|i| f(i).0.1[k]);
         let w = top.axes.undo([w(0), w(1), w(2)]);
         let gamma = top.axes.undo([gamma(0), gamma(1), gamma(2)]);
-        Self { w, gamma, vertical: dot(&w, &gamma), largest: T::from_f64(0.0) }
+        Self {
+            w,
+            gamma,
+            vertical: dot(&w, &gamma),
+            lost: T::from_f64(0.0),
+            largest: T::from_f64(0.0),
+        }
     }
 
     /// Returns a function that reads the state in each lane.
@@ -89,11 +98,14 @@ impl<T: Lanes> MomentumLanes<T> {
         let (w, g) = (self.w, self.gamma);
         let transverse = cross(&w, &g);
         let rate = -top.elongation * w[2];
-        let (x, y) = (dot(&w, &w), rate * rate);
+        let axial = square(w[2], &mut self.lost);
+        let (x, y) = (w[0].multiply_add(w[0], w[1].multiply_add(w[1], axial)), rate * rate);
         self.largest = x.maximum(y.maximum(self.largest));
-        let ((first, second), (sine, half_tangent)) = drift.at(x, y);
-        let about_w = x.negative_multiply_add(second, T::from_f64(1.0));
-        let along = second * self.vertical;
+        let (at_x, (sine, half_tangent)) = drift.at(x, y);
+        let (first, leading) = (at_x.sine, at_x.half_square);
+        let cosine = x.negative_multiply_add(leading, T::from_f64(1.0));
+        let about_w = x.negative_multiply_add(at_x.rest, cosine);
+        let along = at_x.rest.multiply_add(self.vertical, leading * self.vertical);
         let turned = |k: usize| {
             let longitudinal = along.multiply_add(w[k], about_w * g[k]);
             first.negative_multiply_add(transverse[k], longitudinal)
@@ -144,6 +156,26 @@ impl<T: Lanes> FlowParameters<T> {
         let least = d.select_nonnegative(one, d + 1.0);
         (doubled + potential * 2.0) * (one / least).maximum(d * d / (d + 1.0))
     }
+}
+
+/// Returns a² with what former squares have `lost` by rounding, and updates that sum of rounding errors.
+#[inline(always)]
+fn square<T: Lanes>(a: T, lost: &mut T) -> T {
+    if T::FUSED {
+        let square = a.multiply_add(a, *lost);
+        *lost += a.multiply_subtract(a, square);
+        return square;
+    }
+    // Halves of 26 bits, whose products are exact (Dekker 1971).
+    let spread = a * T::from_f64(134_217_729.0);
+    let upper = spread - (spread - a);
+    let lower = a - upper;
+    let rounded = a * a;
+    let error = (upper * upper - rounded) + upper * lower * 2.0 + lower * lower;
+    let missing = *lost + error;
+    let square = rounded + missing;
+    *lost = missing - (square - rounded);
+    square
 }
 
 #[inline(always)]
