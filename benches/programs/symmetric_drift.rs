@@ -1,12 +1,13 @@
-//! Measures the drift of |Γ|² in ensembles of symmetric tops at steps too coarse for the order of the method.
+//! Measures the drift of |Γ|² in ensembles of symmetric tops, at steps too coarse for the order of the method and at fine ones.
 //!
 //! `cargo run --release -p measurements --bin symmetric_drift -- [steps] [tops]`
 //!
-//! For each top, method and step it prints the change of |Γ|² in a step: the mean over the ensemble, and the standard error
-//! of that mean.
+//! For each top, method and step it prints the change of |Γ|² in a step: the mean over the ensemble with its standard error,
+//! and the root mean square. Random walks make that mean square proportional to 1/steps; what is left in long runs are
+//! drifts of single tops.
 
-use collective_integrators::{AlternatingSubsteps, Ensemble, Substeps};
-use heavytop::{HeavyTop, SymmetricTopBatch, SymmetricTopSplitting};
+use collective_integrators::{AlternatingSubsteps, BatchIntegrator, Ensemble, Substeps};
+use heavytop::{HeavyTop, MidpointBatch, SymmetricTopBatch, SymmetricTopSplitting};
 use lie_poisson::Se3Dual;
 use lie_poisson::nalgebra::Vector3;
 use std::error::Error;
@@ -23,8 +24,27 @@ fn start(i: u32) -> Se3Dual {
     Se3Dual::new(pi, gamma)
 }
 
-fn square(mu: &Se3Dual) -> f64 {
-    mu.0.1.dot(&mu.0.1)
+/// Advances an ensemble, and prints what it changed per step after the `title`.
+fn measure<T: Copy + Send + Sync>(
+    title: &str,
+    integrator: impl BatchIntegrator<Member = (T, Se3Dual)> + Sync,
+    top: T,
+    (step, steps, count): (f64, u32, u32),
+) -> Result<(), Box<dyn Error>> {
+    let square = |(_, mu): &(T, Se3Dual)| mu.0.1.dot(&mu.0.1);
+    let mut members: Vec<_> = (0..count).map(|i| (top, start(i))).collect();
+    let first: Vec<f64> = members.iter().map(square).collect();
+    let ensemble = Ensemble::new(integrator);
+    if let Some(failure) = ensemble.advance(&mut members, step, 0..u64::from(steps)).pop() {
+        return Err(failure.into());
+    }
+    let changes = members.iter().zip(&first).map(|(end, first)| square(end) - first);
+    let changes: Vec<f64> = changes.map(|change| change / f64::from(steps)).collect();
+    let moment =
+        |power| changes.iter().map(|change| change.powi(power)).sum::<f64>() / f64::from(count);
+    let error = (moment(2) / f64::from(count)).sqrt();
+    println!("| {title} | {step} | {:+.1e} ± {error:.1e} | {:.1e} |", moment(1), moment(2).sqrt());
+    Ok(())
 }
 
 fn main() -> Result<(), Box<dyn Error>> {
@@ -45,23 +65,15 @@ fn main() -> Result<(), Box<dyn Error>> {
         ("Yoshida 4", AlternatingSubsteps::composed(&yoshida), 0.1),
         ("Yoshida 4", AlternatingSubsteps::composed(&yoshida), 0.02),
     ];
-    for (top_name, top) in tops {
-        let top = SymmetricTopSplitting::new(top)?;
-        for (name, substeps, step) in &methods {
-            let mut members: Vec<_> = (0..count).map(|i| (top, start(i))).collect();
-            let first: Vec<f64> = members.iter().map(|(_, mu)| square(mu)).collect();
-            let ensemble = Ensemble::new(SymmetricTopBatch::new(substeps.clone()));
-            if let Some(failure) = ensemble.advance(&mut members, *step, 0..u64::from(steps)).pop()
-            {
-                return Err(failure.into());
-            }
-            let changes = members.iter().zip(&first).map(|((_, mu), first)| square(mu) - first);
-            let changes: Vec<f64> = changes.map(|change| change / f64::from(steps)).collect();
-            let moment = |power| {
-                changes.iter().map(|change| change.powi(power)).sum::<f64>() / f64::from(count)
-            };
-            let error = (moment(2) / f64::from(count)).sqrt();
-            println!("| {top_name} | {name} | {step} | {:+.1e} ± {error:.1e} |", moment(1));
+    for (name, top) in tops {
+        let splitting = SymmetricTopSplitting::new(top)?;
+        for (method, substeps, step) in &methods {
+            let batch = SymmetricTopBatch::new(substeps.clone());
+            measure(&format!("{name} | {method}"), batch, splitting, (*step, steps, count))?;
+        }
+        for step in [0.2, 0.05, 0.02] {
+            let title = format!("{name} | midpoint rule");
+            measure(&title, MidpointBatch::new(), top, (step, steps, count))?;
         }
     }
     Ok(())
