@@ -127,7 +127,7 @@ pub use dual::direct::Direct;
 pub use dual::integrator::{Integrator, Sample, SampleOf, Start, Trajectory};
 pub use dual::lanes::field_in_lanes::FieldInLanes;
 pub use dual::lanes::stages_in_lanes::StagesInLanes;
-pub use dual::lift_free::{LiftFree, MultiplierSpace};
+pub use dual::lift_free::{LiftFree, MultiplierSpace, WithMultiplier};
 pub use dual::sites::collective_sites::{CollectiveSites, CollectiveSitesSpace};
 pub use dual::sites::lift_free_sites::{LiftFreeSites, LiftFreeSitesSpace};
 pub use dual::sites::spherical_midpoint::{OnSpheres, SphericalMidpoint, SphericalSpace};

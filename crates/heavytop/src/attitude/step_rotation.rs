@@ -31,7 +31,7 @@ pub trait Turning<T: Real = f64>: Integrator<T, State: Vector, Momentum = Se3Dua
     ) -> TurnedStep<Self::State, T>;
 }
 
-/// The rotation is that of the [multiplier](LiftFree::multiplier) of the step.
+/// The rotation is that of the [multiplier](LiftFree::step_with_multiplier) of the step.
 impl<S, H, T> Turning<T> for LiftFree<S, DualQuaternions, H>
 where
     S: Equivariant,
@@ -45,8 +45,7 @@ where
         step: f64,
         workspace: &mut Self::Workspace,
     ) -> TurnedStep<Se3Dual<T>, T> {
-        let Step { point: q, iterations } = self.multiplier::<T>(mu, step, workspace)?;
-        let next = Step { point: *mu + self.change::<T>(&q, mu), iterations }.finite()?;
+        let (next, q) = self.step_with_multiplier::<T>(mu, step, workspace)?;
         Ok((next, unit(q.0)))
     }
 }
@@ -65,9 +64,9 @@ where
         step: f64,
         workspace: &mut Self::Workspace,
     ) -> TurnedStep<Self::State, T> {
-        let (Pair(mu, e), base) = (state, self.base());
-        let Step { point: q, iterations } = base.refined_multiplier::<T>(mu, step, workspace)?;
-        let increment = Pair(base.change::<T>(&q, mu), base.change::<T>(&q, e));
+        let Pair(mu, e) = state;
+        let (next, q) = self.base().increment_with_multiplier::<T>(mu, e, step, workspace)?;
+        let Step { point: increment, iterations } = next;
         let point = compensated_sum(state, &increment);
         Ok((Step { point, iterations }.finite()?, unit(q.0)))
     }

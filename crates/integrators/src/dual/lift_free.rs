@@ -71,88 +71,66 @@ impl<S: Equivariant, M: Multipliers, H> LiftFree<S, M, H> {
         &self.hamiltonian
     }
 
-    /// Returns the change of μ under the motion by a multiplier.
-    #[cfg_attr(not(debug_assertions), inline(always))]
-    pub fn change<T: Real>(
-        &self,
-        q: &Multiplier<M, T>,
-        mu: &Point<M::Space, T>,
-    ) -> Point<M::Space, T> {
-        self.multipliers.coadjoint_change::<T>(q, mu)
-    }
-
-    /// Returns the multiplier Q₁ of one step from μ.
+    /// Advances by one step, and returns the end with the multiplier Q₁ of the step.
     ///
-    /// It is the motion of the group in the step, and therefore the increment of the attitude.
+    /// The multiplier is the motion of the group in the step, and therefore the increment of the attitude.
     ///
     /// # Errors
     /// Returns a [`StepError`] if the step has no result.
     #[cfg_attr(not(debug_assertions), inline(always))]
-    pub fn multiplier<T: Real>(
+    pub fn step_with_multiplier<T: Real>(
         &self,
         mu: &Point<M::Space, T>,
         step: f64,
         workspace: &mut MultiplierSpace<S, M, T>,
-    ) -> Result<Step<Multiplier<M, T>>, StepError>
+    ) -> WithMultiplier<Step<Point<M::Space, T>>, M, T>
     where
         H: Hamiltonian<M::Space, T>,
     {
-        self.motion::<T>(mu, step, workspace)?.0.finite()
-    }
-
-    /// Returns the multiplier Q₁ of one step from μ with unbiased rounding errors, for [`Compensated`] summation.
-    ///
-    /// See [`Scheme::refined_increment`].
-    ///
-    /// # Errors
-    /// Returns a [`StepError`] if the step has no result.
-    #[cfg_attr(not(debug_assertions), inline(always))]
-    pub fn refined_multiplier<T: Real>(
-        &self,
-        mu: &Point<M::Space, T>,
-        step: f64,
-        workspace: &mut MultiplierSpace<S, M, T>,
-    ) -> Result<Step<Multiplier<M, T>>, StepError>
-    where
-        H: Hamiltonian<M::Space, T>,
-    {
-        self.refined_motion::<T>(mu, step, workspace)?.0.finite()
-    }
-
-    #[cfg_attr(not(debug_assertions), inline(always))]
-    fn motion<T: Real>(
-        &self,
-        mu: &Point<M::Space, T>,
-        step: f64,
-        workspace: &mut MultiplierSpace<S, M, T>,
-    ) -> Result<MultiplierStep<M, T>, StepError>
-    where
-        H: Hamiltonian<M::Space, T>,
-    {
-        self.motion_by(
+        let motion = self.motion_by(
             mu,
             workspace,
             #[inline(always)]
             |field, one, storage| self.advance::<T, _>(field, one, step, storage),
-        )
+        )?;
+        motion.end(mu)
     }
 
+    /// Returns the increment of a step from (μ, e) for [`Compensated`] summation, with the multiplier Q₁ of the step.
+    ///
+    /// See [`increment`](Increments::increment).
+    ///
+    /// # Errors
+    /// Returns a [`StepError`] if the step has no result.
     #[cfg_attr(not(debug_assertions), inline(always))]
-    fn refined_motion<T: Real>(
+    pub fn increment_with_multiplier<T: Real>(
         &self,
         mu: &Point<M::Space, T>,
+        e: &Point<M::Space, T>,
         step: f64,
         workspace: &mut MultiplierSpace<S, M, T>,
-    ) -> Result<MultiplierStep<M, T>, StepError>
+    ) -> WithMultiplier<Increment<Point<M::Space, T>>, M, T>
     where
         H: Hamiltonian<M::Space, T>,
     {
-        self.motion_by(
+        let motion = self.motion_by(
             mu,
             workspace,
             #[inline(always)]
             |field, one, storage| self.refined_advance::<T, _>(field, one, step, storage),
-        )
+        )?;
+        Ok((self.increment_by(&motion, e), motion.multiplier))
+    }
+
+    /// Returns the increment of (μ, e) by the motion of μ in a step.
+    #[cfg_attr(not(debug_assertions), inline(always))]
+    pub(crate) fn increment_by<T: Real>(
+        &self,
+        motion: &Motion<M, T>,
+        e: &Point<M::Space, T>,
+    ) -> Increment<Point<M::Space, T>> {
+        let rest = self.multipliers.coadjoint_change::<T>(&motion.multiplier, e);
+        Step { point: Pair(motion.change, rest), iterations: motion.iterations }
     }
 
     /// Returns the multiplier after a step from Q = 1 with the field of multipliers, in whatever form it is given.
@@ -194,7 +172,7 @@ impl<S: Equivariant, M: Multipliers, H> LiftFree<S, M, H> {
             &Multiplier<M, T>,
             &mut S::Workspace<Multiplier<M, T>>,
         ) -> Result<Step<Multiplier<M, T>>, StepError>,
-    ) -> Result<MultiplierStep<M, T>, StepError>
+    ) -> Result<Motion<M, T>, StepError>
     where
         H: Hamiltonian<M::Space, T>,
     {
@@ -215,26 +193,46 @@ impl<S: Equivariant, M: Multipliers, H> LiftFree<S, M, H> {
         let (multipliers, hamiltonian) = (&self.multipliers, &self.hamiltonian);
         let continues = steps > 0;
         let field = MultiplierField { multipliers, hamiltonian, start: *mu, frame, continues };
-        let next = make(&field, &one, storage)?;
-        let change = self.change::<T>(&next.point, mu);
+        let Step { point: multiplier, iterations } = make(&field, &one, storage)?;
+        let change = self.multipliers.coadjoint_change::<T>(&multiplier, mu);
         // Explicit methods make no iterations and predict nothing.
-        let guesses = next.iterations > 0;
+        let guesses = iterations > 0;
         if let Some((moved, _)) = field.frame
             && guesses
         {
-            let moved = self.multipliers.product::<T>(&next.point, &moved);
+            let moved = self.multipliers.product::<T>(&multiplier, &moved);
             *course = Some(Course { end: *mu + change, moved, steps: steps + 1 });
         }
-        Ok((next, change))
+        Ok(Motion { multiplier, change, iterations })
     }
 }
 
 /// The record of successive steps of a multiplier.
 type CourseOf<M, T> = Course<Point<<M as Multipliers>::Space, T>, Multiplier<M, T>>;
 
-/// The multiplier of a step, and its change of μ.
-pub(crate) type MultiplierStep<M, T> =
-    (Step<Multiplier<M, T>>, Point<<M as Multipliers>::Space, T>);
+/// A step or an increment, with the multiplier of the step, or a [`StepError`].
+pub type WithMultiplier<S, M, T> = Result<(S, Multiplier<M, T>), StepError>;
+
+/// The motion of μ in a step.
+pub(crate) struct Motion<M: Multipliers, T: Real> {
+    /// The multiplier Q₁.
+    pub(crate) multiplier: Multiplier<M, T>,
+    /// The change of μ under the motion by Q₁.
+    pub(crate) change: Point<M::Space, T>,
+    pub(crate) iterations: usize,
+}
+
+impl<M: Multipliers, T: Real> Motion<M, T> {
+    /// Returns the end of the step, with the multiplier.
+    #[cfg_attr(not(debug_assertions), inline(always))]
+    pub(crate) fn end(
+        self,
+        mu: &Point<M::Space, T>,
+    ) -> WithMultiplier<Step<Point<M::Space, T>>, M, T> {
+        let step = Step { point: *mu + self.change, iterations: self.iterations };
+        Ok((step.finite()?, self.multiplier))
+    }
+}
 
 /// The storage of a lift-free step: that of the scheme for multipliers, and a record of the steps before.
 #[derive(Debug)]
@@ -270,8 +268,7 @@ where
         step: f64,
         workspace: &mut Self::Workspace,
     ) -> Result<Step<Self::State>, StepError> {
-        let (Step { iterations, .. }, change) = self.motion::<T>(mu, step, workspace)?;
-        Step { point: *mu + change, iterations }.finite()
+        Ok(self.step_with_multiplier::<T>(mu, step, workspace)?.0)
     }
 
     #[cfg_attr(not(debug_assertions), inline(always))]
@@ -297,9 +294,7 @@ where
         step: f64,
         workspace: &mut Self::Workspace,
     ) -> Result<Increment<Self::State>, StepError> {
-        let (Step { point: q, iterations }, change) =
-            self.refined_motion::<T>(mu, step, workspace)?;
-        Ok(Step { point: Pair(change, self.change::<T>(&q, e)), iterations })
+        Ok(self.increment_with_multiplier::<T>(mu, e, step, workspace)?.0)
     }
 }
 

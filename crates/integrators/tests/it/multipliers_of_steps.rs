@@ -23,16 +23,20 @@ fn start() -> Covector<Vector3<f64>> {
 fn the_multiplier_of_a_step_carries_the_momentum() {
     let gauss = LiftFree::new(RungeKutta::gauss(2).unwrap(), Quaternions, body());
     let workspace = || Integrator::<f64>::workspace(&gauss);
+    let multiplier =
+        |step| gauss.step_with_multiplier::<f64>(&start(), step, &mut workspace()).unwrap().1;
     let end = gauss.step(&start(), STEP, &mut workspace()).unwrap().point;
-    let plain = gauss.multiplier(&start(), STEP, &mut workspace()).unwrap().point;
-    let refined = gauss.refined_multiplier(&start(), STEP, &mut workspace()).unwrap().point;
+    let plain = multiplier(STEP);
+    let e = Covector(Vector3::zeros());
+    let refined = gauss.increment_with_multiplier(&start(), &e, STEP, &mut workspace());
+    let refined = refined.unwrap().1;
     for q in [plain, refined] {
         assert!((q.norm_squared() - 1.0).abs() < 4.0 * ROUND_OFF, "{q:?}");
         let carried = Quaternions.transport::<f64>(&q, &start());
         assert!((carried.0 - end.0).norm() < 4.0 * ROUND_OFF, "{carried:?}, not {end:?}");
     }
     // Negative control: the multiplier of a slightly longer step carries elsewhere.
-    let longer = gauss.multiplier(&start(), STEP * 1.001, &mut workspace()).unwrap().point;
+    let longer = multiplier(STEP * 1.001);
     let carried = Quaternions.transport::<f64>(&longer, &start());
     assert!((carried.0 - end.0).norm() > 1e-6, "{carried:?}");
 }
@@ -42,8 +46,9 @@ fn a_multiplier_of_a_step_without_a_result_is_an_error() {
     let gauss = LiftFree::new(RungeKutta::gauss(2).unwrap(), Quaternions, body());
     let mut workspace = Integrator::<f64>::workspace(&gauss);
     let lost = Covector(Vector3::new(f64::NAN, 0.0, 1.0));
-    assert!(gauss.multiplier(&lost, STEP, &mut workspace).is_err());
-    assert!(gauss.refined_multiplier(&lost, STEP, &mut workspace).is_err());
+    assert!(gauss.step_with_multiplier(&lost, STEP, &mut workspace).is_err());
+    let e = Covector(Vector3::zeros());
+    assert!(gauss.increment_with_multiplier(&lost, &e, STEP, &mut workspace).is_err());
 }
 
 /// The drift along a run is that of the values which the run visits, and a run that ends early has none.

@@ -135,9 +135,8 @@ impl<H> ReducedMidpoint<H> {
         H: Hamiltonian<HeavyTopSpace, T>,
     {
         Integrator::<T>::forget(&self.lift_free, newton);
-        let Step { point: q, iterations } = self.lift_free.multiplier::<T>(mu, step, newton)?;
-        let point = *mu + self.lift_free.change::<T>(&q, mu);
-        Ok((Step { point, iterations }.finite()?, half_angle(&unit(q.0))))
+        let (next, q) = self.lift_free.step_with_multiplier::<T>(mu, step, newton)?;
+        Ok((next, half_angle(&unit(q.0))))
     }
 }
 

@@ -117,7 +117,7 @@ where
         step: f64,
         workspace: &mut Self::Workspace,
     ) -> Result<Step<Self::State>, StepError> {
-        let (Step { iterations, .. }, change) = self.motion_by::<f64>(
+        let motion = self.motion_by::<f64>(
             mu,
             workspace,
             #[inline(always)]
@@ -126,7 +126,7 @@ where
                 self.advance::<f64, _>(&field, one, step, storage)
             },
         )?;
-        Step { point: *mu + change, iterations }.finite()
+        Ok(motion.end(mu)?.0)
     }
 
     #[cfg_attr(not(debug_assertions), inline(always))]
@@ -137,7 +137,7 @@ where
         step: f64,
         workspace: &mut Self::Workspace,
     ) -> Result<Increment<Self::State>, StepError> {
-        let (Step { point: q, iterations }, change) = self.motion_by::<f64>(
+        let motion = self.motion_by::<f64>(
             mu,
             workspace,
             #[inline(always)]
@@ -146,6 +146,6 @@ where
                 self.refined_advance::<f64, _>(&field, one, step, storage)
             },
         )?;
-        Ok(Step { point: Pair(change, self.change::<f64>(&q, e)), iterations })
+        Ok(self.increment_by(&motion, e))
     }
 }
