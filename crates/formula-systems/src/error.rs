@@ -12,7 +12,7 @@ pub enum FormulaSystemError {
     /// No algebra of the library has this name.
     #[error("there is no algebra {name}; there are {}", names.join(", "))]
     NoAlgebra {
-        /// The name.
+        /// The name that no algebra has.
         name: String,
         /// The names of all algebras.
         names: Vec<&'static str>,
@@ -34,7 +34,7 @@ pub enum FormulaSystemError {
     /// The key of a bracket is not a pair of coordinates.
     #[error("brackets: `{key}` is not a pair of coordinates such as \"x, y\"")]
     NoPair {
-        /// The key.
+        /// The key that is not a pair of coordinates.
         key: String,
     },
     /// The text of a bracket is no formula.
@@ -85,7 +85,7 @@ pub enum FormulaSystemError {
     /// The value of a state is of something else than a coordinate.
     #[error("initial.{name} is not a coordinate; there are {names}")]
     NoCoordinate {
-        /// The name.
+        /// The name that no coordinate has.
         name: String,
         /// The names of all coordinates, separated by commas.
         names: String,
@@ -93,9 +93,9 @@ pub enum FormulaSystemError {
     /// The value of a coordinate has the wrong number of components, or is not finite.
     #[error("initial.{name} needs {needed}")]
     WrongValue {
-        /// The name of the coordinates.
+        /// The name of the coordinate or of the vector of coordinates.
         name: String,
-        /// What it needs.
+        /// The value that the coordinate needs, as text.
         needed: String,
     },
     /// A state has fewer or more numbers than the algebra has dimensions.
@@ -126,7 +126,7 @@ pub enum FormulaSystemError {
     /// The level of a surface, or of a conserved quantity, is infinite or not a number.
     #[error("the level must be a finite number, got {value:?}")]
     Level {
-        /// The level.
+        /// The level that is infinite or not a number.
         value: f64,
     },
     /// Too few states of a section were found.
@@ -147,9 +147,9 @@ pub enum FormulaSystemError {
     NoMethod {
         /// The name of the algebra.
         algebra: String,
-        /// The formulation.
+        /// The requested formulation.
         formulation: Formulation,
-        /// The scheme.
+        /// The requested scheme.
         scheme: Scheme,
         /// The formulations or the schemes that there are.
         has: String,

@@ -34,7 +34,7 @@
 //!
 //! # The language
 //!
-//! | to write | write |
+//! | to express | write |
 //! |---|---|
 //! | numbers | `2`, `0.5`, `6.02e23`, `½`, `pi` |
 //! | a coordinate, a component of a vector | `Pi1`, `Pi[1]`, `Π₁`, `(Pi×Gamma)[3]` |

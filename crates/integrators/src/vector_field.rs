@@ -197,7 +197,7 @@ mod tests {
         }
     }
 
-    /// Of a quadratic field central differences are exact.
+    /// Central differences of a quadratic field are exact.
     #[test]
     fn a_hamiltonian_field_has_the_derivative_of_its_differences() {
         let field =

@@ -24,7 +24,7 @@ pub enum PageError {
     /// The momentum of the start has no lift.
     #[error(transparent)]
     Lift(#[from] LiftError),
-    /// A step failed.
+    /// A step of the integrator failed.
     #[error(transparent)]
     Step(#[from] IntegrationError),
     /// A crossing of the section cannot be located.

@@ -15,7 +15,7 @@ pub(crate) type TracedPart = (String, f64, usize, usize);
 /// A scalar function of the state.
 #[derive(Clone, FromPyObject, IntoPyObject)]
 pub(crate) enum FormulaSource {
-    /// A text.
+    /// A formula as text.
     Text(String),
     /// The parts of a traced function, of which the last is the value.
     Traced(Vec<TracedPart>),

@@ -22,7 +22,7 @@ pub enum StructureTableError {
     Index {
         /// The number of the line.
         line: usize,
-        /// The field.
+        /// The text of the field with the index.
         text: String,
         /// The largest index of any algebra.
         most: usize,
@@ -32,7 +32,7 @@ pub enum StructureTableError {
     Value {
         /// The number of the line.
         line: usize,
-        /// The field.
+        /// The text of the field with the value.
         text: String,
     },
     /// The bracket of a basis vector with itself is not zero.

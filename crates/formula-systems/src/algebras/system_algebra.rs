@@ -16,11 +16,11 @@ const WIDTHS: [usize; 4] = [3, 6, 10, 15];
 /// What is known of an algebra besides its brackets.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(crate) enum Family {
-    /// so(3) and su(2).
+    /// The algebras of rotations, so(3) and su(2).
     Rotations,
-    /// se(3).
+    /// The algebra of rigid motions, se(3).
     Motions,
-    /// Any other.
+    /// Any other Lie algebra.
     Other,
 }
 

@@ -96,7 +96,7 @@ impl SystemSection {
         [x.value_at(state), y.value_at(state)]
     }
 
-    /// Returns the system.
+    /// Returns the system of which this is a section.
     #[must_use]
     pub const fn system(&self) -> &FormulaSystem {
         &self.system

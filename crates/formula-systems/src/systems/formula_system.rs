@@ -96,7 +96,7 @@ impl FormulaSystem {
     /// [`find_casimirs`](lie_poisson_formulas::find_casimirs) finds from the structure constants.
     ///
     /// # Errors
-    /// Returns [`FormulaSystemError::Casimirs`] if the algebra is none in which they can be looked for.
+    /// Returns [`FormulaSystemError::Casimirs`] if the structure constants of the algebra do not allow a search.
     pub fn with_found_casimirs(self) -> Result<Self, FormulaSystemError> {
         let found = casimirs(&self.algebra)?;
         let (casimirs, missing) = (found.formulas().to_vec(), Some(found.missing()));
@@ -131,7 +131,7 @@ impl FormulaSystem {
         Ok(Self { casimirs: self.casimirs.clone(), missing: self.missing, ..other })
     }
 
-    /// Returns the algebra.
+    /// Returns the Lie algebra of the system.
     #[must_use]
     pub const fn algebra(&self) -> &SystemAlgebra {
         &self.algebra

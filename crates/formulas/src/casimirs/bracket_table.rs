@@ -116,7 +116,7 @@ impl BracketTable {
         spanned
     }
 
-    /// Returns [e_i, v].
+    /// Returns the bracket [e_i, v].
     fn bracket_with(&self, i: usize, v: &[(usize, Residue)]) -> Vec<(usize, Residue)> {
         let mut sum = vec![Residue::ZERO; self.dimension()];
         for &(j, weight) in v {

@@ -23,7 +23,7 @@ impl Residue {
         self.0 == 0
     }
 
-    /// Returns xⁿ.
+    /// Returns the power xⁿ.
     pub(crate) fn power(self, mut n: u64) -> Self {
         let (mut square, mut power) = (self, Self::ONE);
         while n > 0 {

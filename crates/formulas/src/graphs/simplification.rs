@@ -15,7 +15,7 @@ use lie_poisson::Real;
 use std::collections::HashMap;
 
 impl Graph {
-    /// Returns a number.
+    /// Returns the node of a number.
     pub(crate) fn number(&mut self, value: f64) -> Id {
         // −0 and 0 are one node.
         self.place(Node::Number((value + 0.0).to_bits()))
@@ -56,7 +56,7 @@ impl Graph {
         }
     }
 
-    /// Returns x y.
+    /// Returns the node of the product x y.
     pub(crate) fn multiply(&mut self, x: Id, y: Id) -> Id {
         if let Some(c) = self.as_number(x) {
             return self.scale(c, y);
@@ -111,12 +111,12 @@ impl Graph {
         sums.into_iter().fold(zero, |total, sum| self.add(total, sum))
     }
 
-    /// Returns −x.
+    /// Returns the node of −x.
     pub(crate) fn negate(&mut self, x: Id) -> Id {
         self.scale(-1.0, x)
     }
 
-    /// Returns x/y.
+    /// Returns the node of the quotient x/y.
     pub(crate) fn divide(&mut self, x: Id, y: Id) -> Id {
         if let Some(divisor) = self.as_number(y) {
             if let Some(value) = self.as_number(x) {
@@ -164,7 +164,7 @@ impl Graph {
         self.place(Node::Power(x, c.to_bits()))
     }
 
-    /// Returns f(x).
+    /// Returns the node of the function value f(x).
     pub(crate) fn function(&mut self, function: Unary, x: Id) -> Id {
         match self.as_number(x) {
             Some(x) => self.number(function.apply(x)),

@@ -60,7 +60,7 @@ impl<A: LieAlgebra> FormulaHamiltonian<A> {
         (formula != space).then_some(Problem::WrongDimension { formula, space })
     }
 
-    /// Returns the formula.
+    /// Returns the formula of the Hamiltonian.
     #[must_use]
     pub const fn formula(&self) -> &Formula {
         &self.formula

@@ -83,7 +83,7 @@ impl Coordinates {
         names.into_iter().try_fold(Self::new(), |coordinates, name| coordinates.scalar(name))
     }
 
-    /// Adds a coordinate.
+    /// Adds a scalar coordinate after the others.
     ///
     /// # Errors
     /// Returns [`NameError`] if the name is malformed, reserved or taken, or if there are too many coordinates.

@@ -9,13 +9,13 @@ pub enum NameError {
     /// The text is not a letter followed by letters, digits and underscores.
     #[error("`{name}` is not a name: write a letter, then letters, digits or underscores")]
     NotAName {
-        /// The text.
+        /// The text that is not a name.
         name: String,
     },
     /// The name is that of a function or of a constant.
     #[error("the name `{name}` is reserved: it is a function or a constant of formulas")]
     Reserved {
-        /// The name.
+        /// The name that is reserved.
         name: String,
     },
     /// Two coordinates or parameters have one name, or one is a component of the other.
@@ -23,21 +23,21 @@ pub enum NameError {
     /// A vector `Pi` of dimension three takes the names `Pi`, `Pi1`, `Pi2` and `Pi3`.
     #[error("the name `{name}` stands for two things")]
     Repeated {
-        /// The name.
+        /// The name that is defined twice.
         name: String,
     },
     /// A parameter is infinite or not a number.
     #[error("the parameter `{name}` is {value}, which is not a finite number")]
     NotFinite {
-        /// The name.
+        /// The name of the parameter.
         name: String,
-        /// The value.
+        /// The value that is not a finite number.
         value: f64,
     },
     /// A vector has no components, or more than a formula can have.
     #[error("the vector `{name}` has {dimension} components; it needs between 1 and {limit}")]
     Dimension {
-        /// The name.
+        /// The name of the vector.
         name: String,
         /// The number of its components.
         dimension: usize,

@@ -27,13 +27,13 @@ pub(crate) struct Parameter {
 }
 
 impl Parameters {
-    /// Creates no parameters.
+    /// Creates an empty set of parameters.
     #[must_use]
     pub const fn new() -> Self {
         Self { entries: Vec::new() }
     }
 
-    /// Adds a number.
+    /// Adds a parameter that is a number.
     ///
     /// # Errors
     /// Returns [`NameError`] if the name is malformed, reserved or taken, or if the number is not finite.
@@ -41,7 +41,7 @@ impl Parameters {
         self.with(name, vec![value], false)
     }
 
-    /// Adds a vector, with the components `name1`, `name2` and so on.
+    /// Adds a parameter that is a vector, with the components `name1`, `name2` and so on.
     ///
     /// # Errors
     /// Returns [`NameError`] if the name is malformed, reserved or taken, if a component is not finite, or if there

@@ -13,9 +13,9 @@ pub(crate) enum Meaning {
     Coordinate(usize),
     /// The coordinates from an index on, as many as the dimension says.
     Coordinates(usize, usize),
-    /// A number.
+    /// The value of a parameter that is a number.
     Number(f64),
-    /// A vector of numbers.
+    /// The components of a parameter that is a vector.
     Numbers(Vec<f64>),
 }
 
@@ -82,7 +82,7 @@ impl Vocabulary {
         }
     }
 
-    /// Returns the coordinates.
+    /// Returns the coordinates of this vocabulary.
     #[must_use]
     pub const fn coordinates(&self) -> &Coordinates {
         &self.coordinates

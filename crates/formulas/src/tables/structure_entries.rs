@@ -12,7 +12,7 @@ pub struct StructureEntry {
     pub j: usize,
     /// The index of the coordinate.
     pub k: usize,
-    /// The value.
+    /// The coordinate of [e_i, e_j] at e_k.
     pub value: f64,
 }
 
@@ -25,9 +25,9 @@ pub enum EntryError {
     IndexTooLarge {
         /// The place of the entry in the list, from 0.
         entry: usize,
-        /// The index.
+        /// The index that is too large, from 0.
         index: usize,
-        /// The dimension.
+        /// The dimension of the algebra.
         dimension: usize,
     },
     /// An entry contradicts one before it: the same bracket and coordinate, or the opposite bracket.

@@ -41,13 +41,13 @@ pub struct Expressions {
 pub struct Expression(usize);
 
 impl Expressions {
-    /// Creates no parts.
+    /// Creates an empty builder.
     #[must_use]
     pub fn new() -> Self {
         Self::default()
     }
 
-    /// Adds a number.
+    /// Adds a constant number.
     pub fn number(&mut self, value: f64) -> Expression {
         self.part(Part::Number(value))
     }
@@ -92,7 +92,7 @@ impl Expressions {
         self.binary(Operator::Cross, x, y)
     }
 
-    /// Adds −x.
+    /// Adds the negative −x, of a scalar or a vector.
     pub fn negate(&mut self, x: Expression) -> Expression {
         self.part(Part::Negate(x.0))
     }

@@ -67,7 +67,7 @@ impl FormulaError {
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 #[non_exhaustive]
 pub enum Shape {
-    /// A number.
+    /// A scalar, which is one number.
     Scalar,
     /// A vector of a dimension.
     Vector(usize),
@@ -99,7 +99,7 @@ pub enum Problem {
     TooLong {
         /// The length of the text in bytes.
         length: usize,
-        /// The largest length.
+        /// The largest length that is read, in bytes.
         limit: usize,
     },
     /// Parentheses, signs or powers are nested too deeply.
@@ -121,7 +121,7 @@ pub enum Problem {
     /// The character has no meaning in formulas.
     #[error("the character `{character}` has no meaning in a formula{}", meant(*.suggestion))]
     UnknownCharacter {
-        /// The character.
+        /// The character that has no meaning.
         character: char,
         /// The character that may have been meant.
         suggestion: Option<&'static str>,
@@ -129,13 +129,13 @@ pub enum Problem {
     /// A number has a wrong form.
     #[error("`{text}` is not a number")]
     NotANumber {
-        /// The text.
+        /// The text that is not a number.
         text: String,
     },
     /// A number is too large or too close to zero for `f64`.
     #[error("`{text}` is outside of the range of numbers, 2.3e-308 to 1.8e308")]
     OutOfRange {
-        /// The text.
+        /// The text of the number.
         text: String,
     },
     /// A number, a name or a parenthesis is missing.
@@ -153,9 +153,9 @@ pub enum Problem {
     /// A bracket is opened and not closed.
     #[error("this `{opening}` is not closed by `{closing}`")]
     NotClosed {
-        /// The opening bracket.
+        /// The opening bracket that is not closed.
         opening: &'static str,
-        /// The closing bracket.
+        /// The closing bracket that is missing.
         closing: &'static str,
     },
     /// A bracket is closed and was not opened, or a comma stands outside of a function.
@@ -167,29 +167,29 @@ pub enum Problem {
     /// No coordinate, parameter or constant has the name.
     #[error("there is no `{name}`{}", meant(.suggestion.as_deref()))]
     UnknownName {
-        /// The name.
+        /// The name that is not defined.
         name: String,
-        /// The closest name.
+        /// The closest name that is defined, if one is close.
         suggestion: Option<String>,
     },
     /// A name stands before parentheses and is no function.
     #[error("there is no function `{name}`{}", meant(.suggestion.as_deref()))]
     UnknownFunction {
-        /// The name.
+        /// The name that is not that of a function.
         name: String,
-        /// The closest function.
+        /// The function with the closest name, if one is close.
         suggestion: Option<String>,
     },
     /// A coordinate or a number stands before parentheses, without an operator.
     #[error("`{name}` is not a function; write `*` for a product")]
     NotAFunction {
-        /// The name.
+        /// The text before the parentheses.
         name: String,
     },
     /// The name of a function stands without its argument.
     #[error("the function `{name}` needs its argument in parentheses")]
     MissingArgument {
-        /// The name.
+        /// The name of the function.
         name: String,
     },
     /// A function has too many or too few arguments.
@@ -207,7 +207,7 @@ pub enum Problem {
     ScalarNeeded {
         /// The operator or function.
         place: String,
-        /// What it got.
+        /// The shape of the operand.
         found: Shape,
     },
     /// An operator between vectors got something else, or vectors of different dimensions.
@@ -215,7 +215,7 @@ pub enum Problem {
     Mismatch {
         /// The operator or function.
         place: String,
-        /// What it needs.
+        /// The shapes that the operator or function needs, as text.
         needed: &'static str,
         /// The shape of the left side.
         left: Shape,
@@ -225,9 +225,9 @@ pub enum Problem {
     /// A component of a scalar, or one beyond the dimension of a vector.
     #[error("there is no component {index} of {of}; components count from 1")]
     NoComponent {
-        /// The index.
+        /// The index of the component, from 1.
         index: usize,
-        /// What should have it.
+        /// The shape that has no such component.
         of: Shape,
     },
     /// The index of a component is not a whole number.
@@ -247,7 +247,7 @@ pub enum Problem {
         "this part of the formula has the constant value {value}, which is not a finite number"
     )]
     NotFinite {
-        /// The value.
+        /// The constant value that is not a finite number.
         value: f64,
     },
     /// The formula is in other coordinates than those of the space.

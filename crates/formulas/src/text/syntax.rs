@@ -45,7 +45,7 @@ impl Function {
         ("atan2", Self::Atan2),
     ];
 
-    /// Returns the name.
+    /// Returns the name in formulas.
     pub(crate) fn name(self) -> &'static str {
         let named = Self::NAMES.iter().find(|(_, function)| *function == self);
         named.map_or("", |(name, _)| name)

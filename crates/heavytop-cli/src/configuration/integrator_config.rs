@@ -30,10 +30,10 @@ pub struct IntegratorConfig {
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Deserialize, Serialize)]
 #[serde(rename_all = "kebab-case")]
 pub enum Instructions {
-    /// The fastest ones that this processor has; others may give other last digits.
+    /// The fastest instructions that this processor has. Other processors may give other last digits.
     #[default]
     Native,
-    /// Those that every processor has, with the same bits on each.
+    /// The instructions that every processor has. A run has the same bits on each processor.
     Portable,
 }
 

@@ -30,9 +30,9 @@ pub enum CheckpointError {
         "it is of a run on the instructions {there}, and this processor would go on with {here}, to other last digits"
     )]
     Instructions {
-        /// The instruction set on which the bits of the run depend.
+        /// The instruction set with which the run was made.
         there: String,
-        /// That on which they would depend here.
+        /// The instruction set with which this processor would continue the run.
         here: String,
     },
     /// The checkpoint belongs to another configuration.

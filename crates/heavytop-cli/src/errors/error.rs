@@ -39,17 +39,17 @@ pub enum Error {
     /// A value of the configuration is wrong, and is quoted.
     #[error("{quotation}")]
     Quoted {
-        /// The place and the line.
+        /// The place of the value, and the line that contains it.
         quotation: Box<Quotation>,
-        /// What is wrong.
+        /// The error of the value.
         source: Box<Error>,
     },
     /// An assignment on the command line is wrong.
     #[error("--set needs table.key=value, got `{}`: {reason}", text(assignment))]
     Assignment {
-        /// The assignment.
+        /// The text of the assignment.
         assignment: String,
-        /// What is wrong with it.
+        /// The reason why the assignment is wrong.
         reason: &'static str,
     },
     /// An argument of the command line is wrong.
@@ -57,7 +57,7 @@ pub enum Error {
     Argument {
         /// The name of the argument.
         name: &'static str,
-        /// What is wrong with it.
+        /// The reason why the argument is wrong.
         source: Box<Error>,
     },
     /// The output would be absurdly large, and nobody has agreed to it.
@@ -267,9 +267,9 @@ pub enum Error {
     /// A key of the section is for systems, or for tops.
     #[error("[section] {key} is of the section of {of} alone")]
     SectionKey {
-        /// The key.
+        /// The key of `[section]` that is not allowed here.
         key: &'static str,
-        /// What has the key.
+        /// The kind of section that has the key.
         of: &'static str,
     },
     /// A state that is given does not reach the surface.

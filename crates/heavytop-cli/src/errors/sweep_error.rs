@@ -59,7 +59,7 @@ pub enum SweepError {
         parameter: String,
         /// The index, if there is one.
         index: Option<usize>,
-        /// The largest index.
+        /// The largest index of the vector.
         most: usize,
     },
     /// A number that is no vector has an index.
@@ -73,7 +73,7 @@ pub enum SweepError {
         "two columns would have the name {name}: rename the coordinate, or leave out final-state"
     )]
     SameColumn {
-        /// The name.
+        /// The name that both columns would have.
         name: String,
     },
     /// The algebra of a member has other Casimirs than that of the configuration, so that they have no columns.

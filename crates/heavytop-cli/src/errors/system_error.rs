@@ -28,9 +28,9 @@ pub enum SystemError {
     /// A name cannot be that of a parameter.
     #[error("parameters.{name}")]
     Parameter {
-        /// The name.
+        /// The name of the parameter.
         name: String,
-        /// What is wrong.
+        /// The error of the name.
         source: NameError,
     },
     /// There is no such system, no such method for it, or no such initial state.

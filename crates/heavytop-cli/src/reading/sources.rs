@@ -56,7 +56,7 @@ impl Sources {
         Ok(sources)
     }
 
-    /// Returns the configuration.
+    /// Returns the configuration that was read.
     #[must_use]
     pub fn config(&self) -> &Config {
         &self.config

@@ -41,7 +41,7 @@ pub(crate) struct Held {
     _file: File,
 }
 
-/// Removes the lock. Nobody else has it while the file is open.
+/// Removes the file of the lock. Nobody else has it while the file is open.
 impl Drop for Held {
     fn drop(&mut self) {
         // It does no harm if the file stays.

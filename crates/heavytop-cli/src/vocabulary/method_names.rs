@@ -7,12 +7,12 @@ use serde::{Deserialize, Deserializer, Serializer};
 
 /// A part of a method that has a name.
 pub(crate) trait MethodPart: Copy + 'static {
-    /// What it is, in messages.
+    /// The kind of part, as messages name it.
     const KIND: &'static str;
-    /// All names.
+    /// All parts of this kind, with their names.
     const NAMES: &'static [(&'static str, Self)];
 
-    /// Returns the name.
+    /// Returns the name of this part.
     fn name(self) -> &'static str;
 }
 

@@ -15,7 +15,7 @@ pub enum SectionError {
         /// The value of the parameter.
         value: f64,
     },
-    /// The vertical has no such component, or only where it is along the axis.
+    /// The level is outside ±1, the range of the component of the unit vector Γ, or at an end of it.
     #[error("the level of {coordinate} must be more than -1 and less than 1, got {level:?}")]
     NoSuchVertical {
         /// The component of the vertical.

@@ -135,7 +135,7 @@ mod tests {
         assert!(first(0) != first(1));
     }
 
-    /// Of each box of the grid, only the search that begins in its middle finds a valley within the box.
+    /// Only the search that begins in the middle of a box of the grid finds a valley within that box.
     #[test]
     fn a_search_begins_in_every_box() {
         for (i, j) in (0..ANGLES).flat_map(|i| (0..HEIGHTS).map(move |j| (i, j))) {

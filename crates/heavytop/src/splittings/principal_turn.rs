@@ -36,7 +36,7 @@ impl<T: Real> PrincipalTurn<T> {
         Self { axis, sign, half_tangent: sine / (cos + T::one()), sine }
     }
 
-    /// Rotates v.
+    /// Returns the vector v rotated by this turn.
     #[inline(always)]
     pub(crate) fn apply(&self, v: &Vector3<T>) -> Vector3<T> {
         match self.axis {

@@ -71,7 +71,7 @@ pub struct MemberError {
 pub struct Chunk<'a, M> {
     /// The index of the first member of the chunk.
     pub first: u64,
-    /// The members. A failed member has the state before the failed step.
+    /// The members of the chunk. A failed member has the state before the failed step.
     pub members: &'a [M],
     /// The errors of the failed members, by increasing index.
     pub failures: &'a [MemberError],

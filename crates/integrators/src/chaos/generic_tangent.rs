@@ -2,12 +2,13 @@
 
 use lie_poisson::Vector;
 
-/// Returns the tangent vector of this number, from 0, from which a measurement of chaos begins: without symmetry, and
-/// independent of the others.
+/// Returns the initial tangent vector with the given index for a chaos indicator.
+///
+/// The index `number` counts from 0. The vectors have no symmetry, and those of different indices are linearly independent.
 ///
 /// It has the coordinates x_i = (n² g mod 1) − ½ with n = `number`·d + i + 1 and g = (√5 − 1)/2, for the first d =
-/// `dimension` coordinates, and zeros in those that complete a space. A vector whose number is d or above is that of the
-/// basis.
+/// `dimension` coordinates, and zeros in those that complete a space. A vector whose index is d or above is the vector
+/// of the basis with this index.
 ///
 /// Source: the squares in Weyl's sequence; H. Weyl, *Über die Gleichverteilung von Zahlen mod. Eins*, Math. Ann. 77
 /// (1916).

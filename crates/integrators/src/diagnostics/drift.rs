@@ -12,7 +12,7 @@ pub enum DriftError {
     /// The run ended with an error.
     #[error(transparent)]
     Integration(#[from] IntegrationError),
-    /// There are no two values at different times, which a line needs.
+    /// There are too few values: a fitted line needs values at two different times.
     #[error("a drift needs values at 2 different times, got {samples} values")]
     TooFewSamples {
         /// The number of values.

@@ -44,7 +44,7 @@ impl<S: Scheme, F> Direct<S, F> {
         Self { scheme, field }
     }
 
-    /// Returns the scheme.
+    /// Returns the one-step scheme.
     pub fn scheme(&self) -> &S {
         &self.scheme
     }

@@ -215,7 +215,7 @@ pub type WithMultiplier<S, M, T> = Result<(S, Multiplier<M, T>), StepError>;
 
 /// The motion of μ in a step.
 pub(crate) struct Motion<M: Multipliers, T: Real> {
-    /// The multiplier Q₁.
+    /// The multiplier Q₁ at the end of the step.
     pub(crate) multiplier: Multiplier<M, T>,
     /// The change of μ under the motion by Q₁.
     pub(crate) change: Point<M::Space, T>,

@@ -10,7 +10,7 @@ use thiserror::Error;
 #[derive(Clone, Copy, Debug, PartialEq, Error)]
 #[non_exhaustive]
 pub enum EventError {
-    /// The run failed.
+    /// The run in which the event was searched failed.
     #[error(transparent)]
     Integration(#[from] IntegrationError),
     /// The event function g is not a number, so that it may or may not have crossed zero.
@@ -156,7 +156,7 @@ impl<'a, I: Integrator, G: Fn(&I::Momentum) -> f64> Crossings<'a, I, G> {
 
 /// Returns whether |g| is least at the middle one of three samples of one sign.
 ///
-/// Of two samples with the same value the first counts, so that an extremum between them is followed once.
+/// If two samples have the same value, the first one counts, so that an extremum between them is followed once.
 fn is_least(left: f64, middle: f64, right: f64) -> bool {
     let (above, below) = (middle > 0.0, middle < 0.0);
     (above && left > middle && right >= middle) || (below && left < middle && right <= middle)

@@ -50,7 +50,7 @@ impl<V: State> StageHistory<V> {
         }
     }
 
-    /// Forgets all steps.
+    /// Removes the records of all steps.
     #[cfg_attr(not(debug_assertions), inline(always))]
     pub(crate) fn forget(&mut self) {
         self.steps = V::Scalar::from_f64(0.0);

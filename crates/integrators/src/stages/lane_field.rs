@@ -10,7 +10,7 @@ use lie_poisson::{
 
 /// A vector field that is known over `f64` and over the SIMD lanes of every processor.
 ///
-/// Every field that is has this trait.
+/// Every such field has this trait.
 #[diagnostic::on_unimplemented(
     message = "the vector field `{Self}` is not known over SIMD lanes",
     note = "a closure serves `f64` alone: implement `VectorField<T>` or `Hamiltonian<_, T>` for every `T: Real`"
@@ -94,7 +94,7 @@ where
 #[derive(Debug)]
 pub(crate) struct InLanes<'a, F, L> {
     pub(crate) field: &'a F,
-    /// The same field, over lanes.
+    /// The field `field` as it is known over SIMD lanes.
     pub(crate) lanes: &'a L,
     pub(crate) instructions: InstructionSet,
 }

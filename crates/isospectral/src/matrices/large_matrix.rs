@@ -118,7 +118,7 @@ impl LargeMatrix {
 impl State for LargeMatrix {
     type Scalar = f64;
     type Blocks = (f64,);
-    /// The size N.
+    /// The size N of the matrix.
     type Shape = usize;
     type Pool = Vec<Self>;
 

@@ -43,12 +43,12 @@ pub struct Products {
     first: Vec<f64>,
     second: Vec<f64>,
     third: Vec<f64>,
-    /// Temporary matrices.
+    /// The temporary matrices that can be used again.
     pool: Vec<LargeMatrix>,
 }
 
 impl Products {
-    /// Writes A B.
+    /// Writes the product A B.
     pub fn multiply(&mut self, a: &LargeMatrix, b: &LargeMatrix, product: &mut LargeMatrix) {
         self.real_products(a, b, 1.0, |left, right, product, alpha| {
             matmul(product, Accum::Replace, left, right, alpha, Par::Seq);
@@ -56,7 +56,7 @@ impl Products {
         self.write(product);
     }
 
-    /// Writes A B*.
+    /// Writes the product A B*.
     pub fn multiply_adjoint(
         &mut self,
         a: &LargeMatrix,

@@ -72,7 +72,7 @@ impl LargeSkewHermitian {
         self.0.parts_mut()
     }
 
-    /// Returns the entries.
+    /// Returns the entries as a complex matrix.
     #[must_use]
     pub fn matrix(&self) -> &LargeMatrix {
         &self.0
@@ -151,7 +151,7 @@ impl LargeSkewHermitian {
 impl State for LargeSkewHermitian {
     type Scalar = f64;
     type Blocks = (f64,);
-    /// The size N.
+    /// The size N of the matrix.
     type Shape = usize;
     type Pool = Vec<Self>;
 

@@ -55,7 +55,7 @@ pub struct ExponentialMidpoint<F> {
 }
 
 impl<F: IsospectralField> ExponentialMidpoint<F> {
-    /// Creates the integrator. It solves for B to round-off.
+    /// Creates the integrator of a field. It solves for B to round-off.
     pub fn new(field: F) -> Self {
         Self { field, tolerance: 0.0 }
     }
@@ -68,7 +68,7 @@ impl<F: IsospectralField> ExponentialMidpoint<F> {
         Self { tolerance, ..self }
     }
 
-    /// Returns the equation.
+    /// Returns the equation that is integrated.
     pub fn field(&self) -> &F {
         &self.field
     }

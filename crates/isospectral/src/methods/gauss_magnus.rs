@@ -86,7 +86,7 @@ impl<F: IsospectralField> GaussMagnus<F> {
         Self { tolerance, ..self }
     }
 
-    /// Returns the equation.
+    /// Returns the equation that is integrated.
     pub fn field(&self) -> &F {
         &self.field
     }
@@ -147,7 +147,7 @@ pub struct MagnusSpace {
 }
 
 impl MagnusSpace {
-    /// Writes Ω. The stages and their rates are overwritten.
+    /// Writes the Magnus series Ω. The stages and their rates are overwritten.
     fn set_magnus(&mut self, h: f64) {
         let Self { products, generators, fresh, stages, rates, omega, .. } = self;
         match (&generators[..], &mut stages[..], &mut rates[..], &mut fresh[..]) {

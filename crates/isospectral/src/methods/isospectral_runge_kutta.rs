@@ -78,7 +78,7 @@ impl<S: Equivariant, F: IsospectralField> IsospectralRungeKutta<S, F> {
         &self.scheme
     }
 
-    /// Returns the equation.
+    /// Returns the equation that is integrated.
     pub fn field(&self) -> &F {
         &self.field
     }

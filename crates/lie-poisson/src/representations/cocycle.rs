@@ -166,7 +166,7 @@ impl<R: Representation> Cocycle<R> {
         Ok(Self { representation, entries: nearest.iter().map(cleared).collect() })
     }
 
-    /// Returns the representation.
+    /// Returns the representation of the cocycle.
     pub const fn representation(&self) -> &R {
         &self.representation
     }
@@ -188,7 +188,7 @@ impl<R: Representation> Cocycle<R> {
         Ok(Self { representation: self.representation.clone(), entries })
     }
 
-    /// Returns c(ξ).
+    /// Returns the value c(ξ) of the cocycle.
     pub fn apply<T: Real>(&self, xi: &RepresentedElement<R, T>) -> R::Space<T> {
         R::Space::<T>::from_coordinates(|i| {
             (0..Self::N).fold(T::zero(), |sum, j| sum + xi.coordinate(j) * self.entry(i, j))

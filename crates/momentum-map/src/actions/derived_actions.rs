@@ -49,7 +49,7 @@ impl<A: GroupAction> GroupAction for Opposite<A> {
         -self.0.infinitesimal_generator::<T>(xi, q)
     }
 
-    /// Returns −J(q, p).
+    /// Returns the momentum −J(q, p).
     #[inline]
     fn momentum<T: Real>(&self, z: &Cotangent<ActionPoint<A, T>>) -> GroupMomentum<A::Group, T> {
         -self.0.momentum::<T>(z)

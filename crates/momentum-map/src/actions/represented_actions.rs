@@ -36,7 +36,7 @@ impl<R: GroupRepresentation> GroupAction for LinearAction<R> {
         self.0.transform::<T>(g, v)
     }
 
-    /// Returns ξ v.
+    /// Returns the generator ξ v.
     #[inline]
     fn infinitesimal_generator<T: Real>(
         &self,
@@ -52,7 +52,7 @@ impl<R: GroupRepresentation> GroupAction for LinearAction<R> {
         self.0.diamond::<T>(&z.q, &z.p)
     }
 
-    /// Returns (ξv, −ξᵀα).
+    /// Returns the lifted generator (ξv, −ξᵀα).
     #[inline]
     fn lifted_generator<T: Real>(
         &self,

@@ -82,7 +82,7 @@ impl<R: Representation> SymplecticRepresentation for CotangentRepresentation<R> 
     }
 }
 
-/// Returns ⟨p, q⟩.
+/// Returns the pairing ⟨p, q⟩.
 #[inline]
 fn pairing<V>(p: &Covector<V>, q: &V) -> V::Scalar
 where

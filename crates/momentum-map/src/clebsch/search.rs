@@ -37,7 +37,7 @@ struct Start {
 }
 
 impl Search {
-    /// Prepares the search.
+    /// Prepares the search for a lift.
     ///
     /// # Errors
     /// Returns [`LiftError`] if a matrix element of the representation is not finite, or if the largest one has no

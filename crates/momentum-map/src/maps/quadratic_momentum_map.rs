@@ -95,7 +95,7 @@ impl<R: SymplecticRepresentation> PoissonMap for QuadraticMomentumMap<R> {
         }
     }
 
-    /// Returns [`SymplecticRepresentation::odd_powers_belong`].
+    /// Returns the value of [`SymplecticRepresentation::odd_powers_belong`].
     fn affine_schemes_descend(&self) -> bool {
         self.representation.odd_powers_belong()
     }

@@ -19,7 +19,7 @@ pub(crate) struct Desk {
 }
 
 impl Desk {
-    /// Returns the simulation.
+    /// Returns the simulation of the top that was thrown.
     ///
     /// # Errors
     /// Returns [`PageError::NotThrown`] before the first throw.

@@ -9,7 +9,7 @@ use lie_poisson::{Pair, Quaternion, Se3Dual, State};
 
 /// A motion that advances step by step, and remembers its last step.
 pub(crate) trait Motion {
-    /// Makes one step. The state is not changed by a step that fails.
+    /// Makes one step of the motion. The state is not changed by a step that fails.
     fn advance(&mut self, step: f64) -> Result<(), StepError>;
 
     /// Returns the moment after the last step.

@@ -37,7 +37,7 @@ impl Clock {
         (time - (self.time() - self.last)).clamp(0.0, self.last)
     }
 
-    /// Counts a step.
+    /// Adds one step to the count.
     pub(crate) fn advance(&mut self) {
         self.made = self.made.saturating_add(1);
         self.total = self.total.saturating_add(1);

@@ -139,7 +139,7 @@ impl Simulation {
 }
 
 impl Simulation {
-    /// Returns the top.
+    /// Returns the top that moves.
     #[must_use]
     pub fn top(&self) -> &HeavyTop {
         &self.top

@@ -23,7 +23,7 @@ impl Points {
 /// What is recorded of a run.
 #[derive(Default)]
 pub(crate) struct Record {
-    /// The samples.
+    /// The recorded times and states.
     pub(crate) samples: Points,
     /// The conserved quantities, as many numbers each as there are.
     pub(crate) values: Vec<f64>,

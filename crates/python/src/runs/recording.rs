@@ -11,10 +11,10 @@ use pyo3::PyResult;
 
 /// Functions of the state that are recorded.
 pub(crate) trait Quantities {
-    /// Returns their number.
+    /// Returns the number of quantities.
     fn count(&self) -> usize;
 
-    /// Appends their values.
+    /// Appends the values of the quantities at a state.
     fn append<M: Vector<Scalar = f64>>(&self, mu: &M, values: &mut Vec<f64>);
 }
 

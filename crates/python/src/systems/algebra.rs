@@ -26,12 +26,12 @@ pub(crate) enum AlgebraSource {
 pub(crate) enum CoordinateNames {
     /// A vector, whose components are the coordinates.
     Vector(String),
-    /// Each coordinate.
+    /// The name of each coordinate.
     Scalars(Vec<String>),
 }
 
 impl AlgebraSource {
-    /// Returns the algebra.
+    /// Returns the algebra from this description.
     pub(crate) fn algebra(&self, parameters: &Parameters) -> PyResult<SystemAlgebra> {
         let scalars = |names: &[String]| Coordinates::scalars(names.iter().map(String::as_str));
         match self {
@@ -70,7 +70,7 @@ pub fn coordinate_groups(
     Ok(coordinates.groups().map(group).collect())
 }
 
-/// Returns the parameters.
+/// Returns the parameters from the arguments.
 pub(crate) fn parameters(arguments: &[ParameterArgument]) -> PyResult<Parameters> {
     let add = |all: Parameters, (name, values, is_vector): &ParameterArgument| match (
         values.as_slice(),

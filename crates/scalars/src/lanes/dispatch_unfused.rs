@@ -22,7 +22,7 @@ pub trait StorageOver<T: Lanes> {
     /// The type of the storage.
     type Storage;
 
-    /// Creates the storage.
+    /// Creates the storage over these lanes.
     fn storage(&self) -> Self::Storage;
 }
 
@@ -34,7 +34,7 @@ pub trait StorageOver<T: Lanes> {
 /// # Speed
 /// The rules of [`LaneTask`](super::LaneTask) hold here too.
 pub trait TaskOver<T: Lanes, S: StorageOver<T>> {
-    /// Runs the computation. Mark it with `#[inline(always)]`.
+    /// Runs the computation on these lanes. Mark it with `#[inline(always)]`.
     fn run(self, storage: &mut S::Storage);
 }
 

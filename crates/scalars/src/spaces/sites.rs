@@ -29,7 +29,7 @@ impl<V> Sites<V> {
         Self(vectors)
     }
 
-    /// Returns the vectors.
+    /// Returns the vectors of all sites.
     #[must_use]
     pub fn into_inner(self) -> Vec<V> {
         self.0

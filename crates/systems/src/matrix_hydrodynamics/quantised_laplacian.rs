@@ -116,7 +116,7 @@ impl QuantisedLaplacian {
         }
     }
 
-    /// Writes ΔW. The result is NaN if a matrix does not have the size N.
+    /// Writes the Laplacian ΔW. The result is NaN if a matrix does not have the size N.
     pub fn apply(&self, w: &LargeSkewHermitian, image: &mut LargeSkewHermitian) {
         let n = self.size;
         if [w.size(), image.size()] != [n; 2] {

@@ -103,7 +103,7 @@ impl Zeitlin {
         self.scaled_stream_into(1.0, w, p);
     }
 
-    /// Writes s P.
+    /// Writes the multiple s P of the stream matrix.
     fn scaled_stream_into(&self, s: f64, w: &LargeSkewHermitian, p: &mut LargeSkewHermitian) {
         self.laplacian.solve(s, w, p);
         if self.rotation != 0.0 {
@@ -182,7 +182,7 @@ impl IsospectralField for Zeitlin {
         self.laplacian.size()
     }
 
-    /// Writes P/ħ.
+    /// Writes the generator P/ħ.
     fn generator_into(&self, w: &LargeSkewHermitian, generator: &mut LargeSkewHermitian) {
         self.scaled_stream_into(1.0 / self.planck_constant(), w, generator);
     }

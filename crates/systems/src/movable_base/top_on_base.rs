@@ -54,7 +54,7 @@ pub struct MovableBaseTop {
     inverse_inertia: Matrix3<f64>,
     /// The vector m l c/(m+M), from the base to the centre of both masses.
     center: Vector3<f64>,
-    /// The mass m+M.
+    /// The mass m + M of the top and the base.
     mass: f64,
     /// The vector m g l c.
     weight_moment: Vector3<f64>,

@@ -69,7 +69,7 @@ impl LatticeMidpoint {
         Self { solver, ..self }
     }
 
-    /// Returns the lattice.
+    /// Returns the lattice of the spins.
     #[must_use]
     pub fn lattice(&self) -> &HeisenbergLattice {
         &self.lattice

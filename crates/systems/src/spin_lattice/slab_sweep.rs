@@ -13,7 +13,7 @@ use lie_poisson::generic_scalars::{LaneTask, Lanes};
 pub(crate) struct SlabSweep<'a> {
     /// The bonds and fields of the lattice.
     pub(crate) stencil: &'a Stencil,
-    /// h/2.
+    /// Half the step, h/2.
     pub(crate) half_step: f64,
     /// The spins w at the start of the step.
     pub(crate) start: &'a [Spins],
@@ -21,9 +21,9 @@ pub(crate) struct SlabSweep<'a> {
     pub(crate) rates: &'a [Spins],
     /// The planes whose rates are computed.
     pub(crate) planes: Range<usize>,
-    /// Where they are written.
+    /// The destination of the rates.
     pub(crate) next: &'a mut [Spins],
-    /// Storage.
+    /// The storage for the midpoints.
     pub(crate) slab: &'a mut Slab,
 }
 

@@ -1,4 +1,4 @@
-//! Spins on a vibrating lattice.
+//! Spins on a vibrating lattice of one dimension: [`SpinLattice`].
 
 use crate::SpinSpace;
 use crate::error::{SystemError, require_finite, require_not_negative, require_positive};
@@ -9,7 +9,8 @@ use momentum_map::CotangentBundle;
 pub type SpinLatticeSpace<const N: usize> =
     ProductSpace<SpinSpace<N>, CotangentBundle<RealSpace<N>>>;
 
-/// A periodic chain of N spins on moving atoms, whose exchange depends on the distance of the neighbours.
+/// A periodic lattice of one dimension, whose N atoms have spins s_i and displacements q_i along the lattice. The
+/// exchange of neighbouring spins depends on the distance of their atoms.
 ///
 /// ```text
 /// h = Σ_i [ p_i²/2m + ½κ(qᵢ₊₁ − q_i)² − (J − a(qᵢ₊₁ − q_i)) s_i·sᵢ₊₁ ]
@@ -19,7 +20,8 @@ pub type SpinLatticeSpace<const N: usize> =
 /// numbers, by [`Automatic`](lie_poisson::Automatic). Conserved are h, every |s_i|, the total spin Σ s_i and
 /// the total momentum Σ p_i.
 ///
-/// All parameters are numbers without units. For N = 2 the one bond counts twice.
+/// All parameters are numbers without units. For N = 2 the one bond counts twice. Spins on atoms at rest, on lattices
+/// of one to three dimensions, are a [`HeisenbergLattice`](crate::HeisenbergLattice).
 ///
 /// Source: the model class of G. Bogfjellmo, *Collective symplectic integrators on S₂ⁿ × T∗R^m*,
 /// arXiv:1809.06231 (2018).

@@ -10,7 +10,7 @@ use nalgebra::Vector3;
 /// Every sum goes through j in ascending order, so that its bits depend neither on the lanes nor on the threads, but
 /// only on whether products and sums are fused.
 pub(crate) struct Interaction<'a, R> {
-    /// The vortices.
+    /// The positions and moments of all vortices.
     pub(crate) sources: &'a Sources,
     /// The first vortex i, a multiple of [`BLOCK`].
     pub(crate) first: usize,

@@ -53,7 +53,7 @@ use rayon::slice::ParallelSliceMut;
 #[derive(Clone, Debug, PartialEq)]
 pub struct ManyVortices {
     strengths: Vec<f64>,
-    /// The reciprocals 1/k_i.
+    /// The reciprocals 1/k_i of the strengths.
     inverses: Vec<f64>,
     storage: StoragePool<Sources>,
 }

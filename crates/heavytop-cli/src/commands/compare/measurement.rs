@@ -70,7 +70,7 @@ impl Outcome {
         deviations: [f64::NAN; QUANTITIES.len()],
     };
 
-    /// Takes over the time of another pass if it is less.
+    /// Replaces the computing time by that of another pass if that one is shorter.
     pub fn refine(&mut self, other: &Self) {
         self.seconds = self.seconds.min(other.seconds);
     }

@@ -53,8 +53,8 @@ impl Processes {
         }
     }
 
-    /// Returns the outcome. If one of several processes failed, it prints the error and ends all of them, for the
-    /// others would wait for it.
+    /// Returns the outcome of the sweep. If one of several processes failed, it prints the error and ends all of them, for
+    /// the others would wait for it.
     pub fn conclude<T>(&self, outcome: Result<T, Error>) -> Result<T, Error> {
         #[cfg(feature = "mpi")]
         if let (Err(error), Some(universe)) = (&outcome, &self.universe) {

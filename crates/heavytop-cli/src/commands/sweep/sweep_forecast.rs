@@ -29,7 +29,7 @@ const BYTES_OF_PIXEL: u64 = 2;
 /// # Errors
 /// If there is no such sweep, or its threads cannot be started.
 ///
-/// Of the processes of an MPI job only the first one tries members and returns the forecast for all of them.
+/// In an MPI job only the first process tries members and returns the forecast for all processes.
 ///
 /// # Example
 /// ```

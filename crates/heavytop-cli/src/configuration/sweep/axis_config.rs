@@ -43,7 +43,7 @@ pub(crate) struct SweepAxis {
 }
 
 impl AxisConfig {
-    /// Checks the axis.
+    /// Checks the keys and returns the axis.
     ///
     /// # Errors
     /// If it does not have exactly the keys of one kind, with finite numbers.

@@ -6,7 +6,7 @@ use serde::{Deserialize, Serialize};
 #[derive(Clone, Debug, PartialEq, Deserialize, Serialize)]
 #[serde(untagged, expecting = "expected a number or an array of numbers")]
 pub enum Numbers {
-    /// A number.
+    /// A value that is one number.
     One(f64),
     /// The components of a vector.
     Many(Vec<f64>),

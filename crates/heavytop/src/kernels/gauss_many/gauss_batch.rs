@@ -175,7 +175,7 @@ impl<const S: usize> LaneKernel for ScaledGauss<'_, S> {
 mod tests {
     use super::*;
 
-    /// Of a polynomial of degree 3 the integral up to each node of the next step is exact.
+    /// The integral of a polynomial of degree 3 up to each node of the next step is exact.
     #[test]
     fn the_extension_integrates_polynomials() {
         let gauss = Tableau::gauss(4).unwrap();

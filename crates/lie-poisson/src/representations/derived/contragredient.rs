@@ -32,7 +32,7 @@ impl<R: Representation> Representation for Contragredient<R> {
         -self.0.transpose_act::<T>(xi, &Covector(*v)).0
     }
 
-    /// Returns −ξα.
+    /// Returns the transposed action −ξα.
     #[inline]
     fn transpose_act<T: Real>(
         &self,

@@ -13,7 +13,7 @@ pub trait Register: Copy + Send + Sync + 'static {
     const COUNT: usize;
     /// Whether a product and a sum are rounded once, together.
     const FUSED: bool;
-    /// See [`Real::HAS_SLOW_PATHS`](crate::Real::HAS_SLOW_PATHS).
+    /// The value of [`Real::HAS_SLOW_PATHS`](crate::Real::HAS_SLOW_PATHS) for lanes in this register.
     const HAS_SLOW_PATHS: bool = true;
     /// The type of one truth value for each lane.
     type Mask: Mask;

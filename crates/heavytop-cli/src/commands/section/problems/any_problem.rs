@@ -25,7 +25,7 @@ impl AnyProblem {
         }
     }
 
-    /// Finds the starts.
+    /// Finds the starts of the section.
     ///
     /// # Errors
     /// If there are none, or a given state never comes to the surface.

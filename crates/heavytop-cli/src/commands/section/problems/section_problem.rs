@@ -6,7 +6,7 @@ use crate::configuration::SectionConfig;
 use heavytop::methods::{Formulation, Scheme};
 use serde_json::{Map, Value};
 
-/// What is done with the returns of a start: the time (s) and the state of each.
+/// A function that is called with the time (s) and the state of each return of a trajectory to the surface.
 pub(in crate::commands::section) type Visit<'a> =
     &'a mut dyn FnMut(f64, &[f64]) -> Result<(), Error>;
 

@@ -53,7 +53,7 @@ impl TopProblem {
         Ok((Self { section, method: config.integrator.or(own).method()? }, own))
     }
 
-    /// Finds the starts.
+    /// Finds the starts of the section.
     ///
     /// # Errors
     /// If there are none.

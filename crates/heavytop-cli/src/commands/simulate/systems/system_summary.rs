@@ -16,7 +16,7 @@ pub struct SystemSummary {
     pub out: PathBuf,
     /// The name of the algebra.
     pub algebra: String,
-    /// The Hamiltonian.
+    /// The Hamiltonian as a formula.
     pub hamiltonian: String,
     /// The formulation's name.
     pub formulation: &'static str,

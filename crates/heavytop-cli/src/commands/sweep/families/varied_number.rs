@@ -55,7 +55,7 @@ impl VariedNumber {
         }
     }
 
-    /// Sets the number.
+    /// Sets the number to a value.
     pub fn set(&self, value: f64, table: &mut SystemConfig, start: &mut [f64]) {
         let number = match self {
             Self::Coordinate(place) => start.get_mut(*place),

@@ -31,7 +31,9 @@ pub(in crate::commands::sweep) fn size(plan: &Plan) -> Option<[u32; 2]> {
     }
 }
 
-/// Draws the values over the plane of the two axes; the sweep has maps of this size. So many members could not be followed.
+/// Draws the values over the plane of the two axes, in a map of the given size.
+///
+/// `failed` is the number of members that could not be followed.
 ///
 /// # Errors
 /// If the map cannot be drawn.

@@ -22,7 +22,7 @@ struct HalfTurn<V: RegisterVector> {
     next: V,
     /// The entries (i, i−1) below it, cyclically.
     previous: V,
-    /// The factor 2n.
+    /// The factor 2n of W.
     scale: V::Scalar,
 }
 
