@@ -38,7 +38,7 @@ pub trait TaskOver<T: Lanes, S: StorageOver<T>> {
     fn run(self, storage: &mut S::Storage);
 }
 
-/// A [`StorageOver`] each type of lanes that [`dispatch_unfused`] chooses from. Every type that is that has this trait.
+/// A [`StorageOver`] each type of lanes that [`dispatch_unfused`] chooses from. Every such type has this trait.
 pub trait UnfusedStorage:
     StorageOver<DefaultLanes> + StorageOver<Lanes256> + StorageOver<Lanes512>
 {
@@ -49,7 +49,7 @@ impl<S> UnfusedStorage for S where
 {
 }
 
-/// A [`TaskOver`] each type of lanes that [`dispatch_unfused`] chooses from. Every type that is that has this trait.
+/// A [`TaskOver`] each type of lanes that [`dispatch_unfused`] chooses from. Every such type has this trait.
 pub trait UnfusedTask<S: UnfusedStorage>:
     TaskOver<DefaultLanes, S> + TaskOver<Lanes256, S> + TaskOver<Lanes512, S>
 {
