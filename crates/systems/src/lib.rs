@@ -33,7 +33,7 @@
 //! | a heavy body with a spinning rotor, on se(3)∗ | [`Gyrostat`] |
 //! | a rigid body in an ideal fluid, on se(3)∗ | [`Kirchhoff`] |
 //! | point vortices on the sphere, on (so(3)∗)ᴺ | [`PointVortices`] |
-//! | as many point vortices as a file contains | [`ManyVortices`] |
+//! | point vortices whose number is known only at run time | [`ManyVortices`] |
 //! | classical spins in a row, on (so(3)∗)ᴺ | [`HeisenbergChain`] |
 //! | classical spins on a lattice of any size, in one to three dimensions | [`HeisenbergLattice`] |
 //! | the same lattice advanced on SIMD lanes and all threads | [`LatticeMidpoint`] |
