@@ -65,9 +65,8 @@
 //!
 //! # Cost
 //!
-//! An evaluation allocates nothing. A step of RK4 for a heavy top takes 1.3 times the instructions of the same Hamiltonian
-//! in Rust, and 1.4 times in SIMD lanes; with a cosine and an exponential in the Hamiltonian, 1.9 and 1.5 times
-//! (`benches/programs/formula_steps.rs` of the source repository, by callgrind).
+//! An evaluation allocates nothing. The section "Against code by hand" of `docs/performance.md` in the source repository
+//! compares the instructions of a step of RK4 with those for the same Hamiltonian in Rust.
 //!
 //! # Related crates
 //!

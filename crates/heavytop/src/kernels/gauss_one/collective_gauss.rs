@@ -47,9 +47,9 @@ type State = Pair<SpinorPoint, SpinorPoint>;
 /// Where the iteration does not converge, for large steps, the [general](Self::general) integrator makes the
 /// step, with Newton's iteration if necessary.
 ///
-/// With eight stages and step 1/4 the error of the paper's experiment is 1e-14 at t = 10. A step takes 480 ns
-/// with AVX-512, 720 ns with AVX2 and 2.2 µs with plain arithmetic (measured on one machine; the example
-/// `collective_gauss` measures yours).
+/// With eight stages and step 1/4 the error of the paper's experiment is 1e-14 at t = 10. In the source repository
+/// `docs/performance.md` has computing times, `cargo bench -p heavytop` measures them on your machine, and
+/// `cargo run --release -p measurements --bin collective_gauss` measures errors.
 ///
 /// Source: Ohsawa 2019, §5.1; Antoñana, Makazaga & Murua, *Reducing and monitoring round-off
 /// error propagation for symplectic implicit Runge–Kutta schemes*, Numer. Algorithms 76 (2017),
