@@ -42,6 +42,12 @@
 //! * The coordinates of 𝔤∗ are those of the basis dual to that of the brackets: the bracket [x, y] = z of basis vectors
 //!   is written with the names of the coordinates that belong to them.
 //!
+//! The notation of all the crates is collected in `docs/notation.md` of the source repository.
+//!
+//! # Features and versions
+//!
+//! The crate has no features. The oldest supported compiler is Rust 1.89.
+//!
 //! # Related crates
 //!
 //! `lie-poisson-formulas` reads the formulas and finds the Casimirs, `heavytop` names the formulations and schemes,

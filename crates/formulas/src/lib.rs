@@ -68,10 +68,26 @@
 //! An evaluation allocates nothing. The section "Against code by hand" of `docs/performance.md` in the source repository
 //! compares the instructions of a step of RK4 with those for the same Hamiltonian in Rust.
 //!
+//! # Conventions
+//!
+//! * A formula is a function on 𝔤∗, in the coordinates of the basis dual to that of the algebra. Its differential is an
+//!   element of 𝔤.
+//! * In formulas, components of vectors count from 1. In tables of structure constants, indices count from 0.
+//! * The structure constant of the indices i, j, k is the coordinate of [e_i, e_j] at e_k.
+//! * Angles are in radians. Formulas have no units: those of the parameters determine those of the result.
+//! * The signs on 𝔤∗ are those of [`lie_poisson`].
+//!
+//! The notation of all the crates is collected in `docs/notation.md` of the source repository.
+//!
+//! # Features and versions
+//!
+//! The crate has no features. The oldest supported compiler is Rust 1.89.
+//!
 //! # Related crates
 //!
-//! `lie-poisson` holds the algebras, brackets and scalars, `collective-integrators` the time steps. The program
-//! `heavytop` simulates formulas from a configuration file.
+//! [`lie_poisson`] holds the algebras, brackets and scalars, `collective-integrators` the time steps.
+//! `lie-poisson-formula-systems` makes systems of formulas and of algebras that are known when the program runs, and the
+//! program `heavytop` simulates them from a configuration file.
 
 #![cfg_attr(docsrs, feature(doc_cfg))]
 

@@ -37,8 +37,8 @@
 //!
 //! The other modules serve the commands: `reading` for configurations from files and assignments, `formats` for the
 //! columns of a run and CSV, npz and Parquet, `files` for outputs that appear under their names only when they are complete,
-//! `pictures` for axes, captions, colours and the rendering of SVG, and `interface` for the command line with its help, signals and
-//! standard output.
+//! `pictures` for axes, captions, colours and the rendering of SVG, and `interface` for the command line with its help,
+//! signals and standard output.
 //!
 //! # Conventions
 //!
@@ -48,12 +48,18 @@
 //! The names of commands, keys, columns and files, and the exit codes, are a contract with the scripts that call the
 //! program. The items of this library are not.
 //!
-//! # Features
+//! The notation of all the crates is collected in `docs/notation.md` of the source repository.
 //!
-//! `mpi`: the processes of an MPI job share the work of `sweep`. It needs an MPI library, such as Open MPI, and
-//! libclang.
+//! # Features and versions
 //!
-//! The oldest compiler that is supported is Rust 1.89.
+//! With the feature `mpi` the processes of an MPI job share the work of `sweep`. It needs an MPI library, such as Open
+//! MPI, and libclang. The oldest supported compiler is Rust 1.89.
+//!
+//! # Related crates
+//!
+//! [`heavytop`] holds the tops and the formulations and schemes by name, `lie-poisson-formula-systems` the systems by
+//! formula, and `collective-integrators` the integrators, ensembles and indicators of chaos. `heavytop-python` offers
+//! the same computations to Python, and `heavytop-page` in a browser.
 
 mod vocabulary;
 pub mod errors;

@@ -71,6 +71,8 @@
 //! * For N known to the compiler, [`lie_poisson::UnitaryAlgebra`] is the same algebra, and
 //!   `momentum_map::ComplexMatrices` the same collective integrators.
 //!
+//! The notation of all the crates is collected in `docs/notation.md` of the source repository.
+//!
 //! # Features and versions
 //!
 //! The crate has no features. The oldest supported compiler is Rust 1.89. Products are made by [`faer`], on one thread.

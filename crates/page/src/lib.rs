@@ -1,5 +1,11 @@
 //! The computations of the page to play with: a heavy top whose method and step change while it moves.
 //!
+//! The crate is not published. In the source repository, this command builds the page:
+//!
+//! ```sh
+//! cargo page   # writes target/page/heavy-top.html
+//! ```
+//!
 //! [`Simulation`] is the whole of it. It makes steps, and records how far the invariants deviate and where the motion
 //! crosses a Poincaré section. It compiles for every platform. In a browser [`exports`] offers it to JavaScript, as
 //! functions of numbers.
@@ -24,6 +30,34 @@
 //! assert!(energy.abs() < 1e-6 && simulation.deviations()[0].abs() > 1e-3);
 //! # Ok::<(), Box<dyn std::error::Error>>(())
 //! ```
+//!
+//! # Which item when
+//!
+//! | when you need | use |
+//! |---|---|
+//! | a top that moves, with its record | [`Simulation`] |
+//! | a method, to start with or to change to | [`PageMethod`] |
+//! | the state and the attitude at a time | [`Simulation::at`], which returns a [`Moment`] |
+//! | the deviations of the invariants against time | [`Simulation::columns`], each a [`Column`] |
+//! | the points of the Poincaré section | [`Simulation::section_points`], each a [`SectionPoint`] |
+//! | the reason why the page cannot do something | [`PageError`] |
+//! | the functions that JavaScript calls | [`exports`] |
+//!
+//! # Conventions
+//!
+//! Numbers are in SI units, and Π and Γ are in the body frame. Symbols, signs and sides are those of the crate [`heavytop`].
+//!
+//! The notation of all the crates is collected in `docs/notation.md` of the source repository.
+//!
+//! # Features and versions
+//!
+//! The crate has no features. The oldest supported compiler is Rust 1.89. The page itself also needs the target
+//! `wasm32-unknown-unknown`.
+//!
+//! # Related crates
+//!
+//! [`heavytop`] holds the tops and their integrators. `heavytop-cli` has the command `heavytop animate`, whose page shows a
+//! run that was computed before, and shares the scripts that draw the top.
 
 mod error;
 mod motions;

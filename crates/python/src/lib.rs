@@ -1,7 +1,40 @@
 //! The native part of the Python package `heavytop`: tops, their runs, and many tops at once.
 //!
 //! Users see the classes of `python/heavytop`, which adds keyword arguments with defaults, documentation and results with
-//! names. Here are the loops, which release Python's global lock.
+//! names. Here are the loops, which release Python's global lock. To install the package, in the source repository:
+//!
+//! ```sh
+//! pip install ./crates/python
+//! ```
+//!
+//! # Which module when
+//!
+//! | when you look for | see |
+//! |---|---|
+//! | one top, its sections and its chaos, many tops at once | `tops` |
+//! | any Lie–Poisson system, many of them at once | `systems` |
+//! | what is done along one run: recording, events, dense output | `runs` |
+//! | formulas as text, and functions that Python traced | `formulas` |
+//! | states and columns as NumPy arrays | `arrays`, `recorded` |
+//! | errors as Python exceptions | `errors` |
+//! | the types between Python and Rust | `_native.pyi` in `python/heavytop` |
+//!
+//! # Conventions
+//!
+//! A state is an array of the coordinates of (Π, Γ), or of those of the algebra of a system. Quaternions are (w, x, y, z)
+//! and rotate the body frame to the spatial frame. Signs and sides are those of the crate [`heavytop`].
+//!
+//! The notation of all the crates is collected in `docs/notation.md` of the source repository.
+//!
+//! # Features and versions
+//!
+//! The crate has no features, and is published as a wheel. It needs Python 3.10 or later. The oldest supported compiler is
+//! Rust 1.89.
+//!
+//! # Related crates
+//!
+//! [`heavytop`] holds the tops, their integrators and the methods by name. `lie-poisson-formula-systems` holds the systems
+//! by formula. The program `heavytop` of `heavytop-cli` does the same computations from configuration files.
 
 mod errors;
 mod arrays;
