@@ -16,10 +16,10 @@ pub(super) const MOST: usize = 48;
 
 /// A change of at most this multiple of the size is the last one.
 ///
-/// The next change, a tenth of it at the step sizes that these methods are used with, is far below a rounding
-/// error. The rest has the same sign in every step: with eight times this bound, h was seen to drift by 4e-19
-/// per unit of time.
-const FEW_ROUNDINGS: f64 = 0.25 * f64::EPSILON;
+/// The next change, a tenth of it at the step sizes that these methods are used with, is far below a rounding error. But the
+/// rest has the same sign in every step. With four times this bound, which saves 6 % of the time, each top had a drift of f₁,
+/// f₂ and h of its own, of some 2e-20 per step with eight stages and steps of 1/4.
+const FEW_ROUNDINGS: f64 = 0.0625 * f64::EPSILON;
 
 /// A change of at most this multiple of the size is round-off if it is not smaller than the one before it.
 const CLOSE: f64 = f64::EPSILON;
