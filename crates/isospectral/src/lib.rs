@@ -76,6 +76,7 @@
 //! # Features and versions
 //!
 //! The crate has no features. The oldest supported compiler is Rust 1.89. Products are made by [`faer`], on one thread.
+//! It takes the instructions of the processor, so that the last digits of a step depend on the processor.
 //!
 //! # Related crates
 //!

@@ -6,7 +6,7 @@ use crate::vortices::lane_interaction::Interaction;
 use crate::vortices::sources::{BLOCK, Sources};
 use collective_integrators::{StoragePool, VectorField};
 use core::f64::consts::PI;
-use lie_poisson::generic_scalars::{InstructionSet, Width, dispatch};
+use lie_poisson::generic_scalars::{InstructionSet, MissingInstructions, Width, dispatch};
 use lie_poisson::{Covector, Real, Sites, SitesHamiltonian, State, Vector};
 use nalgebra::Vector3;
 use rayon::iter::{IndexedParallelIterator, ParallelIterator};
@@ -27,7 +27,8 @@ use rayon::slice::ParallelSliceMut;
 ///
 /// From 32 vortices on, the rates of plain numbers `f64` are computed on the widest SIMD lanes of the processor and on
 /// all threads of the current pool. Their bits are the same for any number of threads. They differ by rounding from
-/// those of fewer vortices, and between processors with and without fused multiply-add.
+/// those of fewer vortices, and between processors with and without fused multiply-add, unless the instructions are
+/// [portable](Self::with_instructions).
 ///
 /// # Example
 /// A ring of vortices on a parallel of the sphere turns as a rigid body:
@@ -55,6 +56,7 @@ pub struct ManyVortices {
     strengths: Vec<f64>,
     /// The reciprocals 1/k_i of the strengths.
     inverses: Vec<f64>,
+    instructions: InstructionSet,
     storage: StoragePool<Sources>,
 }
 
@@ -72,7 +74,20 @@ impl ManyVortices {
     pub fn new(strengths: Vec<f64>) -> Result<Self, SystemError> {
         strengths.iter().try_for_each(|&strength| require_strength(strength))?;
         let inverses = strengths.iter().map(|strength| strength.recip()).collect();
-        Ok(Self { strengths, inverses, storage: StoragePool::default() })
+        let instructions = InstructionSet::detected();
+        Ok(Self { strengths, inverses, instructions, storage: StoragePool::default() })
+    }
+
+    /// Replaces the instruction set of the SIMD lanes. The portable one gives the same bits on every processor.
+    ///
+    /// # Errors
+    /// Returns [`MissingInstructions`] if the processor lacks it.
+    pub fn with_instructions(self, set: InstructionSet) -> Result<Self, MissingInstructions> {
+        if set.is_available() {
+            Ok(Self { instructions: set, ..self })
+        } else {
+            Err(MissingInstructions { set })
+        }
     }
 
     /// Returns the strengths k_i.
@@ -117,7 +132,7 @@ impl ManyVortices {
                 (m * *inverse, m * (-0.25 / PI))
             };
             sources.fill(m.iter().zip(&self.inverses).map(vortex));
-            let (set, sources) = (InstructionSet::detected(), &*sources);
+            let (set, sources) = (self.instructions, &*sources);
             let compute = |first, sums: &mut [_]| {
                 let interaction = Interaction { sources, first, sums };
                 dispatch(interaction, set, Width::TwoRegisters).is_ok()

@@ -3,7 +3,9 @@
 use lie_poisson_systems::collective_integrators::{
     Integrator, SphericalMidpoint, StageSolver, Start, StepError,
 };
-use lie_poisson_systems::lie_poisson::{Covector, Sites, SitesHamiltonian, larger};
+use lie_poisson_systems::lie_poisson::{
+    Covector, InstructionSet, MissingInstructions, Sites, SitesHamiltonian, larger,
+};
 use lie_poisson_systems::nalgebra::Vector3;
 use lie_poisson_systems::{HeisenbergLattice, LatticeMidpoint};
 
@@ -185,5 +187,29 @@ fn failures_change_nothing() {
         let few = StageSolver { max_iterations: 2, ..StageSolver::default() };
         let failed = midpoint.clone().with_solver(few).step(&start, 0.05, &mut space);
         assert!(matches!(failed, Err(StepError::NotConverged { iterations: 2, .. })));
+    }
+}
+
+/// The portable instructions round products, and the others do not.
+#[test]
+fn every_instruction_set_makes_the_same_step() {
+    let lattice = generic([21, 4, 3]);
+    let start = spins(&lattice);
+    let end = |set: InstructionSet| {
+        let midpoint = LatticeMidpoint::new(lattice.clone()).with_instructions(set).unwrap();
+        midpoint.step(&start, 0.1, &mut midpoint.workspace()).unwrap().point
+    };
+    let ends: Vec<_> = InstructionSet::available().map(end).collect();
+    // A few roundings of numbers near 1 in the last sweep; the others are contracted.
+    let bound = 16.0 * f64::EPSILON;
+    assert!(ends.iter().all(|end| largest_difference(end, &ends[0]) < bound));
+    // Those that fuse products and sums have the same bits.
+    assert!(ends.iter().skip(2).all(|end| *end == ends[1]));
+    // Control: the step moves the spins.
+    assert!(largest_difference(&start, &ends[0]) > bound);
+    let missing = InstructionSet::ALL.into_iter().find(|set| !set.is_available());
+    if let Some(set) = missing {
+        let refused = LatticeMidpoint::new(lattice).with_instructions(set);
+        assert_eq!(refused.err(), Some(MissingInstructions { set }));
     }
 }

@@ -2,7 +2,9 @@
 
 use lie_poisson_systems::collective_integrators::{Integrator, SphericalMidpoint, VectorField};
 use lie_poisson_systems::lie_poisson::generic_scalars::map_coordinates;
-use lie_poisson_systems::lie_poisson::{Covector, DualNumber, Sites};
+use lie_poisson_systems::lie_poisson::{
+    Covector, DualNumber, InstructionSet, MissingInstructions, Sites,
+};
 use lie_poisson_systems::nalgebra::Vector3;
 use lie_poisson_systems::{ManyVortices, SystemError};
 use std::f64::consts::PI;
@@ -64,6 +66,27 @@ fn lanes_compute_what_pairs_compute() {
         }
         // Few vortices keep the bits of the evaluation by pairs.
         assert!(count > 31 || rates.0[..] == expected[..], "{count}");
+    }
+}
+
+/// The portable instructions round products, and the others do not.
+#[test]
+fn instruction_sets_differ_by_roundings() {
+    let (vortices, m) = spiral(100, 1.0);
+    let rates = |set| vortices.clone().with_instructions(set).unwrap().at(&m).0;
+    let found: Vec<_> = InstructionSet::available().map(rates).collect();
+    for rates in &found {
+        for (i, (rate, portable)) in rates.iter().zip(found[0].iter()).enumerate() {
+            assert!((rate - portable).norm() <= 2.0 * round_off(&vortices, &m, i), "{i}");
+        }
+    }
+    // Those that fuse products and sums have the same bits, and not those of the portable instructions.
+    assert!(found.iter().skip(2).all(|rates| *rates == found[1]));
+    assert!(found.len() == 1 || found[0] != found[1]);
+    let missing = InstructionSet::ALL.into_iter().find(|set| !set.is_available());
+    if let Some(set) = missing {
+        let refused = vortices.with_instructions(set);
+        assert_eq!(refused.err(), Some(MissingInstructions { set }));
     }
 }
 
