@@ -192,8 +192,12 @@ fn broken_rules_are_found() {
             "low/other.rs",
             "use super::base::Base;\n\n#[cfg(test)]\nmod tests {\n    use crate::Top;\n}\n",
         ),
-        ("high/mod.rs", "pub(crate) mod top;\n"),
+        (
+            "high/mod.rs",
+            "pub(crate) mod top;\npub(crate) mod side;\n\npub type Tops = [top::Top; 2];\n",
+        ),
         ("high/top.rs", "pub struct Top(pub crate::low::other::Inner);\n"),
+        ("high/side.rs", "use super::Tops;\n"),
     ];
     let broken: Sources = files.map(|(file, text)| (file.to_owned(), text.to_owned())).into();
     assert_eq!(declared_order(&broken), ["low", "high"]);
@@ -201,6 +205,8 @@ fn broken_rules_are_found() {
     assert_eq!(Vec::from_iter(found["low/base.rs"].iter().copied()), ["high/top.rs"]);
     assert_eq!(Vec::from_iter(found["low/other.rs"].iter().copied()), ["low/base.rs"]);
     assert_eq!(cycles(&found), ["high/top.rs", "low/base.rs", "low/other.rs"]);
+    assert_eq!(Vec::from_iter(found["high/mod.rs"].iter().copied()), ["high/top.rs"]);
+    assert_eq!(Vec::from_iter(found["high/side.rs"].iter().copied()), ["high/mod.rs"]);
     assert_eq!(against_the_order(&broken), ["low/base.rs imports high/top.rs"]);
 }
 

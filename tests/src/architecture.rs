@@ -30,7 +30,7 @@ pub fn sources(folder: &Path) -> io::Result<Sources> {
 
 /// Returns for each file the files that it imports.
 ///
-/// Imports are `use` lines and paths that begin with `crate::`, without tests and documentation. An item that a
+/// Imports are `use` lines and paths that begin with `crate::` or a module of the file, without tests and documentation. An item that a
 /// `lib.rs` or `mod.rs` re-exports counts as one of the file that defines it.
 pub fn imports(sources: &Sources) -> BTreeMap<&str, BTreeSet<&str>> {
     let crate_of = Crate::new(sources);
@@ -193,13 +193,34 @@ fn expand(tree: &str) -> Vec<Vec<String>> {
     branches.flat_map(|branch| expand(&format!("{before}{branch}"))).collect()
 }
 
-/// Returns the paths of private imports, and those in the code that begin with `crate::`.
+/// Returns the names of the modules that a file declares.
+fn children(code: &str) -> impl Iterator<Item = &str> {
+    let names = code.lines().filter_map(|line| line.trim().strip_suffix(';')?.split_once("mod "));
+    names.map(|(_, name)| name).filter(|name| name.chars().all(is_of_a_name))
+}
+
+fn is_of_a_name(c: char) -> bool {
+    c.is_alphanumeric() || c == '_'
+}
+
+/// Returns the paths of private imports, and those in the code that begin with `crate::` or with a module of the file.
 fn paths(code: &str) -> Vec<Vec<String>> {
     let mut found: Vec<_> = uses(code, false).iter().flat_map(|tree| expand(tree)).collect();
-    for rest in code.split("crate::").skip(1) {
-        let end = rest.find(|c: char| !(c.is_alphanumeric() || c == '_' || c == ':'));
-        let path = &rest[..end.unwrap_or(rest.len())];
-        found.extend(expand(&format!("crate::{path}")));
+    // Re-exports are no imports.
+    let statements = code.split(';').filter(|statement| !statement.contains("use "));
+    let without_uses: String = statements.collect::<Vec<_>>().join(";");
+    let inline = children(code).map(|name| (name, &*without_uses)).chain([("crate", code)]);
+    for (root, code) in inline {
+        let start = format!("{root}::");
+        for (at, _) in code.match_indices(&start) {
+            let before = code[..at].chars().next_back();
+            if before.is_some_and(|c| is_of_a_name(c) || c == ':') {
+                continue;
+            }
+            let rest = &code[at..];
+            let end = rest.find(|c: char| !(is_of_a_name(c) || c == ':'));
+            found.extend(expand(&rest[..end.unwrap_or(rest.len())]));
+        }
     }
     found
 }

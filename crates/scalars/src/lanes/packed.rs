@@ -1,6 +1,6 @@
 //! Lanes as a scalar type: [`Packed`].
 
-use super::Lanes;
+use super::lane_scalar::Lanes;
 use super::registers::register::Register;
 use crate::{Mask, Real, larger};
 use core::fmt;
