@@ -92,6 +92,7 @@
 mod error;
 mod stage_frame;
 mod storage_pool;
+mod rooted_trees;
 mod step_fractions;
 mod tableaux;
 mod sums;

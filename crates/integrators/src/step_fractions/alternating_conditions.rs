@@ -1,5 +1,7 @@
 //! The order of a splitting into two parts, from its coefficients.
 
+use crate::rooted_trees::{Branch, Stem, grow};
+
 /// The largest order that is tested.
 const ORDERS: usize = 12;
 
@@ -69,13 +71,23 @@ pub(crate) fn nystrom_order(first: &[f64], second: &[f64]) -> usize {
         })
         .collect();
     let method = Method { weights: second, nodes: &nodes };
-    // The leaf: q moved by v alone.
+    // A branch at a vertex f is a vertex of q, which is a leaf or carries one more vertex f. The leaf is q moved by v alone.
     let mut branches = vec![Branch { order: 1, density: 1.0, at_stages: method.leaf() }];
     for order in 1..=ORDERS {
-        let stem = NystromStem { missing: order - 1, last: branches.len(), density: order as f64 };
+        let stem = Stem { missing: order - 1, last: branches.len(), density: order as f64 };
         let mut grown = Vec::new();
         let bare = vec![Term { value: 1.0, size: 1.0 }; nodes.len()];
-        if !grow(&method, &branches, order, &stem, &bare, &mut grown) {
+        let all_hold = grow(&branches, &stem, &bare, Term::times, &mut |weights, density| {
+            let sum = method.sum(weights);
+            grown.push(Branch {
+                order: order + 1,
+                density: density * (order as f64 + 1.0),
+                at_stages: method.as_branch(weights),
+            });
+            let defect = sum.value * density - 1.0;
+            defect.abs() <= TOLERANCE * (sum.size * density + 1.0)
+        });
+        if !all_hold {
             return order - 1;
         }
         branches.append(&mut grown);
@@ -95,20 +107,10 @@ struct Term {
     size: f64,
 }
 
-/// A branch at a vertex f: a vertex of q, which is a leaf or carries one more vertex f.
-struct Branch {
-    /// The number of vertices of the branch.
-    order: usize,
-    density: f64,
-    /// The elementary weight at each stage.
-    at_stages: Vec<Term>,
-}
-
-/// A root f to which branches from `branches[..last]` are to be added.
-struct NystromStem {
-    missing: usize,
-    last: usize,
-    density: f64,
+impl Term {
+    fn times(&self, other: &Self) -> Self {
+        Self { value: self.value * other.value, size: self.size * other.size }
+    }
 }
 
 impl Method<'_> {
@@ -139,36 +141,6 @@ impl Method<'_> {
         };
         (0..self.nodes.len()).map(at_stage).collect()
     }
-}
-
-/// Adds branches until no vertex is missing. Returns `false` as soon as a finished tree breaks its condition.
-fn grow(
-    method: &Method<'_>,
-    branches: &[Branch],
-    order: usize,
-    stem: &NystromStem,
-    weights: &[Term],
-    grown: &mut Vec<Branch>,
-) -> bool {
-    if stem.missing == 0 {
-        let sum = method.sum(weights);
-        grown.push(Branch {
-            order: order + 1,
-            density: stem.density * (order as f64 + 1.0),
-            at_stages: method.as_branch(weights),
-        });
-        let defect = sum.value * stem.density - 1.0;
-        return defect.abs() <= TOLERANCE * (sum.size * stem.density + 1.0);
-    }
-    (0..stem.last).filter(|&n| branches[n].order <= stem.missing).all(|n| {
-        let branch = &branches[n];
-        let product =
-            |(w, x): (&Term, &Term)| Term { value: w.value * x.value, size: w.size * x.size };
-        let product: Vec<Term> = weights.iter().zip(&branch.at_stages).map(product).collect();
-        let missing = stem.missing - branch.order;
-        let stem = NystromStem { missing, last: n + 1, density: stem.density * branch.density };
-        grow(method, branches, order, &stem, &product, grown)
-    })
 }
 
 #[cfg(test)]

@@ -1,5 +1,7 @@
 //! The order of a Runge–Kutta method, from its coefficients.
 
+use crate::rooted_trees::{Branch, Stem, grow};
+
 /// The largest order for which trees are compared. Beyond it the simplifying assumptions are tested.
 const TREE_ORDERS: usize = 8;
 
@@ -23,14 +25,6 @@ pub(crate) fn order_of(a: &[f64], b: &[f64], c: &[f64]) -> usize {
 /// The coefficients (a, b) of a Runge–Kutta method.
 type Coefficients<'a> = (&'a [f64], &'a [f64]);
 
-/// A rooted tree with its density γ and the vector of its elementary weights at the stages.
-struct Tree {
-    order: usize,
-    density: f64,
-    /// The factor Σ_j a_ij Φ_j that the tree gives to a parent at stage i, with the matrix a of the root's colour.
-    as_branch: Vec<f64>,
-}
-
 /// Returns the order of a partitioned method, which has a Runge–Kutta method with the same number of stages for each
 /// part of the variables.
 ///
@@ -39,51 +33,27 @@ struct Tree {
 /// Source: Hairer, Lubich & Wanner, Thm. III.2.5.
 pub(crate) fn tree_order(parts: &[Coefficients<'_>]) -> usize {
     let stages = parts.first().map_or(0, |(_, b)| b.len());
-    let mut trees: Vec<Tree> = Vec::new();
+    // The weight at stage i is the factor Σ_j a_ij Φ_j, with the matrix a of the root's colour.
+    let mut trees: Vec<Branch<f64>> = Vec::new();
     for order in 1..=TREE_ORDERS {
         let mut grown = Vec::new();
         let stem = Stem { missing: order - 1, last: trees.len(), density: order as f64 };
-        if !grow(&trees, order, &stem, &vec![1.0; stages], parts, &mut grown) {
+        // The weights at the stages do not depend on the colour of the root.
+        let all_hold =
+            grow(&trees, &stem, &vec![1.0; stages], |w, x| w * x, &mut |weights, density| {
+                let dot = |x: &[f64]| -> f64 { x.iter().zip(weights).map(|(x, w)| x * w).sum() };
+                parts.iter().all(|(a, b)| {
+                    let at_stages = a.chunks_exact(b.len()).map(dot).collect();
+                    grown.push(Branch { order, density, at_stages });
+                    (dot(b) * density - 1.0).abs() <= TOLERANCE
+                })
+            });
+        if !all_hold {
             return order - 1;
         }
         trees.append(&mut grown);
     }
     TREE_ORDERS
-}
-
-/// A root to which branches from `trees[..last]` are to be added.
-struct Stem {
-    missing: usize,
-    last: usize,
-    density: f64,
-}
-
-/// Adds branches until no vertex is missing. Returns `false` as soon as a finished tree breaks an order condition.
-///
-/// The weights at the stages do not depend on the colour of the root.
-fn grow(
-    trees: &[Tree],
-    order: usize,
-    stem: &Stem,
-    weights: &[f64],
-    parts: &[Coefficients<'_>],
-    grown: &mut Vec<Tree>,
-) -> bool {
-    let dot = |x: &[f64]| -> f64 { x.iter().zip(weights).map(|(x, w)| x * w).sum() };
-    if stem.missing == 0 {
-        return parts.iter().all(|(a, b)| {
-            let as_branch = a.chunks_exact(b.len()).map(dot).collect();
-            grown.push(Tree { order, density: stem.density, as_branch });
-            (dot(b) * stem.density - 1.0).abs() <= TOLERANCE
-        });
-    }
-    (0..stem.last).filter(|&n| trees[n].order <= stem.missing).all(|n| {
-        let tree = &trees[n];
-        let product: Vec<f64> = weights.iter().zip(&tree.as_branch).map(|(w, t)| w * t).collect();
-        let missing = stem.missing - tree.order;
-        let stem = Stem { missing, last: n + 1, density: stem.density * tree.density };
-        grow(trees, order, &stem, &product, parts, grown)
-    })
 }
 
 fn simplified_order(a: &[f64], b: &[f64], c: &[f64]) -> usize {
