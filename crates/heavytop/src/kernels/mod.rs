@@ -1,5 +1,6 @@
 //! Integrators with formulas of their own for tops.
 
+pub(crate) mod infinitesimal_rotation;
 pub(crate) mod midpoint;
 pub(crate) mod gauss_one;
 pub(crate) mod gauss_many;

@@ -1,6 +1,7 @@
 //! The collective equations on T∗C², and the functions that are constant on fibres, in components.
 
 use crate::HeavyTop;
+use crate::kernels::infinitesimal_rotation::infinitesimal_rotation;
 use lie_poisson::Lanes;
 
 /// The coordinates q₁, …, q₄, p₁, …, p₄ with χ = (q₁ + iq₂, q₃ + iq₄) and ψ = (p₁ + ip₂, p₃ + ip₄).
@@ -50,8 +51,8 @@ impl<T: Lanes> FieldParameters<T> {
     pub(crate) fn field(&self, v: &[T; 3], z: &Spinors<T>) -> Spinors<T> {
         let [q1, q2, q3, q4, p1, p2, p3, p4] = *z;
         let f = &self.force;
-        let chi = turned(v, q1, q2, q3, q4);
-        let psi = turned(v, p1, p2, p3, p4);
+        let chi = infinitesimal_rotation(v, [q1, q2, q3, q4], [T::zero(); 4]);
+        let psi = infinitesimal_rotation(v, [p1, p2, p3, p4], [T::zero(); 4]);
         let pushed = |start: T, a: (T, T), b: (T, T), c: (T, T)| {
             c.0.multiply_add(c.1, b.0.multiply_add(b.1, a.0.multiply_add(a.1, start)))
         };
@@ -66,18 +67,6 @@ impl<T: Lanes> FieldParameters<T> {
             psi[3],
         ]
     }
-}
-
-/// Returns i (v·σ) of the spinor (a + ib, c + id), in components.
-#[inline(always)]
-fn turned<T: Lanes>(v: &[T; 3], a: T, b: T, c: T, d: T) -> [T; 4] {
-    let [x, y, z] = *v;
-    [
-        y.multiply_subtract(c, x.multiply_add(d, z * b)),
-        z.multiply_add(a, x.multiply_add(c, y * d)),
-        z.multiply_subtract(d, x.multiply_add(b, y * a)),
-        x.multiply_subtract(a, y.multiply_add(b, z * c)),
-    ]
 }
 
 /// Returns the squared norm ‖ψ‖².

@@ -8,6 +8,7 @@ use super::compensated_point::CompensatedPoint;
 use super::gauss_coefficients::GaussCoefficients;
 use super::row::{Row, Stages, WIDTH};
 use super::stage_history::StageHistory;
+use crate::kernels::infinitesimal_rotation::infinitesimal_rotation;
 use core::hint::black_box;
 use lie_poisson::{LaneTask, Lanes, Mask};
 
@@ -164,8 +165,8 @@ impl StageEquations<'_> {
             g3.negative_multiply_add(p3, g2.negative_multiply_add(p2, g1 * p1)),
             g3.negative_multiply_add(p4, g2.multiply_add(p1, g1 * p2)),
         ];
-        let [a, b, c, d] = turned(turn, [q1, q2, q3, q4], pull);
-        let [e, f, g, h] = turned(turn, [p1, p2, p3, p4], [T::zero(); 4]);
+        let [a, b, c, d] = infinitesimal_rotation(turn, [q1, q2, q3, q4], pull);
+        let [e, f, g, h] = infinitesimal_rotation(turn, [p1, p2, p3, p4], [T::zero(); 4]);
         [a, b, c, d, e, f, g, h]
     }
 
@@ -190,18 +191,6 @@ fn store<T: Lanes>(values: &[T; WIDTH], stages: &mut Stages, block: usize) {
     for c in 0..WIDTH {
         stages[c].store(values[c], block);
     }
-}
-
-/// Returns the spinor i(w·σ)u + v.
-#[inline(always)]
-fn turned<T: Lanes>(w: &[T; 3], u: [T; 4], v: [T; 4]) -> [T; 4] {
-    let ([w1, w2, w3], [u1, u2, u3, u4]) = (*w, u);
-    [
-        w2.multiply_add(u3, w1.negative_multiply_add(u4, w3.negative_multiply_add(u2, v[0]))),
-        w2.multiply_add(u4, w1.multiply_add(u3, w3.multiply_add(u1, v[1]))),
-        w3.multiply_add(u4, w2.negative_multiply_add(u1, w1.negative_multiply_add(u2, v[2]))),
-        w3.negative_multiply_add(u3, w2.negative_multiply_add(u2, w1.multiply_add(u1, v[3]))),
-    ]
 }
 
 /// Returns the distance Σ_k |a_k − b_k|.
