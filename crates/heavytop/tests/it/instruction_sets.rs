@@ -65,6 +65,31 @@ fn instructions_that_the_processor_lacks_are_refused() {
     }
 }
 
+/// The sums over all methods of a formulation, and 20 steps of each, of the bits of the coordinates with portable instructions.
+///
+/// They are the same on every processor. A method that is added or changed on purpose changes the sum of its formulation.
+const PORTABLE: [(&str, u64); 4] = [
+    ("collective", 0x2b44_1913_58c3_0219),
+    ("reduced", 0x43ef_5386_f70f_cf77),
+    ("direct", 0xe931_edbf_e951_4624),
+    ("splitting", 0x93a7_29ff_7bd2_30fd),
+];
+
+#[test]
+fn portable_instructions_have_the_same_bits_on_every_processor() {
+    let mut sums: Vec<(&str, u64)> = Vec::new();
+    for &(name, formulation) in Formulation::NAMES {
+        let sum = formulation.schemes().fold(0_u64, |sum, scheme| {
+            let method = Method::new(formulation, scheme, 0.0).unwrap();
+            let portable = method.with_instructions(InstructionSet::Portable).unwrap();
+            let bits = bits(&states(portable, 20));
+            bits.as_flattened().iter().fold(sum, |sum, bits| sum.rotate_left(1) ^ bits)
+        });
+        sums.push((name, sum));
+    }
+    assert_eq!(sums, PORTABLE, "{sums:#x?}");
+}
+
 /// A method says on which instruction set its bits depend.
 #[test]
 fn bits_are_those_of_the_instruction_set_that_the_method_names() {
