@@ -68,7 +68,7 @@ impl<M: PoissonMap> PoissonMap for Derived<M> {
         self.0.apply::<T>(z)
     }
 
-    fn affine_schemes_descend(&self) -> bool {
-        self.0.affine_schemes_descend()
+    fn equivariant_maps_descend(&self) -> bool {
+        self.0.equivariant_maps_descend()
     }
 }

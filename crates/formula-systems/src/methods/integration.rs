@@ -123,10 +123,10 @@ impl Integration<'_> {
     fn clebsch_descends<const N: usize>(&self) -> Result<bool, FormulaSystemError> {
         let map = adjoint_map(self.table::<N>()?, || self.impossible())?;
         if map.lift(&self.momentum::<N>()).is_ok() {
-            return Ok(map.affine_schemes_descend());
+            return Ok(map.equivariant_maps_descend());
         }
         let map = coadjoint_map(self.table::<N>()?, || self.impossible())?;
-        Ok(map.affine_schemes_descend())
+        Ok(map.equivariant_maps_descend())
     }
 
     /// Returns the start as a momentum.

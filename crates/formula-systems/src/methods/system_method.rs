@@ -140,7 +140,7 @@ impl SystemMethod {
     }
 
     /// Returns whether the steps descend to 𝔤∗: false for a collective method by a Clebsch map whose
-    /// [`affine_schemes_descend`](momentum_map::PoissonMap::affine_schemes_descend) is false. Its steps are not Poisson
+    /// [`equivariant_maps_descend`](momentum_map::PoissonMap::equivariant_maps_descend) is false. Its steps are not Poisson
     /// maps, and Casimirs are conserved to the order of the scheme alone.
     ///
     /// # Errors

@@ -141,14 +141,14 @@ impl Registers {
         workspace: &mut K::Workspace,
         failed: &mut dyn FnMut(usize, IntegrationError),
     ) {
-        let task = Advance { kernel, members, step, steps, workspace, failed };
+        let task = KernelAdvance { kernel, members, step, steps, workspace, failed };
         // The constructors have tested the processor for these instructions, so that there is no error.
         dispatch(task, self.instructions, self.width).unwrap_or_default();
     }
 }
 
 /// The task to advance all members on the lanes that [`dispatch`] selects.
-struct Advance<'a, K: LaneKernel> {
+struct KernelAdvance<'a, K: LaneKernel> {
     kernel: &'a K,
     members: &'a mut [K::Member],
     step: f64,
@@ -157,7 +157,7 @@ struct Advance<'a, K: LaneKernel> {
     failed: &'a mut dyn FnMut(usize, IntegrationError),
 }
 
-impl<K: LaneKernel> LaneTask for Advance<'_, K> {
+impl<K: LaneKernel> LaneTask for KernelAdvance<'_, K> {
     type Output = ();
 
     #[inline(always)]

@@ -62,7 +62,7 @@ pub struct Collective<S, M, H> {
 impl<S: Equivariant, M: PoissonMap, H> Collective<S, M, H> {
     /// Creates an integrator from a scheme that commutes with affine maps, as its bound [`Equivariant`] states.
     ///
-    /// Its steps descend to 𝔤∗ if the map allows it: see [`PoissonMap::affine_schemes_descend`]. This is so for most maps.
+    /// Its steps descend to 𝔤∗ if the map allows it: see [`PoissonMap::equivariant_maps_descend`]. This is so for most maps.
     /// For others, such as a `ClebschMap` of a representation that lacks its odd powers, the integrator is that of
     /// [`that_does_not_descend`](Self::that_does_not_descend): the Casimirs are conserved to the order of the scheme, the
     /// image of a step depends on z, and z is never moved along its fibre. [`descends`](Self::descends) tells.
@@ -70,7 +70,7 @@ impl<S: Equivariant, M: PoissonMap, H> Collective<S, M, H> {
     where
         H: Hamiltonian<M::Target>,
     {
-        let descends = map.affine_schemes_descend();
+        let descends = map.equivariant_maps_descend();
         Self { scheme, system: CollectiveHamiltonian::new(map, hamiltonian), descends }
     }
 }
@@ -132,7 +132,7 @@ impl<S, M, H> Collective<S, M, H> {
     /// Returns whether the integrator moves z along its fibre, because M(Φ(z)) depends on M(z) alone.
     ///
     /// It is true for an [`Equivariant`] scheme and a map whose
-    /// [`affine_schemes_descend`](PoissonMap::affine_schemes_descend) is true.
+    /// [`equivariant_maps_descend`](PoissonMap::equivariant_maps_descend) is true.
     pub const fn descends(&self) -> bool {
         self.descends
     }

@@ -126,7 +126,7 @@ impl<S: Equivariant, M: Multipliers, H> LiftFree<S, M, H> {
     #[cfg_attr(not(debug_assertions), inline(always))]
     pub(crate) fn increment_by<T: Real>(
         &self,
-        motion: &Motion<M, T>,
+        motion: &MultiplierMotion<M, T>,
         e: &Point<M::Space, T>,
     ) -> Increment<Point<M::Space, T>> {
         let rest = self.multipliers.coadjoint_change::<T>(&motion.multiplier, e);
@@ -172,7 +172,7 @@ impl<S: Equivariant, M: Multipliers, H> LiftFree<S, M, H> {
             &Multiplier<M, T>,
             &mut S::Workspace<Multiplier<M, T>>,
         ) -> Result<Step<Multiplier<M, T>>, StepError>,
-    ) -> Result<Motion<M, T>, StepError>
+    ) -> Result<MultiplierMotion<M, T>, StepError>
     where
         H: Hamiltonian<M::Space, T>,
     {
@@ -203,7 +203,7 @@ impl<S: Equivariant, M: Multipliers, H> LiftFree<S, M, H> {
             let moved = self.multipliers.product::<T>(&multiplier, &moved);
             *course = Some(Course { end: *mu + change, moved, steps: steps + 1 });
         }
-        Ok(Motion { multiplier, change, iterations })
+        Ok(MultiplierMotion { multiplier, change, iterations })
     }
 }
 
@@ -214,7 +214,7 @@ type CourseOf<M, T> = Course<Point<<M as Multipliers>::Space, T>, Multiplier<M, 
 pub type WithMultiplier<S, M, T> = Result<(S, Multiplier<M, T>), StepError>;
 
 /// The motion of μ in a step.
-pub(crate) struct Motion<M: Multipliers, T: Real> {
+pub(crate) struct MultiplierMotion<M: Multipliers, T: Real> {
     /// The multiplier Q₁ at the end of the step.
     pub(crate) multiplier: Multiplier<M, T>,
     /// The change of μ under the motion by Q₁.
@@ -222,7 +222,7 @@ pub(crate) struct Motion<M: Multipliers, T: Real> {
     pub(crate) iterations: usize,
 }
 
-impl<M: Multipliers, T: Real> Motion<M, T> {
+impl<M: Multipliers, T: Real> MultiplierMotion<M, T> {
     /// Returns the end of the step, with the multiplier.
     #[cfg_attr(not(debug_assertions), inline(always))]
     pub(crate) fn end(

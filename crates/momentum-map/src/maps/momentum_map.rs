@@ -94,7 +94,7 @@ impl<A: GroupAction> PoissonMap for MomentumMap<A> {
     /// powers.
     ///
     /// It takes about n³ products of matrices for a group of dimension n. See [`odd_power_defect_of`].
-    fn affine_schemes_descend(&self) -> bool {
+    fn equivariant_maps_descend(&self) -> bool {
         let n = <Generator<A> as Vector>::DIM;
         let matrices: Option<Vec<_>> = (0..n).map(|i| affine_matrix(&self.0, i)).collect();
         matrices.is_some_and(|matrices| odd_power_defect_of(matrices) <= ODD_POWER_TOLERANCE)

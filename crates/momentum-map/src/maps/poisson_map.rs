@@ -24,10 +24,10 @@ pub type TargetDifferential<M, T = f64> = Differential<<M as PoissonMap>::Target
 /// X_(h∘M)(z) = generator(dh(M(z)), z)
 /// ```
 ///
-/// A scheme that commutes with affine maps descends to Q if the symmetry along the fibres of M acts
-/// affinely, or if the action is linear and the matrices of the algebra contain their odd powers. The method
-/// [`affine_schemes_descend`](Self::affine_schemes_descend) tells. The scheme conserves Casimirs whose pull-backs
-/// are functions of quadratic invariants.
+/// An approximation of the collective flow that commutes with affine maps descends to Q if the symmetry along the fibres
+/// of M acts affinely, or if the action is linear and the matrices of the algebra contain their odd powers. The method
+/// [`equivariant_maps_descend`](Self::equivariant_maps_descend) tells. If it is symplectic, it conserves Casimirs whose
+/// pull-backs are functions of quadratic invariants.
 ///
 /// If M is the momentum map of an action, `generator` is the infinitesimal generator ξ_P(z). If it is
 /// implemented by hand, collective dynamics needs no Jacobian.
@@ -75,10 +75,10 @@ pub trait PoissonMap: Clone {
         self.source().hamiltonian_vector::<T>(z, &self.pull_back::<T>(alpha, z))
     }
 
-    /// Returns whether the collective steps of a symplectic Runge–Kutta method, or of another scheme that commutes with
-    /// affine maps, descend to Q: whether M(Φ(z)) depends on M(z) alone.
+    /// Returns whether affinely equivariant approximations Φ of collective flows, such as those of symplectic Runge–Kutta
+    /// methods, descend to Q: whether M(Φ(z)) depends on M(z) alone.
     ///
-    /// Collective integrators move z along its fibre only if it is true. The default is true. Implement it for a map of
+    /// Only then may z be moved along its fibre between such maps. The default is true. Implement it for a map of
     /// your own whose fibres have no affine symmetry. The maps of this crate compute it from the matrices of their
     /// action, or ask the maps that they consist of.
     ///
@@ -87,7 +87,7 @@ pub trait PoissonMap: Clone {
     /// ```
     /// use lie_poisson::{InfinitesimalAdjoint, So3, StructureConstants};
     /// use momentum_map::{PoissonMap, Side, clebsch_map};
-    /// assert!(clebsch_map(InfinitesimalAdjoint(So3), Side::Left).affine_schemes_descend());
+    /// assert!(clebsch_map(InfinitesimalAdjoint(So3), Side::Left).equivariant_maps_descend());
     /// // [e₀, e₂] = e₀, [e₁, e₂] = 2e₁
     /// let rates = StructureConstants::<3>::new(|i, j, k| match (i, j, k) {
     ///     (0, 2, 0) => 1.0,
@@ -96,19 +96,19 @@ pub trait PoissonMap: Clone {
     ///     (2, 1, 1) => -2.0,
     ///     _ => 0.0,
     /// })?;
-    /// assert!(!clebsch_map(InfinitesimalAdjoint(rates), Side::Left).affine_schemes_descend());
+    /// assert!(!clebsch_map(InfinitesimalAdjoint(rates), Side::Left).equivariant_maps_descend());
     /// # Ok::<(), lie_poisson::StructureError>(())
     /// ```
-    fn affine_schemes_descend(&self) -> bool {
+    fn equivariant_maps_descend(&self) -> bool {
         true
     }
 
     /// Returns a displacement along the fibre that keeps z from running away: M(z + gauge(z)) = M(z).
     ///
     /// Under collective dynamics z may drift along its fibre. The drift is invisible in M(z), but costs
-    /// digits. Collective integrators replace z by z + gauge(z) as they proceed. The gauge should be 0 at
-    /// most points, since integrators extrapolate from the points before, and its addition should be free of
-    /// rounding errors if possible. The default is 0.
+    /// digits. Collective integrators replace z by z + gauge(z). The gauge should be 0 at most points, so that
+    /// neighbouring points of a motion stay neighbours, and its addition should be free of rounding errors if
+    /// possible. The default is 0.
     #[inline]
     fn gauge<T: Real>(&self, _z: &SourcePoint<Self, T>) -> SourcePoint<Self, T> {
         Vector::zero()
@@ -205,8 +205,8 @@ where
     }
 
     /// Returns whether they descend along both maps.
-    fn affine_schemes_descend(&self) -> bool {
-        self.inner.affine_schemes_descend() && self.outer.affine_schemes_descend()
+    fn equivariant_maps_descend(&self) -> bool {
+        self.inner.equivariant_maps_descend() && self.outer.equivariant_maps_descend()
     }
 
     #[inline]

@@ -96,7 +96,7 @@ impl<R: SymplecticRepresentation> PoissonMap for QuadraticMomentumMap<R> {
     }
 
     /// Returns the value of [`SymplecticRepresentation::odd_powers_belong`].
-    fn affine_schemes_descend(&self) -> bool {
+    fn equivariant_maps_descend(&self) -> bool {
         self.representation.odd_powers_belong()
     }
 }

@@ -161,8 +161,8 @@ impl<M: PoissonMap, F: Fibres<M>> PoissonMap for Realisation<M, F> {
         self.map.generator::<T>(alpha, z)
     }
 
-    fn affine_schemes_descend(&self) -> bool {
-        self.map.affine_schemes_descend()
+    fn equivariant_maps_descend(&self) -> bool {
+        self.map.equivariant_maps_descend()
     }
 
     #[inline]

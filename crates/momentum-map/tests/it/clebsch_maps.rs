@@ -65,7 +65,7 @@ impl GroupAction for Curved {
 
 /// Maps say whether schemes that commute with affine maps descend, and wrappers ask what they wrap.
 #[test]
-fn maps_know_whether_affine_schemes_descend() {
+fn maps_know_whether_equivariant_maps_descend() {
     let rates = StructureConstants::<3>::new(|i, j, k| match (i, j, k) {
         (0, 2, 0) => 1.0,
         (2, 0, 0) => -1.0,
@@ -75,33 +75,37 @@ fn maps_know_whether_affine_schemes_descend() {
     });
     let lacks = clebsch_realisation(InfinitesimalAdjoint(rates.unwrap()), Side::Left).unwrap();
     let has = clebsch_realisation(InfinitesimalAdjoint(So3), Side::Left).unwrap();
-    assert!(has.affine_schemes_descend() && has.map().affine_schemes_descend());
-    assert!(!lacks.affine_schemes_descend() && !lacks.map().affine_schemes_descend());
-    assert!(PowerMap::<_, 2>(has.clone()).affine_schemes_descend());
-    assert!(!PowerMap::<_, 2>(lacks.clone()).affine_schemes_descend());
-    assert!(ProductMap(has.clone(), HOPF).affine_schemes_descend());
-    assert!(!ProductMap(has.clone(), lacks.clone()).affine_schemes_descend());
+    assert!(has.equivariant_maps_descend() && has.map().equivariant_maps_descend());
+    assert!(!lacks.equivariant_maps_descend() && !lacks.map().equivariant_maps_descend());
+    assert!(PowerMap::<_, 2>(has.clone()).equivariant_maps_descend());
+    assert!(!PowerMap::<_, 2>(lacks.clone()).equivariant_maps_descend());
+    assert!(ProductMap(has.clone(), HOPF).equivariant_maps_descend());
+    assert!(!ProductMap(has.clone(), lacks.clone()).equivariant_maps_descend());
     let product = ProductAlgebraMap::new(has.clone(), lacks.clone()).unwrap();
-    assert!(!product.affine_schemes_descend());
+    assert!(!product.equivariant_maps_descend());
     let product = ProductAlgebraMap::new(has.clone(), has.clone()).unwrap();
-    assert!(product.affine_schemes_descend());
+    assert!(product.equivariant_maps_descend());
     let same = |inner: ClebschRealisation<InfinitesimalAdjoint<StructureConstants<3>>>| {
-        ComposedMap { outer: Identity(inner.target()), inner }.affine_schemes_descend()
+        ComposedMap { outer: Identity(inner.target()), inner }.equivariant_maps_descend()
     };
     assert!(!same(lacks.clone()));
-    assert!(ComposedMap { outer: Identity(has.target()), inner: has }.affine_schemes_descend());
+    assert!(ComposedMap { outer: Identity(has.target()), inner: has }.equivariant_maps_descend());
     // Quadratic maps: of one representation twice, and of two that scale their cubes differently.
-    let quadratic = |r| QuadraticMomentumMap::new(r, Side::Left).affine_schemes_descend();
+    let quadratic = |r| QuadraticMomentumMap::new(r, Side::Left).equivariant_maps_descend();
     assert!(quadratic(Sum(SL2OnR2, SL2OnR2)));
     let adjoint = CotangentRepresentation(InfinitesimalAdjoint(Sl2));
-    assert!(!QuadraticMomentumMap::new(Sum(SL2OnR2, adjoint), Side::Left).affine_schemes_descend());
+    assert!(
+        !QuadraticMomentumMap::new(Sum(SL2OnR2, adjoint), Side::Left).equivariant_maps_descend()
+    );
     // Momentum maps of actions: affine ones, with and without their odd powers, and one that is not affine.
-    assert!(PARTICLE.affine_schemes_descend());
-    assert!(MomentumMap(Opposite(LinearAction(Adjoint(SE3::default())))).affine_schemes_descend());
-    assert!(!MomentumMap(LinearAction(Adjoint(UnitaryGroup::<3>))).affine_schemes_descend());
+    assert!(PARTICLE.equivariant_maps_descend());
+    assert!(
+        MomentumMap(Opposite(LinearAction(Adjoint(SE3::default())))).equivariant_maps_descend()
+    );
+    assert!(!MomentumMap(LinearAction(Adjoint(UnitaryGroup::<3>))).equivariant_maps_descend());
     // The unit of time of a generator that is not affine does not matter.
     for rate in [1e-200, 1e-14, 1.0, 1e14, 1e200] {
-        assert!(!MomentumMap(Curved(rate)).affine_schemes_descend(), "{rate:e}");
+        assert!(!MomentumMap(Curved(rate)).equivariant_maps_descend(), "{rate:e}");
     }
 }
 

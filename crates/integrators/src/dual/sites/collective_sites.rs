@@ -62,7 +62,7 @@ impl<S: Equivariant, M: PoissonMap, H> CollectiveSites<S, M, H> {
     ///
     /// Its steps descend to (𝔤∗)ᴺ if the map allows it: see [`Collective::new`](crate::Collective::new).
     pub fn new(scheme: S, map: M, hamiltonian: H) -> Self {
-        let descends = map.affine_schemes_descend();
+        let descends = map.equivariant_maps_descend();
         Self { scheme, map, hamiltonian, descends }
     }
 }

@@ -86,12 +86,12 @@ pub struct LiftFreeSitesSpace<W, Q, E> {
     scheme: W,
     velocities: RefCell<(Covector<Sites<E>>, Sites<E>)>,
     one: Sites<Q>,
-    course: Course<Q, E>,
+    course: SitesCourse<Q, E>,
 }
 
 /// The record of successive steps, in whose coordinates the stages of all steps are one curve.
 #[derive(Debug)]
-struct Course<Q, E> {
+struct SitesCourse<Q, E> {
     /// The momenta where the last step ended.
     end: Covector<Sites<E>>,
     /// The multipliers A_i of all the steps together, and their inverses.
@@ -233,7 +233,7 @@ where
             scheme: self.scheme.workspace(),
             velocities: RefCell::new((State::zeros_of(&0), State::zeros_of(&0))),
             one: none(),
-            course: Course { end: State::zeros_of(&0), moved: none(), back: none(), steps: 0 },
+            course: SitesCourse { end: State::zeros_of(&0), moved: none(), back: none(), steps: 0 },
         }
     }
 

@@ -53,8 +53,8 @@ where
         Power::from_factors(|n| self.0.generator::<T>(&alpha.0[n], &z.0[n]))
     }
 
-    fn affine_schemes_descend(&self) -> bool {
-        self.0.affine_schemes_descend()
+    fn equivariant_maps_descend(&self) -> bool {
+        self.0.equivariant_maps_descend()
     }
 
     #[inline]

@@ -117,8 +117,8 @@ where
         Pair(first.generator::<T>(&alpha.0, &z.0), second.generator::<T>(&alpha.1, &z.1))
     }
 
-    fn affine_schemes_descend(&self) -> bool {
-        self.factors.affine_schemes_descend()
+    fn equivariant_maps_descend(&self) -> bool {
+        self.factors.equivariant_maps_descend()
     }
 
     #[inline]

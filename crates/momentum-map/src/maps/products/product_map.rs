@@ -54,8 +54,8 @@ impl<M: PoissonMap, N: PoissonMap> PoissonMap for ProductMap<M, N> {
         Pair(self.0.generator::<T>(&first, &z.0), self.1.generator::<T>(&second, &z.1))
     }
 
-    fn affine_schemes_descend(&self) -> bool {
-        self.0.affine_schemes_descend() && self.1.affine_schemes_descend()
+    fn equivariant_maps_descend(&self) -> bool {
+        self.0.equivariant_maps_descend() && self.1.equivariant_maps_descend()
     }
 
     #[inline]
