@@ -21,4 +21,4 @@ mod corpus;
 mod targets;
 
 pub use corpus::{cases, line};
-pub use targets::{Target, run, targets};
+pub use targets::{Target, goes_on, method_of_case, names_of_methods, run, targets};

@@ -1,7 +1,8 @@
 //! The corpora of the fuzzer: each case ends as its target says.
 #![allow(clippy::unwrap_used)]
 
-use fuzz_targets::{cases, line, targets};
+use fuzz_targets::{cases, goes_on, line, method_of_case, names_of_methods, targets};
+use std::collections::BTreeSet;
 use std::panic::{AssertUnwindSafe, catch_unwind};
 use std::path::Path;
 
@@ -34,4 +35,28 @@ fn a_law_that_does_not_hold_is_seen_to_be_broken() {
     let broken = broken(|case| assert!(case.len() <= 60), &cases);
     let long = cases.iter().filter(|case| case.len() > 60).count();
     assert!(broken.len() == long && (1..cases.len()).contains(&long), "{long}");
+}
+
+/// Not all checkpoints are refused: the laws of the runs that follow them are tested, too.
+#[test]
+fn some_checkpoints_are_accepted() {
+    let (accepted, refused): (Vec<_>, Vec<_>) =
+        corpus("checkpoint").into_iter().partition(|case| goes_on(case));
+    assert!(accepted.len() >= 10 && refused.len() >= 10, "{} {}", accepted.len(), refused.len());
+    // Control: the same files with another checksum go nowhere.
+    for case in &accepted {
+        assert!(!goes_on(&[&[0], &case[..]].concat()), "{}", line(case));
+    }
+}
+
+/// Every method has a case in which it makes steps, and in which its Casimirs are checked if it should conserve them.
+#[test]
+fn every_method_is_reached() {
+    let reached: BTreeSet<String> =
+        corpus("one_step").iter().filter_map(|case| method_of_case(case)).collect();
+    let names = BTreeSet::from_iter(names_of_methods());
+    let missing: Vec<_> = names.difference(&reached).collect();
+    assert!(missing.is_empty(), "{missing:#?}");
+    // Controls: there are as many as the documentation says, and a case without a top reaches none.
+    assert_eq!((names.len(), method_of_case(b"")), (131, None));
 }

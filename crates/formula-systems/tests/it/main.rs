@@ -2,7 +2,9 @@
 #![allow(clippy::unwrap_used, clippy::panic)]
 
 mod algebras_of_systems;
+mod laws_of_systems;
 mod methods_by_name;
 mod schemes;
 mod sections_of_systems;
 mod support;
+mod wrong_results;

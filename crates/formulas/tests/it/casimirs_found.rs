@@ -197,3 +197,21 @@ fn as_many_names_as_dimensions() {
     let error = find_casimirs(&So3, &mu(4)).unwrap_err();
     assert_eq!(error, CasimirError::WrongDimension { names: 4, dimension: 3 });
 }
+
+/// In 17 dimensions there are 4845 monomials of degree 4, more than are searched, and 969 of degree 3.
+///
+/// With [a, x] = x, [a, y] = 2y and a centre, y/x² is a Casimir that is no polynomial, so that the search would go on.
+#[test]
+fn the_number_of_monomials_has_a_bound() {
+    let entry = |j, value| StructureEntry { i: 0, j, k: j, value };
+    let names: Vec<String> = (0..17).map(|i| format!("x{i}")).collect();
+    let table = structure_constants::<17>(&[entry(1, 1.0), entry(2, 2.0)]).unwrap();
+    let coordinates = Coordinates::scalars(names.iter().map(String::as_str)).unwrap();
+    let casimirs = find_casimirs(&table, &coordinates).unwrap();
+    assert_eq!((casimirs.formulas().len(), casimirs.missing(), casimirs.degree()), (14, 1, 3));
+    // Control: with 16 dimensions and 3876 monomials degree 4 is searched.
+    let table = structure_constants::<16>(&[entry(1, 1.0), entry(2, 2.0)]).unwrap();
+    let coordinates = Coordinates::scalars(names[..16].iter().map(String::as_str)).unwrap();
+    let casimirs = find_casimirs(&table, &coordinates).unwrap();
+    assert_eq!((casimirs.formulas().len(), casimirs.missing(), casimirs.degree()), (13, 1, 4));
+}

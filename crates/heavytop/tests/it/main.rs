@@ -11,6 +11,7 @@ mod gauss_batches;
 mod instruction_sets;
 mod jacobi_elliptic;
 mod lagrange_nutation;
+mod laws;
 mod midpoint_kernel;
 mod names_and_kinds;
 mod poincare;

@@ -77,3 +77,25 @@ impl StageRows {
         self.small.resize(dimension, StageRow::ZERO);
     }
 }
+
+#[cfg(test)]
+#[allow(clippy::unwrap_used)]
+mod tests {
+    use super::*;
+    use crate::RungeKutta;
+
+    #[test]
+    fn columns_have_the_low_parts_of_the_coefficients() {
+        let gauss = RungeKutta::gauss(3).unwrap();
+        let columns = StageColumns::new(gauss.tableau()).unwrap();
+        let low = columns.low.unwrap();
+        for (i, j) in (0..3).flat_map(|i| (0..3).map(move |j| (i, j))) {
+            assert_eq!(columns.whole[j].0[i], gauss.tableau().row(i)[j]);
+            assert_eq!(low[j].0[i], gauss.tableau().row_low(i)[j]);
+        }
+        assert!(low.iter().any(|row| row.0.iter().any(|x| *x != 0.0)));
+        // Control: a method whose coefficients are exact.
+        let exact = Tableau::new(&[0.25, 0.0, 0.5, 0.25], &[0.5, 0.5]).unwrap();
+        assert_eq!(StageColumns::new(&exact).unwrap().low, None);
+    }
+}

@@ -345,3 +345,39 @@ impl Scheme for RungeKutta {
         self.tableau.is_symplectic()
     }
 }
+
+#[cfg(test)]
+#[allow(clippy::unwrap_used)]
+mod tests {
+    use super::*;
+    use crate::from_fn;
+    use nalgebra::Vector2;
+
+    /// The low parts of the coefficients, which are below the round-off of a step, enter once the stages are close: the sums
+    /// with them are those of the solution, to half of its digits.
+    #[test]
+    fn low_parts_of_the_coefficients_enter_the_stages() {
+        let pendulum = from_fn(|z: &Vector2<f64>| Vector2::new(z.y, -z.x.sin()));
+        let z = Vector2::new(1.0, 0.4);
+        for stages in [2, 3, 5] {
+            let gauss = RungeKutta::gauss(stages).unwrap();
+            let mut space = gauss.workspace::<Vector2<f64>>();
+            gauss.stages(&pendulum, &z, 0.5, &mut space).unwrap();
+            for (i, small) in space.small.iter().enumerate() {
+                let terms = gauss.tableau.row_low(i).iter().zip(&space.k);
+                let (sum, size) = terms.fold((Vector2::zeros(), 0.0), |(sum, size), (low, k)| {
+                    (sum + k * *low, size + low.abs() * k.amax())
+                });
+                // The change below which k is close is √ε of the largest; the error is a multiple of it.
+                let near = 64.0 * f64::EPSILON.sqrt() * size;
+                assert!((small - sum).amax() <= near, "{stages}, {i}: {small:?} {sum:?}");
+                assert!(small.amax() > near, "{stages}, {i}");
+            }
+        }
+        // Control: coefficients that are exact have no low parts.
+        let midpoint = RungeKutta::implicit_midpoint();
+        let mut space = midpoint.workspace::<Vector2<f64>>();
+        midpoint.stages(&pendulum, &z, 0.5, &mut space).unwrap();
+        assert_eq!(space.small, [Vector2::zeros()]);
+    }
+}

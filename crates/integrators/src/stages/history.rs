@@ -290,3 +290,25 @@ pub(crate) fn near<V: State>(a: &V, b: &V) -> MaskOf<V> {
         |block| size.at(block) * ROUND_OFF,
     )
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::StepError;
+
+    /// The iterations of both attempts count, whatever becomes of the second.
+    #[test]
+    fn a_second_attempt_adds_its_iterations() {
+        let failed = |converged, iterations| Unconverged {
+            converged,
+            iterations,
+            error: StepError::NotConverged { residual: 1.0, required: 0.0, iterations },
+        };
+        let first = failed(false, 30);
+        assert_eq!(retried(&first, true, Ok(5)).ok(), Some(35));
+        let count = |guessed, second| retried(&first, guessed, second).err().map(|e| e.iterations);
+        assert_eq!(count(true, Err(failed(false, 7))), Some(37));
+        // The first attempt was not misled by a prediction, and its failure stays.
+        assert_eq!(count(false, Ok(5)), Some(35));
+    }
+}

@@ -209,6 +209,19 @@ fn casimirs_are_invariants_of_collective_integrators() {
     assert!(report.residual("invariants").unwrap().is_nan());
 }
 
+/// In any unit u, the function 3x − y has the value u at (u, 2u), and changes by 3u and −2u when a coordinate is doubled.
+#[test]
+fn residuals_of_invariants_are_relative_to_the_largest_change() {
+    for unit in [2.0_f64.powi(-20), 1.0, 2.0_f64.powi(20)] {
+        let drift = from_fn(|_: &Vector2<f64>| Vector2::new(unit, 0.0));
+        let direct = Direct::new(RungeKutta::explicit_midpoint(), drift);
+        let start = [Vector2::new(unit, 2.0 * unit)];
+        let report = laws::invariants(&direct, &start, 1.0 / 128.0, &[&|z| 3.0 * z.x - z.y]);
+        // 100 steps change it by 300/128 units, without rounding.
+        assert_eq!(report.unwrap().residual("invariants"), Some(100.0 / 128.0), "{unit:e}");
+    }
+}
+
 /// An oscillator that counts how often it is asked for its field.
 struct Counted<'a>(&'a AtomicUsize);
 

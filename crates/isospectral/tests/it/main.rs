@@ -2,6 +2,7 @@
 #![allow(clippy::unwrap_used)]
 
 mod algebra;
+mod blocks_of_matrices;
 mod examples;
 mod isospectral_failures;
 mod matrices;

@@ -113,4 +113,21 @@ mod tests {
         let nothing = PseudoInverse::of(DMatrix::zeros(2, 2));
         assert_eq!((nothing.rank, nothing.condition), (0, 0.0));
     }
+    /// The damping is relative to each row: rows of any lengths give a solution to half of the digits and more, and the
+    /// least one.
+    #[test]
+    fn rows_of_unequal_length_have_their_least_solution() {
+        for unit in [1e-100, 1e-9, 1.0, 1e9, 1e100] {
+            let rows = vec![vec![1.0, 2.0, -1.0], vec![3.0 * unit, 0.0, unit]];
+            let y = [0.7, -1.9 * unit];
+            let (x, regular) = least_solution(rows.clone(), y.to_vec());
+            let (product, kernel) =
+                (|v: &[f64]| v.iter().zip(&x).map(|(a, b)| a * b).sum::<f64>(), [2.0, -4.0, -6.0]);
+            for (row, y) in rows.iter().zip(y) {
+                // The damping of unit rows, at an angle whose sine is near 1.
+                assert!((product(row) / y - 1.0).abs() < 4.0 * DAMPING, "{unit:e}: {x:?}");
+            }
+            assert!(regular && product(&kernel).abs() < 1e-14, "{unit:e}: {x:?}");
+        }
+    }
 }

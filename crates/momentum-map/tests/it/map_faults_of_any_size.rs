@@ -6,7 +6,7 @@ use crate::support::faulty::{FaultyHopf, FaultyRotations, WrongSide};
 use crate::support::{holds, laws, samples};
 use lie_poisson::*;
 use momentum_map::*;
-use nalgebra::Vector2;
+use nalgebra::{Matrix3, Vector2, Vector3};
 
 /// Sizes of samples, far from 1 on both sides.
 const SIZES: [f64; 3] = [1e-30, 1.0, 1e30];
@@ -43,6 +43,50 @@ fn of_actions() {
             let report = laws::cotangent_lift(&wrong, &scaled(xi), &scaled(size)).unwrap();
             assert_eq!(broken(&report), ["lifted generator"], "{xi:e} {size:e}");
         }
+    }
+}
+
+/// The maps 2R q are no action: 1 doubles q and p, and so p dq is four times as large.
+#[derive(Clone)]
+struct Doubled;
+
+impl GroupAction for Doubled {
+    type Group = SO3;
+    type Space = RealSpace<3>;
+    const SIDE: Side = Side::Left;
+    fn group(&self) -> SO3 {
+        SO3
+    }
+    fn space(&self) -> RealSpace<3> {
+        RealSpace
+    }
+    fn act<T: Real>(&self, g: &Matrix3<T>, q: &Vector3<T>) -> Vector3<T> {
+        g * q * T::from_f64(2.0)
+    }
+}
+
+/// A momentum with the wrong sign is wrong by 2s² at q = s e₁ and p = s e₂, and its unit is (1 + s)²; a generator with the
+/// wrong sign is wrong by 2s, and its unit is 1 + s.
+#[test]
+fn units_of_cotangent_lifts() {
+    for (s, xi) in [(1e-6, 1.0), (1.0, 1e6), (1e6, 1e-6), (3.0, 0.5)] {
+        let (q, p) = (Vector3::x() * s, Covector(Vector3::y() * s));
+        let residual = |wrong, law| {
+            let (xi, points) = ([Vector3::z() * xi], [Cotangent::new(q, p)]);
+            laws::cotangent_lift(&wrong, &xi, &points).unwrap().residual(law).unwrap()
+        };
+        let part = s / (1.0 + s);
+        let ratio = residual(FaultyRotations::Momentum, "momentum") / (2.0 * part * part);
+        // Some ten roundings.
+        assert!((ratio - 1.0).abs() < 1e-14, "{s:e} {xi:e}: {ratio}");
+        let ratio = residual(FaultyRotations::Lift, "lifted generator") / (2.0 * part);
+        assert!((ratio - 1.0).abs() < 1e-14, "{s:e} {xi:e}: {ratio}");
+        // The fault of 1, which is 3s, is relative to the doubled p, or to 1 if that is larger, and to the doubled dq.
+        let points = [Cotangent::new(q, p)];
+        let report = laws::cotangent_lift(&Doubled, &[Vector3::zeros()], &points).unwrap();
+        let expected = 3.0 * s / ((2.0 * s).max(1.0) * 2.0);
+        let ratio = report.residual("canonical form").unwrap() / expected;
+        assert!((ratio - 1.0).abs() < 1e-14, "{s:e}: {ratio}");
     }
 }
 

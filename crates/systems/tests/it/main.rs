@@ -1,6 +1,7 @@
 //! The promises of the crate: the equations of the literature, and what a collective Gauss method conserves.
 #![allow(clippy::unwrap_used, clippy::panic)]
 
+mod beyond_switches;
 mod drifts;
 mod fluid_on_sphere;
 mod generalised_rigid_body;

@@ -1,9 +1,10 @@
 //! Constructors: parameters are refused, or what is made of them obeys its laws.
 
+use super::conservation::{LARGEST_TURN, SAFE, largest_turn, lengths_hold, middles, steps_on_se3};
 use crate::input::Input;
 use collective_integrators::{
     AlternatingSubsteps, Direct, HamiltonianField, LiftFree, PartitionedRungeKutta, RungeKutta,
-    Start, Substeps, Tableau,
+    SphericalMidpoint, Start, Substeps, Tableau,
 };
 use collective_integrators::{Direction, FirstHalf, Integrator};
 use heavytop::{
@@ -13,19 +14,16 @@ use heavytop::{
 use isospectral_flows::{
     ExponentialMidpoint, GaussMagnus, IsospectralField, IsospectralRungeKutta, LargeSkewHermitian,
 };
-use lie_poisson::{Covector, LiePoisson, Pair, Se3, Se3Dual, State, StructureConstants, Vector};
+use lie_poisson::{
+    Covector, Hamiltonian, LiePoisson, Pair, Power, Se3, Se3Dual, State, StructureConstants,
+    Vector, larger,
+};
 use lie_poisson_systems::{
     GeneralisedRigidBody, Gyrostat, HeisenbergLattice, KidaVortex, Kirchhoff, LatticeMidpoint,
     ManyVortices, MovableBaseAlgebra, MovableBaseTop, PointVortices, So21, Zeitlin,
 };
-use momentum_map::{DualQuaternions, PowerMultipliers, Quaternions};
+use momentum_map::{PowerMultipliers, Quaternions};
 use nalgebra::{Matrix3, Vector3};
-
-/// The angle, rad, of a step of some matrix above which the rounding errors of its increments are not those of the matrix.
-const LARGEST_TURN: f64 = 1e3;
-
-/// The sizes between which no square overflows or loses digits.
-const SAFE: core::ops::Range<f64> = 1e-140..1e140;
 
 pub(crate) fn run(case: &[u8]) {
     let input = &mut Input::new(case);
@@ -204,8 +202,7 @@ fn gyrostat(input: &mut Input<'_>) {
         return;
     };
     let start = Se3Dual::new(input.vector(), input.vector());
-    let midpoint = LiftFree::new(RungeKutta::implicit_midpoint(), DualQuaternions, gyrostat);
-    steps(&midpoint, &start, input.number());
+    steps_on_se3(&gyrostat, &start, input.number());
 }
 
 fn kirchhoff(input: &mut Input<'_>) {
@@ -226,19 +223,29 @@ fn kirchhoff(input: &mut Input<'_>) {
     let definite = if input.choice(2) == 0 { Matrix3::identity() } else { Matrix3::zeros() };
     let Ok(body) = Kirchhoff::new(a * a + definite, b, c * c + definite) else { return };
     let start = Se3Dual::new(input.vector(), input.vector());
-    let midpoint = LiftFree::new(RungeKutta::implicit_midpoint(), DualQuaternions, body);
-    steps(&midpoint, &start, input.number());
+    steps_on_se3(&body, &start, input.number());
 }
 
 fn vortices(input: &mut Input<'_>) {
     let Ok(vortices) = PointVortices::<3>::new(input.numbers()) else { return };
     let start = vortices.momentum(&[(); 3].map(|()| input.direction()));
     let multipliers = PowerMultipliers::<_, 3>(Quaternions);
-    steps(
-        &LiftFree::new(RungeKutta::implicit_midpoint(), multipliers, vortices),
-        &start,
-        input.number(),
-    );
+    let midpoint = LiftFree::new(RungeKutta::implicit_midpoint(), multipliers, vortices);
+    let step = input.number();
+    let rate = |m: &[Vector3<f64>]| {
+        let [a, b, c] = m else { return f64::NAN };
+        let dh: Power<Vector3<f64>, 3> = vortices.differential(&Covector(Power([*a, *b, *c])));
+        dh.0.iter().map(|dh| dh.amax()).fold(0.0, larger)
+    };
+    let Ok(run) = midpoint.trajectory(&start, step) else { return };
+    let mut before = start.0.0;
+    for sample in run.take(3).skip(1) {
+        let Ok(sample) = sample else { return };
+        let after = sample.momentum.0.0;
+        let rates = [&before[..], &after, &middles(&before, &after)].map(rate);
+        lengths_hold(&before, &after, rates.into_iter().fold(0.0, larger) * step.abs());
+        before = after;
+    }
 }
 
 fn many_vortices(input: &mut Input<'_>) {
@@ -248,9 +255,10 @@ fn many_vortices(input: &mut Input<'_>) {
     };
     let positions: Vec<Vector3<f64>> = (0..input.choice(5)).map(|_| input.direction()).collect();
     let Ok(start) = vortices.momentum(positions) else { return };
-    let spherical = collective_integrators::SphericalMidpoint::new(vortices);
-    let Ok(sample) = spherical.after(&start, input.number(), 1) else { return };
-    assert!(sample.momentum.0.iter().all(|m| m.amax().is_finite()), "{:?}", sample.momentum);
+    let (spherical, step) = (SphericalMidpoint::new(vortices.clone()), input.number());
+    let Ok(sample) = spherical.after(&start, step, 1) else { return };
+    let ends = [&start.0[..], &sample.momentum.0];
+    lengths_hold(ends[0], ends[1], largest_turn(&vortices, ends, step));
 }
 
 fn kida_vortex(input: &mut Input<'_>) {
@@ -288,8 +296,9 @@ fn lattice(input: &mut Input<'_>) {
     }
     let (one, other, step) = (input.vector(), input.vector(), input.number());
     let start = lattice.state(|[i, j, k]| if (i + j + k) % 2 == 0 { one } else { other });
-    let Ok(sample) = LatticeMidpoint::new(lattice).after(&start, step, 1) else { return };
-    assert!(sample.momentum.0.iter().all(|s| s.amax().is_finite()), "{:?}", sample.momentum);
+    let Ok(sample) = LatticeMidpoint::new(lattice.clone()).after(&start, step, 1) else { return };
+    let ends = [&start.0[..], &sample.momentum.0];
+    lengths_hold(ends[0], ends[1], largest_turn(&lattice, ends, step));
 }
 
 /// Asserts that a step fails, or is finite and conserves the norm up to the rounding errors of the step times the generator.

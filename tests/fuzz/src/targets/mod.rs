@@ -2,10 +2,14 @@
 
 mod checkpoint;
 mod configuration;
+mod conservation;
 mod constructors;
 mod formula;
 mod lifts;
 mod one_step;
+
+pub use checkpoint::goes_on;
+pub use one_step::{method_of_case, names_of_methods};
 
 /// A function that must hold for every input.
 #[derive(Clone, Copy, Debug)]

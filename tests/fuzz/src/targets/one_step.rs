@@ -21,13 +21,30 @@ thread_local! {
 }
 
 pub(crate) fn run(case: &[u8]) {
-    METHODS.with(|lists| {
-        let lists = lists.get_or_init(|| [false, true].map(|b| methods(b).unwrap_or_default()));
-        check(&mut Input::new(case), lists);
-    });
+    let _ = method_of_case(case);
 }
 
-fn check(input: &mut Input<'_>, lists: &[Vec<Method>; 2]) {
+/// Calls a function with the methods, and with those for symmetric tops.
+fn with_methods<R>(f: impl FnOnce(&[Vec<Method>; 2]) -> R) -> R {
+    METHODS.with(|lists| {
+        f(lists.get_or_init(|| [false, true].map(|b| methods(b).unwrap_or_default())))
+    })
+}
+
+/// Returns the names of the methods of the target `one_step`.
+#[must_use]
+pub fn names_of_methods() -> Vec<String> {
+    with_methods(|lists| lists.iter().flatten().map(|method| method.name.clone()).collect())
+}
+
+/// Runs the target `one_step`. Returns the name of the method if its steps had a result whose Casimirs were checked, if it
+/// should conserve them.
+#[must_use]
+pub fn method_of_case(case: &[u8]) -> Option<String> {
+    with_methods(|lists| check(&mut Input::new(case), lists))
+}
+
+fn check(input: &mut Input<'_>, lists: &[Vec<Method>; 2]) -> Option<String> {
     let symmetric = input.choice(2) == 1;
     let list = &lists[usize::from(symmetric)];
     let method = &list[input.choice(list.len())];
@@ -43,10 +60,10 @@ fn check(input: &mut Input<'_>, lists: &[Vec<Method>; 2]) {
         body.inertia.y = body.inertia.x;
         body.center_of_mass = Vector3::z();
     }
-    let Ok(top) = HeavyTop::new(&body) else { return };
+    let top = HeavyTop::new(&body).ok()?;
     let start = Se3Dual::new(input.vector(), input.vector());
     let step = input.number();
-    let Some(outcome) = (method.run)(&top, &start, step, steps) else { return };
+    let outcome = (method.run)(&top, &start, step, steps)?;
     let last = outcome.last;
     let said = || format!("{}, {steps} steps of {step:e}: {top:?} {start:?} {last:?}", method.name);
     assert!(
@@ -59,10 +76,14 @@ fn check(input: &mut Input<'_>, lists: &[Vec<Method>; 2]) {
     let kicked = step.abs() * top.weight_moment() * vertical;
     let sizes = [pi(&start).amax().max(pi(&last).amax()).max(kicked), vertical];
     let turn = step.abs() * sizes[0] / top.inertia().min();
-    if method.is_poisson && turn < LARGEST_TURN && sizes.iter().all(|size| SAFE.contains(size)) {
+    if method.is_poisson {
+        if turn >= LARGEST_TURN || !sizes.iter().all(|size| SAFE.contains(size)) {
+            return None;
+        }
         let change = casimir_changes(&start, &last, sizes);
         assert!(change.iter().all(|change| *change < TOLERANCE), "{change:?} {}", said());
     }
+    Some(method.name.clone())
 }
 
 fn pi(Covector(Pair(pi, _)): &Se3Dual) -> Vector3<f64> {
@@ -74,7 +95,11 @@ fn gamma(Covector(Pair(_, gamma)): &Se3Dual) -> Vector3<f64> {
 }
 
 /// Returns the changes of |Γ|² and Π·Γ, relative to the largest of their factors.
-fn casimir_changes(start: &Se3Dual, last: &Se3Dual, [size_pi, size_gamma]: [f64; 2]) -> [f64; 2] {
+pub(super) fn casimir_changes(
+    start: &Se3Dual,
+    last: &Se3Dual,
+    [size_pi, size_gamma]: [f64; 2],
+) -> [f64; 2] {
     let values = |mu: &Se3Dual| {
         let (pi, gamma) = (pi(mu) / size_pi, gamma(mu) / size_gamma);
         [gamma.norm_squared(), pi.dot(&gamma)]
