@@ -27,7 +27,7 @@ fn start(i: u32) -> Se3Dual {
 /// Advances an ensemble, and prints what it changed per step after the `title`.
 fn measure<T: Copy + Send + Sync>(
     title: &str,
-    integrator: impl BatchIntegrator<Member = (T, Se3Dual)> + Sync,
+    integrator: impl BatchIntegrator<Member = (T, Se3Dual)>,
     top: T,
     (step, steps, count): (f64, u32, u32),
 ) -> Result<(), Box<dyn Error>> {
