@@ -105,3 +105,44 @@ fn refined_increments_have_more_digits_than_their_stages() {
         assert!(from_z > 0.2, "{from_z:e}");
     }
 }
+
+/// A step forwards, one backwards and one forwards are one step. They are so far beyond the rounding error of the points
+/// between them, which a composition carries along.
+#[test]
+fn compositions_carry_rounding_errors_from_substep_to_substep() {
+    let (base, step) = (RungeKutta::implicit_midpoint(), 1.0 / 64.0);
+    let there_and_back = Composition::new(base.clone(), Substeps::new(&[1.0, -1.0, 1.0]).unwrap());
+    let numbers: Vec<f64> = mantissas().take(256).collect();
+    let mut largest = [0.0_f64; 2];
+    for numbers in numbers.chunks(4) {
+        let z = Vector2::new(numbers[0], -numbers[1]);
+        let e = Vector2::new(numbers[2] - 0.75, numbers[3] - 0.75) * f64::EPSILON;
+        let (field, mut workspace) = (from_fn(oscillator), base.workspace());
+        let mut increment = |from: (&Vector2<f64>, &Vector2<f64>), step| {
+            base.refined_increment(&field, from, step, &mut workspace).unwrap().point
+        };
+        let once = increment((&z, &e), step);
+        // Control: from the points without their rounding errors.
+        let zero = Vector2::zeros();
+        let back = increment((&(z + once.0), &zero), -step);
+        let again = increment((&(z + once.0 + back.0), &zero), step);
+        let without = once + back + again;
+        let made = there_and_back.refined_increment(
+            &field,
+            (&z, &e),
+            step,
+            &mut there_and_back.workspace(),
+        );
+        for (largest, found) in largest.iter_mut().zip([made.unwrap().point, without]) {
+            for i in 0..2 {
+                let apart =
+                    fixed(found.0[i]) + fixed(found.1[i]) - fixed(once.0[i]) - fixed(once.1[i]);
+                *largest = largest.max(apart.unsigned_abs() as f64 / 110.0_f64.exp2());
+            }
+        }
+    }
+    // In units of the rounding error hε/2 of an increment, as above.
+    let [found, without] = largest.map(|apart| apart / (f64::EPSILON / 128.0));
+    assert!(found < 1e-5, "{found:e}");
+    assert!(without > 0.2, "{without:e}");
+}
