@@ -1,4 +1,5 @@
-//! Measures the drift of |Γ|² in ensembles of symmetric tops, at steps too coarse for the order of the method and at fine ones.
+//! Measures the drift of |Γ|² in ensembles of symmetric tops, at fine steps and at steps too coarse for the order of the
+//! method.
 //!
 //! `cargo run --release -p measurements --bin symmetric_drift -- [steps] [tops]`
 //!

@@ -30,8 +30,8 @@ pub fn sources(folder: &Path) -> io::Result<Sources> {
 
 /// Returns for each file the files that it imports.
 ///
-/// Imports are `use` lines and paths that begin with `crate::` or a module of the file, without tests and documentation. An item that a
-/// `lib.rs` or `mod.rs` re-exports counts as one of the file that defines it.
+/// Imports are `use` lines and paths that begin with `crate::` or a module of the file, without tests and documentation.
+/// An item that a `lib.rs` or `mod.rs` re-exports counts as one of the file that defines it.
 pub fn imports(sources: &Sources) -> BTreeMap<&str, BTreeSet<&str>> {
     let crate_of = Crate::new(sources);
     let of = |(file, text): (&'_ String, &String)| -> BTreeSet<&str> {

@@ -65,7 +65,7 @@ fn instructions_that_the_processor_lacks_are_refused() {
     }
 }
 
-/// The sums over all methods of a formulation, and 20 steps of each, of the bits of the coordinates with portable instructions.
+/// The sums over all methods of a formulation, and 20 steps of each, of the bits of the coordinates.
 ///
 /// They are the same on every processor. A method that is added or changed on purpose changes the sum of its formulation.
 const PORTABLE: [(&str, u64); 4] = [

@@ -108,6 +108,44 @@ fn a_top_that_turns_too_fast_goes_alone() {
     assert_eq!(bits(&states[5..6]), bits(&[(flows, expected)]));
 }
 
+/// Squares of Π beyond the numbers, with and without fused multiply-add: the top goes alone, with the same end or error, and
+/// harms no other.
+#[test]
+fn a_top_whose_square_overflows_goes_alone() {
+    let substeps = AlternatingSubsteps::blanes_moan4();
+    let sphere = HeavyTop::lagrange(1.0, 1.0, 1.0).unwrap();
+    for top in [HeavyTop::kovalevskaya(1.0, 1.0).unwrap(), sphere] {
+        let flows = SymmetricTopSplitting::new(top).unwrap();
+        let alone = Splitting::alternating(flows, substeps.clone());
+        for momentum in [1e150, 1e160, 1e300] {
+            let start = Se3Dual::new(Vector3::z() * momentum, Vector3::x());
+            let mut expected = Ok(start);
+            for _ in 0..3 {
+                expected = expected
+                    .and_then(|z| alone.step(&z, 0.1, &mut Default::default()))
+                    .map(|step| step.point);
+            }
+            for set in InstructionSet::available() {
+                let batch = SymmetricTopBatch::new(substeps.clone());
+                let batch = batch.on(set, Width::TwoRegisters).unwrap();
+                let mut states = members(&[flows]);
+                let mut others = states.clone();
+                states[3].1 = start;
+                let mut failed = Vec::new();
+                batch.advance(&mut states, 0.1, 0..3, &mut (), &mut |i, _| failed.push(i));
+                batch.advance(&mut others, 0.1, 0..3, &mut (), &mut no_failure);
+                match &expected {
+                    Ok(end) => assert_eq!(bits(&states[3..4]), bits(&[(flows, *end)]), "{set}"),
+                    Err(_) => assert_eq!(failed, [3], "{set} {momentum:e}"),
+                }
+                states.remove(3);
+                others.remove(3);
+                assert_eq!(bits(&states), bits(&others), "{set} {momentum:e}");
+            }
+        }
+    }
+}
+
 #[test]
 fn casimirs_of_symmetric_tops_hold_to_round_off() {
     let casimirs = |z: &Se3Dual| [z.0.1.norm_squared(), z.0.0.dot(&z.0.1)];

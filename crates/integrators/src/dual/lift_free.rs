@@ -71,9 +71,14 @@ impl<S: Equivariant, M: Multipliers, H> LiftFree<S, M, H> {
         &self.hamiltonian
     }
 
-    /// Advances by one step, and returns the end with the multiplier Q₁ of the step.
+    /// Advances by one step, and returns the end μ₁ with the multiplier Q₁ of the step:
     ///
-    /// The multiplier is the motion of the group in the step, and therefore the increment of the attitude.
+    /// ```text
+    /// μ₁ = transport(Q₁, μ₀) = μ₀ + coadjoint_change(Q₁, μ₀)
+    /// ```
+    ///
+    /// The multiplier is the motion of the group in the step, and therefore the increment of the attitude. It solves the
+    /// equation of the [type](Self), from Q = 1.
     ///
     /// # Errors
     /// Returns a [`StepError`] if the step has no result.
@@ -96,8 +101,13 @@ impl<S: Equivariant, M: Multipliers, H> LiftFree<S, M, H> {
         motion.end(mu)
     }
 
-    /// Returns the increment of a step from (μ, e) for [`Compensated`] summation, with the multiplier Q₁ of the step.
+    /// Returns the increment of a step from (μ, e) for [`Compensated`] summation, with the multiplier Q₁ of the step:
     ///
+    /// ```text
+    /// (δμ, δe) = (coadjoint_change(Q₁, μ), coadjoint_change(Q₁, e))
+    /// ```
+    ///
+    /// Here e is the part of μ + e that is below the round-off of μ. It moves as μ does. The motion is that of μ alone.
     /// See [`increment`](Increments::increment).
     ///
     /// # Errors

@@ -24,8 +24,9 @@ use rayon::slice::ParallelSliceMut;
 /// the planes of the lattice that the bonds of one plane reach. Rows of spins along x are padded to multiples of 8; the
 /// storage is 72 bytes per spin of these rows, beside the state. The work is divided by planes, or in two
 /// dimensions by rows, among the threads of the current pool. The bits are the same for any number of threads, and for
-/// all processors with fused multiply-add; with [portable instructions](Self::with_instructions) for all processors. A chain along x has a single plane,
-/// and uses one thread; a chain along another direction has rows of one spin, and is slow.
+/// all processors with fused multiply-add; with [portable instructions](Self::with_instructions) for all processors. A
+/// chain along x has a single plane, and uses one thread; a chain along another direction has rows of one spin, and is
+/// slow.
 ///
 /// Spins, J, K and B are numbers without units, as in [`HeisenbergLattice`].
 ///

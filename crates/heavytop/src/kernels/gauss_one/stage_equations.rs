@@ -17,9 +17,9 @@ pub(super) const MOST: usize = 48;
 
 /// A change of at most this multiple of the size is the last one.
 ///
-/// The next change, a tenth of it at the step sizes that these methods are used with, is far below a rounding error. But the
-/// rest has the same sign in every step. With four times this bound, which saves a tenth of the time, each top had a drift of f₁,
-/// f₂ and h of its own, of some 2e-20 per step with eight stages and steps of 1/4.
+/// The next change, a tenth of it at the step sizes that these methods are used with, is far below a rounding error. But
+/// the rest has the same sign in every step. With four times this bound, which saves a tenth of the time, f₁, f₂ and h of a
+/// single top drifted by up to 6e-20 per step, with eight stages and steps of 1/4.
 const FEW_ROUNDINGS: f64 = 0.0625 * f64::EPSILON;
 
 /// A change of at most this multiple of the size is round-off if it is not smaller than the one before it.

@@ -190,8 +190,8 @@ mod tests {
                 let mut drift = DriftPolynomials::new(c, range / (c * c));
                 for n in 0..=128 {
                     let square = range * f64::from(n) / 128.0;
-                    // 6e-19 of the longest polynomials, 6e-20 of the others, and rounding. Near θ² = π²/4 the versine does not
-                    // balance the rounding errors of the sine.
+                    // 6e-19 of the longest polynomials, 6e-20 of the others, and rounding. Near θ² = π²/4, where the
+                    // cosine vanishes, the versine does not balance the rounding errors of the sine.
                     let bound = if square > 1.4 {
                         4e-17
                     } else if range > 1.0 {
