@@ -21,10 +21,11 @@ impl Config {
     /// # Ok::<(), heavytop_cli::Error>(())
     /// ```
     pub fn to_toml(&self) -> Result<String, Error> {
+        // Text would get integers that cannot be read back; a table refuses them.
+        let mut table = Table::try_from(self).map_err(Error::Unwritable)?;
         if self.system.is_none() {
             return toml::to_string(self).map_err(Error::Unwritable);
         }
-        let mut table = Table::try_from(self).map_err(Error::Unwritable)?;
         // `Config::system` makes sure that they have nothing but the values of keys left out.
         for of_tops in ["body", "initial"] {
             table.remove(of_tops);

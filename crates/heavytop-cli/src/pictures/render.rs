@@ -22,3 +22,18 @@ pub(crate) fn render(drawing: &str, scale: f32) -> Result<(String, Vec<u8>), Err
 fn failed(reason: impl ToString) -> Error {
     Error::Figure(reason.to_string())
 }
+
+#[cfg(test)]
+#[allow(clippy::unwrap_used)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn what_is_no_drawing_or_too_large_is_an_error() {
+        let square = "<svg xmlns='http://www.w3.org/2000/svg' width='8' height='8'></svg>";
+        assert!(render(square, 2.0).unwrap().1.starts_with(b"\x89PNG"));
+        for (drawing, scale) in [("<svg", 2.0), (square, 1e9)] {
+            assert!(matches!(render(drawing, scale), Err(Error::Figure(_))));
+        }
+    }
+}

@@ -110,9 +110,6 @@ impl Tiles {
                     return Err(error);
                 }
             }
-            Err(CheckpointError::Read(source)) => {
-                return Err(Error::Tile { path: identity, source });
-            }
             _ if !options.resume => {
                 return Err(Error::Unfinished { path: folder(), resume: RESUME.into() });
             }

@@ -64,7 +64,7 @@ pub(crate) fn interrupted() -> Error {
 /// Adds to an error with a cause outside the run that the run can be resumed.
 pub(crate) fn resumable(failure: Error) -> Error {
     match failure {
-        Error::Write { .. } | Error::Tile { .. } => {
+        Error::Write { .. } | Error::Tile { .. } | Error::MissingTile { .. } => {
             Error::Resumable { resume: RESUME.into(), source: Box::new(failure) }
         }
         other => other,
