@@ -33,4 +33,5 @@ mod system_sections;
 mod system_sweeps;
 mod systems;
 mod tiles;
+mod variants_of_errors;
 mod writing;

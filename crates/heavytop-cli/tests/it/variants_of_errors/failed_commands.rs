@@ -1,0 +1,124 @@
+//! Commands that fail: for their files, their numbers, their threads, or what other runs have left.
+
+use super::refused;
+use crate::program::{Finished, Folder};
+use heavytop_cli::Error;
+use heavytop_cli::commands::animate::animate;
+use heavytop_cli::commands::bench::{Bench, BenchOptions, bench};
+use heavytop_cli::commands::compare::compare;
+use heavytop_cli::commands::simulate::{Checkpoint, SimulateOptions, simulate};
+use heavytop_cli::commands::sweep::sweep;
+use heavytop_cli::configuration::Config;
+use heavytop_cli::files::Output;
+use heavytop_cli::reading::Sources;
+use heavytop_cli::runs::Saved;
+use heavytop_cli::supervision::{TileOptions, Watch};
+use lie_poisson::Se3Dual;
+use nalgebra::Vector3;
+use std::collections::BTreeSet;
+use std::fs;
+use std::process::Command;
+
+pub fn errors() -> BTreeSet<String> {
+    let folder = Folder::new();
+    [of_files(&folder), of_numbers(&folder), of_others(&folder)].into_iter().flatten().collect()
+}
+
+fn config(text: &str) -> Config {
+    toml::from_str(text).unwrap()
+}
+
+fn of_files(folder: &Folder) -> BTreeSet<String> {
+    let watch = Watch::default();
+    let to = |name: &str| {
+        let options = SimulateOptions::default();
+        simulate(&config("integrator.end = 0.1"), &folder.path(name), &options)
+    };
+    folder.write("old", "");
+    [
+        refused("Error::Read", Sources::read(None, Some(&folder.path("missing.toml")), &[])),
+        refused("Error::Checkpoint", Checkpoint::read(&folder.path("missing"))),
+        refused("Error::Format", to("a.txt")),
+        refused("Error::Create", to("missing/a.csv")),
+        refused("Error::NoPage", animate(Config::default(), &folder.path("a.txt"), &watch)),
+        refused("Error::Write", Output::whole(&folder.path("missing/a"), b"")),
+        refused("Error::Exists", Output::create(&folder.path("old")).unwrap().complete_new()),
+        refused("Error::Unwritable", config_of_too_large_a_number().to_toml()),
+    ]
+    .into_iter()
+    .flatten()
+    .collect()
+}
+
+/// TOML has no integers of more than 63 bits.
+fn config_of_too_large_a_number() -> Config {
+    let mut config = Config::default();
+    config.output.every = u64::MAX;
+    config
+}
+
+fn of_numbers(folder: &Folder) -> BTreeSet<String> {
+    let watch = Watch::default();
+    let compared = |text: &str, end| compare(&config(text), &folder.path("made"), end, &watch);
+    let failing = "integrator = { step = 0.5, scheme = 'lobatto-iiia-iiib-4' }";
+    let failed = simulate(&config(failing), &folder.path("a.csv"), &SimulateOptions::default());
+    let experiment = Config::default().experiment().unwrap();
+    let no_saved = Saved { step: 1024, state: vec![0.0] };
+    // Without Γ there is no spinor.
+    let no_start = heavytop_cli::runs::Experiment {
+        start: Se3Dual::new(Vector3::zeros(), Vector3::zeros()),
+        ..experiment
+    };
+    [
+        refused("Error::Argument", compared("", Some(-1.0))),
+        refused("Error::Reference", compared("integrator = { step = 0.8, end = 80 }", None)),
+        refused("Error::Integration", failed),
+        refused("Error::SavedState", experiment.follow(Some(&no_saved), |_| Ok(()))),
+        refused("Error::Start", no_start.run(|_, _, _, _| Ok(()))),
+        refused("Error::Configuration", timed(folder, "2 2 1 1 0 0 1 20\n", "Gauss-12")),
+        refused("Error::NoContestant", timed(folder, &problem("4"), "Gaus-12")),
+        refused("Error::Timed", timed(folder, &problem("1e200"), "Gauss-12")),
+    ]
+    .into_iter()
+    .flatten()
+    .collect()
+}
+
+/// Returns the file of a problem whose top turns so fast.
+fn problem(speed: &str) -> String {
+    let state = format!("0 0 {speed} 0 0 1 ");
+    format!("2 2 1 1 0 0 1 20\n{}\n", state.repeat(3))
+}
+
+fn timed(folder: &Folder, problem: &str, only: &str) -> Result<Bench, Error> {
+    folder.write("problem.txt", problem);
+    let options = BenchOptions { only: Some(only.into()), tops: 2, threads: 1 };
+    bench(&Config::default(), Some(&folder.path("problem.txt")), options, true)
+}
+
+fn of_others(folder: &Folder) -> BTreeSet<String> {
+    let out = folder.path("swept");
+    let small = "sweep.axes = [{ parameter = 'body.mass', from = 1, to = 2, count = 2 }]";
+    let swept = || sweep(&config(small), &out, &TileOptions::default());
+    fs::create_dir_all(out.join("sweep.partial/0000000")).unwrap();
+    let mut found = refused("Error::Tile", swept());
+    assert!(found.contains("Error::Resumable"), "{found:?}");
+    found.extend(without_threads(folder));
+    found
+}
+
+/// The stacks of so many threads do not fit into so little address space.
+fn without_threads(folder: &Folder) -> [String; 2] {
+    let fails = |arguments: &str, code, expected: &str| {
+        let script = format!("ulimit -v 1000000; exec \"$0\" sweep --out swept {arguments}");
+        let mut command = Command::new("sh");
+        command.args(["-c", &script, env!("CARGO_BIN_EXE_heavytop")]);
+        command.env("RAYON_NUM_THREADS", "1024").current_dir(folder.path("."));
+        let run = Finished::of(command.output().unwrap());
+        assert!(run.stderr().starts_with(expected), "{}", run.stderr());
+        assert_eq!(run.code(), code);
+    };
+    fails("--threads 1024", 2, "heavytop: cannot start 1024 thread(s): ");
+    fails("", 1, "heavytop: cannot start threads, of which RAYON_NUM_THREADS sets the number: ");
+    ["Error::Threads".into(), "Error::Workers".into()]
+}

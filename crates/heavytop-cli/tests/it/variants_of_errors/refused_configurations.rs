@@ -1,0 +1,172 @@
+//! Configurations that are refused: as text, of runs, of sections and of sweeps.
+
+use super::refused;
+use crate::program::Folder;
+use heavytop_cli::commands::section::section;
+use heavytop_cli::commands::sweep::sweep;
+use heavytop_cli::configuration::Config;
+use heavytop_cli::reading::Sources;
+use heavytop_cli::supervision::TileOptions;
+use std::collections::BTreeSet;
+
+/// Assignments that are refused before there is a configuration.
+const ASSIGNMENTS: [(&str, &str); 4] = [
+    ("Error::Misread", "body.mas=1"),
+    ("Error::Quoted", "body.mass='heavy'"),
+    ("Error::Assignment", "body.mass"),
+    ("Error::ReadTable", "system={structure_constants='missing.csv'}"),
+];
+
+/// Configurations of runs of tops.
+const RUNS: [(&str, &str); 9] = [
+    ("Error::Body", "body.mass = -1"),
+    ("Error::Vertical", "initial.vertical = [0, 0, 2]"),
+    ("Error::AzimuthAlone", "initial.azimuth = 1"),
+    ("Error::Method", "integrator.formulation = 'splitting'"),
+    ("Error::NoAttitude", "integrator.formulation = 'direct'\noutput.attitude = true"),
+    ("Error::OutOfRange", "output.every = 0"),
+    ("Error::AbsurdStep", "integrator = { step = 1e10, end = 1e10 }"),
+    ("Error::TooManySteps", "integrator.step = 1e-300"),
+    ("Error::BrokenStep", "integrator.step = 0.03"),
+];
+
+/// Configurations of runs of systems, below `[system]`.
+const SYSTEMS: [(&str, &str); 7] = [
+    ("SystemError::Missing", "algebra = 'so(3)'"),
+    ("SystemError::TwoAlgebras", "algebra = 'so(3)'\ncoordinates = ['x']\nhamiltonian = 'x'"),
+    ("SystemError::StructureConstants", "structure_constants = '''\n1\n2'''\nhamiltonian = '1'"),
+    ("SystemError::Parameter", "algebra = 'so(3)'\nhamiltonian = 'Pi1'\nparameters.'1' = 1"),
+    ("SystemError::Formula", "algebra = 'so(3)'\nhamiltonian = 'x'"),
+    ("SystemError::NoAttitude", "hamiltonian = '1'\n[output]\nattitude = true"),
+    ("SystemError::Top", "hamiltonian = '1'\n[body]\nmass = 2"),
+];
+
+/// Configurations of sections, and below them those of a system.
+const SECTIONS: [(&str, &str); 5] = [
+    ("Error::Section", "section.energy = -100"),
+    ("Error::UnknownSurface", "section.surface = 'Pi9'"),
+    ("Error::SectionKey", "section.axes = ['Pi1', 'Pi2']"),
+    ("Error::Crossing", FAILING),
+    ("Error::Kept", FAILING),
+];
+const SYSTEM_SECTIONS: [(&str, &str); 3] = [
+    ("Error::NoSurface", "starts = 1"),
+    ("Error::SystemSection", "surface = 'x'"),
+    ("Error::NeverCrosses", "surface = 'Pi1'\nlongest = 1\nstates = [{ Pi = [1, 0, 0] }]"),
+];
+
+/// An integrator whose first step fails.
+const FAILING: &str =
+    "integrator = { step = 0.5, formulation = 'collective', scheme = 'lobatto-iiia-iiib-4' }";
+
+/// A system in which every coordinate but Pi3 changes.
+const BODY: &str = "[system]\nalgebra = 'so(3)'\nhamiltonian = 'Pi3^2'\ninitial.Pi = [1, 0, 1]\n";
+
+/// Sweeps of tops.
+const SWEEPS: [(&str, &str); 11] = [
+    ("SweepError::NoAxes", "axes = []"),
+    ("SweepError::NoObservables", "observables = []"),
+    ("SweepError::Twice", "observables = ['megno', 'megno']"),
+    ("SweepError::Axis", "axes = [{ parameter = 'body.mass', from = 1 }]"),
+    (
+        "SweepError::OfAnother",
+        "axes = [{ parameter = 'system.initial.x', from = 0, to = 1, count = 2 }]",
+    ),
+    (
+        "SweepError::Clash",
+        "count = 1\naxes = [{ parameter = 'body.mass', uniform = [1, 2] }, \
+         { parameter = 'body.mass', uniform = [1, 3] }]",
+    ),
+    (
+        "SweepError::Mixed",
+        "axes = [{ parameter = 'body.mass', uniform = [1, 2] }, \
+         { parameter = 'body.length', from = 1, to = 3, count = 2 }]",
+    ),
+    ("SweepError::Count", "axes = [{ parameter = 'body.mass', uniform = [1, 2] }]"),
+    (
+        "SweepError::TooMany",
+        "axes = [{ parameter = 'body.mass', from = 1, to = 2, count = 4000000000 }]",
+    ),
+    (
+        "SweepError::Velocity",
+        "axes = [{ parameter = 'initial.angular_momentum[0]', from = 1, to = 2, count = 2 }]\n\
+         [initial]\nangular_velocity = [1, 0, 0]",
+    ),
+    (
+        "Error::AllFailed",
+        "axes = [{ parameter = 'body.mass', from = 1, to = 2, count = 2 }]\n\
+         [integrator]\nstep = 500\nend = 1000",
+    ),
+];
+
+/// Parameters of axes of a system, with observables.
+const SYSTEM_SWEEPS: [(&str, &str, &str); 5] = [
+    ("SweepError::NoParameter", "system.parameters.k", "megno"),
+    ("SweepError::Index", "system.parameters.b[9]", "megno"),
+    ("SweepError::NoVector", "system.parameters.a[0]", "megno"),
+    ("SweepError::OfTops", "system.initial.failure", "rotation-number"),
+    ("SweepError::SameColumn", "system.initial.failure", "final-state"),
+];
+
+/// A system with three coordinates, one of which has the name of another column.
+const NAMED: &str = "[system]\ncoordinates = ['failure', 'y', 'z']\nbrackets = { 'failure, y' = 'a*z' }\n\
+                     hamiltonian = 'failure'\nparameters = { a = 1, b = [1, 2] }\ninitial = { failure = 1, y = 1, z = 1 }\n";
+
+/// A system whose last two coordinates grow by the factor a²/2 in a step. If one of them becomes some 1.4e308, the length
+/// of a tangent vector overflows, though its coordinates do not.
+const GROWING: &str = "[system]\ncoordinates = ['x', 'y', 'z']\nbrackets = { 'x, y' = 'y', 'x, z' = 'z' }\n\
+                       hamiltonian = 'a*x'\nparameters.a = 1\ninitial = { x = 1, y = 0, z = 0 }\n\
+                       [integrator]\nformulation = 'direct'\nscheme = 'explicit-midpoint'\nstep = 1\nend = 3\n";
+
+/// Values of the parameter at which members fail, of which only their text is returned. Without brackets there are more
+/// Casimirs.
+const MEMBERS: [(&str, &str, &str, &str); 2] = [
+    ("SweepError::Casimirs", NAMED, "0", "it has 3 Casimirs, and the system with "),
+    ("Error::Tangent", GROWING, "1.9e154", "tangent vector 0 has the length inf "),
+];
+
+pub fn errors() -> BTreeSet<String> {
+    let folder = Folder::new();
+    let out = folder.path("made");
+    let config = |text: &str| -> Config { toml::from_str(text).unwrap() };
+    let cut = |text: &str| section(&config(text), &out, &TileOptions::default());
+    let sweep_of = |text: &str| sweep(&config(text), &out, &TileOptions::default());
+    let axis = |parameter: &str, observable: &str, values: &str| {
+        format!(
+            "[sweep]\nobservables = ['{observable}']\n\
+             axes = [{{ parameter = '{parameter}', {values}, count = 2 }}]"
+        )
+    };
+    let mut found = Vec::new();
+    for (expected, text) in ASSIGNMENTS {
+        found.push(refused(expected, Sources::read(None, None, &[text.into()])));
+    }
+    for (expected, text) in RUNS {
+        found.push(refused(expected, config(text).experiment()));
+    }
+    for (expected, text) in SYSTEMS {
+        found.push(refused(expected, config(&format!("[system]\n{text}")).system_experiment()));
+    }
+    found.push(refused("SystemError::CommandOfTops", config(BODY).experiment()));
+    for (expected, text) in SECTIONS {
+        found.push(refused(expected, cut(text)));
+    }
+    for (expected, text) in SYSTEM_SECTIONS {
+        found.push(refused(expected, cut(&format!("{BODY}[section]\n{text}"))));
+    }
+    for (expected, text) in SWEEPS {
+        found.push(refused(expected, sweep_of(&format!("[sweep]\n{text}"))));
+    }
+    for (expected, parameter, observable) in SYSTEM_SWEEPS {
+        let text = NAMED.to_owned() + &axis(parameter, observable, "from = 0, to = 1");
+        found.push(refused(expected, sweep_of(&text)));
+    }
+    for (variant, system, value, said) in MEMBERS {
+        let values = format!("from = {value}, to = {value}");
+        let text = system.to_owned() + &axis("system.parameters.a", "lyapunov", &values);
+        let message = sweep_of(&text).unwrap_err().message();
+        assert!(message.contains("; the first: ") && message.contains(said), "{message}");
+        found.push(BTreeSet::from([variant.into()]));
+    }
+    found.into_iter().flatten().collect()
+}
