@@ -8,16 +8,16 @@ use std::thread::sleep;
 use std::time::{Duration, SystemTime};
 
 /// A command that keeps its finished parts.
-struct Case {
-    command: &'static str,
+pub struct Case {
+    pub command: &'static str,
     /// A configuration with about twelve tiles, each of which takes some hundredths of a second.
     configuration: &'static str,
-    files: &'static [&'static str],
+    pub files: &'static [&'static str],
     /// The value of a key, another value, and the message about the difference.
     other: [&'static str; 3],
 }
 
-const SECTION: Case = Case {
+pub const SECTION: Case = Case {
     command: "section",
     configuration: "[section]\nenergy = 1.5\nvertical_momentum = 0.5\nstarts = 12\ncrossings = 400\n\
         [integrator]\nformulation = 'splitting'\nscheme = 'strang'",
@@ -25,7 +25,7 @@ const SECTION: Case = Case {
     other: ["energy = 1.5", "energy = 1.6", "[section] energy: 1.5 against 1.6"],
 };
 
-const SWEEP: Case = Case {
+pub const SWEEP: Case = Case {
     command: "sweep",
     configuration: "[sweep]\nobservables = ['megno']\naxes = [\
         { parameter = 'body.inertia[1]', from = 1, to = 3, count = 48 }, \
@@ -35,7 +35,7 @@ const SWEEP: Case = Case {
     other: ["end = 2.0", "end = 3.0", "[integrator] end: 2.0 against 3.0"],
 };
 
-const SYSTEM_SWEEP: Case = Case {
+pub const SYSTEM_SWEEP: Case = Case {
     command: "sweep",
     configuration: "[system]\nalgebra = 'so(3)'\nhamiltonian = '(Pi1^2/I1 + Pi2^2/I2 + Pi3^2/I3)/2'\n\
         parameters.I = [3, 2, 1]\ninitial.Pi = [0.1, 1, 0.2]\n\
@@ -49,7 +49,7 @@ const SYSTEM_SWEEP: Case = Case {
 
 impl Case {
     /// Returns a folder with the configuration, another one, and the files of an uninterrupted run.
-    fn folder(&self) -> Folder {
+    pub fn folder(&self) -> Folder {
         let folder = Folder::new();
         folder.write("a.toml", self.configuration);
         folder.write("b.toml", &self.configuration.replace(self.other[0], self.other[1]));
@@ -58,12 +58,12 @@ impl Case {
         folder
     }
 
-    fn tiles(&self, folder: &Folder) -> PathBuf {
+    pub fn tiles(&self, folder: &Folder) -> PathBuf {
         folder.path("cut").join(format!("{}.partial", self.command))
     }
 
     /// Starts the command, and waits until it has finished a tile or two, and for some milliseconds more.
-    fn start(&self, folder: &Folder, arguments: &[&str], milliseconds: u64) -> Child {
+    pub fn start(&self, folder: &Folder, arguments: &[&str], milliseconds: u64) -> Child {
         let tiles = self.tiles(folder);
         // One of the files is the identity; another one may not have its name yet.
         let count = || std::fs::read_dir(&tiles).map_or(0, |files| files.count());
@@ -77,7 +77,7 @@ impl Case {
         child
     }
 
-    fn assert_same_bytes(&self, folder: &Folder) {
+    pub fn assert_same_bytes(&self, folder: &Folder) {
         for file in self.files {
             let read = |out: &str| std::fs::read(folder.path(out).join(file)).unwrap();
             assert!(read("cut") == read("whole"), "{file}");
@@ -257,7 +257,7 @@ fn a_damaged_identity_is_refused() {
 }
 
 /// How often a run is started anew that was over before it could be interrupted, as on a machine that does other work.
-const TRIES: usize = 30;
+pub const TRIES: usize = 30;
 
 /// Returns a folder with some finished tiles.
 fn interrupted(case: &Case) -> Folder {

@@ -2,14 +2,18 @@
 #![cfg(unix)]
 
 use crate::program::{Finished, Folder};
+use crate::writing::SYSTEM;
 use std::process::Command;
 
 /// A run of 3000 steps, with checkpoints after 1024 and 2048 of them where the disk is not full before.
 const RUN: [&str; 4] = ["--set", "integrator.end=60", "--set", "output.every=1"];
+/// The same of a system.
+const RUN_OF_SYSTEM: [&str; 6] = [RUN[0], RUN[1], RUN[2], RUN[3], "--set", SYSTEM];
 
 /// An interrupted run: the bytes of its checkpoint and of its rows, and those of an uninterrupted one.
 struct Interrupted {
     folder: Folder,
+    run: &'static [&'static str],
     out: &'static str,
     rows: String,
     saved: [Vec<u8>; 2],
@@ -18,22 +22,22 @@ struct Interrupted {
 
 impl Interrupted {
     /// Interrupts a run by files that can have no more than so many blocks, of 512 or of 1024 bytes.
-    fn new(out: &'static str, blocks: u32) -> Self {
+    fn new(run: &'static [&'static str], out: &'static str, blocks: u32) -> Self {
         let folder = Folder::new();
-        let whole = folder.heavytop(&[&["simulate", "--out", out], &RUN[..]].concat());
+        let whole = folder.heavytop(&[&["simulate", "--out", out], run].concat());
         assert_eq!(whole.code(), 0, "{}", whole.stderr());
         let whole = std::fs::read(folder.path(out)).unwrap();
         std::fs::remove_file(folder.path(out)).unwrap();
         let script = format!("trap '' XFSZ; ulimit -f {blocks}; exec \"$@\"");
         let mut command = Command::new("sh");
         command.args(["-c", &script, "sh", env!("CARGO_BIN_EXE_heavytop"), "simulate"]);
-        command.args(["--out", out, "--checkpoint-interval", "0"]).args(RUN);
-        let run = Finished::of(command.current_dir(folder.path(".")).output().unwrap());
-        assert_eq!(run.code(), 1, "{}", run.stderr());
-        let rows = format!("{out}.{}", if out == "a.csv" { "partial" } else { "rows" });
+        command.args(["--out", out, "--checkpoint-interval", "0"]).args(run);
+        let done = Finished::of(command.current_dir(folder.path(".")).output().unwrap());
+        assert_eq!(done.code(), 1, "{}", done.stderr());
+        let rows = format!("{out}.{}", if out.ends_with(".csv") { "partial" } else { "rows" });
         let checkpoint = format!("{out}.checkpoint");
         let saved = [&checkpoint, &rows].map(|name| std::fs::read(folder.path(name)).unwrap());
-        Self { folder, out, rows, saved, whole }
+        Self { folder, run, out, rows, saved, whole }
     }
 
     fn checkpoint(&self) -> String {
@@ -70,10 +74,17 @@ impl Interrupted {
     }
 }
 
-fn interrupted() -> [Interrupted; 3] {
-    // CSV takes some 200 bytes for each row, the rows of the other formats 88.
-    [("a.csv", 500), ("a.npz", 250), ("a.parquet", 250)]
-        .map(|(out, blocks)| Interrupted::new(out, blocks))
+fn interrupted() -> [Interrupted; 5] {
+    let (top, system): (&[&str], &[&str]) = (&RUN, &RUN_OF_SYSTEM);
+    // CSV takes some 200 bytes for each row, the rows of the other formats 88; those of a system 100 and 48.
+    [
+        (top, "a.csv", 500),
+        (top, "a.npz", 250),
+        (top, "a.parquet", 250),
+        (system, "b.csv", 250),
+        (system, "b.npz", 130),
+    ]
+    .map(|(run, out, blocks)| Interrupted::new(run, out, blocks))
 }
 
 /// Returns about so many numbers from 0 to a length, the last three included.
@@ -123,37 +134,57 @@ fn rows_that_are_cut_or_altered_are_refused_and_what_follows_the_checkpoint_does
     }
 }
 
+/// Runs that differ from that of a top, and the difference.
+const OTHERS: [(&[&str], &str); 5] = [
+    (&["--preset", "lagrange"], "[body] center_of_mass: "),
+    (&[RUN[0], RUN[1], "--set", "integrator.scheme=gauss-4"], "[integrator] scheme: "),
+    (&[RUN[0], RUN[1], "--set", "integrator.step=0.01"], "[integrator] step: "),
+    (&[RUN[0], RUN[1], "--set", "output.attitude=true"], "[output] attitude: "),
+    (&RUN_OF_SYSTEM, "[system] hamiltonian: nothing against "),
+];
+
+/// Changes of the run of a system, and the difference.
+const OTHER_SYSTEMS: [(&str, &str); 4] = [
+    ("system.hamiltonian='Pi1^2'", "[system] hamiltonian: "),
+    ("system.initial.Pi=[1.0,0.5,0.4]", "[system] initial: "),
+    ("integrator.scheme=gauss-4", "[integrator] scheme: "),
+    ("integrator.step=0.01", "[integrator] step: "),
+];
+
 #[test]
 fn a_checkpoint_of_another_run_is_refused() {
-    const SYSTEM: &str =
-        "[system]\nalgebra = 'so(3)'\nhamiltonian = 'Pi1^2'\ninitial = { Pi = [1.0, 0.5, 0.3] }";
     for run in interrupted() {
         let [checkpoint, rows] = &run.saved;
-        run.folder.write("system.toml", SYSTEM);
-        for (arguments, difference) in [
-            (&["--preset", "lagrange"][..], "[body] center_of_mass: "),
-            (&[RUN[0], RUN[1], "--set", "integrator.scheme=gauss-4"], "[integrator] scheme: "),
-            (&[RUN[0], RUN[1], "--set", "integrator.step=0.01"], "[integrator] step: "),
-            (&[RUN[0], RUN[1], "--set", "output.attitude=true"], "[output] attitude: "),
-            (&["system.toml"], "[system] "),
-        ] {
-            let refused = run.resume(checkpoint, rows, arguments);
+        let others: Vec<(Vec<&str>, &str)> = if run.out.starts_with('a') {
+            OTHERS.map(|(arguments, difference)| (arguments.to_vec(), difference)).into()
+        } else {
+            let changed = OTHER_SYSTEMS
+                .map(|(set, difference)| ([run.run, &["--set", set]].concat(), difference));
+            // A top, too.
+            [&changed[..], &[(RUN.to_vec(), " against nothing")]].concat()
+        };
+        for (arguments, difference) in others {
+            let refused = run.resume(checkpoint, rows, &arguments);
             let said = refused.stderr();
             assert_eq!((refused.code(), said.lines().count()), (2, 1), "{arguments:?}: {said}");
             let reason = "it is of another configuration: ";
             assert!(said.contains(reason) && said.contains(difference), "{arguments:?}: {said}");
             assert!(said.ends_with("; start anew with --restart\n"), "{said}");
         }
-        std::fs::remove_file(run.folder.path("system.toml")).unwrap();
         // Control: of the same configuration it is accepted, though it is given again.
-        run.assert_same_bytes(&run.resume(checkpoint, rows, &RUN));
+        run.assert_same_bytes(&run.resume(checkpoint, rows, run.run));
     }
 }
 
 /// A line of the checkpoint is missing or there twice, and the checksum is that of the lines that are there.
 #[test]
 fn no_contents_of_a_checkpoint_make_the_program_panic() {
-    let [run, ..] = interrupted();
+    let [of_top, _, _, of_system, _] = interrupted();
+    [of_top, of_system].iter().for_each(leave_out_and_repeat);
+}
+
+/// Leaves out each line of a checkpoint, and repeats each.
+fn leave_out_and_repeat(run: &Interrupted) {
     let [checkpoint, rows] = &run.saved;
     let contents = std::str::from_utf8(checkpoint).unwrap().split_once('\n').unwrap().1;
     let lines: Vec<_> = contents.lines().collect();

@@ -1,12 +1,12 @@
 //! Kills at moments that are not chosen.
 #![cfg(unix)]
 
-use crate::writing::{Undisturbed, WRITING, Writing, contents};
+use crate::writing::{WRITING, Writing, contents};
 use std::thread::sleep;
 
 /// Kills runs at moments that are spread over the time that one takes, and repeats each.
 fn kill(writing: &Writing, kills: u32) {
-    let Undisturbed { files, took } = writing.undisturbed();
+    let took = writing.undisturbed().took;
     let mut killed = 0;
     for number in 1..=kills {
         let folder = writing.with_old_files();
@@ -17,8 +17,8 @@ fn kill(writing: &Writing, kills: u32) {
         killed += u32::from(!child.wait().unwrap().success());
         for (name, bytes) in contents(&folder) {
             // A file under its name is complete: it is the old or the new one.
-            if writing.files.contains(&name.as_str()) && writing.repeats {
-                let is_whole = bytes == b"old" || bytes == files[&name];
+            if writing.files.contains(&name.as_str()) {
+                let is_whole = bytes == b"old" || writing.is_whole(&name, &bytes);
                 assert!(is_whole, "{writing}, kill {number}: {name} is torn");
             }
         }
@@ -32,7 +32,7 @@ fn kill(writing: &Writing, kills: u32) {
 
 #[test]
 fn what_was_killed_is_repeated_with_success() {
-    WRITING.iter().filter(|writing| writing.repeats).for_each(|writing| kill(writing, 1));
+    WRITING.iter().for_each(|writing| kill(writing, 1));
 }
 
 #[test]

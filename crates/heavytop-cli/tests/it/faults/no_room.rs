@@ -1,4 +1,4 @@
-//! Disks that are full.
+//! Files that cannot grow, and what a run without room must leave.
 #![cfg(unix)]
 
 use crate::program::{Finished, Folder};
@@ -19,11 +19,11 @@ fn resumption(said: &str) -> Option<&str> {
 }
 
 /// Checks what a run has said and left that had no room, and that it is repeated with success.
-fn assert_nothing_is_lost(writing: &Writing, folder: &Folder, run: &Finished) {
+pub fn assert_nothing_is_lost(writing: &Writing, folder: &Folder, run: &Finished, reason: &str) {
     let said = run.stderr();
     assert_eq!((run.code(), said.lines().count()), (1, 1), "{writing}: {said}");
     assert!(said.starts_with("heavytop: cannot write "), "{writing}: {said}");
-    assert!(said.contains(": File too large"), "{writing}: {said}");
+    assert!(said.contains(reason), "{writing}: {said}");
     let kept =
         said.trim_end().split_once("; what was computed until then is in ").map(|(_, kept)| kept);
     for (name, bytes) in contents(folder) {
@@ -50,13 +50,18 @@ fn run_out(writing: &Writing, blocks: u32, repeat: bool) -> bool {
     if run.code() == 0 {
         return false;
     }
-    assert_nothing_is_lost(writing, &folder, &run);
+    assert_nothing_is_lost(writing, &folder, &run, ": File too large");
     if repeat {
-        let said = run.stderr();
-        let resume: Vec<_> = resumption(&said).iter().flat_map(|s| s.split(' ')).collect();
-        writing.assert_repeats(&folder, &resume);
+        assert_goes_on(writing, &folder, &run);
     }
     true
+}
+
+/// Checks that the run is repeated with success, or resumed if its message says so.
+pub fn assert_goes_on(writing: &Writing, folder: &Folder, run: &Finished) {
+    let said = run.stderr();
+    let resume: Vec<_> = resumption(&said).iter().flat_map(|s| s.split(' ')).collect();
+    writing.assert_repeats(folder, &resume);
 }
 
 /// Returns the length of the largest file in KiB.

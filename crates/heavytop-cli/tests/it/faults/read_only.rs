@@ -1,11 +1,11 @@
 //! Folders that are read-only.
 #![cfg(unix)]
 
+use super::private_mounts::with_mount;
 use crate::program::{Finished, Folder};
 use crate::writing::{WRITING, Writing, contents};
 use std::fs::{self, Permissions};
 use std::os::unix::fs::PermissionsExt;
-use std::process::Command;
 
 /// Runs the command where the folder and those below are read-only; `None`, with a message, where that cannot be had.
 ///
@@ -34,15 +34,8 @@ fn read_only(folder: &Folder, writing: &Writing) -> Option<Finished> {
 }
 
 fn mounted_read_only(folder: &Folder, writing: &Writing) -> Option<Finished> {
-    let script = "mount --bind . . && mount -o remount,bind,ro . && echo mounted && cd \"$PWD\" && exec \"$@\"";
-    let mut command = Command::new("unshare");
-    command.args(["-m", "sh", "-c", script, "sh", env!("CARGO_BIN_EXE_heavytop")]);
-    let done = command.args(writing.arguments).current_dir(folder.path(".")).output();
-    let run = done.ok().map(Finished::of).filter(|run| run.stdout().contains("mounted"));
-    if run.is_none() {
-        println!("skipped: no folder can be made read-only here");
-    }
-    run
+    let mount = "mount --bind . . && mount -o remount,bind,ro .";
+    with_mount(&folder.path("."), mount, "cd \"$PWD\" && exec \"$@\"", writing.arguments)
 }
 
 #[test]

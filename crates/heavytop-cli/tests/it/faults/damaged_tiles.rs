@@ -1,0 +1,183 @@
+//! Tiles that are cut, altered, replaced by a folder, or removed while a run needs them.
+#![cfg(unix)]
+
+use crate::program::Folder;
+use crate::tiles::{Case, SECTION, SWEEP, SYSTEM_SWEEP, TRIES};
+use std::fs;
+use std::thread::sleep;
+use std::time::Duration;
+
+/// The finished tiles of a run that could not write its table, with the identity: names and contents.
+struct Finished {
+    case: Case,
+    folder: Folder,
+    tiles: Vec<(String, Vec<u8>)>,
+}
+
+impl Finished {
+    fn new(case: Case) -> Self {
+        let folder = case.folder();
+        let taken = folder.path("cut").join(format!("{}.partial", case.files[0]));
+        fs::create_dir_all(&taken).unwrap();
+        let run = folder.heavytop(&[case.command, "a.toml", "--out", "cut"]);
+        let said = run.stderr();
+        assert!(said.ends_with("; go on by the same command with --resume\n"), "{said}");
+        fs::remove_dir(taken).unwrap();
+        let names = fs::read_dir(case.tiles(&folder)).unwrap();
+        let mut names: Vec<_> =
+            names.map(|entry| entry.unwrap().file_name().into_string().unwrap()).collect();
+        names.sort();
+        let read = |name: String| {
+            let contents = fs::read(case.tiles(&folder).join(&name)).unwrap();
+            (name, contents)
+        };
+        let tiles: Vec<_> = names.into_iter().map(read).collect();
+        assert_eq!(tiles.len(), 13, "twelve tiles and the identity");
+        Self { case, folder, tiles }
+    }
+
+    /// Puts the tiles back after a change, which gets the number of each, and goes on from them.
+    fn resume(&self, change: impl Fn(usize, &mut Vec<u8>)) {
+        let to = self.case.tiles(&self.folder);
+        fs::create_dir_all(&to).unwrap();
+        for (number, (name, contents)) in self.tiles.iter().enumerate() {
+            let mut contents = contents.clone();
+            if name != "identity" {
+                change(number, &mut contents);
+            }
+            fs::write(to.join(name), contents).unwrap();
+        }
+        let resumed =
+            self.folder.heavytop(&[self.case.command, "a.toml", "--out", "cut", "--resume"]);
+        assert_eq!((resumed.code(), resumed.complaints().as_str()), (0, ""));
+    }
+
+    /// Returns a change of the byte at a place that depends on the number of the tile, from the first line to the last.
+    fn altered(&self, alter: impl Fn(usize, u8) -> u8) -> impl Fn(usize, &mut Vec<u8>) {
+        let count = self.tiles.len();
+        move |number, tile| {
+            let place = (tile.len() - 1) * (number + 1) / count;
+            tile[place] = alter(number, tile[place]);
+        }
+    }
+}
+
+#[test]
+fn tiles_that_are_cut_or_altered_are_made_again() {
+    for case in [SECTION, SWEEP, SYSTEM_SWEEP] {
+        let run = Finished::new(case);
+        let count = run.tiles.len();
+        // From nothing to all but the last byte, and with one byte more.
+        run.resume(|number, tile| tile.truncate((tile.len() - 1) * number / (count - 2)));
+        run.case.assert_same_bytes(&run.folder);
+        run.resume(|_, tile| tile.push(b'\n'));
+        run.case.assert_same_bytes(&run.folder);
+        // Any bit, that of no ASCII character included.
+        run.resume(run.altered(|number, byte| byte ^ (1 << (number % 8))));
+        run.case.assert_same_bytes(&run.folder);
+        // A digit or what separates numbers becomes another digit, so that a tile that is taken shows.
+        run.resume(run.altered(|_, byte| if byte == b'7' { b'3' } else { b'7' }));
+        run.case.assert_same_bytes(&run.folder);
+    }
+}
+
+/// Negative control: tiles with a checksum that is right are taken, and a digit that was altered shows.
+#[test]
+fn a_tile_that_is_altered_together_with_its_checksum_is_taken() {
+    for case in [SECTION, SWEEP, SYSTEM_SWEEP] {
+        let run = Finished::new(case);
+        run.resume(|_, tile| {
+            let text = String::from_utf8(std::mem::take(tile)).unwrap();
+            let (title, contents) = text.split_once('\n').unwrap();
+            // The first decimal place of the first number of the first row.
+            let place = contents.find('.').unwrap() + 1;
+            let other = if contents.as_bytes()[place] == b'7' { "3" } else { "7" };
+            let contents = format!("{}{other}{}", &contents[..place], &contents[place + 1..]);
+            let (start, _) = title.rsplit_once(' ').unwrap();
+            let checksum = crc32fast::hash(contents.as_bytes());
+            *tile = format!("{start} {checksum:08x}\n{contents}").into_bytes();
+        });
+        let read = |out: &str| fs::read(run.folder.path(out).join(run.case.files[0])).unwrap();
+        assert!(read("cut") != read("whole"), "{} computed all tiles again", run.case.command);
+    }
+}
+
+#[test]
+fn a_folder_in_place_of_a_tile_is_named_and_the_run_goes_on_without_it() {
+    for case in [SECTION, SWEEP, SYSTEM_SWEEP] {
+        let run = Finished::new(case);
+        let (case, folder) = (&run.case, &run.folder);
+        let place = case.tiles(folder).join("0000003");
+        fs::remove_file(&place).unwrap();
+        fs::create_dir(&place).unwrap();
+        let resumed = folder.heavytop(&[case.command, "a.toml", "--out", "cut", "--resume"]);
+        let said = resumed.stderr();
+        assert_eq!((resumed.code(), said.lines().count()), (1, 1), "{said}");
+        let named = format!("heavytop: cannot read cut/{}.partial/0000003: ", case.command);
+        assert!(said.starts_with(&named), "{said}");
+        assert!(said.ends_with("; go on by the same command with --resume\n"), "{said}");
+        // No other tile is lost, and nothing else is there.
+        for (name, contents) in run.tiles.iter().filter(|(name, _)| name != "0000003") {
+            assert!(fs::read(case.tiles(folder).join(name)).unwrap() == *contents, "{name}");
+        }
+        assert_eq!(fs::read_dir(folder.path("cut")).unwrap().count(), 1);
+        fs::remove_dir(&place).unwrap();
+        let resumed = folder.heavytop(&[case.command, "a.toml", "--out", "cut", "--resume"]);
+        assert_eq!((resumed.code(), resumed.complaints().as_str()), (0, ""));
+        case.assert_same_bytes(folder);
+    }
+}
+
+#[test]
+fn a_folder_in_place_of_the_identity_is_refused() {
+    for case in [SECTION, SWEEP, SYSTEM_SWEEP] {
+        let folder = Folder::new();
+        folder.write("a.toml", "");
+        let place = case.tiles(&folder).join("identity");
+        fs::create_dir_all(&place).unwrap();
+        let run = folder.heavytop(&[case.command, "a.toml", "--out", "cut", "--resume"]);
+        let said = run.stderr();
+        assert_eq!((run.code(), said.lines().count()), (2, 1), "{said}");
+        let named = format!("heavytop: cannot go on from cut/{}.partial: ", case.command);
+        assert!(said.starts_with(&named), "{said}");
+        assert!(place.is_dir());
+        assert_eq!(fs::read_dir(case.tiles(&folder)).unwrap().count(), 1);
+    }
+}
+
+#[test]
+fn a_tile_that_is_removed_during_the_run_is_missed_and_made_again() {
+    for case in [SECTION, SWEEP, SYSTEM_SWEEP] {
+        let folder = case.folder();
+        let tile = case.tiles(&folder).join("0000000");
+        let mut missed = false;
+        for _ in 0..TRIES {
+            let mut child = folder.start(&[case.command, "a.toml", "--out", "cut", "--restart"]);
+            // A finished tile is not looked at again before the end.
+            while fs::remove_file(&tile).is_err() && child.try_wait().unwrap().is_none() {
+                sleep(Duration::from_millis(1));
+            }
+            let done = child.wait_with_output().unwrap();
+            if done.status.success() {
+                // The run was over, or looked at the tile, before it was removed.
+                continue;
+            }
+            let said = String::from_utf8(done.stderr).unwrap();
+            let expected = format!(
+                "heavytop: tile 0 is missing in cut/{}.partial, which must be on a file system \
+                 that all processes see; go on by the same command with --resume\n",
+                case.command
+            );
+            assert_eq!((done.status.code(), said), (Some(1), expected));
+            missed = true;
+            break;
+        }
+        assert!(missed, "{}: no run missed its tile", case.command);
+        // The other tiles are there, and nothing else.
+        assert_eq!(fs::read_dir(folder.path("cut")).unwrap().count(), 1);
+        assert_eq!(fs::read_dir(case.tiles(&folder)).unwrap().count(), 12);
+        let resumed = folder.heavytop(&[case.command, "a.toml", "--out", "cut", "--resume"]);
+        assert_eq!((resumed.code(), resumed.complaints().as_str()), (0, ""));
+        case.assert_same_bytes(&folder);
+    }
+}
