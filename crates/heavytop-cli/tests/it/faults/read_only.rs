@@ -11,11 +11,10 @@ use std::os::unix::fs::PermissionsExt;
 ///
 /// Permissions do not bind the superuser, for whom the folder is mounted read-only.
 fn read_only(folder: &Folder, writing: &Writing) -> Option<Finished> {
-    let below: Vec<_> = ["figures", "made", "."]
-        .map(|name| folder.path(name))
-        .into_iter()
-        .filter(|path| path.exists())
-        .collect();
+    // The folder of the files, if there are old ones, and the one above it.
+    let of_files = folder.path(writing.files[0]).parent().unwrap().to_path_buf();
+    let below = [of_files, folder.path(".")].into_iter().filter(|path| path.exists());
+    let below: Vec<_> = below.collect();
     let permit = |mode| {
         below
             .iter()
