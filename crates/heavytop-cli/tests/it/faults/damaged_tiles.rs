@@ -36,8 +36,15 @@ impl Finished {
         Self { case, folder, tiles }
     }
 
-    /// Puts the tiles back after a change, which gets the number of each, and goes on from them.
+    /// Goes on from the tiles after a change, which gets the number of each.
     fn resume(&self, change: impl Fn(usize, &mut Vec<u8>)) {
+        self.put_back(change);
+        self.assert_goes_on();
+    }
+
+    /// Puts the tiles back after a change, and nothing else.
+    fn put_back(&self, change: impl Fn(usize, &mut Vec<u8>)) {
+        fs::remove_dir_all(self.folder.path("cut")).unwrap();
         let to = self.case.tiles(&self.folder);
         fs::create_dir_all(&to).unwrap();
         for (number, (name, contents)) in self.tiles.iter().enumerate() {
@@ -47,6 +54,9 @@ impl Finished {
             }
             fs::write(to.join(name), contents).unwrap();
         }
+    }
+
+    fn assert_goes_on(&self) {
         let resumed =
             self.folder.heavytop(&[self.case.command, "a.toml", "--out", "cut", "--resume"]);
         assert_eq!((resumed.code(), resumed.complaints().as_str()), (0, ""));
@@ -63,69 +73,69 @@ impl Finished {
 }
 
 #[test]
-fn tiles_that_are_cut_or_altered_are_made_again() {
+fn tiles_that_are_damaged_are_made_again() {
     for case in [SECTION, SWEEP, SYSTEM_SWEEP] {
         let run = Finished::new(case);
-        let count = run.tiles.len();
-        // From nothing to all but the last byte, and with one byte more.
-        run.resume(|number, tile| tile.truncate((tile.len() - 1) * number / (count - 2)));
-        run.case.assert_same_bytes(&run.folder);
-        run.resume(|_, tile| tile.push(b'\n'));
-        run.case.assert_same_bytes(&run.folder);
-        // Any bit, that of no ASCII character included.
-        run.resume(run.altered(|number, byte| byte ^ (1 << (number % 8))));
-        run.case.assert_same_bytes(&run.folder);
-        // A digit or what separates numbers becomes another digit, so that a tile that is taken shows.
-        run.resume(run.altered(|_, byte| if byte == b'7' { b'3' } else { b'7' }));
-        run.case.assert_same_bytes(&run.folder);
+        cut_or_altered_tiles_are_made_again(&run);
+        tiles_altered_together_with_their_checksums_are_taken(&run);
+        a_folder_in_place_of_a_tile_is_named(&run);
     }
+}
+
+fn cut_or_altered_tiles_are_made_again(run: &Finished) {
+    let count = run.tiles.len();
+    // From nothing to all but the last byte.
+    run.resume(|number, tile| tile.truncate((tile.len() - 1) * number / (count - 2)));
+    run.case.assert_same_bytes(&run.folder);
+    // Any bit, that of no ASCII character included; or a byte more.
+    let flipped = run.altered(|number, byte| byte ^ (1 << (number % 8)));
+    run.resume(|number, tile| match number % 3 {
+        0 => tile.push(b'\n'),
+        _ => flipped(number, tile),
+    });
+    run.case.assert_same_bytes(&run.folder);
+    // A digit or what separates numbers becomes another digit, so that a tile that is taken shows.
+    run.resume(run.altered(|_, byte| if byte == b'7' { b'3' } else { b'7' }));
+    run.case.assert_same_bytes(&run.folder);
 }
 
 /// Negative control: tiles with a checksum that is right are taken, and a digit that was altered shows.
-#[test]
-fn a_tile_that_is_altered_together_with_its_checksum_is_taken() {
-    for case in [SECTION, SWEEP, SYSTEM_SWEEP] {
-        let run = Finished::new(case);
-        run.resume(|_, tile| {
-            let text = String::from_utf8(std::mem::take(tile)).unwrap();
-            let (title, contents) = text.split_once('\n').unwrap();
-            // The first decimal place of the first number of the first row.
-            let place = contents.find('.').unwrap() + 1;
-            let other = if contents.as_bytes()[place] == b'7' { "3" } else { "7" };
-            let contents = format!("{}{other}{}", &contents[..place], &contents[place + 1..]);
-            let (start, _) = title.rsplit_once(' ').unwrap();
-            let checksum = crc32fast::hash(contents.as_bytes());
-            *tile = format!("{start} {checksum:08x}\n{contents}").into_bytes();
-        });
-        let read = |out: &str| fs::read(run.folder.path(out).join(run.case.files[0])).unwrap();
-        assert!(read("cut") != read("whole"), "{} computed all tiles again", run.case.command);
-    }
+fn tiles_altered_together_with_their_checksums_are_taken(run: &Finished) {
+    run.resume(|_, tile| {
+        let text = String::from_utf8(std::mem::take(tile)).unwrap();
+        let (title, contents) = text.split_once('\n').unwrap();
+        // The first decimal place of the first number of the first row.
+        let place = contents.find('.').unwrap() + 1;
+        let other = if contents.as_bytes()[place] == b'7' { "3" } else { "7" };
+        let contents = format!("{}{other}{}", &contents[..place], &contents[place + 1..]);
+        let (start, _) = title.rsplit_once(' ').unwrap();
+        let checksum = crc32fast::hash(contents.as_bytes());
+        *tile = format!("{start} {checksum:08x}\n{contents}").into_bytes();
+    });
+    let read = |out: &str| fs::read(run.folder.path(out).join(run.case.files[0])).unwrap();
+    assert!(read("cut") != read("whole"), "{} computed all tiles again", run.case.command);
 }
 
-#[test]
-fn a_folder_in_place_of_a_tile_is_named_and_the_run_goes_on_without_it() {
-    for case in [SECTION, SWEEP, SYSTEM_SWEEP] {
-        let run = Finished::new(case);
-        let (case, folder) = (&run.case, &run.folder);
-        let place = case.tiles(folder).join("0000003");
-        fs::remove_file(&place).unwrap();
-        fs::create_dir(&place).unwrap();
-        let resumed = folder.heavytop(&[case.command, "a.toml", "--out", "cut", "--resume"]);
-        let said = resumed.stderr();
-        assert_eq!((resumed.code(), said.lines().count()), (1, 1), "{said}");
-        let named = format!("heavytop: cannot read cut/{}.partial/0000003: ", case.command);
-        assert!(said.starts_with(&named), "{said}");
-        assert!(said.ends_with("; go on by the same command with --resume\n"), "{said}");
-        // No other tile is lost, and nothing else is there.
-        for (name, contents) in run.tiles.iter().filter(|(name, _)| name != "0000003") {
-            assert!(fs::read(case.tiles(folder).join(name)).unwrap() == *contents, "{name}");
-        }
-        assert_eq!(fs::read_dir(folder.path("cut")).unwrap().count(), 1);
-        fs::remove_dir(&place).unwrap();
-        let resumed = folder.heavytop(&[case.command, "a.toml", "--out", "cut", "--resume"]);
-        assert_eq!((resumed.code(), resumed.complaints().as_str()), (0, ""));
-        case.assert_same_bytes(folder);
+fn a_folder_in_place_of_a_tile_is_named(run: &Finished) {
+    let (case, folder) = (&run.case, &run.folder);
+    let place = case.tiles(folder).join("0000003");
+    run.put_back(|_, _| {});
+    fs::remove_file(&place).unwrap();
+    fs::create_dir(&place).unwrap();
+    let resumed = folder.heavytop(&[case.command, "a.toml", "--out", "cut", "--resume"]);
+    let said = resumed.stderr();
+    assert_eq!((resumed.code(), said.lines().count()), (1, 1), "{said}");
+    let named = format!("heavytop: cannot read cut/{}.partial/0000003: ", case.command);
+    assert!(said.starts_with(&named), "{said}");
+    assert!(said.ends_with("; go on by the same command with --resume\n"), "{said}");
+    // No other tile is lost, and nothing else is there.
+    for (name, contents) in run.tiles.iter().filter(|(name, _)| name != "0000003") {
+        assert!(fs::read(case.tiles(folder).join(name)).unwrap() == *contents, "{name}");
     }
+    assert_eq!(fs::read_dir(folder.path("cut")).unwrap().count(), 1);
+    fs::remove_dir(&place).unwrap();
+    run.assert_goes_on();
+    case.assert_same_bytes(folder);
 }
 
 #[test]
