@@ -54,11 +54,7 @@ impl Method {
     /// # Errors
     /// Returns [`MissingInstructions`] if the processor lacks them.
     pub fn with_instructions(self, set: InstructionSet) -> Result<Self, MissingInstructions> {
-        if set.is_available() {
-            Ok(Self { instructions: Some(set), ..self })
-        } else {
-            Err(MissingInstructions { set })
-        }
+        Ok(Self { instructions: Some(set.if_available()?), ..self })
     }
 
     /// Returns the instruction set on which the last bits of the steps depend: the narrowest one with the same bits.

@@ -115,11 +115,7 @@ impl Registers {
     /// # Errors
     /// Returns [`MissingInstructions`] if the processor lacks the instructions.
     pub fn new(instructions: InstructionSet, width: Width) -> Result<Self, MissingInstructions> {
-        if instructions.is_available() {
-            Ok(Self { instructions, width })
-        } else {
-            Err(MissingInstructions { set: instructions })
-        }
+        Ok(Self { instructions: instructions.if_available()?, width })
     }
 
     /// Returns the instruction set of the registers.
