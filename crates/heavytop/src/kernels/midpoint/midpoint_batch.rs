@@ -116,12 +116,16 @@ impl MidpointBatch {
         Self { registers: Registers::widest() }
     }
 
-    /// Creates the method on another instruction set.
+    /// Replaces the instruction set and the width of the registers.
     ///
     /// # Errors
-    /// Returns [`MissingInstructions`] if the processor lacks them.
-    pub fn with_instructions(set: InstructionSet) -> Result<Self, MissingInstructions> {
-        Ok(Self { registers: Registers::new(set, Width::TwoRegisters)? })
+    /// Returns [`MissingInstructions`] if the processor lacks the instructions.
+    pub fn on(
+        self,
+        instructions: InstructionSet,
+        width: Width,
+    ) -> Result<Self, MissingInstructions> {
+        Ok(Self { registers: Registers::new(instructions, width)? })
     }
 }
 

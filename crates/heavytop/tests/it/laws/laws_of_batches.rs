@@ -36,8 +36,10 @@ fn gauss_batch() {
 fn midpoint_batch() {
     let (members, failing) = of_many_tops(&any_tops());
     for set in InstructionSet::available() {
-        let midpoint = MidpointBatch::with_instructions(set).unwrap();
-        obeys(&midpoint, ("advance", 0), 0.0, |b| laws::batch(b, &members, &failing, STEP));
+        for width in Width::ALL {
+            let midpoint = MidpointBatch::new().on(set, width).unwrap();
+            obeys(&midpoint, ("advance", 0), 0.0, |b| laws::batch(b, &members, &failing, STEP));
+        }
     }
     obeys(&MidpointBatch::default(), ("advance", 0), 0.0, |b| {
         laws::batch(b, &members, &failing, STEP)
