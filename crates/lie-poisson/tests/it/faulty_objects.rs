@@ -13,7 +13,8 @@ fn broken(report: Result<Report, NoSamples>) -> Vec<&'static str> {
 #[test]
 fn faults_of_each_method_are_refused() {
     let algebra = |method| broken(laws::lie_algebra(&Faulty::new(&So3, method, 1), &samples()));
-    assert_eq!(algebra("bracket"), ["antisymmetry", "Jacobi", "pairing"]);
+    // Half a coordinate of the cross product is the bracket of another Lie algebra, with another ad∗.
+    assert_eq!(algebra("bracket"), ["pairing"]);
     assert_eq!(algebra("coadjoint"), ["pairing"]);
     let casimirs = Faulty::new(&So3, "casimir_differential", 2);
     assert_eq!(broken(laws::casimirs(&casimirs, &samples())), ["Casimir"]);

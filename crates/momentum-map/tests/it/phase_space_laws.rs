@@ -50,7 +50,7 @@ fn hamiltonians_by_maps() {
         holds(lie_poisson::laws::hamiltonian(&rotation, &samples()).unwrap());
     }
     // control: the generator is right, and the map is not the one whose derivative is pulled back
-    let wrong = momentum_map::laws::Faulty::new(&HOPF, "pull_back", 0);
+    let wrong = laws::Faulty::new(&HOPF, "pull_back", 0);
     let wrong = CollectiveHamiltonian::new(wrong, Automatic(Body {}));
     let report = lie_poisson::laws::hamiltonian(&wrong, &samples()).unwrap();
     assert!(report.residual("differential").unwrap() > 0.1);
