@@ -3,7 +3,7 @@
 
 use crate::support::system;
 use collective_integrators::{Start, TangentIntegrator, laws};
-use heavytop::methods::{Formulation, Scheme};
+use heavytop::methods::{Formulation, SchemeName};
 use lie_poisson::laws::{Faulty, NoSamples, Report, hamiltonian, lie_algebra, poisson_space};
 use lie_poisson::{Hamiltonian, LiePoisson, Momentum, PoissonSpace, StructureConstants, Vector};
 use lie_poisson_formula_systems::{FormulaSystem, SystemAlgebra, SystemMethod, SystemTask};
@@ -185,7 +185,8 @@ fn integrators_of_systems_of_any_dimension() {
             &[0.6, -0.4, 0.7, 0.3, -0.5, 0.8, 0.2, -0.9, 0.5, 0.4, 0.1, -0.3, 0.6, -0.2, 0.9]
                 [..algebra.dimension()];
         for formulation in SystemMethod::formulations(algebra) {
-            let method = SystemMethod::new(algebra, formulation, Scheme::Gauss(2), 0.0).unwrap();
+            let method =
+                SystemMethod::new(algebra, formulation, SchemeName::Gauss(2), 0.0).unwrap();
             let what = format!("dimension {}, {formulation}", start.len());
             let task = Dynamics { system: &system, what, start };
             method.integrate(&system, start, task).unwrap();
@@ -212,7 +213,8 @@ fn methods_that_lose_casimirs_are_refused() {
     let so3 = SystemAlgebra::named("so(3)").unwrap();
     let body = system(so3, "Pi1^2 + Pi2^2/2 + Pi3^2/3");
     let start = [0.6, -0.4, 0.7];
-    let method = SystemMethod::new(body.algebra(), Formulation::Direct, Scheme::Rk4, 0.0).unwrap();
+    let method =
+        SystemMethod::new(body.algebra(), Formulation::Direct, SchemeName::Rk4, 0.0).unwrap();
     let task = Dynamics { system: &body, what: "rk4".into(), start: &start };
     method.integrate(&body, &start, task).unwrap();
 }
