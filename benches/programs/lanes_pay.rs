@@ -151,7 +151,7 @@ fn midpoint(top: HeavyTop) -> Result<[Method; 2], Box<dyn Error>> {
     for set in InstructionSet::available() {
         let name = format!("{set}, {:?}", Width::TwoRegisters);
         one_system.lanes.push(Path::new(name.clone(), rule(set)?, &states, step, steps));
-        let many = MidpointBatch::with_instructions(set)?;
+        let many = MidpointBatch::new().on(set, Width::TwoRegisters)?;
         sweep.lanes.push(Path::new(name, many, &members(top), step, steps));
     }
     Ok([one_system, sweep])

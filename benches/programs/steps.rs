@@ -90,7 +90,9 @@ fn main() -> Result<(), Box<dyn Error>> {
     match kernel.as_str() {
         "gauss-8" => one(&CollectiveGauss::new(8, top)?.with_instructions(set)?, 0.25, steps),
         "midpoint" => one(&TopMidpoint::new(top).with_instructions(set)?, 0.01, steps),
-        "midpoint-ensemble" => many(&MidpointBatch::with_instructions(set)?, top, 0.01, steps),
+        "midpoint-ensemble" => {
+            many(&MidpointBatch::new().on(set, Width::TwoRegisters)?, top, 0.01, steps)
+        }
         "splitting-ensemble" => {
             let splitting = SymmetricTopBatch::new(AlternatingSubsteps::blanes_moan6());
             let splitting = splitting.on(set, Width::TwoRegisters)?;

@@ -5,7 +5,7 @@ use collective_integrators::{CHECKPOINT, Collective, Ensemble, Laned, MemberErro
 use heavytop::{MidpointBatch, ReducedMidpoint, SpinorRealisation, TopMidpoint};
 use lie_poisson::{
     Automatic, Covector, Energy, InstructionSet, LiePoisson, Point, Real, RealSpace, Se3Dual, So3,
-    Vector,
+    Vector, Width,
 };
 use momentum_map::{Cotangent, CotangentBundle, Lift, PoissonMap};
 use nalgebra::Vector3;
@@ -44,7 +44,7 @@ fn kernels_are_run_by_the_same_call() {
         None
     );
     // Negative control: without fused multiply-add other bits come out.
-    let unfused = MidpointBatch::with_instructions(InstructionSet::Portable).unwrap();
+    let unfused = MidpointBatch::new().on(InstructionSet::Portable, Width::TwoRegisters).unwrap();
     let fused = InstructionSet::detected() != InstructionSet::Portable;
     assert_eq!(run(unfused, 1) != one, fused);
 }

@@ -1,6 +1,6 @@
 //! The reasons why there is no such system, method or initial state: [`FormulaSystemError`].
 
-use heavytop::methods::{Formulation, MethodError, Scheme};
+use heavytop::methods::{Formulation, MethodError, SchemeName};
 use lie_poisson_formulas::{CasimirError, EntryError, FormulaError, NameError};
 use momentum_map::LiftError;
 use thiserror::Error;
@@ -150,7 +150,7 @@ pub enum FormulaSystemError {
         /// The requested formulation.
         formulation: Formulation,
         /// The requested scheme.
-        scheme: Scheme,
+        scheme: SchemeName,
         /// The formulations or the schemes that there are.
         has: String,
     },

@@ -2,7 +2,7 @@
 
 use super::refused;
 use collective_integrators::{Direction, Start};
-use heavytop::methods::{Formulation, Scheme};
+use heavytop::methods::{Formulation, SchemeName};
 use lie_poisson::{So3, Vector};
 use lie_poisson_formula_systems::{
     FormulaSystem, FormulaSystemError, SystemAlgebra, SystemMethod, SystemSection, SystemTask,
@@ -70,15 +70,16 @@ pub fn systems_and_states() -> Vec<String> {
     let plane = SystemAlgebra::of_entries(Coordinates::scalars(["x", "y"]).unwrap(), Vec::new());
     let plane = FormulaSystem::new(plane.unwrap(), "x", &none).unwrap();
     let state = [1.0, 0.5, 0.2];
-    let method =
-        |formulation, tolerance| SystemMethod::new(&so3, formulation, Scheme::Gauss(2), tolerance);
+    let method = |formulation, tolerance| {
+        SystemMethod::new(&so3, formulation, SchemeName::Gauss(2), tolerance)
+    };
     // The reciprocal of the only constant is not finite, so that the Clebsch map has no units.
     let constants = vec![StructureEntry { i: 0, j: 1, k: 2, value: 1e-310 }];
     let tiny = SystemAlgebra::of_entries(Coordinates::scalars(["x", "y", "z"]).unwrap(), constants);
     let unlifted = || -> Outcome<()> {
         let tiny = FormulaSystem::new(tiny?, "x^2 + z", &Parameters::new())?;
         let collective = Formulation::Collective;
-        let method = SystemMethod::new(tiny.algebra(), collective, Scheme::Gauss(2), 0.0)?;
+        let method = SystemMethod::new(tiny.algebra(), collective, SchemeName::Gauss(2), 0.0)?;
         method.integrate(&tiny, &state, Nothing)
     };
     // A program may look for the Casimirs of a system before it makes the system.

@@ -2,7 +2,7 @@
 
 use super::refused;
 use collective_integrators::{Direction, Start};
-use heavytop::methods::{Formulation, Method, MethodError, Scheme, Task};
+use heavytop::methods::{Formulation, Method, MethodError, SchemeName, Task};
 use heavytop::{
     Body, Coordinate, EnergyLevel, HeavyTop, JacobiElliptic, LagrangeNutation, Section, Surface,
     SymmetricTopSplitting, require_unit,
@@ -51,7 +51,7 @@ pub fn errors() -> Vec<String> {
     let top = tops::paper().unwrap();
     let generic = tops::generic().unwrap();
     let portable = InstructionSet::Portable;
-    let no_stages = Method::new(Formulation::Direct, Scheme::Gauss(0), 0.0).unwrap();
+    let no_stages = Method::new(Formulation::Direct, SchemeName::Gauss(0), 0.0).unwrap();
     let section = |energy, level| {
         let surface = Surface { coordinate: Coordinate::Gamma3, level, direction: Direction::Up };
         Section::new(EnergyLevel { top, energy, vertical_momentum: 0.0 }, surface)
@@ -67,7 +67,7 @@ pub fn errors() -> Vec<String> {
         refused(require_unit("axis", &Vector3::new(1.0, 1.0, 0.0))),
         refused(method("direct", "rk5", portable)),
         refused(method("direct", "stormer-verlet", portable)),
-        refused(Method::new(Formulation::Direct, Scheme::Rk4, -1.0)),
+        refused(Method::new(Formulation::Direct, SchemeName::Rk4, -1.0)),
         missing_instructions(),
         refused(no_stages.integrate(&top, Nothing)),
         refused(section(f64::NAN, 0.0)),

@@ -10,7 +10,7 @@ use collective_integrators::{
     StageSolver,
 };
 use heavytop::SpinorRealisation;
-use heavytop::methods::{Formulation, MethodError, Scheme};
+use heavytop::methods::{Formulation, MethodError, SchemeName};
 use lie_poisson::{LieAlgebra, LiePoisson, Momentum, Se3, So3, StructureConstants, Vector};
 use lie_poisson_formulas::{Formula, FormulaHamiltonian, structure_constants};
 use momentum_map::{DualQuaternions, HOPF, Lift, PoissonMap, Quaternions};
@@ -18,7 +18,7 @@ use momentum_map::{DualQuaternions, HOPF, Lift, PoissonMap, Quaternions};
 /// A system with the method of its integration, for runs from a state.
 pub(super) struct Integration<'a> {
     pub(super) formulation: Formulation,
-    pub(super) scheme: Scheme,
+    pub(super) scheme: SchemeName,
     pub(super) tolerance: f64,
     pub(super) system: &'a FormulaSystem,
     pub(super) start: &'a [f64],
@@ -35,18 +35,18 @@ impl Integration<'_> {
         let midpoint = || RungeKutta::implicit_midpoint().with_solver(solver);
         let failed = |source| MethodError::Scheme { scheme, source };
         match scheme {
-            Scheme::ImplicitMidpoint => self.with(midpoint(), task),
-            Scheme::Gauss(stages) => {
+            SchemeName::ImplicitMidpoint => self.with(midpoint(), task),
+            SchemeName::Gauss(stages) => {
                 let gauss = RungeKutta::gauss(stages.into()).map_err(failed)?;
                 self.with(gauss.with_solver(solver), task)
             }
-            Scheme::ExplicitMidpoint => self.with(RungeKutta::explicit_midpoint(), task),
-            Scheme::Rk4 => self.with(RungeKutta::rk4(), task),
-            Scheme::Composed(raise) => {
+            SchemeName::ExplicitMidpoint => self.with(RungeKutta::explicit_midpoint(), task),
+            SchemeName::Rk4 => self.with(RungeKutta::rk4(), task),
+            SchemeName::Composed(raise) => {
                 let substeps = raise.substeps().map_err(failed)?;
                 self.with(Composition::new(midpoint(), substeps), task)
             }
-            Scheme::Partitioned(_) => Err(self.impossible()),
+            SchemeName::Partitioned(_) => Err(self.impossible()),
         }
     }
 

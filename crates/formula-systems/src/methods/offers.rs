@@ -2,7 +2,7 @@
 
 use crate::algebras::system_algebra::Family;
 use crate::{FormulaSystemError, SystemAlgebra};
-use heavytop::methods::{Formulation, Scheme};
+use heavytop::methods::{Formulation, SchemeName};
 
 /// The dimensions of the algebras with a Clebsch map.
 const CLEBSCH: [usize; 5] = [2, 3, 4, 5, 6];
@@ -23,9 +23,9 @@ pub(super) fn formulations(algebra: &SystemAlgebra) -> impl Iterator<Item = Form
 pub(super) fn require(
     algebra: &SystemAlgebra,
     formulation: Formulation,
-    scheme: Scheme,
+    scheme: SchemeName,
 ) -> Result<(), FormulaSystemError> {
-    let partitioned = matches!(scheme, Scheme::Partitioned(_));
+    let partitioned = matches!(scheme, SchemeName::Partitioned(_));
     if has(algebra, formulation) && !partitioned && formulation.offers(scheme) {
         Ok(())
     } else {
@@ -37,11 +37,11 @@ pub(super) fn require(
 pub(super) fn refusal(
     algebra: &SystemAlgebra,
     formulation: Formulation,
-    scheme: Scheme,
+    scheme: SchemeName,
 ) -> FormulaSystemError {
     let has = if has(algebra, formulation) {
-        let schemes = formulation.schemes().filter(|s| !matches!(s, Scheme::Partitioned(_)));
-        let names: Vec<_> = schemes.map(Scheme::name).collect();
+        let schemes = formulation.schemes().filter(|s| !matches!(s, SchemeName::Partitioned(_)));
+        let names: Vec<_> = schemes.map(SchemeName::name).collect();
         format!("{formulation} has {}", names.join(", "))
     } else {
         let names: Vec<_> = formulations(algebra).map(Formulation::name).collect();
@@ -69,9 +69,10 @@ mod tests {
         let algebra = SystemAlgebra::named("so(3)")?;
         let mut refusals = 0;
         for formulation in formulations(&algebra) {
-            let accepted = |scheme: &Scheme| require(&algebra, formulation, *scheme).is_ok();
+            let accepted = |scheme: &SchemeName| require(&algebra, formulation, *scheme).is_ok();
             let refused = formulation.schemes().find(|scheme| !accepted(scheme));
-            let names: Vec<_> = formulation.schemes().filter(accepted).map(Scheme::name).collect();
+            let names: Vec<_> =
+                formulation.schemes().filter(accepted).map(SchemeName::name).collect();
             let Some(refused) = refused else { continue };
             let error = require(&algebra, formulation, refused).err();
             let expected = format!("{formulation} has {}", names.join(", "));

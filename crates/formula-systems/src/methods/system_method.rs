@@ -5,7 +5,7 @@ use super::offers::{formulations, require};
 use super::system_task::SystemTask;
 use crate::algebras::system_algebra::Family;
 use crate::{FormulaSystem, FormulaSystemError, SystemAlgebra};
-use heavytop::methods::{Formulation, MethodError, Scheme};
+use heavytop::methods::{Formulation, MethodError, SchemeName};
 
 /// A formulation, a scheme, and the tolerance of its stage equations: an integrator for the systems on an algebra.
 ///
@@ -19,7 +19,7 @@ use heavytop::methods::{Formulation, MethodError, Scheme};
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct SystemMethod {
     formulation: Formulation,
-    scheme: Scheme,
+    scheme: SchemeName,
     tolerance: f64,
 }
 
@@ -33,18 +33,18 @@ impl SystemMethod {
     ///
     /// # Example
     /// ```
-    /// use heavytop::methods::{Formulation, Scheme};
+    /// use heavytop::methods::{Formulation, SchemeName};
     /// use lie_poisson_formula_systems::{SystemAlgebra, SystemMethod};
     /// let se2 = SystemAlgebra::named("se(2)")?;
-    /// assert!(SystemMethod::new(&se2, Formulation::Collective, Scheme::Gauss(2), 0.0).is_ok());
-    /// let error = SystemMethod::new(&se2, Formulation::Reduced, Scheme::Gauss(2), 0.0).unwrap_err();
+    /// assert!(SystemMethod::new(&se2, Formulation::Collective, SchemeName::Gauss(2), 0.0).is_ok());
+    /// let error = SystemMethod::new(&se2, Formulation::Reduced, SchemeName::Gauss(2), 0.0).unwrap_err();
     /// assert_eq!(error.to_string(), "se(2) has no reduced gauss-4; it has collective and direct");
     /// # Ok::<(), lie_poisson_formula_systems::FormulaSystemError>(())
     /// ```
     pub fn new(
         algebra: &SystemAlgebra,
         formulation: Formulation,
-        scheme: Scheme,
+        scheme: SchemeName,
         tolerance: f64,
     ) -> Result<Self, FormulaSystemError> {
         require(algebra, formulation, scheme)?;
@@ -77,7 +77,7 @@ impl SystemMethod {
 
     /// Returns the scheme of the method.
     #[must_use]
-    pub const fn scheme(&self) -> Scheme {
+    pub const fn scheme(&self) -> SchemeName {
         self.scheme
     }
 
@@ -99,7 +99,7 @@ impl SystemMethod {
     /// The drift of the Casimir |Π|² of a free rigid body over 100 steps:
     /// ```
     /// use collective_integrators::Start;
-    /// use heavytop::methods::{Formulation, Scheme};
+    /// use heavytop::methods::{Formulation, SchemeName};
     /// use lie_poisson::Vector;
     /// use lie_poisson_formula_systems::{FormulaSystem, SystemAlgebra, SystemMethod, SystemTask};
     /// use lie_poisson_formulas::Parameters;
@@ -126,8 +126,8 @@ impl SystemMethod {
     ///     let end = method.integrate(&body, &start, End(&start))?.ok_or("a step failed")?;
     ///     Ok((body.invariants(&end)?[1] - body.invariants(&start)?[1]).abs())
     /// };
-    /// assert!(drift(Formulation::Collective, Scheme::Gauss(2))? < 1e-13);
-    /// assert!(drift(Formulation::Direct, Scheme::Rk4)? > 1e-8);
+    /// assert!(drift(Formulation::Collective, SchemeName::Gauss(2))? < 1e-13);
+    /// assert!(drift(Formulation::Direct, SchemeName::Rk4)? > 1e-8);
     /// # Ok::<(), Box<dyn std::error::Error>>(())
     /// ```
     pub fn integrate<K: SystemTask>(
@@ -148,13 +148,13 @@ impl SystemMethod {
     ///
     /// # Example
     /// ```
-    /// use heavytop::methods::{Formulation, Scheme};
+    /// use heavytop::methods::{Formulation, SchemeName};
     /// use lie_poisson_formula_systems::{FormulaSystem, SystemAlgebra, SystemMethod};
     /// use lie_poisson_formulas::{Coordinates, Parameters};
     /// let descends = |brackets: [(&str, &str); 2]| -> Result<bool, Box<dyn std::error::Error>> {
     ///     let names = Coordinates::scalars(["x", "y", "z"])?;
     ///     let algebra = SystemAlgebra::of_brackets(names, brackets, &Parameters::new())?;
-    ///     let method = SystemMethod::new(&algebra, Formulation::Collective, Scheme::Gauss(2), 0.0)?;
+    ///     let method = SystemMethod::new(&algebra, Formulation::Collective, SchemeName::Gauss(2), 0.0)?;
     ///     let system = FormulaSystem::new(algebra, "x^2 + y^2 + z^2", &Parameters::new())?;
     ///     Ok(method.descends(&system, &[0.1, 0.3, -0.2])?)
     /// };

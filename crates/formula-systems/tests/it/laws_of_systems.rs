@@ -2,10 +2,9 @@
 //! integrator of each formulation. Each suite refuses the same object with a wrong result.
 
 use crate::support::system;
-use crate::wrong_results::Wrong;
 use collective_integrators::{Start, TangentIntegrator, laws};
-use heavytop::methods::{Formulation, Scheme};
-use lie_poisson::laws::{NoSamples, Report, hamiltonian, lie_algebra, poisson_space};
+use heavytop::methods::{Formulation, SchemeName};
+use lie_poisson::laws::{Faulty, NoSamples, Report, hamiltonian, lie_algebra, poisson_space};
 use lie_poisson::{Hamiltonian, LiePoisson, Momentum, PoissonSpace, StructureConstants, Vector};
 use lie_poisson_formula_systems::{FormulaSystem, SystemAlgebra, SystemMethod, SystemTask};
 use lie_poisson_formulas::{
@@ -84,17 +83,18 @@ fn samples<V: Vector<Scalar = f64>>() -> Vec<V> {
     (0..2).map(|_| V::from_coordinates(|_| next())).collect()
 }
 
-/// Checks that a suite accepts an object, and that it refuses the object with a wrong coordinate.
-fn obeys<S: Clone>(
+/// Checks that a suite accepts an object, and that it refuses the object with a fault in the given method and coordinate.
+fn obeys<'a, S>(
     what: &str,
-    object: &S,
-    coordinate: usize,
+    object: &'a S,
+    (method, coordinate): (&'static str, usize),
     tolerance: f64,
-    suite: impl Fn(&Wrong<S>) -> Result<Report, NoSamples>,
+    suite: impl Fn(&Faulty<'a, S>) -> Result<Report, NoSamples>,
 ) {
-    let of = |coordinate| suite(&Wrong { object: object.clone(), coordinate }).unwrap();
-    of(None).check(tolerance).unwrap_or_else(|broken| panic!("{what}: {broken}"));
-    assert!(of(Some(coordinate)).check(CLEAR).is_err(), "{what}: a fault was not found");
+    let report = suite(&Faulty::without_fault(object)).unwrap();
+    report.check(tolerance).unwrap_or_else(|broken| panic!("{what}: {broken}"));
+    let refused = suite(&Faulty::new(object, method, coordinate)).unwrap().check(CLEAR);
+    assert!(refused.is_err(), "{what}: a fault of {method} was not found");
 }
 
 /// Runs the suites of the algebra and of the Hamiltonian.
@@ -107,12 +107,12 @@ impl DimensionTask for Statics<'_> {
         let algebra = structure_constants::<N>(self.0.algebra().entries()).unwrap();
         let what = format!("dimension {N}");
         let h = FormulaHamiltonian::<StructureConstants<N>>::of(self.0.hamiltonian()).unwrap();
-        obeys(&what, &h, 0, ROUND_OFF, |h| {
+        obeys(&what, &h, ("differential", 0), ROUND_OFF, |h| {
             hamiltonian::<LiePoisson<StructureConstants<N>>, _>(h, &samples())
         });
         // Without brackets there is nothing to halve.
         if let Some(entry) = self.0.algebra().entries().first() {
-            obeys(&what, &algebra, entry.k, ROUND_OFF, |algebra| {
+            obeys(&what, &algebra, ("bracket", entry.k), ROUND_OFF, |algebra| {
                 lie_algebra(algebra, &samples()[..1])
             });
         }
@@ -156,7 +156,7 @@ impl SystemTask for Dynamics<'_> {
         let what = &self.what;
         let mu: <I as collective_integrators::Integrator>::Momentum =
             Vector::from_coordinates(|i| self.start.get(i).copied().unwrap_or(0.0));
-        obeys(what, &integrator, 0, ROUND_OFF, |i| laws::start(i, &[mu], STEP));
+        obeys(what, integrator, ("step", 0), ROUND_OFF, |i| laws::start(i, &[mu], STEP));
         let state = [integrator.start(&mu).unwrap()];
         let invariant = |index: usize| {
             move |mu: &_| {
@@ -165,12 +165,11 @@ impl SystemTask for Dynamics<'_> {
                 self.system.invariants(&coordinates).unwrap()[index]
             }
         };
-        let run = |i: &Wrong<&I>, index| laws::invariants(i, &state, STEP, &[&invariant(index)]);
-        let energy = run(&Wrong { object: integrator, coordinate: None }, 0).unwrap();
+        let run = |index| laws::invariants(integrator, &state, STEP, &[&invariant(index)]).unwrap();
+        let energy = run(0);
         energy.check(ENERGY).unwrap_or_else(|broken| panic!("{what}, energy: {broken}"));
         for index in 1..=self.system.casimirs().len() {
-            let casimir = run(&Wrong { object: integrator, coordinate: None }, index).unwrap();
-            let checked = casimir.check(ROUND_OFF_OF_RUNS);
+            let checked = run(index).check(ROUND_OFF_OF_RUNS);
             checked.unwrap_or_else(|broken| panic!("{what}, Casimir {index}: {broken}"));
         }
     }
@@ -186,7 +185,8 @@ fn integrators_of_systems_of_any_dimension() {
             &[0.6, -0.4, 0.7, 0.3, -0.5, 0.8, 0.2, -0.9, 0.5, 0.4, 0.1, -0.3, 0.6, -0.2, 0.9]
                 [..algebra.dimension()];
         for formulation in SystemMethod::formulations(algebra) {
-            let method = SystemMethod::new(algebra, formulation, Scheme::Gauss(2), 0.0).unwrap();
+            let method =
+                SystemMethod::new(algebra, formulation, SchemeName::Gauss(2), 0.0).unwrap();
             let what = format!("dimension {}, {formulation}", start.len());
             let task = Dynamics { system: &system, what, start };
             method.integrate(&system, start, task).unwrap();
@@ -213,7 +213,8 @@ fn methods_that_lose_casimirs_are_refused() {
     let so3 = SystemAlgebra::named("so(3)").unwrap();
     let body = system(so3, "Pi1^2 + Pi2^2/2 + Pi3^2/3");
     let start = [0.6, -0.4, 0.7];
-    let method = SystemMethod::new(body.algebra(), Formulation::Direct, Scheme::Rk4, 0.0).unwrap();
+    let method =
+        SystemMethod::new(body.algebra(), Formulation::Direct, SchemeName::Rk4, 0.0).unwrap();
     let task = Dynamics { system: &body, what: "rk4".into(), start: &start };
     method.integrate(&body, &start, task).unwrap();
 }

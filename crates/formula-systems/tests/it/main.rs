@@ -7,4 +7,3 @@ mod methods_by_name;
 mod schemes;
 mod sections_of_systems;
 mod support;
-mod wrong_results;

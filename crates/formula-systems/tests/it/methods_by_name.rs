@@ -1,12 +1,12 @@
 //! Methods: which algebra has which, and that all of them integrate the same equations.
 
 use crate::support::{End, distance, end, system};
-use heavytop::methods::{Formulation, MethodError, PartitionedScheme, Scheme};
+use heavytop::methods::{Formulation, MethodError, PartitionedScheme, SchemeName};
 use lie_poisson_formula_systems::{FormulaSystemError, SystemAlgebra, SystemMethod};
 use lie_poisson_formulas::{Coordinates, Parameters, StructureEntry};
 
 /// Gauss–Legendre with six stages: over 40 steps of 0.05 its error is far below rounding.
-const GAUSS: Scheme = Scheme::Gauss(6);
+const GAUSS: SchemeName = SchemeName::Gauss(6);
 
 /// A bound on the rounding errors of 40 steps, each a few units in the last place of numbers of size 1.
 const ROUNDING: f64 = 1e-12;
@@ -29,7 +29,7 @@ fn all_formulations_integrate_the_same_equations() {
             assert!(error < ROUNDING, "{name}, {formulation}: {error:e}");
         }
         // Negative control: another scheme ends elsewhere.
-        let other = end(&system, (Formulation::Direct, Scheme::Rk4), start, (0.05, 40));
+        let other = end(&system, (Formulation::Direct, SchemeName::Rk4), start, (0.05, 40));
         assert!(distance(&other, &direct) > ROUNDING, "{name}");
     }
 }
@@ -134,11 +134,11 @@ fn methods_that_an_algebra_does_not_have_are_refused() {
     assert_eq!(message, "se(3)+R3 has no collective gauss-12; it has direct");
     let message = refused("se(3)", Formulation::Splitting, GAUSS);
     assert_eq!(message, "se(3) has no splitting gauss-12; it has collective, reduced and direct");
-    let verlet = Scheme::Partitioned(PartitionedScheme::StormerVerlet);
+    let verlet = SchemeName::Partitioned(PartitionedScheme::StormerVerlet);
     let message = refused("so(3)", Formulation::Collective, verlet);
     assert!(message.starts_with("so(3) has no collective stormer-verlet; collective has"));
     assert!(!message.ends_with("stormer-verlet"));
-    assert!(refused("so(3)", Formulation::Reduced, Scheme::Rk4).contains("reduced has"));
+    assert!(refused("so(3)", Formulation::Reduced, SchemeName::Rk4).contains("reduced has"));
 }
 
 #[test]

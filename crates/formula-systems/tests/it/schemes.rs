@@ -1,7 +1,7 @@
 //! The schemes by name have their orders, and the coadjoint Clebsch map serves where the adjoint one has no lift.
 
 use crate::support::{distance, end, system};
-use heavytop::methods::{ComposedScheme, Formulation, Scheme};
+use heavytop::methods::{ComposedScheme, Formulation, SchemeName};
 use lie_poisson_formula_systems::{FormulaSystem, SystemAlgebra, SystemMethod};
 use lie_poisson_formulas::{Coordinates, Expressions, Parameters};
 
@@ -11,15 +11,15 @@ fn schemes_have_their_orders() {
     let start = [1.0, 0.5, -0.3];
     let run =
         |scheme, step: f64, steps| end(&body, (Formulation::Direct, scheme), &start, (step, steps));
-    let exact = run(Scheme::Gauss(6), 0.05, 80);
+    let exact = run(SchemeName::Gauss(6), 0.05, 80);
     for scheme in [
-        Scheme::ImplicitMidpoint,
-        Scheme::ExplicitMidpoint,
-        Scheme::Rk4,
-        Scheme::Gauss(2),
-        Scheme::Composed(ComposedScheme::Yoshida4),
-        Scheme::Composed(ComposedScheme::Suzuki4),
-        Scheme::Composed(ComposedScheme::KahanLi6),
+        SchemeName::ImplicitMidpoint,
+        SchemeName::ExplicitMidpoint,
+        SchemeName::Rk4,
+        SchemeName::Gauss(2),
+        SchemeName::Composed(ComposedScheme::Yoshida4),
+        SchemeName::Composed(ComposedScheme::Suzuki4),
+        SchemeName::Composed(ComposedScheme::KahanLi6),
     ] {
         // Steps so large that the error of order 6 is above rounding, and so small that the leading term dominates.
         let [coarse, fine] =
@@ -29,7 +29,7 @@ fn schemes_have_their_orders() {
     }
     // Negative control: the measured order is not that of any scheme.
     let [coarse, fine] = [(0.2, 20), (0.1, 40)]
-        .map(|(step, steps)| distance(&run(Scheme::Rk4, step, steps), &exact));
+        .map(|(step, steps)| distance(&run(SchemeName::Rk4, step, steps), &exact));
     assert!(((coarse / fine).log2() - 6.0).abs() > 0.5);
 }
 
@@ -41,7 +41,7 @@ fn the_coadjoint_clebsch_map_reaches_what_the_adjoint_one_does_not() {
     let brackets = [("x1, x4", "x1"), ("x2, x5", "x2"), ("x4, x5", "x3")];
     let algebra = SystemAlgebra::of_brackets(names, brackets, &Parameters::new()).unwrap();
     let system = system(algebra, "x1^2/2 + x2^2/3 + x3*x4 + x4^2/2 + x5^2/4");
-    let gauss = Scheme::Gauss(6);
+    let gauss = SchemeName::Gauss(6);
     for start in [[0.4, 0.3, -0.5, 0.2, 0.6], [0.4, 0.3, 0.0, 0.2, 0.6]] {
         let run = |formulation| end(&system, (formulation, gauss), &start, (0.05, 20));
         let (direct, collective) = (run(Formulation::Direct), run(Formulation::Collective));
@@ -83,7 +83,7 @@ fn casimirs_are_lost_where_steps_do_not_descend() {
         let casimir = system(algebra.clone(), casimir);
         let system = system(algebra, hamiltonian);
         let start = &[0.4, 0.3, -0.5, 0.2, 0.6, -0.7][..system.algebra().dimension()];
-        let scheme = Scheme::ImplicitMidpoint;
+        let scheme = SchemeName::ImplicitMidpoint;
         let method = SystemMethod::new(system.algebra(), Formulation::Collective, scheme, 0.0);
         assert_eq!(method.unwrap().descends(&system, start), Ok(descends), "{hamiltonian}");
         let last = end(&system, (Formulation::Collective, scheme), start, (0.1, 20));
@@ -99,10 +99,11 @@ fn casimirs_are_lost_where_steps_do_not_descend() {
 #[test]
 fn a_method_says_what_it_is_and_which_formulation_suits() {
     let named = |name| SystemAlgebra::named(name).unwrap();
-    let method = SystemMethod::new(&named("so(3)"), Formulation::Reduced, Scheme::Gauss(3), 1e-9);
+    let method =
+        SystemMethod::new(&named("so(3)"), Formulation::Reduced, SchemeName::Gauss(3), 1e-9);
     let method = method.unwrap();
     let parts = (method.formulation(), method.scheme(), method.tolerance());
-    assert_eq!(parts, (Formulation::Reduced, Scheme::Gauss(3), 1e-9));
+    assert_eq!(parts, (Formulation::Reduced, SchemeName::Gauss(3), 1e-9));
     for (name, formulation) in [
         ("so(3)", Formulation::Collective),
         ("su(2)", Formulation::Collective),

@@ -1,7 +1,7 @@
 //! Systems and tasks that several tests use.
 
 use collective_integrators::Start;
-use heavytop::methods::{Formulation, Scheme};
+use heavytop::methods::{Formulation, SchemeName};
 use lie_poisson::Vector;
 use lie_poisson_formula_systems::{FormulaSystem, SystemAlgebra, SystemMethod, SystemTask};
 use lie_poisson_formulas::Parameters;
@@ -36,7 +36,7 @@ impl SystemTask for End<'_> {
 /// Returns the state after a number of steps of a method.
 pub fn end(
     system: &FormulaSystem,
-    (formulation, scheme): (Formulation, Scheme),
+    (formulation, scheme): (Formulation, SchemeName),
     start: &[f64],
     (step, steps): (f64, usize),
 ) -> Vec<f64> {

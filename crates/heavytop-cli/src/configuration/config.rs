@@ -6,7 +6,7 @@ use super::sweep::SweepConfig;
 use super::system::SystemConfig;
 use super::top_config::{BodyConfig, InitialConfig};
 use crate::Error;
-use crate::errors::{CheckpointError, SystemError};
+use crate::errors::{CheckpointError, SystemTableError};
 use crate::runs::step_angle::require_sane_step;
 use crate::runs::{Experiment, Schedule, SystemExperiment};
 use heavytop::HeavyTop;
@@ -114,7 +114,7 @@ impl Config {
     pub fn system_experiment(&self) -> Result<Option<SystemExperiment>, Error> {
         let Some(system) = self.system()? else { return Ok(None) };
         if self.output.attitude {
-            return Err(SystemError::NoAttitude.into());
+            return Err(SystemTableError::NoAttitude.into());
         }
         if self.output.every == 0 {
             return Err(Error::OutOfRange { name: "every", range: "at least 1", value: 0.0 });
@@ -129,10 +129,10 @@ impl Config {
     pub(crate) fn system(&self) -> Result<Option<&SystemConfig>, Error> {
         let Some(system) = &self.system else { return Ok(None) };
         if self.body != BodyConfig::default() {
-            return Err(SystemError::Top("body").into());
+            return Err(SystemTableError::Top("body").into());
         }
         if self.initial != InitialConfig::default() {
-            return Err(SystemError::Top("initial").into());
+            return Err(SystemTableError::Top("initial").into());
         }
         Ok(Some(system))
     }
@@ -143,7 +143,7 @@ impl Config {
     /// The errors of [`BodyConfig::top`], or that there is a system instead of a top.
     pub fn top(&self) -> Result<HeavyTop, Error> {
         match self.system {
-            Some(_) => Err(SystemError::CommandOfTops.into()),
+            Some(_) => Err(SystemTableError::CommandOfTops.into()),
             None => self.body.top(),
         }
     }

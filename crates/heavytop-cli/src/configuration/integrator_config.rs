@@ -2,7 +2,7 @@
 
 use crate::Error;
 use crate::vocabulary::method_names;
-use heavytop::methods::{Formulation, Method, Scheme};
+use heavytop::methods::{Formulation, Method, SchemeName};
 use lie_poisson::InstructionSet;
 use serde::{Deserialize, Serialize};
 
@@ -15,7 +15,7 @@ pub struct IntegratorConfig {
     pub formulation: Option<Formulation>,
     /// The scheme's name in configurations.
     #[serde(with = "method_names")]
-    pub scheme: Option<Scheme>,
+    pub scheme: Option<SchemeName>,
     /// The time step, s.
     pub step: Option<f64>,
     /// The time to stop at, s: a whole number of steps.
@@ -43,7 +43,7 @@ pub struct Integration {
     /// The formulation: where the scheme is applied.
     pub formulation: Formulation,
     /// The one-step scheme.
-    pub scheme: Scheme,
+    pub scheme: SchemeName,
     /// The time step, s.
     pub step: f64,
     /// The time to stop at, s.
@@ -75,7 +75,7 @@ impl Default for Integration {
     fn default() -> Self {
         Self {
             formulation: Formulation::default(),
-            scheme: Scheme::default(),
+            scheme: SchemeName::default(),
             step: 0.02,
             end: 100.0,
             tolerance: 0.0,

@@ -4,7 +4,7 @@ use super::config::Config;
 use super::integrator_config::Integration;
 use super::top_config::{BodyConfig, InitialConfig};
 use clap::ValueEnum;
-use heavytop::methods::{Formulation, Scheme};
+use heavytop::methods::{Formulation, SchemeName};
 
 /// A top by name, with its start and its integrator: the defaults of a configuration.
 ///
@@ -79,7 +79,7 @@ fn multibody_benchmark(config: &mut Config) {
     // A step of half a radian, which the method of order 16 integrates to round-off.
     config.integrator = Integration {
         formulation: Formulation::Reduced,
-        scheme: Scheme::Gauss(8),
+        scheme: SchemeName::Gauss(8),
         step: 0.003_125,
         end: 2.0,
         ..Integration::default()

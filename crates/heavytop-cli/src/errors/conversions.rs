@@ -1,7 +1,7 @@
 //! Errors of the libraries as errors of the program.
 
 use super::error::Error;
-use super::system_error::SystemError;
+use super::system_table_error::SystemTableError;
 use heavytop::methods::MethodError;
 use lie_poisson_formula_systems::FormulaSystemError;
 use momentum_map::LiftError;
@@ -17,8 +17,8 @@ impl From<MethodError> for Error {
     }
 }
 
-impl From<SystemError> for Error {
-    fn from(error: SystemError) -> Self {
+impl From<SystemTableError> for Error {
+    fn from(error: SystemTableError) -> Self {
         Self::System(Box::new(error))
     }
 }
@@ -28,7 +28,7 @@ impl From<FormulaSystemError> for Error {
         match error {
             FormulaSystemError::Method(error) => error.into(),
             FormulaSystemError::Lift(error) => error.into(),
-            error => SystemError::from(error).into(),
+            error => SystemTableError::from(error).into(),
         }
     }
 }

@@ -3,7 +3,7 @@
 use super::checkpoint_error::CheckpointError;
 use super::quotation::Quotation;
 use super::sweep_error::SweepError;
-use super::system_error::SystemError;
+use super::system_table_error::SystemTableError;
 use crate::vocabulary::brief::{number, text};
 use collective_integrators::{EventError, IntegrationError, RunError, VariationalError};
 use heavytop::methods::{Formulation, MethodError};
@@ -297,7 +297,7 @@ pub enum Error {
     Sweep(#[from] SweepError),
     /// The Lie–Poisson system that the configuration asks for does not exist.
     #[error("[system]")]
-    System(#[source] Box<SystemError>),
+    System(#[source] Box<SystemTableError>),
     /// No member of a sweep could be followed.
     #[error("all {members} {nouns} failed; the first: {first}")]
     AllFailed {

@@ -62,7 +62,7 @@ mod tests {
     use super::*;
     use crate::errors::SweepError;
     use collective_integrators::{IntegrationError, RunError, SchemeError, StepError};
-    use heavytop::methods::{MethodError, Scheme};
+    use heavytop::methods::{MethodError, SchemeName};
     use heavytop::{SectionError, TopError};
     use momentum_map::LiftError;
     use std::error::Error as _;
@@ -107,8 +107,11 @@ mod tests {
                 "[initial] step 5 at t = 0.5: the state is not finite after the step",
             ),
             (
-                MethodError::Scheme { scheme: Scheme::Gauss(0), source: SchemeError::NotFinite }
-                    .into(),
+                MethodError::Scheme {
+                    scheme: SchemeName::Gauss(0),
+                    source: SchemeError::NotFinite,
+                }
+                .into(),
                 "gauss-0: a coefficient of the method is not finite",
             ),
             (

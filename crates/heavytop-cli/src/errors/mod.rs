@@ -3,7 +3,7 @@
 mod quotation;
 mod checkpoint_error;
 mod sweep_error;
-mod system_error;
+mod system_table_error;
 mod error;
 mod conversions;
 mod exit_code;
@@ -13,4 +13,4 @@ pub use checkpoint_error::CheckpointError;
 pub use error::Error;
 pub use quotation::Quotation;
 pub use sweep_error::SweepError;
-pub use system_error::SystemError;
+pub use system_table_error::SystemTableError;

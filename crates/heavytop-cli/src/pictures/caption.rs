@@ -2,7 +2,7 @@
 
 use super::numerals::significant;
 use heavytop::HeavyTop;
-use heavytop::methods::{Formulation, Scheme};
+use heavytop::methods::{Formulation, SchemeName};
 use lie_poisson::{Covector, Pair, Se3Dual};
 
 /// The number of significant digits in captions.
@@ -31,7 +31,7 @@ pub(crate) fn vector_of(
 }
 
 /// Returns the formulation, the scheme and the step (s).
-pub(crate) fn method(formulation: Formulation, scheme: Scheme, step: f64) -> String {
+pub(crate) fn method(formulation: Formulation, scheme: SchemeName, step: f64) -> String {
     format!("{formulation}, {scheme}, step {} s", number(step))
 }
 

@@ -1,7 +1,7 @@
 //! The place of an error within a formula that a configuration contains.
 
 use crate::Error;
-use crate::errors::SystemError;
+use crate::errors::SystemTableError;
 use lie_poisson_formula_systems::FormulaSystemError;
 use lie_poisson_formulas::FormulaError;
 use std::ops::Range;
@@ -35,7 +35,7 @@ fn formula_error(error: &Error) -> Option<&FormulaError> {
     use FormulaSystemError as E;
     let error = match error {
         Error::System(error) => match &**error {
-            SystemError::Formula(error) => error,
+            SystemTableError::Formula(error) => error,
             _ => return None,
         },
         Error::SystemSection(error) => error,

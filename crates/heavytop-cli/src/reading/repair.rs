@@ -2,7 +2,7 @@
 
 use crate::Error;
 use crate::configuration::Config;
-use crate::errors::{SweepError, SystemError};
+use crate::errors::{SweepError, SystemTableError};
 use crate::vocabulary::brief::number;
 use heavytop::methods::MethodError;
 use heavytop::{SectionError, TopError};
@@ -125,8 +125,8 @@ fn unit(vector: [f64; 3], length: f64) -> String {
     }
 }
 
-fn of_system(error: &SystemError) -> Vec<Repair> {
-    if let SystemError::Top(table) = error {
+fn of_system(error: &SystemTableError) -> Vec<Repair> {
+    if let SystemTableError::Top(table) = error {
         return vec![((*table).to_owned(), "remove the table".to_owned())];
     }
     let (key, note) = error.key().unwrap_or_default();

@@ -5,7 +5,7 @@ use super::pace::Pace;
 use super::schedule::Schedule;
 use crate::Error;
 use collective_integrators::{Integrator, Start};
-use heavytop::methods::{Formulation, Scheme};
+use heavytop::methods::{Formulation, SchemeName};
 use lie_poisson::Vector;
 
 /// Passes the step, the time, the momentum and the state of samples to `visit`: from the start on, or from the first one
@@ -17,7 +17,7 @@ pub(super) fn visit_samples<I, V>(
     integrator: &I,
     start: &<I as Integrator>::Momentum,
     (pace, from): (Pace, Option<&Saved>),
-    (formulation, scheme): (Formulation, Scheme),
+    (formulation, scheme): (Formulation, SchemeName),
     mut visit: V,
 ) -> Result<(), Error>
 where

@@ -1,7 +1,7 @@
 //! Formulations and schemes in configurations: by their names, for `#[serde(with = …)]`.
 
 use super::named::by_name;
-use heavytop::methods::{Formulation, Scheme};
+use heavytop::methods::{Formulation, SchemeName};
 use serde::de::Error;
 use serde::{Deserialize, Deserializer, Serializer};
 
@@ -25,7 +25,7 @@ impl MethodPart for Formulation {
     }
 }
 
-impl MethodPart for Scheme {
+impl MethodPart for SchemeName {
     const KIND: &'static str = "scheme";
     const NAMES: &'static [(&'static str, Self)] = Self::NAMES;
 

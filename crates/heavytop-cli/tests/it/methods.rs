@@ -1,7 +1,7 @@
 //! Formulations and schemes: which pairs run, which are refused, and what they conserve.
 
 use crate::program::{Finished, Folder, numbers};
-use heavytop::methods::Scheme;
+use heavytop::methods::SchemeName;
 
 const GAUSS: &[&str] =
     &["implicit-midpoint", "gauss-4", "gauss-6", "gauss-8", "gauss-10", "gauss-12", "gauss-16"];
@@ -114,7 +114,7 @@ fn the_orders_are_those_of_the_names() {
                 [step, step / 2.0].map(|step| distance(&end(scheme, step), &exact));
             let found = (coarse / fine).log2();
             assert!((found - f64::from(order)).abs() < 0.5, "{formulation} {scheme}: {found}");
-            let named = Scheme::NAMES.iter().find(|(name, _)| name == scheme).unwrap().1;
+            let named = SchemeName::NAMES.iter().find(|(name, _)| name == scheme).unwrap().1;
             assert_eq!(named.order(), order);
         }
     }

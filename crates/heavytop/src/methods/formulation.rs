@@ -1,6 +1,6 @@
 //! The formulations by name, and the schemes that each offers.
 
-use super::scheme::Scheme;
+use super::scheme_name::SchemeName;
 use super::unknown_name::{UnknownName, by_name, name_of};
 use core::fmt;
 use core::str::FromStr;
@@ -9,9 +9,9 @@ use core::str::FromStr;
 ///
 /// # Example
 /// ```
-/// use heavytop::methods::{Formulation, Scheme};
+/// use heavytop::methods::{Formulation, SchemeName};
 /// let reduced: Formulation = "reduced".parse()?;
-/// assert!(reduced.offers(Scheme::Gauss(4)) && !reduced.offers(Scheme::Rk4));
+/// assert!(reduced.offers(SchemeName::Gauss(4)) && !reduced.offers(SchemeName::Rk4));
 /// assert_eq!("lifted".parse::<Formulation>().unwrap_err().to_string(),
 ///     "unknown formulation `lifted`; there are collective, reduced, direct, splitting");
 /// # Ok::<(), heavytop::methods::UnknownName>(())
@@ -46,25 +46,29 @@ impl Formulation {
 
     /// Returns whether the scheme makes sense in this formulation.
     #[must_use]
-    pub fn offers(self, scheme: Scheme) -> bool {
-        let composed = matches!(scheme, Scheme::Composed(_));
-        let symplectic = composed || matches!(scheme, Scheme::ImplicitMidpoint | Scheme::Gauss(_));
+    pub fn offers(self, scheme: SchemeName) -> bool {
+        let composed = matches!(scheme, SchemeName::Composed(_));
+        let symplectic =
+            composed || matches!(scheme, SchemeName::ImplicitMidpoint | SchemeName::Gauss(_));
         match self {
             Self::Collective => true,
             Self::Reduced => symplectic,
-            Self::Direct => !matches!(scheme, Scheme::Partitioned(_)),
+            Self::Direct => !matches!(scheme, SchemeName::Partitioned(_)),
             Self::Splitting => composed,
         }
     }
 
     /// Returns the schemes that make sense in this formulation.
-    pub fn schemes(self) -> impl Iterator<Item = Scheme> {
-        Scheme::NAMES.iter().map(|(_, scheme)| *scheme).filter(move |&scheme| self.offers(scheme))
+    pub fn schemes(self) -> impl Iterator<Item = SchemeName> {
+        SchemeName::NAMES
+            .iter()
+            .map(|(_, scheme)| *scheme)
+            .filter(move |&scheme| self.offers(scheme))
     }
 
     /// Returns whether the scheme, which must be offered, is a Poisson map of se(3)∗ at every step size.
     #[must_use]
-    pub fn is_poisson(self, scheme: Scheme) -> bool {
+    pub fn is_poisson(self, scheme: SchemeName) -> bool {
         match self {
             Self::Collective | Self::Reduced => Self::Reduced.offers(scheme),
             Self::Direct => false,

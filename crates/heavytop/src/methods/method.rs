@@ -1,7 +1,7 @@
 //! The integrator for a formulation and a scheme.
 
 use super::task::{Plain, TangentTask, Task};
-use super::{ComposedScheme, Formulation, MethodError, PartitionedScheme, Scheme};
+use super::{ComposedScheme, Formulation, MethodError, PartitionedScheme, SchemeName};
 use crate::{
     CollectiveGauss, HeavyTop, RotorSplitting, SpinorRealisation, SymmetricTopSplitting,
     TopMidpoint,
@@ -19,7 +19,7 @@ use momentum_map::DualQuaternions;
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Method {
     formulation: Formulation,
-    scheme: Scheme,
+    scheme: SchemeName,
     tolerance: f64,
     /// The instruction set of the kernels; `None` for the one that is fastest here.
     instructions: Option<InstructionSet>,
@@ -34,7 +34,7 @@ impl Method {
     /// [`MethodError::Tolerance`] for a tolerance that is negative or not finite.
     pub fn new(
         formulation: Formulation,
-        scheme: Scheme,
+        scheme: SchemeName,
         tolerance: f64,
     ) -> Result<Self, MethodError> {
         if !formulation.offers(scheme) {
@@ -54,11 +54,7 @@ impl Method {
     /// # Errors
     /// Returns [`MissingInstructions`] if the processor lacks them.
     pub fn with_instructions(self, set: InstructionSet) -> Result<Self, MissingInstructions> {
-        if set.is_available() {
-            Ok(Self { instructions: Some(set), ..self })
-        } else {
-            Err(MissingInstructions { set })
-        }
+        Ok(Self { instructions: Some(set.if_available()?), ..self })
     }
 
     /// Returns the instruction set on which the last bits of the steps depend: the narrowest one with the same bits.
@@ -70,12 +66,12 @@ impl Method {
     /// # Example
     /// ```
     /// use heavytop::lie_poisson::InstructionSet;
-    /// use heavytop::methods::{Formulation, Method, Scheme};
+    /// use heavytop::methods::{Formulation, Method, SchemeName};
     /// let portable = InstructionSet::Portable;
-    /// let gauss = Method::new(Formulation::Collective, Scheme::Gauss(8), 0.0)?;
+    /// let gauss = Method::new(Formulation::Collective, SchemeName::Gauss(8), 0.0)?;
     /// assert_eq!(gauss.instructions(), InstructionSet::detected());
     /// assert_eq!(gauss.with_instructions(portable)?.instructions(), portable);
-    /// let looser = Method::new(Formulation::Collective, Scheme::Gauss(8), 1e-12)?;
+    /// let looser = Method::new(Formulation::Collective, SchemeName::Gauss(8), 1e-12)?;
     /// assert_eq!(looser.instructions(), portable);
     /// # Ok::<(), Box<dyn std::error::Error>>(())
     /// ```
@@ -84,7 +80,7 @@ impl Method {
         let set = self.instructions.unwrap_or_else(InstructionSet::detected);
         match self.scheme {
             _ if !self.has_kernel() => InstructionSet::Portable,
-            Scheme::Gauss(5..) => set,
+            SchemeName::Gauss(5..) => set,
             // Registers of 512 bits compute the same as those of 256.
             _ => set.min(InstructionSet::Avx2),
         }
@@ -95,8 +91,8 @@ impl Method {
         self.tolerance == 0.0
             && matches!(
                 (self.formulation, self.scheme),
-                (Formulation::Collective, Scheme::Gauss(1..=8))
-                    | (Formulation::Reduced, Scheme::ImplicitMidpoint)
+                (Formulation::Collective, SchemeName::Gauss(1..=8))
+                    | (Formulation::Reduced, SchemeName::ImplicitMidpoint)
             )
     }
 
@@ -108,7 +104,7 @@ impl Method {
 
     /// Returns the scheme of the method.
     #[must_use]
-    pub fn scheme(&self) -> Scheme {
+    pub fn scheme(&self) -> SchemeName {
         self.scheme
     }
 
@@ -119,7 +115,7 @@ impl Method {
     pub fn integrate<K: Task>(&self, top: &HeavyTop, task: K) -> Result<K::Output, MethodError> {
         match self.scheme {
             // These kernels compute the same maps, faster.
-            Scheme::Gauss(stages) if self.has_kernel() => {
+            SchemeName::Gauss(stages) if self.has_kernel() => {
                 let gauss =
                     CollectiveGauss::new(stages.into(), *top).map_err(|e| self.failed(e))?;
                 Ok(task.perform_turning(match self.instructions {
@@ -127,7 +123,7 @@ impl Method {
                     None => gauss,
                 }))
             }
-            Scheme::ImplicitMidpoint if self.has_kernel() => {
+            SchemeName::ImplicitMidpoint if self.has_kernel() => {
                 let midpoint = TopMidpoint::new(*top);
                 Ok(task.perform_turning(match self.instructions {
                     Some(set) => midpoint.with_instructions(set)?,
@@ -148,20 +144,20 @@ impl Method {
         task: K,
     ) -> Result<K::Output, MethodError> {
         match self.scheme {
-            Scheme::ImplicitMidpoint => self.equivariant(self.midpoint(), top, task),
-            Scheme::Gauss(stages) => {
+            SchemeName::ImplicitMidpoint => self.equivariant(self.midpoint(), top, task),
+            SchemeName::Gauss(stages) => {
                 let gauss = RungeKutta::gauss(stages.into()).map_err(|e| self.failed(e))?;
                 self.equivariant(gauss.with_solver(self.solver()), top, task)
             }
-            Scheme::ExplicitMidpoint => {
+            SchemeName::ExplicitMidpoint => {
                 self.equivariant(RungeKutta::explicit_midpoint(), top, task)
             }
-            Scheme::Rk4 => self.equivariant(RungeKutta::rk4(), top, task),
-            Scheme::Partitioned(pair) => self.partitioned(pair, top, task),
-            Scheme::Composed(raise) if self.formulation == Formulation::Splitting => {
+            SchemeName::Rk4 => self.equivariant(RungeKutta::rk4(), top, task),
+            SchemeName::Partitioned(pair) => self.partitioned(pair, top, task),
+            SchemeName::Composed(raise) if self.formulation == Formulation::Splitting => {
                 self.splitting(raise, top, task)
             }
-            Scheme::Composed(raise) => {
+            SchemeName::Composed(raise) => {
                 let substeps = raise.substeps().map_err(|e| self.failed(e))?;
                 self.equivariant(Composition::new(self.midpoint(), substeps), top, task)
             }

@@ -1,6 +1,6 @@
 //! Errors of formulations and schemes.
 
-use super::{Formulation, Scheme, UnknownName};
+use super::{Formulation, SchemeName, UnknownName};
 use collective_integrators::SchemeError;
 use lie_poisson::MissingInstructions;
 use thiserror::Error;
@@ -15,13 +15,13 @@ pub enum MethodError {
     /// The formulation does not have the scheme.
     #[error(
         "{formulation} has no scheme {scheme}; it has {}",
-        formulation.schemes().map(Scheme::name).collect::<Vec<_>>().join(", ")
+        formulation.schemes().map(SchemeName::name).collect::<Vec<_>>().join(", ")
     )]
     NoSuchPair {
         /// The formulation that was asked for.
         formulation: Formulation,
         /// The scheme that was asked for.
-        scheme: Scheme,
+        scheme: SchemeName,
     },
     /// The tolerance of the stage equations is negative or not finite.
     #[error("tolerance must be finite and not negative, got {value:?}")]
@@ -36,7 +36,7 @@ pub enum MethodError {
     #[error("{scheme}")]
     Scheme {
         /// The scheme that was asked for.
-        scheme: Scheme,
+        scheme: SchemeName,
         /// The reason why the scheme could not be made.
         source: SchemeError,
     },

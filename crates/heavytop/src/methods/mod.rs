@@ -6,7 +6,7 @@
 //! | when you need | use |
 //! |---|---|
 //! | where a scheme is applied | [`Formulation`] |
-//! | a one-step method | [`Scheme`] |
+//! | a one-step method | [`SchemeName`] |
 //! | the integrator of both for a top | [`Method`] |
 //! | what to do with it | [`Task`]; [`TangentTask`] for tangent maps |
 //! | the reason why a name or a pair is refused | [`UnknownName`], [`MethodError`] |
@@ -45,7 +45,7 @@
 //! ```
 
 mod unknown_name;
-mod scheme;
+mod scheme_name;
 mod formulation;
 mod method_error;
 mod task;
@@ -54,6 +54,6 @@ mod method;
 pub use formulation::Formulation;
 pub use method::Method;
 pub use method_error::MethodError;
-pub use scheme::{ComposedScheme, PartitionedScheme, Scheme};
+pub use scheme_name::{ComposedScheme, PartitionedScheme, SchemeName};
 pub use task::{TangentTask, Task};
 pub use unknown_name::UnknownName;

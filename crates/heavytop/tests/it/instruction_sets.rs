@@ -1,7 +1,7 @@
 //! The same steps on each instruction set of this processor: where bits differ, and by how much.
 
 use collective_integrators::Start;
-use heavytop::methods::{Formulation, Method, Scheme, Task};
+use heavytop::methods::{Formulation, Method, SchemeName, Task};
 use heavytop::{CollectiveGauss, HeavyTop, TopMidpoint};
 use lie_poisson::{InstructionSet, Se3Dual, Vector, larger};
 use nalgebra::Vector3;
@@ -108,9 +108,9 @@ fn bits_are_those_of_the_instruction_set_that_the_method_names() {
             kernels.push((method.formulation(), method.scheme()));
         }
     }
-    let gauss = |stages| (Formulation::Collective, Scheme::Gauss(stages));
+    let gauss = |stages| (Formulation::Collective, SchemeName::Gauss(stages));
     let mut expected: Vec<_> = [2, 3, 4, 5, 6, 8].map(gauss).into();
-    expected.push((Formulation::Reduced, Scheme::ImplicitMidpoint));
+    expected.push((Formulation::Reduced, SchemeName::ImplicitMidpoint));
     let any = InstructionSet::detected() != InstructionSet::Portable;
     assert_eq!(kernels, if any { expected } else { Vec::new() });
 }
@@ -137,7 +137,7 @@ fn on_two_instruction_sets_the_steps_differ_by_roundings() {
 #[test]
 fn missing_instructions_are_refused() {
     for set in InstructionSet::ALL {
-        let method = Method::new(Formulation::Collective, Scheme::Gauss(2), 0.0).unwrap();
+        let method = Method::new(Formulation::Collective, SchemeName::Gauss(2), 0.0).unwrap();
         let refused = method.with_instructions(set);
         assert_eq!(refused.is_ok(), set.is_available(), "{set}");
     }

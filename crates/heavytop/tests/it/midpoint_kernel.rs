@@ -6,7 +6,7 @@ use collective_integrators::{
 };
 use core::ops::Range;
 use heavytop::{Body, HeavyTop, MidpointBatch, ReducedMidpoint, TopMidpoint};
-use lie_poisson::{Covector, InstructionSet, Pair, Se3Dual, Vector};
+use lie_poisson::{Covector, InstructionSet, Pair, Se3Dual, Vector, Width};
 use momentum_map::DualQuaternions;
 use nalgebra::Vector3;
 use twofloat::TwoFloat;
@@ -130,8 +130,8 @@ fn casimirs_do_not_drift() {
 
 #[test]
 fn many_tops_have_the_bits_of_one() {
-    for set in InstructionSet::available() {
-        let sweep = MidpointBatch::with_instructions(set).unwrap();
+    for (set, width) in InstructionSet::available().flat_map(|set| Width::ALL.map(|w| (set, w))) {
+        let sweep = MidpointBatch::new().on(set, width).unwrap();
         let many = |i: usize| {
             let mut mu = start();
             mu.0.0.x += 0.1 * i as f64;

@@ -1,7 +1,7 @@
 //! Formulations, schemes, coordinates and invariants by name, the kinds of tops, and what is refused.
 
 use collective_integrators::ExactFlows;
-use heavytop::methods::{Formulation, Method, MethodError, Scheme};
+use heavytop::methods::{Formulation, Method, MethodError, SchemeName};
 use heavytop::{
     Body, Coordinate, HeavyTop, Invariant, RigidBody, RotorSplitting, SymmetricTopSplitting,
     TopError, require_unit,
@@ -15,12 +15,12 @@ fn names_lead_to_items_and_back() {
         assert_eq!(name.parse(), Ok(formulation));
         assert_eq!(formulation.to_string(), name);
     }
-    for &(name, scheme) in Scheme::NAMES {
+    for &(name, scheme) in SchemeName::NAMES {
         assert_eq!(name.parse(), Ok(scheme));
     }
-    let unknown = "gauss-5".parse::<Scheme>().unwrap_err();
+    let unknown = "gauss-5".parse::<SchemeName>().unwrap_err();
     assert_eq!((unknown.kind, unknown.name.as_str()), ("scheme", "gauss-5"));
-    assert_eq!(unknown.known.len(), Scheme::NAMES.len());
+    assert_eq!(unknown.known.len(), SchemeName::NAMES.len());
     let unknown = "Direct".parse::<Formulation>().unwrap_err();
     assert!(unknown.to_string().ends_with("there are collective, reduced, direct, splitting"));
     let names = Coordinate::ALL.map(|coordinate| coordinate.to_string());
@@ -30,7 +30,7 @@ fn names_lead_to_items_and_back() {
 /// Most names end with the order.
 #[test]
 fn schemes_have_the_orders_of_their_names() {
-    for &(name, scheme) in Scheme::NAMES {
+    for &(name, scheme) in SchemeName::NAMES {
         let order = match name {
             "symplectic-euler" => 1,
             "implicit-midpoint" | "explicit-midpoint" | "stormer-verlet" | "strang" => 2,
@@ -44,7 +44,7 @@ fn schemes_have_the_orders_of_their_names() {
 #[test]
 fn methods_are_pairs_that_make_sense_with_a_tolerance() {
     for &(_, formulation) in Formulation::NAMES {
-        for &(_, scheme) in Scheme::NAMES {
+        for &(_, scheme) in SchemeName::NAMES {
             let refused = MethodError::NoSuchPair { formulation, scheme };
             match Method::new(formulation, scheme, 0.0) {
                 Ok(method) => assert_eq!(method.scheme(), scheme),
@@ -64,7 +64,7 @@ fn methods_are_pairs_that_make_sense_with_a_tolerance() {
         assert_eq!((count, poisson), expected, "{formulation}");
     }
     for value in [-1e-9, f64::INFINITY] {
-        let refused = Method::new(Formulation::Reduced, Scheme::ImplicitMidpoint, value);
+        let refused = Method::new(Formulation::Reduced, SchemeName::ImplicitMidpoint, value);
         assert_eq!(refused, Err(MethodError::Tolerance { value }));
     }
 }

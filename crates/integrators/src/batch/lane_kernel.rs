@@ -21,7 +21,6 @@ use lie_poisson::{InstructionSet, LaneTask, Lanes, MissingInstructions, Width, d
 /// struct Rotations;
 /// impl LaneKernel for Rotations {
 ///     type Member = Vector2<f64>;
-///     type Workspace = ();
 ///
 ///     #[inline(always)]
 ///     fn together<T: Lanes>(&self, group: &mut [Vector2<f64>], step: f64, count: u64) -> LaneResults {
@@ -45,7 +44,6 @@ use lie_poisson::{InstructionSet, LaneTask, Lanes, MissingInstructions, Width, d
 ///         member: &mut Vector2<f64>,
 ///         step: f64,
 ///         steps: Range<u64>,
-///         (): &mut (),
 ///     ) -> Result<(), IntegrationError> {
 ///         let reason = match StepError::check_start(member, step) {
 ///             Err(refused) => refused,
@@ -59,16 +57,13 @@ use lie_poisson::{InstructionSet, LaneTask, Lanes, MissingInstructions, Width, d
 /// let mut members = [1.0, 2.0, f64::NAN].map(|x| Vector2::new(x, 0.0));
 /// let mut failures = Vec::new();
 /// let mut report = |index, error: IntegrationError| failures.push((index, error.step));
-/// Registers::widest().advance(&Rotations, &mut members, 0.1, 0..10, &mut (), &mut report);
+/// Registers::widest().advance(&Rotations, &mut members, 0.1, 0..10, &mut report);
 /// assert!((members[1] - Vector2::new(1.0_f64.cos(), 1.0_f64.sin()) * 2.0).norm() < 1e-14);
 /// assert_eq!(failures, [(2, 1)]);
 /// ```
 pub trait LaneKernel: Sync {
     /// The type of a member: its state, with its parameters if they differ from member to member.
     type Member: Copy + Send + Sync;
-
-    /// The storage for the steps of one member by itself.
-    type Workspace;
 
     /// Advances a group of at least one and at most `T::COUNT` members by `count` steps, without a memory of earlier
     /// steps. Returns which members have a finite result; the others may be left in any state.
@@ -78,8 +73,7 @@ pub trait LaneKernel: Sync {
     fn together<T: Lanes>(&self, group: &mut [Self::Member], step: f64, count: u64) -> LaneResults;
 
     /// Makes the steps of [`together`](Self::together) with one member by itself, if its lane has no result.
-    /// [`Integrator::forget`](crate::Integrator::forget) and then [`Integrator::advance`](crate::Integrator::advance) do
-    /// this.
+    /// [`Integrator::advance`](crate::Integrator::advance) does this with a new workspace.
     ///
     /// # Errors
     /// Returns an [`IntegrationError`] if the member cannot be advanced. The member keeps the state before the failed
@@ -89,7 +83,6 @@ pub trait LaneKernel: Sync {
         member: &mut Self::Member,
         step: f64,
         steps: Range<u64>,
-        workspace: &mut Self::Workspace,
     ) -> Result<(), IntegrationError>;
 }
 
@@ -115,11 +108,7 @@ impl Registers {
     /// # Errors
     /// Returns [`MissingInstructions`] if the processor lacks the instructions.
     pub fn new(instructions: InstructionSet, width: Width) -> Result<Self, MissingInstructions> {
-        if instructions.is_available() {
-            Ok(Self { instructions, width })
-        } else {
-            Err(MissingInstructions { set: instructions })
-        }
+        Ok(Self { instructions: instructions.if_available()?, width })
     }
 
     /// Returns the instruction set of the registers.
@@ -138,10 +127,9 @@ impl Registers {
         members: &mut [K::Member],
         step: f64,
         steps: Range<u64>,
-        workspace: &mut K::Workspace,
         failed: &mut dyn FnMut(usize, IntegrationError),
     ) {
-        let task = KernelAdvance { kernel, members, step, steps, workspace, failed };
+        let task = KernelAdvance { kernel, members, step, steps, failed };
         // The constructors have tested the processor for these instructions, so that there is no error.
         dispatch(task, self.instructions, self.width).unwrap_or_default();
     }
@@ -153,7 +141,6 @@ struct KernelAdvance<'a, K: LaneKernel> {
     members: &'a mut [K::Member],
     step: f64,
     steps: Range<u64>,
-    workspace: &'a mut K::Workspace,
     failed: &'a mut dyn FnMut(usize, IntegrationError),
 }
 
@@ -162,8 +149,8 @@ impl<K: LaneKernel> LaneTask for KernelAdvance<'_, K> {
 
     #[inline(always)]
     fn run<T: Lanes>(self) {
-        let Self { kernel, members, step, steps, workspace, failed } = self;
-        let mut group = KernelGroup::<K, T> { kernel, workspace, lanes: PhantomData };
+        let Self { kernel, members, step, steps, failed } = self;
+        let mut group = KernelGroup::<K, T> { kernel, lanes: PhantomData };
         advance_groups(&mut group, members, step, steps, failed);
     }
 }
@@ -171,7 +158,6 @@ impl<K: LaneKernel> LaneTask for KernelAdvance<'_, K> {
 /// A kernel on lanes of type `T`, as a group of members.
 struct KernelGroup<'a, K: LaneKernel, T> {
     kernel: &'a K,
-    workspace: &'a mut K::Workspace,
     lanes: PhantomData<T>,
 }
 
@@ -196,6 +182,6 @@ impl<K: LaneKernel, T: Lanes> Group for KernelGroup<'_, K, T> {
         step: f64,
         steps: Range<u64>,
     ) -> Result<(), IntegrationError> {
-        self.kernel.alone(member, step, steps, self.workspace)
+        self.kernel.alone(member, step, steps)
     }
 }

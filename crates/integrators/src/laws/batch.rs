@@ -1,7 +1,7 @@
 //! The law suite of [`BatchIntegrator`].
 
 use super::differences::{at_least_one, broken_unless};
-use super::{NoSamples, Report};
+use super::{Faulty, NoSamples, Report};
 use crate::{BatchIntegrator, CHECKPOINT, IntegrationError};
 use core::ops::Range;
 
@@ -134,4 +134,28 @@ where
     batch.advance(&mut in_two, step, CHECKPOINT..end, &mut workspace, &mut |_, _| {});
     report.note("resumption", different(&in_two, &at_once), 1.0);
     report.note("resumption", different(&renewed, &at_once), 1.0);
+}
+
+/// The method [`advance`](BatchIntegrator::advance) may have a fault: it leaves the last member where it was, unless it is
+/// the only one. The coordinate of the fault does not matter.
+impl<B: BatchIntegrator> BatchIntegrator for Faulty<'_, B> {
+    type Member = B::Member;
+    type Workspace = B::Workspace;
+
+    fn workspace(&self) -> B::Workspace {
+        self.object().workspace()
+    }
+
+    fn advance(
+        &self,
+        members: &mut [B::Member],
+        step: f64,
+        steps: Range<u64>,
+        workspace: &mut B::Workspace,
+        failed: &mut dyn FnMut(usize, IntegrationError),
+    ) {
+        let left = usize::from(self.is_in("advance") && members.len() > 1);
+        let moved = members.len() - left;
+        self.object().advance(&mut members[..moved], step, steps, workspace, failed);
+    }
 }

@@ -4,8 +4,9 @@ use super::differences::{
     NOT_FINITE, at_least_one, broken_unless, different_bits, largest, largest_difference,
     not_finite, point_or_nan,
 };
-use super::{NoSamples, Report};
-use crate::{CHECKPOINT, Integrator, SampleOf};
+use super::{Faulty, NoSamples, Report};
+use crate::{CHECKPOINT, Integrator, SampleOf, Step, StepError};
+use lie_poisson::Real;
 
 /// Evaluates the laws of an integrator on samples of states, for one step size:
 ///
@@ -154,5 +155,45 @@ fn refusal<I: Integrator>(integrator: &I, state: &I::State, step: f64, report: &
         report.note("refusal", broken_unless(stepped.is_err()), 1.0);
         let first = integrator.trajectory_from(state, step).next();
         report.note("refusal", broken_unless(first.is_some_and(|item| item.is_err())), 1.0);
+    }
+}
+
+/// The method [`step`](Integrator::step) may have the fault, and [`step_in_place`](Integrator::step_in_place) with it.
+impl<T: Real, I: Integrator<T>> Integrator<T> for Faulty<'_, I> {
+    type State = I::State;
+    type Momentum = I::Momentum;
+    type Workspace = I::Workspace;
+
+    fn workspace(&self) -> I::Workspace {
+        self.object().workspace()
+    }
+
+    fn step(
+        &self,
+        state: &I::State,
+        step: f64,
+        workspace: &mut I::Workspace,
+    ) -> Result<Step<I::State>, StepError> {
+        let made = self.object().step(state, step, workspace)?;
+        Ok(Step { point: self.halved("step", made.point), ..made })
+    }
+
+    fn step_in_place(
+        &self,
+        state: &mut I::State,
+        step: f64,
+        workspace: &mut I::Workspace,
+    ) -> Result<usize, StepError> {
+        let iterations = self.object().step_in_place(state, step, workspace)?;
+        self.halve("step", state);
+        Ok(iterations)
+    }
+
+    fn forget(&self, workspace: &mut I::Workspace) {
+        self.object().forget(workspace);
+    }
+
+    fn momentum(&self, state: &I::State) -> I::Momentum {
+        self.object().momentum(state)
     }
 }

@@ -13,6 +13,9 @@
 //! | [`Start`](crate::Start) | [`start`], which includes [`integrator`] |
 //! | [`BatchIntegrator`](crate::BatchIntegrator) | [`batch`] |
 //!
+//! A [`Faulty`] integrator or batch is their negative control. Its `step` halves one coordinate of the state, and its
+//! `advance` leaves the last of several members where it was.
+//!
 //! # Example
 //! ```
 //! use collective_integrators::{Collective, Laned, RungeKutta, Start, laws};
@@ -36,6 +39,9 @@
 //! let momenta = [Covector(Vector3::new(0.6, 0.0, 0.8)), Covector(Vector3::new(1.0, -0.5, 2.0))];
 //! let (integrator, step) = (Collective::new(gauss, HOPF, Automatic(FreeBody)), 0.1);
 //! laws::start(&integrator, &momenta, step)?.check(1e-13)?;
+//! // Control: the suite refuses steps that halve the first coordinate of the state.
+//! let faulty = laws::Faulty::new(&integrator, "step", 0);
+//! assert!(laws::start(&faulty, &momenta, step)?.check(1e-3).is_err());
 //!
 //! let lifted = integrator.start(&momenta[0])?;
 //! let casimir = |Covector(pi): &Covector<Vector3<f64>>| pi.norm_squared();
@@ -61,7 +67,7 @@ pub use equivariance::equivariance;
 pub use generic_system::GenericSystem;
 pub use integrator::integrator;
 pub use invariants::invariants;
-pub use lie_poisson::laws::{BrokenLaw, NoSamples, Report};
+pub use lie_poisson::laws::{BrokenLaw, Faulty, NoSamples, Report};
 pub use measured_scheme::MeasuredScheme;
 pub use scheme::scheme;
 pub use start::start;

@@ -4,8 +4,10 @@ use super::differences::{
     NOT_FINITE, at_least_one, broken_unless, different_bits, largest, largest_difference,
     not_finite,
 };
-use super::{NoSamples, Report};
+use super::{Faulty, NoSamples, Report};
 use crate::{SampleOf, Start};
+use lie_poisson::Real;
+use momentum_map::LiftError;
 
 /// Evaluates the laws of an integrator that starts from momenta, on samples of momenta and for one step size.
 ///
@@ -82,5 +84,12 @@ fn refusal<I: Start>(integrator: &I, mu: &I::Momentum, step: f64, report: &mut R
     for (mu, step) in bad_momenta.chain(NOT_FINITE.map(|bad| (mu.clone(), bad))) {
         report.note("refusal", broken_unless(integrator.trajectory(&mu, step).is_err()), 1.0);
         report.note("refusal", broken_unless(integrator.after(&mu, step, 0).is_err()), 1.0);
+    }
+}
+
+/// The start has no fault. The steps may have one.
+impl<T: Real, I: Start<T>> Start<T> for Faulty<'_, I> {
+    fn start(&self, mu: &I::Momentum) -> Result<I::State, LiftError> {
+        self.object().start(mu)
     }
 }

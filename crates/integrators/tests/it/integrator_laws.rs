@@ -262,7 +262,6 @@ struct Calls {
 
 impl LaneKernel for Calls {
     type Member = f64;
-    type Workspace = ();
 
     fn together<T: Lanes>(&self, group: &mut [f64], _: f64, _: u64) -> LaneResults {
         self.made.fetch_add(1, Ordering::Relaxed);
@@ -271,13 +270,7 @@ impl LaneKernel for Calls {
         [true; MOST_LANES]
     }
 
-    fn alone(
-        &self,
-        _: &mut f64,
-        _: f64,
-        _: Range<u64>,
-        (): &mut (),
-    ) -> Result<(), IntegrationError> {
+    fn alone(&self, _: &mut f64, _: f64, _: Range<u64>) -> Result<(), IntegrationError> {
         panic!("every member has a result")
     }
 }
@@ -288,7 +281,7 @@ fn a_kernel_gets_groups_that_fill_its_registers() {
         let calls = Calls::default();
         let registers = Registers::new(set, width).unwrap();
         let mut members = [0.0; 4 * MOST_LANES + 1];
-        registers.advance(&calls, &mut members, STEP, 0..1, &mut (), &mut |_, _| ());
+        registers.advance(&calls, &mut members, STEP, 0..1, &mut |_, _| ());
         let lanes = calls.lanes.into_inner();
         assert_eq!(calls.made.into_inner(), members.len().div_ceil(lanes), "{set} {width:?}");
     }

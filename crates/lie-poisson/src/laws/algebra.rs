@@ -1,5 +1,5 @@
-use super::{NoSamples, Report, regimes};
-use crate::{LieAlgebra, Momentum, Vector, larger, map_coordinates};
+use super::{Faulty, NoSamples, Report, regimes};
+use crate::{LieAlgebra, Momentum, Real, Vector, larger, map_coordinates};
 
 /// Evaluates the laws of a Lie algebra on samples of its elements.
 ///
@@ -50,4 +50,17 @@ fn with_basis<V: Vector<Scalar = f64>>(samples: &[V]) -> Vec<V> {
     let size = if size == 0.0 { 1.0 } else { size };
     let count = if samples.is_empty() { 0 } else { V::DIM };
     samples.iter().copied().chain((0..count).map(|i| V::basis(i).scaled(size))).collect()
+}
+
+/// The methods [`bracket`](LieAlgebra::bracket) and [`coadjoint`](LieAlgebra::coadjoint) may have the fault.
+impl<A: LieAlgebra> LieAlgebra for Faulty<'_, A> {
+    type Element<T: Real> = A::Element<T>;
+
+    fn bracket<T: Real>(&self, xi: &A::Element<T>, eta: &A::Element<T>) -> A::Element<T> {
+        self.halved("bracket", self.object().bracket::<T>(xi, eta))
+    }
+
+    fn coadjoint<T: Real>(&self, xi: &A::Element<T>, mu: &Momentum<A, T>) -> Momentum<A, T> {
+        self.halved("coadjoint", self.object().coadjoint::<T>(xi, mu))
+    }
 }

@@ -1,6 +1,6 @@
-use super::{NEAR, NoSamples, Report, regimes};
+use super::{Faulty, NEAR, NoSamples, Report, regimes};
 use crate::{
-    Covector, Differential, DualNumber, Hamiltonian, LieAlgebra, Point, PoissonSpace, Sites,
+    Covector, Differential, DualNumber, Hamiltonian, LieAlgebra, Point, PoissonSpace, Real, Sites,
     SitesHamiltonian, State, Vector, derivative_part, differential, larger, seed,
 };
 
@@ -67,6 +67,21 @@ where
         if let Some(claimed) = Hamiltonian::<P>::hessian(hamiltonian, z, &along(i)) {
             report.note("second derivative", (claimed - *exact).max_abs(), size);
         }
+    }
+}
+
+/// The method [`differential`](Hamiltonian::differential) may have the fault.
+impl<P: PoissonSpace, T: Real, H: Hamiltonian<P, T>> Hamiltonian<P, T> for Faulty<'_, H> {
+    fn value(&self, z: &Point<P, T>) -> T {
+        self.object().value(z)
+    }
+
+    fn differential(&self, z: &Point<P, T>) -> Differential<P, T> {
+        self.halved("differential", self.object().differential(z))
+    }
+
+    fn hessian(&self, z: &Point<P, T>, v: &Point<P, T>) -> Option<Differential<P, T>> {
+        self.object().hessian(z, v)
     }
 }
 
@@ -171,5 +186,17 @@ fn differential_of_sites<A, H>(
         let dh = written(hamiltonian, mu, before);
         let errors = exact.iter().enumerate().map(|(i, x)| (dh.entry(i) - x).abs());
         report.note(law, errors.fold(0.0, larger), size);
+    }
+}
+
+/// The method [`differential_into`](SitesHamiltonian::differential_into) may have the fault.
+impl<V: Vector, H: SitesHamiltonian<V>> SitesHamiltonian<V> for Faulty<'_, H> {
+    fn value(&self, mu: &Covector<Sites<V>>) -> V::Scalar {
+        self.object().value(mu)
+    }
+
+    fn differential_into(&self, mu: &Covector<Sites<V>>, dh: &mut Sites<V>) {
+        self.object().differential_into(mu, dh);
+        self.halve("differential_into", dh);
     }
 }

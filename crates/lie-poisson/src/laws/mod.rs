@@ -16,6 +16,7 @@
 //! # Ok::<(), Box<dyn std::error::Error>>(())
 //! ```
 
+mod faulty;
 mod algebra;
 mod group;
 mod hamiltonian;
@@ -23,6 +24,7 @@ mod poisson;
 mod representation;
 
 pub use algebra::lie_algebra;
+pub use faulty::Faulty;
 pub use group::{cayley, lie_group, logarithm};
 pub use hamiltonian::{hamiltonian, sites_hamiltonian};
 pub use poisson::{casimirs, poisson_space};

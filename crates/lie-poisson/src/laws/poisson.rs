@@ -1,5 +1,5 @@
-use super::{NoSamples, Report, regimes};
-use crate::{Casimirs, DualNumber, Momentum, Point, PoissonSpace, Vector, larger, seed};
+use super::{Faulty, NoSamples, Report, regimes};
+use crate::{Casimirs, DualNumber, Momentum, Point, PoissonSpace, Real, Vector, larger, seed};
 use nalgebra::DMatrix;
 
 /// Returns max |entry|, and unlike `amax`, NaN if an entry is NaN.
@@ -64,6 +64,20 @@ pub fn casimirs<A: Casimirs>(algebra: &A, samples: &[Momentum<A>]) -> Result<Rep
     let most = samples.iter().map(rank_at).max().unwrap_or(0);
     report.note("independence", (A::COUNT - most) as f64, A::COUNT as f64);
     Ok(report)
+}
+
+/// The method [`casimir_differential`](Casimirs::casimir_differential) may have the fault.
+impl<A: Casimirs> Casimirs for Faulty<'_, A> {
+    const COUNT: usize = A::COUNT;
+
+    fn casimir<T: Real>(&self, index: usize, mu: &Momentum<A, T>) -> T {
+        self.object().casimir::<T>(index, mu)
+    }
+
+    fn casimir_differential<T: Real>(&self, index: usize, mu: &Momentum<A, T>) -> A::Element<T> {
+        let differential = self.object().casimir_differential::<T>(index, mu);
+        self.halved("casimir_differential", differential)
+    }
 }
 
 /// The bound on what round-off leaves of a unit vector that is a combination of others.

@@ -6,6 +6,7 @@ mod casimirs;
 mod closed_representations;
 mod cocycles;
 mod faults_of_any_size;
+mod faulty_objects;
 mod hamiltonian_laws;
 mod sizes;
 mod support;

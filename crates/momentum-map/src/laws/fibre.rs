@@ -1,7 +1,7 @@
-use super::{NoSamples, Report, regimes};
-use crate::{FibreSymmetry, Lift, SourcePoint, TargetPoint};
+use super::{Faulty, NoSamples, Report, regimes};
+use crate::{FibreSymmetry, Lift, LiftError, SourcePoint, TargetPoint};
 use lie_poisson::{
-    DualNumber, PoissonSpace, Vector, derivative_part, differential, map_coordinates,
+    DualNumber, PoissonSpace, Real, Vector, derivative_part, differential, map_coordinates,
 };
 
 /// Evaluates the laws of a fibre symmetry on samples of points and of parameters s:
@@ -51,6 +51,19 @@ pub fn fibre_symmetry<M: FibreSymmetry>(
     Ok(report)
 }
 
+/// The method [`flow`](FibreSymmetry::flow) may have the fault.
+impl<M: FibreSymmetry> FibreSymmetry for Faulty<'_, M> {
+    const COUNT: usize = M::COUNT;
+
+    fn flow<T: Real>(&self, index: usize, s: T, z: &SourcePoint<M, T>) -> SourcePoint<M, T> {
+        self.halved("flow", self.object().flow::<T>(index, s, z))
+    }
+
+    fn momentum<T: Real>(&self, index: usize, z: &SourcePoint<M, T>) -> T {
+        self.object().momentum::<T>(index, z)
+    }
+}
+
 fn generates<M: FibreSymmetry>(map: &M, index: usize, z: &SourcePoint<M>, report: &mut Report) {
     let dj = differential(|z: &SourcePoint<M, DualNumber>| map.momentum::<DualNumber>(index, z), z);
     let vector = map.source().hamiltonian_vector::<f64>(z, &dj);
@@ -75,4 +88,11 @@ pub fn lift<M: Lift>(map: &M, samples: &[TargetPoint<M>]) -> Result<Report, NoSa
         report.note("section", residual, mu.max_abs());
     }
     Ok(report)
+}
+
+/// The method [`lift`](Lift::lift) may have the fault.
+impl<M: Lift> Lift for Faulty<'_, M> {
+    fn lift<T: Real>(&self, mu: &TargetPoint<M, T>) -> Result<SourcePoint<M, T>, LiftError> {
+        Ok(self.halved("lift", self.object().lift::<T>(mu)?))
+    }
 }

@@ -1,6 +1,10 @@
-use super::{NoSamples, Report, regimes};
-use crate::{PoissonMap, SourcePoint, SymplecticSpace, TargetDifferential, TargetPoint};
-use lie_poisson::{Differential, DualNumber, Point, PoissonSpace, Vector, transposed_tangent};
+use super::{Faulty, NoSamples, Report, regimes};
+use crate::{
+    PoissonMap, RecentringSpace, SourcePoint, SymplecticSpace, TargetDifferential, TargetPoint,
+};
+use lie_poisson::{
+    Differential, DualNumber, Point, PoissonSpace, Real, Vector, transposed_tangent,
+};
 
 /// Evaluates the laws of a Poisson map on samples of points:
 ///
@@ -39,6 +43,57 @@ pub fn poisson_map<M: PoissonMap>(
         }
     }
     Ok(report)
+}
+
+/// The methods [`apply`](PoissonMap::apply), [`pull_back`](PoissonMap::pull_back) and
+/// [`generator`](PoissonMap::generator) may have the fault.
+impl<M: PoissonMap> PoissonMap for Faulty<'_, M> {
+    type Source = M::Source;
+    type Target = M::Target;
+
+    fn source(&self) -> M::Source {
+        self.object().source()
+    }
+
+    fn target(&self) -> M::Target {
+        self.object().target()
+    }
+
+    fn apply<T: Real>(&self, z: &SourcePoint<M, T>) -> TargetPoint<M, T> {
+        self.halved("apply", self.object().apply::<T>(z))
+    }
+
+    fn pull_back<T: Real>(
+        &self,
+        alpha: &TargetDifferential<M, T>,
+        z: &SourcePoint<M, T>,
+    ) -> Differential<M::Source, T> {
+        self.halved("pull_back", self.object().pull_back::<T>(alpha, z))
+    }
+
+    fn generator<T: Real>(
+        &self,
+        alpha: &TargetDifferential<M, T>,
+        z: &SourcePoint<M, T>,
+    ) -> SourcePoint<M, T> {
+        self.halved("generator", self.object().generator::<T>(alpha, z))
+    }
+
+    fn equivariant_maps_descend(&self) -> bool {
+        self.object().equivariant_maps_descend()
+    }
+
+    fn gauge<T: Real>(&self, z: &SourcePoint<M, T>) -> SourcePoint<M, T> {
+        self.object().gauge::<T>(z)
+    }
+
+    fn recentred<T: Real>(
+        &self,
+        z: &SourcePoint<M, T>,
+        space: &mut RecentringSpace<T>,
+    ) -> SourcePoint<M, T> {
+        self.object().recentred::<T>(z, space)
+    }
 }
 
 /// Evaluates the laws of a symplectic space on samples of points.

@@ -3,7 +3,7 @@
 
 use crate::clebsch_maps::Curved;
 use crate::support::faulty::{FaultyHopf, FaultyRotations, WrongSide};
-use crate::support::{holds, laws, samples};
+use crate::support::{holds, laws, laws::Faulty, samples};
 use lie_poisson::*;
 use momentum_map::*;
 use nalgebra::{Matrix3, Vector2, Vector3};
@@ -93,13 +93,19 @@ fn units_of_cotangent_lifts() {
 #[test]
 fn of_maps_and_fibres() {
     for size in SIZES {
-        let map = |wrong| broken(&laws::poisson_map(&wrong, &scaled(size)).unwrap());
-        assert_eq!(map(FaultyHopf::Mirrored), ["generator", "Poisson"], "{size:e}");
-        assert_eq!(map(FaultyHopf::Generator), ["generator"], "{size:e}");
-        assert_eq!(map(FaultyHopf::PullBack), ["pull-back"], "{size:e}");
+        let report = laws::poisson_map(&FaultyHopf::Mirrored, &scaled(size)).unwrap();
+        assert_eq!(broken(&report), ["generator", "Poisson"], "{size:e}");
+        let faulty = |method| Faulty::new(&HOPF, method, 0);
+        let map = |method| broken(&laws::poisson_map(&faulty(method), &scaled(size)).unwrap());
+        assert_eq!(map("apply"), ["pull-back", "generator", "Poisson"], "{size:e}");
+        assert_eq!(map("generator"), ["generator"], "{size:e}");
+        assert_eq!(map("pull_back"), ["pull-back"], "{size:e}");
         let momenta: Vec<_> = scaled(size).iter().map(|z| HOPF.apply::<f64>(z)).collect();
-        let report = laws::lift(&FaultyHopf::Lift, &momenta).unwrap();
+        let report = laws::lift(&faulty("lift"), &momenta).unwrap();
         assert_eq!(broken(&report), ["section"], "{size:e}");
+        let report = laws::fibre_symmetry(&faulty("flow"), &scaled(size), &[0.3]).unwrap();
+        let laws = ["invariance", "one-parameter group", "momentum"];
+        assert!(laws.iter().all(|law| broken(&report).contains(law)), "{size:e}");
         let report = laws::fibre_symmetry(&FaultyHopf::Gauge, &scaled(size), &[0.3]).unwrap();
         assert!(broken(&report).contains(&"gauge"), "{size:e}");
     }

@@ -50,6 +50,25 @@ impl InstructionSet {
         }
     }
 
+    /// Returns the instruction set itself if this processor has it, for constructors that take one.
+    ///
+    /// # Errors
+    /// Returns [`MissingInstructions`] if the processor lacks the instructions.
+    ///
+    /// # Example
+    /// ```
+    /// use generic_scalars::{InstructionSet, MissingInstructions};
+    /// for set in InstructionSet::ALL {
+    ///     let expected = if set.is_available() { Ok(set) } else { Err(MissingInstructions { set }) };
+    ///     assert_eq!(set.if_available(), expected);
+    /// }
+    /// assert!(InstructionSet::Portable.if_available().is_ok());
+    /// ```
+    #[inline]
+    pub fn if_available(self) -> Result<Self, MissingInstructions> {
+        if self.is_available() { Ok(self) } else { Err(MissingInstructions { set: self }) }
+    }
+
     /// Returns the instruction sets that this processor has, the widest last.
     pub fn available() -> impl Iterator<Item = Self> {
         Self::ALL.into_iter().filter(|set| set.is_available())
@@ -168,10 +187,7 @@ pub fn dispatch<K: LaneTask>(
     set: InstructionSet,
     width: Width,
 ) -> Result<K::Output, MissingInstructions> {
-    if !set.is_available() {
-        return Err(MissingInstructions { set });
-    }
-    match (set, width) {
+    match (set.if_available()?, width) {
         (InstructionSet::Portable, Width::Single) => Ok(task.run::<f64>()),
         (InstructionSet::Portable, Width::Register) => Ok(task.run::<Packed<Baseline>>()),
         (InstructionSet::Portable, Width::TwoRegisters) => Ok(task.run::<Packed<Two<Baseline>>>()),

@@ -35,10 +35,7 @@ pub fn dispatch_four<K: FourLanesTask>(
     task: K,
     set: InstructionSet,
 ) -> Result<K::Output, MissingInstructions> {
-    if !set.is_available() {
-        return Err(MissingInstructions { set });
-    }
-    match set {
+    match set.if_available()? {
         InstructionSet::Portable => Ok(four_portable(task)),
         // SAFETY: the processor has AVX2 and FMA, as was checked above.
         #[cfg(target_arch = "x86_64")]

@@ -93,10 +93,7 @@ impl<S: UnfusedStorage> UnfusedSpace<S> {
     /// # Errors
     /// Returns [`MissingInstructions`] if the processor lacks the instructions.
     pub fn new(of: &S, set: InstructionSet) -> Result<Self, MissingInstructions> {
-        if !set.is_available() {
-            return Err(MissingInstructions { set });
-        }
-        Ok(Self(match set {
+        Ok(Self(match set.if_available()? {
             InstructionSet::Portable => Space::Portable(StorageOver::<DefaultLanes>::storage(of)),
             InstructionSet::Avx2 => Space::Avx2(StorageOver::<Lanes256>::storage(of)),
             InstructionSet::Avx512 => Space::Avx512(StorageOver::<Lanes512>::storage(of)),

@@ -277,6 +277,11 @@ fn sets_have_their_widths_and_missing_ones_are_refused() {
             _ => (8, true),
         };
         println!("{set}: {}", if set.is_available() { "tested" } else { "not on this machine" });
+        let chosen = set.if_available();
+        assert_eq!(
+            chosen.map_err(|missing| missing.set),
+            set.is_available().then_some(set).ok_or(set)
+        );
         let lanes =
             [(Width::Single, 1), (Width::Register, register), (Width::TwoRegisters, 2 * register)];
         for (width, lanes) in lanes {

@@ -83,11 +83,7 @@ impl ManyVortices {
     /// # Errors
     /// Returns [`MissingInstructions`] if the processor lacks it.
     pub fn with_instructions(self, set: InstructionSet) -> Result<Self, MissingInstructions> {
-        if set.is_available() {
-            Ok(Self { instructions: set, ..self })
-        } else {
-            Err(MissingInstructions { set })
-        }
+        Ok(Self { instructions: set.if_available()?, ..self })
     }
 
     /// Returns the strengths k_i.

@@ -2,7 +2,7 @@
 
 use super::clock::Run;
 use super::contestants::Contest;
-use super::problem::Problem;
+use super::problem::BenchProblem;
 use crate::Error;
 use crate::configuration::Config;
 use crate::supervision::Progress;
@@ -69,7 +69,7 @@ pub fn bench(
     let BenchOptions { only, tops, threads } = options;
     let pool = pool(Some(threads))?;
     let problems = match problem {
-        Some(path) => vec![Problem::read(path)?],
+        Some(path) => vec![BenchProblem::read(path)?],
         None => own(config, tops)?,
     };
     let progress = Progress::of(0, "runs", quiet);
@@ -89,15 +89,15 @@ pub fn bench(
     Ok(Bench { threads, runs })
 }
 
-fn own(config: &Config, tops: u64) -> Result<Vec<Problem>, Error> {
+fn own(config: &Config, tops: u64) -> Result<Vec<BenchProblem>, Error> {
     if !(2..=1_000_000_000).contains(&tops) {
         let range = "at least 2 and at most 1e9";
         return Err(Error::OutOfRange { name: "tops", range, value: tops as f64 });
     }
     let (top, start) = (config.top()?, config.start()?);
-    let one = Problem::with_references(top, LONG, vec![start])?;
+    let one = BenchProblem::with_references(top, LONG, vec![start])?;
     let around = (0..tops.min(REFERENCES)).map(|index| near(&start, index)).collect();
-    let many = Problem { tops, ..Problem::with_references(top, SHORT, around)? };
+    let many = BenchProblem { tops, ..BenchProblem::with_references(top, SHORT, around)? };
     Ok(vec![one, many])
 }
 

@@ -1,6 +1,6 @@
 //! The measurement of computing times and errors.
 
-use super::problem::{EARLY, Problem};
+use super::problem::{BenchProblem, EARLY};
 use crate::Error;
 use lie_poisson::{Covector, Pair, Se3Dual};
 use serde::Serialize;
@@ -46,7 +46,7 @@ pub struct Run {
 pub(super) fn measure(
     name: &str,
     step: f64,
-    problem: &Problem,
+    problem: &BenchProblem,
     mut run: impl FnMut(u64) -> Result<Vec<Se3Dual>, Error>,
 ) -> Result<Run, Error> {
     let steps = |time: f64| (time / step).round() as u64;

@@ -1,14 +1,14 @@
 //! The integrators that are timed.
 
 use super::clock::{Run, measure};
-use super::problem::Problem;
+use super::problem::BenchProblem;
 use crate::Error;
 use collective_integrators::{
     AlternatingSubsteps, BatchIntegrator, Chunk, Collective, Direct, Ensemble, HamiltonianField,
     IntegrationError, Laned, LiftFree, RungeKutta, SchemeError, Splitting, StagesInLanes, Start,
     Substeps,
 };
-use heavytop::methods::{MethodError, Scheme};
+use heavytop::methods::{MethodError, SchemeName};
 use heavytop::{
     CollectiveGauss, GaussBatch, MidpointBatch, ReducedMidpoint, SpinorRealisation,
     SymmetricTopBatch, SymmetricTopSplitting, TopMidpoint,
@@ -24,7 +24,7 @@ const FEW: usize = 1000;
 /// The task of timing the integrators that suit a problem.
 pub(super) struct Contest<'a, D> {
     /// The tops and their references.
-    pub problem: &'a Problem,
+    pub problem: &'a BenchProblem,
     /// A part of the names of the integrators to time; `None` times all of them.
     pub only: Option<&'a str>,
     /// The names of the integrators that are not timed.
@@ -204,5 +204,5 @@ fn failed(name: &str, source: IntegrationError) -> Error {
 }
 
 fn refused(source: SchemeError) -> Error {
-    MethodError::Scheme { scheme: Scheme::Gauss(8), source }.into()
+    MethodError::Scheme { scheme: SchemeName::Gauss(8), source }.into()
 }

@@ -7,4 +7,4 @@ mod bench_command;
 
 pub use bench_command::{Bench, BenchOptions, bench};
 pub use clock::Run;
-pub use problem::Problem;
+pub use problem::BenchProblem;

@@ -4,7 +4,7 @@ use crate::Error;
 use crate::files::bounded;
 use crate::vocabulary::brief;
 use collective_integrators::{IntegrationError, Start};
-use heavytop::methods::{MethodError, Scheme};
+use heavytop::methods::{MethodError, SchemeName};
 use heavytop::{Body, CollectiveGauss, HeavyTop};
 use lie_poisson::Se3Dual;
 use nalgebra::Vector3;
@@ -18,7 +18,7 @@ const STEP: f64 = 0.125;
 
 /// A top with one start or many, and reference states at two times.
 #[derive(Clone, Debug, PartialEq)]
-pub struct Problem {
+pub struct BenchProblem {
     /// The top that all starts share.
     pub top: HeavyTop,
     /// The end of the runs, s.
@@ -33,7 +33,7 @@ pub struct Problem {
     pub late: Vec<Se3Dual>,
 }
 
-impl Problem {
+impl BenchProblem {
     /// Reads a file of numbers: I₁ I₂ I₃ mgl c₁ c₂ c₃ end on the first line; then for each top a line
     /// with (Π, Γ) at 0, 10 and end.
     ///
@@ -90,7 +90,7 @@ impl Problem {
     /// If a reference cannot be computed.
     pub fn with_references(top: HeavyTop, end: f64, starts: Vec<Se3Dual>) -> Result<Self, Error> {
         let gauss = CollectiveGauss::new(8, top)
-            .map_err(|source| MethodError::Scheme { scheme: Scheme::Gauss(8), source })?;
+            .map_err(|source| MethodError::Scheme { scheme: SchemeName::Gauss(8), source })?;
         let failed =
             |source: IntegrationError| Error::Timed { name: "reference".to_owned(), source };
         let (mut early, mut late) = (Vec::new(), Vec::new());

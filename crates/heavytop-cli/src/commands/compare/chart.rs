@@ -7,7 +7,7 @@ use crate::pictures::caption::{self, number};
 use crate::pictures::lettering::{FONT, fitting, width};
 use crate::pictures::numerals::power_of_ten;
 use crate::runs::Experiment;
-use heavytop::methods::{Formulation, Scheme};
+use heavytop::methods::{Formulation, SchemeName};
 use std::fmt::Write;
 
 /// The width of two columns of a journal, in units of 0.01 mm.
@@ -184,7 +184,7 @@ fn titles(svg: &mut String, experiment: &Experiment, end: f64) {
 fn legend(svg: &mut String, measurements: &[Measurement], step: f64) {
     let (left, mut y) = LEGEND;
     let (right, text) = (left + 700.0, left + 850.0);
-    for &(name, scheme) in Scheme::NAMES {
+    for &(name, scheme) in SchemeName::NAMES {
         if !measurements.iter().any(|m| m.method.scheme() == scheme) {
             continue;
         }

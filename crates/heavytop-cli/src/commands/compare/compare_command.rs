@@ -10,7 +10,7 @@ use crate::files::{Output, OutputSet};
 use crate::pictures::render;
 use crate::runs::{Experiment, Schedule};
 use crate::supervision::{Progress, Watch};
-use heavytop::methods::{ComposedScheme, Formulation, Method, Scheme};
+use heavytop::methods::{ComposedScheme, Formulation, Method, SchemeName};
 use std::io::Write;
 use std::path::Path;
 
@@ -119,7 +119,7 @@ fn methods(integration: Integration) -> Result<Vec<Method>, Error> {
     let mut methods = Vec::new();
     for &(_, formulation) in Formulation::NAMES {
         for scheme in formulation.schemes() {
-            let again = scheme == Scheme::Composed(ComposedScheme::Strang);
+            let again = scheme == SchemeName::Composed(ComposedScheme::Strang);
             if !again || formulation == Formulation::Splitting {
                 methods.push(Integration { formulation, scheme, ..integration }.method()?);
             }

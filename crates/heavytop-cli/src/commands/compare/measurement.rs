@@ -4,7 +4,7 @@ use crate::Error;
 use crate::runs::Experiment;
 use crate::supervision::Watch;
 use collective_integrators::{IntegrationError, Start};
-use heavytop::methods::{Formulation, Method, Scheme, Task};
+use heavytop::methods::{Formulation, Method, SchemeName, Task};
 use heavytop::{HeavyTop, Invariant};
 use lie_poisson::{Covector, Pair, Se3Dual, Vector, larger};
 use std::hint::black_box;
@@ -86,7 +86,7 @@ impl Reference {
     pub fn new(experiment: &Experiment, steps: u64, watch: &Watch<'_>) -> Result<Self, Error> {
         let step = experiment.schedule.step;
         let mut sizes = [0.0_f64; 2];
-        let gauss = Method::new(Formulation::Reduced, Scheme::Gauss(8), 0.0)?;
+        let gauss = Method::new(Formulation::Reduced, SchemeName::Gauss(8), 0.0)?;
         let mut end = |halvings: u64| {
             let mut experiment = *experiment;
             experiment.method = gauss;

@@ -1,6 +1,6 @@
 //! Colours, dashes and marks: a hue and a mark for each family of schemes, darker for higher order.
 
-use heavytop::methods::{ComposedScheme, PartitionedScheme, Scheme};
+use heavytop::methods::{ComposedScheme, PartitionedScheme, SchemeName};
 
 /// The style in which a curve is drawn.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -30,29 +30,31 @@ impl Style {
     ///
     /// The hues are the blue, bluish green, reddish purple, orange and vermillion of Okabe and Ito, which readers with
     /// all kinds of colour vision tell apart. Source: M. Okabe & K. Ito, *Color Universal Design* (2008).
-    pub fn of(scheme: Scheme) -> Self {
+    pub fn of(scheme: SchemeName) -> Self {
         use Mark::{Circle, Diamond, Square, Triangle};
         let (colour, dashes, mark) = match scheme {
-            Scheme::ImplicitMidpoint => ("#80c4ec", "", Circle),
-            Scheme::Gauss(2) => ("#80c4ec", DASHED, Circle),
-            Scheme::Gauss(3) => ("#2a95d5", "", Circle),
-            Scheme::Gauss(4) => ("#2a95d5", DASHED, Circle),
-            Scheme::Gauss(5) => ("#0072b2", "", Circle),
-            Scheme::Gauss(6) => ("#00436a", DASHED, Circle),
-            Scheme::Gauss(_) => ("#002338", "", Circle),
-            Scheme::ExplicitMidpoint => ("#4fc7a5", DASHED, Square),
-            Scheme::Rk4 => ("#009e73", "", Square),
-            Scheme::Partitioned(PartitionedScheme::SymplecticEuler) => {
+            SchemeName::ImplicitMidpoint => ("#80c4ec", "", Circle),
+            SchemeName::Gauss(2) => ("#80c4ec", DASHED, Circle),
+            SchemeName::Gauss(3) => ("#2a95d5", "", Circle),
+            SchemeName::Gauss(4) => ("#2a95d5", DASHED, Circle),
+            SchemeName::Gauss(5) => ("#0072b2", "", Circle),
+            SchemeName::Gauss(6) => ("#00436a", DASHED, Circle),
+            SchemeName::Gauss(_) => ("#002338", "", Circle),
+            SchemeName::ExplicitMidpoint => ("#4fc7a5", DASHED, Square),
+            SchemeName::Rk4 => ("#009e73", "", Square),
+            SchemeName::Partitioned(PartitionedScheme::SymplecticEuler) => {
                 ("#e0a9c8", DOTTED, Triangle)
             }
-            Scheme::Partitioned(PartitionedScheme::StormerVerlet) => ("#cc79a7", DASHED, Triangle),
-            Scheme::Partitioned(PartitionedScheme::Lobatto) => ("#8f3f6b", "", Triangle),
-            Scheme::Composed(ComposedScheme::Strang) => ("#e69f00", "", Diamond),
-            Scheme::Composed(ComposedScheme::Yoshida4) => ("#e69f00", DASHED, Diamond),
-            Scheme::Composed(ComposedScheme::Suzuki4) => ("#d55e00", "", Diamond),
-            Scheme::Composed(ComposedScheme::Yoshida6) => ("#d55e00", DASHED, Diamond),
-            Scheme::Composed(ComposedScheme::KahanLi6) => ("#7a3600", "", Diamond),
-            Scheme::Composed(ComposedScheme::KahanLi8) => ("#7a3600", DASHED, Diamond),
+            SchemeName::Partitioned(PartitionedScheme::StormerVerlet) => {
+                ("#cc79a7", DASHED, Triangle)
+            }
+            SchemeName::Partitioned(PartitionedScheme::Lobatto) => ("#8f3f6b", "", Triangle),
+            SchemeName::Composed(ComposedScheme::Strang) => ("#e69f00", "", Diamond),
+            SchemeName::Composed(ComposedScheme::Yoshida4) => ("#e69f00", DASHED, Diamond),
+            SchemeName::Composed(ComposedScheme::Suzuki4) => ("#d55e00", "", Diamond),
+            SchemeName::Composed(ComposedScheme::Yoshida6) => ("#d55e00", DASHED, Diamond),
+            SchemeName::Composed(ComposedScheme::KahanLi6) => ("#7a3600", "", Diamond),
+            SchemeName::Composed(ComposedScheme::KahanLi8) => ("#7a3600", DASHED, Diamond),
         };
         Self { colour, dashes, mark }
     }
@@ -85,19 +87,19 @@ mod tests {
 
     #[test]
     fn no_two_schemes_look_alike() {
-        for (n, (name, scheme)) in Scheme::NAMES.iter().enumerate() {
-            for (other, second) in &Scheme::NAMES[..n] {
+        for (n, (name, scheme)) in SchemeName::NAMES.iter().enumerate() {
+            for (other, second) in &SchemeName::NAMES[..n] {
                 let (one, two) = (Style::of(*scheme), Style::of(*second));
                 assert_ne!(one, two, "{name} and {other}");
             }
         }
         // Control: colours alone would not do.
-        let mut colours: Vec<_> = Scheme::NAMES
+        let mut colours: Vec<_> = SchemeName::NAMES
             .iter()
             .map(|(_, scheme)| format!("{:?}", Style::of(*scheme).colour))
             .collect();
         colours.sort();
         colours.dedup();
-        assert!(colours.len() < Scheme::NAMES.len());
+        assert!(colours.len() < SchemeName::NAMES.len());
     }
 }

@@ -3,7 +3,7 @@
 use super::record::{QUANTITIES, Record};
 use crate::pictures::caption;
 use heavytop::Invariant;
-use heavytop::methods::{Formulation, Method, Scheme};
+use heavytop::methods::{Formulation, Method, SchemeName};
 use plotters::style::RGBColor;
 
 /// A figure: one conserved quantity along several runs.
@@ -51,19 +51,19 @@ const WHOLE: &str = "";
 const DASHED: &str = "150 60";
 const DOTTED: &str = "35 35";
 
-type Line = (Formulation, Scheme, RGBColor, &'static str);
+type Line = (Formulation, SchemeName, RGBColor, &'static str);
 
 /// The curves of Fig. 1. Source: its caption in Ohsawa 2019.
 const FIGURE_1: [Line; 3] = [
-    (Formulation::Collective, Scheme::ExplicitMidpoint, BLUE, DASHED),
-    (Formulation::Direct, Scheme::ExplicitMidpoint, GREEN, DOTTED),
-    (Formulation::Collective, Scheme::ImplicitMidpoint, RED, WHOLE),
+    (Formulation::Collective, SchemeName::ExplicitMidpoint, BLUE, DASHED),
+    (Formulation::Direct, SchemeName::ExplicitMidpoint, GREEN, DOTTED),
+    (Formulation::Collective, SchemeName::ImplicitMidpoint, RED, WHOLE),
 ];
 
 /// The curves of Fig. 2. Source: its caption in Ohsawa 2019.
 const FIGURE_2: [Line; 2] = [
-    (Formulation::Direct, Scheme::ImplicitMidpoint, GRAY, DASHED),
-    (Formulation::Collective, Scheme::ImplicitMidpoint, RED, WHOLE),
+    (Formulation::Direct, SchemeName::ImplicitMidpoint, GRAY, DASHED),
+    (Formulation::Collective, SchemeName::ImplicitMidpoint, RED, WHOLE),
 ];
 
 /// Returns the six figures of the paper.

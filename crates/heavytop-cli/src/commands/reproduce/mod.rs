@@ -3,8 +3,8 @@
 mod record;
 mod figures;
 mod plot;
-mod drifts;
+mod deviations;
 mod reproduce_command;
 
-pub use drifts::{Drift, Reproduction};
+pub use deviations::{Deviations, Reproduction};
 pub use reproduce_command::reproduce;

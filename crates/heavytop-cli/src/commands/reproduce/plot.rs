@@ -183,15 +183,15 @@ mod tests {
     use super::*;
     use crate::configuration::Config;
     use crate::pictures::lettering::{boxes, checks::collisions};
-    use heavytop::methods::{Formulation, Scheme};
+    use heavytop::methods::{Formulation, SchemeName};
 
     /// The records of quantities that oscillate about `value` with this amplitude, up to time `end`.
     fn records(value: f64, amplitude: f64, end: f64) -> Vec<Record> {
         let pairs = [
-            (Formulation::Collective, Scheme::ExplicitMidpoint),
-            (Formulation::Direct, Scheme::ExplicitMidpoint),
-            (Formulation::Collective, Scheme::ImplicitMidpoint),
-            (Formulation::Direct, Scheme::ImplicitMidpoint),
+            (Formulation::Collective, SchemeName::ExplicitMidpoint),
+            (Formulation::Direct, SchemeName::ExplicitMidpoint),
+            (Formulation::Collective, SchemeName::ImplicitMidpoint),
+            (Formulation::Direct, SchemeName::ImplicitMidpoint),
         ];
         let record = |(formulation, scheme)| {
             let mut config = Config::default();

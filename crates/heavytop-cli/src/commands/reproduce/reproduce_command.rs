@@ -1,6 +1,6 @@
 //! The command `reproduce`: the paper's experiment (Ohsawa 2019, §5.2), its figures and its tables.
 
-use super::drifts::{Drift, Reproduction};
+use super::deviations::{Deviations, Reproduction};
 use super::record::{QUANTITIES, Record};
 use super::{figures, plot};
 use crate::Error;
@@ -10,16 +10,16 @@ use crate::formats::run_table::{STATE_COLUMNS, append_row, state_values};
 use crate::pictures::render;
 use crate::runs::Experiment;
 use crate::supervision::{Progress, Watch};
-use heavytop::methods::{Formulation, Scheme};
+use heavytop::methods::{Formulation, SchemeName};
 use std::io::Write;
 use std::path::Path;
 
 /// The four integrators, in the order of the tables.
-const METHODS: [(Formulation, Scheme); 4] = [
-    (Formulation::Collective, Scheme::ImplicitMidpoint),
-    (Formulation::Collective, Scheme::ExplicitMidpoint),
-    (Formulation::Direct, Scheme::ExplicitMidpoint),
-    (Formulation::Direct, Scheme::ImplicitMidpoint),
+const METHODS: [(Formulation, SchemeName); 4] = [
+    (Formulation::Collective, SchemeName::ImplicitMidpoint),
+    (Formulation::Collective, SchemeName::ExplicitMidpoint),
+    (Formulation::Direct, SchemeName::ExplicitMidpoint),
+    (Formulation::Direct, SchemeName::ImplicitMidpoint),
 ];
 
 /// The number of pixels per CSS pixel: 576 dots per inch at the figures' own size.
@@ -74,7 +74,7 @@ fn write_figures_and_summary(
         files.add(&out.join(figure.name).with_extension("svg"), svg.as_bytes())?;
         files.add(&out.join(figure.name).with_extension("png"), &png)?;
     }
-    let runs = records.iter().map(Drift::of).collect();
+    let runs = records.iter().map(Deviations::of).collect();
     let reproduction = Reproduction { out: out.into(), runs };
     files.add(&out.join("summary.csv"), reproduction.csv().as_bytes())?;
     Ok(reproduction)

@@ -4,7 +4,7 @@ use super::numbers::Numbers;
 use super::table_file::{is_table, read_table};
 use crate::Error;
 use crate::configuration::{Integration, IntegratorConfig};
-use crate::errors::SystemError;
+use crate::errors::SystemTableError;
 use crate::runs::{Pace, Schedule, SystemExperiment};
 use heavytop::methods::Formulation;
 use lie_poisson_formula_systems::{
@@ -88,7 +88,7 @@ impl SystemConfig {
         let parameters = self.parameters()?;
         let algebra = self.algebra(&parameters)?;
         if self.hamiltonian.trim().is_empty() {
-            return Err(SystemError::Missing("hamiltonian").into());
+            return Err(SystemTableError::Missing("hamiltonian").into());
         }
         let system = FormulaSystem::new(algebra, &self.hamiltonian, &parameters)?;
         Ok(system.with_found_casimirs()?)
@@ -146,13 +146,13 @@ impl SystemConfig {
     ///
     /// # Errors
     /// If a name cannot be that of a parameter.
-    pub(crate) fn parameters(&self) -> Result<Parameters, SystemError> {
+    pub(crate) fn parameters(&self) -> Result<Parameters, SystemTableError> {
         self.parameters.iter().try_fold(Parameters::new(), |all, (name, numbers)| {
             let added = match numbers {
                 Numbers::One(value) => all.number(name, *value),
                 Numbers::Many(values) => all.vector(name, values),
             };
-            added.map_err(|source| SystemError::Parameter { name: name.clone(), source })
+            added.map_err(|source| SystemTableError::Parameter { name: name.clone(), source })
         })
     }
 
@@ -166,12 +166,12 @@ impl SystemConfig {
             (None, Some(constants)) if !has_brackets => self.of_table(constants),
             (None, None) => {
                 let missing = "algebra, or coordinates and brackets,";
-                let coordinates = self.coordinates()?.ok_or(SystemError::Missing(missing))?;
+                let coordinates = self.coordinates()?.ok_or(SystemTableError::Missing(missing))?;
                 let texts = self.brackets.iter();
                 let brackets = texts.map(|(key, text)| (key.as_str(), text.as_str()));
                 Ok(SystemAlgebra::of_brackets(coordinates, brackets, parameters)?)
             }
-            _ => Err(SystemError::TwoAlgebras.into()),
+            _ => Err(SystemTableError::TwoAlgebras.into()),
         }
     }
 
@@ -182,12 +182,12 @@ impl SystemConfig {
         } else {
             read_table(constants.as_ref())?
         };
-        let entries = structure_table(&text).map_err(SystemError::StructureConstants)?;
+        let entries = structure_table(&text).map_err(SystemTableError::StructureConstants)?;
         let dimension = entries.iter().flat_map(|entry| [entry.i, entry.j, entry.k]).max();
         let dimension = dimension.map_or(0, |last| last + 1);
         let coordinates = match self.coordinates()? {
             Some(coordinates) => coordinates,
-            None if dimension == 0 => return Err(SystemError::Missing("coordinates").into()),
+            None if dimension == 0 => return Err(SystemTableError::Missing("coordinates").into()),
             None => Coordinates::new()
                 .vector("mu", dimension)
                 .map_err(FormulaSystemError::Coordinates)?,

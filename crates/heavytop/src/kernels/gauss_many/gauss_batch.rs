@@ -104,7 +104,7 @@ impl<const S: usize> BatchIntegrator for GaussBatch<S> {
     ) {
         let coefficients = self.coefficients.scaled(step);
         let kernel = ScaledGauss { scheme: &self.scheme, coefficients };
-        self.registers.advance(&kernel, members, step, steps, &mut (), failed);
+        self.registers.advance(&kernel, members, step, steps, failed);
     }
 }
 
@@ -132,7 +132,6 @@ struct ScaledGauss<'a, const S: usize> {
 
 impl<const S: usize> LaneKernel for ScaledGauss<'_, S> {
     type Member = (HeavyTop, Se3Dual);
-    type Workspace = ();
 
     #[inline(always)]
     fn together<T: Lanes>(
@@ -162,7 +161,6 @@ impl<const S: usize> LaneKernel for ScaledGauss<'_, S> {
         (top, state): &mut (HeavyTop, Se3Dual),
         step: f64,
         steps: Range<u64>,
-        (): &mut (),
     ) -> Result<(), IntegrationError> {
         let integrator = LiftFree::new(self.scheme.clone(), DualQuaternions, *top);
         let workspace = &mut Integrator::<f64>::workspace(&integrator);

@@ -120,11 +120,7 @@ impl CollectiveGauss {
     /// # Errors
     /// Returns [`MissingInstructions`] if the processor lacks them.
     pub fn with_instructions(self, set: InstructionSet) -> Result<Self, MissingInstructions> {
-        if set.is_available() {
-            Ok(Self { instructions: set, ..self })
-        } else {
-            Err(MissingInstructions { set })
-        }
+        Ok(Self { instructions: set.if_available()?, ..self })
     }
 
     /// Returns the instruction set in use.

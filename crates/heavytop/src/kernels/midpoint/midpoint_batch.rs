@@ -2,7 +2,7 @@
 
 use crate::HeavyTop;
 use crate::kernels::midpoint::formulas::{Member, together};
-use crate::kernels::midpoint::top_midpoint::{TopMidpoint, TopMidpointSpace};
+use crate::kernels::midpoint::top_midpoint::TopMidpoint;
 use collective_integrators::{
     BatchIntegrator, IntegrationError, Integrator, LaneKernel, LaneResults, Registers,
 };
@@ -37,28 +37,24 @@ use lie_poisson::{InstructionSet, Lanes, MissingInstructions, Se3Dual, Width};
 impl BatchIntegrator for TopMidpoint {
     type Member = Se3Dual;
 
-    /// The workspace of the steps of one top.
-    type Workspace = TopMidpointSpace;
+    type Workspace = ();
 
-    fn workspace(&self) -> TopMidpointSpace {
-        Integrator::workspace(self)
-    }
+    fn workspace(&self) {}
 
     fn advance(
         &self,
         states: &mut [Se3Dual],
         step: f64,
         steps: Range<u64>,
-        space: &mut TopMidpointSpace,
+        (): &mut (),
         failed: &mut dyn FnMut(usize, IntegrationError),
     ) {
-        self.registers().advance(self, states, step, steps, space, failed);
+        self.registers().advance(self, states, step, steps, failed);
     }
 }
 
 impl LaneKernel for TopMidpoint {
     type Member = Se3Dual;
-    type Workspace = TopMidpointSpace;
 
     #[inline(always)]
     fn together<T: Lanes>(&self, group: &mut [Se3Dual], step: f64, count: u64) -> LaneResults {
@@ -71,9 +67,8 @@ impl LaneKernel for TopMidpoint {
         state: &mut Se3Dual,
         step: f64,
         steps: Range<u64>,
-        space: &mut TopMidpointSpace,
     ) -> Result<(), IntegrationError> {
-        self.forget(space);
+        let space = &mut Integrator::workspace(self);
         Integrator::advance(self, state, step, steps, space).map(drop)
     }
 }
@@ -116,12 +111,16 @@ impl MidpointBatch {
         Self { registers: Registers::widest() }
     }
 
-    /// Creates the method on another instruction set.
+    /// Replaces the instruction set and the width of the registers.
     ///
     /// # Errors
-    /// Returns [`MissingInstructions`] if the processor lacks them.
-    pub fn with_instructions(set: InstructionSet) -> Result<Self, MissingInstructions> {
-        Ok(Self { registers: Registers::new(set, Width::TwoRegisters)? })
+    /// Returns [`MissingInstructions`] if the processor lacks the instructions.
+    pub fn on(
+        self,
+        instructions: InstructionSet,
+        width: Width,
+    ) -> Result<Self, MissingInstructions> {
+        Ok(Self { registers: Registers::new(instructions, width)? })
     }
 }
 
@@ -140,13 +139,12 @@ impl BatchIntegrator for MidpointBatch {
         (): &mut (),
         failed: &mut dyn FnMut(usize, IntegrationError),
     ) {
-        self.registers.advance(self, members, step, steps, &mut (), failed);
+        self.registers.advance(self, members, step, steps, failed);
     }
 }
 
 impl LaneKernel for MidpointBatch {
     type Member = (HeavyTop, Se3Dual);
-    type Workspace = ();
 
     #[inline(always)]
     fn together<T: Lanes>(
@@ -163,7 +161,6 @@ impl LaneKernel for MidpointBatch {
         (top, state): &mut (HeavyTop, Se3Dual),
         step: f64,
         steps: Range<u64>,
-        (): &mut (),
     ) -> Result<(), IntegrationError> {
         let midpoint = TopMidpoint::on(*top, self.registers);
         let space = &mut Integrator::workspace(&midpoint);

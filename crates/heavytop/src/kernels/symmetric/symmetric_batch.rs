@@ -106,13 +106,12 @@ impl BatchIntegrator for SymmetricTopBatch {
         (): &mut (),
         failed: &mut dyn FnMut(usize, IntegrationError),
     ) {
-        self.registers.advance(self, members, step, steps, &mut (), failed);
+        self.registers.advance(self, members, step, steps, failed);
     }
 }
 
 impl LaneKernel for SymmetricTopBatch {
     type Member = (SymmetricTopSplitting, Se3Dual);
-    type Workspace = ();
 
     #[inline(always)]
     fn together<T: Lanes>(
@@ -154,7 +153,6 @@ impl LaneKernel for SymmetricTopBatch {
         (top, state): &mut (SymmetricTopSplitting, Se3Dual),
         step: f64,
         steps: Range<u64>,
-        (): &mut (),
     ) -> Result<(), IntegrationError> {
         let integrator = Splitting::alternating(*top, self.substeps.clone());
         let workspace = &mut Integrator::<f64>::workspace(&integrator);

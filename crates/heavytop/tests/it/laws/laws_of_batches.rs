@@ -21,7 +21,7 @@ fn gauss_batch_of<const S: usize>() {
     for set in InstructionSet::available() {
         for width in Width::ALL {
             let gauss = GaussBatch::<S>::new().unwrap().on(set, width).unwrap();
-            obeys(gauss, 0, 0.0, |b| laws::batch(b, &members, &failing, STEP));
+            obeys(&gauss, ("advance", 0), 0.0, |b| laws::batch(b, &members, &failing, STEP));
         }
     }
 }
@@ -36,10 +36,14 @@ fn gauss_batch() {
 fn midpoint_batch() {
     let (members, failing) = of_many_tops(&any_tops());
     for set in InstructionSet::available() {
-        let midpoint = MidpointBatch::with_instructions(set).unwrap();
-        obeys(midpoint, 0, 0.0, |b| laws::batch(b, &members, &failing, STEP));
+        for width in Width::ALL {
+            let midpoint = MidpointBatch::new().on(set, width).unwrap();
+            obeys(&midpoint, ("advance", 0), 0.0, |b| laws::batch(b, &members, &failing, STEP));
+        }
     }
-    obeys(MidpointBatch::default(), 0, 0.0, |b| laws::batch(b, &members, &failing, STEP));
+    obeys(&MidpointBatch::default(), ("advance", 0), 0.0, |b| {
+        laws::batch(b, &members, &failing, STEP)
+    });
 }
 
 #[test]
@@ -52,7 +56,7 @@ fn symmetric_top_batch() {
     for (set, substeps) in InstructionSet::available().zip(substeps.iter().cycle()) {
         for width in Width::ALL {
             let splitting = SymmetricTopBatch::new(substeps.clone()).on(set, width).unwrap();
-            obeys(splitting, 0, 0.0, |b| laws::batch(b, &members, &failing, STEP));
+            obeys(&splitting, ("advance", 0), 0.0, |b| laws::batch(b, &members, &failing, STEP));
         }
     }
 }
@@ -63,6 +67,6 @@ fn top_midpoint_as_batch() {
     let (members, failing) = (&starts()[..MEMBERS], starts()[1].scaled(f64::NAN));
     for set in InstructionSet::available() {
         let midpoint = TopMidpoint::new(any_tops()[0]).with_instructions(set).unwrap();
-        obeys(midpoint, 0, 0.0, |b| laws::batch(b, members, &failing, STEP));
+        obeys(&midpoint, ("advance", 0), 0.0, |b| laws::batch(b, members, &failing, STEP));
     }
 }

@@ -28,7 +28,9 @@ fn samples<V: Vector<Scalar = f64>>() -> Vec<V> {
 fn heavy_tops() {
     for top in any_tops() {
         for coordinate in 0..6 {
-            obeys(top, coordinate, ROUND_OFF, |h| hamiltonian::<HeavyTopSpace, _>(h, &samples()));
+            obeys(&top, ("differential", coordinate), ROUND_OFF, |h| {
+                hamiltonian::<HeavyTopSpace, _>(h, &samples())
+            });
         }
     }
     // Parameters that are zero: the weight of a free body, and the sides of integrable tops.
@@ -39,7 +41,9 @@ fn heavy_tops() {
         HeavyTop::goryachev_chaplygin(1.0, 0.7),
     ];
     for top in integrable.map(Result::unwrap) {
-        obeys(top, 1, ROUND_OFF, |h| hamiltonian::<HeavyTopSpace, _>(h, &samples()));
+        obeys(&top, ("differential", 1), ROUND_OFF, |h| {
+            hamiltonian::<HeavyTopSpace, _>(h, &samples())
+        });
     }
 }
 
@@ -47,26 +51,30 @@ fn heavy_tops() {
 fn the_rigid_body() {
     let body = RigidBody::new(Vector3::new(1.0, 2.0, 2.5)).unwrap();
     for coordinate in 0..3 {
-        obeys(body, coordinate, ROUND_OFF, |h| hamiltonian::<LiePoisson<So3>, _>(h, &samples()));
+        obeys(&body, ("differential", coordinate), ROUND_OFF, |h| {
+            hamiltonian::<LiePoisson<So3>, _>(h, &samples())
+        });
     }
 }
 
 #[test]
 fn the_realisation() {
     for coordinate in 0..8 {
-        obeys(SpinorRealisation, coordinate, ROUND_OFF, |map| poisson_map(map, &samples()));
-        obeys(SpinorRealisation, coordinate, ROUND_OFF, |map| {
+        obeys(&SpinorRealisation, ("pull_back", coordinate), ROUND_OFF, |map| {
+            poisson_map(map, &samples())
+        });
+        obeys(&SpinorRealisation, ("flow", coordinate), ROUND_OFF, |map| {
             fibre_symmetry(map, &samples(), &[0.3, 2.0, -40.0])
         });
     }
-    obeys(SpinorRealisation, 0, ROUND_OFF, |map| lift(map, &samples()));
-    obeys(SpinorRealisation, 0, ROUND_OFF, |map| lift(map, &momenta()));
+    obeys(&SpinorRealisation, ("lift", 0), ROUND_OFF, |map| lift(map, &samples()));
+    obeys(&SpinorRealisation, ("lift", 0), ROUND_OFF, |map| lift(map, &momenta()));
 }
 
 #[test]
 fn the_map_to_se3() {
     for coordinate in 0..7 {
-        obeys(Varpi, coordinate, ROUND_OFF, |map| poisson_map(map, &samples()));
+        obeys(&Varpi, ("pull_back", coordinate), ROUND_OFF, |map| poisson_map(map, &samples()));
     }
 }
 
@@ -81,5 +89,5 @@ fn the_action_on_spinors() {
     let report = equivariance(&SPINOR_MOTIONS, &samples(), &samples()).unwrap();
     report.check(ROUND_OFF).unwrap();
     let map: SpinorMomentum = MomentumMap(SPINOR_MOTIONS);
-    obeys(map, 0, ROUND_OFF, |map| poisson_map(map, &samples()));
+    obeys(&map, ("pull_back", 0), ROUND_OFF, |map| poisson_map(map, &samples()));
 }

@@ -53,11 +53,13 @@ fn rotor_splitting_of_the_rigid_body() {
     let momenta = momenta().map(|mu: Se3Dual| Covector(mu.0.0));
     momenta.iter().for_each(|pi| obeys_as_flows(&flows, pi));
     let strang = Splitting::strang(flows);
-    obeys(strang, 0, ROUND_OFF, |i| laws::start(i, &momenta, STEP));
+    obeys(&strang, ("step", 0), ROUND_OFF, |i| laws::start(i, &momenta, STEP));
     let states = momenta.map(|pi| strang.start(&pi).unwrap());
     let square = |Covector(pi): &Covector<Vector3<f64>>| pi.norm_squared();
-    obeys(strang, 0, ROUND_OFF_OF_RUNS, |i| laws::invariants(i, &states, STEP, &[&square]));
-    holds(strang, energy_of_order(2), |i| {
+    obeys(&strang, ("step", 0), ROUND_OFF_OF_RUNS, |i| {
+        laws::invariants(i, &states, STEP, &[&square])
+    });
+    holds(&strang, energy_of_order(2), |i| {
         laws::invariants(i, &states, STEP, &[&|pi: &_| body.value(pi)])
     });
 }

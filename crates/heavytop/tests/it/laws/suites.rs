@@ -1,10 +1,9 @@
 //! The samples and tolerances of the law suites, and the checks of a suite together with its negative control.
 
-use super::spoilt::Spoilt;
 use collective_integrators::{Start, laws};
 use heavytop::{HeavyTop, Invariant};
 use lie_poisson::Se3Dual;
-use lie_poisson::laws::{NoSamples, Report};
+use lie_poisson::laws::{Faulty, NoSamples, Report};
 
 /// The round-off of the few dozen operations in a law, relative to the sizes that enter it.
 pub const ROUND_OFF: f64 = 1e-13;
@@ -21,28 +20,27 @@ pub fn momenta() -> [Se3Dual; 2] {
     [mu([0.7, -0.4, 1.3], [0.6, 0.1, 0.8]), mu([-0.2, 1.1, 0.5], [0.3, -0.9, -0.7])]
 }
 
-/// Checks that a suite accepts an object, where the same suite has its control beside it.
-pub fn holds<S>(
-    object: S,
+/// Checks that a suite accepts an object, where no fault can be seen, or where the same suite has its control beside it.
+pub fn holds<'a, S>(
+    object: &'a S,
     tolerance: f64,
-    suite: impl Fn(&Spoilt<S>) -> Result<Report, NoSamples>,
+    suite: impl Fn(&Faulty<'a, S>) -> Result<Report, NoSamples>,
 ) {
-    suite(&Spoilt { object, coordinate: None }).unwrap().check(tolerance).unwrap();
+    suite(&Faulty::without_fault(object)).unwrap().check(tolerance).unwrap();
 }
 
 /// The residual that a fault must exceed: it changes a result by its own size, and not by a rounding error.
 const CLEAR: f64 = 1e-3;
 
-/// Checks that a suite accepts an object, and that it refuses the object with a fault in the given coordinate.
-pub fn obeys<S: Clone>(
-    object: S,
-    coordinate: usize,
+/// Checks that a suite accepts an object, and that it refuses the object with a fault in the given method and coordinate.
+pub fn obeys<'a, S>(
+    object: &'a S,
+    (method, coordinate): (&'static str, usize),
     tolerance: f64,
-    suite: impl Fn(&Spoilt<S>) -> Result<Report, NoSamples>,
+    suite: impl Fn(&Faulty<'a, S>) -> Result<Report, NoSamples>,
 ) {
-    let spoilt = Spoilt { object: object.clone(), coordinate: Some(coordinate) };
-    let refused = suite(&spoilt).unwrap().check(CLEAR);
-    assert!(refused.is_err(), "a fault in coordinate {coordinate} was not found");
+    let refused = suite(&Faulty::new(object, method, coordinate)).unwrap().check(CLEAR);
+    assert!(refused.is_err(), "a fault of {method} in coordinate {coordinate} was not found");
     holds(object, tolerance, suite);
 }
 
@@ -51,15 +49,15 @@ pub fn obeys_as_integrator<I>(top: &HeavyTop, integrator: I, energy: f64)
 where
     I: Start<Momentum = Se3Dual> + Clone,
 {
-    obeys(integrator.clone(), 0, ROUND_OFF, |i| laws::start(i, &momenta(), STEP));
+    obeys(&integrator, ("step", 0), ROUND_OFF, |i| laws::start(i, &momenta(), STEP));
     let states = momenta().map(|mu| integrator.start(&mu).unwrap());
     let square = |mu: &Se3Dual| mu.0.1.norm_squared();
     let level = |mu: &Se3Dual| mu.0.0.dot(&mu.0.1);
-    obeys(integrator.clone(), 0, ROUND_OFF_OF_RUNS, |i| {
+    obeys(&integrator, ("step", 0), ROUND_OFF_OF_RUNS, |i| {
         laws::invariants(i, &states, STEP, &[&square, &level])
     });
     let h = |mu: &Se3Dual| Invariant::Energy.value(top, mu);
-    holds(integrator, energy, |i| laws::invariants(i, &states, STEP, &[&h]));
+    holds(&integrator, energy, |i| laws::invariants(i, &states, STEP, &[&h]));
 }
 
 /// The bound (ωh)ᵖ on the deviation of the energy under a method of order p, for angular velocities ω up to 3 rad per unit

@@ -74,11 +74,7 @@ impl<I> StagesInLanes<I> {
     /// # Errors
     /// Returns [`MissingInstructions`] if the processor lacks them.
     pub fn with_instructions(self, set: InstructionSet) -> Result<Self, MissingInstructions> {
-        if set.is_available() {
-            Ok(Self { instructions: set, ..self })
-        } else {
-            Err(MissingInstructions { set })
-        }
+        Ok(Self { instructions: set.if_available()?, ..self })
     }
 
     /// Returns the instruction set.

@@ -1,4 +1,5 @@
-//! Negative controls: the Hopf map and the rotations of R³, each with one part that is wrong.
+//! Negative controls that are no [`Faulty`](momentum_map::laws::Faulty) objects: the Hopf map and the rotations of R³, each
+//! with one part that is wrong.
 
 use lie_poisson::*;
 use momentum_map::*;
@@ -10,12 +11,6 @@ use num_complex::Complex;
 pub enum FaultyHopf {
     /// The sign of a coordinate is reversed: the map is neither Poisson nor equivariant.
     Mirrored,
-    /// The generator has the wrong sign.
-    Generator,
-    /// The pull-back has the wrong sign.
-    PullBack,
-    /// The lift is that of −μ.
-    Lift,
     /// The gauge term is z, and does not stay on the fibre.
     Gauge,
     /// The two flows are a dilation, up to second order, and a translation, which do not commute.
@@ -39,8 +34,7 @@ impl PoissonMap for FaultyHopf {
         pi
     }
     fn generator<T: Real>(&self, xi: &Vector3<T>, z: &Vector2<Complex<T>>) -> Vector2<Complex<T>> {
-        let generator = HOPF.generator(xi, z);
-        if *self == Self::Generator { -generator } else { generator }
+        HOPF.generator(xi, z)
     }
     fn pull_back<T: Real>(
         &self,
@@ -49,8 +43,7 @@ impl PoissonMap for FaultyHopf {
     ) -> Covector<Vector2<Complex<T>>> {
         let alpha =
             if *self == Self::Mirrored { Vector3::new(alpha.x, -alpha.y, alpha.z) } else { *alpha };
-        let pulled = HOPF.pull_back(&alpha, z);
-        if *self == Self::PullBack { -pulled } else { pulled }
+        HOPF.pull_back(&alpha, z)
     }
     fn gauge<T: Real>(&self, z: &Vector2<Complex<T>>) -> Vector2<Complex<T>> {
         if *self == Self::Gauge { *z } else { Vector2::zeros() }
@@ -68,12 +61,6 @@ impl FibreSymmetry for FaultyHopf {
     }
     fn momentum<T: Real>(&self, _: usize, z: &Vector2<Complex<T>>) -> T {
         HOPF.momentum(0, z)
-    }
-}
-
-impl Lift for FaultyHopf {
-    fn lift<T: Real>(&self, mu: &Covector<Vector3<T>>) -> Result<Vector2<Complex<T>>, LiftError> {
-        HOPF.lift(&if *self == Self::Lift { -*mu } else { *mu })
     }
 }
 

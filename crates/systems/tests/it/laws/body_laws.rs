@@ -1,7 +1,7 @@
 //! The law suites of bodies: the gyrostat, the body in a fluid and the top on a movable base.
 
-use super::faulty_system::{holds, obeys};
 use super::law_samples::{ENERGY_OF_ORDER_FOUR, ROUND_OFF, ROUND_OFF_OF_RUNS, STEP, samples};
+use super::suites_with_controls::{holds, obeys};
 use lie_poisson_systems::collective_integrators::{Collective, LiftFree, RungeKutta, Start, laws};
 use lie_poisson_systems::lie_poisson::laws::{hamiltonian, lie_algebra, poisson_space};
 use lie_poisson_systems::lie_poisson::{
@@ -33,40 +33,44 @@ fn movable_base() -> MovableBaseTop {
 
 /// Runs the suites that the gyrostat and the body in a fluid share.
 fn obeys_on_se3<H: Hamiltonian<LiePoisson<Se3>> + Copy>(h: H) {
-    obeys(Se3::default(), 0, ROUND_OFF, |algebra| {
+    obeys(&Se3::default(), ("coadjoint", 0), ROUND_OFF, |algebra| {
         poisson_space(&LiePoisson::minus(algebra.clone()), &samples())
     });
     let gauss = LiftFree::new(RungeKutta::gauss(2).unwrap(), DualQuaternions, h);
     let momenta = [samples::<Se3Dual>()[0]];
-    obeys(gauss.clone(), 0, ROUND_OFF, |i| laws::start(i, &momenta, STEP));
+    obeys(&gauss, ("step", 0), ROUND_OFF, |i| laws::start(i, &momenta, STEP));
     let states = momenta.map(|mu| gauss.start(&mu).unwrap());
     let square = |Covector(Pair(_, p)): &Se3Dual| p.dot(p);
     let level = |Covector(Pair(pi, p)): &Se3Dual| pi.dot(p);
-    obeys(gauss.clone(), 0, ROUND_OFF_OF_RUNS, |i| {
+    obeys(&gauss, ("step", 0), ROUND_OFF_OF_RUNS, |i| {
         laws::invariants(i, &states, STEP, &[&square, &level])
     });
-    holds(gauss, ENERGY_OF_ORDER_FOUR, |i| {
+    holds(&gauss, ENERGY_OF_ORDER_FOUR, |i| {
         laws::invariants(i, &states, STEP, &[&|mu: &Se3Dual| h.value(mu)])
     });
 }
 
 #[test]
 fn gyrostat_laws() {
-    obeys(gyrostat(), 3, ROUND_OFF, |h| hamiltonian::<LiePoisson<Se3>, _>(h, &samples()));
+    obeys(&gyrostat(), ("differential", 3), ROUND_OFF, |h| {
+        hamiltonian::<LiePoisson<Se3>, _>(h, &samples())
+    });
     obeys_on_se3(gyrostat());
 }
 
 #[test]
 fn kirchhoff_laws() {
-    obeys(kirchhoff(), 3, ROUND_OFF, |h| hamiltonian::<LiePoisson<Se3>, _>(h, &samples()));
+    obeys(&kirchhoff(), ("differential", 3), ROUND_OFF, |h| {
+        hamiltonian::<LiePoisson<Se3>, _>(h, &samples())
+    });
     obeys_on_se3(kirchhoff());
 }
 
 #[test]
 fn movable_base_algebra_laws() {
     let algebra = MovableBaseAlgebra::default();
-    obeys(algebra, 0, ROUND_OFF, |algebra| lie_algebra(algebra, &samples()));
-    obeys(algebra, 0, ROUND_OFF, |algebra| {
+    obeys(&algebra, ("bracket", 0), ROUND_OFF, |algebra| lie_algebra(algebra, &samples()));
+    obeys(&algebra, ("coadjoint", 0), ROUND_OFF, |algebra| {
         poisson_space(&LiePoisson::minus(algebra.clone()), &samples())
     });
 }
@@ -74,19 +78,19 @@ fn movable_base_algebra_laws() {
 #[test]
 fn movable_base_top_laws() {
     let suite = |h: &_| hamiltonian::<LiePoisson<MovableBaseAlgebra>, _>(h, &samples());
-    obeys(movable_base(), 3, ROUND_OFF, suite);
+    obeys(&movable_base(), ("differential", 3), ROUND_OFF, suite);
     let adjoint = InfinitesimalAdjoint(MovableBaseAlgebra::default());
     let map = clebsch_realisation(adjoint, Side::Right).unwrap();
-    obeys(map.clone(), 0, ROUND_OFF, |map| poisson_map(map, &samples()));
+    obeys(&map, ("apply", 0), ROUND_OFF, |map| poisson_map(map, &samples()));
     let (top, momenta) = (movable_base(), [samples::<MovableBaseDual>()[0]]);
     let gauss = Collective::new(RungeKutta::gauss(2).unwrap(), map, top);
-    obeys(gauss.clone(), 0, ROUND_OFF, |i| laws::start(i, &momenta, STEP));
+    obeys(&gauss, ("step", 0), ROUND_OFF, |i| laws::start(i, &momenta, STEP));
     let states = momenta.map(|mu| gauss.start(&mu).unwrap());
     let casimir = |index: usize| move |mu: &MovableBaseDual| MovableBaseTop::casimirs(mu)[index];
-    obeys(gauss.clone(), 0, ROUND_OFF_OF_RUNS, |i| {
+    obeys(&gauss, ("step", 0), ROUND_OFF_OF_RUNS, |i| {
         laws::invariants(i, &states, STEP, &[&casimir(0), &casimir(1), &casimir(2)])
     });
-    holds(gauss, ENERGY_OF_ORDER_FOUR, |i| {
+    holds(&gauss, ENERGY_OF_ORDER_FOUR, |i| {
         laws::invariants(i, &states, STEP, &[&|mu: &MovableBaseDual| top.value(mu)])
     });
 }

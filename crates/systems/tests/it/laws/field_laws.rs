@@ -4,7 +4,7 @@
 use super::law_samples::Spins;
 use lie_poisson_systems::collective_integrators::VectorField;
 use lie_poisson_systems::isospectral_flows::{IsospectralField, LargeSkewHermitian};
-use lie_poisson_systems::lie_poisson::laws::{NoSamples, Report, regimes};
+use lie_poisson_systems::lie_poisson::laws::{Faulty, NoSamples, Report, regimes};
 use lie_poisson_systems::lie_poisson::{
     Covector, Differential, Hamiltonian, LiePoisson, Point, PoissonSpace, SitesHamiltonian, So3,
     State, Vector, larger,
@@ -18,8 +18,9 @@ const SMALLEST: f64 = 1e-300;
 const FACTORS: [f64; 3] = [0.0, 1e-8, 1.0];
 
 /// Evaluates the law `rate` of a vector field on (so(3)∗)ᴺ: the rate at each site is the Hamiltonian vector of dh there.
+/// Its method `at` may have the fault.
 pub fn sites_field<F>(
-    field: &F,
+    field: &Faulty<'_, F>,
     space: LiePoisson<So3>,
     samples: &[Spins],
 ) -> Result<Report, NoSamples>
@@ -31,8 +32,9 @@ where
         for factor in FACTORS {
             let mut mu = sample.clone();
             mu.scale_in_place(factor);
-            let (mut dh, mut rate) = (mu.0.zeros_like(), field.at(&mu));
-            field.differential_into(&mu, &mut dh);
+            let (mut dh, mut rate) =
+                (mu.0.zeros_like(), field.halved("at", field.object().at(&mu)));
+            field.object().differential_into(&mu, &mut dh);
             for ((mu, dh), rate) in mu.0.iter().zip(dh.iter()).zip(rate.0.iter_mut()) {
                 *rate -= space.hamiltonian_vector::<f64>(&Covector(*mu), dh).0;
                 report.note("rate", rate.amax(), larger(mu.amax() * dh.amax(), SMALLEST));
@@ -43,12 +45,12 @@ where
 }
 
 /// Evaluates the law `generator` of an isospectral equation whose energy is a polynomial of degree 2: B = c dh in the
-/// scalar product −tr(V W), with the given c.
+/// scalar product −tr(V W), with the given c. Its method `generator_into` may have the fault.
 ///
 /// The differential is by central differences, which are exact for such a polynomial. Their width is the size of W, so that
 /// no term is lost among the others, or the given unit if that is larger, for energies with a linear term.
 pub fn generator<F: IsospectralField>(
-    field: &F,
+    field: &Faulty<'_, F>,
     energy: impl Fn(&LargeSkewHermitian) -> f64,
     (c, unit): (f64, f64),
     samples: &[LargeSkewHermitian],
@@ -59,7 +61,8 @@ pub fn generator<F: IsospectralField>(
             let mut w = sample.clone();
             w.scale_in_place(factor);
             let mut b = w.zeros_like();
-            field.generator_into(&w, &mut b);
+            field.object().generator_into(&w, &mut b);
+            field.halve("generator_into", &mut b);
             let (mut pairs, mut size) = (Vec::new(), SMALLEST);
             for i in 0..w.dimension() {
                 let mut v = w.zeros_like();

@@ -1,8 +1,8 @@
 //! The law suites of matrices: rigid bodies in N dimensions and fluids on the sphere.
 
-use super::faulty_system::{holds, obeys};
 use super::field_laws::generator;
 use super::law_samples::{ENERGY_OF_ORDER_TWO, ROUND_OFF, ROUND_OFF_OF_RUNS, SHORT_STEP};
+use super::suites_with_controls::{holds, obeys};
 use core::f64::consts::PI;
 use lie_poisson_systems::collective_integrators::{RungeKutta, laws};
 use lie_poisson_systems::isospectral_flows::{
@@ -37,12 +37,12 @@ fn obeys_as_midpoint<F: IsospectralField + Clone>(
     let midpoint = IsospectralRungeKutta::new(RungeKutta::implicit_midpoint(), field);
     // The suite takes more than a thousand steps, and one from each matrix with a coordinate that is not a number.
     if midpoint.field().size() == 3 {
-        obeys(midpoint.clone(), 1, ROUND_OFF, |i| laws::integrator(i, matrices, SHORT_STEP));
+        obeys(&midpoint, ("step", 1), ROUND_OFF, |i| laws::integrator(i, matrices, SHORT_STEP));
     }
-    obeys(midpoint.clone(), 1, ROUND_OFF_OF_RUNS, |i| {
+    obeys(&midpoint, ("step", 1), ROUND_OFF_OF_RUNS, |i| {
         laws::invariants(i, matrices, SHORT_STEP, exact)
     });
-    holds(midpoint, ENERGY_OF_ORDER_TWO, |i| laws::invariants(i, matrices, SHORT_STEP, others));
+    holds(&midpoint, ENERGY_OF_ORDER_TWO, |i| laws::invariants(i, matrices, SHORT_STEP, others));
 }
 
 /// The dimensions of the rigid bodies.
@@ -58,10 +58,10 @@ fn generalised_rigid_body_laws() {
         let suite = |field: &_| generator(field, |m| body.energy(m), (-2.0, 1e-8), &m);
         if size == 1 {
             // In one dimension nothing can turn, and no fault can be seen.
-            holds(body.clone(), ROUND_OFF, suite);
+            holds(&body, ROUND_OFF, suite);
             continue;
         }
-        obeys(body.clone(), 1, ROUND_OFF, suite);
+        obeys(&body, ("generator_into", 1), ROUND_OFF, suite);
         let others: [Function<'_>; 2] = [&|m| body.energy(m), &|m| body.manakov_integral(m)];
         obeys_as_midpoint(body.clone(), &m, (&[&LargeSkewHermitian::norm], &others));
     }
@@ -78,7 +78,7 @@ fn zeitlin_laws() {
         for fluid in [still.clone(), still.clone().with_rotation(0.7).unwrap()] {
             // The scalar product of functions is 4π/N times that of matrices, and their bracket has the factor 1/ħ.
             let c = -(size as f64) / (4.0 * PI * fluid.planck_constant());
-            obeys(fluid.clone(), 1, ROUND_OFF, |field| {
+            obeys(&fluid, ("generator_into", 1), ROUND_OFF, |field| {
                 generator(field, |w| fluid.energy(w), (c, 1.0), &w)
             });
         }

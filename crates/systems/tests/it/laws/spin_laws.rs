@@ -1,11 +1,11 @@
 //! The law suites of spins: in a row, on atoms in motion, and on a lattice.
 
-use super::faulty_system::{holds, obeys};
 use super::field_laws::{differences, sites_field};
 use super::law_samples::{
     ENERGY_OF_ORDER_FOUR, ENERGY_OF_ORDER_TWO, ROUND_OFF, ROUND_OFF_OF_RUNS, SHORT_STEP, STEP,
     Spins as Lattice, samples, spiral,
 };
+use super::suites_with_controls::{holds, obeys};
 use lie_poisson_systems::collective_integrators::{
     Collective, Integrator, RungeKutta, SphericalMidpoint, Start, laws,
 };
@@ -39,7 +39,7 @@ fn chain<const N: usize>() -> HeisenbergChain<N> {
 fn spin_space_laws() {
     let space: SpinSpace<2> = LiePoisson::plus(PowerAlgebra(So3));
     for sign in [Sign::Plus, Sign::Minus] {
-        obeys(*space.algebra(), 4, ROUND_OFF, |algebra| {
+        obeys(space.algebra(), ("coadjoint", 4), ROUND_OFF, |algebra| {
             poisson_space(&LiePoisson::new(algebra.clone(), sign), &samples())
         });
     }
@@ -47,20 +47,28 @@ fn spin_space_laws() {
 
 #[test]
 fn heisenberg_chain_laws() {
-    obeys(chain::<1>(), 0, ROUND_OFF, |h| hamiltonian::<SpinSpace<1>, _>(h, &samples()));
-    obeys(chain::<2>(), 3, ROUND_OFF, |h| hamiltonian::<SpinSpace<2>, _>(h, &samples()));
-    obeys(chain::<3>(), 8, ROUND_OFF, |h| hamiltonian::<SpinSpace<3>, _>(h, &samples()));
-    obeys(chain::<12>(), 35, ROUND_OFF, |h| hamiltonian::<SpinSpace<12>, _>(h, &samples()));
+    obeys(&chain::<1>(), ("differential", 0), ROUND_OFF, |h| {
+        hamiltonian::<SpinSpace<1>, _>(h, &samples())
+    });
+    obeys(&chain::<2>(), ("differential", 3), ROUND_OFF, |h| {
+        hamiltonian::<SpinSpace<2>, _>(h, &samples())
+    });
+    obeys(&chain::<3>(), ("differential", 8), ROUND_OFF, |h| {
+        hamiltonian::<SpinSpace<3>, _>(h, &samples())
+    });
+    obeys(&chain::<12>(), ("differential", 35), ROUND_OFF, |h| {
+        hamiltonian::<SpinSpace<12>, _>(h, &samples())
+    });
     let (chain, momenta) = (chain::<3>(), [samples::<Spins<3>>()[0]]);
     let gauss = Collective::new(RungeKutta::gauss(2).unwrap(), map::<3>(), chain);
-    obeys(gauss.clone(), 0, ROUND_OFF, |i| laws::start(i, &momenta, STEP));
+    obeys(&gauss, ("step", 0), ROUND_OFF, |i| laws::start(i, &momenta, STEP));
     let states = momenta.map(|mu| gauss.start(&mu).unwrap());
     let along_the_field = |s: &Spins<3>| s.0.0.iter().map(|s| s.z).sum::<f64>();
     let length = |s: &Spins<3>| s.0.0[2].norm();
-    obeys(gauss.clone(), 0, ROUND_OFF_OF_RUNS, |i| {
+    obeys(&gauss, ("step", 0), ROUND_OFF_OF_RUNS, |i| {
         laws::invariants(i, &states, STEP, &[&along_the_field, &length])
     });
-    holds(gauss, ENERGY_OF_ORDER_FOUR, |i| {
+    holds(&gauss, ENERGY_OF_ORDER_FOUR, |i| {
         laws::invariants(i, &states, STEP, &[&|s: &_| chain.value(s)])
     });
 }
@@ -72,8 +80,12 @@ fn lattice<const N: usize>() -> SpinLattice<N> {
 /// Runs the suites of the Hamiltonian of spins on N atoms.
 fn obeys_on_atoms<const N: usize>() {
     let h = Automatic(lattice::<N>());
-    obeys(h, 0, ROUND_OFF, |h| hamiltonian::<SpinLatticeSpace<N>, _>(h, &samples()));
-    obeys(h, 0, DIFFERENCES, |h| differences::<SpinLatticeSpace<N>, _>(h, &samples()));
+    obeys(&h, ("differential", 0), ROUND_OFF, |h| {
+        hamiltonian::<SpinLatticeSpace<N>, _>(h, &samples())
+    });
+    obeys(&h, ("differential", 0), DIFFERENCES, |h| {
+        differences::<SpinLatticeSpace<N>, _>(h, &samples())
+    });
 }
 
 /// The error of a central difference of numbers of size 1.
@@ -83,7 +95,7 @@ const DIFFERENCES: f64 = 1e-9;
 fn spin_lattice_space_laws() {
     let bundle = CotangentBundle(RealSpace::<2>);
     let space: SpinLatticeSpace<2> = ProductSpace(LiePoisson::plus(PowerAlgebra(So3)), bundle);
-    obeys(*space.0.algebra(), 4, ROUND_OFF, |algebra| {
+    obeys(space.0.algebra(), ("coadjoint", 4), ROUND_OFF, |algebra| {
         poisson_space(&ProductSpace(LiePoisson::plus(algebra.clone()), bundle), &samples())
     });
 }
@@ -101,17 +113,17 @@ fn spin_lattice_map_and_integrator_laws() {
     type State = Point<SpinLatticeSpace<2>>;
     let (lattice, momenta) = (lattice::<2>(), [samples::<State>()[0]]);
     let map = ProductMap(map::<2>(), Identity(CotangentBundle(RealSpace::<2>)));
-    obeys(map, 0, ROUND_OFF, |map| poisson_map(map, &samples()));
-    obeys(map, 0, ROUND_OFF, |map| lift(map, &samples()));
+    obeys(&map, ("apply", 0), ROUND_OFF, |map| poisson_map(map, &samples()));
+    obeys(&map, ("lift", 0), ROUND_OFF, |map| lift(map, &samples()));
     let gauss = Collective::new(RungeKutta::gauss(2).unwrap(), map, Automatic(lattice));
-    obeys(gauss.clone(), 0, ROUND_OFF, |i| laws::start(i, &momenta, STEP));
+    obeys(&gauss, ("step", 0), ROUND_OFF, |i| laws::start(i, &momenta, STEP));
     let states = momenta.map(|mu| gauss.start(&mu).unwrap());
     let total = |axis: usize| move |z: &State| z.0.0.0.iter().map(|s| s[axis]).sum::<f64>();
     let momentum = |z: &State| z.1.p.0.sum();
-    obeys(gauss.clone(), 0, ROUND_OFF_OF_RUNS, |i| {
+    obeys(&gauss, ("step", 0), ROUND_OFF_OF_RUNS, |i| {
         laws::invariants(i, &states, STEP, &[&total(0), &total(1), &total(2), &momentum])
     });
-    holds(gauss, ENERGY_OF_ORDER_FOUR, |i| {
+    holds(&gauss, ENERGY_OF_ORDER_FOUR, |i| {
         laws::invariants(i, &states, STEP, &[&|z: &State| lattice.energy(z)])
     });
 }
@@ -138,8 +150,10 @@ fn heisenberg_lattice_laws() {
     for cells in CELLS {
         let (lattice, s) = large(cells);
         let (last, spins) = (s.0.len() * 3 - 1, [s]);
-        obeys(lattice.clone(), last, ROUND_OFF, |h| sites_hamiltonian::<So3, _>(h, &spins));
-        obeys(lattice.clone(), last, ROUND_OFF, |h| sites_field(h, LiePoisson::plus(So3), &spins));
+        obeys(&lattice, ("differential_into", last), ROUND_OFF, |h| {
+            sites_hamiltonian::<So3, _>(h, &spins)
+        });
+        obeys(&lattice, ("at", last), ROUND_OFF, |h| sites_field(h, LiePoisson::plus(So3), &spins));
         obeys_as_midpoint(SphericalMidpoint::new(lattice.clone()), &lattice, &spins);
     }
 }
@@ -159,14 +173,14 @@ where
 {
     // The suite takes more than a thousand steps, and one from each state with a coordinate that is not a number.
     if lattice.count() < 10 {
-        obeys(midpoint.clone(), 0, ROUND_OFF, |i| laws::integrator(i, spins, SHORT_STEP));
+        obeys(&midpoint, ("step", 0), ROUND_OFF, |i| laws::integrator(i, spins, SHORT_STEP));
     }
     let along_the_field = |s: &Lattice| s.0.iter().map(|s| 0.6 * s.y + 0.8 * s.z).sum::<f64>();
     let length = |s: &Lattice| s.0[0].norm();
-    obeys(midpoint.clone(), 0, ROUND_OFF_OF_RUNS, |i| {
+    obeys(&midpoint, ("step", 0), ROUND_OFF_OF_RUNS, |i| {
         laws::invariants(i, spins, SHORT_STEP, &[&along_the_field, &length])
     });
-    holds(midpoint, ENERGY_OF_ORDER_TWO, |i| {
+    holds(&midpoint, ENERGY_OF_ORDER_TWO, |i| {
         laws::invariants(
             i,
             spins,

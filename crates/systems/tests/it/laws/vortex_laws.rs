@@ -1,11 +1,11 @@
 //! The law suites of vortices: on the sphere, few and many, and the elliptical one.
 
-use super::faulty_system::{holds, obeys};
 use super::field_laws::sites_field;
 use super::law_samples::{
     ENERGY_OF_ORDER_FOUR, ENERGY_OF_ORDER_TWO, ROUND_OFF, ROUND_OFF_OF_RUNS, SHORT_STEP, STEP,
     Spins, samples, spiral,
 };
+use super::suites_with_controls::{holds, obeys};
 use lie_poisson_systems::collective_integrators::{
     Collective, LiftFree, RungeKutta, SphericalMidpoint, Start, laws,
 };
@@ -34,21 +34,21 @@ fn few<const N: usize>() -> (PointVortices<N>, lie_poisson_systems::Spins<N>) {
 #[test]
 fn point_vortices_laws() {
     let ((one, alone), (vortices, m)) = (few::<1>(), few::<4>());
-    // A single vortex has the energy 0, in which a wrong sign cannot be seen.
-    holds(one, ROUND_OFF, |h| hamiltonian::<SpinSpace<1>, _>(h, &[alone]));
-    obeys(vortices, 3, ROUND_OFF, |h| hamiltonian::<SpinSpace<4>, _>(h, &[m]));
+    // A single vortex has the energy 0, in which no fault can be seen.
+    holds(&one, ROUND_OFF, |h| hamiltonian::<SpinSpace<1>, _>(h, &[alone]));
+    obeys(&vortices, ("differential", 3), ROUND_OFF, |h| hamiltonian::<SpinSpace<4>, _>(h, &[m]));
     let multipliers = PowerMultipliers::<_, 4>(Quaternions);
     let gauss = LiftFree::new(RungeKutta::gauss(2).unwrap(), multipliers, vortices);
-    obeys(gauss.clone(), 0, ROUND_OFF, |i| laws::start(i, &[m], STEP));
+    obeys(&gauss, ("step", 0), ROUND_OFF, |i| laws::start(i, &[m], STEP));
     let states = [gauss.start(&m).unwrap()];
     let moment = |axis: usize| {
         move |m: &lie_poisson_systems::Spins<4>| m.0.0.iter().map(|m| m[axis]).sum::<f64>()
     };
     let length = |m: &lie_poisson_systems::Spins<4>| m.0.0[3].norm();
-    obeys(gauss.clone(), 0, ROUND_OFF_OF_RUNS, |i| {
+    obeys(&gauss, ("step", 0), ROUND_OFF_OF_RUNS, |i| {
         laws::invariants(i, &states, STEP, &[&moment(0), &moment(1), &moment(2), &length])
     });
-    holds(gauss, ENERGY_OF_ORDER_FOUR, |i| {
+    holds(&gauss, ENERGY_OF_ORDER_FOUR, |i| {
         laws::invariants(i, &states, STEP, &[&|m: &_| vortices.value(m)])
     });
 }
@@ -61,21 +61,21 @@ fn many_vortices_laws() {
     for count in VORTICES {
         let vortices = ManyVortices::new((0..count).map(strength).collect()).unwrap();
         let m = [vortices.momentum(spiral(count)).unwrap()];
-        let check = |suite: &dyn Fn(&_) -> _| match count {
-            // A single vortex has the energy 0, in which a wrong sign cannot be seen.
-            1 => holds(vortices.clone(), ROUND_OFF, suite),
-            _ => obeys(vortices.clone(), 3 * count - 1, ROUND_OFF, suite),
+        let check = |method, suite: &dyn Fn(&_) -> _| match count {
+            // A single vortex has the energy 0, in which no fault can be seen.
+            1 => holds(&vortices, ROUND_OFF, suite),
+            _ => obeys(&vortices, (method, 3 * count - 1), ROUND_OFF, suite),
         };
-        check(&|h| sites_hamiltonian::<So3, _>(h, &m));
-        check(&|h| sites_field(h, LiePoisson::minus(So3), &m));
+        check("differential_into", &|h| sites_hamiltonian::<So3, _>(h, &m));
+        check("at", &|h| sites_field(h, LiePoisson::minus(So3), &m));
         let midpoint = SphericalMidpoint::new(vortices.clone());
         // The suite takes more than a thousand steps, and one from each state with a coordinate that is not a number.
         if count < 10 {
-            obeys(midpoint.clone(), 0, ROUND_OFF, |i| laws::integrator(i, &m, SHORT_STEP));
+            obeys(&midpoint, ("step", 0), ROUND_OFF, |i| laws::integrator(i, &m, SHORT_STEP));
         }
         let moment = |axis: usize| move |m: &Spins| m.0.iter().map(|m| m[axis]).sum::<f64>();
         let length = |m: &Spins| m.0[0].norm();
-        obeys(midpoint.clone(), 0, ROUND_OFF_OF_RUNS, |i| {
+        obeys(&midpoint, ("step", 0), ROUND_OFF_OF_RUNS, |i| {
             laws::invariants(i, &m, SHORT_STEP, &[&moment(0), &moment(1), &moment(2), &length])
         });
         // The suite of invariants doubles coordinates, which must not take the vortices off the sphere.
@@ -85,7 +85,7 @@ fn many_vortices_laws() {
             SitesHamiltonian::value(&vortices, &m)
         };
         if count > 1 {
-            holds(midpoint, ENERGY_OF_ORDER_TWO, |i| {
+            holds(&midpoint, ENERGY_OF_ORDER_TWO, |i| {
                 laws::invariants(i, &m, SHORT_STEP, &[&energy])
             });
         }
@@ -100,27 +100,29 @@ fn ellipses() -> Vec<Covector<Vector3<f64>>> {
 
 #[test]
 fn so21_laws() {
-    obeys(So21, 0, ROUND_OFF, |algebra| lie_algebra(algebra, &samples()));
-    obeys(So21, 0, ROUND_OFF, |algebra| casimirs(algebra, &samples()));
-    obeys(So21, 0, ROUND_OFF, |algebra| {
+    obeys(&So21, ("bracket", 0), ROUND_OFF, |algebra| lie_algebra(algebra, &samples()));
+    obeys(&So21, ("casimir_differential", 0), ROUND_OFF, |algebra| casimirs(algebra, &samples()));
+    obeys(&So21, ("coadjoint", 0), ROUND_OFF, |algebra| {
         poisson_space(&LiePoisson::plus(algebra.clone()), &samples())
     });
     let map = clebsch_realisation(InfinitesimalAdjoint(So21), Side::Left).unwrap();
-    obeys(map.clone(), 0, ROUND_OFF, |map| poisson_map(map, &samples()));
-    obeys(map, 0, ROUND_OFF, |map| lift(map, &ellipses()));
+    obeys(&map, ("apply", 0), ROUND_OFF, |map| poisson_map(map, &samples()));
+    obeys(&map, ("lift", 0), ROUND_OFF, |map| lift(map, &ellipses()));
 }
 
 #[test]
 fn kida_vortex_laws() {
     let vortex = KidaVortex::new(1.3, 0.1, 0.05).unwrap();
-    obeys(vortex, 2, ROUND_OFF, |h| hamiltonian::<LiePoisson<So21>, _>(h, &ellipses()));
+    obeys(&vortex, ("differential", 2), ROUND_OFF, |h| {
+        hamiltonian::<LiePoisson<So21>, _>(h, &ellipses())
+    });
     let map = clebsch_realisation(InfinitesimalAdjoint(So21), Side::Left).unwrap();
     let gauss = Collective::new(RungeKutta::gauss(2).unwrap(), map, vortex);
-    obeys(gauss.clone(), 0, ROUND_OFF, |i| laws::start(i, &ellipses()[..1], STEP));
+    obeys(&gauss, ("step", 0), ROUND_OFF, |i| laws::start(i, &ellipses()[..1], STEP));
     let states = [gauss.start(&ellipses()[0]).unwrap()];
     let area = |mu: &Covector<Vector3<f64>>| So21.casimir(0, mu);
-    obeys(gauss.clone(), 0, ROUND_OFF_OF_RUNS, |i| laws::invariants(i, &states, STEP, &[&area]));
-    holds(gauss, ENERGY_OF_ORDER_FOUR, |i| {
+    obeys(&gauss, ("step", 0), ROUND_OFF_OF_RUNS, |i| laws::invariants(i, &states, STEP, &[&area]));
+    holds(&gauss, ENERGY_OF_ORDER_FOUR, |i| {
         laws::invariants(i, &states, STEP, &[&|mu: &_| vortex.value(mu)])
     });
 }

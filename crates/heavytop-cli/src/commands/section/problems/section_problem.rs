@@ -3,7 +3,7 @@
 use super::limits::Limits;
 use crate::Error;
 use crate::configuration::SectionConfig;
-use heavytop::methods::{Formulation, Scheme};
+use heavytop::methods::{Formulation, SchemeName};
 use serde_json::{Map, Value};
 
 /// A function that is called with the time (s) and the state of each return of a trajectory to the surface.
@@ -16,7 +16,7 @@ pub(in crate::commands::section) trait Problem {
     fn columns(&self) -> Vec<String>;
 
     /// Returns the method by which the motion is followed.
-    fn method(&self) -> (Formulation, Scheme);
+    fn method(&self) -> (Formulation, SchemeName);
 
     /// Returns a warning for users about what the method does not conserve.
     fn warning(&self) -> Option<String>;

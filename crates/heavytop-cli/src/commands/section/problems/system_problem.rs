@@ -5,12 +5,12 @@ use super::section_problem::{Drawing, Problem, Visit};
 use super::top_problem::{crossed, followed};
 use crate::Error;
 use crate::configuration::{Config, Integration, SectionConfig, SystemConfig};
-use crate::errors::SystemError;
+use crate::errors::SystemTableError;
 use crate::pictures::caption::{self, number};
 use crate::runs::method_warning::system_warning;
 use crate::vocabulary::brief;
 use collective_integrators::{Events, Start};
-use heavytop::methods::{Formulation, Scheme};
+use heavytop::methods::{Formulation, SchemeName};
 use lie_poisson::Vector;
 use lie_poisson_formula_systems::{FormulaSystem, SystemMethod, SystemSection, SystemTask};
 use lie_poisson_formulas::Formula;
@@ -36,7 +36,7 @@ impl SystemProblem {
     /// If there is no such section.
     pub fn new(config: &Config, settings: &SectionConfig) -> Result<(Self, Integration), Error> {
         let Some(table) = config.system()? else {
-            return Err(SystemError::Missing("hamiltonian").into());
+            return Err(SystemTableError::Missing("hamiltonian").into());
         };
         let (system, parameters) = (table.formula_system()?, table.parameters()?);
         let algebra = system.algebra().clone();
@@ -62,7 +62,8 @@ impl SystemProblem {
             *level = energy;
         }
         let formulation = SystemConfig::formulation_of_many(&algebra);
-        let own = Integration { formulation, scheme: Scheme::Gauss(4), ..Integration::default() };
+        let own =
+            Integration { formulation, scheme: SchemeName::Gauss(4), ..Integration::default() };
         let Integration { formulation, scheme, tolerance, .. } = config.integrator.or(own);
         let method = SystemMethod::new(&algebra, formulation, scheme, tolerance)?;
         Ok((Self { section, method, initial, levels, given }, own))
@@ -133,7 +134,7 @@ impl Problem for SystemProblem {
         self.system().algebra().coordinates().names().collect()
     }
 
-    fn method(&self) -> (Formulation, Scheme) {
+    fn method(&self) -> (Formulation, SchemeName) {
         (self.method.formulation(), self.method.scheme())
     }
 

@@ -9,7 +9,7 @@ use crate::pictures::caption::{self, number};
 use crate::runs::method_warning::method_warning;
 use crate::runs::step_angle::MOST_TURN;
 use collective_integrators::{Direction, Start};
-use heavytop::methods::{Formulation, Method, Scheme, Task};
+use heavytop::methods::{Formulation, Method, SchemeName, Task};
 use heavytop::{Coordinate, EnergyLevel, HeavyTop, Invariant, Section, Surface};
 use lie_poisson::{Se3Dual, Vector};
 use serde_json::{Map, Value};
@@ -46,7 +46,7 @@ impl TopProblem {
             Section::new(level, Surface { coordinate, level: settings.level, direction })?;
         let own = Integration {
             formulation: Formulation::Reduced,
-            scheme: Scheme::Gauss(4),
+            scheme: SchemeName::Gauss(4),
             step: TURN / fastest(&top, level.energy),
             ..Integration::default()
         };
@@ -83,7 +83,7 @@ impl Problem for TopProblem {
         STATE_COLUMNS.split(',').skip(1).map(String::from).collect()
     }
 
-    fn method(&self) -> (Formulation, Scheme) {
+    fn method(&self) -> (Formulation, SchemeName) {
         (self.method.formulation(), self.method.scheme())
     }
 

@@ -2,7 +2,7 @@
 
 use crate::configuration::{Column, Integration, Observable, SweepAxis};
 use crate::errors::SweepError;
-use heavytop::methods::{Formulation, Scheme};
+use heavytop::methods::{Formulation, SchemeName};
 
 /// What a sweep tells of a family of motions, whose members differ by the values of the axes.
 pub(in crate::commands::sweep) trait Family {
@@ -10,7 +10,7 @@ pub(in crate::commands::sweep) trait Family {
     fn nouns(&self) -> [&'static str; 2];
 
     /// Returns the method by which the members are followed.
-    fn method(&self) -> (Formulation, Scheme);
+    fn method(&self) -> (Formulation, SchemeName);
 
     /// Returns a warning for users about what the method does not conserve.
     fn warning(&self) -> Option<String>;
@@ -33,7 +33,7 @@ pub(in crate::commands::sweep) trait Family {
 
 /// Returns the integrator of a sweep whose `[integrator]` is empty.
 pub(super) fn own_integration(formulation: Formulation) -> Integration {
-    Integration { formulation, scheme: Scheme::Gauss(4), step: 0.1, ..Integration::default() }
+    Integration { formulation, scheme: SchemeName::Gauss(4), step: 0.1, ..Integration::default() }
 }
 
 /// Checks that no two axes set the same number, where `clashes` tells of two numbers whether they do.

@@ -7,7 +7,7 @@ use collective_integrators::{
     Integrator, Megno, Start, TangentIntegrator, VariationalError, VariationalFlow,
     generic_tangent, smaller_alignment_index,
 };
-use heavytop::methods::{Formulation, Scheme};
+use heavytop::methods::{Formulation, SchemeName};
 use lie_poisson::Vector;
 
 /// What is measured of a motion besides its tangent vectors.
@@ -29,7 +29,7 @@ pub(super) fn measure<I, G>(
     (start, dimension): (&<I as Integrator>::Momentum, usize),
     gauge: G,
     course: &Course,
-    (formulation, scheme): (Formulation, Scheme),
+    (formulation, scheme): (Formulation, SchemeName),
 ) -> Result<Vec<Option<f64>>, Error>
 where
     I: Start<State: Vector, Momentum: Vector<Scalar = f64>> + TangentIntegrator,

@@ -14,7 +14,7 @@ use crate::pictures::caption::{number, vector_of};
 use crate::runs::method_warning::system_warning;
 use crate::vocabulary::brief;
 use collective_integrators::{Integrator, Start, TangentIntegrator};
-use heavytop::methods::{Formulation, Scheme};
+use heavytop::methods::{Formulation, SchemeName};
 use lie_poisson::Vector;
 use lie_poisson_formula_systems::{FormulaSystem, SystemMethod, SystemTask};
 
@@ -157,7 +157,7 @@ impl Family for SystemFamily {
         ["run", "runs"]
     }
 
-    fn method(&self) -> (Formulation, Scheme) {
+    fn method(&self) -> (Formulation, SchemeName) {
         (self.method.formulation(), self.method.scheme())
     }
 

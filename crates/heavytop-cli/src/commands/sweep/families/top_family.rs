@@ -13,7 +13,7 @@ use crate::errors::SweepError;
 use crate::runs::method_warning::method_warning;
 use crate::runs::step_angle::require_sane_step;
 use collective_integrators::{Start, TangentIntegrator};
-use heavytop::methods::{Formulation, Method, Scheme, TangentTask};
+use heavytop::methods::{Formulation, Method, SchemeName, TangentTask};
 use heavytop::{HeavyTop, Invariant, Nutation};
 use lie_poisson::{Se3Dual, Vector, larger};
 
@@ -101,7 +101,7 @@ impl Family for TopFamily {
         ["top", "tops"]
     }
 
-    fn method(&self) -> (Formulation, Scheme) {
+    fn method(&self) -> (Formulation, SchemeName) {
         (self.method.formulation(), self.method.scheme())
     }
 

@@ -53,7 +53,6 @@ struct Formulas(InstructionSet);
 
 impl LaneKernel for Formulas {
     type Member = OneOfMany;
-    type Workspace = ();
 
     #[inline(always)]
     fn together<T: Lanes>(&self, group: &mut [OneOfMany], step: f64, count: u64) -> LaneResults {
@@ -65,7 +64,6 @@ impl LaneKernel for Formulas {
         OneOfMany(top, mu): &mut OneOfMany,
         step: f64,
         steps: Range<u64>,
-        (): &mut (),
     ) -> Result<(), IntegrationError> {
         let mut history = GuessHistory::new(top);
         for made in steps {
@@ -90,7 +88,7 @@ fn run(
     let mut gone = Vec::new();
     let mut failed = |i, error: IntegrationError| gone.push((i, error.step - 1));
     let registers = Registers::new(set, width).unwrap();
-    registers.advance(&Formulas(set), &mut members, 0.01, 0..1500, &mut (), &mut failed);
+    registers.advance(&Formulas(set), &mut members, 0.01, 0..1500, &mut failed);
     (bits(&members), gone)
 }
 
@@ -102,7 +100,7 @@ fn run_alone(
 ) -> (Vec<[u64; 6]>, Vec<(usize, u64)>) {
     let mut gone = Vec::new();
     for (i, member) in members.iter_mut().enumerate() {
-        if let Err(error) = Formulas(set).alone(member, 0.01, 0..1500, &mut ()) {
+        if let Err(error) = Formulas(set).alone(member, 0.01, 0..1500) {
             gone.push((i, error.step - 1));
         }
     }

@@ -11,13 +11,13 @@ pub struct Reproduction {
     /// The folder of the figures and tables.
     pub out: PathBuf,
     /// The runs, in the order of the tables.
-    pub runs: Vec<Drift>,
+    pub runs: Vec<Deviations>,
 }
 
 /// The largest deviations of the invariants in a run: max |quantity − initial value| over all steps, NaN if the
 /// quantity was NaN at any step.
 #[derive(Clone, Debug, PartialEq, Serialize)]
-pub struct Drift {
+pub struct Deviations {
     /// The formulation's name.
     pub formulation: &'static str,
     /// The scheme's name.
@@ -37,7 +37,7 @@ pub struct Drift {
     pub k: f64,
 }
 
-impl Drift {
+impl Deviations {
     pub(super) fn of(record: &Record) -> Self {
         let run = &record.experiment;
         let (formulation, scheme) = (run.method.formulation().name(), run.method.scheme().name());
@@ -60,7 +60,7 @@ impl Reproduction {
         }
         text.push('\n');
         for run in &self.runs {
-            let Drift { formulation, scheme, step, end, .. } = run;
+            let Deviations { formulation, scheme, step, end, .. } = run;
             text += &format!("{formulation},{scheme},{step:?},{end:?}");
             for deviation in run.deviations() {
                 text += &format!(",{deviation:?}");
@@ -79,7 +79,7 @@ impl fmt::Display for Reproduction {
         }
         writeln!(to)?;
         for run in &self.runs {
-            let Drift { formulation, scheme, step, end, .. } = run;
+            let Deviations { formulation, scheme, step, end, .. } = run;
             write!(to, "{formulation:<12}{scheme:<19}{step:>8} {end:>9}")?;
             for deviation in run.deviations() {
                 write!(to, "{deviation:>12.3e}")?;

@@ -5,18 +5,19 @@ use collective_integrators::{SchemeError, Substeps};
 use core::fmt;
 use core::str::FromStr;
 
-/// A one-step method by name.
+/// A one-step method by name, from which a [`Method`](super::Method) makes its
+/// [`Scheme`](collective_integrators::Scheme).
 ///
 /// # Example
 /// ```
-/// use heavytop::methods::Scheme;
-/// let gauss: Scheme = "gauss-12".parse()?;
-/// assert_eq!((gauss, gauss.order()), (Scheme::Gauss(6), 12));
-/// assert!("gauss-13".parse::<Scheme>().is_err());
+/// use heavytop::methods::SchemeName;
+/// let gauss: SchemeName = "gauss-12".parse()?;
+/// assert_eq!((gauss, gauss.order()), (SchemeName::Gauss(6), 12));
+/// assert!("gauss-13".parse::<SchemeName>().is_err());
 /// # Ok::<(), heavytop::methods::UnknownName>(())
 /// ```
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Hash)]
-pub enum Scheme {
+pub enum SchemeName {
     /// The implicit midpoint rule.
     #[default]
     ImplicitMidpoint,
@@ -60,7 +61,7 @@ pub enum ComposedScheme {
     KahanLi8,
 }
 
-impl Scheme {
+impl SchemeName {
     /// The names of all schemes.
     pub const NAMES: &[(&str, Self)] = &[
         ("implicit-midpoint", Self::ImplicitMidpoint),
@@ -123,7 +124,7 @@ impl ComposedScheme {
     }
 }
 
-impl FromStr for Scheme {
+impl FromStr for SchemeName {
     type Err = UnknownName;
 
     fn from_str(name: &str) -> Result<Self, UnknownName> {
@@ -131,7 +132,7 @@ impl FromStr for Scheme {
     }
 }
 
-impl fmt::Display for Scheme {
+impl fmt::Display for SchemeName {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         match self {
             // Messages name Gauss methods of every number of stages.
@@ -147,7 +148,7 @@ mod tests {
 
     #[test]
     fn the_text_of_a_scheme_is_its_name() {
-        for &(name, scheme) in Scheme::NAMES {
+        for &(name, scheme) in SchemeName::NAMES {
             assert_eq!((scheme.to_string().as_str(), scheme.name()), (name, name));
         }
     }
@@ -156,7 +157,7 @@ mod tests {
     #[test]
     fn gauss_methods_without_a_name_have_a_text_and_an_order() {
         for (stages, text, order) in [(0, "gauss-0", 0), (255, "gauss-510", 510)] {
-            let scheme = Scheme::Gauss(stages);
+            let scheme = SchemeName::Gauss(stages);
             assert_eq!((scheme.name(), scheme.to_string().as_str()), ("", text));
             assert_eq!(scheme.order(), order);
         }

@@ -7,7 +7,7 @@ use thiserror::Error;
 /// The reason why a configuration describes no Lie–Poisson system.
 #[derive(Clone, Debug, PartialEq, Error)]
 #[non_exhaustive]
-pub enum SystemError {
+pub enum SystemTableError {
     /// A command for tops got a system.
     #[error("only simulate, section and sweep run a system; the other commands are for tops")]
     CommandOfTops,
@@ -41,7 +41,7 @@ pub enum SystemError {
     NoAttitude,
 }
 
-impl SystemError {
+impl SystemTableError {
     /// Returns the key at fault, below `[system]`, with what to write there.
     #[must_use]
     pub fn key(&self) -> Option<(String, &'static str)> {

@@ -1,0 +1,80 @@
+use crate::{Real, State};
+
+/// An object with a fault in the result of one method: the negative control of a law suite, which must refuse it.
+///
+/// It implements the traits of the object. The method with the given name returns half the value in one coordinate, and
+/// all others return what those of the object return. Half, and not the opposite sign: squares, and so many invariants,
+/// do not depend on a sign. The fault is about as large as the result, so that a suite which finds it fails for each
+/// tolerance below about 10⁻³. Without it a suite that passes may have tested nothing, as with samples that are zero.
+///
+/// | trait | methods |
+/// |---|---|
+/// | [`LieAlgebra`](crate::LieAlgebra) | `bracket`, `coadjoint` |
+/// | [`Casimirs`](crate::Casimirs) | `casimir_differential` |
+/// | [`Hamiltonian`](crate::Hamiltonian) | `differential` |
+/// | [`SitesHamiltonian`](crate::SitesHamiltonian) | `differential_into` |
+///
+/// Crates that build on this one list theirs in their modules `laws`. A trait of your own is implemented by
+/// [`object`](Self::object) and [`halve`](Self::halve). A name that no method has, and a coordinate that its result does not
+/// have, make no fault: the suite then accepts the object, and the control fails.
+///
+/// # Example
+/// ```
+/// use lie_poisson::laws::{Faulty, lie_algebra};
+/// use lie_poisson::So3;
+/// use nalgebra::Vector3;
+/// let samples = [Vector3::new(1.0, 2.0, 3.0), Vector3::new(-1.0, 0.5, 2.0)];
+/// lie_algebra(&So3, &samples)?.check(1e-14)?;
+/// // Control: the suite refuses a bracket with half the value in its second coordinate.
+/// let faulty = Faulty::new(&So3, "bracket", 1);
+/// assert!(lie_algebra(&faulty, &samples)?.check(1e-3).is_err());
+/// # Ok::<(), Box<dyn std::error::Error>>(())
+/// ```
+#[derive(Clone, Debug)]
+pub struct Faulty<'a, S> {
+    object: &'a S,
+    fault: Option<(&'static str, usize)>,
+}
+
+impl<'a, S> Faulty<'a, S> {
+    /// Creates the object with half of a coordinate in the result of the method with this name.
+    #[must_use]
+    pub const fn new(object: &'a S, method: &'static str, coordinate: usize) -> Self {
+        Self { object, fault: Some((method, coordinate)) }
+    }
+
+    /// Creates the object as it is, for code that runs a suite on it and on a faulty variant.
+    #[must_use]
+    pub const fn without_fault(object: &'a S) -> Self {
+        Self { object, fault: None }
+    }
+
+    /// Returns the object.
+    #[must_use]
+    pub const fn object(&self) -> &'a S {
+        self.object
+    }
+
+    /// Returns whether the method with this name has the fault.
+    #[must_use]
+    pub fn is_in(&self, method: &str) -> bool {
+        self.fault.is_some_and(|(wrong, _)| wrong == method)
+    }
+
+    /// Halves the faulty coordinate of a result, if the method with this name has the fault.
+    pub fn halve<V: State>(&self, method: &str, result: &mut V) {
+        if let Some((wrong, coordinate)) = self.fault
+            && wrong == method
+            && coordinate < result.dimension()
+        {
+            result.set_entry(coordinate, result.entry(coordinate) * V::Scalar::from_f64(0.5));
+        }
+    }
+
+    /// Returns a result, with its faulty coordinate [halved](Self::halve) if the method with this name has the fault.
+    #[must_use]
+    pub fn halved<V: State>(&self, method: &str, mut result: V) -> V {
+        self.halve(method, &mut result);
+        result
+    }
+}
