@@ -1,7 +1,9 @@
 //! The corpora of the fuzzer: each case ends as its target says.
 #![allow(clippy::unwrap_used)]
 
-use fuzz_targets::{cases, goes_on, line, method_of_case, names_of_methods, targets};
+use fuzz_targets::{
+    cases, goes_on, kind_of_case, line, method_of_case, names_of_kinds, names_of_methods, targets,
+};
 use std::collections::BTreeSet;
 use std::panic::{AssertUnwindSafe, catch_unwind};
 use std::path::Path;
@@ -59,4 +61,16 @@ fn every_method_is_reached() {
     assert!(missing.is_empty(), "{missing:#?}");
     // Controls: there are as many as the documentation says, and a case without a top reaches none.
     assert_eq!((names.len(), method_of_case(b"")), (131, None));
+}
+
+/// Every kind of system and integrator has a case in which it makes steps whose laws are checked.
+#[test]
+fn every_kind_of_integrators_is_reached() {
+    let reached: BTreeSet<&str> =
+        corpus("integrators").iter().filter_map(|case| kind_of_case(case)).collect();
+    let names = BTreeSet::from_iter(names_of_kinds());
+    let missing: Vec<_> = names.difference(&reached).collect();
+    assert!(missing.is_empty(), "{missing:#?}");
+    // Controls: no two have one name, and an infinite exchange is refused.
+    assert_eq!((names.len(), kind_of_case(b"\x01\x01\x05")), (names_of_kinds().len(), None));
 }

@@ -228,6 +228,28 @@ fn uniform(random: &mut ChaCha8Rng) -> f64 {
 #[cfg(test)]
 mod tests {
     use super::*;
+    use crate::SystemAlgebra;
+    use lie_poisson_formulas::Coordinates;
+
+    /// The random guesses have these sizes: numbers beside vectors count together, also apart from each other.
+    #[test]
+    fn scales_are_lengths_of_vectors_and_of_all_numbers() -> Result<(), Box<dyn core::error::Error>>
+    {
+        let names = Coordinates::scalars(["a"])?.vector("v", 2)?.scalar("b")?.vector("w", 3)?;
+        let none = Parameters::new();
+        let algebra = SystemAlgebra::of_entries(names, Vec::new())?;
+        let system = FormulaSystem::new(algebra, "a^2", &none)?;
+        let section = SystemSection::new(&system, "a", &none, (0.0, Direction::Both))?;
+        let scales = |state: [f64; 7]| section.scales(&state);
+        let expected = [13.0, 5.0, 5.0, 13.0, 3.0, 3.0, 3.0];
+        assert_eq!(scales([5.0, 3.0, -4.0, -12.0, 2.0, 1.0, 2.0]), expected);
+        // A vector or numbers of length zero have the size of the whole state, and a state of zeros that of 1.
+        let expected = [7.0, 7.0, 7.0, 7.0, 7.0, 7.0, 7.0];
+        assert_eq!(scales([0.0, 0.0, 0.0, 0.0, 3.0, 2.0, 6.0]), expected);
+        assert_eq!(scales([2.0, 0.0, 0.0, 3.0, 0.0, 0.0, 6.0])[1..3], [7.0, 7.0]);
+        assert_eq!(scales([0.0; 7]), [1.0; 7]);
+        Ok(())
+    }
 
     #[test]
     fn random_numbers_are_uniform() {

@@ -162,4 +162,19 @@ mod tests {
         assert_eq!(nystrom_order(&first, &second), 0);
         assert_eq!(order_of_words(&first, &second), 0);
     }
+
+    /// No known method fails at a tree with two equal branches alone. This one does: of the conditions of order 3 it
+    /// misses Σ b c² = 1/3.
+    #[test]
+    fn trees_with_equal_branches_have_conditions() {
+        let (first, second) = ([1.0 / 6.0, 2.0 / 3.0, 1.0 / 6.0], [0.5, 0.5, 0.0]);
+        let (b, c) = ([0.5, 0.5], [1.0 / 6.0, 5.0 / 6.0]);
+        let sum = |f: fn(f64) -> f64| b[0] * f(c[0]) + b[1] * f(c[1]);
+        let of_branch = b[1] * b[0] * (c[1] - c[0]);
+        for (value, condition) in [(sum(|_| 1.0), 1.0), (sum(|c| c), 0.5), (of_branch, 1.0 / 6.0)] {
+            assert!((value - condition).abs() < 4.0 * f64::EPSILON, "{value} {condition}");
+        }
+        assert!((sum(|c| c * c) - 1.0 / 3.0).abs() > 0.02);
+        assert_eq!(nystrom_order(&first, &second), 2);
+    }
 }

@@ -14,7 +14,7 @@ pub enum CocycleError {
     /// An entry of a matrix is infinite or not a number.
     #[error("the entry ({row}, {column}) = {value} of the {matrix} is not finite")]
     NotFinite {
-        /// The matrix: that of the linear map, of a multiple of it, or of the equations of cocycles.
+        /// The matrix: that of the linear map, of a multiple of it, of the nearest cocycle, or of the equations of cocycles.
         matrix: &'static str,
         /// The row of the entry.
         row: usize,
@@ -46,6 +46,9 @@ const TOLERANCE: f64 = 1e-10;
 
 /// The size, relative to the target, below which an entry of a projection is a rounding error.
 const ROUNDING: f64 = 1e-14;
+
+/// The size of entries above which their sums may overflow.
+const LARGE: f64 = 1e280;
 
 /// A cocycle c of 𝔤 with values in a representation on V, a linear map 𝔤 → V with
 ///
@@ -122,7 +125,8 @@ impl<R: Representation> Cocycle<R> {
     /// the matrix elements have the same size.
     ///
     /// # Errors
-    /// Returns [`CocycleError`] if an entry of the target, a structure constant or a matrix element is not finite.
+    /// Returns [`CocycleError`] if an entry of the target, a structure constant or a matrix element is not finite, or if
+    /// an entry of the cocycle would overflow.
     ///
     /// # Example
     /// The derivation nearest to the identity is the identity on an abelian algebra, and 0 on so(3), where all
@@ -148,6 +152,9 @@ impl<R: Representation> Cocycle<R> {
         finite("equations of cocycles", &equations)?;
         let mut nearest = DVector::from_fn(d * n, |i, _| matrix[(i / n.max(1), i % n.max(1))]);
         let size = largest(&nearest);
+        // Sums of large entries may overflow where those of the cocycle do not. A power of two changes no digit.
+        let unit = if size > LARGE { 2.0_f64.powi(64) } else { 1.0 };
+        nearest /= unit;
         if !equations.is_empty() {
             let singular = equations.svd(false, true);
             let largest = singular.singular_values.iter().fold(0.0, |m, s| larger(m, *s));
@@ -162,8 +169,11 @@ impl<R: Representation> Cocycle<R> {
                 }
             }
         }
-        let cleared = |x: &f64| if x.abs() <= size * ROUNDING { 0.0 } else { *x };
-        Ok(Self { representation, entries: nearest.iter().map(cleared).collect() })
+        let rounding = size / unit * ROUNDING;
+        let cleared = |x: &f64| if x.abs() <= rounding { 0.0 } else { x * unit };
+        let nearest = DMatrix::from_row_iterator(d, n, nearest.iter().map(cleared));
+        finite("nearest cocycle", &nearest)?;
+        Ok(Self { representation, entries: nearest.transpose().iter().copied().collect() })
     }
 
     /// Returns the representation of the cocycle.

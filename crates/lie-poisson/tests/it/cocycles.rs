@@ -105,6 +105,37 @@ fn the_nearest_derivation_is_known_and_has_no_units() {
     assert!(inner.is_ok(), "ad_ξ is a derivation");
 }
 
+/// The projection is linear, also where the sum of the entries overflows.
+#[test]
+fn the_nearest_cocycle_has_no_units() {
+    let affine = StructureConstants::<2>::new(|i, j, k| match (i, j, k) {
+        (0, 1, 0) => 1.0,
+        (1, 0, 0) => -1.0,
+        _ => 0.0,
+    });
+    let affine = InfinitesimalAdjoint(affine.unwrap());
+    let nearest = |size: f64| Cocycle::nearest_to(affine.clone(), |_, _| size);
+    let one = nearest(1.0).unwrap();
+    assert!((one.entry(0, 0) - 1.0).abs() < 1e-15 && one.entry(1, 1) == 0.0, "{one:?}");
+    for size in [1e-300, 1e279, 1e290, 0.9 * f64::MAX] {
+        let large = nearest(size).unwrap();
+        for (i, j) in [(0, 0), (0, 1), (1, 0), (1, 1)] {
+            let error = (large.entry(i, j) / size - one.entry(i, j)).abs();
+            assert!(error < 1e-15, "{size:e} {i} {j}: {error:e}");
+        }
+    }
+    // The derivation diag(2, 2, 4)/3 times the largest number overflows.
+    let identity = |i: usize, j: usize| if i == j { f64::MAX } else { 0.0 };
+    let huge = Cocycle::nearest_to(InfinitesimalAdjoint(heisenberg(1.0)), identity);
+    let expected = CocycleError::NotFinite {
+        matrix: "nearest cocycle",
+        row: 2,
+        column: 2,
+        value: f64::INFINITY,
+    };
+    assert_eq!(huge.unwrap_err(), expected);
+}
+
 #[test]
 fn what_is_not_a_cocycle_is_refused() {
     let adjoint = || InfinitesimalAdjoint(heisenberg(1.0));

@@ -209,3 +209,30 @@ fn square_in<V: Vector<Scalar = T>, T: Real>(z: &V, units: &V) -> T {
     }
     sum
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use nalgebra::{Vector1, Vector2};
+
+    /// M(z) = 100 z₁ − 100 has lost digits near z₁ = 1, and its fibres are lines along z₂, whose least point has z₂ = 0.
+    fn near(z: Vector2<f64>) -> Vector2<f64> {
+        let map = Both {
+            apply: |z: &Vector2<f64>| Vector1::new(100.0 * z.x - 100.0),
+            apply_dual: |z: &Vector2<DualNumber>| Vector1::new(z.x * 100.0 - 100.0),
+        };
+        RecentringSpace::default().recentred(&map, &z)
+    }
+
+    /// A point moves if Σ (z_d/w)² shrinks to four fifths: here from 1.81 or 1.27 to 1, but not from 1.21 or 1.01.
+    #[test]
+    fn a_point_stays_where_it_gains_little() {
+        for (y, moves) in [(0.9, true), (0.52, true), (0.46, false), (0.1, false), (0.0, false)] {
+            let z = Vector2::new(1.001, y);
+            let moved = near(z);
+            // Eight iterations halve z₂.
+            let expected = if moves { Vector2::new(z.x, y / 256.0) } else { z };
+            assert!((moved - expected).amax() < 1e-14 && (moves || moved == z), "{y}: {moved}");
+        }
+    }
+}

@@ -11,3 +11,4 @@ mod multipliers;
 mod phase_space_laws;
 mod required_items;
 mod support;
+mod units_of_multipliers;

@@ -1,6 +1,8 @@
 //! Constructors: parameters are refused, or what is made of them obeys its laws.
 
-use super::conservation::{LARGEST_TURN, SAFE, largest_turn, lengths_hold, middles, steps_on_se3};
+use super::conservation::{
+    LARGEST_TURN, SAFE, largest_turn, largest_turn_at, lengths_hold, steps_on_se3,
+};
 use crate::input::Input;
 use collective_integrators::{
     AlternatingSubsteps, Direct, HamiltonianField, LiftFree, PartitionedRungeKutta, RungeKutta,
@@ -242,8 +244,7 @@ fn vortices(input: &mut Input<'_>) {
     for sample in run.take(3).skip(1) {
         let Ok(sample) = sample else { return };
         let after = sample.momentum.0.0;
-        let rates = [&before[..], &after, &middles(&before, &after)].map(rate);
-        lengths_hold(&before, &after, rates.into_iter().fold(0.0, larger) * step.abs());
+        lengths_hold(&before, &after, largest_turn_at([&before, &after], step, rate));
         before = after;
     }
 }

@@ -5,10 +5,12 @@ mod configuration;
 mod conservation;
 mod constructors;
 mod formula;
+mod integrators;
 mod lifts;
 mod one_step;
 
 pub use checkpoint::goes_on;
+pub use integrators::{kind_of_case, names_of_kinds};
 pub use one_step::{method_of_case, names_of_methods};
 
 /// A function that must hold for every input.
@@ -22,12 +24,13 @@ pub struct Target {
 
 /// Returns all targets.
 #[must_use]
-pub const fn targets() -> [Target; 6] {
+pub const fn targets() -> [Target; 7] {
     [
         Target { name: "checkpoint", run: checkpoint::run },
         Target { name: "configuration", run: configuration::run },
         Target { name: "constructors", run: constructors::run },
         Target { name: "formula", run: formula::run },
+        Target { name: "integrators", run: integrators::run },
         Target { name: "lifts", run: lifts::run },
         Target { name: "one_step", run: one_step::run },
     ]

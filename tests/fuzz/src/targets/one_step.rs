@@ -1,20 +1,12 @@
 //! A few steps of every method for tops: a typed error, or a finite state whose Casimirs hold.
 
+use super::conservation::top_holds;
 use crate::input::Input;
 use heavytop::{Body, HeavyTop};
 use lie_poisson::{Covector, Pair, Se3Dual};
 use nalgebra::Vector3;
 use std::cell::OnceCell;
 use workspace_tests::scales::{Method, methods};
-
-/// The largest change of a Casimir, relative to the largest states, over three steps.
-const TOLERANCE: f64 = 1e-11;
-
-/// The sizes between which no product of two coordinates overflows or loses digits.
-const SAFE: core::ops::Range<f64> = 1e-140..1e140;
-
-/// The angle, rad, below which a step conserves the Casimirs to round-off. The rounding errors of increments grow with it.
-const LARGEST_TURN: f64 = 1e3;
 
 thread_local! {
     static METHODS: OnceCell<[Vec<Method>; 2]> = const { OnceCell::new() };
@@ -49,6 +41,16 @@ fn check(input: &mut Input<'_>, lists: &[Vec<Method>; 2]) -> Option<String> {
     let list = &lists[usize::from(symmetric)];
     let method = &list[input.choice(list.len())];
     let steps = 1 + input.choice(3);
+    let top = top(input, symmetric)?;
+    let start = Se3Dual::new(input.vector(), input.vector());
+    let step = input.number();
+    let last = (method.run)(&top, &start, step, steps)?.last;
+    let name = format_args!("{}, {steps} steps", method.name);
+    top_holds(&name, &top, [&start, &last], step, method.is_poisson).then(|| method.name.clone())
+}
+
+/// Returns a top, a symmetric one if asked for.
+pub(super) fn top(input: &mut Input<'_>, symmetric: bool) -> Option<HeavyTop> {
     let mut body = Body {
         inertia: input.moments(),
         mass: input.number().abs(),
@@ -60,30 +62,7 @@ fn check(input: &mut Input<'_>, lists: &[Vec<Method>; 2]) -> Option<String> {
         body.inertia.y = body.inertia.x;
         body.center_of_mass = Vector3::z();
     }
-    let top = HeavyTop::new(&body).ok()?;
-    let start = Se3Dual::new(input.vector(), input.vector());
-    let step = input.number();
-    let outcome = (method.run)(&top, &start, step, steps)?;
-    let last = outcome.last;
-    let said = || format!("{}, {steps} steps of {step:e}: {top:?} {start:?} {last:?}", method.name);
-    assert!(
-        [pi(&last), gamma(&last)].iter().all(|v| v.iter().all(|x| x.is_finite())),
-        "{}",
-        said()
-    );
-    let vertical = gamma(&start).amax().max(gamma(&last).amax());
-    // What gravity may change in a step has the rounding errors of its torque.
-    let kicked = step.abs() * top.weight_moment() * vertical;
-    let sizes = [pi(&start).amax().max(pi(&last).amax()).max(kicked), vertical];
-    let turn = step.abs() * sizes[0] / top.inertia().min();
-    if method.is_poisson {
-        if turn >= LARGEST_TURN || !sizes.iter().all(|size| SAFE.contains(size)) {
-            return None;
-        }
-        let change = casimir_changes(&start, &last, sizes);
-        assert!(change.iter().all(|change| *change < TOLERANCE), "{change:?} {}", said());
-    }
-    Some(method.name.clone())
+    HeavyTop::new(&body).ok()
 }
 
 fn pi(Covector(Pair(pi, _)): &Se3Dual) -> Vector3<f64> {
