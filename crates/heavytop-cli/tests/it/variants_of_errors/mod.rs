@@ -9,7 +9,7 @@ mod refused_checkpoints;
 mod refused_configurations;
 
 use heavytop_cli::Error;
-use heavytop_cli::errors::{CheckpointError, SweepError, SystemError};
+use heavytop_cli::errors::{CheckpointError, SweepError, SystemTableError};
 use std::collections::BTreeSet;
 use std::error::Error as AnyError;
 use std::fmt::Debug;
@@ -19,7 +19,7 @@ const SOURCES: [(&str, &str); 4] = [
     ("Error", include_str!("../../../src/errors/error.rs")),
     ("CheckpointError", include_str!("../../../src/errors/checkpoint_error.rs")),
     ("SweepError", include_str!("../../../src/errors/sweep_error.rs")),
-    ("SystemError", include_str!("../../../src/errors/system_error.rs")),
+    ("SystemTableError", include_str!("../../../src/errors/system_table_error.rs")),
 ];
 
 /// The variants that no call of the library returns, with the place of their test.
@@ -63,7 +63,7 @@ fn variants(error: &(dyn AnyError + 'static)) -> BTreeSet<String> {
             named::<Error>("Error", error),
             named::<CheckpointError>("CheckpointError", error),
             named::<SweepError>("SweepError", error),
-            named::<SystemError>("SystemError", error),
+            named::<SystemTableError>("SystemTableError", error),
         ]
     });
     names.flatten().collect()

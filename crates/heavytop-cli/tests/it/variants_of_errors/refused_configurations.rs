@@ -32,13 +32,16 @@ const RUNS: [(&str, &str); 9] = [
 
 /// Configurations of runs of systems, below `[system]`.
 const SYSTEMS: [(&str, &str); 7] = [
-    ("SystemError::Missing", "algebra = 'so(3)'"),
-    ("SystemError::TwoAlgebras", "algebra = 'so(3)'\ncoordinates = ['x']\nhamiltonian = 'x'"),
-    ("SystemError::StructureConstants", "structure_constants = '''\n1\n2'''\nhamiltonian = '1'"),
-    ("SystemError::Parameter", "algebra = 'so(3)'\nhamiltonian = 'Pi1'\nparameters.'1' = 1"),
-    ("SystemError::Formula", "algebra = 'so(3)'\nhamiltonian = 'x'"),
-    ("SystemError::NoAttitude", "hamiltonian = '1'\n[output]\nattitude = true"),
-    ("SystemError::Top", "hamiltonian = '1'\n[body]\nmass = 2"),
+    ("SystemTableError::Missing", "algebra = 'so(3)'"),
+    ("SystemTableError::TwoAlgebras", "algebra = 'so(3)'\ncoordinates = ['x']\nhamiltonian = 'x'"),
+    (
+        "SystemTableError::StructureConstants",
+        "structure_constants = '''\n1\n2'''\nhamiltonian = '1'",
+    ),
+    ("SystemTableError::Parameter", "algebra = 'so(3)'\nhamiltonian = 'Pi1'\nparameters.'1' = 1"),
+    ("SystemTableError::Formula", "algebra = 'so(3)'\nhamiltonian = 'x'"),
+    ("SystemTableError::NoAttitude", "hamiltonian = '1'\n[output]\nattitude = true"),
+    ("SystemTableError::Top", "hamiltonian = '1'\n[body]\nmass = 2"),
 ];
 
 /// Configurations of sections, and below them those of a system.
@@ -147,7 +150,7 @@ pub fn errors() -> BTreeSet<String> {
     for (expected, text) in SYSTEMS {
         found.push(refused(expected, config(&format!("[system]\n{text}")).system_experiment()));
     }
-    found.push(refused("SystemError::CommandOfTops", config(BODY).experiment()));
+    found.push(refused("SystemTableError::CommandOfTops", config(BODY).experiment()));
     for (expected, text) in SECTIONS {
         found.push(refused(expected, cut(text)));
     }
