@@ -63,14 +63,19 @@ fn every_method_is_reached() {
     assert_eq!((names.len(), method_of_case(b"")), (131, None));
 }
 
-/// Every kind of system and integrator has a case in which it makes steps whose laws are checked.
+/// The kinds of integrators that promise finite numbers alone, and one without coordinates.
+const WITHOUT_LAWS: [&str; 3] =
+    ["StagesInLanes<Direct>", "TaoFlows, composed", "Cocycle on a point"];
+
+/// Every other kind of system and integrator has a case in which it makes steps whose laws are compared.
 #[test]
 fn every_kind_of_integrators_is_reached() {
     let reached: BTreeSet<&str> =
         corpus("integrators").iter().filter_map(|case| kind_of_case(case)).collect();
     let names = BTreeSet::from_iter(names_of_kinds());
-    let missing: Vec<_> = names.difference(&reached).collect();
+    let missing: Vec<_> =
+        names.difference(&reached).filter(|name| !WITHOUT_LAWS.contains(name)).collect();
     assert!(missing.is_empty(), "{missing:#?}");
-    // Controls: no two have one name, and an infinite exchange is refused.
-    assert_eq!((names.len(), kind_of_case(b"\x01\x01\x05")), (names_of_kinds().len(), None));
+    // Controls: there are as many as the documentation says, and an infinite exchange is refused.
+    assert_eq!((names.len(), kind_of_case(b"\x01\x01\x05")), (44, None));
 }

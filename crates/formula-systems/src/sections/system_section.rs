@@ -231,7 +231,8 @@ mod tests {
     use crate::SystemAlgebra;
     use lie_poisson_formulas::Coordinates;
 
-    /// The random guesses have these sizes: numbers beside vectors count together, also apart from each other.
+    /// The sizes of random guesses: components of a vector have its length, and all coordinates outside vectors have their
+    /// common length, even if vectors stand between them.
     #[test]
     fn scales_are_lengths_of_vectors_and_of_all_numbers() -> Result<(), Box<dyn core::error::Error>>
     {
@@ -243,7 +244,7 @@ mod tests {
         let scales = |state: [f64; 7]| section.scales(&state);
         let expected = [13.0, 5.0, 5.0, 13.0, 3.0, 3.0, 3.0];
         assert_eq!(scales([5.0, 3.0, -4.0, -12.0, 2.0, 1.0, 2.0]), expected);
-        // A vector or numbers of length zero have the size of the whole state, and a state of zeros that of 1.
+        // Where a vector or the numbers are zero, the length of the whole state takes their place; where all is zero, 1.
         let expected = [7.0, 7.0, 7.0, 7.0, 7.0, 7.0, 7.0];
         assert_eq!(scales([0.0, 0.0, 0.0, 0.0, 3.0, 2.0, 6.0]), expected);
         assert_eq!(scales([2.0, 0.0, 0.0, 3.0, 0.0, 0.0, 6.0])[1..3], [7.0, 7.0]);

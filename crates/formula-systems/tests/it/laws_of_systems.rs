@@ -94,7 +94,10 @@ fn obeys<'a, S>(
     let report = suite(&Faulty::without_fault(object)).unwrap();
     report.check(tolerance).unwrap_or_else(|broken| panic!("{what}: {broken}"));
     let refused = suite(&Faulty::new(object, method, coordinate)).unwrap().check(CLEAR);
-    assert!(refused.is_err(), "{what}: a fault of {method} was not found");
+    assert!(
+        refused.is_err(),
+        "{what}: a fault of {method} in coordinate {coordinate} was not found"
+    );
 }
 
 /// Runs the suites of the algebra and of the Hamiltonian.

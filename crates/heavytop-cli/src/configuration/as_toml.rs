@@ -21,7 +21,7 @@ impl Config {
     /// # Ok::<(), heavytop_cli::Error>(())
     /// ```
     pub fn to_toml(&self) -> Result<String, Error> {
-        // Text would get integers that cannot be read back; a table refuses them.
+        // `toml::to_string` writes integers of more than 63 bits, which cannot be read back; `Table::try_from` refuses them.
         let mut table = Table::try_from(self).map_err(Error::Unwritable)?;
         if self.system.is_none() {
             return toml::to_string(self).map_err(Error::Unwritable);

@@ -61,7 +61,7 @@ pub(crate) fn interrupted() -> Error {
     Error::Interrupted { resume: Some(RESUME.into()) }
 }
 
-/// Adds to an error with a cause outside the run that the run can be resumed.
+/// Makes the message of an error whose cause lies outside the run say how to resume the run.
 pub(crate) fn resumable(failure: Error) -> Error {
     match failure {
         Error::Write { .. } | Error::Tile { .. } | Error::MissingTile { .. } => {

@@ -197,7 +197,7 @@ impl Writing {
         match name.rsplit_once('.').map(|(_, ending)| ending) {
             // The last line of both is empty.
             Some("csv") => cells(bytes) == cells(undisturbed),
-            // Both endings have more than one byte.
+            // PNG and SVG end with the same eight bytes for every content, so that a cut file ends otherwise.
             _ => bytes.len() > 99 && bytes.ends_with(&undisturbed[undisturbed.len() - 8..]),
         }
     }

@@ -154,7 +154,7 @@ impl<B: BatchIntegrator> BatchIntegrator for Faulty<'_, B> {
         workspace: &mut B::Workspace,
         failed: &mut dyn FnMut(usize, IntegrationError),
     ) {
-        let left = usize::from(self.is_in("advance") && members.len() > 1);
+        let left = usize::from(self.has_fault_in("advance") && members.len() > 1);
         let moved = members.len() - left;
         self.object().advance(&mut members[..moved], step, steps, workspace, failed);
     }

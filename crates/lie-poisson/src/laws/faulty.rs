@@ -2,10 +2,14 @@ use crate::{Real, State};
 
 /// An object with a fault in the result of one method: the negative control of a law suite, which must refuse it.
 ///
-/// It implements the traits of the object. The method with the given name returns half the value in one coordinate, and
-/// all others return what those of the object return. Half, and not the opposite sign: squares, and so many invariants,
-/// do not depend on a sign. The fault is about as large as the result, so that a suite which finds it fails for each
-/// tolerance below about 10⁻³. Without it a suite that passes may have tested nothing, as with samples that are zero.
+/// The method with the given name returns half the value in one coordinate, and all others return what those of the object
+/// return. Half, and not the opposite sign: squares, and so many invariants, do not depend on a sign.
+///
+/// Where the coordinate is not much smaller than the others, a suite that uses it has a residual far above 10⁻³: check
+/// against that. Where it is zero in all samples there is no fault: choose another coordinate or other samples. A suite
+/// that passes without such a control may have tested nothing, as with samples that are zero.
+///
+/// It implements these traits where the object does:
 ///
 /// | trait | methods |
 /// |---|---|
@@ -14,9 +18,12 @@ use crate::{Real, State};
 /// | [`Hamiltonian`](crate::Hamiltonian) | `differential` |
 /// | [`SitesHamiltonian`](crate::SitesHamiltonian) | `differential_into` |
 ///
-/// Crates that build on this one list theirs in their modules `laws`. A trait of your own is implemented by
-/// [`object`](Self::object) and [`halve`](Self::halve). A name that no method has, and a coordinate that its result does not
-/// have, make no fault: the suite then accepts the object, and the control fails.
+/// The laws of `momentum-map` and `collective-integrators` add theirs, listed in their modules `laws`; the fault of a batch
+/// is another one, which is described there. To implement a trait of your own, call the [`object`](Self::object), and pass
+/// the result of each method to [`halve`](Self::halve) or [`halved`](Self::halved).
+///
+/// A name that no method has, and a coordinate that its result does not have, make no fault: the suite then accepts the
+/// object, and the control fails.
 ///
 /// # Example
 /// ```
@@ -57,7 +64,7 @@ impl<'a, S> Faulty<'a, S> {
 
     /// Returns whether the method with this name has the fault.
     #[must_use]
-    pub fn is_in(&self, method: &str) -> bool {
+    pub fn has_fault_in(&self, method: &str) -> bool {
         self.fault.is_some_and(|(wrong, _)| wrong == method)
     }
 

@@ -6,6 +6,9 @@
 //! sample or 10⁻⁸ from the identity; and at the samples themselves. Without samples there is no report,
 //! since a suite that tested nothing must not pass.
 //!
+//! A [`Faulty`] object is the negative control of a suite: one method returns half the value in one coordinate, and the
+//! suite must refuse it.
+//!
 //! # Example
 //! ```
 //! use lie_poisson::{So3, laws};
@@ -16,8 +19,8 @@
 //! # Ok::<(), Box<dyn std::error::Error>>(())
 //! ```
 
-mod faulty;
 mod algebra;
+mod faulty;
 mod group;
 mod hamiltonian;
 mod poisson;

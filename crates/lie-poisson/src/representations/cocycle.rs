@@ -47,7 +47,8 @@ const TOLERANCE: f64 = 1e-10;
 /// The size, relative to the target, below which an entry of a projection is a rounding error.
 const ROUNDING: f64 = 1e-14;
 
-/// The size of entries above which their sums may overflow.
+/// The size of entries above which their sums may overflow: far enough below the largest number, 1.8·10³⁰⁸, for sums of any
+/// length.
 const LARGE: f64 = 1e280;
 
 /// A cocycle c of 𝔤 with values in a representation on V, a linear map 𝔤 → V with
@@ -152,7 +153,8 @@ impl<R: Representation> Cocycle<R> {
         finite("equations of cocycles", &equations)?;
         let mut nearest = DVector::from_fn(d * n, |i, _| matrix[(i / n.max(1), i % n.max(1))]);
         let size = largest(&nearest);
-        // Sums of large entries may overflow where those of the cocycle do not. A power of two changes no digit.
+        // Sums of large entries may overflow although the cocycle does not, so they are divided by a power of two, which is
+        // exact.
         let unit = if size > LARGE { 2.0_f64.powi(64) } else { 1.0 };
         nearest /= unit;
         if !equations.is_empty() {

@@ -116,6 +116,7 @@ fn the_nearest_cocycle_has_no_units() {
     let affine = InfinitesimalAdjoint(affine.unwrap());
     let nearest = |size: f64| Cocycle::nearest_to(affine.clone(), |_, _| size);
     let one = nearest(1.0).unwrap();
+    // A few roundings of entries of size 1, here and below.
     assert!((one.entry(0, 0) - 1.0).abs() < 1e-15 && one.entry(1, 1) == 0.0, "{one:?}");
     for size in [1e-300, 1e279, 1e290, 0.9 * f64::MAX] {
         let large = nearest(size).unwrap();

@@ -35,6 +35,6 @@ fn without_a_fault_the_object_is_as_it_is() {
     for faulty in faulty {
         laws::lie_algebra(&faulty, &samples()).unwrap().check(TOLERANCE).unwrap();
     }
-    assert!(Faulty::new(&So3, "bracket", 3).is_in("bracket"));
-    assert!(!Faulty::without_fault(&So3).is_in("bracket"));
+    assert!(Faulty::new(&So3, "bracket", 3).has_fault_in("bracket"));
+    assert!(!Faulty::without_fault(&So3).has_fault_in("bracket"));
 }

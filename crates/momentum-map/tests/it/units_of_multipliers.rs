@@ -6,8 +6,8 @@ use lie_poisson::{Covector, LiePoisson, Real, StructureConstants};
 use momentum_map::Multipliers;
 use nalgebra::Vector1;
 
-/// The multipliers eˣ of a line, whose bracket is zero, with faults: inverses are too large by one part, and momenta
-/// change by another.
+/// The multipliers eˣ of a line, whose bracket is zero, with faults: `inverse` is the relative error of inverses, and
+/// `change · μ` is added to the coadjoint change, which should be zero.
 #[derive(Clone)]
 struct Line {
     algebra: StructureConstants<1>,
@@ -68,7 +68,8 @@ fn faults_of_known_size_have_known_residuals() {
         for x in [-9.0, -3.0, 3.0, 9.0_f64] {
             let is = |law: &str, fault: Line, expected: f64| {
                 let residual = report(&fault, x, mu).residual(law).unwrap();
-                // The round-off of a series with up to sixteen times its last digit.
+                // The exponential is a series that is squared up to four times, which multiplies its rounding error by
+                // up to sixteen.
                 assert!(
                     (residual / expected - 1.0).abs() < 1e-13,
                     "{law} {x} {mu:e}: {residual:e}"

@@ -60,7 +60,8 @@ fn casimirs_hold<H: Hamiltonian<LiePoisson<Se3>> + Debug>(
 }
 
 /// Asserts that the end of a few steps of a top is finite, and that those of a Poisson method conserve |Γ|² and Π·Γ up to
-/// the rounding errors of the steps. Returns whether the two were compared, if they should be conserved.
+/// the rounding errors of the steps. Returns false only if a Poisson method was not compared, because the step turns too
+/// far or a square would overflow.
 pub(super) fn top_holds(
     name: &dyn Display,
     top: &HeavyTop,

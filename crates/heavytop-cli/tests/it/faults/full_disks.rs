@@ -16,7 +16,7 @@ fn on_small_disk(old: &Folder, arguments: &[&str], pages: u64) -> Option<(Folder
     let (disk, left) = (Folder::new(), Folder::new());
     let [at, to] = [&disk, &left].map(|folder| folder.path("").display().to_string());
     let old_pages = pages_of(old);
-    // A limit of no pages would be none, so one more is taken by a file of its own.
+    // `nr_blocks=0` would mean no limit, so there is always one page more, which the file `taken` fills.
     let blocks = old_pages + pages + 1;
     let mount = format!("mount -t tmpfs -o nr_blocks={blocks} heavytop {at}");
     let then = format!(
@@ -52,7 +52,7 @@ fn needed(writing: &Writing) -> u64 {
 /// Runs a command on a disk with room for so many pages, and then on one with enough; returns whether the room was too
 /// little.
 fn run_out(writing: &Writing, pages: u64, repeat: bool) -> Option<bool> {
-    // Commands that ask before an output for which there is too little room are answered.
+    // Some commands ask before they write more than the disk has room for; `--yes` answers them.
     let yes: &[&str] = if writing.anew.is_empty() { &[] } else { &["--yes"] };
     let arguments = [writing.arguments, yes].concat();
     let (folder, run) = on_small_disk(&writing.with_old_files(), &arguments, pages)?;
@@ -114,7 +114,7 @@ fn on_a_disk_that_is_full_at_any_moment_the_old_files_stay_and_the_run_is_repeat
 /// Runs of 3000 steps, each with a checkpoint before the first, and after 1024 and 2048 of them.
 const LONG: [&str; 5] = ["--set", "integrator.end=60", "--checkpoint-interval", "0", "--yes"];
 
-/// The runs, the files of their rows, and the number of bytes in a row; those of CSV have as many as they have.
+/// The runs, the files of their rows, and the bytes of a row: `None` for CSV, whose rows differ in length.
 const RUNS: [(&[&str], &str, Option<usize>); 4] = [
     (&["simulate", "--out", "a.csv"], "a.csv.partial", None),
     (&["simulate", "--out", "a.npz"], "a.npz.rows", Some(8 * 11)),

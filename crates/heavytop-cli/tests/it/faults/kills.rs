@@ -17,14 +17,15 @@ fn kill(writing: &Writing, kills: u32, part: f64) -> u32 {
         let mut child = folder.start(&[writing.arguments, &["--quiet"]].concat());
         // Multiples of the golden section lie everywhere within the run.
         sleep(took.mul_f64((f64::from(number) * 0.618).fract()));
-        killed += u32::from(is_killed(&mut child));
+        killed += u32::from(kill_before_end(&mut child));
         assert_goes_on(writing, &folder);
     }
     println!("{writing}: {killed} of {kills} runs were killed before their end");
     killed
 }
 
-fn is_killed(child: &mut Child) -> bool {
+/// Kills a run. Returns whether that was before its end.
+fn kill_before_end(child: &mut Child) -> bool {
     let _ = child.kill();
     !child.wait().unwrap().success()
 }
@@ -64,7 +65,7 @@ fn a_comparison_that_is_killed_while_it_writes_is_repeated_with_success() {
         while !begun.exists() && child.try_wait().unwrap().is_none() {
             sleep(Duration::from_micros(500));
         }
-        let is_killed = is_killed(&mut child);
+        let is_killed = kill_before_end(&mut child);
         assert_goes_on(compare, &folder);
         is_killed
     });

@@ -82,7 +82,7 @@ fn holds<I: Turning + Start<Momentum = Se3Dual>>(
         assert!((attitude.norm_squared() - 1.0).abs() < ROUND_OFF, "{}", said());
         // The multipliers of an explicit method are no rotations.
         if !conserves {
-            return true;
+            return false;
         }
         // The rotations of all steps have rounding errors, in proportion to the angles by which the body turns.
         let (turn, sizes) = turn_of_top(&top, [before, &after.momentum], step);

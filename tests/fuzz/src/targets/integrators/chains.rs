@@ -50,7 +50,7 @@ fn chain<const N: usize>(input: &mut Input<'_>) -> bool {
     let holds = |before: &Spins<N>, after: &Spins<N>| {
         let ends = [&before.0.0[..], &after.0.0];
         let turn = if conserves { largest_turn_at(ends, step, rate) } else { f64::INFINITY };
-        lengths_hold(ends[0], ends[1], turn) || !conserves
+        lengths_hold(ends[0], ends[1], turn)
     };
     if input.choice(2) == 0 {
         let multipliers = PowerMultipliers::<_, N>(Quaternions);
@@ -86,7 +86,7 @@ fn lattice<const N: usize>(input: &mut Input<'_>) -> bool {
         let turn = step.abs() * 4.0 * spin * (exchange.abs() + 2.0 * coupling.abs() * reach);
         let turn = if conserves { turn } else { f64::INFINITY };
         if !lengths_hold(&before.0.0.0, &after.0.0.0, turn) {
-            return !conserves;
+            return false;
         }
         let force = 4.0 * (stiffness * reach + coupling.abs() * spin * spin);
         // The forces between atoms cancel, but not their rounding errors.

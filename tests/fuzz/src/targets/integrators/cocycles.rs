@@ -160,7 +160,7 @@ fn moves<R: Representation + core::fmt::Debug>(
         let rate = form.0.iter().fold(0.0, |m, w| larger(m, w.abs())) * size;
         let turn = step.abs() * rate * elements;
         if !conserves {
-            return true;
+            return false;
         }
         let is_safe = [q, p, elements, terms].iter().all(|size| SAFE.contains(size));
         if turn >= LARGEST_TURN || turn.is_nan() || !is_safe {

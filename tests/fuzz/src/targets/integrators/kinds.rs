@@ -8,9 +8,15 @@ use crate::input::Input;
 pub(super) type Kind = (&'static str, fn(&mut Input<'_>) -> bool);
 
 fn kinds() -> impl Iterator<Item = Kind> {
-    let spins = chains::KINDS.iter().chain(sites::KINDS).chain(cocycles::KINDS);
-    let others = doubled_spaces::KINDS.iter().chain(stages_side_by_side::KINDS);
-    spins.chain(others).chain(attitudes::KINDS).copied()
+    let rooms = [
+        chains::KINDS,
+        sites::KINDS,
+        cocycles::KINDS,
+        doubled_spaces::KINDS,
+        stages_side_by_side::KINDS,
+        attitudes::KINDS,
+    ];
+    rooms.into_iter().flatten().copied()
 }
 
 pub(crate) fn run(case: &[u8]) {

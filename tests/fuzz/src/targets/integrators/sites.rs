@@ -75,7 +75,7 @@ fn lengths<I: Start<Momentum = Spins>>(
     steps_hold(integrator, start, step, |before, after| {
         let ends = [&before.0[..], &after.momentum.0];
         let turn = if conserves { largest_turn(hamiltonian, ends, step) } else { f64::INFINITY };
-        lengths_hold(ends[0], ends[1], turn) || !conserves
+        lengths_hold(ends[0], ends[1], turn)
     })
 }
 
@@ -129,8 +129,9 @@ fn composed_lift_free(input: &mut Input<'_>) -> bool {
     on_quaternions(composition(input), input)
 }
 
-/// Asserts the same of vortices, whose velocities between the ends are near those at the ends if they turn by less than
-/// one radian: the distances of two change by less than themselves.
+/// Asserts the same of vortices. Near each other they may move much faster between the ends than at the ends and midpoints,
+/// where the turn is measured. So only steps that turn no vortex by a radian or more are compared, which leaves the bound a
+/// factor of a thousand.
 fn lengths_of_vortices<I: Start<Momentum = Spins>>(
     integrator: &I,
     vortices: &ManyVortices,
@@ -142,7 +143,7 @@ fn lengths_of_vortices<I: Start<Momentum = Spins>>(
         let ends = [&before.0[..], &after.momentum.0];
         let is_near = largest_turn(vortices, ends, step) < 1.0;
         let turn = if conserves && is_near { 1.0 } else { f64::INFINITY };
-        lengths_hold(ends[0], ends[1], turn) || !conserves
+        lengths_hold(ends[0], ends[1], turn)
     })
 }
 

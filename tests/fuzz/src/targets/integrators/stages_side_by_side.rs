@@ -48,6 +48,7 @@ fn holds<I: Start<Momentum = Se3Dual>>(integrator: &I, case: &Case) -> bool {
     let Case { top, start, step, conserves } = case;
     steps_hold(integrator, start, *step, |before, after| {
         top_holds(&"stages side by side", top, [before, &after.momentum], *step, *conserves)
+            && *conserves
     })
 }
 
@@ -80,7 +81,7 @@ fn lift_free(
 
 fn direct(input: &mut Input<'_>) -> bool {
     let (scheme, _) = scheme(input);
-    // The Casimir Π·Γ is quadratic, but stages of different sizes lose it; here the numbers need only be finite.
+    // As in `one_step`, direct methods, which are no Poisson maps, are judged by finite numbers alone.
     let Some(case) = Case::new(input, false) else { return false };
     let space = LiePoisson::minus(Se3::default());
     let direct = Direct::new(scheme, HamiltonianField { space, hamiltonian: case.top });

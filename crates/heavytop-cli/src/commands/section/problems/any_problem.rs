@@ -1,14 +1,14 @@
 //! The motion of which a section is made, of either kind.
 
 use super::limits::Limits;
-use super::section_problem::{Problem, Visit};
+use super::section_problem::{SectionProblem, Visit};
 use super::system_problem::SystemProblem;
 use super::top_problem::TopProblem;
 use crate::Error;
 
 /// The motion of a top, or of another Lie–Poisson system.
 ///
-/// Only what follows the starts needs the integrators: a [`Problem`] does not, and the tests of pictures compile without
+/// Only what follows the starts needs the integrators: a [`SectionProblem`] does not, and the tests of pictures compile without
 /// them.
 #[derive(Clone, Debug, PartialEq)]
 pub(in crate::commands::section) enum AnyProblem {
@@ -18,7 +18,7 @@ pub(in crate::commands::section) enum AnyProblem {
 
 impl AnyProblem {
     /// Returns what the section tells of the motion.
-    pub fn as_problem(&self) -> &dyn Problem {
+    pub fn as_problem(&self) -> &dyn SectionProblem {
         match self {
             Self::Top(problem) => problem,
             Self::System(problem) => problem,

@@ -11,7 +11,7 @@ pub(in crate::commands::section) type Visit<'a> =
     &'a mut dyn FnMut(f64, &[f64]) -> Result<(), Error>;
 
 /// What a section tells of the motion of which it is made.
-pub(in crate::commands::section) trait Problem {
+pub(in crate::commands::section) trait SectionProblem {
     /// Returns the names of the coordinates of a state.
     fn columns(&self) -> Vec<String>;
 

@@ -1,7 +1,7 @@
 //! The section of another Lie–Poisson system.
 
 use super::limits::Limits;
-use super::section_problem::{Drawing, Problem, Visit};
+use super::section_problem::{Drawing, SectionProblem, Visit};
 use super::top_problem::{crossed, followed};
 use crate::Error;
 use crate::configuration::{Config, Integration, SectionConfig, SystemConfig};
@@ -129,7 +129,7 @@ impl SystemProblem {
     }
 }
 
-impl Problem for SystemProblem {
+impl SectionProblem for SystemProblem {
     fn columns(&self) -> Vec<String> {
         self.system().algebra().coordinates().names().collect()
     }

@@ -1,7 +1,7 @@
 //! The section of a top.
 
 use super::limits::Limits;
-use super::section_problem::{Drawing, Problem, Visit};
+use super::section_problem::{Drawing, SectionProblem, Visit};
 use crate::Error;
 use crate::configuration::{Config, Integration, SectionConfig};
 use crate::formats::run_table::STATE_COLUMNS;
@@ -78,7 +78,7 @@ impl TopProblem {
     }
 }
 
-impl Problem for TopProblem {
+impl SectionProblem for TopProblem {
     fn columns(&self) -> Vec<String> {
         STATE_COLUMNS.split(',').skip(1).map(String::from).collect()
     }
