@@ -77,13 +77,39 @@ where
         }
     }
     let end = flow.momentum();
-    let values = |observable: &Observable| match observable {
-        Observable::Lyapunov => vec![Some(growth / flow.time())],
-        Observable::Megno => vec![Some(megno.mean())],
-        Observable::Sali => vec![flow.tangents().first_chunk().map(smaller_alignment_index)],
-        other => gauge.values(*other, &end),
+    let growths = Growths {
+        lyapunov: growth / flow.time(),
+        megno: megno.mean(),
+        alignment: flow.tangents().first_chunk().map(smaller_alignment_index),
     };
-    Ok(course.observables.iter().flat_map(values).collect())
+    Ok(growths.columns(&course.observables, &|observable| gauge.values(observable, &end)))
+}
+
+/// How tangent vectors have grown, at the end of a motion.
+struct Growths {
+    lyapunov: f64,
+    megno: f64,
+    /// The smaller alignment index, of two tangent vectors or more.
+    alignment: Option<f64>,
+}
+
+impl Growths {
+    /// Returns the values of the columns of all observables; `others` has those that need no tangent vectors.
+    ///
+    /// This is apart from [`follow`] so that it is compiled once, and not for every integrator.
+    fn columns(
+        &self,
+        observables: &[Observable],
+        others: &dyn Fn(Observable) -> Vec<Option<f64>>,
+    ) -> Vec<Option<f64>> {
+        let values = |observable: &Observable| match observable {
+            Observable::Lyapunov => vec![Some(self.lyapunov)],
+            Observable::Megno => vec![Some(self.megno)],
+            Observable::Sali => vec![self.alignment],
+            other => others(*other),
+        };
+        observables.iter().flat_map(values).collect()
+    }
 }
 
 /// Returns the tangent vector with this number. Where states are momenta, it is zero along the coordinates that complete
