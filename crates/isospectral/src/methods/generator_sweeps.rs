@@ -73,3 +73,37 @@ impl Sweeps {
         if self.size > 0.0 { self.last / self.size } else { f64::INFINITY }
     }
 }
+
+#[cfg(test)]
+#[allow(clippy::unwrap_used, clippy::panic)]
+mod tests {
+    use super::*;
+    use num_complex::Complex;
+
+    /// After 100 sweeps the error has the last change, relative to the generator where no tolerance is given, and as the
+    /// change of the step where there is one.
+    #[test]
+    fn the_residual_of_sweeps_without_end_has_no_units() {
+        let of_size = |x: f64| [LargeSkewHermitian::from_upper(1, |_, _| Complex::new(0.0, x))];
+        for unit in [1.0, 1e-30, 1e30] {
+            let (old, new) = (of_size(4.0 * unit), of_size(3.0 * unit));
+            let end = |tolerance: f64| {
+                let mut sweeps = Sweeps::new(tolerance, -0.5);
+                (1..MOST_SWEEPS).for_each(|_| assert!(!sweeps.converged(&new, &old).unwrap()));
+                sweeps.converged(&new, &old).unwrap_err()
+            };
+            let (change, close) = (unit * 0.5, unit * 1e-12);
+            for (tolerance, expected, bound) in
+                [(0.0, 1.0 / 3.0, ROUND_OFF), (close, change, close)]
+            {
+                let StepError::NotConverged { residual, required, iterations } = end(tolerance)
+                else {
+                    panic!("another error")
+                };
+                // A few roundings of the quotient.
+                assert!((residual / expected - 1.0).abs() < 1e-15, "{unit:e}: {residual:e}");
+                assert_eq!((required, iterations), (bound, MOST_SWEEPS));
+            }
+        }
+    }
+}

@@ -148,9 +148,12 @@ fn momenta_outside_the_image_have_no_lift() {
     let up = Se3Dual::new(Vector3::z(), Vector3::z());
     assert!(PARTICLE.lift::<f64>(&up).is_err());
     let unitary = unitary_realisation::<2>();
-    let rank_two = UnitaryAlgebra.momentum(&nalgebra::Matrix2::identity());
-    // The nearest of rank one lacks half of it.
-    assert!(unitary.lift::<f64>(&rank_two).is_err_and(|error| error.value == 1.0));
+    // The nearest matrix of rank one lacks half of this one, in any unit.
+    for size in [1.0, 3.0, 1e-200, 1e200] {
+        let rank_two = nalgebra::Matrix2::from_diagonal_element(num_complex::Complex::from(size));
+        let refused = unitary.lift::<f64>(&UnitaryAlgebra.momentum(&rank_two)).unwrap_err();
+        assert_eq!(refused.value, 1.0, "{size:e}");
+    }
     let nan = Covector(Vector3::new(f64::NAN, 0.0, 0.0));
     assert!(HOPF.lift::<f64>(&nan).is_err());
     let elliptic = Covector(Vector3::new(0.0, 1.0, -1.0));
