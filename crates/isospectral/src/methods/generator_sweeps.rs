@@ -83,7 +83,7 @@ mod tests {
     /// After 100 sweeps the error has the last change, relative to the generator where no tolerance is given, and as the
     /// change of the step where there is one.
     #[test]
-    fn the_residual_of_sweeps_without_end_has_no_units() {
+    fn the_residual_of_sweeps_without_end_is_their_last_change() {
         let of_size = |x: f64| [LargeSkewHermitian::from_upper(1, |_, _| Complex::new(0.0, x))];
         for unit in [1.0, 1e-30, 1e30] {
             let (old, new) = (of_size(4.0 * unit), of_size(3.0 * unit));

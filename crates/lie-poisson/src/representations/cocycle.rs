@@ -2,8 +2,9 @@
 
 use crate::{
     Covector, LieAlgebra, Momentum, Real, Representation, RepresentedElement, Vector, larger,
+    squaring_scale,
 };
-use nalgebra::{DMatrix, DVector};
+use nalgebra::{DMatrix, DVector, Vector1};
 use std::sync::Arc;
 use thiserror::Error;
 
@@ -46,10 +47,6 @@ const TOLERANCE: f64 = 1e-10;
 
 /// The size, relative to the target, below which an entry of a projection is a rounding error.
 const ROUNDING: f64 = 1e-14;
-
-/// The size of entries above which their sums may overflow: far enough below the largest number, 1.8·10³⁰⁸, for sums of any
-/// length.
-const LARGE: f64 = 1e280;
 
 /// A cocycle c of 𝔤 with values in a representation on V, a linear map 𝔤 → V with
 ///
@@ -153,10 +150,9 @@ impl<R: Representation> Cocycle<R> {
         finite("equations of cocycles", &equations)?;
         let mut nearest = DVector::from_fn(d * n, |i, _| matrix[(i / n.max(1), i % n.max(1))]);
         let size = largest(&nearest);
-        // Sums of large entries may overflow although the cocycle does not, so they are divided by a power of two, which is
-        // exact.
-        let unit = if size > LARGE { 2.0_f64.powi(64) } else { 1.0 };
-        nearest /= unit;
+        // Sums of large entries may overflow although the cocycle does not.
+        let scale = squaring_scale(&Vector1::new(size));
+        nearest *= scale;
         if !equations.is_empty() {
             let singular = equations.svd(false, true);
             let largest = singular.singular_values.iter().fold(0.0, |m, s| larger(m, *s));
@@ -171,11 +167,11 @@ impl<R: Representation> Cocycle<R> {
                 }
             }
         }
-        let rounding = size / unit * ROUNDING;
-        let cleared = |x: &f64| if x.abs() <= rounding { 0.0 } else { x * unit };
-        let nearest = DMatrix::from_row_iterator(d, n, nearest.iter().map(cleared));
-        finite("nearest cocycle", &nearest)?;
-        Ok(Self { representation, entries: nearest.transpose().iter().copied().collect() })
+        let rounding = size * scale * ROUNDING;
+        let cleared = |x: &f64| if x.abs() <= rounding { 0.0 } else { x / scale };
+        let entries: Arc<[f64]> = nearest.iter().map(cleared).collect();
+        finite("nearest cocycle", &DMatrix::from_row_slice(d, n, &entries))?;
+        Ok(Self { representation, entries })
     }
 
     /// Returns the representation of the cocycle.
