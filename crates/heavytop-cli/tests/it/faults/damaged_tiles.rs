@@ -2,7 +2,7 @@
 #![cfg(unix)]
 
 use crate::program::Folder;
-use crate::tiles::{Case, SECTION, SWEEP, SYSTEM_SWEEP, TRIES};
+use crate::resumption::tiles::{Case, SECTION, SWEEP, SYSTEM_SWEEP, TRIES};
 use std::fs;
 use std::thread::sleep;
 use std::time::Duration;

@@ -1,7 +1,7 @@
 //! The law suites of batches, on each instruction set and at each width of the registers.
 
 use super::suites::{STEP, obeys};
-use crate::top_ensembles::{any_tops, members, starts, tops};
+use crate::kernels::top_ensembles::{any_tops, members, starts, tops};
 use collective_integrators::{AlternatingSubsteps, Substeps, laws};
 use heavytop::{GaussBatch, HeavyTop, MidpointBatch, SymmetricTopBatch, TopMidpoint};
 use lie_poisson::{InstructionSet, Se3Dual, Vector, Width};

@@ -1,7 +1,7 @@
 //! The law suites of the tops, and of the paper's action and maps.
 
 use super::suites::{ROUND_OFF, momenta, obeys};
-use crate::top_ensembles::any_tops;
+use crate::kernels::top_ensembles::any_tops;
 use heavytop::{
     HeavyTop, HeavyTopSpace, RigidBody, SPINOR_MOTIONS, SpinorMomentum, SpinorRealisation, Varpi,
 };

@@ -1,7 +1,7 @@
 //! The law suites of the kernels of single tops, on each instruction set, and of their attitude.
 
 use super::suites::{ROUND_OFF_OF_RUNS, energy_of_order, obeys_as_integrator};
-use crate::top_ensembles::any_tops;
+use crate::kernels::top_ensembles::any_tops;
 use collective_integrators::Splitting;
 use heavytop::{CollectiveGauss, ReducedMidpoint, RotorSplitting, TopMidpoint, WithAttitude};
 use lie_poisson::InstructionSet;

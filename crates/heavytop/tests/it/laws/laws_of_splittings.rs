@@ -3,7 +3,7 @@
 use super::suites::{
     ROUND_OFF, ROUND_OFF_OF_RUNS, STEP, energy_of_order, holds, momenta, obeys, obeys_as_integrator,
 };
-use crate::top_ensembles::{any_tops, tops};
+use crate::kernels::top_ensembles::{any_tops, tops};
 use collective_integrators::{AlternatingSubsteps, ExactFlows, LieTrotter, Splitting, Start, laws};
 use heavytop::{RigidBody, RotorSplitting, SymmetricTopSplitting};
 use lie_poisson::{Covector, Hamiltonian, Se3Dual, Vector};

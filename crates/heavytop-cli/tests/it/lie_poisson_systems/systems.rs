@@ -1,0 +1,344 @@
+//! Lie–Poisson systems by their algebra and a formula: `[system]`.
+
+use crate::program::{Finished, Folder, numbers};
+
+/// The heavy top as a system, with the numbers of the program's default top.
+const TOP: &str = "\
+[system]
+algebra = 'se(3)'
+hamiltonian = '½*(Π₁²/I₁ + Π₂²/I₂ + Π₃²/I₃) + mgl*c·Γ'
+parameters = { I = [2, 2, 1], mgl = 1, c = [1, 0, 0] }
+initial = { Pi = [2, 3, 4], Gamma = [0.5, 0, 0.8660254037844386] }
+
+[integrator]
+end = 10
+";
+
+/// The Poincaré algebra of one space dimension by its brackets.
+const POINCARE: &str = "\
+[system]
+coordinates = ['K', 'H', 'P']
+brackets = { 'K, H' = 'P', 'K, P' = 'H' }
+hamiltonian = 'K^2/2 + a*H^2'
+parameters.a = 0.75
+initial = { K = 0.1, H = 0.3, P = -0.2 }
+
+[integrator]
+scheme = 'gauss-8'
+step = 0.05
+end = 20
+";
+
+/// Returns what a command has printed, after checking that it succeeded.
+fn succeeded(done: &Finished) -> String {
+    assert_eq!(done.code(), 0, "{}", done.stderr());
+    done.stdout()
+}
+
+/// Returns the message of a command, after checking that it was refused.
+fn refused(done: &Finished) -> String {
+    assert_eq!(done.code(), 2, "{}", done.stderr());
+    done.stderr()
+}
+
+#[test]
+fn a_top_as_a_system_moves_as_the_top() {
+    let folder = Folder::new();
+    for formulation in ["collective", "reduced", "direct"] {
+        let method = format!("formulation = '{formulation}'\nscheme = 'gauss-8'\n");
+        folder.write("system.toml", &format!("{TOP}{method}"));
+        folder.write("top.toml", &format!("[integrator]\nend = 10\n{method}"));
+        succeeded(&folder.heavytop(&["simulate", "system.toml", "--out", "system.csv"]));
+        succeeded(&folder.heavytop(&["simulate", "top.toml", "--out", "top.csv"]));
+        let (header, rows) = numbers(&folder.read("system.csv"));
+        let expected = "t,Pi1,Pi2,Pi3,Gamma1,Gamma2,Gamma3,h,c1,c2";
+        assert_eq!(header.join(","), expected);
+        let (_, top) = numbers(&folder.read("top.csv"));
+        assert_eq!(rows.len(), top.len());
+        for (row, top) in rows.iter().zip(&top) {
+            // The energies are rounded differently, and the differences grow along 10 s.
+            let state = row.iter().zip(top).take(8);
+            assert!(state.clone().all(|(a, b)| (a - b).abs() < 1e-10), "{row:?} {top:?}");
+            // c1 = Π·Γ and c2 = |Γ|²; the top has |Γ|² before Π·Γ.
+            assert!((row[8] - top[9]).abs() < 1e-10 && (row[9] - top[8]).abs() < 1e-10);
+        }
+    }
+}
+
+#[test]
+fn an_algebra_from_brackets_conserves_the_casimirs_that_are_found() {
+    let folder = Folder::new();
+    folder.write("poincare.toml", POINCARE);
+    let done = folder.heavytop(&["simulate", "poincare.toml", "--out", "out.csv", "--json"]);
+    let summary: serde_json::Value = serde_json::from_str(&succeeded(&done)).unwrap();
+    assert_eq!(summary["casimirs"]["c1"], "H^2 - P^2");
+    assert_eq!(summary["formulation"], "direct");
+    // Gauss–Legendre methods conserve quadratic invariants, and have order 8 for the energy.
+    assert!(summary["deviations"]["c1"].as_f64().unwrap() < 1e-13);
+    let (header, rows) = numbers(&folder.read("out.csv"));
+    assert_eq!(header.join(","), "t,K,H,P,h,c1");
+    assert_eq!(rows.len(), 401);
+    assert!((rows[0][4] - (0.005 + 0.75 * 0.09)).abs() < 1e-16);
+    let last = [1, 2, 3].map(|i| rows[400][i]);
+    assert!((last[1].powi(2) - last[2].powi(2) - 0.05).abs() < 1e-13);
+}
+
+/// The Clebsch map of the Poincaré algebra has its odd powers, so that the mass is kept to round-off.
+#[test]
+fn collective_runs_of_an_algebra_from_brackets_keep_the_casimir() {
+    let folder = Folder::new();
+    folder.write("poincare.toml", POINCARE);
+    let run = |formulation: &str, out: &str| {
+        let set = format!("integrator.formulation={formulation}");
+        let arguments = ["simulate", "poincare.toml", "--out", out, "--json", "--set", &set];
+        let summary = succeeded(&folder.heavytop(&arguments));
+        serde_json::from_str::<serde_json::Value>(&summary).unwrap()
+    };
+    let [collective, direct] =
+        ["collective", "direct"].map(|name| run(name, &format!("{name}.csv")));
+    assert_eq!(collective["formulation"], "collective");
+    assert!(collective["deviations"]["c1"].as_f64().unwrap() < 1e-13);
+    // Both have order 8: the errors at t = 20 are far below 1e-9.
+    for name in ["K", "H", "P"] {
+        let [a, b] = [&collective, &direct].map(|summary| summary["last"][name].as_f64().unwrap());
+        assert!((a - b).abs() < 1e-9, "{name}: {a} {b}");
+    }
+}
+
+#[test]
+fn formats_name_the_casimirs() {
+    let folder = Folder::new();
+    folder.write("poincare.toml", POINCARE);
+    succeeded(&folder.heavytop(&["simulate", "poincare.toml", "--out", "out.npz"]));
+    succeeded(&folder.heavytop(&["simulate", "poincare.toml", "--out", "out.parquet"]));
+    let names: Vec<u8> = std::fs::read(folder.path("out.npz")).unwrap();
+    for name in ["K.npy", "h.npy", "c1.npy"] {
+        assert!(names.windows(name.len()).any(|part| part == name.as_bytes()), "{name}");
+    }
+    let parquet = std::fs::read(folder.path("out.parquet")).unwrap();
+    assert!(parquet.windows(9).any(|part| part == b"H^2 - P^2"));
+}
+
+/// A configuration, the quoted line, the marked text and the message.
+const REFUSED: &[(&str, &str, &str, &str)] = &[
+    (
+        "hamiltonian = 'Pi1^2 + Pj2'\nalgebra = 'so(3)'",
+        "hamiltonian = 'Pi1^2 + Pj2'",
+        "Pj2",
+        "there is no `Pj2`; did you mean `Pi2`?",
+    ),
+    (
+        "hamiltonian = 'Pi1 +* 2'\nalgebra = 'so(3)'",
+        "hamiltonian = 'Pi1 +* 2'",
+        "*",
+        "a number, a name or `(` is missing here; found `*`",
+    ),
+    ("algebra = 'so(4)'\nhamiltonian = 'x'", "algebra = 'so(4)'", "'so(4)'", "there is no algebra"),
+    (
+        "coordinates = ['x', 'y']\nhamiltonian = 'x'\nbrackets = { 'x, y' = 'x*y' }",
+        "brackets = { 'x, y' = 'x*y' }",
+        "'x*y'",
+        "a bracket is a sum of multiples of coordinates",
+    ),
+    (
+        "coordinates = ['x', 'y', 'z']\nhamiltonian = 'x'\nbrackets = { 'x, y' = 'z', 'y, z' = 'z', 'x, z' = 'y' }",
+        "brackets = { 'x, y' = 'z', 'y, z' = 'z', 'x, z' = 'y' }",
+        "{ 'x, y' = 'z', 'y, z' = 'z', 'x, z' = 'y' }",
+        "the Jacobi identity fails",
+    ),
+    (
+        "algebra = 'so(3)'\nhamiltonian = 'Pi1'\ninitial = { Pi = [1, 2] }",
+        "initial = { Pi = [1, 2] }",
+        "[1, 2]",
+        "an array of 3 numbers",
+    ),
+    (
+        "algebra = 'so(3)'\nhamiltonian = 'Pi1'\ninitial = { Pi1 = 1, Pi3 = 2 }",
+        "initial = { Pi1 = 1, Pi3 = 2 }",
+        "{ Pi1 = 1, Pi3 = 2 }",
+        "no value for Pi2",
+    ),
+    (
+        "algebra = 'so(3)'\nhamiltonian = 'k*Pi1'\nparameters.k = inf",
+        "parameters.k = inf",
+        "inf",
+        "not a finite number",
+    ),
+];
+
+#[test]
+fn refusals_mark_the_place() {
+    let folder = Folder::new();
+    for (text, line, marked, message) in REFUSED {
+        folder.write("wrong.toml", &format!("[system]\n{text}\n"));
+        let error = refused(&folder.heavytop(&["simulate", "wrong.toml", "--out", "out.csv"]));
+        assert!(error.contains(message), "{error}");
+        let quoted = error.lines().find(|quoted| quoted.ends_with(line));
+        let indent = quoted.unwrap_or_else(|| panic!("{error}")).find(line).unwrap();
+        let marks = error.lines().rfind(|below| below.contains('^')).unwrap();
+        let place = line.find(marked).unwrap();
+        assert_eq!(marks.find('^'), Some(indent + place), "{error}");
+        assert_eq!(marks.matches('^').count(), marked.chars().count(), "{error}");
+        assert_eq!(folder.names(), ["wrong.toml"]);
+    }
+}
+
+#[test]
+fn methods_that_do_not_exist_are_refused() {
+    let folder = Folder::new();
+    folder.write("poincare.toml", POINCARE);
+    folder.write("top.toml", TOP);
+    let is_refused = |file: &str, key: &str, message: &str| {
+        let set = format!("integrator.{key}");
+        let out = ["simulate", file, "--out", "out.csv", "--set", &set];
+        let error = refused(&folder.heavytop(&out));
+        assert!(error.contains(message), "{error}");
+    };
+    is_refused("poincare.toml", "formulation=reduced", "it has collective and direct");
+    is_refused("top.toml", "formulation=splitting", "it has collective, reduced and direct");
+    is_refused("top.toml", "scheme=stormer-verlet", "collective has implicit-midpoint");
+    for (key, message) in [
+        ("body.mass=2", "a system has no [body]"),
+        ("initial.vertical=[0, 0, 1]", "a system has no [initial]"),
+        ("output.attitude=true", "a system has no attitude"),
+    ] {
+        let out = ["simulate", "top.toml", "--out", "out.csv", "--set", key];
+        let error = refused(&folder.heavytop(&out));
+        assert!(error.contains(message), "{error}");
+    }
+    for command in ["compare", "animate"] {
+        let error = refused(&folder.heavytop(&[command, "top.toml", "--out", "page.html"]));
+        assert!(error.contains("only simulate, section and sweep run a system"), "{error}");
+    }
+}
+
+#[test]
+fn steps_that_are_not_poisson_are_warned_of() {
+    let folder = Folder::new();
+    // [x, z] = x and [y, z] = 2y: the cube of ad z is no multiple of it
+    let text = "[system]\ncoordinates = ['x', 'y', 'z']\nbrackets = { 'x, z' = 'x', 'y, z' = '2*y' }\n\
+                hamiltonian = 'x^2 + y^2 + z^2'\ninitial = { x = 0.1, y = 0.3, z = -0.2 }\n\
+                [integrator]\nformulation = 'collective'\nend = 1\n";
+    folder.write("solvable.toml", text);
+    folder.write("poincare.toml", POINCARE);
+    let run = |file: &str| {
+        let set = "integrator.formulation=collective";
+        let run = folder.heavytop(&["simulate", file, "--out", "out.csv", "--set", set]);
+        assert_eq!(run.code(), 0, "{}", run.stderr());
+        run.stderr()
+    };
+    let warned = run("solvable.toml");
+    let warnings =
+        warned.lines().filter(|line| line.starts_with("heavytop: warning: the steps of"));
+    assert_eq!(warnings.count(), 1, "{warned}");
+    assert!(warned.contains("; the steps are not Poisson maps; largest deviations"), "{warned}");
+    assert!(!run("poincare.toml").contains("not Poisson"));
+}
+
+#[test]
+fn an_interrupted_run_of_a_system_continues_byte_for_byte() {
+    use heavytop_cli::commands::simulate::{Checkpoint, SimulateOptions, simulate_system};
+    use heavytop_cli::configuration::Config;
+    use std::sync::atomic::AtomicBool;
+    let folder = Folder::new();
+    let mut config: Config = toml::from_str(TOP).unwrap();
+    config.integrator.end = Some(40.0);
+    let experiment = config.system_experiment().unwrap().unwrap();
+    let run = |name: &str, options: &SimulateOptions<'_>| {
+        simulate_system(&config, &experiment, &folder.path(name), options)
+    };
+    let whole = run("whole.csv", &SimulateOptions::default()).unwrap();
+    let stop = AtomicBool::new(true);
+    let stopped = run("parts.csv", &SimulateOptions { stop: Some(&stop), ..Default::default() });
+    assert_eq!(stopped.unwrap_err().exit_code(), 130);
+    // A run that shall stop does so after step 0, and one that continues from there after step 1024.
+    let checkpoint = || Checkpoint::read(&folder.path("parts.csv.checkpoint")).unwrap();
+    let (first, stop) = (checkpoint(), Some(&stop));
+    let again = SimulateOptions { resume: Some(&first), stop, ..Default::default() };
+    assert_eq!(run("parts.csv", &again).unwrap_err().exit_code(), 130);
+    let second = checkpoint();
+    assert_eq!((first.saved().step, second.saved().step), (0, 1024));
+    let resume = Some(&second);
+    let resumed = run("parts.csv", &SimulateOptions { resume, ..Default::default() }).unwrap();
+    assert_eq!(folder.read("parts.csv"), folder.read("whole.csv"));
+    assert_eq!(resumed.deviations, whole.deviations);
+}
+
+/// so(4) by the momenta M of three planes and N of the other three: [Mᵢ, Mⱼ] = Mₖ, [Mᵢ, Nⱼ] = Nₖ, [Nᵢ, Nⱼ] = Mₖ.
+const SO4: &str = "\
+i, j, k, value
+1, 2, 3, 1
+2, 3, 1, 1
+3, 1, 2, 1
+1, 5, 6, 1
+1, 6, 5, -1
+2, 6, 4, 1
+2, 4, 6, -1
+3, 4, 5, 1
+3, 5, 4, -1
+4, 5, 3, 1
+5, 6, 1, 1
+6, 4, 2, 1
+";
+
+#[test]
+fn structure_constants_come_from_a_file_beside_the_configuration() {
+    let folder = Folder::new();
+    std::fs::create_dir(folder.path("bodies")).unwrap();
+    folder.write("bodies/so4.csv", SO4);
+    let text = "[system]\nstructure_constants = 'so4.csv'\nhamiltonian = 'mu1^2 + mu2^2/2 + mu4^2/3 + mu5*mu6'\n\
+                initial.mu = [1, 0.5, 0.2, -0.3, 0.4, 0.1]\n[integrator]\nscheme = 'gauss-8'\nend = 2\n";
+    folder.write("bodies/body.toml", text);
+    let run = ["simulate", "bodies/body.toml", "--out", "body.csv", "--json"];
+    let summary = succeeded(&folder.heavytop(&run));
+    assert!(summary.contains("mu1*mu4 + mu2*mu5 + mu3*mu6") && summary.contains("|mu|^2"));
+    // The same table within the configuration, as metadata and checkpoints contain it.
+    let inner = text.replace("'so4.csv'", &format!("'''\n{SO4}'''"));
+    folder.write("inner.toml", &inner);
+    succeeded(&folder.heavytop(&["simulate", "inner.toml", "--out", "inner.csv"]));
+    assert_eq!(folder.read("body.csv"), folder.read("inner.csv"));
+    // Negative controls: a wrong line, no Lie algebra, and no file.
+    let is_refused = |message: &str| {
+        let error =
+            refused(&folder.heavytop(&["simulate", "bodies/body.toml", "--out", "out.csv"]));
+        assert!(error.contains(message) && error.contains("bodies/body.toml, line 2"), "{error}");
+        assert!(!folder.names().contains(&"out.csv".into()));
+    };
+    folder.write("bodies/so4.csv", &SO4.replace("5, 6, 1, 1", "5, 6, 1, l"));
+    is_refused("structure_constants: line 12: the value `l` is not a finite number");
+    folder.write("bodies/so4.csv", &SO4.replace("5, 6, 1, 1", "5, 6, 1, -1"));
+    is_refused("the Jacobi identity fails for e");
+    std::fs::remove_file(folder.path("bodies/so4.csv")).unwrap();
+    is_refused("cannot read bodies/so4.csv");
+}
+
+/// The systems in the help run as they are written there, and so do those of the guide.
+#[test]
+fn the_systems_of_the_help_and_of_the_guide_run() {
+    let folder = Folder::new();
+    let help = folder.heavytop(&["simulate", "--help"]).stdout();
+    let guide = include_str!("../../../../../docs/guide/systems.md");
+    let in_help = help.split("  [system]\n").skip(1).map(|text| text.split("\n\n").next().unwrap());
+    let in_guide = guide.split("[system]\n").skip(1).map(|text| text.split("```").next().unwrap());
+    let mut count = 0;
+    let table = guide.split("```text\n").find(|text| text.starts_with("i, j, k, value"));
+    folder.write("so4.csv", table.unwrap().split("```").next().unwrap());
+    for text in in_help.chain(in_guide).filter(|text| text.contains("hamiltonian = ")) {
+        folder.write("system.toml", &format!("[system]\n{text}"));
+        let end = ["--set", "integrator.end=2"];
+        let run = [&["simulate", "system.toml", "--out", "system.csv"], &end[..]].concat();
+        succeeded(&folder.heavytop(&run));
+        if text.contains("[section]") {
+            let few = ["--set", "section.starts=2", "--set", "section.crossings=3"];
+            let run = [&["section", "system.toml", "--out", "section"], &few[..]].concat();
+            succeeded(&folder.heavytop(&run));
+        }
+        if text.contains("[sweep]") {
+            let short = ["--set", "integrator.end=0.2"];
+            let run = [&["sweep", "system.toml", "--out", "sweep"], &short[..]].concat();
+            assert!(succeeded(&folder.heavytop(&run)).starts_with("1024 runs, each by reduced"));
+        }
+        count += 1;
+    }
+    assert_eq!(count, 9);
+}

@@ -1,0 +1,8 @@
+//! Interruptions: runs continue to the same bytes, or leave nothing behind.
+
+mod altered_checkpoints;
+mod altered_tiles;
+mod checkpoint;
+mod interruptions;
+mod locks;
+pub mod tiles;

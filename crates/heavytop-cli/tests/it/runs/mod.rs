@@ -1,0 +1,9 @@
+//! A run of `simulate`: methods, formats, progress, and the bytes that it writes.
+
+mod closing;
+mod forecasts;
+mod formats;
+mod methods;
+mod progress;
+mod same_bytes;
+mod simulate;

@@ -1,0 +1,6 @@
+//! Motions of tops: splittings, attitudes, sections, and methods that descend to 𝔰𝔢(3)∗.
+
+mod attitude;
+mod descent;
+mod poincare;
+mod splittings;

@@ -1,0 +1,3 @@
+//! Indicators of chaos.
+
+mod lyapunov;

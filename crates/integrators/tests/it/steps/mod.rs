@@ -1,0 +1,8 @@
+//! How steps are made: one by one, many at once, side by side, and with which storage.
+
+mod advance;
+mod multipliers_of_steps;
+mod stage_solver;
+mod stages_in_lanes;
+mod storage_pool;
+mod trajectory;

@@ -1,0 +1,4 @@
+//! Zeitlin's model of fluids on the sphere.
+
+mod fluid_on_sphere;
+pub mod zeitlin;

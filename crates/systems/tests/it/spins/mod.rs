@@ -1,0 +1,6 @@
+//! Chains and lattices of spins.
+
+mod heisenberg_lattice;
+mod lattice_on_lanes;
+pub mod spin_chain;
+mod spin_lattice;

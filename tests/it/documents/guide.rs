@@ -1,0 +1,87 @@
+//! The guide: every link of a page leads to a file, every formula is LaTeX, and every chapter is in the book and runs as
+//! a test.
+
+// The program that builds the guide, and is no member of the workspace, typesets the formulas.
+#[path = "../../../docs/guide/builder/src/formulas.rs"]
+mod formulas;
+
+use pulldown_cmark::{Event, Parser, Tag};
+use std::error::Error;
+use std::fs;
+use std::path::{Path, PathBuf};
+
+fn root() -> PathBuf {
+    Path::new(env!("CARGO_MANIFEST_DIR")).join("..")
+}
+
+/// Returns the Markdown pages in a folder of the repository and below.
+fn pages(folder: &Path) -> Result<Vec<PathBuf>, Box<dyn Error>> {
+    let mut found = Vec::new();
+    for entry in fs::read_dir(folder)? {
+        let path = entry?.path();
+        if path.is_dir() {
+            found.extend(pages(&path)?);
+        } else if path.extension().is_some_and(|extension| extension == "md") {
+            found.push(path);
+        }
+    }
+    Ok(found)
+}
+
+/// Returns the targets of the links and pictures of a page that are files.
+fn targets(markdown: &str) -> Vec<String> {
+    let target = |event| match event {
+        Event::Start(Tag::Link { dest_url, .. } | Tag::Image { dest_url, .. }) => Some(dest_url),
+        _ => None,
+    };
+    let links = Parser::new(markdown).filter_map(target);
+    let files = links.filter(|link| !link.contains("://") && !link.starts_with('#'));
+    files.map(|link| link.split('#').next().unwrap_or_default().to_owned()).collect()
+}
+
+#[test]
+fn every_link_leads_to_a_file() -> Result<(), Box<dyn Error>> {
+    let mut all = pages(&root().join("docs"))?;
+    all.push(root().join("README.md"));
+    let mut count = 0;
+    for page in all {
+        for target in targets(&fs::read_to_string(&page)?) {
+            let path = page.with_file_name(&target);
+            assert!(path.exists(), "{}: there is no {target}", page.display());
+            count += 1;
+        }
+    }
+    assert!(count > 60, "{count}");
+    // Control: links and pictures are seen, and addresses are not taken for files.
+    let page = "[a](b.md#c) ![d](e/f.png) [g](https://h.org) [i](#j)";
+    assert_eq!(targets(page), ["b.md", "e/f.png"]);
+    Ok(())
+}
+
+#[test]
+fn every_chapter_is_in_the_book_and_runs() -> Result<(), Box<dyn Error>> {
+    let book = targets(&fs::read_to_string(root().join("docs/SUMMARY.md"))?);
+    // The chapter in Python runs with the tests of the Python package.
+    let tests = fs::read_to_string(root().join("tests/src/lib.rs"))?
+        + &fs::read_to_string(root().join("crates/python/tests/test_documentation.py"))?;
+    let chapters = pages(&root().join("docs/guide"))?;
+    assert_eq!(chapters.len(), 13);
+    for chapter in chapters {
+        let name = chapter.file_name().ok_or("a chapter without a name")?.to_string_lossy();
+        assert!(book.contains(&format!("guide/{name}")), "{name} is not in the book");
+        assert!(tests.contains(&format!("docs/guide/{name}\"")), "{name} does not run");
+    }
+    Ok(())
+}
+
+#[test]
+fn every_formula_is_latex() -> Result<(), Box<dyn Error>> {
+    let mut count = 0;
+    for page in pages(&root().join("docs"))? {
+        let typeset = formulas::typeset(&fs::read_to_string(&page)?);
+        let typeset = typeset.map_err(|message| format!("{}: {message}", page.display()))?;
+        count += typeset.matches("<math").count();
+    }
+    assert!(count > 8, "{count}");
+    Ok(())
+}

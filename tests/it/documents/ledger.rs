@@ -1,0 +1,175 @@
+//! The tests and items that the documents name exist: tests in docs/paper.md, docs/clebsch.md, docs/collective.md and
+//! docs/audit.md, items in docs/notation.md and in the ledgers.
+
+use std::collections::BTreeMap;
+use std::error::Error;
+use std::fs;
+use std::path::Path;
+
+/// The folders of the tests that the ledgers name. Files of one name in two folders count as one.
+const FOLDERS: [&str; 5] = [
+    "tests/it",
+    "crates/momentum-map/tests/it",
+    "crates/integrators/tests/it",
+    "crates/isospectral/tests/it",
+    "crates/systems/tests/it",
+];
+
+/// The ledgers, with a number of tests and of items that each of them surpasses.
+const LEDGERS: [(&str, usize, usize); 3] =
+    [("docs/paper.md", 80, 60), ("docs/clebsch.md", 15, 12), ("docs/collective.md", 20, 12)];
+
+/// Adds the text of each file below a folder, by its name.
+fn functions_below(
+    folder: &Path,
+    files: &mut BTreeMap<String, String>,
+) -> Result<(), Box<dyn Error>> {
+    for entry in fs::read_dir(folder)? {
+        let path = entry?.path();
+        if path.is_dir() {
+            functions_below(&path, files)?;
+        } else if path.extension().is_some_and(|extension| extension == "rs") {
+            let stem = path.file_stem().unwrap_or_default().to_string_lossy().into_owned();
+            files.entry(stem).or_default().push_str(&fs::read_to_string(path)?);
+        }
+    }
+    Ok(())
+}
+
+/// Returns the text of each file of tests, by its name.
+fn functions() -> Result<BTreeMap<String, String>, Box<dyn Error>> {
+    let root = Path::new(env!("CARGO_MANIFEST_DIR")).join("..");
+    let mut files = BTreeMap::new();
+    for folder in FOLDERS {
+        functions_below(&root.join(folder), &mut files)?;
+    }
+    Ok(files)
+}
+
+/// Returns whether the text defines the function, also through a macro that is given `name:`.
+fn defines(text: &str, name: &str) -> bool {
+    text.contains(&format!("fn {name}(")) || text.contains(&format!("    {name}: "))
+}
+
+/// Finds the `file::name` in backquotes of a text, where both are lower case: an item has capitals.
+fn named(text: &str) -> impl Iterator<Item = (&str, &str)> {
+    let lower = |s: &str| !s.is_empty() && !s.chars().any(|c| c.is_uppercase() || c == ' ');
+    let quoted = text.split('`').skip(1).step_by(2);
+    quoted.filter_map(|s| s.split_once("::")).filter(move |(file, name)| lower(file) && lower(name))
+}
+
+#[test]
+fn every_test_named_in_the_ledger_exists() -> Result<(), Box<dyn Error>> {
+    let root = Path::new(env!("CARGO_MANIFEST_DIR")).join("..");
+    let files = functions()?;
+    let ledgers = LEDGERS.map(|(page, tests, _)| (page, tests));
+    for (page, least) in ledgers.into_iter().chain([("docs/audit.md", 4)]) {
+        let ledger = fs::read_to_string(root.join(page))?;
+        let mut count = 0;
+        for (file, name) in named(&ledger).filter(|pair| *pair != ("file", "name")) {
+            let found = files.get(file).is_some_and(|text| defines(text, name));
+            assert!(found, "{file}::{name} is named in {page} and does not exist");
+            count += 1;
+        }
+        assert!(count > least, "only {count} tests were found in {page}");
+    }
+    // Negative control: a name that no file defines.
+    assert!(!files.values().any(|text| defines(text, concat!("no_such", "_test"))));
+    Ok(())
+}
+
+/// Every numbered equation and statement has a row.
+#[test]
+fn every_numbered_statement_has_a_row() -> Result<(), Box<dyn Error>> {
+    let root = Path::new(env!("CARGO_MANIFEST_DIR")).join("..");
+    let ledger = fs::read_to_string(root.join("docs/paper.md"))?;
+    let equations = [
+        "(1.1)", "(1.2)", "(1.3)", "(2.1)", "(2.2)", "(2.3)", "(2.4)", "(2.5)", "(3.1a)", "(3.1b)",
+        "(3.2)", "(3.3)", "(4.1)", "(4.2)", "(4.3)", "(4.4a)", "(4.4b)", "(4.5)", "(A.1)", "(A.2)",
+        "(B.1)", "(B.2)",
+    ];
+    let statements = [
+        "Remark 2.1",
+        "Proposition 2.2",
+        "Remark 2.3",
+        "Proposition 3.1",
+        "Corollary 3.2",
+        "Theorem 4.1(i)",
+        "Theorem 4.1(ii)",
+        "Remark 4.2",
+        "Remark 4.3",
+        "Figure 1",
+        "Figure 2",
+    ];
+    for number in equations.iter().chain(&statements) {
+        assert!(ledger.contains(&format!("\n| {number} |")), "{number} has no row");
+    }
+    for erratum in 1..=6 {
+        assert!(ledger.contains(&format!("\n| {erratum} |")), "erratum {erratum} has no row");
+    }
+    Ok(())
+}
+
+/// Appends the text of all files below a folder.
+fn sources(folder: &Path, text: &mut String) -> Result<(), Box<dyn Error>> {
+    for entry in fs::read_dir(folder)? {
+        let path = entry?.path();
+        if path.is_dir() {
+            sources(&path, text)?;
+        } else if path.extension().is_some_and(|extension| extension == "rs") {
+            text.push_str(&fs::read_to_string(path)?);
+        }
+    }
+    Ok(())
+}
+
+/// Returns whether a type, trait, constant, function, or variant without fields has this name.
+fn is_item(text: &str, name: &str) -> bool {
+    let ends = |rest: &str| !rest.starts_with(|c: char| c.is_alphanumeric() || c == '_');
+    let keywords = ["struct", "enum", "trait", "type", "const", "fn"];
+    keywords.iter().any(|keyword| {
+        let start = format!("{keyword} {name}");
+        text.match_indices(&start).any(|(i, _)| ends(&text[i + start.len()..]))
+    }) || text.contains(&format!("\n    {name},\n"))
+}
+
+#[test]
+fn every_item_named_in_the_notation_and_the_ledger_exists() -> Result<(), Box<dyn Error>> {
+    let root = Path::new(env!("CARGO_MANIFEST_DIR")).join("..");
+    let mut text = String::new();
+    for layer in [
+        "scalars",
+        "lie-poisson",
+        "formulas",
+        "momentum-map",
+        "integrators",
+        "isospectral",
+        "systems",
+        "heavytop",
+    ] {
+        sources(&root.join("crates").join(layer).join("src"), &mut text)?;
+    }
+    sources(&root.join("tests/src"), &mut text)?;
+    let foreign = ["Complex", "SMatrix", "Vector2", "Vector3", "f64", "for"];
+    let ledgers = LEDGERS.map(|(page, _, items)| (page, items));
+    for (page, least) in ledgers.into_iter().chain([("docs/notation.md", 150)]) {
+        let page_text = fs::read_to_string(root.join(page))?;
+        let quoted = page_text.split('`').skip(1).step_by(2);
+        // In the ledgers only names with a capital are items: the others are tests and commands.
+        let notation = page == "docs/notation.md";
+        let items = quoted.filter(|s| notation || s.contains(char::is_uppercase));
+        let words = items.flat_map(|s| s.split(|c: char| !c.is_alphanumeric() && c != '_'));
+        // One letter is a parameter, and a digit the value of one.
+        let names = words.filter(|w| w.len() > 1 && w.is_ascii() && !foreign.contains(w));
+        let mut count = 0;
+        for name in names {
+            assert!(is_item(&text, name), "{name} is named in {page} and does not exist");
+            count += 1;
+        }
+        assert!(count > least, "only {count} items were found in {page}");
+    }
+    // Negative control: a name of which another is the beginning, in both directions.
+    assert!(is_item(&text, "SpinorMotions") && !is_item(&text, "SpinorMotion"));
+    assert!(!is_item(&text, "SpinorMotionsOfC2"));
+    Ok(())
+}

@@ -1,0 +1,8 @@
+//! Collective integrators beyond the paper: other bodies, other algebras, large states, and formulas.
+
+mod bodies;
+mod clebsch_algebras;
+mod clebsch_steps;
+mod formulas;
+mod large_states;
+mod spinsys_oracle;

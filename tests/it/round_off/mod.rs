@@ -1,0 +1,6 @@
+//! Where numbers are limited: round-off over many steps, large steps, small points, and units.
+
+mod compensated;
+mod large_steps;
+mod recentring;
+mod scales;
