@@ -15,28 +15,22 @@
 //!
 //! The checks themselves are in `tests/it`, one subject per file.
 
-pub mod audit;
-mod compare;
-mod defects;
-mod derived;
-mod forms;
-pub mod low_dimensional;
-mod quadratic;
-mod rational;
-mod runs;
-mod strategies;
-pub mod architecture;
-pub mod scales;
+mod measures;
+mod samples;
 pub mod tops;
+pub mod scales;
+pub mod low_dimensional;
+pub mod audit;
+pub mod architecture;
 
-pub use compare::{assert_close, assert_near, relative_error};
-pub use defects::{bracket_defects, largest, map_defect};
-pub use derived::Derived;
-pub use forms::OneForm;
-pub use quadratic::Quadratic;
-pub use rational::{Rational, rational_samples};
-pub use runs::{advance, largest_deviation};
-pub use strategies::{element, momentum_with_vertical, persistent, point};
+pub use measures::compare::{assert_close, assert_near, relative_error};
+pub use measures::defects::{bracket_defects, largest, map_defect};
+pub use measures::forms::OneForm;
+pub use measures::runs::{advance, largest_deviation};
+pub use samples::derived::Derived;
+pub use samples::quadratic::Quadratic;
+pub use samples::rational::{Rational, rational_samples};
+pub use samples::strategies::{element, momentum_with_vertical, persistent, point};
 
 /// The examples of the README, which run as tests.
 #[cfg(doctest)]

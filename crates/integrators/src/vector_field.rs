@@ -115,6 +115,27 @@ pub trait VectorField<T: Real = f64> {
 /// The Hamiltonian vector field X_h = Λ dh on a Poisson space.
 ///
 /// On 𝔤∗ with the minus bracket it gives the Lie–Poisson equations dμ/dt = `ad*_ξ μ`, where ξ = dh(μ).
+///
+/// Source: Ohsawa 2019, eq. (1.1) for the heavy top; Marsden & Ratiu, *Introduction to Mechanics and Symmetry* (1999), Prop.
+/// 10.7.1.
+///
+/// # Example
+/// A free rigid body, dΠ/dt = Π × Ω:
+/// ```
+/// use collective_integrators::{HamiltonianField, VectorField};
+/// use lie_poisson::{Automatic, Covector, Energy, LiePoisson, Momentum, Real, So3};
+/// use nalgebra::Vector3;
+/// struct Kinetic;
+/// impl Energy for Kinetic {
+///     type Space = LiePoisson<So3>;
+///     fn energy<T: Real>(&self, Covector(pi): &Momentum<So3, T>) -> T {
+///         (pi.x * pi.x + pi.y * pi.y * 0.5 + pi.z * pi.z * 0.25) * 0.5
+///     }
+/// }
+/// let field = HamiltonianField { space: LiePoisson::minus(So3), hamiltonian: Automatic(Kinetic) };
+/// let pi = Vector3::new(1.0, 2.0, 4.0);
+/// assert_eq!(field.at(&Covector(pi)).0, pi.cross(&Vector3::new(1.0, 1.0, 1.0)));
+/// ```
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub struct HamiltonianField<P, H> {
     /// The Poisson space with its bracket.

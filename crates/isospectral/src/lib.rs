@@ -47,20 +47,20 @@
 //! | a Poisson map, by any symplectic Runge–Kutta method | [`IsospectralRungeKutta`] |
 //! | a Poisson map whose error does not grow with N | [`ExponentialMidpoint`], and its [`Composition`] |
 //! | the spectrum alone, at the lowest cost | [`GaussMagnus`] |
-//! | neither: an explicit method | [`Direct`](collective_integrators::Direct) with a [`CommutatorField`] |
+//! | no structure: an explicit method | [`Direct`](collective_integrators::Direct) with a [`CommutatorField`] |
 //! | skew-Hermitian and complex matrices of any size | [`LargeSkewHermitian`], [`LargeMatrix`] |
 //! | products, commutators, exponentials | [`Products`] |
 //!
 //! [`Composition`]: collective_integrators::Composition
 //!
-//! What each structure costs, in complex N×N products per step. A sweep is an iteration for the generators; s is the
+//! The cost of conserving each structure, in complex N×N products per step. A sweep is an iteration for the generators; s is the
 //! number of stages, e the products of an exponential (3 to 7, and one more for each halving of a spectral radius above 3.9):
 //!
 //! | method | order | conserves | products per step |
 //! |---|---|---|---|
-//! | [`IsospectralRungeKutta`] with Gauss | 2s | bracket, spectrum | 3 s per sweep, 2 |
-//! | [`ExponentialMidpoint`] | 2 | bracket, spectrum | one per term of a series and sweep, 2 + e |
-//! | [`GaussMagnus`] | 2s | spectrum | s per sweep, 2 + e, and 0, 1 or 3 commutators |
+//! | [`IsospectralRungeKutta`] with Gauss | 2s | bracket, spectrum | 3s per sweep, plus 2 |
+//! | [`ExponentialMidpoint`] | 2 | bracket, spectrum | one per term of a series and sweep, plus 2 + e |
+//! | [`GaussMagnus`] | 2s | spectrum | s per sweep, plus 2 + e and 0, 1 or 3 commutators |
 //! | explicit Runge–Kutta, direct | any | the trace | one per stage |
 //!
 //! # Conventions

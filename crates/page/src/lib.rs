@@ -1,4 +1,4 @@
-//! The computations of the page to play with: a heavy top whose method and step change while it moves.
+//! The computations of the interactive page: a heavy top whose method and step change while it moves.
 //!
 //! The crate is not published. In the source repository, this command builds the page:
 //!
@@ -37,8 +37,8 @@
 //! |---|---|
 //! | a top that moves, with its record | [`Simulation`] |
 //! | a method, to start with or to change to | [`PageMethod`] |
-//! | the state and the attitude at a time | [`Simulation::at`], which returns a [`Moment`] |
-//! | the deviations of the invariants against time | [`Simulation::columns`], each a [`Column`] |
+//! | the state and the attitude at a time | [`Simulation::at`], which returns a [`Snapshot`] |
+//! | the deviations of the invariants against time | [`Simulation::columns`], each a [`DeviationColumn`] |
 //! | the points of the Poincaré section | [`Simulation::section_points`], each a [`SectionPoint`] |
 //! | the reason why the page cannot do something | [`PageError`] |
 //! | the functions that JavaScript calls | [`exports`] |
@@ -66,8 +66,8 @@ mod simulation;
 pub mod exports;
 
 pub use error::PageError;
-pub use motions::moment::Moment;
 pub use motions::page_method::PageMethod;
-pub use records::deviation_record::{Column, MOST_COLUMNS, MOST_INVARIANTS};
+pub use motions::snapshot::Snapshot;
+pub use records::deviation_record::{DeviationColumn, MOST_COLUMNS, MOST_INVARIANTS};
 pub use records::section_record::{MOST_POINTS, SectionPoint};
 pub use simulation::running_top::Simulation;

@@ -1,4 +1,4 @@
-//! Lie–Poisson systems beside the heavy top: gyrostat, body in a fluid, point vortices, spin chain, spin lattice,
+//! Lie–Poisson systems other than the heavy top: gyrostat, body in a fluid, point vortices, spin chain, spin lattice,
 //! elliptical vortex and top on a movable base, each a Hamiltonian for the integrators of `collective-integrators`;
 //! rigid bodies in N dimensions and fluids on the sphere, for those of `isospectral-flows`.
 //!

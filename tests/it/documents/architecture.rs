@@ -121,6 +121,7 @@ fn no_folder_is_crowded() {
         // A crate without tests of its promises has no such folder.
         assert_eq!(crowded(&tests(name).unwrap_or_default()), [""; 0], "tests of {name}");
     }
+    assert_eq!(crowded(&sources(&root.join("src")).unwrap()), [""; 0]);
     let mut sources = sources(&root.join("it")).unwrap();
     assert_eq!(crowded(&sources), [""; 0]);
     // Negative control: ten files in one folder.

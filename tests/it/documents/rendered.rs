@@ -1,7 +1,7 @@
 //! The documentation as a browser shows it: no combining marks, which fonts displace, no raw TeX, and no subscript
 //! that Markdown takes for emphasis.
 
-use pulldown_cmark::{Event, Options, Parser, Tag, TagEnd};
+use pulldown_cmark::{CodeBlockKind, Event, Options, Parser, Tag, TagEnd};
 use std::error::Error;
 use std::fs;
 use std::path::{Path, PathBuf};
@@ -65,20 +65,27 @@ fn combining_marks(text: &str) -> Vec<&str> {
     text.lines().filter(|line| line.contains(combining)).collect()
 }
 
-/// Returns the paragraphs and cells with a raw subscript or superscript of TeX outside code.
+/// Returns the paragraphs, cells and formulas in `text` blocks with a raw subscript or superscript of TeX, outside code.
 fn raw_tex(markdown: &str) -> Vec<String> {
     let (mut found, mut text, mut code) = (Vec::new(), String::new(), false);
     for event in events(markdown) {
         match event {
+            Event::Start(Tag::CodeBlock(CodeBlockKind::Fenced(language))) => {
+                code = *language != *"text"
+            }
             Event::Start(Tag::CodeBlock(_)) => code = true,
-            Event::End(TagEnd::CodeBlock) => code = false,
             Event::Text(part) if !code => text.push_str(&part),
             // An element between two pieces of text keeps them apart.
             Event::Code(_) => text.push('`'),
             Event::SoftBreak | Event::HardBreak => text.push('\n'),
             Event::End(
-                TagEnd::Paragraph | TagEnd::TableCell | TagEnd::Item | TagEnd::Heading(_),
+                TagEnd::Paragraph
+                | TagEnd::TableCell
+                | TagEnd::Item
+                | TagEnd::Heading(_)
+                | TagEnd::CodeBlock,
             ) => {
+                code = false;
                 if text.contains("_{") || text.contains("^{") {
                     found.push(text.clone());
                 }
@@ -150,12 +157,14 @@ fn no_raw_tex_in_the_documentation() -> Result<(), Box<dyn Error>> {
             assert_eq!(raw_tex(&comment), [""; 0], "{name}");
         }
     }
-    // Negative control: text, a cell and a list; and code, in which braces are allowed.
+    // Negative control: text, a cell, a list and a formula; and code, in which braces are allowed.
     let shown = "//! Φ_{gh} = id\n\nfn f() {}\n/// * δ_k/δ_{k−1}\n/// | e^{is} |\n/// |---|\n/// | X_{h∘M} |\n";
     assert_eq!(comments(shown).iter().map(|comment| raw_tex(comment).len()).sum::<usize>(), 2);
     let cells = "| e^{is} |\n|---|\n| X_{h∘M} |\n";
     assert_eq!(raw_tex(cells).len(), 2);
-    assert_eq!(raw_tex("`Φ_{gh}`\n\n```text\nΦ_{gh}\n```\n\nΦ_gh, Φ(e^(is))\n"), [""; 0]);
+    assert_eq!(raw_tex("Φ is\n\n```text\nΦ_{gh}\n```\n").len(), 1);
+    let code = "`Φ_{gh}`\n\n```rust\nformat!(\"Φ_{gh}\");\n```\n\nΦ_gh, Φ(e^(is))\n";
+    assert_eq!(raw_tex(code), [""; 0]);
     Ok(())
 }
 

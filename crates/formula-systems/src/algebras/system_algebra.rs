@@ -13,7 +13,7 @@ use lie_poisson_formulas::{
 /// The widths of the states of systems. A smaller algebra is completed by central coordinates, which stay zero.
 const WIDTHS: [usize; 4] = [3, 6, 10, 15];
 
-/// What is known of an algebra besides its brackets.
+/// The kind of an algebra, which decides what integrates its systems besides the direct methods.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(crate) enum Family {
     /// The algebras of rotations, so(3) and su(2).

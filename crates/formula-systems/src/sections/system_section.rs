@@ -108,7 +108,7 @@ impl SystemSection {
         &self.surface
     }
 
-    /// Returns the level of the surface.
+    /// Returns the level c of the surface f = c, in the unit of the formula f.
     #[must_use]
     pub const fn level(&self) -> f64 {
         self.level

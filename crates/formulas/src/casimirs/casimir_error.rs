@@ -3,7 +3,8 @@
 use crate::names::name_error::NameError;
 use thiserror::Error;
 
-/// The error of a search for Casimirs.
+/// The reason why Casimirs cannot be searched for: names that do not fit the algebra, or a structure constant that is not
+/// finite.
 #[derive(Clone, Debug, PartialEq, Error)]
 #[non_exhaustive]
 pub enum CasimirError {

@@ -51,7 +51,7 @@ impl Node {
     }
 }
 
-/// What is known of the values of a node.
+/// Properties of the values of a node, as far as they are known.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub(crate) struct Known {
     /// The value is a real number for all real coordinates, as that of a polynomial is.

@@ -2,7 +2,7 @@
 
 use thiserror::Error;
 
-/// The error of a name, or of the number that it stands for.
+/// The reason why a name, or the number that it stands for, cannot be used in a formula.
 #[derive(Clone, Debug, PartialEq, Error)]
 #[non_exhaustive]
 pub enum NameError {

@@ -36,7 +36,7 @@ pub struct Expressions {
     syntax: Syntax,
 }
 
-/// A part among [`Expressions`]: one that was added to them.
+/// The handle of a part that was added to [`Expressions`]. It is meaningful for these alone.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
 pub struct Expression(usize);
 

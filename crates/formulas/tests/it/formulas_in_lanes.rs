@@ -2,7 +2,8 @@
 
 use crate::support::{FORMULAS, POINTS, formula, point};
 use lie_poisson::{
-    DefaultLanes, InstructionSet, LaneTask, Lanes, Se3Dual, Vector, Width, dispatch,
+    DefaultLanes, InstructionSet, LaneTask, Lanes, Se3Dual, StorageOver, TaskOver, UnfusedSpace,
+    Vector, Width, dispatch, dispatch_unfused,
 };
 use lie_poisson_formulas::Formula;
 
@@ -37,13 +38,33 @@ impl LaneTask for OnWideLanes {
     }
 }
 
+/// Compares on the lanes of a register that have the operations of `f64`.
+struct OnUnfusedLanes;
+
+/// No storage.
+struct Stateless;
+
+impl<T: Lanes> StorageOver<T> for Stateless {
+    type Storage = ();
+    fn storage(&self) {}
+}
+
+impl<T: Lanes> TaskOver<T, Stateless> for OnUnfusedLanes {
+    fn run(self, (): &mut ()) {
+        FORMULAS.iter().for_each(|text| compare::<T>(&formula(text), text));
+    }
+}
+
 #[test]
 fn lanes_have_the_bits_of_single_numbers() {
     for text in FORMULAS {
         compare::<f64>(&formula(text), text);
         compare::<DefaultLanes>(&formula(text), text);
     }
-    dispatch(OnWideLanes, InstructionSet::detected(), Width::Register).unwrap();
+    for set in InstructionSet::available() {
+        dispatch(OnWideLanes, set, Width::Register).unwrap();
+        dispatch_unfused(OnUnfusedLanes, &mut UnfusedSpace::new(&Stateless, set).unwrap());
+    }
 }
 
 /// Negative control: the lanes hold different numbers.

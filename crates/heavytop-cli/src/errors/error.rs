@@ -65,7 +65,7 @@ pub enum Error {
     Large {
         /// The room that the run needs.
         room: String,
-        /// What is known of the room that there is.
+        /// The room that there is, if it is known.
         free: String,
         /// How to make the output smaller.
         remedy: &'static str,

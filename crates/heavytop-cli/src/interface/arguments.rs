@@ -146,13 +146,13 @@ pub(super) enum Command {
     /// Print the manual page of the program, or of a command.
     #[command(after_long_help = MAN_EXAMPLES)]
     Man {
-        /// The command.
+        /// The command whose page is printed, instead of that of the program.
         command: Option<String>,
     },
     /// Print the completions of a shell, to be put where it looks for them.
     #[command(after_long_help = COMPLETIONS_EXAMPLES)]
     Completions {
-        /// The shell.
+        /// The shell whose completions are printed.
         shell: Shell,
     },
 }

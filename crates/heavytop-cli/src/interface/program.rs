@@ -153,7 +153,7 @@ struct Begin<'a> {
     yes: bool,
 }
 
-/// What `simulate` has followed.
+/// The motion that `simulate` has followed.
 enum Simulated {
     Top(RunSummary),
     System(SystemSummary),

@@ -192,6 +192,9 @@ impl<I: Turning<T>, T: Real> Turning<T> for Composition<I> {
 }
 
 /// Exact flows on se(3)∗ that report the rotation of the body.
+///
+/// A flow over the time t turns the body by R(Q), so that Γ(t) = R(Q)ᵀ Γ(0) in the body frame. The rotations of the flows
+/// of a step are multiplied in their order, Q = Q₁ Q₂ …, and so are those of the steps.
 pub trait TurningFlows<T: Real = f64>: ExactFlows<T, Point = Se3Dual<T>> {
     /// Returns the unit quaternion Q of the rotation of Γ by the [flow](ExactFlows::flow); 1 for `index` ≥
     /// `COUNT`.

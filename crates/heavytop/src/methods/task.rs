@@ -6,7 +6,7 @@ use lie_poisson::{Se3Dual, Vector};
 
 /// A task to perform with an integrator of a heavy top, whatever its type.
 ///
-/// The state of the integrator is that of its formulation: a pair of spinors and their momenta for a collective one, and
+/// The state of the integrator is that of its formulation: a spinor χ and its momentum ψ for a collective one, and
 /// (Π, Γ) for the others. Its momentum is (Π, Γ) for all of them. [The module](super) has an example.
 pub trait Task {
     /// The result of the task.

@@ -1,5 +1,6 @@
 //! The realisation M = ϖ ∘ L: T∗C² → se(3)∗.
 
+use crate::paper::nearest_power_of_two::nearest_power_of_two;
 use lie_poisson::{
     ComplexSpace, Covector, LiePoisson, Mask, Pair, Real, SO3OnR3, Se3, Se3Dual, SemidirectAlgebra,
     Vector, euclidean_norm, squaring_scale,
@@ -92,7 +93,8 @@ impl PoissonMap for SpinorRealisation {
         let short = (overlap * overlap).at_most(least);
         // For ψ = 0 the fibre is not a line, and z stays.
         let line = (overlap / square).magnitude().at_most(T::from_f64(LONGEST));
-        let along = T::select(line.and(short.not()), power_of_two(-overlap / square), T::zero());
+        let along =
+            T::select(line.and(short.not()), nearest_power_of_two(-overlap / square), T::zero());
         let slide = Vector2::new(psi.x.scale(along), psi.y.scale(along));
         Cotangent { q: slide, ..Vector::zero() }
     }
@@ -135,17 +137,6 @@ formulas! { #[cfg_attr(not(debug_assertions), inline(always))] inlined_momentum,
 
 /// The largest b of a slide χ + bψ; a longer slide is not made.
 const LONGEST: f64 = 1e100;
-
-/// Returns ±2ᵏ with ¾ 2ᵏ ≤ |x| ≤ 3/2 2ᵏ, which is the leading bit of 4x/3, for any scalar.
-///
-/// Over dual numbers the derivative is a multiple of that of x and is not zero.
-///
-/// Source: S. M. Rump, *Ultimately fast accurate summation*, SIAM J. Sci. Comput. 31 (2009), Alg. 3.5.
-#[cfg_attr(not(debug_assertions), inline(always))]
-pub(crate) fn power_of_two<T: Real>(x: T) -> T {
-    let q = x * (4.0 / 3.0 * (1.0 + 1.0 / f64::EPSILON));
-    q - q * (1.0 - 0.5 * f64::EPSILON)
-}
 
 impl Lift for SpinorRealisation {
     /// Returns the lift of least norm.

@@ -91,7 +91,8 @@ impl From<HeavyTop> for Parameters {
 }
 
 impl HeavyTop {
-    /// Creates the top with the given parameters.
+    /// Creates the top with the parameters of a body: the principal moments of inertia I (kg m²), the weight moment
+    /// m g l (J) and the unit vector from the support to the centre of mass.
     ///
     /// # Errors
     /// Returns a [`TopError`] that names the parameter, unless the moments are positive and obey the triangle

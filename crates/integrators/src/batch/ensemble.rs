@@ -66,7 +66,7 @@ pub struct MemberError {
     pub source: IntegrationError,
 }
 
-/// Members with successive indices, at the end of their steps.
+/// Members with successive indices, after all steps of a call.
 #[derive(Clone, Copy, Debug)]
 pub struct Chunk<'a, M> {
     /// The index of the first member of the chunk.

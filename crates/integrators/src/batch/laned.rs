@@ -82,7 +82,7 @@ impl<I> Laned<I> {
         Ok(Self { instructions: set.if_available()?, ..self })
     }
 
-    /// Returns the instruction set.
+    /// Returns the instruction set that the steps use.
     pub fn instructions(&self) -> InstructionSet {
         self.instructions
     }

@@ -103,7 +103,7 @@ where
         Self { flow, start, sums: [0.0; K], upcoming: NextStretch::First }
     }
 
-    /// Returns the state with its tangent vectors.
+    /// Returns the flow at the time of the last item: the state with its tangent vectors.
     pub fn flow(&self) -> &VariationalFlow<'a, I, K> {
         &self.flow
     }

@@ -5,10 +5,9 @@ use crate::{Increment, Integrator, Start, Step, StepError};
 use lie_poisson::{Pair, Real, State};
 use momentum_map::LiftError;
 
-/// An integrator that adds a small increment to its state in each step.
+/// An integrator that adds a small increment to its state in each step: z ↦ z + δz.
 ///
-/// # Example
-/// See [`Compensated`].
+/// [`Compensated`] adds the increments and carries the rounding errors along. Its documentation has an example.
 pub trait Increments<T: Real = f64>: Integrator<T> {
     /// Returns the change δz + δe of a state z + e in one step, before it is [`gauged`](Self::gauged). e has the size of
     /// the rounding errors of z, and δe that of δz.

@@ -60,7 +60,7 @@ mod tests {
                 threshold.recentre_if_grown(&mut z, |_, _| moved = true);
                 moved
             };
-            // A run begins, grows to less and to more than the threshold, and goes on from the new size.
+            // A run begins, grows to less and to more than the threshold, and continues from the new size.
             let moves = [1.0, 3.9, 4.1, 16.0, 16.5].map(&mut is_moved);
             assert_eq!(moves, [true, false, true, false, true], "{unit:e}");
         }

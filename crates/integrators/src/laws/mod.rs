@@ -8,7 +8,7 @@
 //! | trait | suite |
 //! |---|---|
 //! | [`Scheme`](crate::Scheme) | [`scheme`]; [`MeasuredScheme`] holds the measured order and defects |
-//! | [`Equivariant`](crate::Equivariant) | [`equivariance`] |
+//! | [`Equivariant`](crate::Equivariant) | [`equivariant_scheme`] |
 //! | [`Integrator`](crate::Integrator) | [`integrator`], [`invariants`] |
 //! | [`Start`](crate::Start) | [`start`], which includes [`integrator`] |
 //! | [`BatchIntegrator`](crate::BatchIntegrator) | [`batch`] |
@@ -34,7 +34,7 @@
 //!
 //! let gauss = RungeKutta::gauss(2)?;
 //! laws::scheme(&gauss).check(1e-13)?;
-//! laws::equivariance(&gauss).check(1e-13)?;
+//! laws::equivariant_scheme(&gauss).check(1e-13)?;
 //!
 //! let momenta = [Covector(Vector3::new(0.6, 0.0, 0.8)), Covector(Vector3::new(1.0, -0.5, 2.0))];
 //! let (integrator, step) = (Collective::new(gauss, HOPF, Automatic(FreeBody)), 0.1);
@@ -56,14 +56,14 @@ mod differences;
 mod generic_system;
 mod measured_scheme;
 mod scheme;
-mod equivariance;
+mod equivariant_scheme;
 mod integrator;
 mod start;
 mod invariants;
 mod batch;
 
 pub use batch::batch;
-pub use equivariance::equivariance;
+pub use equivariant_scheme::equivariant_scheme;
 pub use generic_system::GenericSystem;
 pub use integrator::integrator;
 pub use invariants::invariants;

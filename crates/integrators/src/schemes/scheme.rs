@@ -6,7 +6,7 @@ use lie_poisson::{Pair, Real, State};
 /// The result of a step.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Step<V> {
-    /// The state after the step, or its change.
+    /// The state after the step; in an [`Increment`], its change.
     pub point: V,
     /// The number of iterations of the stage solver; 0 for explicit methods.
     pub iterations: usize,

@@ -94,14 +94,16 @@ pub struct Splitting<E, S = Strang> {
 }
 
 impl<E> Splitting<E, Strang> {
-    /// Creates Strang's symmetric splitting, of order 2.
+    /// Creates Strang's symmetric splitting, of order 2: with n flows φ¹, …, φⁿ, each flow runs for half a step in this order
+    /// and then for half a step in the reverse order. See [`Strang`].
     pub const fn strang(flows: E) -> Self {
         Self { flows, sequence: Strang }
     }
 }
 
 impl<E> Splitting<E, LieTrotter> {
-    /// Creates the splitting of Lie and Trotter, of order 1.
+    /// Creates the splitting of Lie and Trotter, of order 1: each flow runs for the whole step, in the order of their
+    /// indices. See [`LieTrotter`].
     pub const fn lie_trotter(flows: E) -> Self {
         Self { flows, sequence: LieTrotter }
     }

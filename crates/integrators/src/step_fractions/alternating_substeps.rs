@@ -142,7 +142,7 @@ impl AlternatingSubsteps {
         runs.iter().zip(runs.iter().rev()).all(same)
     }
 
-    /// Computes the order for any two parts.
+    /// Computes the order of the splitting of a vector field A + B, whatever A and B are.
     ///
     /// The product of exponentials is compared with exp h(A + B) word by word in two letters. Orders above 12 are not
     /// tested.

@@ -48,7 +48,7 @@ pub struct Products {
 }
 
 impl Products {
-    /// Writes the product A B.
+    /// Writes the product A B of two matrices of one size. If the sizes differ, the product is NaN.
     pub fn multiply(&mut self, a: &LargeMatrix, b: &LargeMatrix, product: &mut LargeMatrix) {
         self.real_products(a, b, 1.0, |left, right, product, alpha| {
             matmul(product, Accum::Replace, left, right, alpha, Par::Seq);
@@ -56,7 +56,7 @@ impl Products {
         self.write(product);
     }
 
-    /// Writes the product A B*.
+    /// Writes the product A B* of two matrices of one size. If the sizes differ, the product is NaN.
     pub fn multiply_adjoint(
         &mut self,
         a: &LargeMatrix,

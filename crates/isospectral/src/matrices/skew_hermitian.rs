@@ -49,13 +49,13 @@ impl LargeSkewHermitian {
         part
     }
 
-    /// Takes the value (Z − Z*)/2.
+    /// Takes the value (Z − Z*)/2, and the size of Z.
     pub fn set_part_of(&mut self, z: &LargeMatrix) {
         self.set_difference_of(z);
         self.0.scale_in_place(0.5);
     }
 
-    /// Takes the value Z − Z*.
+    /// Takes the value Z − Z*, and the size of Z.
     pub fn set_difference_of(&mut self, z: &LargeMatrix) {
         let n = z.size();
         if self.size() != n {
@@ -135,7 +135,7 @@ impl LargeSkewHermitian {
         sum(self.0.real(), other.0.real()) + sum(self.0.imaginary(), other.0.imaginary())
     }
 
-    /// Returns the Frobenius norm.
+    /// Returns the Frobenius norm √(Σ |W_jk|²) = √(−tr W²).
     #[must_use]
     pub fn norm(&self) -> f64 {
         self.0.norm()

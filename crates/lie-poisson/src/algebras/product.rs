@@ -39,7 +39,7 @@ impl<A: LieAlgebra, B: LieAlgebra> LieAlgebra for ProductAlgebra<A, B> {
     }
 }
 
-/// The direct product G × H of Lie groups.
+/// The direct product G × H of Lie groups: (g, h)(g′, h′) = (gg′, hh′).
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub struct ProductGroup<G, H>(pub G, pub H);
 
@@ -76,7 +76,7 @@ impl<G: LieGroup, H: LieGroup> LieGroup for ProductGroup<G, H> {
     }
 }
 
-/// The direct power 𝔤ᴺ of a Lie algebra, factor by factor.
+/// The direct power 𝔤ᴺ of a Lie algebra: [ξ, η]_n = [ξ_n, η_n] for n = 1, …, N.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub struct PowerAlgebra<A, const N: usize>(pub A);
 
@@ -99,7 +99,7 @@ impl<A: LieAlgebra, const N: usize> LieAlgebra for PowerAlgebra<A, N> {
     }
 }
 
-/// The direct power Gᴺ of a Lie group, factor by factor.
+/// The direct power Gᴺ of a Lie group: (gh)_n = g_n h_n for n = 1, …, N.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub struct PowerGroup<G, const N: usize>(pub G);
 

@@ -76,12 +76,14 @@ impl<A: LieAlgebra> LiePoisson<A> {
         Self { algebra, sign }
     }
 
-    /// Creates 𝔤∗ with the minus Lie–Poisson bracket.
+    /// Creates 𝔤∗ with the minus Lie–Poisson bracket {f, g}(μ) = −⟨μ, [df, dg]⟩, that of momenta in the body frame:
+    /// dμ/dt = `ad*_ξ μ` with ξ = dh(μ).
     pub const fn minus(algebra: A) -> Self {
         Self::new(algebra, Sign::Minus)
     }
 
-    /// Creates 𝔤∗ with the plus Lie–Poisson bracket.
+    /// Creates 𝔤∗ with the plus Lie–Poisson bracket {f, g}(μ) = ⟨μ, [df, dg]⟩, that of momenta in the spatial frame:
+    /// dμ/dt = −`ad*_ξ μ` with ξ = dh(μ).
     pub const fn plus(algebra: A) -> Self {
         Self::new(algebra, Sign::Plus)
     }

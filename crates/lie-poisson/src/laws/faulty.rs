@@ -50,7 +50,7 @@ impl<'a, S> Faulty<'a, S> {
         Self { object, fault: Some((method, coordinate)) }
     }
 
-    /// Creates the object as it is, for code that runs a suite on it and on a faulty variant.
+    /// Wraps the object without a fault, so that one function can test it and a faulty variant.
     #[must_use]
     pub const fn without_fault(object: &'a S) -> Self {
         Self { object, fault: None }

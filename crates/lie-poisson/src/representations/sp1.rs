@@ -16,7 +16,8 @@ impl<const N: usize> VectorSpace for QuaternionSpace<N> {
 
 /// The group Sp(1) ≅ SU(2) of unit quaternions.
 ///
-/// Its Lie algebra su(2) ≅ R³ is embedded in H by ξ ↦ ½ξ, so that the bracket is the cross product.
+/// Its Lie algebra su(2) ≅ R³ is embedded in H by ξ ↦ ½ξ, so that the bracket is the cross product:
+/// ½ξ ½η − ½η ½ξ = ½(ξ × η).
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub struct SP1;
 

@@ -15,7 +15,7 @@ const DAMPING: f64 = 1e-12;
 /// The Moore–Penrose inverse of a matrix A with equations of any unit.
 #[derive(Clone, Debug, PartialEq)]
 pub(crate) struct PseudoInverse {
-    /// The inverse of A.
+    /// The Moore–Penrose inverse A⁺.
     pub(crate) matrix: DMatrix<f64>,
     /// The number of independent equations.
     pub(crate) rank: usize,

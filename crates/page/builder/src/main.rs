@@ -1,4 +1,4 @@
-//! Builds the page to play with: `cargo page [FILE]`. The default is `target/page/heavy-top.html`.
+//! Builds the interactive page: `cargo page [FILE]`. The default is `target/page/heavy-top.html`.
 //!
 //! It looks for a Rust compiler that can make WebAssembly, compiles the library with it, and writes one HTML file that
 //! needs neither other files nor a network. The exit code is 2 if there is no such compiler.

@@ -1,4 +1,4 @@
-//! What changes the top: each function returns 0, or 1 if it fails, with its message as the [text](super::texts::text).
+//! The functions that change the top. Each returns 0, or 1 if it fails, with its message as the [text](super::texts::text).
 #![allow(unsafe_code, reason = "names without mangling are the interface of a WebAssembly module")]
 
 use crate::exports::desk::{Desk, attempt, with};

@@ -1,4 +1,4 @@
-//! What the functions for JavaScript share: the top of this instance.
+//! The top of this instance, which the functions for JavaScript share.
 
 use crate::{PageError, Simulation};
 use std::cell::RefCell;

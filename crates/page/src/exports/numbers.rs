@@ -2,7 +2,7 @@
 #![allow(unsafe_code, reason = "names without mangling are the interface of a WebAssembly module")]
 
 use crate::exports::desk::{NUMBERS, with};
-use crate::{MOST_INVARIANTS, Moment, Simulation};
+use crate::{MOST_INVARIANTS, Simulation, Snapshot};
 use lie_poisson::{Covector, Pair};
 
 /// Returns the address of 32 numbers that describe the top at a time within the last step, or after it.
@@ -55,7 +55,7 @@ pub extern "C" fn section_points() -> *const f64 {
 
 fn numbers(simulation: &mut Simulation, time: f64) -> [f64; NUMBERS] {
     let mut numbers = [0.0; NUMBERS];
-    let Moment { momentum: Covector(Pair(pi, gamma)), attitude } = simulation.at(time);
+    let Snapshot { momentum: Covector(Pair(pi, gamma)), attitude } = simulation.at(time);
     (numbers[0], numbers[1]) = (simulation.time(), simulation.steps() as f64);
     numbers[2..5].copy_from_slice(pi.as_slice());
     numbers[5..8].copy_from_slice(gamma.as_slice());

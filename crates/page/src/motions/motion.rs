@@ -1,6 +1,6 @@
 //! A motion that advances step by step: [`Motion`].
 
-use crate::motions::moment::Moment;
+use crate::motions::snapshot::Snapshot;
 use collective_integrators::{
     CHECKPOINT, EventError, Events, Integrator, Sample, SampleOf, StepError,
 };
@@ -12,12 +12,12 @@ pub(crate) trait Motion {
     /// Makes one step of the motion. The state is not changed by a step that fails.
     fn advance(&mut self, step: f64) -> Result<(), StepError>;
 
-    /// Returns the moment after the last step.
-    fn now(&self) -> Moment;
+    /// Returns the snapshot after the last step.
+    fn now(&self) -> Snapshot;
 
-    /// Returns the moment a time τ after the beginning of the last step, or `None` if there was no step or if the
+    /// Returns the snapshot a time τ after the beginning of the last step, or `None` if there was no step or if the
     /// step of this size fails.
-    fn within(&mut self, tau: f64) -> Option<Moment>;
+    fn within(&mut self, tau: f64) -> Option<Snapshot>;
 
     /// Returns the state in which the last step, of this size, crosses the section.
     fn crossing(&self, section: &Section, step: f64) -> Result<Option<Se3Dual>, EventError>;
@@ -57,15 +57,15 @@ where
         Ok(())
     }
 
-    fn now(&self) -> Moment {
-        Moment::new(self.integrator.momentum(&self.state), self.state.1)
+    fn now(&self) -> Snapshot {
+        Snapshot::new(self.integrator.momentum(&self.state), self.state.1)
     }
 
-    fn within(&mut self, tau: f64) -> Option<Moment> {
+    fn within(&mut self, tau: f64) -> Option<Snapshot> {
         let before = self.before.as_ref()?;
         self.integrator.forget(&mut self.aside);
         let part = self.integrator.step(before, tau, &mut self.aside).ok()?.point;
-        Some(Moment::new(self.integrator.momentum(&part), part.1))
+        Some(Snapshot::new(self.integrator.momentum(&part), part.1))
     }
 
     fn crossing(&self, section: &Section, step: f64) -> Result<Option<Se3Dual>, EventError> {

@@ -2,8 +2,8 @@
 
 use crate::PageError;
 use crate::motions::direct_with_attitude::DirectWithAttitude;
-use crate::motions::moment::Moment;
 use crate::motions::motion::{Motion, Running};
+use crate::motions::snapshot::Snapshot;
 use collective_integrators::{Composition, RungeKutta, Splitting, Start, StepError, Substeps};
 use heavytop::{
     HeavyTop, RotorSplitting, SymmetricTopSplitting, TopMidpoint, Turning, WithAttitude,
@@ -70,7 +70,7 @@ impl PageMethod {
     pub(crate) fn motion(
         self,
         top: &HeavyTop,
-        from: &Moment,
+        from: &Snapshot,
     ) -> Result<Box<dyn Motion>, PageError> {
         let portable = InstructionSet::Portable;
         match self {
@@ -87,7 +87,7 @@ impl PageMethod {
 }
 
 /// Starts the motion by an integrator that computes the attitude.
-fn turning<I>(integrator: I, from: &Moment) -> Result<Box<dyn Motion>, PageError>
+fn turning<I>(integrator: I, from: &Snapshot) -> Result<Box<dyn Motion>, PageError>
 where
     I: Turning + Start<Momentum = Se3Dual> + 'static,
 {
@@ -98,7 +98,11 @@ where
 }
 
 /// Starts the motion by the composition of Strang splittings that suits the top.
-fn split(top: &HeavyTop, substeps: Substeps, from: &Moment) -> Result<Box<dyn Motion>, PageError> {
+fn split(
+    top: &HeavyTop,
+    substeps: Substeps,
+    from: &Snapshot,
+) -> Result<Box<dyn Motion>, PageError> {
     match SymmetricTopSplitting::new(*top) {
         Ok(flows) => turning(Composition::new(Splitting::strang(flows), substeps), from),
         Err(_) => {
@@ -108,13 +112,17 @@ fn split(top: &HeavyTop, substeps: Substeps, from: &Moment) -> Result<Box<dyn Mo
 }
 
 /// Starts the motion by an explicit method, applied to the equations directly.
-fn direct(scheme: RungeKutta, top: &HeavyTop, from: &Moment) -> Result<Box<dyn Motion>, PageError> {
+fn direct(
+    scheme: RungeKutta,
+    top: &HeavyTop,
+    from: &Snapshot,
+) -> Result<Box<dyn Motion>, PageError> {
     check(from)?;
     let state = Pair(from.momentum, from.attitude);
     Ok(Box::new(Running::new(DirectWithAttitude::new(scheme, *top), state)))
 }
 
-fn check(from: &Moment) -> Result<(), PageError> {
+fn check(from: &Snapshot) -> Result<(), PageError> {
     let start = Pair(from.momentum, from.attitude);
     StepError::check_start(&start, 1.0).map_err(|error| PageError::of_step(0, 0.0, error))
 }

@@ -9,7 +9,7 @@ pub const MOST_COLUMNS: usize = 512;
 /// The largest deviations in a span of time.
 #[derive(Clone, Copy, Debug, PartialEq)]
 #[repr(C)]
-pub struct Column {
+pub struct DeviationColumn {
     /// The time of the last step in the span, s.
     pub time: f64,
     /// The largest |Δ| of each invariant.
@@ -21,7 +21,7 @@ pub struct Column {
 /// When all columns are taken, neighbours are joined, and every column has twice the span from then on.
 #[derive(Clone, Debug)]
 pub(crate) struct DeviationRecord {
-    columns: Vec<Column>,
+    columns: Vec<DeviationColumn>,
     /// The span of time of a column, s.
     span: f64,
     /// The time at which the last column ends, s.
@@ -34,7 +34,7 @@ impl DeviationRecord {
         Self { columns: Vec::with_capacity(MOST_COLUMNS), span, end: f64::NEG_INFINITY }
     }
 
-    pub(crate) fn columns(&self) -> &[Column] {
+    pub(crate) fn columns(&self) -> &[DeviationColumn] {
         &self.columns
     }
 
@@ -42,19 +42,21 @@ impl DeviationRecord {
     pub(crate) fn push(&mut self, time: f64, deviations: &[f64; MOST_INVARIANTS]) {
         let largest = deviations.map(f64::abs);
         match self.columns.last_mut() {
-            Some(last) if time < self.end => *last = last.joined(&Column { time, largest }),
+            Some(last) if time < self.end => {
+                *last = last.joined(&DeviationColumn { time, largest })
+            }
             _ => {
                 if self.columns.len() == MOST_COLUMNS {
                     self.join_neighbours();
                 }
-                self.columns.push(Column { time, largest });
+                self.columns.push(DeviationColumn { time, largest });
                 self.end = time + self.span;
             }
         }
     }
 
     fn join_neighbours(&mut self) {
-        let joined = |pair: &[Column]| match pair {
+        let joined = |pair: &[DeviationColumn]| match pair {
             [first, second, ..] => Some(first.joined(second)),
             [only] => Some(*only),
             [] => None,
@@ -65,7 +67,7 @@ impl DeviationRecord {
     }
 }
 
-impl Column {
+impl DeviationColumn {
     /// Returns the column of both spans. The deviations are finite.
     fn joined(&self, later: &Self) -> Self {
         let mut largest = self.largest;

@@ -1,4 +1,4 @@
-//! What is recorded along a motion.
+//! Records along a motion.
 
 pub(crate) mod deviation_record;
 pub(crate) mod section_record;

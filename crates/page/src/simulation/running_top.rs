@@ -4,7 +4,7 @@ use crate::motions::motion::Motion;
 use crate::records::section_record::SectionRecord;
 use crate::simulation::clock::Clock;
 use crate::simulation::measurement::Measurement;
-use crate::{Column, MOST_INVARIANTS, Moment, PageError, PageMethod, SectionPoint};
+use crate::{DeviationColumn, MOST_INVARIANTS, PageError, PageMethod, SectionPoint, Snapshot};
 use collective_integrators::Direction;
 use core::fmt;
 use heavytop::{
@@ -128,7 +128,7 @@ impl Simulation {
     /// Returns the moment at a time within the last step; that after it for later times.
     ///
     /// Within a step it is found by a step of partial size, with the accuracy of the method.
-    pub fn at(&mut self, time: f64) -> Moment {
+    pub fn at(&mut self, time: f64) -> Snapshot {
         let within = if time < self.time() {
             self.motion.within(self.clock.since_last_step(time))
         } else {
@@ -183,7 +183,7 @@ impl Simulation {
 
     /// Returns the largest deviations since the start, in columns of time.
     #[must_use]
-    pub fn columns(&self) -> &[Column] {
+    pub fn columns(&self) -> &[DeviationColumn] {
         self.measurement.record().columns()
     }
 
@@ -202,8 +202,8 @@ impl fmt::Debug for Simulation {
     }
 }
 
-fn upright(start: &Se3Dual) -> Moment {
-    Moment::new(*start, attitude_of_vertical(&start.0.1))
+fn upright(start: &Se3Dual) -> Snapshot {
+    Snapshot::new(*start, attitude_of_vertical(&start.0.1))
 }
 
 fn positive(step: f64) -> Result<f64, PageError> {

@@ -39,7 +39,7 @@ fn the_method_and_the_step_change_while_it_moves() -> Result<(), Failure> {
     simulation.advance(10.0, u32::MAX)?;
     let before = simulation.at(9.993);
     simulation.change_method(PageMethod::ExplicitMidpoint, 9.993)?;
-    // It goes on from what was shown.
+    // It continues from what was shown.
     assert_eq!(simulation.time(), 9.993);
     let after = simulation.at(f64::INFINITY);
     assert!((after.momentum.0.0 - before.momentum.0.0).norm() < 1e-14);

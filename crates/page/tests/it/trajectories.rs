@@ -4,7 +4,7 @@ use collective_integrators::{
     Composition, Direct, HamiltonianField, RungeKutta, Splitting, Start, Substeps,
 };
 use heavytop::{HeavyTop, SymmetricTopSplitting, TopMidpoint, WithAttitude};
-use heavytop_page::{Moment, PageMethod, Simulation};
+use heavytop_page::{PageMethod, Simulation, Snapshot};
 use lie_poisson::{InstructionSet, LiePoisson, Quaternion, Se3, Se3Dual};
 use nalgebra::Vector3;
 
@@ -24,7 +24,7 @@ fn start() -> Se3Dual {
 }
 
 /// Returns the moment of the page after all steps, made in pieces of odd sizes.
-fn of_the_page(method: PageMethod) -> Result<Moment, Failure> {
+fn of_the_page(method: PageMethod) -> Result<Snapshot, Failure> {
     let mut simulation = Simulation::new(top()?, &start(), method, STEP)?;
     for piece in [1, 8, 700].iter().cycle() {
         let left = STEPS - simulation.steps();
@@ -101,7 +101,7 @@ fn explicit_methods_have_the_bits_of_the_library() -> Result<(), Failure> {
 /// All methods tend to one motion, attitude included; the attitude of the explicit ones has an equation of its own.
 #[test]
 fn all_methods_show_the_same_motion() -> Result<(), Failure> {
-    let shown = |method| -> Result<Moment, Failure> {
+    let shown = |method| -> Result<Snapshot, Failure> {
         let mut simulation = Simulation::new(top()?, &start(), method, 1e-3)?;
         simulation.advance(1.0005, 2000)?;
         // In the middle of a step.

@@ -89,7 +89,7 @@ class System(SystemDescription):
             formulation: so(3), su(2) and se(3) by name have "collective", by a Poisson map from a canonical space, which is
                 their default, and "reduced", the same steps without a lift. With the implicit schemes and the compositions
                 both conserve every Casimir to round-off. Every algebra has "direct", which keeps quadratic Casimirs with
-                the implicit schemes. Those of dimension 3 or 6 have "collective" by a Clebsch map, too, which keeps
+                the implicit schemes. Those of dimension 2 to 6 have "collective" by a Clebsch map, too, which keeps
                 Casimirs to the order of the scheme, or to round-off where the representation allows it.
             tolerance: of the stage equations of implicit schemes, relative to the state, at most 1e-3; 0 iterates to
                 round-off.

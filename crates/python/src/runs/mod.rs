@@ -1,4 +1,4 @@
-//! What is done along one run: recording, states between samples, events, tangent vectors.
+//! Tasks along one run: recording, states between samples, events, tangent vectors.
 
 pub(crate) mod schedule;
 pub(crate) mod interruption;

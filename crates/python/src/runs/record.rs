@@ -20,7 +20,7 @@ impl Points {
     }
 }
 
-/// What is recorded of a run.
+/// The record of a run.
 #[derive(Default)]
 pub(crate) struct Record {
     /// The recorded times and states.

@@ -25,7 +25,7 @@ pub struct System {
     source: Source,
 }
 
-/// What a system is made from.
+/// The arguments from which a system is made.
 type Source = (AlgebraSource, FormulaSource, Vec<ParameterArgument>);
 
 /// A formulation, which may be left to the algebra, a scheme, and the tolerance of its stage equations.

@@ -1,4 +1,4 @@
-//! What is done along a run, as tasks for the integrators of systems.
+//! Tasks along a run, for the integrators of systems.
 
 use crate::errors::{message, refused};
 use crate::runs::dense::states_at;

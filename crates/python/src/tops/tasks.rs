@@ -1,4 +1,4 @@
-//! What is done along a run, as tasks for the integrators of tops.
+//! Tasks along a run, for the integrators of tops.
 
 use crate::errors::refused;
 use crate::runs::dense::states_at;

@@ -3,10 +3,10 @@
 use crate::{Mask, Real, State};
 
 /// The size up to which a coordinate may underflow when it is squared.
-const SMALL: f64 = power_of_two(-500);
+const SMALL: f64 = two_to_the(-500);
 
 /// The size beyond which coordinates may overflow when they are squared and added.
-const LARGE: f64 = power_of_two(500);
+const LARGE: f64 = two_to_the(500);
 
 /// Returns a power of four by which to multiply v before its coordinates are squared, in each SIMD lane.
 ///
@@ -35,7 +35,7 @@ pub fn squaring_scale<V: State>(v: &V) -> V::Scalar {
             within.and(x.at_most(bound)).and((-x).at_most(bound))
         })
     };
-    let constant = |exponent: i32| V::Scalar::from_f64(power_of_two(exponent));
+    let constant = |exponent: i32| V::Scalar::from_f64(two_to_the(exponent));
     let moderate = Real::select(within(LARGE), constant(0), constant(-600));
     Real::select(within(SMALL), constant(600), moderate)
 }
@@ -61,7 +61,7 @@ pub fn euclidean_norm<V: State>(v: &V) -> V::Scalar {
 }
 
 /// Returns 2ⁿ, for the exponents n of normal numbers.
-const fn power_of_two(n: i32) -> f64 {
+const fn two_to_the(n: i32) -> f64 {
     f64::from_bits(((n + 1023) as u64) << 52)
 }
 

@@ -52,7 +52,7 @@ pub struct QuantisedLaplacian {
 }
 
 impl QuantisedLaplacian {
-    /// Creates the operator on N×N matrices.
+    /// Creates the operator on N×N matrices, for N ≥ 2.
     ///
     /// # Errors
     /// Returns [`SystemError::Count`] if N is below 2, or [`SystemError::TooMany`] if N² is not a number of the machine.

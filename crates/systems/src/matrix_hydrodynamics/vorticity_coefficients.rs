@@ -96,7 +96,7 @@ impl VorticityCoefficients {
         w
     }
 
-    /// Returns the function of a matrix W.
+    /// Returns the function of a matrix W: ω_lm = (4π/N) tr(T_lm* W)/i, since ⟨T_lm, T_lm⟩ = N/(4π).
     ///
     /// It is NaN if the size of W is not that of the operator.
     #[must_use]

@@ -17,8 +17,9 @@ use isospectral_flows::{IsospectralField, LargeMatrix, LargeSkewHermitian, Produ
 /// that rotates with the angular velocity Ω about the axis x₃, W is the absolute vorticity and F the matrix of 2Ω x₃. As
 /// N → ∞ the equations become ∂ω/∂t + u·∇ω = 0 for functions of bounded degree.
 ///
-/// The model is a Lie–Poisson system on u(N)∗. It conserves the energy, the N traces tr Wᵏ, which correspond to the integrals
-/// ∫ωᵏ and, if the sphere does not rotate, the angular momentum ∫ω x.
+/// The model is a Lie–Poisson system on u(N)∗. It conserves the energy and the N traces tr Wᵏ, which correspond to the
+/// integrals ∫ωᵏ. It also conserves the angular momentum ∫ω x: its component along the axis, and all three components if
+/// the sphere does not rotate.
 ///
 /// The matrix of a function is that of [`VorticityCoefficients::matrix`]: 1 becomes i, and x₃ becomes iħ S₃. Units are
 /// those of a sphere of radius 1 and a time of choice.
@@ -86,13 +87,16 @@ impl Zeitlin {
         2.0 / ((n - 1.0) * (n + 1.0)).sqrt()
     }
 
-    /// Returns the matrix of a vorticity.
+    /// Returns the matrix W of an absolute vorticity ω = Σ ω_lm Y_lm, in 1 per unit of time: W = Σ ω_lm i T_lm.
+    ///
+    /// Coefficients of degree N and higher have no matrix and are left out; see [`VorticityCoefficients::matrix`].
     #[must_use]
     pub fn vorticity(&self, omega: &VorticityCoefficients) -> LargeSkewHermitian {
         omega.matrix(&self.laplacian)
     }
 
-    /// Returns the vorticity of a matrix. It takes O(N³) operations.
+    /// Returns the coefficients of the vorticity of a matrix, the inverse of [`vorticity`](Self::vorticity). It takes O(N³)
+    /// operations. They are NaN if the matrix does not have the size N.
     #[must_use]
     pub fn coefficients(&self, w: &LargeSkewHermitian) -> VorticityCoefficients {
         VorticityCoefficients::of_matrix(&self.laplacian, w)

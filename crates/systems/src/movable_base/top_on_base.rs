@@ -114,7 +114,9 @@ impl MovableBaseTop {
         (omega, p / T::from_f64(self.mass) - omega.cross(&center))
     }
 
-    /// Returns the Casimirs |P|², P·Γ and |Γ|².
+    /// Returns the Casimirs |P|², in kg² m²/s², P·Γ, in kg m/s, and |Γ|², without a unit.
+    ///
+    /// They are those of the semidirect product se(3) ⋉ R³, whatever the Hamiltonian.
     pub fn casimirs<T: Real>(mu: &MovableBaseDual<T>) -> [T; 3] {
         let Covector(Pair(Pair(_, p), gamma)) = mu;
         [p.dot(p), p.dot(gamma), gamma.dot(gamma)]

@@ -11,7 +11,7 @@ use isospectral_flows::{IsospectralField, LargeSkewHermitian};
 /// ```
 ///
 /// M is the real skew-symmetric matrix of the angular momentum in the frame of the body, Ω that of the angular velocity,
-/// and J_j = ∫x_j² are the second moments of the mass. For N = 3 the equations are those of Euler, with the moments of
+/// and J_j = ∫x_j² dm are the second moments of the mass. For N = 3 the equations are those of Euler, with the moments of
 /// inertia I₁ = J₂ + J₃ and so on, M₃₂ = Π₁, M₁₃ = Π₂ and M₂₁ = Π₃.
 ///
 /// The system is integrable. Besides the spectrum of M, it conserves the spectrum of M + λJ² for every λ, from which the

@@ -45,7 +45,10 @@ pub struct PointVortices<const N: usize> {
 }
 
 impl<const N: usize> PointVortices<N> {
-    /// Creates vortices of the given strengths k_i.
+    /// Creates vortices of the given strengths k_i, in m²/s.
+    ///
+    /// The strengths need not add up to 0. The vorticity of a sphere does, by a uniform background of −Σ k_i/(4πR²), which
+    /// moves no vortex.
     ///
     /// # Errors
     /// Returns [`SystemError`] if a strength is not finite, or so near zero that its reciprocal is not.

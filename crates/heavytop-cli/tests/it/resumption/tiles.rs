@@ -157,7 +157,7 @@ fn ctrl_c_ends_a_run_whose_tiles_stay_also_twice() {
         let folder = case.folder();
         let mut interrupted = 0;
         for _ in 0..TRIES {
-            // The second run that is interrupted goes on from the first one.
+            // The second run that is interrupted continues the first one.
             let child = case.start(&folder, &["--resume"], 0);
             let id = child.id().to_string();
             // Nobody reads the messages of a run that is over. The signal is sent twice, as by a launcher that sends

@@ -26,6 +26,8 @@ use momentum_map::DualQuaternions;
 /// every [`Width`], and on all instruction sets that fuse products with sums. The results of
 /// [`InstructionSet::Portable`], which does not, differ by rounding.
 ///
+/// Source: the method of Ohsawa 2019, §4–5, in the lift-free form of [`LiftFree`].
+///
 /// # Example
 /// ```
 /// use collective_integrators::Ensemble;

@@ -2,7 +2,7 @@
 
 use super::row::{Row, Stages, WIDTH};
 use crate::SpinorPoint;
-use crate::paper::spinor_realisation::power_of_two;
+use crate::paper::nearest_power_of_two::nearest_power_of_two;
 use core::hint::black_box;
 use lie_poisson::{Covector, Pair};
 use momentum_map::Cotangent;
@@ -108,7 +108,7 @@ impl CompensatedPoint {
     /// The number b is a power of two, usually ±1, so that bψ is not rounded.
     #[cold]
     pub(super) fn slide(&mut self) -> f64 {
-        let along = power_of_two(-self.overlap() / self.square());
+        let along = nearest_power_of_two(-self.overlap() / self.square());
         if !along.is_finite() {
             return 0.0;
         }

@@ -75,7 +75,9 @@ impl LaneKernel for TopMidpoint {
 
 /// The collective midpoint rule for many tops with separate parameters: the members are pairs (top, μ).
 ///
-/// The steps are those of [`TopMidpoint`].
+/// The steps are those of [`TopMidpoint`], whose documentation has the formula.
+///
+/// Source: the collective midpoint rule of Ohsawa 2019, §5.2.
 ///
 /// # Example
 /// Lagrange tops with different moments conserve Π₃:

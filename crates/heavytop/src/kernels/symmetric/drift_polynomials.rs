@@ -13,11 +13,11 @@ const MOST_TERMS: usize = 8;
 /// a flow stretches adds up. With the coefficients s of the sine and v of the versine, cos² + sin² − 1 has
 ///
 /// ```text
-/// Σ s_i s_{n−i} − 2 v_n + Σ v_i v_{n−1−i}    of x^{n+1}
+/// Σ s_i s_(n−i) − 2 v_n + Σ v_i v_(n−1−i)    as the coefficient of xⁿ⁺¹
 /// ```
 ///
-/// The v_n make this the [`defect`](StumpffPolynomials::defect), which balances the higher terms. The rounding errors of v₀
-/// and v₁ would stretch by up to 1e-16 and 7e-18, so that these two have twice the digits.
+/// The v_n are chosen such that this coefficient is the [`defect`](StumpffPolynomials::defect), which balances the higher
+/// terms. The rounding errors of v₀ and v₁ would make it as large as 1e-16 and 7e-18, so these two have twice the digits.
 #[derive(Clone, Debug, PartialEq)]
 pub(crate) struct DriftPolynomials {
     /// The number of coefficients of `versine`; `sine` has one more.

@@ -40,6 +40,8 @@ const SHORT: [f64; 2] = [0.7, 1.7];
 /// every [`Width`], and on all instruction sets that fuse products with sums. The results of
 /// [`InstructionSet::Portable`], which does not, differ by rounding.
 ///
+/// Source: the splitting is that of [`SymmetricTopSplitting`], the fractions are those of [`AlternatingSubsteps`].
+///
 /// # Example
 /// A thousand of Kovalevskaya's tops, at round-off accuracy:
 /// ```

@@ -77,7 +77,7 @@ impl<I> StagesInLanes<I> {
         Ok(Self { instructions: set.if_available()?, ..self })
     }
 
-    /// Returns the instruction set.
+    /// Returns the instruction set that the steps use.
     pub fn instructions(&self) -> InstructionSet {
         self.instructions
     }

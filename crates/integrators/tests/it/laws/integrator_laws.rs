@@ -97,9 +97,9 @@ fn schemes_that_say_so_are_equivariant() {
         RungeKutta::new(Tableau::lobatto_iiia(3).unwrap()),
     ];
     for method in methods {
-        laws::equivariance(&method).check(ROUND_OFF).unwrap();
+        laws::equivariant_scheme(&method).check(ROUND_OFF).unwrap();
         let composed = Composition::new(method, Substeps::suzuki4());
-        laws::equivariance(&composed).check(ROUND_OFF).unwrap();
+        laws::equivariant_scheme(&composed).check(ROUND_OFF).unwrap();
     }
 }
 

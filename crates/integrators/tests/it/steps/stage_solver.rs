@@ -37,6 +37,31 @@ fn iterations_that_do_not_converge() {
     assert!(matches!(outcome, Err(StepError::NotConverged { .. })), "{outcome:?}");
 }
 
+/// With a tolerance the iteration ends as soon as no unknown changes by more than that part of itself.
+#[test]
+fn a_tolerance_ends_the_iteration_earlier() {
+    let exact = [24.0 / 31.0, 34.0 / 31.0];
+    let solved = |tolerance: f64, unit: f64| {
+        let solver = StageSolver { tolerance, ..StageSolver::default() };
+        let mut k = [Vector1::new(0.0); 2];
+        let scaled = |i: usize, k: &[Vector1<f64>]| linear(i, &[k[0] / unit, k[1] / unit]) * unit;
+        let made = solver.solve(Vector1::new(unit), &mut k, scaled).unwrap();
+        let errors = k.iter().zip(exact).map(|(k, exact)| (k.x / (unit * exact) - 1.0).abs());
+        (made, errors.fold(0.0, f64::max))
+    };
+    let (all, round_off) = solved(0.0, 1.0);
+    for tolerance in [1e-3, 1e-6, 1e-9] {
+        let (made, error) = solved(tolerance, 1.0);
+        // The changes contract by 4 at least, so that what is left is below a third of the last one.
+        assert!(made < all && error < tolerance / 3.0, "{tolerance:e}: {made} of {all}, {error:e}");
+        assert!(error > round_off, "{tolerance:e}: {error:e}");
+        // No unit matters.
+        for unit in [2.0_f64.powi(-90), 2.0_f64.powi(90)] {
+            assert_eq!(solved(tolerance, unit), (made, error), "{unit:e}");
+        }
+    }
+}
+
 /// The equation k = c cos k with another c in each SIMD lane (several numbers in one register).
 #[test]
 fn a_lane_has_the_bits_that_it_has_alone() {

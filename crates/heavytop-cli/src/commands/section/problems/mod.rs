@@ -1,4 +1,4 @@
-//! What a section is of: a top, or another Lie–Poisson system.
+//! The motions that sections are made of: those of a top, or of another Lie–Poisson system.
 
 pub(super) mod limits;
 pub(super) mod section_problem;

@@ -1,4 +1,4 @@
-//! What a section tells of the motion of which it is made: its states as numbers, and how it is drawn.
+//! The interface of the motions that sections are made of: their states as numbers, and how a section is drawn.
 
 use super::limits::Limits;
 use crate::Error;
@@ -10,7 +10,7 @@ use serde_json::{Map, Value};
 pub(in crate::commands::section) type Visit<'a> =
     &'a mut dyn FnMut(f64, &[f64]) -> Result<(), Error>;
 
-/// What a section tells of the motion of which it is made.
+/// A kind of motion that sections are made of.
 pub(in crate::commands::section) trait SectionProblem {
     /// Returns the names of the coordinates of a state.
     fn columns(&self) -> Vec<String>;

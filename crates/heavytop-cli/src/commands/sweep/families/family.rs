@@ -1,10 +1,10 @@
-//! What a sweep tells of the family of motions that it follows.
+//! The interface of the families of motions that sweeps follow.
 
 use crate::configuration::{Column, Integration, Observable, SweepAxis};
 use crate::errors::SweepError;
 use heavytop::methods::{Formulation, SchemeName};
 
-/// What a sweep tells of a family of motions, whose members differ by the values of the axes.
+/// A family of motions, whose members differ by the values of the axes of a sweep.
 pub(in crate::commands::sweep) trait Family {
     /// Returns the word for a member, and that for several.
     fn nouns(&self) -> [&'static str; 2];

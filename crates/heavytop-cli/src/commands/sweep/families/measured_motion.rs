@@ -10,7 +10,7 @@ use collective_integrators::{
 use heavytop::methods::{Formulation, SchemeName};
 use lie_poisson::Vector;
 
-/// What is measured of a motion besides its tangent vectors.
+/// The measurements along a motion, besides those of its tangent vectors.
 pub(super) trait Gauge<M> {
     /// Takes notice of the momentum after a step, at a time (s).
     fn observe(&mut self, time: f64, momentum: &M);

@@ -1,4 +1,4 @@
-//! What a sweep follows: a family of tops, or of motions of another Lie–Poisson system.
+//! The families that sweeps follow: tops, or motions of another Lie–Poisson system.
 
 pub(super) mod course;
 pub(super) mod family;

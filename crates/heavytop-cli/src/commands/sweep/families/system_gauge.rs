@@ -1,4 +1,4 @@
-//! What is measured of a motion of a system.
+//! The measurements along a motion of a system.
 
 use super::measured_motion::Gauge;
 use crate::configuration::Observable;

@@ -151,7 +151,7 @@ impl TangentTask for Follow<'_> {
 const CONSERVED: [Invariant; 3] =
     [Invariant::Energy, Invariant::VerticalSquared, Invariant::VerticalMomentum];
 
-/// What is measured of a top: the deviations of its invariants, and its nutation.
+/// The measurements of a top: the deviations of its invariants, and its nutation.
 struct TopGauge {
     top: HeavyTop,
     initial: [f64; 3],

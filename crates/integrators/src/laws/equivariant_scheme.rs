@@ -18,10 +18,10 @@ type State = Cotangent<Vector2<f64>>;
 /// # Example
 /// ```
 /// use collective_integrators::{RungeKutta, laws};
-/// laws::equivariance(&RungeKutta::rk4()).check(1e-13)?;
+/// laws::equivariant_scheme(&RungeKutta::rk4()).check(1e-13)?;
 /// # Ok::<(), laws::BrokenLaw>(())
 /// ```
-pub fn equivariance<S: Equivariant>(scheme: &S) -> Report {
+pub fn equivariant_scheme<S: Equivariant>(scheme: &S) -> Report {
     let (field, shift) = (GenericSystem::field(), State::basis(0) - State::basis(3));
     let moved_field = from_fn(|w: &State| changed(&field.at(&changed_back(&(*w - shift)))));
     let mut report = Report::default();
