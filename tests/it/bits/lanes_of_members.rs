@@ -2,8 +2,8 @@
 
 use collective_integrators::{
     Alternating, BatchIntegrator, CHECKPOINT, Collective, Compensated, Composition, Direct,
-    HamiltonianField, Integrator, Laned, LanedOver, LiftFree, PartitionedRungeKutta, RungeKutta,
-    StageSolver, Start, Substeps, VectorField,
+    HamiltonianField, IntegrationError, Integrator, Laned, LanedOver, LiftFree,
+    PartitionedRungeKutta, RungeKutta, StageSolver, Start, Substeps, VectorField,
 };
 use heavytop::{HeavyTop, HeavyTopSpace, ReducedMidpoint, SpinorRealisation};
 use lie_poisson::{
@@ -61,7 +61,7 @@ where
     B: BatchIntegrator<Member: Vector<Scalar = f64>>,
 {
     let (mut members, mut failures) = (members.to_vec(), Vec::new());
-    let mut failed = |i, error: collective_integrators::IntegrationError| {
+    let mut failed = |i, error: IntegrationError| {
         failures.push((i, error.step));
     };
     batch.advance(&mut members, h, 0..n, &mut batch.workspace(), &mut failed);
@@ -213,6 +213,24 @@ fn every_machine_has_three_widths() {
     let sets: Vec<_> = InstructionSet::available().map(|set| set.to_string()).collect();
     println!("tested on: {}", sets.join("; "));
     assert!(sets.len() <= 3 && sets[0] == InstructionSet::Portable.to_string());
+}
+
+/// Without a step nothing changes, but a start that is not finite is refused all the same.
+#[test]
+fn no_steps_refuse_what_is_no_number() {
+    let integrator = LiftFree::new(RungeKutta::rk4(), DualQuaternions, top());
+    let mut members = momenta(5);
+    members[3].0.0.y = f64::NAN;
+    let before: Vec<_> = members.iter().map(bits).collect();
+    for first in [0, 7, CHECKPOINT] {
+        let batch = Laned::new(integrator.clone());
+        let (mut refused, mut workspace) = (Vec::new(), batch.workspace());
+        let mut failed = |i: usize, error: IntegrationError| refused.push((i, error.step));
+        batch.advance(&mut members, 0.1, first..first, &mut workspace, &mut failed);
+        // The number is that of the step that would have been next.
+        assert_eq!(refused, [(3, first + 1)]);
+        assert_eq!(members.iter().map(bits).collect::<Vec<_>>(), before);
+    }
 }
 
 /// A member that is NaN or infinite, in every lane of two groups, is reported, and the others keep their bits.

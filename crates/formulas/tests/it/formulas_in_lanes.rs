@@ -1,11 +1,11 @@
 //! Formulas over SIMD lanes have the bits of formulas over `f64`.
 
-use crate::support::{FORMULAS, POINTS, formula, point};
+use crate::support::{FORMULAS, POINTS, formula, heavy_top, point};
 use lie_poisson::{
     DefaultLanes, InstructionSet, LaneTask, Lanes, Se3Dual, StorageOver, TaskOver, UnfusedSpace,
     Vector, Width, dispatch, dispatch_unfused,
 };
-use lie_poisson_formulas::Formula;
+use lie_poisson_formulas::{Formula, Problem};
 
 /// Returns the point of lane `i` in all coordinates, and the points of all lanes.
 fn lanes_of<T: Lanes>(points: &[Se3Dual]) -> Se3Dual<T> {
@@ -52,7 +52,42 @@ impl<T: Lanes> StorageOver<T> for Stateless {
 impl<T: Lanes> TaskOver<T, Stateless> for OnUnfusedLanes {
     fn run(self, (): &mut ()) {
         FORMULAS.iter().for_each(|text| compare::<T>(&formula(text), text));
+        for count in COUNTS {
+            let text = with_terms_in_use(count);
+            compare::<T>(&formula(&text), &text);
+        }
     }
+}
+
+/// Numbers of terms for which the values and the derivatives take from few registers to more than 256.
+const COUNTS: [usize; 4] = [3, 12, 40, 100];
+
+/// Returns a formula in which so many terms are needed again after the last of them has been computed.
+fn with_terms_in_use(count: usize) -> String {
+    let term = |k: usize| format!("sin({k}*Pi1 + Gamma{})", k % 3 + 1);
+    let sum = (1..=count).map(term).collect::<Vec<_>>().join(" + ");
+    let product = (1..=count).map(|k| format!("(1 + {}/{count})", term(k)));
+    format!("{sum} + {}", product.collect::<Vec<_>>().join("*"))
+}
+
+#[test]
+fn formulas_of_any_length_have_their_value() {
+    for count in COUNTS {
+        let text = with_terms_in_use(count);
+        let h = formula(&text);
+        compare::<f64>(&h, &text);
+        compare::<DefaultLanes>(&h, &text);
+        let z = point(POINTS[1]);
+        let terms: Vec<f64> =
+            (1..=count).map(|k| (k as f64 * 0.7 + [1.9, 0.8, 1.1][k % 3]).sin()).collect();
+        let product: f64 = terms.iter().map(|term| 1.0 + term / count as f64).product();
+        let expected = terms.iter().sum::<f64>() + product;
+        // A sum of up to 100 terms, and a product of as many factors.
+        assert!((h.value(&z) - expected).abs() < 1e-12, "{count}: {} {expected}", h.value(&z));
+    }
+    // Control: a few terms more need more than the largest number of registers, 1024.
+    let error = Formula::new(&with_terms_in_use(150), &heavy_top()).unwrap_err();
+    assert!(matches!(error.problem(), Problem::TooLarge { limit: 1024, .. }), "{error}");
 }
 
 #[test]
