@@ -7,7 +7,9 @@ use collective_integrators::{
     smaller_alignment_index,
 };
 use core::sync::atomic::{AtomicBool, Ordering};
-use lie_poisson::Vector;
+use heavytop::methods::TangentTask;
+use lie_poisson::{Se3Dual, Vector};
+use lie_poisson_formula_systems::SystemTask;
 
 /// The number of steps after which a run looks for a request to stop.
 const BETWEEN_REQUESTS: u64 = 1 << 10;
@@ -24,11 +26,11 @@ pub(crate) enum Tangents {
 }
 
 /// The reason why an integrator has no tangent vectors.
-pub(crate) const NO_TANGENTS: &str =
+const NO_TANGENTS: &str =
     "a collective integrator has tangent vectors of another space, with its fibres";
 
 /// Returns whether the states of an integrator are momenta, so that its tangent vectors are those of momenta.
-pub(crate) const fn has_tangents_of_momenta<I>() -> bool
+const fn has_tangents_of_momenta<I>() -> bool
 where
     I: Integrator<State: Vector, Momentum: Vector>,
 {
@@ -57,22 +59,62 @@ pub(crate) struct GrowthTask<'a> {
     pub(crate) every: u64,
     /// Set by others if the task is to end.
     pub(crate) stop: &'a AtomicBool,
+    pub(crate) tangents: Tangents,
+}
+
+impl TangentTask for GrowthTask<'_> {
+    type Output = Result<Growth, String>;
+
+    fn perform<I>(self, integrator: &I) -> Self::Output
+    where
+        I: Start<State: Vector, Momentum = Se3Dual> + TangentIntegrator,
+    {
+        self.grow(integrator)
+    }
+}
+
+impl SystemTask for GrowthTask<'_> {
+    type Output = Result<Growth, String>;
+
+    fn perform<I>(self, integrator: &I) -> Self::Output
+    where
+        I: Start<State: Vector, Momentum: Vector<Scalar = f64>> + TangentIntegrator,
+    {
+        self.grow(integrator)
+    }
 }
 
 impl GrowthTask<'_> {
+    /// Follows the tangent vectors, in a space that may be completed to 3, 6, 10 or 15 dimensions.
+    fn grow<I>(&self, integrator: &I) -> Result<Growth, String>
+    where
+        I: Start<State: Vector, Momentum: Vector<Scalar = f64>> + TangentIntegrator,
+    {
+        // The compiler makes no code for branches that a constant excludes.
+        if const { !has_tangents_of_momenta::<I>() } {
+            return Err(NO_TANGENTS.into());
+        }
+        match self.tangents {
+            Tangents::One => self.follow::<I, 1>(integrator),
+            Tangents::Two => self.follow::<I, 2>(integrator),
+            Tangents::All => match const { <<I as Integrator>::Momentum as Vector>::DIM } {
+                3 => self.follow::<I, 3>(integrator),
+                6 => self.follow::<I, 6>(integrator),
+                10 => self.follow::<I, 10>(integrator),
+                _ => self.follow::<I, 15>(integrator),
+            },
+        }
+    }
+
     /// Follows K tangent vectors of momenta. The first of them, as many as the space has dimensions, have exponents.
     ///
     /// # Errors
     /// Returns the reason why a step fails.
-    pub(crate) fn follow<I, const K: usize>(
-        &self,
-        integrator: &I,
-        tangents: Tangents,
-    ) -> Result<Growth, String>
+    fn follow<I, const K: usize>(&self, integrator: &I) -> Result<Growth, String>
     where
         I: Start<State: Vector, Momentum: Vector<Scalar = f64>> + TangentIntegrator,
     {
-        let Schedule { start, step, steps } = self.schedule;
+        let (Schedule { start, step, steps }, tangents) = (self.schedule, self.tangents);
         let state = Start::<f64>::start(integrator, &self.schedule.start())
             .map_err(|error| message(&error))?;
         // The space may be completed by coordinates that stay zero.

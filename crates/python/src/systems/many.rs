@@ -1,7 +1,7 @@
 //! Many states of one system at once, on all threads.
 
 use super::system::{MethodArgument, System};
-use super::tasks::{End, Ends, Stretching};
+use super::tasks::{End, Ends};
 use crate::arrays::rows;
 use crate::errors::message;
 use crate::recorded::Indicators;
@@ -78,8 +78,7 @@ pub fn growth_of_system(
                 return Err("interrupted".into());
             }
             let schedule = Schedule { start: start.clone(), step, steps };
-            let task =
-                Stretching { task: GrowthTask { schedule: &schedule, every, stop }, tangents };
+            let task = GrowthTask { schedule: &schedule, every, stop, tangents };
             method.integrate(system, start, task).unwrap_or_else(|error| Err(message(&error)))
         };
         starts.par_iter().map(one).collect::<Vec<_>>()

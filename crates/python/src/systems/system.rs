@@ -1,11 +1,12 @@
 //! A Lie–Poisson system as a Python class.
 
 use super::algebra::{AlgebraSource, ParameterArgument, parameters};
-use super::tasks::{Invariants, RecordSystem, StatesAt};
+use super::tasks::{Invariants, RecordSystem};
 use crate::arrays::rows;
 use crate::errors::refused;
 use crate::formulas::{FormulaSource, expressions};
 use crate::recorded::Recorded;
+use crate::runs::dense::StatesAt;
 use crate::runs::event::{Event, EventArgument};
 use crate::runs::recording::Recording;
 use crate::runs::schedule::Schedule;

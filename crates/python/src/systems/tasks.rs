@@ -1,12 +1,10 @@
 //! Tasks along a run, for the integrators of systems.
 
 use crate::errors::{message, refused};
-use crate::runs::dense::states_at;
-use crate::runs::growth::{Growth, GrowthTask, NO_TANGENTS, Tangents, has_tangents_of_momenta};
 use crate::runs::record::Record;
 use crate::runs::recording::{Quantities, Recording};
 use crate::runs::schedule::{MOST_DIMENSIONS, Schedule, coordinates};
-use collective_integrators::{CHECKPOINT, Integrator, Start, TangentIntegrator};
+use collective_integrators::{CHECKPOINT, Start, TangentIntegrator};
 use core::sync::atomic::{AtomicBool, Ordering};
 use lie_poisson::Vector;
 use lie_poisson_formula_systems::{FormulaSystem, SystemTask};
@@ -42,54 +40,6 @@ impl SystemTask for RecordSystem<'_> {
         let start = self.0.schedule.start();
         let run = Start::<f64>::trajectory(integrator, &start, step).map_err(refused)?;
         self.0.follow(integrator, run, |_| None)
-    }
-}
-
-/// The task of finding states between the samples.
-pub(super) struct StatesAt<'a> {
-    pub(super) schedule: &'a Schedule,
-    pub(super) times: &'a [f64],
-}
-
-impl SystemTask for StatesAt<'_> {
-    type Output = PyResult<Vec<f64>>;
-
-    fn perform<I>(self, integrator: &I) -> Self::Output
-    where
-        I: Start<State: Vector, Momentum: Vector<Scalar = f64>> + TangentIntegrator,
-    {
-        states_at(integrator, self.schedule, self.times)
-    }
-}
-
-/// The task of following tangent vectors.
-pub(super) struct Stretching<'a> {
-    pub(super) task: GrowthTask<'a>,
-    pub(super) tangents: Tangents,
-}
-
-impl SystemTask for Stretching<'_> {
-    type Output = Result<Growth, String>;
-
-    fn perform<I>(self, integrator: &I) -> Self::Output
-    where
-        I: Start<State: Vector, Momentum: Vector<Scalar = f64>> + TangentIntegrator,
-    {
-        let (task, tangents) = (self.task, self.tangents);
-        // The compiler makes no code for branches that a constant excludes.
-        if const { !has_tangents_of_momenta::<I>() } {
-            return Err(NO_TANGENTS.into());
-        }
-        match tangents {
-            Tangents::One => task.follow::<I, 1>(integrator, tangents),
-            Tangents::Two => task.follow::<I, 2>(integrator, tangents),
-            Tangents::All => match const { <<I as Integrator>::Momentum as Vector>::DIM } {
-                3 => task.follow::<I, 3>(integrator, tangents),
-                6 => task.follow::<I, 6>(integrator, tangents),
-                10 => task.follow::<I, 10>(integrator, tangents),
-                _ => task.follow::<I, 15>(integrator, tangents),
-            },
-        }
     }
 }
 

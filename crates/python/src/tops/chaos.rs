@@ -1,6 +1,5 @@
 //! Indicators of chaos for many runs of tops, on all threads.
 
-use super::tasks::Stretching;
 use super::top::{MethodNames, Top, made};
 use crate::arrays::read_rows;
 use crate::errors::message;
@@ -42,11 +41,9 @@ pub fn growth_of_tops(
                 return Err("interrupted".into());
             }
             let schedule = Schedule { start: start.to_vec(), step, steps };
-            let task = GrowthTask { schedule: &schedule, every, stop };
+            let task = GrowthTask { schedule: &schedule, every, stop, tangents };
             let top = tops.get(index).or(tops.first()).ok_or("there is no top")?;
-            method
-                .differentiate(top, Stretching { task, tangents })
-                .unwrap_or_else(|error| Err(message(&error)))
+            method.differentiate(top, task).unwrap_or_else(|error| Err(message(&error)))
         };
         states.par_iter().enumerate().map(one).collect::<Vec<_>>()
     })?;

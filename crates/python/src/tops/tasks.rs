@@ -1,13 +1,11 @@
 //! Tasks along a run, for the integrators of tops.
 
 use crate::errors::refused;
-use crate::runs::dense::states_at;
-use crate::runs::growth::{Growth, GrowthTask, NO_TANGENTS, Tangents, has_tangents_of_momenta};
 use crate::runs::record::Record;
 use crate::runs::recording::{Quantities, Recording};
 use crate::runs::schedule::Schedule;
-use collective_integrators::{Integrator, Start, TangentIntegrator};
-use heavytop::methods::{TangentTask, Task};
+use collective_integrators::{Integrator, Start};
+use heavytop::methods::Task;
 use heavytop::{HeavyTop, Invariant, Turning, WithAttitude};
 use lie_poisson::{Pair, Quaternion, Se3Dual, Vector};
 use pyo3::PyResult;
@@ -66,44 +64,5 @@ impl Task for RecordTop<'_> {
         let attitude = self.initial_attitude.unwrap_or(shortest);
         let run = integrator.trajectory_from(Pair(state, attitude), self.recording.schedule.step);
         self.recording.follow(&integrator, run, |state| Some(&state.1))
-    }
-}
-
-/// The task of finding states between the samples.
-pub(super) struct StatesAt<'a> {
-    pub(super) schedule: &'a Schedule,
-    pub(super) times: &'a [f64],
-}
-
-impl Task for StatesAt<'_> {
-    type Output = PyResult<Vec<f64>>;
-
-    fn perform<I: Start<State: Vector, Momentum = Se3Dual>>(self, integrator: &I) -> Self::Output {
-        states_at(integrator, self.schedule, self.times)
-    }
-}
-
-/// The task of following tangent vectors.
-pub(super) struct Stretching<'a> {
-    pub(super) task: GrowthTask<'a>,
-    pub(super) tangents: Tangents,
-}
-
-impl TangentTask for Stretching<'_> {
-    type Output = Result<Growth, String>;
-
-    fn perform<I>(self, integrator: &I) -> Self::Output
-    where
-        I: Start<State: Vector, Momentum = Se3Dual> + TangentIntegrator,
-    {
-        // The compiler makes no code for branches that a constant excludes.
-        if const { !has_tangents_of_momenta::<I>() } {
-            return Err(NO_TANGENTS.into());
-        }
-        match self.tangents {
-            Tangents::One => self.task.follow::<I, 1>(integrator, self.tangents),
-            Tangents::Two => self.task.follow::<I, 2>(integrator, self.tangents),
-            Tangents::All => self.task.follow::<I, 6>(integrator, self.tangents),
-        }
     }
 }

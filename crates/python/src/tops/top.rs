@@ -1,9 +1,10 @@
 //! The heavy top as a Python class.
 
-use super::tasks::{Invariants, RecordTop, StatesAt};
+use super::tasks::{Invariants, RecordTop};
 use crate::arrays::{read_rows, rows, state};
 use crate::errors::refused;
 use crate::recorded::Recorded;
+use crate::runs::dense::StatesAt;
 use crate::runs::event::{Event, EventArgument};
 use crate::runs::recording::Recording;
 use crate::runs::schedule::Schedule;
