@@ -38,3 +38,13 @@ fn without_a_fault_the_object_is_as_it_is() {
     assert!(Faulty::new(&So3, "bracket", 3).has_fault_in("bracket"));
     assert!(!Faulty::without_fault(&So3).has_fault_in("bracket"));
 }
+
+/// Half of zero is zero: where the coordinate vanishes in all samples the suite cannot see the fault.
+#[test]
+fn a_coordinate_that_is_zero_hides_its_fault() {
+    let casimirs = Faulty::new(&So3, "casimir_differential", 2);
+    let flat = samples::<Momentum<So3>>()
+        .into_iter()
+        .map(|Covector(pi)| Covector(nalgebra::Vector3::new(pi.x, pi.y, 0.0)));
+    assert!(broken(laws::casimirs(&casimirs, &flat.collect::<Vec<_>>())).is_empty());
+}
