@@ -83,7 +83,7 @@ impl StepError {
 
 /// The error of a run, with the step that failed.
 ///
-/// The message says which step failed. That of the [`source`](core::error::Error::source) says why.
+/// The message says which step failed. The message of the [`source`](core::error::Error::source) says why.
 #[derive(Clone, Copy, Debug, PartialEq, Error)]
 #[error("step {step} at t = {time}")]
 pub struct IntegrationError {
@@ -153,7 +153,8 @@ pub enum SchemeError {
         /// The number of stages for p.
         p: usize,
     },
-    /// The order of the base method is odd or 0. The composition raises symmetric methods, whose orders are even.
+    /// The order of the base method is odd or 0. The composition raises the order of symmetric methods, whose orders
+    /// are even.
     #[error("{family} raises methods of an even order of at least 2, order {order} was asked for")]
     OddOrder {
         /// The name of the composition.
@@ -161,7 +162,7 @@ pub enum SchemeError {
         /// The requested order of the base method.
         order: usize,
     },
-    /// The family has no coefficients here for the requested number of stages.
+    /// This crate has no coefficients of the family for the requested number of stages.
     #[error("{family} has coefficients here for {least} to {most} stages, {stages} were asked for")]
     Family {
         /// The name of the family.

@@ -8,8 +8,8 @@
 //! momentum-map = "0.1"
 //! ```
 //!
-//! The free rigid body by the Gauss method of order 4, applied collectively through the Hopf map. The Casimir |Π|² is
-//! conserved to round-off:
+//! This example integrates the free rigid body by the Gauss method of order 4, applied collectively through the Hopf
+//! map. The Casimir |Π|² is conserved to round-off:
 //!
 //! ```
 //! use collective_integrators::{Collective, RungeKutta, Start};
@@ -45,7 +45,7 @@
 //! | a step in place, for states of any size | [`Integrator::step_in_place`], [`Scheme::step_in_place`] |
 //! | many steps in place, without samples | [`Integrator::advance`] |
 //! | the vector field of a closure, or of a Hamiltonian | [`from_fn`], [`HamiltonianField`] |
-//! | a vector field over every scalar, or of points on the heap | [`VectorField`] |
+//! | a vector field over every scalar, or on points stored on the heap | [`VectorField`] |
 //! | storage for the evaluations of such a field | [`StoragePool`] |
 //! | a scheme or an integrator of your own | [`Scheme`], [`Equivariant`]; [`Integrator`], [`StateIsMomentum`] |
 //! | other settings for the stage equations | [`StageSolver`] |
@@ -60,7 +60,7 @@
 //! | a kernel of your own for many trajectories | [`LaneKernel`], [`BatchIntegrator`] |
 //! | tangent vectors and Lyapunov exponents | [`VariationalFlow`], [`LyapunovExponents`] |
 //! | fast indicators of chaos: MEGNO and SALI | [`Megno`], [`smaller_alignment_index`] |
-//! | tangent vectors to begin with | [`generic_tangent`] |
+//! | initial tangent vectors for these | [`generic_tangent`] |
 //! | the order or a defect of a method, measured | the module [`diagnostics`] |
 //! | tests of your own types against the laws | the module `laws` (feature `laws`) |
 //!
@@ -72,13 +72,14 @@
 //! * A Runge–Kutta method has the stages k_i = X(z + h Σ_j a_ij k_j) and the result z + h Σ_i b_i k_i.
 //! * Times are in the units of the vector field, and exponents are per unit of time.
 //! * A failed step is a typed error. Every further item of the trajectory is the same error.
-//! * A trajectory forgets the steps before at every multiple of [`CHECKPOINT`], where it can be resumed bit by bit.
+//! * At every multiple of [`CHECKPOINT`] a trajectory forgets the earlier steps, so that it can be resumed there bit
+//!   for bit.
 //!
 //! The notation of all the crates is collected in `docs/notation.md` of the source repository.
 //!
 //! # Features and versions
 //!
-//! The feature `laws` adds the module `laws`, which returns the laws as residuals. The feature `serde`
+//! The feature `laws` adds the module `laws`, whose suites return a residual for each law. The feature `serde`
 //! serialises states, samples and drifts. The oldest supported compiler is Rust 1.89.
 //!
 //! # Related crates

@@ -1,6 +1,6 @@
 //! Rooted trees, grown one by one for the order conditions of a method.
 
-/// A rooted tree that can be a branch of larger ones, with what it gives to the vertex that carries it.
+/// A rooted tree that can be a branch of larger trees, with its contribution to the vertex that carries it.
 pub(crate) struct Branch<W> {
     /// The number of vertices.
     pub(crate) order: usize,

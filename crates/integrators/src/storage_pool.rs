@@ -2,7 +2,8 @@
 
 use std::sync::{Mutex, PoisonError};
 
-/// Storage of evaluations of a [`VectorField`](crate::VectorField), one for each that runs at the same time.
+/// Storage for the evaluations of a [`VectorField`](crate::VectorField): a separate one for each evaluation that runs
+/// at the same time.
 ///
 /// A field is evaluated through a shared reference, also on several threads. A large field that needs storage keeps it
 /// here, so that evaluations allocate nothing after the first and no thread waits for another. The storage has no value
@@ -24,8 +25,8 @@ use std::sync::{Mutex, PoisonError};
 pub struct StoragePool<T>(Mutex<Vec<T>>);
 
 impl<T: Default> StoragePool<T> {
-    /// Calls `f` with storage that nothing else uses meanwhile. It is that of an earlier call where there is one, with
-    /// what that call has left in it.
+    /// Calls `f` with storage that nothing else uses meanwhile. If there is storage of an earlier call, it is used
+    /// again, with what that call has left in it.
     pub fn with<R>(&self, f: impl FnOnce(&mut T) -> R) -> R {
         let mut storage = self.lock(Vec::pop).unwrap_or_default();
         let result = f(&mut storage);

@@ -11,7 +11,7 @@ use lie_poisson::{
 /// An autonomous vector field dz/dt = X(z) over the scalar `T`.
 ///
 /// # Example
-/// A field that is written over every scalar also has tangent vectors and SIMD lanes:
+/// A field that is written over every scalar also works with tangent vectors and in SIMD lanes:
 /// ```
 /// use collective_integrators::{Direct, RungeKutta, Start, VectorField};
 /// use lie_poisson::Real;
@@ -41,10 +41,11 @@ pub trait VectorField<T: Real = f64> {
     /// Returns the value X(z) of the field.
     fn at(&self, z: &Self::Point) -> Self::Point;
 
-    /// Writes the value X(z) of the field to a point of the space of z, whose coordinates are arbitrary before.
+    /// Writes the value X(z) of the field to a point of the space of z. The previous coordinates of this point are
+    /// arbitrary.
     ///
     /// Integrators call this method. The default calls [`at`](Self::at); override it for large points, so that a step
-    /// allocates nothing. A value of another space than that of z becomes NaN, so that a step fails.
+    /// allocates nothing. If X(z) belongs to another space than z, the written value is NaN, so that a step fails.
     ///
     /// # Example
     /// The field dz/dt = −z, for as many sites as z has:
@@ -80,14 +81,14 @@ pub trait VectorField<T: Real = f64> {
 
     /// Returns the exact derivative DX(z)·v, or `None` if it is not known.
     ///
-    /// Newton's iteration for the stages of an implicit method asks for it. It uses difference quotients if the
-    /// derivative is not known.
+    /// Newton's iteration for the stages of an implicit method uses it. If the derivative is not known, it uses
+    /// difference quotients instead.
     #[cfg_attr(not(debug_assertions), inline(always))]
     fn derivative(&self, _z: &Self::Point, _v: &Self::Point) -> Option<Self::Point> {
         None
     }
 
-    /// Solves stage equations with one stage in each SIMD lane, if the field is one for that.
+    /// Solves stage equations with one stage in each SIMD lane, if the field supports that.
     ///
     /// Only the field of [`StagesInLanes`](crate::StagesInLanes) has a reason to change the default.
     #[doc(hidden)]

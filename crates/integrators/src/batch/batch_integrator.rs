@@ -53,15 +53,17 @@ pub trait BatchIntegrator: Sync {
     /// Allocates the storage for [`advance`](Self::advance).
     fn workspace(&self) -> Self::Workspace;
 
-    /// Advances each member from its state after `steps.start` steps to that after `steps.end` steps. The size `step`
-    /// may be negative. No step allocates, except one that needs Newton's iteration and those of a member by itself.
+    /// Advances each member from its state after `steps.start` steps to its state after `steps.end` steps. The size
+    /// `step` may be negative. No step allocates, except a step that needs Newton's iteration and the steps of a member
+    /// that is advanced by itself.
     ///
-    /// A method that predicts stages from the steps before remembers nothing at the start of a call. It forgets at
-    /// every multiple of [`CHECKPOINT`](crate::CHECKPOINT), as a [`Trajectory`](crate::Trajectory) does.
+    /// A method that predicts stages from earlier steps remembers nothing at the start of a call. It forgets the
+    /// earlier steps at every multiple of [`CHECKPOINT`](crate::CHECKPOINT), as a [`Trajectory`](crate::Trajectory)
+    /// does.
     ///
-    /// A member that cannot continue keeps the state before the failed step. The method then calls `failed(i, error)`
-    /// once, with the index of the member and with the number and the time of the step. The order of these calls is
-    /// arbitrary.
+    /// A member that cannot continue keeps its state from before the failed step. The method then calls `failed(i,
+    /// error)` once, with the index of the member and with the number and the time of the step. The order of these
+    /// calls is arbitrary.
     fn advance(
         &self,
         members: &mut [Self::Member],

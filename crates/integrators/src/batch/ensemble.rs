@@ -18,14 +18,14 @@ const CHUNK: usize = 128;
 /// The result of a member does not depend on the other members, on the number of threads, or on which of them does the
 /// work. For SIMD lanes (several trajectories in one register) the rules are:
 ///
-/// * [`Laned`](crate::Laned) integrators, and kernels without fused multiply-add, return the same bits at every width,
-///   `f64` included;
-/// * kernels with fused multiply-add return the same bits at every width that fuses. They differ from the others in
-///   rounding, since a fused multiply-add rounds a product and a sum once, together.
+/// * [`Laned`](crate::Laned) integrators, and kernels without fused multiply-add, return bit-identical results at every
+///   width, including `f64`;
+/// * kernels with fused multiply-add return bit-identical results at every width that fuses. Results with and without
+///   fusion differ by rounding, since a fused multiply-add rounds a product and a sum once, together.
 ///
 /// # Example
-/// Harmonic oscillators of ten thousand amplitudes are streamed: only those on which the threads work are in memory at
-/// a time. The observer may be called from several threads at once, in any order.
+/// Ten thousand harmonic oscillators of different amplitudes are streamed: at any time, only those on which the threads
+/// are working are in memory. The observer may be called from several threads at once, in any order.
 /// ```
 /// use collective_integrators::{Direct, Ensemble, Laned, RungeKutta, VectorField};
 /// use lie_poisson::Real;
@@ -71,7 +71,7 @@ pub struct MemberError {
 pub struct Chunk<'a, M> {
     /// The index of the first member of the chunk.
     pub first: u64,
-    /// The members of the chunk. A failed member has the state before the failed step.
+    /// The members of the chunk. A failed member has its state from before the failed step.
     pub members: &'a [M],
     /// The errors of the failed members, by increasing index.
     pub failures: &'a [MemberError],
@@ -88,12 +88,12 @@ impl<B: BatchIntegrator> Ensemble<B> {
         &self.integrator
     }
 
-    /// Starts the members i = 0, …, `count` − 1 at `start`(i), makes the given number of steps, and shows the results
-    /// to the observer. The observer sees each member once, in chunks.
+    /// Starts the members i = 0, …, `count` − 1 at `start`(i), makes the given number of steps, and passes the results
+    /// to the observer. The observer receives each member once, in chunks.
     ///
-    /// Memory is allocated only for the chunks in progress, whatever the count. The chunks come in no fixed order, and
-    /// so do the terms of a sum over chunks. If the last bits matter, keep one sum for each [`Chunk::first`], and add
-    /// these by index.
+    /// Memory is allocated only for the chunks in progress, whatever the count. The chunks arrive in no fixed order, so
+    /// a sum over chunks has no fixed order of terms either. If the last bits matter, keep one sum for each
+    /// [`Chunk::first`], and add these sums in the order of their indices.
     pub fn stream(
         &self,
         count: u64,
@@ -117,11 +117,12 @@ impl<B: BatchIntegrator> Ensemble<B> {
         );
     }
 
-    /// Advances members in memory from their states after `steps.start` steps to those after `steps.end` steps. Returns
-    /// the failed members by increasing index; they keep the state before the failed step.
+    /// Advances members in memory from their states after `steps.start` steps to their states after `steps.end` steps.
+    /// Returns the errors of the failed members by increasing index; these members keep the state from before the
+    /// failed step.
     ///
-    /// A run in several calls has the bits of one run if the calls meet at multiples of
-    /// [`CHECKPOINT`](crate::CHECKPOINT). Leave members that have failed out of later calls, which would advance them from
+    /// A run that is divided into several calls is bit-identical to an undivided run if the calls meet at multiples of
+    /// [`CHECKPOINT`](crate::CHECKPOINT). Do not pass failed members to later calls, which would advance them from
     /// where they are and report them again.
     pub fn advance(
         &self,

@@ -13,11 +13,12 @@ use lie_poisson::{
 /// An integrator that advances several states side by side, in the SIMD lanes of a register (several trajectories in
 /// one register).
 ///
-/// [`new`](Self::new) takes the lanes that every processor has, and [`widest`](Self::widest) the widest registers of this
-/// one, for code that fulfils the rules below. Every integrator whose formulas are written over all scalars is suitable. Each member has the bits of its
-/// [trajectory](Integrator::trajectory_from) over `f64`, for all instruction sets and all neighbours: operations on
-/// lanes round as those of `f64` do, and iterations stop in each lane by itself. An integrator with other formulas over
-/// `f64`, such as a fused kernel, differs from its lanes by rounding. The neighbours do not matter then either.
+/// [`new`](Self::new) uses the lanes that every processor has. [`widest`](Self::widest) uses the widest registers of
+/// the current processor, for code that fulfils the rules below. Every integrator whose formulas are written over all
+/// scalars is suitable. Each member is bit-identical to its [trajectory](Integrator::trajectory_from) over `f64`, for
+/// all instruction sets and all neighbours: operations on lanes round as operations on `f64` do, and an iteration stops
+/// in each lane by itself. If an integrator has other formulas over `f64`, such as a fused kernel, its steps over `f64`
+/// differ by rounding from those over lanes. Even then, the neighbours do not matter.
 ///
 /// The steps are made in blocks that end at the multiples of [`CHECKPOINT`](crate::CHECKPOINT). If a step of some lane
 /// fails, or needs Newton's iteration in wide registers, the block is repeated from its start: first with four members at
@@ -27,7 +28,7 @@ use lie_poisson::{
 /// # Speed of wide registers
 /// The rules of [`LaneTask`](lie_poisson::LaneTask) hold for the field or the Hamiltonian of the integrator: mark its
 /// methods, and what they call, with `#[inline(always)]`, and compute with components. A method without the mark is
-/// correct, but its operations are calls of functions, and its steps may be several times slower in wide registers than
+/// correct, but its operations become function calls, and its steps may be several times slower in wide registers than
 /// on the lanes that every processor has. [`Direct`](crate::Direct), [`LiftFree`](crate::LiftFree) and
 /// [`Collective`](crate::Collective) integrators with [`RungeKutta`](crate::RungeKutta) methods and their compositions
 /// fulfil the rules; compensated sums, partitioned methods and splittings do not.
@@ -74,7 +75,7 @@ impl<I> Laned<I> {
         Self { integrator, instructions: InstructionSet::detected() }
     }
 
-    /// Replaces the instruction set. The steps on two sets have the same bits.
+    /// Replaces the instruction set. The steps on all sets are bit-identical.
     ///
     /// # Errors
     /// Returns [`MissingInstructions`] if the processor lacks them.

@@ -10,7 +10,7 @@ use lie_poisson::{Lanes, Vector};
 /// An integrator that advances as many states side by side as the scalar `T` has SIMD lanes: several trajectories in
 /// one register.
 ///
-/// [`Laned`](crate::Laned) chooses the lanes itself. This type is for comparisons with other lanes: `f64` advances the
+/// [`Laned`](crate::Laned) chooses the lanes itself. Use this type for comparisons with other lanes: `f64` advances the
 /// members one by one, and [`dispatch`](lie_poisson::dispatch) passes lanes of other widths to a
 /// [`LaneTask`](lie_poisson::LaneTask).
 ///
@@ -19,7 +19,8 @@ use lie_poisson::{Lanes, Vector};
 /// takes no further step; the others continue together.
 ///
 /// # Example
-/// A harmonic oscillator in one of the four lanes that every processor has ends with the bits that it has over `f64`:
+/// A harmonic oscillator is advanced in one of the four lanes that every processor has. Its end is bit-identical to the
+/// end over `f64`:
 /// ```
 /// use collective_integrators::{BatchIntegrator, Direct, LanedOver, RungeKutta, VectorField};
 /// use lie_poisson::{DefaultLanes, Real};

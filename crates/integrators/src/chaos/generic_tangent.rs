@@ -1,4 +1,4 @@
-//! Tangent vectors to begin with.
+//! Initial tangent vectors for the indicators of chaos.
 
 use lie_poisson::Vector;
 
@@ -7,8 +7,8 @@ use lie_poisson::Vector;
 /// The index `number` counts from 0. The vectors have no symmetry, and those of different indices are linearly independent.
 ///
 /// It has the coordinates x_i = (n² g mod 1) − ½ with n = `number`·d + i + 1 and g = (√5 − 1)/2, for the first d =
-/// `dimension` coordinates, and zeros in those that complete a space. A vector whose index is d or above is the vector
-/// of the basis with this index.
+/// `dimension` coordinates, and zeros in the coordinates that follow. A vector whose index is d or above is the basis
+/// vector with this index.
 ///
 /// Source: the squares in Weyl's sequence; H. Weyl, *Über die Gleichverteilung von Zahlen mod. Eins*, Math. Ann. 77
 /// (1916).

@@ -30,9 +30,9 @@ pub struct Exponents<S, const K: usize> {
 ///
 /// The exponents are those of the discrete map, divided by |h|. They converge slowly, at best as 1/t. For an integrable
 /// system they vanish, and converge as (ln t)/t. With DIM exponents their sum is ln |det DΦ|/t. The sum is zero for a
-/// Poisson integrator that conserves the Casimirs of a unimodular 𝔤∗, such as so(3)∗ or se(3)∗. For negative steps they
-/// are the exponents of the reversed motion. For small states the iterator allocates nothing after its
-/// creation; for states on the heap it allocates the states of its items.
+/// Poisson integrator that conserves the Casimirs of a unimodular 𝔤∗, such as so(3)∗ or se(3)∗. For negative steps, the
+/// exponents are those of the reversed motion. For small states the iterator allocates nothing after its creation; for
+/// states on the heap it allocates the states of its items.
 ///
 /// Source: G. Benettin, L. Galgani, A. Giorgilli & J.-M. Strelcyn, *Lyapunov characteristic
 /// exponents for smooth dynamical systems and for Hamiltonian systems; a method for computing all

@@ -31,12 +31,12 @@ pub struct EnsembleGrowth {
 }
 
 impl EnsembleGrowth {
-    /// Adds a run, as pairs (t, f(t)) of which the first is the start. The first run sets the times. Allocates one
+    /// Adds a run, given as pairs (t, f(t)) beginning with the start. The first run sets the times. Allocates one
     /// vector.
     ///
     /// # Errors
     /// Returns [`DriftError::NotFinite`] if a value is not finite, or [`DriftError::Times`] if the times are not those
-    /// of the first run. Nothing is added then.
+    /// of the first run. In these cases nothing is added.
     pub fn add(&mut self, run: impl IntoIterator<Item = (f64, f64)>) -> Result<(), DriftError> {
         let mut values = Vec::with_capacity(self.times.len());
         for (time, value) in run {
@@ -77,8 +77,8 @@ impl EnsembleGrowth {
 
     /// Returns the exponent a of the growth rms ~ tᵃ: the slope of ln rms against ln |t| by least squares.
     ///
-    /// Only points above `plateau` (in the units of f) are used. Below it, the deviation takes only the few rounded
-    /// values next to f(0).
+    /// Only points above `plateau` (in the units of f) are used. Below it, f(t) takes only the few rounded values next
+    /// to f(0).
     ///
     /// Points at equal distances in t give more weight to late times. For even weights sample the runs at times in
     /// geometric progression.

@@ -16,7 +16,7 @@ pub enum OrderFitError {
         /// The plateau; errors below it are left out.
         plateau: f64,
     },
-    /// A step or an error is infinite or not a number. This is no result, rather than a small error.
+    /// A step or an error is infinite or not a number. Such a run has no result; it does not count as a small error.
     #[error("step {step} has the error {error}")]
     NotFinite {
         /// The step size.

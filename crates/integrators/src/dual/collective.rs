@@ -16,8 +16,8 @@ use momentum_map::{
 /// The collective integrator: a scheme for the Hamiltonian h∘M on the source P of a realisation M: P → 𝔤∗.
 ///
 /// If the scheme Φ_h is symplectic and [`Equivariant`], then μ ↦ M(Φ_h(z)) with M(z) = μ is a Poisson map of 𝔤∗ that
-/// does not depend on the lift z: a *collective Lie–Poisson integrator*. It conserves the Casimirs. A few maps M need one
-/// condition more, which [`descends`](Self::descends) reports.
+/// does not depend on the lift z: a *collective Lie–Poisson integrator*. It conserves the Casimirs. A few maps M need
+/// one more condition; [`descends`](Self::descends) reports whether it holds.
 ///
 /// Source: McLachlan, Modin & Verdier, *Collective symplectic integrators*, Nonlinearity 27
 /// (2014); Ohsawa 2019, §5.1.
@@ -62,10 +62,11 @@ pub struct Collective<S, M, H> {
 impl<S: Equivariant, M: PoissonMap, H> Collective<S, M, H> {
     /// Creates an integrator from a scheme that commutes with affine maps, as its bound [`Equivariant`] states.
     ///
-    /// Its steps descend to 𝔤∗ if the map allows it: see [`PoissonMap::equivariant_maps_descend`]. This is so for most maps.
-    /// For others, such as a `ClebschMap` of a representation that lacks its odd powers, the integrator is that of
-    /// [`that_does_not_descend`](Self::that_does_not_descend): the Casimirs are conserved to the order of the scheme, the
-    /// image of a step depends on z, and z is never moved along its fibre. [`descends`](Self::descends) tells.
+    /// Its steps descend to 𝔤∗ if the map allows it: see [`PoissonMap::equivariant_maps_descend`]. This is so for most
+    /// maps. For others, such as a `ClebschMap` of a representation that lacks its odd powers, the integrator behaves
+    /// as the one that [`that_does_not_descend`](Self::that_does_not_descend) creates: the Casimirs are conserved to
+    /// the order of the scheme, the image of a step depends on z, and z is never moved along its fibre.
+    /// [`descends`](Self::descends) reports which of the two cases applies.
     pub fn new(scheme: S, map: M, hamiltonian: H) -> Self
     where
         H: Hamiltonian<M::Target>,
@@ -180,7 +181,7 @@ where
     }
 }
 
-/// The storage of a step of [`Collective`]: that of the scheme, and what moves z along its fibre.
+/// The storage of a step of [`Collective`]: the storage of the scheme, and the data for moving z along its fibre.
 #[derive(Clone, Debug)]
 pub struct CollectiveSpace<W, V: Vector> {
     scheme: W,

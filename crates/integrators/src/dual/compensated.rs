@@ -9,8 +9,8 @@ use momentum_map::LiftError;
 ///
 /// [`Compensated`] adds the increments and carries the rounding errors along. Its documentation has an example.
 pub trait Increments<T: Real = f64>: Integrator<T> {
-    /// Returns the change δz + δe of a state z + e in one step, before it is [`gauged`](Self::gauged). e has the size of
-    /// the rounding errors of z, and δe that of δz.
+    /// Returns the change δz + δe of a state z + e in one step, before it is [`gauged`](Self::gauged). Here e has the
+    /// size of the rounding errors of z, and δe the size of the rounding errors of δz.
     ///
     /// The caller checks that the result is finite.
     ///
@@ -50,15 +50,16 @@ pub trait Increments<T: Real = f64>: Integrator<T> {
 /// z₁ + e₁ = (z + e) + (δz + δe)
 /// ```
 ///
-/// The errors of a step then have the size of the rounding errors of δz, a factor h|Ω| below those of z. The state is
-/// (z, e). For a [`LiftFree`](crate::LiftFree) integrator z is μ.
+/// The errors of a step then have the size of the rounding errors of δz, which are smaller than those of z by a factor
+/// h|Ω|. The state is (z, e). For a [`LiftFree`](crate::LiftFree) integrator z is μ.
 ///
 /// If the fixed-point iteration solves the stages of an implicit Runge–Kutta method, the increment has about twice the
-/// digits but for the rounding errors of the field: stages start from z + e, sums over stages keep what they round off, and
-/// the effect of both on the field is added back ([`Scheme::refined_increment`](crate::Scheme::refined_increment)). If a
-/// [`Collective`](crate::Collective) integrator moves z along its fibre, e moves along. A
-/// [`LiftFree`](crate::LiftFree) integrator moves e with the multiplier that it computes from μ. The errors of invariants
-/// then grow as t^½. Other methods, and steps that need Newton's iteration, keep biased rounding errors and may drift.
+/// digits, apart from the rounding errors of the field: stages start from z + e, sums over stages keep what they round
+/// off, and the effect of both on the field is added back
+/// ([`Scheme::refined_increment`](crate::Scheme::refined_increment)). If a [`Collective`](crate::Collective) integrator
+/// moves z along its fibre, e moves with it. A [`LiftFree`](crate::LiftFree) integrator moves e with the multiplier
+/// that it computes from μ. The errors of invariants then grow as t^½. Other methods, and steps that need Newton's
+/// iteration, keep biased rounding errors and may drift.
 ///
 /// Source: W. Kahan, *Further remarks on reducing truncation errors*, Comm. ACM 8 (1965); Hairer,
 /// McLachlan & Razakarivony, *Achieving Brouwer's law with implicit Runge–Kutta methods*, BIT 48

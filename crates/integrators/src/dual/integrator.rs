@@ -11,11 +11,12 @@ use momentum_map::LiftError;
 /// A method that advances a state and reads a momentum μ from it.
 ///
 /// A method may also advance a point of another space than 𝔤∗, as [`Direct`](crate::Direct) and
-/// [`Splitting`](crate::Splitting) do for a pendulum. There is no momentum then: [`momentum`](Self::momentum) is the
-/// identity, and the point is read from [`Sample::state`].
+/// [`Splitting`](crate::Splitting) do for a pendulum. In that case there is no momentum: [`momentum`](Self::momentum)
+/// is the identity, and the point is read from [`Sample::state`].
 ///
 /// # Example
-/// An integrator makes steps one by one, many at once, or for a trajectory. One of your own is at [`StateIsMomentum`](crate::StateIsMomentum).
+/// An integrator makes steps one by one, many at once, or for a trajectory. To write your own, see the example of
+/// [`StateIsMomentum`](crate::StateIsMomentum).
 /// ```
 /// use collective_integrators::{Direct, Integrator, RungeKutta, from_fn};
 /// use nalgebra::Vector2;
@@ -58,7 +59,7 @@ pub trait Integrator<T: Real = f64> {
     /// first allocates, unless it needs Newton's iteration.
     ///
     /// # Errors
-    /// Returns the errors of [`step`](Self::step). The state is not changed then.
+    /// Returns the errors of [`step`](Self::step). In that case the state is not changed.
     #[inline]
     fn step_in_place(
         &self,
@@ -71,20 +72,20 @@ pub trait Integrator<T: Real = f64> {
         Ok(iterations)
     }
 
-    /// Advances a state from that after `steps.start` steps to that after `steps.end` steps, in the same storage. Returns
-    /// the number of iterations of the last step, 0 without a step.
+    /// Advances a state, in the same storage, from the state after `steps.start` steps to the state after `steps.end`
+    /// steps. Returns the number of iterations of the last step, or 0 if there is no step.
     ///
-    /// It makes the steps of a [`Trajectory`] in which the state has the number `steps.start`, to the last bit. As there,
-    /// the workspace [forgets](Self::forget) the steps before at every multiple of [`CHECKPOINT`], 0 included. So a run
-    /// can be divided anywhere: a call that continues with the same workspace continues the steps. For another run call
-    /// [`forget`](Self::forget) first, or begin at 0. The state of a [`Compensated`](crate::Compensated) integrator
-    /// includes the rounding errors, which are carried along.
+    /// The steps are bit-identical to those of a [`Trajectory`] in which the state has the number `steps.start`. As in
+    /// a trajectory, the workspace [forgets](Self::forget) the earlier steps at every multiple of [`CHECKPOINT`],
+    /// including 0. A run can therefore be divided anywhere: the next call with the same workspace continues it. Before
+    /// another run, call [`forget`](Self::forget), or begin at 0. The state of a [`Compensated`](crate::Compensated)
+    /// integrator includes the rounding errors that it carries along.
     ///
-    /// An override must keep these bits.
+    /// An override must give bit-identical results.
     ///
     /// # Errors
-    /// Returns an [`IntegrationError`] with the number, the time and the reason if a coordinate of the state or the step
-    /// size is not finite, or if a step fails. The state is then that before the failed step.
+    /// Returns an [`IntegrationError`] with the number, the time and the reason if a coordinate of the state or the
+    /// step size is not finite, or if a step fails. The state is then the one before the failed step.
     ///
     /// # Example
     /// Gauss's method of order 4 is symmetric: with steps of the opposite size it returns to its start.
@@ -126,7 +127,7 @@ pub trait Integrator<T: Real = f64> {
         Ok(iterations)
     }
 
-    /// Makes the workspace forget the steps before, so that the next step depends on its starting point alone, to the
+    /// Makes the workspace forget the earlier steps, so that the next step depends on its starting point alone, to the
     /// last bit.
     ///
     /// The default does nothing, for methods that remember nothing.
@@ -148,7 +149,7 @@ pub trait Integrator<T: Real = f64> {
 
     /// Creates the trajectory that continues from a sample of another run, with its numbers and times.
     ///
-    /// The state is that after `made` steps of size `step`. The trajectory fails as
+    /// `state` is the state after `made` steps of size `step`. The trajectory fails as
     /// [`trajectory_from`](Self::trajectory_from) does, and after the step with the number [`u64::MAX`].
     ///
     /// If `made` is a multiple of [`CHECKPOINT`](crate::CHECKPOINT), the trajectory equals that of the uninterrupted
@@ -200,7 +201,7 @@ pub trait Start<T: Real = f64>: Integrator<T> {
 
     /// Returns the sample after `steps` steps of size `step` from μ at t = 0.
     ///
-    /// It stores none of the samples before it. After 0 steps it is the sample of the start.
+    /// No earlier sample is stored. After 0 steps the result is the sample of the start.
     ///
     /// # Errors
     /// Returns the errors of [`trajectory`](Self::trajectory), and [`RunError::Integration`] with the number, the time
@@ -254,12 +255,11 @@ pub type SampleOf<I, T = f64> = Sample<<I as Integrator<T>>::State, <I as Integr
 /// The endless trajectory of an integrator: the initial state, then one sample per step.
 ///
 /// Once a step fails, every further item is its error, so that adaptors that skip items, such as `nth` or `step_by`,
-/// cannot lose it. These adaptors make no sample that they skip: [`every`](Self::every) n-th sample costs what n steps
-/// cost. The iterator never returns `None`. Bound it by `take`, and leave a loop at the first error, as `?`
-/// and `collect::<Result<…>>` do. Adaptors that skip errors, such as `flatten`, look for the next sample for ever.
-/// [`Start::after`](crate::Start::after) returns one sample. After the first item nothing is allocated, except for
-/// states on the heap: each sample has a state of its own. [`Integrator::advance`] advances such a state in its own
-/// storage.
+/// cannot lose it. These adaptors do not compute the samples that they skip: each item of [`every`](Self::every) costs
+/// what n steps cost. The iterator never returns `None`. Bound it by `take`, and leave a loop at the first error, as
+/// `?` and `collect::<Result<…>>` do. Adaptors that skip errors, such as `flatten`, search for the next sample for
+/// ever. [`Start::after`](crate::Start::after) returns one sample. After the first item nothing is allocated, except
+/// for states on the heap: each sample has a state of its own. [`Integrator::advance`] advances such a state in place.
 ///
 /// A run can be [resumed](Integrator::trajectory_resumed) from any of its samples. From a sample whose number is a
 /// multiple of [`CHECKPOINT`] it continues bit for bit as if it had not been interrupted.
@@ -308,13 +308,14 @@ impl<'a, I: Integrator<T>, T: Real> Trajectory<'a, I, T> {
         Self { integrator, workspace, step, state, made, iterations, progress }
     }
 
-    /// Returns the iterator over every n-th item, beginning with the next one: `step_by(n)` that cannot panic.
+    /// Returns the iterator over every n-th item, beginning with the next one: a `step_by(n)` that cannot panic.
     ///
-    /// [`Integrator::advance`] makes the steps between two items, without samples. The items have the bits that they have
-    /// in the whole trajectory. If a step fails on the way to an item, that item and all after it are its error.
+    /// [`Integrator::advance`] makes the steps between two items, without samples. The items are bit-identical to those
+    /// of the whole trajectory. If a step fails on the way to an item, that item and all after it are its error.
     ///
     /// # Example
-    /// With 100 steps in a period, 4K(sin²(θ/2)) for θ = 1 (DLMF §22.19(i)), every 100th sample of a pendulum is the start:
+    /// With 100 steps in a period, 4K(sin²(θ/2)) for θ = 1 (DLMF §22.19(i)), every 100th sample of a pendulum is back
+    /// at the start:
     /// ```
     /// use collective_integrators::{Direct, RungeKutta, Start, from_fn};
     /// use nalgebra::Vector2;

@@ -24,7 +24,8 @@ use momentum_map::{Multiplier, Multipliers};
 /// [`coadjoint_change`](Multipliers::coadjoint_change), as quaternions and dual quaternions do.
 ///
 /// This generalises the closed form of the collective midpoint rule. For every Runge–Kutta method it answers the
-/// question that Ohsawa 2019, §5.1 leaves open, that of an integrator defined on the symplectic leaves.
+/// question that Ohsawa 2019, §5.1, leaves open: whether there is an integrator that is defined on the symplectic
+/// leaves.
 ///
 /// # Example
 /// ```
@@ -107,8 +108,8 @@ impl<S: Equivariant, M: Multipliers, H> LiftFree<S, M, H> {
     /// (δμ, δe) = (coadjoint_change(Q₁, μ), coadjoint_change(Q₁, e))
     /// ```
     ///
-    /// Here e is the part of μ + e that is below the round-off of μ. It moves as μ does. The motion is that of μ alone.
-    /// See [`increment`](Increments::increment).
+    /// Here e is the part of μ + e that is below the round-off of μ. The multiplier Q₁ is computed from μ alone, and e
+    /// moves with it. See [`increment`](Increments::increment).
     ///
     /// # Errors
     /// Returns a [`StepError`] if the step has no result.

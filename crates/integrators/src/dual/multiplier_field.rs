@@ -115,7 +115,8 @@ impl<V: Vector, Q> Course<V, Q> {
     /// A trajectory begins a new course at every checkpoint, and so do steps outside of a trajectory, since A may grow.
     #[cfg_attr(not(debug_assertions), inline(always))]
     pub(crate) fn goes_on_from(&self, mu: &V) -> bool {
-        // In wide registers the compiler would call the comparison, which only saves the more exact one.
+        // In wide registers the compiler would make this comparison a function call. It only serves to skip the more
+        // exact one.
         let same = V::Scalar::HAS_SLOW_PATHS && self.end == *mu;
         self.steps < CHECKPOINT && (same || near(mu, &self.end).all())
     }

@@ -3,7 +3,7 @@
 use crate::iteration::block_sizes::{BlockSizes, MaskOf};
 use lie_poisson::{Mask, State};
 
-/// The growth of a block of z beyond which a point of the fibre nearer to the origin is looked for.
+/// The growth of a block of z beyond which z is moved to a point of the fibre nearer to the origin.
 const GROWTH: f64 = 4.0;
 
 /// The sizes of z when it was near the origin of its fibre, or `None` at the beginning of a run.
@@ -18,7 +18,7 @@ impl<V: State> Default for RecentringThreshold<V> {
 
 impl<V: State> RecentringThreshold<V> {
     /// Lets `recentre` move z in the lanes in which a run begins or z has grown fourfold, and remembers its sizes then.
-    /// Does nothing where there is no such lane.
+    /// Does nothing if there is no such lane.
     #[cfg_attr(not(debug_assertions), inline(always))]
     pub(crate) fn recentre_if_grown(
         &mut self,

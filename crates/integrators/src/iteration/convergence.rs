@@ -2,11 +2,11 @@
 
 use lie_poisson::{Mask, Real};
 
-/// The multiple of the size of the stage derivatives below which the next change must be expected for this one to be
-/// the last.
+/// The bound on the expected next change, as a multiple of the size of the stage derivatives. If the expectation is
+/// below it, the current change is the last one.
 ///
 /// The expectation assumes that the observed ratios continue. The remaining error has the same sign in every step. It
-/// would show in runs of 10⁸ compensated steps, in which refinement removes it.
+/// would become visible in runs of 10⁸ compensated steps, but refinement removes it there.
 const EXPECTED: f64 = f64::EPSILON / 32.0;
 
 /// The multiple of the size of the stage derivatives below which ratios of changes are noise.

@@ -23,10 +23,10 @@ const NEWTON_ITERATIONS: usize = 50;
 ///
 /// The first method is a fixed-point iteration of Gauss–Seidel kind. In a step that continues from steps of the same
 /// size it begins with the polynomial through their stage derivatives, otherwise with k_i = X(z). The starting point
-/// affects the last bits of a result; [`Scheme::forget`](crate::Scheme::forget) makes them independent of the steps
-/// before. If the iteration is slow or diverges, for large steps, Newton's iteration continues, with the exact
-/// derivative of the field if it is known ([`VectorField::derivative`](crate::VectorField::derivative)). It solves dense
-/// linear equations, and is made for at most 1024 unknowns: stages times dimension.
+/// affects the last bits of a result; [`Scheme::forget`](crate::Scheme::forget) makes them independent of the earlier
+/// steps. If the iteration is slow or diverges, as for large steps, Newton's iteration continues, with the exact
+/// derivative of the field if it is known ([`VectorField::derivative`](crate::VectorField::derivative)). It solves
+/// dense linear equations, and is used for at most 1024 unknowns: stages times dimension.
 ///
 /// The iteration stops at the round-off floor in one of three cases: nothing changes; the next change is expected below
 /// a thirty-second of a rounding, from the ratios of the changes before it, including those of the previous step; or
@@ -39,9 +39,10 @@ const NEWTON_ITERATIONS: usize = 50;
 /// implicit Runge–Kutta methods*, BIT 48 (2008), §2.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct StageSolver {
-    /// The largest accepted h |Δk|, as a multiple of the larger of |z| and h |k|, in each block of coordinates. Where
-    /// the unknowns are not derivatives of the state ([`solve`](Self::solve), [`solve_by_sweeps`](Self::solve_by_sweeps),
-    /// [`StageMemory`](crate::StageMemory)), the largest accepted |Δk| as a multiple of |k| in each block. It has no unit; 0 iterates to the round-off floor.
+    /// The largest accepted h |Δk|, as a multiple of the larger of |z| and h |k|, in each block of coordinates. If the
+    /// unknowns are not derivatives of the state ([`solve`](Self::solve), [`solve_by_sweeps`](Self::solve_by_sweeps),
+    /// [`StageMemory`](crate::StageMemory)), it is the largest accepted |Δk| as a multiple of |k| in each block. It has
+    /// no unit; 0 iterates to the round-off floor.
     pub tolerance: f64,
     /// The number of sweeps after which the fixed-point iteration is abandoned.
     pub max_iterations: usize,
@@ -74,7 +75,7 @@ impl<M> From<Unconverged<M>> for StepError {
     }
 }
 
-/// The right-hand sides of stage equations k_i = f_i(k). A closure is one for exact coefficients.
+/// The right-hand sides of stage equations k_i = f_i(k). A closure implements it for exact coefficients.
 pub(crate) trait StageEquations<V: State> {
     /// Returns whether the coefficients have low parts, which enter once k is [close](CLOSE) to the solution.
     fn has_low_parts(&self) -> bool;
@@ -82,9 +83,9 @@ pub(crate) trait StageEquations<V: State> {
     /// Writes f_i(k) to the value. In the lanes `near`, k has just come close to the solution.
     fn evaluate(&mut self, i: usize, k: &[V], near: MaskOf<V>, value: &mut V);
 
-    /// Solves the equations from the guess in `k` with one stage in each SIMD lane, if they are equations for that.
+    /// Solves the equations from the guess in `k` with one stage in each SIMD lane, if they support that.
     ///
-    /// The ratios are those of the changes of the iteration before.
+    /// The ratios are those of the changes in the previous iteration.
     #[inline(always)]
     fn solve_in_lanes(
         &mut self,
@@ -115,8 +116,8 @@ impl StageSolver {
     /// All stages start from `start`. The closure `derivative` computes X at the i-th stage. The changes of each block
     /// of coordinates are compared with that block.
     ///
-    /// Over SIMD lanes (several trajectories in one register) each stops by itself, at the stages that it would have
-    /// alone.
+    /// Over SIMD lanes (several trajectories in one register) the iteration stops in each lane by itself, with the
+    /// stages that the lane would have alone.
     ///
     /// # Errors
     /// Returns [`StepError::NotConverged`] if the iteration diverges or does not converge in some lane.
@@ -134,11 +135,12 @@ impl StageSolver {
             .map_err(|unconverged| unconverged.error)
     }
 
-    /// Repeats sweeps of the caller's own over the unknowns, until they have converged as [`solve`](Self::solve) tests
-    /// it. Returns the number of sweeps.
+    /// Repeats the caller's own sweeps over the unknowns until they have converged by the test of
+    /// [`solve`](Self::solve). Returns the number of sweeps.
     ///
-    /// The closure makes one sweep and returns the largest |Δk| and the largest |k| of a coordinate, or NaN. It serves
-    /// kernels that compute both along with the sweep. All unknowns count as one block. Newton's iteration is not made.
+    /// The closure makes one sweep and returns the largest |Δk| and the largest |k| of a coordinate, or NaN. This
+    /// serves kernels that compute both along with the sweep. All unknowns count as one block. Newton's iteration is
+    /// not used.
     ///
     /// # Errors
     /// Returns [`StepError::NotConverged`] if the iteration diverges or does not converge.
@@ -167,8 +169,8 @@ impl StageSolver {
             .map_err(|unconverged| unconverged.error)
     }
 
-    /// Solves as [`solve`](Self::solve) does, from the guess in `k` and with the ratios of changes of the iteration
-    /// before.
+    /// Solves as [`solve`](Self::solve) does, from the guess in `k` and with the ratios of changes of the previous
+    /// iteration.
     ///
     /// Lanes that are `done` stay as they are. The vector `spare` is overwritten.
     #[cfg_attr(not(debug_assertions), inline(always))]

@@ -10,7 +10,8 @@ use core::ops::Range;
 /// * `number`: the result of a member does not depend on the number of members;
 /// * `place`: the result does not depend on the place among the members;
 /// * `neighbours`: the result does not depend on the other members;
-/// * `resumption`: calls that meet at a [`CHECKPOINT`] give the bits of one call, with a used workspace or a new one;
+/// * `resumption`: calls that meet at a [`CHECKPOINT`] are together bit-identical to one call, with a used workspace or
+///   a new one;
 /// * `report`: a member that cannot be advanced is reported once, by its index, with the step that fails when it is
 ///   alone, and no other member is reported;
 /// * `isolation`: a member that cannot be advanced changes no other member.
@@ -54,7 +55,7 @@ where
     Ok(report)
 }
 
-/// The number of members side by side: more than two registers hold, and no multiple of their lanes.
+/// The number of members side by side: more than fit in two registers, and not a multiple of their lanes.
 const GROUP: usize = 19;
 
 /// The number of steps of each member.

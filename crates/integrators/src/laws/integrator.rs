@@ -11,11 +11,14 @@ use lie_poisson::Real;
 /// Evaluates the laws of an integrator on samples of states, for one step size:
 ///
 /// * `step of size 0`: a step of size 0 keeps μ;
-/// * `step in place`: [`step_in_place`](Integrator::step_in_place) has the bits of the step, and a step that fails changes nothing;
-/// * `advance`: [`advance`](Integrator::advance) has the bits of as many steps, also in two parts, and refuses what a step refuses;
+/// * `step in place`: [`step_in_place`](Integrator::step_in_place) is bit-identical to the step, and a step that fails
+///   changes nothing;
+/// * `advance`: [`advance`](Integrator::advance) is bit-identical to the same number of steps, also in two parts, and
+///   refuses what a step refuses;
 /// * `samples`: sample n of a trajectory has the number n, the time nh and the momentum of its state;
-/// * `forgetting`: after [`forget`](Integrator::forget) a used workspace gives the bits of a new one;
-/// * `resumption`: a trajectory resumed at a [`CHECKPOINT`] has the bits of the uninterrupted one;
+/// * `forgetting`: after [`forget`](Integrator::forget) a used workspace gives results bit-identical to those of a new
+///   one;
+/// * `resumption`: a trajectory resumed at a [`CHECKPOINT`] is bit-identical to the uninterrupted one;
 /// * `refusal`: a state or a step size that is infinite or not a number is an error, of a step and of a trajectory.
 ///
 /// For an integrator that can start from a momentum, [`start`](super::start) includes these laws.
@@ -122,7 +125,7 @@ fn forgetting<I: Integrator>(
     let mut used = integrator.workspace();
     steps(integrator, other, 0.7 * step, &mut used);
     let end = steps(integrator, state, step, &mut integrator.workspace());
-    // The second run would go on from the first one, with what that left in the workspace.
+    // Otherwise the second run would continue from what the first one left in the workspace.
     for (start, expected) in
         [(state, &end), (&end, &steps(integrator, &end, step, &mut integrator.workspace()))]
     {

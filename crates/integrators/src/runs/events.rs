@@ -25,7 +25,8 @@ use crate::{Direction, EventError, IntegrationError, Integrator, SampleOf};
 /// nothing is allocated, except for states on the heap. An event costs about ten steps, and so does an extremum at which
 /// |g| is least without a crossing.
 ///
-/// [`EventSearch`] does the same for samples that the caller makes, so that several events are found along one run.
+/// [`EventSearch`] does the same for samples that the caller supplies, so that several event functions can be used
+/// along one run.
 ///
 /// Source of the idea: M. Hénon, *On the numerical computation of Poincaré maps*, Physica D 5 (1982). Hénon changes the
 /// independent variable for the last step; here, the size of the last step is solved for.

@@ -38,7 +38,8 @@ impl Minimum {
             return None;
         }
         let vertex = self.parabolic().map(|step| {
-            // Next to an end, which is known, a vertex tells nothing new: the other end comes nearer instead.
+            // The values at the ends are known. A vertex next to an end adds no information: the other end is moved
+            // instead.
             let known = (x + step - self.low).min(self.high - x - step) < 2.0 * least;
             if known { least.copysign(middle - x) } else { step }
         });

@@ -49,7 +49,7 @@ impl RungeKutta {
 
     /// Creates the symplectic diagonally implicit method with weights b: see [`Tableau::symplectic_dirk`].
     ///
-    /// Its stages are solved together. The [`Composition`](crate::Composition) of midpoint rules is the same map, and
+    /// Its stages are solved together. The [`Composition`](crate::Composition) of midpoint rules is the same map, but
     /// solves one stage after the other.
     ///
     /// # Errors

@@ -72,7 +72,7 @@ impl RungeKutta {
     /// iteration converged.
     ///
     /// The iteration starts from a prediction if the workspace has one. Otherwise, or if that fails, it starts from
-    /// X(z). Then follows Newton's iteration, whose results are not suitable for predictions.
+    /// X(z). If this fails too, Newton's iteration follows. Its results are not suitable for predictions.
     #[cfg_attr(not(debug_assertions), inline(always))]
     fn solve_stages<T: Real, F: VectorField<T>>(
         &self,
@@ -99,7 +99,8 @@ impl RungeKutta {
                 let advance = |done: T::Mask, k: &mut [F::Point]| {
                     newton_step(field, (z, step), &self.tableau, done, k, newton)
                 };
-                // Newton's iteration begins at X(z). Where that is no number, its dense matrix would be in vain.
+                // Newton's iteration begins at X(z). If that is not a number, its dense matrix would be computed in
+                // vain.
                 let begins = is_finite(BlockSizes::of(core::slice::from_ref(&spare)).largest());
                 if begins.and(converged.not()).any() && step.is_finite() {
                     let more = self.solver.newton(converged, &spare, &scale, k, advance);
@@ -169,7 +170,7 @@ struct Stages<'a, F, V: State> {
     /// The sums Σ_j low_ij k_j, or zero if the coefficients have no low parts.
     small: &'a mut [V],
     pool: &'a mut V::Pool,
-    /// What else a field needs that computes the stages side by side.
+    /// The additional data for a field that computes the stages side by side.
     lanes: Option<(&'a StageColumns, f64, &'a StageScale<V>, &'a mut StageRows)>,
 }
 
@@ -219,7 +220,7 @@ impl<F: VectorField<V::Scalar, Point = V>, V: State> StageEquations<V> for Stage
     }
 }
 
-/// Returns whether the state has plain numbers for scalars, and is not on the heap.
+/// Returns whether the scalars of the state are plain numbers, and the state is not on the heap.
 #[inline(always)]
 fn is_plain_and_small<V: State>() -> bool {
     size_of::<V::Pool>() == 0 && V::Scalar::from_f64(0.0).as_f64().is_some()
@@ -286,7 +287,7 @@ impl Scheme for RungeKutta {
     /// Returns the increment of an implicit method without the rounding errors of the stages and of the sums over them.
     ///
     /// This takes four more evaluations of the field for each stage. What remains are the rounding errors of the field,
-    /// and of the stages where Newton's iteration solves for them. Explicit methods have the default.
+    /// and of the stages if Newton's iteration solves for them. Explicit methods use the default.
     #[cfg_attr(not(debug_assertions), inline(always))]
     fn refined_increment<T: Real, F: VectorField<T>>(
         &self,

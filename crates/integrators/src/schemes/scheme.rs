@@ -16,8 +16,8 @@ pub struct Step<V> {
 pub type Increment<V> = Step<Pair<V, V>>;
 
 impl<V: State> Step<V> {
-    /// Makes a step of a copy of a state, for the method by value of an integrator that steps in place. The closure
-    /// advances the copy and returns the number of iterations.
+    /// Makes a step with a copy of a state. An integrator that steps in place can implement its method by value in this
+    /// way. The closure advances the copy and returns the number of iterations.
     ///
     /// # Errors
     /// Returns the error of the closure.
@@ -55,7 +55,7 @@ impl<V: State> Step<V> {
 
 /// A one-step method z ↦ Φ_h(z) for dz/dt = X(z).
 ///
-/// A scheme does not depend on the origin of the vector field, and works over every scalar.
+/// A scheme does not depend on where the vector field comes from, and works over every scalar.
 ///
 /// # Example
 /// A scheme of your own: Heun's method, z₁ = z + (h/2)(X(z) + X(z + h X(z))). Since it commutes with affine maps, it may
@@ -110,17 +110,18 @@ pub trait Scheme: Clone {
     /// The storage that a step needs, allocated once per run.
     type Workspace<V: State>;
 
-    /// Creates the storage for steps. Only for points on the heap does the first step allocate, when it knows their size.
+    /// Creates the storage for steps. For points on the heap, whose size is not known here, the first step allocates
+    /// the rest.
     fn workspace<V: State>(&self) -> Self::Workspace<V>;
 
     /// Returns the increment Φ_h(z) − z of one step.
     ///
-    /// Its rounding errors are those of a sum h Σ b_i k_i, and h times those of the stages. The method allocates nothing
-    /// but a point on the heap, and that only if its storage was not given back to [`temporaries`](Self::temporaries).
-    /// The caller checks that the increment is finite.
+    /// Its rounding errors are those of a sum h Σ b_i k_i, and h times those of the stages. The method allocates only a
+    /// point on the heap, and only if the storage of an earlier point was not given back to
+    /// [`temporaries`](Self::temporaries). The caller checks that the increment is finite.
     ///
     /// # Errors
-    /// Returns a [`StepError`] if stage equations are not solved. Nothing but the workspace is changed then.
+    /// Returns a [`StepError`] if stage equations are not solved. In that case only the workspace is changed.
     fn increment<T: Real, F: VectorField<T>>(
         &self,
         field: &F,
@@ -129,11 +130,11 @@ pub trait Scheme: Clone {
         workspace: &mut Self::Workspace<F::Point>,
     ) -> Result<Step<F::Point>, StepError>;
 
-    /// Returns the increment Φ_h(z + e) − (z + e) as δz + δe, for [`Compensated`](crate::Compensated) summation, where e
-    /// has the size of the rounding errors of z, and δe that of δz.
+    /// Returns the increment Φ_h(z + e) − (z + e) as δz + δe, for [`Compensated`](crate::Compensated) summation, where
+    /// e has the size of the rounding errors of z, and δe the size of the rounding errors of δz.
     ///
-    /// A scheme that can makes its rounding errors small and unbiased. The default is ([`increment`](Self::increment), 0)
-    /// of a step from z, whose rounding errors are biased.
+    /// A scheme that is able to make its rounding errors small and unbiased overrides this method. The default is
+    /// ([`increment`](Self::increment), 0) of a step from z, whose rounding errors are biased.
     ///
     /// # Errors
     /// Returns the errors of [`increment`](Self::increment).
@@ -151,11 +152,11 @@ pub trait Scheme: Clone {
         Ok(Step { point: Pair(point, exact), iterations })
     }
 
-    /// Returns the step Φ_h(z). Allocates nothing but a point on the heap; see [`step_in_place`](Self::step_in_place).
+    /// Returns the step Φ_h(z). Allocates only a point on the heap; see [`step_in_place`](Self::step_in_place).
     ///
     /// # Errors
-    /// Returns a [`StepError`] if stage equations are not solved, or if the result is not finite. Nothing but the
-    /// workspace is changed then.
+    /// Returns a [`StepError`] if stage equations are not solved, or if the result is not finite. In these cases only
+    /// the workspace is changed.
     #[cfg_attr(not(debug_assertions), inline(always))]
     fn step<T: Real, F: VectorField<T>>(
         &self,
@@ -175,7 +176,7 @@ pub trait Scheme: Clone {
     /// iteration.
     ///
     /// # Errors
-    /// Returns the errors of [`step`](Self::step). The point z is not changed then.
+    /// Returns the errors of [`step`](Self::step). In that case the point z is not changed.
     #[cfg_attr(not(debug_assertions), inline(always))]
     fn step_in_place<T: Real, F: VectorField<T>>(
         &self,
@@ -203,7 +204,7 @@ pub trait Scheme: Clone {
         None
     }
 
-    /// Makes the workspace forget the steps before, from which an implicit method predicts its stages.
+    /// Makes the workspace forget the earlier steps, from which an implicit method predicts its stages.
     ///
     /// The next step then depends on its starting point alone. The default does nothing.
     #[cfg_attr(not(debug_assertions), inline(always))]
@@ -260,8 +261,8 @@ pub(crate) fn give<S: Scheme, V: State>(scheme: &S, workspace: &mut S::Workspace
 /// (2014), Thm. 3.2; Hairer, Lubich & Wanner, *Geometric Numerical Integration*, §VI.4.
 ///
 /// # Example
-/// The bound of a function that needs a step on 𝔤∗. Runge–Kutta methods and their compositions fulfil it; a scheme of your
-/// own is at [`Scheme`].
+/// The trait bounds a function that needs a step on 𝔤∗. Runge–Kutta methods and their compositions fulfil the bound.
+/// For a scheme of your own, see the example of [`Scheme`].
 /// ```
 /// use collective_integrators::{Composition, Equivariant, RungeKutta, Substeps};
 /// fn descends(_: &impl Equivariant) {}

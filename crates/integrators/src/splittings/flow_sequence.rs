@@ -91,7 +91,7 @@ impl FlowSequence for Strang {
     }
 }
 
-/// The alternating sequence of two flows. A step of more or fewer flows does not compile.
+/// The alternating sequence of two flows. A step with more or fewer flows does not compile.
 impl FlowSequence for AlternatingSubsteps {
     #[inline]
     fn run<T: Real, E: ExactFlows<T>>(

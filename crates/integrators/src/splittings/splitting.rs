@@ -54,7 +54,7 @@ use lie_poisson::{Real, State};
 /// # Ok::<(), Box<dyn std::error::Error>>(())
 /// ```
 ///
-/// For other numbers of flows than two the alternating sequence does not compile:
+/// With more or fewer than two flows, a step of the alternating sequence does not compile:
 /// ```
 /// # use collective_integrators::{AlternatingSubsteps, ExactFlows, Integrator, Splitting};
 /// # use nalgebra::Vector3;
@@ -112,7 +112,7 @@ impl<E> Splitting<E, LieTrotter> {
 impl<E> Splitting<E, AlternatingSubsteps> {
     /// Creates the splitting that alternates two flows, for the fractions of the step that the coefficients give.
     ///
-    /// A step of more or fewer flows does not compile.
+    /// A step with more or fewer flows does not compile.
     pub const fn alternating(flows: E, substeps: AlternatingSubsteps) -> Self {
         Self { flows, sequence: substeps }
     }

@@ -1,10 +1,10 @@
-//! Checkpoints, where the steps before are forgotten, and ranges of steps that are divided there.
+//! Checkpoints, at which the earlier steps are forgotten, and ranges of steps that are divided there.
 
 use core::ops::Range;
 
 /// The number of steps between two checkpoints.
 ///
-/// A step whose number is a multiple of it begins without the memory of the steps before, from which implicit methods
+/// A step whose number is a multiple of it begins without a memory of the earlier steps, from which implicit methods
 /// [predict](crate::StageSolver) their stages.
 pub const CHECKPOINT: u64 = 1024;
 

@@ -1,4 +1,4 @@
-//! The memory of the steps before, and predictions from it: [`StageHistory`].
+//! The memory of the earlier steps, and predictions from it: [`StageHistory`].
 
 use crate::iteration::block_sizes::{BlockSizes, MaskOf};
 use crate::iteration::convergence::{ROUND_OFF, Ratios, unknown};

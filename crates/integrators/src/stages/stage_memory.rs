@@ -14,7 +14,8 @@ use lie_poisson::{Mask, Real, State};
 /// The next step of equal size begins its iteration with the polynomial through the remembered k, as
 /// [`RungeKutta`](crate::RungeKutta) methods do.
 ///
-/// A prediction affects the last bits of a result. [`forget`](Self::forget) makes them independent of the steps before.
+/// A prediction affects the last bits of a result. [`forget`](Self::forget) makes them independent of the earlier
+/// steps.
 ///
 /// # Example
 /// The midpoint rule for a pendulum, with the velocity (dq/dt, dp/dt) = (p, −sin q) at the midpoint as unknown:

@@ -34,7 +34,8 @@ pub struct Substeps {
     fractions: Vec<f64>,
 }
 
-/// Checks that fractions add up to 1, up to the rounding of fractions that are not so large that nothing is left of a sum.
+/// Checks that fractions add up to 1 to within rounding. The tolerance grows with the fractions up to a limit, since
+/// rounding leaves nothing of a sum of very large fractions.
 ///
 /// # Errors
 /// Returns [`SchemeError::SubstepSum`] with their sum.

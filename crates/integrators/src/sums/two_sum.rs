@@ -1,4 +1,4 @@
-//! Sums without loss by rounding.
+//! Sums that keep their rounding errors.
 
 use lie_poisson::{Pair, State, Vector};
 

@@ -1,4 +1,4 @@
-//! Integrators whose vector field is known over SIMD lanes: [`FieldInLanes`].
+//! Integrators whose vector field can be evaluated over SIMD lanes: [`FieldInLanes`].
 
 use crate::dual::collective::Collective;
 use crate::dual::direct::Direct;
@@ -9,7 +9,7 @@ use crate::{Equivariant, Increment, Increments, Scheme, Step, StepError};
 use lie_poisson::{Hamiltonian, InstructionSet, Pair};
 use momentum_map::{CollectiveHamiltonian, Multiplier, Multipliers, PoissonMap};
 
-/// An integrator that applies a scheme to a vector field which is known over SIMD lanes (several numbers in one
+/// An integrator that applies a scheme to a vector field that can be evaluated over SIMD lanes (several numbers in one
 /// register).
 ///
 /// [`Direct`], [`Collective`] and [`LiftFree`] integrators have this trait if their field or Hamiltonian is implemented

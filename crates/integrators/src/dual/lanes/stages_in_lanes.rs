@@ -15,16 +15,16 @@ use momentum_map::LiftError;
 /// ```
 ///
 /// A sweep evaluates X once for each register, for several i at a time, instead of s times over `f64`. Implicit
-/// [`RungeKutta`](crate::RungeKutta) methods with two to eight stages are computed so, also as parts of a
-/// [`Composition`](crate::Composition). For other methods a step is that of the integrator alone, to the last bit.
+/// [`RungeKutta`](crate::RungeKutta) methods with two to eight stages are computed in this way, also as parts of a
+/// [`Composition`](crate::Composition). For other methods a step is bit-identical to that of the integrator alone.
 ///
-/// The stages solve the same equations to the same accuracy. A sweep uses the k_j of the sweep before where the
-/// integrator alone uses the newest ones, so the two results differ by round-off, and so do those on two instruction sets.
-/// Where the iteration does not converge, Newton's iteration follows as usual.
+/// The stages solve the same equations to the same accuracy. A sweep uses the k_j of the previous sweep, whereas the
+/// integrator alone uses the newest ones. The two results therefore differ by round-off, and so do those on two
+/// instruction sets. If the iteration does not converge, Newton's iteration follows as usual.
 ///
-/// [`new`](Self::new) takes the lanes that every processor has, and [`widest`](Self::widest) the widest registers of this
-/// one, for a field that fulfils the [rules of wide registers](crate::Laned#speed-of-wide-registers). To advance many
-/// states at once, [`Laned`](crate::Laned) is faster: it computes one state in each lane.
+/// [`new`](Self::new) uses the lanes that every processor has. [`widest`](Self::widest) uses the widest registers of
+/// the current processor, for a field that fulfils the [rules of wide registers](crate::Laned#speed-of-wide-registers).
+/// To advance many states at once, [`Laned`](crate::Laned) is faster: it computes one state in each lane.
 ///
 /// Source: Antoñana, Makazaga & Murua, *SIMD-vectorized implicit symplectic integrators can outperform explicit ones*
 /// (2024).
@@ -69,7 +69,7 @@ impl<I> StagesInLanes<I> {
         Self { integrator, instructions: InstructionSet::detected() }
     }
 
-    /// Replaces the instruction set. The steps on two sets differ by round-off.
+    /// Replaces the instruction set. Steps on different sets differ by round-off.
     ///
     /// # Errors
     /// Returns [`MissingInstructions`] if the processor lacks them.
@@ -149,7 +149,7 @@ impl<I: FieldInLanes> Increments for StagesInLanes<I> {
 }
 
 impl<I: FieldInLanes + Start> Start for StagesInLanes<I> {
-    /// Returns the state in which the integrator alone starts.
+    /// Returns the state from which the integrator alone starts.
     fn start(&self, mu: &Self::Momentum) -> Result<Self::State, LiftError> {
         self.integrator.start(mu)
     }

@@ -12,8 +12,8 @@ use std::cell::RefCell;
 ///
 /// The state is z = (z₁, …, z_N) ∈ Pᴺ, and μ_i = M(z_i). For a symplectic scheme the integrator is a Poisson map of
 /// (𝔤∗)ᴺ, of any order, and conserves the Casimirs of each μ_i. The sign of the bracket is that of the target of M: a
-/// Hamiltonian that is meant for the other bracket moves backwards. After the first step it allocates nothing, unless a step
-/// needs Newton's iteration.
+/// Hamiltonian that is meant for the other bracket gives the motion backwards in time. After the first step it
+/// allocates nothing, unless a step needs Newton's iteration.
 ///
 /// # Example
 /// A ring of spins with the minus bracket, that of `HOPF`, by Gauss's method of order 4:

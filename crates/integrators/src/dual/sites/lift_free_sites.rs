@@ -20,8 +20,8 @@ use std::cell::RefCell;
 /// to drift along. The sign of the bracket is that of the [space](Multipliers::space) of the multipliers. After the first step
 /// it allocates nothing, unless a step needs Newton's iteration.
 ///
-/// Source: as for [`LiftFree`](crate::LiftFree), the question that Ohsawa 2019, §5.1 leaves open; the multipliers of all sites
-/// are one element of a product of algebras.
+/// Source: as for [`LiftFree`](crate::LiftFree), this answers the question that Ohsawa 2019, §5.1, leaves open. The
+/// multipliers of all sites form one element of a product of algebras.
 ///
 /// # Example
 /// A ring of spins, by Gauss's method of order 4 for N quaternions:

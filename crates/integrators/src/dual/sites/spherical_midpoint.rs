@@ -66,7 +66,7 @@ impl<F> SphericalMidpoint<F> {
 ///
 /// It is implemented for a number N that the compiler knows, and for one that is known when the program runs.
 pub trait OnSpheres: State {
-    /// Moves each vector along its ray to the sphere that contains the vector of w with the same number:
+    /// Moves each vector along its ray to the sphere that contains the vector of w with the same index:
     ///
     /// ```text
     /// u_i ← u_i |w_i|/|u_i|
