@@ -14,7 +14,7 @@ pub enum TopError {
         /// The value of the parameter.
         value: f64,
     },
-    /// A number is not above its bound.
+    /// A number is not positive.
     #[error("{name} must be positive, got {value:?}")]
     NotPositive {
         /// The name of the parameter.

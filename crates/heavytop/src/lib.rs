@@ -6,8 +6,8 @@
 //! heavytop = "0.1"
 //! ```
 //!
-//! The paper's experiment, over 200 steps: the collective midpoint rule conserves the two Casimirs |Γ|² and
-//! Π·Γ to round-off, and the energy to 1e-3.
+//! This is the paper's experiment, over 200 steps. The collective midpoint rule conserves the two Casimirs |Γ|² and Π·Γ
+//! to round-off, and the energy to 1e-3.
 //!
 //! ```
 //! use heavytop::prelude::*;
@@ -61,7 +61,7 @@
 //! * The equations of motion are dΠ/dt = Π × Ω + m g l Γ × c and dΓ/dt = Γ × Ω.
 //! * The attitude R maps the body frame to the spatial frame.
 //! * Parameters are in SI units, and angles in radians.
-//! * The signs on 𝔤∗ are those of [`lie_poisson`], the sides those of [`momentum_map`].
+//! * The signs on 𝔤∗ are those of [`lie_poisson`], and the sides of actions are those of [`momentum_map`].
 //!
 //! The notation of all the crates is collected in `docs/notation.md` of the source repository.
 //!

@@ -15,10 +15,10 @@ use nalgebra::Vector3;
 /// φ = the angle of Γ about c in the body frame, followed continuously
 /// ```
 ///
-/// * The *amplitude* is θ_max − θ_min over the samples, in [0, π]. Between samples where du/dt changes its
-///   sign u is taken as a cubic, so that its extremes have errors of the fourth order in the step. θ is
-///   computed from 1 − u and 1 + u, which keep their digits near the vertical: θ_min and θ_max have errors of
-///   a few units of round-off of their own size, however small.
+/// * The *amplitude* is θ_max − θ_min over the samples, in [0, π]. Between two samples at which du/dt has different
+///   signs, u is taken as a cubic, so that its extrema have errors of the fourth order in the step. θ is computed from
+///   1 − u and 1 + u, which keep their digits near the vertical: θ_min and θ_max have errors of a few units of
+///   round-off of their own size, however small they are.
 /// * The *rotation number* is the mean advance of φ, in turns, from one maximum of u to the next: (φ_n −
 ///   φ_0)/(2πn) over the maxima 0, …, n. Near a torus of dimension 2 it tends, as 1/n, to a ratio of the
 ///   frequencies of the motion of (Π, Γ).
@@ -146,16 +146,15 @@ impl Nutation {
         self.range = [-larger(-least, -angle), larger(most, angle)];
     }
 
-    /// Returns the amplitude θ_max − θ_min, rad; none before the first sample, or if a sample had no
-    /// direction.
+    /// Returns the amplitude θ_max − θ_min, rad; `None` before the first sample, or if a sample had no direction.
     #[must_use]
     pub fn amplitude(&self) -> Option<f64> {
         let [least, most] = self.range;
         (least.is_finite() && most.is_finite()).then_some(most - least)
     }
 
-    /// Returns the rotation number (φ_n − φ_0)/(2πn), in turns from maximum to maximum; none with fewer than
-    /// two maxima.
+    /// Returns the rotation number (φ_n − φ_0)/(2πn), in turns from maximum to maximum; `None` with fewer than two
+    /// maxima.
     #[must_use]
     pub fn rotation_number(&self) -> Option<f64> {
         let [first, latest] = self.maxima?;

@@ -73,8 +73,8 @@ impl Section {
     /// Creates the section of the level by the surface.
     ///
     /// # Errors
-    /// Returns [`SectionError`] if a number is not finite, if Γ_i is given a level outside −1 < level < 1, or
-    /// if no state has this energy; the error then names the least energy.
+    /// Returns [`SectionError`] if a number is not finite, if Γ_i is given a level outside −1 < level < 1, or if no
+    /// state has this energy. In the last case the error names the least energy.
     pub fn new(level: EnergyLevel, surface: Surface) -> Result<Self, SectionError> {
         for (name, value) in [
             ("energy", level.energy),
@@ -139,8 +139,7 @@ impl Section {
     ///
     /// The seed determines the sequence, and a longer sequence begins with the points of a shorter one.
     ///
-    /// The points (x, y) are those of Weyl's sequence (n/g, n/g²) mod 1, g³ = g + 1, shifted at random, that
-    /// are accessible.
+    /// The points (x, y) are the accessible points of Weyl's sequence (n/g, n/g²) mod 1, g³ = g + 1, shifted at random.
     ///
     /// Source: H. Weyl, Math. Ann. 77 (1916); M. Roberts, *The unreasonable effectiveness of
     /// quasirandom sequences* (2018), for g.

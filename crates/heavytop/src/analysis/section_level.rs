@@ -11,7 +11,7 @@ const HEIGHTS: u32 = 12;
 /// The number of times that the step lengths are halved, until rounding ends the search.
 const HALVINGS: u32 = 28;
 
-/// The number of moves of a search, far more than a valley takes. Along a slope without end there would be no last one.
+/// The largest number of moves of a search, far more than a valley takes. It ends a search along a slope without end.
 const MOVES: u32 = 10_000;
 
 /// Returns the least value of f(angle, height) over all angles and −1 < height < 1.

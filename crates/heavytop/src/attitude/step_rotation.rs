@@ -72,7 +72,7 @@ where
     }
 }
 
-/// The rotation is the Q with ψₙ₊₁ = Q ψₙ. It does not depend on the position along the fibre.
+/// The rotation is Q, with ψₙ₊₁ = Q ψₙ. It does not depend on the position along the fibre.
 impl<S, H, T> Turning<T> for Collective<S, SpinorRealisation, H>
 where
     S: Scheme,
@@ -90,7 +90,7 @@ where
     }
 }
 
-/// The rotation is the Q with ψₙ₊₁ = Q ψₙ.
+/// The rotation is Q, with ψₙ₊₁ = Q ψₙ.
 impl<S, H, T> Turning<T> for Compensated<Collective<S, SpinorRealisation, H>>
 where
     S: Scheme,
@@ -108,7 +108,7 @@ where
     }
 }
 
-/// The rotation is the Q with ψₙ₊₁ = Q ψₙ.
+/// The rotation is Q, with ψₙ₊₁ = Q ψₙ.
 impl<S, H> Turning for StagesInLanes<Collective<S, SpinorRealisation, H>>
 where
     Self: Integrator<State = SpinorPoint, Momentum = Se3Dual>,
@@ -124,7 +124,7 @@ where
     }
 }
 
-/// The rotation is the Q with ψₙ₊₁ = Q ψₙ.
+/// The rotation is Q, with ψₙ₊₁ = Q ψₙ.
 impl<S, H> Turning for Compensated<StagesInLanes<Collective<S, SpinorRealisation, H>>>
 where
     Self: Integrator<State = Pair<SpinorPoint, SpinorPoint>, Momentum = Se3Dual>,

@@ -9,14 +9,12 @@ const STEPS: usize = 16;
 
 /// Jacobi's elliptic functions of one parameter m = k², 0 ≤ m ≤ 1, for real arguments.
 ///
-/// The quarter period is K(m). Near m = 1 it is ln(4/k′), with the complementary modulus k′ = √(1−m). A
-/// number m near 1 holds few digits of 1 − m, or none: [`with_complement`](Self::with_complement) takes 1 − m
-/// instead.
+/// The quarter period is K(m). Near m = 1 it is ln(4/k′), with the complementary modulus k′ = √(1−m). A number m near 1
+/// holds few digits of 1 − m, or none: [`with_complement`](Self::with_complement) accepts 1 − m instead.
 ///
-/// The argument is reduced modulo K with twice the digits of an `f64`. For |u| ≤ 2⁵³K the errors of sn u, cn
-/// u and dn u are therefore those of an exact formula whose argument is wrong by a few units of round-off of
-/// K, not of u: |error of f(u)| ≤ 16ε(|f(u)| + K|f′(u)|), ε = 2⁻⁵³. For m = 1, where K is infinite, |u|
-/// replaces K.
+/// The argument is reduced modulo K with twice the digits of an `f64`. For |u| ≤ 2⁵³K the errors of sn u, cn u and dn u
+/// are therefore those of an exact formula whose argument is wrong by a few units of round-off of K, rather than of u:
+/// |error of f(u)| ≤ 16ε(|f(u)| + K|f′(u)|), ε = 2⁻⁵³. For m = 1, where K is infinite, |u| replaces K.
 ///
 /// Method: the descending Landen transformation along the arithmetic–geometric mean a₀ = 1, b₀ = k′,
 /// aₙ₊₁ = ½(aₙ+bₙ), bₙ₊₁ = √(aₙbₙ). With X = a cs(au), Y = a ds(au), Z = a ns(au) for the

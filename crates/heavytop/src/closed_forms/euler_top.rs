@@ -19,9 +19,8 @@ use twofloat::TwoFloat;
 /// L² − 2EI₂ = Π₃²(I₃ − I₂)/I₃ − Π₁²(I₂ − I₁)/I₁
 /// ```
 ///
-/// The signs of the first and the third component are those of Π₁(0) and Π₃(0). The remaining sign is such
-/// that λ > 0, and |u₀| ≤ K. For L² < 2EI₂ the indices 1 and 3 are exchanged. L² = 2EI₂ is the separatrix,
-/// where m = 1.
+/// The signs of the first and the third component are those of Π₁(0) and Π₃(0). The remaining sign is chosen such that
+/// λ > 0, and |u₀| ≤ K. For L² < 2EI₂ the indices 1 and 3 are exchanged. L² = 2EI₂ is the separatrix, where m = 1.
 ///
 /// L² − 2EI₂ is computed with twice the digits of an `f64`, so that a start near the separatrix keeps its
 /// side and its distance. In all units the errors of Π(t) are a few units of round-off of |Π|, plus the
@@ -45,7 +44,7 @@ use twofloat::TwoFloat;
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct EulerSolution {
     start: Vector3<f64>,
-    /// The elliptic orbit; none for a rotation about a principal axis, where Π is constant.
+    /// The elliptic orbit; `None` for a rotation about a principal axis, where Π is constant.
     orbit: Option<Orbit>,
 }
 
@@ -77,7 +76,7 @@ impl EulerSolution {
         Ok(Self { start, orbit: Some(Orbit::through(&inertia, &start)?) })
     }
 
-    /// Returns Π(t), with t in seconds; NaN where λt is not finite.
+    /// Returns Π(t), with t in seconds, or NaN if λt is not finite.
     #[must_use]
     pub fn at(&self, time: f64) -> Vector3<f64> {
         self.orbit.map_or(self.start, |orbit| orbit.at(time))

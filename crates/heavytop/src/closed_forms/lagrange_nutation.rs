@@ -57,9 +57,8 @@ impl LagrangeNutation {
     /// Creates the nutation of the motion through `start`.
     ///
     /// # Errors
-    /// Returns [`TopError::NotLagrange`] if the top is not Lagrange's with m g l > 0, and
-    /// [`TopError::NotFinite`] if the start is not finite or the ratio of its kinetic energy to m g l |Γ| is
-    /// not.
+    /// Returns [`TopError::NotLagrange`] if the top is not Lagrange's with m g l > 0, and [`TopError::NotFinite`] if
+    /// the start, or the ratio of its kinetic energy to m g l |Γ|, is not finite.
     pub fn new(top: &HeavyTop, start: &Se3Dual) -> Result<Self, TopError> {
         let weight = top.weight_moment() * top.center_of_mass().z;
         if !top.is_lagrange() || weight <= 0.0 {
@@ -115,7 +114,7 @@ impl LagrangeNutation {
         Ok(solution)
     }
 
-    /// Returns the height Γ₃(t), with t in seconds; NaN where νt is not finite.
+    /// Returns the height Γ₃(t), with t in seconds, or NaN if νt is not finite.
     #[must_use]
     pub fn height(&self, time: f64) -> f64 {
         let [sn, cn, ..] = self.functions.at(self.rate.mul_add(time, self.phase));
@@ -129,8 +128,8 @@ impl LagrangeNutation {
 
     /// Returns the period 2K(m)/ν of the nutation, in seconds.
     ///
-    /// It is infinite on the separatrix and for an unstable top that stands upright. Where the height is
-    /// constant, it is the period of infinitesimal nutation about it.
+    /// It is infinite on the separatrix and for an unstable top that stands upright. If the height is constant, it is
+    /// the period of infinitesimal nutation about this height.
     #[must_use]
     pub fn period(&self) -> f64 {
         2.0 * self.functions.quarter_period() / self.rate

@@ -1,6 +1,6 @@
 //! Scaling by powers of two, without rounding.
 
-/// Returns the power of two with 2ⁿ ≤ |x| < 2ⁿ⁺¹, by which a division is exact.
+/// Returns the power of two with 2ⁿ ≤ |x| < 2ⁿ⁺¹. Division by it is exact.
 ///
 /// For smaller x it is the least normal number.
 pub(crate) fn power_of_two(x: f64) -> f64 {

@@ -1,4 +1,4 @@
-//! Integrators with formulas of their own for tops.
+//! Integrators with formulas that are specific to tops.
 
 pub(crate) mod infinitesimal_rotation;
 pub(crate) mod midpoint;

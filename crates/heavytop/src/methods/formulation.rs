@@ -21,7 +21,7 @@ pub enum Formulation {
     /// A scheme on T∗C², read through M: T∗C² → se(3)∗.
     #[default]
     Collective,
-    /// The maps of the collective formulation without a lift, on se(3)∗ itself.
+    /// The maps of the collective formulation, computed on se(3)∗ itself without a lift.
     Reduced,
     /// A scheme on the six equations of the heavy top.
     Direct,

@@ -49,7 +49,8 @@ impl Method {
     /// Replaces the instruction set of the kernels [`CollectiveGauss`] and [`TopMidpoint`], which is otherwise the one that is
     /// fastest on this processor.
     ///
-    /// With [`InstructionSet::Portable`] every processor computes the same bits. The steps on two sets differ by round-off.
+    /// With [`InstructionSet::Portable`] results are bit-identical on every processor. Steps on different sets differ
+    /// by round-off.
     ///
     /// # Errors
     /// Returns [`MissingInstructions`] if the processor lacks them.
@@ -57,11 +58,12 @@ impl Method {
         Ok(Self { instructions: Some(set.if_available()?), ..self })
     }
 
-    /// Returns the instruction set on which the last bits of the steps depend: the narrowest one with the same bits.
+    /// Returns the instruction set on which the last bits of the steps depend: the narrowest set that gives
+    /// bit-identical steps.
     ///
-    /// It is the portable one but for the kernels: Gauss's methods under `collective`, and the midpoint rule under `reduced`,
-    /// if their stages are solved to the round-off floor. These fuse multiplications and additions, and with more than
-    /// four stages a Gauss method adds numbers up in the order of the lanes.
+    /// It is the portable set, except for the kernels: Gauss's methods under `collective`, and the midpoint rule under
+    /// `reduced`, if their stages are solved to the round-off floor. These fuse multiplications with additions. With
+    /// more than four stages, a Gauss method also adds up numbers in the order of the lanes.
     ///
     /// # Example
     /// ```

@@ -5,11 +5,11 @@ use collective_integrators::SchemeError;
 use lie_poisson::MissingInstructions;
 use thiserror::Error;
 
-/// The reason why there is no integrator of a formulation and a scheme.
+/// The reason why there is no integrator for a formulation and a scheme.
 #[derive(Clone, Debug, PartialEq, Error)]
 #[non_exhaustive]
 pub enum MethodError {
-    /// There is no formulation or no scheme of this name.
+    /// There is no formulation, or no scheme, with this name.
     #[error(transparent)]
     UnknownName(#[from] UnknownName),
     /// The formulation does not have the scheme.

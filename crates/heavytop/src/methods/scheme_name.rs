@@ -111,7 +111,7 @@ impl ComposedScheme {
     /// Returns the substeps as fractions of a step.
     ///
     /// # Errors
-    /// None: all the fractions add up to 1.
+    /// Returns no error, since all the fractions add up to 1.
     pub fn substeps(self) -> Result<Substeps, SchemeError> {
         Ok(match self {
             Self::Strang => Substeps::new(&[1.0])?,

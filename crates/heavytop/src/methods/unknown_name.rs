@@ -2,7 +2,7 @@
 
 use thiserror::Error;
 
-/// The error of a name that no formulation, or no scheme, has.
+/// The error for a name that is not the name of a formulation, or of a scheme.
 #[derive(Clone, Debug, PartialEq, Eq, Error)]
 #[error("unknown {kind} `{name}`; there are {}", known.join(", "))]
 pub struct UnknownName {

@@ -75,15 +75,15 @@ impl PoissonMap for SpinorRealisation {
         if T::HAS_SLOW_PATHS { velocity(dh, z) } else { inlined_velocity(dh, z) }
     }
 
-    /// Returns the slide (bψ, 0) along the fibre where ‖χ‖ has grown beyond √2 of its least on the line χ +
-    /// bψ, else 0.
+    /// Returns the slide (bψ, 0) along the fibre if ‖χ‖ has grown beyond √2 times its minimum on the line χ + bψ, and 0
+    /// otherwise.
     ///
-    /// The number b is the power of two next to −Re(ψ∗χ)/‖ψ‖², so that bψ is not rounded. It leaves at most a
+    /// The number b is the power of two next to −Re(ψ∗χ)/‖ψ‖², so that bψ is not rounded. The slide leaves at most a
     /// third of Re(ψ∗χ).
     ///
-    /// Along collective dynamics d/dt Re(ψ∗χ) = 2γ·Γ, so that χ may grow linearly along ψ. A slide breaks the
-    /// sequence of stages from which a scheme extrapolates the next ones
-    /// ([`StageSolver`](collective_integrators::StageSolver)). It is therefore made only where ‖χ‖ has grown.
+    /// Along collective dynamics d/dt Re(ψ∗χ) = 2γ·Γ, so that χ may grow linearly along ψ. A slide breaks the sequence
+    /// of stages from which a scheme extrapolates the next ones ([`StageSolver`](collective_integrators::StageSolver)).
+    /// It is therefore made only if ‖χ‖ has grown.
     #[cfg_attr(not(debug_assertions), inline(always))]
     fn gauge<T: Real>(&self, z: &SpinorPoint<T>) -> SpinorPoint<T> {
         let (chi, psi) = (&z.q, &z.p.0);
@@ -99,7 +99,7 @@ impl PoissonMap for SpinorRealisation {
         Cotangent { q: slide, ..Vector::zero() }
     }
 
-    /// Returns z, since the [gauge](Self::gauge) keeps ‖χ‖ within √2 of its least.
+    /// Returns z, since the [gauge](Self::gauge) keeps ‖χ‖ within √2 times its minimum.
     #[cfg_attr(not(debug_assertions), inline(always))]
     fn recentred<T: Real>(&self, z: &SpinorPoint<T>, _: &mut RecentringSpace<T>) -> SpinorPoint<T> {
         *z
@@ -192,14 +192,13 @@ const STEEPEST: f64 = 1e-8;
 impl SpinorRealisation {
     /// Returns the lift with Re χ₁ = `re_chi1` and ψ₁ > 0.
     ///
-    /// For Γ₂ = 0 it has a real ψ. With `re_chi1` = 1 and Γ₂ = 0 this is the initial condition of Ohsawa
-    /// 2019, §5.2, which asks for Re χ₁ = 1 and takes ψ real. Its norm is larger than that of the [minimal
-    /// lift](Lift::lift).
+    /// For Γ₂ = 0 it has a real ψ. With `re_chi1` = 1 and Γ₂ = 0 this is the initial condition of Ohsawa 2019, §5.2,
+    /// which requires Re χ₁ = 1 and chooses a real ψ. Its norm is larger than that of the [minimal lift](Lift::lift).
     ///
     /// # Errors
-    /// Returns [`LiftError`] in the cases of the minimal lift, and if χ or M(χ, ψ) overflows. It also returns
-    /// it if Γ points straight down, where ψ₁ = 0, or is within an angle of 2e-8 of that direction, where the
-    /// long χ rounds half of the digits of Π away.
+    /// Returns [`LiftError`] in the cases of the minimal lift, and if χ or M(χ, ψ) overflows. It is also returned if Γ
+    /// points straight down, where ψ₁ = 0, or is within an angle of 2e-8 of that direction, where the long χ rounds
+    /// half of the digits of Π away.
     pub fn lift_with<T: Real>(
         &self,
         mu: &Se3Dual<T>,

@@ -5,7 +5,7 @@ use nalgebra::Vector3;
 
 /// The rotation about e_i by an angle θ, in the positive sense.
 ///
-/// Three shears make the rotation, about the nearer of v and −v:
+/// Three shears make up the rotation. They are applied to v or −v, whichever they turn by no more than π/2:
 ///
 /// ```text
 /// x ← x − y tan θ/2,    y ← y + x sin θ,    x ← x − y tan θ/2

@@ -66,7 +66,7 @@ impl Invariant {
         }
     }
 
-    /// Returns the unit, in SI units; the empty text for f₁, which is a number.
+    /// Returns the SI unit, or the empty text for f₁, which is dimensionless.
     ///
     /// ```
     /// use heavytop::Invariant;
@@ -166,12 +166,14 @@ impl HeavyTop {
             && is_small(self.center_of_mass()[axis])
     }
 
-    /// Returns the axis about which the top is of a kind: the third if it can be, which is also the answer if none is.
+    /// Returns the axis about which the top is of the given kind. The third axis comes first, and is also the answer if
+    /// the top is of this kind about no axis.
     fn axis(&self, is_of_kind: impl Fn(&Self, usize) -> bool) -> usize {
         [2, 0, 1].into_iter().find(|axis| is_of_kind(self, *axis)).unwrap_or(2)
     }
 
-    /// Returns the invariants of this top: h, f₁ and f₂; C of a free body; and the one of an integrable top.
+    /// Returns the invariants of this top: h, f₁ and f₂; C for a free body; and the additional invariant of an
+    /// integrable top.
     ///
     /// The symmetry axis may be any of the three. G is listed for a Goryachev–Chaplygin top at every level of Π·Γ.
     ///
@@ -210,7 +212,7 @@ impl HeavyTop {
         [Energy, VerticalSquared, VerticalMomentum].into_iter().chain(others).collect()
     }
 
-    /// Returns whether both moments at right angles to an axis have a value.
+    /// Returns whether both moments at right angles to an axis have the given value.
     fn has_transverse_moment(&self, axis: usize, moment: f64) -> bool {
         equator(axis).iter().all(|&i| is_small(self.inertia()[i] / moment - 1.0))
     }

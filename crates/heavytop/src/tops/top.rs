@@ -65,7 +65,7 @@ pub struct HeavyTop {
     center_of_mass: Vector3<f64>,
 }
 
-/// What a serialised top consists of. Reading checks it, as [`HeavyTop::new`] does.
+/// The serialised form of a top. It is checked when it is read, as by [`HeavyTop::new`].
 #[cfg(feature = "serde")]
 #[derive(serde::Serialize, serde::Deserialize)]
 struct Parameters {

@@ -16,15 +16,15 @@ use momentum_map::DualQuaternions;
 /// The tops are advanced in the SIMD lanes of the processor's registers: one lane holds one top, so that a
 /// register advances several trajectories.
 ///
-/// One step is that of [`LiftFree`] with [`RungeKutta::gauss`], to round-off. The stage equations are solved
-/// by sweeps, each stage from the newest derivatives of the others. The sweeps begin with the polynomial
-/// through the stages of the last step. The iteration of a top stops where its own stages have converged. A
-/// top whose stages do not converge, whose Γ is 0, or that is not finite is advanced by that integrator
-/// instead, and fails where it fails.
+/// One step is that of [`LiftFree`] with [`RungeKutta::gauss`], to round-off. The stage equations are solved by sweeps,
+/// which compute each stage from the newest derivatives of the others. The sweeps begin with the polynomial through the
+/// stages of the last step. The iteration of a top stops where its own stages have converged. A top whose stages do not
+/// converge, whose Γ is 0, or that is not finite is advanced by [`LiftFree`] instead, and fails if that integrator
+/// fails.
 ///
-/// The result for a top does not depend on the others, nor on the number of lanes. It has the same bits at
-/// every [`Width`], and on all instruction sets that fuse products with sums. The results of
-/// [`InstructionSet::Portable`], which does not, differ by rounding.
+/// The result for a top depends neither on the others nor on the number of lanes. It is bit-identical at every
+/// [`Width`], and on all instruction sets that fuse products with sums. [`InstructionSet::Portable`] does not fuse
+/// them, and its results differ by rounding.
 ///
 /// Source: the method of Ohsawa 2019, §4–5, in the lift-free form of [`LiftFree`].
 ///
@@ -88,8 +88,8 @@ impl<const S: usize> GaussBatch<S> {
     }
 }
 
-/// A run in several calls that meet at multiples of [`CHECKPOINT`](collective_integrators::CHECKPOINT) has
-/// the bits of a run in one call. With other calls the results differ by rounding.
+/// A run in several calls that meet at multiples of [`CHECKPOINT`](collective_integrators::CHECKPOINT) is bit-identical
+/// to a run in one call. If the calls meet elsewhere, the results differ by rounding.
 impl<const S: usize> BatchIntegrator for GaussBatch<S> {
     type Member = (HeavyTop, Se3Dual);
     type Workspace = ();

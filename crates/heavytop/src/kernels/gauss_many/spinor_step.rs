@@ -18,7 +18,7 @@ use num_complex::Complex;
 /// The remaining error is smaller by the factor by which a sweep contracts.
 const CONVERGED: f64 = 1.0 / (1_u64 << 49) as f64;
 
-/// The largest next change, by the ratio of the last two, with which a stage has converged as well.
+/// The largest next change, expected from the ratio of the last two, with which a stage has converged as well.
 const NEXT: f64 = 1.0 / (1_u64 << 53) as f64;
 
 /// The number of sweeps after which a lane that has not converged is left to other methods.
@@ -213,7 +213,7 @@ fn combine<T: Lanes, const S: usize>(
     sum
 }
 
-/// Returns the minimal lift in components, or NaN where there is none.
+/// Returns the minimal lift in components, or NaN if there is none.
 fn lift(mu: &Se3Dual) -> [f64; 8] {
     match SpinorRealisation.lift(mu) {
         Ok(SpinorPoint { q, p: Covector(p) }) => {

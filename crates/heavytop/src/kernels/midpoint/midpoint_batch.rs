@@ -12,9 +12,9 @@ use lie_poisson::{InstructionSet, Lanes, MissingInstructions, Se3Dual, Width};
 /// Advances many states of one top at once, in the SIMD lanes of the processor's registers, two registers at
 /// a time.
 ///
-/// Each state has the bits of its own [`trajectory`](collective_integrators::Start::trajectory) on the same
-/// instructions. Those of AVX2 and AVX-512 are equal. Those of [`InstructionSet::Portable`], which does not
-/// fuse products with sums, differ by rounding.
+/// Each state is bit-identical to its own [`trajectory`](collective_integrators::Start::trajectory) on the same
+/// instructions. AVX2 and AVX-512 give bit-identical results. [`InstructionSet::Portable`] does not fuse products with
+/// sums, and its results differ by rounding.
 ///
 /// # Example
 /// The tops have different angular momenta, and one of them fails:

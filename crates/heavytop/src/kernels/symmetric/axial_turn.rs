@@ -10,8 +10,8 @@ use nalgebra::Vector3;
 /// ```
 ///
 /// The same shears in reverse undo it, whatever their rounding. Shears conserve areas, so that many rotations by one
-/// angle stay on an ellipse that is a circle to round-off, where a matrix of rounded cosines and sines stretches each
-/// time by the same 1e-16.
+/// angle stay on an ellipse that is a circle to round-off. A matrix of rounded cosines and sines stretches each time by
+/// the same 1e-16.
 ///
 /// Source: Paeth, *A fast algorithm for general raster rotation*, Graphics Interface (1986).
 #[derive(Clone, Copy, Default)]

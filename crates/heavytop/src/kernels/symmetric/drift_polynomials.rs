@@ -9,8 +9,8 @@ const MOST_TERMS: usize = 8;
 
 /// The polynomials of a drift for the fraction c of a step: c c₁, c²c₂ and c tan(θ/2)/θ at θ² = c²x, in terms of x.
 ///
-/// Their cosine 1 − x (c²c₂) and sine √x (c c₁) must be on the unit circle to 1e-18 for all x, since in a long run all that
-/// a flow stretches adds up. With the coefficients s of the sine and v of the versine, cos² + sin² − 1 has
+/// Their cosine 1 − x (c²c₂) and sine √x (c c₁) must be on the unit circle to 1e-18 for all x, since the stretching by
+/// each flow adds up in a long run. With the coefficients s of the sine and v of the versine, cos² + sin² − 1 has
 ///
 /// ```text
 /// Σ s_i s_(n−i) − 2 v_n + Σ v_i v_(n−1−i)    as the coefficient of xⁿ⁺¹
@@ -35,7 +35,7 @@ pub(crate) struct DriftValues<T> {
     pub(crate) sine: T,
     /// The leading coefficient v₀ = c²/2 of the versine, rounded.
     pub(crate) half_square: T,
-    /// The versine c²c₂ less v₀. To add v₀ here would delay all that depends on it.
+    /// The versine c²c₂ less v₀. Adding v₀ here would delay everything that depends on it.
     pub(crate) rest: T,
 }
 
@@ -129,7 +129,7 @@ mod tests {
         [sine, at_x.half_square + at_x.rest, half_tangent]
     }
 
-    /// Returns what they should be.
+    /// Returns the exact values.
     fn expected(c: f64, x: f64) -> [f64; 3] {
         let square = c * c * x;
         let angle = square.sqrt();

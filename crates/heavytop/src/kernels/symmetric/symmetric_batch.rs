@@ -17,7 +17,7 @@ const LONG: [f64; 2] = [2.0, f64::INFINITY];
 
 /// The largest squared angles, rad², of a flow and of a step, for shorter polynomials.
 ///
-/// Practical step sizes are within this range. Where only some tops of a group are, each of the two passes
+/// Practical step sizes are within this range. If only some tops of a group are within it, each of the two passes
 /// computes all of them.
 const SHORT: [f64; 2] = [0.7, 1.7];
 
@@ -26,19 +26,20 @@ const SHORT: [f64; 2] = [0.7, 1.7];
 /// The tops are advanced in the SIMD lanes of the processor's registers: one lane holds one top, so that a
 /// register advances several trajectories.
 ///
-/// One step is that of an alternating [`Splitting`] over [`SymmetricTopSplitting`], to round-off. Sine and
-/// cosine are polynomials here. Where a step ends with the part with which the next one begins, the two flows
-/// are merged, so that n steps in one call and n calls differ by rounding. A top that leaves the range of the
-/// polynomials (it turns by more than √2 rad in one flow), or is not finite, is advanced by that integrator
-/// instead, and fails where it fails. A top that turns by less than 1.3 rad in a step has shorter
-/// polynomials, and is a tenth faster.
+/// One step is that of an alternating [`Splitting`] over [`SymmetricTopSplitting`], to round-off. Sine and cosine are
+/// polynomials here. If a step ends with the part with which the next one begins, the two flows are merged, so that n
+/// steps in one call and one step in each of n calls differ by rounding. A top that leaves the range of the polynomials
+/// (it turns by more than √2 rad in one flow), or is not finite, is advanced by the [`Splitting`] instead, and fails if
+/// that integrator fails. A top that turns by less than 1.3 rad in a step has shorter polynomials, and is a tenth
+/// faster.
 ///
-/// Rounding causes a random walk of |Γ|² and Γ·Π. The mean over many tops does not drift: that of |Γ|² by less than 1e-19 of
-/// its size per step, also at steps of 1/5. In a flow by more than 1.2 rad up to 4e-17 are possible.
+/// Rounding causes a random walk of |Γ|² and Γ·Π. The mean over many tops does not drift: the mean of |Γ|² changes by
+/// less than 1e-19 of its size per step, also at steps of 1/5. In a flow by more than 1.2 rad, changes of up to 4e-17
+/// are possible.
 ///
-/// The result for a top does not depend on the others, nor on the number of lanes. It has the same bits at
-/// every [`Width`], and on all instruction sets that fuse products with sums. The results of
-/// [`InstructionSet::Portable`], which does not, differ by rounding.
+/// The result for a top depends neither on the others nor on the number of lanes. It is bit-identical at every
+/// [`Width`], and on all instruction sets that fuse products with sums. [`InstructionSet::Portable`] does not fuse
+/// them, and its results differ by rounding.
 ///
 /// Source: the splitting is that of [`SymmetricTopSplitting`], the fractions are those of [`AlternatingSubsteps`].
 ///
@@ -92,8 +93,8 @@ impl SymmetricTopBatch {
     }
 }
 
-/// A run in several calls that meet at multiples of [`CHECKPOINT`](collective_integrators::CHECKPOINT) has
-/// the bits of a run in one call. With other calls the results differ by rounding.
+/// A run in several calls that meet at multiples of [`CHECKPOINT`](collective_integrators::CHECKPOINT) is bit-identical
+/// to a run in one call. If the calls meet elsewhere, the results differ by rounding.
 impl BatchIntegrator for SymmetricTopBatch {
     type Member = (SymmetricTopSplitting, Se3Dual);
     type Workspace = ();
@@ -162,7 +163,7 @@ impl LaneKernel for SymmetricTopBatch {
     }
 }
 
-/// Returns whether hΠ/I₁ and (h/I₁)² keep their digits, the numbers in which the flows compute.
+/// Returns whether hΠ/I₁ and (h/I₁)², the numbers with which the flows compute, keep their digits.
 fn is_in_range((top, Covector(Pair(pi, _))): &(SymmetricTopSplitting, Se3Dual), step: f64) -> bool {
     const LEAST: f64 = 1e-140;
     let factor = (step / top.top().inertia().x).abs();

@@ -46,7 +46,7 @@ impl<S: Copy> Extrapolation<S> {
         Self { values: [zero; 2 * DEPTH], oldest: 0, known: 0 }
     }
 
-    /// Returns the next value by extrapolation, or none if no value is known.
+    /// Returns the next value by extrapolation, or `None` if no value is known.
     ///
     /// `read` converts stored vectors to those of the computation. The newest term is added last, since it is
     /// available last.

@@ -119,7 +119,7 @@ impl<V: RegisterVector> Guess<V> {
         (change * rate).at_most(size).and(is_small(change))
     }
 
-    /// Returns where the correction is round-off and the iteration no longer improves.
+    /// Returns where the correction is round-off and no longer shrinks.
     #[inline(always)]
     pub fn stalled(
         &self,
@@ -153,8 +153,8 @@ impl<V: RegisterVector> Guess<V> {
     /// Γ₁ = R_a ( Γ₀ + 2n (W Γ₀ + 2d×G) ),    Π₁ = R_a ( X + 2n (G×f + α G + 2d×Y) )
     /// ```
     ///
-    /// of which the parts without d are computed before d is known. This omits, in Π₁, a term 2hn² G×(γ×d). The bound κ of
-    /// the error after a correction includes it.
+    /// of which the parts without d are computed before d is known. In Π₁ this omits a term 2hn² G×(γ×d). The bound κ
+    /// of the error after a correction includes it.
     ///
     /// The vector 2d×G is about a unit of round-off of W Γ₀. Added to G or to W Γ₀, it would be rounded to whole units, or to
     /// none, of each component by itself. Since d depends on where the top is, these errors do not cancel, and |Γ|² would

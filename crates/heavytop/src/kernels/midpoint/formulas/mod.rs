@@ -1,10 +1,9 @@
-//! The formulas of the collective midpoint rule for tops, with the same bits for one top in registers and for
+//! The formulas of the collective midpoint rule for tops, with bit-identical results for one top in registers and for
 //! many in SIMD lanes.
 //!
 //! The module [`register_vector`] holds the vectors of R³ in which the formulas are written, and [`components`] and
-//! [`in_register`] its two forms. [`midpoint_parameters`] holds the parameters of tops, [`guess`] half a step from a
-//! guess of a, [`step`] one step, and [`extrapolation`] the next guess. [`one_top`] and [`many_tops`] use
-//! them.
+//! [`in_register`] hold its two forms. [`midpoint_parameters`] holds the parameters of tops, [`guess`] half a step from
+//! a guess of a, [`step`] one step, and [`extrapolation`] the next guess. [`one_top`] and [`many_tops`] use them.
 //!
 //! # Cost
 //! A step with one guess takes 310 floating-point operations in each lane, a fused multiply-add counted as

@@ -1,4 +1,4 @@
-//! The steps of one top, each with the history of the steps before.
+//! The steps of one top, each with the history of the earlier steps.
 
 use super::components::TopState;
 use super::extrapolation::Extrapolation;
@@ -10,8 +10,7 @@ use collective_integrators::Step;
 use lie_poisson::{FourLanes, FourLanesTask, InstructionSet, Mask, Se3Dual, dispatch_four};
 use nalgebra::Vector3;
 
-/// The data that one step leaves to the next one of the same size, if that continues from its end, bit for
-/// bit.
+/// The data that one step leaves for the next step, if that has the same size and continues from its end, bit for bit.
 #[derive(Clone, Debug)]
 pub(crate) struct GuessHistory {
     past: Extrapolation<Stored>,
@@ -45,7 +44,7 @@ impl GuessHistory {
 
     /// Advances by one step, and returns the end with the number of guesses.
     ///
-    /// There is none if a does not converge or the end is not finite. The history is then empty.
+    /// Returns `None` if a does not converge or the end is not finite. The history is then empty.
     #[inline]
     pub fn step(
         &mut self,
@@ -63,7 +62,7 @@ impl GuessHistory {
         Some(Step { point: self.end.point(), iterations })
     }
 
-    /// Makes the history that of a step from a new point.
+    /// Sets the history for a step from a new point.
     #[cold]
     fn begin(&mut self, top: &HeavyTop, mu: &Se3Dual, step: f64) {
         self.parameters = MidpointParameters::stored(top, mu.0.1.norm_squared(), step);

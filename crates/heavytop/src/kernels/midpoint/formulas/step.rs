@@ -23,9 +23,8 @@ pub(super) struct Outcome<V: RegisterVector> {
 
 /// Advances by one step from `start`, with a guess of a; without one, a = (h/4) I⁻¹Π₀.
 ///
-/// Each lane stops by itself. A lane that has converged keeps its guess while others continue, and all
-/// results from it are the same again, bit for bit. The iteration does not wait for lanes in which `given_up`
-/// is true.
+/// Each lane stops by itself. A lane that has converged keeps its guess while others continue, so that repeated
+/// computations from it give bit-identical results. The iteration does not wait for lanes in which `given_up` is true.
 #[inline(always)]
 pub(super) fn step<V: RegisterVector>(
     top: &MidpointParameters<V, V::Scalar>,
