@@ -48,13 +48,13 @@ pub enum SystemError {
         /// The name of the parameter.
         name: &'static str,
     },
-    /// There are more parts than the machine can count.
+    /// The number of parts is larger than the machine can represent.
     #[error("there are more {name} than the {} of this machine", usize::MAX)]
     TooMany {
         /// The name of the parts.
         name: &'static str,
     },
-    /// There are not as many values as there must be.
+    /// The number of values is not the required one.
     #[error("{expected} {name} are needed, got {found}")]
     Count {
         /// The name of the values.

@@ -7,8 +7,8 @@
 //! lie-poisson-systems = "0.1"
 //! ```
 //!
-//! Four vortices on the sphere: the collective Gauss method conserves the moment of vorticity Σ k_i x_i to
-//! round-off, and the vortices stay on the sphere.
+//! The example has four vortices on the sphere. The collective Gauss method conserves the moment of vorticity Σ k_i x_i
+//! to round-off, and the vortices stay on the sphere.
 //!
 //! ```
 //! use lie_poisson_systems::prelude::*;
@@ -60,12 +60,12 @@
 //!
 //! # Conventions
 //!
-//! * [`GeneralisedRigidBody`] and [`Zeitlin`] are [`IsospectralField`](isospectral_flows::IsospectralField)s, and go with
-//!   the methods of [`isospectral_flows`].
+//! * [`GeneralisedRigidBody`] and [`Zeitlin`] are [`IsospectralField`](isospectral_flows::IsospectralField)s. They are
+//!   integrated by the methods of [`isospectral_flows`].
 //! * On se(3)∗ the frame is that of the body, and the bracket is the minus bracket.
 //! * Bodies are in SI units. Spins and their constants are numbers without units.
 //! * The bracket of the spins is the plus bracket: h = −B·s gives ds/dt = s × B.
-//! * The signs on 𝔤∗ are those of [`lie_poisson`], the sides those of [`momentum_map`].
+//! * The signs on 𝔤∗ are those of [`lie_poisson`], and the sides of actions are those of [`momentum_map`].
 //!
 //! The notation of all the crates is collected in `docs/notation.md` of the source repository.
 //!

@@ -7,7 +7,7 @@ use nalgebra::{Matrix3, SMatrix, Vector3};
 /// The largest difference of A and C from their transposes, relative to their largest entry.
 const ASYMMETRY: f64 = 1e-12;
 
-/// The positive definite matrix [A B; Bᵀ C], which takes (Π, P) to (Ω, v).
+/// The positive definite matrix [A B; Bᵀ C], which maps (Π, P) to (Ω, v).
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(crate) struct InverseInertia {
     a: Matrix3<f64>,

@@ -7,7 +7,8 @@ use nalgebra::Vector3;
 
 /// An elliptical patch of uniform vorticity in a plane flow with uniform strain and rotation.
 ///
-/// The patch stays an ellipse. The point μ ∈ so(2, 1)∗ holds its semi-axes a, b and its angle φ by the symmetric matrix
+/// The patch stays an ellipse. The point μ ∈ so(2, 1)∗ represents its semi-axes a, b and its angle φ by the symmetric
+/// matrix
 ///
 /// ```text
 /// [μ₃+μ₁ μ₂; μ₂ μ₃−μ₁] = R_φ diag(a², b²) R_φᵀ,    μ₃ = ½(a²+b²),  (μ₁, μ₂) = ½(a²−b²)(cos 2φ, sin 2φ)
@@ -52,10 +53,10 @@ pub struct KidaVortex {
     rotation: f64,
 }
 
-/// The least and the largest semi-axis (m), such that the fourth powers are numbers.
+/// The least and the largest semi-axis (m), such that the fourth powers neither overflow nor underflow.
 const AXES: [f64; 2] = [1e-76, 1e76];
 
-/// The least and the largest ratio of the semi-axes, such that a²b² is known to a rounding error of 10⁻⁴ of it.
+/// The least and the largest ratio of the semi-axes, such that a²b² is known to a relative rounding error of 10⁻⁴.
 const RATIOS: [f64; 2] = [1e-6, 1e6];
 
 impl KidaVortex {
@@ -73,8 +74,9 @@ impl KidaVortex {
 
     /// Returns the point of so(2, 1)∗ of an ellipse with semi-axes a and b (m), the first at the angle φ from the x-axis.
     ///
-    /// The point holds the shorter axis by the difference μ₃² − μ₁² − μ₂² = a²b² of numbers of size a⁴. So the Casimir has a
-    /// relative rounding error of about 10⁻¹⁶ (a/b)², for a > b, and the squares must be numbers.
+    /// The point represents the shorter axis by the difference μ₃² − μ₁² − μ₂² = a²b² of numbers of size a⁴. The
+    /// Casimir therefore has a relative rounding error of about 10⁻¹⁶ (a/b)², for a > b, and the squares must neither
+    /// overflow nor underflow.
     ///
     /// # Errors
     /// Returns [`SystemError`] unless the angle is finite, the axes are between 10⁻⁷⁶ and 10⁷⁶, and their ratio is between

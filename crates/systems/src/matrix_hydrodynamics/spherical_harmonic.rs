@@ -74,8 +74,8 @@ impl QuantisedLaplacian {
 /// ```
 ///
 /// The functions Y_lm are orthonormal on the unit sphere and have the phase of Condon and Shortley. The result is empty
-/// if m is above `most`, and NaN for x outside of [−1, 1]. For m above 600 and x near ±1, functions that are smaller than
-/// the least number become zero, with those of higher degree.
+/// if m is above `most`, and NaN for x outside of [−1, 1]. For m above 600 and x near ±1, functions that are smaller
+/// than the least positive number become zero, and so do those of higher degree.
 ///
 /// Source: DLMF §14.10 and §14.30, with the recurrence in l, which is stable upwards.
 ///

@@ -55,7 +55,7 @@ impl VorticityCoefficients {
         omega
     }
 
-    /// Returns N, the number above all degrees.
+    /// Returns N. All degrees are below N.
     #[must_use]
     pub fn size(&self) -> usize {
         self.size

@@ -6,8 +6,8 @@ use crate::matrix_hydrodynamics::vorticity_coefficients::VorticityCoefficients;
 use isospectral_flows::num_complex::Complex;
 use isospectral_flows::{IsospectralField, LargeMatrix, LargeSkewHermitian, Products};
 
-/// Euler's equations of an ideal fluid on the unit sphere, in Zeitlin's model: an N×N matrix W instead of the vorticity
-/// ω.
+/// Euler's equations of an ideal fluid on the unit sphere, in Zeitlin's model, which has an N×N matrix W instead of the
+/// vorticity ω.
 ///
 /// ```text
 /// dW/dt = [P, W]/ħ,    ΔP = W − F,    ħ = 2/√(N² − 1)
@@ -21,8 +21,8 @@ use isospectral_flows::{IsospectralField, LargeMatrix, LargeSkewHermitian, Produ
 /// integrals ∫ωᵏ. It also conserves the angular momentum ∫ω x: its component along the axis, and all three components if
 /// the sphere does not rotate.
 ///
-/// The matrix of a function is that of [`VorticityCoefficients::matrix`]: 1 becomes i, and x₃ becomes iħ S₃. Units are
-/// those of a sphere of radius 1 and a time of choice.
+/// The matrix of a function is that of [`VorticityCoefficients::matrix`]: 1 becomes i, and x₃ becomes iħ S₃. The unit
+/// of length is the radius of the sphere, and the unit of time is arbitrary.
 ///
 /// Source: Zeitlin, *Self-consistent finite-mode approximations for the hydrodynamics of an incompressible fluid on
 /// nonrotating and rotating spheres*, Phys. Rev. Lett. 93 (2004); Modin & Viviani, *A Casimir preserving scheme for
@@ -87,7 +87,7 @@ impl Zeitlin {
         2.0 / ((n - 1.0) * (n + 1.0)).sqrt()
     }
 
-    /// Returns the matrix W of an absolute vorticity ω = Σ ω_lm Y_lm, in 1 per unit of time: W = Σ ω_lm i T_lm.
+    /// Returns the matrix W = Σ ω_lm i T_lm of an absolute vorticity ω = Σ ω_lm Y_lm, in inverse units of time.
     ///
     /// Coefficients of degree N and higher have no matrix and are left out; see [`VorticityCoefficients::matrix`].
     #[must_use]

@@ -10,15 +10,15 @@ use isospectral_flows::{IsospectralField, LargeSkewHermitian};
 /// dM/dt = [M, Ω],    M_jk = (J_j + J_k) Ω_jk,    h(M) = ½ Σ_(j<k) M_jk²/(J_j + J_k)
 /// ```
 ///
-/// M is the real skew-symmetric matrix of the angular momentum in the frame of the body, Ω that of the angular velocity,
-/// and J_j = ∫x_j² dm are the second moments of the mass. For N = 3 the equations are those of Euler, with the moments of
-/// inertia I₁ = J₂ + J₃ and so on, M₃₂ = Π₁, M₁₃ = Π₂ and M₂₁ = Π₃.
+/// M is the real skew-symmetric matrix of the angular momentum in the frame of the body, Ω is the matrix of the angular
+/// velocity, and J_j = ∫x_j² dm are the second moments of the mass. For N = 3 the equations are those of Euler, with
+/// the moments of inertia I₁ = J₂ + J₃ and so on, M₃₂ = Π₁, M₁₃ = Π₂ and M₂₁ = Π₃.
 ///
 /// The system is integrable. Besides the spectrum of M, it conserves the spectrum of M + λJ² for every λ, from which the
 /// integrals of Manakov follow.
 ///
-/// The matrices are those of u(N)∗ with imaginary part zero, to which every integrator for [`IsospectralField`]s keeps.
-/// Units: J in kg m², M in kg m²/s.
+/// The matrices are points of u(N)∗ whose imaginary part is zero. Every integrator for [`IsospectralField`]s keeps it
+/// zero. J is in kg m², and M in kg m²/s.
 ///
 /// Source: Manakov, *Note on the integration of Euler's equations of the dynamics of an n-dimensional rigid body*,
 /// Funct. Anal. Appl. 10 (1976); Ratiu, *The motion of the free n-dimensional rigid body*, Indiana Univ. Math. J. 29
@@ -53,7 +53,7 @@ impl GeneralisedRigidBody {
     /// Creates the body with the second moments J_j of its mass; their number is N.
     ///
     /// # Errors
-    /// Returns [`SystemError`] if a moment is not a positive number, or so small that its reciprocal is not finite.
+    /// Returns [`SystemError`] if a moment is not a positive number, or is so small that its reciprocal is not finite.
     pub fn new(moments: Vec<f64>) -> Result<Self, SystemError> {
         for &moment in &moments {
             require_positive("second moment of the mass", moment)?;

@@ -20,15 +20,16 @@ use rayon::slice::ParallelSliceMut;
 /// number of cells along x, y and z, so that any range and direction is possible; J > 0 is ferromagnetic. A lattice with
 /// one cell in a direction has a lower dimension. The site in cell (x, y, z) has the index x + n_x (y + n_y z).
 ///
-/// The bracket is the plus bracket {s_a, s_b} = ε_abc s_c of each spin. Conserved are h and every |s_i|, and with B and a
-/// along one axis the component of Σ s_i along it. Spins, J, K and B are numbers without units.
+/// The bracket is the plus bracket {s_a, s_b} = ε_abc s_c of each spin. The conserved quantities are h and every |s_i|.
+/// If B and a lie along one axis, the component of Σ s_i along it is also conserved. Spins, J, K and B are numbers
+/// without units.
 ///
-/// Integrators for [`State`]s advance it in place: [`SphericalMidpoint`](collective_integrators::SphericalMidpoint) is a
-/// Poisson map, and [`LatticeMidpoint`](crate::LatticeMidpoint) is its fast path. For Poisson maps of other orders take
-/// [`CollectiveSites`](collective_integrators::CollectiveSites) with
-/// `QuadraticMomentumMap::new(So3OnC2, Side::Left)`, whose bracket is the plus bracket. (`HOPF` has the minus bracket, and
-/// turns the spins the other way.) The rows of cells along x are divided among all threads of the current pool, with the
-/// same bits for any number of threads.
+/// Integrators for [`State`]s advance it in place: [`SphericalMidpoint`](collective_integrators::SphericalMidpoint) is
+/// a Poisson map, and [`LatticeMidpoint`](crate::LatticeMidpoint) is its fast path. For Poisson maps of other orders
+/// use [`CollectiveSites`](collective_integrators::CollectiveSites) with
+/// `QuadraticMomentumMap::new(So3OnC2, Side::Left)`, whose bracket is the plus bracket. (`HOPF` has the minus bracket,
+/// and turns the spins the other way.) The rows of cells along x are divided among all threads of the current pool,
+/// with bit-identical results for any number of threads.
 ///
 /// Source: Lakshmanan, *The fascinating world of the Landau–Lifshitz–Gilbert equation*, Phil. Trans. R. Soc. A 369
 /// (2011), §4; McLachlan, Modin & Verdier, *Symplectic integrators for spin systems*, Phys. Rev. E 89 (2014).
@@ -93,8 +94,8 @@ impl HeisenbergLattice {
         Ok(Self { cells, exchanges: Vec::new(), axis, anisotropy: 0.0, field })
     }
 
-    /// Adds the exchange constant J of the bonds from each cell to that at the given offset. Each bond is named once:
-    /// an offset stands for its opposite too.
+    /// Adds the exchange constant J of the bonds from each cell to the cell at the given offset. Add each bond only
+    /// once: an offset stands for its opposite too.
     ///
     /// # Errors
     /// Returns [`SystemError::NotFinite`] if J is not finite.
@@ -106,8 +107,8 @@ impl HeisenbergLattice {
         Ok(self)
     }
 
-    /// Returns the lattice with an anisotropy K along an axis a, of which only the direction counts. K > 0 makes it an
-    /// easy axis, and K < 0 a hard axis.
+    /// Returns the lattice with an anisotropy K along an axis a. Only the direction of a counts. K > 0 makes it an easy
+    /// axis, and K < 0 a hard axis.
     ///
     /// # Errors
     /// Returns [`SystemError`] if a number is not finite or the axis has no direction.
@@ -251,7 +252,7 @@ impl<T: Real> VectorField<T> for HeisenbergLattice {
         rate
     }
 
-    /// Writes the rates ds_i/dt. They are NaN if s is a state of another number of spins.
+    /// Writes the rates ds_i/dt. They are NaN if s has another number of spins.
     fn at_into(&self, s: &Self::Point, rate: &mut Self::Point) {
         if [s.0.len(), rate.0.len()] != [self.count(); 2] {
             return rate.set_entries(|_| T::from_f64(f64::NAN));

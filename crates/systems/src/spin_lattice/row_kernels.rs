@@ -4,7 +4,8 @@ use crate::spin_lattice::stencil::{BLOCK, Spins, Stencil};
 use lie_poisson::Real;
 use lie_poisson::generic_scalars::Lanes;
 
-/// The largest change and size of the rates in each lane, with the sum of the changes, which keeps a NaN that they lose.
+/// The largest change and size of the rates in each lane, with the sum of the changes. The sum keeps a NaN that the
+/// maxima lose.
 #[derive(Clone, Copy)]
 pub(crate) struct Progress<T> {
     change: T,
@@ -13,7 +14,7 @@ pub(crate) struct Progress<T> {
 }
 
 impl<T: Lanes> Progress<T> {
-    /// Returns that of no rate.
+    /// Returns the progress before any rate is included.
     #[inline(always)]
     pub(crate) fn zero() -> Self {
         let zero = T::from_f64(0.0);
@@ -63,7 +64,7 @@ fn square<T: Lanes>(v: &[T; 3]) -> T {
 /// The two ends of a bond of each spin.
 #[derive(Clone, Copy, Debug, Default)]
 pub(crate) struct Ends {
-    /// How many blocks of midpoints they are after that of the spin.
+    /// The distances of the two ends from the block of the spin, in blocks of midpoints.
     pub(crate) distances: [isize; 2],
     /// The exchange constant J.
     pub(crate) constant: f64,

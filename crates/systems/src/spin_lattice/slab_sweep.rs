@@ -37,7 +37,7 @@ pub(crate) struct Slab {
     midpoints: Vec<Spins>,
     /// The ends of the bonds of each midpoint of a plane.
     ends: Vec<Ends>,
-    /// For how many rows of each plane the sweep is made at once.
+    /// The number of rows of each plane for which the sweep is made at once.
     rows: usize,
     /// The largest change of a component of a rate, and the largest such component, or NaN.
     pub(crate) progress: [f64; 2],

@@ -1,11 +1,11 @@
-//! The interaction of each two vortices on the sphere.
+//! The interaction of every two vortices on the sphere.
 
 use crate::error::{SystemError, require_finite};
 use core::f64::consts::PI;
 use lie_poisson::{Real, Vector};
 use nalgebra::Vector3;
 
-/// Refuses a strength that is not finite, or so near zero that its reciprocal is not.
+/// Refuses a strength that is not finite, or is so near zero that its reciprocal is not finite.
 pub(crate) fn require_strength(value: f64) -> Result<(), SystemError> {
     require_finite("strength", value)?;
     let regular = value.recip().is_finite();

@@ -1,4 +1,4 @@
-//! The interaction of each two of many vortices, on SIMD lanes: [`Interaction`].
+//! The interaction of every two of many vortices, on SIMD lanes: [`Interaction`].
 
 use crate::vortices::sources::{BLOCK, Sources};
 use lie_poisson::Real;

@@ -1,4 +1,4 @@
-//! Point vortices on the sphere, as many as a program is given.
+//! Point vortices on the sphere, whose number is known only when the program runs.
 
 use crate::error::SystemError;
 use crate::vortices::interaction::{add_differential, energy, require_strength};
@@ -22,13 +22,13 @@ use rayon::slice::ParallelSliceMut;
 ///
 /// Integrators for [`State`]s advance it in place: schemes applied to the equations, and the
 /// [`SphericalMidpoint`](collective_integrators::SphericalMidpoint) method, which is a Poisson map of order 2. As a
-/// [`SitesHamiltonian`] they serve [`CollectiveSites`](collective_integrators::CollectiveSites), for Poisson maps of any
+/// [`SitesHamiltonian`] it serves [`CollectiveSites`](collective_integrators::CollectiveSites), for Poisson maps of any
 /// order on copies of [`HOPF`](momentum_map::HOPF).
 ///
 /// From 32 vortices on, the rates of plain numbers `f64` are computed on the widest SIMD lanes of the processor and on
-/// all threads of the current pool. Their bits are the same for any number of threads. They differ by rounding from
-/// those of fewer vortices, and between processors with and without fused multiply-add, unless the instructions are
-/// [portable](Self::with_instructions).
+/// all threads of the current pool. They are bit-identical for any number of threads. They differ by rounding from the
+/// rates as computed for fewer vortices. Unless the instructions are [portable](Self::with_instructions), they also
+/// differ by rounding between processors with and without fused multiply-add.
 ///
 /// # Example
 /// A ring of vortices on a parallel of the sphere turns as a rigid body:
@@ -70,7 +70,7 @@ impl ManyVortices {
     /// Creates vortices of the given strengths k_i.
     ///
     /// # Errors
-    /// Returns [`SystemError`] if a strength is not finite, or so near zero that its reciprocal is not.
+    /// Returns [`SystemError`] if a strength is not finite, or is so near zero that its reciprocal is not finite.
     pub fn new(strengths: Vec<f64>) -> Result<Self, SystemError> {
         strengths.iter().try_for_each(|&strength| require_strength(strength))?;
         let inverses = strengths.iter().map(|strength| strength.recip()).collect();
@@ -78,7 +78,7 @@ impl ManyVortices {
         Ok(Self { strengths, inverses, instructions, storage: StoragePool::default() })
     }
 
-    /// Replaces the instruction set of the SIMD lanes. The portable one gives the same bits on every processor.
+    /// Replaces the instruction set of the SIMD lanes. The portable set gives bit-identical results on every processor.
     ///
     /// # Errors
     /// Returns [`MissingInstructions`] if the processor lacks it.
@@ -181,8 +181,7 @@ impl<T: Real> VectorField<T> for ManyVortices {
 
     /// Writes the rates dm_i/dt = m_i × dh/dm_i.
     ///
-    /// They are NaN if m is a point of another number of vortices, so that a step from it is an error, unless m is
-    /// empty.
+    /// They are NaN if m has another number of vortices, so that a step from it is an error, unless m is empty.
     fn at_into(&self, m: &Self::Point, rate: &mut Self::Point) {
         self.differential_into(m, &mut rate.0);
         for (rate, m) in rate.0.iter_mut().zip(m.0.iter()) {
