@@ -6,8 +6,8 @@
 //! isospectral-flows = "0.1"
 //! ```
 //!
-//! A rigid body in N dimensions: Manakov's equations on so(N)∗. The collective midpoint rule conserves the spectrum of
-//! the angular momentum to round-off.
+//! The example is a rigid body in N dimensions, by Manakov's equations on so(N)∗. The collective midpoint rule
+//! conserves the spectrum of the angular momentum to round-off.
 //!
 //! ```
 //! use collective_integrators::{Integrator, RungeKutta};
@@ -53,8 +53,9 @@
 //!
 //! [`Composition`]: collective_integrators::Composition
 //!
-//! The cost of conserving each structure, in complex N×N products per step. A sweep is an iteration for the generators; s is the
-//! number of stages, e the products of an exponential (3 to 7, and one more for each halving of a spectral radius above 3.9):
+//! The table gives the cost of conserving each structure, in complex N×N products per step. A sweep is one iteration
+//! for the generators, s is the number of stages, and e is the number of products of an exponential (3 to 7, and one
+//! more for each halving of a spectral radius above 3.9):
 //!
 //! | method | order | conserves | products per step |
 //! |---|---|---|---|
@@ -69,14 +70,14 @@
 //! * For a Hamiltonian h with the differential dh in this scalar product, B = −dh gives the minus bracket and B = dh the
 //!   plus bracket of [`lie_poisson`].
 //! * For N known to the compiler, [`lie_poisson::UnitaryAlgebra`] is the same algebra, and
-//!   `momentum_map::ComplexMatrices` the same collective integrators.
+//!   `momentum_map::ComplexMatrices` gives the same collective integrators.
 //!
 //! The notation of all the crates is collected in `docs/notation.md` of the source repository.
 //!
 //! # Features and versions
 //!
 //! The crate has no features. The oldest supported compiler is Rust 1.89. Products are made by [`faer`], on one thread.
-//! It takes the instructions of the processor, so that the last digits of a step depend on the processor.
+//! It uses the instructions that the processor has, so that the last digits of a step depend on the processor.
 //!
 //! # Related crates
 //!

@@ -47,7 +47,7 @@ pub trait IsospectralField {
     /// Returns the size N.
     fn size(&self) -> usize;
 
-    /// Writes the generator B(W). The matrix `generator` has the size N, and arbitrary entries before.
+    /// Writes the generator B(W). The matrix `generator` has the size N, and its previous entries are arbitrary.
     fn generator_into(&self, w: &LargeSkewHermitian, generator: &mut LargeSkewHermitian);
 
     /// Returns the rate dW/dt = [B(W), W].

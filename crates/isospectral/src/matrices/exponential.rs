@@ -24,8 +24,8 @@ impl Products {
     /// ```
     ///
     /// They are evaluated by the method of Paterson and Stockmeyer with the powers A, A² and A³. All products but Ω S
-    /// are Hermitian and cost half of a product. A matrix with a spectral radius above 3.9 is divided by a power of two
-    /// first, and the result squared as often.
+    /// are Hermitian and cost half of a product. A matrix with a spectral radius above 3.9 is first divided by a power
+    /// of two, and the result is squared as often.
     ///
     /// A matrix that is not finite, or whose square is not, gives NaN, and so does one with ρ above 10⁹.
     ///
@@ -50,7 +50,7 @@ impl Products {
         let radius = powers[0].column_norm().sqrt();
         let halvings = halvings(radius);
         if halvings > MOST_HALVINGS {
-            // Nothing of the angles is left after so many rounding errors.
+            // After so many rounding errors no digit of the angles is left.
             z.set_entries(|_| f64::NAN);
             return powers.into_iter().chain([scaled]).for_each(|temporary| self.give(temporary));
         }
@@ -114,7 +114,7 @@ const MOST_HALVINGS: i32 = 28;
 /// Returns the number of times by which a matrix of the given spectral radius is halved.
 fn halvings(radius: f64) -> i32 {
     let (most, _) = GROUPS[GROUPS.len() - 1];
-    // Of a matrix that is not finite no power is finite, and nor is the result.
+    // If a matrix is not finite, none of its powers is finite, and neither is the result.
     if radius <= most || !radius.is_finite() { 0 } else { (radius / most).log2().ceil() as i32 }
 }
 

@@ -28,7 +28,7 @@ impl LargeMatrix {
     /// Creates the zero matrix of size N.
     ///
     /// # Panics
-    /// Panics, as a vector does, if the matrix is larger than the memory can be.
+    /// Panics, as a vector does, if the matrix is larger than any memory can be.
     #[must_use]
     pub fn zeros(size: usize) -> Self {
         // A size beyond the memory fails as that of any vector does.
@@ -82,7 +82,7 @@ impl LargeMatrix {
         &self.entries[self.size * self.size..]
     }
 
-    /// Returns the real and the imaginary parts, column by column, to be changed.
+    /// Returns the real and the imaginary parts, column by column, for changes.
     pub fn parts_mut(&mut self) -> (&mut [f64], &mut [f64]) {
         self.entries.split_at_mut(self.size * self.size)
     }
@@ -98,8 +98,8 @@ impl LargeMatrix {
         largest * self.entries.iter().map(|x| (x / largest).powi(2)).sum::<f64>().sqrt()
     }
 
-    /// Returns the largest sum of |Re z_jk| + |Im z_jk| over a column, a bound on the spectral radius. It is NaN if an entry
-    /// is.
+    /// Returns the largest sum of |Re z_jk| + |Im z_jk| over a column, a bound on the spectral radius. It is NaN if an
+    /// entry is NaN.
     #[must_use]
     pub fn column_norm(&self) -> f64 {
         let n = self.size.max(1);

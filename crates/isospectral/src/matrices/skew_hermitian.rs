@@ -49,13 +49,13 @@ impl LargeSkewHermitian {
         part
     }
 
-    /// Takes the value (Z − Z*)/2, and the size of Z.
+    /// Replaces the matrix by (Z − Z*)/2, with the size of Z.
     pub fn set_part_of(&mut self, z: &LargeMatrix) {
         self.set_difference_of(z);
         self.0.scale_in_place(0.5);
     }
 
-    /// Takes the value Z − Z*, and the size of Z.
+    /// Replaces the matrix by Z − Z*, with the size of Z.
     pub fn set_difference_of(&mut self, z: &LargeMatrix) {
         let n = z.size();
         if self.size() != n {
@@ -80,8 +80,8 @@ impl LargeSkewHermitian {
 
     /// Changes the entries on and above the diagonal, which determine the others.
     ///
-    /// The function receives the real and the imaginary parts, column by column: the entry in row j and column k is
-    /// that with the index j + N k. What it writes below the diagonal, and the real parts on it, are replaced.
+    /// The function receives the real and the imaginary parts, column by column: the entry in row j and column k has
+    /// the index j + N k. Whatever the function writes below the diagonal, and to the real parts on it, is replaced.
     ///
     /// # Example
     /// ```

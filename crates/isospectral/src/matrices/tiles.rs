@@ -80,7 +80,7 @@ pub(crate) fn for_pairs<const I: usize, const O: usize>(
             }
         }
         for (o, output) in outputs.iter_mut().enumerate() {
-            // On the diagonal, the entries above it decide.
+            // In a tile on the diagonal, the entries above the diagonal decide.
             there.write(&below[o], output);
             here.write(&above[o], output);
         }

@@ -8,8 +8,8 @@ use lie_poisson::{State, larger};
 
 /// The largest deviation of the squared length of a column of a unitary matrix from 1.
 ///
-/// If a generator times the step is so large that its rounding errors have this size, the iteration converges to a matrix
-/// that is not unitary. A loose tolerance of the iteration is no reason for it.
+/// If a generator times the step is so large that its rounding errors have this size, the iteration converges to a
+/// matrix that is not unitary. A loose tolerance of the iteration does not cause this.
 const LARGEST_DEFECT: f64 = 1e-3;
 
 /// The step W₁ = (1 + Z) W (1 + Z)* with which each method ends, and its storage.
@@ -28,7 +28,7 @@ impl Conjugation {
     /// Replaces W by exp(Ω) W exp(−Ω).
     ///
     /// # Errors
-    /// Returns [`StepError::NotFinite`], and leaves W, if the result is not finite.
+    /// Returns [`StepError::NotFinite`], and leaves W unchanged, if the result is not finite.
     pub(crate) fn by_exponential(
         &mut self,
         products: &mut Products,
@@ -39,11 +39,11 @@ impl Conjugation {
         conjugate(products, &self.rotation, w, &mut self.next)
     }
 
-    /// Replaces W by (1 + Z) W (1 + Z)*, for 1 + Z that was found in so many iterations.
+    /// Replaces W by (1 + Z) W (1 + Z)*, for a 1 + Z that was found in the given number of iterations.
     ///
     /// # Errors
-    /// Returns [`StepError::NotFinite`], and leaves W, if the result is not finite, and [`StepError::NotConverged`] if
-    /// 1 + Z is far from unitary.
+    /// Returns [`StepError::NotFinite`], and leaves W unchanged, if the result is not finite, and
+    /// [`StepError::NotConverged`] if 1 + Z is far from unitary.
     pub(crate) fn by(
         &mut self,
         products: &mut Products,

@@ -11,7 +11,7 @@ use lie_poisson::State;
 
 /// The exponential midpoint rule for [isospectral equations](IsospectralField): a symmetric Poisson map of order 2.
 ///
-/// The generator is that of the mean of W over the step, and constant in the step:
+/// The generator is evaluated at the mean of W over the step, and is constant in the step:
 ///
 /// ```text
 /// B = B( Σ_k ad_hB^k W₀/(k + 1)! ),    W₁ = exp(hB) W₀ exp(−hB),    ad_B W = [B, W]
@@ -19,9 +19,10 @@ use lie_poisson::State;
 ///
 /// It is the variational integrator with the discrete Lagrangian h ℓ(log(g₁ g₀⁻¹)/h), where ℓ is the Legendre transform
 /// of the Hamiltonian, and therefore a Poisson map if B = ±dh. Since W₀ is conjugated by an exponential, the error does
-/// not grow with the spectral radius ρ of h B by itself. The series is summed as it stands, so that round-off grows like
-/// exp(2ρ): ρ above 5 is of no use, and from about 10 on the step is an error. A sweep costs one product for each term of
-/// the series. Orders above 2 are reached by [`Composition`](collective_integrators::Composition), which is a Poisson map as well.
+/// not grow with the spectral radius ρ of h B by itself. The series is summed as it stands, so that round-off grows
+/// like exp(2ρ): ρ above 5 is of no use, and from about 10 on the step returns an error. A sweep costs one product for
+/// each term of the series. Orders above 2 are reached by [`Composition`](collective_integrators::Composition), which
+/// is a Poisson map as well.
 ///
 /// Source: Bou-Rabee & Marsden, *Hamilton–Pontryagin integrators on Lie groups*, Found. Comput. Math. 9 (2009), with
 /// the exponential as the retraction.

@@ -1,4 +1,4 @@
-//! Predictions of generators from the steps before: [`GeneratorHistory`].
+//! Predictions of generators from the earlier steps: [`GeneratorHistory`].
 
 use crate::matrices::skew_hermitian::LargeSkewHermitian;
 use collective_integrators::lagrange_polynomial;
@@ -37,7 +37,7 @@ impl GeneratorHistory {
         Self { weights, stages: nodes.len(), past: Vec::new(), steps: 0, end: None, size: 0.0 }
     }
 
-    /// Forgets the steps before.
+    /// Forgets the earlier steps.
     pub(crate) fn forget(&mut self) {
         self.steps = 0;
     }

@@ -15,7 +15,8 @@ const FLOOR: f64 = 1e-11;
 /// The multiple of the size of a generator below which a change is round-off.
 const ROUND_OFF: f64 = 4.0 * f64::EPSILON;
 
-/// Sweeps of a fixed-point iteration for generators B, watched until they change no more, or by less than asked.
+/// Sweeps of a fixed-point iteration for generators B, watched until they no longer change, or change by less than the
+/// tolerance.
 pub(crate) struct Sweeps {
     tolerance: f64,
     length: f64,

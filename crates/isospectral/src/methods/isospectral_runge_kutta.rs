@@ -11,8 +11,8 @@ use collective_integrators::{
 use lie_poisson::State;
 use std::cell::RefCell;
 
-/// The collective integrator of an [isospectral equation](IsospectralField), computed without a lift: for symplectic
-/// schemes a Poisson map of u(N)∗.
+/// The collective integrator of an [isospectral equation](IsospectralField), computed without a lift. For symplectic
+/// schemes it is a Poisson map of u(N)∗.
 ///
 /// The scheme solves
 ///
@@ -20,9 +20,9 @@ use std::cell::RefCell;
 /// dQ/dt = B(Q W₀ Q*) Q,    Q(0) = 1
 /// ```
 ///
-/// for a complex matrix Q over one step, and W₁ = Q₁ W₀ Q₁*. A symplectic Runge–Kutta method gives a unitary Q₁, so that
-/// the spectrum is conserved, and the map is the reduction of a symplectic map for Q. These are the isospectral
-/// symplectic Runge–Kutta methods of Modin and Viviani; the implicit midpoint rule is theirs:
+/// for a complex matrix Q over one step, and W₁ = Q₁ W₀ Q₁*. A symplectic Runge–Kutta method gives a unitary Q₁, so
+/// that the spectrum is conserved, and the map is the reduction of a symplectic map for Q. These are the isospectral
+/// symplectic Runge–Kutta methods of Modin and Viviani. The implicit midpoint rule gives their midpoint method:
 ///
 /// ```text
 /// W₀ = (1 − h B/2) Wₘ (1 + h B/2),    W₁ = (1 + h B/2) Wₘ (1 − h B/2),    B = B(Wₘ)
@@ -158,7 +158,7 @@ impl<S: Equivariant, F: IsospectralField> Integrator for IsospectralRungeKutta<S
         let mut zero = stages.borrow_mut().products.take(w.matrix());
         zero.set_zero();
         let field = MultiplierField { field: &self.field, start: w, storage: stages };
-        // In every step Q begins at 1: stages of the step before are in another frame.
+        // In every step Q begins at 1: the stages of the previous step are in another frame.
         self.scheme.forget(scheme);
         let made = self.scheme.increment(&field, &zero, step, scheme);
         let products = &mut stages.get_mut().products;
