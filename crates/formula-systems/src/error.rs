@@ -28,7 +28,7 @@ pub enum FormulaSystemError {
     /// A name cannot be that of a coordinate.
     #[error("coordinates")]
     Coordinates(#[from] NameError),
-    /// A name of a parameter is that of a coordinate too.
+    /// A parameter has the same name as a coordinate.
     #[error("parameters")]
     Parameters(#[source] NameError),
     /// The key of a bracket is not a pair of coordinates.
@@ -37,7 +37,7 @@ pub enum FormulaSystemError {
         /// The key that is not a pair of coordinates.
         key: String,
     },
-    /// The text of a bracket is no formula.
+    /// The text of a bracket is not a formula.
     #[error("brackets.{key}")]
     Bracket {
         /// The pair of coordinates.
@@ -70,10 +70,10 @@ pub enum FormulaSystemError {
     /// The structure constants contradict each other, or have too large an index.
     #[error("structure constants")]
     Structure(#[source] EntryError),
-    /// The text of the Hamiltonian is no formula.
+    /// The text of the Hamiltonian is not a formula.
     #[error("hamiltonian")]
     Hamiltonian(#[source] FormulaError),
-    /// The Casimirs cannot be looked for.
+    /// The Casimirs cannot be searched for.
     #[error("brackets")]
     Casimirs(#[from] CasimirError),
     /// A coordinate of a state has no value.
@@ -82,7 +82,7 @@ pub enum FormulaSystemError {
         /// The names of the coordinates, separated by commas.
         names: String,
     },
-    /// The value of a state is of something else than a coordinate.
+    /// A value of a state is given for a name that no coordinate has.
     #[error("initial.{name} is not a coordinate; there are {names}")]
     NoCoordinate {
         /// The name that no coordinate has.
@@ -95,7 +95,7 @@ pub enum FormulaSystemError {
     WrongValue {
         /// The name of the coordinate or of the vector of coordinates.
         name: String,
-        /// The value that the coordinate needs, as text.
+        /// The kind of value that the coordinate needs, as text.
         needed: String,
     },
     /// A state has fewer or more numbers than the algebra has dimensions.
@@ -103,13 +103,13 @@ pub enum FormulaSystemError {
     StateLength {
         /// The dimension of the algebra.
         expected: usize,
-        /// The number of numbers.
+        /// The number of numbers in the state.
         found: usize,
     },
-    /// The text of the surface of a section is no formula.
+    /// The text of the surface of a section is not a formula.
     #[error("surface")]
     Surface(#[source] FormulaError),
-    /// The text of an axis of a section is no formula.
+    /// The text of an axis of a section is not a formula.
     #[error("axes")]
     Axis {
         /// The number of the axis, 0 or 1.
@@ -151,7 +151,7 @@ pub enum FormulaSystemError {
         formulation: Formulation,
         /// The requested scheme.
         scheme: SchemeName,
-        /// The formulations or the schemes that there are.
+        /// The formulations or the schemes that the algebra has.
         has: String,
     },
     /// The tolerance is negative or not finite, or the scheme could not be made.

@@ -5,8 +5,8 @@
 //! lie-poisson-formula-systems = "0.1"
 //! ```
 //!
-//! Algebra, Hamiltonian and method may be known only when the program runs. Kirchhoff's body in a fluid, with its
-//! Casimirs:
+//! The algebra, the Hamiltonian and the method may be known only when the program runs. This is Kirchhoff's body in a
+//! fluid, with its Casimirs:
 //!
 //! ```
 //! use lie_poisson_formula_systems::{FormulaSystem, SystemAlgebra};
@@ -28,9 +28,9 @@
 //! | when you need | use |
 //! |---|---|
 //! | an algebra by name, from brackets, or from structure constants | [`SystemAlgebra`] |
-//! | structure constants from a text with a line for each | [`structure_table`] |
+//! | structure constants from a text, one per line | [`structure_table`] |
 //! | the coordinates of a state by their names | [`SystemAlgebra::state`] |
-//! | a Hamiltonian as text on it, and the Casimirs | [`FormulaSystem`] |
+//! | a Hamiltonian on it as text, and the Casimirs | [`FormulaSystem`] |
 //! | a formulation and a scheme for it | [`SystemMethod`] |
 //! | a Poincaré section on a level set of h and the Casimirs | [`SystemSection`] |
 //! | what to do with the integrator | [`SystemTask`] |
@@ -39,8 +39,8 @@
 //! # Conventions
 //!
 //! * The bracket is the minus bracket: dμ/dt = ad∗_ξ μ with ξ = dh(μ), as for a top.
-//! * The coordinates of 𝔤∗ are those of the basis dual to that of the brackets: the bracket [x, y] = z of basis vectors
-//!   is written with the names of the coordinates that belong to them.
+//! * The coordinates of 𝔤∗ belong to the basis that is dual to the basis of the brackets. The bracket [x, y] = z of
+//!   basis vectors is written with the names of the corresponding coordinates.
 //!
 //! The notation of all the crates is collected in `docs/notation.md` of the source repository.
 //!
@@ -50,9 +50,9 @@
 //!
 //! # Related crates
 //!
-//! `lie-poisson-formulas` reads the formulas and finds the Casimirs, `heavytop` names the formulations and schemes,
-//! `collective-integrators` has the integrators. A system whose algebra is known when the program is compiled is
-//! faster and safer with these crates directly.
+//! `lie-poisson-formulas` reads the formulas and finds the Casimirs, `heavytop` names the formulations and schemes, and
+//! `collective-integrators` has the integrators. A system whose algebra is known when the program is compiled is faster
+//! and safer if it uses these crates directly.
 
 #![cfg_attr(docsrs, feature(doc_cfg))]
 

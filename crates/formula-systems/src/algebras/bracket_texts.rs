@@ -9,7 +9,7 @@ use lie_poisson_formulas::{
 /// Returns the structure constants of brackets [x, y] = Σ c z, given by the names of the coordinates of 𝔤∗.
 ///
 /// # Errors
-/// If a key is no pair of coordinates, or a bracket is no linear combination of them.
+/// Returns an error if a key is not a pair of coordinates, or if a bracket is not a linear combination of them.
 pub(super) fn entries<'a>(
     coordinates: &Coordinates,
     parameters: &Parameters,
@@ -34,7 +34,7 @@ pub(super) fn entries<'a>(
     Ok(entries)
 }
 
-/// The coefficients of a linear form, or none if the formula is none.
+/// The coefficients of a linear form, or none if the formula is not linear.
 struct Coefficients {
     bracket: Formula,
 }

@@ -1,5 +1,5 @@
-//! Lie algebras with named coordinates: of the library by name, of brackets, and of tables; states by the names of
-//! their coordinates.
+//! Lie algebras with named coordinates, from the library by name, from brackets, and from tables; and states by the
+//! names of their coordinates.
 
 pub(crate) mod bracket_texts;
 pub(crate) mod system_algebra;

@@ -1,11 +1,11 @@
-//! Structure constants from a text with a line for each: [`structure_table`].
+//! Structure constants from a text, one per line: [`structure_table`].
 
 use crate::SystemAlgebra;
 use lie_poisson::StructureError;
 use lie_poisson_formulas::{EntryError, StructureEntry, structure_constants};
 use thiserror::Error;
 
-/// The error of a text that is no table of structure constants, with the number of the line, from 1.
+/// The reason why a text is not a table of structure constants, with the number of the line. Lines count from 1.
 #[derive(Clone, Debug, PartialEq, Error)]
 #[non_exhaustive]
 pub enum StructureTableError {
@@ -48,7 +48,7 @@ pub enum StructureTableError {
     Contradiction {
         /// The number of the line.
         line: usize,
-        /// The number of the line before it.
+        /// The number of the earlier line.
         earlier: usize,
     },
     /// The Jacobi identity fails: the cyclic sum of [e_i, [e_j, e_k]] is not zero.
@@ -72,8 +72,8 @@ pub enum StructureTableError {
 /// Reads structure constants from a text: on each line the indices i, j, k and the value c of the coordinate of
 /// [e_i, e_j] at e_k, separated by commas. Indices count from 1, in the order of the coordinates.
 ///
-/// Constants that are not listed are zero, but for c_jik = −c_ijk. Empty lines are skipped, and so are comments that
-/// begin with `#`, and a first line `i, j, k, value`.
+/// Constants that are not listed are zero, except that c_jik = −c_ijk. Empty lines are skipped, and so are comments
+/// that begin with `#`, and a first line `i, j, k, value`.
 ///
 /// # Errors
 /// Returns [`StructureTableError`] with the number of the line: if a line does not have four fields, if an index is no
@@ -103,7 +103,7 @@ pub fn structure_table(text: &str) -> Result<Vec<StructureEntry>, StructureTable
         }
     }
     let line = |entry: usize| numbers.get(entry).copied().unwrap_or_default();
-    // Indices that do not occur belong to central elements, which no identity contains.
+    // Indices that do not occur belong to central elements, which do not enter the identity.
     match structure_constants::<{ SystemAlgebra::MOST_DIMENSIONS }>(&entries) {
         Ok(_) => Ok(entries),
         Err(EntryError::WithItself { entry, index }) => {

@@ -13,7 +13,7 @@ use lie_poisson_formulas::{
 /// The widths of the states of systems. A smaller algebra is completed by central coordinates, which stay zero.
 const WIDTHS: [usize; 4] = [3, 6, 10, 15];
 
-/// The kind of an algebra, which decides what integrates its systems besides the direct methods.
+/// The kind of an algebra. It decides which methods, besides the direct ones, integrate its systems.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(crate) enum Family {
     /// The algebras of rotations, so(3) and su(2).
@@ -79,13 +79,14 @@ impl SystemAlgebra {
         }
     }
 
-    /// Creates the algebra of brackets [x, y] = Σ c z of coordinates by their names, such as `("K, H", "P")`. The
-    /// coefficients may contain parameters. All other brackets are zero, but for [y, x] = −[x, y].
+    /// Creates the algebra from brackets [x, y] = Σ c z, which are written with the names of coordinates, such as
+    /// `("K, H", "P")`. The coefficients may contain parameters. All other brackets are zero, except that [y, x] = −[x,
+    /// y].
     ///
     /// # Errors
     /// Returns [`FormulaSystemError`] if there are no coordinates or more than
-    /// [`MOST_DIMENSIONS`](Self::MOST_DIMENSIONS), if a key is no pair of coordinates, if a bracket is not linear, or if
-    /// the Jacobi identity fails.
+    /// [`MOST_DIMENSIONS`](Self::MOST_DIMENSIONS), if a key is not a pair of coordinates, if a bracket is not linear,
+    /// or if the Jacobi identity fails.
     pub fn of_brackets<'a>(
         coordinates: Coordinates,
         brackets: impl IntoIterator<Item = (&'a str, &'a str)>,
@@ -96,7 +97,7 @@ impl SystemAlgebra {
         Self::checked(coordinates, entries, FormulaSystemError::Brackets)
     }
 
-    /// Creates the algebra of structure constants: the coordinates of [e_i, e_j] at e_k that are not zero.
+    /// Creates the algebra from structure constants: the coordinates of [e_i, e_j] at e_k that are not zero.
     ///
     /// # Errors
     /// Returns [`FormulaSystemError`] if there are no coordinates or more than
@@ -119,7 +120,7 @@ impl SystemAlgebra {
         Self::checked(coordinates, entries, FormulaSystemError::Structure)
     }
 
-    /// Creates the algebra if the Jacobi identity holds; `wrong` is the error of entries that are wrong otherwise.
+    /// Creates the algebra if the Jacobi identity holds; `wrong` makes the error for entries with another fault.
     fn checked(
         coordinates: Coordinates,
         entries: Vec<StructureEntry>,
@@ -169,8 +170,8 @@ impl SystemAlgebra {
         Vocabulary::new(&self.coordinates, parameters).map_err(FormulaSystemError::Parameters)
     }
 
-    /// Returns the width of the states of direct integrators: the dimension, with the central coordinates that
-    /// complete it.
+    /// Returns the width of the states of direct integrators: the dimension, plus the number of central coordinates
+    /// that complete it.
     pub(crate) fn width(&self) -> usize {
         let fits = |width: &usize| *width >= self.dimension();
         WIDTHS.into_iter().find(fits).unwrap_or(Self::MOST_DIMENSIONS)

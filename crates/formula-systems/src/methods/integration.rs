@@ -89,8 +89,8 @@ impl Integration<'_> {
         })
     }
 
-    /// Applies the scheme on T∗V, read through the Clebsch map of the adjoint representation, or, where the start has no
-    /// lift, of the coadjoint representation.
+    /// Applies the scheme on T∗V, read through the Clebsch map of the adjoint representation. If the start has no lift,
+    /// the map of the coadjoint representation is used instead.
     fn clebsch<const N: usize, S: Equivariant, K: SystemTask>(
         &self,
         scheme: S,
@@ -105,7 +105,7 @@ impl Integration<'_> {
         Ok(task.perform(&Collective::new(scheme, map, hamiltonian)))
     }
 
-    /// Returns whether the steps of affine schemes descend to 𝔤∗ along the map that [`perform`](Self::perform) takes.
+    /// Returns whether the steps of affine schemes descend to 𝔤∗ along the map that [`perform`](Self::perform) uses.
     pub(super) fn descends(&self) -> Result<bool, FormulaSystemError> {
         if self.formulation != Formulation::Collective {
             return Ok(true);

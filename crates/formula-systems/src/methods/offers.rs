@@ -33,7 +33,8 @@ pub(super) fn require(
     }
 }
 
-/// Returns the error that an algebra does not have a formulation with a scheme, which names those that it has.
+/// Returns the error for an algebra that does not have a formulation with a scheme. The error names those that the
+/// algebra has.
 pub(super) fn refusal(
     algebra: &SystemAlgebra,
     formulation: Formulation,

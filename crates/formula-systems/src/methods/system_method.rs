@@ -15,7 +15,7 @@ use heavytop::methods::{Formulation, MethodError, SchemeName};
 /// | another of dimension 2 to 6 | collective, by a Clebsch map; direct |
 /// | any other | direct |
 ///
-/// Every scheme of [`Formulation::schemes`] exists but the partitioned ones.
+/// Every scheme of [`Formulation::schemes`] is available except the partitioned ones.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct SystemMethod {
     formulation: Formulation,
@@ -54,8 +54,8 @@ impl SystemMethod {
         Ok(Self { formulation, scheme, tolerance })
     }
 
-    /// Returns the formulation that suits an algebra best: collective where that is a Poisson integrator for every
-    /// Hamiltonian, on so(3), su(2) and se(3) by name, and direct otherwise.
+    /// Returns the formulation that suits an algebra best. It is collective if that is a Poisson integrator for every
+    /// Hamiltonian, namely on so(3), su(2) and se(3) by name. Otherwise it is direct.
     #[must_use]
     pub fn default_formulation(algebra: &SystemAlgebra) -> Formulation {
         match algebra.family {
@@ -89,7 +89,7 @@ impl SystemMethod {
 
     /// Performs a task with the integrator of a system, for runs from a state.
     ///
-    /// The state is needed since some Clebsch maps have a lift of one state and not of another.
+    /// The state is needed because some Clebsch maps have a lift for one state but not for another.
     ///
     /// # Errors
     /// Returns [`FormulaSystemError`] if the algebra of this system does not have the method, if the state has another
@@ -139,12 +139,12 @@ impl SystemMethod {
         self.integration(system, start)?.perform(task)
     }
 
-    /// Returns whether the steps descend to 𝔤∗: false for a collective method by a Clebsch map whose
-    /// [`equivariant_maps_descend`](momentum_map::PoissonMap::equivariant_maps_descend) is false. Its steps are not Poisson
-    /// maps, and Casimirs are conserved to the order of the scheme alone.
+    /// Returns whether the steps descend to 𝔤∗. It is false for a collective method by a Clebsch map whose
+    /// [`equivariant_maps_descend`](momentum_map::PoissonMap::equivariant_maps_descend) is false. The steps are then
+    /// not Poisson maps, and the Casimirs are conserved only to the order of the scheme.
     ///
     /// # Errors
-    /// Those of [`integrate`](Self::integrate).
+    /// Returns the errors of [`integrate`](Self::integrate).
     ///
     /// # Example
     /// ```

@@ -10,11 +10,11 @@ const MOST_STEPS: usize = 60;
 /// quadratically, and a step of this size is followed by rounding errors alone.
 const CONVERGED: f64 = 1e-9;
 
-/// The smallest singular value, relative to the largest one, of a direction in which a projection moves. Functions
-/// whose differentials are more nearly dependent than that count as dependent.
+/// The smallest singular value, relative to the largest one, of a direction in which a projection moves. Functions with
+/// a smaller singular value count as dependent.
 const INDEPENDENT: f64 = 1e-10;
 
-/// The set where functions have given values.
+/// The set on which functions have given values.
 #[derive(Clone, Debug)]
 pub(crate) struct LevelSet<'a> {
     /// The functions with their values.

@@ -10,7 +10,7 @@ use rand_chacha::rand_core::{Rng, SeedableRng};
 /// The number of guesses that are tried for each start.
 const GUESSES: usize = 1000;
 
-/// The states on a surface F(μ) = c where h and the Casimirs have given values, with the direction of the crossings.
+/// The states on a surface F(μ) = c at which h and the Casimirs have given values, with the direction of the crossings.
 ///
 /// # Example
 /// Kirchhoff's body in a fluid, where P₃ = 0:
@@ -44,10 +44,10 @@ pub struct SystemSection {
 
 impl SystemSection {
     /// Creates the section of a system by the surface where a formula has a level, with the directions of the crossings
-    /// that count. Its axes are the first two coordinates, without one that the surface fixes.
+    /// that count. Its axes are the first two coordinates, apart from one that the surface fixes.
     ///
     /// # Errors
-    /// Returns [`FormulaSystemError::Surface`] if the text is no formula, [`FormulaSystemError::Level`] if the level
+    /// Returns [`FormulaSystemError::Surface`] if the text is not a formula, [`FormulaSystemError::Level`] if the level
     /// is not finite, and [`FormulaSystemError::NoAxes`] if the algebra has too few coordinates.
     pub fn new(
         system: &FormulaSystem,
@@ -70,10 +70,10 @@ impl SystemSection {
         Ok(Self { system: system.clone(), surface, level, direction, axes })
     }
 
-    /// Returns the section with axes, the formulas over which it is drawn.
+    /// Returns the section with the given axes, the formulas over which it is drawn.
     ///
     /// # Errors
-    /// Returns [`FormulaSystemError::Axis`] if a text is no formula.
+    /// Returns [`FormulaSystemError::Axis`] if a text is not a formula.
     pub fn with_axes(
         self,
         texts: [&str; 2],
@@ -128,10 +128,11 @@ impl SystemSection {
 
     /// Returns states of the section, where h and the Casimirs have the values `levels`.
     ///
-    /// Each begins with a random guess, of the size of `state`, that is projected to the section; what crosses the surface
-    /// in the wrong direction, or not at all, does not count. The seed determines the sequence, and a longer one begins with
-    /// the states of a shorter one. The sizes of the vectors in `state` are their units: a system in other units of these has
-    /// the same starts in other units. Coordinates that are numbers count as numbers of one unit.
+    /// Each state begins with a random guess, of the size of `state`, that is projected to the section. A state that
+    /// crosses the surface in the wrong direction, or not at all, does not count. The seed determines the sequence, and
+    /// a longer one begins with the states of a shorter one. The size of each vector in `state` serves as its unit: if
+    /// the vectors are given in other units, the starts are the same states in these units. All coordinates that are
+    /// numbers have one common unit.
     ///
     /// # Errors
     /// Returns [`FormulaSystemError::StateLength`] if `state` has another length than the dimension,

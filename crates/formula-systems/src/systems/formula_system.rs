@@ -39,7 +39,7 @@ impl FormulaSystem {
     ///
     /// # Errors
     /// Returns [`FormulaSystemError::Parameters`] if a parameter has the name of a coordinate, and
-    /// [`FormulaSystemError::Hamiltonian`] if the text is no formula.
+    /// [`FormulaSystemError::Hamiltonian`] if the text is not a formula.
     pub fn new(
         algebra: SystemAlgebra,
         hamiltonian: &str,
@@ -53,7 +53,7 @@ impl FormulaSystem {
     ///
     /// # Errors
     /// Returns [`FormulaSystemError::Parameters`] if a parameter has the name of a coordinate, and
-    /// [`FormulaSystemError::Hamiltonian`] if the expression is no scalar in these names.
+    /// [`FormulaSystemError::Hamiltonian`] if the expression is not a scalar in these names.
     ///
     /// # Example
     /// ```
@@ -103,11 +103,11 @@ impl FormulaSystem {
         Ok(Self { casimirs, missing, ..self })
     }
 
-    /// Returns the system of another Hamiltonian, or of the same one with other parameters, on the same algebra. It has the
-    /// same Casimirs, which depend on the algebra alone, without a new search.
+    /// Returns the system of another Hamiltonian, or of the same one with other parameters, on the same algebra. It
+    /// keeps the Casimirs, which depend on the algebra alone, without a new search.
     ///
     /// # Errors
-    /// Those of [`new`](Self::new).
+    /// Returns the errors of [`new`](Self::new).
     ///
     /// # Example
     /// ```
@@ -148,13 +148,13 @@ impl FormulaSystem {
         &self.completed
     }
 
-    /// Returns the Casimirs that were found; none if they have not been looked for.
+    /// Returns the Casimirs that were found; none if they have not been searched for.
     #[must_use]
     pub fn casimirs(&self) -> &[Formula] {
         &self.casimirs
     }
 
-    /// Returns how many independent Casimirs were not found, or `None` if they have not been looked for.
+    /// Returns how many independent Casimirs were not found, or `None` if they have not been searched for.
     #[must_use]
     pub const fn missing_casimirs(&self) -> Option<usize> {
         self.missing
