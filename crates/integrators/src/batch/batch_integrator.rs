@@ -61,9 +61,9 @@ pub trait BatchIntegrator: Sync {
     /// earlier steps at every multiple of [`CHECKPOINT`](crate::CHECKPOINT), as a [`Trajectory`](crate::Trajectory)
     /// does.
     ///
-    /// A member that cannot continue keeps its state from before the failed step. The method then calls `failed(i,
-    /// error)` once, with the index of the member and with the number and the time of the step. The order of these
-    /// calls is arbitrary.
+    /// A member that cannot continue keeps its state from before the failed step. The method then calls
+    /// `failed(i, error)` once, with the index of the member and with the number and the time of the step. The order of
+    /// these calls is arbitrary.
     fn advance(
         &self,
         members: &mut [Self::Member],

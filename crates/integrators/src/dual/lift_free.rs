@@ -245,7 +245,7 @@ impl<M: Multipliers, T: Real> MultiplierMotion<M, T> {
     }
 }
 
-/// The storage of a lift-free step: that of the scheme for multipliers, and a record of the steps before.
+/// The storage of a lift-free step: that of the scheme for multipliers, and a record of the earlier steps.
 #[derive(Debug)]
 pub struct MultiplierSpace<S: Scheme, M: Multipliers, T: Real = f64> {
     scheme: S::Workspace<Multiplier<M, T>>,

@@ -92,7 +92,7 @@ impl<V: State> StageMemory<V> {
         self.memory.end_at(z);
     }
 
-    /// Forgets all the steps before.
+    /// Forgets all earlier steps.
     #[cfg_attr(not(debug_assertions), inline(always))]
     pub fn forget(&mut self) {
         self.memory.forget();
