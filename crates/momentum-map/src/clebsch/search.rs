@@ -20,7 +20,7 @@ const CONVERGED: f64 = 1e-14;
 /// The largest residual, relative to μ, of a momentum that is in the image.
 pub(super) const ACCEPTED: f64 = 1e-11;
 
-/// The solution of J(q, p)/c = μ, with what it needs of the representation.
+/// The search for a solution of J(q, p)/c = μ, with the data of the representation that it needs.
 #[derive(Clone, Debug, PartialEq)]
 pub(super) struct Search {
     /// The linear maps p ↦ J(q, p)/c of generic points q, the best one first.

@@ -50,7 +50,7 @@ impl<V: Vector, const N: usize> Vector for Power<V, N> {
 
     #[cfg_attr(not(debug_assertions), inline(always))]
     fn coordinate(&self, i: usize) -> V::Scalar {
-        // A factor of dimension 0 has no coordinates, and must not divide.
+        // A factor of dimension 0 has no coordinates; the width 1 avoids a division by zero.
         let width = V::DIM.max(1);
         self.0.get(i / width).map_or_else(num_traits::zero, |v| v.coordinate(i % width))
     }
