@@ -54,12 +54,12 @@ pub enum SystemError {
         /// The name of the parts.
         name: &'static str,
     },
-    /// The number of values is not the required one.
+    /// The number of values is not the required one, or is below the least one.
     #[error("{expected} {name} are needed, got {found}")]
     Count {
         /// The name of the values.
         name: &'static str,
-        /// The number that is needed.
+        /// The number that is needed, or the least number.
         expected: usize,
         /// The number that was given.
         found: usize,

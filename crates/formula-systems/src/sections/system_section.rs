@@ -108,7 +108,7 @@ impl SystemSection {
         &self.surface
     }
 
-    /// Returns the level c of the surface f = c, in the unit of the formula f.
+    /// Returns the level c of the surface F(μ) = c, in the unit of F.
     #[must_use]
     pub const fn level(&self) -> f64 {
         self.level
@@ -126,7 +126,8 @@ impl SystemSection {
         self.surface.value_at(state) - self.level
     }
 
-    /// Returns states of the section, where h and the Casimirs have the values `levels`.
+    /// Returns states of the section, where h and the Casimirs have the values `levels`: h first, then the Casimirs in
+    /// their order.
     ///
     /// Each state begins with a random guess, of the size of `state`, that is projected to the section. A state that
     /// crosses the surface in the wrong direction, or not at all, does not count. The seed determines the sequence, and

@@ -91,8 +91,8 @@ impl From<HeavyTop> for Parameters {
 }
 
 impl HeavyTop {
-    /// Creates the top with the parameters of a body: the principal moments of inertia I (kg m²), the weight moment
-    /// m g l (J) and the unit vector from the support to the centre of mass.
+    /// Creates the top from the parameters of a body. The mass, gravity and length enter through their product alone, the
+    /// weight moment m g l (N m).
     ///
     /// # Errors
     /// Returns a [`TopError`] that names the parameter, unless the moments are positive and obey the triangle
@@ -135,7 +135,9 @@ impl HeavyTop {
 
     /// Creates Lagrange's top: I₁ = I₂, c = e₃. Π₃ is conserved.
     ///
-    /// `weight_moment` is m g l in N m.
+    /// `transverse` is I₁ = I₂ and `axial` is I₃, in kg m²; `weight_moment` is m g l in N m.
+    ///
+    /// Source: J. L. Lagrange, *Mécanique analytique* (1788).
     ///
     /// # Errors
     /// Returns [`TopError`] in the cases of [`HeavyTop::new`].
@@ -145,6 +147,8 @@ impl HeavyTop {
     }
 
     /// Creates Kovalevskaya's top: I₁ = I₂ = 2I₃, c = e₁. The paper's experiment has I₃ = m g l = 1.
+    ///
+    /// `axial` is I₃ in kg m²; `weight_moment` is m g l in N m.
     ///
     /// Source: Ohsawa 2019, §5.2.
     ///
@@ -156,6 +160,10 @@ impl HeavyTop {
     }
 
     /// Creates Goryachev and Chaplygin's top: I₁ = I₂ = 4I₃, c = e₁. It is integrable on Π·Γ = 0.
+    ///
+    /// `axial` is I₃ in kg m²; `weight_moment` is m g l in N m.
+    ///
+    /// Source: D. N. Goryachev (1900); S. A. Chaplygin (1901).
     ///
     /// # Errors
     /// Returns [`TopError`] in the cases of [`HeavyTop::new`].

@@ -16,7 +16,14 @@ impl RungeKutta {
         Self::literal(&[0.0, 0.0, 0.5, 0.0], &[0.0, 1.0])
     }
 
-    /// Creates the classical fourth-order method of Runge and Kutta.
+    /// Creates the classical fourth-order method of Runge and Kutta:
+    ///
+    /// ```text
+    /// z₁ = z + (h/6) (k₁ + 2k₂ + 2k₃ + k₄),
+    /// k₁ = X(z),  k₂ = X(z + (h/2) k₁),  k₃ = X(z + (h/2) k₂),  k₄ = X(z + h k₃)
+    /// ```
+    ///
+    /// Source: Kutta, *Beitrag zur näherungsweisen Integration totaler Differentialgleichungen*, Z. Math. Phys. 46 (1901).
     #[must_use]
     #[rustfmt::skip]
     pub fn rk4() -> Self {
@@ -81,6 +88,8 @@ impl RungeKutta {
     }
 
     /// Creates Gauss–Legendre collocation with `stages` stages: order 2s, symplectic, symmetric.
+    ///
+    /// Source: Hairer, Lubich & Wanner, *Geometric Numerical Integration*, 2nd ed. (2006), §II.1.3 and Theorem VI.4.2.
     ///
     /// # Errors
     /// Returns [`SchemeError::NoStages`] if `stages` is 0.

@@ -111,7 +111,7 @@ pub trait Scheme: Clone {
     type Workspace<V: State>;
 
     /// Creates the storage for steps. For points on the heap, whose size is not known here, the first step allocates
-    /// the rest.
+    /// the rest. The matrix of Newton's iteration is allocated by the first step that needs it.
     fn workspace<V: State>(&self) -> Self::Workspace<V>;
 
     /// Returns the increment Φ_h(z) − z of one step.

@@ -82,7 +82,7 @@ impl GeneralisedRigidBody {
         })
     }
 
-    /// Returns the energy h(M), or NaN if M has another size.
+    /// Returns the energy h(M) = ½ Σ_(j<k) M_jk²/(J_j + J_k), in J, or NaN if M has another size.
     #[must_use]
     pub fn energy(&self, m: &LargeSkewHermitian) -> f64 {
         // Each entry with j < k occurs twice.

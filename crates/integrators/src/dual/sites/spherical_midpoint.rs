@@ -50,7 +50,8 @@ impl<F> SphericalMidpoint<F> {
         Self { field, solver: StageSolver::default() }
     }
 
-    /// Returns the method with another solver for its implicit equation.
+    /// Returns the method with another solver for its implicit equation. Its unknowns are the rates k_i at the midpoint, to
+    /// which the tolerance is relative.
     #[must_use]
     pub fn with_solver(self, solver: StageSolver) -> Self {
         Self { solver, ..self }
@@ -72,7 +73,8 @@ pub trait OnSpheres: State {
     /// u_i ← u_i |w_i|/|u_i|
     /// ```
     ///
-    /// The result is NaN for u_i = 0, and where |w_i|² or |u_i|² leaves the range of numbers.
+    /// The result is NaN for u_i = 0. It is wrong if |w_i|² or |u_i|² overflows or underflows: keep lengths between 1e-150
+    /// and 1e150.
     fn project_to_spheres_of(&mut self, w: &Self);
 }
 
