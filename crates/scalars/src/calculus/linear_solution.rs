@@ -5,11 +5,12 @@ use nalgebra::{SMatrix, SVector};
 
 /// Returns the solution x of A x = b over any scalar, or `None` if A is singular.
 ///
-/// The method is Gaussian elimination with scaled partial pivoting: rows and columns may have different units. A is
-/// singular if a pivot is not larger than the rounding errors of its terms, or not a finite number.
+/// The method is Gaussian elimination with scaled partial pivoting: rows and columns may have different units. A
+/// counts as singular if a pivot is no larger than the rounding errors of its terms, or is not a finite number.
 ///
-/// In SIMD lanes (several numbers in one register) each lane has its own pivots, and the same bits as alone. The solution
-/// is NaN in a lane whose matrix is singular, and `None` if all are, so that one lane does not spoil the others.
+/// Each SIMD lane (several numbers in one register) has its own pivots, and its solution is bit-identical to that of
+/// the same equations solved alone. The solution is NaN in a lane whose matrix is singular. It is `None` only if all
+/// matrices are singular, so that one lane does not spoil the others.
 ///
 /// [`solve_linear`](crate::solve_linear) solves equations of a size that is known when the program runs.
 ///
@@ -56,7 +57,7 @@ struct Rows<T, const N: usize> {
     entries: SMatrix<T, N, N>,
     /// The sums of the moduli of the terms from which each entry was computed.
     terms: SMatrix<T, N, N>,
-    /// The largest modulus in each row of A, its unit.
+    /// The largest modulus in each row of A, which serves as the unit of the row.
     sizes: SVector<T, N>,
     right: SVector<T, N>,
 }
@@ -136,7 +137,7 @@ mod tests {
 
     const SCALES: [f64; 3] = [1e-30, 1.0, 1e30];
 
-    /// Also with rows and columns of different units.
+    /// The check includes rows and columns of different units.
     #[test]
     fn equations_are_solved_at_every_scale() {
         let a = Matrix3::new(0.0, 2.0, -1.0, 1.0, 1e-3, 0.5, 3.0, -2.0, 1.0);
@@ -161,7 +162,7 @@ mod tests {
     fn singular_matrices_are_refused() {
         let x = Vector3::new(1.0, -2.0, 0.25);
         let multiple = Matrix3::new(0.1, 0.2, 0.4, 0.3, 0.6, 1.2, 1.0, 1.0, 1.0);
-        // The rows are 1, 2 and 3 times (1, 1, 1) plus a row.
+        // The second row is the mean of the other two.
         let counting = Matrix3::new(1.0, 2.0, 3.0, 4.0, 5.0, 6.0, 7.0, 8.0, 9.0);
         for singular in [multiple, counting, counting.transpose(), Matrix3::zeros()] {
             for scale in SCALES {
@@ -171,7 +172,7 @@ mod tests {
         for bad in [f64::NAN, f64::INFINITY] {
             assert_eq!(linear_solution(&Matrix3::from_element(bad), &x), None);
         }
-        // Nearly singular, but not up to rounding errors.
+        // Nearly singular, but regular beyond rounding errors.
         let close = Matrix2::new(1.0, 1.0, 1.0, 1.0 + 1e-12);
         assert!(linear_solution(&close, &Vector2::new(1.0, 2.0)).is_some());
         let none = linear_solution(&SMatrix::<f64, 0, 0>::zeros(), &SVector::zeros());

@@ -10,9 +10,9 @@ const LARGE: f64 = two_to_the(500);
 
 /// Returns a power of four by which to multiply v before its coordinates are squared, in each SIMD lane.
 ///
-/// With it no square overflows, and none that matters underflows: it is 2⁶⁰⁰ where all |vᵢ| ≤ 2⁻⁵⁰⁰, 2⁻⁶⁰⁰
-/// where one |vᵢ| is above 2⁵⁰⁰, and 1 elsewhere. Its square root is a power of two. For dual numbers it
-/// depends on the values alone.
+/// After the multiplication no square overflows, and no square that matters underflows. The power is 2⁶⁰⁰ where all
+/// vᵢ| ≤ 2⁻⁵⁰⁰, 2⁻⁶⁰⁰ where one |vᵢ| is above 2⁵⁰⁰, and 1 elsewhere. Its square root is a power of two. For dual
+/// numbers it depends on the values alone.
 ///
 /// Source: J. L. Blue, *A portable Fortran program to find the Euclidean norm of a vector*, ACM
 /// Trans. Math. Softw. 4 (1978).
@@ -42,9 +42,8 @@ pub fn squaring_scale<V: State>(v: &V) -> V::Scalar {
 
 /// Returns the Euclidean norm √(Σ vᵢ²) of the coordinates in each SIMD lane, without overflow or underflow.
 ///
-/// It is accurate to round-off for every v, while plain squares of very small and very large coordinates
-/// leave the range of numbers. It is infinite if the norm itself is too large, and NaN where a coordinate
-/// is NaN.
+/// It is accurate to round-off for every v, whereas the plain squares of very small or very large coordinates
+/// underflow or overflow. It is infinite if the norm itself is too large, and NaN where a coordinate is NaN.
 ///
 /// ```
 /// use generic_scalars::euclidean_norm;
@@ -60,7 +59,7 @@ pub fn euclidean_norm<V: State>(v: &V) -> V::Scalar {
     square.sqrt() / scale
 }
 
-/// Returns 2ⁿ, for the exponents n of normal numbers.
+/// Returns 2ⁿ, for n in the exponent range of normal numbers.
 const fn two_to_the(n: i32) -> f64 {
     f64::from_bits(((n + 1023) as u64) << 52)
 }
@@ -105,7 +104,7 @@ mod tests {
         }
     }
 
-    /// A derivative of another size than the value does not affect the scale.
+    /// The scale depends on the values alone, even if a derivative has another size than its value.
     #[test]
     fn dual_numbers_are_scaled_by_their_values() {
         for derivative in [1e-250, 1.0, 1e250] {

@@ -109,7 +109,7 @@ impl Width {
     pub const ALL: [Self; 3] = [Self::Single, Self::Register, Self::TwoRegisters];
 }
 
-/// The error of a request for instructions that the processor lacks.
+/// The error returned if the processor lacks the requested instructions.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Error)]
 #[error("this processor lacks the instructions: {set}")]
 pub struct MissingInstructions {
@@ -121,13 +121,12 @@ pub struct MissingInstructions {
 /// [`dispatch`].
 ///
 /// # Speed
-/// Mark `run`, and every function below it that takes or returns `T`, with `#[inline(always)]`. Code that
-/// the compiler leaves outside of the function that is compiled for the processor's features is correct,
-/// but five to ten times slower. Registers above 128 bits are not inlined across that boundary if a
-/// function is only `#[inline]`, and closures, iterators and the operators of nalgebra and num-complex are
-/// only `#[inline]`. So compute with components, in plain loops, or with [`cross`](crate::cross) and
-/// [`dot`](crate::dot). A closure that is an argument can have the mark. [`DefaultLanes`](super::DefaultLanes)
-/// has no such restriction.
+/// Mark `run`, and every function below it that takes or returns `T`, with `#[inline(always)]`. Code that is not
+/// inlined into the function compiled for the processor's features is correct, but five to ten times slower. A
+/// function that is only `#[inline]` is not inlined across that boundary if it passes registers above 128 bits.
+/// Closures, iterators and the operators of nalgebra and num-complex are only `#[inline]`. So compute with
+/// components, in plain loops, or with [`cross`](crate::cross) and [`dot`](crate::dot). A closure that is passed as
+/// an argument can have the mark. [`DefaultLanes`](super::DefaultLanes) has no such restriction.
 pub trait LaneTask {
     /// The result of the computation.
     type Output;
@@ -145,11 +144,11 @@ pub trait LaneTask {
 /// | `Avx512` | 1 lane | 8 lanes | 16 lanes | yes |
 ///
 /// # Soundness
-/// Code outside of this crate cannot name the types of the last two rows, and no function, conversion or
-/// trait of a type with a name mentions them. Safe code can reach them in one way only: as the `T` of
-/// [`LaneTask::run`] or [`FourLanesTask::run`](super::FourLanesTask::run). This function and
-/// [`dispatch_four`](super::dispatch_four()) call those only after the instructions have been detected, and
-/// a processor keeps its instructions in every thread as long as the program runs.
+/// Code outside of this crate cannot name the types of the last two rows, and no function, conversion or trait of a
+/// type that it can name mentions them. Safe code can reach them in one way only: as the `T` of [`LaneTask::run`] or
+/// [`FourLanesTask::run`](super::FourLanesTask::run). This function and [`dispatch_four`](super::dispatch_four())
+/// call these methods only after the instructions have been detected, and a processor keeps its instructions in every
+/// thread for as long as the program runs.
 ///
 /// # Errors
 /// Returns [`MissingInstructions`] if the processor lacks the instructions.

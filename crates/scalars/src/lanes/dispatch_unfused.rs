@@ -1,4 +1,4 @@
-//! Runs a computation in the registers that are detected at run time, with the bits of `f64` in each lane:
+//! Runs a computation in the registers that are detected at run time, with each lane bit-identical to `f64`:
 //! [`dispatch_unfused`].
 
 use super::{DefaultLanes, InstructionSet, Lanes, MissingInstructions};
@@ -17,7 +17,7 @@ type Lanes256 = DefaultLanes;
 #[cfg(not(target_arch = "x86_64"))]
 type Lanes512 = DefaultLanes;
 
-/// The storage that a [`TaskOver`] lanes of type `T` keeps from one run to the next.
+/// A type that creates the storage which a [`TaskOver`] lanes of type `T` keeps from one run to the next.
 pub trait StorageOver<T: Lanes> {
     /// The type of the storage.
     type Storage;
@@ -32,13 +32,14 @@ pub trait StorageOver<T: Lanes> {
 /// so that an implementation can require more of it, such as a trait `Method<T>` of a parameter.
 ///
 /// # Speed
-/// The rules of [`LaneTask`](super::LaneTask) hold here too.
+/// The speed rules of [`LaneTask`](super::LaneTask) apply here too.
 pub trait TaskOver<T: Lanes, S: StorageOver<T>> {
     /// Runs the computation on these lanes. Mark it with `#[inline(always)]`.
     fn run(self, storage: &mut S::Storage);
 }
 
-/// A [`StorageOver`] each type of lanes that [`dispatch_unfused`] chooses from. Every such type has this trait.
+/// A type that implements [`StorageOver`] for each type of lanes that [`dispatch_unfused`] chooses from. Every such
+/// type has this trait automatically.
 pub trait UnfusedStorage:
     StorageOver<DefaultLanes> + StorageOver<Lanes256> + StorageOver<Lanes512>
 {
@@ -49,7 +50,8 @@ impl<S> UnfusedStorage for S where
 {
 }
 
-/// A [`TaskOver`] each type of lanes that [`dispatch_unfused`] chooses from. Every such type has this trait.
+/// A type that implements [`TaskOver`] for each type of lanes that [`dispatch_unfused`] chooses from. Every such type
+/// has this trait automatically.
 pub trait UnfusedTask<S: UnfusedStorage>:
     TaskOver<DefaultLanes, S> + TaskOver<Lanes256, S> + TaskOver<Lanes512, S>
 {
@@ -64,7 +66,7 @@ impl<S: UnfusedStorage, K> UnfusedTask<S> for K where
 #[derive(Debug)]
 pub struct UnfusedSpace<S: UnfusedStorage>(Space<S>);
 
-/// The storage for one type of lanes. The instructions of its variant have been detected.
+/// The storage for one type of lanes. A variant is created only after its instructions have been detected.
 enum Space<S: UnfusedStorage> {
     Portable(<S as StorageOver<DefaultLanes>>::Storage),
     Avx2(<S as StorageOver<Lanes256>>::Storage),
@@ -112,18 +114,20 @@ impl<S: UnfusedStorage> UnfusedSpace<S> {
     }
 }
 
-/// Runs a task on SIMD lanes (several numbers in one register) with the instructions of its storage. Each lane has the
-/// bits that `f64` has alone.
+/// Runs a task on SIMD lanes (several numbers in one register) with the instructions of its storage. Each lane is
+/// bit-identical to `f64`.
 ///
-/// The lanes are [`DefaultLanes`] for `Portable`, one register of 4 lanes for `Avx2`, and one of 8 for `Avx512`. No type
-/// is [`FUSED`](Lanes::FUSED). [`Real::HAS_SLOW_PATHS`](crate::Real::HAS_SLOW_PATHS) is true for the first alone.
+/// The lanes are [`DefaultLanes`] for `Portable`, one register of 4 lanes for `Avx2`, and one of 8 for `Avx512`. None
+/// of these types is [`FUSED`](Lanes::FUSED). [`Real::HAS_SLOW_PATHS`](crate::Real::HAS_SLOW_PATHS) is true for the
+/// first type alone.
 ///
 /// # Soundness
-/// Code outside of this crate cannot name the types of the last two, and a type parameter is never inferred to be one of
-/// them: [`UnfusedTask`] and [`UnfusedStorage`] mention both, so that inference has a choice, which is an error. Safe
-/// code can reach them in one way only: as the `T` of [`StorageOver`] and [`TaskOver`]. [`UnfusedSpace::new`] calls the
-/// former after the instructions have been detected, and this function the latter with what that has made. A processor
-/// keeps its instructions in every thread as long as the program runs.
+/// Code outside of this crate cannot name the last two types, and a type parameter is never inferred to be one of
+/// them: [`UnfusedTask`] and [`UnfusedStorage`] mention both, so that the inference is ambiguous, which is a compile
+/// error. Safe code can reach them in one way only: as the `T` of [`StorageOver`] and [`TaskOver`].
+/// [`UnfusedSpace::new`] calls `StorageOver` only after the instructions have been detected, and this function calls
+/// `TaskOver` only with storage created in that way. A processor keeps its instructions in every thread for as long
+/// as the program runs.
 ///
 /// ```compile_fail,E0283
 /// use generic_scalars::{StorageOver, UnfusedStorage};
@@ -133,7 +137,7 @@ impl<S: UnfusedStorage> UnfusedSpace<S> {
 /// ```
 ///
 /// # Example
-/// A formula that is known only over the scalars that it was written for, as a parameter:
+/// The task has a parameter: a formula that is implemented only over the scalars that it was written for:
 /// ```
 /// use generic_scalars::{
 ///     InstructionSet, Lanes, Real, StorageOver, TaskOver, UnfusedSpace, UnfusedTask, dispatch_unfused,

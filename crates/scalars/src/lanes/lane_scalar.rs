@@ -2,18 +2,18 @@
 
 use crate::Real;
 
-/// SIMD lanes: `COUNT` independent real numbers in one or two registers, as for several trajectories.
+/// SIMD lanes: `COUNT` independent real numbers in one or two registers, for example one for each of several
+/// trajectories.
 ///
-/// The trait is implemented by `f64` (one lane), by [`DefaultLanes`](super::DefaultLanes), and by the types that [`dispatch`](super::dispatch())
-/// passes to a [`LaneTask`](super::LaneTask). The operators, √ and the comparisons return in each lane the bits that `f64`
-/// would return, whatever the type. The methods [`multiply_add`](Self::multiply_add),
-/// [`multiply_subtract`](Self::multiply_subtract) and
-/// [`negative_multiply_add`](Self::negative_multiply_add) round once if the type is [`FUSED`](Self::FUSED),
-/// twice otherwise. So one computation returns
+/// The trait is implemented by `f64` (one lane), by [`DefaultLanes`](super::DefaultLanes), and by the types that
+/// [`dispatch`](super::dispatch()) passes to a [`LaneTask`](super::LaneTask). For every type, the operators, √ and
+/// the comparisons are bit-identical in each lane to those of `f64`. The methods
+/// [`multiply_add`](Self::multiply_add), [`multiply_subtract`](Self::multiply_subtract) and
+/// [`negative_multiply_add`](Self::negative_multiply_add) round once if the type is [`FUSED`](Self::FUSED), and twice
+/// otherwise. So the result of a computation is bit-identical
 ///
-/// * the same bits on every type, if it does not use those three methods;
-/// * otherwise the same bits on all types that fuse, and the same bits on all types that do not. The two results
-///   differ by rounding.
+/// * on every type, if it does not use those three methods;
+/// * otherwise on all types that fuse, and on all types that do not. The two results differ by rounding.
 ///
 /// # Example
 /// Horner's rule evaluates a polynomial at as many points as there are lanes:
@@ -50,7 +50,7 @@ pub trait Lanes: Real {
 
     /// Returns `self` · a + b, with one rounding if the type is [`FUSED`](Self::FUSED).
     ///
-    /// The method `mul_add` of `f64` has another name because it always rounds once.
+    /// The name differs from that of `f64::mul_add`, which always rounds once.
     #[must_use]
     fn multiply_add(self, a: Self, b: Self) -> Self;
 

@@ -1,4 +1,4 @@
-//! SIMD lanes: several numbers `f64` in one register.
+//! SIMD lanes: several `f64` numbers in one register.
 //!
 //! [`Lanes`] is the trait of all such types. [`DefaultLanes`] needs no knowledge of the processor,
 //! [`dispatch`] runs code on wider types, and [`FourLanes`] hold one vector of R³.
@@ -29,10 +29,9 @@ use registers::sse2::Sse2 as Baseline;
 /// Four SIMD lanes (four trajectories at once) in two registers, available on every processor without
 /// detection.
 ///
-/// The registers are those of SSE2 on x86-64, and whatever the compiler makes of two pairs of `f64`
-/// elsewhere.
+/// The registers are those of SSE2 on x86-64. Elsewhere the compiler chooses registers for two pairs of `f64`.
 ///
-/// Each operation returns in each lane the bits that `f64` would return. The compiler treats all code over
+/// Each operation is bit-identical in each lane to the operation on `f64`. The compiler treats all code over
 /// [`Real`](crate::Real), including that of nalgebra and num-complex, for these lanes as it does for `f64`.
 ///
 /// # Example

@@ -11,8 +11,8 @@ use num_traits::{Num, One, Zero};
 
 /// One or two registers with the operators of [`Real`] and the operations of [`Lanes`].
 ///
-/// No conversion mentions this type together with one that other crates can name: type inference must not
-/// lead them to a type that the processor may lack, see [`dispatch`](super::dispatch()).
+/// No conversion relates this type to a type that other crates can name. Otherwise type inference could lead them to
+/// a register that the processor may lack: see [`dispatch`](super::dispatch()).
 #[derive(Clone, Copy)]
 pub struct Packed<R: Register>(pub(super) R);
 
@@ -56,7 +56,7 @@ impl<R: Register> Neg for Packed<R> {
     }
 }
 
-/// Two values are equal where each is at most the other: NaN equals nothing, and −0 equals 0.
+/// Two values are equal if, in every lane, each is at most the other: NaN equals nothing, and −0 equals 0.
 impl<R: Register> PartialEq for Packed<R> {
     #[inline(always)]
     fn eq(&self, other: &Self) -> bool {
@@ -213,7 +213,7 @@ impl<R: Register> Lanes for Packed<R> {
     }
 }
 
-/// Loads fewer values than lanes; a function of its own keeps the common case fast.
+/// Loads fewer values than there are lanes. It is a separate function so that the common case stays fast.
 #[cold]
 fn load_some<R: Register>(values: &[f64]) -> Packed<R> {
     let last = values.last().copied().unwrap_or(f64::NAN);

@@ -2,8 +2,7 @@
 
 use super::registers::register::Register;
 
-/// One number with fused multiply-add: it computes bit for bit what one lane of AVX2 and of AVX-512
-/// computes.
+/// One number with fused multiply-add, bit-identical to one lane of AVX2 and of AVX-512.
 ///
 /// Every processor can run it; those without the instruction use a slow library function.
 #[derive(Clone, Copy)]

@@ -8,9 +8,9 @@ use crate::{Mask, Real};
 /// have been solved: it is false in SIMD lanes (several numbers in one register) in which a pivot is zero
 /// or not a number, and in every lane if `a` does not have n² numbers. Where it is false, x has no meaning.
 ///
-/// Each lane chooses its own pivots, so that its x has the same bits as the solution of the same equations
-/// alone. (Matrix libraries require more of a scalar than dual numbers and lanes offer.) Pivots are
-/// compared with each other, so all rows should have the same unit.
+/// Each lane chooses its own pivots, so that its x is bit-identical to the solution of the same equations alone.
+/// (Matrix libraries require more of a scalar than dual numbers and lanes offer.) Pivots are compared with each
+/// other, so all rows should have the same unit.
 ///
 /// # Example
 /// ```
@@ -83,8 +83,8 @@ mod tests {
         assert!(!solve_linear(&mut [1.0], &mut [1.0, 1.0]), "the wrong size");
     }
 
-    /// Row k of the matrix has its largest number in another column than k. Each step of the elimination must exchange
-    /// rows: the pivots without it are some 1e-17, and lose all digits.
+    /// The largest number of row k of the matrix is not in column k. Each step of the elimination must exchange rows:
+    /// without the exchange the pivots are about 1e-17, and lose all digits.
     #[test]
     fn every_pivot_is_the_largest_of_its_column() {
         for n in 2..=6 {
@@ -97,7 +97,7 @@ mod tests {
             let mut b: Vec<f64> =
                 a.chunks(n).map(|row| row.iter().zip(&x).map(|(a, x)| a * x).sum()).collect();
             assert!(solve_linear(&mut a, &mut b));
-            // Rounding errors times the condition number of these matrices, at most 36.
+            // The bound is the rounding error times the condition number of these matrices, which is at most 36.
             let error = b.iter().zip(&x).map(|(b, x)| (b - x).abs()).fold(0.0, f64::max);
             assert!(error < 36.0 * 10.0 * f64::EPSILON, "{n}: {error:e}");
         }

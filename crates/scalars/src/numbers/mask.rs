@@ -4,8 +4,8 @@ use core::fmt::Debug;
 
 /// The result of a comparison: one truth value for each SIMD lane (several numbers in one register).
 ///
-/// The mask of `f64` is `bool`. [`Real::select`](crate::Real::select) takes a mask, so that lanes with
-/// different truth values continue side by side.
+/// The mask of `f64` is `bool`. [`Real::select`](crate::Real::select) accepts a mask, so that lanes with different
+/// truth values continue side by side.
 ///
 /// # Example
 /// ```

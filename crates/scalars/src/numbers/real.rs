@@ -8,8 +8,8 @@ use num_traits::NumAssign;
 
 /// A scalar that computes like a real number: `f64`, a dual number, or SIMD lanes.
 ///
-/// Every formula of these crates is polynomial, except for √, ln and the exponentials of a Lie group. Energies
-/// of your own may use exp, sin, cos and tanh, too. Code that is written once over `T: Real` runs on
+/// Every formula of these crates is polynomial, except for √, ln and the exponentials of a Lie group. Your own
+/// energies may also use exp, sin, cos and tanh. Code that is written once over `T: Real` runs on
 ///
 /// * `f64`: one trajectory;
 /// * [`DualNumber`](crate::DualNumber): exact derivatives, for differentials, tangent maps and Poisson defects;
@@ -18,12 +18,12 @@ use num_traits::NumAssign;
 ///
 /// A branch is taken lane by lane: [`at_most`](Self::at_most) compares, [`select`](Self::select) chooses.
 ///
-/// A scalar of your own implements the functions by those of its parts; only formulas such as
-/// [`powi`](Self::powi) and [`larger`](Self::larger) are provided, since no formula for the others is accurate for all
-/// arguments.
+/// A scalar of your own implements each function by means of the functions of its parts. Only formulas such as
+/// [`powi`](Self::powi) and [`larger`](Self::larger) are provided, since no formula for the others is accurate for
+/// all arguments.
 ///
-/// The trait has no fused multiply-add: fused and unfused results differ, and each operation on lanes must
-/// return the same bits as on `f64`. [`Lanes`](crate::Lanes) has one.
+/// The trait has no fused multiply-add: fused and unfused results differ, and each operation on lanes must be
+/// bit-identical to that on `f64`. [`Lanes`](crate::Lanes) has a fused multiply-add.
 ///
 /// # Example
 /// ```
@@ -50,11 +50,11 @@ pub trait Real:
     + Mul<f64, Output = Self>
     + Div<f64, Output = Self>
 {
-    /// Whether a method over this scalar treats rare cases that are slow, such as a stage iteration that has not
+    /// Whether a method over this scalar handles rare cases that are slow, such as a stage iteration that has not
     /// converged.
     ///
-    /// It is `false` for the lanes that [`dispatch_unfused`](crate::dispatch_unfused) passes to a task. A method may
-    /// fail there in a rare case, and the caller repeats its work over another scalar.
+    /// It is `false` for the register lanes that [`dispatch_unfused`](crate::dispatch_unfused) passes to a task.
+    /// There a method may fail in a rare case, and the caller then repeats its work over another scalar.
     ///
     /// ```
     /// use generic_scalars::{DefaultLanes, DualNumber, Real};
@@ -70,7 +70,7 @@ pub trait Real:
 
     /// Returns the number as `f64` if the type is `f64`, and `None` for every other type.
     ///
-    /// With it, code over all scalars takes a faster path for plain numbers. The compiler removes the test.
+    /// Code over all scalars can use it to take a faster path for plain numbers. The compiler removes the test.
     ///
     /// ```
     /// use generic_scalars::{DualNumber, Real};
@@ -115,15 +115,15 @@ pub trait Real:
 
     /// Returns the hyperbolic tangent tanh x.
     ///
-    /// The derivative of a dual number is accurate for all x, also where tanh x rounds to ±1.
+    /// The derivative of a dual number is accurate for all x, even where tanh x rounds to ±1.
     #[must_use]
     fn tanh(self) -> Self;
 
-    /// Returns the integer power xⁿ, with x⁰ = 1 for every x, also for NaN.
+    /// Returns the integer power xⁿ, with x⁰ = 1 for every x, even for NaN.
     ///
-    /// The result is a product by repeated squaring, or its reciprocal for n < 0, with about |n| units of
-    /// round-off. For n < 0 it is 0 where x⁻ⁿ overflows. In code over all scalars it has the same bits for each of them and on every platform, which the
-    /// method of `f64` itself does not promise.
+    /// The result is a product by repeated squaring, or its reciprocal for n < 0, with about |n| units of round-off.
+    /// For n < 0 it is 0 where x⁻ⁿ overflows. In code over all scalars the value is bit-identical for each of them
+    /// and on every platform. The inherent method `f64::powi` does not promise this.
     ///
     /// ```
     /// use generic_scalars::{DualNumber, Real};
@@ -168,8 +168,8 @@ pub trait Real:
     /// their values alone.
     fn at_most(self, bound: Self) -> Self::Mask;
 
-    /// Returns `yes` where the mask is true and `no` elsewhere, bit for bit. It is the only branch that a
-    /// formula over all scalars can take.
+    /// Returns `yes` where the mask is true and `no` elsewhere, bit for bit. It is the only branch available to a
+    /// formula over all scalars.
     #[must_use]
     fn select(mask: Self::Mask, yes: Self, no: Self) -> Self;
 
@@ -218,7 +218,7 @@ pub trait Real:
     }
 }
 
-/// Returns the larger of two numbers, or NaN if either is NaN, which `f64::max` and `a > b` would lose.
+/// Returns the larger of two numbers, or NaN if either is NaN. (`f64::max` or a test `a > b` would lose the NaN.)
 #[must_use]
 #[inline]
 pub fn larger(a: f64, b: f64) -> f64 {

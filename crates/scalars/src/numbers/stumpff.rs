@@ -1,11 +1,12 @@
-//! Stumpff functions of a number `f64`.
+//! Stumpff functions of an `f64` number.
 
 /// Returns the Stumpff function cₖ(x) of order k, see [`Real::stumpff`](crate::Real::stumpff).
 ///
-/// The short series for small x are inlined, so that an order that is a constant gives constant coefficients.
+/// The short series for small x are inlined, so that a constant order gives constant coefficients.
 #[inline]
 pub(crate) fn stumpff(x: f64, order: u32) -> f64 {
-    // The next term is below 2⁻⁶⁴ and 2⁻⁶¹ of the first for k = 0, and smaller for k > 0.
+    // For k = 0 the first omitted term is below 2⁻⁶⁴ (five factors) and 2⁻⁶¹ (nine factors) of the first term. It is
+    // smaller for k > 0.
     let short = match x.abs() {
         size if size <= 1.0 / 64.0 => five_factors(x, order),
         size if size <= 1.0 => nine_factors(x, order),
@@ -39,14 +40,14 @@ fn over_factorial(sum: f64, order: u32) -> f64 {
     }
 }
 
-/// Returns k! cₖ(x) by the first six terms of the series; `None` for orders that the table does not serve.
+/// Returns k! cₖ(x) by the first six terms of the series; `None` for orders beyond the table.
 ///
 /// ```text
 /// 1 − f₀x (1 − f₁x (1 − f₂x (1 − …))) = (1 − f₀x) + f₀f₁x² ((1 − f₂x) + f₂f₃x² ((1 − f₄x) + …)),
 /// f_j = 1/((k+2j+1)(k+2j+2))
 /// ```
 ///
-/// In the second form each result waits for half as many others.
+/// In the second form each result depends on half as many earlier ones.
 #[inline(always)]
 fn five_factors(x: f64, order: u32) -> Option<f64> {
     let factors = FACTORS.get(order as usize..)?.first_chunk::<9>()?;
@@ -80,7 +81,7 @@ const FACTORS: [(f64, f64); 32] = {
     factors
 };
 
-/// Returns k! cₖ(x) by as many terms as it takes.
+/// Returns k! cₖ(x) by as many terms as are needed.
 fn long_series(x: f64, order: u32) -> f64 {
     let k = f64::from(order);
     let step = |j: u32| {
@@ -136,12 +137,13 @@ mod tests {
         ];
         for (x, order, expected) in table {
             let error = (stumpff(x, order) / expected - 1.0).abs();
-            // A handful of roundings of the recursion.
+            // The recursion has a few rounding errors.
             assert!(error < 4.0 * f64::EPSILON, "c_{order}({x}): {error:e}");
         }
     }
 
-    /// The seams of the short series, where they have the fewest terms for the size of x, against the long one.
+    /// Compares the short series with the long one at the ends of their ranges, where |x| is largest for the number
+    /// of terms.
     #[test]
     fn short_series_have_enough_terms() {
         for order in 0..24 {
@@ -149,12 +151,13 @@ mod tests {
                 for x in [size, -size] {
                     let long = long_series(x, order) / factorial(order);
                     let error = (stumpff(x, order) / long - 1.0).abs();
-                    // The first factor, the sum and the quotient by k! are rounded on either side.
+                    // On either side the first factor, the sum and the quotient by k! are rounded.
                     assert!(error < 3.0 * f64::EPSILON, "c_{order}({x}): {error:e}");
                 }
             }
         }
-        // The first term that is left out, at the seams; one term less would leave out more than a tenth of a rounding.
+        // The first omitted term at the ends of the ranges. With one term fewer it would exceed a tenth of a rounding
+        // error.
         let term = |x: f64, terms: i32| x.powi(terms) / factorial(2 * terms as u32);
         for (x, terms) in [(1.0 / 64.0, 5), (1.0, 9)] {
             assert!(term(x, terms + 1) < 2.0_f64.powi(-60), "{x}");
@@ -183,7 +186,7 @@ mod tests {
         ];
         for (x, order, expected) in table {
             let error = (stumpff(x, order) / expected - 1.0).abs();
-            // The roundings of k! and of k/2 steps of the recursion.
+            // The error comes from the roundings of k! and of k/2 steps of the recursion.
             assert!(error < f64::from(order) * f64::EPSILON, "c_{order}({x}): {error:e}");
         }
         for x in [0.0, 1.0, -1e5, 1e300] {
@@ -203,7 +206,8 @@ mod tests {
             assert_eq!(stumpff(x, 2), 0.0);
             for (order, expected) in [(3, 1.0 / x), (4, 0.5 / x)] {
                 let error = (stumpff(x, order) / expected - 1.0).abs();
-                // The rounding of the angle, at most 31 rad, and those of the recursion.
+                // The error comes from the rounding of the angle, at most 31 rad, and from the roundings of the
+                // recursion.
                 assert!(error < 32.0 * f64::EPSILON, "c_{order}({x}): {error:e}");
             }
         }

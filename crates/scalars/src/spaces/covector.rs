@@ -1,4 +1,4 @@
-//! Elements of the dual space, as a type of their own: [`Covector`].
+//! Elements of the dual space, as a separate type: [`Covector`].
 
 use crate::{Real, State, Vector};
 use core::ops::{Add, AddAssign, Neg, Sub, SubAssign};

@@ -76,8 +76,8 @@ impl<T: Real, const R: usize, const C: usize> Vector for SMatrix<Complex<T>, R, 
 
 /// Returns the cross product u×v over any scalar.
 ///
-/// It is that of nalgebra, bit for bit. The compiler inlines it in code for every register, as [`LaneTask`] requires of
-/// fast code.
+/// The result is bit-identical to that of nalgebra. The compiler inlines the function in code for every register, as
+/// [`LaneTask`] requires of fast code.
 ///
 /// [`LaneTask`]: crate::LaneTask
 ///
@@ -109,8 +109,8 @@ pub fn dot<T: Real>(u: &Vector3<T>, v: &Vector3<T>) -> T {
 
 /// Returns the product A v of a constant matrix and a vector over any scalar.
 ///
-/// nalgebra multiplies matrices of one scalar alone. A constant matrix that is converted to the scalar of v has zero
-/// derivatives, with which it is multiplied.
+/// nalgebra multiplies only matrices of the same scalar. If a constant matrix were converted to the scalar of v, the
+/// product would also multiply by its zero derivatives.
 ///
 /// # Example
 /// ```
@@ -165,10 +165,10 @@ pub fn constant_transpose_times<T: Real, const R: usize, const C: usize>(
     product
 }
 
-/// Returns the sum of terms from the first to the last, or zero if there is none.
+/// Returns the sum of the terms in order, from the first to the last, or zero if there are none.
 #[cfg_attr(not(debug_assertions), inline(always))]
 fn sum_of_products<T: Real>(count: usize, term: impl Fn(usize) -> T) -> T {
-    // A sum from zero on would lose the sign of −0.
+    // A sum that starts from zero would lose the sign of −0.
     let mut sum = if count == 0 { T::zero() } else { term(0) };
     for i in 1..count {
         sum += term(i);

@@ -117,9 +117,9 @@ impl<T: Real> Quaternion<T> {
 
     /// Returns the change (2/|q|²)(s u×v + u×(u×v)) of v under the rotation by q = s + u, for |q| near 1.
     ///
-    /// The relative error is a few units of round-off. The formula uses d = |q|² − 1 = (s − 1)(s + 1) +
-    /// |u|² instead of |q|²: rounding |q|² to a number next to 1 would give a biased error, since numbers
-    /// lie twice as dense below 1 as above.
+    /// The relative error is a few units of round-off. The formula uses d = |q|² − 1 = (s − 1)(s + 1) + |u|² instead
+    /// of |q|²: rounding |q|² to a number next to 1 would give a biased error, since floating-point numbers lie twice
+    /// as densely below 1 as above.
     #[cfg_attr(not(debug_assertions), inline(always))]
     pub fn rotation_change(&self, v: &Vector3<T>) -> Vector3<T> {
         let excess = (self.scalar - 1.0) * (self.scalar + 1.0) + dot(&self.vector, &self.vector);

@@ -3,10 +3,10 @@
 use crate::{Real, State, Vector};
 use core::ops::{Deref, DerefMut};
 
-/// An element (v₁, …, v_N) of the power Vᴺ of a small space, with a number N that is known only when the program runs.
+/// An element (v₁, …, v_N) of the power Vᴺ of a small space, with N known only when the program runs.
 ///
-/// It is the state of N spins, N vortices or N particles of a lattice. [`Power`](crate::Power) is the same space for a
-/// number that the compiler knows. The elements are those of a slice:
+/// Examples are the states of N spins, of N vortices, or of N particles of a lattice. [`Power`](crate::Power) is the
+/// same space for an N that the compiler knows. The vectors are accessed as those of a slice:
 ///
 /// ```
 /// use generic_scalars::{Sites, State};
@@ -88,7 +88,7 @@ impl<V: Vector> State for Sites<V> {
         Self(vec![V::zero(); *sites])
     }
 
-    /// Takes the vector from the pool that was given last, or allocates one.
+    /// Takes from the pool the vector that was given back last, or allocates one.
     #[inline]
     fn take(pool: &mut Vec<Self>, like: &Self) -> Self {
         let last = pool.pop().filter(|last| last.same_shape(like));
@@ -112,7 +112,7 @@ impl<V: Vector> State for Sites<V> {
 
     #[inline]
     fn entry(&self, i: usize) -> V::Scalar {
-        // Vectors of dimension 0 have no coordinates, and must not divide.
+        // Vectors of dimension 0 have no coordinates; the width 1 avoids a division by zero.
         let width = V::DIM.max(1);
         self.get(i / width).map_or_else(num_traits::zero, |v| v.coordinate(i % width))
     }
@@ -161,7 +161,7 @@ impl<V: Vector> State for Sites<V> {
         self.each(x, |v, x| v.add_scaled(s, x));
     }
 
-    /// Adds all terms to one vector before it goes to the next, so that the sum passes through memory once.
+    /// Adds all terms at one site before going on to the next site, so that the sum passes through memory once.
     #[inline]
     fn add_combination(&mut self, a: &[f64], k: &[Self]) {
         for (i, v) in self.0.iter_mut().enumerate() {

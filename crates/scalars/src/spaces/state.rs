@@ -6,16 +6,16 @@ use core::fmt::Debug;
 /// A vector that an integrator advances, small and of fixed dimension, or large and on the heap.
 ///
 /// The operations work in place, so that a large vector needs no storage for intermediate results. A small vector is
-/// a [`Vector`](crate::Vector): it computes by value, and [`state_by_value!`](crate::state_by_value) derives this
-/// trait from that one.
+/// a [`Vector`](crate::Vector): it computes by value, and [`state_by_value!`](crate::state_by_value) implements
+/// `State` for it by means of the operations of [`Vector`](crate::Vector).
 ///
 /// The arguments of an operation belong to one space ([`same_shape`](Self::same_shape)). Otherwise the result has no
 /// meaning, but nothing panics.
 ///
 /// # Temporary vectors
-/// A method that needs a temporary vector [takes](Self::take) it from a pool and [gives](Self::give) it back. The pool
-/// of a small type is `()`: the vector is a local variable. That of a large type is `Vec<Self>`: after the first step
-/// nothing is allocated.
+/// A method that needs a temporary vector [takes](Self::take) it from a pool and [gives](Self::give) it back. The
+/// pool of a small type is `()`: the vector is a local variable. The pool of a large type is `Vec<Self>`: nothing is
+/// allocated after the first step.
 ///
 /// # Example
 /// ```
@@ -70,13 +70,13 @@ pub trait State: Clone + Debug + PartialEq + Send + Sync + 'static {
 
     /// The type of one number for each block of coordinates.
     ///
-    /// It is `(Self::Scalar,)` where all coordinates have the same unit and the same scale, and a pair for
-    /// the two parts of a vector such as (q, p), whose units differ. Tests of size, such as the convergence
-    /// tests of implicit methods, compare each block with itself, so that no result depends on units.
+    /// It is `(Self::Scalar,)` if all coordinates have the same unit and the same scale, and a pair for the two parts
+    /// of a vector such as (q, p), whose units differ. Tests of size, such as the convergence tests of implicit
+    /// methods, compare each block with itself, so that no result depends on units.
     type Blocks: Blocks<Self::Scalar>;
 
-    /// What tells the spaces of one type apart: `()` for a small type, the number of sites or the size of a matrix for a
-    /// large one.
+    /// The data that distinguish one space of this type from another: `()` for a small type, the number of sites or
+    /// the size of a matrix for a large one.
     ///
     /// It does not contain numbers of the type [`Scalar`](Self::Scalar): the same space over dual numbers has the same
     /// shape.
@@ -91,7 +91,7 @@ pub trait State: Clone + Debug + PartialEq + Send + Sync + 'static {
     /// Returns the dimension over the reals.
     fn dimension(&self) -> usize;
 
-    /// Returns what tells the space of the vector apart.
+    /// Returns the shape of the vector, which distinguishes its space from the others of this type.
     fn shape(&self) -> Self::Shape;
 
     /// Returns the zero vector of the space of a shape.
@@ -118,7 +118,7 @@ pub trait State: Clone + Debug + PartialEq + Send + Sync + 'static {
     /// Gives a vector back to the pool.
     fn give(self, pool: &mut Self::Pool);
 
-    /// Takes the value of another vector, in the storage of this one: v ← x.
+    /// Copies another vector into the storage of this one: v ← x.
     #[cfg_attr(not(debug_assertions), inline(always))]
     fn assign(&mut self, x: &Self) {
         self.clone_from(x);
@@ -200,9 +200,9 @@ pub trait State: Clone + Debug + PartialEq + Send + Sync + 'static {
         }
     }
 
-    /// Raises the number of each block to the largest |vᵢ| in that block, and adds every |vᵢ| to the sum.
+    /// Raises `largest` in each block to the largest |vᵢ| in that block, and adds every |vᵢ| to `sum`.
     ///
-    /// The sum is NaN where a coordinate is NaN, which the largest number may lose.
+    /// The sum is NaN where a coordinate is NaN. The largest number may lose a NaN.
     #[cfg_attr(not(debug_assertions), inline(always))]
     fn measure(&self, largest: &mut Self::Blocks, sum: &mut Self::Scalar) {
         for i in 0..self.dimension() {

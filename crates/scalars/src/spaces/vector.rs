@@ -1,15 +1,16 @@
-//! Vectors of finite-dimensional real vector spaces, given by their coordinates, and how they become states: [`Vector`].
+//! Vectors of finite-dimensional real vector spaces, given by their coordinates, and how they become states:
+//! [`Vector`].
 
 use crate::{Mask, Real, State};
 use core::ops::{Add, AddAssign, Neg, Sub, SubAssign};
 
 /// A vector of a real vector space V of fixed dimension, with a standard basis e₀, e₁, ….
 ///
-/// Elements of a Lie algebra, momenta in its dual, points of a phase space and group elements
-/// (which live in a space of matrices) are all vectors in this sense. Implemented for nalgebra's
-/// statically sized matrices over [`Real`] and over `Complex<Real>` (real and imaginary parts
-/// alternate, so that C² ≅ R⁴ is χ = (q₁+iq₂, q₃+iq₄)), for [`Covector`](crate::Covector), [`Pair`](crate::Pair),
-/// [`Power`](crate::Power) and [`Quaternion`](crate::Quaternion).
+/// Elements of a Lie algebra, momenta in its dual, points of a phase space and group elements (which live in a space
+/// of matrices) are all vectors in this sense. The trait is implemented for nalgebra's statically sized matrices over
+/// [`Real`] and over `Complex<Real>`, and for [`Covector`](crate::Covector), [`Pair`](crate::Pair),
+/// [`Power`](crate::Power) and [`Quaternion`](crate::Quaternion). Complex coordinates alternate between real and
+/// imaginary parts, so that C² ≅ R⁴ is χ = (q₁+iq₂, q₃+iq₄).
 ///
 /// The dual V∗ is a different type, paired by coordinates: ⟨α, v⟩ = Σ αᵢ vᵢ.
 ///
@@ -150,9 +151,9 @@ pub fn map_coordinates<V: Vector, W: Vector>(v: &V, f: impl Fn(V::Scalar) -> W::
     )
 }
 
-/// Implements [`State`] for a small type by its operations as a [`Vector`](crate::Vector).
+/// Implements [`State`] for a small type by means of its operations as a [`Vector`](crate::Vector).
 ///
-/// The arguments are the parameters of the implementation in brackets, the type, its scalar and its
+/// The arguments are the generic parameters of the implementation in brackets, the type, its scalar and its
 /// [blocks](State::Blocks).
 ///
 /// # Example

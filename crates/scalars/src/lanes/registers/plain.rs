@@ -3,7 +3,7 @@
 use super::register::Register;
 use crate::Mask;
 
-/// Two numbers; products and sums are rounded separately, as those of `f64`.
+/// Two numbers; products and sums are rounded separately, as for `f64`.
 #[derive(Clone, Copy)]
 pub struct Plain(f64, f64);
 

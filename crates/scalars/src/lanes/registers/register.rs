@@ -5,9 +5,8 @@ use crate::Mask;
 /// A register of `COUNT` numbers with the operations of the processor, which round in each lane as `f64`
 /// does.
 ///
-/// Implementations put `#[inline(always)]` on every function: one that the compiler leaves outside of the
-/// function with the processor's features passes its registers through memory, and calls each instruction
-/// as a function.
+/// Implementations put `#[inline(always)]` on every function. A function that is not inlined into the one compiled
+/// for the processor's features passes its registers through memory, and calls each instruction as a function.
 pub trait Register: Copy + Send + Sync + 'static {
     /// The number of lanes.
     const COUNT: usize;

@@ -9,10 +9,10 @@ use core::arch::x86_64::{
     _mm_movemask_pd, _mm_mul_pd, _mm_or_pd, _mm_set1_pd, _mm_sqrt_pd, _mm_sub_pd, _mm_xor_pd,
 };
 
-/// One register of SSE2; products and sums are rounded separately, as those of `f64`.
+/// One register of SSE2; products and sums are rounded separately, as for `f64`.
 ///
-/// The `unsafe` blocks of this type are sound because it is compiled only where SSE2 is among the features
-/// of every function.
+/// The `unsafe` blocks of this type are sound because it is compiled only where SSE2 is among the features of every
+/// function.
 #[derive(Clone, Copy)]
 pub struct Sse2(__m128d);
 

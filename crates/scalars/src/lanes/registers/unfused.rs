@@ -2,13 +2,13 @@
 
 use super::register::Register;
 
-/// A register without fused multiply-add, which computes in each lane bit for bit what `f64` computes.
+/// A register without fused multiply-add, bit-identical to `f64` in each lane.
 ///
-/// It is for formulas that run on `f64` too, where a result must not depend on the register.
+/// It is for formulas that also run on `f64`, if their results must not depend on the register.
 #[derive(Clone, Copy)]
 pub struct Unfused<R>(R);
 
-/// Defines functions that are those of the register.
+/// Defines functions that call those of the register.
 macro_rules! inherited {
     ($($name:ident($($argument:ident),*);)*) => {$(
         #[inline(always)]
@@ -18,7 +18,7 @@ macro_rules! inherited {
     )*};
 }
 
-/// The three functions with a product and a sum are those that round twice.
+/// The three functions with a product and a sum have their default implementations, which round twice.
 impl<R: Register> Register for Unfused<R> {
     const COUNT: usize = R::COUNT;
     const FUSED: bool = false;

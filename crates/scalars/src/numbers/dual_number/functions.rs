@@ -43,7 +43,8 @@ impl<T: Real> Real for DualNumber<T> {
         self.chain(self.value.cos(), -self.value.sin())
     }
 
-    /// Returns tanh x with the slope 4e/(1 + e)², e = exp(−2|x|), which 1 − tanh² x loses for large |x|.
+    /// Returns tanh x with the slope 4e/(1 + e)², where e = exp(−2|x|). The formula 1 − tanh² x loses this slope for
+    /// large |x|.
     fn tanh(self) -> Self {
         let e = (self.value.select_nonnegative(-self.value, self.value) * 2.0).exp();
         let sum = e + 1.0;
