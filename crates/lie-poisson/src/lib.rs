@@ -40,8 +40,8 @@
 //! | a representation of your own | [`Representation`], [`GroupRepresentation`] |
 //! | a representation made from others | [`Adjoint`], [`Inherited`], [`Diagonal`], [`Sum`], [`Contragredient`] |
 //! | the adjoint representation of an algebra without a group | [`InfinitesimalAdjoint`] |
-//! | a derivation, and an extension of the adjoint representation that sees the centre | [`Cocycle`], [`ExtendedAdjoint`], [`ExtendedCoadjoint`] |
-//! | whether Runge–Kutta steps descend along a representation | [`odd_power_defect`] |
+//! | a derivation, or an extension of the adjoint representation on which the centre can act | [`Cocycle`], [`ExtendedAdjoint`], [`ExtendedCoadjoint`] |
+//! | a test whether Runge–Kutta steps on T∗V descend to 𝔤∗ | [`odd_power_defect`] |
 //! | 𝔤∗ with a Lie–Poisson bracket | [`LiePoisson::minus`], [`LiePoisson::plus`] |
 //! | a Poisson space of your own | [`PoissonSpace`] |
 //! | products and powers of Poisson spaces | [`ProductSpace`], [`PowerSpace`] |
@@ -56,8 +56,8 @@
 //!
 //! # Conventions
 //!
-//! * The coadjoint operator has no sign: ⟨`ad*_ξ μ`, η⟩ = ⟨μ, [ξ, η]⟩.
-//! * The coadjoint action has no inverse: ⟨`Ad*_g μ`, ξ⟩ = ⟨μ, `Ad_g ξ`⟩. It is a right action.
+//! * The coadjoint operator is defined without a sign: ⟨`ad*_ξ μ`, η⟩ = ⟨μ, [ξ, η]⟩.
+//! * The coadjoint action is defined without an inverse: ⟨`Ad*_g μ`, ξ⟩ = ⟨μ, `Ad_g ξ`⟩. It is a right action.
 //! * The Lie–Poisson brackets are {f, h}±(μ) = ±⟨μ, [df, dh]⟩. The minus sign belongs to the body frame.
 //! * The equation of motion is dμ/dt = +`ad*_ξ μ` for the minus bracket and −`ad*_ξ μ` for the plus bracket, where
 //!   ξ = dh(μ).
@@ -68,7 +68,7 @@
 //!
 //! # Features and versions
 //!
-//! The feature `laws` adds the module `laws`, which returns the axioms as residuals. The feature `serde`
+//! The feature `laws` adds the module `laws`, which returns the residuals of the axioms. The feature `serde`
 //! serialises signs, pairs, covectors, quaternions and sites. The oldest supported compiler is Rust 1.89.
 //!
 //! # Related crates

@@ -7,9 +7,8 @@ pub type Momentum<A, T = f64> = Covector<<A as LieAlgebra>::Element<T>>;
 
 /// A real Lie algebra 𝔤 with a standard basis.
 ///
-/// An algebra is a value, often of a unit struct, and its elements are vectors over any scalar. Only the
-/// bracket is required. The coadjoint operator ad∗ follows from it; implement it by hand where speed
-/// matters.
+/// An algebra is a value, often of a unit struct, and its elements are vectors over any scalar. Only the bracket is
+/// required. The coadjoint operator ad∗ follows from it; implement ad∗ by hand if speed matters.
 ///
 /// # Example
 /// The Heisenberg algebra [e₀, e₁] = e₂:
@@ -47,7 +46,7 @@ pub trait LieAlgebra: Clone {
     /// ⟨ad*_ξ μ, η⟩ = ⟨μ, [ξ, η]⟩
     /// ```
     ///
-    /// There is no sign in it, so ad∗ is an antirepresentation: `ad∗_[ξ,η] = −[ad∗_ξ, ad∗_η]`.
+    /// The definition contains no sign, so ad∗ is an antirepresentation: `ad∗_[ξ,η] = −[ad∗_ξ, ad∗_η]`.
     ///
     /// Source: Marsden & Ratiu, *Introduction to Mechanics and Symmetry*, 2nd ed., §9.3.
     #[inline]

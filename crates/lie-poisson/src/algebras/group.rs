@@ -17,7 +17,7 @@ pub type GroupMomentum<G, T = f64> = Momentum<<G as LieGroup>::Algebra, T>;
 /// 2nd ed., §9.1.
 ///
 /// # Example
-/// The group of the affine maps x ↦ a x + b of a line, a > 0, with g = (a, b):
+/// The group of affine maps x ↦ a x + b of a line, a > 0, with g = (a, b):
 /// ```
 /// use lie_poisson::{LieAlgebra, LieGroup, Real, Vector};
 /// use nalgebra::Vector2;

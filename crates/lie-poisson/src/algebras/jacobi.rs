@@ -6,7 +6,7 @@ use crate::larger;
 pub(crate) struct Brackets<const N: usize> {
     /// The constants, with `c[i][j][k]` at (i N + j) N + k.
     constants: Vec<Extended>,
-    /// The maximum norms of the brackets, with that of [e_i, e_j] at i N + j.
+    /// The maximum norms of the brackets; the norm of [e_i, e_j] is at i N + j.
     norms: Vec<Extended>,
 }
 

@@ -6,7 +6,7 @@ use nalgebra::SVector;
 use std::sync::Arc;
 use thiserror::Error;
 
-/// The error of a table of numbers that is not the bracket of a Lie algebra.
+/// The error returned for a table of numbers that does not define the bracket of a Lie algebra.
 #[derive(Clone, Copy, Debug, PartialEq, Error)]
 #[non_exhaustive]
 pub enum StructureError {

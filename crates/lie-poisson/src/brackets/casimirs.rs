@@ -9,8 +9,8 @@ use num_complex::Complex;
 
 /// The Casimirs of the Lie–Poisson bracket on 𝔤∗: functions c with {c, f} = 0 for every f.
 ///
-/// Every Hamiltonian flow conserves them. They are common to both signs of the bracket. In terms of ad∗
-/// they are the functions with `ad∗_ξ μ` = 0 for ξ = dc(μ).
+/// Every Hamiltonian flow conserves them. They are the same for both signs of the bracket. In terms of ad∗ they are
+/// the functions c with `ad∗_ξ μ` = 0 for ξ = dc(μ).
 ///
 /// # Example
 /// ```
@@ -26,10 +26,10 @@ pub trait Casimirs: LieAlgebra {
     /// The number of independent Casimirs that are listed.
     const COUNT: usize;
 
-    /// Returns the value of the Casimir of the given index, or zero for `index` ≥ `COUNT`.
+    /// Returns the value of the Casimir with the given index, or zero for `index` ≥ `COUNT`.
     fn casimir<T: Real>(&self, index: usize, mu: &Momentum<Self, T>) -> T;
 
-    /// Returns the exact differential dc(μ) ∈ 𝔤 of the Casimir of the given index.
+    /// Returns the exact differential dc(μ) ∈ 𝔤 of the Casimir with the given index.
     fn casimir_differential<T: Real>(
         &self,
         index: usize,
@@ -126,7 +126,7 @@ impl Casimirs for So2 {
 impl<const N: usize> Casimirs for RealSpace<N> {
     const COUNT: usize = N;
 
-    /// Returns the coordinate of the given index, since the algebra is abelian.
+    /// Returns the coordinate with the given index, since the algebra is abelian.
     #[inline]
     fn casimir<T: Real>(&self, index: usize, mu: &Momentum<Self, T>) -> T {
         mu.coordinate(index)
@@ -136,7 +136,7 @@ impl<const N: usize> Casimirs for RealSpace<N> {
 impl<const N: usize> Casimirs for UnitaryAlgebra<N> {
     const COUNT: usize = N;
 
-    /// Returns the Casimir of the given index among tr H, tr H², …, tr Hᴺ of the Hermitian matrix H of μ.
+    /// Returns the Casimir with the given index among tr H, tr H², …, tr Hᴺ of the Hermitian matrix H of μ.
     fn casimir<T: Real>(&self, index: usize, mu: &Momentum<Self, T>) -> T {
         let h = self.hermitian(mu);
         let one = SMatrix::<Complex<T>, N, N>::identity();
@@ -148,7 +148,8 @@ impl<const N: usize> Casimirs for UnitaryAlgebra<N> {
 impl<A: Casimirs, B: Casimirs> Casimirs for ProductAlgebra<A, B> {
     const COUNT: usize = A::COUNT + B::COUNT;
 
-    /// Returns the Casimir of the given index: those of the first factor, then those of the second.
+    /// Returns the Casimir with the given index. The Casimirs of the first factor come first, then those of the
+    /// second.
     #[inline]
     fn casimir<T: Real>(&self, index: usize, mu: &Momentum<Self, T>) -> T {
         if index < A::COUNT {
@@ -162,7 +163,8 @@ impl<A: Casimirs, B: Casimirs> Casimirs for ProductAlgebra<A, B> {
 impl<A: Casimirs, const N: usize> Casimirs for PowerAlgebra<A, N> {
     const COUNT: usize = N * A::COUNT;
 
-    /// Returns the Casimir of the given index: those of the first factor, then of the second, and so on.
+    /// Returns the Casimir with the given index. The Casimirs of the first factor come first, then those of the
+    /// second, and so on.
     #[inline]
     fn casimir<T: Real>(&self, index: usize, mu: &Momentum<Self, T>) -> T {
         let count = A::COUNT.max(1);

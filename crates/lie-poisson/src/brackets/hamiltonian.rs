@@ -10,11 +10,11 @@ use core::marker::PhantomData;
 /// On P = 𝔤∗ the differential dh(μ) lies in 𝔤: it is a velocity. There are three ways to make a
 /// Hamiltonian:
 ///
-/// * implement [`Energy`] and wrap it in [`Automatic`]: one generic formula, differentiated by dual numbers, for every
-///   scalar;
-/// * pass closures over `f64` to [`from_closure`] (differentiated automatically) or to [`from_closures`] (with the
-///   differential by hand);
-/// * implement this trait with the differential by hand, which is the fastest way.
+/// * implement [`Energy`] and wrap it in [`Automatic`]: one generic formula for every scalar, differentiated by dual
+///   numbers;
+/// * pass closures over `f64` to [`from_closure`], which differentiates automatically, or to [`from_closures`], with
+///   a differential written by hand;
+/// * implement this trait with a differential written by hand, which is the fastest way.
 ///
 /// # Example
 /// The free rigid body, by hand:
@@ -59,8 +59,8 @@ pub trait Hamiltonian<P: PoissonSpace, T: Real = f64> {
 
     /// Returns the derivative D²h(z)·v of dh at z along v, or `None` if it is not known, as for closures.
     ///
-    /// Newton's iteration for the stages of an implicit method uses it. A Hamiltonian that is implemented
-    /// over all scalars can return [`hessian_by_dual_numbers`].
+    /// Newton's iteration for the stages of an implicit method uses this derivative. A Hamiltonian that is
+    /// implemented over all scalars can return [`hessian_by_dual_numbers`].
     #[inline]
     fn hessian(&self, _z: &Point<P, T>, _v: &Point<P, T>) -> Option<Differential<P, T>> {
         None
@@ -69,7 +69,7 @@ pub trait Hamiltonian<P: PoissonSpace, T: Real = f64> {
 
 /// Computes D²h(z)·v exactly by dual numbers, for a Hamiltonian that is implemented over every scalar.
 ///
-/// It serves as the body of [`Hamiltonian::hessian`].
+/// Use it as the body of [`Hamiltonian::hessian`].
 #[inline]
 pub fn hessian_by_dual_numbers<P, T, H>(
     h: &H,
@@ -133,10 +133,10 @@ pub trait Energy {
     fn energy<T: Real>(&self, z: &Point<Self::Space, T>) -> T;
 }
 
-/// Defines an [`Energy`] by its name, its parameters, its space and one formula.
+/// Defines an [`Energy`] from its name, its parameters, its space and one formula.
 ///
-/// The formula is that of a method over the scalar `T: Real`: numbers of type `f64` stand on the right of a product.
-/// Wrap the value in [`Automatic`], which adds the exact differential.
+/// The formula becomes the body of a method over the scalar `T: Real`, so a number of type `f64` must stand on the
+/// right of a product. Wrap the value in [`Automatic`], which adds the exact differential.
 ///
 /// # Example
 /// ```
@@ -247,7 +247,7 @@ where
     }
 }
 
-/// Creates a Hamiltonian from two closures: the value, and the differential by hand.
+/// Creates a Hamiltonian from two closures: the value, and the differential written by hand.
 ///
 /// # Example
 /// ```

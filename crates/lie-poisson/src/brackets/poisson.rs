@@ -39,8 +39,8 @@ pub trait PoissonSpace: VectorSpace {
 
 /// The sign of a Lie–Poisson bracket {f, h}±(μ) = ±⟨μ, [df, dh]⟩.
 ///
-/// Momentum maps of right actions are Poisson maps to 𝔤∗ with the minus sign, those of left actions to 𝔤∗
-/// with the plus sign. Dynamics in the body frame has the minus sign.
+/// Momentum maps of right actions are Poisson maps to 𝔤∗ with the minus sign; momentum maps of left actions are
+/// Poisson maps to 𝔤∗ with the plus sign. Dynamics in the body frame has the minus sign.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 pub enum Sign {
@@ -76,14 +76,14 @@ impl<A: LieAlgebra> LiePoisson<A> {
         Self { algebra, sign }
     }
 
-    /// Creates 𝔤∗ with the minus Lie–Poisson bracket {f, g}(μ) = −⟨μ, [df, dg]⟩, that of momenta in the body frame:
-    /// dμ/dt = `ad*_ξ μ` with ξ = dh(μ).
+    /// Creates 𝔤∗ with the minus Lie–Poisson bracket {f, g}(μ) = −⟨μ, [df, dg]⟩, the bracket of momenta in the body
+    /// frame: dμ/dt = `ad*_ξ μ` with ξ = dh(μ).
     pub const fn minus(algebra: A) -> Self {
         Self::new(algebra, Sign::Minus)
     }
 
-    /// Creates 𝔤∗ with the plus Lie–Poisson bracket {f, g}(μ) = ⟨μ, [df, dg]⟩, that of momenta in the spatial frame:
-    /// dμ/dt = −`ad*_ξ μ` with ξ = dh(μ).
+    /// Creates 𝔤∗ with the plus Lie–Poisson bracket {f, g}(μ) = ⟨μ, [df, dg]⟩, the bracket of momenta in the spatial
+    /// frame: dμ/dt = −`ad*_ξ μ` with ξ = dh(μ).
     pub const fn plus(algebra: A) -> Self {
         Self::new(algebra, Sign::Plus)
     }

@@ -8,7 +8,7 @@ use nalgebra::{Matrix2, Matrix3, SVector, Vector1, Vector2, Vector3};
 use num_complex::Complex;
 use thiserror::Error;
 
-/// The error of a group element that has no logarithm depending smoothly on it.
+/// The error returned for a group element outside of the domain of log, or not finite.
 #[derive(Clone, Copy, Debug, PartialEq, Error)]
 #[error("no logarithm: the element is outside the domain of log, or not finite")]
 pub struct LogarithmError;
@@ -221,8 +221,8 @@ mod tests {
         }
     }
 
-    /// Two components of the quaternion are largest, equal up to 10⁻¹², and a third one is 10⁻⁶. No formula may divide by
-    /// that one.
+    /// Two components of the quaternion are the largest and agree to 10⁻¹², and a third one is 10⁻⁶. No formula may
+    /// divide by the third.
     #[test]
     fn logarithms_of_quarter_turns_and_of_half_turns_between_axes() {
         let (axes, tilt) = ([Vector3::x(), Vector3::y(), Vector3::z()], 1e-6);
@@ -280,7 +280,7 @@ mod tests {
         let axis = Vector3::new(0.36, 0.48, -0.8).map(DefaultLanes::from_f64);
         let log = SO3.log(&SO3.exp(&(axis * angles)));
         let error = log.map(|log| log.dot(&axis) - angles);
-        // exp of π may come back as −π about the same axis.
+        // The logarithm of exp of π may be −π about the same axis.
         assert!(error.is_ok_and(|error| (0..4).all(|i| error.lane(i).abs() % (2.0 * PI) < 2e-15)));
     }
 }

@@ -52,7 +52,7 @@ fn with_basis<V: Vector<Scalar = f64>>(samples: &[V]) -> Vec<V> {
     samples.iter().copied().chain((0..count).map(|i| V::basis(i).scaled(size))).collect()
 }
 
-/// The methods [`bracket`](LieAlgebra::bracket) and [`coadjoint`](LieAlgebra::coadjoint) may have the fault.
+/// The fault can be in the methods [`bracket`](LieAlgebra::bracket) and [`coadjoint`](LieAlgebra::coadjoint).
 impl<A: LieAlgebra> LieAlgebra for Faulty<'_, A> {
     type Element<T: Real> = A::Element<T>;
 

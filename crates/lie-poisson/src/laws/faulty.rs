@@ -1,15 +1,16 @@
 use crate::{Real, State};
 
-/// An object with a fault in the result of one method: the negative control of a law suite, which must refuse it.
+/// An object with a fault in the result of one method: a negative control, which a law suite must refuse.
 ///
-/// The method with the given name returns half the value in one coordinate, and all others return what those of the object
-/// return. Half, and not the opposite sign: squares, and so many invariants, do not depend on a sign.
+/// The method with the given name returns half the value in one coordinate. All other methods return the results of
+/// the object. The coordinate is halved, and not negated, because squares, and with them many invariants, do not
+/// depend on a sign.
 ///
-/// Where the coordinate is not much smaller than the others, a suite that uses it has a residual far above 10⁻³: check
-/// against that. Where it is zero in all samples there is no fault: choose another coordinate or other samples. A suite
-/// that passes without such a control may have tested nothing, as with samples that are zero.
+/// If the coordinate is not much smaller than the others, a suite that uses it has a residual far above 10⁻³: check
+/// against 10⁻³. If it is zero in all samples, there is no fault: choose another coordinate or other samples. A suite
+/// that passes without such a control may have tested nothing, for example if all samples are zero.
 ///
-/// It implements these traits where the object does:
+/// A `Faulty` object implements these traits if the object does:
 ///
 /// | trait | methods |
 /// |---|---|
@@ -18,12 +19,13 @@ use crate::{Real, State};
 /// | [`Hamiltonian`](crate::Hamiltonian) | `differential` |
 /// | [`SitesHamiltonian`](crate::SitesHamiltonian) | `differential_into` |
 ///
-/// The laws of `momentum-map` and `collective-integrators` add theirs, listed in their modules `laws`; the fault of a batch
-/// is another one, which is described there. To implement a trait of your own, call the [`object`](Self::object), and pass
-/// the result of each method to [`halve`](Self::halve) or [`halved`](Self::halved).
+/// The laws of `momentum-map` and `collective-integrators` add their traits, which are listed in their modules
+/// `laws`. The fault of a batch is different and is described there. To implement a trait of your own, call the
+/// [`object`](Self::object), and pass the result of each method to [`halve`](Self::halve) or
+/// [`halved`](Self::halved).
 ///
-/// A name that no method has, and a coordinate that its result does not have, make no fault: the suite then accepts the
-/// object, and the control fails.
+/// If no method has the given name, or if its result does not have the given coordinate, there is no fault: the suite
+/// then accepts the object, and the control fails.
 ///
 /// # Example
 /// ```
@@ -44,7 +46,7 @@ pub struct Faulty<'a, S> {
 }
 
 impl<'a, S> Faulty<'a, S> {
-    /// Creates the object with half of a coordinate in the result of the method with this name.
+    /// Creates the object whose method with this name returns half the value in one coordinate.
     #[must_use]
     pub const fn new(object: &'a S, method: &'static str, coordinate: usize) -> Self {
         Self { object, fault: Some((method, coordinate)) }

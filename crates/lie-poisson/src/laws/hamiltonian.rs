@@ -7,10 +7,10 @@ use crate::{
 /// Evaluates the laws of a Hamiltonian on samples of points, with exact derivatives by dual numbers:
 ///
 /// * `differential`: dh is the derivative of h;
-/// * `second derivative`: D²h·v is the derivative of dh along v, if the Hamiltonian knows it.
+/// * `second derivative`: D²h·v is the derivative of dh along v, if the Hamiltonian provides it.
 ///
-/// The point 0 and points near it are left out where h is not finite there, as for a logarithm. The samples must belong to
-/// the domain of h.
+/// The point 0 and points near it are left out if h is not finite there, as for a logarithm. The samples must belong
+/// to the domain of h.
 ///
 /// # Errors
 /// Returns [`NoSamples`] if there are no samples.
@@ -70,7 +70,7 @@ where
     }
 }
 
-/// The method [`differential`](Hamiltonian::differential) may have the fault.
+/// The fault can be in the method [`differential`](Hamiltonian::differential).
 impl<P: PoissonSpace, T: Real, H: Hamiltonian<P, T>> Hamiltonian<P, T> for Faulty<'_, H> {
     fn value(&self, z: &Point<P, T>) -> T {
         self.object().value(z)
@@ -90,11 +90,11 @@ type Momenta<A, T = f64> = Covector<Sites<<A as LieAlgebra>::Element<T>>>;
 
 /// Evaluates the laws of a Hamiltonian of N copies of 𝔤∗ on samples of momenta, with exact derivatives by dual numbers:
 ///
-/// * `differential`: dh is the derivative of h, whatever stood in its storage before;
-/// * `number of sites`: if h has another number of sites than a momentum, the value is NaN and so is each coordinate of dh.
-///   A Hamiltonian of any number of sites has the law `differential` with one site more instead.
+/// * `differential`: dh is the derivative of h, whatever values its storage held before;
+/// * `number of sites`: with one site more than in a sample, either the value and each coordinate of dh are NaN,
+///   since h has a fixed number of sites, or dh is again the derivative of h.
 ///
-/// As in [`hamiltonian`], momenta at 0 and near it are left out where h is not finite.
+/// As in [`hamiltonian`], momenta at 0 and near it are left out if h is not finite there.
 ///
 /// # Errors
 /// Returns [`NoSamples`] if there are no samples.
@@ -154,7 +154,7 @@ where
     Ok(report)
 }
 
-/// Returns dh, written over an element with equal coordinates.
+/// Returns dh, written to an element whose coordinates were all equal.
 fn written<V: Vector>(
     hamiltonian: &impl SitesHamiltonian<V>,
     mu: &Covector<Sites<V>>,
@@ -189,7 +189,7 @@ fn differential_of_sites<A, H>(
     }
 }
 
-/// The method [`differential_into`](SitesHamiltonian::differential_into) may have the fault.
+/// The fault can be in the method [`differential_into`](SitesHamiltonian::differential_into).
 impl<V: Vector, H: SitesHamiltonian<V>> SitesHamiltonian<V> for Faulty<'_, H> {
     fn value(&self, mu: &Covector<Sites<V>>) -> V::Scalar {
         self.object().value(mu)

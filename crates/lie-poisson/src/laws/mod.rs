@@ -36,7 +36,7 @@ pub use representation::{group_representation, representation};
 use crate::{Vector, larger};
 use thiserror::Error;
 
-/// The error of a law suite that was given no samples.
+/// The error returned if a law suite is given no samples.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Error)]
 #[error("the law suite was given no {what}: nothing was tested")]
 pub struct NoSamples {
@@ -44,13 +44,13 @@ pub struct NoSamples {
     pub what: &'static str,
 }
 
-/// The error of a law whose residual is above the tolerance.
+/// The error returned if the residual of a law is above the tolerance.
 #[derive(Clone, Copy, Debug, PartialEq, Error)]
 #[error("{law} fails: relative residual {residual:e}, allowed {tolerance:e}")]
 pub struct BrokenLaw {
     /// The name of the law.
     pub law: &'static str,
-    /// The largest relative residual of the law; NaN if one was not a number.
+    /// The largest relative residual of the law; NaN if any residual is not a number.
     pub residual: f64,
     /// The tolerance that was allowed.
     pub tolerance: f64,
@@ -85,7 +85,7 @@ impl Report {
         broken.map_or(Ok(()), |&(law, residual)| Err(BrokenLaw { law, residual, tolerance }))
     }
 
-    /// Records a residual of size `residual` of a law between quantities of size `scale`.
+    /// Records for a law a residual of size `residual` between quantities of size `scale`.
     pub fn note(&mut self, law: &'static str, residual: f64, scale: f64) {
         let relative = if residual == 0.0 { 0.0 } else { residual / scale };
         match self.residuals.iter_mut().find(|(name, _)| *name == law) {

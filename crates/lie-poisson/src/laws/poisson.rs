@@ -66,7 +66,7 @@ pub fn casimirs<A: Casimirs>(algebra: &A, samples: &[Momentum<A>]) -> Result<Rep
     Ok(report)
 }
 
-/// The method [`casimir_differential`](Casimirs::casimir_differential) may have the fault.
+/// The fault can be in the method [`casimir_differential`](Casimirs::casimir_differential).
 impl<A: Casimirs> Casimirs for Faulty<'_, A> {
     const COUNT: usize = A::COUNT;
 
@@ -80,7 +80,7 @@ impl<A: Casimirs> Casimirs for Faulty<'_, A> {
     }
 }
 
-/// The bound on what round-off leaves of a unit vector that is a combination of others.
+/// The largest remainder that round-off leaves of a unit vector that is a combination of others.
 const ROUND_OFF: f64 = 1e-12;
 
 /// Returns the number of vectors that are not combinations of those before them, to round-off.

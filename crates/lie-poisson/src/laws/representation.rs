@@ -6,11 +6,10 @@ use crate::{
 
 /// Evaluates the laws of a representation on samples of 𝔤 and V.
 ///
-/// The laws are `commutator` [ξ, η] v = ξηv − ηξv, `transpose` ⟨ξᵀα, v⟩ = ⟨α, ξv⟩ and `diamond` ⟨v ◇ α, η⟩
-/// = ⟨α, ηv⟩.
+/// The laws are `commutator` [ξ, η] v = ξηv − ηξv, `transpose` ⟨ξᵀα, v⟩ = ⟨α, ξv⟩ and `diamond` ⟨v ◇ α, η⟩ = ⟨α, ηv⟩.
 ///
 /// # Errors
-/// Returns [`NoSamples`] if there are no samples of one kind.
+/// Returns [`NoSamples`] if one of the lists of samples is empty.
 pub fn representation<R: Representation>(
     representation: &R,
     elements: &[RepresentedElement<R>],
@@ -48,7 +47,7 @@ pub fn representation<R: Representation>(
 /// exp(σξ) v dσ = exp(ξ) v − v.
 ///
 /// # Errors
-/// Returns [`NoSamples`] if there are no samples of one kind.
+/// Returns [`NoSamples`] if one of the lists of samples is empty.
 pub fn group_representation<R: GroupRepresentation>(
     representation: &R,
     elements: &[RepresentedElement<R>],

@@ -8,14 +8,16 @@ use nalgebra::{DMatrix, DVector, Vector1};
 use std::sync::Arc;
 use thiserror::Error;
 
-/// The error of a linear map that is not a cocycle, or of a representation whose cocycles cannot be computed.
+/// The error returned for a linear map that is not a cocycle, or for a representation whose cocycles cannot be
+/// computed.
 #[derive(Clone, Copy, Debug, PartialEq, Error)]
 #[non_exhaustive]
 pub enum CocycleError {
     /// An entry of a matrix is infinite or not a number.
     #[error("the entry ({row}, {column}) = {value} of the {matrix} is not finite")]
     NotFinite {
-        /// The matrix: that of the linear map, of a multiple of it, of the nearest cocycle, or of the equations of cocycles.
+        /// The matrix with this entry: that of the map, of a multiple of it, of the nearest cocycle, or of the
+        /// cocycle equations.
         matrix: &'static str,
         /// The row of the entry.
         row: usize,
@@ -94,9 +96,8 @@ impl<R: Representation> Cocycle<R> {
 
     /// Creates the cocycle with the matrix c(i, j), the i-th coordinate of c(e_j).
     ///
-    /// # Errors
-    /// Returns [`CocycleError`] if an entry is not finite, or if the equation of cocycles fails for some e_i, e_j by
-    /// more than 10⁻¹⁰, relative to the largest entry of c and to the largest matrix element of the representation. The
+    /// Returns [`CocycleError`] if an entry is not finite, or if the cocycle equation fails for some e_i, e_j by more
+    /// than 10⁻¹⁰, relative to the largest entry of c and to the largest matrix element of the representation. The
     /// test divides by both sizes first, so that it has no units and neither overflows nor underflows.
     pub fn new(representation: R, c: impl Fn(usize, usize) -> f64) -> Result<Self, CocycleError> {
         let matrix = DMatrix::from_fn(Self::D, Self::N, c);
@@ -115,16 +116,16 @@ impl<R: Representation> Cocycle<R> {
         Ok(Self { representation, entries: matrix.transpose().iter().copied().collect() })
     }
 
-    /// Returns the cocycle nearest to a linear map with the matrix target(i, j), in the sum of squares of the entries of
-    /// the difference.
+    /// Returns the cocycle nearest to a linear map with the matrix target(i, j), in the sum of squares of the entries
+    /// of the difference.
     ///
-    /// It is the orthogonal projection of the map to the null space of the linear equations of cocycles, which is
-    /// computed from their singular values. It depends on the bases, but not on the size of the structure constants if
-    /// the matrix elements have the same size.
+    /// It is the orthogonal projection of the map onto the null space of the linear cocycle equations, which is
+    /// computed from the singular values of these equations. The result depends on the bases, but not on the size of
+    /// the structure constants if the matrix elements have the same size.
     ///
     /// # Errors
-    /// Returns [`CocycleError`] if an entry of the target, a structure constant or a matrix element is not finite, or if
-    /// an entry of the cocycle would overflow.
+    /// Returns [`CocycleError`] if an entry of the target, a structure constant or a matrix element is not finite, or
+    /// if an entry of the cocycle would overflow.
     ///
     /// # Example
     /// The derivation nearest to the identity is the identity on an abelian algebra, and 0 on so(3), where all
@@ -219,8 +220,8 @@ fn pairs(n: usize) -> impl Iterator<Item = (usize, usize)> {
     (0..n).flat_map(move |j| (0..j).map(move |i| (i, j)))
 }
 
-/// Returns the equations of cocycles: one for each coordinate and each pair of basis vectors, with an unknown for each
-/// c(i, j) by rows, in units of the largest matrix element.
+/// Returns the cocycle equations: one for each coordinate and each pair of basis vectors. The unknowns are the c(i,
+/// j) by rows, in units of the largest matrix element.
 fn cocycle_equations<R: Representation>(r: &R) -> DMatrix<f64> {
     let (d, n) = (R::Space::<f64>::DIM, <RepresentedElement<R> as Vector>::DIM);
     let (algebra, unit, matrices) = unit_matrices(r);
@@ -253,7 +254,7 @@ fn largest<'a>(entries: impl IntoIterator<Item = &'a f64>) -> f64 {
     entries.into_iter().fold(0.0, |most, x| larger(most, x.abs()))
 }
 
-/// Returns a size, or 1 instead of 0.
+/// Returns a size, with 0 replaced by 1.
 pub(crate) fn nonzero(size: f64) -> f64 {
     if size == 0.0 { 1.0 } else { size }
 }
@@ -278,7 +279,7 @@ pub(crate) fn largest_element<R: Representation>(r: &R) -> f64 {
     actions.chain(pairs(n).map(bracket)).fold(0.0, larger)
 }
 
-/// Refuses a matrix with an entry that is not finite.
+/// Returns an error if an entry of the matrix is not finite.
 fn finite(name: &'static str, matrix: &DMatrix<f64>) -> Result<(), CocycleError> {
     for (place, &value) in matrix.iter().enumerate() {
         if !value.is_finite() {

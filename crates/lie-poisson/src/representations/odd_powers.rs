@@ -1,4 +1,4 @@
-//! Whether the odd powers of the matrices of a representation belong to it: [`odd_power_defect`].
+//! A test whether the odd powers of the matrices of a representation belong to it: [`odd_power_defect`].
 
 use crate::representations::cocycle::matrix;
 use crate::{Real, Representation, Vector, larger};
@@ -16,18 +16,21 @@ const RANK_TOLERANCE: f64 = 1e-10;
 /// (1/6) Σ ρ(e_a)ρ(e_b)ρ(e_c)    over the six orders (a, b, c) of i, j, k
 /// ```
 ///
-/// If it is zero, all odd powers of all ρ(ξ) belong to ρ(𝔤): for ρ(ξ)³ = ρ(η), the matrices ρ(ξ) and ρ(η) commute, and
+/// If it is zero, all odd powers of all ρ(ξ) belong to ρ(𝔤): if ρ(ξ)³ = ρ(η), the matrices ρ(ξ) and ρ(η) commute, and
 /// ρ(ξ)⁵ = ρ(ξ)²ρ(η) is again such a symmetric product.
 ///
-/// This decides whether a Runge–Kutta step descends from T∗V to 𝔤∗. Its stages are z ↦ R z, where R is a rational
-/// function of matrices of the algebra. Since the step is symplectic, it is the exponential of a series in odd
-/// symmetric powers. If these belong to ρ(𝔤), then μ moves by `Ad∗_g` with g near the identity. Otherwise the image of
-/// the step depends in general on the point (q, p), and not on μ alone. This converse is measured, not proved. The defining representations of SO(n), Sp(2n, R) and U(n)
-/// have the defect 0, and so have the adjoint representations of so(3), sl(2, R), se(3), of so(3) over any commutative
-/// ring, and of every nilpotent algebra of class up to 3. The adjoint representation of most solvable algebras has not.
+/// The defect decides whether a Runge–Kutta step descends from T∗V to 𝔤∗. The stages of the step are z ↦ R z, where R
+/// is a rational function of matrices of the algebra. Since the step is symplectic, it is the exponential of a series
+/// in odd symmetric powers. If these belong to ρ(𝔤), then μ moves by `Ad∗_g` with g near the identity. Otherwise the
+/// image of the step depends in general on the point (q, p), and not on μ alone. This converse is measured, not
+/// proved.
 ///
-/// It is NaN if a matrix element is infinite or not a number. It takes about n³ products of matrices for the dimension n
-/// of 𝔤.
+/// The defining representations of SO(n), Sp(2n, R) and U(n) have the defect 0. So have the adjoint representations
+/// of so(3), sl(2, R) and se(3), of so(3) over any commutative ring, and of every nilpotent algebra of class up to 3.
+/// The adjoint representations of most solvable algebras have a defect that is not 0.
+///
+/// The result is NaN if a matrix element is infinite or not a number. The computation takes about n³ products of
+/// matrices for the dimension n of 𝔤.
 ///
 /// # Example
 /// ```
@@ -50,7 +53,7 @@ pub fn odd_power_defect<R: Representation>(representation: &R) -> f64 {
     odd_power_defect_of((0..n).map(|i| matrix(representation, i)).collect())
 }
 
-/// Returns the defect [`odd_power_defect`] of the space that the given square matrices of one size span.
+/// Returns the [`odd_power_defect`] of the space that is spanned by the given square matrices of equal size.
 #[must_use]
 pub fn odd_power_defect_of(matrices: Vec<DMatrix<f64>>) -> f64 {
     let matrices: Vec<_> = matrices.into_iter().map(normalised).collect();

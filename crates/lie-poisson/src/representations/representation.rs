@@ -9,7 +9,7 @@ pub type RepresentedElement<R, T = f64> =
 /// A linear representation of a Lie algebra 𝔤 on a real vector space V: [ξ, η] v = ξ(ηv) − η(ξv).
 ///
 /// # Example
-/// The representation of so(3) on R³, and the semidirect product that it gives:
+/// The representation of so(3) on R³, and the semidirect product that is built from it:
 /// ```
 /// use lie_poisson::{Covector, LieAlgebra, Pair, Real, Representation, SemidirectAlgebra, So3};
 /// use nalgebra::Vector3;
@@ -74,7 +74,7 @@ pub trait Representation: Clone {
     }
 }
 
-/// A representation that comes from one of a Lie group G: exp(sξ) v solves dv/ds = ξ v.
+/// A representation that comes from a representation of a Lie group G: exp(sξ) v solves dv/ds = ξ v.
 pub trait GroupRepresentation: Representation {
     /// The Lie group G that acts.
     type Group: LieGroup<Algebra = Self::Algebra>;

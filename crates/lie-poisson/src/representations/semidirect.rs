@@ -8,7 +8,7 @@ use crate::{
 /// An element (ξ, φ) ∈ 𝔤 ⋉ V of a semidirect product, over the scalar `T`.
 type Element<R, T> = Pair<RepresentedElement<R, T>, <R as Representation>::Space<T>>;
 
-/// The semidirect product 𝔤 ⋉ V of a Lie algebra with a space that it acts on:
+/// The semidirect product 𝔤 ⋉ V of a Lie algebra and a space on which it acts:
 ///
 /// ```text
 /// [(ξ,φ), (η,ζ)] = ([ξ,η], ξζ − ηφ)

@@ -19,7 +19,7 @@ impl Representation for SU2OnC2 {
         Su2
     }
 
-    /// Returns the product of the matrix −(i/2) ξ·σ with v, without multiplying by zeros.
+    /// Returns the product of the matrix −(i/2) ξ·σ and v, without multiplying by zeros.
     #[inline]
     fn act<T: Real>(&self, xi: &Vector3<T>, v: &Vector2<Complex<T>>) -> Vector2<Complex<T>> {
         let h = xi * T::from_f64(0.5);

@@ -19,8 +19,8 @@ use nalgebra::Vector1;
 /// the centre of 𝔤 as their kernel. Their extensions are faithful if and only if c is injective on the centre. For a
 /// derivation D the space 𝔤 ⊕ R is the algebra 𝔤 ⋊ RD with [D, ξ] = Dξ, on which 𝔤 acts by ad.
 ///
-/// Some algebras have no such derivation. In dimension 5 all derivations of `[e₁, e₄] = e₁`, `[e₂, e₅] = e₂`, `[e₄, e₅] = e₃`
-/// vanish on the centre e₃, and [`ExtendedCoadjoint`] is faithful.
+/// Some algebras have no derivation that is injective on the centre. For example, in dimension 5 all derivations of
+/// `[e₁, e₄] = e₁`, `[e₂, e₅] = e₂`, `[e₄, e₅] = e₃` vanish on the centre e₃, but [`ExtendedCoadjoint`] is faithful.
 ///
 /// Source: N. Jacobson, *Lie Algebras* (1962), §III.10.
 ///
@@ -44,8 +44,8 @@ pub type ExtendedAdjoint<A> = CocycleExtension<InfinitesimalAdjoint<A>>;
 pub type ExtendedCoadjoint<A> = CocycleExtension<Contragredient<InfinitesimalAdjoint<A>>>;
 
 impl<A: LieAlgebra> ExtendedAdjoint<A> {
-    /// Creates the extension by the derivation nearest to the identity, times the largest structure constant, so that
-    /// both terms of ξ(v, s) have one scale.
+    /// Creates the extension by the derivation nearest to the identity, multiplied by the largest structure constant,
+    /// so that both terms of ξ(v, s) have the same scale.
     ///
     /// # Errors
     /// Returns [`CocycleError`] if a structure constant, or the product of the largest one with the derivation, is not
@@ -59,11 +59,12 @@ impl<A: LieAlgebra> ExtendedAdjoint<A> {
 }
 
 impl<A: LieAlgebra> ExtendedCoadjoint<A> {
-    /// Creates the extension by a generic cocycle, times the largest structure constant.
+    /// Creates the extension by a generic cocycle, multiplied by the largest structure constant.
     ///
     /// The cocycle is the one nearest to a fixed matrix whose entries obey no simple relation. If some cocycle of the
-    /// coadjoint representation is injective on the centre, then the cocycle nearest to almost every matrix is. This is
-    /// not proved for the fixed one: the rank of the Clebsch map of the extension tells (`ClebschSection::rank`).
+    /// coadjoint representation is injective on the centre, then the cocycle nearest to almost every matrix is
+    /// injective too. This is not proved for the fixed matrix: the rank of the Clebsch map of the extension shows
+    /// whether it holds (`ClebschSection::rank`).
     ///
     /// # Errors
     /// Returns [`CocycleError`] if a structure constant, or the product of the largest one with the cocycle, is not

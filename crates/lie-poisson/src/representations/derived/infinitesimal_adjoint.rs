@@ -4,8 +4,9 @@ use crate::{LieAlgebra, Momentum, Real, Representation};
 
 /// The adjoint representation of a Lie algebra on itself, ξ η = `ad_ξ η` = [ξ, η].
 ///
-/// It needs no group, so that a table of [structure constants](crate::StructureConstants) suffices.
-/// [`Adjoint`](crate::Adjoint) is the same representation for an algebra with a group. Its kernel is the centre of 𝔤.
+/// It needs no group, so that a table of [structure constants](crate::StructureConstants) suffices. The kernel of the
+/// representation is the centre of 𝔤. [`Adjoint`](crate::Adjoint) is the same representation for an algebra with a
+/// group.
 ///
 /// # Example
 /// ```

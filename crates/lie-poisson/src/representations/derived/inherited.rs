@@ -5,10 +5,10 @@ use crate::{
     RepresentedElement, SemidirectAlgebra, SemidirectGroup, Vector,
 };
 
-/// The representation of G ⋉ V on V, or on any space of G, through the quotient G: (g, v) w = g w.
+/// The representation of G ⋉ V on V, or on any other space on which G acts, through the quotient G: (g, v) w = g w.
 ///
-/// With it semidirect products can be nested, as in se(3) ⋉ R³, whose dual is the phase space of a heavy
-/// top on a movable base:
+/// With this representation, semidirect products can be nested. An example is se(3) ⋉ R³, whose dual is the phase
+/// space of a heavy top on a movable base:
 ///
 /// ```
 /// use lie_poisson::{Inherited, LieAlgebra, Pair, SO3OnR3, SemidirectAlgebra};
