@@ -7,7 +7,7 @@
 //! momentum-map = "0.1"
 //! ```
 //!
-//! The momentum map of rotations is the angular momentum. It is derived from the action alone, as is the
+//! The momentum map of rotations is the angular momentum. It is derived from the action alone, and so is the
 //! generator of the lifted rotations:
 //!
 //! ```
@@ -44,7 +44,7 @@
 //! | H = h∘M and its vector field | [`CollectiveHamiltonian`] |
 //! | a conserved quantity of a symmetry | [`NoetherQuantity`] |
 //! | a point z with M(z) = μ | [`Lift`] |
-//! | a lift, a gauge or a symmetry for a map whose type is not yours | [`Realisation`], with [`Fibres`], [`SectionOf`] and [`SymmetryOf`] |
+//! | a lift, a gauge or a symmetry for a map type from another crate | [`Realisation`], with [`Fibres`], [`SectionOf`] and [`SymmetryOf`] |
 //! | the symmetry along the fibres of M | [`FibreSymmetry`] |
 //! | collective dynamics without a lift | [`Multipliers`]: [`Quaternions`], [`DualQuaternions`], [`ComplexMatrices`] |
 //! | so(3)∗ from C² | [`HOPF`] |
@@ -55,10 +55,10 @@
 //!
 //! # Which realisation for which algebra
 //!
-//! A collective integrator needs a Poisson map M: P → 𝔤∗ and a lift; its form without a lift needs multipliers. The sign
-//! is that of the bracket on 𝔤∗.
+//! A collective integrator needs a Poisson map M: P → 𝔤∗ and a lift. Its form without a lift needs multipliers. The
+//! first column names the sign of the bracket on 𝔤∗, and the third the momenta that have a lift.
 //!
-//! | 𝔤∗, bracket | map, from | lift | without a lift |
+//! | 𝔤∗, bracket | map, from | lift for | without a lift |
 //! |---|---|---|---|
 //! | so(3)∗, minus | [`HOPF`], C² | Π ≠ 0 | [`Quaternions`] |
 //! | so(3)∗, plus | `QuadraticMomentumMap::new(So3OnC2, Side::Left)`, C² | Π ≠ 0 | — |
@@ -68,14 +68,14 @@
 //! | u(N)∗, minus | [`unitary_realisation`], C^N, or a [`PowerMap`] of it for a higher rank | rank 1, positive | [`ComplexMatrices`] |
 //! | u(N)∗, N known at run time | — | — | the crate `isospectral-flows` |
 //! | (so(3)∗)ᴺ, and products | [`PowerMap`], [`ProductMap`], [`ProductAlgebraMap`] | those of the parts | [`PowerMultipliers`], [`ProductMultipliers`] |
-//! | any 𝔤∗ with a group and a representation | [`MomentumMap`] of your own action | with [`Realisation`] | [`Multipliers`] of your own |
-//! | any 𝔤∗, from structure constants | [`clebsch_realisation`], T∗V | where μ is in the image; [`ClebschSection`] says which | — |
+//! | any 𝔤∗ with a group and a representation | [`MomentumMap`] of your own action | attached by [`Realisation`] | [`Multipliers`] of your own |
+//! | any 𝔤∗, from structure constants | [`clebsch_realisation`], T∗V | μ in the image, see [`ClebschSection`] | — |
 //!
 //! # Conventions
 //!
 //! * Left actions satisfy Φ(g, Φ(h, q)) = Φ(gh, q), and right actions Φ(g, Φ(h, q)) = Φ(hg, q).
-//! * The momentum map of a right action is Poisson to 𝔤∗ with the minus bracket, that of a left action to 𝔤∗ with the
-//!   plus bracket: see [`Side::lie_poisson_sign`].
+//! * The momentum map of a right action is a Poisson map to 𝔤∗ with the minus bracket. The momentum map of a left
+//!   action is a Poisson map to 𝔤∗ with the plus bracket: see [`Side::lie_poisson_sign`].
 //! * The momentum map of a cotangent lift is ⟨J(q, p), ξ⟩ = ⟨p, ξ_Q(q)⟩.
 //! * The canonical structure is Θ = p dq, Ω = −dΘ = dq ∧ dp, with dq/dt = ∂H/∂p and dp/dt = −∂H/∂q.
 //! * Equivariance is J(g·z) = `Ad*_g` J(z) for right actions. For left actions g⁻¹ replaces g on the right-hand side.
@@ -85,8 +85,8 @@
 //!
 //! # Features and versions
 //!
-//! The feature `laws` adds the module `laws`, which returns the laws as residuals. The feature `serde`
-//! serialises sides and points of cotangent bundles. The oldest supported compiler is Rust 1.89.
+//! The feature `laws` adds the module `laws`, which returns the residuals of the laws. The feature `serde` serialises
+//! sides and points of cotangent bundles. The oldest supported compiler is Rust 1.89.
 //!
 //! # Related crates
 //!

@@ -17,8 +17,7 @@ pub enum Side {
 }
 
 impl Side {
-    /// Returns the sign of the Lie–Poisson bracket for which momentum maps of actions on this side are
-    /// Poisson.
+    /// Returns the sign of the Lie–Poisson bracket for which momentum maps of actions on this side are Poisson maps.
     ///
     /// It is plus for left actions and minus for right actions.
     ///
@@ -40,11 +39,10 @@ impl Side {
         }
     }
 
-    /// Returns this side, if it is equal to `other`, for two actions that must be on one side.
+    /// Returns this side, which must equal `other`: two combined actions must be on the same side.
     ///
-    /// # Panics
-    /// It panics if the sides differ. The side of an action is a constant, so this stops the compiler and
-    /// never a running program.
+    /// # Panics It panics if the sides differ. The side of an action is a constant, so the panic stops the compiler
+    /// and never a running program.
     #[allow(clippy::panic)]
     pub(crate) const fn same_as(self, other: Self) -> Self {
         match (self, other) {
@@ -68,8 +66,8 @@ pub type Generator<A, T = f64> = AlgebraElement<<A as GroupAction>::Group, T>;
 /// Only `act` is required. The infinitesimal generators follow from it through exp, and the [cotangent
 /// lift](crate::CotangentLift) and the [momentum map](crate::MomentumMap) follow from the generators.
 ///
-/// Everything that is derived is exact, but dual numbers cost time. To make an action of your own as fast as
-/// formulas by hand, implement in this order, as far as you need:
+/// All derived maps are exact, but dual numbers cost time. To make an action of your own as fast as formulas written
+/// by hand, implement these methods in this order, as far as you need:
 ///
 /// | method | its formula | what it speeds up |
 /// |---|---|---|

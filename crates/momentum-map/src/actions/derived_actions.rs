@@ -152,7 +152,7 @@ where
     }
 }
 
-/// The action of two groups, each on a space of its own: Φ_(g,h)(q, r) = (Φ_g(q), Φ_h(r)).
+/// The action of two groups, each on its own space: Φ_(g,h)(q, r) = (Φ_g(q), Φ_h(r)).
 ///
 /// Both actions must be on the same side; otherwise the code does not compile.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]

@@ -4,9 +4,9 @@ use crate::maps::symplectic_representation::ODD_POWER_TOLERANCE;
 use crate::{Cotangent, SymplecticRepresentation};
 use lie_poisson::{Covector, Momentum, Real, Representation, RepresentedElement, odd_power_defect};
 
-/// The representation of 𝔤 on T∗V = V × V∗ that a representation on V lifts to, ξ (q, p) = (ξq, −ξᵀp).
+/// The lift of a representation of 𝔤 on V to T∗V = V × V∗: ξ (q, p) = (ξq, −ξᵀp).
 ///
-/// It preserves the canonical form dq ∧ dp. A group is not needed, so that every Lie algebra has such representations.
+/// It preserves the canonical form dq ∧ dp. No group is needed, so that every Lie algebra has such representations.
 ///
 /// Source: Marsden & Ratiu, *Introduction to Mechanics and Symmetry*, 2nd ed., §12.1.
 ///
@@ -75,8 +75,8 @@ impl<R: Representation> SymplecticRepresentation for CotangentRepresentation<R> 
         Covector(Cotangent { q: -x.p.0, p: Covector(x.q) })
     }
 
-    /// Returns whether the matrices of the representation on V contain their odd powers. Those on T∗V are pairs
-    /// (ξ, −ξᵀ), and contain theirs under the same condition.
+    /// Returns whether the matrices of the representation on V contain their odd powers. The matrices on T∗V are
+    /// pairs (ξ, −ξᵀ) and contain their odd powers under the same condition.
     fn odd_powers_belong(&self) -> bool {
         odd_power_defect(&self.0) <= ODD_POWER_TOLERANCE
     }

@@ -1,4 +1,4 @@
-//! Linear equations with fewer equations than unknowns, for the lifts of Clebsch maps.
+//! Underdetermined linear equations, for the lifts of Clebsch maps.
 
 use lie_poisson::{Real, larger, solve_linear};
 use nalgebra::DMatrix;
@@ -6,13 +6,13 @@ use nalgebra::DMatrix;
 /// The ratio of two singular values below which the smaller one is a rounding error.
 const RANK_TOLERANCE: f64 = 1e-10;
 
-/// The number added to the diagonal of the normal equations, whose diagonal is 1.
+/// The number added to the diagonal of the normal equations, whose entries there are 1.
 ///
-/// A map may reach only a part of its target, and the matrix is singular without the damping. The next iteration
-/// restores what the damping takes from the present one.
+/// A map may reach only a part of its target. Then the matrix is singular without the damping. The next iteration
+/// restores what the damping removes in the present one.
 const DAMPING: f64 = 1e-12;
 
-/// The Moore–Penrose inverse of a matrix A with equations of any unit.
+/// The Moore–Penrose inverse of a matrix A whose rows may have different units.
 #[derive(Clone, Debug, PartialEq)]
 pub(crate) struct PseudoInverse {
     /// The Moore–Penrose inverse A⁺.
@@ -49,13 +49,14 @@ impl PseudoInverse {
         Self { matrix, rank, condition }
     }
 
-    /// Returns the i-th coordinate of the least solution of A x = y.
+    /// Returns the i-th coordinate of the solution of A x = y of least norm.
     pub(crate) fn coordinate<T: Real>(&self, i: usize, y: impl Fn(usize) -> T) -> T {
         (0..self.matrix.ncols()).fold(T::zero(), |sum, j| sum + y(j) * self.matrix[(i, j)])
     }
 }
 
-/// Returns the least x with A x = y for rows of A over any scalar, damped where the rows depend on each other.
+/// Returns the x of least norm with A x = y for rows of A over any scalar, damped where the rows depend on each
+/// other.
 ///
 /// The second result is the mask of the SIMD lanes in which the equations have a solution.
 pub(crate) fn least_solution<T: Real>(mut rows: Vec<Vec<T>>, mut y: Vec<T>) -> (Vec<T>, T::Mask) {
@@ -113,8 +114,8 @@ mod tests {
         let nothing = PseudoInverse::of(DMatrix::zeros(2, 2));
         assert_eq!((nothing.rank, nothing.condition), (0, 0.0));
     }
-    /// The damping is relative to each row: rows of any lengths give a solution to half of the digits and more, and the
-    /// least one.
+    /// The damping is relative to each row: for rows of any lengths, the solution is accurate to at least half of the
+    /// digits and has the least norm.
     #[test]
     fn rows_of_unequal_length_have_their_least_solution() {
         for unit in [1e-100, 1e-9, 1.0, 1e9, 1e100] {
@@ -124,7 +125,7 @@ mod tests {
             let (product, kernel) =
                 (|v: &[f64]| v.iter().zip(&x).map(|(a, b)| a * b).sum::<f64>(), [2.0, -4.0, -6.0]);
             for (row, y) in rows.iter().zip(y) {
-                // The damping of unit rows, at an angle whose sine is near 1.
+                // The error comes from the damping of unit rows, at an angle whose sine is near 1.
                 assert!((product(row) / y - 1.0).abs() < 4.0 * DAMPING, "{unit:e}: {x:?}");
             }
             assert!(regular && product(&kernel).abs() < 1e-14, "{unit:e}: {x:?}");

@@ -20,7 +20,7 @@ const CONVERGED: f64 = 1e-14;
 /// The largest residual, relative to μ, of a momentum that is in the image.
 pub(super) const ACCEPTED: f64 = 1e-11;
 
-/// The solution of J(q, p)/c = μ, with what it needs of the representation.
+/// The search for a solution of J(q, p)/c = μ, with the data of the representation that it needs.
 #[derive(Clone, Debug, PartialEq)]
 pub(super) struct Search {
     /// The linear maps p ↦ J(q, p)/c of generic points q, the best one first.
@@ -106,8 +106,8 @@ impl Search {
         (z, residual)
     }
 
-    /// Returns (1−τ)z + T⁺(μ − (1−2τ)J(z)/c), a step towards J(z)/c = μ, in the SIMD lanes in which the equations have a
-    /// solution. It is Newton's step for τ = 0.
+    /// Returns (1−τ)z + T⁺(μ − (1−2τ)J(z)/c), a step towards J(z)/c = μ, in the SIMD lanes in which the equations
+    /// have a solution. It is Newton's step for τ = 0.
     fn step_towards<R: Representation, T: Real>(
         &self,
         r: &R,

@@ -27,7 +27,7 @@ fn group_elements<A: GroupAction>(
 /// * `generators and brackets`: [ξ_Q, η_Q] = ∓[ξ, η]_Q, minus for left actions.
 ///
 /// # Errors
-/// Returns [`NoSamples`] if there are no samples of one kind.
+/// Returns [`NoSamples`] if one of the lists of samples is empty.
 pub fn group_action<A: GroupAction>(
     action: &A,
     elements: &[Generator<A>],
@@ -92,11 +92,11 @@ fn commutator<A: GroupAction>(
 /// Evaluates the laws of the cotangent lift of an action and of its momentum:
 ///
 /// * `canonical form`: the lift conserves Θ = p dq;
-/// * `lifted generator`: it is the derivative of the lift by exp(sξ) at s = 0;
+/// * `lifted generator`: it is the derivative of the lift of exp(sξ) at s = 0;
 /// * `momentum`: ⟨J(q, p), ξ⟩ = ⟨p, d/ds Φ(exp(sξ), q)⟩ at s = 0.
 ///
 /// # Errors
-/// Returns [`NoSamples`] if there are no samples of one kind.
+/// Returns [`NoSamples`] if one of the lists of samples is empty.
 pub fn cotangent_lift<A: GroupAction>(
     action: &A,
     elements: &[Generator<A>],
@@ -133,7 +133,7 @@ pub fn cotangent_lift<A: GroupAction>(
 /// It is J(g·z) = (`Ad∗_g`)⁻¹ J(z) for left actions and J(g·z) = `Ad∗_g` J(z) for right ones.
 ///
 /// # Errors
-/// Returns [`NoSamples`] if there are no samples of one kind.
+/// Returns [`NoSamples`] if one of the lists of samples is empty.
 pub fn equivariance<A: GroupAction>(
     action: &A,
     elements: &[Generator<A>],

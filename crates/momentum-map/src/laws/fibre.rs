@@ -8,11 +8,11 @@ use lie_poisson::{
 ///
 /// * `invariance` M ∘ flow = M, and `one-parameter group`;
 /// * `commuting flows`;
-/// * `momentum`: its Hamiltonian vector field generates the flow;
+/// * `momentum`: the Hamiltonian vector field of the momentum generates the flow;
 /// * `gauge`: M(z + gauge(z)) = M(z).
 ///
 /// # Errors
-/// Returns [`NoSamples`] if there are no samples of one kind.
+/// Returns [`NoSamples`] if one of the lists of samples is empty.
 pub fn fibre_symmetry<M: FibreSymmetry>(
     map: &M,
     points: &[SourcePoint<M>],
@@ -51,7 +51,7 @@ pub fn fibre_symmetry<M: FibreSymmetry>(
     Ok(report)
 }
 
-/// The method [`flow`](FibreSymmetry::flow) may have the fault.
+/// The fault can be in the method [`flow`](FibreSymmetry::flow).
 impl<M: FibreSymmetry> FibreSymmetry for Faulty<'_, M> {
     const COUNT: usize = M::COUNT;
 
@@ -75,8 +75,7 @@ fn generates<M: FibreSymmetry>(map: &M, index: usize, z: &SourcePoint<M>, report
 
 /// Evaluates the law `section` of a lift, M(lift μ) = μ, on samples of momenta of the image.
 ///
-/// Momenta at 0 are left out, since fibres degenerate there. A momentum without a lift gives a residual of
-/// NaN.
+/// The momentum 0 is left out, since the fibre degenerates there. A momentum without a lift gives a residual of NaN.
 ///
 /// # Errors
 /// Returns [`NoSamples`] if there are no samples.
@@ -90,7 +89,7 @@ pub fn lift<M: Lift>(map: &M, samples: &[TargetPoint<M>]) -> Result<Report, NoSa
     Ok(report)
 }
 
-/// The method [`lift`](Lift::lift) may have the fault.
+/// The fault can be in the method [`lift`](Lift::lift).
 impl<M: Lift> Lift for Faulty<'_, M> {
     fn lift<T: Real>(&self, mu: &TargetPoint<M, T>) -> Result<SourcePoint<M, T>, LiftError> {
         Ok(self.halved("lift", self.object().lift::<T>(mu)?))

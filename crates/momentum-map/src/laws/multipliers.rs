@@ -11,11 +11,12 @@ use lie_poisson::{
 /// * `left multiplication`: ξ(QB) = (ξQ)B;
 /// * `action`: transport(QB, μ) = transport(Q, transport(B, μ));
 /// * `motion`: d/ds transport(exp(sξ), μ) = Λ(μ) ξ at s = 0, the Hamiltonian vector of ξ;
-/// * `inverse`, if there are inverses: U⁻¹U = UU⁻¹ = 1 for U = exp ξ, whose quadratic invariants hold;
+/// * `inverse`, if the multipliers have inverses: U⁻¹U = UU⁻¹ = 1 for U = exp ξ, which satisfies the quadratic
+///   invariants;
 /// * `coadjoint change`: the change by U = exp ξ is transport(U, μ) − μ.
 ///
 /// # Errors
-/// Returns [`NoSamples`] if there are no samples of one kind.
+/// Returns [`NoSamples`] if one of the lists of samples is empty.
 ///
 /// # Example
 /// ```
@@ -146,7 +147,7 @@ mod tests {
     use crate::Quaternions;
     use nalgebra::Vector3;
 
-    /// The series is that of a small vector, however large the turn is.
+    /// The series is summed for a small vector, however large the turn is.
     #[test]
     fn exponentials_of_large_turns_are_unit_quaternions() {
         for angle in [0.0, 1e-9, 0.7, 3.0, 10.0, 100.0] {

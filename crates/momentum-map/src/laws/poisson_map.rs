@@ -8,8 +8,8 @@ use lie_poisson::{
 
 /// Evaluates the laws of a Poisson map on samples of points:
 ///
-/// * `pull-back`: it is the transposed derivative of `apply`;
-/// * `generator`: it is the Hamiltonian vector of the pull-back;
+/// * `pull-back`: the pull-back is the transposed derivative of `apply`;
+/// * `generator`: the generator is the Hamiltonian vector of the pull-back;
 /// * `Poisson`: {M_i, M_j} = Λ_ij ∘ M for all coordinates.
 ///
 /// # Errors
@@ -45,8 +45,8 @@ pub fn poisson_map<M: PoissonMap>(
     Ok(report)
 }
 
-/// The methods [`apply`](PoissonMap::apply), [`pull_back`](PoissonMap::pull_back) and
-/// [`generator`](PoissonMap::generator) may have the fault.
+/// The fault can be in the methods [`apply`](PoissonMap::apply), [`pull_back`](PoissonMap::pull_back) and
+/// [`generator`](PoissonMap::generator).
 impl<M: PoissonMap> PoissonMap for Faulty<'_, M> {
     type Source = M::Source;
     type Target = M::Target;

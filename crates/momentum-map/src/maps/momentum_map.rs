@@ -15,9 +15,9 @@ use nalgebra::DMatrix;
 /// ⟨J(q, p), ξ⟩ = ⟨p, ξ_Q(q)⟩
 /// ```
 ///
-/// It is equivariant: J(g·z) = `Ad*_g` J(z) for a right action and J(g·z) = (`Ad*_g`)⁻¹ J(z) for a left
-/// one, where g·z is the lifted action. Hence it is Poisson to 𝔤∗ with the
-/// [sign](crate::Side::lie_poisson_sign) of the side.
+/// It is equivariant: J(g·z) = `Ad*_g` J(z) for a right action and J(g·z) = (`Ad*_g`)⁻¹ J(z) for a left action, where
+/// g·z is the lifted action. Hence it is a Poisson map to 𝔤∗ with the [sign](crate::Side::lie_poisson_sign) of the
+/// side.
 ///
 /// Source: Marsden & Ratiu, *Introduction to Mechanics and Symmetry*, 2nd ed., Thm. 12.1.4 and
 /// Thm. 12.4.1; Ohsawa 2019, §2.3.
@@ -93,7 +93,7 @@ impl<A: GroupAction> PoissonMap for MomentumMap<A> {
     /// Returns whether the generators are affine, ξ_Q(q) = A q + b, and the matrices \[A b; 0 0\] contain their odd
     /// powers.
     ///
-    /// It takes about n³ products of matrices for a group of dimension n. See [`odd_power_defect_of`].
+    /// The computation takes about n³ products of matrices for a group of dimension n. See [`odd_power_defect_of`].
     fn equivariant_maps_descend(&self) -> bool {
         let n = <Generator<A> as Vector>::DIM;
         let matrices: Option<Vec<_>> = (0..n).map(|i| affine_matrix(&self.0, i)).collect();

@@ -5,8 +5,8 @@ use lie_poisson::{Differential, Hamiltonian, Real, Vector, map_coordinates};
 
 /// The component J_ξ(z) = ⟨J(z), ξ⟩ of a momentum map, as a function on P with its differential.
 ///
-/// Its Hamiltonian vector field is the infinitesimal generator ξ_P. If a Hamiltonian H is
-/// invariant under the action, {J_ξ, H} = 0: J_ξ is conserved (Noether's theorem).
+/// Its Hamiltonian vector field is the infinitesimal generator ξ_P. If a Hamiltonian H is invariant under the action,
+/// then {J_ξ, H} = 0, so that J_ξ is conserved (Noether's theorem).
 ///
 /// Source: Marsden & Ratiu, *Introduction to Mechanics and Symmetry*, 2nd ed., Thm. 11.4.1.
 ///

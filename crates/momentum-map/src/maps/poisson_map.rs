@@ -16,20 +16,20 @@ pub type TargetDifferential<M, T = f64> = Differential<<M as PoissonMap>::Target
 
 /// A smooth map M: P → Q that preserves Poisson brackets: {f∘M, h∘M} on P is {f, h}∘M.
 ///
-/// Only `apply` is required. The trait cannot enforce that the map is Poisson; the law suite tests it. From
-/// a canonical P to Q = 𝔤∗ the map is a *realisation* of 𝔤∗. It lifts every Hamiltonian system on 𝔤∗ to a
-/// canonical one, its *collective* dynamics:
+/// Only `apply` is required. The trait cannot enforce that the map is Poisson; the law suite tests it. If P is
+/// canonical and Q = 𝔤∗, the map is a *realisation* of 𝔤∗. It lifts every Hamiltonian system on 𝔤∗ to a canonical
+/// one, the *collective* dynamics of the system:
 ///
 /// ```text
 /// X_(h∘M)(z) = generator(dh(M(z)), z)
 /// ```
 ///
-/// An approximation of the collective flow that commutes with affine maps descends to Q if the symmetry along the fibres
-/// of M acts affinely, or if the action is linear and the matrices of the algebra contain their odd powers. The method
-/// [`equivariant_maps_descend`](Self::equivariant_maps_descend) tells. If it is symplectic, it conserves Casimirs whose
-/// pull-backs are functions of quadratic invariants.
+/// An approximation of the collective flow that commutes with affine maps descends to Q if the symmetry along the
+/// fibres of M acts affinely, or if the action is linear and the matrices of the algebra contain their odd powers.
+/// The method [`equivariant_maps_descend`](Self::equivariant_maps_descend) returns whether it does. If the
+/// approximation is symplectic, it conserves the Casimirs whose pull-backs are functions of quadratic invariants.
 ///
-/// If M is the momentum map of an action, `generator` is the infinitesimal generator ξ_P(z). If it is
+/// If M is the momentum map of an action, `generator` is the infinitesimal generator ξ_P(z). If `generator` is
 /// implemented by hand, collective dynamics needs no Jacobian.
 ///
 /// Source: Guillemin & Sternberg, *The moment map and collective motion*, Ann. Phys. 127 (1980);
@@ -75,15 +75,16 @@ pub trait PoissonMap: Clone {
         self.source().hamiltonian_vector::<T>(z, &self.pull_back::<T>(alpha, z))
     }
 
-    /// Returns whether affinely equivariant approximations Φ of collective flows, such as those of symplectic Runge–Kutta
-    /// methods, descend to Q: whether M(Φ(z)) depends on M(z) alone.
+    /// Returns whether affinely equivariant approximations Φ of collective flows, such as those of symplectic
+    /// Runge–Kutta methods, descend to Q: whether M(Φ(z)) depends on M(z) alone.
     ///
-    /// Only then may z be moved along its fibre between such maps. The default is true. Implement it for a map of
-    /// your own whose fibres have no affine symmetry. The maps of this crate compute it from the matrices of their
+    /// Only then may z be moved along its fibre between such maps. The default is true. Override it for a map of your
+    /// own whose fibres have no affine symmetry. The maps of this crate compute the answer from the matrices of their
     /// action, or ask the maps that they consist of.
     ///
     /// # Example
-    /// The [`ClebschMap`](crate::ClebschMap) of so(3), and that of the plane with a dilation with two rates:
+    /// The [`ClebschMap`](crate::ClebschMap) of so(3), and the Clebsch map of the plane with a dilation with two
+    /// rates:
     /// ```
     /// use lie_poisson::{InfinitesimalAdjoint, So3, StructureConstants};
     /// use momentum_map::{PoissonMap, Side, clebsch_map};
@@ -116,16 +117,17 @@ pub trait PoissonMap: Clone {
 
     /// Returns a point z′ near the origin on the fibre through z: M(z′) = M(z) and |z′| ≤ |z|.
     ///
-    /// The equation holds to the round-off of M at z. Collective integrators continue from z′ when z has
-    /// grown fourfold, because M(z) is a difference of larger and larger products: it would lose its
-    /// digits, and the equations for the next point would lose their solution. They also ask for z′ at
-    /// points from which a run may be resumed.
+    /// The equation holds to the round-off of M at z. Collective integrators continue from z′ when z has grown
+    /// fourfold, because M(z) is a difference of larger and larger products: it would lose its digits, and the
+    /// equations for the next point would lose their solution. They also ask for z′ at points from which a run may be
+    /// resumed.
     ///
-    /// The default implementation treats each SIMD lane (one of several trajectories in a register) on its
-    /// own. It returns z itself where M(z) has lost few bits. Elsewhere it approaches the point of least norm, in units in which the blocks of z have equal size,
-    /// by Newton's iteration on the tangent map of M, which comes from `apply` by dual numbers. No lift and
-    /// no [symmetry](crate::FibreSymmetry) of M is needed. Where the iteration fails, as at points where M
-    /// is not regular, it returns z. A map with a [`gauge`](Self::gauge) of its own may return z.
+    /// The default implementation treats each SIMD lane (one of several trajectories in a register) separately. It
+    /// returns z itself where M(z) has lost few bits. Elsewhere it approaches the point of least norm, in units in
+    /// which the blocks of z have equal size. It uses Newton's iteration on the tangent map of M, which comes from
+    /// `apply` by dual numbers. It needs neither a lift nor a [symmetry](crate::FibreSymmetry) of M. Where the
+    /// iteration fails, as at points where M is not regular, it returns z. A map with a [`gauge`](Self::gauge) of its
+    /// own may return z.
     ///
     /// # Example
     /// For a particle under rigid motions, J(q, p) = −(q × p, p), the fibres are the lines q + sp:
@@ -204,7 +206,7 @@ where
         self.inner.generator::<T>(&middle, z)
     }
 
-    /// Returns whether they descend along both maps.
+    /// Returns whether equivariant maps descend along both maps.
     fn equivariant_maps_descend(&self) -> bool {
         self.inner.equivariant_maps_descend() && self.outer.equivariant_maps_descend()
     }

@@ -2,7 +2,7 @@
 
 use lie_poisson::{DualNumber, Mask, Real, Vector, derivative_part, seed, solve_linear};
 
-/// The ratio of the terms of a momentum to the momentum itself above which z is moved.
+/// The ratio of the terms of a momentum to the momentum itself; z is moved if the ratio is larger.
 ///
 /// For a map such as z ↦ |z|², which loses no digits, the ratio is up to a dozen.
 const LOST: f64 = 32.0;
@@ -13,18 +13,17 @@ const PULLS: usize = 8;
 /// The number of iterations that only restore M(z), each of which squares its error.
 const CORRECTIONS: usize = 6;
 
-/// The number added to the diagonal of the matrix of the iteration, whose diagonal is 1.
+/// The number added to the diagonal of the matrix of the iteration, whose entries there are 1.
 ///
-/// M may reach only a part of its target, as with Π·Γ = 0. Then the matrix is singular without the damping.
-/// The next iteration restores what the damping takes from the present one.
+/// M may reach only a part of its target, as with Π·Γ = 0. Then the matrix is singular without the damping. The next
+/// iteration restores what the damping removes in the present one.
 const DAMPING: f64 = 1e-12;
 
 /// The fraction to which Σ |z_b|² must shrink for z to be moved, in units in which each block begins with
 /// size 1.
 const WORTHWHILE: f64 = 0.8;
 
-/// The greatest change of M, in relative units of the size of its terms at z: M(z) is not known better than
-/// this.
+/// The greatest change of M, relative to the size of its terms at z. M(z) is not known to a higher accuracy.
 const ROUNDINGS: f64 = 16.0 * f64::EPSILON;
 
 /// The working memory of [`PoissonMap::recentred`](crate::PoissonMap::recentred), allocated when it is
@@ -160,7 +159,7 @@ impl<T: Real> RecentringSpace<T> {
         regular
     }
 
-    /// Returns the size of the terms that M is a sum of, Σ_d |A_rd| w_d, with the largest in each block.
+    /// Returns the size Σ_d |A_rd| w_d of the terms whose sum is M, replaced in each block by the largest size.
     fn terms<V: Vector<Scalar = T>, W: Vector<Scalar = T>>(&self, units: &V) -> W {
         let terms = W::from_coordinates(|r| {
             let mut sum = T::zero();
@@ -215,8 +214,8 @@ mod tests {
     use super::*;
     use nalgebra::{Vector1, Vector2};
 
-    /// Recentres a point of M(z) = 100 z₁ − 100, which loses digits near z₁ = 1. The fibres are lines along z₂, and their
-    /// points of least norm have z₂ = 0.
+    /// Recentres a point of M(z) = 100 z₁ − 100, which loses digits near z₁ = 1. The fibres are lines along z₂, and
+    /// their points of least norm have z₂ = 0.
     fn recentred(z: Vector2<f64>) -> Vector2<f64> {
         let map = Both {
             apply: |z: &Vector2<f64>| Vector1::new(100.0 * z.x - 100.0),

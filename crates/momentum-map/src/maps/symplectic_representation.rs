@@ -27,11 +27,11 @@ pub trait SymplecticRepresentation: Representation {
         Covector::from_coordinates(|i| self.form::<T>(x, &Vector::basis(i)))
     }
 
-    /// Returns whether the matrices of the representation contain their odd powers, so that affinely equivariant symplectic
-    /// maps descend: see [`odd_power_defect`].
+    /// Returns whether the matrices of the representation contain their odd powers, so that affinely equivariant
+    /// symplectic maps descend: see [`odd_power_defect`].
     ///
-    /// The default implementation computes this number and allows 10⁻¹². It takes about n³ products of matrices for an
-    /// algebra of dimension n.
+    /// The default implementation computes the defect and accepts values up to 10⁻¹². It takes about n³ products of
+    /// matrices for an algebra of dimension n.
     fn odd_powers_belong(&self) -> bool {
         odd_power_defect(self) <= ODD_POWER_TOLERANCE
     }
@@ -42,8 +42,8 @@ pub(crate) const ODD_POWER_TOLERANCE: f64 = 1e-12;
 
 /// The symplectic vector space V of a representation.
 ///
-/// [`SymplecticComplexSpace`] is the same space as that of U(N) on C^N, but another type. Maps can be
-/// composed only if the types are equal.
+/// For U(N) on C^N it is the same space as [`SymplecticComplexSpace`], but a different type. Maps can be composed
+/// only if the types are equal.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub struct Symplectic<R>(pub R);
 
@@ -74,7 +74,7 @@ impl<R: SymplecticRepresentation> SymplecticSpace for Symplectic<R> {
     }
 }
 
-/// The spin representation of so(3) on C², ξ ↦ −(i/2) ξ·σ, which is that of su(2).
+/// The spin representation ξ ↦ −(i/2) ξ·σ of so(3) on C², which is the representation of su(2).
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub struct So3OnC2;
 
@@ -130,8 +130,8 @@ macro_rules! unitary {
                 SymplecticComplexSpace::<$n>.flat(x)
             }
 
-            /// Returns true: the odd powers of skew-Hermitian matrices are skew-Hermitian, and those of su(2) have no
-            /// trace.
+            /// Returns true: the odd powers of skew-Hermitian matrices are skew-Hermitian, and those of matrices in
+            /// su(2) are traceless.
             fn odd_powers_belong(&self) -> bool {
                 true
             }

@@ -4,22 +4,20 @@ use lie_poisson::{Differential, Point, PoissonSpace, Real, Vector};
 
 /// An associative algebra 𝔄 of linear maps Q of P, for collective dynamics without a lift.
 ///
-/// 𝔄 contains the generators of a linear collective system, and acts on 𝔤∗ in such a way that J(Qz) depends
-/// on J(z) and Q alone. Collective dynamics dz/dt = ξ(J(z)) z with ξ = dh keeps the form z = Q z₀, where Q
-/// satisfies
+/// 𝔄 contains the generators of a linear collective system, and acts on 𝔤∗ in such a way that J(Qz) depends on J(z)
+/// and Q alone. Collective dynamics dz/dt = ξ(J(z)) z with ξ = dh keeps the form z = Q z₀, where Q satisfies
 ///
 /// ```text
 /// dQ/dt = ξ(J(Qz₀)) Q,    Q(0) = 1,    J(Qz₀) = transport(Q, J(z₀))
 /// ```
 ///
-/// These equations depend on z₀ only through μ₀ = J(z₀). A Runge–Kutta method commutes with the linear map
-/// Q ↦ Qz₀, so the collective method on P *is* the same method for Q. It is a map of 𝔤∗ in closed form,
-/// without a lift and without drift along a fibre, and it is defined on all of 𝔤∗, also outside of the
-/// image of J.
+/// These equations depend on z₀ only through μ₀ = J(z₀). A Runge–Kutta method commutes with the linear map Q ↦ Qz₀,
+/// so the collective method on P *is* the same method for Q. It is a map of 𝔤∗ in closed form, without a lift and
+/// without drift along a fibre. It is defined on all of 𝔤∗, even outside of the image of J.
 ///
-/// A multiplier is determined only up to changes that `transport` does not see. The flow conserves
-/// quadratic invariants of Q (|Q|² = 1 for quaternions) that make `transport` a coadjoint motion. Every
-/// Gauss method conserves them too.
+/// A multiplier is determined only up to changes that do not affect `transport`. The flow conserves quadratic
+/// invariants of Q (|Q|² = 1 for quaternions) that make `transport` a coadjoint motion. Every Gauss method conserves
+/// them too.
 ///
 /// # Example
 /// Multipliers of your own: real 3×3 matrices for so(3)∗ with the minus bracket. On pairs z = (q, p) of vectors with
@@ -105,8 +103,8 @@ pub trait Multipliers: Clone {
         self.transport::<T>(q, mu) - *mu
     }
 
-    /// Returns the product Q B in 𝔄, the multiplier of the motion by B followed by that by Q:
-    /// transport(QB, μ) = transport(Q, transport(B, μ)).
+    /// Returns the product Q B in 𝔄, the multiplier of the motion by B followed by the motion by Q: transport(QB, μ)
+    /// = transport(Q, transport(B, μ)).
     fn product<T: Real>(
         &self,
         q: &Self::Multiplier<T>,

@@ -12,8 +12,8 @@ use lie_poisson::{Covector, Mask, Pair, Real, SO3OnR3, Vector, squaring_scale};
 /// M(q, p) = −(q × p, p),    so that Π ⊥ Γ
 /// ```
 ///
-/// The image is only the level Π·Γ = 0, so that the map cannot serve for the heavy top. The fibres are the
-/// lines q + sp, with momentum ½|p|².
+/// The image is only the level Π·Γ = 0, so that the map cannot be used for the heavy top. The fibres are the lines
+/// q + sp, with momentum ½|p|².
 ///
 /// Source: Ohsawa 2019, Remark 2.1.
 ///

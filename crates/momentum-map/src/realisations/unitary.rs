@@ -44,7 +44,7 @@ pub const fn unitary_realisation<const N: usize>() -> UnitaryRealisation<N> {
     QuadraticMomentumMap::new(UnitaryOnComplexSpace, Side::Right)
 }
 
-/// The greatest relative deviation of H from ±½ z z∗.
+/// The greatest relative deviation of H from ±½ z z∗ that is accepted.
 ///
 /// It is far above the round-off of a computed momentum, and far below an intended second eigenvalue.
 const RANK_ONE_TOLERANCE: f64 = 1e-10;

@@ -93,7 +93,8 @@ where
 {
     const COUNT: usize = N * M::COUNT;
 
-    /// Returns the flow with the given index: those of the first factor, then those of the second, and so on.
+    /// Returns the flow with the given index. The flows of the first factor come first, then those of the second, and
+    /// so on.
     fn flow<T: Real>(&self, index: usize, s: T, z: &SourcePoint<Self, T>) -> SourcePoint<Self, T> {
         let count = M::COUNT.max(1);
         let mut moved = *z;

@@ -9,7 +9,7 @@ use lie_poisson::{
 };
 use thiserror::Error;
 
-/// The error of two factors whose Lie–Poisson brackets have different signs.
+/// The error returned for two factors whose Lie–Poisson brackets have different signs.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Error)]
 #[error("the brackets of the two factors have different signs, {first:?} and {second:?}")]
 pub struct DifferentSigns {
@@ -19,7 +19,7 @@ pub struct DifferentSigns {
     pub second: Sign,
 }
 
-/// The product (M, N): P₁ × P₂ → (𝔤 × 𝔥)∗ of maps to 𝔤∗ and to 𝔥∗ with brackets of one sign.
+/// The product (M, N): P₁ × P₂ → (𝔤 × 𝔥)∗ of maps to 𝔤∗ and to 𝔥∗ whose brackets have the same sign.
 ///
 /// It is [`ProductMap`] with another type of target, on which the [Casimirs](lie_poisson::Casimirs) of the product
 /// algebra and Hamiltonians on its dual are defined.
@@ -158,7 +158,7 @@ where
 {
     const COUNT: usize = M::COUNT + N::COUNT;
 
-    /// Returns the flow with the given index: those of the first map, then those of the second.
+    /// Returns the flow with the given index. The flows of the first map come first, then those of the second.
     fn flow<T: Real>(&self, index: usize, s: T, z: &SourcePoint<Self, T>) -> SourcePoint<Self, T> {
         self.factors.flow::<T>(index, s, z)
     }

@@ -6,7 +6,7 @@ use lie_poisson::{Differential, Pair, ProductSpace, Real, from_parts, parts};
 
 /// The product (M, N): P₁ × P₂ → Q₁ × Q₂ of two Poisson maps.
 ///
-/// Where both targets are duals of Lie algebras, [`ProductAlgebraMap`](crate::ProductAlgebraMap) has the dual of the
+/// If both targets are duals of Lie algebras, [`ProductAlgebraMap`](crate::ProductAlgebraMap) has the dual of the
 /// product algebra as its target.
 ///
 /// With [`Identity`](crate::Identity) for N, it couples spins or vortices to canonical variables on (S²)ⁿ ×
@@ -82,7 +82,7 @@ impl<M: Lift, N: Lift> Lift for ProductMap<M, N> {
 impl<M: FibreSymmetry, N: FibreSymmetry> FibreSymmetry for ProductMap<M, N> {
     const COUNT: usize = M::COUNT + N::COUNT;
 
-    /// Returns the flow with the given index: those of the first map, then those of the second.
+    /// Returns the flow with the given index. The flows of the first map come first, then those of the second.
     fn flow<T: Real>(&self, index: usize, s: T, z: &SourcePoint<Self, T>) -> SourcePoint<Self, T> {
         if index < M::COUNT {
             Pair(self.0.flow::<T>(index, s, &z.0), z.1)
