@@ -1,5 +1,5 @@
-//! Hamiltonians on the dual of any Lie algebra, written as text and differentiated by the rules of calculus; Casimirs
-//! from structure constants alone.
+//! Hamiltonians on the dual of any Lie algebra, written as text and differentiated symbolically, and Casimirs
+//! computed from structure constants alone.
 //!
 //! ```toml
 //! [dependencies]
@@ -38,16 +38,16 @@
 //! |---|---|
 //! | numbers | `2`, `0.5`, `6.02e23`, `½`, `pi` |
 //! | a coordinate, a component of a vector | `Pi1`, `Pi[1]`, `Π₁`, `(Pi×Gamma)[3]` |
-//! | sums and products | `+`, `-`, `*`, `/`; there is no product without a sign |
-//! | powers, which bind most tightly and to the right | `x^3`, `x**3`, `x²`, `2^3^2` = 2⁹, `-x^2` = −(x²) |
+//! | sums and products | `+`, `-`, `*`, `/`; a product always needs a sign |
+//! | powers, which bind most tightly and from right to left | `x^3`, `x**3`, `x²`, `2^3^2` = 2⁹, `-x^2` = −(x²) |
 //! | products of vectors | `a·b` or `dot(a, b)`; `a×b` or `cross(a, b)`, which binds more tightly: `a·b×c` |
 //! | the length of a vector, the size of a number | <code>&#124;v&#124;</code>, `norm(v)`, `abs(x)` |
 //! | functions | `sqrt` or `√`, `exp`, `ln` or `log`, `sin`, `cos`, `tan`, `sinh`, `cosh`, `tanh`, `atan2(y, x)` |
 //!
 //! A whole power is a product, x^(n+½) is xⁿ√x, and every other power is exp(c ln x). The slope of |x| at 0 is 1.
-//! Names are letters, digits and underscores, with Greek letters by their names: `Γ₁` is `Gamma1`.
-//! A simplification changes a value by rounding at most, wherever the formula is a real number: 0·x becomes 0 only
-//! if x is a real number for all real coordinates, as a polynomial is.
+//! Names consist of letters, digits and underscores. A Greek letter stands for its name: `Γ₁` is `Gamma1`. Wherever
+//! the formula is a real number, a simplification changes its value by rounding at most: 0·x becomes 0 only if x is a
+//! real number for all real coordinates, as a polynomial is.
 //!
 //! # Which item when
 //!
@@ -56,17 +56,17 @@
 //! | a Hamiltonian from text, over every scalar | [`FormulaHamiltonian`] |
 //! | a function from text with its derivatives | [`Formula`] |
 //! | a formula that a program builds, without text | [`Expressions`] |
-//! | the names of coordinates and parameters | [`Coordinates`], [`Parameters`], together [`Vocabulary`] |
+//! | the names of coordinates and parameters | [`Coordinates`] and [`Parameters`], combined in a [`Vocabulary`] |
 //! | the usual names for an algebra | [`NamedAlgebra`] |
-//! | what is wrong with a text, and where | [`FormulaError`], [`Problem`], [`Shape`]; for names [`NameError`] |
+//! | the error in a text, and its place | [`FormulaError`], [`Problem`], [`Shape`]; for names [`NameError`] |
 //! | the Casimirs of an algebra of your own | [`find_casimirs`], [`PolynomialCasimirs`] |
 //! | structure constants from the entries of a table | [`structure_constants`], [`StructureEntry`] |
-//! | an algebra whose dimension is known when the program runs | [`for_dimension`], [`DimensionTask`] |
+//! | an algebra whose dimension is known only when the program runs | [`for_dimension`], [`DimensionTask`] |
 //!
 //! # Cost
 //!
-//! An evaluation allocates nothing. The section "Against code by hand" of `docs/performance.md` in the source repository
-//! compares the instructions of a step of RK4 with those for the same Hamiltonian in Rust.
+//! An evaluation allocates nothing. The section "Against code by hand" of `docs/performance.md` in the source
+//! repository compares the instructions of a step of RK4 with those for the same Hamiltonian in Rust.
 //!
 //! # Conventions
 //!
@@ -74,7 +74,7 @@
 //!   element of 𝔤.
 //! * In formulas, components of vectors count from 1. In tables of structure constants, indices count from 0.
 //! * The structure constant of the indices i, j, k is the coordinate of [e_i, e_j] at e_k.
-//! * Angles are in radians. Formulas have no units: those of the parameters determine those of the result.
+//! * Angles are in radians. Formulas have no units: the units of the parameters determine the unit of the result.
 //! * The signs on 𝔤∗ are those of [`lie_poisson`].
 //!
 //! The notation of all the crates is collected in `docs/notation.md` of the source repository.
@@ -85,9 +85,9 @@
 //!
 //! # Related crates
 //!
-//! [`lie_poisson`] holds the algebras, brackets and scalars, `collective-integrators` the time steps.
-//! `lie-poisson-formula-systems` makes systems of formulas and of algebras that are known when the program runs, and the
-//! program `heavytop` simulates them from a configuration file.
+//! [`lie_poisson`] holds the algebras, brackets and scalars, and `collective-integrators` holds the time steps.
+//! `lie-poisson-formula-systems` builds systems from formulas and algebras that are known only when the program runs.
+//! The program `heavytop` simulates them from a configuration file.
 
 #![cfg_attr(docsrs, feature(doc_cfg))]
 

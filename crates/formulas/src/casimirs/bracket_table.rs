@@ -6,7 +6,7 @@ use super::residue::Residue;
 use super::surd::Surd;
 use lie_poisson::{LieAlgebra, Vector};
 
-/// The coordinates of [e_i, e_j] that are not zero.
+/// The non-zero coordinates of [e_i, e_j].
 #[derive(Clone, Debug)]
 pub(crate) struct BracketTable {
     brackets: Vec<Vec<Vec<(usize, Residue)>>>,
@@ -23,8 +23,9 @@ pub(crate) fn generic(count: usize, seed: i64) -> Vec<Residue> {
         .collect()
 }
 
-/// Returns the unit in which all constants are small fractions times square roots: 1, or the largest constant. Casimirs do
-/// not depend on it, since all conditions on them are linear in the constants. If neither is one, it is 1.
+/// Returns the unit in which all constants are small fractions times square roots: 1 or the largest constant, or 1 if
+/// neither is such a unit. Casimirs do not depend on the unit, since all conditions on them are linear in the
+/// constants.
 fn unit(constants: impl Iterator<Item = f64> + Clone) -> f64 {
     let largest = constants.clone().fold(0.0_f64, |largest, constant| largest.max(constant.abs()));
     let suits = |unit: f64| constants.clone().all(|c| Surd::recognise(c / unit).is_some());
@@ -32,7 +33,7 @@ fn unit(constants: impl Iterator<Item = f64> + Clone) -> f64 {
 }
 
 impl BracketTable {
-    /// Creates the table of an algebra; small fractions, and their products with square roots, are recognised.
+    /// Creates the table of an algebra. Small fractions, and their products with square roots, are recognised.
     pub(crate) fn new<A: LieAlgebra>(algebra: &A) -> Result<Self, CasimirError> {
         let dimension = A::Element::<f64>::DIM;
         let mut constants = vec![vec![Vec::new(); dimension]; dimension];
@@ -64,7 +65,7 @@ impl BracketTable {
         self.brackets.len()
     }
 
-    /// Returns the coordinates of [e_i, e_j] that are not zero.
+    /// Returns the non-zero coordinates of [e_i, e_j].
     pub(crate) fn bracket(&self, i: usize, j: usize) -> &[(usize, Residue)] {
         self.brackets.get(i).and_then(|row| row.get(j)).map_or(&[], Vec::as_slice)
     }
@@ -80,7 +81,8 @@ impl BracketTable {
         rank((0..n).map(|i| (0..n).map(|j| (j, entry(i, j))).collect()).collect())
     }
 
-    /// Returns basis vectors that generate the algebra. A function is a Casimir if its brackets with them vanish.
+    /// Returns basis vectors that generate the algebra. A function is a Casimir if its brackets with these generators
+    /// vanish.
     pub(crate) fn generators(&self) -> Vec<usize> {
         let n = self.dimension();
         let (mut generators, mut spanned) = (Vec::new(), Vec::<Vec<(usize, Residue)>>::new());
@@ -135,7 +137,8 @@ mod tests {
     use super::*;
     use lie_poisson::{So3, StructureConstants, StructureError};
 
-    /// Returns the number of generators of the algebra of e_0 and a space on which e_0 acts, [e_0, e_j] = Σ_k a_jk e_k.
+    /// Returns the generators of the algebra that is spanned by e_0 and a space on which e_0 acts by
+    /// [e_0, e_j] = Σ_k a_jk e_k.
     fn generators(action: [[f64; 3]; 3]) -> Result<Vec<usize>, StructureError> {
         let constant = |i: usize, j: usize, k: usize| match (i, j, k) {
             (0, 1.., 1..) => action[j - 1][k - 1],
@@ -153,7 +156,7 @@ mod tests {
         assert_eq!(generators([[0.0; 3]; 3])?, [0, 1, 2, 3]);
         // e_1 ↦ e_2 ↦ e_3 ↦ 0
         assert_eq!(generators([[0.0, 1.0, 0.0], [0.0, 0.0, 1.0], [0.0; 3]])?, [0, 1]);
-        // e_1 ↦ w = e_2 + 2 e_3 and w ↦ w: a third generator spans what w does not
+        // e_1 ↦ w = e_2 + 2 e_3 and w ↦ w: a third generator is needed for what w does not span
         assert_eq!(generators([[0.0, 1.0, 2.0], [0.0, 1.0, 0.0], [0.0, 0.0, 1.0]])?, [0, 1, 2]);
         Ok(())
     }

@@ -3,12 +3,12 @@
 use crate::names::name_error::NameError;
 use thiserror::Error;
 
-/// The reason why Casimirs cannot be searched for: names that do not fit the algebra, or a structure constant that is not
-/// finite.
+/// The reason why a search for Casimirs is impossible: names that do not fit the algebra, or a structure constant
+/// that is not finite.
 #[derive(Clone, Debug, PartialEq, Error)]
 #[non_exhaustive]
 pub enum CasimirError {
-    /// There are fewer or more names than dimensions.
+    /// The number of names differs from the dimension of the algebra.
     #[error("there are {names} names of coordinates for an algebra of dimension {dimension}")]
     WrongDimension {
         /// The number of names.
@@ -24,7 +24,7 @@ pub enum CasimirError {
         /// The second index of the bracket.
         j: usize,
     },
-    /// The names cannot be those of a formula.
+    /// The names are not valid in formulas.
     #[error(transparent)]
     Name(#[from] NameError),
 }

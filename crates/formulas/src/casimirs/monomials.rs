@@ -19,7 +19,7 @@ pub(crate) fn count(dimension: usize, degree: u8) -> usize {
     count
 }
 
-/// Returns all monomials of a degree, those with high powers of the first coordinates first.
+/// Returns all monomials of a degree. Monomials with high powers of the first coordinates come first.
 pub(crate) fn monomials(dimension: usize, degree: u8) -> Vec<Exponents> {
     let mut all = vec![Vec::new()];
     for coordinate in 0..dimension {

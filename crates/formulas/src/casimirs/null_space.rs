@@ -6,10 +6,11 @@ use std::collections::BTreeMap;
 /// A row, or a vector: columns with their entries, from left to right.
 pub(crate) type Row = Vec<(usize, Residue)>;
 
-/// The largest number of changes of entries in an elimination, which take a few seconds.
+/// The largest number of changes of entries in an elimination; this many take a few seconds.
 const MOST_CHANGES: usize = 20_000_000;
 
-/// The rows of an echelon form, by the column of their first entry, which is 1; `None` if it takes too many changes.
+/// Returns the rows of an echelon form, by the column of their first entry, which is 1; `None` after too many
+/// changes.
 fn echelon(rows: Vec<Row>, most_changes: usize) -> Option<BTreeMap<usize, Row>> {
     let mut pivots: BTreeMap<usize, Row> = BTreeMap::new();
     let mut changes = 0_usize;
@@ -48,8 +49,8 @@ pub(crate) fn rank(rows: Vec<Row>) -> usize {
     echelon(rows, usize::MAX).map_or(0, |pivots| pivots.len())
 }
 
-/// Returns a basis of the vectors on which all rows vanish, each with an entry 1 where the others are 0; `None` if the
-/// elimination takes too long.
+/// Returns a basis of the vectors on which all rows vanish. Each basis vector has an entry 1 where the others are 0.
+/// Returns `None` if the elimination takes too long.
 pub(crate) fn null_space(rows: Vec<Row>, columns: usize) -> Option<Vec<Row>> {
     let pivots = echelon(rows, MOST_CHANGES)?;
     let free = (0..columns).filter(|column| !pivots.contains_key(column));
@@ -72,7 +73,7 @@ pub(crate) fn null_space(rows: Vec<Row>, columns: usize) -> Option<Vec<Row>> {
 mod tests {
     use super::*;
 
-    /// Returns a matrix by rows of whole numbers.
+    /// Returns a matrix from its rows of whole numbers.
     fn matrix(rows: &[&[i64]]) -> Vec<Row> {
         let row = |row: &&[i64]| row.iter().map(|&n| Residue::new(n)).enumerate().collect();
         rows.iter().map(row).collect()

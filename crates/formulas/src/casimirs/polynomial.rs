@@ -1,4 +1,4 @@
-//! Polynomials modulo a prime: their gradients, and the formulas that they stand for.
+//! Polynomials modulo a prime: their gradients, and the formulas that they represent.
 
 use super::monomials::Exponents;
 use super::residue::Residue;
@@ -34,9 +34,10 @@ impl Polynomial {
         slopes.fold(Residue::ZERO, |sum, slope| sum + slope)
     }
 
-    /// Returns the coefficients as whole numbers times square roots without a common divisor, the first one positive.
+    /// Returns the coefficients as whole numbers times square roots, without a common divisor and with the first one
+    /// positive.
     ///
-    /// The polynomial is multiplied by a constant for that. Returns `None` if no constant gives such coefficients.
+    /// To this end the polynomial is multiplied by a constant. Returns `None` if no constant gives such coefficients.
     pub(crate) fn whole_coefficients(&self) -> Option<Vec<(i64, u32)>> {
         let surds: Option<Vec<Surd>> =
             self.terms.iter().map(|(_, coefficient)| Surd::of_residue(*coefficient)).collect();
@@ -53,7 +54,8 @@ impl Polynomial {
         Some(coefficients.map(|(n, surd)| (sign * (n / divisor), surd.radicand)).collect())
     }
 
-    /// Returns the polynomial as a formula, with squares of vectors and their products by name.
+    /// Returns the polynomial as a formula, in which squares and products of vectors are written with the vectors'
+    /// names.
     pub(crate) fn text(&self, coordinates: &Coordinates) -> Option<String> {
         let coefficients = self.whole_coefficients()?;
         let monomials = self.terms.iter().map(|(monomial, _)| monomial.clone());
@@ -87,7 +89,7 @@ impl Polynomial {
     }
 }
 
-/// Returns the largest common divisor.
+/// Returns the greatest common divisor.
 fn common(a: i64, b: i64) -> i64 {
     if b == 0 { a.abs() } else { common(b, a.wrapping_rem(b)) }
 }
@@ -95,7 +97,8 @@ fn common(a: i64, b: i64) -> i64 {
 /// A monomial with its coefficient, a whole number times a square root.
 type Term = (Exponents, (i64, u32));
 
-/// Removes the terms of a product of two vectors, if all of them are there with one coefficient, and returns that.
+/// Removes the terms of a product of two vectors, if all of them are present with the same coefficient, and returns
+/// this coefficient.
 fn take_product(terms: &mut Vec<Term>, first: &Field, second: &Field) -> Option<(i64, u32)> {
     let dimension = first.dimension.filter(|_| first.dimension == second.dimension)?;
     let is_part = |monomial: &Exponents, i: usize| {

@@ -11,13 +11,13 @@ use crate::names::parameters::Parameters;
 use crate::names::vocabulary::Vocabulary;
 use lie_poisson::{LieAlgebra, Momentum, Vector};
 
-/// The largest degree of the Casimirs that are looked for.
+/// The largest degree of the Casimirs that are searched for.
 const HIGHEST_DEGREE: u8 = 4;
 
-/// The largest number of monomials of a degree that is searched.
+/// The largest number of monomials of a degree for which the degree is searched.
 const MOST_MONOMIALS: usize = 4096;
 
-/// The relative size of the bracket of a Casimir with the coordinates that counts as rounding.
+/// The largest bracket of a Casimir with a coordinate, relative to its terms, that counts as rounding.
 const ROUNDING: f64 = 1e-9;
 
 /// The Casimirs that [`find_casimirs`] found, and how many there are.
@@ -29,26 +29,27 @@ pub struct PolynomialCasimirs {
 }
 
 impl PolynomialCasimirs {
-    /// Returns the Casimirs, those of low degree first. None is a function of the others.
+    /// Returns the Casimirs, in order of increasing degree. None is a function of the others.
     #[must_use]
     pub fn formulas(&self) -> &[Formula] {
         &self.formulas
     }
 
-    /// Returns the number of independent Casimirs near a generic point: the dimension less that of the largest orbits.
+    /// Returns the number of independent Casimirs near a generic point: the dimension of 𝔤 minus that of the largest
+    /// orbits.
     #[must_use]
     pub const fn independent(&self) -> usize {
         self.independent
     }
 
-    /// Returns how many independent Casimirs were not found, since they are not polynomials or have higher degrees.
+    /// Returns how many independent Casimirs were not found: they are not polynomials, or they have higher degrees.
     #[must_use]
     pub const fn missing(&self) -> usize {
         self.independent.saturating_sub(self.formulas.len())
     }
 
-    /// Returns the highest degree that was searched: 4, or less if the Casimirs were found before, or if there are
-    /// more than 4096 monomials of the next degree, or too many operations for them.
+    /// Returns the highest degree that was searched. It is 4, or less if all Casimirs were found before, if there are
+    /// more than 4096 monomials of the next degree, or if the next degree needs too many operations.
     #[must_use]
     pub const fn degree(&self) -> u8 {
         self.degree
@@ -60,12 +61,13 @@ impl PolynomialCasimirs {
 /// The number of independent Casimirs is dim 𝔤 − r, where r is the rank of the Poisson tensor Λ_ij(μ) = Σ_k c_ijk μ_k
 /// at a generic point. A polynomial C is a Casimir if {μ_i, C} = 0 for every i, which is linear in its coefficients.
 /// The null space is computed exactly, modulo a prime of 61 bits, for structure constants that are small fractions,
-/// or small fractions times square roots of products of 2, 3, 5 and 7. For other constants, such as those in a basis with
-/// rounded coordinates, some or all Casimirs may be missing. Each Casimir is checked at three points in
-/// floating point, and none is listed that is a function of the others.
+/// or small fractions times square roots of products of 2, 3, 5 and 7. For other constants, such as those in a basis
+/// with rounded coordinates, some or all Casimirs may be missing. Each Casimir is checked at three points in floating
+/// point, and a Casimir that is a function of the others is not listed.
 ///
 /// # Errors
-/// Returns [`CasimirError`] if there are fewer or more names than dimensions, or if a structure constant is not finite.
+/// Returns [`CasimirError`] if the number of names differs from the dimension, or if a structure constant is not
+/// finite.
 ///
 /// # Example
 /// The Poincaré algebra of one space dimension, with the Casimir of mass:
@@ -120,7 +122,8 @@ pub fn find_casimirs<A: LieAlgebra>(
     Ok(PolynomialCasimirs { formulas, independent, degree: searched })
 }
 
-/// Returns a basis of the Casimirs of a degree, those with few terms first, or `None` if the search takes too long.
+/// Returns a basis of the Casimirs of a degree, in order of increasing number of terms, or `None` if the search takes
+/// too long.
 fn invariants(table: &BracketTable, degree: u8) -> Option<Vec<Polynomial>> {
     let monomials = monomials(table.dimension(), degree);
     let space = null_space(equations(table, &monomials), monomials.len())?;

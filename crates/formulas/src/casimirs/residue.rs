@@ -41,7 +41,7 @@ impl Residue {
         self.power(PRIME - 2)
     }
 
-    /// Returns the residue of a number of type `f64`, which is a whole number times a power of two.
+    /// Returns the residue of an `f64`, which is a whole number times a power of two.
     pub(crate) fn of_float(x: f64) -> Self {
         let bits = x.to_bits();
         let exponent = (bits >> 52) & 0x7ff;
@@ -53,10 +53,12 @@ impl Residue {
         if x < 0.0 { -size } else { size }
     }
 
-    /// Returns the fraction a/b with the residue, if there is one with |a| and b below 2²⁰.
+    /// Returns the fraction a/b that has this residue, if there is one with |a| and b below 2²⁰.
     ///
-    /// There is at most one, and one residue in 10⁶ has one by chance. Source: P. Wang, M. Guy & J. Davenport, *p-adic reconstruction of rational numbers*,
-    /// SIGSAM Bulletin 16 (1982).
+    /// There is at most one, and one residue in 10⁶ has one by chance.
+    ///
+    /// Source: P. Wang, M. Guy & J. Davenport, *p-adic reconstruction of rational numbers*, SIGSAM Bulletin 16
+    /// (1982).
     pub(crate) fn fraction(self) -> Option<(i64, i64)> {
         const BOUND: i128 = 1 << 20;
         let (mut r, mut next_r) = (i128::from(PRIME), i128::from(self.0));
@@ -117,7 +119,7 @@ mod tests {
             assert_eq!(x * Residue::new(b), Residue::new(a));
             assert_eq!(x - x, Residue::ZERO);
         }
-        // Negative control: a number that is no small fraction.
+        // Negative control: a number that is not a small fraction.
         assert_eq!(Residue::new(1 << 40).fraction(), None);
     }
 

@@ -47,7 +47,7 @@ fn root(divides: [bool; 4]) -> Residue {
 }
 
 impl Surd {
-    /// Returns the number that `x` is to within a few rounding errors, if there is one.
+    /// Returns the number r √s that equals `x` to within a few rounding errors, if there is one.
     pub(crate) fn recognise(x: f64) -> Option<Self> {
         RADICANDS.iter().find_map(|&(radicand, _)| {
             let (above, below) = fraction(x / f64::from(radicand).sqrt())?;
@@ -62,7 +62,7 @@ impl Surd {
         Residue::new(self.above) * Residue::new(self.below).inverse() * root
     }
 
-    /// Returns the number with a residue, if it is a small fraction times a square root.
+    /// Returns the number r √s that has a given residue, if there is one with a small fraction r.
     pub(crate) fn of_residue(x: Residue) -> Option<Self> {
         RADICANDS.iter().find_map(|&(radicand, divides)| {
             let (above, below) = (x * root(divides).inverse()).fraction()?;
@@ -71,7 +71,7 @@ impl Surd {
     }
 }
 
-/// Returns the fraction that `x` is to within a few rounding errors, by its continued fraction.
+/// Returns the fraction that equals `x` to within a few rounding errors, by the continued fraction of `x`.
 fn fraction(x: f64) -> Option<(i64, i64)> {
     if x.abs() > 1e6 {
         return None;

@@ -1,4 +1,4 @@
-//! What a syntax tree means: the graph of a scalar, with the shapes of all parts checked.
+//! The meaning of a syntax tree: the graph of a scalar, with the shapes of all parts checked.
 
 use super::graph::{Graph, Id, Unary};
 use crate::names::letters::RESERVED;
@@ -7,7 +7,7 @@ use crate::text::formula_error::{FormulaError, Problem, Shape};
 use crate::text::suggestion::closest;
 use crate::text::syntax::{Function, Operator, Part, Syntax};
 
-/// The largest number of expressions that a formula may stand for.
+/// The largest number of expressions in the graph of a formula.
 const MOST_NODES: usize = 1 << 18;
 
 /// The value of a part: a scalar or the components of a vector.
@@ -25,7 +25,7 @@ impl Value {
         }
     }
 
-    /// Returns the scalar, or an error that names the place where a vector must not stand.
+    /// Returns the scalar, or an error that names the place at which a vector is not allowed.
     fn scalar(&self, place: impl FnOnce() -> String) -> Result<Id, Problem> {
         match self {
             Self::Scalar(id) => Ok(*id),
@@ -77,7 +77,7 @@ struct Elaboration<'a> {
 }
 
 impl Elaboration<'_> {
-    /// Returns the value of a part, which others may use, too.
+    /// Returns the value of a part. Other parts may use the same value.
     fn at(&self, place: usize) -> Value {
         self.values.get(place).cloned().unwrap_or(Value::Scalar(0))
     }

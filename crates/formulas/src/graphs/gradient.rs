@@ -5,9 +5,9 @@ use super::graph::{Graph, Id, Node, Unary};
 impl Graph {
     /// Returns the derivative of an expression with respect to each of the first `inputs` coordinates.
     ///
-    /// The rule is that of reverse differentiation: each part gets the derivative of the whole with respect to it,
-    /// and passes it on to its own parts. The number of new nodes is a small multiple of those of the expression,
-    /// whatever the number of coordinates.
+    /// The method is reverse differentiation: each part receives the derivative of the whole with respect to it, and
+    /// passes it on to its own parts. The number of new nodes is a small multiple of the number of nodes of the
+    /// expression, whatever the number of coordinates.
     pub(crate) fn gradient(&mut self, root: Id, inputs: usize) -> Vec<Id> {
         let reachable = self.reachable(&[root]);
         let mut terms: Vec<Vec<Id>> = vec![Vec::new(); root + 1];
@@ -29,7 +29,7 @@ impl Graph {
                 continue;
             }
             for (part, term) in self.passed_on(id, slope) {
-                // A number passes nothing on.
+                // A number passes no derivative on.
                 if self.as_number(part).is_none()
                     && let Some(terms) = terms.get_mut(part)
                 {
@@ -40,7 +40,7 @@ impl Graph {
         gradient
     }
 
-    /// Returns the parts of a node with what they get of its slope: the slope times their partial derivative.
+    /// Returns the parts of a node, each with its contribution: the slope of the node times the partial derivative.
     fn passed_on(&mut self, id: Id, slope: Id) -> Vec<(Id, Id)> {
         match self.node(id) {
             Node::Number(_) | Node::Input(_) => Vec::new(),

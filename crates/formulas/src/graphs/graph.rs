@@ -51,7 +51,7 @@ impl Node {
     }
 }
 
-/// Properties of the values of a node, as far as they are known.
+/// Properties of the values of a node, if they are known.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub(crate) struct Known {
     /// The value is a real number for all real coordinates, as that of a polynomial is.
@@ -60,7 +60,7 @@ pub(crate) struct Known {
     pub(crate) nonnegative: bool,
 }
 
-/// A graph of expressions, each after those that it refers to.
+/// A graph of expressions, in which each node comes after those that it refers to.
 #[derive(Clone, Debug, Default)]
 pub(crate) struct Graph {
     nodes: Vec<Node>,
@@ -74,7 +74,7 @@ impl Graph {
         self.nodes.get(id).copied().unwrap_or(Node::Number(0))
     }
 
-    /// Returns what is known of the values of a node.
+    /// Returns the known properties of the values of a node.
     pub(crate) fn known(&self, id: Id) -> Known {
         self.known.get(id).copied().unwrap_or_default()
     }
@@ -92,7 +92,7 @@ impl Graph {
         }
     }
 
-    /// Returns the place of a node, which is added if it is new.
+    /// Returns the place of a node, and adds the node if it is new.
     pub(crate) fn place(&mut self, node: Node) -> Id {
         if let Some(&place) = self.places.get(&node) {
             return place;
@@ -104,7 +104,7 @@ impl Graph {
         self.nodes.len() - 1
     }
 
-    /// Decides what is known of the values of a new node.
+    /// Derives the known properties of the values of a new node.
     fn judge(&self, node: Node) -> Known {
         let both = |a: Id, b: Id| self.known(a).everywhere && self.known(b).everywhere;
         let positive = |a: Id| self.known(a).nonnegative;

@@ -1,4 +1,4 @@
-//! Expressions as graphs in which equal parts are one node: simplification, derivatives, and what a text means.
+//! Expressions as graphs in which equal parts are one node: simplification, derivatives, and the meaning of a text.
 
 pub(crate) mod graph;
 pub(crate) mod simplification;

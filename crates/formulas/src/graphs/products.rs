@@ -3,11 +3,11 @@
 use super::graph::{Graph, Id, Node, Unary};
 use super::simplification::whole;
 
-/// The largest exponent of a power that becomes products, whose squares other powers can share.
+/// The largest exponent for which a power is expanded into products, whose squares other powers can share.
 const MOST_FACTORS: u32 = 64;
 
 impl Graph {
-    /// Returns the same expressions in a new graph, in which only powers with large whole exponents are left.
+    /// Returns the same expressions in a new graph, in which the only powers are those with large whole exponents.
     ///
     /// The products are those of [`Real::powi`](lie_poisson::Real::powi), in its order: x⁵ = x (x²)². Other powers
     /// are x^(n+½) = xⁿ √x and x^c = exp(c ln x).

@@ -1,14 +1,14 @@
 //! Sums, products and functions in simple form.
 //!
-//! A simplification changes a value by rounding at most, wherever the original is a real number:
+//! Wherever the original is a real number, a simplification changes its value by rounding at most:
 //!
 //! * constants are computed, and constant factors of one product are multiplied, unless the product would be zero,
 //!   subnormal or infinite;
-//! * a quotient by a constant is a product with its reciprocal, unless that is subnormal or infinite;
-//! * 0 x is 0, and terms cancel, only where x is a real number for all real coordinates, as for polynomials; 0/y and
-//!   0 ln y stay as they are;
+//! * a quotient by a constant becomes a product with its reciprocal, unless the reciprocal is subnormal or infinite;
+//! * 0 x becomes 0, and terms cancel, only if x is a real number for all real coordinates, as for polynomials; 0/y
+//!   and 0 ln y stay as they are;
 //! * c₁ x + c₂ x is (c₁ + c₂) x;
-//! * (√x)ᶜ is x^(c/2) where x is a sum of squares or otherwise never negative.
+//! * (√x)ᶜ is x^(c/2) if x is a sum of squares or otherwise never negative.
 
 use super::graph::{Graph, Id, Node, Unary};
 use lie_poisson::Real;
@@ -21,7 +21,7 @@ impl Graph {
         self.place(Node::Number((value + 0.0).to_bits()))
     }
 
-    /// Returns the coordinate of an index.
+    /// Returns the node of the coordinate with an index.
     pub(crate) fn input(&mut self, index: usize) -> Id {
         self.place(Node::Input(index))
     }
@@ -48,7 +48,7 @@ impl Graph {
         self.place(Node::Multiply(c, x))
     }
 
-    /// Returns c and y such that a node is c y; c is 1 if the node is not a product with a constant.
+    /// Returns c and y such that the node is c y. The factor c is 1 if the node is not a product with a constant.
     fn split(&self, x: Id) -> (f64, Id) {
         match self.node(x) {
             Node::Multiply(c, base) => self.as_number(c).map_or((1.0, x), |c| (c, base)),
@@ -95,7 +95,7 @@ impl Graph {
         self.place(Node::Add(x.min(y), x.max(y)))
     }
 
-    /// Returns the sum of terms, of which those with the same non-constant factor are added first.
+    /// Returns the sum of terms. Terms with the same non-constant factor are added first.
     pub(crate) fn sum(&mut self, terms: &[Id]) -> Id {
         let (mut sums, mut places) = (Vec::new(), HashMap::new());
         for &term in terms {
@@ -216,7 +216,7 @@ impl Unary {
 mod tests {
     use super::*;
 
-    /// A result below the normal numbers has lost digits, which the factors still have.
+    /// A result below the normal numbers has lost digits that the factors still have.
     #[test]
     fn numbers_are_combined_if_they_keep_their_digits() {
         let mut graph = Graph::default();

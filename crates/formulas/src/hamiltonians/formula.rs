@@ -16,16 +16,16 @@ use std::sync::Arc;
 
 /// A scalar function h of named coordinates, written as text, with its exact derivatives dh and D²h·v.
 ///
-/// The text becomes a graph in which equal parts are computed once. Its derivatives are formed by the rules of
-/// calculus and simplified, so that the gradient of a quadratic form costs a few products. Value, gradient and second
-/// derivative are lists of instructions that run over every scalar, with the same bits alone and in SIMD lanes
-/// (several trajectories in one register). An evaluation allocates nothing.
+/// The text becomes a graph in which equal parts are computed once. The derivatives are formed symbolically and
+/// simplified, so that the gradient of a quadratic form costs a few products. Value, gradient and second derivative
+/// are lists of instructions that run over every scalar. Their results in SIMD lanes (several trajectories in one
+/// register) are bit-identical to those for `f64`. An evaluation allocates nothing.
 ///
-/// Copies share what was computed from the text. Two formulas are equal if they say the same with the same names and
-/// parameters; spaces, superfluous parentheses and the two ways to write an operator make no difference.
+/// Copies share everything that was computed from the text. Two formulas are equal if their expressions, names and
+/// parameters are the same. Spaces, superfluous parentheses and alternative spellings of an operator make no
+/// difference.
 ///
-/// # Errors
-/// [`new`](Self::new) returns a [`FormulaError`] that says what is wrong with a text, and where.
+/// # Errors [`new`](Self::new) returns a [`FormulaError`], which states the problem and its place in the text.
 ///
 /// # Example
 /// The energy of a heavy top, h = ½ Π·I⁻¹Π + mgl c·Γ:
@@ -57,12 +57,12 @@ struct Compiled {
 }
 
 impl Formula {
-    /// Creates the formula of a text.
+    /// Creates a formula from its text.
     ///
     /// # Errors
-    /// Returns [`FormulaError`] if the text is not a formula in these names; if it is a vector; if a part has a constant
-    /// value that is infinite or not a number, such as 1/0; or if it is longer or more deeply nested than any that a
-    /// person writes, or its derivatives are.
+    /// Returns [`FormulaError`] if the text is not a formula in these names; if it is a vector; if a part has a
+    /// constant value that is infinite or not a number, such as 1/0; or if the formula or its derivatives exceed the
+    /// limits on length and nesting, which are larger than a person needs.
     ///
     /// # Example
     /// ```
@@ -77,7 +77,7 @@ impl Formula {
         Self::of_syntax(parse(text)?, names, 0..text.len())
     }
 
-    /// Creates the formula of a part of expressions that a program has built.
+    /// Creates a formula from one of the expressions that a program has built.
     ///
     /// A part that several others use is computed once. The text of the formula names such parts: `s1 = …; s1*exp(s1)`.
     ///
@@ -134,7 +134,8 @@ impl Formula {
         self.0.value.scalar(V::DIM, |i| z.coordinate(i))
     }
 
-    /// Returns the value h(z) at coordinates in a slice, or NaN if there are fewer or more than the formula has.
+    /// Returns the value h(z) at coordinates in a slice, or NaN if the slice has fewer or more coordinates than the
+    /// formula.
     ///
     /// ```
     /// use lie_poisson::So3;
@@ -156,8 +157,8 @@ impl Formula {
         self.0.gradient.vector(V::DIM, |i| z.coordinate(i), |i| z.coordinate(i))
     }
 
-    /// Returns the coordinates ∂h/∂zᵢ of the differential at coordinates in a slice, or NaN if there are fewer or more
-    /// than the formula has.
+    /// Returns the coordinates ∂h/∂zᵢ of the differential at coordinates in a slice, or NaN if the slice has fewer or
+    /// more coordinates than the formula.
     ///
     /// ```
     /// use lie_poisson::So3;
@@ -197,9 +198,10 @@ impl PartialEq for Formula {
     }
 }
 
-/// Prints the formula with plain names and no superfluous parentheses, so that one that was text parses to an equal one.
+/// Prints the formula with plain names and no superfluous parentheses. If the formula was created from a text, the
+/// printed text parses to an equal formula.
 ///
-/// A part of [`Expressions`] that several others use is printed once, before the formula: `s1 = …; s1*exp(s1)`.
+/// A part of [`Expressions`] that is used several times is printed once, before the formula: `s1 = …; s1*exp(s1)`.
 impl fmt::Display for Formula {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         f.write_str(&print(&self.0.syntax))

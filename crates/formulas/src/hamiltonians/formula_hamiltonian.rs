@@ -31,11 +31,11 @@ pub struct FormulaHamiltonian<A> {
 }
 
 impl<A: LieAlgebra> FormulaHamiltonian<A> {
-    /// Creates the Hamiltonian of a text.
+    /// Creates the Hamiltonian from a text.
     ///
     /// # Errors
-    /// Returns [`FormulaError`] if [`Formula::new`] refuses the text, or if there are fewer or more names of
-    /// coordinates than the algebra has dimensions.
+    /// Returns [`FormulaError`] if [`Formula::new`] refuses the text, or if the number of coordinates in `names`
+    /// differs from the dimension of the algebra.
     pub fn new(text: &str, names: &Vocabulary) -> Result<Self, FormulaError> {
         let problem = Self::wrong_dimension(names);
         match problem {
@@ -44,10 +44,11 @@ impl<A: LieAlgebra> FormulaHamiltonian<A> {
         }
     }
 
-    /// Creates the Hamiltonian of a formula.
+    /// Creates the Hamiltonian from a formula.
     ///
     /// # Errors
-    /// Returns [`FormulaError`] if the formula has fewer or more coordinates than the algebra has dimensions.
+    /// Returns [`FormulaError`] if the number of coordinates of the formula differs from the dimension of the
+    /// algebra.
     pub fn of(formula: &Formula) -> Result<Self, FormulaError> {
         match Self::wrong_dimension(formula.names()) {
             Some(problem) => Err(FormulaError::new(0..0, problem)),
@@ -78,7 +79,7 @@ impl<A: LieAlgebra, T: Real> Hamiltonian<LiePoisson<A>, T> for FormulaHamiltonia
         self.formula.differential(mu)
     }
 
-    /// Returns D²h(μ)·v, which is formed from the text as dh is.
+    /// Returns D²h(μ)·v, which is formed symbolically from the text, as dh is.
     #[inline]
     fn hessian(&self, mu: &Momentum<A, T>, v: &Momentum<A, T>) -> Option<A::Element<T>> {
         Some(self.formula.second_derivative(mu, v))

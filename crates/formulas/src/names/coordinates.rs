@@ -4,14 +4,14 @@ use super::letters::{RESERVED, canonical, is_name};
 use super::name_error::NameError;
 use core::ops::Range;
 
-/// The largest number of coordinates, since a formula computes in a bounded number of registers.
+/// The largest number of coordinates. It is limited because a formula computes in a bounded number of registers.
 pub(crate) const MOST_COORDINATES: usize = 256;
 
 /// The names of the coordinates of a space, in their order: scalars, and vectors with their components.
 ///
-/// A vector `Pi` of dimension 3 names three coordinates, `Pi1`, `Pi2` and `Pi3`; those of a vector `x_1` are
-/// `x_1_1`, `x_1_2` and so on. A Greek letter is its name, and a subscript is a digit, so that Π₁ and `Pi1` are one
-/// name.
+/// A vector `Pi` of dimension 3 names three coordinates, `Pi1`, `Pi2` and `Pi3`; the coordinates of a vector `x_1`
+/// are `x_1_1`, `x_1_2` and so on. A Greek letter stands for its name, and a subscript for a digit, so that Π₁ and
+/// `Pi1` are the same name.
 ///
 /// # Example
 /// ```
@@ -53,7 +53,8 @@ impl Field {
     }
 }
 
-/// Returns the name of a component, which counts from 1: `Pi1`, but `Pi_1_1` for a vector whose name ends in a digit.
+/// Returns the name of a component. Components count from 1: `Pi1`, but `Pi_1_1` for a vector whose name ends in a
+/// digit.
 pub(crate) fn component(name: &str, i: usize) -> String {
     let separator = if name.ends_with(|end: char| end.is_ascii_digit()) { "_" } else { "" };
     format!("{name}{separator}{}", i + 1)
@@ -69,13 +70,13 @@ pub(crate) fn checked(name: &str) -> Result<String, NameError> {
 }
 
 impl Coordinates {
-    /// Creates the coordinates of a point: none yet.
+    /// Creates an empty list of coordinates.
     #[must_use]
     pub const fn new() -> Self {
         Self { fields: Vec::new() }
     }
 
-    /// Creates coordinates of the given names, all of them scalars.
+    /// Creates scalar coordinates with the given names.
     ///
     /// # Errors
     /// Returns [`NameError`] for the first name that [`scalar`](Self::scalar) refuses.
@@ -135,7 +136,7 @@ impl Coordinates {
         self.fields.iter().flat_map(Field::names)
     }
 
-    /// Returns the indices of the coordinates with a name: those of a vector, or of one component or scalar.
+    /// Returns the indices of the coordinates with a name: the name of a vector, of one component, or of a scalar.
     ///
     /// ```
     /// use lie_poisson_formulas::Coordinates;
@@ -166,10 +167,10 @@ impl Coordinates {
         &self.fields
     }
 
-    /// Returns these coordinates, then others; if some names clash, all get the suffixes `_1` and `_2`.
+    /// Returns these coordinates followed by others. If some names clash, all names get the suffixes `_1` and `_2`.
     ///
     /// # Errors
-    /// Returns [`NameError`] if the names clash with suffixes too, or if there are too many coordinates.
+    /// Returns [`NameError`] if the names clash even with suffixes, or if there are too many coordinates.
     pub fn then(&self, other: &Self) -> Result<Self, NameError> {
         let both = |suffixes: [&str; 2]| {
             [self, other].iter().zip(suffixes).try_fold(Self::new(), |all, (part, suffix)| {

@@ -1,6 +1,6 @@
 //! The letters of names: Greek letters and their names, subscripts and digits.
 
-/// The words that no coordinate and no parameter may have as a name.
+/// The words that cannot be the name of a coordinate or of a parameter.
 pub(crate) const RESERVED: &[&str] = &[
     "pi", "dot", "cross", "norm", "abs", "sqrt", "exp", "ln", "log", "sin", "cos", "tan", "sinh",
     "cosh", "tanh", "atan2",

@@ -1,4 +1,4 @@
-//! The names in a formula: coordinates, parameters, and the letters that they are made of.
+//! The names in a formula: coordinates, parameters, and the letters of names.
 
 pub(crate) mod letters;
 pub(crate) mod name_error;

@@ -1,4 +1,4 @@
-//! The error of names that cannot stand side by side in a formula: [`NameError`].
+//! The error returned for names that cannot be used together in a formula: [`NameError`].
 
 use thiserror::Error;
 
@@ -12,13 +12,13 @@ pub enum NameError {
         /// The text that is not a name.
         name: String,
     },
-    /// The name is that of a function or of a constant.
+    /// The name belongs to a function or to a constant.
     #[error("the name `{name}` is reserved: it is a function or a constant of formulas")]
     Reserved {
         /// The name that is reserved.
         name: String,
     },
-    /// Two coordinates or parameters have one name, or one is a component of the other.
+    /// Two coordinates or parameters have the same name, or the name of one is that of a component of the other.
     ///
     /// A vector `Pi` of dimension three takes the names `Pi`, `Pi1`, `Pi2` and `Pi3`.
     #[error("the name `{name}` stands for two things")]

@@ -21,8 +21,8 @@ use lie_poisson::{
 /// | su(2) ⋉ C² | `mu`, `alpha` (four components: Re α₁, Im α₁, Re α₂, Im α₂) |
 /// | u(N) | `mu` (N² components, in the order of [`SkewHermitian`](lie_poisson::SkewHermitian)) |
 /// | Rᴺ | `p` |
-/// | 𝔤 × 𝔥 | those of both; if some clash, all have the suffixes `_1` and `_2` |
-/// | 𝔤ᴺ | those of 𝔤 with the suffixes `_1` … `_N` |
+/// | 𝔤 × 𝔥 | the names of both; if some names clash, all have the suffixes `_1` and `_2` |
+/// | 𝔤ᴺ | the names of 𝔤 with the suffixes `_1` … `_N` |
 ///
 /// # Example
 /// ```
@@ -57,7 +57,7 @@ pub trait NamedAlgebra: LieAlgebra {
     /// Returns the names of the coordinates of 𝔤∗, as many as the algebra has dimensions.
     ///
     /// # Errors
-    /// Returns [`NameError::TooMany`] if the dimension is larger than that of any formula.
+    /// Returns [`NameError::TooMany`] if the dimension is larger than a formula allows.
     fn coordinates(&self) -> Result<Coordinates, NameError>;
 }
 

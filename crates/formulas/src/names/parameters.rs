@@ -3,7 +3,7 @@
 use super::coordinates::{MOST_COORDINATES, checked};
 use super::name_error::NameError;
 
-/// The named numbers in a formula, such as moments of inertia, and vectors of them.
+/// The named numbers in a formula, such as moments of inertia, and named vectors of numbers.
 ///
 /// # Example
 /// ```
@@ -66,7 +66,7 @@ impl Parameters {
         Ok(self)
     }
 
-    /// Returns the parameters in their order.
+    /// Returns the parameters in the order in which they were added.
     pub(crate) fn entries(&self) -> &[Parameter] {
         &self.entries
     }

@@ -6,12 +6,12 @@ use super::named_algebra::NamedAlgebra;
 use super::parameters::Parameters;
 use std::collections::BTreeMap;
 
-/// What a name stands for.
+/// The meaning of a name.
 #[derive(Clone, Debug, PartialEq)]
 pub(crate) enum Meaning {
-    /// The coordinate of an index.
+    /// The coordinate with an index.
     Coordinate(usize),
-    /// The coordinates from an index on, as many as the dimension says.
+    /// The coordinates from an index on, as many as the dimension.
     Coordinates(usize, usize),
     /// The value of a parameter that is a number.
     Number(f64),
@@ -43,7 +43,7 @@ impl Vocabulary {
     /// Creates the vocabulary of coordinates and parameters.
     ///
     /// # Errors
-    /// Returns [`NameError::Repeated`] if two of them, or of the components of their vectors, have one name.
+    /// Returns [`NameError::Repeated`] if two of them, or two components of their vectors, have the same name.
     pub fn new(coordinates: &Coordinates, parameters: &Parameters) -> Result<Self, NameError> {
         let mut all = Self { coordinates: coordinates.clone(), meanings: BTreeMap::new() };
         for field in coordinates.fields() {
@@ -88,7 +88,7 @@ impl Vocabulary {
         &self.coordinates
     }
 
-    /// Returns what a name in plain letters stands for.
+    /// Returns the meaning of a name in plain letters.
     pub(crate) fn meaning(&self, name: &str) -> Option<&Meaning> {
         self.meanings.get(name)
     }

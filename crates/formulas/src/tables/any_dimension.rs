@@ -2,7 +2,7 @@
 
 /// Code that is generic over a dimension N.
 pub trait DimensionTask {
-    /// What the code returns.
+    /// The result of the code.
     type Output;
 
     /// Runs the code for the dimension N.

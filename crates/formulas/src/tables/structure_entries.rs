@@ -1,4 +1,4 @@
-//! Structure constants from the entries of a table that are not zero: [`structure_constants`].
+//! Structure constants from the non-zero entries of a table: [`structure_constants`].
 
 use lie_poisson::{StructureConstants, StructureError};
 use thiserror::Error;
@@ -16,11 +16,11 @@ pub struct StructureEntry {
     pub value: f64,
 }
 
-/// The error of entries that are no table of structure constants.
+/// The error returned for entries that do not form a table of structure constants.
 #[derive(Clone, Copy, Debug, PartialEq, Error)]
 #[non_exhaustive]
 pub enum EntryError {
-    /// An index is as large as the dimension, or larger.
+    /// An index is not smaller than the dimension.
     #[error("entry {entry} has the index {index}; the indices of dimension {dimension} end at {last}", last = .dimension.saturating_sub(1))]
     IndexTooLarge {
         /// The place of the entry in the list, from 0.
@@ -30,12 +30,12 @@ pub enum EntryError {
         /// The dimension of the algebra.
         dimension: usize,
     },
-    /// An entry contradicts one before it: the same bracket and coordinate, or the opposite bracket.
+    /// An entry contradicts an earlier entry for the same bracket and coordinate, or for the opposite bracket.
     #[error("entry {entry} contradicts entry {earlier}, which has the same bracket up to its sign")]
     Contradiction {
         /// The place of the entry in the list, from 0.
         entry: usize,
-        /// The place of the entry before it.
+        /// The place of the earlier entry in the list, from 0.
         earlier: usize,
     },
     /// The bracket of a basis vector with itself is not zero.
@@ -46,18 +46,18 @@ pub enum EntryError {
         /// The index of the basis vector.
         index: usize,
     },
-    /// The table is not a Lie algebra.
+    /// The table does not define a Lie algebra.
     #[error(transparent)]
     Structure(#[from] StructureError),
 }
 
-/// Creates the algebra of dimension N with the given entries; all others are zero.
+/// Creates the algebra of dimension N with the given entries; all other entries are zero.
 ///
 /// The opposite of an entry, with i and j exchanged and the sign changed, need not be in the list.
 ///
 /// # Errors
 /// Returns [`EntryError`] if an index is too large, if two entries contradict each other, if some [e_i, e_i] is not
-/// zero, or if [`StructureConstants::new`] refuses the table, as when the Jacobi identity fails.
+/// zero, or if [`StructureConstants::new`] refuses the table, for example because the Jacobi identity fails.
 ///
 /// # Example
 /// ```

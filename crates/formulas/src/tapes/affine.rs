@@ -1,4 +1,4 @@
-//! Results that need no instruction: a multiple of one coordinate, and a constant.
+//! Results that need no instruction: a multiple of one coordinate plus a constant.
 
 use crate::graphs::graph::{Graph, Id, Node};
 use lie_poisson::Real;

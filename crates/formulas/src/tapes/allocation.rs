@@ -1,4 +1,4 @@
-//! Registers for the nodes of a graph: a register is used again when its value is no longer needed.
+//! Registers for the nodes of a graph: a register is reused once its value is no longer needed.
 
 use super::instruction::{Instruction, Operation};
 use crate::graphs::graph::{Graph, Id, Node};
@@ -8,7 +8,7 @@ use std::collections::HashMap;
 /// The largest number of registers, and the sizes of the arrays that hold them.
 pub(crate) const SIZES: [usize; 5] = [16, 32, 64, 256, 1024];
 
-/// The instructions on registers, with what is in the registers before the first of them.
+/// The instructions on registers, and the contents of the registers before the first instruction.
 pub(crate) struct Allocation {
     pub(crate) instructions: Vec<Instruction<u16>>,
     /// The numbers that are in registers from the start.
@@ -17,7 +17,7 @@ pub(crate) struct Allocation {
     pub(crate) size: usize,
 }
 
-/// Assigns registers: those of the coordinates first, then those of the roots, then numbers, then results on the way.
+/// Assigns registers to the coordinates first, then to the roots, then to numbers, then to intermediate results.
 ///
 /// A root that is `None` gets a register that no instruction changes.
 pub(crate) fn allocate(

@@ -2,7 +2,7 @@
 
 use crate::graphs::graph::Unary;
 
-/// What an instruction computes from its operands a, b and c.
+/// The operation of an instruction on its operands a, b and c.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(crate) enum Operation {
     Copy,
@@ -27,11 +27,11 @@ pub(crate) enum Operation {
     Angle,
 }
 
-/// A step of a computation: an operation, and where its operands and its result are.
+/// A step of a computation: an operation, and the places of its operands and of its result.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(crate) struct Instruction<Place> {
     pub(crate) operation: Operation,
     pub(crate) target: Place,
-    /// The operands a, b and c; those that the operation does not use repeat a.
+    /// The operands a, b and c. Operands that the operation does not use repeat a.
     pub(crate) operands: [Place; 3],
 }

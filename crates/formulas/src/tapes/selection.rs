@@ -1,4 +1,4 @@
-//! The instructions of a graph: which nodes become one of their own.
+//! The instructions of a graph: the choice of the nodes that become an instruction of their own.
 
 use super::instruction::{Instruction, Operation};
 use crate::graphs::graph::{Graph, Id, Node};
@@ -30,7 +30,7 @@ fn mark(needed: &mut [bool], id: Id) {
     }
 }
 
-/// Returns how often each node is a part of another one or a root.
+/// Returns for each node how often it is a part of another node or a root.
 fn uses(graph: &Graph, roots: &[Id]) -> Vec<usize> {
     let reachable = graph.reachable(roots);
     let mut uses = vec![0; graph.len()];
@@ -74,7 +74,8 @@ fn multiple(graph: &Graph, number: f64, x: Id, uses: &[usize]) -> (Operation, [I
     }
 }
 
-/// Returns a sum as an operation that includes a side that is a number, a multiple, or a product that nothing else uses.
+/// Returns a sum as an operation that includes a side that is a number, a multiple, or a product that nothing else
+/// uses.
 fn sum(graph: &Graph, a: Id, b: Id, uses: &[usize]) -> (Operation, [Id; 3]) {
     for (a, b) in [(a, b), (b, a)] {
         if let Some(number) = graph.as_number(b) {

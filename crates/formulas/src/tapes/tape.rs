@@ -8,10 +8,10 @@ use crate::graphs::graph::{Graph, Id};
 use crate::text::formula_error::Problem;
 use lie_poisson::{Real, Vector};
 
-/// Instructions without branches and without loops, which are the same for every scalar.
+/// Instructions without branches or loops, which are the same for every scalar.
 #[derive(Clone, Debug, PartialEq)]
 pub(crate) struct Tape {
-    /// The number of coordinates x, which are in the first registers. The results are in those that follow.
+    /// The number of coordinates x, which are in the first registers. The results are in the registers that follow.
     inputs: usize,
     /// The i-th result s x + b before the first instruction, where x is the coordinate that belongs to the result.
     results: Box<[Affine]>,
@@ -25,8 +25,8 @@ pub(crate) struct Tape {
 impl Tape {
     /// Creates the tape that computes the roots of a graph from `inputs` coordinates.
     ///
-    /// The coordinate that belongs to the i-th root has the index `first` + i. No instruction is needed for a root that is
-    /// a multiple of it and a constant.
+    /// The coordinate that belongs to the i-th root has the index `first` + i. A root that is a multiple of this
+    /// coordinate plus a constant needs no instruction.
     pub(crate) fn new(
         graph: &Graph,
         roots: &[Id],
@@ -74,8 +74,8 @@ impl Tape {
         }
     }
 
-    /// Computes as many results as there are coordinates in a slice, with the i-th coordinate as that of the i-th
-    /// result; NaN if the tape has another number of coordinates.
+    /// Computes as many results as there are coordinates in a slice. The i-th coordinate belongs to the i-th result.
+    /// The results are NaN if the tape has another number of coordinates.
     pub(crate) fn list(&self, z: &[f64]) -> Vec<f64> {
         let input = |i: usize| z.get(i).copied().unwrap_or(f64::NAN);
         let count = z.len();
@@ -93,8 +93,8 @@ impl Tape {
     /// Computes the results at `inputs` coordinates and passes the first `outputs` of them on; none if the tape has
     /// another number of coordinates.
     ///
-    /// The registers are an array on the stack, of the smallest of five sizes that suffices, or of three for SIMD lanes in
-    /// wide registers. Nothing is allocated.
+    /// The registers are an array on the stack, of the smallest of five sizes that suffices, or of three for SIMD
+    /// lanes in wide registers. Nothing is allocated.
     #[cfg_attr(not(debug_assertions), inline(always))]
     fn evaluate<T: Real, R>(
         &self,
@@ -103,7 +103,7 @@ impl Tape {
         own: impl Fn(usize) -> T,
         results: impl Fn(&[T]) -> R,
     ) -> R {
-        // Only what is inlined where wide registers are in use has their instructions.
+        // Only code that is inlined into the code for wide registers can use their instructions.
         match self.size {
             _ if T::HAS_SLOW_PATHS => self.evaluate_apart(counts, input, own, results),
             16 => self.evaluate_in::<T, R, { SIZES[0] }>(counts, input, own, results),
@@ -169,7 +169,7 @@ fn result<T: Real>(results: &[T], i: usize) -> T {
 impl Instruction<u16> {
     #[inline(always)]
     fn execute<T: Real, const SIZE: usize>(&self, registers: &mut [T; SIZE]) {
-        // SIZE is a power of two above every register; the remainder spares the test of the index.
+        // SIZE is a power of two above every register; the remainder saves the bounds check.
         let place = |register: u16| usize::from(register) % SIZE;
         let [a, b, c] = self.operands;
         let a = registers[place(a)];

@@ -5,14 +5,15 @@ use super::suggestion::closest;
 use super::syntax::{Function, Operator, Part, Syntax};
 use crate::names::letters::canonical;
 
-/// The parts of a formula that a program builds, each in terms of parts before it.
+/// The parts of a formula that a program builds, each in terms of earlier parts.
 ///
-/// A part may be used any number of times, and is computed once. So a program that traces a function, or one that
-/// writes formulas, needs no text, which would repeat a part for each of its uses. A part is known by the [`Expression`]
-/// that adding it returns. [`Formula::of_expressions`](crate::Formula::of_expressions) makes the formula.
+/// A part may be used any number of times and is computed once. A program that traces a function or writes formulas
+/// therefore needs no text, in which a part would be repeated for each of its uses. Adding a part returns an
+/// [`Expression`], which stands for the part. [`Formula::of_expressions`](crate::Formula::of_expressions) creates the
+/// formula.
 ///
 /// # Example
-/// The parts s₀ = Π₁ + Π₂ and sₖ₊₁ = sₖ² up to k = 30 are 33; the text of the last would have 2³⁰ sums:
+/// The parts Π₁, Π₂, s₀ = Π₁ + Π₂ and sₖ₊₁ = sₖ² up to s₃₀ are 33 in number. As a text, s₃₀ would have 2³⁰ sums:
 /// ```
 /// use lie_poisson::So3;
 /// use lie_poisson_formulas::{Expressions, Formula, Parameters, Vocabulary};
@@ -36,7 +37,7 @@ pub struct Expressions {
     syntax: Syntax,
 }
 
-/// The handle of a part that was added to [`Expressions`]. It is meaningful for these alone.
+/// The handle of a part that was added to [`Expressions`]. It has a meaning only for the object that returned it.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
 pub struct Expression(usize);
 
@@ -67,7 +68,7 @@ impl Expressions {
         self.binary(Operator::Subtract, x, y)
     }
 
-    /// Adds x y, of which one may be a vector.
+    /// Adds the product x y, in which one factor may be a vector.
     pub fn multiply(&mut self, x: Expression, y: Expression) -> Expression {
         self.binary(Operator::Multiply, x, y)
     }
@@ -110,7 +111,7 @@ impl Expressions {
     /// Adds a function of scalars, by its name in [formulas](crate#the-language), such as `sin`.
     ///
     /// # Errors
-    /// Returns [`FormulaError`] if there is no such function, or if it takes more or fewer arguments.
+    /// Returns [`FormulaError`] if there is no such function, or if the number of arguments is wrong.
     pub fn call(
         &mut self,
         function: &str,

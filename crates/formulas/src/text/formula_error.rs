@@ -7,10 +7,10 @@ use thiserror::Error;
 /// The largest length of a formula, in bytes.
 pub(crate) const MOST_BYTES: usize = 65_536;
 
-/// The largest number of parentheses, signs and powers inside each other.
+/// The largest number of nested parentheses, signs and powers.
 pub(crate) const MOST_LEVELS: usize = 200;
 
-/// The error of a formula: what is wrong, and where.
+/// The error of a formula: the problem, and its place in the text.
 ///
 /// # Example
 /// ```
@@ -36,15 +36,15 @@ impl FormulaError {
         Self { span, problem }
     }
 
-    /// Returns the bytes of the text that the error is about.
+    /// Returns the range of bytes of the text that the error refers to.
     ///
-    /// They begin and end between characters. The range is empty at the end of a text that stops too early.
+    /// It begins and ends between characters. It is empty at the end of a text that stops too early.
     #[must_use]
     pub fn span(&self) -> Range<usize> {
         self.span.clone()
     }
 
-    /// Returns what is wrong.
+    /// Returns the problem.
     #[must_use]
     pub const fn problem(&self) -> &Problem {
         &self.problem
@@ -63,13 +63,13 @@ impl FormulaError {
     }
 }
 
-/// A scalar or a vector, as messages name it.
+/// A scalar or a vector, as in error messages.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 #[non_exhaustive]
 pub enum Shape {
     /// A scalar, which is one number.
     Scalar,
-    /// A vector of a dimension.
+    /// A vector of the given dimension.
     Vector(usize),
 }
 
@@ -87,11 +87,11 @@ fn meant(suggestion: Option<&str>) -> String {
     suggestion.map(|name| format!("; did you mean `{name}`?")).unwrap_or_default()
 }
 
-/// What is wrong with a formula.
+/// The problem with a formula.
 #[derive(Clone, Debug, PartialEq, Error)]
 #[non_exhaustive]
 pub enum Problem {
-    /// There is nothing in the text.
+    /// The text is empty.
     #[error("the formula is empty")]
     Empty,
     /// The text is too long.
@@ -99,7 +99,7 @@ pub enum Problem {
     TooLong {
         /// The length of the text in bytes.
         length: usize,
-        /// The largest length that is read, in bytes.
+        /// The largest length that is accepted, in bytes.
         limit: usize,
     },
     /// Parentheses, signs or powers are nested too deeply.
@@ -108,7 +108,7 @@ pub enum Problem {
         /// The largest number of levels.
         limit: usize,
     },
-    /// The formula or its differential needs too many numbers at a time.
+    /// The formula or its differential needs too many numbers at the same time.
     #[error(
         "the formula or its differential needs {needed} numbers at a time; at most {limit} are kept"
     )]
@@ -126,7 +126,7 @@ pub enum Problem {
         /// The character that may have been meant.
         suggestion: Option<&'static str>,
     },
-    /// A number has a wrong form.
+    /// A number is malformed.
     #[error("`{text}` is not a number")]
     NotANumber {
         /// The text that is not a number.
@@ -141,16 +141,16 @@ pub enum Problem {
     /// A number, a name or a parenthesis is missing.
     #[error("a number, a name or `(` is missing here; found {found}")]
     MissingOperand {
-        /// What stands there instead.
+        /// The text that was found instead.
         found: String,
     },
     /// There is no operator between two factors.
     #[error("an operator is missing before {found}; write `*` for a product")]
     MissingOperator {
-        /// What stands where an operator is missing.
+        /// The text that was found where an operator is missing.
         found: String,
     },
-    /// A bracket is opened and not closed.
+    /// A bracket is opened but not closed.
     #[error("this `{opening}` is not closed by `{closing}`")]
     NotClosed {
         /// The opening bracket that is not closed.
@@ -158,7 +158,7 @@ pub enum Problem {
         /// The closing bracket that is missing.
         closing: &'static str,
     },
-    /// A bracket is closed and was not opened, or a comma stands outside of a function.
+    /// A bracket is closed but was not opened, or a comma stands outside of a function.
     #[error("there is no open bracket or function to which this {found} belongs")]
     NotOpened {
         /// The bracket or comma.
@@ -172,10 +172,10 @@ pub enum Problem {
         /// The closest name that is defined, if one is close.
         suggestion: Option<String>,
     },
-    /// A name stands before parentheses and is no function.
+    /// The name before a pair of parentheses is not that of a function.
     #[error("there is no function `{name}`{}", meant(.suggestion.as_deref()))]
     UnknownFunction {
-        /// The name that is not that of a function.
+        /// The name that does not belong to a function.
         name: String,
         /// The function with the closest name, if one is close.
         suggestion: Option<String>,
@@ -197,12 +197,12 @@ pub enum Problem {
     WrongArgumentCount {
         /// The name of the function.
         name: String,
-        /// The right number of arguments.
+        /// The number of arguments that the function needs.
         expected: usize,
         /// The number of arguments in the text.
         found: usize,
     },
-    /// A vector stands where a scalar must be.
+    /// A vector stands where a scalar is needed.
     #[error("{place} needs a scalar, not {found}{}", hint(.place))]
     ScalarNeeded {
         /// The operator or function.
@@ -210,7 +210,7 @@ pub enum Problem {
         /// The shape of the operand.
         found: Shape,
     },
-    /// An operator between vectors got something else, or vectors of different dimensions.
+    /// An operator between vectors has an operand that is not a vector, or vectors of different dimensions.
     #[error("{place} needs {needed}, not {left} and {right}")]
     Mismatch {
         /// The operator or function.
@@ -222,7 +222,7 @@ pub enum Problem {
         /// The shape of the right side.
         right: Shape,
     },
-    /// A component of a scalar, or one beyond the dimension of a vector.
+    /// The formula takes a component of a scalar, or a component beyond the dimension of a vector.
     #[error("there is no component {index} of {of}; components count from 1")]
     NoComponent {
         /// The index of the component, from 1.
@@ -250,7 +250,7 @@ pub enum Problem {
         /// The constant value that is not a finite number.
         value: f64,
     },
-    /// The formula is in other coordinates than those of the space.
+    /// The number of coordinates of the formula differs from that of the space.
     #[error("the formula has {formula} coordinates, and the space has {space}")]
     WrongDimension {
         /// The number of coordinates of the formula.
@@ -260,7 +260,7 @@ pub enum Problem {
     },
 }
 
-/// Returns what to write instead of a product or power of vectors.
+/// Returns a hint what to write instead of a product or power of vectors.
 fn hint(place: &str) -> &'static str {
     match place {
         "`*`" => "; write `·` or `×` between vectors",

@@ -23,7 +23,8 @@ pub(crate) fn tokens(text: &str) -> Result<Vec<Placed>, FormulaError> {
     Ok(found)
 }
 
-/// Returns the token at the beginning of a text and its length, or what is wrong and the length of that.
+/// Returns the token at the beginning of a text and its length, or the problem and the length of the text that causes
+/// it.
 fn next(first: char, text: &str) -> Result<(Token, usize), (Problem, usize)> {
     let second = text.get(first.len_utf8()..).unwrap_or_default().chars().next();
     let fraction = |above: f64, below: f64| Token::Number(above / below);
@@ -112,7 +113,7 @@ fn number(text: &str) -> Result<(Token, usize), (Problem, usize)> {
     }
 }
 
-/// Returns the digit of a raised one, or −1 for a raised minus sign.
+/// Returns the digit that a raised digit stands for, or −1 for a raised minus sign.
 fn raised(letter: char) -> Option<i8> {
     Some(match letter {
         '⁻' => -1,

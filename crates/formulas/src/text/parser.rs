@@ -61,7 +61,7 @@ impl Parser {
         found
     }
 
-    /// Checks that nothing is left.
+    /// Checks that no token is left.
     fn end(&self) -> Parsed<()> {
         let Placed { token, span } = self.peek();
         let found = token.to_string();
@@ -112,7 +112,7 @@ impl Parser {
         Ok(left)
     }
 
-    /// Parses a sign with what it belongs to, or a number, name, function or bracket with its powers and components.
+    /// Parses a sign with its operand, or a number, name, function or bracket with its powers and components.
     fn operand(&mut self) -> Parsed<usize> {
         let Placed { token, span } = self.take();
         let mut part = match token {
@@ -144,7 +144,7 @@ impl Parser {
             Token::Number(value) => self.syntax.add(Part::Number(value), span),
             Token::Name(name) => self.name(name, span)?,
             Token::Root => {
-                // The level counts roots of roots, which nothing else bounds.
+                // The level counts nested roots, which no other check bounds.
                 self.level += 1;
                 self.check_level()?;
                 let argument = self.primary()?;
@@ -202,7 +202,7 @@ impl Parser {
         })
     }
 
-    /// Parses what a name begins: a function with its arguments, or the name alone.
+    /// Parses what follows a name: a function with its arguments, or the name alone.
     fn name(&mut self, name: String, span: Range<usize>) -> Parsed<usize> {
         let function = Function::NAMES.iter().find(|(known, _)| *known == name);
         let other = match name.as_str() {
@@ -218,7 +218,8 @@ impl Parser {
             };
         }
         let Some(expected) = other else {
-            // The names of coordinates are not known here: an unknown function is one that resembles a function.
+            // The names of coordinates are not known here: a name counts as an unknown function if it resembles that
+            // of a function.
             let names = Function::NAMES.iter().map(|(name, _)| *name);
             let suggestion = closest(&name, names.chain(["norm", "abs", "dot", "cross"]));
             let problem = match suggestion {

@@ -6,7 +6,7 @@ use super::syntax::{Operator, Part, Syntax};
 /// How tightly a number, a name, a function or a bracket holds together.
 const WHOLE: u8 = 20;
 
-/// Returns a number as text: the shortest that reads back as the same number.
+/// Returns the shortest text of a number that reads back as the same number.
 pub(crate) fn number(value: f64) -> String {
     let size = value.abs();
     if size == 0.0 || (1e-5..1e16).contains(&size) {
@@ -18,7 +18,7 @@ pub(crate) fn number(value: f64) -> String {
 
 /// Returns the text of a syntax tree, with no more parentheses than it needs.
 ///
-/// A part that several others use is defined before them, unless it is a number or a name: `s1 = …; s1*exp(s1)`.
+/// A part that is used several times is defined first, unless it is a number or a name: `s1 = …; s1*exp(s1)`.
 pub(crate) fn print(syntax: &Syntax) -> String {
     let (uses, mut shared) = (syntax.uses(), Shared::new(syntax));
     // Each part is printed once and becomes a piece of the part that contains it.
@@ -78,7 +78,7 @@ pub(crate) fn print(syntax: &Syntax) -> String {
     shared.definitions + &printed.pop().map_or_else(String::new, |(text, _)| text)
 }
 
-/// The definitions of parts that several others use.
+/// The definitions of parts that are used several times.
 struct Shared<'a> {
     syntax: &'a Syntax,
     count: usize,
@@ -90,7 +90,7 @@ impl<'a> Shared<'a> {
         Self { syntax, count: 0, definitions: String::new() }
     }
 
-    /// Adds the definition of a part, and returns its name, which is none of the formula's names.
+    /// Adds the definition of a part, and returns its name, which differs from all names in the formula.
     fn define(&mut self, text: &str) -> String {
         let name = loop {
             self.count += 1;

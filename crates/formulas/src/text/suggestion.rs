@@ -2,7 +2,7 @@
 
 use strsim::damerau_levenshtein;
 
-/// The length of a name from which on no suggestion is looked for.
+/// The largest length of a name for which a suggestion is searched for.
 const LONGEST: usize = 64;
 
 /// Returns the closest name, if it is close: one change in a short name, or a third of the letters.

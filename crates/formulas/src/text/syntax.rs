@@ -30,7 +30,7 @@ pub(crate) enum Function {
 }
 
 impl Function {
-    /// The functions by name, of which the first name of a function is the one that is printed.
+    /// The functions by name. If a function has several names, the first one is printed.
     pub(crate) const NAMES: &'static [(&'static str, Self)] = &[
         ("sqrt", Self::Sqrt),
         ("exp", Self::Exp),
@@ -97,10 +97,11 @@ impl Part {
     }
 }
 
-/// The syntax tree of a formula: its parts, each after its own parts, so that the last one is the whole.
+/// The syntax tree of a formula: each part comes after its own parts, so that the last part is the whole formula.
 ///
-/// A part of a text belongs to one other part. One of [`Expressions`](super::expressions::Expressions) may belong to any
-/// number of them. Two trees are equal if they say the same, wherever it stands in the text.
+/// A part of a text belongs to one other part. A part of [`Expressions`](super::expressions::Expressions) may belong
+/// to any number of other parts. Two trees are equal if their parts and names are the same, wherever
+/// they stand in the text.
 #[derive(Clone, Debug, Default)]
 pub(crate) struct Syntax {
     parts: Vec<Part>,
@@ -129,8 +130,8 @@ impl Syntax {
         self.add(Part::Name(self.names.len() - 1), span)
     }
 
-    /// Returns the tree whose whole is the part at a place, without the parts that it does not need, or `None` if it
-    /// refers to a part that does not stand before it.
+    /// Returns the tree whose last part is the part at a place, without the parts that it does not need, or `None` if
+    /// a part refers to a part that does not come before it.
     pub(crate) fn up_to(&self, place: usize) -> Option<Self> {
         let mut needed = vec![false; place.checked_add(1)?];
         *needed.last_mut()? = true;
@@ -163,12 +164,12 @@ impl Syntax {
         uses
     }
 
-    /// Returns the parts with their spans, each after its own parts.
+    /// Returns the parts with their spans. Each part comes after its own parts.
     pub(crate) fn parts(&self) -> impl Iterator<Item = (Part, &Range<usize>)> {
         self.parts.iter().copied().zip(&self.spans)
     }
 
-    /// Returns the names, those that stand twice in the formula twice.
+    /// Returns the names. A name that occurs twice in the formula is returned twice.
     pub(crate) fn names(&self) -> impl Iterator<Item = &str> {
         self.names.iter().map(String::as_str)
     }

@@ -124,8 +124,8 @@ impl<R: Representation> Cocycle<R> {
     /// the structure constants if the matrix elements have the same size.
     ///
     /// # Errors
-    /// Returns [`CocycleError`] if an entry of the target, a structure constant or a matrix element is not finite, or if
-    /// an entry of the cocycle would overflow.
+    /// Returns [`CocycleError`] if an entry of the target, a structure constant or a matrix element is not finite, or
+    /// if an entry of the cocycle would overflow.
     ///
     /// # Example
     /// The derivation nearest to the identity is the identity on an abelian algebra, and 0 on so(3), where all

@@ -41,7 +41,8 @@ impl Side {
 
     /// Returns this side, which must equal `other`: two combined actions must be on the same side.
     ///
-    /// # Panics It panics if the sides differ. The side of an action is a constant, so the panic stops the compiler
+    /// # Panics
+    /// It panics if the sides differ. The side of an action is a constant, so the panic stops the compiler
     /// and never a running program.
     #[allow(clippy::panic)]
     pub(crate) const fn same_as(self, other: Self) -> Self {

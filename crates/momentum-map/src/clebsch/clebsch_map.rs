@@ -29,7 +29,7 @@ use lie_poisson::Representation;
 /// One of the extensions with K = 2 reaches all of 𝔤∗ for each of the 62 entries of the list of indecomposable real Lie
 /// algebras of dimension 2 to 5, with generic parameters (J. Patera et al., J. Math. Phys. 17 (1976) 986).
 ///
-/// V also decides whether the maps of Runge–Kutta methods descend to 𝔤∗: they do if
+/// V also decides whether the maps of symplectic Runge–Kutta methods descend to 𝔤∗: they do if
 /// [`odd_power_defect`](lie_poisson::odd_power_defect) is 0. Otherwise the image of such a map depends in general on
 /// (q, p), and Casimirs are conserved only to its order of approximation.
 /// [`equivariant_maps_descend`](crate::PoissonMap::equivariant_maps_descend) returns which case holds.

@@ -89,10 +89,10 @@ pub trait Lift: PoissonMap {
 
 /// The symmetry along the fibres of a Poisson map M, as commuting one-parameter groups.
 ///
-/// The orbits of the symmetry are the connected components of the regular fibres of M. Every collective Hamiltonian h∘M
-/// is invariant under the symmetry, so that its momenta are conserved (Noether's theorem). The pull-backs of the Casimirs
-/// are functions of these momenta. A scheme on P descends to a map of 𝔤∗ if and only if it maps fibres to fibres. For
-/// this it suffices that the scheme commutes with the flows of the symmetry.
+/// The orbits of the symmetry are the connected components of the regular fibres of M. Every collective Hamiltonian
+/// h∘M is invariant under the symmetry, so that its momenta are conserved (Noether's theorem). The pull-backs of the
+/// Casimirs are functions of these momenta. A scheme on P descends to a map of 𝔤∗ if and only if it maps fibres to
+/// fibres. For this it suffices that the scheme commutes with the flows of the symmetry.
 ///
 /// Source: Ohsawa 2019, §4.2; McLachlan, Modin & Verdier, *Collective symplectic integrators*,
 /// Nonlinearity 27 (2014).

@@ -75,8 +75,8 @@ pub trait PoissonMap: Clone {
         self.source().hamiltonian_vector::<T>(z, &self.pull_back::<T>(alpha, z))
     }
 
-    /// Returns whether affinely equivariant approximations Φ of collective flows, such as those of symplectic Runge–Kutta
-    /// methods, descend to Q: whether M(Φ(z)) depends on M(z) alone.
+    /// Returns whether affinely equivariant approximations Φ of collective flows, such as those of symplectic
+    /// Runge–Kutta methods, descend to Q: whether M(Φ(z)) depends on M(z) alone.
     ///
     /// Only then may z be moved along its fibre between such maps. The default is true. Override it for a map of your
     /// own whose fibres have no affine symmetry. The maps of this crate compute the answer from the matrices of their

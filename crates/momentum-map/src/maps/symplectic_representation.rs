@@ -27,8 +27,8 @@ pub trait SymplecticRepresentation: Representation {
         Covector::from_coordinates(|i| self.form::<T>(x, &Vector::basis(i)))
     }
 
-    /// Returns whether the matrices of the representation contain their odd powers, so that affinely equivariant symplectic
-    /// maps descend: see [`odd_power_defect`].
+    /// Returns whether the matrices of the representation contain their odd powers, so that affinely equivariant
+    /// symplectic maps descend: see [`odd_power_defect`].
     ///
     /// The default implementation computes the defect and accepts values up to 10⁻¹². It takes about n³ products of
     /// matrices for an algebra of dimension n.

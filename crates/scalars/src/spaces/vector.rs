@@ -1,4 +1,5 @@
-//! Vectors of finite-dimensional real vector spaces, given by their coordinates, and how they become states: [`Vector`].
+//! Vectors of finite-dimensional real vector spaces, given by their coordinates, and how they become states:
+//! [`Vector`].
 
 use crate::{Mask, Real, State};
 use core::ops::{Add, AddAssign, Neg, Sub, SubAssign};
