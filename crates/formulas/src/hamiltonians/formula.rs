@@ -25,7 +25,8 @@ use std::sync::Arc;
 /// parameters are the same. Spaces, superfluous parentheses and alternative spellings of an operator make no
 /// difference.
 ///
-/// # Errors [`new`](Self::new) returns a [`FormulaError`], which states the problem and its place in the text.
+/// # Errors
+/// [`new`](Self::new) returns a [`FormulaError`], which states the problem and its place in the text.
 ///
 /// # Example
 /// The energy of a heavy top, h = ½ Π·I⁻¹Π + mgl c·Γ:

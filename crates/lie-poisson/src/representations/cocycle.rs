@@ -96,6 +96,7 @@ impl<R: Representation> Cocycle<R> {
 
     /// Creates the cocycle with the matrix c(i, j), the i-th coordinate of c(e_j).
     ///
+    /// # Errors
     /// Returns [`CocycleError`] if an entry is not finite, or if the cocycle equation fails for some e_i, e_j by more
     /// than 10⁻¹⁰, relative to the largest entry of c and to the largest matrix element of the representation. The
     /// test divides by both sizes first, so that it has no units and neither overflows nor underflows.
