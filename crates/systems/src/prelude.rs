@@ -19,10 +19,14 @@
 //! ```
 
 pub use crate::{
-    Gyrostat, HeisenbergChain, KidaVortex, Kirchhoff, ManyVortices, MovableBaseTop, PointVortices,
-    So21, SpinLattice, SpinLatticeSpace, SpinSpace, Spins, SystemError,
+    GeneralisedRigidBody, Gyrostat, HeisenbergChain, HeisenbergLattice, KidaVortex, Kirchhoff,
+    LatticeMidpoint, ManyVortices, MovableBaseTop, PointVortices, So21, SpinLattice,
+    SpinLatticeSpace, SpinSpace, Spins, SystemError, VorticityCoefficients, Zeitlin,
 };
-pub use collective_integrators::{Collective, Integrator, LiftFree, RungeKutta, Start};
+pub use collective_integrators::{
+    Collective, Integrator, LiftFree, RungeKutta, SphericalMidpoint, Start,
+};
+pub use isospectral_flows::{ExponentialMidpoint, GaussMagnus};
 pub use lie_poisson::{
     Automatic, Covector, Hamiltonian, LiePoisson, Pair, PoissonSpace, Power, RealSpace, Se3Dual,
 };
