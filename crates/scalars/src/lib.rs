@@ -26,7 +26,7 @@
 //! | a formula over every scalar | [`Real`] as the bound of its type parameter |
 //! | a branch in such a formula | [`Real::at_most`] and [`Real::select`], with a [`Mask`] between them |
 //! | exp, sin, cos, tanh and integer powers in such a formula | the methods of [`Real`], never those of a [`DualNumber::value`] |
-//! | an exact derivative by one variable | [`DualNumber`] |
+//! | an exact derivative with respect to one variable | [`DualNumber`] |
 //! | the differential of a function of a vector | [`differential`] |
 //! | the transposed tangent map of a map between vector spaces | [`transposed_tangent`] |
 //! | a derivative along one direction | [`seed`], then [`derivative_part`] |
@@ -35,13 +35,13 @@
 //! | a constant matrix times a vector over any scalar | [`constant_times`], [`constant_transpose_times`] |
 //! | several trajectories at once | [`DefaultLanes`], four SIMD lanes on every processor |
 //! | the widest SIMD lanes of the processor | a [`LaneTask`], run by [`dispatch`] |
-//! | the bits of `f64` in every lane, whatever the processor | a [`TaskOver`] the lanes that [`dispatch_unfused`] chooses |
+//! | results in every lane that are bit-identical to `f64`, whatever the processor | a [`TaskOver`] the lanes that [`dispatch_unfused`] chooses |
 //! | the instructions that the processor has | [`InstructionSet::detected`] |
 //! | one vector of R³ in one register | [`FourLanes`] in a [`FourLanesTask`], run by [`dispatch_four`] |
 //! | a small type of your own as a vector | an implementation of [`Vector`], and [`state_by_value!`] with its [`Blocks`] of coordinates |
 //! | a large type of your own, on the heap | an implementation of [`State`] |
 //! | N copies of a small space, with N known at run time | [`Sites`] |
-//! | elements of the dual space, as a type of their own | [`Covector`] |
+//! | elements of the dual space, as a separate type | [`Covector`] |
 //! | dot and cross products of vectors over any scalar | [`dot`], [`cross`] |
 //! | direct sums V ⊕ W and powers Vᴺ | [`Pair`] and [`Power`] |
 //! | quaternions over any scalar | [`Quaternion`] |
@@ -56,14 +56,15 @@
 //! * Complex coordinates alternate between real and imaginary parts: χ = (q₁+iq₂, q₃+iq₄).
 //! * Quaternions follow Hamilton: ij = k, with the coordinates (s, v₁, v₂, v₃).
 //! * Matrices are stored by columns.
-//! * An operation on SIMD lanes returns in each lane the bits that `f64` returns, except for fused multiply-add: see [`Lanes`].
+//! * An operation on SIMD lanes is bit-identical in each lane to that on `f64`, except for fused multiply-add: see
+//!   [`Lanes`].
 //!
 //! The notation of all the crates is collected in `docs/notation.md` of the source repository.
 //!
 //! # Features and versions
 //!
-//! The feature `serde` serialises quaternions, pairs, covectors and sites. SIMD instructions are detected when the program runs. The oldest
-//! supported compiler is Rust 1.89.
+//! The feature `serde` serialises quaternions, pairs, covectors and sites. SIMD instructions are detected when the
+//! program runs. The oldest supported compiler is Rust 1.89.
 //!
 //! # Related crates
 //!

@@ -5,11 +5,12 @@ use nalgebra::{SMatrix, SVector};
 
 /// Returns the solution x of A x = b over any scalar, or `None` if A is singular.
 ///
-/// The method is Gaussian elimination with scaled partial pivoting: rows and columns may have different units. A is
-/// singular if a pivot is not larger than the rounding errors of its terms, or not a finite number.
+/// The method is Gaussian elimination with scaled partial pivoting: rows and columns may have different units. A counts
+/// as singular if a pivot is not larger than the rounding errors of its terms, or not a finite number.
 ///
-/// In SIMD lanes (several numbers in one register) each lane has its own pivots, and the same bits as alone. The solution
-/// is NaN in a lane whose matrix is singular, and `None` if all are, so that one lane does not spoil the others.
+/// In SIMD lanes (several numbers in one register) each lane has its own pivots, and its solution is bit-identical to
+/// that of the same equations alone. The solution is NaN in a lane whose matrix is singular, so one lane does not spoil
+/// the others. It is `None` if the matrices of all lanes are singular.
 ///
 /// [`solve_linear`](crate::solve_linear) solves equations of a size that is known when the program runs.
 ///

@@ -10,9 +10,9 @@ const LARGE: f64 = two_to_the(500);
 
 /// Returns a power of four by which to multiply v before its coordinates are squared, in each SIMD lane.
 ///
-/// With it no square overflows, and none that matters underflows: it is 2⁶⁰⁰ where all |vᵢ| ≤ 2⁻⁵⁰⁰, 2⁻⁶⁰⁰
-/// where one |vᵢ| is above 2⁵⁰⁰, and 1 elsewhere. Its square root is a power of two. For dual numbers it
-/// depends on the values alone.
+/// With this factor no square overflows, and no square that matters underflows. The factor is 2⁶⁰⁰ if all |vᵢ| ≤ 2⁻⁵⁰⁰,
+/// 2⁻⁶⁰⁰ if one |vᵢ| is above 2⁵⁰⁰, and 1 otherwise. Its square root is a power of two. For dual numbers it depends on
+/// the values alone.
 ///
 /// Source: J. L. Blue, *A portable Fortran program to find the Euclidean norm of a vector*, ACM
 /// Trans. Math. Softw. 4 (1978).
@@ -42,9 +42,8 @@ pub fn squaring_scale<V: State>(v: &V) -> V::Scalar {
 
 /// Returns the Euclidean norm √(Σ vᵢ²) of the coordinates in each SIMD lane, without overflow or underflow.
 ///
-/// It is accurate to round-off for every v, while plain squares of very small and very large coordinates
-/// leave the range of numbers. It is infinite if the norm itself is too large, and NaN where a coordinate
-/// is NaN.
+/// It is accurate to round-off for every v, whereas plain squares of very small or very large coordinates underflow or
+/// overflow. It is infinite if the norm itself is too large, and NaN where a coordinate is NaN.
 ///
 /// ```
 /// use generic_scalars::euclidean_norm;

@@ -99,8 +99,8 @@ pub enum Width {
     Single,
     /// One register: 2, 4 or 8 lanes.
     Register,
-    /// Two registers, used alternately: 4, 8 or 16 lanes. In a long chain of operations, each of which
-    /// waits for the one before, one register leaves the processor idle and two keep it busy.
+    /// Two registers, used alternately: 4, 8 or 16 lanes. In a long chain of operations, each of which waits for the
+    /// previous one, a single register leaves the processor idle, and two keep it busy.
     TwoRegisters,
 }
 
@@ -109,7 +109,7 @@ impl Width {
     pub const ALL: [Self; 3] = [Self::Single, Self::Register, Self::TwoRegisters];
 }
 
-/// The error of a request for instructions that the processor lacks.
+/// The error for a request for instructions that the processor lacks.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Error)]
 #[error("this processor lacks the instructions: {set}")]
 pub struct MissingInstructions {
@@ -121,13 +121,12 @@ pub struct MissingInstructions {
 /// [`dispatch`].
 ///
 /// # Speed
-/// Mark `run`, and every function below it that takes or returns `T`, with `#[inline(always)]`. Code that
-/// the compiler leaves outside of the function that is compiled for the processor's features is correct,
-/// but five to ten times slower. Registers above 128 bits are not inlined across that boundary if a
-/// function is only `#[inline]`, and closures, iterators and the operators of nalgebra and num-complex are
-/// only `#[inline]`. So compute with components, in plain loops, or with [`cross`](crate::cross) and
-/// [`dot`](crate::dot). A closure that is an argument can have the mark. [`DefaultLanes`](super::DefaultLanes)
-/// has no such restriction.
+/// Mark `run`, and every function below it that takes or returns `T`, with `#[inline(always)]`. Code that the compiler
+/// does not inline into the function compiled for the processor's features is correct, but five to ten times slower. A
+/// function that is marked only `#[inline]` and uses registers above 128 bits is not inlined across that boundary.
+/// Closures, iterators and the operators of nalgebra and num-complex are marked only `#[inline]`. Therefore compute
+/// with components, in plain loops, or with [`cross`](crate::cross) and [`dot`](crate::dot). A closure that is an
+/// argument can be given the attribute. [`DefaultLanes`](super::DefaultLanes) has no such restriction.
 pub trait LaneTask {
     /// The result of the computation.
     type Output;
@@ -145,11 +144,11 @@ pub trait LaneTask {
 /// | `Avx512` | 1 lane | 8 lanes | 16 lanes | yes |
 ///
 /// # Soundness
-/// Code outside of this crate cannot name the types of the last two rows, and no function, conversion or
-/// trait of a type with a name mentions them. Safe code can reach them in one way only: as the `T` of
-/// [`LaneTask::run`] or [`FourLanesTask::run`](super::FourLanesTask::run). This function and
-/// [`dispatch_four`](super::dispatch_four()) call those only after the instructions have been detected, and
-/// a processor keeps its instructions in every thread as long as the program runs.
+/// Code outside this crate cannot name the types of the last two rows, and no function, conversion or trait of a
+/// nameable type mentions them. Safe code can reach them in one way only: as the `T` of [`LaneTask::run`] or
+/// [`FourLanesTask::run`](super::FourLanesTask::run). This function and [`dispatch_four`](super::dispatch_four()) call
+/// those only after the instructions have been detected, and a processor keeps its instructions in every thread as long
+/// as the program runs.
 ///
 /// # Errors
 /// Returns [`MissingInstructions`] if the processor lacks the instructions.

@@ -9,7 +9,7 @@ use super::registers::avx2::Avx2;
 
 /// A computation on [`FourLanes`], to be run by [`dispatch_four`].
 ///
-/// The rules for speed of [`LaneTask`](super::LaneTask) hold here too.
+/// The rules for speed of [`LaneTask`](super::LaneTask) also apply here.
 pub trait FourLanesTask {
     /// The result of the computation.
     type Output;
@@ -20,8 +20,8 @@ pub trait FourLanesTask {
 
 /// Runs a task on four SIMD lanes (four numbers in one register) with the given instructions.
 ///
-/// The lanes are [`DefaultLanes`](super::DefaultLanes) for `Portable`, and one register with fused
-/// multiply-add for the other sets. A lane returns the bits of [`Width::Single`](super::Width::Single).
+/// The lanes are [`DefaultLanes`](super::DefaultLanes) for `Portable`, and one register with fused multiply-add for the
+/// other sets. Each lane returns the same bits as [`Width::Single`](super::Width::Single).
 ///
 /// # Soundness
 /// As for [`dispatch`](super::dispatch()): code outside of this crate cannot name the type of the register,

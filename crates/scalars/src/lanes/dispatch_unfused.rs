@@ -1,5 +1,5 @@
-//! Runs a computation in the registers that are detected at run time, with the bits of `f64` in each lane:
-//! [`dispatch_unfused`].
+//! Runs a computation in the registers that are detected at run time, with results in each lane that are bit-identical
+//! to `f64`: [`dispatch_unfused`].
 
 use super::{DefaultLanes, InstructionSet, Lanes, MissingInstructions};
 
@@ -32,7 +32,7 @@ pub trait StorageOver<T: Lanes> {
 /// so that an implementation can require more of it, such as a trait `Method<T>` of a parameter.
 ///
 /// # Speed
-/// The rules of [`LaneTask`](super::LaneTask) hold here too.
+/// The rules of [`LaneTask`](super::LaneTask) also apply here.
 pub trait TaskOver<T: Lanes, S: StorageOver<T>> {
     /// Runs the computation on these lanes. Mark it with `#[inline(always)]`.
     fn run(self, storage: &mut S::Storage);
@@ -112,18 +112,18 @@ impl<S: UnfusedStorage> UnfusedSpace<S> {
     }
 }
 
-/// Runs a task on SIMD lanes (several numbers in one register) with the instructions of its storage. Each lane has the
-/// bits that `f64` has alone.
+/// Runs a task on SIMD lanes (several numbers in one register) with the instructions of its storage. The results in
+/// each lane are bit-identical to those of `f64` alone.
 ///
-/// The lanes are [`DefaultLanes`] for `Portable`, one register of 4 lanes for `Avx2`, and one of 8 for `Avx512`. No type
-/// is [`FUSED`](Lanes::FUSED). [`Real::HAS_SLOW_PATHS`](crate::Real::HAS_SLOW_PATHS) is true for the first alone.
+/// The lanes are [`DefaultLanes`] for `Portable`, one register of 4 lanes for `Avx2`, and one of 8 for `Avx512`. No
+/// type is [`FUSED`](Lanes::FUSED). [`Real::HAS_SLOW_PATHS`](crate::Real::HAS_SLOW_PATHS) is true for the first alone.
 ///
 /// # Soundness
-/// Code outside of this crate cannot name the types of the last two, and a type parameter is never inferred to be one of
-/// them: [`UnfusedTask`] and [`UnfusedStorage`] mention both, so that inference has a choice, which is an error. Safe
-/// code can reach them in one way only: as the `T` of [`StorageOver`] and [`TaskOver`]. [`UnfusedSpace::new`] calls the
-/// former after the instructions have been detected, and this function the latter with what that has made. A processor
-/// keeps its instructions in every thread as long as the program runs.
+/// Code outside of this crate cannot name the types of the last two, and a type parameter is never inferred to be one
+/// of them: [`UnfusedTask`] and [`UnfusedStorage`] mention both, so that inference has a choice, which is an error.
+/// Safe code can reach them in one way only: as the `T` of [`StorageOver`] and [`TaskOver`]. [`UnfusedSpace::new`]
+/// calls the former after the instructions have been detected, and this function the latter with what that has made. A
+/// processor keeps its instructions in every thread as long as the program runs.
 ///
 /// ```compile_fail,E0283
 /// use generic_scalars::{StorageOver, UnfusedStorage};
@@ -133,7 +133,7 @@ impl<S: UnfusedStorage> UnfusedSpace<S> {
 /// ```
 ///
 /// # Example
-/// A formula that is known only over the scalars that it was written for, as a parameter:
+/// A formula that is implemented only over certain scalars, passed as a parameter:
 /// ```
 /// use generic_scalars::{
 ///     InstructionSet, Lanes, Real, StorageOver, TaskOver, UnfusedSpace, UnfusedTask, dispatch_unfused,

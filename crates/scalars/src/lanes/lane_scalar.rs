@@ -4,12 +4,12 @@ use crate::Real;
 
 /// SIMD lanes: `COUNT` independent real numbers in one or two registers, as for several trajectories.
 ///
-/// The trait is implemented by `f64` (one lane), by [`DefaultLanes`](super::DefaultLanes), and by the types that [`dispatch`](super::dispatch())
-/// passes to a [`LaneTask`](super::LaneTask). The operators, √ and the comparisons return in each lane the bits that `f64`
-/// would return, whatever the type. The methods [`multiply_add`](Self::multiply_add),
-/// [`multiply_subtract`](Self::multiply_subtract) and
-/// [`negative_multiply_add`](Self::negative_multiply_add) round once if the type is [`FUSED`](Self::FUSED),
-/// twice otherwise. So one computation returns
+/// The trait is implemented by `f64` (one lane), by [`DefaultLanes`](super::DefaultLanes), and by the types that
+/// [`dispatch`](super::dispatch()) passes to a [`LaneTask`](super::LaneTask). The operators, √ and the comparisons
+/// return in each lane the bits that `f64` would return, whatever the type. The methods
+/// [`multiply_add`](Self::multiply_add), [`multiply_subtract`](Self::multiply_subtract) and
+/// [`negative_multiply_add`](Self::negative_multiply_add) round once if the type is [`FUSED`](Self::FUSED), twice
+/// otherwise. So one computation returns
 ///
 /// * the same bits on every type, if it does not use those three methods;
 /// * otherwise the same bits on all types that fuse, and the same bits on all types that do not. The two results

@@ -1,9 +1,10 @@
-//! One number per block of coordinates.
+//! One number per block of coordinates: [`Blocks`].
 
 use core::fmt::Debug;
 
-/// One value for each [block](crate::State::BLOCKS) of coordinates of a vector, as the size of q and the size of p for a
-/// vector (q, p): `(T,)` for a vector of one block, a pair `(A, B)` for the blocks of two vectors.
+/// One value for each [block](crate::State::BLOCKS) of coordinates of a vector, for example the size of q and the size
+/// of p for a vector (q, p). The type is `(T,)` for a vector of one block, and a pair `(A, B)` for the blocks of two
+/// vectors.
 ///
 /// ```
 /// use generic_scalars::{Blocks, Covector, Pair, State};
@@ -17,15 +18,15 @@ pub trait Blocks<T>: Copy + Debug + PartialEq + Send + Sync + 'static {
     /// The number of blocks.
     const COUNT: usize;
 
-    /// The same value for every block.
+    /// Returns the same value for every block.
     #[must_use]
     fn uniform(value: T) -> Self;
 
-    /// The value of a block; beyond the last block, that of the last.
+    /// Returns the value of a block. An index beyond the last block gives the value of the last.
     #[must_use]
     fn at(&self, block: usize) -> T;
 
-    /// Sets the value of a block; beyond the last block, that of the last.
+    /// Sets the value of a block. An index beyond the last block sets the value of the last.
     fn set(&mut self, block: usize, value: T);
 }
 

@@ -18,9 +18,9 @@ use num_traits::NumAssign;
 ///
 /// A branch is taken lane by lane: [`at_most`](Self::at_most) compares, [`select`](Self::select) chooses.
 ///
-/// A scalar of your own implements the functions by those of its parts; only formulas such as
-/// [`powi`](Self::powi) and [`larger`](Self::larger) are provided, since no formula for the others is accurate for all
-/// arguments.
+/// A scalar of your own implements the functions by means of those of its parts. The trait provides only
+/// [`powi`](Self::powi), [`larger`](Self::larger) and the like, since no formula for the other functions is accurate
+/// for all arguments.
 ///
 /// The trait has no fused multiply-add: fused and unfused results differ, and each operation on lanes must
 /// return the same bits as on `f64`. [`Lanes`](crate::Lanes) has one.
@@ -53,8 +53,8 @@ pub trait Real:
     /// Whether a method over this scalar treats rare cases that are slow, such as a stage iteration that has not
     /// converged.
     ///
-    /// It is `false` for the lanes that [`dispatch_unfused`](crate::dispatch_unfused) passes to a task. A method may
-    /// fail there in a rare case, and the caller repeats its work over another scalar.
+    /// It is `false` for the lanes in wide registers that [`dispatch_unfused`](crate::dispatch_unfused) passes to a
+    /// task. Over such a scalar a method may fail in a rare case, and the caller repeats the work over another scalar.
     ///
     /// ```
     /// use generic_scalars::{DefaultLanes, DualNumber, Real};
@@ -70,7 +70,7 @@ pub trait Real:
 
     /// Returns the number as `f64` if the type is `f64`, and `None` for every other type.
     ///
-    /// With it, code over all scalars takes a faster path for plain numbers. The compiler removes the test.
+    /// Code over all scalars can thereby take a faster path for `f64`. The compiler removes the test.
     ///
     /// ```
     /// use generic_scalars::{DualNumber, Real};
@@ -115,15 +115,15 @@ pub trait Real:
 
     /// Returns the hyperbolic tangent tanh x.
     ///
-    /// The derivative of a dual number is accurate for all x, also where tanh x rounds to ±1.
+    /// For a dual number the derivative is accurate for all x, even if tanh x rounds to ±1.
     #[must_use]
     fn tanh(self) -> Self;
 
-    /// Returns the integer power xⁿ, with x⁰ = 1 for every x, also for NaN.
+    /// Returns the integer power xⁿ, with x⁰ = 1 for every x, even for NaN.
     ///
-    /// The result is a product by repeated squaring, or its reciprocal for n < 0, with about |n| units of
-    /// round-off. For n < 0 it is 0 where x⁻ⁿ overflows. In code over all scalars it has the same bits for each of them and on every platform, which the
-    /// method of `f64` itself does not promise.
+    /// The result is a product by repeated squaring, or its reciprocal for n < 0, with about |n| units of round-off.
+    /// For n < 0 it is 0 if x⁻ⁿ overflows. In code over all scalars it is bit-identical for all of them and on every
+    /// platform, which the inherent method of `f64` does not promise.
     ///
     /// ```
     /// use generic_scalars::{DualNumber, Real};

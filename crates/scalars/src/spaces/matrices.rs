@@ -76,8 +76,8 @@ impl<T: Real, const R: usize, const C: usize> Vector for SMatrix<Complex<T>, R, 
 
 /// Returns the cross product u×v over any scalar.
 ///
-/// It is that of nalgebra, bit for bit. The compiler inlines it in code for every register, as [`LaneTask`] requires of
-/// fast code.
+/// The result is bit-identical to that of nalgebra. The compiler inlines this function in code for every register, as
+/// [`LaneTask`] requires of fast code.
 ///
 /// [`LaneTask`]: crate::LaneTask
 ///
@@ -109,8 +109,8 @@ pub fn dot<T: Real>(u: &Vector3<T>, v: &Vector3<T>) -> T {
 
 /// Returns the product A v of a constant matrix and a vector over any scalar.
 ///
-/// nalgebra multiplies matrices of one scalar alone. A constant matrix that is converted to the scalar of v has zero
-/// derivatives, with which it is multiplied.
+/// nalgebra multiplies only matrices of the same scalar. If a constant matrix is converted to the scalar of v, the
+/// product also computes with its derivatives, which are zero. This function does not.
 ///
 /// # Example
 /// ```

@@ -19,8 +19,8 @@ pub struct Power<V, const N: usize>(pub [V; N]);
 impl<V: Vector, const N: usize> Power<V, N> {
     /// Creates (f(0), …, f(N − 1)).
     ///
-    /// The factors of a small power stay in registers. [`core::array::from_fn`] and the `map` of arrays copy them through
-    /// memory.
+    /// The factors of a small power stay in registers. [`core::array::from_fn`] and the `map` of arrays copy them
+    /// through memory.
     #[cfg_attr(not(debug_assertions), inline(always))]
     pub fn from_factors(mut f: impl FnMut(usize) -> V) -> Self {
         let mut factors = [V::zero(); N];

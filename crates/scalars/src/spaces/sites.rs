@@ -6,7 +6,7 @@ use core::ops::{Deref, DerefMut};
 /// An element (v₁, …, v_N) of the power Vᴺ of a small space, with a number N that is known only when the program runs.
 ///
 /// It is the state of N spins, N vortices or N particles of a lattice. [`Power`](crate::Power) is the same space for a
-/// number that the compiler knows. The elements are those of a slice:
+/// number that is known when the program is compiled. The vectors are accessed as those of a slice:
 ///
 /// ```
 /// use generic_scalars::{Sites, State};

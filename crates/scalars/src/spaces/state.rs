@@ -3,19 +3,19 @@
 use crate::{Blocks, Mask, Real};
 use core::fmt::Debug;
 
-/// A vector that an integrator advances, small and of fixed dimension, or large and on the heap.
+/// A vector that an integrator advances: either small and of fixed dimension, or large and on the heap.
 ///
 /// The operations work in place, so that a large vector needs no storage for intermediate results. A small vector is
 /// a [`Vector`](crate::Vector): it computes by value, and [`state_by_value!`](crate::state_by_value) derives this
 /// trait from that one.
 ///
 /// The arguments of an operation belong to one space ([`same_shape`](Self::same_shape)). Otherwise the result has no
-/// meaning, but nothing panics.
+/// meaning, but no operation panics.
 ///
 /// # Temporary vectors
 /// A method that needs a temporary vector [takes](Self::take) it from a pool and [gives](Self::give) it back. The pool
-/// of a small type is `()`: the vector is a local variable. That of a large type is `Vec<Self>`: after the first step
-/// nothing is allocated.
+/// of a small type is `()`, and the temporary vector is a local variable. The pool of a large type is `Vec<Self>`, so
+/// nothing is allocated after the first step.
 ///
 /// # Example
 /// ```
@@ -70,13 +70,13 @@ pub trait State: Clone + Debug + PartialEq + Send + Sync + 'static {
 
     /// The type of one number for each block of coordinates.
     ///
-    /// It is `(Self::Scalar,)` where all coordinates have the same unit and the same scale, and a pair for
-    /// the two parts of a vector such as (q, p), whose units differ. Tests of size, such as the convergence
-    /// tests of implicit methods, compare each block with itself, so that no result depends on units.
+    /// It is `(Self::Scalar,)` if all coordinates have the same unit and the same scale, and a pair for the two parts
+    /// of a vector such as (q, p), whose units differ. Tests of size, such as the convergence tests of implicit
+    /// methods, compare each block with itself, so that no result depends on units.
     type Blocks: Blocks<Self::Scalar>;
 
-    /// What tells the spaces of one type apart: `()` for a small type, the number of sites or the size of a matrix for a
-    /// large one.
+    /// What distinguishes the spaces of one type: `()` for a small type, the number of sites or the size of a matrix
+    /// for a large one.
     ///
     /// It does not contain numbers of the type [`Scalar`](Self::Scalar): the same space over dual numbers has the same
     /// shape.
@@ -91,7 +91,7 @@ pub trait State: Clone + Debug + PartialEq + Send + Sync + 'static {
     /// Returns the dimension over the reals.
     fn dimension(&self) -> usize;
 
-    /// Returns what tells the space of the vector apart.
+    /// Returns the shape, which distinguishes the space of the vector from others of the same type.
     fn shape(&self) -> Self::Shape;
 
     /// Returns the zero vector of the space of a shape.
@@ -183,8 +183,8 @@ pub trait State: Clone + Debug + PartialEq + Send + Sync + 'static {
     /// Adds a multiple of another vector: v ← v + s x.
     fn add_multiple(&mut self, s: Self::Scalar, x: &Self);
 
-    /// Adds a linear combination of vectors: v ← v + Σ aⱼ kⱼ, in the order of the terms. Surplus coefficients, or
-    /// surplus vectors, are dropped.
+    /// Adds a linear combination of vectors: v ← v + Σ aⱼ kⱼ, in the order of the terms. Surplus coefficients or
+    /// vectors are ignored.
     #[cfg_attr(not(debug_assertions), inline(always))]
     fn add_combination(&mut self, a: &[f64], k: &[Self]) {
         for (&a, k) in a.iter().zip(k) {

@@ -1,4 +1,5 @@
-//! Vectors of finite-dimensional real vector spaces, given by their coordinates, and how they become states: [`Vector`].
+//! Vectors of finite-dimensional real vector spaces, given by their coordinates, and how they become states:
+//! [`Vector`].
 
 use crate::{Mask, Real, State};
 use core::ops::{Add, AddAssign, Neg, Sub, SubAssign};
@@ -133,7 +134,7 @@ pub trait Vector:
 
 /// Creates the vector of `W` with coordinates f(v₀), f(v₁), …, to change the scalar or the type.
 ///
-/// The bases correspond to each other. Missing coordinates are zero, and surplus ones are dropped.
+/// The bases correspond to each other. Missing coordinates are zero, and surplus ones are ignored.
 ///
 /// # Example
 /// ```

@@ -10,9 +10,9 @@ use crate::Real;
 ///
 /// Two dual numbers are equal if both their values and their derivatives are equal.
 ///
-/// The two parts can be read, by [`value`](Self::value) and [`derivative`](Self::derivative), but a formula should
-/// not take them apart: a function of the value alone is a constant, whose derivative is lost. All functions
-/// of [`Real`] act on the whole number.
+/// The two parts can be read, by [`value`](Self::value) and [`derivative`](Self::derivative), but a formula should not
+/// take them apart: a function of the value alone counts as a constant, and its derivative is lost. All functions of
+/// [`Real`] act on the whole number.
 ///
 /// Source: W. K. Clifford, *Preliminary sketch of biquaternions*, Proc. London Math. Soc. 4 (1873).
 ///
@@ -22,7 +22,7 @@ use crate::Real;
 /// let x = DualNumber::variable(4.0);
 /// assert_eq!(Real::sqrt(x), DualNumber::new(2.0, 0.25));
 /// ```
-/// The fields are private, so that the value is not taken for the number by accident:
+/// The fields are private, so that the value is not mistaken for the whole number:
 /// ```compile_fail
 /// use generic_scalars::{DualNumber, Real};
 /// fn root(x: DualNumber) -> DualNumber {
