@@ -40,7 +40,7 @@
 //! | a representation of your own | [`Representation`], [`GroupRepresentation`] |
 //! | a representation made from others | [`Adjoint`], [`Inherited`], [`Diagonal`], [`Sum`], [`Contragredient`] |
 //! | the adjoint representation of an algebra without a group | [`InfinitesimalAdjoint`] |
-//! | a derivation, and an extension of the adjoint representation that sees the centre | [`Cocycle`], [`ExtendedAdjoint`], [`ExtendedCoadjoint`] |
+//! | a derivation, and an extension of the adjoint or coadjoint representation by it | [`Cocycle`], [`ExtendedAdjoint`], [`ExtendedCoadjoint`] |
 //! | whether Runge–Kutta steps descend along a representation | [`odd_power_defect`] |
 //! | 𝔤∗ with a Lie–Poisson bracket | [`LiePoisson::minus`], [`LiePoisson::plus`] |
 //! | a Poisson space of your own | [`PoissonSpace`] |
@@ -48,7 +48,7 @@
 //! | functions that every Hamiltonian flow conserves | [`Casimirs`] |
 //! | a Hamiltonian from one formula, for `f64` | [`from_closure`] |
 //! | a Hamiltonian from one formula, for every scalar | [`Energy`], wrapped in [`Automatic`] |
-//! | a Hamiltonian with a differential by hand | [`Hamiltonian`], [`from_closures`] |
+//! | a Hamiltonian with an explicit formula for its differential | [`Hamiltonian`], [`from_closures`] |
 //! | maps between 𝔤 and G other than exp | [`Logarithm`], [`Cayley`] |
 //! | tests of your own types against the axioms | the module `laws` (feature `laws`) |
 //!
@@ -56,8 +56,8 @@
 //!
 //! # Conventions
 //!
-//! * The coadjoint operator has no sign: ⟨`ad*_ξ μ`, η⟩ = ⟨μ, [ξ, η]⟩.
-//! * The coadjoint action has no inverse: ⟨`Ad*_g μ`, ξ⟩ = ⟨μ, `Ad_g ξ`⟩. It is a right action.
+//! * The definition of the coadjoint operator contains no sign: ⟨`ad*_ξ μ`, η⟩ = ⟨μ, [ξ, η]⟩.
+//! * The definition of the coadjoint action contains no inverse: ⟨`Ad*_g μ`, ξ⟩ = ⟨μ, `Ad_g ξ`⟩. It is a right action.
 //! * The Lie–Poisson brackets are {f, h}±(μ) = ±⟨μ, [df, dh]⟩. The minus sign belongs to the body frame.
 //! * The equation of motion is dμ/dt = +`ad*_ξ μ` for the minus bracket and −`ad*_ξ μ` for the plus bracket, where
 //!   ξ = dh(μ).

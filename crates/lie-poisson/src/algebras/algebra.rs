@@ -7,9 +7,8 @@ pub type Momentum<A, T = f64> = Covector<<A as LieAlgebra>::Element<T>>;
 
 /// A real Lie algebra 𝔤 with a standard basis.
 ///
-/// An algebra is a value, often of a unit struct, and its elements are vectors over any scalar. Only the
-/// bracket is required. The coadjoint operator ad∗ follows from it; implement it by hand where speed
-/// matters.
+/// An algebra is a value, often of a unit struct, and its elements are vectors over any scalar. Only the bracket is
+/// required. The coadjoint operator ad∗ follows from it; override it with a closed formula where speed matters.
 ///
 /// # Example
 /// The Heisenberg algebra [e₀, e₁] = e₂:

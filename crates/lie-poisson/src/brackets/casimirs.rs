@@ -9,8 +9,8 @@ use num_complex::Complex;
 
 /// The Casimirs of the Lie–Poisson bracket on 𝔤∗: functions c with {c, f} = 0 for every f.
 ///
-/// Every Hamiltonian flow conserves them. They are common to both signs of the bracket. In terms of ad∗
-/// they are the functions with `ad∗_ξ μ` = 0 for ξ = dc(μ).
+/// Every Hamiltonian flow conserves them. They are common to both signs of the bracket. Equivalently, `ad∗_ξ μ` = 0 for
+/// ξ = dc(μ).
 ///
 /// # Example
 /// ```

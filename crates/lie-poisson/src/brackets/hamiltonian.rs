@@ -1,4 +1,4 @@
-//! Hamiltonians and their exact differentials.
+//! Hamiltonians and their exact differentials: [`Hamiltonian`], [`Energy`].
 
 use crate::{
     Differential, DualNumber, Point, PoissonSpace, Real, derivative_part, differential, seed,
@@ -12,12 +12,12 @@ use core::marker::PhantomData;
 ///
 /// * implement [`Energy`] and wrap it in [`Automatic`]: one generic formula, differentiated by dual numbers, for every
 ///   scalar;
-/// * pass closures over `f64` to [`from_closure`] (differentiated automatically) or to [`from_closures`] (with the
-///   differential by hand);
-/// * implement this trait with the differential by hand, which is the fastest way.
+/// * pass one closure to [`from_closure`], which differentiates it automatically, or the energy and its differential as
+///   two closures to [`from_closures`]; both give a Hamiltonian over `f64`;
+/// * implement this trait with an explicit formula for the differential, which is the fastest way.
 ///
 /// # Example
-/// The free rigid body, by hand:
+/// The free rigid body, with an explicit differential:
 /// ```
 /// use lie_poisson::{Covector, Hamiltonian, LiePoisson, PoissonSpace, Real, So3};
 /// use nalgebra::Vector3;
@@ -102,7 +102,8 @@ impl<P: PoissonSpace, T: Real, H: Hamiltonian<P, T> + ?Sized> Hamiltonian<P, T> 
     }
 }
 
-/// An energy h(z) given by one formula that is written once for all scalars.
+/// An energy h(z), given by one formula that is written once for all scalars. [`Automatic`] makes a [`Hamiltonian`] of
+/// it.
 ///
 /// # Example
 /// ```
@@ -135,8 +136,8 @@ pub trait Energy {
 
 /// Defines an [`Energy`] by its name, its parameters, its space and one formula.
 ///
-/// The formula is that of a method over the scalar `T: Real`: numbers of type `f64` stand on the right of a product.
-/// Wrap the value in [`Automatic`], which adds the exact differential.
+/// The formula becomes the body of a method that is generic over the scalar `T: Real`, so a constant of type `f64` must
+/// be the right-hand factor of a product. Wrap the value in [`Automatic`], which adds the exact differential.
 ///
 /// # Example
 /// ```
@@ -247,7 +248,8 @@ where
     }
 }
 
-/// Creates a Hamiltonian from two closures: the value, and the differential by hand.
+/// Creates a Hamiltonian over `f64` from two closures: the value h(z), and an explicit formula for the differential
+/// dh(z).
 ///
 /// # Example
 /// ```

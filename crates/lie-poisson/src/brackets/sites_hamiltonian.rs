@@ -4,8 +4,8 @@ use crate::{Covector, Sites, Vector};
 
 /// A function h on N copies of the dual 𝔤∗ of one Lie algebra, with a number N that is known when the program runs.
 ///
-/// `V` is the type of the elements of 𝔤 over some scalar. [`Hamiltonian`](crate::Hamiltonian) serves spaces of a fixed
-/// dimension, such as N copies for an N that the compiler knows.
+/// `V` is the type of the elements of 𝔤 over some scalar. For spaces whose dimension is known when the program is
+/// compiled, such as N copies for a constant N, use [`Hamiltonian`](crate::Hamiltonian).
 ///
 /// # Example
 /// Neighbours on a ring of spins attract each other:
@@ -32,12 +32,12 @@ use crate::{Covector, Sites, Vector};
 /// assert_eq!((Ring.value(&spins), dh[0]), (-1.0, Vector3::new(0.0, -2.0, 0.0)));
 /// ```
 pub trait SitesHamiltonian<V: Vector> {
-    /// Returns the value h(μ). It is NaN if h has another number of sites than μ.
+    /// Returns the value h(μ). It is NaN if h and μ have different numbers of sites.
     fn value(&self, mu: &Covector<Sites<V>>) -> V::Scalar;
 
-    /// Writes the differential dh(μ), one element of 𝔤 for each site, to an argument with as many sites as μ.
+    /// Writes the differential dh(μ), one element of 𝔤 for each site, to `dh`, which has as many sites as μ.
     ///
-    /// Its coordinates are arbitrary before. They become NaN if h has another number of sites than μ.
+    /// The previous coordinates of `dh` are arbitrary. The new ones are NaN if h and μ have different numbers of sites.
     fn differential_into(&self, mu: &Covector<Sites<V>>, dh: &mut Sites<V>);
 }
 

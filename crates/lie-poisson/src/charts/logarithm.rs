@@ -8,15 +8,15 @@ use nalgebra::{Matrix2, Matrix3, SVector, Vector1, Vector2, Vector3};
 use num_complex::Complex;
 use thiserror::Error;
 
-/// The error of a group element that has no logarithm depending smoothly on it.
+/// The error for a group element near which no logarithm depends smoothly on the element.
 #[derive(Clone, Copy, Debug, PartialEq, Error)]
 #[error("no logarithm: the element is outside the domain of log, or not finite")]
 pub struct LogarithmError;
 
 /// Groups with a logarithm in closed form: log(exp ξ) = ξ for ξ near 0, and exp(log g) = g.
 ///
-/// The argument of `log` must be an element of the group, up to rounding. This precondition is not checked,
-/// and the logarithm of any other matrix has no meaning.
+/// The argument of `log` must be an element of the group, up to rounding. This precondition is not checked. For any
+/// other matrix the result is meaningless.
 ///
 /// # Example
 /// ```
@@ -221,8 +221,8 @@ mod tests {
         }
     }
 
-    /// Two components of the quaternion are largest, equal up to 10⁻¹², and a third one is 10⁻⁶. No formula may divide by
-    /// that one.
+    /// Two components of the quaternion are largest, equal up to 10⁻¹², and a third one is 10⁻⁶. No formula may divide
+    /// by that one.
     #[test]
     fn logarithms_of_quarter_turns_and_of_half_turns_between_axes() {
         let (axes, tilt) = ([Vector3::x(), Vector3::y(), Vector3::z()], 1e-6);

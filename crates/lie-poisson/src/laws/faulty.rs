@@ -1,15 +1,18 @@
+//! The negative control of the law suites: [`Faulty`].
+
 use crate::{Real, State};
 
-/// An object with a fault in the result of one method: the negative control of a law suite, which must refuse it.
+/// An object with a fault in the result of one method: the negative control of a law suite, which must reject it.
 ///
-/// The method with the given name returns half the value in one coordinate, and all others return what those of the object
-/// return. Half, and not the opposite sign: squares, and so many invariants, do not depend on a sign.
+/// The method with the given name returns half the correct value in one coordinate. All other methods return what those
+/// of the object return. The fault is not a change of sign, because squares, and with them many invariants, do not
+/// depend on a sign.
 ///
-/// Where the coordinate is not much smaller than the others, a suite that uses it has a residual far above 10⁻³: check
-/// against that. Where it is zero in all samples there is no fault: choose another coordinate or other samples. A suite
-/// that passes without such a control may have tested nothing, as with samples that are zero.
+/// If the coordinate is not much smaller than the others, a suite that uses it has a residual far above 10⁻³: test for
+/// that. If the coordinate is zero in all samples, there is no fault: choose another coordinate or other samples. A
+/// suite that passes without such a control may have tested nothing, for example because its samples are zero.
 ///
-/// It implements these traits where the object does:
+/// It implements these traits if the object does:
 ///
 /// | trait | methods |
 /// |---|---|
@@ -18,11 +21,11 @@ use crate::{Real, State};
 /// | [`Hamiltonian`](crate::Hamiltonian) | `differential` |
 /// | [`SitesHamiltonian`](crate::SitesHamiltonian) | `differential_into` |
 ///
-/// The laws of `momentum-map` and `collective-integrators` add theirs, listed in their modules `laws`; the fault of a batch
-/// is another one, which is described there. To implement a trait of your own, call the [`object`](Self::object), and pass
-/// the result of each method to [`halve`](Self::halve) or [`halved`](Self::halved).
+/// `momentum-map` and `collective-integrators` implement further traits, listed in their modules `laws`. The fault of a
+/// batch integrator is a different one, which is described there. To implement a trait of your own, call the
+/// [`object`](Self::object), and pass the result of each method to [`halve`](Self::halve) or [`halved`](Self::halved).
 ///
-/// A name that no method has, and a coordinate that its result does not have, make no fault: the suite then accepts the
+/// If no method has the given name, or its result has no such coordinate, there is no fault: the suite then accepts the
 /// object, and the control fails.
 ///
 /// # Example
@@ -44,7 +47,7 @@ pub struct Faulty<'a, S> {
 }
 
 impl<'a, S> Faulty<'a, S> {
-    /// Creates the object with half of a coordinate in the result of the method with this name.
+    /// Creates the faulty object: the method with this name returns half the correct value in this coordinate.
     #[must_use]
     pub const fn new(object: &'a S, method: &'static str, coordinate: usize) -> Self {
         Self { object, fault: Some((method, coordinate)) }

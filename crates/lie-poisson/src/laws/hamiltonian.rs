@@ -1,3 +1,5 @@
+//! The law suites of [`Hamiltonian`] and of Hamiltonians of N sites.
+
 use super::{Faulty, NEAR, NoSamples, Report, regimes};
 use crate::{
     Covector, Differential, DualNumber, Hamiltonian, LieAlgebra, Point, PoissonSpace, Real, Sites,
@@ -9,7 +11,7 @@ use crate::{
 /// * `differential`: dh is the derivative of h;
 /// * `second derivative`: D²h·v is the derivative of dh along v, if the Hamiltonian knows it.
 ///
-/// The point 0 and points near it are left out where h is not finite there, as for a logarithm. The samples must belong to
+/// The point 0 and points near it are left out if h is not finite there, as for a logarithm. The samples must belong to
 /// the domain of h.
 ///
 /// # Errors
@@ -90,11 +92,12 @@ type Momenta<A, T = f64> = Covector<Sites<<A as LieAlgebra>::Element<T>>>;
 
 /// Evaluates the laws of a Hamiltonian of N copies of 𝔤∗ on samples of momenta, with exact derivatives by dual numbers:
 ///
-/// * `differential`: dh is the derivative of h, whatever stood in its storage before;
-/// * `number of sites`: if h has another number of sites than a momentum, the value is NaN and so is each coordinate of dh.
-///   A Hamiltonian of any number of sites has the law `differential` with one site more instead.
+/// * `differential`: dh is the derivative of h, whatever its storage contained before;
+/// * `number of sites`: if h and a momentum have different numbers of sites, the value is NaN, and so is each
+///   coordinate of dh. For a Hamiltonian that accepts any number of sites, the law `differential` is tested with one
+///   more site instead.
 ///
-/// As in [`hamiltonian`], momenta at 0 and near it are left out where h is not finite.
+/// As in [`hamiltonian`], momenta at 0 and near it are left out if h is not finite there.
 ///
 /// # Errors
 /// Returns [`NoSamples`] if there are no samples.

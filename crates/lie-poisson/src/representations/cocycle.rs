@@ -8,14 +8,15 @@ use nalgebra::{DMatrix, DVector, Vector1};
 use std::sync::Arc;
 use thiserror::Error;
 
-/// The error of a linear map that is not a cocycle, or of a representation whose cocycles cannot be computed.
+/// The reason why a linear map is not a cocycle, or why the cocycles of a representation cannot be computed.
 #[derive(Clone, Copy, Debug, PartialEq, Error)]
 #[non_exhaustive]
 pub enum CocycleError {
     /// An entry of a matrix is infinite or not a number.
     #[error("the entry ({row}, {column}) = {value} of the {matrix} is not finite")]
     NotFinite {
-        /// The matrix: that of the linear map, of a multiple of it, of the nearest cocycle, or of the equations of cocycles.
+        /// The matrix: that of the linear map, of a multiple of it, of the nearest cocycle, or of the equations of
+        /// cocycles.
         matrix: &'static str,
         /// The row of the entry.
         row: usize,
@@ -95,9 +96,9 @@ impl<R: Representation> Cocycle<R> {
     /// Creates the cocycle with the matrix c(i, j), the i-th coordinate of c(e_j).
     ///
     /// # Errors
-    /// Returns [`CocycleError`] if an entry is not finite, or if the equation of cocycles fails for some e_i, e_j by
-    /// more than 10⁻¹⁰, relative to the largest entry of c and to the largest matrix element of the representation. The
-    /// test divides by both sizes first, so that it has no units and neither overflows nor underflows.
+    /// Returns [`CocycleError`] if an entry is not finite, or if the cocycle equation fails for some e_i, e_j by more
+    /// than 10⁻¹⁰, relative to the largest entry of c and to the largest matrix element of the representation. The test
+    /// divides by both sizes first, so it has no units and neither overflows nor underflows.
     pub fn new(representation: R, c: impl Fn(usize, usize) -> f64) -> Result<Self, CocycleError> {
         let matrix = DMatrix::from_fn(Self::D, Self::N, c);
         finite("matrix of the cocycle", &matrix)?;
@@ -115,16 +116,16 @@ impl<R: Representation> Cocycle<R> {
         Ok(Self { representation, entries: matrix.transpose().iter().copied().collect() })
     }
 
-    /// Returns the cocycle nearest to a linear map with the matrix target(i, j), in the sum of squares of the entries of
-    /// the difference.
+    /// Returns the cocycle nearest to a linear map with the matrix target(i, j), in the sum of squares of the entries
+    /// of the difference.
     ///
-    /// It is the orthogonal projection of the map to the null space of the linear equations of cocycles, which is
-    /// computed from their singular values. It depends on the bases, but not on the size of the structure constants if
-    /// the matrix elements have the same size.
+    /// It is the orthogonal projection of the map onto the null space of the cocycle equations, which are linear. The
+    /// null space is computed from a singular value decomposition. The result depends on the bases, but not on the size
+    /// of the structure constants if the matrix elements have the same size.
     ///
     /// # Errors
-    /// Returns [`CocycleError`] if an entry of the target, a structure constant or a matrix element is not finite, or if
-    /// an entry of the cocycle would overflow.
+    /// Returns [`CocycleError`] if an entry of the target, a structure constant or a matrix element is not finite, or
+    /// if an entry of the cocycle overflows.
     ///
     /// # Example
     /// The derivation nearest to the identity is the identity on an abelian algebra, and 0 on so(3), where all

@@ -1,4 +1,4 @@
-//! Whether the odd powers of the matrices of a representation belong to it: [`odd_power_defect`].
+//! Whether a representation contains the odd powers of its matrices: [`odd_power_defect`].
 
 use crate::representations::cocycle::matrix;
 use crate::{Real, Representation, Vector, larger};
@@ -7,7 +7,8 @@ use nalgebra::{DMatrix, DVector};
 /// The ratio of two singular values below which the smaller one is a rounding error.
 const RANK_TOLERANCE: f64 = 1e-10;
 
-/// Returns how far the cubes ρ(ξ)³ are from the space ρ(𝔤) of the matrices of a representation.
+/// Returns how far the cubes ρ(ξ)³ are from the space ρ(𝔤) of the matrices of a representation; 0 if all odd powers
+/// belong to it.
 ///
 /// It is the largest distance from ρ(𝔤) of a symmetric product of three matrices of basis vectors, relative to the
 /// product of their norms,
@@ -22,12 +23,13 @@ const RANK_TOLERANCE: f64 = 1e-10;
 /// This decides whether a Runge–Kutta step descends from T∗V to 𝔤∗. Its stages are z ↦ R z, where R is a rational
 /// function of matrices of the algebra. Since the step is symplectic, it is the exponential of a series in odd
 /// symmetric powers. If these belong to ρ(𝔤), then μ moves by `Ad∗_g` with g near the identity. Otherwise the image of
-/// the step depends in general on the point (q, p), and not on μ alone. This converse is measured, not proved. The defining representations of SO(n), Sp(2n, R) and U(n)
-/// have the defect 0, and so have the adjoint representations of so(3), sl(2, R), se(3), of so(3) over any commutative
-/// ring, and of every nilpotent algebra of class up to 3. The adjoint representation of most solvable algebras has not.
+/// the step depends in general on the point (q, p), and not on μ alone. This converse is measured, not proved. The
+/// defining representations of SO(n), Sp(2n, R) and U(n) have the defect 0, and so have the adjoint representations of
+/// so(3), sl(2, R), se(3), of so(3) over any commutative ring, and of every nilpotent algebra of class up to 3. For
+/// most solvable algebras the defect of the adjoint representation is not 0.
 ///
-/// It is NaN if a matrix element is infinite or not a number. It takes about n³ products of matrices for the dimension n
-/// of 𝔤.
+/// The defect is NaN if a matrix element is infinite or not a number. Its computation takes about n³ products of
+/// matrices, where n is the dimension of 𝔤.
 ///
 /// # Example
 /// ```

@@ -74,7 +74,8 @@ pub trait Representation: Clone {
     }
 }
 
-/// A representation that comes from one of a Lie group G: exp(sξ) v solves dv/ds = ξ v.
+/// A representation of a Lie group G, whose derivative at the identity is the representation of 𝔤: v(s) = exp(sξ) v
+/// solves dv/ds = ξ v.
 pub trait GroupRepresentation: Representation {
     /// The Lie group G that acts.
     type Group: LieGroup<Algebra = Self::Algebra>;

@@ -15,12 +15,13 @@ use nalgebra::Vector1;
 /// ξ (v, s) = (ξv − s c(ξ), 0)
 /// ```
 ///
-/// Its kernel consists of the ξ with ξv = 0 for all v and c(ξ) = 0. The adjoint and the coadjoint representation have
-/// the centre of 𝔤 as their kernel. Their extensions are faithful if and only if c is injective on the centre. For a
+/// Its kernel consists of the ξ with ξv = 0 for all v and c(ξ) = 0. The kernel of the adjoint and of the coadjoint
+/// representation is the centre of 𝔤. Their extensions are faithful if and only if c is injective on the centre. For a
 /// derivation D the space 𝔤 ⊕ R is the algebra 𝔤 ⋊ RD with [D, ξ] = Dξ, on which 𝔤 acts by ad.
 ///
-/// Some algebras have no such derivation. In dimension 5 all derivations of `[e₁, e₄] = e₁`, `[e₂, e₅] = e₂`, `[e₄, e₅] = e₃`
-/// vanish on the centre e₃, and [`ExtendedCoadjoint`] is faithful.
+/// Some algebras have no derivation that is injective on the centre. For example, all derivations of the algebra
+/// `[e₁, e₄] = e₁`, `[e₂, e₅] = e₂`, `[e₄, e₅] = e₃` of dimension 5 vanish on the centre, which e₃ spans. Its
+/// [`ExtendedCoadjoint`] is faithful.
 ///
 /// Source: N. Jacobson, *Lie Algebras* (1962), §III.10.
 ///
@@ -45,7 +46,7 @@ pub type ExtendedCoadjoint<A> = CocycleExtension<Contragredient<InfinitesimalAdj
 
 impl<A: LieAlgebra> ExtendedAdjoint<A> {
     /// Creates the extension by the derivation nearest to the identity, times the largest structure constant, so that
-    /// both terms of ξ(v, s) have one scale.
+    /// both terms of ξ(v, s) have the same scale.
     ///
     /// # Errors
     /// Returns [`CocycleError`] if a structure constant, or the product of the largest one with the derivation, is not
@@ -62,8 +63,9 @@ impl<A: LieAlgebra> ExtendedCoadjoint<A> {
     /// Creates the extension by a generic cocycle, times the largest structure constant.
     ///
     /// The cocycle is the one nearest to a fixed matrix whose entries obey no simple relation. If some cocycle of the
-    /// coadjoint representation is injective on the centre, then the cocycle nearest to almost every matrix is. This is
-    /// not proved for the fixed one: the rank of the Clebsch map of the extension tells (`ClebschSection::rank`).
+    /// coadjoint representation is injective on the centre, then the cocycle nearest to almost every matrix is. That
+    /// the fixed matrix is not an exception is not proved: check the rank of the Clebsch map of the extension
+    /// (`ClebschSection::rank`).
     ///
     /// # Errors
     /// Returns [`CocycleError`] if a structure constant, or the product of the largest one with the cocycle, is not
