@@ -55,8 +55,8 @@
 //!
 //! # Which realisation for which algebra
 //!
-//! A collective integrator needs a Poisson map M: P → 𝔤∗ and a lift; its form without a lift needs multipliers. The sign
-//! is that of the bracket on 𝔤∗.
+//! A collective integrator needs a Poisson map M: P → 𝔤∗ and a lift; its form without a lift needs multipliers. The
+//! sign is that of the bracket on 𝔤∗.
 //!
 //! | 𝔤∗, bracket | map, from | lift | without a lift |
 //! |---|---|---|---|
@@ -69,7 +69,7 @@
 //! | u(N)∗, N known at run time | — | — | the crate `isospectral-flows` |
 //! | (so(3)∗)ᴺ, and products | [`PowerMap`], [`ProductMap`], [`ProductAlgebraMap`] | those of the parts | [`PowerMultipliers`], [`ProductMultipliers`] |
 //! | any 𝔤∗ with a group and a representation | [`MomentumMap`] of your own action | with [`Realisation`] | [`Multipliers`] of your own |
-//! | any 𝔤∗, from structure constants | [`clebsch_realisation`], T∗V | where μ is in the image; [`ClebschSection`] says which | — |
+//! | any 𝔤∗, from structure constants | [`clebsch_realisation`], T∗V | if μ is in the image: see [`ClebschSection`] | — |
 //!
 //! # Conventions
 //!

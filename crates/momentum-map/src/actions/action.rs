@@ -68,8 +68,8 @@ pub type Generator<A, T = f64> = AlgebraElement<<A as GroupAction>::Group, T>;
 /// Only `act` is required. The infinitesimal generators follow from it through exp, and the [cotangent
 /// lift](crate::CotangentLift) and the [momentum map](crate::MomentumMap) follow from the generators.
 ///
-/// Everything that is derived is exact, but dual numbers cost time. To make an action of your own as fast as
-/// formulas by hand, implement in this order, as far as you need:
+/// Everything that is derived is exact, but dual numbers cost time. To make an action of your own as fast as explicit
+/// formulas, override these methods in this order, as far as you need:
 ///
 /// | method | its formula | what it speeds up |
 /// |---|---|---|

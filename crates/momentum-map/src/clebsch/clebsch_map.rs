@@ -16,8 +16,8 @@ use lie_poisson::Representation;
 /// J_i = ± Σ_jk c[i][j][k] q_j p_k
 /// ```
 ///
-/// so that the map needs no group. It obeys ⟨J(q, p), q⟩ = 0 and vanishes on the centre of 𝔤. Which momenta it reaches
-/// depends on V:
+/// so the map needs no group. In this case ⟨J(q, p), q⟩ = 0, and J(q, p) vanishes on the centre of 𝔤. Which momenta the
+/// map reaches depends on V:
 ///
 /// | V | representation | image |
 /// |---|---|---|
@@ -26,13 +26,13 @@ use lie_poisson::Representation;
 /// | (𝔤 ⋊ RD)ᴷ | `Diagonal<_, K>` of [`ExtendedAdjoint`](lie_poisson::ExtendedAdjoint) | for K large enough, all μ if D is injective on the centre |
 /// | (𝔤∗ ⊕ R)ᴷ | `Diagonal<_, K>` of [`ExtendedCoadjoint`](lie_poisson::ExtendedCoadjoint) | for K large enough, all μ if the cocycle is injective on the centre |
 ///
-/// One of the extensions with K = 2 reaches all of 𝔤∗ for each of the 62 entries of the list of indecomposable real Lie
-/// algebras of dimension 2 to 5, with generic parameters (J. Patera et al., J. Math. Phys. 17 (1976) 986).
+/// For each of the 62 indecomposable real Lie algebras of dimension 2 to 5 in a published list, with generic
+/// parameters, one of the two extensions with K = 2 reaches all of 𝔤∗ (J. Patera et al., J. Math. Phys. 17 (1976) 986).
 ///
-/// Whether the maps of Runge–Kutta methods descend to 𝔤∗ depends on V too: they do if
-/// [`odd_power_defect`](lie_poisson::odd_power_defect) is 0. Otherwise the image of such a map depends in general on (q, p),
-/// and Casimirs are conserved only to its order of approximation.
-/// [`equivariant_maps_descend`](crate::PoissonMap::equivariant_maps_descend) tells which case holds.
+/// Whether the steps of symplectic Runge–Kutta methods descend to 𝔤∗ also depends on V: they do if
+/// [`odd_power_defect`](lie_poisson::odd_power_defect) is 0. Otherwise the image of a step depends in general on (q,
+/// p), and Casimirs are conserved only to the order of the method.
+/// [`equivariant_maps_descend`](crate::PoissonMap::equivariant_maps_descend) returns which case applies.
 ///
 /// Source: B. Jayawardana, P. J. Morrison & T. Ohsawa, *Clebsch canonization of Lie–Poisson systems*, J. Geom. Mech.
 /// 14 (2022) 635; P. J. Morrison, *Hamiltonian description of the ideal fluid*, Rev. Mod. Phys. 70 (1998), §VI.

@@ -9,19 +9,20 @@ use lie_poisson::{Mask, Pair, Real, Representation, RepresentedElement, Vector, 
 
 /// A lift of a [`ClebschMap`]: for μ ∈ 𝔤∗ a point (q, p) with J(q, p) = μ and |q| = |p|.
 ///
-/// For a fixed q the map p ↦ J(q, p) is linear. Its Moore–Penrose inverse is computed once, for a generic q. If it is
-/// onto the momenta that vanish on the kernel of the representation, then the lift is one product with a constant
-/// matrix, and p has the least norm. This is so if ξq = 0 implies that ξ acts trivially. It holds for enough copies of
-/// V = 𝔤, often for two.
+/// For a fixed q the map p ↦ J(q, p) is linear. Its Moore–Penrose inverse is computed once, for a generic q. If this
+/// map reaches all momenta that vanish on the kernel of the representation, then the lift is one product with a
+/// constant matrix, and p has the least norm. It does so if ξq = 0 implies that ξ acts trivially, which holds for
+/// sufficiently many copies of V = 𝔤, often for two.
 ///
-/// Otherwise, as for one copy of 𝔤, where ξ = q is in the way, Newton's iteration changes both q and p, from eight generic
-/// points in turn. With the Moore–Penrose inverse T⁺ of the tangent map T of J at z, its steps are
+/// Otherwise Newton's iteration changes both q and p, starting from eight generic points in turn. One copy of 𝔤
+/// is such a case, since ξ = q obeys ξq = 0. With the Moore–Penrose inverse T⁺ of the tangent map T of J at z, its
+/// steps are
 ///
 /// ```text
 /// z ← ½ z + T⁺ μ    twelve times,    then z ← z + T⁺(μ − J(z))
 /// ```
 ///
-/// The first ones lead to a short z. They are Newton's steps with a decay of z, since T z = 2 J(z).
+/// The first twelve shorten z. They are Newton's steps combined with a decay of z, since T z = 2 J(z).
 ///
 /// The lift has the units √(μ/c), where c is the largest matrix element of the representation. It does not depend on
 /// these units, as long as 1/c, the coordinates of the lift and the terms of J(q, p) are finite numbers.
@@ -92,10 +93,10 @@ impl ClebschSection {
         Ok(Self { search: Search::new(&map.representation().0)? })
     }
 
-    /// Returns the dimension of the momenta J(q, p) for the best of the fixed points q, with p ∈ V∗.
+    /// Returns the rank of p ↦ J(q, p), the largest over the generic points q of the lift.
     ///
-    /// The map is onto 𝔤∗ if it is the dimension of 𝔤. It is at most the dimension of 𝔤 minus that of the kernel of the
-    /// representation. If it has this value, the lift needs no iteration.
+    /// If the rank is the dimension of 𝔤, the map reaches all of 𝔤∗. The rank is at most the dimension of 𝔤 minus that
+    /// of the kernel of the representation. If it has this value, the lift needs no iteration.
     #[must_use]
     pub fn rank(&self) -> usize {
         self.search.rank()
@@ -109,7 +110,8 @@ impl<R: Representation> SectionOf<ClebschMap<R>> for ClebschSection {
     ///
     /// # Errors
     /// Returns [`LiftError`] if μ is not finite, or if the best point found has an image that differs from μ by more
-    /// than 10⁻¹¹ |μ|. Then μ is not in the image of J, or only at the edge of it, or more copies of V are needed.
+    /// than 10⁻¹¹ |μ|. In the latter case μ is outside the image of J or only on its boundary, or more copies of V are
+    /// needed.
     fn lift<T: Real>(
         &self,
         map: &ClebschMap<R>,

@@ -6,7 +6,7 @@ use lie_poisson::{Covector, Momentum, Real, Representation, RepresentedElement, 
 
 /// The representation of 𝔤 on T∗V = V × V∗ that a representation on V lifts to, ξ (q, p) = (ξq, −ξᵀp).
 ///
-/// It preserves the canonical form dq ∧ dp. A group is not needed, so that every Lie algebra has such representations.
+/// It preserves the canonical form dq ∧ dp. No group is needed, so every Lie algebra has such representations.
 ///
 /// Source: Marsden & Ratiu, *Introduction to Mechanics and Symmetry*, 2nd ed., §12.1.
 ///

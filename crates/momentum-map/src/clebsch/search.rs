@@ -106,8 +106,8 @@ impl Search {
         (z, residual)
     }
 
-    /// Returns (1−τ)z + T⁺(μ − (1−2τ)J(z)/c), a step towards J(z)/c = μ, in the SIMD lanes in which the equations have a
-    /// solution. It is Newton's step for τ = 0.
+    /// Returns (1−τ)z + T⁺(μ − (1−2τ)J(z)/c), a step towards J(z)/c = μ, in the SIMD lanes in which the equations have
+    /// a solution. It is Newton's step for τ = 0.
     fn step_towards<R: Representation, T: Real>(
         &self,
         r: &R,

@@ -1,8 +1,8 @@
 //! Tests of your own actions, momentum maps, Poisson maps, fibres, lifts and multipliers (feature `laws`).
 //!
-//! As in [`lie_poisson::laws`], each suite needs samples, evaluates the laws for three sizes of elements,
-//! and returns a [`Report`] of relative residuals. A [`Faulty`] map is their negative control: its `apply`, `pull_back`,
-//! `generator`, `lift` or `flow` returns half the value in one coordinate.
+//! As in [`lie_poisson::laws`], each suite needs samples, evaluates the laws for three sizes of elements, and returns a
+//! [`Report`] of relative residuals. A [`Faulty`] map is the negative control of these suites: its `apply`,
+//! `pull_back`, `generator`, `lift` or `flow` returns half the correct value in one coordinate.
 //!
 //! # Example
 //! ```

@@ -1,14 +1,14 @@
-//! Fibres of a Poisson map: their symmetries and sections.
+//! Fibres of a Poisson map, their symmetries and sections: [`Lift`], [`FibreSymmetry`].
 
 use crate::maps::poisson_map::{Identity, PoissonMap, SourcePoint, TargetPoint};
 use lie_poisson::{Point, PoissonSpace, Real, State};
 use thiserror::Error;
 
-/// The error of a point that has no finite pre-image.
+/// The error for a point of the target that has no finite pre-image, or for which none is known.
 #[derive(Clone, Copy, Debug, PartialEq, Error)]
 #[error("no lift: {reason} (|{quantity}| = {value:e})")]
 pub struct LiftError {
-    /// The quantity that excludes a lift.
+    /// The name of the quantity that prevents a lift.
     pub quantity: &'static str,
     /// The size of the quantity.
     pub value: f64,
@@ -89,11 +89,10 @@ pub trait Lift: PoissonMap {
 
 /// The symmetry along the fibres of a Poisson map M, as commuting one-parameter groups.
 ///
-/// The orbits of the symmetry are the connected components of the regular fibres of M. Every collective
-/// Hamiltonian h∘M is invariant under it, so that its momenta are conserved (Noether's theorem). Up to a
-/// function, the momenta are the pull-backs of the Casimirs. A scheme on P descends to a map of 𝔤∗ if and
-/// only if it maps fibres to fibres. For this it suffices that the scheme commutes with the flows of the
-/// symmetry.
+/// The orbits of the symmetry are the connected components of the regular fibres of M. Every collective Hamiltonian h∘M
+/// is invariant under the symmetry, whose momenta are therefore conserved (Noether's theorem). Up to a function, the
+/// momenta are the pull-backs of the Casimirs. A scheme on P descends to a map of 𝔤∗ if and only if it maps fibres to
+/// fibres. For this it suffices that the scheme commutes with the flows of the symmetry.
 ///
 /// Source: Ohsawa 2019, §4.2; McLachlan, Modin & Verdier, *Collective symplectic integrators*,
 /// Nonlinearity 27 (2014).

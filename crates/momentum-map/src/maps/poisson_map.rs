@@ -24,13 +24,13 @@ pub type TargetDifferential<M, T = f64> = Differential<<M as PoissonMap>::Target
 /// X_(h∘M)(z) = generator(dh(M(z)), z)
 /// ```
 ///
-/// An approximation of the collective flow that commutes with affine maps descends to Q if the symmetry along the fibres
-/// of M acts affinely, or if the action is linear and the matrices of the algebra contain their odd powers. The method
-/// [`equivariant_maps_descend`](Self::equivariant_maps_descend) tells. If it is symplectic, it conserves Casimirs whose
-/// pull-backs are functions of quadratic invariants.
+/// A one-step method for the collective flow that commutes with affine maps descends to Q in two cases: if the symmetry
+/// along the fibres of M acts affinely, or if the group acts linearly and the matrices of the algebra contain their odd
+/// powers. [`equivariant_maps_descend`](Self::equivariant_maps_descend) returns whether this is so. If the method is
+/// also symplectic, it conserves the Casimirs whose pull-backs are functions of quadratic invariants.
 ///
-/// If M is the momentum map of an action, `generator` is the infinitesimal generator ξ_P(z). If it is
-/// implemented by hand, collective dynamics needs no Jacobian.
+/// If M is the momentum map of an action, `generator` is the infinitesimal generator ξ_P(z). With an explicit formula
+/// for `generator`, collective dynamics needs no Jacobian.
 ///
 /// Source: Guillemin & Sternberg, *The moment map and collective motion*, Ann. Phys. 127 (1980);
 /// Marsden & Ratiu, *Introduction to Mechanics and Symmetry*, 2nd ed., §10.3, §12.4.
@@ -75,15 +75,16 @@ pub trait PoissonMap: Clone {
         self.source().hamiltonian_vector::<T>(z, &self.pull_back::<T>(alpha, z))
     }
 
-    /// Returns whether affinely equivariant approximations Φ of collective flows, such as those of symplectic Runge–Kutta
+    /// Returns whether affinely equivariant one-step methods Φ for collective flows, such as symplectic Runge–Kutta
     /// methods, descend to Q: whether M(Φ(z)) depends on M(z) alone.
     ///
-    /// Only then may z be moved along its fibre between such maps. The default is true. Implement it for a map of
-    /// your own whose fibres have no affine symmetry. The maps of this crate compute it from the matrices of their
-    /// action, or ask the maps that they consist of.
+    /// Only then may z be moved along its fibre between steps. The default is true. Override this method for a map of
+    /// your own whose fibres have no affine symmetry. The maps of this crate compute the result from the matrices of
+    /// their action, or from the maps that they consist of.
     ///
     /// # Example
-    /// The [`ClebschMap`](crate::ClebschMap) of so(3), and that of the plane with a dilation with two rates:
+    /// The [`ClebschMap`](crate::ClebschMap) of so(3), and that of the translations of the plane with a dilation at two
+    /// different rates:
     /// ```
     /// use lie_poisson::{InfinitesimalAdjoint, So3, StructureConstants};
     /// use momentum_map::{PoissonMap, Side, clebsch_map};
@@ -103,7 +104,7 @@ pub trait PoissonMap: Clone {
         true
     }
 
-    /// Returns a displacement along the fibre that keeps z from growing along it: M(z + gauge(z)) = M(z).
+    /// Returns a displacement along the fibre that keeps z from growing along the fibre: M(z + gauge(z)) = M(z).
     ///
     /// Under collective dynamics z may drift along its fibre. The drift is invisible in M(z), but costs
     /// digits. Collective integrators replace z by z + gauge(z). The gauge should be 0 at most points, so that
@@ -116,16 +117,17 @@ pub trait PoissonMap: Clone {
 
     /// Returns a point z′ near the origin on the fibre through z: M(z′) = M(z) and |z′| ≤ |z|.
     ///
-    /// The equation holds to the round-off of M at z. Collective integrators continue from z′ when z has
-    /// grown fourfold, because M(z) is a difference of larger and larger products: it would lose its
-    /// digits, and the equations for the next point would lose their solution. They also ask for z′ at
-    /// points from which a run may be resumed.
+    /// The equation holds to the round-off of M at z. Collective integrators continue from z′ when z has grown
+    /// fourfold. As z grows, M(z) becomes a difference of ever larger products: it would lose its digits, and the
+    /// equations for the next point would cease to have a solution. Collective integrators also ask for z′ at points
+    /// from which a run may be resumed.
     ///
-    /// The default implementation treats each SIMD lane (one of several trajectories in a register) on its
-    /// own. It returns z itself where M(z) has lost few bits. Elsewhere it approaches the point of least norm, in units in which the blocks of z have equal size,
-    /// by Newton's iteration on the tangent map of M, which comes from `apply` by dual numbers. No lift and
-    /// no [symmetry](crate::FibreSymmetry) of M is needed. Where the iteration fails, as at points where M
-    /// is not regular, it returns z. A map with a [`gauge`](Self::gauge) of its own may return z.
+    /// The default implementation treats each SIMD lane (one of several trajectories in a register) independently. It
+    /// returns z itself if M(z) has lost few bits. Otherwise it approaches the point of least norm, in units in which
+    /// the blocks of z have equal size, by Newton's iteration on the tangent map of M, which comes from `apply` by dual
+    /// numbers. No lift and no [symmetry](crate::FibreSymmetry) of M is needed. If the iteration fails, as it does at
+    /// points where M is not regular, the method returns z. A map with a [`gauge`](Self::gauge) of its own may return
+    /// z.
     ///
     /// # Example
     /// For a particle under rigid motions, J(q, p) = −(q × p, p), the fibres are the lines q + sp:
@@ -204,7 +206,7 @@ where
         self.inner.generator::<T>(&middle, z)
     }
 
-    /// Returns whether they descend along both maps.
+    /// Returns whether affinely equivariant methods descend along both maps.
     fn equivariant_maps_descend(&self) -> bool {
         self.inner.equivariant_maps_descend() && self.outer.equivariant_maps_descend()
     }

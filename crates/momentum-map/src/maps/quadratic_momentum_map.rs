@@ -10,9 +10,9 @@ use lie_poisson::{Differential, LiePoisson, Real, Vector};
 /// ⟨J(z), ξ⟩ = ½ Ω(ξ_P z, z),    ξ_P z = ξz for the left action, −ξz for the right one
 /// ```
 ///
-/// The generator is ξ_P z. In terms of the diamond product and of the covector Ω(z, ·), the map is J(z) = ∓½ z ◇
-/// Ω(z, ·), with the minus sign for the left action. The maps to so(3)∗ from C² by the Hopf map, to sl(2, R)∗ from R²ⁿ and to u(N)∗ by
-/// outer products are all of this kind, and share this code.
+/// The generator is ξ_P z. In terms of the diamond product and of the covector Ω(z, ·), the map is J(z) = ∓½ z ◇ Ω(z,
+/// ·), with the minus sign for the left action. The maps to so(3)∗ from C² by the Hopf map, to sl(2, R)∗ from R²ⁿ and
+/// to u(N)∗ by outer products are all of this kind, and share this code.
 ///
 /// Source: Marsden & Ratiu, *Introduction to Mechanics and Symmetry*, 2nd ed., Ch. 12
 /// (linear symplectic actions); McLachlan, Modin & Verdier, *Collective symplectic integrators*,

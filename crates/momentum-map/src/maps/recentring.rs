@@ -215,8 +215,8 @@ mod tests {
     use super::*;
     use nalgebra::{Vector1, Vector2};
 
-    /// Recentres a point of M(z) = 100 z₁ − 100, which loses digits near z₁ = 1. The fibres are lines along z₂, and their
-    /// points of least norm have z₂ = 0.
+    /// Recentres a point of M(z) = 100 z₁ − 100, which loses digits near z₁ = 1. The fibres are lines along z₂, and
+    /// their points of least norm have z₂ = 0.
     fn recentred(z: Vector2<f64>) -> Vector2<f64> {
         let map = Both {
             apply: |z: &Vector2<f64>| Vector1::new(100.0 * z.x - 100.0),

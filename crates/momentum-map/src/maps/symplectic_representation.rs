@@ -27,11 +27,11 @@ pub trait SymplecticRepresentation: Representation {
         Covector::from_coordinates(|i| self.form::<T>(x, &Vector::basis(i)))
     }
 
-    /// Returns whether the matrices of the representation contain their odd powers, so that affinely equivariant symplectic
-    /// maps descend: see [`odd_power_defect`].
+    /// Returns whether the matrices of the representation contain their odd powers, so that affinely equivariant
+    /// symplectic maps descend: see [`odd_power_defect`].
     ///
-    /// The default implementation computes this number and allows 10⁻¹². It takes about n³ products of matrices for an
-    /// algebra of dimension n.
+    /// The default implementation computes this defect and accepts values up to 10⁻¹². It takes about n³ products of
+    /// matrices for an algebra of dimension n.
     fn odd_powers_belong(&self) -> bool {
         odd_power_defect(self) <= ODD_POWER_TOLERANCE
     }
@@ -42,8 +42,8 @@ pub(crate) const ODD_POWER_TOLERANCE: f64 = 1e-12;
 
 /// The symplectic vector space V of a representation.
 ///
-/// [`SymplecticComplexSpace`] is the same space as that of U(N) on C^N, but another type. Maps can be
-/// composed only if the types are equal.
+/// For U(N) on C^N it is the same space as [`SymplecticComplexSpace`], but a different type. Maps can be composed only
+/// if the types are equal.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub struct Symplectic<R>(pub R);
 

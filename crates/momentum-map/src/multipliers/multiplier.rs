@@ -12,14 +12,13 @@ use lie_poisson::{Differential, Point, PoissonSpace, Real, Vector};
 /// dQ/dt = ξ(J(Qz₀)) Q,    Q(0) = 1,    J(Qz₀) = transport(Q, J(z₀))
 /// ```
 ///
-/// These equations depend on z₀ only through μ₀ = J(z₀). A Runge–Kutta method commutes with the linear map
-/// Q ↦ Qz₀, so the collective method on P *is* the same method for Q. It is a map of 𝔤∗ in closed form,
-/// without a lift and without drift along a fibre, and it is defined on all of 𝔤∗, also outside of the
-/// image of J.
+/// These equations depend on z₀ only through μ₀ = J(z₀). A Runge–Kutta method commutes with the linear map Q ↦ Qz₀, so
+/// the collective method on P *is* the same method for Q. It is a map of 𝔤∗ in closed form, without a lift and without
+/// drift along a fibre, and it is defined on all of 𝔤∗, even outside the image of J.
 ///
-/// A multiplier is determined only up to changes that `transport` does not see. The flow conserves
-/// quadratic invariants of Q (|Q|² = 1 for quaternions) that make `transport` a coadjoint motion. Every
-/// Gauss method conserves them too.
+/// A multiplier is determined only up to changes that leave `transport` unchanged. The flow conserves quadratic
+/// invariants of Q (|Q|² = 1 for quaternions) that make `transport` a coadjoint motion. Every Gauss method conserves
+/// them too.
 ///
 /// # Example
 /// Multipliers of your own: real 3×3 matrices for so(3)∗ with the minus bracket. On pairs z = (q, p) of vectors with

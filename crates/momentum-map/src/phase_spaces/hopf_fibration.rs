@@ -57,9 +57,9 @@ pub fn pauli<T: Real>(v: &Vector3<T>, chi: &Vector2<Complex<T>>) -> Vector2<Comp
 
 /// Returns a point ψ of the Hopf fibre over Γ: ϖ₂(ψ) = Γ and ‖ψ‖² = |Γ|.
 ///
-/// The result is not finite for Γ = 0. There are two charts, with ψ₁ > 0 on the upper half space and ψ₂ > 0
-/// on the lower, so that no direction of Γ is singular. The result is accurate to the round-off of |Γ| for
-/// every finite Γ ≠ 0, however small or large.
+/// The result is not finite for Γ = 0. There are two charts, with ψ₁ > 0 in the upper half space and ψ₂ > 0 in the
+/// lower, so no direction of Γ is singular. The result is accurate to the round-off of |Γ| for every finite Γ ≠ 0,
+/// however small or large.
 ///
 /// ```
 /// use momentum_map::{hopf_map, hopf_section};

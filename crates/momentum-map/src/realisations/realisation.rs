@@ -1,4 +1,4 @@
-//! A Poisson map with fibres described by another type: [`Realisation`].
+//! A Poisson map whose fibres a separate type describes: [`Realisation`].
 
 use crate::{
     FibreSymmetry, Lift, LiftError, PoissonMap, RecentringSpace, SourcePoint, TargetDifferential,
@@ -6,10 +6,10 @@ use crate::{
 };
 use lie_poisson::{Differential, Real};
 
-/// A description of the fibres of a Poisson map M, in a type apart from the map.
+/// A description of the fibres of a Poisson map M, in a type separate from the map.
 ///
-/// Implement it for a type of your own, empty if no gauge is needed, together with [`SectionOf`], [`SymmetryOf`] or
-/// both. [`Realisation`] then attaches it to the map.
+/// Implement it for a type of your own, together with [`SectionOf`], [`SymmetryOf`] or both. If no gauge is needed, the
+/// implementation of this trait is empty. [`Realisation`] then attaches the description to the map.
 pub trait Fibres<M: PoissonMap>: Clone {
     /// Returns the displacement [`PoissonMap::gauge`] along the fibre, by default that of the map.
     #[inline]
@@ -62,12 +62,12 @@ pub trait SymmetryOf<M: PoissonMap>: Fibres<M> {
 
 /// A Poisson map M with the fibres that F describes.
 ///
-/// A crate may not implement [`Lift`] for the `MomentumMap` of its own action, since neither the trait nor the type
-/// constructor is its own. It can implement [`Fibres`] and [`SectionOf`] for a type of its own, and attach that. The
-/// result is a Poisson map as M is, with the lift and the symmetry of F. The law suites check both.
+/// Another crate may not implement [`Lift`] for the `MomentumMap` of its own action, since both the trait and the type
+/// are foreign to it. It can implement [`Fibres`] and [`SectionOf`] for a type of its own, and attach that. The result
+/// is a Poisson map like M, with the lift and the symmetry of F. The law suites check both.
 ///
-/// The methods of the traits are generic over the scalar, and a closure is not. So F is a type with methods and no
-/// collection of closures.
+/// F is a type with methods, not a collection of closures, because the methods are generic over the scalar, which
+/// closures cannot be.
 ///
 /// # Example
 /// The momentum map of the right action of SE(2) on the plane, J(q, p) = −(q₁p₂ − q₂p₁, p), with the lift of (Π, Γ) for

@@ -27,11 +27,10 @@ impl PlaneForm for Reversed<SL2OnR2> {
 /// J(z₁, z₂) = ± Σ_a s_a (q_a p_a, ½p_a², −½q_a²),    z_a = (q_a, p_a)
 /// ```
 ///
-/// The upper sign belongs to the left action. In terms of the symmetric matrix S = ±[−2J₃ J₁; J₁ 2J₂] the
-/// map is S = s₁ z₁z₁ᵀ + s₂ z₂z₂ᵀ, and −det S/4 is the Casimir. Equal forms (`Sum<SL2OnR2, SL2OnR2>`, or
-/// both [`Reversed`]) each reach one sheet of the elliptic orbits. Opposite forms
-/// (`Sum<SL2OnR2, Reversed<SL2OnR2>>`) reach the hyperbolic orbits. The fibres are the orbits of O(2) and of O(1, 1); the
-/// flow stays in one component.
+/// The upper sign belongs to the left action. In terms of the symmetric matrix S = ±[−2J₃ J₁; J₁ 2J₂] the map is S = s₁
+/// z₁z₁ᵀ + s₂ z₂z₂ᵀ, and −det S/4 is the Casimir. Equal forms (`Sum<SL2OnR2, SL2OnR2>`, or both [`Reversed`]) each
+/// reach one sheet of the elliptic orbits. Opposite forms (`Sum<SL2OnR2, Reversed<SL2OnR2>>`) reach the hyperbolic
+/// orbits. The fibres are the orbits of O(2) and of O(1, 1); the flow stays in one component.
 ///
 /// Source: the dual pairs (Sp(2, R), O(2)) and (Sp(2, R), O(1, 1)), R. Howe, *Remarks on classical
 /// invariant theory*, Trans. AMS 313 (1989).

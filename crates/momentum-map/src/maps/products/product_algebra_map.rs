@@ -9,7 +9,7 @@ use lie_poisson::{
 };
 use thiserror::Error;
 
-/// The error of two factors whose Lie–Poisson brackets have different signs.
+/// The error for two factors whose Lie–Poisson brackets have different signs.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Error)]
 #[error("the brackets of the two factors have different signs, {first:?} and {second:?}")]
 pub struct DifferentSigns {
@@ -19,10 +19,10 @@ pub struct DifferentSigns {
     pub second: Sign,
 }
 
-/// The product (M, N): P₁ × P₂ → (𝔤 × 𝔥)∗ of maps to 𝔤∗ and to 𝔥∗ with brackets of one sign.
+/// The product (M, N): P₁ × P₂ → (𝔤 × 𝔥)∗ of maps to 𝔤∗ and to 𝔥∗ with brackets of the same sign.
 ///
-/// It is [`ProductMap`] with another type of target, on which the [Casimirs](lie_poisson::Casimirs) of the product
-/// algebra and Hamiltonians on its dual are defined.
+/// It is a [`ProductMap`] whose target is the dual of the product algebra, so that the
+/// [Casimirs](lie_poisson::Casimirs) of this algebra and Hamiltonians on its dual are available.
 ///
 /// # Example
 /// A spin and a particle, with the Casimirs |s|², |Γ|² and Π·Γ of so(3) × se(3):

@@ -6,11 +6,11 @@ use lie_poisson::{Differential, Pair, ProductSpace, Real, from_parts, parts};
 
 /// The product (M, N): P₁ × P₂ → Q₁ × Q₂ of two Poisson maps.
 ///
-/// Where both targets are duals of Lie algebras, [`ProductAlgebraMap`](crate::ProductAlgebraMap) has the dual of the
-/// product algebra as its target.
+/// If both targets are duals of Lie algebras, use [`ProductAlgebraMap`](crate::ProductAlgebraMap) for a map whose
+/// target is the dual of the product algebra.
 ///
-/// With [`Identity`](crate::Identity) for N, it couples spins or vortices to canonical variables on (S²)ⁿ ×
-/// T∗R^m.
+/// With [`Identity`](crate::Identity) for N, the product serves spins or vortices that are coupled to canonical
+/// variables, on (S²)ⁿ × T∗R^m.
 ///
 /// Source: Bogfjellmo, *Collective symplectic integrators on S₂ⁿ × T∗R^m*, arXiv:1809.06231 (2018).
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
