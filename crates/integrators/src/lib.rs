@@ -60,8 +60,8 @@
 //! | a kernel of your own for many trajectories | [`LaneKernel`], [`BatchIntegrator`] |
 //! | tangent vectors and Lyapunov exponents | [`VariationalFlow`], [`LyapunovExponents`] |
 //! | fast indicators of chaos: MEGNO and SALI | [`Megno`], [`smaller_alignment_index`] |
-//! | tangent vectors to begin with | [`generic_tangent`] |
-//! | the order or a defect of a method, measured | the module [`diagnostics`] |
+//! | initial tangent vectors | [`generic_tangent`] |
+//! | measurements of the order or of a defect of a method | the module [`diagnostics`] |
 //! | tests of your own types against the laws | the module `laws` (feature `laws`) |
 //!
 //! # Conventions
@@ -72,7 +72,7 @@
 //! * A Runge–Kutta method has the stages k_i = X(z + h Σ_j a_ij k_j) and the result z + h Σ_i b_i k_i.
 //! * Times are in the units of the vector field, and exponents are per unit of time.
 //! * A failed step is a typed error. Every further item of the trajectory is the same error.
-//! * A trajectory forgets the steps before at every multiple of [`CHECKPOINT`], where it can be resumed bit by bit.
+//! * A trajectory forgets its earlier steps at every multiple of [`CHECKPOINT`], where it can be resumed bit by bit.
 //!
 //! The notation of all the crates is collected in `docs/notation.md` of the source repository.
 //!

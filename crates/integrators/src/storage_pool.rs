@@ -1,12 +1,12 @@
-//! Storage that evaluations of a vector field use: [`StoragePool`].
+//! Storage for the evaluations of a vector field: [`StoragePool`].
 
 use std::sync::{Mutex, PoisonError};
 
-/// Storage of evaluations of a [`VectorField`](crate::VectorField), one for each that runs at the same time.
+/// Storage for the evaluations of a [`VectorField`](crate::VectorField), one item for each that runs at the same time.
 ///
 /// A field is evaluated through a shared reference, also on several threads. A large field that needs storage keeps it
-/// here, so that evaluations allocate nothing after the first and no thread waits for another. The storage has no value
-/// between evaluations: two pools are equal, and a clone is empty.
+/// here, so that evaluations allocate nothing after the first and no thread waits for another. What the storage
+/// contains between evaluations does not matter: any two pools are equal, and a clone is empty.
 ///
 /// # Example
 /// ```
@@ -24,8 +24,8 @@ use std::sync::{Mutex, PoisonError};
 pub struct StoragePool<T>(Mutex<Vec<T>>);
 
 impl<T: Default> StoragePool<T> {
-    /// Calls `f` with storage that nothing else uses meanwhile. It is that of an earlier call where there is one, with
-    /// what that call has left in it.
+    /// Calls `f` with storage that nothing else uses meanwhile. Storage of an earlier call is used again if there is
+    /// any, with the contents that this call has left in it.
     pub fn with<R>(&self, f: impl FnOnce(&mut T) -> R) -> R {
         let mut storage = self.lock(Vec::pop).unwrap_or_default();
         let result = f(&mut storage);

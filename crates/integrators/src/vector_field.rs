@@ -11,7 +11,7 @@ use lie_poisson::{
 /// An autonomous vector field dz/dt = X(z) over the scalar `T`.
 ///
 /// # Example
-/// A field that is written over every scalar also has tangent vectors and SIMD lanes:
+/// A field that is written over every scalar can also be evaluated with tangent vectors and in SIMD lanes:
 /// ```
 /// use collective_integrators::{Direct, RungeKutta, Start, VectorField};
 /// use lie_poisson::Real;
@@ -41,10 +41,10 @@ pub trait VectorField<T: Real = f64> {
     /// Returns the value X(z) of the field.
     fn at(&self, z: &Self::Point) -> Self::Point;
 
-    /// Writes the value X(z) of the field to a point of the space of z, whose coordinates are arbitrary before.
+    /// Writes X(z) to `value`, a point of the same space as z, whose previous coordinates are arbitrary.
     ///
     /// Integrators call this method. The default calls [`at`](Self::at); override it for large points, so that a step
-    /// allocates nothing. A value of another space than that of z becomes NaN, so that a step fails.
+    /// allocates nothing. If the value lies in a space other than that of z, it becomes NaN, so that a step fails.
     ///
     /// # Example
     /// The field dz/dt = −z, for as many sites as z has:
@@ -87,7 +87,7 @@ pub trait VectorField<T: Real = f64> {
         None
     }
 
-    /// Solves stage equations with one stage in each SIMD lane, if the field is one for that.
+    /// Solves stage equations with one stage in each SIMD lane, if the field supports this.
     ///
     /// Only the field of [`StagesInLanes`](crate::StagesInLanes) has a reason to change the default.
     #[doc(hidden)]
@@ -116,8 +116,8 @@ pub trait VectorField<T: Real = f64> {
 ///
 /// On 𝔤∗ with the minus bracket it gives the Lie–Poisson equations dμ/dt = `ad*_ξ μ`, where ξ = dh(μ).
 ///
-/// Source: Ohsawa 2019, eq. (1.1) for the heavy top; Marsden & Ratiu, *Introduction to Mechanics and Symmetry* (1999), Prop.
-/// 10.7.1.
+/// Source: Ohsawa 2019, eq. (1.1) for the heavy top; Marsden & Ratiu, *Introduction to Mechanics and Symmetry* (1999),
+/// Prop. 10.7.1.
 ///
 /// # Example
 /// A free rigid body, dΠ/dt = Π × Ω:

@@ -8,9 +8,9 @@ use core::ops::Range;
 /// The result of a member depends on this member alone. It does not depend on the other members, on its place among
 /// them, or on their number. A member that fails, or that is not a number, changes no other member.
 ///
-/// [`Laned`](crate::Laned) makes a batch integrator of every [`Integrator`](crate::Integrator), by SIMD lanes: several
-/// trajectories in one register. A kernel for a special system is another implementation. [`Ensemble`](crate::Ensemble)
-/// runs either on all threads.
+/// [`Laned`](crate::Laned) turns every [`Integrator`](crate::Integrator) into a batch integrator that uses SIMD lanes
+/// (several trajectories in one register). A kernel for one particular system can also implement this trait.
+/// [`Ensemble`](crate::Ensemble) runs either kind on all threads.
 ///
 /// # Example
 /// A batch of decays dx/dt = −k x with a rate k for each member, in closed form:
@@ -54,10 +54,10 @@ pub trait BatchIntegrator: Sync {
     fn workspace(&self) -> Self::Workspace;
 
     /// Advances each member from its state after `steps.start` steps to that after `steps.end` steps. The size `step`
-    /// may be negative. No step allocates, except one that needs Newton's iteration and those of a member by itself.
+    /// may be negative. No step allocates, unless it needs Newton's iteration or is made for one member by itself.
     ///
-    /// A method that predicts stages from the steps before remembers nothing at the start of a call. It forgets at
-    /// every multiple of [`CHECKPOINT`](crate::CHECKPOINT), as a [`Trajectory`](crate::Trajectory) does.
+    /// A method that predicts stages from earlier steps starts each call with an empty memory. It also forgets at every
+    /// multiple of [`CHECKPOINT`](crate::CHECKPOINT), as a [`Trajectory`](crate::Trajectory) does.
     ///
     /// A member that cannot continue keeps the state before the failed step. The method then calls `failed(i, error)`
     /// once, with the index of the member and with the number and the time of the step. The order of these calls is

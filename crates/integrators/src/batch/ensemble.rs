@@ -24,8 +24,8 @@ const CHUNK: usize = 128;
 ///   rounding, since a fused multiply-add rounds a product and a sum once, together.
 ///
 /// # Example
-/// Harmonic oscillators of ten thousand amplitudes are streamed: only those on which the threads work are in memory at
-/// a time. The observer may be called from several threads at once, in any order.
+/// Harmonic oscillators of ten thousand amplitudes are streamed: only the members in progress are in memory at any
+/// time. The observer may be called from several threads at once, in any order.
 /// ```
 /// use collective_integrators::{Direct, Ensemble, Laned, RungeKutta, VectorField};
 /// use lie_poisson::Real;
@@ -91,9 +91,9 @@ impl<B: BatchIntegrator> Ensemble<B> {
     /// Starts the members i = 0, …, `count` − 1 at `start`(i), makes the given number of steps, and shows the results
     /// to the observer. The observer sees each member once, in chunks.
     ///
-    /// Memory is allocated only for the chunks in progress, whatever the count. The chunks come in no fixed order, and
-    /// so do the terms of a sum over chunks. If the last bits matter, keep one sum for each [`Chunk::first`], and add
-    /// these by index.
+    /// Memory is allocated only for the chunks in progress, whatever the count. The chunks arrive in no fixed order, so
+    /// the rounding of a sum over all chunks varies from run to run. If the last bits matter, keep one sum for each
+    /// [`Chunk::first`], and add these sums in the order of their indices.
     pub fn stream(
         &self,
         count: u64,
@@ -120,9 +120,9 @@ impl<B: BatchIntegrator> Ensemble<B> {
     /// Advances members in memory from their states after `steps.start` steps to those after `steps.end` steps. Returns
     /// the failed members by increasing index; they keep the state before the failed step.
     ///
-    /// A run in several calls has the bits of one run if the calls meet at multiples of
-    /// [`CHECKPOINT`](crate::CHECKPOINT). Leave members that have failed out of later calls, which would advance them from
-    /// where they are and report them again.
+    /// A run divided into several calls is bit-identical to a single run if the calls meet at multiples of
+    /// [`CHECKPOINT`](crate::CHECKPOINT). Leave failed members out of later calls: a later call would advance them from
+    /// their current states and report them again.
     pub fn advance(
         &self,
         members: &mut [B::Member],

@@ -1,4 +1,4 @@
-//! Integrators over SIMD lanes, which are chosen when the program runs, as batch integrators: [`Laned`].
+//! Batch integrators over SIMD lanes that are chosen when the program runs: [`Laned`].
 
 use crate::batch::group_engine::{Group, advance_groups};
 use crate::batch::lane_kernel::LaneResults;
@@ -13,24 +13,27 @@ use lie_poisson::{
 /// An integrator that advances several states side by side, in the SIMD lanes of a register (several trajectories in
 /// one register).
 ///
-/// [`new`](Self::new) takes the lanes that every processor has, and [`widest`](Self::widest) the widest registers of this
-/// one, for code that fulfils the rules below. Every integrator whose formulas are written over all scalars is suitable. Each member has the bits of its
-/// [trajectory](Integrator::trajectory_from) over `f64`, for all instruction sets and all neighbours: operations on
-/// lanes round as those of `f64` do, and iterations stop in each lane by itself. An integrator with other formulas over
-/// `f64`, such as a fused kernel, differs from its lanes by rounding. The neighbours do not matter then either.
+/// [`new`](Self::new) uses the lanes that every processor has. [`widest`](Self::widest) uses the widest registers of
+/// this processor, for code that follows the rules below. Every integrator whose formulas are written over all scalars
+/// is suitable. The result of each member is bit-identical to its [trajectory](Integrator::trajectory_from) over `f64`,
+/// whatever the instruction set and the neighbouring lanes: operations on lanes round as those on `f64` do, and
+/// iterations stop in each lane independently. If an integrator uses different formulas over `f64`, such as a fused
+/// kernel, the result in a lane differs from that over `f64` by rounding. It still does not depend on the neighbouring
+/// lanes.
 ///
 /// The steps are made in blocks that end at the multiples of [`CHECKPOINT`](crate::CHECKPOINT). If a step of some lane
-/// fails, or needs Newton's iteration in wide registers, the block is repeated from its start: first with four members at
-/// a time, on the [lanes](DefaultLanes) that every processor has, and then with each member of a group that fails there by
-/// itself, over `f64`. A member that fails there too takes no further step; the others continue together.
+/// fails, or needs Newton's iteration in wide registers, the block is repeated from its start: first with four members
+/// at a time, on the [lanes](DefaultLanes) that every processor has. If such a group of four fails, each of its members
+/// repeats the block by itself, over `f64`. A member that fails even then takes no further step; the others continue
+/// together.
 ///
 /// # Speed of wide registers
-/// The rules of [`LaneTask`](lie_poisson::LaneTask) hold for the field or the Hamiltonian of the integrator: mark its
-/// methods, and what they call, with `#[inline(always)]`, and compute with components. A method without the mark is
-/// correct, but its operations are calls of functions, and its steps may be several times slower in wide registers than
-/// on the lanes that every processor has. [`Direct`](crate::Direct), [`LiftFree`](crate::LiftFree) and
+/// The rules of [`LaneTask`](lie_poisson::LaneTask) apply to the field or the Hamiltonian of the integrator: mark its
+/// methods, and what they call, with `#[inline(always)]`, and compute with components. A method without this attribute
+/// gives correct results, but its operations become function calls, and its steps may be several times slower in wide
+/// registers than on the lanes that every processor has. [`Direct`](crate::Direct), [`LiftFree`](crate::LiftFree) and
 /// [`Collective`](crate::Collective) integrators with [`RungeKutta`](crate::RungeKutta) methods and their compositions
-/// fulfil the rules; compensated sums, partitioned methods and splittings do not.
+/// follow the rules; compensated sums, partitioned methods and splittings do not.
 ///
 /// # Example
 /// Six harmonic oscillators, of which the fifth starts at NaN:
@@ -69,12 +72,12 @@ impl<I> Laned<I> {
     }
 
     /// Creates a batch integrator on the widest instruction set that this processor has, for integrators whose code
-    /// [fulfils the rules](Self#speed-of-wide-registers).
+    /// [follows the rules](Self#speed-of-wide-registers).
     pub fn widest(integrator: I) -> Self {
         Self { integrator, instructions: InstructionSet::detected() }
     }
 
-    /// Replaces the instruction set. The steps on two sets have the same bits.
+    /// Replaces the instruction set. Steps on different instruction sets are bit-identical.
     ///
     /// # Errors
     /// Returns [`MissingInstructions`] if the processor lacks them.
@@ -102,7 +105,8 @@ impl<I: Integrator<T>, T: Lanes> StorageOver<T> for Laned<I> {
     }
 }
 
-/// The storage of a [`Laned`] integrator: the workspaces for the lanes of its registers and for members that fail there.
+/// The storage of a [`Laned`] integrator: the workspaces for the lanes of its registers and for members that fail
+/// there.
 pub struct LanedSpace<I>
 where
     I: Integrator<f64> + Integrator<DefaultLanes>,

@@ -1,4 +1,4 @@
-//! Integrators over the SIMD lanes of a given type as batch integrators: [`LanedOver`].
+//! Batch integrators over the SIMD lanes of a given type: [`LanedOver`].
 
 use crate::batch::group_engine::{Group, advance_groups};
 use crate::batch::lane_kernel::LaneResults;
@@ -19,7 +19,8 @@ use lie_poisson::{Lanes, Vector};
 /// takes no further step; the others continue together.
 ///
 /// # Example
-/// A harmonic oscillator in one of the four lanes that every processor has ends with the bits that it has over `f64`:
+/// A harmonic oscillator in one of the four lanes that every processor has ends at a state that is bit-identical to
+/// that over `f64`:
 /// ```
 /// use collective_integrators::{BatchIntegrator, Direct, LanedOver, RungeKutta, VectorField};
 /// use lie_poisson::{DefaultLanes, Real};

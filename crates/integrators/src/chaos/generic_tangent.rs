@@ -1,14 +1,14 @@
-//! Tangent vectors to begin with.
+//! Initial tangent vectors for indicators of chaos: [`generic_tangent`].
 
 use lie_poisson::Vector;
 
 /// Returns the initial tangent vector with the given index for a chaos indicator.
 ///
-/// The index `number` counts from 0. The vectors have no symmetry, and those of different indices are linearly independent.
+/// The index `number` counts from 0. The vectors have no symmetry, and those of different indices are linearly
+/// independent.
 ///
-/// It has the coordinates x_i = (n² g mod 1) − ½ with n = `number`·d + i + 1 and g = (√5 − 1)/2, for the first d =
-/// `dimension` coordinates, and zeros in those that complete a space. A vector whose index is d or above is the vector
-/// of the basis with this index.
+/// The first d = `dimension` coordinates are x_i = (n² g mod 1) − ½ with n = `number`·d + i + 1 and g = (√5 − 1)/2. Any
+/// further coordinates of the space are zero. A vector whose index is d or above is the basis vector with this index.
 ///
 /// Source: the squares in Weyl's sequence; H. Weyl, *Über die Gleichverteilung von Zahlen mod. Eins*, Math. Ann. 77
 /// (1916).

@@ -1,4 +1,4 @@
-//! Trajectories with their tangent vectors.
+//! Trajectories with their tangent vectors: [`VariationalFlow`].
 
 use crate::{CHECKPOINT, IntegrationError, Integrator, StepError};
 use lie_poisson::{DualNumber, State, euclidean_norm, squaring_scale};
@@ -12,7 +12,8 @@ type DualStateOf<I> = <I as Integrator<DualNumber>>::State;
 
 /// An integrator over `f64` and over dual numbers, whose steps carry tangent vectors along.
 ///
-/// Every integrator over both whose states have one [`Shape`](State::Shape) is one.
+/// The trait is implemented for every integrator over both scalars whose two types of states have the same
+/// [`Shape`](State::Shape).
 pub trait TangentIntegrator:
     Integrator + Integrator<DualNumber, State: State<Shape = <StateOf<Self> as State>::Shape>>
 {
@@ -30,14 +31,14 @@ pub enum VariationalError {
     /// The run failed, for the state or for a tangent vector.
     #[error(transparent)]
     Integration(#[from] IntegrationError),
-    /// A tangent vector lies in the span of those before it, to round-off, or is not finite.
+    /// A tangent vector lies in the span of the preceding vectors, to round-off, or is not finite.
     #[error(
         "tangent vector {index} has the length {length:e} beyond those before it, at t = {time}"
     )]
     Dependent {
         /// The index of the vector; the first is 0.
         index: usize,
-        /// The length of the part of the vector that is orthogonal to those before it.
+        /// The length of the component of the vector orthogonal to the preceding vectors.
         length: f64,
         /// The time of the failure.
         time: f64,
@@ -59,7 +60,7 @@ pub enum VariationalError {
 /// ```
 ///
 /// The derivative DΦ_h is that of the discrete map, computed by dual numbers. With a Poisson integrator it preserves
-/// the Poisson tensor. The state has the bits of the state of a [`Trajectory`](crate::Trajectory) from the same start.
+/// the Poisson tensor. The state is bit-identical to that of a [`Trajectory`](crate::Trajectory) from the same start.
 /// One step costs one step over `f64` and K steps over dual numbers, and allocates nothing. States may be on the heap.
 ///
 /// The tangent vectors belong to the *state*: to 𝔤∗ for [`LiftFree`](crate::LiftFree) and [`Direct`](crate::Direct),
@@ -161,8 +162,8 @@ where
     /// Advances the state and the tangent vectors by one step.
     ///
     /// # Errors
-    /// Returns [`VariationalError::Integration`] if the step fails for the state or for a tangent vector, or if a tangent
-    /// vector has another dimension than the state. Nothing is changed then.
+    /// Returns [`VariationalError::Integration`] if the step fails for the state or for a tangent vector, or if the
+    /// dimension of a tangent vector differs from that of the state. In these cases nothing is changed.
     pub fn advance(&mut self) -> Result<(), VariationalError> {
         let (made, size) = (self.steps, self.size);
         let fail = |source: StepError| IntegrationError::after(made, size, source);
@@ -188,15 +189,15 @@ where
         Ok(())
     }
 
-    /// Replaces the tangent vectors by the orthonormal ones of Gram and Schmidt, and returns the lengths r_ii > 0.
+    /// Orthonormalises the tangent vectors by the Gram–Schmidt process, and returns the lengths r_ii > 0.
     ///
-    /// The vectors are v_i = Σ_j r_ji e_j, j ≤ i, with e_j orthonormal in the Euclidean product of coordinates. They
-    /// may have any size.
+    /// The previous vectors are v_i = Σ_j r_ji e_j, j ≤ i, where the new vectors e_j are orthonormal in the Euclidean
+    /// product of coordinates. The v_i may have any size.
     ///
     /// # Errors
-    /// Returns [`VariationalError::Dependent`] if a vector is a combination of those before it to round-off, if it is
-    /// not finite, or if its length r_ii overflows or underflows. More than DIM vectors are always dependent. The
-    /// vectors before it are orthonormal then.
+    /// Returns [`VariationalError::Dependent`] if a vector is a combination of the preceding ones to round-off, if it
+    /// is not finite, or if its length r_ii overflows or underflows. More than DIM vectors are always dependent. After
+    /// an error, the vectors before the failing one are orthonormal.
     pub fn orthonormalise(&mut self) -> Result<[f64; K], VariationalError> {
         let time = self.time();
         let mut lengths = [0.0; K];
@@ -224,13 +225,13 @@ where
         Ok(lengths)
     }
 
-    /// Scales each tangent vector by itself to length 1, and returns the previous lengths.
+    /// Scales each tangent vector to length 1, without orthogonalisation, and returns the previous lengths.
     ///
     /// Lengths are those of the Euclidean product of coordinates. Directions are kept: vectors that align stay aligned.
     ///
     /// # Errors
-    /// Returns [`VariationalError::Dependent`] if a length is zero, not finite, or overflows. The vectors before it are
-    /// scaled then.
+    /// Returns [`VariationalError::Dependent`] if a length is zero, not finite, or overflows. After an error, the
+    /// vectors before the failing one have length 1.
     pub fn normalise(&mut self) -> Result<[f64; K], VariationalError> {
         let time = self.time();
         let mut lengths = [0.0; K];

@@ -1,4 +1,4 @@
-//! The growth of round-off over an ensemble of runs.
+//! The growth of round-off over an ensemble of runs: [`EnsembleGrowth`].
 
 use super::{DriftError, fitted_order};
 
@@ -31,12 +31,12 @@ pub struct EnsembleGrowth {
 }
 
 impl EnsembleGrowth {
-    /// Adds a run, as pairs (t, f(t)) of which the first is the start. The first run sets the times. Allocates one
-    /// vector.
+    /// Adds a run, given as pairs (t, f(t)), the first of which is the start. The first run sets the times. Allocates
+    /// one vector.
     ///
     /// # Errors
     /// Returns [`DriftError::NotFinite`] if a value is not finite, or [`DriftError::Times`] if the times are not those
-    /// of the first run. Nothing is added then.
+    /// of the first run. After an error nothing has been added.
     pub fn add(&mut self, run: impl IntoIterator<Item = (f64, f64)>) -> Result<(), DriftError> {
         let mut values = Vec::with_capacity(self.times.len());
         for (time, value) in run {
@@ -77,11 +77,11 @@ impl EnsembleGrowth {
 
     /// Returns the exponent a of the growth rms ~ tᵃ: the slope of ln rms against ln |t| by least squares.
     ///
-    /// Only points above `plateau` (in the units of f) are used. Below it, the deviation takes only the few rounded
-    /// values next to f(0).
+    /// Only points above `plateau` (in the units of f) are used. Below it, f(t) takes only a few rounded values next to
+    /// f(0).
     ///
-    /// Points at equal distances in t give more weight to late times. For even weights sample the runs at times in
-    /// geometric progression.
+    /// Points that are equally spaced in t give more weight to late times. For even weights, sample the runs at times
+    /// in geometric progression.
     ///
     /// # Errors
     /// Returns [`DriftError::Exponent`] if fewer than three points remain.

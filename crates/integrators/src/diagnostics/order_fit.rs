@@ -1,4 +1,4 @@
-//! The order of convergence, fitted to measured errors.
+//! The order of convergence, fitted to measured errors: [`fitted_order`].
 
 use thiserror::Error;
 
@@ -16,7 +16,7 @@ pub enum OrderFitError {
         /// The plateau; errors below it are left out.
         plateau: f64,
     },
-    /// A step or an error is infinite or not a number. This is no result, rather than a small error.
+    /// A step or an error is infinite or not a number.
     #[error("step {step} has the error {error}")]
     NotFinite {
         /// The step size.

@@ -16,8 +16,8 @@ use momentum_map::{
 /// The collective integrator: a scheme for the Hamiltonian h∘M on the source P of a realisation M: P → 𝔤∗.
 ///
 /// If the scheme Φ_h is symplectic and [`Equivariant`], then μ ↦ M(Φ_h(z)) with M(z) = μ is a Poisson map of 𝔤∗ that
-/// does not depend on the lift z: a *collective Lie–Poisson integrator*. It conserves the Casimirs. A few maps M need one
-/// condition more, which [`descends`](Self::descends) reports.
+/// does not depend on the lift z: a *collective Lie–Poisson integrator*. It conserves the Casimirs. For a few maps M
+/// one further condition is needed. [`descends`](Self::descends) reports whether it holds.
 ///
 /// Source: McLachlan, Modin & Verdier, *Collective symplectic integrators*, Nonlinearity 27
 /// (2014); Ohsawa 2019, §5.1.
@@ -62,10 +62,11 @@ pub struct Collective<S, M, H> {
 impl<S: Equivariant, M: PoissonMap, H> Collective<S, M, H> {
     /// Creates an integrator from a scheme that commutes with affine maps, as its bound [`Equivariant`] states.
     ///
-    /// Its steps descend to 𝔤∗ if the map allows it: see [`PoissonMap::equivariant_maps_descend`]. This is so for most maps.
-    /// For others, such as a `ClebschMap` of a representation that lacks its odd powers, the integrator is that of
-    /// [`that_does_not_descend`](Self::that_does_not_descend): the Casimirs are conserved to the order of the scheme, the
-    /// image of a step depends on z, and z is never moved along its fibre. [`descends`](Self::descends) tells.
+    /// Its steps descend to 𝔤∗ if the map allows it: see [`PoissonMap::equivariant_maps_descend`]. Most maps do. Some
+    /// do not, such as a `ClebschMap` of a representation that lacks its odd powers. The integrator then behaves as
+    /// that of [`that_does_not_descend`](Self::that_does_not_descend): the Casimirs are conserved only to the order of
+    /// the scheme, the image of a step depends on z, and z is never moved along its fibre. [`descends`](Self::descends)
+    /// returns which case applies.
     pub fn new(scheme: S, map: M, hamiltonian: H) -> Self
     where
         H: Hamiltonian<M::Target>,
@@ -81,7 +82,7 @@ impl<S: Scheme, M: PoissonMap, H> Collective<S, M, H> {
     /// A step z ↦ Φ(z) on P gives a map of 𝔤∗ if M(Φ(z)) depends on M(z) alone, that is, if Φ carries fibres of M to
     /// fibres. Fibre symmetries are linear and mix q and p, for example χ ↦ χ + bψ on T∗C². A partitioned scheme treats
     /// q and p differently and does not commute with them, even if it is symplectic. Its result depends on the lift,
-    /// and Noether's theorem, which makes the Casimirs constant, does not apply. Symplecticity on P alone is not
+    /// and Noether's theorem, which would make the Casimirs constant, does not apply. Symplecticity on P alone is not
     /// enough.
     ///
     /// The table shows the experiment of Ohsawa 2019, §5.2, over 1000 steps of 1/50, where f₁ = 1. Runge–Kutta methods
@@ -93,8 +94,8 @@ impl<S: Scheme, M: PoissonMap, H> Collective<S, M, H> {
     /// | Störmer–Verlet | −0.033 | 1.7e-5 apart |
     /// | Lobatto IIIA–IIIB, 3 stages | 8e-8 | 4.1e-10 apart |
     ///
-    /// This constructor exists to show this behaviour. Use [`new`](Self::new) otherwise: it refuses such schemes, and
-    /// treats maps along which no scheme descends as this constructor does.
+    /// This constructor exists to demonstrate this behaviour. Otherwise use [`new`](Self::new), which does not accept
+    /// such schemes. For maps along which no scheme descends, both constructors do the same.
     ///
     /// ```compile_fail
     /// use collective_integrators::{Collective, FirstHalf, PartitionedRungeKutta};

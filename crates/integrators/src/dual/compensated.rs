@@ -1,4 +1,4 @@
-//! Compensated summation, which carries the rounding errors of the steps along.
+//! Compensated summation, which carries the rounding errors of the steps along: [`Compensated`].
 
 use crate::sums::two_sum::add_compensated;
 use crate::{Increment, Integrator, Start, Step, StepError};
@@ -9,8 +9,8 @@ use momentum_map::LiftError;
 ///
 /// [`Compensated`] adds the increments and carries the rounding errors along. Its documentation has an example.
 pub trait Increments<T: Real = f64>: Integrator<T> {
-    /// Returns the change δz + δe of a state z + e in one step, before it is [`gauged`](Self::gauged). e has the size of
-    /// the rounding errors of z, and δe that of δz.
+    /// Returns the change δz + δe of a state z + e in one step, before it is [`gauged`](Self::gauged). e has the size
+    /// of the rounding errors of z, and δe that of δz.
     ///
     /// The caller checks that the result is finite.
     ///
@@ -23,7 +23,8 @@ pub trait Increments<T: Real = f64>: Integrator<T> {
         workspace: &mut Self::Workspace,
     ) -> Result<Increment<Self::State>, StepError>;
 
-    /// Returns the pool of temporary vectors of a workspace, from which [`increment`](Self::increment) takes its result.
+    /// Returns the pool of temporary vectors of a workspace, from which [`increment`](Self::increment) takes its
+    /// result.
     ///
     /// The default returns `None`: an increment on the heap is allocated in each step. See
     /// [`Scheme::temporaries`](crate::Scheme::temporaries).
@@ -54,11 +55,12 @@ pub trait Increments<T: Real = f64>: Integrator<T> {
 /// (z, e). For a [`LiftFree`](crate::LiftFree) integrator z is μ.
 ///
 /// If the fixed-point iteration solves the stages of an implicit Runge–Kutta method, the increment has about twice the
-/// digits but for the rounding errors of the field: stages start from z + e, sums over stages keep what they round off, and
-/// the effect of both on the field is added back ([`Scheme::refined_increment`](crate::Scheme::refined_increment)). If a
-/// [`Collective`](crate::Collective) integrator moves z along its fibre, e moves along. A
-/// [`LiftFree`](crate::LiftFree) integrator moves e with the multiplier that it computes from μ. The errors of invariants
-/// then grow as t^½. Other methods, and steps that need Newton's iteration, keep biased rounding errors and may drift.
+/// usual number of digits, apart from the rounding errors of the field. Stages start from z + e, sums over stages keep
+/// what they round off, and the effect of both on the field is added back
+/// ([`Scheme::refined_increment`](crate::Scheme::refined_increment)). If a [`Collective`](crate::Collective) integrator
+/// moves z along its fibre, e moves along. A [`LiftFree`](crate::LiftFree) integrator moves e with the multiplier that
+/// it computes from μ. The errors of invariants then grow as t^½. Other methods, and steps that need Newton's
+/// iteration, keep biased rounding errors and may drift.
 ///
 /// Source: W. Kahan, *Further remarks on reducing truncation errors*, Comm. ACM 8 (1965); Hairer,
 /// McLachlan & Razakarivony, *Achieving Brouwer's law with implicit Runge–Kutta methods*, BIT 48

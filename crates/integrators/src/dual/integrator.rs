@@ -10,12 +10,13 @@ use momentum_map::LiftError;
 
 /// A method that advances a state and reads a momentum μ from it.
 ///
-/// A method may also advance a point of another space than 𝔤∗, as [`Direct`](crate::Direct) and
-/// [`Splitting`](crate::Splitting) do for a pendulum. There is no momentum then: [`momentum`](Self::momentum) is the
+/// A method may also advance a point of a space other than 𝔤∗, as [`Direct`](crate::Direct) and
+/// [`Splitting`](crate::Splitting) do for a pendulum. Then there is no momentum: [`momentum`](Self::momentum) is the
 /// identity, and the point is read from [`Sample::state`].
 ///
 /// # Example
-/// An integrator makes steps one by one, many at once, or for a trajectory. One of your own is at [`StateIsMomentum`](crate::StateIsMomentum).
+/// An integrator makes steps one by one, many at once, or for a trajectory. For an example of your own integrator see
+/// [`StateIsMomentum`](crate::StateIsMomentum).
 /// ```
 /// use collective_integrators::{Direct, Integrator, RungeKutta, from_fn};
 /// use nalgebra::Vector2;
@@ -32,7 +33,7 @@ pub trait Integrator<T: Real = f64> {
     /// The type of the state that is advanced: z ∈ P, or μ itself.
     type State: State<Scalar = T>;
 
-    /// The type of the momentum μ ∈ 𝔤∗. For equations on another space than 𝔤∗ it is [`State`](Self::State).
+    /// The type of the momentum μ ∈ 𝔤∗. For equations on a space other than 𝔤∗ it is [`State`](Self::State).
     type Momentum: State<Scalar = T>;
 
     /// The storage of a step.
@@ -58,7 +59,7 @@ pub trait Integrator<T: Real = f64> {
     /// first allocates, unless it needs Newton's iteration.
     ///
     /// # Errors
-    /// Returns the errors of [`step`](Self::step). The state is not changed then.
+    /// Returns the errors of [`step`](Self::step). After an error the state is unchanged.
     #[inline]
     fn step_in_place(
         &self,
@@ -71,20 +72,20 @@ pub trait Integrator<T: Real = f64> {
         Ok(iterations)
     }
 
-    /// Advances a state from that after `steps.start` steps to that after `steps.end` steps, in the same storage. Returns
-    /// the number of iterations of the last step, 0 without a step.
+    /// Advances a state from that after `steps.start` steps to that after `steps.end` steps, in the same storage.
+    /// Returns the number of iterations of the last step, or 0 if no step is made.
     ///
-    /// It makes the steps of a [`Trajectory`] in which the state has the number `steps.start`, to the last bit. As there,
-    /// the workspace [forgets](Self::forget) the steps before at every multiple of [`CHECKPOINT`], 0 included. So a run
-    /// can be divided anywhere: a call that continues with the same workspace continues the steps. For another run call
-    /// [`forget`](Self::forget) first, or begin at 0. The state of a [`Compensated`](crate::Compensated) integrator
-    /// includes the rounding errors, which are carried along.
+    /// The steps are bit-identical to those of a [`Trajectory`] in which the state is sample number `steps.start`. As
+    /// in a trajectory, the workspace [forgets](Self::forget) the earlier steps at every multiple of [`CHECKPOINT`], 0
+    /// included. A run can therefore be divided anywhere: a call with the same workspace continues the run. Before
+    /// another run call [`forget`](Self::forget), or begin at 0. The state of a [`Compensated`](crate::Compensated)
+    /// integrator includes the rounding errors, which are carried along.
     ///
-    /// An override must keep these bits.
+    /// An override must return the same bits.
     ///
     /// # Errors
-    /// Returns an [`IntegrationError`] with the number, the time and the reason if a coordinate of the state or the step
-    /// size is not finite, or if a step fails. The state is then that before the failed step.
+    /// Returns an [`IntegrationError`] with the number, the time and the reason if a coordinate of the state or the
+    /// step size is not finite, or if a step fails. The state is then that before the failed step.
     ///
     /// # Example
     /// Gauss's method of order 4 is symmetric: with steps of the opposite size it returns to its start.
@@ -126,19 +127,19 @@ pub trait Integrator<T: Real = f64> {
         Ok(iterations)
     }
 
-    /// Makes the workspace forget the steps before, so that the next step depends on its starting point alone, to the
+    /// Makes the workspace forget the earlier steps, so that the next step depends on its starting point alone, to the
     /// last bit.
     ///
     /// The default does nothing, for methods that remember nothing.
     #[inline]
     fn forget(&self, _workspace: &mut Self::Workspace) {}
 
-    /// Returns the momentum μ of a state. For equations on another space than 𝔤∗ it is the state.
+    /// Returns the momentum μ of a state. For equations on a space other than 𝔤∗ it is the state itself.
     fn momentum(&self, state: &Self::State) -> Self::Momentum;
 
     /// Creates the trajectory through a state at t = 0, with steps of size `step`.
     ///
-    /// If a coordinate of the state or the step size is not finite, the first item is the error.
+    /// If a coordinate of the state or the step size is not finite, the first item is an error.
     fn trajectory_from(&self, state: Self::State, step: f64) -> Trajectory<'_, Self, T>
     where
         Self: Sized,
@@ -146,10 +147,10 @@ pub trait Integrator<T: Real = f64> {
         Trajectory::new(self, state, 0, step)
     }
 
-    /// Creates the trajectory that continues from a sample of another run, with its numbers and times.
+    /// Creates the trajectory that continues from a sample of another run, and continues its step numbers and times.
     ///
-    /// The state is that after `made` steps of size `step`. The trajectory fails as
-    /// [`trajectory_from`](Self::trajectory_from) does, and after the step with the number [`u64::MAX`].
+    /// The argument `state` is the state after `made` steps of size `step`. The trajectory fails as
+    /// [`trajectory_from`](Self::trajectory_from) does, and also after the step with the number [`u64::MAX`].
     ///
     /// If `made` is a multiple of [`CHECKPOINT`](crate::CHECKPOINT), the trajectory equals that of the uninterrupted
     /// run to the last bit.
@@ -200,7 +201,7 @@ pub trait Start<T: Real = f64>: Integrator<T> {
 
     /// Returns the sample after `steps` steps of size `step` from μ at t = 0.
     ///
-    /// It stores none of the samples before it. After 0 steps it is the sample of the start.
+    /// No intermediate samples are stored. For `steps` = 0 the result is the initial sample.
     ///
     /// # Errors
     /// Returns the errors of [`trajectory`](Self::trajectory), and [`RunError::Integration`] with the number, the time
@@ -242,7 +243,7 @@ pub struct Sample<S, M> {
     pub time: f64,
     /// The state that is advanced.
     pub state: S,
-    /// The momentum μ of the state. For equations on another space than 𝔤∗ it is the state.
+    /// The momentum μ of the state. For equations on a space other than 𝔤∗ it is the state itself.
     pub momentum: M,
     /// The number of iterations of the stage solver in the last step.
     pub iterations: usize,
@@ -253,13 +254,13 @@ pub type SampleOf<I, T = f64> = Sample<<I as Integrator<T>>::State, <I as Integr
 
 /// The endless trajectory of an integrator: the initial state, then one sample per step.
 ///
-/// Once a step fails, every further item is its error, so that adaptors that skip items, such as `nth` or `step_by`,
-/// cannot lose it. These adaptors make no sample that they skip: [`every`](Self::every) n-th sample costs what n steps
-/// cost. The iterator never returns `None`. Bound it by `take`, and leave a loop at the first error, as `?`
-/// and `collect::<Result<…>>` do. Adaptors that skip errors, such as `flatten`, look for the next sample for ever.
-/// [`Start::after`](crate::Start::after) returns one sample. After the first item nothing is allocated, except for
-/// states on the heap: each sample has a state of its own. [`Integrator::advance`] advances such a state in its own
-/// storage.
+/// Once a step fails, every further item is the same error, so that adaptors that skip items, such as `nth` or
+/// `step_by`, cannot lose it. No sample is made for an item that is skipped: with [`every`](Self::every), an item costs
+/// no more than its n steps. The iterator never returns `None`. Bound it by `take`, and leave a loop at the first
+/// error, as `?` and `collect::<Result<…>>` do. Adaptors that skip errors, such as `flatten`, never return after an
+/// error. [`Start::after`](crate::Start::after) returns one sample. After the first item nothing is allocated for
+/// states on the stack. If states are on the heap, each sample allocates one. [`Integrator::advance`] advances such a
+/// state in its own storage instead.
 ///
 /// A run can be [resumed](Integrator::trajectory_resumed) from any of its samples. From a sample whose number is a
 /// multiple of [`CHECKPOINT`] it continues bit for bit as if it had not been interrupted.
@@ -308,13 +309,15 @@ impl<'a, I: Integrator<T>, T: Real> Trajectory<'a, I, T> {
         Self { integrator, workspace, step, state, made, iterations, progress }
     }
 
-    /// Returns the iterator over every n-th item, beginning with the next one: `step_by(n)` that cannot panic.
+    /// Returns an iterator over every n-th item, beginning with the next one. It is `step_by(n)`, but cannot panic.
     ///
-    /// [`Integrator::advance`] makes the steps between two items, without samples. The items have the bits that they have
-    /// in the whole trajectory. If a step fails on the way to an item, that item and all after it are its error.
+    /// [`Integrator::advance`] makes the steps between two items, without samples. The items are bit-identical to those
+    /// of the whole trajectory. If a step fails on the way to an item, that item and all later ones are the error of
+    /// this step.
     ///
     /// # Example
-    /// With 100 steps in a period, 4K(sin²(θ/2)) for θ = 1 (DLMF §22.19(i)), every 100th sample of a pendulum is the start:
+    /// With 100 steps in a period, 4K(sin²(θ/2)) for θ = 1 (DLMF §22.19(i)), every 100th sample of a pendulum is the
+    /// start:
     /// ```
     /// use collective_integrators::{Direct, RungeKutta, Start, from_fn};
     /// use nalgebra::Vector2;

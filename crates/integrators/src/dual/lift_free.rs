@@ -20,11 +20,11 @@ use momentum_map::{Multiplier, Multipliers};
 ///
 /// For a scheme that commutes with linear maps ([`Equivariant`]) it equals the [`Collective`](crate::Collective)
 /// integrator with the same scheme to round-off. There is no lift to choose, and no fibre to drift along. Symplectic
-/// schemes conserve Casimirs up to an unbiased rounding error per step, if the multipliers override
+/// schemes conserve the Casimirs up to an unbiased rounding error per step, if the multipliers override
 /// [`coadjoint_change`](Multipliers::coadjoint_change), as quaternions and dual quaternions do.
 ///
 /// This generalises the closed form of the collective midpoint rule. For every Runge–Kutta method it answers the
-/// question that Ohsawa 2019, §5.1 leaves open, that of an integrator defined on the symplectic leaves.
+/// question that Ohsawa 2019, §5.1, leaves open: whether there is an integrator defined on the symplectic leaves.
 ///
 /// # Example
 /// ```
@@ -71,14 +71,14 @@ impl<S: Equivariant, M: Multipliers, H> LiftFree<S, M, H> {
         &self.hamiltonian
     }
 
-    /// Advances by one step, and returns the end μ₁ with the multiplier Q₁ of the step:
+    /// Advances μ₀ by one step. Returns μ₁ and the multiplier Q₁ of the step:
     ///
     /// ```text
     /// μ₁ = transport(Q₁, μ₀) = μ₀ + coadjoint_change(Q₁, μ₀)
     /// ```
     ///
-    /// The multiplier is the motion of the group in the step, and therefore the increment of the attitude. It solves the
-    /// equation of the [type](Self), from Q = 1.
+    /// The multiplier is the motion of the group in the step, and therefore the increment of the attitude. It is the
+    /// numerical solution of the equation for Q in the documentation of the [type](Self).
     ///
     /// # Errors
     /// Returns a [`StepError`] if the step has no result.
@@ -107,8 +107,8 @@ impl<S: Equivariant, M: Multipliers, H> LiftFree<S, M, H> {
     /// (δμ, δe) = (coadjoint_change(Q₁, μ), coadjoint_change(Q₁, e))
     /// ```
     ///
-    /// Here e is the part of μ + e that is below the round-off of μ. It moves as μ does. The motion is that of μ alone.
-    /// See [`increment`](Increments::increment).
+    /// Here e is the part of μ + e that is below the round-off of μ. It is moved by the same Q₁ as μ. The multiplier Q₁
+    /// is computed from μ alone. See [`increment`](Increments::increment).
     ///
     /// # Errors
     /// Returns a [`StepError`] if the step has no result.

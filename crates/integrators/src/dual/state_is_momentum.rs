@@ -4,7 +4,8 @@ use crate::dual::integrator::{Integrator, Start};
 use lie_poisson::Real;
 use momentum_map::LiftError;
 
-/// An [`Integrator`] whose state is μ itself, or a point of another space than 𝔤∗. It can [`Start`] from every one.
+/// An [`Integrator`] whose state is μ itself, or a point of a space other than 𝔤∗. It can [`Start`] from every such
+/// state.
 ///
 /// # Example
 /// The implicit Euler method for ż = −z:

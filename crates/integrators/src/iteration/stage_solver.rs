@@ -1,4 +1,4 @@
-//! Iterations for the stage equations to the round-off floor: [`StageSolver`].
+//! The solution of the stage equations to the round-off floor, by iteration: [`StageSolver`].
 
 use crate::StepError;
 use crate::iteration::block_sizes::{BlockSizes, MaskOf};
@@ -21,16 +21,18 @@ const NEWTON_ITERATIONS: usize = 50;
 
 /// The solver of the stage equations k_i = X(z + h Σ_j a_ij k_j), with its settings.
 ///
-/// The first method is a fixed-point iteration of Gauss–Seidel kind. In a step that continues from steps of the same
-/// size it begins with the polynomial through their stage derivatives, otherwise with k_i = X(z). The starting point
-/// affects the last bits of a result; [`Scheme::forget`](crate::Scheme::forget) makes them independent of the steps
-/// before. If the iteration is slow or diverges, for large steps, Newton's iteration continues, with the exact
-/// derivative of the field if it is known ([`VectorField::derivative`](crate::VectorField::derivative)). It solves dense
-/// linear equations, and is made for at most 1024 unknowns: stages times dimension.
+/// The first method is a fixed-point iteration of Gauss–Seidel kind. If a step continues from steps of the same size,
+/// the iteration begins with values of the polynomial through their stage derivatives, otherwise with k_i = X(z). The
+/// starting point affects the last bits of a result; [`Scheme::forget`](crate::Scheme::forget) makes them independent
+/// of earlier steps. If the iteration is slow or diverges, as it may for large steps, Newton's iteration takes over. It
+/// uses the exact derivative of the field if that is known
+/// ([`VectorField::derivative`](crate::VectorField::derivative)). It solves dense linear equations, and is used for at
+/// most 1024 unknowns (stages times dimension).
 ///
-/// The iteration stops at the round-off floor in one of three cases: nothing changes; the next change is expected below
-/// a thirty-second of a rounding, from the ratios of the changes before it, including those of the previous step; or
-/// the changes no longer decrease at the size of round-off. The low parts of coefficients enter once k is within √ε.
+/// The iteration stops at the round-off floor in one of three cases: nothing changes; the next change is expected to be
+/// below a thirty-second of a rounding error, judged by the ratios of earlier changes, including those of the previous
+/// step; or the changes are of the size of round-off and no longer decrease. The low parts of coefficients are included
+/// once k is within √ε of the solution.
 ///
 /// Sizes are compared block by block, in units of the state ([`State::BLOCKS`]). For (q, p) with q of size 1e-20 and p
 /// of size 1, both are found to the same number of digits.
@@ -40,8 +42,9 @@ const NEWTON_ITERATIONS: usize = 50;
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct StageSolver {
     /// The largest accepted h |Δk|, as a multiple of the larger of |z| and h |k|, in each block of coordinates. Where
-    /// the unknowns are not derivatives of the state ([`solve`](Self::solve), [`solve_by_sweeps`](Self::solve_by_sweeps),
-    /// [`StageMemory`](crate::StageMemory)), the largest accepted |Δk| as a multiple of |k| in each block. It has no unit; 0 iterates to the round-off floor.
+    /// the unknowns are not derivatives of the state ([`solve`](Self::solve),
+    /// [`solve_by_sweeps`](Self::solve_by_sweeps), [`StageMemory`](crate::StageMemory)), the largest accepted |Δk| as a
+    /// multiple of |k| in each block. It has no unit; 0 iterates to the round-off floor.
     pub tolerance: f64,
     /// The number of sweeps after which the fixed-point iteration is abandoned.
     pub max_iterations: usize,
@@ -115,8 +118,8 @@ impl StageSolver {
     /// All stages start from `start`. The closure `derivative` computes X at the i-th stage. The changes of each block
     /// of coordinates are compared with that block.
     ///
-    /// Over SIMD lanes (several trajectories in one register) each stops by itself, at the stages that it would have
-    /// alone.
+    /// Over SIMD lanes (several trajectories in one register) the iteration stops in each lane independently, at the
+    /// stages that this lane would have alone.
     ///
     /// # Errors
     /// Returns [`StepError::NotConverged`] if the iteration diverges or does not converge in some lane.
@@ -134,11 +137,12 @@ impl StageSolver {
             .map_err(|unconverged| unconverged.error)
     }
 
-    /// Repeats sweeps of the caller's own over the unknowns, until they have converged as [`solve`](Self::solve) tests
-    /// it. Returns the number of sweeps.
+    /// Repeats a sweep that the caller supplies until the unknowns have converged, by the same test as
+    /// [`solve`](Self::solve). Returns the number of sweeps.
     ///
-    /// The closure makes one sweep and returns the largest |Δk| and the largest |k| of a coordinate, or NaN. It serves
-    /// kernels that compute both along with the sweep. All unknowns count as one block. Newton's iteration is not made.
+    /// The closure makes one sweep and returns the largest |Δk| and the largest |k| of a coordinate, or NaN. The method
+    /// serves kernels that compute both during the sweep. All unknowns count as one block. Newton's iteration is not
+    /// used.
     ///
     /// # Errors
     /// Returns [`StepError::NotConverged`] if the iteration diverges or does not converge.

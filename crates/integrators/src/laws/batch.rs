@@ -10,7 +10,8 @@ use core::ops::Range;
 /// * `number`: the result of a member does not depend on the number of members;
 /// * `place`: the result does not depend on the place among the members;
 /// * `neighbours`: the result does not depend on the other members;
-/// * `resumption`: calls that meet at a [`CHECKPOINT`] give the bits of one call, with a used workspace or a new one;
+/// * `resumption`: calls that meet at a [`CHECKPOINT`] are bit-identical to one call, with a used workspace or a new
+///   one;
 /// * `report`: a member that cannot be advanced is reported once, by its index, with the step that fails when it is
 ///   alone, and no other member is reported;
 /// * `isolation`: a member that cannot be advanced changes no other member.
@@ -136,8 +137,8 @@ where
     report.note("resumption", different(&renewed, &at_once), 1.0);
 }
 
-/// The method [`advance`](BatchIntegrator::advance) may have a fault: it leaves the last member where it was, unless it is
-/// the only one. The coordinate of the fault does not matter.
+/// The method [`advance`](BatchIntegrator::advance) may have a fault: it leaves the last member where it was, unless it
+/// is the only one. The coordinate of the fault does not matter.
 impl<B: BatchIntegrator> BatchIntegrator for Faulty<'_, B> {
     type Member = B::Member;
     type Workspace = B::Workspace;

@@ -11,11 +11,13 @@ use lie_poisson::Real;
 /// Evaluates the laws of an integrator on samples of states, for one step size:
 ///
 /// * `step of size 0`: a step of size 0 keeps μ;
-/// * `step in place`: [`step_in_place`](Integrator::step_in_place) has the bits of the step, and a step that fails changes nothing;
-/// * `advance`: [`advance`](Integrator::advance) has the bits of as many steps, also in two parts, and refuses what a step refuses;
+/// * `step in place`: [`step_in_place`](Integrator::step_in_place) is bit-identical to the step, and a step that fails
+///   changes nothing;
+/// * `advance`: [`advance`](Integrator::advance) is bit-identical to as many steps, also in two parts, and rejects what
+///   a step rejects;
 /// * `samples`: sample n of a trajectory has the number n, the time nh and the momentum of its state;
-/// * `forgetting`: after [`forget`](Integrator::forget) a used workspace gives the bits of a new one;
-/// * `resumption`: a trajectory resumed at a [`CHECKPOINT`] has the bits of the uninterrupted one;
+/// * `forgetting`: after [`forget`](Integrator::forget) a used workspace gives the same bits as a new one;
+/// * `resumption`: a trajectory resumed at a [`CHECKPOINT`] is bit-identical to the uninterrupted one;
 /// * `refusal`: a state or a step size that is infinite or not a number is an error, of a step and of a trajectory.
 ///
 /// For an integrator that can start from a momentum, [`start`](super::start) includes these laws.

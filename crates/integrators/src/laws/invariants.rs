@@ -7,8 +7,8 @@ use lie_poisson::{State, larger};
 
 /// Evaluates the law `invariants`: an integrator conserves the given functions of the momentum.
 ///
-/// The law is tested over 100 steps of one size from samples of states. The residual is relative to |C(μ)|, or to the
-/// largest change of C when a coordinate of μ is doubled if that is larger, so that C(μ) may be 0. It is NaN if a step
+/// The law is tested over 100 steps of one size from samples of states. The residual is relative to the larger of
+/// |C(μ)| and the largest change of C when one coordinate of μ is doubled, so that C(μ) may be 0. It is NaN if a step
 /// fails.
 ///
 /// # Errors

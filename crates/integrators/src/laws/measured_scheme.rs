@@ -7,7 +7,8 @@ use crate::{Direct, RungeKutta, Scheme, VectorField, from_fn};
 use lie_poisson::{Vector, larger};
 use nalgebra::Vector3;
 
-/// The measured properties of a [`Scheme`] on the [`GenericSystem`] and on the free rigid body, whatever it claims.
+/// The measured properties of a [`Scheme`] on the [`GenericSystem`] and on the free rigid body, whatever the scheme
+/// claims.
 ///
 /// A defect is NaN if a step fails.
 ///

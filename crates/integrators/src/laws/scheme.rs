@@ -13,14 +13,16 @@ type State<T = f64> = Cotangent<Vector2<T>>;
 /// Evaluates the laws of a scheme on the [`GenericSystem`]:
 ///
 /// * `step of size 0`: Φ₀ = id;
-/// * `step and increment`: the bits of a step are those of z + increment;
-/// * `step in place`: [`step_in_place`](Scheme::step_in_place) has the bits of the step, and a step that fails changes nothing;
+/// * `step and increment`: a step is bit-identical to z + increment;
+/// * `step in place`: [`step_in_place`](Scheme::step_in_place) is bit-identical to the step, and a step that fails
+///   changes nothing;
 /// * `refined increment`: δz + δe is the increment, to round-off;
 /// * `order`: the residual is the shortfall of the measured order from [`order`](Scheme::order), less 0.3 for the
 ///   accuracy of the fit (an order that [cannot be measured](MeasuredScheme::order) is not refuted);
 /// * `symmetry`, `symplecticity` and `quadratic invariants`, each if the scheme claims it;
-/// * `forgetting`: after [`forget`](Scheme::forget) a used workspace gives the bits of a new one, even if a step failed;
-/// * `lanes`: each SIMD lane has the bits of the steps over `f64`;
+/// * `forgetting`: after [`forget`](Scheme::forget) a used workspace gives the same bits as a new one, even if a step
+///   failed;
+/// * `lanes`: the steps in each SIMD lane are bit-identical to those over `f64`;
 /// * `refusal`: a field that is infinite or not a number gives an error.
 ///
 /// # Example

@@ -11,7 +11,7 @@ pub enum DenseOutputError {
     /// The run failed before the requested time.
     #[error(transparent)]
     Integration(#[from] IntegrationError),
-    /// The requested time was passed. A trajectory is traversed once.
+    /// The requested time has already been passed. A trajectory is traversed only once.
     #[error("t = {time} lies before t = {reached}, which was passed")]
     Passed {
         /// The requested time.
@@ -30,8 +30,8 @@ pub enum DenseOutputError {
 /// The states of a trajectory between its samples.
 ///
 /// The state at time t is the result of one step of size t − tₙ from the last sample at tₙ ≤ t. It is as accurate as
-/// the integrator, and has its conserved quantities. The output advances in the direction of the trajectory: request
-/// times in order, in the units of the step. It allocates nothing after `new`, except for
+/// the integrator, and conserves the same quantities. The output advances in the direction of the trajectory, so
+/// request the times in that order. Times are in the units of the step. It allocates nothing after `new`, except for
 /// states on the heap.
 ///
 /// # Example

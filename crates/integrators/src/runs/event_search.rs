@@ -1,13 +1,13 @@
-//! The search for events in samples that the caller makes: [`EventSearch`].
+//! The search for events in samples that the caller passes: [`EventSearch`].
 
 use crate::runs::crossing::Crossings;
 use crate::{Direction, EventError, Integrator, SampleOf};
 
-/// The search for the points where g(μ) crosses zero along a run whose samples the caller makes.
+/// The search for the points where g(μ) crosses zero along a run, in samples that the caller passes one by one.
 ///
-/// It finds what [`Events`](crate::Events) finds, with the same guarantees. `Events` asks an iterator for samples, so
-/// that a run has one event function. Here the caller passes each sample on, to as many searches as there are event
-/// functions, and may record it, too.
+/// It finds what [`Events`](crate::Events) finds, with the same guarantees. `Events` takes its samples from an
+/// iterator, so a run can have only one event function. Here the caller passes each sample to as many searches as there
+/// are event functions, and may record it too.
 ///
 /// # Example
 /// The zeros of x and of y along one run of the oscillator:
@@ -46,11 +46,11 @@ impl<'a, I: Integrator, G: Fn(&I::Momentum) -> f64> EventSearch<'a, I, G> {
         Self { crossings: Crossings::new(integrator, g, direction), last: [None, None] }
     }
 
-    /// Proceeds by one sample of this integrator, and returns the events that it completes: none, one or two, in the
+    /// Takes the next sample of this integrator, and returns the events that it completes: none, one or two, in the
     /// order of time.
     ///
-    /// An event lies between the last two samples, or, where two crossings within one step do not change the sign at the
-    /// samples, between the last three.
+    /// An event lies between the last two samples. If two crossings within one step leave the signs at the samples
+    /// unchanged, the events lie between the last three samples.
     ///
     /// # Errors
     /// Returns [`EventError`] if a step of partial size fails, or if g is not a number.

@@ -32,7 +32,7 @@ impl RungeKutta {
 
     /// Creates the explicit method of order 8 of Dormand and Prince, with 12 stages and a fixed step.
     ///
-    /// It is the propagated solution of the code DOP853, without its error estimate. It serves as a reference for runs
+    /// It is the method that the code DOP853 propagates, without its error estimate. It serves as a reference for runs
     /// in which structure does not matter.
     ///
     /// Source: Hairer, Nørsett & Wanner, *Solving Ordinary Differential Equations I*, 2nd ed.
@@ -49,8 +49,8 @@ impl RungeKutta {
 
     /// Creates the symplectic diagonally implicit method with weights b: see [`Tableau::symplectic_dirk`].
     ///
-    /// Its stages are solved together. The [`Composition`](crate::Composition) of midpoint rules is the same map, and
-    /// solves one stage after the other.
+    /// All its stages are solved together. The [`Composition`](crate::Composition) of midpoint rules is the same map,
+    /// but solves one stage after the other.
     ///
     /// # Errors
     /// Returns [`SchemeError::NoStages`] if there is no weight, or [`SchemeError::NotFinite`] if one is not finite.

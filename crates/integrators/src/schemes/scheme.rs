@@ -16,8 +16,9 @@ pub struct Step<V> {
 pub type Increment<V> = Step<Pair<V, V>>;
 
 impl<V: State> Step<V> {
-    /// Makes a step of a copy of a state, for the method by value of an integrator that steps in place. The closure
-    /// advances the copy and returns the number of iterations.
+    /// Makes a step on a copy of a state. An integrator that steps in place implements its
+    /// [`step`](crate::Integrator::step) with this function. The closure advances the copy and returns the number of
+    /// iterations.
     ///
     /// # Errors
     /// Returns the error of the closure.
@@ -55,11 +56,11 @@ impl<V: State> Step<V> {
 
 /// A one-step method z ↦ Φ_h(z) for dz/dt = X(z).
 ///
-/// A scheme does not depend on the origin of the vector field, and works over every scalar.
+/// A scheme works for every vector field, wherever it comes from, and over every scalar.
 ///
 /// # Example
-/// A scheme of your own: Heun's method, z₁ = z + (h/2)(X(z) + X(z + h X(z))). Since it commutes with affine maps, it may
-/// be used collectively ([`Equivariant`]).
+/// A scheme of your own: Heun's method, z₁ = z + (h/2)(X(z) + X(z + h X(z))). Since it commutes with affine maps, it
+/// may be used collectively ([`Equivariant`]).
 /// ```
 /// use collective_integrators::{Direct, Equivariant, Scheme, Start, Step, StepError, VectorField, fitted_order, from_fn};
 /// use lie_poisson::{Real, State};
@@ -110,17 +111,18 @@ pub trait Scheme: Clone {
     /// The storage that a step needs, allocated once per run.
     type Workspace<V: State>;
 
-    /// Creates the storage for steps. Only for points on the heap does the first step allocate, when it knows their size.
+    /// Creates the storage for steps. For points on the heap, the first step allocates the rest, since only then is
+    /// their size known.
     fn workspace<V: State>(&self) -> Self::Workspace<V>;
 
     /// Returns the increment Φ_h(z) − z of one step.
     ///
-    /// Its rounding errors are those of a sum h Σ b_i k_i, and h times those of the stages. The method allocates nothing
-    /// but a point on the heap, and that only if its storage was not given back to [`temporaries`](Self::temporaries).
-    /// The caller checks that the increment is finite.
+    /// Its rounding errors are those of a sum h Σ b_i k_i, and h times those of the stages. The method allocates at
+    /// most one point on the heap, and only if its storage was not returned to [`temporaries`](Self::temporaries). The
+    /// caller checks that the increment is finite.
     ///
     /// # Errors
-    /// Returns a [`StepError`] if stage equations are not solved. Nothing but the workspace is changed then.
+    /// Returns a [`StepError`] if the stage equations are not solved. Only the workspace is changed in that case.
     fn increment<T: Real, F: VectorField<T>>(
         &self,
         field: &F,
@@ -129,11 +131,11 @@ pub trait Scheme: Clone {
         workspace: &mut Self::Workspace<F::Point>,
     ) -> Result<Step<F::Point>, StepError>;
 
-    /// Returns the increment Φ_h(z + e) − (z + e) as δz + δe, for [`Compensated`](crate::Compensated) summation, where e
-    /// has the size of the rounding errors of z, and δe that of δz.
+    /// Returns the increment Φ_h(z + e) − (z + e) as δz + δe, for [`Compensated`](crate::Compensated) summation, where
+    /// e has the size of the rounding errors of z, and δe that of δz.
     ///
-    /// A scheme that can makes its rounding errors small and unbiased. The default is ([`increment`](Self::increment), 0)
-    /// of a step from z, whose rounding errors are biased.
+    /// An override makes the rounding errors small and unbiased if the scheme allows it. The default is
+    /// ([`increment`](Self::increment), 0) of a step from z, whose rounding errors are biased.
     ///
     /// # Errors
     /// Returns the errors of [`increment`](Self::increment).
@@ -151,11 +153,11 @@ pub trait Scheme: Clone {
         Ok(Step { point: Pair(point, exact), iterations })
     }
 
-    /// Returns the step Φ_h(z). Allocates nothing but a point on the heap; see [`step_in_place`](Self::step_in_place).
+    /// Returns the step Φ_h(z). Allocates at most one point on the heap; see [`step_in_place`](Self::step_in_place).
     ///
     /// # Errors
-    /// Returns a [`StepError`] if stage equations are not solved, or if the result is not finite. Nothing but the
-    /// workspace is changed then.
+    /// Returns a [`StepError`] if the stage equations are not solved, or if the result is not finite. Only the
+    /// workspace is changed in that case.
     #[cfg_attr(not(debug_assertions), inline(always))]
     fn step<T: Real, F: VectorField<T>>(
         &self,
@@ -175,7 +177,7 @@ pub trait Scheme: Clone {
     /// iteration.
     ///
     /// # Errors
-    /// Returns the errors of [`step`](Self::step). The point z is not changed then.
+    /// Returns the errors of [`step`](Self::step). After an error the point z is unchanged.
     #[cfg_attr(not(debug_assertions), inline(always))]
     fn step_in_place<T: Real, F: VectorField<T>>(
         &self,
@@ -194,7 +196,7 @@ pub trait Scheme: Clone {
     /// [`increment`](Self::increment) has returned.
     ///
     /// The default returns `None`, for schemes that keep no temporary vectors. Return a pool only if `increment` takes
-    /// its point from it: otherwise it grows by a vector in each step in place.
+    /// its point from it: otherwise the pool grows by one vector with each step in place.
     #[cfg_attr(not(debug_assertions), inline(always))]
     fn temporaries<'a, V: State>(
         &self,
@@ -203,7 +205,7 @@ pub trait Scheme: Clone {
         None
     }
 
-    /// Makes the workspace forget the steps before, from which an implicit method predicts its stages.
+    /// Makes the workspace forget the earlier steps, from which an implicit method predicts its stages.
     ///
     /// The next step then depends on its starting point alone. The default does nothing.
     #[cfg_attr(not(debug_assertions), inline(always))]
@@ -248,20 +250,20 @@ pub(crate) fn give<S: Scheme, V: State>(scheme: &S, workspace: &mut S::Workspace
     }
 }
 
-/// The promise that a scheme commutes with affine changes of variables: A∘Φ_X = Φ_Y∘A for the transformed field Y =
+/// The promise that a scheme commutes with affine changes of variables A: A∘Φ_X = Φ_Y∘A for the transformed field Y =
 /// A∗X.
 ///
-/// The symmetry along the fibres of M acts affinely for every realisation of these crates. Such a scheme then carries
-/// fibres of M to fibres, so that M∘Φ is a map of 𝔤∗. If the scheme is also symplectic, that map is Poisson.
-/// Runge–Kutta methods keep the promise. Partitioned methods, which treat q and p differently, do not: they are
-/// symplectic on P, but their images are not maps of 𝔤∗.
+/// For every realisation of these crates, the symmetry along the fibres of M acts affinely. An equivariant scheme
+/// therefore carries fibres of M to fibres, so that M∘Φ is a map of 𝔤∗. If the scheme is also symplectic, that map is
+/// Poisson. Runge–Kutta methods keep the promise. Partitioned methods, which treat q and p differently, do not: they
+/// are symplectic on P, but their images are not maps of 𝔤∗.
 ///
 /// Source: McLachlan, Modin & Verdier, *Collective symplectic integrators*, Nonlinearity 27
 /// (2014), Thm. 3.2; Hairer, Lubich & Wanner, *Geometric Numerical Integration*, §VI.4.
 ///
 /// # Example
-/// The bound of a function that needs a step on 𝔤∗. Runge–Kutta methods and their compositions fulfil it; a scheme of your
-/// own is at [`Scheme`].
+/// The bound of a function that needs a step on 𝔤∗. Runge–Kutta methods and their compositions satisfy it. For a scheme
+/// of your own see the example of [`Scheme`].
 /// ```
 /// use collective_integrators::{Composition, Equivariant, RungeKutta, Substeps};
 /// fn descends(_: &impl Equivariant) {}

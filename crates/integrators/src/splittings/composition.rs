@@ -10,12 +10,12 @@ use momentum_map::LiftError;
 
 /// The composition Ψ(h) = Φ(γ_s h) ∘ … ∘ Φ(γ₁ h) of a method Φ(h) with itself.
 ///
-/// It is symplectic, equivariant, a Poisson map, or conserves an invariant if Φ does. It has a higher order if the
-/// [`Substeps`] are suitable for Φ. Φ may be a [`Scheme`], or an [`Integrator`] that is not a scheme, such as a
-/// [`Splitting`](crate::Splitting).
+/// Ψ is symplectic, equivariant or a Poisson map if Φ is, and it conserves the invariants that Φ conserves. Its order
+/// is higher than that of Φ if the [`Substeps`] are suitable for Φ. Φ may be a [`Scheme`], or an [`Integrator`] that is
+/// not a scheme, such as a [`Splitting`](crate::Splitting).
 ///
-/// Stages are predicted from the substeps before if these have the same size, as in Suzuki's compositions. Otherwise
-/// substeps start from the field alone.
+/// The stages of a substep are predicted from earlier substeps if these have the same size, as in Suzuki's
+/// compositions. Otherwise the iteration starts from the value of the field.
 ///
 /// Source: Hairer, Lubich & Wanner, *Geometric Numerical Integration*, 2nd ed. (2006), §II.4 and
 /// §V.3.

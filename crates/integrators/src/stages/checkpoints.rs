@@ -4,7 +4,7 @@ use core::ops::Range;
 
 /// The number of steps between two checkpoints.
 ///
-/// A step whose number is a multiple of it begins without the memory of the steps before, from which implicit methods
+/// A step whose number is a multiple of it begins without any memory of earlier steps, from which implicit methods
 /// [predict](crate::StageSolver) their stages.
 pub const CHECKPOINT: u64 = 1024;
 

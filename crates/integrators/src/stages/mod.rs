@@ -1,4 +1,5 @@
-//! The stages of implicit methods: first guesses from the steps before, where these are forgotten, and Newton's iteration.
+//! The stages of implicit methods: first guesses from the steps before, where these are forgotten, and Newton's
+//! iteration.
 
 pub(crate) mod checkpoints;
 pub(crate) mod newton;

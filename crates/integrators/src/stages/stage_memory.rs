@@ -9,12 +9,12 @@ use crate::stages::history::StageHistory;
 use crate::{StageSolver, Unconverged, from_fn};
 use lie_poisson::{Mask, Real, State};
 
-/// The memory of the last steps of an integrator that has its own stage equations k_i = f_i(k).
+/// The memory of earlier steps for an integrator that has its own stage equations k_i = f_i(k).
 ///
 /// The next step of equal size begins its iteration with the polynomial through the remembered k, as
 /// [`RungeKutta`](crate::RungeKutta) methods do.
 ///
-/// A prediction affects the last bits of a result. [`forget`](Self::forget) makes them independent of the steps before.
+/// A prediction affects the last bits of a result. [`forget`](Self::forget) makes them independent of earlier steps.
 ///
 /// # Example
 /// The midpoint rule for a pendulum, with the velocity (dq/dt, dp/dt) = (p, −sin q) at the midpoint as unknown:
@@ -91,7 +91,7 @@ impl<V: State> StageMemory<V> {
         self.memory.end_at(z);
     }
 
-    /// Forgets all the steps before.
+    /// Forgets all earlier steps.
     #[cfg_attr(not(debug_assertions), inline(always))]
     pub fn forget(&mut self) {
         self.memory.forget();

@@ -52,7 +52,7 @@ impl Substeps {
         Self::jump(2, 2)
     }
 
-    /// Creates the 5 substeps of order 4 of McLachlan, whose error is smaller than that of other choices of as many substeps.
+    /// Creates the 5 substeps of order 4 of McLachlan, whose error is smaller than that of other sets of 5.
     ///
     /// Source: McLachlan, *On the numerical integration of ordinary differential equations by
     /// symmetric composition methods*, SIAM J. Sci. Comput. 16 (1995).
@@ -61,8 +61,7 @@ impl Substeps {
         Self::palindrome(&[0.28, 0.625_466_428_467_670_1, -0.810_932_856_935_340_1])
     }
 
-    /// Creates the 9 substeps of order 6 of McLachlan, whose error is smaller than that of other choices of as many
-    /// substeps.
+    /// Creates the 9 substeps of order 6 of McLachlan, whose error is smaller than that of other sets of 9.
     ///
     /// Source: McLachlan, SIAM J. Sci. Comput. 16 (1995).
     #[must_use]
@@ -77,7 +76,7 @@ impl Substeps {
     }
 
     /// Creates the 15 substeps of order 8 of Suzuki, Umeno and McLachlan, whose error is smaller than that of other
-    /// choices of as many substeps.
+    /// sets of 15.
     ///
     /// Source: Suzuki & Umeno (1993); McLachlan, SIAM J. Sci. Comput. 16 (1995); Hairer, Lubich &
     /// Wanner, eq. (V.3.13).

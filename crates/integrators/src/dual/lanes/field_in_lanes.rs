@@ -1,4 +1,4 @@
-//! Integrators whose vector field is known over SIMD lanes: [`FieldInLanes`].
+//! Integrators whose vector field can be evaluated over SIMD lanes: [`FieldInLanes`].
 
 use crate::dual::collective::Collective;
 use crate::dual::direct::Direct;
@@ -9,11 +9,11 @@ use crate::{Equivariant, Increment, Increments, Scheme, Step, StepError};
 use lie_poisson::{Hamiltonian, InstructionSet, Pair};
 use momentum_map::{CollectiveHamiltonian, Multiplier, Multipliers, PoissonMap};
 
-/// An integrator that applies a scheme to a vector field which is known over SIMD lanes (several numbers in one
+/// An integrator that applies a scheme to a vector field that can be evaluated over SIMD lanes (several numbers in one
 /// register).
 ///
-/// [`Direct`], [`Collective`] and [`LiftFree`] integrators have this trait if their field or Hamiltonian is implemented
-/// over every scalar. [`StagesInLanes`](crate::StagesInLanes) calls it.
+/// [`Direct`], [`Collective`] and [`LiftFree`] integrators implement this trait if their field or Hamiltonian is
+/// implemented over every scalar. [`StagesInLanes`](crate::StagesInLanes) requires it.
 #[diagnostic::on_unimplemented(
     message = "the stages of `{Self}` cannot be computed in SIMD lanes",
     note = "the field or the Hamiltonian has to be known over all scalars: a closure serves `f64` alone"

@@ -8,23 +8,23 @@ use momentum_map::LiftError;
 /// An integrator of one state that computes the stages of a step side by side, one stage in each SIMD lane of a
 /// register.
 ///
-/// The equations are those of the integrator alone:
+/// The stage equations are those of the wrapped integrator:
 ///
 /// ```text
 /// k_i = X(z + h Σ_j a_ij k_j),    i = 1, …, s
 /// ```
 ///
-/// A sweep evaluates X once for each register, for several i at a time, instead of s times over `f64`. Implicit
-/// [`RungeKutta`](crate::RungeKutta) methods with two to eight stages are computed so, also as parts of a
-/// [`Composition`](crate::Composition). For other methods a step is that of the integrator alone, to the last bit.
+/// A sweep evaluates X once for each register, for several i at a time, instead of s times over `f64`. This applies to
+/// implicit [`RungeKutta`](crate::RungeKutta) methods with two to eight stages, also as parts of a
+/// [`Composition`](crate::Composition). For other methods a step is bit-identical to that of the wrapped integrator.
 ///
-/// The stages solve the same equations to the same accuracy. A sweep uses the k_j of the sweep before where the
-/// integrator alone uses the newest ones, so the two results differ by round-off, and so do those on two instruction sets.
-/// Where the iteration does not converge, Newton's iteration follows as usual.
+/// The stages solve the same equations to the same accuracy. A sweep uses the k_j of the previous sweep, whereas the
+/// wrapped integrator uses the newest ones. The two results therefore differ by round-off, and so do results on
+/// different instruction sets. If the iteration does not converge, Newton's iteration follows as usual.
 ///
-/// [`new`](Self::new) takes the lanes that every processor has, and [`widest`](Self::widest) the widest registers of this
-/// one, for a field that fulfils the [rules of wide registers](crate::Laned#speed-of-wide-registers). To advance many
-/// states at once, [`Laned`](crate::Laned) is faster: it computes one state in each lane.
+/// [`new`](Self::new) uses the lanes that every processor has. [`widest`](Self::widest) uses the widest registers of
+/// this processor, for a field that follows the [rules of wide registers](crate::Laned#speed-of-wide-registers). To
+/// advance many states at once, [`Laned`](crate::Laned) is faster: it computes one state in each lane.
 ///
 /// Source: Antoñana, Makazaga & Murua, *SIMD-vectorized implicit symplectic integrators can outperform explicit ones*
 /// (2024).
@@ -69,7 +69,7 @@ impl<I> StagesInLanes<I> {
         Self { integrator, instructions: InstructionSet::detected() }
     }
 
-    /// Replaces the instruction set. The steps on two sets differ by round-off.
+    /// Replaces the instruction set. Steps on different instruction sets differ by round-off.
     ///
     /// # Errors
     /// Returns [`MissingInstructions`] if the processor lacks them.
