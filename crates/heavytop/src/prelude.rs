@@ -1,7 +1,7 @@
 //! The names that a program with heavy tops usually needs, from this crate and from those below it.
 //!
-//! `use heavytop::prelude::*;` replaces one `use` line per crate. What it leaves out is at the roots of the crates,
-//! which [`heavytop`](crate) re-exports.
+//! `use heavytop::prelude::*;` replaces one `use` line per crate. All other items are at the roots of the crates, which
+//! [`heavytop`](crate) re-exports.
 //!
 //! | for | names |
 //! |---|---|

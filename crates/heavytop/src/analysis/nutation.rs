@@ -1,4 +1,4 @@
-//! The nutation of any top: its amplitude and its rotation number.
+//! The nutation of any top, its amplitude and its rotation number: [`Nutation`].
 
 use crate::HeavyTop;
 use crate::closed_forms::power_of_two::power_of_two;
@@ -15,10 +15,10 @@ use nalgebra::Vector3;
 /// φ = the angle of Γ about c in the body frame, followed continuously
 /// ```
 ///
-/// * The *amplitude* is θ_max − θ_min over the samples, in [0, π]. Between samples where du/dt changes its
-///   sign u is taken as a cubic, so that its extremes have errors of the fourth order in the step. θ is
-///   computed from 1 − u and 1 + u, which keep their digits near the vertical: θ_min and θ_max have errors of
-///   a few units of round-off of their own size, however small.
+/// * The *amplitude* is θ_max − θ_min over the samples, in [0, π]. Between two samples at which du/dt has different
+///   signs, u is interpolated by a cubic, so that its extremes have errors of the fourth order in the step. θ is
+///   computed from 1 − u and 1 + u, which keep their digits near the vertical: θ_min and θ_max have errors of a few
+///   units of round-off of their own size, however small.
 /// * The *rotation number* is the mean advance of φ, in turns, from one maximum of u to the next: (φ_n −
 ///   φ_0)/(2πn) over the maxima 0, …, n. Near a torus of dimension 2 it tends, as 1/n, to a ratio of the
 ///   frequencies of the motion of (Π, Γ).
@@ -87,7 +87,7 @@ impl Nutation {
         Self { top: *top, frame: [c, e, c.cross(&e)], last: None, range, maxima: None, periods: 0 }
     }
 
-    /// Adds the next sample: the time (s) and (Π, Γ).
+    /// Adds the next sample: the time (s), and the state (Π, Γ).
     pub fn observe(&mut self, time: f64, mu: &Se3Dual) {
         let Covector(Pair(pi, gamma)) = mu;
         let [c, e, f] = &self.frame;
@@ -146,7 +146,7 @@ impl Nutation {
         self.range = [-larger(-least, -angle), larger(most, angle)];
     }
 
-    /// Returns the amplitude θ_max − θ_min, rad; none before the first sample, or if a sample had no
+    /// Returns the amplitude θ_max − θ_min, rad, or `None` before the first sample, or if Γ of a sample had no
     /// direction.
     #[must_use]
     pub fn amplitude(&self) -> Option<f64> {
@@ -154,8 +154,8 @@ impl Nutation {
         (least.is_finite() && most.is_finite()).then_some(most - least)
     }
 
-    /// Returns the rotation number (φ_n − φ_0)/(2πn), in turns from maximum to maximum; none with fewer than
-    /// two maxima.
+    /// Returns the rotation number (φ_n − φ_0)/(2πn), in turns from maximum to maximum, or `None` if there are fewer
+    /// than two maxima.
     #[must_use]
     pub fn rotation_number(&self) -> Option<f64> {
         let [first, latest] = self.maxima?;

@@ -1,4 +1,4 @@
-//! Poincaré sections of a top.
+//! Poincaré sections of a top: [`Section`], [`Surface`].
 
 use crate::analysis::section_level::{least_energy, quasi_random};
 use crate::{Coordinate, EnergyLevel, HeavyTopSpace, SectionError};
@@ -139,15 +139,15 @@ impl Section {
     ///
     /// The seed determines the sequence, and a longer sequence begins with the points of a shorter one.
     ///
-    /// The points (x, y) are those of Weyl's sequence (n/g, n/g²) mod 1, g³ = g + 1, shifted at random, that
-    /// are accessible.
+    /// The points (x, y) are the accessible ones of Weyl's sequence (n/g, n/g²) mod 1, g³ = g + 1, shifted by an amount
+    /// that the seed determines.
     ///
     /// Source: H. Weyl, Math. Ann. 77 (1916); M. Roberts, *The unreasonable effectiveness of
     /// quasirandom sequences* (2018), for g.
     ///
     /// # Errors
-    /// Returns [`SectionError::TooSmall`] if too few of ten million points are accessible, because the energy
-    /// is near the least one.
+    /// Returns [`SectionError::TooSmall`] if too few of ten million points are accessible, because the energy is near
+    /// its minimum.
     pub fn starts(&self, count: usize, seed: u64) -> Result<Vec<Se3Dual>, SectionError> {
         let bound = self.bound();
         let candidates = quasi_random(seed).take(CANDIDATES as usize);
@@ -162,14 +162,14 @@ impl Section {
         }
     }
 
-    /// Returns the crossings of the section by the motion through `start`, a state of the section, in the
-    /// first `steps` steps of size `step` (s).
+    /// Returns the points where the motion through `start`, a state of the section, crosses the section in the first
+    /// `steps` steps of size `step` (s).
     ///
     /// Crossings within the first step are not reported.
     ///
     /// # Errors
-    /// Returns [`RunError`] if the start has no lift, or is not finite. If a step fails, the iterator returns
-    /// [`EventError`] for each step that is missing.
+    /// Returns [`RunError`] if the start has no lift, or is not finite. If a step fails, the iterator returns an
+    /// [`EventError`] for each remaining step.
     pub fn crossings<'a, I: Start<Momentum = Se3Dual>>(
         &self,
         integrator: &'a I,

@@ -15,7 +15,7 @@ pub enum SectionError {
         /// The value of the parameter.
         value: f64,
     },
-    /// The level is outside ±1, the range of the component of the unit vector Γ, or at an end of it.
+    /// The level of a component of the unit vector Γ is not strictly between −1 and 1.
     #[error("the level of {coordinate} must be more than -1 and less than 1, got {level:?}")]
     NoSuchVertical {
         /// The component of the vertical.

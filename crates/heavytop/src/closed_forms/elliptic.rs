@@ -9,8 +9,8 @@ const STEPS: usize = 16;
 
 /// Jacobi's elliptic functions of one parameter m = k², 0 ≤ m ≤ 1, for real arguments.
 ///
-/// The quarter period is K(m). Near m = 1 it is ln(4/k′), with the complementary modulus k′ = √(1−m). A
-/// number m near 1 holds few digits of 1 − m, or none: [`with_complement`](Self::with_complement) takes 1 − m
+/// The quarter period is K(m). Near m = 1 it is ln(4/k′), with the complementary modulus k′ = √(1−m). If m is near 1,
+/// an `f64` holds few digits of 1 − m, or none. In that case [`with_complement`](Self::with_complement) takes 1 − m
 /// instead.
 ///
 /// The argument is reduced modulo K with twice the digits of an `f64`. For |u| ≤ 2⁵³K the errors of sn u, cn

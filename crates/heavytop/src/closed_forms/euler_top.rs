@@ -23,9 +23,9 @@ use twofloat::TwoFloat;
 /// that λ > 0, and |u₀| ≤ K. For L² < 2EI₂ the indices 1 and 3 are exchanged. L² = 2EI₂ is the separatrix,
 /// where m = 1.
 ///
-/// L² − 2EI₂ is computed with twice the digits of an `f64`, so that a start near the separatrix keeps its
-/// side and its distance. In all units the errors of Π(t) are a few units of round-off of |Π|, plus the
-/// effect of a relative error of that size in t.
+/// L² − 2EI₂ is computed with twice the digits of an `f64`, so that a start near the separatrix keeps its distance from
+/// it and stays on the same side. In all units the errors of Π(t) are a few units of round-off of |Π|, plus the effect
+/// of a relative error of that size in t.
 ///
 /// Source: L. D. Landau & E. M. Lifshitz, *Mechanics*, 3rd ed., §37.
 ///
@@ -77,7 +77,7 @@ impl EulerSolution {
         Ok(Self { start, orbit: Some(Orbit::through(&inertia, &start)?) })
     }
 
-    /// Returns Π(t), with t in seconds; NaN where λt is not finite.
+    /// Returns Π(t) (kg m²/s) for t in seconds, or NaN if λt is not finite.
     #[must_use]
     pub fn at(&self, time: f64) -> Vector3<f64> {
         self.orbit.map_or(self.start, |orbit| orbit.at(time))

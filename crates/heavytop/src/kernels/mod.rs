@@ -1,4 +1,4 @@
-//! Integrators with formulas of their own for tops.
+//! Integrators with special formulas for tops.
 
 pub(crate) mod infinitesimal_rotation;
 pub(crate) mod midpoint;

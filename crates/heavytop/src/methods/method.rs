@@ -46,10 +46,11 @@ impl Method {
         Ok(Self { formulation, scheme, tolerance, instructions: None })
     }
 
-    /// Replaces the instruction set of the kernels [`CollectiveGauss`] and [`TopMidpoint`], which is otherwise the one that is
-    /// fastest on this processor.
+    /// Replaces the instruction set of the kernels [`CollectiveGauss`] and [`TopMidpoint`], which is otherwise the one
+    /// that is fastest on this processor.
     ///
-    /// With [`InstructionSet::Portable`] every processor computes the same bits. The steps on two sets differ by round-off.
+    /// With [`InstructionSet::Portable`] every processor computes the same bits. Steps on different instruction sets
+    /// differ by round-off.
     ///
     /// # Errors
     /// Returns [`MissingInstructions`] if the processor lacks them.
@@ -59,9 +60,9 @@ impl Method {
 
     /// Returns the instruction set on which the last bits of the steps depend: the narrowest one with the same bits.
     ///
-    /// It is the portable one but for the kernels: Gauss's methods under `collective`, and the midpoint rule under `reduced`,
-    /// if their stages are solved to the round-off floor. These fuse multiplications and additions, and with more than
-    /// four stages a Gauss method adds numbers up in the order of the lanes.
+    /// It is the portable one, except for the methods that have kernels: Gauss methods of the formulation `collective`
+    /// and the midpoint rule of `reduced`, if their stages are solved to the round-off floor. The kernels fuse
+    /// multiplications and additions, and with more than four stages a Gauss method sums in the order of the lanes.
     ///
     /// # Example
     /// ```
@@ -96,7 +97,7 @@ impl Method {
             )
     }
 
-    /// Returns the formulation: where the scheme is applied.
+    /// Returns the formulation of the method.
     #[must_use]
     pub fn formulation(&self) -> Formulation {
         self.formulation

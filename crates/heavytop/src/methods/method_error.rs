@@ -5,7 +5,7 @@ use collective_integrators::SchemeError;
 use lie_poisson::MissingInstructions;
 use thiserror::Error;
 
-/// The reason why there is no integrator of a formulation and a scheme.
+/// The reason why there is no integrator for a formulation and a scheme.
 #[derive(Clone, Debug, PartialEq, Error)]
 #[non_exhaustive]
 pub enum MethodError {

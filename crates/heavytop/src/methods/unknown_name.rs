@@ -1,12 +1,12 @@
-//! Items by name.
+//! The error for an unknown name: [`UnknownName`].
 
 use thiserror::Error;
 
-/// The error of a name that no formulation, or no scheme, has.
+/// The error for a name that no formulation, or no scheme, has.
 #[derive(Clone, Debug, PartialEq, Eq, Error)]
 #[error("unknown {kind} `{name}`; there are {}", known.join(", "))]
 pub struct UnknownName {
-    /// What was named: a formulation or a scheme.
+    /// The kind of item: a formulation or a scheme.
     pub kind: &'static str,
     /// The name that was asked for.
     pub name: String,

@@ -1,4 +1,4 @@
-//! The realisation M = ϖ ∘ L: T∗C² → se(3)∗.
+//! The realisation M = ϖ ∘ L: T∗C² → se(3)∗: [`SpinorRealisation`].
 
 use crate::paper::nearest_power_of_two::nearest_power_of_two;
 use lie_poisson::{
@@ -75,15 +75,15 @@ impl PoissonMap for SpinorRealisation {
         if T::HAS_SLOW_PATHS { velocity(dh, z) } else { inlined_velocity(dh, z) }
     }
 
-    /// Returns the slide (bψ, 0) along the fibre where ‖χ‖ has grown beyond √2 of its least on the line χ +
-    /// bψ, else 0.
+    /// Returns the slide (bψ, 0) along the fibre if ‖χ‖ has grown beyond √2 times its least value on the line χ + bψ,
+    /// and 0 otherwise.
     ///
     /// The number b is the power of two next to −Re(ψ∗χ)/‖ψ‖², so that bψ is not rounded. It leaves at most a
     /// third of Re(ψ∗χ).
     ///
-    /// Along collective dynamics d/dt Re(ψ∗χ) = 2γ·Γ, so that χ may grow linearly along ψ. A slide breaks the
-    /// sequence of stages from which a scheme extrapolates the next ones
-    /// ([`StageSolver`](collective_integrators::StageSolver)). It is therefore made only where ‖χ‖ has grown.
+    /// Along collective dynamics d/dt Re(ψ∗χ) = 2γ·Γ, so that χ may grow linearly along ψ. A slide breaks the sequence
+    /// of stages from which a scheme extrapolates the next ones ([`StageSolver`](collective_integrators::StageSolver)).
+    /// It is therefore made only if ‖χ‖ has grown.
     #[cfg_attr(not(debug_assertions), inline(always))]
     fn gauge<T: Real>(&self, z: &SpinorPoint<T>) -> SpinorPoint<T> {
         let (chi, psi) = (&z.q, &z.p.0);
@@ -197,9 +197,9 @@ impl SpinorRealisation {
     /// lift](Lift::lift).
     ///
     /// # Errors
-    /// Returns [`LiftError`] in the cases of the minimal lift, and if χ or M(χ, ψ) overflows. It also returns
-    /// it if Γ points straight down, where ψ₁ = 0, or is within an angle of 2e-8 of that direction, where the
-    /// long χ rounds half of the digits of Π away.
+    /// Returns [`LiftError`] in the cases of the minimal lift, and if χ or M(χ, ψ) overflows. It also returns the error
+    /// if Γ points straight down, where ψ₁ = 0, or within an angle of 2e-8 rad of that direction, where half of the
+    /// digits of Π are lost by rounding because χ is large.
     pub fn lift_with<T: Real>(
         &self,
         mu: &Se3Dual<T>,

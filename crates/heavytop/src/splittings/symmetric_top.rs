@@ -18,9 +18,9 @@ use nalgebra::Vector3;
 /// φ_2^t: Π ← Π + t m g l Γ×c
 /// ```
 ///
-/// The two rotations of φ_1 commute. Free motion is exact, and the error is proportional to the weight. The
-/// splitting therefore suits fast tops. The centre of mass may have any direction, on e₃ as Lagrange's, on e₁
-/// as Kovalevskaya's, or another.
+/// The two rotations of φ_1 commute. Free motion is exact, and the error is proportional to the weight. The splitting
+/// therefore suits fast tops. The centre of mass may lie in any direction: along e₃ as for Lagrange's top, along e₁ as
+/// for Kovalevskaya's, or along any other.
 ///
 /// Source: Touma & Wisdom, *Lie–Poisson integrators for rigid body dynamics in the solar system*,
 /// Astron. J. 107 (1994).

@@ -65,8 +65,8 @@ impl EnergyLevel {
     /// Returns the two states over a unit vector Γ in which Π has the component `momentum` (kg m²/s) along
     /// the principal axis 0, 1 or 2.
     ///
-    /// The first has dΓ/dt ≥ 0 along that axis, the other dΓ/dt ≤ 0. There are none where the energy is too
-    /// low, where Γ is along that axis, and where the momentum overflows.
+    /// The first has dΓ/dt ≥ 0 along that axis, the other dΓ/dt ≤ 0. The result is `None` if the energy is too low, if
+    /// Γ is along that axis, or if the momentum overflows.
     #[must_use]
     pub fn states(&self, gamma: &Vector3<f64>, axis: usize, momentum: f64) -> Option<[Se3Dual; 2]> {
         let Slowest { pi, along, mobility, energy } = self.slowest(gamma, axis, momentum)?;

@@ -5,7 +5,7 @@ use core::fmt;
 use lie_poisson::{Covector, Hamiltonian, Pair, Real, Se3Dual};
 use num_complex::Complex;
 
-/// A conserved quantity of some heavy top.
+/// A quantity that every heavy top, or some integrable top, conserves.
 ///
 /// # Example
 /// ```
@@ -66,7 +66,7 @@ impl Invariant {
         }
     }
 
-    /// Returns the unit, in SI units; the empty text for f₁, which is a number.
+    /// Returns the SI unit as text, or an empty text for f₁, which is dimensionless.
     ///
     /// ```
     /// use heavytop::Invariant;
@@ -171,7 +171,8 @@ impl HeavyTop {
         [2, 0, 1].into_iter().find(|axis| is_of_kind(self, *axis)).unwrap_or(2)
     }
 
-    /// Returns the invariants of this top: h, f₁ and f₂; C of a free body; and the one of an integrable top.
+    /// Returns the invariants of this top: h, f₁ and f₂, for a free body also C, and for an integrable top its further
+    /// invariant.
     ///
     /// The symmetry axis may be any of the three. G is listed for a Goryachev–Chaplygin top at every level of Π·Γ.
     ///

@@ -6,7 +6,7 @@ use nalgebra::Vector3;
 
 /// The free rigid body: h(Π) = ½ Π·(I⁻¹Π) on so(3)∗ with the minus bracket, dΠ/dt = Π × Ω.
 ///
-/// The units are those of the [heavy top](HeavyTop), of which it is the case without gravity.
+/// It is the [heavy top](HeavyTop) without gravity, and has the same units.
 ///
 /// # Example
 /// The body is integrated collectively on C², by the Hopf map. The Casimir |Π|² is conserved to round-off.
@@ -31,7 +31,7 @@ impl RigidBody {
     /// Creates the body with the principal moments I₁, I₂, I₃, kg m².
     ///
     /// # Errors
-    /// Returns [`TopError`] unless the moments are positive and obey the triangle inequality.
+    /// Returns [`TopError`] unless the moments are positive, have finite reciprocals, and obey the triangle inequality.
     pub fn new(inertia: Vector3<f64>) -> Result<Self, TopError> {
         HeavyTop::free_rigid_body(inertia).map(Self)
     }

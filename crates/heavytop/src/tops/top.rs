@@ -1,4 +1,4 @@
-//! The heavy top.
+//! The heavy top: [`HeavyTop`], [`Body`].
 
 use crate::error::{
     TopError, require_finite, require_not_negative, require_positive, require_unit,
@@ -91,13 +91,13 @@ impl From<HeavyTop> for Parameters {
 }
 
 impl HeavyTop {
-    /// Creates the top with the parameters of a body: the principal moments of inertia I (kg m²), the weight moment
-    /// m g l (J) and the unit vector from the support to the centre of mass.
+    /// Creates the top with the parameters of a body. The mass, the gravitational acceleration and the length enter
+    /// only by the weight moment m g l (N m).
     ///
     /// # Errors
     /// Returns a [`TopError`] that names the parameter, unless the moments are positive and obey the triangle
-    /// inequality, the mass is positive, gravity and length are not negative, and the direction of the centre
-    /// of mass is a unit vector.
+    /// inequality, the mass is positive, gravity and length are not negative, the direction of the centre of mass is a
+    /// unit vector, and the reciprocals of the moments are finite.
     pub fn new(body: &Body) -> Result<Self, TopError> {
         require_positive("mass", body.mass)?;
         require_not_negative("gravity", body.gravity)?;
@@ -128,14 +128,15 @@ impl HeavyTop {
     /// Creates the free rigid body, which has no gravity.
     ///
     /// # Errors
-    /// Returns [`TopError`] unless the moments (kg m²) are positive and obey the triangle inequality.
+    /// Returns [`TopError`] unless the moments (kg m²) are positive, have finite reciprocals, and obey the triangle
+    /// inequality.
     pub fn free_rigid_body(inertia: Vector3<f64>) -> Result<Self, TopError> {
         Self::from_moment(inertia, 0.0, Vector3::z())
     }
 
     /// Creates Lagrange's top: I₁ = I₂, c = e₃. Π₃ is conserved.
     ///
-    /// `weight_moment` is m g l in N m.
+    /// `transverse` is I₁ = I₂ and `axial` is I₃, in kg m². `weight_moment` is m g l in N m.
     ///
     /// # Errors
     /// Returns [`TopError`] in the cases of [`HeavyTop::new`].
@@ -145,6 +146,8 @@ impl HeavyTop {
     }
 
     /// Creates Kovalevskaya's top: I₁ = I₂ = 2I₃, c = e₁. The paper's experiment has I₃ = m g l = 1.
+    ///
+    /// `axial` is I₃ in kg m², and `weight_moment` is m g l in N m.
     ///
     /// Source: Ohsawa 2019, §5.2.
     ///
@@ -156,6 +159,8 @@ impl HeavyTop {
     }
 
     /// Creates Goryachev and Chaplygin's top: I₁ = I₂ = 4I₃, c = e₁. It is integrable on Π·Γ = 0.
+    ///
+    /// `axial` is I₃ in kg m², and `weight_moment` is m g l in N m.
     ///
     /// # Errors
     /// Returns [`TopError`] in the cases of [`HeavyTop::new`].

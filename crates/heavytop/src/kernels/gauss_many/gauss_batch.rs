@@ -13,18 +13,18 @@ use momentum_map::DualQuaternions;
 
 /// The collective Gauss method with S stages, of order 2S, for many tops with separate parameters.
 ///
-/// The tops are advanced in the SIMD lanes of the processor's registers: one lane holds one top, so that a
-/// register advances several trajectories.
+/// The tops are advanced in the SIMD lanes of the processor's registers. Each lane holds one top, so a register
+/// advances several trajectories.
 ///
-/// One step is that of [`LiftFree`] with [`RungeKutta::gauss`], to round-off. The stage equations are solved
-/// by sweeps, each stage from the newest derivatives of the others. The sweeps begin with the polynomial
-/// through the stages of the last step. The iteration of a top stops where its own stages have converged. A
-/// top whose stages do not converge, whose Γ is 0, or that is not finite is advanced by that integrator
-/// instead, and fails where it fails.
+/// One step is that of [`LiftFree`] with [`RungeKutta::gauss`], to round-off. The stage equations are solved by sweeps,
+/// each stage from the newest derivatives of the others. The sweeps begin with the polynomial through the stages of the
+/// last step. The iteration of a top stops where its own stages have converged. If the stages of a top do not converge,
+/// or if its Γ is 0 or its state is not finite, the [`LiftFree`] integrator advances it instead. The top fails only if
+/// that integrator fails too.
 ///
-/// The result for a top does not depend on the others, nor on the number of lanes. It has the same bits at
-/// every [`Width`], and on all instruction sets that fuse products with sums. The results of
-/// [`InstructionSet::Portable`], which does not, differ by rounding.
+/// The result for a top depends neither on the other tops nor on the number of lanes. It is bit-identical at every
+/// [`Width`], and on all instruction sets with fused multiply-add. [`InstructionSet::Portable`] does not fuse products
+/// with sums, so its results differ by rounding.
 ///
 /// Source: the method of Ohsawa 2019, §4–5, in the lift-free form of [`LiftFree`].
 ///
@@ -88,8 +88,8 @@ impl<const S: usize> GaussBatch<S> {
     }
 }
 
-/// A run in several calls that meet at multiples of [`CHECKPOINT`](collective_integrators::CHECKPOINT) has
-/// the bits of a run in one call. With other calls the results differ by rounding.
+/// A run in several calls is bit-identical to a run in one call if the calls meet at multiples of
+/// [`CHECKPOINT`](collective_integrators::CHECKPOINT). Otherwise the results differ by rounding.
 impl<const S: usize> BatchIntegrator for GaussBatch<S> {
     type Member = (HeavyTop, Se3Dual);
     type Workspace = ();

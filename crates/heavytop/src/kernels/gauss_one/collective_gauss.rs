@@ -26,7 +26,7 @@ type State = Pair<SpinorPoint, SpinorPoint>;
 /// top).compensated()` to round-off, at a fraction of the cost. That integrator accepts every other
 /// Hamiltonian and any number of stages.
 ///
-/// The state is (z, e): the lift z = (χ, ψ) ∈ T∗C², and e, the part that rounding removed from the last sum
+/// The state is (z, e). Here z = (χ, ψ) ∈ T∗C² is the lift, and e is the part that rounding removed from the last sum
 /// z + δz. The momentum is μ = **M**(z).
 ///
 /// # Method
@@ -36,15 +36,14 @@ type State = Pair<SpinorPoint, SpinorPoint>;
 /// Z_i = z + Σ_j μ_ij ℓ_j,    ℓ_j = h b_j X(Z_j),    μ_ij = a_ij / b_j,    z₁ = z + Σ_j ℓ_j
 /// ```
 ///
-/// are solved with one stage in each SIMD lane of a register, by AVX-512, AVX2 or plain arithmetic, whichever
-/// the processor has when the integrator is made. They are iterated until Ω changes by round-off alone. If a
-/// step has the size of the last step and continues from its end, the iteration begins with the polynomial
-/// through the ℓ of that step. A step therefore depends on the one before, by round-off;
-/// [`forget`](Integrator::forget) removes this dependence. μ_ij + μ_ji = 1 holds exactly, so that rounding of
-/// coefficients causes no drift of Casimirs. When ‖χ‖ has grown to √2 of its least along the fibre, χ slides
-/// back by a power of two times ψ.
+/// are solved with one stage in each SIMD lane of a register, by AVX-512, AVX2 or plain arithmetic, whichever the
+/// processor has when the integrator is made. They are iterated until Ω changes by round-off alone. If a step has the
+/// same size as the previous step and continues from its end, the iteration begins with values of the polynomial
+/// through the ℓ of that step. A step therefore depends on the one before, by round-off; [`forget`](Integrator::forget)
+/// removes this dependence. μ_ij + μ_ji = 1 holds exactly, so that rounding of coefficients causes no drift of
+/// Casimirs. When ‖χ‖ has grown to √2 times its least value along the fibre, χ slides back by a power of two times ψ.
 ///
-/// Where the iteration does not converge, for large steps, the [general](Self::general) integrator makes the
+/// If the iteration does not converge, as may happen for large steps, the [general](Self::general) integrator makes the
 /// step, with Newton's iteration if necessary.
 ///
 /// With eight stages and step 1/4 the error of the paper's experiment is 1e-14 at t = 10. In the source repository
@@ -100,7 +99,7 @@ impl HeavyTop {
 }
 
 impl CollectiveGauss {
-    /// Creates the method with the given number of stages, of order twice as much.
+    /// Creates the method with the given number of stages. Its order is twice that number.
     ///
     /// # Errors
     /// Returns [`SchemeError`] unless there are 1 to 8 stages.
@@ -115,7 +114,7 @@ impl CollectiveGauss {
         Ok(Self { general, coefficients, instructions: fastest(stages) })
     }
 
-    /// Replaces the instruction set. The steps on two sets differ by round-off.
+    /// Replaces the instruction set. Steps on different instruction sets differ by round-off.
     ///
     /// # Errors
     /// Returns [`MissingInstructions`] if the processor lacks them.

@@ -12,9 +12,9 @@ use lie_poisson::{InstructionSet, Lanes, MissingInstructions, Se3Dual, Width};
 /// Advances many states of one top at once, in the SIMD lanes of the processor's registers, two registers at
 /// a time.
 ///
-/// Each state has the bits of its own [`trajectory`](collective_integrators::Start::trajectory) on the same
-/// instructions. Those of AVX2 and AVX-512 are equal. Those of [`InstructionSet::Portable`], which does not
-/// fuse products with sums, differ by rounding.
+/// Each result is bit-identical to the [`trajectory`](collective_integrators::Start::trajectory) of that state alone on
+/// the same instruction set. Results on AVX2 and AVX-512 are bit-identical. [`InstructionSet::Portable`] does not fuse
+/// products with sums, so its results differ by rounding.
 ///
 /// # Example
 /// The tops have different angular momenta, and one of them fails:

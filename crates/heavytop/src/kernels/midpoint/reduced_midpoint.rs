@@ -23,14 +23,13 @@ use nalgebra::Vector3;
 /// Γ₁ = R_a R_a Γ₀,    Π₁ = R_a ( R_a Π₀ + h Γₘ×γₘ )
 /// ```
 ///
-/// It equals [`LiftFree`] with the midpoint rule to round-off, at less cost: the state has six numbers, and
-/// so have the unknowns. It is Poisson and symmetric, of order 2; compositions raise the order. For a
-/// [`HeavyTop`](crate::HeavyTop), [`TopMidpoint`](crate::TopMidpoint) makes the same steps several times
-/// faster.
+/// It equals [`LiftFree`] with the midpoint rule to round-off, at less cost: both the state and the unknowns consist of
+/// six numbers. It is Poisson and symmetric, of order 2; compositions raise the order. For a
+/// [`HeavyTop`](crate::HeavyTop), [`TopMidpoint`](crate::TopMidpoint) makes the same steps several times faster.
 ///
-/// A fixed-point iteration solves for (Ωₘ, γₘ). It starts from an extrapolation of the last steps
-/// ([`StageMemory`]). Where it fails, for large steps, Newton's iteration for the multiplier solves the step.
-/// Over [lanes](collective_integrators::Laned), many states of one system are advanced at once.
+/// A fixed-point iteration solves for (Ωₘ, γₘ). It starts from an extrapolation of the last steps ([`StageMemory`]). If
+/// it fails, as it may for large steps, Newton's iteration for the multiplier solves the step. Over
+/// [lanes](collective_integrators::Laned), many states of one system are advanced at once.
 ///
 /// Source: the rule answers, for this setting, the question of Ohsawa 2019, §5.1; the closed form is that of
 /// the one-stage method on dual quaternions.

@@ -1,4 +1,4 @@
-//! The collective midpoint rule on se(3)∗ for tops, by formulas of their own.
+//! The collective midpoint rule on se(3)∗ for tops, by special formulas: [`TopMidpoint`].
 
 use super::closed_form::whole_turn;
 use super::formulas::GuessHistory;
@@ -11,14 +11,14 @@ use lie_poisson::{InstructionSet, MissingInstructions, Se3Dual, Width};
 ///
 /// Since dh = (I⁻¹Π, γ) with a constant γ, a = (h/4) Ωₘ is the only unknown of a step.
 ///
-/// If a step has the size of the last ten steps and starts where they ended, bit for bit, a is extrapolated
-/// from them. It is then corrected until its error is round-off. The formulas use the widest
-/// [instructions](InstructionSet) of the processor, on which the rounding depends. Where the iteration does
-/// not converge, for large steps, [`ReducedMidpoint`] makes the step.
+/// If a step has the same size as the last ten steps and starts exactly where they ended, a is extrapolated from them.
+/// It is then corrected until its error is round-off. The formulas use the widest [instructions](InstructionSet) of the
+/// processor, on which the rounding depends. If the iteration does not converge, as may happen for large steps,
+/// [`ReducedMidpoint`] makes the step.
 ///
-/// As a [`BatchIntegrator`](collective_integrators::BatchIntegrator) it advances many states of one top at
-/// once. [`MidpointBatch`](crate::MidpointBatch) has separate parameters per top. Where both traits are in scope, write
-/// `Integrator::advance` or `BatchIntegrator::advance`, and the same for `workspace`.
+/// As a [`BatchIntegrator`](collective_integrators::BatchIntegrator) it advances many states of one top at once.
+/// [`MidpointBatch`](crate::MidpointBatch) has separate parameters per top. If both `Integrator` and `BatchIntegrator`
+/// are in scope, write `Integrator::advance` or `BatchIntegrator::advance`, and likewise for `workspace`.
 ///
 /// Source: the formulas are those of [`ReducedMidpoint`].
 ///
@@ -58,7 +58,7 @@ impl TopMidpoint {
         Self::on(top, Registers::widest())
     }
 
-    /// Replaces the instruction set. The steps on two sets differ by round-off.
+    /// Replaces the instruction set. Steps on different instruction sets differ by round-off.
     ///
     /// # Errors
     /// Returns [`MissingInstructions`] if the processor lacks them.

@@ -9,15 +9,16 @@ const MOST_TERMS: usize = 8;
 
 /// The polynomials of a drift for the fraction c of a step: c c₁, c²c₂ and c tan(θ/2)/θ at θ² = c²x, in terms of x.
 ///
-/// Their cosine 1 − x (c²c₂) and sine √x (c c₁) must be on the unit circle to 1e-18 for all x, since in a long run all that
-/// a flow stretches adds up. With the coefficients s of the sine and v of the versine, cos² + sin² − 1 has
+/// Their cosine 1 − x (c²c₂) and sine √x (c c₁) must be on the unit circle to 1e-18 for all x, since in a long run all
+/// that a flow stretches adds up. With the coefficients s of the sine and v of the versine, cos² + sin² − 1 has
 ///
 /// ```text
 /// Σ s_i s_(n−i) − 2 v_n + Σ v_i v_(n−1−i)    as the coefficient of xⁿ⁺¹
 /// ```
 ///
-/// The v_n are chosen such that this coefficient is the [`defect`](StumpffPolynomials::defect), which balances the higher
-/// terms. The rounding errors of v₀ and v₁ would make it as large as 1e-16 and 7e-18, so these two have twice the digits.
+/// The v_n are chosen such that this coefficient is the [`defect`](StumpffPolynomials::defect), which balances the
+/// higher terms. The rounding errors of v₀ and v₁ would make it as large as 1e-16 and 7e-18, so these two have twice
+/// the digits.
 #[derive(Clone, Debug, PartialEq)]
 pub(crate) struct DriftPolynomials {
     /// The number of coefficients of `versine`; `sine` has one more.
@@ -137,7 +138,8 @@ mod tests {
         [c * square.stumpff(1), c * c * square.stumpff(2), half_tangent]
     }
 
-    /// Returns the largest of the three errors on [from, to], those of c c₁, c²c₂ and c tan(θ/2)/θ divided by |c|, c², |c|.
+    /// Returns the largest of the three errors on [from, to], those of c c₁, c²c₂ and c tan(θ/2)/θ divided by |c|,
+    /// c², |c|.
     fn worst(c: f64, drift: &DriftPolynomials, [from, to]: [f64; 2]) -> f64 {
         let sizes = [c.abs(), c * c, c.abs()];
         (0..=1000).fold(0.0, |worst: f64, n| {

@@ -22,8 +22,8 @@ pub(crate) struct MomentumLanes<T> {
     w: [T; 3],
     gamma: [T; 3],
     vertical: T,
-    /// The sum of the rounding errors of w₃² so far. The next square includes it: where w₃ is constant, all squares would
-    /// have the same error, and |Γ|² would drift.
+    /// The sum of the rounding errors of w₃² so far. The next square includes it: where w₃ is constant, all squares
+    /// would have the same error, and |Γ|² would drift.
     lost: T,
     /// The largest |w|² or δ²w₃² of all drifts, whose angles are the roots of these numbers times the drift's
     /// time. A NaN may be missing.

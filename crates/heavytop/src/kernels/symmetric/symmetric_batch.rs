@@ -23,22 +23,23 @@ const SHORT: [f64; 2] = [0.7, 1.7];
 
 /// The alternating splitting of many tops with I₁ = I₂, with separate parameters per top.
 ///
-/// The tops are advanced in the SIMD lanes of the processor's registers: one lane holds one top, so that a
-/// register advances several trajectories.
+/// The tops are advanced in the SIMD lanes of the processor's registers. Each lane holds one top, so a register
+/// advances several trajectories.
 ///
-/// One step is that of an alternating [`Splitting`] over [`SymmetricTopSplitting`], to round-off. Sine and
-/// cosine are polynomials here. Where a step ends with the part with which the next one begins, the two flows
-/// are merged, so that n steps in one call and n calls differ by rounding. A top that leaves the range of the
-/// polynomials (it turns by more than √2 rad in one flow), or is not finite, is advanced by that integrator
-/// instead, and fails where it fails. A top that turns by less than 1.3 rad in a step has shorter
-/// polynomials, and is a tenth faster.
+/// One step is that of an alternating [`Splitting`] over [`SymmetricTopSplitting`], to round-off. Sine and cosine are
+/// computed by polynomials. If a step ends with the part with which the next step begins, the two flows are merged, so
+/// that n steps in one call differ by rounding from n calls of one step. If a top leaves the range of the polynomials
+/// (by turning more than √2 rad in one flow), or if its state is not finite, the [`Splitting`] advances it instead. The
+/// top fails only if the [`Splitting`] fails too. For a top that turns by less than 1.3 rad in a step shorter
+/// polynomials suffice, which are a tenth faster.
 ///
-/// Rounding causes a random walk of |Γ|² and Γ·Π. The mean over many tops does not drift: that of |Γ|² by less than 1e-19 of
-/// its size per step, also at steps of 1/5. In a flow by more than 1.2 rad up to 4e-17 are possible.
+/// Rounding causes a random walk of |Γ|² and Γ·Π. The mean over many tops does not drift: the mean of |Γ|² changes by
+/// less than 1e-19 of its size per step, even at steps of 1/5. If a flow turns by more than 1.2 rad, changes up to
+/// 4e-17 are possible.
 ///
-/// The result for a top does not depend on the others, nor on the number of lanes. It has the same bits at
-/// every [`Width`], and on all instruction sets that fuse products with sums. The results of
-/// [`InstructionSet::Portable`], which does not, differ by rounding.
+/// The result for a top depends neither on the other tops nor on the number of lanes. It is bit-identical at every
+/// [`Width`], and on all instruction sets with fused multiply-add. [`InstructionSet::Portable`] does not fuse products
+/// with sums, so its results differ by rounding.
 ///
 /// Source: the splitting is that of [`SymmetricTopSplitting`], the fractions are those of [`AlternatingSubsteps`].
 ///
@@ -92,8 +93,8 @@ impl SymmetricTopBatch {
     }
 }
 
-/// A run in several calls that meet at multiples of [`CHECKPOINT`](collective_integrators::CHECKPOINT) has
-/// the bits of a run in one call. With other calls the results differ by rounding.
+/// A run in several calls is bit-identical to a run in one call if the calls meet at multiples of
+/// [`CHECKPOINT`](collective_integrators::CHECKPOINT). Otherwise the results differ by rounding.
 impl BatchIntegrator for SymmetricTopBatch {
     type Member = (SymmetricTopSplitting, Se3Dual);
     type Workspace = ();
