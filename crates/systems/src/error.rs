@@ -2,7 +2,7 @@
 
 use thiserror::Error;
 
-/// The reason why a set of parameters is not a system of this crate.
+/// The reason why parameters do not define a system of this crate.
 #[derive(Clone, Debug, PartialEq, Error)]
 #[non_exhaustive]
 pub enum SystemError {
@@ -48,13 +48,13 @@ pub enum SystemError {
         /// The name of the parameter.
         name: &'static str,
     },
-    /// There are more parts than the machine can count.
+    /// The number of parts exceeds what the machine can address.
     #[error("there are more {name} than the {} of this machine", usize::MAX)]
     TooMany {
         /// The name of the parts.
         name: &'static str,
     },
-    /// There are not as many values as there must be.
+    /// The number of values is wrong.
     #[error("{expected} {name} are needed, got {found}")]
     Count {
         /// The name of the values.

@@ -44,7 +44,7 @@
 //! | an ideal fluid on the sphere, on u(N)∗ | [`Zeitlin`], with [`VorticityCoefficients`] |
 //! | the Laplace operator of the sphere on matrices | [`QuantisedLaplacian`] |
 //! | the type of these phase spaces and of their points | [`SpinSpace`], [`Spins`], [`SpinLatticeSpace`] |
-//! | the reason why parameters are refused | [`SystemError`] |
+//! | the reason why parameters are rejected | [`SystemError`] |
 //! | the usual names in one line | [`prelude`] |
 //!
 //! The map and the bracket that go with a system:
@@ -60,8 +60,8 @@
 //!
 //! # Conventions
 //!
-//! * [`GeneralisedRigidBody`] and [`Zeitlin`] are [`IsospectralField`](isospectral_flows::IsospectralField)s, and go with
-//!   the methods of [`isospectral_flows`].
+//! * [`GeneralisedRigidBody`] and [`Zeitlin`] are [`IsospectralField`](isospectral_flows::IsospectralField)s, and go
+//!   with the methods of [`isospectral_flows`].
 //! * On se(3)∗ the frame is that of the body, and the bracket is the minus bracket.
 //! * Bodies are in SI units. Spins and their constants are numbers without units.
 //! * The bracket of the spins is the plus bracket: h = −B·s gives ds/dt = s × B.

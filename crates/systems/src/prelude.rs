@@ -1,6 +1,6 @@
 //! The names that a program with these systems usually needs, from this crate and from those below it.
 //!
-//! `use lie_poisson_systems::prelude::*;` replaces one `use` line per crate. What it leaves out is at the roots of the
+//! `use lie_poisson_systems::prelude::*;` replaces one `use` line per crate. All other items are at the roots of the
 //! crates, which [`lie_poisson_systems`](crate) re-exports.
 //!
 //! # Example

@@ -9,8 +9,8 @@ use isospectral_flows::LargeSkewHermitian;
 /// Δ W = −Σ_a [S_a, [S_a, W]]
 /// ```
 ///
-/// Its eigenvalues are −l(l + 1) with l = 0 … N − 1, each 2l + 1 times, as those of the Laplace operator on functions of
-/// degree below N. It couples only neighbours on a diagonal of W:
+/// Its eigenvalues are −l(l + 1) with l = 0 … N − 1, each 2l + 1 times, as those of the Laplace operator on functions
+/// of degree below N. It couples only neighbours on a diagonal of W:
 ///
 /// ```text
 /// −(ΔW)_jk = d_jk W_jk − b_jk W_(j−1,k−1) − b_(j+1,k+1) W_(j+1,k+1)
@@ -19,7 +19,7 @@ use isospectral_flows::LargeSkewHermitian;
 /// ```
 ///
 /// with j, k = 0 … N − 1. The inverse solves these tridiagonal equations, all diagonals at once, in O(N²) time and
-/// memory. Its factors are computed from σ without subtractions, so that every one is right to a few roundings.
+/// memory. Its factors are computed from σ without subtractions, so each is accurate to a few rounding errors.
 ///
 /// Source: Hoppe & Yau, *Some properties of matrix harmonics on S²*, Comm. Math. Phys. 195 (1998); Cifani, Viviani &
 /// Modin, *An efficient geometric method for incompressible hydrodynamics on the sphere*, J. Comput. Phys. 473 (2023).
@@ -55,7 +55,7 @@ impl QuantisedLaplacian {
     /// Creates the operator on N×N matrices, for N ≥ 2.
     ///
     /// # Errors
-    /// Returns [`SystemError::Count`] if N is below 2, or [`SystemError::TooMany`] if N² is not a number of the machine.
+    /// Returns [`SystemError::Count`] if N is below 2, or [`SystemError::TooMany`] if N² overflows.
     pub fn new(size: usize) -> Result<Self, SystemError> {
         if size < 2 {
             return Err(SystemError::Count { name: "rows of a matrix", expected: 2, found: size });
@@ -140,7 +140,7 @@ impl QuantisedLaplacian {
         });
     }
 
-    /// Writes the matrix P without trace that solves ΔP = s W.
+    /// Writes the traceless matrix P that solves ΔP = s W.
     ///
     /// The trace of W, on which the operator is zero, is ignored. The result is NaN if a matrix does not have the size
     /// N.

@@ -14,7 +14,7 @@ impl QuantisedLaplacian {
     /// ```
     ///
     /// The sign is that of Y_lm with the phase of Condon and Shortley: (−1)ᵐ at the north pole, which is the entry with
-    /// j = 0. With this norm the function 1 becomes the unit matrix. T_(l,−m) = (−1)ᵐ T_lm*.
+    /// j = 0. With this normalisation the function 1 becomes the identity matrix. T_(l,−m) = (−1)ᵐ T_lm*.
     ///
     /// The result is empty unless m ≤ l < N.
     ///
@@ -67,15 +67,16 @@ impl QuantisedLaplacian {
     }
 }
 
-/// Returns the values of the normalised associated Legendre functions of order m at x = cos θ, for degrees l = m … `most`:
+/// Returns the values of the normalised associated Legendre functions of order m at x = cos θ, for degrees l = m …
+/// `most`:
 ///
 /// ```text
 /// Y_lm(θ, φ) = P_lm(cos θ) exp(imφ)
 /// ```
 ///
 /// The functions Y_lm are orthonormal on the unit sphere and have the phase of Condon and Shortley. The result is empty
-/// if m is above `most`, and NaN for x outside of [−1, 1]. For m above 600 and x near ±1, functions that are smaller than
-/// the least number become zero, with those of higher degree.
+/// if m is above `most`, and NaN for x outside of [−1, 1]. For m above 600 and x near ±1, functions that underflow
+/// become zero, together with those of higher degree.
 ///
 /// Source: DLMF §14.10 and §14.30, with the recurrence in l, which is stable upwards.
 ///

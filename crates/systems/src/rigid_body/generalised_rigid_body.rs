@@ -10,15 +10,15 @@ use isospectral_flows::{IsospectralField, LargeSkewHermitian};
 /// dM/dt = [M, Ω],    M_jk = (J_j + J_k) Ω_jk,    h(M) = ½ Σ_(j<k) M_jk²/(J_j + J_k)
 /// ```
 ///
-/// M is the real skew-symmetric matrix of the angular momentum in the frame of the body, Ω that of the angular velocity,
-/// and J_j = ∫x_j² dm are the second moments of the mass. For N = 3 the equations are those of Euler, with the moments of
-/// inertia I₁ = J₂ + J₃ and so on, M₃₂ = Π₁, M₁₃ = Π₂ and M₂₁ = Π₃.
+/// M is the real skew-symmetric matrix of the angular momentum in the frame of the body, Ω that of the angular
+/// velocity, and J_j = ∫x_j² dm are the second moments of the mass. For N = 3 the equations are those of Euler, with
+/// the moments of inertia I₁ = J₂ + J₃ and so on, M₃₂ = Π₁, M₁₃ = Π₂ and M₂₁ = Π₃.
 ///
-/// The system is integrable. Besides the spectrum of M, it conserves the spectrum of M + λJ² for every λ, from which the
-/// integrals of Manakov follow.
+/// The system is integrable. Besides the spectrum of M, it conserves the spectrum of M + λJ² for every λ, from which
+/// the integrals of Manakov follow.
 ///
-/// The matrices are those of u(N)∗ with imaginary part zero, to which every integrator for [`IsospectralField`]s keeps.
-/// Units: J in kg m², M in kg m²/s.
+/// The matrices are the real ones in u(N)∗. Every integrator for [`IsospectralField`]s keeps them real. Units: J in kg
+/// m², M in kg m²/s.
 ///
 /// Source: Manakov, *Note on the integration of Euler's equations of the dynamics of an n-dimensional rigid body*,
 /// Funct. Anal. Appl. 10 (1976); Ratiu, *The motion of the free n-dimensional rigid body*, Indiana Univ. Math. J. 29
@@ -68,7 +68,7 @@ impl GeneralisedRigidBody {
         Ok(Self { moments, inverses })
     }
 
-    /// Returns the second moments J_j.
+    /// Returns the second moments J_j, in kg m².
     #[must_use]
     pub fn moments(&self) -> &[f64] {
         &self.moments
@@ -82,14 +82,14 @@ impl GeneralisedRigidBody {
         })
     }
 
-    /// Returns the energy h(M), or NaN if M has another size.
+    /// Returns the energy h(M), or NaN if the size of M is not N.
     #[must_use]
     pub fn energy(&self, m: &LargeSkewHermitian) -> f64 {
         // Each entry with j < k occurs twice.
         0.25 * self.sum(m, |i| self.inverses[i])
     }
 
-    /// Returns Manakov's integral tr(M²J²)/2 = −½ Σ_jk M_jk² J_j², or NaN if M has another size.
+    /// Returns Manakov's integral tr(M²J²)/2 = −½ Σ_jk M_jk² J_j², or NaN if the size of M is not N.
     #[must_use]
     pub fn manakov_integral(&self, m: &LargeSkewHermitian) -> f64 {
         -0.5 * self.sum(m, |i| self.moments[i % self.moments.len()].powi(2))

@@ -12,12 +12,12 @@ use nalgebra::Vector3;
 /// ds_i/dt = ∂h/∂s_i × s_i
 /// ```
 ///
-/// The spin after the last one is s₁. The bracket is the plus bracket {s_a, s_b} = ε_abc s_c of each spin.
-/// Conserved are h, every |s_i|, and without a field the total spin Σ s_i; in a field only its component
-/// along B.
+/// The spin after the last one is s₁. The bracket is the plus bracket {s_a, s_b} = ε_abc s_c of each spin. The
+/// conserved quantities are h, every |s_i|, and, without a field, the total spin Σ s_i. In a field only the component
+/// of Σ s_i along B is conserved.
 ///
-/// Spins, J and B are numbers without units. For N = 2 the one bond counts twice, and for N = 1 the bond of
-/// the spin with itself adds a constant.
+/// Spins, J and B are dimensionless. For N = 2 the one bond counts twice, and for N = 1 the bond of the spin with
+/// itself adds a constant.
 ///
 /// Source: M. Lakshmanan, *The fascinating world of the Landau–Lifshitz–Gilbert equation*, Phil.
 /// Trans. R. Soc. A 369 (2011), §4.

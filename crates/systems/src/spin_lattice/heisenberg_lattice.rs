@@ -16,19 +16,20 @@ use rayon::slice::ParallelSliceMut;
 /// ds_i/dt = s_i × H_i,    H_i = −∂h/∂s_i = Σ_o J_o (s_(i+o) + s_(i−o)) + 2K (a·s_i) a + B
 /// ```
 ///
-/// These are the equations of Landau and Lifshitz without damping. Each exchange constant J_o belongs to an offset o, a
-/// number of cells along x, y and z, so that any range and direction is possible; J > 0 is ferromagnetic. A lattice with
-/// one cell in a direction has a lower dimension. The site in cell (x, y, z) has the index x + n_x (y + n_y z).
+/// These are the equations of Landau and Lifshitz without damping. Each exchange constant J_o belongs to an offset o,
+/// given as numbers of cells along x, y and z, so bonds may have any range and direction; J > 0 is ferromagnetic. A
+/// lattice with one cell in a direction has a lower dimension. The site in cell (x, y, z) has the index x + n_x (y +
+/// n_y z).
 ///
-/// The bracket is the plus bracket {s_a, s_b} = ε_abc s_c of each spin. Conserved are h and every |s_i|, and with B and a
-/// along one axis the component of Σ s_i along it. Spins, J, K and B are numbers without units.
+/// The bracket is the plus bracket {s_a, s_b} = ε_abc s_c of each spin. The conserved quantities are h and every |s_i|,
+/// and, if B and a lie along one axis, the component of Σ s_i along it. Spins, J, K and B are dimensionless.
 ///
-/// Integrators for [`State`]s advance it in place: [`SphericalMidpoint`](collective_integrators::SphericalMidpoint) is a
-/// Poisson map, and [`LatticeMidpoint`](crate::LatticeMidpoint) is its fast path. For Poisson maps of other orders take
-/// [`CollectiveSites`](collective_integrators::CollectiveSites) with
-/// `QuadraticMomentumMap::new(So3OnC2, Side::Left)`, whose bracket is the plus bracket. (`HOPF` has the minus bracket, and
-/// turns the spins the other way.) The rows of cells along x are divided among all threads of the current pool, with the
-/// same bits for any number of threads.
+/// Integrators for [`State`]s advance it in place: [`SphericalMidpoint`](collective_integrators::SphericalMidpoint) is
+/// a Poisson map, and [`LatticeMidpoint`](crate::LatticeMidpoint) is its fast path. For Poisson maps of other orders
+/// use [`CollectiveSites`](collective_integrators::CollectiveSites) with
+/// `QuadraticMomentumMap::new(So3OnC2, Side::Left)`, whose bracket is the plus bracket. (`HOPF` has the minus bracket,
+/// and turns the spins the other way.) The rows of cells along x are divided among all threads of the current pool, and
+/// the results are bit-identical for any number of threads.
 ///
 /// Source: Lakshmanan, *The fascinating world of the Landau–Lifshitz–Gilbert equation*, Phil. Trans. R. Soc. A 369
 /// (2011), §4; McLachlan, Modin & Verdier, *Symplectic integrators for spin systems*, Phys. Rev. E 89 (2014).
@@ -93,8 +94,8 @@ impl HeisenbergLattice {
         Ok(Self { cells, exchanges: Vec::new(), axis, anisotropy: 0.0, field })
     }
 
-    /// Adds the exchange constant J of the bonds from each cell to that at the given offset. Each bond is named once:
-    /// an offset stands for its opposite too.
+    /// Adds bonds with the exchange constant J from each cell to the cell at the given offset. Give each bond once: an
+    /// offset also stands for its opposite.
     ///
     /// # Errors
     /// Returns [`SystemError::NotFinite`] if J is not finite.
@@ -106,7 +107,7 @@ impl HeisenbergLattice {
         Ok(self)
     }
 
-    /// Returns the lattice with an anisotropy K along an axis a, of which only the direction counts. K > 0 makes it an
+    /// Returns the lattice with an anisotropy K along an axis a. The length of a does not matter. K > 0 makes it an
     /// easy axis, and K < 0 a hard axis.
     ///
     /// # Errors

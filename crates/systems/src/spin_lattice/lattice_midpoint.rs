@@ -13,20 +13,20 @@ use rayon::slice::ParallelSliceMut;
 
 /// The spherical midpoint method for a [`HeisenbergLattice`], on SIMD lanes and on all threads.
 ///
-/// It is the map of [`SphericalMidpoint`](collective_integrators::SphericalMidpoint) applied to the lattice, up to
-/// rounding, a Poisson map of order 2:
+/// Up to rounding it is the map of [`SphericalMidpoint`](collective_integrators::SphericalMidpoint) applied to the
+/// lattice, a Poisson map of order 2:
 ///
 /// ```text
 /// s′ = s + h X(m),    m_i = |s_i| (s_i + s′_i)/|s_i + s′_i|,    X_i(m) = m_i × H_i(m)
 /// ```
 ///
-/// One sweep of its iteration reads s and X once, writes X once, and keeps of m only what stays in the cache: some rows of
-/// the planes of the lattice that the bonds of one plane reach. Rows of spins along x are padded to multiples of 8; the
-/// storage is 72 bytes per spin of these rows, beside the state. The work is divided by planes, or in two
-/// dimensions by rows, among the threads of the current pool. The bits are the same for any number of threads, and for
-/// all processors with fused multiply-add; with [portable instructions](Self::with_instructions) for all processors. A
-/// chain along x has a single plane, and uses one thread; a chain along another direction has rows of one spin, and is
-/// slow.
+/// One sweep of its iteration reads s and X once, writes X once, and keeps only as much of m as fits in the cache: some
+/// rows of those planes of the lattice that the bonds of one plane reach. Rows of spins along x are padded to multiples
+/// of 8; the storage is 72 bytes per spin of these rows, in addition to the state. The work is divided by planes, or in
+/// two dimensions by rows, among the threads of the current pool. The results are bit-identical for any number of
+/// threads, and on all processors with fused multiply-add. With [portable instructions](Self::with_instructions) they
+/// are bit-identical on all processors. A chain along x has a single plane, and uses one thread; a chain along another
+/// direction has rows of one spin, and is slow.
 ///
 /// Spins, J, K and B are numbers without units, as in [`HeisenbergLattice`].
 ///
@@ -64,7 +64,7 @@ impl LatticeMidpoint {
         Self { lattice, stencil, solver: StageSolver::default(), instructions }
     }
 
-    /// Returns the method with another solver for its implicit equation. Newton's iteration is not made.
+    /// Returns the method with another solver for its implicit equation. Newton's iteration is never used.
     #[must_use]
     pub fn with_solver(self, solver: StageSolver) -> Self {
         Self { solver, ..self }
@@ -183,8 +183,8 @@ impl Integrator for LatticeMidpoint {
     ///
     /// # Errors
     /// Returns [`StepError::Dimension`] for a state of another number of spins, [`StepError::NotConverged`] if the
-    /// implicit equation is not solved, for example if a spin is zero, or [`StepError::NotFinite`]. The spins are not
-    /// changed then.
+    /// implicit equation is not solved, for example if a spin is zero, or [`StepError::NotFinite`]. After an error the
+    /// spins are unchanged.
     fn step_in_place(
         &self,
         s: &mut Self::State,

@@ -4,7 +4,8 @@ use crate::spin_lattice::stencil::{BLOCK, Spins, Stencil};
 use lie_poisson::Real;
 use lie_poisson::generic_scalars::Lanes;
 
-/// The largest change and size of the rates in each lane, with the sum of the changes, which keeps a NaN that they lose.
+/// The largest change and size of the rates in each lane, with the sum of the changes, which keeps a NaN that they
+/// lose.
 #[derive(Clone, Copy)]
 pub(crate) struct Progress<T> {
     change: T,
@@ -110,8 +111,8 @@ pub(crate) fn rates<T: Lanes>(
     }
 }
 
-/// Returns B and the exchange terms Σ J (a + b) of the field H of the spins from lane `i` of a block on, for the spins a
-/// and b at both ends of each bond.
+/// Returns B and the exchange terms Σ J (a + b) of the field H of the spins from lane `i` of a block on, for the spins
+/// a and b at both ends of each bond.
 #[inline(always)]
 fn exchange<T: Lanes>(
     stencil: &Stencil,

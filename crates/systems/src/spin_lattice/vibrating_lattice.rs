@@ -16,12 +16,12 @@ pub type SpinLatticeSpace<const N: usize> =
 /// h = Σ_i [ p_i²/2m + ½κ(qᵢ₊₁ − q_i)² − (J − a(qᵢ₊₁ − q_i)) s_i·sᵢ₊₁ ]
 /// ```
 ///
-/// The index N + 1 stands for 1, and the spins have the plus bracket. The differential is computed with dual
-/// numbers, by [`Automatic`](lie_poisson::Automatic). Conserved are h, every |s_i|, the total spin Σ s_i and
-/// the total momentum Σ p_i.
+/// The index N + 1 stands for 1, and the spins have the plus bracket. The differential is computed with dual numbers,
+/// by [`Automatic`](lie_poisson::Automatic). The conserved quantities are h, every |s_i|, the total spin Σ s_i and the
+/// total momentum Σ p_i.
 ///
-/// All parameters are numbers without units. For N = 2 the one bond counts twice. Spins on atoms at rest, on lattices
-/// of one to three dimensions, are a [`HeisenbergLattice`](crate::HeisenbergLattice).
+/// All parameters are dimensionless. For N = 2 the one bond counts twice. For spins on atoms at rest, on lattices of
+/// one to three dimensions, use [`HeisenbergLattice`](crate::HeisenbergLattice).
 ///
 /// Source: the model class of G. Bogfjellmo, *Collective symplectic integrators on S₂ⁿ × T∗R^m*,
 /// arXiv:1809.06231 (2018).

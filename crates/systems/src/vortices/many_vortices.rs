@@ -1,4 +1,4 @@
-//! Point vortices on the sphere, as many as a program is given.
+//! Point vortices on the sphere, with their number known when the program runs: [`ManyVortices`].
 
 use crate::error::SystemError;
 use crate::vortices::interaction::{add_differential, energy, require_strength};
@@ -20,14 +20,14 @@ use rayon::slice::ParallelSliceMut;
 /// dm_i/dt = m_i × dh/dm_i,    h(m) = (1/4π) Σ_ij k_i k_j ln(2 − 2 x_i·x_j),    i < j
 /// ```
 ///
-/// Integrators for [`State`]s advance it in place: schemes applied to the equations, and the
+/// Integrators for [`State`]s advance the vortices in place: schemes applied to the equations, and the
 /// [`SphericalMidpoint`](collective_integrators::SphericalMidpoint) method, which is a Poisson map of order 2. As a
-/// [`SitesHamiltonian`] they serve [`CollectiveSites`](collective_integrators::CollectiveSites), for Poisson maps of any
-/// order on copies of [`HOPF`](momentum_map::HOPF).
+/// [`SitesHamiltonian`] the type serves [`CollectiveSites`](collective_integrators::CollectiveSites), for Poisson maps
+/// of any order on copies of [`HOPF`](momentum_map::HOPF).
 ///
-/// From 32 vortices on, the rates of plain numbers `f64` are computed on the widest SIMD lanes of the processor and on
-/// all threads of the current pool. Their bits are the same for any number of threads. They differ by rounding from
-/// those of fewer vortices, and between processors with and without fused multiply-add, unless the instructions are
+/// From 32 vortices on, the rates over `f64` are computed on the widest SIMD lanes of the processor and on all threads
+/// of the current pool. They are bit-identical for any number of threads. They differ by rounding from the formula for
+/// fewer vortices, and between processors with and without fused multiply-add, unless the instructions are
 /// [portable](Self::with_instructions).
 ///
 /// # Example
@@ -67,7 +67,7 @@ const MANY: usize = 32;
 const TASK: usize = 1 << 16;
 
 impl ManyVortices {
-    /// Creates vortices of the given strengths k_i.
+    /// Creates vortices of the given strengths k_i, in m²/s.
     ///
     /// # Errors
     /// Returns [`SystemError`] if a strength is not finite, or so near zero that its reciprocal is not.

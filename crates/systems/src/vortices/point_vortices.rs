@@ -19,8 +19,8 @@ use nalgebra::Vector3;
 /// h(m) = (1/4π) Σ_ij k_i k_j ln(2 − 2 x_i·x_j),    i < j
 /// ```
 ///
-/// h is the negative of the usual energy, for the sign of the bracket. Conserved are h, every |m_i|, and the
-/// moment of vorticity Σ m_i = Σ k_i x_i. The strengths are in m²/s on a sphere of radius 1 m.
+/// Because the bracket is the minus bracket, h is the negative of the usual energy. The conserved quantities are h,
+/// every |m_i|, and the moment of vorticity Σ m_i = Σ k_i x_i. The strengths are in m²/s on a sphere of radius 1 m.
 ///
 /// Source: V. A. Bogomolov, *Dynamics of vorticity at a sphere*, Fluid Dyn. 12 (1977); P. K.
 /// Newton, *The N-Vortex Problem* (2001), §4.2.
@@ -47,8 +47,8 @@ pub struct PointVortices<const N: usize> {
 impl<const N: usize> PointVortices<N> {
     /// Creates vortices of the given strengths k_i, in m²/s.
     ///
-    /// The strengths need not add up to 0. The vorticity of a sphere does, by a uniform background of −Σ k_i/(4πR²), which
-    /// moves no vortex.
+    /// The strengths need not add up to 0. A uniform background vorticity of −Σ k_i/(4πR²) makes the total vorticity of
+    /// the sphere vanish, and moves no vortex.
     ///
     /// # Errors
     /// Returns [`SystemError`] if a strength is not finite, or so near zero that its reciprocal is not.
