@@ -53,8 +53,9 @@
 //!
 //! [`Composition`]: collective_integrators::Composition
 //!
-//! The cost of conserving each structure, in complex N×N products per step. A sweep is an iteration for the generators; s is the
-//! number of stages, e the products of an exponential (3 to 7, and one more for each halving of a spectral radius above 3.9):
+//! The cost of conserving each structure, in complex N×N products per step. A sweep is an iteration for the generators;
+//! s is the number of stages, e the products of an exponential (3 to 7, and one more for each halving of a spectral
+//! radius above 3.9):
 //!
 //! | method | order | conserves | products per step |
 //! |---|---|---|---|
@@ -66,8 +67,8 @@
 //! # Conventions
 //!
 //! * W is skew-Hermitian, dW/dt = [B, W], and the scalar product is ⟨V, W⟩ = −tr(V W).
-//! * For a Hamiltonian h with the differential dh in this scalar product, B = −dh gives the minus bracket and B = dh the
-//!   plus bracket of [`lie_poisson`].
+//! * For a Hamiltonian h with the differential dh in this scalar product, B = −dh gives the minus bracket and B = dh
+//!   the plus bracket of [`lie_poisson`].
 //! * For N known to the compiler, [`lie_poisson::UnitaryAlgebra`] is the same algebra, and
 //!   `momentum_map::ComplexMatrices` the same collective integrators.
 //!
@@ -75,8 +76,8 @@
 //!
 //! # Features and versions
 //!
-//! The crate has no features. The oldest supported compiler is Rust 1.89. Products are made by [`faer`], on one thread.
-//! It takes the instructions of the processor, so that the last digits of a step depend on the processor.
+//! The crate has no features. The oldest supported compiler is Rust 1.89. [`faer`] computes the products, on one thread.
+//! It uses the instructions of the processor, so the last digits of a step depend on the processor.
 //!
 //! # Related crates
 //!

@@ -9,8 +9,8 @@ use lie_poisson::State;
 /// The vector field [B(W), W] of an isospectral equation, for schemes that are applied to it directly.
 ///
 /// Explicit Runge–Kutta methods applied to it conserve the spectrum to their accuracy only. They are a comparison, and
-/// cheap where a short run is asked for. The field is NaN at a matrix of another size, so that a step from it fails with
-/// [`NotFinite`](collective_integrators::StepError::NotFinite).
+/// cheap where a short run is asked for. The field is NaN at a matrix of another size, so that a step from it fails
+/// with [`NotFinite`](collective_integrators::StepError::NotFinite).
 ///
 /// # Example
 /// See [`GaussMagnus`](crate::GaussMagnus).

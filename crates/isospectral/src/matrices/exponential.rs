@@ -23,11 +23,11 @@ impl Products {
     /// exp(Ω) − 1 = A C(A) + Ω S(A),    C(A) = Σ Aᵏ/(2k + 2)!,    S(A) = Σ Aᵏ/(2k + 1)!
     /// ```
     ///
-    /// They are evaluated by the method of Paterson and Stockmeyer with the powers A, A² and A³. All products but Ω S
-    /// are Hermitian and cost half of a product. A matrix with a spectral radius above 3.9 is divided by a power of two
-    /// first, and the result squared as often.
+    /// They are evaluated by the method of Paterson and Stockmeyer with the powers A, A² and A³. All products except Ω
+    /// S are Hermitian and cost half a product each. A matrix with a spectral radius above 3.9 is first divided by a
+    /// power of two, and the exponential is then squared the corresponding number of times.
     ///
-    /// A matrix that is not finite, or whose square is not, gives NaN, and so does one with ρ above 10⁹.
+    /// The result is NaN if Ω or its square is not finite, or if ρ is above 10⁹.
     ///
     /// Source: Higham, *Functions of Matrices* (SIAM 2008), §4.2 and §10.3.
     ///

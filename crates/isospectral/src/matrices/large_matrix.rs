@@ -5,8 +5,8 @@ use num_complex::Complex;
 
 /// A complex N×N matrix, with a number N that is known only when the program runs.
 ///
-/// The real and the imaginary parts are stored one after the other, column by column. Entries outside of the matrix are
-/// zero, and are not set.
+/// The real and the imaginary parts are stored one after the other, column by column. Entries outside the matrix read
+/// as zero, and setting them has no effect.
 ///
 /// # Example
 /// ```
@@ -28,7 +28,7 @@ impl LargeMatrix {
     /// Creates the zero matrix of size N.
     ///
     /// # Panics
-    /// Panics, as a vector does, if the matrix is larger than the memory can be.
+    /// Panics, as `Vec` does, if the matrix exceeds the capacity of memory.
     #[must_use]
     pub fn zeros(size: usize) -> Self {
         // A size beyond the memory fails as that of any vector does.
@@ -98,8 +98,8 @@ impl LargeMatrix {
         largest * self.entries.iter().map(|x| (x / largest).powi(2)).sum::<f64>().sqrt()
     }
 
-    /// Returns the largest sum of |Re z_jk| + |Im z_jk| over a column, a bound on the spectral radius. It is NaN if an entry
-    /// is.
+    /// Returns the largest sum of |Re z_jk| + |Im z_jk| over a column, a bound on the spectral radius. It is NaN if an
+    /// entry is NaN.
     #[must_use]
     pub fn column_norm(&self) -> f64 {
         let n = self.size.max(1);

@@ -17,8 +17,9 @@ use lie_poisson::State;
 /// Re AB = T₁ − T₂,   Im AB = T₃ − T₁ − T₂
 /// ```
 ///
-/// Its error is of the size of round-off relative to |A| |B|, although not relative to each part by itself. If the
-/// sizes of A and B differ, the product is NaN of the size of A, so that a step fails.
+/// Its error is of the size of round-off relative to |A| |B|, but not relative to the real and the imaginary part
+/// separately. If the sizes of A and B differ, the product has the size of A and all its entries are NaN, so that a
+/// step fails.
 ///
 /// Source: Higham, *Stability of a method for multiplying complex matrices with three real matrix multiplications*,
 /// SIAM J. Matrix Anal. Appl. 13 (1992).
@@ -72,7 +73,7 @@ impl Products {
     /// Writes A B for matrices whose product is Hermitian, such as commuting Hermitian matrices, or two powers of one
     /// skew-Hermitian matrix with an even sum of exponents.
     ///
-    /// Only the upper half is computed, and a little more, in panels of several columns.
+    /// Little more than the upper half is computed, in panels of several columns.
     pub fn multiply_hermitian(
         &mut self,
         a: &LargeMatrix,

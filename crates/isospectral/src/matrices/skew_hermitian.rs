@@ -8,7 +8,7 @@ use num_complex::Complex;
 /// An element W of u(N), a complex N×N matrix with W* = −W, with a number N that is known only when the program runs.
 ///
 /// Its coordinates are the real parts below the diagonal and the imaginary parts on and above it: N² numbers. The
-/// condition W* = −W holds to the last bit, whatever the integrator does.
+/// condition W* = −W holds exactly, whatever the integrator.
 ///
 /// # Example
 /// ```
@@ -49,13 +49,13 @@ impl LargeSkewHermitian {
         part
     }
 
-    /// Takes the value (Z − Z*)/2, and the size of Z.
+    /// Sets W to (Z − Z*)/2, with the size of Z.
     pub fn set_part_of(&mut self, z: &LargeMatrix) {
         self.set_difference_of(z);
         self.0.scale_in_place(0.5);
     }
 
-    /// Takes the value Z − Z*, and the size of Z.
+    /// Sets W to Z − Z*, with the size of Z.
     pub fn set_difference_of(&mut self, z: &LargeMatrix) {
         let n = z.size();
         if self.size() != n {
@@ -81,7 +81,8 @@ impl LargeSkewHermitian {
     /// Changes the entries on and above the diagonal, which determine the others.
     ///
     /// The function receives the real and the imaginary parts, column by column: the entry in row j and column k is
-    /// that with the index j + N k. What it writes below the diagonal, and the real parts on it, are replaced.
+    /// that with the index j + N k. Whatever it writes below the diagonal, or to the real parts on the diagonal, is
+    /// overwritten.
     ///
     /// # Example
     /// ```

@@ -8,8 +8,8 @@ use lie_poisson::{State, larger};
 
 /// The largest deviation of the squared length of a column of a unitary matrix from 1.
 ///
-/// If a generator times the step is so large that its rounding errors have this size, the iteration converges to a matrix
-/// that is not unitary. A loose tolerance of the iteration is no reason for it.
+/// If a generator times the step is so large that its rounding errors have this size, the iteration converges to a
+/// matrix that is not unitary. A loose tolerance of the iteration is no reason for it.
 const LARGEST_DEFECT: f64 = 1e-3;
 
 /// The step W₁ = (1 + Z) W (1 + Z)* with which each method ends, and its storage.

@@ -11,17 +11,18 @@ use lie_poisson::State;
 
 /// The exponential midpoint rule for [isospectral equations](IsospectralField): a symmetric Poisson map of order 2.
 ///
-/// The generator is that of the mean of W over the step, and constant in the step:
+/// The generator B is constant during the step, and belongs to the mean of W over the step:
 ///
 /// ```text
 /// B = B( Σ_k ad_hB^k W₀/(k + 1)! ),    W₁ = exp(hB) W₀ exp(−hB),    ad_B W = [B, W]
 /// ```
 ///
 /// It is the variational integrator with the discrete Lagrangian h ℓ(log(g₁ g₀⁻¹)/h), where ℓ is the Legendre transform
-/// of the Hamiltonian, and therefore a Poisson map if B = ±dh. Since W₀ is conjugated by an exponential, the error does
-/// not grow with the spectral radius ρ of h B by itself. The series is summed as it stands, so that round-off grows like
-/// exp(2ρ): ρ above 5 is of no use, and from about 10 on the step is an error. A sweep costs one product for each term of
-/// the series. Orders above 2 are reached by [`Composition`](collective_integrators::Composition), which is a Poisson map as well.
+/// of the Hamiltonian, and therefore a Poisson map if B = ±dh. Since W₀ is conjugated by an exponential, a large
+/// spectral radius ρ of h B alone does not increase the error. However, the series is summed directly, so round-off
+/// grows like exp(2ρ): steps with ρ above 5 are of no use, and from about ρ = 10 on a step returns an error. A sweep
+/// costs one product for each term of the series. Orders above 2 are reached by
+/// [`Composition`](collective_integrators::Composition), which is also a Poisson map.
 ///
 /// Source: Bou-Rabee & Marsden, *Hamilton–Pontryagin integrators on Lie groups*, Found. Comput. Math. 9 (2009), with
 /// the exponential as the retraction.
@@ -60,9 +61,9 @@ impl<F: IsospectralField> ExponentialMidpoint<F> {
         Self { field, tolerance: 0.0 }
     }
 
-    /// Returns the integrator with another accuracy of B: the largest accepted h |δB| in the last sweep.
+    /// Returns the integrator with another tolerance for B: the largest accepted h |δB| in the last sweep.
     ///
-    /// The spectrum of W is conserved to round-off in any case. The map is Poisson to this accuracy.
+    /// The spectrum of W is conserved to round-off whatever the tolerance. The map is Poisson to this tolerance.
     #[must_use]
     pub fn with_tolerance(self, tolerance: f64) -> Self {
         Self { tolerance, ..self }

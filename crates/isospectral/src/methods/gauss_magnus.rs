@@ -12,8 +12,8 @@ use lie_poisson::State;
 /// The Gauss–Magnus method with s = 1, 2 or 3 stages for [isospectral equations](IsospectralField): order 2s,
 /// isospectral, but neither symmetric nor a Poisson map.
 ///
-/// The Gauss method with s stages gives the generators B_i = B(W_i) at its nodes, the Magnus expansion a skew-Hermitian
-/// Ω, and the step is a conjugation:
+/// The Gauss method with s stages gives the generators B_i = B(W_i) at its nodes. From these the Magnus expansion gives
+/// a skew-Hermitian Ω, and the step is a conjugation:
 ///
 /// ```text
 /// W_i = W₀ + h Σ_j a_ij [B_j, W_j],    W₁ = exp(Ω) W₀ exp(−Ω)
@@ -24,10 +24,10 @@ use lie_poisson::State;
 ///         α₁ = h B₂,    α₂ = (√15/3) h (B₃ − B₁),    α₃ = (10/3) h (B₃ − 2B₂ + B₁)
 /// ```
 ///
-/// The spectrum is conserved to round-off for every Ω, so that the generators are needed only as accurately as the
-/// solution: see [`with_tolerance`](Self::with_tolerance). A sweep costs one product per stage. The error follows the
-/// time scale of the generators, not the spectral radius of h B. This is the method of choice where the spectrum
-/// matters and the bracket does not.
+/// The spectrum is conserved to round-off for every Ω. The generators therefore need only the accuracy that is wanted
+/// of the solution: see [`with_tolerance`](Self::with_tolerance). A sweep costs one product per stage. The error
+/// follows the time scale of the generators, not the spectral radius of h B. Use this method if the spectrum matters
+/// and the bracket does not.
 ///
 /// Source: Iserles, Munthe-Kaas, Nørsett & Zanna, *Lie-group methods*, Acta Numerica 9 (2000), §§4–5; Blanes, Casas &
 /// Ros, *Improved high order integrators based on the Magnus expansion*, BIT 40 (2000).
@@ -77,10 +77,11 @@ impl<F: IsospectralField> GaussMagnus<F> {
         Ok(Self { field, tableau: Tableau::gauss(stages)?, tolerance: 0.0 })
     }
 
-    /// Returns the method with another accuracy of the generators: the largest accepted h |δB| in the last sweep, where
+    /// Returns the method with another tolerance for the generators: the largest accepted h |δB| in the last sweep,
+    /// where
     /// |·| is the largest magnitude of a coordinate.
     ///
-    /// The number has no unit. A hundredth of the error of a step is enough.
+    /// The tolerance has no unit. A hundredth of the error of a step is small enough.
     #[must_use]
     pub fn with_tolerance(self, tolerance: f64) -> Self {
         Self { tolerance, ..self }

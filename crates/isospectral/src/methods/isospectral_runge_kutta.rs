@@ -20,9 +20,9 @@ use std::cell::RefCell;
 /// dQ/dt = B(Q W₀ Q*) Q,    Q(0) = 1
 /// ```
 ///
-/// for a complex matrix Q over one step, and W₁ = Q₁ W₀ Q₁*. A symplectic Runge–Kutta method gives a unitary Q₁, so that
-/// the spectrum is conserved, and the map is the reduction of a symplectic map for Q. These are the isospectral
-/// symplectic Runge–Kutta methods of Modin and Viviani; the implicit midpoint rule is theirs:
+/// for a complex matrix Q over one step, and W₁ = Q₁ W₀ Q₁*. A symplectic Runge–Kutta method gives a unitary Q₁, so
+/// that the spectrum is conserved, and the map is the reduction of a symplectic map for Q. These are the isospectral
+/// symplectic Runge–Kutta methods of Modin and Viviani. For the implicit midpoint rule they read
 ///
 /// ```text
 /// W₀ = (1 − h B/2) Wₘ (1 + h B/2),    W₁ = (1 + h B/2) Wₘ (1 − h B/2),    B = B(Wₘ)
