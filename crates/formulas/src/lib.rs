@@ -38,16 +38,16 @@
 //! |---|---|
 //! | numbers | `2`, `0.5`, `6.02e23`, `½`, `pi` |
 //! | a coordinate, a component of a vector | `Pi1`, `Pi[1]`, `Π₁`, `(Pi×Gamma)[3]` |
-//! | sums and products | `+`, `-`, `*`, `/`; there is no product without a sign |
+//! | sums and products | `+`, `-`, `*`, `/`; a product needs an operator: `2*x`, not `2x` |
 //! | powers, which bind most tightly and to the right | `x^3`, `x**3`, `x²`, `2^3^2` = 2⁹, `-x^2` = −(x²) |
 //! | products of vectors | `a·b` or `dot(a, b)`; `a×b` or `cross(a, b)`, which binds more tightly: `a·b×c` |
 //! | the length of a vector, the size of a number | <code>&#124;v&#124;</code>, `norm(v)`, `abs(x)` |
 //! | functions | `sqrt` or `√`, `exp`, `ln` or `log`, `sin`, `cos`, `tan`, `sinh`, `cosh`, `tanh`, `atan2(y, x)` |
 //!
-//! A whole power is a product, x^(n+½) is xⁿ√x, and every other power is exp(c ln x). The slope of |x| at 0 is 1.
-//! Names are letters, digits and underscores, with Greek letters by their names: `Γ₁` is `Gamma1`.
-//! A simplification changes a value by rounding at most, wherever the formula is a real number: 0·x becomes 0 only
-//! if x is a real number for all real coordinates, as a polynomial is.
+//! A power with a whole exponent is computed as a product, x^(n+½) as xⁿ√x, and every other power as exp(c ln x). The
+//! slope of |x| at 0 is 1. Names consist of letters, digits and underscores. A Greek letter stands for its name: `Γ₁`
+//! is `Gamma1`. A simplification changes a value by rounding at most, wherever the formula is a real number: 0·x
+//! becomes 0 only if x is a real number for all real coordinates, as a polynomial is.
 //!
 //! # Which item when
 //!
@@ -65,8 +65,8 @@
 //!
 //! # Cost
 //!
-//! An evaluation allocates nothing. The section "Against code by hand" of `docs/performance.md` in the source repository
-//! compares the instructions of a step of RK4 with those for the same Hamiltonian in Rust.
+//! An evaluation allocates nothing. The section "Against code by hand" of `docs/performance.md` in the source
+//! repository compares the number of instructions of a step of RK4 with that for the same Hamiltonian written in Rust.
 //!
 //! # Conventions
 //!
@@ -86,8 +86,8 @@
 //! # Related crates
 //!
 //! [`lie_poisson`] holds the algebras, brackets and scalars, `collective-integrators` the time steps.
-//! `lie-poisson-formula-systems` makes systems of formulas and of algebras that are known when the program runs, and the
-//! program `heavytop` simulates them from a configuration file.
+//! `lie-poisson-formula-systems` builds systems from formulas and from algebras that are known only when the program
+//! runs, and the program `heavytop` simulates them from a configuration file.
 
 #![cfg_attr(docsrs, feature(doc_cfg))]
 

@@ -23,8 +23,8 @@ pub(crate) fn generic(count: usize, seed: i64) -> Vec<Residue> {
         .collect()
 }
 
-/// Returns the unit in which all constants are small fractions times square roots: 1, or the largest constant. Casimirs do
-/// not depend on it, since all conditions on them are linear in the constants. If neither is one, it is 1.
+/// Returns the unit in which all constants are small fractions times square roots: 1, or the largest constant. Casimirs
+/// do not depend on it, since all conditions on them are linear in the constants. If neither is one, it is 1.
 fn unit(constants: impl Iterator<Item = f64> + Clone) -> f64 {
     let largest = constants.clone().fold(0.0_f64, |largest, constant| largest.max(constant.abs()));
     let suits = |unit: f64| constants.clone().all(|c| Surd::recognise(c / unit).is_some());

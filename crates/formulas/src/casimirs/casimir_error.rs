@@ -3,7 +3,7 @@
 use crate::names::name_error::NameError;
 use thiserror::Error;
 
-/// The reason why Casimirs cannot be searched for: names that do not fit the algebra, or a structure constant that is not
+/// The reason why a search for Casimirs is impossible: the names do not fit the algebra, or a structure constant is not
 /// finite.
 #[derive(Clone, Debug, PartialEq, Error)]
 #[non_exhaustive]

@@ -35,20 +35,21 @@ impl PolynomialCasimirs {
         &self.formulas
     }
 
-    /// Returns the number of independent Casimirs near a generic point: the dimension less that of the largest orbits.
+    /// Returns the number of independent Casimirs near a generic point: the dimension of the algebra minus that of the
+    /// largest orbits.
     #[must_use]
     pub const fn independent(&self) -> usize {
         self.independent
     }
 
-    /// Returns how many independent Casimirs were not found, since they are not polynomials or have higher degrees.
+    /// Returns how many independent Casimirs were not found, because they are not polynomials or have higher degrees.
     #[must_use]
     pub const fn missing(&self) -> usize {
         self.independent.saturating_sub(self.formulas.len())
     }
 
-    /// Returns the highest degree that was searched: 4, or less if the Casimirs were found before, or if there are
-    /// more than 4096 monomials of the next degree, or too many operations for them.
+    /// Returns the highest degree that was searched: 4, or less if all Casimirs were found at lower degrees, if there
+    /// are more than 4096 monomials of the next degree, or if that degree takes too many operations.
     #[must_use]
     pub const fn degree(&self) -> u8 {
         self.degree
@@ -59,10 +60,10 @@ impl PolynomialCasimirs {
 ///
 /// The number of independent Casimirs is dim 𝔤 − r, where r is the rank of the Poisson tensor Λ_ij(μ) = Σ_k c_ijk μ_k
 /// at a generic point. A polynomial C is a Casimir if {μ_i, C} = 0 for every i, which is linear in its coefficients.
-/// The null space is computed exactly, modulo a prime of 61 bits, for structure constants that are small fractions,
-/// or small fractions times square roots of products of 2, 3, 5 and 7. For other constants, such as those in a basis with
-/// rounded coordinates, some or all Casimirs may be missing. Each Casimir is checked at three points in
-/// floating point, and none is listed that is a function of the others.
+/// The null space is computed exactly, modulo a prime of 61 bits, for structure constants that are small fractions, or
+/// small fractions times square roots of products of 2, 3, 5 and 7. For other constants, such as those in a basis with
+/// rounded coordinates, some or all Casimirs may be missing. Each Casimir is checked at three points in floating point,
+/// and none is listed that is a function of the others.
 ///
 /// # Errors
 /// Returns [`CasimirError`] if there are fewer or more names than dimensions, or if a structure constant is not finite.

@@ -55,8 +55,8 @@ impl Residue {
 
     /// Returns the fraction a/b with the residue, if there is one with |a| and b below 2²⁰.
     ///
-    /// There is at most one, and one residue in 10⁶ has one by chance. Source: P. Wang, M. Guy & J. Davenport, *p-adic reconstruction of rational numbers*,
-    /// SIGSAM Bulletin 16 (1982).
+    /// There is at most one, and one residue in 10⁶ has one by chance. Source: P. Wang, M. Guy & J. Davenport, *p-adic
+    /// reconstruction of rational numbers*, SIGSAM Bulletin 16 (1982).
     pub(crate) fn fraction(self) -> Option<(i64, i64)> {
         const BOUND: i128 = 1 << 20;
         let (mut r, mut next_r) = (i128::from(PRIME), i128::from(self.0));

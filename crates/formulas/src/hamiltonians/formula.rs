@@ -16,13 +16,14 @@ use std::sync::Arc;
 
 /// A scalar function h of named coordinates, written as text, with its exact derivatives dh and D²h·v.
 ///
-/// The text becomes a graph in which equal parts are computed once. Its derivatives are formed by the rules of
-/// calculus and simplified, so that the gradient of a quadratic form costs a few products. Value, gradient and second
-/// derivative are lists of instructions that run over every scalar, with the same bits alone and in SIMD lanes
-/// (several trajectories in one register). An evaluation allocates nothing.
+/// The text becomes a graph in which equal parts are computed once. Its derivatives are formed by the rules of calculus
+/// and simplified, so that the gradient of a quadratic form costs a few products. Value, gradient and second derivative
+/// are lists of instructions that run over every scalar. Results in SIMD lanes (several trajectories in one register)
+/// are bit-identical to those over `f64`. An evaluation allocates nothing.
 ///
-/// Copies share what was computed from the text. Two formulas are equal if they say the same with the same names and
-/// parameters; spaces, superfluous parentheses and the two ways to write an operator make no difference.
+/// Copies share what was computed from the text. Two formulas are equal if they consist of the same operations with the
+/// same names and parameters. Spaces, superfluous parentheses and alternative spellings of an operator make no
+/// difference.
 ///
 /// # Errors
 /// [`new`](Self::new) returns a [`FormulaError`] that says what is wrong with a text, and where.
@@ -60,9 +61,9 @@ impl Formula {
     /// Creates the formula of a text.
     ///
     /// # Errors
-    /// Returns [`FormulaError`] if the text is not a formula in these names; if it is a vector; if a part has a constant
-    /// value that is infinite or not a number, such as 1/0; or if it is longer or more deeply nested than any that a
-    /// person writes, or its derivatives are.
+    /// Returns [`FormulaError`] if the text is not a formula in these names; if it is a vector; if a part has a
+    /// constant value that is infinite or not a number, such as 1/0; or if the text or its derivatives are too long or
+    /// too deeply nested.
     ///
     /// # Example
     /// ```
@@ -79,7 +80,7 @@ impl Formula {
 
     /// Creates the formula of a part of expressions that a program has built.
     ///
-    /// A part that several others use is computed once. The text of the formula names such parts: `s1 = …; s1*exp(s1)`.
+    /// A part that several others use is computed once. The printed formula names such parts: `s1 = …; s1*exp(s1)`.
     ///
     /// # Errors
     /// Returns [`FormulaError`] as [`new`](Self::new) does, or if the part is not one of these expressions. Its span is
@@ -197,7 +198,8 @@ impl PartialEq for Formula {
     }
 }
 
-/// Prints the formula with plain names and no superfluous parentheses, so that one that was text parses to an equal one.
+/// Prints the formula with plain names and no superfluous parentheses, so that one that was text parses to an equal
+/// one.
 ///
 /// A part of [`Expressions`] that several others use is printed once, before the formula: `s1 = …; s1*exp(s1)`.
 impl fmt::Display for Formula {

@@ -34,7 +34,7 @@ impl<A: LieAlgebra> FormulaHamiltonian<A> {
     /// Creates the Hamiltonian of a text.
     ///
     /// # Errors
-    /// Returns [`FormulaError`] if [`Formula::new`] refuses the text, or if there are fewer or more names of
+    /// Returns [`FormulaError`] if [`Formula::new`] rejects the text, or if there are fewer or more names of
     /// coordinates than the algebra has dimensions.
     pub fn new(text: &str, names: &Vocabulary) -> Result<Self, FormulaError> {
         let problem = Self::wrong_dimension(names);

@@ -9,9 +9,9 @@ pub(crate) const MOST_COORDINATES: usize = 256;
 
 /// The names of the coordinates of a space, in their order: scalars, and vectors with their components.
 ///
-/// A vector `Pi` of dimension 3 names three coordinates, `Pi1`, `Pi2` and `Pi3`; those of a vector `x_1` are
-/// `x_1_1`, `x_1_2` and so on. A Greek letter is its name, and a subscript is a digit, so that Π₁ and `Pi1` are one
-/// name.
+/// A vector `Pi` of dimension 3 names three coordinates, `Pi1`, `Pi2` and `Pi3`; those of a vector `x_1` are `x_1_1`,
+/// `x_1_2` and so on. A Greek letter stands for its name, and a subscript for a digit, so that Π₁ and `Pi1` are the
+/// same name.
 ///
 /// # Example
 /// ```
@@ -69,7 +69,7 @@ pub(crate) fn checked(name: &str) -> Result<String, NameError> {
 }
 
 impl Coordinates {
-    /// Creates the coordinates of a point: none yet.
+    /// Creates an empty list of coordinates.
     #[must_use]
     pub const fn new() -> Self {
         Self { fields: Vec::new() }
@@ -78,7 +78,7 @@ impl Coordinates {
     /// Creates coordinates of the given names, all of them scalars.
     ///
     /// # Errors
-    /// Returns [`NameError`] for the first name that [`scalar`](Self::scalar) refuses.
+    /// Returns [`NameError`] for the first name that [`scalar`](Self::scalar) rejects.
     pub fn scalars<'a>(names: impl IntoIterator<Item = &'a str>) -> Result<Self, NameError> {
         names.into_iter().try_fold(Self::new(), |coordinates, name| coordinates.scalar(name))
     }
@@ -166,10 +166,10 @@ impl Coordinates {
         &self.fields
     }
 
-    /// Returns these coordinates, then others; if some names clash, all get the suffixes `_1` and `_2`.
+    /// Returns these coordinates followed by others. If some names clash, all names get the suffix `_1` or `_2`.
     ///
     /// # Errors
-    /// Returns [`NameError`] if the names clash with suffixes too, or if there are too many coordinates.
+    /// Returns [`NameError`] if the names clash even with suffixes, or if there are too many coordinates.
     pub fn then(&self, other: &Self) -> Result<Self, NameError> {
         let both = |suffixes: [&str; 2]| {
             [self, other].iter().zip(suffixes).try_fold(Self::new(), |all, (part, suffix)| {

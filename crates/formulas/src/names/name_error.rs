@@ -18,7 +18,7 @@ pub enum NameError {
         /// The name that is reserved.
         name: String,
     },
-    /// Two coordinates or parameters have one name, or one is a component of the other.
+    /// Two coordinates or parameters have the same name, or one is a component of the other.
     ///
     /// A vector `Pi` of dimension three takes the names `Pi`, `Pi1`, `Pi2` and `Pi3`.
     #[error("the name `{name}` stands for two things")]

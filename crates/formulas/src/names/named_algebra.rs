@@ -57,7 +57,7 @@ pub trait NamedAlgebra: LieAlgebra {
     /// Returns the names of the coordinates of 𝔤∗, as many as the algebra has dimensions.
     ///
     /// # Errors
-    /// Returns [`NameError::TooMany`] if the dimension is larger than that of any formula.
+    /// Returns [`NameError::TooMany`] if the dimension is larger than a formula allows.
     fn coordinates(&self) -> Result<Coordinates, NameError>;
 }
 

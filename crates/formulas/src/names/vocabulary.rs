@@ -43,7 +43,7 @@ impl Vocabulary {
     /// Creates the vocabulary of coordinates and parameters.
     ///
     /// # Errors
-    /// Returns [`NameError::Repeated`] if two of them, or of the components of their vectors, have one name.
+    /// Returns [`NameError::Repeated`] if two of them, or of the components of their vectors, have the same name.
     pub fn new(coordinates: &Coordinates, parameters: &Parameters) -> Result<Self, NameError> {
         let mut all = Self { coordinates: coordinates.clone(), meanings: BTreeMap::new() };
         for field in coordinates.fields() {

@@ -2,7 +2,7 @@
 
 /// Code that is generic over a dimension N.
 pub trait DimensionTask {
-    /// What the code returns.
+    /// The type of the result.
     type Output;
 
     /// Runs the code for the dimension N.

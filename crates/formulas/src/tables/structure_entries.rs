@@ -16,11 +16,11 @@ pub struct StructureEntry {
     pub value: f64,
 }
 
-/// The error of entries that are no table of structure constants.
+/// The reason why entries do not form a table of structure constants.
 #[derive(Clone, Copy, Debug, PartialEq, Error)]
 #[non_exhaustive]
 pub enum EntryError {
-    /// An index is as large as the dimension, or larger.
+    /// An index is not below the dimension.
     #[error("entry {entry} has the index {index}; the indices of dimension {dimension} end at {last}", last = .dimension.saturating_sub(1))]
     IndexTooLarge {
         /// The place of the entry in the list, from 0.
@@ -30,12 +30,12 @@ pub enum EntryError {
         /// The dimension of the algebra.
         dimension: usize,
     },
-    /// An entry contradicts one before it: the same bracket and coordinate, or the opposite bracket.
+    /// An entry contradicts an earlier one for the same coordinate of the same bracket, or of the opposite bracket.
     #[error("entry {entry} contradicts entry {earlier}, which has the same bracket up to its sign")]
     Contradiction {
         /// The place of the entry in the list, from 0.
         entry: usize,
-        /// The place of the entry before it.
+        /// The place of the earlier entry.
         earlier: usize,
     },
     /// The bracket of a basis vector with itself is not zero.
@@ -46,7 +46,7 @@ pub enum EntryError {
         /// The index of the basis vector.
         index: usize,
     },
-    /// The table is not a Lie algebra.
+    /// The table does not define a Lie algebra.
     #[error(transparent)]
     Structure(#[from] StructureError),
 }
@@ -57,7 +57,7 @@ pub enum EntryError {
 ///
 /// # Errors
 /// Returns [`EntryError`] if an index is too large, if two entries contradict each other, if some [e_i, e_i] is not
-/// zero, or if [`StructureConstants::new`] refuses the table, as when the Jacobi identity fails.
+/// zero, or if [`StructureConstants::new`] rejects the table, for example because the Jacobi identity fails.
 ///
 /// # Example
 /// ```

@@ -74,7 +74,8 @@ fn multiple(graph: &Graph, number: f64, x: Id, uses: &[usize]) -> (Operation, [I
     }
 }
 
-/// Returns a sum as an operation that includes a side that is a number, a multiple, or a product that nothing else uses.
+/// Returns a sum as an operation that includes a side that is a number, a multiple, or a product that nothing else
+/// uses.
 fn sum(graph: &Graph, a: Id, b: Id, uses: &[usize]) -> (Operation, [Id; 3]) {
     for (a, b) in [(a, b), (b, a)] {
         if let Some(number) = graph.as_number(b) {

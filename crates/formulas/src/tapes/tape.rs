@@ -25,8 +25,8 @@ pub(crate) struct Tape {
 impl Tape {
     /// Creates the tape that computes the roots of a graph from `inputs` coordinates.
     ///
-    /// The coordinate that belongs to the i-th root has the index `first` + i. No instruction is needed for a root that is
-    /// a multiple of it and a constant.
+    /// The coordinate that belongs to the i-th root has the index `first` + i. No instruction is needed for a root that
+    /// is a multiple of it and a constant.
     pub(crate) fn new(
         graph: &Graph,
         roots: &[Id],
@@ -93,8 +93,8 @@ impl Tape {
     /// Computes the results at `inputs` coordinates and passes the first `outputs` of them on; none if the tape has
     /// another number of coordinates.
     ///
-    /// The registers are an array on the stack, of the smallest of five sizes that suffices, or of three for SIMD lanes in
-    /// wide registers. Nothing is allocated.
+    /// The registers are an array on the stack, of the smallest of five sizes that suffices, or of three for SIMD lanes
+    /// in wide registers. Nothing is allocated.
     #[cfg_attr(not(debug_assertions), inline(always))]
     fn evaluate<T: Real, R>(
         &self,

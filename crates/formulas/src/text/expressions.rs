@@ -5,14 +5,14 @@ use super::suggestion::closest;
 use super::syntax::{Function, Operator, Part, Syntax};
 use crate::names::letters::canonical;
 
-/// The parts of a formula that a program builds, each in terms of parts before it.
+/// The parts of a formula that a program builds, each in terms of earlier parts.
 ///
-/// A part may be used any number of times, and is computed once. So a program that traces a function, or one that
-/// writes formulas, needs no text, which would repeat a part for each of its uses. A part is known by the [`Expression`]
-/// that adding it returns. [`Formula::of_expressions`](crate::Formula::of_expressions) makes the formula.
+/// A part may be used any number of times, and is computed once. A program that traces a function or generates formulas
+/// therefore needs no text, which would repeat a part at each use. Adding a part returns an [`Expression`], the handle
+/// of the part. [`Formula::of_expressions`](crate::Formula::of_expressions) makes the formula.
 ///
 /// # Example
-/// The parts s₀ = Π₁ + Π₂ and sₖ₊₁ = sₖ² up to k = 30 are 33; the text of the last would have 2³⁰ sums:
+/// The parts s₀ = Π₁ + Π₂ and sₖ₊₁ = sₖ² up to k = 30 number 33. The text of the last part would contain 2³⁰ sums:
 /// ```
 /// use lie_poisson::So3;
 /// use lie_poisson_formulas::{Expressions, Formula, Parameters, Vocabulary};
@@ -36,7 +36,7 @@ pub struct Expressions {
     syntax: Syntax,
 }
 
-/// The handle of a part that was added to [`Expressions`]. It is meaningful for these alone.
+/// The handle of a part that was added to [`Expressions`]. It is meaningful only for these.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
 pub struct Expression(usize);
 
@@ -67,7 +67,7 @@ impl Expressions {
         self.binary(Operator::Subtract, x, y)
     }
 
-    /// Adds x y, of which one may be a vector.
+    /// Adds the product x y; one of the two may be a vector.
     pub fn multiply(&mut self, x: Expression, y: Expression) -> Expression {
         self.binary(Operator::Multiply, x, y)
     }

@@ -91,7 +91,7 @@ fn meant(suggestion: Option<&str>) -> String {
 #[derive(Clone, Debug, PartialEq, Error)]
 #[non_exhaustive]
 pub enum Problem {
-    /// There is nothing in the text.
+    /// The text is empty.
     #[error("the formula is empty")]
     Empty,
     /// The text is too long.
@@ -172,7 +172,7 @@ pub enum Problem {
         /// The closest name that is defined, if one is close.
         suggestion: Option<String>,
     },
-    /// A name stands before parentheses and is no function.
+    /// A name before parentheses is not that of a function.
     #[error("there is no function `{name}`{}", meant(.suggestion.as_deref()))]
     UnknownFunction {
         /// The name that is not that of a function.
@@ -202,7 +202,7 @@ pub enum Problem {
         /// The number of arguments in the text.
         found: usize,
     },
-    /// A vector stands where a scalar must be.
+    /// A vector stands in a place that requires a scalar.
     #[error("{place} needs a scalar, not {found}{}", hint(.place))]
     ScalarNeeded {
         /// The operator or function.
@@ -210,7 +210,7 @@ pub enum Problem {
         /// The shape of the operand.
         found: Shape,
     },
-    /// An operator between vectors got something else, or vectors of different dimensions.
+    /// An operator between vectors has an operand that is not a vector, or vectors of different dimensions.
     #[error("{place} needs {needed}, not {left} and {right}")]
     Mismatch {
         /// The operator or function.
@@ -250,7 +250,7 @@ pub enum Problem {
         /// The constant value that is not a finite number.
         value: f64,
     },
-    /// The formula is in other coordinates than those of the space.
+    /// The number of coordinates of the formula differs from the dimension of the space.
     #[error("the formula has {formula} coordinates, and the space has {space}")]
     WrongDimension {
         /// The number of coordinates of the formula.

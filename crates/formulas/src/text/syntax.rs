@@ -99,8 +99,8 @@ impl Part {
 
 /// The syntax tree of a formula: its parts, each after its own parts, so that the last one is the whole.
 ///
-/// A part of a text belongs to one other part. One of [`Expressions`](super::expressions::Expressions) may belong to any
-/// number of them. Two trees are equal if they say the same, wherever it stands in the text.
+/// A part of a text belongs to one other part. One of [`Expressions`](super::expressions::Expressions) may belong to
+/// any number of them. Two trees are equal if they say the same, wherever it stands in the text.
 #[derive(Clone, Debug, Default)]
 pub(crate) struct Syntax {
     parts: Vec<Part>,
