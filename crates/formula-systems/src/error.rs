@@ -1,11 +1,11 @@
-//! The reasons why there is no such system, method or initial state: [`FormulaSystemError`].
+//! The errors of systems, methods and initial states: [`FormulaSystemError`].
 
 use heavytop::methods::{Formulation, MethodError, SchemeName};
 use lie_poisson_formulas::{CasimirError, EntryError, FormulaError, NameError};
 use momentum_map::LiftError;
 use thiserror::Error;
 
-/// The reason why there is no such system, no such method for it, or no such initial state.
+/// The reason why a system, a method for it, or an initial state cannot be made.
 #[derive(Clone, Debug, PartialEq, Error)]
 #[non_exhaustive]
 pub enum FormulaSystemError {
@@ -28,7 +28,7 @@ pub enum FormulaSystemError {
     /// A name cannot be that of a coordinate.
     #[error("coordinates")]
     Coordinates(#[from] NameError),
-    /// A name of a parameter is that of a coordinate too.
+    /// The name of a parameter is also that of a coordinate.
     #[error("parameters")]
     Parameters(#[source] NameError),
     /// The key of a bracket is not a pair of coordinates.
@@ -37,7 +37,7 @@ pub enum FormulaSystemError {
         /// The key that is not a pair of coordinates.
         key: String,
     },
-    /// The text of a bracket is no formula.
+    /// The text of a bracket is not a formula.
     #[error("brackets.{key}")]
     Bracket {
         /// The pair of coordinates.
@@ -70,10 +70,10 @@ pub enum FormulaSystemError {
     /// The structure constants contradict each other, or have too large an index.
     #[error("structure constants")]
     Structure(#[source] EntryError),
-    /// The text of the Hamiltonian is no formula.
+    /// The text of the Hamiltonian is not a formula.
     #[error("hamiltonian")]
     Hamiltonian(#[source] FormulaError),
-    /// The Casimirs cannot be looked for.
+    /// The search for Casimirs is impossible.
     #[error("brackets")]
     Casimirs(#[from] CasimirError),
     /// A coordinate of a state has no value.
@@ -82,7 +82,7 @@ pub enum FormulaSystemError {
         /// The names of the coordinates, separated by commas.
         names: String,
     },
-    /// The value of a state is of something else than a coordinate.
+    /// A value of a state has a name that is not that of a coordinate.
     #[error("initial.{name} is not a coordinate; there are {names}")]
     NoCoordinate {
         /// The name that no coordinate has.
@@ -103,13 +103,13 @@ pub enum FormulaSystemError {
     StateLength {
         /// The dimension of the algebra.
         expected: usize,
-        /// The number of numbers.
+        /// The number of numbers in the state.
         found: usize,
     },
-    /// The text of the surface of a section is no formula.
+    /// The text of the surface of a section is not a formula.
     #[error("surface")]
     Surface(#[source] FormulaError),
-    /// The text of an axis of a section is no formula.
+    /// The text of an axis of a section is not a formula.
     #[error("axes")]
     Axis {
         /// The number of the axis, 0 or 1.
@@ -151,7 +151,7 @@ pub enum FormulaSystemError {
         formulation: Formulation,
         /// The requested scheme.
         scheme: SchemeName,
-        /// The formulations or the schemes that there are.
+        /// The available formulations or schemes.
         has: String,
     },
     /// The tolerance is negative or not finite, or the scheme could not be made.

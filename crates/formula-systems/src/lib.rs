@@ -28,13 +28,13 @@
 //! | when you need | use |
 //! |---|---|
 //! | an algebra by name, from brackets, or from structure constants | [`SystemAlgebra`] |
-//! | structure constants from a text with a line for each | [`structure_table`] |
+//! | structure constants from a text with one line for each constant | [`structure_table`] |
 //! | the coordinates of a state by their names | [`SystemAlgebra::state`] |
 //! | a Hamiltonian as text on it, and the Casimirs | [`FormulaSystem`] |
 //! | a formulation and a scheme for it | [`SystemMethod`] |
 //! | a Poincaré section on a level set of h and the Casimirs | [`SystemSection`] |
 //! | what to do with the integrator | [`SystemTask`] |
-//! | the reason why something is refused | [`FormulaSystemError`], [`StructureTableError`] |
+//! | the reason why something is rejected | [`FormulaSystemError`], [`StructureTableError`] |
 //!
 //! # Conventions
 //!

@@ -4,12 +4,13 @@ use super::system_algebra::SystemAlgebra;
 use crate::FormulaSystemError;
 
 impl SystemAlgebra {
-    /// Returns the coordinates of a state on 𝔤∗ from their values by name: those of a vector together or one by one.
+    /// Returns the coordinates of a state on 𝔤∗ from their values by name. The values of a vector may be given together
+    /// or one by one.
     ///
     /// # Errors
-    /// Returns [`FormulaSystemError::NoCoordinate`] for a name that is no coordinate,
-    /// [`FormulaSystemError::WrongValue`] for a value with the wrong number of components or one that is not finite, and
-    /// [`FormulaSystemError::NoValue`] if a coordinate has no value.
+    /// Returns [`FormulaSystemError::NoCoordinate`] for a name that is not that of a coordinate,
+    /// [`FormulaSystemError::WrongValue`] for a value with the wrong number of components or one that is not finite,
+    /// and [`FormulaSystemError::NoValue`] if a coordinate has no value.
     ///
     /// # Example
     /// ```

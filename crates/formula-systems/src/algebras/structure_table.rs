@@ -1,11 +1,11 @@
-//! Structure constants from a text with a line for each: [`structure_table`].
+//! Structure constants from a text with one line for each constant: [`structure_table`].
 
 use crate::SystemAlgebra;
 use lie_poisson::StructureError;
 use lie_poisson_formulas::{EntryError, StructureEntry, structure_constants};
 use thiserror::Error;
 
-/// The error of a text that is no table of structure constants, with the number of the line, from 1.
+/// The reason why a text is not a table of structure constants, with the number of the line, from 1.
 #[derive(Clone, Debug, PartialEq, Error)]
 #[non_exhaustive]
 pub enum StructureTableError {
@@ -17,7 +17,7 @@ pub enum StructureTableError {
         /// The number of fields.
         count: usize,
     },
-    /// An index is not a whole number from 1 on.
+    /// An index is not a whole number from 1 to the largest index.
     #[error("line {line}: the index `{text}` is not a whole number from 1 to {most}")]
     Index {
         /// The number of the line.
@@ -48,7 +48,7 @@ pub enum StructureTableError {
     Contradiction {
         /// The number of the line.
         line: usize,
-        /// The number of the line before it.
+        /// The number of the earlier line.
         earlier: usize,
     },
     /// The Jacobi identity fails: the cyclic sum of [e_i, [e_j, e_k]] is not zero.
@@ -72,13 +72,14 @@ pub enum StructureTableError {
 /// Reads structure constants from a text: on each line the indices i, j, k and the value c of the coordinate of
 /// [e_i, e_j] at e_k, separated by commas. Indices count from 1, in the order of the coordinates.
 ///
-/// Constants that are not listed are zero, but for c_jik = −c_ijk. Empty lines are skipped, and so are comments that
-/// begin with `#`, and a first line `i, j, k, value`.
+/// Constants that are not listed are zero, except that c_jik = −c_ijk for each constant that is. Empty lines, comments
+/// that begin with `#`, and a first line `i, j, k, value` are skipped.
 ///
 /// # Errors
-/// Returns [`StructureTableError`] with the number of the line: if a line does not have four fields, if an index is no
-/// whole number from 1 to [`MOST_DIMENSIONS`](crate::SystemAlgebra::MOST_DIMENSIONS), if a value is not finite, if some
-/// [e_i, e_i] is not zero, or if two lines contradict each other; and the triple for which the Jacobi identity fails.
+/// Returns [`StructureTableError`] with the number of the line: if a line does not have four fields, if an index is not
+/// a whole number from 1 to [`MOST_DIMENSIONS`](crate::SystemAlgebra::MOST_DIMENSIONS), if a value is not finite, if
+/// some [e_i, e_i] is not zero, or if two lines contradict each other. If the Jacobi identity fails, the error names
+/// the triple of basis vectors.
 ///
 /// # Example
 /// ```

@@ -80,12 +80,12 @@ impl SystemAlgebra {
     }
 
     /// Creates the algebra of brackets [x, y] = Σ c z of coordinates by their names, such as `("K, H", "P")`. The
-    /// coefficients may contain parameters. All other brackets are zero, but for [y, x] = −[x, y].
+    /// coefficients may contain parameters. All other brackets are zero, except that [y, x] = −[x, y].
     ///
     /// # Errors
     /// Returns [`FormulaSystemError`] if there are no coordinates or more than
-    /// [`MOST_DIMENSIONS`](Self::MOST_DIMENSIONS), if a key is no pair of coordinates, if a bracket is not linear, or if
-    /// the Jacobi identity fails.
+    /// [`MOST_DIMENSIONS`](Self::MOST_DIMENSIONS), if a key is not a pair of coordinates, if a bracket is not linear,
+    /// or if the Jacobi identity fails.
     pub fn of_brackets<'a>(
         coordinates: Coordinates,
         brackets: impl IntoIterator<Item = (&'a str, &'a str)>,
@@ -100,8 +100,8 @@ impl SystemAlgebra {
     ///
     /// # Errors
     /// Returns [`FormulaSystemError`] if there are no coordinates or more than
-    /// [`MOST_DIMENSIONS`](Self::MOST_DIMENSIONS), or if [`structure_constants`] refuses the entries, as when the Jacobi
-    /// identity fails.
+    /// [`MOST_DIMENSIONS`](Self::MOST_DIMENSIONS), or if [`structure_constants`] rejects the entries, for example
+    /// because the Jacobi identity fails.
     ///
     /// # Example
     /// ```

@@ -89,8 +89,8 @@ impl Integration<'_> {
         })
     }
 
-    /// Applies the scheme on T∗V, read through the Clebsch map of the adjoint representation, or, where the start has no
-    /// lift, of the coadjoint representation.
+    /// Applies the scheme on T∗V, read through the Clebsch map of the adjoint representation, or, where the start has
+    /// no lift, of the coadjoint representation.
     fn clebsch<const N: usize, S: Equivariant, K: SystemTask>(
         &self,
         scheme: S,

@@ -15,7 +15,7 @@ use heavytop::methods::{Formulation, MethodError, SchemeName};
 /// | another of dimension 2 to 6 | collective, by a Clebsch map; direct |
 /// | any other | direct |
 ///
-/// Every scheme of [`Formulation::schemes`] exists but the partitioned ones.
+/// All schemes of [`Formulation::schemes`] are available, except the partitioned ones.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct SystemMethod {
     formulation: Formulation,
@@ -54,8 +54,8 @@ impl SystemMethod {
         Ok(Self { formulation, scheme, tolerance })
     }
 
-    /// Returns the formulation that suits an algebra best: collective where that is a Poisson integrator for every
-    /// Hamiltonian, on so(3), su(2) and se(3) by name, and direct otherwise.
+    /// Returns the formulation that suits an algebra best: collective on so(3), su(2) and se(3) by name, where it is a
+    /// Poisson integrator for every Hamiltonian, and direct otherwise.
     #[must_use]
     pub fn default_formulation(algebra: &SystemAlgebra) -> Formulation {
         match algebra.family {
@@ -69,7 +69,7 @@ impl SystemMethod {
         formulations(algebra)
     }
 
-    /// Returns the formulation: where the scheme is applied.
+    /// Returns the formulation of the method.
     #[must_use]
     pub const fn formulation(&self) -> Formulation {
         self.formulation
@@ -89,11 +89,11 @@ impl SystemMethod {
 
     /// Performs a task with the integrator of a system, for runs from a state.
     ///
-    /// The state is needed since some Clebsch maps have a lift of one state and not of another.
+    /// The state is needed because some Clebsch maps have a lift of one state and not of another.
     ///
     /// # Errors
-    /// Returns [`FormulaSystemError`] if the algebra of this system does not have the method, if the state has another
-    /// length than the dimension, or if the integrator cannot be made.
+    /// Returns [`FormulaSystemError`] if the algebra of this system does not have the method, if the length of the
+    /// state is not the dimension, or if the integrator cannot be made.
     ///
     /// # Example
     /// The drift of the Casimir |Π|² of a free rigid body over 100 steps:
@@ -140,8 +140,8 @@ impl SystemMethod {
     }
 
     /// Returns whether the steps descend to 𝔤∗: false for a collective method by a Clebsch map whose
-    /// [`equivariant_maps_descend`](momentum_map::PoissonMap::equivariant_maps_descend) is false. Its steps are not Poisson
-    /// maps, and Casimirs are conserved to the order of the scheme alone.
+    /// [`equivariant_maps_descend`](momentum_map::PoissonMap::equivariant_maps_descend) is false. Its steps are not
+    /// Poisson maps, and Casimirs are conserved only to the order of the scheme.
     ///
     /// # Errors
     /// Those of [`integrate`](Self::integrate).

@@ -43,12 +43,13 @@ pub struct SystemSection {
 }
 
 impl SystemSection {
-    /// Creates the section of a system by the surface where a formula has a level, with the directions of the crossings
-    /// that count. Its axes are the first two coordinates, without one that the surface fixes.
+    /// Creates the section of a system by the surface on which a formula has a given level, with the directions of the
+    /// crossings that count. Its axes are the first two coordinates that the surface does not fix.
     ///
     /// # Errors
-    /// Returns [`FormulaSystemError::Surface`] if the text is no formula, [`FormulaSystemError::Level`] if the level
-    /// is not finite, and [`FormulaSystemError::NoAxes`] if the algebra has too few coordinates.
+    /// Returns [`FormulaSystemError::Parameters`] if a parameter has the name of a coordinate,
+    /// [`FormulaSystemError::Surface`] if the text is not a formula, [`FormulaSystemError::Level`] if the level is not
+    /// finite, and [`FormulaSystemError::NoAxes`] if the algebra has too few coordinates.
     pub fn new(
         system: &FormulaSystem,
         surface: &str,
@@ -70,10 +71,11 @@ impl SystemSection {
         Ok(Self { system: system.clone(), surface, level, direction, axes })
     }
 
-    /// Returns the section with axes, the formulas over which it is drawn.
+    /// Returns the section with other axes: the two formulas over which it is drawn.
     ///
     /// # Errors
-    /// Returns [`FormulaSystemError::Axis`] if a text is no formula.
+    /// Returns [`FormulaSystemError::Parameters`] if a parameter has the name of a coordinate, and
+    /// [`FormulaSystemError::Axis`] if a text is not a formula.
     pub fn with_axes(
         self,
         texts: [&str; 2],
@@ -89,7 +91,7 @@ impl SystemSection {
         &self.axes
     }
 
-    /// Returns the values of the axes at a state, or NaN if it has another length than the dimension.
+    /// Returns the values of the axes at a state, or NaN if the length of the state is not the dimension.
     #[must_use]
     pub fn plane(&self, state: &[f64]) -> [f64; 2] {
         let [x, y] = &self.axes;
@@ -108,7 +110,7 @@ impl SystemSection {
         &self.surface
     }
 
-    /// Returns the level c of the surface f = c, in the unit of the formula f.
+    /// Returns the level c of the surface F = c, in the unit of the formula F.
     #[must_use]
     pub const fn level(&self) -> f64 {
         self.level
@@ -120,7 +122,7 @@ impl SystemSection {
         self.direction
     }
 
-    /// Returns F(μ) − c at a state, or NaN if it has another length than the dimension.
+    /// Returns F(μ) − c at a state, or NaN if the length of the state is not the dimension.
     #[must_use]
     pub fn value(&self, state: &[f64]) -> f64 {
         self.surface.value_at(state) - self.level
@@ -128,14 +130,16 @@ impl SystemSection {
 
     /// Returns states of the section, where h and the Casimirs have the values `levels`.
     ///
-    /// Each begins with a random guess, of the size of `state`, that is projected to the section; what crosses the surface
-    /// in the wrong direction, or not at all, does not count. The seed determines the sequence, and a longer one begins with
-    /// the states of a shorter one. The sizes of the vectors in `state` are their units: a system in other units of these has
-    /// the same starts in other units. Coordinates that are numbers count as numbers of one unit.
+    /// Each state begins as a random guess, of the size of `state`, which is projected to the section. States that
+    /// cross the surface in the wrong direction, or not at all, do not count. The seed determines the sequence, and a
+    /// longer sequence begins with the states of a shorter one. The sizes of the vectors in `state` serve as their
+    /// units: if the units of the system change, the starts are the same in the new units. Scalar coordinates are taken
+    /// to have one common unit.
     ///
     /// # Errors
-    /// Returns [`FormulaSystemError::StateLength`] if `state` has another length than the dimension,
-    /// [`FormulaSystemError::Level`] if a level is not finite, and [`FormulaSystemError::TooSmall`] if too few guesses lead to a state of the section.
+    /// Returns [`FormulaSystemError::StateLength`] if the length of `state` is not the dimension,
+    /// [`FormulaSystemError::Level`] if a level is not finite, and [`FormulaSystemError::TooSmall`] if too few guesses
+    /// lead to a state of the section.
     pub fn starts(
         &self,
         state: &[f64],
@@ -183,8 +187,8 @@ impl SystemSection {
         })
     }
 
-    /// Returns the sizes of the coordinates: for components of a vector its length, for numbers the length of all numbers
-    /// together, and the length of the whole state if that is zero.
+    /// Returns the sizes of the coordinates: for components of a vector its length, for numbers the length of all
+    /// numbers together, and the length of the whole state if that is zero.
     fn scales(&self, state: &[f64]) -> Vec<f64> {
         let length = |x: &[f64]| {
             let size = x.iter().fold(0.0_f64, |size, x| size.max(x.abs()));
@@ -231,8 +235,8 @@ mod tests {
     use crate::SystemAlgebra;
     use lie_poisson_formulas::Coordinates;
 
-    /// The sizes of random guesses: components of a vector have its length, and all coordinates outside vectors have their
-    /// common length, even if vectors stand between them.
+    /// The sizes of random guesses: components of a vector have its length, and all coordinates outside vectors have
+    /// their common length, even if vectors stand between them.
     #[test]
     fn scales_are_lengths_of_vectors_and_of_all_numbers() -> Result<(), Box<dyn core::error::Error>>
     {

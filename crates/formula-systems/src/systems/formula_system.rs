@@ -39,7 +39,7 @@ impl FormulaSystem {
     ///
     /// # Errors
     /// Returns [`FormulaSystemError::Parameters`] if a parameter has the name of a coordinate, and
-    /// [`FormulaSystemError::Hamiltonian`] if the text is no formula.
+    /// [`FormulaSystemError::Hamiltonian`] if the text is not a formula.
     pub fn new(
         algebra: SystemAlgebra,
         hamiltonian: &str,
@@ -48,12 +48,12 @@ impl FormulaSystem {
         Self::of(algebra, parameters, |names| Formula::new(hamiltonian, names))
     }
 
-    /// Creates the system of a Hamiltonian that a program has built, in the coordinates of the algebra and in parameters,
-    /// without Casimirs.
+    /// Creates the system of a Hamiltonian that a program has built, in the coordinates of the algebra and in
+    /// parameters, without Casimirs.
     ///
     /// # Errors
     /// Returns [`FormulaSystemError::Parameters`] if a parameter has the name of a coordinate, and
-    /// [`FormulaSystemError::Hamiltonian`] if the expression is no scalar in these names.
+    /// [`FormulaSystemError::Hamiltonian`] if the expression is not a scalar in these names.
     ///
     /// # Example
     /// ```
@@ -103,8 +103,8 @@ impl FormulaSystem {
         Ok(Self { casimirs, missing, ..self })
     }
 
-    /// Returns the system of another Hamiltonian, or of the same one with other parameters, on the same algebra. It has the
-    /// same Casimirs, which depend on the algebra alone, without a new search.
+    /// Returns a system on the same algebra with another Hamiltonian, or with the same Hamiltonian and other
+    /// parameters. The Casimirs depend on the algebra alone and are kept, without a new search.
     ///
     /// # Errors
     /// Those of [`new`](Self::new).
@@ -148,13 +148,13 @@ impl FormulaSystem {
         &self.completed
     }
 
-    /// Returns the Casimirs that were found; none if they have not been looked for.
+    /// Returns the Casimirs that were found. The slice is empty if no search was made.
     #[must_use]
     pub fn casimirs(&self) -> &[Formula] {
         &self.casimirs
     }
 
-    /// Returns how many independent Casimirs were not found, or `None` if they have not been looked for.
+    /// Returns how many independent Casimirs were not found, or `None` if no search was made.
     #[must_use]
     pub const fn missing_casimirs(&self) -> Option<usize> {
         self.missing
@@ -163,7 +163,7 @@ impl FormulaSystem {
     /// Returns the values of h and of the Casimirs at a state.
     ///
     /// # Errors
-    /// Returns [`FormulaSystemError::StateLength`] if the state has another length than the dimension.
+    /// Returns [`FormulaSystemError::StateLength`] if the length of the state is not the dimension.
     pub fn invariants(&self, state: &[f64]) -> Result<Vec<f64>, FormulaSystemError> {
         self.require_length(state)?;
         let formulas = core::iter::once(&self.hamiltonian).chain(&self.casimirs);
@@ -173,7 +173,7 @@ impl FormulaSystem {
     /// Returns the rate dμ/dt = ad∗_ξ μ, ξ = dh(μ), at a state: the coordinates Σ_ik c_ijk ξ_i μ_k.
     ///
     /// # Errors
-    /// Returns [`FormulaSystemError::StateLength`] if the state has another length than the dimension.
+    /// Returns [`FormulaSystemError::StateLength`] if the length of the state is not the dimension.
     ///
     /// # Example
     /// The free rigid body, dΠ/dt = Π × Ω:
