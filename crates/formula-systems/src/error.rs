@@ -1,11 +1,11 @@
-//! The reasons why there is no such system, method or initial state: [`FormulaSystemError`].
+//! The errors of systems, methods and initial states: [`FormulaSystemError`].
 
 use heavytop::methods::{Formulation, MethodError, SchemeName};
 use lie_poisson_formulas::{CasimirError, EntryError, FormulaError, NameError};
 use momentum_map::LiftError;
 use thiserror::Error;
 
-/// The reason why there is no such system, no such method for it, or no such initial state.
+/// The reason why a system, a method for it, or an initial state cannot be made.
 #[derive(Clone, Debug, PartialEq, Error)]
 #[non_exhaustive]
 pub enum FormulaSystemError {

@@ -34,7 +34,7 @@
 //! | a formulation and a scheme for it | [`SystemMethod`] |
 //! | a Poincaré section on a level set of h and the Casimirs | [`SystemSection`] |
 //! | what to do with the integrator | [`SystemTask`] |
-//! | the reason why something is refused | [`FormulaSystemError`], [`StructureTableError`] |
+//! | the reason why something is rejected | [`FormulaSystemError`], [`StructureTableError`] |
 //!
 //! # Conventions
 //!

@@ -51,7 +51,7 @@
 //! | Jacobi's elliptic functions | [`JacobiElliptic`], [`jacobi_elliptic`] |
 //! | the paper's maps L, ϖ and M = ϖ∘L | [`SpinorMomentum`], [`Varpi`], [`SpinorRealisation`] |
 //! | the paper's action of SU(2) ⋉ C² on C² | [`SpinorMotions`], [`SPINOR_MOTIONS`] |
-//! | the reason why parameters are refused | [`TopError`], [`SectionError`] |
+//! | the reason why parameters are rejected | [`TopError`], [`SectionError`] |
 //! | the usual names in one line | [`prelude`] |
 //!
 //! # Conventions
@@ -68,7 +68,7 @@
 //! # Features and versions
 //!
 //! The feature `serde` serialises states, samples and tops; a top is checked when it is read. The SIMD lanes of the
-//! processor (several trajectories in one register) are found at run time. The oldest supported compiler is Rust 1.89.
+//! processor (several trajectories in one register) are detected at run time. The oldest supported compiler is Rust 1.89.
 //!
 //! # Related crates
 //!

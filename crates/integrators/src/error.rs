@@ -35,7 +35,7 @@ pub enum StepError {
         /// The size of the coordinate: ∞ or NaN.
         size: f64,
     },
-    /// The state belongs to another space than the equations.
+    /// The dimension of the state differs from that of the equations.
     #[error("the equations have dimension {expected}, the state has dimension {found}")]
     Dimension {
         /// The dimension of the space of the equations.
@@ -46,7 +46,7 @@ pub enum StepError {
     /// The step size is infinite or not a number.
     #[error("the step size must be finite, it is {step}")]
     StepSize {
-        /// The refused step size.
+        /// The rejected step size.
         step: f64,
     },
     /// The number of the step would exceed [`u64::MAX`].
@@ -55,7 +55,7 @@ pub enum StepError {
 }
 
 impl StepError {
-    /// Checks that a state has the dimension of the equations, which large states know only when the program runs.
+    /// Checks that a state has the dimension of the equations. For large states it is known only when the program runs.
     ///
     /// # Errors
     /// Returns [`Dimension`](Self::Dimension) with both numbers.
@@ -66,7 +66,7 @@ impl StepError {
 
     /// Checks that the start and the step size are finite numbers.
     ///
-    /// Trajectories and ensembles make this check before their first step, for every integrator.
+    /// Trajectories and ensembles make this check before the first step of every integrator.
     ///
     /// # Errors
     /// Returns [`NotFiniteStart`](Self::NotFiniteStart) with the first coordinate that is not finite in some SIMD lane,
@@ -124,7 +124,7 @@ pub enum SchemeError {
     /// There are no stages, but a method needs at least one.
     #[error("a Runge–Kutta method needs at least one stage, 0 were asked for")]
     NoStages,
-    /// The numbers of coefficients, or of their low parts, do not form a tableau.
+    /// The number of coefficients, or of their low parts, does not fit a tableau.
     #[error(
         "a tableau with {stages} stages needs {stages}×{stages} coefficients a and {stages} weights b; got {a} and {b}"
     )]

@@ -19,7 +19,8 @@ pub(crate) struct Stem {
     pub(crate) density: f64,
 }
 
-/// Adds branches until no vertex is missing, in all ways, and multiplies the weights of the root at the stages by theirs.
+/// Adds branches until no vertex is missing, in all ways, and multiplies the weights of the root at the stages by
+/// theirs.
 ///
 /// Calls `finish` with the weights and the density of each finished tree. Returns `false` as soon as `finish` does.
 pub(crate) fn grow<W>(

@@ -1,4 +1,4 @@
-//! Storage that evaluations of a vector field use: [`StoragePool`].
+//! Storage for the evaluations of a vector field: [`StoragePool`].
 
 use std::sync::{Mutex, PoisonError};
 
@@ -6,8 +6,8 @@ use std::sync::{Mutex, PoisonError};
 /// at the same time.
 ///
 /// A field is evaluated through a shared reference, also on several threads. A large field that needs storage keeps it
-/// here, so that evaluations allocate nothing after the first and no thread waits for another. The storage has no value
-/// between evaluations: two pools are equal, and a clone is empty.
+/// here, so that evaluations allocate nothing after the first and no thread waits for another. What the storage
+/// contains between evaluations does not matter: any two pools are equal, and a clone is empty.
 ///
 /// # Example
 /// ```

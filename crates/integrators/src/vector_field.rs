@@ -117,8 +117,8 @@ pub trait VectorField<T: Real = f64> {
 ///
 /// On 𝔤∗ with the minus bracket it gives the Lie–Poisson equations dμ/dt = `ad*_ξ μ`, where ξ = dh(μ).
 ///
-/// Source: Ohsawa 2019, eq. (1.1) for the heavy top; Marsden & Ratiu, *Introduction to Mechanics and Symmetry* (1999), Prop.
-/// 10.7.1.
+/// Source: Ohsawa 2019, eq. (1.1) for the heavy top; Marsden & Ratiu, *Introduction to Mechanics and Symmetry* (1999),
+/// Prop. 10.7.1.
 ///
 /// # Example
 /// A free rigid body, dΠ/dt = Π × Ω:

@@ -67,8 +67,8 @@
 //! # Conventions
 //!
 //! * W is skew-Hermitian, dW/dt = [B, W], and the scalar product is ⟨V, W⟩ = −tr(V W).
-//! * For a Hamiltonian h with the differential dh in this scalar product, B = −dh gives the minus bracket and B = dh the
-//!   plus bracket of [`lie_poisson`].
+//! * For a Hamiltonian h with the differential dh in this scalar product, B = −dh gives the minus bracket and B = dh
+//!   the plus bracket of [`lie_poisson`].
 //! * For N known to the compiler, [`lie_poisson::UnitaryAlgebra`] is the same algebra, and
 //!   `momentum_map::ComplexMatrices` gives the same collective integrators.
 //!

@@ -48,7 +48,7 @@
 //! | functions that every Hamiltonian flow conserves | [`Casimirs`] |
 //! | a Hamiltonian from one formula, for `f64` | [`from_closure`] |
 //! | a Hamiltonian from one formula, for every scalar | [`Energy`], wrapped in [`Automatic`] |
-//! | a Hamiltonian with a differential by hand | [`Hamiltonian`], [`from_closures`] |
+//! | a Hamiltonian with an explicit formula for its differential | [`Hamiltonian`], [`from_closures`] |
 //! | maps between 𝔤 and G other than exp | [`Logarithm`], [`Cayley`] |
 //! | tests of your own types against the axioms | the module `laws` (feature `laws`) |
 //!

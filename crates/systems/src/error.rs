@@ -2,7 +2,7 @@
 
 use thiserror::Error;
 
-/// The reason why a set of parameters is not a system of this crate.
+/// The reason why parameters do not define a system of this crate.
 #[derive(Clone, Debug, PartialEq, Error)]
 #[non_exhaustive]
 pub enum SystemError {

@@ -44,7 +44,7 @@
 //! | an ideal fluid on the sphere, on u(N)∗ | [`Zeitlin`], with [`VorticityCoefficients`] |
 //! | the Laplace operator of the sphere on matrices | [`QuantisedLaplacian`] |
 //! | the type of these phase spaces and of their points | [`SpinSpace`], [`Spins`], [`SpinLatticeSpace`] |
-//! | the reason why parameters are refused | [`SystemError`] |
+//! | the reason why parameters are rejected | [`SystemError`] |
 //! | the usual names in one line | [`prelude`] |
 //!
 //! The map and the bracket that go with a system:

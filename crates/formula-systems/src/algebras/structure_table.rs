@@ -17,7 +17,7 @@ pub enum StructureTableError {
         /// The number of fields.
         count: usize,
     },
-    /// An index is not a whole number from 1 on.
+    /// An index is not a whole number from 1 to the largest index.
     #[error("line {line}: the index `{text}` is not a whole number from 1 to {most}")]
     Index {
         /// The number of the line.
@@ -76,9 +76,10 @@ pub enum StructureTableError {
 /// that begin with `#`, and a first line `i, j, k, value`.
 ///
 /// # Errors
-/// Returns [`StructureTableError`] with the number of the line: if a line does not have four fields, if an index is no
-/// whole number from 1 to [`MOST_DIMENSIONS`](crate::SystemAlgebra::MOST_DIMENSIONS), if a value is not finite, if some
-/// [e_i, e_i] is not zero, or if two lines contradict each other; and the triple for which the Jacobi identity fails.
+/// Returns [`StructureTableError`] with the number of the line: if a line does not have four fields, if an index is not
+/// a whole number from 1 to [`MOST_DIMENSIONS`](crate::SystemAlgebra::MOST_DIMENSIONS), if a value is not finite, if
+/// some [e_i, e_i] is not zero, or if two lines contradict each other. If the Jacobi identity fails, the error names
+/// the triple of basis vectors.
 ///
 /// # Example
 /// ```

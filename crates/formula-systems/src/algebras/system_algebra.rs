@@ -101,8 +101,8 @@ impl SystemAlgebra {
     ///
     /// # Errors
     /// Returns [`FormulaSystemError`] if there are no coordinates or more than
-    /// [`MOST_DIMENSIONS`](Self::MOST_DIMENSIONS), or if [`structure_constants`] refuses the entries, as when the Jacobi
-    /// identity fails.
+    /// [`MOST_DIMENSIONS`](Self::MOST_DIMENSIONS), or if [`structure_constants`] rejects the entries, for example
+    /// because the Jacobi identity fails.
     ///
     /// # Example
     /// ```

@@ -69,7 +69,7 @@ impl SystemMethod {
         formulations(algebra)
     }
 
-    /// Returns the formulation: where the scheme is applied.
+    /// Returns the formulation of the method.
     #[must_use]
     pub const fn formulation(&self) -> Formulation {
         self.formulation
@@ -92,8 +92,8 @@ impl SystemMethod {
     /// The state is needed because some Clebsch maps have a lift for one state but not for another.
     ///
     /// # Errors
-    /// Returns [`FormulaSystemError`] if the algebra of this system does not have the method, if the state has another
-    /// length than the dimension, or if the integrator cannot be made.
+    /// Returns [`FormulaSystemError`] if the algebra of this system does not have the method, if the length of the
+    /// state is not the dimension, or if the integrator cannot be made.
     ///
     /// # Example
     /// The drift of the Casimir |Π|² of a free rigid body over 100 steps:

@@ -89,7 +89,7 @@ impl SystemSection {
         &self.axes
     }
 
-    /// Returns the values of the axes at a state, or NaN if it has another length than the dimension.
+    /// Returns the values of the axes at a state, or NaN if the length of the state is not the dimension.
     #[must_use]
     pub fn plane(&self, state: &[f64]) -> [f64; 2] {
         let [x, y] = &self.axes;
@@ -120,7 +120,7 @@ impl SystemSection {
         self.direction
     }
 
-    /// Returns F(μ) − c at a state, or NaN if it has another length than the dimension.
+    /// Returns F(μ) − c at a state, or NaN if the length of the state is not the dimension.
     #[must_use]
     pub fn value(&self, state: &[f64]) -> f64 {
         self.surface.value_at(state) - self.level
@@ -136,8 +136,9 @@ impl SystemSection {
     /// numbers have one common unit.
     ///
     /// # Errors
-    /// Returns [`FormulaSystemError::StateLength`] if `state` has another length than the dimension,
-    /// [`FormulaSystemError::Level`] if a level is not finite, and [`FormulaSystemError::TooSmall`] if too few guesses lead to a state of the section.
+    /// Returns [`FormulaSystemError::StateLength`] if the length of `state` is not the dimension,
+    /// [`FormulaSystemError::Level`] if a level is not finite, and [`FormulaSystemError::TooSmall`] if too few guesses
+    /// lead to a state of the section.
     pub fn starts(
         &self,
         state: &[f64],
@@ -185,8 +186,8 @@ impl SystemSection {
         })
     }
 
-    /// Returns the sizes of the coordinates: for components of a vector its length, for numbers the length of all numbers
-    /// together, and the length of the whole state if that is zero.
+    /// Returns the sizes of the coordinates: for components of a vector its length, for numbers the length of all
+    /// numbers together, and the length of the whole state if that is zero.
     fn scales(&self, state: &[f64]) -> Vec<f64> {
         let length = |x: &[f64]| {
             let size = x.iter().fold(0.0_f64, |size, x| size.max(x.abs()));
@@ -233,8 +234,8 @@ mod tests {
     use crate::SystemAlgebra;
     use lie_poisson_formulas::Coordinates;
 
-    /// The sizes of random guesses: components of a vector have its length, and all coordinates outside vectors have their
-    /// common length, even if vectors stand between them.
+    /// The sizes of random guesses: components of a vector have its length, and all coordinates outside vectors have
+    /// their common length, even if vectors stand between them.
     #[test]
     fn scales_are_lengths_of_vectors_and_of_all_numbers() -> Result<(), Box<dyn core::error::Error>>
     {

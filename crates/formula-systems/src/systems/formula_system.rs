@@ -48,8 +48,8 @@ impl FormulaSystem {
         Self::of(algebra, parameters, |names| Formula::new(hamiltonian, names))
     }
 
-    /// Creates the system of a Hamiltonian that a program has built, in the coordinates of the algebra and in parameters,
-    /// without Casimirs.
+    /// Creates the system of a Hamiltonian that a program has built, in the coordinates of the algebra and in
+    /// parameters, without Casimirs.
     ///
     /// # Errors
     /// Returns [`FormulaSystemError::Parameters`] if a parameter has the name of a coordinate, and
@@ -163,7 +163,7 @@ impl FormulaSystem {
     /// Returns the values of h and of the Casimirs at a state.
     ///
     /// # Errors
-    /// Returns [`FormulaSystemError::StateLength`] if the state has another length than the dimension.
+    /// Returns [`FormulaSystemError::StateLength`] if the length of the state is not the dimension.
     pub fn invariants(&self, state: &[f64]) -> Result<Vec<f64>, FormulaSystemError> {
         self.require_length(state)?;
         let formulas = core::iter::once(&self.hamiltonian).chain(&self.casimirs);
@@ -173,7 +173,7 @@ impl FormulaSystem {
     /// Returns the rate dμ/dt = ad∗_ξ μ, ξ = dh(μ), at a state: the coordinates Σ_ik c_ijk ξ_i μ_k.
     ///
     /// # Errors
-    /// Returns [`FormulaSystemError::StateLength`] if the state has another length than the dimension.
+    /// Returns [`FormulaSystemError::StateLength`] if the length of the state is not the dimension.
     ///
     /// # Example
     /// The free rigid body, dΠ/dt = Π × Ω:

@@ -80,7 +80,7 @@ impl Formula {
 
     /// Creates a formula from one of the expressions that a program has built.
     ///
-    /// A part that several others use is computed once. The text of the formula names such parts: `s1 = …; s1*exp(s1)`.
+    /// A part that several others use is computed once. The printed formula names such parts: `s1 = …; s1*exp(s1)`.
     ///
     /// # Errors
     /// Returns [`FormulaError`] as [`new`](Self::new) does, or if the part is not one of these expressions. Its span is

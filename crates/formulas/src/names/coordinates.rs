@@ -79,7 +79,7 @@ impl Coordinates {
     /// Creates scalar coordinates with the given names.
     ///
     /// # Errors
-    /// Returns [`NameError`] for the first name that [`scalar`](Self::scalar) refuses.
+    /// Returns [`NameError`] for the first name that [`scalar`](Self::scalar) rejects.
     pub fn scalars<'a>(names: impl IntoIterator<Item = &'a str>) -> Result<Self, NameError> {
         names.into_iter().try_fold(Self::new(), |coordinates, name| coordinates.scalar(name))
     }

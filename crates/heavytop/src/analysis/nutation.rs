@@ -1,4 +1,4 @@
-//! The nutation of any top: its amplitude and its rotation number.
+//! The nutation of any top, its amplitude and its rotation number: [`Nutation`].
 
 use crate::HeavyTop;
 use crate::closed_forms::power_of_two::power_of_two;
@@ -87,7 +87,7 @@ impl Nutation {
         Self { top: *top, frame: [c, e, c.cross(&e)], last: None, range, maxima: None, periods: 0 }
     }
 
-    /// Adds the next sample: the time (s) and (Π, Γ).
+    /// Adds the next sample: the time (s), and the state (Π, Γ).
     pub fn observe(&mut self, time: f64, mu: &Se3Dual) {
         let Covector(Pair(pi, gamma)) = mu;
         let [c, e, f] = &self.frame;

@@ -1,4 +1,4 @@
-//! Poincaré sections of a top.
+//! Poincaré sections of a top: [`Section`], [`Surface`].
 
 use crate::analysis::section_level::{least_energy, quasi_random};
 use crate::{Coordinate, EnergyLevel, HeavyTopSpace, SectionError};
@@ -145,8 +145,8 @@ impl Section {
     /// quasirandom sequences* (2018), for g.
     ///
     /// # Errors
-    /// Returns [`SectionError::TooSmall`] if too few of ten million points are accessible, because the energy
-    /// is near the least one.
+    /// Returns [`SectionError::TooSmall`] if too few of ten million points are accessible, because the energy is near
+    /// its minimum.
     pub fn starts(&self, count: usize, seed: u64) -> Result<Vec<Se3Dual>, SectionError> {
         let bound = self.bound();
         let candidates = quasi_random(seed).take(CANDIDATES as usize);
@@ -161,14 +161,14 @@ impl Section {
         }
     }
 
-    /// Returns the crossings of the section by the motion through `start`, a state of the section, in the
-    /// first `steps` steps of size `step` (s).
+    /// Returns the points where the motion through `start`, a state of the section, crosses the section in the first
+    /// `steps` steps of size `step` (s).
     ///
     /// Crossings within the first step are not reported.
     ///
     /// # Errors
-    /// Returns [`RunError`] if the start has no lift, or is not finite. If a step fails, the iterator returns
-    /// [`EventError`] for each step that is missing.
+    /// Returns [`RunError`] if the start has no lift, or is not finite. If a step fails, the iterator returns an
+    /// [`EventError`] for each remaining step.
     pub fn crossings<'a, I: Start<Momentum = Se3Dual>>(
         &self,
         integrator: &'a I,

@@ -14,9 +14,8 @@ pub type TurnedStep<S, T> = Result<(Step<S>, Quaternion<T>), StepError>;
 
 /// An integrator on se(3)∗ that reports the rotation of the body in each step.
 ///
-/// The change of Γ alone determines the rotation up to a turn about Γₙ₊₁. The group element that made the
-/// step determines it completely. [`WithAttitude`](crate::WithAttitude) multiplies the rotations of all
-/// steps.
+/// The change of Γ alone determines the rotation up to a turn about Γₙ₊₁. The group element of the step determines it
+/// completely. [`WithAttitude`](crate::WithAttitude) multiplies the rotations of all steps.
 pub trait Turning<T: Real = f64>: Integrator<T, State: Vector, Momentum = Se3Dual<T>> {
     /// Advances by one step and returns the unit quaternion Q of its rotation v ↦ Q v conj(Q), which turns
     /// Γₙ/|Γₙ| to Γₙ₊₁/|Γₙ₊₁|.
@@ -193,8 +192,8 @@ impl<I: Turning<T>, T: Real> Turning<T> for Composition<I> {
 
 /// Exact flows on se(3)∗ that report the rotation of the body.
 ///
-/// A flow over the time t turns the body by R(Q), so that Γ(t) = R(Q)ᵀ Γ(0) in the body frame. The rotations of the flows
-/// of a step are multiplied in their order, Q = Q₁ Q₂ …, and so are those of the steps.
+/// A flow over the time t turns the body by R(Q), so that Γ(t) = R(Q)ᵀ Γ(0) in the body frame. The rotations of the
+/// flows of a step are multiplied in their order, Q = Q₁ Q₂ …, and so are those of successive steps.
 pub trait TurningFlows<T: Real = f64>: ExactFlows<T, Point = Se3Dual<T>> {
     /// Returns the unit quaternion Q of the rotation of Γ by the [flow](ExactFlows::flow); 1 for `index` ≥
     /// `COUNT`.

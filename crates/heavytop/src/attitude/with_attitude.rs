@@ -1,4 +1,4 @@
-//! Trajectories with the attitude of the body.
+//! Trajectories with the attitude of the body: [`WithAttitude`].
 
 use crate::Turning;
 use crate::attitude::step_rotation::unit;

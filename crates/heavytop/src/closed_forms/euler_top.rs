@@ -22,9 +22,9 @@ use twofloat::TwoFloat;
 /// The signs of the first and the third component are those of Π₁(0) and Π₃(0). The remaining sign is chosen such that
 /// λ > 0, and |u₀| ≤ K. For L² < 2EI₂ the indices 1 and 3 are exchanged. L² = 2EI₂ is the separatrix, where m = 1.
 ///
-/// L² − 2EI₂ is computed with twice the digits of an `f64`, so that a start near the separatrix keeps its
-/// side and its distance. In all units the errors of Π(t) are a few units of round-off of |Π|, plus the
-/// effect of a relative error of that size in t.
+/// L² − 2EI₂ is computed with twice the digits of an `f64`, so that a start near the separatrix keeps its distance from
+/// it and stays on the same side. In all units the errors of Π(t) are a few units of round-off of |Π|, plus the effect
+/// of a relative error of that size in t.
 ///
 /// Source: L. D. Landau & E. M. Lifshitz, *Mechanics*, 3rd ed., §37.
 ///

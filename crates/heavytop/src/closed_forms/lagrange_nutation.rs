@@ -19,11 +19,10 @@ use lie_poisson::{Covector, Pair, Se3Dual};
 /// where u₁ ≤ u₂ ≤ u₃ are the roots, the first two in [−√f₁, √f₁]. The height is constant where du/dt and
 /// d²u/dt² vanish: in regular precession, and for a top that stands upright or hangs, stable or not.
 ///
-/// The roots are computed as distances from the start and from the upright position, with Γ₁² + Γ₂² instead
-/// of f₁ − Γ₃². No digits are lost at turning points, near the vertical, or near the separatrix, where m = 1
-/// and the top approaches the upright position without reaching it. In all units the errors of Γ₃ are a few
-/// units of round-off of |Γ|, plus the effect of a relative error of that size in t. A tilt below 1e-150 rad
-/// may count as zero.
+/// The roots are computed as distances from the start and from the upright position, with Γ₁² + Γ₂² instead of f₁ −
+/// Γ₃². No digits are lost at turning points, near the vertical, or near the separatrix, where m = 1 and the top
+/// approaches the upright position without reaching it. In all units the errors of Γ₃ are a few units of round-off
+/// of |Γ|, plus the effect of a relative error of that size in t. A tilt below 1e-150 rad may be treated as zero.
 ///
 /// Source: E. T. Whittaker, *A Treatise on the Analytical Dynamics of Particles and Rigid Bodies*,
 /// 4th ed., §71.

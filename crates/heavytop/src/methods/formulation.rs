@@ -5,7 +5,7 @@ use super::unknown_name::{UnknownName, by_name, name_of};
 use core::fmt;
 use core::str::FromStr;
 
-/// The formulation of an integrator: where its scheme is applied.
+/// The formulation of an integrator: the space and the equations to which its scheme is applied.
 ///
 /// # Example
 /// ```

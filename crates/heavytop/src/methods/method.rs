@@ -46,8 +46,8 @@ impl Method {
         Ok(Self { formulation, scheme, tolerance, instructions: None })
     }
 
-    /// Replaces the instruction set of the kernels [`CollectiveGauss`] and [`TopMidpoint`], which is otherwise the one that is
-    /// fastest on this processor.
+    /// Replaces the instruction set of the kernels [`CollectiveGauss`] and [`TopMidpoint`], which is otherwise the one
+    /// that is fastest on this processor.
     ///
     /// With [`InstructionSet::Portable`] results are bit-identical on every processor. Steps on different sets differ
     /// by round-off.
@@ -98,7 +98,7 @@ impl Method {
             )
     }
 
-    /// Returns the formulation: where the scheme is applied.
+    /// Returns the formulation of the method.
     #[must_use]
     pub fn formulation(&self) -> Formulation {
         self.formulation

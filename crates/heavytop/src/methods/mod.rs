@@ -9,7 +9,7 @@
 //! | a one-step method | [`SchemeName`] |
 //! | the integrator of both for a top | [`Method`] |
 //! | what to do with it | [`Task`]; [`TangentTask`] for tangent maps |
-//! | the reason why a name or a pair is refused | [`UnknownName`], [`MethodError`] |
+//! | the reason why a name or a pair is rejected | [`UnknownName`], [`MethodError`] |
 //!
 //! # Example
 //! ```

@@ -1,4 +1,4 @@
-//! Items by name.
+//! The error for an unknown name: [`UnknownName`].
 
 use thiserror::Error;
 
@@ -6,7 +6,7 @@ use thiserror::Error;
 #[derive(Clone, Debug, PartialEq, Eq, Error)]
 #[error("unknown {kind} `{name}`; there are {}", known.join(", "))]
 pub struct UnknownName {
-    /// What was named: a formulation or a scheme.
+    /// The kind of item: a formulation or a scheme.
     pub kind: &'static str,
     /// The name that was asked for.
     pub name: String,

@@ -1,4 +1,4 @@
-//! The realisation M = ϖ ∘ L: T∗C² → se(3)∗.
+//! The realisation M = ϖ ∘ L: T∗C² → se(3)∗: [`SpinorRealisation`].
 
 use crate::paper::nearest_power_of_two::nearest_power_of_two;
 use lie_poisson::{

@@ -11,9 +11,9 @@ use nalgebra::Vector3;
 /// x ← x − y tan θ/2,    y ← y + x sin θ,    x ← x − y tan θ/2
 /// ```
 ///
-/// Shears with any coefficients conserve areas, so that many rotations by one angle, as those of Lagrange's top about its
-/// axis, stay on an ellipse that is a circle to round-off. A matrix of rounded cosines and sines stretches each time by
-/// the same 1e-16.
+/// Shears with any coefficients conserve areas, so that many rotations by one angle, as those of Lagrange's top about
+/// its axis, stay on an ellipse that is a circle to round-off. A matrix of rounded cosines and sines stretches each
+/// time by the same 1e-16.
 ///
 /// Source: Paeth, *A fast algorithm for general raster rotation*, Graphics Interface (1986).
 #[derive(Clone, Copy, Debug)]

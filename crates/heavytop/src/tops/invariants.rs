@@ -5,7 +5,7 @@ use core::fmt;
 use lie_poisson::{Covector, Hamiltonian, Pair, Real, Se3Dual};
 use num_complex::Complex;
 
-/// A conserved quantity of some heavy top.
+/// A quantity that every heavy top, or some integrable top, conserves.
 ///
 /// # Example
 /// ```

@@ -1,4 +1,4 @@
-//! The heavy top.
+//! The heavy top: [`HeavyTop`], [`Body`].
 
 use crate::error::{
     TopError, require_finite, require_not_negative, require_positive, require_unit,
@@ -96,8 +96,8 @@ impl HeavyTop {
     ///
     /// # Errors
     /// Returns a [`TopError`] that names the parameter, unless the moments are positive and obey the triangle
-    /// inequality, the mass is positive, gravity and length are not negative, and the direction of the centre
-    /// of mass is a unit vector.
+    /// inequality, the mass is positive, gravity and length are not negative, the direction of the centre of mass is a
+    /// unit vector, and the reciprocals of the moments are finite.
     pub fn new(body: &Body) -> Result<Self, TopError> {
         require_positive("mass", body.mass)?;
         require_not_negative("gravity", body.gravity)?;
@@ -128,7 +128,8 @@ impl HeavyTop {
     /// Creates the free rigid body, which has no gravity.
     ///
     /// # Errors
-    /// Returns [`TopError`] unless the moments (kg m²) are positive and obey the triangle inequality.
+    /// Returns [`TopError`] unless the moments (kg m²) are positive, have finite reciprocals, and obey the triangle
+    /// inequality.
     pub fn free_rigid_body(inertia: Vector3<f64>) -> Result<Self, TopError> {
         Self::from_moment(inertia, 0.0, Vector3::z())
     }

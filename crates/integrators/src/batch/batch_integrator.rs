@@ -8,9 +8,9 @@ use core::ops::Range;
 /// The result of a member depends on this member alone. It does not depend on the other members, on its place among
 /// them, or on their number. A member that fails, or that is not a number, changes no other member.
 ///
-/// [`Laned`](crate::Laned) makes a batch integrator of every [`Integrator`](crate::Integrator), by SIMD lanes: several
-/// trajectories in one register. A kernel for a special system is another implementation. [`Ensemble`](crate::Ensemble)
-/// runs either on all threads.
+/// [`Laned`](crate::Laned) turns every [`Integrator`](crate::Integrator) into a batch integrator that uses SIMD lanes
+/// (several trajectories in one register). A kernel for one particular system can also implement this trait.
+/// [`Ensemble`](crate::Ensemble) runs either kind on all threads.
 ///
 /// # Example
 /// A batch of decays dx/dt = −k x with a rate k for each member, in closed form:

@@ -6,9 +6,10 @@ use core::marker::PhantomData;
 use core::ops::Range;
 use lie_poisson::{InstructionSet, LaneTask, Lanes, MissingInstructions, Width, dispatch};
 
-/// A method for many members of a special system, one member in each SIMD lane (several trajectories in one register).
+/// A method for many members of one particular system, with one member in each SIMD lane (several trajectories in one
+/// register).
 ///
-/// [`Registers::advance`] makes a [`BatchIntegrator`](crate::BatchIntegrator) of it.
+/// [`Registers::advance`] turns it into a [`BatchIntegrator`](crate::BatchIntegrator).
 ///
 /// # Example
 /// Exact rotations of the plane, by one product in each step:
@@ -65,8 +66,8 @@ pub trait LaneKernel: Sync {
     /// The type of a member: its state, with its parameters if they differ from member to member.
     type Member: Copy + Send + Sync;
 
-    /// Advances a group of at least one and at most `T::COUNT` members by `count` steps, without a memory of earlier
-    /// steps. Returns which members have a finite result; the others may be left in any state.
+    /// Advances a group of at least one and at most `T::COUNT` members by `count` steps, without using any memory of
+    /// earlier steps. Returns which members have a finite result; the others may be left in any state.
     ///
     /// The result of a member must depend on this member alone. Mark the method `#[inline(always)]`, as [`LaneTask`]
     /// explains.
@@ -97,7 +98,7 @@ pub struct Registers {
 }
 
 impl Registers {
-    /// Selects the widest registers of this processor, two at a time.
+    /// Selects the widest registers of this processor, used two at a time.
     #[must_use]
     pub fn widest() -> Self {
         Self { instructions: InstructionSet::detected(), width: Width::TwoRegisters }

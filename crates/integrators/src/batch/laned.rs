@@ -1,4 +1,4 @@
-//! Integrators over SIMD lanes, which are chosen when the program runs, as batch integrators: [`Laned`].
+//! Batch integrators over SIMD lanes that are chosen when the program runs: [`Laned`].
 
 use crate::batch::group_engine::{Group, advance_groups};
 use crate::batch::lane_kernel::LaneResults;
@@ -21,9 +21,10 @@ use lie_poisson::{
 /// differ by rounding from those over lanes. Even then, the neighbours do not matter.
 ///
 /// The steps are made in blocks that end at the multiples of [`CHECKPOINT`](crate::CHECKPOINT). If a step of some lane
-/// fails, or needs Newton's iteration in wide registers, the block is repeated from its start: first with four members at
-/// a time, on the [lanes](DefaultLanes) that every processor has, and then with each member of a group that fails there by
-/// itself, over `f64`. A member that fails there too takes no further step; the others continue together.
+/// fails, or needs Newton's iteration in wide registers, the block is repeated from its start: first with four members
+/// at a time, on the [lanes](DefaultLanes) that every processor has. If such a group of four fails, each of its members
+/// repeats the block by itself, over `f64`. A member that fails even then takes no further step; the others continue
+/// together.
 ///
 /// # Speed of wide registers
 /// The rules of [`LaneTask`](lie_poisson::LaneTask) hold for the field or the Hamiltonian of the integrator: mark its
@@ -31,7 +32,7 @@ use lie_poisson::{
 /// correct, but its operations become function calls, and its steps may be several times slower in wide registers than
 /// on the lanes that every processor has. [`Direct`](crate::Direct), [`LiftFree`](crate::LiftFree) and
 /// [`Collective`](crate::Collective) integrators with [`RungeKutta`](crate::RungeKutta) methods and their compositions
-/// fulfil the rules; compensated sums, partitioned methods and splittings do not.
+/// follow the rules; compensated sums, partitioned methods and splittings do not.
 ///
 /// # Example
 /// Six harmonic oscillators, of which the fifth starts at NaN:
@@ -70,7 +71,7 @@ impl<I> Laned<I> {
     }
 
     /// Creates a batch integrator on the widest instruction set that this processor has, for integrators whose code
-    /// [fulfils the rules](Self#speed-of-wide-registers).
+    /// [follows the rules](Self#speed-of-wide-registers).
     pub fn widest(integrator: I) -> Self {
         Self { integrator, instructions: InstructionSet::detected() }
     }
@@ -103,7 +104,8 @@ impl<I: Integrator<T>, T: Lanes> StorageOver<T> for Laned<I> {
     }
 }
 
-/// The storage of a [`Laned`] integrator: the workspaces for the lanes of its registers and for members that fail there.
+/// The storage of a [`Laned`] integrator: the workspaces for the lanes of its registers and for members that fail
+/// there.
 pub struct LanedSpace<I>
 where
     I: Integrator<f64> + Integrator<DefaultLanes>,

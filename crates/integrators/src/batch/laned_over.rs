@@ -1,4 +1,4 @@
-//! Integrators over the SIMD lanes of a given type as batch integrators: [`LanedOver`].
+//! Batch integrators over the SIMD lanes of a given type: [`LanedOver`].
 
 use crate::batch::group_engine::{Group, advance_groups};
 use crate::batch::lane_kernel::LaneResults;

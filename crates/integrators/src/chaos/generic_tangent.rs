@@ -4,7 +4,8 @@ use lie_poisson::Vector;
 
 /// Returns the initial tangent vector with the given index for a chaos indicator.
 ///
-/// The index `number` counts from 0. The vectors have no symmetry, and those of different indices are linearly independent.
+/// The index `number` counts from 0. The vectors have no symmetry, and those of different indices are linearly
+/// independent.
 ///
 /// It has the coordinates x_i = (n² g mod 1) − ½ with n = `number`·d + i + 1 and g = (√5 − 1)/2, for the first d =
 /// `dimension` coordinates, and zeros in the coordinates that follow. A vector whose index is d or above is the basis

@@ -9,8 +9,8 @@ use lie_poisson::State;
 /// λ_i(t) = (1/|t − t₀|) Σ ln r_ii
 /// ```
 ///
-/// The sum runs over the steps from t₀ on. The stretch r_ii is the length of the part of the i-th tangent vector that
-/// is orthogonal to those before it.
+/// The sum runs over the steps from t₀ on. The stretch r_ii is the length of the component of the i-th tangent vector
+/// orthogonal to the preceding vectors.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Exponents<S, const K: usize> {
     /// The number of steps made.
@@ -25,7 +25,7 @@ pub struct Exponents<S, const K: usize> {
 
 /// The Lyapunov exponents of a trajectory as an endless iterator, with one item per step.
 ///
-/// Select items by `nth`, `step_by` and `take`. Once a step fails, every further item is its error, as in a
+/// Select items by `nth`, `step_by` and `take`. Once a step fails, every further item is the same error, as in a
 /// [`Trajectory`](crate::Trajectory).
 ///
 /// The exponents are those of the discrete map, divided by |h|. They converge slowly, at best as 1/t. For an integrable
@@ -85,7 +85,7 @@ where
 {
     /// Starts at a state, with the first K basis vectors as tangent vectors.
     ///
-    /// If these vectors are special for the system, choose others by [`from_flow`](Self::from_flow).
+    /// If the basis vectors are special directions of the system, choose others with [`from_flow`](Self::from_flow).
     pub fn new(integrator: &'a I, state: <I as Integrator>::State, step: f64) -> Self {
         let tangents = core::array::from_fn(|i| {
             let mut basis = state.zeros_like();
@@ -97,7 +97,7 @@ where
 
     /// Starts at a state with independent tangent vectors.
     ///
-    /// The stretches count from here on, so that the transient of an advanced flow is left out.
+    /// The exponents count only the steps made from here on. To leave out a transient, advance the flow first.
     pub fn from_flow(flow: VariationalFlow<'a, I, K>) -> Self {
         let start = flow.steps();
         Self { flow, start, sums: [0.0; K], upcoming: NextStretch::First }

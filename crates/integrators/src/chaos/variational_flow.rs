@@ -1,4 +1,4 @@
-//! Trajectories with their tangent vectors.
+//! Trajectories with their tangent vectors: [`VariationalFlow`].
 
 use crate::{CHECKPOINT, IntegrationError, Integrator, StepError};
 use lie_poisson::{DualNumber, State, euclidean_norm, squaring_scale};
@@ -31,14 +31,14 @@ pub enum VariationalError {
     /// The run failed, for the state or for a tangent vector.
     #[error(transparent)]
     Integration(#[from] IntegrationError),
-    /// A tangent vector lies in the span of those before it, to round-off, or is not finite.
+    /// A tangent vector lies in the span of the preceding vectors, to round-off, or is not finite.
     #[error(
         "tangent vector {index} has the length {length:e} beyond those before it, at t = {time}"
     )]
     Dependent {
         /// The index of the vector; the first is 0.
         index: usize,
-        /// The length of the part of the vector that is orthogonal to those before it.
+        /// The length of the component of the vector orthogonal to the preceding vectors.
         length: f64,
         /// The time of the failure.
         time: f64,
@@ -191,8 +191,8 @@ where
 
     /// Orthonormalises the tangent vectors by the Gram–Schmidt process, and returns the lengths r_ii > 0.
     ///
-    /// The vectors are v_i = Σ_j r_ji e_j, j ≤ i, with e_j orthonormal in the Euclidean product of coordinates. They
-    /// may have any size.
+    /// The previous vectors are v_i = Σ_j r_ji e_j, j ≤ i, where the new vectors e_j are orthonormal in the Euclidean
+    /// product of coordinates. The v_i may have any size.
     ///
     /// # Errors
     /// Returns [`VariationalError::Dependent`] if a vector is a combination of those before it to round-off, if it is
@@ -225,7 +225,7 @@ where
         Ok(lengths)
     }
 
-    /// Scales each tangent vector by itself to length 1, and returns the previous lengths.
+    /// Scales each tangent vector to length 1, without orthogonalisation, and returns the previous lengths.
     ///
     /// Lengths are those of the Euclidean product of coordinates. Directions are kept: vectors that align stay aligned.
     ///

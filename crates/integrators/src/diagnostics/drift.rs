@@ -1,11 +1,11 @@
-//! The change of a conserved quantity along a run.
+//! The change of a conserved quantity along a run: [`Drift`].
 
 use super::OrderFitError;
 use crate::{IntegrationError, Sample};
 use lie_poisson::larger;
 use thiserror::Error;
 
-/// The reason why the statistics of a drift do not exist.
+/// The reason why the statistics of a drift cannot be computed.
 #[derive(Clone, Debug, PartialEq, Error)]
 #[non_exhaustive]
 pub enum DriftError {
@@ -26,12 +26,12 @@ pub enum DriftError {
         /// The value that is not finite.
         value: f64,
     },
-    /// A run of an ensemble has values at other times than the first run.
+    /// The times of a run of an ensemble differ from those of the first run.
     #[error("run {run} of the ensemble differs from the first in its times, at value {sample}")]
     Times {
         /// The index of the run; the first is 0.
         run: usize,
-        /// The index of the first value that has another time or is missing.
+        /// The index of the first value whose time differs, or that is missing.
         sample: usize,
     },
     /// There are too few points above the plateau to fit an exponent.
@@ -41,8 +41,8 @@ pub enum DriftError {
 
 /// The change of a quantity f over a run that should conserve it.
 ///
-/// A symplectic method of order p lets the energy oscillate: `largest` has the size hᵖ, and `slope` is a remainder of
-/// the oscillation. Over the length of the run it amounts to no more than `largest`.
+/// A symplectic method of order p lets the energy oscillate: `largest` is of size hᵖ, and `slope` is only what remains
+/// of the oscillation. Multiplied by the length of the run, it is no larger than `largest`.
 ///
 /// # Example
 /// ```

@@ -1,4 +1,4 @@
-//! The growth of round-off over an ensemble of runs.
+//! The growth of round-off over an ensemble of runs: [`EnsembleGrowth`].
 
 use super::{DriftError, fitted_order};
 
@@ -80,8 +80,8 @@ impl EnsembleGrowth {
     /// Only points above `plateau` (in the units of f) are used. Below it, f(t) takes only the few rounded values next
     /// to f(0).
     ///
-    /// Points at equal distances in t give more weight to late times. For even weights sample the runs at times in
-    /// geometric progression.
+    /// Points that are equally spaced in t give more weight to late times. For even weights, sample the runs at times
+    /// in geometric progression.
     ///
     /// # Errors
     /// Returns [`DriftError::Exponent`] if fewer than three points remain.

@@ -1,8 +1,8 @@
 //! Measurements of what a method promises.
 //!
-//! Each promise is a number that vanishes to round-off if the promise is kept. Derivatives are exact (dual numbers), so
-//! that no difference quotient hides a small defect. A NaN is returned as NaN, which fails every comparison
-//! `defect <= tolerance`.
+//! Each promise is measured by a number. A defect vanishes to round-off if the promise is kept. Derivatives are exact
+//! (dual numbers), so no difference quotient hides a small defect. A NaN is returned as NaN, which fails every
+//! comparison `defect <= tolerance`.
 //!
 //! | promise | number |
 //! |---|---|

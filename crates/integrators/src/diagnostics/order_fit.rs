@@ -1,4 +1,4 @@
-//! The order of convergence, fitted to measured errors.
+//! The order of convergence, fitted to measured errors: [`fitted_order`].
 
 use thiserror::Error;
 

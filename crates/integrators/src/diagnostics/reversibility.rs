@@ -4,12 +4,12 @@ use crate::iteration::block_sizes::BlockSizes;
 use crate::{Integrator, StepError};
 use lie_poisson::Real;
 
-/// Returns max |Φ₋ₕ(Φₕ(z)) − z|, in the coordinates of the momentum: the defect of a step forwards and a step back.
+/// Returns max |Φ₋ₕ(Φₕ(z)) − z|, in the coordinates of the momentum: the defect of one step forwards and one step back.
 ///
 /// It is round-off for symmetric methods, and of order hᵖ⁺¹ for other methods of order p. It is NaN if a difference is
 /// NaN. The momenta μ are compared, since states are defined only up to a motion along fibres. For
-/// [`Direct`](crate::Direct) integrators μ is the state. The defect is in the units of μ, and the largest over the SIMD
-/// lanes of the scalar.
+/// [`Direct`](crate::Direct) integrators μ is the state. The defect is in the units of μ. Over SIMD lanes it is the
+/// largest over all lanes.
 ///
 /// Source: Hairer, Lubich & Wanner, *Geometric Numerical Integration*, 2nd ed., Def. V.1.4.
 ///

@@ -52,7 +52,7 @@ pub fn step_map<T: Real, I: Start<T>>(
 /// See [`poisson_defect`](super::poisson_defect).
 ///
 /// # Errors
-/// Returns the [`StepMapError`] if the step map has no value at μ. A failed step is not a defect, small or large.
+/// Returns a [`StepMapError`] if the step map has no value at μ. A failed step is never reported as a defect.
 ///
 /// # Example
 /// ```

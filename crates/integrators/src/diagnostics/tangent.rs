@@ -6,7 +6,7 @@ use nalgebra::DMatrix;
 
 /// Returns the matrix (T_z f)_ij = ∂f_i/∂z_j of a map f: V → W at z, of size dim W × dim V.
 ///
-/// The derivative is exact: `f` is evaluated over dual numbers, once for each direction. A coordinate that is NaN is
+/// The derivative is exact: `f` is evaluated over dual numbers, once for each direction. A derivative that is NaN is
 /// NaN in the matrix.
 ///
 /// # Example

@@ -82,7 +82,7 @@ impl<S: Scheme, M: PoissonMap, H> Collective<S, M, H> {
     /// A step z ↦ Φ(z) on P gives a map of 𝔤∗ if M(Φ(z)) depends on M(z) alone, that is, if Φ carries fibres of M to
     /// fibres. Fibre symmetries are linear and mix q and p, for example χ ↦ χ + bψ on T∗C². A partitioned scheme treats
     /// q and p differently and does not commute with them, even if it is symplectic. Its result depends on the lift,
-    /// and Noether's theorem, which makes the Casimirs constant, does not apply. Symplecticity on P alone is not
+    /// and Noether's theorem, which would make the Casimirs constant, does not apply. Symplecticity on P alone is not
     /// enough.
     ///
     /// The table shows the experiment of Ohsawa 2019, §5.2, over 1000 steps of 1/50, where f₁ = 1. Runge–Kutta methods
@@ -94,8 +94,8 @@ impl<S: Scheme, M: PoissonMap, H> Collective<S, M, H> {
     /// | Störmer–Verlet | −0.033 | 1.7e-5 apart |
     /// | Lobatto IIIA–IIIB, 3 stages | 8e-8 | 4.1e-10 apart |
     ///
-    /// This constructor exists to show this behaviour. Use [`new`](Self::new) otherwise: it refuses such schemes, and
-    /// treats maps along which no scheme descends as this constructor does.
+    /// This constructor exists to demonstrate this behaviour. Otherwise use [`new`](Self::new), which does not accept
+    /// such schemes. For maps along which no scheme descends, both constructors do the same.
     ///
     /// ```compile_fail
     /// use collective_integrators::{Collective, FirstHalf, PartitionedRungeKutta};

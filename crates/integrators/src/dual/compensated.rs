@@ -1,4 +1,4 @@
-//! Compensated summation, which carries the rounding errors of the steps along.
+//! Compensated summation, which carries the rounding errors of the steps along: [`Compensated`].
 
 use crate::sums::two_sum::add_compensated;
 use crate::{Increment, Integrator, Start, Step, StepError};
@@ -23,7 +23,8 @@ pub trait Increments<T: Real = f64>: Integrator<T> {
         workspace: &mut Self::Workspace,
     ) -> Result<Increment<Self::State>, StepError>;
 
-    /// Returns the pool of temporary vectors of a workspace, from which [`increment`](Self::increment) takes its result.
+    /// Returns the pool of temporary vectors of a workspace, from which [`increment`](Self::increment) takes its
+    /// result.
     ///
     /// The default returns `None`: an increment on the heap is allocated in each step. See
     /// [`Scheme::temporaries`](crate::Scheme::temporaries).

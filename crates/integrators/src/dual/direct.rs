@@ -8,9 +8,9 @@ use lie_poisson::{Pair, Real, State};
 
 /// A scheme applied directly to a vector field, such as that of the Lie–Poisson equations dμ/dt = X_h(μ) on 𝔤∗.
 ///
-/// In general it is not a Poisson map of 𝔤∗, since a scheme that is symplectic for constant brackets does not preserve
-/// the bracket of 𝔤∗, which is not constant. It serves as a comparison, and as the integrator for equations on other
-/// spaces.
+/// In general a step is not a Poisson map of 𝔤∗: a scheme that is symplectic for constant brackets does not preserve
+/// the bracket of 𝔤∗, which is not constant. The type serves for comparisons, and as the integrator for equations on
+/// other spaces.
 ///
 /// Source: Austin, Krishnaprasad & Wang, *Almost Poisson integration of rigid body systems*,
 /// J. Comput. Phys. 107 (1993); Ohsawa 2019, §5.2.

@@ -33,7 +33,7 @@ pub trait Integrator<T: Real = f64> {
     /// The type of the state that is advanced: z ∈ P, or μ itself.
     type State: State<Scalar = T>;
 
-    /// The type of the momentum μ ∈ 𝔤∗. For equations on another space than 𝔤∗ it is [`State`](Self::State).
+    /// The type of the momentum μ ∈ 𝔤∗. For equations on a space other than 𝔤∗ it is [`State`](Self::State).
     type Momentum: State<Scalar = T>;
 
     /// The storage of a step.
@@ -134,12 +134,12 @@ pub trait Integrator<T: Real = f64> {
     #[inline]
     fn forget(&self, _workspace: &mut Self::Workspace) {}
 
-    /// Returns the momentum μ of a state. For equations on another space than 𝔤∗ it is the state.
+    /// Returns the momentum μ of a state. For equations on a space other than 𝔤∗ it is the state itself.
     fn momentum(&self, state: &Self::State) -> Self::Momentum;
 
     /// Creates the trajectory through a state at t = 0, with steps of size `step`.
     ///
-    /// If a coordinate of the state or the step size is not finite, the first item is the error.
+    /// If a coordinate of the state or the step size is not finite, the first item is an error.
     fn trajectory_from(&self, state: Self::State, step: f64) -> Trajectory<'_, Self, T>
     where
         Self: Sized,
@@ -147,7 +147,7 @@ pub trait Integrator<T: Real = f64> {
         Trajectory::new(self, state, 0, step)
     }
 
-    /// Creates the trajectory that continues from a sample of another run, with its numbers and times.
+    /// Creates the trajectory that continues from a sample of another run, and continues its step numbers and times.
     ///
     /// `state` is the state after `made` steps of size `step`. The trajectory fails as
     /// [`trajectory_from`](Self::trajectory_from) does, and after the step with the number [`u64::MAX`].
@@ -243,7 +243,7 @@ pub struct Sample<S, M> {
     pub time: f64,
     /// The state that is advanced.
     pub state: S,
-    /// The momentum μ of the state. For equations on another space than 𝔤∗ it is the state.
+    /// The momentum μ of the state. For equations on a space other than 𝔤∗ it is the state itself.
     pub momentum: M,
     /// The number of iterations of the stage solver in the last step.
     pub iterations: usize,

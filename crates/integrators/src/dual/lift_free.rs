@@ -20,7 +20,7 @@ use momentum_map::{Multiplier, Multipliers};
 ///
 /// For a scheme that commutes with linear maps ([`Equivariant`]) it equals the [`Collective`](crate::Collective)
 /// integrator with the same scheme to round-off. There is no lift to choose, and no fibre to drift along. Symplectic
-/// schemes conserve Casimirs up to an unbiased rounding error per step, if the multipliers override
+/// schemes conserve the Casimirs up to an unbiased rounding error per step, if the multipliers override
 /// [`coadjoint_change`](Multipliers::coadjoint_change), as quaternions and dual quaternions do.
 ///
 /// This generalises the closed form of the collective midpoint rule. For every Runge–Kutta method it answers the
@@ -72,14 +72,14 @@ impl<S: Equivariant, M: Multipliers, H> LiftFree<S, M, H> {
         &self.hamiltonian
     }
 
-    /// Advances by one step, and returns the end μ₁ with the multiplier Q₁ of the step:
+    /// Advances μ₀ by one step. Returns μ₁ and the multiplier Q₁ of the step:
     ///
     /// ```text
     /// μ₁ = transport(Q₁, μ₀) = μ₀ + coadjoint_change(Q₁, μ₀)
     /// ```
     ///
-    /// The multiplier is the motion of the group in the step, and therefore the increment of the attitude. It solves the
-    /// equation of the [type](Self), from Q = 1.
+    /// The multiplier is the motion of the group in the step, and therefore the increment of the attitude. It is the
+    /// numerical solution of the equation for Q in the documentation of the [type](Self).
     ///
     /// # Errors
     /// Returns a [`StepError`] if the step has no result.

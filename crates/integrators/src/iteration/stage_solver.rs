@@ -1,4 +1,4 @@
-//! Iterations for the stage equations to the round-off floor: [`StageSolver`].
+//! The solution of the stage equations to the round-off floor, by iteration: [`StageSolver`].
 
 use crate::StepError;
 use crate::iteration::block_sizes::{BlockSizes, MaskOf};
@@ -28,9 +28,10 @@ const NEWTON_ITERATIONS: usize = 50;
 /// derivative of the field if it is known ([`VectorField::derivative`](crate::VectorField::derivative)). It solves
 /// dense linear equations, and is used for at most 1024 unknowns: stages times dimension.
 ///
-/// The iteration stops at the round-off floor in one of three cases: nothing changes; the next change is expected below
-/// a thirty-second of a rounding, from the ratios of the changes before it, including those of the previous step; or
-/// the changes no longer decrease at the size of round-off. The low parts of coefficients enter once k is within √ε.
+/// The iteration stops at the round-off floor in one of three cases: nothing changes; the next change is expected to be
+/// below a thirty-second of a rounding error, judged by the ratios of earlier changes, including those of the previous
+/// step; or the changes are of the size of round-off and no longer decrease. The low parts of coefficients are included
+/// once k is within √ε of the solution.
 ///
 /// Sizes are compared block by block, in units of the state ([`State::BLOCKS`]). For (q, p) with q of size 1e-20 and p
 /// of size 1, both are found to the same number of digits.

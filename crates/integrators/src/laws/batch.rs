@@ -137,8 +137,8 @@ where
     report.note("resumption", different(&renewed, &at_once), 1.0);
 }
 
-/// The method [`advance`](BatchIntegrator::advance) may have a fault: it leaves the last member where it was, unless it is
-/// the only one. The coordinate of the fault does not matter.
+/// The method [`advance`](BatchIntegrator::advance) may have a fault: it leaves the last member where it was, unless it
+/// is the only one. The coordinate of the fault does not matter.
 impl<B: BatchIntegrator> BatchIntegrator for Faulty<'_, B> {
     type Member = B::Member;
     type Workspace = B::Workspace;

@@ -2,8 +2,8 @@
 //!
 //! As in [`lie_poisson::laws`], each suite returns a [`Report`] with a residual for every law. The residual of a law
 //! about sizes is relative. The residual of a law about bits or errors is the number of coordinates, members or calls
-//! that break it, so that the law holds only if the residual is 0. The residual is NaN if a step fails that must have a
-//! result.
+//! that break it, so that the law holds only if the residual is 0. The residual is NaN if a step that must succeed
+//! fails.
 //!
 //! | trait | suite |
 //! |---|---|

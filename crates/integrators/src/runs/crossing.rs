@@ -13,7 +13,7 @@ pub enum EventError {
     /// The run in which the event was searched failed.
     #[error(transparent)]
     Integration(#[from] IntegrationError),
-    /// The event function g is not a number, so that it may or may not have crossed zero.
+    /// The event function g is not a number, so a crossing can neither be found nor excluded.
     #[error("the event function is not a number at t = {time}")]
     NotANumber {
         /// The time at which g is not a number.

@@ -46,7 +46,7 @@ impl<'a, I: Integrator, G: Fn(&I::Momentum) -> f64> EventSearch<'a, I, G> {
         Self { crossings: Crossings::new(integrator, g, direction), last: [None, None] }
     }
 
-    /// Proceeds by one sample of this integrator, and returns the events that it completes: none, one or two, in the
+    /// Takes the next sample of this integrator, and returns the events that it completes: none, one or two, in the
     /// order of time.
     ///
     /// An event lies between the last two samples. If two crossings within one step leave the sign at the samples

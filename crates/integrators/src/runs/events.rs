@@ -14,15 +14,16 @@ use crate::{Direction, EventError, IntegrationError, Integrator, SampleOf};
 /// the crossings on both sides are located. The guarantees are:
 ///
 /// * one crossing in a step is found;
-/// * two crossings in a step are found if they are farther apart than about 1e-6 steps, and if the only extremum of g
-///   in this step and the two next to it is that between the crossings. The first and the last step of a run lack a
-///   neighbour: two crossings may be missed there.
+/// * two crossings in a step are found if they are farther apart than about 1e-6 steps, and if the extremum between the
+///   crossings is the only one of g in this step and the two adjacent steps. The first and the last step of a run lack
+///   a neighbour: two crossings may be missed there.
 /// * some crossings at smaller distances are missed: choose a step that resolves g.
 ///
 /// A sample with g = 0 exactly ends a crossing and begins none, so that each crossing is found once. The adaptor
 /// requests samples until there is an event or none are left: bound the run by `take`. After an error it returns this
 /// error again for each remaining sample, so that `nth` and other adaptors that skip events do not lose it. After `new`
-/// nothing is allocated, except for states on the heap. An event costs about ten steps, and so does an extremum at which
+/// nothing is allocated, except for states on the heap. An event costs about ten steps, and so does an extremum at
+/// which
 /// |g| is least without a crossing.
 ///
 /// [`EventSearch`] does the same for samples that the caller supplies, so that several event functions can be used

@@ -39,7 +39,7 @@ impl RungeKutta {
 
     /// Creates the explicit method of order 8 of Dormand and Prince, with 12 stages and a fixed step.
     ///
-    /// It is the propagated solution of the code DOP853, without its error estimate. It serves as a reference for runs
+    /// It is the method that the code DOP853 propagates, without its error estimate. It serves as a reference for runs
     /// in which structure does not matter.
     ///
     /// Source: Hairer, Nørsett & Wanner, *Solving Ordinary Differential Equations I*, 2nd ed.

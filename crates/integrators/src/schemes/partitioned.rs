@@ -169,7 +169,7 @@ impl<P: Polarisation> PartitionedRungeKutta<P> {
     }
 }
 
-/// The storage of a partitioned step: its stage derivatives and those of the last steps.
+/// The storage of a partitioned step: its stage derivatives and those of earlier steps.
 ///
 /// The next stages are predicted from the last steps if q and p have their stages at the same times.
 #[derive(Clone, Debug)]

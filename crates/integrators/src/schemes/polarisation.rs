@@ -1,12 +1,12 @@
-//! Polarisations: the division of coordinates into positions and momenta.
+//! Polarisations, which divide coordinates into positions and momenta: [`Polarisation`].
 
 use core::fmt::Debug;
 use lie_poisson::State;
 
 /// A splitting of the coordinates of a symplectic vector space into positions q and momenta p, with dq ∧ dp.
 ///
-/// A partitioned method needs it, and an equivariant one does not. If a type of points orders its coordinates neither
-/// as [`FirstHalf`] nor as [`Alternating`], implement a polarisation for it in a few lines.
+/// Partitioned methods need a polarisation; equivariant ones do not. If a type of points orders its coordinates neither
+/// as [`FirstHalf`] nor as [`Alternating`], implement a polarisation for it.
 ///
 /// # Example
 /// ```
@@ -31,7 +31,7 @@ pub trait Polarisation: Copy + Debug + Default + PartialEq + Send + Sync + 'stat
         z
     }
 
-    /// Writes the point with the positions q of u and the momenta p of v to z.
+    /// Writes to z the point with the positions q of u and the momenta p of v.
     #[cfg_attr(not(debug_assertions), inline(always))]
     fn splice_into<V: State>(u: &V, v: &V, z: &mut V) {
         let dimension = z.dimension();
@@ -42,7 +42,7 @@ pub trait Polarisation: Copy + Debug + Default + PartialEq + Send + Sync + 'stat
     }
 }
 
-/// The order (q₁, …, q_n, p₁, …, p_n) of coordinates, as of points [`Cotangent`](momentum_map::Cotangent) of T∗Q.
+/// The coordinate order (q₁, …, q_n, p₁, …, p_n), as in points [`Cotangent`](momentum_map::Cotangent) of T∗Q.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub struct FirstHalf;
 
@@ -58,7 +58,7 @@ impl Polarisation for FirstHalf {
     }
 }
 
-/// The order (q₁, p₁, q₂, p₂, …) of coordinates, as of complex vectors z = q + ip and powers of them.
+/// The coordinate order (q₁, p₁, q₂, p₂, …), as in complex vectors z = q + ip and powers of their space.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub struct Alternating;
 

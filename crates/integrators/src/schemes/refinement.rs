@@ -41,13 +41,13 @@ impl<V: State> Refinement<V> {
 
     /// Computes corrections δk_i for which k_i + δk_i is X at the unrounded stage z + e + h Σ_j a_ij (k_j + δk_j).
     ///
-    /// A correction has the size of a rounding error of k_i, and would be lost if it were added. Only the chosen lanes are
-    /// refined; in the others δk_i = 0.
+    /// A correction has the size of a rounding error of k_i, and would be lost if it were added. Only the chosen lanes
+    /// are refined; in the others δk_i = 0.
     ///
-    /// An iteration to the round-off floor ends at one of several neighbouring fixed points in floating-point arithmetic,
-    /// always the one on the side from which it comes. The rounding errors of the stages are therefore biased, by some
-    /// hundredths of a rounding. In a long run this is a drift of the invariants. If the field conserves |z|², an error
-    /// δZ_i of the stages changes |z|² in a step by 2h Σ_i b_i k_i·δZ_i.
+    /// An iteration to the round-off floor ends at one of several neighbouring fixed points in floating-point
+    /// arithmetic, always the one on the side from which it comes. The rounding errors of the stages are therefore
+    /// biased, by some hundredths of a rounding. In a long run this is a drift of the invariants. If the field
+    /// conserves |z|², an error δZ_i of the stages changes |z|² in a step by 2h Σ_i b_i k_i·δZ_i.
     #[inline]
     pub(crate) fn refine<F: VectorField<V::Scalar, Point = V>>(
         &mut self,
@@ -70,8 +70,8 @@ impl<V: State> Refinement<V> {
         }
     }
 
-    /// Computes the stages z + e + h Σ_j a_ij k_j, as their rounded values and the rounding errors, and X at the rounded
-    /// values.
+    /// Computes the stages z + e + h Σ_j a_ij k_j, as their rounded values and the rounding errors, and X at the
+    /// rounded values.
     #[cfg_attr(not(debug_assertions), inline(always))]
     fn evaluate<F: VectorField<V::Scalar, Point = V>>(
         &mut self,
@@ -90,7 +90,8 @@ impl<V: State> Refinement<V> {
         }
     }
 
-    /// Improves the corrections δk_i = X(Z_i) − k_i + X′·(δZ_i + h Σ_j a_ij δk_j) by turns, where Z_i + δZ_i is a stage.
+    /// Improves the corrections δk_i = X(Z_i) − k_i + X′·(δZ_i + h Σ_j a_ij δk_j) by turns, where Z_i + δZ_i is a
+    /// stage.
     #[cfg_attr(not(debug_assertions), inline(always))]
     fn sweep<F: VectorField<V::Scalar, Point = V>>(
         &mut self,

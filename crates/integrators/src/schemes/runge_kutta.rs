@@ -226,10 +226,10 @@ fn is_plain_and_small<V: State>() -> bool {
     size_of::<V::Pool>() == 0 && V::Scalar::from_f64(0.0).as_f64().is_some()
 }
 
-/// The storage of a Runge–Kutta step: its stage derivatives, those of the last steps, and the matrix of Newton's
+/// The storage of a Runge–Kutta step: its stage derivatives, those of earlier steps, and the matrix of Newton's
 /// iteration.
 ///
-/// An implicit method predicts its stages from the last steps. Vectors on the heap are allocated by the first step, and
+/// An implicit method predicts its stages from earlier steps. Vectors on the heap are allocated by the first step, and
 /// the matrix of Newton's iteration by the first step that needs it.
 #[derive(Clone, Debug)]
 pub struct StageSpace<V: State> {
@@ -354,8 +354,8 @@ mod tests {
     use crate::from_fn;
     use nalgebra::Vector2;
 
-    /// The low parts of the coefficients, which are below the round-off of a step, enter once the stages are close: the sums
-    /// with them are those of the solution, to half of its digits.
+    /// The low parts of the coefficients, which are below the round-off of a step, enter once the stages are close: the
+    /// sums with them are those of the solution, to half of its digits.
     #[test]
     fn low_parts_of_the_coefficients_enter_the_stages() {
         let pendulum = from_fn(|z: &Vector2<f64>| Vector2::new(z.y, -z.x.sin()));

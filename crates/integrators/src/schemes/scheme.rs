@@ -58,8 +58,8 @@ impl<V: State> Step<V> {
 /// A scheme does not depend on where the vector field comes from, and works over every scalar.
 ///
 /// # Example
-/// A scheme of your own: Heun's method, z₁ = z + (h/2)(X(z) + X(z + h X(z))). Since it commutes with affine maps, it may
-/// be used collectively ([`Equivariant`]).
+/// A scheme of your own: Heun's method, z₁ = z + (h/2)(X(z) + X(z + h X(z))). Since it commutes with affine maps, it
+/// may be used collectively ([`Equivariant`]).
 /// ```
 /// use collective_integrators::{Direct, Equivariant, Scheme, Start, Step, StepError, VectorField, fitted_order, from_fn};
 /// use lie_poisson::{Real, State};
@@ -195,7 +195,7 @@ pub trait Scheme: Clone {
     /// [`increment`](Self::increment) has returned.
     ///
     /// The default returns `None`, for schemes that keep no temporary vectors. Return a pool only if `increment` takes
-    /// its point from it: otherwise it grows by a vector in each step in place.
+    /// its point from it: otherwise the pool grows by one vector with each step in place.
     #[cfg_attr(not(debug_assertions), inline(always))]
     fn temporaries<'a, V: State>(
         &self,
@@ -249,13 +249,13 @@ pub(crate) fn give<S: Scheme, V: State>(scheme: &S, workspace: &mut S::Workspace
     }
 }
 
-/// The promise that a scheme commutes with affine changes of variables: A∘Φ_X = Φ_Y∘A for the transformed field Y =
+/// The promise that a scheme commutes with affine changes of variables A: A∘Φ_X = Φ_Y∘A for the transformed field Y =
 /// A∗X.
 ///
-/// The symmetry along the fibres of M acts affinely for every realisation of these crates. Such a scheme then carries
-/// fibres of M to fibres, so that M∘Φ is a map of 𝔤∗. If the scheme is also symplectic, that map is Poisson.
-/// Runge–Kutta methods keep the promise. Partitioned methods, which treat q and p differently, do not: they are
-/// symplectic on P, but their images are not maps of 𝔤∗.
+/// For every realisation of these crates, the symmetry along the fibres of M acts affinely. An equivariant scheme
+/// therefore carries fibres of M to fibres, so that M∘Φ is a map of 𝔤∗. If the scheme is also symplectic, that map is
+/// Poisson. Runge–Kutta methods keep the promise. Partitioned methods, which treat q and p differently, do not: they
+/// are symplectic on P, but their images are not maps of 𝔤∗.
 ///
 /// Source: McLachlan, Modin & Verdier, *Collective symplectic integrators*, Nonlinearity 27
 /// (2014), Thm. 3.2; Hairer, Lubich & Wanner, *Geometric Numerical Integration*, §VI.4.

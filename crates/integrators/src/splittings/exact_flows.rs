@@ -41,9 +41,10 @@ pub trait ExactFlows<T: Real = f64> {
     /// The number n of parts.
     const COUNT: usize;
 
-    /// Returns the flow from z of part number `index` + 1 for the given time, which may be negative.
+    /// Returns the point that z reaches along the flow of part number `index` + 1 in the given time, which may be
+    /// negative.
     ///
-    /// It is the identity for `index` ≥ `COUNT`.
+    /// The flow is the identity for `index` ≥ `COUNT`.
     fn flow(&self, index: usize, time: f64, z: &Self::Point) -> Self::Point;
 
     /// Moves z along the flow of part number `index` + 1, in the same storage.

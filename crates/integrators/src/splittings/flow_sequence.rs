@@ -16,7 +16,7 @@ pub trait FlowSequence {
         pool: &mut <E::Point as State>::Pool,
     );
 
-    /// Returns the order of convergence for flows in general position.
+    /// Returns the order of convergence for generic flows.
     fn order(&self) -> usize;
 
     /// Returns whether the splitting is symmetric in time, Φ₋ₕ ∘ Φₕ = id, for all flows.
@@ -56,7 +56,8 @@ impl FlowSequence for LieTrotter {
     }
 }
 
-/// The sequence of half steps forwards and back, which is symmetric and of order 2:
+/// The sequence of half steps in increasing and then in decreasing order of the parts, which is symmetric and of order
+/// 2:
 ///
 /// ```text
 /// φ_1(h/2) ∘ … ∘ φ_(n−1)(h/2) ∘ φ_n(h) ∘ φ_(n−1)(h/2) ∘ … ∘ φ_1(h/2)

@@ -14,8 +14,8 @@ use lie_poisson::{Real, State};
 /// alternating   φ_2(b_m h) ∘ φ_1(a_m h) ∘ … ∘ φ_2(b_1 h) ∘ φ_1(a_1 h)                 two flows
 /// ```
 ///
-/// Strang's splitting is symmetric. [`Composition`](crate::Composition) therefore raises its order by the same
-/// [`Substeps`](crate::Substeps) as that of any other symmetric method: [`order_over`](crate::Substeps::order_over)(2,
+/// Strang's splitting is symmetric. A [`Composition`](crate::Composition) therefore raises its order with the same
+/// [`Substeps`](crate::Substeps) as for any other symmetric method, to [`order_over`](crate::Substeps::order_over)(2,
 /// true). All sequences are explicit, and fail only if the result is not finite.
 ///
 /// Source: Strang (1968), Marchuk (1968); McLachlan & Quispel, *Splitting methods*, Acta Numer. 11
@@ -94,8 +94,8 @@ pub struct Splitting<E, S = Strang> {
 }
 
 impl<E> Splitting<E, Strang> {
-    /// Creates Strang's symmetric splitting, of order 2: with n flows φ¹, …, φⁿ, each flow runs for half a step in this order
-    /// and then for half a step in the reverse order. See [`Strang`].
+    /// Creates Strang's symmetric splitting, of order 2: with n flows φ¹, …, φⁿ, each flow runs for half a step in this
+    /// order and then for half a step in the reverse order. See [`Strang`].
     pub const fn strang(flows: E) -> Self {
         Self { flows, sequence: Strang }
     }
@@ -140,7 +140,7 @@ impl<E, S: FlowSequence> Splitting<E, S> {
         self.sequence.is_symmetric()
     }
 
-    /// Returns the order for flows in general position.
+    /// Returns the order of convergence for generic flows.
     #[must_use]
     pub fn order(&self) -> usize {
         self.sequence.order()

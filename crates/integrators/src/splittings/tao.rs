@@ -16,9 +16,9 @@ use lie_poisson::{Pair, Real, State};
 /// ```
 ///
 /// [`Splitting::strang`](crate::Splitting::strang) of these flows is Tao's method of order 2. It is explicit,
-/// symmetric, and symplectic on the doubled space, for any ω. It is not a map of the original space. The copies drift
-/// apart and their fibres are not kept; the copies stay close for a long time only if ω is large enough. The coupling
-/// needs the [`Polarisation`] P.
+/// symmetric, and symplectic on the doubled space, for any ω. It is not a map of the original space: the two copies
+/// drift apart, and fibres are not carried to fibres. The copies stay close for a long time only if ω is large enough.
+/// The coupling needs the [`Polarisation`] P.
 ///
 /// Source: M. Tao, *Explicit symplectic approximation of nonseparable Hamiltonians: algorithm and
 /// long time performance*, Phys. Rev. E 94 (2016).

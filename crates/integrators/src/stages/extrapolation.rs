@@ -11,11 +11,12 @@ const LEAST_DISTANCE: f64 = 1e-3;
 /// (Pk)_i = Σ_j ℓ_j(c_i) k_j,    ℓ_j(x) = Π_(l≠j) (x − x_l)/(x_j − x_l),    x = c − m, …, c − 1
 /// ```
 ///
-/// P evaluates the polynomial through the stage derivatives of the last m steps. Its error is of the stage order, but it
-/// is a smooth function of the step: 1 − S, a backward difference, makes it smaller by a factor of the order of the step.
+/// P evaluates the polynomial through the stage derivatives of the last m steps. Its error is of the stage order, but
+/// it is a smooth function of the step: 1 − S, a backward difference, makes it smaller by a factor of the order of the
+/// step.
 ///
-/// Sources: Hairer, Lubich & Wanner, *Geometric Numerical Integration*, 2nd ed. (2006), §VIII.6.1 for P; DLMF, §3.3(iii)
-/// for differences.
+/// Sources: Hairer, Lubich & Wanner, *Geometric Numerical Integration*, 2nd ed. (2006), §VIII.6.1 for P; DLMF,
+/// §3.3(iii) for differences.
 #[derive(Clone, Debug, PartialEq)]
 pub(crate) struct Predictor {
     pub(crate) stages: usize,
@@ -48,7 +49,8 @@ impl Predictor {
     }
 }
 
-/// Returns the number m of steps of the polynomial, and the number n of steps to remember, chosen to save the most work.
+/// Returns the number m of steps of the polynomial, and the number n of steps to remember, chosen to save the most
+/// work.
 ///
 /// The stages of methods with few stages have low order, and their combinations cost little.
 fn numbers_of_steps(stages: usize) -> (usize, usize) {

@@ -9,7 +9,7 @@ use crate::stages::history::StageHistory;
 use crate::{StageSolver, Unconverged, from_fn};
 use lie_poisson::{Mask, Real, State};
 
-/// The memory of the last steps of an integrator that has its own stage equations k_i = f_i(k).
+/// The memory of earlier steps for an integrator that has its own stage equations k_i = f_i(k).
 ///
 /// The next step of equal size begins its iteration with the polynomial through the remembered k, as
 /// [`RungeKutta`](crate::RungeKutta) methods do.

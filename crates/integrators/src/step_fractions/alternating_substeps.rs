@@ -10,7 +10,7 @@ use crate::{SchemeError, Substeps};
 /// Ψ(h) = φ_2(b_m h) ∘ φ_1(a_m h) ∘ … ∘ φ_2(b_1 h) ∘ φ_1(a_1 h),    Σ a_i = Σ b_i = 1
 /// ```
 ///
-/// The first or the last of them may be zero. With b_m = 0 a step begins and ends with part 1, and with a_1 = 0 it
+/// The first or the last fraction may be zero. With b_m = 0 a step begins and ends with part 1, and with a_1 = 0 it
 /// begins and ends with part 2.
 ///
 /// If the part h₁ is quadratic in the momenta and h₂ does not depend on them, brackets such as {h₂,{h₂,{h₂,h₁}}}
@@ -128,7 +128,7 @@ impl AlternatingSubsteps {
         &self.second
     }
 
-    /// Returns whether the fractions that are not zero are the same backwards.
+    /// Returns whether the sequence of the nonzero fractions is the same in reverse.
     ///
     /// The splitting is then symmetric in time, Φ₋ₕ ∘ Φₕ = id, for any two parts.
     #[must_use]

@@ -15,9 +15,9 @@ const LARGEST_DEFECT: f64 = 1e-8;
 /// Ψ(h) = Φ(γ_s h) ∘ … ∘ Φ(γ_1 h),    γ_1 + … + γ_s = 1
 /// ```
 ///
-/// Beyond order 2 some of them are negative (Sheng; Suzuki), so Φ must run backwards too. The named sets are symmetric,
-/// γ_i = γ_j for j = s + 1 − i, and raise the order of a symmetric Φ of order 2. Their orders are computed by
-/// [`order_over`](Self::order_over), not quoted.
+/// Beyond order 2 some fractions are negative (Sheng; Suzuki), so Φ must also accept negative steps. The named sets are
+/// symmetric, γ_i = γ_j for j = s + 1 − i, and raise the order of a symmetric Φ of order 2. Their orders are computed
+/// by [`order_over`](Self::order_over), not quoted.
 ///
 /// Source: Hairer, Lubich & Wanner, *Geometric Numerical Integration*, 2nd ed. (2006), §V.3.
 ///
@@ -69,7 +69,7 @@ impl Substeps {
         &self.fractions
     }
 
-    /// Returns whether the fractions are the same backwards, γ_i = γ_j for j = s + 1 − i.
+    /// Returns whether the fractions are the same in reverse order, γ_i = γ_j for j = s + 1 − i.
     ///
     /// Compositions of a symmetric method are then symmetric.
     #[must_use]

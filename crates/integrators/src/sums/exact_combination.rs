@@ -17,9 +17,9 @@ fn product_in_halves(h: f64, w: f64, low: f64) -> (f64, f64) {
 ///
 /// The sum has about twice the digits of z. Missing low parts are zero.
 ///
-/// Each coefficient h w_j and each vector k_j is split into halves of 26 bits. The product of the upper halves is exact,
-/// and its sum with z is split into the rounded value and the rounding error. The other terms, smaller by 2⁻²⁶, are added
-/// to e. The largest numbers, above 1e300, become NaN.
+/// Each coefficient h w_j and each vector k_j is split into halves of 26 bits. The product of the upper halves is
+/// exact, and its sum with z is split into the rounded value and the rounding error. The other terms, smaller by 2⁻²⁶,
+/// are added to e. The largest numbers, above 1e300, become NaN.
 #[cfg_attr(not(debug_assertions), inline(always))]
 pub(crate) fn add_exactly<V: State>(
     (z, e): (&mut V, &mut V),

@@ -1,4 +1,4 @@
-//! The semiexplicit method of Jayawardana and Ohsawa, as the Runge–Kutta method that it is.
+//! The semiexplicit method of Jayawardana and Ohsawa, in its form as a Runge–Kutta method.
 
 use crate::{SchemeError, Substeps, Tableau};
 

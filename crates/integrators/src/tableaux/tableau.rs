@@ -55,8 +55,8 @@ impl Tableau {
 
     /// Returns the tableau with the low parts of its coefficients, which have a relative size of 2⁻⁵³ or less.
     ///
-    /// The sums a + a_low and b + b_low are the coefficients to twice the precision. A step that uses them does not
-    /// make the error of a rounded coefficient, which is the same in every step.
+    /// The sums a + a_low and b + b_low are the coefficients to twice the precision. A step that uses the low parts
+    /// avoids the error of rounded coefficients, which is the same in every step.
     ///
     /// Source: Hairer, McLachlan & Razakarivony, *Achieving Brouwer's law with implicit Runge–Kutta
     /// methods*, BIT 48 (2008), §2.
@@ -129,7 +129,7 @@ impl Tableau {
         self.order
     }
 
-    /// Returns whether a is strictly lower triangular, so that each stage follows from the ones before.
+    /// Returns whether a is strictly lower triangular, so that each stage follows from the earlier ones.
     #[must_use]
     pub fn is_explicit(&self) -> bool {
         self.rows().enumerate().all(|(i, row)| row[i..].iter().all(|&x| x == 0.0))

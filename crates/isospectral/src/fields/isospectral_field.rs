@@ -10,9 +10,9 @@ use lie_poisson::State;
 /// dW/dt = [B(W), W] = B W − W B,    B(W) ∈ u(N)
 /// ```
 ///
-/// W stays on its orbit under the unitary group, so that its eigenvalues do not change. If B = −dh with respect to the
-/// scalar product ⟨V, W⟩ = −tr(V W), these are the Lie–Poisson equations dW/dt = `ad*_dh W` of h on u(N)∗ with the
-/// minus bracket, and with B = dh those of the plus bracket. The eigenvalues are Casimirs.
+/// W stays on its orbit under conjugation by unitary matrices, so its eigenvalues do not change. If B = −dh with
+/// respect to the scalar product ⟨V, W⟩ = −tr(V W), these are the Lie–Poisson equations dW/dt = `ad*_dh W` of h on
+/// u(N)∗ with the minus bracket, and with B = dh those of the plus bracket. The eigenvalues are Casimirs.
 ///
 /// Source: Modin & Viviani, *Lie–Poisson methods for isospectral flows*, Found. Comput. Math. 20 (2020).
 ///

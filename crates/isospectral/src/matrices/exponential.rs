@@ -27,7 +27,7 @@ impl Products {
     /// are Hermitian and cost half of a product. A matrix with a spectral radius above 3.9 is first divided by a power
     /// of two, and the result is squared as often.
     ///
-    /// A matrix that is not finite, or whose square is not, gives NaN, and so does one with ρ above 10⁹.
+    /// The result is NaN if Ω or its square is not finite, or if ρ is above 10⁹.
     ///
     /// Source: Higham, *Functions of Matrices* (SIAM 2008), §4.2 and §10.3.
     ///

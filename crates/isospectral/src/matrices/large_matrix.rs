@@ -5,8 +5,8 @@ use num_complex::Complex;
 
 /// A complex N×N matrix, with a number N that is known only when the program runs.
 ///
-/// The real and the imaginary parts are stored one after the other, column by column. Entries outside of the matrix are
-/// zero, and are not set.
+/// The real and the imaginary parts are stored one after the other, column by column. Entries outside the matrix read
+/// as zero, and setting them has no effect.
 ///
 /// # Example
 /// ```

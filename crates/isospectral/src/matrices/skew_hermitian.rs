@@ -8,7 +8,7 @@ use num_complex::Complex;
 /// An element W of u(N), a complex N×N matrix with W* = −W, with a number N that is known only when the program runs.
 ///
 /// Its coordinates are the real parts below the diagonal and the imaginary parts on and above it: N² numbers. The
-/// condition W* = −W holds to the last bit, whatever the integrator does.
+/// condition W* = −W holds exactly, whatever the integrator.
 ///
 /// # Example
 /// ```

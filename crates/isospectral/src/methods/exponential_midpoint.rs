@@ -61,9 +61,9 @@ impl<F: IsospectralField> ExponentialMidpoint<F> {
         Self { field, tolerance: 0.0 }
     }
 
-    /// Returns the integrator with another accuracy of B: the largest accepted h |δB| in the last sweep.
+    /// Returns the integrator with another tolerance for B: the largest accepted h |δB| in the last sweep.
     ///
-    /// The spectrum of W is conserved to round-off in any case. The map is Poisson to this accuracy.
+    /// The spectrum of W is conserved to round-off whatever the tolerance. The map is Poisson to this tolerance.
     #[must_use]
     pub fn with_tolerance(self, tolerance: f64) -> Self {
         Self { tolerance, ..self }

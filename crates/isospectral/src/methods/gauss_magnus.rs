@@ -77,10 +77,11 @@ impl<F: IsospectralField> GaussMagnus<F> {
         Ok(Self { field, tableau: Tableau::gauss(stages)?, tolerance: 0.0 })
     }
 
-    /// Returns the method with another accuracy of the generators: the largest accepted h |δB| in the last sweep, where
+    /// Returns the method with another tolerance for the generators: the largest accepted h |δB| in the last sweep,
+    /// where
     /// |·| is the largest magnitude of a coordinate.
     ///
-    /// The number has no unit. A hundredth of the error of a step is enough.
+    /// The tolerance has no unit. A hundredth of the error of a step is small enough.
     #[must_use]
     pub fn with_tolerance(self, tolerance: f64) -> Self {
         Self { tolerance, ..self }

@@ -34,8 +34,8 @@ impl Sweeps {
     /// Records the next sweep, from the pairs of new and old generators. Returns whether it is the last one.
     ///
     /// # Errors
-    /// Returns [`StepError::NotConverged`] if a change is not finite, or after 100 sweeps. Its residual is h |δB| if there
-    /// is a tolerance, and otherwise |δB|/|B|.
+    /// Returns [`StepError::NotConverged`] if a change is not finite, or after 100 sweeps. Its residual is h |δB| if
+    /// there is a tolerance, and otherwise |δB|/|B|.
     pub(crate) fn converged(
         &mut self,
         new: &[LargeSkewHermitian],
@@ -81,8 +81,8 @@ mod tests {
     use super::*;
     use num_complex::Complex;
 
-    /// After 100 sweeps the error has the last change, relative to the generator where no tolerance is given, and as the
-    /// change of the step where there is one.
+    /// After 100 sweeps the error has the last change, relative to the generator where no tolerance is given, and as
+    /// the change of the step where there is one.
     #[test]
     fn the_residual_of_sweeps_without_end_is_their_last_change() {
         let of_size = |x: f64| [LargeSkewHermitian::from_upper(1, |_, _| Complex::new(0.0, x))];

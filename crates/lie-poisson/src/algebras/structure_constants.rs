@@ -85,16 +85,16 @@ impl<const N: usize> StructureConstants<N> {
     /// Creates the algebra from `c(i, j, k) = c[i][j][k]`, the k-th coordinate of `[e_i, e_j]`.
     ///
     /// # Errors
-    /// Returns [`StructureError`] if a constant is not finite, if the bracket is not exactly antisymmetric,
-    /// or if the Jacobi identity fails for some e_i, e_j, e_k. Each coordinate m of the cyclic sum must
-    /// vanish to within 12 N ε times the size of its own terms,
+    /// Returns [`StructureError`] if a constant is not finite, if the bracket is not exactly antisymmetric, or if the
+    /// Jacobi identity fails for some e_i, e_j, e_k. Each coordinate m of the cyclic sum must vanish to within 12 N ε
+    /// times the size of its own terms, whatever the size of the other constants:
     ///
     /// ```text
     /// Σ_cyc Σ_l ( |[e_j, e_k]| |c[i][l][m]| + |c[j][k][l]| |[e_i, e_l]| ),    |·| the maximum norm
     /// ```
     ///
-    /// whatever the size of the other constants. Constants may have rounding errors of a few ε relative to
-    /// their bracket [e_i, e_j], for example after a numerical change of basis.
+    /// Constants may have rounding errors of a few ε relative to their bracket [e_i, e_j], for example after a
+    /// numerical change of basis.
     pub fn new(c: impl Fn(usize, usize, usize) -> f64) -> Result<Self, StructureError> {
         let constants: Arc<[f64]> = indices::<N>().map(|(i, j, k)| c(i, j, k)).collect();
         let at = |i: usize, j: usize, k: usize| entry::<N>(&constants, i, j, k);

@@ -1,4 +1,4 @@
-//! Hamiltonians and their exact differentials.
+//! Hamiltonians and their exact differentials: [`Hamiltonian`], [`Energy`].
 
 use crate::{
     Differential, DualNumber, Point, PoissonSpace, Real, derivative_part, differential, seed,
@@ -17,7 +17,7 @@ use core::marker::PhantomData;
 /// * implement this trait with a differential written by hand, which is the fastest way.
 ///
 /// # Example
-/// The free rigid body, by hand:
+/// The free rigid body, with an explicit differential:
 /// ```
 /// use lie_poisson::{Covector, Hamiltonian, LiePoisson, PoissonSpace, Real, So3};
 /// use nalgebra::Vector3;
@@ -102,7 +102,8 @@ impl<P: PoissonSpace, T: Real, H: Hamiltonian<P, T> + ?Sized> Hamiltonian<P, T> 
     }
 }
 
-/// An energy h(z) given by one formula that is written once for all scalars.
+/// An energy h(z), given by one formula that is written once for all scalars. [`Automatic`] makes a [`Hamiltonian`] of
+/// it.
 ///
 /// # Example
 /// ```

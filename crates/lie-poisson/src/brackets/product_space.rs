@@ -6,7 +6,7 @@ use crate::{
 };
 
 /// The product P × Q of Poisson spaces with the sum of the two brackets; functions of different factors
-/// commute.
+/// Poisson-commute.
 ///
 /// Source: Marsden & Ratiu, *Introduction to Mechanics and Symmetry*, 2nd ed., §10.1.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]

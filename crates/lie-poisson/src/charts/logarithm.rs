@@ -15,8 +15,8 @@ pub struct LogarithmError;
 
 /// Groups with a logarithm in closed form: log(exp ξ) = ξ for ξ near 0, and exp(log g) = g.
 ///
-/// The argument of `log` must be an element of the group, up to rounding. This precondition is not checked,
-/// and the logarithm of any other matrix has no meaning.
+/// The argument of `log` must be an element of the group, up to rounding. This precondition is not checked. For any
+/// other matrix the result is meaningless.
 ///
 /// # Example
 /// ```

@@ -7,8 +7,8 @@ use num_complex::Complex;
 
 /// A skew-Hermitian matrix ξ∗ = −ξ, an element of the Lie algebra u(N).
 ///
-/// Its N² coordinates follow the matrix by columns: `−i ξ_jj` on the diagonal, and for j > k `Re ξ_jk`
-/// below it and `Im ξ_jk = Im ξ_kj` above it. A momentum μ ∈ u(N)∗ is a covector of these.
+/// Its N² real coordinates are stored in the places of an N×N matrix, by columns: `−i ξ_jj` on the diagonal, and for
+/// j > k `Re ξ_jk` below it and `Im ξ_jk = Im ξ_kj` above it. A momentum μ ∈ u(N)∗ is a covector of these.
 #[derive(Clone, Copy, Debug, PartialEq)]
 #[repr(transparent)]
 pub struct SkewHermitian<T, const N: usize>(SMatrix<Complex<T>, N, N>);

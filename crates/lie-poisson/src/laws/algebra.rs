@@ -1,3 +1,5 @@
+//! The law suite of [`LieAlgebra`].
+
 use super::{Faulty, NoSamples, Report, regimes};
 use crate::{LieAlgebra, Momentum, Real, Vector, larger, map_coordinates};
 

@@ -1,3 +1,5 @@
+//! The law suites of [`LieGroup`], [`Logarithm`] and [`Cayley`].
+
 use super::{NoSamples, Report, regimes};
 use crate::{
     AlgebraElement, Cayley, DualNumber, GroupMomentum, LieAlgebra, LieGroup, Logarithm, Vector,

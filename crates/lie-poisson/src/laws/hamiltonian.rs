@@ -1,3 +1,5 @@
+//! The law suites of [`Hamiltonian`] and of Hamiltonians of N sites.
+
 use super::{Faulty, NEAR, NoSamples, Report, regimes};
 use crate::{
     Covector, Differential, DualNumber, Hamiltonian, LieAlgebra, Point, PoissonSpace, Real, Sites,

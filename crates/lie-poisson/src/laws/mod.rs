@@ -6,8 +6,8 @@
 //! sample or 10⁻⁸ from the identity; and at the samples themselves. Without samples there is no report,
 //! since a suite that tested nothing must not pass.
 //!
-//! A [`Faulty`] object is the negative control of a suite: one method returns half the value in one coordinate, and the
-//! suite must refuse it.
+//! A [`Faulty`] object is the negative control of a suite: one method returns half the correct value in one coordinate,
+//! and the suite must reject the object.
 //!
 //! # Example
 //! ```

@@ -1,3 +1,5 @@
+//! The law suites of [`PoissonSpace`] and [`Casimirs`].
+
 use super::{Faulty, NoSamples, Report, regimes};
 use crate::{Casimirs, DualNumber, Momentum, Point, PoissonSpace, Real, Vector, larger, seed};
 use nalgebra::DMatrix;
@@ -46,7 +48,7 @@ pub fn poisson_space<P: PoissonSpace>(
 ///
 /// * `Casimir`: `ad∗_ξ μ` = 0 for ξ = dc(μ), for each Casimir c;
 /// * `independence`: no dc(μ) is a combination of the others. The residual is the proportion of Casimirs that are
-///   superfluous at every sample: 0 or at least 1/`COUNT`.
+///   dependent at every sample: 0 or at least 1/`COUNT`.
 ///
 /// # Errors
 /// Returns [`NoSamples`] if there are no samples.

@@ -1,3 +1,5 @@
+//! The law suites of [`Representation`] and [`GroupRepresentation`].
+
 use super::{NoSamples, Report, regimes};
 use crate::{
     Covector, DualNumber, GroupRepresentation, LieAlgebra, LieGroup, Representation,

@@ -7,7 +7,8 @@ use nalgebra::{DMatrix, DVector};
 /// The ratio of two singular values below which the smaller one is a rounding error.
 const RANK_TOLERANCE: f64 = 1e-10;
 
-/// Returns how far the cubes ρ(ξ)³ are from the space ρ(𝔤) of the matrices of a representation.
+/// Returns how far the cubes ρ(ξ)³ are from the space ρ(𝔤) of the matrices of a representation; 0 if all odd powers
+/// belong to it.
 ///
 /// It is the largest distance from ρ(𝔤) of a symmetric product of three matrices of basis vectors, relative to the
 /// product of their norms,

@@ -26,8 +26,8 @@ use lie_poisson::Representation;
 /// | (𝔤 ⋊ RD)ᴷ | `Diagonal<_, K>` of [`ExtendedAdjoint`](lie_poisson::ExtendedAdjoint) | for K large enough, all μ if D is injective on the centre |
 /// | (𝔤∗ ⊕ R)ᴷ | `Diagonal<_, K>` of [`ExtendedCoadjoint`](lie_poisson::ExtendedCoadjoint) | for K large enough, all μ if the cocycle is injective on the centre |
 ///
-/// One of the extensions with K = 2 reaches all of 𝔤∗ for each of the 62 entries of the list of indecomposable real Lie
-/// algebras of dimension 2 to 5, with generic parameters (J. Patera et al., J. Math. Phys. 17 (1976) 986).
+/// For each of the 62 indecomposable real Lie algebras of dimension 2 to 5 in a published list, with generic
+/// parameters, one of the two extensions with K = 2 reaches all of 𝔤∗ (J. Patera et al., J. Math. Phys. 17 (1976) 986).
 ///
 /// V also decides whether the maps of symplectic Runge–Kutta methods descend to 𝔤∗: they do if
 /// [`odd_power_defect`](lie_poisson::odd_power_defect) is 0. Otherwise the image of such a map depends in general on

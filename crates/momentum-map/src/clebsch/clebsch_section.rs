@@ -92,7 +92,7 @@ impl ClebschSection {
         Ok(Self { search: Search::new(&map.representation().0)? })
     }
 
-    /// Returns the dimension of the momenta J(q, p) for the best of the fixed points q, with p ∈ V∗.
+    /// Returns the rank of p ↦ J(q, p), the largest over the generic points q of the lift.
     ///
     /// The map is onto 𝔤∗ if the rank is the dimension of 𝔤. The rank is at most the dimension of 𝔤 minus that of the
     /// kernel of the representation. If it has this value, the lift needs no iteration.

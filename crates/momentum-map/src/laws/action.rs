@@ -1,3 +1,5 @@
+//! The law suites of [`GroupAction`], of cotangent lifts and of their momentum maps.
+
 use super::{NoSamples, Report, regimes};
 use crate::{
     ActingElement, ActionPoint, Cotangent, CotangentLift, Generator, GroupAction, MomentumMap,

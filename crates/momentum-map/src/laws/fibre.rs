@@ -1,3 +1,5 @@
+//! The law suites of [`FibreSymmetry`] and [`Lift`].
+
 use super::{Faulty, NoSamples, Report, regimes};
 use crate::{FibreSymmetry, Lift, LiftError, SourcePoint, TargetPoint};
 use lie_poisson::{

@@ -1,3 +1,5 @@
+//! The law suite of [`Multipliers`].
+
 use super::{NoSamples, Report, regimes};
 use crate::{Multiplier, Multipliers};
 use lie_poisson::{

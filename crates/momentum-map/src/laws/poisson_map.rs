@@ -1,3 +1,5 @@
+//! The law suites of [`PoissonMap`] and of symplectic spaces.
+
 use super::{Faulty, NoSamples, Report, regimes};
 use crate::{
     PoissonMap, RecentringSpace, SourcePoint, SymplecticSpace, TargetDifferential, TargetPoint,

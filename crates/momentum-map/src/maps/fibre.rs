@@ -1,4 +1,4 @@
-//! Fibres of a Poisson map: their symmetries and sections.
+//! Fibres of a Poisson map, their symmetries and sections: [`Lift`], [`FibreSymmetry`].
 
 use crate::maps::poisson_map::{Identity, PoissonMap, SourcePoint, TargetPoint};
 use lie_poisson::{Point, PoissonSpace, Real, State};

@@ -104,7 +104,7 @@ pub trait PoissonMap: Clone {
         true
     }
 
-    /// Returns a displacement along the fibre that keeps z from growing along it: M(z + gauge(z)) = M(z).
+    /// Returns a displacement along the fibre that keeps z from growing along the fibre: M(z + gauge(z)) = M(z).
     ///
     /// Under collective dynamics z may drift along its fibre. The drift is invisible in M(z), but costs
     /// digits. Collective integrators replace z by z + gauge(z). The gauge should be 0 at most points, so that

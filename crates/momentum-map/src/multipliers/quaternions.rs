@@ -10,7 +10,8 @@ use nalgebra::Vector3;
 /// dQ/dt = −½ Ω Q,    Π = Q Π₀ conj(Q)
 /// ```
 ///
-/// Unit quaternions rotate Π₀. The attitude of the body is Rₙ₊₁ = Rₙ R_Qᵀ.
+/// Unit quaternions rotate Π₀. A step with the multiplier Q, which rotates by R_Q, changes the attitude of the body to
+/// Rₙ₊₁ = Rₙ R_Qᵀ.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub struct Quaternions;
 

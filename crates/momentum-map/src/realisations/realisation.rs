@@ -1,4 +1,4 @@
-//! A Poisson map with fibres described by another type: [`Realisation`].
+//! A Poisson map whose fibres a separate type describes: [`Realisation`].
 
 use crate::{
     FibreSymmetry, Lift, LiftError, PoissonMap, RecentringSpace, SourcePoint, TargetDifferential,

@@ -10,7 +10,7 @@ use lie_poisson::{
 use nalgebra::SVector;
 use num_complex::Complex;
 
-/// The momentum map of U(N) on C^N with Ω(u, v) = Im(u∗v), an outer product of z with itself.
+/// The momentum map of U(N) on C^N with Ω(u, v) = Im(u∗v): up to a factor, the outer product of z with itself.
 ///
 /// In terms of the Hermitian matrix H of a momentum ([`UnitaryAlgebra::hermitian`]),
 ///

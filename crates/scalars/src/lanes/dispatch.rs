@@ -99,8 +99,8 @@ pub enum Width {
     Single,
     /// One register: 2, 4 or 8 lanes.
     Register,
-    /// Two registers, used alternately: 4, 8 or 16 lanes. In a long chain of operations, each of which
-    /// waits for the one before, one register leaves the processor idle and two keep it busy.
+    /// Two registers, used alternately: 4, 8 or 16 lanes. In a long chain of operations, each of which waits for the
+    /// previous one, a single register leaves the processor idle, and two keep it busy.
     TwoRegisters,
 }
 

@@ -1,4 +1,4 @@
-//! One number per block of coordinates.
+//! One number per block of coordinates: [`Blocks`].
 
 use core::fmt::Debug;
 

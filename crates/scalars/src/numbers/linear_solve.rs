@@ -4,9 +4,10 @@ use crate::{Mask, Real};
 
 /// Solves A x = b in place by Gaussian elimination with partial pivoting, over any scalar.
 ///
-/// `a` holds the rows of the n × n matrix, and `b` is replaced by x. The result is true where the equations
-/// have been solved: it is false in SIMD lanes (several numbers in one register) in which a pivot is zero
-/// or not a number, and in every lane if `a` does not have n² numbers. Where it is false, x has no meaning.
+/// `a` holds the rows of the n × n matrix, and `b` is replaced by x. The returned mask is true in the lanes in which
+/// the equations have been solved. It is false in SIMD lanes (several numbers in one register) in which a pivot is zero
+/// or not a number, and in every lane if `a` does not have n² numbers. In a lane in which it is false, x has no
+/// meaning.
 ///
 /// Each lane chooses its own pivots, so that its x is bit-identical to the solution of the same equations alone.
 /// (Matrix libraries require more of a scalar than dual numbers and lanes offer.) Pivots are compared with each

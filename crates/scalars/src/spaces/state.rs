@@ -3,14 +3,14 @@
 use crate::{Blocks, Mask, Real};
 use core::fmt::Debug;
 
-/// A vector that an integrator advances, small and of fixed dimension, or large and on the heap.
+/// A vector that an integrator advances: either small and of fixed dimension, or large and on the heap.
 ///
 /// The operations work in place, so that a large vector needs no storage for intermediate results. A small vector is
 /// a [`Vector`](crate::Vector): it computes by value, and [`state_by_value!`](crate::state_by_value) implements
 /// `State` for it by means of the operations of [`Vector`](crate::Vector).
 ///
 /// The arguments of an operation belong to one space ([`same_shape`](Self::same_shape)). Otherwise the result has no
-/// meaning, but nothing panics.
+/// meaning, but no operation panics.
 ///
 /// # Temporary vectors
 /// A method that needs a temporary vector [takes](Self::take) it from a pool and [gives](Self::give) it back. The
@@ -183,8 +183,8 @@ pub trait State: Clone + Debug + PartialEq + Send + Sync + 'static {
     /// Adds a multiple of another vector: v ← v + s x.
     fn add_multiple(&mut self, s: Self::Scalar, x: &Self);
 
-    /// Adds a linear combination of vectors: v ← v + Σ aⱼ kⱼ, in the order of the terms. Surplus coefficients, or
-    /// surplus vectors, are dropped.
+    /// Adds a linear combination of vectors: v ← v + Σ aⱼ kⱼ, in the order of the terms. Surplus coefficients or
+    /// vectors are ignored.
     #[cfg_attr(not(debug_assertions), inline(always))]
     fn add_combination(&mut self, a: &[f64], k: &[Self]) {
         for (&a, k) in a.iter().zip(k) {

@@ -134,7 +134,7 @@ pub trait Vector:
 
 /// Creates the vector of `W` with coordinates f(v₀), f(v₁), …, to change the scalar or the type.
 ///
-/// The bases correspond to each other. Missing coordinates are zero, and surplus ones are dropped.
+/// The bases correspond to each other. Missing coordinates are zero, and surplus ones are ignored.
 ///
 /// # Example
 /// ```

@@ -6,8 +6,8 @@ use lie_poisson::hessian_by_dual_numbers;
 use lie_poisson::{Covector, Hamiltonian, LiePoisson, Pair, Real, Se3, Se3Dual};
 use nalgebra::Vector3;
 
-/// The heavy gyrostat: a heavy body with a fixed point and with a rotor inside that spins at constant relative
-/// angular momentum ℓ.
+/// The heavy gyrostat: a heavy body with a fixed point, and with a rotor inside whose angular momentum ℓ relative to
+/// the body is constant.
 ///
 /// It is a Hamiltonian on se(3)∗ with the minus bracket, in the body frame:
 ///

@@ -1,4 +1,4 @@
-//! Kida's elliptical vortex as a Hamiltonian on so(2, 1)∗.
+//! Kida's elliptical vortex as a Hamiltonian on so(2, 1)∗: [`KidaVortex`].
 
 use crate::error::{SystemError, require_finite, require_positive, require_within};
 use crate::kida_vortex::lorentz_algebra::So21;
@@ -24,10 +24,10 @@ use nalgebra::Vector3;
 /// the angular velocity of the rotation (1/s). The differential is ∂h/∂(μ₁, μ₂) = −2k (μ₁, μ₂)/(ab(a+b)²) + (0, −2e)
 /// and ∂h/∂μ₃ = k/(ab) + 2γ. Without strain, an ellipse turns at Kirchhoff's rate ω ab/(a+b)² + γ.
 ///
-/// Source: S. Kida, *Motion of an elliptic vortex in a uniform shear flow*, J. Phys. Soc. Japan 50 (1981); S. P. Meacham,
-/// P. J. Morrison & G. R. Flierl, *Hamiltonian moment reduction for describing vortices in shear*, Phys. Fluids 9 (1997);
-/// Jayawardana, Morrison & Ohsawa, *Clebsch canonization of Lie–Poisson systems*, J. Geom. Mech. 14 (2022), for the
-/// collective form.
+/// Source: S. Kida, *Motion of an elliptic vortex in a uniform shear flow*, J. Phys. Soc. Japan 50 (1981); S. P.
+/// Meacham, P. J. Morrison & G. R. Flierl, *Hamiltonian moment reduction for describing vortices in shear*, Phys.
+/// Fluids 9 (1997); Jayawardana, Morrison & Ohsawa, *Clebsch canonization of Lie–Poisson systems*, J. Geom. Mech. 14
+/// (2022), for the collective form.
 ///
 /// # Example
 /// Structure constants alone give the collective integrator, by the Clebsch map T∗so(2, 1) → so(2, 1)∗:
@@ -72,15 +72,16 @@ impl KidaVortex {
         Ok(Self { strength, strain, rotation })
     }
 
-    /// Returns the point of so(2, 1)∗ of an ellipse with semi-axes a and b (m), the first at the angle φ from the x-axis.
+    /// Returns the point of so(2, 1)∗ of an ellipse with semi-axes a and b (m), the first at the angle φ from the
+    /// x-axis.
     ///
     /// The point represents the shorter axis by the difference μ₃² − μ₁² − μ₂² = a²b² of numbers of size a⁴. The
     /// Casimir therefore has a relative rounding error of about 10⁻¹⁶ (a/b)², for a > b, and the squares must neither
     /// overflow nor underflow.
     ///
     /// # Errors
-    /// Returns [`SystemError`] unless the angle is finite, the axes are between 10⁻⁷⁶ and 10⁷⁶, and their ratio is between
-    /// 10⁻⁶ and 10⁶.
+    /// Returns [`SystemError`] unless the angle is finite, the axes are between 10⁻⁷⁶ and 10⁷⁶, and their ratio is
+    /// between 10⁻⁶ and 10⁶.
     pub fn momentum(a: f64, b: f64, angle: f64) -> Result<Covector<Vector3<f64>>, SystemError> {
         require_positive("a", a)?;
         require_positive("b", b)?;
@@ -95,14 +96,14 @@ impl KidaVortex {
         Ok(Covector(Vector3::new(half_difference * cos, half_difference * sin, half_sum)))
     }
 
-    /// Returns the semi-axes (a, b) of the ellipse, the longer one first.
+    /// Returns the semi-axes (a, b) of the ellipse (m), the longer one first.
     pub fn semi_axes<T: Real>(mu: &Covector<Vector3<T>>) -> (T, T) {
         let radius = (mu.0.x * mu.0.x + mu.0.y * mu.0.y).sqrt();
         let longer = (mu.0.z + radius).sqrt();
         (longer, product_of_axes(mu) / longer)
     }
 
-    /// Returns the angle of the longer axis from the x-axis, in (−π/2, π/2].
+    /// Returns the angle from the x-axis to the longer axis, in (−π/2, π/2], in radians.
     pub fn angle<T: Real>(mu: &Covector<Vector3<T>>) -> T {
         mu.0.y.atan2(mu.0.x) * 0.5
     }

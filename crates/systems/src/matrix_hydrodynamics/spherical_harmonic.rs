@@ -14,7 +14,7 @@ impl QuantisedLaplacian {
     /// ```
     ///
     /// The sign is that of Y_lm with the phase of Condon and Shortley: (−1)ᵐ at the north pole, which is the entry with
-    /// j = 0. With this norm the function 1 becomes the unit matrix. T_(l,−m) = (−1)ᵐ T_lm*.
+    /// j = 0. With this normalisation the function 1 becomes the identity matrix. T_(l,−m) = (−1)ᵐ T_lm*.
     ///
     /// The result is empty unless m ≤ l < N.
     ///
@@ -67,7 +67,8 @@ impl QuantisedLaplacian {
     }
 }
 
-/// Returns the values of the normalised associated Legendre functions of order m at x = cos θ, for degrees l = m … `most`:
+/// Returns the values of the normalised associated Legendre functions of order m at x = cos θ, for degrees l = m …
+/// `most`:
 ///
 /// ```text
 /// Y_lm(θ, φ) = P_lm(cos θ) exp(imφ)

@@ -1,11 +1,11 @@
-//! Functions on the sphere by their spherical harmonics: [`VorticityCoefficients`].
+//! Functions on the sphere by their coefficients in spherical harmonics: [`VorticityCoefficients`].
 
 use crate::matrix_hydrodynamics::quantised_laplacian::QuantisedLaplacian;
 use crate::matrix_hydrodynamics::spherical_harmonic::associated_legendre;
 use isospectral_flows::LargeSkewHermitian;
 use isospectral_flows::num_complex::Complex;
 
-/// A real function on the unit sphere of degree below N, by its coefficients ω_lm:
+/// A real function of degree below N on the unit sphere, given by its coefficients ω_lm:
 ///
 /// ```text
 /// ω(θ, φ) = Σ_lm ω_lm Y_lm(θ, φ),    ω_(l,−m) = (−1)ᵐ ω_lm*
@@ -67,8 +67,8 @@ impl VorticityCoefficients {
         if m <= l && l < self.size { self.entries[l * (l + 1) / 2 + m] } else { Complex::ZERO }
     }
 
-    /// Sets the coefficient ω_lm with m ≥ 0, and thereby ω_(l,−m). For m = 0 the imaginary part is dropped. Does nothing
-    /// unless m ≤ l < N.
+    /// Sets the coefficient ω_lm with m ≥ 0, and thereby ω_(l,−m). For m = 0 the imaginary part is dropped. Does
+    /// nothing unless m ≤ l < N.
     pub fn set(&mut self, l: usize, m: usize, value: Complex<f64>) {
         if m <= l && l < self.size {
             let value = if m == 0 { Complex::from(value.re) } else { value };

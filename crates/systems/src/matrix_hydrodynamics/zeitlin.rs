@@ -13,13 +13,13 @@ use isospectral_flows::{IsospectralField, LargeMatrix, LargeSkewHermitian, Produ
 /// dW/dt = [P, W]/ħ,    ΔP = W − F,    ħ = 2/√(N² − 1)
 /// ```
 ///
-/// P belongs to the stream function ψ, with the velocity u = x × ∇ψ, and Δ is the [`QuantisedLaplacian`]. On a sphere
-/// that rotates with the angular velocity Ω about the axis x₃, W is the absolute vorticity and F the matrix of 2Ω x₃. As
-/// N → ∞ the equations become ∂ω/∂t + u·∇ω = 0 for functions of bounded degree.
+/// P is the matrix of the stream function ψ, the velocity is u = x × ∇ψ, and Δ is the [`QuantisedLaplacian`]. On a
+/// sphere that rotates with the angular velocity Ω about the axis x₃, W is the absolute vorticity and F the matrix of
+/// 2Ω x₃. As N → ∞ the equations become ∂ω/∂t + u·∇ω = 0 for functions of bounded degree.
 ///
 /// The model is a Lie–Poisson system on u(N)∗. It conserves the energy and the N traces tr Wᵏ, which correspond to the
-/// integrals ∫ωᵏ. It also conserves the angular momentum ∫ω x: its component along the axis, and all three components if
-/// the sphere does not rotate.
+/// integrals ∫ωᵏ. It also conserves the angular momentum ∫ω x: its component along the axis, and all three components
+/// if the sphere does not rotate.
 ///
 /// The matrix of a function is that of [`VorticityCoefficients::matrix`]: 1 becomes i, and x₃ becomes iħ S₃. The unit
 /// of length is the radius of the sphere, and the unit of time is arbitrary.
@@ -95,8 +95,8 @@ impl Zeitlin {
         omega.matrix(&self.laplacian)
     }
 
-    /// Returns the coefficients of the vorticity of a matrix, the inverse of [`vorticity`](Self::vorticity). It takes O(N³)
-    /// operations. They are NaN if the matrix does not have the size N.
+    /// Returns the coefficients of the vorticity of a matrix, the inverse of [`vorticity`](Self::vorticity). It takes
+    /// O(N³) operations. They are NaN if the matrix does not have the size N.
     #[must_use]
     pub fn coefficients(&self, w: &LargeSkewHermitian) -> VorticityCoefficients {
         VorticityCoefficients::of_matrix(&self.laplacian, w)

@@ -18,8 +18,8 @@ pub type MovableBaseDual<T = f64> = Covector<MovableBaseElement<T>>;
 
 /// A heavy top whose point of support is a base that moves freely.
 ///
-/// The base of mass M moves in space with the velocity Y, and turns with the top at Ω. A thrust (m+M)g along the vertical
-/// carries the weight, so that gravity only turns the top. In the body frame, with the minus bracket,
+/// The base of mass M moves in space with the velocity Y, and turns with the top at Ω. A thrust (m+M)g along the
+/// vertical carries the weight, so that gravity only turns the top. In the body frame, with the minus bracket,
 ///
 /// ```text
 /// h = ½ Ω·IΩ + m l Y·(Ω×c) + ½ (m+M)|Y|² + m g l Γ·c
@@ -27,16 +27,18 @@ pub type MovableBaseDual<T = f64> = Covector<MovableBaseElement<T>>;
 /// dΠ/dt = Π×Ω + P×Y + m g l Γ×c,    dP/dt = P×Ω,    dΓ/dt = Γ×Ω
 /// ```
 ///
-/// Π is the angular momentum about the base (kg m²/s), P the momentum (kg m/s), Γ the upward vertical, and c the direction
-/// of the centre of mass, at the distance l. The Casimirs are |P|², P·Γ and |Γ|². For M → ∞ it is the heavy top.
+/// Π is the angular momentum about the base (kg m²/s), P the momentum (kg m/s), Γ the upward vertical, and c the
+/// direction of the centre of mass, at the distance l. The Casimirs are |P|², P·Γ and |Γ|². For M → ∞ it is the heavy
+/// top.
 ///
-/// Source: C. Contreras & T. Ohsawa, *Controlled Lagrangians and stabilization of Euler–Poincaré mechanical systems with
-/// broken symmetry II: potential shaping*, Math. Control Signals Syst. 34 (2022), and Jayawardana, Morrison & Ohsawa,
-/// *Clebsch canonization of Lie–Poisson systems*, J. Geom. Mech. 14 (2022), for the phase space; the energy is that of two
-/// rigidly joined masses.
+/// Source: C. Contreras & T. Ohsawa, *Controlled Lagrangians and stabilization of Euler–Poincaré mechanical systems
+/// with broken symmetry II: potential shaping*, Math. Control Signals Syst. 34 (2022), and Jayawardana, Morrison &
+/// Ohsawa, *Clebsch canonization of Lie–Poisson systems*, J. Geom. Mech. 14 (2022), for the phase space; the energy is
+/// that of two rigidly joined masses.
 ///
 /// # Example
-/// The base gives way: a top at rest with its axis horizontal starts to fall about the centre of mass of both.
+/// The base gives way: a top that starts at rest with its axis horizontal begins to rotate about the common centre of
+/// mass of top and base.
 /// ```
 /// use lie_poisson::{Covector, Hamiltonian, LiePoisson, Pair, PoissonSpace};
 /// use lie_poisson_systems::{MovableBaseAlgebra, MovableBaseTop};
@@ -61,12 +63,13 @@ pub struct MovableBaseTop {
 }
 
 impl MovableBaseTop {
-    /// Creates a top from its principal moments about the point of support (kg m²), the masses \[m, M\] of the top and of
-    /// the base (kg), the acceleration g of gravity (m/s²) and the vector l c from the support to its centre of mass (m).
+    /// Creates a top from its principal moments about the point of support (kg m²), the masses \[m, M\] of the top and
+    /// of the base (kg), the acceleration g of gravity (m/s²) and the vector l c from the support to its centre of mass
+    /// (m).
     ///
     /// # Errors
-    /// Returns [`SystemError`] unless the moments and m are positive, M and g are not negative, every number is finite, and
-    /// the moments are large enough for m and l c, so that the kinetic energy is positive.
+    /// Returns [`SystemError`] unless the moments and m are positive, M and g are not negative, every number is finite,
+    /// and the moments are large enough for m and l c, so that the kinetic energy is positive.
     pub fn new(
         inertia: Vector3<f64>,
         [top, base]: [f64; 2],
@@ -114,7 +117,7 @@ impl MovableBaseTop {
         (omega, p / T::from_f64(self.mass) - omega.cross(&center))
     }
 
-    /// Returns the Casimirs |P|², in kg² m²/s², P·Γ, in kg m/s, and |Γ|², without a unit.
+    /// Returns the Casimirs |P|², in kg² m²/s², P·Γ, in kg m/s, and |Γ|², dimensionless.
     ///
     /// They are those of the semidirect product se(3) ⋉ R³, whatever the Hamiltonian.
     pub fn casimirs<T: Real>(mu: &MovableBaseDual<T>) -> [T; 3] {

@@ -14,8 +14,8 @@ use isospectral_flows::{IsospectralField, LargeSkewHermitian};
 /// velocity, and J_j = ∫x_j² dm are the second moments of the mass. For N = 3 the equations are those of Euler, with
 /// the moments of inertia I₁ = J₂ + J₃ and so on, M₃₂ = Π₁, M₁₃ = Π₂ and M₂₁ = Π₃.
 ///
-/// The system is integrable. Besides the spectrum of M, it conserves the spectrum of M + λJ² for every λ, from which the
-/// integrals of Manakov follow.
+/// The system is integrable. Besides the spectrum of M, it conserves the spectrum of M + λJ² for every λ, from which
+/// the integrals of Manakov follow.
 ///
 /// The matrices are points of u(N)∗ whose imaginary part is zero. Every integrator for [`IsospectralField`]s keeps it
 /// zero. J is in kg m², and M in kg m²/s.
@@ -68,7 +68,7 @@ impl GeneralisedRigidBody {
         Ok(Self { moments, inverses })
     }
 
-    /// Returns the second moments J_j.
+    /// Returns the second moments J_j, in kg m².
     #[must_use]
     pub fn moments(&self) -> &[f64] {
         &self.moments
@@ -89,7 +89,7 @@ impl GeneralisedRigidBody {
         0.25 * self.sum(m, |i| self.inverses[i])
     }
 
-    /// Returns Manakov's integral tr(M²J²)/2 = −½ Σ_jk M_jk² J_j², or NaN if M has another size.
+    /// Returns Manakov's integral tr(M²J²)/2 = −½ Σ_jk M_jk² J_j², or NaN if the size of M is not N.
     #[must_use]
     pub fn manakov_integral(&self, m: &LargeSkewHermitian) -> f64 {
         -0.5 * self.sum(m, |i| self.moments[i % self.moments.len()].powi(2))

@@ -16,9 +16,10 @@ use rayon::slice::ParallelSliceMut;
 /// ds_i/dt = s_i × H_i,    H_i = −∂h/∂s_i = Σ_o J_o (s_(i+o) + s_(i−o)) + 2K (a·s_i) a + B
 /// ```
 ///
-/// These are the equations of Landau and Lifshitz without damping. Each exchange constant J_o belongs to an offset o, a
-/// number of cells along x, y and z, so that any range and direction is possible; J > 0 is ferromagnetic. A lattice with
-/// one cell in a direction has a lower dimension. The site in cell (x, y, z) has the index x + n_x (y + n_y z).
+/// These are the equations of Landau and Lifshitz without damping. Each exchange constant J_o belongs to an offset o,
+/// given as numbers of cells along x, y and z, so bonds may have any range and direction; J > 0 is ferromagnetic. A
+/// lattice with one cell in a direction has a lower dimension. The site in cell (x, y, z) has the index x + n_x (y +
+/// n_y z).
 ///
 /// The bracket is the plus bracket {s_a, s_b} = ε_abc s_c of each spin. The conserved quantities are h and every |s_i|.
 /// If B and a lie along one axis, the component of Σ s_i along it is also conserved. Spins, J, K and B are numbers

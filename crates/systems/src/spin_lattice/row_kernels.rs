@@ -111,8 +111,8 @@ pub(crate) fn rates<T: Lanes>(
     }
 }
 
-/// Returns B and the exchange terms Σ J (a + b) of the field H of the spins from lane `i` of a block on, for the spins a
-/// and b at both ends of each bond.
+/// Returns B and the exchange terms Σ J (a + b) of the field H of the spins from lane `i` of a block on, for the spins
+/// a and b at both ends of each bond.
 #[inline(always)]
 fn exchange<T: Lanes>(
     stencil: &Stencil,

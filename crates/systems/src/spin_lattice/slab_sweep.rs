@@ -8,8 +8,8 @@ use lie_poisson::generic_scalars::{LaneTask, Lanes};
 /// A sweep k′ = X(m), m_i = |w_i| u_i/|u_i|, u = w + (h/2) k, over some planes.
 ///
 /// It is made for some rows of all planes, then for the next rows. The midpoints m are kept only for these rows, in as
-/// many planes as bonds reach, which stay in the cache. So w and k pass through memory once, and k′ is written once. The
-/// midpoints of the rows and planes beside are computed here too. Rows are padded to whole blocks.
+/// many planes as bonds reach, which stay in the cache. So w and k pass through memory once, and k′ is written once.
+/// The midpoints of the rows and planes beside are computed here too. Rows are padded to whole blocks.
 pub(crate) struct SlabSweep<'a> {
     /// The bonds and fields of the lattice.
     pub(crate) stencil: &'a Stencil,

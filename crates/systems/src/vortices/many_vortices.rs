@@ -20,7 +20,7 @@ use rayon::slice::ParallelSliceMut;
 /// dm_i/dt = m_i × dh/dm_i,    h(m) = (1/4π) Σ_ij k_i k_j ln(2 − 2 x_i·x_j),    i < j
 /// ```
 ///
-/// Integrators for [`State`]s advance it in place: schemes applied to the equations, and the
+/// Integrators for [`State`]s advance the vortices in place: schemes applied to the equations, and the
 /// [`SphericalMidpoint`](collective_integrators::SphericalMidpoint) method, which is a Poisson map of order 2. As a
 /// [`SitesHamiltonian`] it serves [`CollectiveSites`](collective_integrators::CollectiveSites), for Poisson maps of any
 /// order on copies of [`HOPF`](momentum_map::HOPF).
@@ -67,7 +67,7 @@ const MANY: usize = 32;
 const TASK: usize = 1 << 16;
 
 impl ManyVortices {
-    /// Creates vortices of the given strengths k_i.
+    /// Creates vortices of the given strengths k_i, in m²/s.
     ///
     /// # Errors
     /// Returns [`SystemError`] if a strength is not finite, or is so near zero that its reciprocal is not finite.

@@ -13,8 +13,8 @@ use momentum_map::DualQuaternions;
 
 /// The collective Gauss method with S stages, of order 2S, for many tops with separate parameters.
 ///
-/// The tops are advanced in the SIMD lanes of the processor's registers: one lane holds one top, so that a
-/// register advances several trajectories.
+/// The tops are advanced in the SIMD lanes of the processor's registers. Each lane holds one top, so a register
+/// advances several trajectories.
 ///
 /// One step is that of [`LiftFree`] with [`RungeKutta::gauss`], to round-off. The stage equations are solved by sweeps,
 /// which compute each stage from the newest derivatives of the others. The sweeps begin with the polynomial through the

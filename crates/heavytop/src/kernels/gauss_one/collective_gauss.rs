@@ -26,7 +26,7 @@ type State = Pair<SpinorPoint, SpinorPoint>;
 /// top).compensated()` to round-off, at a fraction of the cost. That integrator accepts every other
 /// Hamiltonian and any number of stages.
 ///
-/// The state is (z, e): the lift z = (χ, ψ) ∈ T∗C², and e, the part that rounding removed from the last sum
+/// The state is (z, e). Here z = (χ, ψ) ∈ T∗C² is the lift, and e is the part that rounding removed from the last sum
 /// z + δz. The momentum is μ = **M**(z).
 ///
 /// # Method

@@ -17,19 +17,19 @@ pub(super) const MOST: usize = 48;
 
 /// A change of at most this multiple of the size is the last one.
 ///
-/// The next change, a tenth of it at the step sizes that these methods are used with, is far below a rounding error. But
-/// the rest has the same sign in every step. With four times this bound, which saves a tenth of the time, f₁, f₂ and h of a
-/// single top drifted by up to 6e-20 per step, with eight stages and steps of 1/4.
+/// The next change, a tenth of it at the step sizes that these methods are used with, is far below a rounding error.
+/// But the rest has the same sign in every step. With four times this bound, which saves a tenth of the time, f₁, f₂
+/// and h of a single top drifted by up to 6e-20 per step, with eight stages and steps of 1/4.
 const FEW_ROUNDINGS: f64 = 0.0625 * f64::EPSILON;
 
 /// A change of at most this multiple of the size is round-off if it is not smaller than the one before it.
 const CLOSE: f64 = f64::EPSILON;
 
-/// A change of at most this multiple of the size is round-off if neither it nor the change before it was smaller than its
-/// predecessor.
+/// A change of at most this multiple of the size is round-off if neither it nor the change before it was smaller than
+/// its predecessor.
 ///
-/// A single larger change says nothing: where the sweeps contract slowly, by complex factors, their changes rise now and
-/// then. Two in succession need a factor above ½, with which [`MOST`] sweeps do not converge.
+/// A single larger change says nothing: where the sweeps contract slowly, by complex factors, their changes rise now
+/// and then. Two in succession need a factor above ½, with which [`MOST`] sweeps do not converge.
 const ROUND_OFF: f64 = 256.0 * f64::EPSILON;
 
 /// One attempted step from a point, with room for S stages; `None` if the stage equations do not converge.
@@ -199,8 +199,8 @@ fn distance<T: Lanes>(a: &[T; 3], b: &[T; 3]) -> T {
     (a[0] - b[0]).magnitude() + (a[1] - b[1]).magnitude() + (a[2] - b[2]).magnitude()
 }
 
-/// Returns where a change is round-off, lane by lane. The masks say whether it, and the change before it, were not smaller
-/// than their predecessors.
+/// Returns where a change is round-off, lane by lane. The masks say whether it, and the change before it, were not
+/// smaller than their predecessors.
 #[inline(always)]
 fn is_round_off<T: Lanes>(change: T, size: T, grows: T::Mask, grew: T::Mask) -> T::Mask {
     let [few, close, floor] = [FEW_ROUNDINGS, CLOSE, ROUND_OFF].map(T::from_f64);

@@ -16,8 +16,9 @@ const MOST_TERMS: usize = 8;
 /// Σ s_i s_(n−i) − 2 v_n + Σ v_i v_(n−1−i)    as the coefficient of xⁿ⁺¹
 /// ```
 ///
-/// The v_n are chosen such that this coefficient is the [`defect`](StumpffPolynomials::defect), which balances the higher
-/// terms. The rounding errors of v₀ and v₁ would make it as large as 1e-16 and 7e-18, so these two have twice the digits.
+/// The v_n are chosen such that this coefficient is the [`defect`](StumpffPolynomials::defect), which balances the
+/// higher terms. The rounding errors of v₀ and v₁ would make it as large as 1e-16 and 7e-18, so these two have twice
+/// the digits.
 #[derive(Clone, Debug, PartialEq)]
 pub(crate) struct DriftPolynomials {
     /// The number of coefficients of `versine`; `sine` has one more.
@@ -137,7 +138,8 @@ mod tests {
         [c * square.stumpff(1), c * c * square.stumpff(2), half_tangent]
     }
 
-    /// Returns the largest of the three errors on [from, to], those of c c₁, c²c₂ and c tan(θ/2)/θ divided by |c|, c², |c|.
+    /// Returns the largest of the three errors on [from, to], those of c c₁, c²c₂ and c tan(θ/2)/θ divided by |c|,
+    /// c², |c|.
     fn worst(c: f64, drift: &DriftPolynomials, [from, to]: [f64; 2]) -> f64 {
         let sizes = [c.abs(), c * c, c.abs()];
         (0..=1000).fold(0.0, |worst: f64, n| {

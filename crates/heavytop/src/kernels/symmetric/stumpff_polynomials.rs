@@ -17,8 +17,8 @@ pub(crate) struct StumpffPolynomials {
     pub(crate) first: &'static [f64],
     /// The leading coefficients of cos² + sin² − 1, of x, x², … with x = θ²: as many as c₂ has coefficients.
     ///
-    /// With the higher coefficients, which follow from c₁ and c₂, they make the largest |cos² + sin² − 1| on the range as
-    /// small as possible: 6e-19 on the longest range, below 6e-20 on the others.
+    /// With the higher coefficients, which follow from c₁ and c₂, they make the largest |cos² + sin² − 1| on the range
+    /// as small as possible: 6e-19 on the longest range, below 6e-20 on the others.
     pub(crate) defect: &'static [f64],
     pub(crate) half_tangent: &'static [f64],
 }

@@ -23,8 +23,8 @@ const SHORT: [f64; 2] = [0.7, 1.7];
 
 /// The alternating splitting of many tops with I₁ = I₂, with separate parameters per top.
 ///
-/// The tops are advanced in the SIMD lanes of the processor's registers: one lane holds one top, so that a
-/// register advances several trajectories.
+/// The tops are advanced in the SIMD lanes of the processor's registers. Each lane holds one top, so a register
+/// advances several trajectories.
 ///
 /// One step is that of an alternating [`Splitting`] over [`SymmetricTopSplitting`], to round-off. Sine and cosine are
 /// polynomials here. If a step ends with the part with which the next one begins, the two flows are merged, so that n

@@ -12,8 +12,8 @@ use momentum_map::{CollectiveHamiltonian, Multiplier, Multipliers, PoissonMap};
 /// An integrator that applies a scheme to a vector field that can be evaluated over SIMD lanes (several numbers in one
 /// register).
 ///
-/// [`Direct`], [`Collective`] and [`LiftFree`] integrators have this trait if their field or Hamiltonian is implemented
-/// over every scalar. [`StagesInLanes`](crate::StagesInLanes) calls it.
+/// [`Direct`], [`Collective`] and [`LiftFree`] integrators implement this trait if their field or Hamiltonian is
+/// implemented over every scalar. [`StagesInLanes`](crate::StagesInLanes) requires it.
 #[diagnostic::on_unimplemented(
     message = "the stages of `{Self}` cannot be computed in SIMD lanes",
     note = "the field or the Hamiltonian has to be known over all scalars: a closure serves `f64` alone"

@@ -8,7 +8,7 @@ use momentum_map::LiftError;
 /// An integrator of one state that computes the stages of a step side by side, one stage in each SIMD lane of a
 /// register.
 ///
-/// The equations are those of the integrator alone:
+/// The stage equations are those of the wrapped integrator:
 ///
 /// ```text
 /// k_i = X(z + h Σ_j a_ij k_j),    i = 1, …, s

@@ -7,8 +7,8 @@ use lie_poisson::{Covector, LieAlgebra, LiePoisson, Real, Sites, SitesHamiltonia
 use momentum_map::{Lift, LiftError, PoissonMap, RecentringSpace, SourcePoint};
 use std::cell::RefCell;
 
-/// The [collective integrator](crate::Collective) for N copies of a realisation M: P → 𝔤∗, with a number N that is known
-/// when the program runs.
+/// The [collective integrator](crate::Collective) for N copies of a realisation M: P → 𝔤∗, with a number N that is
+/// known when the program runs.
 ///
 /// The state is z = (z₁, …, z_N) ∈ Pᴺ, and μ_i = M(z_i). For a symplectic scheme the integrator is a Poisson map of
 /// (𝔤∗)ᴺ, of any order, and conserves the Casimirs of each μ_i. The sign of the bracket is that of the target of M: a

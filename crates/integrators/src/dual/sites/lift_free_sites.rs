@@ -14,11 +14,11 @@ use std::cell::RefCell;
 /// dQ_i/dt = ∂h/∂μ_i(ν) Q_i,    Q_i(0) = 1,    ν_j = transport(Q_j, μ_j)
 /// ```
 ///
-/// for the [multipliers](Multipliers) Q_i of all sites together, and moves each μ_i by its Q_i. For a symplectic scheme it
-/// is a Poisson map of (𝔤∗)ᴺ, of any order, and conserves the Casimirs of each μ_i. It equals
-/// [`CollectiveSites`](crate::CollectiveSites) with the same scheme to round-off; there is no lift to choose, and no fibre
-/// to drift along. The sign of the bracket is that of the [space](Multipliers::space) of the multipliers. After the first step
-/// it allocates nothing, unless a step needs Newton's iteration.
+/// for the [multipliers](Multipliers) Q_i of all sites together, and moves each μ_i by its Q_i. For a symplectic scheme
+/// it is a Poisson map of (𝔤∗)ᴺ, of any order, and conserves the Casimirs of each μ_i. It equals
+/// [`CollectiveSites`](crate::CollectiveSites) with the same scheme to round-off; there is no lift to choose, and no
+/// fibre to drift along. The sign of the bracket is that of the [space](Multipliers::space) of the multipliers. After
+/// the first step it allocates nothing, unless a step needs Newton's iteration.
 ///
 /// Source: as for [`LiftFree`](crate::LiftFree), this answers the question that Ohsawa 2019, §5.1, leaves open. The
 /// multipliers of all sites form one element of a product of algebras.
@@ -64,7 +64,8 @@ pub struct LiftFreeSites<S, M, H> {
 }
 
 impl<S: Equivariant, M: Multipliers, H> LiftFreeSites<S, M, H> {
-    /// Creates an integrator from a scheme for the multipliers, the multipliers of one site, and a [`SitesHamiltonian`].
+    /// Creates an integrator from a scheme for the multipliers, the multipliers of one site, and a
+    /// [`SitesHamiltonian`].
     pub fn new(scheme: S, multipliers: M, hamiltonian: H) -> Self {
         Self { scheme, multipliers, hamiltonian }
     }

@@ -1,4 +1,4 @@
-//! The spherical midpoint method.
+//! The spherical midpoint method: [`SphericalMidpoint`].
 
 use crate::iteration::convergence::unknown;
 use crate::iteration::stage_scale::OwnScale;
@@ -65,7 +65,7 @@ impl<F> SphericalMidpoint<F> {
 
 /// A point w = (w₁, …, w_N) of (so(3)∗)ᴺ, on a product of spheres.
 ///
-/// It is implemented for a number N that the compiler knows, and for one that is known when the program runs.
+/// It is implemented for N known when the program is compiled, and for N known when it runs.
 pub trait OnSpheres: State {
     /// Moves each vector along its ray to the sphere that contains the vector of w with the same index:
     ///

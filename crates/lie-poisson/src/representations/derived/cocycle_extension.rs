@@ -15,8 +15,8 @@ use nalgebra::Vector1;
 /// ξ (v, s) = (ξv − s c(ξ), 0)
 /// ```
 ///
-/// Its kernel consists of the ξ with ξv = 0 for all v and c(ξ) = 0. The adjoint and the coadjoint representation have
-/// the centre of 𝔤 as their kernel. Their extensions are faithful if and only if c is injective on the centre. For a
+/// Its kernel consists of the ξ with ξv = 0 for all v and c(ξ) = 0. The kernel of the adjoint and of the coadjoint
+/// representation is the centre of 𝔤. Their extensions are faithful if and only if c is injective on the centre. For a
 /// derivation D the space 𝔤 ⊕ R is the algebra 𝔤 ⋊ RD with [D, ξ] = Dξ, on which 𝔤 acts by ad.
 ///
 /// Some algebras have no derivation that is injective on the centre. For example, in dimension 5 all derivations of

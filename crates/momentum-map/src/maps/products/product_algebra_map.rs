@@ -21,8 +21,8 @@ pub struct DifferentSigns {
 
 /// The product (M, N): P₁ × P₂ → (𝔤 × 𝔥)∗ of maps to 𝔤∗ and to 𝔥∗ whose brackets have the same sign.
 ///
-/// It is [`ProductMap`] with another type of target, on which the [Casimirs](lie_poisson::Casimirs) of the product
-/// algebra and Hamiltonians on its dual are defined.
+/// It is a [`ProductMap`] whose target is the dual of the product algebra, so that the
+/// [Casimirs](lie_poisson::Casimirs) of this algebra and Hamiltonians on its dual are available.
 ///
 /// # Example
 /// A spin and a particle, with the Casimirs |s|², |Γ|² and Π·Γ of so(3) × se(3):

@@ -9,8 +9,8 @@ use lie_poisson::{Differential, Pair, ProductSpace, Real, from_parts, parts};
 /// If both targets are duals of Lie algebras, [`ProductAlgebraMap`](crate::ProductAlgebraMap) has the dual of the
 /// product algebra as its target.
 ///
-/// With [`Identity`](crate::Identity) for N, it couples spins or vortices to canonical variables on (S²)ⁿ ×
-/// T∗R^m.
+/// With [`Identity`](crate::Identity) for N, the product serves spins or vortices that are coupled to canonical
+/// variables, on (S²)ⁿ × T∗R^m.
 ///
 /// Source: Bogfjellmo, *Collective symplectic integrators on S₂ⁿ × T∗R^m*, arXiv:1809.06231 (2018).
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]

@@ -27,8 +27,8 @@ struct HalfTurn<V: RegisterVector> {
 }
 
 impl<V: RegisterVector> HalfTurn<V> {
-    /// Creates the matrix W = a aᵀ − |a|² − [a]× of a, where [a]× v = a×v, from the squares of the components of a and their
-    /// sum |a|².
+    /// Creates the matrix W = a aᵀ − |a|² − [a]× of a, where [a]× v = a×v, from the squares of the components of a and
+    /// their sum |a|².
     ///
     /// The division is under way while vectors are multiplied by W.
     #[inline(always)]
@@ -156,10 +156,10 @@ impl<V: RegisterVector> Guess<V> {
     /// of which the parts without d are computed before d is known. In Π₁ this omits a term 2hn² G×(γ×d). The bound κ
     /// of the error after a correction includes it.
     ///
-    /// The vector 2d×G is about a unit of round-off of W Γ₀. Added to G or to W Γ₀, it would be rounded to whole units, or to
-    /// none, of each component by itself. Since d depends on where the top is, these errors do not cancel, and |Γ|² would
-    /// drift. It is added to the diagonal part of W Γ₀, whose unit is smaller by the factor |a|, and keeps its digits.
-    /// The sum with the other part then rounds the digits of the diagonal part, which are arbitrary.
+    /// The vector 2d×G is about a unit of round-off of W Γ₀. Added to G or to W Γ₀, it would be rounded to whole units,
+    /// or to none, of each component by itself. Since d depends on where the top is, these errors do not cancel,
+    /// and |Γ|² would drift. It is added to the diagonal part of W Γ₀, whose unit is smaller by the factor |a|, and
+    /// keeps its digits. The sum with the other part then rounds the digits of the diagonal part, which are arbitrary.
     #[inline(always)]
     pub fn end(&self, start: &TopState<V>) -> TopState<V> {
         let turn = &self.half_turn;
@@ -189,8 +189,8 @@ mod tests {
     use crate::HeavyTop;
     use nalgebra::Vector3;
 
-    /// A sphere turns about e₃ by the angle of a, so that the correction turns Γ by 4n d about e₃. Here that is below the
-    /// unit of round-off of W Γ, and is seen in the mean over many Γ.
+    /// A sphere turns about e₃ by the angle of a, so that the correction turns Γ by 4n d about e₃. Here that is below
+    /// the unit of round-off of W Γ, and is seen in the mean over many Γ.
     #[test]
     fn corrections_below_round_off_act() {
         const COUNT: u32 = 500_000;
