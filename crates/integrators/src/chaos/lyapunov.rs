@@ -29,7 +29,8 @@ pub struct Exponents<S, const K: usize> {
 /// [`Trajectory`](crate::Trajectory).
 ///
 /// The exponents are those of the discrete map, divided by |h|. They converge slowly, at best as 1/t. For an integrable
-/// system they vanish, and converge as (ln t)/t. With DIM exponents their sum is ln |det DΦ|/t. The sum is zero for a
+/// system they tend to zero as (ln t)/t. With DIM exponents their sum is ln |det DΦ_t|/|t|, where Φ_t is the map over the
+/// whole time t. The sum is zero for a
 /// Poisson integrator that conserves the Casimirs of a unimodular 𝔤∗, such as so(3)∗ or se(3)∗. For negative steps, the
 /// exponents are those of the reversed motion. For small states the iterator allocates nothing after its creation; for
 /// states on the heap it allocates the states of its items.

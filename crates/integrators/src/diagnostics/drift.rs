@@ -42,7 +42,7 @@ pub enum DriftError {
 /// The change of a quantity f over a run that should conserve it.
 ///
 /// A symplectic method of order p lets the energy oscillate: `largest` is of size hᵖ, and `slope` is only what remains
-/// of the oscillation. Multiplied by the length of the run, it is no larger than `largest`.
+/// of the oscillation. It is at most 3 `largest` divided by the length of the run, and far smaller over many periods.
 ///
 /// # Example
 /// ```
