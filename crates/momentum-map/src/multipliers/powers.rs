@@ -3,7 +3,21 @@
 use crate::Multipliers;
 use lie_poisson::{Covector, LieAlgebra, LiePoisson, Point, Power, PowerAlgebra, Real};
 
-/// The N-th power of an algebra of multipliers, factor by factor, for example for N spins.
+/// The N-th power 𝔄ᴺ of an algebra of multipliers, for example for N spins: (Q B)_n = Q_n B_n, transport(Q, μ)_n =
+/// transport(Q_n, μ_n) and (ξ Q)_n = ξ_n Q_n for n = 1, …, N.
+///
+/// # Example
+/// A half turn of the first of two spins about the third axis:
+/// ```
+/// use lie_poisson::{Covector, Power, Quaternion};
+/// use momentum_map::{Multipliers, PowerMultipliers, Quaternions};
+/// use nalgebra::Vector3;
+/// let algebra = PowerMultipliers::<_, 2>(Quaternions);
+/// let half_turn = Quaternion { scalar: 0.0, vector: Vector3::z() };
+/// let spins = Covector(Power([Vector3::x(), Vector3::y()]));
+/// let turned = algebra.transport(&Power([half_turn, Quaternion::one()]), &spins);
+/// assert_eq!(turned, Covector(Power([-Vector3::x(), Vector3::y()])));
+/// ```
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub struct PowerMultipliers<M, const N: usize>(pub M);
 

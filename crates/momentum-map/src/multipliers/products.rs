@@ -3,7 +3,19 @@
 use crate::Multipliers;
 use lie_poisson::{Differential, Pair, Point, ProductSpace, Real, parts};
 
-/// The product of two algebras of multipliers.
+/// The product 𝔄 × 𝔅 of two algebras of multipliers: (Q, R)(B, C) = (QB, RC), and each factor acts on its own part of μ.
+///
+/// # Example
+/// A spin and a heavy top side by side; the unit moves neither:
+/// ```
+/// use lie_poisson::{Covector, Pair, Se3Dual};
+/// use momentum_map::{DualQuaternions, Multipliers, ProductMultipliers, Quaternions};
+/// use nalgebra::Vector3;
+/// let algebra = ProductMultipliers(Quaternions, DualQuaternions);
+/// let top = Se3Dual::new(Vector3::new(2.0, 3.0, 4.0), Vector3::z());
+/// let mu = Pair(Covector(Vector3::x()), top);
+/// assert_eq!(algebra.transport(&algebra.one(), &mu), mu);
+/// ```
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub struct ProductMultipliers<M, N>(pub M, pub N);
 

@@ -88,7 +88,8 @@ pub trait Real:
     /// Returns the natural logarithm ln x.
     fn ln(self) -> Self;
 
-    /// Returns the angle of the point (x, y), where y is `self`, in (−π, π].
+    /// Returns the angle of the point (x, y), where y is `self`, in [−π, π]. As for `f64`, it is π for y = 0 and
+    /// −π for y = −0 if x < 0.
     fn atan2(self, x: Self) -> Self;
 
     /// Returns the exponential function exp x.

@@ -7,7 +7,20 @@ use lie_poisson::{
     map_coordinates,
 };
 
-/// The power Mᴺ: Pᴺ → (𝔤ᴺ)∗ of a realisation M: P → 𝔤∗, for example for N spins or N vortices.
+/// The power Mᴺ: Pᴺ → (𝔤ᴺ)∗ of a realisation M: P → 𝔤∗, for example for N spins or N vortices: Mᴺ(z)_n = M(z_n).
+///
+/// # Example
+/// Two spins and their lift by the Hopf map:
+/// ```
+/// use lie_poisson::{Covector, Power};
+/// use momentum_map::{HOPF, Lift, PoissonMap, PowerMap};
+/// use nalgebra::Vector3;
+/// let map = PowerMap::<_, 2>(HOPF);
+/// let spins = Covector(Power([Vector3::x(), Vector3::new(0.0, 0.6, 0.8)]));
+/// let Covector(Power(image)) = map.apply(&map.lift(&spins)?);
+/// assert!(image.iter().zip(&spins.0.0).all(|(a, b)| (a - b).norm() < 1e-15));
+/// # Ok::<(), momentum_map::LiftError>(())
+/// ```
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub struct PowerMap<M, const N: usize>(pub M);
 
