@@ -118,7 +118,6 @@ fn no_folder_is_crowded() {
     let tests = |name| sources(&root.join("../crates").join(name).join("tests/it"));
     for name in CRATES {
         assert_eq!(crowded(&sources_of(name)), [""; 0], "{name}");
-        // A crate without tests of its promises has no such folder.
         assert_eq!(crowded(&tests(name).unwrap_or_default()), [""; 0], "tests of {name}");
     }
     assert_eq!(crowded(&sources(&root.join("src")).unwrap()), [""; 0]);
@@ -243,14 +242,13 @@ fn broken_rules_of_the_program_are_found() {
     assert_eq!(code_in_mod_files(&broken).len(), 2);
 }
 
-/// Returns the names of Rust files below a folder, with their folders. Files that every test binary has do not count.
+/// Adds the names of Rust files below a folder, with the files. Files that every test binary has do not count.
 fn test_files(folder: &Path, found: &mut BTreeMap<String, Vec<String>>) {
-    for entry in std::fs::read_dir(folder).into_iter().flatten().flatten() {
-        let (path, name) = (entry.path(), entry.file_name().to_string_lossy().into_owned());
-        if path.is_dir() {
-            test_files(&path, found);
-        } else if name.ends_with(".rs") && !["main.rs", "mod.rs", "support.rs"].contains(&&*name) {
-            found.entry(name).or_default().push(folder.display().to_string());
+    // A crate without tests of its promises has no such folder.
+    for file in sources(folder).unwrap_or_default().into_keys() {
+        let name = file.rsplit('/').next().unwrap_or_default().to_owned();
+        if !["main.rs", "mod.rs", "support.rs"].contains(&&*name) {
+            found.entry(name).or_default().push(folder.join(file).display().to_string());
         }
     }
 }

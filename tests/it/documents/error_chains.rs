@@ -7,8 +7,8 @@ use collective_integrators::{
 };
 use momentum_map::LiftError;
 use std::error::Error;
-use std::fs;
-use std::path::{Path, PathBuf};
+use std::path::Path;
+use workspace_tests::architecture::sources;
 
 /// Returns the messages of an error and its causes, the error first.
 fn chain(error: &dyn Error) -> Vec<String> {
@@ -89,28 +89,13 @@ fn faults(text: &str) -> usize {
     messages.filter(|message| repeats(message)).count()
 }
 
-fn sources(folder: &Path, found: &mut Vec<PathBuf>) {
-    for entry in fs::read_dir(folder).unwrap() {
-        let path = entry.unwrap().path();
-        if path.is_dir() {
-            sources(&path, found);
-        } else if path.extension().is_some_and(|extension| extension == "rs") {
-            found.push(path);
-        }
-    }
-}
-
 #[test]
 fn no_message_of_the_workspace_contains_the_source_of_its_error() {
-    let mut files = Vec::new();
-    for krate in fs::read_dir(Path::new(env!("CARGO_MANIFEST_DIR")).join("../crates")).unwrap() {
-        sources(&krate.unwrap().path().join("src"), &mut files);
-    }
+    let sources = sources(&Path::new(env!("CARGO_MANIFEST_DIR")).join("../crates")).unwrap();
     let mut messages = 0;
-    for file in files {
-        let text = fs::read_to_string(&file).unwrap();
+    for (file, text) in sources.iter().filter(|(file, _)| file.contains("/src/")) {
         messages += text.matches("#[error(").count();
-        assert_eq!(faults(&text), 0, "{}", file.display());
+        assert_eq!(faults(text), 0, "{file}");
     }
     assert!(messages > 80, "{messages}");
 }

@@ -5,6 +5,7 @@ use std::collections::BTreeMap;
 use std::error::Error;
 use std::fs;
 use std::path::Path;
+use workspace_tests::architecture::sources;
 
 /// The folders of the tests that the ledgers name. Files of one name in two folders count as one.
 const FOLDERS: [&str; 5] = [
@@ -19,29 +20,15 @@ const FOLDERS: [&str; 5] = [
 const LEDGERS: [(&str, usize, usize); 3] =
     [("docs/paper.md", 80, 60), ("docs/clebsch.md", 15, 12), ("docs/collective.md", 20, 12)];
 
-/// Adds the text of each file below a folder, by its name.
-fn functions_below(
-    folder: &Path,
-    files: &mut BTreeMap<String, String>,
-) -> Result<(), Box<dyn Error>> {
-    for entry in fs::read_dir(folder)? {
-        let path = entry?.path();
-        if path.is_dir() {
-            functions_below(&path, files)?;
-        } else if path.extension().is_some_and(|extension| extension == "rs") {
-            let stem = path.file_stem().unwrap_or_default().to_string_lossy().into_owned();
-            files.entry(stem).or_default().push_str(&fs::read_to_string(path)?);
-        }
-    }
-    Ok(())
-}
-
 /// Returns the text of each file of tests, by its name.
 fn functions() -> Result<BTreeMap<String, String>, Box<dyn Error>> {
     let root = Path::new(env!("CARGO_MANIFEST_DIR")).join("..");
-    let mut files = BTreeMap::new();
+    let mut files = BTreeMap::<String, String>::new();
     for folder in FOLDERS {
-        functions_below(&root.join(folder), &mut files)?;
+        for (file, text) in sources(&root.join(folder))? {
+            let stem = Path::new(&file).file_stem().unwrap_or_default().to_string_lossy();
+            files.entry(stem.into_owned()).or_default().push_str(&text);
+        }
     }
     Ok(files)
 }
@@ -110,19 +97,6 @@ fn every_numbered_statement_has_a_row() -> Result<(), Box<dyn Error>> {
     Ok(())
 }
 
-/// Appends the text of all files below a folder.
-fn sources(folder: &Path, text: &mut String) -> Result<(), Box<dyn Error>> {
-    for entry in fs::read_dir(folder)? {
-        let path = entry?.path();
-        if path.is_dir() {
-            sources(&path, text)?;
-        } else if path.extension().is_some_and(|extension| extension == "rs") {
-            text.push_str(&fs::read_to_string(path)?);
-        }
-    }
-    Ok(())
-}
-
 /// Returns whether a type, trait, constant, function, or variant without fields has this name.
 fn is_item(text: &str, name: &str) -> bool {
     let ends = |rest: &str| !rest.starts_with(|c: char| c.is_alphanumeric() || c == '_');
@@ -147,9 +121,9 @@ fn every_item_named_in_the_notation_and_the_ledger_exists() -> Result<(), Box<dy
         "systems",
         "heavytop",
     ] {
-        sources(&root.join("crates").join(layer).join("src"), &mut text)?;
+        text.extend(sources(&root.join("crates").join(layer).join("src"))?.into_values());
     }
-    sources(&root.join("tests/src"), &mut text)?;
+    text.extend(sources(&root.join("tests/src"))?.into_values());
     let foreign = ["Complex", "SMatrix", "Vector2", "Vector3", "f64", "for"];
     let ledgers = LEDGERS.map(|(page, _, items)| (page, items));
     for (page, least) in ledgers.into_iter().chain([("docs/notation.md", 150)]) {

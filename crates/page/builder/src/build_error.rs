@@ -20,7 +20,7 @@ pub enum BuildError {
         tried: String,
     },
     /// A program cannot be started.
-    #[error("cannot start {}: {source}", program.display())]
+    #[error("cannot start {}", program.display())]
     Start {
         /// The path of the program.
         program: PathBuf,
@@ -36,7 +36,7 @@ pub enum BuildError {
         status: ExitStatus,
     },
     /// A file cannot be read or written.
-    #[error("{}: {source}", path.display())]
+    #[error("cannot read or write {}", path.display())]
     File {
         /// The path of the file.
         path: PathBuf,

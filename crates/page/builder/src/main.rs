@@ -9,6 +9,7 @@ mod page;
 mod wasm;
 
 use build_error::BuildError;
+use std::error::Error;
 use std::ffi::OsString;
 use std::path::{Path, PathBuf};
 use std::process::ExitCode;
@@ -21,7 +22,8 @@ fn main() -> ExitCode {
             ExitCode::SUCCESS
         }
         Err(error) => {
-            eprintln!("{error}");
+            let causes = std::iter::successors(error.source(), |&cause| cause.source());
+            eprintln!("{error}{}", causes.map(|cause| format!(": {cause}")).collect::<String>());
             match error {
                 BuildError::NoCompiler { .. } => ExitCode::from(2),
                 _ => ExitCode::FAILURE,
