@@ -17,6 +17,7 @@
 //! | formulas as text, and functions that Python traced | `formulas` |
 //! | states and columns as NumPy arrays | `arrays`, `recorded` |
 //! | errors as Python exceptions | `errors` |
+//! | the threads of many runs, after a fork too | `threads` |
 //! | the types between Python and Rust | `_native.pyi` in `python/heavytop` |
 //!
 //! # Conventions
@@ -37,6 +38,7 @@
 //! by formula. The program `heavytop` of `heavytop-cli` does the same computations from configuration files.
 
 mod errors;
+mod threads;
 mod arrays;
 mod formulas;
 mod runs;

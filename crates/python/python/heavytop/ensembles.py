@@ -63,8 +63,9 @@ def solve_many(
     """Follows many tops, or many states of a system, from t = 0 to the end, and returns their last states alone.
 
     A member that fails is reported by its index and harms no other. The result of a member depends neither on the others
-    nor on the number of threads, which the environment variable RAYON_NUM_THREADS sets before the first call. Ctrl-C ends
-    the call after 1024 steps at most.
+    nor on the number of threads, which the environment variable RAYON_NUM_THREADS sets before the first call of a process.
+    A process that was forked, as those of `multiprocessing` may be, starts threads of its own. Ctrl-C ends the call after
+    1024 steps at most.
 
     Args:
         tops: one top for all states, or a sequence of n tops; or a system for all states.

@@ -1,5 +1,6 @@
 //! Runs that Ctrl-C ends.
 
+use crate::threads::threads;
 use core::sync::atomic::{AtomicBool, Ordering};
 use core::time::Duration;
 use pyo3::exceptions::PyRuntimeError;
@@ -45,21 +46,22 @@ impl Interruption {
     }
 }
 
-/// Runs a task on other threads, while the thread of Python looks for Ctrl-C and then sets the flag that the task reads.
+/// Runs a task on the [threads] of the process, while the thread of Python looks for Ctrl-C and then sets the flag that the
+/// task reads.
 ///
 /// # Errors
-/// Returns `KeyboardInterrupt`, or what the program's handler raised, once the task has ended.
+/// Returns `RuntimeError` if there are no threads. Returns `KeyboardInterrupt`, or what the program's handler raised, once the task has ended.
 pub(crate) fn until_interrupted<T: Send>(
     py: Python<'_>,
     task: impl FnOnce(&AtomicBool) -> T + Send,
 ) -> PyResult<T> {
-    let (stop, mut error) = (AtomicBool::new(false), None);
+    let (threads, stop, mut error) = (threads(py)?, AtomicBool::new(false), None);
     let done = py.detach(|| {
         thread::scope(|scope| {
             let (sender, receiver) = channel::<()>();
             let stop = &stop;
             let worker = scope.spawn(move || {
-                let result = task(stop);
+                let result = threads.install(|| task(stop));
                 drop(sender);
                 result
             });

@@ -4,12 +4,14 @@ use super::top::Top;
 use crate::arrays::{numbers, read_rows, rows, state};
 use crate::errors::{message, refused};
 use crate::runs::schedule::steps;
+use crate::threads::threads;
 use collective_integrators::{BatchIntegrator, CHECKPOINT, Ensemble, MemberError};
 use heavytop::{GaussBatch, HeavyTop, MidpointBatch, TopMidpoint};
 use lie_poisson::Se3Dual;
 use numpy::{PyArray2, PyReadonlyArray2};
 use pyo3::exceptions::PyValueError;
 use pyo3::{Bound, PyRef, PyResult, Python, pyfunction};
+use rayon::ThreadPool;
 
 /// The states at the end, and the index and the message of each member that failed.
 type Ends<'py> = (Bound<'py, PyArray2<f64>>, Vec<(u64, String)>);
@@ -36,7 +38,9 @@ pub fn advance_states<'py>(
             scheme,
         );
     }
-    let failures = py.detach(|| advance(TopMidpoint::new(top), &mut states, step, steps))?;
+    let threads = threads(py)?;
+    let failures =
+        py.detach(|| advance(&threads, TopMidpoint::new(top), &mut states, step, steps))?;
     ends(py, states.iter(), failures)
 }
 
@@ -63,15 +67,15 @@ fn advance_members<'py>(
     steps: u64,
     scheme: &str,
 ) -> PyResult<Ends<'py>> {
-    let all = &mut members;
+    let (threads, all) = (&*threads(py)?, &mut members);
     let failures = py.detach(|| match scheme {
-        "implicit-midpoint" => advance(MidpointBatch::new(), all, step, steps),
-        "gauss-4" => gauss::<2>(all, step, steps),
-        "gauss-6" => gauss::<3>(all, step, steps),
-        "gauss-8" => gauss::<4>(all, step, steps),
-        "gauss-10" => gauss::<5>(all, step, steps),
-        "gauss-12" => gauss::<6>(all, step, steps),
-        "gauss-16" => gauss::<8>(all, step, steps),
+        "implicit-midpoint" => advance(threads, MidpointBatch::new(), all, step, steps),
+        "gauss-4" => gauss::<2>(threads, all, step, steps),
+        "gauss-6" => gauss::<3>(threads, all, step, steps),
+        "gauss-8" => gauss::<4>(threads, all, step, steps),
+        "gauss-10" => gauss::<5>(threads, all, step, steps),
+        "gauss-12" => gauss::<6>(threads, all, step, steps),
+        "gauss-16" => gauss::<8>(threads, all, step, steps),
         other => Err(PyValueError::new_err(format!(
             "unknown scheme `{other}` for many tops; there are implicit-midpoint, gauss-4, gauss-6, gauss-8, \
              gauss-10, gauss-12, gauss-16"
@@ -81,15 +85,17 @@ fn advance_members<'py>(
 }
 
 fn gauss<const S: usize>(
+    threads: &ThreadPool,
     members: &mut [(HeavyTop, Se3Dual)],
     step: f64,
     steps: u64,
 ) -> PyResult<Vec<MemberError>> {
-    advance(GaussBatch::<S>::new().map_err(refused)?, members, step, steps)
+    advance(threads, GaussBatch::<S>::new().map_err(refused)?, members, step, steps)
 }
 
-/// Advances members in parts, between which Ctrl-C ends the run. A member that fails is left out of the later parts.
+/// Advances members on threads, in parts between which Ctrl-C ends the run. A member that fails is left out of the later parts.
 fn advance<B: BatchIntegrator>(
+    threads: &ThreadPool,
     integrator: B,
     members: &mut [B::Member],
     step: f64,
@@ -101,7 +107,7 @@ fn advance<B: BatchIntegrator>(
     while made < steps && !running.is_empty() {
         let until = steps.min(made + CHECKPOINT);
         let mut part: Vec<_> = running.iter().map(|&i| members[i as usize]).collect();
-        let failed = ensemble.advance(&mut part, step, made..until);
+        let failed = threads.install(|| ensemble.advance(&mut part, step, made..until));
         running.iter().zip(part).for_each(|(&i, member)| members[i as usize] = member);
         let failed: Vec<_> = failed
             .into_iter()
