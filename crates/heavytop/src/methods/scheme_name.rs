@@ -13,13 +13,13 @@ use core::str::FromStr;
 /// use heavytop::methods::SchemeName;
 /// let gauss: SchemeName = "gauss-12".parse()?;
 /// assert_eq!((gauss, gauss.order()), (SchemeName::Gauss(6), 12));
+/// assert_eq!(SchemeName::default().name(), "gauss-8"); // where none is named
 /// assert!("gauss-13".parse::<SchemeName>().is_err());
 /// # Ok::<(), heavytop::methods::UnknownName>(())
 /// ```
-#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Hash)]
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
 pub enum SchemeName {
     /// The implicit midpoint rule.
-    #[default]
     ImplicitMidpoint,
     /// Gauss–Legendre collocation with this number of stages.
     Gauss(u8),
@@ -104,6 +104,13 @@ impl SchemeName {
             Self::Composed(ComposedScheme::Yoshida6 | ComposedScheme::KahanLi6) => 6,
             Self::Composed(ComposedScheme::KahanLi8) => 8,
         }
+    }
+}
+
+/// Gauss's method of order 8: accurate to round-off at steps at which the midpoint rule is wrong in the first digits.
+impl Default for SchemeName {
+    fn default() -> Self {
+        Self::Gauss(4)
     }
 }
 

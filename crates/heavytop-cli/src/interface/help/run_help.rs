@@ -79,7 +79,7 @@ Configuration: every key may be left out, and has then the value below.
 
   [integrator]
   formulation = \"collective\"         # or reduced, direct, splitting; see below
-  scheme = \"implicit-midpoint\"       # see below
+  scheme = \"gauss-8\"                 # see below
   step = 0.02                        # s
   end = 100.0                        # s; a whole number of steps
   tolerance = 0.0                    # of the stage equations; 0 iterates to the round-off floor

@@ -47,10 +47,7 @@ fn the_page_is_complete_loads_nothing_and_has_every_frame() {
     assert!(page.replace("<style>", "<style>@import").contains("@import"));
 
     let (json, frames) = motion(&page);
-    assert_eq!(
-        json["description"],
-        "collective, implicit-midpoint, step 0.02 s, a frame for each step"
-    );
+    assert_eq!(json["description"], "collective, gauss-8, step 0.02 s, a frame for each step");
     let words = "I = (2, 2, 1) kg m², m g l = 1 N m, c = (1, 0, 0); \
                  Π(0) = (2, 3, 4) kg m²/s, Γ(0) = (0.5, 0, 0.866025)";
     assert_eq!(json["top"], words);

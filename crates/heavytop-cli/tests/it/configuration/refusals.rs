@@ -58,7 +58,7 @@ const WRONG: &[(&str, &str)] = &[
     ),
     (
         "integrator.formulation = 'splitting'",
-        "splitting has no scheme implicit-midpoint; it has strang, yoshida-4, suzuki-4, yoshida-6, kahan-li-6, kahan-li-8",
+        "splitting has no scheme gauss-8; it has strang, yoshida-4, suzuki-4, yoshida-6, kahan-li-6, kahan-li-8",
     ),
     ("initial.vertical = [0.5, 0.0, 0.8]", "[initial] vertical must be a unit vector"),
     ("initial.vertical = [nan, 0.0, 1.0]", "[initial] vertical must be a unit vector"),

@@ -62,8 +62,7 @@ impl SystemProblem {
             *level = energy;
         }
         let formulation = SystemConfig::formulation_of_many(&algebra);
-        let own =
-            Integration { formulation, scheme: SchemeName::Gauss(4), ..Integration::default() };
+        let own = Integration { formulation, ..Integration::default() };
         let Integration { formulation, scheme, tolerance, .. } = config.integrator.or(own);
         let method = SystemMethod::new(&algebra, formulation, scheme, tolerance)?;
         Ok((Self { section, method, initial, levels, given }, own))

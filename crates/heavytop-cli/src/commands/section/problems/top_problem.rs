@@ -46,7 +46,6 @@ impl TopProblem {
             Section::new(level, Surface { coordinate, level: settings.level, direction })?;
         let own = Integration {
             formulation: Formulation::Reduced,
-            scheme: SchemeName::Gauss(4),
             step: TURN / fastest(&top, level.energy),
             ..Integration::default()
         };

@@ -33,7 +33,7 @@ pub(in crate::commands::sweep) trait Family {
 
 /// Returns the integrator of a sweep whose `[integrator]` is empty.
 pub(super) fn own_integration(formulation: Formulation) -> Integration {
-    Integration { formulation, scheme: SchemeName::Gauss(4), step: 0.1, ..Integration::default() }
+    Integration { formulation, step: 0.1, ..Integration::default() }
 }
 
 /// Checks that no two axes set the same number, where `clashes` tells of two numbers whether they do.
