@@ -1,5 +1,6 @@
 //! Errors of a step, of a run, and of the construction of a scheme.
 
+use core::fmt;
 use lie_poisson::{Real, State};
 use momentum_map::LiftError;
 use thiserror::Error;
@@ -83,9 +84,18 @@ impl StepError {
 
 /// The error of a run, with the step that failed.
 ///
-/// The message says which step failed. The message of the [`source`](core::error::Error::source) says why.
-#[derive(Clone, Copy, Debug, PartialEq, Error)]
-#[error("step {step} at t = {time}")]
+/// The message says which step failed and why, so that a program that prints it alone says all. The reason is therefore
+/// no [`source`](core::error::Error::source): a program that prints the sources, too, would print it twice.
+///
+/// # Example
+/// ```
+/// use collective_integrators::{IntegrationError, StepError};
+/// use std::error::Error;
+/// let error = IntegrationError::after(4, 0.125, StepError::NotFinite);
+/// assert_eq!(error.to_string(), "step 5 at t = 0.5: the state is not finite after the step");
+/// assert!(error.source().is_none());
+/// ```
+#[derive(Clone, Copy, Debug, PartialEq)]
 pub struct IntegrationError {
     /// The number of the step that failed; the first is 1.
     pub step: u64,
@@ -94,6 +104,16 @@ pub struct IntegrationError {
     /// The reason for the failure.
     pub source: StepError,
 }
+
+impl fmt::Display for IntegrationError {
+    fn fmt(&self, to: &mut fmt::Formatter<'_>) -> fmt::Result {
+        let Self { step, time, source } = self;
+        write!(to, "step {step} at t = {time}: {source}")
+    }
+}
+
+/// The reason is in the message, and no source.
+impl core::error::Error for IntegrationError {}
 
 impl IntegrationError {
     /// Creates the error for the step that follows `made` steps of size `step`.

@@ -170,7 +170,7 @@ pub(crate) fn dual_differential<P: PoissonSpace, T: Real, H: Hamiltonian<P, T>>(
     hamiltonian: &H,
     moved: &Point<P, DualNumber<T>>,
 ) -> Option<Differential<P, DualNumber<T>>> {
-    let z: Point<P, T> = map_coordinates(moved, |x| x.value());
+    let z: Point<P, T> = map_coordinates(moved, |x| x.value_without_derivative());
     let hessian = hamiltonian.hessian(&z, &derivative_part(moved))?;
     Some(seed(&hamiltonian.differential(&z), &hessian))
 }

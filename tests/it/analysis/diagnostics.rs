@@ -180,6 +180,10 @@ impl Scheme for Stretched {
         Ok(next)
     }
 
+    fn forget<V: State>(&self, workspace: &mut StageSpace<V>) {
+        self.0.forget(workspace);
+    }
+
     fn order(&self) -> usize {
         0
     }

@@ -1,4 +1,5 @@
-//! Messages of errors: an error does not repeat its causes, so that nothing is printed twice.
+//! Messages of errors: an error does not repeat its causes, so that nothing is printed twice, and the error of a run says
+//! the reason itself, so that nothing is lost where only its message is printed.
 
 use collective_integrators::diagnostics::{DriftError, StepMapError};
 use collective_integrators::{
@@ -46,10 +47,32 @@ fn errors_of_the_libraries_do_not_repeat_their_causes() {
     for error in &errors {
         assert!(!repeats(error.as_ref()), "{:?}", chain(error.as_ref()));
     }
-    // The errors of the chain together say all.
-    let member = chain(errors[1].as_ref());
-    assert_eq!(member, ["member 7", "step 5 at t = 0.5", &source.to_string()]);
-    assert_eq!(chain(errors[2].as_ref())[..], member[1..]);
+}
+
+/// Many programs print the message of an error with `{}`, without those of its causes.
+#[test]
+fn the_errors_of_a_run_say_the_reason_in_one_message() {
+    let failed = StepError::NotConverged { residual: 0.5, required: 1e-16, iterations: 30 };
+    let reasons = [failed, StepError::NotFinite, StepError::StepSize { step: f64::INFINITY }];
+    for source in reasons {
+        let step = IntegrationError { step: 5, time: 0.5, source };
+        let said = format!("step 5 at t = 0.5: {source}");
+        let errors: [Box<dyn Error>; 6] = [
+            Box::new(step),
+            Box::new(RunError::from(step)),
+            Box::new(EventError::from(step)),
+            Box::new(DenseOutputError::from(step)),
+            Box::new(VariationalError::from(step)),
+            Box::new(DriftError::from(step)),
+        ];
+        for error in &errors {
+            assert_eq!(chain(error.as_ref()), [said.as_str()]);
+        }
+        let member = MemberError { index: 7, source: step };
+        assert_eq!(chain(&member), [format!("member 7: {said}")]);
+    }
+    let lift = LiftError { quantity: "Γ", value: 0.0, reason: "Γ must be different from 0" };
+    assert_eq!(chain(&RunError::from(lift)), [lift.to_string()]);
 }
 
 /// Negative control: an error that repeats its cause is found.

@@ -102,6 +102,8 @@ impl Integrator for Coarse {
         Ok(Step { point, iterations })
     }
 
+    fn forget(&self, (): &mut ()) {}
+
     fn momentum(&self, state: &Self::State) -> Se3Dual {
         self.0.momentum(&state.0)
     }

@@ -29,7 +29,8 @@ impl OneForm {
         z: &SpinorPoint,
     ) -> f64 {
         let constant: SpinorPoint<DualNumber> = map_coordinates(z, DualNumber::constant);
-        let image: SpinorPoint = map_coordinates(&f(&constant), |x: DualNumber| x.value());
+        let image: SpinorPoint =
+            map_coordinates(&f(&constant), |x: DualNumber| x.value_without_derivative());
         let rate = |v: &SpinorPoint| {
             let pushed: SpinorPoint = derivative_part(&f(&seed(z, v)));
             self.at(&image, &pushed) - self.at(z, v)

@@ -1,9 +1,10 @@
 //! Ensembles: many initial states, advanced on all threads.
 
 use crate::{BatchIntegrator, IntegrationError};
+use core::error::Error;
+use core::fmt;
 use core::ops::Range;
 use rayon::prelude::*;
-use thiserror::Error;
 
 /// The number of members that a thread works on at a time.
 ///
@@ -56,9 +57,9 @@ pub struct Ensemble<B> {
     integrator: B,
 }
 
-/// The error of a member that could not continue. Its [`source`](core::error::Error::source) names the step.
-#[derive(Clone, Copy, Debug, PartialEq, Error)]
-#[error("member {index}")]
+/// The error of a member that could not continue. Its message names the member, the step and the reason, and it has no
+/// [`source`](core::error::Error::source) that would repeat them.
+#[derive(Clone, Copy, Debug, PartialEq)]
 pub struct MemberError {
     /// The index of the member in the ensemble.
     pub index: u64,
@@ -76,6 +77,14 @@ pub struct Chunk<'a, M> {
     /// The errors of the failed members, by increasing index.
     pub failures: &'a [MemberError],
 }
+
+impl fmt::Display for MemberError {
+    fn fmt(&self, to: &mut fmt::Formatter<'_>) -> fmt::Result {
+        write!(to, "member {}: {}", self.index, self.source)
+    }
+}
+
+impl Error for MemberError {}
 
 impl<B: BatchIntegrator> Ensemble<B> {
     /// Creates an ensemble that an integrator advances.

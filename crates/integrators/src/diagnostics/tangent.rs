@@ -61,5 +61,8 @@ where
     V2: Vector<Scalar = DualNumber<V::Scalar>>,
 {
     let image = f(&map_coordinates(z, DualNumber::constant))?;
-    Ok((map_coordinates(&image, |x: DualNumber<V::Scalar>| x.value()), tangent_of(f, z)?))
+    Ok((
+        map_coordinates(&image, |x: DualNumber<V::Scalar>| x.value_without_derivative()),
+        tangent_of(f, z)?,
+    ))
 }

@@ -130,9 +130,10 @@ pub trait Integrator<T: Real = f64> {
     /// Makes the workspace forget the earlier steps, so that the next step depends on its starting point alone, to the
     /// last bit.
     ///
-    /// The default does nothing, for methods that remember nothing.
-    #[inline]
-    fn forget(&self, _workspace: &mut Self::Workspace) {}
+    /// A trajectory calls it at every multiple of [`CHECKPOINT`], where an interrupted run can then be resumed. An
+    /// integrator that contains another one passes the call on. For a method that remembers nothing it does nothing.
+    /// The law `forgetting` of the suite `laws::integrator` checks it.
+    fn forget(&self, workspace: &mut Self::Workspace);
 
     /// Returns the momentum μ of a state. For equations on a space other than 𝔤∗ it is the state itself.
     fn momentum(&self, state: &Self::State) -> Self::Momentum;

@@ -197,20 +197,14 @@ impl<S: Equivariant, M: Multipliers, H> LiftFree<S, M, H> {
         if steps == 0 {
             self.scheme.forget(storage);
         }
-        let frame = self.multipliers.inverse::<T>(&moved).map(
-            #[inline(always)]
-            |back| (moved, back),
-        );
+        let frame = (moved, self.multipliers.inverse::<T>(&moved));
         let (multipliers, hamiltonian) = (&self.multipliers, &self.hamiltonian);
         let continues = steps > 0;
         let field = MultiplierField { multipliers, hamiltonian, start: *mu, frame, continues };
         let Step { point: multiplier, iterations } = make(&field, &one, storage)?;
         let change = self.multipliers.coadjoint_change::<T>(&multiplier, mu);
         // Explicit methods make no iterations and predict nothing.
-        let guesses = iterations > 0;
-        if let Some((moved, _)) = field.frame
-            && guesses
-        {
+        if iterations > 0 {
             let moved = self.multipliers.product::<T>(&multiplier, &moved);
             *course = Some(Course { end: *mu + change, moved, steps: steps + 1 });
         }

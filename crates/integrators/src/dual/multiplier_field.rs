@@ -14,9 +14,8 @@ pub(crate) struct MultiplierField<'a, M: Multipliers, H, T: Real> {
     pub(crate) multipliers: &'a M,
     pub(crate) hamiltonian: &'a H,
     pub(crate) start: Point<M::Space, T>,
-    /// The pair A and A⁻¹, if it is known. A is the multiplier of the course at the start of this step. The course
-    /// continues as Q(t) A.
-    pub(crate) frame: Option<(Multiplier<M, T>, Multiplier<M, T>)>,
+    /// The pair A and A⁻¹. A is the multiplier of the course at the start of this step. The course continues as Q(t) A.
+    pub(crate) frame: (Multiplier<M, T>, Multiplier<M, T>),
     /// Whether steps of the course come before this one.
     pub(crate) continues: bool,
 }
@@ -84,18 +83,13 @@ where
     /// Writes k A, the stage derivative in the frame of the course.
     #[cfg_attr(not(debug_assertions), inline(always))]
     fn remember(&self, k: &Multiplier<M, T>, past: &mut Multiplier<M, T>) {
-        *past = match &self.frame {
-            Some((moved, _)) => self.multipliers.product::<T>(k, moved),
-            None => *k,
-        };
+        *past = self.multipliers.product::<T>(k, &self.frame.0);
     }
 
     /// Changes k to k A⁻¹, the stage derivative in the frame of this step.
     #[cfg_attr(not(debug_assertions), inline(always))]
     fn recall(&self, k: &mut Multiplier<M, T>) {
-        if let Some((_, back)) = self.frame {
-            *k = self.multipliers.product::<T>(k, &back);
-        }
+        *k = self.multipliers.product::<T>(k, &self.frame.1);
     }
 }
 

@@ -26,6 +26,8 @@ use momentum_map::LiftError;
 ///     ) -> Result<Step<Vector1<f64>>, StepError> {
 ///         Step { point: z / (1.0 + h), iterations: 0 }.finite()
 ///     }
+///     // It remembers nothing.
+///     fn forget(&self, (): &mut ()) {}
 ///     fn momentum(&self, z: &Vector1<f64>) -> Vector1<f64> {
 ///         *z
 ///     }

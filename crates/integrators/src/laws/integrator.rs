@@ -17,7 +17,7 @@ use lie_poisson::Real;
 ///   refuses what a step refuses;
 /// * `samples`: sample n of a trajectory has the number n, the time nh and the momentum of its state;
 /// * `forgetting`: after [`forget`](Integrator::forget) a used workspace gives results bit-identical to those of a new
-///   one;
+///   one, by as many iterations, for steps of several sizes;
 /// * `resumption`: a trajectory resumed at a [`CHECKPOINT`] is bit-identical to the uninterrupted one;
 /// * `refusal`: a state or a step size that is infinite or not a number is an error, of a step and of a trajectory.
 ///
@@ -57,6 +57,10 @@ pub fn integrator<I: Integrator>(
 /// The number of successive steps for the laws about bits: enough to fill the memory of a workspace.
 const STEPS: usize = 12;
 
+/// The sizes of the steps of the law `forgetting`, in those of the samples: what an integrator remembers may show at one
+/// of them alone.
+const SIZES: [f64; 3] = [1.0, 0.125, 4.0];
+
 fn still<I: Integrator>(integrator: &I, state: &I::State, report: &mut Report) {
     let after = point_or_nan(integrator.step(state, 0.0, &mut integrator.workspace()), state);
     let (mu, end) = (integrator.momentum(state), integrator.momentum(&after));
@@ -70,8 +74,24 @@ fn steps<I: Integrator>(
     step: f64,
     workspace: &mut I::Workspace,
 ) -> I::State {
-    let next = |z: I::State, _| point_or_nan(integrator.step(&z, step, workspace), &z);
-    (0..STEPS).fold(state.clone(), next)
+    counted_steps(integrator, state, step, workspace).0
+}
+
+/// Returns the state after [`STEPS`] steps, or NaN if one failed, and the number of iterations of each step.
+fn counted_steps<I: Integrator>(
+    integrator: &I,
+    state: &I::State,
+    step: f64,
+    workspace: &mut I::Workspace,
+) -> (I::State, [usize; STEPS]) {
+    let mut z = state.clone();
+    let counts = core::array::from_fn(|_| {
+        let made = integrator.step(&z, step, workspace);
+        let iterations = made.as_ref().map_or(0, |made| made.iterations);
+        z = point_or_nan(made, &z);
+        iterations
+    });
+    (z, counts)
 }
 
 fn in_place<I: Integrator>(integrator: &I, state: &I::State, step: f64, report: &mut Report) {
@@ -122,16 +142,27 @@ fn forgetting<I: Integrator>(
     step: f64,
     report: &mut Report,
 ) {
-    let mut used = integrator.workspace();
-    steps(integrator, other, 0.7 * step, &mut used);
-    let end = steps(integrator, state, step, &mut integrator.workspace());
-    // Otherwise the second run would continue from what the first one left in the workspace.
-    for (start, expected) in
-        [(state, &end), (&end, &steps(integrator, &end, step, &mut integrator.workspace()))]
-    {
-        integrator.forget(&mut used);
-        let again = steps(integrator, start, step, &mut used);
-        report.note("forgetting", different_bits(&again, expected), 1.0);
+    let anew = |start: &I::State, size| {
+        counted_steps(integrator, start, size, &mut integrator.workspace())
+    };
+    for factor in SIZES {
+        let size = factor * step;
+        let first = anew(state, size);
+        let second = anew(&first.0, size);
+        // Steps of another size than the one asked for may fail.
+        if factor != 1.0 && !largest(&second.0).is_finite() {
+            continue;
+        }
+        let mut used = integrator.workspace();
+        steps(integrator, other, 0.7 * size, &mut used);
+        // Otherwise the second run would continue from what the first one left in the workspace.
+        for (start, expected) in [(state, &first), (&first.0, &second)] {
+            integrator.forget(&mut used);
+            let again = counted_steps(integrator, start, size, &mut used);
+            report.note("forgetting", different_bits(&again.0, &expected.0), 1.0);
+            // What is remembered saves iterations, even where it leaves no trace in the bits.
+            report.note("forgetting", broken_unless(again.1 == expected.1), 1.0);
+        }
     }
 }
 

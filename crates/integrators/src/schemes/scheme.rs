@@ -84,6 +84,7 @@ impl<V: State> Step<V> {
 ///         slope.scale_in_place(T::from_f64(h / 2.0));
 ///         Ok(Step { point: slope, iterations: 0 })
 ///     }
+///     fn forget<V: State>(&self, (): &mut ()) {}
 ///     fn order(&self) -> usize {
 ///         2
 ///     }
@@ -206,9 +207,9 @@ pub trait Scheme: Clone {
 
     /// Makes the workspace forget the earlier steps, from which an implicit method predicts its stages.
     ///
-    /// The next step then depends on its starting point alone. The default does nothing.
-    #[cfg_attr(not(debug_assertions), inline(always))]
-    fn forget<V: State>(&self, _workspace: &mut Self::Workspace<V>) {}
+    /// The next step then depends on its starting point alone. A scheme that contains another one passes the call on. For
+    /// a scheme that remembers nothing it does nothing. The law `forgetting` of the suite `laws::scheme` checks it.
+    fn forget<V: State>(&self, workspace: &mut Self::Workspace<V>);
 
     /// Returns the order of convergence.
     fn order(&self) -> usize;

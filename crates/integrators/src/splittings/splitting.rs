@@ -157,6 +157,9 @@ impl<T: Real, E: ExactFlows<T>, S: FlowSequence> Integrator<T> for Splitting<E, 
         Self::Workspace::default()
     }
 
+    /// Nothing is remembered from step to step.
+    fn forget(&self, _: &mut Self::Workspace) {}
+
     #[inline]
     fn step(
         &self,

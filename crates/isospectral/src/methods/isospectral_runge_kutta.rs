@@ -171,6 +171,9 @@ impl<S: Equivariant, F: IsospectralField> Integrator for IsospectralRungeKutta<S
         conjugated.map(|()| iterations)
     }
 
+    /// Every step forgets the stages of the one before.
+    fn forget(&self, _: &mut Self::Workspace) {}
+
     fn momentum(&self, w: &LargeSkewHermitian) -> LargeSkewHermitian {
         w.clone()
     }

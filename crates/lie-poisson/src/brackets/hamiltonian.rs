@@ -240,7 +240,7 @@ where
     F: Fn(&Point<P, DualNumber>) -> DualNumber,
 {
     fn value(&self, z: &Point<P>) -> f64 {
-        (self.energy)(&crate::map_coordinates(z, DualNumber::constant)).value()
+        (self.energy)(&crate::map_coordinates(z, DualNumber::constant)).value_without_derivative()
     }
 
     fn differential(&self, z: &Point<P>) -> Differential<P> {

@@ -13,7 +13,7 @@ use lie_poisson::{
 /// * `left multiplication`: ξ(QB) = (ξQ)B;
 /// * `action`: transport(QB, μ) = transport(Q, transport(B, μ));
 /// * `motion`: d/ds transport(exp(sξ), μ) = Λ(μ) ξ at s = 0, the Hamiltonian vector of ξ;
-/// * `inverse`, if the multipliers have inverses: U⁻¹U = UU⁻¹ = 1 for U = exp ξ, which satisfies the quadratic
+/// * `inverse`: U⁻¹U = UU⁻¹ = 1 for U = exp ξ, which satisfies the quadratic
 ///   invariants;
 /// * `coadjoint change`: the change by U = exp ξ is transport(U, μ) − μ.
 ///
@@ -113,12 +113,11 @@ fn of_exponentials<M: Multipliers>(
     momenta: &[Point<M::Space>],
 ) {
     let (u, one) = (exponential(multipliers, xi), multipliers.one::<f64>());
-    if let Some(inverse) = multipliers.inverse::<f64>(&u) {
-        let size = u.max_abs() * inverse.max_abs();
-        for product in [(&u, &inverse), (&inverse, &u)] {
-            let product = multipliers.product::<f64>(product.0, product.1);
-            report.note("inverse", (product - one).max_abs(), size);
-        }
+    let inverse = multipliers.inverse::<f64>(&u);
+    let size = u.max_abs() * inverse.max_abs();
+    for product in [(&u, &inverse), (&inverse, &u)] {
+        let product = multipliers.product::<f64>(product.0, product.1);
+        report.note("inverse", (product - one).max_abs(), size);
     }
     for mu in momenta {
         let difference = multipliers.transport::<f64>(&u, mu) - *mu;

@@ -63,8 +63,8 @@ impl<const N: usize> Multipliers for ComplexMatrices<N> {
 
     /// Returns B∗(2 − BB∗), which is B∗ for unitary B and otherwise the inverse to second order in 1 − BB∗.
     #[inline]
-    fn inverse<T: Real>(&self, b: &SMatrix<Complex<T>, N, N>) -> Option<SMatrix<Complex<T>, N, N>> {
+    fn inverse<T: Real>(&self, b: &SMatrix<Complex<T>, N, N>) -> SMatrix<Complex<T>, N, N> {
         let adjoint = b.transpose().map(|z| z.conj());
-        Some(adjoint + adjoint * (SMatrix::identity() - b * adjoint))
+        adjoint + adjoint * (SMatrix::identity() - b * adjoint)
     }
 }

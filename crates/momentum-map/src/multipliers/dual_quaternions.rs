@@ -81,11 +81,11 @@ impl Multipliers for DualQuaternions {
     /// Returns (A + εB)⁻¹ = A′/|A|² + ε (B′ − 2 ⟨A, B⟩ A′/|A|²)/|A|² for A ≠ 0, where A′ = conj(A) and B′ =
     /// conj(B).
     #[cfg_attr(not(debug_assertions), inline(always))]
-    fn inverse<T: Real>(&self, b: &Self::Multiplier<T>) -> Option<Self::Multiplier<T>> {
+    fn inverse<T: Real>(&self, b: &Self::Multiplier<T>) -> Self::Multiplier<T> {
         let Pair(a, b) = b;
         let scale = T::one() / a.norm_squared();
         let turn = a.conjugate().scaled(scale);
         let along = a.scalar * b.scalar + dot(&a.vector, &b.vector);
-        Some(Pair(turn, b.conjugate().scaled(scale) - turn.scaled((along + along) * scale)))
+        Pair(turn, b.conjugate().scaled(scale) - turn.scaled((along + along) * scale))
     }
 }

@@ -50,6 +50,10 @@ use lie_poisson::{Differential, Point, PoissonSpace, Real, Vector};
 ///     fn product<T: Real>(&self, q: &Matrix3<T>, b: &Matrix3<T>) -> Matrix3<T> {
 ///         q * b
 ///     }
+///     // the flow conserves QᵀQ = 1
+///     fn inverse<T: Real>(&self, b: &Matrix3<T>) -> Matrix3<T> {
+///         b.transpose()
+///     }
 /// }
 ///
 /// // d/dt transport(Q, μ) = ad*_ξ μ = μ × ξ at Q = 1
@@ -111,14 +115,14 @@ pub trait Multipliers: Clone {
         b: &Self::Multiplier<T>,
     ) -> Self::Multiplier<T>;
 
-    /// Returns the inverse B⁻¹, or `None` if no inverse is implemented, which is the default.
+    /// Returns the inverse B⁻¹.
     ///
     /// The result is exact for a B whose quadratic invariants hold. If they hold only approximately, the
     /// result is near the inverse.
-    #[cfg_attr(not(debug_assertions), inline(always))]
-    fn inverse<T: Real>(&self, _b: &Self::Multiplier<T>) -> Option<Self::Multiplier<T>> {
-        None
-    }
+    ///
+    /// Integrators predict the stages of a step from those of the steps before it, which began at other multipliers. The
+    /// inverse carries them to the next step. It affects the speed and the last digits of a step, and nothing else.
+    fn inverse<T: Real>(&self, b: &Self::Multiplier<T>) -> Self::Multiplier<T>;
 }
 
 /// A multiplier of a collective system, over the scalar `T`.

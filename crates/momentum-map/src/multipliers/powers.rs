@@ -78,11 +78,7 @@ where
     }
 
     #[inline]
-    fn inverse<T: Real>(&self, b: &Self::Multiplier<T>) -> Option<Self::Multiplier<T>> {
-        let mut inverse = *b;
-        for b in &mut inverse.0 {
-            *b = self.0.inverse::<T>(b)?;
-        }
-        Some(inverse)
+    fn inverse<T: Real>(&self, b: &Self::Multiplier<T>) -> Self::Multiplier<T> {
+        Power::from_factors(|n| self.0.inverse::<T>(&b.0[n]))
     }
 }

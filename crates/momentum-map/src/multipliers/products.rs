@@ -70,7 +70,7 @@ impl<M: Multipliers, N: Multipliers> Multipliers for ProductMultipliers<M, N> {
     }
 
     #[inline]
-    fn inverse<T: Real>(&self, b: &Self::Multiplier<T>) -> Option<Self::Multiplier<T>> {
-        Some(Pair(self.0.inverse::<T>(&b.0)?, self.1.inverse::<T>(&b.1)?))
+    fn inverse<T: Real>(&self, b: &Self::Multiplier<T>) -> Self::Multiplier<T> {
+        Pair(self.0.inverse::<T>(&b.0), self.1.inverse::<T>(&b.1))
     }
 }

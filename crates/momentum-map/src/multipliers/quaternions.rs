@@ -59,7 +59,7 @@ impl Multipliers for Quaternions {
 
     /// Returns B⁻¹ = conj(B)/|B|² for any B ≠ 0.
     #[cfg_attr(not(debug_assertions), inline(always))]
-    fn inverse<T: Real>(&self, b: &Quaternion<T>) -> Option<Quaternion<T>> {
-        Some(b.conjugate().scaled(T::one() / b.norm_squared()))
+    fn inverse<T: Real>(&self, b: &Quaternion<T>) -> Quaternion<T> {
+        b.conjugate().scaled(T::one() / b.norm_squared())
     }
 }

@@ -34,7 +34,7 @@ use num_traits::NumAssign;
 /// }
 /// // d(v²/2)/dv = v
 /// let energy = kinetic_energy(DualNumber::variable(3.0));
-/// assert_eq!((energy.value(), energy.derivative()), (4.5, 3.0));
+/// assert_eq!((energy.value_without_derivative(), energy.derivative()), (4.5, 3.0));
 /// ```
 pub trait Real:
     Copy
@@ -129,7 +129,7 @@ pub trait Real:
     /// ```
     /// use generic_scalars::{DualNumber, Real};
     /// let power = DualNumber::variable(2.0).powi(-3);
-    /// assert_eq!((power.value(), power.derivative()), (0.125, -0.1875));
+    /// assert_eq!((power.value_without_derivative(), power.derivative()), (0.125, -0.1875));
     /// ```
     #[must_use]
     #[inline]

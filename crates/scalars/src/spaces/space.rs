@@ -16,7 +16,7 @@ pub type Differential<P, T = f64> = <Point<P, T> as Vector>::Dual;
 /// use generic_scalars::{DualNumber, Point, RealSpace};
 /// let z: Point<RealSpace<2>> = nalgebra::Vector2::new(1.0, 2.0);
 /// let w: Point<RealSpace<2>, DualNumber> = z.map(DualNumber::variable);
-/// # assert_eq!(w.y.value(), 2.0);
+/// # assert_eq!(w.y.value_without_derivative(), 2.0);
 /// ```
 pub trait VectorSpace: Clone {
     /// The type of a point over the scalar `T`.

@@ -141,7 +141,7 @@ pub trait Vector:
 /// use generic_scalars::{DualNumber, map_coordinates};
 /// use nalgebra::Vector2;
 /// let x: Vector2<DualNumber> = map_coordinates(&Vector2::new(1.0, 2.0), DualNumber::constant);
-/// assert_eq!(x.y.value(), 2.0);
+/// assert_eq!(x.y.value_without_derivative(), 2.0);
 /// ```
 #[cfg_attr(not(debug_assertions), inline(always))]
 pub fn map_coordinates<V: Vector, W: Vector>(v: &V, f: impl Fn(V::Scalar) -> W::Scalar) -> W {

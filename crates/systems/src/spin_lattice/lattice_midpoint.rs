@@ -200,6 +200,9 @@ impl Integrator for LatticeMidpoint {
         rayon::scope(|_| self.step_within_pool(s, step, space))
     }
 
+    /// Nothing is remembered from step to step.
+    fn forget(&self, _: &mut LatticeSpace) {}
+
     fn momentum(&self, s: &Self::State) -> Self::State {
         s.clone()
     }

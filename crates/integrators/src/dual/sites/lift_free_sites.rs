@@ -108,8 +108,8 @@ struct MultipliersField<'a, M: Multipliers, H, E, T: Real> {
     hamiltonian: &'a H,
     start: &'a Covector<Sites<E>>,
     velocities: &'a RefCell<(Covector<Sites<E>>, Sites<E>)>,
-    /// The multipliers of the course and their inverses, if they have some.
-    frame: Option<[&'a Sites<Multiplier<M, T>>; 2]>,
+    /// The multipliers of the course and their inverses.
+    frame: [&'a Sites<Multiplier<M, T>>; 2],
     continues: bool,
 }
 
@@ -156,15 +156,11 @@ where
 
     fn remember(&self, k: &Sites<Multiplier<M, T>>, past: &mut Sites<Multiplier<M, T>>) {
         past.assign(k);
-        if let Some([moved, _]) = self.frame {
-            multiply_by(self.multipliers, past, moved);
-        }
+        multiply_by(self.multipliers, past, self.frame[0]);
     }
 
     fn recall(&self, k: &mut Sites<Multiplier<M, T>>) {
-        if let Some([_, back]) = self.frame {
-            multiply_by(self.multipliers, k, back);
-        }
+        multiply_by(self.multipliers, k, self.frame[1]);
     }
 }
 
@@ -180,13 +176,12 @@ fn multiply_by<M: Multipliers, T: Real>(
 }
 
 impl<S, M, H> LiftFreeSites<S, M, H> {
-    /// Prepares the storage for a step from μ. Returns whether the multipliers have inverses.
+    /// Prepares the storage for a step from μ.
     fn prepare<W, A, T>(
         &self,
         mu: &Covector<Sites<A::Element<T>>>,
         space: &mut LiftFreeSitesSpace<W, Multiplier<M, T>, A::Element<T>>,
-    ) -> bool
-    where
+    ) where
         M: Multipliers<Space = LiePoisson<A>>,
         A: LieAlgebra,
         T: Real,
@@ -206,12 +201,9 @@ impl<S, M, H> LiftFreeSites<S, M, H> {
         if course.steps == 0 {
             course.moved.assign(one);
         }
-        let mut inverses = course.back.iter_mut().zip(course.moved.iter());
-        inverses.all(|(back, moved)| {
-            let inverse = self.multipliers.inverse::<T>(moved);
-            *back = inverse.unwrap_or(*back);
-            inverse.is_some()
-        })
+        for (back, moved) in course.back.iter_mut().zip(course.moved.iter()) {
+            *back = self.multipliers.inverse::<T>(moved);
+        }
     }
 }
 
@@ -253,9 +245,9 @@ where
         step: f64,
         workspace: &mut Self::Workspace,
     ) -> Result<usize, StepError> {
-        let invertible = self.prepare::<_, A, T>(mu, workspace);
+        self.prepare::<_, A, T>(mu, workspace);
         let LiftFreeSitesSpace { scheme: storage, velocities, one, course } = workspace;
-        let continues = invertible && course.steps > 0;
+        let continues = course.steps > 0;
         if !continues {
             self.scheme.forget(storage);
         }
@@ -264,7 +256,7 @@ where
             hamiltonian: &self.hamiltonian,
             start: &*mu,
             velocities,
-            frame: invertible.then_some([&course.moved, &course.back]),
+            frame: [&course.moved, &course.back],
             continues,
         };
         let made = self.scheme.increment::<T, _>(&field, one, step, storage);
@@ -277,7 +269,7 @@ where
             *end = (mu + self.multipliers.coadjoint_change::<T>(q, &mu)).0;
         });
         // Explicit methods make no iterations and predict nothing.
-        if invertible && iterations > 0 {
+        if iterations > 0 {
             course.moved.iter_mut().zip(q.iter()).for_each(|(moved, q)| {
                 *moved = self.multipliers.product::<T>(q, moved);
             });

@@ -187,6 +187,9 @@ where
         if finite { Ok(iterations) } else { Err(StepError::NotFinite) }
     }
 
+    /// Nothing is remembered from step to step.
+    fn forget(&self, _: &mut Self::Workspace) {}
+
     fn momentum(&self, w: &F::Point) -> F::Point {
         w.clone()
     }

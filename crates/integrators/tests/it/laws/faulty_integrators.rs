@@ -90,6 +90,8 @@ impl Integrator for FaultyIntegrator {
         Ok(0)
     }
 
+    fn forget(&self, _: &mut Self::Workspace) {}
+
     fn momentum(&self, z: &Vector2<f64>) -> Vector2<f64> {
         *z
     }
@@ -140,6 +142,52 @@ fn laws_of_integrators_reject_what_breaks_them() {
     for (integrator, expected) in cases {
         let report = laws::start(&integrator, &points(), STEP).unwrap();
         assert_eq!(broken(&report), expected, "{integrator:?}");
+    }
+}
+
+/// An integrator that contains another one, and does not pass on the call to forget.
+struct Deaf<I>(I);
+
+impl<I: Integrator> Integrator for Deaf<I> {
+    type State = I::State;
+    type Momentum = I::Momentum;
+    type Workspace = I::Workspace;
+
+    fn workspace(&self) -> I::Workspace {
+        self.0.workspace()
+    }
+
+    fn step(
+        &self,
+        state: &I::State,
+        step: f64,
+        workspace: &mut I::Workspace,
+    ) -> Result<Step<I::State>, StepError> {
+        self.0.step(state, step, workspace)
+    }
+
+    fn forget(&self, _: &mut I::Workspace) {}
+
+    fn momentum(&self, state: &I::State) -> I::Momentum {
+        self.0.momentum(state)
+    }
+}
+
+/// What an implicit method remembers leaves no trace in the bits of most steps, but it saves iterations.
+#[test]
+fn an_integrator_that_does_not_forget_is_seen_at_every_step() {
+    for stages in 1..=4 {
+        let gauss = || {
+            let pendulum = from_fn(|z: &Vector2<f64>| Vector2::new(z.y, -z.x.sin()));
+            Direct::new(RungeKutta::gauss(stages).unwrap(), pendulum)
+        };
+        for step in [1e-3, 0.01, 0.1, 0.3, 1.0, -0.3] {
+            let law = |report: laws::Report| report.residual("forgetting").unwrap();
+            let deaf = laws::integrator(&Deaf(gauss()), &points(), step).unwrap();
+            assert!(law(deaf) >= 1.0, "{stages} {step}");
+            // Control: the integrator itself forgets.
+            assert_eq!(law(laws::integrator(&gauss(), &points(), step).unwrap()), 0.0);
+        }
     }
 }
 

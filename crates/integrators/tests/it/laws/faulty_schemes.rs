@@ -109,6 +109,8 @@ impl Scheme for FaultyScheme {
         Ok(iterations)
     }
 
+    fn forget<V: State>(&self, _: &mut u32) {}
+
     fn order(&self) -> usize {
         if *self == Self::ClaimsOrderThree { 3 } else { 2 }
     }
@@ -171,6 +173,8 @@ impl Scheme for MixesNothing {
         self.0.increment(field, z, step, &mut self.0.workspace())
     }
 
+    fn forget<V: State>(&self, (): &mut ()) {}
+
     fn order(&self) -> usize {
         self.0.order()
     }
@@ -189,4 +193,51 @@ fn the_law_of_equivariance_rejects_what_breaks_it() {
     let verlet = MixesNothing(PartitionedRungeKutta::kick_drift_kick());
     assert_eq!(broken(&laws::scheme(&verlet)), [""; 0]);
     assert!(laws::equivariant_scheme(&verlet).residual("equivariance").unwrap() > 1e-4);
+}
+
+/// A scheme that contains another one, and does not pass on the call to forget.
+#[derive(Clone)]
+struct Deaf<S>(S);
+
+impl<S: Scheme> Scheme for Deaf<S> {
+    type Workspace<V: State> = S::Workspace<V>;
+
+    fn workspace<V: State>(&self) -> S::Workspace<V> {
+        self.0.workspace()
+    }
+
+    fn increment<T: Real, F: VectorField<T>>(
+        &self,
+        field: &F,
+        z: &F::Point,
+        step: f64,
+        workspace: &mut S::Workspace<F::Point>,
+    ) -> Result<Step<F::Point>, StepError> {
+        self.0.increment(field, z, step, workspace)
+    }
+
+    fn forget<V: State>(&self, _: &mut S::Workspace<V>) {}
+
+    fn order(&self) -> usize {
+        self.0.order()
+    }
+
+    fn is_symplectic(&self) -> bool {
+        self.0.is_symplectic()
+    }
+
+    fn is_symmetric(&self) -> bool {
+        self.0.is_symmetric()
+    }
+}
+
+/// A method that remembers stages begins anew by itself from another point, so that the law continues from the last one.
+#[test]
+fn a_scheme_that_does_not_forget_is_seen() {
+    for stages in 1..=4 {
+        let gauss = RungeKutta::gauss(stages).unwrap();
+        let forgetting = |report: &laws::Report| report.residual("forgetting").unwrap();
+        assert!(forgetting(&laws::scheme(&Deaf(gauss.clone()))) >= 1.0, "{stages}");
+        assert_eq!(forgetting(&laws::scheme(&gauss)), 0.0, "{stages}");
+    }
 }

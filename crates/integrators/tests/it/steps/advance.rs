@@ -197,6 +197,8 @@ impl Integrator for AtOnce {
         Ok(7)
     }
 
+    fn forget(&self, (): &mut ()) {}
+
     fn momentum(&self, x: &Vector1<f64>) -> Vector1<f64> {
         *x
     }

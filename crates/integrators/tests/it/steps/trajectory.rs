@@ -47,6 +47,8 @@ impl Integrator for Counting {
         Step { point: x / (1.0 + h), iterations: 0 }.finite()
     }
 
+    fn forget(&self, (): &mut ()) {}
+
     fn momentum(&self, x: &Vector1<f64>) -> Vector1<f64> {
         self.0.set(self.0.get() + 1);
         *x

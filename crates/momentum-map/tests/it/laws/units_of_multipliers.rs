@@ -50,8 +50,8 @@ impl Multipliers for Line {
     fn product<T: Real>(&self, q: &Vector1<T>, b: &Vector1<T>) -> Vector1<T> {
         Vector1::new(q.x * b.x)
     }
-    fn inverse<T: Real>(&self, b: &Vector1<T>) -> Option<Vector1<T>> {
-        Some(Vector1::new(T::from_f64(1.0 + self.inverse) / b.x))
+    fn inverse<T: Real>(&self, b: &Vector1<T>) -> Vector1<T> {
+        Vector1::new(T::from_f64(1.0 + self.inverse) / b.x)
     }
 }
 

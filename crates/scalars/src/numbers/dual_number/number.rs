@@ -10,9 +10,9 @@ use crate::Real;
 ///
 /// Two dual numbers are equal if both their values and their derivatives are equal.
 ///
-/// The two parts can be read, by [`value`](Self::value) and [`derivative`](Self::derivative), but a formula should
-/// not take them apart: a function of the value alone is a constant and loses the derivative. All functions of
-/// [`Real`] act on the whole number.
+/// The two parts can be read, by [`value_without_derivative`](Self::value_without_derivative) and
+/// [`derivative`](Self::derivative), but a formula should not take them apart: a function of the value alone is a
+/// constant and loses the derivative. All functions of [`Real`] act on the whole number.
 ///
 /// Source: W. K. Clifford, *Preliminary sketch of biquaternions*, Proc. London Math. Soc. 4 (1873).
 ///
@@ -56,18 +56,19 @@ impl<T: Real> DualNumber<T> {
         Self { value, derivative: T::one() }
     }
 
-    /// Returns the value x of x + ε x′, for the end of a computation.
+    /// Returns the value x of x + ε x′ without its derivative, for the end of a computation.
     ///
-    /// Anything computed from the value alone loses the derivative:
+    /// Anything computed from the value alone loses the derivative. Where a formula asks for `f64` and has a dual number,
+    /// the remedy is a formula over all scalars, and not this method:
     /// ```
     /// use generic_scalars::{DualNumber, Real};
     /// let x = DualNumber::variable(4.0);
-    /// assert_eq!(DualNumber::constant(x.value().sqrt()).derivative(), 0.0);
+    /// assert_eq!(DualNumber::constant(x.value_without_derivative().sqrt()).derivative(), 0.0);
     /// assert_eq!(x.sqrt().derivative(), 0.25);
     /// ```
     #[must_use]
     #[cfg_attr(not(debug_assertions), inline(always))]
-    pub fn value(self) -> T {
+    pub fn value_without_derivative(self) -> T {
         self.value
     }
 

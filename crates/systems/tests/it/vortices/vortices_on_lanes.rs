@@ -32,7 +32,7 @@ fn by_pairs(vortices: &ManyVortices, m: &Points) -> Vec<Vector3<f64>> {
         .at(&dual)
         .0
         .iter()
-        .map(|rate| map_coordinates(rate, |x: DualNumber| x.value()))
+        .map(|rate| map_coordinates(rate, |x: DualNumber| x.value_without_derivative()))
         .collect()
 }
 
