@@ -216,7 +216,7 @@ def test_wrong_systems_say_why(arguments, error, words):
         (dict(y0=[np.nan] * 6), "must be finite"),
         (dict(scheme="stormer-verlet"), "se.3. has no"),
         (dict(formulation="splitting"), "formulation must be one of collective, reduced, direct"),
-        (dict(step=0.0), "step must be positive"),
+        (dict(step=0.0), "step must be different from 0, got 0.0"),
         (dict(end=0.25), "nearest ends"),
         (dict(tolerance=1.0), "tolerance must be"),
     ],

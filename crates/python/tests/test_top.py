@@ -74,7 +74,7 @@ def test_invariants_of_states():
 @pytest.mark.parametrize(
     ("change", "words"),
     [
-        (dict(step=0.0), "step must be positive"),
+        (dict(step=0.0), "step must be different from 0, got 0.0"),
         (dict(end=0.15), "nearest ends are 0.1 and 0.2"),
         (dict(scheme="gauss-5"), "scheme must be one of implicit-midpoint"),
         (dict(scheme="rk4", formulation="reduced"), "reduced has no scheme rk4"),

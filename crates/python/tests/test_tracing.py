@@ -34,6 +34,9 @@ FUNCTIONS = [
     lambda x: functions.sin(x.Pi1) * functions.sqrt(x.Pi2) + functions.norm(x.Pi) + functions.dot(x.Pi, x.Gamma),
     lambda x: x["Pi1"] * x["Pi"][2] + x[0] * x[5] + x[1:3].sum() + np.float64(2) * x.Pi1 - np.int64(2) * x.Pi2,
     lambda x: np.exp(np.sin(x.Pi)).prod() + np.outer(x.Pi, x.Gamma).trace(),
+    lambda x: np.arctan2(2.0, x.Pi1) + np.hypot(2, x.Pi2) + np.arctan2(x.Pi3, np.float64(3)) + np.power(2.0, x.Pi1),
+    lambda x: (np.arctan2(1.5, x.Pi) * np.hypot(np.array([1.0, 2.0, 3.0]), x.Gamma)).sum() + np.add.reduce(x.Pi),
+    lambda x: functions.atan2(2.0, x.Pi).sum() + np.arctan2([1.0, 2.0, 3.0], x.Pi1) @ x.Gamma + np.concatenate([x.Pi, x.Gamma]).prod(),
     lambda x: 3,
 ]
 

@@ -18,7 +18,7 @@ pub struct IntegratorConfig {
     pub scheme: Option<SchemeName>,
     /// The time step, s.
     pub step: Option<f64>,
-    /// The time to stop at, s: a whole number of steps.
+    /// The time to stop at, s: a whole number of steps, backward in time to an end before 0.
     pub end: Option<f64>,
     /// The tolerance of the stage equations; 0 iterates to the round-off floor.
     pub tolerance: Option<f64>,
@@ -85,7 +85,8 @@ impl Default for Integration {
 }
 
 impl IntegratorConfig {
-    /// Returns the integrator of these keys, with the values of `own` where a key is missing.
+    /// Returns the integrator of these keys, with the values of `own` where a key is missing. With a negative step, an end
+    /// that is missing is before 0.
     ///
     /// # Example
     /// ```
@@ -93,14 +94,17 @@ impl IntegratorConfig {
     /// let keys = IntegratorConfig { end: Some(7.0), ..IntegratorConfig::default() };
     /// let own = Integration { step: 0.1, ..Integration::default() };
     /// assert_eq!(keys.or(own), Integration { end: 7.0, ..own });
+    /// let backward = IntegratorConfig { step: Some(-0.1), ..IntegratorConfig::default() };
+    /// assert_eq!(backward.or(own).end, -own.end);
     /// ```
     #[must_use]
     pub fn or(self, own: Integration) -> Integration {
+        let step = self.step.unwrap_or(own.step);
         Integration {
             formulation: self.formulation.unwrap_or(own.formulation),
             scheme: self.scheme.unwrap_or(own.scheme),
-            step: self.step.unwrap_or(own.step),
-            end: self.end.unwrap_or(own.end),
+            step,
+            end: self.end.unwrap_or(own.end.copysign(step)),
             tolerance: self.tolerance.unwrap_or(own.tolerance),
             instructions: self.instructions.unwrap_or(own.instructions),
         }

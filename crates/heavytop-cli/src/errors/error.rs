@@ -149,6 +149,17 @@ pub enum Error {
         /// The value of the number.
         value: f64,
     },
+    /// The steps go backward in time, and the end is after the start.
+    #[error(
+        "steps of {} s do not reach end = {}: a run backward in time has an end before 0",
+        number(*step), number(*end)
+    )]
+    OppositeEnd {
+        /// The size of the steps, s.
+        step: f64,
+        /// The end asked for, s.
+        end: f64,
+    },
     /// The body turns too far in one step for any method to give meaningful results.
     #[error(
         "a step of {} s turns the body by about {angle:.3e} rad; it must be at most {most}",

@@ -74,7 +74,10 @@ fn commented(config: &Config) -> String {
             (format!("formulation = \"{formulation}\""), "collective, reduced, direct, splitting"),
             (format!("scheme = \"{scheme}\""), "see heavytop help simulate"),
             (format!("step = {:?}", integrator.step), "s"),
-            (format!("end = {:?}", integrator.end), "s; a whole number of steps"),
+            (
+                format!("end = {:?}", integrator.end),
+                "s; a whole number of steps, backward if negative",
+            ),
             (
                 format!("tolerance = {:?}", integrator.tolerance),
                 "of the stage equations; 0 iterates to the round-off floor",

@@ -41,11 +41,15 @@ pub(super) fn repairs(error: &Error, config: &Config) -> Vec<Repair> {
             .map(|(_, key)| repair(key, format!("must be {range}")))
             .collect(),
         Error::BrokenStep { before, after, .. } => {
-            let ends = [*before, *after].into_iter().filter(|end| *end > 0.0).map(number);
+            let ends = [*before, *after].into_iter().filter(|end| *end != 0.0).map(number);
             let ends = ends.collect::<Vec<_>>().join(" or ");
             let step = "does not divide the end".to_string();
             vec![repair("integrator.end", format!("write {ends}")), repair("integrator.step", step)]
         }
+        Error::OppositeEnd { step, end } => vec![
+            repair("integrator.end", format!("write {}", number(-end))),
+            repair("integrator.step", format!("write {}", number(-step))),
+        ],
         Error::TooManySteps { steps, most } => {
             let times = number((steps / most).ceil());
             vec![
@@ -56,9 +60,10 @@ pub(super) fn repairs(error: &Error, config: &Config) -> Vec<Repair> {
         }
         Error::AbsurdStep { step, angle, most } => {
             let bound = step * most / angle;
-            let note = match bound > 0.0 {
-                true => format!("write at most {bound:.3e}"),
-                false => "write less".into(),
+            let note = match bound {
+                0.0.. => format!("write at most {bound:.3e}"),
+                ..0.0 => format!("write at least {bound:.3e}"),
+                _ => "write less".into(),
             };
             let fast = "the body is too fast for the step".to_string();
             vec![

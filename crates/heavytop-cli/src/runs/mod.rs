@@ -1,6 +1,6 @@
 //! A run of a top or of another Lie–Poisson system: its steps, its integrator, and its samples one by one.
 
-mod schedule;
+pub(crate) mod schedule;
 mod pace;
 pub(crate) mod step_angle;
 pub(crate) mod method_warning;

@@ -162,7 +162,7 @@ impl Section {
     }
 
     /// Returns the points where the motion through `start`, a state of the section, crosses the section in the first
-    /// `steps` steps of size `step` (s).
+    /// `steps` steps of size `step` (s). With a negative step they are its antecedents, which lie on the same section.
     ///
     /// Crossings within the first step are not reported.
     ///
@@ -180,7 +180,7 @@ impl Section {
         // The start lies on the surface up to rounding, so that its side is random.
         let run = integrator.trajectory(start, step)?.take(steps.saturating_add(1)).skip(1);
         let value = move |mu: &Se3Dual| section.value(mu);
-        Ok(Events::new(integrator, run, value, self.surface.direction))
+        Ok(Events::new(integrator, run, value, self.surface.direction.along_run(step)))
     }
 
     fn axis(&self) -> usize {

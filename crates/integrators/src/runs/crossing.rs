@@ -23,7 +23,9 @@ pub enum EventError {
 
 /// The direction in which g crosses zero along the trajectory.
 ///
-/// For negative steps the trajectory runs backwards in time.
+/// For negative steps the trajectory runs backwards in time, and a function that grows along it falls in time. A Poincaré
+/// section is a set of states, whatever the direction of a run: [`along_run`](Self::along_run) gives the direction in
+/// which the run crosses it.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 pub enum Direction {
@@ -36,6 +38,23 @@ pub enum Direction {
 }
 
 impl Direction {
+    /// Returns the direction along a run with steps of size `step` of the crossings that have this direction in time.
+    ///
+    /// # Example
+    /// ```
+    /// use collective_integrators::Direction;
+    /// assert_eq!(Direction::Up.along_run(0.1), Direction::Up);
+    /// assert_eq!(Direction::Up.along_run(-0.1), Direction::Down);
+    /// ```
+    #[must_use]
+    pub fn along_run(self, step: f64) -> Self {
+        match self {
+            Self::Up if step < 0.0 => Self::Down,
+            Self::Down if step < 0.0 => Self::Up,
+            same => same,
+        }
+    }
+
     fn crosses(self, before: f64, after: f64) -> bool {
         let up = before < 0.0 && after >= 0.0;
         let down = before > 0.0 && after <= 0.0;

@@ -13,11 +13,9 @@ from numpy.typing import ArrayLike, NDArray
 
 def real(name: str, value: Any) -> float:
     """Returns a finite number."""
-    if value is None or isinstance(value, (str, bool)):
-        raise ValueError(f"{name} must be a number, got {value!r}")
     try:
-        number = float(np.asarray(value, dtype=float)[()])
-    except (TypeError, ValueError, OverflowError):
+        number = float(array(name, value)[()])
+    except (TypeError, ValueError):
         raise ValueError(f"{name} must be a number, got {value!r}") from None
     if not math.isfinite(number):
         raise ValueError(f"{name} must be finite, got {number}")
@@ -30,6 +28,17 @@ def positive(name: str, value: Any) -> float:
     if number <= 0:
         raise ValueError(f"{name} must be positive, got {number}")
     return number
+
+
+def course(step: Any, end: Any) -> tuple[float, float]:
+    """Returns the step and the end of a run. Before 0 the end alone asks for a run backward in time."""
+    step, end = real("step", step), real("end", end)
+    for name, value in (("step", step), ("end", end)):
+        if value == 0:
+            raise ValueError(f"{name} must be different from 0, got {value}")
+    if step < 0 < end:
+        raise ValueError(f"end must be before 0 for a run backward in time, with a step of {step}, got {end}")
+    return math.copysign(step, end), end
 
 
 def count(name: str, value: Any, least: int) -> int:
@@ -56,13 +65,29 @@ def choice(name: str, value: Any, choices: Sequence[Any]) -> Any:
     raise ValueError(f"{name} must be one of {', '.join(map(str, choices))}, got {value!r}{hint}")
 
 
+NO_NUMBERS = (bool, np.bool_, str, bytes, type(None), type(np.ma.masked))
+"""What NumPy would convert to a number, although it is none."""
+
+
+def holds_numbers(values: Any) -> bool:
+    """Returns whether all entries of an array, of nested lists or of a mixture of both are real numbers."""
+    kind = values.dtype.kind if isinstance(values, (np.ndarray, np.generic)) else "O"
+    if kind != "O":
+        return kind in "iuf"
+    # A list may hold what an array of its entries would convert.
+    entries = np.asarray(values, dtype=object).flat
+    return not any(isinstance(x, NO_NUMBERS) or isinstance(x, np.ndarray) and not holds_numbers(x) for x in entries)
+
+
 def array(name: str, values: ArrayLike) -> NDArray[np.float64]:
     """Returns an array of real numbers."""
+    if np.ma.is_masked(values):
+        raise ValueError(f"{name} must have no masked entries: fill them or leave them out")
     try:
-        if np.iscomplexobj(values):
+        if not holds_numbers(values) or np.iscomplexobj(values):
             raise TypeError
         return np.asarray(values, dtype=float)
-    except (TypeError, ValueError):
+    except (TypeError, ValueError, OverflowError):
         raise ValueError(f"{name} must be an array of real numbers, got {values!r}") from None
 
 

@@ -11,7 +11,7 @@ from numpy.typing import ArrayLike
 
 from . import _native
 from ._native import IntegrationError
-from .arguments import array, count, flag, positive
+from .arguments import array, count, course, flag
 from .ensembles import natives
 from .long_steps import warn_of_long_step
 from .methods import method
@@ -29,7 +29,7 @@ class Chaos:
 
     Attributes:
         t: the end, or the times of shape (m,) with `every`.
-        exponents: the Lyapunov exponents up to t per unit of time, the largest first in the limit of long runs, shape (k,).
+        exponents: the Lyapunov exponents up to t per unit of time along the run, the largest first in the limit of long runs, shape (k,).
         megno: the mean exponential growth factor of nearby orbits: about 2 for regular motion, and half of the largest
             exponent times t for chaotic motion.
         sali: the smaller alignment index of two tangent vectors, or None: round-off for chaotic motion.
@@ -50,7 +50,7 @@ class Chaos:
             found = f"the largest exponent is {exponent:.3g}, MEGNO {megno:.3g}"
         else:
             found = f"{self.y.shape[1]} runs, {len(self.failures)} failures"
-        return f"<Chaos: up to t = {np.max(self.t):g}, {found}>"
+        return f"<Chaos: up to t = {np.atleast_1d(self.t)[-1]:g}, {found}>"
 
 
 def lyapunov(
@@ -75,7 +75,8 @@ def lyapunov(
         system: a top or a system; or a sequence of n tops, one for each state.
         y0: the initial state, shape (d,), for a top (Pi1, Pi2, Pi3, Gamma1, Gamma2, Gamma3); or n states, shape (d, n).
         step: the time step.
-        end: the end: a multiple of the step, to within 1e-9 of itself.
+        end: the end: a multiple of the step, to within 1e-9 of itself. Before 0 the indicators are those of the motion
+            backward in time.
         exponents: the number of exponents, from 1 to d. All six of a top add up to 0, and come in pairs of opposite signs,
             with two zeros for the Casimirs.
         sali: whether to compute SALI, for which there must be one exponent.
@@ -113,7 +114,7 @@ def lyapunov(
         raise ValueError(f"exponents must be from 1 to {dimension}, got {number}")
     if formulation == "collective":
         raise ValueError("formulation must not be collective: its tangent vectors belong to another space; use reduced")
-    times = (positive("step", step), positive("end", end), 0 if every is None else count("every", every, 1))
+    times = (*course(step, end), 0 if every is None else count("every", every, 1))
     rows, tangents = states.reshape(dimension, -1).T, tangent_vectors(number, flag("sali", sali))
     if isinstance(system, System):
         reduced = "reduced" if "reduced" in system.formulations else "direct"

@@ -9,7 +9,7 @@ from typing import Any, Optional, Union
 from numpy.typing import ArrayLike
 
 from . import _native
-from .arguments import array, choice, positive, states
+from .arguments import array, choice, course, states
 from .ends import Ends
 from .long_steps import warn_of_long_step
 from .solution import Floats
@@ -67,11 +67,14 @@ def solve_many(
     A process that was forked, as those of `multiprocessing` may be, starts threads of its own. Ctrl-C ends the call after
     1024 steps at most.
 
+    The last states of a system have the bits of those of `System.solve`. Tops are followed in the SIMD lanes of the
+    processor by other arithmetic than that of `Top.solve`: the same method, from which they differ by rounding errors.
+
     Args:
         tops: one top for all states, or a sequence of n tops; or a system for all states.
         y: the initial states, shape (d, n): for tops (Pi1, Pi2, Pi3, Gamma1, Gamma2, Gamma3).
         step: the time step, s.
-        end: the end, s: a multiple of the step, to within 1e-9 of itself.
+        end: the end, s: a multiple of the step, to within 1e-9 of itself. An end before 0 is reached backward in time.
         scheme: for tops "implicit-midpoint", "gauss-4", "gauss-6", "gauss-8", "gauss-10", "gauss-12" or "gauss-16", which
             are collective and conserve the Casimirs to round-off; for a system any that `System.solve` has.
         formulation: of a system, as for `System.solve`; tops have none but "collective".
@@ -92,7 +95,7 @@ def solve_many(
         >>> bool(ends.deviation("f2").max() < 1e-12)
         True
     """
-    step, end = positive("step", step), positive("end", end)
+    step, end = course(step, end)
     if isinstance(tops, System):
         return of_system(tops, array("y", y), (step, end), (formulation, scheme))
     if formulation not in (None, "collective"):

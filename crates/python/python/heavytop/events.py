@@ -25,7 +25,8 @@ class Event:
     Attributes:
         function: a formula in the coordinates, such as "Gamma3 - 0.5" or "Pi·Gamma - 1", or a Python function of them, such
             as `lambda x: x.Gamma3 - 0.5`, which is called once, with symbols.
-        direction: 1 for zeros where the function grows, -1 where it falls, 0 for both.
+        direction: 1 for zeros where the function grows along the run, -1 where it falls, 0 for both. Along a run backward in
+            time a function grows that falls in time, as in SciPy.
         terminal: whether the run ends at the first zero; a whole number ends it at that zero, counted from 1.
     """
 

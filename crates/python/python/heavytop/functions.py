@@ -6,8 +6,6 @@ from typing import Any
 
 import numpy as np
 
-from .symbols import Symbol
-
 __all__ = ["atan2", "cos", "cosh", "cross", "dot", "exp", "log", "norm", "sin", "sinh", "sqrt", "tan", "tanh"]
 
 
@@ -58,8 +56,6 @@ def tanh(x: Any) -> Any:
 
 def atan2(y: Any, x: Any) -> Any:
     """Returns the angle of the point (x, y)."""
-    if isinstance(x, Symbol):
-        return x.angle_from(y)
     return np.arctan2(y, x)
 
 

@@ -21,10 +21,10 @@ def warn_of_long_step(tops: Sequence[_native.Top], momenta: Floats, step: float,
     inertia = np.array([top.inertia for top in tops])
     if inertia.shape[0] not in (1, momenta.shape[0]) or not momenta.size:
         return
-    turns = step * np.linalg.norm(momenta / inertia, axis=1)
+    turns = abs(step) * np.linalg.norm(momenta / inertia, axis=1)
     most = int(np.argmax(turns))
     turn = float(turns[most])
     if turn > LONG_STEP:
         which = "the body" if len(turns) == 1 else f"the body number {most}"
-        text = f"{which} turns by {turn:.3g} rad in the first step: a step of {step / turn:.3g} turns it by 1 rad"
+        text = f"{which} turns by {turn:.3g} rad in the first step: a step of {abs(step) / turn:.3g} turns it by 1 rad"
         warnings.warn(text, RuntimeWarning, stacklevel=stacklevel)

@@ -23,6 +23,7 @@ class Native(Protocol):
     """The native part of a top or a system."""
 
     def states_at(self, setting: Any, times: list[float]) -> Floats: ...
+    def invariant_values(self, states: Floats) -> Floats: ...
 
 
 class Run(NamedTuple):
@@ -105,19 +106,22 @@ class Solution:
     def deviation(self, symbol: str, *, relative: bool = False) -> float:
         """Returns the largest |f(t) - f(0)| of an invariant, over all samples.
 
+        f(0) is the value at the start of the run, whether there is a sample of it or not.
+
         Args:
             symbol: the symbol of the invariant, such as "h".
             relative: whether to divide it by |f(0)|.
         """
         if symbol not in self.invariants:
             raise ValueError(f"the invariants are {', '.join(self.invariants)}, got {symbol!r}")
-        values = self.invariants[symbol]
+        start = np.array([self._run.setting[0]])
+        first = float(self._run.native.invariant_values(start)[0, list(self.invariants).index(symbol)])
         with np.errstate(all="ignore"):
-            largest = float(np.abs(values - values[0]).max())
-            return largest / abs(float(values[0])) if relative else largest
+            largest = float(np.abs(self.invariants[symbol] - first).max())
+            return largest / np.float64(abs(first)) if relative else largest
 
     def sol(self, t: ArrayLike) -> Floats:
-        """Returns the states at any times from 0 to the end of the run.
+        """Returns the states at any times from 0 to the end of the run, which is before 0 if the run was backward.
 
         A state is that of a step of partial size from the whole step before it. It has the order of the method, and
         conserves what the method conserves. Each call makes the run again, up to the last of the times: pass all times at
@@ -130,17 +134,19 @@ class Solution:
             The states, of shape (d,) for one time and (d, k) for k times.
 
         Raises:
-            ValueError: if a time is negative, beyond the end, or not a number.
+            ValueError: if a time is not between 0 and the end, or not a number.
         """
         times = array("t", t)
         end = float(self.t[-1])
         flat = times.reshape(-1)
+        # How far the times lie along the run, which may be backward.
+        along = np.copysign(1.0, end) * flat
         # The end that was asked for may differ from a whole number of steps by 1e-9 of itself.
-        outside = flat[~((flat >= 0.0) & (flat <= end * (1 + 2e-9)))]
+        outside = flat[~((along >= 0.0) & (along <= abs(end) * (1 + 2e-9)))]
         if outside.size:
             raise ValueError(f"t must be from 0 to {end}, got {outside[0]}")
-        flat = np.minimum(flat, end)
-        order = np.argsort(flat, kind="stable")
+        flat = np.where(along > abs(end), end, flat)
+        order = np.argsort(np.abs(flat), kind="stable")
         states = np.empty((self.y.shape[0], flat.size))
         states[:, order] = self._run.native.states_at(self._run.setting, flat[order].tolist()).T
         return states.reshape((self.y.shape[0], *times.shape))

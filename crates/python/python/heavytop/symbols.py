@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from collections.abc import Sequence
 from typing import Any, NoReturn
 
 import numpy as np
@@ -45,6 +46,10 @@ class Symbol:
     """
 
     __slots__ = ("_place", "_trace")
+
+    def __array_ufunc__(self, ufunc: np.ufunc, method: str, *inputs: Any, **kwargs: Any) -> Any:
+        """Applies a function of NumPy to symbols and to numbers, in any order."""
+        return applied(ufunc, method, inputs, kwargs)
 
     def __init__(self, trace: Trace, place: int) -> None:
         self._trace = trace
@@ -193,3 +198,45 @@ class Symbol:
     def __repr__(self) -> str:
         operation, _, _, _ = self._trace.parts[self._place]
         return f"<Symbol: {operation}, part {self._place} of a traced function>"
+
+
+class SymbolArray(np.ndarray):
+    """An array of symbols, on which the functions of NumPy act as on a symbol."""
+
+    def __array_ufunc__(self, ufunc: np.ufunc, method: str, *inputs: Any, **kwargs: Any) -> Any:
+        """Applies a function of NumPy to arrays of symbols and to numbers, in any order."""
+        return applied(ufunc, method, inputs, kwargs)
+
+
+def angle(y: Any, x: Any) -> Any:
+    """Returns the angle of the point (x, y)."""
+    if isinstance(y, Symbol):
+        return y.arctan2(x)
+    return x.angle_from(y) if isinstance(x, Symbol) else np.arctan2(y, x)
+
+
+def length(x: Any, y: Any) -> Any:
+    """Returns the length of the vector (x, y)."""
+    if isinstance(x, Symbol):
+        return x.hypot(y)
+    return y.hypot(x) if isinstance(y, Symbol) else np.hypot(x, y)
+
+
+OF_TWO = {"arctan2": np.frompyfunc(angle, 2, 1), "hypot": np.frompyfunc(length, 2, 1)}
+"""The functions that NumPy looks for in their first argument alone, which may be a number."""
+
+
+def applied(function: np.ufunc, method: str, inputs: Sequence[Any], settings: dict[str, Any]) -> Any:
+    """Returns what a function of NumPy, or one of its methods such as `reduce`, makes of symbols and numbers."""
+    function = OF_TWO.get(function.__name__, function)
+    result = getattr(function, method)(*(plain(x) for x in inputs), **settings)
+    return result.view(SymbolArray) if isinstance(result, np.ndarray) and result.dtype == object else result
+
+
+def plain(x: Any) -> Any:
+    """Returns an array of symbols, or a symbol as an array, without functions of its own."""
+    if isinstance(x, Symbol):
+        array = np.empty((), dtype=object)
+        array[()] = x
+        return array
+    return x.view(np.ndarray) if isinstance(x, SymbolArray) else x

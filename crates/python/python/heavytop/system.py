@@ -2,15 +2,16 @@
 
 from __future__ import annotations
 
+import math
 from typing import Any, Optional
 
 import numpy as np
 from numpy.typing import ArrayLike
 
-from .arguments import array, choice, positive, real
+from .arguments import array, choice, course, real
 from .arguments import count as whole
 from .events import Events, Function, native_events, surface_source
-from .solution import NEVER, Crossings, Run, Solution, crossings, solution, solution_at
+from .solution import NEVER, Crossings, Floats, Run, Solution, crossings, solution, solution_at
 from .system_description import State, SystemDescription
 
 
@@ -75,15 +76,17 @@ class System(SystemDescription):
         every: int = 1,
         events: Events = None,
     ) -> Solution:
-        """Follows the system from t = 0, in equal steps.
+        """Follows the system from t = 0, in equal steps. An end before 0 is reached backward in time.
 
         Args:
             y0: the state at t = 0: the coordinates in their order, or their values by name, such as
                 `{"Pi": [2, 3, 4], "Gamma": [0.6, 0, 0.8]}`.
-            t: the times of the samples, which do not decrease; instead of an end. Without `step` they must be equally
-                spaced from 0, and their distance is the step.
+            t: the times of the samples, instead of an end: they begin at 0 or later and do not decrease, or begin at 0 or
+                earlier and do not increase. Without `step` they must be equally spaced from 0, and their distance is the
+                step.
             step: the time step.
-            end: the end: a multiple of the step, to within 1e-9 of itself.
+            end: the end: a multiple of the step, to within 1e-9 of itself. If it is negative, so is the step, which may be
+                written with its sign or without.
             scheme: "implicit-midpoint", "gauss-4" ... "gauss-16", "explicit-midpoint", "rk4", or one of the compositions
                 "strang", "yoshida-4", "suzuki-4", "yoshida-6", "kahan-li-6" and "kahan-li-8".
             formulation: so(3), su(2) and se(3) by name have "collective", by a Poisson map from a canonical space, which is
@@ -116,21 +119,25 @@ class System(SystemDescription):
             return self._solve_at(y0, t, step, end, (formulation, scheme, tolerance), (every, events))
         if step is None or end is None:
             raise ValueError("write either t, or step and end")
+        step, end = course(step, end)
         run = self._run(y0, step, (formulation, scheme, tolerance))
         watched = native_events(events, self._names, self._parameters)
-        columns = self._system.follow(run.setting, positive("end", end), whole("every", every, 1), watched)
+        columns = self._system.follow(run.setting, end, whole("every", every, 1), watched)
         return solution(columns, self.invariants, run, has_events=events is not None)
 
     def _solve_at(self, y0: State, t: ArrayLike, step: Any, end: Any, names: Any, others: tuple[int, Events]) -> Solution:
         times = array("t", t)
         if end is not None or others != (1, None):
             raise ValueError("end, every and events go with step, not with t: write step and end instead of t")
-        if times.ndim != 1 or times.size < 2 or not (np.diff(times) >= 0).all() or not 0 <= times[0]:
-            raise ValueError("t must be a list of times from 0 on that do not decrease")
+        if times.ndim != 1 or times.size < 2 or not any(is_course(sign * times) for sign in (1, -1)):
+            raise ValueError("t must be a list of times from 0 on that do not decrease, or that do not increase")
+        last = float(times[-1])
         if step is None:
-            step = float(times[-1]) / (times.size - 1)
-            if np.abs(times - step * np.arange(times.size)).max() > 1e-9 * times[-1]:
+            step = last / (times.size - 1)
+            if np.abs(times - step * np.arange(times.size)).max() > 1e-9 * abs(last):
                 raise ValueError("step is missing: the times t are not equally spaced from 0")
+        # Times that are all 0 have no direction, and make no step.
+        step, _ = course(step, last or step)
         run = self._run(y0, step, names)
         states = self._system.states_at(run.setting, times.tolist())
         return solution_at(times, states, self.invariant_values(states.T), run)
@@ -154,7 +161,8 @@ class System(SystemDescription):
             y0: the state at t = 0, as for `solve`.
             surface: a coordinate, a formula or a Python function of the coordinates.
             value: its value on the surface.
-            direction: 1 for crossings upwards, -1 for crossings downwards, 0 for both.
+            direction: 1 for crossings upwards in time, -1 for crossings downwards, 0 for both. A run backward in time finds
+                the points of the same section.
             most: the number of crossings after which the run ends; None for no bound.
 
         The other arguments are those of `solve`.
@@ -163,11 +171,18 @@ class System(SystemDescription):
             ValueError: if an argument is out of its range.
             IntegrationError: if a step fails.
         """
+        step, end = course(step, end)
         run = self._run(y0, step, (formulation, scheme, 0.0))
-        way = int(choice("direction", direction, (1, -1, 0)))
+        # Events have the direction along the run.
+        way = int(choice("direction", direction, (1, -1, 0)) * math.copysign(1, step))
         bound = 0 if most is None else whole("most", most, 1)
         function = surface_source(surface, real("value", value), self._names, self._parameters)
-        return crossings(self._system.follow(run.setting, positive("end", end), NEVER, [(function, way, bound)]))
+        return crossings(self._system.follow(run.setting, end, NEVER, [(function, way, bound)]))
 
-    def _run(self, y0: State, step: Any, method: tuple[Any, Any, Any]) -> Run:
-        return Run(self._system, (self._state(y0).tolist(), positive("step", step), self._method(*method)), self._names)
+    def _run(self, y0: State, step: float, method: tuple[Any, Any, Any]) -> Run:
+        return Run(self._system, (self._state(y0).tolist(), step, self._method(*method)), self._names)
+
+
+def is_course(times: Floats) -> bool:
+    """Returns whether times begin at 0 or later and do not decrease."""
+    return bool(times[0] >= 0 and (np.diff(times) >= 0).all())

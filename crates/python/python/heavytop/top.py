@@ -2,13 +2,14 @@
 
 from __future__ import annotations
 
+import math
 from typing import Any, Optional
 
 import numpy as np
 from numpy.typing import ArrayLike
 
 from . import _native
-from .arguments import choice, flag, positive, quaternion, real, vector
+from .arguments import choice, course, flag, quaternion, real, vector
 from .arguments import count as whole
 from .events import Events, Function, native_events, surface_source
 from .long_steps import warn_of_long_step
@@ -60,7 +61,7 @@ class Top(TopParameters):
         attitude0: Optional[ArrayLike] = None,
         events: Events = None,
     ) -> Solution:
-        """Follows the top from t = 0 to the end, in equal steps.
+        """Follows the top from t = 0 to the end, in equal steps. An end before 0 is reached backward in time.
 
         Formulations, with the schemes that each offers:
 
@@ -80,7 +81,9 @@ class Top(TopParameters):
             Pi: the initial angular momentum in the body frame, kg m^2/s.
             Gamma: the initial vertical in the body frame, normally a unit vector; |Gamma| scales m g l.
             step: the time step h, s.
-            end: the end, s: a multiple of the step, to within 1e-9 of itself.
+            end: the end, s: a multiple of the step, to within 1e-9 of itself. If it is negative, so is the step, which may be
+                written with its sign or without. From there "implicit-midpoint", "gauss-..." and the compositions, which
+                are symmetric in time, return to where they came from, to round-off.
             scheme: the one-step method.
             formulation: where it is applied.
             tolerance: of the stage equations of implicit schemes, relative to the state, at most 1e-3; 0 iterates to
@@ -118,16 +121,16 @@ class Top(TopParameters):
             >>> run.deviation("f2") > 1e-3
             True
         """
-        run = self._run(Pi, Gamma, step, formulation, scheme, tolerance)
-        end, every = positive("end", end), whole("every", every, 1)
+        step, end = course(step, end)
+        run, every = self._run(Pi, Gamma, step, formulation, scheme, tolerance), whole("every", every, 1)
         initial = None if attitude0 is None else quaternion(attitude0, run.setting[0][3:])
         followed = (flag("attitude", attitude) or initial is not None, initial)
         watched = native_events(events, NAMES, {})
         columns = self._top.follow(run.setting, end, every, followed, watched)
         return solution(columns, self.invariants, run, has_events=events is not None)
 
-    def _run(self, Pi: ArrayLike, Gamma: ArrayLike, step: Any, formulation: Any, scheme: Any, tolerance: Any) -> Run:
-        angular_momentum, step = vector("Pi", Pi), positive("step", step)
+    def _run(self, Pi: ArrayLike, Gamma: ArrayLike, step: float, formulation: Any, scheme: Any, tolerance: Any) -> Run:
+        angular_momentum = vector("Pi", Pi)
         names = method(formulation, scheme, tolerance)
         warn_of_long_step([self._top], np.array([angular_momentum]), step, 4)
         return Run(self._top, (angular_momentum + vector("Gamma", Gamma), step, names), NAMES)
@@ -155,7 +158,8 @@ class Top(TopParameters):
         Args:
             coordinate: "Pi1", "Pi2", "Pi3", "Gamma1", "Gamma2" or "Gamma3"; or any formula or Python function of them.
             value: its value on the surface.
-            direction: 1 for crossings upwards, -1 for crossings downwards, 0 for both.
+            direction: 1 for crossings upwards in time, -1 for crossings downwards, 0 for both. A run backward in time finds
+                the points of the same section.
             most: the number of crossings after which the run ends; None for no bound.
 
         The other arguments are those of `solve`.
@@ -164,11 +168,13 @@ class Top(TopParameters):
             ValueError: if an argument is out of its range.
             IntegrationError: if a step fails.
         """
+        step, end = course(step, end)
         run = self._run(Pi, Gamma, step, formulation, scheme, 0.0)
-        way = int(choice("direction", direction, (1, -1, 0)))
+        # Events have the direction along the run.
+        way = int(choice("direction", direction, (1, -1, 0)) * math.copysign(1, step))
         bound = 0 if most is None else whole("most", most, 1)
         surface = (surface_source(coordinate, real("value", value), NAMES, {}), way, bound)
-        return crossings(self._top.follow(run.setting, positive("end", end), NEVER, (False, None), [surface]))
+        return crossings(self._top.follow(run.setting, end, NEVER, (False, None), [surface]))
 
     def section_starts(
         self,

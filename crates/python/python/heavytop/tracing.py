@@ -8,7 +8,7 @@ from typing import Any, Union
 import numpy as np
 from numpy.typing import NDArray
 
-from .symbols import Part, Symbol, Trace
+from .symbols import Part, Symbol, SymbolArray, Trace
 
 BINARY = ("add", "subtract", "multiply", "divide", "power", "atan2")
 """The operations that combine two parts."""
@@ -61,7 +61,7 @@ def as_array(symbols: list[Symbol]) -> NDArray[np.object_]:
     """Returns an array of symbols."""
     array = np.empty(len(symbols), dtype=object)
     array[:] = symbols
-    return array
+    return array.view(SymbolArray)
 
 
 def trace(

@@ -9,7 +9,7 @@ use lie_poisson::{Se3Dual, Vector};
 use lie_poisson_formula_systems::SystemTask;
 use pyo3::PyResult;
 
-/// The task of finding the states at times, which do not decrease. The result has the coordinates of one after the other.
+/// The task of finding the states at times, in the order of the run. The result has the coordinates of one after the other.
 pub(crate) struct StatesAt<'a> {
     pub(crate) schedule: &'a Schedule,
     pub(crate) times: &'a [f64],

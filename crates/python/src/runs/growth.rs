@@ -42,7 +42,7 @@ where
 pub(crate) struct Growth {
     /// The times at which the indicators are recorded; the last one is the end.
     pub(crate) times: Vec<f64>,
-    /// The exponents at each time: all, or the largest.
+    /// The exponents at each time, per unit of time along the run: all, or the largest.
     pub(crate) exponents: Vec<f64>,
     /// MEGNO at each time.
     pub(crate) megno: Vec<f64>,
@@ -136,7 +136,7 @@ impl GrowthTask<'_> {
             let made = flow.steps();
             if made == *steps || self.every > 0 && made.is_multiple_of(self.every) {
                 growth.times.push(flow.time());
-                let exponents = sums.iter().take(kept).map(|sum| sum / flow.time());
+                let exponents = sums.iter().take(kept).map(|sum| sum / flow.time().abs());
                 growth.exponents.extend(exponents);
                 growth.megno.push(megno.mean());
                 growth.sali.extend(flow.tangents().first_chunk().map(smaller_alignment_index));

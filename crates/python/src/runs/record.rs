@@ -12,9 +12,9 @@ pub(crate) struct Points {
 }
 
 impl Points {
-    /// Removes the points after a time.
+    /// Removes the points beyond a time, which is negative in a run backward in time.
     pub(crate) fn cut(&mut self, end: f64, width: usize) {
-        let kept = self.times.iter().take_while(|time| **time <= end).count();
+        let kept = self.times.iter().take_while(|time| time.abs() <= end.abs()).count();
         self.times.truncate(kept);
         self.states.truncate(kept * width);
     }
@@ -61,7 +61,7 @@ impl Record {
         Ok(record)
     }
 
-    /// Removes what lies after a time.
+    /// Removes what lies beyond a time.
     pub(crate) fn cut(&mut self, end: f64, [dimension, count, attitude]: [usize; 3]) {
         self.samples.cut(end, dimension);
         let kept = self.samples.times.len();

@@ -96,7 +96,8 @@ impl<Q: Quantities> Recording<'_, Q> {
                 points.times.push(occurrence.time);
                 points.states.extend(self.schedule.coordinates(&occurrence.momentum));
                 let is_last = points.times.len() as u64 == event.last;
-                if is_last && end.as_ref().is_none_or(|end| occurrence.time < end.time) {
+                if is_last && end.as_ref().is_none_or(|end| occurrence.time.abs() < end.time.abs())
+                {
                     record.ended_by = Some(index);
                     end = Some(occurrence);
                 }

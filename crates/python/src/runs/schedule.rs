@@ -1,4 +1,4 @@
-//! The state at t = 0, and equal steps up to an end: [`Schedule`].
+//! The state at t = 0, and equal steps to an end after or before it: [`Schedule`].
 
 use lie_poisson::Vector;
 use lie_poisson_formula_systems::SystemAlgebra;
@@ -19,7 +19,7 @@ pub(crate) const MOST_DIMENSIONS: usize = SystemAlgebra::MOST_DIMENSIONS;
 pub(crate) struct Schedule {
     /// The coordinates of the state at t = 0.
     pub(crate) start: Vec<f64>,
-    /// The size of a step.
+    /// The size of a step, negative for a run backward in time.
     pub(crate) step: f64,
     /// The number of steps.
     pub(crate) steps: u64,
@@ -53,18 +53,22 @@ pub(crate) fn coordinates<'a, M: Vector<Scalar = f64>>(
     kept
 }
 
-/// Returns the number of steps from 0 to the end.
+/// Returns the number of steps from 0 to the end. Both are negative for a run backward in time.
 pub(crate) fn steps(step: f64, end: f64) -> PyResult<u64> {
     for (name, value) in [("step", step), ("end", end)] {
-        if !(value > 0.0 && value.is_finite()) {
-            return Err(refused(format!("{name} must be positive and finite, got {value:?}")));
+        if value == 0.0 || !value.is_finite() {
+            let text = format!("{name} must be finite and different from 0, got {value:?}");
+            return Err(refused(text));
         }
+    }
+    if (step > 0.0) != (end > 0.0) {
+        return Err(refused(format!("step and end must have the same sign, got {step} and {end}")));
     }
     let count = (end / step).round();
     if count > MOST_STEPS {
         return Err(refused(format!("{count:e} steps are more than {MOST_STEPS:e}")));
     }
-    if (count * step - end).abs() > SLACK * end {
+    if (count * step - end).abs() > SLACK * end.abs() {
         let before = (end / step).floor();
         return Err(refused(format!(
             "end = {end} is not a whole number of steps of {step}; the nearest ends are {} and {}",

@@ -143,7 +143,7 @@ impl System {
         Recorded::new(py, record.map_err(refused)??, widths)
     }
 
-    /// Returns the states at times that do not decrease, as rows.
+    /// Returns the states at times in the order of the run, as rows.
     fn states_at<'py>(
         &self,
         py: Python<'py>,

@@ -152,7 +152,7 @@ impl Top {
         Recorded::new(py, record, [6, list.len()])
     }
 
-    /// Returns the states at times that do not decrease, as rows.
+    /// Returns the states at times in the order of the run, as rows.
     fn states_at<'py>(
         &self,
         py: Python<'py>,

@@ -99,7 +99,7 @@ impl Animation {
 
     /// Adds a frame: the time (s), (Π, Γ) in the body frame, and the attitude.
     ///
-    /// Each time is later than the one before. The attitude is the unit quaternion of the rotation R from the body
+    /// Each time is later than the one before, or each earlier if the motion goes backward in time from 0. The attitude is the unit quaternion of the rotation R from the body
     /// frame to the spatial one, Γ ∥ Rᵀe₃.
     pub fn push(&mut self, time: f64, mu: &Se3Dual, attitude: &Quaternion) {
         let Covector(Pair(pi, gamma)) = mu;

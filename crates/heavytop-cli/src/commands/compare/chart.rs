@@ -146,7 +146,7 @@ fn curve(svg: &mut String, axes: &Axes, style: Style, runs: &[Measurement], step
     for run in runs {
         let (x, y) = (axes.x(run.outcome.seconds), axes.y(run.outcome.relative));
         let _ = write!(points, "{x:.0},{y:.0} ");
-        let configured = (run.step - step).abs() < 1e-6 * step;
+        let configured = (run.step - step).abs() < 1e-6 * step.abs();
         let (radius, fill) = if configured { (75.0, "white") } else { (38.0, colour) };
         let _ = write!(marks, "<path d=\"{}\" fill=\"{fill}\"/>", mark.path(x, y, radius));
     }

@@ -63,9 +63,14 @@ pub fn compare(
     end: Option<f64>,
     watch: &Watch<'_>,
 ) -> Result<Comparison, Error> {
-    let experiment = config.experiment()?;
-    let own = experiment.schedule.steps.min(INTERVAL);
-    let steps = end.map_or(Ok(own), |end| number_of_steps(&experiment, end))?;
+    let mut experiment = config.experiment()?;
+    let steps = match end {
+        Some(end) => {
+            experiment.schedule = schedule_to(&experiment, end)?;
+            experiment.schedule.steps
+        }
+        None => experiment.schedule.steps.min(INTERVAL),
+    };
     let methods = methods(config.integrator.or(Integration::default()))?;
     std::fs::create_dir_all(out).map_err(|source| Error::Create { path: out.into(), source })?;
     let names = ["work-precision.csv", "work-precision.svg", "work-precision.png"];
@@ -106,11 +111,10 @@ pub fn compare(
     Ok(Comparison::new(&measurements, &reference, out))
 }
 
-/// Returns the number of configured steps to the end of the interval (s).
-fn number_of_steps(experiment: &Experiment, end: f64) -> Result<u64, Error> {
-    let schedule = Schedule::new(experiment.schedule.step, end);
+/// Returns the configured steps to the end of the interval (s).
+fn schedule_to(experiment: &Experiment, end: f64) -> Result<Schedule, Error> {
     let refused = |source| Error::Argument { name: "end", source: Box::new(source) };
-    schedule.map(|schedule| schedule.steps).map_err(refused)
+    Schedule::new(experiment.schedule.step, end).map_err(refused)
 }
 
 /// Returns every formulation with every scheme that makes sense in it, without duplicates: `strang` of the midpoint

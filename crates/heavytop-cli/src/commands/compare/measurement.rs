@@ -163,7 +163,7 @@ impl Task for Measure<'_> {
             error: parts[0].hypot(parts[1]),
             parts,
             relative: relative(parts, self.reference.sizes),
-            seconds: least.as_secs_f64() / self.reference.end,
+            seconds: least.as_secs_f64() / self.reference.end.abs(),
             deviations,
         })
     }

@@ -47,6 +47,12 @@ pub fn reproduce(
     end: f64,
     watch: &Watch<'_>,
 ) -> Result<Reproduction, Error> {
+    for (name, value) in [("step", step), ("end", end)] {
+        if !(value > 0.0 && value.is_finite()) {
+            // The figures are those of the paper, which go forward.
+            return Err(Error::OutOfRange { name, range: "positive and finite", value });
+        }
+    }
     let mut config = Config::default();
     let mut experiments = Vec::with_capacity(METHODS.len());
     for (formulation, scheme) in METHODS {

@@ -123,7 +123,7 @@ fn multiple(all: &Limits, shortened: &Limits, returns: usize, last: f64) -> f64 
     let of_time = if returns < shortened.crossings {
         all.steps as f64 / shortened.steps as f64
     } else {
-        all.longest / last
+        all.longest / last.abs()
     };
     of_returns.min(of_time)
 }

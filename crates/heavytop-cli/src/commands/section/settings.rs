@@ -6,6 +6,7 @@ use super::problems::system_problem::SystemProblem;
 use super::problems::top_problem::TopProblem;
 use crate::Error;
 use crate::configuration::{Config, Integration, SectionConfig};
+use crate::runs::schedule::directed_step;
 
 /// The largest number of points; more must be a typing error.
 const MOST_POINTS: f64 = 1e7;
@@ -46,14 +47,16 @@ impl Settings {
         settings: &SectionConfig,
         (problem, own): (AnyProblem, Integration),
     ) -> Result<Self, Error> {
-        let (step, longest) = (config.integrator.or(own).step, settings.longest);
-        for (name, value) in [("step", step), ("longest", longest)] {
-            if !(value > 0.0 && value.is_finite()) {
-                return Err(Error::OutOfRange { name, range: "positive and finite", value });
-            }
+        let (Integration { step, end, .. }, longest) =
+            (config.integrator.or(own), settings.longest);
+        // The starts are followed as far as `longest` says, and the end says in which direction.
+        let step = directed_step(step, end)?;
+        if !(longest > 0.0 && longest.is_finite()) {
+            let (name, range) = ("longest", "positive and finite");
+            return Err(Error::OutOfRange { name, range, value: longest });
         }
         problem.as_problem().require_step(step)?;
-        let steps = (longest / step).ceil();
+        let steps = (longest / step.abs()).ceil();
         if steps > MOST_STEPS {
             return Err(Error::TooManySteps { steps, most: MOST_STEPS });
         }

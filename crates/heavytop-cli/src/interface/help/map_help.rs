@@ -44,7 +44,8 @@ Configuration: [body] and [initial] as of simulate, and
   longest = 10000.0                  # s; no start is followed longer
   seed = 0                           # which starts
 
-  [integrator]                       # as of simulate; end plays no part
+  [integrator]                       # as of simulate; of end the sign alone plays a part: backward
+                                     # in time if it or the step is negative
 What [integrator] leaves out: reduced, gauss-8, a step in which no body on the energy level turns by
 more than 0.5 rad.
 

@@ -81,7 +81,7 @@ Configuration: every key may be left out, and has then the value below.
   formulation = \"collective\"         # or reduced, direct, splitting; see below
   scheme = \"gauss-8\"                 # see below
   step = 0.02                        # s
-  end = 100.0                        # s; a whole number of steps
+  end = 100.0                        # s; a whole number of steps, backward in time if negative
   tolerance = 0.0                    # of the stage equations; 0 iterates to the round-off floor
   instructions = \"native\"            # or portable: the same bytes on every processor, slower
 

@@ -126,7 +126,8 @@ fn wrong_requests_are_refused_and_nothing_is_written() {
         ),
         ("section.longest = 0", "longest must be positive and finite, got 0"),
         ("section.longest = 1e300", "more than 1e12"),
-        ("integrator.step = 0", "step must be positive and finite, got 0"),
+        ("integrator.step = 0", "step must be finite and different from 0, got 0"),
+        ("integrator = { step = -0.1, end = 10 }", "do not reach end = 10"),
         ("integrator.step = 100", "turns the body by about"),
         ("body.mass = 0", "[body] mass must be positive"),
     ] {

@@ -64,6 +64,11 @@ fn a_killed_run_goes_on_to_the_same_bytes_in_every_format() {
 }
 
 #[test]
+fn a_killed_run_backward_in_time_goes_on_to_the_same_bytes() {
+    kill_and_go_on(&LONG.replace("2000", "-2000"), "a.csv", [0, 30]);
+}
+
+#[test]
 fn a_killed_run_goes_on_to_the_same_bytes_in_every_formulation() {
     for (formulation, scheme, attitude) in [
         ("collective", "implicit-midpoint", true),

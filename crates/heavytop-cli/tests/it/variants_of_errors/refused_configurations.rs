@@ -18,13 +18,14 @@ const ASSIGNMENTS: [(&str, &str); 4] = [
 ];
 
 /// Configurations of runs of tops.
-const RUNS: [(&str, &str); 9] = [
+const RUNS: [(&str, &str); 10] = [
     ("Error::Body", "body.mass = -1"),
     ("Error::Vertical", "initial.vertical = [0, 0, 2]"),
     ("Error::AzimuthAlone", "initial.azimuth = 1"),
     ("Error::Method", "integrator.formulation = 'splitting'"),
     ("Error::NoAttitude", "integrator.formulation = 'direct'\noutput.attitude = true"),
     ("Error::OutOfRange", "output.every = 0"),
+    ("Error::OppositeEnd", "integrator = { step = -0.02, end = 100 }"),
     ("Error::AbsurdStep", "integrator = { step = 1e10, end = 1e10 }"),
     ("Error::TooManySteps", "integrator.step = 1e-300"),
     ("Error::BrokenStep", "integrator.step = 0.03"),

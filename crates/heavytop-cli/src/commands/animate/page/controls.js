@@ -14,15 +14,15 @@ class Player {
     this.strip = new Strip(byId("strip"), motion);
     [this.time, this.playing, this.pending] = [0, false, false];
     byId("description").textContent = motion.description;
-    byId("values").textContent = `${motion.top}, 0 to ${readable(motion.end, 6)} s`;
+    byId("values").textContent = `${motion.top}, 0 to ${readable(motion.direction * motion.end, 6)} s`;
     // The slider counts the part of the motion that has passed; not every browser has room for tiny steps.
     byId("time").max = 1;
     // Four digits, at least two of them decimals.
     const decimals = Math.min(Math.max(4 - Math.ceil(Math.log10(motion.end || 1)), 2), 12);
     const { exponent } = notation(motion.end, 0);
     this.clock = exponent < -3
-      ? (time) => `${shifted(time, exponent).toFixed(4)} · ${powerOfTen(exponent)} s`
-      : (time) => `${time.toFixed(decimals)} s`;
+      ? (time) => `${motion.sign(time)}${shifted(time, exponent).toFixed(4)} · ${powerOfTen(exponent)} s`
+      : (time) => `${motion.sign(time)}${time.toFixed(decimals)} s`;
     this.momentum = notation(motion.largestMomentum(), 4);
     this.speeds = speeds(CALM / motion.meanRate());
     const calm = this.speeds.findLastIndex((speed) => (speed <= 1 || this.speeds[0] > 1) && speed * motion.meanRate() <= CALM);
@@ -81,7 +81,7 @@ class Player {
     const clock = this.clock(this.time);
     byId("time").value = this.time / (this.motion.end || 1);
     byId("time").setAttribute("aria-valuetext", clock);
-    byId("clock").textContent = `${clock} of ${readable(this.motion.end, 6)} s`;
+    byId("clock").textContent = `${clock} of ${readable(this.motion.direction * this.motion.end, 6)} s`;
     byId("play").setAttribute("aria-label", this.playing ? "Pause" : "Play");
     byId("play").querySelector("path").setAttribute("d", this.playing ? PAUSE : PLAY);
     this.table(state);
@@ -174,8 +174,8 @@ function start(motion) {
   const player = new Player(motion);
   player.listen();
   // page.html#t=12.5 shows that moment.
-  const asked = /^#t=([0-9.]+(?:e[-+]?[0-9]+)?)$/i.exec(location.hash);
-  if (asked) player.go(Number(asked[1]));
+  const asked = /^#t=([-−]?[0-9.]+(?:e[-+]?[0-9]+)?)$/i.exec(location.hash);
+  if (asked) player.go(motion.direction * Number(asked[1].replace("−", "-")));
   else if (!matchMedia("(prefers-reduced-motion: reduce)").matches) player.toggle(true);
 }
 

@@ -9,7 +9,10 @@ class Motion {
     const view = new DataView(bytes.buffer);
     this.numbers = Float64Array.from({ length: bytes.length / 8 }, (_, i) => view.getFloat64(8 * i, true));
     this.frames = this.numbers.length / this.width;
-    this.end = this.frames > 0 ? this.number(this.frames - 1, 0) : 0;
+    const last = this.frames > 0 ? this.number(this.frames - 1, 0) : 0;
+    /** 1, or −1 if the motion goes backward in time. */
+    this.direction = last < 0 ? -1 : 1;
+    this.end = Math.abs(last);
   }
 
   number(frame, column) {
@@ -20,8 +23,14 @@ class Motion {
     return Array.from(this.numbers.subarray(frame * this.width + from, frame * this.width + to));
   }
 
+  /** How far the motion has gone until a frame, s: |t|. */
   time(frame) {
-    return this.number(frame, 0);
+    return this.direction * this.number(frame, 0);
+  }
+
+  /** The sign of the time t at which the motion has gone so far. */
+  sign(time) {
+    return this.direction < 0 && time > 0 ? "−" : "";
   }
 
   attitude(frame) {

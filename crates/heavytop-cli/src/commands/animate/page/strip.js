@@ -119,7 +119,7 @@ class Strip {
     paint.textBaseline = "top";
     paint.beginPath();
     const { exponent, unit } = notation(end, 0);
-    const text = (value) => String(Number(shifted(value, exponent).toPrecision(6)));
+    const text = (value) => this.motion.sign(value) + String(Number(shifted(value, exponent).toPrecision(6)));
     // As many ticks as their labels have room, at most eight.
     let spacing = roundSpacing(end / 8);
     const room = () => (this.width - this.left - RIGHT) * spacing / (end || 1);

@@ -3,7 +3,7 @@
 /// The steps and the returns of each start.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(in crate::commands::section) struct Limits {
-    /// The time step, s.
+    /// The time step, s, negative if the starts are followed backward in time.
     pub step: f64,
     /// The time for which a start is followed at most, up to a step, s.
     pub longest: f64,

@@ -250,7 +250,8 @@ impl SystemTask for Follow<'_> {
         let numbers =
             |mu: &I::Momentum| -> Vec<f64> { (0..dimension).map(|i| mu.coordinate(i)).collect() };
         let value = |mu: &I::Momentum| problem.section.value(&numbers(mu));
-        let returns = Events::new(integrator, samples, value, problem.section.direction());
+        let direction = problem.section.direction().along_run(limits.step);
+        let returns = Events::new(integrator, samples, value, direction);
         for event in returns.take(limits.crossings) {
             let sample = event.map_err(|source| Error::Crossing {
                 formulation: problem.method.formulation().name(),

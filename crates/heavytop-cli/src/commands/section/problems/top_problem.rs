@@ -92,7 +92,7 @@ impl SectionProblem for TopProblem {
 
     fn require_step(&self, step: f64) -> Result<(), Error> {
         let EnergyLevel { top, energy, .. } = self.section.level();
-        let angle = step * fastest(top, *energy);
+        let angle = step.abs() * fastest(top, *energy);
         if angle > MOST_TURN {
             return Err(Error::AbsurdStep { step, angle, most: MOST_TURN });
         }

@@ -78,7 +78,7 @@ where
     }
     let end = flow.momentum();
     let growths = Growths {
-        lyapunov: growth / flow.time(),
+        lyapunov: growth / flow.time().abs(),
         megno: megno.mean(),
         alignment: flow.tangents().first_chunk().map(smaller_alignment_index),
     };
