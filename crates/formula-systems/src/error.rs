@@ -26,11 +26,11 @@ pub enum FormulaSystemError {
         most: usize,
     },
     /// A name cannot be that of a coordinate.
-    #[error("coordinates")]
-    Coordinates(#[from] NameError),
+    #[error("coordinates: {0}")]
+    Coordinates(NameError),
     /// A parameter has the same name as a coordinate.
-    #[error("parameters")]
-    Parameters(#[source] NameError),
+    #[error("parameters: {0}")]
+    Parameters(NameError),
     /// The key of a bracket is not a pair of coordinates.
     #[error("brackets: `{key}` is not a pair of coordinates such as \"x, y\"")]
     NoPair {
@@ -38,12 +38,12 @@ pub enum FormulaSystemError {
         key: String,
     },
     /// The text of a bracket is not a formula.
-    #[error("brackets.{key}")]
+    #[error("brackets.{key}: {problem}")]
     Bracket {
         /// The pair of coordinates.
         key: String,
         /// What is wrong, and where in the text.
-        source: FormulaError,
+        problem: FormulaError,
     },
     /// A bracket is not a linear combination of the coordinates.
     #[error("brackets.{key}: a bracket is a sum of multiples of coordinates, such as 2*x - y")]
@@ -65,17 +65,17 @@ pub enum FormulaSystemError {
         allowed: f64,
     },
     /// The brackets contradict each other.
-    #[error("brackets, numbered from 0 in the order of their keys")]
-    Brackets(#[source] EntryError),
+    #[error("brackets, numbered from 0 in the order of their keys: {0}")]
+    Brackets(EntryError),
     /// The structure constants contradict each other, or have too large an index.
-    #[error("structure constants")]
-    Structure(#[source] EntryError),
+    #[error("structure constants: {0}")]
+    Structure(EntryError),
     /// The text of the Hamiltonian is not a formula.
-    #[error("hamiltonian")]
-    Hamiltonian(#[source] FormulaError),
+    #[error("hamiltonian: {0}")]
+    Hamiltonian(FormulaError),
     /// The Casimirs cannot be searched for.
-    #[error("brackets")]
-    Casimirs(#[from] CasimirError),
+    #[error("brackets: {0}")]
+    Casimirs(CasimirError),
     /// A coordinate of a state has no value.
     #[error("initial has no value for {names}")]
     NoValue {
@@ -107,15 +107,15 @@ pub enum FormulaSystemError {
         found: usize,
     },
     /// The text of the surface of a section is not a formula.
-    #[error("surface")]
-    Surface(#[source] FormulaError),
+    #[error("surface: {0}")]
+    Surface(FormulaError),
     /// The text of an axis of a section is not a formula.
-    #[error("axes")]
+    #[error("axes: {problem}")]
     Axis {
         /// The number of the axis, 0 or 1.
         axis: usize,
         /// What is wrong, and where in the text.
-        source: FormulaError,
+        problem: FormulaError,
     },
     /// A section needs two axes besides its surface.
     #[error("a section of {dimension} coordinates has no two axes")]
@@ -160,4 +160,16 @@ pub enum FormulaSystemError {
     /// The Clebsch map of the algebra has no lift.
     #[error(transparent)]
     Lift(#[from] LiftError),
+}
+
+impl From<NameError> for FormulaSystemError {
+    fn from(error: NameError) -> Self {
+        Self::Coordinates(error)
+    }
+}
+
+impl From<CasimirError> for FormulaSystemError {
+    fn from(error: CasimirError) -> Self {
+        Self::Casimirs(error)
+    }
 }

@@ -112,6 +112,44 @@ fn faults(text: &str) -> usize {
     messages.filter(|message| repeats(message)).count()
 }
 
+/// Returns how many messages in a Rust source lack the cause that their error has: a message that is not transparent, of an
+/// error with a source.
+fn silent_about_causes(text: &str) -> usize {
+    let messages = text.split("#[error(").skip(1);
+    let has_source = |message: &&str| {
+        let (message, item) = message.split_once(")]").unwrap_or((message, ""));
+        let item = item.split("\n    #[error(").next().unwrap_or("");
+        let own = item.split("\n    },").next().unwrap_or("");
+        let has = |words: &str| own.contains(words);
+        !message.starts_with("transparent")
+            && (has("#[source]")
+                || has("#[from]")
+                || has("        source: ")
+                || has("    pub source: "))
+    };
+    messages.filter(has_source).count()
+}
+
+/// Programs of others print the message of an error alone. The program of this workspace prints the causes, too.
+#[test]
+fn no_message_of_a_library_leaves_its_cause_to_others() {
+    let with_source =
+        "    #[error(\"a\")]\n    A {\n        source: B,\n    },\n    #[error(\"c\")]\n    C,";
+    let tuple =
+        "    #[error(\"a\")]\n    A(#[source] B),\n    #[error(transparent)]\n    C(#[from] D),";
+    assert_eq!((silent_about_causes(with_source), silent_about_causes(tuple)), (1, 1));
+    let sources = sources(&Path::new(env!("CARGO_MANIFEST_DIR")).join("../crates")).unwrap();
+    let is_of_library = |file: &str| {
+        file.contains("/src/") && !["heavytop-cli/", "page/"].iter().any(|door| file.contains(door))
+    };
+    let mut messages = 0;
+    for (file, text) in sources.iter().filter(|(file, _)| is_of_library(file)) {
+        messages += text.matches("#[error(").count();
+        assert_eq!(silent_about_causes(text), 0, "{file}");
+    }
+    assert!(messages > 60, "{messages}");
+}
+
 #[test]
 fn no_message_of_the_workspace_contains_the_source_of_its_error() {
     let sources = sources(&Path::new(env!("CARGO_MANIFEST_DIR")).join("../crates")).unwrap();

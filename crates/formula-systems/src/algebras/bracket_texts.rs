@@ -24,7 +24,7 @@ pub(super) fn entries<'a>(
         let pair = key.split_once(',').and_then(|(x, y)| Some((place(x)?, place(y)?)));
         let (i, j) = pair.ok_or_else(|| FormulaSystemError::NoPair { key: key.into() })?;
         let bracket = Formula::new(text, &vocabulary)
-            .map_err(|source| FormulaSystemError::Bracket { key: key.into(), source })?;
+            .map_err(|problem| FormulaSystemError::Bracket { key: key.into(), problem })?;
         let constants = for_dimension(names.len(), Coefficients { bracket }).flatten();
         let constants =
             constants.ok_or_else(|| FormulaSystemError::NotLinear { key: key.into() })?;

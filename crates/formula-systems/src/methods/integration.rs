@@ -33,7 +33,7 @@ impl Integration<'_> {
         let scheme = self.scheme;
         let solver = StageSolver { tolerance: self.tolerance, ..StageSolver::default() };
         let midpoint = || RungeKutta::implicit_midpoint().with_solver(solver);
-        let failed = |source| MethodError::Scheme { scheme, source };
+        let failed = |reason| MethodError::Scheme { scheme, reason };
         match scheme {
             SchemeName::ImplicitMidpoint => self.with(midpoint(), task),
             SchemeName::Gauss(stages) => {

@@ -218,7 +218,8 @@ impl SystemSection {
 /// Returns the formulas of two axes.
 fn axes(texts: [&str; 2], names: &Vocabulary) -> Result<[Formula; 2], FormulaSystemError> {
     let axis = |axis: usize| {
-        Formula::new(texts[axis], names).map_err(|source| FormulaSystemError::Axis { axis, source })
+        Formula::new(texts[axis], names)
+            .map_err(|problem| FormulaSystemError::Axis { axis, problem })
     };
     Ok([axis(0)?, axis(1)?])
 }

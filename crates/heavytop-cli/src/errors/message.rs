@@ -109,7 +109,7 @@ mod tests {
             (
                 MethodError::Scheme {
                     scheme: SchemeName::Gauss(0),
-                    source: SchemeError::NotFinite,
+                    reason: SchemeError::NotFinite,
                 }
                 .into(),
                 "gauss-0: a coefficient of the method is not finite",

@@ -42,8 +42,8 @@ fn formula_error(error: &Error) -> Option<&FormulaError> {
         _ => return None,
     };
     match error {
-        E::Bracket { source, .. } | E::Axis { source, .. } => Some(source),
-        E::Hamiltonian(source) | E::Surface(source) => Some(source),
+        E::Bracket { problem, .. } | E::Axis { problem, .. } => Some(problem),
+        E::Hamiltonian(problem) | E::Surface(problem) => Some(problem),
         _ => None,
     }
 }

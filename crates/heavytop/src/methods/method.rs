@@ -237,7 +237,7 @@ impl Method {
         MethodError::NoSuchPair { formulation: self.formulation, scheme: self.scheme }
     }
 
-    fn failed(&self, source: SchemeError) -> MethodError {
-        MethodError::Scheme { scheme: self.scheme, source }
+    fn failed(&self, reason: SchemeError) -> MethodError {
+        MethodError::Scheme { scheme: self.scheme, reason }
     }
 }

@@ -33,11 +33,11 @@ pub enum MethodError {
     #[error(transparent)]
     Instructions(#[from] MissingInstructions),
     /// The scheme could not be made.
-    #[error("{scheme}")]
+    #[error("{scheme}: {reason}")]
     Scheme {
         /// The scheme that was asked for.
         scheme: SchemeName,
         /// The reason why the scheme could not be made.
-        source: SchemeError,
+        reason: SchemeError,
     },
 }

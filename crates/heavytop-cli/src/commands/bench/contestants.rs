@@ -203,6 +203,6 @@ fn failed(name: &str, source: IntegrationError) -> Error {
     Error::Timed { name: name.to_owned(), source }
 }
 
-fn refused(source: SchemeError) -> Error {
-    MethodError::Scheme { scheme: SchemeName::Gauss(8), source }.into()
+fn refused(reason: SchemeError) -> Error {
+    MethodError::Scheme { scheme: SchemeName::Gauss(8), reason }.into()
 }

@@ -90,7 +90,7 @@ impl BenchProblem {
     /// If a reference cannot be computed.
     pub fn with_references(top: HeavyTop, end: f64, starts: Vec<Se3Dual>) -> Result<Self, Error> {
         let gauss = CollectiveGauss::new(8, top)
-            .map_err(|source| MethodError::Scheme { scheme: SchemeName::Gauss(8), source })?;
+            .map_err(|reason| MethodError::Scheme { scheme: SchemeName::Gauss(8), reason })?;
         let failed =
             |source: IntegrationError| Error::Timed { name: "reference".to_owned(), source };
         let (mut early, mut late) = (Vec::new(), Vec::new());
