@@ -98,6 +98,14 @@ pub enum FormulaSystemError {
         /// The kind of value that the coordinate needs, as text.
         needed: String,
     },
+    /// A coordinate has two values: one of its own, and one in its vector.
+    #[error("initial.{name} gives a value again that {other} gives")]
+    SecondValue {
+        /// The name by which a value is given again.
+        name: String,
+        /// The name by which it was given before.
+        other: String,
+    },
     /// A state has fewer or more numbers than the algebra has dimensions.
     #[error("the initial state has {found} numbers; the dimension is {expected}")]
     StateLength {

@@ -100,6 +100,7 @@ mod tables;
 mod casimirs;
 
 pub use names::coordinates::Coordinates;
+pub use names::invisible::{invisible_name, shown};
 pub use names::name_error::NameError;
 pub use names::named_algebra::NamedAlgebra;
 pub use names::parameters::Parameters;

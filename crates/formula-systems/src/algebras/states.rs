@@ -10,7 +10,7 @@ impl SystemAlgebra {
     /// # Errors
     /// Returns [`FormulaSystemError::NoCoordinate`] for a name that is not the name of a coordinate,
     /// [`FormulaSystemError::WrongValue`] for a value with the wrong number of components or one that is not finite,
-    /// and [`FormulaSystemError::NoValue`] if a coordinate has no value.
+    /// [`FormulaSystemError::SecondValue`] for a coordinate with a value of its own and one in its vector, and [`FormulaSystemError::NoValue`] if a coordinate has no value.
     ///
     /// # Example
     /// ```
@@ -20,6 +20,8 @@ impl SystemAlgebra {
     /// assert_eq!(state, [2.0, 3.0, 4.0, 0.6, 0.0, 0.8]);
     /// let error = se3.state([("Pi", &[2.0, 3.0, 4.0][..]), ("Gamma1", &[0.6])]).unwrap_err();
     /// assert_eq!(error.to_string(), "initial has no value for Gamma2, Gamma3");
+    /// let twice = [("Pi", &[2.0, 3.0, 4.0][..]), ("Pi1", &[2.0]), ("Gamma", &[0.6, 0.0, 0.8])];
+    /// assert_eq!(se3.state(twice).unwrap_err().to_string(), "initial.Pi1 gives a value again that Pi gives");
     /// # Ok::<(), lie_poisson_formula_systems::FormulaSystemError>(())
     /// ```
     pub fn state<'a>(
@@ -27,6 +29,7 @@ impl SystemAlgebra {
         values: impl IntoIterator<Item = (&'a str, &'a [f64])>,
     ) -> Result<Vec<f64>, FormulaSystemError> {
         let coordinates = self.coordinates();
+        // The value of each coordinate, and the name by which it was given.
         let mut state = vec![None; self.dimension()];
         for (name, values) in values {
             let places =
@@ -46,13 +49,16 @@ impl SystemAlgebra {
                 return Err(wrong("finite numbers".into()));
             }
             for (entry, value) in state.iter_mut().skip(places.start).zip(values) {
-                *entry = Some(*value);
+                if let Some((_, other)) = entry.replace((*value, name)) {
+                    let (name, other) = (name.into(), other.into());
+                    return Err(FormulaSystemError::SecondValue { name, other });
+                }
             }
         }
         let missing = coordinates.names().zip(&state).filter(|(_, value)| value.is_none());
         let missing: Vec<String> = missing.map(|(name, _)| name).collect();
         if missing.is_empty() {
-            Ok(state.into_iter().flatten().collect())
+            Ok(state.into_iter().flatten().map(|(value, _)| value).collect())
         } else {
             Err(FormulaSystemError::NoValue { names: missing.join(", ") })
         }

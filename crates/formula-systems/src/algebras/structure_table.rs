@@ -2,7 +2,7 @@
 
 use crate::SystemAlgebra;
 use lie_poisson::StructureError;
-use lie_poisson_formulas::{EntryError, StructureEntry, structure_constants};
+use lie_poisson_formulas::{EntryError, StructureEntry, shown, structure_constants};
 use thiserror::Error;
 
 /// The reason why a text is not a table of structure constants, with the number of the line. Lines count from 1.
@@ -18,7 +18,7 @@ pub enum StructureTableError {
         count: usize,
     },
     /// An index is not a whole number from 1 to the largest index.
-    #[error("line {line}: the index `{text}` is not a whole number from 1 to {most}")]
+    #[error("line {line}: the index `{}` is not a whole number from 1 to {most}", shown(text))]
     Index {
         /// The number of the line.
         line: usize,
@@ -28,7 +28,7 @@ pub enum StructureTableError {
         most: usize,
     },
     /// A value is not a finite number.
-    #[error("line {line}: the value `{text}` is not a finite number")]
+    #[error("line {line}: the value `{}` is not a finite number", shown(text))]
     Value {
         /// The number of the line.
         line: usize,
@@ -73,7 +73,8 @@ pub enum StructureTableError {
 /// [e_i, e_j] at e_k, separated by commas. Indices count from 1, in the order of the coordinates.
 ///
 /// Constants that are not listed are zero, except that c_jik = −c_ijk. Empty lines are skipped, and so are comments
-/// that begin with `#`, and a first line `i, j, k, value`.
+/// that begin with `#`, and a first line `i, j, k, value`. A byte order mark before the text, quotation marks around
+/// fields, and indices such as `2.0` are read as spreadsheets write them.
 ///
 /// # Errors
 /// Returns [`StructureTableError`] with the number of the line: if a line does not have four fields, if an index is not
@@ -88,15 +89,18 @@ pub enum StructureTableError {
 /// let entries = structure_table("# so(3)\n1, 2, 3, 1\n2, 3, 1, 1\n3, 1, 2, 1\n")?;
 /// let so3 = SystemAlgebra::of_entries(Coordinates::new().vector("L", 3)?, entries)?;
 /// assert_eq!(so3.dimension(), 3);
+/// let of_spreadsheet = "\u{feff}\"i\",\"j\",\"k\",\"value\"\r\n1.0,2.0,3.0,1\r\n2,3,1,1\r\n3,1,2,1\r\n";
+/// assert_eq!(structure_table(of_spreadsheet)?, so3.entries());
 /// let error = structure_table("1, 2, 3, 1\n0, 3, 1, 1").unwrap_err();
 /// assert_eq!(error.to_string(), "line 2: the index `0` is not a whole number from 1 to 15");
 /// # Ok::<(), Box<dyn std::error::Error>>(())
 /// ```
 pub fn structure_table(text: &str) -> Result<Vec<StructureEntry>, StructureTableError> {
     let (mut numbers, mut entries) = (Vec::new(), Vec::new());
+    let text = text.strip_prefix(BYTE_ORDER_MARK).unwrap_or(text);
     for (number, line) in (1..).zip(text.lines()) {
         let line = line.split('#').next().unwrap_or_default().trim();
-        let fields: Vec<&str> = line.split(',').map(str::trim).collect();
+        let fields: Vec<&str> = line.split(',').map(unquoted).collect();
         let is_header = entries.is_empty() && fields == ["i", "j", "k", "value"];
         if !(line.is_empty() || is_header) {
             entries.push(entry(number, &fields)?);
@@ -122,6 +126,16 @@ pub fn structure_table(text: &str) -> Result<Vec<StructureEntry>, StructureTable
     }
 }
 
+/// The character that some programs write before a text in UTF-8.
+const BYTE_ORDER_MARK: char = '\u{feff}';
+
+/// Returns a field without the quotation marks around it.
+fn unquoted(field: &str) -> &str {
+    let field = field.trim();
+    let inner = field.strip_prefix('"').and_then(|rest| rest.strip_suffix('"'));
+    inner.map_or(field, str::trim)
+}
+
 /// Reads the fields of a line.
 fn entry(line: usize, fields: &[&str]) -> Result<StructureEntry, StructureTableError> {
     let [i, j, k, value] = *fields else {
@@ -129,7 +143,9 @@ fn entry(line: usize, fields: &[&str]) -> Result<StructureEntry, StructureTableE
     };
     let most = SystemAlgebra::MOST_DIMENSIONS;
     let index = |text: &str| {
-        let index = text.parse().ok().filter(|index| (1..=most).contains(index));
+        // Spreadsheets write whole numbers as decimals.
+        let number = text.parse().ok().filter(|number: &f64| number.fract() == 0.0);
+        let index = number.map(|number| number as usize).filter(|index| (1..=most).contains(index));
         let error = || StructureTableError::Index { line, text: text.into(), most };
         index.map(|index| index - 1).ok_or_else(error)
     };

@@ -103,6 +103,11 @@ fn a_table_of_structure_constants_has_a_line_for_each() {
     for (text, message) in [
         ("1, 2, 3", "line 1 has 3 fields; it needs four: i, j, k, value"),
         ("\n1, 2, 3, 1, 5", "line 2 has 5 fields; it needs four: i, j, k, value"),
+        (
+            "1, 2\u{200b}, 3, 1",
+            "line 1: the index `2<U+200B zero width space>` is not a whole number from 1 to 15",
+        ),
+        ("1, 2.5, 3, 1", "line 1: the index `2.5` is not a whole number from 1 to 15"),
         ("1, -2, 3, 1", "line 1: the index `-2` is not a whole number from 1 to 15"),
         ("1, 2, 16, 1", "line 1: the index `16` is not a whole number from 1 to 15"),
         ("1, 2, 3, 1\n1, 3, 2, one", "line 2: the value `one` is not a finite number"),

@@ -1,6 +1,7 @@
-//! The names in a formula: coordinates, parameters, and the letters of names.
+//! The names in a formula: coordinates, parameters, and the letters of names; and letters that nobody sees.
 
 pub(crate) mod letters;
+pub(crate) mod invisible;
 pub(crate) mod name_error;
 pub(crate) mod coordinates;
 pub(crate) mod parameters;

@@ -1,5 +1,6 @@
 //! The error of a formula, with its place in the text: [`FormulaError`].
 
+use crate::names::invisible::shown;
 use core::fmt;
 use core::ops::Range;
 use thiserror::Error;
@@ -119,7 +120,10 @@ pub enum Problem {
         limit: usize,
     },
     /// The character has no meaning in formulas.
-    #[error("the character `{character}` has no meaning in a formula{}", meant(*.suggestion))]
+    #[error(
+        "the character `{}` has no meaning in a formula{}",
+        shown(character.encode_utf8(&mut [0; 4])), meant(*.suggestion)
+    )]
     UnknownCharacter {
         /// The character that has no meaning.
         character: char,

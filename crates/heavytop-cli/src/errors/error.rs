@@ -5,6 +5,7 @@ use super::quotation::Quotation;
 use super::sweep_error::SweepError;
 use super::system_table_error::SystemTableError;
 use crate::vocabulary::brief::{number, text};
+use crate::vocabulary::suggestion::suggestion;
 use collective_integrators::{EventError, IntegrationError, RunError, VariationalError};
 use heavytop::methods::{Formulation, MethodError};
 use heavytop::{SectionError, TopError};
@@ -70,14 +71,35 @@ pub enum Error {
         /// How to make the output smaller.
         remedy: &'static str,
     },
-    /// A file exists that would have to be overwritten.
-    #[error("{} exists, and is not overwritten", path.display())]
+    /// A file exists that the program has not written, and would have to be replaced.
+    #[error(
+        "{} exists, and is not overwritten: it is no {kind}; choose another name, or replace it with --force",
+        path.display()
+    )]
     Exists {
         /// The path of the file.
         path: PathBuf,
+        /// The kind of file that would be replaced.
+        kind: String,
     },
+    /// An output, or a file that is written on the way to it, is a file that the command reads.
+    #[error("cannot write {}: it is {input}, which this command reads; choose another name", path.display())]
+    OutputIsInput {
+        /// The path of the output.
+        path: PathBuf,
+        /// The name of the input.
+        input: String,
+    },
+    /// The output of a command that writes several files is standard output.
+    #[error(
+        "--out - is standard output, and this command writes several files: name a folder, such as ./-"
+    )]
+    FolderIsStream,
     /// The program has no command of this name.
-    #[error("there is no command `{}`; there are {}", text(name), names.join(", "))]
+    #[error(
+        "there is no command `{}`; there are {}{}",
+        text(name), names.join(", "), suggestion(name, names.iter().map(String::as_str))
+    )]
     NoCommand {
         /// The name that was asked for.
         name: String,
@@ -175,7 +197,7 @@ pub enum Error {
     },
     /// The run has more steps than could be computed in a lifetime.
     #[error(
-        "the run would take {steps:e} steps, more than {most:e}: raise the step or lower the end"
+        "the run would take {steps:e} steps, more than {most:e}: lower the end or raise the step"
     )]
     TooManySteps {
         /// The number of steps.

@@ -1,8 +1,15 @@
 //! The exit codes of the program.
 
 use super::error::Error;
+use std::io;
 
 impl Error {
+    /// Returns whether nobody reads the output any more: a reader that closed its pipe has read enough.
+    #[must_use]
+    pub fn is_closed_pipe(&self) -> bool {
+        matches!(self, Self::Write { source, .. } if source.kind() == io::ErrorKind::BrokenPipe)
+    }
+
     /// Returns the exit code of the error.
     ///
     /// It is 2 if the request is wrong and nothing was written, 1 if the command failed underway, and 130 if it was

@@ -50,6 +50,12 @@ impl Quotation {
         }
     }
 
+    /// Returns the name of the text, the line and the column, both from 1.
+    #[must_use]
+    pub fn place(&self) -> (&str, usize, usize) {
+        (&self.name, self.line, self.column)
+    }
+
     /// Returns the quoted line, the mark under the value and the note beside it, as lines of text.
     #[must_use]
     pub fn excerpt(&self) -> &str {

@@ -1,7 +1,7 @@
 //! Errors of `[system]`: why a configuration describes no Lie–Poisson system.
 
 use lie_poisson_formula_systems::{FormulaSystemError, StructureTableError};
-use lie_poisson_formulas::NameError;
+use lie_poisson_formulas::{NameError, Problem};
 use thiserror::Error;
 
 /// The reason why a configuration describes no Lie–Poisson system.
@@ -42,37 +42,62 @@ pub enum SystemTableError {
 }
 
 impl SystemTableError {
-    /// Returns the key at fault, below `[system]`, with what to write there.
+    /// Returns the keys that may be at fault, the likeliest first, each with what to write there.
     #[must_use]
-    pub fn key(&self) -> Option<(String, &'static str)> {
-        Some(match self {
-            Self::CommandOfTops => (String::new(), "use simulate, section or sweep"),
-            Self::Missing(_) => (String::new(), "add the key"),
-            Self::TwoAlgebras => (String::new(), "leave out all but one"),
-            Self::StructureConstants(_) => ("structure_constants".into(), ""),
-            Self::Parameter { name, .. } => (format!("parameters.{name}"), ""),
-            Self::Formula(error) => return key_of(error),
-            Self::Top(_) | Self::NoAttitude => return None,
-        })
+    pub fn keys(&self) -> Vec<(String, &'static str)> {
+        let key = |key: &str, note| vec![(key.to_owned(), note)];
+        match self {
+            Self::CommandOfTops => key("system", "use simulate, section or sweep"),
+            Self::Top(table) => key(table, "remove the table"),
+            Self::Missing(_) => key("system", "add the key"),
+            Self::TwoAlgebras => ["brackets", "structure_constants", "coordinates", "algebra", ""]
+                .map(|other| (below_system(other), "leave out all but one"))
+                .to_vec(),
+            Self::StructureConstants(_) => key("system.structure_constants", ""),
+            Self::Parameter { name, .. } => vec![(format!("system.parameters.{name}"), "")],
+            Self::Formula(error) => keys_of(error),
+            Self::NoAttitude => key("output.attitude", "write false, or leave it out"),
+        }
     }
 }
 
-/// Returns the key at fault for an error of the library.
-fn key_of(error: &FormulaSystemError) -> Option<(String, &'static str)> {
+/// Returns the path of a key of `[system]`, or that of the table.
+fn below_system(key: &str) -> String {
+    if key.is_empty() { "system".into() } else { format!("system.{key}") }
+}
+
+/// Returns the keys that may be at fault for an error of the library.
+fn keys_of(error: &FormulaSystemError) -> Vec<(String, &'static str)> {
     use FormulaSystemError as E;
-    Some(match error {
-        E::Structure(_) => ("structure_constants".into(), ""),
-        E::NoAlgebra { .. } => ("algebra".into(), ""),
-        E::Dimension { .. } | E::Coordinates(_) => ("coordinates".into(), ""),
-        E::Parameters(_) => ("parameters".into(), ""),
-        E::NoPair { key } => (format!("brackets.{key}"), "the key is a pair, \"x, y\""),
-        E::Bracket { key, .. } | E::NotLinear { key } => (format!("brackets.{key}"), ""),
-        E::Jacobi { .. } | E::Brackets(_) | E::Casimirs(_) => ("brackets".into(), ""),
-        E::Hamiltonian(_) => ("hamiltonian".into(), ""),
-        E::NoValue { .. } => ("initial".into(), "a value is missing"),
-        E::NoCoordinate { name, .. } | E::WrongValue { name, .. } => {
-            (format!("initial.{name}"), "")
+    let key = |key: &str, note| vec![(below_system(key), note)];
+    match error {
+        E::Structure(_) => key("structure_constants", ""),
+        E::NoAlgebra { .. } => key("algebra", ""),
+        E::Dimension { .. } | E::Coordinates(_) => key("coordinates", ""),
+        E::Parameters(_) => key("parameters", ""),
+        E::NoPair { key: pair } => key(&format!("brackets.{pair}"), "the key is a pair, \"x, y\""),
+        E::Bracket { key: pair, .. } | E::NotLinear { key: pair } => {
+            key(&format!("brackets.{pair}"), "")
         }
-        _ => return None,
-    })
+        E::Jacobi { .. } | E::Brackets(_) | E::Casimirs(_) => {
+            ["brackets", "structure_constants"].map(|of| (below_system(of), "")).to_vec()
+        }
+        E::Hamiltonian(error) if error.problem() == &Problem::Empty => {
+            key("hamiltonian", "write a formula, such as \"Pi1^2 + 2*Pi2^2\"")
+        }
+        E::Hamiltonian(_) => key("hamiltonian", ""),
+        E::NoValue { .. } => key("initial", "a value is missing"),
+        E::SecondValue { name, .. } => key(&format!("initial.{name}"), "leave one of them out"),
+        E::NoCoordinate { name, .. } | E::WrongValue { name, .. } => {
+            key(&format!("initial.{name}"), "")
+        }
+        E::NoMethod { formulation, has, .. } => {
+            // The message lists the schemes of a formulation that there is.
+            let keys = ["integrator.formulation", "integrator.scheme"];
+            let is_scheme = has.starts_with(formulation.name());
+            let keys = if is_scheme { [keys[1], keys[0]] } else { keys };
+            keys.map(|key| (key.into(), "")).to_vec()
+        }
+        _ => Vec::new(),
+    }
 }

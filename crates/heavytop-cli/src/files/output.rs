@@ -1,6 +1,7 @@
 //! Output files that appear under their names only when they are complete.
 
 use super::place::Place;
+use super::safeguards::kind::Kind;
 use super::torn_line::cut_torn_line;
 use crate::Error;
 use std::fs::{self, File};
@@ -88,12 +89,12 @@ impl Output {
     ///
     /// # Errors
     /// [`Error::Exists`] if there is one. The errors of [`Self::complete`].
-    pub fn complete_new(mut self) -> Result<(), Error> {
+    pub(crate) fn complete_new(mut self, kind: &Kind) -> Result<(), Error> {
         self.finish()?;
         let Some(partial) = &self.partial.0 else { return Ok(()) };
         match fs::hard_link(partial, &self.path) {
             Err(error) if error.kind() == io::ErrorKind::AlreadyExists => {
-                Err(Error::Exists { path: self.path.clone() })
+                Err(Error::Exists { path: self.path.clone(), kind: kind.name.into() })
             }
             // Some file systems have no hard links.
             Err(_) => self.complete(),

@@ -8,9 +8,9 @@ use super::extent::Extent;
 use super::metadata::Metadata;
 use super::rows::Rows;
 use super::run_table::{RunTable, append_row};
-use super::{npz, parquet};
+use super::{npz, parquet, recognition};
 use crate::Error;
-use crate::files::Output;
+use crate::files::{Kind, Output, Place};
 use serde::{Deserialize, Serialize};
 use std::fmt;
 use std::fs::File;
@@ -30,7 +30,8 @@ pub enum Format {
 }
 
 impl Format {
-    /// Returns the format that the ending of the file names; CSV for a device such as `/dev/stdout`.
+    /// Returns the format that the ending of the file names; CSV for `-`, which is standard output, and for a device such
+    /// as `/dev/stdout`.
     ///
     /// # Errors
     /// If the ending stands for no format.
@@ -48,10 +49,17 @@ impl Format {
             Some("csv") => Ok(Self::Csv),
             Some("npz") => Ok(Self::Npz),
             Some("parquet") => Ok(Self::Parquet),
-            _ if std::fs::metadata(path).is_ok_and(|m| !m.is_file() && !m.is_dir()) => {
-                Ok(Self::Csv)
-            }
+            _ if Place::of(path).is_ok_and(|place| place.is_device) => Ok(Self::Csv),
             _ => Err(Error::Format { path: path.into() }),
+        }
+    }
+
+    /// Returns the kind of a complete output in this format.
+    pub(crate) fn kind(self) -> &'static Kind {
+        match self {
+            Self::Csv => &recognition::CSV,
+            Self::Npz => &recognition::NPZ,
+            Self::Parquet => &recognition::PARQUET,
         }
     }
 

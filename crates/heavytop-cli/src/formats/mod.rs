@@ -6,6 +6,7 @@ mod metadata;
 mod rows;
 mod npz;
 pub(crate) mod parquet;
+pub(crate) mod recognition;
 mod format;
 
 pub(crate) use extent::Extent;

@@ -7,6 +7,7 @@ use super::help::{
 };
 use crate::Error;
 use crate::configuration::{Config, Preset};
+use crate::files::Safeguard;
 use crate::reading::Sources;
 use clap::{Args, Parser, Subcommand};
 use clap_complete::Shell;
@@ -24,7 +25,7 @@ pub(super) struct Arguments {
     #[arg(long, global = true, display_order = 100)]
     pub(super) quiet: bool,
 
-    /// Print the summary as JSON, for machines.
+    /// Print the summary as JSON, for machines; warnings and errors too, one a line, on stderr.
     #[arg(long, global = true, display_order = 101)]
     pub(super) json: bool,
 
@@ -40,6 +41,8 @@ pub(super) enum Command {
         /// The folder for the figures and tables; made if it is not there.
         #[arg(long, value_name = "DIR", default_value = "figures")]
         out: PathBuf,
+        #[command(flatten)]
+        replacing: Replacing,
         /// The time to stop at, in seconds: a whole number of steps.
         #[arg(
             long,
@@ -57,12 +60,14 @@ pub(super) enum Command {
     Simulate {
         #[command(flatten)]
         top: Top,
-        /// The file to write; its name ends in .csv, .npz (NumPy) or .parquet.
+        /// The file to write; its name ends in .csv, .npz (NumPy) or .parquet; - is standard output, in CSV.
         #[arg(long, value_name = "FILE")]
         out: PathBuf,
-        /// Go on from FILE.checkpoint, which an interrupted run has left.
-        #[arg(long, value_name = "CHECKPOINT")]
-        resume: Option<PathBuf>,
+        #[command(flatten)]
+        replacing: Replacing,
+        /// Go on from FILE.checkpoint, which an interrupted run has left, or from another CHECKPOINT.
+        #[arg(long, value_name = "CHECKPOINT", num_args = 0..=1)]
+        resume: Option<Option<PathBuf>>,
         /// Start anew, and discard FILE.checkpoint if there is one.
         #[arg(long, conflicts_with = "resume")]
         restart: bool,
@@ -84,6 +89,8 @@ pub(super) enum Command {
         /// The folder for the figure and the table; made if it is not there.
         #[arg(long, value_name = "DIR")]
         out: PathBuf,
+        #[command(flatten)]
+        replacing: Replacing,
         /// The end of the interval, in seconds: a whole number of configured steps.
         #[arg(long, value_name = "SECONDS", allow_negative_numbers = true)]
         end: Option<f64>,
@@ -97,6 +104,8 @@ pub(super) enum Command {
         #[arg(long, value_name = "DIR")]
         out: PathBuf,
         #[command(flatten)]
+        replacing: Replacing,
+        #[command(flatten)]
         parts: Parts,
     },
     /// Follow many tops, or motions of a system, at once, and map what becomes of them.
@@ -108,6 +117,8 @@ pub(super) enum Command {
         #[arg(long, value_name = "DIR")]
         out: PathBuf,
         #[command(flatten)]
+        replacing: Replacing,
+        #[command(flatten)]
         parts: Parts,
     },
     /// Show a top in motion, on a page for a browser.
@@ -115,9 +126,11 @@ pub(super) enum Command {
     Animate {
         #[command(flatten)]
         top: Top,
-        /// The page to write; its name ends in .html.
+        /// The page to write; its name ends in .html; - is standard output.
         #[arg(long, value_name = "FILE")]
         out: PathBuf,
+        #[command(flatten)]
+        replacing: Replacing,
     },
     /// Time the integrators on one top and on many.
     #[command(long_about = BENCH, after_long_help = BENCH_EXAMPLES)]
@@ -137,8 +150,10 @@ pub(super) enum Command {
     /// Write a configuration with comments, to begin with.
     #[command(after_long_help = INIT_EXAMPLES)]
     Init {
-        /// The file to write, which must not exist; without it the text goes to stdout.
+        /// The file to write; without it, or with -, the text goes to standard output.
         file: Option<PathBuf>,
+        #[command(flatten)]
+        replacing: Replacing,
         /// A top by name; without it the paper's Kovalevskaya top.
         #[arg(long)]
         preset: Option<Preset>,
@@ -155,6 +170,14 @@ pub(super) enum Command {
         /// The shell whose completions are printed.
         shell: Shell,
     },
+}
+
+/// Which existing files a command replaces.
+#[derive(Clone, Copy, Debug, Args)]
+pub(super) struct Replacing {
+    /// Replace files that the program has not written, too; never those that the command reads.
+    #[arg(long)]
+    pub(super) force: bool,
 }
 
 /// How to begin a command that keeps its finished parts.
@@ -198,12 +221,15 @@ impl Top {
         self.config.is_none() && self.preset.is_none() && self.assignments.is_empty()
     }
 
-    /// Runs a command with the configuration. A refusal quotes the line of the key at fault.
+    /// Runs a command with the configuration, and with the safeguard of the files that were read. A refusal quotes the
+    /// line of the key at fault.
     pub(super) fn run<T>(
         &self,
-        command: impl FnOnce(Config) -> Result<T, Error>,
+        replacing: Replacing,
+        command: impl FnOnce(Config, &Safeguard) -> Result<T, Error>,
     ) -> Result<T, Error> {
         let sources = Sources::read(self.preset, self.config.as_deref(), &self.assignments)?;
-        command(sources.config().clone()).map_err(|error| sources.locate(error))
+        let safeguard = Safeguard::new(sources.inputs().to_vec(), replacing.force);
+        command(sources.config().clone(), &safeguard).map_err(|error| sources.locate(error))
     }
 }

@@ -3,24 +3,39 @@
 use super::standard_output::to_stdout;
 use crate::Error;
 use crate::configuration::{Config, Integration, Preset};
-use crate::files::Output;
+use crate::files::{Kind, Output, Place, Safeguard};
+use clap::ValueEnum;
 use std::io::{self, Write};
 use std::path::Path;
 
-/// Writes a commented configuration into a new file, or to stdout.
+/// How a configuration is recognised that nobody has edited since.
+const KIND: Kind = Kind {
+    name: "configuration as init writes it",
+    first: b"# A heavy top for the program heavytop.",
+    is_whole: |head, _| Ok(texts().any(|text| text.as_bytes() == head)),
+};
+
+/// Returns the configurations that there are to write.
+fn texts() -> impl Iterator<Item = String> {
+    Preset::value_variants().iter().map(|preset| commented(&preset.config()))
+}
+
+/// Writes a commented configuration into a file, or to stdout.
 ///
 /// # Errors
-/// If the file exists, or cannot be written.
-pub(super) fn init(preset: Option<Preset>, file: Option<&Path>) -> Result<(), Error> {
+/// If the file exists and has been edited, unless it is replaced by force; or it cannot be written.
+pub(super) fn init(preset: Option<Preset>, file: Option<&Path>, force: bool) -> Result<(), Error> {
     let text = commented(&preset.map_or_else(Config::default, Preset::config));
-    let Some(path) = file else { return to_stdout(io::stdout().lock().write_all(text.as_bytes())) };
-    // A link to nowhere is there, too.
-    if path.symlink_metadata().is_ok() {
-        return Err(Error::Exists { path: path.into() });
-    }
+    let place = file.map(Place::of).transpose()?.filter(|place| !place.is_standard_output());
+    let (Some(path), Some(place)) = (file, place) else {
+        return to_stdout(io::stdout().lock().write_all(text.as_bytes()));
+    };
+    Safeguard::new(Vec::new(), force).require(path, &KIND)?;
+    let is_there = place.path.exists();
     let mut output = Output::create(path)?;
     output.write(|to| to.write_all(text.as_bytes()))?;
-    output.complete_new()
+    // Another one that appears at this moment is not replaced.
+    if is_there { output.complete() } else { output.complete_new(&KIND) }
 }
 
 /// Returns the configuration as TOML with comments.
@@ -100,7 +115,6 @@ fn commented(config: &Config) -> String {
 #[allow(clippy::unwrap_used)]
 mod tests {
     use super::*;
-    use clap::ValueEnum;
 
     #[test]
     fn the_text_reads_back_as_the_preset() {

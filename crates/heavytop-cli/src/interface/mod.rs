@@ -4,6 +4,7 @@ mod help;
 mod arguments;
 mod signals;
 mod standard_output;
+mod suggested_command;
 mod confirmation;
 mod first_configuration;
 mod manual;

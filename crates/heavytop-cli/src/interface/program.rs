@@ -1,11 +1,12 @@
 //! The program: from the arguments of its process to its exit code.
 
-use super::arguments::{Arguments, Command, Parts, Top};
+use super::arguments::{Arguments, Command, Parts, Replacing, Top};
 use super::confirmation::confirm;
 use super::first_configuration::init;
 use super::manual::man;
 use super::signals::interrupted;
-use super::standard_output::{print, to_stdout};
+use super::standard_output::{print, print_fitted, print_help, print_line, to_stdout};
+use super::suggested_command::suggest_command;
 use crate::Error;
 use crate::commands::animate::animate;
 use crate::commands::bench::{BenchOptions, bench};
@@ -16,15 +17,18 @@ use crate::commands::simulate::{
     self, Checkpoint, RunSummary, SimulateOptions, SystemSummary, simulate, simulate_system,
 };
 use crate::commands::sweep::{self, sweep_if};
+use crate::errors::Report;
+use crate::files::{Place, Safeguard};
 use crate::runs::SystemExperiment;
 use crate::runs::method_warning::{method_warning, system_warning};
 use crate::runs::step_angle::long_step;
+use crate::supervision::warnings::{self, warn};
 use crate::supervision::{Forecast, TileOptions, Watch};
 use clap::{CommandFactory, Parser};
 use clap_complete::Shell;
 use serde::Serialize;
 use std::fmt::Display;
-use std::io::{self, Write};
+use std::io::{self, IsTerminal, Write};
 use std::path::Path;
 use std::process::ExitCode;
 use std::time::{Duration, Instant};
@@ -32,73 +36,99 @@ use std::time::{Duration, Instant};
 /// Runs the program with the arguments of the process.
 #[must_use]
 pub fn main() -> ExitCode {
-    let done = match Arguments::try_parse() {
-        Ok(arguments) => run(arguments),
-        Err(error) if error.use_stderr() => {
-            // The exit code has to suffice where stderr is closed.
-            let _ = error.print();
-            return ExitCode::from(2);
+    let (done, json) = match Arguments::try_parse() {
+        Ok(arguments) => {
+            let json = arguments.json;
+            if json {
+                warnings::in_json();
+            }
+            (run(arguments), json)
         }
+        Err(error) if error.use_stderr() => return refuse(error),
         // The user asked for help, or for the version.
-        Err(help) => to_stdout(help.print()),
+        Err(help) => (print_help(&help), false),
     };
     match done {
-        Ok(()) => ExitCode::SUCCESS,
-        Err(error) => report(&error),
+        Err(error) if !error.is_closed_pipe() => report(&error, json),
+        _ => ExitCode::SUCCESS,
     }
+}
+
+/// Prints what is wrong with the arguments. The exit code has to suffice where stderr is closed.
+fn refuse(mut error: clap::Error) -> ExitCode {
+    suggest_command(&mut error);
+    if std::env::args_os().any(|argument| argument == "--json") {
+        print_line(&Report::of_arguments(&error.render().to_string()));
+    } else {
+        let _ = print_fitted(&error, io::stderr().is_terminal(), io::stderr());
+    }
+    ExitCode::from(2)
 }
 
 fn run(Arguments { quiet, json, command }: Arguments) -> Result<(), Error> {
     let closing = Closing { begun: Instant::now(), json, quiet };
     match command {
-        Command::Reproduce { out, end, step } => {
-            reproduce(&out, step, end, &watch(quiet)).and_then(|done| closing.print(&done))
+        Command::Reproduce { out, end, step, replacing } => {
+            let safeguard = Safeguard::new(Vec::new(), replacing.force);
+            reproduce(&out, step, end, &watch(quiet, &safeguard))
+                .and_then(|done| closing.print(&done))
         }
-        Command::Simulate { top, out, dry_run: true, .. } => {
-            top.run(|config| simulate::dry_run(&config, &out)).and_then(|done| print(&done, json))
-        }
-        Command::Simulate { top, out, resume, restart, checkpoint_interval, yes, .. } => {
-            let (resume, interval) = (resume.as_deref(), checkpoint_interval);
-            let begin = Begin { resume, restart, interval, yes };
+        Command::Simulate { top, out, replacing, dry_run: true, .. } => top
+            .run(replacing, |config, _| simulate::dry_run(&config, &out))
+            .and_then(|done| print(&done, json)),
+        Command::Simulate {
+            top,
+            out,
+            replacing,
+            resume,
+            restart,
+            checkpoint_interval,
+            yes,
+            ..
+        } => {
+            let resume = resume.as_ref().map(Option::as_deref);
+            let begin = Begin { resume, restart, replacing, interval: checkpoint_interval, yes };
             match run_simulate(&top, &out, &begin, quiet)? {
-                Simulated::Top(summary) => closing.end(&summary),
-                Simulated::System(summary) => closing.end(&summary),
+                Simulated::Top(summary) => closing.end(&summary, &out),
+                Simulated::System(summary) => closing.end(&summary, &out),
             }
         }
-        Command::Compare { top, out, end } => top
-            .run(|config| compare(&config, &out, end, &watch(quiet)))
+        Command::Compare { top, out, replacing, end } => top
+            .run(replacing, |config, safeguard| {
+                compare(&config, &out, end, &watch(quiet, safeguard))
+            })
             .and_then(|done| closing.print(&done)),
-        Command::Section { top, out, parts: Parts { dry_run: true, .. } } => top
-            .run(|config| section::dry_run(&config, &out, top.threads))
+        Command::Section { top, out, replacing, parts: Parts { dry_run: true, .. } } => top
+            .run(replacing, |config, _| section::dry_run(&config, &out, top.threads))
             .and_then(|done| print(&done, json)),
-        Command::Section { top, out, parts } => top
-            .run(|config| {
+        Command::Section { top, out, replacing, parts } => top
+            .run(replacing, |config, safeguard| {
                 if !parts.resume {
                     confirm(&section::forecast(&config, &out)?, parts.yes)?;
                 }
-                section(&config, &out, &in_tiles(&top, parts, quiet))
+                section(&config, &out, &in_tiles(&top, parts, quiet, safeguard))
             })
             .and_then(|done| closing.print(&done)),
-        Command::Sweep { top, out, parts: Parts { dry_run: true, .. } } => top
-            .run(|config| sweep::dry_run(&config, &out, top.threads))
+        Command::Sweep { top, out, replacing, parts: Parts { dry_run: true, .. } } => top
+            .run(replacing, |config, _| sweep::dry_run(&config, &out, top.threads))
             .and_then(|done| done.map_or(Ok(()), |done| print(&done, json))),
-        Command::Sweep { top, out, parts } => top
-            .run(|config| {
+        Command::Sweep { top, out, replacing, parts } => top
+            .run(replacing, |config, safeguard| {
                 let agree = |forecast: &Forecast| confirm(forecast, parts.yes);
-                sweep_if(&config, &out, &in_tiles(&top, parts, quiet), agree)
+                sweep_if(&config, &out, &in_tiles(&top, parts, quiet, safeguard), agree)
             })
             .and_then(|done| done.map_or(Ok(()), |done| closing.print(&done))),
-        Command::Animate { top, out } => top
-            .run(|config| animate(config, &out, &watch(quiet)))
-            .and_then(|summary| closing.end(&summary)),
+        Command::Animate { top, out, replacing } => top
+            .run(replacing, |config, safeguard| animate(config, &out, &watch(quiet, safeguard)))
+            .and_then(|summary| closing.end(&summary, &out)),
         Command::Bench { top, problem, only, tops } => top
-            .run(|config| {
+            .run(Replacing { force: false }, |config, _| {
                 let threads = top.threads.unwrap_or(1);
                 let options = BenchOptions { only, tops, threads };
                 bench(&config, problem.as_deref(), options, quiet)
             })
             .and_then(|done| print(&done, json)),
-        Command::Init { file, preset } => init(preset, file.as_deref()),
+        Command::Init { file, preset, replacing } => init(preset, file.as_deref(), replacing.force),
         Command::Man { command } => man(command.as_deref()),
         Command::Completions { shell } => completions(shell),
     }
@@ -113,7 +143,13 @@ struct Closing {
 
 impl Closing {
     /// Ends a command whose numbers are in its file: the summary is part of the line.
-    fn end(&self, summary: &(impl Display + Serialize)) -> Result<(), Error> {
+    ///
+    /// Where the numbers are on stdout, the summary for machines goes to stderr.
+    fn end(&self, summary: &(impl Display + Serialize), out: &Path) -> Result<(), Error> {
+        if self.json && Place::of(out)?.is_standard_output() {
+            print_line(summary);
+            return Ok(());
+        }
         if self.json {
             return print(summary, true);
         }
@@ -145,8 +181,10 @@ fn completions(shell: Shell) -> Result<(), Error> {
 
 /// The start of `simulate`, and how often it renews its checkpoint.
 struct Begin<'a> {
-    resume: Option<&'a Path>,
+    /// Whether to go on from a checkpoint, and from which one, if it is not that of the output.
+    resume: Option<Option<&'a Path>>,
     restart: bool,
+    replacing: Replacing,
     /// The time between checkpoints, s.
     interval: f64,
     /// Whether not to ask before an output that is absurdly large.
@@ -159,15 +197,28 @@ enum Simulated {
     System(SystemSummary),
 }
 
+/// Reads the checkpoint at a path, or else that of the output, unless there is none.
+///
+/// # Errors
+/// If it cannot be read. If there is none beside the output, and no configuration either: the run that was meant is not
+/// known.
+fn checkpoint(top: &Top, out: &Path, path: Option<&Path>) -> Result<Option<Checkpoint>, Error> {
+    let own = Place::of(out)?.beside("checkpoint");
+    match path {
+        None if !own.exists() && !top.is_default() => Ok(None),
+        path => Checkpoint::read(path.unwrap_or(&own)).map(Some),
+    }
+}
+
 fn run_simulate(top: &Top, out: &Path, begin: &Begin<'_>, quiet: bool) -> Result<Simulated, Error> {
-    let Begin { resume, restart, interval, yes } = *begin;
-    let resume = resume.map(Checkpoint::read).transpose()?;
+    let Begin { resume, restart, replacing, interval, yes } = *begin;
+    let resume = resume.map(|path| checkpoint(top, out, path)).transpose()?.flatten();
     let range = "not negative, and at most 1e9";
     let interval = Duration::try_from_secs_f64(interval)
         .ok()
         .filter(|interval| interval.as_secs_f64() <= 1e9)
         .ok_or(Error::OutOfRange { name: "checkpoint-interval", range, value: interval })?;
-    top.run(|config| {
+    top.run(replacing, |config, safeguard| {
         let config = match &resume {
             // The checkpoint has its own configuration.
             Some(checkpoint) if top.is_default() => checkpoint.configuration().clone(),
@@ -177,12 +228,12 @@ fn run_simulate(top: &Top, out: &Path, begin: &Begin<'_>, quiet: bool) -> Result
             confirm(&simulate::forecast(&config, out)?, yes)?;
         }
         let stop = Some(interrupted());
-        let options = SimulateOptions { resume: resume.as_ref(), restart, interval, stop, quiet };
+        let resume = resume.as_ref();
+        let options = SimulateOptions { resume, restart, interval, stop, quiet, safeguard };
         if let Some(system) = config.system_experiment()? {
             let SystemExperiment { system: formula, start, method, .. } = &system;
             if let Some(warning) = system_warning(method, formula, start)? {
-                // Where stderr is closed nobody can be warned.
-                let _ = writeln!(io::stderr(), "heavytop: {warning}");
+                warn(warning);
             }
             return simulate_system(&config, &system, out, &options).map(Simulated::System);
         }
@@ -190,26 +241,29 @@ fn run_simulate(top: &Top, out: &Path, begin: &Begin<'_>, quiet: bool) -> Result
         for warning in
             [method_warning(&experiment.method), long_step(&experiment)].into_iter().flatten()
         {
-            // Where stderr is closed nobody can be warned.
-            let _ = writeln!(io::stderr(), "heavytop: {warning}");
+            warn(warning);
         }
         simulate(&config, out, &options).map(Simulated::Top)
     })
 }
 
 /// Returns the options of a command that keeps its finished parts.
-fn in_tiles(top: &Top, parts: Parts, quiet: bool) -> TileOptions<'static> {
-    let Parts { resume, restart, .. } = parts;
-    TileOptions { resume, restart, stop: Some(interrupted()), threads: top.threads, quiet }
+fn in_tiles<'a>(top: &Top, parts: Parts, quiet: bool, safeguard: &'a Safeguard) -> TileOptions<'a> {
+    let (Parts { resume, restart, .. }, threads) = (parts, top.threads);
+    TileOptions { resume, restart, stop: Some(interrupted()), threads, quiet, safeguard }
 }
 
 /// Returns the options of a command that keeps nothing when it is interrupted.
-fn watch(quiet: bool) -> Watch<'static> {
-    Watch { stop: Some(interrupted()), quiet }
+fn watch(quiet: bool, safeguard: &Safeguard) -> Watch<'_> {
+    Watch { stop: Some(interrupted()), quiet, safeguard }
 }
 
-fn report(error: &Error) -> ExitCode {
-    // The exit code has to suffice where stderr is closed.
-    let _ = writeln!(io::stderr(), "heavytop: {}", error.message());
+fn report(error: &Error, json: bool) -> ExitCode {
+    if json {
+        print_line(&Report::from(error));
+    } else {
+        // The exit code has to suffice where stderr is closed.
+        let _ = writeln!(io::stderr(), "heavytop: {}", error.message());
+    }
     error.exit_code().into()
 }

@@ -1,6 +1,7 @@
 //! Assignments on the command line: `--set integrator.end=50`.
 
 use super::key_path::{KeyPath, Step};
+use super::readable_text::readable;
 use crate::Error;
 use toml::{Table, Value};
 
@@ -24,7 +25,7 @@ pub(super) fn line(assignment: &str, base: &Table) -> Result<String, Error> {
     if value.is_empty() {
         return Err(refused("it has no value after ="));
     }
-    let value = match toml::from_str::<Table>(&format!("value = {value}")) {
+    let value = match toml::from_str::<Table>(&readable(&format!("value = {value}"))) {
         // Printed again, so that a comment does not come along.
         Ok(table) if table.len() == 1 => table["value"].to_string(),
         _ => Value::from(value).to_string(),
@@ -63,6 +64,7 @@ mod tests {
             (" output.attitude = true", "output.attitude = true"),
             ("integrator.scheme=gauss-4", "integrator.scheme = \"gauss-4\""),
             ("integrator.scheme='gauss-4'", "integrator.scheme = \"gauss-4\""),
+            ("body.mass=100000000000000000000", "body.mass = 100000000000000000000.0"),
             ("body.inertia=[1, 1, 1]", "body.inertia = [1, 1, 1]"),
             ("body.inertia[1]=2.5", "body.inertia = [1.0, 2.5, 3.0]"),
             ("body.inertia[1]=2.5 # wide", "body.inertia = [1.0, 2.5, 3.0]"),

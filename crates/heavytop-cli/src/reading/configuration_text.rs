@@ -1,14 +1,17 @@
 //! A text with keys of a configuration: a file, standard input, or an assignment on the command line.
 
 use super::formula_place::within;
+use super::hints::hint;
 use super::key_path::{KeyPath, Step};
 use super::plain_words::{UNKNOWN, message, repair};
+use super::readable_text::readable;
 use crate::Error;
 use crate::configuration::Config;
 use crate::errors::Quotation;
 use crate::vocabulary::brief;
 use serde::Deserializer;
 use toml::Table;
+use toml::de::DeTable;
 
 /// The repair of a state of a system that stands in the table for those of tops.
 const SYSTEM_STATE: &str = "write the state of a system as initial = { ... } in [system]";
@@ -28,9 +31,10 @@ impl ConfigurationText {
     /// If the text is not TOML, or has unknown keys or wrong types.
     pub fn table(&self) -> Result<Table, Error> {
         let unread = |error| self.misread(&error, KeyPath::default());
+        let text = readable(&self.text);
         // The text is first read by itself, since only its own text has lines to quote.
-        self.read(toml::Deserializer::parse(&self.text).map_err(unread)?)?;
-        toml::from_str(&self.text).map_err(unread)
+        self.read(toml::Deserializer::parse(&text).map_err(unread)?)?;
+        toml::from_str(&text).map_err(unread)
     }
 
     /// Reads a configuration, whose keys may be of other texts too.
@@ -64,6 +68,15 @@ impl ConfigurationText {
 
     /// Returns the error of the TOML reader with its place in the text, the key to which the path leads, and a repair.
     fn misread(&self, error: &toml::de::Error, mut path: KeyPath) -> Error {
+        // A text that is no TOML has no keys.
+        let is_text = path.0.is_empty() && DeTable::parse(&self.text).is_err();
+        if let Some((place, note)) =
+            error.span().filter(|_| is_text).and_then(|span| hint(&self.text, &span))
+        {
+            let quotation = Quotation::new(&self.name, &self.text, place, &note);
+            let source = Box::new(Error::Misread(message(error.message())));
+            return Error::Quoted { quotation: Box::new(quotation), source };
+        }
         let message = message(error.message());
         // A message about two keys of one table begins with the one to quote.
         let own = message.strip_prefix('`').and_then(|rest| rest.split('`').next());

@@ -3,7 +3,7 @@
 use crate::Error;
 use crate::errors::SystemTableError;
 use lie_poisson_formula_systems::FormulaSystemError;
-use lie_poisson_formulas::FormulaError;
+use lie_poisson_formulas::{FormulaError, Problem};
 use std::ops::Range;
 
 /// Returns the place of an error of a formula within the text of its value, which stands at `span`, or else all of the
@@ -11,7 +11,8 @@ use std::ops::Range;
 ///
 /// In a text with escapes, such as `\"`, places cannot be counted: all of the value is marked.
 pub(super) fn within(text: &str, span: Range<usize>, error: &Error) -> Range<usize> {
-    let Some(source) = formula_error(error) else { return span };
+    let source = formula_error(error).filter(|source| *source.problem() != Problem::Empty);
+    let Some(source) = source else { return span };
     let value = text.get(span.clone()).unwrap_or_default();
     let Some(quotes) = ["\"\"\"", "'''", "\"", "'"].into_iter().find(|q| value.starts_with(q))
     else {

@@ -3,6 +3,8 @@
 
 mod key_path;
 mod plain_words;
+mod readable_text;
+mod hints;
 mod formula_place;
 mod configuration_text;
 mod assignment;

@@ -1,7 +1,7 @@
 //! Repairs: the keys to which a refusal refers, and what to write instead.
 
 use crate::Error;
-use crate::configuration::Config;
+use crate::configuration::{Config, Integration};
 use crate::errors::{SweepError, SystemTableError};
 use crate::vocabulary::brief::number;
 use heavytop::methods::MethodError;
@@ -34,6 +34,7 @@ pub(super) fn repairs(error: &Error, config: &Config) -> Vec<Repair> {
     match error {
         Error::Body(top) => vec![of_vector("body", top, config.body.center_of_mass)],
         Error::Vertical(top) => vec![of_vector("initial", top, config.initial.direction())],
+        Error::Start(_) if config.system.is_some() => vec![repair("system.initial", String::new())],
         Error::AzimuthAlone => vec![repair("initial.azimuth", "write both".into())],
         Error::OutOfRange { name, range, .. } => KEYS
             .iter()
@@ -50,14 +51,7 @@ pub(super) fn repairs(error: &Error, config: &Config) -> Vec<Repair> {
             repair("integrator.end", format!("write {}", number(-end))),
             repair("integrator.step", format!("write {}", number(-step))),
         ],
-        Error::TooManySteps { steps, most } => {
-            let times = number((steps / most).ceil());
-            vec![
-                repair("integrator.step", format!("write {times} times as much, or more")),
-                repair("integrator.end", format!("write {times} times less")),
-                repair("section.longest", format!("write {times} times less")),
-            ]
-        }
+        Error::TooManySteps { steps, most } => too_long(steps / most, config),
         Error::AbsurdStep { step, angle, most } => {
             let bound = step * most / angle;
             let note = match bound {
@@ -102,6 +96,23 @@ pub(super) fn repairs(error: &Error, config: &Config) -> Vec<Repair> {
     }
 }
 
+/// Returns the repairs of a run that is so many times too long. The end is at fault, unless the step is farther from its
+/// usual value.
+fn too_long(times: f64, config: &Config) -> Vec<Repair> {
+    let times = number(times.ceil());
+    let usual = Integration::default();
+    let Integration { step, end, .. } = config.integrator.or(usual);
+    let mut repairs = vec![
+        ("integrator.end".to_string(), format!("write {times} times less")),
+        ("section.longest".to_string(), format!("write {times} times less")),
+        ("integrator.step".to_string(), format!("write {times} times as much, or more")),
+    ];
+    if usual.step / step.abs() > end.abs() / usual.end {
+        repairs.reverse();
+    }
+    repairs
+}
+
 /// Returns the repair of a number in a table, or of its unit vector.
 fn of_vector(table: &str, error: &TopError, vector: [f64; 3]) -> Repair {
     let (name, note) = match error {
@@ -131,12 +142,7 @@ fn unit(vector: [f64; 3], length: f64) -> String {
 }
 
 fn of_system(error: &SystemTableError) -> Vec<Repair> {
-    if let SystemTableError::Top(table) = error {
-        return vec![((*table).to_owned(), "remove the table".to_owned())];
-    }
-    let (key, note) = error.key().unwrap_or_default();
-    let path = if key.is_empty() { "system".into() } else { format!("system.{key}") };
-    vec![(path, note.to_owned())]
+    error.keys().into_iter().map(|(key, note)| (key, note.to_owned())).collect()
 }
 
 fn of_section(error: &SectionError) -> Vec<Repair> {

@@ -5,7 +5,7 @@ use super::configuration_text::ConfigurationText;
 use super::repair::repairs;
 use crate::Error;
 use crate::configuration::{Config, Preset};
-use crate::files::bounded;
+use crate::files::{Input, bounded};
 use std::path::Path;
 use toml::{Table, Value};
 
@@ -21,6 +21,8 @@ pub struct Sources {
     config: Config,
     /// The texts; a later one overrides those before it.
     texts: Vec<ConfigurationText>,
+    /// What was read, beside the command line.
+    inputs: Vec<Input>,
 }
 
 impl Sources {
@@ -45,8 +47,12 @@ impl Sources {
         assignments: &[String],
     ) -> Result<Self, Error> {
         let config = preset.map_or_else(Config::default, Preset::config);
-        let mut sources = Self { config, texts: Vec::new() };
+        let mut sources = Self { config, texts: Vec::new(), inputs: Vec::new() };
         if let Some(path) = file {
+            sources.inputs.push(match path == Path::new(STANDARD_INPUT) {
+                true => Input::StandardInput,
+                false => Input::File(path.into()),
+            });
             sources.add(text(path)?)?;
         }
         for assignment in assignments {
@@ -60,6 +66,12 @@ impl Sources {
     #[must_use]
     pub fn config(&self) -> &Config {
         &self.config
+    }
+
+    /// Returns what was read, beside the command line: the configuration, and the tables of which it has the paths.
+    #[must_use]
+    pub fn inputs(&self) -> &[Input] {
+        &self.inputs
     }
 
     /// Adds to a refusal the line of the key at fault, with the repair under it, where one of the texts has the key.
@@ -88,9 +100,14 @@ impl Sources {
         // Paths in a file are relative to it.
         let folder = Path::new(&text.name).parent().unwrap_or(Path::new(""));
         let system = config.system.as_mut();
-        let read = system.map_or(Ok(()), |system| system.read_structure_constants(folder));
-        if let Err(error) = read {
-            return Err(text.quote("system.structure_constants", "", error).unwrap_or_else(|e| e));
+        let read = system.map_or(Ok(None), |system| system.read_structure_constants(folder));
+        match read {
+            Ok(table) => self.inputs.extend(table.map(Input::File)),
+            Err(error) => {
+                return Err(text
+                    .quote("system.structure_constants", "", error)
+                    .unwrap_or_else(|e| e));
+            }
         }
         self.config = config;
         self.texts.push(text);

@@ -1,5 +1,6 @@
 //! Forecasts of commands: how much they would write, and how long that would take.
 
+use crate::files::place::shown;
 use serde::Serialize;
 use std::fmt;
 use std::path::PathBuf;
@@ -50,7 +51,7 @@ pub struct Forecast {
 impl fmt::Display for Forecast {
     fn fmt(&self, to: &mut fmt::Formatter<'_>) -> fmt::Result {
         let Self { out, work, bytes, room, seconds, .. } = self;
-        write!(to, "{work}, about {} in {}", size(*bytes), out.display())?;
+        write!(to, "{work}, about {} in {}", size(*bytes), shown(out))?;
         if room > bytes {
             write!(to, " ({} of disk until it is complete)", size(*room))?;
         }

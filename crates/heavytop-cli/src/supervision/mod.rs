@@ -3,6 +3,7 @@
 pub(crate) mod forecast;
 mod progress;
 mod watch;
+pub(crate) mod warnings;
 pub(crate) mod tiled_run;
 mod tile_folder;
 

@@ -5,8 +5,9 @@ use crate::Error;
 use crate::configuration::Config;
 use crate::errors::CheckpointError;
 use crate::files::sealed::{self, damaged, of_this_version, open, seal};
-use crate::files::{Output, lock};
+use crate::files::{Kind, Output, lock};
 use serde::{Deserialize, Serialize};
+use std::ffi::OsStr;
 use std::fs::{self, File};
 use std::io;
 use std::path::{Path, PathBuf};
@@ -14,8 +15,15 @@ use std::path::{Path, PathBuf};
 /// The name of the file that identifies the run of the tiles.
 const IDENTITY: &str = "identity";
 
+/// The number of digits in the name of a tile, or more.
+const DIGITS: usize = 7;
+
 /// The first word of the identity.
 const TITLE: &str = "heavytop-tiles ";
+
+/// How the files of the folder are recognised.
+const IDENTITY_KIND: Kind = Kind::of_first_bytes("identity of a run", TITLE.as_bytes());
+const TILE_KIND: Kind = Kind::of_first_bytes("part of a run", b"heavytop-tile");
 
 /// The file that is locked while a run uses the folder.
 const LOCK: &str = "lock";
@@ -76,9 +84,10 @@ impl Tiles {
     /// Prepares the folder: creates it, or checks that its tiles belong to this run, or discards them.
     ///
     /// # Errors
-    /// If another run uses the folder, or there are tiles that shall not be used, or that belong to another run: then
-    /// nothing is changed.
+    /// If another run uses the folder, there are tiles that shall not be used, or that belong to another run, or a file
+    /// would be replaced that is an input or not of this program: then nothing is changed.
     pub fn prepare(&self, options: &TileOptions<'_>) -> Result<Held, Error> {
+        self.require_replaceable(options)?;
         let folder = || self.folder.clone();
         let refused = |source| Error::Create { path: folder(), source };
         let path = self.folder.join(LOCK);
@@ -120,6 +129,31 @@ impl Tiles {
         Ok(held)
     }
 
+    /// Checks that the files in the folder may be replaced and removed that have the names of this one's.
+    fn require_replaceable(&self, options: &TileOptions<'_>) -> Result<(), Error> {
+        let (safeguard, identity) = (options.safeguard, self.identity_file());
+        match options.resume {
+            // It is only read, and the message says what is wrong with it.
+            true => safeguard.require_other(&identity)?,
+            false => safeguard.require_unfinished(&identity, &IDENTITY_KIND)?,
+        }
+        safeguard.require_empty(&self.folder.join(LOCK), "lock of a run")?;
+        // Beside an identity the files are tiles, though they may be damaged.
+        let is_own = IDENTITY_KIND.is_of(&identity).unwrap_or(false);
+        let entries = match fs::read_dir(&self.folder) {
+            Ok(entries) => entries,
+            // The folder will be created, or cannot be.
+            Err(_) => return Ok(()),
+        };
+        for entry in entries.flatten().filter(|entry| is_tile_or_partial(&entry.file_name())) {
+            match is_own {
+                true => safeguard.require_other(&entry.path())?,
+                false => safeguard.require_unfinished(&entry.path(), &TILE_KIND)?,
+            }
+        }
+        Ok(())
+    }
+
     fn identity_file(&self) -> PathBuf {
         self.folder.join(IDENTITY)
     }
@@ -140,7 +174,7 @@ impl Tiles {
     }
 
     fn file(&self, tile: u64) -> PathBuf {
-        self.folder.join(format!("{tile:07}"))
+        self.folder.join(format!("{tile:0DIGITS$}"))
     }
 
     /// Returns the first line of a tile, before the checksum: the number of the tile, and the run.
@@ -199,7 +233,7 @@ impl Tiles {
         }
     }
 
-    /// Removes all files of the folder but the lock.
+    /// Removes the files of the run but the lock. Files with other names stay.
     fn empty(&self) -> Result<(), Error> {
         let remove = |path: &Path| match fs::remove_file(path) {
             Err(error) if error.kind() != io::ErrorKind::NotFound => Err(unwritten(path, error)),
@@ -210,12 +244,23 @@ impl Tiles {
         let entries = fs::read_dir(&self.folder).map_err(|e| unwritten(&self.folder, e))?;
         for entry in entries {
             let entry = entry.map_err(|e| unwritten(&self.folder, e))?;
-            if entry.file_name() != LOCK {
+            if is_tile_or_partial(&entry.file_name()) {
                 remove(&entry.path())?;
             }
         }
         Ok(())
     }
+}
+
+/// Returns whether a file has the name of a tile, or of a file that is being written: see [`Tiles::file`].
+fn is_tile_or_partial(name: &OsStr) -> bool {
+    let name = name.to_string_lossy();
+    let (stem, is_partial) = match name.strip_suffix(".partial") {
+        Some(stem) => (stem, true),
+        None => (&*name, false),
+    };
+    let is_number = stem.len() >= DIGITS && stem.bytes().all(|byte| byte.is_ascii_digit());
+    is_number || (is_partial && stem == IDENTITY)
 }
 
 fn unwritten(path: &Path, source: io::Error) -> Error {

@@ -1,11 +1,13 @@
 //! A run in tiles: its options, its threads, and its end.
 
 use crate::Error;
+use crate::files::Safeguard;
 use rayon::{ThreadPool, ThreadPoolBuilder};
 use std::sync::atomic::{AtomicBool, Ordering};
 
-/// The argument that resumes a run.
-pub(super) const RESUME: &str = "--resume";
+/// The argument that resumes a run from what an interrupted one has left beside its output, or begins where there is
+/// nothing.
+pub(crate) const RESUME: &str = "--resume";
 
 /// The options of a run in tiles.
 #[derive(Clone, Copy, Debug)]
@@ -20,12 +22,15 @@ pub struct TileOptions<'a> {
     pub threads: Option<usize>,
     /// Whether to show no progress bar.
     pub quiet: bool,
+    /// The files that the outputs and the tiles must not replace.
+    pub safeguard: &'a Safeguard,
 }
 
-/// Starts from the beginning, without a progress bar.
+/// Starts from the beginning, without a progress bar, and replaces only files of the command.
 impl Default for TileOptions<'_> {
     fn default() -> Self {
-        Self { resume: false, restart: false, stop: None, threads: None, quiet: true }
+        let safeguard = Safeguard::OWN_FILES;
+        Self { resume: false, restart: false, stop: None, threads: None, quiet: true, safeguard }
     }
 }
 

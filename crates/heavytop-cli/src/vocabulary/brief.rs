@@ -1,5 +1,7 @@
 //! Short forms of numbers and texts in messages.
 
+use lie_poisson_formulas::{invisible_name, shown};
+
 /// The number of characters after which a text is cut.
 const MOST: usize = 60;
 
@@ -9,13 +11,14 @@ pub(crate) fn number(x: f64) -> String {
 }
 
 /// Returns the text on one line, or its first characters and an ellipsis. Characters that would control a terminal
-/// are escaped.
+/// are escaped, and invisible ones are named.
 pub(crate) fn text(text: &str) -> String {
     let mut short = String::new();
     for (count, c) in text.chars().enumerate() {
         match c {
             _ if count == MOST => return short + "…",
             c if c.is_control() => short.extend(c.escape_default()),
+            c if invisible_name(c).is_some() => short += &shown(c.encode_utf8(&mut [0; 4])),
             c => short.push(c),
         }
     }
@@ -65,6 +68,7 @@ mod tests {
     fn what_is_long_is_cut() {
         assert_eq!(text("mass"), "mass");
         assert_eq!(text(&"ä".repeat(1000)), "ä".repeat(60) + "…");
+        assert_eq!(text("ma\u{ad}ss"), "ma<U+00AD soft hyphen>ss");
         assert_eq!(text("\0\u{1b}[2J\n"), "\\u{0}\\u{1b}[2J\\n");
         assert_eq!(message("expected a string"), "expected a string");
         let key = message(&format!("unknown key `{}`, expected", "x".repeat(1000)));

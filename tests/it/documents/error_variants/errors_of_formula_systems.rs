@@ -91,6 +91,7 @@ pub fn systems_and_states() -> Vec<String> {
         refused(so3.state([("Pi1", &[1.0][..])])),
         refused(so3.state([("Gamma", &[1.0][..])])),
         refused(so3.state([("Pi", &[1.0][..])])),
+        refused(so3.state([("Pi", &[1.0, 2.0, 3.0][..]), ("Pi1", &[1.0])])),
         refused(body.invariants(&[1.0, 2.0])),
         refused(section("Gamma3", 0.0)),
         refused(section("Pi3", 0.0).unwrap().with_axes(["Pi1", "Pi4"], &none)),

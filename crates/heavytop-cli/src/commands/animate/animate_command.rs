@@ -4,13 +4,13 @@ use super::animation::Animation;
 use super::page_summary::PageSummary;
 use crate::Error;
 use crate::configuration::Config;
-use crate::files::Output;
+use crate::files::{Kind, Output, Place, contains};
 use crate::pictures::caption;
 use crate::runs::Experiment;
 use crate::runs::method_warning::method_warning;
 use crate::runs::step_angle::long_step;
+use crate::supervision::warnings::warn;
 use crate::supervision::{Progress, Watch};
-use std::io::Write;
 use std::path::Path;
 
 /// The largest number of frames of a page; that many take some 3.5 MB, and longer runs are thinned out.
@@ -18,6 +18,13 @@ pub const MOST_FRAMES: u64 = 20_000;
 
 /// The largest turn of the body from frame to frame, in rad, that the page can interpolate well.
 const MOST_TURN: f64 = 1.0;
+
+/// How a page is recognised.
+const KIND: Kind = Kind {
+    name: "page of animate",
+    first: b"<!DOCTYPE html>",
+    is_whole: |head, _| Ok(contains(head, "<title>A heavy top in motion</title>")),
+};
 
 /// Runs the configuration with the attitude, and writes the page `out`.
 ///
@@ -44,12 +51,12 @@ pub fn animate(mut config: Config, out: &Path, watch: &Watch<'_>) -> Result<Page
     let mut experiment = config.experiment()?;
     experiment.every = frame_every(&experiment);
     require_html(out)?;
+    watch.safeguard.require(out, &KIND)?;
     let mut output = Output::create(out)?;
     for warning in
         [method_warning(&experiment.method), long_step(&experiment)].into_iter().flatten()
     {
-        // Where stderr is closed nobody can be warned.
-        let _ = writeln!(std::io::stderr(), "heavytop: {warning}");
+        warn(warning);
     }
 
     let mut animation = Animation::new(experiment.top, &description(&experiment));
@@ -66,11 +73,10 @@ pub fn animate(mut config: Config, out: &Path, watch: &Watch<'_>) -> Result<Page
     output.conclude(outcome)?;
     let turn = animation.largest_turn();
     if turn > MOST_TURN {
-        let _ = writeln!(
-            std::io::stderr(),
-            "heavytop: warning: the body turns by up to {turn:.1} rad from frame to frame: the \
+        warn(format_args!(
+            "warning: the body turns by up to {turn:.1} rad from frame to frame: the \
              motion between them is guessed; lower the end, the step or [output] every"
-        );
+        ));
     }
     Ok(PageSummary::new(&experiment, &animation, out))
 }
@@ -109,9 +115,9 @@ fn description(experiment: &Experiment) -> String {
     format!("{method}, {frames}")
 }
 
-/// Checks that the name ends in `.html`, or that the output is a device such as `/dev/stdout`.
+/// Checks that the name ends in `.html`, or that the output is `-`, which is standard output, or a device.
 fn require_html(out: &Path) -> Result<(), Error> {
     let is_html = out.extension().is_some_and(|e| e.eq_ignore_ascii_case("html"));
-    let is_device = std::fs::metadata(out).is_ok_and(|m| !m.is_file() && !m.is_dir());
+    let is_device = Place::of(out).is_ok_and(|place| place.is_device);
     if is_html || is_device { Ok(()) } else { Err(Error::NoPage { path: out.into() }) }
 }

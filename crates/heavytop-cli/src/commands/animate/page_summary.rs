@@ -1,6 +1,7 @@
 //! The summary of a page, which `heavytop animate` prints.
 
 use super::animation::Animation;
+use crate::files::place::shown;
 use crate::runs::Experiment;
 use serde::Serialize;
 use std::fmt;
@@ -48,6 +49,6 @@ impl PageSummary {
 
 impl fmt::Display for PageSummary {
     fn fmt(&self, to: &mut fmt::Formatter<'_>) -> fmt::Result {
-        write!(to, "{} frames to t = {} s, in {}", self.frames, self.end, self.out.display())
+        write!(to, "{} frames to t = {} s, in {}", self.frames, self.end, shown(&self.out))
     }
 }

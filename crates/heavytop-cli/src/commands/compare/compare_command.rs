@@ -5,14 +5,18 @@ use super::measurement::{Measure, Measurement, Reference};
 use super::recommendations::{self, Comparison};
 use crate::Error;
 use crate::configuration::{Config, Integration};
-use crate::files::place::require_no_folders;
-use crate::files::{Output, OutputSet};
+use crate::files::place::require_folder;
+use crate::files::{Kind, Output, OutputSet};
 use crate::pictures::render;
 use crate::runs::{Experiment, Schedule};
 use crate::supervision::{Progress, Watch};
 use heavytop::methods::{ComposedScheme, Formulation, Method, SchemeName};
 use std::io::Write;
 use std::path::Path;
+
+/// How the table is recognised.
+const TABLE: Kind =
+    Kind::of_first_bytes("table of compare", b"formulation,scheme,step,end,error,seconds,");
 
 /// The number of configured steps in the interval, unless the run ends earlier. Later errors of a chaotic top tell
 /// more about the top than about the integrators.
@@ -72,10 +76,15 @@ pub fn compare(
         None => experiment.schedule.steps.min(INTERVAL),
     };
     let methods = methods(config.integrator.or(Integration::default()))?;
+    require_folder(out)?;
+    let files = [
+        ("work-precision.csv", &TABLE),
+        ("work-precision.svg", &render::SVG),
+        ("work-precision.png", &render::PNG),
+    ];
+    watch.safeguard.require_all(out, &files)?;
     std::fs::create_dir_all(out).map_err(|source| Error::Create { path: out.into(), source })?;
-    let names = ["work-precision.csv", "work-precision.svg", "work-precision.png"];
-    require_no_folders(out, &names)?;
-    let [csv, svg, png] = names.map(|name| out.join(name));
+    let [csv, svg, png] = files.map(|(name, _)| out.join(name));
     // No other run writes here until the table has its name, which it gets last.
     let mut table = Output::create(&csv)?;
 

@@ -66,23 +66,29 @@ const FIGURE_2: [Line; 2] = [
     (Formulation::Collective, SchemeName::ImplicitMidpoint, RED, WHOLE),
 ];
 
+/// The six figures of the paper: the names of their files without ending, their quantities and their curves.
+const FIGURES: [(&str, Invariant, &[Line]); 6] = [
+    ("fig1a", Invariant::Energy, &FIGURE_1),
+    ("fig1b", Invariant::VerticalSquared, &FIGURE_1),
+    ("fig1c", Invariant::VerticalMomentum, &FIGURE_1),
+    ("fig1d", Invariant::Kovalevskaya, &FIGURE_1),
+    ("fig2a", Invariant::Energy, &FIGURE_2),
+    ("fig2b", Invariant::Kovalevskaya, &FIGURE_2),
+];
+
+/// Returns the names of the files of the figures, without ending.
+pub(super) fn names() -> impl Iterator<Item = &'static str> {
+    FIGURES.into_iter().map(|(name, ..)| name)
+}
+
 /// Returns the six figures of the paper.
 pub(super) fn all(records: &[Record]) -> Vec<Figure<'_>> {
-    [
-        ("fig1a", Invariant::Energy, &FIGURE_1[..]),
-        ("fig1b", Invariant::VerticalSquared, &FIGURE_1),
-        ("fig1c", Invariant::VerticalMomentum, &FIGURE_1),
-        ("fig1d", Invariant::Kovalevskaya, &FIGURE_1),
-        ("fig2a", Invariant::Energy, &FIGURE_2),
-        ("fig2b", Invariant::Kovalevskaya, &FIGURE_2),
-    ]
-    .into_iter()
-    .map(|(name, quantity, lines)| {
+    let figure = |(name, quantity, lines): (_, _, &[Line])| {
         let curves = lines.iter().filter_map(|line| curve(records, quantity, line)).collect();
         let caption = records.first().map_or_else(Vec::new, words);
         Figure { name, label: label(quantity), curves, caption }
-    })
-    .collect()
+    };
+    FIGURES.into_iter().map(figure).collect()
 }
 
 /// Returns what all curves share.

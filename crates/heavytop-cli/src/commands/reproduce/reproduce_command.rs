@@ -5,7 +5,8 @@ use super::record::{QUANTITIES, Record};
 use super::{figures, plot};
 use crate::Error;
 use crate::configuration::{Config, Integration};
-use crate::files::{Output, OutputSet};
+use crate::files::place::require_folder;
+use crate::files::{Kind, Output, OutputSet};
 use crate::formats::run_table::{STATE_COLUMNS, append_row, state_values};
 use crate::pictures::render;
 use crate::runs::Experiment;
@@ -21,6 +22,12 @@ const METHODS: [(Formulation, SchemeName); 4] = [
     (Formulation::Direct, SchemeName::ExplicitMidpoint),
     (Formulation::Direct, SchemeName::ImplicitMidpoint),
 ];
+
+/// How the tables are recognised.
+const TRAJECTORIES: Kind =
+    Kind::of_first_bytes("table of reproduce", b"formulation,scheme,t,Pi1,Pi2,Pi3,Gamma1,");
+const SUMMARY: Kind =
+    Kind::of_first_bytes("table of reproduce", b"formulation,scheme,step,end,h,f1,f2,K\n");
 
 /// The number of pixels per CSS pixel: 576 dots per inch at the figures' own size.
 const SCALE: f32 = 6.0;
@@ -60,6 +67,7 @@ pub fn reproduce(
         config.integrator = Integration { formulation, scheme, step, end, ..own }.into();
         experiments.push(config.experiment()?);
     }
+    require_replaceable(out, watch)?;
     std::fs::create_dir_all(out).map_err(|source| Error::Create { path: out.into(), source })?;
 
     // No other run writes here until the table has its name, which it gets last.
@@ -68,6 +76,17 @@ pub fn reproduce(
     let outcome = run(&experiments, &mut trajectories, watch);
     let written = outcome.and_then(|records| write_figures_and_summary(&records, out, &mut others));
     others.conclude(trajectories, written)
+}
+
+/// Checks that the files of the command may be written.
+fn require_replaceable(out: &Path, watch: &Watch<'_>) -> Result<(), Error> {
+    require_folder(out)?;
+    for name in figures::names() {
+        let [svg, png] = ["svg", "png"].map(|ending| format!("{name}.{ending}"));
+        watch.safeguard.require_all(out, &[(&svg, &render::SVG), (&png, &render::PNG)])?;
+    }
+    let tables = [("summary.csv", &SUMMARY), ("trajectories.csv", &TRAJECTORIES)];
+    watch.safeguard.require_all(out, &tables)
 }
 
 fn write_figures_and_summary(

@@ -8,15 +8,22 @@ use super::settings::Settings;
 use super::survey::Survey;
 use crate::Error;
 use crate::configuration::Config;
-use crate::files::place::require_no_folders;
-use crate::files::{Output, OutputSet, Place};
+use crate::files::place::require_folder;
+use crate::files::{Kind, Output, OutputSet, Place};
 use crate::formats::Metadata;
+use crate::formats::recognition::{PAR1, is_parquet};
 use crate::pictures::render;
 use crate::supervision::tiled_run::{resumable, threads};
+use crate::supervision::warnings::warn;
 use crate::supervision::{Held, Progress, TileOptions};
 use std::io::Write;
 use std::path::{Path, PathBuf};
 use std::sync::atomic::{AtomicU64, Ordering};
+
+/// How the table is recognised, in each of its formats.
+const CSV: Kind = Kind::of_first_bytes("table of section", b"start,crossing,t,");
+const PARQUET: Kind =
+    Kind { name: "table of section", first: PAR1, is_whole: |_, file| is_parquet("section", file) };
 
 /// The number of pixels per CSS pixel: 288 dots per inch.
 const SCALE: f32 = 3.0;
@@ -82,13 +89,18 @@ fn write(
     let config = settings.complete(config);
     let metadata = Metadata::new(&config)?;
     let orbits = Orbits::new(settings, &config, out)?;
-    let names = ["section.csv", "section.parquet", "section.svg", "section.png"];
-    require_no_folders(out, &names)?;
+    require_folder(out)?;
+    let files = [
+        ("section.csv", &CSV),
+        ("section.parquet", &PARQUET),
+        ("section.svg", &render::SVG),
+        ("section.png", &render::PNG),
+    ];
+    options.safeguard.require_all(out, &files)?;
     let threads = threads(options.threads)?;
     let held = orbits.tiles.prepare(options)?;
     if let Some(warning) = settings.problem.as_problem().warning() {
-        // Where stderr is closed nobody can be warned.
-        let _ = writeln!(std::io::stderr(), "heavytop: {warning}");
+        warn(warning);
     }
 
     let progress = Progress::of(settings.limits.starts as u64, "starts", options.quiet);
@@ -100,7 +112,7 @@ fn write(
     let finished = threads.install(|| orbits.finish(options, count));
     drop(progress);
 
-    let [csv, parquet, svg, png] = names.map(|name| out.join(name));
+    let [csv, parquet, svg, png] = files.map(|(name, _)| out.join(name));
     if let Err(stuck) = finished {
         return Err(give_up(settings, &orbits, held, stuck, &csv));
     }

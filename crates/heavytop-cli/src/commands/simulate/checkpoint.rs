@@ -4,8 +4,8 @@ use super::growing_file::Mark;
 use crate::Error;
 use crate::configuration::Config;
 use crate::errors::CheckpointError;
-use crate::files::Output;
 use crate::files::sealed::{damaged, of_this_version, open, read, seal};
+use crate::files::{Kind, Output};
 use crate::formats::{Format, RunTable};
 use crate::runs::Saved;
 use crate::vocabulary::brief::number;
@@ -15,6 +15,9 @@ use std::path::{Path, PathBuf};
 
 /// The first word of the file, before the checksum of what follows its first line.
 const TITLE: &str = "heavytop-checkpoint ";
+
+/// How a checkpoint is recognised.
+pub(super) const KIND: Kind = Kind::of_first_bytes("checkpoint of simulate", TITLE.as_bytes());
 
 /// The state of a run after a step, from which the run can continue.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
@@ -138,9 +141,4 @@ impl Checkpoint {
         };
         Err(CheckpointError::Impossible(impossible))
     }
-}
-
-/// Returns the argument that resumes the run from the checkpoint.
-pub(super) fn argument(path: &Path) -> String {
-    format!("--resume {}", path.display())
 }

@@ -39,12 +39,15 @@ pub(super) struct Growing {
 }
 
 impl Growing {
-    /// Opens the file for writing from the start; a regular file is truncated.
+    /// Writes to a device, from the place in it where its file is.
+    pub fn on_device(path: PathBuf, file: File) -> Self {
+        Self { path, file, block: Vec::new(), bytes: 0, checksum: Hasher::new() }
+    }
+
+    /// Empties the file, and writes it from the start.
     pub fn new(path: PathBuf, file: File) -> io::Result<Self> {
-        if file.metadata()?.is_file() {
-            file.set_len(0)?;
-        }
-        Ok(Self { path, file, block: Vec::new(), bytes: 0, checksum: Hasher::new() })
+        file.set_len(0)?;
+        Ok(Self::on_device(path, file))
     }
 
     /// Reopens the file as it was at the mark, and cuts off what has been written since.

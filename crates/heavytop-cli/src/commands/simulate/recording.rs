@@ -1,14 +1,16 @@
 //! The recording of a run: its rows on their way to the output.
 
-use super::checkpoint::{Checkpoint, argument};
+use super::checkpoint::{self, Checkpoint};
 use super::growing_file::Growing;
 use super::simulate_options::SimulateOptions;
 use crate::Error;
 use crate::configuration::Config;
 use crate::errors::CheckpointError;
-use crate::files::{Output, Place};
+use crate::files::{Input, Output, Place};
+use crate::formats::recognition::ROWS;
 use crate::formats::{Extent, Format, Metadata, RunTable};
 use crate::runs::{Pace, Saved};
+use crate::supervision::tiled_run::RESUME;
 use std::fs;
 use std::path::{Path, PathBuf};
 
@@ -49,6 +51,7 @@ impl Recording {
         options: &SimulateOptions<'_>,
     ) -> Result<Self, Error> {
         let (format, place) = (Format::of(out)?, Place::of(out)?);
+        require_replaceable(out, &place, format, options)?;
         let RecordedRun { pace, dimension, table, casimirs } = run;
         let metadata = Metadata::new(config)?.with_casimirs(casimirs.clone());
         let path = match format {
@@ -113,8 +116,8 @@ impl Recording {
                 Ok(())
             }
             (Err(interrupted @ Error::Interrupted { .. }), _) => Err(interrupted),
-            (Err(failure), Some(checkpoint)) => {
-                Err(Error::Resumable { resume: argument(&checkpoint), source: Box::new(failure) })
+            (Err(failure), Some(_)) => {
+                Err(Error::Resumable { resume: RESUME.into(), source: Box::new(failure) })
             }
             (Err(failure), None) if failure.exit_code() == 1 => Err(self.keep(failure)),
             (Err(refusal), None) => {
@@ -176,6 +179,39 @@ impl Recording {
     }
 }
 
+/// Checks that the output, and what is written and removed on the way to it, may be replaced.
+///
+/// # Errors
+/// If one of the files is an input, or one that the program has not written.
+fn require_replaceable(
+    out: &Path,
+    place: &Place,
+    format: Format,
+    options: &SimulateOptions<'_>,
+) -> Result<(), Error> {
+    let read = options.resume.map(|checkpoint| Input::File(checkpoint.path.clone()));
+    let with_checkpoint = read.map(|read| options.safeguard.and(read));
+    let safeguard = with_checkpoint.as_ref().unwrap_or(options.safeguard);
+    match options.resume {
+        Some(_) if !place.is_device => safeguard.require_resumed(out, format.kind())?,
+        _ => safeguard.require(out, format.kind())?,
+    }
+    if place.is_device {
+        return Ok(());
+    }
+    if format != Format::Csv {
+        let rows = place.beside("rows");
+        // The checksum in a checkpoint tells whether the rows are those before it.
+        match options.resume {
+            Some(_) => safeguard.require_other(&rows)?,
+            None => safeguard.require_unfinished(&rows, &ROWS)?,
+        }
+    }
+    // The checkpoint that is read is the one that is renewed.
+    options.safeguard.require_unfinished(&place.beside("checkpoint"), &checkpoint::KIND)?;
+    safeguard.require_unfinished(&place.beside("checkpoint.partial"), &checkpoint::KIND)
+}
+
 /// Removes the checkpoint, and the incomplete one of a run that was killed while it wrote it.
 fn remove_checkpoint(place: &Place) {
     if !place.is_device {
@@ -198,8 +234,10 @@ fn anew(place: &Place, path: PathBuf, restart: bool) -> Result<Growing, Error> {
         if !is_there {
             remove(&path);
         }
-        let resume = argument(&checkpoint);
-        return Err(Error::Unfinished { path: checkpoint, resume });
+        return Err(Error::Unfinished { path: checkpoint, resume: RESUME.into() });
+    }
+    if place.is_device {
+        return Ok(Growing::on_device(path, file));
     }
     // The old checkpoint would be for another run.
     remove_checkpoint(place);

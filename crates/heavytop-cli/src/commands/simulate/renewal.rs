@@ -1,11 +1,11 @@
 //! When a run makes its checkpoint, and when it stops.
 
-use super::checkpoint::argument;
 use super::recording::Recording;
 use super::run_summary::Deviations;
 use super::simulate_options::SimulateOptions;
 use crate::Error;
 use crate::runs::Saved;
+use crate::supervision::tiled_run::RESUME;
 use collective_integrators::CHECKPOINT;
 use std::sync::atomic::Ordering;
 use std::time::Instant;
@@ -42,7 +42,7 @@ impl<'a> Renewal<'a> {
         let checkpoint = recording.save(saved(), &deviations.largest)?;
         self.renewed = Instant::now();
         if stop {
-            Err(Error::Interrupted { resume: checkpoint.as_deref().map(argument) })
+            Err(Error::Interrupted { resume: checkpoint.map(|_| RESUME.into()) })
         } else {
             Ok(())
         }

@@ -1,6 +1,7 @@
 //! The summary of a run, which `heavytop simulate --json` prints.
 
 use super::checkpoint::Checkpoint;
+use crate::files::place::shown;
 use crate::formats::RunTable;
 use crate::runs::Experiment;
 use lie_poisson::{Se3Dual, larger};
@@ -62,7 +63,7 @@ impl RunSummary {
 
 impl fmt::Display for RunSummary {
     fn fmt(&self, to: &mut fmt::Formatter<'_>) -> fmt::Result {
-        write!(to, "{} rows in {}; largest deviations", self.rows, self.out.display())?;
+        write!(to, "{} rows in {}; largest deviations", self.rows, shown(&self.out))?;
         write_deviations(to, &self.deviations)
     }
 }

@@ -1,6 +1,7 @@
 //! The options of `simulate`: checkpoints, requests to stop, and progress.
 
 use super::checkpoint::Checkpoint;
+use crate::files::Safeguard;
 use std::sync::atomic::AtomicBool;
 use std::time::Duration;
 
@@ -17,12 +18,15 @@ pub struct SimulateOptions<'a> {
     pub stop: Option<&'a AtomicBool>,
     /// Whether to show no progress bar.
     pub quiet: bool,
+    /// The files that the output, and what is written on the way to it, must not replace.
+    pub safeguard: &'a Safeguard,
 }
 
-/// Starts from the first step, with a checkpoint each minute and no progress bar.
+/// Starts from the first step, with a checkpoint each minute and no progress bar, and replaces only files of the command.
 impl Default for SimulateOptions<'_> {
     fn default() -> Self {
         let interval = Duration::from_secs(60);
-        Self { resume: None, restart: false, interval, stop: None, quiet: true }
+        let safeguard = Safeguard::OWN_FILES;
+        Self { resume: None, restart: false, interval, stop: None, quiet: true, safeguard }
     }
 }

@@ -8,14 +8,20 @@ use super::sweep_forecast::forecast;
 use super::sweep_plan::Plan;
 use super::sweep_summary::SweepSummary;
 use crate::Error;
-use crate::configuration::Config;
-use crate::files::OutputSet;
+use crate::configuration::{Column, Config};
+use crate::files::place::require_folder;
+use crate::files::{Kind, OutputSet};
 use crate::formats::Metadata;
+use crate::formats::recognition::{PAR1, is_parquet};
 use crate::pictures::render;
 use crate::supervision::tiled_run::{resumable, threads};
+use crate::supervision::warnings::warn;
 use crate::supervision::{Forecast, Progress, TileOptions};
-use std::io::{self, Write};
-use std::path::Path;
+use std::path::{Path, PathBuf};
+
+/// How the table is recognised.
+const TABLE: Kind =
+    Kind { name: "table of sweep", first: PAR1, is_whole: |_, file| is_parquet("sweep", file) };
 
 /// The number of pixels per CSS pixel: 288 dots per inch.
 const SCALE: f32 = 3.0;
@@ -97,14 +103,16 @@ fn run(
     let metadata = Metadata::new(&plan.config)?.with_casimirs(plan.family.as_family().casimirs());
     let members = Members::new(&plan, out)?;
     let threads = threads(options.threads)?;
+    if rank == 0 {
+        require_replaceable(&plan, out, options)?;
+    }
     if rank == 0 && !options.resume {
         agree(&forecast(&plan, out))?;
     }
     // The first process holds the folder for all of them.
     let held = (rank == 0).then(|| members.tiles.prepare(options)).transpose()?;
     if let (0, Some(warning)) = (rank, plan.family.as_family().warning()) {
-        // Where stderr is closed nobody can be warned.
-        let _ = writeln!(io::stderr(), "heavytop: {warning}");
+        warn(warning);
     }
     processes.wait_for_all();
     let progress = Progress::of(plan.members, plan.nouns(), options.quiet || rank > 0);
@@ -120,6 +128,22 @@ fn run(
         members.tiles.remove(held)?;
     }
     assembled.map(Some)
+}
+
+/// Checks that the table and the maps may be written.
+fn require_replaceable(plan: &Plan, out: &Path, options: &TileOptions<'_>) -> Result<(), Error> {
+    require_folder(out)?;
+    options.safeguard.require_all(out, &[("sweep.parquet", &TABLE)])?;
+    let columns = plan.columns.iter().filter(|_| heat_maps::size(plan).is_some());
+    columns.map(|column| map_files(column, out)).try_for_each(|[svg, png]| {
+        options.safeguard.require(&svg, &render::SVG)?;
+        options.safeguard.require(&png, &render::PNG)
+    })
+}
+
+/// Returns the paths of the heat map of a column.
+fn map_files(column: &Column, out: &Path) -> [PathBuf; 2] {
+    ["svg", "png"].map(|ending| out.join(&column.name).with_extension(ending))
 }
 
 /// Makes the output files of all tiles.
@@ -168,8 +192,9 @@ fn draw_maps(
         })?;
         let drawing = heat_maps::heat_map(plan, size, column, &values, failed)?;
         let (svg, png) = render::render(&drawing, SCALE)?;
-        files.add(&out.join(&column.name).with_extension("svg"), svg.as_bytes())?;
-        files.add(&out.join(&column.name).with_extension("png"), &png)?;
+        let [svg_file, png_file] = map_files(column, out);
+        files.add(&svg_file, svg.as_bytes())?;
+        files.add(&png_file, &png)?;
     }
     Ok(())
 }

@@ -159,6 +159,17 @@ impl TopParameter {
         }
     }
 
+    /// Returns the component of a unit vector with which a top is run, after any scaling to length 1, or `None` for another
+    /// number, which is run as it is set.
+    #[must_use]
+    pub fn component_run(self, body: &BodyConfig, initial: &InitialConfig) -> Option<f64> {
+        match self {
+            Self::CenterOfMass(Component(i)) => body.center().get(i).copied(),
+            Self::Vertical(Component(i)) => initial.direction().get(i).copied(),
+            _ => None,
+        }
+    }
+
     /// Scales the unit vector of the parameter to length 1; a vector without a direction stays.
     pub fn normalise(self, body: &mut BodyConfig, initial: &mut InitialConfig) {
         let vector = match self {

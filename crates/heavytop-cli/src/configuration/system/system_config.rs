@@ -13,7 +13,7 @@ use lie_poisson_formula_systems::{
 use lie_poisson_formulas::{Coordinates, Parameters};
 use serde::{Deserialize, Serialize};
 use std::collections::BTreeMap;
-use std::path::Path;
+use std::path::{Path, PathBuf};
 
 /// The table `[system]`: a Lie algebra, a Hamiltonian on its dual, and the state at t = 0.
 #[derive(Clone, Debug, Default, PartialEq, Deserialize, Serialize)]
@@ -26,7 +26,8 @@ pub struct SystemConfig {
     #[serde(skip_serializing_if = "Option::is_none")]
     pub coordinates: Option<Vec<String>>,
     /// The Hamiltonian, a formula.
-    pub hamiltonian: String,
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub hamiltonian: Option<String>,
     /// The brackets of the algebra that are not zero, such as `"K, H" = "P"`.
     #[serde(skip_serializing_if = "BTreeMap::is_empty")]
     pub brackets: BTreeMap<String, String>,
@@ -87,11 +88,16 @@ impl SystemConfig {
     pub(crate) fn formula_system(&self) -> Result<FormulaSystem, Error> {
         let parameters = self.parameters()?;
         let algebra = self.algebra(&parameters)?;
-        if self.hamiltonian.trim().is_empty() {
-            return Err(SystemTableError::Missing("hamiltonian").into());
-        }
-        let system = FormulaSystem::new(algebra, &self.hamiltonian, &parameters)?;
+        let system = FormulaSystem::new(algebra, self.hamiltonian()?, &parameters)?;
         Ok(system.with_found_casimirs()?)
+    }
+
+    /// Returns the text of the Hamiltonian.
+    ///
+    /// # Errors
+    /// If the key is missing.
+    pub(crate) fn hamiltonian(&self) -> Result<&str, SystemTableError> {
+        self.hamiltonian.as_deref().ok_or(SystemTableError::Missing("hamiltonian"))
     }
 
     /// Returns the system of the table, in which parameters may differ from those of `base`. The Casimirs of an algebra
@@ -104,7 +110,7 @@ impl SystemConfig {
         // Parameters of an algebra are in its brackets.
         let is_same = self.brackets.is_empty() || self.algebra(&parameters)? == *base.algebra();
         match is_same {
-            true => Ok(base.with_hamiltonian(&self.hamiltonian, &parameters)?),
+            true => Ok(base.with_hamiltonian(self.hamiltonian()?, &parameters)?),
             false => self.formula_system(),
         }
     }
@@ -196,15 +202,21 @@ impl SystemConfig {
     }
 
     /// Replaces the path of the structure constants by the table in the file, so that the configuration says everything
-    /// by itself. A path is relative to `folder`.
+    /// by itself, and returns the path of the file that was read. A path is relative to `folder`.
     ///
     /// # Errors
     /// If the file cannot be read, has more than a mebibyte, or is not text.
-    pub(crate) fn read_structure_constants(&mut self, folder: &Path) -> Result<(), Error> {
-        if let Some(constants) = self.structure_constants.as_mut().filter(|text| !is_table(text)) {
-            *constants = read_table(&folder.join(&constants))?;
-        }
-        Ok(())
+    pub(crate) fn read_structure_constants(
+        &mut self,
+        folder: &Path,
+    ) -> Result<Option<PathBuf>, Error> {
+        let path = self.structure_constants.as_mut().filter(|text| !is_table(text));
+        path.map(|constants| {
+            let path = folder.join(&constants);
+            *constants = read_table(&path)?;
+            Ok(path)
+        })
+        .transpose()
     }
 
     /// Returns the coordinates by their names, if there are names.

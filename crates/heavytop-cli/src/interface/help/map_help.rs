@@ -26,9 +26,10 @@ Written into the folder:
 What is finished, a start or some 256 points at a time, is kept in DIR/section.partial until all is.
 After an interruption, by Ctrl-C (which needs a moment; a second one ends at once), a kill or a full
 disk, --resume continues from there, to the same bytes, and --restart starts anew; one of them is
-needed. --resume is refused with another configuration or version. No more points are held than
-those of the picture. --dry-run writes nothing, tries some starts for a fifth of a second, and
-prints what would be written, and the time; it takes every start to have all its returns.";
+needed. Where there is nothing to go on from, both begin. --resume is refused with another
+configuration or version. No more points are held than those of the picture. --dry-run writes
+nothing, tries some starts for a fifth of a second, and prints what would be written, and the time; it
+takes every start to have all its returns.";
 
 pub(crate) const SECTION_EXAMPLES: &str = "\
 Configuration: [body] and [initial] as of simulate, and
@@ -86,7 +87,8 @@ Tangent vectors are those of the states that the integrator advances: under coll
 T*C², fibres included; use reduced.
 
 Written into the folder:
-  sweep.parquet   a row for each top: index, the parameters by their paths, the observables, failure;
+  sweep.parquet   a row for each top: index, the parameters by their paths, with the values that were
+                  run (components of a unit vector after scaling), the observables, failure;
                   a top that could not be followed has nulls and the reason there, and harms no other;
                   if all fail, the table is kept as sweep.parquet.partial, and the exit code is 1
   NAME.svg .png   for a grid with two axes and at most 4096 × 4096 tops, a map of each column: the

@@ -1,5 +1,7 @@
-//! The long texts of `--help`.
+//! The long texts of `--help`, and their layout.
 
+pub(crate) mod blocks;
+pub(crate) mod layout;
 mod program_help;
 mod run_help;
 mod comparison_help;

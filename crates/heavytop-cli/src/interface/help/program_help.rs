@@ -10,6 +10,9 @@ Exit codes:
   130  interrupted by Ctrl-C, or asked to end by SIGTERM; simulate, section and sweep go on with
      --resume, of the others nothing is left
 
+No output is a file that the command reads, by any link. An existing file is replaced if it is empty,
+or if the program has written it before, as one of the same kind; any other only with --force.
+
 Files appear under their name only when they are complete. Until then they are locked: a second run
 on the same output is refused. A run that was killed keeps nobody out. (Some network file systems
 have no locks; there runs must be kept apart.)";
@@ -22,9 +25,10 @@ Examples:
 
 pub(crate) const INIT_EXAMPLES: &str = "\
 Examples:
-  heavytop init top.toml                          # the paper's top; no file is overwritten
+  heavytop init top.toml                          # the paper's top
   heavytop init --preset lagrange top.toml
   heavytop init > top.toml
+A file that has been edited is replaced with --force only.
 A system that is no top has a table [system]: heavytop simulate --help shows some.";
 
 pub(crate) const MAN_EXAMPLES: &str = "\

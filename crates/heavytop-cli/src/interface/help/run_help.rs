@@ -32,7 +32,7 @@ shortest rotation that has it. Row 0 is the initial state. Each number reads bac
 number.
 
 Formats, by the file's ending:
-  .csv      text
+  .csv      text; also on standard output, for --out -
   .npz      for NumPy, the arrays t, Pi, Gamma, h, f1, f2, ... with a row for each time, q for the
             attitude, and the string metadata, in JSON: version and configuration
   .parquet  the columns of the CSV, compressed (Zstandard); version and configuration are in its
@@ -41,9 +41,9 @@ Memory does not grow with the run. While it goes on the rows are in FILE.partial
 FILE.rows for the others, 8 bytes for each number, until the file is made of them at the end.
 
 A run that is interrupted, by Ctrl-C (which needs a moment) or by a power cut, leaves
-FILE.checkpoint; with --resume FILE.checkpoint it goes on, and the file equals that of an
-uninterrupted run byte for byte. A configuration need not be given again; if it is, it must be the
-same, as must the version of the program. Where there is a checkpoint a run without --resume is
+FILE.checkpoint; with --resume it goes on, and the file equals that of an uninterrupted run byte for
+byte. A configuration need not be given again; if it is, it must be the same, as must the version of
+the program. Where there is no checkpoint a run with --resume begins, if it has a configuration. Where there is a checkpoint a run without --resume is
 refused, unless --restart discards it. A checkpoint is possible after every 1024th step.
 
 Before a run that needs more room than the disk has, or more than 100 GB, there is a question. Where
@@ -147,11 +147,11 @@ Examples:
   heavytop simulate --preset lagrange top.toml --out top.parquet   # the preset but for top.toml
   heavytop simulate top.toml --set integrator.end=50 --set integrator.scheme=gauss-4 --out top.csv
   sed s/0.02/0.01/ top.toml | heavytop simulate - --out top.csv    # from standard input
-  heavytop simulate top.toml --out top.csv --resume top.csv.checkpoint
+  heavytop simulate top.toml --out top.csv --resume                # after an interruption
   heavytop simulate top.toml --out top.csv --restart               # discard the checkpoint
   heavytop simulate top.toml --out top.csv --dry-run               # rows, size and time only
   heavytop simulate top.toml --out top.csv --json                  # a summary on stdout
-  heavytop simulate top.toml --out /dev/stdout | gzip > top.csv.gz";
+  heavytop simulate top.toml --out - | gzip > top.csv.gz           # to standard output, in CSV";
 
 pub(crate) const ANIMATE: &str = "\
 Show a top in motion, on a page for a browser.

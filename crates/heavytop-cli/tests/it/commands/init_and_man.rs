@@ -24,10 +24,19 @@ fn the_first_configuration_is_the_preset_and_overwrites_nothing() {
         };
         assert_eq!(run(&["a.toml"], "a.csv"), run(&["--preset", preset], "b.csv"));
 
-        folder.write("a.toml", "mine");
+        // What nobody has edited may be replaced, and what somebody has is kept.
+        let other = folder.heavytop(&["init", "--preset", "euler", "a.toml"]);
+        assert_eq!((other.code(), other.stderr()), (0, String::new()));
+        assert_ne!(folder.read("a.toml"), text);
+        folder.write("a.toml", &text.replace("mass = ", "mass = 1"));
+        let edited = folder.read("a.toml");
         let again = folder.heavytop(&["init", "a.toml"]);
-        assert_eq!((again.code(), folder.read("a.toml").as_str()), (2, "mine"));
-        assert_eq!(again.stderr(), "heavytop: a.toml exists, and is not overwritten\n");
+        assert_eq!((again.code(), folder.read("a.toml")), (2, edited));
+        let expected = "heavytop: a.toml exists, and is not overwritten: it is no configuration as init writes it; \
+                        choose another name, or replace it with --force\n";
+        assert_eq!(again.stderr(), expected);
+        let forced = folder.heavytop(&["init", "--preset", preset, "a.toml", "--force"]);
+        assert_eq!((forced.code(), folder.read("a.toml")), (0, text));
     }
     let folder = Folder::new();
     let nowhere = folder.heavytop(&["init", "missing/a.toml"]);
@@ -39,11 +48,11 @@ fn the_first_configuration_is_the_preset_and_overwrites_nothing() {
 fn manual_pages_are_pages() {
     let folder = Folder::new();
     for (arguments, title, parts) in [
-        (&["man"][..], ".TH heavytop 1", ["simulate", "Exit codes"]),
+        (&["man"][..], ".TH heavytop 1", ["simulate", "EXIT CODES"]),
         (
             &["man", "simulate"],
             ".TH heavytop-simulate 1",
-            ["checkpoint\\-interval", "Formulations"],
+            ["checkpoint\\-interval", "FORMULATIONS"],
         ),
         (&["man", "sweep"], ".TH heavytop-sweep 1", ["threads", "lyapunov"]),
     ] {

@@ -31,6 +31,84 @@ const QUOTED: &[(&str, &str, &str, &str, &str)] = &[
         "'gaus-4'",
         "did you mean `gauss-4`?",
     ),
+    // The text is no TOML, and what was meant is known.
+    (
+        "simulate",
+        "[integrator]\nstep = 0,05",
+        "step = 0,05",
+        "0,05",
+        "write 0.05, with a decimal point",
+    ),
+    ("simulate", "body.mass = 01", "body.mass = 01", "01", "write 1"),
+    (
+        "simulate",
+        "[body]\nmass\u{a0}= 1",
+        "mass\u{a0}= 1",
+        "\u{a0}",
+        "delete the invisible character U+00A0 (no-break space)",
+    ),
+    ("simulate", "body.mass = −1", "body.mass = −1", "−", "write - instead of U+2212"),
+    // A system: the key at fault, and not the table.
+    (
+        "simulate",
+        "[system]\nalgebra = 'so(3)'\nhamiltonian = ''\ninitial.Pi = [1, 0, 0]",
+        "hamiltonian = ''",
+        "''",
+        "write a formula, such as",
+    ),
+    (
+        "simulate",
+        "[system]\nalgebra = 'so(3)'\nhamiltonian = 'Pi1'\ninitial = { Pi = [1, 0, 0], Pi1 = 2 }",
+        "initial = { Pi = [1, 0, 0], Pi1 = 2 }",
+        "2",
+        "leave one of them out",
+    ),
+    (
+        "simulate",
+        "[system]\nalgebra = 'so(3)'\nhamiltonian = 'Pi1'\ninitial.Pi = [1, 0, 0]\n[integrator]\n\
+         formulation = 'splitting'",
+        "formulation = 'splitting'",
+        "'splitting'",
+        "",
+    ),
+    (
+        "simulate",
+        "[system]\nalgebra = 'so(3)'\nhamiltonian = 'Pi1'\ninitial.Pi = [1, 0, 0]\n[integrator]\n\
+         scheme = 'stormer-verlet'",
+        "scheme = 'stormer-verlet'",
+        "'stormer-verlet'",
+        "",
+    ),
+    (
+        "simulate",
+        "[system]\nalgebra = 'so(3)'\nhamiltonian = 'Pi1'\ninitial.Pi = [1, 0, 0]\n[output]\n\
+         attitude = true",
+        "attitude = true",
+        "true",
+        "write false, or leave it out",
+    ),
+    (
+        "simulate",
+        "[system]\nalgebra = 'so(3)'\ncoordinates = ['x']\nhamiltonian = 'x'\ninitial.x = 1",
+        "coordinates = ['x']",
+        "['x']",
+        "leave out all but one",
+    ),
+    // A run that is too long: its end, or its step where that is farther from the usual one.
+    (
+        "simulate",
+        "[integrator]\nstep = 0.01\nend = 1e12",
+        "end = 1e12",
+        "1e12",
+        "write 100 times less",
+    ),
+    (
+        "simulate",
+        "[integrator]\nstep = 1e-12\nend = 1000",
+        "step = 1e-12",
+        "1e-12",
+        "write 1000 times as much, or more",
+    ),
     // A value is out of its range.
     ("simulate", "[body]\n\ninertia = [2, -2, 1]", "inertia = [2, -2, 1]", "-2", "write 2"),
     ("animate", "body.mass = 0", "body.mass = 0", "0", "write a number above 0"),
@@ -133,8 +211,9 @@ fn messages_quote_the_line_mark_the_value_and_offer_a_repair() {
         assert!(lines[0].contains(&format!("a.toml, line {number}, column ")), "{said}");
         // The mark is under the value, and as long.
         let from = lines[3].find('^').unwrap();
-        let to = lines[3].rfind('^').unwrap();
-        assert_eq!(&lines[2][from..=to], *marked, "{said}");
+        let to = from + lines[3][from..].chars().take_while(|c| *c == '^').count() - 1;
+        let under: String = lines[2].chars().skip(from).take(to + 1 - from).collect();
+        assert_eq!(under, *marked, "{said}");
         assert!(lines[3][to + 1..].contains(repair), "{said}");
     }
 }

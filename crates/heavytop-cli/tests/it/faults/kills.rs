@@ -35,7 +35,7 @@ fn assert_goes_on(writing: &Writing, folder: &Folder) {
     for (name, bytes) in contents(folder) {
         // A file under its name is complete: it is the old or a new one.
         if writing.files.contains(&name.as_str()) {
-            let is_whole = bytes == b"old" || writing.is_whole(&name, &bytes);
+            let is_whole = writing.is_old(&name, &bytes) || writing.is_whole(&name, &bytes);
             assert!(is_whole, "{writing}: {name} is torn");
         }
     }

@@ -28,7 +28,7 @@ pub fn assert_nothing_is_lost(writing: &Writing, folder: &Folder, run: &Finished
         said.trim_end().split_once("; what was computed until then is in ").map(|(_, kept)| kept);
     for (name, bytes) in contents(folder) {
         // The old files are as they were, and the others are those that the message speaks of.
-        let is_old = writing.files.contains(&name.as_str()) && bytes == b"old";
+        let is_old = writing.is_old(&name, &bytes);
         let is_kept = kept.is_some_and(|kept| std::path::Path::new(kept).ends_with(&name));
         let is_for_resumption = resumption(&said).is_some() && name.contains(".partial/");
         assert!(is_old || is_kept || is_for_resumption, "{writing}: {name} is left; {said}");

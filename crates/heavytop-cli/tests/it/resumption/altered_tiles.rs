@@ -59,7 +59,7 @@ fn a_damaged_identity_is_refused() {
             assert_eq!(std::fs::read_to_string(&path).unwrap(), sealed);
         }
         // A file that is not text counts as damaged, too; and the advice in the message helps.
-        std::fs::write(case.tiles(&folder).join("identity"), [0xff, 0xfe]).unwrap();
+        std::fs::write(case.tiles(&folder).join("identity"), b"heavytop-tiles \xff\xfe").unwrap();
         let run = folder.heavytop(&[case.command, "a.toml", "--out", "cut", "--resume"]);
         assert_eq!(run.code(), 2, "{}", run.stderr());
         assert!(run.stderr().contains("it is damaged, or no checkpoint"), "{}", run.stderr());

@@ -46,7 +46,10 @@ fn kill_and_go_on(integrator: &str, out: &str, times: impl IntoIterator<Item = u
         if folder.path(&checkpoint).exists() {
             interrupted += 1;
             // The configuration is that of the checkpoint.
-            let run = folder.heavytop(&["simulate", "--out", out, "--resume", &checkpoint]);
+            let named = ["simulate", "--out", out, "--resume", &checkpoint];
+            // Without a name it is the checkpoint of the output.
+            let resumed = if time == 0 { &named[..] } else { &named[..4] };
+            let run = folder.heavytop(resumed);
             assert_eq!((run.code(), run.complaints()), (0, String::new()), "{integrator} {time}");
         }
         assert!(std::fs::read(folder.path(out)).unwrap() == expected, "{integrator} {time}");
@@ -109,8 +112,7 @@ fn ctrl_c_ends_a_run_with_a_checkpoint_also_twice() {
         let done = child.wait_with_output().unwrap();
         let said = String::from_utf8(done.stderr).unwrap();
         assert_eq!(done.status.code(), Some(130), "{said}");
-        let expected = "heavytop: interrupted; go on by the same command with --resume \
-                        a.npz.checkpoint\n";
+        let expected = "heavytop: interrupted; go on by the same command with --resume\n";
         assert_eq!((round, said.as_str()), (round, expected));
         assert_eq!(folder.names(), ["a.npz.checkpoint", "a.npz.rows", "a.toml"]);
     }
@@ -181,7 +183,7 @@ fn without_resume_a_run_is_refused_unless_it_shall_start_anew() {
         for arguments in [&["simulate", "--out", out][..], &["simulate", "a.toml", "--out", out]] {
             let run = folder.heavytop(arguments);
             let expected = format!(
-                "heavytop: {checkpoint} is of an interrupted run: go on with --resume {checkpoint}, \
+                "heavytop: {checkpoint} is of an interrupted run: go on with --resume, \
                  or discard it with --restart\n"
             );
             assert_eq!((run.code(), run.stderr()), (2, expected));
@@ -199,5 +201,26 @@ fn without_resume_a_run_is_refused_unless_it_shall_start_anew() {
         let run = folder.heavytop(&["simulate", "a.toml", "--out", out, "--restart"]);
         assert_eq!((run.code(), run.complaints()), (0, String::new()));
         assert_eq!(folder.names(), [out, "a.toml"]);
+    }
+}
+
+/// As `section` and `sweep` do, a run goes on where there is something to go on from, and otherwise begins.
+#[test]
+fn resume_begins_where_there_is_nothing_to_go_on_from() {
+    let folder = Folder::new();
+    folder.write("a.toml", "integrator.end = 0.1\nsection = { starts = 2, crossings = 2 }");
+    let resume = |command: &str, out: &str| {
+        folder.heavytop(&[command, "a.toml", "--out", out, "--resume", "--quiet"])
+    };
+    for (command, out) in [("simulate", "a.csv"), ("section", "made"), ("sweep", "made")] {
+        let run = resume(command, out);
+        assert_eq!((run.code(), run.stderr()), (0, String::new()), "{command}");
+    }
+    // Without a configuration the run that was meant is not known, and one that is named must be there.
+    for arguments in [&["--resume"][..], &["a.toml", "--resume", "missing"]] {
+        let run = folder.heavytop(&[&["simulate", "--out", "b.csv"], arguments].concat());
+        assert_eq!(run.code(), 2, "{arguments:?}");
+        assert!(run.stderr().starts_with("heavytop: cannot go on from "), "{}", run.stderr());
+        assert!(!folder.path("b.csv").exists());
     }
 }

@@ -2,7 +2,7 @@
 
 mod altered_checkpoints;
 mod altered_tiles;
-mod checkpoint;
+pub mod checkpoint;
 mod interruptions;
 mod locks;
 pub mod tiles;

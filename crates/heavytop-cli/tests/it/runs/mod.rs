@@ -4,6 +4,7 @@ mod backward;
 mod closing;
 mod forecasts;
 mod formats;
+mod manners;
 mod methods;
 mod progress;
 mod same_bytes;

@@ -6,10 +6,11 @@ use heavytop_cli::Error;
 use heavytop_cli::commands::animate::animate;
 use heavytop_cli::commands::bench::{Bench, BenchOptions, bench};
 use heavytop_cli::commands::compare::compare;
+use heavytop_cli::commands::reproduce::reproduce;
 use heavytop_cli::commands::simulate::{Checkpoint, SimulateOptions, simulate};
 use heavytop_cli::commands::sweep::sweep;
 use heavytop_cli::configuration::Config;
-use heavytop_cli::files::Output;
+use heavytop_cli::files::{Input, Output, Safeguard};
 use heavytop_cli::reading::Sources;
 use heavytop_cli::runs::Saved;
 use heavytop_cli::supervision::{TileOptions, Watch};
@@ -34,7 +35,12 @@ fn of_files(folder: &Folder) -> BTreeSet<String> {
         let options = SimulateOptions::default();
         simulate(&config("integrator.end = 0.1"), &folder.path(name), &options)
     };
-    folder.write("old", "");
+    folder.write("notes.csv", "time,temperature\n");
+    folder.write("read.csv", "");
+    let safeguard = Safeguard::new(vec![Input::File(folder.path("read.csv"))], false);
+    let over_input = SimulateOptions { safeguard: &safeguard, ..SimulateOptions::default() };
+    let over_input =
+        simulate(&config("integrator.end = 0.1"), &folder.path("read.csv"), &over_input);
     [
         refused("Error::Read", Sources::read(None, Some(&folder.path("missing.toml")), &[])),
         refused("Error::Checkpoint", Checkpoint::read(&folder.path("missing"))),
@@ -42,7 +48,9 @@ fn of_files(folder: &Folder) -> BTreeSet<String> {
         refused("Error::Create", to("missing/a.csv")),
         refused("Error::NoPage", animate(Config::default(), &folder.path("a.txt"), &watch)),
         refused("Error::Write", Output::whole(&folder.path("missing/a"), b"")),
-        refused("Error::Exists", Output::create(&folder.path("old")).unwrap().complete_new()),
+        refused("Error::Exists", to("notes.csv")),
+        refused("Error::OutputIsInput", over_input),
+        refused("Error::FolderIsStream", reproduce("-".as_ref(), 0.02, 1.0, &watch)),
         refused("Error::Unwritable", config_of_too_large_a_number().to_toml()),
     ]
     .into_iter()

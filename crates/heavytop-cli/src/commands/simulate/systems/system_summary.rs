@@ -2,6 +2,7 @@
 
 use crate::Error;
 use crate::commands::simulate::run_summary::{Deviations, write_deviations};
+use crate::files::place::shown;
 use crate::formats::RunTable;
 use crate::runs::SystemExperiment;
 use serde::Serialize;
@@ -73,7 +74,7 @@ impl SystemSummary {
 
 impl fmt::Display for SystemSummary {
     fn fmt(&self, to: &mut fmt::Formatter<'_>) -> fmt::Result {
-        write!(to, "{} rows in {}", self.rows, self.out.display())?;
+        write!(to, "{} rows in {}", self.rows, shown(&self.out))?;
         for (name, text) in &self.casimirs {
             write!(to, "; {name} = {}", text.as_str().unwrap_or_default())?;
         }

@@ -24,6 +24,11 @@ pub(in crate::commands::sweep) trait Family {
     /// Returns the symbol of the number that each axis varies, with its unit.
     fn labels(&self) -> Vec<String>;
 
+    /// Returns the numbers that the axes have in the member that is run at these values of the axes.
+    fn run_values(&self, values: &[f64]) -> Vec<f64> {
+        values.to_vec()
+    }
+
     /// Returns what all members share, as parts of a caption.
     fn shared(&self) -> Vec<String>;
 

@@ -64,6 +64,15 @@ impl TopFamily {
     /// # Errors
     /// If there is no such top or no such start, or the top turns too far in a step (s).
     pub fn top(&self, values: &[f64], step: f64) -> Result<(HeavyTop, Se3Dual), Error> {
+        let (body, initial) = self.tables(values);
+        let config = Config { body, initial, ..Config::default() };
+        let (top, start) = (config.top()?, config.start()?);
+        require_sane_step(&top, &start, step)?;
+        Ok((top, start))
+    }
+
+    /// Returns the tables `[body]` and `[initial]` at these values of the axes.
+    fn tables(&self, values: &[f64]) -> (BodyConfig, InitialConfig) {
         let (mut body, mut initial) = (self.body, self.initial);
         for azimuths in [false, true] {
             for ((parameter, _), value) in self.parameters.iter().zip(values) {
@@ -75,10 +84,14 @@ impl TopFamily {
         for (parameter, _) in self.parameters.iter().filter(|(_, normalise)| *normalise) {
             parameter.normalise(&mut body, &mut initial);
         }
-        let config = Config { body, initial, ..Config::default() };
-        let (top, start) = (config.top()?, config.start()?);
-        require_sane_step(&top, &start, step)?;
-        Ok((top, start))
+        (body, initial)
+    }
+
+    /// Returns whether the unit vector of a parameter is scaled to length 1.
+    fn is_scaled(&self, (parameter, normalise): (TopParameter, bool)) -> bool {
+        let in_table =
+            if parameter.is_of_body() { self.body.normalise } else { self.initial.normalise };
+        parameter.is_component() && (normalise || in_table)
     }
 
     /// Follows the top at these values of the axes, and returns the values of the columns of all observables.
@@ -114,7 +127,19 @@ impl Family for TopFamily {
     }
 
     fn labels(&self) -> Vec<String> {
-        self.parameters.iter().map(|(parameter, _)| parameter.label()).collect()
+        let label = |of: &(TopParameter, bool)| {
+            let before = if self.is_scaled(*of) { ", before scaling to length 1" } else { "" };
+            of.0.label() + before
+        };
+        self.parameters.iter().map(label).collect()
+    }
+
+    fn run_values(&self, values: &[f64]) -> Vec<f64> {
+        let (body, initial) = self.tables(values);
+        let run = |((parameter, _), value): (&(TopParameter, bool), &f64)| {
+            parameter.component_run(&body, &initial).unwrap_or(*value)
+        };
+        self.parameters.iter().zip(values).map(run).collect()
     }
 
     fn shared(&self) -> Vec<String> {
