@@ -78,7 +78,7 @@ fn of_numbers(folder: &Folder) -> BTreeSet<String> {
         ..experiment
     };
     [
-        refused("Error::Argument", compared("", Some(-1.0))),
+        refused("Error::Argument", compared("", Some(0.0))),
         refused("Error::Reference", compared("integrator = { step = 0.8, end = 80 }", None)),
         refused("Error::Integration", failed),
         refused("Error::SavedState", experiment.follow(Some(&no_saved), |_| Ok(()))),
