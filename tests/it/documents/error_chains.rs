@@ -118,8 +118,9 @@ fn silent_about_causes(text: &str) -> usize {
     let messages = text.split("#[error(").skip(1);
     let has_source = |message: &&str| {
         let (message, item) = message.split_once(")]").unwrap_or((message, ""));
-        let item = item.split("\n    #[error(").next().unwrap_or("");
-        let own = item.split("\n    },").next().unwrap_or("");
+        // The item ends with its fields, or with its type.
+        let ends = ["\n    },", "\n}\n"].into_iter().filter_map(|end| item.find(end));
+        let own = item.get(..ends.min().unwrap_or(item.len())).unwrap_or("");
         let has = |words: &str| own.contains(words);
         !message.starts_with("transparent")
             && (has("#[source]")

@@ -35,8 +35,14 @@ pub enum DriftError {
         sample: usize,
     },
     /// There are too few points above the plateau to fit an exponent.
-    #[error("the growth has no exponent")]
-    Exponent(#[from] OrderFitError),
+    #[error("the growth has no exponent: {0}")]
+    Exponent(OrderFitError),
+}
+
+impl From<OrderFitError> for DriftError {
+    fn from(error: OrderFitError) -> Self {
+        Self::Exponent(error)
+    }
 }
 
 /// The change of a quantity f over a run that should conserve it.
