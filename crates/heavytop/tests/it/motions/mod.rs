@@ -1,7 +1,7 @@
-//! Motions of tops: splittings, attitudes, sections, and methods that descend to 𝔰𝔢(3)∗.
+//! Motions of tops, also backward: splittings, attitudes, sections, and methods that descend to 𝔰𝔢(3)∗.
 
 mod attitude;
-mod backward;
 mod descent;
 mod poincare;
 mod splittings;
+mod there_and_back;
