@@ -135,9 +135,10 @@ pub use dual::sites::lift_free_sites::{LiftFreeSites, LiftFreeSitesSpace};
 pub use dual::sites::spherical_midpoint::{OnSpheres, SphericalMidpoint, SphericalSpace};
 pub use dual::state_is_momentum::StateIsMomentum;
 pub use error::{IntegrationError, RunError, SchemeError, StepError};
-pub use runs::crossing::{Direction, EventError};
+pub use runs::crossing::Direction;
 pub use runs::dense_output::{DenseOutput, DenseOutputError};
 pub use runs::event_search::EventSearch;
+pub use runs::event_values::EventError;
 pub use runs::events::Events;
 
 pub use iteration::stage_solver::{StageSolver, Unconverged};

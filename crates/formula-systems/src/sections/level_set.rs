@@ -14,11 +14,36 @@ const CONVERGED: f64 = 1e-9;
 /// a smaller singular value count as dependent.
 const INDEPENDENT: f64 = 1e-10;
 
+/// A function with a value on the set.
+#[derive(Clone, Copy, Debug)]
+pub(crate) struct Level<'a> {
+    pub(crate) function: &'a Formula,
+    pub(crate) value: f64,
+    /// The period by multiples of which the value may differ, if the function is an angle.
+    pub(crate) period: Option<f64>,
+}
+
+impl<'a> Level<'a> {
+    /// Creates the level of a function that has a value exactly.
+    pub(crate) fn new(function: &'a Formula, value: f64) -> Self {
+        Self { function, value, period: None }
+    }
+
+    /// Returns the function at a point minus the value, or the difference of least size if there is a period.
+    pub(crate) fn difference(&self, point: &[f64]) -> f64 {
+        let difference = self.function.value_at(point) - self.value;
+        match self.period {
+            Some(period) => difference - period * (difference / period).round(),
+            None => difference,
+        }
+    }
+}
+
 /// The set on which functions have given values.
 #[derive(Clone, Debug)]
 pub(crate) struct LevelSet<'a> {
     /// The functions with their values.
-    pub(crate) levels: Vec<(&'a Formula, f64)>,
+    pub(crate) levels: Vec<Level<'a>>,
     /// The sizes of the coordinates, by which they are compared with each other.
     pub(crate) scales: Vec<f64>,
 }
@@ -57,14 +82,14 @@ impl LevelSet<'_> {
         let (rows, columns) = (self.levels.len(), point.len());
         let mut matrix = DMatrix::zeros(rows, columns);
         let mut residual = DVector::zeros(rows);
-        for (row, (function, value)) in self.levels.iter().enumerate() {
-            let slopes = function.differential_at(point);
+        for (row, level) in self.levels.iter().enumerate() {
+            let slopes = level.function.differential_at(point);
             let scaled: Vec<f64> = slopes.iter().zip(&self.scales).map(|(x, s)| x * s).collect();
             let size = scaled.iter().fold(0.0_f64, |size, x| size.max(x.abs()));
             // A function without a slope cannot be corrected.
-            let unit = if size > 0.0 { size } else { value.abs().max(f64::MIN_POSITIVE) };
+            let unit = if size > 0.0 { size } else { level.value.abs().max(f64::MIN_POSITIVE) };
             scaled.iter().enumerate().for_each(|(i, x)| matrix[(row, i)] = x / unit);
-            residual[row] = (function.value_at(point) - value) / unit;
+            residual[row] = level.difference(point) / unit;
         }
         if residual.iter().chain(matrix.iter()).any(|x: &f64| !x.is_finite()) {
             return None;
@@ -78,7 +103,7 @@ impl LevelSet<'_> {
 
 #[cfg(test)]
 mod tests {
-    use super::LevelSet;
+    use super::{Level, LevelSet};
     use lie_poisson::So3;
     use lie_poisson_formulas::{Formula, FormulaError, NameError, Parameters, Vocabulary};
 
@@ -92,7 +117,7 @@ mod tests {
     fn functions_without_a_slope_hold_or_do_not() -> Result<(), Option<FormulaError>> {
         let (sphere, constant) = (formula("|Pi|^2")?, formula("0*Pi1 + 3")?);
         let project = |value: f64| {
-            let levels = vec![(&sphere, 4.0), (&constant, value)];
+            let levels = vec![Level::new(&sphere, 4.0), Level::new(&constant, value)];
             LevelSet { levels, scales: vec![1.0; 3] }.project(vec![1.0, 2.0, -1.0])
         };
         let point = project(3.0).unwrap_or_default();
@@ -100,7 +125,7 @@ mod tests {
         assert!((point.iter().map(|x| x * x).sum::<f64>() - 4.0).abs() < 1e-14, "{point:?}");
         assert_eq!(project(2.0), None);
         let logarithm = formula("ln(Pi1)")?;
-        let levels = vec![(&logarithm, 0.0)];
+        let levels = vec![Level::new(&logarithm, 0.0)];
         let set = LevelSet { levels, scales: vec![1.0; 3] };
         assert_eq!(set.project(vec![-1.0, 2.0, -1.0]), None, "no value at the guess");
         assert!(set.project(vec![0.5, 2.0, -1.0]).is_some());

@@ -1,6 +1,6 @@
 //! The Poincaré section of a system on a level set of its conserved quantities: [`SystemSection`].
 
-use super::level_set::LevelSet;
+use super::level_set::{Level, LevelSet};
 use crate::{FormulaSystem, FormulaSystemError};
 use collective_integrators::Direction;
 use lie_poisson_formulas::{Formula, Parameters, Vocabulary};
@@ -11,6 +11,9 @@ use rand_chacha::rand_core::{Rng, SeedableRng};
 const GUESSES: usize = 1000;
 
 /// The states on a surface F(μ) = c at which h and the Casimirs have given values, with the direction of the crossings.
+///
+/// If F is an angle, such as `atan2(Gamma2, Gamma1)`, the surface is where F equals c up to a multiple of its
+/// [period](Formula::period), so that every c is passed once per turn, and the jump of F is not on the surface.
 ///
 /// # Example
 /// Kirchhoff's body in a fluid, where P₃ = 0:
@@ -120,10 +123,21 @@ impl SystemSection {
         self.direction
     }
 
-    /// Returns F(μ) − c at a state, or NaN if the length of the state is not the dimension.
+    /// Returns F(μ) − c at a state, or NaN if the length of the state is not the dimension. For an angle F it is the
+    /// difference of least size, between −½ and ½ periods.
     #[must_use]
     pub fn value(&self, state: &[f64]) -> f64 {
-        self.surface.value_at(state) - self.level
+        self.on_surface().difference(state)
+    }
+
+    /// Returns the period of F if it is an angle. [`Events::modulo`](collective_integrators::Events::modulo) takes it.
+    #[must_use]
+    pub fn period(&self) -> Option<f64> {
+        self.surface.period()
+    }
+
+    fn on_surface(&self) -> Level<'_> {
+        Level { period: self.period(), ..Level::new(&self.surface, self.level) }
     }
 
     /// Returns states of the section, where h and the Casimirs have the values `levels`: h first, then the Casimirs in
@@ -151,8 +165,8 @@ impl SystemSection {
             return Err(FormulaSystemError::Level { value });
         }
         let formulas = core::iter::once(self.system.hamiltonian()).chain(self.system.casimirs());
-        let levels = formulas.zip(levels.iter().copied());
-        let levels = levels.chain([(&self.surface, self.level)]).collect();
+        let levels = formulas.zip(levels).map(|(function, &value)| Level::new(function, value));
+        let levels = levels.chain([self.on_surface()]).collect();
         let scales = self.scales(state);
         let set = LevelSet { levels, scales };
         let mut random = ChaCha8Rng::seed_from_u64(seed);

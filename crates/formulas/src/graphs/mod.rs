@@ -6,3 +6,4 @@ pub(crate) mod elaboration;
 pub(crate) mod gradient;
 pub(crate) mod tangent;
 pub(crate) mod products;
+pub(crate) mod period;

@@ -52,6 +52,7 @@ struct Compiled {
     syntax: Syntax,
     names: Vocabulary,
     dimension: usize,
+    period: Option<f64>,
     value: Tape,
     gradient: Tape,
     second_derivative: Tape,
@@ -101,6 +102,7 @@ impl Formula {
         let mut graph = Graph::default();
         let value = elaborate(&syntax, names, &mut graph)?;
         let inputs = names.coordinates().dimension();
+        let period = graph.period(value);
         let gradient = graph.gradient(value, inputs);
         let tangents = graph.tangents(&gradient, inputs);
         let tape = |roots: &[usize], inputs, first| {
@@ -113,6 +115,7 @@ impl Formula {
             second_derivative: tape(&tangents, 2 * inputs, inputs)?,
             names: names.clone(),
             dimension: inputs,
+            period,
             syntax,
         })))
     }
@@ -127,6 +130,29 @@ impl Formula {
     #[must_use]
     pub fn dimension(&self) -> usize {
         self.0.dimension
+    }
+
+    /// Returns the period of the values if the formula is an angle, and `None` otherwise.
+    ///
+    /// `atan2(y, x)` has the period 2π: along a motion it jumps from π to −π, although the direction of (x, y) turns
+    /// steadily. So do sums of such angles and constants. A constant factor multiplies the period: in degrees it is 360.
+    /// The period tells a jump of an angle from a change of it, in a surface or an event where the angle has a value.
+    ///
+    /// ```
+    /// use core::f64::consts::{PI, TAU};
+    /// use lie_poisson::So3;
+    /// use lie_poisson_formulas::{Formula, Parameters, Vocabulary};
+    /// let names = Vocabulary::of(&So3, &Parameters::new())?;
+    /// let period = |text| Formula::new(text, &names).ok().and_then(|formula| formula.period());
+    /// assert_eq!(period("atan2(Pi2, Pi1)"), Some(TAU));
+    /// assert_eq!(period("1 - atan2(Pi2, Pi1) + atan2(Pi3, |Pi|)"), Some(TAU));
+    /// assert_eq!(period("atan2(Pi2, Pi1)/2"), Some(PI));
+    /// assert_eq!(period("sin(atan2(Pi2, Pi1))"), None);
+    /// # Ok::<(), lie_poisson_formulas::NameError>(())
+    /// ```
+    #[must_use]
+    pub fn period(&self) -> Option<f64> {
+        self.0.period
     }
 
     /// Returns the value h(z), or NaN if z has fewer or more coordinates than the formula.

@@ -50,9 +50,7 @@ where
             source,
         })?;
         let made = sample.step;
-        // The map of the lift of the start equals the start only up to rounding; the start itself is reported.
-        let momentum = if made == 0 { start } else { &sample.momentum };
-        visit(made, sample.time, momentum, &sample.state)?;
+        visit(made, sample.time, &sample.momentum, &sample.state)?;
         if made >= steps {
             break;
         }

@@ -164,7 +164,7 @@ impl Section {
     /// Returns the points where the motion through `start`, a state of the section, crosses the section in the first
     /// `steps` steps of size `step` (s). With a negative step they are its antecedents, which lie on the same section.
     ///
-    /// Crossings within the first step are not reported.
+    /// The start is no crossing, although it lies on the surface. The crossings within the first step are reported.
     ///
     /// # Errors
     /// Returns [`RunError`] if the start has no lift, or is not finite. If a step fails, the iterator returns an
@@ -177,8 +177,7 @@ impl Section {
         steps: usize,
     ) -> Result<impl Iterator<Item = Result<SampleOf<I>, EventError>> + use<'a, I>, RunError> {
         let section = *self;
-        // The start lies on the surface up to rounding, so that its side is random.
-        let run = integrator.trajectory(start, step)?.take(steps.saturating_add(1)).skip(1);
+        let run = integrator.trajectory(start, step)?.take(steps.saturating_add(1));
         let value = move |mu: &Se3Dual| section.value(mu);
         Ok(Events::new(integrator, run, value, self.surface.direction.along_run(step)))
     }

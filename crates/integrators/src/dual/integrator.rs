@@ -184,6 +184,9 @@ pub trait Start<T: Real = f64>: Integrator<T> {
 
     /// Creates the trajectory through μ at t = 0, with steps of size `step`.
     ///
+    /// The momentum of the first sample is μ itself, bit for bit. That of its state, such as M(z) of a lift z, equals μ
+    /// only up to rounding.
+    ///
     /// # Errors
     /// Returns [`RunError::Integration`] for the first step if a coordinate of μ or the step size is not finite
     /// ([`StepError::NotFiniteStart`], [`StepError::StepSize`]), or [`RunError::Lift`] if no state represents μ.
@@ -197,7 +200,7 @@ pub trait Start<T: Real = f64>: Integrator<T> {
     {
         StepError::check_start(mu, step)
             .map_err(|refused| IntegrationError::after(0, step, refused))?;
-        Ok(self.trajectory_from(self.start(mu)?, step))
+        Ok(self.trajectory_from(self.start(mu)?, step).through(mu.clone()))
     }
 
     /// Returns the sample after `steps` steps of size `step` from μ at t = 0.
@@ -290,6 +293,8 @@ pub struct Trajectory<'a, I: Integrator<T>, T: Real = f64> {
     made: u64,
     iterations: usize,
     progress: Progress,
+    /// The momentum of the first sample if it is given.
+    given: Option<I::Momentum>,
 }
 
 /// What the next item of a trajectory is.
@@ -306,7 +311,30 @@ impl<'a, I: Integrator<T>, T: Real> Trajectory<'a, I, T> {
     pub(crate) fn new(integrator: &'a I, state: I::State, made: u64, step: f64) -> Self {
         let workspace = integrator.workspace();
         let (iterations, progress) = (0, Progress::First);
-        Self { integrator, workspace, step, state, made, iterations, progress }
+        Self { integrator, workspace, step, state, made, iterations, progress, given: None }
+    }
+
+    /// Returns the trajectory whose first sample has the given momentum, bit for bit.
+    ///
+    /// A state that is made from μ, such as a lift, has the momentum μ only up to rounding. [`Start::trajectory`] uses this
+    /// method. Call it if a run begins with a state of your own for a μ that is given.
+    ///
+    /// # Example
+    /// ```
+    /// use collective_integrators::{Collective, Integrator, RungeKutta, Start};
+    /// use lie_poisson::{Covector, LiePoisson, So3, from_closure};
+    /// use momentum_map::HOPF;
+    /// use nalgebra::Vector3;
+    /// let h = from_closure::<LiePoisson<So3>, _>(|Covector(pi)| pi.x * pi.x + pi.y * pi.z);
+    /// let gauss = Collective::new(RungeKutta::gauss(2)?, HOPF, h);
+    /// let mu = Covector(Vector3::new(0.1, 0.7, -0.3));
+    /// let mut run = gauss.trajectory_from(gauss.start(&mu)?, 0.1).through(mu);
+    /// assert_eq!(run.next().transpose()?.map(|sample| sample.momentum), Some(mu));
+    /// # Ok::<(), Box<dyn std::error::Error>>(())
+    /// ```
+    #[must_use]
+    pub fn through(self, momentum: I::Momentum) -> Self {
+        Self { given: Some(momentum), ..self }
     }
 
     /// Returns the iterator over every n-th item, beginning with the next one: a `step_by(n)` that cannot panic.
@@ -339,8 +367,19 @@ impl<'a, I: Integrator<T>, T: Real> Trajectory<'a, I, T> {
     /// Returns the sample `steps` items after the next one. No other sample is made.
     pub(crate) fn after(mut self, steps: u64) -> Result<SampleOf<I, T>, IntegrationError> {
         self.skip_items(steps)?;
+        self.item()
+    }
+
+    /// Advances to the next item, and returns it.
+    #[inline]
+    fn item(&mut self) -> Result<SampleOf<I, T>, IntegrationError> {
+        let is_first = matches!(self.progress, Progress::First);
         self.advance()?;
-        Ok(self.sample())
+        let mut sample = self.sample();
+        if let (true, Some(given)) = (is_first, &self.given) {
+            sample.momentum.clone_from(given);
+        }
+        Ok(sample)
     }
 
     /// Advances the state to that of the next item.
@@ -408,7 +447,7 @@ impl<I: Integrator<T>, T: Real> Iterator for Trajectory<'_, I, T> {
 
     #[inline]
     fn next(&mut self) -> Option<Self::Item> {
-        Some(self.advance().map(|()| self.sample()))
+        Some(self.item())
     }
 
     /// Skips `n` items without making their samples.

@@ -1,25 +1,8 @@
 //! Sign changes of a function along a trajectory.
 
-use crate::runs::minimum::Minimum;
-use crate::runs::partial_step::PartialStep;
+use crate::runs::event_values::{EventValues, Point, have_one_sign};
 use crate::runs::root_bracketing::Bracket;
-use crate::{IntegrationError, Integrator, SampleOf};
-use thiserror::Error;
-
-/// The reason why an event cannot be located.
-#[derive(Clone, Copy, Debug, PartialEq, Error)]
-#[non_exhaustive]
-pub enum EventError {
-    /// The run in which the event was searched failed.
-    #[error(transparent)]
-    Integration(#[from] IntegrationError),
-    /// The event function g is not a number, so a crossing can neither be found nor excluded.
-    #[error("the event function is not a number at t = {time}")]
-    NotANumber {
-        /// The time at which g is not a number.
-        time: f64,
-    },
-}
+use crate::{EventError, Integrator, SampleOf};
 
 /// The direction in which g crosses zero along the trajectory.
 ///
@@ -29,9 +12,9 @@ pub enum EventError {
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 pub enum Direction {
-    /// A crossing upwards, from g < 0 to g ≥ 0.
+    /// A crossing upwards, from g < 0 to g > 0.
     Up,
-    /// A crossing downwards, from g > 0 to g ≤ 0.
+    /// A crossing downwards, from g > 0 to g < 0.
     Down,
     /// A crossing in either direction.
     Both,
@@ -55,9 +38,10 @@ impl Direction {
         }
     }
 
-    fn crosses(self, before: f64, after: f64) -> bool {
-        let up = before < 0.0 && after >= 0.0;
-        let down = before > 0.0 && after <= 0.0;
+    /// Returns whether the way between two values of g crosses zero in this direction.
+    pub(crate) fn crosses(self, before: f64, after: f64) -> bool {
+        let up = before < 0.0 && after > 0.0;
+        let down = before > 0.0 && after < 0.0;
         match self {
             Self::Up => up,
             Self::Down => down,
@@ -66,117 +50,112 @@ impl Direction {
     }
 }
 
-/// A sample with its value of g.
-type Valued<I> = (SampleOf<I>, f64);
+/// The largest residual of a zero, relative to the values at the ends of its bracket. The residual of a smooth zero is
+/// some ε, and that of a jump is the limit of g on the side of the jump.
+const RESIDUAL: f64 = 1.0 / (1 << 20) as f64;
+
+/// The largest number of zeros that are touched on the way to a crossing within one step.
+const MOST_TOUCHES: usize = 8;
 
 /// The crossings of zero by g(μ) in the requested direction, located by steps of partial size.
 #[derive(Debug)]
 pub(crate) struct Crossings<'a, I: Integrator, G> {
-    partial: PartialStep<'a, I>,
-    g: G,
-    direction: Direction,
+    pub(crate) values: EventValues<'a, I, G>,
+    pub(crate) direction: Direction,
 }
 
-impl<'a, I: Integrator, G: Fn(&I::Momentum) -> f64> Crossings<'a, I, G> {
-    pub(crate) fn new(integrator: &'a I, g: G, direction: Direction) -> Self {
-        Self { partial: PartialStep::new(integrator), g, direction }
-    }
-
-    /// Returns the value of g at a sample, or an error if it is not a number.
-    pub(crate) fn value(&self, sample: &SampleOf<I>) -> Result<f64, EventError> {
-        let value = (self.g)(&sample.momentum);
-        let time = sample.time;
-        if value.is_nan() { Err(EventError::NotANumber { time }) } else { Ok(value) }
-    }
-
-    /// Returns the crossing between two neighbouring samples if g changes its sign.
+impl<I: Integrator, G: Fn(&I::Momentum) -> f64> Crossings<'_, I, G> {
+    /// Returns the crossing between two points of a step if it has the requested direction.
     pub(crate) fn between(
         &mut self,
-        left: &Valued<I>,
-        right: &Valued<I>,
+        from: &SampleOf<I>,
+        left: &Point<SampleOf<I>>,
+        right: &Point<SampleOf<I>>,
     ) -> Result<Option<SampleOf<I>>, EventError> {
-        if !self.direction.crosses(left.1, right.1) {
+        let (before, after) = (left.value, right.value);
+        if !self.direction.crosses(before, after) || self.values.wraps(before, after) {
             return Ok(None);
         }
-        self.locate(&left.0, left, right).map(Some)
+        self.locate(from, left, right)
     }
 
-    /// Returns the requested ones of two crossings around an extremum of g near the middle one of three samples.
-    ///
-    /// The samples have one sign. There are crossings if |g| is least at the middle one and g has the other sign at the
-    /// extremum.
-    pub(crate) fn near(
-        &mut self,
-        left: &Valued<I>,
-        middle: &Valued<I>,
-        right: &Valued<I>,
-    ) -> Result<[Option<SampleOf<I>>; 2], EventError> {
-        if !is_least(left.1, middle.1, right.1) {
-            return Ok([None, None]);
-        }
-        let sign = middle.1.signum();
-        let lengths = [middle.0.time - left.0.time, right.0.time - middle.0.time];
-        // Units of the step: negative x starts from the left sample, positive x from the middle one.
-        let mut minimum = Minimum::new(-1.0, (0.0, middle.1.abs()), 1.0);
-        while let Some(x) = minimum.next() {
-            let (from, to, tau) = if x < 0.0 {
-                (left, middle, (1.0 + x) * lengths[0])
-            } else {
-                (middle, right, x * lengths[1])
-            };
-            let sample = self.partial.after(&from.0, tau)?;
-            let value = self.value(&sample)?;
-            let beyond = (sample, value);
-            if beyond.1 * sign < 0.0 {
-                return self.both(from, &beyond, to);
-            }
-            minimum.insert(x, beyond.1 * sign);
-        }
-        Ok([None, None])
-    }
-
-    /// Returns the crossings before and after a point within the step from `from` to `to`.
-    fn both(
-        &mut self,
-        from: &Valued<I>,
-        beyond: &Valued<I>,
-        to: &Valued<I>,
-    ) -> Result<[Option<SampleOf<I>>; 2], EventError> {
-        let there = self.direction.crosses(from.1, beyond.1);
-        let back = self.direction.crosses(beyond.1, to.1);
-        let second = if back { Some(self.locate(&from.0, beyond, to)?) } else { None };
-        if !there {
-            return Ok([second, None]);
-        }
-        Ok([Some(self.locate(&from.0, from, beyond)?), second])
-    }
-
-    /// Locates the zero between two points of different signs, by steps from the sample before them.
+    /// Locates the crossing between two points of different signs, or returns `None` if g does not go to zero there.
     fn locate(
         &mut self,
         from: &SampleOf<I>,
-        left: &Valued<I>,
-        right: &Valued<I>,
-    ) -> Result<SampleOf<I>, EventError> {
-        let offset = left.0.time - from.time;
-        let mut bracket = Bracket::new(left.1, right.0.time - left.0.time, right.1);
-        let mut best = if right.1.abs() < left.1.abs() { right.clone() } else { left.clone() };
+        left: &Point<SampleOf<I>>,
+        right: &Point<SampleOf<I>>,
+    ) -> Result<Option<SampleOf<I>>, EventError> {
+        let (mut left, mut right) = (left.clone(), right.clone());
+        for _ in 0..MOST_TOUCHES {
+            let (best, ends) = self.narrow(from, &left, &right)?;
+            if best.value != 0.0 {
+                let is_zero = self.is_zero(from, [&left, &right], best.tau, ends)?;
+                return Ok(is_zero.then_some(best.sample));
+            }
+            let before = self.values.approach(from, best.tau, left.tau)?;
+            let after = self.values.approach(from, best.tau, right.tau)?;
+            let agrees = |end: f64, beside: f64| beside == 0.0 || have_one_sign(end, beside);
+            // A zero whose sides do not have the signs of the ends is a touch, and the crossing is elsewhere.
+            match [agrees(left.value, before.beside.value), agrees(right.value, after.beside.value)]
+            {
+                [true, true] => {
+                    return Ok((before.vanishes && after.vanishes).then_some(best.sample));
+                }
+                [true, false] => left = after.beside,
+                [false, _] => right = before.beside,
+            }
+        }
+        Ok(None)
+    }
+
+    /// Returns the point with the least |g| between two points of different signs, and |g| at the last ends of the bracket,
+    /// each on its side.
+    fn narrow(
+        &mut self,
+        from: &SampleOf<I>,
+        left: &Point<SampleOf<I>>,
+        right: &Point<SampleOf<I>>,
+    ) -> Result<(Point<SampleOf<I>>, [f64; 2]), EventError> {
+        let mut bracket = Bracket::new(left.value, right.tau - left.tau, right.value);
+        let mut best = if right.value.abs() < left.value.abs() { right } else { left }.clone();
+        let mut ends = [left.value.abs(), right.value.abs()];
         while let Some(tau) = bracket.next() {
-            let sample = self.partial.after(from, offset + tau)?;
-            let value = self.value(&sample)?;
-            if value.abs() <= best.1.abs() {
-                best = (sample, value);
+            let point = self.values.after(from, left.tau + tau)?;
+            let value = point.value;
+            ends[usize::from(!have_one_sign(value, left.value))] = value.abs();
+            if value.abs() <= best.value.abs() {
+                best = point;
             }
             bracket.insert(tau, value);
         }
-        Ok(best.0)
+        Ok((best, ends))
     }
-}
 
-/// Returns whether |g| is least at the middle one of three samples of one sign.
-///
-/// If two samples have the same value, the first one counts, so that an extremum between them is followed once.
-fn is_least(left: f64, middle: f64, right: f64) -> bool {
-    let (above, below) = (middle > 0.0, middle < 0.0);
-    (above && left > middle && right >= middle) || (below && left < middle && right <= middle)
+    /// Returns whether g goes to zero on both sides of a change of sign at τ.
+    ///
+    /// It does if the residual on each side is small compared with the values at the ends, or not larger than the effect of
+    /// rounding, or if g grows with the distance, as a root does. It does not at a jump or at a pole.
+    fn is_zero(
+        &mut self,
+        from: &SampleOf<I>,
+        ends: [&Point<SampleOf<I>>; 2],
+        tau: f64,
+        residuals: [f64; 2],
+    ) -> Result<bool, EventError> {
+        let sizes = ends.map(|end| end.value.abs()).into_iter().filter(|size| size.is_finite());
+        let bound = RESIDUAL * sizes.fold(0.0, f64::max);
+        for (end, residual) in ends.into_iter().zip(residuals) {
+            if residual <= bound {
+                continue;
+            }
+            let rounding = ends.map(|end| self.values.rounding(end));
+            // If one of the ends lies beside a jump, the effect of rounding there is the jump.
+            let is_rounding = rounding.into_iter().all(|rounding| residual <= rounding);
+            if !is_rounding && !self.values.approach(from, tau, end.tau)?.vanishes {
+                return Ok(false);
+            }
+        }
+        Ok(true)
+    }
 }

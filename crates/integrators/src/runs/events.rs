@@ -9,22 +9,30 @@ use crate::{Direction, EventError, IntegrationError, Integrator, SampleOf};
 /// 0 to round-off. The event is therefore as accurate as the integrator, and lies on the same level sets of conserved
 /// quantities. Its `step` is the number of whole steps before it.
 ///
-/// Two crossings within one step do not change the sign at the samples. If |g| is least at the middle one of three
-/// samples of one sign, steps of partial size follow g to its extremum near that sample. If g has the other sign there,
-/// the crossings on both sides are located. The guarantees are:
+/// # What is a crossing
+/// At a crossing g goes to zero and changes its sign:
 ///
-/// * one crossing in a step is found;
-/// * two crossings in a step are found if they are farther apart than about 1e-6 steps, and if the extremum between the
-///   crossings is the only one of g in this step and the two adjacent steps. The first and the last step of a run lack
-///   a neighbour: two crossings may be missed there.
-/// * some crossings at smaller distances are missed: choose a step that resolves g.
+/// * A change of sign at a jump or at a pole is no crossing. The residual on each side of the located point is compared
+///   with g at the ends of the step, and with g at small distances from it. No unit plays a part, and a jump by less than
+///   1e-6 of g at the ends is not recognised.
+/// * A touch, as of (x − 1)² at x = 1, is no crossing, since its sign does not change. This holds wherever the samples
+///   are, and also if g has the other sign by rounding alone.
+/// * A function with a period, such as an angle, crosses every multiple of the period: see [`modulo`](Self::modulo).
+/// * A start on the surface, where g is zero up to rounding, is no crossing, since the sign before it is not known:
+///   [`counting_start`](Self::counting_start) counts it nevertheless.
 ///
-/// A sample with g = 0 exactly ends a crossing and begins none, so that each crossing is found once. The adaptor
-/// requests samples until there is an event or none are left: bound the run by `take`. After an error it returns this
-/// error again for each remaining sample, so that `nth` and other adaptors that skip events do not lose it. After `new`
-/// nothing is allocated, except for states on the heap. An event costs about ten steps, and so does an extremum at
-/// which
-/// |g| is least without a crossing.
+/// # What is found
+/// * One crossing in a step is found, and so is a crossing at a sample.
+/// * Two crossings in a step are found if they are farther apart than about 1e-6 steps and the extremum between them is
+///   the only one of g in this step. The step must resolve g: |g| at one of its ends must not exceed the change of g in
+///   this step or in the step before. The first step of a run and steps that begin or end at a zero are always searched.
+/// * Some crossings at smaller distances are missed: choose a step that resolves g.
+///
+/// The first and the last step of a run are searched as all others are, and each event is known with the first sample that
+/// is not before it. The adaptor requests samples until there is an event or none are left: bound the run by `take`.
+/// After an error it returns this error again for each remaining sample, so that `nth` and other adaptors that skip events
+/// do not lose it. After `new` nothing is allocated, except for states on the heap. An event costs about ten steps, and so
+/// does an extremum near zero without a crossing. A jump or a pole costs about sixty.
 ///
 /// [`EventSearch`] does the same for samples that the caller supplies, so that several event functions can be used
 /// along one run.
@@ -54,8 +62,8 @@ use crate::{Direction, EventError, IntegrationError, Integrator, SampleOf};
 pub struct Events<'a, I: Integrator, J, G> {
     search: EventSearch<'a, I, G>,
     samples: J,
-    /// The second of two crossings within one step.
-    second: Option<SampleOf<I>>,
+    /// The events of the last step that were not returned.
+    found: [Option<SampleOf<I>>; 4],
     failed: Option<EventError>,
 }
 
@@ -68,17 +76,43 @@ where
     /// Creates the events from samples of the trajectory, which must come from this integrator.
     pub fn new(integrator: &'a I, samples: J, g: G, direction: Direction) -> Self {
         let search = EventSearch::new(integrator, g, direction);
-        Self { search, samples, second: None, failed: None }
+        Self { search, samples, found: [const { None }; 4], failed: None }
     }
 
-    /// Proceeds by one sample, and returns the first event that it completes, if any.
-    fn advance(
-        &mut self,
-        sample: Result<SampleOf<I>, IntegrationError>,
-    ) -> Result<Option<SampleOf<I>>, EventError> {
-        let [first, second] = self.search.observe(&sample?)?;
-        self.second = second;
-        Ok(first)
+    /// Returns the points where g is a multiple of a period instead: see [`EventSearch::modulo`].
+    ///
+    /// # Example
+    /// A vector that turns passes the angle π, where `atan2` jumps, and no other:
+    /// ```
+    /// use collective_integrators::{Direct, Direction, Events, RungeKutta, Start, from_fn};
+    /// use nalgebra::Vector2;
+    /// use std::f64::consts::{PI, TAU};
+    /// let turning = from_fn(|z: &Vector2<f64>| Vector2::new(-z.y, z.x));
+    /// let gauss = Direct::new(RungeKutta::gauss(5)?, turning);
+    /// let run = gauss.trajectory(&Vector2::x(), 0.2)?.take(100);
+    /// let angle = |z: &Vector2<f64>| z.y.atan2(z.x) - PI;
+    /// let events: Vec<_> = Events::new(&gauss, run, angle, Direction::Up).modulo(TAU).collect();
+    /// assert_eq!(events.len(), 3);
+    /// for (k, event) in events.into_iter().enumerate() {
+    ///     assert!((event?.time - (PI + TAU * k as f64)).abs() < 1e-13);
+    /// }
+    /// # Ok::<(), Box<dyn std::error::Error>>(())
+    /// ```
+    #[must_use]
+    pub fn modulo(self, period: f64) -> Self {
+        Self { search: self.search.modulo(period), ..self }
+    }
+
+    /// Counts the start of the run, too, if it lies on the surface: see [`EventSearch::counting_start`].
+    #[must_use]
+    pub fn counting_start(self) -> Self {
+        Self { search: self.search.counting_start(), ..self }
+    }
+
+    /// Proceeds by one sample, and keeps the events that it completes.
+    fn advance(&mut self, sample: Result<SampleOf<I>, IntegrationError>) -> Result<(), EventError> {
+        self.found = self.search.observe(&sample?)?;
+        Ok(())
     }
 }
 
@@ -91,18 +125,14 @@ where
     type Item = Result<SampleOf<I>, EventError>;
 
     fn next(&mut self) -> Option<Self::Item> {
-        if let Some(event) = self.second.take() {
-            return Some(Ok(event));
-        }
         loop {
-            let right = self.samples.next()?;
-            match self.failed.map_or_else(|| self.advance(right), Err) {
-                Ok(None) => {}
-                Ok(Some(event)) => return Some(Ok(event)),
-                Err(error) => {
-                    self.failed = Some(error);
-                    return Some(Err(error));
-                }
+            if let Some(event) = self.found.iter_mut().find_map(Option::take) {
+                return Some(Ok(event));
+            }
+            let sample = self.samples.next()?;
+            if let Err(error) = self.failed.map_or_else(|| self.advance(sample), Err) {
+                self.failed = Some(error);
+                return Some(Err(error));
             }
         }
     }
@@ -123,6 +153,18 @@ mod tests {
         events.map(|event| event.map(|sample| sample.time)).collect()
     }
 
+    /// The same events, and the start if it is on the surface.
+    fn counting_start(
+        g: impl Fn(f64) -> f64,
+        direction: Direction,
+    ) -> Vec<Result<f64, EventError>> {
+        let clock =
+            Direct::new(RungeKutta::explicit_midpoint(), from_fn(|_: &Vector1<f64>| Vector1::x()));
+        let run = clock.trajectory_from(Vector1::zeros(), 0.25).take(9);
+        let events = Events::new(&clock, run, |x: &Vector1<f64>| g(x[0]), direction);
+        events.counting_start().map(|event| event.map(|sample| sample.time)).collect()
+    }
+
     #[test]
     fn directions_and_zeros_at_samples() {
         let wave = |x: f64| (x - 0.3) * (x - 1.0) * (x - 1.6);
@@ -138,14 +180,64 @@ mod tests {
             assert_eq!(times(sign, falls), [1.0]);
             assert_eq!(times(sign, Direction::Both), [0.3, 1.0, 1.6]);
         }
-        // the same for a zero that g touches and leaves again
-        let touch = |x: f64| (x - 1.0) * (x - 1.0);
-        assert_eq!(events(touch, Direction::Both), [Ok(1.0)]);
-        assert_eq!(events(touch, Direction::Up), []);
-        assert_eq!(events(|x| -touch(x), Direction::Up), [Ok(1.0)]);
-        assert_eq!(events(|x| -touch(x), Direction::Down), []);
-        // g = 0 at the start is no event
+        // g = 0 at the start is no event, unless it is asked for
         assert_eq!(events(|x| x, Direction::Both), []);
+        for (direction, counts) in
+            [(Direction::Up, true), (Direction::Both, true), (Direction::Down, false)]
+        {
+            let found = counting_start(|x| x, direction);
+            assert_eq!(found, if counts { vec![Ok(0.0)] } else { vec![] });
+        }
+        assert_eq!(counting_start(|x| x + 1e-3, Direction::Both), []);
+    }
+
+    /// A touch is no crossing, whether it lies at a sample, at the start or the end of the run, or between samples.
+    #[test]
+    fn touches_are_no_crossings() {
+        for place in [0.0, 0.1, 0.25, 0.3, 1.0, 1.2, 1.75, 1.9, 2.0] {
+            for sign in [1.0, -1.0] {
+                let found =
+                    |g: &dyn Fn(f64) -> f64| events(|x| sign * g(x - place), Direction::Both);
+                assert_eq!(found(&|x| x * x), [], "{place}");
+                assert_eq!(found(&|x| x * x * x * x), [], "{place}");
+                assert_eq!(found(&|x| x.abs()), [], "{place}");
+                // control: a crossing there
+                let is_inside = place > 0.0;
+                assert_eq!(found(&|x| x).len(), usize::from(is_inside), "{place}");
+            }
+        }
+        // A touch on the way to a crossing in the same step.
+        let found = events(|x| (x - 1.125) * (x - 1.125) * (x - 1.2), Direction::Both);
+        assert!(matches!(found[..], [Ok(t)] if (t - 1.2).abs() < 1e-13), "{found:?}");
+    }
+
+    /// Changes of sign without a zero.
+    #[test]
+    fn jumps_and_poles_are_no_crossings() {
+        for place in [0.03, 0.53, 1.0, 1.1, 1.999] {
+            for size in [1e-30, 1.0, 1e30] {
+                let none = |g: &dyn Fn(f64) -> f64| {
+                    assert_eq!(events(|x| size * g(x - place), Direction::Both), [], "{place}");
+                };
+                none(&|x| if x < 0.0 { -1.0 } else { 1.0 });
+                none(&|x| if x < 0.0 { -1.0 } else { 1e-4 });
+                none(&|x| if x < 0.0 { x - 1e-4 } else { x + 1.0 });
+                none(&|x| 1.0 / x);
+                none(&|x| x.powi(-3));
+                none(&|x| 1.0 / (x * x));
+                none(&|x| -f64::signum(x) / x.abs().sqrt());
+                // controls: zeros of any order
+                let one = |g: &dyn Fn(f64) -> f64| {
+                    let found = events(|x| size * g(x - place), Direction::Both);
+                    assert!(matches!(found[..], [Ok(t)] if (t - place).abs() < 1e-9), "{found:?}");
+                };
+                one(&|x| x);
+                one(&|x| x.cbrt());
+                one(&|x| x * x * x);
+                one(&|x| x.signum() * x.abs().sqrt());
+                one(&|x| if x < 0.0 { 1e-6 * x } else { 1e3 * x });
+            }
+        }
     }
 
     /// A parabola dips below zero between the samples at 1 and 1.25.
@@ -153,8 +245,21 @@ mod tests {
     fn two_crossings_in_one_step_are_found() {
         let dip = |from: f64, to: f64| move |x: f64| (x - from) * (x - to);
         // near the left sample; near the right one; as far apart as a step allows (g is the same at both samples then,
-        // and the crossings are found once); close together
-        for (from, to) in [(1.02, 1.08), (1.19, 1.23), (1.001, 1.249), (1.1, 1.1 + 2.5e-7)] {
+        // and the crossings are found once); close together; in the first and in the last step; from and to samples
+        for (from, to) in [
+            (1.02, 1.08),
+            (1.19, 1.23),
+            (1.001, 1.249),
+            (1.1, 1.1 + 2.5e-7),
+            (0.02, 0.08),
+            (0.001, 0.2499),
+            (1.8, 1.9),
+            (1.751, 1.9999),
+            (1.0, 1.1),
+            (1.1, 1.25),
+            (1.0, 1.25),
+            (1.75, 2.0),
+        ] {
             for sign in [1.0, -1.0] {
                 let g = move |x: f64| sign * dip(from, to)(x);
                 let times = |direction| {
@@ -179,25 +284,27 @@ mod tests {
         // control: the values at the samples do not change sign
         let samples = (0..9).map(|n| dip(1.02, 1.08)(0.25 * f64::from(n)));
         assert!(samples.into_iter().all(|g| g > 0.0));
-        // a dip that ends above zero is no event, and the first step is not searched
+        // a dip that ends above zero is no event
         assert_eq!(events(|x| dip(1.02, 1.08)(x) + 1e-3, Direction::Both), []);
-        assert_eq!(events(|x| dip(0.02, 0.08)(x), Direction::Both), []);
     }
 
-    /// Beyond t = 1, g dips below zero in each step. The sample at 1 is the least one, and the search around it ends at
-    /// the next sample.
+    /// A start on the surface, and two crossings in the first step.
     #[test]
-    fn the_search_for_a_dip_ends_at_the_next_sample() {
-        let turn = core::f64::consts::TAU / 0.25;
-        let dips = move |x: f64| (1.0 + 0.5 * (x - 1.0)) * (0.99 - (turn * (x - 1.05)).cos());
-        let g = move |x: f64| if x < 1.0 { 2.0 - x } else { dips(x) };
-        let found = events(g, Direction::Both);
-        // cos α = 0.99
-        let half = 0.99_f64.acos() / turn;
-        assert_eq!(found.len(), 2, "{found:?}");
-        for (found, zero) in found.into_iter().zip([1.05 - half, 1.05 + half]) {
-            // g has rounding errors of a few ε, and slopes of 3.5 at its zeros
-            assert!(found.as_ref().is_ok_and(|t| (t - zero).abs() < 1e-14), "{found:?} {zero}");
+    fn two_crossings_beside_a_zero_are_found() {
+        for zero in [0.0, 1.0] {
+            for (from, to) in [(0.03, 0.05), (0.1, 0.24), (0.001, 0.01)] {
+                let g = |x: f64| (x - zero) * (x - zero - from) * (x - zero - to);
+                let found = events(g, Direction::Both);
+                let expected = [zero, zero + from, zero + to];
+                let expected = &expected[usize::from(zero == 0.0)..];
+                let near = |(t, zero): (&Result<f64, EventError>, &f64)| {
+                    t.as_ref().is_ok_and(|t| (t - zero).abs() < 1e-10)
+                };
+                assert!(
+                    found.len() == expected.len() && found.iter().zip(expected).all(near),
+                    "{found:?}"
+                );
+            }
         }
     }
 

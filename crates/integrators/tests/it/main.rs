@@ -1,8 +1,9 @@
-//! The promises of the crate: schemes, integrators and indicators of chaos.
+//! The promises of the crate: schemes, integrators, events and indicators of chaos.
 #![allow(clippy::unwrap_used, clippy::panic)]
 
 mod chaos;
 mod laws;
+mod runs;
 mod schemes;
 mod sites;
 mod steps;

@@ -70,14 +70,18 @@ where
 
     fn crossing(&self, section: &Section, step: f64) -> Result<Option<Se3Dual>, EventError> {
         let Some(before) = &self.before else { return Ok(None) };
-        let sample = |number: u64, state: &I::State| -> SampleOf<I> {
-            let (time, state) = (number as f64 * step, state.clone());
-            let momentum = self.integrator.momentum(&state);
-            Sample { step: number, time, state, momentum, iterations: 0 }
+        let sample = |made: u64, time: f64, state: &I::State| -> SampleOf<I> {
+            let momentum = self.integrator.momentum(state);
+            Sample { step: made, time, state: state.clone(), momentum, iterations: 0 }
         };
-        let samples = [Ok(sample(0, before)), Ok(sample(1, &self.state))];
+        let first = sample(self.made.saturating_sub(1), 0.0, before);
+        let second = sample(self.made, step, &self.state);
         let value = |mu: &Se3Dual| section.value(mu);
-        let direction = section.surface().direction;
+        // Two crossings in a step are too rare to look for them in every step of a moving picture.
+        if value(&first.momentum) * value(&second.momentum) > 0.0 {
+            return Ok(None);
+        }
+        let (samples, direction) = ([Ok(first), Ok(second)], section.surface().direction);
         let mut events = Events::new(&self.integrator, samples.into_iter(), value, direction);
         Ok(events.next().transpose()?.map(|event| event.momentum))
     }

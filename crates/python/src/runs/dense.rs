@@ -49,8 +49,7 @@ impl StatesAt<'_> {
                 DenseOutputError::Integration(error) => failed(error),
                 error => refused(error),
             })?;
-            let momentum = if time == 0.0 { &start } else { &sample.momentum };
-            states.extend(self.schedule.coordinates(momentum));
+            states.extend(self.schedule.coordinates(&sample.momentum));
             Ok(())
         };
         let done = self.times.iter().try_for_each(&mut append);

@@ -45,7 +45,11 @@ impl Event {
             let mut state = [0.0; MOST_DIMENSIONS];
             self.function.value_at(coordinates(mu, &mut state, self.function.dimension()))
         };
-        EventSearch::new(integrator, function, self.direction)
+        let search = EventSearch::new(integrator, function, self.direction);
+        match self.function.period() {
+            Some(period) => search.modulo(period),
+            None => search,
+        }
     }
 }
 

@@ -114,9 +114,7 @@ impl<Q: Quantities> Recording<'_, Q> {
     ) where
         I: Integrator<State: Vector, Momentum: Vector<Scalar = f64>>,
     {
-        // M of the lift of the start equals the start only up to rounding; the start itself is reported.
-        let start = self.schedule.start();
-        let momentum = if sample.time == 0.0 { &start } else { &sample.momentum };
+        let momentum = &sample.momentum;
         record.samples.times.push(sample.time);
         record.samples.states.extend(self.schedule.coordinates(momentum));
         self.quantities.append(momentum, &mut record.values);

@@ -63,6 +63,7 @@ impl Task for RecordTop<'_> {
         let Pair(state, shortest) = integrator.start(&start).map_err(refused)?;
         let attitude = self.initial_attitude.unwrap_or(shortest);
         let run = integrator.trajectory_from(Pair(state, attitude), self.recording.schedule.step);
+        let run = run.through(start);
         self.recording.follow(&integrator, run, |state| Some(&state.1))
     }
 }

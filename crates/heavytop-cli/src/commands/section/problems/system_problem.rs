@@ -90,7 +90,7 @@ impl SystemProblem {
             limits: &limits,
             number,
             start: state,
-            skip: 0,
+            counts_start: true,
             visit: &mut visit,
         };
         self.method.integrate(self.system(), state, task)??;
@@ -122,8 +122,7 @@ impl SystemProblem {
         start: &[f64],
         visit: Visit<'_>,
     ) -> Result<(), Error> {
-        // The start lies on the surface up to rounding, so that its side is random.
-        let task = Follow { problem: self, limits, number, start, skip: 1, visit };
+        let task = Follow { problem: self, limits, number, start, counts_start: false, visit };
         self.method.integrate(self.system(), start, task)?
     }
 }
@@ -230,8 +229,8 @@ struct Follow<'a> {
     limits: &'a Limits,
     number: usize,
     start: &'a [f64],
-    /// The number of first samples that are left out.
-    skip: usize,
+    /// Whether the start counts if it lies on the surface.
+    counts_start: bool,
     visit: Visit<'a>,
 }
 
@@ -242,16 +241,22 @@ impl SystemTask for Follow<'_> {
     where
         I: Start<State: Vector, Momentum: Vector<Scalar = f64>>,
     {
-        let Self { problem, limits, number, start, skip, visit } = self;
+        let Self { problem, limits, number, start, counts_start, visit } = self;
         let dimension = start.len();
         let start = I::Momentum::from_coordinates(|i| start.get(i).copied().unwrap_or(0.0));
         let samples = integrator.trajectory(&start, limits.step)?;
-        let samples = samples.take(limits.steps.saturating_add(1)).skip(skip);
+        let samples = samples.take(limits.steps.saturating_add(1));
         let numbers =
             |mu: &I::Momentum| -> Vec<f64> { (0..dimension).map(|i| mu.coordinate(i)).collect() };
         let value = |mu: &I::Momentum| problem.section.value(&numbers(mu));
         let direction = problem.section.direction().along_run(limits.step);
-        let returns = Events::new(integrator, samples, value, direction);
+        let mut returns = Events::new(integrator, samples, value, direction);
+        if let Some(period) = problem.section.period() {
+            returns = returns.modulo(period);
+        }
+        if counts_start {
+            returns = returns.counting_start();
+        }
         for event in returns.take(limits.crossings) {
             let sample = event.map_err(|source| Error::Crossing {
                 formulation: problem.method.formulation().name(),
