@@ -5,7 +5,7 @@ import pickle
 import numpy as np
 import pytest
 
-from heavytop import Event, Top
+from heavytop import Event, System, Top
 
 START = dict(Pi=[2.0, 3.0, 4.0], Gamma=[0.6, 0.0, 0.8])
 TOP = Top.kovalevskaya()
@@ -121,3 +121,124 @@ def test_a_section_by_any_function():
     assert np.abs(plane.t - formula.t).max() < 1e-12 and np.array_equal(formula.t, function.t)
     oblique = TOP.section(**START, coordinate="Pi·Gamma×(Pi + Gamma) + Gamma1", direction=0, step=0.05, end=100)
     assert oblique.t.size > 10 and np.abs(oblique.y[3]).max() < 1e-13
+
+
+LINE = System(coordinates=["X", "Y", "Z"], brackets={("X", "Y"): "Z"}, hamiltonian="X")
+"""dY/dt = Z = 1: Y is the time."""
+
+
+@pytest.mark.parametrize("unit", [1.0, 1e-30, 1e30])
+@pytest.mark.parametrize(
+    ("function", "zeros"),
+    [
+        # Two zeros in the first step, beside a zero at a sample, at two samples, at the start, in the last step.
+        ("(Y - 0.03)*(Y - 0.05)", [0.03, 0.05]),
+        ("(Y - 0.5)*(Y - 0.55)", [0.5, 0.55]),
+        ("(Y - 0.375)*(Y - 0.5)", [0.375, 0.5]),
+        ("Y*(Y - 0.05)", [0.05]),
+        ("Y*(Y - 0.03)*(Y - 0.05)", [0.03, 0.05]),
+        ("(Y - 1.9)*(Y - 1.95)", [1.9, 1.95]),
+        # Touches.
+        ("(Y - 0.5)^2", []),
+        ("(Y - 0.53)^2", []),
+        ("Y^2", []),
+        ("|Y - 0.5|", []),
+        ("(Y - 0.5)^2*(Y - 0.55)", [0.55]),
+        # Poles and jumps.
+        ("1/(Y - 0.53)", []),
+        ("1/(Y - 0.53)^2", []),
+        ("(Y - 1)/(Y - 0.53)^3", [1.0]),
+        ("tan(3*Y)", [np.pi / 3]),
+        ("|Y - 0.7|/(Y - 0.7)", []),
+        ("|Y - 0.7|/(Y - 0.7) + 0.9", []),
+        # Angles, and a formula of an angle that is none.
+        ("atan2(sin(9*Y), cos(9*Y)) - 3", [3 / 9, (3 + 2 * np.pi) / 9]),
+        ("atan2(sin(9*Y), cos(9*Y)) - pi", [np.pi / 9, np.pi / 3, 5 * np.pi / 9]),
+        ("(atan2(sin(9*Y), cos(9*Y)) + 3)*180/pi", [(2 * np.pi - 3) / 9, (4 * np.pi - 3) / 9, (6 * np.pi - 3) / 9]),
+        ("atan2(sin(9*Y), cos(9*Y))^3", [2 * np.pi / 9, 4 * np.pi / 9]),
+    ],
+)
+def test_events_are_zeros_where_the_sign_changes(function, zeros, unit):
+    # A unit of the function; a factor of an angle is a factor of its period.
+    events = [f"{unit!r}*({function})", Event(function, direction=1), Event(function, direction=-1)]
+    scaled, up, down = LINE.solve([0, 0, 1], step=0.125, end=2, events=events).t_events
+    assert scaled.shape == (len(zeros),) and np.abs(scaled - zeros).max(initial=0) < 1e-12, scaled
+    assert np.abs(np.sort(np.concatenate([up, down])) - zeros).max(initial=0) < 1e-12
+
+
+ROTATION = System("so(3)", "Pi3")
+"""A rotation about the third axis: Pi1 = cos(t0 - t)."""
+
+FORMULATIONS = ["collective", "reduced", "direct"]
+
+
+def turned(t0):
+    return [np.cos(t0), np.sin(t0), 0.5]
+
+
+@pytest.mark.parametrize("formulation", FORMULATIONS)
+def test_two_zeros_in_the_first_and_in_the_terminal_step(formulation):
+    how = dict(step=0.5, scheme="gauss-16", formulation=formulation)
+    exact = np.array([-np.arccos(0.99), np.arccos(0.99)])
+    run = ROTATION.solve(turned(0.25), end=3, events="Pi1 - 0.99", **how)
+    assert np.abs(run.t_events[0] - (0.25 + exact)).max() < 1e-13
+    start, end = turned(2.35), 2.495
+    last = Event(f"Pi2 + {np.sin(end - 2.35)!r}", direction=-1, terminal=True)
+    run = ROTATION.solve(start, end=5, events=["Pi1 - 0.99", last], **how)
+    assert np.abs(run.t_events[0] - (2.35 + exact)).max() < 1e-13 and abs(run.t[-1] - end) < 1e-13
+    # Of two terminal events the earlier one ends the run, though it is one of two in this step.
+    run = ROTATION.solve(start, end=5, events=[last, Event("Pi1 - 0.99", terminal=True)], **how)
+    assert abs(run.t[-1] - (2.35 + exact[0])) < 1e-13 and "event 1" in run.message and run.t_events[0].size == 0
+    # The last step of a run.
+    run = ROTATION.solve(turned(0.25), end=0.5, events="Pi1 - 0.99", **how)
+    assert run.t_events[0].size == 2
+
+
+@pytest.mark.parametrize("formulation", FORMULATIONS)
+def test_the_start_is_as_it_was_given(formulation):
+    rng = np.random.default_rng(1)
+    for Pi, Gamma in zip(rng.normal(size=(40, 3)), rng.normal(size=(40, 3))):
+        Gamma /= np.linalg.norm(Gamma)
+        surfaces = [f"Gamma3 - {Gamma[2]!r}", f"Pi1 - {Pi[0]!r}", f"3*Pi2 - {3 * Pi[1]!r}"]
+        events = [Event(surface, terminal=True) for surface in surfaces]
+        run = TOP.solve(Pi, Gamma, step=0.1, end=2, formulation=formulation, events=events)
+        assert np.array_equal(run.y[:, 0], [*Pi, *Gamma]) and run.t[-1] > 1e-6, run.message
+        assert np.array_equal(run.sol(0.0), run.y[:, 0])
+    # Below the surface by more than rounding, the run comes to it at once.
+    (Pi, Gamma) = (START["Pi"], START["Gamma"])
+    near = "Gamma3 - 0.8 - 1e-9*(Pi1*Gamma2 - Pi2*Gamma1)/|Pi|"
+    ways = [TOP.solve(Pi, Gamma, step=0.1, end=1, formulation=formulation, events=near.replace("- 1e", s)) for s in ("- 1e", "+ 1e")]
+    assert sorted(way.t_events[0].size and way.t_events[0][0] < 1e-6 for way in ways) == [False, True]
+
+
+@pytest.mark.parametrize("formulation", FORMULATIONS)
+def test_starts_of_sections_do_not_count_themselves(formulation):
+    for coordinate, value in [("Gamma3", 0.1), ("Pi1", 0.3), ("Gamma1", -0.2)]:
+        y = TOP.section_starts(h=2.0, f2=0.3, coordinate=coordinate, value=value, count=25)
+        for state in y.T:
+            for surface, level in [(coordinate, value), (f"3*{coordinate}", 3 * value)]:
+                points = TOP.section(
+                    state[:3], state[3:], coordinate=surface, value=level, step=0.1, end=5, formulation=formulation
+                )
+                assert points.t.size == 0 or points.t[0] > 1e-3
+
+
+@pytest.mark.parametrize("formulation", FORMULATIONS)
+def test_a_surface_may_be_an_angle(formulation):
+    top = Top.lagrange(1.0, 0.6, 1.0)
+    how = dict(step=0.05, end=40, formulation=formulation)
+    start = ([0.3, 0, 2.0], [0.6, 0, 0.8])
+    run = top.solve(*start, step=0.01, end=40, formulation=formulation)
+    angle = np.unwrap(np.arctan2(run.y[4], run.y[3]))
+    for value in [0.0, 1.0, np.pi, -3.0, 7.0]:
+        for surface in ["atan2(Gamma2, Gamma1)", lambda x: np.arctan2(x.Gamma2, x.Gamma1)]:
+            for direction in [1, -1]:
+                points = top.section(*start, coordinate=surface, value=value, direction=direction, **how)
+                turns = np.floor((angle - value) / (2 * np.pi))
+                expected = np.count_nonzero(np.diff(turns) == direction)
+                # The start lies on the surface of the angle 0.
+                expected -= int(value == 0.0 and np.diff(turns)[0] == direction)
+                assert points.t.size == expected
+                difference = np.arctan2(points.y[4], points.y[3]) - value
+                assert np.abs(np.sin(difference / 2)).max(initial=0) < 1e-13
+    assert np.ptp(angle) > 4 * np.pi

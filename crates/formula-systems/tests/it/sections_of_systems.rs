@@ -123,6 +123,33 @@ fn what_is_no_section_is_refused() {
     assert_eq!(error, E::NoAxes { dimension: 2 });
 }
 
+/// An angle is on the surface where it is the level up to turns of 2π, also at ±π, where `atan2` jumps.
+#[test]
+fn a_surface_may_be_an_angle() {
+    use std::f64::consts::{PI, TAU};
+    let (body, state) = (body(), [1.0, 0.5, 0.3, 0.6, 0.0, 0.8]);
+    let levels = body.invariants(&state).unwrap();
+    for level in [0.5, PI, -3.1, 7.0] {
+        for direction in [Direction::Up, Direction::Down] {
+            let section = section(&body, "atan2(Gamma2, Gamma1)", (level, direction));
+            assert_eq!(section.period(), Some(TAU));
+            for start in section.starts(&state, &levels, 6, 0).unwrap() {
+                let difference = start[4].atan2(start[3]) - level;
+                assert!((0.5 * difference).sin().abs() < 1e-14, "{level}: {difference}");
+                assert!(section.value(&start).abs() < 1e-14);
+                for (value, level) in body.invariants(&start).unwrap().iter().zip(&levels) {
+                    assert!((value - level).abs() < 1e-13);
+                }
+                let rate = body.rate(&start).unwrap();
+                let turning = rate[4] * start[3] - rate[3] * start[4];
+                assert_eq!(turning > 0.0, direction == Direction::Up);
+            }
+        }
+    }
+    // Control: what is no angle has no period.
+    assert_eq!(section(&body, "sin(atan2(Gamma2, Gamma1))", (0.5, Direction::Up)).period(), None);
+}
+
 /// A section is drawn over the first two coordinates that its surface does not fix, or over the formulas asked for.
 #[test]
 fn axes_are_the_free_coordinates_or_formulas() {

@@ -157,9 +157,12 @@ class System(SystemDescription):
     ) -> Crossings:
         """Returns the points at which a function of the state passes a value: a Poincare section.
 
+        The start is no crossing, even if it lies on the surface.
+
         Args:
             y0: the state at t = 0, as for `solve`.
-            surface: a coordinate, a formula or a Python function of the coordinates.
+            surface: a coordinate, a formula or a Python function of the coordinates. An angle, such as
+                "atan2(Gamma2, Gamma1)", passes its value once per turn.
             value: its value on the surface.
             direction: 1 for crossings upwards in time, -1 for crossings downwards, 0 for both. A run backward in time finds
                 the points of the same section.

@@ -95,7 +95,8 @@ class Top(TopParameters):
                 (0, 0, 1). Without it the run begins with the shortest such rotation.
             events: functions of the state whose zeros are found: formulas such as "Gamma3 - 0.5", Python functions of the
                 coordinates such as `lambda x: x.Pi @ x.Gamma - 1`, or `Event`s, which have a direction and may end the run.
-                A function is called once, with symbols. Two zeros within one step are found unless they are very close.
+                A function is called once, with symbols. At an event the function goes to zero and changes its sign; see
+                `Event`. Two zeros within one step are found unless they are very close.
 
         Returns:
             The samples. If a step fails, or an invariant is no longer finite, those until then, with `success` false. If an
@@ -151,12 +152,13 @@ class Top(TopParameters):
     ) -> Crossings:
         """Returns the points at which a function of the state passes a value: a Poincare section.
 
-        They lie on the surface to round-off, and have the order of the method. The start is no crossing. Two crossings
-        within one step are found unless they are very close together; more than two are not: choose a step that resolves
-        the motion.
+        They lie on the surface to round-off, and have the order of the method. The start is no crossing, even if it lies on
+        the surface. Two crossings within one step are found unless they are very close together; more than two are not:
+        choose a step that resolves the motion.
 
         Args:
-            coordinate: "Pi1", "Pi2", "Pi3", "Gamma1", "Gamma2" or "Gamma3"; or any formula or Python function of them.
+            coordinate: "Pi1", "Pi2", "Pi3", "Gamma1", "Gamma2" or "Gamma3"; or any formula or Python function of them. An
+                angle, such as "atan2(Gamma2, Gamma1)", passes its value once per turn.
             value: its value on the surface.
             direction: 1 for crossings upwards in time, -1 for crossings downwards, 0 for both. A run backward in time finds
                 the points of the same section.

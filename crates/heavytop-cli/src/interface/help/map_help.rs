@@ -14,8 +14,9 @@ Where Γ_i is fixed these are canonical: areas are conserved from crossing to cr
 coloured by the mean of |y| over their points, which is the same all over an invariant curve or a
 chaotic sea.
 
-Crossings are located to the accuracy of the integrator; those in the first step after a start are
-not seen. Starts are followed in parallel; no bit depends on the number of threads (--threads).
+Crossings are located to the accuracy of the integrator. The start is no crossing; neither is a
+touch, where the sign does not change. Starts are followed in parallel; no bit depends on the number
+of threads (--threads).
 
 Written into the folder:
   section.svg .png  the picture
@@ -57,7 +58,11 @@ Another Lie–Poisson system instead of a top: [system] as of simulate, and
   axes = [\"Pi1\", \"Pi2\"]            # what is drawn: two formulas; without them, the first coordinates
   states = [{ Pi = [1, 0, 2], ... }] # motions to follow, each on its own level; without them random
                                      # starts with the h and the Casimirs of the initial state
-Each state is followed to the surface, and its first point there is crossing 0. The columns are
+A surface that is an atan2, or an atan2 and a constant, is an angle: it is passed where the angle is
+the level, or differs from it by turns of 2π. Jumps and poles of a surface are no crossings.
+
+Each state is followed to the surface, and its first point there is crossing 0: the state itself if
+it lies on the surface and leaves it in the direction that counts. The columns are
 start,crossing,t, the coordinates,x,y. What [integrator] leaves out: reduced where there is one, or
 as for simulate; gauss-8; the step of simulate.
 

@@ -91,6 +91,62 @@ fn given_states_are_followed_to_the_surface() {
     assert!((expected[0][0] - expected[1][0]).abs() > 0.1);
 }
 
+/// An angle as a surface: each level is passed once per turn, and the jump of atan2 does not count.
+#[test]
+fn a_surface_may_be_an_angle_and_a_state_on_it_is_its_first_crossing() {
+    let folder = Folder::new();
+    // A Lagrange top that turns about the vertical and about its axis.
+    let top = "\
+[system]
+algebra = 'se(3)'
+hamiltonian = '(Pi1^2 + Pi2^2 + Pi3^2/0.6)/2 + Gamma3'
+[section]
+surface = 'atan2(Gamma2, Gamma1)'
+direction = 'DIRECTION'
+level = LEVEL
+axes = ['Pi1', 'Pi2']
+states = [{ Pi = [0.3, 0, 2.0], Gamma = [0.6, 0, 0.8] }]
+crossings = 6
+longest = 60
+[integrator]
+step = 0.05
+";
+    let mut counts = Vec::new();
+    for (level, direction) in [
+        ("0.0", "up"),
+        ("0.0", "down"),
+        ("3.141592653589793", "both"),
+        ("7.0", "down"),
+        ("-3.0", "down"),
+    ] {
+        folder.write("top.toml", &top.replace("LEVEL", level).replace("DIRECTION", direction));
+        let run = folder.heavytop(&["section", "top.toml", "--out", ".", "--restart"]);
+        if run.code() != 0 {
+            // In this direction the angle never passes its level.
+            assert!(run.stderr().contains("does not cross the surface"), "{}", run.stderr());
+            counts.push((direction, 0, false));
+            continue;
+        }
+        let (_, rows) = numbers(&folder.read("section.csv"));
+        let level: f64 = level.parse().unwrap();
+        for row in &rows {
+            let difference = row[7].atan2(row[6]) - level;
+            assert!((0.5 * difference).sin().abs() < 1e-13, "{row:?}");
+        }
+        let is_given = rows[0][3..9] == [0.3, 0.0, 2.0, 0.6, 0.0, 0.8];
+        counts.push((direction, rows.len(), is_given));
+    }
+    // Γ turns in one direction, downwards. The state lies on the level 0.
+    let expected = [
+        ("up", 0, false),
+        ("down", 7, true),
+        ("both", 7, false),
+        ("down", 7, false),
+        ("down", 7, false),
+    ];
+    assert_eq!(counts, expected);
+}
+
 #[test]
 fn an_interrupted_section_of_a_system_continues_byte_for_byte() {
     use heavytop_cli::commands::section::section;
