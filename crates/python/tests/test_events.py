@@ -152,7 +152,7 @@ LINE = System(coordinates=["X", "Y", "Z"], brackets={("X", "Y"): "Z"}, hamiltoni
         ("|Y - 0.7|/(Y - 0.7)", []),
         ("|Y - 0.7|/(Y - 0.7) + 0.9", []),
         # Angles, and a formula of an angle that is none.
-        ("atan2(sin(9*Y), cos(9*Y)) - 3", [3 / 9, (3 + 2 * np.pi) / 9]),
+        ("atan2(sin(9*Y), cos(9*Y)) - 3", [3 / 9, (3 + 2 * np.pi) / 9, (3 + 4 * np.pi) / 9]),
         ("atan2(sin(9*Y), cos(9*Y)) - pi", [np.pi / 9, np.pi / 3, 5 * np.pi / 9]),
         ("(atan2(sin(9*Y), cos(9*Y)) + 3)*180/pi", [(2 * np.pi - 3) / 9, (4 * np.pi - 3) / 9, (6 * np.pi - 3) / 9]),
         ("atan2(sin(9*Y), cos(9*Y))^3", [2 * np.pi / 9, 4 * np.pi / 9]),
@@ -183,7 +183,7 @@ def test_two_zeros_in_the_first_and_in_the_terminal_step(formulation):
     run = ROTATION.solve(turned(0.25), end=3, events="Pi1 - 0.99", **how)
     assert np.abs(run.t_events[0] - (0.25 + exact)).max() < 1e-13
     start, end = turned(2.35), 2.495
-    last = Event(f"Pi2 + {np.sin(end - 2.35)!r}", direction=-1, terminal=True)
+    last = Event(f"Pi2 + {float(np.sin(end - 2.35))!r}", direction=-1, terminal=True)
     run = ROTATION.solve(start, end=5, events=["Pi1 - 0.99", last], **how)
     assert np.abs(run.t_events[0] - (2.35 + exact)).max() < 1e-13 and abs(run.t[-1] - end) < 1e-13
     # Of two terminal events the earlier one ends the run, though it is one of two in this step.
@@ -197,11 +197,11 @@ def test_two_zeros_in_the_first_and_in_the_terminal_step(formulation):
 @pytest.mark.parametrize("formulation", FORMULATIONS)
 def test_the_start_is_as_it_was_given(formulation):
     rng = np.random.default_rng(1)
-    for Pi, Gamma in zip(rng.normal(size=(40, 3)), rng.normal(size=(40, 3))):
-        Gamma /= np.linalg.norm(Gamma)
+    for Pi, Gamma in zip(rng.normal(size=(20, 3)), rng.normal(size=(20, 3))):
+        Pi, Gamma = Pi.tolist(), (Gamma / np.linalg.norm(Gamma)).tolist()
         surfaces = [f"Gamma3 - {Gamma[2]!r}", f"Pi1 - {Pi[0]!r}", f"3*Pi2 - {3 * Pi[1]!r}"]
         events = [Event(surface, terminal=True) for surface in surfaces]
-        run = TOP.solve(Pi, Gamma, step=0.1, end=2, formulation=formulation, events=events)
+        run = TOP.solve(Pi, Gamma, step=0.1, end=0.5, formulation=formulation, events=events)
         assert np.array_equal(run.y[:, 0], [*Pi, *Gamma]) and run.t[-1] > 1e-6, run.message
         assert np.array_equal(run.sol(0.0), run.y[:, 0])
     # Below the surface by more than rounding, the run comes to it at once.
@@ -214,11 +214,11 @@ def test_the_start_is_as_it_was_given(formulation):
 @pytest.mark.parametrize("formulation", FORMULATIONS)
 def test_starts_of_sections_do_not_count_themselves(formulation):
     for coordinate, value in [("Gamma3", 0.1), ("Pi1", 0.3), ("Gamma1", -0.2)]:
-        y = TOP.section_starts(h=2.0, f2=0.3, coordinate=coordinate, value=value, count=25)
+        y = TOP.section_starts(h=2.0, f2=0.3, coordinate=coordinate, value=value, count=15)
         for state in y.T:
             for surface, level in [(coordinate, value), (f"3*{coordinate}", 3 * value)]:
                 points = TOP.section(
-                    state[:3], state[3:], coordinate=surface, value=level, step=0.1, end=5, formulation=formulation
+                    state[:3], state[3:], coordinate=surface, value=level, step=0.1, end=1, formulation=formulation
                 )
                 assert points.t.size == 0 or points.t[0] > 1e-3
 

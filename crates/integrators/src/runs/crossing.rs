@@ -89,14 +89,14 @@ impl<I: Integrator, G: Fn(&I::Momentum) -> f64> Crossings<'_, I, G> {
         let (mut left, mut right) = (left.clone(), right.clone());
         for _ in 0..MOST_TOUCHES {
             let (best, ends) = self.narrow(from, &left, &right)?;
-            if best.value != 0.0 {
+            if best.value != 0.0 && !best.value.is_nan() {
                 let is_zero = self.is_zero(from, [&left, &right], best.tau, ends)?;
                 return Ok(is_zero.then_some(best.sample));
             }
             let before = self.values.approach(from, best.tau, left.tau)?;
             let after = self.values.approach(from, best.tau, right.tau)?;
             let agrees = |end: f64, beside: f64| beside == 0.0 || have_one_sign(end, beside);
-            // A zero whose sides do not have the signs of the ends is a touch, and the crossing is elsewhere.
+            // A point whose sides do not have the signs of the ends is a touch, and the crossing is elsewhere.
             match [agrees(left.value, before.beside.value), agrees(right.value, after.beside.value)]
             {
                 [true, true] => {
@@ -109,8 +109,8 @@ impl<I: Integrator, G: Fn(&I::Momentum) -> f64> Crossings<'_, I, G> {
         Ok(None)
     }
 
-    /// Returns the point with the least |g| between two points of different signs, and |g| at the last ends of the bracket,
-    /// each on its side.
+    /// Returns the point with the least |g| between two points of different signs, or a point without a value, and |g| at
+    /// the last ends of the bracket, each on its side.
     fn narrow(
         &mut self,
         from: &SampleOf<I>,
@@ -121,8 +121,11 @@ impl<I: Integrator, G: Fn(&I::Momentum) -> f64> Crossings<'_, I, G> {
         let mut best = if right.value.abs() < left.value.abs() { right } else { left }.clone();
         let mut ends = [left.value.abs(), right.value.abs()];
         while let Some(tau) = bracket.next() {
-            let point = self.values.after(from, left.tau + tau)?;
+            let point = self.values.after_or_hole(from, left.tau + tau)?;
             let value = point.value;
+            if value.is_nan() {
+                return Ok((point, ends));
+            }
             ends[usize::from(!have_one_sign(value, left.value))] = value.abs();
             if value.abs() <= best.value.abs() {
                 best = point;

@@ -98,8 +98,19 @@ impl<'a, I: Integrator, G: Fn(&I::Momentum) -> f64> EventValues<'a, I, G> {
         from: &SampleOf<I>,
         tau: f64,
     ) -> Result<Point<SampleOf<I>>, EventError> {
+        let point = self.after_or_hole(from, tau)?;
+        let time = point.sample.time;
+        if point.value.is_nan() { Err(EventError::NotANumber { time }) } else { Ok(point) }
+    }
+
+    /// Returns the point τ after the sample with which a step begins. Its value may be NaN, as that of |x|/x is at 0.
+    pub(crate) fn after_or_hole(
+        &mut self,
+        from: &SampleOf<I>,
+        tau: f64,
+    ) -> Result<Point<SampleOf<I>>, EventError> {
         let sample = self.partial.after(from, tau)?;
-        let value = self.of(&sample)?;
+        let value = self.at(&sample.momentum);
         Ok(Point { tau, sample, value })
     }
 

@@ -315,6 +315,10 @@ mod tests {
         assert!(found[0].as_ref().is_ok_and(|t| (t - 0.9).abs() < 1e-15));
         // the samples at 1.25, 1.5, 1.75 and 2
         assert_eq!(found[1..], [Err(EventError::NotANumber { time: 1.25 }); 4]);
+        // a single point without a value is a jump, or a zero if g goes to zero there
+        assert_eq!(events(|x| (x - 1.1).abs() / (x - 1.1), Direction::Both), []);
+        let found = events(|x| (x - 1.1) * (x - 1.1) / (x - 1.1), Direction::Both);
+        assert!(matches!(found[..], [Ok(t)] if (t - 1.1).abs() < 1e-15), "{found:?}");
         // a NaN between the samples is found, too
         let g = |x: f64| {
             if x == 1.25 {
