@@ -48,6 +48,7 @@
 //! | a vector space whose points exist over every scalar | [`VectorSpace`]: [`RealSpace`], [`ComplexSpace`] |
 //! | a vector with its coordinates converted to another scalar | [`map_coordinates`] |
 //! | norms that neither overflow nor underflow | [`euclidean_norm`] and [`squaring_scale`] |
+//! | a factor whose products are exact | [`nearest_power_of_two`] |
 //! | a maximum that keeps NaN | [`larger`], [`Real::larger`] |
 //!
 //! # Conventions
@@ -88,6 +89,7 @@ pub use numbers::blocks::Blocks;
 pub use numbers::dual_number::DualNumber;
 pub use numbers::linear_solve::solve_linear;
 pub use numbers::mask::Mask;
+pub use numbers::power_of_two::nearest_power_of_two;
 pub use numbers::real::{Real, larger};
 
 pub use calculus::derivative::{derivative_part, differential, seed, transposed_tangent};

@@ -2,6 +2,7 @@
 
 mod bodies;
 mod clebsch_algebras;
+mod clebsch_runs;
 mod clebsch_steps;
 mod formulas;
 mod large_states;

@@ -1,6 +1,5 @@
 //! The maps of Ohsawa 2019: the action on spinors, ϖ, and the realisation M.
 
-pub(crate) mod nearest_power_of_two;
 pub(crate) mod spinor_motions;
 pub(crate) mod varpi;
 pub(crate) mod spinor_realisation;

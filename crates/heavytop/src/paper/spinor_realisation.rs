@@ -1,9 +1,8 @@
 //! The realisation M = ϖ ∘ L: T∗C² → se(3)∗: [`SpinorRealisation`].
 
-use crate::paper::nearest_power_of_two::nearest_power_of_two;
 use lie_poisson::{
     ComplexSpace, Covector, LiePoisson, Mask, Pair, Real, SO3OnR3, Se3, Se3Dual, SemidirectAlgebra,
-    Vector, euclidean_norm, squaring_scale,
+    Vector, euclidean_norm, nearest_power_of_two, squaring_scale,
 };
 use momentum_map::{
     Cotangent, CotangentBundle, FibreSymmetry, Lift, LiftError, PoissonMap, RecentringSpace,

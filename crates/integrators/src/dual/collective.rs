@@ -1,7 +1,7 @@
 //! The collective integrator: [`Collective`].
 
 use crate::dual::finite_momentum::has_finite_momentum;
-use crate::dual::recentring_threshold::RecentringThreshold;
+use crate::dual::recentring_threshold::{RecentringThreshold, moves_along};
 use crate::sums::two_sum::exact_sum;
 use crate::vector_field::dual_differential;
 use crate::{
@@ -10,7 +10,8 @@ use crate::{
 };
 use lie_poisson::{DualNumber, Hamiltonian, Mask, Pair, Real, Vector, derivative_part, seed};
 use momentum_map::{
-    CollectiveHamiltonian, Lift, LiftError, PoissonMap, RecentringSpace, SourcePoint, TargetPoint,
+    CollectiveHamiltonian, Far, Lift, LiftError, PoissonMap, RecentringSpace, SourcePoint,
+    TargetPoint,
 };
 
 /// The collective integrator: a scheme for the Hamiltonian h∘M on the source P of a realisation M: P → 𝔤∗.
@@ -55,24 +56,24 @@ use momentum_map::{
 pub struct Collective<S, M, H> {
     scheme: S,
     system: CollectiveHamiltonian<M, H>,
-    /// Whether M(Φ(z)) depends on M(z) alone, so that z may be moved along its fibre.
-    descends: bool,
+    /// Which z are moved along their fibres; `None` if none may be moved.
+    moves: Option<Far>,
 }
 
 impl<S: Equivariant, M: PoissonMap, H> Collective<S, M, H> {
     /// Creates an integrator from a scheme that commutes with affine maps, as its bound [`Equivariant`] states.
     ///
     /// Its steps descend to 𝔤∗ if the map allows it: see [`PoissonMap::equivariant_maps_descend`]. This is so for most
-    /// maps. For others, such as a `ClebschMap` of a representation that lacks its odd powers, the integrator behaves
-    /// as the one that [`that_does_not_descend`](Self::that_does_not_descend) creates: the Casimirs are conserved to
-    /// the order of the scheme, the image of a step depends on z, and z is never moved along its fibre.
+    /// maps. For others, such as a `ClebschMap` of a representation that lacks its odd powers, the image of a step
+    /// depends on z by an error of the order of the scheme, and the Casimirs are conserved to that order. The error
+    /// grows with powers of |z|. So z is moved along its fibre as soon as it has grown by half.
     /// [`descends`](Self::descends) reports which of the two cases applies.
     pub fn new(scheme: S, map: M, hamiltonian: H) -> Self
     where
         H: Hamiltonian<M::Target>,
     {
-        let descends = map.equivariant_maps_descend();
-        Self { scheme, system: CollectiveHamiltonian::new(map, hamiltonian), descends }
+        let moves = Some(moves_along(&map));
+        Self { scheme, system: CollectiveHamiltonian::new(map, hamiltonian), moves }
     }
 }
 
@@ -95,7 +96,7 @@ impl<S: Scheme, M: PoissonMap, H> Collective<S, M, H> {
     /// | Lobatto IIIA–IIIB, 3 stages | 8e-8 | 4.1e-10 apart |
     ///
     /// This constructor exists to demonstrate this behaviour. Otherwise use [`new`](Self::new), which does not accept
-    /// such schemes. For maps along which no scheme descends, both constructors do the same.
+    /// such schemes. The integrator never moves z along its fibre.
     ///
     /// ```compile_fail
     /// use collective_integrators::{Collective, FirstHalf, PartitionedRungeKutta};
@@ -120,7 +121,7 @@ impl<S: Scheme, M: PoissonMap, H> Collective<S, M, H> {
     where
         H: Hamiltonian<M::Target>,
     {
-        Self { scheme, system: CollectiveHamiltonian::new(map, hamiltonian), descends: false }
+        Self { scheme, system: CollectiveHamiltonian::new(map, hamiltonian), moves: None }
     }
 }
 
@@ -130,12 +131,12 @@ impl<S, M, H> Collective<S, M, H> {
         &self.scheme
     }
 
-    /// Returns whether the integrator moves z along its fibre, because M(Φ(z)) depends on M(z) alone.
+    /// Returns whether the steps descend to 𝔤∗: whether M(Φ(z)) depends on M(z) alone.
     ///
     /// It is true for an [`Equivariant`] scheme and a map whose
     /// [`equivariant_maps_descend`](PoissonMap::equivariant_maps_descend) is true.
     pub const fn descends(&self) -> bool {
-        self.descends
+        matches!(self.moves, Some(Far::Digits))
     }
 
     /// Returns the system h∘M, with M and h.
@@ -153,7 +154,7 @@ impl<S, M: PoissonMap, H> Collective<S, M, H> {
     /// Returns the displacement from z to the point of its fibre from which the next step starts.
     #[cfg_attr(not(debug_assertions), inline(always))]
     fn gauge<T: Real>(&self, z: &SourcePoint<M, T>) -> SourcePoint<M, T> {
-        if self.descends { self.system.map.gauge::<T>(z) } else { Vector::zero() }
+        if self.moves.is_some() { self.system.map.gauge::<T>(z) } else { Vector::zero() }
     }
 }
 
@@ -204,10 +205,11 @@ impl<S: Scheme, M: PoissonMap, H> Collective<S, M, H> {
         workspace: &mut SpaceOf<S, M, T>,
     ) -> SourcePoint<M, T> {
         let mut moved = *z;
-        if self.descends {
+        if let Some(far) = self.moves {
             let CollectiveSpace { threshold, recentring, .. } = workspace;
             threshold.recentre_if_grown(
                 &mut moved,
+                far,
                 #[inline(always)]
                 |moved, grown| {
                     let near = self.system.map.recentred::<T>(z, recentring);
@@ -284,7 +286,7 @@ where
         CollectiveSpace {
             scheme,
             threshold: RecentringThreshold::default(),
-            recentring: RecentringSpace::default(),
+            recentring: RecentringSpace::new(self.moves.unwrap_or_default()),
         }
     }
 

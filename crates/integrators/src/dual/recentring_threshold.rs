@@ -2,9 +2,20 @@
 
 use crate::iteration::block_sizes::{BlockSizes, MaskOf};
 use lie_poisson::{Mask, State};
+use momentum_map::{Far, PoissonMap};
 
-/// The growth of a block of z beyond which z is moved to a point of the fibre nearer to the origin.
-const GROWTH: f64 = 4.0;
+/// Returns the growth of a block of z beyond which z is moved to a point of the fibre nearer to the origin.
+fn growth(far: Far) -> f64 {
+    match far {
+        Far::Digits => 4.0,
+        Far::Length => 1.5,
+    }
+}
+
+/// Returns which points z are moved along the fibres of a map between the steps of an equivariant scheme.
+pub(crate) fn moves_along<M: PoissonMap>(map: &M) -> Far {
+    if map.equivariant_maps_descend() { Far::Digits } else { Far::Length }
+}
 
 /// The sizes of z when it was near the origin of its fibre, or `None` at the beginning of a run.
 #[derive(Clone, Debug)]
@@ -17,12 +28,13 @@ impl<V: State> Default for RecentringThreshold<V> {
 }
 
 impl<V: State> RecentringThreshold<V> {
-    /// Lets `recentre` move z in the lanes in which a run begins or z has grown fourfold, and remembers its sizes then.
-    /// Does nothing if there is no such lane.
+    /// Lets `recentre` move z in the lanes in which a run begins or z has grown fourfold, or by half for
+    /// [`Far::Length`], and remembers its sizes then. Does nothing if there is no such lane.
     #[cfg_attr(not(debug_assertions), inline(always))]
     pub(crate) fn recentre_if_grown(
         &mut self,
         z: &mut V,
+        far: Far,
         recentre: impl FnOnce(&mut V, MaskOf<V>),
     ) {
         let sizes = BlockSizes::of(core::slice::from_ref(z));
@@ -30,7 +42,7 @@ impl<V: State> RecentringThreshold<V> {
             Some(near) => sizes
                 .at_most(
                     #[inline(always)]
-                    |block| near.at(block) * GROWTH,
+                    |block| near.at(block) * growth(far),
                 )
                 .not(),
             None => Mask::from_bool(true),
@@ -51,18 +63,24 @@ mod tests {
 
     /// The threshold is a ratio of sizes, whatever their unit.
     #[test]
-    fn a_point_is_moved_back_when_it_has_grown_fourfold() {
-        for unit in [1e-30, 1.0, 1e30] {
+    fn a_point_is_moved_back_when_it_has_grown() {
+        for (unit, far) in [1e-30, 1.0, 1e30]
+            .into_iter()
+            .flat_map(|unit| [(unit, Far::Digits), (unit, Far::Length)])
+        {
             let mut threshold = RecentringThreshold::<Vector2<f64>>::default();
             let mut is_moved = |factor: f64| {
                 let mut moved = false;
                 let mut z = Vector2::new(1.0, -0.5) * (factor * unit);
-                threshold.recentre_if_grown(&mut z, |_, _| moved = true);
+                threshold.recentre_if_grown(&mut z, far, |_, _| moved = true);
                 moved
             };
             // A run begins, grows to less and to more than the threshold, and continues from the new size.
-            let moves = [1.0, 3.9, 4.1, 16.0, 16.5].map(&mut is_moved);
-            assert_eq!(moves, [true, false, true, false, true], "{unit:e}");
+            let factor = growth(far);
+            let factors =
+                [1.0, 0.98 * factor, 1.02 * factor, factor * factor, 1.03 * factor * factor];
+            let moves = factors.map(&mut is_moved);
+            assert_eq!(moves, [true, false, true, false, true], "{unit:e} {far:?}");
         }
     }
 }

@@ -9,6 +9,10 @@ use lie_poisson::{Mask, Real};
 /// would become visible in runs of 10⁸ compensated steps, but refinement removes it there.
 const EXPECTED: f64 = f64::EPSILON / 32.0;
 
+/// The multiple of the size of the stage derivatives below which a change is none. No later change matters, although
+/// changes may go on decreasing down to the least positive number.
+const NOTHING: f64 = f64::EPSILON * f64::EPSILON;
+
 /// The multiple of the size of the stage derivatives below which ratios of changes are noise.
 ///
 /// They come from round-off and say nothing about the rate of convergence.
@@ -84,7 +88,7 @@ impl<T: Real> Watch<T> {
         self.expected = least * self.ratios[0].larger(self.ratios[1]);
         let small = change.at_most(size * FEW_ROUNDINGS);
         let last = small.and(self.expected.at_most(size * EXPECTED));
-        let unchanged = change.at_most(T::zero());
+        let unchanged = change.at_most(size * NOTHING);
         let grows = self.previous.at_most(change).and(small);
         let stalls = T::from_f64(PATIENCE).at_most(self.stalled);
         let at_floor = stalls.and(change.at_most(size * FLOOR));
@@ -128,6 +132,8 @@ mod tests {
         assert_eq!(after(0.03, [100.0, 3.0]), [false, false]);
         assert_eq!(after(0.01, [100.0, 1.0]), [false, true]);
         assert_eq!(after(0.01, [20.0, 6.0]), [false, false]);
+        // Changes far below round-off end the iteration, whatever their ratios.
+        assert_eq!(last([1e6, 1e-5, 1e-10, 1e-15, 1e-20, 1e-25]), Some(4));
         // A single ratio says nothing, and neither do changes that rise and fall.
         assert_eq!(last([1e6, 1.0]), None);
         assert_eq!(last([1e3, 4e3, 500.0, 2e3, 250.0, 1e3, 125.0, 500.0, 62.0, 250.0, 1.0]), None);

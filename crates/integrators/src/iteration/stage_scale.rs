@@ -9,20 +9,26 @@ use lie_poisson::{Mask, Real, State};
 /// Changes δk of stage derivatives k are compared with numbers of the same unit:
 ///
 /// ```text
-/// max_b |δk_b| / s_b,    s_b = max( |k_b|, r |z_b| ),    r = max { |k_b|/|z_b| : h |k_b| ≤ |z_b| },
+/// max_b |δk_b| / s_b,    s_b = max( |k_b|, r |z_b| ),    r = max { 2⁻²⁰/h, |k_b|/|z_b| : h |k_b| ≤ |z_b| },
 /// ```
 ///
 /// The comparison is made block by block. The rate r is that at which the blocks move, and s_b is the derivative of
 /// block b at that rate. If a block of z is multiplied by a constant, k_b and s_b are multiplied by the same constant,
 /// so that units do not matter. If k_b is small by cancellation, no more digits are required than it has. A block that
-/// starts at zero is compared with its own derivative alone.
+/// starts at zero is compared with its own derivative alone. The least rate 2⁻²⁰/h is that of changes far below the
+/// round-off of z. It matters where every other block moves by more than its own size, as along a fibre.
 #[derive(Clone, Copy, Debug)]
 pub(crate) struct StageScale<V: State> {
     start: BlockSizes<V>,
     /// The reciprocals 1/|z_b|, or 0 for a block that starts at zero.
     inverse: BlockSizes<V>,
     length: f64,
+    /// The least rate at which blocks count as moving.
+    least_rate: f64,
 }
+
+/// The least rate at which blocks count as moving, in units of 1/h.
+const LEAST_RATE: f64 = 1.0 / (1 << 20) as f64;
 
 /// The changes of an iteration, and the sizes of its results.
 #[derive(Clone, Copy, Debug)]
@@ -67,16 +73,17 @@ impl<V: State> Scale<V> for OwnScale {
 
 /// Returns the largest change of a block, in units of f of the size of the block, together with 1.
 ///
-/// With a single block, returns its change and its size.
+/// With a single block, returns its change and its size. A size is at least the smallest normal number, since a number
+/// below it has fewer digits than the iteration is to find.
 #[inline(always)]
 fn compare_by<V: State>(
     Progress { change, size }: &Progress<V>,
     scale: impl Fn(usize) -> V::Scalar,
 ) -> (V::Scalar, V::Scalar) {
-    if V::BLOCKS == 1 {
-        return (change.largest(), size.largest());
-    }
     let least = V::Scalar::from_f64(f64::MIN_POSITIVE);
+    if V::BLOCKS == 1 {
+        return (change.largest(), least.maximum(size.largest()));
+    }
     let change = change.largest_of(
         size,
         #[inline(always)]
@@ -101,7 +108,8 @@ impl<V: State> StageScale<V> {
     #[inline(always)]
     pub(crate) fn new(z: &V, step: f64) -> Self {
         let start = BlockSizes::of(core::slice::from_ref(z));
-        Self { inverse: start.inverse(), start, length: step.abs() }
+        let (length, least_rate) = (step.abs(), (LEAST_RATE / step.abs()).min(f64::MAX));
+        Self { inverse: start.inverse(), start, length, least_rate }
     }
 }
 
@@ -116,6 +124,7 @@ impl<V: State> Scale<V> for StageScale<V> {
                 Real::select(outgrown, zero, size.at(b) * self.inverse.at(b))
             },
         );
+        let rate = rate.maximum(V::Scalar::from_f64(self.least_rate));
         compare_by(
             progress,
             #[inline(always)]
@@ -174,9 +183,24 @@ mod tests {
         // The reciprocal of a block below the normal numbers overflows; it sets no rate either.
         close(relative(two(1.0, 1e-310), two(1.0, -1e-310), two(0.1, 0.0)), 0.1);
         close(relative(two(1e-310, 1.0), two(0.0, 1.0), two(0.0, 0.01)), 0.01);
+        // No block sets a rate: the change moves the first block, which is at rest, by less than a rounding error.
+        close(relative(two(1.0, 1.0), two(1e-30, 50.0), two(1e-29, 0.0)), 1e-30 * (1 << 20) as f64);
         // A change may be many times the derivative, but the quotient does not overflow.
         close(relative(two(1.0, 1.0), two(1.0, 1.0), two(0.0, 1e6)), 1e6);
         close(relative(two(1.0, 1.0), two(1e-300, 1e-300), two(0.0, 1e300)), 2.0_f64.powi(60));
+    }
+
+    /// A single block below the normal numbers has fewer digits, and is not asked for more.
+    #[test]
+    fn a_size_is_at_least_the_smallest_normal_number() {
+        let one = |x: f64| BlockSizes::of(&[Vector1::new(x)]);
+        for (k, size) in [(1.0, 1.0), (1e-310, f64::MIN_POSITIVE), (0.0, f64::MIN_POSITIVE)] {
+            let progress = Progress { change: one(5e-324), size: one(k) };
+            let scale = StageScale::new(&Vector1::new(0.5), 0.1);
+            assert_eq!(scale.compare(&progress), (5e-324, size));
+        }
+        let progress = Progress { change: one(0.0), size: one(f64::NAN) };
+        assert!(StageScale::new(&Vector1::new(0.5), 0.1).compare(&progress).1.is_nan());
     }
 
     /// A change of k moves the end of a step of 1/10 by a tenth of it, and less than the tolerance of what moves.

@@ -1,11 +1,15 @@
 //! Lifts of Clebsch maps: [`ClebschSection`].
 
 use super::search::{ACCEPTED, Search};
+use crate::maps::recentring::{Both, Far, RecentringSpace, Sizes};
 use crate::{
     ClebschMap, Cotangent, Fibres, LiftError, PoissonMap, Realisation, SectionOf, Side,
     SourcePoint, TargetPoint, clebsch_map,
 };
-use lie_poisson::{Mask, Pair, Real, Representation, RepresentedElement, Vector, euclidean_norm};
+use lie_poisson::{
+    DualNumber, Mask, Pair, Real, Representation, RepresentedElement, Vector, euclidean_norm,
+    nearest_power_of_two,
+};
 
 /// A lift of a [`ClebschMap`]: it returns for μ ∈ 𝔤∗ a point (q, p) with J(q, p) = μ and |q| = |p|.
 ///
@@ -102,7 +106,92 @@ impl ClebschSection {
     }
 }
 
-impl<R: Representation> Fibres<ClebschMap<R>> for ClebschSection {}
+impl ClebschSection {
+    /// Returns (q, p) with |q| = |p|, and the residual of J(q, p) = μ relative to μ.
+    fn find<R: Representation, T: Real>(
+        &self,
+        map: &ClebschMap<R>,
+        mu: &TargetPoint<ClebschMap<R>, T>,
+    ) -> (SourcePoint<ClebschMap<R>, T>, T) {
+        let size = largest_coordinate(&mu.0);
+        let zero = size.at_most(T::zero());
+        let unit = T::one() / T::select(zero, T::one(), size);
+        let sign = T::from_f64(match map.side() {
+            Side::Left => 1.0,
+            Side::Right => -1.0,
+        });
+        let direction =
+            RepresentedElement::<R, T>::from_coordinates(|i| mu.coordinate(i) * unit * sign);
+        let (z, residual) = self.search.solve(&map.representation().0, &direction);
+        // J is bilinear: q and p take equal parts of the sizes of μ and of the matrix elements.
+        let balance = (euclidean_norm(&z.p) / euclidean_norm(&z.q)).sqrt();
+        let factor = size.sqrt() * self.search.inverse_scale().sqrt();
+        let z = Cotangent { q: z.q.scaled(balance * factor), p: z.p.scaled(factor / balance) };
+        (Vector::select(zero, &Vector::zero(), &z), T::select(zero, T::zero(), residual))
+    }
+
+    /// Returns the lift of J(z) in the SIMD lanes in which it has at most four fifths of the length of z, and the image
+    /// J(z) to round-off. Returns z itself in the others.
+    fn lifted_anew<R: Representation, T: Real>(
+        &self,
+        map: &ClebschMap<R>,
+        z: &SourcePoint<ClebschMap<R>, T>,
+    ) -> SourcePoint<ClebschMap<R>, T> {
+        let mu = map.apply::<T>(z);
+        let (near, _) = self.find(map, &mu);
+        let shorter = (largest_coordinate(&near) * 1.25).at_most(largest_coordinate(z));
+        let off = largest_coordinate(&(map.apply::<T>(&near) - mu).0);
+        let same = off.at_most(largest_coordinate(&mu.0) * ROUND_OFF);
+        Vector::select(shorter.and(same), &near, z)
+    }
+}
+
+/// The greatest change of the momentum in a move to its lift, relative to the momentum.
+const ROUND_OFF: f64 = 64.0 * f64::EPSILON;
+
+impl<R: Representation> Fibres<ClebschMap<R>> for ClebschSection {
+    /// Returns a point near the origin on the fibre through z, with sizes of q and p within a factor 2 of each other.
+    ///
+    /// The fibre contains all (aq, p/a). A power of two for a balances q and p without rounding errors. The iteration
+    /// then has one unit for all coordinates. With a unit for each block the curve would have no point of least length.
+    /// Terms of J(q, p) are measured as they are, since the coordinates of q may decay and grow at different rates.
+    ///
+    /// For [`Far::Length`] the result is the lift of J(z), wherever z is longer by at least a quarter.
+    fn recentred<T: Real>(
+        &self,
+        map: &ClebschMap<R>,
+        z: &SourcePoint<ClebschMap<R>, T>,
+        space: &mut RecentringSpace<T>,
+    ) -> SourcePoint<ClebschMap<R>, T> {
+        let both = Both {
+            apply: |z: &SourcePoint<ClebschMap<R>, T>| map.apply::<T>(z),
+            apply_dual: |z: &SourcePoint<ClebschMap<R>, DualNumber<T>>| {
+                map.apply::<DualNumber<T>>(z)
+            },
+        };
+        let z = balanced(z);
+        if space.far() == Far::Length {
+            return self.lifted_anew(map, &z);
+        }
+        let size = largest_coordinate(&z).magnitude();
+        let units = Vector::from_coordinates(|_| size);
+        space.recentred(&both, &z, Sizes { units: &units, factors: &z })
+    }
+}
+
+/// The ratio of |q| and |p| from which they are balanced.
+const UNBALANCED: f64 = 16.0;
+
+/// Returns (aq, p/a) for a power of two a such that |q| and |p| are within a factor 3 of each other, or z itself if they
+/// are within [`UNBALANCED`].
+fn balanced<Q: Vector>(z: &Cotangent<Q>) -> Cotangent<Q> {
+    let one = <Q::Scalar as Real>::from_f64(1.0);
+    let ratio = (largest_coordinate(&z.p) / largest_coordinate(&z.q)).magnitude();
+    let apart = ratio.at_most(one * UNBALANCED).and((one / UNBALANCED).at_most(ratio)).not();
+    let some = ratio.at_most(one * f64::MAX).and((one * f64::MIN_POSITIVE).at_most(ratio));
+    let a = Real::select(apart.and(some), nearest_power_of_two(ratio.sqrt()), one);
+    Cotangent { q: z.q.scaled(a), p: z.p.scaled(one / a) }
+}
 
 impl<R: Representation> SectionOf<ClebschMap<R>> for ClebschSection {
     /// Returns (q, p) with J(q, p) = μ and |q| = |p|, and the origin for μ = 0.
@@ -117,26 +206,12 @@ impl<R: Representation> SectionOf<ClebschMap<R>> for ClebschSection {
         mu: &TargetPoint<ClebschMap<R>, T>,
     ) -> Result<SourcePoint<ClebschMap<R>, T>, LiftError> {
         let mu = LiftError::unless_finite(*mu, "μ", mu.max_abs(), "μ must be finite")?;
-        let size = largest_coordinate(&mu.0);
-        let zero = size.at_most(T::zero());
-        let unit = T::one() / T::select(zero, T::one(), size);
-        let sign = T::from_f64(match map.side() {
-            Side::Left => 1.0,
-            Side::Right => -1.0,
-        });
-        let direction =
-            RepresentedElement::<R, T>::from_coordinates(|i| mu.coordinate(i) * unit * sign);
-        let (z, residual) = self.search.solve(&map.representation().0, &direction);
-        if !residual.at_most(T::from_f64(ACCEPTED)).or(zero).all() {
+        let (z, residual) = self.find(map, &mu);
+        if !residual.at_most(T::from_f64(ACCEPTED)).all() {
             let quantity = "μ − J(q, p), relative to μ";
             let reason = "μ is not in the image of the Clebsch map; more copies, or an extension, may reach it";
             return Err(LiftError { quantity, value: residual.max_abs(), reason });
         }
-        // J is bilinear: q and p take equal parts of the sizes of μ and of the matrix elements.
-        let balance = (euclidean_norm(&z.p) / euclidean_norm(&z.q)).sqrt();
-        let factor = size.sqrt() * self.search.inverse_scale().sqrt();
-        let z = Cotangent { q: z.q.scaled(balance * factor), p: z.p.scaled(factor / balance) };
-        let z = Vector::select(zero, &Vector::zero(), &z);
         let range = Pair(z, map.apply::<T>(&z));
         let reason = "μ must be so small that the terms of J(q, p) are numbers";
         Ok(LiftError::unless_finite(range, "μ", mu.max_abs(), reason)?.0)

@@ -1,6 +1,6 @@
 //! Poisson maps and their composition: [`PoissonMap`], [`ComposedMap`].
 
-use crate::maps::recentring::{Both, RecentringSpace};
+use crate::maps::recentring::{Both, RecentringSpace, Sizes, block_sizes};
 use lie_poisson::{
     Differential, DualNumber, Point, PoissonSpace, Real, Vector, transposed_tangent,
 };
@@ -150,7 +150,8 @@ pub trait PoissonMap: Clone {
             apply: |z: &SourcePoint<Self, T>| self.apply::<T>(z),
             apply_dual: |z: &SourcePoint<Self, DualNumber<T>>| self.apply::<DualNumber<T>>(z),
         };
-        space.recentred(&map, z)
+        let sizes = block_sizes(z);
+        space.recentred(&map, z, Sizes { units: &sizes, factors: &sizes })
     }
 }
 

@@ -19,17 +19,38 @@ const CORRECTIONS: usize = 6;
 /// iteration restores what the damping removes in the present one.
 const DAMPING: f64 = 1e-12;
 
-/// The fraction to which Σ |z_b|² must shrink for z to be moved, in units in which each block begins with
-/// size 1.
+/// The fraction to which Σ (z_d/w_d)² must shrink for z to be moved where M(z) has lost digits.
 const WORTHWHILE: f64 = 0.8;
 
-/// The greatest change of M, relative to the size of its terms at z. M(z) is not known to a higher accuracy.
+/// The same fraction for [`Far::Length`], the square of 4/5.
+const SHORTER: f64 = 0.64;
+
+/// The greatest change of a coordinate of M, relative to the sum of the sizes of its terms at z. M(z) is not known to a
+/// higher accuracy.
 const ROUNDINGS: f64 = 16.0 * f64::EPSILON;
+
+/// The greatest growth of the terms of a coordinate of M in a move. Larger terms would cost digits that M(z) has, such
+/// as those of a coordinate that decays while others grow.
+const LARGER_TERMS: f64 = 4.0;
+
+/// Which points of a fibre of M are so far from the origin that they are moved.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+pub enum Far {
+    /// Those at which M has lost five bits by cancellation. This is enough for a method whose steps descend, since
+    /// their images do not depend on the point of the fibre.
+    #[default]
+    Digits,
+    /// Those for which a point of at most four fifths of the length is found. This is for methods whose steps do not
+    /// descend. The errors of their images grow with powers of the length, and so does the derivative of their stage
+    /// equations.
+    Length,
+}
 
 /// The working memory of [`PoissonMap::recentred`](crate::PoissonMap::recentred), allocated when it is
 /// first needed.
 #[derive(Clone, Debug)]
 pub struct RecentringSpace<T> {
+    far: Far,
     /// The tangent map T_z M, row by row.
     tangent: Vec<T>,
     /// The matrix T_z M W² (T_z M)ᵀ of the linear equations of an iteration.
@@ -39,8 +60,30 @@ pub struct RecentringSpace<T> {
 
 impl<T> Default for RecentringSpace<T> {
     fn default() -> Self {
-        Self { tangent: Vec::new(), gram: Vec::new(), multipliers: Vec::new() }
+        Self::new(Far::default())
     }
+}
+
+impl<T> RecentringSpace<T> {
+    /// Creates an empty memory for moves of the points that count as far.
+    #[must_use]
+    pub const fn new(far: Far) -> Self {
+        Self { far, tangent: Vec::new(), gram: Vec::new(), multipliers: Vec::new() }
+    }
+
+    /// Returns which points count as far.
+    #[must_use]
+    pub const fn far(&self) -> Far {
+        self.far
+    }
+}
+
+/// The magnitudes of the coordinates of z with which the search measures it.
+pub(crate) struct Sizes<V> {
+    /// The units w_d of the length Σ (z_d/w_d)².
+    pub(crate) units: V,
+    /// The sizes of the coordinates in the terms of M(z).
+    pub(crate) factors: V,
 }
 
 /// The map M over the scalar of z and over dual numbers, as the search needs it.
@@ -54,18 +97,18 @@ pub(crate) struct Both<F, G> {
 impl<T: Real> RecentringSpace<T> {
     /// Returns a point near the origin on the fibre through z, or z itself.
     ///
-    /// The iteration minimises ½ Σ (z_d/w_d)² at constant M(z), where w_d is the size of the block of d, by
-    /// the changes
+    /// The iteration minimises ½ Σ (z_d/w_d)² at constant M(z), for the given units w_d, by the changes
     ///
     /// ```text
     /// δz = −τ z + W² Aᵀ (A W² Aᵀ)⁻¹ (τ A z + μ − M(z)),    A = T_z M,  τ = ½, then 0
     /// ```
     ///
-    /// The result is z itself where M(z) has kept its digits, or where the iteration fails.
+    /// The result is z itself where it is not [far](Far), or where the iteration fails.
     pub(crate) fn recentred<V, W, V2, W2>(
         &mut self,
         map: &Both<impl Fn(&V) -> W, impl Fn(&V2) -> W2>,
         z: &V,
+        sizes: Sizes<&V>,
     ) -> V
     where
         V: Vector<Scalar = T>,
@@ -78,9 +121,15 @@ impl<T: Real> RecentringSpace<T> {
         }
         let mu = (map.apply)(z);
         self.differentiate::<V, W, V2, W2>(&map.apply_dual, z);
-        let units = block_sizes(z);
-        let terms: W = self.terms(&units);
-        let far = within(&terms, &block_sizes(&mu), LOST).not();
+        let terms: W = self.terms(z);
+        let Sizes { units, factors } = sizes;
+        let (far, worthwhile) = match self.far {
+            Far::Digits => {
+                let largest: W = block_sizes(&self.terms(factors));
+                (within(&largest, &block_sizes(&mu), LOST).not(), WORTHWHILE)
+            }
+            Far::Length => (T::Mask::from_bool(true), SHORTER),
+        };
         if !far.any() {
             return *z;
         }
@@ -91,12 +140,14 @@ impl<T: Real> RecentringSpace<T> {
             }
             let pull = if n < PULLS { 0.5 } else { 0.0 };
             let missing = mu - (map.apply)(&moved);
-            regular = regular.and(self.improve(&mut moved, &missing, &units, pull));
+            regular = regular.and(self.improve(&mut moved, &missing, units, pull));
         }
-        let size = |z: &V| square_in(z, &units);
-        let nearer = size(&moved).at_most(size(z) * WORTHWHILE);
+        let size = |z: &V| square_in(z, units);
+        let nearer = size(&moved).at_most(size(z) * worthwhile);
         let same = within(&((map.apply)(&moved) - mu), &terms, ROUNDINGS);
-        Vector::select(regular.and(nearer).and(same), &moved, z)
+        self.differentiate::<V, W, V2, W2>(&map.apply_dual, &moved);
+        let precise = within(&self.terms(&moved), &terms, LARGER_TERMS);
+        Vector::select(regular.and(nearer).and(same).and(precise), &moved, z)
     }
 
     /// Computes the tangent map A = T_z M.
@@ -125,7 +176,7 @@ impl<T: Real> RecentringSpace<T> {
         V: Vector<Scalar = T>,
         W: Vector<Scalar = T>,
     {
-        let Self { tangent, gram, multipliers } = self;
+        let Self { tangent, gram, multipliers, .. } = self;
         let square = |d: usize| units.coordinate(d) * units.coordinate(d);
         // Each row is divided by its length, so that the matrix is 1 on its diagonal.
         for (r, row) in tangent.chunks_exact_mut(V::DIM).enumerate() {
@@ -159,16 +210,15 @@ impl<T: Real> RecentringSpace<T> {
         regular
     }
 
-    /// Returns the size Σ_d |A_rd| w_d of the terms whose sum is M, replaced in each block by the largest size.
-    fn terms<V: Vector<Scalar = T>, W: Vector<Scalar = T>>(&self, units: &V) -> W {
-        let terms = W::from_coordinates(|r| {
+    /// Returns the size Σ_d |A_rd z_d| of the terms whose sum is M.
+    fn terms<V: Vector<Scalar = T>, W: Vector<Scalar = T>>(&self, z: &V) -> W {
+        W::from_coordinates(|r| {
             let mut sum = T::zero();
             for d in 0..V::DIM {
-                sum += modulus(self.tangent[r * V::DIM + d]) * units.coordinate(d);
+                sum += modulus(self.tangent[r * V::DIM + d] * z.coordinate(d));
             }
             sum
-        });
-        block_sizes(&terms)
+        })
     }
 }
 
@@ -182,7 +232,7 @@ fn within<V: Vector<Scalar = T>, T: Real>(v: &V, w: &V, factor: f64) -> T::Mask 
 }
 
 /// Replaces each coordinate by the largest magnitude in its block.
-fn block_sizes<V: Vector<Scalar = T>, T: Real>(v: &V) -> V {
+pub(crate) fn block_sizes<V: Vector<Scalar = T>, T: Real>(v: &V) -> V {
     V::from_coordinates(|i| {
         let mut most = T::zero();
         for d in (0..V::DIM).filter(|&d| V::block(d) == V::block(i)) {
@@ -221,7 +271,11 @@ mod tests {
             apply: |z: &Vector2<f64>| Vector1::new(100.0 * z.x - 100.0),
             apply_dual: |z: &Vector2<DualNumber>| Vector1::new(z.x * 100.0 - 100.0),
         };
-        RecentringSpace::default().recentred(&map, &z)
+        RecentringSpace::default().recentred(
+            &map,
+            &z,
+            Sizes { units: &block_sizes(&z), factors: &block_sizes(&z) },
+        )
     }
 
     /// A point moves if Σ (z_d/w)² shrinks to four fifths: here from 1.81 or 1.27 to 1, but not from 1.21 or 1.01.

@@ -6,3 +6,4 @@ pub(crate) mod stumpff;
 pub(crate) mod real;
 pub(crate) mod dual_number;
 pub(crate) mod linear_solve;
+pub(crate) mod power_of_two;

@@ -2,9 +2,8 @@
 
 use super::row::{Row, Stages, WIDTH};
 use crate::SpinorPoint;
-use crate::paper::nearest_power_of_two::nearest_power_of_two;
 use core::hint::black_box;
-use lie_poisson::{Covector, Pair};
+use lie_poisson::{Covector, Pair, nearest_power_of_two};
 use momentum_map::Cotangent;
 use nalgebra::Vector2;
 use num_complex::Complex;

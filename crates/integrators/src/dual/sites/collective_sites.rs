@@ -1,10 +1,10 @@
 //! The collective integrator for N copies of a realisation: [`CollectiveSites`].
 
 use crate::dual::finite_momentum::has_finite_momentum;
-use crate::dual::recentring_threshold::RecentringThreshold;
+use crate::dual::recentring_threshold::{RecentringThreshold, moves_along};
 use crate::{Equivariant, Integrator, Scheme, Start, Step, StepError, VectorField};
 use lie_poisson::{Covector, LieAlgebra, LiePoisson, Real, Sites, SitesHamiltonian, State, Vector};
-use momentum_map::{Lift, LiftError, PoissonMap, RecentringSpace, SourcePoint};
+use momentum_map::{Far, Lift, LiftError, PoissonMap, RecentringSpace, SourcePoint};
 use std::cell::RefCell;
 
 /// The [collective integrator](crate::Collective) for N copies of a realisation M: P → 𝔤∗, with a number N that is
@@ -53,8 +53,8 @@ pub struct CollectiveSites<S, M, H> {
     scheme: S,
     map: M,
     hamiltonian: H,
-    /// Whether M(Φ(z)) depends on M(z) alone, so that z may be moved along its fibre.
-    descends: bool,
+    /// Which z are moved along their fibres; `None` if none may be moved.
+    moves: Option<Far>,
 }
 
 impl<S: Equivariant, M: PoissonMap, H> CollectiveSites<S, M, H> {
@@ -62,8 +62,8 @@ impl<S: Equivariant, M: PoissonMap, H> CollectiveSites<S, M, H> {
     ///
     /// Its steps descend to (𝔤∗)ᴺ if the map allows it: see [`Collective::new`](crate::Collective::new).
     pub fn new(scheme: S, map: M, hamiltonian: H) -> Self {
-        let descends = map.equivariant_maps_descend();
-        Self { scheme, map, hamiltonian, descends }
+        let moves = Some(moves_along(&map));
+        Self { scheme, map, hamiltonian, moves }
     }
 }
 
@@ -137,9 +137,9 @@ impl<S, M: PoissonMap, H> CollectiveSites<S, M, H> {
         z: &mut Sites<SourcePoint<M, T>>,
         workspace: &mut CollectiveSitesSpace<W, SourcePoint<M, T>, D>,
     ) {
-        if self.descends {
+        if let Some(far) = self.moves {
             let CollectiveSitesSpace { threshold, recentring, .. } = workspace;
-            threshold.recentre_if_grown(z, |z, grown| {
+            threshold.recentre_if_grown(z, far, |z, grown| {
                 for z in z.iter_mut() {
                     *z = Vector::select(grown, &self.map.recentred::<T>(z, recentring), z);
                 }
@@ -170,7 +170,7 @@ where
             velocities: RefCell::new((State::zeros_of(&0), State::zeros_of(&0))),
             pool: Vec::new(),
             threshold: RecentringThreshold::default(),
-            recentring: RecentringSpace::default(),
+            recentring: RecentringSpace::new(self.moves.unwrap_or_default()),
         }
     }
 
@@ -199,7 +199,7 @@ where
             if let Some(temporaries) = self.scheme.temporaries(scheme) {
                 made.point.give(temporaries);
             }
-            if self.descends {
+            if self.moves.is_some() {
                 z.iter_mut().for_each(|z| *z += self.map.gauge::<T>(z));
             }
             let finite = z.iter().all(|z| has_finite_momentum::<M, T>(&self.map, z));

@@ -3,7 +3,7 @@
 use collective_integrators::{Direct, Integrator, RungeKutta, StageSolver, StepError, from_fn};
 use core::sync::atomic::{AtomicUsize, Ordering};
 use lie_poisson::{DefaultLanes, Lanes, Real};
-use nalgebra::{SVector, Vector1};
+use nalgebra::{SVector, Vector1, Vector2};
 
 /// Returns k₁ = 1/2 + k₂/4 and k₂ = 1 + k₁/8, whose solution is (24/31, 34/31).
 fn linear(i: usize, k: &[Vector1<f64>]) -> Vector1<f64> {
@@ -129,4 +129,19 @@ fn what_is_no_number_is_refused_without_newtons_iteration() {
     // control: sweeps diverge in a long step, and Newton's iteration makes it
     let (made, count) = evaluations(1.0, 0.1);
     assert!(made && count > COORDINATES, "{count}");
+}
+
+/// On the dual of the affine algebra of the line, with h = (X² + Y²)/2, Y decays below the normal numbers and to 0. The
+/// derivative of the whole state decays with it. X tends to the radius √0.34.
+#[test]
+fn a_state_whose_derivative_underflows_goes_on() {
+    let field = from_fn(|z: &Vector2<f64>| Vector2::new(z.y * z.y, -z.x * z.y));
+    let midpoint = RungeKutta::implicit_midpoint();
+    for scheme in [midpoint, RungeKutta::gauss(2).unwrap(), RungeKutta::gauss(4).unwrap()] {
+        let gauss = Direct::new(scheme, field);
+        let end = gauss.trajectory_from(Vector2::new(0.3, 0.5), 0.25).nth(6000).unwrap();
+        let end = end.unwrap_or_else(|error| panic!("{error}")).state;
+        // the round-off of 6000 additions
+        assert!((end.x - 0.34_f64.sqrt()).abs() < 1e-12 && end.y.abs() < 1e-307, "{end:?}");
+    }
 }

@@ -1,14 +1,19 @@
 //! Powers of two by products and sums alone, for every scalar.
 
-use lie_poisson::Real;
+use crate::Real;
 
 /// Returns ±2ᵏ with ¾ 2ᵏ ≤ |x| ≤ 3/2 2ᵏ, which is the leading bit of 4x/3, for any scalar.
 ///
 /// Over dual numbers the derivative is a multiple of that of x and is not zero.
 ///
+/// ```
+/// use generic_scalars::nearest_power_of_two;
+/// assert_eq!([0.3, -5.0, 6.5].map(nearest_power_of_two::<f64>), [0.25, -4.0, 8.0]);
+/// ```
+///
 /// Source: S. M. Rump, *Ultimately fast accurate summation*, SIAM J. Sci. Comput. 31 (2009), Alg. 3.5.
 #[cfg_attr(not(debug_assertions), inline(always))]
-pub(crate) fn nearest_power_of_two<T: Real>(x: T) -> T {
+pub fn nearest_power_of_two<T: Real>(x: T) -> T {
     let q = x * (4.0 / 3.0 * (1.0 + 1.0 / f64::EPSILON));
     q - q * (1.0 - 0.5 * f64::EPSILON)
 }
@@ -16,7 +21,7 @@ pub(crate) fn nearest_power_of_two<T: Real>(x: T) -> T {
 #[cfg(test)]
 mod tests {
     use super::nearest_power_of_two;
-    use lie_poisson::{DefaultLanes, DualNumber, Lanes};
+    use crate::{DefaultLanes, DualNumber, Lanes};
 
     #[test]
     fn it_is_the_nearest_power_of_two() {

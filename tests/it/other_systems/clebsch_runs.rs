@@ -1,0 +1,213 @@
+//! Long runs by Clebsch maps: each is right to the order of its method, or ends with an error.
+
+use collective_integrators::{Collective, Direct, HamiltonianField, RungeKutta, Start};
+use lie_poisson::{
+    Automatic, Covector, Energy, LiePoisson, Real, Representation, StructureConstants, Vector,
+    larger,
+};
+use momentum_map::{PoissonMap, Side, clebsch_realisation};
+use nalgebra::SVector;
+use workspace_tests::low_dimensional::{
+    Check, Entry, FIVE, WITHOUT_DERIVATION, coextended, every_algebra, extended, samples, table,
+};
+
+/// The energy ½|μ|². It bounds every motion.
+#[derive(Clone, Copy)]
+struct Round<const N: usize>;
+
+impl<const N: usize> Energy for Round<N> {
+    type Space = LiePoisson<StructureConstants<N>>;
+
+    fn energy<T: Real>(&self, mu: &Covector<SVector<T, N>>) -> T {
+        (0..N).fold(T::zero(), |sum, i| sum + mu.0[i] * mu.0[i] * 0.5)
+    }
+}
+
+/// The time between two samples.
+const INTERVAL: f64 = 0.2;
+
+/// The growth of a small change of the start, as a distance from which it is measured.
+const NEARBY: f64 = 1e-8;
+
+/// A momentum of an algebra of dimension N.
+type Momentum<const N: usize> = Covector<SVector<f64, N>>;
+
+/// The momenta of a motion at multiples of [`INTERVAL`], and the largest growth of a change of the start up to each.
+struct Reference<const N: usize>(Vec<(Momentum<N>, f64)>);
+
+impl<const N: usize> Reference<N> {
+    /// Computes the motion by the method DOP853 on the equations.
+    fn new(space: LiePoisson<StructureConstants<N>>, start: &Momentum<N>, samples: usize) -> Self {
+        let field = HamiltonianField { space, hamiltonian: Automatic(Round::<N>) };
+        let exact = Direct::new(RungeKutta::dop853(), field);
+        let run = |start: &Momentum<N>| {
+            let run = exact.trajectory(start, INTERVAL / 8.0).unwrap().step_by(8);
+            run.take(samples).map(|sample| sample.unwrap().momentum).collect::<Vec<_>>()
+        };
+        let moved = Covector(start.0.map(|x| x + NEARBY * (1.0 + 0.3 * x)));
+        let (here, near) = (run(start), run(&moved));
+        let mut growth = 1.0;
+        let growths = here.iter().zip(near).map(|(a, b)| {
+            growth = larger(growth, (b - *a).max_abs() / NEARBY);
+            (*a, growth)
+        });
+        Self(growths.collect())
+    }
+}
+
+/// The runs of all algebras that have been made.
+struct Runs {
+    starts: usize,
+    samples: usize,
+    steps: &'static [f64],
+    made: usize,
+    failed: usize,
+    /// The largest error of a run, as a multiple of the bound for its step.
+    worst: f64,
+}
+
+/// Returns the largest error of a run by Gauss's method of order 8 that is right to its order, in units of the growth of a
+/// change of the start. The rates of the motions are of size 1, and lifted ones are some ten times as fast.
+fn bound(step: f64) -> f64 {
+    1e-10 + 100.0 * step.powi(8)
+}
+
+impl Runs {
+    fn new(starts: usize, end: f64, steps: &'static [f64]) -> Self {
+        let samples = (end / INTERVAL).round() as usize + 1;
+        Self { starts, samples, steps, made: 0, failed: 0, worst: 0.0 }
+    }
+
+    /// Makes the runs of one representation. A run ends with an error, or each of its samples is right.
+    fn make<R: Representation<Algebra = StructureConstants<N>>, const N: usize>(
+        &mut self,
+        name: &str,
+        r: R,
+    ) {
+        let map = clebsch_realisation(r, Side::Right).unwrap();
+        let space = map.target();
+        let gauss = Collective::new(RungeKutta::gauss(4).unwrap(), map, Automatic(Round::<N>));
+        for (index, start) in samples::<Momentum<N>>(self.starts).iter().enumerate() {
+            let Reference(exact) = Reference::new(space.clone(), start, self.samples);
+            for &step in self.steps {
+                let every = (INTERVAL / step).round() as usize;
+                let run = gauss.trajectory(start, step).unwrap().step_by(every);
+                self.made += 1;
+                for (sample, (mu, growth)) in run.zip(&exact) {
+                    let Ok(sample) = sample else {
+                        self.failed += 1;
+                        break;
+                    };
+                    let error = (sample.momentum - *mu).max_abs() / growth / bound(step);
+                    self.worst = larger(self.worst, error);
+                    assert!(
+                        error < 1.0,
+                        "{name}, start {index}, {step}, {}: {error:e}",
+                        sample.time
+                    );
+                }
+            }
+        }
+    }
+
+    /// Makes the runs of one algebra by the map that programs choose.
+    fn of<const N: usize>(&mut self, entry: &Entry) {
+        let algebra = table::<N>(entry, 1.0).unwrap();
+        if WITHOUT_DERIVATION.contains(&entry.name) {
+            self.make(entry.name, coextended(&algebra).unwrap());
+        } else {
+            self.make(entry.name, extended(&algebra).unwrap());
+        }
+    }
+}
+
+impl Check for Runs {
+    fn check<const N: usize>(&mut self, entry: &Entry) {
+        self.of::<N>(entry);
+    }
+}
+
+/// No run stops, and all are right.
+#[test]
+fn runs_on_every_algebra_are_right_to_their_order() {
+    let mut runs = Runs::new(1, 10.0, &[0.2]);
+    assert_eq!(every_algebra(&mut runs), 62);
+    println!("worst of {} runs: {:e} of the bound", runs.made, runs.worst);
+    assert_eq!((runs.made, runs.failed), (62, 0));
+}
+
+#[test]
+#[ignore = "takes minutes"]
+fn long_runs_on_every_algebra_are_right_or_stop() {
+    let mut runs = Runs::new(20, 100.0, &[0.2, 0.1, 0.05]);
+    assert_eq!(every_algebra(&mut runs), 62);
+    println!("worst of {} runs: {:e} of the bound, {} stop", runs.made, runs.worst, runs.failed);
+    assert_eq!((runs.made, runs.failed), (3720, 0));
+}
+
+/// The affine algebra of the plane, with coordinates (a b; c d) and (x, y). z grows exponentially along the fibres of
+/// its Clebsch map, whose steps do not descend.
+const AFFINE: Entry = Entry {
+    name: "aff(2)",
+    brackets: &[
+        (1, 2, &[(1.0, 2)]),
+        (1, 3, &[(-1.0, 3)]),
+        (2, 3, &[(1.0, 1), (-1.0, 4)]),
+        (2, 4, &[(1.0, 2)]),
+        (3, 4, &[(-1.0, 3)]),
+        (1, 5, &[(1.0, 5)]),
+        (2, 6, &[(1.0, 5)]),
+        (3, 5, &[(1.0, 6)]),
+        (4, 6, &[(1.0, 6)]),
+    ],
+};
+
+#[test]
+fn z_does_not_grow_along_fibres_that_are_not_compact() {
+    let mut runs = Runs::new(3, 40.0, &[0.1]);
+    // Solvable algebras on which z grew to 10²⁰ within this time, and the affine algebra.
+    for name in ["A5,12", "A5,38"] {
+        runs.of::<5>(FIVE.iter().find(|entry| entry.name == name).unwrap());
+    }
+    runs.of::<6>(&AFFINE);
+    println!("worst of {} runs: {:e} of the bound", runs.made, runs.worst);
+    assert_eq!((runs.made, runs.failed), (9, 0));
+}
+
+/// The energy ½α² + 0.3 βγ + 0.1 β² on sl(2)∗.
+#[derive(Clone, Copy)]
+struct Unbounded;
+
+impl Energy for Unbounded {
+    type Space = LiePoisson<StructureConstants<3>>;
+
+    fn energy<T: Real>(&self, mu: &Covector<SVector<T, 3>>) -> T {
+        let [a, b, c] = [mu.0[0], mu.0[1], mu.0[2]];
+        a * a * 0.5 + b * c * 0.3 + b * b * 0.1
+    }
+}
+
+/// γ grows to 10¹² while β decays to 10⁻¹⁴. The Casimir α² + 4βγ keeps its digits only if the small coordinates of z
+/// keep theirs, and z is not moved where nothing is lost.
+#[test]
+fn coordinates_that_decay_while_others_grow_keep_their_digits() {
+    let algebra = StructureConstants::<3>::new(|i, j, k| {
+        let upper = |i, j, k| match (i, j, k) {
+            (0, 1, 1) => 2.0,
+            (0, 2, 2) => -2.0,
+            (1, 2, 0) => 1.0,
+            _ => 0.0,
+        };
+        upper(i, j, k) - upper(j, i, k)
+    });
+    let map = clebsch_realisation(extended(&algebra.unwrap()).unwrap(), Side::Right).unwrap();
+    let gauss = Collective::new(RungeKutta::gauss(4).unwrap(), map, Automatic(Unbounded));
+    let start = Covector(SVector::<f64, 3>::new(0.3, 0.5, -0.2));
+    let casimir = |mu: &Momentum<3>| mu.0[0] * mu.0[0] + 4.0 * mu.0[1] * mu.0[2];
+    for sample in gauss.trajectory(&start, 0.05).unwrap().take(1001) {
+        let sample = sample.unwrap();
+        // a hundred rounding errors of 4βγ = 0.46
+        let change = casimir(&sample.momentum) - casimir(&start);
+        assert!(change.abs() < 1e-14, "{}: {change:e}", sample.time);
+    }
+}
