@@ -148,8 +148,13 @@ fn a_place_is_refused_before_the_run_and_fails_after_it() {
 
     std::fs::create_dir_all(folder.path("figures/fig1a.svg")).unwrap();
     let run = folder.heavytop(&["reproduce", "--end", "2"]);
-    assert_eq!(run.code(), 1);
-    assert!(run.stderr().contains("cannot write figures/fig1a.svg: is a directory"));
+    assert_eq!(run.code(), 2, "{}", run.stderr());
+    assert!(run.stderr().contains("cannot create figures/fig1a.svg: is a directory"));
+    std::fs::rename(folder.path("figures/fig1a.svg"), folder.path("figures/fig1a.svg.partial"))
+        .unwrap();
+    let run = folder.heavytop(&["reproduce", "--end", "2"]);
+    assert_eq!(run.code(), 1, "{}", run.stderr());
+    assert!(run.stderr().contains("cannot write figures/fig1a.svg: "), "{}", run.stderr());
     assert!(folder.path("figures/trajectories.csv.partial").exists());
 }
 

@@ -48,24 +48,27 @@ const FILES: [Files; 6] = [
 
 const CONFIGURATION: &str = "integrator.end = 0.1\n[sweep]\nobservables = ['megno']\n";
 
-/// How a name leads to a file.
-const LINKS: [(&str, fn(&Path, &Path)); 4] = [
-    ("symbolic", |file, link| symlink(file, link).unwrap()),
-    ("hard", |file, link| fs::hard_link(file, link).unwrap()),
-    ("chain", |file, link| {
+/// Makes a file reachable by another name.
+type Link = fn(&Path, &Path);
+
+/// How a name leads to a file: by a symbolic link, a hard link, a chain of links, or through a linked folder.
+const LINKS: [Link; 4] = [
+    |file, link| symlink(file, link).unwrap(),
+    |file, link| fs::hard_link(file, link).unwrap(),
+    |file, link| {
         let middle = file.with_extension("middle");
         let _ = fs::remove_file(&middle);
         symlink(file.file_name().unwrap(), &middle).unwrap();
         symlink(middle, link).unwrap();
-    }),
+    },
     // The file itself lies there, and the configuration is named by a path through a linked folder.
-    ("folder", |file, link| {
+    |file, link| {
         fs::rename(file, link).unwrap();
         let linked = file.with_file_name("linked");
         let _ = fs::remove_file(&linked);
         symlink(link.parent().unwrap(), &linked).unwrap();
         symlink(linked.join(link.file_name().unwrap()), file).unwrap();
-    }),
+    },
 ];
 
 impl Files {
@@ -106,7 +109,7 @@ fn assert_input_is_kept(run: &Finished, folder: &Folder, before: &crate::writing
 fn no_output_is_an_input_by_any_link() {
     for files in &FILES {
         for name in files.names() {
-            for (number, (_, link)) in LINKS.into_iter().enumerate() {
+            for (number, link) in LINKS.into_iter().enumerate() {
                 let (folder, place) = folder_with(&name);
                 link(&folder.path("top.toml"), &place);
                 let before = contents(&folder);
