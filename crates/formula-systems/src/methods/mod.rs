@@ -5,3 +5,5 @@ pub(crate) mod offers;
 pub(crate) mod clebsch_maps;
 pub(crate) mod integration;
 pub(crate) mod system_method;
+mod spectral_radius;
+mod system_accuracy;

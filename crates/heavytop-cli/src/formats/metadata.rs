@@ -5,7 +5,7 @@ use crate::configuration::Config;
 use serde::Serialize;
 
 /// The metadata of an output: the program, its version and the configuration.
-#[derive(Clone, Debug, PartialEq, Eq, Serialize)]
+#[derive(Clone, Debug, PartialEq, Serialize)]
 pub struct Metadata {
     /// The name of the program, `heavytop`.
     pub program: &'static str,
@@ -16,6 +16,9 @@ pub struct Metadata {
     /// The Casimirs of a system, the formulas of its columns c1, c2 and so on.
     #[serde(skip_serializing_if = "Vec::is_empty")]
     pub casimirs: Vec<String>,
+    /// The estimated error of a run, to two digits, relative to the state.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub error_estimate: Option<f64>,
 }
 
 impl Metadata {
@@ -25,12 +28,24 @@ impl Metadata {
     /// The errors of [`Config::to_toml`].
     pub fn new(config: &Config) -> Result<Self, Error> {
         let (program, version) = ("heavytop", env!("CARGO_PKG_VERSION"));
-        Ok(Self { program, version, configuration: config.to_toml()?, casimirs: Vec::new() })
+        Ok(Self {
+            program,
+            version,
+            configuration: config.to_toml()?,
+            casimirs: Vec::new(),
+            error_estimate: None,
+        })
     }
 
     /// Returns the metadata with the Casimirs of a system.
     #[must_use]
     pub fn with_casimirs(self, casimirs: Vec<String>) -> Self {
         Self { casimirs, ..self }
+    }
+
+    /// Returns the metadata with the estimated error of a run.
+    #[must_use]
+    pub fn with_error_estimate(self, error_estimate: Option<f64>) -> Self {
+        Self { error_estimate, ..self }
     }
 }

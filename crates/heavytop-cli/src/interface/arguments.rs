@@ -74,6 +74,9 @@ pub(super) enum Command {
         /// Renew the checkpoint whenever so much time has passed, in seconds.
         #[arg(long, value_name = "SECONDS", default_value_t = 60.0, allow_negative_numbers = true)]
         checkpoint_interval: f64,
+        /// Make the run again with half the step and with twice the step, and say its error and order.
+        #[arg(long, conflicts_with = "dry_run")]
+        check: bool,
         /// Write nothing; print the rows and the size of the output, and an estimate of the time.
         #[arg(long, conflicts_with = "resume")]
         dry_run: bool,

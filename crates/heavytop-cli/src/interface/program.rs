@@ -19,10 +19,7 @@ use crate::commands::simulate::{
 use crate::commands::sweep::{self, sweep_if};
 use crate::errors::Report;
 use crate::files::{Place, Safeguard};
-use crate::runs::SystemExperiment;
-use crate::runs::method_warning::{method_warning, system_warning};
-use crate::runs::step_angle::long_step;
-use crate::supervision::warnings::{self, warn};
+use crate::supervision::warnings;
 use crate::supervision::{Forecast, TileOptions, Watch};
 use clap::{CommandFactory, Parser};
 use clap_complete::Shell;
@@ -83,11 +80,13 @@ fn run(Arguments { quiet, json, command }: Arguments) -> Result<(), Error> {
             resume,
             restart,
             checkpoint_interval,
+            check,
             yes,
             ..
         } => {
             let resume = resume.as_ref().map(Option::as_deref);
-            let begin = Begin { resume, restart, replacing, interval: checkpoint_interval, yes };
+            let begin =
+                Begin { resume, restart, replacing, interval: checkpoint_interval, check, yes };
             match run_simulate(&top, &out, &begin, quiet)? {
                 Simulated::Top(summary) => closing.end(&summary, &out),
                 Simulated::System(summary) => closing.end(&summary, &out),
@@ -187,6 +186,8 @@ struct Begin<'a> {
     replacing: Replacing,
     /// The time between checkpoints, s.
     interval: f64,
+    /// Whether to check the whole run.
+    check: bool,
     /// Whether not to ask before an output that is absurdly large.
     yes: bool,
 }
@@ -211,7 +212,7 @@ fn checkpoint(top: &Top, out: &Path, path: Option<&Path>) -> Result<Option<Check
 }
 
 fn run_simulate(top: &Top, out: &Path, begin: &Begin<'_>, quiet: bool) -> Result<Simulated, Error> {
-    let Begin { resume, restart, replacing, interval, yes } = *begin;
+    let Begin { resume, restart, replacing, interval, check, yes } = *begin;
     let resume = resume.map(|path| checkpoint(top, out, path)).transpose()?.flatten();
     let range = "not negative, and at most 1e9";
     let interval = Duration::try_from_secs_f64(interval)
@@ -229,19 +230,9 @@ fn run_simulate(top: &Top, out: &Path, begin: &Begin<'_>, quiet: bool) -> Result
         }
         let stop = Some(interrupted());
         let resume = resume.as_ref();
-        let options = SimulateOptions { resume, restart, interval, stop, quiet, safeguard };
+        let options = SimulateOptions { resume, restart, interval, stop, check, quiet, safeguard };
         if let Some(system) = config.system_experiment()? {
-            let SystemExperiment { system: formula, start, method, .. } = &system;
-            if let Some(warning) = system_warning(method, formula, start)? {
-                warn(warning);
-            }
             return simulate_system(&config, &system, out, &options).map(Simulated::System);
-        }
-        let experiment = config.experiment()?;
-        for warning in
-            [method_warning(&experiment.method), long_step(&experiment)].into_iter().flatten()
-        {
-            warn(warning);
         }
         simulate(&config, out, &options).map(Simulated::Top)
     })

@@ -2,9 +2,11 @@
 
 use super::moment::{Moment, Saved};
 use super::pace::Pace;
+use super::run_check::RunCheck;
 use super::schedule::Schedule;
 use super::visited_samples::visit_samples;
 use crate::Error;
+use collective_integrators::diagnostics::RunAccuracy;
 use collective_integrators::{Integrator, Start};
 use heavytop::methods::{Method, Task};
 use heavytop::{HeavyTop, Turning, WithAttitude};
@@ -80,6 +82,25 @@ impl Experiment {
     /// If there is no such integrator, or the formulation does not determine the attitude that is asked for.
     pub fn dimension(&self) -> Result<usize, Error> {
         self.method.integrate(&self.top, Dimension { experiment: self })?
+    }
+
+    /// Measures how accurate the run is, by a repetition of its beginning with half the step.
+    ///
+    /// # Errors
+    /// If there is no such integrator.
+    pub fn accuracy(&self) -> Result<RunAccuracy, Error> {
+        let Schedule { step, steps } = self.schedule;
+        Ok(self.method.accuracy(&self.top, &self.start, (step, steps))?)
+    }
+
+    /// Checks the whole run by runs with half the step and with twice the step, unless `going` tells the check to end.
+    ///
+    /// # Errors
+    /// If a step fails, or the check was told to end.
+    pub fn check(&self, going: &dyn Fn() -> bool) -> Result<RunCheck, Error> {
+        let (Schedule { step, steps }, method) = (self.schedule, self.method);
+        let checked = method.check(&self.top, &self.start, (step, steps), going)?;
+        RunCheck::of(checked, (method.formulation(), method.scheme()))
     }
 
     /// Returns the steps, and which of them are written.

@@ -9,6 +9,7 @@
 //! | a one-step method | [`SchemeName`] |
 //! | the integrator of both for a top | [`Method`] |
 //! | what to do with it | [`Task`]; [`TangentTask`] for tangent maps |
+//! | how accurate a run is | [`Method::accuracy`], [`Method::check`] |
 //! | the reason why a name or a pair is rejected | [`UnknownName`], [`MethodError`] |
 //!
 //! # Example
@@ -50,6 +51,7 @@ mod formulation;
 mod method_error;
 mod task;
 mod method;
+mod accuracy;
 
 pub use formulation::Formulation;
 pub use method::Method;

@@ -14,6 +14,7 @@
 //! | Φ descends to 𝔤∗ | [`fibre_defects`] |
 //! | an invariant does not drift | [`Drift`] |
 //! | round-off grows as a random walk | [`EnsembleGrowth`] |
+//! | the motion is right | [`run_accuracy`], [`check_by_half_steps`] |
 
 mod order_fit;
 mod tangent;
@@ -23,7 +24,9 @@ mod reversibility;
 mod fibre_defects;
 mod drift;
 mod ensemble_growth;
+mod accuracy;
 
+pub use accuracy::{RunAccuracy, StepCheck, SystemScales, check_by_half_steps, run_accuracy};
 pub use drift::{Drift, DriftError};
 pub use ensemble_growth::EnsembleGrowth;
 pub use fibre_defects::{FibreDefects, fibre_defects};

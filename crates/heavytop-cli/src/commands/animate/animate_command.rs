@@ -8,7 +8,7 @@ use crate::files::{Kind, Output, Place, contains};
 use crate::pictures::caption;
 use crate::runs::Experiment;
 use crate::runs::method_warning::method_warning;
-use crate::runs::step_angle::long_step;
+use crate::runs::run_check::accuracy_warning;
 use crate::supervision::warnings::warn;
 use crate::supervision::{Progress, Watch};
 use std::path::Path;
@@ -53,11 +53,9 @@ pub fn animate(mut config: Config, out: &Path, watch: &Watch<'_>) -> Result<Page
     require_html(out)?;
     watch.safeguard.require(out, &KIND)?;
     let mut output = Output::create(out)?;
-    for warning in
-        [method_warning(&experiment.method), long_step(&experiment)].into_iter().flatten()
-    {
-        warn(warning);
-    }
+    let accuracy = experiment.accuracy()?;
+    let warnings = [method_warning(&experiment.method), accuracy_warning(&accuracy)];
+    warnings.into_iter().flatten().for_each(warn);
 
     let mut animation = Animation::new(experiment.top, &description(&experiment));
     let outcome = record(&experiment, &mut animation, watch);
@@ -78,7 +76,8 @@ pub fn animate(mut config: Config, out: &Path, watch: &Watch<'_>) -> Result<Page
              motion between them is guessed; lower the end, the step or [output] every"
         ));
     }
-    Ok(PageSummary::new(&experiment, &animation, out))
+    let summary = PageSummary::new(&experiment, &animation, out);
+    Ok(PageSummary { error_estimate: accuracy.error, ..summary })
 }
 
 fn record(

@@ -3,6 +3,7 @@
 use super::animation::Animation;
 use crate::files::place::shown;
 use crate::runs::Experiment;
+use crate::runs::run_check::write_accuracy;
 use serde::Serialize;
 use std::fmt;
 use std::path::{Path, PathBuf};
@@ -28,9 +29,13 @@ pub struct PageSummary {
     pub steps_per_frame: u64,
     /// The largest angle by which the body turns from frame to frame, rad.
     pub largest_turn: f64,
+    /// The estimated error of the run, to two digits: the largest |Δμ_b|/|μ_b| over Π and Γ. 1 means that nothing of the
+    /// state is right.
+    pub error_estimate: Option<f64>,
 }
 
 impl PageSummary {
+    /// Creates the summary of a page, as yet without the accuracy of its motion.
     pub(super) fn new(experiment: &Experiment, animation: &Animation, out: &Path) -> Self {
         let Experiment { method, schedule, every, .. } = experiment;
         Self {
@@ -43,12 +48,14 @@ impl PageSummary {
             frames: animation.len(),
             steps_per_frame: *every,
             largest_turn: animation.largest_turn(),
+            error_estimate: None,
         }
     }
 }
 
 impl fmt::Display for PageSummary {
     fn fmt(&self, to: &mut fmt::Formatter<'_>) -> fmt::Result {
-        write!(to, "{} frames to t = {} s, in {}", self.frames, self.end, shown(&self.out))
+        write!(to, "{} frames to t = {} s, in {}", self.frames, self.end, shown(&self.out))?;
+        write_accuracy(to, self.error_estimate, None)
     }
 }

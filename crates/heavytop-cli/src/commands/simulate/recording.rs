@@ -36,6 +36,8 @@ pub(super) struct RecordedRun<'a> {
     pub table: &'a RunTable,
     /// The Casimirs of a system, as formulas.
     pub casimirs: Vec<String>,
+    /// The estimated error of the run.
+    pub error_estimate: Option<f64>,
 }
 
 impl Recording {
@@ -52,8 +54,10 @@ impl Recording {
     ) -> Result<Self, Error> {
         let (format, place) = (Format::of(out)?, Place::of(out)?);
         require_replaceable(out, &place, format, options)?;
-        let RecordedRun { pace, dimension, table, casimirs } = run;
-        let metadata = Metadata::new(config)?.with_casimirs(casimirs.clone());
+        let RecordedRun { pace, dimension, table, casimirs, error_estimate } = run;
+        let metadata = Metadata::new(config)?
+            .with_casimirs(casimirs.clone())
+            .with_error_estimate(*error_estimate);
         let path = match format {
             _ if place.is_device => place.path.clone(),
             Format::Csv => place.beside("partial"),

@@ -3,7 +3,8 @@
 use super::checkpoint::Checkpoint;
 use crate::files::place::shown;
 use crate::formats::RunTable;
-use crate::runs::Experiment;
+use crate::runs::run_check::write_accuracy;
+use crate::runs::{Experiment, RunCheck};
 use lie_poisson::{Se3Dual, larger};
 use serde::Serialize;
 use serde_json::{Map, Value};
@@ -34,10 +35,16 @@ pub struct RunSummary {
     /// The largest deviations max |invariant − initial value| over the rows of the output, by the names of the
     /// columns.
     pub deviations: Map<String, Value>,
+    /// The estimated error of the run, to two digits: the largest |Δμ_b|/|μ_b| over Π and Γ. 1 means that nothing of the
+    /// state is right.
+    pub error_estimate: Option<f64>,
+    /// The result of a check of the whole run, if it was asked for.
+    #[serde(flatten)]
+    pub check: Option<RunCheck>,
 }
 
 impl RunSummary {
-    /// Creates the summary of a run that ended in (Π, Γ).
+    /// Creates the summary of a run that ended in (Π, Γ), as yet without its accuracy.
     pub(super) fn new(
         out: PathBuf,
         experiment: &Experiment,
@@ -57,6 +64,8 @@ impl RunSummary {
             angular_momentum: last.0.0.into(),
             vertical: last.0.1.into(),
             deviations: deviations.by_name(table),
+            error_estimate: None,
+            check: None,
         }
     }
 }
@@ -64,7 +73,8 @@ impl RunSummary {
 impl fmt::Display for RunSummary {
     fn fmt(&self, to: &mut fmt::Formatter<'_>) -> fmt::Result {
         write!(to, "{} rows in {}; largest deviations", self.rows, shown(&self.out))?;
-        write_deviations(to, &self.deviations)
+        write_deviations(to, &self.deviations)?;
+        write_accuracy(to, self.error_estimate, self.check.as_ref())
     }
 }
 

@@ -8,7 +8,10 @@ use super::simulate_options::SimulateOptions;
 use crate::Error;
 use crate::configuration::Config;
 use crate::formats::RunTable;
+use crate::runs::method_warning::method_warning;
+use crate::runs::run_check::accuracy_warning;
 use crate::supervision::Progress;
+use crate::supervision::warnings::warn;
 use std::path::Path;
 
 /// Runs the configuration and writes `out`, in the format that its ending names.
@@ -16,6 +19,8 @@ use std::path::Path;
 /// Until the run is complete its rows are in `OUT.partial` for CSV. Otherwise they are in `OUT.rows` as 64-bit
 /// numbers, which takes as much disk again as the output does. An interrupted run continues from `OUT.checkpoint`.
 /// Its file then equals that of an uninterrupted run byte for byte.
+///
+/// Warnings about the method, and about steps that are too long, go to stderr.
 ///
 /// # Errors
 /// If the request is wrong, another run is writing the output, or there is a checkpoint that shall be neither resumed
@@ -43,8 +48,12 @@ pub fn simulate(
     let (table, pace) = (RunTable::new(&experiment), experiment.pace());
     let config = config.with_integrator();
     let dimension = experiment.dimension()?;
-    let recorded = RecordedRun { pace, dimension, table: &table, casimirs: Vec::new() };
+    let accuracy = experiment.accuracy()?;
+    let (casimirs, error_estimate) = (Vec::new(), accuracy.error);
+    let recorded = RecordedRun { pace, dimension, table: &table, casimirs, error_estimate };
     let mut recording = Recording::begin(out, &config, &recorded, options)?;
+    let warnings = [method_warning(&experiment.method), accuracy_warning(&accuracy)];
+    warnings.into_iter().flatten().for_each(warn);
     let initial = table.values_at(&experiment.start).collect();
     let mut deviations = Deviations::new(initial, options.resume);
     let progress = Progress::new(&experiment, options.quiet);
@@ -65,5 +74,6 @@ pub fn simulate(
     drop(progress);
     let summary = RunSummary::new(out.into(), &experiment, &last, &deviations, &table);
     recording.conclude(outcome)?;
-    Ok(summary)
+    let check = options.check.then(|| experiment.check(&|| options.going())).transpose()?;
+    Ok(RunSummary { error_estimate, check, ..summary })
 }

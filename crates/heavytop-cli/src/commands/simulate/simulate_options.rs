@@ -2,10 +2,10 @@
 
 use super::checkpoint::Checkpoint;
 use crate::files::Safeguard;
-use std::sync::atomic::AtomicBool;
+use std::sync::atomic::{AtomicBool, Ordering};
 use std::time::Duration;
 
-/// The options of a run: checkpoints, requests to stop, and progress.
+/// The options of a run: checkpoints, requests to stop, a check, and progress.
 #[derive(Clone, Copy, Debug)]
 pub struct SimulateOptions<'a> {
     /// The checkpoint to continue from.
@@ -16,10 +16,19 @@ pub struct SimulateOptions<'a> {
     pub interval: Duration,
     /// The request to stop: once it is true, the run ends with a checkpoint.
     pub stop: Option<&'a AtomicBool>,
+    /// Whether to check the whole run by runs with half the step and with twice the step.
+    pub check: bool,
     /// Whether to show no progress bar.
     pub quiet: bool,
     /// The files that the output, and what is written on the way to it, must not replace.
     pub safeguard: &'a Safeguard,
+}
+
+impl SimulateOptions<'_> {
+    /// Returns whether there is no request to stop.
+    pub(super) fn going(&self) -> bool {
+        !self.stop.is_some_and(|stop| stop.load(Ordering::Relaxed))
+    }
 }
 
 /// Starts from the first step, with a checkpoint each minute and no progress bar, and replaces only files of the command.
@@ -27,6 +36,14 @@ impl Default for SimulateOptions<'_> {
     fn default() -> Self {
         let interval = Duration::from_secs(60);
         let safeguard = Safeguard::OWN_FILES;
-        Self { resume: None, restart: false, interval, stop: None, quiet: true, safeguard }
+        Self {
+            resume: None,
+            restart: false,
+            interval,
+            stop: None,
+            check: false,
+            quiet: true,
+            safeguard,
+        }
     }
 }

@@ -7,6 +7,7 @@ use super::processes::Processes;
 use super::sweep_forecast::forecast;
 use super::sweep_plan::Plan;
 use super::sweep_summary::SweepSummary;
+use super::worst_accuracy::worst_accuracy;
 use crate::Error;
 use crate::configuration::{Column, Config};
 use crate::files::place::require_folder;
@@ -14,6 +15,7 @@ use crate::files::{Kind, OutputSet};
 use crate::formats::Metadata;
 use crate::formats::recognition::{PAR1, is_parquet};
 use crate::pictures::render;
+use crate::runs::run_check::accuracy_warning;
 use crate::supervision::tiled_run::{resumable, threads};
 use crate::supervision::warnings::warn;
 use crate::supervision::{Forecast, Progress, TileOptions};
@@ -111,9 +113,14 @@ fn run(
     }
     // The first process holds the folder for all of them.
     let held = (rank == 0).then(|| members.tiles.prepare(options)).transpose()?;
-    if let (0, Some(warning)) = (rank, plan.family.as_family().warning()) {
-        warn(warning);
+    let accuracy = (rank == 0).then(|| threads.install(|| worst_accuracy(&plan))).flatten();
+    if rank == 0 {
+        let warnings =
+            [plan.family.as_family().warning(), accuracy.as_ref().and_then(accuracy_warning)];
+        warnings.into_iter().flatten().for_each(warn);
     }
+    let error_estimate = accuracy.and_then(|accuracy| accuracy.error);
+    let metadata = metadata.with_error_estimate(error_estimate);
     processes.wait_for_all();
     let progress = Progress::of(plan.members, plan.nouns(), options.quiet || rank > 0);
     for tile in (rank..members.count()).step_by(size as usize) {
@@ -155,7 +162,7 @@ fn assemble(
     metadata: &Metadata,
     out: &Path,
 ) -> Result<SweepSummary, Error> {
-    let mut summary = SweepSummary::new(plan, out);
+    let mut summary = SweepSummary::new(plan, metadata.error_estimate, out);
     let mut table = MemberTable::begin(plan, metadata, &out.join("sweep.parquet"))?;
     members.each(|rows| {
         summary.add(&rows);

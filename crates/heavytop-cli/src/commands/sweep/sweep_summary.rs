@@ -29,6 +29,9 @@ pub struct SweepSummary {
     pub step: f64,
     /// The time for which each run was followed, s.
     pub end: f64,
+    /// The largest estimated error of the members that were measured, to two digits, relative to the state: some spread
+    /// evenly over the sweep, and those at the corners of a grid.
+    pub error_estimate: Option<f64>,
     /// The number of runs that could not be followed.
     pub failed: u64,
     /// The reason why the first of the failed runs could not be followed.
@@ -40,7 +43,7 @@ pub struct SweepSummary {
 
 impl SweepSummary {
     /// Creates the summary of a sweep in which nothing has failed yet.
-    pub(super) fn new(plan: &Plan, out: &Path) -> Self {
+    pub(super) fn new(plan: &Plan, error_estimate: Option<f64>, out: &Path) -> Self {
         let (formulation, scheme) = plan.family.as_family().method();
         let casimirs = plan.family.as_family().casimirs().into_iter().map(Value::from);
         Self {
@@ -52,6 +55,7 @@ impl SweepSummary {
             scheme: scheme.name(),
             step: plan.course.schedule.step,
             end: plan.course.schedule.end(),
+            error_estimate,
             failed: 0,
             first_failure: None,
             nouns: plan.nouns(),
@@ -74,6 +78,9 @@ impl fmt::Display for SweepSummary {
         writeln!(f, "{runs} {nouns}, each by {formulation}, {scheme}, step {step} s, to {end} s")?;
         for (name, formula) in &self.casimirs {
             writeln!(f, "{name} = {}", formula.as_str().unwrap_or_default())?;
+        }
+        if let Some(error) = self.error_estimate {
+            writeln!(f, "estimated error of the worst of some {nouns}: {error:.1e} of the state")?;
         }
         if let Some(reason) = &self.first_failure {
             writeln!(f, "{failed} failed, see the column failure; the first: {reason}")?;

@@ -3,8 +3,11 @@
 use crate::Error;
 use crate::runs::moment::{Coordinates, Saved};
 use crate::runs::pace::Pace;
+use crate::runs::run_check::RunCheck;
+use crate::runs::schedule::Schedule;
 use crate::runs::visited_samples::visit_samples;
 use collective_integrators::Start;
+use collective_integrators::diagnostics::RunAccuracy;
 use lie_poisson::Vector;
 use lie_poisson_formula_systems::{FormulaSystem, SystemMethod, SystemTask};
 
@@ -60,6 +63,25 @@ impl SystemExperiment {
     {
         let task = Follow { experiment: self, from, visit: &mut visit };
         self.method.integrate(&self.system, &self.start, task)?
+    }
+
+    /// Measures how accurate the run is, by a repetition of its beginning with half the step.
+    ///
+    /// # Errors
+    /// If there is no such integrator.
+    pub fn accuracy(&self) -> Result<RunAccuracy, Error> {
+        let Schedule { step, steps } = self.pace.schedule;
+        Ok(self.method.accuracy(&self.system, &self.start, (step, steps))?)
+    }
+
+    /// Checks the whole run by runs with half the step and with twice the step, unless `going` tells the check to end.
+    ///
+    /// # Errors
+    /// If a step fails, or the check was told to end.
+    pub fn check(&self, going: &dyn Fn() -> bool) -> Result<RunCheck, Error> {
+        let (Schedule { step, steps }, method) = (self.pace.schedule, self.method);
+        let checked = method.check(&self.system, &self.start, (step, steps), going)?;
+        RunCheck::of(checked, (method.formulation(), method.scheme()))
     }
 
     /// Returns the initial values of h and of the Casimirs.

@@ -16,7 +16,7 @@ fn the_first_configuration_is_the_preset_and_overwrites_nothing() {
             assert!(text.contains(key), "{text}");
         }
         // It runs as the preset does, to the last bit.
-        let end = ["--set", "integrator.end=0.1", "--set", "integrator.step=0.0125", "--quiet"];
+        let end = ["--set", "integrator.end=0.1", "--set", "integrator.step=0.003125", "--quiet"];
         let run = |first: &[&str], out: &str| {
             let run = folder.heavytop(&[&["simulate", "--out", out], first, &end[..]].concat());
             assert_eq!((run.code(), run.stderr()), (0, String::new()));

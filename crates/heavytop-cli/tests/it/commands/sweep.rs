@@ -131,7 +131,9 @@ fn the_table_goes_by_groups_of_rows() {
     };
     folder.write("a.toml", &text(0.0, 65_537));
     let run = folder.heavytop(&["sweep", "a.toml", "--out", "."]);
-    assert_eq!((run.code(), run.complaints().as_str()), (0, ""));
+    // The last top turns by 33 rad in its step.
+    assert_eq!((run.code(), run.complaints().lines().count()), (0, 1), "{}", run.stderr());
+    assert!(run.complaints().contains("the motion turns by about 33 rad"), "{}", run.stderr());
     let file = std::fs::File::open(folder.path("sweep.parquet")).unwrap();
     let reader = SerializedFileReader::new(file).unwrap();
     let groups = reader.metadata().row_groups();
@@ -286,7 +288,10 @@ fn what_integrator_leaves_out_is_as_without_it() {
     ] {
         folder.write("a.toml", &format!("{keys}\n{tops}"));
         let run = folder.heavytop(&["sweep", "a.toml", "--out", "made"]);
-        assert_eq!((run.code(), run.complaints()), (0, String::new()), "{keys}");
+        assert_eq!(run.code(), 0, "{keys}");
+        // Less accurate methods than the default one are warned of.
+        let is_worse = keys.contains("gauss-4") || keys.contains("tolerance");
+        assert_eq!(!run.complaints().is_empty(), is_worse, "{keys}: {}", run.complaints());
         let [formulation, scheme, step, end, tolerance] = expected;
         let expected = format!(
             "formulation = \"{formulation}\"\nscheme = \"{scheme}\"\nstep = {step}\nend = {end}\n\

@@ -1,5 +1,6 @@
 //! A run of `simulate`: methods, formats, progress, and the bytes that it writes.
 
+mod accuracy;
 mod backward;
 mod closing;
 mod forecasts;

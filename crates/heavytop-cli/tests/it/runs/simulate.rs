@@ -126,28 +126,6 @@ fn the_tolerance_reaches_the_stage_equations() {
 }
 
 #[test]
-fn a_step_that_is_too_long_for_the_method_is_warned_of() {
-    let folder = Folder::new();
-    let run = |scheme: &str, step: &str| {
-        let set = [format!("integrator.scheme={scheme}"), format!("integrator.step={step}")];
-        let arguments = ["--set", &set[0], "--set", &set[1], "--set", "integrator.end=2"];
-        let run = [&["--quiet", "simulate", "--out", "a.csv"], &arguments[..]].concat();
-        let run = folder.heavytop(&run);
-        assert_eq!(run.code(), 0, "{}", run.stderr());
-        run.stderr()
-    };
-    // The body turns by 5.4 rad/s.
-    let said = run("implicit-midpoint", "0.2");
-    let expected = "heavytop: warning: the body turns by about 1.1 rad in a step, which may be too far for implicit-midpoint";
-    assert!(said.starts_with(expected) && said.contains("a step of 1.9e-1 s or less"), "{said}");
-    // Control: another method, and a shorter step, are not warned of.
-    assert_eq!(
-        (run("gauss-8", "0.2").as_str(), run("implicit-midpoint", "0.02").as_str()),
-        ("", "")
-    );
-}
-
-#[test]
 fn each_top_has_its_own_columns() {
     let base = "t,Pi1,Pi2,Pi3,Gamma1,Gamma2,Gamma3,h,f1,f2";
     for (body, last) in [

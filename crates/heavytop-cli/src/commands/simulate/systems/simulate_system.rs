@@ -10,7 +10,10 @@ use crate::commands::simulate::simulate_options::SimulateOptions;
 use crate::configuration::Config;
 use crate::formats::RunTable;
 use crate::runs::SystemExperiment;
+use crate::runs::method_warning::system_warning;
+use crate::runs::run_check::accuracy_warning;
 use crate::supervision::Progress;
+use crate::supervision::warnings::warn;
 use std::path::Path;
 
 /// Runs the system of a configuration and writes `out`, as [`simulate`](crate::commands::simulate::simulate) does for a top.
@@ -51,8 +54,12 @@ pub fn simulate_system(
     let config = config.with_integrator();
     let casimirs = experiment.system.casimirs().iter().map(ToString::to_string).collect();
     let dimension = experiment.dimension()?;
-    let recorded = RecordedRun { pace, dimension, table: &table, casimirs };
+    let accuracy = experiment.accuracy()?;
+    let error_estimate = accuracy.error;
+    let recorded = RecordedRun { pace, dimension, table: &table, casimirs, error_estimate };
     let mut recording = Recording::begin(out, &config, &recorded, options)?;
+    let method = system_warning(&experiment.method, &experiment.system, &experiment.start)?;
+    [method, accuracy_warning(&accuracy)].into_iter().flatten().for_each(warn);
     let mut deviations = Deviations::new(experiment.initial_invariants()?, options.resume);
     let progress = Progress::of(pace.schedule.steps, "steps", options.quiet);
     let saved = options.resume.map(Checkpoint::saved);
@@ -70,5 +77,7 @@ pub fn simulate_system(
     });
     drop(progress);
     recording.conclude(outcome)?;
-    SystemSummary::new(out.into(), experiment, &last, &deviations, &table)
+    let check = options.check.then(|| experiment.check(&|| options.going())).transpose()?;
+    let summary = SystemSummary::new(out.into(), experiment, &last, &deviations, &table)?;
+    Ok(SystemSummary { error_estimate, check, ..summary })
 }

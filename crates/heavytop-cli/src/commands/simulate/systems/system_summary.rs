@@ -4,7 +4,8 @@ use crate::Error;
 use crate::commands::simulate::run_summary::{Deviations, write_deviations};
 use crate::files::place::shown;
 use crate::formats::RunTable;
-use crate::runs::SystemExperiment;
+use crate::runs::run_check::write_accuracy;
+use crate::runs::{RunCheck, SystemExperiment};
 use serde::Serialize;
 use serde_json::{Map, Value};
 use std::fmt;
@@ -40,10 +41,16 @@ pub struct SystemSummary {
     /// The largest deviations max |invariant − initial value| over the rows of the output, by the names of the
     /// columns.
     pub deviations: Map<String, Value>,
+    /// The estimated error of the run, to two digits: the largest |Δμ_b|/|μ_b| over the vectors and scalars b of
+    /// coordinates. 1 means that nothing of the state is right.
+    pub error_estimate: Option<f64>,
+    /// The result of a check of the whole run, if it was asked for.
+    #[serde(flatten)]
+    pub check: Option<RunCheck>,
 }
 
 impl SystemSummary {
-    /// Creates the summary of a run that ended in a row.
+    /// Creates the summary of a run that ended in a row, as yet without its accuracy.
     pub(super) fn new(
         out: PathBuf,
         experiment: &SystemExperiment,
@@ -68,6 +75,8 @@ impl SystemSummary {
             last: names.zip(last.iter().skip(1).map(|&x| x.into())).collect(),
             casimirs: (1..).map(|i| format!("c{i}")).zip(casimirs).collect(),
             deviations: deviations.by_name(table),
+            error_estimate: None,
+            check: None,
         })
     }
 }
@@ -82,6 +91,7 @@ impl fmt::Display for SystemSummary {
             write!(to, "; the steps are not Poisson maps")?;
         }
         write!(to, "; largest deviations")?;
-        write_deviations(to, &self.deviations)
+        write_deviations(to, &self.deviations)?;
+        write_accuracy(to, self.error_estimate, self.check.as_ref())
     }
 }

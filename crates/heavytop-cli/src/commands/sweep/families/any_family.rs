@@ -5,6 +5,7 @@ use super::family::Family;
 use super::system_family::SystemFamily;
 use super::top_family::TopFamily;
 use crate::Error;
+use collective_integrators::diagnostics::RunAccuracy;
 
 /// A family of tops, or of motions of another Lie–Poisson system.
 ///
@@ -33,6 +34,17 @@ impl AnyFamily {
         match self {
             Self::Tops(family) => family.measure(values, course),
             Self::System(family) => family.measure(values, course),
+        }
+    }
+
+    /// Measures how accurate the motion of the member at these values of the axes is.
+    ///
+    /// # Errors
+    /// If there is no such member.
+    pub fn accuracy(&self, values: &[f64], course: &Course) -> Result<RunAccuracy, Error> {
+        match self {
+            Self::Tops(family) => family.accuracy(values, course),
+            Self::System(family) => family.accuracy(values, course),
         }
     }
 }

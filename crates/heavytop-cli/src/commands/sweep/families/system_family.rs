@@ -11,8 +11,10 @@ use crate::configuration::{
 };
 use crate::errors::SweepError;
 use crate::pictures::caption::{number, vector_of};
+use crate::runs::Schedule;
 use crate::runs::method_warning::system_warning;
 use crate::vocabulary::brief;
+use collective_integrators::diagnostics::RunAccuracy;
 use collective_integrators::{Integrator, Start, TangentIntegrator};
 use heavytop::methods::{Formulation, SchemeName};
 use lie_poisson::Vector;
@@ -149,6 +151,16 @@ impl SystemFamily {
         let (system, start) = self.member(values)?;
         let task = Follow { family: self, course, system: &system, start: &start };
         self.method.integrate(&system, &start, task)?
+    }
+
+    /// Measures how accurate the motion of the member at these values of the axes is.
+    ///
+    /// # Errors
+    /// If there is no such member.
+    pub(super) fn accuracy(&self, values: &[f64], course: &Course) -> Result<RunAccuracy, Error> {
+        let (system, start) = self.member(values)?;
+        let Schedule { step, steps } = course.schedule;
+        Ok(self.method.accuracy(&system, &start, (step, steps))?)
     }
 }
 

@@ -10,8 +10,10 @@ use crate::configuration::{
     TopParameter,
 };
 use crate::errors::SweepError;
+use crate::runs::Schedule;
 use crate::runs::method_warning::method_warning;
 use crate::runs::step_angle::require_sane_step;
+use collective_integrators::diagnostics::RunAccuracy;
 use collective_integrators::{Start, TangentIntegrator};
 use heavytop::methods::{Formulation, Method, SchemeName, TangentTask};
 use heavytop::{HeavyTop, Invariant, Nutation};
@@ -106,6 +108,16 @@ impl TopFamily {
         let (top, start) = self.top(values, course.schedule.step)?;
         let task = Follow { family: self, course, top: &top, start: &start };
         self.method.differentiate(&top, task)?
+    }
+
+    /// Measures how accurate the motion of the top at these values of the axes is.
+    ///
+    /// # Errors
+    /// If there is no such top.
+    pub(super) fn accuracy(&self, values: &[f64], course: &Course) -> Result<RunAccuracy, Error> {
+        let Schedule { step, steps } = course.schedule;
+        let (top, start) = self.top(values, step)?;
+        Ok(self.method.accuracy(&top, &start, (step, steps))?)
     }
 }
 

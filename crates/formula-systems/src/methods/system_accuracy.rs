@@ -1,0 +1,132 @@
+//! The accuracy of runs of systems: [`SystemMethod::accuracy`] and [`SystemMethod::check`].
+
+use super::spectral_radius::spectral_radius;
+use super::system_method::SystemMethod;
+use super::system_task::SystemTask;
+use crate::{FormulaSystem, FormulaSystemError};
+use collective_integrators::diagnostics::{
+    RunAccuracy, StepCheck, SystemScales, check_by_half_steps, run_accuracy,
+};
+use collective_integrators::{RunError, Start, TangentIntegrator};
+use core::ops::Range;
+use lie_poisson::Vector;
+use lie_poisson_formulas::StructureEntry;
+
+/// The scales of a system: each vector of coordinates is measured by its length, and each scalar by its magnitude.
+struct FormulaScales<'a>(&'a FormulaSystem);
+
+impl SystemScales for FormulaScales<'_> {
+    fn blocks(&self) -> Vec<Range<usize>> {
+        self.0.algebra().coordinates().groups().map(|(_, places)| places).collect()
+    }
+
+    fn differential(&self, mu: &[f64]) -> Vec<f64> {
+        self.0.hamiltonian().differential_at(mu)
+    }
+
+    /// Returns the largest magnitude of an eigenvalue of ad_ξ, whose matrix is (ad_ξ)_kj = Σ_i c_ijk ξ_i. It is that of
+    /// ad∗_ξ, and does not depend on the units of the coordinates.
+    fn fastest_rate(&self, mu: &[f64]) -> f64 {
+        let (xi, dimension) = (self.differential(mu), self.0.algebra().dimension());
+        let mut adjoint = vec![0.0; dimension * dimension];
+        for &StructureEntry { i, j, k, value } in self.0.algebra().entries() {
+            for (i, j, value) in [(i, j, value), (j, i, -value)] {
+                let velocity = xi.get(i).copied().unwrap_or(0.0);
+                if let Some(entry) = adjoint.get_mut(k * dimension + j) {
+                    *entry += value * velocity;
+                }
+            }
+        }
+        spectral_radius(adjoint, dimension)
+    }
+}
+
+/// A run of a system: its start, the size and the number of its steps, and the order of the method.
+struct Run<'a> {
+    scales: FormulaScales<'a>,
+    start: &'a [f64],
+    steps: (f64, u64),
+    order: u16,
+}
+
+/// The task of measuring the accuracy of a run.
+struct Measure<'a>(Run<'a>);
+
+impl SystemTask for Measure<'_> {
+    type Output = RunAccuracy;
+
+    fn perform<I>(self, integrator: &I) -> RunAccuracy
+    where
+        I: Start<State: Vector, Momentum: Vector<Scalar = f64>> + TangentIntegrator,
+    {
+        let Run { scales, start, steps, order } = self.0;
+        run_accuracy(integrator, &scales, start, steps, order)
+    }
+}
+
+/// The task of checking a run.
+struct Check<'a>(Run<'a>, &'a dyn Fn() -> bool);
+
+impl SystemTask for Check<'_> {
+    type Output = Result<Option<StepCheck>, RunError>;
+
+    fn perform<I>(self, integrator: &I) -> Self::Output
+    where
+        I: Start<State: Vector, Momentum: Vector<Scalar = f64>> + TangentIntegrator,
+    {
+        let Self(Run { scales, start, steps, order }, going) = self;
+        check_by_half_steps(integrator, &scales, start, steps, order, going)
+    }
+}
+
+impl SystemMethod {
+    /// Measures how accurate a run of `steps` steps of size `step` from a state is, without making the whole run if it is
+    /// long: [`run_accuracy`].
+    ///
+    /// # Errors
+    /// Returns the errors of [`integrate`](Self::integrate).
+    ///
+    /// # Example
+    /// A free rigid body that turns by 15 rad in a step. The energy and |Π|² are conserved to round-off.
+    /// ```
+    /// use heavytop::methods::{Formulation, SchemeName};
+    /// use lie_poisson_formula_systems::{FormulaSystem, SystemAlgebra, SystemMethod};
+    /// use lie_poisson_formulas::Parameters;
+    /// let text = "(Pi1^2 + Pi2^2/2 + Pi3^2/3)/2";
+    /// let body = FormulaSystem::new(SystemAlgebra::named("so(3)")?, text, &Parameters::new())?;
+    /// let gauss = SystemMethod::new(body.algebra(), Formulation::Collective, SchemeName::Gauss(4), 0.0)?;
+    /// let start = [10.0, 0.1, 10.0];
+    /// let accuracy = gauss.accuracy(&body, &start, (0.02, 500))?;
+    /// assert!(accuracy.error < Some(1e-9) && accuracy.warning().is_none());
+    /// let accuracy = gauss.accuracy(&body, &start, (0.3, 500))?;
+    /// assert!(accuracy.angle > 3.0 && accuracy.warning().is_some());
+    /// # Ok::<(), lie_poisson_formula_systems::FormulaSystemError>(())
+    /// ```
+    pub fn accuracy(
+        &self,
+        system: &FormulaSystem,
+        start: &[f64],
+        steps: (f64, u64),
+    ) -> Result<RunAccuracy, FormulaSystemError> {
+        self.integrate(system, start, Measure(self.run(system, start, steps)))
+    }
+
+    /// Checks a whole run of `steps` steps of size `step` from a state by runs with half the step and with twice the step:
+    /// [`check_by_half_steps`]. Returns `None` if `going` tells it to end.
+    ///
+    /// # Errors
+    /// Returns the errors of [`integrate`](Self::integrate). The inner error is that of a step that fails.
+    pub fn check(
+        &self,
+        system: &FormulaSystem,
+        start: &[f64],
+        steps: (f64, u64),
+        going: &dyn Fn() -> bool,
+    ) -> Result<Result<Option<StepCheck>, RunError>, FormulaSystemError> {
+        self.integrate(system, start, Check(self.run(system, start, steps), going))
+    }
+
+    fn run<'a>(&self, system: &'a FormulaSystem, start: &'a [f64], steps: (f64, u64)) -> Run<'a> {
+        Run { scales: FormulaScales(system), start, steps, order: self.scheme().order() }
+    }
+}

@@ -1,0 +1,143 @@
+//! The accuracy of runs of tops: [`Method::accuracy`] and [`Method::check`].
+
+use super::{Method, MethodError, Task};
+use crate::HeavyTop;
+use collective_integrators::diagnostics::{
+    RunAccuracy, StepCheck, SystemScales, check_by_half_steps, run_accuracy,
+};
+use collective_integrators::{RunError, Start};
+use core::ops::Range;
+use lie_poisson::{Se3Dual, Vector};
+use nalgebra::Vector3;
+
+/// The scales of a top: Π is measured by |Π|, and Γ by |Γ|.
+struct TopScales(HeavyTop);
+
+impl SystemScales for TopScales {
+    fn blocks(&self) -> Vec<Range<usize>> {
+        vec![0..3, 3..6]
+    }
+
+    /// Returns (Ω, m g l c).
+    fn differential(&self, mu: &[f64]) -> Vec<f64> {
+        let weight = self.0.center_of_mass() * self.0.weight_moment();
+        self.0.angular_velocity(&pi(mu)).iter().chain(&weight).copied().collect()
+    }
+
+    /// Returns |Ω| + √(m g l/I), I the least moment: the body turns, and swings.
+    fn fastest_rate(&self, mu: &[f64]) -> f64 {
+        let swing = (self.0.weight_moment() / self.0.inertia().min()).sqrt();
+        self.0.angular_velocity(&pi(mu)).norm() + swing
+    }
+}
+
+fn pi(mu: &[f64]) -> Vector3<f64> {
+    Vector3::from_fn(|i, _| mu.get(i).copied().unwrap_or(f64::NAN))
+}
+
+/// A run of a top: its start, the size and the number of its steps, and the order of the method.
+struct Run<'a> {
+    scales: TopScales,
+    start: &'a Se3Dual,
+    steps: (f64, u64),
+    order: u16,
+}
+
+impl Run<'_> {
+    fn coordinates(&self) -> [f64; 6] {
+        core::array::from_fn(|i| self.start.coordinate(i))
+    }
+}
+
+/// The task of measuring the accuracy of a run.
+struct Measure<'a>(Run<'a>);
+
+impl Task for Measure<'_> {
+    type Output = RunAccuracy;
+
+    fn perform<I: Start<State: Vector, Momentum = Se3Dual>>(self, integrator: &I) -> RunAccuracy {
+        let run = self.0;
+        run_accuracy(integrator, &run.scales, &run.coordinates(), run.steps, run.order)
+    }
+}
+
+/// The task of checking a run.
+struct Check<'a>(Run<'a>, &'a dyn Fn() -> bool);
+
+impl Task for Check<'_> {
+    type Output = Result<Option<StepCheck>, RunError>;
+
+    fn perform<I: Start<State: Vector, Momentum = Se3Dual>>(self, integrator: &I) -> Self::Output {
+        let Self(run, going) = self;
+        let start = run.coordinates();
+        check_by_half_steps(integrator, &run.scales, &start, run.steps, run.order, going)
+    }
+}
+
+impl Method {
+    /// Measures how accurate a run of `steps` steps of size `step` from a start is, without making the whole run if it is
+    /// long: [`run_accuracy`].
+    ///
+    /// # Errors
+    /// Returns the errors of [`integrate`](Self::integrate).
+    ///
+    /// # Example
+    /// The midpoint rule is wrong in the first digit after 20 s with 0.15 rad a step, and Gauss's method of order 8 is
+    /// not. The invariants show neither.
+    /// ```
+    /// use heavytop::HeavyTop;
+    /// use heavytop::lie_poisson::Se3Dual;
+    /// use heavytop::methods::{Formulation, Method, SchemeName};
+    /// use heavytop::nalgebra::Vector3;
+    /// let top = HeavyTop::kovalevskaya(1.0, 1.0)?;
+    /// let start = Se3Dual::new(Vector3::new(2.0, 3.0, 4.0), Vector3::new(0.6, 0.0, 0.8));
+    /// let error = |scheme| -> Result<_, heavytop::methods::MethodError> {
+    ///     let method = Method::new(Formulation::Collective, scheme, 0.0)?;
+    ///     Ok(method.accuracy(&top, &start, (0.032, 625))?.error)
+    /// };
+    /// assert!(error(SchemeName::ImplicitMidpoint)? > Some(0.1));
+    /// assert!(error(SchemeName::Gauss(4))? < Some(1e-11));
+    /// # Ok::<(), Box<dyn std::error::Error>>(())
+    /// ```
+    pub fn accuracy(
+        &self,
+        top: &HeavyTop,
+        start: &Se3Dual,
+        steps: (f64, u64),
+    ) -> Result<RunAccuracy, MethodError> {
+        self.integrate(top, Measure(self.run(top, start, steps)))
+    }
+
+    /// Checks a whole run of `steps` steps of size `step` from a start by runs with half the step and with twice the step:
+    /// [`check_by_half_steps`]. Returns `None` if `going` tells it to end.
+    ///
+    /// # Errors
+    /// Returns the errors of [`integrate`](Self::integrate). The inner error is that of a step that fails.
+    ///
+    /// # Example
+    /// ```
+    /// use heavytop::HeavyTop;
+    /// use heavytop::lie_poisson::Se3Dual;
+    /// use heavytop::methods::{Formulation, Method, SchemeName};
+    /// use heavytop::nalgebra::Vector3;
+    /// let top = HeavyTop::kovalevskaya(1.0, 1.0)?;
+    /// let start = Se3Dual::new(Vector3::new(2.0, 3.0, 4.0), Vector3::new(0.6, 0.0, 0.8));
+    /// let gauss = Method::new(Formulation::Reduced, SchemeName::Gauss(3), 0.0)?;
+    /// let check = gauss.check(&top, &start, (0.05, 400), &|| true)??.ok_or("it was not told to end")?;
+    /// assert!(check.error < 1e-5 && check.order.is_some_and(|order| (order - 6.0).abs() < 0.2));
+    /// # Ok::<(), Box<dyn std::error::Error>>(())
+    /// ```
+    pub fn check(
+        &self,
+        top: &HeavyTop,
+        start: &Se3Dual,
+        steps: (f64, u64),
+        going: &dyn Fn() -> bool,
+    ) -> Result<Result<Option<StepCheck>, RunError>, MethodError> {
+        self.integrate(top, Check(self.run(top, start, steps), going))
+    }
+
+    fn run<'a>(&self, top: &HeavyTop, start: &'a Se3Dual, steps: (f64, u64)) -> Run<'a> {
+        Run { scales: TopScales(*top), start, steps, order: self.scheme().order() }
+    }
+}

@@ -1,0 +1,54 @@
+//! The momenta of a run after chosen numbers of steps.
+
+use crate::stages::checkpoints::CHECKPOINT;
+use crate::{IntegrationError, RunError, Start, StepError};
+use lie_poisson::Vector;
+
+/// The momenta of a run, coordinate by coordinate.
+pub(super) struct SampledRun {
+    coordinates: Vec<f64>,
+    width: usize,
+}
+
+impl SampledRun {
+    /// Makes the run from a start with these coordinates, and keeps the first coordinates, as many as the start has, after
+    /// the numbers of steps `at`, which ascend. Returns `None` if `going` tells it to end.
+    ///
+    /// # Errors
+    /// Returns the errors of [`Start::after`].
+    pub(super) fn new<I>(
+        integrator: &I,
+        start: &[f64],
+        step: f64,
+        at: impl Iterator<Item = u64>,
+        going: &dyn Fn() -> bool,
+    ) -> Result<Option<Self>, RunError>
+    where
+        I: Start<Momentum: Vector<Scalar = f64>>,
+    {
+        let width = start.len();
+        let mu = I::Momentum::from_coordinates(|i| start.get(i).copied().unwrap_or(0.0));
+        StepError::check_start(&mu, step)
+            .map_err(|refused| IntegrationError::after(0, step, refused))?;
+        let (mut state, mut workspace) = (integrator.start(&mu)?, integrator.workspace());
+        let (mut made, mut coordinates) = (0, Vec::new());
+        for until in at {
+            while made < until {
+                if !going() {
+                    return Ok(None);
+                }
+                let next = until.min((made - made % CHECKPOINT).saturating_add(CHECKPOINT));
+                integrator.advance(&mut state, step, made..next, &mut workspace)?;
+                made = next;
+            }
+            let momentum = integrator.momentum(&state);
+            coordinates.extend((0..width).map(|i| momentum.coordinate(i)));
+        }
+        Ok(Some(Self { coordinates, width }))
+    }
+
+    /// Returns the coordinates of each momentum.
+    pub(super) fn momenta(&self) -> impl DoubleEndedIterator<Item = &[f64]> + Clone {
+        self.coordinates.chunks(self.width.max(1))
+    }
+}

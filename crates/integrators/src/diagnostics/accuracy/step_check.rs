@@ -1,0 +1,120 @@
+//! A run checked by runs with half the step and with twice the step: [`check_by_half_steps`].
+
+use super::relative_distance::RelativeDistance;
+use super::run_accuracy::of_whole_step;
+use super::sampled_run::SampledRun;
+use super::system_scales::SystemScales;
+use crate::{RunError, Start};
+use lie_poisson::Vector;
+
+/// The number of samples at which the runs are compared.
+const SAMPLES: u64 = 64;
+
+/// The least difference of two runs that shows an order; below it there may be round-off alone.
+const ROUND_OFF: f64 = 1e-12;
+
+/// The result of a check of a whole run.
+#[derive(Clone, Copy, Debug, PartialEq)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
+pub struct StepCheck {
+    /// The error at the end of the run: the largest |Δμ_b|/|μ_b| over the blocks b of coordinates, at most 1.
+    pub error: f64,
+    /// The order with which the run converges: log₂ of the ratio of the differences between runs with the steps 2h, h and
+    /// h/2. It is `None` if they show none: there is only one step, the difference is round-off, or twice the step fails.
+    pub order: Option<f64>,
+}
+
+/// Checks a run of `steps` steps of size `step` from the start with these coordinates, by a method of this order.
+///
+/// The whole run is made with the step h, with h/2, and with 2h. The error is the difference of the first two at the end,
+/// times 2ᵖ/(2ᵖ − 1). The order tells whether to believe it: near that of the method the steps are short enough, far below
+/// it they are not, or the motion is chaotic and the run too long. The check costs three and a half times the run.
+///
+/// Returns `None` if `going`, which is asked every 1024 steps, tells it to end.
+///
+/// # Errors
+/// Returns the [`RunError`] of a step that fails with the step h or h/2.
+///
+/// # Example
+/// ```
+/// use collective_integrators::diagnostics::{SystemScales, check_by_half_steps};
+/// use collective_integrators::{Direct, RungeKutta, from_fn};
+/// use core::ops::Range;
+/// use nalgebra::Vector2;
+///
+/// struct Oscillator;
+///
+/// impl SystemScales for Oscillator {
+///     fn blocks(&self) -> Vec<Range<usize>> {
+///         vec![0..2]
+///     }
+///     fn differential(&self, z: &[f64]) -> Vec<f64> {
+///         z.to_vec()
+///     }
+///     fn fastest_rate(&self, _: &[f64]) -> f64 {
+///         1.0
+///     }
+/// }
+///
+/// let field = from_fn(|z: &Vector2<f64>| Vector2::new(z.y, -z.x));
+/// let rk4 = Direct::new(RungeKutta::rk4(), field);
+/// let check = check_by_half_steps(&rk4, &Oscillator, &[1.0, 0.0], (0.1, 100), 4, &|| true)?;
+/// let check = check.ok_or("it was not told to end")?;
+/// // RK4 is behind by h⁴/120 per unit of time: 8.3e-6 at t = 10.
+/// assert!((check.error / 8.3e-6 - 1.0).abs() < 0.1, "{check:?}");
+/// assert!(check.order.is_some_and(|order| (order - 4.0).abs() < 0.1), "{check:?}");
+/// # Ok::<(), Box<dyn std::error::Error>>(())
+/// ```
+pub fn check_by_half_steps<I>(
+    integrator: &I,
+    system: &impl SystemScales,
+    start: &[f64],
+    (step, steps): (f64, u64),
+    order: u16,
+    going: &dyn Fn() -> bool,
+) -> Result<Option<StepCheck>, RunError>
+where
+    I: Start<Momentum: Vector<Scalar = f64>>,
+{
+    // Pairs of steps, which twice the step reaches, and then the end.
+    let pairs = move |sample: u64| {
+        (u128::from(steps / 2) * u128::from(sample) / u128::from(SAMPLES)) as u64
+    };
+    let pairs = || (1..=SAMPLES).map(pairs);
+    let run = |size: f64, at: &mut dyn Iterator<Item = u64>| {
+        SampledRun::new(integrator, start, size, at, going)
+    };
+    let Some(whole) = run(step, &mut pairs().map(|n| 2 * n).chain([steps]))? else {
+        return Ok(None);
+    };
+    let halves = pairs().map(|n| 4 * n).chain([steps.saturating_mul(2)]);
+    let Some(half) = run(0.5 * step, &mut { halves })? else { return Ok(None) };
+    let double = match run(2.0 * step, &mut pairs()) {
+        Ok(None) => return Ok(None),
+        Ok(double) if steps > 1 => double,
+        _ => None,
+    };
+    Ok(Some(compare(system, start, order, [&whole, &half], double.as_ref())))
+}
+
+fn compare(
+    system: &impl SystemScales,
+    start: &[f64],
+    order: u16,
+    [whole, half]: [&SampledRun; 2],
+    double: Option<&SampledRun>,
+) -> StepCheck {
+    let momenta = core::iter::once(start).chain(half.momenta());
+    let distance = RelativeDistance::new(system, momenta);
+    let differences = |one: &SampledRun, other: &SampledRun| {
+        let both = one.momenta().zip(other.momenta()).take(SAMPLES as usize);
+        both.map(|(a, b)| distance.between(a, b)).fold(0.0, f64::max)
+    };
+    let end = whole.momenta().zip(half.momenta()).last();
+    let error = end.map_or(0.0, |(a, b)| of_whole_step(distance.between(a, b), order));
+    let fine = differences(whole, half);
+    let order = double
+        .map(|double| (differences(double, whole) / fine).log2())
+        .filter(|order| fine > ROUND_OFF && order.is_finite());
+    StepCheck { error: error.min(1.0), order }
+}
