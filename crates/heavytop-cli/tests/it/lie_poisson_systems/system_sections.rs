@@ -119,15 +119,16 @@ step = 0.05
         ("7.0", "down"),
         ("-3.0", "down"),
     ] {
+        let out = format!("out{}", counts.len());
         folder.write("top.toml", &top.replace("LEVEL", level).replace("DIRECTION", direction));
-        let run = folder.heavytop(&["section", "top.toml", "--out", ".", "--restart"]);
+        let run = folder.heavytop(&["section", "top.toml", "--out", &out]);
         if run.code() != 0 {
             // In this direction the angle never passes its level.
             assert!(run.stderr().contains("does not cross the surface"), "{}", run.stderr());
             counts.push((direction, 0, false));
             continue;
         }
-        let (_, rows) = numbers(&folder.read("section.csv"));
+        let (_, rows) = numbers(&folder.read(&format!("{out}/section.csv")));
         let level: f64 = level.parse().unwrap();
         for row in &rows {
             let difference = row[7].atan2(row[6]) - level;
