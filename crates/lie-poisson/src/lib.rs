@@ -89,7 +89,7 @@ mod brackets;
 pub mod laws;
 
 pub use generic_scalars::{
-    Blocks, ComplexSpace, Covector, DefaultLanes, Differential, DualNumber, FourLanes,
+    BlockScales, Blocks, ComplexSpace, Covector, DefaultLanes, Differential, DualNumber, FourLanes,
     FourLanesTask, InstructionSet, LaneTask, Lanes, Mask, MissingInstructions, Pair, Point, Power,
     Quaternion, Real, RealSpace, Sites, State, StorageOver, TaskOver, UnfusedSpace, UnfusedStorage,
     UnfusedTask, Vector, VectorSpace, Width, constant_times, constant_transpose_times, cross,

@@ -49,6 +49,7 @@
 //! | a vector with its coordinates converted to another scalar | [`map_coordinates`] |
 //! | norms that neither overflow nor underflow | [`euclidean_norm`] and [`squaring_scale`] |
 //! | a factor whose products are exact | [`nearest_power_of_two`] |
+//! | norms of vectors whose blocks have different units | [`BlockScales`] |
 //! | a maximum that keeps NaN | [`larger`], [`Real::larger`] |
 //!
 //! # Conventions
@@ -92,6 +93,7 @@ pub use numbers::mask::Mask;
 pub use numbers::power_of_two::nearest_power_of_two;
 pub use numbers::real::{Real, larger};
 
+pub use calculus::block_scales::BlockScales;
 pub use calculus::derivative::{derivative_part, differential, seed, transposed_tangent};
 pub use calculus::linear_solution::linear_solution;
 pub use calculus::norm::{euclidean_norm, squaring_scale};

@@ -28,14 +28,20 @@ const LARGE: f64 = two_to_the(500);
 /// ```
 #[inline]
 pub fn squaring_scale<V: State>(v: &V) -> V::Scalar {
+    squaring_scale_of(v.dimension(), |i| v.entry(i))
+}
+
+/// Returns the [`squaring_scale`] of the coordinates x(0), …, x(n − 1).
+#[inline]
+fn squaring_scale_of<T: Real>(n: usize, x: impl Fn(usize) -> T) -> T {
     let within = |bound: f64| {
-        let bound = V::Scalar::from_f64(bound);
-        (0..v.dimension()).fold(<V::Scalar as Real>::Mask::from_bool(true), |within, i| {
-            let x = v.entry(i);
+        let bound = T::from_f64(bound);
+        (0..n).fold(T::Mask::from_bool(true), |within, i| {
+            let x = x(i);
             within.and(x.at_most(bound)).and((-x).at_most(bound))
         })
     };
-    let constant = |exponent: i32| V::Scalar::from_f64(two_to_the(exponent));
+    let constant = |exponent: i32| T::from_f64(two_to_the(exponent));
     let moderate = Real::select(within(LARGE), constant(0), constant(-600));
     Real::select(within(SMALL), constant(600), moderate)
 }
@@ -43,7 +49,8 @@ pub fn squaring_scale<V: State>(v: &V) -> V::Scalar {
 /// Returns the Euclidean norm √(Σ vᵢ²) of the coordinates in each SIMD lane, without overflow or underflow.
 ///
 /// It is accurate to round-off for every v, whereas the plain squares of very small or very large coordinates
-/// underflow or overflow. It is infinite if the norm itself is too large, and NaN where a coordinate is NaN.
+/// underflow or overflow. It is infinite if the norm itself is too large, and NaN where a coordinate is NaN. For
+/// coordinates of different units, see [`BlockScales`](crate::BlockScales).
 ///
 /// ```
 /// use generic_scalars::euclidean_norm;
@@ -53,9 +60,14 @@ pub fn squaring_scale<V: State>(v: &V) -> V::Scalar {
 /// ```
 #[inline]
 pub fn euclidean_norm<V: State>(v: &V) -> V::Scalar {
-    let scale = squaring_scale(v);
-    let zero: V::Scalar = num_traits::zero();
-    let square = (0..v.dimension()).map(|i| v.entry(i) * scale).fold(zero, |sum, x| sum + x * x);
+    norm_of(v.dimension(), |i| v.entry(i))
+}
+
+/// Returns the Euclidean norm of the coordinates x(0), …, x(n − 1).
+#[inline]
+pub(super) fn norm_of<T: Real>(n: usize, x: impl Fn(usize) -> T) -> T {
+    let scale = squaring_scale_of(n, &x);
+    let square = (0..n).map(|i| x(i) * scale).fold(T::zero(), |sum, x| sum + x * x);
     square.sqrt() / scale
 }
 
