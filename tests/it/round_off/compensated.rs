@@ -84,21 +84,24 @@ struct Coarse(Collective<RungeKutta, SpinorRealisation, HeavyTop>);
 impl Integrator for Coarse {
     type State = Pair<SpinorPoint, SpinorPoint>;
     type Momentum = Se3Dual;
-    type Workspace = ();
+    type Workspace = <Collective<RungeKutta, SpinorRealisation, HeavyTop> as Integrator>::Workspace;
 
-    fn workspace(&self) {}
+    fn workspace(&self) -> Self::Workspace {
+        self.0.workspace()
+    }
 
     fn step(
         &self,
         state: &Self::State,
         step: f64,
-        (): &mut (),
+        workspace: &mut Self::Workspace,
     ) -> Result<Step<Self::State>, StepError> {
         let (field, z) = (self.0.system(), state.0);
         let mut k = [Vector::zero()];
         let middle = |_, k: &[SpinorPoint]| field.at(&(z + k[0].scaled(0.5 * step)));
         let iterations = StageSolver::default().solve(field.at(&z), &mut k, middle)?;
-        let point = self.0.gauged(compensated_sum(state, &Pair(k[0].scaled(step), Vector::zero())));
+        let sum = compensated_sum(state, &Pair(k[0].scaled(step), Vector::zero()));
+        let point = self.0.gauged(sum, workspace);
         Ok(Step { point, iterations })
     }
 
@@ -153,6 +156,7 @@ fn compensated_steps_at_long_steps_do_not_drift() -> Result<(), Box<dyn Error>> 
 fn a_slide_along_the_fibre_takes_the_carry_along() -> Result<(), Box<dyn Error>> {
     let collective =
         Collective::new(RungeKutta::implicit_midpoint(), SpinorRealisation, tops::generic()?);
+    let workspace = Integrator::<f64>::workspace(&collective);
     let carried = |z: &SpinorPoint, e: &SpinorPoint| -> Se3Dual {
         derivative_part(&SpinorRealisation.apply::<DualNumber>(&seed(z, e)))
     };
@@ -161,7 +165,7 @@ fn a_slide_along_the_fibre_takes_the_carry_along() -> Result<(), Box<dyn Error>>
         z.q += z.p.0.map(|x| x.scale(if n % 2 == 0 { 9.3 } else { -17.7 }));
         // e is as large as z, which is a harder test than the rounding errors that it stands for.
         let e = SpinorPoint::from_coordinates(|i| (f64::from(n) + 0.7 * i as f64).sin());
-        let Pair(slid, carry) = Increments::<f64>::gauged(&collective, Pair(z, e));
+        let Pair(slid, carry) = Increments::<f64>::gauged(&collective, Pair(z, e), &workspace);
         assert!(slid.q.norm() < 0.9 * z.q.norm(), "start {n} has not slid");
         let (momentum, change) = (SpinorRealisation.apply(&z), carried(&z, &e));
         let kept = SpinorRealisation.apply(&slid) - momentum;

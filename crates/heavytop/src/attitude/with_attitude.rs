@@ -92,6 +92,10 @@ impl<I: Turning<T>, T: Real> Integrator<T> for WithAttitude<I> {
         self.0.forget(workspace);
     }
 
+    fn pin(&self, workspace: &mut Self::Workspace) {
+        self.0.pin(workspace);
+    }
+
     #[inline]
     fn step(
         &self,

@@ -11,6 +11,9 @@ use lie_poisson::Vector;
 /// `dimension` coordinates, and zeros in the coordinates that follow. A vector whose index is d or above is the basis
 /// vector with this index.
 ///
+/// The coordinates are numbers: in a space whose blocks have different units they are those in units of the scales of
+/// the blocks. [`VariationalFlow::generic`](crate::VariationalFlow::generic) multiplies by these scales.
+///
 /// Source: the squares in Weyl's sequence; H. Weyl, *Über die Gleichverteilung von Zahlen mod. Eins*, Math. Ann. 77
 /// (1916).
 ///
@@ -25,14 +28,17 @@ use lie_poisson::Vector;
 /// ```
 #[must_use]
 pub fn generic_tangent<V: Vector<Scalar = f64>>(number: usize, dimension: usize) -> V {
+    V::from_coordinates(|i| generic_coordinate(number, dimension, i))
+}
+
+/// Returns coordinate i of the [`generic_tangent`].
+pub(super) fn generic_coordinate(number: usize, dimension: usize, i: usize) -> f64 {
     const GOLDEN: f64 = 0.618_033_988_749_894_9;
-    V::from_coordinates(|i| {
-        if number >= dimension || i >= dimension {
-            return f64::from(u8::from(number == i));
-        }
-        let place = number * dimension + i + 1;
-        ((place * place) as f64 * GOLDEN).fract() - 0.5
-    })
+    if number >= dimension || i >= dimension {
+        return f64::from(u8::from(number == i));
+    }
+    let place = number.wrapping_mul(dimension).wrapping_add(i).wrapping_add(1);
+    (place.wrapping_mul(place) as f64 * GOLDEN).fract() - 0.5
 }
 
 #[cfg(test)]

@@ -1,7 +1,9 @@
 //! Tangent vectors along a trajectory, and indicators of chaos.
 
+pub(crate) mod generic_tangent;
+pub(crate) mod tangent_integrator;
+pub(crate) mod tangent_scales;
 pub(crate) mod variational_flow;
 pub(crate) mod lyapunov;
 pub(crate) mod megno;
 pub(crate) mod smaller_alignment;
-pub(crate) mod generic_tangent;

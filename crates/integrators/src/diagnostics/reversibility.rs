@@ -1,15 +1,15 @@
 //! The symmetry of an integrator in time.
 
-use crate::iteration::block_sizes::BlockSizes;
 use crate::{Integrator, StepError};
-use lie_poisson::Real;
+use lie_poisson::{BlockScales, Real, State};
 
-/// Returns max |Φ₋ₕ(Φₕ(z)) − z|, in the coordinates of the momentum: the defect of one step forwards and one step back.
+/// Returns |Φ₋ₕ(Φₕ(z)) − z| relative to the size of z: the defect of one step forwards and one step back.
 ///
 /// It is round-off for symmetric methods, and of order hᵖ⁺¹ for other methods of order p. It is NaN if a difference is
 /// NaN. The momenta μ are compared, since states are defined only up to a motion along fibres. For
-/// [`Direct`](crate::Direct) integrators μ is the state. The defect is in the units of μ. Over SIMD lanes it is the
-/// largest over all lanes.
+/// [`Direct`](crate::Direct) integrators μ is the state. The defect is the largest over the [blocks](State::BLOCKS) of
+/// μ, such as Π and Γ, of the length of the difference divided by that of the block of μ before or after the step,
+/// whichever is larger. It does not depend on units. Over SIMD lanes it is the largest over all lanes.
 ///
 /// Source: Hairer, Lubich & Wanner, *Geometric Numerical Integration*, 2nd ed., Def. V.1.4.
 ///
@@ -35,7 +35,9 @@ pub fn reversibility_defect<T: Real, I: Integrator<T>>(
     let mut workspace = integrator.workspace();
     let there = integrator.step(state, step, &mut workspace)?.point;
     let back = integrator.step(&there, -step, &mut workspace)?.point;
-    let mut apart = BlockSizes::zero();
-    apart.include_difference(&integrator.momentum(&back), &integrator.momentum(state));
-    Ok(apart.largest().max_abs())
+    let (mut apart, mu) = (integrator.momentum(&back), integrator.momentum(state));
+    let mut sizes = BlockScales::of(&mu);
+    sizes.include(&integrator.momentum(&there));
+    apart.subtract_in_place(&mu);
+    Ok(sizes.largest(&apart).max_abs())
 }

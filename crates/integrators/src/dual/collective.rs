@@ -151,10 +151,10 @@ impl<S, M: PoissonMap, H> Collective<S, M, H> {
         Compensated(self)
     }
 
-    /// Returns the displacement from z to the point of its fibre from which the next step starts.
+    /// Returns the displacement from z to the point of its fibre from which the next step starts, if z may move.
     #[cfg_attr(not(debug_assertions), inline(always))]
-    fn gauge<T: Real>(&self, z: &SourcePoint<M, T>) -> SourcePoint<M, T> {
-        if self.moves.is_some() { self.system.map.gauge::<T>(z) } else { Vector::zero() }
+    fn gauge<T: Real>(&self, z: &SourcePoint<M, T>, pinned: bool) -> SourcePoint<M, T> {
+        if self.moves.is_some() && !pinned { self.system.map.gauge::<T>(z) } else { Vector::zero() }
     }
 }
 
@@ -188,6 +188,8 @@ pub struct CollectiveSpace<W, V: Vector> {
     scheme: W,
     threshold: RecentringThreshold<V>,
     recentring: RecentringSpace<V::Scalar>,
+    /// Whether z stays where the scheme takes it on its fibre.
+    pinned: bool,
 }
 
 /// The storage of a step of a [`Collective`] integrator with scheme `S` and map `M`.
@@ -205,7 +207,7 @@ impl<S: Scheme, M: PoissonMap, H> Collective<S, M, H> {
         workspace: &mut SpaceOf<S, M, T>,
     ) -> SourcePoint<M, T> {
         let mut moved = *z;
-        if let Some(far) = self.moves {
+        if let (Some(far), false) = (self.moves, workspace.pinned) {
             let CollectiveSpace { threshold, recentring, .. } = workspace;
             threshold.recentre_if_grown(
                 &mut moved,
@@ -233,7 +235,7 @@ impl<S: Scheme, M: PoissonMap, H> Collective<S, M, H> {
         let Step { point: change, iterations } =
             self.scheme.increment::<T, _>(field, &start, step, &mut workspace.scheme)?;
         let end = start + change;
-        let point = end + self.gauge::<T>(&end);
+        let point = end + self.gauge::<T>(&end, workspace.pinned);
         self.require_momentum::<T>(&point)?;
         Ok(Step { point, iterations })
     }
@@ -287,6 +289,7 @@ where
             scheme,
             threshold: RecentringThreshold::default(),
             recentring: RecentringSpace::new(self.moves.unwrap_or_default()),
+            pinned: false,
         }
     }
 
@@ -304,6 +307,10 @@ where
     fn forget(&self, workspace: &mut Self::Workspace) {
         self.scheme.forget(&mut workspace.scheme);
         workspace.threshold = RecentringThreshold::default();
+    }
+
+    fn pin(&self, workspace: &mut Self::Workspace) {
+        workspace.pinned = true;
     }
 
     #[cfg_attr(not(debug_assertions), inline(always))]
@@ -334,14 +341,19 @@ where
     /// The derivative of a gauge, such as that of a power of two, may have no meaning except along the fibre. M is
     /// constant there.
     #[cfg_attr(not(debug_assertions), inline(always))]
-    fn gauged(&self, state: Pair<Self::State, Self::State>) -> Pair<Self::State, Self::State> {
+    fn gauged(
+        &self,
+        state: Pair<Self::State, Self::State>,
+        workspace: &Self::Workspace,
+    ) -> Pair<Self::State, Self::State> {
         let Pair(z, carry) = state;
-        let slide = self.gauge::<T>(&z);
+        let slide = self.gauge::<T>(&z, workspace.pinned);
         let still = slide.max_norm().at_most(T::zero());
         if still.all() {
             return state;
         }
-        let slides: SourcePoint<M, DualNumber<T>> = self.gauge::<DualNumber<T>>(&seed(&z, &carry));
+        let slides: SourcePoint<M, DualNumber<T>> =
+            self.gauge::<DualNumber<T>>(&seed(&z, &carry), false);
         let along: SourcePoint<M, T> = derivative_part(&slides);
         let Pair(slid, rounding) = exact_sum(&z, &slide);
         Vector::select(still, &state, &Pair(slid, carry + along + rounding))

@@ -38,9 +38,14 @@ pub trait Increments<T: Real = f64>: Integrator<T> {
 
     /// Returns the state from which the next step starts instead of this z + e, with the same momentum.
     ///
-    /// If there are fibres, it is another point of the fibre. The default is the state itself.
+    /// If there are fibres, it is another point of the fibre, unless the workspace is [pinned](Integrator::pin). The
+    /// default is the state itself.
     #[cfg_attr(not(debug_assertions), inline(always))]
-    fn gauged(&self, state: Pair<Self::State, Self::State>) -> Pair<Self::State, Self::State> {
+    fn gauged(
+        &self,
+        state: Pair<Self::State, Self::State>,
+        _workspace: &Self::Workspace,
+    ) -> Pair<Self::State, Self::State> {
         state
     }
 }
@@ -124,6 +129,10 @@ impl<I: Increments<T>, T: Real> Integrator<T> for Compensated<I> {
         self.0.forget(workspace);
     }
 
+    fn pin(&self, workspace: &mut Self::Workspace) {
+        self.0.pin(workspace);
+    }
+
     #[cfg_attr(not(debug_assertions), inline(always))]
     fn step(
         &self,
@@ -132,7 +141,8 @@ impl<I: Increments<T>, T: Real> Integrator<T> for Compensated<I> {
         workspace: &mut Self::Workspace,
     ) -> Result<Step<Self::State>, StepError> {
         let Step { point, iterations } = self.0.increment(state, step, workspace)?;
-        Step { point: self.0.gauged(compensated_sum(state, &point)), iterations }.finite()
+        let point = self.0.gauged(compensated_sum(state, &point), workspace);
+        Step { point, iterations }.finite()
     }
 
     #[cfg_attr(not(debug_assertions), inline(always))]
@@ -150,7 +160,8 @@ impl<I: Increments<T>, T: Real> Integrator<T> for Compensated<I> {
         z.assign(&state.0);
         e.assign(&state.1);
         add_compensated((&mut z, &mut e), (&change, &error), pool);
-        let mut end = self.0.gauged(Pair(z, e));
+        let mut end = self.0.gauged(Pair(z, e), workspace);
+        let pool = self.0.temporaries(workspace).unwrap_or(&mut none);
         let finite = end.all_finite();
         if finite {
             state.move_from(&mut end);

@@ -135,6 +135,19 @@ pub trait Integrator<T: Real = f64> {
     /// The law `forgetting` of the suite `laws::integrator` checks it.
     fn forget(&self, workspace: &mut Self::Workspace);
 
+    /// Makes every later step with this workspace the map Φ_h alone, without a motion of the state along its fibre.
+    ///
+    /// A [`Collective`](crate::Collective) integrator moves z along its fibre where that saves digits of M(z). Such a
+    /// motion has no tangent map of its own: it happens at some points and not at their neighbours. With a pinned
+    /// workspace the step is a differentiable map, symplectic if the scheme is, and its tangent vectors are those of
+    /// the motion on P. [`VariationalFlow`](crate::VariationalFlow) pins its workspaces. [`forget`](Self::forget) does
+    /// not end this.
+    ///
+    /// The default does nothing, for integrators that move no state along a fibre. An integrator that makes the steps
+    /// of another one pins the workspace of that one.
+    #[inline]
+    fn pin(&self, _workspace: &mut Self::Workspace) {}
+
     /// Returns the momentum μ of a state. For equations on a space other than 𝔤∗ it is the state itself.
     fn momentum(&self, state: &Self::State) -> Self::Momentum;
 

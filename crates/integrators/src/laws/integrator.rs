@@ -227,6 +227,10 @@ impl<T: Real, I: Integrator<T>> Integrator<T> for Faulty<'_, I> {
         self.object().forget(workspace);
     }
 
+    fn pin(&self, workspace: &mut I::Workspace) {
+        self.object().pin(workspace);
+    }
+
     fn momentum(&self, state: &I::State) -> I::Momentum {
         self.object().momentum(state)
     }

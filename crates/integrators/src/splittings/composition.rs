@@ -239,6 +239,10 @@ impl<T: Real, I: Integrator<T>> Integrator<T> for Composition<I> {
         self.base.forget(workspace);
     }
 
+    fn pin(&self, (workspace, _): &mut Self::Workspace) {
+        self.base.pin(workspace);
+    }
+
     fn momentum(&self, state: &I::State) -> I::Momentum {
         self.base.momentum(state)
     }

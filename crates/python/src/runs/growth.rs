@@ -3,8 +3,7 @@
 use super::schedule::Schedule;
 use crate::errors::message;
 use collective_integrators::{
-    Integrator, Megno, Start, TangentIntegrator, VariationalFlow, generic_tangent,
-    smaller_alignment_index,
+    Integrator, Megno, Start, TangentIntegrator, VariationalFlow, smaller_alignment_index,
 };
 use core::sync::atomic::{AtomicBool, Ordering};
 use heavytop::methods::TangentTask;
@@ -119,8 +118,7 @@ impl GrowthTask<'_> {
             .map_err(|error| message(&error))?;
         // The space may be completed by coordinates that stay zero.
         let dimension = start.len();
-        let initial = core::array::from_fn(|number| generic_tangent(number, dimension));
-        let mut flow = VariationalFlow::<_, K>::new(integrator, state, initial, *step);
+        let mut flow = VariationalFlow::<_, K>::generic(integrator, state, dimension, *step);
         let (mut sums, mut megno, mut growth) = ([0.0; K], Megno::default(), Growth::default());
         let kept = if tangents == Tangents::All { K.min(dimension) } else { 1 };
         let stretch = |flow: &mut VariationalFlow<'_, I, K>| {
@@ -139,7 +137,8 @@ impl GrowthTask<'_> {
                 let exponents = sums.iter().take(kept).map(|sum| sum / flow.time().abs());
                 growth.exponents.extend(exponents);
                 growth.megno.push(megno.mean());
-                growth.sali.extend(flow.tangents().first_chunk().map(smaller_alignment_index));
+                let directions = flow.directions().map_err(|error| message(&error))?;
+                growth.sali.extend(directions.first_chunk().map(smaller_alignment_index));
             }
             if made.is_multiple_of(BETWEEN_REQUESTS) && self.stop.load(Ordering::Relaxed) {
                 break;

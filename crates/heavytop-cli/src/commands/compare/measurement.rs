@@ -6,7 +6,7 @@ use crate::supervision::Watch;
 use collective_integrators::{IntegrationError, Start};
 use heavytop::methods::{Formulation, Method, SchemeName, Task};
 use heavytop::{HeavyTop, Invariant};
-use lie_poisson::{Covector, Pair, Se3Dual, Vector, larger};
+use lie_poisson::{BlockScales, Se3Dual, Vector, larger};
 use std::hint::black_box;
 use std::time::{Duration, Instant};
 
@@ -27,9 +27,9 @@ pub(super) struct Reference {
     pub end: f64,
     /// The state (Π, Γ) at the end.
     pub point: Se3Dual,
-    /// The largest |Π| and the largest |Γ| of the motion.
-    pub sizes: [f64; 2],
-    /// The distance from the solution with the double step.
+    /// The largest |Π| and the largest |Γ| of the motion, in whose units errors are measured.
+    pub sizes: BlockScales<Se3Dual>,
+    /// The distance from the solution with the double step, in these units.
     pub uncertainty: f64,
 }
 
@@ -49,7 +49,7 @@ pub(super) struct Measurement {
 /// The results of a run.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(super) struct Outcome {
-    /// The 2-norm of the error of (Π, Γ) at the end, in SI units.
+    /// The 2-norm of the error of (Π, Γ) at the end, with Π and Γ relative to the sizes of the motion.
     pub error: f64,
     /// The errors of Π (kg m²/s) and of Γ at the end.
     pub parts: [f64; 2],
@@ -85,7 +85,7 @@ impl Reference {
     /// If the result with the whole step differs, or the command shall end.
     pub fn new(experiment: &Experiment, steps: u64, watch: &Watch<'_>) -> Result<Self, Error> {
         let step = experiment.schedule.step;
-        let mut sizes = [0.0_f64; 2];
+        let mut sizes = BlockScales::of(&experiment.start);
         let gauss = Method::new(Formulation::Reduced, SchemeName::Gauss(8), 0.0)?;
         let mut end = |halvings: u64| {
             let mut experiment = *experiment;
@@ -98,22 +98,17 @@ impl Reference {
             let mut end = experiment.start;
             experiment.run(|_, _, mu, _| {
                 end = *mu;
-                for (size, part) in sizes.iter_mut().zip(norms(mu)) {
-                    *size = size.max(part);
-                }
+                sizes.include(mu);
                 watch.require_going()
             })?;
             Ok::<_, Error>(end)
         };
         let (coarse, point) = (end(1)?, end(2)?);
-        let difference = norms(&(coarse - point));
-        // Π and Γ have different units, and a top may be of any size.
-        let relative = relative(difference, sizes);
-        if relative <= CERTAIN {
-            let uncertainty = difference[0].hypot(difference[1]);
+        let uncertainty = sizes.norm(&(coarse - point));
+        if uncertainty <= CERTAIN {
             Ok(Self { end: steps as f64 * step, point, sizes, uncertainty })
         } else {
-            Err(Error::Reference { uncertainty: relative, most: CERTAIN })
+            Err(Error::Reference { uncertainty, most: CERTAIN })
         }
     }
 }
@@ -158,11 +153,12 @@ impl Task for Measure<'_> {
             least = least.min(run.elapsed());
             black_box(&repeated.is_ok());
         }
-        let parts = norms(&(last - self.reference.point));
+        let (error, sizes) = (last - self.reference.point, &self.reference.sizes);
+        let parts = BlockScales::of(&error);
         Ok(Outcome {
-            error: parts[0].hypot(parts[1]),
-            parts,
-            relative: relative(parts, self.reference.sizes),
+            error: sizes.norm(&error),
+            parts: [parts.at(0), parts.at(1)],
+            relative: sizes.largest(&error),
             seconds: least.as_secs_f64() / self.reference.end.abs(),
             deviations,
         })
@@ -190,35 +186,5 @@ impl Measure<'_> {
             visit(&last);
         }
         Ok(Ok(last))
-    }
-}
-
-/// Returns |Π| and |Γ|.
-fn norms(Covector(Pair(pi, gamma)): &Se3Dual) -> [f64; 2] {
-    [pi.norm(), gamma.norm()]
-}
-
-/// Returns the larger of the errors of Π and Γ relative to their sizes; NaN if one of them is NaN.
-fn relative(errors: [f64; 2], sizes: [f64; 2]) -> f64 {
-    // What is always zero has no size, and no error if it stays zero.
-    let [pi, gamma] = [0, 1].map(|i| if errors[i] == 0.0 { 0.0 } else { errors[i] / sizes[i] });
-    larger(pi, gamma)
-}
-
-#[cfg(test)]
-mod tests {
-    use super::*;
-
-    #[test]
-    fn the_relative_error_does_not_depend_on_the_unit_of_angular_momentum() {
-        for unit in [1e-20, 1e-3, 1.0, 1e20] {
-            let error = relative([2e-6 * unit, 1e-7], [4.0 * unit, 1.0]);
-            assert!((error - 5e-7).abs() < 1e-20, "{error}");
-            // Control: the norm of both is the error of one of them alone.
-            let norm = (2e-6 * unit).hypot(1e-7);
-            assert!(unit == 1.0 || (norm - 5e-7).abs() > 3e-7, "{norm}");
-        }
-        assert_eq!(relative([0.0, 1e-3], [0.0, 1.0]), 1e-3);
-        assert!(relative([f64::NAN, 0.0], [1.0, 1.0]).is_nan());
     }
 }

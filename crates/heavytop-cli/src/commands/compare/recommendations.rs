@@ -42,7 +42,7 @@ pub struct Comparison {
 /// The fastest runs whose errors do not exceed a bound.
 #[derive(Clone, Debug, PartialEq, Serialize)]
 pub struct Recommendation {
-    /// The largest error allowed: the 2-norm of the error of (Π, Γ).
+    /// The largest error allowed: the 2-norm of the error of (Π, Γ), relative to the largest |Π| and |Γ| of the motion.
     pub error: f64,
     /// The fastest of all methods; `None` if no method attains the accuracy, or the reference is less certain.
     pub fastest: Option<Choice>,
@@ -59,7 +59,7 @@ pub struct Choice {
     pub scheme: &'static str,
     /// The time step, s.
     pub step: f64,
-    /// The error of the run: the 2-norm of the error of (Π, Γ), in SI units.
+    /// The error of the run: the 2-norm of the error of (Π, Γ), relative to the largest |Π| and |Γ| of the motion.
     pub error: f64,
     /// The error of Π, kg m²/s.
     #[serde(rename = "error_Pi")]
@@ -134,8 +134,8 @@ impl fmt::Display for Comparison {
         }
         write!(
             to,
-            "error: 2-norm of that of (Pi, Gamma) in SI units at t = {} s, and in parentheses that of Pi \
-             (kg m²/s) and that of Gamma;\nthe reference is certain to {:.0e}\n\
+            "error: 2-norm of that of (Pi, Gamma) at t = {} s, relative to the largest |Pi| and |Gamma|, and in \
+             parentheses\nthat of Pi (kg m²/s) and that of Gamma; the reference is certain to {:.0e}\n\
              time: computing time per simulated second; figure and table are in {}",
             number(self.end),
             self.uncertainty,

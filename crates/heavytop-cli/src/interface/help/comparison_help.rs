@@ -8,12 +8,11 @@ configured one to a tenth of it. The interval is 500 configured steps, or the wh
 shorter; --end sets another end. Over longer times the errors of a chaotic top say more about the
 top than about the integrators. formulation, scheme and output of the configuration play no part; tolerance does.
 
-The error is the 2-norm of that of (Π, Γ) at the end, against a Gauss method of order 16 without a
-lift at half the configured step; if that with the whole step differs by more than 1e-11 of its
-size, the command fails. The time is the wall-clock time for one simulated second, (Π, Γ) read after
+The error is that of (Π, Γ) at the end, against a Gauss method of order 16 without a lift at half the
+configured step; if that with the whole step differs by more than 1e-11, the command fails. Π and Γ
+have different units: the error is the 2-norm of |δΠ| / max |Π| and |δΓ| / max |Γ|, which does not
+depend on them. The figure shows the larger of the two, and the table has all three and the parts. The time is the wall-clock time for one simulated second, (Π, Γ) read after
 each step, the best of at least three repetitions; it is of your machine, so let it rest meanwhile.
-Π and Γ have different units: the table has their errors apart, and the figure shows the larger of
-|δΠ| / max |Π| and |δΓ| / max |Γ|.
 
 Written into the folder:
   work-precision.svg .png  error against time, a panel for each formulation

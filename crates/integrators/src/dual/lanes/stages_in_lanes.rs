@@ -117,6 +117,10 @@ impl<I: FieldInLanes> Integrator for StagesInLanes<I> {
         self.integrator.forget(workspace);
     }
 
+    fn pin(&self, workspace: &mut Self::Workspace) {
+        self.integrator.pin(workspace);
+    }
+
     #[cfg_attr(not(debug_assertions), inline(always))]
     fn momentum(&self, state: &Self::State) -> Self::Momentum {
         self.integrator.momentum(state)
@@ -143,8 +147,12 @@ impl<I: FieldInLanes> Increments for StagesInLanes<I> {
     }
 
     #[cfg_attr(not(debug_assertions), inline(always))]
-    fn gauged(&self, state: Pair<Self::State, Self::State>) -> Pair<Self::State, Self::State> {
-        self.integrator.gauged(state)
+    fn gauged(
+        &self,
+        state: Pair<Self::State, Self::State>,
+        workspace: &Self::Workspace,
+    ) -> Pair<Self::State, Self::State> {
+        self.integrator.gauged(state, workspace)
     }
 }
 

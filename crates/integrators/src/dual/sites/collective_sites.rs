@@ -92,6 +92,8 @@ pub struct CollectiveSitesSpace<W, V: Vector, D> {
     pool: Vec<Sites<V>>,
     threshold: RecentringThreshold<Sites<V>>,
     recentring: RecentringSpace<V::Scalar>,
+    /// Whether each point stays where the scheme takes it on its fibre.
+    pinned: bool,
 }
 
 /// The vector field generator(dh_i(M(z)), z_i) at every site.
@@ -137,7 +139,7 @@ impl<S, M: PoissonMap, H> CollectiveSites<S, M, H> {
         z: &mut Sites<SourcePoint<M, T>>,
         workspace: &mut CollectiveSitesSpace<W, SourcePoint<M, T>, D>,
     ) {
-        if let Some(far) = self.moves {
+        if let (Some(far), false) = (self.moves, workspace.pinned) {
             let CollectiveSitesSpace { threshold, recentring, .. } = workspace;
             threshold.recentre_if_grown(z, far, |z, grown| {
                 for z in z.iter_mut() {
@@ -171,6 +173,7 @@ where
             pool: Vec::new(),
             threshold: RecentringThreshold::default(),
             recentring: RecentringSpace::new(self.moves.unwrap_or_default()),
+            pinned: false,
         }
     }
 
@@ -192,14 +195,14 @@ where
         let mut z = State::take(&mut workspace.pool, state);
         z.assign(state);
         self.recentre::<T, _, _>(&mut z, workspace);
-        let CollectiveSitesSpace { scheme, velocities, pool, .. } = workspace;
+        let CollectiveSitesSpace { scheme, velocities, pool, pinned, .. } = workspace;
         let field = SitesField { map: &self.map, hamiltonian: &self.hamiltonian, velocities };
         let made = self.scheme.increment::<T, _>(&field, &z, step, scheme).and_then(|made| {
             z.add_in_place(&made.point);
             if let Some(temporaries) = self.scheme.temporaries(scheme) {
                 made.point.give(temporaries);
             }
-            if self.moves.is_some() {
+            if self.moves.is_some() && !*pinned {
                 z.iter_mut().for_each(|z| *z += self.map.gauge::<T>(z));
             }
             let finite = z.iter().all(|z| has_finite_momentum::<M, T>(&self.map, z));
@@ -215,6 +218,10 @@ where
     fn forget(&self, workspace: &mut Self::Workspace) {
         self.scheme.forget(&mut workspace.scheme);
         workspace.threshold = RecentringThreshold::default();
+    }
+
+    fn pin(&self, workspace: &mut Self::Workspace) {
+        workspace.pinned = true;
     }
 
     fn momentum(&self, state: &Self::State) -> Self::Momentum {

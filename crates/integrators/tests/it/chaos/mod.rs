@@ -1,3 +1,4 @@
 //! Indicators of chaos.
 
 mod lyapunov;
+mod tangents_along_fibres;
