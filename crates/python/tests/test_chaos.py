@@ -100,3 +100,16 @@ def test_systems_do_not_come_in_a_sequence():
     system = System("so(3)", "Pi·Pi/2")
     with pytest.raises(ValueError, match="a sequence must be one of tops, .* at 1"):
         lyapunov([REGULAR, system], np.array([TAME, TAME]).T, step=0.1, end=1)
+
+
+@pytest.mark.parametrize("unit", [1e-30, 1e-9, 1e9, 1e30])
+@pytest.mark.parametrize("spin", [1.0, 0.0])
+def test_indicators_do_not_depend_on_the_unit_of_mass(unit, spin):
+    def measured(s):
+        top = Top([1.0 * s, 1.7 * s, 2.2 * s], mass=s, gravity=9.81, length=0.5, center_of_mass=[0.6, 0, 0.8])
+        y = [spin * s, 2 * spin * s, spin * s, 0, 0.6, 0.8]
+        one = lyapunov(top, y, step=0.05, end=10, sali=True)
+        return [*lyapunov(top, y, step=0.05, end=10, exponents=6).exponents, *one.exponents, one.megno, one.sali]
+
+    # Round-off of the parameters in other units, which chaos enlarges.
+    assert measured(unit) == pytest.approx(measured(1.0), rel=1e-8, abs=1e-8)

@@ -105,7 +105,9 @@ impl Integrator for Coarse {
         Ok(Step { point, iterations })
     }
 
-    fn forget(&self, (): &mut ()) {}
+    fn forget(&self, workspace: &mut Self::Workspace) {
+        Integrator::<f64>::forget(&self.0, workspace);
+    }
 
     fn momentum(&self, state: &Self::State) -> Se3Dual {
         self.0.momentum(&state.0)

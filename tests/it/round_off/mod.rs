@@ -4,3 +4,4 @@ mod compensated;
 mod large_steps;
 mod recentring;
 mod scales;
+mod scales_of_measurements;

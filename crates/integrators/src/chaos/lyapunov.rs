@@ -10,7 +10,8 @@ use lie_poisson::State;
 /// ```
 ///
 /// The sum runs over the steps from t₀ on. The stretch r_ii is the length of the component of the i-th tangent vector
-/// orthogonal to the preceding vectors.
+/// orthogonal to the preceding vectors. Lengths and angles are those of [`VariationalFlow::orthonormalise`], which do
+/// not depend on units.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Exponents<S, const K: usize> {
     /// The number of steps made.
@@ -28,7 +29,8 @@ pub struct Exponents<S, const K: usize> {
 /// Select items by `nth`, `step_by` and `take`. Once a step fails, every further item is the same error, as in a
 /// [`Trajectory`](crate::Trajectory).
 ///
-/// The exponents are those of the discrete map, divided by |h|. They converge slowly, at best as 1/t. For an integrable
+/// The exponents are those of the discrete map, divided by |h|. For a [`Collective`](crate::Collective) integrator the
+/// map is that of P, so that the exponents along the fibres are among them. They converge slowly, at best as 1/t. For an integrable
 /// system they tend to zero as (ln t)/t. With DIM exponents their sum is ln |det DΦ_t|/|t|, where Φ_t is the map over the
 /// whole time t. The sum is zero for a
 /// Poisson integrator that conserves the Casimirs of a unimodular 𝔤∗, such as so(3)∗ or se(3)∗. For negative steps, the

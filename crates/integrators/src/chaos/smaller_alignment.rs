@@ -8,7 +8,8 @@ use lie_poisson::State;
 /// SALI = min(‖v + w‖, ‖v − w‖)
 /// ```
 ///
-/// The norm is the Euclidean norm of coordinates. Along a chaotic trajectory any two tangent vectors turn towards the
+/// The norm is the Euclidean norm of coordinates. Vectors of several blocks, such as (Π, Γ), are given in units of the
+/// scales of the blocks, as [`VariationalFlow::directions`](crate::VariationalFlow::directions) returns them. Along a chaotic trajectory any two tangent vectors turn towards the
 /// most unstable direction. The index then falls as exp(−(λ₁ − λ₂)t) down to round-off, where λ₁ ≥ λ₂ are the largest
 /// Lyapunov exponents. On a torus of dimension 2 or more it stays away from 0. On a closed curve it falls as a power of
 /// t.
@@ -39,7 +40,7 @@ use lie_poisson::State;
 ///         flow.advance()?;
 ///         flow.normalise()?;
 ///     }
-///     Ok::<_, Box<dyn std::error::Error>>(smaller_alignment_index(flow.tangents()))
+///     Ok::<_, Box<dyn std::error::Error>>(smaller_alignment_index(&flow.directions()?))
 /// };
 /// // the angle between (cosh t, sinh t) and (sinh t, cosh t) at t = 5 is 2 exp(−2t)
 /// assert!((sali(1.0)? / (2.0 * (-10.0_f64).exp()) - 1.0).abs() < 1e-5);

@@ -68,7 +68,8 @@ def lyapunov(
     """Returns Lyapunov exponents and other indicators of chaos of one run, or of many on all threads.
 
     The tangent vectors are advanced by the exact derivative of each step of the method, so that they are those of the
-    discrete map. The exponents converge slowly: for regular motion they vanish as (ln t)/t. MEGNO separates order from
+    discrete map. Their lengths are measured in units of the motion, Pi by |Pi| and Gamma by |Gamma|, so that no indicator
+    depends on the units of mass, length and time. The exponents converge slowly: for regular motion they vanish as (ln t)/t. MEGNO separates order from
     chaos sooner. A step costs about three plain steps for each tangent vector.
 
     Args:

@@ -134,7 +134,8 @@ where
     for _ in 0..steps {
         let dual: TargetPoint<M, DualNumber> = seed(&mu, &below);
         let next = step_map::<DualNumber, _>(&lifted, &dual, STEP).unwrap();
-        (mu, below) = (map_coordinates(&next, |x| x.value()), derivative_part(&next));
+        (mu, below) =
+            (map_coordinates(&next, |x| x.value_without_derivative()), derivative_part(&next));
         flow.advance().unwrap();
     }
     let above = image(flow.state(), &flow.tangents()[0]);
