@@ -55,6 +55,55 @@ pub enum TopError {
         /// The remaining moment.
         second: f64,
     },
+    /// The moments leave no room for the mass at its distance from the support.
+    #[error(
+        "no body has these moments about the support: with {point:?} kg m² of the mass at the centre of mass taken off, \
+         {least:?}, {middle:?} and {greatest:?} kg m² remain about the centre of mass"
+    )]
+    ImpossibleBody {
+        /// The moment m l² of the mass at the centre of mass, kg m².
+        point: f64,
+        /// The least principal moment about the centre of mass, kg m².
+        least: f64,
+        /// The middle principal moment about the centre of mass, kg m².
+        middle: f64,
+        /// The greatest principal moment about the centre of mass, kg m².
+        greatest: f64,
+    },
+    /// An inertia matrix is not symmetric.
+    #[error(
+        "inertia must be symmetric: inertia[{row}][{column}] = {value:?}, but inertia[{column}][{row}] = {mirrored:?}"
+    )]
+    NotSymmetric {
+        /// The row of an entry, from 0.
+        row: usize,
+        /// The column of the entry, from 0.
+        column: usize,
+        /// The entry.
+        value: f64,
+        /// The entry with row and column exchanged.
+        mirrored: f64,
+    },
+    /// The centre of mass of a thin rod is off the rod.
+    #[error(
+        "inertia[{axis}] = 0 is a thin rod, whose centre of mass lies on it, but center_of_mass is {across:?} away from it"
+    )]
+    RodCenter {
+        /// The principal axis of the rod: 0, 1 or 2.
+        axis: usize,
+        /// The part of the unit vector c at right angles to the rod.
+        across: f64,
+    },
+    /// A thin rod has an angular momentum about its own axis.
+    #[error(
+        "inertia[{axis}] = 0 is a thin rod, which has no angular momentum about itself, got {momentum:?} kg m²/s"
+    )]
+    RodSpin {
+        /// The principal axis of the rod: 0, 1 or 2.
+        axis: usize,
+        /// The angular momentum about the axis, kg m²/s.
+        momentum: f64,
+    },
     /// The top is not Lagrange's, which the closed form requires.
     #[error("the top must be Lagrange's: I₁ = I₂, centre of mass on +e₃, gravity at work")]
     NotLagrange,

@@ -114,6 +114,8 @@ pub use splittings::symmetric_top::SymmetricTopSplitting;
 pub use tops::coordinate::Coordinate;
 pub use tops::energy_level::EnergyLevel;
 pub use tops::invariants::Invariant;
+pub use tops::parallel_axis::{point_inertia, require_possible_body};
+pub use tops::principal_axes::PrincipalAxes;
 pub use tops::rigid_body::RigidBody;
 pub use tops::top::{Body, HeavyTop, HeavyTopSpace};
 

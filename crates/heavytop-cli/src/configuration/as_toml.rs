@@ -102,9 +102,9 @@ mod tests {
         assert_eq!(differences.len(), 3, "{differences:?}");
         assert_eq!(differences[0], "[body] inertia: [2.0, 2.0, 1.0] against [4.0, 4.0, 1.0]");
         let mut heavy = Config::default();
-        (heavy.body.mass, heavy.integrator.step) = (1e308, Some(1e-9));
+        (heavy.body.weight_moment, heavy.integrator.step) = (Some(1e308), Some(1e-9));
         let expected =
-            ["[body] mass: 1.0 against 1e308", "[integrator] step: nothing against 1e-9"];
+            ["[body] weight_moment: 1.0 against 1e308", "[integrator] step: nothing against 1e-9"];
         assert_eq!(Config::default().differences(&heavy).unwrap(), expected);
         // A difference counts even if too much text surrounds it to be shown.
         let tops = |mass: &str| {

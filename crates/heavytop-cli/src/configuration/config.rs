@@ -1,18 +1,22 @@
 //! The tables of a configuration file.
 
 use super::integrator_config::{Integration, IntegratorConfig};
+use super::notes::Notes;
 use super::section_config::SectionConfig;
 use super::sweep::SweepConfig;
 use super::system::SystemConfig;
-use super::top_config::{BodyConfig, InitialConfig};
+use super::top::{About, BodyConfig, InitialConfig, LeftOut};
 use crate::Error;
 use crate::errors::{CheckpointError, SystemTableError};
 use crate::runs::step_angle::require_sane_step;
 use crate::runs::{Experiment, Schedule, SystemExperiment};
-use heavytop::HeavyTop;
 use heavytop::methods::Formulation;
+use heavytop::{HeavyTop, PrincipalAxes};
 use lie_poisson::{InstructionSet, Se3Dual};
 use serde::{Deserialize, Serialize};
+
+/// The part of a velocity up to which it is zero by rounding.
+const ROUNDING: f64 = 1e-12;
 
 /// A configuration file; what it leaves out is as for the paper's Kovalevskaya top.
 #[derive(Clone, Debug, Default, PartialEq, Deserialize, Serialize)]
@@ -32,6 +36,9 @@ pub struct Config {
     pub sweep: Option<SweepConfig>,
     /// The table `[system]`: a system instead of a top.
     pub system: Option<SystemConfig>,
+    /// The keys that were left out of the tables of tops where they were read.
+    #[serde(skip)]
+    pub left_out: LeftOut,
 }
 
 /// The table `[output]`: what is written.
@@ -56,7 +63,7 @@ impl Config {
     /// # Errors
     /// If there is no such experiment.
     pub fn experiment(&self) -> Result<Experiment, Error> {
-        let (top, start) = (self.top()?, self.start()?);
+        let (top, axes, start) = (self.top()?, self.axes()?, self.start()?);
         let integration = self.integrator.or(Integration::default());
         let Integration { formulation, step, end, .. } = integration;
         let method = integration.method()?;
@@ -69,7 +76,7 @@ impl Config {
         }
         require_sane_step(&top, &start, step)?;
         let schedule = Schedule::new(step, end)?;
-        Ok(Experiment { top, start, method, schedule, every, attitude })
+        Ok(Experiment { top, axes, start, method, schedule, every, attitude })
     }
 
     /// Returns the instruction set on which the last digits of a run depend here: [`Method::instructions`].
@@ -137,22 +144,80 @@ impl Config {
         Ok(Some(system))
     }
 
-    /// Returns the top of `[body]`.
+    /// Returns the top of `[body]`, in its principal axes.
     ///
     /// # Errors
     /// The errors of [`BodyConfig::top`], or that there is a system instead of a top.
     pub fn top(&self) -> Result<HeavyTop, Error> {
         match self.system {
             Some(_) => Err(SystemTableError::CommandOfTops.into()),
-            None => self.body.top(),
+            None => {
+                self.require_position()?;
+                self.body.top()
+            }
         }
     }
 
-    /// Returns the state of `[initial]`.
+    /// Returns the principal axes of the top in the axes of `[body]`.
     ///
     /// # Errors
-    /// The errors of [`InitialConfig::start`].
+    /// The errors of [`BodyConfig::axes`].
+    pub fn axes(&self) -> Result<PrincipalAxes, Error> {
+        self.body.axes()
+    }
+
+    /// Returns the state of `[initial]`, in the principal axes of the top.
+    ///
+    /// # Errors
+    /// The errors of [`InitialConfig::start`] and of [`BodyConfig::axes`], or that a thin rod turns about itself.
     pub fn start(&self) -> Result<Se3Dual, Error> {
-        self.initial.start(self.body.inertia)
+        let (start, axes) = (self.initial.start(&self.body)?, self.axes()?);
+        let start = axes.state_to_principal(&start);
+        // Whether there is such a top is not for the start to say.
+        let Ok(top) = self.body.top() else { return Ok(start) };
+        if let (Some(axis), Some(velocity)) = (top.rod_axis(), self.initial.angular_velocity) {
+            let velocity = axes.to_principal(&velocity.into());
+            if velocity[axis].abs() > ROUNDING * velocity.amax() {
+                let (name, range) = ("angular_velocity", "at right angles to a thin rod");
+                return Err(Error::OutOfRange { name, range, value: velocity[axis] });
+            }
+        }
+        top.require_state(&start).map_err(Error::Spin)?;
+        Ok(start)
+    }
+
+    /// Returns what the end of a run tells of the configuration: nothing if it is that of a system.
+    #[must_use]
+    pub fn notes(&self) -> Notes {
+        match self.system {
+            Some(_) => Notes::default(),
+            None => Notes::new(&self.body, &self.left_out),
+        }
+    }
+
+    /// Returns a warning if no body has the moments that the configuration gives, with the mass and the length that it
+    /// gives.
+    pub(crate) fn body_warning(&self) -> Option<String> {
+        if self.system.is_some() || self.leaves_out_position() {
+            return None;
+        }
+        let reason = self.body.impossibility()?;
+        Some(format!(
+            "warning: [body] {reason}; the run goes on with m g l alone: write moments about the support, or \
+             inertia_about = \"center-of-mass\", or weight_moment instead of mass, gravity and length"
+        ))
+    }
+
+    /// Returns whether the mass or the length was left out where the configuration was read.
+    fn leaves_out_position(&self) -> bool {
+        ["body.mass", "body.length"].iter().any(|key| self.left_out.contains(key))
+    }
+
+    /// Checks that the mass and the length are given where the moments need them.
+    pub(crate) fn require_position(&self) -> Result<(), Error> {
+        match self.body.inertia_about {
+            About::CenterOfMass if self.leaves_out_position() => Err(Error::CentralMoments),
+            _ => Ok(()),
+        }
     }
 }

@@ -1,16 +1,18 @@
 //! The configuration: its tables, tops by name, and writing it.
 
-mod top_config;
+mod top;
 mod integrator_config;
 mod system;
 mod section_config;
 mod sweep;
+mod notes;
 mod config;
 mod preset;
 mod as_toml;
 
 pub use config::{Config, OutputConfig};
 pub use integrator_config::{Instructions, Integration, IntegratorConfig};
+pub use notes::Notes;
 pub use preset::Preset;
 pub use section_config::SectionConfig;
 pub use sweep::{
@@ -19,4 +21,4 @@ pub use sweep::{
 };
 pub(crate) use sweep::{Spread, SweepAxis};
 pub use system::{Numbers, SystemConfig};
-pub use top_config::{BodyConfig, InitialConfig};
+pub use top::{About, BodyConfig, Inertia, InitialConfig, LeftOut, Quantity};

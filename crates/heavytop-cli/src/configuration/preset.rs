@@ -2,11 +2,14 @@
 
 use super::config::Config;
 use super::integrator_config::Integration;
-use super::top_config::{BodyConfig, InitialConfig};
+use super::top::{BodyConfig, InitialConfig};
 use clap::ValueEnum;
 use heavytop::methods::{Formulation, SchemeName};
 
 /// A top by name, with its start and its integrator: the defaults of a configuration.
+///
+/// All but the benchmark fix the moments and the weight moment m g l alone, which is all that the motion depends on: their
+/// `[body]` has the key `weight_moment`, and says nothing about a mass and a length.
 ///
 /// # Example
 /// ```
@@ -42,6 +45,12 @@ pub enum Preset {
 }
 
 impl Preset {
+    /// Returns the words for the top in messages: `the preset lagrange`.
+    pub(crate) fn words(self) -> String {
+        let name = self.to_possible_value().map(|value| value.get_name().to_owned());
+        format!("the preset {}", name.unwrap_or_default())
+    }
+
     /// Returns the configuration of the preset.
     #[must_use]
     pub fn config(self) -> Config {
@@ -53,11 +62,12 @@ impl Preset {
                 config.initial.angular_momentum = [0.0, 0.0, 4.0];
             }
             Self::Euler => {
-                (config.body.inertia, config.body.gravity) = ([1.0, 2.0, 3.0], 0.0);
+                config.body.inertia = [1.0, 2.0, 3.0].into();
+                (config.body.gravity, config.body.weight_moment) = (0.0, Some(0.0));
                 config.initial.angular_momentum = [0.1, 2.0, 0.1];
             }
             Self::GoryachevChaplygin => {
-                config.body.inertia = [4.0, 4.0, 1.0];
+                config.body.inertia = [4.0, 4.0, 1.0].into();
                 config.initial.angular_momentum = [2.0, 3.0, 0.0];
                 config.initial.vertical = [0.0, 0.0, 1.0];
             }
@@ -69,11 +79,20 @@ impl Preset {
 
 fn multibody_benchmark(config: &mut Config) {
     let (mass, central, spin) = (15.0, [0.234_375, 0.468_75, 0.234_375], [0.0, 150.0, -4.615_38]);
-    let inertia = [central[0] + mass, central[1], central[2] + mass];
+    let inertia: [f64; 3] = [central[0] + mass, central[1], central[2] + mass];
     let angular_momentum = std::array::from_fn(|i| inertia[i] * spin[i]);
+    let (inertia, weight_moment) = (inertia.into(), None);
     let center_of_mass = [0.0, 1.0, 0.0];
     let own = BodyConfig::default();
-    config.body = BodyConfig { inertia, mass, gravity: 9.81, length: 1.0, center_of_mass, ..own };
+    config.body = BodyConfig {
+        inertia,
+        mass,
+        gravity: 9.81,
+        length: 1.0,
+        weight_moment,
+        center_of_mass,
+        ..own
+    };
     let vertical = [0.0, 0.0, 1.0];
     config.initial = InitialConfig { angular_momentum, vertical, ..InitialConfig::default() };
     // A step of half a radian, which the method of order 16 integrates to round-off.

@@ -143,6 +143,14 @@ pub enum Error {
     /// Γ(0) is not a unit vector.
     #[error("[initial]")]
     Vertical(#[source] TopError),
+    /// The top cannot have the initial angular momentum.
+    #[error("[initial]")]
+    Spin(#[source] TopError),
+    /// Moments about the centre of mass are given without its distance, or without the mass.
+    #[error(
+        "[body] inertia_about = \"center-of-mass\" needs mass and length, for the moments about the support"
+    )]
+    CentralMoments,
     /// There is an azimuth of Γ(0), but no inclination.
     #[error("[initial] azimuth needs inclination: the two give the vertical")]
     AzimuthAlone,

@@ -98,6 +98,22 @@ pub enum SweepError {
         /// The parameter of the axis.
         axis: String,
     },
+    /// An axis varies a principal moment of a body whose moments are a matrix.
+    #[error(
+        "the axis {axis} is a principal moment, and [body] inertia is a matrix; write principal moments"
+    )]
+    Matrix {
+        /// The parameter of the axis.
+        axis: String,
+    },
+    /// An axis varies a factor of the weight moment, which is given as a product.
+    #[error(
+        "the axis {axis} is a factor of m g l, and [body] has weight_moment; write mass, gravity and length"
+    )]
+    Weight {
+        /// The parameter of the axis.
+        axis: String,
+    },
     /// Some axes are grids, others are random.
     #[error("the axes must be all grids or all random")]
     Mixed,

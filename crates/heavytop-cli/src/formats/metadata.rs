@@ -1,7 +1,7 @@
 //! The metadata of an output: where it comes from.
 
 use crate::Error;
-use crate::configuration::Config;
+use crate::configuration::{Config, Notes};
 use serde::Serialize;
 
 /// The metadata of an output: the program, its version and the configuration.
@@ -19,6 +19,9 @@ pub struct Metadata {
     /// The estimated error of a run, to two digits, relative to the state.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub error_estimate: Option<f64>,
+    /// The values that the configuration left out, and the principal axes that were found.
+    #[serde(flatten)]
+    pub notes: Notes,
 }
 
 impl Metadata {
@@ -28,13 +31,9 @@ impl Metadata {
     /// The errors of [`Config::to_toml`].
     pub fn new(config: &Config) -> Result<Self, Error> {
         let (program, version) = ("heavytop", env!("CARGO_PKG_VERSION"));
-        Ok(Self {
-            program,
-            version,
-            configuration: config.to_toml()?,
-            casimirs: Vec::new(),
-            error_estimate: None,
-        })
+        let (configuration, notes) = (config.to_toml()?, config.notes());
+        let (casimirs, error_estimate) = (Vec::new(), None);
+        Ok(Self { program, version, configuration, casimirs, error_estimate, notes })
     }
 
     /// Returns the metadata with the Casimirs of a system.

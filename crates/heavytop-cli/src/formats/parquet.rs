@@ -77,13 +77,15 @@ pub(crate) fn begin<W: Write + Send>(
     let split: Vec<_> = fields.iter().filter(is_split).map(|f| f.name().to_owned()).collect();
     let fields = fields.into_iter().map(Arc::new).collect();
     let schema = Type::group_type_builder(name).with_fields(fields).build()?;
-    let Metadata { program, version, configuration, casimirs, error_estimate } = metadata;
+    let Metadata { program, version, configuration, casimirs, error_estimate, notes } = metadata;
     let pairs = [("program", *program), ("version", version), ("configuration", configuration)];
     let pairs = pairs.into_iter().map(|(key, value)| KeyValue::new(key.into(), value.to_string()));
+    let notes = notes.pairs().into_iter().map(|(key, text)| KeyValue::new(key.into(), text));
     let numbered = (1..).zip(casimirs);
     let pairs = pairs.chain(numbered.map(|(i, text)| KeyValue::new(format!("c{i}"), text.clone())));
     let estimate = error_estimate.map(|e| KeyValue::new("error_estimate".into(), number(e)));
     let pairs = pairs.chain(estimate);
+    let pairs = pairs.chain(notes);
     let mut properties = WriterProperties::builder()
         .set_created_by(format!("{program} version {version}"))
         .set_key_value_metadata(Some(pairs.collect()))

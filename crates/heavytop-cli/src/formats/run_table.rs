@@ -1,8 +1,8 @@
 //! The table of a run: its columns and rows.
 
 use crate::runs::{Experiment, Moment, SystemExperiment};
-use heavytop::{HeavyTop, Invariant};
-use lie_poisson::{Covector, Pair, Se3Dual};
+use heavytop::{HeavyTop, Invariant, PrincipalAxes, attitude_of_vertical};
+use lie_poisson::{Covector, Pair, Quaternion, Se3Dual};
 use std::array;
 use std::ops::Range;
 
@@ -16,6 +16,14 @@ pub const ATTITUDE_COLUMNS: &str = "qw,qx,qy,qz";
 #[must_use]
 pub fn state_values(time: f64, Covector(Pair(pi, gamma)): &Se3Dual) -> [f64; 7] {
     [time, pi.x, pi.y, pi.z, gamma.x, gamma.y, gamma.z]
+}
+
+/// Returns the turn about the vertical that takes the attitude of the columns, where that of the principal axes is the
+/// shortest one, to the shortest one.
+fn turn_about_the_vertical(axes: &PrincipalAxes, start: &Se3Dual) -> Quaternion {
+    let given = axes.state_from_principal(start);
+    let shortest = axes.attitude_from_principal(&attitude_of_vertical(&start.0.1));
+    attitude_of_vertical(&given.0.1) * shortest.conjugate()
 }
 
 /// The number of numbers that are formatted before their texts are copied.
@@ -52,15 +60,22 @@ pub struct RunTable {
     invariants: Range<usize>,
     /// What the invariants of a top are computed from.
     top: Option<(HeavyTop, Vec<Invariant>)>,
+    /// The principal axes of a top in the axes of the columns, where these are others, and the turn about the vertical
+    /// after which the attitude of the columns starts with the shortest rotation.
+    axes: Option<(PrincipalAxes, Quaternion)>,
 }
 
 impl RunTable {
-    /// Creates the table of a top: t, Π, Γ, the invariants h, f₁, f₂, and C, K or G, and the attitude if it is asked for.
+    /// Creates the table of a top: t, Π, Γ, the invariants h, f₁, f₂, and C, K, G or f₃, and the attitude if it is asked
+    /// for, all in the axes in which the top was given.
     #[must_use]
     pub fn new(experiment: &Experiment) -> Self {
-        let mut invariants = experiment.top.invariants();
-        // f₃ is a component of Π, which is a column already.
-        invariants.retain(|invariant| *invariant != Invariant::AxialMomentum);
+        let Experiment { top, axes, start, .. } = experiment;
+        let mut invariants = top.invariants_from(start);
+        // f₃ is a component of Π in principal axes, which is a column already if these are the axes of the columns.
+        if axes.is_aligned() && top.axial_component().is_some() {
+            invariants.retain(|invariant| *invariant != Invariant::AxialMomentum);
+        }
         let mut table = Self::of(STATE_COLUMNS, &[("t", 1), ("Pi", 3), ("Gamma", 3)]);
         for invariant in &invariants {
             table.push(invariant.symbol());
@@ -71,7 +86,8 @@ impl RunTable {
             table.columns.extend(ATTITUDE_COLUMNS.split(',').map(String::from));
             table.arrays.push(("q".into(), first..table.columns.len()));
         }
-        Self { top: Some((experiment.top, invariants)), ..table }
+        let axes = (!axes.is_aligned()).then(|| (*axes, turn_about_the_vertical(axes, start)));
+        Self { top: Some((*top, invariants)), axes, ..table }
     }
 
     /// Creates the table of a system: t, the coordinates, h, and the Casimirs c1, c2 and so on.
@@ -99,7 +115,7 @@ impl RunTable {
             ((*name).to_owned(), start - width..start)
         });
         let (columns, arrays) = (columns.split(',').map(String::from).collect(), arrays.collect());
-        Self { columns, arrays, invariants: 0..0, top: None }
+        Self { columns, arrays, invariants: 0..0, top: None, axes: None }
     }
 
     /// Adds a column that is an array.
@@ -139,7 +155,7 @@ impl RunTable {
         row.get(self.invariants.clone()).unwrap_or_default()
     }
 
-    /// Returns the values of the invariants of a top.
+    /// Returns the values of the invariants of a top in a state in principal axes.
     pub fn values_at<'a>(&'a self, mu: &'a Se3Dual) -> impl Iterator<Item = f64> + 'a {
         let top = self.top.iter();
         top.flat_map(move |(top, invariants)| invariants.iter().map(move |f| f.value(top, mu)))
@@ -148,9 +164,11 @@ impl RunTable {
     /// Replaces `row` by the row of a moment of a top.
     pub fn fill(&self, row: &mut Vec<f64>, moment: &Moment<'_>) {
         row.clear();
-        row.extend(state_values(moment.time, moment.momentum));
+        let given = self.axes.map(|(axes, _)| axes.state_from_principal(moment.momentum));
+        row.extend(state_values(moment.time, given.as_ref().unwrap_or(moment.momentum)));
         row.extend(self.values_at(moment.momentum));
         if let Some(q) = moment.attitude {
+            let q = self.axes.map_or(*q, |(axes, turn)| turn * axes.attitude_from_principal(q));
             row.extend([q.scalar, q.vector.x, q.vector.y, q.vector.z]);
         }
     }

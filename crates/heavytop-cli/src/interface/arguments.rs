@@ -6,7 +6,7 @@ use super::help::{
     SECTION, SECTION_EXAMPLES, SIMULATE, SIMULATE_EXAMPLES, SWEEP, SWEEP_EXAMPLES,
 };
 use crate::Error;
-use crate::configuration::{Config, Preset};
+use crate::configuration::{Config, Notes, Preset};
 use crate::files::Safeguard;
 use crate::reading::Sources;
 use clap::{Args, Parser, Subcommand};
@@ -222,6 +222,18 @@ pub(super) struct Top {
 impl Top {
     pub(super) fn is_default(&self) -> bool {
         self.config.is_none() && self.preset.is_none() && self.assignments.is_empty()
+    }
+
+    /// Runs a command as [`run`](Self::run) does, and returns its outcome with the notes on the configuration.
+    pub(super) fn noted<T>(
+        &self,
+        replacing: Replacing,
+        command: impl FnOnce(Config, &Safeguard) -> Result<T, Error>,
+    ) -> Result<(T, Notes), Error> {
+        self.run(replacing, |config, safeguard| {
+            let notes = config.notes();
+            command(config, safeguard).map(|done| (done, notes))
+        })
     }
 
     /// Runs a command with the configuration, and with the safeguard of the files that were read. A refusal quotes the

@@ -2,7 +2,7 @@
 
 use super::standard_output::to_stdout;
 use crate::Error;
-use crate::configuration::{Config, Integration, Preset};
+use crate::configuration::{BodyConfig, Config, Integration, Preset};
 use crate::files::{Kind, Output, Place, Safeguard};
 use clap::ValueEnum;
 use std::io::{self, Write};
@@ -53,23 +53,7 @@ fn commented(config: &Config) -> String {
             text += &format!("{line:<46} # {comment}\n");
         }
     };
-    table(
-        "body",
-        &[
-            (format!("inertia = {:?}", body.inertia), "principal moments, kg m²"),
-            (format!("mass = {:?}", body.mass), "kg"),
-            (
-                format!("gravity = {:?}", body.gravity),
-                "m/s²; 9.81 on Earth, 0 for the free rigid body",
-            ),
-            (format!("length = {:?}", body.length), "m, support to centre of mass"),
-            (
-                format!("center_of_mass = {:?}", body.center_of_mass),
-                "direction in the body frame, a unit vector",
-            ),
-            ("# normalise = true".into(), "scale it to length 1 instead"),
-        ],
-    );
+    table("body", &lines_of_body(body));
     table(
         "initial",
         &[
@@ -79,8 +63,8 @@ fn commented(config: &Config) -> String {
             ),
             ("# angular_velocity = [1.0, 0.0, 0.0]".into(), "Ω(0), rad/s, instead of it"),
             (format!("vertical = {:?}", initial.vertical), "Γ(0), body frame, a unit vector"),
-            ("# inclination = 0.349".into(), "rad (20°) from e3 to Γ(0), instead of vertical"),
-            ("# azimuth = 0.0".into(), "rad from e1 towards e2, beside inclination"),
+            ("# inclination = \"20 deg\"".into(), "from e3 to Γ(0), instead of vertical"),
+            ("# azimuth = \"0 deg\"".into(), "from e1 towards e2, beside inclination"),
         ],
     );
     table(
@@ -109,6 +93,44 @@ fn commented(config: &Config) -> String {
     );
     text + "\n# heavytop help section and heavytop help sweep show [section] and [sweep]. They choose formulation,\n\
             # scheme and step if these are left out.\n"
+}
+
+/// Returns the lines of the table `[body]`, each with its comment.
+fn lines_of_body(body: &BodyConfig) -> Vec<(String, &'static str)> {
+    let mut lines = vec![
+        (
+            format!("inertia = {}", body.inertia),
+            "principal moments about the support, kg m²; or a matrix",
+        ),
+        ("# inertia_about = \"center-of-mass\"".into(), "if they are about the centre of mass"),
+    ];
+    let factors = [
+        (format!("mass = {:?}", body.mass), "kg"),
+        (format!("gravity = {:?}", body.gravity), "m/s²; 9.81 on Earth, 0 for the free rigid body"),
+        (format!("length = {:?}", body.length), "m, support to centre of mass"),
+    ];
+    match body.weight_moment {
+        // Of such a top neither mass nor length is known.
+        Some(weight) => lines.extend([
+            (
+                format!("weight_moment = {weight:?}"),
+                "m g l, N m: the motion depends on no more, or",
+            ),
+            (
+                "# mass = 1.0, gravity = 9.81, length = 0.1".into(),
+                "kg, m/s², m: three keys instead of it",
+            ),
+        ]),
+        None => lines.extend(factors),
+    }
+    lines.extend([
+        (
+            format!("center_of_mass = {:?}", body.center_of_mass),
+            "direction from the support in the body frame, a unit vector",
+        ),
+        ("# normalise = true".into(), "scale it to length 1 instead"),
+    ]);
+    lines
 }
 
 #[cfg(test)]

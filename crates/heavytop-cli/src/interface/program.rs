@@ -17,14 +17,15 @@ use crate::commands::simulate::{
     self, Checkpoint, RunSummary, SimulateOptions, SystemSummary, simulate, simulate_system,
 };
 use crate::commands::sweep::{self, sweep_if};
+use crate::configuration::Notes;
 use crate::errors::Report;
 use crate::files::{Place, Safeguard};
-use crate::supervision::warnings;
+use crate::supervision::warnings::{self, warn};
 use crate::supervision::{Forecast, TileOptions, Watch};
 use clap::{CommandFactory, Parser};
 use clap_complete::Shell;
 use serde::Serialize;
-use std::fmt::Display;
+use std::fmt::{self, Display};
 use std::io::{self, IsTerminal, Write};
 use std::path::Path;
 use std::process::ExitCode;
@@ -68,7 +69,7 @@ fn run(Arguments { quiet, json, command }: Arguments) -> Result<(), Error> {
         Command::Reproduce { out, end, step, replacing } => {
             let safeguard = Safeguard::new(Vec::new(), replacing.force);
             reproduce(&out, step, end, &watch(quiet, &safeguard))
-                .and_then(|done| closing.print(&done))
+                .and_then(|done| closing.print(&done, &Notes::default()))
         }
         Command::Simulate { top, out, replacing, dry_run: true, .. } => top
             .run(replacing, |config, _| simulate::dry_run(&config, &out))
@@ -88,38 +89,38 @@ fn run(Arguments { quiet, json, command }: Arguments) -> Result<(), Error> {
             let begin =
                 Begin { resume, restart, replacing, interval: checkpoint_interval, check, yes };
             match run_simulate(&top, &out, &begin, quiet)? {
-                Simulated::Top(summary) => closing.end(&summary, &out),
-                Simulated::System(summary) => closing.end(&summary, &out),
+                Simulated::Top(summary, notes) => closing.end(&summary, &notes, &out),
+                Simulated::System(summary) => closing.end(&summary, &Notes::default(), &out),
             }
         }
         Command::Compare { top, out, replacing, end } => top
-            .run(replacing, |config, safeguard| {
+            .noted(replacing, |config, safeguard| {
                 compare(&config, &out, end, &watch(quiet, safeguard))
             })
-            .and_then(|done| closing.print(&done)),
+            .and_then(|(done, notes)| closing.print(&done, &notes)),
         Command::Section { top, out, replacing, parts: Parts { dry_run: true, .. } } => top
             .run(replacing, |config, _| section::dry_run(&config, &out, top.threads))
             .and_then(|done| print(&done, json)),
         Command::Section { top, out, replacing, parts } => top
-            .run(replacing, |config, safeguard| {
+            .noted(replacing, |config, safeguard| {
                 if !parts.resume {
                     confirm(&section::forecast(&config, &out)?, parts.yes)?;
                 }
                 section(&config, &out, &in_tiles(&top, parts, quiet, safeguard))
             })
-            .and_then(|done| closing.print(&done)),
+            .and_then(|(done, notes)| closing.print(&done, &notes)),
         Command::Sweep { top, out, replacing, parts: Parts { dry_run: true, .. } } => top
             .run(replacing, |config, _| sweep::dry_run(&config, &out, top.threads))
             .and_then(|done| done.map_or(Ok(()), |done| print(&done, json))),
         Command::Sweep { top, out, replacing, parts } => top
-            .run(replacing, |config, safeguard| {
+            .noted(replacing, |config, safeguard| {
                 let agree = |forecast: &Forecast| confirm(forecast, parts.yes);
                 sweep_if(&config, &out, &in_tiles(&top, parts, quiet, safeguard), agree)
             })
-            .and_then(|done| done.map_or(Ok(()), |done| closing.print(&done))),
+            .and_then(|(done, notes)| done.map_or(Ok(()), |done| closing.print(&done, &notes))),
         Command::Animate { top, out, replacing } => top
-            .run(replacing, |config, safeguard| animate(config, &out, &watch(quiet, safeguard)))
-            .and_then(|summary| closing.end(&summary, &out)),
+            .noted(replacing, |config, safeguard| animate(config, &out, &watch(quiet, safeguard)))
+            .and_then(|(done, notes)| closing.end(&done, &notes, &out)),
         Command::Bench { top, problem, only, tops } => top
             .run(Replacing { force: false }, |config, _| {
                 let threads = top.threads.unwrap_or(1);
@@ -144,31 +145,54 @@ impl Closing {
     /// Ends a command whose numbers are in its file: the summary is part of the line.
     ///
     /// Where the numbers are on stdout, the summary for machines goes to stderr.
-    fn end(&self, summary: &(impl Display + Serialize), out: &Path) -> Result<(), Error> {
+    fn end(
+        &self,
+        summary: &(impl Display + Serialize),
+        notes: &Notes,
+        out: &Path,
+    ) -> Result<(), Error> {
         if self.json && Place::of(out)?.is_standard_output() {
-            print_line(summary);
+            print_line(&Noted { summary, notes });
             return Ok(());
         }
         if self.json {
-            return print(summary, true);
+            return print(&Noted { summary, notes }, true);
         }
-        self.say(&format!(": {summary}"));
+        self.say(&format!(": {summary}"), notes);
         Ok(())
     }
 
     /// Ends a command whose summary goes to stdout.
-    fn print(&self, summary: &(impl Display + Serialize)) -> Result<(), Error> {
-        print(summary, self.json)?;
-        self.say("");
+    fn print(&self, summary: &(impl Display + Serialize), notes: &Notes) -> Result<(), Error> {
+        print(&Noted { summary, notes }, self.json)?;
+        self.say("", notes);
         Ok(())
     }
 
-    fn say(&self, what: &str) {
+    fn say(&self, what: &str, notes: &Notes) {
         if !(self.json || self.quiet) {
             let seconds = self.begun.elapsed().as_secs_f64();
             // The command has succeeded where stderr is closed, too.
             let _ = writeln!(io::stderr(), "heavytop: done{what}; {seconds:.2} s");
+            for note in notes.to_string().lines() {
+                let _ = writeln!(io::stderr(), "heavytop: {note}");
+            }
         }
+    }
+}
+
+/// A summary with the notes on the configuration; as text it is the summary alone.
+#[derive(Serialize)]
+struct Noted<'a, S> {
+    #[serde(flatten)]
+    summary: &'a S,
+    #[serde(flatten)]
+    notes: &'a Notes,
+}
+
+impl<S: Display> Display for Noted<'_, S> {
+    fn fmt(&self, to: &mut fmt::Formatter<'_>) -> fmt::Result {
+        self.summary.fmt(to)
     }
 }
 
@@ -194,7 +218,7 @@ struct Begin<'a> {
 
 /// The motion that `simulate` has followed.
 enum Simulated {
-    Top(RunSummary),
+    Top(RunSummary, Notes),
     System(SystemSummary),
 }
 
@@ -234,7 +258,11 @@ fn run_simulate(top: &Top, out: &Path, begin: &Begin<'_>, quiet: bool) -> Result
         if let Some(system) = config.system_experiment()? {
             return simulate_system(&config, &system, out, &options).map(Simulated::System);
         }
-        simulate(&config, out, &options).map(Simulated::Top)
+        if let Some(warning) = config.body_warning() {
+            warn(warning);
+        }
+        let summary = simulate(&config, out, &options)?;
+        Ok(Simulated::Top(summary, config.notes()))
     })
 }
 

@@ -37,6 +37,11 @@ impl ConfigurationText {
         toml::from_str(&text).map_err(unread)
     }
 
+    /// Returns the keys of the text, which has been read before.
+    pub fn keys(&self) -> Option<Table> {
+        toml::from_str(&self.text).ok()
+    }
+
     /// Reads a configuration, whose keys may be of other texts too.
     ///
     /// # Errors

@@ -33,6 +33,14 @@ pub(super) fn repairs(error: &Error, config: &Config) -> Vec<Repair> {
     let repair = |key: &str, note: String| (key.to_string(), note);
     match error {
         Error::Body(top) => vec![of_vector("body", top, config.body.center_of_mass)],
+        Error::CentralMoments => {
+            let note = "write mass and length too, or moments about the support".to_string();
+            vec![repair("body.inertia_about", note)]
+        }
+        Error::Spin(TopError::RodSpin { axis, .. }) => {
+            let note = "write 0.0".to_string();
+            vec![repair(&format!("initial.angular_momentum[{axis}]"), note)]
+        }
         Error::Vertical(top) => vec![of_vector("initial", top, config.initial.direction())],
         Error::Start(_) if config.system.is_some() => vec![repair("system.initial", String::new())],
         Error::AzimuthAlone => vec![repair("initial.azimuth", "write both".into())],
@@ -126,6 +134,13 @@ fn of_vector(table: &str, error: &TopError, vector: [f64; 3]) -> Repair {
             ("inertia", format!("the largest must be at most {}", number(first + second)))
         }
         TopError::NotUnit { name, length, .. } => (*name, unit(vector, *length)),
+        TopError::ImpossibleBody { .. } => ("inertia", "no body has these moments".into()),
+        TopError::NotSymmetric { mirrored, .. } => {
+            ("inertia", format!("write {} in both places", number(*mirrored)))
+        }
+        TopError::RodCenter { axis, .. } => {
+            ("center_of_mass", format!("write a unit vector along axis {}", axis + 1))
+        }
         _ => ("", String::new()),
     };
     (format!("{table}.{name}"), note)
@@ -196,6 +211,8 @@ fn of_sweep(error: &SweepError, config: &Config) -> Vec<Repair> {
             let note = "write `angular_momentum`, or vary another number".to_string();
             vec![("initial.angular_velocity".into(), note)]
         }
+        SweepError::Matrix { axis } => of_axis(axis, "vary another number"),
+        SweepError::Weight { axis } => of_axis(axis, "vary body.weight_moment"),
         SweepError::OfTops { .. } => vec![repair("observables", "leave it out")],
         SweepError::OfAnother { parameter, .. } => of_axis(parameter, "vary another number"),
         SweepError::NoParameter { parameter, .. } => of_axis(parameter, ""),

@@ -4,7 +4,7 @@ use super::assignment::{OPTION, line};
 use super::configuration_text::ConfigurationText;
 use super::repair::repairs;
 use crate::Error;
-use crate::configuration::{Config, Preset};
+use crate::configuration::{Config, LeftOut, Preset};
 use crate::files::{Input, bounded};
 use std::path::Path;
 use toml::{Table, Value};
@@ -48,6 +48,7 @@ impl Sources {
     ) -> Result<Self, Error> {
         let config = preset.map_or_else(Config::default, Preset::config);
         let mut sources = Self { config, texts: Vec::new(), inputs: Vec::new() };
+        let of = preset.map_or_else(|| "the paper's top".into(), Preset::words);
         if let Some(path) = file {
             sources.inputs.push(match path == Path::new(STANDARD_INPUT) {
                 true => Input::StandardInput,
@@ -59,6 +60,8 @@ impl Sources {
             let text = line(assignment, &sources.table()?)?;
             sources.add(ConfigurationText { name: OPTION.into(), text })?;
         }
+        let given: Vec<Table> = sources.texts.iter().filter_map(ConfigurationText::keys).collect();
+        sources.config.left_out = LeftOut::new(of, &sources.table()?, &given);
         Ok(sources)
     }
 
@@ -95,6 +98,7 @@ impl Sources {
     fn add(&mut self, text: ConfigurationText) -> Result<(), Error> {
         let (mut table, over) = (self.table()?, text.table()?);
         remove_rivals(&mut table, &over);
+        self.name_factors(&mut table, &over);
         overlay(&mut table, over);
         let mut config = text.read(table)?;
         // Paths in a file are relative to it.
@@ -114,6 +118,20 @@ impl Sources {
         Ok(())
     }
 
+    /// Replaces the weight moment of the base by mass, gravity and length, where a text gives one of these.
+    fn name_factors(&self, base: &mut Table, over: &Table) {
+        let Some(over) = over.get("body").and_then(Value::as_table) else { return };
+        let Some(base) = base.get_mut("body").and_then(Value::as_table_mut) else { return };
+        if FACTORS.iter().any(|key| over.contains_key(*key)) && base.remove(WEIGHT).is_some() {
+            let body = &self.config.body;
+            for (key, value) in FACTORS.into_iter().zip([body.mass, body.gravity, body.length]) {
+                base.insert(key.into(), value.into());
+            }
+        } else if over.contains_key(WEIGHT) {
+            FACTORS.iter().for_each(|key| drop(base.remove(*key)));
+        }
+    }
+
     fn table(&self) -> Result<Table, Error> {
         Table::try_from(&self.config).map_err(Error::Unwritable)
     }
@@ -128,6 +146,12 @@ fn text(path: &Path) -> Result<ConfigurationText, Error> {
     let text = text.map_err(|source| Error::Read { path: name.clone().into(), source })?;
     Ok(ConfigurationText { name, text })
 }
+
+/// The key of `[body]` for the product of the factors.
+const WEIGHT: &str = "weight_moment";
+
+/// The keys of `[body]` for the factors of the weight moment.
+const FACTORS: [&str; 3] = ["mass", "gravity", "length"];
 
 /// Keys of `[initial]` that say the same thing in two ways.
 const RIVALS: [(&[&str], &[&str]); 2] =

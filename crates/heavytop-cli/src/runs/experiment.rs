@@ -9,15 +9,17 @@ use crate::Error;
 use collective_integrators::diagnostics::RunAccuracy;
 use collective_integrators::{Integrator, Start};
 use heavytop::methods::{Method, Task};
-use heavytop::{HeavyTop, Turning, WithAttitude};
+use heavytop::{HeavyTop, PrincipalAxes, Turning, WithAttitude};
 use lie_poisson::{Quaternion, Se3Dual, Vector};
 
 /// A top, its initial state, and the method and steps of a run.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Experiment {
-    /// The top that is followed.
+    /// The top that is followed, in its principal axes.
     pub top: HeavyTop,
-    /// The initial state (Π(0), Γ(0)).
+    /// The principal axes, in the axes of the output.
+    pub axes: PrincipalAxes,
+    /// The initial state (Π(0), Γ(0)), in the principal axes.
     pub start: Se3Dual,
     /// The integrator of the run.
     pub method: Method,
@@ -30,8 +32,8 @@ pub struct Experiment {
 }
 
 impl Experiment {
-    /// Passes the samples of [`Experiment::follow`] to `visit`: the number of the step, the time (s), (Π, Γ), and the
-    /// attitude if it is followed. The initial state comes first.
+    /// Passes the samples of [`Experiment::follow`] to `visit`: the number of the step, the time (s), (Π, Γ) and the
+    /// attitude, if it is followed, of the principal axes. The initial state comes first.
     ///
     /// # Errors
     /// The errors of [`Experiment::follow`].

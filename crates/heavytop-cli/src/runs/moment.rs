@@ -2,7 +2,7 @@
 
 use lie_poisson::{Quaternion, Se3Dual, Vector};
 
-/// A moment of a run: the step, the time and the state.
+/// A moment of a run: the step, the time and the state, in the principal axes of the top.
 #[derive(Clone, Copy)]
 pub struct Moment<'a> {
     /// The number of steps made.

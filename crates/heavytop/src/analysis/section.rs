@@ -1,7 +1,7 @@
 //! Poincaré sections of a top: [`Section`], [`Surface`].
 
 use crate::analysis::section_level::{least_energy, quasi_random};
-use crate::{Coordinate, EnergyLevel, HeavyTopSpace, SectionError};
+use crate::{Coordinate, EnergyLevel, HeavyTopSpace, PrincipalAxes, SectionError};
 use collective_integrators::{Direction, EventError, Events, RunError, SampleOf, Start};
 use core::f64::consts::TAU;
 use lie_poisson::{Covector, Hamiltonian, LiePoisson, Pair, PoissonSpace, Se3, Se3Dual};
@@ -67,15 +67,30 @@ pub struct Surface {
 pub struct Section {
     level: EnergyLevel,
     surface: Surface,
+    /// The principal axes in the axes of the surface, where these are others.
+    axes: Option<PrincipalAxes>,
 }
 
 impl Section {
     /// Creates the section of the level by the surface.
     ///
     /// # Errors
-    /// Returns [`SectionError`] if a number is not finite, if Γ_i is given a level outside −1 < level < 1, or if no
+    /// Returns [`SectionError`] if a number is not finite, if the top is a thin rod, if Γ_i is given a level outside −1 < level < 1, or if no
     /// state has this energy. In the last case the error names the least energy.
     pub fn new(level: EnergyLevel, surface: Surface) -> Result<Self, SectionError> {
+        Self::in_axes(level, surface, &PrincipalAxes::aligned(level.top.inertia()))
+    }
+
+    /// Creates the section of the level by a surface that fixes a coordinate in the axes in which the body is described.
+    /// The states of the section are in principal axes, as those of the level are; its plane is that of the coordinate.
+    ///
+    /// # Errors
+    /// Those of [`Section::new`].
+    pub fn in_axes(
+        level: EnergyLevel,
+        surface: Surface,
+        axes: &PrincipalAxes,
+    ) -> Result<Self, SectionError> {
         for (name, value) in [
             ("energy", level.energy),
             ("vertical_momentum", level.vertical_momentum),
@@ -85,11 +100,14 @@ impl Section {
                 return Err(SectionError::NotFinite { name, value });
             }
         }
+        if level.top.rod_axis().is_some() {
+            return Err(SectionError::ThinRod);
+        }
         if !surface.coordinate.is_momentum() && surface.level.abs() >= 1.0 {
             let Surface { coordinate, level, .. } = surface;
             return Err(SectionError::NoSuchVertical { coordinate, level });
         }
-        let section = Self { level, surface };
+        let section = Self { level, surface, axes: Some(*axes).filter(|axes| !axes.is_aligned()) };
         let least = least_energy(|angle, height| section.least_energy_over(angle, height));
         if level.energy < least {
             return Err(SectionError::Empty { energy: level.energy, least });
@@ -112,13 +130,30 @@ impl Section {
     /// Returns the coordinate that the surface fixes, minus its level.
     #[must_use]
     pub fn value(&self, mu: &Se3Dual) -> f64 {
-        self.surface.coordinate.of(mu) - self.surface.level
+        let value = match &self.axes {
+            Some(axes) => self.surface.coordinate.of(&axes.state_from_principal(mu)),
+            None => self.surface.coordinate.of(mu),
+        };
+        value - self.surface.level
     }
 
-    /// Returns the point (x, y) of the plane for a state.
+    /// Returns the direction of the surface's coordinate in principal axes.
+    fn direction(&self) -> Vector3<f64> {
+        let axis = Vector3::ith(self.axis(), 1.0);
+        self.axes.map_or(axis, |axes| axes.to_principal(&axis))
+    }
+
+    /// Returns the unit vector Γ, in principal axes, with the component `height` at an angle about the surface's axis.
+    fn vertical(&self, angle: f64, height: f64) -> Vector3<f64> {
+        let gamma = vertical(self.axis(), angle, height);
+        self.axes.map_or(gamma, |axes| axes.to_principal(&gamma))
+    }
+
+    /// Returns the point (x, y) of the plane for a state in principal axes.
     #[must_use]
     pub fn plane(&self, mu: &Se3Dual) -> Vector2<f64> {
-        let Covector(Pair(pi, gamma)) = mu;
+        let given = self.axes.map(|axes| axes.state_from_principal(mu));
+        let Covector(Pair(pi, gamma)) = given.as_ref().unwrap_or(mu);
         let axis = self.axis();
         let x = gamma[(axis + 2) % 3].atan2(gamma[(axis + 1) % 3]).rem_euclid(TAU);
         let other = if self.surface.coordinate.is_momentum() { gamma } else { pi };
@@ -130,8 +165,8 @@ impl Section {
         let fixed = self.surface.level;
         let (height, momentum) =
             if self.surface.coordinate.is_momentum() { (plane.y, fixed) } else { (fixed, plane.y) };
-        let gamma = vertical(self.axis(), plane.x, height);
-        let states = self.level.states(&gamma, self.axis(), momentum);
+        let gamma = self.vertical(plane.x, height);
+        let states = self.level.states_along(&gamma, &self.direction(), momentum);
         states.into_iter().flatten().filter(|mu| self.crosses(mu))
     }
 
@@ -190,7 +225,9 @@ impl Section {
     fn crosses(&self, mu: &Se3Dual) -> bool {
         let space: HeavyTopSpace = LiePoisson::minus(Se3::default());
         let differential = Hamiltonian::<HeavyTopSpace>::differential(&self.level.top, mu);
-        let rate = self.surface.coordinate.of(&space.hamiltonian_vector(mu, &differential));
+        let rate = space.hamiltonian_vector(mu, &differential);
+        let rate = self.axes.map_or(rate, |axes| axes.state_from_principal(&rate));
+        let rate = self.surface.coordinate.of(&rate);
         match self.surface.direction {
             Direction::Up => rate > 0.0,
             Direction::Down => rate < 0.0,
@@ -203,10 +240,10 @@ impl Section {
     fn least_energy_over(&self, angle: f64, height: f64) -> f64 {
         let Surface { coordinate, level, .. } = self.surface;
         if coordinate.is_momentum() {
-            let gamma = vertical(self.axis(), angle, height);
-            self.level.least_energy(&gamma, self.axis(), level)
+            let gamma = self.vertical(angle, height);
+            self.level.least_energy(&gamma, &self.direction(), level)
         } else {
-            self.level.amended_potential(&vertical(self.axis(), angle, level))
+            self.level.amended_potential(&self.vertical(angle, level))
         }
     }
 
@@ -217,10 +254,12 @@ impl Section {
         if coordinate.is_momentum() {
             return 1.0;
         }
-        let along = top.center_of_mass()[self.axis()];
+        let axis = self.direction();
+        let along = top.center_of_mass().dot(&axis);
         let [across, radius] = [along, level].map(|x| (1.0 - x * x).max(0.0).sqrt());
         let lowest = top.weight_moment() * (along * level - across * radius);
-        (2.0 * top.inertia()[self.axis()] * (energy - lowest)).max(0.0).sqrt()
+        let moment = top.inertia().component_mul(&axis).dot(&axis);
+        (2.0 * moment * (energy - lowest)).max(0.0).sqrt()
     }
 }
 

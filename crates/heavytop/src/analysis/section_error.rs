@@ -23,6 +23,11 @@ pub enum SectionError {
         /// The value of the component.
         level: f64,
     },
+    /// The top is a thin rod, whose states over a point of the plane are no two-dimensional family.
+    #[error(
+        "a thin rod has no section, its motion being that of a spherical pendulum; give it a moment about its axis"
+    )]
+    ThinRod,
     /// No state on the surface has the energy.
     #[error("no state of the section has an energy of {energy:?} J: the least is {least:?} J")]
     Empty {

@@ -3,6 +3,7 @@
 use crate::closed_forms::elliptic::elliptic_argument;
 use crate::closed_forms::power_of_two::power_of_two;
 use crate::error::require_finite;
+use crate::tops::top::kinetic;
 use crate::{JacobiElliptic, RigidBody, TopError};
 use nalgebra::Vector3;
 use twofloat::TwoFloat;
@@ -69,7 +70,7 @@ impl EulerSolution {
         for &component in &start {
             require_finite("start", component)?;
         }
-        let inertia = body.inertia();
+        let inertia = kinetic(&body.inertia());
         if is_equilibrium(&inertia, &start) {
             return Ok(Self { start, orbit: None });
         }

@@ -2,6 +2,7 @@
 
 use super::{Method, MethodError, Task};
 use crate::HeavyTop;
+use crate::tops::top::kinetic;
 use collective_integrators::diagnostics::{
     RunAccuracy, StepCheck, SystemScales, check_by_half_steps, run_accuracy,
 };
@@ -26,7 +27,7 @@ impl SystemScales for TopScales {
 
     /// Returns |Ω| + √(m g l/I), I the least moment: the body turns, and swings.
     fn fastest_rate(&self, mu: &[f64]) -> f64 {
-        let swing = (self.0.weight_moment() / self.0.inertia().min()).sqrt();
+        let swing = (self.0.weight_moment() / kinetic(&self.0.inertia()).min()).sqrt();
         self.0.angular_velocity(&pi(mu)).norm() + swing
     }
 }

@@ -48,8 +48,15 @@ impl RotorSplitting<HeavyTop> {
     /// Returns the angle −tΠ_i/I_i of rotor i.
     #[inline]
     fn angle<T: Real>(&self, index: usize, time: f64, pi: &Vector3<T>) -> T {
-        pi[index] * (-time / self.0.inertia()[index])
+        pi[index] * rate(-time, &self.0.inertia(), index)
     }
+}
+
+/// Returns t/I_i. A thin rod, which does not turn about itself, has the moments of a sphere.
+#[inline]
+fn rate(time: f64, inertia: &Vector3<f64>, index: usize) -> f64 {
+    let moment = inertia[index];
+    if moment == 0.0 { time / inertia[(index + 1) % 3] } else { time / moment }
 }
 
 impl<T: Real> ExactFlows<T> for RotorSplitting<HeavyTop> {
@@ -90,7 +97,7 @@ impl<T: Real> ExactFlows<T> for RotorSplitting<RigidBody> {
         if index >= 3 {
             return *mu;
         }
-        let angle = mu.0[index] * (-time / self.0.inertia()[index]);
+        let angle = mu.0[index] * rate(-time, &self.0.inertia(), index);
         Covector(PrincipalTurn::new(index, angle).apply(&mu.0))
     }
 }

@@ -68,7 +68,11 @@ impl SymmetricTopSplitting {
     #[inline]
     fn free_turns<T: Real>(&self, time: f64, pi: &Vector3<T>) -> (Vector3<T>, T) {
         let inertia = self.top.inertia();
-        let about_axis = -time * (1.0 / inertia.z - 1.0 / inertia.x);
+        // A thin rod does not turn about itself.
+        let about_axis = match inertia.z == 0.0 {
+            true => 0.0,
+            false => -time * (1.0 / inertia.z - 1.0 / inertia.x),
+        };
         (pi * T::from_f64(-time / inertia.x), pi.z * about_axis)
     }
 }

@@ -66,9 +66,19 @@ impl EnergyLevel {
     /// the principal axis 0, 1 or 2.
     ///
     /// The first has dΓ/dt ≥ 0 along that axis, the other dΓ/dt ≤ 0. There are none if the energy is too low, if Γ is
-    /// along that axis, or if the momentum overflows.
+    /// along that axis, if the momentum overflows, or if the top is a thin rod, whose Π is not free.
     #[must_use]
     pub fn states(&self, gamma: &Vector3<f64>, axis: usize, momentum: f64) -> Option<[Se3Dual; 2]> {
+        self.states_along(gamma, &Vector3::ith(axis.min(2), 1.0), momentum)
+    }
+
+    /// Returns the two states over Γ in which Π has the component `momentum` along a unit vector.
+    pub(crate) fn states_along(
+        &self,
+        gamma: &Vector3<f64>,
+        axis: &Vector3<f64>,
+        momentum: f64,
+    ) -> Option<[Se3Dual; 2]> {
         let Slowest { pi, along, mobility, energy } = self.slowest(gamma, axis, momentum)?;
         let square = 2.0 * (self.energy - energy) / mobility;
         if square.is_nan() || square < 0.0 {
@@ -87,14 +97,22 @@ impl EnergyLevel {
         height + self.vertical_momentum * self.vertical_momentum / (2.0 * moment)
     }
 
-    /// Returns the least energy over Γ on Π·Γ = c where Π has the component `momentum` along the axis.
-    pub(crate) fn least_energy(&self, gamma: &Vector3<f64>, axis: usize, momentum: f64) -> f64 {
+    /// Returns the least energy over Γ on Π·Γ = c where Π has the component `momentum` along a unit vector.
+    pub(crate) fn least_energy(
+        &self,
+        gamma: &Vector3<f64>,
+        axis: &Vector3<f64>,
+        momentum: f64,
+    ) -> f64 {
         self.slowest(gamma, axis, momentum).map_or(f64::INFINITY, |slowest| slowest.energy)
     }
 
-    fn slowest(&self, gamma: &Vector3<f64>, axis: usize, momentum: f64) -> Option<Slowest> {
+    fn slowest(&self, gamma: &Vector3<f64>, axis: &Vector3<f64>, momentum: f64) -> Option<Slowest> {
         let top = &self.top;
-        let along = Vector3::ith(axis.min(2), 1.0).cross(gamma);
+        if top.rod_axis().is_some() {
+            return None;
+        }
+        let along = axis.cross(gamma);
         let mobility = along.dot(&top.angular_velocity(&along));
         if mobility <= 0.0 {
             return None;
@@ -102,7 +120,7 @@ impl EnergyLevel {
         let moments = top.inertia().component_mul(gamma);
         let rotation = moments * (self.vertical_momentum / moments.dot(gamma));
         let across = gamma.cross(&top.angular_velocity(&along));
-        let across = across * ((momentum - rotation[axis.min(2)]) / mobility);
+        let across = across * ((momentum - rotation.dot(axis)) / mobility);
         let kinetic = 0.5 * across.dot(&top.angular_velocity(&across));
         let energy = self.amended_potential(gamma) + kinetic;
         Some(Slowest { pi: rotation + across, along, mobility, energy })

@@ -32,6 +32,9 @@ pub enum Invariant {
     VerticalMomentum,
     /// The axial angular momentum f₃ of Lagrange's top, kg m²/s: Π₃, or Π₁ or Π₂ if that axis is the symmetry axis.
     ///
+    /// A sphere, I₁ = I₂ = I₃, is symmetric about every axis, also about one through a centre of mass that is on no principal
+    /// axis. It then is Π·c.
+    ///
     /// Source: Ohsawa 2019, §4.3.
     AxialMomentum,
     /// The invariant K = |(Π₁+iΠ₂)² − 4 m g l I₃ (c₁+ic₂)(Γ₁+iΓ₂)|² of Kovalevskaya's top, (kg m²/s)⁴.
@@ -91,7 +94,10 @@ impl Invariant {
             Self::Energy => top.value(mu),
             Self::VerticalSquared => gamma.dot(gamma),
             Self::VerticalMomentum => pi.dot(gamma),
-            Self::AxialMomentum => pi[top.axis(HeavyTop::is_lagrange_about)],
+            Self::AxialMomentum => match top.axial_component() {
+                Some(axis) => pi[axis],
+                None => pi.dot(&top.center_of_mass().map(T::from_f64)),
+            },
             Self::Kovalevskaya => {
                 let axis = top.axis(HeavyTop::is_kovalevskaya_about);
                 let [x, y] = equator(axis);
@@ -172,10 +178,50 @@ impl HeavyTop {
         [2, 0, 1].into_iter().find(|axis| is_of_kind(self, *axis)).unwrap_or(2)
     }
 
-    /// Returns the invariants of this top: h, f₁ and f₂; C for a free body; and the additional invariant of an
-    /// integrable top.
+    /// Returns the principal axis 0, 1 or 2 along which Π has the component f₃, or `None` if f₃ is Π·c of a sphere or is not
+    /// conserved.
+    #[must_use]
+    pub fn axial_component(&self) -> Option<usize> {
+        [2, 0, 1].into_iter().find(|axis| self.is_lagrange_about(*axis))
+    }
+
+    /// Returns whether the top is a sphere, I₁ = I₂ = I₃.
+    fn is_sphere(&self) -> bool {
+        self.has_transverse_moment(2, self.inertia().z)
+    }
+
+    /// Returns the invariants of the motion from a state: those of [`invariants`](Self::invariants), and G of a
+    /// Goryachev–Chaplygin top if Π·Γ = 0 there, to within 1e-12 of |Π||Γ|.
     ///
-    /// The symmetry axis may be any of the three. G is listed for a Goryachev–Chaplygin top at every level of Π·Γ.
+    /// ```
+    /// use heavytop::{HeavyTop, Invariant};
+    /// use lie_poisson::Se3Dual;
+    /// use nalgebra::Vector3;
+    /// let top = HeavyTop::goryachev_chaplygin(1.0, 1.0)?;
+    /// let level = |third: f64| Se3Dual::new(Vector3::new(2.0, 3.0, third), Vector3::z());
+    /// assert_eq!(top.invariants_from(&level(0.0)).last(), Some(&Invariant::GoryachevChaplygin));
+    /// assert_eq!(top.invariants_from(&level(0.1)), top.invariants());
+    /// # Ok::<(), heavytop::TopError>(())
+    /// ```
+    #[must_use]
+    pub fn invariants_from(&self, Covector(Pair(pi, gamma)): &Se3Dual) -> Vec<Invariant> {
+        let is_kind = Self::is_goryachev_chaplygin_about;
+        let mut invariants = self.invariants();
+        // Of size 1, so that no product over- or underflows.
+        let (sizes, [pi, gamma]) = ([pi.amax(), gamma.amax()], [pi, gamma]);
+        let [pi, gamma] = [pi / sizes[0], gamma / sizes[1]];
+        let is_level = sizes.contains(&0.0) || is_small(pi.dot(&gamma));
+        if is_level && is_kind(self, self.axis(is_kind)) {
+            invariants.push(Invariant::GoryachevChaplygin);
+        }
+        invariants
+    }
+
+    /// Returns the invariants of this top in every state: h, f₁ and f₂; C for a free body; and the additional invariant of
+    /// an integrable top.
+    ///
+    /// The symmetry axis may be any of the three. G of a Goryachev–Chaplygin top is conserved on Π·Γ = 0 alone, where
+    /// [`invariants_from`](Self::invariants_from) lists it.
     ///
     /// ```
     /// use heavytop::{Body, HeavyTop, Invariant};
@@ -196,16 +242,14 @@ impl HeavyTop {
     #[must_use]
     pub fn invariants(&self) -> Vec<Invariant> {
         use Invariant::{
-            AxialMomentum, Energy, GoryachevChaplygin, Kovalevskaya, MomentumSquared,
-            VerticalMomentum, VerticalSquared,
+            AxialMomentum, Energy, Kovalevskaya, MomentumSquared, VerticalMomentum, VerticalSquared,
         };
         let about_some_axis =
             |is_of_kind: fn(&Self, usize) -> bool| is_of_kind(self, self.axis(is_of_kind));
         let special = [
             (self.weight_moment() == 0.0, MomentumSquared),
-            (about_some_axis(Self::is_lagrange_about), AxialMomentum),
+            (self.axial_component().is_some() || self.is_sphere(), AxialMomentum),
             (about_some_axis(Self::is_kovalevskaya_about), Kovalevskaya),
-            (about_some_axis(Self::is_goryachev_chaplygin_about), GoryachevChaplygin),
         ];
         let others =
             special.into_iter().filter_map(|(holds, invariant)| holds.then_some(invariant));

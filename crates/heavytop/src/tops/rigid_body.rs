@@ -31,7 +31,8 @@ impl RigidBody {
     /// Creates the body with the principal moments I₁, I₂, I₃, kg m².
     ///
     /// # Errors
-    /// Returns [`TopError`] unless the moments are positive, have finite reciprocals, and obey the triangle inequality.
+    /// Returns [`TopError`] unless the moments are positive, have finite reciprocals, and obey the triangle inequality. A
+    /// thin rod, which [`HeavyTop`] has too, may have one moment that is zero.
     pub fn new(inertia: Vector3<f64>) -> Result<Self, TopError> {
         HeavyTop::free_rigid_body(inertia).map(Self)
     }

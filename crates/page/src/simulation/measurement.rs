@@ -24,7 +24,7 @@ impl Measurement {
     /// # Errors
     /// Returns [`PageError::NotFinite`] if an invariant is too large for a number.
     pub(crate) fn new(top: &HeavyTop, start: &Se3Dual, time: f64) -> Result<Self, PageError> {
-        let mut invariants = top.invariants();
+        let mut invariants = top.invariants_from(start);
         invariants.truncate(MOST_INVARIANTS);
         let (initial, record) = ([0.0; MOST_INVARIANTS], DeviationRecord::new(SPAN));
         let mut empty = Self { top: *top, invariants, initial, values: initial, record };

@@ -29,13 +29,15 @@ impl Simulation {
     /// Throws a top from (Π, Γ), with the shortest attitude that has this vertical. Its section is that at Γ₃ = 0.
     ///
     /// # Errors
-    /// Returns [`PageError`] if a number is not finite, if Γ = 0, or if the step is not positive.
+    /// Returns [`PageError`] if a number is not finite, if Γ = 0, if the step is not positive, or if a thin rod has an
+    /// angular momentum about itself.
     pub fn new(
         top: HeavyTop,
         start: &Se3Dual,
         method: PageMethod,
         step: f64,
     ) -> Result<Self, PageError> {
+        top.require_state(start)?;
         let clock = Clock::new(positive(step)?);
         let motion = method.motion(&top, &upright(start))?;
         let measurement = Measurement::new(&top, start, 0.0)?;

@@ -24,6 +24,7 @@ from importlib.metadata import version
 from . import functions
 from ._native import IntegrationError
 from .chaos import Chaos, lyapunov
+from .directions import vertical
 from .ends import Ends
 from .ensembles import solve_many
 from .events import Event
@@ -48,4 +49,5 @@ __all__ = [
     "functions",
     "lyapunov",
     "solve_many",
+    "vertical",
 ]

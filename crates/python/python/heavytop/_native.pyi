@@ -30,20 +30,28 @@ class Indicators:
     ends: list[list[float]]
     failures: list[tuple[int, str]]
 
+Inertia = Union[Sequence[float], Sequence[Sequence[float]]]
+
 class Top:
     inertia: list[float]
+    principal_axes: list[list[float]]
     weight_moment: float
     center_of_mass: list[float]
     invariants: list[str]
     def __reduce__(self) -> tuple[object, ...]: ...
     def __new__(
         cls,
-        inertia: Sequence[float],
+        inertia: Inertia,
         mass: float,
         gravity: float,
         length: float,
         center_of_mass: Sequence[float],
+        is_central: bool,
     ) -> Top: ...
+    @staticmethod
+    def impossibility(
+        inertia: Inertia, mass: float, gravity: float, length: float, center_of_mass: Sequence[float]
+    ) -> Optional[str]: ...
     @staticmethod
     def free_rigid_body(inertia: Sequence[float]) -> Top: ...
     @staticmethod
@@ -52,6 +60,8 @@ class Top:
     def kovalevskaya(axial: float, weight_moment: float) -> Top: ...
     @staticmethod
     def goryachev_chaplygin(axial: float, weight_moment: float) -> Top: ...
+    def angular_speeds(self, momenta: Floats) -> list[float]: ...
+    def invariants_from(self, states: Floats) -> list[str]: ...
     def invariant_values(self, states: Floats) -> Floats: ...
     def follow(
         self,

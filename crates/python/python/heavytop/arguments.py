@@ -5,7 +5,7 @@ from __future__ import annotations
 import difflib
 import math
 from collections.abc import Sequence
-from typing import Any
+from typing import Any, Union
 
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
@@ -97,6 +97,18 @@ def vector(name: str, values: ArrayLike) -> list[float]:
     if numbers.shape != (3,):
         raise ValueError(f"{name} must have three components, got the shape {numbers.shape}")
     return [real(f"{name}[{i}]", x) for i, x in enumerate(numbers)]
+
+
+def inertia_of_body(name: str, values: ArrayLike) -> Union[list[float], list[list[float]]]:
+    """Returns three principal moments that are not negative, or the rows of a matrix of finite numbers."""
+    numbers = array(name, values)
+    if numbers.shape == (3, 3):
+        return [[real(f"{name}[{i}][{j}]", x) for j, x in enumerate(row)] for i, row in enumerate(numbers)]
+    moments = vector(name, numbers)
+    for i, moment in enumerate(moments):
+        if moment < 0:
+            raise ValueError(f"{name}[{i}] must be positive, got {moment}")
+    return moments
 
 
 def quaternion(values: ArrayLike, vertical: Sequence[float]) -> list[float]:

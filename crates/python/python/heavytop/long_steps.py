@@ -18,10 +18,10 @@ def warn_of_long_step(tops: Sequence[_native.Top], momenta: Floats, step: float,
 
     The momenta Pi have the shape (n, 3), with one top for all of them or for each.
     """
-    inertia = np.array([top.inertia for top in tops])
-    if inertia.shape[0] not in (1, momenta.shape[0]) or not momenta.size:
+    if len(tops) not in (1, momenta.shape[0]) or not momenta.size:
         return
-    turns = abs(step) * np.linalg.norm(momenta / inertia, axis=1)
+    parts = [momenta] if len(tops) == 1 else np.split(momenta, len(tops))
+    turns = abs(step) * np.concatenate([top.angular_speeds(part) for top, part in zip(tops, parts)])
     most = int(np.argmax(turns))
     turn = float(turns[most])
     if turn > LONG_STEP:

@@ -42,7 +42,7 @@ class Solution:
         t: the times of the n samples, shape (n,).
         y: the states, shape (d, n): for a top (Pi1, Pi2, Pi3, Gamma1, Gamma2, Gamma3). `run["Gamma"]` are the rows of a
             vector, and `run["Gamma3"]` is one row.
-        invariants: the invariants by symbol, each of shape (n,): those that `Top.invariants` lists; for a system h and the
+        invariants: the invariants by symbol, each of shape (n,): those that are conserved from the start; for a system h and the
             Casimirs, by their formulas.
         attitude: the unit quaternions (w, x, y, z) of the attitude of a top, shape (4, n), or None if they were not asked
             for. They rotate the body frame to the spatial frame.

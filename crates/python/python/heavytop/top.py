@@ -29,16 +29,22 @@ class Top(TopParameters):
     alone, the weight moment m g l.
 
     Args:
-        inertia: the principal moments about the fixed point, kg m^2. They must be positive, and none may be larger than the
-            sum of the other two. Whether they leave room for a body with this mass at this distance, I >= m l^2 about the
-            axes at right angles to c, is not checked.
+        inertia: the principal moments about the support, the fixed point, kg m^2; or a symmetric matrix, of shape (3, 3), in
+            any axes. None may be larger than the sum of the other two. One may be 0: a thin rod, with its centre of mass on it
+            and no angular momentum about it. With a matrix all vectors and states, in arguments and results, are in its axes.
         mass: kg.
         gravity: m/s^2; 0 gives a free rigid body.
-        length: the distance of the centre of mass from the fixed point, m.
-        center_of_mass: the direction c of the centre of mass in the body frame, a unit vector.
+        length: the distance of the centre of mass from the support, m.
+        center_of_mass: the direction c of the centre of mass from the support in the body frame, a unit vector.
+        inertia_about: "support", or "center-of-mass" for moments about the centre of mass, to which m l^2 (1 - c c^T) is then
+            added.
 
     Raises:
         ValueError: if a parameter is out of its range. The message names the number and its bound.
+
+    Warns:
+        UserWarning: if no body has these moments about the support with this mass at this distance. The motion depends on
+            the moments and m g l alone.
 
     Example:
         >>> top = Top(inertia=[1.0, 1.5, 2.0], mass=1.0, gravity=9.81, length=0.1, center_of_mass=[0, 0, 1])
@@ -128,7 +134,8 @@ class Top(TopParameters):
         followed = (flag("attitude", attitude) or initial is not None, initial)
         watched = native_events(events, NAMES, {})
         columns = self._top.follow(run.setting, end, every, followed, watched)
-        return solution(columns, self.invariants, run, has_events=events is not None)
+        symbols = self._top.invariants_from(np.array([run.setting[0]]))
+        return solution(columns, symbols, run, has_events=events is not None)
 
     def _run(self, Pi: ArrayLike, Gamma: ArrayLike, step: float, formulation: Any, scheme: Any, tolerance: Any) -> Run:
         angular_momentum = vector("Pi", Pi)

@@ -2,13 +2,14 @@
 
 from __future__ import annotations
 
-from typing import TYPE_CHECKING
+import warnings
+from typing import TYPE_CHECKING, Any
 
 import numpy as np
 from numpy.typing import ArrayLike
 
 from . import _native
-from .arguments import array, positive, real, vector
+from .arguments import array, choice, inertia_of_body, positive, real, vector
 from .solution import Floats
 
 if TYPE_CHECKING:
@@ -22,16 +23,22 @@ class TopParameters:
     alone, the weight moment m g l.
 
     Args:
-        inertia: the principal moments about the fixed point, kg m^2. They must be positive, and none may be larger than the
-            sum of the other two. Whether they leave room for a body with this mass at this distance, I >= m l^2 about the
-            axes at right angles to c, is not checked.
+        inertia: the principal moments about the support, the fixed point, kg m^2; or a symmetric matrix, of shape (3, 3), in
+            any axes. None may be larger than the sum of the other two. One may be 0: a thin rod, with its centre of mass on it
+            and no angular momentum about it. With a matrix all vectors and states, in arguments and results, are in its axes.
         mass: kg.
         gravity: m/s^2; 0 gives a free rigid body.
-        length: the distance of the centre of mass from the fixed point, m.
-        center_of_mass: the direction c of the centre of mass in the body frame, a unit vector.
+        length: the distance of the centre of mass from the support, m.
+        center_of_mass: the direction c of the centre of mass from the support in the body frame, a unit vector.
+        inertia_about: "support", or "center-of-mass" for moments about the centre of mass, to which m l^2 (1 - c c^T) is then
+            added.
 
     Raises:
         ValueError: if a parameter is out of its range. The message names the number and its bound.
+
+    Warns:
+        UserWarning: if no body has these moments about the support with this mass at this distance. The motion depends on
+            the moments and m g l alone.
     """
 
     def __init__(
@@ -41,11 +48,18 @@ class TopParameters:
         gravity: float,
         length: float,
         center_of_mass: ArrayLike = (0.0, 0.0, 1.0),
+        *,
+        inertia_about: str = "support",
     ) -> None:
         center = vector("center_of_mass", center_of_mass)
-        moments = [positive(f"inertia[{i}]", x) for i, x in enumerate(vector("inertia", inertia))]
+        moments = inertia_of_body("inertia", inertia)
         numbers = (real("mass", mass), real("gravity", gravity), real("length", length))
-        self._top = _native.Top(moments, *numbers, center)
+        is_central = choice("inertia_about", inertia_about, ("support", "center-of-mass")) != "support"
+        self._top = _native.Top(moments, *numbers, center, is_central)
+        reason = None if is_central else _native.Top.impossibility(moments, *numbers, center)
+        if reason is not None:
+            text = f'{reason}; the motion is that of m g l: give moments about the support, or inertia_about="center-of-mass"'
+            warnings.warn(text, UserWarning, stacklevel=2)
 
     @classmethod
     def _of(cls, native: _native.Top) -> Self:
@@ -55,7 +69,10 @@ class TopParameters:
 
     @classmethod
     def free_rigid_body(cls, inertia: ArrayLike) -> Self:
-        """Returns a rigid body without gravity: Euler's top. Its Gamma is any unit vector that is fixed in space."""
+        """Returns a rigid body without gravity: Euler's top. Its Gamma is any unit vector that is fixed in space.
+
+        The principal moments are about the support, or about the centre of mass of a body that nothing holds.
+        """
         moments = [positive(f"inertia[{i}]", x) for i, x in enumerate(vector("inertia", inertia))]
         return cls._of(_native.Top.free_rigid_body(moments))
 
@@ -88,8 +105,13 @@ class TopParameters:
 
     @property
     def inertia(self) -> Floats:
-        """The principal moments of inertia, kg m^2."""
+        """The principal moments of inertia about the support, kg m^2."""
         return np.array(self._top.inertia)
+
+    @property
+    def principal_axes(self) -> Floats:
+        """The rotation A whose columns are the principal axes: the inertia matrix is A diag(inertia) A^T."""
+        return np.array(self._top.principal_axes)
 
     @property
     def weight_moment(self) -> float:
@@ -107,21 +129,24 @@ class TopParameters:
 
         Every top has the energy h (J) and the Casimirs f1 = |Gamma|^2 and f2 = Pi.Gamma (kg m^2/s). A free body has
         C = |Pi|^2. A top with the moments and the axis of one of these has another: Lagrange's f3 = Pi3, Kovalevskaya's K,
-        and G of Goryachev and Chaplygin, which is conserved only if Pi.Gamma = 0. The constructors give their formulas;
+        and a sphere f3 = Pi.c wherever its centre of mass is. G of Goryachev and Chaplygin is conserved only if
+        Pi.Gamma = 0; the runs from such a state have it, and it is not listed here. The constructors give the formulas;
         if the symmetry axis is not the third, the indices are permuted cyclically.
         """
         return tuple(self._top.invariants)
 
     def invariant_values(self, y: ArrayLike) -> dict[str, Floats]:
-        """Returns the invariants of states of shape (6,) or (6, n), by symbol."""
+        """Returns the invariants of states of shape (6,) or (6, n), by symbol; also G if it is conserved from each of them."""
         states = array("y", y)
         if states.ndim not in (1, 2) or states.shape[0] != 6:
             raise ValueError(f"y must have the shape (6,) or (6, n), got {states.shape}")
-        values = self._top.invariant_values(states.reshape(6, -1).T)
-        return {name: values[:, i].reshape(states.shape[1:]) for i, name in enumerate(self.invariants)}
+        rows = states.reshape(6, -1).T
+        symbols, values = self._top.invariants_from(rows), self._top.invariant_values(rows)
+        return {symbol: values[:, i].reshape(states.shape[1:]) for i, symbol in enumerate(symbols)}
 
-    def _parameters(self) -> tuple[tuple[float, ...], float, tuple[float, ...]]:
-        return tuple(self._top.inertia), self._top.weight_moment, tuple(self._top.center_of_mass)
+    def _parameters(self) -> tuple[Any, ...]:
+        axes = tuple(map(tuple, self._top.principal_axes))
+        return tuple(self._top.inertia), axes, self._top.weight_moment, tuple(self._top.center_of_mass)
 
     def __eq__(self, other: object) -> bool:
         return self._parameters() == other._parameters() if isinstance(other, TopParameters) else NotImplemented

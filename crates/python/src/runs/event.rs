@@ -4,7 +4,8 @@ use super::schedule::{MOST_DIMENSIONS, coordinates};
 use crate::errors::{failed, message};
 use crate::formulas::FormulaSource;
 use collective_integrators::{Direction, EventError, EventSearch, Integrator};
-use lie_poisson::Vector;
+use heavytop::PrincipalAxes;
+use lie_poisson::{Se3Dual, Vector};
 use lie_poisson_formulas::{Formula, Vocabulary};
 use pyo3::exceptions::PyValueError;
 use pyo3::{PyErr, PyResult};
@@ -17,20 +18,31 @@ pub(crate) type EventArgument = (FormulaSource, i8, u64);
 pub(crate) struct Event {
     function: Formula,
     direction: Direction,
+    /// The principal axes of a top, in the axes of the function's coordinates, where these are others.
+    axes: Option<PrincipalAxes>,
     /// The number of occurrences after which the run ends; 0 if it does not.
     pub(crate) last: u64,
 }
 
 impl Event {
     /// Creates an event in the names of a space.
-    pub(crate) fn new(argument: &EventArgument, names: &Vocabulary) -> PyResult<Self> {
+    pub(crate) fn new(
+        argument: &EventArgument,
+        names: &Vocabulary,
+        axes: Option<PrincipalAxes>,
+    ) -> PyResult<Self> {
         let (function, way, last) = argument;
-        Ok(Self { function: function.formula(names)?, direction: direction(*way)?, last: *last })
+        let (function, direction) = (function.formula(names)?, direction(*way)?);
+        Ok(Self { function, direction, axes, last: *last })
     }
 
     /// Creates several events.
-    pub(crate) fn all(arguments: &[EventArgument], names: &Vocabulary) -> PyResult<Vec<Self>> {
-        arguments.iter().map(|argument| Self::new(argument, names)).collect()
+    pub(crate) fn all(
+        arguments: &[EventArgument],
+        names: &Vocabulary,
+        axes: Option<PrincipalAxes>,
+    ) -> PyResult<Vec<Self>> {
+        arguments.iter().map(|argument| Self::new(argument, names, axes)).collect()
     }
 
     /// Returns the search for the event along a run of an integrator.
@@ -43,7 +55,13 @@ impl Event {
     {
         let function = |mu: &I::Momentum| {
             let mut state = [0.0; MOST_DIMENSIONS];
-            self.function.value_at(coordinates(mu, &mut state, self.function.dimension()))
+            let dimension = self.function.dimension();
+            if let Some(axes) = &self.axes {
+                let principal: Se3Dual = Vector::from_coordinates(|i| mu.coordinate(i));
+                let given = axes.state_from_principal(&principal);
+                return self.function.value_at(coordinates(&given, &mut state, dimension));
+            }
+            self.function.value_at(coordinates(mu, &mut state, dimension))
         };
         let search = EventSearch::new(integrator, function, self.direction);
         match self.function.period() {

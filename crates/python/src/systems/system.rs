@@ -133,7 +133,7 @@ impl System {
         if every == 0 {
             return Err(PyValueError::new_err("every must be at least 1, got 0"));
         }
-        let events = Event::all(&events, &self.names)?;
+        let events = Event::all(&events, &self.names, None)?;
         let quantities = Invariants(&self.system);
         let recording =
             Recording { schedule: &schedule, every, quantities, events: &events, attitude: false };

@@ -1,14 +1,13 @@
 //! Indicators of chaos for many runs of tops, on all threads.
 
 use super::top::{MethodNames, Top, made};
-use crate::arrays::read_rows;
+use crate::arrays::{numbers, read_rows};
 use crate::errors::message;
 use crate::recorded::Indicators;
 use crate::runs::growth::{GrowthTask, Tangents};
 use crate::runs::interruption::until_interrupted;
 use crate::runs::schedule::{Schedule, steps};
 use core::sync::atomic::Ordering;
-use heavytop::HeavyTop;
 use numpy::PyReadonlyArray2;
 use pyo3::exceptions::PyValueError;
 use pyo3::{PyRef, PyResult, Python, pyfunction};
@@ -28,11 +27,18 @@ pub fn growth_of_tops(
     tangents: &str,
 ) -> PyResult<Indicators> {
     let states: Vec<[f64; 6]> = read_rows("the states", &states)?;
-    let tops: Vec<HeavyTop> = tops.iter().map(|top| top.0).collect();
+    let tops: Vec<Top> = tops.iter().map(|top| **top).collect();
     if tops.len() != 1 && tops.len() != states.len() {
         let text = format!("there are {} tops and {} states", tops.len(), states.len());
         return Err(PyValueError::new_err(text));
     }
+    let of = |index: usize| tops.get(index).or(tops.first());
+    let principal = |(index, given): (usize, &[f64; 6])| match of(index) {
+        Some(top) => top.principal(*given).map(|mu| numbers(&mu)),
+        None => Ok(*given),
+    };
+    let states: Vec<[f64; 6]> =
+        states.iter().enumerate().map(principal).collect::<PyResult<_>>()?;
     let ((step, end, every), method) = (times, made(method)?);
     let (steps, tangents) = (steps(step, end)?, tangents_named(tangents)?);
     let runs = until_interrupted(py, |stop| {
@@ -42,8 +48,11 @@ pub fn growth_of_tops(
             }
             let schedule = Schedule { start: start.to_vec(), step, steps };
             let task = GrowthTask { schedule: &schedule, every, stop, tangents };
-            let top = tops.get(index).or(tops.first()).ok_or("there is no top")?;
-            method.differentiate(top, task).unwrap_or_else(|error| Err(message(&error)))
+            let top = of(index).ok_or("there is no top")?;
+            let grown = method.differentiate(&top.top, task);
+            let mut grown = grown.unwrap_or_else(|error| Err(message(&error)))?;
+            top.give(&mut grown.end);
+            Ok(grown)
         };
         states.par_iter().enumerate().map(one).collect::<Vec<_>>()
     })?;

@@ -26,22 +26,22 @@ pub fn advance_states<'py>(
     end: f64,
     scheme: &str,
 ) -> PyResult<Ends<'py>> {
-    let mut states: Vec<Se3Dual> =
-        read_rows("the states", &states)?.into_iter().map(state).collect();
-    let (steps, top) = (steps(step, end)?, top.0);
+    let states = read_rows("the states", &states)?.into_iter().map(|given| top.principal(given));
+    let mut states = states.collect::<PyResult<Vec<Se3Dual>>>()?;
+    let (steps, of) = (steps(step, end)?, [*top]);
+    let top = top.top;
     if scheme != "implicit-midpoint" {
         return advance_members(
             py,
             states.into_iter().map(|mu| (top, mu)).collect(),
-            step,
-            steps,
+            (&of, step, steps),
             scheme,
         );
     }
     let threads = threads(py)?;
     let failures =
         py.detach(|| advance(&threads, TopMidpoint::new(top), &mut states, step, steps))?;
-    ends(py, states.iter(), failures)
+    ends(py, states.iter(), &of, failures)
 }
 
 /// Advances many tops, each with a state of its own, to the end.
@@ -56,15 +56,16 @@ pub fn advance_tops<'py>(
 ) -> PyResult<Ends<'py>> {
     let states = read_rows("the states", &states)?;
     require_equal(tops.len(), states.len())?;
-    let members = tops.iter().map(|top| top.0).zip(states.into_iter().map(state)).collect();
-    advance_members(py, members, step, steps(step, end)?, scheme)
+    let tops: Vec<Top> = tops.iter().map(|top| **top).collect();
+    let member = |(top, given): (&Top, [f64; 6])| Ok((top.top, top.principal(given)?));
+    let members = tops.iter().zip(states).map(member).collect::<PyResult<Vec<_>>>()?;
+    advance_members(py, members, (&tops, step, steps(step, end)?), scheme)
 }
 
 fn advance_members<'py>(
     py: Python<'py>,
     mut members: Vec<(HeavyTop, Se3Dual)>,
-    step: f64,
-    steps: u64,
+    (tops, step, steps): (&[Top], f64, u64),
     scheme: &str,
 ) -> PyResult<Ends<'py>> {
     let (threads, all) = (&*threads(py)?, &mut members);
@@ -81,7 +82,7 @@ fn advance_members<'py>(
              gauss-10, gauss-12, gauss-16"
         ))),
     })?;
-    ends(py, members.iter().map(|(_, mu)| mu), failures)
+    ends(py, members.iter().map(|(_, mu)| mu), tops, failures)
 }
 
 fn gauss<const S: usize>(
@@ -122,13 +123,19 @@ fn advance<B: BatchIntegrator>(
     Ok(failures)
 }
 
+/// Returns the states at the end, in the axes of each top or of the only one.
 fn ends<'py, 'a>(
     py: Python<'py>,
     states: impl Iterator<Item = &'a Se3Dual>,
+    tops: &[Top],
     failures: Vec<MemberError>,
 ) -> PyResult<Ends<'py>> {
     let failures = failures.iter().map(|failure| (failure.index, message(&failure.source)));
-    let states: Vec<f64> = states.flat_map(numbers).collect();
+    let given = |(index, mu): (usize, &'a Se3Dual)| {
+        let top = tops.get(index).or(tops.first());
+        top.map_or_else(|| numbers(mu), |top| top.given(mu))
+    };
+    let states: Vec<f64> = states.enumerate().flat_map(given).collect();
     let count = states.len() / 6;
     Ok((rows(py, states, [count, 6])?, failures.collect()))
 }
@@ -142,15 +149,15 @@ pub fn invariants_of_tops<'py>(
 ) -> PyResult<(Vec<&'static str>, Bound<'py, PyArray2<f64>>)> {
     let states: Vec<[f64; 6]> = read_rows("the states", &states)?;
     require_equal(tops.len(), states.len())?;
-    let mut common = tops.first().map(|top| top.0.invariants()).unwrap_or_default();
+    let mut common = tops.first().map(|top| top.top.invariants()).unwrap_or_default();
     for top in &tops {
-        let own = top.0.invariants();
+        let own = top.top.invariants();
         common.retain(|invariant| own.contains(invariant));
     }
     let members = tops.iter().zip(&states);
     let values = members.flat_map(|(top, numbers)| {
-        let mu = state(*numbers);
-        common.iter().map(move |invariant| invariant.value(&top.0, &mu))
+        let mu = top.axes.state_to_principal(&state(*numbers));
+        common.iter().map(move |invariant| invariant.value(&top.top, &mu))
     });
     let values = rows(py, values.collect(), [states.len(), common.len()])?;
     Ok((common.iter().map(|invariant| invariant.symbol()).collect(), values))

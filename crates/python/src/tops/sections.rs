@@ -1,7 +1,7 @@
 //! Poincaré sections of an energy level: states to begin at.
 
 use super::top::Top;
-use crate::arrays::{numbers, rows};
+use crate::arrays::rows;
 use crate::errors::refused;
 use crate::runs::event::direction;
 use heavytop::{Coordinate, EnergyLevel, Section, Surface};
@@ -22,15 +22,17 @@ pub fn section_starts<'py>(
     count: usize,
     seed: u64,
 ) -> PyResult<Bound<'py, PyArray2<f64>>> {
-    let ((energy, vertical_momentum), top) = (level, top.0);
+    let ((energy, vertical_momentum), of) = (level, *top);
     let (name, value, way) = surface;
     let named = Coordinate::ALL.into_iter().find(|coordinate| coordinate.name() == name);
     let coordinate =
         named.ok_or_else(|| PyValueError::new_err(format!("there is no coordinate {name}")))?;
     let surface = Surface { coordinate, level: value, direction: direction(way)? };
     let starts = py.detach(|| {
-        Section::new(EnergyLevel { top, energy, vertical_momentum }, surface)?.starts(count, seed)
+        let level = EnergyLevel { top: of.top, energy, vertical_momentum };
+        Section::in_axes(level, surface, &of.axes)?.starts(count, seed)
     });
-    let starts: Vec<f64> = starts.map_err(refused)?.iter().flat_map(numbers).collect();
+    let starts = starts.map_err(refused)?;
+    let starts: Vec<f64> = starts.iter().flat_map(|mu| of.given(mu)).collect();
     rows(py, starts, [count, 6])
 }

@@ -4,11 +4,11 @@ use super::refused;
 use collective_integrators::{Direction, Start};
 use heavytop::methods::{Formulation, Method, MethodError, SchemeName, Task};
 use heavytop::{
-    Body, Coordinate, EnergyLevel, HeavyTop, JacobiElliptic, LagrangeNutation, Section, Surface,
-    SymmetricTopSplitting, require_unit,
+    Body, Coordinate, EnergyLevel, HeavyTop, JacobiElliptic, LagrangeNutation, PrincipalAxes,
+    Section, Surface, SymmetricTopSplitting, require_unit,
 };
 use lie_poisson::{InstructionSet, MissingInstructions, Se3Dual, Vector};
-use nalgebra::Vector3;
+use nalgebra::{Matrix3, Vector3};
 use workspace_tests::tops;
 
 /// A task that does nothing.
@@ -48,6 +48,7 @@ pub fn errors() -> Vec<String> {
         length: 0.1,
         center_of_mass: Vector3::z(),
     };
+    let rod = HeavyTop::new(&Body { inertia: Vector3::new(2.0, 2.0, 0.0), ..body }).unwrap();
     let top = tops::paper().unwrap();
     let generic = tops::generic().unwrap();
     let portable = InstructionSet::Portable;
@@ -56,11 +57,18 @@ pub fn errors() -> Vec<String> {
         let surface = Surface { coordinate: Coordinate::Gamma3, level, direction: Direction::Up };
         Section::new(EnergyLevel { top, energy, vertical_momentum: 0.0 }, surface)
     };
+    let surface = Surface { coordinate: Coordinate::Pi1, level: 0.0, direction: Direction::Up };
+    let of_rod =
+        Section::new(EnergyLevel { top: rod, energy: 1.0, vertical_momentum: 0.0 }, surface);
     vec![
         refused(HeavyTop::new(&Body { length: f64::INFINITY, ..body })),
         refused(HeavyTop::new(&Body { mass: 0.0, ..body })),
         refused(HeavyTop::new(&Body { gravity: -9.81, ..body })),
         refused(HeavyTop::new(&Body { inertia: Vector3::new(1.0, 1.0, 3.0), ..body })),
+        refused(Body { mass: 500.0, ..body }.require_possible()),
+        refused(PrincipalAxes::of(&Matrix3::new(2.0, 0.1, 0.0, 0.2, 2.0, 0.0, 0.0, 0.0, 1.0))),
+        refused(HeavyTop::new(&Body { inertia: Vector3::new(0.0, 1.0, 1.0), ..body })),
+        refused(rod.require_state(&tops::generic_start())),
         refused(JacobiElliptic::new(1.5)),
         refused(LagrangeNutation::new(&generic, &tops::generic_start())),
         refused(SymmetricTopSplitting::new(generic)),
@@ -71,6 +79,7 @@ pub fn errors() -> Vec<String> {
         missing_instructions(),
         refused(no_stages.integrate(&top, Nothing)),
         refused(section(f64::NAN, 0.0)),
+        refused(of_rod),
         refused(section(1.0, -1.0)),
         refused(section(-2.0, 0.0)),
         refused(section(-1.0 + 1e-13, 0.0).unwrap().starts(1000, 0)),

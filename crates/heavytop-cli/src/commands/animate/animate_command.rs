@@ -54,7 +54,8 @@ pub fn animate(mut config: Config, out: &Path, watch: &Watch<'_>) -> Result<Page
     watch.safeguard.require(out, &KIND)?;
     let mut output = Output::create(out)?;
     let accuracy = experiment.accuracy()?;
-    let warnings = [method_warning(&experiment.method), accuracy_warning(&accuracy)];
+    let warnings =
+        [method_warning(&experiment.method), accuracy_warning(&accuracy), config.body_warning()];
     warnings.into_iter().flatten().for_each(warn);
 
     let mut animation = Animation::new(experiment.top, &description(&experiment));

@@ -39,8 +39,8 @@ const SCRIPTS: &[&str] = &[
 /// and the vertical RΓ = e₃ |Γ|. The tip is the direction Rc of the centre of mass, c in the body frame.
 ///
 /// A frame is the numbers t (s), Π₁, Π₂, Π₃ (kg m²/s, body frame), Γ₁, Γ₂, Γ₃ (body frame), the four
-/// of the unit quaternion of R, the scalar first, and the values of the top's
-/// [invariants](HeavyTop::invariants). The page has them as 64-bit numbers, to the last bit: little-endian, in Base64, in
+/// of the unit quaternion of R, the scalar first, and the values of the
+/// [invariants](HeavyTop::invariants_from) of the motion from the first frame. The page has them as 64-bit numbers, to the last bit: little-endian, in Base64, in
 /// the key `numbers` of the JSON of its element `motion`.
 ///
 /// # Example
@@ -93,7 +93,7 @@ impl Animation {
     /// Creates an animation without frames; the description below the title says how the motion was computed.
     #[must_use]
     pub fn new(top: HeavyTop, description: &str) -> Self {
-        let (invariants, description) = (top.invariants(), description.into());
+        let (invariants, description) = (Vec::new(), description.into());
         Self { top, description, invariants, numbers: Vec::new(), last: None, largest_turn: 0.0 }
     }
 
@@ -102,6 +102,9 @@ impl Animation {
     /// Each time is later than the one before, or each earlier if the motion goes backward in time from 0. The attitude is the unit quaternion of the rotation R from the body
     /// frame to the spatial one, Γ ∥ Rᵀe₃.
     pub fn push(&mut self, time: f64, mu: &Se3Dual, attitude: &Quaternion) {
+        if self.is_empty() {
+            self.invariants = self.top.invariants_from(mu);
+        }
         let Covector(Pair(pi, gamma)) = mu;
         let Quaternion { scalar, vector } = attitude;
         self.numbers.push(time);

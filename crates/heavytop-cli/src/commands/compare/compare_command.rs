@@ -9,6 +9,7 @@ use crate::files::place::require_folder;
 use crate::files::{Kind, Output, OutputSet};
 use crate::pictures::render;
 use crate::runs::{Experiment, Schedule};
+use crate::supervision::warnings::warn;
 use crate::supervision::{Progress, Watch};
 use heavytop::methods::{ComposedScheme, Formulation, Method, SchemeName};
 use std::io::Write;
@@ -88,6 +89,9 @@ pub fn compare(
     // No other run writes here until the table has its name, which it gets last.
     let mut table = Output::create(&csv)?;
 
+    if let Some(warning) = config.body_warning() {
+        warn(warning);
+    }
     let ladder = ladder(steps);
     let grid: Vec<(Method, u64)> =
         methods.iter().flat_map(|&method| ladder.iter().map(move |&n| (method, n))).collect();

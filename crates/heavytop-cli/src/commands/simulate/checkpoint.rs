@@ -2,7 +2,7 @@
 
 use super::growing_file::Mark;
 use crate::Error;
-use crate::configuration::Config;
+use crate::configuration::{Config, LeftOut};
 use crate::errors::CheckpointError;
 use crate::files::sealed::{damaged, of_this_version, open, read, seal};
 use crate::files::{Kind, Output};
@@ -38,6 +38,9 @@ pub struct Checkpoint {
     pub(super) deviations: Vec<f64>,
     /// The extent of the rows so far.
     pub(super) rows: Mark,
+    /// What the configuration left out where it was read.
+    #[serde(default, skip_serializing_if = "LeftOut::is_empty")]
+    left_out: LeftOut,
     configuration: Config,
 }
 
@@ -53,7 +56,19 @@ impl Checkpoint {
         let (version, configuration) = (env!("CARGO_PKG_VERSION").into(), config.clone());
         let (path, deviations) = (PathBuf::new(), deviations.into());
         let instructions = config.instructions().to_string();
-        Self { path, version, instructions, format, step, state, deviations, rows, configuration }
+        let left_out = config.left_out.clone();
+        Self {
+            path,
+            version,
+            instructions,
+            format,
+            step,
+            state,
+            deviations,
+            rows,
+            left_out,
+            configuration,
+        }
     }
 
     /// Reads a checkpoint from its file.
@@ -68,7 +83,9 @@ impl Checkpoint {
     }
 
     fn parse(text: &str) -> Result<Self, CheckpointError> {
-        of_this_version(open(TITLE, text)?)?.try_into().map_err(damaged)
+        let mut read: Self = of_this_version(open(TITLE, text)?)?.try_into().map_err(damaged)?;
+        read.configuration.left_out = read.left_out.clone();
+        Ok(read)
     }
 
     /// Writes the checkpoint, whole or not at all.

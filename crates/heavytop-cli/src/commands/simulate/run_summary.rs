@@ -44,7 +44,7 @@ pub struct RunSummary {
 }
 
 impl RunSummary {
-    /// Creates the summary of a run that ended in (Π, Γ), as yet without its accuracy.
+    /// Creates the summary of a run that ended in (Π, Γ), in principal axes, as yet without its accuracy.
     pub(super) fn new(
         out: PathBuf,
         experiment: &Experiment,
@@ -52,7 +52,8 @@ impl RunSummary {
         deviations: &Deviations,
         table: &RunTable,
     ) -> Self {
-        let Experiment { method, schedule, .. } = experiment;
+        let Experiment { method, schedule, axes, .. } = experiment;
+        let last = axes.state_from_principal(last);
         Self {
             out,
             formulation: method.formulation().name(),

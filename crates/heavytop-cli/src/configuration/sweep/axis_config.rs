@@ -1,8 +1,9 @@
 //! The table `[[sweep.axes]]`: a number that varies, and how.
 
 use super::parameter::Parameter;
+use crate::configuration::top::Quantity;
 use crate::errors::SweepError;
-use crate::vocabulary::brief::number;
+use crate::vocabulary::brief::{number, text};
 use serde::{Deserialize, Serialize};
 
 /// The table `[[sweep.axes]]`: a grid by `from`, `to` and `count`, or random values by `uniform` or `normal`.
@@ -11,16 +12,16 @@ use serde::{Deserialize, Serialize};
 pub struct AxisConfig {
     /// The parameter that is varied.
     pub parameter: Parameter,
-    /// The first value of a grid.
-    pub from: Option<f64>,
-    /// The last value of a grid.
-    pub to: Option<f64>,
+    /// The first value of a grid; an angle may be a text with its unit.
+    pub from: Option<Quantity>,
+    /// The last value of a grid; an angle may be a text with its unit.
+    pub to: Option<Quantity>,
     /// The number of values of a grid.
     pub count: Option<u32>,
     /// The least and the largest random value.
-    pub uniform: Option<[f64; 2]>,
+    pub uniform: Option<[Quantity; 2]>,
     /// The mean and the standard deviation of random values.
-    pub normal: Option<[f64; 2]>,
+    pub normal: Option<[Quantity; 2]>,
     /// Whether the vector that contains the parameter is scaled to length 1 afterwards.
     #[serde(default)]
     pub normalise: bool,
@@ -48,8 +49,17 @@ impl AxisConfig {
     /// # Errors
     /// If it does not have exactly the keys of one kind, with finite numbers.
     pub(crate) fn axis(&self) -> Result<SweepAxis, SweepError> {
-        let Self { ref parameter, from, to, count, uniform, normal, normalise } = *self;
+        let Self { parameter, count, normalise, .. } = self;
+        let (count, normalise) = (*count, *normalise);
         let wrong = |needs: String| SweepError::Axis { parameter: parameter.name(), needs };
+        let value = |quantity: &Quantity| self.value(quantity).map_err(wrong);
+        let [from, to] = [&self.from, &self.to].map(|end| end.as_ref().map(value).transpose());
+        let (from, to) = (from?, to?);
+        let pair = |ends: &Option<[Quantity; 2]>| {
+            let ends = ends.as_ref().map(|[one, other]| Ok([value(one)?, value(other)?]));
+            ends.transpose()
+        };
+        let (uniform, normal) = (pair(&self.uniform)?, pair(&self.normal)?);
         let spread = match (from, to, count, uniform, normal) {
             (Some(from), Some(to), Some(count), None, None) => Spread::Grid { from, to, count },
             (None, None, None, Some([from, to]), None) => Spread::Uniform { from, to },
@@ -78,6 +88,27 @@ impl AxisConfig {
             return Err(wrong("no normalise: it is not a component of a unit vector".into()));
         }
         Ok(SweepAxis { parameter: parameter.clone(), spread, normalise })
+    }
+}
+
+impl AxisConfig {
+    /// Returns a value of the axis, an angle in radians.
+    ///
+    /// # Errors
+    /// Returns what is needed, if an angle has no known unit or is outside its range, or another value is a text.
+    fn value(&self, quantity: &Quantity) -> Result<f64, String> {
+        let angle = match &self.parameter {
+            Parameter::Top(parameter) => parameter.angle(),
+            Parameter::System(_) => None,
+        };
+        match (angle, quantity) {
+            (Some(_), Quantity::Number(value)) if !value.is_finite() => Ok(*value),
+            (Some(range), quantity) => range
+                .radians(quantity)
+                .map_err(|what| format!("an angle {}: it {what}", range.range)),
+            (None, Quantity::Number(value)) => Ok(*value),
+            (None, Quantity::Text(written)) => Err(format!("numbers, got `{}`", text(written))),
+        }
     }
 }
 

@@ -4,6 +4,7 @@ use super::axis_config::AxisConfig;
 use super::observable::Observable;
 use super::parameter::Parameter;
 use super::top_parameter::TopParameter;
+use crate::configuration::top::Quantity;
 use serde::{Deserialize, Serialize};
 
 /// The table `[sweep]`: which motions, and which observables of them.
@@ -31,8 +32,8 @@ impl SweepConfig {
     pub(crate) fn axes_of_tops() -> Vec<AxisConfig> {
         let axis = |i| AxisConfig {
             parameter: Parameter::Top(TopParameter::AngularMomentum(i)),
-            from: Some(-4.0),
-            to: Some(4.0),
+            from: Some(Quantity::Number(-4.0)),
+            to: Some(Quantity::Number(4.0)),
             count: Some(32),
             uniform: None,
             normal: None,

@@ -1,7 +1,8 @@
 //! The numbers of a top that a sweep may vary.
 
-use crate::configuration::top_config::{
-    BodyConfig, InitialConfig, angles, normalised, unit_vector,
+use crate::configuration::top::{
+    AZIMUTH, AngleRange, BodyConfig, INCLINATION, Inertia, InitialConfig, angles, normalised,
+    unit_vector,
 };
 use crate::vocabulary::named::{by_name, name_of};
 
@@ -16,6 +17,8 @@ pub enum TopParameter {
     Gravity,
     /// The distance from the support to the centre of mass, `body.length`.
     Length,
+    /// The weight moment m g l, `body.weight_moment`.
+    WeightMoment,
     /// A number of the direction to the centre of mass, `body.center_of_mass…`.
     CenterOfMass(Part),
     /// A component of the initial angular momentum Π(0), `initial.angular_momentum[i]`.
@@ -45,6 +48,7 @@ impl TopParameter {
         ("body.mass", Self::Mass),
         ("body.gravity", Self::Gravity),
         ("body.length", Self::Length),
+        ("body.weight_moment", Self::WeightMoment),
         ("body.center_of_mass[0]", Self::CenterOfMass(Component(0))),
         ("body.center_of_mass[1]", Self::CenterOfMass(Component(1))),
         ("body.center_of_mass[2]", Self::CenterOfMass(Component(2))),
@@ -88,6 +92,7 @@ impl TopParameter {
             Self::Mass => "mass (kg)".into(),
             Self::Gravity => "gravity (m/s²)".into(),
             Self::Length => "length (m)".into(),
+            Self::WeightMoment => "m g l (N m)".into(),
             Self::CenterOfMass(part) => of_vector("c", part),
             Self::AngularMomentum(i) => indexed("Π", i) + "(0) (kg m²/s)",
             Self::Vertical(part) => of_vector("Γ(0)", part),
@@ -98,6 +103,21 @@ impl TopParameter {
     #[must_use]
     pub fn is_of_body(self) -> bool {
         !matches!(self, Self::AngularMomentum(_) | Self::Vertical(_))
+    }
+
+    /// Returns whether the parameter is a factor of the weight moment.
+    #[must_use]
+    pub fn is_factor(self) -> bool {
+        matches!(self, Self::Mass | Self::Gravity | Self::Length)
+    }
+
+    /// Returns the range of the parameter if it is an angle.
+    pub(super) fn angle(self) -> Option<&'static AngleRange> {
+        match self {
+            Self::CenterOfMass(Inclination) | Self::Vertical(Inclination) => Some(&INCLINATION),
+            Self::CenterOfMass(Azimuth) | Self::Vertical(Azimuth) => Some(&AZIMUTH),
+            _ => None,
+        }
     }
 
     /// Returns whether the parameter is a component of the angular momentum.
@@ -119,13 +139,16 @@ impl TopParameter {
         matches!(self, Self::CenterOfMass(Azimuth) | Self::Vertical(Azimuth))
     }
 
-    /// Returns whether two parameters contradict each other: they are one, or one is an angle of a vector and the other
-    /// a component of it.
+    /// Returns whether two parameters contradict each other: they are one, one is an angle of a vector and the other a
+    /// component of it, or one is m g l and the other a factor of it.
     #[must_use]
     pub fn clashes(self, other: Self) -> bool {
         let components = |one, other| matches!((one, other), (Component(_), Inclination | Azimuth));
         let either = |a, b| components(a, b) || components(b, a);
+        let product = |one: Self, other: Self| one == Self::WeightMoment && other.is_factor();
         self == other
+            || product(self, other)
+            || product(other, self)
             || match (self, other) {
                 (Self::CenterOfMass(a), Self::CenterOfMass(b))
                 | (Self::Vertical(a), Self::Vertical(b)) => either(a, b),
@@ -144,10 +167,14 @@ impl TopParameter {
             Azimuth => *vector = unit_vector(angles(vector)[0], value),
         };
         match self {
-            Self::Inertia(i) => put(&mut body.inertia, i),
-            Self::Mass => body.mass = value,
-            Self::Gravity => body.gravity = value,
-            Self::Length => body.length = value,
+            Self::Inertia(i) => match &mut body.inertia {
+                Inertia::Principal(moments) => put(moments, i),
+                Inertia::Matrix(_) => {}
+            },
+            Self::Mass => (body.mass, body.weight_moment) = (value, None),
+            Self::Gravity => (body.gravity, body.weight_moment) = (value, None),
+            Self::Length => (body.length, body.weight_moment) = (value, None),
+            Self::WeightMoment => body.weight_moment = Some(value),
             Self::CenterOfMass(part) => part_of(&mut body.center_of_mass, part),
             Self::AngularMomentum(i) => put(&mut initial.angular_momentum, i),
             Self::Vertical(part) => {

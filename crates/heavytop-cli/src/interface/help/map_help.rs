@@ -135,10 +135,10 @@ Configuration: [body] and [initial] as of simulate, and
 What [integrator] leaves out: reduced, gauss-8, step 0.1 s, end 100 s.
 
 Parameters:
-  body.inertia[i], body.mass, body.gravity, body.length, body.center_of_mass[i],
+  body.inertia[i], body.mass, body.gravity, body.length, body.weight_moment, body.center_of_mass[i],
   initial.angular_momentum[i], initial.vertical[i]                    i = 0, 1, 2
   body.center_of_mass.inclination, body.center_of_mass.azimuth,
-  initial.vertical.inclination, initial.vertical.azimuth              rad
+  initial.vertical.inclination, initial.vertical.azimuth              rad, or as in \"30 deg\"
 with the unit vector (sin i cos a, sin i sin a, cos i) of inclination i and azimuth a.
 
 Another Lie–Poisson system instead of a top: [system] as of simulate, and

@@ -26,7 +26,8 @@ Simulate a top and write its states and invariants.
 
 Columns: t (s), Pi1,Pi2,Pi3 (kg m²/s, body frame), Gamma1,Gamma2,Gamma3 (the upward vertical, body
 frame), h (J), f1 = |Γ|², f2 = Π·Γ (kg m²/s), then K ((kg m²/s)⁴) for a Kovalevskaya top, G
-((kg m²/s)³) for a Goryachev–Chaplygin top, then where asked for the attitude qw,qx,qy,qz: the unit
+((kg m²/s)³) for a Goryachev–Chaplygin top with Π·Γ = 0, f3 = Π·c (kg m²/s) for a sphere whose
+centre of mass is on no axis, then where asked for the attitude qw,qx,qy,qz: the unit
 quaternion of the rotation R from the body frame to the spatial one, Γ = Rᵀe3, which starts with the
 shortest rotation that has it. Row 0 is the initial state. Each number reads back as the same 64-bit
 number.
@@ -71,10 +72,10 @@ Presets, for --preset; a configuration given as well is put over it, key by key:
 
 Configuration: every key may be left out, and has then the value below.
   [body]
-  inertia = [2.0, 2.0, 1.0]          # principal moments, kg m²
-  mass = 1.0                         # kg
-  gravity = 1.0                      # m/s²; 0 gives the free rigid body
-  length = 1.0                       # m, support to centre of mass
+  inertia = [2.0, 2.0, 1.0]          # principal moments about the support, kg m²
+  inertia_about = \"support\"          # or center-of-mass
+  weight_moment = 1.0                # m g l, N m; 0 without gravity
+  # instead of it: mass (kg), gravity (m/s², 9.81 on Earth), length (m, support to centre of mass)
   center_of_mass = [1.0, 0.0, 0.0]   # direction in the body frame; a unit vector
   normalise = false                  # whether to scale center_of_mass to length 1
 
@@ -83,7 +84,8 @@ Configuration: every key may be left out, and has then the value below.
   vertical = [0.5, 0.0, 0.8660254037844386]     # Γ(0), body frame; a unit vector
   normalise = false                             # whether to scale vertical to length 1
   # angular_velocity, Ω(0) in rad/s, instead of angular_momentum: Π(0) = (I1 Ω1, I2 Ω2, I3 Ω3).
-  # inclination i and azimuth a (0 by default), rad, instead of vertical:
+  # inclination i, from 0 to π or in degrees as in \"30 deg\", and azimuth a, between -2π and 2π or
+  # as in \"90 deg\", 0 by default, instead of vertical:
   # Γ(0) = (sin i cos a, sin i sin a, cos i). i is the angle from e3 to Γ(0): at 0 the axis e3 points
   # up, at π down. a is counted from e1, positive towards e2: at i = π/2, a = 0 the axis e1 points up.
 
@@ -116,6 +118,16 @@ Schemes; the number is the order:
                                         all: compositions of Strang's splitting under splitting, of
                                         the implicit midpoint rule elsewhere, where strang is that
                                         rule itself
+
+The support is the fixed point. Moments about the centre of mass, as in tables of solids, need
+inertia_about = \"center-of-mass\" with mass and length: I_support = I_cm + m l² (1 − ccᵀ). There is a
+warning where mass and length are given and no body has the moments. inertia may be a symmetric
+matrix, [[I11, I12, I13], [I12, I22, I23], [I13, I23, I33]]: the principal axes are found and told,
+and input and output are in the axes of the matrix. One moment may be 0: a thin rod, with the centre
+of mass on it and no spin about it.
+
+Where [body] or [initial] is opened, by the file or by --set, the values that are left out of the two
+are told at the end, in the summary (left_out) and in the metadata.
 
 Another Lie–Poisson system instead of a top, with the minus bracket, by its algebra and a formula:
 

@@ -11,8 +11,13 @@ fn the_first_configuration_is_the_preset_and_overwrites_nothing() {
         assert_eq!((made.code(), made.stderr(), made.stdout()), (0, String::new(), String::new()));
         let text = folder.read("a.toml");
         assert_eq!(folder.heavytop(&["init", "--preset", preset]).stdout(), text);
-        for key in ["[body]", "inertia = ", "# principal moments, kg m²", "[output]", "every = 1"]
-        {
+        for key in [
+            "[body]",
+            "inertia = ",
+            "# principal moments about the support, kg m²",
+            "[output]",
+            "every = 1",
+        ] {
             assert!(text.contains(key), "{text}");
         }
         // It runs as the preset does, to the last bit.

@@ -1,6 +1,8 @@
-//! What a user writes: presets, initial states, assignments, and the messages about mistakes.
+//! What a user writes: presets, bodies, angles, initial states, assignments, and the messages about mistakes.
 
+mod angles;
 mod assignments;
+mod bodies;
 mod initial;
 mod presets;
 mod quotations;

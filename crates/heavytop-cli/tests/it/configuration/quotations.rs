@@ -15,7 +15,7 @@ const QUOTED: &[(&str, &str, &str, &str, &str)] = &[
     ),
     // Without a system there is no such key in [initial], and no more to say.
     ("simulate", "[initial]\nPi = [1, 0, 0]", "Pi = [1, 0, 0]", "Pi", "there is no such key"),
-    ("simulate", "body.weight = 2", "body.weight = 2", "weight", "there is no such key"),
+    ("simulate", "body.colour = 2", "body.colour = 2", "colour", "there is no such key"),
     (
         "simulate",
         "body.mass = 'heavy' # kg",
@@ -188,7 +188,14 @@ const QUOTED: &[(&str, &str, &str, &str, &str)] = &[
         "write one of them",
     ),
     ("simulate", "[initial]\nazimuth = 1.5", "azimuth = 1.5", "1.5", "write both"),
-    ("simulate", "initial.inclination = nan", "initial.inclination = nan", "nan", "must be finite"),
+    (
+        "simulate",
+        "initial.inclination = nan",
+        "initial.inclination = nan",
+        "nan",
+        "write an angle from 0 to π",
+    ),
+    ("simulate", "initial.inclination = 30", "initial.inclination = 30", "30", "write \"30 deg\""),
     ("section", "section.energy = -9", "section.energy = -9", "-9", "write more than "),
     ("section", "section.starts = 0", "section.starts = 0", "0", "must be at least 1"),
     ("section", "section.level = 2", "section.level = 2", "2", "more than -1 and less than 1"),

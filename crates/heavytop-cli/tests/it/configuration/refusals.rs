@@ -19,7 +19,7 @@ const WRONG: &[(&str, &str)] = &[
     ),
     (
         "[body]\ninertia = [1, 2, 3, 4]",
-        "a.toml, line 2, column 11: body.inertia: invalid length 4, expected fewer elements",
+        "a.toml, line 2, column 11: body.inertia: invalid length 4, expected an array of length 3",
     ),
     (
         "body.inertia = [1, 2, true]",
@@ -69,7 +69,20 @@ const WRONG: &[(&str, &str)] = &[
     ("initial.angular_momentum = [1e308, 1e308, 1e308]", "turns the body by about inf rad"),
     ("body.center_of_mass = [1, 1, 0]", "[body] center_of_mass must be a unit vector"),
     ("body.inertia = [2, -2, 1]", "[body] inertia[1] must not be negative, got -2"),
-    ("body.inertia = [2, 2, 0]", "[body] inertia[2] must be positive, got 0"),
+    (
+        "body.inertia = [2, 2, 0]",
+        "[body] inertia[2] = 0 is a thin rod, whose centre of mass lies on it",
+    ),
+    ("body.inertia = [2, 0, 0]", "[body] inertia[1] must be positive, got 0"),
+    ("body.weight_moment = -1", "[body] weight_moment must not be negative, got -1"),
+    (
+        "[body]\nweight_moment = 1\nmass = 2",
+        "`weight_moment` excludes `mass`, `gravity` and `length`",
+    ),
+    (
+        "body.inertia_about = 'centre'",
+        "unknown variant `centre`, expected `support` or `center-of-mass`",
+    ),
     ("body.inertia = [2, 2, 5]", "[body] principal moments must obey the triangle inequality: 5"),
     ("body.mass = 0", "[body] mass must be positive, got 0"),
     ("body.mass = -1e308", "[body] mass must not be negative, got -1e308\n"),

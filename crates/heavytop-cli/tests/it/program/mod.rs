@@ -93,10 +93,11 @@ impl Finished {
         String::from_utf8(self.0.stderr.clone()).unwrap()
     }
 
-    /// Returns what is on stderr besides the closing line.
+    /// Returns what is on stderr besides the closing line and the notes on the configuration after it.
     pub fn complaints(&self) -> String {
-        let (lines, closing) = (self.stderr(), "heavytop: done");
-        lines.split_inclusive('\n').filter(|line| !line.starts_with(closing)).collect()
+        let (lines, closing) = (self.stderr(), ["heavytop: done", "heavytop: left out, "]);
+        let is_closing = |line: &str| closing.iter().any(|text| line.starts_with(text));
+        lines.split_inclusive('\n').filter(|line| !is_closing(line)).collect()
     }
 
     /// Returns the number of messages, each with the lines that it quotes.

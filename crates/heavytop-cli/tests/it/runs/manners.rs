@@ -165,7 +165,7 @@ fn manual_pages_keep_examples_and_tables() {
         assert!(!text.contains("EXTRA"), "{command}: {text}");
         if command == "simulate" {
             for line in [
-                "         mass = 1.0                         # kg",
+                "         weight_moment = 1.0                # m g l, N m; 0 without gravity",
                 "         [body]",
                 "         heavytop simulate top.toml --out top.csv",
             ] {

@@ -129,7 +129,13 @@ fn the_tolerance_reaches_the_stage_equations() {
 fn each_top_has_its_own_columns() {
     let base = "t,Pi1,Pi2,Pi3,Gamma1,Gamma2,Gamma3,h,f1,f2";
     for (body, last) in [
-        ("inertia = [4.0, 4.0, 1.0]", ",G"),
+        (
+            "inertia = [4.0, 4.0, 1.0]\n[initial]\nangular_momentum = [2, 3, 0]\nvertical = [0, 0, 1]",
+            ",G",
+        ),
+        // G is conserved where Π·Γ = 0 alone.
+        ("inertia = [4.0, 4.0, 1.0]", ""),
+        ("inertia = [2.0, 2.0, 2.0]\ncenter_of_mass = [0.6, 0.8, 0.0]", ",f3"),
         ("inertia = [2.0, 2.0, 1.0]", ",K"),
         ("inertia = [2.0, 2.0, 1.0]\ncenter_of_mass = [0.6, 0.8, 0.0]", ",K"),
         ("inertia = [3.0, 2.0, 1.5]", ""),

@@ -18,9 +18,11 @@ const ASSIGNMENTS: [(&str, &str); 4] = [
 ];
 
 /// Configurations of runs of tops.
-const RUNS: [(&str, &str); 10] = [
+const RUNS: [(&str, &str); 12] = [
     ("Error::Body", "body.mass = -1"),
     ("Error::Vertical", "initial.vertical = [0, 0, 2]"),
+    ("Error::Spin", "body = { inertia = [2, 2, 0], center_of_mass = [0, 0, 1] }"),
+    ("Error::CentralMoments", "body.inertia_about = 'center-of-mass'"),
     ("Error::AzimuthAlone", "initial.azimuth = 1"),
     ("Error::Method", "integrator.formulation = 'splitting'"),
     ("Error::NoAttitude", "integrator.formulation = 'direct'\noutput.attitude = true"),
@@ -67,7 +69,7 @@ const FAILING: &str =
 const BODY: &str = "[system]\nalgebra = 'so(3)'\nhamiltonian = 'Pi3^2'\ninitial.Pi = [1, 0, 1]\n";
 
 /// Sweeps of tops.
-const SWEEPS: [(&str, &str); 11] = [
+const SWEEPS: [(&str, &str); 13] = [
     ("SweepError::NoAxes", "axes = []"),
     ("SweepError::NoObservables", "observables = []"),
     ("SweepError::Twice", "observables = ['megno', 'megno']"),
@@ -95,6 +97,16 @@ const SWEEPS: [(&str, &str); 11] = [
         "SweepError::Velocity",
         "axes = [{ parameter = 'initial.angular_momentum[0]', from = 1, to = 2, count = 2 }]\n\
          [initial]\nangular_velocity = [1, 0, 0]",
+    ),
+    (
+        "SweepError::Matrix",
+        "axes = [{ parameter = 'body.inertia[0]', from = 1, to = 2, count = 2 }]\n\
+         [body]\ninertia = [[2, 0, 0], [0, 2, 0], [0, 0, 1]]",
+    ),
+    (
+        "SweepError::Weight",
+        "axes = [{ parameter = 'body.mass', from = 1, to = 2, count = 2 }]\n\
+         [body]\nweight_moment = 3",
     ),
     (
         "Error::AllFailed",

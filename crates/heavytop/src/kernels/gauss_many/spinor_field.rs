@@ -20,7 +20,7 @@ impl<T: Lanes> FieldParameters<T> {
     /// Gathers the parameters of the tops: lane i is f(i).
     #[inline(always)]
     pub(crate) fn from_lanes<'a>(f: impl Fn(usize) -> &'a HeavyTop) -> Self {
-        let quarter = |k: usize| T::from_lanes(|i| 0.25 / f(i).inertia()[k]);
+        let quarter = |k: usize| T::from_lanes(|i| 0.25 * f(i).inverse_inertia()[k]);
         let force =
             |k: usize| T::from_lanes(|i| 2.0 * f(i).weight_moment() * f(i).center_of_mass()[k]);
         Self {

@@ -130,7 +130,11 @@ impl<T: Lanes> FlowParameters<T> {
         }
         let scale = T::from_lanes(|i| step / f(i).top().inertia().x);
         let unit = scale * step;
-        let elongation = |inertia: Vector3<f64>| (inertia.x - inertia.z) / inertia.z;
+        // A thin rod never turns about itself: any elongation serves.
+        let elongation = |inertia: Vector3<f64>| match inertia.z == 0.0 {
+            true => 0.0,
+            false => (inertia.x - inertia.z) / inertia.z,
+        };
         Self {
             scale,
             elongation: T::from_lanes(|i| elongation(f(i).top().inertia())),

@@ -7,10 +7,10 @@ use crate::configuration::{Config, Integration, SectionConfig};
 use crate::formats::run_table::STATE_COLUMNS;
 use crate::pictures::caption::{self, number};
 use crate::runs::method_warning::method_warning;
-use crate::runs::step_angle::MOST_TURN;
+use crate::runs::step_angle::{MOST_TURN, least_moment};
 use collective_integrators::{Direction, Start};
 use heavytop::methods::{Formulation, Method, SchemeName, Task};
-use heavytop::{Coordinate, EnergyLevel, HeavyTop, Invariant, Section, Surface};
+use heavytop::{Coordinate, EnergyLevel, HeavyTop, Invariant, PrincipalAxes, Section, Surface};
 use lie_poisson::{Se3Dual, Vector};
 use serde_json::{Map, Value};
 
@@ -19,10 +19,14 @@ use serde_json::{Map, Value};
 const TURN: f64 = 0.5;
 
 /// The section of an energy level of a top, and how its points are computed.
-#[derive(Clone, Copy, Debug, PartialEq)]
+#[derive(Clone, Debug, PartialEq)]
 pub(in crate::commands::section) struct TopProblem {
     section: Section,
     method: Method,
+    /// The principal axes, in the axes of the table.
+    axes: PrincipalAxes,
+    /// What the configuration says against its body.
+    body_warning: Option<String>,
 }
 
 impl TopProblem {
@@ -42,14 +46,16 @@ impl TopProblem {
         };
         settings.require_top()?;
         let (coordinate, direction) = (settings.coordinate()?, settings.direction);
-        let section =
-            Section::new(level, Surface { coordinate, level: settings.level, direction })?;
+        let (axes, body_warning) = (config.axes()?, config.body_warning());
+        let surface = Surface { coordinate, level: settings.level, direction };
+        let section = Section::in_axes(level, surface, &axes)?;
         let own = Integration {
             formulation: Formulation::Reduced,
             step: TURN / fastest(&top, level.energy),
             ..Integration::default()
         };
-        Ok((Self { section, method: config.integrator.or(own).method()? }, own))
+        let method = config.integrator.or(own).method()?;
+        Ok((Self { section, method, axes, body_warning }, own))
     }
 
     /// Finds the starts of the section.
@@ -58,7 +64,7 @@ impl TopProblem {
     /// If there are none.
     pub(super) fn starts(&self, limits: &Limits) -> Result<Vec<Vec<f64>>, Error> {
         let starts = self.section.starts(limits.starts, limits.seed)?;
-        Ok(starts.iter().map(numbers).collect())
+        Ok(starts.iter().map(|mu| self.numbers(mu)).collect())
     }
 
     /// Passes the returns of a start with this number to `visit`.
@@ -72,8 +78,20 @@ impl TopProblem {
         start: &[f64],
         visit: Visit<'_>,
     ) -> Result<(), Error> {
-        let task = Follow { problem: self, limits, number, start: state(start), visit };
+        let task = Follow { problem: self, limits, number, start: self.state(start), visit };
         self.method.integrate(&self.section.level().top, task)?
+    }
+
+    /// Returns the state, in principal axes, with these coordinates in the axes of the table.
+    fn state(&self, numbers: &[f64]) -> Se3Dual {
+        let given = Se3Dual::from_coordinates(|i| numbers.get(i).copied().unwrap_or(f64::NAN));
+        self.axes.state_to_principal(&given)
+    }
+
+    /// Returns the coordinates, in the axes of the table, of a state in principal axes.
+    fn numbers(&self, mu: &Se3Dual) -> Vec<f64> {
+        let given = self.axes.state_from_principal(mu);
+        (0..Se3Dual::<f64>::DIM).map(|i| given.coordinate(i)).collect()
     }
 }
 
@@ -87,7 +105,9 @@ impl SectionProblem for TopProblem {
     }
 
     fn warning(&self) -> Option<String> {
-        method_warning(&self.method)
+        let warnings = [method_warning(&self.method), self.body_warning.clone()];
+        let warnings = warnings.into_iter().flatten().collect::<Vec<_>>().join("; ");
+        Some(warnings).filter(|text| !text.is_empty())
     }
 
     fn require_step(&self, step: f64) -> Result<(), Error> {
@@ -110,7 +130,7 @@ impl SectionProblem for TopProblem {
     }
 
     fn plane(&self, numbers: &[f64]) -> [f64; 2] {
-        self.section.plane(&state(numbers)).into()
+        self.section.plane(&self.state(numbers)).into()
     }
 
     fn conserved(&self) -> Vec<String> {
@@ -124,7 +144,7 @@ impl SectionProblem for TopProblem {
             (Invariant::VerticalSquared, 1.0),
             (Invariant::VerticalMomentum, level.vertical_momentum),
         ];
-        let mu = state(numbers);
+        let mu = self.state(numbers);
         let deviation = |(f, value): (Invariant, f64)| (f.value(&level.top, &mu) - value).abs();
         expected.map(deviation).to_vec()
     }
@@ -172,7 +192,8 @@ impl Task for Follow<'_> {
         self,
         integrator: &I,
     ) -> Result<(), Error> {
-        let Self { problem: TopProblem { section, method }, limits, number, start, visit } = self;
+        let Self { problem, limits, number, start, visit } = self;
+        let TopProblem { section, method, .. } = problem;
         let returns = section.crossings(integrator, &start, limits.step, limits.steps)?;
         for event in returns.take(limits.crossings) {
             let sample = event.map_err(|source| Error::Crossing {
@@ -181,20 +202,10 @@ impl Task for Follow<'_> {
                 start: number,
                 source,
             })?;
-            visit(sample.time, &numbers(&sample.momentum))?;
+            visit(sample.time, &problem.numbers(&sample.momentum))?;
         }
         Ok(())
     }
-}
-
-/// Returns the state with these coordinates.
-fn state(numbers: &[f64]) -> Se3Dual {
-    Se3Dual::from_coordinates(|i| numbers.get(i).copied().unwrap_or(f64::NAN))
-}
-
-/// Returns the coordinates of a state.
-fn numbers(mu: &Se3Dual) -> Vec<f64> {
-    (0..Se3Dual::<f64>::DIM).map(|i| mu.coordinate(i)).collect()
 }
 
 fn index(coordinate: Coordinate) -> &'static str {
@@ -243,7 +254,7 @@ pub(super) fn followed(limits: &Limits) -> String {
 /// Returns an upper bound of the angular velocity on the energy level and of the frequency of a pendulum: √(2(E + m g
 /// l)/I) + √(m g l/I), I the least moment, 1/s.
 fn fastest(top: &HeavyTop, energy: f64) -> f64 {
-    let (weight, moment) = (top.weight_moment(), top.inertia().min());
+    let (weight, moment) = (top.weight_moment(), least_moment(top));
     let kinetic = (energy + weight).max(0.0);
     (2.0 * kinetic / moment).sqrt() + (weight / moment).sqrt()
 }

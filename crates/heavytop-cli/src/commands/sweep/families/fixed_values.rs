@@ -1,7 +1,7 @@
 //! The values of a family of tops that no axis changes, in the words of a caption.
 
-use crate::configuration::{BodyConfig, InitialConfig, Part, TopParameter};
-use crate::pictures::caption::{number, vector_of};
+use crate::configuration::{About, BodyConfig, Inertia, InitialConfig, Part, TopParameter};
+use crate::pictures::caption::{self, number, vector_of};
 
 /// Returns the numbers of `[body]` and `[initial]` that all tops share, where `changed` tells which ones an axis changes.
 /// A vector has the symbols of the components that change.
@@ -11,16 +11,17 @@ pub(super) fn fixed_values(
     changed: impl Fn(TopParameter) -> bool,
 ) -> Vec<String> {
     let mut values = Vec::new();
-    values.extend(vector("I", "I", body.inertia, " kg m²", |i| changed(TopParameter::Inertia(i))));
-    for (symbol, value, unit, parameter) in [
-        ("m", body.mass, "kg", TopParameter::Mass),
-        ("g", body.gravity, "m/s²", TopParameter::Gravity),
-        ("l", body.length, "m", TopParameter::Length),
-    ] {
-        if !changed(parameter) {
-            values.push(format!("{symbol} = {} {unit}", number(value)));
+    values.extend(match body.inertia {
+        Inertia::Principal(moments) => {
+            let name = if body.inertia_about == About::Support { "I" } else { "I of the centre" };
+            vector(name, "I", moments, " kg m²", |i| changed(TopParameter::Inertia(i)))
         }
-    }
+        Inertia::Matrix(rows) => {
+            let rows = rows.map(|row| caption::vector(row));
+            Some(format!("I = ({}) kg m²", rows.join(", ")))
+        }
+    });
+    values.extend(factors(body, &changed));
     values.extend(direction("c", "c", body.center(), |part| {
         changed(TopParameter::CenterOfMass(part))
     }));
@@ -35,6 +36,25 @@ pub(super) fn fixed_values(
         changed(TopParameter::Vertical(part))
     }));
     values
+}
+
+/// Returns the weight moment, or its factors if one of them changes or they are given.
+fn factors(body: &BodyConfig, changed: &impl Fn(TopParameter) -> bool) -> Vec<String> {
+    let factors = [
+        ("m", body.mass, "kg", TopParameter::Mass),
+        ("g", body.gravity, "m/s²", TopParameter::Gravity),
+        ("l", body.length, "m", TopParameter::Length),
+    ];
+    let is_product = !factors.iter().any(|(_, _, _, parameter)| changed(*parameter));
+    match body.weight_moment {
+        _ if changed(TopParameter::WeightMoment) => Vec::new(),
+        Some(weight) if is_product => vec![format!("m g l = {} N m", number(weight))],
+        _ => {
+            let fixed = factors.into_iter().filter(|(_, _, _, parameter)| !changed(*parameter));
+            let text = |(symbol, value, unit, _)| format!("{symbol} = {} {unit}", number(value));
+            fixed.map(text).collect()
+        }
+    }
 }
 
 /// Returns the components of a vector, unless all change.

@@ -6,8 +6,8 @@ use super::fixed_values::fixed_values;
 use super::measured_motion::{Gauge, measure};
 use crate::Error;
 use crate::configuration::{
-    BodyConfig, Column, Config, InitialConfig, Integration, Observable, Parameter, SweepAxis,
-    TopParameter,
+    BodyConfig, Column, Config, Inertia, InitialConfig, Integration, Observable, Parameter,
+    SweepAxis, TopParameter,
 };
 use crate::errors::SweepError;
 use crate::runs::Schedule;
@@ -16,7 +16,7 @@ use crate::runs::step_angle::require_sane_step;
 use collective_integrators::diagnostics::RunAccuracy;
 use collective_integrators::{Start, TangentIntegrator};
 use heavytop::methods::{Formulation, Method, SchemeName, TangentTask};
-use heavytop::{HeavyTop, Invariant, Nutation};
+use heavytop::{HeavyTop, Invariant, Nutation, PrincipalAxes};
 use lie_poisson::{Se3Dual, Vector, larger};
 
 /// Tops whose parameters or initial states differ.
@@ -27,6 +27,8 @@ pub(in crate::commands::sweep) struct TopFamily {
     /// The parameter of each axis, and whether its unit vector is scaled to length 1.
     parameters: Vec<(TopParameter, bool)>,
     method: Method,
+    /// What the configuration says against its body, if no axis changes the body.
+    body_warning: Option<String>,
 }
 
 impl TopFamily {
@@ -49,6 +51,21 @@ impl TopFamily {
         if let (Some(_), Some((parameter, _))) = (config.initial.angular_velocity, of_momentum) {
             return Err(SweepError::Velocity { axis: parameter.name().into() }.into());
         }
+        config.require_position()?;
+        let body = &config.body;
+        for (parameter, _) in &parameters {
+            let axis = || parameter.name().to_owned();
+            match (parameter, body.inertia) {
+                (TopParameter::Inertia(_), Inertia::Matrix(_)) => {
+                    return Err(SweepError::Matrix { axis: axis() }.into());
+                }
+                // m = g = l = 1 is as good as any where m g l is 1.
+                _ if parameter.is_factor() && body.weight_moment.is_some_and(|w| w != 1.0) => {
+                    return Err(SweepError::Weight { axis: axis() }.into());
+                }
+                _ => {}
+            }
+        }
         // What no axis changes is either right or wrong for every top.
         if !parameters.iter().any(|(parameter, _)| parameter.is_of_body()) {
             config.top()?;
@@ -58,19 +75,25 @@ impl TopFamily {
         }
         let integration = config.integrator.or(own_integration(Formulation::Reduced));
         let (body, initial, method) = (config.body, config.initial, integration.method()?);
-        Ok((Self { body, initial, parameters, method }, integration))
+        let is_varied = parameters.iter().any(|(parameter, _)| parameter.is_of_body());
+        let body_warning = config.body_warning().filter(|_| !is_varied);
+        Ok((Self { body, initial, parameters, method, body_warning }, integration))
     }
 
-    /// Returns the top and its start at these values of the axes.
+    /// Returns the top, in principal axes, its start and these axes at these values of the axes of the sweep.
     ///
     /// # Errors
     /// If there is no such top or no such start, or the top turns too far in a step (s).
-    pub fn top(&self, values: &[f64], step: f64) -> Result<(HeavyTop, Se3Dual), Error> {
+    pub fn top(
+        &self,
+        values: &[f64],
+        step: f64,
+    ) -> Result<(HeavyTop, Se3Dual, PrincipalAxes), Error> {
         let (body, initial) = self.tables(values);
         let config = Config { body, initial, ..Config::default() };
         let (top, start) = (config.top()?, config.start()?);
         require_sane_step(&top, &start, step)?;
-        Ok((top, start))
+        Ok((top, start, config.axes()?))
     }
 
     /// Returns the tables `[body]` and `[initial]` at these values of the axes.
@@ -105,8 +128,8 @@ impl TopFamily {
         values: &[f64],
         course: &Course,
     ) -> Result<Vec<Option<f64>>, Error> {
-        let (top, start) = self.top(values, course.schedule.step)?;
-        let task = Follow { family: self, course, top: &top, start: &start };
+        let (top, start, axes) = self.top(values, course.schedule.step)?;
+        let task = Follow { family: self, course, top: &top, start: &start, axes };
         self.method.differentiate(&top, task)?
     }
 
@@ -116,7 +139,7 @@ impl TopFamily {
     /// If there is no such top.
     pub(super) fn accuracy(&self, values: &[f64], course: &Course) -> Result<RunAccuracy, Error> {
         let Schedule { step, steps } = course.schedule;
-        let (top, start) = self.top(values, step)?;
+        let (top, start, _) = self.top(values, step)?;
         Ok(self.method.accuracy(&top, &start, (step, steps))?)
     }
 }
@@ -131,7 +154,9 @@ impl Family for TopFamily {
     }
 
     fn warning(&self) -> Option<String> {
-        method_warning(&self.method)
+        let warnings = [method_warning(&self.method), self.body_warning.clone()];
+        let warnings = warnings.into_iter().flatten().collect::<Vec<_>>().join("; ");
+        Some(warnings).filter(|text| !text.is_empty())
     }
 
     fn columns(&self, observable: Observable) -> Result<Vec<Column>, SweepError> {
@@ -170,6 +195,7 @@ struct Follow<'a> {
     course: &'a Course,
     top: &'a HeavyTop,
     start: &'a Se3Dual,
+    axes: PrincipalAxes,
 }
 
 impl TangentTask for Follow<'_> {
@@ -179,8 +205,8 @@ impl TangentTask for Follow<'_> {
     where
         I: Start<State: Vector, Momentum = Se3Dual> + TangentIntegrator,
     {
-        let Self { family, course, top, start } = self;
-        let gauge = TopGauge::new(top, start);
+        let Self { family, course, top, start, axes } = self;
+        let gauge = TopGauge::new(top, start, axes);
         measure(integrator, (start, Se3Dual::<f64>::DIM), gauge, course, family.method())
     }
 }
@@ -191,17 +217,19 @@ const CONSERVED: [Invariant; 3] =
 /// The measurements of a top: the deviations of its invariants, and its nutation.
 struct TopGauge {
     top: HeavyTop,
+    /// The principal axes, in the axes of the columns.
+    axes: PrincipalAxes,
     initial: [f64; 3],
     drift: [f64; 3],
     nutation: Nutation,
 }
 
 impl TopGauge {
-    fn new(top: &HeavyTop, start: &Se3Dual) -> Self {
+    fn new(top: &HeavyTop, start: &Se3Dual, axes: PrincipalAxes) -> Self {
         let mut nutation = Nutation::new(top);
         nutation.observe(0.0, start);
         let initial = CONSERVED.map(|invariant| invariant.value(top, start));
-        Self { top: *top, initial, drift: [0.0; 3], nutation }
+        Self { top: *top, axes, initial, drift: [0.0; 3], nutation }
     }
 }
 
@@ -216,7 +244,10 @@ impl Gauge<Se3Dual> for TopGauge {
 
     fn values(&self, observable: Observable, end: &Se3Dual) -> Vec<Option<f64>> {
         match observable {
-            Observable::FinalState => (0..6).map(|i| Some(end.coordinate(i))).collect(),
+            Observable::FinalState => {
+                let end = self.axes.state_from_principal(end);
+                (0..6).map(|i| Some(end.coordinate(i))).collect()
+            }
             Observable::InvariantDrift => self.drift.map(Some).to_vec(),
             Observable::RotationNumber => vec![self.nutation.rotation_number()],
             Observable::NutationAmplitude => vec![self.nutation.amplitude()],
