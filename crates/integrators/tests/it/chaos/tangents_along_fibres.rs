@@ -44,15 +44,45 @@ fn integrators<M: PoissonMap>(map: M) -> [Lifted<M>; 2] {
     ]
 }
 
-/// Checks that the exponents of a lifted state come in pairs ±λ with the sum 0, and are those of the run without
-/// motions along fibres. Returns whether the run itself moves z.
+/// Checks that the exponents of a lifted state have the sum 0, and are those of the run without motions along fibres.
+/// Returns them, and whether the run itself moves z.
+fn spectrum<I, const N: usize>(
+    name: &str,
+    [moving, still]: [I; 2],
+    z: <I as Integrator>::State,
+    flag: [usize; N],
+    steps: usize,
+) -> ([f64; N], bool)
+where
+    I: TangentIntegrator + Integrator<State: Vector, Momentum: Vector>,
+{
+    let followed = |integrator: &I| {
+        let basis = flag.map(<<I as Integrator>::State as Vector>::basis);
+        let flow = VariationalFlow::new(integrator, z, basis, STEP);
+        let last = LyapunovExponents::from_flow(flow).nth(steps - 1).unwrap().unwrap();
+        (last.exponents, last.state)
+    };
+    let (exponents, end) = followed(&moving);
+    assert_eq!((exponents, end), followed(&still), "{name}");
+    // The bound is the round-off of the lengths in a step, divided by its size.
+    let sum: f64 = exponents.iter().sum();
+    assert!(sum.abs() < 1e-12, "{name}: {sum:e}");
+    let last = Integrator::<f64>::trajectory_from(&moving, z, STEP).nth(steps).unwrap().unwrap();
+    let momentum = Integrator::<f64>::momentum(&moving, &end);
+    // Where z is far out, M(z) has lost some digits.
+    let apart = (momentum - last.momentum).max_abs() / last.momentum.max_abs();
+    assert!(apart < 1e-9, "{name}: {apart:e}");
+    (exponents, last.state != end)
+}
+
+/// Checks also that the exponents come in pairs ±λ. Returns whether the run moves z.
 ///
 /// The first half of the coordinates in `flag` is an isotropic space, and each is paired with one from the end. If the
 /// scales of all pairs have one product, as with one block of q and one of p, the pairs of exponents are then exact at
 /// every time, since the tangent map is symplectic.
 fn has_pairs<I, const N: usize>(
     name: &str,
-    [moving, still]: [I; 2],
+    integrators: [I; 2],
     z: <I as Integrator>::State,
     flag: [usize; N],
     steps: usize,
@@ -60,27 +90,12 @@ fn has_pairs<I, const N: usize>(
 where
     I: TangentIntegrator + Integrator<State: Vector, Momentum: Vector>,
 {
-    let spectrum = |integrator: &I| {
-        let basis = flag.map(<<I as Integrator>::State as Vector>::basis);
-        let flow = VariationalFlow::new(integrator, z, basis, STEP);
-        let last = LyapunovExponents::from_flow(flow).nth(steps - 1).unwrap().unwrap();
-        (last.exponents, last.state)
-    };
-    let (exponents, end) = spectrum(&moving);
-    assert_eq!((exponents, end), spectrum(&still), "{name}");
-    // The bound is the round-off of the lengths in a step, divided by its size.
-    let sum: f64 = exponents.iter().sum();
-    assert!(sum.abs() < 1e-12, "{name}: {sum:e}");
+    let (exponents, moved) = spectrum(name, integrators, z, flag, steps);
     for i in 0..N {
         let pair = exponents[i] + exponents[N - 1 - i];
         assert!(pair.abs() < 1e-12, "{name}: {i} {pair:e}");
     }
-    let last = Integrator::<f64>::trajectory_from(&moving, z, STEP).nth(steps).unwrap().unwrap();
-    let momentum = Integrator::<f64>::momentum(&moving, &end);
-    // Where z is far out, M(z) has lost some digits.
-    let apart = (momentum - last.momentum).max_abs() / last.momentum.max_abs();
-    assert!(apart < 1e-9, "{name}: {apart:e}");
-    last.state != end
+    moved
 }
 
 /// The coordinates q₁, …, q_n, p_n, …, p₁ of a cotangent bundle.
@@ -113,7 +128,8 @@ fn exponents_of_lifted_states_are_those_of_a_symplectic_map() {
     has_pairs("Hopf", integrators(HOPF), generic(), planes::<4>(), 100);
     has_pairs("u(2)", integrators(unitary_realisation::<2>()), generic(), planes::<4>(), 100);
     let plane = QuadraticMomentumMap::new(Sum(SL2OnR2, Reversed(SL2OnR2)), Side::Right);
-    has_pairs("sl(2)", integrators(plane), generic(), planes::<4>(), 100);
+    // The two planes have scales of their own, so that pairs are exact in the limit alone.
+    spectrum("sl(2)", integrators(plane), generic(), planes::<4>(), 100);
 }
 
 /// Checks that DM takes the tangent vectors of a lifted state to those of μ, by steps that lift μ anew each time.
