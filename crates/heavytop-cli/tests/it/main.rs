@@ -3,6 +3,7 @@
 
 mod commands;
 mod configuration;
+mod conversation;
 mod faults;
 mod lie_poisson_systems;
 mod program;

@@ -8,9 +8,9 @@ mod initial_config;
 mod left_out;
 
 pub use angle::Quantity;
-pub(in crate::configuration) use angle::{AZIMUTH, AngleRange, INCLINATION};
+pub(super) use angle::{AZIMUTH, AngleRange, INCLINATION};
 pub use body_config::BodyConfig;
-pub(in crate::configuration) use directions::{angles, normalised, unit_vector};
+pub(super) use directions::{angles, normalised, unit_vector};
 pub use inertia::{About, Inertia};
 pub use initial_config::InitialConfig;
 pub use left_out::LeftOut;

@@ -170,5 +170,5 @@ fn the_interval_ends_where_asked() {
     let expected = "heavytop: --end: end = 0.55 is not a whole number of steps of 0.1; the nearest \
                     ends are 0.5 and 0.6\n";
     assert_eq!((refused.code(), refused.stderr().as_str()), (2, expected));
-    assert_eq!(compare("-1").code(), 2);
+    assert_eq!(compare("-0.55").code(), 2);
 }

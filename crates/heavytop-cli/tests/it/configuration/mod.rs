@@ -2,7 +2,7 @@
 
 mod angles;
 mod assignments;
-mod bodies;
+mod described_bodies;
 mod initial;
 mod presets;
 mod quotations;

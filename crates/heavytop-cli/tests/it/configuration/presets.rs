@@ -2,12 +2,18 @@
 
 use crate::program::{Folder, numbers};
 
-/// Returns the last row of a simulation with these arguments.
+/// Returns the last row of a simulation with these arguments, without a warning.
 fn last(folder: &Folder, arguments: &[&str]) -> Vec<f64> {
-    let arguments = [&["simulate", "--out", "a.csv"], arguments].concat();
-    let run = folder.heavytop(&arguments);
-    assert_eq!((run.code(), run.complaints()), (0, String::new()), "{arguments:?}");
-    numbers(&folder.read("a.csv")).1.pop().unwrap()
+    let (row, said) = last_and_warning(folder, arguments);
+    assert_eq!(said, "", "{arguments:?}");
+    row
+}
+
+/// Returns the last row of a simulation with these arguments, and the warnings.
+fn last_and_warning(folder: &Folder, arguments: &[&str]) -> (Vec<f64>, String) {
+    let run = folder.heavytop(&[&["simulate", "--out", "a.csv"], arguments].concat());
+    assert_eq!(run.code(), 0, "{arguments:?}: {}", run.stderr());
+    (numbers(&folder.read("a.csv")).1.pop().unwrap(), run.complaints())
 }
 
 #[test]
@@ -20,7 +26,8 @@ fn the_multibody_benchmark_has_its_height() {
     assert!((end[5] + 0.673_022_269_56).abs() < 1e-10, "{end:?}");
     // Negative control: sixteen times the step is too long for this accuracy.
     folder.write("long.toml", "integrator = { step = 0.05 }");
-    let long = last(&folder, &["--preset", "multibody-benchmark", "long.toml"]);
+    let (long, said) = last_and_warning(&folder, &["--preset", "multibody-benchmark", "long.toml"]);
+    assert!(said.contains("the motion turns by about "), "{said}");
     assert!((long[5] + 0.673_022_269_56).abs() > 1e-10, "{long:?}");
     // Another scheme gives the same height.
     folder.write("other.toml", "integrator = { scheme = 'kahan-li-8', step = 0.00025 }");
@@ -53,7 +60,9 @@ fn presets_are_what_their_names_say() {
 fn a_configuration_is_put_over_the_preset_key_by_key() {
     let folder = Folder::new();
     folder.write("a.toml", "[body]\nmass = 7.5\n[integrator]\nend = 0.1\nstep = 0.0125");
-    assert_eq!(last(&folder, &["--preset", "multibody-benchmark", "a.toml"])[0], 0.1);
+    let (end, said) = last_and_warning(&folder, &["--preset", "multibody-benchmark", "a.toml"]);
+    assert!(said.contains("the motion turns by about "), "{said}");
+    assert_eq!(end[0], 0.1);
     let row = numbers(&folder.read("a.csv")).1.swap_remove(0);
     // The moments and the start are those of the preset. The mass is not, and has no weight at Γ₂ = 0.
     assert_eq!(row[2], 70.3125);

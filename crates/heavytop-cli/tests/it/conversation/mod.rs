@@ -1,0 +1,5 @@
+//! What the program says while it works: its closing line, its progress, and its manners towards other programs.
+
+mod closing;
+mod manners;
+mod progress;
