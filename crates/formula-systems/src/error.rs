@@ -1,7 +1,7 @@
 //! The errors of systems, methods and initial states: [`FormulaSystemError`].
 
 use heavytop::methods::{Formulation, MethodError, SchemeName};
-use lie_poisson_formulas::{CasimirError, EntryError, FormulaError, NameError};
+use lie_poisson_formulas::{CasimirError, EntryError, FormulaError, NameError, ValueError};
 use momentum_map::LiftError;
 use thiserror::Error;
 
@@ -114,6 +114,9 @@ pub enum FormulaSystemError {
         /// The number of numbers in the state.
         found: usize,
     },
+    /// A formula has no finite value, or no finite derivative, at a state.
+    #[error(transparent)]
+    NoFiniteValue(#[from] ValueError),
     /// The text of the surface of a section is not a formula.
     #[error("surface: {0}")]
     Surface(FormulaError),
@@ -136,6 +139,19 @@ pub enum FormulaSystemError {
     Level {
         /// The level that is infinite or not a number.
         value: f64,
+    },
+    /// The Casimirs of a section have other levels than at the state, and do not determine an orbit.
+    #[error(
+        "the levels of the Casimirs are not those of the state, and determine no orbit, since {}",
+        match missing {
+            Some(0) => "no state near it has them".to_owned(),
+            Some(missing) => format!("{missing} independent Casimirs are no polynomials that were found"),
+            None => "the Casimirs have not been searched for".to_owned(),
+        }
+    )]
+    UnknownOrbit {
+        /// The number of independent Casimirs that were not found, or `None` if there was no search.
+        missing: Option<usize>,
     },
     /// Too few states of a section were found.
     #[error(

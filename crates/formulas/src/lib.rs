@@ -42,9 +42,14 @@
 //! | powers, which bind most tightly and from right to left | `x^3`, `x**3`, `x²`, `2^3^2` = 2⁹, `-x^2` = −(x²) |
 //! | products of vectors | `a·b` or `dot(a, b)`; `a×b` or `cross(a, b)`, which binds more tightly: `a·b×c` |
 //! | the length of a vector, the size of a number | <code>&#124;v&#124;</code>, `norm(v)`, `abs(x)` |
-//! | functions | `sqrt` or `√`, `exp`, `ln` or `log`, `sin`, `cos`, `tan`, `sinh`, `cosh`, `tanh`, `atan2(y, x)` |
+//! | functions | `sqrt` or `√`, `cbrt`, `exp`, `ln` or `log`, `log10`, `sin`, `cos`, `tan`, `arcsin`, `arccos`, `arctan` (or `asin`, `acos`, `atan`), `sinh`, `cosh`, `tanh`, `atan2(y, x)`, `hypot(x, y)` |
+//! | different formulas in different places | `if(x >= 1, y, z)`, with `>=`, `>`, `<=` or `<`: y where x ≥ 1, and z elsewhere |
 //!
-//! A whole power is a product, x^(n+½) is xⁿ√x, and every other power is exp(c ln x). The slope of |x| at 0 is 1.
+//! A whole power is a product, x^(n+½) is xⁿ√x, and every other power is exp(c ln x). The slope of |x| at 0 is 1, and that
+//! of |v|^p at v = 0 is 0 for p > 1; |v| itself has no slope there. Both values of `if` are computed, and one is chosen:
+//! the value and all derivatives are those of the chosen formula, also on the seam, where the condition holds or not as it
+//! says. A Hamiltonian should be continuous across a seam, and a method has its full order only if as many derivatives
+//! are, since no step ends at a seam.
 //! Names consist of letters, digits and underscores. A Greek letter stands for its name: `Γ₁` is `Gamma1`. Wherever
 //! the formula is a real number, a simplification changes its value by rounding at most: 0·x becomes 0 only if x is a
 //! real number for all real coordinates, as a polynomial is.
@@ -59,6 +64,7 @@
 //! | the names of coordinates and parameters | [`Coordinates`] and [`Parameters`], combined in a [`Vocabulary`] |
 //! | the usual names for an algebra | [`NamedAlgebra`] |
 //! | the error in a text, and its place | [`FormulaError`], [`Problem`], [`Shape`]; for names [`NameError`] |
+//! | the part of a formula that has no value at a state | [`Formula::checked_value`], [`ValueError`] |
 //! | the Casimirs of an algebra of your own | [`find_casimirs`], [`PolynomialCasimirs`] |
 //! | structure constants from the entries of a table | [`structure_constants`], [`StructureEntry`] |
 //! | an algebra whose dimension is known only when the program runs | [`for_dimension`], [`DimensionTask`] |
@@ -111,6 +117,7 @@ pub use text::expressions::{Expression, Expressions};
 
 pub use hamiltonians::formula::Formula;
 pub use hamiltonians::formula_hamiltonian::FormulaHamiltonian;
+pub use hamiltonians::value_error::ValueError;
 
 pub use casimirs::casimir_error::CasimirError;
 pub use casimirs::polynomial_casimirs::{PolynomialCasimirs, find_casimirs};

@@ -13,7 +13,7 @@ pub enum StepError {
     #[error(
         "the stage equations did not converge: residual {residual:e} after {iterations} \
          iterations (required {required:e}); a shorter step may help, and for a state far along a fibre of \
-         its momentum map a nearer one, as PoissonMap::recentred finds"
+         its momentum map a nearer one"
     )]
     NotConverged {
         /// The change of the stage derivatives in the last iteration, relative to their size. It is the largest over

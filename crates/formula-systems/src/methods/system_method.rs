@@ -93,7 +93,7 @@ impl SystemMethod {
     ///
     /// # Errors
     /// Returns [`FormulaSystemError`] if the algebra of this system does not have the method, if the length of the
-    /// state is not the dimension, or if the integrator cannot be made.
+    /// state is not the dimension, if h has no value or no differential at the start, or if the integrator cannot be made.
     ///
     /// # Example
     /// The drift of the Casimir |Π|² of a free rigid body over 100 steps:
@@ -178,7 +178,7 @@ impl SystemMethod {
     ) -> Result<Integration<'a>, FormulaSystemError> {
         let Self { formulation, scheme, tolerance } = *self;
         require(system.algebra(), formulation, scheme)?;
-        system.require_length(start)?;
+        system.require_differential(start)?;
         Ok(Integration { formulation, scheme, tolerance, system, start })
     }
 }

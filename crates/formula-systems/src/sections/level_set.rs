@@ -65,7 +65,7 @@ impl LevelSet<'_> {
             if !length.is_finite() {
                 return None;
             }
-            if length <= CONVERGED && residual <= CONVERGED {
+            if settled(length, residual) {
                 // One step more, down to rounding.
                 let (last, _) = self.step(&point)?;
                 for ((x, dx), scale) in point.iter_mut().zip(&last).zip(&self.scales) {
@@ -79,26 +79,50 @@ impl LevelSet<'_> {
 
     /// Returns a Newton step, in sizes of the coordinates, and the largest residual relative to the slopes.
     fn step(&self, point: &[f64]) -> Option<(DVector<f64>, f64)> {
-        let (rows, columns) = (self.levels.len(), point.len());
-        let mut matrix = DMatrix::zeros(rows, columns);
-        let mut residual = DVector::zeros(rows);
-        for (row, level) in self.levels.iter().enumerate() {
+        let constraints = self.levels.iter().map(|level| {
             let slopes = level.function.differential_at(point);
-            let scaled: Vec<f64> = slopes.iter().zip(&self.scales).map(|(x, s)| x * s).collect();
-            let size = scaled.iter().fold(0.0_f64, |size, x| size.max(x.abs()));
-            // A function without a slope cannot be corrected.
-            let unit = if size > 0.0 { size } else { level.value.abs().max(f64::MIN_POSITIVE) };
-            scaled.iter().enumerate().for_each(|(i, x)| matrix[(row, i)] = x / unit);
-            residual[row] = level.difference(point) / unit;
-        }
-        if residual.iter().chain(matrix.iter()).any(|x: &f64| !x.is_finite()) {
-            return None;
-        }
-        let largest = residual.amax();
-        let decomposition = matrix.svd(true, true);
-        let cut = INDEPENDENT * decomposition.singular_values.max();
-        Some((decomposition.solve(&residual, cut).ok()?, largest))
+            let slopes = slopes.iter().zip(&self.scales).map(|(x, s)| x * s).collect();
+            Constraint { slopes, difference: level.difference(point), value: level.value }
+        });
+        least_step(&constraints.collect::<Vec<_>>())
     }
+}
+
+/// A function that should have another value, with its derivatives in the directions of a step.
+#[derive(Clone, Debug)]
+pub(crate) struct Constraint {
+    pub(crate) slopes: Vec<f64>,
+    /// The function minus its value on the set.
+    pub(crate) difference: f64,
+    /// Its value on the set.
+    pub(crate) value: f64,
+}
+
+/// Returns whether a projection has converged, by its last step and the largest residual.
+pub(crate) fn settled(length: f64, residual: f64) -> bool {
+    length <= CONVERGED && residual <= CONVERGED
+}
+
+/// Returns the step of least length that removes the linear part of all residuals, with the opposite sign, and the
+/// largest residual relative to the slopes.
+pub(crate) fn least_step(constraints: &[Constraint]) -> Option<(DVector<f64>, f64)> {
+    let columns = constraints.first().map_or(0, |constraint| constraint.slopes.len());
+    let mut matrix = DMatrix::zeros(constraints.len(), columns);
+    let mut residual = DVector::zeros(constraints.len());
+    for (row, Constraint { slopes, difference, value }) in constraints.iter().enumerate() {
+        let size = slopes.iter().fold(0.0_f64, |size, x| size.max(x.abs()));
+        // A function without a slope cannot be corrected.
+        let unit = if size > 0.0 { size } else { value.abs().max(f64::MIN_POSITIVE) };
+        slopes.iter().enumerate().for_each(|(i, x)| matrix[(row, i)] = x / unit);
+        residual[row] = difference / unit;
+    }
+    if residual.iter().chain(matrix.iter()).any(|x: &f64| !x.is_finite()) {
+        return None;
+    }
+    let largest = residual.amax();
+    let decomposition = matrix.svd(true, true);
+    let cut = INDEPENDENT * decomposition.singular_values.max();
+    Some((decomposition.solve(&residual, cut).ok()?, largest))
 }
 
 #[cfg(test)]

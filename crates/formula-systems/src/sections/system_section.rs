@@ -1,14 +1,10 @@
 //! The Poincaré section of a system on a level set of its conserved quantities: [`SystemSection`].
 
-use super::level_set::{Level, LevelSet};
+use super::level_set::Level;
+use super::start_search::StartSearch;
 use crate::{FormulaSystem, FormulaSystemError};
 use collective_integrators::Direction;
 use lie_poisson_formulas::{Formula, Parameters, Vocabulary};
-use rand_chacha::ChaCha8Rng;
-use rand_chacha::rand_core::{Rng, SeedableRng};
-
-/// The number of guesses that are tried for each start.
-const GUESSES: usize = 1000;
 
 /// The states on a surface F(μ) = c at which h and the Casimirs have given values, with the direction of the crossings.
 ///
@@ -99,6 +95,15 @@ impl SystemSection {
         [x.value_at(state), y.value_at(state)]
     }
 
+    /// Returns the values of the axes at a state.
+    ///
+    /// # Errors
+    /// Returns [`FormulaSystemError::NoFiniteValue`] if an axis has no finite value.
+    pub fn checked_plane(&self, state: &[f64]) -> Result<[f64; 2], FormulaSystemError> {
+        let [x, y] = &self.axes;
+        Ok([x.checked_value(state)?, y.checked_value(state)?])
+    }
+
     /// Returns the system of which this is a section.
     #[must_use]
     pub const fn system(&self) -> &FormulaSystem {
@@ -143,16 +148,22 @@ impl SystemSection {
     /// Returns states of the section, where h and the Casimirs have the values `levels`: h first, then the Casimirs in
     /// their order.
     ///
-    /// Each state begins with a random guess, of the size of `state`, that is projected to the section. A state that
-    /// crosses the surface in the wrong direction, or not at all, does not count. The seed determines the sequence, and
-    /// a longer one begins with the states of a shorter one. The size of each vector in `state` serves as its unit: if
-    /// the vectors are given in other units, the starts are the same states in these units. All coordinates that are
-    /// numbers have one common unit.
+    /// All states lie on one coadjoint orbit: that of `state`, also if some Casimirs are no polynomials or are unknown,
+    /// or if the Casimirs alone do not tell the orbit from others, as on the two sheets of a hyperboloid. If the levels of
+    /// the Casimirs are not those of `state`, it is the orbit of the nearest state that has them.
+    ///
+    /// Each state begins with a random guess that is projected to the section. On so(3)∗ and se(3)∗ the guess has the size
+    /// of `state`; on other spaces it is a random motion of `state` along its orbit, μ ↦ exp(ad∗_ξ) μ, and so are the
+    /// steps of the projection. A state that crosses the surface in the wrong direction, or not at all, does not count.
+    /// The seed determines the sequence, and a longer one begins with the states of a shorter one. The size of each vector
+    /// in `state` serves as its unit: if the vectors are given in other units, the starts are the same states in these
+    /// units. All coordinates that are numbers have one common unit.
     ///
     /// # Errors
     /// Returns [`FormulaSystemError::StateLength`] if the length of `state` is not the dimension,
-    /// [`FormulaSystemError::Level`] if a level is not finite, and [`FormulaSystemError::TooSmall`] if too few guesses
-    /// lead to a state of the section.
+    /// [`FormulaSystemError::Level`] if a level is not finite, [`FormulaSystemError::UnknownOrbit`] if the levels of the
+    /// Casimirs are not those of `state` and do not determine an orbit, and [`FormulaSystemError::TooSmall`] if too few
+    /// guesses lead to a state of the section.
     pub fn starts(
         &self,
         state: &[f64],
@@ -160,32 +171,8 @@ impl SystemSection {
         count: usize,
         seed: u64,
     ) -> Result<Vec<Vec<f64>>, FormulaSystemError> {
-        self.system.require_length(state)?;
-        if let Some(&value) = levels.iter().find(|level| !level.is_finite()) {
-            return Err(FormulaSystemError::Level { value });
-        }
-        let formulas = core::iter::once(self.system.hamiltonian()).chain(self.system.casimirs());
-        let levels = formulas.zip(levels).map(|(function, &value)| Level::new(function, value));
-        let levels = levels.chain([self.on_surface()]).collect();
-        let scales = self.scales(state);
-        let set = LevelSet { levels, scales };
-        let mut random = ChaCha8Rng::seed_from_u64(seed);
-        let mut starts = Vec::new();
-        let guesses = GUESSES.saturating_mul(count);
-        for _ in 0..guesses {
-            if starts.len() >= count {
-                break;
-            }
-            let guess = set.scales.iter().map(|scale| scale * (2.0 * uniform(&mut random) - 1.0));
-            let Some(start) = set.project(guess.collect()) else { continue };
-            if self.crosses(&start)? {
-                starts.push(start);
-            }
-        }
-        match starts.len() {
-            found if found < count => Err(FormulaSystemError::TooSmall { count, found, guesses }),
-            _ => Ok(starts),
-        }
+        let search = StartSearch::new(&self.system, self.on_surface(), state, levels)?;
+        search.starts(count, seed, |state| self.crosses(state))
     }
 
     /// Returns whether the motion through a state crosses the surface in a direction that counts.
@@ -199,34 +186,6 @@ impl SystemSection {
             Direction::Both => rate != 0.0,
         })
     }
-
-    /// Returns the sizes of the coordinates: for components of a vector its length, for numbers the length of all
-    /// numbers together, and the length of the whole state if that is zero.
-    fn scales(&self, state: &[f64]) -> Vec<f64> {
-        let length = |x: &[f64]| {
-            let size = x.iter().fold(0.0_f64, |size, x| size.max(x.abs()));
-            if size > 0.0 {
-                size * x.iter().map(|x| (x / size).powi(2)).sum::<f64>().sqrt()
-            } else {
-                0.0
-            }
-        };
-        let all = length(state);
-        let groups = self.system.algebra().coordinates().groups();
-        let numbers = self.system.algebra().coordinates().groups();
-        let numbers = numbers.filter(|(_, places)| places.len() == 1);
-        let numbers = numbers.filter_map(|(_, places)| state.get(places.start).copied());
-        let numbers = length(&numbers.collect::<Vec<f64>>());
-        let scales = groups.flat_map(|(_, places)| {
-            let own = match places.len() {
-                1 => numbers,
-                _ => length(state.get(places.clone()).unwrap_or_default()),
-            };
-            let scale = if own > 0.0 { own } else { all };
-            places.map(move |_| if scale > 0.0 { scale } else { 1.0 })
-        });
-        scales.collect()
-    }
 }
 
 /// Returns the formulas of two axes.
@@ -236,50 +195,4 @@ fn axes(texts: [&str; 2], names: &Vocabulary) -> Result<[Formula; 2], FormulaSys
             .map_err(|problem| FormulaSystemError::Axis { axis, problem })
     };
     Ok([axis(0)?, axis(1)?])
-}
-
-/// Draws a uniform random number in [0, 1).
-fn uniform(random: &mut ChaCha8Rng) -> f64 {
-    (random.next_u64() >> 11) as f64 * 0.5_f64.powi(53)
-}
-
-#[cfg(test)]
-mod tests {
-    use super::*;
-    use crate::SystemAlgebra;
-    use lie_poisson_formulas::Coordinates;
-
-    /// The sizes of random guesses: components of a vector have its length, and all coordinates outside vectors have
-    /// their common length, even if vectors stand between them.
-    #[test]
-    fn scales_are_lengths_of_vectors_and_of_all_numbers() -> Result<(), Box<dyn core::error::Error>>
-    {
-        let names = Coordinates::scalars(["a"])?.vector("v", 2)?.scalar("b")?.vector("w", 3)?;
-        let none = Parameters::new();
-        let algebra = SystemAlgebra::of_entries(names, Vec::new())?;
-        let system = FormulaSystem::new(algebra, "a^2", &none)?;
-        let section = SystemSection::new(&system, "a", &none, (0.0, Direction::Both))?;
-        let scales = |state: [f64; 7]| section.scales(&state);
-        let expected = [13.0, 5.0, 5.0, 13.0, 3.0, 3.0, 3.0];
-        assert_eq!(scales([5.0, 3.0, -4.0, -12.0, 2.0, 1.0, 2.0]), expected);
-        // Where a vector or the numbers are zero, the length of the whole state takes their place; where all is zero, 1.
-        let expected = [7.0, 7.0, 7.0, 7.0, 7.0, 7.0, 7.0];
-        assert_eq!(scales([0.0, 0.0, 0.0, 0.0, 3.0, 2.0, 6.0]), expected);
-        assert_eq!(scales([2.0, 0.0, 0.0, 3.0, 0.0, 0.0, 6.0])[1..3], [7.0, 7.0]);
-        assert_eq!(scales([0.0; 7]), [1.0; 7]);
-        Ok(())
-    }
-
-    #[test]
-    fn random_numbers_are_uniform() {
-        let mut random = ChaCha8Rng::seed_from_u64(1);
-        let mut counts = [0_u32; 8];
-        for _ in 0..8000 {
-            let x = uniform(&mut random);
-            assert!((0.0..1.0).contains(&x), "{x}");
-            counts[(8.0 * x) as usize] += 1;
-        }
-        // Five standard errors of 30.
-        assert!(counts.iter().all(|count| count.abs_diff(1000) < 150), "{counts:?}");
-    }
 }

@@ -31,6 +31,7 @@ pub struct FormulaSystem {
     /// The Hamiltonian in the coordinates of the completed algebra.
     completed: Formula,
     casimirs: Vec<Formula>,
+    degrees: Vec<u8>,
     missing: Option<usize>,
 }
 
@@ -89,7 +90,14 @@ impl FormulaSystem {
         } else {
             formula(algebra.completed(parameters).map_err(FormulaSystemError::Parameters)?)?
         };
-        Ok(Self { algebra, hamiltonian, completed, casimirs: Vec::new(), missing: None })
+        Ok(Self {
+            algebra,
+            hamiltonian,
+            completed,
+            casimirs: Vec::new(),
+            degrees: Vec::new(),
+            missing: None,
+        })
     }
 
     /// Returns the system with the polynomial Casimirs up to degree 4, which
@@ -100,7 +108,7 @@ impl FormulaSystem {
     pub fn with_found_casimirs(self) -> Result<Self, FormulaSystemError> {
         let found = casimirs(&self.algebra)?;
         let (casimirs, missing) = (found.formulas().to_vec(), Some(found.missing()));
-        Ok(Self { casimirs, missing, ..self })
+        Ok(Self { casimirs, degrees: found.degrees().to_vec(), missing, ..self })
     }
 
     /// Returns the system of another Hamiltonian, or of the same one with other parameters, on the same algebra. It
@@ -128,7 +136,8 @@ impl FormulaSystem {
         parameters: &Parameters,
     ) -> Result<Self, FormulaSystemError> {
         let other = Self::new(self.algebra.clone(), hamiltonian, parameters)?;
-        Ok(Self { casimirs: self.casimirs.clone(), missing: self.missing, ..other })
+        let (casimirs, degrees) = (self.casimirs.clone(), self.degrees.clone());
+        Ok(Self { casimirs, degrees, missing: self.missing, ..other })
     }
 
     /// Returns the Lie algebra of the system.
@@ -154,6 +163,12 @@ impl FormulaSystem {
         &self.casimirs
     }
 
+    /// Returns the degrees of the Casimirs that were found, which are homogeneous polynomials.
+    #[must_use]
+    pub fn casimir_degrees(&self) -> &[u8] {
+        &self.degrees
+    }
+
     /// Returns how many independent Casimirs were not found, or `None` if they have not been searched for.
     #[must_use]
     pub const fn missing_casimirs(&self) -> Option<usize> {
@@ -163,11 +178,19 @@ impl FormulaSystem {
     /// Returns the values of h and of the Casimirs at a state.
     ///
     /// # Errors
-    /// Returns [`FormulaSystemError::StateLength`] if the length of the state is not the dimension.
+    /// Returns [`FormulaSystemError::StateLength`] if the length of the state is not the dimension, and
+    /// [`FormulaSystemError::NoFiniteValue`] if h or a Casimir has no finite value.
     pub fn invariants(&self, state: &[f64]) -> Result<Vec<f64>, FormulaSystemError> {
         self.require_length(state)?;
         let formulas = core::iter::once(&self.hamiltonian).chain(&self.casimirs);
-        Ok(formulas.map(|formula| formula.value_at(state)).collect())
+        Ok(formulas.map(|formula| formula.checked_value(state)).collect::<Result<_, _>>()?)
+    }
+
+    /// Checks that a state has the dimension of the algebra, and that h has a value and a differential there.
+    pub(crate) fn require_differential(&self, state: &[f64]) -> Result<(), FormulaSystemError> {
+        self.require_length(state)?;
+        self.hamiltonian.checked_differential(state)?;
+        Ok(())
     }
 
     /// Returns the rate dμ/dt = ad∗_ξ μ, ξ = dh(μ), at a state: the coordinates Σ_ik c_ijk ξ_i μ_k.

@@ -99,6 +99,98 @@ fn units_of_numbers_do_not_matter() {
     }
 }
 
+/// Returns the system of brackets of scalar coordinates, with the energy Σ (n + 1) x_n²/2.
+fn of_brackets(names: &str, brackets: &[(&str, &str)]) -> FormulaSystem {
+    let names: Vec<&str> = names.split(' ').collect();
+    let coordinates = lie_poisson_formulas::Coordinates::scalars(names.iter().copied()).unwrap();
+    let brackets = brackets.iter().copied();
+    let algebra = SystemAlgebra::of_brackets(coordinates, brackets, &Parameters::new()).unwrap();
+    let terms = names.iter().enumerate().map(|(n, x)| format!("{}*{x}^2", n + 1));
+    system(algebra, &format!("({})/2", terms.collect::<Vec<_>>().join(" + ")))
+}
+
+/// The Casimirs of these algebras are no polynomials: y/x², x e^(−y/x), and an angle along a spiral. The starts lie on
+/// the orbit of the state all the same.
+#[test]
+fn starts_lie_on_the_orbit_also_if_its_casimirs_are_unknown() {
+    let none = Parameters::new();
+    for (brackets, casimir) in [
+        ([("a, x", "x"), ("a, y", "2*y")], "y/x^2"),
+        ([("a, x", "x"), ("a, y", "x + y")], "x*exp(-y/x)"),
+        ([("a, x", "0.3*x - y"), ("a, y", "x + 0.3*y")], "sqrt(x^2 + y^2)*exp(-0.3*atan2(y, x))"),
+    ] {
+        let body = of_brackets("a x y", &brackets);
+        assert_eq!((body.casimirs().len(), body.missing_casimirs()), (0, Some(1)));
+        let names = body.algebra().vocabulary(&none).unwrap();
+        let casimir = lie_poisson_formulas::Formula::new(casimir, &names).unwrap();
+        let state = [0.3, 0.5, 0.4];
+        let levels = body.invariants(&state).unwrap();
+        let starts = section(&body, "a", (0.1, Direction::Both)).starts(&state, &levels, 8, 0);
+        for start in starts.unwrap() {
+            let (found, expected) = (casimir.value_at(&start), casimir.value_at(&state));
+            // The spiral has a cut at the angle π, where its Casimir jumps by a known factor.
+            let turns = (found / expected).ln() / (0.3 * core::f64::consts::TAU);
+            let error = if casimir.to_string().contains("atan2") {
+                turns - turns.round()
+            } else {
+                found / expected - 1.0
+            };
+            assert!(error.abs() < 1e-12, "{casimir}: {found} {expected}");
+            assert!((start[0] - 0.1).abs() < 1e-14);
+            assert!((body.invariants(&start).unwrap()[0] - levels[0]).abs() < 1e-13);
+        }
+        // Another energy is allowed; a Casimir that is unknown cannot have another level.
+        let other = [1.2 * levels[0]];
+        assert!(section(&body, "a", (0.1, Direction::Both)).starts(&state, &other, 2, 0).is_ok());
+    }
+}
+
+/// On the two sheets of a hyperboloid the Casimir has the same value, and at Γ = 0 both Casimirs of se(3) are 0 on
+/// spheres of every radius.
+#[test]
+fn starts_lie_on_the_orbit_also_if_its_casimirs_do_not_tell() {
+    let rotor = of_brackets("K H P", &[("K, H", "P"), ("K, P", "H"), ("H, P", "-K")]);
+    let state = [0.2, 0.3, 1.0];
+    assert_eq!(rotor.missing_casimirs(), Some(0));
+    let levels = rotor.invariants(&state).unwrap();
+    let section = section(&rotor, "K*H", (0.06, Direction::Both));
+    for start in section.starts(&state, &levels, 20, 0).unwrap() {
+        assert!(start[2] > 0.0, "{start:?}");
+        assert!((rotor.invariants(&start).unwrap()[1] - levels[1]).abs() < 1e-13);
+    }
+    let (body, state) = (body(), [1.0, 0.5, 0.3, 0.0, 0.0, 0.0]);
+    let levels = body.invariants(&state).unwrap();
+    let section =
+        SystemSection::new(&body, "Pi1 - Pi2", &Parameters::new(), (0.0, Direction::Both));
+    for start in section.unwrap().starts(&state, &levels, 10, 0).unwrap() {
+        let square: f64 = start[..3].iter().map(|x| x * x).sum();
+        assert!((square - 1.34).abs() < 1e-12, "{start:?}");
+    }
+}
+
+/// Levels of Casimirs that are not those of the state choose the orbit nearest to it, if they determine one.
+#[test]
+fn other_levels_choose_another_orbit_or_are_refused() {
+    let rotor = of_brackets("K H P", &[("K, H", "P"), ("K, P", "H"), ("H, P", "-K")]);
+    let state = [0.2, 0.3, 1.0];
+    let mut levels = rotor.invariants(&state).unwrap();
+    levels[1] *= 1.1;
+    let rotor_section = section(&rotor, "K", (0.1, Direction::Both));
+    for start in rotor_section.starts(&state, &levels, 5, 0).unwrap() {
+        assert!(start[2] > 0.0);
+        assert!((rotor.invariants(&start).unwrap()[1] - levels[1]).abs() < 1e-13);
+    }
+    // z is a Casimir, and y/x² is one that is no polynomial.
+    let lost = of_brackets("a x y z", &[("a, x", "x"), ("a, y", "2*y")]);
+    let state = [0.3, 0.5, 0.4, 1.0];
+    let mut levels = lost.invariants(&state).unwrap();
+    let section = section(&lost, "a", (0.1, Direction::Both));
+    assert!(section.starts(&state, &levels, 2, 0).is_ok());
+    levels[1] += 0.1;
+    let refused = section.starts(&state, &levels, 2, 0);
+    assert_eq!(refused, Err(FormulaSystemError::UnknownOrbit { missing: Some(1) }));
+}
+
 #[test]
 fn what_is_no_section_is_refused() {
     type E = FormulaSystemError;

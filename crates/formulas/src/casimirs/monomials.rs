@@ -1,7 +1,6 @@
 //! The monomials of a degree, and the condition that a polynomial of that degree is a Casimir.
 
-use super::bracket_table::BracketTable;
-use super::residue::Residue;
+use super::bracket_table::{BracketTable, Number};
 use std::collections::HashMap;
 
 /// The exponents of a monomial.
@@ -43,12 +42,13 @@ pub(crate) fn monomials(dimension: usize, degree: u8) -> Vec<Exponents> {
 /// Returns the equations Σ a_m {x_i, m} = 0 for the coefficients a_m of a Casimir, for each generator x_i.
 ///
 /// The bracket with x_i is a derivation: {x_i, m} = Σ_j ∂m/∂x_j Σ_k c[i][j][k] x_k.
-pub(crate) fn equations(
-    table: &BracketTable,
+pub(crate) fn equations<T: Number>(
+    table: &BracketTable<T>,
+    generators: impl IntoIterator<Item = usize>,
     monomials: &[Exponents],
-) -> Vec<Vec<(usize, Residue)>> {
-    let mut rows: HashMap<(usize, Exponents), Vec<(usize, Residue)>> = HashMap::new();
-    for i in table.generators() {
+) -> Vec<Vec<(usize, T)>> {
+    let mut rows: HashMap<(usize, Exponents), Vec<(usize, T)>> = HashMap::new();
+    for i in generators {
         for (column, monomial) in monomials.iter().enumerate() {
             let factors = monomial.iter().enumerate().filter(|(_, exponent)| **exponent > 0);
             for (j, &exponent) in factors {
@@ -60,7 +60,7 @@ pub(crate) fn equations(
                         }
                     }
                     let row = rows.entry((i, moved)).or_default();
-                    let term = constant * Residue::new(exponent.into());
+                    let term = constant * T::whole(exponent);
                     match row.last_mut() {
                         Some((last, sum)) if *last == column => *sum = *sum + term,
                         _ => row.push((column, term)),
@@ -69,9 +69,13 @@ pub(crate) fn equations(
             }
         }
     }
-    let mut rows: Vec<_> = rows.into_values().collect();
-    rows.sort_by_key(|row| (row.len(), row.first().map(|entry| entry.0)));
-    rows
+    // The order decides how numbers are rounded, and must be the same in every run.
+    let mut rows: Vec<_> = rows.into_iter().collect();
+    rows.sort_by(|(one, first), (other, second)| {
+        let key = |row: &[(usize, T)]| (row.len(), row.first().map(|entry| entry.0));
+        key(first).cmp(&key(second)).then_with(|| one.cmp(other))
+    });
+    rows.into_iter().map(|(_, row)| row).collect()
 }
 
 #[cfg(test)]

@@ -1,65 +1,73 @@
-//! Polynomials modulo a prime: their gradients, and the formulas that they represent.
+//! Polynomials: their gradients, and the formulas that they represent.
 
 use super::monomials::Exponents;
-use super::residue::Residue;
-use super::surd::Surd;
+use super::numeric::balance::{Scales, shifted};
+use super::surd::{Surd, rounding};
 use crate::names::coordinates::{Coordinates, Field};
 use crate::text::printer::number;
 use core::fmt::Write as _;
 
+/// The error of a coefficient that counts as rounding, relative to the largest coefficient.
+const ROUNDING: f64 = 1e-12;
+
 /// A homogeneous polynomial: monomials with their coefficients.
 #[derive(Clone, Debug)]
 pub(crate) struct Polynomial {
-    pub(crate) terms: Vec<(Exponents, Residue)>,
+    pub(crate) terms: Vec<(Exponents, f64)>,
+}
+
+/// Returns a point with coordinates of size 1 that behave like random ones and are the same in every run.
+pub(crate) fn generic_point(dimension: usize, sample: usize) -> Vec<f64> {
+    let coordinate =
+        |i: usize| 1.0 + 0.5 * (1.0 + (i * i + 7 * i * sample + 3 * sample) as f64).sin();
+    (0..dimension)
+        .map(|i| if (i + sample) % 2 == 0 { coordinate(i) } else { -coordinate(i) })
+        .collect()
 }
 
 impl Polynomial {
-    /// Returns the coordinates of the gradient at a point.
-    pub(crate) fn gradient(&self, point: &[Residue]) -> Vec<(usize, Residue)> {
-        (0..point.len()).map(|i| (i, self.derivative(i, point))).collect()
-    }
-
-    fn derivative(&self, i: usize, point: &[Residue]) -> Residue {
-        let slopes = self.terms.iter().map(|(monomial, coefficient)| {
-            let factors =
-                monomial.iter().zip(point).enumerate().map(|(j, (&exponent, &x))| {
-                    match (j == i, u64::from(exponent)) {
-                        (false, exponent) => x.power(exponent),
-                        (true, 0) => Residue::ZERO,
-                        (true, exponent) => Residue::new(exponent as i64) * x.power(exponent - 1),
-                    }
-                });
-            factors.fold(*coefficient, |product, factor| product * factor)
+    /// Returns the direction of the gradient at a point, in the coordinates x_i/s_i with the scales s: a unit vector.
+    pub(crate) fn gradient(&self, point: &[f64], scales: &Scales) -> Vec<f64> {
+        let exponent = |monomial: &[u8]| -> i32 {
+            monomial.iter().enumerate().map(|(i, &e)| i32::from(e) * scales.exponent(i)).sum()
+        };
+        let most = self.terms.iter().map(|(monomial, _)| exponent(monomial)).max().unwrap_or(0);
+        let terms = self.terms.iter().map(|(monomial, coefficient)| {
+            (monomial, shifted(*coefficient, exponent(monomial) - most))
         });
-        slopes.fold(Residue::ZERO, |sum, slope| sum + slope)
+        let mut gradient = vec![0.0; point.len()];
+        for (monomial, coefficient) in terms {
+            for (i, entry) in gradient.iter_mut().enumerate() {
+                *entry += coefficient * derivative(monomial, i, point);
+            }
+        }
+        let largest = gradient.iter().fold(0.0_f64, |size, x| size.max(x.abs()));
+        if largest > 0.0 {
+            gradient.iter_mut().for_each(|x| *x /= largest);
+            let length = gradient.iter().map(|x| x * x).sum::<f64>().sqrt();
+            gradient.iter_mut().for_each(|x| *x /= length);
+        }
+        gradient
     }
 
-    /// Returns the coefficients as whole numbers times square roots, without a common divisor and with the first one
-    /// positive.
+    /// Returns the polynomial times the constant that makes its largest coefficient 1 and its first one positive.
     ///
-    /// To this end the polynomial is multiplied by a constant. Returns `None` if no constant gives such coefficients.
-    pub(crate) fn whole_coefficients(&self) -> Option<Vec<(i64, u32)>> {
-        let surds: Option<Vec<Surd>> =
-            self.terms.iter().map(|(_, coefficient)| Surd::of_residue(*coefficient)).collect();
-        let surds = surds?;
-        let multiple = surds.iter().try_fold(1_i64, |multiple, surd| {
-            (multiple / common(multiple, surd.below)).checked_mul(surd.below)
-        })?;
-        let whole: Option<Vec<i64>> =
-            surds.iter().map(|surd| surd.above.checked_mul(multiple / surd.below)).collect();
-        let whole = whole?;
-        let divisor = whole.iter().fold(0, |divisor, &n| common(divisor, n)).max(1);
-        let sign = whole.first().map_or(1, |first| first.signum());
-        let coefficients = whole.iter().zip(&surds);
-        Some(coefficients.map(|(n, surd)| (sign * (n / divisor), surd.radicand)).collect())
+    /// The values of a Casimir then change continuously with the structure constants, and can be compared.
+    pub(crate) fn normalised(mut self) -> Self {
+        let largest = self.terms.iter().fold(0.0_f64, |size, (_, a)| size.max(a.abs()));
+        let sign = self.terms.first().map_or(1.0, |(_, first)| first.signum());
+        if largest > 0.0 {
+            self.terms.iter_mut().for_each(|(_, coefficient)| *coefficient /= sign * largest);
+        }
+        self
     }
 
     /// Returns the polynomial as a formula, in which squares and products of vectors are written with the vectors'
-    /// names.
-    pub(crate) fn text(&self, coordinates: &Coordinates) -> Option<String> {
-        let coefficients = self.whole_coefficients()?;
-        let monomials = self.terms.iter().map(|(monomial, _)| monomial.clone());
-        let mut left: Vec<_> = monomials.zip(coefficients).collect();
+    /// names, and coefficients as fractions times square roots if they are such numbers.
+    pub(crate) fn text(&self, coordinates: &Coordinates) -> String {
+        let terms = self.terms.iter();
+        let mut left: Vec<Term> =
+            terms.map(|(monomial, a)| (monomial.clone(), Coefficient::new(*a))).collect();
         let mut text = String::new();
         let fields = coordinates.fields();
         for (n, first) in fields.iter().enumerate() {
@@ -85,21 +93,59 @@ impl Polynomial {
                 .collect();
             append(&mut text, coefficient, &factors.join("*"));
         }
-        Some(text)
+        text
     }
 }
 
-/// Returns the greatest common divisor.
-fn common(a: i64, b: i64) -> i64 {
-    if b == 0 { a.abs() } else { common(b, a.wrapping_rem(b)) }
+/// Returns the partial derivative of a monomial.
+fn derivative(monomial: &[u8], i: usize, point: &[f64]) -> f64 {
+    let factors = monomial.iter().zip(point).enumerate().map(|(j, (&exponent, &x))| {
+        match (j == i, i32::from(exponent)) {
+            (false, exponent) => x.powi(exponent),
+            (true, 0) => 0.0,
+            (true, exponent) => f64::from(exponent) * x.powi(exponent - 1),
+        }
+    });
+    factors.product()
 }
 
-/// A monomial with its coefficient, a whole number times a square root.
-type Term = (Exponents, (i64, u32));
+/// Returns the number with the fewest digits that differs from the given one by rounding.
+fn shortest(value: f64) -> f64 {
+    let decimal = |digits: usize| format!("{value:.digits$e}").parse::<f64>().ok();
+    let mut decimals = (0..17).filter_map(decimal);
+    decimals.find(|decimal| (decimal - value).abs() <= rounding(value)).unwrap_or(value)
+}
+
+/// A coefficient, of size 1 at most.
+#[derive(Clone, Copy, Debug, PartialEq)]
+enum Coefficient {
+    Surd(Surd),
+    Decimal(f64),
+}
+
+impl Coefficient {
+    fn new(value: f64) -> Self {
+        // A small coefficient may have fewer roundings than the largest.
+        let surd = Surd::recognise(value, rounding(value));
+        let surd = surd.or_else(|| Surd::recognise(value, ROUNDING));
+        let surd = surd.filter(|surd| surd.above != 0);
+        surd.map_or_else(|| Self::Decimal(shortest(value)), Self::Surd)
+    }
+
+    fn is_negative(self) -> bool {
+        match self {
+            Self::Surd(surd) => surd.above < 0,
+            Self::Decimal(value) => value < 0.0,
+        }
+    }
+}
+
+/// A monomial with its coefficient.
+type Term = (Exponents, Coefficient);
 
 /// Removes the terms of a product of two vectors, if all of them are present with the same coefficient, and returns
 /// this coefficient.
-fn take_product(terms: &mut Vec<Term>, first: &Field, second: &Field) -> Option<(i64, u32)> {
+fn take_product(terms: &mut Vec<Term>, first: &Field, second: &Field) -> Option<Coefficient> {
     let dimension = first.dimension.filter(|_| first.dimension == second.dimension)?;
     let is_part = |monomial: &Exponents, i: usize| {
         let at = |place: usize| monomial.get(place).copied().unwrap_or(0);
@@ -124,23 +170,26 @@ fn take_product(terms: &mut Vec<Term>, first: &Field, second: &Field) -> Option<
 }
 
 /// Appends a term with its sign.
-fn append(text: &mut String, (coefficient, radicand): (i64, u32), product: &str) {
-    let sign = match (text.is_empty(), coefficient < 0) {
+fn append(text: &mut String, coefficient: Coefficient, product: &str) {
+    let sign = match (text.is_empty(), coefficient.is_negative()) {
         (true, false) => "",
         (true, true) => "-",
         (false, false) => " + ",
         (false, true) => " - ",
     };
-    text.push_str(sign);
-    if coefficient.unsigned_abs() != 1 {
-        text.push_str(&number(coefficient.unsigned_abs() as f64));
-        text.push('*');
-    }
-    if radicand != 1 {
-        // Writing to a text does not fail.
-        let _ = write!(text, "sqrt({radicand})*");
-    }
-    text.push_str(product);
+    // Writing to a text does not fail.
+    let _ = match coefficient {
+        Coefficient::Decimal(value) => write!(text, "{sign}{}*{product}", number(value.abs())),
+        Coefficient::Surd(Surd { above, below, radicand }) => {
+            let above = match above.unsigned_abs() {
+                1 => String::new(),
+                above => format!("{above}*"),
+            };
+            let root = if radicand == 1 { String::new() } else { format!("sqrt({radicand})*") };
+            let below = if below == 1 { String::new() } else { format!("/{below}") };
+            write!(text, "{sign}{above}{root}{product}{below}")
+        }
+    };
 }
 
 #[cfg(test)]
@@ -150,8 +199,31 @@ mod tests {
     #[test]
     fn the_gradient_is_that_of_powers() {
         // 5 x²y³ − x, at (7, 2)
-        let terms = vec![(vec![2, 3], Residue::new(5)), (vec![1, 0], Residue::new(-1))];
-        let gradient = Polynomial { terms }.gradient(&[7, 2].map(Residue::new));
-        assert_eq!(gradient, [(0, Residue::new(10 * 7 * 8 - 1)), (1, Residue::new(15 * 49 * 4))]);
+        let terms = vec![(vec![2, 3], 5.0), (vec![1, 0], -1.0)];
+        let scales = Scales::equal(2, &[]);
+        let gradient = Polynomial { terms }.gradient(&[7.0, 2.0], &scales);
+        let expected = [10.0 * 7.0 * 8.0 - 1.0, 15.0 * 49.0 * 4.0];
+        assert!((gradient[0] * expected[1] / (gradient[1] * expected[0]) - 1.0).abs() < 1e-14);
+        assert!((gradient[0].hypot(gradient[1]) - 1.0).abs() < 1e-15);
+    }
+
+    /// The largest coefficient is 1, the first one positive, and fractions are written as such.
+    #[test]
+    fn coefficients_are_fractions_or_decimals() -> Result<(), crate::NameError> {
+        let names = Coordinates::scalars(["x", "y"])?;
+        for (coefficients, expected) in [
+            ([12.0, 3.0], "x + y/4"),
+            ([-1.0, 3.0], "x/3 - y"),
+            ([2.0, 3.0_f64.sqrt()], "x + sqrt(3)*y/2"),
+            ([1.0 / 3.0 - 1e-14, -1.0], "x/3 - y"),
+            ([1.0, 0.123_456_789_123], "x + 0.123456789123*y"),
+            ([1.0, 1e-13], "x + 1e-13*y"),
+            ([1.0, 1.234_567_891e-13], "x + 1.234567891e-13*y"),
+        ] {
+            let [a, b] = coefficients;
+            let polynomial = Polynomial { terms: vec![(vec![1, 0], a), (vec![0, 1], b)] };
+            assert_eq!(polynomial.normalised().text(&names), expected);
+        }
+        Ok(())
     }
 }

@@ -1,10 +1,12 @@
 //! The polynomial Casimirs of an algebra: [`find_casimirs`].
 
-use super::bracket_table::{BracketTable, generic};
+use super::bracket_table::constants;
 use super::casimir_error::CasimirError;
-use super::monomials::{count, equations, monomials};
-use super::null_space::{null_space, rank};
-use super::polynomial::Polynomial;
+use super::exact::recognition::recognised;
+use super::monomials::count;
+use super::numeric::balance::{Scales, shifted};
+use super::numeric::numeric_brackets::{NumericBrackets, NumericRank};
+use super::polynomial::{Polynomial, generic_point};
 use crate::hamiltonians::formula::Formula;
 use crate::names::coordinates::Coordinates;
 use crate::names::parameters::Parameters;
@@ -20,19 +22,33 @@ const MOST_MONOMIALS: usize = 4096;
 /// The largest bracket of a Casimir with a coordinate, relative to its terms, that counts as rounding.
 const ROUNDING: f64 = 1e-9;
 
+/// The smallest distance of a unit gradient from the space of the others for which a Casimir is no function of them.
+const INDEPENDENT: f64 = 1e-7;
+
 /// The Casimirs that [`find_casimirs`] found, and how many there are.
 #[derive(Clone, Debug, PartialEq)]
 pub struct PolynomialCasimirs {
     formulas: Vec<Formula>,
+    degrees: Vec<u8>,
     independent: usize,
     degree: u8,
+    gap: Option<[f64; 2]>,
+    /// The number of polynomials that are no Casimirs of the given constants.
+    refused: usize,
 }
 
 impl PolynomialCasimirs {
-    /// Returns the Casimirs, in order of increasing degree. None is a function of the others.
+    /// Returns the Casimirs, in order of increasing degree. None is a function of the others. The largest coefficient of
+    /// each is 1 or −1, and its first coefficient is positive.
     #[must_use]
     pub fn formulas(&self) -> &[Formula] {
         &self.formulas
+    }
+
+    /// Returns the degrees of the Casimirs, which are homogeneous polynomials.
+    #[must_use]
+    pub fn degrees(&self) -> &[u8] {
+        &self.degrees
     }
 
     /// Returns the number of independent Casimirs near a generic point: the dimension of 𝔤 minus that of the largest
@@ -49,10 +65,19 @@ impl PolynomialCasimirs {
     }
 
     /// Returns the highest degree that was searched. It is 4, or less if all Casimirs were found before, if there are
-    /// more than 4096 monomials of the next degree, or if the next degree needs too many operations.
+    /// more than 4096 monomials of the next degree (1024 if the structure constants are rounded numbers), or if the next
+    /// degree needs too many operations.
     #[must_use]
     pub const fn degree(&self) -> u8 {
         self.degree
+    }
+
+    /// Returns `None` if the structure constants were recognised as exact numbers, so that the rank of the Poisson
+    /// tensor is exact. Otherwise returns the two singular values of the tensor between which the rank was drawn, relative
+    /// to the largest one: the largest that counts as zero (0 if none does), and the smallest that does not.
+    #[must_use]
+    pub const fn gap(&self) -> Option<[f64; 2]> {
+        self.gap
     }
 }
 
@@ -60,23 +85,27 @@ impl PolynomialCasimirs {
 ///
 /// The number of independent Casimirs is dim 𝔤 − r, where r is the rank of the Poisson tensor Λ_ij(μ) = Σ_k c_ijk μ_k
 /// at a generic point. A polynomial C is a Casimir if {μ_i, C} = 0 for every i, which is linear in its coefficients.
-/// The null space is computed exactly, modulo a prime of 61 bits, for structure constants that are small fractions,
-/// or small fractions times square roots of products of 2, 3, 5 and 7. For other constants, such as those in a basis
-/// with rounded coordinates, some or all Casimirs may be missing. Each Casimir is checked at three points in floating
-/// point, and a Casimir that is a function of the others is not listed.
+///
+/// Structure constants are rounded numbers. If there is a Lie algebra whose constants are fractions, or fractions times
+/// square roots of products of 2, 3, 5 and 7, and round to the given ones, the rank and the null space are computed
+/// exactly, modulo a prime of 61 bits. Otherwise, as in a basis with rounded coordinates, they are computed with
+/// tolerances: a singular value counts as zero below 10⁻¹⁰ of the largest for the rank, and below 10⁻¹¹ for the
+/// coefficients, in units of the coordinates that make the constants as equal as possible. [`PolynomialCasimirs::gap`]
+/// says how clear the decision was. Each Casimir is checked at three points, and a Casimir that is a function of the
+/// others is not listed.
 ///
 /// # Errors
 /// Returns [`CasimirError`] if the number of names differs from the dimension, or if a structure constant is not
 /// finite.
 ///
 /// # Example
-/// The Poincaré algebra of one space dimension, with the Casimir of mass:
+/// The Poincaré algebra of one space dimension, with the Casimir of mass, also after rounding:
 /// ```
 /// use lie_poisson_formulas::{Coordinates, StructureEntry, find_casimirs, structure_constants};
 /// // [K, H] = P and [K, P] = H
 /// let poincare = structure_constants::<3>(&[
 ///     StructureEntry { i: 0, j: 1, k: 2, value: 1.0 },
-///     StructureEntry { i: 0, j: 2, k: 1, value: 1.0 },
+///     StructureEntry { i: 0, j: 2, k: 1, value: 1.0 + f64::EPSILON },
 /// ])?;
 /// let found = find_casimirs(&poincare, &Coordinates::scalars(["K", "H", "P"])?)?;
 /// assert_eq!(found.formulas()[0].to_string(), "H^2 - P^2");
@@ -92,70 +121,117 @@ pub fn find_casimirs<A: LieAlgebra>(
     if names != dimension {
         return Err(CasimirError::WrongDimension { names, dimension });
     }
+    let constants = constants(algebra)?;
+    let scales = Scales::of(dimension, &constants);
     let vocabulary = Vocabulary::new(coordinates, &Parameters::new())?;
-    let table = BracketTable::new(algebra)?;
-    let independent = dimension - table.generic_rank();
-    let point = generic(dimension, 1);
-    let (mut formulas, mut gradients, mut searched) = (Vec::new(), Vec::new(), 0);
-    for degree in 1..=HIGHEST_DEGREE {
-        if formulas.len() >= independent || count(dimension, degree) > MOST_MONOMIALS {
-            break;
-        }
-        let Some(invariants) = invariants(&table, degree) else { break };
-        for polynomial in invariants {
-            let mut with = gradients.clone();
-            with.push(polynomial.gradient(&point));
-            if rank(with.clone()) < with.len() {
-                continue;
-            }
-            let formula = polynomial
-                .text(coordinates)
-                .and_then(|text| Formula::new(&text, &vocabulary).ok())
-                .filter(|formula| is_casimir(algebra, formula));
-            if let Some(formula) = formula {
-                formulas.push(formula);
-                gradients = with;
-            }
-        }
-        searched = degree;
-    }
-    Ok(PolynomialCasimirs { formulas, independent, degree: searched })
-}
-
-/// Returns a basis of the Casimirs of a degree, in order of increasing number of terms, or `None` if the search takes
-/// too long.
-fn invariants(table: &BracketTable, degree: u8) -> Option<Vec<Polynomial>> {
-    let monomials = monomials(table.dimension(), degree);
-    let space = null_space(equations(table, &monomials), monomials.len())?;
-    let polynomial = |vector: Vec<(usize, _)>| {
-        let terms = vector.into_iter();
-        let named =
-            terms.filter_map(|(column, entry)| Some((monomials.get(column)?.clone(), entry)));
-        Polynomial { terms: named.collect() }
+    let search = Search { algebra, coordinates, vocabulary: &vocabulary, scales: &scales };
+    let numeric = NumericBrackets::new(dimension, &constants, &scales);
+    let Some(exact) = recognised(dimension, &constants, &scales) else {
+        let NumericRank { rank, gap } = numeric.generic_rank();
+        let found = search.run(dimension - rank, |degree| numeric.invariants(degree));
+        return Ok(PolynomialCasimirs { gap: Some(gap), ..found });
     };
-    let mut found: Vec<Polynomial> = space.into_iter().map(polynomial).collect();
-    found.sort_by_key(|polynomial| polynomial.terms.len());
-    Some(found)
+    let (independent, mut others) = (dimension - exact.generic_rank(), 0);
+    let found = search.run(independent, |degree| {
+        let (small, rest) = exact.invariants(degree)?;
+        others += rest;
+        Some(small)
+    });
+    if found.missing() == 0 || (others == 0 && found.refused == 0) {
+        return Ok(found);
+    }
+    // Coefficients such as 299792458² are no small fractions, and a number that is small in the given units may be large
+    // in others.
+    let rounded = search.run(independent, |degree| numeric.invariants(degree));
+    Ok(if rounded.missing() < found.missing() { rounded } else { found })
 }
 
-/// Returns whether `ad∗_ξ μ` = 0 for ξ = dC(μ) at three points, up to rounding.
-fn is_casimir<A: LieAlgebra>(algebra: &A, casimir: &Formula) -> bool {
+/// The search for the Casimirs of an algebra.
+struct Search<'a, A> {
+    algebra: &'a A,
+    coordinates: &'a Coordinates,
+    vocabulary: &'a Vocabulary,
+    scales: &'a Scales,
+}
+
+impl<A: LieAlgebra> Search<'_, A> {
+    /// Collects independent Casimirs, degree by degree, from a basis of those of each degree. `None` ends the search.
+    fn run(
+        &self,
+        independent: usize,
+        mut invariants: impl FnMut(u8) -> Option<Vec<Polynomial>>,
+    ) -> PolynomialCasimirs {
+        let dimension = A::Element::<f64>::DIM;
+        let point = generic_point(dimension, 0);
+        let (mut formulas, mut degrees, mut searched) = (Vec::new(), Vec::new(), 0);
+        let mut directions: Vec<Vec<f64>> = Vec::new();
+        let mut refused = 0;
+        for degree in 1..=HIGHEST_DEGREE {
+            if formulas.len() >= independent || count(dimension, degree) > MOST_MONOMIALS {
+                break;
+            }
+            let Some(mut found) = invariants(degree) else { break };
+            found.sort_by_key(|polynomial| polynomial.terms.len());
+            for polynomial in found {
+                let gradient = polynomial.gradient(&point, self.scales);
+                let Some(direction) = apart(gradient, &directions) else { continue };
+                let Some(formula) = self.formula(polynomial) else {
+                    refused += 1;
+                    continue;
+                };
+                formulas.push(formula);
+                degrees.push(degree);
+                directions.push(direction);
+            }
+            searched = degree;
+        }
+        let degree = searched;
+        PolynomialCasimirs { formulas, degrees, independent, degree, gap: None, refused }
+    }
+
+    /// Returns the formula of a polynomial, if it is a Casimir.
+    fn formula(&self, polynomial: Polynomial) -> Option<Formula> {
+        let text = polynomial.normalised().text(self.coordinates);
+        let formula = Formula::new(&text, self.vocabulary).ok();
+        formula.filter(|formula| is_casimir(self.algebra, formula, self.scales))
+    }
+}
+
+/// Returns the direction of a vector at right angles to the others, which are orthonormal, or `None` if it lies in their
+/// space.
+fn apart(mut vector: Vec<f64>, others: &[Vec<f64>]) -> Option<Vec<f64>> {
+    // The second round removes the rounding errors of the first.
+    for other in others.iter().chain(others) {
+        let along: f64 = vector.iter().zip(other).map(|(x, y)| x * y).sum();
+        vector.iter_mut().zip(other).for_each(|(x, y)| *x -= along * y);
+    }
+    let length = vector.iter().map(|x| x * x).sum::<f64>().sqrt();
+    (length > INDEPENDENT).then(|| vector.iter().map(|x| x / length).collect())
+}
+
+/// Returns whether `ad∗_ξ μ` = 0 for ξ = dC(μ) at three points, up to rounding, in units of the coordinates.
+fn is_casimir<A: LieAlgebra>(algebra: &A, casimir: &Formula, scales: &Scales) -> bool {
+    let dimension = A::Element::<f64>::DIM;
+    let size = |rate: &Momentum<A>| {
+        let relative = (0..dimension).map(|i| shifted(rate.coordinate(i), -scales.exponent(i)));
+        relative.fold(0.0_f64, |size, x| if x.abs() <= size { size } else { x.abs() })
+    };
     (1..4).all(|sample| {
-        let coordinate = |i: usize| (1.0 + (i * i + 7 * i * sample + 3 * sample) as f64).sin();
-        let mu: Momentum<A> = Vector::from_coordinates(coordinate);
+        let point = generic_point(dimension, sample);
+        let at = |i: usize| point.get(i).map_or(0.0, |x| shifted(*x, scales.exponent(i)));
+        let mu: Momentum<A> = Vector::from_coordinates(at);
         let xi = casimir.differential(&mu);
-        let rate = algebra.coadjoint::<f64>(&xi, &mu);
-        let terms = (0..A::Element::<f64>::DIM).map(|i| {
+        let terms = (0..dimension).map(|i| {
             let part: A::Element<f64> = A::Element::<f64>::basis(i).scaled(xi.coordinate(i));
-            algebra.coadjoint::<f64>(&part, &mu).max_abs()
+            size(&algebra.coadjoint::<f64>(&part, &mu))
         });
-        rate.max_abs() <= ROUNDING * terms.sum::<f64>()
+        size(&algebra.coadjoint::<f64>(&xi, &mu)) <= ROUNDING * terms.sum::<f64>()
     })
 }
 
 #[cfg(test)]
 mod tests {
-    use super::{CasimirError, is_casimir};
+    use super::{CasimirError, Scales, is_casimir};
     use crate::{Formula, NamedAlgebra, Parameters, Vocabulary};
     use lie_poisson::Se3;
 
@@ -167,7 +243,8 @@ mod tests {
         let others = ["|Pi|^2", "1e-20*|Pi|^2", "Gamma3", "|Gamma|^2 + 1e-6*Pi1^2"];
         for (texts, expected) in [(casimirs, true), (others, false)] {
             for text in texts {
-                let found = Formula::new(text, &names).map(|formula| is_casimir(&se3, &formula));
+                let found = Formula::new(text, &names)
+                    .map(|formula| is_casimir(&se3, &formula, &Scales::equal(6, &[])));
                 assert_eq!(found.ok(), Some(expected), "{text}");
             }
         }

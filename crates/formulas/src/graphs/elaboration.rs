@@ -104,6 +104,7 @@ impl Elaboration<'_> {
                 Value::Scalar(*component.ok_or(missing)?)
             }
             Part::Call(function, [x, y]) => return self.call(function, x, y).map(Value::Scalar),
+            Part::Choose([x, y, z]) => return self.choose(x, y, z),
             Part::Binary(operator, x, y) => {
                 let (x, y) = (self.at(x), self.at(y));
                 return self.binary(operator, x, y);
@@ -135,9 +136,12 @@ impl Elaboration<'_> {
 
     fn call(&mut self, function: Function, x: usize, y: usize) -> Result<Id, Problem> {
         let place = || format!("`{}`", function.name());
-        if function == Function::Atan2 {
-            let (y, x) = (self.at(x).scalar(place)?, self.at(y).scalar(place)?);
-            return Ok(self.graph.angle(y, x));
+        if matches!(function, Function::Atan2 | Function::Hypot) {
+            let (x, y) = (self.at(x).scalar(place)?, self.at(y).scalar(place)?);
+            return Ok(match function {
+                Function::Atan2 => self.graph.angle(x, y),
+                _ => self.graph.hypotenuse(x, y),
+            });
         }
         let x = self.at(x).scalar(place)?;
         let unary = match function {
@@ -149,13 +153,33 @@ impl Elaboration<'_> {
             Function::Sinh => Unary::Sinh,
             Function::Cosh => Unary::Cosh,
             Function::Tanh => Unary::Tanh,
-            Function::Tan | Function::Atan2 => {
+            Function::Tan => {
                 let (sin, cos) =
                     (self.graph.function(Unary::Sin, x), self.graph.function(Unary::Cos, x));
                 return Ok(self.graph.divide(sin, cos));
             }
+            Function::Arcsin => return Ok(self.graph.arcsine(x)),
+            Function::Arccos => return Ok(self.graph.arccosine(x)),
+            Function::Arctan => {
+                let one = self.graph.number(1.0);
+                return Ok(self.graph.angle(x, one));
+            }
+            Function::Log10 => return Ok(self.graph.decadic_logarithm(x)),
+            Function::Cbrt => return Ok(self.graph.cube_root(x)),
+            // They have two arguments.
+            Function::Atan2 | Function::Hypot => Unary::Absolute,
         };
         Ok(self.graph.function(unary, x))
+    }
+
+    fn choose(&mut self, x: usize, y: usize, z: usize) -> Result<Value, Problem> {
+        let (x, y, z) = (self.at(x).scalar(|| "`if`".to_owned())?, self.at(y), self.at(z));
+        let (left, right) = (y.shape(), z.shape());
+        if left != right {
+            let needed = "two scalars or two vectors of one dimension";
+            return Err(Problem::Mismatch { place: "`if`".to_owned(), needed, left, right });
+        }
+        Ok(y.zip(z, |y, z| self.graph.choose(x, y, z)))
     }
 
     fn binary(&mut self, operator: Operator, x: Value, y: Value) -> Result<Value, Problem> {

@@ -55,7 +55,8 @@ impl Graph {
             }
             Node::Power(a, bits) => {
                 let exponent = f64::from_bits(bits);
-                let (scaled, power) = (self.scale(exponent, slope), self.power(a, exponent - 1.0));
+                let scaled = self.scale(exponent, slope);
+                let power = self.inner_power(a, exponent - 1.0);
                 vec![(a, self.multiply(scaled, power))]
             }
             Node::Function(function, a) => {
@@ -69,6 +70,12 @@ impl Graph {
                 }
                 let derivative = self.function_derivative(function, a, id);
                 vec![(a, self.multiply(slope, derivative))]
+            }
+            Node::Choose([condition, a, b]) => {
+                let zero = self.number(0.0);
+                let first = self.choose(condition, slope, zero);
+                let second = self.choose(condition, zero, slope);
+                vec![(a, first), (b, second)]
             }
             Node::Angle(y, x) => {
                 let (dy, dx) = self.angle_derivatives(y, x);

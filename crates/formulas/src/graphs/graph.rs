@@ -35,19 +35,22 @@ pub(crate) enum Node {
     Function(Unary, Id),
     /// The angle of the point (x, y), with y first.
     Angle(Id, Id),
+    /// The second where the first is ≥ 0, and the third elsewhere.
+    Choose([Id; 3]),
 }
 
 impl Node {
     /// Returns the nodes that this one refers to.
     pub(crate) fn parts(self) -> impl Iterator<Item = Id> {
-        let (first, second) = match self {
-            Self::Number(_) | Self::Input(_) => (None, None),
+        let parts = match self {
+            Self::Number(_) | Self::Input(_) => [None; 3],
             Self::Add(a, b) | Self::Multiply(a, b) | Self::Divide(a, b) | Self::Angle(a, b) => {
-                (Some(a), Some(b))
+                [Some(a), Some(b), None]
             }
-            Self::Power(a, _) | Self::Function(_, a) => (Some(a), None),
+            Self::Power(a, _) | Self::Function(_, a) => [Some(a), None, None],
+            Self::Choose(parts) => parts.map(Some),
         };
-        first.into_iter().chain(second)
+        parts.into_iter().flatten()
     }
 }
 
@@ -58,6 +61,9 @@ pub(crate) struct Known {
     pub(crate) everywhere: bool,
     /// The value is not negative where it is a real number.
     pub(crate) nonnegative: bool,
+    /// The value is not negative, and smooth where it is 0, so that its derivative is 0 there, too. Sums of squares are
+    /// of this kind.
+    pub(crate) flat: bool,
 }
 
 /// A graph of expressions, in which each node comes after those that it refers to.
@@ -130,8 +136,39 @@ impl Graph {
                 (self.known(a).everywhere && entire, even)
             }
             Node::Angle(..) => (false, false),
+            Node::Choose([c, a, b]) => {
+                (self.known(c).everywhere && both(a, b), positive(a) && positive(b))
+            }
         };
-        Known { everywhere, nonnegative }
+        Known { everywhere, nonnegative, flat: nonnegative && self.is_flat(node) }
+    }
+
+    /// Returns whether an expression has parts that are chosen by a condition or a sign.
+    pub(crate) fn is_piecewise(&self, root: Id) -> bool {
+        let reachable = self.reachable(&[root]);
+        let parts = self.nodes.iter().zip(reachable).filter(|(_, is_part)| *is_part);
+        let chosen = |node: &Node| {
+            let sign = matches!(node, Node::Function(Unary::Sign | Unary::Absolute, _));
+            sign || matches!(node, Node::Choose(_))
+        };
+        parts.map(|(node, _)| node).any(chosen)
+    }
+
+    /// Returns whether the derivative of a node that is not negative is 0 where the node is.
+    fn is_flat(&self, node: Node) -> bool {
+        let flat = |a: Id| self.known(a).flat;
+        match node {
+            Node::Number(_) => true,
+            Node::Multiply(a, b) if a == b => self.known(a).everywhere,
+            Node::Add(a, b) | Node::Multiply(a, b) => flat(a) && flat(b),
+            Node::Power(a, bits) => {
+                let exponent = f64::from_bits(bits);
+                let square = exponent >= 2.0 && self.known(a).everywhere;
+                square || flat(a) && exponent >= 1.0
+            }
+            Node::Function(function, _) => matches!(function, Unary::Exp | Unary::Cosh),
+            Node::Divide(..) | Node::Angle(..) | Node::Choose(_) | Node::Input(_) => false,
+        }
     }
 
     /// Returns whether each node is one of `roots` or a part of them.

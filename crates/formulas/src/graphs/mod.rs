@@ -2,6 +2,7 @@
 
 pub(crate) mod graph;
 pub(crate) mod simplification;
+pub(crate) mod composed;
 pub(crate) mod elaboration;
 pub(crate) mod gradient;
 pub(crate) mod tangent;

@@ -150,6 +150,16 @@ impl Graph {
         } else if c == 0.5 {
             return self.function(Unary::Sqrt, x);
         }
+        if c.fract() == 0.0 && whole(c).is_none() && !self.known(x).nonnegative {
+            // A whole exponent beyond those of products: the sign is that of x if the exponent is odd.
+            let size = self.function(Unary::Absolute, x);
+            let power = self.power(size, c);
+            if c % 2.0 == 0.0 {
+                return power;
+            }
+            let sign = self.function(Unary::Sign, x);
+            return self.multiply(sign, power);
+        }
         if let Some(base) = self.as_number(x) {
             let value = power(base, c);
             if !value.is_finite() || value.is_normal() {
@@ -166,10 +176,39 @@ impl Graph {
 
     /// Returns the node of the function value f(x).
     pub(crate) fn function(&mut self, function: Unary, x: Id) -> Id {
+        match (function, self.node(x)) {
+            // √(a²) = a and √(aᶜ) = a^(c/2) for a ≥ 0, whose derivatives have values where a is 0
+            (Unary::Sqrt, Node::Multiply(a, b)) if a == b && self.known(a).nonnegative => return a,
+            (Unary::Sqrt, Node::Power(a, bits)) if self.known(a).nonnegative => {
+                return self.power(a, f64::from_bits(bits) / 2.0);
+            }
+            _ => {}
+        }
         match self.as_number(x) {
             Some(x) => self.number(function.apply(x)),
             None => self.place(Node::Function(function, x)),
         }
+    }
+
+    /// Returns y where x ≥ 0, and z elsewhere.
+    pub(crate) fn choose(&mut self, x: Id, y: Id, z: Id) -> Id {
+        match self.as_number(x) {
+            _ if y == z => y,
+            Some(x) if x >= 0.0 => y,
+            Some(_) => z,
+            None => self.place(Node::Choose([x, y, z])),
+        }
+    }
+
+    /// Returns x^c for the derivative of a power of x with a larger exponent: 0 where x is 0 and its own derivative, too.
+    pub(crate) fn inner_power(&mut self, x: Id, c: f64) -> Id {
+        let power = self.power(x, c);
+        if !(self.known(x).flat && -0.5 < c && c < 0.0) {
+            return power;
+        }
+        // x^(c + 1) grows more slowly than x, but its derivative x^c dx vanishes with x if x is at least quadratic.
+        let (below, zero) = (self.negate(x), self.number(0.0));
+        self.choose(below, zero, power)
     }
 
     /// Returns the angle of the point (x, y).
@@ -206,7 +245,8 @@ impl Unary {
             Self::Sinh => x * (-(x * x)).stumpff(1),
             Self::Cosh => (-(x * x)).stumpff(0),
             Self::Tanh => x.tanh(),
-            Self::Absolute => x.select_nonnegative(x, -x),
+            // + 0 makes 0 of −0
+            Self::Absolute => x.select_nonnegative(x, -x) + 0.0,
             Self::Sign => x.select_nonnegative(T::from_f64(1.0), T::from_f64(-1.0)),
         }
     }

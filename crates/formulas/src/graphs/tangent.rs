@@ -27,7 +27,7 @@ impl Graph {
                 }
                 Node::Power(a, bits) => {
                     let exponent = f64::from_bits(bits);
-                    let power = self.power(a, exponent - 1.0);
+                    let power = self.inner_power(a, exponent - 1.0);
                     let scaled = self.scale(exponent, at(a));
                     self.multiply(scaled, power)
                 }
@@ -35,6 +35,7 @@ impl Graph {
                     let derivative = self.function_derivative(function, a, id);
                     self.multiply(derivative, at(a))
                 }
+                Node::Choose([condition, a, b]) => self.choose(condition, at(a), at(b)),
                 Node::Angle(y, x) => {
                     let (dy, dx) = self.angle_derivatives(y, x);
                     self.two_terms([(at(y), dy), (at(x), dx)], zero)

@@ -53,6 +53,8 @@ struct Compiled {
     names: Vocabulary,
     dimension: usize,
     period: Option<f64>,
+    /// Whether the derivatives are numbers, and no part is chosen by a condition.
+    has_constant_gradient: bool,
     value: Tape,
     gradient: Tape,
     second_derivative: Tape,
@@ -104,6 +106,8 @@ impl Formula {
         let inputs = names.coordinates().dimension();
         let period = graph.period(value);
         let gradient = graph.gradient(value, inputs);
+        let is_constant = gradient.iter().all(|&slope| graph.as_number(slope).is_some());
+        let has_constant_gradient = is_constant && !graph.is_piecewise(value);
         let tangents = graph.tangents(&gradient, inputs);
         let tape = |roots: &[usize], inputs, first| {
             Tape::new(&graph, roots, inputs, first)
@@ -116,8 +120,16 @@ impl Formula {
             names: names.clone(),
             dimension: inputs,
             period,
+            has_constant_gradient,
             syntax,
         })))
+    }
+
+    /// Returns the scalar parts of the formula as formulas, each after its own parts. The last one is the formula.
+    pub(crate) fn parts(&self) -> impl Iterator<Item = Self> + '_ {
+        let Compiled { syntax, names, .. } = &*self.0;
+        let part = |place| Self::of_syntax(syntax.up_to(place)?, names, 0..0).ok();
+        (0..syntax.parts().count()).filter_map(part)
     }
 
     /// Returns the names of coordinates and parameters in which the formula is written.
@@ -198,6 +210,25 @@ impl Formula {
     #[must_use]
     pub fn differential_at(&self, z: &[f64]) -> Vec<f64> {
         self.0.gradient.list(z)
+    }
+
+    /// Returns the coefficients a_i if the formula is a linear form Σ a_i zᵢ, and `None` otherwise.
+    ///
+    /// ```
+    /// use lie_poisson::So3;
+    /// use lie_poisson_formulas::{Formula, Parameters, Vocabulary};
+    /// let names = Vocabulary::of(&So3, &Parameters::new())?;
+    /// let form = |text| Ok::<_, Box<dyn std::error::Error>>(Formula::new(text, &names)?.linear_form());
+    /// assert_eq!(form("2*Pi1 - (Pi3 + Pi1)")?, Some(vec![1.0, 0.0, -1.0]));
+    /// assert_eq!(form("|Pi1|")?, None);
+    /// assert_eq!(form("Pi1 + 1")?, None);
+    /// # Ok::<(), Box<dyn std::error::Error>>(())
+    /// ```
+    #[must_use]
+    pub fn linear_form(&self) -> Option<Vec<f64>> {
+        let zero = vec![0.0; self.dimension()];
+        let is_linear = self.0.has_constant_gradient && self.value_at(&zero) == 0.0;
+        is_linear.then(|| self.differential_at(&zero))
     }
 
     /// Returns the derivative D²h(z)·v of the differential along v, with the coordinates Σⱼ ∂²h/∂zᵢ∂zⱼ vⱼ.

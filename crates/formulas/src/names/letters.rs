@@ -3,7 +3,8 @@
 /// The words that cannot be the name of a coordinate or of a parameter.
 pub(crate) const RESERVED: &[&str] = &[
     "pi", "dot", "cross", "norm", "abs", "sqrt", "exp", "ln", "log", "sin", "cos", "tan", "sinh",
-    "cosh", "tanh", "atan2",
+    "cosh", "tanh", "atan2", "arcsin", "asin", "arccos", "acos", "arctan", "atan", "log10", "cbrt",
+    "hypot", "if",
 ];
 
 /// The names of the Greek letters, from alpha to omega; the second sigma is the final one.

@@ -25,6 +25,8 @@ pub(crate) enum Operation {
     Function(Unary),
     /// The angle of the point (b, a).
     Angle,
+    /// b where a ≥ 0, and c elsewhere.
+    Choose,
 }
 
 /// A step of a computation: an operation, and the places of its operands and of its result.

@@ -189,6 +189,7 @@ impl Instruction<u16> {
             Operation::Power(n) => a.powi(n),
             Operation::Function(function) => function.apply(a),
             Operation::Angle => a.atan2(b()),
+            Operation::Choose => a.select_nonnegative(b(), registers[place(c)]),
         };
         registers[place(self.target)] = result;
     }

@@ -108,6 +108,12 @@ impl Expressions {
         self.part(Part::Component(x.0, index))
     }
 
+    /// Adds y where x ≥ 0, and z elsewhere, of a scalar x and of two scalars or two vectors. Derivatives are those of the
+    /// chosen part.
+    pub fn choose(&mut self, x: Expression, y: Expression, z: Expression) -> Expression {
+        self.part(Part::Choose([x.0, y.0, z.0]))
+    }
+
     /// Adds a function of scalars, by its name in [formulas](crate#the-language), such as `sin`.
     ///
     /// # Errors

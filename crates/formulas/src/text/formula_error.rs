@@ -206,6 +206,9 @@ pub enum Problem {
         /// The number of arguments in the text.
         found: usize,
     },
+    /// The first argument of `if` is no comparison.
+    #[error("`if` needs a comparison first, as in `if(x >= 0, y, z)`")]
+    NoCondition,
     /// A vector stands where a scalar is needed.
     #[error("{place} needs a scalar, not {found}{}", hint(.place))]
     ScalarNeeded {

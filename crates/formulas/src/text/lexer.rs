@@ -1,7 +1,7 @@
 //! The tokens of a text, with their places.
 
 use super::formula_error::{FormulaError, MOST_BYTES, Problem};
-use super::token::{Placed, Token};
+use super::token::{Comparison, Placed, Token};
 use crate::names::letters::{begins_name, canonical, continues_name};
 
 /// Returns the tokens of a text, the last of which is [`Token::End`].
@@ -46,6 +46,12 @@ fn next(first: char, text: &str) -> Result<(Token, usize), (Problem, usize)> {
         ']' => Token::CloseIndex,
         '|' | '‖' | '∥' => Token::Bar,
         ',' => Token::Comma,
+        '<' if second == Some('=') => return Ok((Token::Comparison(Comparison::AtMost), 2)),
+        '>' if second == Some('=') => return Ok((Token::Comparison(Comparison::AtLeast), 2)),
+        '<' => Token::Comparison(Comparison::Less),
+        '>' => Token::Comparison(Comparison::Greater),
+        '≤' | '⩽' => Token::Comparison(Comparison::AtMost),
+        '≥' | '⩾' => Token::Comparison(Comparison::AtLeast),
         '½' => fraction(1.0, 2.0),
         '⅓' => fraction(1.0, 3.0),
         '⅔' => fraction(2.0, 3.0),

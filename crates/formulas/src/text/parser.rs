@@ -5,8 +5,11 @@ use super::formula_error::{FormulaError, MOST_LEVELS, Problem};
 use super::lexer::tokens;
 use super::suggestion::closest;
 use super::syntax::{Function, Operator, Part, Syntax};
-use super::token::{Placed, Token};
+use super::token::{Comparison, Placed, Token};
 use core::ops::Range;
+
+/// The name of the form with a condition: `if(x >= 0, y, z)`.
+pub(crate) const CHOICE: &str = "if";
 
 type Parsed<T> = Result<T, FormulaError>;
 
@@ -208,6 +211,7 @@ impl Parser {
         let other = match name.as_str() {
             "norm" | "abs" => Some(1),
             "dot" | "cross" => Some(2),
+            CHOICE => Some(3),
             _ => function.map(|(_, function)| function.arguments()),
         };
         let opened = self.peek();
@@ -221,7 +225,7 @@ impl Parser {
             // The names of coordinates are not known here: a name counts as an unknown function if it resembles that
             // of a function.
             let names = Function::NAMES.iter().map(|(name, _)| *name);
-            let suggestion = closest(&name, names.chain(["norm", "abs", "dot", "cross"]));
+            let suggestion = closest(&name, names.chain(["norm", "abs", "dot", "cross", CHOICE]));
             let problem = match suggestion {
                 Some(_) => Problem::UnknownFunction { name, suggestion },
                 None => Problem::NotAFunction { name },
@@ -229,6 +233,9 @@ impl Parser {
             return Err(FormulaError::new(span, problem));
         };
         self.place += 1;
+        if name == CHOICE {
+            return self.choice(name, span, opened.span);
+        }
         let mut arguments = Vec::new();
         if self.peek().token != Token::Close {
             arguments.push(self.expression(0)?);
@@ -250,5 +257,45 @@ impl Parser {
             }
         };
         Ok(self.syntax.add(part, span))
+    }
+
+    /// Parses the arguments of `if(a >= b, y, z)`, which is y where a − b ≥ 0 and z elsewhere.
+    fn choice(&mut self, name: String, span: Range<usize>, opened: Range<usize>) -> Parsed<usize> {
+        let left = self.expression(0)?;
+        let Placed { token: Token::Comparison(comparison), span: place } = self.take() else {
+            return Err(FormulaError::new(span, Problem::NoCondition));
+        };
+        let right = self.expression(0)?;
+        let mut values = Vec::new();
+        while self.take_if(&Token::Comma) {
+            values.push(self.expression(0)?);
+        }
+        self.close(&Token::Close, opened, "(", ")")?;
+        let [holds, fails] = *values.as_slice() else {
+            let found = 1 + values.len();
+            let problem = Problem::WrongArgumentCount { name, expected: 3, found };
+            return Err(FormulaError::new(span, problem));
+        };
+        // a > b is the contrary of b ≥ a.
+        let (above, below, holds, fails) = match comparison {
+            Comparison::AtLeast => (left, right, holds, fails),
+            Comparison::AtMost => (right, left, holds, fails),
+            Comparison::Greater => (right, left, fails, holds),
+            Comparison::Less => (left, right, fails, holds),
+        };
+        let difference = self.difference(above, below, place);
+        Ok(self.syntax.add(Part::Choose([difference, holds, fails]), span))
+    }
+
+    /// Returns a − b, in which 0 is left out.
+    fn difference(&mut self, a: usize, b: usize, place: Range<usize>) -> usize {
+        let is_zero = |syntax: &Syntax, part| syntax.part(part) == Some(Part::Number(0.0));
+        if is_zero(&self.syntax, b) {
+            a
+        } else if is_zero(&self.syntax, a) {
+            self.syntax.add(Part::Negate(b), place)
+        } else {
+            self.syntax.add(Part::Binary(Operator::Subtract, a, b), place)
+        }
     }
 }

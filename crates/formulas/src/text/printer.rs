@@ -1,6 +1,6 @@
 //! The printer: from a syntax tree to a text that parses to the same tree.
 
-use super::parser::{SIGN, powers};
+use super::parser::{CHOICE, SIGN, powers};
 use super::syntax::{Operator, Part, Syntax};
 
 /// How tightly a number, a name, a function or a bracket holds together.
@@ -48,6 +48,10 @@ pub(crate) fn print(syntax: &Syntax) -> String {
                 }
                 call.push(')');
                 (call, WHOLE)
+            }
+            Part::Choose([x, y, z]) => {
+                let [x, y, z] = [x, y, z].map(|part| text(part, 0));
+                (format!("{CHOICE}({x} >= 0, {y}, {z})"), WHOLE)
             }
             Part::Binary(operator, x, y) => {
                 let sign = match operator {

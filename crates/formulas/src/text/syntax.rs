@@ -26,7 +26,13 @@ pub(crate) enum Function {
     Sinh,
     Cosh,
     Tanh,
+    Arcsin,
+    Arccos,
+    Arctan,
+    Log10,
+    Cbrt,
     Atan2,
+    Hypot,
 }
 
 impl Function {
@@ -42,7 +48,16 @@ impl Function {
         ("sinh", Self::Sinh),
         ("cosh", Self::Cosh),
         ("tanh", Self::Tanh),
+        ("arcsin", Self::Arcsin),
+        ("asin", Self::Arcsin),
+        ("arccos", Self::Arccos),
+        ("acos", Self::Arccos),
+        ("arctan", Self::Arctan),
+        ("atan", Self::Arctan),
+        ("log10", Self::Log10),
+        ("cbrt", Self::Cbrt),
         ("atan2", Self::Atan2),
+        ("hypot", Self::Hypot),
     ];
 
     /// Returns the name in formulas.
@@ -53,7 +68,7 @@ impl Function {
 
     /// Returns the number of arguments.
     pub(crate) const fn arguments(self) -> usize {
-        if matches!(self, Self::Atan2) { 2 } else { 1 }
+        if matches!(self, Self::Atan2 | Self::Hypot) { 2 } else { 1 }
     }
 }
 
@@ -66,6 +81,8 @@ pub(crate) enum Part {
     Negate(usize),
     Binary(Operator, usize, usize),
     Call(Function, [usize; 2]),
+    /// b where a ≥ 0, and c elsewhere.
+    Choose([usize; 3]),
     /// |x|, of a scalar or a vector.
     Norm(usize),
     /// A component, counted from 1.
@@ -75,13 +92,14 @@ pub(crate) enum Part {
 impl Part {
     /// Returns the places of its own parts.
     pub(crate) fn parts(self) -> impl Iterator<Item = usize> {
-        let (first, second) = match self {
-            Self::Number(_) | Self::Name(_) => (None, None),
-            Self::Negate(x) | Self::Norm(x) | Self::Component(x, _) => (Some(x), None),
-            Self::Call(function, [x, _]) if function.arguments() == 1 => (Some(x), None),
-            Self::Binary(_, x, y) | Self::Call(_, [x, y]) => (Some(x), Some(y)),
+        let parts = match self {
+            Self::Number(_) | Self::Name(_) => [None; 3],
+            Self::Negate(x) | Self::Norm(x) | Self::Component(x, _) => [Some(x), None, None],
+            Self::Call(function, [x, _]) if function.arguments() == 1 => [Some(x), None, None],
+            Self::Binary(_, x, y) | Self::Call(_, [x, y]) => [Some(x), Some(y), None],
+            Self::Choose(parts) => parts.map(Some),
         };
-        first.into_iter().chain(second)
+        parts.into_iter().flatten()
     }
 
     /// Returns the part with its own parts at other places.
@@ -93,6 +111,7 @@ impl Part {
             Self::Component(x, index) => Self::Component(place(x)?, index),
             Self::Call(function, [x, y]) => Self::Call(function, [place(x)?, place(y)?]),
             Self::Binary(operator, x, y) => Self::Binary(operator, place(x)?, place(y)?),
+            Self::Choose([x, y, z]) => Self::Choose([place(x)?, place(y)?, place(z)?]),
         })
     }
 }
@@ -151,6 +170,11 @@ impl Syntax {
             *places.get_mut(i)? = new;
         }
         Some(tree)
+    }
+
+    /// Returns the part at a place.
+    pub(crate) fn part(&self, place: usize) -> Option<Part> {
+        self.parts.get(place).copied()
     }
 
     /// Returns how many parts use each part.

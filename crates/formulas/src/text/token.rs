@@ -3,6 +3,15 @@
 use core::fmt;
 use core::ops::Range;
 
+/// A comparison of two scalars.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(crate) enum Comparison {
+    Less,
+    AtMost,
+    Greater,
+    AtLeast,
+}
+
 /// A word of a formula.
 #[derive(Clone, Debug, PartialEq)]
 pub(crate) enum Token {
@@ -25,6 +34,8 @@ pub(crate) enum Token {
     CloseIndex,
     Bar,
     Comma,
+    /// `<`, `>`, `<=` or `>=`.
+    Comparison(Comparison),
     End,
 }
 
@@ -56,6 +67,10 @@ impl fmt::Display for Token {
             Self::CloseIndex => "]",
             Self::Bar => "|",
             Self::Comma => ",",
+            Self::Comparison(Comparison::Less) => "<",
+            Self::Comparison(Comparison::AtMost) => "<=",
+            Self::Comparison(Comparison::Greater) => ">",
+            Self::Comparison(Comparison::AtLeast) => ">=",
         };
         write!(f, "`{sign}`")
     }

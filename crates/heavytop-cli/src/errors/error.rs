@@ -266,6 +266,14 @@ pub enum Error {
         /// The step, the time and the reason.
         source: IntegrationError,
     },
+    /// A quantity that is written has no finite value during the run.
+    #[error("at t = {time}")]
+    NoValue {
+        /// The time (s).
+        time: f64,
+        /// The quantity, the part of it without a value, and the state.
+        source: Box<FormulaSystemError>,
+    },
     /// An integrator that was to be timed failed.
     #[error("{name}")]
     Timed {

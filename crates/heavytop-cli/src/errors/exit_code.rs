@@ -20,6 +20,7 @@ impl Error {
             Self::Reference { .. }
             | Self::Write { .. }
             | Self::Integration { .. }
+            | Self::NoValue { .. }
             | Self::Timed { .. }
             | Self::Crossing { .. }
             | Self::AllFailed { .. }

@@ -76,12 +76,12 @@ pub enum SweepError {
         /// The name that both columns would have.
         name: String,
     },
-    /// The algebra of a member has other Casimirs than that of the configuration, so that they have no columns.
+    /// The algebra of a member has another number of independent Casimirs than that of the configuration.
     #[error("it has {found} Casimirs, and the system with the configured parameters {expected}")]
     Casimirs {
-        /// The number of Casimirs of the member.
+        /// The number of independent Casimirs of the member, whether they are polynomials or not.
         found: usize,
-        /// The number of columns for them.
+        /// The number of independent Casimirs of the system with the configured parameters.
         expected: usize,
     },
     /// Two axes set the same number.

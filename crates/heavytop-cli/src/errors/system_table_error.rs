@@ -36,6 +36,14 @@ pub enum SystemTableError {
     /// There is no such system, no such method for it, or no such initial state.
     #[error(transparent)]
     Formula(#[from] FormulaSystemError),
+    /// A coordinate has the name of a column that the output of the command has beside the coordinates.
+    #[error(
+        "the output would have two columns or arrays with the name {name}: rename the coordinate"
+    )]
+    SameColumn {
+        /// The name of both columns.
+        name: String,
+    },
     /// The attitude of a system that is no body is asked for.
     #[error("a system has no attitude")]
     NoAttitude,
@@ -54,6 +62,7 @@ impl SystemTableError {
                 .map(|other| (below_system(other), "leave out all but one"))
                 .to_vec(),
             Self::StructureConstants(_) => key("system.structure_constants", ""),
+            Self::SameColumn { .. } => key("system.coordinates", "choose another name"),
             Self::Parameter { name, .. } => vec![(format!("system.parameters.{name}"), "")],
             Self::Formula(error) => keys_of(error),
             Self::NoAttitude => key("output.attitude", "write false, or leave it out"),

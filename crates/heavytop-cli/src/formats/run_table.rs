@@ -1,9 +1,11 @@
 //! The table of a run: its columns and rows.
 
+use crate::errors::SystemTableError;
 use crate::runs::{Experiment, Moment, SystemExperiment};
 use heavytop::{HeavyTop, Invariant, PrincipalAxes, attitude_of_vertical};
 use lie_poisson::{Covector, Pair, Quaternion, Se3Dual};
 use std::array;
+use std::collections::HashSet;
 use std::ops::Range;
 
 /// The names of the columns of a state.
@@ -24,6 +26,20 @@ fn turn_about_the_vertical(axes: &PrincipalAxes, start: &Se3Dual) -> Quaternion 
     let given = axes.state_from_principal(start);
     let shortest = axes.attitude_from_principal(&attitude_of_vertical(&start.0.1));
     attitude_of_vertical(&given.0.1) * shortest.conjugate()
+}
+
+/// Checks that no two columns of an output have one name.
+///
+/// # Errors
+/// If two have, with the name.
+pub fn require_distinct<'a>(
+    columns: impl IntoIterator<Item = &'a str>,
+) -> Result<(), SystemTableError> {
+    let mut seen = HashSet::new();
+    match columns.into_iter().find(|name| !seen.insert(*name)) {
+        Some(name) => Err(SystemTableError::SameColumn { name: name.to_owned() }),
+        None => Ok(()),
+    }
 }
 
 /// The number of numbers that are formatted before their texts are copied.
@@ -91,8 +107,10 @@ impl RunTable {
     }
 
     /// Creates the table of a system: t, the coordinates, h, and the Casimirs c1, c2 and so on.
-    #[must_use]
-    pub fn of_system(experiment: &SystemExperiment) -> Self {
+    ///
+    /// # Errors
+    /// If a coordinate, or a vector of them, has the name of another column.
+    pub fn of_system(experiment: &SystemExperiment) -> Result<Self, SystemTableError> {
         let coordinates = experiment.system.algebra().coordinates();
         let names: Vec<String> = coordinates.names().collect();
         let groups = coordinates.groups().map(|(name, places)| (name, places.len()));
@@ -104,7 +122,9 @@ impl RunTable {
             table.push(&format!("c{i}"));
         }
         table.invariants = first..table.columns.len();
-        table
+        require_distinct(table.columns.iter().map(String::as_str))?;
+        require_distinct(table.arrays.iter().map(|(name, _)| name.as_str()))?;
+        Ok(table)
     }
 
     /// Creates a table of columns in groups, each with its width.

@@ -39,7 +39,17 @@ impl SystemTask for RecordSystem<'_> {
         let Schedule { step, .. } = *self.0.schedule;
         let start = self.0.schedule.start();
         let run = Start::<f64>::trajectory(integrator, &start, step).map_err(refused)?;
-        self.0.follow(integrator, run, |_| None)
+        let system = self.0.quantities.0;
+        let record = self.0.follow(integrator, run, |_| None)?;
+        // The numbers of a sample that are not finite have a reason, which names the formula and the state.
+        let widths = (system.algebra().dimension(), self.0.quantities.count());
+        let samples = record.samples.states.chunks(widths.0).zip(record.values.chunks(widths.1));
+        for (state, values) in samples {
+            if values.iter().any(|value| !value.is_finite()) {
+                system.invariants(state).map_err(refused)?;
+            }
+        }
+        Ok(record)
     }
 }
 

@@ -82,6 +82,16 @@ pub fn systems_and_states() -> Vec<String> {
         let method = SystemMethod::new(tiny.algebra(), collective, SchemeName::Gauss(2), 0.0)?;
         method.integrate(&tiny, &state, Nothing)
     };
+    // y/x² is a Casimir, but no polynomial; z is another one.
+    let section_on_another_orbit = || -> Outcome<_> {
+        let names = Coordinates::scalars(["a", "x", "y", "z"])?;
+        let brackets = [("a, x", "x"), ("a, y", "2*y")];
+        let algebra = SystemAlgebra::of_brackets(names, brackets, &Parameters::new())?;
+        let lost = FormulaSystem::new(algebra, "a^2 + x^2", &Parameters::new())?;
+        let lost = lost.with_found_casimirs()?;
+        let at = (0.0, Direction::Both);
+        SystemSection::new(&lost, "a", &Parameters::new(), at)?.starts(&[1.0; 4], &[2.0, 3.0], 1, 0)
+    };
     // A program may look for the Casimirs of a system before it makes the system.
     let casimirs =
         || -> Outcome<_> { Ok(find_casimirs(&So3, &Coordinates::scalars(["x", "y"])?)?) };
@@ -93,6 +103,8 @@ pub fn systems_and_states() -> Vec<String> {
         refused(so3.state([("Pi", &[1.0][..])])),
         refused(so3.state([("Pi", &[1.0, 2.0, 3.0][..]), ("Pi1", &[1.0])])),
         refused(body.invariants(&[1.0, 2.0])),
+        refused(system("ln(Pi1 - 5)").unwrap().invariants(&state)),
+        refused(section_on_another_orbit()),
         refused(section("Gamma3", 0.0)),
         refused(section("Pi3", 0.0).unwrap().with_axes(["Pi1", "Pi4"], &none)),
         refused(SystemSection::new(&plane, "x", &none, (0.0, Direction::Up))),

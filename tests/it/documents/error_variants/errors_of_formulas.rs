@@ -31,6 +31,12 @@ fn table(entries: &[(usize, usize, usize, f64)]) -> Result<(), EntryError> {
     structure_constants::<3>(&entries.iter().map(entry).collect::<Vec<_>>()).map(|_| ())
 }
 
+/// Returns a formula that has no value at Π₁ = 0, and none of its derivative at Π₂ = 0.
+fn logarithm() -> Formula {
+    let names = Vocabulary::of(&So3, &Parameters::new()).unwrap();
+    Formula::new("ln(Pi1) + sqrt(Pi2)", &names).unwrap()
+}
+
 /// Returns the errors of names, of tables, and of the search for Casimirs.
 pub fn names_and_tables() -> Vec<String> {
     let names = Coordinates::new;
@@ -45,6 +51,8 @@ pub fn names_and_tables() -> Vec<String> {
         refused(table(&[(0, 1, 2, 1.0), (1, 0, 2, 1.0)])),
         refused(table(&[(1, 1, 2, 1.0)])),
         refused(table(&[(0, 1, 2, 1.0), (0, 2, 1, 1.0), (1, 2, 1, 1.0)])),
+        refused(logarithm().checked_value(&[0.0; 3])),
+        refused(logarithm().checked_differential(&[1.0, 0.0, 0.0])),
         refused(casimirs(&["x", "y"])),
         refused(casimirs(&["x", "y", "sin"])),
         refused(find_casimirs(&Infinite, &Coordinates::scalars(["x", "y", "z"]).unwrap())),
@@ -86,6 +94,7 @@ pub fn problems() -> Vec<String> {
         "Pi",
         "Pi1/0",
         "ln(0)",
+        "if(Pi1, 1, 2)",
     ];
     let mut found: Vec<String> = texts.iter().map(|text| refused(problem(text))).collect();
     found.push(refused(problem(&product.join("*"))));

@@ -36,6 +36,19 @@ const UNREACHED: [(&str, &str); 1] = [(
      get more variants",
 )];
 
+/// Returns a word of a message that is a Rust path or the name of a type. Users of the program do not read Rust.
+fn rust_name(message: &str) -> Option<&str> {
+    let words = message.split(|c: char| !(c.is_alphanumeric() || c == '_' || c == ':'));
+    let is_type = |word: &str| {
+        let letters: Vec<char> = word.chars().collect();
+        let humps =
+            letters.windows(2).filter(|pair| pair[0].is_lowercase() && pair[1].is_uppercase());
+        let plain = ["NumPy", "NaN", "MiB", "GiB", "KiB", "TiB"].contains(&word);
+        humps.count() > 0 && !plain && letters.first().is_some_and(|first| first.is_uppercase())
+    };
+    words.into_iter().find(|word| word.contains("::") || is_type(word))
+}
+
 /// Returns the type and the variant of the error of a call, such as `StepError::NotFinite`.
 #[track_caller]
 fn refused<T, E: Error>(outcome: Result<T, E>) -> String {
@@ -43,6 +56,7 @@ fn refused<T, E: Error>(outcome: Result<T, E>) -> String {
     let Err(error) = outcome else { panic!("{kind}: the call succeeded") };
     // A message that panics or is empty helps nobody.
     assert!(!error.to_string().is_empty(), "{error:?}");
+    assert_eq!(rust_name(&error.to_string()), None, "{error}");
     let text = format!("{error:?}");
     let end = text.find(|c: char| !c.is_alphanumeric()).unwrap_or(text.len());
     format!("{kind}::{}", &text[..end])

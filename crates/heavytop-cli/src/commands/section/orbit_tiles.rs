@@ -134,11 +134,6 @@ impl<'a> Orbits<'a> {
     }
 }
 
-/// Returns the names of the columns.
-pub(super) fn header(settings: &Settings) -> String {
-    format!("start,crossing,t,{},x,y", settings.problem.as_problem().columns().join(","))
-}
-
 /// Returns the numbers in the columns after the first two.
 pub(super) fn values(crossing: &Crossing) -> impl Iterator<Item = f64> {
     let Crossing { time, state, plane } = crossing;

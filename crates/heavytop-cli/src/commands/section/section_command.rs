@@ -1,6 +1,6 @@
 //! The command `section`: from a configuration to the table and the picture of a Poincaré section.
 
-use super::orbit_tiles::{Orbits, Stuck, header};
+use super::orbit_tiles::{Orbits, Stuck};
 use super::picture::Picture;
 use super::point_table::PointTable;
 use super::section_summary::SectionSummary;
@@ -138,8 +138,8 @@ fn write_points(
 ) -> Result<Survey, Error> {
     let mut survey = Survey::new(settings);
     let mut text = Output::create(csv).map_err(Error::too_late)?;
-    let mut table = PointTable::begin(&header(settings), metadata, parquet)?;
-    text.write(|to| writeln!(to, "{}", header(settings)))?;
+    let mut table = PointTable::begin(&settings.header(), metadata, parquet)?;
+    text.write(|to| writeln!(to, "{}", settings.header()))?;
     for tile in 0..orbits.count() {
         let (lines, orbits) = orbits.finished(tile)?;
         text.write(|to| to.write_all(lines.as_bytes()))?;
@@ -201,7 +201,7 @@ fn keep(
     csv: &Path,
 ) -> Result<PathBuf, Error> {
     let mut text = Output::create(csv)?;
-    text.write(|to| writeln!(to, "{}", header(settings)))?;
+    text.write(|to| writeln!(to, "{}", settings.header()))?;
     for tile in 0..stuck.tile {
         let (lines, _) = orbits.finished(tile)?;
         text.write(|to| to.write_all(lines.as_bytes()))?;

@@ -6,6 +6,7 @@ use super::problems::system_problem::SystemProblem;
 use super::problems::top_problem::TopProblem;
 use crate::Error;
 use crate::configuration::{Config, Integration, SectionConfig};
+use crate::formats::run_table::require_distinct;
 use crate::runs::schedule::directed_step;
 
 /// The largest number of points; more must be a typing error.
@@ -75,7 +76,14 @@ impl Settings {
         }
         let (starts, crossings, steps) = (starts as usize, crossings as usize, steps as usize);
         let limits = Limits { step, longest, steps, crossings, starts, seed };
-        Ok(Self { problem, limits })
+        let settings = Self { problem, limits };
+        require_distinct(settings.header().split(',')).map_err(Error::from)?;
+        Ok(settings)
+    }
+
+    /// Returns the names of the columns of the points.
+    pub fn header(&self) -> String {
+        format!("start,crossing,t,{},x,y", self.problem.as_problem().columns().join(","))
     }
 
     /// Returns the configuration with every key that was left out and plays a part.

@@ -16,7 +16,7 @@ use std::time::Instant;
 /// If there is no such run, or the output has no format.
 pub fn forecast(config: &Config, out: &Path) -> Result<Forecast, Error> {
     let (width, pace) = match config.system_experiment()? {
-        Some(system) => (RunTable::of_system(&system).width() as u64, system.pace),
+        Some(system) => (RunTable::of_system(&system)?.width() as u64, system.pace),
         None => {
             let experiment = config.experiment()?;
             (RunTable::new(&experiment).width() as u64, experiment.pace())
@@ -37,6 +37,7 @@ pub fn dry_run(config: &Config, out: &Path) -> Result<Forecast, Error> {
     let mut trial = Trial::begin(format);
     let pace = match config.system_experiment()? {
         Some(system) => {
+            RunTable::of_system(&system)?;
             let outcome = system.follow(None, |moment| trial.add(moment.step, moment.row));
             trial.end(outcome)?;
             system.pace

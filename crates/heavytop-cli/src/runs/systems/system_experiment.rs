@@ -100,7 +100,9 @@ impl SystemExperiment {
         row.clear();
         row.push(time);
         row.extend((0..self.start.len()).map(|i| mu.coordinate(i)));
-        let invariants = self.system.invariants(row.get(1..).unwrap_or_default())?;
+        let invariants = self.system.invariants(row.get(1..).unwrap_or_default());
+        let invariants =
+            invariants.map_err(|source| Error::NoValue { time, source: Box::new(source) })?;
         row.extend(invariants);
         Ok(())
     }

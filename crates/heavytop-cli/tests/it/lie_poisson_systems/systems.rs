@@ -342,3 +342,79 @@ fn the_systems_of_the_help_and_of_the_guide_run() {
     }
     assert_eq!(count, 9);
 }
+
+/// A quantity without a value is an error that names the formula, the part without a value, and the state; before the
+/// run if it is at the start.
+#[test]
+fn a_quantity_without_a_value_is_an_error() {
+    let folder = Folder::new();
+    let body = |hamiltonian: &str, initial: &str| {
+        format!(
+            "[system]\nalgebra = 'so(3)'\nhamiltonian = '{hamiltonian}'\ninitial.Pi = {initial}\n\
+             [integrator]\nstep = 0.1\nend = 1\n"
+        )
+    };
+    for (hamiltonian, initial, said) in [
+        (
+            "ln(Pi1 - 5)",
+            "[1, 0, 0]",
+            "ln(Pi1 - 5) has no value at Pi1 = 1, Pi2 = 0, Pi3 = 0, where ln(Pi1 - 5) is not a number",
+        ),
+        (
+            "sqrt(Pi1^2 + Pi2^2) + Pi3",
+            "[0, 0, 1]",
+            "sqrt(Pi1^2 + Pi2^2) + Pi3 has no derivative at Pi1 = 0, Pi2 = 0, Pi3 = 1, where that of \
+             sqrt(Pi1^2 + Pi2^2) with respect to Pi1 is not a number",
+        ),
+    ] {
+        folder.write("a.toml", &body(hamiltonian, initial));
+        let run = folder.heavytop(&["simulate", "a.toml", "--out", "a.csv"]);
+        assert_eq!(run.code(), 2, "{}", run.stderr());
+        assert!(run.stderr().contains(said), "{}", run.stderr());
+        assert_eq!(folder.names(), ["a.toml"]);
+    }
+    // Powers of lengths have a derivative at 0.
+    folder.write("a.toml", &body("|Pi|^1.5 + Pi3", "[0, 0, 0]"));
+    let run = folder.heavytop(&["simulate", "a.toml", "--out", "a.csv"]);
+    assert_eq!((run.code(), run.complaints().as_str()), (0, ""));
+    // y = eᵗ comes to the end of the logarithm at t = ln 2 = 0.69: the rows before are kept.
+    let growing = "[system]\ncoordinates = ['x', 'y']\nbrackets = { 'x, y' = 'y' }\n\
+        hamiltonian = 'x + 1e-9*ln(2 - y)'\ninitial = { x = 0, y = 1 }\n\
+        [integrator]\nformulation = 'direct'\nscheme = 'rk4'\nstep = 0.1\nend = 1\n";
+    folder.write("b.toml", growing);
+    let run = folder.heavytop(&["simulate", "b.toml", "--out", "b.csv"]);
+    assert_eq!(run.code(), 1, "{}", run.stderr());
+    let said = "where ln(2 - y) is not a number";
+    assert!(run.stderr().contains(said) && run.stderr().contains("t = 0.7"), "{}", run.stderr());
+    assert_eq!(folder.read("b.csv.partial").lines().count(), 1 + 7);
+}
+
+/// A coordinate that has the name of another column or array is refused before the run, in every format.
+#[test]
+fn columns_have_different_names() {
+    let folder = Folder::new();
+    let system = |name: &str| {
+        format!(
+            "[system]\ncoordinates = ['{name}', 'b', 'c']\n\
+             brackets = {{ '{name}, b' = 'c', 'b, c' = '{name}', 'c, {name}' = 'b' }}\n\
+             hamiltonian = '{name}^2 + b^2/2'\ninitial = {{ {name} = 1, b = 0.5, c = 0.2 }}\n\
+             [integrator]\nend = 1\n"
+        )
+    };
+    for name in ["h", "t", "c1"] {
+        folder.write("a.toml", &system(name));
+        for out in ["a.csv", "a.npz", "a.parquet"] {
+            let run = folder.heavytop(&["simulate", "a.toml", "--out", out]);
+            assert_eq!(run.code(), 2, "{}", run.stderr());
+            let said = format!("two columns or arrays with the name {name}");
+            assert!(run.stderr().contains(&said), "{}", run.stderr());
+        }
+        assert_eq!(folder.names(), ["a.toml"]);
+    }
+    // Control: other names, and those of columns that this algebra does not have.
+    for name in ["a", "x", "c2"] {
+        folder.write("a.toml", &system(name));
+        let run = folder.heavytop(&["simulate", "a.toml", "--out", "a.npz"]);
+        assert_eq!((run.code(), run.complaints().as_str()), (0, ""), "{name}");
+    }
+}

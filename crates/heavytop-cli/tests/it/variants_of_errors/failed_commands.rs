@@ -81,6 +81,10 @@ fn of_numbers(folder: &Folder) -> BTreeSet<String> {
         refused("Error::Argument", compared("", Some(0.0))),
         refused("Error::Reference", compared("integrator = { step = 0.8, end = 80 }", None)),
         refused("Error::Integration", failed),
+        refused(
+            "Error::NoValue",
+            config(LOGARITHM).system_experiment().unwrap().unwrap().follow(None, |_| Ok(())),
+        ),
         refused("Error::SavedState", experiment.follow(Some(&no_saved), |_| Ok(()))),
         refused("Error::Start", no_start.run(|_, _, _, _| Ok(()))),
         refused("Error::Configuration", timed(folder, "2 2 1 1 0 0 1 20\n", "Gauss-12")),
@@ -91,6 +95,11 @@ fn of_numbers(folder: &Folder) -> BTreeSet<String> {
     .flatten()
     .collect()
 }
+
+/// A system whose coordinate y grows as eᵗ, beyond the logarithm of its energy.
+const LOGARITHM: &str = "[system]\ncoordinates = ['x', 'y']\nbrackets = { 'x, y' = 'y' }\n\
+    hamiltonian = 'x + 1e-9*ln(2 - y)'\ninitial = { x = 0, y = 1 }\n\
+    [integrator]\nformulation = 'direct'\nscheme = 'rk4'\nstep = 0.1\nend = 1\n";
 
 /// Returns the file of a problem whose top turns so fast.
 fn problem(speed: &str) -> String {

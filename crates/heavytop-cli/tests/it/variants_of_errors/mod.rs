@@ -45,6 +45,19 @@ fn identifier(text: &str) -> &str {
     text.split(|c: char| !c.is_alphanumeric()).next().unwrap()
 }
 
+/// Returns a word of a message that is a Rust path or the name of a type. Users of the program do not read Rust.
+fn rust_name(message: &str) -> Option<&str> {
+    let words = message.split(|c: char| !(c.is_alphanumeric() || c == '_' || c == ':'));
+    let is_type = |word: &str| {
+        let letters: Vec<char> = word.chars().collect();
+        let humps =
+            letters.windows(2).filter(|pair| pair[0].is_lowercase() && pair[1].is_uppercase());
+        let plain = ["NumPy", "NaN", "MiB", "GiB", "KiB", "TiB"].contains(&word);
+        humps.count() > 0 && !plain && letters.first().is_some_and(|first| first.is_uppercase())
+    };
+    words.into_iter().find(|word| word.contains("::") || is_type(word))
+}
+
 /// Returns the variants of an error and of its causes, such as `Error::Checkpoint` and `CheckpointError::Read`.
 fn variants(error: &(dyn AnyError + 'static)) -> BTreeSet<String> {
     fn named<E: AnyError + 'static>(
@@ -74,6 +87,8 @@ fn variants(error: &(dyn AnyError + 'static)) -> BTreeSet<String> {
 fn refused<T: Debug>(expected: &str, outcome: Result<T, Error>) -> BTreeSet<String> {
     let Err(error) = outcome else { panic!("{expected}: {outcome:?}") };
     let found = variants(&error);
+    // A message may quote what a user wrote, and the file with it; the tests write no Rust.
+    assert_eq!(rust_name(&error.message()), None, "{}", error.message());
     assert!(found.contains(expected), "{expected}: {found:?}, {}", error.message());
     found
 }
@@ -96,6 +111,17 @@ fn every_variant_of_every_error_is_returned() {
     assert!(unknown.is_empty(), "{unknown:?}");
     // There are more than 80; fewer would mean that the reader overlooks some.
     assert!(declared.len() > 80, "{}", declared.len());
+}
+
+/// Negative control: paths and types are seen, names of users and of methods are not.
+#[test]
+fn rust_in_a_message_is_found() {
+    assert_eq!(
+        rust_name("a nearer one, as PoissonMap::recentred finds"),
+        Some("PoissonMap::recentred")
+    );
+    assert_eq!(rust_name("see StepError"), Some("StepError"));
+    assert_eq!(rust_name("gauss-8 of Pi1, at t = NaN: x[1], `system.initial`"), None);
 }
 
 /// Negative control: a variant of any form is read from a source, and the name of an error is that of its own variant.

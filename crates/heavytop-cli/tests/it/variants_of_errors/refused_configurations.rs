@@ -170,6 +170,9 @@ pub fn errors() -> BTreeSet<String> {
     for (expected, text) in SYSTEM_SECTIONS {
         found.push(refused(expected, cut(&format!("{BODY}[section]\n{text}"))));
     }
+    // The points of a section have the columns x and y.
+    let plane = cut(&format!("{GROWING}[section]\nsurface = 'z'"));
+    found.push(refused("SystemTableError::SameColumn", plane));
     for (expected, text) in SWEEPS {
         found.push(refused(expected, sweep_of(&format!("[sweep]\n{text}"))));
     }

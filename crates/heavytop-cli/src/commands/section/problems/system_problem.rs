@@ -264,7 +264,13 @@ impl SystemTask for Follow<'_> {
                 start: number,
                 source,
             })?;
-            visit(sample.time, &numbers(&sample.momentum))?;
+            let state = numbers(&sample.momentum);
+            // What is written and drawn has a value.
+            let values = problem.section.checked_plane(&state).map(drop);
+            values
+                .and_then(|()| problem.system().invariants(&state))
+                .map_err(|source| Error::NoValue { time: sample.time, source: Box::new(source) })?;
+            visit(sample.time, &state)?;
         }
         Ok(())
     }

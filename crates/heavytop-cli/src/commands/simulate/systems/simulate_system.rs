@@ -50,7 +50,7 @@ pub fn simulate_system(
     out: &Path,
     options: &SimulateOptions<'_>,
 ) -> Result<SystemSummary, Error> {
-    let (table, pace) = (RunTable::of_system(experiment), experiment.pace);
+    let (table, pace) = (RunTable::of_system(experiment)?, experiment.pace);
     let config = config.with_integrator();
     let casimirs = experiment.system.casimirs().iter().map(ToString::to_string).collect();
     let dimension = experiment.dimension()?;

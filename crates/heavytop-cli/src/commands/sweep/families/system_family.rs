@@ -19,6 +19,7 @@ use collective_integrators::{Integrator, Start, TangentIntegrator};
 use heavytop::methods::{Formulation, SchemeName};
 use lie_poisson::Vector;
 use lie_poisson_formula_systems::{FormulaSystem, SystemMethod, SystemTask};
+use std::cell::RefCell;
 
 /// Motions of a system, whose parameters or initial states differ.
 #[derive(Clone, Debug, PartialEq)]
@@ -82,7 +83,7 @@ impl SystemFamily {
     /// Returns the system and its initial state at these values of the axes.
     ///
     /// # Errors
-    /// If there is no such system, or its Casimirs do not fit the columns.
+    /// If there is no such system, or its orbits have another dimension, so that it has another number of Casimirs.
     fn member(&self, values: &[f64]) -> Result<(FormulaSystem, Vec<f64>), Error> {
         let (mut table, mut start) = (self.table.clone(), self.start.clone());
         for (varied, value) in self.numbers.iter().zip(values) {
@@ -93,7 +94,11 @@ impl SystemFamily {
             true => self.system.clone(),
             false => table.formula_system_near(&self.system)?,
         };
-        let (found, expected) = (system.casimirs().len(), self.system.casimirs().len());
+        // Whether a Casimir is a polynomial may depend on the parameters; how many there are, on the kind of the algebra.
+        let independent = |system: &FormulaSystem| {
+            system.casimirs().len() + system.missing_casimirs().unwrap_or_default()
+        };
+        let (found, expected) = (independent(&system), independent(&self.system));
         match found == expected {
             true => Ok((system, start)),
             false => Err(SweepError::Casimirs { found, expected }.into()),
@@ -236,10 +241,15 @@ impl SystemTask for Follow<'_> {
         I: Start<State: Vector, Momentum: Vector<Scalar = f64>> + TangentIntegrator,
     {
         let Self { family, course, system, start } = self;
-        let gauge = SystemGauge::new(system, start);
+        let undefined = RefCell::new(None);
+        let gauge = SystemGauge::new(system, start, family.system.casimir_degrees(), &undefined);
         let dimension = start.len();
         let start: <I as Integrator>::Momentum =
             Vector::from_coordinates(|i| start.get(i).copied().unwrap_or(0.0));
-        measure(integrator, (&start, dimension), gauge, course, family.method())
+        let measured = measure(integrator, (&start, dimension), gauge, course, family.method())?;
+        if let Some(state) = undefined.into_inner() {
+            system.invariants(&state)?;
+        }
+        Ok(measured)
     }
 }

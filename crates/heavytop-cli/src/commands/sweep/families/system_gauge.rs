@@ -5,32 +5,52 @@ use crate::configuration::Observable;
 use lie_poisson::{Vector, larger};
 use lie_poisson_formula_systems::FormulaSystem;
 use lie_poisson_formulas::Formula;
+use std::cell::RefCell;
 
 /// The deviations of h and of the Casimirs of a system.
 pub(super) struct SystemGauge<'a> {
-    invariants: Vec<&'a Formula>,
+    /// h and the Casimir of each column, if the system has one for it.
+    invariants: Vec<Option<&'a Formula>>,
     initial: Vec<f64>,
     drift: Vec<f64>,
     /// The coordinates of the momentum that was observed last.
     state: Vec<f64>,
+    /// The first state at which an invariant has no finite value.
+    undefined: &'a RefCell<Option<Vec<f64>>>,
 }
 
 impl<'a> SystemGauge<'a> {
-    pub fn new(system: &'a FormulaSystem, start: &[f64]) -> Self {
-        let invariants: Vec<&Formula> =
-            std::iter::once(system.hamiltonian()).chain(system.casimirs()).collect();
-        let initial = invariants.iter().map(|invariant| invariant.value_at(start)).collect();
+    /// Creates the gauge of a system whose Casimirs stand in columns for Casimirs of these degrees. The first state at which
+    /// an invariant has no finite value is put in `undefined`.
+    pub fn new(
+        system: &'a FormulaSystem,
+        start: &[f64],
+        columns: &[u8],
+        undefined: &'a RefCell<Option<Vec<f64>>>,
+    ) -> Self {
+        let casimirs = in_columns(system.casimir_degrees(), columns);
+        let casimirs = casimirs.into_iter().map(|place| system.casimirs().get(place?));
+        let invariants: Vec<Option<&Formula>> =
+            std::iter::once(Some(system.hamiltonian())).chain(casimirs).collect();
+        let value = |invariant: &Option<&Formula>| invariant.map_or(0.0, |f| f.value_at(start));
+        let initial = invariants.iter().map(value).collect();
         let drift = vec![0.0; invariants.len()];
-        Self { invariants, initial, drift, state: start.to_vec() }
+        Self { invariants, initial, drift, state: start.to_vec(), undefined }
     }
 }
 
 impl<M: Vector<Scalar = f64>> Gauge<M> for SystemGauge<'_> {
     fn observe(&mut self, _: f64, momentum: &M) {
-        let Self { invariants, initial, drift, state } = self;
+        let Self { invariants, initial, drift, state, undefined } = self;
         state.iter_mut().enumerate().for_each(|(i, x)| *x = momentum.coordinate(i));
         for ((drift, initial), invariant) in drift.iter_mut().zip(initial).zip(invariants) {
-            *drift = larger(*drift, (invariant.value_at(state) - *initial).abs());
+            if let Some(invariant) = invariant {
+                let value = invariant.value_at(state);
+                if !value.is_finite() {
+                    undefined.borrow_mut().get_or_insert_with(|| state.clone());
+                }
+                *drift = larger(*drift, (value - *initial).abs());
+            }
         }
     }
 
@@ -39,8 +59,42 @@ impl<M: Vector<Scalar = f64>> Gauge<M> for SystemGauge<'_> {
             Observable::FinalState => {
                 (0..self.state.len()).map(|i| Some(end.coordinate(i))).collect()
             }
-            Observable::InvariantDrift => self.drift.iter().copied().map(Some).collect(),
+            Observable::InvariantDrift => {
+                let drifts = self.invariants.iter().zip(&self.drift);
+                drifts.map(|(invariant, drift)| invariant.map(|_| *drift)).collect()
+            }
             _ => Vec::new(),
         }
+    }
+}
+
+/// Returns for each column the place of a Casimir of the column's degree: the n-th Casimir of a degree stands in the n-th
+/// column of this degree. If there are as many Casimirs as columns, they stand in their order.
+fn in_columns(degrees: &[u8], columns: &[u8]) -> Vec<Option<usize>> {
+    if degrees.len() == columns.len() {
+        return (0..columns.len()).map(Some).collect();
+    }
+    let of_degree = |degree: u8, n: usize| {
+        degrees.iter().enumerate().filter(|(_, own)| **own == degree).map(|(place, _)| place).nth(n)
+    };
+    let place = |(column, &degree): (usize, &u8)| {
+        let before = columns.iter().take(column).filter(|other| **other == degree).count();
+        of_degree(degree, before)
+    };
+    columns.iter().enumerate().map(place).collect()
+}
+
+#[cfg(test)]
+mod tests {
+    use super::in_columns;
+
+    #[test]
+    fn casimirs_stand_in_columns_of_their_degrees() {
+        assert_eq!(in_columns(&[1, 2], &[1, 2]), [Some(0), Some(1)]);
+        assert_eq!(in_columns(&[1], &[2]), [Some(0)]);
+        assert_eq!(in_columns(&[2], &[1, 2]), [None, Some(0)]);
+        assert_eq!(in_columns(&[2, 2, 3], &[2, 3]), [Some(0), Some(2)]);
+        assert_eq!(in_columns(&[2, 2], &[2, 2, 2]), [Some(0), Some(1), None]);
+        assert_eq!(in_columns(&[], &[2]), [None]);
     }
 }

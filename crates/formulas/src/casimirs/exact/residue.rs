@@ -1,5 +1,6 @@
 //! Whole numbers modulo a prime, in which linear algebra is exact: [`Residue`].
 
+use crate::casimirs::bracket_table::Number;
 use core::ops::{Add, Mul, Neg, Sub};
 
 /// A prime below 2⁶¹ that is 1 modulo 840, so that 2, 3, 5 and 7 are squares modulo it.
@@ -41,18 +42,6 @@ impl Residue {
         self.power(PRIME - 2)
     }
 
-    /// Returns the residue of an `f64`, which is a whole number times a power of two.
-    pub(crate) fn of_float(x: f64) -> Self {
-        let bits = x.to_bits();
-        let exponent = (bits >> 52) & 0x7ff;
-        let fraction = bits & ((1 << 52) - 1);
-        let mantissa = if exponent == 0 { fraction } else { fraction | 1 << 52 };
-        let shift = exponent.max(1) as i64 - 1075;
-        let two = Self(2).power(shift.unsigned_abs());
-        let size = Self(mantissa) * if shift < 0 { two.inverse() } else { two };
-        if x < 0.0 { -size } else { size }
-    }
-
     /// Returns the fraction a/b that has this residue, if there is one with |a| and b below 2²⁰.
     ///
     /// There is at most one, and one residue in 10⁶ has one by chance.
@@ -73,6 +62,12 @@ impl Residue {
         }
         let (above, below) = if next_t < 0 { (-next_r, -next_t) } else { (next_r, next_t) };
         Some((i64::try_from(above).ok()?, i64::try_from(below).ok()?))
+    }
+}
+
+impl Number for Residue {
+    fn whole(n: u8) -> Self {
+        Self(n.into())
     }
 }
 
@@ -121,16 +116,5 @@ mod tests {
         }
         // Negative control: a number that is not a small fraction.
         assert_eq!(Residue::new(1 << 40).fraction(), None);
-    }
-
-    #[test]
-    fn floats_are_exact() {
-        for (x, a, b) in
-            [(0.5, 1, 2), (-0.75, -3, 4), (3.0, 3, 1), (0.0, 0, 1), (1e6, 1_000_000, 1)]
-        {
-            assert_eq!(Residue::of_float(x).fraction(), Some((a, b)));
-        }
-        let tiny = Residue::of_float(f64::from_bits(1));
-        assert_eq!(tiny * Residue(2).power(1074), Residue::ONE);
     }
 }
