@@ -6,11 +6,11 @@ use lie_poisson_formulas::{
 use pyo3::exceptions::PyValueError;
 use pyo3::{FromPyObject, IntoPyObject, PyErr, PyResult};
 
-/// A part of a traced function: an operation, a number, and the places of up to two parts before it.
+/// A part of a traced function: an operation, a number, and the places of up to three parts before it.
 ///
 /// The operations are `number`, `coordinate` with its index, `add`, `subtract`, `multiply`, `divide`, `power`, `negate`,
-/// `abs`, and the functions of formulas by name.
-pub(crate) type TracedPart = (String, f64, usize, usize);
+/// `abs`, `where`, and the functions of formulas by name.
+pub(crate) type TracedPart = (String, f64, usize, usize, usize);
 
 /// A scalar function of the state.
 #[derive(Clone, FromPyObject, IntoPyObject)]
@@ -46,7 +46,7 @@ pub(crate) fn expressions(
 ) -> PyResult<(Expressions, Expression)> {
     let coordinates: Vec<String> = coordinates.names().collect();
     let (mut all, mut places) = (Expressions::new(), Vec::with_capacity(parts.len()));
-    for (operation, number, first, second) in parts {
+    for (operation, number, first, second, third) in parts {
         let at = |place: &usize| places.get(*place).copied().ok_or_else(malformed);
         let place: Expression = match operation.as_str() {
             "number" => all.number(*number),
@@ -58,6 +58,7 @@ pub(crate) fn expressions(
             "power" => all.power(at(first)?, at(second)?),
             "negate" => all.negate(at(first)?),
             "abs" => all.norm(at(first)?),
+            "where" => all.choose(at(first)?, at(second)?, at(third)?),
             "atan2" => all.call("atan2", &[at(first)?, at(second)?]).map_err(refused)?,
             function => all.call(function, &[at(first)?]).map_err(refused)?,
         };

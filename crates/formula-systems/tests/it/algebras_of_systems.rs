@@ -55,7 +55,11 @@ fn what_is_no_algebra_is_refused() {
     assert_eq!(refused(&letters, &[]), E::Dimension { count: 16, most: 15 });
     assert_eq!(refused(&["x", "y"], &[("x", "y")]), E::NoPair { key: "x".into() });
     assert!(matches!(refused(&["x", "y"], &[("x, y", "z")]), E::Bracket { .. }));
-    assert_eq!(refused(&["x", "y"], &[("x, y", "x*y")]), E::NotLinear { key: "x, y".into() });
+    for text in
+        ["x*y", "|x|", "x + 1", "if(x >= 5, x, 2*x)", "if(x > -1, y, 2*y)", "if(x >= 0, 0, 1)"]
+    {
+        assert_eq!(refused(&["x", "y"], &[("x, y", text)]), E::NotLinear { key: "x, y".into() });
+    }
     let jacobi = refused(&["K", "H", "P"], &[("K, H", "P"), ("K, P", "H"), ("H, P", "H")]);
     let [k, h, p] = ["K", "H", "P"].map(String::from);
     // [K, [H, P]] + [H, [P, K]] + [P, [K, H]] = [K, H] − [H, H] + [P, P] = P, one of three terms

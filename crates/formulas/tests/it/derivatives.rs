@@ -122,6 +122,33 @@ fn slopes_at_corners() {
     assert_eq!(slope("|Pi|^2", 0.0), 0.0);
     assert_eq!(slope("|Pi|^3", 0.0), 0.0);
     assert_eq!(slope("Pi1^1.5", 0.0), 0.0);
+    // |v|^p has the value and the slope 0 for p > 1, also in other words; its second derivative along v is no NaN.
+    for text in [
+        "|Pi|^1.5",
+        "|Pi|^1.01 + 2*|Pi|^1.9",
+        "(Pi1^2 + Pi2^2)^0.75",
+        "sqrt(|Pi|^4)",
+        "sqrt((Pi·Pi)^1.5)",
+        "(|Pi|^2*|Gamma|^2 + Pi1^4)^0.6",
+        "abs(Pi1)^1.2",
+    ] {
+        let (h, zero) = (formula(text), point([0.0; 6]));
+        assert_eq!(h.value(&zero), 0.0, "{text}");
+        assert_eq!(h.differential(&zero).max_abs(), 0.0, "{text}");
+        assert!(!h.second_derivative(&zero, &zero).max_abs().is_nan(), "{text}");
+        // Beside 0 the slope is that of dual numbers.
+        let z = point([1e-9, 2e-9, 0.0, 1.0, 2.0, 3.0]);
+        let error = difference(&h.differential(&z), &by_dual_numbers(&h, &z));
+        assert!(error < TOLERANCE, "{text}: {error:e}");
+    }
+    // On a seam the slope is that of the chosen formula.
+    let seam = |text: &str| slope(text, 1.0);
+    assert_eq!(seam("if(Pi1 >= 1, 2*Pi1, 3*Pi1 - 1)"), 2.0);
+    assert_eq!(seam("if(Pi1 > 1, 2*Pi1, 3*Pi1 - 1)"), 3.0);
+    // The other formula may have no value.
+    assert_eq!(slope("if(Pi1 >= 1, ln(Pi1 - 1), Pi1^2)", 0.5), 1.0);
+    // |−0| is 0 with the sign of 0.
+    assert_eq!(formula("|Pi1|").value(&point([-0.0; 6])).to_bits(), 0);
     // the slope 4 exp(−2x) of tanh x where tanh x rounds to 1
     let exact = 4.0 * (-60.0_f64).exp();
     assert!((slope("tanh(Pi1)", 30.0) - exact).abs() < 1e-14 * exact);

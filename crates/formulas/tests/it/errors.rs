@@ -43,6 +43,15 @@ fn errors_name_the_place_and_the_remedy() {
         ("sin*2", "sin", "the function `sin` needs its argument in parentheses"),
         ("sin(Pi1, Pi2)", "sin", "`sin` takes 1 argument(s), not 2"),
         ("atan2(Pi1)", "atan2", "`atan2` takes 2 argument(s), not 1"),
+        ("if(Pi1, 1, 2)", "if", "`if` needs a comparison first, as in `if(x >= 0, y, z)`"),
+        ("if(Pi1 > 0, 1)", "if", "`if` takes 3 argument(s), not 2"),
+        (
+            "if(Pi1 > 0, Pi, 2)",
+            "if",
+            "`if` needs two scalars or two vectors of one dimension, not a vector of dimension 3 and a scalar",
+        ),
+        ("if(Pi > 0, 1, 2)", "if", "`if` needs a scalar, not a vector of dimension 3"),
+        ("Pi1 > 0", ">", "an operator is missing before `>`; write `*` for a product"),
         ("dot()", "dot", "`dot` takes 2 argument(s), not 0"),
         (
             "1 + Pi",

@@ -18,11 +18,13 @@ fn scalar() -> impl Strategy<Value = String> {
     leaf.prop_recursive(6, 60, 2, move |inner| {
         let pair = (inner.clone(), inner.clone());
         let operator = "( \\+ |-|\\*|/|\\^|\\*\\*| \\* )";
-        let function = "(sqrt|exp|ln|log|sin|cos|tan|sinh|cosh|tanh|abs|√|norm)";
+        let function = "(sqrt|exp|ln|log|sin|cos|tan|sinh|cosh|tanh|abs|√|norm|arcsin|arccos|arctan|log10|cbrt)";
         prop_oneof![
             (pair.clone(), operator).prop_map(|((x, y), sign)| format!("{x}{sign}{y}")),
             (pair.clone(), operator).prop_map(|((x, y), sign)| format!("({x}){sign}({y})")),
-            pair.prop_map(|(x, y)| format!("atan2({x}, {y})")),
+            pair.clone().prop_map(|(x, y)| format!("atan2({x}, {y})")),
+            (pair.clone(), "(<|<=|>|>=|≤|≥)")
+                .prop_map(|((x, y), sign)| format!("if({x} {sign} {y}, {y}, hypot({x}, 2))")),
             inner.clone().prop_map(|x| format!("-{x}")),
             inner.clone().prop_map(|x| format!("({x})²")),
             inner.clone().prop_map(|x| format!("|{x}|")),

@@ -6,7 +6,28 @@ from typing import Any
 
 import numpy as np
 
-__all__ = ["atan2", "cos", "cosh", "cross", "dot", "exp", "log", "norm", "sin", "sinh", "sqrt", "tan", "tanh"]
+__all__ = [
+    "arccos",
+    "arcsin",
+    "arctan",
+    "atan2",
+    "cbrt",
+    "cos",
+    "cosh",
+    "cross",
+    "dot",
+    "exp",
+    "hypot",
+    "log",
+    "log10",
+    "norm",
+    "sin",
+    "sinh",
+    "sqrt",
+    "tan",
+    "tanh",
+    "where",
+]
 
 
 def sqrt(x: Any) -> Any:
@@ -57,6 +78,41 @@ def tanh(x: Any) -> Any:
 def atan2(y: Any, x: Any) -> Any:
     """Returns the angle of the point (x, y)."""
     return np.arctan2(y, x)
+
+
+def cbrt(x: Any) -> Any:
+    """Returns the cube root of x, with the sign of x."""
+    return np.cbrt(x)
+
+
+def log10(x: Any) -> Any:
+    """Returns the decadic logarithm of x."""
+    return np.log10(x)
+
+
+def arcsin(x: Any) -> Any:
+    """Returns the angle in [-pi/2, pi/2] whose sine is x."""
+    return np.arcsin(x)
+
+
+def arccos(x: Any) -> Any:
+    """Returns the angle in [0, pi] whose cosine is x."""
+    return np.arccos(x)
+
+
+def arctan(x: Any) -> Any:
+    """Returns the angle in (-pi/2, pi/2) whose tangent is x."""
+    return np.arctan(x)
+
+
+def hypot(x: Any, y: Any) -> Any:
+    """Returns the length of the vector (x, y)."""
+    return np.hypot(x, y)
+
+
+def where(condition: Any, x: Any, y: Any) -> Any:
+    """Returns x in states where the condition, such as `state.Pi1 > 0`, holds, and y in others."""
+    return np.where(condition, x, y)
 
 
 def dot(a: Any, b: Any) -> Any:

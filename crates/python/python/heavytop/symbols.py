@@ -2,17 +2,18 @@
 
 from __future__ import annotations
 
+import operator
 from collections.abc import Sequence
 from typing import Any, NoReturn
 
 import numpy as np
 
-Part = tuple[str, float, int, int]
+Part = tuple[str, float, int, int, int]
 """An operation, a number, and the places of the parts that it combines."""
 
 BRANCH = (
     "{what} of a symbol: the function is called once, with symbols instead of numbers, so that it cannot branch on the "
-    "state. Write it as one formula, for example with abs(): max(a, b) is (a + b + abs(a - b))/2"
+    "state. Write numpy.where(x.Pi1 > 0, a, b) instead of a branch; max(a, b) is numpy.where(a > b, a, b)"
 )
 
 NUMBER = (
@@ -28,9 +29,9 @@ class Trace:
         self.parts: list[Part] = []
         self._places: dict[Part, int] = {}
 
-    def add(self, operation: str, number: float = 0.0, first: int = 0, second: int = 0) -> Symbol:
+    def add(self, operation: str, number: float = 0.0, first: int = 0, second: int = 0, third: int = 0) -> Symbol:
         """Returns the symbol of a part, which is added if it is new."""
-        part = (operation, number, first, second)
+        part = (operation, number, first, second, third)
         place = self._places.setdefault(part, len(self.parts))
         if place == len(self.parts):
             self.parts.append(part)
@@ -40,9 +41,10 @@ class Trace:
 class Symbol:
     """A scalar of a function that is being traced: a coordinate, or what the function makes of coordinates.
 
-    It has the operators +, -, *, / and **, abs(), and the functions of NumPy sqrt, exp, log, sin, cos, tan, sinh, cosh, tanh
-    and arctan2. Arrays of symbols are NumPy arrays, with `@`, `numpy.dot`, `numpy.cross` and `numpy.linalg.norm`. A symbol
-    has no value: a comparison, `if` or float() is a TypeError.
+    It has the operators +, -, *, / and **, abs(), and the functions of NumPy sqrt, cbrt, exp, log, log10, sin, cos, tan,
+    arcsin, arccos, arctan, arctan2, hypot, sinh, cosh and tanh. Arrays of symbols are NumPy arrays, with `@`, `numpy.dot`,
+    `numpy.cross` and `numpy.linalg.norm`. A symbol has no value: `if` or float() is a TypeError. A comparison with <, <=, >
+    or >= is the condition of `numpy.where`, which gives one of two formulas in each state.
     """
 
     __slots__ = ("_place", "_trace")
@@ -131,6 +133,26 @@ class Symbol:
         """Returns the natural logarithm."""
         return self._function("ln")
 
+    def log10(self) -> Symbol:
+        """Returns the decadic logarithm."""
+        return self._function("log10")
+
+    def cbrt(self) -> Symbol:
+        """Returns the cube root, with the sign of the symbol."""
+        return self._function("cbrt")
+
+    def arcsin(self) -> Symbol:
+        """Returns the angle in [-pi/2, pi/2] with this sine."""
+        return self._function("arcsin")
+
+    def arccos(self) -> Symbol:
+        """Returns the angle in [0, pi] with this cosine."""
+        return self._function("arccos")
+
+    def arctan(self) -> Symbol:
+        """Returns the angle in (-pi/2, pi/2) with this tangent."""
+        return self._function("arctan")
+
     def sin(self) -> Symbol:
         """Returns the sine."""
         return self._function("sin")
@@ -177,16 +199,26 @@ class Symbol:
     def __bool__(self) -> NoReturn:
         self._refuse_branch("the truth value")
 
-    def __lt__(self, other: object) -> NoReturn:
-        self._refuse_branch("a comparison")
+    def _condition(self, difference: Any, holds: bool) -> Any:
+        return NotImplemented if difference is NotImplemented else Condition(difference, holds)
 
-    __le__ = __gt__ = __ge__ = __lt__
+    def __ge__(self, other: Any) -> Any:
+        return self._condition(self - other if self._part(other) is not NotImplemented else NotImplemented, True)
+
+    def __le__(self, other: Any) -> Any:
+        return self._condition(other - self if self._part(other) is not NotImplemented else NotImplemented, True)
+
+    def __gt__(self, other: Any) -> Any:
+        return ~condition if (condition := self.__le__(other)) is not NotImplemented else NotImplemented
+
+    def __lt__(self, other: Any) -> Any:
+        return ~condition if (condition := self.__ge__(other)) is not NotImplemented else NotImplemented
 
     def __eq__(self, other: object) -> NoReturn:
-        self._refuse_branch("a comparison")
+        self._refuse_branch("a test of equality")
 
     def __ne__(self, other: object) -> NoReturn:
-        self._refuse_branch("a comparison")
+        self._refuse_branch("a test of equality")
 
     __hash__ = object.__hash__
 
@@ -196,12 +228,54 @@ class Symbol:
     __int__ = __index__ = __complex__ = __float__
 
     def __repr__(self) -> str:
-        operation, _, _, _ = self._trace.parts[self._place]
+        operation = self._trace.parts[self._place][0]
         return f"<Symbol: {operation}, part {self._place} of a traced function>"
+
+
+class Condition:
+    """A comparison of symbols, which holds in some states: the first argument of `numpy.where`.
+
+    A value of NaN on one side of a comparison with >= or <= counts as not, and of one with > or < as holding.
+    """
+
+    def __init__(self, difference: Symbol, holds: bool) -> None:
+        self._difference = difference
+        self._holds = holds
+
+    def choose(self, holds: Any, fails: Any) -> Any:
+        """Returns the first value in states where the condition holds, and the second one in others."""
+        first, second = (holds, fails) if self._holds else (fails, holds)
+        first, second = self._difference._part(first), self._difference._part(second)
+        if first is NotImplemented or second is NotImplemented:
+            raise TypeError(f"numpy.where chooses between numbers and symbols, got {holds!r} and {fails!r}")
+        return self._difference._trace.add("where", 0.0, self._difference._place, first._place, second._place)
+
+    def __invert__(self) -> Condition:
+        return Condition(self._difference, not self._holds)
+
+    def __bool__(self) -> NoReturn:
+        raise TypeError(BRANCH.format(what="the truth value of a comparison"))
+
+    def __and__(self, other: object) -> NoReturn:
+        raise TypeError("conditions cannot be combined: write numpy.where(a, numpy.where(b, x, y), y) for a & b")
+
+    __or__ = __rand__ = __ror__ = __and__
+
+    def __array_function__(self, function: Any, types: Any, arguments: Any, settings: Any) -> Any:
+        """Chooses between symbols where a function of NumPy is `numpy.where`."""
+        if function is np.where and len(arguments) == 3 and not settings:
+            return chosen(*arguments)
+        raise TypeError(f"a comparison of symbols has no numpy.{function.__name__}; it is the condition of numpy.where")
 
 
 class SymbolArray(np.ndarray):
     """An array of symbols, on which the functions of NumPy act as on a symbol."""
+
+    def __array_function__(self, function: Any, types: Any, arguments: Any, settings: Any) -> Any:
+        """Chooses between symbols where a function of NumPy is `numpy.where`."""
+        if function is np.where and len(arguments) == 3 and not settings:
+            return chosen(*arguments)
+        return super().__array_function__(function, types, arguments, settings)
 
     def __array_ufunc__(self, ufunc: np.ufunc, method: str, *inputs: Any, **kwargs: Any) -> Any:
         """Applies a function of NumPy to arrays of symbols and to numbers, in any order."""
@@ -222,8 +296,31 @@ def length(x: Any, y: Any) -> Any:
     return y.hypot(x) if isinstance(y, Symbol) else np.hypot(x, y)
 
 
-OF_TWO = {"arctan2": np.frompyfunc(angle, 2, 1), "hypot": np.frompyfunc(length, 2, 1)}
-"""The functions that NumPy looks for in their first argument alone, which may be a number."""
+def choice(condition: Any, holds: Any, fails: Any) -> Any:
+    """Returns one of two values, by a condition on the state or by a truth value."""
+    if isinstance(condition, Condition):
+        return condition.choose(holds, fails)
+    return holds if condition else fails
+
+
+CHOICES = np.frompyfunc(choice, 3, 1)
+
+
+def chosen(condition: Any, holds: Any, fails: Any) -> Any:
+    """Returns what `numpy.where` makes of conditions and symbols."""
+    result = CHOICES(*(plain(x) for x in (condition, holds, fails)))
+    return result.view(SymbolArray) if isinstance(result, np.ndarray) else result
+
+
+OF_TWO = {
+    "arctan2": np.frompyfunc(angle, 2, 1),
+    "hypot": np.frompyfunc(length, 2, 1),
+    "greater": np.frompyfunc(operator.gt, 2, 1),
+    "greater_equal": np.frompyfunc(operator.ge, 2, 1),
+    "less": np.frompyfunc(operator.lt, 2, 1),
+    "less_equal": np.frompyfunc(operator.le, 2, 1),
+}
+"""The functions that NumPy looks for in their first argument alone, which may be a number, or whose result is no number."""
 
 
 def applied(function: np.ufunc, method: str, inputs: Sequence[Any], settings: dict[str, Any]) -> Any:
@@ -235,7 +332,7 @@ def applied(function: np.ufunc, method: str, inputs: Sequence[Any], settings: di
 
 def plain(x: Any) -> Any:
     """Returns an array of symbols, or a symbol as an array, without functions of its own."""
-    if isinstance(x, Symbol):
+    if isinstance(x, (Symbol, Condition)):
         array = np.empty((), dtype=object)
         array[()] = x
         return array

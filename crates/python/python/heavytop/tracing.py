@@ -85,7 +85,7 @@ def trace(
     if isinstance(value, Symbol) and value._trace is traced:
         return only_needed(traced.parts, value._place)
     if isinstance(value, (int, float, np.integer, np.floating)) and not isinstance(value, bool):
-        return [("number", float(value), 0, 0)]
+        return [("number", float(value), 0, 0, 0)]
     what = f"an array of shape {value.shape}" if isinstance(value, np.ndarray) else repr(value)
     raise TypeError(f"{name} must return a scalar made of the coordinates, got {what}")
 
@@ -103,18 +103,21 @@ def only_needed(parts: list[Part], last: int) -> list[Part]:
     for place in range(last + 1):
         if needed[place]:
             places[place] = len(kept)
-            operation, number, first, second = parts[place]
+            operation, number, first, second, third = parts[place]
             count = len(operands(parts[place]))
             first = places[first] if count > 0 else first
             second = places[second] if count > 1 else second
-            kept.append((operation, number, first, second))
+            third = places[third] if count > 2 else third
+            kept.append((operation, number, first, second, third))
     return kept
 
 
 def operands(part: Part) -> tuple[int, ...]:
     """Returns the places of the parts that a part combines."""
-    operation, _, first, second = part
+    operation, _, first, second, third = part
     if operation in ("number", "coordinate"):
         return ()
+    if operation == "where":
+        return (first, second, third)
     return (first, second) if operation in BINARY else (first,)
 

@@ -41,6 +41,9 @@ pub const FORMULAS: &[&str] = &[
     "sinh(Pi1/2)*cosh(Gamma1/2) + abs(Pi2 - 10)*|Gamma3 + 1|",
     "norm(Pi + k*Gamma - 2*c) + dot(Pi, c)/(1 + |cross(Pi, Gamma)|^2)",
     "Pi1/(Pi2/(Pi3/(Gamma1/(Gamma2/Gamma3))))",
+    "arcsin(Pi1/3) + arccos(Gamma1/3)*arctan(Pi2 - Gamma2)",
+    "cbrt(Pi1 - 10) + log10(Pi2)*hypot(Gamma1, Gamma3) + cbrt(Gamma2)",
+    "if(Pi1 + Gamma1 > 2.5, Pi2^2, Pi3*Gamma3) + if(Pi2 <= 1e-3, 1, exp(-Pi2)) + |if(Gamma1 < 1.5, Pi, 2*Gamma)|^1.5",
 ];
 
 /// Points at which the formulas are smooth: generic ones, near 0, near a coordinate axis, and with equal coordinates.

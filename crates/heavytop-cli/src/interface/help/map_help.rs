@@ -155,8 +155,9 @@ Another Lie–Poisson system instead of a top: [system] as of simulate, and
   count = 100
 Axes must be given. The observables are final-state, with the coordinates as columns;
 invariant-drift, with drift_h, and drift_c1, drift_c2, ... of the Casimirs, which are those of each
-run if an axis varies a parameter of the brackets; lyapunov, megno and sali. What [integrator] leaves
-out: reduced where there is one, or as for simulate; gauss-8, step 0.1 s, end 100 s.
+run if an axis varies a parameter of the brackets, and empty where a Casimir is no polynomial;
+lyapunov, megno and sali. What [integrator] leaves out: reduced where there is one, or as for
+simulate; gauss-8, step 0.1 s, end 100 s.
 
 Examples:
   heavytop sweep --out sweep                      # a small map about the paper's top

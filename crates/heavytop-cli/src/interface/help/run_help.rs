@@ -156,8 +156,9 @@ Coordinates: so(3) Pi; su(2) mu; sl(2) alpha, beta, gamma; se(2) Pi, Gamma of tw
 Pi, Gamma; se(3)+R3 Pi, P, Gamma, as of a body in two fields. Others by brackets or a table.
 Its columns are t, the coordinates, h and the Casimirs c1, c2, ..., which are found: polynomials up
 to degree 4, named in the summary and in the metadata. Formulas have + - * / ^, · and × between
-vectors, |v|, sqrt, exp, ln, sin, cos, tan, sinh, cosh, tanh, atan2, pi, and Greek letters by name
-(Gamma1) or as they are (Γ₁); there is no product without *. so(3), su(2) and se(3) have the
+vectors, |v|, sqrt, cbrt, exp, ln, log10, sin, cos, tan, arcsin, arccos, arctan, sinh, cosh, tanh,
+atan2, hypot, if(x >= 1, y, z), pi, and Greek letters by name (Gamma1) or as they are (Γ₁); there is
+no product without *. A coordinate must not have the name of another column. so(3), su(2) and se(3) have the
 formulations collective, reduced and direct; other algebras of dimension 2 to 6 collective, on T*V
 by a Clebsch map, with a warning where its steps are not Poisson, and direct; the others direct,
 which is not Poisson. Without the key: collective on so(3), su(2) and se(3), direct elsewhere.

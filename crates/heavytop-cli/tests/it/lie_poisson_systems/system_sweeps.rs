@@ -197,6 +197,33 @@ fn members_keep_the_casimirs_of_their_own_algebras() {
     assert!(has("hamiltonian") && !has("brackets"));
 }
 
+/// Decimal constants have Casimirs as whole ones do. Whether a Casimir is a polynomial may depend on a parameter: x²y is
+/// one, and x^2.5 y is none; then the cell is empty, and the run is there all the same.
+#[test]
+fn no_member_is_refused_for_its_constants() {
+    let folder = Folder::new();
+    let axis = |text: &str, parameter: &str, from: f64, to: f64, count: u32| {
+        format!(
+            "{text}[sweep]\nobservables = ['invariant-drift', 'final-state']\n\
+             axes = [{{ parameter = 'system.parameters.{parameter}', from = {from}, to = {to}, count = {count} }}]"
+        )
+    };
+    let decimals =
+        swept(&folder, &axis(POINCARE, "a", 0.987_654_321, 7.1, 7), "decimals");
+    assert!(failures(&decimals).iter().all(Option::is_none));
+    let drifts = column(&decimals, "drift_c1");
+    assert!(drifts[0].unwrap() < 1e-14, "{drifts:?}");
+    assert!(drifts.iter().all(|drift| drift.is_some()), "{drifts:?}");
+    let squeeze = "[system]\ncoordinates = ['a', 'x', 'y']\nbrackets = { 'a, x' = 'x', 'a, y' = '-q*y' }\n\
+        hamiltonian = 'a^2/2 + x^2 + y^2'\nparameters.q = 2\ninitial = { a = 0.1, x = 0.3, y = 0.2 }\n\
+        [integrator]\nstep = 0.05\nend = 1\n";
+    let rates = swept(&folder, &axis(squeeze, "q", 2.0, 2.5, 2), "rates");
+    assert!(failures(&rates).iter().all(Option::is_none));
+    let drifts = column(&rates, "drift_c1");
+    assert!(drifts[0].is_some_and(|drift| drift < 1e-10) && drifts[1].is_none(), "{drifts:?}");
+    assert!(column(&rates, "x").iter().all(Option::is_some));
+}
+
 #[test]
 fn members_that_fail_say_so_and_harm_no_other() {
     let folder = Folder::new();
