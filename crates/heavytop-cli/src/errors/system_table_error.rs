@@ -95,6 +95,7 @@ fn keys_of(error: &FormulaSystemError) -> Vec<(String, &'static str)> {
             key("hamiltonian", "write a formula, such as \"Pi1^2 + 2*Pi2^2\"")
         }
         E::Hamiltonian(_) => key("hamiltonian", ""),
+        E::NoFiniteValue(_) => ["hamiltonian", "initial"].map(|of| (below_system(of), "")).to_vec(),
         E::NoValue { .. } => key("initial", "a value is missing"),
         E::SecondValue { name, .. } => key(&format!("initial.{name}"), "leave one of them out"),
         E::NoCoordinate { name, .. } | E::WrongValue { name, .. } => {

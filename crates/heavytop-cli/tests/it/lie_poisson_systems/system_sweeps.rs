@@ -208,8 +208,7 @@ fn no_member_is_refused_for_its_constants() {
              axes = [{{ parameter = 'system.parameters.{parameter}', from = {from}, to = {to}, count = {count} }}]"
         )
     };
-    let decimals =
-        swept(&folder, &axis(POINCARE, "a", 0.987_654_321, 7.1, 7), "decimals");
+    let decimals = swept(&folder, &axis(POINCARE, "a", 0.987_654_321, 7.1, 7), "decimals");
     assert!(failures(&decimals).iter().all(Option::is_none));
     let drifts = column(&decimals, "drift_c1");
     assert!(drifts[0].unwrap() < 1e-14, "{drifts:?}");
