@@ -6,6 +6,7 @@ use crate::names::vocabulary::{Meaning, Vocabulary};
 use crate::text::formula_error::{FormulaError, Problem, Shape};
 use crate::text::suggestion::closest;
 use crate::text::syntax::{Function, Operator, Part, Syntax};
+use crate::text::token::Comparison;
 
 /// The largest number of expressions in the graph of a formula.
 const MOST_NODES: usize = 1 << 18;
@@ -104,7 +105,7 @@ impl Elaboration<'_> {
                 Value::Scalar(*component.ok_or(missing)?)
             }
             Part::Call(function, [x, y]) => return self.call(function, x, y).map(Value::Scalar),
-            Part::Choose([x, y, z]) => return self.choose(x, y, z),
+            Part::Choose(comparison, parts) => return self.choose(comparison, parts),
             Part::Binary(operator, x, y) => {
                 let (x, y) = (self.at(x), self.at(y));
                 return self.binary(operator, x, y);
@@ -172,14 +173,32 @@ impl Elaboration<'_> {
         Ok(self.graph.function(unary, x))
     }
 
-    fn choose(&mut self, x: usize, y: usize, z: usize) -> Result<Value, Problem> {
-        let (x, y, z) = (self.at(x).scalar(|| "`if`".to_owned())?, self.at(y), self.at(z));
-        let (left, right) = (y.shape(), z.shape());
+    fn choose(
+        &mut self,
+        comparison: Comparison,
+        [a, b, holds, fails]: [usize; 4],
+    ) -> Result<Value, Problem> {
+        let place = || "`if`".to_owned();
+        let (a, b) = (self.at(a).scalar(place)?, self.at(b).scalar(place)?);
+        let (holds, fails) = (self.at(holds), self.at(fails));
+        let (left, right) = (holds.shape(), fails.shape());
         if left != right {
             let needed = "two scalars or two vectors of one dimension";
             return Err(Problem::Mismatch { place: "`if`".to_owned(), needed, left, right });
         }
-        Ok(y.zip(z, |y, z| self.graph.choose(x, y, z)))
+        // a > b is the contrary of b ≥ a.
+        let (above, below, is_contrary) = match comparison {
+            Comparison::AtLeast => (a, b, false),
+            Comparison::AtMost => (b, a, false),
+            Comparison::Greater => (b, a, true),
+            Comparison::Less => (a, b, true),
+        };
+        let below = self.graph.negate(below);
+        let difference = self.graph.add(above, below);
+        Ok(holds.zip(fails, |holds, fails| match is_contrary {
+            false => self.graph.choose(difference, holds, fails),
+            true => self.graph.choose(difference, fails, holds),
+        }))
     }
 
     fn binary(&mut self, operator: Operator, x: Value, y: Value) -> Result<Value, Problem> {

@@ -3,6 +3,7 @@
 use super::formula_error::{FormulaError, Problem};
 use super::suggestion::closest;
 use super::syntax::{Function, Operator, Part, Syntax};
+use super::token::Comparison;
 use crate::names::letters::canonical;
 
 /// The parts of a formula that a program builds, each in terms of earlier parts.
@@ -111,7 +112,8 @@ impl Expressions {
     /// Adds y where x ≥ 0, and z elsewhere, of a scalar x and of two scalars or two vectors. Derivatives are those of the
     /// chosen part.
     pub fn choose(&mut self, x: Expression, y: Expression, z: Expression) -> Expression {
-        self.part(Part::Choose([x.0, y.0, z.0]))
+        let zero = self.number(0.0);
+        self.part(Part::Choose(Comparison::AtLeast, [x.0, zero.0, y.0, z.0]))
     }
 
     /// Adds a function of scalars, by its name in [formulas](crate#the-language), such as `sin`.

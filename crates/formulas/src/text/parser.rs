@@ -5,7 +5,7 @@ use super::formula_error::{FormulaError, MOST_LEVELS, Problem};
 use super::lexer::tokens;
 use super::suggestion::closest;
 use super::syntax::{Function, Operator, Part, Syntax};
-use super::token::{Comparison, Placed, Token};
+use super::token::{Placed, Token};
 use core::ops::Range;
 
 /// The name of the form with a condition: `if(x >= 0, y, z)`.
@@ -259,10 +259,10 @@ impl Parser {
         Ok(self.syntax.add(part, span))
     }
 
-    /// Parses the arguments of `if(a >= b, y, z)`, which is y where a − b ≥ 0 and z elsewhere.
+    /// Parses the arguments of `if(a >= b, y, z)`, which is y where a ≥ b and z elsewhere.
     fn choice(&mut self, name: String, span: Range<usize>, opened: Range<usize>) -> Parsed<usize> {
         let left = self.expression(0)?;
-        let Placed { token: Token::Comparison(comparison), span: place } = self.take() else {
+        let Placed { token: Token::Comparison(comparison), .. } = self.take() else {
             return Err(FormulaError::new(span, Problem::NoCondition));
         };
         let right = self.expression(0)?;
@@ -276,26 +276,7 @@ impl Parser {
             let problem = Problem::WrongArgumentCount { name, expected: 3, found };
             return Err(FormulaError::new(span, problem));
         };
-        // a > b is the contrary of b ≥ a.
-        let (above, below, holds, fails) = match comparison {
-            Comparison::AtLeast => (left, right, holds, fails),
-            Comparison::AtMost => (right, left, holds, fails),
-            Comparison::Greater => (right, left, fails, holds),
-            Comparison::Less => (left, right, fails, holds),
-        };
-        let difference = self.difference(above, below, place);
-        Ok(self.syntax.add(Part::Choose([difference, holds, fails]), span))
-    }
-
-    /// Returns a − b, in which 0 is left out.
-    fn difference(&mut self, a: usize, b: usize, place: Range<usize>) -> usize {
-        let is_zero = |syntax: &Syntax, part| syntax.part(part) == Some(Part::Number(0.0));
-        if is_zero(&self.syntax, b) {
-            a
-        } else if is_zero(&self.syntax, a) {
-            self.syntax.add(Part::Negate(b), place)
-        } else {
-            self.syntax.add(Part::Binary(Operator::Subtract, a, b), place)
-        }
+        let parts = [left, right, holds, fails];
+        Ok(self.syntax.add(Part::Choose(comparison, parts), span))
     }
 }

@@ -49,9 +49,9 @@ pub(crate) fn print(syntax: &Syntax) -> String {
                 call.push(')');
                 (call, WHOLE)
             }
-            Part::Choose([x, y, z]) => {
-                let [x, y, z] = [x, y, z].map(|part| text(part, 0));
-                (format!("{CHOICE}({x} >= 0, {y}, {z})"), WHOLE)
+            Part::Choose(comparison, parts) => {
+                let [a, b, x, y] = parts.map(|part| text(part, 0));
+                (format!("{CHOICE}({a} {} {b}, {x}, {y})", comparison.sign()), WHOLE)
             }
             Part::Binary(operator, x, y) => {
                 let sign = match operator {

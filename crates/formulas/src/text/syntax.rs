@@ -1,5 +1,6 @@
 //! The syntax tree of a formula: [`Syntax`].
 
+use super::token::Comparison;
 use core::ops::Range;
 
 /// An operator between two parts.
@@ -81,8 +82,8 @@ pub(crate) enum Part {
     Negate(usize),
     Binary(Operator, usize, usize),
     Call(Function, [usize; 2]),
-    /// b where a ≥ 0, and c elsewhere.
-    Choose([usize; 3]),
+    /// c where a comparison of a and b holds, and d elsewhere.
+    Choose(Comparison, [usize; 4]),
     /// |x|, of a scalar or a vector.
     Norm(usize),
     /// A component, counted from 1.
@@ -93,11 +94,13 @@ impl Part {
     /// Returns the places of its own parts.
     pub(crate) fn parts(self) -> impl Iterator<Item = usize> {
         let parts = match self {
-            Self::Number(_) | Self::Name(_) => [None; 3],
-            Self::Negate(x) | Self::Norm(x) | Self::Component(x, _) => [Some(x), None, None],
-            Self::Call(function, [x, _]) if function.arguments() == 1 => [Some(x), None, None],
-            Self::Binary(_, x, y) | Self::Call(_, [x, y]) => [Some(x), Some(y), None],
-            Self::Choose(parts) => parts.map(Some),
+            Self::Number(_) | Self::Name(_) => [None; 4],
+            Self::Negate(x) | Self::Norm(x) | Self::Component(x, _) => [Some(x), None, None, None],
+            Self::Call(function, [x, _]) if function.arguments() == 1 => {
+                [Some(x), None, None, None]
+            }
+            Self::Binary(_, x, y) | Self::Call(_, [x, y]) => [Some(x), Some(y), None, None],
+            Self::Choose(_, parts) => parts.map(Some),
         };
         parts.into_iter().flatten()
     }
@@ -111,7 +114,9 @@ impl Part {
             Self::Component(x, index) => Self::Component(place(x)?, index),
             Self::Call(function, [x, y]) => Self::Call(function, [place(x)?, place(y)?]),
             Self::Binary(operator, x, y) => Self::Binary(operator, place(x)?, place(y)?),
-            Self::Choose([x, y, z]) => Self::Choose([place(x)?, place(y)?, place(z)?]),
+            Self::Choose(comparison, [a, b, x, y]) => {
+                Self::Choose(comparison, [place(a)?, place(b)?, place(x)?, place(y)?])
+            }
         })
     }
 }
@@ -170,11 +175,6 @@ impl Syntax {
             *places.get_mut(i)? = new;
         }
         Some(tree)
-    }
-
-    /// Returns the part at a place.
-    pub(crate) fn part(&self, place: usize) -> Option<Part> {
-        self.parts.get(place).copied()
     }
 
     /// Returns how many parts use each part.

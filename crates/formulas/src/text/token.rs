@@ -12,6 +12,18 @@ pub(crate) enum Comparison {
     AtLeast,
 }
 
+impl Comparison {
+    /// Returns the sign in formulas.
+    pub(crate) const fn sign(self) -> &'static str {
+        match self {
+            Self::Less => "<",
+            Self::AtMost => "<=",
+            Self::Greater => ">",
+            Self::AtLeast => ">=",
+        }
+    }
+}
+
 /// A word of a formula.
 #[derive(Clone, Debug, PartialEq)]
 pub(crate) enum Token {
@@ -67,10 +79,7 @@ impl fmt::Display for Token {
             Self::CloseIndex => "]",
             Self::Bar => "|",
             Self::Comma => ",",
-            Self::Comparison(Comparison::Less) => "<",
-            Self::Comparison(Comparison::AtMost) => "<=",
-            Self::Comparison(Comparison::Greater) => ">",
-            Self::Comparison(Comparison::AtLeast) => ">=",
+            Self::Comparison(comparison) => comparison.sign(),
         };
         write!(f, "`{sign}`")
     }

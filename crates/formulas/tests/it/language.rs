@@ -149,9 +149,9 @@ fn vectors_have_products_lengths_and_components() {
 fn what_is_printed_is_what_was_read() {
     for (text, printed) in [
         ("½*(Π₁²/I₁)", "0.5*(Pi1^2/I1)"),
-        ("if(Pi1 > 0, 1, Pi2)", "if(-Pi1 >= 0, Pi2, 1)"),
-        ("if(Π₁ ≤ Π₂, asin(k), 2)", "if(Pi2 - Pi1 >= 0, arcsin(k), 2)"),
-        ("if(Pi1 + 1 < Pi2 - 2, |Pi|, 2)", "if(Pi1 + 1 - (Pi2 - 2) >= 0, 2, |Pi|)"),
+        ("if(Pi1 > 0, 1, Pi2)", "if(Pi1 > 0, 1, Pi2)"),
+        ("if(Π₁ ≤ Π₂, asin(k), 2)", "if(Pi1 <= Pi2, arcsin(k), 2)"),
+        ("if(Pi1 + 1 < Pi2 - 2, |Pi|, 2)", "if(Pi1 + 1 < Pi2 - 2, |Pi|, 2)"),
         ("((Pi1)) + (Pi2*Pi3)", "Pi1 + Pi2*Pi3"),
         ("Pi1 - (Pi2 - Pi3)", "Pi1 - (Pi2 - Pi3)"),
         ("(Pi1 - Pi2) - Pi3", "Pi1 - Pi2 - Pi3"),
