@@ -154,15 +154,15 @@ fn starts_lie_on_the_orbit_also_if_its_casimirs_do_not_tell() {
     assert_eq!(rotor.missing_casimirs(), Some(0));
     let levels = rotor.invariants(&state).unwrap();
     let section = section(&rotor, "K*H", (0.06, Direction::Both));
-    for start in section.starts(&state, &levels, 20, 0).unwrap() {
+    for start in section.starts(&state, &levels, 6, 0).unwrap() {
         assert!(start[2] > 0.0, "{start:?}");
         assert!((rotor.invariants(&start).unwrap()[1] - levels[1]).abs() < 1e-13);
     }
     let (body, state) = (body(), [1.0, 0.5, 0.3, 0.0, 0.0, 0.0]);
     let levels = body.invariants(&state).unwrap();
     let section =
-        SystemSection::new(&body, "Pi1 - Pi2", &Parameters::new(), (0.0, Direction::Both));
-    for start in section.unwrap().starts(&state, &levels, 10, 0).unwrap() {
+        SystemSection::new(&body, "Pi1 - 2*Pi2", &Parameters::new(), (0.0, Direction::Both));
+    for start in section.unwrap().starts(&state, &levels, 4, 0).unwrap() {
         let square: f64 = start[..3].iter().map(|x| x * x).sum();
         assert!((square - 1.34).abs() < 1e-12, "{start:?}");
     }
