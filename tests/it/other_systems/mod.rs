@@ -6,5 +6,4 @@ mod clebsch_runs;
 mod clebsch_steps;
 mod formulas;
 mod large_states;
-mod rounded_algebras;
 mod spinsys_oracle;
