@@ -55,7 +55,8 @@ fn rust_name(message: &str) -> Option<&str> {
         let plain = ["NumPy", "NaN", "MiB", "GiB", "KiB", "TiB"].contains(&word);
         humps.count() > 0 && !plain && letters.first().is_some_and(|first| first.is_uppercase())
     };
-    words.into_iter().find(|word| word.contains("::") || is_type(word))
+    // A colon may also end a part of a sentence.
+    words.map(|word| word.trim_matches(':')).find(|word| word.contains("::") || is_type(word))
 }
 
 /// Returns the variants of an error and of its causes, such as `Error::Checkpoint` and `CheckpointError::Read`.
