@@ -68,7 +68,8 @@ fn order<R: Representation<Algebra = StructureConstants<N>>, const N: usize>(r: 
         let end = gauss.after(&mu, step, steps).unwrap().momentum;
         (step, (end - exact.momentum).max_abs())
     };
-    fitted_order(&[2, 4, 8, 16].map(error), 1e-14).unwrap()
+    // Two steps are so long that z is lifted anew in some of the runs alone.
+    fitted_order(&[4, 8, 16, 32].map(error), 1e-14).unwrap()
 }
 
 impl Check for Orders {

@@ -95,8 +95,8 @@ impl Invariant {
             Self::VerticalSquared => gamma.dot(gamma),
             Self::VerticalMomentum => pi.dot(gamma),
             Self::AxialMomentum => match top.axial_component() {
-                Some(axis) => pi[axis],
-                None => pi.dot(&top.center_of_mass().map(T::from_f64)),
+                None if top.is_sphere() => pi.dot(&top.center_of_mass().map(T::from_f64)),
+                axis => pi[axis.unwrap_or(2)],
             },
             Self::Kovalevskaya => {
                 let axis = top.axis(HeavyTop::is_kovalevskaya_about);

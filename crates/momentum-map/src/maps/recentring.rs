@@ -144,9 +144,10 @@ impl<T: Real> RecentringSpace<T> {
         }
         let size = |z: &V| square_in(z, units);
         let nearer = size(&moved).at_most(size(z) * worthwhile);
-        let same = within(&((map.apply)(&moved) - mu), &terms, ROUNDINGS);
+        let known = or_block_size(&terms);
+        let same = within(&((map.apply)(&moved) - mu), &known, ROUNDINGS);
         self.differentiate::<V, W, V2, W2>(&map.apply_dual, &moved);
-        let precise = within(&self.terms(&moved), &terms, LARGER_TERMS);
+        let precise = within(&self.terms(&moved), &known, LARGER_TERMS);
         Vector::select(regular.and(nearer).and(same).and(precise), &moved, z)
     }
 
@@ -239,6 +240,16 @@ pub(crate) fn block_sizes<V: Vector<Scalar = T>, T: Real>(v: &V) -> V {
             most = most.larger(modulus(v.coordinate(d)));
         }
         most
+    })
+}
+
+/// Replaces each coordinate that is zero by the largest magnitude in its block. A coordinate of M without terms is known
+/// as well as its block.
+fn or_block_size<V: Vector<Scalar = T>, T: Real>(v: &V) -> V {
+    let sizes = block_sizes(v);
+    V::from_coordinates(|i| {
+        let size = v.coordinate(i);
+        T::select(modulus(size).at_most(T::zero()), sizes.coordinate(i), size)
     })
 }
 
