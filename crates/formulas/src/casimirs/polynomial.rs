@@ -21,7 +21,7 @@ pub(crate) fn generic_point(dimension: usize, sample: usize) -> Vec<f64> {
     let coordinate =
         |i: usize| 1.0 + 0.5 * (1.0 + (i * i + 7 * i * sample + 3 * sample) as f64).sin();
     (0..dimension)
-        .map(|i| if (i + sample) % 2 == 0 { coordinate(i) } else { -coordinate(i) })
+        .map(|i| if (i + sample).is_multiple_of(2) { coordinate(i) } else { -coordinate(i) })
         .collect()
 }
 

@@ -93,11 +93,13 @@ impl Finished {
         String::from_utf8(self.0.stderr.clone()).unwrap()
     }
 
-    /// Returns what is on stderr besides the closing line and the notes on the configuration after it.
+    /// Returns what is on stderr besides the closing line, the notes on the configuration after it, and the warning about
+    /// the accuracy of the motion, which depends on the configuration alone.
     pub fn complaints(&self) -> String {
-        let (lines, closing) = (self.stderr(), ["heavytop: done", "heavytop: left out, "]);
-        let is_closing = |line: &str| closing.iter().any(|text| line.starts_with(text));
-        lines.split_inclusive('\n').filter(|line| !is_closing(line)).collect()
+        let expected =
+            ["heavytop: done", "heavytop: left out, ", "heavytop: warning: the motion turns by "];
+        let is_expected = |line: &str| expected.iter().any(|text| line.starts_with(text));
+        self.stderr().split_inclusive('\n').filter(|line| !is_expected(line)).collect()
     }
 
     /// Returns the number of messages, each with the lines that it quotes.

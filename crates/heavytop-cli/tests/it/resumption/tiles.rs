@@ -238,7 +238,7 @@ fn a_file_where_the_folder_should_be_is_refused() {
         for out in ["taken", "taken/below"] {
             let run = folder.heavytop(&[case.command, "--out", out]);
             assert_eq!(run.code(), 2, "{}", run.stderr());
-            let message = format!("cannot create {out}/{}.partial: ", case.command);
+            let message = format!("cannot create {out}/{}.", case.command);
             assert!(run.stderr().contains(&message), "{}", run.stderr());
             assert_eq!(
                 (folder.names(), folder.read("taken")),

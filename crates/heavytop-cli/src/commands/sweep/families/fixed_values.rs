@@ -17,7 +17,7 @@ pub(super) fn fixed_values(
             vector(name, "I", moments, " kg m²", |i| changed(TopParameter::Inertia(i)))
         }
         Inertia::Matrix(rows) => {
-            let rows = rows.map(|row| caption::vector(row));
+            let rows = rows.map(caption::vector);
             Some(format!("I = ({}) kg m²", rows.join(", ")))
         }
     });
