@@ -33,6 +33,12 @@ pub(crate) fn open(path: &Path, make: bool) -> io::Result<File> {
     }
 }
 
+/// Returns whether another run has the lock of a file. A file that cannot be opened, or a system without locks, has none.
+pub(crate) fn is_held(path: &Path) -> bool {
+    File::open(path)
+        .is_ok_and(|file| matches!(file.try_lock_shared(), Err(TryLockError::WouldBlock)))
+}
+
 /// Returns whether the file still has this name.
 fn is_at(file: &File, path: &Path) -> io::Result<bool> {
     match Handle::from_path(path) {
@@ -54,8 +60,10 @@ mod tests {
         std::fs::write(&path, "old").unwrap();
         let first = open(&path, true).unwrap();
         assert_eq!(open(&path, true).unwrap_err().kind(), io::ErrorKind::ResourceBusy);
+        assert!(is_held(&path));
         assert_eq!(std::fs::read(&path).unwrap(), b"old");
         drop(first);
+        assert!(!is_held(&path) && !is_held(&folder.path().join("b")));
         assert!(open(&path, true).is_ok());
     }
 

@@ -2,6 +2,7 @@
 
 use super::kind::Kind;
 use crate::Error;
+use crate::files::lock;
 use crate::files::place::Place;
 use same_file::Handle;
 use std::fs;
@@ -86,13 +87,15 @@ impl Safeguard {
         files.iter().try_for_each(|(name, kind)| self.require(&folder.join(name), kind))
     }
 
-    /// Checks that a file may be written or removed that is an unfinished one of this kind.
+    /// Checks that a file may be written or removed that is an unfinished one of this kind. What another run is writing is
+    /// refused, with that reason, by whoever takes its lock.
     ///
     /// # Errors
     /// If it is an input, or exists and is not of this kind.
     pub(crate) fn require_unfinished(&self, path: &Path, kind: &Kind) -> Result<(), Error> {
         let name = format!("unfinished {}", kind.name);
-        self.require_at(path, path, |found| kind.may_become(found), &name)
+        let is_own = |found: &Path| Ok(lock::is_held(found) || kind.may_become(found)?);
+        self.require_at(path, path, is_own, &name)
     }
 
     /// Checks that a file may be written or removed, whatever it is.

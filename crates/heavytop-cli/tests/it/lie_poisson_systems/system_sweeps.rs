@@ -139,10 +139,10 @@ fn no_bit_depends_on_the_number_of_threads_or_on_an_interruption() {
         assert!(said.contains("600 runs, each by reduced, gauss-4, step 0.1 s, to 1 s"), "{said}");
         assert!(said.contains("c1 = Pi·Gamma\nc2 = |Gamma|^2\n"), "{said}");
     }
-    // A file blocks a map: all tiles are finished, and stay. One of them is torn.
-    std::fs::create_dir_all(folder.path("cut/megno.svg")).unwrap();
+    // A folder blocks the unfinished file of a map: all tiles are finished, and stay. One of them is torn.
+    std::fs::create_dir_all(folder.path("cut/megno.svg.partial")).unwrap();
     assert_eq!(folder.heavytop(&["sweep", "a.toml", "--out", "cut"]).code(), 1);
-    std::fs::remove_dir(folder.path("cut/megno.svg")).unwrap();
+    std::fs::remove_dir(folder.path("cut/megno.svg.partial")).unwrap();
     let tile = folder.path("cut/sweep.partial/0000001");
     let text = std::fs::read_to_string(&tile).unwrap();
     std::fs::write(&tile, &text[..text.len() / 2]).unwrap();
