@@ -6,4 +6,5 @@ mod clebsch_runs;
 mod clebsch_steps;
 mod formulas;
 mod large_states;
+mod rounded_algebras;
 mod spinsys_oracle;

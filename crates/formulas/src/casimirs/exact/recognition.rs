@@ -21,7 +21,6 @@ pub(crate) fn recognised(
     scales: &Scales,
 ) -> Option<BracketTable<Residue>> {
     let largest = constants.iter().fold(0.0_f64, |size, constant| size.max(constant.value.abs()));
-    let equal = Scales::equal(dimension, constants);
     let units = [1.0, largest];
     let exact = |scales: Option<&Scales>, unit: f64| {
         let is_rounding = |constant: &Constant| scales.is_some_and(|s| s.is_rounding(constant));
@@ -35,7 +34,7 @@ pub(crate) fn recognised(
         let table = BracketTable::new(dimension, entries.collect::<Option<Vec<_>>>()?);
         is_lie_algebra(&table).then_some(table)
     };
-    [None, Some(scales), Some(&equal)]
+    [None, Some(scales)]
         .into_iter()
         .find_map(|scales| units.iter().find_map(|&unit| exact(scales, unit)))
 }

@@ -30,6 +30,7 @@ pub(crate) fn shifted(x: f64, n: i32) -> f64 {
 
 impl Scales {
     /// Returns the scales of an algebra in which all coordinates have one unit.
+    #[cfg(test)]
     pub(crate) fn equal(dimension: usize, constants: &[Constant]) -> Self {
         Self { exponents: vec![0; dimension], largest: 0.0 }.with_largest(constants)
     }
