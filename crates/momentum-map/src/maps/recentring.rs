@@ -121,12 +121,11 @@ impl<T: Real> RecentringSpace<T> {
         }
         let mu = (map.apply)(z);
         self.differentiate::<V, W, V2, W2>(&map.apply_dual, z);
-        let terms: W = self.terms(z);
         let Sizes { units, factors } = sizes;
+        let known: W = self.terms(factors);
         let (far, worthwhile) = match self.far {
             Far::Digits => {
-                let largest: W = block_sizes(&self.terms(factors));
-                (within(&largest, &block_sizes(&mu), LOST).not(), WORTHWHILE)
+                (within(&block_sizes(&known), &block_sizes(&mu), LOST).not(), WORTHWHILE)
             }
             Far::Length => (T::Mask::from_bool(true), SHORTER),
         };
@@ -144,7 +143,6 @@ impl<T: Real> RecentringSpace<T> {
         }
         let size = |z: &V| square_in(z, units);
         let nearer = size(&moved).at_most(size(z) * worthwhile);
-        let known = or_block_size(&terms);
         let same = within(&((map.apply)(&moved) - mu), &known, ROUNDINGS);
         self.differentiate::<V, W, V2, W2>(&map.apply_dual, &moved);
         let precise = within(&self.terms(&moved), &known, LARGER_TERMS);
@@ -240,16 +238,6 @@ pub(crate) fn block_sizes<V: Vector<Scalar = T>, T: Real>(v: &V) -> V {
             most = most.larger(modulus(v.coordinate(d)));
         }
         most
-    })
-}
-
-/// Replaces each coordinate that is zero by the largest magnitude in its block. A coordinate of M without terms is known
-/// as well as its block.
-fn or_block_size<V: Vector<Scalar = T>, T: Real>(v: &V) -> V {
-    let sizes = block_sizes(v);
-    V::from_coordinates(|i| {
-        let size = v.coordinate(i);
-        T::select(modulus(size).at_most(T::zero()), sizes.coordinate(i), size)
     })
 }
 
