@@ -23,6 +23,7 @@ from importlib.metadata import version
 
 from . import functions
 from ._native import IntegrationError
+from .accuracy import Check
 from .chaos import Chaos, lyapunov
 from .directions import vertical
 from .ends import Ends
@@ -37,6 +38,7 @@ __version__ = version("heavytop")
 
 __all__ = [
     "Chaos",
+    "Check",
     "Crossings",
     "Ends",
     "Event",

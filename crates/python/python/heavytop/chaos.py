@@ -11,9 +11,9 @@ from numpy.typing import ArrayLike
 
 from . import _native
 from ._native import IntegrationError
+from .accuracy import members_of_system, members_of_tops, warn_of_many
 from .arguments import array, count, course, flag
 from .ensembles import natives
-from .long_steps import warn_of_long_step
 from .methods import method
 from .solution import Floats
 from .system import System
@@ -91,7 +91,7 @@ def lyapunov(
         IntegrationError: if a step of the only run fails.
 
     Warns:
-        RuntimeWarning: if a body turns by more than two radians in the first step, where no indicator means anything.
+        RuntimeWarning: if a step turns the motion by more than 1 rad in the fastest run or some others.
 
     Example:
         A top near the unstable upright spin, and one that is integrable:
@@ -120,10 +120,12 @@ def lyapunov(
     if isinstance(system, System):
         reduced = "reduced" if "reduced" in system.formulations else "direct"
         names = system._method(formulation or reduced, scheme, 0.0)
+        members = members_of_system(system._system, rows.T, times[0], names)
+        warn_of_many(members, 0, len(rows), 3)
         found = _native.growth_of_system(system._system, rows, times, names, tangents)
     else:
         names_of_top = method(formulation or "reduced", scheme, 0.0)
-        warn_of_long_step(tops, rows[:, :3], times[0], 3)
+        warn_of_many(members_of_tops(tops, rows.T, times[0], names_of_top), 0, len(rows), 3)
         found = _native.growth_of_tops(tops, rows, times, names_of_top, tangents)
     return chaos(found, states, number, times[1], every is not None)
 

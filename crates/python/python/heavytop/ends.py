@@ -5,6 +5,7 @@ from __future__ import annotations
 from collections.abc import Callable, Mapping
 from dataclasses import dataclass, field
 from functools import cached_property
+from typing import Optional
 
 import numpy as np
 
@@ -18,11 +19,14 @@ class Ends:
     Attributes:
         y: the states at the end, shape (d, n). A member that failed keeps the state before the failed step.
         failures: the reason by the index of each member that failed.
+        error_estimate: the largest estimated error of the fastest run and of some others spread evenly, as for
+            `Solution.error_estimate`; None if there is none.
         invariants: the invariants at the end by symbol, each of shape (n,): those that every member has.
     """
 
     y: Floats
     failures: Mapping[int, str]
+    error_estimate: Optional[float]
     _starts: Floats = field(repr=False)
     _values: Callable[[Floats], dict[str, Floats]] = field(repr=False)
 

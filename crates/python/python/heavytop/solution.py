@@ -11,6 +11,7 @@ from numpy.typing import ArrayLike, NDArray
 
 from . import _native
 from ._native import IntegrationError
+from .accuracy import Check
 from .arguments import array
 
 Floats = NDArray[np.float64]
@@ -25,6 +26,8 @@ class Native(Protocol):
     def states_at(self, setting: Any, times: list[float]) -> Floats: ...
     def invariant_values(self, states: Floats) -> Floats: ...
 
+    def check(self, setting: Any, steps: int) -> tuple[float, Optional[float]]: ...
+
 
 class Run(NamedTuple):
     """What a run is made from: enough to make it again. The setting is the start, the step and the method."""
@@ -32,6 +35,10 @@ class Run(NamedTuple):
     native: Native
     setting: Any
     names: Mapping[str, slice]
+
+    def steps(self, times: Floats) -> int:
+        """Returns the number of steps up to the last of the times."""
+        return round(float(times[-1]) / float(self.setting[1])) if len(times) else 0
 
 
 @dataclass(frozen=True, eq=False, repr=False)
@@ -53,6 +60,9 @@ class Solution:
         success: whether no step failed. If one did, the samples before it are there.
         message: the reason for the status, in words.
         error: the exception of the step that failed, or None.
+        error_estimate: the estimated error of the states, to two digits: the largest over the run, of each vector or scalar
+            of the coordinates relative to its size. 1 means that nothing is right. It is found by a repetition of the
+            beginning of the run with half the step; None if that failed.
     """
 
     t: Floats
@@ -63,6 +73,7 @@ class Solution:
     y_events: Optional[list[Floats]]
     iterations: int
     error: Optional[IntegrationError]
+    error_estimate: Optional[float]
     _ended_by: Optional[int] = field(repr=False)
     _run: Run = field(repr=False)
 
@@ -120,6 +131,25 @@ class Solution:
             largest = float(np.abs(self.invariants[symbol] - first).max())
             return largest / np.float64(abs(first)) if relative else largest
 
+    def check(self) -> Check:
+        """Makes the whole run again with half the step and with twice the step, and returns its error and its order.
+
+        The error is that at the end, relative to the state, as for `error_estimate`. If the order is near that of the method
+        the steps are short enough; if it is far below, they are not, or the motion is chaotic and the run too long. The check
+        takes three and a half times as long as the run.
+
+        Raises:
+            IntegrationError: if a step fails.
+
+        Example:
+            >>> from heavytop import Top
+            >>> run = Top.kovalevskaya().solve([2, 3, 4], [0.6, 0, 0.8], step=0.1, end=10)
+            >>> check = run.check()
+            >>> check.error < 1e-6, abs(check.order - 8) < 0.3
+            (True, True)
+        """
+        return Check(*self._run.native.check(self._run.setting, self._run.steps(self.t)))
+
     def sol(self, t: ArrayLike) -> Floats:
         """Returns the states at any times from 0 to the end of the run, which is before 0 if the run was backward.
 
@@ -157,7 +187,9 @@ class Solution:
         return f"<Solution: {span}; {self.message}; deviations: {deviations}>"
 
 
-def solution(columns: _native.Recorded, symbols: Sequence[str], run: Run, *, has_events: bool) -> Solution:
+def solution(
+    columns: _native.Recorded, symbols: Sequence[str], run: Run, error_estimate: Optional[float], *, has_events: bool
+) -> Solution:
     """Returns the solution of the columns of a run. It ends before the first sample with an infinite invariant."""
     t, y, values, attitudes = columns.times, columns.states, columns.values, columns.attitudes
     error = columns.failure
@@ -175,6 +207,7 @@ def solution(columns: _native.Recorded, symbols: Sequence[str], run: Run, *, has
         y_events=[states for _, states in columns.events] if has_events else None,
         iterations=columns.iterations,
         error=error,
+        error_estimate=error_estimate,
         _ended_by=columns.ended_by,
         _run=run,
     )
@@ -192,7 +225,9 @@ def crossings(columns: _native.Recorded) -> Crossings:
     return Crossings(t, y.T)
 
 
-def solution_at(times: Floats, states: Floats, invariants: Mapping[str, Floats], run: Run) -> Solution:
+def solution_at(
+    times: Floats, states: Floats, invariants: Mapping[str, Floats], run: Run, error_estimate: Optional[float]
+) -> Solution:
     """Returns the solution of states, as rows, at times."""
     return Solution(
         t=times,
@@ -203,6 +238,7 @@ def solution_at(times: Floats, states: Floats, invariants: Mapping[str, Floats],
         y_events=None,
         iterations=0,
         error=None,
+        error_estimate=error_estimate,
         _ended_by=None,
         _run=run,
     )

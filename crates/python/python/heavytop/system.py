@@ -8,6 +8,7 @@ from typing import Any, Optional
 import numpy as np
 from numpy.typing import ArrayLike
 
+from .accuracy import warn_of_accuracy
 from .arguments import array, choice, course, real
 from .arguments import count as whole
 from .events import Events, Function, native_events, surface_source
@@ -108,6 +109,9 @@ class System(SystemDescription):
             IntegrationError: if a step fails and the times are given by `t`.
             MemoryError: if there is no room for the samples.
 
+        Warns:
+            RuntimeWarning: if a step turns the motion by more than 1 rad, or the estimated error is above 1e-3.
+
         Example:
             >>> import numpy as np
             >>> body = System("so(3)", "(Pi1^2 + Pi2^2/2 + Pi3^2/4)/2")
@@ -123,7 +127,8 @@ class System(SystemDescription):
         run = self._run(y0, step, (formulation, scheme, tolerance))
         watched = native_events(events, self._names, self._parameters)
         columns = self._system.follow(run.setting, end, whole("every", every, 1), watched)
-        return solution(columns, self.invariants, run, has_events=events is not None)
+        estimate = warn_of_accuracy(self._system, run.setting, run.steps(columns.times), 3)
+        return solution(columns, self.invariants, run, estimate, has_events=events is not None)
 
     def _solve_at(self, y0: State, t: ArrayLike, step: Any, end: Any, names: Any, others: tuple[int, Events]) -> Solution:
         times = array("t", t)
@@ -140,7 +145,8 @@ class System(SystemDescription):
         step, _ = course(step, last or step)
         run = self._run(y0, step, names)
         states = self._system.states_at(run.setting, times.tolist())
-        return solution_at(times, states, self.invariant_values(states.T), run)
+        estimate = warn_of_accuracy(self._system, run.setting, run.steps(times), 4)
+        return solution_at(times, states, self.invariant_values(states.T), run, estimate)
 
     def section(
         self,
@@ -179,6 +185,7 @@ class System(SystemDescription):
         # Events have the direction along the run.
         way = int(choice("direction", direction, (1, -1, 0)) * math.copysign(1, step))
         bound = 0 if most is None else whole("most", most, 1)
+        warn_of_accuracy(self._system, run.setting, 0, 3)
         function = surface_source(surface, real("value", value), self._names, self._parameters)
         return crossings(self._system.follow(run.setting, end, NEVER, [(function, way, bound)]))
 

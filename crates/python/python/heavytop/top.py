@@ -9,10 +9,10 @@ import numpy as np
 from numpy.typing import ArrayLike
 
 from . import _native
+from .accuracy import warn_of_accuracy
 from .arguments import choice, course, flag, quaternion, real, vector
 from .arguments import count as whole
 from .events import Events, Function, native_events, surface_source
-from .long_steps import warn_of_long_step
 from .methods import method
 from .solution import NEVER, Crossings, Floats, Run, Solution, crossings, names_of_groups, solution
 from .top_parameters import TopParameters
@@ -114,7 +114,7 @@ class Top(TopParameters):
             MemoryError: if there is no room for the samples.
 
         Warns:
-            RuntimeWarning: if the body turns by more than two radians in the first step, where no method is accurate.
+            RuntimeWarning: if a step turns the motion by more than 1 rad, or the estimated error is above 1e-3.
 
         Example:
             The collective midpoint rule conserves the Casimirs; the explicit one does not.
@@ -135,12 +135,12 @@ class Top(TopParameters):
         watched = native_events(events, NAMES, {})
         columns = self._top.follow(run.setting, end, every, followed, watched)
         symbols = self._top.invariants_from(np.array([run.setting[0]]))
-        return solution(columns, symbols, run, has_events=events is not None)
+        estimate = warn_of_accuracy(self._top, run.setting, run.steps(columns.times), 3)
+        return solution(columns, symbols, run, estimate, has_events=events is not None)
 
     def _run(self, Pi: ArrayLike, Gamma: ArrayLike, step: float, formulation: Any, scheme: Any, tolerance: Any) -> Run:
         angular_momentum = vector("Pi", Pi)
         names = method(formulation, scheme, tolerance)
-        warn_of_long_step([self._top], np.array([angular_momentum]), step, 4)
         return Run(self._top, (angular_momentum + vector("Gamma", Gamma), step, names), NAMES)
 
     def section(
@@ -183,6 +183,7 @@ class Top(TopParameters):
         way = int(choice("direction", direction, (1, -1, 0)) * math.copysign(1, step))
         bound = 0 if most is None else whole("most", most, 1)
         surface = (surface_source(coordinate, real("value", value), NAMES, {}), way, bound)
+        warn_of_accuracy(self._top, run.setting, 0, 3)
         return crossings(self._top.follow(run.setting, end, NEVER, (False, None), [surface]))
 
     def section_starts(

@@ -2,6 +2,7 @@
 
 pub(crate) mod schedule;
 pub(crate) mod interruption;
+pub(crate) mod accuracy;
 pub(crate) mod event;
 pub(crate) mod record;
 pub(crate) mod recording;

@@ -6,10 +6,13 @@ use crate::arrays::rows;
 use crate::errors::refused;
 use crate::formulas::{FormulaSource, expressions};
 use crate::recorded::Recorded;
+use crate::runs::accuracy::{Accuracy, Check, accuracy, check};
 use crate::runs::dense::StatesAt;
 use crate::runs::event::{Event, EventArgument};
+use crate::runs::interruption::until_interrupted;
 use crate::runs::recording::Recording;
 use crate::runs::schedule::Schedule;
+use core::sync::atomic::Ordering;
 use heavytop::methods::MethodError;
 use lie_poisson_formula_systems::{FormulaSystem, FormulaSystemError, SystemMethod};
 use lie_poisson_formulas::Vocabulary;
@@ -141,6 +144,24 @@ impl System {
         let record = py.detach(|| method.integrate(&self.system, &schedule.start, task));
         let widths = [self.system.algebra().dimension(), 1 + self.system.casimirs().len()];
         Recorded::new(py, record.map_err(refused)??, widths)
+    }
+
+    /// Measures how accurate a run of so many steps is: the angle of a step (rad), the estimated error, and a warning.
+    fn accuracy(&self, py: Python<'_>, setting: Setting, steps: u64) -> PyResult<Accuracy> {
+        let (start, step, method) = setting;
+        let method = self.method(method)?;
+        let measured = py.detach(|| method.accuracy(&self.system, &start, (step, steps)));
+        measured.map(accuracy).map_err(refused)
+    }
+
+    /// Checks a run of so many steps by half the step and twice the step, and returns the error and the order.
+    fn check(&self, py: Python<'_>, setting: Setting, steps: u64) -> PyResult<Check> {
+        let (start, step, method) = setting;
+        let method = self.method(method)?;
+        let checked = until_interrupted(py, |stop| {
+            method.check(&self.system, &start, (step, steps), &|| !stop.load(Ordering::Relaxed))
+        })?;
+        check(checked.map_err(refused)?)
     }
 
     /// Returns the states at times in the order of the run, as rows.

@@ -5,10 +5,13 @@ use super::tasks::{Invariants, RecordTop};
 use crate::arrays::{numbers, read_rows, rows, state};
 use crate::errors::refused;
 use crate::recorded::Recorded;
+use crate::runs::accuracy::{Accuracy, Check, accuracy, check};
 use crate::runs::dense::StatesAt;
 use crate::runs::event::{Event, EventArgument};
+use crate::runs::interruption::until_interrupted;
 use crate::runs::recording::Recording;
 use crate::runs::schedule::Schedule;
+use core::sync::atomic::Ordering;
 use heavytop::methods::{Method, MethodError};
 use heavytop::{HeavyTop, Invariant, PrincipalAxes, attitude_of_vertical};
 use lie_poisson::{Quaternion, Se3, Se3Dual};
@@ -251,6 +254,24 @@ impl Top {
             }
         }
         Recorded::new(py, record, [6, list.len()])
+    }
+
+    /// Measures how accurate a run of so many steps is: the angle of a step (rad), the estimated error, and a warning.
+    fn accuracy(&self, py: Python<'_>, setting: Setting, steps: u64) -> PyResult<Accuracy> {
+        let (start, step, method) = setting;
+        let (method, start) = (made(method)?, self.principal(start)?);
+        let measured = py.detach(|| method.accuracy(&self.top, &start, (step, steps)));
+        measured.map(accuracy).map_err(refused)
+    }
+
+    /// Checks a run of so many steps by half the step and twice the step, and returns the error and the order.
+    fn check(&self, py: Python<'_>, setting: Setting, steps: u64) -> PyResult<Check> {
+        let (start, step, method) = setting;
+        let (method, start) = (made(method)?, self.principal(start)?);
+        let checked = until_interrupted(py, |stop| {
+            method.check(&self.top, &start, (step, steps), &|| !stop.load(Ordering::Relaxed))
+        })?;
+        check(checked.map_err(refused)?)
     }
 
     /// Returns the states at times in the order of the run, as rows.

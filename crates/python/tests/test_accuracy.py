@@ -1,0 +1,82 @@
+"""How accurate runs are: the estimate, the check, and one warning for all of them."""
+
+import warnings
+
+import numpy as np
+import pytest
+
+import heavytop
+from heavytop import System, Top
+
+TOP = Top.kovalevskaya()
+START = dict(Pi=[2, 3, 4], Gamma=[0.6, 0, 0.8])
+STATE = [2, 3, 4, 0.6, 0, 0.8]
+BODY = System("so(3)", "(Pi1^2 + Pi2^2/2 + Pi3^2/3)/2")
+FAST = [0.3, 0.2, 30]
+LONG = "the motion turns by about .* rad in a step"
+
+
+def test_motions_that_are_wrong_are_warned_of():
+    """They conserve the Casimirs, and are wrong in the first digit."""
+    for solve, casimir in [
+        (lambda: TOP.solve(**START, step=2.5, end=250), "f1"),
+        (lambda: TOP.solve(**START, step=0.032, end=20, scheme="implicit-midpoint"), "f1"),
+        (lambda: BODY.solve(FAST, step=1, end=30), "c1"),
+        (lambda: BODY.solve(FAST, np.linspace(0, 30, 31)), "c1"),
+        (lambda: BODY.solve(FAST, step=7.5, end=75), "c1"),
+    ]:
+        with pytest.warns(RuntimeWarning, match=LONG) as caught:
+            run = solve()
+        assert caught[0].filename == __file__
+        assert run.success and run.deviation(casimir) < 1e-9
+        assert run.error_estimate > (0.1 if casimir == "f1" else 0)
+
+
+def test_right_motions_are_not():
+    with warnings.catch_warnings():
+        warnings.simplefilter("error")
+        assert TOP.solve(**START, step=0.1, end=20).error_estimate < 1e-4
+        assert BODY.solve(FAST, step=0.02, end=10).error_estimate < 1e-6
+        y = np.array([STATE] * 20).T
+        assert heavytop.solve_many(TOP, y, step=0.1, end=10).error_estimate < 1e-4
+        heavytop.lyapunov(TOP, STATE, step=0.1, end=10)
+
+
+def test_many_runs_sections_and_exponents_have_the_same_warning():
+    y = np.array([STATE] * 20).T
+    y[2, 13] = 40.0
+    bodies = np.array([FAST] * 3).T
+    for call in [
+        lambda: heavytop.solve_many(TOP, y, step=0.1, end=10),
+        lambda: heavytop.solve_many([TOP] * 20, y, step=0.1, end=10),
+        lambda: heavytop.solve_many(BODY, bodies, step=1, end=10),
+        lambda: heavytop.lyapunov(TOP, y, step=0.1, end=1),
+        lambda: heavytop.lyapunov(BODY, FAST, step=1, end=10),
+        lambda: TOP.section(**START, coordinate="Gamma3", step=1, end=10),
+        lambda: BODY.section(FAST, "Pi2", step=1, end=10),
+    ]:
+        with pytest.warns(RuntimeWarning, match=LONG) as caught:
+            call()
+        assert caught[0].filename == __file__
+
+
+def test_the_estimate_is_close_to_the_error():
+    for scheme, step in [("implicit-midpoint", 0.01), ("gauss-4", 0.05), ("gauss-8", 0.15), ("rk4", 0.02)]:
+        with warnings.catch_warnings():
+            warnings.simplefilter("ignore")
+            run = TOP.solve(**START, step=step, end=30, scheme=scheme)
+        exact = TOP.solve(**START, step=step / 4, end=30, scheme="gauss-12", every=4)
+        error = max(
+            (np.linalg.norm(run[name] - exact[name], axis=0) / np.linalg.norm(exact[name], axis=0).max()).max()
+            for name in ["Pi", "Gamma"]
+        )
+        assert error / 2 < run.error_estimate < 2 * error, (scheme, error, run.error_estimate)
+
+
+def test_a_check_says_the_error_and_the_order():
+    check = TOP.solve(**START, step=0.2, end=4).check()
+    assert 0 < check.error < 1e-3 and abs(check.order - 8) < 0.5
+    check = BODY.solve(FAST, step=0.05, end=1, scheme="gauss-4").check()
+    assert abs(check.order - 4) < 0.3
+    fine = TOP.solve(**START, step=0.01, end=1).check()
+    assert fine.error < 1e-12 and fine.order is None
