@@ -7,7 +7,7 @@ from numpy.typing import NDArray
 Floats = NDArray[np.float64]
 MethodNames = tuple[str, str, float]
 Setting = tuple[Sequence[float], float, MethodNames]
-Source = Union[str, Sequence[tuple[str, float, int, int]]]
+Source = Union[str, Sequence[tuple[str, float, int, int, int]]]
 Event = tuple[Source, int, int]
 Accuracy = tuple[float, Optional[float], Optional[str]]
 

@@ -271,6 +271,12 @@ class Condition:
 class SymbolArray(np.ndarray):
     """An array of symbols, on which the functions of NumPy act as on a symbol."""
 
+    def __getitem__(self, key: Any) -> Any:
+        """Returns a part of the array. Which part may not depend on the state."""
+        if isinstance(key, np.ndarray) and any(isinstance(x, Condition) for x in key.flat):
+            raise TypeError(BRANCH.format(what="an index by a comparison"))
+        return super().__getitem__(key)
+
     def __array_function__(self, function: Any, types: Any, arguments: Any, settings: Any) -> Any:
         """Chooses between symbols where a function of NumPy is `numpy.where`."""
         if function is np.where and len(arguments) == 3 and not settings:
