@@ -25,7 +25,7 @@
 //! |---|---|
 //! | a formula over every scalar | [`Real`] as the bound of its type parameter |
 //! | a branch in such a formula | [`Real::at_most`], which returns a [`Mask`], then [`Real::select`] |
-//! | exp, sin, cos, tanh and integer powers in such a formula | the methods of [`Real`]; a function of [`DualNumber::value`] loses the derivative |
+//! | exp, sin, cos, tanh and integer powers in such a formula | the methods of [`Real`]; a function of the value alone loses the derivative |
 //! | an exact derivative with respect to one variable | [`DualNumber`] |
 //! | the differential of a function of a vector | [`differential`] |
 //! | the transposed tangent map of a map between vector spaces | [`transposed_tangent`] |

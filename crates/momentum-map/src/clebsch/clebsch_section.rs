@@ -150,7 +150,7 @@ impl ClebschSection {
 const ROUND_OFF: f64 = 64.0 * f64::EPSILON;
 
 impl<R: Representation> Fibres<ClebschMap<R>> for ClebschSection {
-    /// Returns a point near the origin on the fibre through z, with sizes of q and p within a factor 2 of each other.
+    /// Returns a point near the origin on the fibre through z, with sizes of q and p within a factor 16 of each other.
     ///
     /// The fibre contains all (aq, p/a). A power of two for a balances q and p without rounding errors. The iteration
     /// then has one unit for all coordinates. With a unit for each block the curve would have no point of least length.

@@ -50,7 +50,8 @@ impl Interruption {
 /// task reads.
 ///
 /// # Errors
-/// Returns `RuntimeError` if there are no threads. Returns `KeyboardInterrupt`, or what the program's handler raised, once the task has ended.
+/// Returns `RuntimeError` if there are no threads. Returns `KeyboardInterrupt`, or what the program's handler raised, once
+/// the task has ended.
 pub(crate) fn until_interrupted<T: Send>(
     py: Python<'_>,
     task: impl FnOnce(&AtomicBool) -> T + Send,
