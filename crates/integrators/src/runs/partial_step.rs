@@ -7,6 +7,9 @@ use core::fmt;
 ///
 /// The error is that of one step of the integrator, for any τ up to the step size. The step keeps what every step
 /// keeps, such as the Casimirs of a collective integrator. A polynomial between samples would not.
+///
+/// The state is not moved along its fibre ([`Integrator::pin`]). All steps from a sample therefore begin at one point, also
+/// where the image of a step depends on the point of the fibre.
 pub(crate) struct PartialStep<'a, I: Integrator> {
     integrator: &'a I,
     workspace: I::Workspace,
@@ -14,7 +17,9 @@ pub(crate) struct PartialStep<'a, I: Integrator> {
 
 impl<'a, I: Integrator> PartialStep<'a, I> {
     pub(crate) fn new(integrator: &'a I) -> Self {
-        Self { integrator, workspace: integrator.workspace() }
+        let mut workspace = integrator.workspace();
+        integrator.pin(&mut workspace);
+        Self { integrator, workspace }
     }
 
     /// Returns the sample at time τ after `from`, with the step number of `from`.
