@@ -1,7 +1,7 @@
 //! Lifts of Clebsch maps: [`ClebschSection`].
 
 use super::search::{ACCEPTED, Search};
-use crate::maps::recentring::{Both, Far, RecentringSpace, Sizes};
+use crate::maps::recentring::{Both, Far, RecentringSpace, Sizes, within};
 use crate::{
     ClebschMap, Cotangent, Fibres, LiftError, PoissonMap, Realisation, SectionOf, Side,
     SourcePoint, TargetPoint, clebsch_map,
@@ -130,23 +130,25 @@ impl ClebschSection {
         (Vector::select(zero, &Vector::zero(), &z), T::select(zero, T::zero(), residual))
     }
 
-    /// Returns the lift of J(z) in the SIMD lanes in which it has at most four fifths of the length of z, and the image
-    /// J(z) to round-off. Returns z itself in the others.
+    /// Returns the lift of J(z) in the SIMD lanes in which it has at most four fifths of the length of z, and each
+    /// coordinate of J(z) to the round-off of its terms at z. Returns z itself in the others.
+    ///
+    /// A coordinate that decays keeps its digits, and so the sign that tells its orbit, for as long as J(z) knows them.
     fn lifted_anew<R: Representation, T: Real>(
         &self,
         map: &ClebschMap<R>,
         z: &SourcePoint<ClebschMap<R>, T>,
+        known: &TargetPoint<ClebschMap<R>, T>,
     ) -> SourcePoint<ClebschMap<R>, T> {
         let mu = map.apply::<T>(z);
         let (near, _) = self.find(map, &mu);
         let shorter = (largest_coordinate(&near) * 1.25).at_most(largest_coordinate(z));
-        let off = largest_coordinate(&(map.apply::<T>(&near) - mu).0);
-        let same = off.at_most(largest_coordinate(&mu.0) * ROUND_OFF);
+        let same = within(&(map.apply::<T>(&near) - mu), known, ROUND_OFF);
         Vector::select(shorter.and(same), &near, z)
     }
 }
 
-/// The greatest change of the momentum in a move to its lift, relative to the momentum.
+/// The greatest change of a coordinate of the momentum in a move to its lift, relative to the sizes of its terms.
 const ROUND_OFF: f64 = 64.0 * f64::EPSILON;
 
 impl<R: Representation> Fibres<ClebschMap<R>> for ClebschSection {
@@ -171,7 +173,8 @@ impl<R: Representation> Fibres<ClebschMap<R>> for ClebschSection {
         };
         let z = balanced(z);
         if space.far() == Far::Length {
-            return self.lifted_anew(map, &z);
+            let known = space.terms_at(&both.apply_dual, &z);
+            return self.lifted_anew(map, &z, &known);
         }
         let size = largest_coordinate(&z).magnitude();
         let units = Vector::from_coordinates(|_| size);

@@ -149,6 +149,18 @@ impl<T: Real> RecentringSpace<T> {
         Vector::select(regular.and(nearer).and(same).and(precise), &moved, z)
     }
 
+    /// Returns the sizes of the terms of M(z), with the coordinates of z as their factors.
+    pub(crate) fn terms_at<V, W, V2, W2>(&mut self, apply: &impl Fn(&V2) -> W2, z: &V) -> W
+    where
+        V: Vector<Scalar = T>,
+        W: Vector<Scalar = T>,
+        V2: Vector<Scalar = DualNumber<T>>,
+        W2: Vector<Scalar = DualNumber<T>>,
+    {
+        self.differentiate::<V, W, V2, W2>(apply, z);
+        self.terms(z)
+    }
+
     /// Computes the tangent map A = T_z M.
     fn differentiate<V, W, V2, W2>(&mut self, apply: &impl Fn(&V2) -> W2, z: &V)
     where
@@ -222,7 +234,7 @@ impl<T: Real> RecentringSpace<T> {
 }
 
 /// Returns the mask of the lanes in which |v_d| ≤ `factor` |w_d| for all d.
-fn within<V: Vector<Scalar = T>, T: Real>(v: &V, w: &V, factor: f64) -> T::Mask {
+pub(crate) fn within<V: Vector<Scalar = T>, T: Real>(v: &V, w: &V, factor: f64) -> T::Mask {
     let mut all = T::Mask::from_bool(true);
     for d in 0..V::DIM {
         all = all.and(modulus(v.coordinate(d)).at_most(modulus(w.coordinate(d)) * factor));
