@@ -41,6 +41,17 @@ pub enum SweepError {
         /// The names of the observables of systems.
         has: Vec<&'static str>,
     },
+    /// An indicator of chaos is asked of a collective method whose steps do not descend to the dual of the algebra.
+    #[error(
+        "the observable {observable} has no meaning for the formulation {formulation} here: by the Clebsch map of this \
+         algebra, tangent vectors depend on the lift"
+    )]
+    Lifted {
+        /// The name of the observable.
+        observable: &'static str,
+        /// The name of the formulation.
+        formulation: &'static str,
+    },
     /// The table of a parameter does not have its name.
     #[error("there is no {parameter}; {has}")]
     NoParameter {

@@ -214,6 +214,9 @@ fn of_sweep(error: &SweepError, config: &Config) -> Vec<Repair> {
         SweepError::Matrix { axis } => of_axis(axis, "vary another number"),
         SweepError::Weight { axis } => of_axis(axis, "vary body.weight_moment"),
         SweepError::OfTops { .. } => vec![repair("observables", "leave it out")],
+        SweepError::Lifted { .. } => {
+            vec![("integrator.formulation".into(), "write \"direct\"".into())]
+        }
         SweepError::OfAnother { parameter, .. } => of_axis(parameter, "vary another number"),
         SweepError::NoParameter { parameter, .. } => of_axis(parameter, ""),
         SweepError::NoVector { parameter } => of_axis(parameter, "write it without [ ]"),

@@ -134,6 +134,11 @@ const GROWING: &str = "[system]\ncoordinates = ['x', 'y', 'z']\nbrackets = { 'x,
                        hamiltonian = 'a*x'\nparameters.a = 1\ninitial = { x = 1, y = 0, z = 0 }\n\
                        [integrator]\nformulation = 'direct'\nscheme = 'explicit-midpoint'\nstep = 1\nend = 3\n";
 
+/// A collective method whose steps do not descend, since the cube of ad z is no multiple of ad z.
+const LIFTED: &str = "[system]\ncoordinates = ['x', 'y', 'z']\nbrackets = { 'x, z' = 'x', 'y, z' = '2*y' }\n\
+                      hamiltonian = 'x^2 + y^2 + z^2'\ninitial = { x = 0.1, y = 0.3, z = -0.2 }\n\
+                      [integrator]\nformulation = 'collective'\nstep = 0.1\nend = 1\n";
+
 /// Values of the parameter at which members fail, of which only their text is returned. Without brackets there are more
 /// Casimirs.
 const MEMBERS: [(&str, &str, &str, &str); 2] = [
@@ -180,6 +185,10 @@ pub fn errors() -> BTreeSet<String> {
         let text = NAMED.to_owned() + &axis(parameter, observable, "from = 0, to = 1");
         found.push(refused(expected, sweep_of(&text)));
     }
+    let of_start = |observable| axis("system.initial.x", observable, "from = 0.1, to = 0.2");
+    let lifted = |observable| sweep_of(&(LIFTED.to_owned() + &of_start(observable)));
+    found.push(refused("SweepError::Lifted", lifted("megno")));
+    assert!(lifted("final-state").is_ok());
     for (variant, system, value, said) in MEMBERS {
         let values = format!("from = {value}, to = {value}");
         let text = system.to_owned() + &axis("system.parameters.a", "lyapunov", &values);

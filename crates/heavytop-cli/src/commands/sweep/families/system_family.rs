@@ -105,6 +105,12 @@ impl SystemFamily {
         }
     }
 
+    /// Returns whether the steps from the configured start descend to the dual of the algebra.
+    fn descends(&self) -> bool {
+        // A method whose steps fail to be made is refused where they are made.
+        self.method.descends(&self.system, &self.start).unwrap_or(true)
+    }
+
     /// Returns the names of h and of the Casimirs.
     fn conserved(&self) -> impl Iterator<Item = String> {
         let casimirs = (1..=self.system.casimirs().len()).map(|i| format!("c{i}"));
@@ -195,6 +201,10 @@ impl Family for SystemFamily {
                 };
                 Ok(self.conserved().map(column).collect())
             }
+            lifted if lifted.tangents() > 0 && !self.descends() => Err(SweepError::Lifted {
+                observable: lifted.name(),
+                formulation: self.method.formulation().name(),
+            }),
             shared if Self::OBSERVABLES.contains(&shared) => Ok(shared.columns()),
             other => {
                 let has = Self::OBSERVABLES.map(Observable::name).to_vec();
