@@ -25,6 +25,29 @@ pub enum StepError {
         /// The number of iterations made.
         iterations: usize,
     },
+    /// The iteration for the stage equations converged to a solution that does not belong to the state.
+    #[error(
+        "the stage equations have a solution, but not one that short steps lead to: the iteration went {distance:e} \
+         times the size of the stage derivatives to it; a shorter step may help"
+    )]
+    OtherSolution {
+        /// The sum of the changes of the stage derivatives in the iteration, relative to their size.
+        distance: f64,
+    },
+    /// The Hamiltonian or a Casimir has changed by more than the errors of the method.
+    #[error(
+        "the step changes {} by {change:e}, of which the order of the method explains {allowed:e}: the step does not \
+         follow the motion; use a shorter one, or the direct formulation",
+        invariant_name(.index)
+    )]
+    InvariantLost {
+        /// The index of the invariant: 0 for the Hamiltonian, then those of the Casimirs, from 1.
+        index: usize,
+        /// The change of the invariant.
+        change: f64,
+        /// The largest change that the order of the method allows.
+        allowed: f64,
+    },
     /// The result of the step, or its momentum, has a coordinate that is infinite or not a number.
     #[error("the state is not finite after the step")]
     NotFinite,
@@ -53,6 +76,11 @@ pub enum StepError {
     /// The number of the step would exceed [`u64::MAX`].
     #[error("no step has a number above {}", u64::MAX)]
     Uncountable,
+}
+
+/// Returns the name of an invariant of a system: h, c1, c2, …
+fn invariant_name(index: &usize) -> String {
+    if *index == 0 { "h".to_owned() } else { format!("c{index}") }
 }
 
 impl StepError {

@@ -36,6 +36,13 @@ pub(crate) const FLOOR: f64 = 8.0 * ROUND_OFF;
 /// larger change therefore says nothing.
 const PATIENCE: f64 = 4.0;
 
+/// The multiple of the size of the stage derivatives within which a solution is near the guess.
+const NEAR: f64 = 0.5;
+
+/// The multiple of the first change within which a solution is near the guess for an iteration that contracts. The sum of
+/// the changes is below it if they contract by a sixteenth from one to the next on average.
+const CONTRACTING: f64 = 16.0;
+
 /// The changes of an iteration, watched until they are round-off, in each lane as if there were no others.
 pub(crate) struct Watch<T> {
     previous: T,
@@ -46,6 +53,9 @@ pub(crate) struct Watch<T> {
     expected: T,
     /// The number of sweeps since the least change.
     stalled: T,
+    /// The first change, and the sum of all.
+    first: T,
+    path: T,
 }
 
 /// The last two ratios of changes in an iteration.
@@ -62,7 +72,32 @@ impl<T: Real> Watch<T> {
     #[cfg_attr(not(debug_assertions), inline(always))]
     pub(crate) fn new(ratios: Ratios<T>) -> Self {
         let infinity = T::from_f64(f64::INFINITY);
-        Self { previous: infinity, least: infinity, ratios, expected: infinity, stalled: T::zero() }
+        let (stalled, first, path) = (T::zero(), T::zero(), T::zero());
+        Self {
+            previous: infinity,
+            least: infinity,
+            ratios,
+            expected: infinity,
+            stalled,
+            first,
+            path,
+        }
+    }
+
+    /// Returns the lanes in which the iteration has gone astray: the sum of its changes is larger than half the size of
+    /// the stages, and larger than a contraction makes it from the first change.
+    ///
+    /// Stage equations may have several solutions. The one of the state is near a good guess, and an iteration that
+    /// contracts finds it. Another one is found by an iteration whose changes first grow.
+    #[cfg_attr(not(debug_assertions), inline(always))]
+    pub(crate) fn is_astray(&self, size: T) -> T::Mask {
+        let near = self.path.at_most(size * NEAR).or(self.path.at_most(self.first * CONTRACTING));
+        near.not()
+    }
+
+    /// Returns the sum of the changes.
+    pub(crate) fn path(&self) -> T {
+        self.path
     }
 
     /// Returns the last two ratios of changes.
@@ -77,7 +112,10 @@ impl<T: Real> Watch<T> {
         let better = change.at_most(self.least).and(self.least.at_most(change).not());
         self.stalled = T::select(better, T::zero(), self.stalled + 1.0);
         self.least = T::select(better, change, self.least);
-        let says = is_finite(self.previous).and((size * NOISE).at_most(change));
+        let begun = is_finite(self.previous);
+        self.first = T::select(begun, self.first, change);
+        self.path += change;
+        let says = begun.and((size * NOISE).at_most(change));
         let ratio = change / self.previous;
         self.ratios = [
             T::select(says, self.ratios[1], self.ratios[0]),
@@ -137,6 +175,23 @@ mod tests {
         // A single ratio says nothing, and neither do changes that rise and fall.
         assert_eq!(last([1e6, 1.0]), None);
         assert_eq!(last([1e3, 4e3, 500.0, 2e3, 250.0, 1e3, 125.0, 500.0, 62.0, 250.0, 1.0]), None);
+    }
+
+    /// A solution far from the guess is accepted only from an iteration that contracts from its first change.
+    #[test]
+    fn changes_that_grow_lead_astray() {
+        let astray = |changes: &[f64]| {
+            let mut watch = Watch::new(unknown());
+            for change in changes {
+                watch.converged(*change, 1.0);
+            }
+            watch.is_astray(1.0)
+        };
+        assert!(astray(&[0.01, 0.1, 0.3, 0.4, 0.1]));
+        // near the guess, although the changes grow
+        assert!(!astray(&[0.001, 0.01, 0.1, 0.01]));
+        // far from the guess, by a contraction, and by one whose changes rise and fall
+        assert!(!astray(&[1.0, 0.5, 0.25]) && !astray(&[0.1, 0.4, 0.05, 0.2, 0.02]));
     }
 
     /// The changes are those of a field whose argument is a thousand times larger than the field.

@@ -33,6 +33,10 @@ const NEWTON_ITERATIONS: usize = 50;
 /// step; or the changes are of the size of round-off and no longer decrease. The low parts of coefficients are included
 /// once k is within √ε of the solution.
 ///
+/// Stage equations that are not linear may have several solutions. One to which the iteration goes with changes that grow,
+/// over a distance comparable with the stage derivatives themselves, is not accepted. If that of Newton's iteration from
+/// X(z) is far, it is compared with the solution that is followed from short steps to the whole one.
+///
 /// Sizes are compared block by block, in units of the state ([`State::BLOCKS`]). For (q, p) with q of size 1e-20 and p
 /// of size 1, both are found to the same number of digits.
 ///
@@ -203,22 +207,21 @@ impl StageSolver {
         )
     }
 
-    /// Makes Newton's iteration from k_i = `start`, in the lanes that are not `done`. Returns the number of iterations.
+    /// Makes Newton's iteration from the guess in `k`, in the lanes that are not `done`. Returns the number of iterations.
     ///
     /// The closure `advance` makes one iteration in those lanes, and returns its change and the size of the stages.
     ///
     /// # Errors
-    /// Returns [`StepError::NotConverged`] if the iteration does not converge in some lane.
+    /// Returns [`StepError::NotConverged`] or [`StepError::OtherSolution`] if the iteration does not converge in some
+    /// lane, or to a solution far from the guess.
     #[cfg_attr(not(debug_assertions), inline(always))]
     pub(crate) fn newton<V: State>(
         &self,
         done: MaskOf<V>,
-        start: &V,
         scale: &impl Scale<V>,
         k: &mut [V],
         mut advance: impl FnMut(MaskOf<V>, &mut [V]) -> Progress<V>,
     ) -> Result<usize, StepError> {
-        fill_unless(done, k, start);
         let lanes = (done, MaskOf::<V>::from_bool(false));
         self.iterate(NEWTON_ITERATIONS, lanes, scale, &mut unknown(), |done, _| advance(done, k))
             .map_err(|unconverged| unconverged.error)
@@ -240,7 +243,7 @@ impl StageSolver {
     ) -> Result<usize, Unconverged<MaskOf<V>>> {
         let mut watch = Watch::new(*pace);
         let none = MaskOf::<V>::from_bool(false);
-        let (mut converged, mut lost, mut near) = (done, none, none);
+        let (mut converged, mut lost, mut near, mut astray) = (done, none, none, none);
         let mut progress = Progress { change: BlockSizes::zero(), size: BlockSizes::zero() };
         let mut iterations = 0;
         while iterations < most && !converged.or(lost).all() {
@@ -256,6 +259,11 @@ impl StageSolver {
                 now = now.or(scale.accepts(&progress, self.tolerance));
             }
             *pace = keep(ended, *pace, watch.ratios());
+            if now.any() {
+                let far = now.and(ended.not()).and(watch.is_astray(size));
+                astray = astray.or(far);
+                lost = lost.or(far);
+            }
             converged = converged.or(now.and(lost.not()));
             if converged.all() {
                 return Ok(iterations);
@@ -268,7 +276,11 @@ impl StageSolver {
         let (change, size) = scale.compare(&progress);
         let relative = V::Scalar::select(converged, V::Scalar::from_f64(0.0), change / size);
         let (residual, required) = (relative.max_abs(), larger(self.tolerance, FLOOR));
-        let error = StepError::NotConverged { residual, required, iterations };
+        let error = if astray.any() {
+            StepError::OtherSolution { distance: (watch.path() / size).max_abs() }
+        } else {
+            StepError::NotConverged { residual, required, iterations }
+        };
         Err(Unconverged { converged, iterations, error })
     }
 }

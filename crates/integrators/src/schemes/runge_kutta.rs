@@ -8,9 +8,10 @@ use crate::iteration::stage_scale::StageScale;
 use crate::iteration::stage_solver::{StageEquations, Unconverged, fit, set_combination};
 use crate::schemes::explicit_step::four_stages;
 use crate::schemes::refinement::Refinement;
+use crate::stages::branch::Branch;
 use crate::stages::extrapolation::Predictor;
 use crate::stages::history::StageHistory;
-use crate::stages::newton::{NewtonSpace, newton_step};
+use crate::stages::newton::NewtonSpace;
 use crate::sums::exact_combination::add_exactly;
 use crate::sums::halves::scale_evenly;
 use crate::{Equivariant, Increment, Scheme, StageSolver, Step, StepError, Tableau, VectorField};
@@ -96,14 +97,15 @@ impl RungeKutta {
                 if T::HAS_SLOW_PATHS && self.solver.newton && newton.allows(k.len(), z) =>
             {
                 field.at_into(z, &mut spare);
-                let advance = |done: T::Mask, k: &mut [F::Point]| {
-                    newton_step(field, (z, step), &self.tableau, done, k, newton)
-                };
                 // Newton's iteration begins at X(z). If that is not a number, its dense matrix would be computed in
                 // vain.
                 let begins = is_finite(BlockSizes::of(core::slice::from_ref(&spare)).largest());
                 if begins.and(converged.not()).any() && step.is_finite() {
-                    let more = self.solver.newton(converged, &spare, &scale, k, advance);
+                    let problem = Branch { field, z, step, tableau, solver: &self.solver };
+                    let more = problem.solve(converged, &spare, &scale, k, newton);
+                    // What the sweeps have found says more than that Newton's iteration finds nothing.
+                    let astray = matches!(error, StepError::OtherSolution { .. });
+                    let more = more.map_err(|failed| if astray { error } else { failed });
                     more.map(|more| (iterations + more, converged))
                 } else {
                     Err(error)

@@ -1,7 +1,9 @@
-//! The stages of implicit methods: first guesses from the earlier steps, where these are forgotten, and Newton's iteration.
+//! The stages of implicit methods: first guesses from the earlier steps, where these are forgotten, and Newton's iteration, and
+//! its solutions that short steps lead to.
 
 pub(crate) mod checkpoints;
 pub(crate) mod newton;
+pub(crate) mod branch;
 pub(crate) mod extrapolation;
 pub(crate) mod history;
 pub(crate) mod stage_memory;

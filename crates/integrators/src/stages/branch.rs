@@ -1,0 +1,194 @@
+//! The solution of stage equations to which short steps lead: [`Branch`].
+
+use crate::iteration::block_sizes::{BlockSizes, MaskOf};
+use crate::iteration::stage_scale::{Progress, Scale, StageScale};
+use crate::iteration::stage_solver::fill_unless;
+use crate::stages::newton::{NewtonSpace, newton_step};
+use crate::{StageSolver, StepError, Tableau, VectorField};
+use lie_poisson::{Mask, Real, State};
+
+/// The multiple of the first change of Newton's iteration to which its changes add up where it contracts at once.
+const AT_ONCE: f64 = 2.0;
+
+/// The greatest relative distance from the guess to the solution for a longer step.
+const NEAR: f64 = 0.5;
+
+/// The relative distance within which two solutions are the same: half of the digits.
+const SAME: f64 = 1.0 / (1 << 26) as f64;
+
+/// The first part of a step to which the solution for no step is followed, and the least length of a part.
+const FIRST_PART: f64 = 0.5;
+const LEAST_PART: f64 = 1.0 / (1 << 30) as f64;
+
+/// The factor by which a part is shortened if its solution is far.
+const SHORTER: f64 = 0.25;
+
+/// The number of shorter steps after which the solution is not followed further.
+const MOST_PARTS: usize = 128;
+
+/// The stage equations k_i = X(z + τh Σ_j a_ij k_j) for 0 ≤ τ ≤ 1.
+///
+/// For τ = 0 the only solution is k_i = X(z). The solution of the step is the end, at τ = 1, of the curve of solutions that
+/// begins there. Other solutions do not tend to X(z) for short steps. The states to which they lead are wrong, however
+/// exactly they solve the equations.
+pub(crate) struct Branch<'a, F: VectorField<T>, T: Real> {
+    pub(crate) field: &'a F,
+    pub(crate) z: &'a F::Point,
+    pub(crate) step: f64,
+    pub(crate) tableau: &'a Tableau,
+    pub(crate) solver: &'a StageSolver,
+}
+
+impl<F: VectorField<T>, T: Real> Branch<'_, F, T> {
+    /// Solves the equations of the step by Newton's iteration from k_i = `rate`, which is X(z), in the lanes that are not
+    /// `done`. Returns the number of iterations.
+    ///
+    /// If the iteration does not contract at once, its solution is compared with that to which short steps lead.
+    ///
+    /// # Errors
+    /// Returns the error of the iteration, or [`StepError::OtherSolution`], if no solution is found to which short steps
+    /// lead.
+    pub(crate) fn solve(
+        &self,
+        done: T::Mask,
+        rate: &F::Point,
+        scale: &StageScale<F::Point>,
+        k: &mut [F::Point],
+        space: &mut NewtonSpace<T>,
+    ) -> Result<usize, StepError> {
+        fill_unless(done, k, rate);
+        let (outcome, [first, path]) = self.newton(1.0, done, k, space);
+        if outcome.is_ok() && path.at_most(first * AT_ONCE).or(done).all() {
+            return outcome;
+        }
+        let Some((followed, more)) = self.follow(done, rate, space) else {
+            return outcome.and(Err(StepError::OtherSolution { distance: path.max_abs() }));
+        };
+        let same = match outcome {
+            Ok(_) => self.equal(scale, k, &followed),
+            Err(_) => MaskOf::<F::Point>::from_bool(false),
+        };
+        for (k, followed) in k.iter_mut().zip(&followed) {
+            k.replace_where(done.or(same).not(), followed);
+        }
+        Ok(outcome.unwrap_or_default() + more)
+    }
+
+    /// Makes Newton's iteration for the part τ of the step from the guess in `k`. Returns its outcome, its first change and
+    /// the sum of its changes, relative to the size of the stages.
+    fn newton(
+        &self,
+        part: f64,
+        done: T::Mask,
+        k: &mut [F::Point],
+        space: &mut NewtonSpace<T>,
+    ) -> (Result<usize, StepError>, [T; 2]) {
+        let (z, step) = (self.z, self.step * part);
+        let scale = StageScale::new(z, step);
+        let (mut first, mut path) = (None, T::zero());
+        let outcome = self.solver.newton(done, &scale, k, |done, k| {
+            let progress = newton_step(self.field, (z, step), self.tableau, done, k, space);
+            let (change, size) = scale.compare(&progress);
+            let relative = change / size;
+            first = first.or(Some(relative));
+            path += relative;
+            progress
+        });
+        (outcome, [first.unwrap_or(path), path])
+    }
+
+    /// Follows the solution from τ = 0 to τ = 1. Returns it with the number of iterations, or `None` if it ends before.
+    fn follow(
+        &self,
+        done: T::Mask,
+        rate: &F::Point,
+        space: &mut NewtonSpace<T>,
+    ) -> Option<(Vec<F::Point>, usize)> {
+        let mut k = vec![rate.clone(); self.tableau.stages()];
+        let mut before: Option<(f64, Vec<F::Point>)> = None;
+        let (mut reached, mut part, mut iterations) = (0.0, FIRST_PART, 0);
+        for _ in 0..MOST_PARTS {
+            let next = f64::min(reached + part, 1.0);
+            let mut guess = k.clone();
+            if let Some((earlier, old)) = &before {
+                let factor = T::from_f64((next - reached) / (reached - earlier));
+                for ((guess, k), old) in guess.iter_mut().zip(&k).zip(old) {
+                    guess.add_multiple(factor, k);
+                    guess.add_multiple(-factor, old);
+                }
+            }
+            let (outcome, [_, path]) = self.newton(next, done, &mut guess, space);
+            match outcome {
+                Ok(made) if path.at_most(T::from_f64(NEAR)).or(done).all() => {
+                    iterations += made;
+                    if next >= 1.0 {
+                        return Some((guess, iterations));
+                    }
+                    before = Some((reached, core::mem::replace(&mut k, guess)));
+                    (reached, part) = (next, part * 2.0);
+                }
+                _ if part * SHORTER < LEAST_PART => return None,
+                _ => part *= SHORTER,
+            }
+        }
+        None
+    }
+
+    /// Returns the lanes in which two solutions are the same.
+    fn equal(&self, scale: &StageScale<F::Point>, k: &[F::Point], other: &[F::Point]) -> T::Mask {
+        let mut progress = Progress { change: BlockSizes::zero(), size: BlockSizes::of(k) };
+        for (k, other) in k.iter().zip(other) {
+            progress.change.include_difference(k, other);
+        }
+        let (change, size) = scale.compare(&progress);
+        change.at_most(size * SAME)
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use crate::{RungeKutta, Scheme, StepError, from_fn};
+    use nalgebra::Vector1;
+
+    /// Makes a midpoint step of the given size from x.
+    fn midpoint(f: impl Fn(f64) -> f64, x: f64, step: f64) -> Result<f64, StepError> {
+        let field = from_fn(|x: &Vector1<f64>| Vector1::new(f(x.x)));
+        let midpoint = RungeKutta::implicit_midpoint();
+        let made = midpoint.step(&field, &Vector1::new(x), step, &mut midpoint.workspace())?;
+        Ok(made.point.x)
+    }
+
+    /// For f = x² the equation k = (x + hk/2)² has two solutions up to hx = ½, and none beyond. The bounded f has a third
+    /// one near 100, to which sweeps and Newton's iteration lead where it is the only one.
+    #[test]
+    fn a_solution_that_no_short_step_leads_to_is_refused() {
+        let saturating = |x: f64| 100.0 * x * x / (100.0 + x * x);
+        for step in [0.1, 0.3, 0.45] {
+            let (bounded, free) = (midpoint(saturating, 1.0, step), midpoint(|x| x * x, 1.0, step));
+            assert!(bounded.is_ok_and(|x| x < free.unwrap_or(0.0) && x < 3.0), "{step}");
+        }
+        for step in [0.6, 1.0, 2.0] {
+            let bounded = midpoint(saturating, 1.0, step);
+            assert!(matches!(bounded, Err(StepError::OtherSolution { .. })), "{step} {bounded:?}");
+        }
+    }
+
+    /// The equation k = −y − 1000 y³, y = x + hk/2, has one solution, which short steps lead to.
+    #[test]
+    fn a_long_step_of_a_stiff_field_is_made() {
+        let f = |x: f64| -x - 1e3 * x * x * x;
+        for step in [1.0, 10.0, 100.0] {
+            let (mut low, mut high) = (0.0, 1.0);
+            for _ in 0..60 {
+                let y = 0.5 * (low + high);
+                (low, high) = if y - 1.0 > step / 2.0 * f(y) { (low, y) } else { (y, high) };
+            }
+            let end = midpoint(f, 1.0, step);
+            // the end is 2y − x, with the round-off of h f
+            assert!(
+                end.is_ok_and(|end| (end - (2.0 * low - 1.0)).abs() < 1e-12 * step),
+                "{step} {end:?}"
+            );
+        }
+    }
+}
