@@ -1,6 +1,7 @@
 //! The integrator of a system: one type for each algebra, formulation and scheme.
 
 use super::clebsch_maps::{adjoint_map, coadjoint_map};
+use super::invariant_guard::InvariantGuard;
 use super::offers::refusal;
 use super::system_task::SystemTask;
 use crate::algebras::system_algebra::Family;
@@ -96,13 +97,25 @@ impl Integration<'_> {
         scheme: S,
         task: K,
     ) -> Performed<K> {
-        let hamiltonian = self.hamiltonian::<StructureConstants<N>>()?;
+        let (hamiltonian, order) = (self.hamiltonian::<StructureConstants<N>>()?, scheme.order());
         let map = adjoint_map(self.table::<N>()?, || self.impossible())?;
         if map.lift(&self.momentum::<N>()).is_ok() {
-            return Ok(task.perform(&Collective::new(scheme, map, hamiltonian)));
+            let collective = Collective::new(scheme, map, hamiltonian);
+            return Ok(task.perform(&self.guarded(collective, order)?));
         }
         let map = coadjoint_map(self.table::<N>()?, || self.impossible())?;
-        Ok(task.perform(&Collective::new(scheme, map, hamiltonian)))
+        let collective = Collective::new(scheme, map, hamiltonian);
+        Ok(task.perform(&self.guarded(collective, order)?))
+    }
+
+    /// Returns an integrator whose steps fail if they lose h or a Casimir.
+    fn guarded<I, const N: usize>(
+        &self,
+        integrator: I,
+        order: usize,
+    ) -> Result<InvariantGuard<I, N>, FormulaSystemError> {
+        let invariants = core::iter::once(self.system.hamiltonian()).chain(self.system.casimirs());
+        InvariantGuard::new(integrator, order, self.table::<N>()?, invariants)
     }
 
     /// Returns whether the steps of affine schemes descend to 𝔤∗ along the map that [`perform`](Self::perform) uses.

@@ -3,6 +3,7 @@
 pub(crate) mod system_task;
 pub(crate) mod offers;
 pub(crate) mod clebsch_maps;
+pub(crate) mod invariant_guard;
 pub(crate) mod integration;
 pub(crate) mod system_method;
 mod spectral_radius;
