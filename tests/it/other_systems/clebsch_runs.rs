@@ -1,10 +1,15 @@
 //! Long runs by Clebsch maps: each is right to the order of its method, or ends with an error.
 
-use collective_integrators::{Collective, Direct, HamiltonianField, RungeKutta, Start};
+use collective_integrators::{
+    Collective, Direct, HamiltonianField, RunError, RungeKutta, Start, TangentIntegrator,
+};
+use heavytop::methods::{Formulation, SchemeName};
 use lie_poisson::{
     Automatic, Covector, Energy, LiePoisson, Real, Representation, StructureConstants, Vector,
     larger,
 };
+use lie_poisson_formula_systems::{FormulaSystem, SystemAlgebra, SystemMethod, SystemTask};
+use lie_poisson_formulas::{Coordinates, Parameters, StructureEntry};
 use momentum_map::{PoissonMap, Side, clebsch_realisation};
 use nalgebra::SVector;
 use workspace_tests::low_dimensional::{
@@ -26,8 +31,12 @@ impl<const N: usize> Energy for Round<N> {
 /// The time between two samples.
 const INTERVAL: f64 = 0.2;
 
-/// The growth of a small change of the start, as a distance from which it is measured.
+/// The change of the start by whose growth a motion is judged.
 const NEARBY: f64 = 1e-8;
+
+/// The relative error beyond which a motion is not followed. Where the growth of errors allows more, only the energy is
+/// compared.
+const PREDICTABLE: f64 = 1e-2;
 
 /// A momentum of an algebra of dimension N.
 type Momentum<const N: usize> = Covector<SVector<f64, N>>;
@@ -62,6 +71,8 @@ struct Runs {
     steps: &'static [f64],
     made: usize,
     failed: usize,
+    /// The number of samples that have been compared.
+    compared: usize,
     /// The largest error of a run, as a multiple of the bound for its step.
     worst: f64,
 }
@@ -75,7 +86,7 @@ fn bound(step: f64) -> f64 {
 impl Runs {
     fn new(starts: usize, end: f64, steps: &'static [f64]) -> Self {
         let samples = (end / INTERVAL).round() as usize + 1;
-        Self { starts, samples, steps, made: 0, failed: 0, worst: 0.0 }
+        Self { starts, samples, steps, made: 0, failed: 0, compared: 0, worst: 0.0 }
     }
 
     /// Makes the runs of one representation. A run ends with an error, or each of its samples is right.
@@ -98,8 +109,17 @@ impl Runs {
                         self.failed += 1;
                         break;
                     };
+                    let at = format!("{name}, start {index}, {step}, {}", sample.time);
+                    let energy = |mu: &Momentum<N>| mu.0.norm_squared();
+                    let change = energy(&sample.momentum) / energy(start) - 1.0;
+                    assert!(change.abs() < PREDICTABLE, "{at}: {change:e}");
+                    if growth * bound(step) > PREDICTABLE * larger(1.0, mu.max_abs()) {
+                        continue;
+                    }
                     let error = (sample.momentum - *mu).max_abs() / growth / bound(step);
+                    assert!(error < 1.0, "{at}: {error:e}");
                     self.worst = larger(self.worst, error);
+                    self.compared += 1;
                     assert!(
                         error < 1.0,
                         "{name}, start {index}, {step}, {}: {error:e}",
@@ -134,6 +154,7 @@ fn runs_on_every_algebra_are_right_to_their_order() {
     assert_eq!(every_algebra(&mut runs), 62);
     println!("worst of {} runs: {:e} of the bound", runs.made, runs.worst);
     assert_eq!((runs.made, runs.failed), (62, 0));
+    assert!(runs.compared > 2500, "{}", runs.compared);
 }
 
 #[test]
@@ -143,6 +164,57 @@ fn long_runs_on_every_algebra_are_right_or_stop() {
     assert_eq!(every_algebra(&mut runs), 62);
     println!("worst of {} runs: {:e} of the bound, {} stop", runs.made, runs.worst, runs.failed);
     assert!(runs.made == 3720 && runs.failed * 100 < runs.made, "{}", runs.failed);
+}
+
+/// A hundred steps of 1/10 from a state.
+struct HundredSteps<'a>(&'a [f64]);
+
+impl SystemTask for HundredSteps<'_> {
+    type Output = Result<(), RunError>;
+
+    fn perform<I>(self, integrator: &I) -> Self::Output
+    where
+        I: Start<State: Vector, Momentum: Vector<Scalar = f64>> + TangentIntegrator,
+    {
+        let start = Vector::from_coordinates(|i| self.0.get(i).copied().unwrap_or(0.0));
+        integrator.after(&start, 0.1, 100).map(drop)
+    }
+}
+
+/// The runs of systems from formulas, whose steps are refused if they lose h or a Casimir.
+struct Guarded;
+
+impl Check for Guarded {
+    fn check<const N: usize>(&mut self, entry: &Entry) {
+        let algebra = table::<N>(entry, 1.0).unwrap();
+        let upper = (0..N * N * N).map(|n| (n / (N * N), n / N % N, n % N));
+        let entries = upper.filter(|(i, j, _)| i < j).map(|(i, j, k)| StructureEntry {
+            i,
+            j,
+            k,
+            value: algebra.constant(i, j, k),
+        });
+        let entries = entries.filter(|entry| entry.value != 0.0).collect();
+        let names = Coordinates::scalars(["a", "b", "c", "d", "e"].into_iter().take(N)).unwrap();
+        let squares: Vec<_> = names.names().map(|name| format!("{name}^2")).collect();
+        let algebra = SystemAlgebra::of_entries(names, entries).unwrap();
+        let (collective, gauss) = (Formulation::Collective, SchemeName::Gauss(4));
+        let method = SystemMethod::new(&algebra, collective, gauss, 0.0).unwrap();
+        let hamiltonian = format!("({})/2", squares.join(" + "));
+        let system = FormulaSystem::new(algebra, &hamiltonian, &Parameters::new()).unwrap();
+        let system = system.with_found_casimirs().unwrap();
+        for start in samples::<Momentum<N>>(3) {
+            let task = HundredSteps(start.0.as_slice());
+            let run = method.integrate(&system, start.0.as_slice(), task).unwrap();
+            run.unwrap_or_else(|error| panic!("{}, {}: {error}", entry.name, start.0));
+        }
+    }
+}
+
+/// Runs that follow the motion lose neither h nor a Casimir.
+#[test]
+fn runs_that_are_right_are_not_refused() {
+    assert_eq!(every_algebra(&mut Guarded), 62);
 }
 
 /// The affine algebra of the plane, with coordinates (a b; c d) and (x, y). z grows exponentially along the fibres of
@@ -172,6 +244,23 @@ fn z_does_not_grow_along_fibres_that_are_not_compact() {
     runs.of::<6>(&AFFINE);
     println!("worst of {} runs: {:e} of the bound", runs.made, runs.worst);
     assert_eq!((runs.made, runs.failed), (9, 0));
+}
+
+/// Control: without moves along the fibres z grows until nothing is left of M(z).
+#[test]
+fn z_grows_where_it_is_not_moved() {
+    let entry = FIVE.iter().find(|entry| entry.name == "A5,12").unwrap();
+    let map = clebsch_realisation(extended(&table::<5>(entry, 1.0).unwrap()).unwrap(), Side::Right);
+    let (map, gauss) = (map.unwrap(), RungeKutta::gauss(4).unwrap());
+    let start = samples::<Momentum<5>>(1)[0];
+    fn length<I: Start<State: Vector<Scalar = f64>>>(run: &I, start: &I::Momentum) -> f64 {
+        let run = run.trajectory(start, 0.1).unwrap().take(401);
+        run.map_while(Result::ok).fold(0.0, |most, sample| larger(most, sample.state.max_abs()))
+    }
+    let moved = Collective::new(gauss.clone(), map.clone(), Automatic(Round::<5>));
+    let left = Collective::that_does_not_descend(gauss, map, Automatic(Round::<5>));
+    let (moved, left) = (length(&moved, &start), length(&left, &start));
+    assert!(moved < 100.0 && left > 1e6, "{moved:e} {left:e}");
 }
 
 /// The energy ½α² + 0.3 βγ + 0.1 β² on sl(2)∗.

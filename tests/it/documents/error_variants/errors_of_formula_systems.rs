@@ -1,7 +1,7 @@
 //! Errors of systems from formulas, of their algebras, methods and sections.
 
 use super::refused;
-use collective_integrators::{Direction, Start};
+use collective_integrators::{Direction, Start, StepError};
 use heavytop::methods::{Formulation, SchemeName};
 use lie_poisson::{So3, Vector};
 use lie_poisson_formula_systems::{
@@ -20,6 +20,22 @@ impl SystemTask for Nothing {
     where
         I: Start<State: Vector, Momentum: Vector<Scalar = f64>>,
     {
+    }
+}
+
+/// One step of ½.
+struct OneStep<'a>(&'a [f64]);
+
+impl SystemTask for OneStep<'_> {
+    type Output = Result<(), StepError>;
+
+    fn perform<I>(self, integrator: &I) -> Self::Output
+    where
+        I: Start<State: Vector, Momentum: Vector<Scalar = f64>>,
+    {
+        let start = Vector::from_coordinates(|i| self.0.get(i).copied().unwrap_or(0.0));
+        let end = integrator.trajectory(&start, 0.5).unwrap().nth(1).unwrap();
+        end.map(|_| ()).map_err(|error| error.source)
     }
 }
 
@@ -92,6 +108,18 @@ pub fn systems_and_states() -> Vec<String> {
         let at = (0.0, Direction::Both);
         SystemSection::new(&lost, "a", &Parameters::new(), at)?.starts(&[1.0; 4], &[2.0, 3.0], 1, 0)
     };
+    // The stages of the step lie on a narrow hill of the energy, which its start does not see.
+    let hill = || -> Outcome<_> {
+        let names = Coordinates::scalars(["x", "y"])?;
+        let line = SystemAlgebra::of_brackets(names, [("x, y", "y")], &Parameters::new())?;
+        let text = "y^2/2 + 100*exp(-1000*(x - 1)^2)";
+        let hill = FormulaSystem::new(line, text, &Parameters::new())?;
+        let (collective, rk4) = (Formulation::Collective, SchemeName::Rk4);
+        let method = SystemMethod::new(hill.algebra(), collective, rk4, 0.0)?;
+        // control: where the energy is smooth, the same step is made
+        assert_eq!(method.integrate(&hill, &[3.0, 0.5], OneStep(&[3.0, 0.5]))?, Ok(()));
+        method.integrate(&hill, &[1.1, 0.5], OneStep(&[1.1, 0.5]))
+    };
     // A program may look for the Casimirs of a system before it makes the system.
     let casimirs =
         || -> Outcome<_> { Ok(find_casimirs(&So3, &Coordinates::scalars(["x", "y"])?)?) };
@@ -113,5 +141,6 @@ pub fn systems_and_states() -> Vec<String> {
         refused(method(Formulation::Splitting, 0.0)),
         refused(method(Formulation::Direct, -1.0)),
         refused(unlifted()),
+        refused(hill().unwrap()),
     ]
 }

@@ -25,6 +25,20 @@ impl<T: Real> VectorField<T> for Square {
     }
 }
 
+/// The field ẋ = 100 x²/(100 + x²), which is near x² for small x. For a midpoint step of 1 from 1 only the solution near
+/// 100 is left of those of the stage equation.
+#[derive(Clone, Copy)]
+struct Saturating;
+
+impl<T: Real> VectorField<T> for Saturating {
+    type Point = Vector1<T>;
+
+    fn at(&self, x: &Vector1<T>) -> Vector1<T> {
+        let square = x.x * x.x;
+        Vector1::new(square * 100.0 / (square + 100.0))
+    }
+}
+
 const RK4: fn() -> Direct<RungeKutta, Square> = || Direct::new(RungeKutta::rk4(), Square);
 
 /// Returns the reason why the step of this number fails from x, in a run that continues after `made` steps.
@@ -44,7 +58,10 @@ pub fn steps_and_schemes() -> Vec<String> {
     let hasty = StageSolver { max_iterations: 1, newton: false, ..StageSolver::default() };
     let hasty = Direct::new(RungeKutta::implicit_midpoint().with_solver(hasty), Square);
     let midpoint = || Tableau::gauss(1).unwrap();
+    let astray = Direct::new(RungeKutta::implicit_midpoint(), Saturating);
+    assert!(failure(&astray, 1.0, (0, 0.4), 1).is_ok());
     vec![
+        refused(failure(&astray, 1.0, (0, 1.0), 1)),
         refused(failure(&hasty, 1.0, (0, 0.1), 1)),
         refused(failure(&rk4, 1e200, (0, 1.0), 1)),
         refused(failure(&rk4, f64::NAN, (0, 0.1), 0)),
