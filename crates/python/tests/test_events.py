@@ -155,7 +155,13 @@ LINE = System(coordinates=["X", "Y", "Z"], brackets={("X", "Y"): "Z"}, hamiltoni
         ("atan2(sin(9*Y), cos(9*Y)) - 3", [3 / 9, (3 + 2 * np.pi) / 9, (3 + 4 * np.pi) / 9]),
         ("atan2(sin(9*Y), cos(9*Y)) - pi", [np.pi / 9, np.pi / 3, 5 * np.pi / 9]),
         ("(atan2(sin(9*Y), cos(9*Y)) + 3)*180/pi", [(2 * np.pi - 3) / 9, (4 * np.pi - 3) / 9, (6 * np.pi - 3) / 9]),
+        ("atan2(sin(9*Y), cos(9*Y)) + Y - 3", [0.3, 0.3 + 0.2 * np.pi, 0.3 + 0.4 * np.pi]),
         ("atan2(sin(9*Y), cos(9*Y))^3", [2 * np.pi / 9, 4 * np.pi / 9]),
+        # Half a turn is no angle: 0.1 + 2 pi is none of its values.
+        ("arctan(9*(Y - 1)) - 0.1", [1 + np.tan(0.1) / 9]),
+        ("arctan(9*(Y - 1)) - 0.1 - 2*pi", []),
+        ("arcsin(sin(9*Y)) - 0.1 - 2*pi", []),
+        ("arccos(cos(9*Y)) - 3 - 2*pi", []),
     ],
 )
 def test_events_are_zeros_where_the_sign_changes(function, zeros, unit):

@@ -242,6 +242,33 @@ fn a_surface_may_be_an_angle() {
     assert_eq!(section(&body, "sin(atan2(Gamma2, Gamma1))", (0.5, Direction::Up)).period(), None);
 }
 
+/// Functions that cover half a turn have each value once: 2π more is another surface, which no state is on.
+#[test]
+fn half_a_turn_is_no_angle() {
+    use core::f64::consts::TAU;
+    let (body, state) = (body(), [1.0, 0.5, 0.3, 0.6, 0.0, 0.8]);
+    let levels = body.invariants(&state).unwrap();
+    for half in [
+        "arctan(Gamma2/Gamma1)",
+        "arcsin(Gamma2)",
+        "arccos(Gamma2)",
+        "atan2(Gamma2, 1)",
+        "atan2(Gamma2, |Gamma1|)",
+        "0.5 - arctan(Gamma2) + Gamma1",
+    ] {
+        let at = |level| section(&body, half, (level, Direction::Both));
+        assert_eq!(at(0.6).period(), None, "{half}");
+        for start in at(0.6).starts(&state, &levels, 2, 0).unwrap() {
+            assert!(at(0.6).value(&start).abs() < 1e-14, "{half}");
+            assert!((at(0.6 + TAU).value(&start) + TAU).abs() < 1e-14, "{half}");
+        }
+    }
+    // Controls: an angle keeps its period beside functions that have none, and with an argument of either sign.
+    for angle in ["atan2(Gamma2, Gamma1) + arctan(Pi1)", "Pi1 - atan2(Gamma2, -1)"] {
+        assert_eq!(section(&body, angle, (0.6, Direction::Up)).period(), Some(TAU), "{angle}");
+    }
+}
+
 /// A section is drawn over the first two coordinates that its surface does not fix, or over the formulas asked for.
 #[test]
 fn axes_are_the_free_coordinates_or_formulas() {

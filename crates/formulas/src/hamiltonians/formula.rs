@@ -147,8 +147,12 @@ impl Formula {
     /// Returns the period of the values if the formula is an angle, and `None` otherwise.
     ///
     /// `atan2(y, x)` has the period 2π: along a motion it jumps from π to −π, although the direction of (x, y) turns
-    /// steadily. So do sums of such angles and constants. A constant factor multiplies the period: in degrees it is 360.
-    /// The period tells a jump of an angle from a change of it, in a surface or an event where the angle has a value.
+    /// steadily. So do sums of such angles and functions without one. A constant factor multiplies the period: in degrees
+    /// it is 360. The period tells a jump of an angle from a change of it, in a surface or an event where the angle has a
+    /// value.
+    ///
+    /// `arcsin`, `arccos`, `arctan`, and `atan2` with an argument that is never negative, cover half a turn alone. They do
+    /// not jump by 2π, each of their values is one of its own, and they have no period.
     ///
     /// ```
     /// use core::f64::consts::{PI, TAU};
@@ -160,6 +164,7 @@ impl Formula {
     /// assert_eq!(period("1 - atan2(Pi2, Pi1) + atan2(Pi3, |Pi|)"), Some(TAU));
     /// assert_eq!(period("atan2(Pi2, Pi1)/2"), Some(PI));
     /// assert_eq!(period("sin(atan2(Pi2, Pi1))"), None);
+    /// assert_eq!(period("arctan(Pi1)"), None);
     /// # Ok::<(), lie_poisson_formulas::NameError>(())
     /// ```
     #[must_use]
