@@ -45,6 +45,7 @@
 //! | tangent vectors and Lyapunov exponents | [`ReducedMidpoint`] or [`Collective`](collective_integrators::Collective), which work over dual numbers |
 //! | a Poincaré section: its energy level, surface, starts and returns | [`EnergyLevel`], [`Surface`], [`Section`] |
 //! | one of the six coordinates of (Π, Γ) | [`Coordinate`] |
+//! | what a surface fixes: a coordinate, or the angle of Γ about an axis | [`SurfaceVariable`] |
 //! | the nutation of any top: amplitude and rotation number | [`Nutation`] |
 //! | an integrator by the names of a formulation and a scheme | [`Method`](methods::Method), of the module [`methods`] |
 //! | the motion in closed form | [`EulerSolution`], [`LagrangeNutation`] |
@@ -90,8 +91,9 @@ pub mod methods;
 pub mod prelude;
 
 pub use analysis::nutation::Nutation;
-pub use analysis::section::{Section, Surface};
+pub use analysis::section::Section;
 pub use analysis::section_error::SectionError;
+pub use analysis::surface::{Surface, SurfaceVariable};
 pub use attitude::step_rotation::{TurnedStep, Turning, TurningFlows};
 pub use attitude::with_attitude::{WithAttitude, attitude_of_vertical};
 pub use closed_forms::elliptic::{JacobiElliptic, jacobi_elliptic};

@@ -80,3 +80,20 @@ def test_a_check_says_the_error_and_the_order():
     assert abs(check.order - 4) < 0.3
     fine = TOP.solve(**START, step=0.01, end=1).check()
     assert fine.error < 1e-12 and fine.order is None
+
+
+def test_absurd_steps_are_refused():
+    body = System("so(3)", "(Pi1^2 + Pi2^2/2 + Pi3^2/3)/2")
+    top = Top(inertia=[2.0, 2.0, 3.0], weight_moment=0.0)
+    # Both turn by 10 rad/s.
+    for solve in [
+        lambda step, **how: body.solve([0.0, 0.0, 30.0], step=step, **how),
+        lambda step, **how: body.section([0.0, 0.0, 30.0], coordinate="Pi1", step=step, **how),
+        lambda step, **how: top.solve(Pi=[0.0, 0.0, 30.0], Gamma=[0.0, 0.0, 1.0], step=step, **how),
+        lambda step, **how: top.section([0.0, 0.0, 30.0], [0.0, 0.0, 1.0], coordinate="Pi1", step=step, **how),
+    ]:
+        with pytest.raises(ValueError, match="a step of 11 s turns the motion by about .* it must be at most 100"):
+            solve(11.0, end=11.0)
+        # Control: a step of 10 rad is warned of.
+        with pytest.warns(RuntimeWarning, match=LONG):
+            solve(1.0, end=1.0)

@@ -24,6 +24,25 @@ def test_starts_have_the_energy_and_the_vertical_momentum():
         assert (solve_many(top, down, step=1e-4, end=1e-4).y[row] < value).all()
 
 
+@pytest.mark.parametrize("coordinate, j, k", [
+    ("atan2(Gamma3, Gamma2)", 4, 5),
+    ("atan2(Gamma1, Gamma3)", 5, 3),
+    ("atan2(Gamma2, Gamma1)", 3, 4),
+])
+def test_a_surface_may_be_an_angle(coordinate, j, k):
+    top = Top(inertia=[1.0, 1.4, 2.1], mass=0.7, gravity=9.81, length=0.2, center_of_mass=[2 / 7, -3 / 7, 6 / 7])
+    for value in [0.5, np.pi, -3.1, 7.0]:
+        y = top.section_starts(h=3.0, f2=0.4, coordinate=coordinate, value=value, count=20, seed=3)
+        assert np.abs(np.sin((np.arctan2(y[k], y[j]) - value) / 2)).max() < 1e-13
+        assert np.abs(top.invariant_values(y)["h"] - 3).max() < 1e-13
+        rate = lambda y: y[k] * np.cos(value) - y[j] * np.sin(value)
+        assert (rate(solve_many(top, y, step=1e-4, end=1e-4).y) > 0).all()
+        # The returns are on the surface, too, and the jump of the angle is none.
+        found = top.section(y[:3, 0], y[3:, 0], coordinate=coordinate, value=value, step=0.02, end=20)
+        assert found.y.shape[1] > 3
+        assert np.abs(np.sin((np.arctan2(found.y[k], found.y[j]) - value) / 2)).max() < 1e-12
+
+
 def test_a_section_without_states_names_the_least_energy():
     with pytest.raises(ValueError, match="the least is -"):
         Top.kovalevskaya().section_starts(h=-5, f2=0.0, coordinate="Gamma3")

@@ -2,7 +2,7 @@
 
 use collective_integrators::diagnostics::Drift;
 use collective_integrators::{Direct, Direction, HamiltonianField, RungeKutta, Sample, Start};
-use heavytop::{Body, Coordinate, EnergyLevel, HeavyTop, Invariant, Surface};
+use heavytop::{Body, Coordinate, EnergyLevel, HeavyTop, Invariant, Surface, SurfaceVariable};
 use lie_poisson::{Covector, LiePoisson, Quaternion, Se3, Se3Dual, Sign, Sites};
 use momentum_map::{Cotangent, Side};
 use nalgebra::{Vector2, Vector3};
@@ -44,7 +44,9 @@ fn states_parameters_and_results_are_read_as_they_were_written() -> Result<(), B
     assert_kept(Cotangent::new(spinor, Covector(spinor)))?;
     let (sign, side, direction) = (Sign::Minus, Side::Right, Direction::Both);
     assert_kept((sign, side, direction, Invariant::Kovalevskaya, Coordinate::Gamma2))?;
-    assert_kept(Surface { coordinate: Coordinate::Pi1, level: 0.1, direction })?;
+    let variable = Coordinate::Pi1.into();
+    assert_kept(Surface { variable, level: 0.1, direction })?;
+    assert_kept(Surface { variable: SurfaceVariable::Angle2, level: 7.0, direction })?;
     assert_kept(Drift { samples: 3, largest: 1e-17, slope: -2.5e-20 })?;
     let top = HeavyTop::new(&body())?;
     assert_kept((body(), top))?;

@@ -15,8 +15,15 @@ use heavytop::{HeavyTop, PrincipalAxes};
 use lie_poisson::{InstructionSet, Se3Dual};
 use serde::{Deserialize, Serialize};
 
+/// The keys that say where the centre of mass is, and how heavy it is.
+const POSITION: [&str; 2] = ["body.mass", "body.length"];
+
 /// The part of a velocity up to which it is zero by rounding.
 const ROUNDING: f64 = 1e-12;
+
+/// What follows the reason why a body is impossible, in a warning.
+pub(crate) const IMPOSSIBLE: &str = "goes on with m g l alone: write moments about the support, or inertia_about = \
+                                     \"center-of-mass\", or weight_moment instead of mass, gravity and length";
 
 /// A configuration file; what it leaves out is as for the paper's Kovalevskaya top.
 #[derive(Clone, Debug, Default, PartialEq, Deserialize, Serialize)]
@@ -202,15 +209,19 @@ impl Config {
             return None;
         }
         let reason = self.body.impossibility()?;
-        Some(format!(
-            "warning: [body] {reason}; the run goes on with m g l alone: write moments about the support, or \
-             inertia_about = \"center-of-mass\", or weight_moment instead of mass, gravity and length"
-        ))
+        Some(format!("warning: [body] {reason}; the run {IMPOSSIBLE}"))
     }
 
     /// Returns whether the mass or the length was left out where the configuration was read.
     fn leaves_out_position(&self) -> bool {
-        ["body.mass", "body.length"].iter().any(|key| self.left_out.contains(key))
+        POSITION.iter().any(|key| self.left_out.contains(key))
+    }
+
+    /// Returns whether the mass and the length are known of a body, some of whose keys are set elsewhere.
+    pub(crate) fn gives_position(&self, is_set: impl Fn(&str) -> bool) -> bool {
+        let is_given =
+            |key: &str| self.body.weight_moment.is_none() && !self.left_out.contains(key);
+        POSITION.iter().all(|key| is_set(key) || is_given(key))
     }
 
     /// Checks that the mass and the length are given where the moments need them.

@@ -4,7 +4,7 @@ use super::system::Numbers;
 use crate::Error;
 use crate::vocabulary::named::{by_name, name_of};
 use collective_integrators::Direction;
-use heavytop::Coordinate;
+use heavytop::{Coordinate, SurfaceVariable};
 use serde::de::Error as _;
 use serde::{Deserialize, Deserializer, Serialize, Serializer};
 use std::collections::BTreeMap;
@@ -17,9 +17,9 @@ pub struct SectionConfig {
     pub energy: Option<f64>,
     /// The vertical momentum Π·Γ of a top, kg m²/s; by default that of `[initial]`.
     pub vertical_momentum: Option<f64>,
-    /// The coordinate that the surface fixes, by default Γ₃ of a top; for a system a formula.
+    /// The coordinate or the angle that the surface fixes, by default Γ₃ of a top; for a system a formula.
     pub surface: Option<String>,
-    /// The value of that coordinate or formula on the surface.
+    /// The value of that coordinate, angle (rad) or formula on the surface.
     pub level: f64,
     /// The direction in which the surface is crossed.
     #[serde(deserialize_with = "direction", serialize_with = "direction_name")]
@@ -59,14 +59,17 @@ impl Default for SectionConfig {
 }
 
 impl SectionConfig {
-    /// Returns the coordinate that the surface of a top fixes.
+    /// Returns the coordinate or the angle that the surface of a top fixes.
     ///
     /// # Errors
-    /// If there is no coordinate of this name.
-    pub(crate) fn coordinate(&self) -> Result<Coordinate, Error> {
-        let names = Coordinate::ALL.map(|coordinate| (coordinate.name(), coordinate));
+    /// If there is none of this name.
+    pub(crate) fn variable(&self) -> Result<SurfaceVariable, Error> {
         let surface = self.surface.as_deref().unwrap_or(Coordinate::Gamma3.name());
-        by_name("surface", &names, surface).map_err(Error::UnknownSurface)
+        let unknown = || {
+            let names = SurfaceVariable::ALL.map(|variable| (variable.name(), variable));
+            by_name("surface", &names, surface).map_err(Error::UnknownSurface)
+        };
+        SurfaceVariable::named(surface).map_or_else(unknown, Ok)
     }
 
     /// Checks that no key is of systems alone.

@@ -190,9 +190,9 @@ pub enum Error {
         /// The end asked for, s.
         end: f64,
     },
-    /// The body turns too far in one step for any method to give meaningful results.
+    /// The motion turns too far in one step for any method to give meaningful results.
     #[error(
-        "a step of {} s turns the body by about {angle:.3e} rad; it must be at most {most}",
+        "a step of {} s turns the motion by about {angle:.3e} rad; it must be at most {most}",
         number(*step)
     )]
     AbsurdStep {
@@ -307,7 +307,7 @@ pub enum Error {
     /// The section of a system that the configuration asks for does not exist.
     #[error("[section]")]
     SystemSection(#[source] Box<FormulaSystemError>),
-    /// No coordinate of a top has the name of the surface.
+    /// No coordinate or angle of a top has the name of the surface.
     #[error("section.surface: {0}")]
     UnknownSurface(String),
     /// The section of a system has no surface.

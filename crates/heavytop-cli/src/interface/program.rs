@@ -122,12 +122,16 @@ fn run(Arguments { quiet, json, command }: Arguments) -> Result<(), Error> {
             .noted(replacing, |config, safeguard| animate(config, &out, &watch(quiet, safeguard)))
             .and_then(|(done, notes)| closing.end(&done, &notes, &out)),
         Command::Bench { top, problem, only, tops } => top
-            .run(Replacing { force: false }, |config, _| {
+            .noted(Replacing { force: false }, |config, _| {
                 let threads = top.threads.unwrap_or(1);
                 let options = BenchOptions { only, tops, threads };
                 bench(&config, problem.as_deref(), options, quiet)
             })
-            .and_then(|done| print(&done, json)),
+            .and_then(|(done, notes)| {
+                print(&Noted { summary: &done, notes: &notes }, json)?;
+                closing.note(&notes);
+                Ok(())
+            }),
         Command::Init { file, preset, replacing } => init(preset, file.as_deref(), replacing.force),
         Command::Man { command } => man(command.as_deref()),
         Command::Completions { shell } => completions(shell),
@@ -174,6 +178,12 @@ impl Closing {
             let seconds = self.begun.elapsed().as_secs_f64();
             // The command has succeeded where stderr is closed, too.
             let _ = writeln!(io::stderr(), "heavytop: done{what}; {seconds:.2} s");
+        }
+        self.note(notes);
+    }
+
+    fn note(&self, notes: &Notes) {
+        if !(self.json || self.quiet) {
             for note in notes.to_string().lines() {
                 let _ = writeln!(io::stderr(), "heavytop: {note}");
             }

@@ -67,9 +67,10 @@ pub(super) fn repairs(error: &Error, config: &Config) -> Vec<Repair> {
                 ..0.0 => format!("write at least {bound:.3e}"),
                 _ => "write less".into(),
             };
-            let fast = "the body is too fast for the step".to_string();
+            let fast = "the motion is too fast for the step".to_string();
             vec![
                 repair("integrator.step", note),
+                repair("system.initial", fast.clone()),
                 repair("initial.angular_momentum", fast.clone()),
                 repair("initial.angular_velocity", fast.clone()),
                 repair("body.inertia", fast),

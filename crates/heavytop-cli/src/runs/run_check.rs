@@ -1,9 +1,11 @@
 //! The accuracy of a run in its summary and in a warning.
 
 use crate::Error;
+use crate::vocabulary::brief::number;
 use collective_integrators::RunError;
 use collective_integrators::diagnostics::{RunAccuracy, StepCheck};
 use heavytop::methods::{Formulation, SchemeName};
+use lie_poisson::larger;
 use serde::Serialize;
 use std::fmt;
 
@@ -38,9 +40,27 @@ impl RunCheck {
     }
 }
 
+/// Returns the larger angle of a step and the larger error of two runs by one method.
+pub(crate) fn worse(one: RunAccuracy, other: RunAccuracy) -> RunAccuracy {
+    RunAccuracy {
+        angle: larger(one.angle, other.angle),
+        error: one.error.into_iter().chain(other.error).reduce(larger),
+        ..one
+    }
+}
+
 /// Returns the warning about the accuracy of a run, if there is one.
 pub(crate) fn accuracy_warning(accuracy: &RunAccuracy) -> Option<String> {
     accuracy.warning().map(|text| format!("warning: {text}"))
+}
+
+/// Writes the method, the steps (s) and the end (s) as a part of a closing line, so that it names what was left out.
+pub(crate) fn write_method(
+    to: &mut fmt::Formatter<'_>,
+    (formulation, scheme): (&str, &str),
+    (step, end): (f64, f64),
+) -> fmt::Result {
+    write!(to, "; by {formulation}, {scheme}, step {} s, to {} s", number(step), number(end))
 }
 
 /// Writes the estimated error, and that of a check, as a part of a closing line.

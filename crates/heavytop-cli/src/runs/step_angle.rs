@@ -1,11 +1,12 @@
-//! The largest angle by which a body may turn in one step.
+//! The largest angle by which a motion may turn in one step.
 
 use crate::Error;
 use heavytop::HeavyTop;
 use lie_poisson::Se3Dual;
+use lie_poisson_formula_systems::{FormulaSystem, SystemMethod};
 
-/// The largest angle by which a body may turn in one step, rad: sixteen turns.
-pub(crate) const MOST_TURN: f64 = 100.0;
+/// The largest angle by which a motion may turn in one step, rad: sixteen turns.
+const MOST_TURN: f64 = 100.0;
 
 /// Returns the angle by which the body turns in a step, |h| (|Ω(0)| + √(m g l/I)) with I the least moment, rad.
 fn angle(top: &HeavyTop, start: &Se3Dual, step: f64) -> f64 {
@@ -18,9 +19,26 @@ pub(crate) fn least_moment(top: &HeavyTop) -> f64 {
     top.inertia().iter().copied().filter(|moment| *moment > 0.0).fold(f64::INFINITY, f64::min)
 }
 
-/// Checks that the body does not turn absurdly far in a step.
+/// Checks that the body does not turn absurdly far in a step from its start.
 pub(crate) fn require_sane_step(top: &HeavyTop, start: &Se3Dual, step: f64) -> Result<(), Error> {
-    let angle = angle(top, start, step);
+    require_turn(step, angle(top, start, step))
+}
+
+/// Checks that the motion of a system does not turn absurdly far in a step from its start. Whether there is a value at the
+/// start is for the run to say.
+pub(crate) fn require_sane_step_of_system(
+    method: &SystemMethod,
+    system: &FormulaSystem,
+    start: &[f64],
+    step: f64,
+) -> Result<(), Error> {
+    // A run without steps has the angle at its start.
+    let angle = method.accuracy(system, start, (step, 0))?.angle;
+    if angle.is_nan() { Ok(()) } else { require_turn(step, angle) }
+}
+
+/// Checks that an angle by which a motion turns in a step is not absurd, rad.
+pub(crate) fn require_turn(step: f64, angle: f64) -> Result<(), Error> {
     if angle <= MOST_TURN || step == 0.0 || step.is_nan() {
         Ok(())
     } else {

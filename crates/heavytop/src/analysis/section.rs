@@ -1,39 +1,31 @@
-//! Poincaré sections of a top: [`Section`], [`Surface`].
+//! Poincaré sections of a top: [`Section`].
 
 use crate::analysis::section_level::{least_energy, quasi_random};
-use crate::{Coordinate, EnergyLevel, HeavyTopSpace, PrincipalAxes, SectionError};
+use crate::analysis::surface::{Place, Surface, SurfaceVariable};
+use crate::{EnergyLevel, HeavyTopSpace, PrincipalAxes, SectionError};
 use collective_integrators::{Direction, EventError, Events, RunError, SampleOf, Start};
-use core::f64::consts::TAU;
-use lie_poisson::{Covector, Hamiltonian, LiePoisson, Pair, PoissonSpace, Se3, Se3Dual};
+use lie_poisson::{Hamiltonian, LiePoisson, PoissonSpace, Se3, Se3Dual};
 use nalgebra::{Vector2, Vector3};
+use std::borrow::Cow;
 
 /// The number of points of the plane that are tried for starts.
 const CANDIDATES: u64 = 10_000_000;
 
-/// A surface in se(3)∗ on which a coordinate has a given level.
-#[derive(Clone, Copy, Debug, PartialEq)]
-#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
-pub struct Surface {
-    /// The coordinate that is fixed.
-    pub coordinate: Coordinate,
-    /// The value of the coordinate on the surface, in its unit.
-    pub level: f64,
-    /// The directions of the crossings that count.
-    pub direction: Direction,
-}
-
 /// The Poincaré section of an energy level: its states on a surface, of dimension 2, with the return map.
 ///
-/// The surface fixes Γ_i or Π_i, i = 1, 2, 3. The section is drawn in a plane with the coordinates
+/// The surface fixes Γ_i or Π_i, i = 1, 2, 3, or the angle of Γ about e_i. The section is drawn in a plane with the
+/// coordinates
 ///
 /// ```text
-/// x = atan2(Γ_k, Γ_j) in [0, 2π], (i, j, k) cyclic: the angle of Γ about e_i, rad
-/// y = Π_i (kg m²/s) where the surface fixes Γ_i; Γ_i where it fixes Π_i
+/// Γ_i or Π_i:  x = atan2(Γ_k, Γ_j) in [0, 2π], (i, j, k) cyclic: the angle of Γ about e_i, rad
+///              y = Π_i (kg m²/s) where the surface fixes Γ_i; Γ_i where it fixes Π_i
+/// the angle:   x = arccos Γ_i in [0, π]: the inclination of Γ to e_i, rad
+///              y = Π·n (kg m²/s), n = e_i × Γ/|e_i × Γ|
 /// ```
 ///
-/// On Γ_i = level these are, up to sign, an Euler angle and its momentum. They are canonical coordinates of
-/// the section, and for one crossing direction each accessible point of the plane has one state. The return
-/// map conserves the area dx dy.
+/// On a surface that fixes Γ_i or the angle these are, up to sign, an Euler angle and its momentum. They are canonical
+/// coordinates of the section, and for one crossing direction each accessible point of the plane has one state. The
+/// return map conserves the area dx dy.
 ///
 /// Source: H. Poincaré, *Les méthodes nouvelles de la mécanique céleste* III (1899), ch. XXVII.
 ///
@@ -46,7 +38,7 @@ pub struct Surface {
 /// let top = HeavyTop::kovalevskaya(1.0, 1.0)?;
 /// let level = EnergyLevel { top, energy: 2.0, vertical_momentum: 0.3 };
 /// let surface =
-///     Surface { coordinate: Coordinate::Gamma3, level: 0.0, direction: Direction::Up };
+///     Surface { variable: Coordinate::Gamma3.into(), level: 0.0, direction: Direction::Up };
 /// let section = Section::new(level, surface)?;
 /// let gauss = LiftFree::new(RungeKutta::gauss(5)?, DualQuaternions, top);
 /// for start in section.starts(3, 0)? {
@@ -81,8 +73,8 @@ impl Section {
         Self::in_axes(level, surface, &PrincipalAxes::aligned(level.top.inertia()))
     }
 
-    /// Creates the section of the level by a surface that fixes a coordinate in the axes in which the body is described.
-    /// The states of the section are in principal axes, as those of the level are; its plane is that of the coordinate.
+    /// Creates the section of the level by a surface that fixes a variable in the axes in which the body is described.
+    /// The states of the section are in principal axes, as those of the level are; its plane is that of the variable.
     ///
     /// # Errors
     /// Those of [`Section::new`].
@@ -103,8 +95,10 @@ impl Section {
         if level.top.rod_axis().is_some() {
             return Err(SectionError::ThinRod);
         }
-        if !surface.coordinate.is_momentum() && surface.level.abs() >= 1.0 {
-            let Surface { coordinate, level, .. } = surface;
+        if let Surface { variable: SurfaceVariable::Coordinate(coordinate), level, .. } = surface
+            && !coordinate.is_momentum()
+            && level.abs() >= 1.0
+        {
             return Err(SectionError::NoSuchVertical { coordinate, level });
         }
         let section = Self { level, surface, axes: Some(*axes).filter(|axes| !axes.is_aligned()) };
@@ -127,46 +121,48 @@ impl Section {
         &self.surface
     }
 
-    /// Returns the coordinate that the surface fixes, minus its level.
+    /// Returns the variable that the surface fixes, minus its level; for an angle the difference of least size.
     #[must_use]
     pub fn value(&self, mu: &Se3Dual) -> f64 {
-        let value = match &self.axes {
-            Some(axes) => self.surface.coordinate.of(&axes.state_from_principal(mu)),
-            None => self.surface.coordinate.of(mu),
-        };
-        value - self.surface.level
+        self.surface.value(&self.given(mu))
     }
 
-    /// Returns the direction of the surface's coordinate in principal axes.
-    fn direction(&self) -> Vector3<f64> {
-        let axis = Vector3::ith(self.axis(), 1.0);
-        self.axes.map_or(axis, |axes| axes.to_principal(&axis))
+    /// Returns the period 2π of [`value`](Self::value) if the surface fixes an angle.
+    /// [`Events::modulo`](collective_integrators::Events::modulo) takes it.
+    #[must_use]
+    pub fn period(&self) -> Option<f64> {
+        self.surface.variable.period()
     }
 
-    /// Returns the unit vector Γ, in principal axes, with the component `height` at an angle about the surface's axis.
-    fn vertical(&self, angle: f64, height: f64) -> Vector3<f64> {
-        let gamma = vertical(self.axis(), angle, height);
-        self.axes.map_or(gamma, |axes| axes.to_principal(&gamma))
+    /// Returns a state in principal axes, or a rate, in the axes of the surface.
+    fn given<'a>(&self, mu: &'a Se3Dual) -> Cow<'a, Se3Dual> {
+        match &self.axes {
+            Some(axes) => Cow::Owned(axes.state_from_principal(mu)),
+            None => Cow::Borrowed(mu),
+        }
+    }
+
+    /// Returns a vector in the axes of the surface in principal axes.
+    fn principal(&self, v: Vector3<f64>) -> Vector3<f64> {
+        self.axes.map_or(v, |axes| axes.to_principal(&v))
+    }
+
+    /// Returns what a point of the plane says of the states over it, in principal axes.
+    fn place(&self, plane: &Vector2<f64>) -> Place {
+        let Place { gamma, axis, momentum } = self.surface.place(plane);
+        Place { gamma: self.principal(gamma), axis: self.principal(axis), momentum }
     }
 
     /// Returns the point (x, y) of the plane for a state in principal axes.
     #[must_use]
     pub fn plane(&self, mu: &Se3Dual) -> Vector2<f64> {
-        let given = self.axes.map(|axes| axes.state_from_principal(mu));
-        let Covector(Pair(pi, gamma)) = given.as_ref().unwrap_or(mu);
-        let axis = self.axis();
-        let x = gamma[(axis + 2) % 3].atan2(gamma[(axis + 1) % 3]).rem_euclid(TAU);
-        let other = if self.surface.coordinate.is_momentum() { gamma } else { pi };
-        Vector2::new(x, other[axis])
+        self.surface.plane(&self.given(mu))
     }
 
     /// Returns the states at (x, y) that cross the surface in its direction: none, one or two.
     pub fn states<'a>(&'a self, plane: &Vector2<f64>) -> impl Iterator<Item = Se3Dual> + use<'a> {
-        let fixed = self.surface.level;
-        let (height, momentum) =
-            if self.surface.coordinate.is_momentum() { (plane.y, fixed) } else { (fixed, plane.y) };
-        let gamma = self.vertical(plane.x, height);
-        let states = self.level.states_along(&gamma, &self.direction(), momentum);
+        let Place { gamma, axis, momentum } = self.place(plane);
+        let states = self.level.states_along(&gamma, &axis, momentum);
         states.into_iter().flatten().filter(|mu| self.crosses(mu))
     }
 
@@ -183,9 +179,9 @@ impl Section {
     /// Returns [`SectionError::TooSmall`] if too few of ten million points are accessible, because the energy is near
     /// its minimum.
     pub fn starts(&self, count: usize, seed: u64) -> Result<Vec<Se3Dual>, SectionError> {
-        let bound = self.bound();
+        let (width, bound) = (self.surface.width(), self.bound());
         let candidates = quasi_random(seed).take(CANDIDATES as usize);
-        let candidates = candidates.map(|[s, t]| Vector2::new(TAU * s, (2.0 * t - 1.0) * bound));
+        let candidates = candidates.map(|[s, t]| Vector2::new(width * s, (2.0 * t - 1.0) * bound));
         let starts: Vec<Se3Dual> =
             candidates.flat_map(|plane| self.states(&plane)).take(count).collect();
         match starts.len() {
@@ -214,11 +210,11 @@ impl Section {
         let section = *self;
         let run = integrator.trajectory(start, step)?.take(steps.saturating_add(1));
         let value = move |mu: &Se3Dual| section.value(mu);
-        Ok(Events::new(integrator, run, value, self.surface.direction.along_run(step)))
-    }
-
-    fn axis(&self) -> usize {
-        self.surface.coordinate.axis()
+        let events = Events::new(integrator, run, value, self.surface.direction.along_run(step));
+        Ok(match self.period() {
+            Some(period) => events.modulo(period),
+            None => events,
+        })
     }
 
     /// Returns whether the state crosses the surface in the right direction.
@@ -226,8 +222,7 @@ impl Section {
         let space: HeavyTopSpace = LiePoisson::minus(Se3::default());
         let differential = Hamiltonian::<HeavyTopSpace>::differential(&self.level.top, mu);
         let rate = space.hamiltonian_vector(mu, &differential);
-        let rate = self.axes.map_or(rate, |axes| axes.state_from_principal(&rate));
-        let rate = self.surface.coordinate.of(&rate);
+        let rate = self.surface.rate(&self.given(mu), &self.given(&rate));
         match self.surface.direction {
             Direction::Up => rate > 0.0,
             Direction::Down => rate < 0.0,
@@ -235,49 +230,44 @@ impl Section {
         }
     }
 
-    /// Returns the least energy on the surface over Γ at this angle about the axis. Γ_i is `height` unless
-    /// the surface fixes it.
+    /// Returns the least energy on the surface over Γ at this angle about the axis, or at any angle if the surface fixes
+    /// that. Γ_i is `height` unless the surface fixes it.
     fn least_energy_over(&self, angle: f64, height: f64) -> f64 {
-        let Surface { coordinate, level, .. } = self.surface;
-        if coordinate.is_momentum() {
-            let gamma = self.vertical(angle, height);
-            self.level.least_energy(&gamma, &self.direction(), level)
-        } else {
-            self.level.amended_potential(&self.vertical(angle, level))
+        let at = |x: f64, y: f64| self.place(&Vector2::new(x, y));
+        match self.surface.variable {
+            SurfaceVariable::Coordinate(coordinate) if coordinate.is_momentum() => {
+                let Place { gamma, axis, momentum } = at(angle, height);
+                self.level.least_energy(&gamma, &axis, momentum)
+            }
+            SurfaceVariable::Coordinate(_) => self.level.amended_potential(&at(angle, 0.0).gamma),
+            _ => self.level.amended_potential(&at(height.acos(), 0.0).gamma),
         }
     }
 
-    /// Returns the bound of |y|: Π_i² ≤ 2I_i (E − m g l Γ·c), or |Γ_i| ≤ 1.
+    /// Returns the bound of |y|: |Γ_i| ≤ 1, or (Π·n)² ≤ 2 n·In (E − m g l Γ·c) with the direction n of the component.
     fn bound(&self) -> f64 {
         let EnergyLevel { top, energy, .. } = self.level;
-        let Surface { coordinate, level, .. } = self.surface;
-        if coordinate.is_momentum() {
-            return 1.0;
-        }
-        let axis = self.direction();
+        let (axis, level) = (self.principal(self.surface.axis()), self.surface.level);
         let along = top.center_of_mass().dot(&axis);
-        let [across, radius] = [along, level].map(|x| (1.0 - x * x).max(0.0).sqrt());
-        let lowest = top.weight_moment() * (along * level - across * radius);
+        let across = |x: f64| (1.0 - x * x).max(0.0).sqrt();
+        // The least of Γ·c on the surface; on one of an angle n is at right angles to Γ.
+        let lowest = match self.surface.variable {
+            SurfaceVariable::Coordinate(coordinate) if coordinate.is_momentum() => return 1.0,
+            SurfaceVariable::Coordinate(_) => along * level - across(along) * across(level),
+            _ => -across(along),
+        };
         let moment = top.inertia().component_mul(&axis).dot(&axis);
-        (2.0 * moment * (energy - lowest)).max(0.0).sqrt()
+        (2.0 * moment * (energy - top.weight_moment() * lowest)).max(0.0).sqrt()
     }
-}
-
-/// Returns the unit vector with Γ_i = height at an angle about e_i, counted from e_j.
-fn vertical(axis: usize, angle: f64, height: f64) -> Vector3<f64> {
-    let radius = (1.0 - height * height).max(0.0).sqrt();
-    let mut gamma = Vector3::zeros();
-    gamma[axis] = height;
-    gamma[(axis + 1) % 3] = radius * angle.cos();
-    gamma[(axis + 2) % 3] = radius * angle.sin();
-    gamma
 }
 
 #[cfg(test)]
 #[allow(clippy::unwrap_used)]
 mod tests {
     use super::*;
-    use crate::{Body, HeavyTop};
+    use crate::analysis::surface::vertical;
+    use crate::{Body, Coordinate, HeavyTop};
+    use core::f64::consts::{PI, TAU};
 
     /// The bound of Π_i on Γ_i = level is that of the energy at the most favourable angle.
     #[test]
@@ -294,7 +284,8 @@ mod tests {
         let level = EnergyLevel { top, energy, vertical_momentum: 0.3 };
         for coordinate in [Coordinate::Gamma1, Coordinate::Gamma2, Coordinate::Gamma3] {
             for height in [-0.6, 0.2, 0.9] {
-                let surface = Surface { coordinate, level: height, direction: Direction::Both };
+                let variable = coordinate.into();
+                let surface = Surface { variable, level: height, direction: Direction::Both };
                 let section = Section::new(level, surface).unwrap();
                 let axis = coordinate.axis();
                 let momentum = |angle: f64| {
@@ -308,6 +299,42 @@ mod tests {
                 let bound = section.bound();
                 assert!((bound - most).abs() < 1e-8, "{coordinate:?} {height}: {bound} {most}");
             }
+        }
+    }
+
+    /// On a half circle around e₃ the bound of Π·n is that of the energy at the most favourable inclination, or larger
+    /// if that is on the other half.
+    #[test]
+    fn the_bound_of_the_momentum_of_the_inclination_is_attained() {
+        let body = Body {
+            inertia: Vector3::new(1.5, 1.2, 0.7),
+            mass: 1.3,
+            gravity: 0.9,
+            length: 0.7,
+            center_of_mass: Vector3::new(0.48, 0.6, 0.64),
+        };
+        let top = HeavyTop::new(&body).unwrap();
+        let level = EnergyLevel { top, energy: 2.0, vertical_momentum: 0.3 };
+        for angle in [-2.5, -0.4, 0.9, PI] {
+            let variable = SurfaceVariable::Angle3;
+            let surface = Surface { variable, level: angle, direction: Direction::Both };
+            let section = Section::new(level, surface).unwrap();
+            let node = Vector3::new(-angle.sin(), angle.cos(), 0.0);
+            let moment = top.inertia().component_mul(&node).dot(&node);
+            let momentum = |x: f64| {
+                let gamma = Vector3::new(x.sin() * angle.cos(), x.sin() * angle.sin(), x.cos());
+                let weight = top.weight_moment() * gamma.dot(&top.center_of_mass());
+                (2.0 * moment * (level.energy - weight)).sqrt()
+            };
+            let most = |from: f64| {
+                let angles = (0..100_000).map(|n| from + PI * f64::from(n) / 100_000.0);
+                angles.map(momentum).fold(0.0, f64::max)
+            };
+            let (half, whole, bound) = (most(0.0), most(0.0).max(most(PI)), section.bound());
+            assert!(
+                half <= bound && (bound - whole).abs() < 1e-8,
+                "{angle}: {bound} {half} {whole}"
+            );
         }
     }
 }

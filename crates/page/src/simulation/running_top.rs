@@ -220,5 +220,8 @@ fn section(
 ) -> Result<Section, SectionError> {
     let [h, _, f2, ..] = *measurement.initial();
     let level = EnergyLevel { top: *top, energy: h, vertical_momentum: f2 };
-    Section::new(level, Surface { coordinate, level: 0.0, direction: Direction::Up })
+    Section::new(
+        level,
+        Surface { variable: coordinate.into(), level: 0.0, direction: Direction::Up },
+    )
 }

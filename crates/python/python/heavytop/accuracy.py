@@ -16,6 +16,10 @@ SPREAD = 8
 """The number of many runs whose accuracy is measured, besides that of the fastest."""
 
 
+MOST_TURN = 100.0
+"""The largest angle by which a motion may turn in one step, rad: sixteen turns, as in the program."""
+
+
 class Check(NamedTuple):
     """The error at the end of a run, relative to the state, and the order with which it converges.
 
@@ -36,7 +40,14 @@ def warn_of_accuracy(native: Measured, setting: Any, steps: int, stacklevel: int
     """Returns the estimated error of a run, and warns if a step is too long or the error too large.
 
     Without steps there is no estimate, and the angle of a step alone decides.
+
+    Raises:
+        ValueError: if the motion turns by more than 100 rad in a step from its start.
     """
+    # A run without steps has the angle at its start.
+    angle, step = native.accuracy(setting, 0)[0], abs(setting[1])
+    if angle > MOST_TURN:
+        raise ValueError(f"a step of {step:g} s turns the motion by about {angle:.3e} rad; it must be at most {MOST_TURN:g}")
     _, error, warning = native.accuracy(setting, steps)
     if warning is not None:
         warnings.warn(warning, RuntimeWarning, stacklevel=stacklevel)

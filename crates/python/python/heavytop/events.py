@@ -24,8 +24,8 @@ class Event:
 
     At an event the function goes to zero and changes its sign. A touch, as of "(Gamma3 - 1)^2", is no event, since the sign
     does not change; neither are jumps and poles, where the function does not go to zero. A start where the function is zero
-    is no event. An angle, which is "atan2(...)" or a sum of such terms and constants, has an event wherever it is a multiple
-    of 2 pi, or of the period that a constant factor gives it.
+    is no event. An angle, which is "atan2(...)" or a sum of such terms and functions without one, has an event wherever it is
+    a multiple of 2 pi, or of the period that a constant factor gives it. Half a turn, as of "arctan(...)", is no angle.
 
     Attributes:
         function: a formula in the coordinates, such as "Gamma3 - 0.5" or "Pi·Gamma - 1", or a Python function of them, such

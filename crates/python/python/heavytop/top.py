@@ -19,6 +19,9 @@ from .top_parameters import TopParameters
 
 COORDINATES = ("Pi1", "Pi2", "Pi3", "Gamma1", "Gamma2", "Gamma3")
 
+ANGLES = ("atan2(Gamma3, Gamma2)", "atan2(Gamma1, Gamma3)", "atan2(Gamma2, Gamma1)")
+"""The angles of Gamma about the three axes."""
+
 NAMES = names_of_groups([("Pi", 3), ("Gamma", 3)])
 
 
@@ -205,8 +208,9 @@ class Top(TopParameters):
         Args:
             h: the energy, J.
             f2: the vertical momentum Pi.Gamma, kg m^2/s.
-            coordinate: "Pi1", "Pi2", "Pi3", "Gamma1", "Gamma2" or "Gamma3".
-            value: the value of the coordinate on the surface.
+            coordinate: "Pi1", "Pi2", "Pi3", "Gamma1", "Gamma2" or "Gamma3", or the angle of Gamma about an axis:
+                "atan2(Gamma3, Gamma2)", "atan2(Gamma1, Gamma3)" or "atan2(Gamma2, Gamma1)".
+            value: the value of the coordinate on the surface; of an angle in radians, up to turns of 2 pi.
             direction: 1 for states that cross it upwards, -1 for downwards, 0 for both.
             count: the number of states.
             seed: chooses the states.
@@ -226,6 +230,6 @@ class Top(TopParameters):
         """
         level = (real("h", h), real("f2", f2))
         way = int(choice("direction", direction, (1, -1, 0)))
-        surface = (choice("coordinate", coordinate, COORDINATES), real("value", value), way)
+        surface = (choice("coordinate", coordinate, COORDINATES + ANGLES), real("value", value), way)
         number, seed = whole("count", count, 1), whole("seed", seed, 0)
         return _native.section_starts(self._top, level, surface, number, seed).T

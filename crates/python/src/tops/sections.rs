@@ -4,12 +4,12 @@ use super::top::Top;
 use crate::arrays::rows;
 use crate::errors::refused;
 use crate::runs::event::direction;
-use heavytop::{Coordinate, EnergyLevel, Section, Surface};
+use heavytop::{EnergyLevel, Section, Surface, SurfaceVariable};
 use numpy::PyArray2;
 use pyo3::exceptions::PyValueError;
 use pyo3::{Bound, PyRef, PyResult, Python, pyfunction};
 
-/// The coordinate that is fixed, its value, and the direction 1, −1 or 0.
+/// The variable that is fixed, its value, and the direction 1, −1 or 0.
 type SurfaceArgument = (String, f64, i8);
 
 /// Returns states of a section with an energy and a vertical momentum, as rows.
@@ -24,10 +24,9 @@ pub fn section_starts<'py>(
 ) -> PyResult<Bound<'py, PyArray2<f64>>> {
     let ((energy, vertical_momentum), of) = (level, *top);
     let (name, value, way) = surface;
-    let named = Coordinate::ALL.into_iter().find(|coordinate| coordinate.name() == name);
-    let coordinate =
-        named.ok_or_else(|| PyValueError::new_err(format!("there is no coordinate {name}")))?;
-    let surface = Surface { coordinate, level: value, direction: direction(way)? };
+    let variable = SurfaceVariable::named(&name)
+        .ok_or_else(|| PyValueError::new_err(format!("there is no coordinate {name}")))?;
+    let surface = Surface { variable, level: value, direction: direction(way)? };
     let starts = py.detach(|| {
         let level = EnergyLevel { top: of.top, energy, vertical_momentum };
         Section::in_axes(level, surface, &of.axes)?.starts(count, seed)

@@ -54,10 +54,12 @@ pub fn errors() -> Vec<String> {
     let portable = InstructionSet::Portable;
     let no_stages = Method::new(Formulation::Direct, SchemeName::Gauss(0), 0.0).unwrap();
     let section = |energy, level| {
-        let surface = Surface { coordinate: Coordinate::Gamma3, level, direction: Direction::Up };
+        let surface =
+            Surface { variable: Coordinate::Gamma3.into(), level, direction: Direction::Up };
         Section::new(EnergyLevel { top, energy, vertical_momentum: 0.0 }, surface)
     };
-    let surface = Surface { coordinate: Coordinate::Pi1, level: 0.0, direction: Direction::Up };
+    let surface =
+        Surface { variable: Coordinate::Pi1.into(), level: 0.0, direction: Direction::Up };
     let of_rod =
         Section::new(EnergyLevel { top: rod, energy: 1.0, vertical_momentum: 0.0 }, surface);
     vec![

@@ -3,7 +3,7 @@
 use super::animation::Animation;
 use crate::files::place::shown;
 use crate::runs::Experiment;
-use crate::runs::run_check::write_accuracy;
+use crate::runs::run_check::{write_accuracy, write_method};
 use serde::Serialize;
 use std::fmt;
 use std::path::{Path, PathBuf};
@@ -56,6 +56,7 @@ impl PageSummary {
 impl fmt::Display for PageSummary {
     fn fmt(&self, to: &mut fmt::Formatter<'_>) -> fmt::Result {
         write!(to, "{} frames to t = {} s, in {}", self.frames, self.end, shown(&self.out))?;
-        write_accuracy(to, self.error_estimate, None)
+        write_accuracy(to, self.error_estimate, None)?;
+        write_method(to, (self.formulation, self.scheme), (self.step, self.end))
     }
 }

@@ -2,8 +2,7 @@
 
 mod problems;
 mod settings;
-mod orbit;
-mod orbit_tiles;
+mod orbits;
 mod survey;
 mod section_summary;
 mod picture;

@@ -1,6 +1,6 @@
 //! The picture of a section, as SVG.
 
-use super::orbit::Orbit;
+use super::orbits::orbit::Orbit;
 use super::problems::section_problem::Drawing;
 use super::settings::Settings;
 use super::survey::Survey;

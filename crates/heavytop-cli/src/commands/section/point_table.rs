@@ -1,7 +1,7 @@
 //! The points of a section as a Parquet file.
 
-use super::orbit::Orbit;
-use super::orbit_tiles::values;
+use super::orbits::orbit::Orbit;
+use super::orbits::orbit_tiles::values;
 use crate::Error;
 use crate::files::Output;
 use crate::formats::Metadata;

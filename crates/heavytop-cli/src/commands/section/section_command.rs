@@ -1,6 +1,7 @@
 //! The command `section`: from a configuration to the table and the picture of a Poincaré section.
 
-use super::orbit_tiles::{Orbits, Stuck};
+use super::orbits::orbit_accuracy::{OrbitAccuracy, orbit_accuracy};
+use super::orbits::orbit_tiles::{Orbits, Stuck};
 use super::picture::Picture;
 use super::point_table::PointTable;
 use super::section_summary::SectionSummary;
@@ -13,6 +14,7 @@ use crate::files::{Kind, Output, OutputSet, Place};
 use crate::formats::Metadata;
 use crate::formats::recognition::{PAR1, is_parquet};
 use crate::pictures::render;
+use crate::runs::run_check::accuracy_warning;
 use crate::supervision::tiled_run::{resumable, threads};
 use crate::supervision::warnings::warn;
 use crate::supervision::{Held, Progress, TileOptions};
@@ -75,17 +77,17 @@ pub fn section(
     options: &TileOptions<'_>,
 ) -> Result<SectionSummary, Error> {
     let settings = Settings::of(config)?;
-    let survey = write(&settings, config, out, options)?;
-    Ok(SectionSummary::new(&settings, &survey, out))
+    let (survey, accuracy) = write(&settings, config, out, options)?;
+    Ok(SectionSummary::new(&settings, &survey, accuracy, out))
 }
 
-/// Computes a section, writes its files, and returns its survey.
+/// Computes a section, writes its files, and returns its survey and the accuracy of some of its orbits.
 fn write(
     settings: &Settings,
     config: &Config,
     out: &Path,
     options: &TileOptions<'_>,
-) -> Result<Survey, Error> {
+) -> Result<(Survey, Option<OrbitAccuracy>), Error> {
     let config = settings.complete(config);
     let metadata = Metadata::new(&config)?;
     let orbits = Orbits::new(settings, &config, out)?;
@@ -116,6 +118,10 @@ fn write(
     if let Err(stuck) = finished {
         return Err(give_up(settings, &orbits, held, stuck, &csv));
     }
+    let accuracy = threads.install(|| orbit_accuracy(settings, &orbits)).map_err(resumable)?;
+    let worst = accuracy.map(|accuracy| accuracy.worst);
+    worst.as_ref().and_then(accuracy_warning).into_iter().for_each(warn);
+    let metadata = metadata.with_error_estimate(worst.and_then(|worst| worst.error));
     let mut files = OutputSet::default();
     let written = write_points(settings, &orbits, &metadata, [&csv, &parquet], &mut files);
     let survey = written.map_err(resumable)?;
@@ -125,7 +131,7 @@ fn write(
     files.add(&png, &pixels).map_err(resumable)?;
     files.complete().map_err(resumable)?;
     orbits.tiles.remove(held)?;
-    Ok(survey)
+    Ok((survey, accuracy))
 }
 
 /// Writes the table, as CSV and as Parquet.

@@ -1,6 +1,6 @@
 //! The forecast of a section: how much it would write, and how long that would take.
 
-use super::orbit::orbit;
+use super::orbits::orbit::orbit;
 use super::problems::limits::Limits;
 use super::settings::Settings;
 use crate::Error;

@@ -1,5 +1,6 @@
 //! The summary of a section, which `heavytop section` prints.
 
+use super::orbits::orbit_accuracy::OrbitAccuracy;
 use super::settings::Settings;
 use super::survey::Survey;
 use serde::Serialize;
@@ -32,6 +33,12 @@ pub struct SectionSummary {
     pub short: usize,
     /// The time for which a start is followed at most, s.
     pub longest: f64,
+    /// The largest estimated error of the orbits that were measured, to two digits: the largest |Δμ_b|/|μ_b| over the
+    /// blocks b of coordinates at their last return. 1 means that nothing of the state is right.
+    pub error_estimate: Option<f64>,
+    /// The accuracy of the orbits that were measured.
+    #[serde(skip)]
+    accuracy: Option<OrbitAccuracy>,
     /// The largest deviations of h and of the Casimirs from the level, or from the start where that was given, in SI
     /// units, by name.
     #[serde(skip)]
@@ -42,7 +49,12 @@ pub struct SectionSummary {
 }
 
 impl SectionSummary {
-    pub(super) fn new(settings: &Settings, survey: &Survey, out: &Path) -> Self {
+    pub(super) fn new(
+        settings: &Settings,
+        survey: &Survey,
+        accuracy: Option<OrbitAccuracy>,
+        out: &Path,
+    ) -> Self {
         let (problem, limits) = (settings.problem.as_problem(), &settings.limits);
         let (formulation, scheme) = problem.method();
         Self {
@@ -56,6 +68,8 @@ impl SectionSummary {
             crossings: limits.crossings,
             short: survey.short,
             longest: limits.longest,
+            error_estimate: accuracy.and_then(|accuracy| accuracy.worst.error),
+            accuracy,
             deviations: problem.conserved().into_iter().zip(survey.deviations.clone()).collect(),
             title: problem.title(),
         }
@@ -77,6 +91,16 @@ impl fmt::Display for SectionSummary {
         let deviations = self.deviations.iter().map(|(name, most)| format!("{name} {most:.1e}"));
         let deviations = deviations.collect::<Vec<_>>().join(", ");
         writeln!(to, "largest deviations: {deviations}")?;
+        match self.accuracy {
+            Some(OrbitAccuracy { worst, least: Some(least), measured }) => {
+                let (of, most) = (counted(measured), worst.error.unwrap_or(least));
+                writeln!(
+                    to,
+                    "estimated error of {of} at the end: {least:.1e} to {most:.1e} of the state"
+                )?;
+            }
+            _ => writeln!(to, "no estimate of the error")?,
+        }
         write!(to, "picture and table are in {}", self.out.display())
     }
 }

@@ -1,6 +1,6 @@
 //! A survey of all orbits before they are drawn.
 
-use super::orbit::Orbit;
+use super::orbits::orbit::Orbit;
 use super::settings::Settings;
 use lie_poisson::larger;
 

@@ -3,7 +3,7 @@
 use super::checkpoint::Checkpoint;
 use crate::files::place::shown;
 use crate::formats::RunTable;
-use crate::runs::run_check::write_accuracy;
+use crate::runs::run_check::{write_accuracy, write_method};
 use crate::runs::{Experiment, RunCheck};
 use lie_poisson::{Se3Dual, larger};
 use serde::Serialize;
@@ -75,7 +75,8 @@ impl fmt::Display for RunSummary {
     fn fmt(&self, to: &mut fmt::Formatter<'_>) -> fmt::Result {
         write!(to, "{} rows in {}; largest deviations", self.rows, shown(&self.out))?;
         write_deviations(to, &self.deviations)?;
-        write_accuracy(to, self.error_estimate, self.check.as_ref())
+        write_accuracy(to, self.error_estimate, self.check.as_ref())?;
+        write_method(to, (self.formulation, self.scheme), (self.step, self.end))
     }
 }
 

@@ -7,7 +7,7 @@ mod member_tiles;
 mod member_table;
 mod heat_maps;
 mod processes;
-mod worst_accuracy;
+mod judgements;
 mod sweep_summary;
 mod sweep_forecast;
 mod sweep_command;

@@ -1,13 +1,14 @@
 //! The command `sweep`: from a configuration to a table and heat maps.
 
 use super::heat_maps;
+use super::judgements::impossible_members::impossible_members;
+use super::judgements::worst_accuracy::worst_accuracy;
 use super::member_table::MemberTable;
 use super::member_tiles::Members;
 use super::processes::Processes;
 use super::sweep_forecast::forecast;
 use super::sweep_plan::Plan;
 use super::sweep_summary::SweepSummary;
-use super::worst_accuracy::worst_accuracy;
 use crate::Error;
 use crate::configuration::{Column, Config};
 use crate::files::place::require_folder;
@@ -115,8 +116,11 @@ fn run(
     let held = (rank == 0).then(|| members.tiles.prepare(options)).transpose()?;
     let accuracy = (rank == 0).then(|| threads.install(|| worst_accuracy(&plan))).flatten();
     if rank == 0 {
-        let warnings =
-            [plan.family.as_family().warning(), accuracy.as_ref().and_then(accuracy_warning)];
+        let warnings = [
+            plan.family.as_family().warning(),
+            threads.install(|| impossible_members(&plan)),
+            accuracy.as_ref().and_then(accuracy_warning),
+        ];
         warnings.into_iter().flatten().for_each(warn);
     }
     let error_estimate = accuracy.and_then(|accuracy| accuracy.error);

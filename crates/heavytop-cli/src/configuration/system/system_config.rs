@@ -5,6 +5,7 @@ use super::table_file::{is_table, read_table};
 use crate::Error;
 use crate::configuration::{Integration, IntegratorConfig};
 use crate::errors::SystemTableError;
+use crate::runs::step_angle::require_sane_step_of_system;
 use crate::runs::{Pace, Schedule, SystemExperiment};
 use heavytop::methods::Formulation;
 use lie_poisson_formula_systems::{
@@ -77,6 +78,7 @@ impl SystemConfig {
         let formulation = SystemMethod::default_formulation(system.algebra());
         let formulation = integrator.formulation.unwrap_or(formulation);
         let method = SystemMethod::new(system.algebra(), formulation, scheme, tolerance)?;
+        require_sane_step_of_system(&method, &system, &start, step)?;
         let pace = Pace { schedule: Schedule::new(step, end)?, every };
         Ok(SystemExperiment { system, start, method, pace })
     }

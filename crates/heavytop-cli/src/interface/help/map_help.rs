@@ -4,13 +4,18 @@ pub(crate) const SECTION: &str = "\
 Draw a Poincaré section of a top, or of another Lie–Poisson system (at the end of this help).
 
 On the states with h = energy, Π·Γ = vertical_momentum and |Γ| = 1 starts are spread evenly over a
-surface, and followed from crossing to crossing. The surface fixes one coordinate, Γ_i or Π_i; the
-section is drawn over
+surface, and followed from crossing to crossing. The surface fixes one coordinate, Γ_i or Π_i, or the
+angle of Γ about e_i; the section is drawn over
 
-  x   the angle of Γ about e_i, rad
-  y   Π_i (kg m²/s) where Γ_i is fixed, Γ_i where Π_i is fixed
+  x   the angle of Γ about e_i, rad; where that is fixed, the inclination of Γ to e_i, rad
+  y   Π_i (kg m²/s) where Γ_i is fixed, Γ_i where Π_i is fixed; where the angle is, Π·n (kg m²/s) with
+      n = e_i × Γ/|e_i × Γ|
 
-Where Γ_i is fixed these are canonical: areas are conserved from crossing to crossing. Starts are
+Where Γ_i or the angle is fixed these are canonical: areas are conserved from crossing to crossing.
+An angle is passed where it is the level, or differs from it by turns of 2π; its jump from π to -π is
+no crossing. The closing lines, error_estimate of the summary and the metadata have an estimate of the
+error at the last return, relative to the state, of eight orbits or all: the largest, which is 1 where
+an orbit is chaotic and long. A warning says where it is above 1e-3. Starts are
 coloured by the mean of |y| over their points, which is the same all over an invariant curve or a
 chaotic sea.
 
@@ -37,7 +42,9 @@ Configuration: [body] and [initial] as of simulate, and
   [section]
   energy = 11.75                     # h, J; without it that of [initial]
   vertical_momentum = 4.46           # Π·Γ, kg m²/s; without it that of [initial]
-  surface = \"Gamma3\"                 # or Gamma1, Gamma2, Pi1, Pi2, Pi3
+  surface = \"Gamma3\"                 # or Gamma1, Gamma2, Pi1, Pi2, Pi3, or an angle, rad:
+                                     # atan2(Gamma2, Gamma1) about e3, atan2(Gamma3, Gamma2) about e1,
+                                     # atan2(Gamma1, Gamma3) about e2
   level = 0.0                        # its value on the surface
   direction = \"up\"                   # the crossings that count: up, down or both; the two sheets
                                      # of both are drawn over one another
@@ -58,8 +65,9 @@ Another Lie–Poisson system instead of a top: [system] as of simulate, and
   axes = [\"Pi1\", \"Pi2\"]            # what is drawn: two formulas; without them, the first coordinates
   states = [{ Pi = [1, 0, 2], ... }] # motions to follow, each on its own level; without them random
                                      # starts with the h and the Casimirs of the initial state
-A surface that is an atan2, or an atan2 and a constant, is an angle: it is passed where the angle is
-the level, or differs from it by turns of 2π. Jumps and poles of a surface are no crossings.
+A surface that is an atan2, or an atan2 and a function without one, is an angle: it is passed where
+the angle is the level, or differs from it by turns of 2π. Half a turn, as of arctan, is no angle.
+Jumps and poles of a surface are no crossings.
 
 Each state is followed to the surface, and its first point there is crossing 0: the state itself if
 it lies on the surface and leaves it in the direction that counts. The columns are
@@ -87,6 +95,9 @@ Each axis varies one number of [body] or [initial], over a grid or at random; th
   rotation-number     mean advance of Γ about the centre of mass's line, seen from the body, from one
                       maximum of its height to the next, in turns; null with fewer than two maxima
   nutation-amplitude  range of the angle between that line and the vertical, rad
+
+Where axes vary the body, and its mass and length are given, a warning counts the members that no
+body is, as of simulate, and names the first of them.
 
 Tangent vectors are those of the states that the integrator advances: under collective those of
 T*C², fibres included; use reduced.

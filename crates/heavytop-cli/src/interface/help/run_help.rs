@@ -53,9 +53,9 @@ state: the largest over the run, of Π relative to |Π| and of Γ relative to |�
 is right. For it the run is repeated with half the step: the whole run up to 5120 steps, else its
 first 5120 steps or its first twentieth, from which the error is scaled by its growth. That takes as
 long as 15 % of a long run, and does not change the output. There is a warning if a step turns the
-motion by more than 1 rad, or if the estimate is above 1e-3. --check makes the whole run again with
-half the step and with twice the step, and says the error at its end and the order, for three and a
-half times the time.
+motion by more than 1 rad, or if the estimate is above 1e-3; a step that turns it by more than 100 rad
+from the start is refused. --check makes the whole run again with half the step and with twice the
+step, and says the error at its end and the order, for three and a half times the time.
 
 Before a run that needs more room than the disk has, or more than 100 GB, there is a question. Where
 nobody can be asked, since stdin or stderr is no terminal, it is refused; --yes answers the question.

@@ -86,6 +86,46 @@ fn surface_direction_and_integrator_are_those_of_the_configuration() {
     assert!(rows.iter().all(|row| (row[3] - 0.25).abs() < 1e-14 && row[10] == row[6]));
 }
 
+/// A surface may be the angle of Γ about an axis: it is passed at its level up to turns of 2π, and never at the jump of
+/// atan2. The plane has the inclination and its momentum.
+#[test]
+fn a_surface_of_a_top_may_be_an_angle() {
+    let folder = Folder::new();
+    let level = std::f64::consts::PI;
+    for (name, axis, level) in [
+        ("atan2(Gamma2, Gamma1)", 2, level),
+        ("atan2(Gamma1,Gamma3)", 1, 0.5),
+        ("atan2(Gamma3, Gamma2)", 0, -2.0 - 2.0 * level),
+    ] {
+        let surface = format!("surface = '{name}'\nlevel = {level:?}\ndirection = 'both'");
+        folder.write("a.toml", &format!("{SMALL}\n{surface}"));
+        let run = folder.heavytop(&["section", "a.toml", "--out", "."]);
+        assert_eq!((run.code(), run.complaints().as_str()), (0, ""));
+        let (_, rows) = numbers(&folder.read("section.csv"));
+        assert_eq!(rows.len(), 105, "{name}");
+        let mut seen = [false; 2];
+        for row in &rows {
+            let mu = state(row);
+            let (j, k) = ((axis + 1) % 3, (axis + 2) % 3);
+            let gamma = mu.0.1;
+            let difference = gamma[k].atan2(gamma[j]) - level;
+            assert!((0.5 * difference).sin().abs() < 1e-14, "{name}: {row:?}");
+            assert!((gamma[axis].acos() - row[9]).abs() < 1e-7, "{name}: {row:?}");
+            let node = Vector3::ith(axis, 1.0).cross(&gamma).normalize();
+            assert!((mu.0.0.dot(&node) - row[10]).abs() < 1e-12, "{name}: {row:?}");
+            let omega = HeavyTop::kovalevskaya(1.0, 1.0).unwrap().angular_velocity(&mu.0.0);
+            seen[usize::from(gamma.cross(&omega).dot(&node) > 0.0)] = true;
+        }
+        assert_eq!(seen, [true; 2], "{name}: both directions count");
+    }
+    // Control: what is no angle about an axis is refused, with the names of those that are.
+    folder.write("a.toml", "section.surface = 'atan2(Gamma1, Gamma2)'");
+    let run = folder.heavytop(&["section", "a.toml", "--out", "."]);
+    assert_eq!(run.code(), 2);
+    assert!(run.stderr().contains("there are Pi1, Pi2, Pi3, Gamma1"), "{}", run.stderr());
+    assert!(run.stderr().contains("atan2(Gamma2, Gamma1)"), "{}", run.stderr());
+}
+
 #[test]
 fn starts_that_do_not_return_are_counted() {
     let folder = Folder::new();
@@ -114,7 +154,7 @@ fn wrong_requests_are_refused_and_nothing_is_written() {
         ("section.energy = nan", "[section] energy must be a finite number, got NaN"),
         (
             "[section]\nsurface = 'Pi4'",
-            "line 2, column 11: section.surface: unknown surface `Pi4`; there are Pi1, Pi2, Pi3, Gamma1, Gamma2, Gamma3",
+            "line 2, column 11: section.surface: unknown surface `Pi4`; there are Pi1, Pi2, Pi3, Gamma1, Gamma2, Gamma3, atan2(Gamma3, Gamma2), ",
         ),
         ("section.direction = 'left'", "unknown direction `left`; there are up, down, both"),
         ("section.start = 3", "unknown key `start`"),
@@ -128,7 +168,7 @@ fn wrong_requests_are_refused_and_nothing_is_written() {
         ("section.longest = 1e300", "more than 1e12"),
         ("integrator.step = 0", "step must be finite and different from 0, got 0"),
         ("integrator = { step = -0.1, end = 10 }", "do not reach end = 10"),
-        ("integrator.step = 100", "turns the body by about"),
+        ("integrator.step = 100", "turns the motion by about"),
         ("body.mass = 0", "[body] mass must be positive"),
     ] {
         let folder = Folder::new();

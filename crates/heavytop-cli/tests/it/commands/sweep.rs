@@ -186,7 +186,7 @@ fn tops_that_fail_say_so_and_harm_no_other() {
     );
     assert_eq!(folder.heavytop(&["sweep", "c.toml", "--out", "c"]).code(), 0);
     let reasons = failures(&rows(&folder, "c/sweep.parquet"));
-    assert!(reasons[1].as_ref().is_some_and(|r| r.contains("turns the body")), "{reasons:?}");
+    assert!(reasons[1].as_ref().is_some_and(|r| r.contains("turns the motion")), "{reasons:?}");
 }
 
 #[test]

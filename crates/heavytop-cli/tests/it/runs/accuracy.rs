@@ -84,6 +84,70 @@ fn pages_and_sweeps_are_warned_of_too() {
     }
 }
 
+/// A section has the estimate of some of its orbits, in its summary, its closing lines and its table; long steps are
+/// warned of.
+#[test]
+fn sections_have_the_estimate_too() {
+    let folder = Folder::new();
+    let section =
+        "section = { starts = 3, crossings = 4, energy = 1.5, vertical_momentum = 0.5 }\n";
+    folder.write("top.toml", section);
+    folder.write(
+        "body.toml",
+        &format!("{BODY}[section]\nsurface = 'Pi1'\nstarts = 3\ncrossings = 4"),
+    );
+    let of = |file: &str, step: &str| {
+        let set = ["--set", step];
+        summary(&folder, &[&["section", file, "--out", "out"], &set[..]].concat())
+    };
+    let (short, silent) = of("top.toml", "integrator.step=0.05");
+    let (long, said) = of("top.toml", "integrator.step=1.5");
+    assert!(short["error_estimate"].as_f64() < Some(1e-6) && silent.is_empty(), "{short} {silent}");
+    assert!(long["error_estimate"].as_f64() > Some(1e-4), "{long}");
+    assert!(said.contains("the motion turns by about "), "{said}");
+    let (body, _) = of("body.toml", "integrator.step=0.01");
+    assert!(body["error_estimate"].as_f64() < Some(1e-6), "{body}");
+    let file = std::fs::read(folder.path("out/section.parquet")).unwrap();
+    let text: String = file.iter().map(|byte| char::from(*byte)).collect();
+    assert!(text.contains("error_estimate"), "the metadata");
+    let run = folder.heavytop(&["section", "top.toml", "--out", "other"]);
+    assert!(run.stdout().contains("estimated error of 3 starts at the end: "), "{}", run.stdout());
+}
+
+/// Where a step turns the motion by more than 100 rad there is nothing to compute, for tops and for systems, by the same
+/// rule.
+#[test]
+fn absurd_steps_are_refused_everywhere() {
+    let folder = Folder::new();
+    let section = "[section]\nsurface = 'Pi1'\nstarts = 2\ncrossings = 2\n";
+    folder.write("body.toml", &format!("{BODY}{section}"));
+    folder.write("top.toml", "[initial]\nangular_momentum = [0, 0, 10]");
+    // Both turn by about 10 rad/s; where a section looks for the fastest body of its level it finds twice as much.
+    for command in ["simulate", "section"] {
+        for file in ["body.toml", "top.toml"] {
+            for (step, refused) in [("11", true), ("4", false)] {
+                let [step, end] = ["step", "end"].map(|key| format!("integrator.{key}={step}"));
+                let set = ["--set", &step, "--set", &end, "--dry-run"];
+                let out = ["--out", if command == "simulate" { "a.csv" } else { "a" }];
+                let run = folder.heavytop(&[&[command, file], &out[..], &set[..]].concat());
+                let is_absurd = run.stderr().contains("rad; it must be at most 100");
+                assert_eq!(is_absurd, refused, "{command} {file} {step}: {}", run.stderr());
+                assert!(
+                    !refused || run.code() == 2 && run.stderr().contains("turns the motion by")
+                );
+            }
+        }
+    }
+    // A sweep says it in the row of the member.
+    let axis =
+        "[[sweep.axes]]\nparameter = 'system.initial.Pi[2]'\nfrom = 30\nto = 3000\ncount = 2\n";
+    folder.write("sweep.toml", &format!("{BODY}{axis}[integrator]\nstep = 0.5\nend = 1"));
+    let (found, _) = summary(&folder, &["sweep", "sweep.toml", "--out", "swept"]);
+    assert_eq!(found["failed"], 1, "{found}");
+    let reason = found["first_failure"].as_str().unwrap();
+    assert!(reason.contains("turns the motion by about 5.00"), "{reason}");
+}
+
 /// The estimate is in the closing line and in the file, and an interrupted run has the same.
 #[test]
 fn the_estimate_is_in_the_closing_line_and_in_the_file() {

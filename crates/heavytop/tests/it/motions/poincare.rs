@@ -3,7 +3,7 @@
 use collective_integrators::{Collective, Direction, EventError, LiftFree, RungeKutta, Start};
 use heavytop::{
     Body, Coordinate, EnergyLevel, HeavyTop, HeavyTopSpace, Invariant, Section, SectionError,
-    SpinorRealisation, Surface,
+    SpinorRealisation, Surface, SurfaceVariable,
 };
 use lie_poisson::{Hamiltonian, LiePoisson, PoissonSpace, Se3, Se3Dual};
 use momentum_map::DualQuaternions;
@@ -23,8 +23,8 @@ fn generic() -> Outcome<HeavyTop> {
     Ok(HeavyTop::new(&body)?)
 }
 
-fn surface(coordinate: Coordinate, level: f64, direction: Direction) -> Surface {
-    Surface { coordinate, level, direction }
+fn surface(variable: impl Into<SurfaceVariable>, level: f64, direction: Direction) -> Surface {
+    Surface { variable: variable.into(), level, direction }
 }
 
 fn on(top: HeavyTop, vertical_momentum: f64, surface: Surface) -> Outcome<Section> {
@@ -47,13 +47,13 @@ fn returns(section: &Section, start: &Se3Dual, count: usize) -> Outcome<Vec<Se3D
 #[test]
 fn starts_are_on_level_and_surface_and_cross_it_in_its_direction() -> Outcome {
     let (top, space) = (generic()?, LiePoisson::minus(Se3::default()));
-    for coordinate in Coordinate::ALL {
+    for variable in SurfaceVariable::ALL {
         for (direction, sides) in [
             (Direction::Up, [true, false]),
             (Direction::Down, [false, true]),
             (Direction::Both, [true; 2]),
         ] {
-            let section = on(top, 0.4, surface(coordinate, 0.2, direction))?;
+            let section = on(top, 0.4, surface(variable, 0.2, direction))?;
             let starts = section.starts(50, 7)?;
             let mut seen = [false; 2];
             for mu in &starts {
@@ -62,14 +62,17 @@ fn starts_are_on_level_and_surface_and_cross_it_in_its_direction() -> Outcome {
                 assert!((Invariant::VerticalMomentum.value(&top, mu) - 0.4).abs() < 1e-14);
                 assert!((Invariant::VerticalSquared.value(&top, mu) - 1.0).abs() < 1e-14);
                 let differential = Hamiltonian::<HeavyTopSpace>::differential(&top, mu);
-                let rate = coordinate.of(&space.hamiltonian_vector(mu, &differential));
+                // The rate by a difference, which knows nothing of the jump of an angle.
+                let rate = space.hamiltonian_vector(mu, &differential);
+                let later = Se3Dual::new(mu.0.0 + rate.0.0 * 1e-7, mu.0.1 + rate.0.1 * 1e-7);
+                let rate = variable.of(&later) - variable.of(mu);
                 seen[usize::from(rate < 0.0)] = true;
                 // From the plane (x, y) to the section and back.
                 let near =
                     |other: Se3Dual| (other - *mu).0.0.norm() + (other - *mu).0.1.norm() < 1e-6;
                 assert!(section.states(&section.plane(mu)).any(near));
             }
-            assert_eq!(seen, sides, "{coordinate} {direction:?}");
+            assert_eq!(seen, sides, "{variable} {direction:?}");
             assert_eq!(section.starts(20, 7)?, starts[..20]);
             assert_ne!(section.starts(20, 8)?, starts[..20]);
         }
@@ -86,9 +89,9 @@ fn the_first_step_has_its_crossings_and_not_the_start() -> Outcome {
     let lifted = Collective::new(scheme.clone(), SpinorRealisation, top);
     let free = LiftFree::new(scheme, DualQuaternions, top);
     let mut early = 0;
-    for coordinate in Coordinate::ALL {
+    for variable in SurfaceVariable::ALL {
         for level in [0.0, 0.3] {
-            let section = on(top, 0.4, surface(coordinate, level, Direction::Both))?;
+            let section = on(top, 0.4, surface(variable, level, Direction::Both))?;
             for start in section.starts(10, 5)? {
                 let short = times(&section, &free, &start, 0.05, 12)?;
                 for times in [
@@ -98,12 +101,9 @@ fn the_first_step_has_its_crossings_and_not_the_start() -> Outcome {
                 ] {
                     // Gauss's method of order 16 has an error of 1e-6 at a step of 0.6.
                     let near = times.iter().zip(&short).all(|(a, b)| (a - b).abs() < 1e-4);
-                    assert!(
-                        times.len() == short.len() && near,
-                        "{coordinate}: {times:?} {short:?}"
-                    );
+                    assert!(times.len() == short.len() && near, "{variable}: {times:?} {short:?}");
                 }
-                assert!(short.iter().all(|t| *t > 1e-6), "{coordinate}: {short:?}");
+                assert!(short.iter().all(|t| *t > 1e-6), "{variable}: {short:?}");
                 early += short.len();
             }
         }
@@ -142,20 +142,23 @@ fn tangent(section: &Section, at: &Vector2<f64>) -> Outcome<Matrix2<f64>> {
 /// some 1e4.
 #[test]
 fn the_return_map_conserves_area_where_the_coordinates_are_canonical() -> Outcome {
-    for (coordinate, canonical) in [
-        (Coordinate::Gamma1, true),
-        (Coordinate::Gamma2, true),
-        (Coordinate::Gamma3, true),
+    for (variable, canonical) in [
+        (Coordinate::Gamma1.into(), true),
+        (Coordinate::Gamma2.into(), true),
+        (Coordinate::Gamma3.into(), true),
+        (SurfaceVariable::Angle1, true),
+        (SurfaceVariable::Angle2, true),
+        (SurfaceVariable::Angle3, true),
         // Control: (angle, Γ₃) are not canonical on Π₃ = 0.
-        (Coordinate::Pi3, false),
+        (Coordinate::Pi3.into(), false),
     ] {
-        let section = on(generic()?, 0.4, surface(coordinate, 0.1, Direction::Up))?;
+        let section = on(generic()?, 0.4, surface(variable, 0.1, Direction::Up))?;
         let mut worst: f64 = 0.0;
         for start in section.starts(6, 3)? {
             let area = tangent(&section, &section.plane(&start))?.determinant();
             worst = worst.max((area - 1.0).abs());
         }
-        assert_eq!(worst < 1e-5, canonical, "{coordinate}: {worst:e}");
+        assert_eq!(worst < 1e-5, canonical, "{variable}: {worst:e}");
     }
     Ok(())
 }
@@ -207,33 +210,75 @@ fn sections_of_integrable_tops_lie_on_curves() -> Outcome {
     Ok(())
 }
 
+/// Γ of a fast symmetric top turns about e₃ once in 2π I₁/(I₁ − I₃) turns of the body. The surface is passed at its level,
+/// also where that is π or more, and never at the jump.
+#[test]
+fn an_angle_is_passed_once_per_turn() -> Outcome {
+    let top = HeavyTop::lagrange(2.0, 1.0, 1.0)?;
+    let start = Se3Dual::new(Vector3::new(0.1, 0.0, 9.0), Vector3::new(0.6, 0.0, 0.8));
+    let energy = Invariant::Energy.value(&top, &start);
+    let vertical_momentum = Invariant::VerticalMomentum.value(&top, &start);
+    let (integrator, level) = (gauss(top)?, EnergyLevel { top, energy, vertical_momentum });
+    let run = |angle: f64, direction| -> Outcome<Vec<Se3Dual>> {
+        let section = Section::new(level, surface(SurfaceVariable::Angle3, angle, direction))?;
+        let crossings = section.crossings(&integrator, &start, 0.05, 200)?;
+        Ok(crossings.map(|crossing| Ok(crossing?.momentum)).collect::<Result<_, EventError>>()?)
+    };
+    // The turns of Γ, counted by its changes from sample to sample.
+    let mut turns = 0.0;
+    let mut before = start.0.1;
+    for sample in integrator.trajectory(&start, 0.05)?.take(201) {
+        let gamma = sample?.momentum.0.1;
+        turns += (before.x * gamma.y - before.y * gamma.x)
+            .atan2(before.x * gamma.x + before.y * gamma.y)
+            / std::f64::consts::TAU;
+        before = gamma;
+    }
+    assert!(turns < -10.0, "{turns}");
+    for angle in [0.5, 3.0, std::f64::consts::PI, -3.1, 7.0] {
+        let passed = run(angle, Direction::Down)?;
+        let whole = passed.len() as f64;
+        assert!((whole - turns.abs()).abs() < 1.0, "{angle}: {whole} {turns}");
+        for mu in passed {
+            let difference = mu.0.1.y.atan2(mu.0.1.x) - angle;
+            assert!((0.5 * difference).sin().abs() < 1e-14, "{angle}: {difference}");
+        }
+        // Control: the jump of atan2, where the value grows, is no crossing upwards.
+        assert_eq!(run(angle, Direction::Up)?, [], "{angle}");
+    }
+    Ok(())
+}
+
 #[test]
 fn the_least_energy_is_that_of_closed_forms() -> Outcome {
     let kovalevskaya = HeavyTop::kovalevskaya(1.0, 1.0)?;
-    for (top, vertical_momentum, coordinate, level, least) in [
+    for (top, vertical_momentum, variable, level, least) in [
         // The top hangs at rest.
-        (kovalevskaya, 0.0, Coordinate::Gamma3, 0.0, -1.0),
+        (kovalevskaya, 0.0, Coordinate::Gamma3.into(), 0.0, -1.0),
         // The top rests as low as it can be on Γ₃ = ½.
-        (kovalevskaya, 0.0, Coordinate::Gamma3, 0.5, -0.75_f64.sqrt()),
+        (kovalevskaya, 0.0, Coordinate::Gamma3.into(), 0.5, -0.75_f64.sqrt()),
         // The top hangs and turns about e₁ with I₁ = 2.
-        (kovalevskaya, 0.5, Coordinate::Gamma3, 0.0, -1.0 + 0.25 / 4.0),
+        (kovalevskaya, 0.5, Coordinate::Gamma3.into(), 0.0, -1.0 + 0.25 / 4.0),
         // The top hangs and turns about e₃ with I₃ = 1.
-        (kovalevskaya, 0.0, Coordinate::Pi3, 2.0, -1.0 + 2.0),
+        (kovalevskaya, 0.0, Coordinate::Pi3.into(), 2.0, -1.0 + 2.0),
         // A free body turns about its largest axis.
         (
             HeavyTop::free_rigid_body(Vector3::new(1.0, 2.0, 3.0))?,
             3.0,
-            Coordinate::Gamma1,
+            Coordinate::Gamma1.into(),
             0.0,
             1.5,
         ),
+        // The top hangs as low as it can be on a half circle through e₃, at 60° from the lowest one and on it.
+        (kovalevskaya, 0.0, SurfaceVariable::Angle3, std::f64::consts::PI * 2.0 / 3.0, -0.5),
+        (kovalevskaya, 0.0, SurfaceVariable::Angle3, std::f64::consts::PI, -1.0),
     ] {
-        let surface = surface(coordinate, level, Direction::Up);
+        let surface = surface(variable, level, Direction::Up);
         let at = |energy| Section::new(EnergyLevel { top, energy, vertical_momentum }, surface);
         let Err(SectionError::Empty { least: found, .. }) = at(least - 1e-9) else {
-            return Err(format!("{coordinate}: not refused").into());
+            return Err(format!("{variable}: not refused").into());
         };
-        assert!((found - least).abs() < 1e-12, "{coordinate}: {found} {least}");
+        assert!((found - least).abs() < 1e-12, "{variable}: {found} {least}");
         assert!(at(least + 1e-9).is_ok());
     }
     Ok(())

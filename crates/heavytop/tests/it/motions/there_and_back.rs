@@ -172,7 +172,8 @@ fn a_section_is_the_same_backward() {
         }
     }
     let level = EnergyLevel { top: top(), energy: 2.0, vertical_momentum: 0.3 };
-    let surface = Surface { coordinate: Coordinate::Gamma3, level: 0.0, direction: Direction::Up };
+    let surface =
+        Surface { variable: Coordinate::Gamma3.into(), level: 0.0, direction: Direction::Up };
     let section = Section::new(level, surface).unwrap();
     let method = Method::new(Formulation::Reduced, SchemeName::Gauss(6), 0.0).unwrap();
     let returns =

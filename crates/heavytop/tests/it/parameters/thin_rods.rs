@@ -145,7 +145,7 @@ fn what_is_no_rod_is_refused() {
     HeavyTop::lagrange(1.0, 1e-3, 1.0).unwrap().require_state(&spinning).unwrap();
     let level = EnergyLevel { top, energy: 1.0, vertical_momentum: 0.1 };
     assert_eq!(level.states(&Vector3::new(0.6, 0.0, 0.8), 0, 0.1), None);
-    let coordinate = heavytop::Coordinate::Gamma1;
-    let surface = Surface { coordinate, level: 0.0, direction: Direction::Up };
+    let variable = heavytop::Coordinate::Gamma1.into();
+    let surface = Surface { variable, level: 0.0, direction: Direction::Up };
     assert_eq!(Section::new(level, surface), Err(SectionError::ThinRod));
 }

@@ -83,7 +83,7 @@ pub(super) fn section(input: &mut Input<'_>) {
     ];
     let coordinate = coordinates[input.choice(coordinates.len())];
     let direction = [Direction::Up, Direction::Down, Direction::Both][input.choice(3)];
-    let surface = Surface { coordinate, level: input.number(), direction };
+    let surface = Surface { variable: coordinate.into(), level: input.number(), direction };
     let Ok(section) = Section::new(level, surface) else { return };
     let plane = nalgebra::Vector2::new(input.ordinary(), input.number());
     for mu in section.states(&plane) {

@@ -5,6 +5,7 @@ use super::section_problem::{SectionProblem, Visit};
 use super::system_problem::SystemProblem;
 use super::top_problem::TopProblem;
 use crate::Error;
+use collective_integrators::diagnostics::RunAccuracy;
 
 /// The motion of a top, or of another Lie–Poisson system.
 ///
@@ -33,6 +34,17 @@ impl AnyProblem {
         match self {
             Self::Top(problem) => problem.starts(limits),
             Self::System(problem) => problem.starts(limits),
+        }
+    }
+
+    /// Measures how accurate the motion of a start is for so many steps of a size (s).
+    ///
+    /// # Errors
+    /// If there is no such integrator.
+    pub fn accuracy(&self, start: &[f64], steps: (f64, u64)) -> Result<RunAccuracy, Error> {
+        match self {
+            Self::Top(problem) => problem.accuracy(start, steps),
+            Self::System(problem) => problem.accuracy(start, steps),
         }
     }
 

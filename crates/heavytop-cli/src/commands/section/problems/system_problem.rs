@@ -8,7 +8,9 @@ use crate::configuration::{Config, Integration, SectionConfig, SystemConfig};
 use crate::errors::SystemTableError;
 use crate::pictures::caption::{self, number};
 use crate::runs::method_warning::system_warning;
+use crate::runs::step_angle::require_sane_step_of_system;
 use crate::vocabulary::brief;
+use collective_integrators::diagnostics::RunAccuracy;
 use collective_integrators::{Events, Start};
 use heavytop::methods::{Formulation, SchemeName};
 use lie_poisson::Vector;
@@ -111,6 +113,14 @@ impl SystemProblem {
             .map_err(Error::of_system_section)
     }
 
+    /// Measures how accurate the motion of a start is for so many steps of a size (s).
+    ///
+    /// # Errors
+    /// If there is no such integrator.
+    pub(super) fn accuracy(&self, start: &[f64], steps: (f64, u64)) -> Result<RunAccuracy, Error> {
+        Ok(self.method.accuracy(self.system(), start, steps)?)
+    }
+
     /// Passes the returns of a start with this number to `visit`.
     ///
     /// # Errors
@@ -141,8 +151,13 @@ impl SectionProblem for SystemProblem {
         system_warning(&self.method, self.system(), &self.initial).ok().flatten()
     }
 
-    fn require_step(&self, _: f64) -> Result<(), Error> {
-        Ok(())
+    fn require_step(&self, step: f64) -> Result<(), Error> {
+        let own = std::slice::from_ref(&self.initial);
+        let states = if self.given.is_empty() { own } else { &self.given };
+        let system = self.system();
+        states
+            .iter()
+            .try_for_each(|state| require_sane_step_of_system(&self.method, system, state, step))
     }
 
     fn complete(&self, section: SectionConfig) -> SectionConfig {

@@ -7,10 +7,13 @@ use crate::configuration::{Config, Integration, SectionConfig};
 use crate::formats::run_table::STATE_COLUMNS;
 use crate::pictures::caption::{self, number};
 use crate::runs::method_warning::method_warning;
-use crate::runs::step_angle::{MOST_TURN, least_moment};
+use crate::runs::step_angle::{least_moment, require_turn};
+use collective_integrators::diagnostics::RunAccuracy;
 use collective_integrators::{Direction, Start};
 use heavytop::methods::{Formulation, Method, SchemeName, Task};
-use heavytop::{Coordinate, EnergyLevel, HeavyTop, Invariant, PrincipalAxes, Section, Surface};
+use heavytop::{
+    EnergyLevel, HeavyTop, Invariant, PrincipalAxes, Section, Surface, SurfaceVariable,
+};
 use lie_poisson::{Se3Dual, Vector};
 use serde_json::{Map, Value};
 
@@ -45,9 +48,9 @@ impl TopProblem {
                 .unwrap_or(of_initial(Invariant::VerticalMomentum)),
         };
         settings.require_top()?;
-        let (coordinate, direction) = (settings.coordinate()?, settings.direction);
+        let (variable, direction) = (settings.variable()?, settings.direction);
         let (axes, body_warning) = (config.axes()?, config.body_warning());
-        let surface = Surface { coordinate, level: settings.level, direction };
+        let surface = Surface { variable, level: settings.level, direction };
         let section = Section::in_axes(level, surface, &axes)?;
         let own = Integration {
             formulation: Formulation::Reduced,
@@ -82,6 +85,15 @@ impl TopProblem {
         self.method.integrate(&self.section.level().top, task)?
     }
 
+    /// Measures how accurate the motion of a start is for so many steps of a size (s).
+    ///
+    /// # Errors
+    /// If there is no such integrator.
+    pub(super) fn accuracy(&self, start: &[f64], steps: (f64, u64)) -> Result<RunAccuracy, Error> {
+        let top = &self.section.level().top;
+        Ok(self.method.accuracy(top, &self.state(start), steps)?)
+    }
+
     /// Returns the state, in principal axes, with these coordinates in the axes of the table.
     fn state(&self, numbers: &[f64]) -> Se3Dual {
         let given = Se3Dual::from_coordinates(|i| numbers.get(i).copied().unwrap_or(f64::NAN));
@@ -112,11 +124,7 @@ impl SectionProblem for TopProblem {
 
     fn require_step(&self, step: f64) -> Result<(), Error> {
         let EnergyLevel { top, energy, .. } = self.section.level();
-        let angle = step.abs() * fastest(top, *energy);
-        if angle > MOST_TURN {
-            return Err(Error::AbsurdStep { step, angle, most: MOST_TURN });
-        }
-        Ok(())
+        require_turn(step, step.abs() * fastest(top, *energy))
     }
 
     fn complete(&self, section: SectionConfig) -> SectionConfig {
@@ -124,7 +132,7 @@ impl SectionProblem for TopProblem {
         SectionConfig {
             energy: Some(level.energy),
             vertical_momentum: Some(level.vertical_momentum),
-            surface: Some(self.section.surface().coordinate.name().into()),
+            surface: Some(self.section.surface().variable.name().into()),
             ..section
         }
     }
@@ -152,7 +160,9 @@ impl SectionProblem for TopProblem {
     fn title(&self) -> String {
         let EnergyLevel { energy, vertical_momentum, .. } = self.section.level();
         let [energy, vertical_momentum] = [*energy, *vertical_momentum].map(number);
-        format!("h = {energy} J, Pi.Gamma = {vertical_momentum} kg m²/s")
+        let Surface { variable, level, .. } = self.section.surface();
+        let surface = format!("on {variable} = {}", number(*level));
+        format!("h = {energy} J, Pi.Gamma = {vertical_momentum} kg m²/s; {surface}")
     }
 
     fn summary(&self, deviations: &[f64]) -> Map<String, Value> {
@@ -164,14 +174,19 @@ impl SectionProblem for TopProblem {
     }
 
     fn drawing(&self, limits: &Limits) -> Drawing {
-        let Surface { coordinate, .. } = self.section.surface();
-        let index = index(*coordinate);
-        let ordinate = if coordinate.is_momentum() {
-            (format!("Γ{index}"), "")
-        } else {
-            (format!("Π{index}"), " (kg m²/s)")
+        let Surface { variable, .. } = self.section.surface();
+        let index = index(*variable);
+        let angle = (format!("angle of Γ about e{index} (rad)"), true);
+        let (abscissa, ordinate) = match variable {
+            SurfaceVariable::Coordinate(coordinate) if coordinate.is_momentum() => {
+                (angle, (format!("Γ{index}"), ""))
+            }
+            SurfaceVariable::Coordinate(_) => (angle, (format!("Π{index}"), " (kg m²/s)")),
+            _ => {
+                let inclination = (format!("inclination of Γ to e{index} (rad)"), false);
+                (inclination, ("Π·n".into(), " (kg m²/s)"))
+            }
         };
-        let abscissa = (format!("angle of Γ about e{index} (rad)"), true);
         Drawing { caption: words(&self.section, &self.method, limits), abscissa, ordinate }
     }
 }
@@ -208,27 +223,32 @@ impl Task for Follow<'_> {
     }
 }
 
-fn index(coordinate: Coordinate) -> &'static str {
-    ["₁", "₂", "₃"][coordinate.axis()]
+fn index(variable: SurfaceVariable) -> &'static str {
+    ["₁", "₂", "₃"][variable.axis()]
 }
 
 /// Returns the parts of the caption: level, surface, top, method and starts.
 fn words(section: &Section, method: &Method, limits: &Limits) -> Vec<String> {
     let EnergyLevel { top, energy, vertical_momentum } = section.level();
-    let Surface { coordinate, level, direction } = section.surface();
-    let index = index(*coordinate);
+    let Surface { variable, level, direction } = section.surface();
+    let index = index(*variable);
     let level = number(*level);
-    let fixed = if coordinate.is_momentum() {
-        format!("Π{index} = {level} kg m²/s")
-    } else {
-        format!("Γ{index} = {level}")
+    let (fixed, node) = match variable {
+        SurfaceVariable::Coordinate(coordinate) if coordinate.is_momentum() => {
+            (format!("Π{index} = {level} kg m²/s"), String::new())
+        }
+        SurfaceVariable::Coordinate(_) => (format!("Γ{index} = {level}"), String::new()),
+        _ => {
+            let node = format!("; n = e{index} × Γ/|e{index} × Γ|");
+            (format!("angle of Γ about e{index} = {level} rad"), node)
+        }
     };
     let [energy, vertical_momentum] = [*energy, *vertical_momentum].map(number);
     vec![
         format!(
             "<tspan font-style='italic'>h</tspan> = {energy} J, Π·Γ = {vertical_momentum} kg m²/s"
         ),
-        format!("{fixed}{}", crossed(*direction)),
+        format!("{fixed}{}{node}", crossed(*direction)),
         caption::top(top),
         caption::method(method.formulation(), method.scheme(), limits.step),
         followed(limits),

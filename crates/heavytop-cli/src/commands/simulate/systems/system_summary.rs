@@ -4,7 +4,7 @@ use crate::Error;
 use crate::commands::simulate::run_summary::{Deviations, write_deviations};
 use crate::files::place::shown;
 use crate::formats::RunTable;
-use crate::runs::run_check::write_accuracy;
+use crate::runs::run_check::{write_accuracy, write_method};
 use crate::runs::{RunCheck, SystemExperiment};
 use serde::Serialize;
 use serde_json::{Map, Value};
@@ -92,6 +92,7 @@ impl fmt::Display for SystemSummary {
         }
         write!(to, "; largest deviations")?;
         write_deviations(to, &self.deviations)?;
-        write_accuracy(to, self.error_estimate, self.check.as_ref())
+        write_accuracy(to, self.error_estimate, self.check.as_ref())?;
+        write_method(to, (self.formulation, self.scheme), (self.step, self.end))
     }
 }

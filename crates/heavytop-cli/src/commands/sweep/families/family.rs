@@ -15,6 +15,16 @@ pub(in crate::commands::sweep) trait Family {
     /// Returns a warning for users about what the method does not conserve.
     fn warning(&self) -> Option<String>;
 
+    /// Returns whether members may be impossible although their motions can be computed.
+    fn judges_members(&self) -> bool {
+        false
+    }
+
+    /// Returns the reason why the member at these values of the axes is impossible.
+    fn impossibility(&self, _values: &[f64]) -> Option<String> {
+        None
+    }
+
     /// Returns the columns of an observable.
     ///
     /// # Errors

@@ -13,6 +13,7 @@ use crate::errors::SweepError;
 use crate::pictures::caption::{number, vector_of};
 use crate::runs::Schedule;
 use crate::runs::method_warning::system_warning;
+use crate::runs::step_angle::require_sane_step_of_system;
 use crate::vocabulary::brief;
 use collective_integrators::diagnostics::RunAccuracy;
 use collective_integrators::{Integrator, Start, TangentIntegrator};
@@ -83,8 +84,9 @@ impl SystemFamily {
     /// Returns the system and its initial state at these values of the axes.
     ///
     /// # Errors
-    /// If there is no such system, or its orbits have another dimension, so that it has another number of Casimirs.
-    fn member(&self, values: &[f64]) -> Result<(FormulaSystem, Vec<f64>), Error> {
+    /// If there is no such system, its orbits have another dimension, so that it has another number of Casimirs, or its
+    /// motion turns too far in a step.
+    fn member(&self, values: &[f64], step: f64) -> Result<(FormulaSystem, Vec<f64>), Error> {
         let (mut table, mut start) = (self.table.clone(), self.start.clone());
         for (varied, value) in self.numbers.iter().zip(values) {
             varied.set(*value, &mut table, &mut start);
@@ -99,10 +101,11 @@ impl SystemFamily {
             system.casimirs().len() + system.missing_casimirs().unwrap_or_default()
         };
         let (found, expected) = (independent(&system), independent(&self.system));
-        match found == expected {
-            true => Ok((system, start)),
-            false => Err(SweepError::Casimirs { found, expected }.into()),
+        if found != expected {
+            return Err(SweepError::Casimirs { found, expected }.into());
         }
+        require_sane_step_of_system(&self.method, &system, &start, step)?;
+        Ok((system, start))
     }
 
     /// Returns whether the steps from the configured start descend to the dual of the algebra.
@@ -159,7 +162,7 @@ impl SystemFamily {
         values: &[f64],
         course: &Course,
     ) -> Result<Vec<Option<f64>>, Error> {
-        let (system, start) = self.member(values)?;
+        let (system, start) = self.member(values, course.schedule.step)?;
         let task = Follow { family: self, course, system: &system, start: &start };
         self.method.integrate(&system, &start, task)?
     }
@@ -169,8 +172,8 @@ impl SystemFamily {
     /// # Errors
     /// If there is no such member.
     pub(super) fn accuracy(&self, values: &[f64], course: &Course) -> Result<RunAccuracy, Error> {
-        let (system, start) = self.member(values)?;
         let Schedule { step, steps } = course.schedule;
+        let (system, start) = self.member(values, step)?;
         Ok(self.method.accuracy(&system, &start, (step, steps))?)
     }
 }

@@ -29,6 +29,8 @@ pub(in crate::commands::sweep) struct TopFamily {
     method: Method,
     /// What the configuration says against its body, if no axis changes the body.
     body_warning: Option<String>,
+    /// Whether an axis changes the body, and its mass and length are known.
+    judges_bodies: bool,
 }
 
 impl TopFamily {
@@ -77,7 +79,10 @@ impl TopFamily {
         let (body, initial, method) = (config.body, config.initial, integration.method()?);
         let is_varied = parameters.iter().any(|(parameter, _)| parameter.is_of_body());
         let body_warning = config.body_warning().filter(|_| !is_varied);
-        Ok((Self { body, initial, parameters, method, body_warning }, integration))
+        let is_set = |key: &str| parameters.iter().any(|(parameter, _)| parameter.name() == key);
+        let judges_bodies = is_varied && config.gives_position(is_set);
+        let family = Self { body, initial, parameters, method, body_warning, judges_bodies };
+        Ok((family, integration))
     }
 
     /// Returns the top, in principal axes, its start and these axes at these values of the axes of the sweep.
@@ -157,6 +162,14 @@ impl Family for TopFamily {
         let warnings = [method_warning(&self.method), self.body_warning.clone()];
         let warnings = warnings.into_iter().flatten().collect::<Vec<_>>().join("; ");
         Some(warnings).filter(|text| !text.is_empty())
+    }
+
+    fn judges_members(&self) -> bool {
+        self.judges_bodies
+    }
+
+    fn impossibility(&self, values: &[f64]) -> Option<String> {
+        self.tables(values).0.impossibility().map(|reason| reason.to_string())
     }
 
     fn columns(&self, observable: Observable) -> Result<Vec<Column>, SweepError> {

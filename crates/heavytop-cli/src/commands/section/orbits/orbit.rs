@@ -1,7 +1,7 @@
 //! The orbit of one start: its points on the section.
 
-use super::settings::Settings;
 use crate::Error;
+use crate::commands::section::settings::Settings;
 use crate::supervision::TileOptions;
 use crate::supervision::tiled_run::interrupted;
 
@@ -28,7 +28,7 @@ pub(in crate::commands::section) struct Orbit {
 /// Follows a start, and returns its orbit, with the error if it could not be followed to the end.
 ///
 /// Starts are independent of each other, so that no bit depends on the number of threads.
-pub(super) fn orbit(
+pub(in crate::commands::section) fn orbit(
     settings: &Settings,
     options: &TileOptions<'_>,
     number: usize,

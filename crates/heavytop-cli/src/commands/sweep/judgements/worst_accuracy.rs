@@ -1,7 +1,8 @@
 //! The accuracy of the worst of some members of a sweep.
 
-use super::sweep_plan::Plan;
+use crate::commands::sweep::sweep_plan::Plan;
 use crate::configuration::{Spread, SweepAxis};
+use crate::runs::run_check::worse;
 use collective_integrators::diagnostics::RunAccuracy;
 use rayon::iter::{IntoParallelIterator, ParallelIterator};
 
@@ -16,15 +17,11 @@ const MOST_AXES: usize = 5;
 
 /// Returns the largest angle of a step and the largest error of members spread evenly over the sweep, and of those at the
 /// corners of a grid. Members that cannot be followed do not count; there may be no other.
-pub(super) fn worst_accuracy(plan: &Plan) -> Option<RunAccuracy> {
+pub(in crate::commands::sweep) fn worst_accuracy(plan: &Plan) -> Option<RunAccuracy> {
     let measured = probes(plan)
         .into_par_iter()
         .filter_map(|number| plan.family.accuracy(&plan.parameters(number), &plan.course).ok());
-    measured.reduce_with(|one, other| RunAccuracy {
-        angle: lie_poisson::larger(one.angle, other.angle),
-        error: one.error.into_iter().chain(other.error).reduce(lie_poisson::larger),
-        ..one
-    })
+    measured.reduce_with(worse)
 }
 
 /// Returns the numbers of the members that are measured, in ascending order.

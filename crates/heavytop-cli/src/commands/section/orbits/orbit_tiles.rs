@@ -1,8 +1,8 @@
 //! The starts of a section, computed in tiles that outlast an interruption.
 
 use super::orbit::{Crossing, Orbit, orbit};
-use super::settings::Settings;
 use crate::Error;
+use crate::commands::section::settings::Settings;
 use crate::configuration::Config;
 use crate::supervision::tiled_run::interrupted;
 use crate::supervision::{TileOptions, Tiles};
@@ -18,14 +18,14 @@ const TILE: usize = 256;
 ///
 /// A tile has a line for each point, as in `section.csv`.
 #[derive(Debug)]
-pub(super) struct Orbits<'a> {
+pub(in crate::commands::section) struct Orbits<'a> {
     settings: &'a Settings,
     starts: Vec<Vec<f64>>,
     pub tiles: Tiles,
 }
 
 /// The failure of a tile whose starts could not be followed to the end, and their points until then.
-pub(super) struct Stuck {
+pub(in crate::commands::section) struct Stuck {
     /// The number of the tile.
     pub tile: u64,
     /// The lines of the points.
@@ -107,6 +107,16 @@ impl<'a> Orbits<'a> {
         self.read(tile)?.ok_or_else(|| self.tiles.missing(tile))
     }
 
+    /// Returns the finished orbit of a start, counted from 0.
+    ///
+    /// # Errors
+    /// If its tile is missing.
+    pub fn orbit(&self, start: usize) -> Result<Option<Orbit>, Error> {
+        let tile = (start / self.size()) as u64;
+        let (_, orbits) = self.finished(tile)?;
+        Ok(orbits.into_iter().nth(start - self.starts(tile).start))
+    }
+
     /// Reads a tile; `None` if it is unfinished or not what it should be.
     fn read(&self, tile: u64) -> Result<Option<(String, Vec<Orbit>)>, Error> {
         let Some(lines) = self.tiles.read(tile)? else { return Ok(None) };
@@ -135,7 +145,7 @@ impl<'a> Orbits<'a> {
 }
 
 /// Returns the numbers in the columns after the first two.
-pub(super) fn values(crossing: &Crossing) -> impl Iterator<Item = f64> {
+pub(in crate::commands::section) fn values(crossing: &Crossing) -> impl Iterator<Item = f64> {
     let Crossing { time, state, plane } = crossing;
     [*time].into_iter().chain(state.iter().copied()).chain(*plane)
 }

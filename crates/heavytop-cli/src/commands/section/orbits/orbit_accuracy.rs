@@ -1,0 +1,54 @@
+//! The accuracy of some of the orbits of a section.
+
+use super::orbit::Orbit;
+use super::orbit_tiles::Orbits;
+use crate::Error;
+use crate::commands::section::settings::Settings;
+use crate::runs::run_check::worse;
+use collective_integrators::diagnostics::RunAccuracy;
+use rayon::prelude::*;
+
+/// The largest number of orbits that are measured.
+const MOST: u64 = 8;
+
+/// The accuracy of the orbits that were measured.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub(in crate::commands::section) struct OrbitAccuracy {
+    /// The largest angle of a step and the largest error.
+    pub worst: RunAccuracy,
+    /// The least error.
+    pub least: Option<f64>,
+    /// The number of orbits that were measured.
+    pub measured: usize,
+}
+
+/// Measures some of the orbits, spread over the starts, each over the time for which it was followed.
+///
+/// # Errors
+/// If a tile is missing.
+pub(in crate::commands::section) fn orbit_accuracy(
+    settings: &Settings,
+    orbits: &Orbits<'_>,
+) -> Result<Option<OrbitAccuracy>, Error> {
+    let starts = settings.limits.starts as u64;
+    let count = MOST.min(starts);
+    let measured = (0..count).into_par_iter().map(|number| {
+        let orbit = orbits.orbit((number * starts / count) as usize)?;
+        Ok(orbit.as_ref().and_then(|orbit| of_orbit(settings, orbit)))
+    });
+    let measured: Vec<Option<RunAccuracy>> = measured.collect::<Result<_, Error>>()?;
+    let measured: Vec<RunAccuracy> = measured.into_iter().flatten().collect();
+    let least = measured.iter().filter_map(|accuracy| accuracy.error).reduce(f64::min);
+    let worst = measured.iter().copied().reduce(worse);
+    Ok(worst.map(|worst| OrbitAccuracy { worst, least, measured: measured.len() }))
+}
+
+/// Measures an orbit up to its last return. One without a return was followed as long as all could be.
+fn of_orbit(settings: &Settings, orbit: &Orbit) -> Option<RunAccuracy> {
+    let limits = &settings.limits;
+    let start = orbit.crossings.first()?;
+    let is_short = orbit.crossings.len() <= limits.crossings;
+    let last = orbit.crossings.last().map_or(0.0, |crossing| crossing.time);
+    let steps = if is_short { limits.steps as u64 } else { (last / limits.step).ceil() as u64 };
+    settings.problem.accuracy(&start.state, (limits.step, steps)).ok()
+}
