@@ -84,11 +84,11 @@ def test_a_check_says_the_error_and_the_order():
 
 def test_absurd_steps_are_refused():
     body = System("so(3)", "(Pi1^2 + Pi2^2/2 + Pi3^2/3)/2")
-    top = Top(inertia=[2.0, 2.0, 3.0], weight_moment=0.0)
+    top = Top(inertia=[2.0, 2.0, 3.0], mass=1.0, gravity=0.0, length=0.1)
     # Both turn by 10 rad/s.
     for solve in [
         lambda step, **how: body.solve([0.0, 0.0, 30.0], step=step, **how),
-        lambda step, **how: body.section([0.0, 0.0, 30.0], coordinate="Pi1", step=step, **how),
+        lambda step, **how: body.section([0.0, 0.0, 30.0], surface="Pi1", step=step, **how),
         lambda step, **how: top.solve(Pi=[0.0, 0.0, 30.0], Gamma=[0.0, 0.0, 1.0], step=step, **how),
         lambda step, **how: top.section([0.0, 0.0, 30.0], [0.0, 0.0, 1.0], coordinate="Pi1", step=step, **how),
     ]:
