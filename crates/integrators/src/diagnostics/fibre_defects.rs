@@ -1,19 +1,25 @@
 //! Defects of a scheme that does not descend along a Poisson map.
 
 use crate::{Scheme, StepError};
-use lie_poisson::{Hamiltonian, Real, Vector, larger};
-use momentum_map::{CollectiveHamiltonian, FibreSymmetry, SourcePoint};
+use lie_poisson::{
+    BlockScales, DualNumber, Hamiltonian, Real, Vector, derivative_part, larger, seed,
+};
+use momentum_map::{CollectiveHamiltonian, FibreSymmetry, PoissonMap, SourcePoint, TargetPoint};
 
 /// The defects of a scheme Φ_h on P that should descend along M: P → 𝔤∗.
 ///
-/// Such a scheme commutes with the symmetry whose orbits are the fibres of M, and gives a map of 𝔤∗.
+/// Such a scheme commutes with the symmetry whose orbits are the fibres of M, and gives a map of 𝔤∗. The defects do not
+/// depend on units, since each [block](lie_poisson::State::BLOCKS) of coordinates is measured by a size of its own.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct FibreDefects {
-    /// The largest |Φ_h(flow_s z) − flow_s(Φ_h z)|, in the units of P. It vanishes if Φ_h is equivariant.
-    pub equivariance: f64,
-    /// The largest |M(Φ_h(flow_s z)) − M(Φ_h z)|, in the units of 𝔤∗. It vanishes if M∘Φ_h depends on M(z) alone.
+    /// The largest |Φ_h(flow_s z) − flow_s(Φ_h z)| of a block, relative to the size of the block at these points.
     ///
-    /// It vanishes if `equivariance` does; the converse need not hold.
+    /// It vanishes if Φ_h is equivariant.
+    pub equivariance: f64,
+    /// The largest |M(Φ_h(flow_s z)) − M(Φ_h z)| of a block, relative to the size of its terms at these points.
+    ///
+    /// The terms of the coordinate M_r are |z_d ∂M_r/∂z_d|. They do not vanish where their sum M_r does. The defect vanishes
+    /// if M∘Φ_h depends on M(z) alone, and therefore if `equivariance` does; the converse need not hold.
     pub descent: f64,
 }
 
@@ -64,10 +70,28 @@ where
     let mut defects = FibreDefects { equivariance: 0.0, descent: 0.0 };
     for index in 0..M::COUNT {
         let moved = after(&map.flow::<T>(index, s, z))?;
-        let equivariance = (moved - map.flow::<T>(index, s, &image)).max_abs();
-        let descent = (map.apply::<T>(&moved) - map.apply::<T>(&image)).max_abs();
+        let flowed = map.flow::<T>(index, s, &image);
+        let mut sizes = BlockScales::of(&moved);
+        sizes.include(&flowed);
+        let equivariance = sizes.largest(&(moved - flowed)).max_abs();
+        let mut sizes = BlockScales::of(&terms(map, &moved));
+        sizes.include(&terms(map, &image));
+        let apart = map.apply::<T>(&moved) - map.apply::<T>(&image);
+        let descent = sizes.largest(&apart).max_abs();
         defects.equivariance = larger(defects.equivariance, equivariance);
         defects.descent = larger(defects.descent, descent);
     }
     Ok(defects)
+}
+
+/// Returns Σ_d |z_d ∂M_r/∂z_d| for each coordinate r of M.
+fn terms<M: PoissonMap, T: Real>(map: &M, z: &SourcePoint<M, T>) -> TargetPoint<M, T> {
+    let mut sum: TargetPoint<M, T> = Vector::zero();
+    for d in 0..<SourcePoint<M, T> as Vector>::DIM {
+        let moved: SourcePoint<M, DualNumber<T>> = seed(z, &Vector::basis(d));
+        let column: TargetPoint<M, T> = derivative_part(&map.apply::<DualNumber<T>>(&moved));
+        let size = z.coordinate(d);
+        sum += Vector::from_coordinates(|r| (column.coordinate(r) * size).magnitude());
+    }
+    sum
 }

@@ -47,9 +47,9 @@ pub fn step_map<T: Real, I: Start<T>>(
     Ok(integrator.momentum(&next.point))
 }
 
-/// Returns max |Dφ_h Λ Dφ_hᵀ − Λ∘φ_h| at μ for [one step](step_map) of an integrator on a Poisson space.
+/// Returns max |Dφ_h Λ Dφ_hᵀ − Λ∘φ_h| / max |Λ| at μ for [one step](step_map) of an integrator on a Poisson space.
 ///
-/// See [`poisson_defect`](super::poisson_defect).
+/// It does not depend on units: see [`poisson_defect`](super::poisson_defect).
 ///
 /// # Errors
 /// Returns a [`StepMapError`] if the step map has no value at μ. A failed step is never reported as a defect.
@@ -88,12 +88,12 @@ where
     I: Start<DualNumber, Momentum = Point<P, DualNumber>>,
 {
     let (image, tangent) = linearised(|mu| step_map(integrator, mu, step), mu)?;
-    Ok(bracket_change(space, mu, &image, &tangent))
+    Ok(bracket_change(space, [mu, &image], &tangent))
 }
 
-/// Returns max |DΦ_hᵀ J DΦ_h − J| at z for one step of an integrator whose states are points of a symplectic space.
+/// Returns max |DΦ_hᵀ J DΦ_h − J| / max |J| at z for one step of an integrator whose states are points of a symplectic space.
 ///
-/// See [`symplecticity_defect`](super::symplecticity_defect). To measure a scheme on P alone, use
+/// It does not depend on units: see [`symplecticity_defect`](super::symplecticity_defect). To measure a scheme on P alone, use
 /// [`Direct::new(scheme, system)`](crate::Direct) with the system h∘M. The state of a
 /// [`Collective`](crate::Collective) integrator may move along its fibre after the step. This motion is invisible in
 /// the momentum, but not in the form.
@@ -133,6 +133,6 @@ where
     let after = |z: &Point<P, DualNumber>| {
         integrator.step(z, step, &mut integrator.workspace()).map(|next| next.point)
     };
-    let (_, tangent) = linearised(after, z)?;
-    Ok(form_change(space, &tangent))
+    let (image, tangent) = linearised(after, z)?;
+    Ok(form_change(space, [z, &image], &tangent))
 }

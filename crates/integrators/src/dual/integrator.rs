@@ -141,7 +141,8 @@ pub trait Integrator<T: Real = f64> {
     /// motion has no tangent map of its own: it happens at some points and not at their neighbours. With a pinned
     /// workspace the step is a differentiable map, symplectic if the scheme is, and its tangent vectors are those of
     /// the motion on P. [`VariationalFlow`](crate::VariationalFlow) pins its workspaces. [`forget`](Self::forget) does
-    /// not end this.
+    /// not end this. In particular a step of size 0 keeps the state itself, and not only its momentum. The law `pinning` of
+    /// the suite `laws::integrator` checks it.
     ///
     /// The default does nothing, for integrators that move no state along a fibre. An integrator that makes the steps
     /// of another one pins the workspace of that one.

@@ -6,7 +6,7 @@ use super::differences::{
 };
 use super::{Faulty, NoSamples, Report};
 use crate::{CHECKPOINT, Integrator, SampleOf, Step, StepError};
-use lie_poisson::Real;
+use lie_poisson::{BlockScales, Real, State};
 
 /// Evaluates the laws of an integrator on samples of states, for one step size:
 ///
@@ -18,8 +18,13 @@ use lie_poisson::Real;
 /// * `samples`: sample n of a trajectory has the number n, the time nh and the momentum of its state;
 /// * `forgetting`: after [`forget`](Integrator::forget) a used workspace gives results bit-identical to those of a new
 ///   one, by as many iterations, for steps of several sizes;
+/// * `pinning`: with a [pinned](Integrator::pin) workspace a step of size 0 keeps the state itself, and not only μ, in a new
+///   workspace, after other steps, and after [`forget`](Integrator::forget);
 /// * `resumption`: a trajectory resumed at a [`CHECKPOINT`] is bit-identical to the uninterrupted one;
 /// * `refusal`: a state or a step size that is infinite or not a number is an error, of a step and of a trajectory.
+///
+/// An integrator that moves states along their fibres does so far from the origin. Only states there show whether it obeys
+/// the law `pinning`, such as (q + 1000 p, p) for the map q × p.
 ///
 /// For an integrator that can start from a momentum, [`start`](super::start) includes these laws.
 ///
@@ -48,6 +53,7 @@ pub fn integrator<I: Integrator>(
         advance(integrator, state, step, &mut report);
         samples(integrator, state, step, &mut report);
         forgetting(integrator, (state, other), step, &mut report);
+        pinning(integrator, state, step, &mut report);
         resumption(integrator, state, step, &mut report);
         refusal(integrator, state, step, &mut report);
     }
@@ -164,6 +170,21 @@ fn forgetting<I: Integrator>(
             report.note("forgetting", broken_unless(again.1 == expected.1), 1.0);
         }
     }
+}
+
+fn pinning<I: Integrator>(integrator: &I, state: &I::State, step: f64, report: &mut Report) {
+    let (sizes, mut pinned) = (BlockScales::of(state), integrator.workspace());
+    integrator.pin(&mut pinned);
+    let mut stays = |workspace: &mut I::Workspace| {
+        let mut moved = point_or_nan(integrator.step(state, 0.0, workspace), state);
+        moved.subtract_in_place(state);
+        report.note("pinning", sizes.largest(&moved), 1.0);
+    };
+    stays(&mut pinned);
+    steps(integrator, state, step, &mut pinned);
+    stays(&mut pinned);
+    integrator.forget(&mut pinned);
+    stays(&mut pinned);
 }
 
 fn resumption<I: Integrator>(integrator: &I, state: &I::State, step: f64, report: &mut Report) {

@@ -126,7 +126,7 @@ impl Start for FaultyIntegrator {
 fn laws_of_integrators_reject_what_breaks_them() {
     let cases: [(FaultyIntegrator, &[&str]); 13] = [
         (FaultyIntegrator::None, &[]),
-        (FaultyIntegrator::MovesAtRest, &["step of size 0"]),
+        (FaultyIntegrator::MovesAtRest, &["step of size 0", "pinning"]),
         (FaultyIntegrator::Remembers, &["forgetting", "resumption"]),
         (FaultyIntegrator::NeverForgets, &["forgetting"]),
         (FaultyIntegrator::ReturnsNaN, &["refusal"]),

@@ -3,3 +3,4 @@
 mod faulty_integrators;
 mod faulty_schemes;
 pub mod integrator_laws;
+mod pinned_integrators;

@@ -118,7 +118,7 @@ fn the_laws_of_integrators_hold() {
 
 /// A rigid motion of each site, with fibres that are lines: h(μ) = Σ (½|l_i|² + p_i·p_(i+1)).
 #[derive(Clone, Copy)]
-struct Bodies;
+pub struct Bodies;
 
 type Wrench = Pair<Vector3<f64>, Vector3<f64>>;
 
