@@ -14,28 +14,83 @@ use lie_poisson::{Covector, Differential, Hamiltonian, LiePoisson, Pair, Se3, Se
 use momentum_map::DualQuaternions;
 use nalgebra::Vector3;
 
-/// Returns a top and a state of it, with Π in units of s and Γ in units of λ.
-///
-/// The moments are s I, the weight moment is (s/λ) mgl, so that times are the same. With `symmetric` it is a Lagrange
-/// top, else it has no symmetry.
+/// Units of mass, length and time, and of Γ, which a user may give any length.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Units {
+    /// The unit of mass.
+    pub mass: f64,
+    /// The unit of length.
+    pub length: f64,
+    /// The unit of time.
+    pub time: f64,
+    /// The unit of Γ.
+    pub vertical: f64,
+}
+
+impl Units {
+    /// The units in which the numbers are those of a top of some kilograms.
+    pub const ONE: Self = Self { mass: 1.0, length: 1.0, time: 1.0, vertical: 1.0 };
+
+    /// The sizes of units that are tried.
+    pub const SIZES: [f64; 6] = [1e-30, 1e-15, 1e-6, 1e6, 1e15, 1e30];
+
+    /// Returns each unit of each size alone, and units of which several are far from 1.
+    pub fn all() -> impl Iterator<Item = Self> {
+        Self::SIZES.into_iter().flat_map(|s| {
+            [
+                Self { mass: s, ..Self::ONE },
+                Self { length: s, ..Self::ONE },
+                Self { time: s, ..Self::ONE },
+                Self { vertical: s, ..Self::ONE },
+                Self { mass: s, time: s.recip(), ..Self::ONE },
+                Self { mass: s, length: s.recip(), vertical: s, ..Self::ONE },
+            ]
+        })
+    }
+
+    /// Returns the unit of Π.
+    #[must_use]
+    pub fn momentum(self) -> f64 {
+        self.mass * self.length * self.length / self.time
+    }
+
+    /// Returns the unit of energy.
+    #[must_use]
+    pub fn energy(self) -> f64 {
+        self.momentum() / self.time
+    }
+}
+
+/// Returns a top and a state of it, with Π in units of s and Γ in units of λ: [`in_units`] with s as the unit of mass.
 ///
 /// # Errors
 /// If s or λ is not a positive number.
 pub fn scaled(symmetric: bool, s: f64, lambda: f64) -> Result<(HeavyTop, Se3Dual), TopError> {
+    in_units(symmetric, Units { mass: s, vertical: lambda, ..Units::ONE })
+}
+
+/// Returns a top and a state of it in units. In all of them it moves as before.
+///
+/// With `symmetric` it is a Lagrange top, else it has no symmetry.
+///
+/// # Errors
+/// If a unit is not a positive number.
+pub fn in_units(symmetric: bool, units: Units) -> Result<(HeavyTop, Se3Dual), TopError> {
+    let Units { mass, length, time, vertical } = units;
     let (inertia, axis) = if symmetric {
         (Vector3::new(1.4, 1.4, 0.6), Vector3::z())
     } else {
         (Vector3::new(1.0, 1.4, 2.1), Vector3::new(2.0, -3.0, 6.0) / 7.0)
     };
     let top = HeavyTop::new(&Body {
-        inertia: inertia * s,
-        mass: 0.7 * s / lambda,
-        gravity: 9.81,
-        length: 0.2,
+        inertia: inertia * (mass * length * length),
+        mass: 0.7 * mass / vertical,
+        gravity: 9.81 * length / time / time,
+        length: 0.2 * length,
         center_of_mass: axis,
     })?;
     let (pi, gamma) = (Vector3::new(1.2, -0.7, 2.3), Vector3::new(2.0, 6.0, -3.0) / 7.0);
-    Ok((top, Se3Dual::new(pi * s, gamma * lambda)))
+    Ok((top, Se3Dual::new(pi * units.momentum(), gamma * vertical)))
 }
 
 /// The result of a run: its last momentum, iterations and deviations.

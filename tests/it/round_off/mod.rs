@@ -5,3 +5,4 @@ mod large_steps;
 mod recentring;
 mod scales;
 mod scales_of_measurements;
+mod scales_of_systems;

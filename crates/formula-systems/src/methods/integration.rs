@@ -54,6 +54,12 @@ impl Integration<'_> {
     fn with<S: Equivariant, K: SystemTask>(&self, scheme: S, task: K) -> Performed<K> {
         let algebra = self.system.algebra();
         Ok(match (self.formulation, algebra.family) {
+            // Π and Γ have units of their own, which the structure constants of an algebra do not tell.
+            (Formulation::Direct, Family::Motions) => {
+                let space = LiePoisson::minus(Se3::default());
+                let hamiltonian = self.hamiltonian::<Se3>()?;
+                task.perform(&Direct::new(scheme, HamiltonianField { space, hamiltonian }))
+            }
             (Formulation::Direct, _) => {
                 return match algebra.width() {
                     3 => self.direct::<3, S, K>(scheme, task),

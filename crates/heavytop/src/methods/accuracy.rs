@@ -22,18 +22,20 @@ impl SystemScales for TopScales {
     /// Returns (Ω, m g l c).
     fn differential(&self, mu: &[f64]) -> Vec<f64> {
         let weight = self.0.center_of_mass() * self.0.weight_moment();
-        self.0.angular_velocity(&pi(mu)).iter().chain(&weight).copied().collect()
+        self.0.angular_velocity(&part(mu, 0)).iter().chain(&weight).copied().collect()
     }
 
-    /// Returns |Ω| + √(m g l/I), I the least moment: the body turns, and swings.
+    /// Returns |Ω| + √(m g l |Γ|/I), I the least moment: the body turns, and swings.
     fn fastest_rate(&self, mu: &[f64]) -> f64 {
-        let swing = (self.0.weight_moment() / kinetic(&self.0.inertia()).min()).sqrt();
-        self.0.angular_velocity(&pi(mu)).norm() + swing
+        let weight = self.0.weight_moment() * part(mu, 3).norm();
+        let swing = (weight / kinetic(&self.0.inertia()).min()).sqrt();
+        self.0.angular_velocity(&part(mu, 0)).norm() + swing
     }
 }
 
-fn pi(mu: &[f64]) -> Vector3<f64> {
-    Vector3::from_fn(|i, _| mu.get(i).copied().unwrap_or(f64::NAN))
+/// Returns the three coordinates from a place on.
+fn part(mu: &[f64], first: usize) -> Vector3<f64> {
+    Vector3::from_fn(|i, _| mu.get(first + i).copied().unwrap_or(f64::NAN))
 }
 
 /// A run of a top: its start, the size and the number of its steps, and the order of the method.

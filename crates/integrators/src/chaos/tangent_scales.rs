@@ -22,6 +22,30 @@ impl<S: State, M: State> Clone for TangentScales<S, M> {
 
 impl<S: State, M: State> Copy for TangentScales<S, M> {}
 
+impl<S: State<Scalar = f64>, M: State> TangentScales<S, M> {
+    /// Divides the blocks of tangent vectors of states by their scales. A single block stays as it is. `spare` has temporary
+    /// vectors.
+    pub(super) fn divide(&self, vectors: &mut [S], spare: &mut [S]) {
+        if S::BLOCKS > 1 {
+            for (v, spare) in vectors.iter_mut().zip(spare) {
+                spare.assign(v);
+                v.set_entries(|i| self.state.entry(spare, i));
+            }
+        }
+    }
+
+    /// Multiplies the blocks of tangent vectors of states by their scales. A single block stays as it is. `spare` has
+    /// temporary vectors.
+    pub(super) fn multiply(&self, vectors: &mut [S], spare: &mut [S]) {
+        if S::BLOCKS > 1 {
+            for (v, spare) in vectors.iter_mut().zip(spare) {
+                spare.assign(v);
+                v.set_entries(|i| spare.entry(i) * self.state.at(spare.block_of(i)));
+            }
+        }
+    }
+}
+
 /// The number of directions in each block along which a step is differentiated.
 const PROBES: usize = 3;
 

@@ -1,6 +1,7 @@
 //! Trajectories with their tangent vectors: [`VariationalFlow`].
 
 use super::generic_tangent::generic_coordinate;
+use super::orthonormal_frame::orthonormalise;
 use super::tangent_integrator::{
     DualStateOf, MomentumOf, StateOf, TangentIntegrator, VariationalError,
 };
@@ -124,7 +125,9 @@ where
         for (number, v) in flow.tangents.iter_mut().enumerate() {
             v.set_entries(|i| generic_coordinate(number, dimension, i));
         }
-        flow.multiply_by_scales();
+        if let Ok(units) = &flow.scales {
+            units.multiply(&mut flow.tangents, &mut flow.spare);
+        }
         flow
     }
 
@@ -225,39 +228,11 @@ where
     /// of an error, the vectors before the dependent one are already orthonormal. Returns
     /// [`VariationalError::Integration`] if the first step fails, so that there are no scales.
     pub fn orthonormalise(&mut self) -> Result<[f64; K], VariationalError> {
-        self.scales()?;
-        self.divide_by_scales();
-        let lengths = self.gram_schmidt();
-        self.multiply_by_scales();
+        let (time, units) = (self.time(), self.scales()?);
+        units.divide(&mut self.tangents, &mut self.spare);
+        let lengths = orthonormalise(&mut self.tangents, &mut self.spare, time);
+        units.multiply(&mut self.tangents, &mut self.spare);
         lengths
-    }
-
-    /// Makes the tangent vectors orthonormal in the Euclidean product of their coordinates.
-    fn gram_schmidt(&mut self) -> Result<[f64; K], VariationalError> {
-        let time = self.time();
-        let mut lengths = [0.0; K];
-        for (index, (stretch, rest)) in lengths.iter_mut().zip(&mut self.spare).enumerate() {
-            let (before, others) = self.tangents.split_at_mut(index);
-            let Some(v) = others.first_mut() else { break };
-            let scale = squaring_scale(v);
-            rest.assign(v);
-            rest.scale_in_place(scale);
-            let size = euclidean_norm(rest);
-            for e in before.iter() {
-                rest.add_multiple(-dot(e, rest), e);
-            }
-            let rest_size = euclidean_norm(rest);
-            let length = rest_size / scale;
-            // The condition is false for a NaN, which is then an error.
-            let independent = rest_size > ROUND_OFF * size && length > 0.0 && length.is_finite();
-            if !independent {
-                return Err(VariationalError::Dependent { index, length, time });
-            }
-            v.move_from(rest);
-            v.scale_in_place(rest_size.recip());
-            *stretch = length;
-        }
-        Ok(lengths)
     }
 
     /// Scales each tangent vector so that its image DM(z) v has the length 1, without orthogonalisation, and returns
@@ -298,26 +273,6 @@ where
         let fail = |source| IntegrationError::after(0, self.size, source).into();
         self.scales.map_err(fail)
     }
-
-    /// Divides the blocks of the tangent vectors by their scales. A single block stays as it is.
-    fn divide_by_scales(&mut self) {
-        if let (Ok(scales), true) = (&self.scales, StateOf::<I>::BLOCKS > 1) {
-            for (v, spare) in self.tangents.iter_mut().zip(&mut self.spare) {
-                spare.assign(v);
-                v.set_entries(|i| scales.state.entry(spare, i));
-            }
-        }
-    }
-
-    /// Multiplies the blocks of the tangent vectors by their scales. A single block stays as it is.
-    fn multiply_by_scales(&mut self) {
-        if let (Ok(scales), true) = (&self.scales, StateOf::<I>::BLOCKS > 1) {
-            for (v, spare) in self.tangents.iter_mut().zip(&mut self.spare) {
-                spare.assign(v);
-                v.set_entries(|i| spare.entry(i) * scales.state.at(spare.block_of(i)));
-            }
-        }
-    }
 }
 
 /// Returns the image DM(z) v in units of the scales of the blocks of momenta.
@@ -342,14 +297,6 @@ fn power_of_two_near(x: f64) -> f64 {
     } else {
         1.0
     }
-}
-
-/// The relative size of the remainder of a vector that is a combination of others.
-const ROUND_OFF: f64 = 64.0 * f64::EPSILON;
-
-/// Returns the Euclidean product Σ u_i v_i of coordinates.
-fn dot<V: State<Scalar = f64>>(u: &V, v: &V) -> f64 {
-    (0..u.dimension()).map(|i| u.entry(i) * v.entry(i)).sum()
 }
 
 #[cfg(test)]

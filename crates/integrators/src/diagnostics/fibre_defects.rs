@@ -2,7 +2,8 @@
 
 use crate::{Scheme, StepError};
 use lie_poisson::{
-    BlockScales, DualNumber, Hamiltonian, Real, Vector, derivative_part, larger, seed,
+    BlockScales, DualNumber, Hamiltonian, Mask, Real, Vector, derivative_part, larger,
+    map_coordinates, seed,
 };
 use momentum_map::{CollectiveHamiltonian, FibreSymmetry, PoissonMap, SourcePoint, TargetPoint};
 
@@ -25,8 +26,10 @@ pub struct FibreDefects {
 
 /// Measures the [`FibreDefects`] at z of a scheme applied to the collective vector field of h∘M.
 ///
-/// Each defect is the largest over the one-parameter groups of the [symmetry](FibreSymmetry), with parameter `s`. It is
-/// NaN if a coordinate is NaN, and 0 if there is no group.
+/// Each defect is the largest over the one-parameter groups of the [symmetry](FibreSymmetry). It is NaN if a coordinate is
+/// NaN, and 0 if there is no group. The groups have parameters of different units. Each is therefore moved by `s` times the
+/// parameter with which its generator changes z, or Φ_h(z), by its size: by the angle s along a circle, and from χ to
+/// χ + s |χ| ψ/|ψ| along a line.
 ///
 /// Source: Ohsawa 2019, §5.1; McLachlan, Modin & Verdier, *Collective symplectic integrators*,
 /// Nonlinearity 27 (2014), Thm. 3.2.
@@ -68,7 +71,10 @@ where
     };
     let image = after(z)?;
     let mut defects = FibreDefects { equivariance: 0.0, descent: 0.0 };
+    let mut sizes_of_run = BlockScales::of(z);
+    sizes_of_run.include(&image);
     for index in 0..M::COUNT {
+        let s = s * parameter_unit(map, index, z, &sizes_of_run);
         let moved = after(&map.flow::<T>(index, s, z))?;
         let flowed = map.flow::<T>(index, s, &image);
         let mut sizes = BlockScales::of(&moved);
@@ -82,6 +88,22 @@ where
         defects.descent = larger(defects.descent, descent);
     }
     Ok(defects)
+}
+
+/// Returns the parameter with which the generator of a group at z changes a block by its size, and no block by more. It is 1
+/// where there is none.
+fn parameter_unit<M: FibreSymmetry, T: Real>(
+    map: &M,
+    index: usize,
+    z: &SourcePoint<M, T>,
+    sizes: &BlockScales<SourcePoint<M, T>>,
+) -> T {
+    let (s, here) =
+        (DualNumber::new(T::zero(), T::one()), map_coordinates(z, DualNumber::constant));
+    let moved = map.flow::<DualNumber<T>>(index, s, &here);
+    let rate = sizes.largest(&derivative_part(&moved));
+    let unit = T::one() / rate;
+    T::select(rate.at_most(T::zero()).or(unit.at_most(T::zero())), T::one(), unit)
 }
 
 /// Returns Σ_d |z_d ∂M_r/∂z_d| for each coordinate r of M.

@@ -119,7 +119,10 @@ pub(super) fn bracket_change<P: PoissonSpace>(
 }
 
 /// Returns the scales of the blocks for a map that takes the first point to the second.
-fn scales_of<V: Vector<Scalar = f64>>([z, image]: [&V; 2], tangent: &DMatrix<f64>) -> BlockScales<V> {
+fn scales_of<V: Vector<Scalar = f64>>(
+    [z, image]: [&V; 2],
+    tangent: &DMatrix<f64>,
+) -> BlockScales<V> {
     let mut sizes = BlockScales::of(z);
     sizes.include(image);
     natural_scales(&sizes, |a, b| {
@@ -170,7 +173,8 @@ mod tests {
     fn a_defect_of_a_form_is_the_same_in_all_units() {
         let space = CotangentBundle(RealSpace::<2>);
         for (q, p) in [(1.0, 1.0), (1e30, 1.0), (1e-30, 1e-30), (1e-30, 1e30), (0.0, 1.0)] {
-            let z = Cotangent::new(Vector2::new(1.0, 2.0) * q, Covector(Vector2::new(0.5, -1.0) * p));
+            let z =
+                Cotangent::new(Vector2::new(1.0, 2.0) * q, Covector(Vector2::new(0.5, -1.0) * p));
             let bend = |z: &Cotangent<Vector2<DualNumber>>| {
                 let turned = Vector2::new(z.p.0.y, z.p.0.x) * DualNumber::constant(0.5 * q / p);
                 Cotangent::new(z.q + z.q + turned, z.p)

@@ -2,7 +2,7 @@
 //!
 //! Each promise is measured by a number. A defect vanishes to round-off if the promise is kept. Derivatives are exact
 //! (dual numbers), so no difference quotient hides a small defect. A NaN is returned as NaN, which fails every
-//! comparison `defect <= tolerance`.
+//! comparison `defect <= tolerance`. Defects and errors are relative to sizes of their own and do not depend on units.
 //!
 //! | promise | number |
 //! |---|---|
@@ -12,7 +12,7 @@
 //! | φ on a Poisson space is a Poisson map | [`poisson_defect`], [`step_poisson_defect`] |
 //! | Φ₋ₕ ∘ Φₕ = id | [`reversibility_defect`] |
 //! | Φ descends to 𝔤∗ | [`fibre_defects`] |
-//! | an invariant does not drift | [`Drift`] |
+//! | an invariant does not drift | [`Drift`], relative to its [`InvariantSize`] |
 //! | round-off grows as a random walk | [`EnsembleGrowth`] |
 //! | the motion is right | [`run_accuracy`], [`check_by_half_steps`] |
 
@@ -23,6 +23,7 @@ mod step_map;
 mod reversibility;
 mod fibre_defects;
 mod drift;
+mod invariant_size;
 mod ensemble_growth;
 mod accuracy;
 
@@ -31,6 +32,7 @@ pub use drift::{Drift, DriftError};
 pub use ensemble_growth::EnsembleGrowth;
 pub use fibre_defects::{FibreDefects, fibre_defects};
 pub use form_defects::{poisson_defect, symplecticity_defect};
+pub use invariant_size::InvariantSize;
 pub use order_fit::{OrderFitError, fitted_order};
 pub use reversibility::reversibility_defect;
 pub use step_map::{StepMapError, step_map, step_poisson_defect, step_symplecticity_defect};

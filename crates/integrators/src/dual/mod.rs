@@ -1,6 +1,6 @@
 //! Integrators on 𝔤∗, with their states, their momenta and their trajectories.
 
-pub(crate) mod integrator;
+pub(crate) mod trajectories;
 pub(crate) mod state_is_momentum;
 pub(crate) mod compensated;
 pub(crate) mod recentring_threshold;

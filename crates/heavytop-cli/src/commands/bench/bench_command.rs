@@ -7,8 +7,8 @@ use crate::Error;
 use crate::configuration::Config;
 use crate::supervision::Progress;
 use crate::supervision::tiled_run::threads as pool;
-use lie_poisson::Covector;
-use lie_poisson::{Pair, Se3Dual};
+use heavytop::HeavyTop;
+use lie_poisson::{Covector, Pair, Se3Dual};
 use nalgebra::{Rotation3, Vector3};
 use serde::Serialize;
 use std::collections::BTreeSet;
@@ -96,15 +96,16 @@ fn own(config: &Config, tops: u64) -> Result<Vec<BenchProblem>, Error> {
     }
     let (top, start) = (config.top()?, config.start()?);
     let one = BenchProblem::with_references(top, LONG, vec![start])?;
-    let around = (0..tops.min(REFERENCES)).map(|index| near(&start, index)).collect();
+    let around = (0..tops.min(REFERENCES)).map(|index| near(&top, &start, index)).collect();
     let many = BenchProblem { tops, ..BenchProblem::with_references(top, SHORT, around)? };
     Ok(vec![one, many])
 }
 
 /// Returns the start with number `index` of a sequence that fills the neighbourhood of a start evenly.
 ///
-/// Π differs by up to a quarter of |Π| + 1, and Γ is turned about e₁ and e₃.
-fn near(Covector(Pair(pi, gamma)): &Se3Dual, index: u64) -> Se3Dual {
+/// Π differs by up to a quarter of |Π| + √(I mgl |Γ|/2), with the largest moment I, and Γ is turned about e₁ and e₃. The
+/// root is the Π of a top that swings; for the paper's top it is 1 kg m²/s.
+fn near(top: &HeavyTop, Covector(Pair(pi, gamma)): &Se3Dual, index: u64) -> Se3Dual {
     // Powers of the relatives of the plastic number: a Kronecker sequence in five dimensions.
     const ROTATIONS: [f64; 5] = [
         0.881_271_451_226_064,
@@ -114,7 +115,8 @@ fn near(Covector(Pair(pi, gamma)): &Se3Dual, index: u64) -> Se3Dual {
         0.531_555_324_820_293,
     ];
     let [x, y, z, first, third] = ROTATIONS.map(|r| (index as f64 * r).fract() - 0.5);
-    let size = 0.5 * (pi.norm() + 1.0);
+    let swing = (0.5 * top.inertia().max()).sqrt() * (top.weight_moment() * gamma.norm()).sqrt();
+    let size = 0.5 * (pi.norm() + swing);
     let turn = Rotation3::from_axis_angle(&Vector3::z_axis(), 2.0 * third)
         * Rotation3::from_axis_angle(&Vector3::x_axis(), 2.0 * first);
     Se3Dual::new(pi + Vector3::new(x, y, z) * size, turn * gamma)
@@ -133,9 +135,10 @@ impl fmt::Display for Bench {
             writeln!(
                 f,
                 "{name:<46}{step:<13}{:>8}{ms:>10.2}{each:>21.2}{:>13.1e}{:>12.1e}",
-                run.tops, run.error_10, run.error_end
+                run.tops, run.relative_error_10, run.relative_error_end
             )?;
         }
-        write!(f, "Ensembles on {} thread(s); each time is the least of several.", self.threads)
+        writeln!(f, "Ensembles on {} thread(s); each time is the least of several.", self.threads)?;
+        write!(f, "Each error is the larger of those of Π and of Γ, relative to its size.")
     }
 }

@@ -6,7 +6,7 @@ use crate::vocabulary::brief;
 use collective_integrators::{IntegrationError, Start};
 use heavytop::methods::{MethodError, SchemeName};
 use heavytop::{Body, CollectiveGauss, HeavyTop};
-use lie_poisson::Se3Dual;
+use lie_poisson::{BlockScales, Se3Dual};
 use nalgebra::Vector3;
 use std::path::Path;
 
@@ -121,6 +121,17 @@ impl BenchProblem {
             early,
             late,
         }
+    }
+
+    /// Returns the largest |Π| and |Γ| of the start and of the references of each top, in whose units errors are relative.
+    pub(super) fn sizes(&self) -> impl Iterator<Item = BlockScales<Se3Dual>> {
+        let references = self.early.iter().zip(&self.late);
+        self.starts.iter().zip(references).map(|(start, (early, late))| {
+            let mut sizes = BlockScales::of(start);
+            sizes.include(early);
+            sizes.include(late);
+            sizes
+        })
     }
 
     /// Returns the start of the top with number `index`.

@@ -188,3 +188,72 @@ impl Measure<'_> {
         Ok(Ok(last))
     }
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::configuration::Config;
+    use std::error::Error as Failure;
+
+    /// Measures methods after 40 steps, with masses, lengths and times in these units: the numbers without a unit, and those
+    /// with one in their units.
+    fn measured([mass, length, time]: [f64; 3]) -> Result<Vec<[f64; 7]>, Box<dyn Failure>> {
+        let moment = mass * length * length;
+        let (momentum, energy) = (moment / time, moment / time / time);
+        let of = |values: [f64; 3], unit: f64| format!("{:?}", values.map(|x| x * unit));
+        let text = format!(
+            "initial = {{ angular_momentum = {}, vertical = [0.0, 0.8, 0.6] }}\n\
+             integrator = {{ step = {:?}, end = {:?} }}\n\
+             [body]\ninertia = {}\nmass = {:?}\ngravity = {:?}\nlength = {:?}\n\
+             center_of_mass = [0.6, 0.0, 0.8]",
+            of([1.2, -0.7, 2.3], momentum),
+            0.05 * time,
+            2.0 * time,
+            of([1.0, 1.4, 2.1], moment),
+            0.7 * mass,
+            9.81 * length / time / time,
+            0.2 * length,
+        );
+        let experiment = toml::from_str::<Config>(&text)?.experiment()?;
+        let (top, start, steps) = (&experiment.top, &experiment.start, 40);
+        let reference = Reference::new(&experiment, steps, &Watch::default())?;
+        let mut found = Vec::new();
+        for (formulation, scheme) in [
+            (Formulation::Direct, SchemeName::Rk4),
+            (Formulation::Direct, SchemeName::ExplicitMidpoint),
+            (Formulation::Collective, SchemeName::Rk4),
+        ] {
+            let method = Method::new(formulation, scheme, 0.0)?;
+            let task = Measure { top, start, steps, reference: &reference };
+            let Outcome { error, parts: [pi, gamma], relative, deviations: [h, f1, f2], .. } =
+                method.integrate(top, task)??;
+            found.push([error, relative, pi / momentum, gamma, h / energy, f1, f2 / momentum]);
+        }
+        Ok(found)
+    }
+
+    #[test]
+    fn errors_are_the_same_in_all_units() -> Result<(), Box<dyn Failure>> {
+        let reference = measured([1.0; 3])?;
+        let sizes = [1e-30, 1e-15, 1e-6, 1e6, 1e15, 1e30];
+        for units in sizes.into_iter().flat_map(|s| [[s, 1.0, 1.0], [1.0, s, 1.0], [1.0, 1.0, s]]) {
+            for (found, reference) in measured(units)?.iter().zip(&reference) {
+                // All of them are errors above 1e-8, where rounding changes them by 1e-7.
+                let near = |(a, b): (&f64, &f64)| (a / b - 1.0).abs() < 1e-5;
+                assert!(found.iter().zip(reference).all(near), "{units:?} {found:?} {reference:?}");
+            }
+        }
+        Ok(())
+    }
+
+    /// Control: the norm of the error of all six numbers is that of Π in the one unit, and that of Γ in the other.
+    #[test]
+    fn the_norm_of_all_coordinates_depends_on_units() -> Result<(), Box<dyn Failure>> {
+        let norm = |mass: f64| -> Result<f64, Box<dyn Failure>> {
+            let [_, _, pi, gamma, ..] = measured([mass, 1.0, 1.0])?[0];
+            Ok((pi * mass).hypot(gamma) / mass.hypot(1.0))
+        };
+        assert!((norm(1e-9)? / norm(1e9)? - 1.0).abs() > 0.01);
+        Ok(())
+    }
+}

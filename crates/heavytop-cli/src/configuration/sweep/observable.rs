@@ -12,6 +12,8 @@ pub enum Observable {
     FinalState,
     /// The largest deviations of h and of the Casimirs, f₁ and f₂ for a top, over all steps.
     InvariantDrift,
+    /// These deviations relative to the sizes of the invariants along the motion, without a unit.
+    RelativeDrift,
     /// The maximal Lyapunov exponent, 1/s.
     Lyapunov,
     /// The smaller alignment index.
@@ -28,6 +30,7 @@ impl Observable {
     const NAMES: &[(&'static str, Self)] = &[
         ("final-state", Self::FinalState),
         ("invariant-drift", Self::InvariantDrift),
+        ("relative-drift", Self::RelativeDrift),
         ("lyapunov", Self::Lyapunov),
         ("sali", Self::Sali),
         ("megno", Self::Megno),
@@ -53,6 +56,7 @@ impl Observable {
         match self {
             Self::FinalState => linear(&FINAL),
             Self::InvariantDrift => logarithmic(&DRIFT),
+            Self::RelativeDrift => logarithmic(&RELATIVE_DRIFT),
             Self::Lyapunov => linear(&[("lyapunov", "maximal Lyapunov exponent (1/s)")]),
             Self::Sali => logarithmic(&[("sali", "SALI")]),
             Self::Megno => logarithmic(&[("megno", "MEGNO")]),
@@ -86,6 +90,12 @@ const DRIFT: [(&str, &str); 3] = [
     ("drift_h", "deviation of h (J)"),
     ("drift_f1", "deviation of |Γ|²"),
     ("drift_f2", "deviation of Π·Γ (kg m²/s)"),
+];
+
+const RELATIVE_DRIFT: [(&str, &str); 3] = [
+    ("relative_drift_h", "relative deviation of h"),
+    ("relative_drift_f1", "relative deviation of |Γ|²"),
+    ("relative_drift_f2", "relative deviation of Π·Γ"),
 ];
 
 impl From<Observable> for &'static str {

@@ -35,9 +35,11 @@ Time the integrators on one top and on many.
 
 The configured top is followed to t = 1000 s, and an ensemble of starts about its own to t = 20 s, by
 each fast path and by the general one, which serves any system. For each: the least computing time of
-several runs (ms), that per top and step (ns), and the error of (Π, Γ) at t = 10 s and at the end: its
-2-norm, in an ensemble the mean over at most 10000 tops. References are by the collective Gauss
-method of order 16 with step 1/8 s.
+several runs (ms), that per top and step (ns), and the error of (Π, Γ) at t = 10 s and at the end: the
+larger of that of Π relative to |Π| and that of Γ relative to |Γ|, in an ensemble the mean over at
+most 10000 tops. --json also tells the 2-norm of the error in SI units (error_10, error_end), as in
+the tables of other programs. References are by the collective Gauss method of order 16 with step
+1/8 s.
 
 A problem file is text: I1 I2 I3 mgl c1 c2 c3 end on the first line (kg m², N m, s), and on each other
 line a top: (Π, Γ) at t = 0, t = 10 and end.";

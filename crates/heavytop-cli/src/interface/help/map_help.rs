@@ -89,6 +89,8 @@ Each axis varies one number of [body] or [initial], over a grid or at random; th
 
   final-state         (Π, Γ) at the end: Pi1,Pi2,Pi3 (kg m²/s), Gamma1,Gamma2,Gamma3
   invariant-drift     largest deviations over all steps: drift_h (J), drift_f1, drift_f2 (kg m²/s)
+  relative-drift      these relative to the size of each invariant, without a unit: relative_drift_h,
+                      relative_drift_f1, relative_drift_f2
   lyapunov            the maximal Lyapunov exponent so far, 1/s
   megno               mean exponential growth factor of nearby orbits: about 2 in order, λt/2 in chaos
   sali                smaller alignment index of two tangent vectors: round-off in chaos
@@ -167,8 +169,9 @@ Another Lie–Poisson system instead of a top: [system] as of simulate, and
 Axes must be given. The observables are final-state, with the coordinates as columns;
 invariant-drift, with drift_h, and drift_c1, drift_c2, ... of the Casimirs, which are those of each
 run if an axis varies a parameter of the brackets, and empty where a Casimir is no polynomial;
-lyapunov, megno and sali. What [integrator] leaves out: reduced where there is one, or as for
-simulate; gauss-8, step 0.1 s, end 100 s.
+relative-drift, with relative_drift_h, relative_drift_c1, ...; lyapunov, megno and sali. What
+[integrator] leaves out: reduced where there is one, or as for simulate; gauss-8, step 0.1 s, end
+100 s.
 
 Examples:
   heavytop sweep --out sweep                      # a small map about the paper's top

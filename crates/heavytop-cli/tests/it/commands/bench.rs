@@ -27,6 +27,9 @@ fn a_problem_in_a_file_has_its_own_references() {
     let told: serde_json::Value = serde_json::from_str(&run.stdout()).unwrap();
     assert!(told["runs"][0]["error_10"].as_f64().unwrap() < 1e-14, "{told}");
     assert!((told["runs"][0]["error_end"].as_f64().unwrap() - 0.5).abs() < 1e-14, "{told}");
+    // Relative to the largest |Γ| of the problem, 1.5.
+    let relative = told["runs"][0]["relative_error_end"].as_f64().unwrap();
+    assert!((relative - 1.0 / 3.0).abs() < 1e-14, "{told}");
 
     for (wrong, why) in [
         ("2 2 1 1 0 0 1 20\n", "no top"),

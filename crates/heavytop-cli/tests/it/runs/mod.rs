@@ -7,3 +7,4 @@ mod formats;
 mod methods;
 mod same_bytes;
 mod simulate;
+mod units;

@@ -39,9 +39,10 @@ pub(in crate::commands::sweep) struct SystemFamily {
 
 impl SystemFamily {
     /// The observables of systems.
-    const OBSERVABLES: [Observable; 5] = [
+    const OBSERVABLES: [Observable; 6] = [
         Observable::FinalState,
         Observable::InvariantDrift,
+        Observable::RelativeDrift,
         Observable::Lyapunov,
         Observable::Megno,
         Observable::Sali,
@@ -208,6 +209,13 @@ impl Family for SystemFamily {
                 observable: lifted.name(),
                 formulation: self.method.formulation().name(),
             }),
+            Observable::RelativeDrift => {
+                let column = |name: String| {
+                    let label = format!("relative deviation of {name}");
+                    Column::logarithmic(&format!("relative_drift_{name}"), &label)
+                };
+                Ok(self.conserved().map(column).collect())
+            }
             shared if Self::OBSERVABLES.contains(&shared) => Ok(shared.columns()),
             other => {
                 let has = Self::OBSERVABLES.map(Observable::name).to_vec();
@@ -255,7 +263,9 @@ impl SystemTask for Follow<'_> {
     {
         let Self { family, course, system, start } = self;
         let undefined = RefCell::new(None);
-        let gauge = SystemGauge::new(system, start, family.system.casimir_degrees(), &undefined);
+        let columns = family.system.casimir_degrees();
+        let wants_sizes = course.observables.contains(&Observable::RelativeDrift);
+        let gauge = SystemGauge::new(system, (start, wants_sizes), columns, &undefined);
         let dimension = start.len();
         let start: <I as Integrator>::Momentum =
             Vector::from_coordinates(|i| start.get(i).copied().unwrap_or(0.0));

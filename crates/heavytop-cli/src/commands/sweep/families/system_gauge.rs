@@ -2,6 +2,7 @@
 
 use super::measured_motion::Gauge;
 use crate::configuration::Observable;
+use collective_integrators::diagnostics::InvariantSize;
 use lie_poisson::{Vector, larger};
 use lie_poisson_formula_systems::FormulaSystem;
 use lie_poisson_formulas::Formula;
@@ -13,6 +14,8 @@ pub(super) struct SystemGauge<'a> {
     invariants: Vec<Option<&'a Formula>>,
     initial: Vec<f64>,
     drift: Vec<f64>,
+    /// The sizes of the invariants along the motion; none if no observable is relative to them.
+    sizes: Vec<InvariantSize>,
     /// The coordinates of the momentum that was observed last.
     state: Vec<f64>,
     /// The first state at which an invariant has no finite value.
@@ -20,11 +23,11 @@ pub(super) struct SystemGauge<'a> {
 }
 
 impl<'a> SystemGauge<'a> {
-    /// Creates the gauge of a system whose Casimirs stand in columns for Casimirs of these degrees. The first state at which
-    /// an invariant has no finite value is put in `undefined`.
+    /// Creates the gauge of a system whose Casimirs stand in columns for Casimirs of these degrees, with the sizes of the
+    /// invariants if they are wanted. The first state at which an invariant has no finite value is put in `undefined`.
     pub fn new(
         system: &'a FormulaSystem,
-        start: &[f64],
+        (start, wants_sizes): (&[f64], bool),
         columns: &[u8],
         undefined: &'a RefCell<Option<Vec<f64>>>,
     ) -> Self {
@@ -35,13 +38,28 @@ impl<'a> SystemGauge<'a> {
         let value = |invariant: &Option<&Formula>| invariant.map_or(0.0, |f| f.value_at(start));
         let initial = invariants.iter().map(value).collect();
         let drift = vec![0.0; invariants.len()];
-        Self { invariants, initial, drift, state: start.to_vec(), undefined }
+        let blocks = || system.algebra().coordinates().groups().map(|(_, places)| places);
+        let sized = if wants_sizes { invariants.len() } else { 0 };
+        let sizes = (0..sized).map(|_| InvariantSize::new(blocks())).collect();
+        let mut gauge =
+            Self { invariants, initial, drift, sizes, state: start.to_vec(), undefined };
+        gauge.include_sizes();
+        gauge
+    }
+
+    /// Raises the sizes of the invariants to those at the state.
+    fn include_sizes(&mut self) {
+        for (size, invariant) in self.sizes.iter_mut().zip(&self.invariants) {
+            if let Some(invariant) = invariant {
+                size.include(&self.state, &invariant.differential_at(&self.state));
+            }
+        }
     }
 }
 
 impl<M: Vector<Scalar = f64>> Gauge<M> for SystemGauge<'_> {
     fn observe(&mut self, _: f64, momentum: &M) {
-        let Self { invariants, initial, drift, state, undefined } = self;
+        let Self { invariants, initial, drift, state, undefined, .. } = self;
         state.iter_mut().enumerate().for_each(|(i, x)| *x = momentum.coordinate(i));
         for ((drift, initial), invariant) in drift.iter_mut().zip(initial).zip(invariants) {
             if let Some(invariant) = invariant {
@@ -52,6 +70,7 @@ impl<M: Vector<Scalar = f64>> Gauge<M> for SystemGauge<'_> {
                 *drift = larger(*drift, (value - *initial).abs());
             }
         }
+        self.include_sizes();
     }
 
     fn values(&self, observable: Observable, end: &M) -> Vec<Option<f64>> {
@@ -62,6 +81,14 @@ impl<M: Vector<Scalar = f64>> Gauge<M> for SystemGauge<'_> {
             Observable::InvariantDrift => {
                 let drifts = self.invariants.iter().zip(&self.drift);
                 drifts.map(|(invariant, drift)| invariant.map(|_| *drift)).collect()
+            }
+            Observable::RelativeDrift => {
+                let drifts = self.sizes.iter().zip(&self.drift).zip(&self.invariants);
+                let relative =
+                    |((size, drift), invariant): ((&InvariantSize, &f64), &Option<_>)| {
+                        invariant.map(|_: &Formula| size.relative(*drift))
+                    };
+                drifts.map(relative).collect()
             }
             _ => Vec::new(),
         }

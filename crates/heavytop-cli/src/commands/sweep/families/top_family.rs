@@ -13,11 +13,11 @@ use crate::errors::SweepError;
 use crate::runs::Schedule;
 use crate::runs::method_warning::method_warning;
 use crate::runs::step_angle::require_sane_step;
-use collective_integrators::diagnostics::RunAccuracy;
+use collective_integrators::diagnostics::{InvariantSize, RunAccuracy};
 use collective_integrators::{Start, TangentIntegrator};
 use heavytop::methods::{Formulation, Method, SchemeName, TangentTask};
 use heavytop::{HeavyTop, Invariant, Nutation, PrincipalAxes};
-use lie_poisson::{Se3Dual, Vector, larger};
+use lie_poisson::{DualNumber, Se3Dual, Vector, larger, seed};
 
 /// Tops whose parameters or initial states differ.
 #[derive(Clone, Debug, PartialEq)]
@@ -219,7 +219,8 @@ impl TangentTask for Follow<'_> {
         I: Start<State: Vector, Momentum = Se3Dual> + TangentIntegrator,
     {
         let Self { family, course, top, start, axes } = self;
-        let gauge = TopGauge::new(top, start, axes);
+        let wants_sizes = course.observables.contains(&Observable::RelativeDrift);
+        let gauge = TopGauge::new(top, (start, wants_sizes), axes);
         measure(integrator, (start, Se3Dual::<f64>::DIM), gauge, course, family.method())
     }
 }
@@ -234,15 +235,35 @@ struct TopGauge {
     axes: PrincipalAxes,
     initial: [f64; 3],
     drift: [f64; 3],
+    /// The sizes of the invariants along the motion, if an observable is relative to them.
+    sizes: Option<[InvariantSize; 3]>,
     nutation: Nutation,
 }
 
 impl TopGauge {
-    fn new(top: &HeavyTop, start: &Se3Dual, axes: PrincipalAxes) -> Self {
+    /// Creates the gauge of a top, with the sizes of its invariants if they are wanted.
+    fn new(top: &HeavyTop, (start, wants_sizes): (&Se3Dual, bool), axes: PrincipalAxes) -> Self {
         let mut nutation = Nutation::new(top);
         nutation.observe(0.0, start);
         let initial = CONSERVED.map(|invariant| invariant.value(top, start));
-        Self { top: *top, axes, initial, drift: [0.0; 3], nutation }
+        let size = |_| InvariantSize::new([0..3, 3..6]);
+        let sizes = wants_sizes.then(|| CONSERVED.map(size));
+        let mut gauge = Self { top: *top, axes, initial, drift: [0.0; 3], sizes, nutation };
+        gauge.include_sizes(start);
+        gauge
+    }
+
+    /// Raises the sizes of the invariants to those at a state.
+    fn include_sizes(&mut self, mu: &Se3Dual) {
+        let Self { top, sizes: Some(sizes), .. } = self else { return };
+        let state: [f64; 6] = std::array::from_fn(|i| mu.coordinate(i));
+        for (size, invariant) in sizes.iter_mut().zip(CONSERVED) {
+            let slope = |i| {
+                let moved: Se3Dual<DualNumber> = seed(mu, &Vector::basis(i));
+                invariant.value(top, &moved).derivative()
+            };
+            size.include(&state, &std::array::from_fn::<f64, 6, _>(slope));
+        }
     }
 }
 
@@ -253,6 +274,7 @@ impl Gauge<Se3Dual> for TopGauge {
         {
             *drift = larger(*drift, (invariant.value(&self.top, mu) - initial).abs());
         }
+        self.include_sizes(mu);
     }
 
     fn values(&self, observable: Observable, end: &Se3Dual) -> Vec<Option<f64>> {
@@ -262,6 +284,10 @@ impl Gauge<Se3Dual> for TopGauge {
                 (0..6).map(|i| Some(end.coordinate(i))).collect()
             }
             Observable::InvariantDrift => self.drift.map(Some).to_vec(),
+            Observable::RelativeDrift => {
+                let sizes = self.sizes.iter().flatten();
+                sizes.zip(self.drift).map(|(size, drift)| Some(size.relative(drift))).collect()
+            }
             Observable::RotationNumber => vec![self.nutation.rotation_number()],
             Observable::NutationAmplitude => vec![self.nutation.amplitude()],
             Observable::Lyapunov | Observable::Megno | Observable::Sali => Vec::new(),
