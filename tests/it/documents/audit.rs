@@ -104,7 +104,7 @@ fn keeps_its_claims(row: &Row, steps: u64) -> bool {
     let order = row.order.is_none_or(|order| (order - row.claimed as f64).abs() < allowed);
     if !promises(row) {
         // The defect of these methods of order 8 is their truncation error.
-        return order && row.poisson > 1e-11;
+        return order && row.poisson > 1e-12;
     }
     let drifts = |drifts: &Drifts, steps: u64| {
         let time = steps as f64 * STEP;
