@@ -22,6 +22,20 @@ class Numbers:
         return getattr(self, key) if isinstance(key, str) else POINT[key]
 
 
+def in_place(p, q):
+    """Returns what arithmetic in place makes of two vectors, and checks that it is in place."""
+    kept = p
+    p *= 2
+    p += q
+    p[1:] -= q[:2] / 4
+    p **= 2
+    np.sin(p, out=p)
+    np.add(p, 1.0, out=p, where=[True, False, True])
+    p[0] = q[1]
+    assert kept is p
+    return p.sum() + np.add.reduce(q * 1, out=np.empty((), dtype=p.dtype))
+
+
 FUNCTIONS = [
     lambda x: 0.5 * x.Pi1**2 / 2 - x.Pi2 * 3 + 1 / x.Pi3 - (-x.Gamma1) + (+x.Gamma2),
     lambda x: 2 - x.Pi1 + 3 * x.Pi2 / (1 + x.Pi3) + 2**x.Gamma1 + x.Pi1**x.Gamma2 + x.Pi2**-1.5,
@@ -41,6 +55,7 @@ FUNCTIONS = [
     lambda x: np.where(x.Pi1 > 0.5, x.Pi2, 1 / (x.Pi1 - 0.9)) + np.where(x.Pi1 <= 0.5, 2, x.Pi3**2),
     lambda x: np.where(1.0 < x.Pi3, np.where(x.Pi2 >= 2, 1, x.Pi), x.Gamma).sum() + np.where(x.Pi > 0.5, x.Gamma, 0.1).prod(),
     lambda x: functions.where(np.float64(2) > x.Pi1, functions.hypot(x.Pi1, 3), 0) + functions.arcsin(x.Gamma1) + functions.cbrt(8.0),
+    lambda x: in_place(x.Pi * 1, x.Gamma),
     lambda x: 3,
 ]
 
@@ -102,6 +117,10 @@ BRANCHES = [
     lambda x: max(x.Pi1, x.Pi2),
     lambda x: x.Pi1 if x.Pi1 == x.Pi2 else x.Pi2,
     lambda x: x.Pi[x.Pi > 0].sum(),
+    lambda x: x.Pi[x.Pi1 > 0],
+    lambda x: x.Pi[x.Pi1],
+    lambda x: x.Pi.__setitem__(x.Pi > 0, 0),
+    lambda x: np.add(x.Pi, 1, where=x.Pi > 0).sum(),
     lambda x: np.where(x.Pi1 == 0, 1, x.Pi1),
     lambda x: np.maximum(x.Pi1, 0),
 ]
@@ -124,7 +143,16 @@ def test_a_branch_is_a_type_error_that_says_what_to_do(function):
         (lambda x: x.Omega, AttributeError, "no coordinate or parameter 'Omega'; there are Pi, Pi1"),
         (lambda x: np.arcsinh(x.Pi1), TypeError, "arcsinh"),
         (lambda x: np.where((x.Pi1 > 0) & (x.Pi2 > 0), 1, 0), TypeError, "conditions cannot be combined"),
+        (lambda x: np.where((x.Pi1 > 0) ^ (x.Pi2 > 0), 1, 0), TypeError, "conditions cannot be combined"),
         (lambda x: np.sum(x.Pi1 > 0), TypeError, "condition of numpy.where"),
+        (lambda x: np.where((x.Pi1 > 0) == True, x.Pi2, 1), TypeError, "test of equality of a comparison: .*numpy.where"),
+        (lambda x: np.where((x.Pi1 > 0) != False, x.Pi2, 1), TypeError, "test of equality of a comparison"),
+        (lambda x: np.where((x.Pi > 0) == True, x.Pi, 1).sum(), TypeError, "test of equality of a comparison"),
+        (lambda x: np.where(x.Pi1 > 0), TypeError, r"without values to choose from: .*numpy.where\(x.Pi1 > 0, a, b\)"),
+        (lambda x: np.where(x.Pi > 0), TypeError, "without values to choose from"),
+        (lambda x: (x.Pi1 > 0) * x.Pi2, TypeError, "a comparison of symbols is no number: .*numpy.where"),
+        (lambda x: [x.Pi1, x.Pi2][x.Pi1 > 0], TypeError, "a comparison of symbols is no number"),
+        (lambda x: np.add(x.Pi, 1, out=np.zeros(3)).sum(), TypeError, r"a = a \+ x.Pi"),
         (lambda x: x.Pi1 / 0, ValueError, "the divisor is 0"),
         (lambda x: x.Pi1 * np.inf, ValueError, "not a finite number"),
         (lambda: 1, TypeError, "argument"),

@@ -21,6 +21,10 @@ NUMBER = (
     "instead of those of math, such as numpy.sin(x.Pi1)"
 )
 
+CONDITION = "it is the condition of numpy.where, as in numpy.where(x.Pi1 > 0, a, b)"
+
+FIXED = "an array of numbers cannot become one of symbols: write a = a + x.Pi instead of a += x.Pi"
+
 
 class Trace:
     """The parts of a function that is being traced, each once."""
@@ -259,13 +263,27 @@ class Condition:
     def __and__(self, other: object) -> NoReturn:
         raise TypeError("conditions cannot be combined: write numpy.where(a, numpy.where(b, x, y), y) for a & b")
 
-    __or__ = __rand__ = __ror__ = __and__
+    __or__ = __xor__ = __rand__ = __ror__ = __rxor__ = __and__
+
+    def __eq__(self, other: object) -> NoReturn:
+        raise TypeError(f"a test of equality of a comparison: {CONDITION}; write ~(x.Pi1 > 0) for the opposite")
+
+    __ne__ = __eq__
+
+    __hash__ = object.__hash__
+
+    def __float__(self, *_: object) -> NoReturn:
+        raise TypeError(f"a comparison of symbols is no number: {CONDITION}")
+
+    __int__ = __index__ = __complex__ = __neg__ = __abs__ = __float__
+    __add__ = __radd__ = __sub__ = __rsub__ = __mul__ = __rmul__ = __float__
+    __truediv__ = __rtruediv__ = __pow__ = __rpow__ = __float__
 
     def __array_function__(self, function: Any, types: Any, arguments: Any, settings: Any) -> Any:
         """Chooses between symbols where a function of NumPy is `numpy.where`."""
-        if function is np.where and len(arguments) == 3 and not settings:
+        if function is np.where:
             return chosen(*arguments)
-        raise TypeError(f"a comparison of symbols has no numpy.{function.__name__}; it is the condition of numpy.where")
+        raise TypeError(f"a comparison of symbols has no numpy.{function.__name__}: {CONDITION}")
 
 
 class SymbolArray(np.ndarray):
@@ -273,19 +291,35 @@ class SymbolArray(np.ndarray):
 
     def __getitem__(self, key: Any) -> Any:
         """Returns a part of the array. Which part may not depend on the state."""
-        if isinstance(key, np.ndarray) and any(isinstance(x, Condition) for x in key.flat):
-            raise TypeError(BRANCH.format(what="an index by a comparison"))
-        return super().__getitem__(key)
+        return super().__getitem__(fixed(key))
+
+    def __setitem__(self, key: Any, value: Any) -> None:
+        """Replaces a part of the array. Which part may not depend on the state."""
+        super().__setitem__(fixed(key), value)
 
     def __array_function__(self, function: Any, types: Any, arguments: Any, settings: Any) -> Any:
         """Chooses between symbols where a function of NumPy is `numpy.where`."""
-        if function is np.where and len(arguments) == 3 and not settings:
+        if function is np.where:
             return chosen(*arguments)
         return super().__array_function__(function, types, arguments, settings)
 
     def __array_ufunc__(self, ufunc: np.ufunc, method: str, *inputs: Any, **kwargs: Any) -> Any:
         """Applies a function of NumPy to arrays of symbols and to numbers, in any order."""
         return applied(ufunc, method, inputs, kwargs)
+
+
+def fixed(selection: Any) -> Any:
+    """Returns a selection of entries that does not depend on the state.
+
+    Raises:
+        TypeError: if there is a symbol or a comparison of symbols in it.
+    """
+    for part in selection if isinstance(selection, tuple) else (selection,):
+        for entry in part.flat if isinstance(part, np.ndarray) else part if isinstance(part, list) else (part,):
+            if isinstance(entry, (Symbol, Condition)):
+                by = "a comparison" if isinstance(entry, Condition) else "the value"
+                raise TypeError(BRANCH.format(what=f"a choice of entries by {by}"))
+    return selection
 
 
 def angle(y: Any, x: Any) -> Any:
@@ -312,9 +346,11 @@ def choice(condition: Any, holds: Any, fails: Any) -> Any:
 CHOICES = np.frompyfunc(choice, 3, 1)
 
 
-def chosen(condition: Any, holds: Any, fails: Any) -> Any:
+def chosen(condition: Any, *values: Any) -> Any:
     """Returns what `numpy.where` makes of conditions and symbols."""
-    result = CHOICES(*(plain(x) for x in (condition, holds, fails)))
+    if len(values) != 2:
+        raise TypeError(f"numpy.where without values to choose from: {CONDITION}")
+    result = CHOICES(*(plain(x) for x in (condition, *values)))
     return result.view(SymbolArray) if isinstance(result, np.ndarray) else result
 
 
@@ -332,7 +368,16 @@ OF_TWO = {
 def applied(function: np.ufunc, method: str, inputs: Sequence[Any], settings: dict[str, Any]) -> Any:
     """Returns what a function of NumPy, or one of its methods such as `reduce`, makes of symbols and numbers."""
     function = OF_TWO.get(function.__name__, function)
+    outputs = settings.pop("out", ())
+    if outputs:
+        if any(isinstance(x, np.ndarray) and x.dtype != object for x in outputs):
+            raise TypeError(FIXED)
+        settings["out"] = tuple(plain(x) for x in outputs)
+    if "where" in settings:
+        settings["where"] = fixed(settings["where"])
     result = getattr(function, method)(*(plain(x) for x in inputs), **settings)
+    if len(outputs) == 1:
+        return outputs[0]
     return result.view(SymbolArray) if isinstance(result, np.ndarray) and result.dtype == object else result
 
 
