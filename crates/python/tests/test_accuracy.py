@@ -32,6 +32,28 @@ def test_motions_that_are_wrong_are_warned_of():
         assert run.error_estimate > (0.1 if casimir == "f1" else 0)
 
 
+def test_the_fastest_of_many_runs_is_measured():
+    """It is no member of any regular choice, and slow by |Pi|: the moments and the weight decide."""
+    slow, fast = [0.1, 0.2, 0.3], [0.3, 30, 0.2]
+    turns = np.array([fast if i == 13 else slow for i in range(20)]).T
+    states = np.vstack([0.01 * np.ones((3, 20)), 0.6 * np.ones(20), np.zeros(20), 0.8 * np.ones(20)])
+    heavy = Top.kovalevskaya(weight_moment=1e6)
+    for call in [
+        lambda: heavytop.solve_many(BODY, turns, step=0.1, end=10),
+        lambda: heavytop.lyapunov(BODY, turns, step=0.1, end=10),
+        lambda: heavytop.solve_many([heavy if i == 13 else TOP for i in range(20)], states, step=0.01, end=0.1),
+        lambda: heavytop.lyapunov([heavy if i == 13 else TOP for i in range(20)], states, step=0.01, end=0.1),
+    ]:
+        with pytest.warns(RuntimeWarning, match=f"^run 13: {LONG}"):
+            call()
+    with warnings.catch_warnings():
+        warnings.simplefilter("error")
+        # Control: without it there is nothing to warn of. A state that is none is left to the failures.
+        turns[:, 13] = np.nan
+        assert list(heavytop.solve_many(BODY, turns, step=0.1, end=10).failures) == [13]
+        heavytop.solve_many([TOP] * 20, states, step=0.01, end=0.1)
+
+
 def test_right_motions_are_not():
     with warnings.catch_warnings():
         warnings.simplefilter("error")
@@ -79,7 +101,7 @@ def test_a_check_says_the_error_and_the_order():
     check = BODY.solve(FAST, step=0.05, end=1, scheme="gauss-4").check()
     assert abs(check.order - 4) < 0.3
     fine = TOP.solve(**START, step=0.01, end=1).check()
-    assert fine.error < 1e-12 and fine.order is None
+    assert fine.error < 1e-12 and fine.order is None and fine.t == 1
 
 
 def test_absurd_steps_are_refused():
@@ -97,3 +119,24 @@ def test_absurd_steps_are_refused():
         # Control: a step of 10 rad is warned of.
         with pytest.warns(RuntimeWarning, match=LONG):
             solve(1.0, end=1.0)
+
+
+
+def test_a_run_that_ends_between_steps_is_checked_at_the_last_whole_step():
+    for sign in (1, -1):
+        run = TOP.solve(**START, step=0.1, end=sign * 4, events=heavytop.Event("Gamma2", terminal=2))
+        steps = int(abs(run.t[-1]) // 0.1)
+        assert run.status == 1 and steps > 1 and 0.005 < abs(run.t[-1]) - 0.1 * steps < 0.095
+        check = run.check()
+        assert check.t == pytest.approx(0.1 * steps * sign)
+        assert check == TOP.solve(**START, step=0.1, end=check.t).check()
+        assert check.error != TOP.solve(**START, step=0.1, end=check.t + sign * 0.1).check().error
+    run = TOP.solve(**START, step=0.1, end=1, events=heavytop.Event("Gamma2 + 0.01", terminal=True))
+    if run.status == 0:
+        run = TOP.solve(**START, step=0.1, end=1, events=heavytop.Event("Gamma2 - 0.01", terminal=True))
+    assert run.status == 1 and run.t[-1] < 0.05
+    with pytest.raises(ValueError, match=r"a run must have a whole step to be checked, and it ends at 0\.0\d+, with a step of 0.1"):
+        run.check()
+    # Its estimate is that of the whole step.
+    assert run.error_estimate is not None
+    assert run.error_estimate == TOP.solve(**START, step=0.1, end=0.1).error_estimate

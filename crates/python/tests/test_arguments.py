@@ -40,6 +40,8 @@ def test_numbers_of_any_kind_are_taken():
         assert system.invariant_values([3.0, 0, 0])["h"] == 6.0
         assert BODY.invariant_values([value, Fraction(0), 0])["c1"] == 4.0
     assert BODY.invariant_values(np.ma.array([1.0, 0.0, 2.0]))["c1"] == 5.0
+    # Control: masked arrays without a masked entry, in lists.
+    assert BODY.invariant_values([np.ma.array(1.0), 0.0, np.ma.array(2.0, mask=False)])["c1"] == 5.0
     assert BODY.invariant_values(np.array([1, Decimal(0), 2.0], dtype=object))["c1"] == 5.0
 
 
@@ -47,7 +49,17 @@ def test_a_mask_is_not_lost():
     """A masked entry has a value below its mask, which NumPy would use."""
     mask = lambda values: np.ma.array(values, mask=np.arange(np.size(values)).reshape(np.shape(values)) == 1)
     many = np.tile(np.array(START["Pi"] + START["Gamma"])[:, None], 3)
+    masked = np.ma.array(2.0, mask=True)
     calls = [
+        # Also within lists, from which NumPy makes an array without a mask.
+        lambda: TOP.solve([1.0, masked, 3.0], START["Gamma"], step=0.1, end=1),
+        lambda: TOP.solve((1.0, np.ma.masked, 3.0), START["Gamma"], step=0.1, end=1),
+        lambda: Top([mask([1.0, 0.0, 0.0]), [0.0, 1.0, 0.0], [0.0, 0.0, 1.0]], 1.0, 1.0, 1.0),
+        lambda: heavytop.solve_many(TOP, list(mask(many)), step=0.1, end=1),
+        lambda: heavytop.lyapunov(BODY, [mask(many[0]), *many[1:3]], step=0.1, end=1),
+        lambda: BODY.solve({"Pi": [1.0, 2.0, masked]}, step=0.1, end=1),
+        lambda: BODY.rate(np.array([1.0, masked, 2.0], dtype=object)),
+        lambda: System("so(3)", "I1*Pi1", parameters={"I": [1.0, masked]}),
         lambda: TOP.solve(mask(START["Pi"]), START["Gamma"], step=0.1, end=1),
         lambda: TOP.solve(**START, step=0.1, end=1).sol(mask([0.1, 0.2])),
         lambda: TOP.solve(**START, step=0.1, end=1, attitude0=mask([1.0, 0, 0, 0])),

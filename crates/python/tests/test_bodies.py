@@ -122,6 +122,15 @@ def test_a_thin_rod_is_a_pendulum_without_spin():
     ):
         with pytest.raises(ValueError, match="no angular momentum about itself"):
             spinning()
+    # By the other constructors, too, along any axis where there is no weight.
+    assert Top.lagrange(0.12, 0, 9.81 * 0.3) == rod
+    free = Top([0.12, 0.12, 0.0], 1.0, 0.0, 0.3)
+    assert Top.free_rigid_body([0.12, 0.12, 0]) == free
+    straight = Top.free_rigid_body([0.12, 0.0, 0.12]).solve([0.1, 0.0, 0.2], [0.6, 0.0, 0.8], step=0.1, end=1)
+    assert np.abs(straight.Pi - [[0.1], [0.0], [0.2]]).max() < 1e-15
+    for impossible in (lambda: Top.free_rigid_body([1, 0, 0]), lambda: Top.lagrange(0, 1), lambda: Top.lagrange(1, -1)):
+        with pytest.raises(ValueError, match="positive|negative"):
+            impossible()
     with pytest.raises(ValueError, match="thin rod"):
         Top([0.12, 0.12, 0.0], 1.0, 9.81, 0.3, [0.6, 0, 0.8])
 
@@ -138,12 +147,19 @@ def test_directions_by_angles():
     assert np.array_equal(vertical(0), [0, 0, 1]) and vertical("180 deg")[2] == -1
     assert np.allclose(vertical("1 rad", "-90\N{DEGREE SIGN}"), [0, -np.sin(1), np.cos(1)], atol=1e-15)
     for angles, text in (
-        ((30,), 'is in radians, from 0 to pi, and 30 is beyond it; write "30 deg"'),
-        ((-0.5,), "from 0 to pi"),
+        ((30,), 'is in radians, from 0 to pi, and 30 is beyond pi; write "30 deg"$'),
+        ((30.123456789,), 'write "30.123456789 deg"$'),
+        # Half a turn with too few digits, and angles that are out of range in degrees, too.
+        ((3.15,), 'and 3.15 is beyond pi; write an angle from 0 to pi, such as "30 deg"$'),
+        ((-0.5,), 'and -0.5 is beyond 0; write an angle from 0 to pi, such as "30 deg"$'),
+        ((-30,), "and -30 is beyond 0; write an angle from 0 to pi"),
+        ((400,), "and 400 is beyond pi; write an angle from 0 to pi"),
+        ((1, -400), "and -400 is beyond -2 pi; write an angle between -2 pi and 2 pi"),
         (("200 deg",), "inclination must be from 0 to pi, got '200 deg'"),
         (("30",), "needs a number and deg or rad"),
         (("x deg",), "needs a number and deg or rad"),
-        ((1, 90), 'azimuth is in radians, between -2 pi and 2 pi, and 90 is beyond it; write "90 deg"'),
+        ((1, 90), 'azimuth is in radians, between -2 pi and 2 pi, and 90 is beyond 2 pi; write "90 deg"$'),
+        ((1, -90), 'and -90 is beyond -2 pi; write "-90 deg"$'),
         ((np.nan,), "finite"),
     ):
         with pytest.raises(ValueError, match=text):

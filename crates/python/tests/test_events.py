@@ -5,7 +5,7 @@ import pickle
 import numpy as np
 import pytest
 
-from heavytop import Event, System, Top
+from heavytop import Event, IntegrationError, System, Top
 
 START = dict(Pi=[2.0, 3.0, 4.0], Gamma=[0.6, 0.0, 0.8])
 TOP = Top.kovalevskaya()
@@ -105,12 +105,24 @@ def test_formula_and_function_are_one_event_to_the_last_bit():
         (lambda x: x.Pi, TypeError, r"must return a scalar .* shape \(3,\)"),
         (Event("Pi1", direction="up"), ValueError, "direction"),
         (Event("Pi1", terminal=-1), ValueError, "terminal"),
-        ("sqrt(Gamma2)", ValueError, "event 0.*not a number"),
+        ("ln(Gamma2 - 1)", ValueError, "event 0.*not a number at t = 0"),
     ],
 )
 def test_wrong_events_say_why(events, error, words):
     with pytest.raises(error, match=words):
         TOP.solve(**START, step=0.1, end=10, events=events)
+
+
+def test_an_event_without_a_value_keeps_the_samples_before():
+    whole = TOP.solve(**START, step=0.1, end=10, events="Gamma2")
+    run = TOP.solve(**START, step=0.1, end=10, events=["Gamma2 + 0*sqrt(0.7 - Gamma1)", "Gamma2"])
+    assert run.status == -1 and not run.success and isinstance(run.error, IntegrationError)
+    assert run.message.startswith("event 0: the event function is not a number at t = ")
+    kept = run.t.size
+    assert 1 < kept < 101 and np.array_equal(run.y, whole.y[:, :kept]) and whole.y[3, kept] > 0.7
+    assert (run.y[3] <= 0.7).all()
+    with pytest.raises(IntegrationError, match="event 0: the event function is not a number at t = "):
+        TOP.section(**START, coordinate="Gamma2 + 0*sqrt(0.7 - Gamma1)", step=0.1, end=10)
 
 
 def test_a_section_by_any_function():

@@ -24,6 +24,8 @@ calls = {
     "tops": lambda: heavytop.solve_many([top] * 300, many, step=0.1, end=0.3, scheme="implicit-midpoint").y,
     "states of a system": lambda: heavytop.solve_many(body, turns, step=0.1, end=0.3).y,
     "chaos of tops": lambda: heavytop.lyapunov(top, few, step=0.1, end=0.3).exponents,
+    "check of a top": lambda: np.array(top.solve([2, 3, 4], [0.6, 0, 0.8], step=0.1, end=1).check()),
+    "check of a system": lambda: np.array(body.solve([1, 2, 0.5], step=0.1, end=1).check()),
     "chaos of a system": lambda: heavytop.lyapunov(body, turns[:, :4], step=0.1, end=0.3).exponents,
 }
 parent_is_first = sys.argv[2] == "parent"
@@ -48,7 +50,16 @@ if __name__ == "__main__":
     print("done", len(results))
 """
 
-CALLS = ("states of a top", "states by Gauss", "tops", "states of a system", "chaos of tops", "chaos of a system")
+CALLS = (
+    "states of a top",
+    "states by Gauss",
+    "tops",
+    "states of a system",
+    "chaos of tops",
+    "chaos of a system",
+    "check of a top",
+    "check of a system",
+)
 
 
 @pytest.mark.skipif(not hasattr(os, "fork"), reason="this system does not fork")

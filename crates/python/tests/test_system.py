@@ -233,3 +233,43 @@ def test_a_step_that_fails_ends_the_run():
     assert run.status == -1 and not run.success and np.isfinite(run.y).all() and 0 < run.t.size < 51
     with pytest.raises(heavytop.IntegrationError):
         growing.solve([3.0, 3.0, 3.0], np.arange(51.0), scheme="rk4", formulation="direct")
+
+
+def test_a_hamiltonian_without_a_value_keeps_the_samples_before():
+    """dPi1/dt = a Pi2, dPi2/dt = -a Pi1 with the a of ln(Pi3), which is constant, until h has no value."""
+    where = "Pi3 + 0*sqrt(0.9 - Pi1)"
+    start, whole = [0.6, -0.8, 2.0], System("so(3)", "Pi3")
+    system = System("so(3)", where)
+    exact = whole.solve(start, step=0.1, end=10, scheme="rk4", formulation="direct")
+    run = system.solve(start, step=0.1, end=10, scheme="rk4", formulation="direct")
+    kept = run.t.size
+    assert run.status == -1 and not run.success and isinstance(run.error, heavytop.IntegrationError)
+    assert 1 < kept < 101 and np.abs(run.y - exact.y[:, :kept]).max() < 1e-14 and exact.y[0, kept] > 0.9
+    assert all(np.isfinite(values).all() and values.size == kept for values in run.invariants.values())
+    with pytest.raises(heavytop.IntegrationError):
+        system.solve(start, np.linspace(0, 10, 101), scheme="rk4", formulation="direct")
+    # At the start it is an error of the argument, which names the formula, its part and the state.
+    words = r"ln\(Pi1 - 5\) has no value at Pi1 = 1, Pi2 = 2, Pi3 = 0.5, where ln\(Pi1 - 5\) is not a number"
+    for arguments in (dict(step=0.1, end=1), dict(t=[0.0, 0.1])):
+        with pytest.raises(ValueError, match=words):
+            System("so(3)", "Pi3^2 + ln(Pi1 - 5)").solve([1, 2, 0.5], **arguments)
+
+
+def test_a_value_that_is_too_large_keeps_the_samples_before():
+    """The state is finite, and h overflows: it has a differential, and there is no failed step."""
+    growing = System(coordinates=["q", "p", "z"], brackets={"q, p": "z"}, hamiltonian="p*q^2")
+    start, arguments = [1.0, 1e300, 1.0], dict(step=1.0, end=50.0, scheme="rk4", formulation="direct")
+    run = growing.solve(start, **arguments)
+    assert run.status == -1 and 0 < run.t.size < 51
+    assert all(np.isfinite(values).all() for values in run.invariants.values())
+
+
+def test_a_member_without_a_value_harms_no_other():
+    system = System("so(3)", "Pi3 + 0*sqrt(0.9 - Pi1)")
+    starts = np.array([[0.6, -0.8, 2.0], [0.1, 0.1, 2.0], [0.6, -0.8, 1.0]]).T
+    ends = heavytop.solve_many(system, starts, step=0.1, end=10, scheme="rk4", formulation="direct")
+    assert list(ends.failures) == [0, 2] and np.isfinite(ends.invariants["h"][1])
+    assert ends.deviation("c1")[1] < 1e-6
+    starts[0, 2] = 5.0
+    ends = heavytop.solve_many(system, starts, step=0.1, end=10, scheme="rk4", formulation="direct")
+    assert list(ends.failures) == [0, 2] and list(np.isnan(ends.invariants["h"])) == [False, False, True]

@@ -25,11 +25,29 @@ impl SystemScales for TopScales {
         self.0.angular_velocity(&part(mu, 0)).iter().chain(&weight).copied().collect()
     }
 
-    /// Returns |Ω| + √(m g l |Γ|/I), I the least moment: the body turns, and swings.
     fn fastest_rate(&self, mu: &[f64]) -> f64 {
-        let weight = self.0.weight_moment() * part(mu, 3).norm();
-        let swing = (weight / kinetic(&self.0.inertia()).min()).sqrt();
-        self.0.angular_velocity(&part(mu, 0)).norm() + swing
+        self.0.fastest_rate(&part(mu, 0), &part(mu, 3))
+    }
+}
+
+impl HeavyTop {
+    /// Returns the fastest rate of the motion through (Π, Γ), rad/s: |Ω| + √(m g l |Γ|/I), I the least moment. The body
+    /// turns, and swings.
+    ///
+    /// [`Method::accuracy`] measures steps by it.
+    ///
+    /// # Example
+    /// ```
+    /// use heavytop::HeavyTop;
+    /// use heavytop::nalgebra::Vector3;
+    /// let top = HeavyTop::kovalevskaya(1.0, 1.0)?; // moments (2, 2, 1)
+    /// assert_eq!(top.fastest_rate(&Vector3::new(6.0, 0.0, 4.0), &Vector3::z()), 6.0);
+    /// # Ok::<(), heavytop::TopError>(())
+    /// ```
+    #[must_use]
+    pub fn fastest_rate(&self, pi: &Vector3<f64>, gamma: &Vector3<f64>) -> f64 {
+        let swing = (self.weight_moment() * gamma.norm() / kinetic(&self.inertia()).min()).sqrt();
+        self.angular_velocity(pi).norm() + swing
     }
 }
 

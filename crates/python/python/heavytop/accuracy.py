@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import contextlib
 import warnings
-from collections.abc import Sequence
+from collections.abc import Callable, Sequence
 from typing import Any, NamedTuple, Optional, Protocol
 
 import numpy as np
@@ -15,19 +15,23 @@ from . import _native
 SPREAD = 8
 """The number of many runs whose accuracy is measured, besides that of the fastest."""
 
+Rates = Callable[[], Sequence[float]]
+"""The fastest rates of the motion through many states."""
+
 
 MOST_TURN = 100.0
 """The largest angle by which a motion may turn in one step, rad: sixteen turns, as in the program."""
 
 
 class Check(NamedTuple):
-    """The error at the end of a run, relative to the state, and the order with which it converges.
+    """The error at the end of a run, relative to the state, the order with which it converges, and the time of the error.
 
     The order is None if the differences between the runs are round-off.
     """
 
     error: float
     order: Optional[float]
+    t: float
 
 
 class Measured(Protocol):
@@ -71,7 +75,7 @@ def warn_of_many(
     worst = max(measured, key=lambda member: (member[2] or 0.0, member[1]))
     warned = worst if worst[3] is not None else next((m for m in measured if m[3] is not None), worst)
     if warned[3] is not None:
-        text = warned[3] if count == 1 else f"of the run number {warned[0]}: {warned[3]}"
+        text = warned[3] if count == 1 else f"run {warned[0]}: {warned[3]}"
         warnings.warn(text, RuntimeWarning, stacklevel=stacklevel)
     return worst[2]
 
@@ -83,21 +87,26 @@ def members_of_tops(
     count = states.shape[1]
     if len(tops) not in (1, count) or count == 0:
         return []
-    momenta = states[:3].T
-    parts = [momenta] if len(tops) == 1 else np.split(momenta, len(tops))
-    turns = np.concatenate([top.angular_speeds(part) for top, part in zip(tops, parts)])
-    finite = np.where(np.isfinite(turns), turns, -1.0)
-    numbers = sorted({int(np.argmax(finite)), *spread(count)})
-    return [(i, tops[min(i, len(tops) - 1)], (states[:, i].tolist(), step, names)) for i in numbers]
+    parts = [states.T] if len(tops) == 1 else np.split(states.T, count)
+
+    def rates() -> list[float]:
+        return [rate for top, part in zip(tops, parts) for rate in top.fastest_rates(part)]
+
+    return [(i, tops[min(i, len(tops) - 1)], (states[:, i].tolist(), step, names)) for i in to_measure(count, rates)]
 
 
 def members_of_system(
     system: _native.System, states: NDArray[np.float64], step: float, names: Any
 ) -> list[tuple[int, Measured, Any]]:
-    """Returns some of many runs of a system. States have the shape (d, n)."""
-    return [(i, system, (states[:, i].tolist(), step, names)) for i in spread(states.shape[1])]
+    """Returns the fastest of many runs of a system, and some others. States have the shape (d, n)."""
+    numbers = to_measure(states.shape[1], lambda: system.fastest_rates(states.T))
+    return [(i, system, (states[:, i].tolist(), step, names)) for i in numbers]
 
 
-def spread(count: int) -> list[int]:
-    """Returns some of so many numbers, the first and the last among them."""
-    return sorted({round(i) for i in np.linspace(0, count - 1, min(count, SPREAD))}) if count else []
+def to_measure(count: int, rates: Rates) -> list[int]:
+    """Returns the number of the fastest of so many runs, and some others, the first and the last among them."""
+    if count <= SPREAD:
+        return list(range(count))
+    # A state without a rate is no start of a run.
+    known = np.nan_to_num(rates(), nan=-1.0, posinf=-1.0)
+    return sorted({int(np.argmax(known)), *(round(i) for i in np.linspace(0, count - 1, SPREAD))})

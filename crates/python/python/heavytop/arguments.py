@@ -41,6 +41,14 @@ def course(step: Any, end: Any) -> tuple[float, float]:
     return math.copysign(step, end), end
 
 
+def not_negative(name: str, value: Any) -> float:
+    """Returns a number that is not negative, such as a moment of inertia, which is 0 for a thin rod."""
+    number = real(name, value)
+    if number < 0:
+        raise ValueError(f"{name} must not be negative, got {number}")
+    return number
+
+
 def count(name: str, value: Any, least: int) -> int:
     """Returns a whole number that is not below `least`."""
     number = real(name, value)
@@ -79,9 +87,17 @@ def holds_numbers(values: Any) -> bool:
     return not any(isinstance(x, NO_NUMBERS) or isinstance(x, np.ndarray) and not holds_numbers(x) for x in entries)
 
 
+def is_masked(values: Any) -> bool:
+    """Returns whether there is a masked entry in an array, in nested sequences or in a mixture of both."""
+    if isinstance(values, np.ndarray):
+        return bool(np.ma.is_masked(values)) or values.dtype == object and any(map(is_masked, values.flat))
+    is_sequence = isinstance(values, Sequence) and not isinstance(values, (str, bytes))
+    return is_sequence and any(map(is_masked, values))
+
+
 def array(name: str, values: ArrayLike) -> NDArray[np.float64]:
     """Returns an array of real numbers."""
-    if np.ma.is_masked(values):
+    if is_masked(values):
         raise ValueError(f"{name} must have no masked entries: fill them or leave them out")
     try:
         if not holds_numbers(values) or np.iscomplexobj(values):
@@ -104,11 +120,12 @@ def inertia_of_body(name: str, values: ArrayLike) -> Union[list[float], list[lis
     numbers = array(name, values)
     if numbers.shape == (3, 3):
         return [[real(f"{name}[{i}][{j}]", x) for j, x in enumerate(row)] for i, row in enumerate(numbers)]
-    moments = vector(name, numbers)
-    for i, moment in enumerate(moments):
-        if moment < 0:
-            raise ValueError(f"{name}[{i}] must be positive, got {moment}")
-    return moments
+    return principal_moments(name, numbers)
+
+
+def principal_moments(name: str, values: ArrayLike) -> list[float]:
+    """Returns three moments that are not negative."""
+    return [not_negative(f"{name}[{i}]", x) for i, x in enumerate(vector(name, values))]
 
 
 def quaternion(values: ArrayLike, vertical: Sequence[float]) -> list[float]:

@@ -17,11 +17,13 @@ class Ends:
     """The ends of many runs.
 
     Attributes:
-        y: the states at the end, shape (d, n). A member that failed keeps the state before the failed step.
-        failures: the reason by the index of each member that failed.
+        y: the states at the end, shape (d, n). A member whose step failed keeps the state before it.
+        failures: the reason by the index of each member that failed; also where an invariant of a system has no value at
+            the end.
         error_estimate: the largest estimated error of the fastest run and of some others spread evenly, as for
             `Solution.error_estimate`; None if there is none.
-        invariants: the invariants at the end by symbol, each of shape (n,): those that every member has.
+        invariants: the invariants at the end by symbol, each of shape (n,): those that every member conserves from its
+            start. NaN where an invariant of a system has no value.
     """
 
     y: Floats

@@ -2,10 +2,12 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable, Sequence
+import contextlib
+from collections.abc import Sequence
 from dataclasses import dataclass
 from typing import Any, Optional, Union
 
+import numpy as np
 from numpy.typing import ArrayLike
 
 from . import _native
@@ -19,15 +21,33 @@ from .top import Top
 SCHEMES_OF_MANY = ("implicit-midpoint", "gauss-4", "gauss-6", "gauss-8", "gauss-10", "gauss-12", "gauss-16")
 
 
-@dataclass(frozen=True)
+@dataclass(frozen=True, eq=False)
 class InvariantsOfTops:
-    """The invariants that several tops have in common, as a function of a state of each."""
+    """The invariants that all runs of tops conserve from their starts, as a function of a state of each run."""
 
     tops: tuple[_native.Top, ...]
+    starts: Floats
 
     def __call__(self, y: Floats) -> dict[str, Floats]:
-        symbols, values = _native.invariants_of_tops(self.tops, y.T)
+        symbols, values = _native.invariants_of_tops(self.tops, self.starts.T, y.T)
         return {symbol: values[:, i] for i, symbol in enumerate(symbols)}
+
+
+@dataclass(frozen=True)
+class InvariantsOfSystem:
+    """The invariants of a system, as a function of states; NaN for those at which one of them has no value."""
+
+    system: System
+
+    def __call__(self, y: Floats) -> dict[str, Floats]:
+        with contextlib.suppress(ValueError):
+            return self.system.invariant_values(y)
+        values = {symbol: np.full(y.shape[1], np.nan) for symbol in self.system.invariants}
+        for i, state in enumerate(y.T):
+            with contextlib.suppress(ValueError):
+                for symbol, value in self.system.invariant_values(state).items():
+                    values[symbol][i] = value
+        return values
 
 
 def natives(tops: Any) -> list[_native.Top]:
@@ -50,7 +70,7 @@ def of_system(system: System, y: Floats, times: tuple[float, float], names: tupl
     last, failures = _native.advance_system(system._system, y.T, *times, method)
     members = members_of_system(system._system, y, times[0], method)
     estimate = warn_of_many(members, steps_of(times), y.shape[1], 4)
-    return Ends(last.T, dict(failures), estimate, y, system.invariant_values)
+    return Ends(last.T, dict(failures), estimate, y, InvariantsOfSystem(system))
 
 
 def steps_of(times: tuple[float, float]) -> int:
@@ -111,13 +131,10 @@ def solve_many(
     starts = states("y", y)
     scheme = choice("scheme", scheme, SCHEMES_OF_MANY)
     every = [tops._top] if isinstance(tops, Top) else natives(tops)
-    values: Callable[[Floats], dict[str, Floats]]
     if isinstance(tops, Top):
         last, failures = _native.advance_states(tops._top, starts.T, step, end, scheme)
-        values = tops.invariant_values
     else:
         last, failures = _native.advance_tops(every, starts.T, step, end, scheme)
-        values = InvariantsOfTops(tuple(every))
     members = members_of_tops(every, starts, step, ("collective", scheme, 0.0))
     estimate = warn_of_many(members, steps_of((step, end)), starts.shape[1], 3)
-    return Ends(last.T, dict(failures), estimate, starts, values)
+    return Ends(last.T, dict(failures), estimate, starts, InvariantsOfTops(tuple(every), starts))

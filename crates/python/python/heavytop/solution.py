@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import math
 from collections.abc import Iterable, Mapping, Sequence
 from dataclasses import dataclass, field
 from typing import Any, NamedTuple, Optional, Protocol
@@ -37,8 +38,17 @@ class Run(NamedTuple):
     names: Mapping[str, slice]
 
     def steps(self, times: Floats) -> int:
-        """Returns the number of steps up to the last of the times."""
-        return round(float(times[-1]) / float(self.setting[1])) if len(times) else 0
+        """Returns the number of steps up to the last of the times; a step of partial size counts as one."""
+        return math.ceil(self._length(times)) if len(times) else 0
+
+    def whole_steps(self, times: Floats) -> int:
+        """Returns the number of whole steps up to the last of the times."""
+        return math.floor(self._length(times)) if len(times) else 0
+
+    def _length(self, times: Floats) -> float:
+        """Returns the last of the times in steps: a whole number if it is one up to 1e-9 of itself, as ends may be."""
+        length = float(times[-1]) / float(self.setting[1])
+        return round(length) if abs(length - round(length)) <= 1e-9 * length else length
 
 
 @dataclass(frozen=True, eq=False, repr=False)
@@ -56,13 +66,15 @@ class Solution:
         t_events: for each event the times of its zeros, or None if there are no events.
         y_events: for each event the states at its zeros, shape (k, d), or None.
         iterations: the number of iterations of the stage equations in all steps; 0 if the times were given.
-        status: 0 if the run reached its end, 1 if an event ended it, -1 if a step failed.
-        success: whether no step failed. If one did, the samples before it are there.
+        status: 0 if the run reached its end, 1 if an event ended it, -1 if it failed: a step had no result, or an invariant
+            or an event had no finite value.
+        success: whether the run did not fail. If it did, the samples before are there.
         message: the reason for the status, in words.
         error: the exception of the step that failed, or None.
         error_estimate: the estimated error of the states, to two digits: the largest over the run, of each vector or scalar
             of the coordinates relative to its size. 1 means that nothing is right. It is found by a repetition of the
-            beginning of the run with half the step; None if that failed.
+            beginning of the run with half the step; None if that failed. A step of partial size, as one that ends at an
+            event, is repeated as a whole one.
     """
 
     t: Floats
@@ -97,12 +109,12 @@ class Solution:
 
     @property
     def success(self) -> bool:
-        """Whether no step failed."""
+        """Whether the run did not fail."""
         return self.error is None
 
     @property
     def status(self) -> int:
-        """0 if the run reached its end, 1 if an event ended it, -1 if a step failed."""
+        """0 if the run reached its end, 1 if an event ended it, -1 if it failed."""
         if self.error is not None:
             return -1
         return 0 if self._ended_by is None else 1
@@ -134,11 +146,13 @@ class Solution:
     def check(self) -> Check:
         """Makes the whole run again with half the step and with twice the step, and returns its error and its order.
 
-        The error is that at the end, relative to the state, as for `error_estimate`. If the order is near that of the method
+        The error is that at the end, relative to the state, as for `error_estimate`. A run that ends between two steps, as at
+        an event, is checked up to the last whole step; `t` of the result is its time. If the order is near that of the method
         the steps are short enough; if it is far below, they are not, or the motion is chaotic and the run too long. The check
         takes three and a half times as long as the run.
 
         Raises:
+            ValueError: if the run ends within its first step.
             IntegrationError: if a step fails.
 
         Example:
@@ -148,7 +162,10 @@ class Solution:
             >>> check.error < 1e-6, abs(check.order - 8) < 0.3
             (True, True)
         """
-        return Check(*self._run.native.check(self._run.setting, self._run.steps(self.t)))
+        steps, step = self._run.whole_steps(self.t), float(self._run.setting[1])
+        if steps == 0:
+            raise ValueError(f"a run must have a whole step to be checked, and it ends at {self.t[-1]}, with a step of {step}")
+        return Check(*self._run.native.check(self._run.setting, steps), steps * step)
 
     def sol(self, t: ArrayLike) -> Floats:
         """Returns the states at any times from 0 to the end of the run, which is before 0 if the run was backward.
@@ -190,23 +207,17 @@ class Solution:
 def solution(
     columns: _native.Recorded, symbols: Sequence[str], run: Run, error_estimate: Optional[float], *, has_events: bool
 ) -> Solution:
-    """Returns the solution of the columns of a run. It ends before the first sample with an infinite invariant."""
-    t, y, values, attitudes = columns.times, columns.states, columns.values, columns.attitudes
-    error = columns.failure
-    finite = np.isfinite(values).all(axis=1)
-    if not finite.all():
-        kept = max(int(finite.argmin()), 1)
-        error = IntegrationError(f"an invariant is not finite after t = {t[kept - 1]}")
-        t, y, values, attitudes = t[:kept], y[:kept], values[:kept], attitudes[:kept]
+    """Returns the solution of the columns of a run."""
+    values, attitudes = columns.values, columns.attitudes
     return Solution(
-        t=t,
-        y=y.T,
+        t=columns.times,
+        y=columns.states.T,
         invariants={symbol: values[:, i] for i, symbol in enumerate(symbols)},
         attitude=attitudes.T if len(attitudes) else None,
         t_events=[times for times, _ in columns.events] if has_events else None,
         y_events=[states for _, states in columns.events] if has_events else None,
         iterations=columns.iterations,
-        error=error,
+        error=columns.failure,
         error_estimate=error_estimate,
         _ended_by=columns.ended_by,
         _run=run,

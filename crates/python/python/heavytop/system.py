@@ -8,6 +8,7 @@ from typing import Any, Optional
 import numpy as np
 from numpy.typing import ArrayLike
 
+from ._native import IntegrationError
 from .accuracy import warn_of_accuracy
 from .arguments import array, choice, course, real
 from .arguments import count as whole
@@ -101,12 +102,13 @@ class System(SystemDescription):
             events: functions of the state whose zeros are found; as for `Top.solve`.
 
         Returns:
-            The samples. If a step fails, those until then, with `success` false. If an event ends the run, the last sample
-            is the state there.
+            The samples. If a step fails, or an invariant or an event has no finite value at a later state than the start,
+            those until then, with `success` false. If an event ends the run, the last sample is the state there.
 
         Raises:
-            ValueError: if an argument is out of its range, or the algebra has no such method.
-            IntegrationError: if a step fails and the times are given by `t`.
+            ValueError: if an argument is out of its range, the algebra has no such method, or the Hamiltonian has no value
+                at the start; the message names the part of the formula that has none, and the state.
+            IntegrationError: if a step fails, or an invariant has no value later, and the times are given by `t`.
             MemoryError: if there is no room for the samples.
 
         Warns:
@@ -146,7 +148,12 @@ class System(SystemDescription):
         run = self._run(y0, step, names)
         states = self._system.states_at(run.setting, times.tolist())
         estimate = warn_of_accuracy(self._system, run.setting, run.steps(times), 4)
-        return solution_at(times, states, self.invariant_values(states.T), run, estimate)
+        try:
+            values = self.invariant_values(states.T)
+        except ValueError as error:
+            # At the start they have values, or there would be no states.
+            raise IntegrationError(*error.args) from None
+        return solution_at(times, states, values, run, estimate)
 
     def section(
         self,
@@ -177,8 +184,8 @@ class System(SystemDescription):
         The other arguments are those of `solve`.
 
         Raises:
-            ValueError: if an argument is out of its range.
-            IntegrationError: if a step fails.
+            ValueError: if an argument is out of its range, or the function or the Hamiltonian has no value at the start.
+            IntegrationError: if a step fails, or the function has no value later.
         """
         step, end = course(step, end)
         run = self._run(y0, step, (formulation, scheme, 0.0))

@@ -108,8 +108,8 @@ class Top(TopParameters):
                 `Event`. Two zeros within one step are found unless they are very close.
 
         Returns:
-            The samples. If a step fails, or an invariant is no longer finite, those until then, with `success` false. If an
-            event ends the run, the last sample is the state there.
+            The samples. If a step fails, or an invariant or an event has no finite value at a later state than the start,
+            those until then, with `success` false. If an event ends the run, the last sample is the state there.
 
         Raises:
             ValueError: if an argument is out of its range, or the formulation does not offer the scheme.
@@ -177,8 +177,8 @@ class Top(TopParameters):
         The other arguments are those of `solve`.
 
         Raises:
-            ValueError: if an argument is out of its range.
-            IntegrationError: if a step fails.
+            ValueError: if an argument is out of its range, or the function has no value at the start.
+            IntegrationError: if a step fails, or the function has no value later.
         """
         step, end = course(step, end)
         run = self._run(Pi, Gamma, step, formulation, scheme, 0.0)

@@ -9,7 +9,7 @@ import numpy as np
 from numpy.typing import ArrayLike
 
 from . import _native
-from .arguments import array, choice, inertia_of_body, positive, real, vector
+from .arguments import array, choice, inertia_of_body, not_negative, positive, principal_moments, real, vector
 from .solution import Floats
 
 if TYPE_CHECKING:
@@ -71,18 +71,18 @@ class TopParameters:
     def free_rigid_body(cls, inertia: ArrayLike) -> Self:
         """Returns a rigid body without gravity: Euler's top. Its Gamma is any unit vector that is fixed in space.
 
-        The principal moments are about the support, or about the centre of mass of a body that nothing holds.
+        The principal moments are about the support, or about the centre of mass of a body that nothing holds. One may be 0:
+        a thin rod, without an angular momentum about it.
         """
-        moments = [positive(f"inertia[{i}]", x) for i, x in enumerate(vector("inertia", inertia))]
-        return cls._of(_native.Top.free_rigid_body(moments))
+        return cls._of(_native.Top.free_rigid_body(principal_moments("inertia", inertia)))
 
     @classmethod
     def lagrange(cls, transverse: float, axial: float, weight_moment: float = 1.0) -> Self:
         """Returns Lagrange's top: I1 = I2 = transverse, I3 = axial (kg m^2), with the centre of mass on the third axis.
 
-        The weight moment is m g l, N m. A fourth invariant is f3 = Pi3.
+        The weight moment is m g l, N m. A fourth invariant is f3 = Pi3. With axial = 0 it is a thin rod, whose Pi3 is 0.
         """
-        moments = (positive("transverse", transverse), positive("axial", axial))
+        moments = (positive("transverse", transverse), not_negative("axial", axial))
         return cls._of(_native.Top.lagrange(*moments, real("weight_moment", weight_moment)))
 
     @classmethod
@@ -128,10 +128,11 @@ class TopParameters:
         """The symbols of the invariants.
 
         Every top has the energy h (J) and the Casimirs f1 = |Gamma|^2 and f2 = Pi.Gamma (kg m^2/s). A free body has
-        C = |Pi|^2. A top with the moments and the axis of one of these has another: Lagrange's f3 = Pi3, Kovalevskaya's K,
-        and a sphere f3 = Pi.c wherever its centre of mass is. G of Goryachev and Chaplygin is conserved only if
-        Pi.Gamma = 0; the runs from such a state have it, and it is not listed here. The constructors give the formulas;
-        if the symmetry axis is not the third, the indices are permuted cyclically.
+        C = |Pi|^2. Some tops have one more: that of Lagrange f3 = Pi3, that of Kovalevskaya K, and a sphere f3 = Pi.c
+        wherever its centre of mass is. The moments and the centre of mass decide which it is, however the top was made. G
+        of Goryachev and Chaplygin is conserved only if Pi.Gamma = 0; the runs from such a state have it, and it is not
+        listed here. The constructors give the formulas; if the symmetry axis is not the third, the indices are permuted
+        cyclically.
         """
         return tuple(self._top.invariants)
 

@@ -1,7 +1,7 @@
 //! Functions of the state whose zeros are found along a run: [`Event`].
 
 use super::schedule::{MOST_DIMENSIONS, coordinates};
-use crate::errors::{failed, message};
+use crate::errors::{IntegrationError, failed, message};
 use crate::formulas::FormulaSource;
 use collective_integrators::{Direction, EventError, EventSearch, Integrator};
 use heavytop::PrincipalAxes;
@@ -71,11 +71,14 @@ impl Event {
     }
 }
 
-/// Converts the error of an event with an index.
-pub(crate) fn event_failed(index: usize, error: EventError) -> PyErr {
+/// Converts the error of the event with this index: `ValueError` where it has no value at the start of the run, and
+/// `IntegrationError` where the run fails later.
+pub(crate) fn event_failed((index, error): (usize, EventError), is_start: bool) -> PyErr {
+    let text = format!("event {index}: {}", message(&error));
     match error {
         EventError::Integration(error) => failed(error),
-        error => PyValueError::new_err(format!("event {index}: {}", message(&error))),
+        _ if is_start => PyValueError::new_err(text),
+        _ => IntegrationError::new_err(text),
     }
 }
 

@@ -8,36 +8,59 @@ use pyo3::{PyErr, PyResult, Python};
 use std::cell::{Cell, RefCell};
 use std::sync::mpsc::{RecvTimeoutError, channel};
 use std::thread;
+use std::time::Instant;
 
 /// The number of samples after which a run looks for Ctrl-C.
 const BETWEEN_SIGNALS: u64 = 1 << 12;
 
-/// The time after which the thread of Python looks for Ctrl-C while others work.
+/// The time after which the thread of Python looks for Ctrl-C, while others work or in between.
 const BETWEEN_LOOKS: Duration = Duration::from_millis(50);
 
 /// Looks for Ctrl-C now and then.
-#[derive(Default)]
 pub(crate) struct Interruption {
     samples: Cell<u64>,
+    looked: Cell<Instant>,
     error: RefCell<Option<PyErr>>,
 }
 
+impl Default for Interruption {
+    fn default() -> Self {
+        Self { samples: Cell::new(0), looked: Cell::new(Instant::now()), error: RefCell::new(None) }
+    }
+}
+
 impl Interruption {
+    /// Returns whether a computation of the thread of Python, which asks every few steps, is to go on. It looks for Ctrl-C
+    /// at most every 50 ms, since another thread of Python may have to be waited for.
+    pub(crate) fn is_going(&self) -> bool {
+        if self.looked.get().elapsed() > BETWEEN_LOOKS {
+            self.look();
+            self.looked.set(Instant::now());
+        }
+        self.error.borrow().is_none()
+    }
+
+    fn look(&self) {
+        if self.error.borrow().is_none() {
+            self.error.replace(Python::attach(|py| py.check_signals()).err());
+        }
+    }
+
     /// Returns the samples until Ctrl-C.
     pub(crate) fn until<J: Iterator>(&self, samples: J) -> impl Iterator<Item = J::Item> {
         samples.take_while(|_| {
             self.samples.set(self.samples.get() + 1);
             if self.samples.get().is_multiple_of(BETWEEN_SIGNALS) {
-                self.error.replace(Python::attach(|py| py.check_signals()).err());
+                self.look();
             }
             self.error.borrow().is_none()
         })
     }
 
-    /// Returns the result of what read the samples.
+    /// Returns the result of what read the samples, or asked whether to go on.
     ///
     /// # Errors
-    /// Returns `KeyboardInterrupt`, or what the program's handler raised, if Ctrl-C ended the samples.
+    /// Returns `KeyboardInterrupt`, or what the program's handler raised, if Ctrl-C ended it.
     pub(crate) fn or<T>(self, result: PyResult<T>) -> PyResult<T> {
         match self.error.into_inner() {
             Some(error) => Err(error),

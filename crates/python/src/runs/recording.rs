@@ -4,8 +4,8 @@ use super::event::{Event, event_failed};
 use super::interruption::Interruption;
 use super::record::Record;
 use super::schedule::Schedule;
-use crate::errors::failed;
-use collective_integrators::{EventSearch, Integrator, SampleOf, Trajectory};
+use crate::errors::{IntegrationError, failed};
+use collective_integrators::{EventError, EventSearch, Integrator, SampleOf, Trajectory};
 use lie_poisson::{Quaternion, Vector};
 use pyo3::PyResult;
 
@@ -16,6 +16,9 @@ pub(crate) trait Quantities {
 
     /// Appends the values of the quantities at a state.
     fn append<M: Vector<Scalar = f64>>(&self, mu: &M, values: &mut Vec<f64>);
+
+    /// Returns the reason why a quantity has no finite value at a state.
+    fn without_value<M: Vector<Scalar = f64>>(&self, mu: &M) -> String;
 }
 
 /// The task of recording every n-th sample of a run, and the last one.
@@ -29,7 +32,11 @@ pub(crate) struct Recording<'a, Q> {
 }
 
 impl<Q: Quantities> Recording<'_, Q> {
-    /// Records a run of an integrator whose states may have an attitude.
+    /// Records a run of an integrator whose states may have an attitude. It ends where a step fails, or where a quantity or
+    /// an event has no value.
+    ///
+    /// # Errors
+    /// Returns `ValueError` if an event has no value at the start, `MemoryError`, and `KeyboardInterrupt`.
     pub(crate) fn follow<I>(
         &self,
         integrator: &I,
@@ -55,7 +62,14 @@ impl<Q: Quantities> Recording<'_, Q> {
                 }
             };
             record.iterations += sample.iterations as u64;
-            let end = self.observe::<I, _>(&mut searches, &sample, &mut record)?;
+            let end = match self.observe::<I, _>(&mut searches, &sample, &mut record) {
+                Ok(end) => end,
+                Err(error) if sample.step == 0 => return Err(event_failed(error, true)),
+                Err(error) => {
+                    record.failure = Some(event_failed(error, false));
+                    break;
+                }
+            };
             let (last, whole) = (self.schedule.steps, sample.step.is_multiple_of(self.every));
             if end.is_none() && (whole || sample.step >= last) {
                 self.keep::<I>(&sample, &attitude, &mut record);
@@ -66,7 +80,7 @@ impl<Q: Quantities> Recording<'_, Q> {
                     self.keep::<I>(end, &attitude, &mut record);
                 }
             }
-            if end.is_some() || sample.step >= last {
+            if end.is_some() || sample.step >= last || record.failure.is_some() {
                 break;
             }
         }
@@ -79,14 +93,14 @@ impl<Q: Quantities> Recording<'_, Q> {
         searches: &mut [EventSearch<'_, I, G>],
         sample: &SampleOf<I>,
         record: &mut Record,
-    ) -> PyResult<Option<SampleOf<I>>>
+    ) -> Result<Option<SampleOf<I>>, (usize, EventError)>
     where
         I: Integrator<State: Vector, Momentum: Vector<Scalar = f64>>,
         G: Fn(&I::Momentum) -> f64,
     {
         let mut end: Option<SampleOf<I>> = None;
         for (index, search) in searches.iter_mut().enumerate() {
-            let found = search.observe(sample).map_err(|error| event_failed(index, error))?;
+            let found = search.observe(sample).map_err(|error| (index, error))?;
             let (Some(points), Some(event)) =
                 (record.events.get_mut(index), self.events.get(index))
             else {
@@ -106,6 +120,7 @@ impl<Q: Quantities> Recording<'_, Q> {
         Ok(end)
     }
 
+    /// Keeps a sample. If a quantity has no finite value there, the run has failed, and only its start is kept.
     fn keep<I>(
         &self,
         sample: &SampleOf<I>,
@@ -114,10 +129,19 @@ impl<Q: Quantities> Recording<'_, Q> {
     ) where
         I: Integrator<State: Vector, Momentum: Vector<Scalar = f64>>,
     {
-        let momentum = &sample.momentum;
+        let (momentum, before) = (&sample.momentum, record.values.len());
+        self.quantities.append(momentum, &mut record.values);
+        if record.values.iter().skip(before).any(|value| !value.is_finite()) {
+            let reason = self.quantities.without_value(momentum);
+            let text = format!("at t = {}: {reason}", sample.time);
+            record.failure = Some(IntegrationError::new_err(text));
+            if before > 0 {
+                record.values.truncate(before);
+                return;
+            }
+        }
         record.samples.times.push(sample.time);
         record.samples.states.extend(self.schedule.coordinates(momentum));
-        self.quantities.append(momentum, &mut record.values);
         if let Some(Quaternion { scalar, vector }) = attitude(&sample.state) {
             record.attitudes.extend([*scalar, vector.x, vector.y, vector.z]);
         }

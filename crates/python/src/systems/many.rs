@@ -41,7 +41,7 @@ pub fn advance_system<'py>(
     let shared = if is_clebsch { 1 } else { SHARED };
     let ends: Vec<Vec<End>> = until_interrupted(py, |stop| {
         let some = |starts: &[Vec<f64>]| {
-            let task = Ends { starts, step, steps, stop };
+            let task = Ends { system, starts, step, steps, stop };
             let first = starts.first().map(Vec::as_slice).unwrap_or_default();
             method.integrate(system, first, task).unwrap_or_else(|error| {
                 let failed = |start: &Vec<f64>| (start.clone(), Some(message(&error)));

@@ -9,7 +9,7 @@ use crate::recorded::Recorded;
 use crate::runs::accuracy::{Accuracy, Check, accuracy, check};
 use crate::runs::dense::StatesAt;
 use crate::runs::event::{Event, EventArgument};
-use crate::runs::interruption::until_interrupted;
+use crate::runs::interruption::{Interruption, until_interrupted};
 use crate::runs::recording::Recording;
 use crate::runs::schedule::Schedule;
 use core::sync::atomic::Ordering;
@@ -20,6 +20,7 @@ use numpy::{PyArray2, PyReadonlyArray2, PyUntypedArrayMethods};
 use pyo3::exceptions::PyValueError;
 use pyo3::types::{PyAnyMethods, PyType};
 use pyo3::{Bound, PyResult, Python, pyclass, pymethods};
+use rayon::iter::{IntoParallelRefIterator, ParallelIterator};
 
 /// A Lie–Poisson system: an algebra, a Hamiltonian, and the Casimirs that were found.
 #[pyclass(frozen, module = "heavytop._native")]
@@ -122,6 +123,23 @@ impl System {
         self.each(py, &states, self.system.algebra().dimension(), FormulaSystem::rate)
     }
 
+    /// Returns the fastest rate of the motion through each of n states, as rows. It finds eigenvalues, on all threads.
+    fn fastest_rates(
+        &self,
+        py: Python<'_>,
+        states: PyReadonlyArray2<'_, f64>,
+    ) -> PyResult<Vec<f64>> {
+        let states: Vec<Vec<f64>> =
+            states.as_array().outer_iter().map(|row| row.to_vec()).collect();
+        until_interrupted(py, |stop| {
+            let rate = |state: &Vec<f64>| match stop.load(Ordering::Relaxed) {
+                true => f64::NAN,
+                false => self.system.fastest_rate(state),
+            };
+            states.par_iter().map(rate).collect()
+        })
+    }
+
     /// Follows the system, and returns the columns of the run.
     fn follow(
         &self,
@@ -158,10 +176,12 @@ impl System {
     fn check(&self, py: Python<'_>, setting: Setting, steps: u64) -> PyResult<Check> {
         let (start, step, method) = setting;
         let method = self.method(method)?;
-        let checked = until_interrupted(py, |stop| {
-            method.check(&self.system, &start, (step, steps), &|| !stop.load(Ordering::Relaxed))
-        })?;
-        check(checked.map_err(refused)?)
+        py.detach(|| {
+            let interruption = Interruption::default();
+            let checked =
+                method.check(&self.system, &start, (step, steps), &|| interruption.is_going());
+            interruption.or(checked.map_err(refused).and_then(check))
+        })
     }
 
     /// Returns the states at times in the order of the run, as rows.

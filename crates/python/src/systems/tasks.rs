@@ -24,6 +24,13 @@ impl Quantities for Invariants<'_> {
         values.push(self.0.hamiltonian().value_at(state));
         values.extend(self.0.casimirs().iter().map(|casimir| casimir.value_at(state)));
     }
+
+    /// Names the formula, its part without a value, and the state.
+    fn without_value<M: Vector<Scalar = f64>>(&self, mu: &M) -> String {
+        let mut all = [0.0; MOST_DIMENSIONS];
+        let values = self.0.invariants(coordinates(mu, &mut all, self.0.algebra().dimension()));
+        values.map_or_else(|error| message(&error), |_| "an invariant is not finite".into())
+    }
 }
 
 /// The task of recording a run of a system.
@@ -36,20 +43,11 @@ impl SystemTask for RecordSystem<'_> {
     where
         I: Start<State: Vector, Momentum: Vector<Scalar = f64>> + TangentIntegrator,
     {
-        let Schedule { step, .. } = *self.0.schedule;
+        let Schedule { start, step, .. } = self.0.schedule;
+        self.0.quantities.0.invariants(start).map_err(refused)?;
         let start = self.0.schedule.start();
-        let run = Start::<f64>::trajectory(integrator, &start, step).map_err(refused)?;
-        let system = self.0.quantities.0;
-        let record = self.0.follow(integrator, run, |_| None)?;
-        // The numbers of a sample that are not finite have a reason, which names the formula and the state.
-        let widths = (system.algebra().dimension(), self.0.quantities.count());
-        let samples = record.samples.states.chunks(widths.0).zip(record.values.chunks(widths.1));
-        for (state, values) in samples {
-            if values.iter().any(|value| !value.is_finite()) {
-                system.invariants(state).map_err(refused)?;
-            }
-        }
-        Ok(record)
+        let run = Start::<f64>::trajectory(integrator, &start, *step).map_err(refused)?;
+        self.0.follow(integrator, run, |_| None)
     }
 }
 
@@ -58,6 +56,7 @@ pub(super) type End = (Vec<f64>, Option<String>);
 
 /// The task of following several starts to the end, one after the other.
 pub(super) struct Ends<'a> {
+    pub(super) system: &'a FormulaSystem,
     pub(super) starts: &'a [Vec<f64>],
     pub(super) step: f64,
     pub(super) steps: u64,
@@ -102,6 +101,7 @@ impl Ends<'_> {
                 break;
             }
         }
-        (last, None)
+        let reason = self.system.invariants(&last).err();
+        (last, reason.map(|error| message(&error)))
     }
 }

@@ -1,7 +1,7 @@
 //! Many tops at once, on SIMD lanes and on all threads.
 
 use super::top::Top;
-use crate::arrays::{numbers, read_rows, rows, state};
+use crate::arrays::{numbers, read_rows, rows};
 use crate::errors::{message, refused};
 use crate::runs::schedule::steps;
 use crate::threads::threads;
@@ -140,23 +140,29 @@ fn ends<'py, 'a>(
     Ok((rows(py, states, [count, 6])?, failures.collect()))
 }
 
-/// Returns the symbols of the invariants that all the tops have, and their values for a state of each top, as rows.
+/// Returns the symbols of the invariants that each of n tops, or the only one, conserves from a start of its own, and their
+/// values for a state of each, as rows.
 #[pyfunction]
 pub fn invariants_of_tops<'py>(
     py: Python<'py>,
     tops: Vec<PyRef<'py, Top>>,
+    starts: PyReadonlyArray2<'py, f64>,
     states: PyReadonlyArray2<'py, f64>,
 ) -> PyResult<(Vec<&'static str>, Bound<'py, PyArray2<f64>>)> {
+    let starts: Vec<[f64; 6]> = read_rows("the starts", &starts)?;
     let states: Vec<[f64; 6]> = read_rows("the states", &states)?;
+    let tops: Vec<&Top> = match &tops[..] {
+        [top] => vec![top; states.len()],
+        tops => tops.iter().map(|top| &**top).collect(),
+    };
     require_equal(tops.len(), states.len())?;
-    let mut common = tops.first().map(|top| top.top.invariants()).unwrap_or_default();
-    for top in &tops {
-        let own = top.top.invariants();
-        common.retain(|invariant| own.contains(invariant));
-    }
-    let members = tops.iter().zip(&states);
-    let values = members.flat_map(|(top, numbers)| {
-        let mu = top.axes.state_to_principal(&state(*numbers));
+    require_equal(tops.len(), starts.len())?;
+    let mut conserved =
+        tops.iter().zip(&starts).map(|(top, given)| top.top.invariants_from(&top.in_axes(given)));
+    let mut common = conserved.next().unwrap_or_default();
+    conserved.for_each(|own| common.retain(|invariant| own.contains(invariant)));
+    let values = tops.iter().zip(&states).flat_map(|(top, given)| {
+        let mu = top.in_axes(given);
         common.iter().map(move |invariant| invariant.value(&top.top, &mu))
     });
     let values = rows(py, values.collect(), [states.len(), common.len()])?;

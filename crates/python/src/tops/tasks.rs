@@ -26,6 +26,13 @@ impl Quantities for Invariants<'_> {
         let mu: Se3Dual = Vector::from_coordinates(|i| mu.coordinate(i));
         values.extend(self.list.iter().map(|invariant| invariant.value(self.top, &mu)));
     }
+
+    fn without_value<M: Vector<Scalar = f64>>(&self, mu: &M) -> String {
+        let mu: Se3Dual = Vector::from_coordinates(|i| mu.coordinate(i));
+        let is_infinite = |i: &&Invariant| !i.value(self.top, &mu).is_finite();
+        let symbol = self.list.iter().find(is_infinite).map_or("h", |i| i.symbol());
+        format!("the invariant {symbol} is not finite")
+    }
 }
 
 /// The task of recording a run of a top.

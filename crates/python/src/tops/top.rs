@@ -8,10 +8,9 @@ use crate::recorded::Recorded;
 use crate::runs::accuracy::{Accuracy, Check, accuracy, check};
 use crate::runs::dense::StatesAt;
 use crate::runs::event::{Event, EventArgument};
-use crate::runs::interruption::until_interrupted;
+use crate::runs::interruption::Interruption;
 use crate::runs::recording::Recording;
 use crate::runs::schedule::Schedule;
-use core::sync::atomic::Ordering;
 use heavytop::methods::{Method, MethodError};
 use heavytop::{HeavyTop, Invariant, PrincipalAxes, attitude_of_vertical};
 use lie_poisson::{Quaternion, Se3, Se3Dual};
@@ -46,9 +45,14 @@ impl Top {
     /// # Errors
     /// `ValueError` if a thin rod has an angular momentum about itself.
     pub(crate) fn principal(&self, given: [f64; 6]) -> PyResult<Se3Dual> {
-        let mu = self.axes.state_to_principal(&state(given));
+        let mu = self.in_axes(&given);
         self.top.require_state(&mu).map_err(refused)?;
         Ok(mu)
+    }
+
+    /// Returns the state in principal axes of six numbers, which may be one that a thin rod cannot have.
+    pub(crate) fn in_axes(&self, given: &[f64; 6]) -> Se3Dual {
+        self.axes.state_to_principal(&state(*given))
     }
 
     /// Returns the six numbers of a state in principal axes.
@@ -161,12 +165,13 @@ impl Top {
         self.axes.rotation().transpose().into()
     }
 
-    /// Returns |Ω| for each of n momenta, as rows.
-    fn angular_speeds(&self, momenta: PyReadonlyArray2<'_, f64>) -> PyResult<Vec<f64>> {
-        let speed = |pi: [f64; 3]| {
-            self.top.angular_velocity(&self.axes.to_principal(&Vector3::from(pi))).norm()
+    /// Returns the fastest rate of the motion through each of n states, as rows.
+    fn fastest_rates(&self, states: PyReadonlyArray2<'_, f64>) -> PyResult<Vec<f64>> {
+        let rate = |given: [f64; 6]| {
+            let Covector(Pair(pi, gamma)) = self.in_axes(&given);
+            self.top.fastest_rate(&pi, &gamma)
         };
-        Ok(read_rows::<3>("the momenta", &momenta)?.into_iter().map(speed).collect())
+        Ok(read_rows("the states", &states)?.into_iter().map(rate).collect())
     }
 
     /// The weight moment m g l.
@@ -204,7 +209,7 @@ impl Top {
         let (invariants, count) = (self.conserved(&states), states.len());
         let mut values = Vec::with_capacity(count * invariants.len());
         for given in states {
-            let mu = self.axes.state_to_principal(&state(given));
+            let mu = self.in_axes(&given);
             values.extend(invariants.iter().map(|invariant| invariant.value(&self.top, &mu)));
         }
         rows(py, values, [count, invariants.len()])
@@ -268,10 +273,12 @@ impl Top {
     fn check(&self, py: Python<'_>, setting: Setting, steps: u64) -> PyResult<Check> {
         let (start, step, method) = setting;
         let (method, start) = (made(method)?, self.principal(start)?);
-        let checked = until_interrupted(py, |stop| {
-            method.check(&self.top, &start, (step, steps), &|| !stop.load(Ordering::Relaxed))
-        })?;
-        check(checked.map_err(refused)?)
+        py.detach(|| {
+            let interruption = Interruption::default();
+            let checked =
+                method.check(&self.top, &start, (step, steps), &|| interruption.is_going());
+            interruption.or(checked.map_err(refused).and_then(check))
+        })
     }
 
     /// Returns the states at times in the order of the run, as rows.
@@ -295,9 +302,7 @@ impl Top {
 impl Top {
     /// Returns the quantities that this top conserves from each of the states.
     fn conserved(&self, states: &[[f64; 6]]) -> Vec<Invariant> {
-        let from = |given: &[f64; 6]| {
-            self.top.invariants_from(&self.axes.state_to_principal(&state(*given)))
-        };
+        let from = |given: &[f64; 6]| self.top.invariants_from(&self.in_axes(given));
         let mut all = states.first().map_or_else(|| self.top.invariants(), from);
         // G is the only one that depends on the state.
         if all.len() > self.top.invariants().len()
