@@ -13,7 +13,7 @@ use crate::runs::recording::Recording;
 use crate::runs::schedule::Schedule;
 use heavytop::methods::{Method, MethodError};
 use heavytop::{HeavyTop, Invariant, PrincipalAxes, attitude_of_vertical};
-use lie_poisson::{Quaternion, Se3, Se3Dual};
+use lie_poisson::{Covector, Pair, Quaternion, Se3, Se3Dual};
 use lie_poisson_formulas::{Parameters, Vocabulary};
 use nalgebra::Vector3;
 use numpy::{PyArray2, PyReadonlyArray2};
