@@ -8,7 +8,7 @@ use lie_poisson_formulas::{
 /// Returns the Casimirs as text, and how many are missing.
 fn found<A: LieAlgebra>(algebra: &A, coordinates: &Coordinates) -> (Vec<String>, usize) {
     let found = find_casimirs(algebra, coordinates).unwrap();
-    assert_eq!(found.independent(), found.formulas().len() + found.missing());
+    assert!(found.formulas().len() <= found.independent(), "{found:?}");
     (found.formulas().iter().map(ToString::to_string).collect(), found.missing())
 }
 
@@ -102,6 +102,17 @@ fn algebras_from_tables() {
     // [a, x] = x, [a, y] = −2y has the Casimir x²y
     let squeeze = [(0, 1, 1, 1.0), (0, 2, 2, -2.0)];
     assert_eq!(of_table(["a", "x", "y"], &squeeze), texts(&["x^2*y"]));
+}
+
+/// With rounded constants there are more candidates for linear Casimirs here than equations.
+#[test]
+fn more_central_coordinates_than_equations() {
+    let names = ["h", "x", "y", "z1", "z2", "z3", "z4"];
+    for small in [1.234567891234e-8, 1.234567891234e-3] {
+        let (casimirs, missing) = of_table(names, &[(0, 1, 1, 1.0), (0, 2, 2, small)]);
+        // The fifth, y/x^small, is not polynomial.
+        assert_eq!((casimirs, missing), (texts(&["z1", "z2", "z3", "z4"]).0, 1), "{small:e}");
+    }
 }
 
 /// Returns the brackets of so(n) in the basis L_ab, a < b: [L_ab, L_bc] = L_ac with signs.

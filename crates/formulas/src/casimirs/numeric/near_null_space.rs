@@ -61,8 +61,11 @@ fn mapped_to_zero(
     if images.column_iter().all(|column| is_zero(column.norm())) {
         return basis.column_iter().map(|column| column.iter().copied().collect()).collect();
     }
-    // The triangular factor has the same singular values and is small.
-    let decomposition = images.qr().r().svd(false, true);
+    // The triangular factor has the same singular values and is small. With rows of zeros it has as many right singular
+    // vectors as there are candidates, also where there are fewer equations than these.
+    let size = images.ncols();
+    let triangular = images.qr().r().resize_vertically(size, 0.0);
+    let decomposition = triangular.svd(false, true);
     let Some(directions) = decomposition.v_t else { return Vec::new() };
     let zero = decomposition.singular_values.iter().zip(directions.row_iter());
     zero.filter(|(size, _)| is_zero(**size))
@@ -136,5 +139,19 @@ mod tests {
             assert_eq!(near_null_space(&rows(error), 4).len(), 1, "{error:e}");
         }
         assert_eq!(near_null_space(&[], 2), [[1.0, 0.0], [0.0, 1.0]]);
+    }
+
+    /// One column has a square that is a rounding error of the other's, so that all are candidates but one, more than
+    /// there are rows.
+    #[test]
+    fn fewer_rows_than_candidates() {
+        for small in [1e-8, 1e-9] {
+            let rows = [vec![(0, 1.0)], vec![(1, small)]];
+            let found = near_null_space(&rows, 6);
+            let units = (2..6).map(|i| Vec::from_iter((0..6).map(|j| f64::from(i == j))));
+            assert_eq!(found, Vec::from_iter(units), "{small:e}");
+        }
+        // Control: a rounding error takes no vector away.
+        assert_eq!(near_null_space(&[vec![(0, 1.0)], vec![(1, 1e-15)]], 6).len(), 5);
     }
 }
