@@ -47,9 +47,10 @@
 //!
 //! A whole power is a product, x^(n+½) is xⁿ√x, and every other power is exp(c ln x). The slope of |x| at 0 is 1, and that
 //! of |v|^p at v = 0 is 0 for p > 1; |v| itself has no slope there. Both values of `if` are computed, and one is chosen:
-//! the value and all derivatives are those of the chosen formula, also on the seam, where the condition holds or not as it
-//! says. A Hamiltonian should be continuous across a seam, and a method has its full order only if as many derivatives
-//! are, since no step ends at a seam.
+//! the value and all derivatives are those of the chosen formula, even where the other has none, and also on the seam,
+//! where the condition holds or not as it says. Where a side of the condition is not a number, neither is the value. A
+//! Hamiltonian should be continuous across a seam, and a method has its full order only if as many derivatives are, since
+//! no step ends at a seam.
 //! Names consist of letters, digits and underscores. A Greek letter stands for its name: `Γ₁` is `Gamma1`. Wherever
 //! the formula is a real number, a simplification changes its value by rounding at most: 0·x becomes 0 only if x is a
 //! real number for all real coordinates, as a polynomial is.

@@ -1,13 +1,30 @@
 //! Functions that are made of others.
 
-use super::graph::{Graph, Id, Unary};
+use super::graph::{Graph, Id, Node, Unary};
+use lie_poisson::euclidean_norm;
+use nalgebra::Vector2;
 
 impl Graph {
-    /// Returns √(x² + y²).
+    /// Returns √(x² + y²), which is |x| for y = 0.
     pub(crate) fn hypotenuse(&mut self, x: Id, y: Id) -> Id {
-        let (xx, yy) = (self.multiply(x, x), self.multiply(y, y));
-        let square = self.add(xx, yy);
-        self.function(Unary::Sqrt, square)
+        match (self.as_number(x), self.as_number(y)) {
+            (Some(x), Some(y)) => self.number(euclidean_norm(&Vector2::new(x, y))),
+            (Some(0.0), _) => self.function(Unary::Absolute, y),
+            (_, Some(0.0)) => self.function(Unary::Absolute, x),
+            _ => self.place(Node::Hypotenuse(x.min(y), x.max(y))),
+        }
+    }
+
+    /// Returns a number y whose root √y a node is, if y cannot be negative.
+    pub(crate) fn square_of_root(&mut self, root: Id) -> Option<Id> {
+        match self.node(root) {
+            Node::Function(Unary::Sqrt, square) => self.known(square).nonnegative.then_some(square),
+            Node::Hypotenuse(x, y) => {
+                let (xx, yy) = (self.multiply(x, x), self.multiply(y, y));
+                Some(self.add(xx, yy))
+            }
+            _ => None,
+        }
     }
 
     /// Returns arcsin x, the angle of the point (√(1 − x²), x), in [−π/2, π/2].
@@ -39,7 +56,7 @@ impl Graph {
     /// Returns ∛x, with the sign of x.
     ///
     /// It is r = |x|^(1/3) = exp(ln|x|/3), corrected by a step of Newton's method, (2r + |x|/r²)/3, since the
-    /// exponential of a large number has large rounding errors; at x = 0 it is 0.
+    /// exponential of a large number has large rounding errors; at x = 0 it is r = 0, whose slope is infinite.
     pub(crate) fn cube_root(&mut self, x: Id) -> Id {
         let size = self.function(Unary::Absolute, x);
         let root = self.power(size, 1.0 / 3.0);
@@ -47,8 +64,8 @@ impl Graph {
         let (twice, quotient) = (self.scale(2.0, root), self.divide(size, square));
         let sum = self.add(twice, quotient);
         let corrected = self.scale(1.0 / 3.0, sum);
-        let (below, zero) = (self.negate(size), self.number(0.0));
-        let root = self.choose(below, zero, corrected);
+        let below = self.negate(size);
+        let root = self.choose(below, root, corrected);
         let sign = self.function(Unary::Sign, x);
         self.multiply(sign, root)
     }

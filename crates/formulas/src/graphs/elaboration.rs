@@ -137,40 +137,38 @@ impl Elaboration<'_> {
 
     fn call(&mut self, function: Function, x: usize, y: usize) -> Result<Id, Problem> {
         let place = || format!("`{}`", function.name());
-        if matches!(function, Function::Atan2 | Function::Hypot) {
-            let (x, y) = (self.at(x).scalar(place)?, self.at(y).scalar(place)?);
-            return Ok(match function {
-                Function::Atan2 => self.graph.angle(x, y),
-                _ => self.graph.hypotenuse(x, y),
-            });
-        }
         let x = self.at(x).scalar(place)?;
-        let unary = match function {
-            Function::Sqrt => Unary::Sqrt,
-            Function::Exp => Unary::Exp,
-            Function::Ln => Unary::Ln,
-            Function::Sin => Unary::Sin,
-            Function::Cos => Unary::Cos,
-            Function::Sinh => Unary::Sinh,
-            Function::Cosh => Unary::Cosh,
-            Function::Tanh => Unary::Tanh,
+        let graph = &mut *self.graph;
+        Ok(match function {
+            Function::Sqrt => graph.function(Unary::Sqrt, x),
+            Function::Exp => graph.function(Unary::Exp, x),
+            Function::Ln => graph.function(Unary::Ln, x),
+            Function::Sin => graph.function(Unary::Sin, x),
+            Function::Cos => graph.function(Unary::Cos, x),
+            Function::Sinh => graph.function(Unary::Sinh, x),
+            Function::Cosh => graph.function(Unary::Cosh, x),
+            Function::Tanh => graph.function(Unary::Tanh, x),
             Function::Tan => {
-                let (sin, cos) =
-                    (self.graph.function(Unary::Sin, x), self.graph.function(Unary::Cos, x));
-                return Ok(self.graph.divide(sin, cos));
+                let (sin, cos) = (graph.function(Unary::Sin, x), graph.function(Unary::Cos, x));
+                graph.divide(sin, cos)
             }
-            Function::Arcsin => return Ok(self.graph.arcsine(x)),
-            Function::Arccos => return Ok(self.graph.arccosine(x)),
+            Function::Arcsin => graph.arcsine(x),
+            Function::Arccos => graph.arccosine(x),
             Function::Arctan => {
-                let one = self.graph.number(1.0);
-                return Ok(self.graph.angle(x, one));
+                let one = graph.number(1.0);
+                graph.angle(x, one)
             }
-            Function::Log10 => return Ok(self.graph.decadic_logarithm(x)),
-            Function::Cbrt => return Ok(self.graph.cube_root(x)),
-            // They have two arguments.
-            Function::Atan2 | Function::Hypot => Unary::Absolute,
-        };
-        Ok(self.graph.function(unary, x))
+            Function::Log10 => graph.decadic_logarithm(x),
+            Function::Cbrt => graph.cube_root(x),
+            Function::Atan2 => {
+                let y = self.at(y).scalar(place)?;
+                self.graph.angle(x, y)
+            }
+            Function::Hypot => {
+                let y = self.at(y).scalar(place)?;
+                self.graph.hypotenuse(x, y)
+            }
+        })
     }
 
     fn choose(
@@ -186,13 +184,7 @@ impl Elaboration<'_> {
             let needed = "two scalars or two vectors of one dimension";
             return Err(Problem::Mismatch { place: "`if`".to_owned(), needed, left, right });
         }
-        // a > b is the contrary of b ≥ a.
-        let (above, below, is_contrary) = match comparison {
-            Comparison::AtLeast => (a, b, false),
-            Comparison::AtMost => (b, a, false),
-            Comparison::Greater => (b, a, true),
-            Comparison::Less => (a, b, true),
-        };
+        let (above, below, is_contrary) = comparison.sides(a, b);
         let below = self.graph.negate(below);
         let difference = self.graph.add(above, below);
         Ok(holds.zip(fails, |holds, fails| match is_contrary {

@@ -1,6 +1,7 @@
 //! The gradient of an expression, by the chain rule from the whole to its parts.
 
 use super::graph::{Graph, Id, Node, Unary};
+use super::guards::Term;
 
 impl Graph {
     /// Returns the derivative of an expression with respect to each of the first `inputs` coordinates.
@@ -8,27 +9,34 @@ impl Graph {
     /// The method is reverse differentiation: each part receives the derivative of the whole with respect to it, and
     /// passes it on to its own parts. The number of new nodes is a small multiple of the number of nodes of the
     /// expression, whatever the number of coordinates.
+    ///
+    /// What a part receives through a formula that is not chosen does not count, even where the part has no slope.
     pub(crate) fn gradient(&mut self, root: Id, inputs: usize) -> Vec<Id> {
         let reachable = self.reachable(&[root]);
-        let mut terms: Vec<Vec<Id>> = vec![Vec::new(); root + 1];
+        let mut terms: Vec<Vec<Term>> = vec![Vec::new(); root + 1];
         let mut gradient = vec![self.number(0.0); inputs];
         let one = self.number(1.0);
         if let Some(whole) = terms.get_mut(root) {
-            whole.push(one);
+            whole.push(Term { guard: None, slope: one });
         }
         for id in (0..=root).rev() {
             if reachable.get(id) != Some(&true) || self.as_number(id).is_some() {
                 continue;
             }
             let own = terms.get_mut(id).map(core::mem::take).unwrap_or_default();
-            let slope = self.sum(&own);
+            if own.is_empty() {
+                // A part of a condition alone.
+                continue;
+            }
+            let own = self.merged(&own);
             if let Node::Input(i) = self.node(id) {
                 if let Some(entry) = gradient.get_mut(i) {
-                    *entry = slope;
+                    *entry = self.total(&own);
                 }
                 continue;
             }
-            for (part, term) in self.passed_on(id, slope) {
+            let whole = self.joined(&own);
+            for (part, term) in self.passed_on(id, whole) {
                 // A number passes no derivative on.
                 if self.as_number(part).is_none()
                     && let Some(terms) = terms.get_mut(part)
@@ -41,8 +49,9 @@ impl Graph {
     }
 
     /// Returns the parts of a node, each with its contribution: the slope of the node times the partial derivative.
-    fn passed_on(&mut self, id: Id, slope: Id) -> Vec<(Id, Id)> {
-        match self.node(id) {
+    fn passed_on(&mut self, id: Id, whole: Term) -> Vec<(Id, Term)> {
+        let slope = whole.slope;
+        let passed = match self.node(id) {
             Node::Number(_) | Node::Input(_) => Vec::new(),
             Node::Add(a, b) => vec![(a, slope), (b, slope)],
             Node::Multiply(a, b) => {
@@ -59,29 +68,31 @@ impl Graph {
                 let power = self.inner_power(a, exponent - 1.0);
                 vec![(a, self.multiply(scaled, power))]
             }
+            // d√x = ½/√x keeps the quotient of the slope
+            Node::Function(Unary::Sqrt, a) => {
+                let half = self.scale(0.5, slope);
+                vec![(a, self.divide(half, id))]
+            }
+            Node::Function(Unary::Ln, a) => vec![(a, self.divide(slope, a))],
             Node::Function(function, a) => {
-                // d√x = ½/√x keeps the quotient of the slope
-                if function == Unary::Sqrt {
-                    let half = self.scale(0.5, slope);
-                    return vec![(a, self.divide(half, id))];
-                }
-                if function == Unary::Ln {
-                    return vec![(a, self.divide(slope, a))];
-                }
                 let derivative = self.function_derivative(function, a, id);
                 vec![(a, self.multiply(slope, derivative))]
             }
             Node::Choose([condition, a, b]) => {
-                let zero = self.number(0.0);
-                let first = self.choose(condition, slope, zero);
-                let second = self.choose(condition, zero, slope);
-                vec![(a, first), (b, second)]
+                let [holds, fails] = self.guards(whole.guard, condition);
+                return vec![(a, Term { guard: holds, slope }), (b, Term { guard: fails, slope })];
+            }
+            // dh = (x dx + y dy)/h, with a quotient that is in range where h is
+            Node::Hypotenuse(a, b) => {
+                let first = self.divide(slope, id);
+                vec![(a, self.multiply(first, a)), (b, self.multiply(first, b))]
             }
             Node::Angle(y, x) => {
                 let (dy, dx) = self.angle_derivatives(y, x);
                 vec![(y, self.multiply(slope, dy)), (x, self.multiply(slope, dx))]
             }
-        }
+        };
+        passed.into_iter().map(|(part, slope)| (part, Term { slope, ..whole })).collect()
     }
 
     /// Returns f′(x), where `value` is f(x).

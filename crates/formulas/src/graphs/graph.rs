@@ -35,7 +35,9 @@ pub(crate) enum Node {
     Function(Unary, Id),
     /// The angle of the point (x, y), with y first.
     Angle(Id, Id),
-    /// The second where the first is ≥ 0, and the third elsewhere.
+    /// √(x² + y²), also where the squares are out of range.
+    Hypotenuse(Id, Id),
+    /// The second where the first is ≥ 0, the third where it is negative, and no number where it is none.
     Choose([Id; 3]),
 }
 
@@ -44,9 +46,11 @@ impl Node {
     pub(crate) fn parts(self) -> impl Iterator<Item = Id> {
         let parts = match self {
             Self::Number(_) | Self::Input(_) => [None; 3],
-            Self::Add(a, b) | Self::Multiply(a, b) | Self::Divide(a, b) | Self::Angle(a, b) => {
-                [Some(a), Some(b), None]
-            }
+            Self::Add(a, b)
+            | Self::Multiply(a, b)
+            | Self::Divide(a, b)
+            | Self::Angle(a, b)
+            | Self::Hypotenuse(a, b) => [Some(a), Some(b), None],
             Self::Power(a, _) | Self::Function(_, a) => [Some(a), None, None],
             Self::Choose(parts) => parts.map(Some),
         };
@@ -98,6 +102,11 @@ impl Graph {
         }
     }
 
+    /// Returns the place of a node, if the graph has it.
+    pub(crate) fn find(&self, node: Node) -> Option<Id> {
+        self.places.get(&node).copied()
+    }
+
     /// Returns the place of a node, and adds the node if it is new.
     pub(crate) fn place(&mut self, node: Node) -> Id {
         if let Some(&place) = self.places.get(&node) {
@@ -136,6 +145,7 @@ impl Graph {
                 (self.known(a).everywhere && entire, even)
             }
             Node::Angle(..) => (false, false),
+            Node::Hypotenuse(..) => (false, true),
             Node::Choose([c, a, b]) => {
                 (self.known(c).everywhere && both(a, b), positive(a) && positive(b))
             }
@@ -167,7 +177,11 @@ impl Graph {
                 square || flat(a) && exponent >= 1.0
             }
             Node::Function(function, _) => matches!(function, Unary::Exp | Unary::Cosh),
-            Node::Divide(..) | Node::Angle(..) | Node::Choose(_) | Node::Input(_) => false,
+            Node::Divide(..)
+            | Node::Angle(..)
+            | Node::Hypotenuse(..)
+            | Node::Choose(_)
+            | Node::Input(_) => false,
         }
     }
 

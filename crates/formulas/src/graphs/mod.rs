@@ -4,6 +4,7 @@ pub(crate) mod graph;
 pub(crate) mod simplification;
 pub(crate) mod composed;
 pub(crate) mod elaboration;
+pub(crate) mod guards;
 pub(crate) mod gradient;
 pub(crate) mod tangent;
 pub(crate) mod products;

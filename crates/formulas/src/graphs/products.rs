@@ -22,6 +22,7 @@ impl Graph {
                 Node::Divide(a, b) => new.place(Node::Divide(at(a), at(b))),
                 Node::Function(function, a) => new.place(Node::Function(function, at(a))),
                 Node::Angle(y, x) => new.place(Node::Angle(at(y), at(x))),
+                Node::Hypotenuse(x, y) => new.place(Node::Hypotenuse(at(x), at(y))),
                 Node::Choose(parts) => new.place(Node::Choose(parts.map(at))),
                 Node::Power(a, bits) => new.expanded(at(a), f64::from_bits(bits)),
                 node @ (Node::Number(_) | Node::Input(_)) => new.place(node),

@@ -71,8 +71,8 @@ impl Graph {
                 return self.scale(-1.0, product);
             }
         }
-        if let (true, Node::Function(Unary::Sqrt, square)) = (x == y, self.node(x))
-            && self.known(square).nonnegative
+        if x == y
+            && let Some(square) = self.square_of_root(x)
         {
             return square;
         }
@@ -166,9 +166,7 @@ impl Graph {
                 return self.number(value);
             }
         }
-        if let Node::Function(Unary::Sqrt, square) = self.node(x)
-            && self.known(square).nonnegative
-        {
+        if let Some(square) = self.square_of_root(x) {
             return self.power(square, c / 2.0);
         }
         self.place(Node::Power(x, c.to_bits()))
@@ -190,10 +188,10 @@ impl Graph {
         }
     }
 
-    /// Returns y where x ≥ 0, and z elsewhere.
+    /// Returns y where x ≥ 0, z where x < 0, and no number where x is none.
     pub(crate) fn choose(&mut self, x: Id, y: Id, z: Id) -> Id {
         match self.as_number(x) {
-            _ if y == z => y,
+            _ if y == z && self.known(x).everywhere => y,
             Some(x) if x >= 0.0 => y,
             Some(_) => z,
             None => self.place(Node::Choose([x, y, z])),

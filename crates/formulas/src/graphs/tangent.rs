@@ -35,7 +35,12 @@ impl Graph {
                     let derivative = self.function_derivative(function, a, id);
                     self.multiply(derivative, at(a))
                 }
-                Node::Choose([condition, a, b]) => self.choose(condition, at(a), at(b)),
+                Node::Choose([condition, a, b]) => self.choose_slope(condition, at(a), at(b)),
+                Node::Hypotenuse(a, b) => {
+                    let inverse = self.power(id, -1.0);
+                    let [da, db] = [a, b].map(|part| self.multiply(inverse, part));
+                    self.two_terms([(at(a), da), (at(b), db)], zero)
+                }
                 Node::Angle(y, x) => {
                     let (dy, dx) = self.angle_derivatives(y, x);
                     self.two_terms([(at(y), dy), (at(x), dx)], zero)

@@ -14,12 +14,9 @@ impl Formula {
         if value.is_finite() {
             return Ok(value);
         }
-        let parts = self.parts().map(|part| (part.value_at(z), part));
-        let (value, term) = parts
-            .filter(|(value, _)| !value.is_finite())
-            .map(|(value, part)| (value, part.to_string()))
-            .next()
-            .unwrap_or_else(|| (value, self.to_string()));
+        let failure = |part: &Self| Some(part.value_at(z)).filter(|value| !value.is_finite());
+        let (term, value) = self.failing_part(z, failure).unwrap_or_else(|| (self.clone(), value));
+        let term = term.to_string();
         Err(ValueError::Value { formula: self.to_string(), term, value, state: self.state(z) })
     }
 
@@ -44,14 +41,15 @@ impl Formula {
     pub fn checked_differential(&self, z: &[f64]) -> Result<Vec<f64>, ValueError> {
         self.checked_value(z)?;
         let slopes = self.differential_at(z);
-        let Some((place, value)) = not_finite(&slopes) else { return Ok(slopes) };
-        let of_part = |part: Self| not_finite(&part.differential_at(z)).map(|found| (found, part));
-        let ((place, value), term) = self.parts().find_map(of_part).map_or_else(
-            || ((place, value), self.to_string()),
-            |(at, part)| (at, part.to_string()),
-        );
+        let Some(place) = slopes.iter().position(|slope| !slope.is_finite()) else {
+            return Ok(slopes);
+        };
+        let slope = |part: &Self| part.differential_at(z).get(place).copied();
+        let failure = |part: &Self| slope(part).filter(|slope| !slope.is_finite());
+        let (term, value) =
+            self.failing_part(z, failure).unwrap_or_else(|| (self.clone(), f64::NAN));
         let coordinate = self.names().coordinates().names().nth(place).unwrap_or_default();
-        let (formula, state) = (self.to_string(), self.state(z));
+        let (formula, term, state) = (self.to_string(), term.to_string(), self.state(z));
         Err(ValueError::Derivative { formula, term, coordinate, value, state })
     }
 
@@ -61,11 +59,6 @@ impl Formula {
         let all = names.zip(z).map(|(name, x)| format!("{name} = {}", number(*x)));
         all.collect::<Vec<_>>().join(", ")
     }
-}
-
-/// Returns the first entry that is infinite or not a number, with its place.
-fn not_finite(slopes: &[f64]) -> Option<(usize, f64)> {
-    slopes.iter().copied().enumerate().find(|(_, slope)| !slope.is_finite())
 }
 
 #[cfg(test)]
@@ -94,6 +87,45 @@ mod tests {
             assert_eq!(term(text, [0.0; 3]).as_deref(), Some(expected), "{text}");
             // Control: elsewhere there is a value.
             assert_eq!(term(text, [-700.0, 2.0, 1.0]), None, "{text}");
+        }
+        Ok(())
+    }
+
+    /// A part that has no value or no slope itself is not named if the whole does not fail because of it.
+    #[test]
+    fn a_part_that_does_no_harm_is_not_named() -> Result<(), NameError> {
+        let names = Vocabulary::of(&So3, &Parameters::new())?;
+        let parts = |text: &str, z: [f64; 3]| match Formula::new(text, &names)
+            .ok()?
+            .checked_differential(&z)
+            .err()?
+        {
+            ValueError::Value { term, value, .. } => Some((term, String::new(), value)),
+            ValueError::Derivative { term, coordinate, value, .. } => {
+                Some((term, coordinate, value))
+            }
+        };
+        let (nan, infinite) = (f64::NAN, f64::INFINITY);
+        for (text, z, term, coordinate, value) in [
+            // values
+            ("if(Pi1 > 0, sqrt(Pi1), 0) + ln(Pi2)", [-1.0, 0.0, 0.0], "ln(Pi2)", "", -infinite),
+            ("if(Pi1 <= 0, 0, sqrt(Pi1)) + ln(Pi2)", [-1.0, 0.0, 0.0], "ln(Pi2)", "", -infinite),
+            ("if(Pi1 < 0, sqrt(Pi1), 1/Pi2)", [-1.0, 0.0, 0.0], "sqrt(Pi1)", "", nan),
+            ("if(ln(Pi1) > 0, 1/Pi2, 2)", [-1.0, 0.0, 0.0], "ln(Pi1)", "", nan),
+            ("if(1/Pi2 > 1/Pi3, 1, 2)", [1.0, 0.0, 0.0], "1/Pi2", "", infinite),
+            ("exp(-1/Pi1^2) + sqrt(Pi2)", [0.0, -1.0, 0.0], "sqrt(Pi2)", "", nan),
+            ("1/Pi1 + ln(Pi2)", [0.0, -1.0, 0.0], "ln(Pi2)", "", nan),
+            ("(Pi/Pi2 + Pi/Pi1)[1]", [1.0, 0.0, 0.0], "(Pi/Pi2)[1]", "", infinite),
+            ("|if(Pi1 > 0, Pi/Pi2, Pi/Pi3)|", [1.0, 0.0, 0.0], "(Pi/Pi2)[2]", "", nan),
+            ("Pi1 + |Pi|", [1.0, nan, 0.0], "Pi[2]", "", nan),
+            // derivatives
+            ("|Pi|^1.5 + sqrt(Pi1)", [0.0; 3], "sqrt(Pi1)", "Pi1", infinite),
+            ("|Pi|^1.5 + sqrt(Pi2)", [0.0; 3], "sqrt(Pi2)", "Pi2", infinite),
+            ("if(Pi1 > 0, sqrt(Pi1), |Pi|)", [0.0; 3], "|Pi|", "Pi1", nan),
+        ] {
+            let found = parts(text, z);
+            let found = found.as_ref().map(|(a, b, c)| (a.as_str(), b.as_str(), c.to_string()));
+            assert_eq!(found, Some((term, coordinate, value.to_string())), "{text}");
         }
         Ok(())
     }

@@ -125,11 +125,14 @@ impl Formula {
         })))
     }
 
-    /// Returns the scalar parts of the formula as formulas, each after its own parts. The last one is the formula.
-    pub(crate) fn parts(&self) -> impl Iterator<Item = Self> + '_ {
-        let Compiled { syntax, names, .. } = &*self.0;
-        let part = |place| Self::of_syntax(syntax.up_to(place)?, names, 0..0).ok();
-        (0..syntax.parts().count()).filter_map(part)
+    /// Creates the formula of another syntax tree in the same names.
+    pub(super) fn with_syntax(&self, syntax: Syntax) -> Result<Self, FormulaError> {
+        Self::of_syntax(syntax, self.names(), 0..0)
+    }
+
+    /// Returns the syntax tree.
+    pub(super) fn syntax(&self) -> &Syntax {
+        &self.0.syntax
     }
 
     /// Returns the names of coordinates and parameters in which the formula is written.

@@ -23,7 +23,7 @@ pub enum ValueError {
     Value {
         /// The formula.
         formula: String,
-        /// The first of its parts without a finite value.
+        /// The innermost of its parts because of which it has none.
         term: String,
         /// The value of this part.
         value: f64,
@@ -38,7 +38,7 @@ pub enum ValueError {
     Derivative {
         /// The formula.
         formula: String,
-        /// The first of its parts without a finite derivative.
+        /// The innermost of its parts because of which it has none.
         term: String,
         /// The name of the coordinate of the derivative.
         coordinate: String,

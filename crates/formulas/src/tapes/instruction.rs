@@ -25,7 +25,9 @@ pub(crate) enum Operation {
     Function(Unary),
     /// The angle of the point (b, a).
     Angle,
-    /// b where a ≥ 0, and c elsewhere.
+    /// √(a² + b²), also where the squares are out of range.
+    Hypotenuse,
+    /// b where a ≥ 0, c where a < 0, and NaN where a is NaN.
     Choose,
 }
 

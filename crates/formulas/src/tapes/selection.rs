@@ -59,6 +59,7 @@ fn choose(graph: &Graph, id: Id, uses: &[usize]) -> Option<(Operation, [Id; 3])>
         }
         Node::Function(function, a) => (Operation::Function(function), [a; 3]),
         Node::Angle(y, x) => (Operation::Angle, [y, x, y]),
+        Node::Hypotenuse(x, y) => (Operation::Hypotenuse, [x, y, x]),
         Node::Choose(parts) => (Operation::Choose, parts),
     };
     Some((operation, operands))

@@ -6,7 +6,8 @@ use super::instruction::{Instruction, Operation};
 use super::selection::select;
 use crate::graphs::graph::{Graph, Id};
 use crate::text::formula_error::Problem;
-use lie_poisson::{Real, Vector};
+use lie_poisson::{Real, Vector, euclidean_norm};
+use nalgebra::Vector2;
 
 /// Instructions without branches or loops, which are the same for every scalar.
 #[derive(Clone, Debug, PartialEq)]
@@ -189,7 +190,12 @@ impl Instruction<u16> {
             Operation::Power(n) => a.powi(n),
             Operation::Function(function) => function.apply(a),
             Operation::Angle => a.atan2(b()),
-            Operation::Choose => a.select_nonnegative(b(), registers[place(c)]),
+            Operation::Hypotenuse => euclidean_norm(&Vector2::new(a, b())),
+            Operation::Choose => {
+                // A condition that is not a number holds nowhere, and neither does its contrary.
+                let otherwise = (-a).select_nonnegative(registers[place(c)], a * f64::NAN);
+                a.select_nonnegative(b(), otherwise)
+            }
         };
         registers[place(self.target)] = result;
     }

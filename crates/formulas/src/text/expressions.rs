@@ -109,8 +109,8 @@ impl Expressions {
         self.part(Part::Component(x.0, index))
     }
 
-    /// Adds y where x ≥ 0, and z elsewhere, of a scalar x and of two scalars or two vectors. Derivatives are those of the
-    /// chosen part.
+    /// Adds y where x ≥ 0, and z where x < 0, of a scalar x and of two scalars or two vectors. Derivatives are those of the
+    /// chosen part, even where the other has none. Where x is not a number, neither is the result.
     pub fn choose(&mut self, x: Expression, y: Expression, z: Expression) -> Expression {
         let zero = self.number(0.0);
         self.part(Part::Choose(Comparison::AtLeast, [x.0, zero.0, y.0, z.0]))

@@ -13,6 +13,18 @@ pub(crate) enum Comparison {
 }
 
 impl Comparison {
+    /// Returns the sides a and b in the order in which the comparison holds where the first minus the second is ≥ 0, and
+    /// false; or, with true, in the order in which it holds where this difference is negative.
+    pub(crate) fn sides<T>(self, a: T, b: T) -> (T, T, bool) {
+        // a > b is the contrary of b ≥ a.
+        match self {
+            Self::AtLeast => (a, b, false),
+            Self::AtMost => (b, a, false),
+            Self::Greater => (b, a, true),
+            Self::Less => (a, b, true),
+        }
+    }
+
     /// Returns the sign in formulas.
     pub(crate) const fn sign(self) -> &'static str {
         match self {

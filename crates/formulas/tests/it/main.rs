@@ -3,6 +3,7 @@
 
 mod named_algebras;
 mod casimirs_found;
+mod conditions;
 mod derivatives;
 mod errors;
 mod expressions;
