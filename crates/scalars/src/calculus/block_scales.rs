@@ -112,16 +112,18 @@ fn block_norm<V: State>(v: &V, block: usize) -> V::Scalar {
     norm_of(v.dimension(), |i| if v.block_of(i) == block { v.entry(i) } else { num_traits::zero() })
 }
 
-/// Returns x/s, and 0 for x = 0.
+/// Returns x/s, and 0 for x = s = 0.
 fn quotient<T: Real>(x: T, s: T) -> T {
     let zero = T::zero();
-    T::select(x.at_most(zero).and((-x).at_most(zero)), zero, x / s)
+    let is_zero = |x: T| x.at_most(zero).and((-x).at_most(zero));
+    // Where x is 0 and s is not, x/s is 0 with the derivative of x.
+    T::select(is_zero(x).and(is_zero(s)), zero, x / s)
 }
 
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::{DefaultLanes, Lanes, Pair};
+    use crate::{DefaultLanes, DualNumber, Lanes, Pair};
     use nalgebra::{Vector1, Vector2};
 
     type Two<T = f64> = Pair<Vector1<T>, Vector2<T>>;
@@ -155,6 +157,21 @@ mod tests {
             larger.include(&v);
             assert!(larger.at(0).is_nan() || larger.at(1).is_nan());
         }
+    }
+
+    #[test]
+    fn a_coordinate_that_is_zero_keeps_its_derivative() {
+        let number = DualNumber::new;
+        let v: Two<DualNumber> =
+            Pair(Vector1::new(number(0.0, 1.0)), Vector2::new(number(0.0, 3.0), number(5.0, 0.0)));
+        let constant = DualNumber::constant;
+        let sizes = Pair(Vector1::new(constant(0.0)), Vector2::new(constant(4.0), constant(0.0)));
+        let scales = BlockScales::<Two<DualNumber>>::of(&sizes);
+        let entry = scales.entry(&v, 1);
+        assert_eq!((entry.value_without_derivative(), entry.derivative()), (0.0, 0.75));
+        // Control: a coordinate without a scale has none.
+        let entry = scales.entry(&v, 0);
+        assert_eq!((entry.value_without_derivative(), entry.derivative()), (0.0, 0.0));
     }
 
     #[test]
