@@ -90,9 +90,15 @@ impl EnergyLevel {
     }
 
     /// Returns the amended potential U_c(Γ), J: the least energy over Γ on Π·Γ = c.
+    ///
+    /// For c = 0 it is the potential energy m g l Γ·c, also where Γ is along a thin rod, about which the moment is 0. There
+    /// it is infinite for every other c.
     #[must_use]
     pub fn amended_potential(&self, gamma: &Vector3<f64>) -> f64 {
         let height = self.top.weight_moment() * gamma.dot(&self.top.center_of_mass());
+        if self.vertical_momentum == 0.0 {
+            return height;
+        }
         let moment = self.top.inertia().component_mul(gamma).dot(gamma);
         height + self.vertical_momentum * self.vertical_momentum / (2.0 * moment)
     }

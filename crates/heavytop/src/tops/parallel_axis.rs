@@ -1,7 +1,7 @@
 //! Moments about the support and about the centre of mass.
 
 use crate::error::TopError;
-use crate::tops::principal_axes::PrincipalAxes;
+use crate::tops::principal_axes::{PrincipalAxes, symmetric};
 use nalgebra::{Matrix3, Vector3};
 
 /// The tolerance of [`require_possible_body`], relative to the largest entry of the inertia matrix about the support. It allows
@@ -61,7 +61,9 @@ pub fn require_possible_body(
     mass: f64,
     position: &Vector3<f64>,
 ) -> Result<(), TopError> {
-    let central = PrincipalAxes::of(&(inertia - point_inertia(mass, position)))?;
+    // The difference of a small body is a rounding error, whose own asymmetry says nothing.
+    let central = symmetric(inertia)? - point_inertia(mass, position);
+    let central = PrincipalAxes::of(&central)?;
     let mut moments: [f64; 3] = central.moments().into();
     moments.sort_by(f64::total_cmp);
     let ([least, middle, greatest], slack) = (moments, TOLERANCE * inertia.amax());

@@ -69,18 +69,7 @@ impl PrincipalAxes {
     /// Returns [`TopError::NotFinite`] if an entry is not finite, and [`TopError::NotSymmetric`] if two entries that
     /// mirror each other differ by more than 1e-9 of the largest entry.
     pub fn of(inertia: &Matrix3<f64>) -> Result<Self, TopError> {
-        for value in inertia {
-            require_finite("inertia", *value)?;
-        }
-        let largest = inertia.amax();
-        for [row, column, _] in PLANES {
-            let (value, mirrored) = (inertia[(row, column)], inertia[(column, row)]);
-            // Halves, so that no difference overflows.
-            if (0.5 * value - 0.5 * mirrored).abs() > 0.5 * ASYMMETRY * largest {
-                return Err(TopError::NotSymmetric { row, column, value, mirrored });
-            }
-        }
-        let mut matrix = inertia * 0.5 + inertia.transpose() * 0.5;
+        let (mut matrix, largest) = (symmetric(inertia)?, inertia.amax());
         let mut axes = Matrix3::identity();
         for _ in 0..SWEEPS {
             let turned = PLANES.map(|plane| turn(&mut matrix, &mut axes, plane));
@@ -159,6 +148,24 @@ impl PrincipalAxes {
         let q = nalgebra::UnitQuaternion::from_rotation_matrix(&rotation);
         Quaternion { scalar: q.w, vector: Vector3::new(q.i, q.j, q.k) }
     }
+}
+
+/// Returns the symmetric part of an inertia matrix whose entries that mirror each other are equal up to rounding.
+///
+/// # Errors
+/// Those of [`PrincipalAxes::of`].
+pub(crate) fn symmetric(inertia: &Matrix3<f64>) -> Result<Matrix3<f64>, TopError> {
+    for value in inertia {
+        require_finite("inertia", *value)?;
+    }
+    for [row, column, _] in PLANES {
+        let (value, mirrored) = (inertia[(row, column)], inertia[(column, row)]);
+        // Halves, so that no difference overflows.
+        if (0.5 * value - 0.5 * mirrored).abs() > 0.5 * ASYMMETRY * inertia.amax() {
+            return Err(TopError::NotSymmetric { row, column, value, mirrored });
+        }
+    }
+    Ok(inertia * 0.5 + inertia.transpose() * 0.5)
 }
 
 /// Turns the matrix and the axes so that an entry of the matrix vanishes, unless it does up to rounding already; returns

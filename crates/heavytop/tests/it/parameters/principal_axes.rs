@@ -175,3 +175,26 @@ fn moments_about_the_support_leave_room_for_the_mass() {
     across(8e-4 + 2e-4, 4e-4).require_possible().unwrap();
     across(8e-4 + 2e-4, 4e-4 * (1.0 + 1e-6)).require_possible().unwrap_err();
 }
+
+/// The moments of a point mass about its centre of mass are rounding errors, in any axes and any unit.
+#[test]
+fn a_point_mass_off_the_axes_is_a_body() {
+    for turn in rotations() {
+        for (mass, length) in [(0.3, 0.7), (2e-30, 0.1), (7e30, 1e-3)] {
+            let point: f64 = mass * length * length;
+            let principal = Matrix3::from_diagonal(&Vector3::new(point, point, 0.0));
+            let (inertia, position) =
+                (turn * principal * turn.transpose(), turn.column(2) * length);
+            require_possible_body(&inertia, mass, &position).unwrap();
+            // Controls: a larger mass is more than the moments, and an asymmetry of 1e-8 is no rounding.
+            require_possible_body(&inertia, mass * (1.0 + 1e-8), &position).unwrap_err();
+            let mut other = inertia;
+            other[(0, 1)] += 1e-8 * point;
+            let refused = require_possible_body(&other, mass, &position).unwrap_err();
+            assert!(
+                matches!(refused, TopError::NotSymmetric { row: 0, column: 1, .. }),
+                "{refused}"
+            );
+        }
+    }
+}

@@ -149,3 +149,21 @@ fn what_is_no_rod_is_refused() {
     let surface = Surface { variable, level: 0.0, direction: Direction::Up };
     assert_eq!(Section::new(level, surface), Err(SectionError::ThinRod));
 }
+
+/// A rod has no moment about itself: upright it has the potential energy if Π·Γ = 0, and no energy suffices otherwise.
+#[test]
+fn the_amended_potential_of_a_rod_along_the_vertical() {
+    for axis in 0..3 {
+        let top = HeavyTop::new(&rod(axis, 0.12, 2.943)).unwrap();
+        let level = |vertical_momentum| EnergyLevel { top, energy: 1.0, vertical_momentum };
+        for (sign, potential) in [(1.0, 2.943), (-1.0, -2.943)] {
+            let gamma = Vector3::ith(axis, sign);
+            assert_eq!(level(0.0).amended_potential(&gamma), potential);
+            assert_eq!(level(0.3).amended_potential(&gamma), f64::INFINITY);
+        }
+        // Control: across the rod there is a moment, m g l Γ·c = 0, and c²/2I.
+        let across = Vector3::ith((axis + 1) % 3, 1.0);
+        assert_eq!(level(0.0).amended_potential(&across), 0.0);
+        assert!((level(0.3).amended_potential(&across) / (0.09 / 0.24) - 1.0).abs() < 1e-15);
+    }
+}
