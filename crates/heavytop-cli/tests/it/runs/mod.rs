@@ -5,6 +5,7 @@ mod backward;
 mod forecasts;
 mod formats;
 mod methods;
+mod numbers_in_all_units;
 mod same_bytes;
 mod simulate;
-mod units;
+
