@@ -8,4 +8,3 @@ mod methods;
 mod numbers_in_all_units;
 mod same_bytes;
 mod simulate;
-
