@@ -72,7 +72,7 @@ struct Run<'a> {
 }
 
 /// The task of measuring the accuracy of a run.
-struct Measure<'a>(Run<'a>);
+struct Measure<'a>(Run<'a>, &'a dyn Fn() -> bool);
 
 impl SystemTask for Measure<'_> {
     type Output = RunAccuracy;
@@ -81,8 +81,8 @@ impl SystemTask for Measure<'_> {
     where
         I: Start<State: Vector, Momentum: Vector<Scalar = f64>> + TangentIntegrator,
     {
-        let Run { scales, start, steps, order } = self.0;
-        run_accuracy(integrator, &scales, start, steps, order)
+        let Self(Run { scales, start, steps, order }, going) = self;
+        run_accuracy(integrator, &scales, start, steps, order, going)
     }
 }
 
@@ -103,7 +103,7 @@ impl SystemTask for Check<'_> {
 
 impl SystemMethod {
     /// Measures how accurate a run of `steps` steps of size `step` from a state is, without making the whole run if it is
-    /// long: [`run_accuracy`].
+    /// long: [`run_accuracy`]. There is no estimate if `going` tells it to end.
     ///
     /// # Errors
     /// Returns the errors of [`integrate`](Self::integrate).
@@ -118,9 +118,9 @@ impl SystemMethod {
     /// let body = FormulaSystem::new(SystemAlgebra::named("so(3)")?, text, &Parameters::new())?;
     /// let gauss = SystemMethod::new(body.algebra(), Formulation::Collective, SchemeName::Gauss(4), 0.0)?;
     /// let start = [10.0, 0.1, 10.0];
-    /// let accuracy = gauss.accuracy(&body, &start, (0.02, 500))?;
+    /// let accuracy = gauss.accuracy(&body, &start, (0.02, 500), &|| true)?;
     /// assert!(accuracy.error < Some(1e-9) && accuracy.warning().is_none());
-    /// let accuracy = gauss.accuracy(&body, &start, (0.3, 500))?;
+    /// let accuracy = gauss.accuracy(&body, &start, (0.3, 500), &|| true)?;
     /// assert!(accuracy.angle > 3.0 && accuracy.warning().is_some());
     /// # Ok::<(), lie_poisson_formula_systems::FormulaSystemError>(())
     /// ```
@@ -129,8 +129,9 @@ impl SystemMethod {
         system: &FormulaSystem,
         start: &[f64],
         steps: (f64, u64),
+        going: &dyn Fn() -> bool,
     ) -> Result<RunAccuracy, FormulaSystemError> {
-        self.integrate(system, start, Measure(self.run(system, start, steps)))
+        self.integrate(system, start, Measure(self.run(system, start, steps), going))
     }
 
     /// Checks a whole run of `steps` steps of size `step` from a state by runs with half the step and with twice the step:

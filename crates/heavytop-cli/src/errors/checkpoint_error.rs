@@ -14,6 +14,15 @@ pub enum CheckpointError {
     /// The file is not a checkpoint, or not a whole one.
     #[error("it is damaged, or no checkpoint: {0}")]
     Damaged(String),
+    /// The file is a configuration.
+    #[error(
+        "it is a configuration, which stands before the options: heavytop simulate {} --resume --out FILE",
+        path.display()
+    )]
+    NoCheckpoint {
+        /// The path of the file.
+        path: PathBuf,
+    },
     /// The checkpoint is whole, but no run can have made it.
     #[error("no run makes such a checkpoint: it has {0}")]
     Impossible(String),
@@ -68,7 +77,7 @@ impl CheckpointError {
         match self {
             // The run may have been killed when its output was complete and the checkpoint still there.
             Self::Rows { source, .. } => source.kind() == io::ErrorKind::NotFound,
-            Self::Read(_) | Self::Format { .. } => false,
+            Self::Read(_) | Self::NoCheckpoint { .. } | Self::Format { .. } => false,
             _ => true,
         }
     }

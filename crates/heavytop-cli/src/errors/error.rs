@@ -267,8 +267,10 @@ pub enum Error {
         source: IntegrationError,
     },
     /// A quantity that is written has no finite value during the run.
-    #[error("at t = {time}")]
+    #[error("{}at t = {time}", of_start(*start))]
     NoValue {
+        /// The number of the start of a section, from 1; `None` in a run.
+        start: Option<usize>,
         /// The time (s).
         time: f64,
         /// The quantity, the part of it without a value, and the state.
@@ -435,6 +437,11 @@ impl Error {
             other => other,
         }
     }
+}
+
+/// Returns the beginning of a message about a start of a section.
+fn of_start(number: Option<usize>) -> String {
+    number.map_or_else(String::new, |number| format!("start {number}, "))
 }
 
 /// Returns the end of a message, which names the argument that resumes the run.

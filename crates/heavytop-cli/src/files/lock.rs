@@ -4,6 +4,12 @@ use same_file::Handle;
 use std::fs::{File, TryLockError};
 use std::io;
 use std::path::Path;
+use std::thread::sleep;
+use std::time::Duration;
+
+/// How often a lock that another run has is tried again, and after how long.
+const LOOKS: u32 = 10;
+const BETWEEN_LOOKS: Duration = Duration::from_millis(5);
 
 /// Opens the file for reading and writing, and takes its lock.
 ///
@@ -17,12 +23,18 @@ use std::path::Path;
 pub(crate) fn open(path: &Path, make: bool) -> io::Result<File> {
     let mut options = File::options();
     let options = options.read(true).write(true).create(make).truncate(false);
+    let mut looks = LOOKS;
     loop {
         let file = options.open(path)?;
         match file.try_lock() {
             Ok(()) if is_at(&file, path)? => return Ok(file),
             // Another run has renamed or removed the file since it was opened, and is done with it.
             Ok(()) => {}
+            // Another run may be looking whether the file is locked, which locks it for a moment.
+            Err(TryLockError::WouldBlock) if looks > 0 => {
+                looks -= 1;
+                sleep(BETWEEN_LOOKS);
+            }
             Err(TryLockError::WouldBlock) => {
                 let busy = "another run is writing it";
                 return Err(io::Error::new(io::ErrorKind::ResourceBusy, busy));
@@ -65,6 +77,22 @@ mod tests {
         drop(first);
         assert!(!is_held(&path) && !is_held(&folder.path().join("b")));
         assert!(open(&path, true).is_ok());
+    }
+
+    /// A run that looks whether a file is locked has its lock for a moment, and does not keep another one out.
+    #[test]
+    fn who_only_looks_keeps_nobody_out() {
+        let folder = tempfile::tempdir().unwrap();
+        let path = folder.path().join("a");
+        let looking = File::create(&path).unwrap();
+        looking.try_lock_shared().unwrap();
+        let opened = std::thread::scope(|scope| {
+            let opened = scope.spawn(|| open(&path, true).map(drop));
+            sleep(BETWEEN_LOOKS);
+            looking.unlock().unwrap();
+            opened.join().unwrap()
+        });
+        assert!(opened.is_ok(), "{opened:?}");
     }
 
     /// A file that was renamed does not block its old name.

@@ -89,7 +89,7 @@ impl Output {
     ///
     /// # Errors
     /// [`Error::Exists`] if there is one. The errors of [`Self::complete`].
-    pub(crate) fn complete_new(mut self, kind: &Kind) -> Result<(), Error> {
+    pub(crate) fn complete_new(mut self, kind: &Kind<'_>) -> Result<(), Error> {
         self.finish()?;
         let Some(partial) = &self.partial.0 else { return Ok(()) };
         match fs::hard_link(partial, &self.path) {

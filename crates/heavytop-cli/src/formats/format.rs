@@ -54,12 +54,12 @@ impl Format {
         }
     }
 
-    /// Returns the kind of a complete output in this format.
-    pub(crate) fn kind(self) -> &'static Kind {
+    /// Returns the kind of a complete output in this format, whose table has this [beginning](RunTable::beginning).
+    pub(crate) fn kind(self, beginning: &str) -> Kind<'_> {
         match self {
-            Self::Csv => &recognition::CSV,
-            Self::Npz => &recognition::NPZ,
-            Self::Parquet => &recognition::PARQUET,
+            Self::Csv => recognition::csv(beginning),
+            Self::Npz => recognition::NPZ,
+            Self::Parquet => recognition::PARQUET,
         }
     }
 

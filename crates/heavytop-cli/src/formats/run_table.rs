@@ -11,6 +11,12 @@ use std::ops::Range;
 /// The names of the columns of a state.
 pub const STATE_COLUMNS: &str = "t,Pi1,Pi2,Pi3,Gamma1,Gamma2,Gamma3";
 
+/// The names of the columns that the table of every top begins with.
+pub(super) const TOP_COLUMNS: &str = "t,Pi1,Pi2,Pi3,Gamma1,Gamma2,Gamma3,h,f1,f2";
+
+/// The names of the columns that the tables of some tops have after these.
+pub(super) const MORE_TOP_COLUMNS: [&str; 8] = ["C", "K", "G", "f3", "qw", "qx", "qy", "qz"];
+
 /// The names of the columns of the attitude.
 pub const ATTITUDE_COLUMNS: &str = "qw,qx,qy,qz";
 
@@ -155,6 +161,15 @@ impl RunTable {
     #[must_use]
     pub fn header(&self) -> String {
         self.columns.join(",")
+    }
+
+    /// Returns the beginning by which a table in CSV is recognised: the columns that all tops have, or all of the system.
+    #[must_use]
+    pub fn beginning(&self) -> String {
+        match self.top {
+            Some(_) => TOP_COLUMNS.into(),
+            None => self.header() + "\n",
+        }
     }
 
     /// Returns the number of columns.

@@ -9,7 +9,7 @@ use std::io::{self, Write};
 use std::path::Path;
 
 /// How a configuration is recognised that nobody has edited since.
-const KIND: Kind = Kind {
+const KIND: Kind<'_> = Kind {
     name: "configuration as init writes it",
     first: b"# A heavy top for the program heavytop.",
     is_whole: |head, _| Ok(texts().any(|text| text.as_bytes() == head)),

@@ -88,9 +88,20 @@ fn run(Arguments { quiet, json, command }: Arguments) -> Result<(), Error> {
             let resume = resume.as_ref().map(Option::as_deref);
             let begin =
                 Begin { resume, restart, replacing, interval: checkpoint_interval, check, yes };
-            match run_simulate(&top, &out, &begin, quiet)? {
-                Simulated::Top(summary, notes) => closing.end(&summary, &notes, &out),
-                Simulated::System(summary) => closing.end(&summary, &Notes::default(), &out),
+            let check = match run_simulate(&top, &out, &begin, quiet)? {
+                Simulated::Top(summary, notes) => {
+                    closing.end(&summary, &notes, &out)?;
+                    summary.check
+                }
+                Simulated::System(summary) => {
+                    closing.end(&summary, &Notes::default(), &out)?;
+                    summary.check
+                }
+            };
+            // The run is complete; there is nothing to resume.
+            match check.is_some_and(|check| check.was_interrupted()) {
+                true => Err(Error::Interrupted { resume: None }),
+                false => Ok(()),
             }
         }
         Command::Compare { top, out, replacing, end } => top

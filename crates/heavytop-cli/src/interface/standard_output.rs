@@ -51,7 +51,9 @@ pub(super) fn print_fitted(
 
 /// Returns the number of columns that the user has set, or that the terminal has.
 fn columns(is_terminal: bool) -> Option<usize> {
+    // As in other programs, 0 stands for no number.
     let set = std::env::var(COLUMNS).ok().and_then(|columns| columns.parse().ok());
+    let set = set.filter(|columns| *columns > 0);
     set.or_else(|| {
         is_terminal
             .then(|| Term::stdout().size_checked().or(Term::stderr().size_checked()))?

@@ -16,12 +16,12 @@ const SOFTWARE: &str = "Software\0heavytop";
 const PNG_HEADER: usize = 8 + 25;
 
 /// How pictures of the program are recognised.
-pub(crate) const SVG: Kind = Kind {
+pub(crate) const SVG: Kind<'_> = Kind {
     name: "picture of heavytop",
     first: b"<svg ",
     is_whole: |head, _| Ok(contains(head, COMMENT)),
 };
-pub(crate) const PNG: Kind = Kind {
+pub(crate) const PNG: Kind<'_> = Kind {
     name: "picture of heavytop",
     first: b"\x89PNG\r\n\x1a\n",
     is_whole: |head, _| Ok(contains(head.get(PNG_HEADER..).unwrap_or_default(), SOFTWARE)),

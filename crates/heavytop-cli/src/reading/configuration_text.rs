@@ -39,7 +39,7 @@ impl ConfigurationText {
 
     /// Returns the keys of the text, which has been read before.
     pub fn keys(&self) -> Option<Table> {
-        toml::from_str(&self.text).ok()
+        toml::from_str(&readable(&self.text)).ok()
     }
 
     /// Reads a configuration, whose keys may be of other texts too.
@@ -90,7 +90,7 @@ impl ConfigurationText {
         let span = if own.is_some() { at_path } else { error.span().or(at_path) };
         let of_system = message.starts_with(UNKNOWN)
             && matches!(path.0.first(), Some(Step::Key(table)) if table == "initial")
-            && toml::from_str::<Table>(&self.text).is_ok_and(|table| table.contains_key("system"));
+            && self.keys().is_some_and(|table| table.contains_key("system"));
         let note = if of_system { SYSTEM_STATE.into() } else { repair(&message) };
         let quotation = Quotation::new(&self.name, &self.text, span.unwrap_or(0..0), &note);
         let message = match path.to_string().as_str() {

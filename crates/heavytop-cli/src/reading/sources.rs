@@ -4,8 +4,9 @@ use super::assignment::{OPTION, line};
 use super::configuration_text::ConfigurationText;
 use super::repair::repairs;
 use crate::Error;
-use crate::configuration::{Config, LeftOut, Preset};
+use crate::configuration::{BodyConfig, Config, LeftOut, Preset};
 use crate::files::{Input, bounded};
+use crate::vocabulary::brief::number;
 use std::path::Path;
 use toml::{Table, Value};
 
@@ -97,6 +98,7 @@ impl Sources {
     /// Overrides the configuration by the keys of a text.
     fn add(&mut self, text: ConfigurationText) -> Result<(), Error> {
         let (mut table, over) = (self.table()?, text.table()?);
+        self.require_factors(&text, &over)?;
         remove_rivals(&mut table, &over);
         self.name_factors(&mut table, &over);
         overlay(&mut table, over);
@@ -116,6 +118,27 @@ impl Sources {
         self.config = config;
         self.texts.push(text);
         Ok(())
+    }
+
+    /// Checks that a text gives no factor of a weight moment that another text has given as a product: of the other factors
+    /// nothing is known. That of a preset is the product of its factors.
+    ///
+    /// # Errors
+    /// If it does; the error quotes the factor.
+    fn require_factors(&self, text: &ConfigurationText, over: &Table) -> Result<(), Error> {
+        let BodyConfig { mass, gravity, length, weight_moment, .. } = self.config.body;
+        let over = over.get("body").and_then(Value::as_table);
+        let factor = FACTORS.iter().find(|key| over.is_some_and(|over| over.contains_key(**key)));
+        let (Some(factor), Some(product)) = (factor, weight_moment) else { return Ok(()) };
+        if product == mass * gravity * length {
+            return Ok(());
+        }
+        let error = Error::Misread(format!(
+            "`body.{factor}` is a factor of `body.weight_moment`, which is {} before",
+            number(product)
+        ));
+        let note = "write body.weight_moment, or mass, gravity and length instead of it";
+        Err(text.quote(&format!("body.{factor}"), note, error).unwrap_or_else(|error| error))
     }
 
     /// Replaces the weight moment of the base by mass, gravity and length, where a text gives one of these.

@@ -86,19 +86,20 @@ impl Experiment {
         self.method.integrate(&self.top, Dimension { experiment: self })?
     }
 
-    /// Measures how accurate the run is, by a repetition of its beginning with half the step.
+    /// Measures how accurate the run is, by a repetition of its beginning with half the step. There is no estimate if
+    /// `going` tells it to end.
     ///
     /// # Errors
     /// If there is no such integrator.
-    pub fn accuracy(&self) -> Result<RunAccuracy, Error> {
+    pub fn accuracy(&self, going: &dyn Fn() -> bool) -> Result<RunAccuracy, Error> {
         let Schedule { step, steps } = self.schedule;
-        Ok(self.method.accuracy(&self.top, &self.start, (step, steps))?)
+        Ok(self.method.accuracy(&self.top, &self.start, (step, steps), going)?)
     }
 
     /// Checks the whole run by runs with half the step and with twice the step, unless `going` tells the check to end.
     ///
     /// # Errors
-    /// If a step fails, or the check was told to end.
+    /// If a step fails.
     pub fn check(&self, going: &dyn Fn() -> bool) -> Result<RunCheck, Error> {
         let (Schedule { step, steps }, method) = (self.schedule, self.method);
         let checked = method.check(&self.top, &self.start, (step, steps), going)?;

@@ -13,6 +13,6 @@ mod systems;
 pub use experiment::Experiment;
 pub use moment::{Moment, Saved};
 pub use pace::Pace;
-pub use run_check::RunCheck;
+pub use run_check::{RunCheck, WithoutOrder};
 pub use schedule::Schedule;
 pub use systems::{SystemExperiment, SystemMoment};

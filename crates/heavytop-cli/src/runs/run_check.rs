@@ -3,39 +3,95 @@
 use crate::Error;
 use crate::vocabulary::brief::number;
 use collective_integrators::RunError;
-use collective_integrators::diagnostics::{RunAccuracy, StepCheck};
+use collective_integrators::diagnostics::{NoOrder, RunAccuracy, StepCheck};
 use heavytop::methods::{Formulation, SchemeName};
 use lie_poisson::larger;
-use serde::Serialize;
+use serde::{Serialize, Serializer};
 use std::fmt;
 
 /// The result of a check of the whole run: `error` and `order` in the summary.
 #[derive(Clone, Copy, Debug, PartialEq, Serialize)]
 pub struct RunCheck {
-    /// The error at the end: the largest |Δμ_b|/|μ_b| over the blocks b of coordinates, at most 1.
-    pub error: f64,
-    /// The order with which the run converges; `None` if the differences are round-off.
+    /// The error at the end: the largest |Δμ_b|/|μ_b| over the blocks b of coordinates, at most 1; `None` if the check was
+    /// interrupted, or the error is not a number.
+    pub error: Option<f64>,
+    /// The order with which the run converges, if the check shows one.
     pub order: Option<f64>,
+    /// Why there is no order.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub no_order: Option<WithoutOrder>,
+}
+
+/// The reason why a check shows no order; its text in the summary.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum WithoutOrder {
+    /// The check was interrupted.
+    Interrupted,
+    /// The differences between the runs show none.
+    Shown(NoOrder),
+}
+
+impl fmt::Display for WithoutOrder {
+    fn fmt(&self, to: &mut fmt::Formatter<'_>) -> fmt::Result {
+        match self {
+            Self::Interrupted => to.write_str("the check was interrupted"),
+            Self::Shown(reason) => reason.fmt(to),
+        }
+    }
+}
+
+impl Serialize for WithoutOrder {
+    fn serialize<S: Serializer>(&self, serializer: S) -> Result<S::Ok, S::Error> {
+        serializer.collect_str(self)
+    }
 }
 
 impl RunCheck {
     /// Reads the result of a check.
     ///
     /// # Errors
-    /// If a step failed, or the check was stopped.
+    /// If a step failed.
     pub(super) fn of(
         checked: Result<Option<StepCheck>, RunError>,
         (formulation, scheme): (Formulation, SchemeName),
     ) -> Result<Self, Error> {
         match checked {
-            Ok(Some(StepCheck { error, order })) => Ok(Self { error, order }),
-            Ok(None) => Err(Error::Interrupted { resume: None }),
+            Ok(Some(StepCheck { error, order })) => {
+                let no_order = order.err().map(WithoutOrder::Shown);
+                Ok(Self { error, order: order.ok(), no_order })
+            }
+            Ok(None) => {
+                Ok(Self { error: None, order: None, no_order: Some(WithoutOrder::Interrupted) })
+            }
             Err(RunError::Integration(source)) => Err(Error::Integration {
                 formulation: formulation.name(),
                 scheme: scheme.name(),
                 source,
             }),
             Err(other) => Err(other.into()),
+        }
+    }
+
+    /// Returns whether the check was interrupted.
+    #[must_use]
+    pub fn was_interrupted(&self) -> bool {
+        self.no_order == Some(WithoutOrder::Interrupted)
+    }
+}
+
+impl fmt::Display for RunCheck {
+    fn fmt(&self, to: &mut fmt::Formatter<'_>) -> fmt::Result {
+        match (self.error, self.no_order) {
+            (_, Some(WithoutOrder::Interrupted)) => {
+                return to.write_str("the check was interrupted");
+            }
+            (Some(error), _) => write!(to, "checked: {error:.1e} at the end")?,
+            (None, _) => write!(to, "checked: the error at the end is not a number")?,
+        }
+        match (self.order, self.no_order) {
+            (Some(order), _) => write!(to, ", order {order:.1}"),
+            (None, Some(reason)) => write!(to, ", no order: {reason}"),
+            (None, None) => Ok(()),
         }
     }
 }
@@ -73,13 +129,5 @@ pub(crate) fn write_accuracy(
         Some(error) => write!(to, "; estimated error {error:.1e} of the state")?,
         None => write!(to, "; no estimate of the error")?,
     }
-    match check {
-        Some(RunCheck { error, order: Some(order) }) => {
-            write!(to, "; checked: {error:.1e} at the end, order {order:.1}")
-        }
-        Some(RunCheck { error, order: None }) => {
-            write!(to, "; checked: {error:.1e} at the end, which is round-off")
-        }
-        None => Ok(()),
-    }
+    check.map_or(Ok(()), |check| write!(to, "; {check}"))
 }

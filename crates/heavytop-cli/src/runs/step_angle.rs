@@ -33,7 +33,7 @@ pub(crate) fn require_sane_step_of_system(
     step: f64,
 ) -> Result<(), Error> {
     // A run without steps has the angle at its start.
-    let angle = method.accuracy(system, start, (step, 0))?.angle;
+    let angle = method.accuracy(system, start, (step, 0), &|| true)?.angle;
     if angle.is_nan() { Ok(()) } else { require_turn(step, angle) }
 }
 

@@ -45,6 +45,22 @@ impl Progress {
             let style = style.with_key("rate", rate).with_key("done", done);
             bar.set_style(style.progress_chars("━╸─"));
         }
+        Self::shown(bar, quiet)
+    }
+
+    /// Shows that the error of a run is being estimated, and for how long already; `quiet` hides it for good.
+    #[must_use]
+    pub fn estimating(quiet: bool) -> Self {
+        let bar = ProgressBar::with_draw_target(None, ProgressDrawTarget::hidden());
+        if let Ok(style) = ProgressStyle::with_template("{spinner} {msg}  {elapsed}") {
+            bar.set_style(style);
+        }
+        bar.set_message("estimating the error");
+        Self::shown(bar, quiet)
+    }
+
+    /// Shows a bar after half a second.
+    fn shown(bar: ProgressBar, quiet: bool) -> Self {
         if !quiet && std::io::stderr().is_terminal() {
             let shown = bar.clone();
             // Without a thread there is no bar, and the command goes on.

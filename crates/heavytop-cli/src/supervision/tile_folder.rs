@@ -22,8 +22,8 @@ const DIGITS: usize = 7;
 const TITLE: &str = "heavytop-tiles ";
 
 /// How the files of the folder are recognised.
-const IDENTITY_KIND: Kind = Kind::of_first_bytes("identity of a run", TITLE.as_bytes());
-const TILE_KIND: Kind = Kind::of_first_bytes("part of a run", b"heavytop-tile");
+const IDENTITY_KIND: Kind<'_> = Kind::of_first_bytes("identity of a run", TITLE.as_bytes());
+const TILE_KIND: Kind<'_> = Kind::of_first_bytes("part of a run", b"heavytop-tile");
 
 /// The file that is locked while a run uses the folder.
 const LOCK: &str = "lock";

@@ -27,7 +27,9 @@ mod invariant_size;
 mod ensemble_growth;
 mod accuracy;
 
-pub use accuracy::{RunAccuracy, StepCheck, SystemScales, check_by_half_steps, run_accuracy};
+pub use accuracy::{
+    NoOrder, RunAccuracy, StepCheck, SystemScales, check_by_half_steps, run_accuracy,
+};
 pub use drift::{Drift, DriftError};
 pub use ensemble_growth::EnsembleGrowth;
 pub use fibre_defects::{FibreDefects, fibre_defects};

@@ -26,7 +26,8 @@ MOST_TURN = 100.0
 class Check(NamedTuple):
     """The error at the end of a run, relative to the state, the order with which it converges, and the time of the error.
 
-    The order is None if the differences between the runs are round-off.
+    The order is None if there is none to see: the run has a single step, the differences between the runs are round-off,
+    or the run with twice the step fails.
     """
 
     error: float

@@ -4,12 +4,12 @@ use crate::errors::{failed, refused};
 use collective_integrators::RunError;
 use collective_integrators::diagnostics::{RunAccuracy, StepCheck};
 use pyo3::PyResult;
-use pyo3::exceptions::PyKeyboardInterrupt;
+use pyo3::exceptions::{PyArithmeticError, PyKeyboardInterrupt};
 
 /// The angle of a step, rad, the estimated error, and the warning.
 pub(crate) type Accuracy = (f64, Option<f64>, Option<String>);
 
-/// The error at the end of a run, and the order with which it converges.
+/// The error at the end of a run, and the order with which it converges, if there is one.
 pub(crate) type Check = (f64, Option<f64>);
 
 /// Returns the accuracy of a run.
@@ -20,7 +20,10 @@ pub(crate) fn accuracy(measured: RunAccuracy) -> Accuracy {
 /// Returns the result of a check, or the error of the step that failed.
 pub(crate) fn check(checked: Result<Option<StepCheck>, RunError>) -> PyResult<Check> {
     match checked {
-        Ok(Some(StepCheck { error, order })) => Ok((error, order)),
+        Ok(Some(StepCheck { error: Some(error), order })) => Ok((error, order.ok())),
+        Ok(Some(StepCheck { error: None, .. })) => Err(PyArithmeticError::new_err(
+            "the error is not a number: the derivative of the Hamiltonian has no value during the run",
+        )),
         Ok(None) => Err(PyKeyboardInterrupt::new_err(())),
         Err(RunError::Integration(error)) => Err(failed(error)),
         Err(error) => Err(refused(error)),

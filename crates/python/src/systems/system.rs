@@ -168,7 +168,9 @@ impl System {
     fn accuracy(&self, py: Python<'_>, setting: Setting, steps: u64) -> PyResult<Accuracy> {
         let (start, step, method) = setting;
         let method = self.method(method)?;
-        let measured = py.detach(|| method.accuracy(&self.system, &start, (step, steps)));
+        let measured = until_interrupted(py, |stop| {
+            method.accuracy(&self.system, &start, (step, steps), &|| !stop.load(Ordering::Relaxed))
+        })?;
         measured.map(accuracy).map_err(refused)
     }
 

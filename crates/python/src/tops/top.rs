@@ -265,7 +265,9 @@ impl Top {
     fn accuracy(&self, py: Python<'_>, setting: Setting, steps: u64) -> PyResult<Accuracy> {
         let (start, step, method) = setting;
         let (method, start) = (made(method)?, self.principal(start)?);
-        let measured = py.detach(|| method.accuracy(&self.top, &start, (step, steps)));
+        let measured = until_interrupted(py, |stop| {
+            method.accuracy(&self.top, &start, (step, steps), &|| !stop.load(Ordering::Relaxed))
+        })?;
         measured.map(accuracy).map_err(refused)
     }
 

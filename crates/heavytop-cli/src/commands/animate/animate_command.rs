@@ -20,7 +20,7 @@ pub const MOST_FRAMES: u64 = 20_000;
 const MOST_TURN: f64 = 1.0;
 
 /// How a page is recognised.
-const KIND: Kind = Kind {
+const KIND: Kind<'_> = Kind {
     name: "page of animate",
     first: b"<!DOCTYPE html>",
     is_whole: |head, _| Ok(contains(head, "<title>A heavy top in motion</title>")),
@@ -53,7 +53,10 @@ pub fn animate(mut config: Config, out: &Path, watch: &Watch<'_>) -> Result<Page
     require_html(out)?;
     watch.safeguard.require(out, &KIND)?;
     let mut output = Output::create(out)?;
-    let accuracy = experiment.accuracy()?;
+    let accuracy = {
+        let _shown = Progress::estimating(watch.quiet);
+        experiment.accuracy(&|| watch.require_going().is_ok())?
+    };
     let warnings =
         [method_warning(&experiment.method), accuracy_warning(&accuracy), config.body_warning()];
     warnings.into_iter().flatten().for_each(warn);

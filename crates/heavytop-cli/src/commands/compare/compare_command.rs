@@ -16,7 +16,7 @@ use std::io::Write;
 use std::path::Path;
 
 /// How the table is recognised.
-const TABLE: Kind =
+const TABLE: Kind<'_> =
     Kind::of_first_bytes("table of compare", b"formulation,scheme,step,end,error,seconds,");
 
 /// The number of configured steps in the interval, unless the run ends earlier. Later errors of a chaotic top tell

@@ -24,9 +24,9 @@ const METHODS: [(Formulation, SchemeName); 4] = [
 ];
 
 /// How the tables are recognised.
-const TRAJECTORIES: Kind =
+const TRAJECTORIES: Kind<'_> =
     Kind::of_first_bytes("table of reproduce", b"formulation,scheme,t,Pi1,Pi2,Pi3,Gamma1,");
-const SUMMARY: Kind =
+const SUMMARY: Kind<'_> =
     Kind::of_first_bytes("table of reproduce", b"formulation,scheme,step,end,h,f1,f2,K\n");
 
 /// The number of pixels per CSS pixel: 576 dots per inch at the figures' own size.

@@ -15,7 +15,7 @@ use crate::formats::Metadata;
 use crate::formats::recognition::{PAR1, is_parquet};
 use crate::pictures::render;
 use crate::runs::run_check::accuracy_warning;
-use crate::supervision::tiled_run::{resumable, threads};
+use crate::supervision::tiled_run::{interrupted, resumable, threads};
 use crate::supervision::warnings::warn;
 use crate::supervision::{Held, Progress, TileOptions};
 use std::io::Write;
@@ -23,8 +23,8 @@ use std::path::{Path, PathBuf};
 use std::sync::atomic::{AtomicU64, Ordering};
 
 /// How the table is recognised, in each of its formats.
-const CSV: Kind = Kind::of_first_bytes("table of section", b"start,crossing,t,");
-const PARQUET: Kind =
+const CSV: Kind<'_> = Kind::of_first_bytes("table of section", b"start,crossing,t,");
+const PARQUET: Kind<'_> =
     Kind { name: "table of section", first: PAR1, is_whole: |_, file| is_parquet("section", file) };
 
 /// The number of pixels per CSS pixel: 288 dots per inch.
@@ -101,9 +101,7 @@ fn write(
     options.safeguard.require_all(out, &files)?;
     let threads = threads(options.threads)?;
     let held = orbits.tiles.prepare(options)?;
-    if let Some(warning) = settings.problem.as_problem().warning() {
-        warn(warning);
-    }
+    settings.problem.as_problem().warnings().into_iter().for_each(warn);
 
     let progress = Progress::of(settings.limits.starts as u64, "starts", options.quiet);
     let done = AtomicU64::new(0);
@@ -118,7 +116,13 @@ fn write(
     if let Err(stuck) = finished {
         return Err(give_up(settings, &orbits, held, stuck, &csv));
     }
-    let accuracy = threads.install(|| orbit_accuracy(settings, &orbits)).map_err(resumable)?;
+    let estimating = Progress::estimating(options.quiet);
+    let estimate = || orbit_accuracy(settings, &orbits, &|| !options.stopped());
+    let accuracy = threads.install(estimate).map_err(resumable)?;
+    drop(estimating);
+    if options.stopped() {
+        return Err(interrupted());
+    }
     let worst = accuracy.map(|accuracy| accuracy.worst);
     worst.as_ref().and_then(accuracy_warning).into_iter().for_each(warn);
     let metadata = metadata.with_error_estimate(worst.and_then(|worst| worst.error));
@@ -179,10 +183,12 @@ fn give_up(
     csv: &Path,
 ) -> Error {
     let kept = match &stuck.failure {
-        Error::Interrupted { .. } | Error::Write { .. } | Error::Tile { .. } => {
-            return resumable(stuck.failure);
-        }
-        Error::Crossing { .. } => keep(settings, orbits, &stuck, csv).map(Some),
+        Error::Interrupted { .. }
+        | Error::Write { .. }
+        | Error::Tile { .. }
+        | Error::MissingTile { .. } => return resumable(stuck.failure),
+        // A request that is refused has computed nothing.
+        failure if failure.exit_code() == 1 => keep(settings, orbits, &stuck, csv).map(Some),
         _ => Ok(None),
     };
     match kept {

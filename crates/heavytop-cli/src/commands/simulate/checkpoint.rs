@@ -17,7 +17,7 @@ use std::path::{Path, PathBuf};
 const TITLE: &str = "heavytop-checkpoint ";
 
 /// How a checkpoint is recognised.
-pub(super) const KIND: Kind = Kind::of_first_bytes("checkpoint of simulate", TITLE.as_bytes());
+pub(super) const KIND: Kind<'_> = Kind::of_first_bytes("checkpoint of simulate", TITLE.as_bytes());
 
 /// The state of a run after a step, from which the run can continue.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
@@ -74,10 +74,13 @@ impl Checkpoint {
     /// Reads a checkpoint from its file.
     ///
     /// # Errors
-    /// If the file cannot be read, is damaged, or was written by another version of the program.
+    /// If the file cannot be read, is damaged or a configuration, or was written by another version of the program.
     pub fn read(path: &Path) -> Result<Self, Error> {
         read(path)
-            .and_then(|text| Self::parse(&text))
+            .and_then(|text| match is_configuration(&text) {
+                true => Err(CheckpointError::NoCheckpoint { path: path.into() }),
+                false => Self::parse(&text),
+            })
             .map(|checkpoint| Self { path: path.into(), ..checkpoint })
             .map_err(|source| Error::Checkpoint { path: path.into(), source })
     }
@@ -158,4 +161,9 @@ impl Checkpoint {
         };
         Err(CheckpointError::Impossible(impossible))
     }
+}
+
+/// Returns whether a text is a configuration; an empty one is none.
+fn is_configuration(text: &str) -> bool {
+    !text.trim().is_empty() && toml::from_str::<Config>(text).is_ok()
 }

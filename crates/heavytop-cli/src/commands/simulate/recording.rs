@@ -36,8 +36,6 @@ pub(super) struct RecordedRun<'a> {
     pub table: &'a RunTable,
     /// The Casimirs of a system, as formulas.
     pub casimirs: Vec<String>,
-    /// The estimated error of the run.
-    pub error_estimate: Option<f64>,
 }
 
 impl Recording {
@@ -53,11 +51,9 @@ impl Recording {
         options: &SimulateOptions<'_>,
     ) -> Result<Self, Error> {
         let (format, place) = (Format::of(out)?, Place::of(out)?);
-        require_replaceable(out, &place, format, options)?;
-        let RecordedRun { pace, dimension, table, casimirs, error_estimate } = run;
-        let metadata = Metadata::new(config)?
-            .with_casimirs(casimirs.clone())
-            .with_error_estimate(*error_estimate);
+        let RecordedRun { pace, dimension, table, casimirs } = run;
+        require_replaceable(out, &place, (format, table), options)?;
+        let metadata = Metadata::new(config)?.with_casimirs(casimirs.clone());
         let path = match format {
             _ if place.is_device => place.path.clone(),
             Format::Csv => place.beside("partial"),
@@ -80,6 +76,11 @@ impl Recording {
         };
         let (table, config) = ((*table).clone(), config.clone());
         Ok(Self { place, format, table, config, metadata, rows })
+    }
+
+    /// Adds the estimated error of the run to its metadata, which are written at the end.
+    pub fn add_estimate(&mut self, error: Option<f64>) {
+        self.metadata.error_estimate = error;
     }
 
     /// Makes a checkpoint and returns its path; a device has none.
@@ -108,7 +109,7 @@ impl Recording {
         let concluded = match outcome {
             Ok(()) => self.complete(),
             // A run that failed would fail there again.
-            Err(failure @ Error::Integration { .. }) => {
+            Err(failure @ (Error::Integration { .. } | Error::NoValue { .. })) => {
                 remove_checkpoint(&self.place);
                 return Err(self.keep(failure));
             }
@@ -190,15 +191,20 @@ impl Recording {
 fn require_replaceable(
     out: &Path,
     place: &Place,
-    format: Format,
+    (format, table): (Format, &RunTable),
     options: &SimulateOptions<'_>,
 ) -> Result<(), Error> {
+    let beginning = table.beginning();
+    let kind = format.kind(&beginning);
     let read = options.resume.map(|checkpoint| Input::File(checkpoint.path.clone()));
     let with_checkpoint = read.map(|read| options.safeguard.and(read));
     let safeguard = with_checkpoint.as_ref().unwrap_or(options.safeguard);
     match options.resume {
-        Some(_) if !place.is_device => safeguard.require_resumed(out, format.kind())?,
-        _ => safeguard.require(out, format.kind())?,
+        // The other formats are made at the end, in a new file.
+        Some(_) if !place.is_device && format == Format::Csv => {
+            safeguard.require_resumed(out, &kind)?;
+        }
+        _ => safeguard.require(out, &kind)?,
     }
     if place.is_device {
         return Ok(());

@@ -48,10 +48,10 @@ pub fn simulate(
     let (table, pace) = (RunTable::new(&experiment), experiment.pace());
     let config = config.with_integrator();
     let dimension = experiment.dimension()?;
-    let accuracy = experiment.accuracy()?;
-    let (casimirs, error_estimate) = (Vec::new(), accuracy.error);
-    let recorded = RecordedRun { pace, dimension, table: &table, casimirs, error_estimate };
+    let recorded = RecordedRun { pace, dimension, table: &table, casimirs: Vec::new() };
     let mut recording = Recording::begin(out, &config, &recorded, options)?;
+    let accuracy = options.estimated(|going| experiment.accuracy(going))?;
+    recording.add_estimate(accuracy.error);
     let warnings = [method_warning(&experiment.method), accuracy_warning(&accuracy)];
     warnings.into_iter().flatten().for_each(warn);
     let initial = table.values_at(&experiment.start).collect();
@@ -75,5 +75,5 @@ pub fn simulate(
     let summary = RunSummary::new(out.into(), &experiment, &last, &deviations, &table);
     recording.conclude(outcome)?;
     let check = options.check.then(|| experiment.check(&|| options.going())).transpose()?;
-    Ok(RunSummary { error_estimate, check, ..summary })
+    Ok(RunSummary { error_estimate: accuracy.error, check, ..summary })
 }

@@ -2,6 +2,7 @@
 
 use super::checkpoint::Checkpoint;
 use crate::files::Safeguard;
+use crate::supervision::Progress;
 use std::sync::atomic::{AtomicBool, Ordering};
 use std::time::Duration;
 
@@ -28,6 +29,12 @@ impl SimulateOptions<'_> {
     /// Returns whether there is no request to stop.
     pub(super) fn going(&self) -> bool {
         !self.stop.is_some_and(|stop| stop.load(Ordering::Relaxed))
+    }
+
+    /// Makes an estimate of the error, which ends early at a request to stop, and shows meanwhile that it is at work.
+    pub(super) fn estimated<T>(&self, estimate: impl FnOnce(&dyn Fn() -> bool) -> T) -> T {
+        let _shown = Progress::estimating(self.quiet);
+        estimate(&|| self.going())
     }
 }
 

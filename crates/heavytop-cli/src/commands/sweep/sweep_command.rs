@@ -2,7 +2,7 @@
 
 use super::heat_maps;
 use super::judgements::impossible_members::impossible_members;
-use super::judgements::worst_accuracy::worst_accuracy;
+use super::judgements::worst_accuracy::{worst_accuracy, worst_warning};
 use super::member_table::MemberTable;
 use super::member_tiles::Members;
 use super::processes::Processes;
@@ -16,14 +16,13 @@ use crate::files::{Kind, OutputSet};
 use crate::formats::Metadata;
 use crate::formats::recognition::{PAR1, is_parquet};
 use crate::pictures::render;
-use crate::runs::run_check::accuracy_warning;
 use crate::supervision::tiled_run::{resumable, threads};
 use crate::supervision::warnings::warn;
 use crate::supervision::{Forecast, Progress, TileOptions};
 use std::path::{Path, PathBuf};
 
 /// How the table is recognised.
-const TABLE: Kind =
+const TABLE: Kind<'_> =
     Kind { name: "table of sweep", first: PAR1, is_whole: |_, file| is_parquet("sweep", file) };
 
 /// The number of pixels per CSS pixel: 288 dots per inch.
@@ -114,14 +113,16 @@ fn run(
     }
     // The first process holds the folder for all of them.
     let held = (rank == 0).then(|| members.tiles.prepare(options)).transpose()?;
-    let accuracy = (rank == 0).then(|| threads.install(|| worst_accuracy(&plan))).flatten();
+    let estimate = || {
+        let _shown = Progress::estimating(options.quiet);
+        threads.install(|| worst_accuracy(&plan, &|| !options.stopped()))
+    };
+    let accuracy = (rank == 0).then(estimate).flatten();
     if rank == 0 {
-        let warnings = [
-            plan.family.as_family().warning(),
-            threads.install(|| impossible_members(&plan)),
-            accuracy.as_ref().and_then(accuracy_warning),
-        ];
-        warnings.into_iter().flatten().for_each(warn);
+        let family = plan.family.as_family().warnings().into_iter();
+        let of_body = threads.install(|| impossible_members(&plan));
+        let of_accuracy = accuracy.as_ref().and_then(|accuracy| worst_warning(&plan, accuracy));
+        family.chain(of_body).chain(of_accuracy).for_each(warn);
     }
     let error_estimate = accuracy.and_then(|accuracy| accuracy.error);
     let metadata = metadata.with_error_estimate(error_estimate);

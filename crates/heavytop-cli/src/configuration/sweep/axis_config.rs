@@ -103,9 +103,9 @@ impl AxisConfig {
         };
         match (angle, quantity) {
             (Some(_), Quantity::Number(value)) if !value.is_finite() => Ok(*value),
-            (Some(range), quantity) => range
-                .radians(quantity)
-                .map_err(|what| format!("an angle {}: it {what}", range.range)),
+            (Some(range), quantity) => {
+                range.radians(quantity).map_err(|what| format!("an angle: it {what}"))
+            }
             (None, Quantity::Number(value)) => Ok(*value),
             (None, Quantity::Text(written)) => Err(format!("numbers, got `{}`", text(written))),
         }

@@ -9,18 +9,18 @@ const HEAD: u64 = 1 << 16;
 
 /// A kind of file that the program writes.
 #[derive(Clone, Copy, Debug)]
-pub(crate) struct Kind {
+pub(crate) struct Kind<'a> {
     /// The name in messages, such as "table of simulate".
     pub name: &'static str,
     /// The first bytes of every file of the kind. An unfinished file may have fewer.
-    pub first: &'static [u8],
+    pub first: &'a [u8],
     /// Tells whether a complete file with these first bytes is of the kind. `head` is its beginning.
     pub is_whole: fn(head: &[u8], file: &mut File) -> io::Result<bool>,
 }
 
-impl Kind {
+impl<'a> Kind<'a> {
     /// Creates the kind of all files that begin with these bytes.
-    pub const fn of_first_bytes(name: &'static str, first: &'static [u8]) -> Self {
+    pub const fn of_first_bytes(name: &'static str, first: &'a [u8]) -> Self {
         Self { name, first, is_whole: |_, _| Ok(true) }
     }
 

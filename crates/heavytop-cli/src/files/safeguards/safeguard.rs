@@ -50,7 +50,7 @@ impl Safeguard {
     ///
     /// # Errors
     /// If one of the two is an input, or exists and is not of this kind. If `path` is a folder.
-    pub(crate) fn require(&self, path: &Path, kind: &Kind) -> Result<(), Error> {
+    pub(crate) fn require(&self, path: &Path, kind: &Kind<'_>) -> Result<(), Error> {
         let place = Place::of(path)?;
         if place.is_standard_output() {
             return match Handle::stdout() {
@@ -69,11 +69,11 @@ impl Safeguard {
         }
     }
 
-    /// Checks that an output may be written whose unfinished file is continued: that is recognised by its checksum.
+    /// Checks that an output may be written whose unfinished file is continued, and is recognised by its checksum.
     ///
     /// # Errors
     /// Those of [`Self::require`].
-    pub(crate) fn require_resumed(&self, path: &Path, kind: &Kind) -> Result<(), Error> {
+    pub(crate) fn require_resumed(&self, path: &Path, kind: &Kind<'_>) -> Result<(), Error> {
         let place = Place::of(path)?;
         self.require_at(path, &place.path, |found| kind.is_of(found), kind.name)?;
         self.require_other(&place.beside("partial"))
@@ -83,7 +83,11 @@ impl Safeguard {
     ///
     /// # Errors
     /// Those of [`Self::require`].
-    pub(crate) fn require_all(&self, folder: &Path, files: &[(&str, &Kind)]) -> Result<(), Error> {
+    pub(crate) fn require_all(
+        &self,
+        folder: &Path,
+        files: &[(&str, &Kind<'_>)],
+    ) -> Result<(), Error> {
         files.iter().try_for_each(|(name, kind)| self.require(&folder.join(name), kind))
     }
 
@@ -92,7 +96,7 @@ impl Safeguard {
     ///
     /// # Errors
     /// If it is an input, or exists and is not of this kind.
-    pub(crate) fn require_unfinished(&self, path: &Path, kind: &Kind) -> Result<(), Error> {
+    pub(crate) fn require_unfinished(&self, path: &Path, kind: &Kind<'_>) -> Result<(), Error> {
         let name = format!("unfinished {}", kind.name);
         let is_own = |found: &Path| Ok(lock::is_held(found) || kind.may_become(found)?);
         self.require_at(path, path, is_own, &name)

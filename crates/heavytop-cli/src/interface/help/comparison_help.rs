@@ -6,13 +6,15 @@ Measure work against precision, for every formulation and scheme.
 The top of the configuration is followed by each of them with twelve steps, from fifty times the
 configured one to a tenth of it. The interval is 500 configured steps, or the whole run if that is
 shorter; --end sets another end. Over longer times the errors of a chaotic top say more about the
-top than about the integrators. formulation, scheme and output of the configuration play no part; tolerance does.
+top than about the integrators. formulation, scheme and output of the configuration play no part;
+tolerance does.
 
-The error is that of (Π, Γ) at the end, against a Gauss method of order 16 without a lift at half the
-configured step; if that with the whole step differs by more than 1e-11, the command fails. Π and Γ
-have different units: the error is the 2-norm of |δΠ| / max |Π| and |δΓ| / max |Γ|, which does not
-depend on them. The figure shows the larger of the two, and the table has all three and the parts. The time is the wall-clock time for one simulated second, (Π, Γ) read after
-each step, the best of at least three repetitions; it is of your machine, so let it rest meanwhile.
+The error is that of (Π, Γ) at the end, against a Gauss method of order 16 without a lift at half
+the configured step; if that with the whole step differs by more than 1e-11, the command fails. Π
+and Γ have different units: the error is the 2-norm of |δΠ| / max |Π| and |δΓ| / max |Γ|, which does
+not depend on them. The figure shows the larger of the two, and the table has all three and the
+parts. The time is the wall-clock time for one simulated second, (Π, Γ) read after each step, the
+best of at least three repetitions; it is of your machine, so let it rest meanwhile.
 
 Written into the folder:
   work-precision.svg .png  error against time, a panel for each formulation
@@ -33,16 +35,16 @@ Examples:
 pub(crate) const BENCH: &str = "\
 Time the integrators on one top and on many.
 
-The configured top is followed to t = 1000 s, and an ensemble of starts about its own to t = 20 s, by
-each fast path and by the general one, which serves any system. For each: the least computing time of
-several runs (ms), that per top and step (ns), and the error of (Π, Γ) at t = 10 s and at the end: the
-larger of that of Π relative to |Π| and that of Γ relative to |Γ|, in an ensemble the mean over at
-most 10000 tops. --json also tells the 2-norm of the error in SI units (error_10, error_end), as in
-the tables of other programs. References are by the collective Gauss method of order 16 with step
-1/8 s.
+The configured top is followed to t = 1000 s, and an ensemble of starts about its own to t = 20 s,
+by each fast path and by the general one, which serves any system. For each: the least computing
+time of several runs (ms), that per top and step (ns), and the error of (Π, Γ) at t = 10 s and at
+the end: the larger of that of Π relative to |Π| and that of Γ relative to |Γ|, in an ensemble the
+mean over at most 10000 tops. --json also tells the 2-norm of the error in SI units (error_10,
+error_end), as in the tables of other programs. References are by the collective Gauss method of
+order 16 with step 1/8 s.
 
-A problem file is text: I1 I2 I3 mgl c1 c2 c3 end on the first line (kg m², N m, s), and on each other
-line a top: (Π, Γ) at t = 0, t = 10 and end.";
+A problem file is text: I1 I2 I3 mgl c1 c2 c3 end on the first line (kg m², N m, s), and on each
+other line a top: (Π, Γ) at t = 0, t = 10 and end.";
 
 pub(crate) const BENCH_EXAMPLES: &str = "\
 Examples:

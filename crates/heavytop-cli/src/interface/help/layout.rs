@@ -125,6 +125,36 @@ mod tests {
         assert!(fitted(text, 40).contains(beside), "{}", fitted(text, 40));
     }
 
+    /// The texts are written for a terminal of 100 columns, where they stay as they are.
+    #[test]
+    fn the_texts_fit_100_columns() {
+        use crate::interface::help;
+        for text in [
+            help::REPRODUCE,
+            help::REPRODUCE_EXAMPLES,
+            help::SIMULATE,
+            help::SIMULATE_EXAMPLES,
+            help::COMPARE,
+            help::COMPARE_EXAMPLES,
+            help::SECTION,
+            help::SECTION_EXAMPLES,
+            help::SWEEP,
+            help::SWEEP_EXAMPLES,
+            help::ANIMATE,
+            help::ANIMATE_EXAMPLES,
+            help::BENCH,
+            help::BENCH_EXAMPLES,
+            help::INIT_EXAMPLES,
+            help::MAN_EXAMPLES,
+            help::COMPLETIONS_EXAMPLES,
+            help::EXIT_CODES,
+        ] {
+            let long = text.lines().find(|line| line.chars().count() > 100);
+            assert_eq!(long, None);
+            assert_eq!(fitted(text, 100), text);
+        }
+    }
+
     #[test]
     fn no_line_is_longer_than_the_columns() {
         use crate::interface::help;

@@ -34,8 +34,8 @@ After an interruption, by Ctrl-C (which needs a moment; a second one ends at onc
 disk, --resume continues from there, to the same bytes, and --restart starts anew; one of them is
 needed. Where there is nothing to go on from, both begin. --resume is refused with another
 configuration or version. No more points are held than those of the picture. --dry-run writes
-nothing, tries some starts for a fifth of a second, and prints what would be written, and the time; it
-takes every start to have all its returns.";
+nothing, tries some starts for a fifth of a second, and prints what would be written, and the time;
+it takes every start to have all its returns.";
 
 pub(crate) const SECTION_EXAMPLES: &str = "\
 Configuration: [body] and [initial] as of simulate, and
@@ -62,7 +62,7 @@ Another Lie–Poisson system instead of a top: [system] as of simulate, and
   [section]
   energy = 1.0                       # h; without it that of the initial state
   surface = \"P1 - P2\"              # any formula in the coordinates
-  axes = [\"Pi1\", \"Pi2\"]            # what is drawn: two formulas; without them, the first coordinates
+  axes = [\"Pi1\", \"Pi2\"]            # what is drawn: two formulas; without them the first coordinates
   states = [{ Pi = [1, 0, 2], ... }] # motions to follow, each on its own level; without them random
                                      # starts with the h and the Casimirs of the initial state
 A surface that is an atan2, or an atan2 and a function without one, is an angle: it is passed where
@@ -92,10 +92,12 @@ Each axis varies one number of [body] or [initial], over a grid or at random; th
   relative-drift      these relative to the size of each invariant, without a unit: relative_drift_h,
                       relative_drift_f1, relative_drift_f2
   lyapunov            the maximal Lyapunov exponent so far, 1/s
-  megno               mean exponential growth factor of nearby orbits: about 2 in order, λt/2 in chaos
+  megno               mean exponential growth factor of nearby orbits: about 2 in order, λt/2 in
+                      chaos
   sali                smaller alignment index of two tangent vectors: round-off in chaos
-  rotation-number     mean advance of Γ about the centre of mass's line, seen from the body, from one
-                      maximum of its height to the next, in turns; null with fewer than two maxima
+  rotation-number     mean advance of Γ about the line of the centre of mass, seen from the body,
+                      from one maximum of its height to the next, in turns; null with fewer than two
+                      maxima
   nutation-amplitude  range of the angle between that line and the vertical, rad
 
 Where axes vary the body, and its mass and length are given, a warning counts the members that no
@@ -105,9 +107,9 @@ Tangent vectors are those of the states that the integrator advances: under coll
 T*C², fibres included; use reduced.
 
 Written into the folder:
-  sweep.parquet   a row for each top: index, the parameters by their paths, with the values that were
+  sweep.parquet   a row for each top: index, the parameters by their paths, with the values that are
                   run (components of a unit vector after scaling), the observables, failure;
-                  a top that could not be followed has nulls and the reason there, and harms no other;
+                  a top that could not be followed has nulls and the reason there, no other has;
                   if all fail, the table is kept as sweep.parquet.partial, and the exit code is 1
   NAME.svg .png   for a grid with two axes and at most 4096 × 4096 tops, a map of each column: the
                   first axis is the abscissa; the colours span all values but half a percent at
@@ -115,9 +117,9 @@ Written into the folder:
 
 Tops are followed in parallel (--threads, by default all processors); top number n depends on the
 configuration and n alone, so that no bit depends on the number of threads, processes or tops. What
-is finished is kept, 256 tops at a time, in DIR/sweep.partial until all is; after an interruption, by
-Ctrl-C (a second one ends at once), a kill or a full disk, --resume continues from there, to the same
-bytes, and --restart starts anew; one of them is needed. --resume is refused with another
+is finished is kept, 256 tops at a time, in DIR/sweep.partial until all is; after an interruption,
+by Ctrl-C (a second one ends at once), a kill or a full disk, --resume continues from there, to the
+same bytes, and --restart starts anew; one of them is needed. --resume is refused with another
 configuration or version. But for the maps memory does not grow with the number of tops. --dry-run
 writes nothing, tries some tops for a fifth of a second, and prints what would be written, and the
 time.

@@ -10,8 +10,9 @@ Exit codes:
   130  interrupted by Ctrl-C, or asked to end by SIGTERM; simulate, section and sweep go on with
      --resume, of the others nothing is left
 
-No output is a file that the command reads, by any link. An existing file is replaced if it is empty,
-or if the program has written it before, as one of the same kind; any other only with --force.
+No output is a file that the command reads, by any link. An existing file is replaced if it is
+empty, or if the program has written it before, as one of the same kind (a table of a system in CSV,
+with the same columns); any other only with --force.
 
 Files appear under their name only when they are complete. Until then they are locked: a second run
 on the same output is refused. A run that was killed keeps nobody out. (Some network file systems

@@ -44,22 +44,25 @@ FILE.rows for the others, 8 bytes for each number, until the file is made of the
 A run that is interrupted, by Ctrl-C (which needs a moment) or by a power cut, leaves
 FILE.checkpoint; with --resume it goes on, and the file equals that of an uninterrupted run byte for
 byte. A configuration need not be given again; if it is, it must be the same, as must the version of
-the program. Where there is no checkpoint a run with --resume begins, if it has a configuration. Where there is a checkpoint a run without --resume is
-refused, unless --restart discards it. A checkpoint is possible after every 1024th step.
+the program. Where there is no checkpoint a run with --resume begins, if it has a configuration.
+Where there is a checkpoint a run without --resume is refused, unless --restart discards it. A
+checkpoint is possible after every 1024th step.
 
 Conserved quantities do not tell whether a motion is right. The closing line and the key
 error_estimate of the summary and of the metadata have an estimate of the error, relative to the
 state: the largest over the run, of Π relative to |Π| and of Γ relative to |Γ|; 1 means that nothing
-is right. For it the run is repeated with half the step: the whole run up to 5120 steps, else its
-first 5120 steps or its first twentieth, from which the error is scaled by its growth. That takes as
-long as 15 % of a long run, and does not change the output. There is a warning if a step turns the
-motion by more than 1 rad, or if the estimate is above 1e-3; a step that turns it by more than 100 rad
-from the start is refused. --check makes the whole run again with half the step and with twice the
-step, and says the error at its end and the order, for three and a half times the time.
+is right. For it the run is repeated with half the step, a long run in its beginning, from which the
+error is scaled by its growth. The output does not depend on it. It takes a part of the time of a
+long run, and three times that of one of some thousand steps; the guide,
+docs/guide/which-integrator.md, says more. There is a warning if a step turns the motion by more
+than 1 rad, or if the estimate is above 1e-3; a step that turns it by more than 100 rad from the
+start is refused. --check makes the whole run again with half the step and with twice the step, and
+says the error at its end and the order, for three and a half times the time.
 
 Before a run that needs more room than the disk has, or more than 100 GB, there is a question. Where
-nobody can be asked, since stdin or stderr is no terminal, it is refused; --yes answers the question.
---dry-run writes nothing, tries the run for a fifth of a second, and prints what it would write.";
+nobody can be asked, since stdin or stderr is no terminal, it is refused; --yes answers the
+question. --dry-run writes nothing, tries the run for a fifth of a second, and prints what it would
+write.";
 
 pub(crate) const SIMULATE_EXAMPLES: &str = "\
 Presets, for --preset; a configuration given as well is put over it, key by key:
@@ -86,8 +89,8 @@ Configuration: every key may be left out, and has then the value below.
   # angular_velocity, Ω(0) in rad/s, instead of angular_momentum: Π(0) = (I1 Ω1, I2 Ω2, I3 Ω3).
   # inclination i, from 0 to π or in degrees as in \"30 deg\", and azimuth a, between -2π and 2π or
   # as in \"90 deg\", 0 by default, instead of vertical:
-  # Γ(0) = (sin i cos a, sin i sin a, cos i). i is the angle from e3 to Γ(0): at 0 the axis e3 points
-  # up, at π down. a is counted from e1, positive towards e2: at i = π/2, a = 0 the axis e1 points up.
+  # Γ(0) = (sin i cos a, sin i sin a, cos i). i is the angle from e3 to Γ(0): at 0 the axis e3 is
+  # up, at π down. a is counted from e1, positive towards e2: at i = π/2, a = 0 the axis e1 is up.
 
   [integrator]
   formulation = \"collective\"         # or reduced, direct, splitting; see below
@@ -126,8 +129,8 @@ matrix, [[I11, I12, I13], [I12, I22, I23], [I13, I23, I33]]: the principal axes 
 and input and output are in the axes of the matrix. One moment may be 0: a thin rod, with the centre
 of mass on it and no spin about it.
 
-Where [body] or [initial] is opened, by the file or by --set, the values that are left out of the two
-are told at the end, in the summary (left_out) and in the metadata.
+Where [body] or [initial] is opened, by the file or by --set, the values that are left out of the
+two are told at the end, in the summary (left_out) and in the metadata.
 
 Another Lie–Poisson system instead of a top, with the minus bracket, by its algebra and a formula:
 
@@ -158,10 +161,11 @@ Its columns are t, the coordinates, h and the Casimirs c1, c2, ..., which are fo
 to degree 4, named in the summary and in the metadata. Formulas have + - * / ^, · and × between
 vectors, |v|, sqrt, cbrt, exp, ln, log10, sin, cos, tan, arcsin, arccos, arctan, sinh, cosh, tanh,
 atan2, hypot, if(x >= 1, y, z), pi, and Greek letters by name (Gamma1) or as they are (Γ₁); there is
-no product without *. A coordinate must not have the name of another column. so(3), su(2) and se(3) have the
-formulations collective, reduced and direct; other algebras of dimension 2 to 6 collective, on T*V
-by a Clebsch map, with a warning where its steps are not Poisson, and direct; the others direct,
-which is not Poisson. Without the key: collective on so(3), su(2) and se(3), direct elsewhere.
+no product without *. A coordinate must not have the name of another column. so(3), su(2) and se(3)
+have the formulations collective, reduced and direct; other algebras of dimension 2 to 6 collective,
+on T*V by a Clebsch map, with a warning where its steps are not Poisson, and direct; the others
+direct, which is not Poisson. Without the key: collective on so(3), su(2) and se(3), direct
+elsewhere.
 
 Examples:
   heavytop simulate --out kovalevskaya.csv        # the paper's top
@@ -183,15 +187,15 @@ Show a top in motion, on a page for a browser.
 The page is one file, which needs neither others nor a network. It shows in space the body, as the
 homogeneous ellipsoid about the support that has its principal moments, its principal axes, the
 centre of mass with the trace of its direction on the sphere, the angular momentum and the vertical;
-and below h, f1, f2 and, where the top has them, f3, K, G and C against time. Play, pause, go anywhere
-in time, choose the speed, drag to turn the view; the page says which keys do it.
+and below h, f1, f2 and, where the top has them, f3, K, G and C against time. Play, pause, go
+anywhere in time, choose the speed, drag to turn the view; the page says which keys do it.
 
-The attitude is followed along with (Π, Γ); the direct equations have none. It starts with the shortest
-rotation R for which Γ = Rᵀe3.
+The attitude is followed along with (Π, Γ); the direct equations have none. It starts with the
+shortest rotation R for which Γ = Rᵀe3.
 
-Every n-th step is a frame, and the last; n is [output] every, or the least multiple of it that gives
-at most 20000 frames, some 3.5 MB. Between frames the page interpolates, and there is a warning where
-the body turns by more than 1 rad from one to the next.";
+Every n-th step is a frame, and the last; n is [output] every, or the least multiple of it that
+gives at most 20000 frames, some 3.5 MB. Between frames the page interpolates, and there is a
+warning where the body turns by more than 1 rad from one to the next.";
 
 pub(crate) const ANIMATE_EXAMPLES: &str = "\
 Examples:

@@ -65,19 +65,20 @@ impl SystemExperiment {
         self.method.integrate(&self.system, &self.start, task)?
     }
 
-    /// Measures how accurate the run is, by a repetition of its beginning with half the step.
+    /// Measures how accurate the run is, by a repetition of its beginning with half the step. There is no estimate if
+    /// `going` tells it to end.
     ///
     /// # Errors
     /// If there is no such integrator.
-    pub fn accuracy(&self) -> Result<RunAccuracy, Error> {
+    pub fn accuracy(&self, going: &dyn Fn() -> bool) -> Result<RunAccuracy, Error> {
         let Schedule { step, steps } = self.pace.schedule;
-        Ok(self.method.accuracy(&self.system, &self.start, (step, steps))?)
+        Ok(self.method.accuracy(&self.system, &self.start, (step, steps), going)?)
     }
 
     /// Checks the whole run by runs with half the step and with twice the step, unless `going` tells the check to end.
     ///
     /// # Errors
-    /// If a step fails, or the check was told to end.
+    /// If a step fails.
     pub fn check(&self, going: &dyn Fn() -> bool) -> Result<RunCheck, Error> {
         let (Schedule { step, steps }, method) = (self.pace.schedule, self.method);
         let checked = method.check(&self.system, &self.start, (step, steps), going)?;
@@ -101,8 +102,11 @@ impl SystemExperiment {
         row.push(time);
         row.extend((0..self.start.len()).map(|i| mu.coordinate(i)));
         let invariants = self.system.invariants(row.get(1..).unwrap_or_default());
-        let invariants =
-            invariants.map_err(|source| Error::NoValue { time, source: Box::new(source) })?;
+        let invariants = invariants.map_err(|source| Error::NoValue {
+            start: None,
+            time,
+            source: Box::new(source),
+        })?;
         row.extend(invariants);
         Ok(())
     }

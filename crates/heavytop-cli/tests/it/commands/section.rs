@@ -310,3 +310,27 @@ fn without_memory_a_section_fails_and_goes_on_once_there_is_some() {
     }
     assert!(failed > 0, "there was always memory enough");
 }
+
+/// Each warning has a line of its own.
+#[test]
+fn two_warnings_are_two_lines() {
+    let folder = Folder::new();
+    folder.write(
+        "a.toml",
+        "body = { inertia = [2e-4, 2e-4, 3e-4], mass = 0.5, gravity = 9.81, length = 0.04, center_of_mass = [0, 0, 1] }\n\
+         initial = { angular_momentum = [0, 0, 0.03], vertical = [0.6, 0, 0.8] }\n\
+         integrator = { formulation = 'collective', scheme = 'stormer-verlet', step = 1e-3, end = 0.01 }\n\
+         section = { starts = 1, crossings = 1, longest = 0.1 }\n\
+         sweep = { observables = ['final-state'], axes = \
+         [{ parameter = 'initial.angular_momentum[0]', from = 0, to = 1e-3, count = 2 }] }",
+    );
+    for command in ["section", "sweep"] {
+        let run = folder.heavytop(&[command, "a.toml", "--out", command]);
+        let said = run.stderr();
+        let of = |part: &str| said.lines().filter(|line| line.contains(part)).collect::<Vec<_>>();
+        let (scheme, body) = (of("does not descend"), of("no body has these moments"));
+        assert_eq!((scheme.len(), body.len()), (1, 1), "{command}: {said}");
+        assert_ne!(scheme, body, "{command}");
+        assert!(body[0].starts_with("heavytop: warning: [body]"), "{command}: {said}");
+    }
+}

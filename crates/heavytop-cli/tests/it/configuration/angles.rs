@@ -1,5 +1,6 @@
 //! Angles with units, and their ranges.
 
+use crate::commands::sweep::{column, rows};
 use crate::program::Folder;
 
 /// Runs a configuration of an initial state, and returns Γ(0).
@@ -86,11 +87,23 @@ fn axes_of_angles_have_units_too() {
         let run = sweep(parameter, values, &format!("map{number}"));
         assert_eq!(run.code(), 0, "{values}: {}", run.stderr());
     }
-    let same =
-        |name: &str| std::fs::read(folder.path(&format!("{name}/sweep.parquet"))).unwrap().len();
-    assert!(same("map0") > 0 && same("map1") > 0);
+    // Degrees and radians are the same motions.
+    let final_states = |name: &str| {
+        let measured = rows(&folder, &format!("{name}/sweep.parquet"));
+        let columns = [parameter, "Pi1", "Pi2", "Pi3", "Gamma1", "Gamma2", "Gamma3"];
+        columns.map(|name| column(&measured, name))
+    };
+    let in_degrees = final_states("map0");
+    assert!(in_degrees.iter().all(|values| values.len() == 3 && values[0].is_some()));
+    assert_eq!(in_degrees, final_states("map1"));
+    // Control: other angles are other motions.
+    assert_ne!(in_degrees, final_states("map2"));
     for (parameter, values, part) in [
-        (parameter, "from = 0, to = 90, count = 3", "90 is beyond π; write \"90 deg\""),
+        (
+            parameter,
+            "from = 0, to = 90, count = 3",
+            "needs an angle: it is in radians, from 0 to π, and 90 is beyond π; write \"90 deg\"",
+        ),
         (parameter, "uniform = ['0 deg', '200 deg']", "must be from 0 to π, got `200 deg`"),
         ("initial.vertical.azimuth", "from = -10, to = 0, count = 2", "-10 is beyond -2π"),
         ("body.center_of_mass.inclination", "from = 0, to = 4, count = 2", "beyond π"),

@@ -294,3 +294,55 @@ fn values_that_are_left_out_are_told() {
         assert!(text.contains("body.gravity = 1.0"), "{command}: {text}");
     }
 }
+
+/// A factor beside a product of which the other factors are not known is refused; the product of a preset is known.
+#[test]
+fn a_factor_does_not_discard_a_weight_moment() {
+    let folder = Folder::new();
+    let short = ["--set", "integrator.end=0.1"];
+    let simulate = |file: &str, more: &[&str]| {
+        folder.heavytop(&[&["simulate", file, "--out", "a.csv"], &short[..], more].concat())
+    };
+    folder.write("product.toml", "body = { inertia = [2, 1.5, 1], weight_moment = 5 }");
+    for key in ["body.mass=2", "body.gravity=9.81", "body.length=0.1"] {
+        let run = simulate("product.toml", &["--set", key]);
+        assert_eq!(run.code(), 2, "{}", run.stderr());
+        let (factor, _) = key.split_once('=').unwrap();
+        let said =
+            format!("--set: `{factor}` is a factor of `body.weight_moment`, which is 5 before");
+        assert!(run.stderr().contains(&said), "{}", run.stderr());
+        assert!(!folder.path("a.csv").exists());
+    }
+    let both = ["--set", "body.weight_moment=5", "--set", "body.mass=2"];
+    folder.write("empty.toml", "");
+    assert_eq!(simulate("empty.toml", &both).code(), 2);
+    // Controls: a product over a product, a factor of a preset, and one of a product that is that of the preset.
+    let energy = |file: &str, more: &[&str]| {
+        let run = simulate(file, more);
+        assert_eq!(run.code(), 0, "{}", run.stderr());
+        folder.read("a.csv").lines().nth(1).unwrap().split(',').nth(7).unwrap().to_owned()
+    };
+    folder.write("init.toml", "body.weight_moment = 1.0");
+    let twice = energy("empty.toml", &["--set", "body.weight_moment=2"]);
+    assert_eq!(energy("empty.toml", &["--set", "body.mass=2"]), twice);
+    assert_eq!(energy("init.toml", &["--set", "body.mass=2"]), twice);
+    assert_eq!(energy("init.toml", &["--set", "body.weight_moment=2"]), twice);
+    assert_ne!(energy("empty.toml", &[]), twice);
+}
+
+/// An integer of more than 64 bits is a number, and what the file leaves out is told beside it.
+#[test]
+fn values_that_are_left_out_are_told_beside_a_large_integer() {
+    let folder = Folder::new();
+    let short = ["--set", "integrator.end=0.02", "--set", "integrator.step=0.01"];
+    for mass in ["1000000000000000000000", "1e21"] {
+        folder.write(
+            "a.toml",
+            &format!("body = {{ inertia = [2, 2, 1], mass = {mass}, gravity = 1e-21 }}"),
+        );
+        let text = told(&folder, &[&["simulate", "a.toml", "--out", "a.csv"], &short[..]].concat());
+        let given = ["body.inertia = ", "body.mass = ", "body.gravity = "];
+        assert!(text.contains("body.length = 1.0"), "{mass}: {text}");
+        assert!(!given.iter().any(|key| text.contains(key)), "{mass}: {text}");
+    }
+}

@@ -142,6 +142,8 @@ fn help_fits_the_columns() {
         let help = in_columns("40", &request);
         let longest = help.lines().map(|line| line.chars().count()).max().unwrap();
         assert!(longest <= 40, "{request:?}: {help}");
+        // 0 columns are no number of columns.
+        assert_eq!(in_columns("0", &request), folder.heavytop(&request).stdout(), "{request:?}");
         // Where there is room the text is as it was written, and where there is no terminal.
         assert_eq!(in_columns("400", &request), folder.heavytop(&request).stdout(), "{request:?}");
     }

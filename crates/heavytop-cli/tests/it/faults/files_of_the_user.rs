@@ -271,3 +271,47 @@ fn a_folder_is_no_standard_output() {
         assert!(run.stderr().contains("name a folder, such as ./-"), "{}", run.stderr());
     }
 }
+
+/// A table of numbers with the columns t and h, such as heights over times, is not one of a run; nor is that of another
+/// system.
+#[test]
+fn a_table_of_heights_is_not_replaced() {
+    let folder = Folder::new();
+    folder.write("top.toml", "integrator.end = 0.1\n");
+    folder.write("system.toml", &format!("{}\nintegrator.end = 0.1\n", crate::writing::SYSTEM));
+    let simulate = |config: &str| folder.heavytop(&["simulate", config, "--out", "a.csv"]);
+    for config in ["top.toml", "system.toml"] {
+        for header in ["t,h", "t,x,h", "t,x,h,c1", "t,Pi1,Pi2,Pi3,h"] {
+            let zeros = vec!["0.0"; header.split(',').count()].join(",");
+            let table = format!("{header}\n{zeros}\n");
+            for name in ["a.csv", "a.csv.partial"] {
+                folder.write(name, &table);
+                let run = simulate(config);
+                assert_eq!(run.code(), 2, "{config} {header} {name}: {}", run.stderr());
+                assert!(run.stderr().contains("table of simulate with these columns"));
+                assert_eq!(folder.read(name), table);
+                fs::remove_file(folder.path(name)).unwrap();
+            }
+        }
+        // Control: what the same run has written is replaced.
+        for _ in 0..2 {
+            assert_eq!((simulate(config).code(), folder.names().len()), (0, 3), "{config}");
+        }
+        fs::remove_file(folder.path("a.csv")).unwrap();
+    }
+}
+
+/// A run that goes on makes npz and Parquet anew at its end, in a file that may be the user's.
+#[test]
+fn a_run_that_goes_on_does_not_replace_another_partial_file() {
+    for out in ["a.npz", "a.parquet"] {
+        let folder = crate::resumption::checkpoint::interrupted(out);
+        let partial = format!("{out}.partial");
+        folder.write(&partial, "my notes\n");
+        let before = contents(&folder);
+        let run = folder.heavytop(&["simulate", "--out", out, "--resume"]);
+        assert_eq!(run.code(), 2, "{}", run.stderr());
+        assert!(run.stderr().contains(" exists, and is not overwritten: "), "{}", run.stderr());
+        assert!(contents(&folder) == before, "{out}");
+    }
+}

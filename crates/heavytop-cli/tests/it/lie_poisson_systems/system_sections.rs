@@ -228,3 +228,28 @@ fn wrong_sections_of_systems_are_refused_and_nothing_is_written() {
     folder.write("body.toml", &BODY.replace("surface = 'Gamma3'\n", ""));
     is_refused("body.toml", &[], "surface is missing");
 }
+
+/// What has no value in one start does not delete what the others have made.
+#[test]
+fn a_quantity_without_a_value_keeps_the_points_before_it() {
+    let folder = Folder::new();
+    // Π₂ is −0.995 at the fourth crossing, and above −0.9 before.
+    let axes = "axes = ['ln(Pi2 + 0.9)', 'Pi1']\nstates = [{ Pi = [1, 0.5, 0.3], Gamma = [0.6, 0, 0.8] }]\n[integrator]";
+    let text = BODY.replace("[integrator]", axes);
+    folder.write("body.toml", &text);
+    let run = folder.heavytop(&["section", "body.toml", "--out", "here"]);
+    let said = run.stderr();
+    assert_eq!((run.code(), said.lines().count()), (1, 1), "{said}");
+    for part in ["start 1, at t = ", "ln(Pi2 + 0.9) has no value at ", "here/section.csv.partial"] {
+        assert!(said.contains(part), "{said}");
+    }
+    let (_, kept) = numbers(&folder.read("here/section.csv.partial"));
+    assert_eq!(kept.len(), 3, "{kept:?}");
+    assert!(!folder.path("here/section.partial").exists());
+    // They are the points of the section with other axes, until Π₂ is too low.
+    folder.write("other.toml", &text.replace("ln(Pi2 + 0.9)", "Pi2"));
+    assert_eq!(folder.heavytop(&["section", "other.toml", "--out", "other"]).code(), 0);
+    let (_, all) = numbers(&folder.read("other/section.csv"));
+    assert!(kept.iter().zip(&all).all(|(kept, all)| kept[..9] == all[..9]));
+    assert!(all[kept.len()][4] < -0.9, "{all:?}");
+}

@@ -388,6 +388,19 @@ fn a_quantity_without_a_value_is_an_error() {
     let said = "where ln(2 - y) is not a number";
     assert!(run.stderr().contains(said) && run.stderr().contains("t = 0.7"), "{}", run.stderr());
     assert_eq!(folder.read("b.csv.partial").lines().count(), 1 + 7);
+    // Behind a checkpoint, too: the run would fail there again, and there is nothing to resume.
+    folder.write("c.toml", &growing.replace("step = 0.1", "step = 0.0005"));
+    for out in ["c.csv", "c.npz"] {
+        let always = ["--checkpoint-interval", "0"];
+        let run = folder.heavytop(&[&["simulate", "c.toml", "--out", out], &always[..]].concat());
+        assert_eq!(run.code(), 1, "{}", run.stderr());
+        let kept = format!("; what was computed until then is in {out}.partial\n");
+        assert!(run.stderr().ends_with(&kept), "{}", run.stderr());
+        assert!(!run.stderr().contains("--resume"), "{}", run.stderr());
+        assert!(!folder.path(&format!("{out}.checkpoint")).exists());
+    }
+    // The last row is before t = ln 2.
+    assert_eq!(folder.read("c.csv.partial").lines().count(), 1 + 1 + 1386);
 }
 
 /// A coordinate that has the name of another column or array is refused before the run, in every format.

@@ -68,7 +68,9 @@ fn a_killed_run_goes_on_to_the_same_bytes_in_every_format() {
 
 #[test]
 fn a_killed_run_backward_in_time_goes_on_to_the_same_bytes() {
-    kill_and_go_on(&LONG.replace("2000", "-2000"), "a.csv", [0, 30]);
+    for out in ["a.csv", "a.npz"] {
+        kill_and_go_on(&LONG.replace("2000", "-2000"), out, [0, 30]);
+    }
 }
 
 #[test]
@@ -223,4 +225,14 @@ fn resume_begins_where_there_is_nothing_to_go_on_from() {
         assert!(run.stderr().starts_with("heavytop: cannot go on from "), "{}", run.stderr());
         assert!(!folder.path("b.csv").exists());
     }
+    // A configuration stands before the options: after --resume it would be a checkpoint.
+    let run = folder.heavytop(&["simulate", "--resume", "a.toml", "--out", "b.csv"]);
+    assert_eq!(run.code(), 2);
+    let expected = "heavytop: cannot go on from a.toml: it is a configuration, which stands before the options: \
+                    heavytop simulate a.toml --resume --out FILE\n";
+    assert_eq!(run.stderr(), expected);
+    // Control: what is neither a configuration nor a checkpoint.
+    folder.write("b.toml", "my notes");
+    let run = folder.heavytop(&["simulate", "--resume", "b.toml", "--out", "b.csv"]);
+    assert!(run.stderr().contains("it is damaged, or no checkpoint"), "{}", run.stderr());
 }

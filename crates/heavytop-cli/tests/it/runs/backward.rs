@@ -144,3 +144,23 @@ fn sections_and_pages_go_backward() {
     assert_eq!(refused.code(), 2);
     assert!(refused.stderr().contains("end must be positive and finite, got -1"));
 }
+
+/// The first time is 0, not −0, and the rows of a run backward are recognised as those of the program.
+#[test]
+fn the_first_time_is_positive_zero() {
+    let folder = Folder::new();
+    folder.write("a.toml", "integrator.end = -2");
+    assert_eq!(folder.heavytop(&["simulate", "a.toml", "--out", "a.csv"]).code(), 0);
+    assert!(folder.read("a.csv").lines().nth(1).unwrap().starts_with("0.0,"));
+    for out in ["a.npz", "a.parquet"] {
+        // The rows that a killed run has left: a row of zeros but for the state.
+        let rows: Vec<u8> = numbers(&folder.read("a.csv")).1[0]
+            .iter()
+            .flat_map(|number| number.to_le_bytes())
+            .collect();
+        std::fs::write(folder.path(&format!("{out}.rows")), rows).unwrap();
+        let run = folder.heavytop(&["simulate", "a.toml", "--out", out]);
+        assert_eq!((run.code(), run.complaints()), (0, String::new()), "{out}");
+        assert!(!folder.path(&format!("{out}.rows")).exists());
+    }
+}

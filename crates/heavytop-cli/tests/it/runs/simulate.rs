@@ -154,7 +154,8 @@ fn each_top_has_its_own_columns() {
 #[test]
 fn an_old_file_is_replaced_whole() {
     let folder = Folder::new();
-    folder.write("a.csv", &("t,h\n".to_owned() + &"0.0,1.0\n".repeat(100_000)));
+    let header = "t,Pi1,Pi2,Pi3,Gamma1,Gamma2,Gamma3,h,f1,f2\n".to_owned();
+    folder.write("a.csv", &(header + &"0.0,1,1,1,1,0,0,3,1,1\n".repeat(100_000)));
     folder.write("a.toml", "[integrator]\nend = 0.1");
     assert_eq!(folder.heavytop(&["simulate", "a.toml", "--out", "a.csv"]).code(), 0);
     assert_eq!(numbers(&folder.read("a.csv")).1.len(), 6);

@@ -41,6 +41,8 @@ pub fn errors() -> BTreeSet<String> {
     }
     folder.write("a.csv.checkpoint", &text.replace("step", "stop"));
     found.push(refused("CheckpointError::Damaged", resume(&config, "a.csv")));
+    folder.write("a.csv.checkpoint", "integrator.end = 50");
+    found.push(refused("CheckpointError::NoCheckpoint", resume(&config, "a.csv")));
     folder.write("a.csv.checkpoint", &text);
     let other = toml::from_str("integrator.end = 50").unwrap();
     found.push(refused("CheckpointError::Configuration", resume(&other, "a.csv")));

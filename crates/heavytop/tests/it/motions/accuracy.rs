@@ -51,7 +51,7 @@ fn errors(
         (apart.0.0.norm() / pi).max(apart.0.1.norm() / gamma)
     };
     let truth = run.iter().zip(&exact).map(relative).fold(0.0, f64::max).min(1.0);
-    (method.accuracy(top, start, (step, steps)).unwrap().error.unwrap(), truth)
+    (method.accuracy(top, start, (step, steps), &|| true).unwrap().error.unwrap(), truth)
 }
 
 fn mu(pi: [f64; 3], gamma: [f64; 3]) -> Se3Dual {
@@ -116,10 +116,10 @@ fn the_estimate_of_a_long_run_grows_as_the_error() {
 fn the_finest_and_the_coarsest_steps_are_what_they_are() {
     let (top, start) = integrable();
     let gauss = Method::new(Formulation::Collective, SchemeName::Gauss(8), 0.0).unwrap();
-    let fine = gauss.accuracy(&top, &start, (0.05, 1000)).unwrap();
+    let fine = gauss.accuracy(&top, &start, (0.05, 1000), &|| true).unwrap();
     assert!(fine.error.unwrap() < 1e-12 && fine.warning().is_none(), "{fine:?}");
     let midpoint = Method::new(Formulation::Reduced, SchemeName::ImplicitMidpoint, 0.0).unwrap();
-    let coarse = midpoint.accuracy(&top, &start, (0.1, 1000)).unwrap();
+    let coarse = midpoint.accuracy(&top, &start, (0.1, 1000), &|| true).unwrap();
     assert!(coarse.error.unwrap() > 0.5 && coarse.warning().is_some(), "{coarse:?}");
     let ends = midpoint.integrate(&top, Samples { start: &start, step: 0.1, stride: 15 }).unwrap();
     let f1 = Invariant::VerticalSquared;
@@ -131,17 +131,17 @@ fn the_finest_and_the_coarsest_steps_are_what_they_are() {
 fn the_estimate_has_no_units_and_no_direction() {
     let (top, start) = integrable();
     let gauss = Method::new(Formulation::Reduced, SchemeName::Gauss(2), 0.0).unwrap();
-    let plain = gauss.accuracy(&top, &start, (0.05, 400)).unwrap();
+    let plain = gauss.accuracy(&top, &start, (0.05, 400), &|| true).unwrap();
     for unit in [1e-30, 1e30] {
         let heavy = HeavyTop::kovalevskaya(unit, unit).unwrap();
         let scaled = Se3Dual::new(start.0.0 * unit, start.0.1);
-        let found = gauss.accuracy(&heavy, &scaled, (0.05, 400)).unwrap();
+        let found = gauss.accuracy(&heavy, &scaled, (0.05, 400), &|| true).unwrap();
         let ratio = found.error.unwrap() / plain.error.unwrap();
         assert!(
             (ratio - 1.0).abs() < 0.2 && (found.angle / plain.angle - 1.0).abs() < 1e-9,
             "{found:?}"
         );
     }
-    let back = gauss.accuracy(&top, &start, (-0.05, 400)).unwrap();
+    let back = gauss.accuracy(&top, &start, (-0.05, 400), &|| true).unwrap();
     assert!(back.error > Some(plain.error.unwrap() / 10.0) && back.angle > 0.2, "{back:?}");
 }

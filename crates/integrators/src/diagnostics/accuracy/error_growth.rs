@@ -14,6 +14,12 @@ const MOST_POWER: f64 = 2.6;
 /// The largest power that is used.
 const LARGEST_POWER: f64 = 2.0;
 
+/// Returns the error of a method of order p whose result differs by `difference` from that of half the step.
+pub(super) fn of_whole_step(difference: f64, order: u16) -> f64 {
+    let ratio = 2.0_f64.powi(order.max(1).into());
+    difference * (ratio / (ratio - 1.0))
+}
+
 /// Returns the factor by which the error grows from the first part of a run, of length 1, to a whole of length `whole`.
 ///
 /// `errors` has the largest error of each piece of the part. Its logarithm is fitted by a power of the time. A power above

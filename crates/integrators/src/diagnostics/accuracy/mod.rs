@@ -4,9 +4,11 @@ mod system_scales;
 mod relative_distance;
 mod sampled_run;
 mod error_growth;
+mod reported_accuracy;
 mod run_accuracy;
 mod step_check;
 
-pub use run_accuracy::{RunAccuracy, run_accuracy};
-pub use step_check::{StepCheck, check_by_half_steps};
+pub use reported_accuracy::RunAccuracy;
+pub use run_accuracy::run_accuracy;
+pub use step_check::{NoOrder, StepCheck, check_by_half_steps};
 pub use system_scales::SystemScales;

@@ -1,11 +1,12 @@
 //! A run checked by runs with half the step and with twice the step: [`check_by_half_steps`].
 
+use super::error_growth::of_whole_step;
 use super::relative_distance::RelativeDistance;
-use super::run_accuracy::of_whole_step;
 use super::sampled_run::SampledRun;
 use super::system_scales::SystemScales;
 use crate::{RunError, Start};
-use lie_poisson::Vector;
+use core::fmt;
+use lie_poisson::{Vector, larger};
 
 /// The number of samples at which the runs are compared.
 const SAMPLES: u64 = 64;
@@ -17,11 +18,38 @@ const ROUND_OFF: f64 = 1e-12;
 #[derive(Clone, Copy, Debug, PartialEq)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 pub struct StepCheck {
-    /// The error at the end of the run: the largest |Δμ_b|/|μ_b| over the blocks b of coordinates, at most 1.
-    pub error: f64,
+    /// The error at the end of the run: the largest |Δμ_b|/|μ_b| over the blocks b of coordinates, at most 1. It is `None`
+    /// if it is not a number, since the differential of the Hamiltonian has no value.
+    pub error: Option<f64>,
     /// The order with which the run converges: log₂ of the ratio of the differences between runs with the steps 2h, h and
-    /// h/2. It is `None` if they show none: there is only one step, the difference is round-off, or twice the step fails.
-    pub order: Option<f64>,
+    /// h/2, or the reason why there is none.
+    pub order: Result<f64, NoOrder>,
+}
+
+/// The reason why a check shows no order.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
+pub enum NoOrder {
+    /// The run has one step, or none: twice the step does not fit into it.
+    OneStep,
+    /// The difference between the runs with h and with h/2 is round-off.
+    RoundOff,
+    /// The run with twice the step fails.
+    DoubleStep,
+    /// The differences have no ratio, since one of them is not a number, or zero.
+    NoRatio,
+}
+
+/// In words, without a full stop.
+impl fmt::Display for NoOrder {
+    fn fmt(&self, to: &mut fmt::Formatter<'_>) -> fmt::Result {
+        to.write_str(match self {
+            Self::OneStep => "twice the step does not fit into the run",
+            Self::RoundOff => "the differences are round-off",
+            Self::DoubleStep => "the run with twice the step fails",
+            Self::NoRatio => "the differences have no ratio",
+        })
+    }
 }
 
 /// Checks a run of `steps` steps of size `step` from the start with these coordinates, by a method of this order.
@@ -61,8 +89,8 @@ pub struct StepCheck {
 /// let check = check_by_half_steps(&rk4, &Oscillator, &[1.0, 0.0], (0.1, 100), 4, &|| true)?;
 /// let check = check.ok_or("it was not told to end")?;
 /// // RK4 is behind by h⁴/120 per unit of time: 8.3e-6 at t = 10.
-/// assert!((check.error / 8.3e-6 - 1.0).abs() < 0.1, "{check:?}");
-/// assert!(check.order.is_some_and(|order| (order - 4.0).abs() < 0.1), "{check:?}");
+/// assert!(check.error.is_some_and(|error| (error / 8.3e-6 - 1.0).abs() < 0.1), "{check:?}");
+/// assert!(check.order.is_ok_and(|order| (order - 4.0).abs() < 0.1), "{check:?}");
 /// # Ok::<(), Box<dyn std::error::Error>>(())
 /// ```
 pub fn check_by_half_steps<I>(
@@ -90,9 +118,10 @@ where
     let halves = pairs().map(|n| 4 * n).chain([steps.saturating_mul(2)]);
     let Some(half) = run(0.5 * step, &mut { halves })? else { return Ok(None) };
     let double = match run(2.0 * step, &mut pairs()) {
+        _ if steps < 2 => Err(NoOrder::OneStep),
         Ok(None) => return Ok(None),
-        Ok(double) if steps > 1 => double,
-        _ => None,
+        Ok(Some(double)) => Ok(double),
+        Err(_) => Err(NoOrder::DoubleStep),
     };
     Ok(Some(compare(system, start, order, [&whole, &half], double.as_ref())))
 }
@@ -102,19 +131,24 @@ fn compare(
     start: &[f64],
     order: u16,
     [whole, half]: [&SampledRun; 2],
-    double: Option<&SampledRun>,
+    double: Result<&SampledRun, &NoOrder>,
 ) -> StepCheck {
     let momenta = core::iter::once(start).chain(half.momenta());
     let distance = RelativeDistance::new(system, momenta);
     let differences = |one: &SampledRun, other: &SampledRun| {
         let both = one.momenta().zip(other.momenta()).take(SAMPLES as usize);
-        both.map(|(a, b)| distance.between(a, b)).fold(0.0, f64::max)
+        both.map(|(a, b)| distance.between(a, b)).fold(0.0, larger)
     };
     let end = whole.momenta().zip(half.momenta()).last();
     let error = end.map_or(0.0, |(a, b)| of_whole_step(distance.between(a, b), order));
     let fine = differences(whole, half);
-    let order = double
-        .map(|double| (differences(double, whole) / fine).log2())
-        .filter(|order| fine > ROUND_OFF && order.is_finite());
-    StepCheck { error: error.min(1.0), order }
+    let order = double.map_err(|reason| *reason).and_then(|double| {
+        let order = (differences(double, whole) / fine).log2();
+        match fine <= ROUND_OFF {
+            true => Err(NoOrder::RoundOff),
+            false if order.is_finite() => Ok(order),
+            false => Err(NoOrder::NoRatio),
+        }
+    });
+    StepCheck { error: (!error.is_nan()).then(|| error.min(1.0)), order }
 }

@@ -365,7 +365,8 @@ impl<'a, I: Integrator<T>, T: Real> Trajectory<'a, I, T> {
 
     #[inline]
     fn sample(&self) -> SampleOf<I, T> {
-        let (step, time) = (self.made, self.made as f64 * self.step);
+        // The first time is +0, also of a negative step: −0 + 0 = +0.
+        let (step, time) = (self.made, self.made as f64 * self.step + 0.0);
         let momentum = self.integrator.momentum(&self.state);
         Sample { step, time, state: self.state.clone(), momentum, iterations: self.iterations }
     }

@@ -22,19 +22,21 @@ pub(in crate::commands::section) struct OrbitAccuracy {
     pub measured: usize,
 }
 
-/// Measures some of the orbits, spread over the starts, each over the time for which it was followed.
+/// Measures some of the orbits, spread over the starts, each over the time for which it was followed, unless `going` tells
+/// it to end.
 ///
 /// # Errors
 /// If a tile is missing.
 pub(in crate::commands::section) fn orbit_accuracy(
     settings: &Settings,
     orbits: &Orbits<'_>,
+    going: &(dyn Fn() -> bool + Sync),
 ) -> Result<Option<OrbitAccuracy>, Error> {
     let starts = settings.limits.starts as u64;
     let count = MOST.min(starts);
     let measured = (0..count).into_par_iter().map(|number| {
         let orbit = orbits.orbit((number * starts / count) as usize)?;
-        Ok(orbit.as_ref().and_then(|orbit| of_orbit(settings, orbit)))
+        Ok(orbit.as_ref().and_then(|orbit| of_orbit(settings, orbit, going)))
     });
     let measured: Vec<Option<RunAccuracy>> = measured.collect::<Result<_, Error>>()?;
     let measured: Vec<RunAccuracy> = measured.into_iter().flatten().collect();
@@ -44,11 +46,15 @@ pub(in crate::commands::section) fn orbit_accuracy(
 }
 
 /// Measures an orbit up to its last return. One without a return was followed as long as all could be.
-fn of_orbit(settings: &Settings, orbit: &Orbit) -> Option<RunAccuracy> {
+fn of_orbit(
+    settings: &Settings,
+    orbit: &Orbit,
+    going: &(dyn Fn() -> bool + Sync),
+) -> Option<RunAccuracy> {
     let limits = &settings.limits;
     let start = orbit.crossings.first()?;
     let is_short = orbit.crossings.len() <= limits.crossings;
     let last = orbit.crossings.last().map_or(0.0, |crossing| crossing.time);
     let steps = if is_short { limits.steps as u64 } else { (last / limits.step).ceil() as u64 };
-    settings.problem.accuracy(&start.state, (limits.step, steps)).ok()
+    settings.problem.accuracy(&start.state, (limits.step, steps), &|| going()).ok()
 }

@@ -41,10 +41,15 @@ impl AnyProblem {
     ///
     /// # Errors
     /// If there is no such integrator.
-    pub fn accuracy(&self, start: &[f64], steps: (f64, u64)) -> Result<RunAccuracy, Error> {
+    pub fn accuracy(
+        &self,
+        start: &[f64],
+        steps: (f64, u64),
+        going: &dyn Fn() -> bool,
+    ) -> Result<RunAccuracy, Error> {
         match self {
-            Self::Top(problem) => problem.accuracy(start, steps),
-            Self::System(problem) => problem.accuracy(start, steps),
+            Self::Top(problem) => problem.accuracy(start, steps, going),
+            Self::System(problem) => problem.accuracy(start, steps, going),
         }
     }
 

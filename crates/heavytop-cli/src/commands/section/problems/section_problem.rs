@@ -18,8 +18,8 @@ pub(in crate::commands::section) trait SectionProblem {
     /// Returns the method by which the motion is followed.
     fn method(&self) -> (Formulation, SchemeName);
 
-    /// Returns a warning for users about what the method does not conserve.
-    fn warning(&self) -> Option<String>;
+    /// Returns warnings for users: about what the method does not conserve, and about the body.
+    fn warnings(&self) -> Vec<String>;
 
     /// Checks that the step (s) resolves the motion.
     fn require_step(&self, step: f64) -> Result<(), Error>;

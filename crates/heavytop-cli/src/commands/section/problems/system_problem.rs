@@ -117,8 +117,13 @@ impl SystemProblem {
     ///
     /// # Errors
     /// If there is no such integrator.
-    pub(super) fn accuracy(&self, start: &[f64], steps: (f64, u64)) -> Result<RunAccuracy, Error> {
-        Ok(self.method.accuracy(self.system(), start, steps)?)
+    pub(super) fn accuracy(
+        &self,
+        start: &[f64],
+        steps: (f64, u64),
+        going: &dyn Fn() -> bool,
+    ) -> Result<RunAccuracy, Error> {
+        Ok(self.method.accuracy(self.system(), start, steps, going)?)
     }
 
     /// Passes the returns of a start with this number to `visit`.
@@ -146,9 +151,13 @@ impl SectionProblem for SystemProblem {
         (self.method.formulation(), self.method.scheme())
     }
 
-    fn warning(&self) -> Option<String> {
+    fn warnings(&self) -> Vec<String> {
         // A method whose steps fail to be made has no warning, and refuses the first start.
-        system_warning(&self.method, self.system(), &self.initial).ok().flatten()
+        system_warning(&self.method, self.system(), &self.initial)
+            .ok()
+            .flatten()
+            .into_iter()
+            .collect()
     }
 
     fn require_step(&self, step: f64) -> Result<(), Error> {
@@ -282,9 +291,10 @@ impl SystemTask for Follow<'_> {
             let state = numbers(&sample.momentum);
             // What is written and drawn has a value.
             let values = problem.section.checked_plane(&state).map(drop);
-            values
-                .and_then(|()| problem.system().invariants(&state))
-                .map_err(|source| Error::NoValue { time: sample.time, source: Box::new(source) })?;
+            values.and_then(|()| problem.system().invariants(&state)).map_err(|source| {
+                let (start, source) = (Some(number), Box::new(source));
+                Error::NoValue { start, time: sample.time, source }
+            })?;
             visit(sample.time, &state)?;
         }
         Ok(())

@@ -89,9 +89,14 @@ impl TopProblem {
     ///
     /// # Errors
     /// If there is no such integrator.
-    pub(super) fn accuracy(&self, start: &[f64], steps: (f64, u64)) -> Result<RunAccuracy, Error> {
+    pub(super) fn accuracy(
+        &self,
+        start: &[f64],
+        steps: (f64, u64),
+        going: &dyn Fn() -> bool,
+    ) -> Result<RunAccuracy, Error> {
         let top = &self.section.level().top;
-        Ok(self.method.accuracy(top, &self.state(start), steps)?)
+        Ok(self.method.accuracy(top, &self.state(start), steps, going)?)
     }
 
     /// Returns the state, in principal axes, with these coordinates in the axes of the table.
@@ -116,10 +121,9 @@ impl SectionProblem for TopProblem {
         (self.method.formulation(), self.method.scheme())
     }
 
-    fn warning(&self) -> Option<String> {
+    fn warnings(&self) -> Vec<String> {
         let warnings = [method_warning(&self.method), self.body_warning.clone()];
-        let warnings = warnings.into_iter().flatten().collect::<Vec<_>>().join("; ");
-        Some(warnings).filter(|text| !text.is_empty())
+        warnings.into_iter().flatten().collect()
     }
 
     fn require_step(&self, step: f64) -> Result<(), Error> {

@@ -54,10 +54,10 @@ pub fn simulate_system(
     let config = config.with_integrator();
     let casimirs = experiment.system.casimirs().iter().map(ToString::to_string).collect();
     let dimension = experiment.dimension()?;
-    let accuracy = experiment.accuracy()?;
-    let error_estimate = accuracy.error;
-    let recorded = RecordedRun { pace, dimension, table: &table, casimirs, error_estimate };
+    let recorded = RecordedRun { pace, dimension, table: &table, casimirs };
     let mut recording = Recording::begin(out, &config, &recorded, options)?;
+    let accuracy = options.estimated(|going| experiment.accuracy(going))?;
+    recording.add_estimate(accuracy.error);
     let method = system_warning(&experiment.method, &experiment.system, &experiment.start)?;
     [method, accuracy_warning(&accuracy)].into_iter().flatten().for_each(warn);
     let mut deviations = Deviations::new(experiment.initial_invariants()?, options.resume);
@@ -79,5 +79,5 @@ pub fn simulate_system(
     recording.conclude(outcome)?;
     let check = options.check.then(|| experiment.check(&|| options.going())).transpose()?;
     let summary = SystemSummary::new(out.into(), experiment, &last, &deviations, &table)?;
-    Ok(SystemSummary { error_estimate, check, ..summary })
+    Ok(SystemSummary { error_estimate: accuracy.error, check, ..summary })
 }

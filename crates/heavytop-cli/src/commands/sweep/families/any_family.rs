@@ -41,10 +41,15 @@ impl AnyFamily {
     ///
     /// # Errors
     /// If there is no such member.
-    pub fn accuracy(&self, values: &[f64], course: &Course) -> Result<RunAccuracy, Error> {
+    pub fn accuracy(
+        &self,
+        values: &[f64],
+        course: &Course,
+        going: &dyn Fn() -> bool,
+    ) -> Result<RunAccuracy, Error> {
         match self {
-            Self::Tops(family) => family.accuracy(values, course),
-            Self::System(family) => family.accuracy(values, course),
+            Self::Tops(family) => family.accuracy(values, course, going),
+            Self::System(family) => family.accuracy(values, course, going),
         }
     }
 }

@@ -12,8 +12,8 @@ pub(in crate::commands::sweep) trait Family {
     /// Returns the method by which the members are followed.
     fn method(&self) -> (Formulation, SchemeName);
 
-    /// Returns a warning for users about what the method does not conserve.
-    fn warning(&self) -> Option<String>;
+    /// Returns warnings for users: about what the method does not conserve, and about the body.
+    fn warnings(&self) -> Vec<String>;
 
     /// Returns whether members may be impossible although their motions can be computed.
     fn judges_members(&self) -> bool {

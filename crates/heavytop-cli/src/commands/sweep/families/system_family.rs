@@ -172,10 +172,15 @@ impl SystemFamily {
     ///
     /// # Errors
     /// If there is no such member.
-    pub(super) fn accuracy(&self, values: &[f64], course: &Course) -> Result<RunAccuracy, Error> {
+    pub(super) fn accuracy(
+        &self,
+        values: &[f64],
+        course: &Course,
+        going: &dyn Fn() -> bool,
+    ) -> Result<RunAccuracy, Error> {
         let Schedule { step, steps } = course.schedule;
         let (system, start) = self.member(values, step)?;
-        Ok(self.method.accuracy(&system, &start, (step, steps))?)
+        Ok(self.method.accuracy(&system, &start, (step, steps), going)?)
     }
 }
 
@@ -188,9 +193,9 @@ impl Family for SystemFamily {
         (self.method.formulation(), self.method.scheme())
     }
 
-    fn warning(&self) -> Option<String> {
+    fn warnings(&self) -> Vec<String> {
         // A method whose steps fail to be made has no warning, and the rows say why.
-        system_warning(&self.method, &self.system, &self.start).ok().flatten()
+        system_warning(&self.method, &self.system, &self.start).ok().flatten().into_iter().collect()
     }
 
     fn columns(&self, observable: Observable) -> Result<Vec<Column>, SweepError> {

@@ -142,10 +142,15 @@ impl TopFamily {
     ///
     /// # Errors
     /// If there is no such top.
-    pub(super) fn accuracy(&self, values: &[f64], course: &Course) -> Result<RunAccuracy, Error> {
+    pub(super) fn accuracy(
+        &self,
+        values: &[f64],
+        course: &Course,
+        going: &dyn Fn() -> bool,
+    ) -> Result<RunAccuracy, Error> {
         let Schedule { step, steps } = course.schedule;
         let (top, start, _) = self.top(values, step)?;
-        Ok(self.method.accuracy(&top, &start, (step, steps))?)
+        Ok(self.method.accuracy(&top, &start, (step, steps), going)?)
     }
 }
 
@@ -158,10 +163,9 @@ impl Family for TopFamily {
         (self.method.formulation(), self.method.scheme())
     }
 
-    fn warning(&self) -> Option<String> {
+    fn warnings(&self) -> Vec<String> {
         let warnings = [method_warning(&self.method), self.body_warning.clone()];
-        let warnings = warnings.into_iter().flatten().collect::<Vec<_>>().join("; ");
-        Some(warnings).filter(|text| !text.is_empty())
+        warnings.into_iter().flatten().collect()
     }
 
     fn judges_members(&self) -> bool {

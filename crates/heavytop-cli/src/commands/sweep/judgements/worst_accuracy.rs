@@ -16,12 +16,25 @@ const PARTS: u64 = 20;
 const MOST_AXES: usize = 5;
 
 /// Returns the largest angle of a step and the largest error of members spread evenly over the sweep, and of those at the
-/// corners of a grid. Members that cannot be followed do not count; there may be no other.
-pub(in crate::commands::sweep) fn worst_accuracy(plan: &Plan) -> Option<RunAccuracy> {
-    let measured = probes(plan)
-        .into_par_iter()
-        .filter_map(|number| plan.family.accuracy(&plan.parameters(number), &plan.course).ok());
+/// corners of a grid. Members that cannot be followed do not count; there may be no other. `going` may tell it to end.
+pub(in crate::commands::sweep) fn worst_accuracy(
+    plan: &Plan,
+    going: &(dyn Fn() -> bool + Sync),
+) -> Option<RunAccuracy> {
+    let accuracy =
+        |number| plan.family.accuracy(&plan.parameters(number), &plan.course, &|| going());
+    let measured = probes(plan).into_par_iter().filter_map(|number| accuracy(number).ok());
     measured.reduce_with(worse)
+}
+
+/// Returns the warning about the worst of the members that are measured, if there is one.
+pub(in crate::commands::sweep) fn worst_warning(
+    plan: &Plan,
+    accuracy: &RunAccuracy,
+) -> Option<String> {
+    let (measured, members, nouns) = (probes(plan).len(), plan.members, plan.nouns());
+    let text = accuracy.warning()?;
+    Some(format!("warning: in the worst of {measured} of {members} {nouns}, {text}"))
 }
 
 /// Returns the numbers of the members that are measured, in ascending order.
@@ -82,7 +95,7 @@ mod tests {
                 "[integrator]\nend = 10\n[[sweep.axes]]\n\
                  parameter = 'initial.angular_momentum[2]'\nfrom = 0\nto = {most}\ncount = 3"
             );
-            worst_accuracy(&plan(&text)).unwrap()
+            worst_accuracy(&plan(&text), &|| true).unwrap()
         };
         let (slow, fast) = (sweep(1.0), sweep(60.0));
         assert!(slow.angle < 1.0 && slow.warning().is_none(), "{slow:?}");
