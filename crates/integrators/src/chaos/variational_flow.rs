@@ -239,7 +239,8 @@ where
     /// the previous lengths.
     ///
     /// Lengths are those of the [`directions`](Self::directions): of tangent vectors of μ, in units of the scales of
-    /// the blocks. They do not depend on the lift. Directions are kept: vectors that align stay aligned.
+    /// the blocks. They depend on the lift only by these scales, which are larger for a z far along its fibre. Directions are
+    /// kept: vectors that align stay aligned.
     ///
     /// # Errors
     /// Returns [`VariationalError::Dependent`] if a length is zero, not finite, or overflows, as for a vector along a
