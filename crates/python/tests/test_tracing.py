@@ -1,6 +1,7 @@
 """Traced functions against the same functions of numbers."""
 
 import math
+import operator
 
 import numpy as np
 import pytest
@@ -83,6 +84,24 @@ def test_the_differential_is_that_of_the_function():
     slope = np.subtract(values[::2], values[1::2]) / 2e-5
     assert np.abs(system.rate(pi) - np.cross(pi, slope)).max() < 1e-8
     assert np.abs(system.rate(pi) - np.cross(pi, slope * [1, 1, 1.01])).max() > 1e-4
+
+
+def test_a_value_that_is_not_chosen_does_not_count():
+    system = System("so(3)", lambda x: np.where(x.Pi1 > 0, np.sqrt(x.Pi1), x.Pi2) + 0.5 * x.Pi3**2)
+    for pi, slope in [([-1, 2, 3], [0, 1, 3]), ([0, 2, 3], [0, 1, 3]), ([4, 2, 3], [0.25, 0, 3])]:
+        assert system.rate(pi) == pytest.approx(np.cross(pi, slope), abs=1e-15)
+    # Control: a chosen value without a slope counts.
+    system = System("so(3)", lambda x: np.where(x.Pi1 >= 0, np.sqrt(x.Pi1), x.Pi2) + 0.5 * x.Pi3**2)
+    assert not np.isfinite(system.rate([0, 2, 3])).all()
+
+
+@pytest.mark.parametrize("compare", [operator.gt, operator.ge, operator.lt, operator.le])
+def test_a_condition_that_is_not_a_number_has_no_value(compare):
+    system = System("so(3)", lambda x: np.where(compare(np.log(x.Pi1), 0), 1, x.Pi2))
+    with pytest.raises(ValueError, match=r"where ln\(Pi1\) is not a number"):
+        system.invariant_values([-1, 2, 3])
+    # Control: elsewhere it has one.
+    assert system.invariant_values([2, 2, 3])["h"] in (1, 2)
 
 
 def test_the_function_is_called_once():

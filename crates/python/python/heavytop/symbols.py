@@ -239,7 +239,7 @@ class Symbol:
 class Condition:
     """A comparison of symbols, which holds in some states: the first argument of `numpy.where`.
 
-    A value of NaN on one side of a comparison with >= or <= counts as not, and of one with > or < as holding.
+    Where a side of the comparison is not a number, neither is the result.
     """
 
     def __init__(self, difference: Symbol, holds: bool) -> None:
