@@ -153,6 +153,7 @@ calls = {
     "section": lambda: top.section(**start, coordinate="Pi3", value=1e3, step=1e-4, end=1e6),
     "solve_many": lambda: heavytop.solve_many(top, y, step=1e-4, end=1e6),
     "sol": lambda: long.sol(1e6),
+    "check": lambda: long.check(),
     "events": lambda: top.solve(**start, step=1e-4, end=1e6, every=10**6, events="Pi3 - 1e3"),
     "lyapunov": lambda: heavytop.lyapunov(top, y[:, :5], step=1e-4, end=1e6),
     "system": lambda: system.solve(y[:, 0], step=1e-4, end=1e6, every=10**6),
@@ -168,7 +169,7 @@ except KeyboardInterrupt:
 """
 
 
-CALLS = ["solve", "section", "solve_many", "sol", "events", "lyapunov"]
+CALLS = ["solve", "section", "solve_many", "sol", "check", "events", "lyapunov"]
 CALLS += ["system", "system section", "many systems", "system lyapunov"]
 
 
@@ -176,6 +177,33 @@ CALLS += ["system", "system section", "many systems", "system lyapunov"]
 def test_control_c_ends_every_loop(call):
     # A minute is far above the second that it takes, and far below the hours of the run.
     done = subprocess.run([sys.executable, "-c", INTERRUPTED, call], capture_output=True, text=True, timeout=60)
+    assert done.stdout == "interrupted\n", done.stderr
+
+
+ESTIMATES = """
+import heavytop, signal, sys, threading, time
+signal.signal(signal.SIGINT, signal.default_int_handler)
+top, system = heavytop.Top.kovalevskaya(), heavytop.System("se(3)", "0.5*(Pi1^2/2 + Pi2^2/2 + Pi3^2) + Gamma1")
+native, method = (top._top, "collective") if sys.argv[1] == "top" else (system._system, "direct")
+setting = ([2.0, 3.0, 4.0, 0.6, 0.0, 0.8], 1e-3, (method, "gauss-8", 0.0))
+began = time.perf_counter()
+native.accuracy(setting, 5000)
+# Of 20 * 2**18 steps 2**18 are repeated.
+whole = 2**18 / 5000 * (time.perf_counter() - began)
+threading.Timer(0.05 * whole, lambda: signal.raise_signal(signal.SIGINT)).start()
+began = time.perf_counter()
+try:
+    native.accuracy(setting, 20 * 2**18)
+except KeyboardInterrupt:
+    pass
+took = time.perf_counter() - began
+print("interrupted" if took < 0.5 * whole else f"{took} of {whole}")
+"""
+
+
+@pytest.mark.parametrize("what", ["top", "system"])
+def test_control_c_ends_an_estimate(what):
+    done = subprocess.run([sys.executable, "-c", ESTIMATES, what], capture_output=True, text=True, timeout=60)
     assert done.stdout == "interrupted\n", done.stderr
 
 

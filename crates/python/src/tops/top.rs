@@ -265,10 +265,12 @@ impl Top {
     fn accuracy(&self, py: Python<'_>, setting: Setting, steps: u64) -> PyResult<Accuracy> {
         let (start, step, method) = setting;
         let (method, start) = (made(method)?, self.principal(start)?);
-        let measured = until_interrupted(py, |stop| {
-            method.accuracy(&self.top, &start, (step, steps), &|| !stop.load(Ordering::Relaxed))
-        })?;
-        measured.map(accuracy).map_err(refused)
+        py.detach(|| {
+            let interruption = Interruption::default();
+            let measured =
+                method.accuracy(&self.top, &start, (step, steps), &|| interruption.is_going());
+            interruption.or(measured.map(accuracy).map_err(refused))
+        })
     }
 
     /// Checks a run of so many steps by half the step and twice the step, and returns the error and the order.
