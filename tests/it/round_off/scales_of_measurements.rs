@@ -86,10 +86,11 @@ fn errors(top: HeavyTop, mu: &Se3Dual, step: f64) -> Outcome<Vec<f64>> {
     let mut found: Vec<f64> = points.iter().map(|(_, error)| error.ln()).collect();
     found.push(fitted_order(&points, 1e-12)?);
     let method = Method::new(Formulation::Direct, SchemeName::Rk4, 0.0)?;
-    let accuracy = method.accuracy(&top, mu, (step, 40))?;
+    let accuracy = method.accuracy(&top, mu, (step, 40), &|| true)?;
     found.extend([accuracy.angle, accuracy.error.ok_or("no estimate")?.ln()]);
-    let check = method.check(&top, mu, (step, 40), &|| true)??.ok_or("not told to end")?;
-    found.extend([check.error.ln(), check.order.ok_or("no order")?]);
+    let check = method.check(&top, mu, (step, 40), &|| true)??.ok_or("told to end")?;
+    let order = check.order.map_err(|reason| reason.to_string())?;
+    found.extend([check.error.ok_or("no error")?.ln(), order]);
     Ok(found)
 }
 

@@ -92,10 +92,11 @@ fn measured(formulation: Formulation, units: Units) -> Outcome<Vec<f64>> {
     let method = SystemMethod::new(system.algebra(), formulation, scheme, 0.0)?;
     let task = Measure { system: &system, start: &start, step };
     let mut found = method.integrate(&system, &start, task)??;
-    let accuracy = method.accuracy(&system, &start, (step, 40))?;
+    let accuracy = method.accuracy(&system, &start, (step, 40), &|| true)?;
     found.extend([accuracy.angle, accuracy.error.ok_or("no estimate")?.ln()]);
-    let check = method.check(&system, &start, (step, 40), &|| true)??.ok_or("not told to end")?;
-    found.extend([check.error.ln(), check.order.ok_or("no order")?]);
+    let check = method.check(&system, &start, (step, 40), &|| true)??.ok_or("told to end")?;
+    let order = check.order.map_err(|reason| reason.to_string())?;
+    found.extend([check.error.ok_or("no error")?.ln(), order]);
     Ok(found)
 }
 
