@@ -154,6 +154,7 @@ class Solution:
         Raises:
             ValueError: if the run ends within its first step.
             IntegrationError: if a step fails.
+            ArithmeticError: if the derivative of the Hamiltonian has no value during the run.
 
         Example:
             >>> from heavytop import Top
