@@ -46,7 +46,7 @@ class Form {
         told.thrown();
       });
     }
-    this.choose("method", 0);
+    this.choose("method", METHODS.findIndex(({ name }) => name === "gauss-8"));
     this.chooseStep(0.02);
     byId("speed").value = 1;
     this.fill(0);
