@@ -50,7 +50,7 @@ impl InvariantSize {
     /// Returns the size of the quantity.
     #[must_use]
     pub fn size(&self) -> f64 {
-        self.blocks.iter().map(|(_, size, slope)| size * slope).sum()
+        self.blocks.iter().fold(0.0, |sum, (_, size, slope)| sum + size * slope)
     }
 
     /// Returns a deviation of the quantity relative to its size. It is 0 for no deviation, also where the size is 0.
