@@ -144,6 +144,10 @@ mod tests {
             let mut config = preset.config();
             config.integrator = config.integrator.or(Integration::default()).into();
             let read: Config = toml::from_str(&commented(&config)).unwrap();
+            // Beside m g l its factors are neither written nor used.
+            if config.body.weight_moment.is_some() {
+                config.body.gravity = read.body.gravity;
+            }
             assert_eq!(read, config);
         }
     }

@@ -18,13 +18,13 @@ const SAME: f64 = 1.0 / (1 << 26) as f64;
 
 /// The first part of a step to which the solution for no step is followed, and the least length of a part.
 const FIRST_PART: f64 = 0.5;
-const LEAST_PART: f64 = 1.0 / (1 << 30) as f64;
+const LEAST_PART: f64 = 1.0 / (1 << 20) as f64;
 
 /// The factor by which a part is shortened if its solution is far.
 const SHORTER: f64 = 0.25;
 
 /// The number of shorter steps after which the solution is not followed further.
-const MOST_PARTS: usize = 128;
+const MOST_PARTS: usize = 64;
 
 /// The stage equations k_i = X(z + τh Σ_j a_ij k_j) for 0 ≤ τ ≤ 1.
 ///
@@ -58,20 +58,18 @@ impl<F: VectorField<T>, T: Real> Branch<'_, F, T> {
     ) -> Result<usize, StepError> {
         fill_unless(done, k, rate);
         let (outcome, [first, path]) = self.newton(1.0, done, k, space);
-        if outcome.is_ok() && path.at_most(first * AT_ONCE).or(done).all() {
-            return outcome;
+        let iterations = outcome?;
+        if path.at_most(first * AT_ONCE).or(done).all() {
+            return Ok(iterations);
         }
         let Some((followed, more)) = self.follow(done, rate, space) else {
-            return outcome.and(Err(StepError::OtherSolution { distance: path.max_abs() }));
+            return Err(StepError::OtherSolution { distance: path.max_abs() });
         };
-        let same = match outcome {
-            Ok(_) => self.equal(scale, k, &followed),
-            Err(_) => MaskOf::<F::Point>::from_bool(false),
-        };
+        let same = self.equal(scale, k, &followed);
         for (k, followed) in k.iter_mut().zip(&followed) {
             k.replace_where(done.or(same).not(), followed);
         }
-        Ok(outcome.unwrap_or_default() + more)
+        Ok(iterations + more)
     }
 
     /// Makes Newton's iteration for the part τ of the step from the guess in `k`. Returns its outcome, its first change and

@@ -4,20 +4,21 @@ pub(crate) const SECTION: &str = "\
 Draw a Poincaré section of a top, or of another Lie–Poisson system (at the end of this help).
 
 On the states with h = energy, Π·Γ = vertical_momentum and |Γ| = 1 starts are spread evenly over a
-surface, and followed from crossing to crossing. The surface fixes one coordinate, Γ_i or Π_i, or the
-angle of Γ about e_i; the section is drawn over
+surface, and followed from crossing to crossing. The surface fixes one coordinate, Γ_i or Π_i, or
+the angle of Γ about e_i; the section is drawn over
 
   x   the angle of Γ about e_i, rad; where that is fixed, the inclination of Γ to e_i, rad
-  y   Π_i (kg m²/s) where Γ_i is fixed, Γ_i where Π_i is fixed; where the angle is, Π·n (kg m²/s) with
-      n = e_i × Γ/|e_i × Γ|
+  y   Π_i (kg m²/s) where Γ_i is fixed, Γ_i where Π_i is fixed; where the angle is, Π·n (kg m²/s)
+      with n = e_i × Γ/|e_i × Γ|
 
 Where Γ_i or the angle is fixed these are canonical: areas are conserved from crossing to crossing.
-An angle is passed where it is the level, or differs from it by turns of 2π; its jump from π to -π is
-no crossing. The closing lines, error_estimate of the summary and the metadata have an estimate of the
-error at the last return, relative to the state, of eight orbits or all: the largest, which is 1 where
-an orbit is chaotic and long. A warning says where it is above 1e-3. Starts are
-coloured by the mean of |y| over their points, which is the same all over an invariant curve or a
-chaotic sea.
+An angle is passed where it is the level, or differs from it by turns of 2π; its jump from π to -π
+is no crossing. Starts are coloured by the mean of |y| over their points, which is the same all over
+an invariant curve or a chaotic sea.
+
+The closing lines, error_estimate of the summary and the metadata have an estimate of the error at
+the last return, relative to the state, of eight orbits or all: the largest, which is 1 where an
+orbit is chaotic and long. A warning says where it is above 1e-3.
 
 Crossings are located to the accuracy of the integrator. The start is no crossing; neither is a
 touch, where the sign does not change. Starts are followed in parallel; no bit depends on the number
@@ -43,7 +44,8 @@ Configuration: [body] and [initial] as of simulate, and
   energy = 11.75                     # h, J; without it that of [initial]
   vertical_momentum = 4.46           # Π·Γ, kg m²/s; without it that of [initial]
   surface = \"Gamma3\"                 # or Gamma1, Gamma2, Pi1, Pi2, Pi3, or an angle, rad:
-                                     # atan2(Gamma2, Gamma1) about e3, atan2(Gamma3, Gamma2) about e1,
+                                     # atan2(Gamma2, Gamma1) about e3,
+                                     # atan2(Gamma3, Gamma2) about e1,
                                      # atan2(Gamma1, Gamma3) about e2
   level = 0.0                        # its value on the surface
   direction = \"up\"                   # the crossings that count: up, down or both; the two sheets
@@ -89,8 +91,8 @@ Each axis varies one number of [body] or [initial], over a grid or at random; th
 
   final-state         (Π, Γ) at the end: Pi1,Pi2,Pi3 (kg m²/s), Gamma1,Gamma2,Gamma3
   invariant-drift     largest deviations over all steps: drift_h (J), drift_f1, drift_f2 (kg m²/s)
-  relative-drift      these relative to the size of each invariant, without a unit: relative_drift_h,
-                      relative_drift_f1, relative_drift_f2
+  relative-drift      these relative to the size of each invariant, without a unit:
+                      relative_drift_h, relative_drift_f1, relative_drift_f2
   lyapunov            the maximal Lyapunov exponent so far, 1/s
   megno               mean exponential growth factor of nearby orbits: about 2 in order, λt/2 in
                       chaos
