@@ -98,16 +98,21 @@ impl Finished {
     pub fn complaints(&self) -> String {
         let expected = ["heavytop: done", "heavytop: left out, "];
         let is_expected = |line: &str| {
-            expected.iter().any(|text| line.starts_with(text))
-                || line.starts_with("heavytop: warning: ") && line.contains("the motion turns by ")
+            expected.iter().any(|text| line.starts_with(text)) || is_about_accuracy(line)
         };
         self.stderr().split_inclusive('\n').filter(|line| !is_expected(line)).collect()
     }
 
-    /// Returns the number of messages, each with the lines that it quotes.
+    /// Returns the number of messages, each with the lines that it quotes, without the warning about the accuracy.
     pub fn messages(&self) -> usize {
-        self.stderr().lines().filter(|line| line.starts_with("heavytop: ")).count()
+        let is_message = |line: &&str| line.starts_with("heavytop: ") && !is_about_accuracy(line);
+        self.stderr().lines().filter(is_message).count()
     }
+}
+
+/// Returns whether a line is the warning about the accuracy of the motion.
+fn is_about_accuracy(line: &str) -> bool {
+    line.starts_with("heavytop: warning: ") && line.contains("the motion turns by ")
 }
 
 /// Runs a shell command in a terminal, types the answer, and returns all that the terminal shows; `None`, with a message,
