@@ -223,7 +223,8 @@ fn steps_that_are_not_poisson_are_warned_of() {
     folder.write("poincare.toml", POINCARE);
     let run = |file: &str| {
         let set = "integrator.formulation=collective";
-        let run = folder.heavytop(&["simulate", file, "--out", "out.csv", "--set", set]);
+        // Tables of different coordinates do not replace one another.
+        let run = folder.heavytop(&["simulate", file, "--out", "out.csv", "--set", set, "--force"]);
         assert_eq!(run.code(), 0, "{}", run.stderr());
         run.stderr()
     };
@@ -326,7 +327,8 @@ fn the_systems_of_the_help_and_of_the_guide_run() {
     for text in in_help.chain(in_guide).filter(|text| text.contains("hamiltonian = ")) {
         folder.write("system.toml", &format!("[system]\n{text}"));
         let end = ["--set", "integrator.end=2"];
-        let run = [&["simulate", "system.toml", "--out", "system.csv"], &end[..]].concat();
+        let run =
+            [&["simulate", "system.toml", "--out", "system.csv", "--force"], &end[..]].concat();
         succeeded(&folder.heavytop(&run));
         if text.contains("[section]") {
             let few = ["--set", "section.starts=2", "--set", "section.crossings=3"];

@@ -115,7 +115,8 @@ fn ctrl_c_ends_a_run_with_a_checkpoint_also_twice() {
         let said = String::from_utf8(done.stderr).unwrap();
         assert_eq!(done.status.code(), Some(130), "{said}");
         let expected = "heavytop: interrupted; go on by the same command with --resume\n";
-        assert_eq!((round, said.as_str()), (round, expected));
+        // The warning about the accuracy comes first.
+        assert!(said.ends_with(expected), "{round}: {said}");
         assert_eq!(folder.names(), ["a.npz.checkpoint", "a.npz.rows", "a.toml"]);
     }
 }
