@@ -20,7 +20,7 @@ fn resumption(said: &str) -> Option<&str> {
 
 /// Checks what a run has said and left that had no room, and that it is repeated with success.
 pub fn assert_nothing_is_lost(writing: &Writing, folder: &Folder, run: &Finished, reason: &str) {
-    let said = run.stderr();
+    let said = run.complaints();
     assert_eq!((run.code(), said.lines().count()), (1, 1), "{writing}: {said}");
     assert!(said.starts_with("heavytop: cannot write "), "{writing}: {said}");
     assert!(said.contains(reason), "{writing}: {said}");
