@@ -1,6 +1,6 @@
 //! The solution of stage equations to which short steps lead: [`Branch`].
 
-use crate::iteration::block_sizes::{BlockSizes, MaskOf};
+use crate::iteration::block_sizes::BlockSizes;
 use crate::iteration::stage_scale::{Progress, Scale, StageScale};
 use crate::iteration::stage_solver::fill_unless;
 use crate::stages::newton::{NewtonSpace, newton_step};

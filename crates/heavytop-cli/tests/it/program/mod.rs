@@ -111,7 +111,7 @@ impl Finished {
 }
 
 /// Returns whether a line is the warning about the accuracy of the motion.
-fn is_about_accuracy(line: &str) -> bool {
+pub fn is_about_accuracy(line: &str) -> bool {
     line.starts_with("heavytop: warning: ") && line.contains("the motion turns by ")
 }
 

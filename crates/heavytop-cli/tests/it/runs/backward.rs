@@ -6,7 +6,7 @@ use crate::program::{Folder, numbers};
 /// Returns the rows of a run with these keys of `[integrator]`.
 fn simulated(folder: &Folder, keys: &str) -> Vec<Vec<f64>> {
     folder.write("a.toml", keys);
-    let run = folder.heavytop(&["simulate", "a.toml", "--out", "a.csv"]);
+    let run = folder.heavytop(&["simulate", "a.toml", "--out", "a.csv", "--force"]);
     assert_eq!((run.code(), run.complaints()), (0, String::new()), "{keys}");
     numbers(&folder.read("a.csv")).1
 }
