@@ -17,7 +17,7 @@ const SLOW: usize = 60;
 const CLOSE: f64 = 1.0 / (1 << 26) as f64;
 
 /// The number of Newton iterations after which the stage equations count as not solved.
-const NEWTON_ITERATIONS: usize = 50;
+pub(crate) const NEWTON_ITERATIONS: usize = 50;
 
 /// The solver of the stage equations k_i = X(z + h Σ_j a_ij k_j), with its settings.
 ///
@@ -207,7 +207,8 @@ impl StageSolver {
         )
     }
 
-    /// Makes Newton's iteration from the guess in `k`, in the lanes that are not `done`. Returns the number of iterations.
+    /// Makes at most so many iterations of Newton's from the guess in `k`, in the lanes that are not `done`. Returns their
+    /// number.
     ///
     /// The closure `advance` makes one iteration in those lanes, and returns its change and the size of the stages.
     ///
@@ -217,13 +218,14 @@ impl StageSolver {
     #[cfg_attr(not(debug_assertions), inline(always))]
     pub(crate) fn newton<V: State>(
         &self,
+        most: usize,
         done: MaskOf<V>,
         scale: &impl Scale<V>,
         k: &mut [V],
         mut advance: impl FnMut(MaskOf<V>, &mut [V]) -> Progress<V>,
     ) -> Result<usize, StepError> {
         let lanes = (done, MaskOf::<V>::from_bool(false));
-        self.iterate(NEWTON_ITERATIONS, lanes, scale, &mut unknown(), |done, _| advance(done, k))
+        self.iterate(most, lanes, scale, &mut unknown(), |done, _| advance(done, k))
             .map_err(|unconverged| unconverged.error)
     }
 

@@ -32,7 +32,7 @@ fn a_bar_shows_from_the_first_second_on_and_fits_the_terminal() {
     ] {
         let folder = Folder::new();
         // By exec, so that no shell is left that reports the end by a signal in the line of the bar.
-        let limited = format!("stty cols 80; exec timeout -s KILL 12 {heavytop} {command}");
+        let limited = format!("stty cols 80; exec timeout -s KILL 30 {heavytop} {command}");
         let Some(said) = in_terminal(&folder, &limited, "") else { return };
         let bars: Vec<String> = drawn(&said).into_iter().filter(|l| l.contains(kind)).collect();
         assert!(!bars.is_empty(), "{said:?}");

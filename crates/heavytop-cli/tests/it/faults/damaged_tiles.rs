@@ -123,7 +123,7 @@ fn a_folder_in_place_of_a_tile_is_named(run: &FinishedTiles) {
     fs::remove_file(&place).unwrap();
     fs::create_dir(&place).unwrap();
     let resumed = folder.heavytop(&[case.command, "a.toml", "--out", "cut", "--resume"]);
-    let said = resumed.stderr();
+    let said = resumed.complaints();
     assert_eq!((resumed.code(), said.lines().count()), (1, 1), "{said}");
     let named = format!("heavytop: cannot read cut/{}.partial/0000003: ", case.command);
     assert!(said.starts_with(&named), "{said}");
