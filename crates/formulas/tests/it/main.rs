@@ -3,12 +3,10 @@
 
 mod named_algebras;
 mod casimirs_found;
-mod conditions;
-mod derivatives;
+mod calculus;
 mod errors;
 mod expressions;
 mod language;
 mod random_texts;
-mod formulas_in_lanes;
 mod support;
 mod tables;

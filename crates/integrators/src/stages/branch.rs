@@ -46,11 +46,12 @@ impl<F: VectorField<T>, T: Real> Branch<'_, F, T> {
     /// Solves the equations of the step by Newton's iteration from k_i = `rate`, which is X(z), in the lanes that are not
     /// `done`. Returns the number of iterations.
     ///
-    /// If the iteration does not contract at once, its solution is compared with that to which short steps lead.
+    /// If the iteration does not contract at once, its solution is compared with that to which short steps lead. It is not
+    /// replaced by that, whose last bits depend on the other lanes.
     ///
     /// # Errors
-    /// Returns the error of the iteration, or [`StepError::OtherSolution`], if no solution is found to which short steps
-    /// lead.
+    /// Returns the error of the iteration, or [`StepError::OtherSolution`] if short steps are not seen to lead to its
+    /// solution.
     pub(crate) fn solve(
         &self,
         done: T::Mask,
@@ -62,17 +63,17 @@ impl<F: VectorField<T>, T: Real> Branch<'_, F, T> {
         fill_unless(done, k, rate);
         let (outcome, [first, path]) = self.newton(1.0, NEWTON_ITERATIONS, done, k, space);
         let iterations = outcome?;
-        if path.at_most(first * AT_ONCE).or(done).all() {
+        let at_once = path.at_most(first * AT_ONCE).or(done);
+        if at_once.all() {
             return Ok(iterations);
         }
-        let Some((followed, more)) = self.follow(done, rate, space) else {
-            return Err(StepError::OtherSolution { distance: path.max_abs() });
-        };
-        let same = self.equal(scale, k, &followed);
-        for (k, followed) in k.iter_mut().zip(&followed) {
-            k.replace_where(done.or(same).not(), followed);
+        let followed = self.follow(done, rate, space);
+        let same = followed.map(|followed| self.equal(scale, k, &followed).or(at_once).all());
+        if same == Some(true) {
+            Ok(iterations)
+        } else {
+            Err(StepError::OtherSolution { distance: path.max_abs() })
         }
-        Ok(iterations + more)
     }
 
     /// Makes at most so many of Newton's iterations for the part τ of the step from the guess in `k`. Returns the outcome,
@@ -99,16 +100,16 @@ impl<F: VectorField<T>, T: Real> Branch<'_, F, T> {
         (outcome, [first.unwrap_or(path), path])
     }
 
-    /// Follows the solution from τ = 0 to τ = 1. Returns it with the number of iterations, or `None` if it ends before.
+    /// Follows the solution from τ = 0 to τ = 1. Returns it, or `None` if it ends before.
     fn follow(
         &self,
         done: T::Mask,
         rate: &F::Point,
         space: &mut NewtonSpace<T>,
-    ) -> Option<(Vec<F::Point>, usize)> {
+    ) -> Option<Vec<F::Point>> {
         let mut k = vec![rate.clone(); self.tableau.stages()];
         let mut before: Option<(f64, Vec<F::Point>)> = None;
-        let (mut reached, mut part, mut iterations) = (0.0, FIRST_PART, 0);
+        let (mut reached, mut part) = (0.0, FIRST_PART);
         for _ in 0..MOST_PARTS {
             let next = f64::min(reached + part, 1.0);
             let mut guess = k.clone();
@@ -121,10 +122,9 @@ impl<F: VectorField<T>, T: Real> Branch<'_, F, T> {
             }
             let (outcome, [_, path]) = self.newton(next, FEW_ITERATIONS, done, &mut guess, space);
             match outcome {
-                Ok(made) if path.at_most(T::from_f64(NEAR)).or(done).all() => {
-                    iterations += made;
+                Ok(_) if path.at_most(T::from_f64(NEAR)).or(done).all() => {
                     if next >= 1.0 {
-                        return Some((guess, iterations));
+                        return Some(guess);
                     }
                     before = Some((reached, core::mem::replace(&mut k, guess)));
                     (reached, part) = (next, part * 2.0);

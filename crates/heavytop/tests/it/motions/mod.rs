@@ -1,6 +1,6 @@
 //! Motions of tops, also backward: splittings, attitudes, sections, and methods that descend to 𝔰𝔢(3)∗.
 
-mod accuracy;
+mod estimated_errors;
 mod attitude;
 mod descent;
 mod poincare;
