@@ -27,7 +27,7 @@ fn a_bar_shows_from_the_first_second_on_and_fits_the_terminal() {
     let long = "--set integrator.scheme=gauss-16 --set integrator.end=1e4 --set output.every=1000";
     // Each takes seconds, after some for the estimate of the error.
     for (command, kind) in [
-        (format!("simulate {long} --out a.csv"), "/500.0k steps"),
+        (format!("simulate {long} --out a.csv"), "/500k steps"),
         ("sweep --set integrator.end=100 --out map --threads 1".into(), "/1024 tops"),
     ] {
         let folder = Folder::new();
