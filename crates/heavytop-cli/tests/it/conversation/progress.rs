@@ -28,7 +28,7 @@ fn a_bar_shows_from_the_first_second_on_and_fits_the_terminal() {
     // Each takes seconds, after some for the estimate of the error.
     for (command, kind) in [
         (format!("simulate {long} --out a.csv"), "/500k steps"),
-        ("sweep --set integrator.end=100 --out map --threads 1".into(), "/1024 tops"),
+        ("sweep --set integrator.end=20 --out map --threads 1".into(), "/1024 tops"),
     ] {
         let folder = Folder::new();
         // By exec, so that no shell is left that reports the end by a signal in the line of the bar.
