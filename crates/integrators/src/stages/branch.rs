@@ -46,8 +46,8 @@ impl<F: VectorField<T>, T: Real> Branch<'_, F, T> {
     /// Solves the equations of the step by Newton's iteration from k_i = `rate`, which is X(z), in the lanes that are not
     /// `done`. Returns the number of iterations.
     ///
-    /// If the iteration does not contract at once, and goes far, its solution is compared with that to which short steps lead. It is not
-    /// replaced by that, whose last bits depend on the other lanes.
+    /// If the iteration does not contract at once, and goes far, its solution is compared with that to which short steps
+    /// lead. It is not replaced by that, whose last bits depend on the other lanes.
     ///
     /// # Errors
     /// Returns the error of the iteration, or [`StepError::OtherSolution`] if short steps are not seen to lead to its
@@ -64,16 +64,13 @@ impl<F: VectorField<T>, T: Real> Branch<'_, F, T> {
         let (outcome, [first, path]) = self.newton(1.0, NEWTON_ITERATIONS, done, k, space);
         let iterations = outcome?;
         let near = path.at_most(T::from_f64(NEAR));
-        let at_once = path.at_most(first * AT_ONCE).or(near).or(done);
-        if at_once.all() {
+        let accepted = path.at_most(first * AT_ONCE).or(near).or(done);
+        if accepted.all() {
             return Ok(iterations);
         }
-        let followed = self.follow(done, rate, space);
-        let same = followed.map(|followed| self.equal(scale, k, &followed).or(at_once).all());
-        if same == Some(true) {
-            Ok(iterations)
-        } else {
-            Err(StepError::OtherSolution { distance: path.max_abs() })
+        match self.follow(done, rate, space) {
+            Some(followed) if self.equal(scale, k, &followed).or(accepted).all() => Ok(iterations),
+            _ => Err(StepError::OtherSolution { distance: path.max_abs() }),
         }
     }
 
@@ -93,7 +90,8 @@ impl<F: VectorField<T>, T: Real> Branch<'_, F, T> {
         let outcome = self.solver.newton(most, done, &scale, k, |done, k| {
             let progress = newton_step(self.field, (z, step), self.tableau, done, k, space);
             let (change, size) = scale.compare(&progress);
-            let relative = change / size;
+            // At an equilibrium both are 0.
+            let relative = T::select(size.at_most(T::zero()), T::zero(), change / size);
             first = first.or(Some(relative));
             path += relative;
             progress
