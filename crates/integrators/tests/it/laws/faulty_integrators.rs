@@ -145,8 +145,8 @@ fn laws_of_integrators_reject_what_breaks_them() {
     }
 }
 
-/// An integrator that contains another one, and does not pass on the call to forget.
-struct Deaf<I>(I);
+/// An integrator that contains another one, and passes on neither the call to forget nor that to pin.
+pub(super) struct Deaf<I>(pub(super) I);
 
 impl<I: Integrator> Integrator for Deaf<I> {
     type State = I::State;
