@@ -67,6 +67,8 @@ impl Default for StageSolver {
 pub struct Unconverged<M> {
     /// The lanes in which the iteration has converged.
     pub converged: M,
+    /// The lanes in which it has converged to a solution far from the guess, which may not be that of the step.
+    pub astray: M,
     /// The number of iterations made.
     pub iterations: usize,
     /// The error of the other lanes.
@@ -213,8 +215,7 @@ impl StageSolver {
     /// The closure `advance` makes one iteration in those lanes, and returns its change and the size of the stages.
     ///
     /// # Errors
-    /// Returns [`StepError::NotConverged`] or [`StepError::OtherSolution`] if the iteration does not converge in some
-    /// lane, or to a solution far from the guess.
+    /// Returns [`Unconverged`] if the iteration does not converge in some lane, or to a solution far from the guess.
     #[cfg_attr(not(debug_assertions), inline(always))]
     pub(crate) fn newton<V: State>(
         &self,
@@ -223,10 +224,9 @@ impl StageSolver {
         scale: &impl Scale<V>,
         k: &mut [V],
         mut advance: impl FnMut(MaskOf<V>, &mut [V]) -> Progress<V>,
-    ) -> Result<usize, StepError> {
+    ) -> Result<usize, Unconverged<MaskOf<V>>> {
         let lanes = (done, MaskOf::<V>::from_bool(false));
         self.iterate(most, lanes, scale, &mut unknown(), |done, _| advance(done, k))
-            .map_err(|unconverged| unconverged.error)
     }
 
     /// Iterates until the change has converged, or has become infinite, in every lane that is not `done`. In the lanes
@@ -283,7 +283,7 @@ impl StageSolver {
         } else {
             StepError::NotConverged { residual, required, iterations }
         };
-        Err(Unconverged { converged, iterations, error })
+        Err(Unconverged { converged, astray, iterations, error })
     }
 }
 

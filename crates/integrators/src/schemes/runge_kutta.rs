@@ -5,7 +5,7 @@ use crate::iteration::convergence::{Ratios, is_finite};
 use crate::iteration::lane_problem::{LaneProblem, Outcome};
 use crate::iteration::stage_rows::{StageColumns, StageRows};
 use crate::iteration::stage_scale::StageScale;
-use crate::iteration::stage_solver::{StageEquations, Unconverged, fit, set_combination};
+use crate::iteration::stage_solver::{StageEquations, fit, set_combination};
 use crate::schemes::explicit_step::four_stages;
 use crate::schemes::refinement::Refinement;
 use crate::stages::branch::Branch;
@@ -93,22 +93,18 @@ impl RungeKutta {
         let (from, unknowns) = ((z, step, &scale), (k.as_mut_slice(), &mut spare));
         let solved = memory.solve(&self.predictor, &self.solver, field, from, unknowns, equations);
         let outcome = match solved {
-            Err(Unconverged { converged, iterations, error })
+            Err(unconverged)
                 if T::HAS_SLOW_PATHS && self.solver.newton && newton.allows(k.len(), z) =>
             {
                 field.at_into(z, &mut spare);
                 // Newton's iteration begins at X(z). If that is not a number, its dense matrix would be computed in
                 // vain.
                 let begins = is_finite(BlockSizes::of(core::slice::from_ref(&spare)).largest());
-                if begins.and(converged.not()).any() && step.is_finite() {
+                if begins.and(unconverged.converged.not()).any() && step.is_finite() {
                     let problem = Branch { field, z, step, tableau, solver: &self.solver };
-                    let more = problem.solve(converged, &spare, &scale, k, newton);
-                    // What the sweeps have found says more than that Newton's iteration finds nothing.
-                    let astray = matches!(error, StepError::OtherSolution { .. });
-                    let more = more.map_err(|failed| if astray { error } else { failed });
-                    more.map(|more| (iterations + more, converged))
+                    problem.solve(&unconverged, &spare, &scale, k, newton)
                 } else {
-                    Err(error)
+                    Err(unconverged.error)
                 }
             }
             Ok(iterations) => Ok((iterations, T::Mask::from_bool(true))),

@@ -2,7 +2,7 @@
 
 use crate::iteration::block_sizes::BlockSizes;
 use crate::iteration::stage_scale::{Progress, Scale, StageScale};
-use crate::iteration::stage_solver::{NEWTON_ITERATIONS, fill_unless};
+use crate::iteration::stage_solver::{NEWTON_ITERATIONS, Unconverged, fill_unless};
 use crate::stages::newton::{NewtonSpace, newton_step};
 use crate::{StageSolver, StepError, Tableau, VectorField};
 use lie_poisson::{Mask, Real, State};
@@ -17,17 +17,17 @@ const NEAR: f64 = 0.5;
 const SAME: f64 = 1.0 / (1 << 26) as f64;
 
 /// The first part of a step to which the solution for no step is followed, and the least length of a part.
-const FIRST_PART: f64 = 0.5;
+const FIRST_PART: f64 = 0.25;
 const LEAST_PART: f64 = 1.0 / 1024.0;
 
 /// The number of iterations for a part, whose guess is near.
 const FEW_ITERATIONS: usize = 6;
 
-/// The factor by which a part is shortened if its solution is far.
-const SHORTER: f64 = 0.25;
+/// The least and the greatest factor by which the length of a part changes.
+const FACTORS: [f64; 2] = [0.25, 2.0];
 
 /// The number of shorter steps after which the solution is not followed further.
-const MOST_PARTS: usize = 16;
+const MOST_PARTS: usize = 32;
 
 /// The stage equations k_i = X(z + τh Σ_j a_ij k_j) for 0 ≤ τ ≤ 1.
 ///
@@ -43,33 +43,49 @@ pub(crate) struct Branch<'a, F: VectorField<T>, T: Real> {
 }
 
 impl<F: VectorField<T>, T: Real> Branch<'_, F, T> {
-    /// Solves the equations of the step by Newton's iteration from k_i = `rate`, which is X(z), in the lanes that are not
-    /// `done`. Returns the number of iterations.
+    /// Solves the equations of the step in the lanes in which the sweeps have not converged. `rate` is X(z). Returns the
+    /// number of all iterations, and the lanes with the solution of the sweeps.
     ///
-    /// If the iteration does not contract at once, and goes far, its solution is compared with that to which short steps
-    /// lead. It is not replaced by that, whose last bits depend on the other lanes.
+    /// Where the sweeps have gone far, their solution stays if short steps lead to it. Elsewhere, Newton's iteration
+    /// begins at k_i = X(z). If it does not contract at once, and goes far, its solution is compared with that to which
+    /// short steps lead, too. It is not replaced by that, whose last bits depend on the other lanes.
     ///
     /// # Errors
     /// Returns the error of the iteration, or [`StepError::OtherSolution`] if short steps are not seen to lead to its
     /// solution.
     pub(crate) fn solve(
         &self,
-        done: T::Mask,
+        sweeps: &Unconverged<T::Mask>,
         rate: &F::Point,
         scale: &StageScale<F::Point>,
         k: &mut [F::Point],
         space: &mut NewtonSpace<T>,
-    ) -> Result<usize, StepError> {
+    ) -> Result<(usize, T::Mask), StepError> {
+        let mut done = sweeps.converged;
+        if sweeps.astray.any() {
+            let followed = self.follow(sweeps.astray.not(), rate, space).ok_or(sweeps.error)?;
+            done = done.or(self.equal(scale, k, &followed).and(sweeps.astray));
+            if done.all() {
+                return Ok((sweeps.iterations, done));
+            }
+        }
         fill_unless(done, k, rate);
         let (outcome, [first, path]) = self.newton(1.0, NEWTON_ITERATIONS, done, k, space);
-        let iterations = outcome?;
+        let iterations = sweeps.iterations
+            + match outcome {
+                Ok(iterations) => iterations,
+                Err(far) if far.converged.or(far.astray).all() => far.iterations,
+                Err(unconverged) => return Err(unconverged.error),
+            };
         let near = path.at_most(T::from_f64(NEAR));
         let accepted = path.at_most(first * AT_ONCE).or(near).or(done);
         if accepted.all() {
-            return Ok(iterations);
+            return Ok((iterations, done));
         }
         match self.follow(done, rate, space) {
-            Some(followed) if self.equal(scale, k, &followed).or(accepted).all() => Ok(iterations),
+            Some(followed) if self.equal(scale, k, &followed).or(accepted).all() => {
+                Ok((iterations, done))
+            }
             _ => Err(StepError::OtherSolution { distance: path.max_abs() }),
         }
     }
@@ -83,7 +99,7 @@ impl<F: VectorField<T>, T: Real> Branch<'_, F, T> {
         done: T::Mask,
         k: &mut [F::Point],
         space: &mut NewtonSpace<T>,
-    ) -> (Result<usize, StepError>, [T; 2]) {
+    ) -> (Result<usize, Unconverged<T::Mask>>, [T; 2]) {
         let (z, step) = (self.z, self.step * part);
         let scale = StageScale::new(z, step);
         let (mut first, mut path) = (None, T::zero());
@@ -120,16 +136,23 @@ impl<F: VectorField<T>, T: Real> Branch<'_, F, T> {
                 }
             }
             let (outcome, [_, path]) = self.newton(next, FEW_ITERATIONS, done, &mut guess, space);
-            match outcome {
-                Ok(_) if path.at_most(T::from_f64(NEAR)).or(done).all() => {
-                    if next >= 1.0 {
-                        return Some(guess);
-                    }
-                    before = Some((reached, core::mem::replace(&mut k, guess)));
-                    (reached, part) = (next, part * 2.0);
+            let far = T::select(done, T::zero(), path).max_abs();
+            if outcome.is_ok() && far <= NEAR {
+                if next >= 1.0 {
+                    return Some(guess);
                 }
-                _ if part * SHORTER < LEAST_PART => return None,
-                _ => part *= SHORTER,
+                before = Some((reached, core::mem::replace(&mut k, guess)));
+                reached = next;
+            }
+            // The distance of a guess by extrapolation is quadratic in the length of the part.
+            let [least, greatest] = FACTORS;
+            part *= if outcome.is_ok() {
+                (0.5 * NEAR / far).sqrt().clamp(least, greatest)
+            } else {
+                least
+            };
+            if part < LEAST_PART {
+                return None;
             }
         }
         None
@@ -149,7 +172,7 @@ impl<F: VectorField<T>, T: Real> Branch<'_, F, T> {
 #[cfg(test)]
 mod tests {
     use crate::{RungeKutta, Scheme, StepError, from_fn};
-    use nalgebra::Vector1;
+    use nalgebra::{Vector1, Vector3};
 
     /// Makes a midpoint step of the given size from x.
     fn midpoint(f: impl Fn(f64) -> f64, x: f64, step: f64) -> Result<f64, StepError> {
@@ -172,6 +195,28 @@ mod tests {
             let bounded = midpoint(saturating, 1.0, step);
             assert!(matches!(bounded, Err(StepError::OtherSolution { .. })), "{step} {bounded:?}");
         }
+    }
+
+    /// Sweeps and Newton's iteration from X(z) go far in steps in which a free body turns by several radians, to solutions
+    /// that are exact to the order of the method.
+    #[test]
+    fn accurate_steps_of_several_radians_are_made() -> Result<(), StepError> {
+        let body =
+            from_fn(|x: &Vector3<f64>| x.cross(&x.component_div(&Vector3::new(1.0, 2.0, 3.0))));
+        let start = Vector3::new(1.0, 0.2, 3.0);
+        for stages in [4, 6, 8] {
+            let gauss = RungeKutta::gauss(stages).map_err(|_| StepError::NotFinite)?;
+            for step in (1..=20).map(|i| 0.25 * f64::from(i)) {
+                let made = gauss.step(&body, &start, step, &mut gauss.workspace())?.point;
+                let (mut exact, mut space) = (start, gauss.workspace());
+                for _ in 0..64 {
+                    exact = gauss.step(&body, &exact, step / 64.0, &mut space)?.point;
+                }
+                // Measured: 2e-2 for four stages, 1e-3 for six, 3e-4 for eight, each in the longest steps.
+                assert!((made - exact).amax() < 0.03, "{stages} {step} {made:?}");
+            }
+        }
+        Ok(())
     }
 
     /// The equation k = −y − 10 y³, y = x + hk/2, has one solution, which short steps lead to.

@@ -270,12 +270,14 @@ fn retried<M: Mask>(
     match second {
         Ok(iterations) if !failed.any() => Ok(lost + iterations),
         Ok(iterations) => {
-            let converged = failed.not();
-            Err(Unconverged { converged, iterations: lost + iterations, error: first.error })
+            let (converged, astray) = (failed.not(), first.astray.and(failed));
+            let iterations = lost + iterations;
+            Err(Unconverged { converged, astray, iterations, error: first.error })
         }
         Err(second) => {
             let converged = second.converged.and(failed.not());
-            Err(Unconverged { converged, iterations: lost + second.iterations, ..second })
+            let astray = second.astray.or(first.astray.and(failed));
+            Err(Unconverged { converged, astray, iterations: lost + second.iterations, ..second })
         }
     }
 }
@@ -301,6 +303,7 @@ mod tests {
     fn a_second_attempt_adds_its_iterations() {
         let failed = |converged, iterations| Unconverged {
             converged,
+            astray: false,
             iterations,
             error: StepError::NotConverged { residual: 1.0, required: 0.0, iterations },
         };

@@ -230,7 +230,10 @@ fn large_steps_are_left_to_the_general_method() {
         let same = gauss.general().step(&state, step, &mut gauss.general().workspace());
         assert_eq!(large.map(|s| s.point), same.map(|s| s.point), "{step}");
     }
-    assert!(gauss.step(&state, 1.5, &mut space).is_ok_and(|step| step.iterations > 48));
+    // Control: the kernel's own steps have other last bits.
+    let own = gauss.step(&state, 0.1, &mut gauss.workspace()).unwrap().point;
+    let same = gauss.general().step(&state, 0.1, &mut gauss.general().workspace()).unwrap().point;
+    assert_ne!(own, same);
     // The next step continues as if nothing had happened.
     let next = gauss.step(&state, 0.1, &mut space).unwrap();
     assert_eq!(next, gauss.step(&state, 0.1, &mut gauss.workspace()).unwrap());
