@@ -25,10 +25,10 @@ pub enum StepError {
         /// The number of iterations made.
         iterations: usize,
     },
-    /// The iteration for the stage equations converged to a solution that does not belong to the state.
+    /// The iteration for the stage equations converged to a solution that is not seen to belong to the state.
     #[error(
-        "the stage equations have a solution, but not one that short steps lead to: the iteration went {distance:e} \
-         times the size of the stage derivatives to it; a shorter step may help"
+        "the stage equations have a solution, but short steps are not seen to lead to it: the iteration went \
+         {distance:.1e} times the size of the stage derivatives to it; a shorter step may help"
     )]
     OtherSolution {
         /// The sum of the changes of the stage derivatives in the iteration, relative to their size.

@@ -89,7 +89,7 @@ pub enum StructureTableError {
 /// let entries = structure_table("# so(3)\n1, 2, 3, 1\n2, 3, 1, 1\n3, 1, 2, 1\n")?;
 /// let so3 = SystemAlgebra::of_entries(Coordinates::new().vector("L", 3)?, entries)?;
 /// assert_eq!(so3.dimension(), 3);
-/// let of_spreadsheet = "\u{feff}\"i\",\"j\",\"k\",\"value\"\r\n1.0,2.0,3.0,1\r\n2,3,1,1\r\n3,1,2,1\r\n";
+/// let of_spreadsheet = "\u{feff}\"i\",\"j\",\"k\",\"value\"\r\n1.0,2.0,3.0,1\r\n1,3,2,-1\r\n2,3,1,1\r\n";
 /// assert_eq!(structure_table(of_spreadsheet)?, so3.entries());
 /// let error = structure_table("1, 2, 3, 1\n0, 3, 1, 1").unwrap_err();
 /// assert_eq!(error.to_string(), "line 2: the index `0` is not a whole number from 1 to 15");
