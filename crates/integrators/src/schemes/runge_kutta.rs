@@ -102,7 +102,12 @@ impl RungeKutta {
                 let begins = is_finite(BlockSizes::of(core::slice::from_ref(&spare)).largest());
                 if begins.and(unconverged.converged.not()).any() && step.is_finite() {
                     let problem = Branch { field, z, step, tableau, solver: &self.solver };
-                    problem.solve(&unconverged, &spare, &scale, k, newton)
+                    let outcome = problem.solve(&unconverged, &spare, k, newton);
+                    // What the sweeps have found says more than that Newton's iteration finds nothing.
+                    let found = unconverged.astray.any();
+                    let outcome =
+                        outcome.map_err(|error| if found { unconverged.error } else { error });
+                    outcome.map(|iterations| (iterations, unconverged.converged))
                 } else {
                     Err(unconverged.error)
                 }

@@ -1,6 +1,7 @@
 //! The solution of stage equations to which short steps lead: [`Branch`].
 
 use crate::iteration::block_sizes::BlockSizes;
+use crate::iteration::convergence::is_finite;
 use crate::iteration::stage_scale::{Progress, Scale, StageScale};
 use crate::iteration::stage_solver::{NEWTON_ITERATIONS, Unconverged, fill_unless};
 use crate::stages::newton::{NewtonSpace, newton_step};
@@ -15,6 +16,12 @@ const NEAR: f64 = 0.5;
 
 /// The relative distance within which two solutions are the same: half of the digits.
 const SAME: f64 = 1.0 / (1 << 26) as f64;
+
+/// The number whose multiples have fractional parts that are all different, and evenly spread.
+const GOLDEN_RATIO: f64 = 1.618_033_988_749_895;
+
+/// The longest chain of blocks, of which each drives the next alone, whose terms are measured.
+const CHAIN: usize = 4;
 
 /// The first part of a step to which the solution for no step is followed, and the least length of a part.
 const FIRST_PART: f64 = 0.25;
@@ -43,12 +50,12 @@ pub(crate) struct Branch<'a, F: VectorField<T>, T: Real> {
 }
 
 impl<F: VectorField<T>, T: Real> Branch<'_, F, T> {
-    /// Solves the equations of the step in the lanes in which the sweeps have not converged. `rate` is X(z). Returns the
-    /// number of all iterations, and the lanes with the solution of the sweeps.
+    /// Solves the equations of the step by Newton's iteration from k_i = `rate`, which is X(z), in the lanes in which the
+    /// sweeps have not converged. Returns the number of all iterations.
     ///
-    /// Where the sweeps have gone far, their solution stays if short steps lead to it. Elsewhere, Newton's iteration
-    /// begins at k_i = X(z). If it does not contract at once, and goes far, its solution is compared with that to which
-    /// short steps lead, too. It is not replaced by that, whose last bits depend on the other lanes.
+    /// If the iteration does not contract at once, and goes far, its solution is compared with that to which short steps
+    /// lead, relative to the terms whose sums are the stage derivatives. It is not replaced by that, whose last bits depend
+    /// on the other lanes.
     ///
     /// # Errors
     /// Returns the error of the iteration, or [`StepError::OtherSolution`] if short steps are not seen to lead to its
@@ -57,20 +64,13 @@ impl<F: VectorField<T>, T: Real> Branch<'_, F, T> {
         &self,
         sweeps: &Unconverged<T::Mask>,
         rate: &F::Point,
-        scale: &StageScale<F::Point>,
         k: &mut [F::Point],
         space: &mut NewtonSpace<T>,
-    ) -> Result<(usize, T::Mask), StepError> {
-        let mut done = sweeps.converged;
-        if sweeps.astray.any() {
-            let followed = self.follow(sweeps.astray.not(), rate, space).ok_or(sweeps.error)?;
-            done = done.or(self.equal(scale, k, &followed).and(sweeps.astray));
-            if done.all() {
-                return Ok((sweeps.iterations, done));
-            }
-        }
+    ) -> Result<usize, StepError> {
+        let done = sweeps.converged;
         fill_unless(done, k, rate);
-        let (outcome, [first, path]) = self.newton(1.0, NEWTON_ITERATIONS, done, k, space);
+        let terms = self.terms(rate);
+        let (outcome, [first, path]) = self.newton(1.0, NEWTON_ITERATIONS, done, &terms, k, space);
         let iterations = sweeps.iterations
             + match outcome {
                 Ok(iterations) => iterations,
@@ -78,15 +78,16 @@ impl<F: VectorField<T>, T: Real> Branch<'_, F, T> {
                 Err(unconverged) => return Err(unconverged.error),
             };
         let near = path.at_most(T::from_f64(NEAR));
-        let accepted = path.at_most(first * AT_ONCE).or(near).or(done);
-        if accepted.all() {
-            return Ok((iterations, done));
+        let done = path.at_most(first * AT_ONCE).or(near).or(done);
+        if done.all() {
+            return Ok(iterations);
         }
-        match self.follow(done, rate, space) {
-            Some(followed) if self.equal(scale, k, &followed).or(accepted).all() => {
-                Ok((iterations, done))
+        match self.follow(done, &terms, rate, space) {
+            Some(followed) if self.equal(&terms, k, &followed).or(done).all() => Ok(iterations),
+            _ => {
+                let distance = T::select(done, T::zero(), path).max_abs();
+                Err(StepError::OtherSolution { distance })
             }
-            _ => Err(StepError::OtherSolution { distance: path.max_abs() }),
         }
     }
 
@@ -97,6 +98,7 @@ impl<F: VectorField<T>, T: Real> Branch<'_, F, T> {
         part: f64,
         most: usize,
         done: T::Mask,
+        terms: &BlockSizes<F::Point>,
         k: &mut [F::Point],
         space: &mut NewtonSpace<T>,
     ) -> (Result<usize, Unconverged<T::Mask>>, [T; 2]) {
@@ -105,7 +107,7 @@ impl<F: VectorField<T>, T: Real> Branch<'_, F, T> {
         let (mut first, mut path) = (None, T::zero());
         let outcome = self.solver.newton(most, done, &scale, k, |done, k| {
             let progress = newton_step(self.field, (z, step), self.tableau, done, k, space);
-            let (change, size) = scale.compare(&progress);
+            let (change, size) = compare(&scale, &progress, terms);
             // At an equilibrium both are 0.
             let relative = T::select(size.at_most(T::zero()), T::zero(), change / size);
             first = first.or(Some(relative));
@@ -119,6 +121,7 @@ impl<F: VectorField<T>, T: Real> Branch<'_, F, T> {
     fn follow(
         &self,
         done: T::Mask,
+        terms: &BlockSizes<F::Point>,
         rate: &F::Point,
         space: &mut NewtonSpace<T>,
     ) -> Option<Vec<F::Point>> {
@@ -135,9 +138,18 @@ impl<F: VectorField<T>, T: Real> Branch<'_, F, T> {
                     guess.add_multiple(-factor, old);
                 }
             }
-            let (outcome, [_, path]) = self.newton(next, FEW_ITERATIONS, done, &mut guess, space);
+            let (outcome, [_, path]) =
+                self.newton(next, FEW_ITERATIONS, done, terms, &mut guess, space);
             let far = T::select(done, T::zero(), path).max_abs();
-            if outcome.is_ok() && far <= NEAR {
+            // More digits are not compared, and a few iterations do not show that there are no more.
+            let found = match outcome {
+                Ok(_) => true,
+                Err(Unconverged { error: StepError::NotConverged { residual, .. }, .. }) => {
+                    residual <= SAME
+                }
+                Err(_) => false,
+            };
+            if found && far <= NEAR {
                 if next >= 1.0 {
                     return Some(guess);
                 }
@@ -146,11 +158,7 @@ impl<F: VectorField<T>, T: Real> Branch<'_, F, T> {
             }
             // The distance of a guess by extrapolation is quadratic in the length of the part.
             let [least, greatest] = FACTORS;
-            part *= if outcome.is_ok() {
-                (0.5 * NEAR / far).sqrt().clamp(least, greatest)
-            } else {
-                least
-            };
+            part *= if found { (0.5 * NEAR / far).sqrt().clamp(least, greatest) } else { least };
             if part < LEAST_PART {
                 return None;
             }
@@ -159,14 +167,54 @@ impl<F: VectorField<T>, T: Real> Branch<'_, F, T> {
     }
 
     /// Returns the lanes in which two solutions are the same.
-    fn equal(&self, scale: &StageScale<F::Point>, k: &[F::Point], other: &[F::Point]) -> T::Mask {
+    fn equal(&self, terms: &BlockSizes<F::Point>, k: &[F::Point], other: &[F::Point]) -> T::Mask {
         let mut progress = Progress { change: BlockSizes::zero(), size: BlockSizes::of(k) };
         for (k, other) in k.iter().zip(other) {
             progress.change.include_difference(k, other);
         }
-        let (change, size) = scale.compare(&progress);
+        let scale = StageScale::new(self.z, self.step);
+        let (change, size) = compare(&scale, &progress, terms);
         change.at_most(size * SAME)
     }
+
+    /// Returns the sizes of the terms whose sums are the stage derivatives.
+    ///
+    /// The derivative of a block whose terms cancel is round-off, which differs by its own size from one solution to the
+    /// next. That of a block which such a block alone drives is round-off, too. A change of each coordinate by a small part
+    /// of its size, and of the size that the terms of its block give it in the step, changes X by that part of its terms.
+    fn terms(&self, rate: &F::Point) -> BlockSizes<F::Point> {
+        let start = BlockSizes::of(core::slice::from_ref(self.z));
+        let (mut moves, mut terms) = (start.clone(), BlockSizes::zero());
+        for _ in 0..CHAIN {
+            let mut moved = self.z.clone();
+            // No two coordinates change alike, so that no symmetry keeps sums that cancel.
+            let change = |i| SAME * (0.5 + 0.5 * f64::fract(GOLDEN_RATIO * i as f64));
+            moved.set_entries(|i| self.z.entry(i) + moves.at(self.z.block_of(i)) * change(i));
+            let mut value = rate.clone();
+            self.field.at_into(&moved, &mut value);
+            let mut response = BlockSizes::zero();
+            response.include_difference(&value, rate);
+            terms = BlockSizes::zero();
+            // The state may be at the edge of the domain of X.
+            let finite = is_finite(response.largest());
+            let response = BlockSizes::select(finite, &response, &terms);
+            terms.add_scaled(T::from_f64(1.0 / SAME), &response);
+            moves = start.clone();
+            moves.add_scaled(T::from_f64(self.step.abs()), &terms);
+        }
+        terms
+    }
+}
+
+/// Returns a change, and the size with which it is to be compared, which is at least that of the terms.
+fn compare<V: State>(
+    scale: &StageScale<V>,
+    progress: &Progress<V>,
+    terms: &BlockSizes<V>,
+) -> (V::Scalar, V::Scalar) {
+    let mut progress = progress.clone();
+    progress.size.include_above(terms, |_| V::Scalar::from_f64(0.0));
+    scale.compare(&progress)
 }
 
 #[cfg(test)]
