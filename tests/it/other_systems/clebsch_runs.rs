@@ -13,7 +13,8 @@ use lie_poisson_formulas::{Coordinates, Parameters, StructureEntry};
 use momentum_map::{PoissonMap, Side, clebsch_realisation};
 use nalgebra::SVector;
 use workspace_tests::low_dimensional::{
-    Check, Entry, FIVE, THREE, WITHOUT_DERIVATION, coextended, every_algebra, extended, samples, table,
+    Check, Entry, FIVE, THREE, WITHOUT_DERIVATION, coextended, every_algebra, extended, samples,
+    table,
 };
 
 /// The energy ½|μ|². It bounds every motion.
