@@ -1,11 +1,11 @@
 //! The solution of stage equations to which short steps lead: [`Branch`].
 
-use crate::iteration::block_sizes::BlockSizes;
+use crate::iteration::block_sizes::{BlockSizes, MaskOf};
 use crate::iteration::convergence::is_finite;
 use crate::iteration::stage_scale::{Progress, Scale, StageScale};
 use crate::iteration::stage_solver::{NEWTON_ITERATIONS, Unconverged, fill_unless};
-use crate::stages::newton::{NewtonSpace, newton_step};
-use crate::{StageSolver, StepError, Tableau, VectorField};
+use crate::stages::newton::{FieldOn, NewtonSpace, newton_step};
+use crate::{StageSolver, StepError, Tableau};
 use lie_poisson::{Mask, Real, State};
 
 /// The multiple of the first change of Newton's iteration to which its changes add up where it contracts at once.
@@ -41,15 +41,15 @@ const MOST_PARTS: usize = 32;
 /// For τ = 0 the only solution is k_i = X(z). The solution of the step is the end, at τ = 1, of the curve of solutions that
 /// begins there. Other solutions do not tend to X(z) for short steps. The states to which they lead are wrong, however
 /// exactly they solve the equations.
-pub(crate) struct Branch<'a, F: VectorField<T>, T: Real> {
-    pub(crate) field: &'a F,
-    pub(crate) z: &'a F::Point,
+pub(crate) struct Branch<'a, V: State> {
+    pub(crate) field: &'a FieldOn<'a, V>,
+    pub(crate) z: &'a V,
     pub(crate) step: f64,
     pub(crate) tableau: &'a Tableau,
     pub(crate) solver: &'a StageSolver,
 }
 
-impl<F: VectorField<T>, T: Real> Branch<'_, F, T> {
+impl<V: State> Branch<'_, V> {
     /// Solves the equations of the step by Newton's iteration from k_i = `rate`, which is X(z), in the lanes in which the
     /// sweeps have not converged. Returns the number of all iterations.
     ///
@@ -62,10 +62,10 @@ impl<F: VectorField<T>, T: Real> Branch<'_, F, T> {
     /// solution.
     pub(crate) fn solve(
         &self,
-        sweeps: &Unconverged<T::Mask>,
-        rate: &F::Point,
-        k: &mut [F::Point],
-        space: &mut NewtonSpace<T>,
+        sweeps: &Unconverged<MaskOf<V>>,
+        rate: &V,
+        k: &mut [V],
+        space: &mut NewtonSpace<V::Scalar>,
     ) -> Result<usize, StepError> {
         let done = sweeps.converged;
         fill_unless(done, k, rate);
@@ -77,7 +77,7 @@ impl<F: VectorField<T>, T: Real> Branch<'_, F, T> {
                 Err(far) if far.converged.or(far.astray).all() => far.iterations,
                 Err(unconverged) => return Err(unconverged.error),
             };
-        let near = path.at_most(T::from_f64(NEAR));
+        let near = path.at_most(V::Scalar::from_f64(NEAR));
         let done = path.at_most(first * AT_ONCE).or(near).or(done);
         if done.all() {
             return Ok(iterations);
@@ -85,7 +85,7 @@ impl<F: VectorField<T>, T: Real> Branch<'_, F, T> {
         match self.follow(done, &terms, rate, space) {
             Some(followed) if self.equal(&terms, k, &followed).or(done).all() => Ok(iterations),
             _ => {
-                let distance = T::select(done, T::zero(), path).max_abs();
+                let distance = V::Scalar::select(done, V::Scalar::from_f64(0.0), path).max_abs();
                 Err(StepError::OtherSolution { distance })
             }
         }
@@ -97,19 +97,23 @@ impl<F: VectorField<T>, T: Real> Branch<'_, F, T> {
         &self,
         part: f64,
         most: usize,
-        done: T::Mask,
-        terms: &BlockSizes<F::Point>,
-        k: &mut [F::Point],
-        space: &mut NewtonSpace<T>,
-    ) -> (Result<usize, Unconverged<T::Mask>>, [T; 2]) {
+        done: MaskOf<V>,
+        terms: &BlockSizes<V>,
+        k: &mut [V],
+        space: &mut NewtonSpace<V::Scalar>,
+    ) -> (Result<usize, Unconverged<MaskOf<V>>>, [V::Scalar; 2]) {
         let (z, step) = (self.z, self.step * part);
         let scale = StageScale::new(z, step);
-        let (mut first, mut path) = (None, T::zero());
+        let (mut first, mut path) = (None, V::Scalar::from_f64(0.0));
         let outcome = self.solver.newton(most, done, &scale, k, |done, k| {
             let progress = newton_step(self.field, (z, step), self.tableau, done, k, space);
             let (change, size) = compare(&scale, &progress, terms);
             // At an equilibrium both are 0.
-            let relative = T::select(size.at_most(T::zero()), T::zero(), change / size);
+            let relative = V::Scalar::select(
+                size.at_most(V::Scalar::from_f64(0.0)),
+                V::Scalar::from_f64(0.0),
+                change / size,
+            );
             first = first.or(Some(relative));
             path += relative;
             progress
@@ -120,19 +124,19 @@ impl<F: VectorField<T>, T: Real> Branch<'_, F, T> {
     /// Follows the solution from τ = 0 to τ = 1. Returns it, or `None` if it ends before.
     fn follow(
         &self,
-        done: T::Mask,
-        terms: &BlockSizes<F::Point>,
-        rate: &F::Point,
-        space: &mut NewtonSpace<T>,
-    ) -> Option<Vec<F::Point>> {
+        done: MaskOf<V>,
+        terms: &BlockSizes<V>,
+        rate: &V,
+        space: &mut NewtonSpace<V::Scalar>,
+    ) -> Option<Vec<V>> {
         let mut k = vec![rate.clone(); self.tableau.stages()];
-        let mut before: Option<(f64, Vec<F::Point>)> = None;
+        let mut before: Option<(f64, Vec<V>)> = None;
         let (mut reached, mut part) = (0.0, FIRST_PART);
         for _ in 0..MOST_PARTS {
             let next = f64::min(reached + part, 1.0);
             let mut guess = k.clone();
             if let Some((earlier, old)) = &before {
-                let factor = T::from_f64((next - reached) / (reached - earlier));
+                let factor = V::Scalar::from_f64((next - reached) / (reached - earlier));
                 for ((guess, k), old) in guess.iter_mut().zip(&k).zip(old) {
                     guess.add_multiple(factor, k);
                     guess.add_multiple(-factor, old);
@@ -140,7 +144,7 @@ impl<F: VectorField<T>, T: Real> Branch<'_, F, T> {
             }
             let (outcome, [_, path]) =
                 self.newton(next, FEW_ITERATIONS, done, terms, &mut guess, space);
-            let far = T::select(done, T::zero(), path).max_abs();
+            let far = V::Scalar::select(done, V::Scalar::from_f64(0.0), path).max_abs();
             // More digits are not compared, and a few iterations do not show that there are no more.
             let found = match outcome {
                 Ok(_) => true,
@@ -167,7 +171,7 @@ impl<F: VectorField<T>, T: Real> Branch<'_, F, T> {
     }
 
     /// Returns the lanes in which two solutions are the same.
-    fn equal(&self, terms: &BlockSizes<F::Point>, k: &[F::Point], other: &[F::Point]) -> T::Mask {
+    fn equal(&self, terms: &BlockSizes<V>, k: &[V], other: &[V]) -> MaskOf<V> {
         let mut progress = Progress { change: BlockSizes::zero(), size: BlockSizes::of(k) };
         for (k, other) in k.iter().zip(other) {
             progress.change.include_difference(k, other);
@@ -182,7 +186,7 @@ impl<F: VectorField<T>, T: Real> Branch<'_, F, T> {
     /// The derivative of a block whose terms cancel is round-off, which differs by its own size from one solution to the
     /// next. That of a block which such a block alone drives is round-off, too. A change of each coordinate by a small part
     /// of its size, and of the size that the terms of its block give it in the step, changes X by that part of its terms.
-    fn terms(&self, rate: &F::Point) -> BlockSizes<F::Point> {
+    fn terms(&self, rate: &V) -> BlockSizes<V> {
         let start = BlockSizes::of(core::slice::from_ref(self.z));
         let (mut moves, mut terms) = (start.clone(), BlockSizes::zero());
         for _ in 0..CHAIN {
@@ -198,9 +202,9 @@ impl<F: VectorField<T>, T: Real> Branch<'_, F, T> {
             // The state may be at the edge of the domain of X.
             let finite = is_finite(response.largest());
             let response = BlockSizes::select(finite, &response, &terms);
-            terms.add_scaled(T::from_f64(1.0 / SAME), &response);
+            terms.add_scaled(V::Scalar::from_f64(1.0 / SAME), &response);
             moves = start.clone();
-            moves.add_scaled(T::from_f64(self.step.abs()), &terms);
+            moves.add_scaled(V::Scalar::from_f64(self.step.abs()), &terms);
         }
         terms
     }

@@ -1,6 +1,6 @@
 //! Newton's iteration for the stage equations.
 
-use crate::iteration::block_sizes::BlockSizes;
+use crate::iteration::block_sizes::{BlockSizes, MaskOf};
 use crate::iteration::stage_scale::Progress;
 use crate::iteration::stage_solver::set_combination;
 use crate::{Tableau, VectorField};
@@ -29,6 +29,10 @@ impl<T> NewtonSpace<T> {
     }
 }
 
+/// A vector field on points V. It is called through a pointer, so that Newton's iteration is compiled once for all fields
+/// on points of a type, since few steps need it.
+pub(crate) type FieldOn<'a, V> = dyn VectorField<<V as State>::Scalar, Point = V> + 'a;
+
 /// Makes one Newton iteration k ← k − (1 − h A ⊗ DX)⁻¹ (k − X(z + h A k)) for the stage derivatives, in the lanes that
 /// are not `done`.
 ///
@@ -40,14 +44,14 @@ impl<T> NewtonSpace<T> {
 ///
 /// The terms are those of DX·z, the round-off of X at its argument in units of ε. They are larger than X if z is far
 /// along a fibre on which X does not depend. No iteration comes nearer than their round-off.
-pub(crate) fn newton_step<T: Real, F: VectorField<T>>(
-    field: &F,
-    (z, step): (&F::Point, f64),
+pub(crate) fn newton_step<V: State>(
+    field: &FieldOn<'_, V>,
+    (z, step): (&V, f64),
     tableau: &Tableau,
-    done: T::Mask,
-    k: &mut [F::Point],
-    space: &mut NewtonSpace<T>,
-) -> Progress<F::Point> {
+    done: MaskOf<V>,
+    k: &mut [V],
+    space: &mut NewtonSpace<V::Scalar>,
+) -> Progress<V> {
     let units = units(z, step, k);
     let mut progress = assemble(field, (z, step), tableau, k, &units, space);
     let regular = solve_linear(&mut space.matrix, &mut space.residual);
@@ -67,25 +71,25 @@ pub(crate) fn newton_step<T: Real, F: VectorField<T>>(
 ///
 /// Without units, elimination could not choose its pivots. Returns the residuals above their round-off, and the sizes
 /// of the terms of X.
-fn assemble<T: Real, F: VectorField<T>>(
-    field: &F,
-    (z, step): (&F::Point, f64),
+fn assemble<V: State>(
+    field: &FieldOn<'_, V>,
+    (z, step): (&V, f64),
     tableau: &Tableau,
-    k: &[F::Point],
-    units: &F::Point,
-    space: &mut NewtonSpace<T>,
-) -> Progress<F::Point> {
+    k: &[V],
+    units: &V,
+    space: &mut NewtonSpace<V::Scalar>,
+) -> Progress<V> {
     let dimension = z.dimension();
     let size = k.len() * dimension;
     space.matrix.clear();
-    space.matrix.resize(size * size, T::zero());
+    space.matrix.resize(size * size, V::Scalar::from_f64(0.0));
     space.residual.clear();
     let mut progress = Progress { change: BlockSizes::zero(), size: BlockSizes::zero() };
     for (i, row) in tableau.rows().enumerate() {
         let mut point = z.zeros_like();
         set_combination(&mut point, tableau.row_low(i), k);
         point.add_combination(row, k);
-        point.scale_in_place(T::from_f64(step));
+        point.scale_in_place(V::Scalar::from_f64(step));
         point.add_in_place(z);
         let mut value = z.zeros_like();
         field.at_into(&point, &mut value);
@@ -110,7 +114,7 @@ fn assemble<T: Real, F: VectorField<T>>(
         progress.include_residual(&BlockSizes::of(&[residual]), &terms);
     }
     for n in 0..size {
-        space.matrix[n * size + n] += T::one();
+        space.matrix[n * size + n] += V::Scalar::from_f64(1.0);
     }
     progress
 }
@@ -136,15 +140,9 @@ fn units<T: Real, V: State<Scalar = T>>(z: &V, step: f64, k: &[V]) -> V {
 ///
 /// It is a difference quotient if the field does not know its derivative. The iteration then converges a little more
 /// slowly, to the same stages.
-fn derivative<T: Real, F: VectorField<T>>(
-    field: &F,
-    z: &F::Point,
-    value: &F::Point,
-    i: usize,
-    unit: T,
-) -> F::Point {
+fn derivative<V: State>(field: &FieldOn<'_, V>, z: &V, value: &V, i: usize, unit: V::Scalar) -> V {
     let mut v = z.zeros_like();
-    v.set_entry(i, T::one());
+    v.set_entry(i, V::Scalar::from_f64(1.0));
     field.derivative(z, &v).unwrap_or_else(|| {
         let width = unit * f64::EPSILON.sqrt();
         let mut moved = z.clone();
@@ -152,7 +150,7 @@ fn derivative<T: Real, F: VectorField<T>>(
         let mut slope = z.zeros_like();
         field.at_into(&moved, &mut slope);
         slope.subtract_in_place(value);
-        slope.scale_in_place(T::one() / width);
+        slope.scale_in_place(V::Scalar::from_f64(1.0) / width);
         slope
     })
 }
