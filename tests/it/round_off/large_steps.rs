@@ -68,7 +68,7 @@ fn large_steps_keep_what_the_method_promises_or_fail() {
             }
         }
     }
-    assert_eq!(solved, 27, "all those up to 2, and three of 10, of 66");
+    assert_eq!(solved, 36, "those up to 10³, of 66");
 }
 
 #[test]
