@@ -2,6 +2,7 @@
 
 use crate::iteration::block_sizes::{BlockSizes, MaskOf};
 use crate::iteration::convergence::is_finite;
+use crate::iteration::lane_problem::Outcome;
 use crate::iteration::stage_scale::{Progress, Scale, StageScale};
 use crate::iteration::stage_solver::{NEWTON_ITERATIONS, Unconverged, fill_unless};
 use crate::stages::newton::{FieldOn, NewtonSpace, newton_step};
@@ -101,7 +102,7 @@ impl<V: State> Branch<'_, V> {
         terms: &BlockSizes<V>,
         k: &mut [V],
         space: &mut NewtonSpace<V::Scalar>,
-    ) -> (Result<usize, Unconverged<MaskOf<V>>>, [V::Scalar; 2]) {
+    ) -> (Outcome<V>, [V::Scalar; 2]) {
         let (z, step) = (self.z, self.step * part);
         let scale = StageScale::new(z, step);
         let (mut first, mut path) = (None, V::Scalar::from_f64(0.0));
