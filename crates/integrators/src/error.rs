@@ -31,7 +31,8 @@ pub enum StepError {
          {distance:.1e} times the size of the stage derivatives to it; a shorter step may help"
     )]
     OtherSolution {
-        /// The sum of the changes of the stage derivatives in the iteration, relative to their size.
+        /// The sum of the changes of the stage derivatives in the iteration, relative to their size, or to that of the
+        /// terms whose sums they are if it is larger.
         distance: f64,
     },
     /// The Hamiltonian or a Casimir has changed by more than the errors of the method.
