@@ -10,11 +10,7 @@ use thiserror::Error;
 #[non_exhaustive]
 pub enum StepError {
     /// The iteration for the stage equations did not converge.
-    #[error(
-        "the stage equations did not converge: residual {residual:e} after {iterations} \
-         iterations (required {required:e}); a shorter step may help, and for a state far along a fibre of \
-         its momentum map a nearer one"
-    )]
+    #[error("the stage equations did not converge: {}", residue(*residual, *required, *iterations))]
     NotConverged {
         /// The change of the stage derivatives in the last iteration, relative to their size. It is the largest over
         /// blocks of coordinates ([`State::BLOCKS`](lie_poisson::State::BLOCKS)), and NaN or ∞ if the iteration
@@ -77,6 +73,21 @@ pub enum StepError {
     /// The number of the step would exceed [`u64::MAX`].
     #[error("no step has a number above {}", u64::MAX)]
     Uncountable,
+}
+
+/// Returns what is left of stage equations that were not solved, and what may help.
+fn residue(residual: f64, required: f64, iterations: usize) -> String {
+    if residual.is_finite() {
+        format!(
+            "residual {residual:e} after {iterations} iterations (required {required:e}); a shorter step may help, and \
+             for a state far along a fibre of its momentum map a nearer one"
+        )
+    } else {
+        format!(
+            "residual {residual} after {iterations} iterations: the stage derivatives are too large for numbers; the \
+             motion goes to infinity there, or the step is too long"
+        )
+    }
 }
 
 /// Returns the name of an invariant of a system: h, c1, c2, …

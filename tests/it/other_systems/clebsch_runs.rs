@@ -310,3 +310,38 @@ fn coordinates_that_decay_while_others_grow_keep_their_digits() {
         assert!(change.abs() < 1e-14, "{}: {change:e}", sample.time);
     }
 }
+
+/// On the affine algebra of the line, [X, Y] = Y, the energy ½(X² + Y²) = ½c² has the motions
+///
+/// ```text
+/// X = −c tanh(c(t − t₀)),   Y = c sech(c(t − t₀))
+/// ```
+///
+/// Y keeps its digits until it underflows, while z stays of the size of √c: the map does not depend on some of its
+/// coordinates, which would grow as 1/√Y.
+#[test]
+fn a_coordinate_decays_through_all_numbers() {
+    let algebra = StructureConstants::<2>::new(|i, j, k| match (i, j, k) {
+        (0, 1, 1) => 1.0,
+        (1, 0, 1) => -1.0,
+        _ => 0.0,
+    });
+    let map = clebsch_realisation(extended(&algebra.unwrap()).unwrap(), Side::Right).unwrap();
+    let gauss = Collective::new(RungeKutta::gauss(4).unwrap(), map, Automatic(Round::<2>));
+    let start = Covector(SVector::<f64, 2>::new(0.3, 0.5));
+    let c = start.0.norm();
+    let beginning = (start.0[0] / c).atanh() / c;
+    let mut last = start;
+    for sample in gauss.trajectory(&start, 0.1).unwrap().take(13_001) {
+        let sample = sample.unwrap();
+        let exponent = c * (sample.time - beginning);
+        let exact = SVector::<f64, 2>::new(-c * exponent.tanh(), c / exponent.cosh());
+        // The rate of Y is known to the round-off of a run of 10⁴ steps.
+        let error = (sample.momentum.0 - exact).component_div(&exact).abs();
+        let known = exact[1] > 1e-300;
+        assert!(error[0] < 1e-10 && (!known || error[1] < 1e-8), "{}: {error}", sample.time);
+        assert!(sample.state.max_abs() < 50.0, "{}: {:?}", sample.time, sample.state);
+        last = sample.momentum;
+    }
+    assert!(last.0[1] == 0.0);
+}

@@ -46,6 +46,8 @@ use lie_poisson::{
 #[derive(Clone, Debug, PartialEq)]
 pub struct ClebschSection {
     search: Search,
+    /// Whether J depends on each coordinate of (q, p).
+    matters: Vec<bool>,
 }
 
 /// A Clebsch map with its lift.
@@ -93,7 +95,8 @@ impl ClebschSection {
     /// Returns [`LiftError`] if a matrix element of the representation is not finite, or if the largest one has no
     /// finite reciprocal.
     pub fn new<R: Representation>(map: &ClebschMap<R>) -> Result<Self, LiftError> {
-        Ok(Self { search: Search::new(&map.representation().0)? })
+        let r = &map.representation().0;
+        Ok(Self { search: Search::new(r)?, matters: on_which_it_depends(r) })
     }
 
     /// Returns the rank of p ↦ J(q, p), the largest over the generic points q of the lift.
@@ -130,6 +133,15 @@ impl ClebschSection {
         (Vector::select(zero, &Vector::zero(), &z), T::select(zero, T::zero(), residual))
     }
 
+    /// Sets the coordinates on which J does not depend to zero: those of p on which no ξq has a component, and those of
+    /// invariant q. They may grow, and then hide how the others compare.
+    fn without_idle_coordinates<V: Vector>(&self, z: &V) -> V {
+        V::from_coordinates(|i| match self.matters.get(i) {
+            Some(false) => V::Scalar::from_f64(0.0),
+            _ => z.coordinate(i),
+        })
+    }
+
     /// Returns the lift of J(z) in the SIMD lanes in which it has at most four fifths of the length of z, and each
     /// coordinate of J(z) to the round-off of its terms at z. Returns z itself in the others.
     ///
@@ -152,7 +164,8 @@ impl ClebschSection {
 const ROUND_OFF: f64 = 64.0 * f64::EPSILON;
 
 impl<R: Representation> Fibres<ClebschMap<R>> for ClebschSection {
-    /// Returns a point near the origin on the fibre through z, with sizes of q and p within a factor 16 of each other.
+    /// Returns a point near the origin on the fibre through z, with sizes of q and p within a factor 16 of each other, and
+    /// zeros for the coordinates on which J does not depend.
     ///
     /// The fibre contains all (aq, p/a). A power of two for a balances q and p without rounding errors. The iteration
     /// then has one unit for all coordinates. With a unit for each block the curve would have no point of least length.
@@ -171,7 +184,7 @@ impl<R: Representation> Fibres<ClebschMap<R>> for ClebschSection {
                 map.apply::<DualNumber<T>>(z)
             },
         };
-        let z = balanced(z);
+        let z = balanced(&self.without_idle_coordinates(z));
         if space.far() == Far::Length {
             let known = space.terms_at(&both.apply_dual, &z);
             return self.lifted_anew(map, &z, &known);
@@ -219,6 +232,22 @@ impl<R: Representation> SectionOf<ClebschMap<R>> for ClebschSection {
         let reason = "μ must be so small that the terms of J(q, p) are numbers";
         Ok(LiftError::unless_finite(range, "μ", mu.max_abs(), reason)?.0)
     }
+}
+
+/// Returns for each coordinate of (q, p) whether J(q, p) depends on it.
+fn on_which_it_depends<R: Representation>(r: &R) -> Vec<bool> {
+    let dimension = R::Space::<f64>::DIM;
+    let columns = (0..RepresentedElement::<R>::DIM).flat_map(|i| {
+        (0..dimension).map(move |j| (j, r.act::<f64>(&Vector::basis(i), &Vector::basis(j))))
+    });
+    let mut matters = vec![false; 2 * dimension];
+    for (j, column) in columns {
+        for k in (0..dimension).filter(|&k| column.coordinate(k) != 0.0) {
+            matters[j] = true;
+            matters[dimension + k] = true;
+        }
+    }
+    matters
 }
 
 /// Returns the largest |vᵢ| in each SIMD lane, with its derivative.

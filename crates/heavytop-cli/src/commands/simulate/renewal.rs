@@ -7,7 +7,6 @@ use crate::Error;
 use crate::runs::Saved;
 use crate::supervision::tiled_run::RESUME;
 use collective_integrators::CHECKPOINT;
-use std::sync::atomic::Ordering;
 use std::time::Instant;
 
 /// The checkpoints of a run underway.
@@ -35,7 +34,7 @@ impl<'a> Renewal<'a> {
         if !step.is_multiple_of(CHECKPOINT) || step >= self.steps {
             return Ok(());
         }
-        let stop = self.options.stop.is_some_and(|stop| stop.load(Ordering::Relaxed));
+        let stop = !self.options.going();
         if !stop && self.renewed.elapsed() < self.options.interval {
             return Ok(());
         }

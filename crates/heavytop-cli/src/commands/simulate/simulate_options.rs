@@ -1,8 +1,10 @@
 //! The options of `simulate`: checkpoints, requests to stop, and progress.
 
 use super::checkpoint::Checkpoint;
+use crate::Error;
 use crate::files::Safeguard;
 use crate::supervision::Progress;
+use crate::supervision::tiled_run::RESUME;
 use std::sync::atomic::{AtomicBool, Ordering};
 use std::time::Duration;
 
@@ -32,9 +34,20 @@ impl SimulateOptions<'_> {
     }
 
     /// Makes an estimate of the error, which ends early at a request to stop, and shows meanwhile that it is at work.
-    pub(super) fn estimated<T>(&self, estimate: impl FnOnce(&dyn Fn() -> bool) -> T) -> T {
+    ///
+    /// # Errors
+    /// If there is a request to stop, and the run continues from a checkpoint: it stays there. Another run goes on to its
+    /// first row, where it stops with a checkpoint.
+    pub(super) fn estimated<T>(
+        &self,
+        estimate: impl FnOnce(&dyn Fn() -> bool) -> Result<T, Error>,
+    ) -> Result<T, Error> {
         let _shown = Progress::estimating(self.quiet);
-        estimate(&|| self.going())
+        let estimated = estimate(&|| self.going())?;
+        match self.resume {
+            Some(_) if !self.going() => Err(Error::Interrupted { resume: Some(RESUME.into()) }),
+            _ => Ok(estimated),
+        }
     }
 }
 

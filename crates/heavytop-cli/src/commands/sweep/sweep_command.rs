@@ -16,7 +16,7 @@ use crate::files::{Kind, OutputSet};
 use crate::formats::Metadata;
 use crate::formats::recognition::{PAR1, is_parquet};
 use crate::pictures::render;
-use crate::supervision::tiled_run::{resumable, threads};
+use crate::supervision::tiled_run::{interrupted, resumable, threads};
 use crate::supervision::warnings::warn;
 use crate::supervision::{Forecast, Progress, TileOptions};
 use std::path::{Path, PathBuf};
@@ -118,6 +118,10 @@ fn run(
         threads.install(|| worst_accuracy(&plan, &|| !options.stopped()))
     };
     let accuracy = (rank == 0).then(estimate).flatten();
+    if rank == 0 && options.stopped() {
+        // The table of tiles that are all finished would have no estimate.
+        return Err(interrupted());
+    }
     if rank == 0 {
         let family = plan.family.as_family().warnings().into_iter();
         let of_body = threads.install(|| impossible_members(&plan));
