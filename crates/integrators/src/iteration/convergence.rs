@@ -53,6 +53,8 @@ pub(crate) struct Watch<T> {
     expected: T,
     /// The number of sweeps since the least change.
     stalled: T,
+    /// Whether there has been a change.
+    has_begun: bool,
     /// The first change, and the sum of all.
     first: T,
     path: T,
@@ -79,6 +81,7 @@ impl<T: Real> Watch<T> {
             ratios,
             expected: infinity,
             stalled,
+            has_begun: false,
             first,
             path,
         }
@@ -109,18 +112,22 @@ impl<T: Real> Watch<T> {
     /// Returns the lanes in which a change is the last meaningful one, for stages of the given size.
     #[cfg_attr(not(debug_assertions), inline(always))]
     pub(crate) fn converged(&mut self, change: T, size: T) -> T::Mask {
-        let better = change.at_most(self.least).and(self.least.at_most(change).not());
+        // A change that is not a number ends the iteration in its lane.
+        let better = self.least.at_most(change).not();
         self.stalled = T::select(better, T::zero(), self.stalled + 1.0);
         self.least = T::select(better, change, self.least);
-        let begun = is_finite(self.previous);
-        self.first = T::select(begun, self.first, change);
         self.path += change;
-        let says = begun.and((size * NOISE).at_most(change));
-        let ratio = change / self.previous;
-        self.ratios = [
-            T::select(says, self.ratios[1], self.ratios[0]),
-            T::select(says, ratio, self.ratios[1]),
-        ];
+        if self.has_begun {
+            let says = (size * NOISE).at_most(change);
+            let ratio = change / self.previous;
+            self.ratios = [
+                T::select(says, self.ratios[1], self.ratios[0]),
+                T::select(says, ratio, self.ratios[1]),
+            ];
+        } else {
+            self.has_begun = true;
+            self.first = change;
+        }
         // Changes may rise and fall: the larger of two ratios counts.
         let least = T::select(self.expected.at_most(change), self.expected, change);
         self.expected = least * self.ratios[0].larger(self.ratios[1]);
@@ -131,8 +138,8 @@ impl<T: Real> Watch<T> {
         let stalls = T::from_f64(PATIENCE).at_most(self.stalled);
         let at_floor = stalls.and(change.at_most(size * FLOOR));
         self.previous = change;
-        // An infinite change is not above an infinite floor, and not at it either.
-        unchanged.or(last).or(grows).or(at_floor).and(is_finite(change)).and(is_finite(size))
+        // Each of them bounds the change by a multiple of the size.
+        unchanged.or(last).or(grows).or(at_floor).and(is_finite(size))
     }
 }
 

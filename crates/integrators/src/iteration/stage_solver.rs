@@ -260,8 +260,8 @@ impl StageSolver {
             if self.tolerance > 0.0 {
                 now = now.or(scale.accepts(&progress, self.tolerance));
             }
-            *pace = keep(ended, *pace, watch.ratios());
             if now.any() {
+                *pace = keep(ended.or(now.not()), *pace, watch.ratios());
                 let far = now.and(ended.not()).and(watch.is_astray(size));
                 astray = astray.or(far);
                 lost = lost.or(far);
@@ -275,6 +275,8 @@ impl StageSolver {
             near = change.at_most(size * CLOSE).and(close.or(converged).or(lost).not());
             close = close.or(near);
         }
+        // An iteration that failed says nothing about the next one.
+        *pace = keep(converged, *pace, unknown());
         let (change, size) = scale.compare(&progress);
         let relative = V::Scalar::select(converged, V::Scalar::from_f64(0.0), change / size);
         let (residual, required) = (relative.max_abs(), larger(self.tolerance, FLOOR));
