@@ -145,8 +145,11 @@ impl Tape {
         else {
             return results(&[]);
         };
-        for (i, register) in first.iter_mut().enumerate() {
-            *register = input(i);
+        // Without instructions nothing reads the coordinates.
+        if !self.instructions.is_empty() {
+            for (i, register) in first.iter_mut().enumerate() {
+                *register = input(i);
+            }
         }
         for (i, (register, affine)) in others.iter_mut().zip(affine).enumerate() {
             *register = affine.at(own(i));
