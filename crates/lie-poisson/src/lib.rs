@@ -94,8 +94,8 @@ pub use generic_scalars::{
     Quaternion, Real, RealSpace, Sites, State, StorageOver, TaskOver, UnfusedSpace, UnfusedStorage,
     UnfusedTask, Vector, VectorSpace, Width, constant_times, constant_transpose_times, cross,
     derivative_part, differential, dispatch, dispatch_four, dispatch_unfused, dot, euclidean_norm,
-    larger, linear_solution, map_coordinates, nearest_power_of_two, seed, solve_linear,
-    squaring_scale, state_by_value, transposed_tangent,
+    larger, map_coordinates, nearest_power_of_two, seed, solve_linear, squaring_scale,
+    state_by_value, transposed_tangent,
 };
 
 pub use algebras::algebra::{LieAlgebra, Momentum};

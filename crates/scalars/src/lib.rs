@@ -31,7 +31,7 @@
 //! | the transposed tangent map of a map between vector spaces | [`transposed_tangent`] |
 //! | a derivative along one direction | [`seed`], then [`derivative_part`] |
 //! | exponentials of rotations without a small-angle branch | the Stumpff functions [`Real::stumpff`] |
-//! | linear equations over any scalar | [`linear_solution`], or [`solve_linear`] for a size that is known at run time |
+//! | linear equations over any scalar | [`solve_linear`] |
 //! | a constant matrix times a vector over any scalar | [`constant_times`], [`constant_transpose_times`] |
 //! | several trajectories at once | [`DefaultLanes`], four SIMD lanes on every processor |
 //! | the widest SIMD lanes of the processor | a [`LaneTask`], run by [`dispatch`] |
@@ -95,7 +95,6 @@ pub use numbers::real::{Real, larger};
 
 pub use calculus::block_scales::BlockScales;
 pub use calculus::derivative::{derivative_part, differential, seed, transposed_tangent};
-pub use calculus::linear_solution::linear_solution;
 pub use calculus::norm::{euclidean_norm, squaring_scale};
 
 pub use spaces::covector::Covector;

@@ -8,16 +8,14 @@ use thiserror::Error;
 /// The reason why there is no page.
 #[derive(Debug, Error)]
 pub enum BuildError {
-    /// No compiler can make WebAssembly.
+    /// The compiler has no standard library for WebAssembly.
     #[error(
-        "The page needs a Rust compiler for WebAssembly, and there is none here.\n{tried}\
-         One of these helps:\n  \
-         rustup target add wasm32-unknown-unknown\n  \
-         apt-get install rustc-web cargo-web rust-web-src lld    (on Debian, where rustup has no network)"
+        "the page needs a Rust compiler for WebAssembly; this installs what is missing:\n  \
+         rustup target add {target}"
     )]
-    NoCompiler {
-        /// A line for each compiler: where it is, and what it lacks.
-        tried: String,
+    NoLibrary {
+        /// The name of the platform.
+        target: &'static str,
     },
     /// A program cannot be started.
     #[error("cannot start {}", program.display())]

@@ -1,10 +1,9 @@
 //! Builds the interactive page: `cargo page [FILE]`. The default is `target/page/heavy-top.html`.
 //!
-//! It looks for a Rust compiler that can make WebAssembly, compiles the library with it, and writes one HTML file that
-//! needs neither other files nor a network. The exit code is 2 if there is no such compiler.
+//! It compiles the library to WebAssembly and writes one HTML file that needs neither other files nor a network. The exit
+//! code is 2 if the compiler has no standard library for WebAssembly.
 
 mod build_error;
-mod compilers;
 mod page;
 mod wasm;
 
@@ -25,7 +24,7 @@ fn main() -> ExitCode {
             let causes = std::iter::successors(error.source(), |&cause| cause.source());
             eprintln!("{error}{}", causes.map(|cause| format!(": {cause}")).collect::<String>());
             match error {
-                BuildError::NoCompiler { .. } => ExitCode::from(2),
+                BuildError::NoLibrary { .. } => ExitCode::from(2),
                 _ => ExitCode::FAILURE,
             }
         }
@@ -37,9 +36,7 @@ fn build(out: Option<OsString>) -> Result<String, BuildError> {
     let root = Path::new(env!("CARGO_MANIFEST_DIR")).join("../../..");
     let target = env::var_os("CARGO_TARGET_DIR").map_or(root.join("target"), PathBuf::from);
     let out = out.map_or(target.join("page/heavy-top.html"), PathBuf::from);
-    let compiler = compilers::choose()?;
-    eprintln!("the compiler is {compiler}");
-    let module = wasm::compile(&compiler, &root, &target.join("page-wasm"))?;
+    let module = wasm::compile(&root, &target.join("page-wasm"))?;
     let page = page::assemble(&module);
     if let Some(folder) = out.parent() {
         fs::create_dir_all(folder).map_err(|source| BuildError::file(folder, source))?;
